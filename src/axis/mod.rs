@@ -1,0 +1,20 @@
+//! The separating-axis kernels, on a box centred at the origin.
+//!
+//! By the separating axis theorem a triangle and a box are disjoint exactly if
+//! their projections on one of 13 axes are: the box's three face normals
+//! ([`faces`]), the triangle's normal ([`normal`]), and the nine cross products
+//! of an edge of each ([`edges`]).
+
+mod edges;
+mod faces;
+mod frame;
+mod name;
+mod normal;
+mod split;
+
+pub(crate) use edges::{edges, one_edge};
+pub(crate) use faces::{faces, one_face};
+pub(crate) use frame::{BoxForm, Frame};
+pub use name::Axis;
+pub(crate) use normal::{normal, plane};
+pub(crate) use split::Split;

@@ -1,0 +1,49 @@
+//! The questions, one file for each pair of shapes.
+
+mod published;
+mod triangle_aabb;
+
+pub use published::Order;
+
+use crate::shape::Triangle;
+
+/// Whether two shapes have a point in common, exactly.
+///
+/// Implemented for each pair that can be asked about; the methods of the same
+/// name on the shapes are this, and need no import.
+pub trait Overlaps<Other> {
+    /// Whether the two shapes, as closed sets, have a point in common.
+    fn overlaps(&self, other: &Other) -> bool;
+}
+
+/// Whether two shapes may have a point in common: quick, and never `false` for
+/// shapes that have.
+pub trait MayOverlap<Other> {
+    /// `false` only if the two shapes have no point in common.
+    fn may_overlap(&self, other: &Other) -> bool;
+}
+
+impl<S> Triangle<S> {
+    /// Whether the triangle meets the other shape, exactly: an [`Aabb`] or an
+    /// [`Obb`]. See [`Overlaps`] for the pairs.
+    ///
+    /// [`Aabb`]: crate::Aabb
+    /// [`Obb`]: crate::Obb
+    #[inline]
+    pub fn overlaps<Other>(&self, other: &Other) -> bool
+    where
+        Self: Overlaps<Other>,
+    {
+        Overlaps::overlaps(self, other)
+    }
+
+    /// Whether the triangle may meet the other shape: never `false` if it does.
+    /// See [`MayOverlap`] for the pairs.
+    #[inline]
+    pub fn may_overlap<Other>(&self, other: &Other) -> bool
+    where
+        Self: MayOverlap<Other>,
+    {
+        MayOverlap::may_overlap(self, other)
+    }
+}

@@ -1,0 +1,177 @@
+//! The last stage: the 13 axes by exact sums of products of the coordinates as
+//! they were given.
+//!
+//! No difference is formed, for it might round. A difference is a list of
+//! signed coordinates, a product of differences the sum of all products of one
+//! from each list, and only the sum's sign is asked for. Slow, short, and right
+//! for every finite input, the extremes of `f64` included.
+
+use core::cmp::Ordering;
+
+use crate::scalar::{ExactSum, Parts, Scalar};
+use crate::shape::AabbForm;
+
+const ZERO: Parts = Parts { negative: false, magnitude: 0, shift: 0 };
+
+/// A sum of up to three signed coordinates.
+type Linear = [Parts; 3];
+
+/// a − b.
+fn difference(a: Parts, b: Parts) -> Linear {
+    [a, b.negated(), ZERO]
+}
+
+/// Adds `sign`·a·b to the sum.
+fn add_area<T: ExactSum>(sum: &mut T, a: Linear, b: Linear, minus: bool) {
+    for x in a {
+        let x = if minus { x.negated() } else { x };
+        for y in b {
+            sum.add(&[x, y]);
+        }
+    }
+}
+
+/// Adds (a_j·b_k − a_k·b_j)·c to the sum.
+fn add_volume<T: ExactSum>(sum: &mut T, a: &[Linear; 3], b: &[Linear; 3], i: usize, c: Linear) {
+    let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+    for z in c {
+        for (x, y) in a[j].into_iter().flat_map(|x| b[k].map(|y| (x, y))) {
+            sum.add(&[x, y, z]);
+        }
+        for (x, y) in a[k].into_iter().flat_map(|x| b[j].map(|y| (x, y))) {
+            sum.add(&[x.negated(), y, z]);
+        }
+    }
+}
+
+/// The coordinates of a triangle, taken apart.
+pub(crate) struct ExactTriangle {
+    v: [[Parts; 3]; 3],
+}
+
+impl ExactTriangle {
+    pub(crate) fn new<S: Scalar>(points: &[[S; 3]; 3]) -> Self {
+        Self { v: points.map(|p| p.map(S::parts)) }
+    }
+
+    /// Edge k, from vertex k to the next.
+    fn edge(&self, k: usize) -> [Linear; 3] {
+        let (from, to) = (&self.v[k], &self.v[(k + 1) % 3]);
+        core::array::from_fn(|i| difference(to[i], from[i]))
+    }
+
+    /// The sign of component `i` of the normal, e0 × e1.
+    pub(crate) fn normal_sign<S: Scalar>(&self, i: usize) -> Ordering {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        let (e0, e1) = (self.edge(0), self.edge(1));
+        let mut sum = S::Sum::new();
+        add_area(&mut sum, e0[j], e1[k], false);
+        add_area(&mut sum, e0[k], e1[j], true);
+        sum.sign()
+    }
+}
+
+/// The faces of a box, taken apart: each the sum of two numbers.
+pub(crate) struct ExactBox {
+    min: [[Parts; 2]; 3],
+    max: [[Parts; 2]; 3],
+}
+
+impl ExactBox {
+    pub(crate) fn new<S: Scalar>(form: &AabbForm<S>) -> Self {
+        match form {
+            AabbForm::Center { center, half } => {
+                let (c, h) = (center.to_array().map(S::parts), half.to_array().map(S::parts));
+                Self {
+                    min: core::array::from_fn(|i| [c[i], h[i].negated()]),
+                    max: core::array::from_fn(|i| [c[i], h[i]]),
+                }
+            }
+            AabbForm::Corners { min, max } => Self {
+                min: min.to_array().map(|x| [x.parts(), ZERO]),
+                max: max.to_array().map(|x| [x.parts(), ZERO]),
+            },
+        }
+    }
+
+    /// From `x` to the face of axis `i` that lies farther along `toward`.
+    pub(crate) fn from_point(&self, x: Parts, i: usize, toward: Ordering) -> Linear {
+        let [a, b] = if toward == Ordering::Less { self.min[i] } else { self.max[i] };
+        [a, b, x.negated()]
+    }
+
+    /// Whether face axis `i` separates.
+    pub(crate) fn face_separates<S: Scalar>(&self, t: &ExactTriangle, i: usize) -> bool {
+        let all = |toward: Ordering| {
+            t.v.iter().all(|v| {
+                let mut sum = S::Sum::new();
+                for x in self.from_point(v[i], i, toward) {
+                    sum.add(&[x]);
+                }
+                sum.sign() == toward.reverse()
+            })
+        };
+        all(Ordering::Greater) || all(Ordering::Less)
+    }
+
+    /// Whether the triangle's normal separates, given the signs of its
+    /// components.
+    pub(crate) fn normal_separates<S: Scalar>(
+        &self,
+        t: &ExactTriangle,
+        signs: &[Ordering; 3],
+    ) -> bool {
+        let (e0, e1) = (t.edge(0), t.edge(1));
+        // The critical corner along the normal, or against it, from vertex 0.
+        let corner = |along: bool| {
+            let mut sum = S::Sum::new();
+            for i in 0..3 {
+                let toward = if along { signs[i] } else { signs[i].reverse() };
+                add_volume(&mut sum, &e0, &e1, i, self.from_point(t.v[0][i], i, toward));
+            }
+            sum.sign()
+        };
+        corner(true) == Ordering::Less || corner(false) == Ordering::Greater
+    }
+
+    /// Whether the cross product of coordinate axis `i` and edge `k` separates,
+    /// given the sign of component `i` of the normal.
+    pub(crate) fn edge_separates<S: Scalar>(
+        &self,
+        t: &ExactTriangle,
+        i: usize,
+        k: usize,
+        normal: Ordering,
+    ) -> bool {
+        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+        let e = t.edge(k);
+        let sign = |x: Linear| {
+            let mut sum = S::Sum::new();
+            for part in x {
+                sum.add(&[part]);
+            }
+            sum.sign()
+        };
+        let (ej, el) = (sign(e[j]), sign(e[l]));
+        // (e × (z − v))_i is greatest over the box for z_l along e_j and z_j
+        // against e_l. The triangle covers the interval from 0 to n_i: from the
+        // edge's own vertex to the one opposite.
+        let beyond = |along: bool| {
+            let base = if (normal == Ordering::Greater) == along {
+                // Beyond the far end: measure from the vertex opposite.
+                &t.v[(k + 2) % 3]
+            } else {
+                &t.v[k]
+            };
+            let turn = |o: Ordering| if along { o } else { o.reverse() };
+            let mut sum = S::Sum::new();
+            let z_l = self.from_point(base[l], l, turn(ej).reverse());
+            let z_j = self.from_point(base[j], j, turn(el));
+            add_area(&mut sum, e[j], z_l, false);
+            add_area(&mut sum, e[l], z_j, true);
+            sum.sign() == turn(Ordering::Greater)
+        };
+        // The whole box above the interval, or the whole box below it.
+        beyond(true) || beyond(false)
+    }
+}

@@ -1,0 +1,272 @@
+//! `f32` and `f64`: computed as they are, with a bound on the error.
+
+use core::marker::PhantomData;
+use core::num::Wrapping;
+use core::ops::Mul;
+
+use super::integer::Int64;
+use super::ladder::{integers_then_exact, Predicate};
+use super::number::Number;
+use super::numbers::{convert, Holds, Numbers, Placed};
+use super::sum::{Parts, Sum};
+use super::{sealed, Scalar};
+
+/// A binary floating-point type of IEEE 754.
+pub trait Float: Number + Mul<Output = Self> + From<u8> + Into<f64> + 'static {
+    /// One half.
+    const HALF: Self;
+    /// u: half the distance from 1 to the next number.
+    const ROUNDOFF: Self;
+    /// Products of three operands, the greatest of them in this range, neither
+    /// overflow nor lose more to underflow than the bounds have to spare.
+    const REACH: (Self, Self);
+}
+
+// f32: an underflow costs at most 2^-150 an operation. The bound on a volume
+// is 6·u·r³ where 116/27 = 4.3 are needed (robust::bounds), so it has
+// 1.7·2^-24·r³ to spare against about 20·r·2^-150 and 20·2^-150: enough from
+// r = 2^-38 on. Above, r³·6 stays below 2^128 up to r = 2^41.
+impl Float for f32 {
+    const HALF: f32 = 0.5;
+    const ROUNDOFF: f32 = f32::EPSILON / 2.0;
+    const REACH: (f32, f32) = (f32::from_bits((127 - 32) << 23), f32::from_bits((127 + 40) << 23));
+}
+
+// f64: likewise 1.7·2^-53·r³ against 20·2^-1075, and r³·6 below 2^1024. A
+// number that was an f32, or a product of three of them, is always inside.
+impl Float for f64 {
+    const HALF: f64 = 0.5;
+    const ROUNDOFF: f64 = f64::EPSILON / 2.0;
+    const REACH: (f64, f64) =
+        (f64::from_bits((1023 - 320) << 52), f64::from_bits((1023 + 320) << 52));
+}
+
+/// The number system of a float type with a bound on its error: an answer is
+/// given only where it stands clear of the bound.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounded<F>(PhantomData<F>);
+
+impl<F: Float> Numbers for Bounded<F> {
+    type Length = F;
+    type Area = F;
+    type Volume = F;
+    type Slim = Self;
+
+    const FINAL: bool = false;
+
+    #[inline(always)]
+    fn area(a: F, b: F) -> F {
+        a * b
+    }
+    #[inline(always)]
+    fn volume(a: F, b: F) -> F {
+        a * b
+    }
+    #[inline(always)]
+    fn from_center(v: F, center: F) -> F {
+        v - center
+    }
+    // Not v − (min + max)/2: the sum rounds by the distance from the origin,
+    // the differences only by the distance from the box.
+    #[inline(always)]
+    fn from_corners(v: F, min: F, max: F) -> F {
+        half((v - min) + (v - max))
+    }
+    #[inline(always)]
+    fn half_extent(half: F) -> F {
+        half
+    }
+    #[inline(always)]
+    fn half_between(min: F, max: F) -> F {
+        half(max - min)
+    }
+    #[inline(always)]
+    fn middle(n: F) -> F {
+        half(n)
+    }
+    #[inline(always)]
+    fn is_slim(_: F) -> bool {
+        false
+    }
+    #[inline(always)]
+    fn bounds(reach: F, areas: u8, volumes: u8) -> Option<(F, F)> {
+        // Written so that a NaN is refused too.
+        if !(reach > F::REACH.0 && reach < F::REACH.1) {
+            return None;
+        }
+        let square = reach * reach;
+        let (areas, volumes) = (F::from(areas) * F::ROUNDOFF, F::from(volumes) * F::ROUNDOFF);
+        Some((areas * square, volumes * (square * reach)))
+    }
+}
+
+#[inline(always)]
+fn half<F: Float>(x: F) -> F {
+    x * F::HALF
+}
+
+macro_rules! bounded_holds {
+    ($($from:ty => $to:ty;)*) => {$(
+        impl Holds<$from> for Bounded<$to> {
+            #[inline(always)]
+            fn place<const P: usize, const E: usize>(
+                points: &[[$from; 3]; P],
+                extents: &[[$from; 3]; E],
+            ) -> Placed<$to, P, E> {
+                Placed {
+                    points: convert(points, 0.0, |_, x| x.into()),
+                    extents: convert(extents, 0.0, |_, x| x.into()),
+                    fit: true,
+                }
+            }
+        }
+    )*};
+}
+bounded_holds! { f32 => f32; f32 => f64; f64 => f64; }
+
+/// Brings floats to whole multiples of one power of two, if 60 bits hold them
+/// all: grids, and most scenes that were once in a coarser format.
+fn on_one_exponent<S: Scalar, const K: usize>(all: [&[[S; 3]]; K]) -> Option<i32> {
+    let (mut low, mut high) = (i32::MAX, i32::MIN);
+    for x in all.into_iter().flatten().flatten() {
+        let Parts { magnitude, shift, .. } = x.parts();
+        if magnitude != 0 {
+            low = low.min(shift as i32 + magnitude.trailing_zeros() as i32);
+            high = high.max(shift as i32 + 64 - magnitude.leading_zeros() as i32);
+        }
+    }
+    if low > high {
+        return Some(0); // all are nought
+    }
+    (high - low <= 60).then_some(low)
+}
+
+/// `x` in units of two to the power `low`; the unit divides `x`.
+fn in_units<S: Scalar>(x: S, low: i32) -> i64 {
+    let Parts { negative, magnitude, shift } = x.parts();
+    let up = shift as i32 - low;
+    // Nought may have any exponent; nothing else shifts by more than 60.
+    let whole = if magnitude == 0 {
+        0
+    } else if up >= 0 {
+        magnitude.wrapping_shl(up as u32)
+    } else {
+        magnitude.wrapping_shr(up.unsigned_abs())
+    } as i64;
+    if negative { -whole } else { whole }
+}
+
+impl<S: Scalar + Float> Holds<S> for Int64 {
+    fn place<const P: usize, const E: usize>(
+        points: &[[S; 3]; P],
+        extents: &[[S; 3]; E],
+    ) -> Placed<Wrapping<i64>, P, E> {
+        let low = on_one_exponent([points.as_slice(), extents.as_slice()]);
+        let unit = |_, x| Wrapping(low.map_or(0, |low| in_units(x, low)));
+        Placed {
+            points: convert(points, Wrapping(0), unit),
+            extents: convert(extents, Wrapping(0), unit),
+            fit: low.is_some(),
+        }
+    }
+}
+
+impl sealed::Sealed for f32 {}
+impl sealed::Sealed for f64 {}
+
+macro_rules! plain {
+    () => {
+        const ZERO: Self = 0.0;
+
+        #[inline(always)]
+        fn is_finite(self) -> bool {
+            self.is_finite()
+        }
+        #[inline(always)]
+        fn plain_add(self, other: Self) -> Self {
+            self + other
+        }
+        #[inline(always)]
+        fn plain_sub(self, other: Self) -> Self {
+            self - other
+        }
+        #[inline(always)]
+        fn plain_mul(self, other: Self) -> Self {
+            self * other
+        }
+        #[inline(always)]
+        fn plain_abs(self) -> Self {
+            self.abs()
+        }
+        #[inline(always)]
+        fn plain_half(self) -> Self {
+            self * 0.5
+        }
+    };
+}
+
+impl Scalar for f32 {
+    plain!();
+
+    const ONE: Parts = Parts { negative: false, magnitude: 1, shift: 149 };
+    type Quick = Bounded<f32>;
+    // Four products of 2^-149 to 2^128: 1108 bits, and room for their number.
+    type Sum = Sum<18>;
+
+    fn parts(self) -> Parts {
+        let bits = self.to_bits();
+        let (exponent, fraction) = ((bits >> 23) & 0xff, bits & 0x7f_ffff);
+        let hidden = if exponent == 0 { 0 } else { 1 << 23 };
+        Parts {
+            negative: bits >> 31 != 0,
+            magnitude: (hidden | fraction) as u64,
+            shift: exponent.saturating_sub(1) as u16,
+        }
+    }
+
+    #[inline(always)]
+    fn decide<P: Predicate<Self>>(p: &P) -> bool {
+        match p.attempt::<Bounded<f32>>() {
+            Some(answer) => answer,
+            None => doubled(p),
+        }
+    }
+}
+
+/// The second rung of `f32`: the same code in `f64`.
+#[cold]
+#[inline(never)]
+fn doubled<P: Predicate<f32>>(p: &P) -> bool {
+    match p.attempt::<Bounded<f64>>() {
+        Some(answer) => answer,
+        None => integers_then_exact::<f32, Int64, P>(p),
+    }
+}
+
+impl Scalar for f64 {
+    plain!();
+
+    const ONE: Parts = Parts { negative: false, magnitude: 1, shift: 1074 };
+    type Quick = Bounded<f64>;
+    // Four products of 2^-1074 to 2^1024: 8392 bits, and room for their number.
+    type Sum = Sum<132>;
+
+    fn parts(self) -> Parts {
+        let bits = self.to_bits();
+        let (exponent, fraction) = ((bits >> 52) & 0x7ff, bits & 0xf_ffff_ffff_ffff);
+        let hidden = if exponent == 0 { 0 } else { 1 << 52 };
+        Parts {
+            negative: bits >> 63 != 0,
+            magnitude: hidden | fraction,
+            shift: exponent.saturating_sub(1) as u16,
+        }
+    }
+
+    #[inline(always)]
+    fn decide<P: Predicate<Self>>(p: &P) -> bool {
+        match p.attempt::<Bounded<f64>>() {
+            Some(answer) => answer,
+            None => integers_then_exact::<f64, Int64, P>(p),
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! Exact integers: for each width of coordinates a system with the narrowest
+//! types that hold.
+//!
+//! With positions and extents below 2^k, in the doubled frame of [`Numbers`],
+//! and with a reach below 2^m (no coordinate in the frame exceeds the reach):
+//!
+//! | quantity | magnitude | k = 7 | k = 15 | k = 28 | k = 60 |
+//! | --- | --- | --- | --- | --- | --- |
+//! | edge, half-extent | 2^(k+1) | 2^8 | 2^16 | 2^29 | 2^61 |
+//! | position, 2v − min − max | 2^(k+2) | 2^9 | 2^17 | 2^30 | 2^62 |
+//! | normal, radius on an edge axis | 2^(2k+3) | 2^17 | 2^33 | 2^59 | 2^123 |
+//! | 2p + n on an edge axis | 2^(2k+4) + 2^(2k+3) | 2^18.6 | 2^34.6 | 2^60.6 | 2^124.6 |
+//! | n·v and Σ h·abs(n) | 3·2^(3k+5) | 2^27.6 | 2^51.6 | 2^90.6 | 2^186.6 |
+//! | the same, by reach | 1.5·2^(3m) | | | 2^60.6 for m = 20 | 2^126.6 for m = 42 |
+//!
+//! A type of b bits holds magnitudes below 2^(b−1). Lengths are in types that
+//! wrap, for they are formed before it is known whether they fit; areas and
+//! volumes are not.
+
+use core::num::Wrapping;
+
+use super::number::Number;
+use super::numbers::{convert, Numbers, Placed};
+use super::wide::I256;
+
+/// For 8-bit coordinates: everything in `i32`.
+#[derive(Clone, Copy, Debug)]
+pub struct Int8;
+
+/// For 16-bit coordinates: areas and volumes in `i64`.
+#[derive(Clone, Copy, Debug)]
+pub struct Int16;
+
+/// For 32-bit coordinates below 2^28: areas in `i64`, volumes in `i128`.
+#[derive(Clone, Copy, Debug)]
+pub struct Int32;
+
+/// For coordinates below 2^60: areas in `i128`, volumes in 256 bits.
+#[derive(Clone, Copy, Debug)]
+pub struct Int64;
+
+/// [`Int64`] with volumes in `i128`, for a reach below 2^42.
+#[derive(Clone, Copy, Debug)]
+pub struct Int64Slim;
+
+/// Whether a product of 64 bits each costs one instruction, so that a choice
+/// would cost more than it saves. It changes no answer.
+const WIDE_IS_CHEAP: bool = cfg!(target_pointer_width = "64");
+
+macro_rules! integers {
+    ($($system:ty: $length:ty, $area:ty, $volume:ty, $product:expr; $slim:ty, $is_slim:expr;)*) => {$(
+        impl Numbers for $system {
+            type Length = Wrapping<$length>;
+            type Area = $area;
+            type Volume = $volume;
+            type Slim = $slim;
+
+            const FINAL: bool = true;
+
+            #[inline(always)]
+            fn area(a: Self::Length, b: Self::Length) -> $area {
+                <$area>::from(a.0) * <$area>::from(b.0)
+            }
+            #[inline(always)]
+            fn volume(a: $area, b: Self::Length) -> $volume {
+                $product(a, b.0)
+            }
+            #[inline(always)]
+            fn from_center(v: Self::Length, center: Self::Length) -> Self::Length {
+                let d = v - center;
+                d + d
+            }
+            #[inline(always)]
+            fn from_corners(v: Self::Length, min: Self::Length, max: Self::Length) -> Self::Length {
+                (v - min) + (v - max)
+            }
+            #[inline(always)]
+            fn half_extent(half: Self::Length) -> Self::Length {
+                half + half
+            }
+            #[inline(always)]
+            fn half_between(min: Self::Length, max: Self::Length) -> Self::Length {
+                max - min
+            }
+            #[inline(always)]
+            fn middle(n: $area) -> $area {
+                n
+            }
+            #[inline(always)]
+            fn is_slim(reach: Self::Length) -> bool {
+                $is_slim(reach.0)
+            }
+            #[inline(always)]
+            fn bounds(_: Self::Length, _: u8, _: u8) -> Option<($area, $volume)> {
+                Some((<$area as Number>::ZERO, <$volume as Number>::ZERO))
+            }
+        }
+    )*};
+}
+integers! {
+    Int8: i32, i32, i32, |a, b| a * b; Self, |_: i32| false;
+    Int16: i32, i64, i64, |a, b| a * i64::from(b); Self, |_: i32| false;
+    Int32: i32, i64, i128, |a, b| i128::from(a) * i128::from(b); Int16, |reach: i32| !WIDE_IS_CHEAP && reach >> 20 == 0;
+    Int64: i64, i128, I256, I256::product; Int64Slim, |reach: i64| reach >> 42 == 0;
+    Int64Slim: i64, i128, i128, |a, b| a * i128::from(b); Self, |_: i64| false;
+}
+
+/// Places raw integers as they are; they fit below two to the `$most`.
+macro_rules! place {
+    ($place:ident, $system:ty: $raw:ty, $most:literal) => {
+        impl $system {
+            #[inline(always)]
+            pub(super) fn $place<const P: usize, const E: usize>(
+                points: &[[$raw; 3]; P],
+                extents: &[[$raw; 3]; E],
+            ) -> Placed<Wrapping<$raw>, P, E> {
+                // For x below nought, !x: one less than the magnitude.
+                let mut size = 0;
+                let mut take = |_, x: $raw| {
+                    size |= x ^ (x >> (<$raw>::BITS - 1));
+                    Wrapping(x)
+                };
+                let points = convert(points, Wrapping(0), &mut take);
+                let extents = convert(extents, Wrapping(0), &mut take);
+                Placed { points, extents, fit: size >> $most == 0 }
+            }
+        }
+    };
+}
+place! { place_i32, Int32: i32, 28 }
+place! { place_i64, Int64: i64, 60 }

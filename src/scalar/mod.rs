@@ -1,0 +1,84 @@
+//! The scalar trait, and the number systems that a scalar's questions are
+//! answered in.
+
+#[cfg(feature = "fixed")]
+mod coarse;
+mod float;
+mod integer;
+mod ladder;
+mod number;
+mod numbers;
+mod rounded;
+mod sum;
+mod wide;
+
+#[cfg(feature = "fixed")]
+mod fixed;
+
+pub use ladder::Predicate;
+pub use number::Number;
+pub(crate) use number::{greatest, least};
+pub use numbers::{Holds, Numbers};
+pub use rounded::Rounded;
+pub use sum::{ExactSum, Parts};
+
+mod sealed {
+    pub trait Sealed {}
+}
+
+/// A coordinate: `f32`, `f64`, or any signed type of the `fixed` crate.
+///
+/// The trait is sealed: exactness rests on what is known of each of its types.
+/// Generic code needs no other bound than `S: Scalar`:
+///
+/// ```
+/// use septum::{Aabb, Scalar, Triangle};
+///
+/// fn count<S: Scalar>(mesh: &[Triangle<S>], cell: &Aabb<S>) -> usize {
+///     mesh.iter().filter(|t| t.overlaps(cell)).count()
+/// }
+/// ```
+pub trait Scalar:
+    sealed::Sealed + Copy + PartialOrd + Default + core::fmt::Debug + Send + Sync + 'static
+{
+    /// Nought.
+    const ZERO: Self;
+
+    /// Whether this is a number: not NaN, not infinite. Always true of
+    /// fixed-point numbers.
+    fn is_finite(self) -> bool;
+
+    /// One, for checks of unit length. Some fixed-point types cannot hold it.
+    #[doc(hidden)]
+    const ONE: Parts;
+
+    /// The system of [`may_overlap`](crate::Triangle::may_overlap): its
+    /// "disjoint" can be trusted, and its arithmetic is the same everywhere.
+    #[doc(hidden)]
+    type Quick: Holds<Self>;
+
+    /// An accumulator wide enough for products of four scalars.
+    #[doc(hidden)]
+    type Sum: ExactSum;
+
+    /// Sign, magnitude and exponent.
+    #[doc(hidden)]
+    fn parts(self) -> Parts;
+
+    /// The answer to `p`, by the cheapest number system that can vouch for it.
+    #[doc(hidden)]
+    fn decide<P: Predicate<Self>>(p: &P) -> bool;
+
+    // The scalar's own arithmetic: rounds, and wraps where a fixed-point type
+    // overflows. Only the rounded methods use it.
+    #[doc(hidden)]
+    fn plain_add(self, other: Self) -> Self;
+    #[doc(hidden)]
+    fn plain_sub(self, other: Self) -> Self;
+    #[doc(hidden)]
+    fn plain_mul(self, other: Self) -> Self;
+    #[doc(hidden)]
+    fn plain_abs(self) -> Self;
+    #[doc(hidden)]
+    fn plain_half(self) -> Self;
+}

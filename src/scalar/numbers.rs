@@ -1,0 +1,100 @@
+//! Number systems: in what types a length, an area and a volume are held.
+
+use super::number::Number;
+
+/// A number system for the separating-axis kernels.
+///
+/// Every predicate here is the sign of a polynomial in coordinate differences.
+/// A difference is a [`Length`](Self::Length), a product of two an
+/// [`Area`](Self::Area), a product of three a [`Volume`](Self::Volume), and the
+/// type checker keeps them apart. One kernel serves all systems: integers that
+/// widen, floats with an error bound, and the scalar's own rounding arithmetic.
+///
+/// # The frame
+///
+/// The kernels work on a box centred at the origin. Floats put it there by
+/// subtraction; integers, which could lose half a unit that way, double every
+/// position and extent instead. [`middle`](Self::middle) hides the difference.
+pub trait Numbers: Sized + 'static {
+    /// Coordinates, differences, extents.
+    type Length: Number;
+    /// Products of two lengths: cross products, normals, the nine edge axes.
+    type Area: Number;
+    /// Products of three lengths: the plane axis.
+    type Volume: Number;
+    /// The same lengths and areas with narrower volumes, for shapes that are
+    /// small enough.
+    type Slim: Numbers<Length = Self::Length, Area = Self::Area>;
+
+    /// Whether a result is final as it stands, with no error to allow for.
+    const FINAL: bool;
+
+    /// The product of two lengths.
+    fn area(a: Self::Length, b: Self::Length) -> Self::Area;
+    /// The product of an area and a length.
+    fn volume(a: Self::Area, b: Self::Length) -> Self::Volume;
+
+    /// A position in the frame of a box given by its centre.
+    fn from_center(v: Self::Length, center: Self::Length) -> Self::Length;
+    /// A position in the frame of a box given by its least and greatest corner.
+    fn from_corners(v: Self::Length, min: Self::Length, max: Self::Length) -> Self::Length;
+    /// The half-extent, in the frame, of a box given by its centre.
+    fn half_extent(half: Self::Length) -> Self::Length;
+    /// The half-extent, in the frame, of a box given by its corners.
+    fn half_between(min: Self::Length, max: Self::Length) -> Self::Length;
+    /// The middle of the interval from nought to `n`, where `n` is a product of
+    /// two differences and the interval is one of products with a position in
+    /// the frame.
+    fn middle(n: Self::Area) -> Self::Area;
+
+    /// Whether the [`Slim`](Self::Slim) volumes hold for operands up to `reach`,
+    /// and are worth the question.
+    fn is_slim(reach: Self::Length) -> bool;
+
+    /// How far a computed area and a computed volume may be from the truth,
+    /// when no operand exceeds `reach`: `areas` and `volumes` times the unit
+    /// roundoff times reach² and reach³. `None` where that is not known,
+    /// because something may overflow or underflow.
+    fn bounds(reach: Self::Length, areas: u8, volumes: u8) -> Option<(Self::Area, Self::Volume)>;
+}
+
+/// A number system that the coordinates of a scalar `S` can be brought into.
+pub trait Holds<S>: Numbers {
+    /// Brings points and extents into this system, the points relative to an
+    /// origin of the system's choice.
+    fn place<const P: usize, const E: usize>(
+        points: &[[S; 3]; P],
+        extents: &[[S; 3]; E],
+    ) -> Placed<Self::Length, P, E>;
+}
+
+/// Points and extents in a number system.
+#[derive(Clone, Copy, Debug)]
+pub struct Placed<L, const P: usize, const E: usize> {
+    /// The points.
+    pub points: [[L; 3]; P],
+    /// The extents.
+    pub extents: [[L; 3]; E],
+    /// Whether the system holds them, and all that is made of them. If not, the
+    /// numbers mean nothing, and only lengths may be computed from them.
+    pub fit: bool,
+}
+
+/// Every coordinate by `f`, in order.
+///
+/// A loop into a filled array: `array::map` is often not inlined, and then its
+/// round trip through memory costs more than a whole query.
+#[inline(always)]
+pub(super) fn convert<A: Copy, B: Copy, const K: usize>(
+    from: &[[A; 3]; K],
+    empty: B,
+    mut f: impl FnMut(usize, A) -> B,
+) -> [[B; 3]; K] {
+    let mut to = [[empty; 3]; K];
+    for k in 0..K {
+        for i in 0..3 {
+            to[k][i] = f(i, from[k][i]);
+        }
+    }
+    to
+}

@@ -1,0 +1,99 @@
+use super::{finite, ShapeError};
+use crate::linear::Vec3;
+use crate::scalar::Scalar;
+
+/// An axis-aligned box, a closed set; flat boxes and points are boxes too.
+///
+/// It can be given by its centre and half-extents, as the papers do, or by its
+/// least and greatest corner. A box remembers which: converting one form to the
+/// other rounds, and a rounded box is another box.
+///
+/// ```
+/// use septum::{Aabb, ShapeError};
+///
+/// let a = Aabb::from_center_half_extents([0.5, 0.5, 0.5], [0.5, 0.5, 0.5])?;
+/// let b = Aabb::from_min_max([0.0, 0.0, 0.0], [1.0, 1.0, 1.0])?;
+/// let (min, max) = b.min_max().unwrap();
+/// assert!(min.x <= max.x && a.min_max().is_none());
+///
+/// let flipped = Aabb::from_min_max([1.0, 0.0, 0.0], [0.0, 1.0, 1.0]);
+/// assert_eq!(flipped, Err(ShapeError::MinAboveMax));
+/// # Ok::<(), ShapeError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Aabb<S> {
+    pub(super) form: Form<S>,
+}
+
+/// What the box was given as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Form<S> {
+    /// Centre and half-extents.
+    Center { center: Vec3<S>, half: Vec3<S> },
+    /// Least and greatest corner.
+    Corners { min: Vec3<S>, max: Vec3<S> },
+}
+
+impl<S: Scalar> Aabb<S> {
+    /// The box around `center` that reaches `half_extents` to either side.
+    ///
+    /// The corners need not be numbers of the scalar: centre and half-extents
+    /// mean what they say.
+    ///
+    /// # Errors
+    /// [`ShapeError::NotFinite`] where a number is NaN or infinite,
+    /// [`ShapeError::NegativeHalfExtent`] where a half-extent is below nought.
+    #[inline]
+    pub fn from_center_half_extents(
+        center: impl Into<Vec3<S>>,
+        half_extents: impl Into<Vec3<S>>,
+    ) -> Result<Self, ShapeError> {
+        let (center, half) = (finite(center)?, finite(half_extents)?);
+        if half.x < S::ZERO || half.y < S::ZERO || half.z < S::ZERO {
+            return Err(ShapeError::NegativeHalfExtent);
+        }
+        Ok(Self { form: Form::Center { center, half } })
+    }
+
+    /// The box from its least to its greatest corner.
+    ///
+    /// # Errors
+    /// [`ShapeError::NotFinite`] where a number is NaN or infinite,
+    /// [`ShapeError::MinAboveMax`] where `min` exceeds `max` on some axis.
+    #[inline]
+    pub fn from_min_max(
+        min: impl Into<Vec3<S>>,
+        max: impl Into<Vec3<S>>,
+    ) -> Result<Self, ShapeError> {
+        let (min, max) = (finite(min)?, finite(max)?);
+        if min.x > max.x || min.y > max.y || min.z > max.z {
+            return Err(ShapeError::MinAboveMax);
+        }
+        Ok(Self { form: Form::Corners { min, max } })
+    }
+}
+
+impl<S: Copy> Aabb<S> {
+    /// Centre and half-extents, if the box was given so.
+    #[inline]
+    pub const fn center_half_extents(&self) -> Option<(Vec3<S>, Vec3<S>)> {
+        match self.form {
+            Form::Center { center, half } => Some((center, half)),
+            Form::Corners { .. } => None,
+        }
+    }
+
+    /// Least and greatest corner, if the box was given so.
+    #[inline]
+    pub const fn min_max(&self) -> Option<(Vec3<S>, Vec3<S>)> {
+        match self.form {
+            Form::Corners { min, max } => Some((min, max)),
+            Form::Center { .. } => None,
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) const fn form(&self) -> &Form<S> {
+        &self.form
+    }
+}

@@ -1,0 +1,29 @@
+//! The shapes: data, what is always true of it, and constructors that check.
+
+mod aabb;
+mod constant;
+mod error;
+mod obb;
+mod plane;
+mod triangle;
+
+pub use aabb::Aabb;
+pub(crate) use aabb::Form as AabbForm;
+pub use error::ShapeError;
+pub use obb::Obb;
+pub use plane::Plane;
+pub(crate) use plane::Form as PlaneForm;
+pub use triangle::Triangle;
+
+use crate::linear::Vec3;
+use crate::scalar::Scalar;
+
+/// The vector, if all its coordinates are numbers.
+fn finite<S: Scalar>(v: impl Into<Vec3<S>>) -> Result<Vec3<S>, ShapeError> {
+    let v = v.into();
+    if v.x.is_finite() && v.y.is_finite() && v.z.is_finite() {
+        Ok(v)
+    } else {
+        Err(ShapeError::NotFinite)
+    }
+}

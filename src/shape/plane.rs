@@ -1,0 +1,100 @@
+use super::{finite, ShapeError};
+use crate::linear::Vec3;
+use crate::scalar::Scalar;
+
+/// A plane: all points x with n·(x − p) = 0, or with n·x + d = 0.
+///
+/// Its front is the side that the normal points to. The normal may have any
+/// length but nought.
+///
+/// ```
+/// use septum::{Aabb, Plane, Side};
+///
+/// let room = Aabb::from_min_max([0, 0, 0].map(f64::from), [4.0, 3.0, 2.5])?;
+/// let ceiling = Plane::from_point_normal([0.0, 0.0, 2.5], [0.0, 0.0, 1.0])?;
+/// assert!(ceiling.overlaps(&room)); // contact counts
+/// assert_eq!(ceiling.side_of(&room), Side::Both);
+/// # Ok::<(), septum::ShapeError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Plane<S> {
+    pub(super) normal: Vec3<S>,
+    pub(super) form: Form<S>,
+}
+
+/// Where along its normal the plane lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Form<S> {
+    /// Through a point.
+    Point(Vec3<S>),
+    /// The d of n·x + d = 0.
+    Offset(S),
+}
+
+impl<S: Scalar> Plane<S> {
+    /// The plane through `point`, at right angles to `normal`.
+    ///
+    /// # Errors
+    /// [`ShapeError::NotFinite`] where a number is NaN or infinite,
+    /// [`ShapeError::ZeroNormal`] where the normal is nought.
+    #[inline]
+    pub fn from_point_normal(
+        point: impl Into<Vec3<S>>,
+        normal: impl Into<Vec3<S>>,
+    ) -> Result<Self, ShapeError> {
+        let point = finite(point)?;
+        Ok(Self { normal: nonzero(normal)?, form: Form::Point(point) })
+    }
+
+    /// The plane n·x + d = 0.
+    ///
+    /// # Errors
+    /// [`ShapeError::NotFinite`] where a number is NaN or infinite,
+    /// [`ShapeError::ZeroNormal`] where the normal is nought.
+    #[inline]
+    pub fn from_equation(normal: impl Into<Vec3<S>>, d: S) -> Result<Self, ShapeError> {
+        if !d.is_finite() {
+            return Err(ShapeError::NotFinite);
+        }
+        Ok(Self { normal: nonzero(normal)?, form: Form::Offset(d) })
+    }
+}
+
+impl<S: Copy> Plane<S> {
+    /// The normal, as given.
+    #[inline]
+    pub const fn normal(&self) -> Vec3<S> {
+        self.normal
+    }
+
+    /// The point that the plane was given by, if it was.
+    #[inline]
+    pub const fn point(&self) -> Option<Vec3<S>> {
+        match self.form {
+            Form::Point(p) => Some(p),
+            Form::Offset(_) => None,
+        }
+    }
+
+    /// The d of n·x + d = 0, if the plane was given by it.
+    #[inline]
+    pub const fn offset(&self) -> Option<S> {
+        match self.form {
+            Form::Offset(d) => Some(d),
+            Form::Point(_) => None,
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) const fn form(&self) -> &Form<S> {
+        &self.form
+    }
+}
+
+fn nonzero<S: Scalar>(normal: impl Into<Vec3<S>>) -> Result<Vec3<S>, ShapeError> {
+    let n = finite(normal)?;
+    if n.x == S::ZERO && n.y == S::ZERO && n.z == S::ZERO {
+        return Err(ShapeError::ZeroNormal);
+    }
+    Ok(n)
+}

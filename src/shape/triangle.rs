@@ -1,0 +1,51 @@
+use super::{finite, ShapeError};
+use crate::linear::Vec3;
+use crate::scalar::Scalar;
+
+/// A triangle: the convex hull of three points, a closed set.
+///
+/// Its vertices may coincide or lie on one line. It is a segment or a point
+/// then, and every question about it is still answered exactly.
+///
+/// ```
+/// use septum::{Aabb, Triangle};
+///
+/// let cell = Aabb::from_min_max([0.0, 0.0, 0.0], [1.0, 1.0, 1.0])?;
+/// let floor = Triangle::new([-9.0, -9.0, 1.0], [9.0, -9.0, 1.0], [0.0, 9.0, 1.0])?;
+/// assert!(floor.overlaps(&cell)); // it touches the top face
+/// # Ok::<(), septum::ShapeError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(transparent)]
+pub struct Triangle<S> {
+    pub(super) vertices: [Vec3<S>; 3],
+}
+
+impl<S: Scalar> Triangle<S> {
+    /// The triangle with these vertices, in any order.
+    ///
+    /// # Errors
+    /// [`ShapeError::NotFinite`] where a coordinate is NaN or infinite.
+    #[inline]
+    pub fn new(
+        a: impl Into<Vec3<S>>,
+        b: impl Into<Vec3<S>>,
+        c: impl Into<Vec3<S>>,
+    ) -> Result<Self, ShapeError> {
+        Ok(Self { vertices: [finite(a)?, finite(b)?, finite(c)?] })
+    }
+}
+
+impl<S: Copy> Triangle<S> {
+    /// The three vertices, in the order given.
+    #[inline]
+    pub const fn vertices(&self) -> &[Vec3<S>; 3] {
+        &self.vertices
+    }
+
+    #[inline(always)]
+    pub(crate) fn points(&self) -> [[S; 3]; 3] {
+        let [a, b, c] = self.vertices;
+        [a.to_array(), b.to_array(), c.to_array()]
+    }
+}
