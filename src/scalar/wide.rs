@@ -78,7 +78,7 @@ mod tests {
     #[test]
     fn holds_the_largest_volume() {
         let largest = I256::product(i128::MIN, i64::MIN);
-        assert_eq!(largest, I256 { high: 1 << 63, low: 0 });
+        assert_eq!(largest, I256 { high: 1 << 62, low: 0 });
         assert_eq!(-largest, I256::product(i128::MIN, i64::MAX) - I256::product(i128::MIN, -1));
         assert!(-largest < I256::ZERO && (-largest).magnitude() == largest);
     }
