@@ -18,9 +18,22 @@ struct Disjoint<'a, S> {
     aabb: &'a Aabb<S>,
 }
 
+impl<S: Scalar> Disjoint<'_, S> {
+    #[inline(always)]
+    fn fits<N: Holds<S>>(&self) -> bool {
+        let [a, b, c] = self.triangle.points();
+        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
+            self.aabb.form();
+        N::fits(&[a, b, c, p.to_array(), q.to_array()])
+    }
+}
+
 impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     #[inline(always)]
     fn attempt<N: Holds<S>>(&self) -> Option<bool> {
+        if !self.fits::<N>() {
+            return None;
+        }
         match self.aabb.form() {
             AabbForm::Center { center, half } => by_center::<S, N>(self.triangle, center, half),
             AabbForm::Corners { min, max } => by_corners::<S, N>(self.triangle, min, max),
@@ -38,8 +51,7 @@ fn by_center<S: Scalar, N: Holds<S>>(
     center: &Vec3<S>,
     half: &Vec3<S>,
 ) -> Option<bool> {
-    let (frame, fit) = in_frame_of_center::<S, N>(triangle, center, half);
-    any_axis(&frame, fit)
+    any_axis(&in_frame_of_center::<S, N>(triangle, center, half))
 }
 
 #[inline(never)]
@@ -48,8 +60,7 @@ fn by_corners<S: Scalar, N: Holds<S>>(
     min: &Vec3<S>,
     max: &Vec3<S>,
 ) -> Option<bool> {
-    let (frame, fit) = in_frame_of_corners::<S, N>(triangle, min, max);
-    any_axis(&frame, fit)
+    any_axis(&in_frame_of_corners::<S, N>(triangle, min, max))
 }
 
 #[inline(always)]
@@ -57,11 +68,11 @@ fn in_frame_of_center<S: Scalar, N: Holds<S>>(
     triangle: &Triangle<S>,
     center: &Vec3<S>,
     half: &Vec3<S>,
-) -> (Frame<N>, bool) {
+) -> Frame<N> {
     let [a, b, c] = triangle.points();
     let placed = N::place(&[a, b, c, center.to_array()], &[half.to_array()]);
     let ([a, b, c, center], [half]) = (placed.points, placed.extents);
-    (Frame::new(&[a, b, c], &BoxForm::Center(center, half)), placed.fit)
+    Frame::new(&[a, b, c], &BoxForm::Center(center, half))
 }
 
 #[inline(always)]
@@ -69,20 +80,20 @@ fn in_frame_of_corners<S: Scalar, N: Holds<S>>(
     triangle: &Triangle<S>,
     min: &Vec3<S>,
     max: &Vec3<S>,
-) -> (Frame<N>, bool) {
+) -> Frame<N> {
     let [a, b, c] = triangle.points();
     let placed = N::place(&[a, b, c, min.to_array(), max.to_array()], &[[S::ZERO; 3]]);
     let ([a, b, c, min, max], [grown]) = (placed.points, placed.extents);
-    (Frame::new(&[a, b, c], &BoxForm::Corners(min, max, grown)), placed.fit)
+    Frame::new(&[a, b, c], &BoxForm::Corners(min, max, grown))
 }
 
 /// Whether one of the 13 axes separates, if `N` can tell.
 #[inline(always)]
-fn any_axis<N: Numbers>(frame: &Frame<N>, fit: bool) -> Option<bool> {
+fn any_axis<N: Numbers>(frame: &Frame<N>) -> Option<bool> {
     // A quarter to all of a scene's boxes lie off to one side.
     let faces = axis::faces(frame);
-    if faces.certain | !fit {
-        return fit.then_some(true);
+    if faces.certain {
+        return Some(true);
     }
 
     let (areas, volumes) = bounds::<N>(frame.reach)?;
@@ -111,14 +122,14 @@ struct SeparatedBy<'a, S> {
 
 impl<S: Scalar> Predicate<S> for SeparatedBy<'_, S> {
     fn attempt<N: Holds<S>>(&self) -> Option<bool> {
+        if !self.shapes.fits::<N>() {
+            return None;
+        }
         let triangle = self.shapes.triangle;
-        let (frame, fit) = match self.shapes.aabb.form() {
+        let frame = match self.shapes.aabb.form() {
             AabbForm::Center { center, half } => in_frame_of_center::<S, N>(triangle, center, half),
             AabbForm::Corners { min, max } => in_frame_of_corners::<S, N>(triangle, min, max),
         };
-        if !fit {
-            return None;
-        }
         let reach = frame.reach_across_gap();
         let (areas, volumes) = bounds::<N>(reach)?;
         let n = axis::normal(&frame);

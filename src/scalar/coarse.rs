@@ -1,7 +1,5 @@
 //! A quick system for wide fixed point, whose "disjoint" can be trusted.
 
-use core::num::Wrapping;
-
 use super::integer::Int16;
 use super::numbers::{convert, Numbers, Placed};
 
@@ -88,11 +86,8 @@ macro_rules! coarse {
                 let shift = (<$wide>::BITS - size.leading_zeros()).saturating_sub(18);
                 let grown = if shift > 0 { 2 } else { 0 };
                 Placed {
-                    points: convert(&near, Wrapping(0), |_, x| Wrapping((x >> shift) as i32)),
-                    extents: convert(&extents, Wrapping(0), |_, x| {
-                        Wrapping((x >> shift) as i32 + grown)
-                    }),
-                    fit: true,
+                    points: convert(&near, 0, |_, x| (x >> shift) as i32),
+                    extents: convert(&extents, 0, |_, x| (x >> shift) as i32 + grown),
                 }
             }
         }

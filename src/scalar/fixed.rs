@@ -3,13 +3,11 @@
 //! A fixed-point number is an integer with a name for its unit. A verdict does
 //! not depend on the unit, so all of it is decided on the raw bits.
 
-use core::num::Wrapping;
-
 use fixed::types::extra::{LeEqU16, LeEqU32, LeEqU64, LeEqU8};
 use fixed::{FixedI16, FixedI32, FixedI64, FixedI8};
 
 use super::coarse::Coarse;
-use super::integer::{Int16, Int32, Int64, Int8};
+use super::integer::{below_i32, below_i64, Int16, Int32, Int64, Int8};
 use super::ladder::{exactly, integers_then_exact, Predicate};
 use super::numbers::{convert, Holds, Placed};
 use super::sum::{Parts, Sum};
@@ -71,58 +69,60 @@ scalar!(FixedI16, LeEqU16, 2, Int16, Int16, exactly);
 scalar!(FixedI32, LeEqU32, 3, Coarse, Int32, integers_then_exact::<_, Int64, _>);
 scalar!(FixedI64, LeEqU64, 5, Coarse, Int64, exactly);
 
-/// Types whose every value fits a system's length as it is.
-macro_rules! always_held {
-    ($fixed:ident, $bound:ident, $system:ty, $length:ty) => {
+/// The raw bits of every coordinate, in the system's type.
+macro_rules! raw {
+    ($coordinates:ident) => {
+        convert($coordinates, 0, |_, x| x.to_bits().into())
+    };
+}
+
+/// A type and the system for it, which holds magnitudes below two to the `$most`.
+macro_rules! holds {
+    ($fixed:ident, $bound:ident, $system:ty, $length:ty, |$coordinates:ident| $fits:expr) => {
         impl<Frac: $bound> Holds<$fixed<Frac>> for $system {
+            #[inline(always)]
+            fn fits<const K: usize>($coordinates: &[[$fixed<Frac>; 3]; K]) -> bool {
+                $fits
+            }
+
             #[inline(always)]
             fn place<const P: usize, const E: usize>(
                 points: &[[$fixed<Frac>; 3]; P],
                 extents: &[[$fixed<Frac>; 3]; E],
-            ) -> Placed<Wrapping<$length>, P, E> {
-                let raw = |_, x: $fixed<Frac>| Wrapping(x.to_bits().into());
-                Placed {
-                    points: convert(points, Wrapping(0), raw),
-                    extents: convert(extents, Wrapping(0), raw),
-                    fit: true,
-                }
+            ) -> Placed<$length, P, E> {
+                Placed { points: raw!(points), extents: raw!(extents) }
             }
         }
     };
 }
-always_held!(FixedI8, LeEqU8, Int8, i32);
-always_held!(FixedI16, LeEqU16, Int16, i32);
-always_held!(FixedI32, LeEqU32, Int64, i64);
+holds!(FixedI8, LeEqU8, Int8, i32, |_all| true);
+holds!(FixedI16, LeEqU16, Int16, i32, |_all| true);
+holds!(FixedI32, LeEqU32, Int32, i32, |all| {
+    below_i32(all.as_flattened().iter().map(|x| x.to_bits()), 28)
+});
+holds!(FixedI32, LeEqU32, Int64, i64, |_all| true);
+holds!(FixedI64, LeEqU64, Int64, i64, |all| {
+    below_i64(all.as_flattened().iter().map(|x| x.to_bits()), 60)
+});
 
-/// Types whose values may be too large for their first system.
-macro_rules! held_if_small {
-    ($fixed:ident, $bound:ident: $system:ty, $length:ty, $place:ident, $coarse:ident) => {
-        impl<Frac: $bound> Holds<$fixed<Frac>> for $system {
-            #[inline(always)]
-            fn place<const P: usize, const E: usize>(
-                points: &[[$fixed<Frac>; 3]; P],
-                extents: &[[$fixed<Frac>; 3]; E],
-            ) -> Placed<Wrapping<$length>, P, E> {
-                <$system>::$place(
-                    &convert(points, 0, |_, x| x.to_bits()),
-                    &convert(extents, 0, |_, x| x.to_bits()),
-                )
-            }
-        }
-
+/// Types that the quick system brings down to size.
+macro_rules! coarse {
+    ($fixed:ident, $bound:ident, $place:ident) => {
         impl<Frac: $bound> Holds<$fixed<Frac>> for Coarse {
             #[inline(always)]
+            fn fits<const K: usize>(_: &[[$fixed<Frac>; 3]; K]) -> bool {
+                true
+            }
+
+            #[inline(always)]
             fn place<const P: usize, const E: usize>(
                 points: &[[$fixed<Frac>; 3]; P],
                 extents: &[[$fixed<Frac>; 3]; E],
-            ) -> Placed<Wrapping<i32>, P, E> {
-                Coarse::$coarse(
-                    &convert(points, 0, |_, x| x.to_bits()),
-                    &convert(extents, 0, |_, x| x.to_bits()),
-                )
+            ) -> Placed<i32, P, E> {
+                Coarse::$place(&raw!(points), &raw!(extents))
             }
         }
     };
 }
-held_if_small!(FixedI32, LeEqU32: Int32, i32, place_i32, coarse_i32);
-held_if_small!(FixedI64, LeEqU64: Int64, i64, place_i64, coarse_i64);
+coarse!(FixedI32, LeEqU32, coarse_i32);
+coarse!(FixedI64, LeEqU64, coarse_i64);

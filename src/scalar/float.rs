@@ -1,7 +1,6 @@
 //! `f32` and `f64`: computed as they are, with a bound on the error.
 
 use core::marker::PhantomData;
-use core::num::Wrapping;
 use core::ops::Mul;
 
 use super::integer::Int64;
@@ -109,6 +108,10 @@ macro_rules! bounded_holds {
     ($($from:ty => $to:ty;)*) => {$(
         impl Holds<$from> for Bounded<$to> {
             #[inline(always)]
+            fn fits<const K: usize>(_: &[[$from; 3]; K]) -> bool {
+                true
+            }
+            #[inline(always)]
             fn place<const P: usize, const E: usize>(
                 points: &[[$from; 3]; P],
                 extents: &[[$from; 3]; E],
@@ -116,7 +119,6 @@ macro_rules! bounded_holds {
                 Placed {
                     points: convert(points, 0.0, |_, x| x.into()),
                     extents: convert(extents, 0.0, |_, x| x.into()),
-                    fit: true,
                 }
             }
         }
@@ -124,27 +126,26 @@ macro_rules! bounded_holds {
 }
 bounded_holds! { f32 => f32; f32 => f64; f64 => f64; }
 
-/// Brings floats to whole multiples of one power of two, if 60 bits hold them
-/// all: grids, and most scenes that were once in a coarser format.
-fn on_one_exponent<S: Scalar, const K: usize>(all: [&[[S; 3]]; K]) -> Option<i32> {
-    let (mut low, mut high) = (i32::MAX, i32::MIN);
+/// The exponents of the lowest and highest bit of any coordinate, as powers of
+/// two in units of the least number; `None` if all are nought.
+fn span<S: Scalar>(all: [&[[S; 3]]; 2]) -> Option<(i32, i32)> {
+    let mut span = None;
     for x in all.into_iter().flatten().flatten() {
         let Parts { magnitude, shift, .. } = x.parts();
         if magnitude != 0 {
-            low = low.min(shift as i32 + magnitude.trailing_zeros() as i32);
-            high = high.max(shift as i32 + 64 - magnitude.leading_zeros() as i32);
+            let low = i32::from(shift) + magnitude.trailing_zeros() as i32;
+            let high = i32::from(shift) + 64 - magnitude.leading_zeros() as i32;
+            let (l, h) = span.unwrap_or((low, high));
+            span = Some((low.min(l), high.max(h)));
         }
     }
-    if low > high {
-        return Some(0); // all are nought
-    }
-    (high - low <= 60).then_some(low)
+    span
 }
 
 /// `x` in units of two to the power `low`; the unit divides `x`.
 fn in_units<S: Scalar>(x: S, low: i32) -> i64 {
     let Parts { negative, magnitude, shift } = x.parts();
-    let up = shift as i32 - low;
+    let up = i32::from(shift) - low;
     // Nought may have any exponent; nothing else shifts by more than 60.
     let whole = if magnitude == 0 {
         0
@@ -156,17 +157,21 @@ fn in_units<S: Scalar>(x: S, low: i32) -> i64 {
     if negative { -whole } else { whole }
 }
 
+/// Floats as whole multiples of one power of two, if 60 bits hold them all:
+/// grids, and most scenes that were once in a coarser format.
 impl<S: Scalar + Float> Holds<S> for Int64 {
+    fn fits<const K: usize>(coordinates: &[[S; 3]; K]) -> bool {
+        span([coordinates, &[]]).is_none_or(|(low, high)| high - low <= 60)
+    }
+
     fn place<const P: usize, const E: usize>(
         points: &[[S; 3]; P],
         extents: &[[S; 3]; E],
-    ) -> Placed<Wrapping<i64>, P, E> {
-        let low = on_one_exponent([points.as_slice(), extents.as_slice()]);
-        let unit = |_, x| Wrapping(low.map_or(0, |low| in_units(x, low)));
+    ) -> Placed<i64, P, E> {
+        let (low, _) = span([points, extents]).unwrap_or_default();
         Placed {
-            points: convert(points, Wrapping(0), unit),
-            extents: convert(extents, Wrapping(0), unit),
-            fit: low.is_some(),
+            points: convert(points, 0, |_, x| in_units(x, low)),
+            extents: convert(extents, 0, |_, x| in_units(x, low)),
         }
     }
 }

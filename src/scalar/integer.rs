@@ -13,14 +13,10 @@
 //! | n·v and Σ h·abs(n) | 3·2^(3k+5) | 2^27.6 | 2^51.6 | 2^90.6 | 2^186.6 |
 //! | the same, by reach | 1.5·2^(3m) | | | 2^60.6 for m = 20 | 2^126.6 for m = 42 |
 //!
-//! A type of b bits holds magnitudes below 2^(b−1). Lengths are in types that
-//! wrap, for they are formed before it is known whether they fit; areas and
-//! volumes are not.
-
-use core::num::Wrapping;
+//! A type of b bits holds magnitudes below 2^(b−1).
 
 use super::number::Number;
-use super::numbers::{convert, Numbers, Placed};
+use super::numbers::Numbers;
 use super::wide::I256;
 
 /// For 8-bit coordinates: everything in `i32`.
@@ -50,7 +46,7 @@ const WIDE_IS_CHEAP: bool = cfg!(target_pointer_width = "64");
 macro_rules! integers {
     ($($system:ty: $length:ty, $area:ty, $volume:ty, $product:expr; $slim:ty, $is_slim:expr;)*) => {$(
         impl Numbers for $system {
-            type Length = Wrapping<$length>;
+            type Length = $length;
             type Area = $area;
             type Volume = $volume;
             type Slim = $slim;
@@ -59,11 +55,11 @@ macro_rules! integers {
 
             #[inline(always)]
             fn area(a: Self::Length, b: Self::Length) -> $area {
-                <$area>::from(a.0) * <$area>::from(b.0)
+                <$area>::from(a) * <$area>::from(b)
             }
             #[inline(always)]
             fn volume(a: $area, b: Self::Length) -> $volume {
-                $product(a, b.0)
+                $product(a, b)
             }
             #[inline(always)]
             fn from_center(v: Self::Length, center: Self::Length) -> Self::Length {
@@ -88,7 +84,7 @@ macro_rules! integers {
             }
             #[inline(always)]
             fn is_slim(reach: Self::Length) -> bool {
-                $is_slim(reach.0)
+                $is_slim(reach)
             }
             #[inline(always)]
             fn bounds(_: Self::Length, _: u8, _: u8) -> Option<($area, $volume)> {
@@ -105,27 +101,18 @@ integers! {
     Int64Slim: i64, i128, i128, |a, b| a * i128::from(b); Self, |_: i64| false;
 }
 
-/// Places raw integers as they are; they fit below two to the `$most`.
-macro_rules! place {
-    ($place:ident, $system:ty: $raw:ty, $most:literal) => {
-        impl $system {
-            #[inline(always)]
-            pub(super) fn $place<const P: usize, const E: usize>(
-                points: &[[$raw; 3]; P],
-                extents: &[[$raw; 3]; E],
-            ) -> Placed<Wrapping<$raw>, P, E> {
-                // For x below nought, !x: one less than the magnitude.
-                let mut size = 0;
-                let mut take = |_, x: $raw| {
-                    size |= x ^ (x >> (<$raw>::BITS - 1));
-                    Wrapping(x)
-                };
-                let points = convert(points, Wrapping(0), &mut take);
-                let extents = convert(extents, Wrapping(0), &mut take);
-                Placed { points, extents, fit: size >> $most == 0 }
-            }
+/// Whether all coordinates lie below two to the `most`.
+macro_rules! below {
+    ($name:ident: $raw:ty) => {
+        #[inline(always)]
+        pub(super) fn $name(
+            coordinates: impl Iterator<Item = $raw>,
+            most: u32,
+        ) -> bool {
+            // For x below nought, !x: one less than the magnitude.
+            coordinates.fold(0, |size, x| size | (x ^ (x >> (<$raw>::BITS - 1)))) >> most == 0
         }
     };
 }
-place! { place_i32, Int32: i32, 28 }
-place! { place_i64, Int64: i64, 60 }
+below! { below_i32: i32 }
+below! { below_i64: i64 }

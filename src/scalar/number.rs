@@ -1,6 +1,5 @@
 //! What every machine number here can do, and nothing that rounds.
 
-use core::num::Wrapping;
 use core::ops::{Add, Neg, Sub};
 
 /// A number that a geometric quantity is held in: it can be added, subtracted,
@@ -33,8 +32,6 @@ number! {
     i128: 0, i128::abs;
     f32: 0.0, f32::abs;
     f64: 0.0, f64::abs;
-    Wrapping<i32>: Wrapping(0), |x: Self| Wrapping(x.0.wrapping_abs());
-    Wrapping<i64>: Wrapping(0), |x: Self| Wrapping(x.0.wrapping_abs());
 }
 
 /// The smaller of two numbers. On x86-64 this form is one instruction, where

@@ -60,8 +60,11 @@ pub trait Numbers: Sized + 'static {
 
 /// A number system that the coordinates of a scalar `S` can be brought into.
 pub trait Holds<S>: Numbers {
-    /// Brings points and extents into this system, the points relative to an
-    /// origin of the system's choice.
+    /// Whether this system holds the coordinates, and all that is made of them.
+    fn fits<const K: usize>(coordinates: &[[S; 3]; K]) -> bool;
+
+    /// Brings points and extents that fit into this system, the points relative
+    /// to an origin of the system's choice.
     fn place<const P: usize, const E: usize>(
         points: &[[S; 3]; P],
         extents: &[[S; 3]; E],
@@ -75,9 +78,6 @@ pub struct Placed<L, const P: usize, const E: usize> {
     pub points: [[L; 3]; P],
     /// The extents.
     pub extents: [[L; 3]; E],
-    /// Whether the system holds them, and all that is made of them. If not, the
-    /// numbers mean nothing, and only lengths may be computed from them.
-    pub fit: bool,
 }
 
 /// Every coordinate by `f`, in order.

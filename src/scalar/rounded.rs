@@ -92,6 +92,10 @@ impl<S: Scalar> Numbers for Rounded<S> {
 
 impl<S: Scalar> Holds<S> for Rounded<S> {
     #[inline(always)]
+    fn fits<const K: usize>(_: &[[S; 3]; K]) -> bool {
+        true
+    }
+    #[inline(always)]
     fn place<const P: usize, const E: usize>(
         points: &[[S; 3]; P],
         extents: &[[S; 3]; E],
@@ -99,7 +103,6 @@ impl<S: Scalar> Holds<S> for Rounded<S> {
         Placed {
             points: convert(points, Self::ZERO, |_, x| Self(x)),
             extents: convert(extents, Self::ZERO, |_, x| Self(x)),
-            fit: true,
         }
     }
 }
