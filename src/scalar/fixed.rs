@@ -7,14 +7,14 @@ use fixed::types::extra::{LeEqU16, LeEqU32, LeEqU64, LeEqU8};
 use fixed::{FixedI16, FixedI32, FixedI64, FixedI8};
 
 use super::coarse::Coarse;
-use super::integer::{below_i32, below_i64, Int16, Int32, Int64, Int8};
-use super::ladder::{exactly, integers_then_exact, Predicate};
+use super::integer::{below_i32, below_i64, Int16, Int32, Int64, Int8, REGISTERS_ARE_WIDE};
+use super::ladder::{exactly, rung, wide_integers, Predicate};
 use super::numbers::{convert, Holds, Placed};
 use super::sum::{Parts, Sum};
 use super::{sealed, Scalar};
 
 macro_rules! scalar {
-    ($fixed:ident, $bound:ident, $limbs:literal, $quick:ty, $system:ty, $last:expr) => {
+    ($fixed:ident, $bound:ident, $limbs:literal, $quick:ty, |$p:ident| $ladder:expr) => {
         impl<Frac: $bound> sealed::Sealed for $fixed<Frac> {}
 
         impl<Frac: $bound + Send + Sync + 'static> Scalar for $fixed<Frac> {
@@ -35,11 +35,8 @@ macro_rules! scalar {
                 Parts { negative: bits < 0, magnitude: bits.unsigned_abs(), shift: 0 }
             }
             #[inline(always)]
-            fn decide<P: Predicate<Self>>(p: &P) -> bool {
-                match p.attempt::<$system>() {
-                    Some(answer) => answer,
-                    None => $last(p),
-                }
+            fn decide<P: Predicate<Self>>($p: &P) -> bool {
+                $ladder
             }
             #[inline(always)]
             fn plain_add(self, other: Self) -> Self {
@@ -64,10 +61,24 @@ macro_rules! scalar {
         }
     };
 }
-scalar!(FixedI8, LeEqU8, 1, Int8, Int8, exactly);
-scalar!(FixedI16, LeEqU16, 2, Int16, Int16, exactly);
-scalar!(FixedI32, LeEqU32, 3, Coarse, Int32, integers_then_exact::<_, Int64, _>);
-scalar!(FixedI64, LeEqU64, 5, Coarse, Int64, exactly);
+scalar!(FixedI8, LeEqU8, 1, Int8, |p| rung::<_, Int8, _>(p, exactly));
+scalar!(FixedI16, LeEqU16, 2, Int16, |p| rung::<_, Int16, _>(p, exactly));
+scalar!(FixedI32, LeEqU32, 3, Coarse, |p| by_size(p));
+scalar!(FixedI64, LeEqU64, 5, Coarse, |p| rung::<_, Int64, _>(p, exactly));
+
+#[inline(always)]
+fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(p: &P) -> bool {
+    if REGISTERS_ARE_WIDE {
+        rung::<_, Int16, _>(p, middling)
+    } else {
+        rung::<_, Int32, _>(p, wide_integers)
+    }
+}
+
+#[inline(never)]
+fn middling<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(p: &P) -> bool {
+    rung::<_, Int32, _>(p, wide_integers)
+}
 
 /// The raw bits of every coordinate, in the system's type.
 macro_rules! raw {
@@ -97,6 +108,9 @@ macro_rules! holds {
 }
 holds!(FixedI8, LeEqU8, Int8, i32, |_all| true);
 holds!(FixedI16, LeEqU16, Int16, i32, |_all| true);
+holds!(FixedI32, LeEqU32, Int16, i32, |all| {
+    below_i32(all.as_flattened().iter().map(|x| x.to_bits()), 18)
+});
 holds!(FixedI32, LeEqU32, Int32, i32, |all| {
     below_i32(all.as_flattened().iter().map(|x| x.to_bits()), 28)
 });

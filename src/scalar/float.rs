@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 use core::ops::Mul;
 
 use super::integer::Int64;
-use super::ladder::{integers_then_exact, Predicate};
+use super::ladder::{rung, wide_integers, Predicate};
 use super::number::Number;
 use super::numbers::{convert, Holds, Numbers, Placed};
 use super::sum::{Parts, Sum};
@@ -231,10 +231,7 @@ impl Scalar for f32 {
 
     #[inline(always)]
     fn decide<P: Predicate<Self>>(p: &P) -> bool {
-        match p.attempt::<Bounded<f32>>() {
-            Some(answer) => answer,
-            None => doubled(p),
-        }
+        rung::<_, Bounded<f32>, _>(p, doubled)
     }
 }
 
@@ -242,10 +239,7 @@ impl Scalar for f32 {
 #[cold]
 #[inline(never)]
 fn doubled<P: Predicate<f32>>(p: &P) -> bool {
-    match p.attempt::<Bounded<f64>>() {
-        Some(answer) => answer,
-        None => integers_then_exact::<f32, Int64, P>(p),
-    }
+    rung::<_, Bounded<f64>, _>(p, wide_integers)
 }
 
 impl Scalar for f64 {
@@ -269,9 +263,6 @@ impl Scalar for f64 {
 
     #[inline(always)]
     fn decide<P: Predicate<Self>>(p: &P) -> bool {
-        match p.attempt::<Bounded<f64>>() {
-            Some(answer) => answer,
-            None => integers_then_exact::<f64, Int64, P>(p),
-        }
+        rung::<_, Bounded<f64>, _>(p, wide_integers)
     }
 }

@@ -4,13 +4,13 @@
 //! With positions and extents below 2^k, in the doubled frame of [`Numbers`],
 //! and with a reach below 2^m (no coordinate in the frame exceeds the reach):
 //!
-//! | quantity | magnitude | k = 7 | k = 15 | k = 28 | k = 60 |
+//! | quantity | magnitude | k = 7 | k = 18 | k = 28 | k = 60 |
 //! | --- | --- | --- | --- | --- | --- |
-//! | edge, half-extent | 2^(k+1) | 2^8 | 2^16 | 2^29 | 2^61 |
-//! | position, 2v − min − max | 2^(k+2) | 2^9 | 2^17 | 2^30 | 2^62 |
-//! | normal, radius on an edge axis | 2^(2k+3) | 2^17 | 2^33 | 2^59 | 2^123 |
-//! | 2p + n on an edge axis | 2^(2k+4) + 2^(2k+3) | 2^18.6 | 2^34.6 | 2^60.6 | 2^124.6 |
-//! | n·v and Σ h·abs(n) | 3·2^(3k+5) | 2^27.6 | 2^51.6 | 2^90.6 | 2^186.6 |
+//! | edge, half-extent | 2^(k+1) | 2^8 | 2^19 | 2^29 | 2^61 |
+//! | position, 2v − min − max | 2^(k+2) | 2^9 | 2^20 | 2^30 | 2^62 |
+//! | normal, radius on an edge axis | 2^(2k+3) | 2^17 | 2^39 | 2^59 | 2^123 |
+//! | 2p + n on an edge axis | 2^(2k+4) + 2^(2k+3) | 2^18.6 | 2^40.6 | 2^60.6 | 2^124.6 |
+//! | n·v and Σ h·abs(n) | 3·2^(3k+5) | 2^27.6 | 2^60.6 | 2^90.6 | 2^186.6 |
 //! | the same, by reach | 1.5·2^(3m) | | | 2^60.6 for m = 20 | 2^126.6 for m = 42 |
 //!
 //! A type of b bits holds magnitudes below 2^(b−1).
@@ -23,7 +23,7 @@ use super::wide::I256;
 #[derive(Clone, Copy, Debug)]
 pub struct Int8;
 
-/// For 16-bit coordinates: areas and volumes in `i64`.
+/// For coordinates below 2^18: areas and volumes in `i64`.
 #[derive(Clone, Copy, Debug)]
 pub struct Int16;
 
@@ -39,9 +39,10 @@ pub struct Int64;
 #[derive(Clone, Copy, Debug)]
 pub struct Int64Slim;
 
-/// Whether a product of 64 bits each costs one instruction, so that a choice
-/// would cost more than it saves. It changes no answer.
-const WIDE_IS_CHEAP: bool = cfg!(target_pointer_width = "64");
+/// Whether registers hold 64 bits. Then small coordinates have a kernel of their
+/// own; elsewhere code is dearer than time, and one kernel chooses the width of
+/// its volumes. Neither changes an answer.
+pub(super) const REGISTERS_ARE_WIDE: bool = cfg!(target_pointer_width = "64");
 
 macro_rules! integers {
     ($($system:ty: $length:ty, $area:ty, $volume:ty, $product:expr; $slim:ty, $is_slim:expr;)*) => {$(
@@ -96,7 +97,7 @@ macro_rules! integers {
 integers! {
     Int8: i32, i32, i32, |a, b| a * b; Self, |_: i32| false;
     Int16: i32, i64, i64, |a, b| a * i64::from(b); Self, |_: i32| false;
-    Int32: i32, i64, i128, |a, b| i128::from(a) * i128::from(b); Int16, |reach: i32| !WIDE_IS_CHEAP && reach >> 20 == 0;
+    Int32: i32, i64, i128, |a, b| i128::from(a) * i128::from(b); Int16, |reach: i32| !REGISTERS_ARE_WIDE && reach >> 20 == 0;
     Int64: i64, i128, I256, I256::product; Int64Slim, |reach: i64| reach >> 42 == 0;
     Int64Slim: i64, i128, i128, |a, b| a * i128::from(b); Self, |_: i64| false;
 }

@@ -1,5 +1,6 @@
 //! A predicate, and the ladder of number systems that a scalar climbs for it.
 
+use super::integer::Int64;
 use super::numbers::Holds;
 use super::Scalar;
 
@@ -15,20 +16,29 @@ pub trait Predicate<S: Scalar> {
     fn exact(&self) -> bool;
 }
 
-/// The last two rungs: exact integers if the input fits them, else exact sums.
-/// Out of line, so that the common path stays small.
-#[cold]
-#[inline(never)]
-pub(super) fn integers_then_exact<S: Scalar, N: Holds<S>, P: Predicate<S>>(p: &P) -> bool {
+/// One rung: the answer in `N`, or else what `above` says, which is out of line
+/// so that the common path stays small.
+#[inline(always)]
+pub(super) fn rung<S: Scalar, N: Holds<S>, P: Predicate<S>>(p: &P, above: fn(&P) -> bool) -> bool {
     match p.attempt::<N>() {
         Some(answer) => answer,
-        None => p.exact(),
+        None => above(p),
     }
 }
 
-/// The last rung alone, out of line.
+/// The last rung.
 #[cold]
 #[inline(never)]
 pub(super) fn exactly<S: Scalar, P: Predicate<S>>(p: &P) -> bool {
     p.exact()
+}
+
+/// The last two rungs: exact integers if the input fits them, else exact sums.
+#[cold]
+#[inline(never)]
+pub(super) fn wide_integers<S: Scalar, P: Predicate<S>>(p: &P) -> bool
+where
+    Int64: Holds<S>,
+{
+    rung::<S, Int64, P>(p, exactly::<S, P>)
 }

@@ -1,0 +1,122 @@
+//! The peers, each by the routes that its users have, on shapes in its own types
+//! that are made before the clock starts.
+
+use std::rc::Rc;
+
+use box3d_rust::math_functions as box3d;
+use parry3d::bounding_volume::Aabb as ParryAabb;
+use parry3d::math::{Pose, Rotation, Vector};
+use parry3d::query::{self, details};
+use parry3d::shape::{Cuboid, Triangle as ParryTriangle};
+use septum::{Aabb, Triangle, Vec3};
+
+use crate::candidate::{Candidate, F32, Promise};
+use crate::data::Form;
+use crate::scene::Scene;
+
+/// A cuboid that has been put somewhere.
+struct Placed {
+    cuboid: Cuboid,
+    /// The cuboid in the world.
+    pose: Pose,
+    /// The world, and so the triangle, in the cuboid's frame.
+    inverse: Pose,
+}
+
+#[inline(never)]
+fn parry_intersection_test(t: &ParryTriangle, b: &Placed) -> bool {
+    let found = query::intersection_test(&b.pose, &b.cuboid, &Pose::IDENTITY, t);
+    found.is_ok_and(|found| found.intersecting)
+}
+
+#[inline(never)]
+fn parry_cuboid_triangle(t: &ParryTriangle, b: &Placed) -> bool {
+    details::intersection_test_cuboid_triangle(&b.inverse, &b.cuboid, t)
+}
+
+#[inline(never)]
+fn parry_aabb_triangle(t: &ParryTriangle, b: &ParryAabb) -> bool {
+    details::intersection_test_aabb_triangle(b, t)
+}
+
+struct Box3dBox {
+    center: box3d::Vec3,
+    extent: box3d::Vec3,
+}
+
+#[inline(never)]
+fn box3d_bounds_triangle(t: &[box3d::Vec3; 3], b: &Box3dBox) -> bool {
+    box3d::test_bounds_triangle_overlap(b.center, b.extent, t[0], t[1], t[2])
+}
+
+/// Every peer on the scene, in `f32`.
+pub fn peers(scene: &Scene) -> Vec<Candidate> {
+    let ours = F32.data(scene, Form::Center);
+    let truth = F32.truth(&ours);
+    let placed = Rc::new(ours.map(parry_triangle, |b| {
+        let (center, half) = center_half(b);
+        let cuboid = Cuboid::new(vector(half));
+        let pose = Pose::from_parts(vector(center), Rotation::IDENTITY);
+        Placed { cuboid, inverse: pose.inverse(), pose }
+    }));
+    let aabbs = Rc::new(ours.map(parry_triangle, |b| {
+        let (center, half) = center_half(b);
+        ParryAabb::from_half_extents(vector(center), vector(half))
+    }));
+    let box3d = Rc::new(ours.map(
+        |t: &Triangle<f32>| t.vertices().map(box3d_vec3),
+        |b| {
+            let (center, half) = center_half(b);
+            Box3dBox { center: box3d_vec3(center), extent: box3d_vec3(half) }
+        },
+    ));
+    let (center, corners) = ((F32.name, Form::Center), (F32.name, Form::Corners));
+    let none = Promise::Nothing;
+    vec![
+        Candidate::new(
+            "box3d-rust test_bounds_triangle_overlap",
+            center,
+            none,
+            (&box3d, &truth),
+            box3d_bounds_triangle,
+        ),
+        Candidate::new(
+            "parry3d intersection_test",
+            center,
+            none,
+            (&placed, &truth),
+            parry_intersection_test,
+        ),
+        Candidate::new(
+            "parry3d …_cuboid_triangle",
+            center,
+            none,
+            (&placed, &truth),
+            parry_cuboid_triangle,
+        ),
+        Candidate::new(
+            "parry3d …_aabb_triangle",
+            corners,
+            none,
+            (&aabbs, &truth),
+            parry_aabb_triangle,
+        ),
+    ]
+}
+
+fn center_half(b: &Aabb<f32>) -> (Vec3<f32>, Vec3<f32>) {
+    b.center_half_extents().expect("made of centre and half-extents")
+}
+
+fn vector(v: Vec3<f32>) -> Vector {
+    Vector::new(v.x, v.y, v.z)
+}
+
+fn parry_triangle(t: &Triangle<f32>) -> ParryTriangle {
+    let [a, b, c] = t.vertices().map(vector);
+    ParryTriangle::new(a, b, c)
+}
+
+fn box3d_vec3(v: Vec3<f32>) -> box3d::Vec3 {
+    box3d::Vec3 { x: v.x, y: v.y, z: v.z }
+}

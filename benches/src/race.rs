@@ -1,0 +1,51 @@
+//! The clock: candidates take turns, round after round, in one process.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use indicatif::ProgressBar;
+
+use crate::candidate::Candidate;
+
+/// How long a candidate took, and how that compares with the first one.
+pub struct Timing {
+    /// Least time for the whole scene, in seconds.
+    pub best: f64,
+    /// How many times as fast as the first candidate: by the best times.
+    pub ratio: f64,
+    /// The same within each round: least, median, greatest.
+    pub spread: [f64; 3],
+}
+
+/// Runs every candidate once in each round, the order turning by one each time,
+/// so that what slows the machine down for a while slows all of them.
+pub fn race(candidates: &[Candidate], rounds: usize, bar: &ProgressBar) -> Vec<Timing> {
+    let mut seconds = vec![Vec::with_capacity(rounds); candidates.len()];
+    for round in 0..rounds {
+        for turn in 0..candidates.len() {
+            let k = (turn + round) % candidates.len();
+            seconds[k].push(time(&candidates[k]));
+        }
+        bar.inc(1);
+    }
+    let best = |k: usize| seconds[k].iter().copied().fold(f64::INFINITY, f64::min);
+    let timing = |k: usize| {
+        let mut ratios: Vec<f64> = seconds[0].iter().zip(&seconds[k]).map(|(a, b)| a / b).collect();
+        ratios.sort_by(f64::total_cmp);
+        let spread = [ratios[0], ratios[rounds / 2], ratios[rounds - 1]];
+        Timing { best: best(k), ratio: best(0) / best(k), spread }
+    };
+    (0..candidates.len()).map(timing).collect()
+}
+
+/// The faster of two passes: the first one brings the data into the cache.
+fn time(candidate: &Candidate) -> f64 {
+    let pass = || {
+        let start = Instant::now();
+        let count = black_box((candidate.run)());
+        let seconds = start.elapsed().as_secs_f64();
+        assert_eq!(count, candidate.overlaps, "{} changed its mind", candidate.who);
+        seconds
+    };
+    pass().min(pass())
+}

@@ -1,0 +1,138 @@
+//! The workloads: triangles, and the boxes each of them is asked about.
+
+use std::ops::Range;
+
+use fastrand::Rng;
+
+/// How many pairs of a triangle and a box a scene has, or a few more.
+const PAIRS: usize = 100_000;
+
+pub type Point = [f64; 3];
+
+/// A box by its centre and half-extents.
+#[derive(Clone, Copy)]
+pub struct Cell {
+    pub center: Point,
+    pub half: Point,
+}
+
+/// Triangles, and for each the range of the cells that it is tested against.
+#[derive(Default)]
+pub struct Scene {
+    pub triangles: Vec<[Point; 3]>,
+    pub cells: Vec<Cell>,
+    pub spans: Vec<Range<usize>>,
+}
+
+impl Scene {
+    pub fn pairs(&self) -> usize {
+        self.spans.iter().map(ExactSizeIterator::len).sum()
+    }
+
+    fn push(&mut self, triangle: [Point; 3], cells: impl IntoIterator<Item = Cell>) {
+        let start = self.cells.len();
+        self.cells.extend(cells);
+        self.triangles.push(triangle);
+        self.spans.push(start..self.cells.len());
+    }
+}
+
+/// Triangles with vertices uniform in [−2, 2]³ against the unit cube around the
+/// origin: Voorhies' experiment, and the paper's.
+pub fn voorhies() -> Scene {
+    let mut rng = Rng::with_seed(1);
+    Scene {
+        triangles: (0..PAIRS).map(|_| random_triangle(&mut rng)).collect(),
+        cells: vec![Cell { center: [0.0; 3], half: [0.5; 3] }],
+        spans: vec![0..1; PAIRS],
+    }
+}
+
+/// For random triangles, every cube of 1/8 of the longest side of the bounding
+/// box that lies in it.
+pub fn voxel() -> Scene {
+    let mut rng = Rng::with_seed(2);
+    let mut scene = Scene::default();
+    while scene.cells.len() < PAIRS {
+        let triangle = random_triangle(&mut rng);
+        let (min, max) = bounding_box(&triangle);
+        let extent: Point = std::array::from_fn(|i| max[i] - min[i]);
+        let side = extent.into_iter().fold(0.0, f64::max) / 8.0;
+        let count = extent.map(|e| (e / side) as usize);
+        scene.push(triangle, cubes(count, |i, n| min[i] + side * n as f64, side));
+    }
+    scene
+}
+
+/// Vertices on the integer grid {−4…4}³ and cubes of side 2 on it: a third of
+/// the overlaps are touches.
+pub fn grid() -> Scene {
+    let mut rng = Rng::with_seed(3);
+    let mut scene = Scene::default();
+    let mut point = || [0; 3].map(|_| f64::from(rng.i8(-4..=4)));
+    for _ in 0..PAIRS {
+        let triangle = [point(), point(), point()];
+        scene.push(triangle, [Cell { center: point(), half: [1.0; 3] }]);
+    }
+    scene
+}
+
+/// Walls and floors whose vertices are voxel corners, as in scenes built of
+/// blocks, against the voxels on either side: every plane axis touches, and so
+/// do many edges.
+pub fn walls() -> Scene {
+    let mut rng = Rng::with_seed(4);
+    let mut scene = Scene::default();
+    while scene.cells.len() < PAIRS {
+        let normal = rng.usize(0..3);
+        let corner = [0; 3].map(|_| f64::from(rng.i8(-8..=8)));
+        let sides = [0; 2].map(|_| f64::from(rng.u8(1..=8)));
+        let mut triangle = [corner; 3];
+        triangle[1][(normal + 1) % 3] += sides[0];
+        triangle[2][(normal + 2) % 3] += sides[1];
+        let (min, max) = bounding_box(&triangle);
+        let count = std::array::from_fn(|i| (max[i] - min[i]) as usize + 2);
+        scene.push(triangle, cubes(count, |i, n| min[i] - 1.0 + n as f64, 1.0));
+    }
+    scene
+}
+
+/// Triangles in the plane of a face of the box, their coordinates spread over 80
+/// powers of two: every one touches the plane of that face, and no integer type
+/// holds all its coordinates. Exact sums must decide.
+pub fn spread() -> Scene {
+    let mut rng = Rng::with_seed(5);
+    let mut coordinate = || (rng.f64() - 0.5).signum() * 2_f64.powf(1.0 - 80.0 * rng.f64());
+    let mut vertex = || [0.5, coordinate(), coordinate()];
+    Scene {
+        triangles: (0..PAIRS / 10).map(|_| [vertex(), vertex(), vertex()]).collect(),
+        cells: vec![Cell { center: [0.0; 3], half: [0.5; 3] }],
+        spans: vec![0..1; PAIRS / 10],
+    }
+}
+
+fn random_triangle(rng: &mut Rng) -> [Point; 3] {
+    [[0; 3]; 3].map(|p| p.map(|_| rng.f64() * 4.0 - 2.0))
+}
+
+fn bounding_box(triangle: &[Point; 3]) -> (Point, Point) {
+    let fold = |f: fn(f64, f64) -> f64| {
+        let [a, b, c] = triangle;
+        std::array::from_fn(|i| f(f(a[i], b[i]), c[i]))
+    };
+    (fold(f64::min), fold(f64::max))
+}
+
+/// A block of cubes, where `least(i, n)` is the low side of the n-th along axis i.
+fn cubes(
+    [nx, ny, nz]: [usize; 3],
+    least: impl Fn(usize, usize) -> f64 + Copy,
+    side: f64,
+) -> impl Iterator<Item = Cell> {
+    let half = side / 2.0;
+    let cell = move |n: [usize; 3]| Cell {
+        center: std::array::from_fn(|i| least(i, n[i]) + half),
+        half: [half; 3],
+    };
+    (0..nz).flat_map(move |z| (0..ny).flat_map(move |y| (0..nx).map(move |x| cell([x, y, z]))))
+}

@@ -1,0 +1,159 @@
+//! Reading a mesh: OBJ by `tobj`, STL by `stl_io`.
+
+use std::error::Error;
+use std::fs;
+use std::io::Cursor;
+use std::path::Path;
+
+use crate::options::Up;
+
+/// The bundled mesh, in the program, so that it runs from any directory.
+const TEAPOT: &[u8] = include_bytes!("../assets/teapot.obj");
+
+/// Triangles as read, every coordinate finite, y up.
+pub(crate) struct Mesh {
+    pub(crate) name: String,
+    pub(crate) triangles: Vec<[[f64; 3]; 3]>,
+    /// What was up in the file.
+    pub(crate) up: Up,
+}
+
+impl Mesh {
+    /// Reads the mesh, or the bundled one, and turns it so that y is up.
+    pub(crate) fn load(path: Option<&Path>, up: Option<Up>) -> Result<Self, Box<dyn Error>> {
+        let Some(path) = path else {
+            let triangles = read_obj(TEAPOT).and_then(checked)?;
+            return Ok(Self { name: "teapot".into(), triangles, up: Up::Y }.turned(up));
+        };
+        let in_file = |e: Box<dyn Error>| format!("{}: {e}", path.display());
+        let (read, usual): (Reader, Up) = match extension(path).as_str() {
+            "obj" => (read_obj, Up::Y),
+            "stl" => (read_stl, Up::Z),
+            _ => return Err(in_file("a mesh is an .obj or an .stl file".into()).into()),
+        };
+        let bytes = fs::read(path).map_err(|e| in_file(e.into()))?;
+        let triangles = read(&bytes).and_then(checked).map_err(in_file)?;
+        let name = path.file_stem().map_or("mesh".into(), |s| s.to_string_lossy().into_owned());
+        Ok(Self { name, triangles, up: usual }.turned(up))
+    }
+
+    fn turned(mut self, up: Option<Up>) -> Self {
+        self.up = up.unwrap_or(self.up);
+        if self.up == Up::Z {
+            for [_, y, z] in self.triangles.as_flattened_mut() {
+                (*y, *z) = (*z, -*y);
+            }
+        }
+        self
+    }
+}
+
+type Triangles = Vec<[[f64; 3]; 3]>;
+type Reader = fn(&[u8]) -> Result<Triangles, Box<dyn Error>>;
+
+fn extension(path: &Path) -> String {
+    path.extension().map_or(String::new(), |e| e.to_string_lossy().to_lowercase())
+}
+
+fn checked(triangles: Triangles) -> Result<Triangles, Box<dyn Error>> {
+    if triangles.is_empty() {
+        return Err("the mesh is empty: it has no triangles".into());
+    }
+    for (i, p) in triangles.iter().flatten().enumerate() {
+        if !p.iter().all(|x| x.is_finite()) {
+            let [x, y, z] = p;
+            return Err(format!(
+                "triangle {} has a coordinate that is NaN or infinite: ({x}, {y}, {z})",
+                i / 3 + 1
+            )
+            .into());
+        }
+    }
+    Ok(triangles)
+}
+
+/// Polygons become fans, lines and points degenerate triangles.
+fn read_obj(bytes: &[u8]) -> Result<Triangles, Box<dyn Error>> {
+    let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
+    let no_materials = |_: &Path| Err(tobj::LoadError::GenericFailure);
+    let geometry = geometry_of_obj(bytes);
+    let (models, _) = tobj::load_obj_buf(&mut Cursor::new(geometry), &options, no_materials)
+        .map_err(|e| format!("not a valid OBJ file: {e}"))?;
+
+    let mut triangles = Vec::new();
+    for model in &models {
+        let (points, _) = model.mesh.positions.as_chunks::<3>();
+        let (faces, _) = model.mesh.indices.as_chunks::<3>();
+        for face in faces {
+            // The loader has checked the indices.
+            triangles.push(face.map(|i| points[i as usize].map(f64::from)));
+        }
+    }
+    Ok(triangles)
+}
+
+/// The vertex and face lines of an OBJ file, faces without their texture and
+/// normal indices: a fault in what is not looked at is no reason to refuse.
+fn geometry_of_obj(bytes: &[u8]) -> String {
+    let text = String::from_utf8_lossy(bytes).replace("\\\r\n", " ").replace("\\\n", " ");
+    let mut geometry = String::with_capacity(text.len());
+    for line in text.lines() {
+        let line = line.split('#').next().unwrap_or_default();
+        let mut words = line.split_whitespace();
+        match words.next() {
+            Some("v") => geometry.push_str(line.trim_start()),
+            Some("f") => {
+                geometry.push('f');
+                for word in words {
+                    geometry.push(' ');
+                    geometry.push_str(word.split('/').next().unwrap_or_default());
+                }
+            }
+            _ => continue,
+        }
+        geometry.push('\n');
+    }
+    geometry
+}
+
+fn read_stl(bytes: &[u8]) -> Result<Triangles, Box<dyn Error>> {
+    let bytes = unambiguous_stl(bytes)?;
+    let invalid = |e| format!("not a valid STL file: {e}");
+    let mut reader = Cursor::new(bytes);
+    let mut triangles = Vec::new();
+    for triangle in stl_io::create_stl_reader(&mut reader).map_err(invalid)? {
+        let vertices = triangle.map_err(invalid)?.vertices;
+        triangles.push(vertices.map(|v| v.0.map(f64::from)));
+    }
+    Ok(triangles)
+}
+
+/// The file in the form that `stl_io` tells apart for sure, by its first word.
+///
+/// Binary files may begin with "solid" too, and give themselves away by their
+/// length; text files may have several solids, and none of them a name.
+fn unambiguous_stl(bytes: &[u8]) -> Result<Vec<u8>, Box<dyn Error>> {
+    const HEADER: usize = 84;
+    const TRIANGLE: usize = 50;
+    let expected = bytes.first_chunk::<HEADER>().map(|header| {
+        let [.., a, b, c, d] = *header;
+        HEADER + TRIANGLE * u32::from_le_bytes([a, b, c, d]) as usize
+    });
+    if !bytes.starts_with(b"solid") || expected == Some(bytes.len()) {
+        return match expected {
+            Some(length) if length <= bytes.len() => {
+                Ok([&[0; 80], bytes.get(80..).unwrap_or_default()].concat())
+            }
+            Some(_) => Err("the STL file ends before its last triangle".into()),
+            None => Err("not a valid STL file: too short".into()),
+        };
+    }
+    let text = String::from_utf8_lossy(bytes).to_ascii_lowercase();
+    let is_facet = |l: &&str| !l.starts_with("solid") && !l.starts_with("endsolid");
+    let facets = text.lines().map(str::trim).filter(is_facet);
+    let mut whole: String = ["solid mesh"].into_iter().chain(facets).flat_map(|l| [l, "\n"]).collect();
+    if text.lines().map(str::trim).rfind(|l| !l.is_empty()).is_some_and(|l| l.starts_with("endsolid")) {
+        whole.push_str("endsolid\n");
+    }
+    Ok(whole.into_bytes())
+}

@@ -1,0 +1,65 @@
+//! The mesh in the coordinates of the grid.
+
+use std::error::Error;
+
+/// A grid may take this much memory: a gibibyte, at a bit for each voxel.
+const MOST_VOXELS: f64 = (1_u64 << 33) as f64;
+
+/// A mesh in grid coordinates: a voxel has edges of length one and corners at
+/// whole numbers, and the origin is a corner at the middle of the grid, where
+/// both floats and fixed-point numbers have the most to give.
+pub(crate) struct Placed {
+    /// Voxels along each axis.
+    pub(crate) size: [usize; 3],
+    pub(crate) triangles: Vec<[[f64; 3]; 3]>,
+}
+
+/// Scales the mesh so that its longest side spans `resolution` voxels, and
+/// centres it in the least grid that holds it.
+///
+/// Multiplication comes before division, so that whatever lies on a whole
+/// number of voxels comes out there, and not next to it.
+pub(crate) fn place(
+    triangles: &[[[f64; 3]; 3]],
+    resolution: u32,
+) -> Result<Placed, Box<dyn Error>> {
+    let points = || triangles.iter().flatten();
+    let least: [f64; 3] = [0, 1, 2].map(|i| points().map(|p| p[i]).fold(f64::INFINITY, f64::min));
+    let greatest = [0, 1, 2].map(|i| points().map(|p| p[i]).fold(f64::NEG_INFINITY, f64::max));
+    let extent = [0, 1, 2].map(|i| greatest[i] - least[i]);
+    let longest = extent.into_iter().fold(0.0, f64::max);
+    if longest == 0.0 {
+        return Err("the mesh is a single point: it has no size to scale to a grid".into());
+    }
+
+    let scaled = |x: f64| x * f64::from(resolution) / longest;
+    // A flat mesh lies in one layer of voxels.
+    let size = extent.map(|e| scaled(e).ceil().max(1.0));
+    let voxels: f64 = size.iter().product();
+    if voxels > MOST_VOXELS {
+        return Err(format!(
+            "a grid of {} × {} × {} voxels would take {:.1} GiB of memory, more than the 1 GiB \
+             allowed; choose a lower --resolution",
+            size[0],
+            size[1],
+            size[2],
+            voxels / MOST_VOXELS
+        )
+        .into());
+    }
+    let margin = [0, 1, 2].map(|i| (size[i] - scaled(extent[i])) / 2.0);
+    let middle = size.map(|n| (n / 2.0).ceil());
+    let placed =
+        |p: [f64; 3]| [0, 1, 2].map(|i| scaled(p[i] - least[i]) + margin[i] - middle[i]);
+    Ok(Placed {
+        size: size.map(|n| n as usize),
+        triangles: triangles.iter().map(|t| t.map(placed)).collect(),
+    })
+}
+
+impl Placed {
+    /// The whole number that the least corner of the grid has on this axis.
+    pub(crate) fn start(&self, axis: usize) -> f64 {
+        -(self.size[axis].div_ceil(2) as f64)
+    }
+}

@@ -1,0 +1,72 @@
+//! One question: a triangle and a box, as plain numbers.
+
+use septum::{Aabb, Triangle};
+
+use super::scalar::Sample;
+
+/// The numbers that a box is given by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum BoxNumbers<S> {
+    /// Centre and half-extents.
+    Center([S; 3], [S; 3]),
+    /// Least and greatest corner.
+    Corners([S; 3], [S; 3]),
+}
+
+/// A triangle and a box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Case<S> {
+    pub(crate) vertices: [[S; 3]; 3],
+    pub(crate) aabb: BoxNumbers<S>,
+}
+
+impl<S: Sample> Case<S> {
+    /// The triangle.
+    pub(crate) fn triangle(&self) -> Triangle<S> {
+        let [a, b, c] = self.vertices;
+        Triangle::new(a, b, c).expect("finite vertices")
+    }
+
+    /// The box.
+    pub(crate) fn aabb(&self) -> Aabb<S> {
+        match self.aabb {
+            BoxNumbers::Center(c, h) => Aabb::from_center_half_extents(c, h),
+            BoxNumbers::Corners(min, max) => Aabb::from_min_max(min, max),
+        }
+        .expect("a valid box")
+    }
+
+    /// The two shapes.
+    pub(crate) fn shapes(&self) -> (Triangle<S>, Aabb<S>) {
+        (self.triangle(), self.aabb())
+    }
+
+    /// The two triples of the box.
+    pub(crate) fn box_numbers(&self) -> [[S; 3]; 2] {
+        match self.aabb {
+            BoxNumbers::Center(a, b) | BoxNumbers::Corners(a, b) => [a, b],
+        }
+    }
+
+    /// All fifteen numbers: nine of the triangle, six of the box.
+    pub(crate) fn numbers(&self) -> [S; 15] {
+        let [a, b, c] = self.vertices;
+        let [p, q] = self.box_numbers();
+        let rows = [a, b, c, p, q];
+        core::array::from_fn(|i| rows[i / 3][i % 3])
+    }
+
+    /// The same with number `i` of the fifteen replaced, if that makes a box.
+    pub(crate) fn with_number(mut self, i: usize, x: S) -> Option<Self> {
+        let (row, column) = (i / 3, i % 3);
+        match (row, &mut self.aabb) {
+            (0..=2, _) => self.vertices[row][column] = x,
+            (3, BoxNumbers::Center(c, _)) => c[column] = x,
+            (_, BoxNumbers::Center(_, h)) if x >= S::ZERO => h[column] = x,
+            (3, BoxNumbers::Corners(min, max)) if x <= max[column] => min[column] = x,
+            (4, BoxNumbers::Corners(min, max)) if x >= min[column] => max[column] = x,
+            _ => return None,
+        }
+        Some(self)
+    }
+}
