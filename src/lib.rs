@@ -12,6 +12,6 @@ mod shape;
 
 pub use axis::Axis;
 pub use linear::Vec3;
-pub use query::{MayOverlap, Order, Overlaps};
+pub use query::{MayOverlap, Order, Overlaps, Side};
 pub use scalar::Scalar;
 pub use shape::{Aabb, Obb, Plane, ShapeError, Triangle};

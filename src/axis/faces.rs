@@ -1,6 +1,6 @@
 use super::frame::range;
 use super::{Frame, Split};
-use crate::scalar::{greatest, Number, Numbers};
+use crate::scalar::{Number, Numbers, greatest};
 
 /// Whether one of the box's three face normals separates.
 ///

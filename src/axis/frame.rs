@@ -1,4 +1,4 @@
-use crate::scalar::{greatest, least, Number, Numbers};
+use crate::scalar::{Number, Numbers, greatest, least};
 
 /// How a box was given, in a number system's own lengths.
 #[derive(Clone, Copy, Debug)]
@@ -70,9 +70,8 @@ impl<N: Numbers> Frame<N> {
                 v
             }
         };
-        let difference = |a: [N::Length; 3], b: [N::Length; 3]| {
-            [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-        };
+        let difference =
+            |a: [N::Length; 3], b: [N::Length; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
         Self {
             v,
             e: [difference(t[1], t[0]), difference(t[2], t[1]), difference(t[0], t[2])],
@@ -95,8 +94,5 @@ impl<N: Numbers> Frame<N> {
 /// Least and greatest coordinate `i` of three points.
 #[inline(always)]
 pub(super) fn range<L: Number>(t: &[[L; 3]; 3], i: usize) -> (L, L) {
-    (
-        least(least(t[0][i], t[1][i]), t[2][i]),
-        greatest(greatest(t[0][i], t[1][i]), t[2][i]),
-    )
+    (least(least(t[0][i], t[1][i]), t[2][i]), greatest(greatest(t[0][i], t[1][i]), t[2][i]))
 }

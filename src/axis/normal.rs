@@ -21,8 +21,7 @@ pub(crate) fn plane<N: Numbers>(
     h: &[N::Length; 3],
     slack: N::Volume,
 ) -> Split {
-    let distance =
-        N::volume(n[0], v[0]) + N::volume(n[1], v[1]) + N::volume(n[2], v[2]);
+    let distance = N::volume(n[0], v[0]) + N::volume(n[1], v[1]) + N::volume(n[2], v[2]);
     let radius = N::volume(n[0].magnitude(), h[0])
         + N::volume(n[1].magnitude(), h[1])
         + N::volume(n[2].magnitude(), h[2]);

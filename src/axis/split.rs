@@ -16,10 +16,7 @@ impl Split {
 
     #[inline(always)]
     pub(crate) fn or(self, other: Self) -> Self {
-        Self {
-            certain: self.certain | other.certain,
-            possible: self.possible | other.possible,
-        }
+        Self { certain: self.certain | other.certain, possible: self.possible | other.possible }
     }
 
     /// Whether an axis separates; `None` in doubt.

@@ -1,8 +1,11 @@
 //! The questions, one file for each pair of shapes.
 
+mod plane_aabb;
 mod published;
 mod triangle_aabb;
+mod triangle_obb;
 
+pub use plane_aabb::Side;
 pub use published::Order;
 
 use crate::shape::Triangle;

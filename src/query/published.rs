@@ -5,7 +5,7 @@
 //! Graphics Tools* 6(1), 2001. Written from the paper; it is the yardstick for
 //! speed and the example of what rounding does.
 
-use crate::scalar::{greatest, least, Number, Numbers, Rounded, Scalar};
+use crate::scalar::{Number, Numbers, Rounded, Scalar, greatest, least};
 use crate::shape::{Aabb, AabbForm, Triangle};
 
 /// In which order the three groups of axes are tried.
@@ -89,7 +89,8 @@ struct Published<S> {
 impl<S: Scalar> Published<S> {
     #[inline(always)]
     fn new(points: &[[S; 3]; 3], center: [Rounded<S>; 3], h: [Rounded<S>; 3]) -> Self {
-        let minus = |a: [Rounded<S>; 3], b: [Rounded<S>; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+        let minus =
+            |a: [Rounded<S>; 3], b: [Rounded<S>; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
         let from = |p: [S; 3]| minus(rounded(p), center);
         let v = [from(points[0]), from(points[1]), from(points[2])];
         Self { v, e: [minus(v[1], v[0]), minus(v[2], v[1]), minus(v[0], v[2])], h }

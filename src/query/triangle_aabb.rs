@@ -6,9 +6,9 @@
 //! first and nothing else is branched on, and the verdict is exact.
 
 use super::{MayOverlap, Overlaps};
-use crate::linear::Vec3;
 use crate::axis::{self, Axis, BoxForm, Frame, Split};
-use crate::robust::{bounds, ExactBox, ExactTriangle};
+use crate::linear::Vec3;
+use crate::robust::{ExactBox, ExactTriangle, bounds};
 use crate::scalar::{Holds, Number, Numbers, Predicate, Rounded, Scalar};
 use crate::shape::{Aabb, AabbForm, Triangle};
 
@@ -256,7 +256,7 @@ impl<S: Scalar> Triangle<S> {
     /// use septum::{Aabb, Axis, Triangle};
     ///
     /// let cell = Aabb::from_min_max([0.0; 3], [1.0; 3])?;
-    /// let t = Triangle::new([2.5, 0.0, 0.0], [0.0, 2.5, 0.0], [3.0, 3.0, 1.0])?;
+    /// let t = Triangle::new([2.5, 0.0, 0.5], [0.0, 2.5, 0.5], [3.0, 3.0, 0.5])?;
     /// let axis = t.separating_axis(&cell);
     /// assert_eq!(axis, Some(Axis::Edge { axis: 2, edge: 0 }));
     /// assert!(t.is_separated_by(&cell, axis.unwrap()));

@@ -48,8 +48,43 @@
 //! 10⁻⁴ for `f32`. The computed R may fall short by 3u·R, and the bound by 4u of
 //! itself. 30 against 29 and 120 against 116 are 3 % more: enough for all of it.
 //! Underflow is met by the range of R, see `scalar::float`.
+//!
+//! # A box with axes of its own (`axis::skewed`)
+//!
+//! Here every product is a sum of terms, each a product of operands; count how
+//! many roundings touch a term, and multiply by the sum of the terms' sizes. Let
+//! |u| ≤ A, |t| and |e| ≤ R and h·A ≤ R; t and e carry one rounding each.
+//!
+//! * Faces, in A²·R: w·t has 6 terms; w takes 2 roundings, t 1, the product 1,
+//!   the sums 2: 36. h·|u·w|: 6 terms, 2 + 1 + 2 + 1: 36. Their comparison,
+//!   with the bound added to one side, 12: 84. [`SKEWED`] has 100.
+//! * Edges, doubled, in A·R²: p has 6 terms of 2 + 1 + 1 + 1 + 2 = 7: 42. q
+//!   likewise 42. 2p + q: 84 + 42 + 18 for the last sum. |q| again: 42. r has 12
+//!   terms of h·w·e, 2 + 1 + 1 + 2 + 1 + 1 = 8: 96, doubled 192. The last sum and
+//!   difference, of at most 30 and 48: 78. In all 456; 550.
+//! * Plane, in R³: n·t has 6 terms of 2 + 1 + 1 + 1 + 1 + 2 = 8: 48. r has 18
+//!   terms of 7 + 1 + 2 = 10: 180. The difference, of at most 24: 24. In all 252;
+//!   300.
+//!
+//! Underflow: A is at least a quarter, so no product of axes underflows, and the
+//! margins of the range of R are as above.
+//!
+//! # A plane and an axis-aligned box, in units of u·(N·R + |d|)
+//!
+//! With |n| ≤ N and the plane's point and the half-extents within R in the box's
+//! frame: n·v has 3 terms of 3 + 1 + 2 = 6: 18. Σ h·|n| has 3 of 1 + 1 + 2: 12.
+//! Their comparison 6, and one more for d. In all 37; [`PLANE`] = 40. A plane
+//! given by its offset d has no point; then v is the world's origin, and d joins
+//! the sum.
 
 use crate::scalar::Numbers;
+
+/// Roundoffs in the distance between a plane and a corner of a box.
+pub(crate) const PLANE: u8 = 40;
+
+/// Roundoffs in a face axis, an edge axis and the plane of a box with axes of its
+/// own, per A²·R, A·R² and R³.
+pub(crate) const SKEWED: [u16; 3] = [100, 550, 300];
 
 /// Roundoffs in an edge axis, per R².
 const AREAS: u8 = 30;

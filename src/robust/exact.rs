@@ -9,20 +9,20 @@
 use core::cmp::Ordering;
 
 use crate::scalar::{ExactSum, Parts, Scalar};
-use crate::shape::AabbForm;
+use crate::shape::{AabbForm, PlaneForm};
 
-const ZERO: Parts = Parts { negative: false, magnitude: 0, shift: 0 };
+pub(super) const ZERO: Parts = Parts { negative: false, magnitude: 0, shift: 0 };
 
 /// A sum of up to three signed coordinates.
-type Linear = [Parts; 3];
+pub(super) type Linear = [Parts; 3];
 
 /// a − b.
-fn difference(a: Parts, b: Parts) -> Linear {
+pub(super) fn difference(a: Parts, b: Parts) -> Linear {
     [a, b.negated(), ZERO]
 }
 
 /// Adds `sign`·a·b to the sum.
-fn add_area<T: ExactSum>(sum: &mut T, a: Linear, b: Linear, minus: bool) {
+pub(super) fn add_area<T: ExactSum>(sum: &mut T, a: Linear, b: Linear, minus: bool) {
     for x in a {
         let x = if minus { x.negated() } else { x };
         for y in b {
@@ -173,5 +173,31 @@ impl ExactBox {
         };
         // The whole box above the interval, or the whole box below it.
         beyond(true) || beyond(false)
+    }
+}
+
+impl ExactBox {
+    /// The sign of n·(x − p), or of n·x + d, at the corner x of the box that lies
+    /// farthest along n, or least far.
+    pub(crate) fn corner_side<S: Scalar>(
+        &self,
+        normal: [S; 3],
+        form: &PlaneForm<S>,
+        along: bool,
+    ) -> Ordering {
+        let mut sum = S::Sum::new();
+        for (i, n) in normal.into_iter().enumerate() {
+            let toward = n.partial_cmp(&S::ZERO).unwrap_or(Ordering::Equal);
+            let toward = if along { toward } else { toward.reverse() };
+            let from = match form {
+                PlaneForm::Point(p) => p.to_array()[i].parts(),
+                PlaneForm::Offset(_) => ZERO,
+            };
+            add_area(&mut sum, [n.parts(), ZERO, ZERO], self.from_point(from, i, toward), false);
+        }
+        if let PlaneForm::Offset(d) = form {
+            sum.add(&[d.parts(), S::ONE]);
+        }
+        sum.sign()
     }
 }

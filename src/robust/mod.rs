@@ -3,7 +3,9 @@
 
 mod bounds;
 mod exact;
+mod exact_skewed;
 mod near_zero_normal;
 
-pub(crate) use bounds::bounds;
+pub(crate) use bounds::{PLANE, SKEWED, bounds};
 pub(crate) use exact::{ExactBox, ExactTriangle};
+pub(crate) use exact_skewed::ExactSkewed;

@@ -1,7 +1,7 @@
 //! A quick system for wide fixed point, whose "disjoint" can be trusted.
 
 use super::integer::Int16;
-use super::numbers::{convert, Numbers, Placed};
+use super::numbers::{Numbers, Placed, convert};
 
 /// The arithmetic of [`Int16`] on coordinates shifted down until they fit it,
 /// with the box grown by what the shift lost.
@@ -48,6 +48,21 @@ impl Numbers for Coarse {
     fn middle(n: Area) -> Area {
         Int16::middle(n)
     }
+    type Product = <Int16 as Numbers>::Product;
+    fn operand(a: Length) -> Self::Product {
+        Int16::operand(a)
+    }
+    fn product_bounds(
+        axes: Self::Product,
+        length: Self::Product,
+        half: Self::Product,
+        roundoffs: [u16; 3],
+    ) -> Option<[Self::Product; 3]> {
+        Int16::product_bounds(axes, length, half, roundoffs)
+    }
+    fn area_bound(a: Length, b: Length, c: Area, roundoffs: u8) -> Option<Area> {
+        Int16::area_bound(a, b, c, roundoffs)
+    }
     #[inline(always)]
     fn is_slim(_: Length) -> bool {
         false
@@ -79,9 +94,8 @@ macro_rules! coarse {
                     size |= x ^ (x >> (<$wide>::BITS - 1));
                     x
                 };
-                let near = convert(points, 0, |i, x| {
-                    measure(<$wide>::from(x) - <$wide>::from(origin[i]))
-                });
+                let near =
+                    convert(points, 0, |i, x| measure(<$wide>::from(x) - <$wide>::from(origin[i])));
                 let extents = convert(extents, 0, |_, x| measure(x.into()));
                 let shift = (<$wide>::BITS - size.leading_zeros()).saturating_sub(18);
                 let grown = if shift > 0 { 2 } else { 0 };

@@ -3,18 +3,18 @@
 //! A fixed-point number is an integer with a name for its unit. A verdict does
 //! not depend on the unit, so all of it is decided on the raw bits.
 
-use fixed::types::extra::{LeEqU16, LeEqU32, LeEqU64, LeEqU8};
-use fixed::{FixedI16, FixedI32, FixedI64, FixedI8};
+use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
+use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 use super::coarse::Coarse;
-use super::integer::{below_i32, below_i64, Int16, Int32, Int64, Int8, REGISTERS_ARE_WIDE};
-use super::ladder::{exactly, rung, wide_integers, Predicate};
-use super::numbers::{convert, Holds, Placed};
+use super::integer::{Int8, Int16, Int32, Int64, REGISTERS_ARE_WIDE, below_i32, below_i64};
+use super::ladder::{Predicate, exactly, rung, wide_integers};
+use super::numbers::{Holds, Numbers, Placed, convert};
 use super::sum::{Parts, Sum};
-use super::{sealed, Scalar};
+use super::{Scalar, sealed};
 
 macro_rules! scalar {
-    ($fixed:ident, $bound:ident, $limbs:literal, $quick:ty, |$p:ident| $ladder:expr) => {
+    ($fixed:ident, $bound:ident, $limbs:literal, $quick:ty, $products:ty, |$p:ident| $ladder:expr) => {
         impl<Frac: $bound> sealed::Sealed for $fixed<Frac> {}
 
         impl<Frac: $bound + Send + Sync + 'static> Scalar for $fixed<Frac> {
@@ -23,6 +23,7 @@ macro_rules! scalar {
             const ONE: Parts =
                 Parts { negative: false, magnitude: 1, shift: Self::FRAC_NBITS as u16 };
             type Quick = $quick;
+            type Products = $products;
             // Four products of the raw bits, and room for their number.
             type Sum = Sum<$limbs>;
 
@@ -61,10 +62,10 @@ macro_rules! scalar {
         }
     };
 }
-scalar!(FixedI8, LeEqU8, 1, Int8, |p| rung::<_, Int8, _>(p, exactly));
-scalar!(FixedI16, LeEqU16, 2, Int16, |p| rung::<_, Int16, _>(p, exactly));
-scalar!(FixedI32, LeEqU32, 3, Coarse, |p| by_size(p));
-scalar!(FixedI64, LeEqU64, 5, Coarse, |p| rung::<_, Int64, _>(p, exactly));
+scalar!(FixedI8, LeEqU8, 1, Int8, Int8, |p| rung::<_, Int8, _>(p, exactly));
+scalar!(FixedI16, LeEqU16, 2, Int16, Int16, |p| rung::<_, Int16, _>(p, exactly));
+scalar!(FixedI32, LeEqU32, 3, Coarse, Int64, |p| by_size(p));
+scalar!(FixedI64, LeEqU64, 5, Coarse, Int64, |p| rung::<_, Int64, _>(p, exactly));
 
 #[inline(always)]
 fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(p: &P) -> bool {
@@ -94,6 +95,16 @@ macro_rules! holds {
             #[inline(always)]
             fn fits<const K: usize>($coordinates: &[[$fixed<Frac>; 3]; K]) -> bool {
                 $fits
+            }
+
+            fn one() -> Option<i128> {
+                // A unit above 2^30 would not leave the products room.
+                (<$fixed<Frac>>::FRAC_NBITS <= 30).then(|| 1 << <$fixed<Frac>>::FRAC_NBITS)
+            }
+
+            fn times_one(d: $length) -> Option<<$system as Numbers>::Area> {
+                // At most 2^61 in i64, 2^125 in i128: see the table in `integer`.
+                Some(<$system as Numbers>::Area::from(2 * d) << <$fixed<Frac>>::FRAC_NBITS)
             }
 
             #[inline(always)]
@@ -126,6 +137,14 @@ macro_rules! coarse {
             #[inline(always)]
             fn fits<const K: usize>(_: &[[$fixed<Frac>; 3]; K]) -> bool {
                 true
+            }
+
+            fn one() -> Option<i128> {
+                None
+            }
+
+            fn times_one(_: i32) -> Option<i64> {
+                None
             }
 
             #[inline(always)]

@@ -4,14 +4,14 @@ use core::marker::PhantomData;
 use core::ops::Mul;
 
 use super::integer::Int64;
-use super::ladder::{rung, wide_integers, Predicate};
-use super::number::Number;
-use super::numbers::{convert, Holds, Numbers, Placed};
+use super::ladder::{Predicate, rung, wide_integers};
+use super::number::{Number, greatest};
+use super::numbers::{Holds, Numbers, Placed, convert};
 use super::sum::{Parts, Sum};
-use super::{sealed, Scalar};
+use super::{Scalar, sealed};
 
 /// A binary floating-point type of IEEE 754.
-pub trait Float: Number + Mul<Output = Self> + From<u8> + Into<f64> + 'static {
+pub trait Float: Number + Mul<Output = Self> + From<u8> + From<u16> + 'static {
     /// One half.
     const HALF: Self;
     /// u: half the distance from 1 to the next number.
@@ -83,6 +83,29 @@ impl<F: Float> Numbers for Bounded<F> {
     fn middle(n: F) -> F {
         half(n)
     }
+    type Product = F;
+    #[inline(always)]
+    fn operand(a: F) -> F {
+        a
+    }
+    #[inline(always)]
+    fn product_bounds(axes: F, length: F, half: F, [x, y, z]: [u16; 3]) -> Option<[F; 3]> {
+        let reach = greatest(length, half * axes);
+        // Axes are unit vectors, or near: what is not may as well go to the end.
+        let tame = axes > F::HALF * F::HALF && axes < F::from(4_u8);
+        if !(tame && reach > F::REACH.0 && reach < F::REACH.1) {
+            return None;
+        }
+        let u = |n: u16| F::from(n) * F::ROUNDOFF;
+        let square = reach * reach;
+        Some([u(x) * (axes * axes * reach), u(y) * (axes * square), u(z) * (square * reach)])
+    }
+    #[inline(always)]
+    fn area_bound(a: F, b: F, c: F, roundoffs: u8) -> Option<F> {
+        let tame = |x: F| x > F::REACH.0 && x < F::REACH.1;
+        (tame(a) && tame(b) && c < F::REACH.1)
+            .then(|| F::from(roundoffs) * F::ROUNDOFF * (a * b + c))
+    }
     #[inline(always)]
     fn is_slim(_: F) -> bool {
         false
@@ -110,6 +133,12 @@ macro_rules! bounded_holds {
             #[inline(always)]
             fn fits<const K: usize>(_: &[[$from; 3]; K]) -> bool {
                 true
+            }
+            fn one() -> Option<$to> {
+                Some(1.0)
+            }
+            fn times_one(d: $to) -> Option<$to> {
+                Some(d)
             }
             #[inline(always)]
             fn place<const P: usize, const E: usize>(
@@ -164,6 +193,14 @@ impl<S: Scalar + Float> Holds<S> for Int64 {
         span([coordinates, &[]]).is_none_or(|(low, high)| high - low <= 60)
     }
 
+    fn one() -> Option<i128> {
+        None // the unit is the scene's, not the scalar's
+    }
+
+    fn times_one(_: i64) -> Option<i128> {
+        None
+    }
+
     fn place<const P: usize, const E: usize>(
         points: &[[S; 3]; P],
         extents: &[[S; 3]; E],
@@ -215,6 +252,7 @@ impl Scalar for f32 {
 
     const ONE: Parts = Parts { negative: false, magnitude: 1, shift: 149 };
     type Quick = Bounded<f32>;
+    type Products = Bounded<f32>;
     // Four products of 2^-149 to 2^128: 1108 bits, and room for their number.
     type Sum = Sum<18>;
 
@@ -247,6 +285,7 @@ impl Scalar for f64 {
 
     const ONE: Parts = Parts { negative: false, magnitude: 1, shift: 1074 };
     type Quick = Bounded<f64>;
+    type Products = Bounded<f64>;
     // Four products of 2^-1074 to 2^1024: 8392 bits, and room for their number.
     type Sum = Sum<132>;
 

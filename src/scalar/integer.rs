@@ -83,6 +83,20 @@ macro_rules! integers {
             fn middle(n: $area) -> $area {
                 n
             }
+            type Product = i128;
+            #[inline(always)]
+            fn operand(a: $length) -> i128 {
+                a.into()
+            }
+            // Sums of at most 36 products of four operands below 2^30.
+            #[inline(always)]
+            fn product_bounds(axes: i128, length: i128, half: i128, _: [u16; 3]) -> Option<[i128; 3]> {
+                ((axes | length | half) >> 30 == 0).then_some([0; 3])
+            }
+            #[inline(always)]
+            fn area_bound(_: $length, _: $length, _: $area, _: u8) -> Option<$area> {
+                Some(<$area as Number>::ZERO)
+            }
             #[inline(always)]
             fn is_slim(reach: Self::Length) -> bool {
                 $is_slim(reach)
@@ -106,10 +120,7 @@ integers! {
 macro_rules! below {
     ($name:ident: $raw:ty) => {
         #[inline(always)]
-        pub(super) fn $name(
-            coordinates: impl Iterator<Item = $raw>,
-            most: u32,
-        ) -> bool {
+        pub(super) fn $name(coordinates: impl Iterator<Item = $raw>, most: u32) -> bool {
             // For x below nought, !x: one less than the magnitude.
             coordinates.fold(0, |size, x| size | (x ^ (x >> (<$raw>::BITS - 1)))) >> most == 0
         }

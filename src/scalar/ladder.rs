@@ -1,8 +1,8 @@
 //! A predicate, and the ladder of number systems that a scalar climbs for it.
 
+use super::Scalar;
 use super::integer::Int64;
 use super::numbers::Holds;
-use super::Scalar;
 
 /// A yes-or-no question about coordinates of the scalar `S`.
 ///

@@ -57,6 +57,10 @@ pub trait Scalar:
     #[doc(hidden)]
     type Quick: Holds<Self>;
 
+    /// The same for boxes with axes of their own.
+    #[doc(hidden)]
+    type Products: Holds<Self>;
+
     /// An accumulator wide enough for products of four scalars.
     #[doc(hidden)]
     type Sum: ExactSum;

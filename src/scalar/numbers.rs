@@ -1,5 +1,7 @@
 //! Number systems: in what types a length, an area and a volume are held.
 
+use core::ops::Mul;
+
 use super::number::Number;
 
 /// A number system for the separating-axis kernels.
@@ -47,9 +49,36 @@ pub trait Numbers: Sized + 'static {
     /// the frame.
     fn middle(n: Self::Area) -> Self::Area;
 
+    /// How far a sum of computed areas may be from the truth, each the product of
+    /// an operand up to `a` and one up to `b`, but one that is up to `c`:
+    /// `roundoffs` times the unit roundoff times a·b + c. `None` where that is not
+    /// known.
+    fn area_bound(
+        a: Self::Length,
+        b: Self::Length,
+        c: Self::Area,
+        roundoffs: u8,
+    ) -> Option<Self::Area>;
+
     /// Whether the [`Slim`](Self::Slim) volumes hold for operands up to `reach`,
     /// and are worth the question.
     fn is_slim(reach: Self::Length) -> bool;
+
+    /// Products of up to four operands, for boxes whose axes are numbers too.
+    type Product: Number + Mul<Output = Self::Product>;
+    /// A length as an operand of such products.
+    fn operand(a: Self::Length) -> Self::Product;
+    /// How far such products may be from the truth, for axes up to `axes`,
+    /// lengths up to `length` and half-extents up to `half`. With reach the
+    /// greater of length and half·axes: the three given numbers times the unit
+    /// roundoff, times axes²·reach, axes·reach² and reach³. `None` where that is
+    /// not known or the products may not fit.
+    fn product_bounds(
+        axes: Self::Product,
+        length: Self::Product,
+        half: Self::Product,
+        roundoffs: [u16; 3],
+    ) -> Option<[Self::Product; 3]>;
 
     /// How far a computed area and a computed volume may be from the truth,
     /// when no operand exceeds `reach`: `areas` and `volumes` times the unit
@@ -62,6 +91,13 @@ pub trait Numbers: Sized + 'static {
 pub trait Holds<S>: Numbers {
     /// Whether this system holds the coordinates, and all that is made of them.
     fn fits<const K: usize>(coordinates: &[[S; 3]; K]) -> bool;
+
+    /// One as an operand, where operands have the scalar's unit.
+    fn one() -> Option<Self::Product>;
+
+    /// A length times one, as an area in the frame, where one has the scalar's
+    /// unit.
+    fn times_one(d: Self::Length) -> Option<Self::Area>;
 
     /// Brings points and extents that fit into this system, the points relative
     /// to an origin of the system's choice.

@@ -1,10 +1,10 @@
 //! A scalar's own arithmetic, taken at its word.
 
-use core::ops::{Add, Neg, Sub};
+use core::ops::{Add, Mul, Neg, Sub};
 
-use super::number::Number;
-use super::numbers::{convert, Holds, Numbers, Placed};
 use super::Scalar;
+use super::number::Number;
+use super::numbers::{Holds, Numbers, Placed, convert};
 
 /// The number system of the rounded methods: length, area and volume are all
 /// the scalar itself, every result is rounded as the scalar rounds, and a
@@ -25,6 +25,14 @@ impl<S: Scalar> Sub for Rounded<S> {
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
         Self(self.0.plain_sub(other.0))
+    }
+}
+
+impl<S: Scalar> Mul for Rounded<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self(self.0.plain_mul(other.0))
     }
 }
 
@@ -54,11 +62,11 @@ impl<S: Scalar> Numbers for Rounded<S> {
 
     #[inline(always)]
     fn area(a: Self, b: Self) -> Self {
-        Self(a.0.plain_mul(b.0))
+        a * b
     }
     #[inline(always)]
     fn volume(a: Self, b: Self) -> Self {
-        Self(a.0.plain_mul(b.0))
+        a * b
     }
     #[inline(always)]
     fn from_center(v: Self, center: Self) -> Self {
@@ -80,6 +88,18 @@ impl<S: Scalar> Numbers for Rounded<S> {
     fn middle(n: Self) -> Self {
         Self(n.0.plain_half())
     }
+    type Product = Self;
+    #[inline(always)]
+    fn operand(a: Self) -> Self {
+        a
+    }
+    fn product_bounds(_: Self, _: Self, _: Self, _: [u16; 3]) -> Option<[Self; 3]> {
+        None // rounded methods transform the triangle instead
+    }
+    #[inline(always)]
+    fn area_bound(_: Self, _: Self, _: Self, _: u8) -> Option<Self> {
+        Some(Self::ZERO)
+    }
     #[inline(always)]
     fn is_slim(_: Self) -> bool {
         false
@@ -94,6 +114,12 @@ impl<S: Scalar> Holds<S> for Rounded<S> {
     #[inline(always)]
     fn fits<const K: usize>(_: &[[S; 3]; K]) -> bool {
         true
+    }
+    fn one() -> Option<Self> {
+        None
+    }
+    fn times_one(d: Self) -> Option<Self> {
+        Some(d)
     }
     #[inline(always)]
     fn place<const P: usize, const E: usize>(

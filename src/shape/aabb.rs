@@ -1,4 +1,4 @@
-use super::{finite, ShapeError};
+use super::{ShapeError, finite};
 use crate::linear::Vec3;
 use crate::scalar::Scalar;
 
@@ -90,6 +90,14 @@ impl<S: Copy> Aabb<S> {
             Form::Corners { min, max } => Some((min, max)),
             Form::Center { .. } => None,
         }
+    }
+
+    /// The box around the origin with half-extents that were checked before.
+    pub(crate) fn about_origin(half: Vec3<S>) -> Self
+    where
+        S: Scalar,
+    {
+        Self { form: Form::Center { center: Vec3::splat(S::ZERO), half } }
     }
 
     #[inline(always)]

@@ -11,8 +11,8 @@ pub use aabb::Aabb;
 pub(crate) use aabb::Form as AabbForm;
 pub use error::ShapeError;
 pub use obb::Obb;
-pub use plane::Plane;
 pub(crate) use plane::Form as PlaneForm;
+pub use plane::Plane;
 pub use triangle::Triangle;
 
 use crate::linear::Vec3;

@@ -1,6 +1,6 @@
 use core::cmp::Ordering;
 
-use super::{finite, ShapeError};
+use super::{ShapeError, finite};
 use crate::linear::Vec3;
 use crate::scalar::{ExactSum, Parts, Scalar};
 

@@ -1,4 +1,4 @@
-use super::{finite, ShapeError};
+use super::{ShapeError, finite};
 use crate::linear::Vec3;
 use crate::scalar::Scalar;
 

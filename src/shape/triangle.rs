@@ -1,4 +1,4 @@
-use super::{finite, ShapeError};
+use super::{ShapeError, finite};
 use crate::linear::Vec3;
 use crate::scalar::Scalar;
 
@@ -41,6 +41,12 @@ impl<S: Copy> Triangle<S> {
     #[inline]
     pub const fn vertices(&self) -> &[Vec3<S>; 3] {
         &self.vertices
+    }
+
+    /// A triangle on its way through a rounded method, which bears an infinity
+    /// where a sum overflowed.
+    pub(crate) const fn from_rounded(vertices: [Vec3<S>; 3]) -> Self {
+        Self { vertices }
     }
 
     #[inline(always)]
