@@ -4,6 +4,7 @@
 #![warn(missing_docs)]
 
 mod axis;
+mod interop;
 mod linear;
 mod query;
 mod robust;

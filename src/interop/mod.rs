@@ -1,0 +1,6 @@
+//! Other crates' types: one small file each, each behind a feature of its name.
+
+#[cfg(feature = "mint")]
+mod mint;
+#[cfg(feature = "serde")]
+mod serde;

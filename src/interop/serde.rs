@@ -1,0 +1,125 @@
+//! `serde`: every shape is written as it was given, and read through the
+//! constructor that checks it.
+
+use serde::de::{Deserialize, Deserializer, Error};
+use serde::ser::{Serialize, Serializer};
+
+use crate::linear::Vec3;
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, AabbForm, Obb, Plane, PlaneForm, ShapeError, Triangle};
+
+/// The vertices of a triangle, unchecked.
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(rename = "Triangle")]
+struct Vertices<S>([Vec3<S>; 3]);
+
+/// The numbers of an axis-aligned box, unchecked.
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(rename = "Aabb", rename_all = "snake_case")]
+enum Extent<S> {
+    CenterHalfExtents { center: Vec3<S>, half_extents: Vec3<S> },
+    MinMax { min: Vec3<S>, max: Vec3<S> },
+}
+
+/// The numbers of an oriented box, unchecked.
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(rename = "Obb")]
+struct Frame<S> {
+    center: Vec3<S>,
+    axes: [Vec3<S>; 3],
+    half_extents: Vec3<S>,
+}
+
+/// The numbers of a plane, unchecked.
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(rename = "Plane", rename_all = "snake_case")]
+enum Position<S> {
+    PointNormal { point: Vec3<S>, normal: Vec3<S> },
+    Equation { normal: Vec3<S>, d: S },
+}
+
+impl<S: Scalar> From<&Triangle<S>> for Vertices<S> {
+    fn from(t: &Triangle<S>) -> Self {
+        Self(*t.vertices())
+    }
+}
+
+impl<S: Scalar> TryFrom<Vertices<S>> for Triangle<S> {
+    type Error = ShapeError;
+    fn try_from(Vertices([a, b, c]): Vertices<S>) -> Result<Self, ShapeError> {
+        Self::new(a, b, c)
+    }
+}
+
+impl<S: Scalar> From<&Aabb<S>> for Extent<S> {
+    fn from(aabb: &Aabb<S>) -> Self {
+        match *aabb.form() {
+            AabbForm::Center { center, half } => {
+                Self::CenterHalfExtents { center, half_extents: half }
+            }
+            AabbForm::Corners { min, max } => Self::MinMax { min, max },
+        }
+    }
+}
+
+impl<S: Scalar> TryFrom<Extent<S>> for Aabb<S> {
+    type Error = ShapeError;
+    fn try_from(extent: Extent<S>) -> Result<Self, ShapeError> {
+        match extent {
+            Extent::CenterHalfExtents { center, half_extents } => {
+                Self::from_center_half_extents(center, half_extents)
+            }
+            Extent::MinMax { min, max } => Self::from_min_max(min, max),
+        }
+    }
+}
+
+impl<S: Scalar> From<&Obb<S>> for Frame<S> {
+    fn from(obb: &Obb<S>) -> Self {
+        Self { center: obb.center(), axes: *obb.axes(), half_extents: obb.half_extents() }
+    }
+}
+
+impl<S: Scalar> TryFrom<Frame<S>> for Obb<S> {
+    type Error = ShapeError;
+    fn try_from(frame: Frame<S>) -> Result<Self, ShapeError> {
+        Self::from_skewed_axes(frame.center, frame.axes, frame.half_extents)
+    }
+}
+
+impl<S: Scalar> From<&Plane<S>> for Position<S> {
+    fn from(plane: &Plane<S>) -> Self {
+        let normal = plane.normal();
+        match *plane.form() {
+            PlaneForm::Point(point) => Self::PointNormal { point, normal },
+            PlaneForm::Offset(d) => Self::Equation { normal, d },
+        }
+    }
+}
+
+impl<S: Scalar> TryFrom<Position<S>> for Plane<S> {
+    type Error = ShapeError;
+    fn try_from(position: Position<S>) -> Result<Self, ShapeError> {
+        match position {
+            Position::PointNormal { point, normal } => Self::from_point_normal(point, normal),
+            Position::Equation { normal, d } => Self::from_equation(normal, d),
+        }
+    }
+}
+
+macro_rules! through {
+    ($($shape:ident => $form:ident;)*) => {$(
+        impl<S: Scalar + Serialize> Serialize for $shape<S> {
+            fn serialize<W: Serializer>(&self, to: W) -> Result<W::Ok, W::Error> {
+                $form::from(self).serialize(to)
+            }
+        }
+
+        impl<'de, S: Scalar + Deserialize<'de>> Deserialize<'de> for $shape<S> {
+            fn deserialize<R: Deserializer<'de>>(from: R) -> Result<Self, R::Error> {
+                $form::deserialize(from)?.try_into().map_err(R::Error::custom)
+            }
+        }
+    )*};
+}
+through! { Triangle => Vertices; Aabb => Extent; Obb => Frame; Plane => Position; }
