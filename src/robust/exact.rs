@@ -95,7 +95,7 @@ impl ExactBox {
     }
 
     /// From `x` to the face of axis `i` that lies farther along `toward`.
-    pub(crate) fn from_point(&self, x: Parts, i: usize, toward: Ordering) -> Linear {
+    pub(crate) fn to_face(&self, x: Parts, i: usize, toward: Ordering) -> Linear {
         let [a, b] = if toward == Ordering::Less { self.min[i] } else { self.max[i] };
         [a, b, x.negated()]
     }
@@ -105,7 +105,7 @@ impl ExactBox {
         let all = |toward: Ordering| {
             t.v.iter().all(|v| {
                 let mut sum = S::Sum::new();
-                for x in self.from_point(v[i], i, toward) {
+                for x in self.to_face(v[i], i, toward) {
                     sum.add(&[x]);
                 }
                 sum.sign() == toward.reverse()
@@ -127,7 +127,7 @@ impl ExactBox {
             let mut sum = S::Sum::new();
             for i in 0..3 {
                 let toward = if along { signs[i] } else { signs[i].reverse() };
-                add_volume(&mut sum, &e0, &e1, i, self.from_point(t.v[0][i], i, toward));
+                add_volume(&mut sum, &e0, &e1, i, self.to_face(t.v[0][i], i, toward));
             }
             sum.sign()
         };
@@ -165,8 +165,8 @@ impl ExactBox {
             };
             let turn = |o: Ordering| if along { o } else { o.reverse() };
             let mut sum = S::Sum::new();
-            let z_l = self.from_point(base[l], l, turn(ej).reverse());
-            let z_j = self.from_point(base[j], j, turn(el));
+            let z_l = self.to_face(base[l], l, turn(ej).reverse());
+            let z_j = self.to_face(base[j], j, turn(el));
             add_area(&mut sum, e[j], z_l, false);
             add_area(&mut sum, e[l], z_j, true);
             sum.sign() == turn(Ordering::Greater)
@@ -193,7 +193,7 @@ impl ExactBox {
                 PlaneForm::Point(p) => p.to_array()[i].parts(),
                 PlaneForm::Offset(_) => ZERO,
             };
-            add_area(&mut sum, [n.parts(), ZERO, ZERO], self.from_point(from, i, toward), false);
+            add_area(&mut sum, [n.parts(), ZERO, ZERO], self.to_face(from, i, toward), false);
         }
         if let PlaneForm::Offset(d) = form {
             sum.add(&[d.parts(), S::ONE]);
