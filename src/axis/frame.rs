@@ -17,16 +17,16 @@ pub(crate) struct Frame<N: Numbers> {
     pub(crate) e: [[N::Length; 3]; 3],
     /// The half-extents.
     pub(crate) h: [N::Length; 3],
-    /// The gap between box and triangle along each coordinate axis,
-    /// below nought where they overlap.
+    /// The gap between box and triangle along each coordinate axis, below nought
+    /// where they overlap; floats only.
     pub(super) gaps: [N::Length; 3],
     /// Whether a gap of nought is one indeed, and not a rounded one. The sign of
     /// any other is right: a difference of two numbers rounds to nought only if
     /// it is nought, and rounding keeps order.
     pub(super) gaps_are_exact: bool,
-    /// No coordinate in the frame exceeds this, if there is no gap; twice an edge
-    /// in a doubled frame does not either.
-    pub(crate) reach: N::Length,
+    /// The triangle's extent along each coordinate axis and the half-extent of the
+    /// box, together; floats only.
+    spans: [N::Length; 3],
 }
 
 impl<N: Numbers> Frame<N> {
@@ -47,8 +47,10 @@ impl<N: Numbers> Frame<N> {
                 for i in 0..3 {
                     let (low, high) = range(&v, i);
                     h[i] = N::half_extent(half[i]);
-                    gaps[i] = greatest(low, -high) - h[i];
-                    spans[i] = h[i] + (high - low);
+                    if !N::FINAL {
+                        gaps[i] = greatest(low, -high) - h[i];
+                        spans[i] = h[i] + (high - low);
+                    }
                 }
                 v
             }
@@ -64,8 +66,10 @@ impl<N: Numbers> Frame<N> {
                 for i in 0..3 {
                     let (low, high) = range(t, i);
                     h[i] = N::half_between(min[i], max[i]) + N::half_extent(grown[i]);
-                    gaps[i] = greatest(low - max[i], min[i] - high) - grown[i];
-                    spans[i] = h[i] + (high - low);
+                    if !N::FINAL {
+                        gaps[i] = greatest(low - max[i], min[i] - high) - grown[i];
+                        spans[i] = h[i] + (high - low);
+                    }
                 }
                 v
             }
@@ -77,17 +81,44 @@ impl<N: Numbers> Frame<N> {
             e: [difference(t[1], t[0]), difference(t[2], t[1]), difference(t[0], t[2])],
             h,
             gaps,
-            gaps_are_exact: N::FINAL || matches!(form, BoxForm::Corners(..)),
-            reach: greatest(greatest(spans[0], spans[1]), spans[2]),
+            gaps_are_exact: matches!(form, BoxForm::Corners(..)),
+            spans,
         }
     }
 }
 
 impl<N: Numbers> Frame<N> {
-    /// No coordinate in the frame exceeds this, gap or no gap.
+    /// No coordinate in the frame exceeds this, if there is no gap; nor does an
+    /// edge, nor a half-extent.
+    #[inline(always)]
+    pub(crate) fn reach(&self) -> N::Length {
+        if N::FINAL {
+            return self.largest();
+        }
+        let [x, y, z] = self.spans;
+        greatest(greatest(x, y), z)
+    }
+
+    /// The same, gap or no gap.
     pub(crate) fn reach_across_gap(&self) -> N::Length {
+        if N::FINAL {
+            return self.largest();
+        }
         let [x, y, z] = self.gaps;
-        self.reach + greatest(greatest(greatest(x, y), z), N::Length::ZERO)
+        self.reach() + greatest(greatest(greatest(x, y), z), N::Length::ZERO)
+    }
+
+    /// The greatest coordinate or half-extent. A sum of the two might not fit.
+    #[inline(always)]
+    fn largest(&self) -> N::Length {
+        let [a, b, c] = &self.v;
+        let mut largest = N::Length::ZERO;
+        for i in 0..3 {
+            for x in [a[i], b[i], c[i], self.h[i]] {
+                largest = greatest(largest, x.magnitude());
+            }
+        }
+        largest
     }
 }
 

@@ -96,10 +96,10 @@ fn any_axis<N: Numbers>(frame: &Frame<N>) -> Option<bool> {
         return Some(true);
     }
 
-    let (areas, volumes) = bounds::<N>(frame.reach)?;
+    let (areas, volumes) = bounds::<N>(frame.reach())?;
     let n = axis::normal(frame);
     let edges = axis::edges(frame, &n, areas);
-    let plane = if N::is_slim(frame.reach) {
+    let plane = if N::is_slim(frame.reach()) {
         slim_plane::<N>(n, frame.v[0], frame.h)
     } else {
         axis::plane::<N>(&n, &frame.v[0], &frame.h, volumes)

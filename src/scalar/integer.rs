@@ -11,7 +11,7 @@
 //! | normal, radius on an edge axis | 2^(2k+3) | 2^17 | 2^39 | 2^59 | 2^123 |
 //! | 2p + n on an edge axis | 2^(2k+4) + 2^(2k+3) | 2^18.6 | 2^40.6 | 2^60.6 | 2^124.6 |
 //! | n·v and Σ h·abs(n) | 3·2^(3k+5) | 2^27.6 | 2^60.6 | 2^90.6 | 2^186.6 |
-//! | the same, by reach | 1.5·2^(3m) | | | 2^60.6 for m = 20 | 2^126.6 for m = 42 |
+//! | the same, by reach | 6·2^(3m) | | | 2^62.6 for m = 20 | 2^125.6 for m = 41 |
 //!
 //! A type of b bits holds magnitudes below 2^(b−1).
 
@@ -35,14 +35,16 @@ pub struct Int32;
 #[derive(Clone, Copy, Debug)]
 pub struct Int64;
 
-/// [`Int64`] with volumes in `i128`, for a reach below 2^42.
+/// [`Int64`] with volumes in `i128`, for a reach below 2^41.
 #[derive(Clone, Copy, Debug)]
 pub struct Int64Slim;
 
 /// Whether registers hold 64 bits. Then small coordinates have a kernel of their
 /// own; elsewhere code is dearer than time, and one kernel chooses the width of
-/// its volumes. Neither changes an answer.
-pub(super) const REGISTERS_ARE_WIDE: bool = cfg!(target_pointer_width = "64");
+/// its volumes. Neither changes an answer; `--cfg septum_narrow` tests the other one
+/// on a wide machine.
+pub(super) const REGISTERS_ARE_WIDE: bool =
+    cfg!(all(target_pointer_width = "64", not(septum_narrow)));
 
 macro_rules! integers {
     ($($system:ty: $length:ty, $area:ty, $volume:ty, $product:expr; $slim:ty, $is_slim:expr;)*) => {$(
@@ -112,7 +114,7 @@ integers! {
     Int8: i32, i32, i32, |a, b| a * b; Self, |_: i32| false;
     Int16: i32, i64, i64, |a, b| a * i64::from(b); Self, |_: i32| false;
     Int32: i32, i64, i128, |a, b| i128::from(a) * i128::from(b); Int16, |reach: i32| !REGISTERS_ARE_WIDE && reach >> 20 == 0;
-    Int64: i64, i128, I256, I256::product; Int64Slim, |reach: i64| reach >> 42 == 0;
+    Int64: i64, i128, I256, I256::product; Int64Slim, |reach: i64| reach >> 41 == 0;
     Int64Slim: i64, i128, i128, |a, b| a * i128::from(b); Self, |_: i64| false;
 }
 
