@@ -66,6 +66,9 @@ impl Candidate {
     }
 }
 
+/// A mode of ours.
+type Test<S> = fn(&Triangle<S>, &Aabb<S>) -> bool;
+
 // Each test behind a function that is called, not inlined.
 
 #[inline(never)]
@@ -93,14 +96,14 @@ pub fn yardstick(scene: &Scene) -> Candidate {
     let data = Rc::new(F32.data(scene, Form::Center));
     let truth = F32.truth(&data);
     let is = (F32.name, Form::Center);
-    Candidate::new("as published", is, Promise::Nothing, (&data, &truth), as_published)
+    Candidate::new("yardstick: as published", is, Promise::Nothing, (&data, &truth), as_published)
 }
 
 /// All our modes in one scalar.
 pub fn ours<S: Scalar>(scene: &Scene, unit: &Unit<S>, form: Form) -> Vec<Candidate> {
     let data = Rc::new(unit.data(scene, form));
     let truth = unit.truth(&data);
-    let modes: [(_, _, fn(&Triangle<S>, &Aabb<S>) -> bool); 4] = [
+    let modes: [(_, _, Test<S>); 4] = [
         ("exact", Promise::Exact, exact),
         ("conservative", Promise::NeverMisses, conservative),
         ("rounded", Promise::Nothing, rounded),

@@ -46,16 +46,12 @@ struct Options {
 }
 
 const F64: Unit<f64> = Unit { name: "f64", scale: 1.0, near: |x| x, value: |x| x };
-const I8F8_15: Unit<I8F8> = Unit {
-    name: "I8F8, 15 bits",
-    scale: 32.0,
-    near: I8F8::unwrapped_from_num,
-    value: I8F8::to_num,
-};
+const I8F8_15: Unit<I8F8> =
+    Unit { name: "I8F8, 15 bits", scale: 32.0, near: I8F8::strict_from_num, value: I8F8::to_num };
 const I16F16_18: Unit<I16F16> = Unit {
     name: "I16F16, 18 bits",
     scale: 1.0,
-    near: I16F16::unwrapped_from_num,
+    near: I16F16::strict_from_num,
     value: I16F16::to_num,
 };
 /// The scenes of contact reach to 16 rather than to 2.
@@ -64,7 +60,7 @@ const I16F16_26: Unit<I16F16> = Unit { name: "I16F16, 26 bits", scale: 256.0, ..
 const I32F32_34: Unit<I32F32> = Unit {
     name: "I32F32, 34 bits",
     scale: 1.0,
-    near: I32F32::unwrapped_from_num,
+    near: I32F32::strict_from_num,
     value: I32F32::to_num,
 };
 

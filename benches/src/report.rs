@@ -30,7 +30,7 @@ pub struct Report {
 
 impl Report {
     pub fn add(&mut self, scene: &str, pairs: usize, candidate: &Candidate, timing: &Timing) {
-        let ratio = |r: f64| format!("{r:.2}");
+        let ratio = |r: f64| if r < 0.1 { format!("{r:.4}") } else { format!("{r:.2}") };
         let [least, median, greatest] = timing.spread.map(ratio);
         self.rows.push([
             scene.into(),

@@ -64,8 +64,8 @@ pub fn voxel() -> Scene {
     scene
 }
 
-/// Vertices on the integer grid {−4…4}³ and cubes of side 2 on it: a third of
-/// the overlaps are touches.
+/// Vertices on the integer grid {−4…4}³ and cubes of side 2 on it: contacts of
+/// every kind.
 pub fn grid() -> Scene {
     let mut rng = Rng::with_seed(3);
     let mut scene = Scene::default();

@@ -6,7 +6,7 @@ pub(crate) type Color = [f64; 3];
 /// The surface, from foot (0) to top (1).
 pub(crate) fn glaze(height: f64) -> Color {
     const STOPS: [[u8; 3]; 5] =
-        [[38, 70, 120], [38, 128, 150], [96, 176, 140], [238, 196, 104], [238, 122, 86]];
+        [[38, 70, 120], [38, 128, 150], [96, 176, 140], [236, 190, 108], [232, 112, 84]];
     let at = height.clamp(0.0, 1.0) * (STOPS.len() - 1) as f64;
     let i = (at as usize).min(STOPS.len() - 2);
     mix(from_srgb(STOPS[i]), from_srgb(STOPS[i + 1]), at - i as f64)

@@ -7,9 +7,9 @@ use crate::march::Scene;
 const SUN: [f64; 3] = [-0.28, 0.80, 0.53];
 /// The sun's radius, in radians: large, for soft shadows.
 const SUN_RADIUS: f64 = 0.07;
-const SUN_COLOR: Color = [2.05, 1.88, 1.62];
-const ZENITH: Color = [0.62, 0.74, 0.95];
-const HORIZON: Color = [0.80, 0.82, 0.86];
+const SUN_COLOR: Color = [1.62, 1.49, 1.29];
+const ZENITH: Color = [0.56, 0.68, 0.90];
+const HORIZON: Color = [0.72, 0.75, 0.80];
 /// What comes back from the ground, and from other voxels.
 const GROUND: Color = [0.50, 0.48, 0.46];
 const BOUNCE: Color = [0.16, 0.15, 0.15];
@@ -63,8 +63,8 @@ impl Probe {
             let (x, z) = disc(i, count);
             [x, (1.0 - x * x - z * z).max(0.0).sqrt(), z]
         });
-        let suns = (0..count / 4).map(|i| {
-            let (x, z) = disc(i, count / 4);
+        let suns = (0..count / 2).map(|i| {
+            let (x, z) = disc(i, count / 2);
             [SUN[0] + SUN_RADIUS * x, SUN[1], SUN[2] + SUN_RADIUS * z]
         });
         Self { directions: directions.collect(), suns: suns.collect(), reach }
@@ -83,7 +83,13 @@ impl Probe {
     /// `axis`: the mean over the four faces of size `step` that meet there.
     /// Looked at from a little inside each, so that a wall beside the corner
     /// takes its share and the shading has no seams.
-    pub(crate) fn look(&self, scene: &Scene<'_>, axis: usize, corner: [f64; 3], step: f64) -> Light {
+    pub(crate) fn look(
+        &self,
+        scene: &Scene<'_>,
+        axis: usize,
+        corner: [f64; 3],
+        step: f64,
+    ) -> Light {
         let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
         let inset = 0.3 * step;
         let from = |quarter: usize| {

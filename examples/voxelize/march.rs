@@ -24,6 +24,13 @@ pub(crate) struct Hit {
     pub(crate) t: f64,
 }
 
+impl Hit {
+    /// Which face of which voxel.
+    pub(crate) fn face(&self) -> ([i32; 3], usize) {
+        (self.voxel, self.axis)
+    }
+}
+
 impl<'a> Scene<'a> {
     /// Finds the blocks that hold anything.
     pub(crate) fn new(grid: &'a Grid) -> Self {
@@ -34,57 +41,44 @@ impl<'a> Scene<'a> {
         Self { grid, blocks, size: grid.size().map(|n| n as i32) }
     }
 
-    /// Voxels along each axis.
-    pub(crate) fn size(&self) -> [i32; 3] {
-        self.size
-    }
-
-    /// Whether this voxel is set; outside the grid none is.
-    pub(crate) fn is_set(&self, voxel: [i32; 3]) -> bool {
-        (0..3).all(|i| (0..self.size[i]).contains(&voxel[i]))
-            && self.grid.get(voxel.map(|i| i as usize))
-    }
-
     /// The first voxel that a ray meets before it has gone `limit` times `dir`.
     pub(crate) fn march(&self, origin: [f64; 3], dir: [f64; 3], limit: f64) -> Option<Hit> {
         let inverse = dir.map(|d| 1.0 / d);
         let (mut t, mut axis, end) = self.clip(origin, dir, inverse, limit)?;
-        let at = |t: f64, i: usize| (origin[i] + t * dir[i]).floor() as i32;
+        // Inside the grid, so that truncation is rounding down.
+        let at = |t: f64, i: usize| (origin[i] + t * dir[i]) as i32;
+        // When the ray comes to a plane.
+        let meets = |i: usize, plane: i32| {
+            if dir[i] == 0.0 { f64::INFINITY } else { (f64::from(plane) - origin[i]) * inverse[i] }
+        };
+        let (step, pace) = (dir.map(|d| if d > 0.0 { 1 } else { -1 }), inverse.map(f64::abs));
         let mut voxel = [0, 1, 2].map(|i| at(t, i).clamp(0, self.size[i] - 1));
-        loop {
-            let block_is_empty = !self.blocks.get(voxel.map(|i| (i / BLOCK) as usize));
-            if !block_is_empty && self.grid.get(voxel.map(|i| i as usize)) {
-                return Some(Hit { voxel, axis, t });
-            }
-            let stride = if block_is_empty { BLOCK } else { 1 };
-            let corner = voxel.map(|i| i / stride * stride);
-            // The plane by which the ray leaves.
-            let exit = |i: usize| {
-                let plane = if dir[i] > 0.0 { corner[i] + stride } else { corner[i] };
-                if dir[i] == 0.0 { f64::INFINITY } else { (f64::from(plane) - origin[i]) * inverse[i] }
-            };
-            let exits = [exit(0), exit(1), exit(2)];
-            axis = if exits[0] <= exits[1] { 0 } else { 1 };
-            if exits[2] < exits[axis] {
-                axis = 2;
-            }
-            t = exits[axis];
-            if t >= end {
-                return None;
-            }
-            if block_is_empty {
-                for i in 0..3 {
-                    voxel[i] = at(t, i).clamp(corner[i], corner[i] + stride - 1);
+        while t < end && self.holds(voxel, axis) {
+            let first = voxel.map(|i| i / BLOCK * BLOCK);
+            let last = [0, 1, 2].map(|i| (first[i] + BLOCK).min(self.size[i]) - 1);
+            if self.blocks.get(voxel.map(|i| (i / BLOCK) as usize)) {
+                let mut next = [0, 1, 2].map(|i| meets(i, voxel[i] + (step[i] + 1) / 2));
+                while voxel[axis] >= first[axis] && voxel[axis] <= last[axis] && t < end {
+                    if self.grid.get(voxel.map(|i| i as usize)) {
+                        return Some(Hit { voxel, axis, t });
+                    }
+                    (axis, t) = least(next);
+                    voxel[axis] += step[axis];
+                    next[axis] += pace[axis];
                 }
-            }
-            voxel[axis] = if dir[axis] > 0.0 { corner[axis] + stride } else { corner[axis] - 1 };
-            for i in 0..3 {
-                voxel[i] = voxel[i].min(self.size[i] - 1 + i32::from(i == axis));
-            }
-            if !(0..self.size[axis]).contains(&voxel[axis]) {
-                return None;
+            } else {
+                let leaves = |i: usize| meets(i, if step[i] > 0 { last[i] + 1 } else { first[i] });
+                (axis, t) = least([leaves(0), leaves(1), leaves(2)]);
+                voxel = [0, 1, 2].map(|i| at(t, i).clamp(first[i], last[i]));
+                voxel[axis] = if step[axis] > 0 { last[axis] + 1 } else { first[axis] - 1 };
             }
         }
+        None
+    }
+
+    /// Whether a voxel is still in the grid, after a step along `axis`.
+    fn holds(&self, voxel: [i32; 3], axis: usize) -> bool {
+        (0..self.size[axis]).contains(&voxel[axis])
     }
 
     /// The part of the ray inside the grid, and the axis of the face where it
@@ -113,4 +107,10 @@ impl<'a> Scene<'a> {
         }
         (start <= end).then_some((start, axis, end))
     }
+}
+
+/// The least of three, and which it is.
+fn least(t: [f64; 3]) -> (usize, f64) {
+    let i = if t[0] <= t[1] { 0 } else { 1 };
+    if t[2] < t[i] { (2, t[2]) } else { (i, t[i]) }
 }

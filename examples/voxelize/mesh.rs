@@ -81,12 +81,13 @@ fn read_obj(bytes: &[u8]) -> Result<Triangles, Box<dyn Error>> {
         .map_err(|e| format!("not a valid OBJ file: {e}"))?;
 
     let mut triangles = Vec::new();
-    for model in &models {
-        let (points, _) = model.mesh.positions.as_chunks::<3>();
-        let (faces, _) = model.mesh.indices.as_chunks::<3>();
-        for face in faces {
+    for tobj::Model { mesh, .. } in &models {
+        for face in mesh.indices.chunks_exact(3) {
             // The loader has checked the indices.
-            triangles.push(face.map(|i| points[i as usize].map(f64::from)));
+            let coordinate =
+                |corner: usize, i: usize| f64::from(mesh.positions[3 * face[corner] as usize + i]);
+            let point = |corner| [0, 1, 2].map(|i| coordinate(corner, i));
+            triangles.push([0, 1, 2].map(point));
         }
     }
     Ok(triangles)
@@ -151,8 +152,14 @@ fn unambiguous_stl(bytes: &[u8]) -> Result<Vec<u8>, Box<dyn Error>> {
     let text = String::from_utf8_lossy(bytes).to_ascii_lowercase();
     let is_facet = |l: &&str| !l.starts_with("solid") && !l.starts_with("endsolid");
     let facets = text.lines().map(str::trim).filter(is_facet);
-    let mut whole: String = ["solid mesh"].into_iter().chain(facets).flat_map(|l| [l, "\n"]).collect();
-    if text.lines().map(str::trim).rfind(|l| !l.is_empty()).is_some_and(|l| l.starts_with("endsolid")) {
+    let mut whole: String =
+        ["solid mesh"].into_iter().chain(facets).flat_map(|l| [l, "\n"]).collect();
+    if text
+        .lines()
+        .map(str::trim)
+        .rfind(|l| !l.is_empty())
+        .is_some_and(|l| l.starts_with("endsolid"))
+    {
         whole.push_str("endsolid\n");
     }
     Ok(whole.into_bytes())

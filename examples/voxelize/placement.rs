@@ -5,6 +5,9 @@ use std::error::Error;
 /// A grid may take this much memory: a gibibyte, at a bit for each voxel.
 const MOST_VOXELS: f64 = (1_u64 << 33) as f64;
 
+/// And have this many voxels along a side.
+const LONGEST_SIDE: u32 = 1 << 16;
+
 /// A mesh in grid coordinates: a voxel has edges of length one and corners at
 /// whole numbers, and the origin is a corner at the middle of the grid, where
 /// both floats and fixed-point numbers have the most to give.
@@ -32,6 +35,9 @@ pub(crate) fn place(
         return Err("the mesh is a single point: it has no size to scale to a grid".into());
     }
 
+    if resolution > LONGEST_SIDE {
+        return Err(format!("--resolution {resolution}: at most {LONGEST_SIDE} is allowed").into());
+    }
     let scaled = |x: f64| x * f64::from(resolution) / longest;
     // A flat mesh lies in one layer of voxels.
     let size = extent.map(|e| scaled(e).ceil().max(1.0));
@@ -49,8 +55,7 @@ pub(crate) fn place(
     }
     let margin = [0, 1, 2].map(|i| (size[i] - scaled(extent[i])) / 2.0);
     let middle = size.map(|n| (n / 2.0).ceil());
-    let placed =
-        |p: [f64; 3]| [0, 1, 2].map(|i| scaled(p[i] - least[i]) + margin[i] - middle[i]);
+    let placed = |p: [f64; 3]| [0, 1, 2].map(|i| scaled(p[i] - least[i]) + margin[i] - middle[i]);
     Ok(Placed {
         size: size.map(|n| n as usize),
         triangles: triangles.iter().map(|t| t.map(placed)).collect(),

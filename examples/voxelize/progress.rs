@@ -43,7 +43,8 @@ impl Progress {
 
     fn draw(&self) -> ProgressBar {
         let bar = ProgressBar::new(self.total).with_message(self.label);
-        match ProgressStyle::with_template("{msg} {bar:40} {percent:>3} % {eta_precise} left") {
+        let bar = bar.with_elapsed(self.start.elapsed());
+        match ProgressStyle::with_template("{msg} {bar:40} {percent:>3} %, {elapsed}") {
             Ok(style) => bar.with_style(style),
             Err(_) => bar,
         }

@@ -102,15 +102,17 @@ impl Lattice {
         let bits = |&(m, e): &(i64, i32)| (e - unit) as u32 + 64 - m.unsigned_abs().leading_zeros();
         // Sums and differences of three below 2^124 stay below 2^126.
         if parts().map(bits).max().unwrap_or(0) <= 124 {
-            let whole = |part: Option<(i64, i32)>| part.map_or(0, |(m, e)| i128::from(m) << (e - unit));
+            let whole =
+                |part: Option<(i64, i32)>| part.map_or(0, |(m, e)| i128::from(m) << (e - unit));
             let shapes = from_least_corner(&numbers.map(whole), case);
             if shapes.all().all(|x| x.unsigned_abs() >> NARROW == 0) {
                 return Self::Narrow(shapes);
             }
             return Self::Wide(shapes.big());
         }
-        let whole =
-            |part: Option<(i64, i32)>| part.map_or(IBig::ZERO, |(m, e)| IBig::from(m) << (e - unit) as usize);
+        let whole = |part: Option<(i64, i32)>| {
+            part.map_or(IBig::ZERO, |(m, e)| IBig::from(m) << (e - unit) as usize)
+        };
         Self::Wide(from_least_corner(&numbers.map(whole), case))
     }
 
@@ -150,7 +152,10 @@ impl<I: Ring> Shapes<I> {
     /// The same in integers of any size.
     pub(crate) fn big(&self) -> Shapes<IBig> {
         let row = |v: &[I; 3]| core::array::from_fn(|i| v[i].big());
-        Shapes { vertices: core::array::from_fn(|i| row(&self.vertices[i])), extent: row(&self.extent) }
+        Shapes {
+            vertices: core::array::from_fn(|i| row(&self.vertices[i])),
+            extent: row(&self.extent),
+        }
     }
 
     /// Edge k, from vertex k to the next.
