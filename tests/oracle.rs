@@ -4,8 +4,9 @@
 
 mod support;
 
+use fixed::types::I8F8;
 use septum::Axis;
-use support::{BoxNumbers, Case, Lattice, Sample, Set, for_every_scalar, meets, separates};
+use support::{BoxNumbers, Case, Lattice, Rng, Sample, Set, for_every_scalar, meets, separates};
 
 /// The cube from −1 to 1 in both forms.
 fn cubes() -> [BoxNumbers<f64>; 2] {
@@ -77,6 +78,46 @@ fn flat_boxes_and_points() {
     assert!(!at([2.0, 2.1, 0.0], [0.0; 3]) && !at([1.0, 1.0, 1e-300], [0.0; 3]));
     assert!(at([1.0, 1.0, 0.0], [5.0, 5.0, 0.0]) && !at([1.0, 1.0, 1.0], [5.0, 5.0, 0.0]));
     assert!(at([2.5, 2.5, 0.0], [0.5, 0.5, 9.0]) && !at([2.5, 2.5, 0.0], [0.4, 0.5, 0.0]));
+}
+
+/// Everything rests on the numbers being what the bits say, so the bits are
+/// compared with what the types themselves say.
+#[test]
+fn numbers_are_taken_apart_rightly() {
+    let mut rng = Rng::new(13);
+    let special = [0.0, f32::MIN_POSITIVE, f32::MAX, f32::from_bits(1), f32::EPSILON, 1.0];
+    let random = (0..100_000).map(|_| f32::from_bits(rng.bits() as u32));
+    for x in special.into_iter().chain(random).filter(|x| x.is_finite()) {
+        assert_eq!(x.approximate(), f64::from(x), "{x:e}");
+        assert_eq!(f32::from_ordinal(x.ordinal()), x, "{x:e}");
+    }
+    let special = [0.0, f64::MIN_POSITIVE, f64::MAX, f64::from_bits(1), f64::EPSILON, 1.0];
+    let random = (0..100_000).map(|_| f64::from_bits(rng.bits()));
+    for x in special.into_iter().chain(random).filter(|x| x.is_finite()) {
+        assert_eq!(x.approximate(), x, "{x:e}");
+        assert_eq!(f64::from_ordinal(x.ordinal()), x, "{x:e}");
+    }
+    for x in (i16::MIN..=i16::MAX).map(I8F8::from_bits) {
+        assert_eq!(x.approximate(), x.to_num::<f64>(), "{x}");
+        assert_eq!(I8F8::from_ordinal(x.ordinal()), x, "{x}");
+    }
+}
+
+/// Steps lead to the next value and no further: none lies between.
+#[test]
+fn neighbours_are_adjacent() {
+    let mut rng = Rng::new(14);
+    for _ in 0..100_000 {
+        let x = f32::from_bits(rng.bits() as u32);
+        if x.is_finite() && x < f32::MAX {
+            let (low, high) = (f64::from(x), f64::from(x.moved(1)));
+            let middle = ((low + high) / 2.0) as f32;
+            assert!(low < high && (f64::from(middle) == low || f64::from(middle) == high), "{x:e}");
+        }
+    }
+    assert_eq!(f32::MAX.moved(1), f32::MAX);
+    assert_eq!(I8F8::MIN.moved(-1), I8F8::MIN);
+    assert_eq!(I8F8::ZERO.moved(-1), -I8F8::DELTA);
 }
 
 /// Clipping and the 13 axes are different theorems and must agree; so must the

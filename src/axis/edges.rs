@@ -1,4 +1,5 @@
 use super::{Frame, Split};
+use crate::linear::turn;
 use crate::scalar::{Number, Numbers};
 
 /// Whether one of the nine cross products of a coordinate axis x_i and an edge
@@ -30,7 +31,7 @@ pub(crate) fn one_edge<N: Numbers>(
     i: usize,
     k: usize,
 ) -> Split {
-    let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+    let (i, j, l) = turn(i);
     let (e, v, h) = (&frame.e[k], &frame.v[k], &frame.h);
 
     let p = N::area(e[j], v[l]) - N::area(e[l], v[j]);

@@ -5,7 +5,8 @@ use crate::scalar::{Number, Numbers, greatest, least};
 pub(crate) enum BoxForm<L> {
     /// Centre and half-extents.
     Center([L; 3], [L; 3]),
-    /// Least and greatest corner, and by how much to grow it on each side.
+    /// Least and greatest corner, and by how much to grow the box on each side;
+    /// in floats, which always have a centre's form of their own, by nought.
     Corners([L; 3], [L; 3], [L; 3]),
 }
 
@@ -65,9 +66,11 @@ impl<N: Numbers> Frame<N> {
                 let v = [from(t[0]), from(t[1]), from(t[2])];
                 for i in 0..3 {
                     let (low, high) = range(t, i);
-                    h[i] = N::half_between(min[i], max[i]) + N::half_extent(grown[i]);
-                    if !N::FINAL {
-                        gaps[i] = greatest(low - max[i], min[i] - high) - grown[i];
+                    h[i] = N::half_between(min[i], max[i]);
+                    if N::FINAL {
+                        h[i] = h[i] + N::half_extent(grown[i]);
+                    } else {
+                        gaps[i] = greatest(low - max[i], min[i] - high);
                         spans[i] = h[i] + (high - low);
                     }
                 }

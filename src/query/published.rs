@@ -5,6 +5,7 @@
 //! Graphics Tools* 6(1), 2001. Written from the paper; it is the yardstick for
 //! speed and the example of what rounding does.
 
+use crate::linear::turn;
 use crate::scalar::{Number, Numbers, Rounded, Scalar, greatest, least};
 use crate::shape::{Aabb, AabbForm, Triangle};
 
@@ -139,11 +140,11 @@ impl<S: Scalar> Published<S> {
 
     #[inline(always)]
     fn edge(&self, i: usize, k: usize) -> bool {
-        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+        let (i, j, l) = turn(i);
         let mul = Rounded::<S>::area;
         let e = &self.e[k];
         let on = |v: &[Rounded<S>; 3]| mul(e[j], v[l]) - mul(e[l], v[j]);
-        let (p, q) = (on(&self.v[k]), on(&self.v[(k + 2) % 3]));
+        let (p, q) = (on(&self.v[k]), on(&self.v[turn(k).2]));
         let r = mul(e[l].magnitude(), self.h[j]) + mul(e[j].magnitude(), self.h[l]);
         least(p, q) > r || greatest(p, q) < -r
     }

@@ -35,8 +35,13 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
             return None;
         }
         match self.aabb.form() {
+            AabbForm::Center { center, half } if N::ONE_FORM => {
+                by_corners::<S, N>(self.triangle, center, center, half)
+            }
             AabbForm::Center { center, half } => by_center::<S, N>(self.triangle, center, half),
-            AabbForm::Corners { min, max } => by_corners::<S, N>(self.triangle, min, max),
+            AabbForm::Corners { min, max } => {
+                by_corners::<S, N>(self.triangle, min, max, &Vec3::splat(S::ZERO))
+            }
         }
     }
 
@@ -59,8 +64,9 @@ fn by_corners<S: Scalar, N: Holds<S>>(
     triangle: &Triangle<S>,
     min: &Vec3<S>,
     max: &Vec3<S>,
+    grown: &Vec3<S>,
 ) -> Option<bool> {
-    any_axis(&in_frame_of_corners::<S, N>(triangle, min, max))
+    any_axis(&in_frame_of_corners::<S, N>(triangle, min, max, grown))
 }
 
 #[inline(always)]
@@ -80,9 +86,10 @@ fn in_frame_of_corners<S: Scalar, N: Holds<S>>(
     triangle: &Triangle<S>,
     min: &Vec3<S>,
     max: &Vec3<S>,
+    grown: &Vec3<S>,
 ) -> Frame<N> {
     let [a, b, c] = triangle.points();
-    let placed = N::place(&[a, b, c, min.to_array(), max.to_array()], &[[S::ZERO; 3]]);
+    let placed = N::place(&[a, b, c, min.to_array(), max.to_array()], &[grown.to_array()]);
     let ([a, b, c, min, max], [grown]) = (placed.points, placed.extents);
     Frame::new(&[a, b, c], &BoxForm::Corners(min, max, grown))
 }
@@ -128,7 +135,9 @@ impl<S: Scalar> Predicate<S> for SeparatedBy<'_, S> {
         let triangle = self.shapes.triangle;
         let frame = match self.shapes.aabb.form() {
             AabbForm::Center { center, half } => in_frame_of_center::<S, N>(triangle, center, half),
-            AabbForm::Corners { min, max } => in_frame_of_corners::<S, N>(triangle, min, max),
+            AabbForm::Corners { min, max } => {
+                in_frame_of_corners::<S, N>(triangle, min, max, &Vec3::splat(S::ZERO))
+            }
         };
         let reach = frame.reach_across_gap();
         let (areas, volumes) = bounds::<N>(reach)?;

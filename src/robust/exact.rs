@@ -8,6 +8,7 @@
 
 use core::cmp::Ordering;
 
+use crate::linear::{pick, turn};
 use crate::scalar::{ExactSum, Parts, Scalar};
 use crate::shape::{AabbForm, PlaneForm};
 
@@ -33,7 +34,7 @@ pub(super) fn add_area<T: ExactSum>(sum: &mut T, a: Linear, b: Linear, minus: bo
 
 /// Adds (a_j·b_k − a_k·b_j)·c to the sum.
 fn add_volume<T: ExactSum>(sum: &mut T, a: &[Linear; 3], b: &[Linear; 3], i: usize, c: Linear) {
-    let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+    let (_, j, k) = turn(i);
     for z in c {
         for (x, y) in a[j].into_iter().flat_map(|x| b[k].map(|y| (x, y))) {
             sum.add(&[x, y, z]);
@@ -56,17 +57,18 @@ impl ExactTriangle {
 
     /// Edge k, from vertex k to the next.
     fn edge(&self, k: usize) -> [Linear; 3] {
-        let (from, to) = (&self.v[k], &self.v[(k + 1) % 3]);
+        let (k, next, _) = turn(k);
+        let (from, to) = (pick(&self.v, k), pick(&self.v, next));
         core::array::from_fn(|i| difference(to[i], from[i]))
     }
 
     /// The sign of component `i` of the normal, e0 × e1.
     pub(crate) fn normal_sign<S: Scalar>(&self, i: usize) -> Ordering {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        let (_, j, k) = turn(i);
         let (e0, e1) = (self.edge(0), self.edge(1));
         let mut sum = S::Sum::new();
-        add_area(&mut sum, e0[j], e1[k], false);
-        add_area(&mut sum, e0[k], e1[j], true);
+        add_area(&mut sum, *pick(&e0, j), *pick(&e1, k), false);
+        add_area(&mut sum, *pick(&e0, k), *pick(&e1, j), true);
         sum.sign()
     }
 }
@@ -96,7 +98,8 @@ impl ExactBox {
 
     /// From `x` to the face of axis `i` that lies farther along `toward`.
     pub(crate) fn to_face(&self, x: Parts, i: usize, toward: Ordering) -> Linear {
-        let [a, b] = if toward == Ordering::Less { self.min[i] } else { self.max[i] };
+        let face = if toward == Ordering::Less { &self.min } else { &self.max };
+        let [a, b] = *pick(face, i);
         [a, b, x.negated()]
     }
 
@@ -105,7 +108,7 @@ impl ExactBox {
         let all = |toward: Ordering| {
             t.v.iter().all(|v| {
                 let mut sum = S::Sum::new();
-                for x in self.to_face(v[i], i, toward) {
+                for x in self.to_face(*pick(v, i), i, toward) {
                     sum.add(&[x]);
                 }
                 sum.sign() == toward.reverse()
@@ -127,7 +130,7 @@ impl ExactBox {
             let mut sum = S::Sum::new();
             for i in 0..3 {
                 let toward = if along { signs[i] } else { signs[i].reverse() };
-                add_volume(&mut sum, &e0, &e1, i, self.to_face(t.v[0][i], i, toward));
+                add_volume(&mut sum, &e0, &e1, i, self.to_face(*pick(&t.v[0], i), i, toward));
             }
             sum.sign()
         };
@@ -143,7 +146,8 @@ impl ExactBox {
         k: usize,
         normal: Ordering,
     ) -> bool {
-        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+        let (_, j, l) = turn(i);
+        let (k, _, opposite) = turn(k);
         let e = t.edge(k);
         let sign = |x: Linear| {
             let mut sum = S::Sum::new();
@@ -152,23 +156,23 @@ impl ExactBox {
             }
             sum.sign()
         };
-        let (ej, el) = (sign(e[j]), sign(e[l]));
+        let (ej, el) = (sign(*pick(&e, j)), sign(*pick(&e, l)));
         // (e × (z − v))_i is greatest over the box for z_l along e_j and z_j
         // against e_l. The triangle covers the interval from 0 to n_i: from the
         // edge's own vertex to the one opposite.
         let beyond = |along: bool| {
             let base = if (normal == Ordering::Greater) == along {
                 // Beyond the far end: measure from the vertex opposite.
-                &t.v[(k + 2) % 3]
+                pick(&t.v, opposite)
             } else {
-                &t.v[k]
+                pick(&t.v, k)
             };
             let turn = |o: Ordering| if along { o } else { o.reverse() };
             let mut sum = S::Sum::new();
-            let z_l = self.to_face(base[l], l, turn(ej).reverse());
-            let z_j = self.to_face(base[j], j, turn(el));
-            add_area(&mut sum, e[j], z_l, false);
-            add_area(&mut sum, e[l], z_j, true);
+            let z_l = self.to_face(*pick(base, l), l, turn(ej).reverse());
+            let z_j = self.to_face(*pick(base, j), j, turn(el));
+            add_area(&mut sum, *pick(&e, j), z_l, false);
+            add_area(&mut sum, *pick(&e, l), z_j, true);
             sum.sign() == turn(Ordering::Greater)
         };
         // The whole box above the interval, or the whole box below it.

@@ -5,6 +5,7 @@
 use core::cmp::Ordering;
 
 use super::exact::{Linear, ZERO, difference};
+use crate::linear::turn;
 use crate::scalar::{ExactSum, Parts, Scalar};
 
 /// A vector of linear forms.
@@ -54,7 +55,8 @@ impl ExactSkewed {
 
     /// All vertices beyond h_i·|det u|, on either side.
     fn face<S: Scalar>(&self, i: usize, volume: Ordering) -> bool {
-        let (u, v) = (&self.u[(i + 1) % 3], &self.u[(i + 2) % 3]);
+        let (i, j, k) = turn(i);
+        let (u, v) = (&self.u[j], &self.u[k]);
         let [u0, u1, u2] = &self.u;
         [Ordering::Greater, Ordering::Less].into_iter().any(|side| {
             let h = signed(self.h[i], volume == side);
@@ -75,7 +77,8 @@ impl ExactSkewed {
 
     /// The interval of the triangle on e_k × u_i beyond the box's, on either side.
     fn edge<S: Scalar>(&self, i: usize, k: usize, un: Ordering) -> bool {
-        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+        let (i, j, l) = turn(i);
+        let (k, _, opposite) = turn(k);
         let (u, e) = (&self.u, &self.e[k]);
         // w_l·e and w_j·e
         let along_l = sign::<S>(&[Term(S::ONE, &u[i], &u[j], e)]);
@@ -83,7 +86,7 @@ impl ExactSkewed {
         [Ordering::Greater, Ordering::Less].into_iter().any(|side| {
             // The end of the interval nearer to the box: p, or that of the vertex
             // opposite, p + u·n.
-            let nearer = if un == side.reverse() { (k + 2) % 3 } else { k };
+            let nearer = if un == side.reverse() { opposite } else { k };
             sign::<S>(&[
                 Term(S::ONE, &u[i], e, &self.t[nearer]),
                 Term(signed(self.h[j], along_l == side), &u[i], &u[j], e),
@@ -105,7 +108,7 @@ fn sign<S: Scalar>(terms: &[Term<'_>]) -> Ordering {
     let mut sum = S::Sum::new();
     for Term(factor, a, b, c) in terms {
         for i in 0..3 {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            let (_, j, k) = turn(i);
             add(&mut sum, *factor, &a[i], &b[j], &c[k]);
             add(&mut sum, factor.negated(), &a[i], &b[k], &c[j]);
         }

@@ -19,6 +19,7 @@ impl Numbers for Coarse {
     type Slim = Self;
 
     const FINAL: bool = true;
+    const ONE_FORM: bool = Int16::ONE_FORM;
 
     #[inline(always)]
     fn area(a: Length, b: Length) -> Area {

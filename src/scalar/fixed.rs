@@ -8,7 +8,7 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 use super::coarse::Coarse;
 use super::integer::{Int8, Int16, Int32, Int64, REGISTERS_ARE_WIDE, below_i32, below_i64};
-use super::ladder::{Predicate, exactly, rung, wide_integers};
+use super::ladder::{Predicate, exactly, only, rung, wide_integers};
 use super::numbers::{Holds, Numbers, Placed, convert};
 use super::sum::{Parts, Sum};
 use super::{Scalar, sealed};
@@ -62,8 +62,8 @@ macro_rules! scalar {
         }
     };
 }
-scalar!(FixedI8, LeEqU8, 1, Int8, Int8, |p| rung::<_, Int8, _>(p, exactly));
-scalar!(FixedI16, LeEqU16, 2, Int16, Int16, |p| rung::<_, Int16, _>(p, exactly));
+scalar!(FixedI8, LeEqU8, 1, Int8, Int8, |p| only::<_, Int8, _>(p));
+scalar!(FixedI16, LeEqU16, 2, Int16, Int16, |p| only::<_, Int16, _>(p));
 scalar!(FixedI32, LeEqU32, 3, Coarse, Int64, |p| by_size(p));
 scalar!(FixedI64, LeEqU64, 5, Coarse, Int64, |p| rung::<_, Int64, _>(p, exactly));
 
@@ -72,7 +72,7 @@ fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
     if REGISTERS_ARE_WIDE {
         rung::<_, Int16, _>(p, middling)
     } else {
-        rung::<_, Int32, _>(p, wide_integers)
+        rung::<_, Int32, _>(p, exactly)
     }
 }
 

@@ -52,6 +52,7 @@ impl<F: Float> Numbers for Bounded<F> {
     type Slim = Self;
 
     const FINAL: bool = false;
+    const ONE_FORM: bool = false;
 
     #[inline(always)]
     fn area(a: F, b: F) -> F {

@@ -55,6 +55,7 @@ macro_rules! integers {
             type Slim = $slim;
 
             const FINAL: bool = true;
+            const ONE_FORM: bool = !REGISTERS_ARE_WIDE;
 
             #[inline(always)]
             fn area(a: Self::Length, b: Self::Length) -> $area {

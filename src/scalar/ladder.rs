@@ -26,6 +26,14 @@ pub(super) fn rung<S: Scalar, N: Holds<S>, P: Predicate<S>>(p: &P, above: fn(&P)
     }
 }
 
+/// The only rung, for a scalar all of whose questions `N` can answer.
+#[inline(always)]
+pub(super) fn only<S: Scalar, N: Holds<S>, P: Predicate<S>>(p: &P) -> bool {
+    let answer = p.attempt::<N>();
+    debug_assert!(answer.is_some());
+    answer == Some(true)
+}
+
 /// The last rung.
 #[cold]
 #[inline(never)]

@@ -31,6 +31,11 @@ pub trait Numbers: Sized + 'static {
     /// Whether a result is final as it stands, with no error to allow for.
     const FINAL: bool;
 
+    /// Whether a box given by its centre goes the way of one given by its corners,
+    /// both at the centre and grown by the half-extents: as exact, a little
+    /// slower, half the code.
+    const ONE_FORM: bool;
+
     /// The product of two lengths.
     fn area(a: Self::Length, b: Self::Length) -> Self::Area;
     /// The product of an area and a length.

@@ -59,6 +59,7 @@ impl<S: Scalar> Numbers for Rounded<S> {
     type Slim = Self;
 
     const FINAL: bool = true;
+    const ONE_FORM: bool = false;
 
     #[inline(always)]
     fn area(a: Self, b: Self) -> Self {

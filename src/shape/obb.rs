@@ -1,7 +1,7 @@
 use core::cmp::Ordering;
 
 use super::{ShapeError, finite};
-use crate::linear::Vec3;
+use crate::linear::{Vec3, turn};
 use crate::scalar::{ExactSum, Parts, Scalar};
 
 /// An oriented box: a centre, three axes, and a half-extent along each.
@@ -132,7 +132,7 @@ fn dependent<S: Scalar>(axes: &[Vec3<S>; 3]) -> bool {
     let [u, v, n] = axes.map(|a| a.to_array().map(S::parts));
     let mut sum = S::Sum::new();
     for i in 0..3 {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        let (i, j, k) = turn(i);
         sum.add(&[u[i], v[j], n[k]]);
         sum.add(&[u[i].negated(), v[k], n[j]]);
     }
