@@ -22,7 +22,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use clap::Parser;
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 use indicatif::{ProgressBar, ProgressStyle};
-use measure::{Instance, Mode, Tally};
+use measure::{Instance, Tally};
 use report::Row;
 use support::Set;
 

@@ -140,7 +140,7 @@ impl<S: Scalar> Published<S> {
 
     #[inline(always)]
     fn edge(&self, i: usize, k: usize) -> bool {
-        let (i, j, l) = turn(i);
+        let (_, j, l) = turn(i);
         let mul = Rounded::<S>::area;
         let e = &self.e[k];
         let on = |v: &[Rounded<S>; 3]| mul(e[j], v[l]) - mul(e[l], v[j]);
