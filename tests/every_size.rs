@@ -1,6 +1,7 @@
 //! Verdicts are exact at every size of shape and every distance from the origin:
 //! each width of integers hands over to the next before it overflows (overflow
 //! checks are on), and float stages before they underflow.
+#![cfg(feature = "fixed")]
 
 mod support;
 

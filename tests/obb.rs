@@ -1,6 +1,7 @@
 //! A triangle against an oriented box: exact for the parallelepiped that the
 //! numbers describe. The oracle takes the vertices into the box's own
 //! coordinates, in whole numbers, and clips there.
+#![cfg(feature = "fixed")]
 
 mod support;
 

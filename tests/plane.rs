@@ -1,5 +1,6 @@
 //! A plane against an axis-aligned box: exact. The oracle evaluates the plane at
 //! all eight corners, in whole numbers; the crate looks at two.
+#![cfg(feature = "fixed")]
 
 mod support;
 

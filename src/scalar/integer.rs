@@ -20,14 +20,17 @@ use super::numbers::Numbers;
 use super::wide::I256;
 
 /// For 8-bit coordinates: everything in `i32`.
+#[cfg(feature = "fixed")]
 #[derive(Clone, Copy, Debug)]
 pub struct Int8;
 
 /// For coordinates below 2^18: areas and volumes in `i64`.
+#[cfg(feature = "fixed")]
 #[derive(Clone, Copy, Debug)]
 pub struct Int16;
 
 /// For 32-bit coordinates below 2^28: areas in `i64`, volumes in `i128`.
+#[cfg(feature = "fixed")]
 #[derive(Clone, Copy, Debug)]
 pub struct Int32;
 
@@ -111,15 +114,19 @@ macro_rules! integers {
         }
     )*};
 }
+#[cfg(feature = "fixed")]
 integers! {
     Int8: i32, i32, i32, |a, b| a * b; Self, |_: i32| false;
     Int16: i32, i64, i64, |a, b| a * i64::from(b); Self, |_: i32| false;
     Int32: i32, i64, i128, |a, b| i128::from(a) * i128::from(b); Int16, |reach: i32| !REGISTERS_ARE_WIDE && reach >> 20 == 0;
+}
+integers! {
     Int64: i64, i128, I256, I256::product; Int64Slim, |reach: i64| reach >> 41 == 0;
     Int64Slim: i64, i128, i128, |a, b| a * i128::from(b); Self, |_: i64| false;
 }
 
 /// Whether all coordinates lie below two to the `most`.
+#[cfg(feature = "fixed")]
 macro_rules! below {
     ($name:ident: $raw:ty) => {
         #[inline(always)]
@@ -129,5 +136,7 @@ macro_rules! below {
         }
     };
 }
+#[cfg(feature = "fixed")]
 below! { below_i32: i32 }
+#[cfg(feature = "fixed")]
 below! { below_i64: i64 }

@@ -27,6 +27,7 @@ pub(super) fn rung<S: Scalar, N: Holds<S>, P: Predicate<S>>(p: &P, above: fn(&P)
 }
 
 /// The only rung, for a scalar all of whose questions `N` can answer.
+#[cfg(feature = "fixed")]
 #[inline(always)]
 pub(super) fn only<S: Scalar, N: Holds<S>, P: Predicate<S>>(p: &P) -> bool {
     let answer = p.attempt::<N>();
