@@ -6,7 +6,7 @@
 mod support;
 
 use dashu_int::IBig;
-use fixed::types::{I4F4, I8F8, I16F16, I32F32};
+use fixed::types::{I2F30, I4F4, I8F8, I16F16, I32F32};
 use septum::{Aabb, Obb, ShapeError, Triangle, Vec3};
 use support::{Lattice, Ring, Rng, Sample, Shapes, for_every_scalar};
 
@@ -211,6 +211,18 @@ fn a_frame_is_checked() {
     assert_eq!(negative.unwrap_err(), ShapeError::NegativeHalfExtent);
     let far = Obb::new([f32::INFINITY, 0.0, 0.0], frame(x, y, z), [1.0; 3]);
     assert_eq!(far.unwrap_err(), ShapeError::NotFinite);
+}
+
+#[test]
+fn unit_vectors_in_thirty_fraction_bits_take_the_fast_path() {
+    type Fx = I2F30;
+    let axes = [[1.0, 0.0, 0.0], [0.0, 0.8, 0.6], [0.0, -0.6, 0.8]];
+    let axes = axes.map(|u| u.map(Fx::nearest).into());
+    let obb = Obb::new([Fx::ZERO; 3], axes, [Fx::nearest(0.1); 3]).unwrap();
+    let point = |x: f64, y: f64, z: f64| [x, y, z].map(Fx::nearest);
+    let away = Triangle::new(point(0.5, 0.0, 0.0), point(0.5, 0.5, 0.0), point(0.7, 0.0, 0.5));
+    // Only the fast path can say no here; outside its range the answer is yes.
+    assert!(!away.unwrap().may_overlap(&obb));
 }
 
 #[test]

@@ -1,5 +1,4 @@
 use super::{Frame, Split};
-use crate::linear::turn;
 use crate::scalar::{Number, Numbers};
 
 /// Whether one of the nine cross products of a coordinate axis x_i and an edge
@@ -31,7 +30,7 @@ pub(crate) fn one_edge<N: Numbers>(
     i: usize,
     k: usize,
 ) -> Split {
-    let (i, j, l) = turn(i);
+    let (j, l) = ((i + 1) % 3, (i + 2) % 3);
     let (e, v, h) = (&frame.e[k], &frame.v[k], &frame.h);
 
     let p = N::area(e[j], v[l]) - N::area(e[l], v[j]);

@@ -1,5 +1,4 @@
 use super::Split;
-use crate::linear::turn;
 use crate::scalar::{Number, Numbers};
 
 /// A triangle and a parallelepiped, all as operands of products: the vertices
@@ -54,7 +53,7 @@ pub(crate) fn skewed<N: Numbers>(s: &Skewed<N::Product>, slack: [N::Product; 3])
         let m = cross(&e[k], &t[k]);
         let along = [dot(&w[0], &e[k]), dot(&w[1], &e[k]), dot(&w[2], &e[k])];
         for i in 0..3 {
-            let (i, j, l) = turn(i);
+            let (j, l) = ((i + 1) % 3, (i + 2) % 3);
             // All doubled: the middle of the interval need not be a whole number.
             let p = dot(&u[i], &m) * *one;
             let q = un[i] * *one;

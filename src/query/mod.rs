@@ -27,8 +27,20 @@ pub trait MayOverlap<Other> {
 }
 
 impl<S> Triangle<S> {
-    /// Whether the triangle meets the other shape, exactly: an [`Aabb`] or an
-    /// [`Obb`]. See [`Overlaps`] for the pairs.
+    /// Whether the triangle meets the other shape, an [`Aabb`] or an [`Obb`].
+    ///
+    /// Exact for every valid input; touching is overlap; never panics. What there
+    /// is to know of numerics, range and cost stands with each pair: see the
+    /// implementations of [`Overlaps`].
+    ///
+    /// ```
+    /// use septum::{Aabb, Triangle};
+    ///
+    /// let cell = Aabb::from_min_max([0.0_f32; 3], [1.0; 3])?;
+    /// let t = Triangle::new([1.0, 0.5, 0.5], [2.0, 0.0, 0.0], [2.0, 1.0, 0.0])?;
+    /// assert!(t.overlaps(&cell)); // a vertex lies on a face
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
     ///
     /// [`Aabb`]: crate::Aabb
     /// [`Obb`]: crate::Obb
@@ -41,7 +53,18 @@ impl<S> Triangle<S> {
     }
 
     /// Whether the triangle may meet the other shape: never `false` if it does.
-    /// See [`MayOverlap`] for the pairs.
+    ///
+    /// Never panics; bounded in time. See the implementations of [`MayOverlap`] for
+    /// when it is `true` without need.
+    ///
+    /// ```
+    /// use septum::{Aabb, Triangle};
+    ///
+    /// let cell = Aabb::from_min_max([0.0_f32; 3], [1.0; 3])?;
+    /// let t = Triangle::new([3.0, 0.0, 0.5], [0.0, 3.0, 0.5], [3.0, 3.0, 0.5])?;
+    /// assert!(!t.may_overlap(&cell)); // certainly apart
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
     #[inline]
     pub fn may_overlap<Other>(&self, other: &Other) -> bool
     where

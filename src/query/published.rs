@@ -5,7 +5,6 @@
 //! Graphics Tools* 6(1), 2001. Written from the paper; it is the yardstick for
 //! speed and the example of what rounding does.
 
-use crate::linear::turn;
 use crate::scalar::{Number, Numbers, Rounded, Scalar, greatest, least};
 use crate::shape::{Aabb, AabbForm, Triangle};
 
@@ -39,7 +38,7 @@ impl<S: Scalar> Triangle<S> {
     /// products lose their last bits and wrap beyond the range. A box given by
     /// its corners is first brought to centre and half-extents, rounded.
     ///
-    /// *Panics*: never. *Cost*: up to 60 multiplications, 13 early exits.
+    /// *Panics*: never. *Cost*: up to 66 multiplications, 13 early exits.
     ///
     /// *Source*: Akenine-Möller 2001, section 2.
     #[inline]
@@ -140,11 +139,11 @@ impl<S: Scalar> Published<S> {
 
     #[inline(always)]
     fn edge(&self, i: usize, k: usize) -> bool {
-        let (_, j, l) = turn(i);
+        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
         let mul = Rounded::<S>::area;
         let e = &self.e[k];
         let on = |v: &[Rounded<S>; 3]| mul(e[j], v[l]) - mul(e[l], v[j]);
-        let (p, q) = (on(&self.v[k]), on(&self.v[turn(k).2]));
+        let (p, q) = (on(&self.v[k]), on(&self.v[(k + 2) % 3]));
         let r = mul(e[l].magnitude(), self.h[j]) + mul(e[j].magnitude(), self.h[l]);
         least(p, q) > r || greatest(p, q) < -r
     }

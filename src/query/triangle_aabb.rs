@@ -182,10 +182,12 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Triangle<S> {
     /// *Numerics*: exact for every valid input, in every scalar; the verdict does
     /// not depend on vertex order, machine or compiler.
     ///
-    /// *Range*: all finite floats, all fixed-point values. The common case is the
-    /// fast one while the two shapes together span less than: `f32` 2⁴⁰, `f64`
-    /// 2³²⁰; 32-bit fixed point 2²⁸ units of its last place, 64-bit 2⁶⁰. Beyond,
-    /// exact sums take over, tens of times slower.
+    /// *Range*: all finite floats, all fixed-point values. The fast stage serves
+    /// floats while the two shapes together span between 2⁻³² and 2⁴⁰ (`f32`) or
+    /// 2⁻³²⁰ and 2³²⁰ (`f64`), and fixed point while coordinates are below 2²⁸ (32
+    /// bits) or 2⁶⁰ (64 bits) units of the last place; 8 and 16 bits always.
+    /// Outside, and for floats within rounding of contact, wider numbers take over
+    /// and at last exact sums, up to a thousand times slower.
     ///
     /// *Panics*: never.
     ///
@@ -197,12 +199,10 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Triangle<S> {
     /// exact stages are ours.
     ///
     /// ```
-    /// use fixed::types::I16F16;
     /// use septum::{Aabb, Triangle};
     ///
-    /// let fx = |v: [f32; 3]| v.map(I16F16::from_num);
-    /// let cell = Aabb::from_center_half_extents(fx([0.5; 3]), fx([0.5; 3]))?;
-    /// let t = Triangle::new(fx([1.0, 1.0, 1.0]), fx([2.0, 1.0, 1.0]), fx([1.0, 2.0, 2.0]))?;
+    /// let cell = Aabb::from_center_half_extents([0.5; 3], [0.5; 3])?;
+    /// let t = Triangle::new([1.0, 1.0, 1.0], [2.0, 1.0, 1.0], [1.0, 2.0, 2.0])?;
     /// assert!(t.overlaps(&cell)); // in one corner
     /// # Ok::<(), septum::ShapeError>(())
     /// ```
@@ -219,7 +219,11 @@ impl<S: Scalar> MayOverlap<Aabb<S>> for Triangle<S> {
     /// within 30·u·R² of an edge axis and 120·u·R³ of the plane, with u the unit
     /// roundoff and R the span of the two shapes; 8- and 16-bit fixed point is
     /// exact; 32 and 64 bits are brought down to 18, and the box grown by two of
-    /// the units that are left.
+    /// the units that are left. A box given by its centre is also in doubt where a
+    /// vertex lies within rounding of a face.
+    ///
+    /// *Range*: floats whose span is outside 2⁻³² to 2⁴⁰ (`f32`) or 2⁻³²⁰ to 2³²⁰
+    /// (`f64`) get `true` unless a face separates.
     ///
     /// *Panics*: never.
     ///

@@ -83,15 +83,16 @@ impl<S: Scalar> Overlaps<Obb<S>> for Triangle<S> {
     ///
     /// *Numerics*: exact for every valid input, in every scalar.
     ///
-    /// *Range*: all finite floats, all fixed-point values. The common case is the
-    /// fast one for floats whose axes are between a quarter and four long, and
-    /// for fixed point of at most 30 fraction bits while coordinates and their
-    /// differences stay below 2²⁸ units of the last place. Elsewhere exact sums
-    /// take over, a hundred times slower.
+    /// *Range*: all finite floats, all fixed-point values. The fast stage serves
+    /// floats whose axes have components below 4, with spans as for an
+    /// axis-aligned box, and fixed point of at most 30 fraction bits while
+    /// differences, axes and half-extents stay within 2³⁰ units of the last place
+    /// (2²⁸ where registers have 32 bits). Elsewhere, and for floats within
+    /// rounding of contact, exact sums take over, a hundred times slower.
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: some 150 multiplications; fixed point in 128 bits.
+    /// *Cost*: some 190 multiplications; fixed point in 128 bits.
     ///
     /// *Source*: separating axes after Gottschalk, Lin and Manocha 1996 and
     /// Akenine-Möller 2001, for axes that need not be orthonormal.
@@ -105,9 +106,9 @@ impl<S: Scalar> MayOverlap<Obb<S>> for Triangle<S> {
     /// Whether a triangle and an oriented box may have a point in common.
     ///
     /// *Numerics*: `false` is certain. Floats answer `true` within rounding of
-    /// contact, and for axes shorter than a quarter or longer than four. Fixed
-    /// point is exact within the range of the common case (see
-    /// [`overlaps`](Overlaps::overlaps)), and answers `true` outside it.
+    /// contact, and outside the range of the fast stage (see
+    /// [`overlaps`](Overlaps::overlaps)). Fixed point is exact within it, and
+    /// answers `true` outside it.
     ///
     /// *Panics*: never. *Cost*: the first stage of
     /// [`overlaps`](Overlaps::overlaps) and no other.

@@ -45,7 +45,7 @@
 //! # What the first order leaves out
 //!
 //! Terms in u² are below 2·29²·u² of the first-order terms' unit, a relative
-//! 10⁻⁴ for `f32`. The computed R may fall short by 3u·R, and the bound by 4u of
+//! 10⁻⁴ for `f32`. The computed R may fall short by 4u·R, and the bound by 4u of
 //! itself. 30 against 29 and 120 against 116 are 3 % more: enough for all of it.
 //! Underflow is met by the range of R, see `scalar::float`.
 //!
@@ -66,14 +66,14 @@
 //!   terms of 7 + 1 + 2 = 10: 180. The difference, of at most 24: 24. In all 252;
 //!   300.
 //!
-//! Underflow: A is at least a quarter, so no product of axes underflows, and the
-//! margins of the range of R are as above.
+//! Underflow: A is at least one, for the one that stands in for an axis is counted
+//! among them; so the margins of the range of R are as above.
 //!
 //! # A plane and an axis-aligned box, in units of u·(N·R + |d|)
 //!
 //! With |n| ≤ N and the plane's point and the half-extents within R in the box's
 //! frame: n·v has 3 terms of 3 + 1 + 2 = 6: 18. Σ h·|n| has 3 of 1 + 1 + 2: 12.
-//! Their comparison 6, and one more for d. In all 37; [`PLANE`] = 40. A plane
+//! Their comparison 6. In all 36; with an offset, 33 and 2 for d. [`PLANE`] = 40. A plane
 //! given by its offset d has no point; then v is the world's origin, and d joins
 //! the sum.
 

@@ -22,7 +22,7 @@ pub(super) fn difference(a: Parts, b: Parts) -> Linear {
     [a, b.negated(), ZERO]
 }
 
-/// Adds `sign`·a·b to the sum.
+/// Adds a·b to the sum, or takes it away.
 pub(super) fn add_area<T: ExactSum>(sum: &mut T, a: Linear, b: Linear, minus: bool) {
     for x in a {
         let x = if minus { x.negated() } else { x };

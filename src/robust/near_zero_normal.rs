@@ -55,7 +55,8 @@ impl<S: Scalar> Triangle<S> {
     /// use septum::Triangle;
     ///
     /// // In f32 the cross product of these edges rounds to nought.
-    /// let sliver = Triangle::new([0.0_f32; 3], [1.0, 1.0, 1.0], [3.0, 3.0, 3.0000002])?;
+    /// let (b, c) = ([1.000122, 1.0, 0.0], [2.000122, 1.999878, 0.0]);
+    /// let sliver = Triangle::new([0.0_f32; 3], b, c)?;
     /// assert!(!sliver.is_degenerate());
     /// let segment = Triangle::new([0.0_f32; 3], [1.0, 1.0, 1.0], [3.0, 3.0, 3.0])?;
     /// assert!(segment.is_degenerate());

@@ -88,7 +88,7 @@ macro_rules! raw {
     };
 }
 
-/// A type and the system for it, which holds magnitudes below two to the `$most`.
+/// A type and the system for it, and which coordinates it holds.
 macro_rules! holds {
     ($fixed:ident, $bound:ident, $system:ty, $length:ty, |$coordinates:ident| $fits:expr) => {
         impl<Frac: $bound> Holds<$fixed<Frac>> for $system {
@@ -103,7 +103,7 @@ macro_rules! holds {
             }
 
             fn times_one(d: $length) -> Option<<$system as Numbers>::Area> {
-                // At most 2^61 in i64, 2^125 in i128: see the table in `integer`.
+                // See the table in `integer`.
                 Some(<$system as Numbers>::Area::from(2 * d) << <$fixed<Frac>>::FRAC_NBITS)
             }
 

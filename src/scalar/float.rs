@@ -16,23 +16,24 @@ pub trait Float: Number + Mul<Output = Self> + From<u8> + From<u16> + 'static {
     const HALF: Self;
     /// u: half the distance from 1 to the next number.
     const ROUNDOFF: Self;
-    /// Products of three operands, the greatest of them in this range, neither
+    /// Products of three lengths, the greatest of them in this range, and of those
+    /// with axes between one and four long, neither
     /// overflow nor lose more to underflow than the bounds have to spare.
     const REACH: (Self, Self);
 }
 
-// f32: an underflow costs at most 2^-150 an operation. The bound on a volume
-// is 6·u·r³ where 116/27 = 4.3 are needed (robust::bounds), so it has
-// 1.7·2^-24·r³ to spare against about 20·r·2^-150 and 20·2^-150: enough from
-// r = 2^-38 on. Above, r³·6 stays below 2^128 up to r = 2^41.
+// f32: an underflow costs at most 2^-150 an operation. The bounds have 1 (areas)
+// and 4 (volumes) times u·r² and u·r³ to spare (robust::bounds), against about 10
+// and 12·r + 6 underflows: enough from r = 2^-40 on. Above, r³·24 stays below 2^128
+// up to r = 2^41.
 impl Float for f32 {
     const HALF: f32 = 0.5;
     const ROUNDOFF: f32 = f32::EPSILON / 2.0;
     const REACH: (f32, f32) = (f32::from_bits((127 - 32) << 23), f32::from_bits((127 + 40) << 23));
 }
 
-// f64: likewise 1.7·2^-53·r³ against 20·2^-1075, and r³·6 below 2^1024. A
-// number that was an f32, or a product of three of them, is always inside.
+// f64: likewise 2^-53·r² and 4·2^-53·r³ against 2^-1075, and r³·24 below 2^1024. A
+// nonzero number that was an f32 is always inside.
 impl Float for f64 {
     const HALF: f64 = 0.5;
     const ROUNDOFF: f64 = f64::EPSILON / 2.0;
@@ -92,9 +93,8 @@ impl<F: Float> Numbers for Bounded<F> {
     #[inline(always)]
     fn product_bounds(axes: F, length: F, half: F, [x, y, z]: [u16; 3]) -> Option<[F; 3]> {
         let reach = greatest(length, half * axes);
-        // Axes are unit vectors, or near: what is not may as well go to the end.
-        let tame = axes > F::HALF * F::HALF && axes < F::from(4_u8);
-        if !(tame && reach > F::REACH.0 && reach < F::REACH.1) {
+        // Axes are unit vectors, or near: what is longer may as well go to the end.
+        if !(axes < F::from(4_u8) && reach > F::REACH.0 && reach < F::REACH.1) {
             return None;
         }
         let u = |n: u16| F::from(n) * F::ROUNDOFF;

@@ -11,7 +11,8 @@
 //! | normal, radius on an edge axis | 2^(2k+3) | 2^17 | 2^39 | 2^59 | 2^123 |
 //! | 2p + n on an edge axis | 2^(2k+4) + 2^(2k+3) | 2^18.6 | 2^40.6 | 2^60.6 | 2^124.6 |
 //! | n·v and Σ h·abs(n) | 3·2^(3k+5) | 2^27.6 | 2^60.6 | 2^90.6 | 2^186.6 |
-//! | the same, by reach | 6·2^(3m) | | | 2^62.6 for m = 20 | 2^125.6 for m = 41 |
+//! | 2·d·one of a plane, with F fraction bits | 2^(k+1+F) | 2^16 | 2^51 | 2^61 | 2^125 |
+//! | the same as the last but one, by reach | 6·2^(3m) | | | 2^62.6 for m = 20 | 2^125.6 for m = 41 |
 //!
 //! A type of b bits holds magnitudes below 2^(b−1).
 
@@ -94,10 +95,11 @@ macro_rules! integers {
             fn operand(a: $length) -> i128 {
                 a.into()
             }
-            // Sums of at most 36 products of four operands below 2^30.
+            // Sums of at most 30 products of four operands up to 2^30.
             #[inline(always)]
             fn product_bounds(axes: i128, length: i128, half: i128, _: [u16; 3]) -> Option<[i128; 3]> {
-                ((axes | length | half) >> 30 == 0).then_some([0; 3])
+                let most = axes.max(length).max(half);
+                (most <= 1 << 30).then_some([0; 3])
             }
             #[inline(always)]
             fn area_bound(_: $length, _: $length, _: $area, _: u8) -> Option<$area> {

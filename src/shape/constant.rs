@@ -41,7 +41,8 @@ macro_rules! constant {
 
         $(#[$cfg])?
         impl<$($generic)?> Aabb<$scalar> {
-            /// [`Aabb::from_min_max`] in a `const`.
+            /// [`Aabb::from_min_max`] in a `const`: from the least to the greatest
+            /// corner.
             ///
             /// # Errors
             /// As [`Aabb::from_min_max`].
