@@ -53,17 +53,6 @@ impl Numbers for Coarse {
     fn operand(a: Length) -> Self::Product {
         Int16::operand(a)
     }
-    fn product_bounds(
-        axes: Self::Product,
-        length: Self::Product,
-        half: Self::Product,
-        roundoffs: [u16; 3],
-    ) -> Option<[Self::Product; 3]> {
-        Int16::product_bounds(axes, length, half, roundoffs)
-    }
-    fn area_bound(a: Length, b: Length, c: Area, roundoffs: u8) -> Option<Area> {
-        Int16::area_bound(a, b, c, roundoffs)
-    }
     #[inline(always)]
     fn is_slim(_: Length) -> bool {
         false

@@ -139,14 +139,6 @@ macro_rules! coarse {
                 true
             }
 
-            fn one() -> Option<i128> {
-                None
-            }
-
-            fn times_one(_: i32) -> Option<i64> {
-                None
-            }
-
             #[inline(always)]
             fn place<const P: usize, const E: usize>(
                 points: &[[$fixed<Frac>; 3]; P],

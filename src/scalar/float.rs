@@ -188,18 +188,11 @@ fn in_units<S: Scalar>(x: S, low: i32) -> i64 {
 }
 
 /// Floats as whole multiples of one power of two, if 60 bits hold them all:
-/// grids, and most scenes that were once in a coarser format.
+/// grids, and most scenes that were once in a coarser format. One has no place
+/// among them: the unit is the scene's, not the scalar's.
 impl<S: Scalar + Float> Holds<S> for Int64 {
     fn fits<const K: usize>(coordinates: &[[S; 3]; K]) -> bool {
         span([coordinates, &[]]).is_none_or(|(low, high)| high - low <= 60)
-    }
-
-    fn one() -> Option<i128> {
-        None // the unit is the scene's, not the scalar's
-    }
-
-    fn times_one(_: i64) -> Option<i128> {
-        None
     }
 
     fn place<const P: usize, const E: usize>(

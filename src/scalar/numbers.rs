@@ -63,7 +63,10 @@ pub trait Numbers: Sized + 'static {
         b: Self::Length,
         c: Self::Area,
         roundoffs: u8,
-    ) -> Option<Self::Area>;
+    ) -> Option<Self::Area> {
+        let _ = (a, b, c, roundoffs);
+        None
+    }
 
     /// Whether the [`Slim`](Self::Slim) volumes hold for operands up to `reach`,
     /// and are worth the question.
@@ -83,7 +86,10 @@ pub trait Numbers: Sized + 'static {
         length: Self::Product,
         half: Self::Product,
         roundoffs: [u16; 3],
-    ) -> Option<[Self::Product; 3]>;
+    ) -> Option<[Self::Product; 3]> {
+        let _ = (axes, length, half, roundoffs);
+        None
+    }
 
     /// How far a computed area and a computed volume may be from the truth,
     /// when no operand exceeds `reach`: `areas` and `volumes` times the unit
@@ -98,11 +104,16 @@ pub trait Holds<S>: Numbers {
     fn fits<const K: usize>(coordinates: &[[S; 3]; K]) -> bool;
 
     /// One as an operand, where operands have the scalar's unit.
-    fn one() -> Option<Self::Product>;
+    fn one() -> Option<Self::Product> {
+        None
+    }
 
     /// A length times one, as an area in the frame, where one has the scalar's
     /// unit.
-    fn times_one(d: Self::Length) -> Option<Self::Area>;
+    fn times_one(d: Self::Length) -> Option<Self::Area> {
+        let _ = d;
+        None
+    }
 
     /// Brings points and extents that fit into this system, the points relative
     /// to an origin of the system's choice.

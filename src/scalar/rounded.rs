@@ -94,13 +94,6 @@ impl<S: Scalar> Numbers for Rounded<S> {
     fn operand(a: Self) -> Self {
         a
     }
-    fn product_bounds(_: Self, _: Self, _: Self, _: [u16; 3]) -> Option<[Self; 3]> {
-        None // rounded methods transform the triangle instead
-    }
-    #[inline(always)]
-    fn area_bound(_: Self, _: Self, _: Self, _: u8) -> Option<Self> {
-        Some(Self::ZERO)
-    }
     #[inline(always)]
     fn is_slim(_: Self) -> bool {
         false
@@ -115,12 +108,6 @@ impl<S: Scalar> Holds<S> for Rounded<S> {
     #[inline(always)]
     fn fits<const K: usize>(_: &[[S; 3]; K]) -> bool {
         true
-    }
-    fn one() -> Option<Self> {
-        None
-    }
-    fn times_one(d: Self) -> Option<Self> {
-        Some(d)
     }
     #[inline(always)]
     fn place<const P: usize, const E: usize>(
