@@ -200,3 +200,31 @@ fn one_bound_is_enough() {
     assert!(unit_cell(1.0_f32).is_ok() && unit_cell(I8F8::ONE).is_ok());
     assert_eq!(unit_cell(f64::NAN), Err(ShapeError::NotFinite));
 }
+
+#[test]
+fn boxes_by_centre_and_planes_are_made_in_a_const_and_checked() {
+    const HALF: Vec3<I16F16> = Vec3::splat(I16F16::ONE);
+    const CELL: Result<Aabb<I16F16>, ShapeError> =
+        Aabb::<I16F16>::constant_center_half_extents(Vec3::splat(I16F16::ZERO), HALF);
+    assert_eq!(CELL, Aabb::from_center_half_extents([I16F16::ZERO; 3], HALF));
+    let backwards = Aabb::<I16F16>::constant_center_half_extents(HALF, Vec3::splat(I16F16::MIN));
+    assert_eq!(backwards, Err(ShapeError::NegativeHalfExtent));
+    let backwards = Aabb::<f32>::constant_center_half_extents(Vec3::splat(0.0), vec3_last(-1.0));
+    assert_eq!(backwards, Err(ShapeError::NegativeHalfExtent));
+    let far =
+        Aabb::<f64>::constant_center_half_extents(Vec3::splat(f64::INFINITY), Vec3::splat(1.0));
+    assert_eq!(far, Err(ShapeError::NotFinite));
+    assert!(Aabb::<f32>::constant_center_half_extents(Vec3::splat(1.0), Vec3::splat(-0.0)).is_ok());
+
+    const FLOOR: Result<Plane<f32>, ShapeError> = Plane::<f32>::constant(vec3_last(2.0), -0.5);
+    assert_eq!(FLOOR, Plane::from_equation([0.0, 0.0, 2.0], -0.5));
+    assert_eq!(Plane::<f32>::constant(vec3_last(-0.0), 1.0), Err(ShapeError::ZeroNormal));
+    assert_eq!(Plane::<f32>::constant(vec3_last(1.0), f32::NAN), Err(ShapeError::NotFinite));
+    let none = Plane::<I8F8>::constant(Vec3::splat(I8F8::ZERO), I8F8::ONE);
+    assert_eq!(none, Err(ShapeError::ZeroNormal));
+    assert!(Plane::<I8F8>::constant(Vec3::splat(I8F8::DELTA), I8F8::ONE).is_ok());
+}
+
+const fn vec3_last(z: f32) -> Vec3<f32> {
+    Vec3::new(0.0, 0.0, z)
+}

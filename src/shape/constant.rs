@@ -4,12 +4,13 @@
 //! cannot be `const`; these are, for each family of scalars, and check the same.
 
 use super::aabb::Form;
-use super::{Aabb, ShapeError, Triangle};
+use super::plane::Form as PlaneForm;
+use super::{Aabb, Plane, ShapeError, Triangle};
 use crate::linear::Vec3;
 
 macro_rules! constant {
     ($(#[$cfg:meta])? [$($generic:ident)?] $scalar:ty,
-     $finite:expr, |$v:ident| $value:expr) => {
+     $finite:expr, |$v:ident| $value:expr, $zero:literal) => {
         $(#[$cfg])?
         impl<$($generic)?> Triangle<$scalar> {
             /// [`Triangle::new`] in a `const`.
@@ -67,13 +68,67 @@ macro_rules! constant {
                 }
                 Ok(Self { form: Form::Corners { min, max } })
             }
+
+            /// [`Aabb::from_center_half_extents`] in a `const`.
+            ///
+            /// # Errors
+            /// As [`Aabb::from_center_half_extents`].
+            pub const fn constant_center_half_extents(
+                center: Vec3<$scalar>,
+                half: Vec3<$scalar>,
+            ) -> Result<Self, ShapeError> {
+                let pairs = [(center.x, half.x), (center.y, half.y), (center.z, half.z)];
+                let mut i = 0;
+                while i < 3 {
+                    let $v = pairs[i].0;
+                    let center_finite = $finite;
+                    let $v = pairs[i].1;
+                    let (reach, half_finite) = ($value, $finite);
+                    if !(center_finite && half_finite) {
+                        return Err(ShapeError::NotFinite);
+                    }
+                    if reach < $zero {
+                        return Err(ShapeError::NegativeHalfExtent);
+                    }
+                    i += 1;
+                }
+                Ok(Self { form: Form::Center { center, half } })
+            }
+        }
+
+        $(#[$cfg])?
+        impl<$($generic)?> Plane<$scalar> {
+            /// [`Plane::from_equation`] in a `const`.
+            ///
+            /// # Errors
+            /// As [`Plane::from_equation`].
+            pub const fn constant(
+                normal: Vec3<$scalar>,
+                d: $scalar,
+            ) -> Result<Self, ShapeError> {
+                let numbers = [normal.x, normal.y, normal.z, d];
+                let (mut nonzero, mut i) = (false, 0);
+                while i < 4 {
+                    let $v = numbers[i];
+                    let (x, finite) = ($value, $finite);
+                    if !finite {
+                        return Err(ShapeError::NotFinite);
+                    }
+                    nonzero |= i < 3 && x != $zero;
+                    i += 1;
+                }
+                if !nonzero {
+                    return Err(ShapeError::ZeroNormal);
+                }
+                Ok(Self { normal, form: PlaneForm::Offset(d) })
+            }
         }
     };
 }
 
-constant!([] f32, v.is_finite(), |v| v);
-constant!([] f64, v.is_finite(), |v| v);
-constant!(#[cfg(feature = "fixed")] [Frac] fixed::FixedI8<Frac>, { let _ = v; true }, |v| v.to_bits());
-constant!(#[cfg(feature = "fixed")] [Frac] fixed::FixedI16<Frac>, { let _ = v; true }, |v| v.to_bits());
-constant!(#[cfg(feature = "fixed")] [Frac] fixed::FixedI32<Frac>, { let _ = v; true }, |v| v.to_bits());
-constant!(#[cfg(feature = "fixed")] [Frac] fixed::FixedI64<Frac>, { let _ = v; true }, |v| v.to_bits());
+constant!([] f32, v.is_finite(), |v| v, 0.0);
+constant!([] f64, v.is_finite(), |v| v, 0.0);
+constant!(#[cfg(feature = "fixed")] [Frac] fixed::FixedI8<Frac>, { let _ = v; true }, |v| v.to_bits(), 0);
+constant!(#[cfg(feature = "fixed")] [Frac] fixed::FixedI16<Frac>, { let _ = v; true }, |v| v.to_bits(), 0);
+constant!(#[cfg(feature = "fixed")] [Frac] fixed::FixedI32<Frac>, { let _ = v; true }, |v| v.to_bits(), 0);
+constant!(#[cfg(feature = "fixed")] [Frac] fixed::FixedI64<Frac>, { let _ = v; true }, |v| v.to_bits(), 0);
