@@ -50,6 +50,8 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     }
 }
 
+// Out of line, each form apart: the compiler turns either into vector code that
+// stays the same wherever it is called from, and gathers loads where they mix.
 #[inline(never)]
 fn by_center<S: Scalar, N: Holds<S>>(
     triangle: &Triangle<S>,

@@ -17,8 +17,8 @@ pub trait Float: Number + Mul<Output = Self> + From<u8> + From<u16> + 'static {
     /// u: half the distance from 1 to the next number.
     const ROUNDOFF: Self;
     /// Products of three lengths, the greatest of them in this range, and of those
-    /// with axes between one and four long, neither
-    /// overflow nor lose more to underflow than the bounds have to spare.
+    /// with axes between one and four long, neither overflow nor lose more to
+    /// underflow than the bounds have to spare.
     const REACH: (Self, Self);
 }
 
