@@ -5,6 +5,7 @@
 
 mod axis;
 mod interop;
+mod lanes;
 mod linear;
 mod query;
 mod robust;
@@ -12,7 +13,12 @@ mod scalar;
 mod shape;
 
 pub use axis::Axis;
+pub use lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, Triangles};
 pub use linear::Vec3;
-pub use query::{MayOverlap, Order, Overlaps, Side};
+pub use query::{Cull, Facing, Feature, Hit, HitRules, MayOverlap, Order, Overlaps, Side};
+pub use query::{NormalTriangle, ProjectedTriangle, ShearedRay};
+pub use query::{SlabRay, SlopeRay};
+#[cfg(feature = "fixed")]
+pub use scalar::FixedPoint;
 pub use scalar::Scalar;
-pub use shape::{Aabb, Obb, Plane, ShapeError, Triangle};
+pub use shape::{Aabb, Obb, Plane, Ray, Segment, ShapeError, Triangle};

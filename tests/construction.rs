@@ -5,7 +5,7 @@
 mod support;
 
 use fixed::types::{I0F8, I8F8, I16F16, I32F32};
-use septum::{Aabb, Obb, Plane, Scalar, ShapeError, Triangle, Vec3};
+use septum::{Aabb, Obb, Plane, Ray, Scalar, Segment, ShapeError, Triangle, Vec3};
 use support::{Sample, for_every_scalar};
 
 const X: [f32; 3] = [1.0, 0.0, 0.0];
@@ -48,6 +48,13 @@ fn not_finite() {
     with_each_not_finite(6, |x| Aabb::<f32>::constant(vec(x, 0), vec(x, 1)).map(drop));
     with_each_not_finite(6, |x| Plane::from_point_normal(row(x, 0), row(x, 1)).map(drop));
     with_each_not_finite(4, |x| Plane::from_equation(row(x, 0), x[3]).map(drop));
+    with_each_not_finite(6, |x| Segment::new(row(x, 0), row(x, 1)).map(drop));
+    with_each_not_finite(6, |x| Segment::from_center_half_vector(row(x, 0), row(x, 1)).map(drop));
+    with_each_not_finite(6, |x| Segment::<f32>::constant(vec(x, 0), vec(x, 1)).map(drop));
+    with_each_not_finite(6, |x| Ray::new(row(x, 0), row(x, 1)).map(drop));
+    with_each_not_finite(6, |x| Ray::<f32>::constant(vec(x, 0), vec(x, 1)).map(drop));
+    let ray = Ray::new([0.0; 3], X).unwrap();
+    with_each_not_finite(2, |x| ray.with_range(x[0], x[1]).map(drop));
     let frame = |x: &[f32]| [vec(x, 1), vec(x, 2), vec(x, 3)];
     with_each_not_finite(15, |x| Obb::new(row(x, 0), frame(x), row(x, 4)).map(drop));
     with_each_not_finite(15, |x| Obb::from_skewed_axes(row(x, 0), frame(x), row(x, 4)).map(drop));
@@ -228,3 +235,31 @@ fn boxes_by_centre_and_planes_are_made_in_a_const_and_checked() {
 const fn vec3_last(z: f32) -> Vec3<f32> {
     Vec3::new(0.0, 0.0, z)
 }
+
+#[test]
+fn zero_direction() {
+    for zero in [0.0_f32, -0.0] {
+        let still = Vec3::splat(zero);
+        assert_eq!(Ray::new([1.0; 3], still), Err(ShapeError::ZeroDirection));
+        assert_eq!(Ray::<f32>::constant(Vec3::splat(1.0), still), Err(ShapeError::ZeroDirection));
+    }
+    let still = Vec3::splat(I8F8::ZERO);
+    assert_eq!(Ray::new(still, still), Err(ShapeError::ZeroDirection));
+    assert_eq!(Ray::<I8F8>::constant(still, still), Err(ShapeError::ZeroDirection));
+    // The least number of the type is a direction, and a segment may be a point.
+    assert!(Ray::new([0.0_f32; 3], [0.0, 0.0, f32::from_bits(1)]).is_ok());
+    assert!(Ray::<f32>::constant(Vec3::splat(0.0), Vec3::new(0.0, -1e-45, 0.0)).is_ok());
+    assert!(Segment::new(still, still).is_ok());
+}
+
+fn empty_range<S: Sample>() {
+    let ray = Ray::new([S::ZERO; 3], [S::GREATEST; 3]).unwrap();
+    assert_eq!((ray.t_min(), ray.t_max()), (Some(S::ZERO), None));
+    let above = S::ZERO.moved(1);
+    assert_eq!(ray.with_range(above, S::ZERO), Err(ShapeError::EmptyRange));
+    assert_eq!(ray.with_range(S::GREATEST, S::LEAST), Err(ShapeError::EmptyRange));
+    let point = ray.with_range(above, above).unwrap();
+    assert_eq!((point.t_min(), point.t_max()), (Some(above), Some(above)));
+    assert!(ray.with_range(S::LEAST, None).is_ok() && ray.with_range(None, S::LEAST).is_ok());
+}
+for_every_scalar!(empty_range);

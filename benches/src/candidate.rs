@@ -2,17 +2,76 @@
 
 use std::rc::Rc;
 
-use septum::{Aabb, Scalar, Triangle};
-
-use crate::data::{Data, Form, Unit};
-use crate::scene::Scene;
+use crate::pairs::{Answer, Pairs};
 
 /// What a test promises of its answers.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Promise {
     Exact,
+    /// No overlap is missed.
     NeverMisses,
+    /// No overlap is invented.
+    NeverInvents,
     Nothing,
+}
+
+/// What tests run on: pairs of shapes, and what is true of them.
+pub struct Course<L, R> {
+    pub scalar: &'static str,
+    pub form: &'static str,
+    pairs: Rc<Pairs<L, R>>,
+    truth: Rc<[bool]>,
+}
+
+impl<L: 'static, R: 'static> Course<L, R> {
+    pub fn new(
+        (scalar, form): (&'static str, &'static str),
+        pairs: Pairs<L, R>,
+        truth: Vec<bool>,
+    ) -> Self {
+        Self { scalar, form, pairs: Rc::new(pairs), truth: truth.into() }
+    }
+
+    /// The same pairs in another form, made before the clock starts.
+    pub fn prepared<M, S>(
+        &self,
+        form: &'static str,
+        prepare: impl FnOnce(&Pairs<L, R>) -> Pairs<M, S>,
+    ) -> Course<M, S> {
+        Course {
+            scalar: self.scalar,
+            form,
+            pairs: Rc::new(prepare(&self.pairs)),
+            truth: Rc::clone(&self.truth),
+        }
+    }
+
+    /// A test as a candidate. It should be a function that is called, not inlined.
+    pub fn candidate<A: Answer + 'static>(
+        &self,
+        who: &str,
+        promise: Promise,
+        test: fn(&L, &R) -> A,
+    ) -> Candidate {
+        let answers = self.pairs.answers(test);
+        assert_eq!(answers.len(), self.truth.len(), "{who} answered another question");
+        let differ = |said: bool| {
+            let wrong = |(a, t): &(&bool, &bool)| **a == said && **t != said;
+            answers.iter().zip(&*self.truth).filter(wrong).count()
+        };
+        let pairs = Rc::clone(&self.pairs);
+        Candidate {
+            who: who.into(),
+            scalar: self.scalar,
+            form: self.form,
+            pairs: answers.len(),
+            overlaps: answers.iter().filter(|a| **a).count(),
+            false_disjoint: differ(false),
+            false_overlap: differ(true),
+            run: Box::new(move || pairs.count(test)),
+            promise,
+        }
+    }
 }
 
 /// One test on one scene.
@@ -20,99 +79,24 @@ pub struct Candidate {
     pub who: String,
     pub scalar: &'static str,
     pub form: &'static str,
-    /// Runs through the scene once and counts the overlaps.
-    pub run: Box<dyn Fn() -> usize>,
+    pub pairs: usize,
     pub overlaps: usize,
     pub false_disjoint: usize,
     pub false_overlap: usize,
+    /// Runs through the scene once and counts the overlaps.
+    pub run: Box<dyn Fn() -> usize>,
     promise: Promise,
 }
 
 impl Candidate {
-    pub fn new<T: 'static, B: 'static>(
-        who: &str,
-        (scalar, form): (&'static str, Form),
-        promise: Promise,
-        (data, truth): (&Rc<Data<T, B>>, &[bool]),
-        test: fn(&T, &B) -> bool,
-    ) -> Self {
-        let answers = data.answers(test);
-        let differ = |said: bool| {
-            let wrong = |(a, t): &(&bool, &bool)| **a == said && **t != said;
-            answers.iter().zip(truth).filter(wrong).count()
-        };
-        let (false_disjoint, false_overlap) = (differ(false), differ(true));
-        let overlaps = answers.iter().filter(|a| **a).count();
-        let data = Rc::clone(data);
-        Self {
-            who: who.into(),
-            scalar,
-            form: form.name(),
-            run: Box::new(move || data.count(test)),
-            overlaps,
-            false_disjoint,
-            false_overlap,
-            promise,
-        }
-    }
-
     /// Whether it kept what it promises on this scene.
     pub fn kept_its_word(&self) -> bool {
+        let (misses, inventions) = (self.false_disjoint, self.false_overlap);
         match self.promise {
-            Promise::Exact => self.false_disjoint == 0 && self.false_overlap == 0,
-            Promise::NeverMisses => self.false_disjoint == 0,
+            Promise::Exact => misses == 0 && inventions == 0,
+            Promise::NeverMisses => misses == 0,
+            Promise::NeverInvents => inventions == 0,
             Promise::Nothing => true,
         }
     }
 }
-
-/// A mode of ours.
-type Test<S> = fn(&Triangle<S>, &Aabb<S>) -> bool;
-
-// Each test behind a function that is called, not inlined.
-
-#[inline(never)]
-fn as_published<S: Scalar>(t: &Triangle<S>, b: &Aabb<S>) -> bool {
-    t.overlaps_as_published(b)
-}
-
-#[inline(never)]
-fn rounded<S: Scalar>(t: &Triangle<S>, b: &Aabb<S>) -> bool {
-    t.overlaps_rounded(b)
-}
-
-#[inline(never)]
-fn conservative<S: Scalar>(t: &Triangle<S>, b: &Aabb<S>) -> bool {
-    t.may_overlap(b)
-}
-
-#[inline(never)]
-fn exact<S: Scalar>(t: &Triangle<S>, b: &Aabb<S>) -> bool {
-    t.overlaps(b)
-}
-
-/// The test that all ratios are to.
-pub fn yardstick(scene: &Scene) -> Candidate {
-    let data = Rc::new(F32.data(scene, Form::Center));
-    let truth = F32.truth(&data);
-    let is = (F32.name, Form::Center);
-    Candidate::new("yardstick: as published", is, Promise::Nothing, (&data, &truth), as_published)
-}
-
-/// All our modes in one scalar.
-pub fn ours<S: Scalar>(scene: &Scene, unit: &Unit<S>, form: Form) -> Vec<Candidate> {
-    let data = Rc::new(unit.data(scene, form));
-    let truth = unit.truth(&data);
-    let modes: [(_, _, Test<S>); 4] = [
-        ("exact", Promise::Exact, exact),
-        ("conservative", Promise::NeverMisses, conservative),
-        ("rounded", Promise::Nothing, rounded),
-        ("as published", Promise::Nothing, as_published),
-    ];
-    let candidate = |(who, promise, test)| {
-        Candidate::new(who, (unit.name, form), promise, (&data, &truth), test)
-    };
-    modes.map(candidate).into()
-}
-
-pub const F32: Unit<f32> = Unit { name: "f32", scale: 1.0, near: |x| x as f32, value: f64::from };

@@ -8,12 +8,13 @@ use comfy_table::{CellAlignment, Table, presets};
 use crate::candidate::Candidate;
 use crate::race::Timing;
 
-const HEADER: [&str; 11] = [
+const HEADER: [&str; 12] = [
     "scene",
     "test",
     "scalar",
-    "box",
-    "ratio",
+    "form",
+    "speed",
+    "time",
     "median",
     "least",
     "greatest",
@@ -29,7 +30,7 @@ pub struct Report {
 }
 
 impl Report {
-    pub fn add(&mut self, scene: &str, pairs: usize, candidate: &Candidate, timing: &Timing) {
+    pub fn add(&mut self, scene: &str, candidate: &Candidate, timing: &Timing) {
         let ratio = |r: f64| if r < 0.1 { format!("{r:.4}") } else { format!("{r:.2}") };
         let [least, median, greatest] = timing.spread.map(ratio);
         self.rows.push([
@@ -38,10 +39,11 @@ impl Report {
             candidate.scalar.into(),
             candidate.form.into(),
             ratio(timing.ratio),
+            format!("{:.3}", 1.0 / timing.ratio),
             median,
             least,
             greatest,
-            format!("{:.1}", timing.best * 1e9 / pairs as f64),
+            format!("{:.1}", timing.best * 1e9 / candidate.pairs as f64),
             candidate.overlaps.to_string(),
             format!("{}/{}", candidate.false_disjoint, candidate.false_overlap),
         ]);

@@ -10,20 +10,20 @@
 
 mod measure;
 mod report;
+#[path = "../shared/mod.rs"]
+mod shared;
 #[path = "../../tests/support/mod.rs"]
 mod support;
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::Parser;
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
-use indicatif::{ProgressBar, ProgressStyle};
 use measure::{Instance, Tally};
 use report::Row;
+use shared::{on_all_cores, pieces};
 use support::Set;
 
 /// Counts wrong answers of every mode, on every scalar, on every set of cases.
@@ -87,39 +87,19 @@ fn main() -> ExitCode {
 fn run(options: &Options, rows: &mut [Row<'_>]) {
     let jobs: Vec<Job> = (0..rows.len())
         .filter(|&row| rows[row].misfit().is_none())
-        .flat_map(|row| pieces(options, row))
+        .flat_map(|row| {
+            let job = move |(seed, count)| Job { row, seed, count };
+            pieces(options.seed, options.cases.get(), PIECE).map(job)
+        })
         .collect();
-    let bar = ProgressBar::new(jobs.iter().map(|job| job.count as u64).sum());
-    bar.set_style(
-        ProgressStyle::with_template("{bar:40} {human_pos} of {human_len} cases, {eta} left")
-            .expect("a valid template"),
+    let mut tallies = vec![Tally::default(); rows.len()];
+    on_all_cores(
+        &jobs,
+        |job| job.count,
+        |job| rows[job.row].measure(job.seed, job.count),
+        |job, tally| tallies[job.row] += tally,
     );
-
-    let (next, tallies) = (AtomicUsize::new(0), Mutex::new(vec![Tally::default(); rows.len()]));
-    let threads = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| {
-                while let Some(job) = jobs.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let tally = rows[job.row].measure(job.seed, job.count);
-                    tallies.lock().expect("no thread panics")[job.row] += tally;
-                    bar.inc(job.count as u64);
-                }
-            });
-        }
-    });
-    bar.finish_and_clear();
-    for (row, tally) in rows.iter_mut().zip(tallies.into_inner().expect("no thread panics")) {
+    for (row, tally) in rows.iter_mut().zip(tallies) {
         row.tally = tally;
     }
-}
-
-/// A set, piece by piece, so that its cases do not depend on the number of cores.
-fn pieces(options: &Options, row: usize) -> impl Iterator<Item = Job> {
-    let (cases, seed) = (options.cases.get(), options.seed);
-    (0..cases.div_ceil(PIECE)).map(move |piece| Job {
-        row,
-        seed: seed.wrapping_add(piece as u64),
-        count: PIECE.min(cases - piece * PIECE),
-    })
 }

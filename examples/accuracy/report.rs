@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::measure::{Instance, Mode, Tally, Wrong};
+use super::shared::{grouped, per_million};
 use super::support::Set;
 
 /// One set in one scalar.
@@ -27,8 +28,7 @@ impl<'a> Row<'a> {
     }
 
     fn per_million(&self, wrong: u64) -> String {
-        let rate = (wrong as f64 * 1e6 / self.tally.cases as f64).round() as u64;
-        if rate == 0 && wrong > 0 { "<1".into() } else { grouped(rate) }
+        per_million(wrong, self.tally.cases)
     }
 }
 
@@ -64,19 +64,6 @@ fn line(row: &Row<'_>) -> String {
     }
     line.truncate(line.trim_end().len());
     line
-}
-
-/// With a comma at every third digit.
-fn grouped(n: u64) -> String {
-    let digits = n.to_string();
-    let mut out = String::new();
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i) % 3 == 0 {
-            out.push(',');
-        }
-        out.push(digit);
-    }
-    out
 }
 
 /// The counts, one line for each scalar, set and mode.

@@ -9,6 +9,7 @@
 mod edges;
 mod faces;
 mod frame;
+mod line;
 mod name;
 mod normal;
 mod skewed;
@@ -17,6 +18,7 @@ mod split;
 pub(crate) use edges::{edges, one_edge};
 pub(crate) use faces::{faces, one_face};
 pub(crate) use frame::{BoxForm, Frame};
+pub(crate) use line::Slabs;
 pub use name::Axis;
 pub(crate) use normal::{normal, plane};
 pub(crate) use skewed::{Skewed, skewed};

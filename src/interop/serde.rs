@@ -6,7 +6,9 @@ use serde::ser::{Serialize, Serializer};
 
 use crate::linear::Vec3;
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Obb, Plane, PlaneForm, ShapeError, Triangle};
+use crate::shape::{
+    Aabb, AabbForm, Obb, Plane, PlaneForm, Ray, Segment, SegmentForm, ShapeError, Triangle,
+};
 
 /// The vertices of a triangle, unchecked.
 #[derive(serde::Serialize, serde::Deserialize)]
@@ -36,6 +38,24 @@ struct Frame<S> {
 enum Position<S> {
     PointNormal { point: Vec3<S>, normal: Vec3<S> },
     Equation { normal: Vec3<S>, d: S },
+}
+
+/// The numbers of a segment, unchecked.
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(rename = "Segment", rename_all = "snake_case")]
+enum Course<S> {
+    Ends(Vec3<S>, Vec3<S>),
+    CenterHalfVector { center: Vec3<S>, half_vector: Vec3<S> },
+}
+
+/// The numbers of a ray, unchecked.
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(rename = "Ray")]
+struct Path<S> {
+    origin: Vec3<S>,
+    direction: Vec3<S>,
+    t_min: Option<S>,
+    t_max: Option<S>,
 }
 
 impl<S: Scalar> From<&Triangle<S>> for Vertices<S> {
@@ -107,6 +127,47 @@ impl<S: Scalar> TryFrom<Position<S>> for Plane<S> {
     }
 }
 
+impl<S: Scalar> From<&Segment<S>> for Course<S> {
+    fn from(segment: &Segment<S>) -> Self {
+        match *segment.form() {
+            SegmentForm::Ends(a, b) => Self::Ends(a, b),
+            SegmentForm::Center { center, half } => {
+                Self::CenterHalfVector { center, half_vector: half }
+            }
+        }
+    }
+}
+
+impl<S: Scalar> TryFrom<Course<S>> for Segment<S> {
+    type Error = ShapeError;
+    fn try_from(course: Course<S>) -> Result<Self, ShapeError> {
+        match course {
+            Course::Ends(a, b) => Self::new(a, b),
+            Course::CenterHalfVector { center, half_vector } => {
+                Self::from_center_half_vector(center, half_vector)
+            }
+        }
+    }
+}
+
+impl<S: Scalar> From<&Ray<S>> for Path<S> {
+    fn from(ray: &Ray<S>) -> Self {
+        Self {
+            origin: ray.origin(),
+            direction: ray.direction(),
+            t_min: ray.t_min(),
+            t_max: ray.t_max(),
+        }
+    }
+}
+
+impl<S: Scalar> TryFrom<Path<S>> for Ray<S> {
+    type Error = ShapeError;
+    fn try_from(path: Path<S>) -> Result<Self, ShapeError> {
+        Self::new(path.origin, path.direction)?.with_range(path.t_min, path.t_max)
+    }
+}
+
 macro_rules! through {
     ($($shape:ident => $form:ident;)*) => {$(
         impl<S: Scalar + Serialize> Serialize for $shape<S> {
@@ -122,4 +183,11 @@ macro_rules! through {
         }
     )*};
 }
-through! { Triangle => Vertices; Aabb => Extent; Obb => Frame; Plane => Position; }
+through! {
+    Triangle => Vertices;
+    Aabb => Extent;
+    Obb => Frame;
+    Plane => Position;
+    Segment => Course;
+    Ray => Path;
+}

@@ -1,12 +1,32 @@
 //! The questions, one file for each pair of shapes.
 
+mod crossing;
+mod hit;
+mod line_published;
 mod plane_aabb;
 mod published;
+mod ray_aabb;
+mod ray_slabs;
+mod ray_slopes;
+mod ray_triangle;
+mod rounded;
+mod segment_aabb;
 mod triangle_aabb;
 mod triangle_obb;
+mod unit_normal;
 
+pub use hit::{Cull, Facing, Feature, Hit, HitRules};
 pub use plane_aabb::Side;
 pub use published::Order;
+pub use ray_slabs::SlabRay;
+pub use ray_slopes::SlopeRay;
+pub(crate) use rounded::{
+    Found, Limits, Stored, Triple, are_zero, edges, moller_trumbore, rounded, settle, store,
+    stored_normal,
+};
+pub use rounded::{NormalTriangle, ProjectedTriangle, ShearedRay};
+#[cfg(feature = "libm")]
+pub(crate) use unit_normal::direction;
 
 use crate::shape::Triangle;
 

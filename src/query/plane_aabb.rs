@@ -32,6 +32,8 @@ struct Beyond<'a, S> {
 }
 
 impl<S: Scalar> Predicate<S> for Beyond<'_, S> {
+    type Answer = bool;
+
     #[inline]
     fn attempt<N: Holds<S>>(&self) -> Option<bool> {
         let n = self.plane.normal().to_array();

@@ -29,6 +29,8 @@ impl<S: Scalar> Disjoint<'_, S> {
 }
 
 impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
+    type Answer = bool;
+
     #[inline(always)]
     fn attempt<N: Holds<S>>(&self) -> Option<bool> {
         if !self.fits::<N>() {
@@ -130,6 +132,8 @@ struct SeparatedBy<'a, S> {
 }
 
 impl<S: Scalar> Predicate<S> for SeparatedBy<'_, S> {
+    type Answer = bool;
+
     fn attempt<N: Holds<S>>(&self) -> Option<bool> {
         if !self.shapes.fits::<N>() {
             return None;

@@ -27,6 +27,8 @@ impl<S: Scalar> Disjoint<'_, S> {
 }
 
 impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
+    type Answer = bool;
+
     #[inline(never)]
     fn attempt<N: Holds<S>>(&self) -> Option<bool> {
         let one = N::one()?;

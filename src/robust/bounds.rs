@@ -77,7 +77,30 @@
 //! given by its offset d has no point; then v is the world's origin, and d joins
 //! the sum.
 
+//! # A ray and a triangle, in units of u·D·E·R
+//!
+//! With D the sum of the direction's components, all taken as positive, E that of
+//! both edges, and R that of the edges and the way to the origin. Edges and that way
+//! carry one rounding each, the direction none.
+//!
+//! * det, u and v are 6 terms each, one for every way to pick one component of each
+//!   of three vectors: together at most the product of the three sums. Each term is
+//!   touched by at most 7 roundings: 2 differences, 2 products, 1 difference, 2 sums.
+//!   So 7; [`RAY`] = 8. So is t, in units of u·E·E·R.
+//! * w = det − u − v: 3·7, and 2 and 3 for the two differences: 26; [`RAY_SIDES`] =
+//!   30.
+//!
+//! D, E and R are themselves computed with up to 6 roundings; there is more to spare.
+//! Underflow: each of the three is within the range of R above, so u times the product
+//! of any two exceeds by far what an operation can lose.
+
 use crate::scalar::Numbers;
+
+/// Roundoffs in a volume of ray and triangle.
+pub(crate) const RAY: u8 = 8;
+
+/// Roundoffs in the barycentric coordinate that is a difference of the others.
+pub(crate) const RAY_SIDES: u8 = 30;
 
 /// Roundoffs in the distance between a plane and a corner of a box.
 pub(crate) const PLANE: u8 = 40;

@@ -54,6 +54,10 @@ impl Numbers for Coarse {
         Int16::operand(a)
     }
     #[inline(always)]
+    fn widened(slim: Volume) -> Volume {
+        slim
+    }
+    #[inline(always)]
     fn is_slim(_: Length) -> bool {
         false
     }

@@ -3,6 +3,8 @@
 //! A fixed-point number is an integer with a name for its unit. A verdict does
 //! not depend on the unit, so all of it is decided on the raw bits.
 
+use core::cmp::Ordering;
+
 use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
@@ -10,8 +12,47 @@ use super::coarse::Coarse;
 use super::integer::{Int8, Int16, Int32, Int64, REGISTERS_ARE_WIDE, below_i32, below_i64};
 use super::ladder::{Predicate, exactly, only, rung, wide_integers};
 use super::numbers::{Holds, Numbers, Placed, convert};
+use super::quotient::Dividend;
 use super::sum::{Parts, Sum};
 use super::{Scalar, sealed};
+
+/// The number with these raw bits, or the end of the type.
+macro_rules! clamped {
+    ($fixed:ident, $bits:expr) => {{
+        let bits: i64 = $bits;
+        <$fixed<Frac>>::from_bits(
+            bits.clamp(<$fixed<Frac>>::MIN.to_bits().into(), <$fixed<Frac>>::MAX.to_bits().into())
+                as _,
+        )
+    }};
+}
+
+/// What a system needs to divide, all of it by the raw bits.
+macro_rules! quotients {
+    ($fixed:ident, $length:ty, $volume:ty) => {
+        #[inline(always)]
+        fn quotient(num: $volume, den: $volume) -> $fixed<Frac> {
+            clamped!($fixed, num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
+        }
+        #[inline(always)]
+        fn quotient_of_lengths(num: $length, den: $length) -> $fixed<Frac> {
+            clamped!($fixed, num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
+        }
+        #[inline(always)]
+        fn compare_quotient(
+            num: $volume,
+            den: $volume,
+            _: [$volume; 2],
+            t: $fixed<Frac>,
+        ) -> Option<Ordering> {
+            Some(num.compare(den, <$fixed<Frac>>::FRAC_NBITS, t.to_bits().into()))
+        }
+        #[inline(always)]
+        fn resolves(_: $volume, _: $volume) -> bool {
+            true
+        }
+    };
+}
 
 macro_rules! scalar {
     ($fixed:ident, $bound:ident, $limbs:literal, $quick:ty, $products:ty, |$p:ident| $ladder:expr) => {
@@ -31,12 +72,15 @@ macro_rules! scalar {
             fn is_finite(self) -> bool {
                 true
             }
+            fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self {
+                clamped!($fixed, num.as_i256().quotient(den.as_i256(), Self::FRAC_NBITS))
+            }
             fn parts(self) -> Parts {
                 let bits = i64::from(self.to_bits());
                 Parts { negative: bits < 0, magnitude: bits.unsigned_abs(), shift: 0 }
             }
             #[inline(always)]
-            fn decide<P: Predicate<Self>>($p: &P) -> bool {
+            fn decide<P: Predicate<Self>>($p: &P) -> P::Answer {
                 $ladder
             }
             #[inline(always)]
@@ -50,6 +94,22 @@ macro_rules! scalar {
             #[inline(always)]
             fn plain_mul(self, other: Self) -> Self {
                 self.wrapping_mul(other)
+            }
+            #[inline(always)]
+            fn plain_div(self, other: Self) -> Self {
+                if other == Self::ZERO {
+                    if self < Self::ZERO { Self::MIN } else { Self::MAX }
+                } else {
+                    self.wrapping_div(other)
+                }
+            }
+            #[inline(always)]
+            fn plain_one() -> Self {
+                Self::saturating_from_num(1)
+            }
+            #[inline(always)]
+            fn plain_turned_by(self, other: Self) -> Self {
+                if other < Self::ZERO { self.wrapping_neg() } else { self }
             }
             #[inline(always)]
             fn plain_abs(self) -> Self {
@@ -68,7 +128,9 @@ scalar!(FixedI32, LeEqU32, 3, Coarse, Int64, |p| by_size(p));
 scalar!(FixedI64, LeEqU64, 5, Coarse, Int64, |p| rung::<_, Int64, _>(p, exactly));
 
 #[inline(always)]
-fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(p: &P) -> bool {
+fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
+    p: &P,
+) -> P::Answer {
     if REGISTERS_ARE_WIDE {
         rung::<_, Int16, _>(p, middling)
     } else {
@@ -77,7 +139,9 @@ fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
 }
 
 #[inline(never)]
-fn middling<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(p: &P) -> bool {
+fn middling<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
+    p: &P,
+) -> P::Answer {
     rung::<_, Int32, _>(p, wide_integers)
 }
 
@@ -106,6 +170,8 @@ macro_rules! holds {
                 // See the table in `integer`.
                 Some(<$system as Numbers>::Area::from(2 * d) << <$fixed<Frac>>::FRAC_NBITS)
             }
+
+            quotients!($fixed, $length, <$system as Numbers>::Volume);
 
             #[inline(always)]
             fn place<const P: usize, const E: usize>(
@@ -138,6 +204,8 @@ macro_rules! coarse {
             fn fits<const K: usize>(_: &[[$fixed<Frac>; 3]; K]) -> bool {
                 true
             }
+
+            quotients!($fixed, i32, i64);
 
             #[inline(always)]
             fn place<const P: usize, const E: usize>(

@@ -13,6 +13,9 @@
 //! | n·v and Σ h·abs(n) | 3·2^(3k+5) | 2^27.6 | 2^60.6 | 2^90.6 | 2^186.6 |
 //! | 2·d·one of a plane, with F fraction bits | 2^(k+1+F) | 2^16 | 2^51 | 2^61 | 2^125 |
 //! | the same as the last but one, by reach | 6·2^(3m) | | | 2^62.6 for m = 20 | 2^125.6 for m = 41 |
+//! | near and far of a line, not doubled | 3·2^k | 2^8.6 | 2^19.6 | 2^29.6 | 2^61.6 |
+//! | near·m, with m = abs(d), or b − a of a segment | 3·2^(2k+1) | 2^16.6 | 2^38.6 | 2^58.6 | 2^122.6 |
+//! | 2·near·one, with F fraction bits | 3·2^(k+1+F) | 2^17.6 | 2^52.6 | 2^62.6 | 2^126.6 |
 //!
 //! A type of b bits holds magnitudes below 2^(b−1).
 
@@ -104,6 +107,14 @@ macro_rules! integers {
             #[inline(always)]
             fn area_bound(_: $length, _: $length, _: $area, _: u8) -> Option<$area> {
                 Some(<$area as Number>::ZERO)
+            }
+            #[inline(always)]
+            fn volume_bound(_: $length, _: $length, _: $length, _: u8) -> Option<$volume> {
+                Some(<$volume as Number>::ZERO)
+            }
+            #[inline(always)]
+            fn widened(slim: <$slim as Numbers>::Volume) -> $volume {
+                slim.into()
             }
             #[inline(always)]
             fn is_slim(reach: Self::Length) -> bool {

@@ -1,25 +1,31 @@
-//! A predicate, and the ladder of number systems that a scalar climbs for it.
+//! A question, and the ladder of number systems that a scalar climbs for it.
 
 use super::Scalar;
 use super::integer::Int64;
 use super::numbers::Holds;
 
-/// A yes-or-no question about coordinates of the scalar `S`.
+/// A question about coordinates of the scalar `S`.
 ///
 /// It knows how to answer itself in any number system; the scalar knows which
 /// systems to try, the cheapest first ([`Scalar::decide`]).
 pub trait Predicate<S: Scalar> {
+    /// Yes or no, or what was found.
+    type Answer: Default;
+
     /// The answer, if `N` can vouch for it.
-    fn attempt<N: Holds<S>>(&self) -> Option<bool>;
+    fn attempt<N: Holds<S>>(&self) -> Option<Self::Answer>;
 
     /// The answer for every input, by exact sums of products.
-    fn exact(&self) -> bool;
+    fn exact(&self) -> Self::Answer;
 }
 
 /// One rung: the answer in `N`, or else what `above` says, which is out of line
 /// so that the common path stays small.
 #[inline(always)]
-pub(super) fn rung<S: Scalar, N: Holds<S>, P: Predicate<S>>(p: &P, above: fn(&P) -> bool) -> bool {
+pub(super) fn rung<S: Scalar, N: Holds<S>, P: Predicate<S>>(
+    p: &P,
+    above: fn(&P) -> P::Answer,
+) -> P::Answer {
     match p.attempt::<N>() {
         Some(answer) => answer,
         None => above(p),
@@ -29,23 +35,23 @@ pub(super) fn rung<S: Scalar, N: Holds<S>, P: Predicate<S>>(p: &P, above: fn(&P)
 /// The only rung, for a scalar all of whose questions `N` can answer.
 #[cfg(feature = "fixed")]
 #[inline(always)]
-pub(super) fn only<S: Scalar, N: Holds<S>, P: Predicate<S>>(p: &P) -> bool {
+pub(super) fn only<S: Scalar, N: Holds<S>, P: Predicate<S>>(p: &P) -> P::Answer {
     let answer = p.attempt::<N>();
     debug_assert!(answer.is_some());
-    answer == Some(true)
+    answer.unwrap_or_default()
 }
 
 /// The last rung.
 #[cold]
 #[inline(never)]
-pub(super) fn exactly<S: Scalar, P: Predicate<S>>(p: &P) -> bool {
+pub(super) fn exactly<S: Scalar, P: Predicate<S>>(p: &P) -> P::Answer {
     p.exact()
 }
 
 /// The last two rungs: exact integers if the input fits them, else exact sums.
 #[cold]
 #[inline(never)]
-pub(super) fn wide_integers<S: Scalar, P: Predicate<S>>(p: &P) -> bool
+pub(super) fn wide_integers<S: Scalar, P: Predicate<S>>(p: &P) -> P::Answer
 where
     Int64: Holds<S>,
 {

@@ -1,13 +1,19 @@
 //! The scalar trait, and the number systems that a scalar's questions are
 //! answered in.
 
+mod bounded;
 #[cfg(feature = "fixed")]
 mod coarse;
 mod float;
 mod integer;
 mod ladder;
+mod multiples;
 mod number;
 mod numbers;
+mod padding;
+mod quotient;
+#[cfg(feature = "fixed")]
+mod root;
 mod rounded;
 mod sum;
 mod wide;
@@ -19,6 +25,9 @@ pub use ladder::Predicate;
 pub use number::Number;
 pub(crate) use number::{greatest, least};
 pub use numbers::{Holds, Numbers};
+pub use padding::Padding;
+#[cfg(feature = "fixed")]
+pub use root::FixedPoint;
 pub use rounded::Rounded;
 pub use sum::{ExactSum, Parts};
 
@@ -52,6 +61,11 @@ pub trait Scalar:
     #[doc(hidden)]
     const ONE: Parts;
 
+    /// What rounding costs a conservative method; nothing where there is an exact one
+    /// at the same price.
+    #[doc(hidden)]
+    const PADDING: Option<Padding<Self>> = None;
+
     /// The system of [`may_overlap`](crate::Triangle::may_overlap): its
     /// "disjoint" can be trusted, and its arithmetic is the same everywhere.
     #[doc(hidden)]
@@ -71,7 +85,18 @@ pub trait Scalar:
 
     /// The answer to `p`, by the cheapest number system that can vouch for it.
     #[doc(hidden)]
-    fn decide<P: Predicate<Self>>(p: &P) -> bool;
+    fn decide<P: Predicate<Self>>(p: &P) -> P::Answer;
+
+    /// The same for a `p` whose answer is more often than not a number: no system
+    /// is tried whose numbers would not do.
+    #[doc(hidden)]
+    fn measure<P: Predicate<Self>>(p: &P) -> P::Answer {
+        Self::decide(p)
+    }
+
+    /// The quotient of two sums, to the nearest; the divisor is not nought.
+    #[doc(hidden)]
+    fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self;
 
     // The scalar's own arithmetic: rounds, and wraps where a fixed-point type
     // overflows. Only the rounded methods use it.
@@ -81,8 +106,18 @@ pub trait Scalar:
     fn plain_sub(self, other: Self) -> Self;
     #[doc(hidden)]
     fn plain_mul(self, other: Self) -> Self;
+    /// The quotient; a divisor of nought gives an infinity, or the end of a
+    /// fixed-point type.
+    #[doc(hidden)]
+    fn plain_div(self, other: Self) -> Self;
+    /// One, or what of it the type holds.
+    #[doc(hidden)]
+    fn plain_one() -> Self;
     #[doc(hidden)]
     fn plain_abs(self) -> Self;
+    /// This, negated where `other` bears a minus.
+    #[doc(hidden)]
+    fn plain_turned_by(self, other: Self) -> Self;
     #[doc(hidden)]
     fn plain_half(self) -> Self;
 }

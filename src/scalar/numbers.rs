@@ -1,5 +1,6 @@
 //! Number systems: in what types a length, an area and a volume are held.
 
+use core::cmp::Ordering;
 use core::ops::Mul;
 
 use super::number::Number;
@@ -68,6 +69,34 @@ pub trait Numbers: Sized + 'static {
         None
     }
 
+    /// How far a sum of computed volumes may be from the truth, each the product
+    /// of an operand up to `a`, one up to `b` and one up to `c`: `roundoffs` times
+    /// the unit roundoff times a·b·c. `None` where that is not known.
+    fn volume_bound(
+        a: Self::Length,
+        b: Self::Length,
+        c: Self::Length,
+        roundoffs: u8,
+    ) -> Option<Self::Volume> {
+        let _ = (a, b, c, roundoffs);
+        None
+    }
+
+    /// How far a computed length of that size may be from the truth: `roundoffs` times
+    /// the unit roundoff times `size`. For integers nought.
+    fn length_error(size: Self::Length, roundoffs: u8) -> Self::Length {
+        let _ = (size, roundoffs);
+        Self::Length::ZERO
+    }
+    /// The same of an area, products that underflow allowed for.
+    fn area_error(size: Self::Area, roundoffs: u8) -> Self::Area {
+        let _ = (size, roundoffs);
+        Self::Area::ZERO
+    }
+
+    /// A slim volume as one of this system.
+    fn widened(slim: <Self::Slim as Numbers>::Volume) -> Self::Volume;
+
     /// Whether the [`Slim`](Self::Slim) volumes hold for operands up to `reach`,
     /// and are worth the question.
     fn is_slim(reach: Self::Length) -> bool;
@@ -114,6 +143,32 @@ pub trait Holds<S>: Numbers {
         let _ = d;
         None
     }
+
+    /// num/den to the nearest number of the scalar, or the end of its range; floats
+    /// divide, and overflow to an infinity. The divisor is not nought.
+    fn quotient(num: Self::Volume, den: Self::Volume) -> S;
+
+    /// Three with one divisor.
+    #[inline(always)]
+    fn quotients(num: [Self::Volume; 3], den: Self::Volume) -> [S; 3] {
+        [Self::quotient(num[0], den), Self::quotient(num[1], den), Self::quotient(num[2], den)]
+    }
+
+    /// The same of two lengths.
+    fn quotient_of_lengths(num: Self::Length, den: Self::Length) -> S;
+
+    /// How num/den compares with `t`, where `num` and `den` err by up to `errors`;
+    /// `den` is above nought, whatever its error. `None` in doubt.
+    fn compare_quotient(
+        num: Self::Volume,
+        den: Self::Volume,
+        errors: [Self::Volume; 2],
+        t: S,
+    ) -> Option<Ordering>;
+
+    /// Whether a value that may be `error` from the truth is near enough, relative
+    /// to its size, for a quotient.
+    fn resolves(value: Self::Volume, error: Self::Volume) -> bool;
 
     /// Brings points and extents that fit into this system, the points relative
     /// to an origin of the system's choice.

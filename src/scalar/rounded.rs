@@ -1,5 +1,6 @@
 //! A scalar's own arithmetic, taken at its word.
 
+use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 
 use super::Scalar;
@@ -95,6 +96,14 @@ impl<S: Scalar> Numbers for Rounded<S> {
         a
     }
     #[inline(always)]
+    fn widened(slim: Self) -> Self {
+        slim
+    }
+    #[inline(always)]
+    fn volume_bound(_: Self, _: Self, _: Self, _: u8) -> Option<Self> {
+        Some(Self::ZERO)
+    }
+    #[inline(always)]
     fn is_slim(_: Self) -> bool {
         false
     }
@@ -107,6 +116,22 @@ impl<S: Scalar> Numbers for Rounded<S> {
 impl<S: Scalar> Holds<S> for Rounded<S> {
     #[inline(always)]
     fn fits<const K: usize>(_: &[[S; 3]; K]) -> bool {
+        true
+    }
+    #[inline(always)]
+    fn quotient(num: Self, den: Self) -> S {
+        num.0.plain_div(den.0)
+    }
+    #[inline(always)]
+    fn quotient_of_lengths(num: Self, den: Self) -> S {
+        num.0.plain_div(den.0)
+    }
+    #[inline(always)]
+    fn compare_quotient(num: Self, den: Self, _: [Self; 2], t: S) -> Option<Ordering> {
+        num.0.plain_div(den.0).partial_cmp(&t)
+    }
+    #[inline(always)]
+    fn resolves(_: Self, _: Self) -> bool {
         true
     }
     #[inline(always)]

@@ -2,6 +2,10 @@
 
 use core::cmp::Ordering;
 
+use super::quotient::Leading;
+#[cfg(feature = "fixed")]
+use super::wide::I256;
+
 /// A number as sign, whole magnitude and power of two, in units of the least
 /// number of its type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,6 +73,29 @@ impl<const LIMBS: usize> ExactSum for Sum<LIMBS> {
 }
 
 impl<const LIMBS: usize> Sum<LIMBS> {
+    /// The leading bits.
+    pub(super) fn leading(&self) -> Leading {
+        let negative = self.sign() == Ordering::Less;
+        let (mut magnitude, mut carry) = (self.0, negative);
+        if negative {
+            for limb in &mut magnitude {
+                (*limb, carry) = (!*limb).overflowing_add(carry.into());
+            }
+        }
+        Leading::new(negative, &magnitude)
+    }
+
+    /// The sum, which must be one of products of three.
+    #[cfg(feature = "fixed")]
+    pub(super) fn as_i256(&self) -> I256 {
+        let fill = if self.sign() == Ordering::Less { u64::MAX } else { 0 };
+        let mut limbs = [fill; 4];
+        for (to, &limb) in limbs.iter_mut().zip(&self.0) {
+            *to = limb;
+        }
+        I256::from_limbs(limbs)
+    }
+
     /// Adds or subtracts `product` shifted up by `shift` bits.
     fn accumulate(&mut self, product: [u64; 4], shift: usize, negative: bool) {
         let bit = (shift % 64) as u32;

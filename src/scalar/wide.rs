@@ -24,6 +24,64 @@ impl I256 {
         };
         if (a < 0) != (b < 0) { -magnitude } else { magnitude }
     }
+
+    /// Sign and magnitude, the latter in limbs, least first.
+    pub(super) fn limbs(self) -> (bool, [u64; 4]) {
+        let Self { high, low } = self.magnitude();
+        let limbs = [low as u64, (low >> 64) as u64, high as u64, (high >> 64) as u64];
+        (self.high < 0, limbs)
+    }
+}
+
+/// What quotients need besides.
+#[cfg(feature = "fixed")]
+impl I256 {
+    /// The number these limbs make in two's complement, the least first.
+    pub(super) fn from_limbs([a, b, c, d]: [u64; 4]) -> Self {
+        let two = |low: u64, high: u64| u128::from(high) << 64 | u128::from(low);
+        Self { high: two(c, d) as i128, low: two(a, b) }
+    }
+
+    /// The same in 128 bits, if they hold it and leave a bit to spare.
+    pub(super) fn narrowed(self) -> Option<i128> {
+        let sign = self.high >> 127;
+        (self.high == sign && (self.low as i128) >> 126 == sign).then_some(self.low as i128)
+    }
+
+    /// Half of a number that is not negative.
+    pub(super) fn halved(self) -> Self {
+        Self { high: self.high >> 1, low: self.low >> 1 | (self.high as u128) << 127 }
+    }
+
+    /// Times two to the power `shift`, at most 64; the product must fit.
+    pub(super) fn shifted_up(self, shift: u32) -> Self {
+        if shift == 0 {
+            return self;
+        }
+        Self {
+            high: self.high << shift | (self.low >> (128 - shift)) as i128,
+            low: self.low << shift,
+        }
+    }
+
+    /// Times `factor`; the product must fit.
+    pub(super) fn times(self, factor: i64) -> Self {
+        let (negative, limbs) = self.limbs();
+        let (mut product, mut carry) = ([0; 4], 0);
+        for (to, limb) in product.iter_mut().zip(limbs) {
+            let wide = u128::from(limb) * u128::from(factor.unsigned_abs()) + u128::from(carry);
+            *to = wide as u64;
+            carry = (wide >> 64) as u64;
+        }
+        let magnitude = Self::from_limbs(product);
+        if negative != (factor < 0) { -magnitude } else { magnitude }
+    }
+}
+
+impl From<i128> for I256 {
+    fn from(x: i128) -> Self {
+        Self { high: x >> 127, low: x as u128 }
+    }
 }
 
 impl Add for I256 {

@@ -5,12 +5,13 @@
 
 use super::aabb::Form;
 use super::plane::Form as PlaneForm;
-use super::{Aabb, Plane, ShapeError, Triangle};
+use super::segment::Form as SegmentForm;
+use super::{Aabb, Plane, Ray, Segment, ShapeError, Triangle};
 use crate::linear::Vec3;
 
 macro_rules! constant {
     ($(#[$cfg:meta])? [$($generic:ident)?] $scalar:ty,
-     $finite:expr, |$v:ident| $value:expr, $zero:literal) => {
+     $finite:expr, |$v:ident| $value:expr, $zero:literal, $nought:expr) => {
         $(#[$cfg])?
         impl<$($generic)?> Triangle<$scalar> {
             /// [`Triangle::new`] in a `const`.
@@ -97,6 +98,58 @@ macro_rules! constant {
         }
 
         $(#[$cfg])?
+        impl<$($generic)?> Segment<$scalar> {
+            /// [`Segment::new`] in a `const`.
+            ///
+            /// # Errors
+            /// As [`Segment::new`].
+            pub const fn constant(
+                a: Vec3<$scalar>,
+                b: Vec3<$scalar>,
+            ) -> Result<Self, ShapeError> {
+                let numbers = [a.x, a.y, a.z, b.x, b.y, b.z];
+                let mut i = 0;
+                while i < 6 {
+                    let $v = numbers[i];
+                    if !$finite {
+                        return Err(ShapeError::NotFinite);
+                    }
+                    i += 1;
+                }
+                Ok(Self { form: SegmentForm::Ends(a, b) })
+            }
+        }
+
+        $(#[$cfg])?
+        impl<$($generic)?> Ray<$scalar> {
+            /// [`Ray::new`] in a `const`.
+            ///
+            /// # Errors
+            /// As [`Ray::new`].
+            pub const fn constant(
+                origin: Vec3<$scalar>,
+                direction: Vec3<$scalar>,
+            ) -> Result<Self, ShapeError> {
+                let numbers =
+                    [origin.x, origin.y, origin.z, direction.x, direction.y, direction.z];
+                let (mut nonzero, mut i) = (false, 0);
+                while i < 6 {
+                    let $v = numbers[i];
+                    let (x, finite) = ($value, $finite);
+                    if !finite {
+                        return Err(ShapeError::NotFinite);
+                    }
+                    nonzero |= i >= 3 && x != $zero;
+                    i += 1;
+                }
+                if !nonzero {
+                    return Err(ShapeError::ZeroDirection);
+                }
+                Ok(Self { origin, direction, t_min: Some($nought), t_max: None })
+            }
+        }
+
+        $(#[$cfg])?
         impl<$($generic)?> Plane<$scalar> {
             /// [`Plane::from_equation`] in a `const`.
             ///
@@ -126,9 +179,9 @@ macro_rules! constant {
     };
 }
 
-constant!([] f32, v.is_finite(), |v| v, 0.0);
-constant!([] f64, v.is_finite(), |v| v, 0.0);
-constant!(#[cfg(feature = "fixed")] [Frac] fixed::FixedI8<Frac>, { let _ = v; true }, |v| v.to_bits(), 0);
-constant!(#[cfg(feature = "fixed")] [Frac] fixed::FixedI16<Frac>, { let _ = v; true }, |v| v.to_bits(), 0);
-constant!(#[cfg(feature = "fixed")] [Frac] fixed::FixedI32<Frac>, { let _ = v; true }, |v| v.to_bits(), 0);
-constant!(#[cfg(feature = "fixed")] [Frac] fixed::FixedI64<Frac>, { let _ = v; true }, |v| v.to_bits(), 0);
+constant!([] f32, v.is_finite(), |v| v, 0.0, 0.0);
+constant!([] f64, v.is_finite(), |v| v, 0.0, 0.0);
+constant!(#[cfg(feature = "fixed")] [Frac] fixed::FixedI8<Frac>, { let _ = v; true }, |v| v.to_bits(), 0, fixed::FixedI8::from_bits(0));
+constant!(#[cfg(feature = "fixed")] [Frac] fixed::FixedI16<Frac>, { let _ = v; true }, |v| v.to_bits(), 0, fixed::FixedI16::from_bits(0));
+constant!(#[cfg(feature = "fixed")] [Frac] fixed::FixedI32<Frac>, { let _ = v; true }, |v| v.to_bits(), 0, fixed::FixedI32::from_bits(0));
+constant!(#[cfg(feature = "fixed")] [Frac] fixed::FixedI64<Frac>, { let _ = v; true }, |v| v.to_bits(), 0, fixed::FixedI64::from_bits(0));

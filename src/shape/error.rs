@@ -17,6 +17,10 @@ pub enum ShapeError {
     NotOrthonormal,
     /// A plane's normal is nought.
     ZeroNormal,
+    /// A ray's direction is nought.
+    ZeroDirection,
+    /// A range ends before it begins.
+    EmptyRange,
 }
 
 impl fmt::Display for ShapeError {
@@ -28,6 +32,8 @@ impl fmt::Display for ShapeError {
             Self::DependentAxes => "the axes are linearly dependent",
             Self::NotOrthonormal => "the axes are not orthonormal",
             Self::ZeroNormal => "the normal is zero",
+            Self::ZeroDirection => "the direction is zero",
+            Self::EmptyRange => "the range ends before it begins",
         })
     }
 }

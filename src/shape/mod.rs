@@ -5,6 +5,8 @@ mod constant;
 mod error;
 mod obb;
 mod plane;
+mod ray;
+mod segment;
 mod triangle;
 
 pub use aabb::Aabb;
@@ -13,6 +15,9 @@ pub use error::ShapeError;
 pub use obb::Obb;
 pub(crate) use plane::Form as PlaneForm;
 pub use plane::Plane;
+pub use ray::Ray;
+pub(crate) use segment::Form as SegmentForm;
+pub use segment::Segment;
 pub use triangle::Triangle;
 
 use crate::linear::Vec3;

@@ -126,7 +126,7 @@ impl Lattice {
 }
 
 /// The value as an odd number times a power of two; nought has no such form.
-fn odd_mantissa<S: Sample>(x: S) -> Option<(i64, i32)> {
+pub(crate) fn odd_mantissa<S: Sample>(x: S) -> Option<(i64, i32)> {
     let (mantissa, exponent) = x.mantissa_exponent();
     let zeros = mantissa.trailing_zeros();
     (mantissa != 0).then(|| (mantissa >> zeros, exponent + zeros as i32))

@@ -9,13 +9,14 @@ mod flip;
 mod lattice;
 mod oracle;
 mod projection;
+pub(crate) mod rays;
 mod rng;
 mod scalar;
 mod sets;
 mod touch;
 
 pub(crate) use case::{BoxNumbers, Case};
-pub(crate) use lattice::{Lattice, Ring, Shapes};
+pub(crate) use lattice::{Lattice, Ring, Shapes, odd_mantissa};
 pub(crate) use oracle::{is_collinear, meets};
 pub(crate) use projection::separates;
 pub(crate) use rng::Rng;

@@ -1,8 +1,6 @@
 //! The peers, each by the routes that its users have, on shapes in its own types
 //! that are made before the clock starts.
 
-use std::rc::Rc;
-
 use box3d_rust::math_functions as box3d;
 use parry3d::bounding_volume::Aabb as ParryAabb;
 use parry3d::math::{Pose, Rotation, Vector};
@@ -10,9 +8,11 @@ use parry3d::query::{self, details};
 use parry3d::shape::{Cuboid, Triangle as ParryTriangle};
 use septum::{Aabb, Triangle, Vec3};
 
-use crate::candidate::{Candidate, F32, Promise};
-use crate::data::Form;
-use crate::scene::Scene;
+use crate::candidate::{Candidate, Promise};
+use crate::unit::{F32, Form};
+
+use super::ours::course;
+use super::scenes::Scene;
 
 /// A cuboid that has been put somewhere.
 struct Placed {
@@ -51,56 +51,34 @@ fn box3d_bounds_triangle(t: &[box3d::Vec3; 3], b: &Box3dBox) -> bool {
 
 /// Every peer on the scene, in `f32`.
 pub fn peers(scene: &Scene) -> Vec<Candidate> {
-    let ours = F32.data(scene, Form::Center);
-    let truth = F32.truth(&ours);
-    let placed = Rc::new(ours.map(parry_triangle, |b| {
-        let (center, half) = center_half(b);
-        let cuboid = Cuboid::new(vector(half));
-        let pose = Pose::from_parts(vector(center), Rotation::IDENTITY);
-        Placed { cuboid, inverse: pose.inverse(), pose }
-    }));
-    let aabbs = Rc::new(ours.map(parry_triangle, |b| {
-        let (center, half) = center_half(b);
-        ParryAabb::from_half_extents(vector(center), vector(half))
-    }));
-    let box3d = Rc::new(ours.map(
-        |t: &Triangle<f32>| t.vertices().map(box3d_vec3),
-        |b| {
+    let ours = course(scene, &F32, Form::Center);
+    let placed = ours.prepared("centre", |pairs| {
+        pairs.map(parry_triangle, |b| {
+            let (center, half) = center_half(b);
+            let cuboid = Cuboid::new(vector(half));
+            let pose = Pose::from_parts(vector(center), Rotation::IDENTITY);
+            Placed { cuboid, inverse: pose.inverse(), pose }
+        })
+    });
+    let aabbs = ours.prepared("corners", |pairs| {
+        pairs.map(parry_triangle, |b| {
+            let (center, half) = center_half(b);
+            ParryAabb::from_half_extents(vector(center), vector(half))
+        })
+    });
+    let box3d = ours.prepared("centre", |pairs| {
+        let aabb = |b: &Aabb<f32>| {
             let (center, half) = center_half(b);
             Box3dBox { center: box3d_vec3(center), extent: box3d_vec3(half) }
-        },
-    ));
-    let (center, corners) = ((F32.name, Form::Center), (F32.name, Form::Corners));
+        };
+        pairs.map(|t: &Triangle<f32>| t.vertices().map(box3d_vec3), aabb)
+    });
     let none = Promise::Nothing;
     vec![
-        Candidate::new(
-            "box3d-rust test_bounds_triangle_overlap",
-            center,
-            none,
-            (&box3d, &truth),
-            box3d_bounds_triangle,
-        ),
-        Candidate::new(
-            "parry3d intersection_test",
-            center,
-            none,
-            (&placed, &truth),
-            parry_intersection_test,
-        ),
-        Candidate::new(
-            "parry3d …_cuboid_triangle",
-            center,
-            none,
-            (&placed, &truth),
-            parry_cuboid_triangle,
-        ),
-        Candidate::new(
-            "parry3d …_aabb_triangle",
-            corners,
-            none,
-            (&aabbs, &truth),
-            parry_aabb_triangle,
-        ),
+        box3d.candidate("box3d-rust test_bounds_triangle_overlap", none, box3d_bounds_triangle),
+        placed.candidate("parry3d intersection_test", none, parry_intersection_test),
+        placed.candidate("parry3d …_cuboid_triangle", none, parry_cuboid_triangle),
+        aabbs.candidate("parry3d …_aabb_triangle", none, parry_aabb_triangle),
     ]
 }
 

@@ -1,51 +1,24 @@
 //! The workloads: triangles, and the boxes each of them is asked about.
 
-use std::ops::Range;
-
 use fastrand::Rng;
+
+use crate::geometry::{Cell, Point, random_triangle};
+use crate::pairs::Pairs;
 
 /// How many pairs of a triangle and a box a scene has, or a few more.
 const PAIRS: usize = 100_000;
 
-pub type Point = [f64; 3];
+const UNIT_CUBE: Cell = Cell { center: [0.0; 3], half: [0.5; 3] };
 
-/// A box by its centre and half-extents.
-#[derive(Clone, Copy)]
-pub struct Cell {
-    pub center: Point,
-    pub half: Point,
-}
-
-/// Triangles, and for each the range of the cells that it is tested against.
-#[derive(Default)]
-pub struct Scene {
-    pub triangles: Vec<[Point; 3]>,
-    pub cells: Vec<Cell>,
-    pub spans: Vec<Range<usize>>,
-}
-
-impl Scene {
-    pub fn pairs(&self) -> usize {
-        self.spans.iter().map(ExactSizeIterator::len).sum()
-    }
-
-    fn push(&mut self, triangle: [Point; 3], cells: impl IntoIterator<Item = Cell>) {
-        let start = self.cells.len();
-        self.cells.extend(cells);
-        self.triangles.push(triangle);
-        self.spans.push(start..self.cells.len());
-    }
-}
+/// Triangles, and the cells that each is tested against.
+pub type Scene = Pairs<[Point; 3], Cell>;
 
 /// Triangles with vertices uniform in [−2, 2]³ against the unit cube around the
 /// origin: Voorhies' experiment, and the paper's.
 pub fn voorhies() -> Scene {
     let mut rng = Rng::with_seed(1);
-    Scene {
-        triangles: (0..PAIRS).map(|_| random_triangle(&mut rng)).collect(),
-        cells: vec![Cell { center: [0.0; 3], half: [0.5; 3] }],
-        spans: vec![0..1; PAIRS],
-    }
+    let triangles = (0..PAIRS).map(|_| random_triangle(&mut rng)).collect();
+    Scene::all_against(triangles, vec![UNIT_CUBE])
 }
 
 /// For random triangles, every cube of 1/8 of the longest side of the bounding
@@ -53,7 +26,7 @@ pub fn voorhies() -> Scene {
 pub fn voxel() -> Scene {
     let mut rng = Rng::with_seed(2);
     let mut scene = Scene::default();
-    while scene.cells.len() < PAIRS {
+    while scene.len() < PAIRS {
         let triangle = random_triangle(&mut rng);
         let (min, max) = bounding_box(&triangle);
         let extent: Point = std::array::from_fn(|i| max[i] - min[i]);
@@ -83,7 +56,7 @@ pub fn grid() -> Scene {
 pub fn walls() -> Scene {
     let mut rng = Rng::with_seed(4);
     let mut scene = Scene::default();
-    while scene.cells.len() < PAIRS {
+    while scene.len() < PAIRS {
         let normal = rng.usize(0..3);
         let corner = [0; 3].map(|_| f64::from(rng.i8(-8..=8)));
         let sides = [0; 2].map(|_| f64::from(rng.u8(1..=8)));
@@ -104,15 +77,8 @@ pub fn spread() -> Scene {
     let mut rng = Rng::with_seed(5);
     let mut coordinate = || (rng.f64() - 0.5).signum() * 2_f64.powf(1.0 - 80.0 * rng.f64());
     let mut vertex = || [0.5, coordinate(), coordinate()];
-    Scene {
-        triangles: (0..PAIRS / 10).map(|_| [vertex(), vertex(), vertex()]).collect(),
-        cells: vec![Cell { center: [0.0; 3], half: [0.5; 3] }],
-        spans: vec![0..1; PAIRS / 10],
-    }
-}
-
-fn random_triangle(rng: &mut Rng) -> [Point; 3] {
-    [[0; 3]; 3].map(|p| p.map(|_| rng.f64() * 4.0 - 2.0))
+    let triangles = (0..PAIRS / 10).map(|_| [vertex(), vertex(), vertex()]).collect();
+    Scene::all_against(triangles, vec![UNIT_CUBE])
 }
 
 fn bounding_box(triangle: &[Point; 3]) -> (Point, Point) {

@@ -1,0 +1,119 @@
+//! Pairs of shapes: a scene, or a scene in the types that one candidate takes.
+
+use std::hint::black_box;
+use std::ops::Range;
+
+/// Shapes of one type, each against some of another.
+pub struct Pairs<L, R> {
+    left: Vec<L>,
+    right: Vec<R>,
+    /// For each shape on the left, those on the right that it is tested against.
+    spans: Vec<Range<usize>>,
+}
+
+impl<L, R> Pairs<L, R> {
+    /// Every shape on the left against the same ones on the right.
+    pub fn all_against(left: Vec<L>, right: Vec<R>) -> Self {
+        let spans = vec![0..right.len(); left.len()];
+        Self { left, right, spans }
+    }
+
+    pub fn push(&mut self, left: L, right: impl IntoIterator<Item = R>) {
+        let start = self.right.len();
+        self.right.extend(right);
+        self.left.push(left);
+        self.spans.push(start..self.right.len());
+    }
+
+    pub fn len(&self) -> usize {
+        self.spans.iter().map(ExactSizeIterator::len).sum()
+    }
+
+    /// The same in other types.
+    pub fn map<M, S>(&self, left: impl Fn(&L) -> M, right: impl Fn(&R) -> S) -> Pairs<M, S> {
+        Pairs {
+            left: self.left.iter().map(left).collect(),
+            right: self.right.iter().map(right).collect(),
+            spans: self.spans.clone(),
+        }
+    }
+
+    /// The number of pairs that the test says yes to.
+    ///
+    /// The test is called through a pointer that the compiler cannot see
+    /// through, so every candidate pays for one call, makes its whole answer,
+    /// and no loop is merged.
+    pub fn count<A: Answer>(&self, test: fn(&L, &R) -> A) -> usize {
+        let test = black_box(test);
+        let mut count = 0;
+        for (left, span) in self.left.iter().zip(&self.spans) {
+            for right in &self.right[span.clone()] {
+                count += test(left, right).count();
+            }
+        }
+        count
+    }
+
+    /// Each answer, in order.
+    pub fn answers<A: Answer>(&self, test: impl Fn(&L, &R) -> A) -> Vec<bool> {
+        let mut answers = Vec::with_capacity(self.len());
+        for (left, span) in self.left.iter().zip(&self.spans) {
+            for right in &self.right[span.clone()] {
+                test(left, right).tell(&mut answers);
+            }
+        }
+        answers
+    }
+}
+
+impl<L: Clone, R: Clone> Pairs<L, R> {
+    /// The same with the shapes on the right in blocks of N.
+    ///
+    /// # Panics
+    /// Where a shape on the left has a number of them that N does not divide.
+    pub fn blocks<const N: usize>(&self) -> Pairs<L, [R; N]> {
+        let whole = |n: usize| {
+            assert!(n.is_multiple_of(N), "a scene for blocks consists of whole ones");
+            n / N
+        };
+        Pairs {
+            left: self.left.clone(),
+            right: self.right.as_chunks::<N>().0.to_vec(),
+            spans: self.spans.iter().map(|s| whole(s.start)..whole(s.end)).collect(),
+        }
+    }
+}
+
+impl<L, R> Default for Pairs<L, R> {
+    fn default() -> Self {
+        Self { left: Vec::new(), right: Vec::new(), spans: Vec::new() }
+    }
+}
+
+/// What a test returns: one verdict, or those on a block of pairs.
+pub trait Answer {
+    /// How often it says yes.
+    fn count(&self) -> usize;
+    /// Adds the verdicts to those given.
+    fn tell(&self, verdicts: &mut Vec<bool>);
+}
+
+impl Answer for bool {
+    fn count(&self) -> usize {
+        usize::from(*self)
+    }
+
+    fn tell(&self, verdicts: &mut Vec<bool>) {
+        verdicts.push(*self);
+    }
+}
+
+impl<T> Answer for Option<T> {
+    fn count(&self) -> usize {
+        self.is_some().count()
+    }
+
+    fn tell(&self, verdicts: &mut Vec<bool>) {
+        self.is_some().tell(verdicts);
+    }
+}

@@ -1,0 +1,51 @@
+//! Rays in the types of the peers, and their ways to say that nothing was hit.
+
+use bvh::ray::Ray as BvhRay;
+use glam::Vec3A;
+use nalgebra::{Point3, Vector3};
+use obvhs::ray::Ray as ObvhsRay;
+use parry3d::math::Vector;
+use parry3d::query::Ray as ParryRay;
+use septum::{Ray, Vec3};
+
+use crate::pairs::Answer;
+
+pub fn parry_ray(r: &Ray<f32>) -> ParryRay {
+    ParryRay::new(parry_vector(r.origin()), parry_vector(r.direction()))
+}
+
+pub fn parry_vector(v: Vec3<f32>) -> Vector {
+    Vector::new(v.x, v.y, v.z)
+}
+
+/// With reciprocals.
+pub fn obvhs_ray(r: &Ray<f32>) -> ObvhsRay {
+    ObvhsRay::new_inf(obvhs_vector(r.origin()), obvhs_vector(r.direction()))
+}
+
+pub fn obvhs_vector(v: Vec3<f32>) -> Vec3A {
+    Vec3A::new(v.x, v.y, v.z)
+}
+
+/// With reciprocals; it makes the direction a unit vector.
+pub fn bvh_ray(r: &Ray<f32>) -> BvhRay<f32, 3> {
+    let d = r.direction();
+    BvhRay::new(bvh_point(r.origin()), Vector3::new(d.x, d.y, d.z))
+}
+
+pub fn bvh_point(v: Vec3<f32>) -> Point3<f32> {
+    Point3::new(v.x, v.y, v.z)
+}
+
+/// t, or infinity.
+pub struct Distance(pub f32);
+
+impl Answer for Distance {
+    fn count(&self) -> usize {
+        usize::from(self.0 < f32::INFINITY)
+    }
+
+    fn tell(&self, verdicts: &mut Vec<bool>) {
+        verdicts.push(self.0 < f32::INFINITY);
+    }
+}

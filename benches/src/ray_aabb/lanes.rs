@@ -1,0 +1,35 @@
+//! One ray against eight boxes at once.
+
+use septum::{Aabb, Aabbs, Ranges, Ray, Scalar, SlabRay};
+
+use crate::candidate::{Candidate, Promise};
+use crate::pairs::Answer;
+use crate::unit::{Form, Unit};
+
+use super::ours::course;
+use super::scenes::Scene;
+
+const N: usize = 8;
+
+#[inline(never)]
+fn slabs_t_range<S: Scalar>(r: &SlabRay<S>, b: &Aabbs<S, N>) -> Ranges<S, N> {
+    r.t_range_each_rounded(b)
+}
+
+/// The method that there is for many at once, in one scalar.
+pub fn lanes<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Vec<Candidate> {
+    let block = |boxes: &[Aabb<S>; N]| Aabbs::new(boxes).expect("made of corners");
+    let slabs = course(scene, unit, Form::Corners)
+        .prepared("corners, 8 at once", |p| p.blocks().map(Ray::for_slabs, block));
+    vec![slabs.candidate("slabs, rounded t_range", Promise::Nothing, slabs_t_range)]
+}
+
+impl<S: Scalar> Answer for Ranges<S, N> {
+    fn count(&self) -> usize {
+        self.mask.iter().map(|m| usize::from(*m)).sum()
+    }
+
+    fn tell(&self, verdicts: &mut Vec<bool>) {
+        verdicts.extend(self.mask);
+    }
+}

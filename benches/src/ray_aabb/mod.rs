@@ -1,0 +1,42 @@
+//! Ray against box; the yardstick is parry3d. Rays are prepared before the clock
+//! starts, ours and the peers' alike.
+
+mod lanes;
+mod ours;
+mod peers;
+mod scenes;
+
+use septum::Scalar;
+
+use crate::session::{Group, Session};
+use crate::unit::{F32, F64, Form, I8F8_15, I16F16_18, I16F16_26, I32F32_34, Unit};
+
+use peers::yardstick;
+use scenes::Scene;
+
+fn group<S: Scalar>(unit: Unit<S>, form: Form) -> Group<Scene> {
+    (unit.name, Box::new(move |scene| ours::ours(scene, &unit, form)))
+}
+
+fn lanes<S: Scalar>(unit: Unit<S>) -> Group<Scene> {
+    (unit.name, Box::new(move |scene| lanes::lanes(scene, &unit)))
+}
+
+pub fn run(session: &mut Session) {
+    let all: [Group<Scene>; 11] = [
+        group(F32, Form::Corners),
+        group(F32, Form::Center),
+        ("f32 parry3d obvhs bvh", Box::new(peers::peers)),
+        group(F64, Form::Corners),
+        group(I8F8_15, Form::Corners),
+        group(I16F16_18, Form::Corners),
+        group(I16F16_26, Form::Corners),
+        group(I32F32_34, Form::Corners),
+        lanes(F32),
+        lanes(F64),
+        lanes(I16F16_18),
+    ];
+    session.measure("ray/box: 50 % hits", scenes::half_hit, yardstick, &all);
+    session.measure("ray/box: 10 % hits", scenes::tenth_hit, yardstick, &all);
+    session.measure("ray/box: grid, in contact", scenes::grid, yardstick, &all);
+}

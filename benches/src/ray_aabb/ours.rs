@@ -1,0 +1,99 @@
+//! Our methods, in any scalar.
+
+use septum::{Aabb, Ray, Scalar, Segment, SlabRay, SlopeRay};
+
+use crate::candidate::{Candidate, Course, Promise};
+use crate::unit::{Form, Unit};
+
+use super::scenes::Scene;
+
+#[inline(never)]
+fn exact<S: Scalar>(r: &Ray<S>, b: &Aabb<S>) -> bool {
+    r.overlaps(b)
+}
+
+#[inline(never)]
+fn exact_t_range<S: Scalar>(r: &Ray<S>, b: &Aabb<S>) -> Option<(S, S)> {
+    r.t_range(b)
+}
+
+#[inline(never)]
+fn conservative<S: Scalar>(r: &Ray<S>, b: &Aabb<S>) -> bool {
+    r.may_overlap(b)
+}
+
+#[inline(never)]
+fn as_published<S: Scalar>(r: &Ray<S>, b: &Aabb<S>) -> bool {
+    r.overlaps_as_published(b)
+}
+
+#[inline(never)]
+fn slabs<S: Scalar>(r: &SlabRay<S>, b: &Aabb<S>) -> bool {
+    r.overlaps_rounded(b)
+}
+
+#[inline(never)]
+fn slabs_t_range<S: Scalar>(r: &SlabRay<S>, b: &Aabb<S>) -> Option<(S, S)> {
+    r.t_range_rounded(b)
+}
+
+#[inline(never)]
+fn slabs_conservative<S: Scalar>(r: &SlabRay<S>, b: &Aabb<S>) -> bool {
+    r.may_overlap(b)
+}
+
+#[inline(never)]
+fn slope<S: Scalar>(r: &SlopeRay<S>, b: &Aabb<S>) -> bool {
+    r.overlaps_rounded(b)
+}
+
+#[inline(never)]
+fn slope_t_enter<S: Scalar>(r: &SlopeRay<S>, b: &Aabb<S>) -> Option<S> {
+    r.t_enter_rounded(b)
+}
+
+#[inline(never)]
+fn segment_exact<S: Scalar>(s: &Segment<S>, b: &Aabb<S>) -> bool {
+    s.overlaps(b)
+}
+
+#[inline(never)]
+fn segment_as_published<S: Scalar>(s: &Segment<S>, b: &Aabb<S>) -> bool {
+    s.overlaps_as_published(b)
+}
+
+/// The scene in a scalar; the truth is the exact verdict in `f64`.
+pub fn course<S: Scalar>(scene: &Scene, unit: &Unit<S>, form: Form) -> Course<Ray<S>, Aabb<S>> {
+    let pairs = scene.map(|l| unit.ray(l), |c| unit.aabb(c, form));
+    let wide = pairs.map(|r| unit.wide_ray(r), |b| unit.wide_aabb(b));
+    Course::new((unit.name, form.name()), pairs, wide.answers(|r, b| r.overlaps(b)))
+}
+
+/// The same with segments, which have a truth of their own.
+fn segments<S: Scalar>(scene: &Scene, unit: &Unit<S>, form: Form) -> Course<Segment<S>, Aabb<S>> {
+    let pairs = scene.map(|l| unit.segment(l), |c| unit.aabb(c, form));
+    let wide = pairs.map(|s| unit.wide_segment(s), |b| unit.wide_aabb(b));
+    Course::new((unit.name, form.name()), pairs, wide.answers(|s, b| s.overlaps(b)))
+}
+
+/// All our methods in one scalar. Rays are prepared before the clock starts.
+pub fn ours<S: Scalar>(scene: &Scene, unit: &Unit<S>, form: Form) -> Vec<Candidate> {
+    let plain = course(scene, unit, form);
+    let slab = plain.prepared(form.name(), |p| p.map(Ray::for_slabs, Aabb::clone));
+    let slopes = plain.prepared(form.name(), |p| p.map(Ray::for_slopes, Aabb::clone));
+    let segment = segments(scene, unit, form);
+    let (never_misses, none) = (Promise::NeverMisses, Promise::Nothing);
+    vec![
+        plain.candidate("exact", Promise::Exact, exact),
+        plain.candidate("exact t_range", Promise::Exact, exact_t_range),
+        plain.candidate("conservative", never_misses, conservative),
+        plain.candidate("as published (SAT)", none, as_published),
+        slab.candidate("slabs, rounded", none, slabs),
+        slab.candidate("slabs, rounded t_range", none, slabs_t_range),
+        slab.candidate("slabs, conservative", never_misses, slabs_conservative),
+        slopes.candidate("slopes, rounded", none, slope),
+        slopes.candidate("slopes, rounded t_enter", none, slope_t_enter),
+        segment.candidate("segment, exact", Promise::Exact, segment_exact),
+        segment.candidate("segment, as published (SAT)", none, segment_as_published),
+    ]
+}

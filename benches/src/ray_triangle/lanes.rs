@@ -1,0 +1,61 @@
+//! One ray against eight triangles at once, in the scenes where it meets many.
+
+use septum::{Cull, Hits, NormalTriangles, Ray, Scalar, ShearedRay, Triangle, Triangles};
+
+use crate::candidate::{Candidate, Promise};
+use crate::pairs::Answer;
+use crate::unit::Unit;
+
+use super::ours::course;
+use super::scenes::Scene;
+
+const N: usize = 8;
+
+#[inline(never)]
+fn moller_trumbore<S: Scalar>(r: &Ray<S>, t: &Triangles<S, N>) -> Hits<S, N> {
+    r.hit_each_moller_trumbore(t, Cull::Nothing)
+}
+
+#[inline(never)]
+fn stored_normal<S: Scalar>(r: &Ray<S>, t: &NormalTriangles<S, N>) -> Hits<S, N> {
+    r.hit_each_stored_normal(t, Cull::Nothing)
+}
+
+#[inline(never)]
+fn volumes<S: Scalar>(r: &Ray<S>, t: &Triangles<S, N>) -> Hits<S, N> {
+    r.hit_each_volumes(t, Cull::Nothing)
+}
+
+#[inline(never)]
+fn watertight<S: Scalar>(r: &ShearedRay<S>, t: &Triangles<S, N>) -> Hits<S, N> {
+    r.hit_each(t, Cull::Nothing)
+}
+
+/// The methods that there are for many at once, in one scalar.
+pub fn lanes<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Vec<Candidate> {
+    let course = course(scene, unit);
+    let plain = course.prepared("8 at once", |p| p.blocks().map(Ray::clone, Triangles::new));
+    let sheared = course
+        .prepared("8 at once, ray prepared", |p| p.blocks().map(Ray::sheared, Triangles::new));
+    let with_normals =
+        |block: &[Triangle<S>; N]| NormalTriangles::new(&block.map(|t| t.with_normal()));
+    let normals =
+        course.prepared("8 at once, prepared", |p| p.blocks().map(Ray::clone, with_normals));
+    let none = Promise::Nothing;
+    vec![
+        plain.candidate("Möller–Trumbore", none, moller_trumbore),
+        normals.candidate("stored normal", none, stored_normal),
+        plain.candidate("volumes", none, volumes),
+        sheared.candidate("watertight (Woop)", none, watertight),
+    ]
+}
+
+impl<S: Scalar> Answer for Hits<S, N> {
+    fn count(&self) -> usize {
+        self.mask.iter().map(|m| usize::from(*m)).sum()
+    }
+
+    fn tell(&self, verdicts: &mut Vec<bool>) {
+        verdicts.extend(self.mask);
+    }
+}

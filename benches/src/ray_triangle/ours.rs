@@ -1,0 +1,56 @@
+//! Our methods that take a ray and a triangle as they are, in any scalar.
+
+use septum::{Cull, Hit, Ray, Scalar, Triangle};
+
+use crate::candidate::{Candidate, Course, Promise};
+use crate::unit::Unit;
+
+use super::scenes::Scene;
+
+#[inline(never)]
+fn exact<S: Scalar>(r: &Ray<S>, t: &Triangle<S>) -> Option<Hit<S>> {
+    r.hit(t)
+}
+
+#[inline(never)]
+fn exact_once<S: Scalar>(r: &Ray<S>, t: &Triangle<S>) -> Option<Hit<S>> {
+    r.hit_once(t)
+}
+
+#[inline(never)]
+fn exact_verdict<S: Scalar>(r: &Ray<S>, t: &Triangle<S>) -> bool {
+    r.hits(t)
+}
+
+#[inline(never)]
+fn moller_trumbore<S: Scalar>(r: &Ray<S>, t: &Triangle<S>) -> Option<Hit<S>> {
+    r.hit_moller_trumbore(t, Cull::Nothing)
+}
+
+/// The scene in a scalar; the truth is the exact verdict in `f64`.
+pub fn course<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Course<Ray<S>, Triangle<S>> {
+    course_by(scene, unit, "", Ray::hits)
+}
+
+/// The same with a truth of its own.
+pub fn course_by<S: Scalar>(
+    scene: &Scene,
+    unit: &Unit<S>,
+    form: &'static str,
+    truth: fn(&Ray<f64>, &Triangle<f64>) -> bool,
+) -> Course<Ray<S>, Triangle<S>> {
+    let pairs = scene.map(|l| unit.ray(l), |t| unit.triangle(t));
+    let wide = pairs.map(|r| unit.wide_ray(r), |t| unit.wide_triangle(t));
+    Course::new((unit.name, form), pairs, wide.answers(truth))
+}
+
+/// The exact methods, and the one that everyone has, in one scalar.
+pub fn ours<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Vec<Candidate> {
+    let course = course(scene, unit);
+    vec![
+        course.candidate("exact hit", Promise::Exact, exact),
+        course.candidate("exact hits", Promise::Exact, exact_verdict),
+        course.candidate("exact hit_once", Promise::NeverInvents, exact_once),
+        course.candidate("Möller–Trumbore", Promise::Nothing, moller_trumbore),
+    ]
+}

@@ -1,0 +1,64 @@
+//! Our rounded methods that prepare the triangle or the ray.
+
+use septum::{Cull, Hit, NormalTriangle, ProjectedTriangle, Ray, Scalar, ShearedRay, Triangle};
+
+use crate::candidate::{Candidate, Promise};
+use crate::peer_shapes::Distance;
+use crate::unit::{F32, Unit};
+
+use super::ours::course;
+use super::scenes::Scene;
+
+#[inline(never)]
+fn stored_normal<S: Scalar>(r: &Ray<S>, t: &NormalTriangle<S>) -> Option<Hit<S>> {
+    r.hit_stored_normal(t, Cull::Nothing)
+}
+
+/// t alone, or infinity.
+#[inline(never)]
+fn stored_normal_t(r: &Ray<f32>, t: &NormalTriangle<f32>) -> Distance {
+    Distance(r.t_stored_normal(t, Cull::Nothing, f32::INFINITY))
+}
+
+#[inline(never)]
+fn projected<S: Scalar>(r: &Ray<S>, t: &ProjectedTriangle<S>) -> Option<Hit<S>> {
+    r.hit_projected(t, Cull::Nothing)
+}
+
+#[inline(never)]
+fn volumes<S: Scalar>(r: &Ray<S>, t: &Triangle<S>) -> Option<Hit<S>> {
+    r.hit_volumes(t, Cull::Nothing)
+}
+
+#[inline(never)]
+fn watertight<S: Scalar>(r: &ShearedRay<S>, t: &Triangle<S>) -> Option<Hit<S>> {
+    r.hit(t, Cull::Nothing)
+}
+
+#[inline(never)]
+fn watertight_at_once<S: Scalar>(r: &Ray<S>, t: &Triangle<S>) -> Option<Hit<S>> {
+    r.sheared().hit(t, Cull::Nothing)
+}
+
+/// The rounded methods in one scalar.
+pub fn rounded<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Vec<Candidate> {
+    let plain = course(scene, unit);
+    let normal = plain.prepared("triangle prepared", |p| p.map(Ray::clone, Triangle::with_normal));
+    let flat = plain.prepared("triangle prepared", |p| p.map(Ray::clone, Triangle::projected));
+    let sheared = plain.prepared("ray prepared", |p| p.map(Ray::sheared, Triangle::clone));
+    let none = Promise::Nothing;
+    vec![
+        normal.candidate("stored normal", none, stored_normal),
+        flat.candidate("projected", none, projected),
+        plain.candidate("volumes", none, volumes),
+        sheared.candidate("watertight (Woop)", none, watertight),
+        plain.candidate("watertight (Woop)", none, watertight_at_once),
+    ]
+}
+
+/// What is there in `f32` alone, to return no more than the peers do.
+pub fn distance_only(scene: &Scene) -> Candidate {
+    let normal = course(scene, &F32)
+        .prepared("triangle prepared", |p| p.map(Ray::clone, Triangle::with_normal));
+    normal.candidate("stored normal, t alone", Promise::Nothing, stored_normal_t)
+}

@@ -1,0 +1,77 @@
+//! A session: scenes one after the other, each with its groups of candidates.
+
+use std::error::Error;
+use std::path::Path;
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::candidate::Candidate;
+use crate::pairs::Pairs;
+use crate::race;
+use crate::report::Report;
+
+/// Makes a group of candidates for a scene.
+pub type Group<Scene> = (&'static str, Box<dyn Fn(&Scene) -> Vec<Candidate>>);
+
+pub struct Session {
+    rounds: usize,
+    only: Option<String>,
+    scene: Option<String>,
+    report: Report,
+    honest: bool,
+}
+
+impl Session {
+    /// With so many rounds, and only those groups and scenes whose names contain
+    /// what is given.
+    pub fn new(rounds: usize, only: Option<String>, scene: Option<String>) -> Self {
+        Self { rounds, only, scene, report: Report::default(), honest: true }
+    }
+
+    /// Times the groups on one scene and prints their table. Each group brings its
+    /// own data, races against the yardstick, and is dropped before the next.
+    pub fn measure<L, R>(
+        &mut self,
+        name: &str,
+        scene: fn() -> Pairs<L, R>,
+        yardstick: fn(&Pairs<L, R>) -> Candidate,
+        groups: &[Group<Pairs<L, R>>],
+    ) {
+        let wanted = |name: &str, part: &Option<String>| {
+            part.as_ref().is_none_or(|part| name.contains(part.as_str()))
+        };
+        let groups: Vec<_> = groups.iter().filter(|(name, _)| wanted(name, &self.only)).collect();
+        if groups.is_empty() || !wanted(name, &self.scene) {
+            return;
+        }
+        let scene = scene();
+        let bar = ProgressBar::new((self.rounds * groups.len()) as u64);
+        let style = ProgressStyle::with_template("{prefix} {wide_bar} {msg} {eta}");
+        bar.set_style(style.expect("the template is valid"));
+        bar.set_prefix(name.to_owned());
+
+        let mut first = true;
+        for (group, make) in groups {
+            bar.set_message(*group);
+            let mut candidates = vec![yardstick(&scene)];
+            candidates.extend(make(&scene));
+            let timings = race::race(&candidates, self.rounds, &bar);
+            for (candidate, timing) in candidates.iter().zip(&timings).skip(usize::from(!first)) {
+                self.honest &= candidate.kept_its_word();
+                self.report.add(name, candidate, timing);
+            }
+            first = false;
+        }
+        bar.finish_and_clear();
+        println!("{name}, {} pairs\n{}\n", scene.len(), self.report.table(name));
+    }
+
+    /// Whether no test gave an answer that it promises not to give.
+    pub fn is_honest(&self) -> bool {
+        self.honest
+    }
+
+    pub fn write_csv(&self, path: &Path) -> Result<(), Box<dyn Error>> {
+        self.report.write_csv(path)
+    }
+}

@@ -1,0 +1,49 @@
+//! Triangle against box; the yardstick is the test as published in 2001.
+
+mod ours;
+mod peers;
+mod scenes;
+
+use fixed::types::I16F16;
+use septum::Scalar;
+
+use crate::session::{Group, Session};
+use crate::unit::{F32, F64, Form, I8F8_15, I16F16_18, I16F16_26, I32F32_34, Unit};
+
+use ours::{ours, yardstick};
+use scenes::Scene;
+
+/// The scenes of contact reach to 16 rather than to 2.
+const I16F16_22: Unit<I16F16> = Unit { name: "I16F16, 22 bits", ..I16F16_18 };
+/// Beyond the range of the first stage.
+const I16F16_FULL: Unit<I16F16> = Unit { name: "I16F16, 32 bits", scale: 1024.0, ..I16F16_18 };
+
+fn group<S: Scalar>(unit: Unit<S>, form: Form) -> Group<Scene> {
+    (unit.name, Box::new(move |scene| ours(scene, &unit, form)))
+}
+
+pub fn run(session: &mut Session) {
+    let by_form = |form| {
+        [
+            group(F32, form),
+            group(F64, form),
+            group(I8F8_15, form),
+            group(I16F16_18, form),
+            group(I16F16_26, form),
+            group(I32F32_34, form),
+        ]
+    };
+    let mut all: Vec<_> = Form::ALL.into_iter().flat_map(by_form).collect();
+    all.push(("f32 parry3d box3d-rust", Box::new(peers::peers)));
+    session.measure("triangle/box: Voorhies", scenes::voorhies, yardstick, &all);
+    session.measure("triangle/box: Voxel", scenes::voxel, yardstick, &all);
+
+    // The worst case, contact: shapes that touch, where rounding must be outdone.
+    let floats = |form| [group(F32, form), group(F64, form)];
+    let fixed = |form| [group(I16F16_22, form), group(I16F16_FULL, form)];
+    let mut contact: Vec<_> = Form::ALL.into_iter().flat_map(floats).collect();
+    session.measure("triangle/box: Spread, in contact", scenes::spread, yardstick, &contact);
+    contact.extend(Form::ALL.into_iter().flat_map(fixed));
+    session.measure("triangle/box: Grid, in contact", scenes::grid, yardstick, &contact);
+    session.measure("triangle/box: Walls, in contact", scenes::walls, yardstick, &contact);
+}

@@ -1,0 +1,66 @@
+use crate::query::{Found, Hit};
+use crate::scalar::Scalar;
+
+/// The hits of one ray on N triangles, or of N rays on one.
+///
+/// Where `mask` is false, t, u and v are nought.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hits<S, const N: usize> {
+    /// Which lanes have a hit.
+    pub mask: [bool; N],
+    /// See [`Hit::t`].
+    pub t: [S; N],
+    /// See [`Hit::u`].
+    pub u: [S; N],
+    /// See [`Hit::v`].
+    pub v: [S; N],
+    marks: [u8; N],
+}
+
+impl<S: Scalar, const N: usize> Hits<S, N> {
+    #[inline(always)]
+    pub(super) fn none() -> Self {
+        let nought = [S::ZERO; N];
+        Self { mask: [false; N], t: nought, u: nought, v: nought, marks: [0; N] }
+    }
+
+    #[inline(always)]
+    pub(super) fn put(&mut self, k: usize, found: Found<S>) {
+        let or_nought = |x: S| if found.hit { x } else { S::ZERO };
+        self.mask[k] = found.hit;
+        self.t[k] = or_nought(found.t);
+        self.u[k] = or_nought(found.u);
+        self.v[k] = or_nought(found.v);
+        self.marks[k] = if found.hit { found.marks } else { 0 };
+    }
+
+    /// The hit in lane `k`, if there is one.
+    #[inline]
+    pub fn get(&self, k: usize) -> Option<Hit<S>> {
+        let hit = *self.mask.get(k)?;
+        let (t, u, v) = (self.t[k], self.u[k], self.v[k]);
+        Found { hit, t, u, v, marks: self.marks[k] }.into_hit()
+    }
+
+    /// Whether any lane has a hit.
+    #[inline]
+    pub fn any(&self) -> bool {
+        let mut any = false;
+        for hit in self.mask {
+            any |= hit;
+        }
+        any
+    }
+
+    /// The lane and the hit with the least t; of equal ones the first.
+    #[inline]
+    pub fn nearest(&self) -> Option<(usize, Hit<S>)> {
+        let mut nearest = None;
+        for k in 0..N {
+            if self.mask[k] && nearest.is_none_or(|n: usize| self.t[k] < self.t[n]) {
+                nearest = Some(k);
+            }
+        }
+        nearest.and_then(|k| Some((k, self.get(k)?)))
+    }
+}

@@ -1,0 +1,190 @@
+//! Where a line crosses the plane of a triangle, as volumes: the kernel of the
+//! exact ray/triangle query, in any number system.
+
+use core::cmp::Ordering;
+
+use crate::robust::{RAY, RAY_SIDES};
+use crate::scalar::{Number, Numbers, greatest, least};
+
+/// A line and a triangle, relative to the triangle's first vertex.
+#[derive(Clone, Copy)]
+pub(super) struct Setting<L> {
+    /// The direction.
+    d: [L; 3],
+    /// The edges to the second and the third vertex.
+    e: [[L; 3]; 2],
+    /// From the first vertex to the origin.
+    s: [L; 3],
+}
+
+/// Volumes whose signs and quotients are the answer: t is t/det, w is w/det, u and
+/// v likewise.
+#[derive(Clone, Copy)]
+pub(super) struct Crossing<V> {
+    /// The determinant: w + u + v.
+    pub(super) det: V,
+    /// The numerator of t.
+    pub(super) t: V,
+    /// The numerators of the barycentric coordinates of the three vertices.
+    pub(super) sides: [V; 3],
+    /// How far they may be from the truth.
+    pub(super) slack: Slack<V>,
+}
+
+/// How far volumes may be from the truth.
+#[derive(Clone, Copy)]
+pub(super) struct Slack<V> {
+    /// The determinant, u and v.
+    pub(super) side: V,
+    /// w, a difference of those.
+    sides: V,
+    /// t.
+    pub(super) t: V,
+}
+
+impl<L: Number> Setting<L> {
+    #[inline(always)]
+    pub(super) fn new([a, b, c, o]: &[[L; 3]; 4], d: [L; 3]) -> Self {
+        let from_a = |p: &[L; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
+        Self { d, e: [from_a(b), from_a(c)], s: from_a(o) }
+    }
+
+    /// The greatest component of all.
+    #[inline(always)]
+    pub(super) fn reach(&self) -> L {
+        let of =
+            |x: &[L; 3]| greatest(greatest(x[0].magnitude(), x[1].magnitude()), x[2].magnitude());
+        let Self { d, e: [e1, e2], s } = self;
+        greatest(greatest(of(d), of(s)), greatest(of(e1), of(e2)))
+    }
+
+    /// How far the volumes may be from the truth.
+    #[inline(always)]
+    fn slack<M: Numbers<Length = L>>(&self) -> Option<Slack<M::Volume>> {
+        if M::FINAL {
+            let none = M::Volume::ZERO;
+            return Some(Slack { sides: none, side: none, t: none });
+        }
+        // Sums: the compiler would turn greatest ones into vectors, and everything
+        // else after them, which is slower.
+        let of =
+            |x: &[L; 3]| greatest(greatest(x[0].magnitude(), x[1].magnitude()), x[2].magnitude());
+        let Self { d, e: [e1, e2], s } = self;
+        let (direction, edges) = (of(d), greatest(of(e1), of(e2)));
+        let reach = greatest(edges, of(s));
+        Some(Slack {
+            sides: M::volume_bound(direction, edges, reach, RAY_SIDES)?,
+            side: M::volume_bound(direction, edges, reach, RAY)?,
+            t: M::volume_bound(edges, edges, reach, RAY)?,
+        })
+    }
+
+    /// The volumes; `None` where `M` does not know how far they are from the truth.
+    ///
+    /// T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection",
+    /// *Journal of Graphics Tools* 2(1), 1997.
+    #[inline(always)]
+    pub(super) fn crossing<M: Numbers<Length = L>>(&self) -> Option<Crossing<M::Volume>> {
+        let Self { d, e: [e1, e2], s } = self;
+        let slack = self.slack::<M>()?;
+        let p = cross::<M>(d, e2);
+        let q = cross::<M>(s, e1);
+        let (det, u, v) = (dot::<M>(&p, e1), dot::<M>(&p, s), dot::<M>(&q, d));
+        Some(Crossing { det, t: dot::<M>(&q, e2), sides: [det - u - v, u, v], slack })
+    }
+
+    /// On which side of barycentric coordinate `k` the crossing falls if the origin
+    /// moves by an infinitesimal amount along the first axis, by one infinitely
+    /// smaller along the second, and again along the third; for a determinant above
+    /// nought. Each is the derivative with respect to the origin.
+    pub(super) fn nudged_side<M: Numbers<Length = L>>(&self, k: usize) -> Ordering {
+        let Self { d, e: [e1, e2], .. } = self;
+        match k {
+            0 => sign::<M>(&cross::<M>(d, &[e1[0] - e2[0], e1[1] - e2[1], e1[2] - e2[2]])),
+            1 => sign::<M>(&cross::<M>(d, e2)),
+            _ => sign::<M>(&cross::<M>(e1, d)),
+        }
+    }
+
+    /// The same of t.
+    pub(super) fn nudged_t<M: Numbers<Length = L>>(&self) -> Ordering {
+        let [e1, e2] = &self.e;
+        sign::<M>(&cross::<M>(e1, e2))
+    }
+}
+
+impl<V: Number> Crossing<V> {
+    /// Whether the half-line from t = 0 crosses the triangle, if that is certain and
+    /// it touches nothing on the way.
+    ///
+    /// The line crosses if w, u and v are of one sign, and that is the determinant's
+    /// too, whose own sign need not be asked for. All is computed before anything is
+    /// branched on: a branch that is as good as random costs more.
+    #[inline(always)]
+    pub(super) fn strictly_ahead(&self) -> Option<bool> {
+        let Self { t, sides: [w, u, v], slack, .. } = *self;
+        let (low, high) = (least(least(u, v), w), greatest(greatest(u, v), w));
+        let (positive, negative) = (low > slack.sides, high < -slack.sides);
+        let (ahead, behind) = (t > slack.t, t < -slack.t);
+        let hit = (positive & ahead) | (negative & behind);
+        let miss = ((low < -slack.sides) & (high > slack.sides))
+            | (positive & behind)
+            | (negative & ahead);
+        if hit ^ miss { Some(hit) } else { None }
+    }
+
+    /// Whether the line crosses the triangle or touches it; `None` in doubt. One that
+    /// is parallel to its plane does not. `is_final` says that there is no doubt.
+    pub(super) fn meets(&self, is_final: bool) -> Option<bool> {
+        let Self { det, sides: [w, u, v], slack, .. } = *self;
+        let (low, high) = (least(least(u, v), w), greatest(greatest(u, v), w));
+        if low < -slack.sides && high > slack.sides {
+            Some(false)
+        } else if is_final {
+            Some(det != V::ZERO)
+        } else {
+            (low > slack.sides || high < -slack.sides).then_some(true)
+        }
+    }
+
+    /// The same in wider volumes.
+    #[inline(always)]
+    pub(super) fn widened<W>(self, widen: fn(V) -> W) -> Crossing<W> {
+        let ([w, u, v], slack) = (self.sides, self.slack);
+        Crossing {
+            det: widen(self.det),
+            t: widen(self.t),
+            sides: [widen(w), widen(u), widen(v)],
+            slack: Slack { side: widen(slack.side), sides: widen(slack.sides), t: widen(slack.t) },
+        }
+    }
+
+    /// Whether the line runs against the normal.
+    #[inline(always)]
+    pub(super) fn is_front(&self) -> bool {
+        self.det > V::ZERO
+    }
+}
+
+#[inline(always)]
+fn cross<M: Numbers>(a: &[M::Length; 3], b: &[M::Length; 3]) -> [M::Area; 3] {
+    let minor = |j: usize, k: usize| M::area(a[j], b[k]) - M::area(a[k], b[j]);
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
+}
+
+#[inline(always)]
+fn dot<M: Numbers>(a: &[M::Area; 3], b: &[M::Length; 3]) -> M::Volume {
+    M::volume(a[0], b[0]) + M::volume(a[1], b[1]) + M::volume(a[2], b[2])
+}
+
+/// The sign of the first component that has one.
+fn sign<M: Numbers>(x: &[M::Area; 3]) -> Ordering {
+    let first = if x[0] != M::Area::ZERO {
+        x[0]
+    } else if x[1] != M::Area::ZERO {
+        x[1]
+    } else {
+        x[2]
+    };
+    first.partial_cmp(&M::Area::ZERO).unwrap_or(Ordering::Equal)
+}

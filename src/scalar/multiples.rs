@@ -1,0 +1,78 @@
+//! Floats as whole multiples of one power of two.
+
+use core::cmp::Ordering;
+
+use super::Scalar;
+use super::float::{Float, quotient};
+use super::integer::Int64;
+use super::numbers::{Holds, Placed, convert};
+use super::sum::Parts;
+use super::wide::I256;
+
+/// The exponents of the lowest and highest bit of any coordinate, as powers of
+/// two in units of the least number; `None` if all are nought.
+fn span<S: Scalar>(all: [&[[S; 3]]; 2]) -> Option<(i32, i32)> {
+    let mut span = None;
+    for x in all.into_iter().flatten().flatten() {
+        let Parts { magnitude, shift, .. } = x.parts();
+        if magnitude != 0 {
+            let low = i32::from(shift) + magnitude.trailing_zeros() as i32;
+            let high = i32::from(shift) + 64 - magnitude.leading_zeros() as i32;
+            let (l, h) = span.unwrap_or((low, high));
+            span = Some((low.min(l), high.max(h)));
+        }
+    }
+    span
+}
+
+/// `x` in units of two to the power `low`; the unit divides `x`.
+fn in_units<S: Scalar>(x: S, low: i32) -> i64 {
+    let Parts { negative, magnitude, shift } = x.parts();
+    let up = i32::from(shift) - low;
+    // Nought may have any exponent; nothing else shifts by more than 60.
+    let whole = if magnitude == 0 {
+        0
+    } else if up >= 0 {
+        magnitude.wrapping_shl(up as u32)
+    } else {
+        magnitude.wrapping_shr(up.unsigned_abs())
+    } as i64;
+    if negative { -whole } else { whole }
+}
+
+/// Floats as whole multiples of one power of two, if 60 bits hold them all:
+/// grids, and most scenes that were once in a coarser format. One has no place
+/// among them: the unit is the scene's, not the scalar's.
+impl<S: Scalar + Float> Holds<S> for Int64 {
+    fn fits<const K: usize>(coordinates: &[[S; 3]; K]) -> bool {
+        span([coordinates, &[]]).is_none_or(|(low, high)| high - low <= 60)
+    }
+
+    fn quotient(num: I256, den: I256) -> S {
+        quotient(num.into(), den.into())
+    }
+
+    fn quotient_of_lengths(num: i64, den: i64) -> S {
+        Self::quotient(i128::from(num).into(), i128::from(den).into())
+    }
+
+    // Times are not in the scene's unit.
+    fn compare_quotient(_: I256, _: I256, _: [I256; 2], _: S) -> Option<Ordering> {
+        None
+    }
+
+    fn resolves(_: I256, _: I256) -> bool {
+        true
+    }
+
+    fn place<const P: usize, const E: usize>(
+        points: &[[S; 3]; P],
+        extents: &[[S; 3]; E],
+    ) -> Placed<i64, P, E> {
+        let (low, _) = span([points, extents]).unwrap_or_default();
+        Placed {
+            points: convert(points, 0, |_, x| in_units(x, low)),
+            extents: convert(extents, 0, |_, x| in_units(x, low)),
+        }
+    }
+}

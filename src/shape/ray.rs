@@ -1,0 +1,97 @@
+use super::{ShapeError, finite};
+use crate::linear::Vec3;
+use crate::scalar::Scalar;
+
+/// A ray: the points `origin + t·direction` for all t in a range, a closed set.
+///
+/// The direction may have any length but nought, and t counts in units of it:
+/// nothing is normalised, for that would round. The range is t ≥ 0 unless
+/// [`with_range`](Self::with_range) says otherwise.
+///
+/// ```
+/// use septum::{Ray, ShapeError, Triangle};
+///
+/// let ray = Ray::new([0.25, 0.25, 9.0], [0.0, 0.0, -2.0])?;
+/// let floor = Triangle::new([0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0])?;
+/// assert_eq!(ray.hit(&floor).unwrap().t, 4.5);
+/// assert!(ray.with_range(0.0, 4.0)?.hit(&floor).is_none());
+///
+/// let still = Ray::new([0.0; 3], [0.0, 0.0, 0.0]);
+/// assert_eq!(still, Err(ShapeError::ZeroDirection));
+/// # Ok::<(), ShapeError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Ray<S> {
+    pub(super) origin: Vec3<S>,
+    pub(super) direction: Vec3<S>,
+    pub(super) t_min: Option<S>,
+    pub(super) t_max: Option<S>,
+}
+
+impl<S: Scalar> Ray<S> {
+    /// The ray from `origin` along `direction`, for t ≥ 0.
+    ///
+    /// # Errors
+    /// [`ShapeError::NotFinite`] where a coordinate is NaN or infinite,
+    /// [`ShapeError::ZeroDirection`] where the direction is nought.
+    #[inline]
+    pub fn new(
+        origin: impl Into<Vec3<S>>,
+        direction: impl Into<Vec3<S>>,
+    ) -> Result<Self, ShapeError> {
+        let (origin, direction) = (finite(origin)?, finite(direction)?);
+        if direction.to_array() == [S::ZERO; 3] {
+            return Err(ShapeError::ZeroDirection);
+        }
+        Ok(Self { origin, direction, t_min: Some(S::ZERO), t_max: None })
+    }
+
+    /// The same with t from `t_min` to `t_max`, both included; `None` leaves an end
+    /// open for ever, so that `with_range(None, None)` is the whole line.
+    ///
+    /// # Errors
+    /// [`ShapeError::NotFinite`] where an end is NaN or infinite,
+    /// [`ShapeError::EmptyRange`] where `t_min` exceeds `t_max`.
+    #[inline]
+    pub fn with_range(
+        self,
+        t_min: impl Into<Option<S>>,
+        t_max: impl Into<Option<S>>,
+    ) -> Result<Self, ShapeError> {
+        let (t_min, t_max) = (t_min.into(), t_max.into());
+        let is_finite = |t: Option<S>| t.is_none_or(S::is_finite);
+        if !is_finite(t_min) || !is_finite(t_max) {
+            return Err(ShapeError::NotFinite);
+        }
+        if t_min.zip(t_max).is_some_and(|(min, max)| min > max) {
+            return Err(ShapeError::EmptyRange);
+        }
+        Ok(Self { t_min, t_max, ..self })
+    }
+}
+
+impl<S: Copy> Ray<S> {
+    /// Where t is nought.
+    #[inline]
+    pub const fn origin(&self) -> Vec3<S> {
+        self.origin
+    }
+
+    /// The way that one unit of t goes.
+    #[inline]
+    pub const fn direction(&self) -> Vec3<S> {
+        self.direction
+    }
+
+    /// The least t, if there is one.
+    #[inline]
+    pub const fn t_min(&self) -> Option<S> {
+        self.t_min
+    }
+
+    /// The greatest t, if there is one.
+    #[inline]
+    pub const fn t_max(&self) -> Option<S> {
+        self.t_max
+    }
+}

@@ -1,0 +1,83 @@
+use super::{ShapeError, finite};
+use crate::linear::Vec3;
+use crate::scalar::Scalar;
+
+/// A segment: all points between two ends, a closed set.
+///
+/// It can be given by its ends, or by its centre and the vector from there to
+/// one end, as *Real-Time Rendering* does; a segment remembers which, for
+/// converting one form to the other rounds. The ends may coincide: the segment
+/// is a point then, and still answered exactly.
+///
+/// ```
+/// use septum::{Aabb, Segment};
+///
+/// let cell = Aabb::from_min_max([0.0, 0.0, 0.0], [1.0, 1.0, 1.0])?;
+/// let s = Segment::new([-1.0, 1.0, 0.5], [2.0, 1.0, 0.5])?;
+/// assert!(s.overlaps(&cell)); // along a face
+/// # Ok::<(), septum::ShapeError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Segment<S> {
+    pub(super) form: Form<S>,
+}
+
+/// What the segment was given as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Form<S> {
+    /// Two ends.
+    Ends(Vec3<S>, Vec3<S>),
+    /// Centre, and the vector from it to one end.
+    Center { center: Vec3<S>, half: Vec3<S> },
+}
+
+impl<S: Scalar> Segment<S> {
+    /// The segment between two ends.
+    ///
+    /// # Errors
+    /// [`ShapeError::NotFinite`] where a coordinate is NaN or infinite.
+    #[inline]
+    pub fn new(a: impl Into<Vec3<S>>, b: impl Into<Vec3<S>>) -> Result<Self, ShapeError> {
+        Ok(Self { form: Form::Ends(finite(a)?, finite(b)?) })
+    }
+
+    /// The segment from `center − half_vector` to `center + half_vector`.
+    ///
+    /// The ends need not be numbers of the scalar: the two vectors mean what they
+    /// say.
+    ///
+    /// # Errors
+    /// [`ShapeError::NotFinite`] where a coordinate is NaN or infinite.
+    #[inline]
+    pub fn from_center_half_vector(
+        center: impl Into<Vec3<S>>,
+        half_vector: impl Into<Vec3<S>>,
+    ) -> Result<Self, ShapeError> {
+        Ok(Self { form: Form::Center { center: finite(center)?, half: finite(half_vector)? } })
+    }
+}
+
+impl<S: Copy> Segment<S> {
+    /// The two ends, if the segment was given so.
+    #[inline]
+    pub const fn ends(&self) -> Option<(Vec3<S>, Vec3<S>)> {
+        match self.form {
+            Form::Ends(a, b) => Some((a, b)),
+            Form::Center { .. } => None,
+        }
+    }
+
+    /// Centre and half-vector, if the segment was given so.
+    #[inline]
+    pub const fn center_half_vector(&self) -> Option<(Vec3<S>, Vec3<S>)> {
+        match self.form {
+            Form::Center { center, half } => Some((center, half)),
+            Form::Ends(..) => None,
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) const fn form(&self) -> &Form<S> {
+        &self.form
+    }
+}

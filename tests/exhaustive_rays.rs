@@ -1,0 +1,110 @@
+//! Every triangle on small grids, degenerate ones included, against rays through
+//! the grid: contact of every kind. The oracle is asked once for three vertices,
+//! the crate for all six orders.
+#![cfg(feature = "fixed")]
+
+mod support;
+
+use fixed::types::{I4F4, I8F8, I16F16, I32F32};
+use septum::{Facing, Feature, Ray, Triangle};
+use support::rays::{RayCase, Truth, crossing};
+use support::{Rng, Sample};
+
+type Point = [f64; 3];
+
+const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
+
+/// The points of the cube with whole coordinates up to `most`.
+fn grid(most: i64) -> Vec<Point> {
+    let side = || -most..=most;
+    let row = |x, y| side().map(move |z| [x as f64, y as f64, z as f64]);
+    side().flat_map(|x| side().flat_map(move |y| row(x, y))).collect()
+}
+
+/// All triples of grid points without regard to order, repetitions included.
+fn triples(points: &[Point]) -> impl Iterator<Item = [Point; 3]> {
+    let n = points.len();
+    (0..n).flat_map(move |a| {
+        (a..n).flat_map(move |b| (b..n).map(move |c| [points[a], points[b], points[c]]))
+    })
+}
+
+/// What is met of the triangle with its vertices in that order.
+fn reordered(truth: &Truth, order: [usize; 3], is_odd: bool) -> (Facing, Feature) {
+    let facing = match (truth.facing, is_odd) {
+        (facing, false) => facing,
+        (Facing::Front, true) => Facing::Back,
+        (Facing::Back, true) => Facing::Front,
+    };
+    let place = |vertex: u8| order.iter().position(|&k| k == usize::from(vertex)).unwrap() as u8;
+    let feature = match truth.feature {
+        Feature::Interior => Feature::Interior,
+        Feature::Vertex(k) => Feature::Vertex(place(k)),
+        // The edge opposite a vertex begins at the next one.
+        Feature::Edge(k) => Feature::Edge((place((k + 2) % 3) + 1) % 3),
+    };
+    (facing, feature)
+}
+
+/// Asks the crate, in every order of the vertices.
+fn check<S: Sample>(vertices: &[Point; 3], ray: &Ray<S>, truth: Option<&Truth>) {
+    let vertices = vertices.map(|v| v.map(S::nearest));
+    for (n, order) in ORDERS.into_iter().enumerate() {
+        let [a, b, c] = order.map(|k| vertices[k]);
+        let triangle = Triangle::new(a, b, c).expect("finite vertices");
+        let found = ray.hit(&triangle);
+        let expected = truth.map(|truth| reordered(truth, order, n >= 3));
+        let is_right = found.map(|hit| (hit.facing, hit.feature)) == expected
+            && ray.hits(&triangle) == expected.is_some();
+        assert!(is_right, "{triangle:?}, {ray:?}: {found:?}, not {expected:?}");
+    }
+}
+
+fn rays_in<S: Sample>(rays: &[(Point, Point)]) -> Vec<Ray<S>> {
+    let ray = |&(o, d): &(Point, Point)| Ray::new(o.map(S::nearest), d.map(S::nearest)).unwrap();
+    rays.iter().map(ray).collect()
+}
+
+/// How many of the crossings are in the interior, and how many are contacts.
+fn every_triangle(points: &[Point], rays: &[(Point, Point)]) -> [u32; 2] {
+    let (single, double) = (rays_in::<f32>(rays), rays_in::<f64>(rays));
+    let (i4f4, i8f8) = (rays_in::<I4F4>(rays), rays_in::<I8F8>(rays));
+    let (i16f16, i32f32) = (rays_in::<I16F16>(rays), rays_in::<I32F32>(rays));
+    let mut counts = [0; 2];
+    for vertices in triples(points) {
+        for (n, &(origin, direction)) in rays.iter().enumerate() {
+            let truth = crossing(&RayCase::new(origin, direction, vertices));
+            let truth = truth.as_ref();
+            if let Some(truth) = truth {
+                counts[usize::from(truth.feature != Feature::Interior)] += 1;
+            }
+            check(&vertices, &single[n], truth);
+            check(&vertices, &double[n], truth);
+            check(&vertices, &i4f4[n], truth);
+            check(&vertices, &i8f8[n], truth);
+            check(&vertices, &i16f16[n], truth);
+            check(&vertices, &i32f32[n], truth);
+        }
+    }
+    counts
+}
+
+/// All triangles, all origins and all directions of {−1, 0, 1}³.
+#[test]
+fn the_smallest_grid() {
+    let points = grid(1);
+    let from = |&o: &Point| points.iter().filter(|d| **d != [0.0; 3]).map(move |&d| (o, d));
+    let rays: Vec<_> = points.iter().flat_map(from).collect();
+    let [inside, contacts] = every_triangle(&points, &rays);
+    assert!(inside > 10_000 && contacts > 100_000, "{inside}, {contacts}");
+}
+
+/// All triangles of {−2, …, 2}³, against a few rays from the quarters.
+#[test]
+fn a_larger_grid() {
+    let mut rng = Rng::new(61);
+    let mut quarter = |most: i64| rng.triple(|rng| rng.whole(-most, most) as f64 / 4.0);
+    let rays: Vec<_> = (0..3).map(|_| (quarter(8), quarter(8))).collect();
+    let [inside, _] = every_triangle(&grid(2), &rays);
+    assert!(inside > 1_000, "{inside}");
+}
