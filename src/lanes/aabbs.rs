@@ -79,7 +79,8 @@ impl<S: Scalar> SlabRay<S> {
     #[inline]
     pub fn t_range_each_rounded<const N: usize>(&self, aabbs: &Aabbs<S, N>) -> Ranges<S, N> {
         let nought = [S::ZERO; N];
-        let mut ranges = Ranges { mask: [false; N], t_enter: nought, t_leave: nought };
+        // Arrays of their own: see `Hits::each`.
+        let (mut mask, mut t_enter, mut t_leave) = ([false; N], nought, nought);
         let o = self.origin;
         let faces = |k: usize| {
             let (min, max) = (lane(&aabbs.min, k), lane(&aabbs.max, k));
@@ -89,9 +90,9 @@ impl<S: Scalar> SlabRay<S> {
         };
         let mut put = |k: usize, (enter, leave): (S, S)| {
             let met = enter <= leave;
-            ranges.mask[k] = met;
-            ranges.t_enter[k] = if met { enter } else { S::ZERO };
-            ranges.t_leave[k] = if met { leave } else { S::ZERO };
+            mask[k] = met;
+            t_enter[k] = if met { enter } else { S::ZERO };
+            t_leave[k] = if met { leave } else { S::ZERO };
         };
         if self.is_plain {
             for k in 0..N {
@@ -102,6 +103,6 @@ impl<S: Scalar> SlabRay<S> {
                 put(k, self.interval(&faces(k)));
             }
         }
-        ranges
+        Ranges { mask, t_enter, t_leave }
     }
 }

@@ -16,15 +16,13 @@ impl<S: Scalar, const N: usize> Rays<S, N> {
     /// [`Ray::hit_moller_trumbore`]: crate::Ray::hit_moller_trumbore
     #[inline]
     pub fn hit_moller_trumbore(&self, triangle: &Triangle<S>, cull: Cull) -> Hits<S, N> {
-        let mut hits = Hits::none();
         let keeps = (cull.keeps(Facing::Front), cull.keeps(Facing::Back));
         let [a, b, c] = triangle.points();
         let triangle = [rounded(a), rounded(b), rounded(c)];
-        for k in 0..N {
+        Hits::each(|k| {
             let (o, d) = self.at(k);
-            hits.put(k, settle(moller_trumbore(o, d, triangle), &self.limits(k, keeps)));
-        }
-        hits
+            settle(moller_trumbore(o, d, triangle), &self.limits(k, keeps))
+        })
     }
 
     /// [`Ray::hit_stored_normal`] for N rays at once: the same verdicts, the same
@@ -52,12 +50,10 @@ impl<S: Scalar, const N: usize> Rays<S, N> {
 
     #[inline(always)]
     fn hit_stored(&self, triangle: Stored<S>, cull: Cull) -> Hits<S, N> {
-        let mut hits = Hits::none();
         let keeps = (cull.keeps(Facing::Front), cull.keeps(Facing::Back));
-        for k in 0..N {
+        Hits::each(|k| {
             let (o, d) = self.at(k);
-            hits.put(k, settle(stored_normal(o, d, triangle), &self.limits(k, keeps)));
-        }
-        hits
+            settle(stored_normal(o, d, triangle), &self.limits(k, keeps))
+        })
     }
 }

@@ -18,20 +18,30 @@ pub struct Hits<S, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> Hits<S, N> {
+    /// Lane by lane, into arrays of their own: filled in place, they would be copied
+    /// out by loads wider than the stores, and wait for them.
     #[inline(always)]
-    pub(super) fn none() -> Self {
+    pub(super) fn each(mut found: impl FnMut(usize) -> Found<S>) -> Self {
         let nought = [S::ZERO; N];
-        Self { mask: [false; N], t: nought, u: nought, v: nought, marks: [0; N] }
+        let (mut t, mut u, mut v) = (nought, nought, nought);
+        let (mut mask, mut marks) = ([false; N], [0; N]);
+        for k in 0..N {
+            let found = found(k);
+            let or_nought = |x: S| if found.hit { x } else { S::ZERO };
+            mask[k] = found.hit;
+            t[k] = or_nought(found.t);
+            u[k] = or_nought(found.u);
+            v[k] = or_nought(found.v);
+            marks[k] = if found.hit { found.marks } else { 0 };
+        }
+        Self { mask, t, u, v, marks }
     }
 
     #[inline(always)]
-    pub(super) fn put(&mut self, k: usize, found: Found<S>) {
-        let or_nought = |x: S| if found.hit { x } else { S::ZERO };
+    pub(super) fn set(&mut self, k: usize, found: Found<S>) {
         self.mask[k] = found.hit;
-        self.t[k] = or_nought(found.t);
-        self.u[k] = or_nought(found.u);
-        self.v[k] = or_nought(found.v);
-        self.marks[k] = if found.hit { found.marks } else { 0 };
+        (self.t[k], self.u[k], self.v[k]) = (found.t, found.u, found.v);
+        self.marks[k] = found.marks;
     }
 
     /// The hit in lane `k`, if there is one.

@@ -2,6 +2,7 @@
 //! compiler turns into vector instructions.
 
 mod aabbs;
+mod each_exactly;
 mod each_ray;
 mod each_triangle;
 mod hits;

@@ -85,12 +85,32 @@ impl<L: Number> Setting<L> {
     /// *Journal of Graphics Tools* 2(1), 1997.
     #[inline(always)]
     pub(super) fn crossing<M: Numbers<Length = L>>(&self) -> Option<Crossing<M::Volume>> {
+        Some(self.crossing_within::<M>(self.slack::<M>()?))
+    }
+
+    /// The same, and whether that is known; without a branch.
+    #[inline(always)]
+    pub(super) fn crossing_if_known<M: Numbers<Length = L>>(
+        &self,
+    ) -> (Crossing<M::Volume>, bool) {
+        let none = M::Volume::ZERO;
+        let (slack, is_known) = match self.slack::<M>() {
+            Some(slack) => (slack, true),
+            None => (Slack { side: none, sides: none, t: none }, false),
+        };
+        (self.crossing_within::<M>(slack), is_known)
+    }
+
+    #[inline(always)]
+    fn crossing_within<M: Numbers<Length = L>>(
+        &self,
+        slack: Slack<M::Volume>,
+    ) -> Crossing<M::Volume> {
         let Self { d, e: [e1, e2], s } = self;
-        let slack = self.slack::<M>()?;
         let p = cross::<M>(d, e2);
         let q = cross::<M>(s, e1);
         let (det, u, v) = (dot::<M>(&p, e1), dot::<M>(&p, s), dot::<M>(&q, d));
-        Some(Crossing { det, t: dot::<M>(&q, e2), sides: [det - u - v, u, v], slack })
+        Crossing { det, t: dot::<M>(&q, e2), sides: [det - u - v, u, v], slack }
     }
 
     /// On which side of barycentric coordinate `k` the crossing falls if the origin
@@ -135,6 +155,7 @@ impl<V: Number> Crossing<V> {
 
     /// Whether the line crosses the triangle or touches it; `None` in doubt. One that
     /// is parallel to its plane does not. `is_final` says that there is no doubt.
+    #[inline]
     pub(super) fn meets(&self, is_final: bool) -> Option<bool> {
         let Self { det, sides: [w, u, v], slack, .. } = *self;
         let (low, high) = (least(least(u, v), w), greatest(greatest(u, v), w));

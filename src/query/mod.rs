@@ -1,5 +1,6 @@
 //! The questions, one file for each pair of shapes.
 
+mod clear_hit;
 mod crossing;
 mod hit;
 mod line_published;
@@ -15,6 +16,7 @@ mod triangle_aabb;
 mod triangle_obb;
 mod unit_normal;
 
+pub(crate) use clear_hit::clear_hit;
 pub use hit::{Cull, Facing, Feature, Hit, HitRules};
 pub use plane_aabb::Side;
 pub use published::Order;

@@ -99,7 +99,7 @@ impl<S: Scalar> Predicate<S> for Range<'_, S> {
             return Some(None);
         }
         // Quotients are not for every system: the answer must not depend on which.
-        if !N::resolves(N::Volume::ZERO, N::Volume::ZERO) {
+        if !N::DIVIDES {
             return None;
         }
         let Self(Disjoint { ray, aabb }) = self;

@@ -26,27 +26,17 @@ struct Hits<'a, S>(Crosses<'a, S>);
 impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
     type Answer = Option<Hit<S>>;
 
-    #[inline(always)]
     fn attempt<N: Holds<S>>(&self) -> Option<Option<Hit<S>>> {
-        let (counts, crossing) = self.crossing::<N>()?;
-        if N::FINAL && !counts {
-            return Some(None);
+        match self.crossing::<N>()? {
+            Some(crossing) => numbers::<S, N>(true, crossing),
+            None => Some(None),
         }
-        let Crossing { det, t, sides: [w, u, v], slack } = crossing;
-        let is_resolved = N::resolves(det, slack.side)
-            & N::resolves(u, slack.side)
-            & N::resolves(v, slack.side)
-            & N::resolves(t, slack.t);
-        if counts & !is_resolved {
-            return None;
-        }
-        // Floats divide even for a miss: that is cheaper than to guess wrong whether
-        // it is one.
-        let is_zero = |x: N::Volume| N::FINAL && x == N::Volume::ZERO;
-        let feature = Feature::from_zeros(is_zero(w), is_zero(u), is_zero(v));
-        let [t, u, v] = N::quotients([t, u, v], det);
-        let hit = Hit { t, u, v, facing: facing(crossing.is_front()), feature };
-        Some(if counts { Some(hit) } else { None })
+    }
+
+    #[inline(always)]
+    fn quick<N: Holds<S>>(&self) -> Option<Option<Hit<S>>> {
+        let (counts, crossing) = self.ahead::<N>()?;
+        numbers::<S, N>(counts, crossing)
     }
 
     fn exact(&self) -> Option<Hit<S>> {
@@ -69,9 +59,13 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
 impl<S: Scalar> Predicate<S> for Hits<'_, S> {
     type Answer = bool;
 
-    #[inline(always)]
     fn attempt<N: Holds<S>>(&self) -> Option<bool> {
-        self.0.crossing::<N>().map(|(counts, _)| counts)
+        self.0.crossing::<N>().map(|crossing| crossing.is_some())
+    }
+
+    #[inline(always)]
+    fn quick<N: Holds<S>>(&self) -> Option<bool> {
+        self.0.ahead::<N>().map(|(counts, _)| counts)
     }
 
     fn exact(&self) -> bool {
@@ -81,43 +75,71 @@ impl<S: Scalar> Predicate<S> for Hits<'_, S> {
     }
 }
 
+/// The hit, if it counts; `None` where `N` has no good numbers for it.
+#[inline(always)]
+fn numbers<S: Scalar, N: Holds<S>>(
+    counts: bool,
+    crossing: Crossing<N::Volume>,
+) -> Option<Option<Hit<S>>> {
+    let facing = facing(crossing.is_front());
+    let Crossing { det, t, sides: [w, u, v], slack } = crossing;
+    let is_zero = |x: N::Volume| N::FINAL && x == N::Volume::ZERO;
+    let feature = Feature::from_zeros(is_zero(w), is_zero(u), is_zero(v));
+    // Even for a miss: to divide is cheaper than to guess wrong whether it is one.
+    let ([t, u, v], are_good) = N::quotients([t, u, v], det, [slack.t, slack.side]);
+    if counts & !are_good {
+        return None;
+    }
+    let hit = Hit { t, u, v, facing, feature };
+    Some(if counts { Some(hit) } else { None })
+}
+
 #[inline(always)]
 fn facing(is_front: bool) -> Facing {
     if is_front { Facing::Front } else { Facing::Back }
 }
 
 impl<S: Scalar> Crosses<'_, S> {
-    /// Whether the crossing counts, and the crossing, in `N`; `None` in doubt.
+    /// Whether a crossing ahead of the origin counts, and the crossing, where it is
+    /// not a contact and the range is the usual one; `None` otherwise, or in doubt.
     #[inline(always)]
-    fn crossing<N: Holds<S>>(&self) -> Option<(bool, Crossing<N::Volume>)> {
+    fn ahead<N: Holds<S>>(&self) -> Option<(bool, Crossing<N::Volume>)> {
+        if self.ray.t_min() != Some(S::ZERO) || self.ray.t_max().is_some() {
+            return None;
+        }
+        let crossing = self.setting::<N>()?.crossing::<N>()?;
+        let keeps = self.rules.cull.keeps(facing(crossing.is_front()));
+        Some((crossing.strictly_ahead()? & keeps, crossing))
+    }
+
+    /// Ray and triangle in `N`, if it holds them.
+    #[inline(always)]
+    fn setting<N: Holds<S>>(&self) -> Option<Setting<N::Length>> {
         let [a, b, c] = self.triangle.points();
         let (o, d) = (self.ray.origin().to_array(), self.ray.direction().to_array());
         if !N::fits(&[a, b, c, o, d]) {
             return None;
         }
         let placed = N::place(&[a, b, c, o], &[d]);
-        let setting = Setting::new(&placed.points, placed.extents[0]);
-        let is_plain = self.ray.t_min() == Some(S::ZERO) && self.ray.t_max().is_none();
-        let (crosses, crossing) = if N::is_slim(setting.reach()) {
-            let crossing = setting.crossing::<N::Slim>()?;
-            (crossing.strictly_ahead(), crossing.widened(N::widened))
-        } else {
-            let crossing = setting.crossing::<N>()?;
-            (crossing.strictly_ahead(), crossing)
-        };
-        if is_plain {
-            if let Some(crosses) = crosses {
-                let keeps = self.rules.cull.keeps(facing(crossing.is_front()));
-                return Some((crosses & keeps, crossing));
-            }
-            if !N::FINAL {
-                return None;
-            }
-        }
-        Some((self.counts::<N>(&setting, &crossing)?, crossing))
+        Some(Setting::new(&placed.points, placed.extents[0]))
     }
 
-    /// Whether a crossing counts, contacts and ranges included; `None` in doubt.
+    /// The crossing, if it counts, contacts and any range included; `None` in doubt.
+    #[inline]
+    fn crossing<N: Holds<S>>(&self) -> Option<Option<Crossing<N::Volume>>> {
+        let setting = self.setting::<N>()?;
+        let crossing = if N::is_slim(setting.reach()) {
+            let crossing = setting.crossing::<N::Slim>()?;
+            crossing.meets(N::FINAL)?.then(|| crossing.widened(N::widened))
+        } else {
+            let crossing = setting.crossing::<N>()?;
+            crossing.meets(N::FINAL)?.then_some(crossing)
+        };
+        let Some(crossing) = crossing else { return Some(None) };
+        Some(self.counts::<N>(&setting, &crossing)?.then_some(crossing))
+    }
+
+    /// Whether the crossing of a line that meets the triangle counts; `None` in doubt.
     fn counts<N: Holds<S>>(
         &self,
         setting: &Setting<N::Length>,
@@ -125,7 +147,7 @@ impl<S: Scalar> Crosses<'_, S> {
     ) -> Option<bool> {
         let zero = N::Volume::ZERO;
         let is_front = crossing.is_front();
-        if !crossing.meets(N::FINAL)? || !self.rules.cull.keeps(facing(is_front)) {
+        if !self.rules.cull.keeps(facing(is_front)) {
             return Some(false);
         }
         if N::FINAL && self.rules.once {
@@ -311,6 +333,6 @@ impl<S: Scalar> Ray<S> {
     /// [`hits`](Self::hits) by the rules given.
     #[inline]
     pub fn hits_with(&self, triangle: &Triangle<S>, rules: HitRules) -> bool {
-        S::decide(&Hits(Crosses { ray: self, triangle, rules }))
+        S::measure(&Hits(Crosses { ray: self, triangle, rules }))
     }
 }

@@ -8,9 +8,10 @@ use core::cmp::Ordering;
 use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
+use super::bounded::Bounded;
 use super::coarse::Coarse;
 use super::integer::{Int8, Int16, Int32, Int64, REGISTERS_ARE_WIDE, below_i32, below_i64};
-use super::ladder::{Predicate, exactly, only, rung, wide_integers};
+use super::ladder::{Predicate, exactly, first, only, rung, thorough, wide_integers};
 use super::numbers::{Holds, Numbers, Placed, convert};
 use super::quotient::Dividend;
 use super::sum::{Parts, Sum};
@@ -30,9 +31,16 @@ macro_rules! clamped {
 /// What a system needs to divide, all of it by the raw bits.
 macro_rules! quotients {
     ($fixed:ident, $length:ty, $volume:ty) => {
+        const DIVIDES: bool = true;
+
         #[inline(always)]
-        fn quotient(num: $volume, den: $volume) -> $fixed<Frac> {
-            clamped!($fixed, num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
+        fn quotients(
+            [a, b, c]: [$volume; 3],
+            den: $volume,
+            _: [$volume; 2],
+        ) -> ([$fixed<Frac>; 3], bool) {
+            let of = |num: $volume| clamped!($fixed, num.quotient(den, <$fixed<Frac>>::FRAC_NBITS));
+            ([of(a), of(b), of(c)], true)
         }
         #[inline(always)]
         fn quotient_of_lengths(num: $length, den: $length) -> $fixed<Frac> {
@@ -47,15 +55,12 @@ macro_rules! quotients {
         ) -> Option<Ordering> {
             Some(num.compare(den, <$fixed<Frac>>::FRAC_NBITS, t.to_bits().into()))
         }
-        #[inline(always)]
-        fn resolves(_: $volume, _: $volume) -> bool {
-            true
-        }
     };
 }
 
 macro_rules! scalar {
-    ($fixed:ident, $bound:ident, $limbs:literal, $quick:ty, $products:ty, |$p:ident| $ladder:expr) => {
+    ($fixed:ident, $bound:ident, $limbs:literal, $quick:ty, $products:ty,
+     |$p:ident| $ladder:expr, $measure:expr) => {
         impl<Frac: $bound> sealed::Sealed for $fixed<Frac> {}
 
         impl<Frac: $bound + Send + Sync + 'static> Scalar for $fixed<Frac> {
@@ -82,6 +87,10 @@ macro_rules! scalar {
             #[inline(always)]
             fn decide<P: Predicate<Self>>($p: &P) -> P::Answer {
                 $ladder
+            }
+            #[inline(always)]
+            fn measure<P: Predicate<Self>>($p: &P) -> P::Answer {
+                $measure
             }
             #[inline(always)]
             fn plain_add(self, other: Self) -> Self {
@@ -122,10 +131,20 @@ macro_rules! scalar {
         }
     };
 }
-scalar!(FixedI8, LeEqU8, 1, Int8, Int8, |p| only::<_, Int8, _>(p));
-scalar!(FixedI16, LeEqU16, 2, Int16, Int16, |p| only::<_, Int16, _>(p));
-scalar!(FixedI32, LeEqU32, 3, Coarse, Int64, |p| by_size(p));
-scalar!(FixedI64, LeEqU64, 5, Coarse, Int64, |p| rung::<_, Int64, _>(p, exactly));
+scalar!(FixedI8, LeEqU8, 1, Int8, Int8, |p| only::<_, Int8, _>(p), by_double(p));
+scalar!(FixedI16, LeEqU16, 2, Int16, Int16, |p| only::<_, Int16, _>(p), by_double(p));
+scalar!(FixedI32, LeEqU32, 3, Coarse, Int64, |p| by_size(p), by_double(p));
+scalar!(FixedI64, LeEqU64, 5, Coarse, Int64, |p| rung::<_, Int64, _>(p, exactly), Self::decide(p));
+
+/// Where floats are cheap, `f64` answers nearly all, and faster than integers. It
+/// changes no answer.
+#[inline(always)]
+fn by_double<S: Scalar, P: Predicate<S>>(p: &P) -> P::Answer
+where
+    Bounded<f64>: Holds<S>,
+{
+    if REGISTERS_ARE_WIDE { first::<_, Bounded<f64>, _>(p, thorough) } else { S::decide(p) }
+}
 
 #[inline(always)]
 fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(

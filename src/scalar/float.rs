@@ -3,7 +3,7 @@
 use core::ops::Mul;
 
 use super::bounded::Bounded;
-use super::ladder::{Predicate, rung, wide_integers};
+use super::ladder::{Predicate, first, rung, thorough, wide_integers};
 use super::number::Number;
 use super::padding::Padding;
 use super::quotient::Leading;
@@ -154,13 +154,11 @@ impl Scalar for f32 {
 
     #[inline(always)]
     fn measure<P: Predicate<Self>>(p: &P) -> P::Answer {
-        // Numbers come from f64; f32 can but say that there are none.
-        if !DOUBLE_IS_CHEAP {
-            if let Some(answer) = p.attempt::<Bounded<f32>>() {
-                return answer;
-            }
+        if DOUBLE_IS_CHEAP {
+            return first::<_, Bounded<f64>, _>(p, doubled);
         }
-        rung::<_, Bounded<f64>, _>(p, wide_integers)
+        // Numbers come from f64; f32 can but say that there are none.
+        rung::<_, Bounded<f32>, _>(p, doubled)
     }
 }
 
@@ -202,5 +200,10 @@ impl Scalar for f64 {
     #[inline(always)]
     fn decide<P: Predicate<Self>>(p: &P) -> P::Answer {
         rung::<_, Bounded<f64>, _>(p, wide_integers)
+    }
+
+    #[inline(always)]
+    fn measure<P: Predicate<Self>>(p: &P) -> P::Answer {
+        first::<_, Bounded<f64>, _>(p, thorough)
     }
 }

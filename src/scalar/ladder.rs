@@ -15,8 +15,32 @@ pub trait Predicate<S: Scalar> {
     /// The answer, if `N` can vouch for it.
     fn attempt<N: Holds<S>>(&self) -> Option<Self::Answer>;
 
+    /// The same, where it takes but one pass without branches; `None` otherwise.
+    #[inline(always)]
+    fn quick<N: Holds<S>>(&self) -> Option<Self::Answer> {
+        self.attempt::<N>()
+    }
+
     /// The answer for every input, by exact sums of products.
     fn exact(&self) -> Self::Answer;
+}
+
+/// The first rung of a ladder for numbers: nothing else is inlined.
+#[inline(always)]
+pub(super) fn first<S: Scalar, N: Holds<S>, P: Predicate<S>>(
+    p: &P,
+    above: fn(&P) -> P::Answer,
+) -> P::Answer {
+    match p.quick::<N>() {
+        Some(answer) => answer,
+        None => above(p),
+    }
+}
+
+/// The whole ladder, out of line.
+#[inline(never)]
+pub(super) fn thorough<S: Scalar, P: Predicate<S>>(p: &P) -> P::Answer {
+    S::decide(p)
 }
 
 /// One rung: the answer in `N`, or else what `above` says, which is out of line

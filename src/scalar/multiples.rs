@@ -48,21 +48,20 @@ impl<S: Scalar + Float> Holds<S> for Int64 {
         span([coordinates, &[]]).is_none_or(|(low, high)| high - low <= 60)
     }
 
-    fn quotient(num: I256, den: I256) -> S {
-        quotient(num.into(), den.into())
-    }
+    const DIVIDES: bool = true;
 
     fn quotient_of_lengths(num: i64, den: i64) -> S {
-        Self::quotient(i128::from(num).into(), i128::from(den).into())
+        quotient(I256::from(i128::from(num)).into(), I256::from(i128::from(den)).into())
+    }
+
+    fn quotients([a, b, c]: [I256; 3], den: I256, _: [I256; 2]) -> ([S; 3], bool) {
+        let of = |num: I256| quotient(num.into(), den.into());
+        ([of(a), of(b), of(c)], true)
     }
 
     // Times are not in the scene's unit.
     fn compare_quotient(_: I256, _: I256, _: [I256; 2], _: S) -> Option<Ordering> {
         None
-    }
-
-    fn resolves(_: I256, _: I256) -> bool {
-        true
     }
 
     fn place<const P: usize, const E: usize>(

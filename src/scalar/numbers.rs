@@ -144,18 +144,20 @@ pub trait Holds<S>: Numbers {
         None
     }
 
+    /// Whether quotients of lengths are as good as the scalar promises.
+    const DIVIDES: bool;
+
     /// num/den to the nearest number of the scalar, or the end of its range; floats
     /// divide, and overflow to an infinity. The divisor is not nought.
-    fn quotient(num: Self::Volume, den: Self::Volume) -> S;
-
-    /// Three with one divisor.
-    #[inline(always)]
-    fn quotients(num: [Self::Volume; 3], den: Self::Volume) -> [S; 3] {
-        [Self::quotient(num[0], den), Self::quotient(num[1], den), Self::quotient(num[2], den)]
-    }
-
-    /// The same of two lengths.
     fn quotient_of_lengths(num: Self::Length, den: Self::Length) -> S;
+
+    /// The same of three volumes, and whether they are as good as the scalar
+    /// promises, given how far from the truth the first may be, and the others.
+    fn quotients(
+        num: [Self::Volume; 3],
+        den: Self::Volume,
+        errors: [Self::Volume; 2],
+    ) -> ([S; 3], bool);
 
     /// How num/den compares with `t`, where `num` and `den` err by up to `errors`;
     /// `den` is above nought, whatever its error. `None` in doubt.
@@ -165,10 +167,6 @@ pub trait Holds<S>: Numbers {
         errors: [Self::Volume; 2],
         t: S,
     ) -> Option<Ordering>;
-
-    /// Whether a value that may be `error` from the truth is near enough, relative
-    /// to its size, for a quotient.
-    fn resolves(value: Self::Volume, error: Self::Volume) -> bool;
 
     /// Brings points and extents that fit into this system, the points relative
     /// to an origin of the system's choice.

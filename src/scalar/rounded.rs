@@ -114,13 +114,15 @@ impl<S: Scalar> Numbers for Rounded<S> {
 }
 
 impl<S: Scalar> Holds<S> for Rounded<S> {
+    const DIVIDES: bool = true;
+
     #[inline(always)]
     fn fits<const K: usize>(_: &[[S; 3]; K]) -> bool {
         true
     }
     #[inline(always)]
-    fn quotient(num: Self, den: Self) -> S {
-        num.0.plain_div(den.0)
+    fn quotients([a, b, c]: [Self; 3], den: Self, _: [Self; 2]) -> ([S; 3], bool) {
+        ([a.0.plain_div(den.0), b.0.plain_div(den.0), c.0.plain_div(den.0)], true)
     }
     #[inline(always)]
     fn quotient_of_lengths(num: Self, den: Self) -> S {
@@ -129,10 +131,6 @@ impl<S: Scalar> Holds<S> for Rounded<S> {
     #[inline(always)]
     fn compare_quotient(num: Self, den: Self, _: [Self; 2], t: S) -> Option<Ordering> {
         num.0.plain_div(den.0).partial_cmp(&t)
-    }
-    #[inline(always)]
-    fn resolves(_: Self, _: Self) -> bool {
-        true
     }
     #[inline(always)]
     fn place<const P: usize, const E: usize>(

@@ -53,10 +53,15 @@ pub(crate) struct Found<S> {
 impl<S: Scalar> Found<S> {
     /// `zeros` are those of w, u and v.
     #[inline(always)]
-    pub(super) fn new(hit: bool, [t, u, v]: [S; 3], front: bool, zeros: [bool; 3]) -> Self {
+    pub(crate) fn new(hit: bool, [t, u, v]: [S; 3], front: bool, zeros: [bool; 3]) -> Self {
         let [w_is_zero, u_is_zero, v_is_zero] = zeros.map(u8::from);
         let marks = u8::from(front) | w_is_zero << 1 | u_is_zero << 2 | v_is_zero << 3;
         Self { hit, t, u, v, marks }
+    }
+
+    #[inline(always)]
+    pub(crate) fn none() -> Self {
+        Self { hit: false, t: S::ZERO, u: S::ZERO, v: S::ZERO, marks: 0 }
     }
 
     #[inline(always)]
