@@ -13,7 +13,7 @@ mod scalar;
 mod shape;
 
 pub use axis::Axis;
-pub use lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, Triangles};
+pub use lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles};
 pub use linear::Vec3;
 pub use query::{Cull, Facing, Feature, Hit, HitRules, MayOverlap, Order, Overlaps, Side};
 pub use query::{NormalTriangle, ProjectedTriangle, ShearedRay};

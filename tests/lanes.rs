@@ -3,8 +3,8 @@
 mod support;
 
 use septum::{
-    Aabb, Aabbs, Cull, Hit, Hits, NormalTriangle, NormalTriangles, Ray, Rays, Scalar, Triangle,
-    Triangles,
+    Aabb, Aabbs, Cull, Hit, Hits, NormalTriangle, NormalTriangles, Ranges, Ray, Rays, Scalar,
+    SlabRay, SlabRays, Triangle, Triangles,
 };
 use support::{Rng, Sample, for_every_scalar};
 
@@ -56,6 +56,19 @@ fn check<S: Sample, const N: usize>(
     assert_eq!(hits.nearest(), nearest, "{method}");
 }
 
+fn check_ranges<S: Sample, const N: usize>(
+    method: &str,
+    ranges: &Ranges<S, N>,
+    one: impl Fn(usize) -> Option<(S, S)>,
+) {
+    for k in 0..N {
+        let one = one(k);
+        assert_eq!(ranges.mask[k], one.is_some(), "{method}, lane {k}");
+        assert_eq!(format!("{:?}", ranges.get(k)), format!("{one:?}"), "{method}, lane {k}");
+    }
+    assert_eq!(ranges.get(N), None);
+}
+
 fn same_bits<S: Sample, const N: usize>() {
     let rng = &mut Rng::new(N as u64);
     let mut hits = 0;
@@ -96,10 +109,24 @@ fn same_bits<S: Sample, const N: usize>() {
         });
         let (slabs, many_boxes) = (rays[0].for_slabs(), Aabbs::new(&boxes).unwrap());
         let ranges = slabs.t_range_each_rounded(&many_boxes);
+        check_ranges("boxes", &ranges, |k| slabs.t_range_rounded(&boxes[k]));
         for k in 0..N {
             assert_eq!(many_boxes.get(k), Some(boxes[k]));
-            assert_eq!(ranges.get(k), slabs.t_range_rounded(&boxes[k]));
             assert_eq!(ranges.mask[k], slabs.overlaps_rounded(&boxes[k]));
+        }
+        // Directions without a nought too, lest one lane send all the slow way.
+        let steep = |k: usize| {
+            let plain = round % 2 == 0 && rays[k].direction().to_array().contains(&S::ZERO);
+            let one = S::nearest(1.0);
+            let ray = if plain { Ray::new(rays[k].origin(), [one; 3]).unwrap() } else { rays[k] };
+            ray.for_slabs()
+        };
+        let slab_rays: [SlabRay<S>; N] = std::array::from_fn(steep);
+        let half = boxes[0].min_max().unwrap().1.to_array().map(S::plain_abs);
+        let centered = Aabb::from_center_half_extents(point(), half).ok();
+        for aabb in [Some(boxes[0]), centered].into_iter().flatten() {
+            let ranges = SlabRays::new(&slab_rays).t_range_rounded(&aabb);
+            check_ranges("rays, slabs", &ranges, |k| slab_rays[k].t_range_rounded(&aabb));
         }
 
         let (many, many_normals) = (Triangles::new(&triangles), NormalTriangles::new(&normals));

@@ -1,3 +1,5 @@
+use super::Ranges;
+use super::ranges::minus;
 use super::triangles::lane;
 use crate::query::SlabRay;
 use crate::scalar::Scalar;
@@ -20,17 +22,6 @@ use crate::shape::Aabb;
 pub struct Aabbs<S, const N: usize> {
     min: [[S; N]; 3],
     max: [[S; N]; 3],
-}
-
-/// Where one ray enters and leaves each of N boxes; nought where `mask` is false.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ranges<S, const N: usize> {
-    /// Which boxes the ray meets.
-    pub mask: [bool; N],
-    /// Where it enters them.
-    pub t_enter: [S; N],
-    /// Where it leaves them.
-    pub t_leave: [S; N],
 }
 
 impl<S: Scalar, const N: usize> Aabbs<S, N> {
@@ -60,14 +51,6 @@ impl<S: Scalar, const N: usize> Aabbs<S, N> {
     }
 }
 
-impl<S: Scalar, const N: usize> Ranges<S, N> {
-    /// Where the ray enters and leaves the box in lane `k`, if it does.
-    #[inline]
-    pub fn get(&self, k: usize) -> Option<(S, S)> {
-        if *self.mask.get(k)? { Some((self.t_enter[k], self.t_leave[k])) } else { None }
-    }
-}
-
 impl<S: Scalar> SlabRay<S> {
     /// [`t_range_rounded`](Self::t_range_rounded) on each of N boxes.
     ///
@@ -78,31 +61,15 @@ impl<S: Scalar> SlabRay<S> {
     /// go one by one.
     #[inline]
     pub fn t_range_each_rounded<const N: usize>(&self, aabbs: &Aabbs<S, N>) -> Ranges<S, N> {
-        let nought = [S::ZERO; N];
-        // Arrays of their own: see `Hits::each`.
-        let (mut mask, mut t_enter, mut t_leave) = ([false; N], nought, nought);
         let o = self.origin;
         let faces = |k: usize| {
             let (min, max) = (lane(&aabbs.min, k), lane(&aabbs.max, k));
-            let from =
-                |p: [S; 3]| [p[0].plain_sub(o[0]), p[1].plain_sub(o[1]), p[2].plain_sub(o[2])];
-            (from(min), from(max))
-        };
-        let mut put = |k: usize, (enter, leave): (S, S)| {
-            let met = enter <= leave;
-            mask[k] = met;
-            t_enter[k] = if met { enter } else { S::ZERO };
-            t_leave[k] = if met { leave } else { S::ZERO };
+            (minus(min, o), minus(max, o))
         };
         if self.is_plain {
-            for k in 0..N {
-                put(k, self.plain_interval(&faces(k)));
-            }
+            Ranges::each(|k| self.plain_interval(&faces(k)))
         } else {
-            for k in 0..N {
-                put(k, self.interval(&faces(k)));
-            }
+            Ranges::each(|k| self.interval(&faces(k)))
         }
-        Ranges { mask, t_enter, t_leave }
     }
 }

@@ -69,9 +69,10 @@ impl<S: Scalar> Ray<S> {
     /// [`hit`](Self::hit) on each of N triangles at once: exact, the same verdicts,
     /// the same bits.
     ///
-    /// *Panics*: never. *Cost*: that of one for each vector of them, but for triangles
-    /// whose edges the ray comes too near to be certain at once: those are asked about
-    /// one by one.
+    /// *Panics*: never. *Cost*: a third of the time of one by one, where `f64` has
+    /// vectors, for scalars of up to 32 bits and `f64`, and rays with the range t ≥ 0.
+    /// Of others only misses of the whole line are found at once. Triangles whose edges
+    /// the ray comes too near, and 64 bits, go one by one.
     #[inline]
     pub fn hit_each<const N: usize>(&self, triangles: &Triangles<S, N>) -> Hits<S, N> {
         S::measure(&CrossesEach { ray: self, triangles })

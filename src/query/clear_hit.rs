@@ -17,9 +17,11 @@ pub(crate) fn clear_hit<S: Scalar, N: Holds<S>>(
     is_plain: bool,
     [a, b, c]: [[S; 3]; 3],
 ) -> (bool, Found<S>) {
-    let placed = N::place(&[a, b, c, ray.origin().to_array()], &[ray.direction().to_array()]);
+    let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
+    let placed = N::place(&[a, b, c, o], &[d]);
     let setting = Setting::new(&placed.points, placed.extents[0]);
     let (crossing, is_known) = setting.crossing_if_known::<N>();
+    let is_known = is_known & N::fits(&[a, b, c, o, d]);
     if !is_plain {
         return (is_known & (crossing.meets(false) == Some(false)), Found::none());
     }

@@ -90,9 +90,7 @@ impl<L: Number> Setting<L> {
 
     /// The same, and whether that is known; without a branch.
     #[inline(always)]
-    pub(super) fn crossing_if_known<M: Numbers<Length = L>>(
-        &self,
-    ) -> (Crossing<M::Volume>, bool) {
+    pub(super) fn crossing_if_known<M: Numbers<Length = L>>(&self) -> (Crossing<M::Volume>, bool) {
         let none = M::Volume::ZERO;
         let (slack, is_known) = match self.slack::<M>() {
             Some(slack) => (slack, true),

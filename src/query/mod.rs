@@ -21,6 +21,7 @@ pub use hit::{Cull, Facing, Feature, Hit, HitRules};
 pub use plane_aabb::Side;
 pub use published::Order;
 pub use ray_slabs::SlabRay;
+pub(crate) use ray_slabs::{Faces, plain_interval};
 pub use ray_slopes::SlopeRay;
 pub(crate) use rounded::{
     Found, Limits, Stored, Triple, are_zero, edges, moller_trumbore, rounded, settle, store,

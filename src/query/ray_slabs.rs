@@ -51,10 +51,10 @@ use crate::shape::{Aabb, AabbForm, Ray};
 pub struct SlabRay<S> {
     ray: Ray<S>,
     pub(crate) origin: [S; 3],
-    reciprocal: [S; 3],
+    pub(crate) reciprocal: [S; 3],
     /// The range of t; an open end is the end of the scalar.
-    from: S,
-    to: S,
+    pub(crate) from: S,
+    pub(crate) to: S,
     /// Components without a reciprocal, which are nought or nearly, and those whose
     /// reciprocal is not to be relied on.
     flat: [bool; 3],
@@ -220,17 +220,8 @@ impl<S: Scalar> SlabRay<S> {
     }
 
     #[inline(always)]
-    pub(crate) fn plain_interval(&self, (low, high): &Faces<S>) -> (S, S) {
-        let (mut near, mut far) = ([S::ZERO; 3], [S::ZERO; 3]);
-        for i in 0..3 {
-            let r = self.reciprocal[i];
-            let (a, b) = (low[i].plain_mul(r), high[i].plain_mul(r));
-            near[i] = least(a, b);
-            far[i] = greatest(a, b);
-        }
-        let enter = greatest(greatest(near[0], near[1]), greatest(near[2], self.from));
-        let leave = least(least(far[0], far[1]), least(far[2], self.to));
-        (enter, leave)
+    pub(crate) fn plain_interval(&self, faces: &Faces<S>) -> (S, S) {
+        plain_interval(self.reciprocal, [self.from, self.to], faces)
     }
 
     /// The same with some slabs that the ray runs along, and some ignored.
@@ -252,6 +243,25 @@ impl<S: Scalar> SlabRay<S> {
         let one = S::plain_one();
         if outside { (one, S::ZERO.plain_sub(one)) } else { (enter, leave) }
     }
+}
+
+/// The interval of t in a box, where no component of the direction is nought.
+#[inline(always)]
+pub(crate) fn plain_interval<S: Scalar>(
+    reciprocal: [S; 3],
+    [from, to]: [S; 2],
+    (low, high): &Faces<S>,
+) -> (S, S) {
+    let (mut near, mut far) = ([S::ZERO; 3], [S::ZERO; 3]);
+    for i in 0..3 {
+        let r = reciprocal[i];
+        let (a, b) = (low[i].plain_mul(r), high[i].plain_mul(r));
+        near[i] = least(a, b);
+        far[i] = greatest(a, b);
+    }
+    let enter = greatest(greatest(near[0], near[1]), greatest(near[2], from));
+    let leave = least(least(far[0], far[1]), least(far[2], to));
+    (enter, leave)
 }
 
 impl<S: Scalar> Ray<S> {

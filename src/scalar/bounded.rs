@@ -79,6 +79,14 @@ impl<F: Float> Numbers for Bounded<F> {
         (tame(a) & tame(b) & tame(c)).then(|| F::from(roundoffs) * F::ROUNDOFF * (a * b * c))
     }
     #[inline(always)]
+    fn length_error(size: F, roundoffs: u8) -> F {
+        F::from(roundoffs) * F::ROUNDOFF * size
+    }
+    #[inline(always)]
+    fn area_error(size: F, roundoffs: u8) -> F {
+        F::from(roundoffs) * F::ROUNDOFF * size + F::TINY
+    }
+    #[inline(always)]
     fn widened(slim: F) -> F {
         slim
     }

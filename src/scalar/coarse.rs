@@ -54,6 +54,14 @@ impl Numbers for Coarse {
         Int16::operand(a)
     }
     #[inline(always)]
+    fn length_error(_: Length, _: u8) -> Length {
+        0
+    }
+    #[inline(always)]
+    fn area_error(_: Area, _: u8) -> Area {
+        0
+    }
+    #[inline(always)]
     fn widened(slim: Volume) -> Volume {
         slim
     }

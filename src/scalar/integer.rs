@@ -113,6 +113,14 @@ macro_rules! integers {
                 Some(<$volume as Number>::ZERO)
             }
             #[inline(always)]
+            fn length_error(_: $length, _: u8) -> $length {
+                0
+            }
+            #[inline(always)]
+            fn area_error(_: $area, _: u8) -> $area {
+                0
+            }
+            #[inline(always)]
             fn widened(slim: <$slim as Numbers>::Volume) -> $volume {
                 slim.into()
             }

@@ -84,15 +84,9 @@ pub trait Numbers: Sized + 'static {
 
     /// How far a computed length of that size may be from the truth: `roundoffs` times
     /// the unit roundoff times `size`. For integers nought.
-    fn length_error(size: Self::Length, roundoffs: u8) -> Self::Length {
-        let _ = (size, roundoffs);
-        Self::Length::ZERO
-    }
+    fn length_error(size: Self::Length, roundoffs: u8) -> Self::Length;
     /// The same of an area, products that underflow allowed for.
-    fn area_error(size: Self::Area, roundoffs: u8) -> Self::Area {
-        let _ = (size, roundoffs);
-        Self::Area::ZERO
-    }
+    fn area_error(size: Self::Area, roundoffs: u8) -> Self::Area;
 
     /// A slim volume as one of this system.
     fn widened(slim: <Self::Slim as Numbers>::Volume) -> Self::Volume;

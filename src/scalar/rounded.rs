@@ -96,6 +96,14 @@ impl<S: Scalar> Numbers for Rounded<S> {
         a
     }
     #[inline(always)]
+    fn length_error(_: Self, _: u8) -> Self {
+        Self::ZERO
+    }
+    #[inline(always)]
+    fn area_error(_: Self, _: u8) -> Self {
+        Self::ZERO
+    }
+    #[inline(always)]
     fn widened(slim: Self) -> Self {
         slim
     }

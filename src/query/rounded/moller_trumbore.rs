@@ -21,7 +21,7 @@ impl<S: Scalar> Ray<S> {
     /// | [`hit_projected`](Self::hit_projected) | 0.98 | 1.11 |
     /// | [`hit_volumes`](Self::hit_volumes) | 0.97 | 1.04 |
     /// | [`ShearedRay::hit`](crate::ShearedRay::hit) | 1.70 | 1.73 |
-    /// | eight at once, [`Triangles`](crate::Triangles) | 0.07 | 0.13 |
+    /// | eight at once, [`Triangles`](crate::Triangles) | 0.07 | 0.12 |
     ///
     /// *Geometry*: both sides count, but for `cull`; t in the ray's range. A
     /// determinant of nought, of a flat triangle or a ray along the plane, is no hit.

@@ -90,7 +90,8 @@ impl<S: Scalar> Ray<S> {
     #[inline]
     pub fn t_stored_normal(&self, triangle: &NormalTriangle<S>, cull: Cull, miss: S) -> S {
         let found = settle(self.by_normal(triangle), &Limits::new(self, cull));
-        if found.hit { found.t } else { miss }
+        // By its address: a choice may become a branch.
+        [miss, found.t][usize::from(found.hit)]
     }
 
     #[inline(always)]
