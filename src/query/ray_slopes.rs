@@ -16,7 +16,8 @@ use crate::shape::{Aabb, AabbForm, Ray};
 /// It decides by multiplications with slopes, without t, and without the origin but in
 /// constants. On processors that do several operations at once
 /// [`SlabRay`](crate::SlabRay) is faster and gives t as well; choose this where
-/// slopes are the point, as with rays that share them.
+/// slopes are the point, as with rays that share them. Measured as there: 0.27 against
+/// 0.19, with t 0.86 against 0.76.
 ///
 /// ```
 /// use septum::{Aabb, Ray};

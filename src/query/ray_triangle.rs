@@ -248,7 +248,7 @@ impl<S: Scalar> Ray<S> {
     /// *Numerics*: whether there is a hit, its side and its feature are exact for
     /// every valid input, in every scalar, so that a closed mesh has no leak. t, u and
     /// v in fixed point are the nearest numbers of the type (of two, the even one),
-    /// or the end of the type where it does not reach; in `f32` they are within 1 ulp,
+    /// or the end of the type where it does not reach; in `f32` they are within 2 ulp,
     /// in `f64` within 2⁻³¹ of themselves, and nearly always within a few ulp. They
     /// are the same bits on every machine.
     ///
@@ -258,9 +258,12 @@ impl<S: Scalar> Ray<S> {
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: 27 multiplications, 3 of them only for what is not missed, and 3
-    /// divisions for a hit. Choose it unless you measured that you cannot pay for
-    /// it; [`hits`](Self::hits) saves the divisions.
+    /// *Cost*: 24 multiplications and 3 divisions, hit or miss. In `f32` on a wide
+    /// machine 0.83 of the time of Möller–Trumbore with its early exits where half of
+    /// the rays hit, 0.59 where a tenth does; ten times as long where the ray goes
+    /// through an edge, exactly. Choose it unless you measured that you cannot pay for
+    /// it; [`hits`](Self::hits) saves the divisions,
+    /// [`hit_each`](Self::hit_each) asks about several triangles in a third of the time.
     ///
     /// *Source*: Möller and Trumbore 1997; the sign test, the error bound and the
     /// exact stages are ours.
@@ -323,8 +326,9 @@ impl<S: Scalar> Ray<S> {
 
     /// Whether the ray crosses a triangle: [`hit`](Self::hit) without t, u and v.
     ///
-    /// *Numerics*: exact. *Panics*: never. *Cost*: 27 multiplications, no division;
-    /// in `f32` the first stage is in `f32`. Choose it for shadows and visibility.
+    /// *Numerics*: exact. *Panics*: never. *Cost*: 24 multiplications, no division; 0.71
+    /// and 0.50 where [`hit`](Self::hit) takes 0.83 and 0.59. Choose it for shadows and
+    /// visibility.
     #[inline]
     pub fn hits(&self, triangle: &Triangle<S>) -> bool {
         self.hits_with(triangle, HitRules::new())

@@ -31,6 +31,11 @@ fn watertight<S: Scalar>(r: &ShearedRay<S>, t: &Triangles<S, N>) -> Hits<S, N> {
     r.hit_each(t, Cull::Nothing)
 }
 
+#[inline(never)]
+fn exact<S: Scalar>(r: &Ray<S>, t: &Triangles<S, N>) -> Hits<S, N> {
+    r.hit_each(t)
+}
+
 /// The methods that there are for many at once, in one scalar.
 pub fn lanes<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Vec<Candidate> {
     let course = course(scene, unit);
@@ -43,6 +48,7 @@ pub fn lanes<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Vec<Candidate> {
         course.prepared("8 at once, prepared", |p| p.blocks().map(Ray::clone, with_normals));
     let none = Promise::Nothing;
     vec![
+        plain.candidate("exact", Promise::Exact, exact),
         plain.candidate("Möller–Trumbore", none, moller_trumbore),
         normals.candidate("stored normal", none, stored_normal),
         plain.candidate("volumes", none, volumes),

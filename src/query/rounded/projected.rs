@@ -56,7 +56,7 @@ impl<S: Scalar> Ray<S> {
     ///
     /// Choose it where few multiplications count, as on a core without a
     /// floating-point unit, or where most planes are missed and divisions are cheap.
-    /// In floats it gains nothing on
+    /// In floats it gains little on
     /// [`hit_moller_trumbore`](Self::hit_moller_trumbore), where the table is: it must
     /// divide before it can decide. In I16F16 it takes 0.6 to 0.9 of it, and its u and
     /// v stay in range the longest, for they are made of areas and not of volumes.

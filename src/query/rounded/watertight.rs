@@ -64,7 +64,7 @@ impl<S: Scalar> ShearedRay<S> {
     ///
     /// Choose it where a closed mesh must not leak and a verdict that is off by a
     /// rounding does no harm; above all eight at once, which takes 0.09 of
-    /// Möller–Trumbore's time. One by one it takes 1.7 times as long, and
+    /// Möller–Trumbore's time. One by one it takes 1.4 times as long, and
     /// [`Ray::hit`], which is exact and watertight too, less.
     ///
     /// *Geometry*: both sides count, but for `cull`; t in the ray's range. It is the
