@@ -12,6 +12,7 @@ mod frame;
 mod line;
 mod name;
 mod normal;
+mod one_sided;
 mod skewed;
 mod split;
 
@@ -21,5 +22,6 @@ pub(crate) use frame::{BoxForm, Frame};
 pub(crate) use line::Slabs;
 pub use name::Axis;
 pub(crate) use normal::{normal, plane};
+pub(crate) use one_sided::{Shadow, one_sided};
 pub(crate) use skewed::{Skewed, skewed};
 pub(crate) use split::Split;

@@ -11,10 +11,11 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 use super::bounded::Bounded;
 use super::coarse::Coarse;
 use super::integer::{Int8, Int16, Int32, Int64, REGISTERS_ARE_WIDE, below_i32, below_i64};
-use super::ladder::{Predicate, exactly, first, only, rung, thorough, wide_integers};
+use super::ladder::{Predicate, exactly, first, only, rung, thorough, wide_integers, words};
 use super::numbers::{Holds, Numbers, Placed, convert};
 use super::quotient::Dividend;
 use super::sum::{Parts, Sum};
+use super::word::InWord;
 use super::{Scalar, sealed};
 
 /// The number with these raw bits, or the end of the type.
@@ -131,10 +132,34 @@ macro_rules! scalar {
         }
     };
 }
-scalar!(FixedI8, LeEqU8, 1, Int8, Int8, |p| only::<_, Int8, _>(p), by_double(p));
-scalar!(FixedI16, LeEqU16, 2, Int16, Int16, |p| only::<_, Int16, _>(p), by_double(p));
+scalar!(
+    FixedI8,
+    LeEqU8,
+    1,
+    Int8,
+    Int8,
+    |p| words::<_, i32, _>(p, only::<_, Int8, _>),
+    by_double(p)
+);
+scalar!(
+    FixedI16,
+    LeEqU16,
+    2,
+    Int16,
+    Int16,
+    |p| words::<_, i32, _>(p, only::<_, Int16, _>),
+    by_double(p)
+);
 scalar!(FixedI32, LeEqU32, 3, Coarse, Int64, |p| by_size(p), by_double(p));
-scalar!(FixedI64, LeEqU64, 5, Coarse, Int64, |p| rung::<_, Int64, _>(p, exactly), Self::decide(p));
+scalar!(
+    FixedI64,
+    LeEqU64,
+    5,
+    Coarse,
+    Int64,
+    |p| words::<_, i128, _>(p, |p| rung::<_, Int64, _>(p, exactly)),
+    Self::decide(p)
+);
 
 /// Where floats are cheap, `f64` answers nearly all, and faster than integers. It
 /// changes no answer.
@@ -153,7 +178,7 @@ fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
     if REGISTERS_ARE_WIDE {
         rung::<_, Int16, _>(p, middling)
     } else {
-        rung::<_, Int32, _>(p, exactly)
+        words::<_, i32, _>(p, |p| words::<_, i64, _>(p, |p| rung::<_, Int32, _>(p, exactly)))
     }
 }
 
@@ -214,6 +239,27 @@ holds!(FixedI32, LeEqU32, Int64, i64, |_all| true);
 holds!(FixedI64, LeEqU64, Int64, i64, |all| {
     below_i64(all.as_flattened().iter().map(|x| x.to_bits()), 60)
 });
+
+/// The word of a type, and whether it holds whatever is asked of the type.
+macro_rules! in_word {
+    ($($fixed:ident, $bound:ident: $word:ty, $always_near:literal;)*) => {$(
+        impl<Frac: $bound> InWord<$word> for $fixed<Frac> {
+            const ALWAYS_NEAR: bool = $always_near;
+
+            #[inline(always)]
+            fn in_word(self) -> $word {
+                self.to_bits().into()
+            }
+        }
+    )*};
+}
+in_word! {
+    FixedI8, LeEqU8: i32, true;
+    FixedI16, LeEqU16: i32, true;
+    FixedI32, LeEqU32: i32, false;
+    FixedI32, LeEqU32: i64, true;
+    FixedI64, LeEqU64: i128, true;
+}
 
 /// Types that the quick system brings down to size.
 macro_rules! coarse {

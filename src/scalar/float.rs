@@ -3,6 +3,7 @@
 use core::ops::Mul;
 
 use super::bounded::Bounded;
+use super::integer::REGISTERS_ARE_WIDE;
 use super::ladder::{Predicate, first, rung, thorough, wide_integers};
 use super::number::Number;
 use super::padding::Padding;
@@ -163,7 +164,7 @@ impl Scalar for f32 {
 }
 
 /// Whether `f64` costs no more than `f32`. It changes no answer.
-const DOUBLE_IS_CHEAP: bool = cfg!(target_pointer_width = "64");
+const DOUBLE_IS_CHEAP: bool = REGISTERS_ARE_WIDE;
 
 /// The second rung of `f32`: the same code in `f64`.
 #[cold]

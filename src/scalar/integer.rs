@@ -51,7 +51,7 @@ pub struct Int64Slim;
 /// its volumes. Neither changes an answer; `--cfg septum_narrow` tests the other one
 /// on a wide machine.
 pub(super) const REGISTERS_ARE_WIDE: bool =
-    cfg!(all(target_pointer_width = "64", not(septum_narrow)));
+    cfg!(all(any(target_pointer_width = "64", target_arch = "wasm32"), not(septum_narrow)));
 
 macro_rules! integers {
     ($($system:ty: $length:ty, $area:ty, $volume:ty, $product:expr; $slim:ty, $is_slim:expr;)*) => {$(

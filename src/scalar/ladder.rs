@@ -2,7 +2,10 @@
 
 use super::Scalar;
 use super::integer::Int64;
+#[cfg(feature = "fixed")]
+use super::integer::REGISTERS_ARE_WIDE;
 use super::numbers::Holds;
+use super::word::{InWord, Word};
 
 /// A question about coordinates of the scalar `S`.
 ///
@@ -19,6 +22,16 @@ pub trait Predicate<S: Scalar> {
     #[inline(always)]
     fn quick<N: Holds<S>>(&self) -> Option<Self::Answer> {
         self.attempt::<N>()
+    }
+
+    /// The answer in words of `W`, for a question that has a kernel of its own for
+    /// narrow registers, if the shapes are near enough to each other.
+    #[inline(always)]
+    fn in_words<W: Word>(&self) -> Option<Self::Answer>
+    where
+        S: InWord<W>,
+    {
+        None
     }
 
     /// The answer for every input, by exact sums of products.
@@ -51,6 +64,23 @@ pub(super) fn rung<S: Scalar, N: Holds<S>, P: Predicate<S>>(
     above: fn(&P) -> P::Answer,
 ) -> P::Answer {
     match p.attempt::<N>() {
+        Some(answer) => answer,
+        None => above(p),
+    }
+}
+
+/// A rung where registers are narrow: the answer in words of `W`, or else what
+/// `above` says.
+#[cfg(feature = "fixed")]
+#[inline(always)]
+pub(super) fn words<S: Scalar + InWord<W>, W: Word, P: Predicate<S>>(
+    p: &P,
+    above: impl FnOnce(&P) -> P::Answer,
+) -> P::Answer {
+    if REGISTERS_ARE_WIDE {
+        return above(p);
+    }
+    match p.in_words() {
         Some(answer) => answer,
         None => above(p),
     }

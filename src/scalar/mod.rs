@@ -17,6 +17,7 @@ mod root;
 mod rounded;
 mod sum;
 mod wide;
+mod word;
 
 #[cfg(feature = "fixed")]
 mod fixed;
@@ -30,6 +31,8 @@ pub use padding::Padding;
 pub use root::FixedPoint;
 pub use rounded::Rounded;
 pub use sum::{ExactSum, Parts};
+pub use word::{InWord, Word};
+pub(crate) use word::{out_of_line, out_of_line_if_wide};
 
 mod sealed {
     pub trait Sealed {}
