@@ -1,7 +1,6 @@
 //! Rays in the types of the peers, and their ways to say that nothing was hit.
 
 use bvh::ray::Ray as BvhRay;
-use glam::Vec3A;
 use nalgebra::{Point3, Vector3};
 use obvhs::ray::Ray as ObvhsRay;
 use parry3d::math::Vector;
@@ -23,8 +22,9 @@ pub fn obvhs_ray(r: &Ray<f32>) -> ObvhsRay {
     ObvhsRay::new_inf(obvhs_vector(r.origin()), obvhs_vector(r.direction()))
 }
 
-pub fn obvhs_vector(v: Vec3<f32>) -> Vec3A {
-    Vec3A::new(v.x, v.y, v.z)
+/// Its vectors are `glam`'s, of whichever version it was built with.
+pub fn obvhs_vector<V: From<[f32; 3]>>(v: Vec3<f32>) -> V {
+    V::from([v.x, v.y, v.z])
 }
 
 /// With reciprocals; it makes the direction a unit vector.
