@@ -13,6 +13,8 @@ mod scalar;
 mod shape;
 
 pub use axis::Axis;
+#[cfg(feature = "heapless")]
+pub use interop::{Bounded, touched};
 pub use lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles};
 pub use linear::Vec3;
 pub use query::{Cull, Facing, Feature, Hit, HitRules, MayOverlap, Order, Overlaps, Side};

@@ -4,6 +4,7 @@
 /// names follow Akenine-Möller: bullet 1 of his paper is [`Face`](Self::Face),
 /// bullet 2 [`Normal`](Self::Normal), bullet 3 [`Edge`](Self::Edge).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Axis {
     /// A face normal of the box: coordinate axis 0, 1 or 2.

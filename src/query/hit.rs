@@ -25,6 +25,7 @@ pub struct Hit<S> {
 
 /// The side of a triangle that a ray comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Facing {
     /// The side from which the vertices go counterclockwise: the ray runs
@@ -37,6 +38,7 @@ pub enum Facing {
 
 /// The part of a triangle that a ray goes through.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Feature {
     /// The interior.
@@ -49,6 +51,7 @@ pub enum Feature {
 
 /// Which hits do not count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Cull {
     /// All count.
@@ -84,6 +87,7 @@ impl Cull {
 /// # Ok::<(), septum::ShapeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HitRules {
     pub(super) cull: Cull,
     pub(super) once: bool,

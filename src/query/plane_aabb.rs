@@ -14,6 +14,7 @@ use core::cmp::Ordering;
 
 /// On which side of a plane a shape lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Side {
     /// All of it before the plane, where the normal points to, and none on it.

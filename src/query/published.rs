@@ -14,6 +14,7 @@ use crate::shape::{Aabb, AabbForm, Triangle};
 /// normal; 3, the nine cross products. It found 3-1-2 the fastest on one
 /// machine, and no difference on another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Order {
     /// Cross products, faces, normal: the paper's choice.
     #[default]

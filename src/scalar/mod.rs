@@ -51,7 +51,15 @@ mod sealed {
 /// }
 /// ```
 pub trait Scalar:
-    sealed::Sealed + Copy + PartialOrd + Default + core::fmt::Debug + Send + Sync + 'static
+    sealed::Sealed
+    + crate::interop::Logged
+    + Copy
+    + PartialOrd
+    + Default
+    + core::fmt::Debug
+    + Send
+    + Sync
+    + 'static
 {
     /// Nought.
     const ZERO: Self;

@@ -3,6 +3,7 @@ use core::fmt;
 /// Why no shape could be made of what was given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ShapeError {
     /// A coordinate is NaN or infinite.
     NotFinite,

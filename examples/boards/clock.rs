@@ -1,0 +1,101 @@
+//! Instructions, counted by the emulated board's own timer.
+//!
+//! QEMU gives each instruction the same time (`-icount`), so that a timer counts
+//! instructions; that is what they are, not cycles.
+
+#[cfg(target_arch = "arm")]
+pub(crate) use arm::Clock;
+
+#[cfg(target_arch = "arm")]
+mod arm {
+    use core::sync::atomic::{AtomicU32, Ordering};
+
+    use cortex_m::Peripherals;
+    use cortex_m::peripheral::SYST;
+    use cortex_m::peripheral::syst::SystClkSource;
+
+    /// How often the timer, of 24 bits, began anew.
+    static ROUNDS: AtomicU32 = AtomicU32::new(0);
+
+    #[cortex_m_rt::exception]
+    fn SysTick() {
+        // There is no fetch_add on a Cortex-M0, and nothing else that writes.
+        ROUNDS.store(ROUNDS.load(Ordering::Relaxed).wrapping_add(1), Ordering::Relaxed);
+    }
+
+    /// The timer, and what it shows after a known number of instructions.
+    pub(crate) struct Clock {
+        ticks: u64,
+        instructions: u64,
+    }
+
+    impl Clock {
+        /// Takes the timer; there is only one.
+        pub(crate) fn new() -> Option<Self> {
+            let mut timer = Peripherals::take()?.SYST;
+            timer.set_clock_source(SystClkSource::Core);
+            timer.set_reload(0x00ff_ffff);
+            timer.clear_current();
+            timer.enable_interrupt();
+            timer.enable_counter();
+            // Loops of two instructions, and one more.
+            const DELAY: u32 = 1_000_000;
+            let start = now();
+            cortex_m::asm::delay(DELAY);
+            Some(Self { ticks: now() - start, instructions: u64::from(DELAY) + 2 })
+        }
+
+        /// How many instructions `work` takes.
+        pub(crate) fn count<T>(&self, work: impl FnOnce() -> T) -> (T, Option<u64>) {
+            let start = now();
+            let result = work();
+            let ticks = now() - start;
+            (result, (ticks * self.instructions).checked_div(self.ticks))
+        }
+    }
+
+    /// Ticks since the beginning; the timer itself counts down.
+    fn now() -> u64 {
+        loop {
+            let rounds = ROUNDS.load(Ordering::Relaxed);
+            let left = SYST::get_current();
+            if rounds == ROUNDS.load(Ordering::Relaxed) {
+                return (u64::from(rounds) << 24) + u64::from(0x00ff_ffff - left);
+            }
+        }
+    }
+}
+
+/// How many instructions ran.
+#[cfg(target_arch = "riscv32")]
+pub(crate) struct Clock;
+
+#[cfg(target_arch = "riscv32")]
+impl Clock {
+    pub(crate) fn new() -> Option<Self> {
+        Some(Self)
+    }
+
+    /// How many instructions `work` takes.
+    pub(crate) fn count<T>(&self, work: impl FnOnce() -> T) -> (T, Option<u64>) {
+        let start = riscv::register::minstret::read64();
+        let result = work();
+        (result, Some(riscv::register::minstret::read64() - start))
+    }
+}
+
+/// Counts nothing: a real machine has no time for it.
+#[cfg(not(target_os = "none"))]
+pub(crate) struct Clock;
+
+#[cfg(not(target_os = "none"))]
+impl Clock {
+    pub(crate) fn new() -> Option<Self> {
+        Some(Self)
+    }
+
+    /// Does `work`.
+    pub(crate) fn count<T>(&self, work: impl FnOnce() -> T) -> (T, Option<u64>) {
+        (work(), None)
+    }
+}

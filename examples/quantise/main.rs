@@ -1,0 +1,44 @@
+//! Brings a mesh to fixed point, as a table for flash.
+//!
+//! ```text
+//! cargo run --release --example quantise -- MESH --scalar i16f16 > table.rs
+//! ```
+//!
+//! The table holds each vertex once, in raw bits; the faces are indices. What
+//! rounding did to the mesh goes to the error stream.
+
+#[path = "../voxelize/mesh.rs"]
+mod mesh;
+mod options;
+mod table;
+
+use std::error::Error;
+use std::process::ExitCode;
+
+use clap::Parser;
+use fixed::types::{I4F4, I8F8, I16F16, I32F32};
+use mesh::Mesh;
+use options::{Options, Scalar};
+
+fn main() -> ExitCode {
+    match run(&Options::parse()) {
+        Ok(table) => {
+            print!("{table}");
+            ExitCode::SUCCESS
+        }
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(options: &Options) -> Result<String, Box<dyn Error>> {
+    let mesh = Mesh::load(options.mesh.as_deref(), options.up)?;
+    match options.scalar {
+        Scalar::I4F4 => table::write::<I4F4>(&mesh, options),
+        Scalar::I8F8 => table::write::<I8F8>(&mesh, options),
+        Scalar::I16F16 => table::write::<I16F16>(&mesh, options),
+        Scalar::I32F32 => table::write::<I32F32>(&mesh, options),
+    }
+}

@@ -1,0 +1,44 @@
+//! What can be said on the command line.
+
+use std::path::PathBuf;
+
+use clap::{Parser, ValueEnum};
+
+/// Brings a mesh to fixed point, as a table for flash.
+///
+/// Prints a Rust file: the vertices as raw bits, each once, and the faces as
+/// indices. Faces that rounding made degenerate are kept: a query takes them.
+#[derive(Parser)]
+pub(crate) struct Options {
+    /// The mesh, an .obj or .stl file; without it, the bundled teapot
+    pub(crate) mesh: Option<PathBuf>,
+
+    /// What is up in the file
+    #[arg(long, value_name = "AXIS")]
+    pub(crate) up: Option<Up>,
+
+    /// The type to round to
+    #[arg(long, value_name = "TYPE", default_value = "i16f16")]
+    pub(crate) scalar: Scalar,
+
+    /// Enlarges the mesh so many times before it is rounded
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
+    pub(crate) scale: f64,
+}
+
+/// The axis that points up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Up {
+    Y,
+    Z,
+}
+
+/// The fixed-point types that there are tables for.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+#[value(rename_all = "lower")]
+pub(crate) enum Scalar {
+    I4F4,
+    I8F8,
+    I16F16,
+    I32F32,
+}

@@ -1,0 +1,150 @@
+//! `defmt`: every public type as a log record, its numbers as numbers.
+//!
+//! A fixed-point number goes out as a float, and the host writes it down; no
+//! digits are made on the device. Types of up to 32 bits are written exactly,
+//! those of 64 to the nearest `f64`.
+
+use defmt::{Format, Formatter, write};
+
+use crate::lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles};
+use crate::linear::Vec3;
+use crate::query::{Hit, NormalTriangle, ProjectedTriangle, ShearedRay, SlabRay, SlopeRay};
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, AabbForm, Obb, Plane, PlaneForm, Ray, Segment, SegmentForm, Triangle};
+
+/// A scalar that can be logged: all can.
+pub trait Logged: Sized {
+    /// Writes the number.
+    #[doc(hidden)]
+    fn log(self, to: Formatter<'_>);
+}
+
+macro_rules! logged {
+    ($([$($generic:ident: $bound:ident)?] $scalar:ty, $format:literal, |$x:ident| $number:expr;)*) => {$(
+        impl<$($generic: fixed::types::extra::$bound)?> Logged for $scalar {
+            fn log(self, to: Formatter<'_>) {
+                let $x = self;
+                write!(to, $format, $number);
+            }
+        }
+    )*};
+}
+logged! {
+    [] f32, "{=f32}", |x| x;
+    [] f64, "{=f64}", |x| x;
+}
+#[cfg(feature = "fixed")]
+logged! {
+    [Frac: LeEqU8] fixed::FixedI8<Frac>, "{=f32}", |x| x.to_num();
+    [Frac: LeEqU16] fixed::FixedI16<Frac>, "{=f32}", |x| x.to_num();
+    [Frac: LeEqU32] fixed::FixedI32<Frac>, "{=f64}", |x| x.to_num();
+    [Frac: LeEqU64] fixed::FixedI64<Frac>, "{=f64}", |x| x.to_num();
+}
+
+/// One number.
+struct Number<S>(S);
+
+impl<S: Scalar> Format for Number<S> {
+    fn format(&self, to: Formatter<'_>) {
+        self.0.log(to);
+    }
+}
+
+/// A number that need not be.
+fn optional<S: Scalar>(x: Option<S>) -> Option<Number<S>> {
+    x.map(Number)
+}
+
+/// `impl Format` for a shape or an answer, by what it says of itself.
+macro_rules! formats {
+    ($($type:ident: |$this:ident, $to:ident| $body:expr;)*) => {$(
+        impl<S: Scalar> Format for $type<S> {
+            fn format(&self, $to: Formatter<'_>) {
+                let $this = self;
+                $body
+            }
+        }
+    )*};
+}
+formats! {
+    Vec3: |v, to| write!(to, "({}, {}, {})", Number(v.x), Number(v.y), Number(v.z));
+    Triangle: |t, to| {
+        let [a, b, c] = t.vertices();
+        write!(to, "Triangle[{}, {}, {}]", a, b, c)
+    };
+    Aabb: |aabb, to| match aabb.form() {
+        AabbForm::Center { center, half } => {
+            write!(to, "Aabb {{ center: {}, half_extents: {} }}", center, half)
+        }
+        AabbForm::Corners { min, max } => write!(to, "Aabb {{ min: {}, max: {} }}", min, max),
+    };
+    Obb: |obb, to| {
+        let [u, v, w] = obb.axes();
+        write!(
+            to,
+            "Obb {{ center: {}, axes: [{}, {}, {}], half_extents: {} }}",
+            obb.center(), u, v, w, obb.half_extents()
+        )
+    };
+    Plane: |plane, to| match plane.form() {
+        PlaneForm::Point(point) => {
+            write!(to, "Plane {{ point: {}, normal: {} }}", point, plane.normal())
+        }
+        PlaneForm::Offset(d) => {
+            write!(to, "Plane {{ normal: {}, d: {} }}", plane.normal(), Number(*d))
+        }
+    };
+    Segment: |segment, to| match segment.form() {
+        SegmentForm::Ends(a, b) => write!(to, "Segment[{}, {}]", a, b),
+        SegmentForm::Center { center, half } => {
+            write!(to, "Segment {{ center: {}, half_vector: {} }}", center, half)
+        }
+    };
+    Ray: |ray, to| write!(
+        to,
+        "Ray {{ origin: {}, direction: {}, t_min: {}, t_max: {} }}",
+        ray.origin(), ray.direction(), optional(ray.t_min()), optional(ray.t_max())
+    );
+    Hit: |hit, to| write!(
+        to,
+        "Hit {{ t: {}, u: {}, v: {}, facing: {}, feature: {} }}",
+        Number(hit.t), Number(hit.u), Number(hit.v), hit.facing, hit.feature
+    );
+    // Of what is prepared for a method, what it was prepared from.
+    NormalTriangle: |t, to| write!(to, "NormalTriangle {{ normal: {}, .. }}", t.normal());
+    ProjectedTriangle: |_t, to| write!(to, "ProjectedTriangle {{ .. }}");
+    ShearedRay: |sheared, to| write!(to, "ShearedRay {{ ray: {}, .. }}", sheared.ray);
+    SlabRay: |_r, to| write!(to, "SlabRay {{ .. }}");
+    SlopeRay: |_r, to| write!(to, "SlopeRay {{ .. }}");
+}
+
+/// The same for what has lanes: each lane in brackets.
+macro_rules! lanes {
+    ($($type:ident: $name:literal, |$this:ident, $k:ident| $lane:expr;)*) => {$(
+        impl<S: Scalar, const N: usize> Format for $type<S, N> {
+            fn format(&self, to: Formatter<'_>) {
+                let $this = self;
+                write!(to, $name);
+                for $k in 0..N {
+                    write!(to, "[{}]", $lane);
+                }
+            }
+        }
+    )*};
+}
+lanes! {
+    Triangles: "Triangles", |all, k| all.get(k);
+    NormalTriangles: "NormalTriangles", |all, k| all.get(k);
+    Rays: "Rays", |all, k| all.get(k);
+    SlabRays: "SlabRays", |all, k| all.get(k);
+    Aabbs: "Aabbs", |all, k| all.get(k);
+    Hits: "Hits", |all, k| all.get(k);
+    Ranges: "Ranges", |all, k| all.get(k).map(|(enter, leave)| (Number(enter), Number(leave)));
+}
+
+#[cfg(feature = "heapless")]
+impl<T: Format, const N: usize> Format for super::Bounded<T, N> {
+    fn format(&self, to: Formatter<'_>) {
+        write!(to, "{=[?]} and {=usize} more", self.kept(), self.missed());
+    }
+}
