@@ -4,7 +4,7 @@
 //! with no more than exact scaling, and no library is asked.
 
 use septum::{Aabb, Axis, Cull, Feature, Hit, Obb, Plane, Ray, Scalar, Segment, Side, Triangle};
-use septum::{Facing, Vec3};
+use septum::{Aabbs, Facing, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles, Vec3};
 
 use crate::draw::{Draw, Rng};
 
@@ -55,6 +55,17 @@ impl Hash {
         self.number(hit.t);
         self.number(hit.u);
         self.number(hit.v);
+    }
+}
+
+/// The answers of four lanes.
+impl Hash {
+    fn hits<S: Draw>(&mut self, hits: &Hits<S, 4>) {
+        (0..4).for_each(|k| self.hit(hits.get(k)));
+    }
+
+    fn ranges<S: Draw>(&mut self, ranges: &Ranges<S, 4>) {
+        (0..4).for_each(|k| self.range(ranges.get(k)));
     }
 }
 
@@ -111,6 +122,7 @@ fn case<S: Draw>(rng: &mut Rng, hash: &mut Hash) {
     let direction = if rng.below(3) == 0 { d } else { towards(o, &triangle) };
     if let Ok(ray) = Ray::new(o, direction) {
         crossings(&ray, &triangle, [&centered, &corners], hash);
+        lanes(&ray, &triangle, [&centered, &corners], hash);
     }
 }
 
@@ -154,6 +166,33 @@ fn crossings<S: Draw>(ray: &Ray<S>, triangle: &Triangle<S>, aabbs: [&Aabb<S>; 2]
         hash.range(slabs.t_range_rounded(aabb));
         hash.yes(slabs.may_overlap(aabb));
         hash.yes(slopes.overlaps_rounded(aabb));
+    }
+}
+
+/// Four at once: the triangle and itself with its vertices moved on, the ray and itself
+/// with its ends exchanged. These are the loops that become vector instructions.
+#[inline(never)]
+fn lanes<S: Draw>(ray: &Ray<S>, triangle: &Triangle<S>, aabbs: [&Aabb<S>; 2], hash: &mut Hash) {
+    let [a, b, c] = *triangle.vertices();
+    let turned = [[a, b, c], [b, c, a], [c, a, b], [b, a, c]];
+    let Ok(back) = Ray::new(ray.direction(), ray.origin()) else { return hash.byte(0xfe) };
+    let rays = [ray, &back, &back, ray].map(Clone::clone);
+    let triangles = turned.map(|[a, b, c]| Triangle::new(a, b, c).unwrap_or(*triangle));
+    let (by_normal, by_slabs) = (triangles.map(|t| t.with_normal()), rays.map(|r| r.for_slabs()));
+    let triangles = Triangles::new(&triangles);
+    hash.hits(&ray.hit_each(&triangles));
+    hash.hits(&ray.hit_each_moller_trumbore(&triangles, Cull::Nothing));
+    hash.hits(&ray.hit_each_volumes(&triangles, Cull::Back));
+    hash.hits(&ray.hit_each_stored_normal(&NormalTriangles::new(&by_normal), Cull::Nothing));
+    hash.hits(&ray.sheared().hit_each(&triangles, Cull::Nothing));
+    hash.hits(&Rays::new(&rays).hit_volumes(triangle, Cull::Front));
+    let slabs = SlabRays::new(&by_slabs);
+    for aabb in aabbs {
+        hash.ranges(&slabs.t_range_rounded(aabb));
+    }
+    let [p, q] = aabbs;
+    if let Some(aabbs) = Aabbs::new(&[*p, *q, *q, *p]) {
+        hash.ranges(&ray.for_slabs().t_range_each_rounded(&aabbs));
     }
 }
 

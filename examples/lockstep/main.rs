@@ -86,13 +86,14 @@ fn line(k: usize) -> Line {
         1 => {
             let ((first, again), (second, more)) = (late(0, 0), late(1, 0));
             let agree = first == hashes && second == hashes;
-            let _ = write!(text, "rolled back: {again} and {more} of {TICKS} ticks run again, ");
+            let _ = write!(text, "rolled back: {again} and {more} ticks run again, ");
             let _ = write!(text, "{}", if agree { "all hashes equal" } else { "DESYNC" });
             agree
         }
         _ => {
-            let (ours, _) = late(0, 1);
-            let desync = (0..TICKS).find(|&tick| ours[tick] != hashes[tick]);
+            // What the peers send each other beside their inputs: the hashes.
+            let ((ours, _), (theirs, _)) = (late(0, 1), late(1, 0));
+            let desync = (0..TICKS).find(|&tick| ours[tick] != theirs[tick]);
             let _ = write!(text, "one bit changed at tick {BAD_TICK}: ");
             let _ = match desync {
                 Some(tick) => write!(text, "desync noticed at tick {tick}"),
