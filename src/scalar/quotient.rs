@@ -287,6 +287,18 @@ mod tests {
         }
     }
 
+    /// Where a double rounds what it divides, the guess may be the odd one.
+    #[test]
+    fn ties_of_large_numbers_are_even() {
+        for k in 0..2000_i64 {
+            let (q, half) = ((1 << 40) - 2 - k, (1 << 21) + 2 * k + 1);
+            for (num, den) in [((2 * q + 1) * half, 2 * half), (-(2 * q + 1) * half, 2 * half)] {
+                check(num.into(), den.into(), 0, num.quotient(den, 0));
+                check(num.into(), den.into(), 0, i128::from(num).quotient(den.into(), 0));
+            }
+        }
+    }
+
     #[test]
     fn long_division_goes_on_where_one_does_not_reach() {
         let den = (1_i64 << 61) - 1;
