@@ -7,8 +7,8 @@ const NEAR = 0.02;
 const SPREAD = 0.36;
 
 export class Camera {
-    target = [0, 0, 0];
-    distance = 9;
+    target = [0.2, 0.1, -0.1];
+    distance = 9.2;
     yaw = -0.95;
     pitch = 0.42;
     width = 1;

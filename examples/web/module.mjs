@@ -7,7 +7,7 @@ export const AXES = [
     { kind: 'normal', name: 'n', text: 'normal of the triangle, ab × bc' },
     ...['x', 'y', 'z'].flatMap((name, i) =>
         ['ab', 'bc', 'ca'].map((edge, k) => ({
-            kind: 'edge', i, k, name: `${name}×${edge}`, text: `cross product of ${name} and edge ${edge}`,
+            kind: 'edge', i, k, name: `${name} × ${edge}`, text: `cross product of ${name} and edge ${edge}`,
         }))),
 ];
 

@@ -14,12 +14,15 @@ export function make(tag, text = '', more = {}) {
 /** A length with three digits. */
 export function length(x) {
     const size = Math.abs(x);
-    return size !== 0 && (size < 1e-3 || size >= 1e4) ? size.toExponential(2) : size.toPrecision(3);
+    if (size === 0 || (size >= 1e-3 && size < 1e4)) return size.toPrecision(3);
+    const [digits, exponent] = size.toExponential(2).split('e');
+    const raised = [...String(Number(exponent))].map((c) => c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[c]).join('');
+    return `${digits}\u00a0·\u00a010${raised}`;
 }
 
 /** The number `k` of the 15, by name. */
 export function nameOf(k) {
-    return `${['a', 'b', 'c', 'centre', 'half-extents'][Math.floor(k / 3)]}.${'xyz'[k % 3]}`;
+    return `${['a', 'b', 'c', 'centre', 'half'][Math.floor(k / 3)]}.${'xyz'[k % 3]}`;
 }
 
 function verdict(answer, axes) {
@@ -32,7 +35,7 @@ function verdict(answer, axes) {
     } else if (closest.sign === 0) {
         at('why').textContent = 'They touch and no more, and touching is overlap.';
     } else {
-        at('why').textContent = `None of the 13 axes separates them; on ${AXES[nearest(axes)].name} it is closest, by ${length(closest.gap)}.`;
+        at('why').textContent = `No axis separates them. They overlap least on ${AXES[nearest(axes)].name}, by ${length(-closest.gap)}.`;
     }
 }
 
@@ -48,8 +51,8 @@ function methods(answer, truth) {
         ['Exact', 'overlaps', answer.overlaps],
         ['Conservative', 'may_overlap', answer.mayOverlap],
         ['Rounded', 'overlaps_rounded', answer.rounded],
-        ['As published in 2001', 'overlaps_as_published', answer.published],
-        ['Big integers, in JavaScript', '', truth],
+        ['Published in 2001', 'overlaps_as_published', answer.published],
+        ['Checked in big integers', '', truth],
     ].filter((row) => row[2] !== null);
     at('methods').replaceChildren(...rows.map(([name, call, overlaps]) => {
         // The conservative one may say overlap where there is none.
@@ -63,16 +66,15 @@ function methods(answer, truth) {
 }
 
 function banner(scalar, answer, axes) {
-    const wrong = [['Rounded', answer.rounded], ['As published', answer.published]]
-        .filter(([, says]) => says !== null && says !== answer.overlaps);
-    at('banner').hidden = wrong.length === 0;
-    if (wrong.length === 0) return;
-    const gap = axes[nearest(axes)];
-    const names = wrong.map(([name]) => name).join(' and ').replace('and As', 'and as');
-    const fact = answer.overlaps
-        ? gap.sign === 0 ? 'they touch' : `they overlap by ${length(gap.gap)}`
-        : `there is a gap of ${length(gap.gap)}`;
-    at('banner').textContent = `${names} ${SCALARS[scalar].name} says ${said(!answer.overlaps)}: wrong, ${fact}.`;
+    const { name } = SCALARS[scalar];
+    const isRounded = answer.rounded !== answer.overlaps;
+    const isWrong = isRounded || (answer.published ?? answer.overlaps) !== answer.overlaps;
+    at('banner').hidden = !isWrong;
+    if (!isWrong) return;
+    const { gap, sign } = axes[nearest(axes)];
+    const fact = sign > 0 ? `there is a gap of ${length(gap)}` : sign === 0 ? 'they touch' : `they overlap by ${length(-gap)}`;
+    const who = isRounded ? `Rounded ${name}` : `${name} as published`;
+    at('banner').textContent = `${who} is wrong: it says ${said(!answer.overlaps)}, but ${fact}.`;
 }
 
 /** Shows all that was answered. */
@@ -85,7 +87,7 @@ export function report(scalar, answer, axes) {
 
 /** The table of numbers: `change(k, x)` when one is written, `choose(k)` when touched. */
 export function table(change, choose) {
-    const rows = ['a', 'b', 'c', 'centre', 'half-extents'].map((name, r) => {
+    const rows = ['a', 'b', 'c', 'centre', 'half'].map((name, r) => {
         const row = make('tr');
         row.append(make('th', name));
         for (let i = 0; i < 3; i += 1) {

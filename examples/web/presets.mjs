@@ -6,7 +6,7 @@ const BOX = [0.1, 0.05, 0.15, 1.1, 0.9, 0.75];
 
 export const PRESETS = {
     face: { text: 'A face', numbers: [-0.9, -1.7, 1.5, 1.7, -0.3, 1.9, -0.2, 1.6, 2.5, ...BOX] },
-    normal: { text: 'The plane', numbers: [3.6, 0.2, -0.4, -0.2, 3.4, 0.2, -0.1, -0.1, 3.6, ...BOX] },
+    normal: { text: 'The plane', numbers: [2.5, -0.8, 0, 0.1, -2.5, 0.7, 0.4, -0.4, 2.5, ...BOX] },
     edge: { text: 'An edge', numbers: [-0.3, 0.8, 2.2, -0.2, -0.5, 2.4, 1, 2.1, 0.7, ...BOX] },
     overlap: { text: 'Overlap', numbers: [-2.1, -1.2, 0.4, 1.9, -0.7, -0.3, 0.3, 1.9, 1.7, ...BOX] },
 };

@@ -26,8 +26,12 @@ export const SCALARS = [
         bits: (x) => floatBits(x),
         /** The number `n` units of the last place further up. */
         step: (x, n) => float(fromOrder(toOrder(floatBits(x)) + n)),
-        /** All digits that tell it from its neighbours. */
-        show: (x) => String(Number(x.toPrecision(9))),
+        /** As few digits as tell it from its neighbours. */
+        show: (x) => {
+            let digits = 1;
+            while (Math.fround(Number(x.toPrecision(digits))) !== x) digits += 1;
+            return String(Number(x.toPrecision(digits)));
+        },
         hex: (x) => `0x${floatBits(x).toString(16).padStart(8, '0')}`,
     },
     {

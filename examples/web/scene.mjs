@@ -2,11 +2,12 @@
 // behind is drawn first: the faces of the box cut the triangle into pieces that have an
 // order, and a separating plane has the two on either side.
 import { nearest } from './touch.mjs';
-import { add, clip, cross, dot, faces, mean, minus, unit } from './vector.mjs';
+import { add, clip, cross, dot, faces, mean, minus, nearestOn, unit } from './vector.mjs';
 
 const FLOOR = -2.6;
 const ROOM = 5;
-export const NAMES = ['a', 'b', 'c'];
+const NAMES = ['a', 'b', 'c'];
+const edgesOf = (triangle) => triangle.map((v, k) => [v, triangle[(k + 1) % 3]]);
 
 export class Scene {
     #ctx;
@@ -31,7 +32,8 @@ export class Scene {
         const eye = this.#camera.eye;
         const wall = answer.overlaps ? null : this.#wall(triangle, center, half, axes[answer.axis]);
         if (wall) {
-            const drawn = [() => this.#box(sides, eye, []), () => this.#quad(wall), () => this.#piece(triangle)];
+            const uncut = { polygons: [triangle], edges: edgesOf(triangle) };
+            const drawn = [() => this.#box(sides, eye, []), () => this.#quad(wall), () => this.#parts(uncut)];
             const above = dot(minus(eye, wall.middle), wall.along) > 0;
             (above ? drawn : drawn.reverse()).forEach((draw) => draw());
         } else {
@@ -43,7 +45,13 @@ export class Scene {
     }
 
     #fill(points, color, alpha = 1) {
-        this.#trace(points);
+        this.#fillAll([points], color, alpha);
+    }
+
+    /** Polygons of one plane, as one: no seam is seen between them. */
+    #fillAll(polygons, color, alpha) {
+        this.#ctx.beginPath();
+        polygons.forEach((points) => this.#path(points));
         this.#ctx.globalAlpha = alpha;
         this.#ctx.fillStyle = color;
         this.#ctx.fill();
@@ -59,6 +67,10 @@ export class Scene {
 
     #trace(points) {
         this.#ctx.beginPath();
+        this.#path(points);
+    }
+
+    #path(points) {
         this.#camera.path(points).forEach(([x, y], k) => k ? this.#ctx.lineTo(x, y) : this.#ctx.moveTo(x, y));
         this.#ctx.closePath();
     }
@@ -75,7 +87,7 @@ export class Scene {
 
     /** A grid below it all, with the shadows on it. */
     #floor(triangle, sides) {
-        if (this.#camera.eye[2] < FLOOR) return;
+        if (this.#camera.eye[2] < FLOOR || this.#camera.distance < 1) return;
         const onFloor = ([x, y]) => [x, y, FLOOR];
         for (let k = -ROOM; k <= ROOM; k += 1) {
             const alpha = k === 0 ? 0.9 : 0.45;
@@ -110,23 +122,29 @@ export class Scene {
         }
     }
 
-    #piece(piece) {
-        this.#fill(piece, this.#color('triangle'), 0.62);
-        this.#line(piece, this.#color('triangle'), 2);
+    /** Polygons of the triangle, and segments of its edges. */
+    #parts({ polygons, edges }) {
+        this.#fillAll(polygons, this.#color('triangle'), 0.62);
+        edges.forEach((edge) => this.#line(edge, this.#color('triangle'), 2));
     }
 
     /** The triangle cut by the faces, in the order of what hides what. */
     #pieces(triangle, sides, eye) {
-        const [before, behind] = [[], []];
-        let rest = triangle;
-        for (const side of sides) {
-            const piece = clip(rest, side.outside);
-            if (piece.length > 2) (side.outside(eye) > 0 ? before : behind).push(piece);
-            rest = clip(rest, (p) => -side.outside(p));
+        const [before, behind] = [0, 0].map(() => ({ polygons: [], edges: [] }));
+        let inside = [];
+        for (const whole of [triangle, ...edgesOf(triangle)]) {
+            const list = whole.length === 2 ? 'edges' : 'polygons';
+            let rest = whole;
+            for (const side of sides) {
+                const piece = clip(rest, side.outside);
+                if (piece.length) (side.outside(eye) > 0 ? before : behind)[list].push(piece);
+                rest = clip(rest, (p) => -side.outside(p));
+            }
+            if (list === 'polygons' && rest.length > 2) inside = [rest];
         }
-        behind.forEach((piece) => this.#piece(piece));
-        this.#box(sides, eye, rest.length > 2 ? [rest] : []);
-        before.forEach((piece) => this.#piece(piece));
+        this.#parts(behind);
+        this.#box(sides, eye, inside);
+        this.#parts(before);
     }
 
     /** Half way between the shapes on an axis, which points from box to triangle. */
@@ -134,17 +152,19 @@ export class Scene {
         const up = on[0] + on[1] > box[0] + box[1] ? along : along.map((x) => -x);
         const height = triangle.map((v) => dot(up, minus(v, center)));
         const least = Math.min(...height);
-        // Of an edge or a face that lies across the axis, the middle.
-        const near = (x, size) => Math.abs(x) < 1e-6 * size;
-        const low = mean(triangle.filter((_, k) => near(height[k] - least, 1)));
-        const high = center.map((x, i) => near(up[i], 1) ? x : x + Math.sign(up[i]) * half[i]);
+        // Of both shapes that part which lies nearest to the other along the axis: a
+        // vertex, an edge, a face. From one to the other and back, to where they meet.
+        const near = (x) => Math.abs(x) < 1e-6;
+        const part = triangle.filter((_, k) => near(height[k] - least));
+        const onBox = (p) => center.map((x, i) => near(up[i])
+            ? Math.min(Math.max(p[i], x - half[i]), x + half[i])
+            : x + Math.sign(up[i]) * half[i]);
         const radius = up.reduce((sum, x, i) => sum + Math.abs(x) * half[i], 0);
-        // A free coordinate of the box is best where the triangle is.
-        high.forEach((x, i) => {
-            if (near(up[i], 1)) high[i] = Math.min(Math.max(low[i], x - half[i]), x + half[i]);
-        });
-        const middle = mean([low, high]);
-        return { along: up, middle: add(middle, up, (least + radius) / 2 - dot(up, minus(middle, center))), radius, least, greatest: Math.max(...height) };
+        let low = mean(part);
+        for (let turn = 0; turn < 100; turn += 1) low = nearestOn(part, onBox(low));
+        const middle = mean([low, onBox(low)]);
+        const off = (least + radius) / 2 - dot(up, minus(middle, center));
+        return { along: up, middle: add(middle, up, off), radius, least, greatest: Math.max(...height) };
     }
 
     #wall(triangle, center, half, axis) {
@@ -153,7 +173,7 @@ export class Scene {
         // Across the axis: as far to the right in the picture as can be, and the third.
         const aside = unit(add(right, wall.along, -dot(right, wall.along)));
         const u = Math.hypot(...aside) > 0.1 ? aside : unit(cross(wall.along, away));
-        const size = Math.min(1.75, this.#camera.distance * 0.3);
+        const size = Math.min(1.5, this.#camera.distance * 0.17);
         return { ...wall, u, v: cross(wall.along, u), size };
     }
 
@@ -171,7 +191,9 @@ export class Scene {
         const reach = Math.max(greatest - least, radius) * 0.15 + 0.25;
         this.#line([at(-radius - reach), at(greatest + reach)], this.#color('wall'), 1.5);
         this.#line([at(-radius), at(radius)], this.#color('box'), 6);
-        this.#line([at(least), at(greatest)], this.#color('triangle'), 6);
+        // A triangle seen edge-on is a point: a little longer, so that it is seen.
+        const little = this.#camera.distance * 2e-3;
+        this.#line([at(least - little), at(greatest + little)], this.#color('triangle'), 6);
         const tip = this.#camera.pixel(at(greatest + reach));
         if (tip) this.#text('axis', [tip.at[0], tip.at[1] - 11], this.#color('wall'));
     }

@@ -3,7 +3,7 @@
 import { AROUND } from './touch.mjs';
 
 const COUNT = 2 * AROUND + 1;
-const LABELS = 58;
+const LABELS = 62;
 
 export class Units {
     #canvas;

@@ -25,6 +25,25 @@ export function clip(points, side) {
     return kept;
 }
 
+/** The point of a segment that is nearest to `q`. */
+function nearestOnSegment([a, b], q) {
+    const way = minus(b, a);
+    const share = dot(minus(q, a), way) / (dot(way, way) || 1);
+    return add(a, way, Math.min(Math.max(share, 0), 1));
+}
+
+/** The point of a point, a segment or a triangle that is nearest to `q`. */
+export function nearestOn(points, q) {
+    if (points.length === 1) return points[0];
+    const edges = points.map((p, k) => [p, points[(k + 1) % points.length]]);
+    const normal = points.length > 2 ? unit(cross(minus(...edges[0]), minus(...edges[1]))) : [0, 0, 0];
+    const onPlane = add(q, normal, -dot(normal, minus(q, points[0])));
+    const inside = ([a, b]) => dot(cross(minus(b, a), minus(onPlane, a)), normal) >= 0;
+    if (dot(normal, normal) > 0 && edges.every(inside)) return onPlane;
+    return edges.map((edge) => nearestOnSegment(edge, q))
+        .reduce((best, p) => Math.hypot(...minus(p, q)) < Math.hypot(...minus(best, q)) ? p : best);
+}
+
 /** The six faces of a box: outward axis, its sign, distance from `p`, corners. */
 export function faces(center, half) {
     return [0, 1, 2].flatMap((i) => [-1, 1].map((sign) => {

@@ -63,8 +63,11 @@ export class Browser {
     }
 
     async close() {
-        await Promise.race([this.send('Browser.close').catch(() => {}), new Promise((end) => setTimeout(end, 3000))]);
-        this.#process.kill();
+        const ended = new Promise((end) => this.#process.once('exit', end));
+        this.send('Browser.close').catch(() => {});
+        const timer = setTimeout(() => this.#process.kill('SIGKILL'), 5000);
+        await ended;
+        clearTimeout(timer);
         rmSync(this.#folder, { recursive: true, force: true, maxRetries: 5 });
     }
 }
@@ -102,7 +105,7 @@ class Page {
     async click(id) {
         const [x, y] = await this.evaluate(`(() => {
             const element = document.getElementById('${id}');
-            element.scrollIntoView({ block: 'center' });
+            element.scrollIntoView({ block: 'nearest' });
             const { left, top, width, height } = element.getBoundingClientRect();
             return [left + width / 2, top + height / 2];
         })()`);
