@@ -50,14 +50,12 @@ export class Browser {
         return new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject, method }));
     }
 
-    /** Opens a page of this size. */
-    async open(address, width, height) {
+    async open(address) {
         const { targetId } = await this.send('Target.createTarget', { url: 'about:blank' });
         const { sessionId } = await this.send('Target.attachToTarget', { targetId, flatten: true });
         const send = (method, params) => this.send(method, params, sessionId);
         await send('Runtime.enable');
         await send('Page.enable');
-        await send('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: 1, mobile: false });
         await send('Page.navigate', { url: address });
         return new Page(send);
     }
@@ -122,6 +120,10 @@ class Page {
             await mouse('mouseMoved', from.map((x, i) => x + (to[i] - x) * k / steps), 1);
         }
         await mouse('mouseReleased', to, 0);
+    }
+
+    size(width, height, deviceScaleFactor = 1) {
+        return this.#send('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor, mobile: false });
     }
 
     theme(name) {

@@ -56,9 +56,9 @@ async function scenes(page) {
         check(`scene "${id}": ${word}, axis ${axis}`, await says(page, word, axis));
         check(`scene "${id}": nothing is wrong`, !await banner(page));
         await page.picture();
-        // A wall and an axis between them, or what both have in common.
-        check(`scene "${id}": drawn so`, await pixels(page, axis === 'none' ? 'meet' : 'wall') > 150 &&
-            await pixels(page, axis === 'none' ? 'wall' : 'meet') === 0);
+        // An axis between them, or what both have in common.
+        const [wall, meet] = [await pixels(page, 'wall'), await pixels(page, 'meet')];
+        check(`scene "${id}": drawn so (${wall} and ${meet} pixels)`, axis === 'none' ? meet > 100 && wall === 0 : wall > 60 && meet < 30);
     }
 }
 
@@ -140,7 +140,8 @@ async function hashes(page) {
 }
 
 try {
-    const page = await browser.open(address, 1080, 760);
+    const page = await browser.open(address);
+    await page.size(1080, 760);
     await page.until('document.body.dataset.ready');
     await page.theme('light');
     console.log(`\n${await page.evaluate('navigator.userAgent')}\n${await page.text('size')}`);
@@ -150,15 +151,18 @@ try {
     await hashes(page);
     await page.click('wrong');
     await page.evaluate(`document.activeElement.blur()`);
+    if (picture === '--picture') {
+        await page.size(1180, 870, 1.5);
+        writeFileSync(file, await page.picture());
+    }
     const shot = await page.picture();
     await page.theme('dark');
     const dark = await page.picture();
     check('it has a dark theme', !shot.equals(dark));
-    if (picture === '--picture') writeFileSync(file, shot);
     // No module: the page asks for one.
     server.closeAllConnections();
     const { server: empty, address: elsewhere } = await serve({}, 0);
-    const lone = await browser.open(elsewhere, 1080, 760);
+    const lone = await browser.open(elsewhere);
     await lone.until(`document.getElementById('missing').open`);
     check('without a module the page asks for one', await lone.evaluate(`!document.body.dataset.ready`));
     empty.closeAllConnections();
