@@ -22,27 +22,19 @@ pub(super) fn difference(a: Parts, b: Parts) -> Linear {
     [a, b.negated(), ZERO]
 }
 
-/// Adds the product of the factors to the sum, or takes it away. Out of line: code
-/// this cold should be small.
+/// The number one, as a factor that changes nothing.
+const UNIT: Linear = [Parts { negative: false, magnitude: 1, shift: 0 }, ZERO, ZERO];
+
+/// Adds a·b·c to the sum, or takes it away. Out of line: code this cold should be small.
 #[inline(never)]
-fn add_product<T: ExactSum, const N: usize>(sum: &mut T, factors: [&Linear; N], minus: bool) {
-    // A choice of one number from each factor: digits that are counted through.
-    let mut choice = [0; N];
-    loop {
-        let (mut term, mut negate, mut carry) = ([ZERO; N], minus, true);
-        for k in 0..N {
-            let x = *pick(factors[k], choice[k]);
-            term[k] = if negate { x.negated() } else { x };
-            negate = false;
-            choice[k] += usize::from(carry);
-            carry = choice[k] == 3;
-            if carry {
-                choice[k] = 0;
+fn add_product<T: ExactSum>(sum: &mut T, [a, b, c]: [&Linear; 3], minus: bool) {
+    let nonzero = |x: &&Parts| x.magnitude != 0;
+    for &x in a.iter().filter(nonzero) {
+        let x = if minus { x.negated() } else { x };
+        for &y in b.iter().filter(nonzero) {
+            for &z in c.iter().filter(nonzero) {
+                sum.add(&[x, y, z]);
             }
-        }
-        sum.add(&term);
-        if carry {
-            return;
         }
     }
 }
@@ -51,13 +43,13 @@ fn add_product<T: ExactSum, const N: usize>(sum: &mut T, factors: [&Linear; N], 
 #[inline(never)]
 fn sign<S: Scalar>(x: &Linear) -> Ordering {
     let mut sum = S::Sum::new();
-    add_product(&mut sum, [x], false);
+    add_product(&mut sum, [x, &UNIT, &UNIT], false);
     sum.sign()
 }
 
 /// Adds a·b to the sum, or takes it away.
 pub(super) fn add_area<T: ExactSum>(sum: &mut T, a: &Linear, b: &Linear, minus: bool) {
-    add_product(sum, [a, b], minus);
+    add_product(sum, [a, b, &UNIT], minus);
 }
 
 /// Adds (a_j·b_k − a_k·b_j)·c to the sum.
