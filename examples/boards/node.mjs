@@ -13,6 +13,8 @@ if (lines) {
     }
 } else {
     const { serve } = await import('../web/serve.mjs');
-    const { address } = await serve({ 'web.wasm': path }, Number(process.env.PORT ?? 8017));
+    const at = (port) => serve({ 'web.wasm': path }, port);
+    // Another port where that one is taken.
+    const { address } = await at(Number(process.env.PORT ?? 8017)).catch(() => at(0));
     console.log(`The page is at ${address} until you press Ctrl-C.`);
 }
