@@ -22,27 +22,41 @@ pub(super) fn difference(a: Parts, b: Parts) -> Linear {
     [a, b.negated(), ZERO]
 }
 
-/// Adds a·b to the sum, or takes it away.
-pub(super) fn add_area<T: ExactSum>(sum: &mut T, a: Linear, b: Linear, minus: bool) {
-    for x in a {
+/// The number one, as a factor that changes nothing.
+const UNIT: Linear = [Parts { negative: false, magnitude: 1, shift: 0 }, ZERO, ZERO];
+
+/// Adds a·b·c to the sum, or takes it away. Out of line: code this cold should be small.
+#[inline(never)]
+fn add_product<T: ExactSum>(sum: &mut T, [a, b, c]: [&Linear; 3], minus: bool) {
+    let nonzero = |x: &&Parts| x.magnitude != 0;
+    for &x in a.iter().filter(nonzero) {
         let x = if minus { x.negated() } else { x };
-        for y in b {
-            sum.add(&[x, y]);
+        for &y in b.iter().filter(nonzero) {
+            for &z in c.iter().filter(nonzero) {
+                sum.add(&[x, y, z]);
+            }
         }
     }
 }
 
+/// The sign of a sum of coordinates.
+#[inline(never)]
+fn sign<S: Scalar>(x: &Linear) -> Ordering {
+    let mut sum = S::Sum::new();
+    add_product(&mut sum, [x, &UNIT, &UNIT], false);
+    sum.sign()
+}
+
+/// Adds a·b to the sum, or takes it away.
+pub(super) fn add_area<T: ExactSum>(sum: &mut T, a: &Linear, b: &Linear, minus: bool) {
+    add_product(sum, [a, b, &UNIT], minus);
+}
+
 /// Adds (a_j·b_k − a_k·b_j)·c to the sum.
-fn add_volume<T: ExactSum>(sum: &mut T, a: &[Linear; 3], b: &[Linear; 3], i: usize, c: Linear) {
+fn add_volume<T: ExactSum>(sum: &mut T, a: &[Linear; 3], b: &[Linear; 3], i: usize, c: &Linear) {
     let (_, j, k) = turn(i);
-    for z in c {
-        for (x, y) in a[j].into_iter().flat_map(|x| b[k].map(|y| (x, y))) {
-            sum.add(&[x, y, z]);
-        }
-        for (x, y) in a[k].into_iter().flat_map(|x| b[j].map(|y| (x, y))) {
-            sum.add(&[x.negated(), y, z]);
-        }
-    }
+    add_product(sum, [pick(a, j), pick(b, k), c], false);
+    add_product(sum, [pick(a, k), pick(b, j), c], true);
 }
 
 /// The coordinates of a triangle, taken apart.
@@ -72,8 +86,8 @@ impl ExactTriangle {
         let (_, j, k) = turn(i);
         let (e0, e1) = (self.edge(0), self.edge(1));
         let mut sum = S::Sum::new();
-        add_area(&mut sum, *pick(&e0, j), *pick(&e1, k), false);
-        add_area(&mut sum, *pick(&e0, k), *pick(&e1, j), true);
+        add_area(&mut sum, pick(&e0, j), pick(&e1, k), false);
+        add_area(&mut sum, pick(&e0, k), pick(&e1, j), true);
         sum
     }
 }
@@ -102,6 +116,7 @@ impl ExactBox {
     }
 
     /// From `x` to the face of axis `i` that lies farther along `toward`.
+    #[inline(never)]
     pub(crate) fn to_face(&self, x: Parts, i: usize, toward: Ordering) -> Linear {
         let face = if toward == Ordering::Less { &self.min } else { &self.max };
         let [a, b] = *pick(face, i);
@@ -111,13 +126,8 @@ impl ExactBox {
     /// Whether face axis `i` separates.
     pub(crate) fn face_separates<S: Scalar>(&self, t: &ExactTriangle, i: usize) -> bool {
         let all = |toward: Ordering| {
-            t.v.iter().all(|v| {
-                let mut sum = S::Sum::new();
-                for x in self.to_face(*pick(v, i), i, toward) {
-                    sum.add(&[x]);
-                }
-                sum.sign() == toward.reverse()
-            })
+            let side = |v| sign::<S>(&self.to_face(*pick(v, i), i, toward));
+            t.v.iter().all(|v| side(v) == toward.reverse())
         };
         all(Ordering::Greater) || all(Ordering::Less)
     }
@@ -135,7 +145,7 @@ impl ExactBox {
             let mut sum = S::Sum::new();
             for i in 0..3 {
                 let toward = if along { signs[i] } else { signs[i].reverse() };
-                add_volume(&mut sum, &e0, &e1, i, self.to_face(*pick(&t.v[0], i), i, toward));
+                add_volume(&mut sum, &e0, &e1, i, &self.to_face(*pick(&t.v[0], i), i, toward));
             }
             sum.sign()
         };
@@ -154,14 +164,7 @@ impl ExactBox {
         let (_, j, l) = turn(i);
         let (k, _, opposite) = turn(k);
         let e = t.edge(k);
-        let sign = |x: Linear| {
-            let mut sum = S::Sum::new();
-            for part in x {
-                sum.add(&[part]);
-            }
-            sum.sign()
-        };
-        let (ej, el) = (sign(*pick(&e, j)), sign(*pick(&e, l)));
+        let (ej, el) = (sign::<S>(pick(&e, j)), sign::<S>(pick(&e, l)));
         // (e × (z − v))_i is greatest over the box for z_l along e_j and z_j
         // against e_l. The triangle covers the interval from 0 to n_i: from the
         // edge's own vertex to the one opposite.
@@ -176,8 +179,8 @@ impl ExactBox {
             let mut sum = S::Sum::new();
             let z_l = self.to_face(*pick(base, l), l, turn(ej).reverse());
             let z_j = self.to_face(*pick(base, j), j, turn(el));
-            add_area(&mut sum, *pick(&e, j), z_l, false);
-            add_area(&mut sum, *pick(&e, l), z_j, true);
+            add_area(&mut sum, pick(&e, j), &z_l, false);
+            add_area(&mut sum, pick(&e, l), &z_j, true);
             sum.sign() == turn(Ordering::Greater)
         };
         // The whole box above the interval, or the whole box below it.
@@ -202,7 +205,7 @@ impl ExactBox {
                 PlaneForm::Point(p) => p.to_array()[i].parts(),
                 PlaneForm::Offset(_) => ZERO,
             };
-            add_area(&mut sum, [n.parts(), ZERO, ZERO], self.to_face(from, i, toward), false);
+            add_area(&mut sum, &[n.parts(), ZERO, ZERO], &self.to_face(from, i, toward), false);
         }
         if let PlaneForm::Offset(d) = form {
             sum.add(&[d.parts(), S::ONE]);

@@ -48,8 +48,8 @@ impl ExactLine {
     pub(crate) fn line_misses<S: Scalar>(&self) -> bool {
         let pair = |i: usize, j: usize| {
             let mut sum = S::Sum::new();
-            add_area(&mut sum, *pick(&self.near, i), *pick(&self.m, j), false);
-            add_area(&mut sum, *pick(&self.far, j), *pick(&self.m, i), true);
+            add_area(&mut sum, pick(&self.near, i), pick(&self.m, j), false);
+            add_area(&mut sum, pick(&self.far, j), pick(&self.m, i), true);
             sum.sign() == Ordering::Greater
         };
         [(0, 1), (1, 2), (2, 0)].into_iter().any(|(i, j)| pair(i, j) || pair(j, i))
@@ -78,8 +78,8 @@ impl ExactLine {
     pub(crate) fn lies_outside<S: Scalar>(&self, from: Option<S>, to: Option<S>) -> bool {
         let side = |x: Linear, t: S, i: usize| {
             let mut sum = S::Sum::new();
-            add_area(&mut sum, x, [S::ONE, ZERO, ZERO], false);
-            add_area(&mut sum, *pick(&self.m, i), [t.parts(), ZERO, ZERO], true);
+            add_area(&mut sum, &x, &[S::ONE, ZERO, ZERO], false);
+            add_area(&mut sum, pick(&self.m, i), &[t.parts(), ZERO, ZERO], true);
             sum.sign()
         };
         (0..3).any(|i| {

@@ -105,8 +105,8 @@ fn first_sign<S: Scalar>(a: &Vector, b: &Vector) -> Ordering {
         first.then_with(|| {
             let (_, j, k) = turn(i);
             let mut sum = S::Sum::new();
-            add_area(&mut sum, *pick(a, j), *pick(b, k), false);
-            add_area(&mut sum, *pick(a, k), *pick(b, j), true);
+            add_area(&mut sum, pick(a, j), pick(b, k), false);
+            add_area(&mut sum, pick(a, k), pick(b, j), true);
             sum.sign()
         })
     })

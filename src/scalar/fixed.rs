@@ -11,7 +11,9 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 use super::bounded::Bounded;
 use super::coarse::Coarse;
 use super::integer::{Int8, Int16, Int32, Int64, REGISTERS_ARE_WIDE, below_i32, below_i64};
-use super::ladder::{Predicate, exactly, first, only, rung, thorough, wide_integers, words};
+use super::ladder::{
+    FEW_RUNGS, Predicate, exactly, first, only, rung, thorough, wide_integers, words,
+};
 use super::numbers::{Holds, Numbers, Placed, convert};
 use super::quotient::Dividend;
 use super::sum::{Parts, Sum};
@@ -177,6 +179,8 @@ fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
 ) -> P::Answer {
     if REGISTERS_ARE_WIDE {
         rung::<_, Int16, _>(p, middling)
+    } else if FEW_RUNGS {
+        words::<_, i64, _>(p, |p| rung::<_, Int32, _>(p, exactly))
     } else {
         words::<_, i32, _>(p, |p| words::<_, i64, _>(p, |p| rung::<_, Int32, _>(p, exactly)))
     }

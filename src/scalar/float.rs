@@ -4,7 +4,7 @@ use core::ops::Mul;
 
 use super::bounded::Bounded;
 use super::integer::REGISTERS_ARE_WIDE;
-use super::ladder::{Predicate, first, rung, thorough, wide_integers};
+use super::ladder::{FEW_RUNGS, Predicate, exactly, first, rung, thorough, wide_integers};
 use super::number::Number;
 use super::padding::Padding;
 use super::quotient::Leading;
@@ -150,7 +150,7 @@ impl Scalar for f32 {
 
     #[inline(always)]
     fn decide<P: Predicate<Self>>(p: &P) -> P::Answer {
-        rung::<_, Bounded<f32>, _>(p, doubled)
+        rung::<_, Bounded<f32>, _>(p, if FEW_RUNGS { exactly } else { doubled })
     }
 
     #[inline(always)]
@@ -200,7 +200,7 @@ impl Scalar for f64 {
 
     #[inline(always)]
     fn decide<P: Predicate<Self>>(p: &P) -> P::Answer {
-        rung::<_, Bounded<f64>, _>(p, wide_integers)
+        rung::<_, Bounded<f64>, _>(p, if FEW_RUNGS { exactly } else { wide_integers })
     }
 
     #[inline(always)]

@@ -19,6 +19,7 @@
 //!
 //! A type of b bits holds magnitudes below 2^(b−1).
 
+use super::ladder::FEW_RUNGS;
 use super::number::Number;
 use super::numbers::Numbers;
 use super::wide::I256;
@@ -51,7 +52,8 @@ pub struct Int64Slim;
 /// its volumes. Neither changes an answer; `--cfg septum_narrow` tests the other one
 /// on a wide machine.
 pub(super) const REGISTERS_ARE_WIDE: bool =
-    cfg!(all(any(target_pointer_width = "64", target_arch = "wasm32"), not(septum_narrow)));
+    cfg!(all(any(target_pointer_width = "64", target_arch = "wasm32"), not(septum_narrow)))
+        && !FEW_RUNGS;
 
 macro_rules! integers {
     ($($system:ty: $length:ty, $area:ty, $volume:ty, $product:expr; $slim:ty, $is_slim:expr;)*) => {$(

@@ -1,0 +1,25 @@
+//! A page where one drags a triangle and a box, and sees whether they overlap, which
+//! axis separates them, and where rounding gets it wrong. The crate as a plain
+//! WebAssembly module: no bindings, no framework.
+//!
+//! ```text
+//! rustup target add wasm32-unknown-unknown
+//! cargo web
+//! ```
+//!
+//! builds the module, in the profile `web`, and serves the page with it (by node).
+//! Without node: `cargo build --profile web --example web --target
+//! wasm32-unknown-unknown`, any server of files on this repository's folder, such as
+//! `python3 -m http.server`, and a browser at `/examples/web/`.
+//!
+//! The module imports nothing. Whoever asks writes 15 words to `numbers()`, three
+//! vertices, the box's centre and its half-extents, and calls `answers(scalar)`.
+#![cfg_attr(target_family = "wasm", no_std, no_main)]
+
+#[cfg(target_family = "wasm")]
+mod module;
+
+#[cfg(not(target_family = "wasm"))]
+fn main() {
+    println!("This is for a browser: `cargo web` builds it and serves the page.");
+}

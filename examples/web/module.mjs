@@ -1,0 +1,61 @@
+// The crate, as a WebAssembly module: see module.rs for what it exports.
+import { SCALARS } from './scalar.mjs';
+
+/** The 13 axes in the order of `Axis::ALL`, by the names of the page. */
+export const AXES = [
+    ...['x', 'y', 'z'].map((name, i) => ({ kind: 'face', i, name, text: `face normal of the box, ${name}` })),
+    { kind: 'normal', name: 'n', text: 'normal of the triangle, ab × bc' },
+    ...['x', 'y', 'z'].flatMap((name, i) =>
+        ['ab', 'bc', 'ca'].map((edge, k) => ({
+            kind: 'edge', i, k, name: `${name} × ${edge}`, text: `cross product of ${name} and edge ${edge}`,
+        }))),
+];
+
+/** Where the module may lie: beside the page, or where cargo puts it. */
+export const PLACES = ['web.wasm', '../../target/wasm32-unknown-unknown/web/examples/web.wasm'];
+
+export class Septum {
+    #exports;
+
+    constructor(exports) {
+        this.#exports = exports;
+    }
+
+    /** From the module's bytes. */
+    static async from(bytes) {
+        const { instance } = await WebAssembly.instantiate(bytes);
+        if (!instance.exports.answers) throw new Error('a module, but not the one of this page');
+        return new Septum(instance.exports);
+    }
+
+    /** From the first of the places where there is one, and its size; or nothing. */
+    static async find(places = PLACES) {
+        for (const place of places) {
+            const response = await fetch(place).catch(() => null);
+            if (!response?.ok) continue;
+            const bytes = await response.arrayBuffer();
+            return { septum: await Septum.from(bytes), size: bytes.byteLength };
+        }
+        return null;
+    }
+
+    /**
+     * All answers about 15 numbers of a scalar: a, b, c, centre, half-extents. Nothing
+     * where they are no triangle and box.
+     */
+    ask(scalar, numbers) {
+        const words = new Uint32Array(this.#exports.memory.buffer, this.#exports.numbers(), 15);
+        words.set(numbers.map(SCALARS[scalar].bits));
+        const bits = this.#exports.answers(scalar);
+        const is = (k) => (bits >> k & 1) === 1;
+        if (!is(0)) return null;
+        return {
+            overlaps: is(1),
+            rounded: is(2),
+            mayOverlap: SCALARS[scalar].all ? is(3) : null,
+            published: SCALARS[scalar].all ? is(4) : null,
+            axis: (bits >> 5 & 15) - 1, // of AXES; −1 where there is none
+            separates: AXES.map((_, k) => is(16 + k)),
+        };
+    }
+}

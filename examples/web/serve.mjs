@@ -1,0 +1,36 @@
+// Serves the page, on this machine only.
+import { readFile } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { extname, join, normalize } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const FOLDER = fileURLToPath(new URL('.', import.meta.url));
+const TYPES = {
+    '.html': 'text/html; charset=utf-8',
+    '.css': 'text/css',
+    '.mjs': 'text/javascript',
+    '.wasm': 'application/wasm',
+};
+
+/** Serves the page, and under further names further files. Says at which address. */
+export function serve(files, port) {
+    const server = createServer(async (request, response) => {
+        const { pathname } = new URL(request.url, 'http://localhost');
+        const name = pathname.endsWith('/') ? `${pathname}index.html` : pathname;
+        try {
+            const bytes = await readFile(files[name.slice(1)] ?? join(FOLDER, normalize(name)));
+            response.writeHead(200, {
+                'content-type': TYPES[extname(name)] ?? 'application/octet-stream',
+                'cache-control': 'no-store',
+            });
+            response.end(bytes);
+        } catch {
+            response.writeHead(404).end();
+        }
+    });
+    return new Promise((resolve, reject) => {
+        server.once('error', reject);
+        server.listen(port, 'localhost', () =>
+            resolve({ server, address: `http://localhost:${server.address().port}/` }));
+    });
+}

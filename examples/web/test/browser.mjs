@@ -1,0 +1,139 @@
+// A headless Chromium, driven through its own pipe: what a message is called and
+// answers is its DevTools protocol.
+import { spawn } from 'node:child_process';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+export class Browser {
+    #process;
+    #folder = mkdtempSync(join(tmpdir(), 'septum-web-'));
+    #waiting = new Map();
+    #last = 0;
+    #rest = '';
+    /** Uncaught errors, and what a page wrote to its console as an error. */
+    errors = [];
+
+    constructor(program) {
+        this.#process = spawn(program, [
+            '--headless', '--no-sandbox', '--disable-gpu', '--no-first-run', '--hide-scrollbars',
+            '--disable-dev-shm-usage', '--disable-background-networking', '--disable-extensions',
+            `--user-data-dir=${this.#folder}`, '--remote-debugging-pipe',
+        ], { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] });
+        this.#process.on('exit', (code) => {
+            for (const { reject } of this.#waiting.values()) reject(new Error(`the browser ended (${code})`));
+        });
+        this.#process.stdio[4].setEncoding('utf8').on('data', (text) => {
+            const messages = (this.#rest + text).split('\0');
+            this.#rest = messages.pop();
+            messages.map((message) => JSON.parse(message)).forEach((message) => this.#hear(message));
+        });
+    }
+
+    #hear({ id, result, error, method, params }) {
+        if (method === 'Runtime.exceptionThrown') {
+            this.errors.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
+        }
+        if (method === 'Runtime.consoleAPICalled' && params.type === 'error') {
+            this.errors.push(params.args.map(({ value }) => value).join(' '));
+        }
+        const waiting = this.#waiting.get(id);
+        if (!waiting) return;
+        this.#waiting.delete(id);
+        if (error) waiting.reject(new Error(`${waiting.method}: ${error.message}`)); else waiting.resolve(result);
+    }
+
+    send(method, params = {}, sessionId = undefined) {
+        this.#last += 1;
+        const id = this.#last;
+        this.#process.stdio[3].write(`${JSON.stringify({ id, method, params, sessionId })}\0`);
+        return new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject, method }));
+    }
+
+    async open(address) {
+        const { targetId } = await this.send('Target.createTarget', { url: 'about:blank' });
+        const { sessionId } = await this.send('Target.attachToTarget', { targetId, flatten: true });
+        const send = (method, params) => this.send(method, params, sessionId);
+        await send('Runtime.enable');
+        await send('Page.enable');
+        await send('Page.navigate', { url: address });
+        return new Page(send);
+    }
+
+    async close() {
+        const ended = new Promise((end) => this.#process.once('exit', end));
+        this.send('Browser.close').catch(() => {});
+        const timer = setTimeout(() => this.#process.kill('SIGKILL'), 5000);
+        await ended;
+        clearTimeout(timer);
+        rmSync(this.#folder, { recursive: true, force: true, maxRetries: 5 });
+    }
+}
+
+class Page {
+    #send;
+
+    constructor(send) {
+        this.#send = send;
+    }
+
+    /** What an expression is in the page; a promise is waited for. */
+    async evaluate(expression) {
+        const { result, exceptionDetails } = await this.#send('Runtime.evaluate', {
+            expression, awaitPromise: true, returnByValue: true,
+        });
+        if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
+        return result.value;
+    }
+
+    /** Waits until an expression is true. */
+    async until(expression, seconds = 30) {
+        const end = Date.now() + seconds * 1000;
+        while (!await this.evaluate(expression).catch(() => false)) {
+            if (Date.now() > end) throw new Error(`not in ${seconds} s: ${expression}`);
+            await new Promise((next) => setTimeout(next, 50));
+        }
+    }
+
+    text(id) {
+        return this.evaluate(`document.getElementById('${id}').textContent`);
+    }
+
+    /** Clicks on what has this id, where it is seen. */
+    async click(id) {
+        const [x, y] = await this.evaluate(`(() => {
+            const element = document.getElementById('${id}');
+            element.scrollIntoView({ block: 'nearest' });
+            const { left, top, width, height } = element.getBoundingClientRect();
+            return [left + width / 2, top + height / 2];
+        })()`);
+        await this.drag([x, y], [x, y]);
+    }
+
+    /** Presses the mouse at one pixel, moves, and lets go at another. */
+    async drag(from, to, steps = 8) {
+        const mouse = (type, [x, y], buttons) =>
+            this.#send('Input.dispatchMouseEvent', { type, x, y, buttons, button: 'left', clickCount: 1 });
+        await mouse('mouseMoved', from, 0);
+        await mouse('mousePressed', from, 1);
+        for (let k = 1; k <= steps && (from[0] !== to[0] || from[1] !== to[1]); k += 1) {
+            await mouse('mouseMoved', from.map((x, i) => x + (to[i] - x) * k / steps), 1);
+        }
+        await mouse('mouseReleased', to, 0);
+    }
+
+    size(width, height, deviceScaleFactor = 1) {
+        return this.#send('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor, mobile: false });
+    }
+
+    theme(name) {
+        return this.#send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: name }] });
+    }
+
+    /** A picture of it, as PNG. */
+    async picture() {
+        await this.evaluate('new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)))');
+        const { data } = await this.#send('Page.captureScreenshot', { format: 'png' });
+        return Buffer.from(data, 'base64');
+    }
+}

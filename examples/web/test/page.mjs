@@ -1,0 +1,178 @@
+// Drives the page in headless Chromium:
+//
+//     node examples/web/test/page.mjs <web.wasm> [--picture <file>] [-- <determinism.wasm>…]
+//
+// Takes `chromium`, or what the variable CHROMIUM says.
+import { writeFileSync } from 'node:fs';
+
+import { serve } from '../serve.mjs';
+import { Browser } from './browser.mjs';
+import { check, outcome } from './check.mjs';
+
+const options = process.argv.slice(2);
+const split = options.includes('--') ? options.indexOf('--') : options.length;
+const [module, picture, file] = options.slice(0, split);
+const golden = Object.fromEntries(options.slice(split + 1).map((path, k) => [`golden-${k}.wasm`, path]));
+
+const { server, address } = await serve({ 'web.wasm': module, ...golden }, 0);
+const browser = new Browser(process.env.CHROMIUM ?? 'chromium');
+
+/** The 15 numbers in the table. */
+const numbers = (page) => page.evaluate(
+    `[...document.querySelectorAll('#numbers input')].map(({ value }) => Number(value))`);
+const lit = (page) => page.evaluate(`document.querySelector('#axes .first')?.textContent ?? 'none'`);
+const says = async (page, word, axis) => await page.text('word') === word && await lit(page) === axis;
+const banner = (page) => page.evaluate(`document.getElementById('banner').checkVisibility()`);
+/** How many pixels of the picture are nearly of a colour of the page, by its name. */
+const pixels = (page, color) => page.evaluate(`(() => {
+    const canvas = document.getElementById('scene');
+    const probe = document.createElement('canvas').getContext('2d');
+    probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--${color}');
+    probe.fillRect(0, 0, 1, 1);
+    const wanted = probe.getImageData(0, 0, 1, 1).data;
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    let count = 0;
+    for (let i = 0; i < data.length; i += 4) {
+        count += data[i + 3] > 250 && [0, 1, 2].every((k) => Math.abs(data[i + k] - wanted[k]) < 40);
+    }
+    return count;
+})()`);
+
+/** Where vertex k is on the page, by the page's own camera from the start. */
+const place = (page, k) => page.evaluate(`(async () => {
+    const { Camera } = await import('./camera.mjs');
+    const canvas = document.getElementById('scene');
+    const camera = Object.assign(new Camera(), { width: canvas.clientWidth, height: canvas.clientHeight });
+    const values = [...document.querySelectorAll('#numbers input')].map(({ value }) => Number(value));
+    return camera.pixel(values.slice(3 * ${k}, 3 * ${k} + 3)).at;
+})()`);
+
+async function scenes(page) {
+    for (const [id, word, axis] of [
+        ['face', 'Disjoint', 'z'], ['normal', 'Disjoint', 'n'],
+        ['edge', 'Disjoint', 'x × bc'], ['overlap', 'Overlap', 'none'],
+    ]) {
+        await page.click(`preset-${id}`);
+        check(`scene "${id}": ${word}, axis ${axis}`, await says(page, word, axis));
+        check(`scene "${id}": nothing is wrong`, !await banner(page));
+        await page.picture();
+        // An axis between them, or what both have in common.
+        const [wall, meet] = [await pixels(page, 'wall'), await pixels(page, 'meet')];
+        check(`scene "${id}": drawn so (${wall} and ${meet} pixels)`, axis === 'none' ? meet > 100 && wall === 0 : wall > 60 && meet < 30);
+    }
+}
+
+async function drags(page) {
+    await page.click('preset-edge');
+    const before = await numbers(page);
+    const [a, center] = [await place(page, 0), await place(page, 3)];
+    await page.drag(a, center);
+    const after = await numbers(page);
+    check('a vertex dragged into the box: overlap', await says(page, 'Overlap', 'none'));
+    check('only that vertex has moved', after.every((x, k) => (x !== before[k]) === (k < 3)));
+    await page.drag(await place(page, 0), a);
+    check('and dragged out again: disjoint', await says(page, 'Disjoint', 'x × bc'));
+
+    await page.click('preset-edge');
+    // On the middle of the triangle, which no vertex is near to.
+    const [x, y, z] = await Promise.all([0, 1, 2].map((k) => place(page, k)));
+    const middle = x.map((p, i) => (p + y[i] + z[i]) / 3);
+    await page.drag(middle, [middle[0], middle[1] + 130]);
+    check('the triangle dragged down: overlap', await says(page, 'Overlap', 'none') &&
+        (await numbers(page)).every((v, k) => k < 9 || v === before[k]));
+
+    await page.click('preset-face');
+    const still = await numbers(page);
+    await page.drag(await place(page, 3), [40, 500]);
+    const now = await numbers(page);
+    check('the box dragged: its centre moves, and nothing else', now.every((v, k) => (v !== still[k]) === (k >= 9 && k < 12)));
+    await page.drag([30, 80], [130, 120]);
+    check('beside them the picture turns, and no number changes', (await numbers(page)).every((v, k) => v === now[k]));
+}
+
+async function wrong(page) {
+    for (const scalar of [0, 1]) {
+        await page.evaluate(`document.querySelectorAll('#scalars button')[${scalar}].click()`);
+        await page.click('wrong');
+        check(`${['f32', 'I8F8'][scalar]}: a banner says that rounding is wrong`, await banner(page));
+        console.log(`       ${await page.text('banner')}`);
+    }
+    await page.evaluate(`document.querySelectorAll('#scalars button')[0].click()`);
+    await page.click('wrong');
+    const start = await numbers(page);
+    // Far enough from the flip all methods agree again.
+    for (let k = 0; k < 24; k += 1) await page.click('up');
+    const up = await numbers(page);
+    check('24 units of the last place on, all agree', !await banner(page) && up.filter((x, k) => x !== start[k]).length === 1);
+    for (let k = 0; k < 24; k += 1) await page.click('down');
+    check('and back again they do not', await banner(page) && (await numbers(page)).every((x, k) => x === start[k]));
+    await page.click('preset-edge');
+    await page.click('touch');
+    check('"bring to touch" leaves a gap of less than a millionth, or none', /⁻|touch/.test(await page.text('why')));
+    await page.click('closer');
+    await page.picture();
+    check('it can be seen from as near as it is wide', await pixels(page, 'box') > 500);
+    await page.click('bits');
+    check('numbers show their bits', /^0x[0-9a-f]{8}$/.test(await page.evaluate(`document.querySelector('#numbers small').textContent`)));
+    await page.click('bits');
+    const write = (k, text) => page.evaluate(`(() => {
+        const input = document.querySelectorAll('#numbers input')[${k}];
+        input.value = '${text}';
+        input.dispatchEvent(new Event('change'));
+    })()`);
+    await page.click('preset-face');
+    await write(11, '1.5');
+    check('a number can be written', await says(page, 'Overlap', 'none') && (await numbers(page))[11] === 1.5);
+    await write(14, '-1');
+    check('what is no box is refused', (await numbers(page))[14] === 0.75);
+}
+
+async function hashes(page) {
+    for (const name of Object.keys(golden)) {
+        const lines = await page.evaluate(`(async () => {
+            const { hashes, areGolden } = await import('./test/golden.mjs');
+            const all = await hashes(await (await fetch('${name}')).arrayBuffer());
+            return [areGolden(all), ...all];
+        })()`);
+        console.log(`\n${golden[name]}\n${lines.slice(1).join('\n')}`);
+        check('the golden hashes, in Chromium', lines[0]);
+    }
+}
+
+try {
+    const page = await browser.open(address);
+    await page.size(1080, 760);
+    await page.until('document.body.dataset.ready');
+    await page.theme('light');
+    console.log(`\n${await page.evaluate('navigator.userAgent')}\n${await page.text('size')}`);
+    await scenes(page);
+    await drags(page);
+    await wrong(page);
+    await hashes(page);
+    await page.click('wrong');
+    await page.evaluate(`document.activeElement.blur()`);
+    if (picture === '--picture') {
+        await page.size(1180, 870, 1.5);
+        writeFileSync(file, await page.picture());
+    }
+    const shot = await page.picture();
+    await page.theme('dark');
+    const dark = await page.picture();
+    check('it has a dark theme', !shot.equals(dark));
+    // No module: the page asks for one.
+    server.closeAllConnections();
+    const { server: empty, address: elsewhere } = await serve({}, 0);
+    const lone = await browser.open(elsewhere);
+    await lone.until(`document.getElementById('missing').open`);
+    check('without a module the page asks for one', await lone.evaluate(`!document.body.dataset.ready`));
+    empty.closeAllConnections();
+    empty.close();
+    check('no error in the page', browser.errors.length === 0);
+    browser.errors.forEach((error) => console.log(`       ${error}`));
+} catch (error) {
+    check(error.stack, false);
+} finally {
+    await browser.close();
+    server.close();
+}
+process.exit(outcome());
