@@ -111,14 +111,16 @@ fn an_edge_misses<W: Word, A: Area<W>>(j: &Shadow<W>, l: &Shadow<W>) -> bool {
 #[inline(always)]
 fn is_behind<W: Word, A: Area<W>>(shapes: &[Shadow<W>; 3], n: &[A; 3], in_mirror: bool) -> bool {
     out_of_line_if_wide!(W, {
-        A::is_negative(shapes.iter().zip(n).map(|(s, &n)| {
+        let mut beyond = [W::ZERO; 3];
+        for ((beyond, s), n) in beyond.iter_mut().zip(shapes).zip(n) {
             let up = n.sign();
-            if in_mirror {
-                (n, s.t[0] - s.size.where_negative(up))
+            *beyond = if in_mirror {
+                s.t[0] - s.size.where_negative(up)
             } else {
-                (n, s.size.unless_negative(up) - s.t[0])
-            }
-        }))
+                s.size.unless_negative(up) - s.t[0]
+            };
+        }
+        A::is_negative(n, beyond)
     })
 }
 

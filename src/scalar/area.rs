@@ -11,7 +11,7 @@ pub trait Area<W>: Copy {
     fn sign(self) -> W;
 
     /// Whether the sum of the areas, each times its length, is negative.
-    fn is_negative(products: impl Iterator<Item = (Self, W)>) -> bool;
+    fn is_negative(areas: &[Self; 3], lengths: [W; 3]) -> bool;
 }
 
 /// Where one instruction, or two, multiply words in full.
@@ -25,13 +25,14 @@ impl Area<i32> for i64 {
         (self >> i32::BITS) as i32
     }
     #[inline(always)]
-    fn is_negative(products: impl Iterator<Item = (Self, i32)>) -> bool {
+    fn is_negative(areas: &[Self; 3], lengths: [i32; 3]) -> bool {
         // The upper word of an area, rounded to the nearest, and what is left.
-        let (upper, lower) = products.fold((0, 0), |(upper, lower), (area, length)| {
+        let (mut upper, mut lower) = (0, 0);
+        for (&area, length) in areas.iter().zip(lengths) {
             let rest = area as i32;
-            let whole = area.sign() - (rest >> (i32::BITS - 1));
-            (upper + whole * length, lower + Self::from(rest) * Self::from(length))
-        });
+            upper += (area.sign() - (rest >> (i32::BITS - 1))) * length;
+            lower += Self::from(rest) * Self::from(length);
+        }
         upper + lower.sign() < 0
     }
 }
@@ -65,10 +66,10 @@ impl<W: Word> Area<W> for Pair<W> {
     }
 
     #[inline(always)]
-    fn is_negative(products: impl Iterator<Item = (Self, W)>) -> bool {
+    fn is_negative(areas: &[Self; 3], lengths: [W; 3]) -> bool {
         // In four words, of which the two in the middle have the same weight.
         let (mut s0, mut s1, mut s2, mut s3) = (W::ZERO, W::ZERO, W::ZERO, W::ZERO);
-        for (area, z) in products {
+        for (area, z) in areas.iter().zip(lengths) {
             let upper = area.sign();
             s0 = s0 + (area.lower & W::LOWER) * z;
             s1 = s1 + (upper & W::LOWER) * z;
