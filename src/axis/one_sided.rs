@@ -1,7 +1,7 @@
-use crate::scalar::{Word, out_of_line_if_wide};
+use crate::scalar::{Area, Word, out_of_line_if_wide};
 
-/// Whether one of the 13 axes separates a triangle from the box between two
-/// corners, for cores on which a product of words is cheap and a wider one is not.
+/// Whether one of the 13 axes separates a triangle from a box, for cores on which a
+/// product of words is cheap and a wider one is not.
 ///
 /// Each edge axis is looked at from one side only. On x_i × e_k the vertices of
 /// edge k fall on nought and the vertex opposite on n_i, the component of the
@@ -11,51 +11,77 @@ use crate::scalar::{Word, out_of_line_if_wide};
 /// tells which side is the outer one. (If n_i is nought the three edges lie on one
 /// line, and not all of them run the same way: between them they see both sides.)
 ///
-/// All sums are kept as two words, see [`Word`], and only asked for their sign.
+/// Areas and volumes are only asked for their sign, see [`Area`].
 #[inline(never)]
 pub(crate) fn one_sided<W: Word>(shapes: &[Shadow<W>; 3]) -> bool {
+    in_areas::<W, W::Area>(shapes)
+}
+
+#[inline(always)]
+fn in_areas<W: Word, A: Area<W>>(shapes: &[Shadow<W>; 3]) -> bool {
     if shapes.iter().any(Shadow::is_apart) {
         return true;
     }
     let [x, y, z] = shapes;
-    let n = [normal(y, z), normal(z, x), normal(x, y)];
-    let turned = [turned(&n[0], y, z), turned(&n[1], z, x), turned(&n[2], x, y)];
-    turned.iter().any(|(j, l)| an_edge_misses(j, l))
+    let n: [A; 3] = [normal(y, z), normal(z, x), normal(x, y)];
+    let turned = [turned(n[0], y, z), turned(n[1], z, x), turned(n[2], x, y)];
+    turned.iter().any(|(j, l)| an_edge_misses::<W, A>(j, l))
         || [false, true].iter().any(|&in_mirror| is_behind(shapes, &n, in_mirror))
 }
 
-/// A triangle and a box, projected on one coordinate axis.
+/// A triangle and a box, projected on one coordinate axis, and measured from the least
+/// corner of the box.
 #[derive(Clone, Copy)]
 pub(crate) struct Shadow<W> {
     /// The vertices.
-    pub(crate) t: [W; 3],
-    /// The ends of the box.
-    pub(crate) min: W,
-    pub(crate) max: W,
+    t: [W; 3],
+    /// The greatest corner of the box.
+    size: W,
 }
 
 impl<W: Word> Shadow<W> {
+    /// Of these vertices, and the box that reaches `size` from `min`.
+    #[inline(always)]
+    pub(crate) fn new(min: W, size: W, [a, b, c]: [W; 3]) -> Self {
+        Self { t: [a.minus(min), b.minus(min), c.minus(min)], size }
+    }
+
+    /// Whether words have room for all that is made of these lengths, if none of them
+    /// is wrapped.
+    #[inline(always)]
+    pub(crate) fn are_near([x, y, z]: &[Self; 3]) -> bool {
+        (x.lengths() | y.lengths() | z.lengths()).is_near()
+    }
+
+    /// At least as long as each of the lengths, and less than twice as long as one.
+    #[inline(always)]
+    fn lengths(&self) -> W {
+        let [a, b, c] = self.t;
+        a.folded() | b.folded() | c.folded() | self.size
+    }
+
     /// Whether the axis separates: all three differences have the same sign.
+    #[inline(always)]
     fn is_apart(&self) -> bool {
-        let ([a, b, c], min, max) = (self.t, self.min, self.max);
-        ((max - a) & (max - b) & (max - c)) | ((a - min) & (b - min) & (c - min)) < W::ZERO
+        let ([a, b, c], size) = (self.t, self.size);
+        a & b & c < W::ZERO || (size - a) & (size - b) & (size - c) < W::ZERO
     }
 }
 
 /// The component of the normal along the axis on which j and l follow.
 #[inline(always)]
-fn normal<W: Word>(j: &Shadow<W>, l: &Shadow<W>) -> Sum<W> {
+fn normal<W: Word, A: Area<W>>(j: &Shadow<W>, l: &Shadow<W>) -> A {
     out_of_line_if_wide!(W, {
         let ([a, b, c], [p, q, r]) = (j.t, l.t);
-        Sum::new(b - a, r - q, c - b, q - p)
+        A::new(b - a, r - q, b - c, q - p)
     })
 }
 
 /// The two axes in the order in which the triangle turns from the first to the
 /// second: in a mirror it turns the other way.
 #[inline(always)]
-fn turned<'a, W: Word>(
-    n: &Sum<W>,
+fn turned<'a, W: Word, A: Area<W>>(
+    n: A,
     j: &'a Shadow<W>,
     l: &'a Shadow<W>,
 ) -> (&'a Shadow<W>, &'a Shadow<W>) {
@@ -63,72 +89,78 @@ fn turned<'a, W: Word>(
 }
 
 /// Whether an edge of a triangle, which turns from `j` to `l`, has the whole box on its
-/// outer side: all x with e_j·(x_l − v_l) − e_l·(x_j − v_j) < 0.
+/// outer side: all x with e_j·(x_l − v_l) < e_l·(x_j − v_j).
 #[inline(always)]
-fn an_edge_misses<W: Word>(j: &Shadow<W>, l: &Shadow<W>) -> bool {
-    let (mut vj, mut vl) = (j.t[2], l.t[2]);
-    let (min_j, max_j, min_l, max_l) = (j.min, j.max, l.min, l.max);
-    for (&next_j, &next_l) in j.t.iter().zip(&l.t) {
-        let (ej, el) = (next_j - vj, next_l - vl);
-        let xl = if ej < W::ZERO { min_l } else { max_l };
-        let xj = if el < W::ZERO { max_j } else { min_j };
-        if W::is_less(xl - vl, ej, xj - vj, el)
-            .unwrap_or_else(|| Sum::new(xl - vl, ej, xj - vj, el).sign() < W::ZERO)
-        {
-            return true;
+fn an_edge_misses<W: Word, A: Area<W>>(j: &Shadow<W>, l: &Shadow<W>) -> bool {
+    out_of_line_if_wide!(W, {
+        let (mut vj, mut vl) = (j.t[2], l.t[2]);
+        for (&next_j, &next_l) in j.t.iter().zip(&l.t) {
+            // As a sum, which takes one instruction less; of nought each end will do.
+            let (ej, el) = (vj - next_j, next_l - vl);
+            let (xj, xl) = (j.size.where_negative(el), l.size.where_negative(ej));
+            if A::new(vl - xl, ej, vj - xj, el).sign() < W::ZERO {
+                return true;
+            }
+            (vj, vl) = (next_j, next_l);
         }
-        (vj, vl) = (next_j, next_l);
-    }
-    false
+        false
+    })
 }
 
 /// Whether the whole box lies behind the plane of the triangle: its corner farthest
 /// along the normal, one of the two critical corners of Haines and Wallace. Or, in
 /// a mirror, ahead of it.
 #[inline(always)]
-fn is_behind<W: Word>(shapes: &[Shadow<W>; 3], n: &[Sum<W>; 3], in_mirror: bool) -> bool {
+fn is_behind<W: Word, A: Area<W>>(shapes: &[Shadow<W>; 3], n: &[A; 3], in_mirror: bool) -> bool {
     out_of_line_if_wide!(W, {
-        // In four words, of which the two in the middle have the same weight.
-        let (mut s0, mut s1, mut s2, mut s3) = (W::ZERO, W::ZERO, W::ZERO, W::ZERO);
-        for (s, n) in shapes.iter().zip(n) {
-            let upper = n.sign();
-            let corner = if (upper < W::ZERO) ^ in_mirror { s.min } else { s.max };
-            let z = if in_mirror { s.t[0] - corner } else { corner - s.t[0] };
-            s0 = s0 + (n.lower & W::LOWER) * z;
-            s1 = s1 + (upper & W::LOWER) * z;
-            s2 = s2 + (upper >> W::SPLIT) * (z & W::LOWER);
-            s3 = s3 + (upper >> W::SPLIT) * (z >> W::SPLIT);
+        let mut volume = A::NOUGHT;
+        for (s, &n) in shapes.iter().zip(n) {
+            let up = n.sign();
+            let beyond = if in_mirror {
+                s.t[0] - s.size.where_negative(up)
+            } else {
+                s.size.unless_negative(up) - s.t[0]
+            };
+            volume = A::sum(volume, n, beyond);
         }
-        let carry = s1 + (s0 >> W::SPLIT);
-        let carry = s2 + (carry >> W::SPLIT);
-        s3 + (carry >> W::SPLIT) < W::ZERO
+        A::is_negative(volume)
     })
 }
 
-/// The sum upper·2^SPLIT + lower, of products of lengths.
-#[derive(Clone, Copy)]
-struct Sum<W> {
-    upper: W,
-    lower: W,
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Pair;
 
-impl<W: Word> Sum<W> {
-    /// a·b − c·d.
-    #[inline(always)]
-    fn new(a: W, b: W, c: W, d: W) -> Self {
-        out_of_line_if_wide!(
-            W,
-            Self {
-                upper: (a >> W::SPLIT) * b - (c >> W::SPLIT) * d,
-                lower: (a & W::LOWER) * b - (c & W::LOWER) * d,
+    /// Each way to hold an area says the same, in the widest shapes that a word is for
+    /// and where they touch; `tests/` asks whether it is right.
+    #[test]
+    fn areas_agree() {
+        let mut seed = 1_u32;
+        let mut below = |n: u32| {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            ((u64::from(seed) * u64::from(n)) >> 32) as i32
+        };
+        for (reach, is_narrow) in [(18, true), (29, false)] {
+            let far = (1 << reach) - 1;
+            let mut apart = 0;
+            for case in 0..100_000 {
+                let shadows = [(); 3].map(|()| match case % 3 {
+                    0 => ([(); 3].map(|()| below(2 * far as u32 + 1) - far), below(1 << reach)),
+                    1 => {
+                        ([(); 3].map(|()| [-far, -1, 0, 1, far][below(5) as usize]), far * below(2))
+                    }
+                    _ => ([(); 3].map(|()| below(13) - 4), 4),
+                });
+                let short = shadows.map(|(t, size)| Shadow { t, size });
+                let long =
+                    shadows.map(|(t, size)| Shadow { t: t.map(i64::from), size: i64::from(size) });
+                let verdict = in_areas::<_, Pair<_>>(&long);
+                assert_eq!(verdict, in_areas::<_, i64>(&short), "{shadows:?}");
+                assert!(!is_narrow || verdict == in_areas::<_, Pair<_>>(&short), "{shadows:?}");
+                apart += u32::from(verdict);
             }
-        )
-    }
-
-    /// The sum without its lower part, so rounded down, and negative exactly if the
-    /// sum is.
-    #[inline(always)]
-    fn sign(self) -> W {
-        self.upper + (self.lower >> W::SPLIT)
+            assert!((25_000..75_000).contains(&apart), "{apart} of 100,000 are apart");
+        }
     }
 }

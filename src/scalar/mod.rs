@@ -1,6 +1,7 @@
 //! The scalar trait, and the number systems that a scalar's questions are
 //! answered in.
 
+mod area;
 mod bounded;
 #[cfg(feature = "fixed")]
 mod coarse;
@@ -22,6 +23,9 @@ mod word;
 #[cfg(feature = "fixed")]
 mod fixed;
 
+pub use area::Area;
+#[cfg(test)]
+pub(crate) use area::Pair;
 pub use ladder::Predicate;
 pub use number::Number;
 pub(crate) use number::{greatest, least};

@@ -1,13 +1,14 @@
 //! Machine words, for kernels on cores whose registers have 32 bits.
 
 use core::fmt::Debug;
-use core::ops::{Add, BitAnd, BitOr, Mul, Neg, Shr, Sub};
+use core::ops::{Add, BitAnd, BitOr, BitXor, Mul, Shr, Sub};
 
-/// A signed machine word, and how a kernel cuts one in two to keep products in
-/// words of the same size.
+use super::area::{Area, Pair};
+
+/// A signed machine word, in which a kernel keeps lengths.
 ///
-/// A word x is its upper part x >> SPLIT times 2^SPLIT and its lower part
-/// x & LOWER, which is never negative. With lengths up to 2^R and S for SPLIT,
+/// Lengths are measured from the least corner of the box. With lengths up to 2^R, the
+/// reach, and S for SPLIT, where [`Pair`] cuts a word in two,
 ///
 /// | quantity | magnitude | `i32` | `i64` | `i128` |
 /// | --- | --- | --- | --- | --- |
@@ -20,19 +21,24 @@ use core::ops::{Add, BitAnd, BitOr, Mul, Neg, Shr, Sub};
 /// | a·(lower part of a length), three | 3·2^(2R+3−S) | 2^30.6 | 2^52.6 | 2^96.6 |
 /// | (lower part of a normal)·length, three | 3·2^(R+1+S) | 2^30.6 | 2^56.6 | 2^108.6 |
 ///
-/// and the carries add less than 2^-8 of that.
+/// and the carries add less than 2^-8 of that. Where `i64` holds the areas of `i32`,
+/// the reach is 29: a normal is up to 2^61, its upper word up to 2^29, three products of
+/// that and a length up to 3·2^59, and of its lower word and a length up to 3·2^61.
 pub trait Word:
     Copy
     + Ord
     + Debug
     + Add<Output = Self>
     + Sub<Output = Self>
-    + Neg<Output = Self>
     + Mul<Output = Self>
     + Shr<u32, Output = Self>
     + BitAnd<Output = Self>
     + BitOr<Output = Self>
+    + BitXor<Output = Self>
 {
+    /// What holds an area on the core at hand.
+    type Area: Area<Self>;
+
     /// Nought.
     const ZERO: Self;
     /// How many bits the lower part has.
@@ -44,36 +50,36 @@ pub trait Word:
     /// instructions then, or a call.
     const IS_WIDE: bool;
 
-    /// Whether a·b < c·d, on a core with one instruction for the product of two
-    /// words in full; elsewhere `None`.
-    fn is_less(a: Self, b: Self, c: Self, d: Self) -> Option<bool>;
-
     /// The sum, wrapped.
     fn plus(self, other: Self) -> Self;
     /// The difference, wrapped.
     fn minus(self, other: Self) -> Self;
 
-    /// Whether all numbers lie within the reach of the first, even where their
-    /// differences would overflow.
-    fn are_near(first: Self, others: impl Iterator<Item = Self>) -> bool;
+    /// The word where `other` is negative, and otherwise nought.
+    fn where_negative(self, other: Self) -> Self;
+    /// The word where `other` is not negative, and otherwise nought.
+    fn unless_negative(self, other: Self) -> Self;
+
+    /// The word, or if it is negative all its bits flipped.
+    fn folded(self) -> Self;
+    /// Whether a length lies within the reach.
+    fn is_near(self) -> bool;
+    /// Whether a difference from this word that is within the reach cannot be wrapped:
+    /// in the middle half of the range, wrapped differences are long.
+    fn is_central(self) -> bool;
 }
 
 macro_rules! word {
-    ($($word:ident, $unsigned:ident: $reach:literal, $split:literal;)*) => {$(
+    ($($word:ident, $unsigned:ident, $area:ty: $reach:literal, $split:literal;)*) => {$(
         impl Word for $word {
+            type Area = $area;
+
             const ZERO: Self = 0;
             const SPLIT: u32 = $split;
             const LOWER: Self = (1 << $split) - 1;
 
             const IS_WIDE: bool = $word::BITS > 32;
 
-            #[inline(always)]
-            fn is_less(a: Self, b: Self, c: Self, d: Self) -> Option<bool> {
-                // ARMv6-M has neither long products nor atomics, ARMv7-M both. Only
-                // the latter can be asked for in stable Rust.
-                let is_long = !Self::IS_WIDE && cfg!(all(target_arch = "arm", target_has_atomic = "32"));
-                is_long.then(|| (a as i64) * (b as i64) < (c as i64) * (d as i64))
-            }
             #[inline(always)]
             fn plus(self, other: Self) -> Self {
                 self.wrapping_add(other)
@@ -83,19 +89,38 @@ macro_rules! word {
                 self.wrapping_sub(other)
             }
             #[inline(always)]
-            fn are_near(first: Self, others: impl Iterator<Item = Self>) -> bool {
-                // Of halves, whose differences fit.
-                let from = (first >> 1) - (1 << ($reach - 1));
-                others.fold(0, |all, x| all | (x >> 1).wrapping_sub(from) as $unsigned)
-                    >> $reach == 0
+            fn where_negative(self, other: Self) -> Self {
+                self & (other >> ($word::BITS - 1))
+            }
+            #[inline(always)]
+            fn unless_negative(self, other: Self) -> Self {
+                self & !(other >> ($word::BITS - 1))
+            }
+            #[inline(always)]
+            fn folded(self) -> Self {
+                self ^ (self >> ($word::BITS - 1))
+            }
+            #[inline(always)]
+            fn is_near(self) -> bool {
+                (self as $unsigned) >> $reach == 0
+            }
+            #[inline(always)]
+            fn is_central(self) -> bool {
+                self ^ (self << 1) >= 0
             }
         }
     )*};
 }
+
+// ARMv6-M has neither long products nor atomics, ARMv7-M both. Only the latter can be
+// asked for in stable Rust.
+#[cfg(all(target_arch = "arm", target_has_atomic = "32"))]
+word! { i32, u32, i64: 29, 10; }
+#[cfg(not(all(target_arch = "arm", target_has_atomic = "32")))]
+word! { i32, u32, Pair<i32>: 18, 10; }
 word! {
-    i32, u32: 18, 10;
-    i64, u64: 34, 20;
-    i128, u128: 66, 40;
+    i64, u64, Pair<i64>: 34, 20;
+    i128, u128, Pair<i128>: 66, 40;
 }
 
 /// A scalar whose raw bits fit a word.

@@ -1,9 +1,9 @@
 //! The question in machine words, where registers are narrow.
 
 use super::Disjoint;
-use crate::axis;
-use crate::linear::{Vec3, pick};
-use crate::scalar::{InWord, Scalar, Word, out_of_line_if_wide};
+use crate::axis::{self, Shadow};
+use crate::linear::Vec3;
+use crate::scalar::{InWord, Scalar, Word};
 use crate::shape::AabbForm;
 
 impl<S: Scalar> Disjoint<'_, S> {
@@ -13,7 +13,7 @@ impl<S: Scalar> Disjoint<'_, S> {
     where
         S: InWord<W>,
     {
-        axis::one_sided(&[self.shadow(0), self.shadow(1), self.shadow(2)])
+        axis::one_sided(&self.shadows().1)
     }
 
     /// The answer in words that hold the shapes if they are near to each other.
@@ -22,31 +22,40 @@ impl<S: Scalar> Disjoint<'_, S> {
     where
         S: InWord<W>,
     {
-        let shadows = [self.shadow(0), self.shadow(1), self.shadow(2)];
-        let is_near = |s: &axis::Shadow<W>| {
-            let [a, b, c] = s.t;
-            W::are_near(s.min, [a, b, c, s.max].into_iter())
-        };
-        shadows.iter().all(is_near).then(|| axis::one_sided(&shadows))
+        let ([x, y, z], shadows) = self.shadows();
+        (W::is_central(x) && W::is_central(y) && W::is_central(z) && Shadow::are_near(&shadows))
+            .then(|| axis::one_sided(&shadows))
     }
 
-    /// The shapes on coordinate axis `i`. A box that wraps here is not near.
+    /// The least corner of the box, and the shapes on each coordinate axis.
     #[inline(always)]
-    fn shadow<W: Word>(&self, i: usize) -> axis::Shadow<W>
+    fn shadows<W: Word>(&self) -> ([W; 3], [Shadow<W>; 3])
     where
         S: InWord<W>,
     {
-        out_of_line_if_wide!(W, {
-            let word = |v: &Vec3<S>| pick(&v.to_array(), i).in_word();
-            let [a, b, c] = self.triangle.vertices();
-            let (min, max) = match self.aabb.form() {
-                AabbForm::Center { center, half } => {
-                    let (center, half) = (word(center), word(half));
-                    (center.minus(half), center.plus(half))
-                }
-                AabbForm::Corners { min, max } => (word(min), word(max)),
-            };
-            axis::Shadow { t: [word(a), word(b), word(c)], min, max }
-        })
+        let [a, b, c] = self.triangle.vertices();
+        let (min, size) = match self.aabb.form() {
+            AabbForm::Center { center, half } => {
+                let (center, half) = (words(center), words(half));
+                (each(center, half, W::minus), each(half, half, W::plus))
+            }
+            AabbForm::Corners { min, max } => {
+                let (min, max) = (words(min), words(max));
+                (min, each(max, min, W::minus))
+            }
+        };
+        let [a, b, c] = [words(a), words(b), words(c)];
+        let shadow = |i: usize| Shadow::new(min[i], size[i], [a[i], b[i], c[i]]);
+        (min, [shadow(0), shadow(1), shadow(2)])
     }
+}
+
+#[inline(always)]
+fn words<S: InWord<W> + Copy, W: Word>(v: &Vec3<S>) -> [W; 3] {
+    [v.x.in_word(), v.y.in_word(), v.z.in_word()]
+}
+
+#[inline(always)]
+fn each<W: Word>(a: [W; 3], b: [W; 3], f: fn(W, W) -> W) -> [W; 3] {
+    [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2])]
 }

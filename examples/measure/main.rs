@@ -1,0 +1,68 @@
+//! What a query costs on a small core: how many instructions, and how deep the stack
+//! gets, for every scalar and mode.
+//!
+//! ```text
+//! cargo run --release --example measure --target thumbv6m-none-eabi
+//! cargo run --release --example measure --target thumbv7em-none-eabihf
+//! bash .ci/target-table > docs/target.csv     # all boards
+//! ```
+//!
+//! Instructions are the average over the cases of a path, without the call. They are
+//! counted by the board's timer, as if each took the same time: they are not cycles.
+//! The stack is the most that any of the cases took, by what it left of a painted
+//! stack. Paths:
+//!
+//! - `voorhies`: triangles with vertices in [−2, 2]³ against the unit cube around the
+//!   origin, or one that is turned: the experiment of 2001
+//! - `full`: those of them that meet it, so that no axis of the 13 ends the search
+//! - `grid`: vertices and boxes on a grid of integers, contacts of every kind
+//! - `whole range`: `full`, as wide as the numbers of the scalar
+//! - `hit`, `miss`: rays through triangles and boxes, and past them
+//!
+//! A host counts no instructions; for times there, see `benches/`.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+#[path = "../boards/clock.rs"]
+mod clock;
+#[path = "../boards/firmware.rs"]
+mod firmware;
+mod meter;
+mod queries;
+mod stack;
+mod workload;
+
+use fixed::types::{I4F4, I8F8, I16F16, I32F32};
+
+use crate::clock::Clock;
+use crate::firmware::{program, say};
+use crate::meter::Meter;
+
+/// The core that this is built for.
+const CORE: &str = if cfg!(target_arch = "riscv32") {
+    "RV32IMC"
+} else if cfg!(target_abi = "eabihf") {
+    "Cortex-M4F"
+} else if cfg!(target_has_atomic = "32") {
+    "Cortex-M3"
+} else {
+    "Cortex-M0"
+};
+
+/// Measures everything, a line for each.
+fn run() -> bool {
+    let Some(meter) = Clock::new().map(Meter::new) else { return false };
+    if !meter.counts() {
+        say!("a host counts no instructions: run this for a board, with --target");
+        return true;
+    }
+    say!("core,query,scalar,mode,path,instructions,stack");
+    queries::all::<f32>(&meter);
+    queries::all::<f64>(&meter);
+    queries::all::<I4F4>(&meter);
+    queries::all::<I8F8>(&meter);
+    queries::all::<I16F16>(&meter);
+    queries::all::<I32F32>(&meter);
+    true
+}
+
+program!(run);

@@ -1,0 +1,121 @@
+//! The queries, and the lines about them.
+
+use core::hint::black_box;
+
+use heapless::Vec;
+use septum::{Aabb, Cull, MayOverlap, Obb, Overlaps, Ray, SlabRay, SlopeRay, Triangle};
+
+use crate::CORE;
+use crate::firmware::say;
+use crate::meter::{Ask, Meter, Taken};
+use crate::workload::{self, Coordinate, Draw, Rng};
+
+/// How many pairs of shapes there are in a path, and how many at once.
+const CASES: usize = 256;
+const BATCH: usize = 32;
+
+/// Measures all queries in a scalar.
+pub(crate) fn all<S: Coordinate>(meter: &Meter) {
+    triangle_aabb::<S>(meter);
+    triangle_obb::<S>(meter);
+    ray_triangle::<S>(meter);
+    ray_aabb::<S>(meter);
+}
+
+/// A query: what it is called, its mode, and how to ask it.
+type Query<A, B> = (&'static str, &'static str, Ask<A, B>);
+
+fn triangle_aabb<S: Coordinate>(meter: &Meter) {
+    const NAME: &str = "triangle/box";
+    let queries: [Query<Triangle<S>, Aabb<S>>; 4] = [
+        (NAME, "exact", |t, b| t.overlaps(b)),
+        (NAME, "conservative", |t, b| t.may_overlap(b)),
+        (NAME, "rounded", |t, b| t.overlaps_rounded(b)),
+        (NAME, "as published", |t, b| t.overlaps_as_published(b)),
+    ];
+    lines::<S, _, _>(meter, "full", workload::full, &queries);
+    lines::<S, _, _>(meter, "voorhies", workload::voorhies, &queries);
+    lines::<S, _, _>(meter, "grid", workload::grid, &queries);
+    lines::<S, _, _>(meter, "whole range", workload::whole_range, &queries);
+}
+
+fn triangle_obb<S: Coordinate>(meter: &Meter) {
+    const NAME: &str = "triangle/oriented box";
+    let queries: [Query<Triangle<S>, Obb<S>>; 3] = [
+        (NAME, "exact", |t, b| t.overlaps(b)),
+        (NAME, "conservative", |t, b| t.may_overlap(b)),
+        (NAME, "as published", |t, b| t.overlaps_by_transform(b)),
+    ];
+    lines::<S, _, _>(meter, "full", workload::turned_full, &queries);
+    lines::<S, _, _>(meter, "voorhies", workload::turned_voorhies, &queries);
+}
+
+fn ray_triangle<S: Coordinate>(meter: &Meter) {
+    // All of the hit is asked for, not just whether there is one.
+    let queries: [Query<Ray<S>, Triangle<S>>; 4] = [
+        ("ray/triangle hits", "exact", |r, t| r.hits(t)),
+        ("ray/triangle hit", "exact", |r, t| black_box(r.hit(t)).is_some()),
+        ("ray/triangle hit once", "exact", |r, t| black_box(r.hit_once(t)).is_some()),
+        ("ray/triangle hit", "as published", |r, t| {
+            black_box(r.hit_moller_trumbore(t, Cull::Nothing)).is_some()
+        }),
+    ];
+    lines::<S, _, _>(meter, "hit", workload::hit, &queries);
+    lines::<S, _, _>(meter, "miss", workload::miss, &queries);
+}
+
+fn ray_aabb<S: Coordinate>(meter: &Meter) {
+    const NAME: &str = "ray/box";
+    let queries: [Query<Ray<S>, Aabb<S>>; 3] = [
+        (NAME, "exact", |r, b| r.overlaps(b)),
+        (NAME, "conservative", |r, b| r.may_overlap(b)),
+        (NAME, "as published", |r, b| r.overlaps_as_published(b)),
+    ];
+    lines::<S, _, _>(meter, "hit", workload::box_hit, &queries);
+    lines::<S, _, _>(meter, "miss", workload::box_miss, &queries);
+
+    // Of rays that are prepared.
+    let slabs: [Query<SlabRay<S>, Aabb<S>>; 1] = [(NAME, "slabs", |r, b| r.overlaps_rounded(b))];
+    lines::<S, _, _>(meter, "hit", |r| prepared(r, true, Ray::for_slabs), &slabs);
+    lines::<S, _, _>(meter, "miss", |r| prepared(r, false, Ray::for_slabs), &slabs);
+    let slopes: [Query<SlopeRay<S>, Aabb<S>>; 1] = [(NAME, "slopes", |r, b| r.overlaps_rounded(b))];
+    lines::<S, _, _>(meter, "hit", |r| prepared(r, true, Ray::for_slopes), &slopes);
+    lines::<S, _, _>(meter, "miss", |r| prepared(r, false, Ray::for_slopes), &slopes);
+}
+
+fn prepared<S: Coordinate, R>(
+    rng: &mut Rng,
+    hit: bool,
+    prepare: fn(&Ray<S>) -> R,
+) -> Option<(R, Aabb<S>)> {
+    let (ray, aabb) = if hit { workload::box_hit(rng) } else { workload::box_miss(rng) }?;
+    Some((prepare(&ray), aabb))
+}
+
+/// Measures the queries on one path, and says what they took.
+fn lines<S: Coordinate, A, B>(
+    meter: &Meter,
+    path: &str,
+    draw: Draw<A, B>,
+    queries: &[Query<A, B>],
+) {
+    let mut rng = Rng::new();
+    let mut taken = [Taken::default(); 4];
+    for _ in 0..CASES / BATCH {
+        let mut pairs = Vec::<_, BATCH>::new();
+        while let (false, Some(pair)) = (pairs.is_full(), draw(&mut rng)) {
+            // There is room.
+            let _ = pairs.push(pair);
+        }
+        if pairs.is_empty() {
+            return;
+        }
+        for (&(_, _, ask), taken) in queries.iter().zip(&mut taken) {
+            meter.add(taken, &pairs, ask);
+        }
+    }
+    for (&(query, mode, _), taken) in queries.iter().zip(&taken) {
+        let (instructions, stack) = (taken.instructions(), taken.stack() as u32);
+        say!("{},{},{},{},{},{},{}", CORE, query, S::NAME, mode, path, instructions, stack);
+    }
+}

@@ -1,0 +1,216 @@
+//! Shapes from random bits, the same on every board.
+
+use fixed::types::{I4F4, I8F8, I16F16, I32F32};
+use septum::{Aabb, Obb, Overlaps, Ray, Scalar, ShapeError, Triangle, Vec3};
+
+/// A point in units of 2⁻¹⁶.
+type Point = [i32; 3];
+
+const HALF: i32 = 1 << 15;
+
+/// A scalar that has such numbers, if not all of their places.
+pub(crate) trait Coordinate: Scalar {
+    const NAME: &'static str;
+
+    /// So many units of 2⁻¹⁶, rounded down.
+    fn of(units: i32) -> Self;
+
+    /// So many units of 2⁻³ of a scalar that has 32 bits, which makes the scene as
+    /// wide as its numbers are.
+    fn of_whole_range(units: i32) -> Option<Self> {
+        let _ = units;
+        None
+    }
+}
+
+impl Coordinate for f32 {
+    const NAME: &'static str = "f32";
+    fn of(units: i32) -> Self {
+        units as f32 / 65536.0
+    }
+}
+
+impl Coordinate for f64 {
+    const NAME: &'static str = "f64";
+    fn of(units: i32) -> Self {
+        f64::from(units) / 65536.0
+    }
+}
+
+impl Coordinate for I4F4 {
+    const NAME: &'static str = "I4F4";
+    fn of(units: i32) -> Self {
+        Self::from_bits((units >> 12) as i8)
+    }
+}
+
+impl Coordinate for I8F8 {
+    const NAME: &'static str = "I8F8";
+    fn of(units: i32) -> Self {
+        Self::from_bits((units >> 8) as i16)
+    }
+}
+
+impl Coordinate for I16F16 {
+    const NAME: &'static str = "I16F16";
+    fn of(units: i32) -> Self {
+        Self::from_bits(units)
+    }
+    fn of_whole_range(units: i32) -> Option<Self> {
+        Some(Self::from_bits(units << 13))
+    }
+}
+
+impl Coordinate for I32F32 {
+    const NAME: &'static str = "I32F32";
+    fn of(units: i32) -> Self {
+        Self::from_bits(i64::from(units) << 16)
+    }
+}
+
+/// Xorshift, 32 bits (G. Marsaglia, "Xorshift RNGs", 2003).
+pub(crate) struct Rng(u32);
+
+impl Rng {
+    pub(crate) fn new() -> Self {
+        Self(12345)
+    }
+
+    fn bits(&mut self) -> u32 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 17;
+        self.0 ^= self.0 << 5;
+        self.0
+    }
+
+    /// In [−2, 2)³.
+    fn point(&mut self) -> Point {
+        [(); 3].map(|()| (self.bits() >> 14) as i32 - (1 << 17))
+    }
+
+    /// One of the 729 points of the grid {−4, …, 4}³.
+    fn grid_point(&mut self) -> Point {
+        [(); 3].map(|()| ((u64::from(self.bits()) * 9) >> 32) as i32 - 4).map(|x| x << 16)
+    }
+
+    /// One of 0 to 255.
+    fn byte(&mut self) -> i32 {
+        (self.bits() >> 24) as i32
+    }
+}
+
+/// A way to make a pair of shapes; `None` where the scalar has no such pair.
+pub(crate) type Draw<A, B> = fn(&mut Rng) -> Option<(A, B)>;
+
+/// Points of a scalar.
+fn vector<S: Coordinate>(p: Point) -> Vec3<S> {
+    Vec3::from(p.map(S::of))
+}
+
+fn triangle<S: Coordinate>(p: [Point; 3]) -> Result<Triangle<S>, ShapeError> {
+    Triangle::new(vector(p[0]), vector(p[1]), vector(p[2]))
+}
+
+/// The first pair on which the shapes meet, or the first on which they do not.
+fn first<A, B>(
+    rng: &mut Rng,
+    draw: Draw<A, B>,
+    wanted: bool,
+    meet: fn(&A, &B) -> bool,
+) -> Option<(A, B)> {
+    loop {
+        let (a, b) = draw(rng)?;
+        if meet(&a, &b) == wanted {
+            return Some((a, b));
+        }
+    }
+}
+
+pub(crate) fn voorhies<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Aabb<S>)> {
+    let triangle = triangle([(); 3].map(|()| rng.point())).ok()?;
+    Some((triangle, Aabb::from_center_half_extents(vector([0; 3]), vector([HALF; 3])).ok()?))
+}
+
+pub(crate) fn full<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Aabb<S>)> {
+    first(rng, voorhies, true, |triangle, aabb| triangle.overlaps(aabb))
+}
+
+pub(crate) fn grid<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Aabb<S>)> {
+    let triangle = triangle([(); 3].map(|()| rng.grid_point())).ok()?;
+    let (center, half) = (vector(rng.grid_point()), vector([2 * HALF; 3]));
+    Some((triangle, Aabb::from_center_half_extents(center, half).ok()?))
+}
+
+pub(crate) fn whole_range<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Aabb<S>)> {
+    let vector = |p: Point| {
+        let [x, y, z] = p.map(S::of_whole_range);
+        Some(Vec3::new(x?, y?, z?))
+    };
+    let aabb = Aabb::from_center_half_extents(vector([0; 3])?, vector([HALF; 3])?).ok()?;
+    loop {
+        let [a, b, c] = [(); 3].map(|()| vector(rng.point()));
+        let triangle = Triangle::new(a?, b?, c?).ok()?;
+        if triangle.overlaps(&aabb) {
+            return Some((triangle, aabb));
+        }
+    }
+}
+
+/// Against a cube turned about two axes, by the triangle of sides 3, 4 and 5.
+pub(crate) fn turned_voorhies<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Obb<S>)> {
+    let triangle = triangle([(); 3].map(|()| rng.point())).ok()?;
+    let axes = [[60, 80, 0], [-48, 36, 80], [64, -48, 60]].map(|a| a.map(|x| x * 65536 / 100));
+    let obb = Obb::from_skewed_axes(vector([0; 3]), axes.map(vector), vector([HALF; 3]));
+    Some((triangle, obb.ok()?))
+}
+
+pub(crate) fn turned_full<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Obb<S>)> {
+    first(rng, turned_voorhies, true, |triangle, obb| triangle.overlaps(obb))
+}
+
+/// A ray from one point towards another.
+fn ray<S: Coordinate>(from: Point, to: Point) -> Option<Ray<S>> {
+    let direction = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
+    Ray::new(vector(from), vector(direction)).ok()
+}
+
+/// A ray at some point of a triangle, as near as numbers go.
+fn at_triangle<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Triangle<S>)> {
+    let p = [(); 3].map(|()| rng.point());
+    let (u, v) = (rng.byte(), rng.byte());
+    let (u, v) = if u + v > 256 { (256 - u, 256 - v) } else { (u, v) };
+    let blend = |i: usize| ((256 - u - v) * p[0][i] + u * p[1][i] + v * p[2][i]) >> 8;
+    Some((ray(rng.point(), [blend(0), blend(1), blend(2)])?, triangle(p).ok()?))
+}
+
+fn anywhere_at_triangle<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Triangle<S>)> {
+    let p = [(); 3].map(|()| rng.point());
+    Some((ray(rng.point(), rng.point())?, triangle(p).ok()?))
+}
+
+pub(crate) fn hit<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Triangle<S>)> {
+    first(rng, at_triangle, true, |ray, triangle| ray.hits(triangle))
+}
+
+pub(crate) fn miss<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Triangle<S>)> {
+    first(rng, anywhere_at_triangle, false, |ray, triangle| ray.hits(triangle))
+}
+
+/// A ray between two points, and a box of half-extents up to 0.75 in [−2, 2]³.
+fn ray_and_box<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Aabb<S>)> {
+    let half = [(); 3].map(|()| 192 * rng.byte());
+    let mut center = rng.point();
+    for (c, h) in center.iter_mut().zip(half) {
+        *c -= (*c >> 8) * (h >> 9);
+    }
+    let aabb = Aabb::from_center_half_extents(vector(center), vector(half)).ok()?;
+    Some((ray(rng.point(), rng.point())?, aabb))
+}
+
+pub(crate) fn box_hit<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Aabb<S>)> {
+    first(rng, ray_and_box, true, |ray, aabb| ray.overlaps(aabb))
+}
+
+pub(crate) fn box_miss<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Aabb<S>)> {
+    first(rng, ray_and_box, false, |ray, aabb| ray.overlaps(aabb))
+}
