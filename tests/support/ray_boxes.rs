@@ -69,11 +69,7 @@ impl Fraction {
 
 impl<S: Sample> LineBox<S> {
     pub(crate) fn aabb(&self) -> Aabb<S> {
-        match self.aabb {
-            BoxNumbers::Center(c, h) => Aabb::from_center_half_extents(c, h),
-            BoxNumbers::Corners(min, max) => Aabb::from_min_max(min, max),
-        }
-        .expect("a valid box")
+        self.aabb.shape().expect("a valid box")
     }
 
     pub(crate) fn ray(&self) -> Option<Ray<S>> {
