@@ -4,6 +4,8 @@
 
 mod bytes;
 mod checks;
+#[cfg(test)]
+mod random;
 #[path = "../../tests/support/ray_boxes.rs"]
 mod ray_boxes;
 mod scalars;

@@ -184,20 +184,35 @@ impl<'a, S: Sample> Shapes<'a, S> {
         BoxNumbers::Corners([0, 1, 2].map(|i| sorted(i)[0]), [0, 1, 2].map(|i| sorted(i)[1]))
     }
 
-    /// A direction from `origin`: any, or to a point. Nothing if it is nought.
-    pub(crate) fn direction(&mut self, origin: Point<S>) -> Option<Point<S>> {
-        let aimed = self.bytes.one_in(2);
-        let mut direction = self.point();
-        if aimed {
-            direction = [0, 1, 2].map(|i| beyond(S::ZERO, direction[i], origin[i], (1, 1)));
+    /// A direction from `origin`: any, or to a point, or to one between two or three of
+    /// `marks`. Nothing if it is nought.
+    pub(crate) fn direction(&mut self, origin: Point<S>, marks: &[Point<S>]) -> Option<Point<S>> {
+        let choice = self.bytes.below(8);
+        let mut target = if choice < 3 { self.point() } else { self.between(marks) };
+        if choice == 7 {
+            let axis = self.bytes.below(3);
+            target[axis] = target[axis].moved(self.bytes.about_nought(2));
         }
+        let to_target = [0, 1, 2].map(|i| beyond(S::ZERO, target[i], origin[i], (1, 1)));
+        let direction = if choice == 0 { target } else { to_target };
         (direction != [S::ZERO; 3]).then_some(direction)
+    }
+
+    /// A point between three of these: halves, thirds and eighths of the way, often one of
+    /// them or between two.
+    fn between(&mut self, marks: &[Point<S>]) -> Point<S> {
+        let [p, q, r] = [(); 3].map(|()| marks[self.bytes.below(marks.len())]);
+        let byte = i64::from(self.bytes.byte());
+        let parts = [1, 2, 3, 8][(byte & 3) as usize];
+        let u = (byte >> 2) % (parts + 1);
+        let v = (byte >> 5) % (parts - u + 1);
+        [0, 1, 2].map(|i| beyond(beyond(p[i], q[i], p[i], (u, parts)), r[i], p[i], (v, parts)))
     }
 
     /// A range of t. `meeting` asks where something is met on the whole line: there a
     /// range is apt to end.
     pub(crate) fn range(&mut self, meeting: impl Fn() -> Option<S>) -> [Option<S>; 2] {
-        let choice = self.bytes.below(8);
+        let choice = self.bytes.below(9);
         if choice < 3 {
             return [Some(S::ZERO), None];
         }
@@ -207,10 +222,10 @@ impl<'a, S: Sample> Shapes<'a, S> {
         };
         let (a, b) = (end(), end());
         match choice {
-            3 => [None, None],
-            4 => [None, Some(a)],
-            5 => [Some(a), None],
-            6 => [Some(S::ZERO), Some(magnitude(a))],
+            3 | 4 => [None, None],
+            5 => [None, Some(a)],
+            6 => [Some(a), None],
+            7 => [Some(S::ZERO), Some(magnitude(a))],
             _ => [Some(if a < b { a } else { b }), Some(if a < b { b } else { a })],
         }
     }
@@ -219,7 +234,7 @@ impl<'a, S: Sample> Shapes<'a, S> {
     pub(crate) fn ray_case(&mut self) -> Option<RayCase<S>> {
         let vertices = self.triangle();
         let origin = self.point();
-        let direction = self.direction(origin)?;
+        let direction = self.direction(origin, &vertices)?;
         let mut case = RayCase::new(origin, direction, vertices).line();
         let line = case;
         [case.t_min, case.t_max] = self.range(|| line.ray().hit(&line.triangle()).map(|hit| hit.t));
@@ -228,9 +243,10 @@ impl<'a, S: Sample> Shapes<'a, S> {
 
     /// A ray and a box. Nothing where there is no direction.
     pub(crate) fn ray_box(&mut self) -> Option<LineBox<S>> {
-        let aabb = self.aabb();
+        let (aabb, first) = (self.aabb(), self.points.len());
+        let corners = self.points[first - 2..].to_vec();
         let origin = self.point();
-        let direction = self.direction(origin)?;
+        let direction = self.direction(origin, &corners)?;
         let later = self.bytes.one_in(2);
         let range = self.range(|| {
             let line = Ray::new(origin, direction).and_then(|ray| ray.with_range(None, None));

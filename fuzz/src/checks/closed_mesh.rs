@@ -29,7 +29,7 @@ impl Check for ClosedMesh {
         let vertices: Vec<Point<S>> = (0..count).map(|_| shapes.point()).collect();
         let faces = if is_tetrahedron { &TETRAHEDRON[..] } else { &OCTAHEDRON[..] };
         let origin = shapes.point();
-        let Some(direction) = shapes.direction(origin) else { return };
+        let Some(direction) = shapes.direction(origin, &vertices) else { return };
         let ray = Ray::new(origin, direction).expect("a ray");
         let line = ray.with_range(None, None).expect("a line");
 

@@ -29,7 +29,7 @@ fn check<S: Sample, const N: usize>(shapes: &mut Shapes<'_, S>) {
         let [a, b, c] = shapes.triangle();
         Triangle::new(a, b, c).expect("finite vertices")
     });
-    let rays: [Ray<S>; N] = core::array::from_fn(|_| ray(shapes));
+    let rays: [Ray<S>; N] = core::array::from_fn(|k| ray(shapes, &triangles[k]));
     let boxes: [Aabb<S>; N] = core::array::from_fn(|_| {
         let (p, q) = (shapes.point(), shapes.point());
         let ends = |low: bool| [0, 1, 2].map(|i| if (p[i] < q[i]) == low { p[i] } else { q[i] });
@@ -39,9 +39,9 @@ fn check<S: Sample, const N: usize>(shapes: &mut Shapes<'_, S>) {
     Lanes { triangles, rays, boxes, centered: centered.ok() }.check(cull);
 }
 
-fn ray<S: Sample>(shapes: &mut Shapes<'_, S>) -> Ray<S> {
-    let origin = shapes.point();
-    let direction = shapes.direction(origin).unwrap_or([S::ZERO.moved(1); 3]);
+fn ray<S: Sample>(shapes: &mut Shapes<'_, S>, triangle: &Triangle<S>) -> Ray<S> {
+    let (origin, marks) = (shapes.point(), triangle.vertices().map(|v| v.to_array()));
+    let direction = shapes.direction(origin, &marks).unwrap_or([S::ZERO.moved(1); 3]);
     let [from, to] = shapes.range(|| None);
     let ray = Ray::new(origin, direction).expect("a direction");
     ray.with_range(from, to).expect("a range")
