@@ -71,6 +71,17 @@ fn not_finite_in_f64() {
     }
 }
 
+/// Of two faults the same is named, in a `const` and elsewhere.
+#[test]
+fn not_finite_comes_first() {
+    let (below, nan) = (Vec3::new(-1.0, 1.0, 1.0), Vec3::new(0.0, 0.0, f32::NAN));
+    let first = Err(ShapeError::NotFinite);
+    assert_eq!(Aabb::from_center_half_extents(nan, below), first);
+    assert_eq!(Aabb::<f32>::constant_center_half_extents(nan, below), first);
+    assert_eq!(Aabb::from_min_max(nan, below), first);
+    assert_eq!(Aabb::<f32>::constant(nan, below), first);
+}
+
 fn negative_half_extent<S: Sample>() {
     let zero = [S::ZERO; 3];
     for negative in [S::ZERO.moved(-1), S::LEAST] {

@@ -1,65 +1,15 @@
 //! A triangle against an oriented box: exact for the parallelepiped that the
-//! numbers describe. The oracle takes the vertices into the box's own
-//! coordinates, in whole numbers, and clips there.
+//! numbers describe.
 #![cfg(feature = "fixed")]
 
 mod support;
 
-use dashu_int::IBig;
 use fixed::types::{I2F30, I4F4, I8F8, I16F16, I32F32};
 use septum::{Aabb, Obb, ShapeError, Triangle, Vec3};
-use support::{Lattice, Ring, Rng, Sample, Shapes, for_every_scalar};
-
-type Point<S> = [S; 3];
-
-/// A triangle, and the centre, axes and half-extents of a box.
-struct Question<S> {
-    t: [Point<S>; 3],
-    center: Point<S>,
-    axes: [Point<S>; 3],
-    half: Point<S>,
-}
-
-impl<S: Sample> Question<S> {
-    fn triangle(&self) -> Triangle<S> {
-        let [a, b, c] = self.t;
-        Triangle::new(a, b, c).unwrap()
-    }
-
-    fn obb(&self) -> Option<Obb<S>> {
-        Obb::from_skewed_axes(self.center, self.axes.map(Vec3::from), self.half).ok()
-    }
-
-    /// In units of the least exponent, with one in that unit.
-    fn meets(&self) -> bool {
-        let rows = [self.t, self.axes].concat();
-        let rows = || rows.iter().chain([&self.center, &self.half]).flatten();
-        let unit = rows().map(|x| x.mantissa_exponent().1).min().unwrap().min(0);
-        let whole = |x: &S| {
-            let (m, e) = x.mantissa_exponent();
-            IBig::from(m) << (e - unit) as usize
-        };
-        let vector = |p: &Point<S>| p.each_ref().map(whole);
-        let one = IBig::ONE << (-unit) as usize;
-
-        // x = c + Σ s_i·u_i/one has s_i·det = one·w_i·(x − c).
-        let [u, v, n] = self.axes.each_ref().map(vector);
-        let w = [IBig::cross(&v, &n), IBig::cross(&n, &u), IBig::cross(&u, &v)];
-        let det = IBig::dot(&u, &w[0]);
-        let center = vector(&self.center);
-        let half = vector(&self.half);
-        let reach = [0, 1, 2].map(|i: usize| &half[i] * &det * IBig::from(Ring::sign(&det)));
-        let vertices = self.t.each_ref().map(|p| {
-            let from = IBig::difference(&vector(p), &center);
-            [0, 1, 2].map(|i: usize| IBig::dot(&w[i], &from) * &one + &reach[i])
-        });
-        let extent = reach.map(|r| r * IBig::from(2));
-        Lattice::Wide(Shapes { vertices, extent }).meets()
-    }
-}
+use support::{Oriented, Rng, Sample, for_every_scalar};
 
 /// A random rotation, rounded, with now and then a skewed or a plain frame.
-fn axes<S: Sample>(rng: &mut Rng) -> [Point<S>; 3] {
+fn axes<S: Sample>(rng: &mut Rng) -> [[S; 3]; 3] {
     let mut frame = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     match rng.below(4) {
         0 => {}
@@ -82,7 +32,7 @@ fn axes<S: Sample>(rng: &mut Rng) -> [Point<S>; 3] {
 
 /// Shapes of about `size`; every third time on a coarse grid, where contact is
 /// common, and then the axes are plain or diagonal.
-fn question<S: Sample>(rng: &mut Rng, size: f64) -> Question<S> {
+fn question<S: Sample>(rng: &mut Rng, size: f64) -> Oriented<S> {
     let coarse = rng.one_in(3);
     let number = |rng: &mut Rng, low: f64| {
         let x = rng.real(low, size);
@@ -96,7 +46,7 @@ fn question<S: Sample>(rng: &mut Rng, size: f64) -> Question<S> {
     if rng.one_in(8) {
         t[2] = t[1];
     }
-    Question {
+    Oriented {
         t,
         center: rng.triple(|r| number(r, -size / 2.0)),
         axes,
@@ -131,14 +81,14 @@ fn exact_at_the_extremes_of_f32_and_of_fixed_point() {
         let mut rng = Rng::new(7);
         for _ in 0..3_000 {
             let mut row = || rng.triple(|r| pick(r));
-            let q = Question {
+            let q = Oriented {
                 t: [row(), row(), row()],
                 center: row(),
                 axes: [row(), row(), row()],
                 half: row(),
             };
             let half = q.half.map(|h| if h < S::ZERO { S::ZERO } else { h });
-            let q = Question { half, ..q };
+            let q = Oriented { half, ..q };
             if let Some(obb) = q.obb() {
                 assert_eq!(q.triangle().overlaps(&obb), q.meets(), "{:?} {obb:?}", q.triangle());
             }

@@ -1,65 +1,13 @@
-//! A plane against an axis-aligned box: exact. The oracle evaluates the plane at
-//! all eight corners, in whole numbers; the crate looks at two.
+//! A plane against an axis-aligned box: exact.
 #![cfg(feature = "fixed")]
 
 mod support;
 
-use dashu_int::IBig;
-use septum::{Aabb, Plane, ShapeError, Side};
-use support::{BoxNumbers, Ring, Rng, Sample, for_every_scalar};
-
-/// How the plane was given.
-#[derive(Clone, Copy, Debug)]
-enum Given<S> {
-    Point([S; 3]),
-    Offset(S),
-}
-
-/// The side, from all corners.
-fn side<S: Sample>(normal: [S; 3], given: Given<S>, aabb: BoxNumbers<S>) -> Side {
-    let (BoxNumbers::Center(p, q) | BoxNumbers::Corners(p, q)) = aabb;
-    let (point, offset) = match given {
-        Given::Point(point) => (point, S::ZERO),
-        Given::Offset(d) => ([S::ZERO; 3], d),
-    };
-    let all = [normal, p, q, point, [offset; 3]].concat();
-    let unit = all.iter().map(|x| x.mantissa_exponent().1).min().unwrap().min(0);
-    let whole = |x: S| {
-        let (m, e) = x.mantissa_exponent();
-        IBig::from(m) << (e - unit) as usize
-    };
-    let one = IBig::ONE << (-unit) as usize;
-    let corner = |i: usize, upper: bool| match aabb {
-        BoxNumbers::Center(c, h) if upper => whole(c[i]) + whole(h[i]),
-        BoxNumbers::Center(c, h) => whole(c[i]) - whole(h[i]),
-        BoxNumbers::Corners(min, max) => whole(if upper { max[i] } else { min[i] }),
-    };
-    let signs: Vec<i32> = (0..8)
-        .map(|bits| {
-            let from = |i: usize| corner(i, bits >> i & 1 == 1) - whole(point[i]);
-            let sum: IBig = (0..3).map(|i| whole(normal[i]) * from(i)).sum();
-            Ring::sign(&(sum + whole(offset) * &one))
-        })
-        .collect();
-    if signs.iter().all(|&s| s > 0) {
-        Side::Front
-    } else if signs.iter().all(|&s| s < 0) {
-        Side::Back
-    } else {
-        Side::Both
-    }
-}
+use septum::{Plane, ShapeError, Side};
+use support::{BoxNumbers, Given, Rng, Sample, for_every_scalar, side};
 
 fn check<S: Sample>(normal: [S; 3], given: Given<S>, aabb: BoxNumbers<S>) -> Option<Side> {
-    let plane = match given {
-        Given::Point(p) => Plane::from_point_normal(p, normal),
-        Given::Offset(d) => Plane::from_equation(normal, d),
-    };
-    let shape = match aabb {
-        BoxNumbers::Center(c, h) => Aabb::from_center_half_extents(c, h),
-        BoxNumbers::Corners(min, max) => Aabb::from_min_max(min, max),
-    };
-    let (plane, shape) = (plane.ok()?, shape.ok()?);
+    let (plane, shape) = (given.plane(normal).ok()?, aabb.shape().ok()?);
     let expected = side(normal, given, aabb);
     assert_eq!(plane.side_of(&shape), expected, "{plane:?} {shape:?}");
     assert_eq!(plane.overlaps(&shape), expected == Side::Both);

@@ -109,6 +109,23 @@ fn ranges_end_where_they_say() {
     assert_eq!(ray.with_range(5.0, 9.0).unwrap().t_range(&cell), None);
 }
 
+/// From one end of the range to the other is farther than the range goes, yet t is 2.
+#[test]
+fn a_difference_may_overflow_where_t_does_not() {
+    fn check<S: Sample>() {
+        let (zero, one, end) = (S::ZERO, S::nearest(1.0), S::GREATEST);
+        let box_to = |x: S| Aabb::from_min_max([S::LEAST, zero, zero], [x, zero, zero]).unwrap();
+        let ray = Ray::new([end, zero, zero], [S::LEAST, zero, zero]).unwrap();
+        let line = ray.with_range(None, None).unwrap();
+        let two = S::nearest(2.0);
+        assert_eq!(line.t_range(&box_to(zero)), Some((one, two)));
+        assert_eq!(line.t_range(&box_to(S::LEAST)), Some((two, two)));
+        assert_eq!(ray.with_range(None, one).unwrap().t_range(&box_to(zero)), Some((one, one)));
+    }
+    check::<f32>();
+    check::<f64>();
+}
+
 /// A range in fixed point counts in the scalar's own unit, at every place of the point.
 #[test]
 fn ranges_have_the_scalars_unit() {

@@ -1,5 +1,4 @@
-//! Unit normals against whole numbers of any size: no root is drawn here, squares
-//! are compared.
+//! Unit normals against whole numbers of any size.
 #![cfg(feature = "fixed")]
 
 mod support;
@@ -12,51 +11,21 @@ use proptest::prelude::*;
 use septum::{Facing, Feature, FixedPoint, Hit, Triangle, Vec3};
 #[cfg(any(feature = "libm", feature = "micromath"))]
 use support::Rng;
-use support::Sample;
-
-type Points<S> = [[S; 3]; 3];
-
-/// The normal in whole numbers, and its square.
-fn normal<S: Sample>(points: &Points<S>) -> ([IBig; 3], IBig) {
-    let parts = points.map(|p| p.map(S::mantissa_exponent));
-    let unit = parts.iter().flatten().filter(|x| x.0 != 0).map(|x| x.1).min().unwrap_or(0);
-    let [a, b, c] = parts.map(|p| {
-        p.map(|(m, e)| if m == 0 { IBig::ZERO } else { IBig::from(m) << (e - unit) as usize })
-    });
-    let area =
-        |j: usize, k: usize| (&b[j] - &a[j]) * (&c[k] - &a[k]) - (&b[k] - &a[k]) * (&c[j] - &a[j]);
-    let n = [area(1, 2), area(2, 0), area(0, 1)];
-    let square = n.iter().map(|x| x * x).sum();
-    (n, square)
-}
-
-/// How x·2^e compares with n / √square.
-fn compare(x: &IBig, e: i32, n: &IBig, square: &IBig) -> std::cmp::Ordering {
-    let signed_square = |y: &IBig| if *y < IBig::ZERO { -(y * y) } else { y * y };
-    let (left, right) = (signed_square(x) * square, signed_square(n));
-    let shift = 2 * e.unsigned_abs() as usize;
-    if e < 0 { left.cmp(&(right << shift)) } else { (left << shift).cmp(&right) }
-}
-
-/// Whether `x` is the number of its type nearest to n / √square.
-fn is_nearest<S: Sample>(x: S, n: &IBig, square: &IBig) -> bool {
-    let (m, e) = x.mantissa_exponent();
-    let twice = IBig::from(m) * 2;
-    (x == S::LEAST || compare(&(&twice - 1), e - 1, n, square).is_le())
-        && (x == S::GREATEST || compare(&(twice + 1), e - 1, n, square).is_ge())
-}
+#[cfg(feature = "libm")]
+use support::compare_with_unit;
+use support::{Points, Sample, is_nearest_to_unit, normal_of};
 
 fn triangle<S: Sample>(points: &Points<S>) -> Triangle<S> {
     Triangle::new(points[0], points[1], points[2]).unwrap()
 }
 
 fn check_integer<S: Sample + FixedPoint>(points: &Points<S>) {
-    let (n, square) = normal(points);
+    let (n, square) = normal_of(points);
     let found = triangle(points).unit_normal_integer();
     assert_eq!(found.is_none(), square == IBig::ZERO, "{points:?}");
     if let Some(found) = found {
         for (x, n) in found.to_array().into_iter().zip(&n) {
-            assert!(is_nearest(x, n, &square), "{points:?}: {found:?}");
+            assert!(is_nearest_to_unit(x, n, &square), "{points:?}: {found:?}");
         }
     }
 }
@@ -231,7 +200,7 @@ fn float_sets<S: Sample>(cases: usize) -> impl Iterator<Item = Points<S>> {
 fn largest_error<S: Sample>(find: impl Fn(&Triangle<S>) -> Option<Vec3<S>>) -> i32 {
     let (mut worst, mut degenerate) = (0, 0);
     for points in float_sets::<S>(60_000) {
-        let (n, square) = normal(&points);
+        let (n, square) = normal_of(&points);
         let found = find(&triangle(&points));
         assert_eq!(found.is_none(), square == IBig::ZERO, "{points:?}");
         degenerate += usize::from(found.is_none());
@@ -240,8 +209,8 @@ fn largest_error<S: Sample>(find: impl Fn(&Triangle<S>) -> Option<Vec3<S>>) -> i
             let (m, e) = x.mantissa_exponent();
             let fine = IBig::from(m) * 256;
             let off = |error: i32| {
-                compare(&(&fine - error), e - 8, n, &square).is_gt()
-                    || compare(&(&fine + error), e - 8, n, &square).is_lt()
+                compare_with_unit(&(&fine - error), e - 8, n, &square).is_gt()
+                    || compare_with_unit(&(&fine + error), e - 8, n, &square).is_lt()
             };
             while off(worst) {
                 worst += 1;

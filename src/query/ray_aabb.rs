@@ -121,6 +121,10 @@ impl<S: Scalar> Predicate<S> for Range<'_, S> {
                 }
                 _ => (line.near[i], line.far[i]),
             };
+            // A difference may overflow where t does not.
+            if !is_finite(near) || !is_finite(far) {
+                return None;
+            }
             let (enter, leave) =
                 (N::quotient_of_lengths(near, line.m[i]), N::quotient_of_lengths(far, line.m[i]));
             range =
@@ -141,6 +145,12 @@ impl<S: Scalar> Predicate<S> for Range<'_, S> {
         let (enter, leave) = crossings.reduce(|a, b| (greatest(a.0, b.0), least(a.1, b.1)))?;
         Some(self.clipped(enter, leave))
     }
+}
+
+/// Not an infinity, nor a NaN. Integers have neither.
+#[inline(always)]
+fn is_finite<L: Number>(x: L) -> bool {
+    x - x == L::ZERO
 }
 
 /// c − o + h, less than 1.02 roundings from the truth; nothing where so much cancels

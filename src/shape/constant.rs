@@ -53,7 +53,7 @@ macro_rules! constant {
                 max: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
                 let pairs = [(min.x, max.x), (min.y, max.y), (min.z, max.z)];
-                let mut i = 0;
+                let (mut above, mut i) = (false, 0);
                 while i < 3 {
                     let $v = pairs[i].0;
                     let (low, low_finite) = ($value, $finite);
@@ -62,10 +62,11 @@ macro_rules! constant {
                     if !(low_finite && high_finite) {
                         return Err(ShapeError::NotFinite);
                     }
-                    if low > high {
-                        return Err(ShapeError::MinAboveMax);
-                    }
+                    above |= low > high;
                     i += 1;
+                }
+                if above {
+                    return Err(ShapeError::MinAboveMax);
                 }
                 Ok(Self { form: Form::Corners { min, max } })
             }
@@ -79,7 +80,7 @@ macro_rules! constant {
                 half: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
                 let pairs = [(center.x, half.x), (center.y, half.y), (center.z, half.z)];
-                let mut i = 0;
+                let (mut negative, mut i) = (false, 0);
                 while i < 3 {
                     let $v = pairs[i].0;
                     let center_finite = $finite;
@@ -88,10 +89,11 @@ macro_rules! constant {
                     if !(center_finite && half_finite) {
                         return Err(ShapeError::NotFinite);
                     }
-                    if reach < $zero {
-                        return Err(ShapeError::NegativeHalfExtent);
-                    }
+                    negative |= reach < $zero;
                     i += 1;
+                }
+                if negative {
+                    return Err(ShapeError::NegativeHalfExtent);
                 }
                 Ok(Self { form: Form::Center { center, half } })
             }

@@ -1,6 +1,6 @@
 //! One question: a triangle and a box, as plain numbers.
 
-use septum::{Aabb, Triangle};
+use septum::{Aabb, ShapeError, Triangle};
 
 use super::scalar::Sample;
 
@@ -11,6 +11,16 @@ pub(crate) enum BoxNumbers<S> {
     Center([S; 3], [S; 3]),
     /// Least and greatest corner.
     Corners([S; 3], [S; 3]),
+}
+
+impl<S: Sample> BoxNumbers<S> {
+    /// The box, if it is one.
+    pub(crate) fn shape(&self) -> Result<Aabb<S>, ShapeError> {
+        match *self {
+            Self::Center(c, h) => Aabb::from_center_half_extents(c, h),
+            Self::Corners(min, max) => Aabb::from_min_max(min, max),
+        }
+    }
 }
 
 /// A triangle and a box.
@@ -29,11 +39,7 @@ impl<S: Sample> Case<S> {
 
     /// The box.
     pub(crate) fn aabb(&self) -> Aabb<S> {
-        match self.aabb {
-            BoxNumbers::Center(c, h) => Aabb::from_center_half_extents(c, h),
-            BoxNumbers::Corners(min, max) => Aabb::from_min_max(min, max),
-        }
-        .expect("a valid box")
+        self.aabb.shape().expect("a valid box")
     }
 
     /// The two shapes.

@@ -6,8 +6,12 @@
 
 mod case;
 mod flip;
+mod lanes;
 mod lattice;
+mod normal;
 mod oracle;
+mod oriented;
+mod plane;
 mod projection;
 pub(crate) mod rays;
 mod rng;
@@ -16,8 +20,12 @@ mod sets;
 mod touch;
 
 pub(crate) use case::{BoxNumbers, Case};
+pub(crate) use lanes::Lanes;
 pub(crate) use lattice::{Lattice, Ring, Shapes, odd_mantissa};
+pub(crate) use normal::{Points, compare_with_unit, is_nearest_to_unit, normal_of};
 pub(crate) use oracle::{is_collinear, meets};
+pub(crate) use oriented::Oriented;
+pub(crate) use plane::{Given, side};
 pub(crate) use projection::separates;
 pub(crate) use rng::Rng;
 pub(crate) use scalar::Sample;

@@ -36,6 +36,12 @@ impl Fraction {
     fn exceeds(&self, other: &Self) -> bool {
         &self.0 * &other.1 > &other.0 * &self.1
     }
+    /// Whether it is greater than the scalar.
+    pub(crate) fn exceeds_number<S: Sample>(&self, x: S) -> bool {
+        let (m, e) = x.mantissa_exponent();
+        let (up, down) = (e.max(0) as usize, (-e).max(0) as usize);
+        &self.0 << down > IBig::from(m) * &self.1 << up
+    }
     /// Whether `x` is within n/d units in the last place, on the side where the truth
     /// lies.
     pub(crate) fn is_within<S: Sample>(&self, x: S, (n, d): (i64, i64)) -> bool {
@@ -69,11 +75,7 @@ impl Fraction {
 
 impl<S: Sample> LineBox<S> {
     pub(crate) fn aabb(&self) -> Aabb<S> {
-        match self.aabb {
-            BoxNumbers::Center(c, h) => Aabb::from_center_half_extents(c, h),
-            BoxNumbers::Corners(min, max) => Aabb::from_min_max(min, max),
-        }
-        .expect("a valid box")
+        self.aabb.shape().expect("a valid box")
     }
 
     pub(crate) fn ray(&self) -> Option<Ray<S>> {

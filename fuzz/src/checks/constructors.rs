@@ -1,0 +1,146 @@
+//! Constructors: what is a shape is made, what is none is refused for the right reason,
+//! in a `const` too, and nothing panics.
+
+use dashu_int::IBig;
+use septum::{Aabb, FixedPoint, Obb, Plane, Ray, Segment, ShapeError, Triangle, Vec3};
+
+use super::triangle_obb::axes;
+use crate::bytes::Bytes;
+use crate::scalars::{FixedCheck, run_fixed};
+use crate::shapes::{Point, Shapes};
+use crate::support::{Ring, Sample};
+
+/// Every constructor, by numbers that need not be finite.
+pub fn constructors(data: &[u8]) {
+    let mut bytes = Bytes::new(data);
+    match bytes.below(20) {
+        0 | 1 => {
+            let rows = floats(&mut Shapes::new(bytes), f32::NAN, f32::INFINITY);
+            check(&rows);
+            check_constants_f32(&rows);
+        }
+        2 | 3 => {
+            let rows = floats(&mut Shapes::new(bytes), f64::NAN, f64::INFINITY);
+            check(&rows);
+            check_constants_f64(&rows);
+        }
+        n => run_fixed::<Fixed>(n - 4, bytes),
+    }
+}
+
+/// Rows of numbers: three axes and what else there is.
+type Rows<S> = [Point<S>; 6];
+
+struct Fixed;
+
+impl FixedCheck for Fixed {
+    fn check<S: Sample + FixedPoint>(shapes: &mut Shapes<'_, S>) {
+        check(&rows(shapes));
+    }
+}
+
+fn rows<S: Sample>(shapes: &mut Shapes<'_, S>) -> Rows<S> {
+    let [u, v, w] = axes(shapes);
+    [u, v, w, shapes.point(), shapes.point(), shapes.point()]
+}
+
+/// The same with a number or two replaced by one that is not finite.
+fn floats<S: Sample>(shapes: &mut Shapes<'_, S>, nan: S, infinity: S) -> Rows<S> {
+    let mut rows = rows(shapes);
+    for _ in 0..shapes.bytes.below(3) {
+        let bad = [nan, infinity, S::ZERO.plain_sub(infinity)][shapes.bytes.below(3)];
+        rows[shapes.bytes.below(6)][shapes.bytes.below(3)] = bad;
+    }
+    rows
+}
+
+/// The first of the errors whose condition holds.
+fn first_of(reasons: &[(bool, ShapeError)]) -> Option<ShapeError> {
+    reasons.iter().find(|(holds, _)| *holds).map(|(_, error)| *error)
+}
+
+fn check<S: Sample>(rows: &Rows<S>) {
+    let [u, v, w, p, q, r] = *rows;
+    let bad =
+        |rows: &[Point<S>]| (rows.iter().flatten().any(|x| !x.is_finite()), ShapeError::NotFinite);
+    let is_nought = |p: Point<S>| p == [S::ZERO; 3];
+    let told = || format!("{}: {rows:?}", S::name());
+    let is_negative = q.iter().any(|x| *x < S::ZERO);
+    let negative = (is_negative, ShapeError::NegativeHalfExtent);
+
+    let made = Triangle::new(p, q, r).err();
+    assert_eq!(made, first_of(&[bad(&[p, q, r])]), "{}", told());
+    let made = Aabb::from_center_half_extents(p, q).err();
+    assert_eq!(made, first_of(&[bad(&[p, q]), negative]), "{}", told());
+    let above = ((0..3).any(|i| p[i] > q[i]), ShapeError::MinAboveMax);
+    let made = Aabb::from_min_max(p, q).err();
+    assert_eq!(made, first_of(&[bad(&[p, q]), above]), "{}", told());
+    for made in [Segment::new(p, q), Segment::from_center_half_vector(p, q)] {
+        assert_eq!(made.err(), first_of(&[bad(&[p, q])]), "{}", told());
+    }
+    let zero = (is_nought(q), ShapeError::ZeroNormal);
+    let made = Plane::from_point_normal(p, q).err();
+    assert_eq!(made, first_of(&[bad(&[p, q]), zero]), "{}", told());
+    let made = Plane::from_equation(q, p[0]).err();
+    assert_eq!(made, first_of(&[bad(&[q, [p[0]; 3]]), zero]), "{}", told());
+
+    let zero = (is_nought(q), ShapeError::ZeroDirection);
+    let ray = Ray::new(p, q);
+    assert_eq!(ray.err(), first_of(&[bad(&[p, q]), zero]), "{}", told());
+    if let Ok(ray) = ray {
+        let made = ray.with_range(r[0], r[1]).err();
+        let empty = (r[0] > r[1], ShapeError::EmptyRange);
+        assert_eq!(made, first_of(&[bad(&[[r[0]; 3], [r[1]; 3]]), empty]), "{}", told());
+        let made = ray.with_range(None, r[1]).err();
+        assert_eq!(made, first_of(&[bad(&[[r[1]; 3]])]), "{}", told());
+    }
+
+    let bad = bad(&[u, v, w, p, q]);
+    let [spans, is_orthonormal] = if bad.0 { [false; 2] } else { frame([u, v, w]) };
+    let vectors = [u, v, w].map(Vec3::from);
+    let made = Obb::from_skewed_axes(p, vectors, q).err();
+    let dependent = (!spans, ShapeError::DependentAxes);
+    assert_eq!(made, first_of(&[bad, negative, dependent]), "{}", told());
+    let made = Obb::new(p, vectors, q).err();
+    let askew = (!is_orthonormal, ShapeError::NotOrthonormal);
+    assert_eq!(made, first_of(&[bad, negative, askew]), "{}", told());
+}
+
+/// Whether the axes span space, and whether their dot products are within an eighth of
+/// those of a frame.
+fn frame<S: Sample>(axes: [Point<S>; 3]) -> [bool; 2] {
+    let parts = axes.map(|u| u.map(S::mantissa_exponent));
+    let exponents = parts.iter().flatten().filter(|x| x.0 != 0).map(|x| x.1);
+    let unit = exponents.min().unwrap_or(0).min(0);
+    let axes = parts.map(|u| {
+        u.map(|(m, e)| if m == 0 { IBig::ZERO } else { IBig::from(m) << (e - unit) as usize })
+    });
+    let spans = IBig::dot(&axes[0], &IBig::cross(&axes[1], &axes[2])) != IBig::ZERO;
+    // An eighth of one, times eight.
+    let eighth = IBig::ONE << (-2 * unit) as usize;
+    let is_orthonormal = (0..9).all(|n| {
+        let (i, j) = (n / 3, n % 3);
+        let target = if i == j { 8 } else { 0 };
+        let off = IBig::dot(&axes[i], &axes[j]) * IBig::from(8) - &eighth * IBig::from(target);
+        -&eighth <= off && off <= eighth
+    });
+    [spans, is_orthonormal]
+}
+
+/// In a `const` as elsewhere. No generic code can call them.
+macro_rules! check_constants {
+    ($name:ident, $scalar:ty) => {
+        fn $name(rows: &Rows<$scalar>) {
+            let [p, q, r] = [rows[3], rows[4], rows[5]].map(Vec3::from);
+            assert_eq!(Triangle::<$scalar>::constant(p, q, r), Triangle::new(p, q, r));
+            assert_eq!(Aabb::<$scalar>::constant(p, q), Aabb::from_min_max(p, q));
+            let half = Aabb::<$scalar>::constant_center_half_extents(p, q);
+            assert_eq!(half, Aabb::from_center_half_extents(p, q));
+            assert_eq!(Segment::<$scalar>::constant(p, q), Segment::new(p, q));
+            assert_eq!(Ray::<$scalar>::constant(p, q), Ray::new(p, q));
+            assert_eq!(Plane::<$scalar>::constant(q, p.x), Plane::from_equation(q, p.x));
+        }
+    };
+}
+check_constants!(check_constants_f32, f32);
+check_constants!(check_constants_f64, f64);

@@ -1,0 +1,24 @@
+//! One file for each target.
+
+mod closed_mesh;
+mod constructors;
+mod lanes;
+mod once;
+mod plane_aabb;
+mod ray_aabb;
+mod ray_triangle;
+mod segment_aabb;
+mod triangle_aabb;
+mod triangle_obb;
+mod unit_normal;
+
+pub use closed_mesh::closed_mesh;
+pub use constructors::constructors;
+pub use lanes::lanes;
+pub use plane_aabb::plane_aabb;
+pub use ray_aabb::ray_aabb;
+pub use ray_triangle::ray_triangle;
+pub use segment_aabb::segment_aabb;
+pub use triangle_aabb::triangle_aabb;
+pub use triangle_obb::triangle_obb;
+pub use unit_normal::unit_normal;

@@ -1,0 +1,60 @@
+//! Ray against axis-aligned box: verdicts, t of entry and exit, prepared rays.
+
+use crate::ray_boxes::{Fraction, LineBox};
+use crate::scalars::{Check, is_float, run};
+use crate::shapes::Shapes;
+use crate::support::Sample;
+
+/// `overlaps`, `may_overlap`, `t_range`, and `may_overlap` of a `SlabRay`; that the
+/// rounded methods come to an end and agree with themselves.
+pub fn ray_aabb(data: &[u8]) {
+    run::<RayAabb>(data);
+}
+
+struct RayAabb;
+
+impl Check for RayAabb {
+    fn check<S: Sample>(shapes: &mut Shapes<'_, S>) {
+        let Some(case) = shapes.ray_box() else { return };
+        let (ray, aabb) = (case.ray().expect("a ray"), case.aabb());
+        let slabs = ray.for_slabs();
+
+        let clipped = case.clip();
+        let truth = clipped.is_some();
+        assert_eq!(ray.overlaps(&aabb), truth, "overlaps, {}: {case:?}", S::name());
+        assert!(ray.may_overlap(&aabb) || !truth, "may_overlap, {}: {case:?}", S::name());
+        let may = slabs.may_overlap(&aabb);
+        assert!(may || !truth, "slabs, {}: {case:?}", S::name());
+
+        let found = ray.t_range(&aabb);
+        assert_eq!(found.is_some(), truth, "t_range, {}: {case:?}", S::name());
+        if let (Some((enter, leave)), Some([Some(from), Some(to)])) = (found, clipped) {
+            check_ends(&case, [(enter, from), (leave, to)]);
+        }
+
+        let range = slabs.t_range_rounded(&aabb);
+        assert_eq!(range.is_some(), slabs.overlaps_rounded(&aabb), "{}: {case:?}", S::name());
+        let slopes = ray.for_slopes();
+        let _ = (slopes.overlaps_rounded(&aabb), slopes.t_enter_rounded(&aabb));
+        let _ = ray.overlaps_as_published(&aabb);
+    }
+}
+
+fn check_ends<S: Sample>(case: &LineBox<S>, ends: [(S, Fraction); 2]) {
+    assert!(ends[0].0 <= ends[1].0, "{}: {case:?}", S::name());
+    for (t, truth) in ends {
+        let told = || format!("t is {t:?}, {}: {case:?}", S::name());
+        if !is_float::<S>() {
+            assert_eq!(t, truth.nearest_fixed(), "{}", told());
+        } else if t.is_finite() {
+            // Hundredths of the last place.
+            let bound = if S::name() == "f32" { 51 } else { 160 };
+            assert!(truth.is_within(t, (bound, 100)), "{}", told());
+        } else {
+            // Overflow: no farther from the greatest number than the bound.
+            let end = if t > S::ZERO { S::GREATEST } else { S::LEAST };
+            let beyond = truth.exceeds_number(end) == (t > S::ZERO);
+            assert!(beyond || truth.is_within(end, (160, 100)), "{}", told());
+        }
+    }
+}

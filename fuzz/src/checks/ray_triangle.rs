@@ -1,0 +1,87 @@
+//! Ray against triangle: verdicts, t, u, v, facing and feature, by every rule.
+
+use septum::{Cull, HitRules};
+
+use super::once::counts_once;
+use crate::scalars::{Check, is_float, run};
+use crate::shapes::Shapes;
+use crate::support::Sample;
+use crate::support::rays::{Fraction, Method, RayCase, crossing};
+
+/// `hit`, `hits`, `hit_once`, and both with culling; that the rounded methods come to an
+/// end.
+pub fn ray_triangle(data: &[u8]) {
+    run::<RayTriangle>(data);
+}
+
+struct RayTriangle;
+
+impl Check for RayTriangle {
+    fn check<S: Sample>(shapes: &mut Shapes<'_, S>) {
+        let Some(case) = shapes.ray_case() else { return };
+        let (ray, triangle) = (case.ray(), case.triangle());
+        let told = |what: &str| format!("{what}, {}: {case:?}", S::name());
+
+        let (hit, truth) = (ray.hit(&triangle), crossing(&case));
+        assert_eq!(hit.is_some(), truth.is_some(), "{}", told("hit"));
+        assert_eq!(ray.hits(&triangle), truth.is_some(), "{}", told("hits"));
+        if let (Some(hit), Some(truth)) = (hit, &truth) {
+            assert_eq!(hit.facing, truth.facing, "{}", told("facing"));
+            assert_eq!(hit.feature, truth.feature, "{}", told("feature"));
+            for (name, x, truth) in
+                [("t", hit.t, &truth.t), ("u", hit.u, &truth.u), ("v", hit.v, &truth.v)]
+            {
+                assert!(is_rounded(x, truth), "{}", told(&format!("{name} is {x:?}")));
+            }
+            let _ = (hit.w(), hit.point(&ray));
+        }
+
+        // Bits and all: nothing but verdicts depends on the rules.
+        let once = counts_once(&case);
+        for cull in [Cull::Nothing, Cull::Back, Cull::Front] {
+            let kept = hit.filter(|hit| cull.keeps(hit.facing));
+            let rules = HitRules::new().culling(cull);
+            for (rules, expected) in [(rules, kept), (rules.once(), kept.filter(|_| once))] {
+                assert_eq!(ray.hit_with(&triangle, rules), expected, "{} {rules:?}", told("hit"));
+                let hits = ray.hits_with(&triangle, rules);
+                assert_eq!(hits, expected.is_some(), "{} {rules:?}", told("hits"));
+            }
+        }
+        assert_eq!(ray.hit_once(&triangle).is_some(), once, "{}", told("hit_once"));
+
+        check_rounded(&case);
+    }
+}
+
+/// Whether a number of a hit is what is promised of it.
+fn is_rounded<S: Sample>(x: S, truth: &Fraction) -> bool {
+    if !is_float::<S>() {
+        return truth.is_nearest(x);
+    }
+    // In f64 within 2^-31 of itself, which is 2^22 ulp at most.
+    let ulp = if S::name() == "f32" { 2.0 } else { 4_194_304.0 };
+    if truth.is_beyond::<S>() {
+        // Past the greatest float there are no ulp.
+        let end = if truth.approximate() > 0.0 { S::GREATEST } else { S::LEAST };
+        return !x.is_finite() || (x > S::ZERO) == (end > S::ZERO);
+    }
+    x.is_finite() && truth.error_in_ulp(x) <= ulp || is_last::<S>(x, truth)
+}
+
+/// Whether an infinity stands for a number within the bound of the greatest.
+fn is_last<S: Sample>(x: S, truth: &Fraction) -> bool {
+    let end = if truth.approximate() > 0.0 { S::GREATEST } else { S::LEAST };
+    let steps = if S::name() == "f32" { 2 } else { 1 << 22 };
+    let inner = end.moved(if end > S::ZERO { -steps } else { steps });
+    let past = truth.compare(inner).is_ge() == (end > S::ZERO);
+    !x.is_finite() && past && (x > S::ZERO) == (end > S::ZERO)
+}
+
+/// They may answer anything, but must answer.
+fn check_rounded<S: Sample>(case: &RayCase<S>) {
+    let (ray, triangle) = (case.ray(), case.triangle());
+    for method in Method::ALL {
+        let _ = method.ask(&ray, &triangle);
+    }
+    let _ = ray.t_stored_normal(&triangle.with_normal(), Cull::Nothing, S::GREATEST);
+}

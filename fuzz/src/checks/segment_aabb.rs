@@ -1,0 +1,29 @@
+//! Segment against axis-aligned box.
+
+use crate::ray_boxes::{Line, LineBox};
+use crate::scalars::{Check, run};
+use crate::shapes::Shapes;
+use crate::support::Sample;
+
+/// `overlaps` and `may_overlap`; and that the rounded method comes to an end.
+pub fn segment_aabb(data: &[u8]) {
+    run::<SegmentAabb>(data);
+}
+
+struct SegmentAabb;
+
+impl Check for SegmentAabb {
+    fn check<S: Sample>(shapes: &mut Shapes<'_, S>) {
+        let aabb = shapes.aabb();
+        let (a, b) = (shapes.point(), shapes.point());
+        let by_center = shapes.bytes.one_in(2);
+        let line = if by_center { Line::Center(a, b) } else { Line::Ends(a, b) };
+        let case = LineBox { line, aabb };
+
+        let truth = case.meets();
+        assert_eq!(case.overlaps(), truth, "overlaps, {}: {case:?}", S::name());
+        assert!(case.may_overlap() || !truth, "may_overlap, {}: {case:?}", S::name());
+        let segment = case.segment().expect("two points");
+        let _ = segment.overlaps_as_published(&case.aabb());
+    }
+}

@@ -1,0 +1,58 @@
+//! Triangle against oriented box.
+
+use septum::{Obb, Vec3};
+
+use crate::scalars::{Check, run};
+use crate::shapes::{Point, Shapes, magnitude};
+use crate::support::{Oriented, Sample};
+
+/// `overlaps` and `may_overlap`; and that the rounded method comes to an end.
+pub fn triangle_obb(data: &[u8]) {
+    run::<TriangleObb>(data);
+}
+
+struct TriangleObb;
+
+impl Check for TriangleObb {
+    fn check<S: Sample>(shapes: &mut Shapes<'_, S>) {
+        let axes = axes(shapes);
+        let (center, half) = (shapes.point(), shapes.point().map(magnitude));
+        let case = Oriented { t: shapes.triangle(), center, axes, half };
+        // Axes that do not span space make no box: see `constructors`.
+        let Some(obb) = case.obb() else { return };
+        let triangle = case.triangle();
+
+        let truth = case.meets();
+        assert_eq!(triangle.overlaps(&obb), truth, "overlaps, {}: {case:?}", S::name());
+        let may = triangle.may_overlap(&obb);
+        assert!(may || !truth, "may_overlap, {}: {case:?}", S::name());
+        let _ = triangle.overlaps_by_transform(&obb);
+        if let Ok(frame) = Obb::new(center, axes.map(Vec3::from), half) {
+            assert_eq!(frame, obb);
+        }
+    }
+}
+
+/// A rotation, rounded; coordinate axes in some order; or any three vectors.
+pub(super) fn axes<S: Sample>(shapes: &mut Shapes<'_, S>) -> [Point<S>; 3] {
+    let mut frame = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    match shapes.bytes.below(4) {
+        0 => return [(); 3].map(|()| shapes.point()),
+        1 => {
+            // Half of them with an axis at an angle.
+            frame.rotate_left(shapes.bytes.below(3));
+            if shapes.bytes.one_in(2) {
+                frame[0][shapes.bytes.below(3)] += 1.0;
+            }
+        }
+        _ => {
+            for (j, k) in [(0, 1), (1, 2), (2, 0)] {
+                let (sin, cos) = f64::from(shapes.bytes.byte()).sin_cos();
+                for row in &mut frame {
+                    (row[j], row[k]) = (cos * row[j] - sin * row[k], sin * row[j] + cos * row[k]);
+                }
+            }
+        }
+    }
+    frame.map(|row| row.map(S::nearest))
+}

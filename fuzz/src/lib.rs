@@ -1,0 +1,19 @@
+//! What the fuzz targets check. Each function takes raw bytes, makes shapes of them in
+//! the scalar that the first byte names, asks the crate, and panics where the answer
+//! is not that of the oracle: the one that the crate's tests have.
+
+mod bytes;
+mod checks;
+#[cfg(test)]
+mod random;
+#[path = "../../tests/support/ray_boxes.rs"]
+mod ray_boxes;
+mod scalars;
+mod shapes;
+#[path = "../../tests/support/mod.rs"]
+mod support;
+
+pub use checks::{
+    closed_mesh, constructors, lanes, plane_aabb, ray_aabb, ray_triangle, segment_aabb,
+    triangle_aabb, triangle_obb, unit_normal,
+};
