@@ -1,0 +1,25 @@
+//! Draws the figures of the documentation, each from its own measurement.
+
+use std::error::Error;
+
+use clap::{Parser, Subcommand};
+use septum_benches::chart;
+
+/// Measures and draws the figures of the documentation.
+#[derive(Parser)]
+#[command(version)]
+struct Options {
+    #[command(subcommand)]
+    figure: Figure,
+}
+
+#[derive(Subcommand)]
+enum Figure {
+    Chart(chart::Options),
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    match Options::parse().figure {
+        Figure::Chart(options) => chart::run(&options),
+    }
+}

@@ -1,0 +1,49 @@
+//! The legend: marks of all families, and what full, hollow and the bar mean.
+
+use crate::drawing::{Anchor, BLACK, Canvas, GREY, width_of};
+
+use super::style::Family;
+
+const SIZE: f64 = 12.0;
+const LINE: f64 = 20.0;
+
+/// Draws it from a height on; returns where it ends.
+pub(super) fn draw(canvas: &mut Canvas, families: &[Family], left: f64, right: f64, y: f64) -> f64 {
+    let (mut x, mut y) = (left, y);
+    for family in families {
+        let width = 22.0 + width_of(family.name, SIZE) + 18.0;
+        if x + width > right {
+            (x, y) = (left, y + LINE);
+        }
+        family.mark.draw(canvas, [x + 7.0, y - 4.0], 5.5, family.color, true);
+        canvas.text([x + 20.0, y], SIZE, Anchor::Start, BLACK, family.name);
+        x += width;
+    }
+    (x, y) = (left, y + LINE);
+    let keys: [(&str, fn(&mut Canvas, f64, f64)); 4] = [
+        ("full: its worst set", |canvas, x, y| {
+            crate::drawing::Mark::Circle.draw(canvas, [x, y], 5.0, BLACK, true);
+        }),
+        ("hollow: the mean of all sets", |canvas, x, y| {
+            crate::drawing::Mark::Circle.draw(canvas, [x, y], 4.0, BLACK, false);
+        }),
+        ("the middle half of all rounds", |canvas, x, y| {
+            canvas.line([x - 9.0, y], [x + 9.0, y], BLACK, 1.4, "");
+            canvas.line([x - 9.0, y - 3.5], [x - 9.0, y + 3.5], BLACK, 1.4, "");
+            canvas.line([x + 9.0, y - 3.5], [x + 9.0, y + 3.5], BLACK, 1.4, "");
+        }),
+        ("nothing is both faster and more often right", |canvas, x, y| {
+            canvas.line([x - 9.0, y], [x + 9.0, y], GREY, 4.0, "");
+        }),
+    ];
+    for (text, key) in keys {
+        let width = 26.0 + width_of(text, SIZE) + 16.0;
+        if x + width > right {
+            (x, y) = (left, y + LINE);
+        }
+        key(canvas, x + 9.0, y - 4.0);
+        canvas.text([x + 24.0, y], SIZE, Anchor::Start, BLACK, text);
+        x += width;
+    }
+    y + 8.0
+}

@@ -1,0 +1,26 @@
+//! The speed and the accuracy of septum's tests beside their peers: what the
+//! programs of this package have in common.
+
+mod accuracy;
+mod candidate;
+pub mod chart;
+mod drawing;
+mod geometry;
+mod pairs;
+mod peer_shapes;
+mod race;
+pub mod ray_aabb;
+pub mod ray_triangle;
+mod report;
+pub mod session;
+pub mod triangle_aabb;
+mod unit;
+
+// Cases and oracles, which the crate's tests and examples use too.
+#[path = "../../tests/support/ray_boxes.rs"]
+mod ray_boxes;
+#[allow(dead_code)]
+#[path = "../../examples/shared/mod.rs"]
+mod shared;
+#[path = "../../tests/support/mod.rs"]
+mod support;
