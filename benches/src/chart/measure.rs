@@ -8,6 +8,7 @@ use crate::candidate::Candidate;
 use crate::pairs::Pairs;
 use crate::race::{Timing, race};
 use crate::session::Group;
+use crate::unit::{F32, Form};
 use crate::{ray_aabb, ray_triangle, triangle_aabb};
 
 use super::point::Point;
@@ -55,7 +56,12 @@ pub(super) fn points(rounds: usize, cases: usize) -> Vec<Point> {
     let timed = time("ray/triangle: one against many", many, yardstick, &groups, rounds);
     add("ray-triangle-many", timed, &rays);
 
-    let (groups, yardstick) = (ray_aabb::groups(), ray_aabb::as_published);
+    let (mut groups, yardstick) = (ray_aabb::groups(), ray_aabb::as_published);
+    let parry = |scene: &_| {
+        let rays = ray_aabb::course(scene, &F32, Form::Corners);
+        vec![ray_aabb::parry_cast(&rays, "parry3d cast_local_ray")]
+    };
+    groups.push(("f32 parry3d", Box::new(parry)));
     let half = ray_aabb::scenes::half_hit();
     let timed = time("ray/box: 50 % hits", half, yardstick, &groups, rounds);
     add("ray-box", timed, &lines);

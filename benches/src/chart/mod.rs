@@ -1,6 +1,7 @@
 //! The speed–accuracy chart: every method on every scalar a point, its time across
 //! and its wrong answers up.
 
+mod frame;
 mod legend;
 mod measure;
 mod picture;
@@ -13,8 +14,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use picture::Picture;
-use point::Point;
+use picture::{PICTURES, overview};
 
 /// Charts speed against accuracy: time per query relative to the test as published,
 /// wrong answers per million on the worst set and on the mean of all sets.
@@ -47,10 +47,10 @@ pub fn run(options: &Options) -> Result<(), Box<dyn Error>> {
         point::write(&table, &points)?;
         points
     };
-    for picture in &Picture::ALL {
-        let shown: Vec<&Point> = points.iter().filter(|p| p.picture == picture.stem).collect();
-        picture.draw(&shown, &options.out)?;
-        println!("{}", picture.verdict(&shown));
+    overview(&points, &options.out)?;
+    for picture in &PICTURES {
+        picture.draw(&points, &options.out)?;
+        println!("{}", picture.verdict(&points));
     }
     let claims = points.iter().filter(|p| p.claims_to_be_exact() && p.worst > 0.0);
     let broken: Vec<String> = claims.map(|p| format!("{} in {}", p.test, p.scalar)).collect();

@@ -42,18 +42,18 @@ pub(super) fn look(test: &str) -> Family {
     found.unwrap_or_else(|| panic!("no mark for {test}")).1
 }
 
-/// The families that are there, in the order of the legend.
-pub(super) fn families(points: &[&Point]) -> Vec<Family> {
-    let mut found: Vec<Family> = Vec::new();
-    for (_, family) in FAMILIES {
-        let is_there = points.iter().any(|p| look(&p.test) == family);
-        if is_there && !found.contains(&family) {
-            found.push(family);
-        }
+impl Family {
+    /// Its place in a legend: ours before the peers, then in the order above.
+    pub(super) fn rank(&self) -> (bool, Option<usize>) {
+        (self.color == PURPLE, FAMILIES.iter().position(|(_, family)| family == self))
     }
-    // Ours first.
-    found.sort_by_key(|f| f.color == PURPLE);
-    found
+}
+
+/// Whether a picture shows it. It shows a yardstick under one name, and one form of
+/// boxes where tests are many.
+pub(super) fn is_shown(point: &Point) -> bool {
+    let is_twice = point.test.starts_with("yardstick: as published");
+    !is_twice && !(point.picture == "ray-box" && point.form == "centre")
 }
 
 /// What is written beside a mark.
@@ -88,7 +88,6 @@ pub(super) fn label(point: &Point) -> String {
     let form = match point.form.as_str() {
         _ if point.peer => "",
         "corners" if point.picture.starts_with("triangle") => ", corners",
-        "centre" if point.picture == "ray-box" => ", centre",
         form if form.contains("8 at once") => " ×8",
         "ray prepared" if test == "Woop" => ", prepared",
         _ => "",

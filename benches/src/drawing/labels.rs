@@ -1,6 +1,6 @@
 //! Labels that keep clear of marks and of each other.
 
-use super::{Anchor, Canvas, GREY, width_of};
+use super::{Canvas, GREY, width_of};
 
 /// A rectangle: least x and y, greatest x and y.
 type Area = [f64; 4];
@@ -28,11 +28,6 @@ impl Labels {
     /// Keeps clear of a mark.
     pub(crate) fn avoid(&mut self, [x, y]: [f64; 2], r: f64) {
         self.taken.push([x - r, y - r, x + r, y + r]);
-    }
-
-    /// Keeps clear of an upright line.
-    pub(crate) fn avoid_line(&mut self, x: f64, [a, b]: [f64; 2]) {
-        self.taken.push([x - 1.0, a.min(b), x + 1.0, a.max(b)]);
     }
 
     pub(crate) fn avoid_area(&mut self, area: Area) {
@@ -71,13 +66,7 @@ impl Labels {
             canvas.line(from, near, GREY, 0.6, "");
         }
         let base = [area[0], area[3] - 0.2 * h];
-        canvas.add(
-            super::words(base, self.size, Anchor::Start, place.color, &place.text)
-                .set("stroke", "white")
-                .set("stroke-width", 2.5)
-                .set("stroke-linejoin", "round")
-                .set("paint-order", "stroke"),
-        );
+        canvas.haloed(base, self.size, "white", place.color, &place.text);
         self.taken.push([area[0] - 2.0, area[1], area[2] + 2.0, area[3]]);
     }
 }

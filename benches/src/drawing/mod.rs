@@ -166,6 +166,21 @@ impl Canvas {
         self.add(words(at, size, anchor, color, text).set("font-weight", "bold"));
     }
 
+    /// A text that is set off from what it stands on.
+    pub(crate) fn haloed(&mut self, at: [f64; 2], size: f64, halo: &str, color: &str, text: &str) {
+        let halo = words(at, size, Anchor::Start, color, text)
+            .set("stroke", halo)
+            .set("stroke-width", 2.5)
+            .set("stroke-linejoin", "round")
+            .set("paint-order", "stroke");
+        self.add(halo);
+    }
+
+    /// Ends the picture at a height.
+    pub(crate) fn crop(&mut self, height: f64) {
+        self.height = height;
+    }
+
     /// A text that reads from below.
     pub(crate) fn upright(&mut self, [x, y]: [f64; 2], size: f64, color: &str, text: &str) {
         let turn = format!("rotate(-90 {} {})", round(x), round(y));

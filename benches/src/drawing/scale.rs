@@ -33,15 +33,15 @@ pub(crate) struct Zeroed {
 }
 
 impl Zeroed {
-    /// From `top` to `bottom`, with the band lowest: rates of less than one are
-    /// counted as one, rates of nought as nought.
-    pub(crate) fn new(top: f64, bottom: f64, band: f64) -> Self {
-        let rates = Scale { values: [1.0, 1e6], pixels: [bottom - band - 6.0, top] };
+    /// From `top` to `bottom`, with the band lowest. What lies between nought and the
+    /// scale is drawn at its lower end.
+    pub(crate) fn new(values: [f64; 2], [top, bottom]: [f64; 2], band: f64) -> Self {
+        let rates = Scale { values, pixels: [bottom - band - 8.0, top] };
         Self { rates, band: [bottom - band, bottom] }
     }
 
     pub(crate) fn at(&self, rate: f64) -> f64 {
-        if rate == 0.0 { self.zero() } else { self.rates.at(rate.max(1.0)) }
+        if rate == 0.0 { self.zero() } else { self.rates.at(rate.max(self.rates.values[0])) }
     }
 
     /// The middle of the band.
