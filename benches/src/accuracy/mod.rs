@@ -5,7 +5,7 @@ mod ray_aabb;
 mod ray_triangle;
 mod triangle_aabb;
 
-pub(crate) use ray_aabb::{ours as ray_box, peers as ray_box_peers, sets as ray_box_sets};
+pub(crate) use ray_aabb::sets as ray_box_sets;
 pub(crate) use ray_triangle::{
     ours as ray_triangle, peers as ray_triangle_peers, sets as ray_triangle_sets,
 };

@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use clap::{Parser, Subcommand};
-use septum_benches::chart;
+use septum_benches::{chart, slivers, stability};
 
 /// Measures and draws the figures of the documentation.
 #[derive(Parser)]
@@ -16,10 +16,14 @@ struct Options {
 #[derive(Subcommand)]
 enum Figure {
     Chart(chart::Options),
+    Stability(stability::Options),
+    Slivers(slivers::Options),
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     match Options::parse().figure {
         Figure::Chart(options) => chart::run(&options),
+        Figure::Stability(options) => stability::run(&options),
+        Figure::Slivers(options) => slivers::run(&options),
     }
 }

@@ -90,9 +90,9 @@ impl Picture {
                     dots: vec![dot],
                     height: self.heights[usize::from(!rows.is_empty())],
                     // It is named once.
-                    line: line.clone().map(|(at, text)| {
-                        (at, if rows.is_empty() { text } else { String::new() })
-                    }),
+                    line: line
+                        .clone()
+                        .map(|(at, text)| (at, if rows.is_empty() { text } else { String::new() })),
                 }),
             }
         }

@@ -16,7 +16,7 @@ use ttf_parser::Face;
 
 pub(crate) use labels::{Labels, Place};
 pub(crate) use marks::Mark;
-pub(crate) use scale::{Scale, Zeroed, grouped, power_of_ten, short};
+pub(crate) use scale::{Scale, Zeroed, grouped, power_of, short};
 
 /// A README's width, in pixels of a picture that is not scaled.
 pub(crate) const WIDTH: f64 = 900.0;
@@ -141,6 +141,13 @@ impl Canvas {
                 .set("stroke-width", width)
                 .set("stroke-linejoin", "round"),
         );
+    }
+
+    /// Unit squares of one colour, as an outline from a corner and at a scale.
+    pub(crate) fn pixels(&mut self, data: String, fill: &str, [x, y]: [f64; 2], scale: f64) {
+        let place = format!("translate({} {}) scale({scale})", round(x), round(y));
+        let path = SvgPath::new().set("d", data).set("fill", fill).set("transform", place);
+        self.add(path.set("shape-rendering", "crispEdges"));
     }
 
     /// A text on its base line.

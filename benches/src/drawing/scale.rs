@@ -55,13 +55,12 @@ pub(crate) fn grouped(n: f64) -> String {
     crate::shared::grouped(n.round() as u64)
 }
 
-/// A power of ten in words that fit an axis.
-pub(crate) fn power_of_ten(x: f64) -> String {
-    let n = x.log10().round() as i32;
-    format!("10{}", n.to_string().chars().map(raised).collect::<String>())
+/// A power as it is written.
+pub(crate) fn power_of(base: u32, exponent: i32) -> String {
+    format!("{base}{}", exponent.to_string().chars().map(raised).collect::<String>())
 }
 
-pub(crate) fn raised(c: char) -> char {
+fn raised(c: char) -> char {
     match c {
         '-' => '⁻',
         '1' => '¹',
