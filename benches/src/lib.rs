@@ -6,6 +6,7 @@ mod candidate;
 pub mod chart;
 mod drawing;
 mod geometry;
+pub mod order;
 mod pairs;
 mod peer_shapes;
 mod race;

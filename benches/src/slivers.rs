@@ -79,8 +79,10 @@ pub fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let caption = "f32. Two vertices of the triangle and the box stay where they are. The third \
         vertex lies on the line through the two, where it can: across it is moved by units in the \
         last place in y, up in z, 64 to either side. So the triangle is never wider than a few \
-        units in the last place, and its computed normal is mostly rounding. A corner of the box \
-        touches the long edge in the middle of the map. “cargo slivers” asks and draws.";
+        units in the last place, and its computed normal is mostly rounding. The box is small \
+        and far from the vertex to which that normal is applied; its corner touches the long edge \
+        along the two sides of the pale blue field. The conservative method may say “meet” where \
+        shapes come that near, never “apart” where they meet. “cargo slivers” asks and draws.";
     let y = canvas.paragraph([16.0, top + side + 26.0], WIDTH - 32.0, 12.0, caption);
     canvas.crop(y);
     canvas.save(&options.out)
@@ -93,9 +95,11 @@ fn sliver(pixel: i64) -> Case<f32> {
     let along = |t: f32| [0, 1, 2].map(|i| a[i] + t * (b[i] - a[i]));
     let [x, y, z] = along(1.45);
     let c = [x, y.moved(across), z.moved(up)];
-    // With its corner on the line, on the side where the line does not enter it.
-    let (corner, half) = (along(1.2), [0.25_f32, 0.25, 0.25]);
-    let center = [corner[0] + half[0], corner[1] - half[1], corner[2] + half[2]];
+    // A small box far along the line, with its corner nearly on the line, on the side
+    // where the line does not enter it.
+    let (corner, half) = (along(1.2), [0.003_f32; 3]);
+    let nearer = 1.5e-6;
+    let center = [corner[0] + half[0], corner[1] - half[1] + nearer, corner[2] + half[2] - nearer];
     Case { vertices: [a, b, c], aabb: BoxNumbers::Center(center, half) }
 }
 

@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use clap::{Parser, Subcommand};
-use septum_benches::{chart, slivers, stability};
+use septum_benches::{chart, order, slivers, stability};
 
 /// Measures and draws the figures of the documentation.
 #[derive(Parser)]
@@ -18,6 +18,7 @@ enum Figure {
     Chart(chart::Options),
     Stability(stability::Options),
     Slivers(slivers::Options),
+    Order(order::Options),
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -25,5 +26,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         Figure::Chart(options) => chart::run(&options),
         Figure::Stability(options) => stability::run(&options),
         Figure::Slivers(options) => slivers::run(&options),
+        Figure::Order(options) => order::run(&options),
     }
 }

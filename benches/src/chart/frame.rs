@@ -46,7 +46,7 @@ pub(super) struct Frame {
 /// Pixels for each line of marks in the band of nought, and above a row.
 const LANE: f64 = 15.0;
 const HEADING: f64 = 24.0;
-const LEFT: f64 = 66.0;
+const LEFT: f64 = 76.0;
 const RIGHT: f64 = WIDTH - 12.0;
 const SMALL: f64 = 11.0;
 
@@ -78,7 +78,7 @@ impl Frame {
             canvas.text([x.at(tick), y + 14.0], 12.0, Anchor::Middle, BLACK, &(self.tick)(tick));
         }
         canvas.text([(LEFT + RIGHT) / 2.0, y + 32.0], 12.0, Anchor::Middle, BLACK, &self.axis);
-        canvas.upright([13.0, (top + y) / 2.0], 12.0, BLACK, "wrong answers per million");
+        canvas.upright([12.0, (top + y) / 2.0], 12.0, BLACK, "wrong answers per million");
         y = canvas.paragraph([16.0, y + 56.0], WIDTH - 32.0, 12.0, &self.caption);
         canvas.crop(y);
         canvas.save(stem)

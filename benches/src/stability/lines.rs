@@ -33,8 +33,8 @@ const fn line(
 const LINES: [Line; 30] = [
     line(["as published", "centre", "f32"], "as published, f32", Mark::Square, VERMILION, SOLID),
     line(["as published", "centre", "f64"], "as published, f64", Mark::Square, VERMILION, DASHED),
-    line(["as published", "centre", "I16F16"], "the same, I16F16", Mark::Square, VERMILION, DOTTED),
-    line(["as published", "centre", "I32F32"], "the same, I32F32", Mark::Square, VERMILION, DOTTED),
+    line(["as published", "centre", "I16F16"], "as publ., I16F16", Mark::Square, VERMILION, DOTTED),
+    line(["as published", "centre", "I32F32"], "as publ., I32F32", Mark::Square, VERMILION, DOTTED),
     line(["rounded", "centre", "f32"], "rounded, f32", Mark::Circle, BLUE, SOLID),
     line(["rounded", "centre", "I16F16"], "rounded, I16F16", Mark::Circle, BLUE, DOTTED),
     line(["rounded", "centre", "I32F32"], "rounded, I32F32", Mark::Circle, BLUE, DOTTED),

@@ -12,7 +12,7 @@ use super::lines::{Style, style};
 use super::regimes::{Regime, Ticks};
 use super::{Options, Step};
 
-const LEFT: f64 = 66.0;
+const LEFT: f64 = 76.0;
 const RIGHT: f64 = WIDTH - 158.0;
 const PANEL: f64 = 215.0;
 const BAND: f64 = 44.0;
@@ -37,7 +37,7 @@ pub(super) fn draw(
         self::panel(&mut canvas, regime, panel, &across, &lines, y);
         y += HEADING + PANEL + BAND + 20.0;
     }
-    canvas.upright([13.0, (top + y) / 2.0], 12.0, BLACK, "wrong answers per million");
+    canvas.upright([12.0, (top + y) / 2.0], 12.0, BLACK, "wrong answers per million");
     let middle = (LEFT + RIGHT) / 2.0;
     canvas.text([middle, y + 14.0], 12.0, Anchor::Middle, BLACK, regime.axis);
     let how = format!(

@@ -198,11 +198,12 @@ pub(super) fn all() -> Vec<Regime> {
         regime(
             "touch",
             "Contact",
-            "units in the last place from contact, on one side or the other; 0 is exact contact",
+            "units from contact, on one side or the other; 0 is exact contact",
             Ticks::Units,
             std::iter::once(0.0).chain((0..=20).map(|n| 2_f64.powi(n))).collect(),
-            "Shapes whose coordinates fill the scalar touch exactly, at the left; then one of them \
-             is moved by units in the last place of the greatest coordinates.",
+            "Shapes in whole numbers, of up to 24 bits in f32, 40 in f64 and 31 in I16F16, touch \
+             exactly, at the left; then one of them is moved by whole numbers into the other or \
+             away from it.",
         )
         .boxes(BOX, "f32", boxes::touch::<f32>)
         .boxes(BOX, "f64", boxes::touch::<f64>)
