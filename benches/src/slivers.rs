@@ -78,8 +78,8 @@ pub fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     legend(&mut canvas, [left, top]);
     let caption = "f32. Two vertices of the triangle and the box stay where they are. The third \
         vertex lies on the line through the two, where it can: across it is moved by units in the \
-        last place in y, up in z, 64 to either side. So the triangle is never wider than a few \
-        units in the last place, and its computed normal is mostly rounding. The box is small \
+        last place in y, up in z, 64 to either side. So the triangle is at most 91 \
+        units in the last place wide, and its computed normal is mostly rounding. The box is small \
         and far from the vertex to which that normal is applied; its corner touches the long edge \
         along the two sides of the pale blue field. The conservative method may say “meet” where \
         shapes come that near, never “apart” where they meet. “cargo slivers” asks and draws.";

@@ -98,7 +98,7 @@ fn overlaps<const K: usize>(t: &Triangle<f32>, b: &Aabb<f32>) -> bool {
 }
 
 pub(super) fn candidates(course: &Course<Triangle<f32>, Aabb<f32>>) -> Vec<Candidate> {
-    let tests: [fn(&Triangle<f32>, &Aabb<f32>) -> bool; 6] =
+    let tests: [Test<f32>; 6] =
         [overlaps::<0>, overlaps::<1>, overlaps::<2>, overlaps::<3>, overlaps::<4>, overlaps::<5>];
     let named = ORDERS.iter().zip(tests);
     named.map(|((name, _), test)| course.candidate(name, Promise::Nothing, test)).collect()
