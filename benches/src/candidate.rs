@@ -68,6 +68,7 @@ impl<L: 'static, R: 'static> Course<L, R> {
             overlaps: answers.iter().filter(|a| **a).count(),
             false_disjoint: differ(false),
             false_overlap: differ(true),
+            answers,
             run: Box::new(move || pairs.count(test)),
             promise,
         }
@@ -83,6 +84,8 @@ pub struct Candidate {
     pub overlaps: usize,
     pub false_disjoint: usize,
     pub false_overlap: usize,
+    /// Its answer to each pair.
+    pub answers: Vec<bool>,
     /// Runs through the scene once and counts the overlaps.
     pub run: Box<dyn Fn() -> usize>,
     promise: Promise,

@@ -1,24 +1,13 @@
 //! How fast our tests are, in every mode and scalar, beside their peers.
 
-mod candidate;
-mod geometry;
-mod pairs;
-mod peer_shapes;
-mod race;
-mod ray_aabb;
-mod ray_triangle;
-mod report;
-mod session;
-mod triangle_aabb;
-mod unit;
-
 use std::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::session::Session;
+use septum_benches::session::Session;
+use septum_benches::{ray_aabb, ray_triangle, triangle_aabb};
 
 /// Times septum's tests beside their peers.
 ///

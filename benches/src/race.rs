@@ -15,6 +15,8 @@ pub struct Timing {
     pub ratio: f64,
     /// The same within each round: least, median, greatest.
     pub spread: [f64; 3],
+    /// The same: the lower quartile, the median, the upper quartile.
+    pub quartiles: [f64; 3],
 }
 
 /// Runs every candidate once in each round, the order turning by one each time,
@@ -33,7 +35,8 @@ pub fn race(candidates: &[Candidate], rounds: usize, bar: &ProgressBar) -> Vec<T
         let mut ratios: Vec<f64> = seconds[0].iter().zip(&seconds[k]).map(|(a, b)| a / b).collect();
         ratios.sort_by(f64::total_cmp);
         let spread = [ratios[0], ratios[rounds / 2], ratios[rounds - 1]];
-        Timing { best: best(k), ratio: best(0) / best(k), spread }
+        let quartiles = [1, 2, 3].map(|q| ratios[(rounds - 1) * q / 4]);
+        Timing { best: best(k), ratio: best(0) / best(k), spread, quartiles }
     };
     (0..candidates.len()).map(timing).collect()
 }

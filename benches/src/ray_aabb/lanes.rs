@@ -2,12 +2,8 @@
 
 use septum::{Aabb, Aabbs, Ranges, Ray, Scalar, SlabRay};
 
-use crate::candidate::{Candidate, Promise};
+use crate::candidate::{Candidate, Course, Promise};
 use crate::pairs::Answer;
-use crate::unit::{Form, Unit};
-
-use super::ours::course;
-use super::scenes::Scene;
 
 const N: usize = 8;
 
@@ -17,10 +13,10 @@ fn slabs_t_range<S: Scalar>(r: &SlabRay<S>, b: &Aabbs<S, N>) -> Ranges<S, N> {
 }
 
 /// The method that there is for many at once, in one scalar.
-pub fn lanes<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Vec<Candidate> {
+pub fn lanes<S: Scalar>(by_corners: &Course<Ray<S>, Aabb<S>>) -> Vec<Candidate> {
     let block = |boxes: &[Aabb<S>; N]| Aabbs::new(boxes).expect("made of corners");
-    let slabs = course(scene, unit, Form::Corners)
-        .prepared("corners, 8 at once", |p| p.blocks().map(Ray::for_slabs, block));
+    let slabs =
+        by_corners.prepared("corners, 8 at once", |p| p.blocks().map(Ray::for_slabs, block));
     vec![slabs.candidate("slabs, rounded t_range", Promise::Nothing, slabs_t_range)]
 }
 

@@ -3,7 +3,7 @@
 use septum::{Aabb, Ray, Scalar, Segment, SlabRay, SlopeRay};
 
 use crate::candidate::{Candidate, Course, Promise};
-use crate::unit::{Form, Unit};
+use crate::unit::{F32, Form, Unit};
 
 use super::scenes::Scene;
 
@@ -70,18 +70,29 @@ pub fn course<S: Scalar>(scene: &Scene, unit: &Unit<S>, form: Form) -> Course<Ra
 }
 
 /// The same with segments, which have a truth of their own.
-fn segments<S: Scalar>(scene: &Scene, unit: &Unit<S>, form: Form) -> Course<Segment<S>, Aabb<S>> {
+pub fn segments<S: Scalar>(
+    scene: &Scene,
+    unit: &Unit<S>,
+    form: Form,
+) -> Course<Segment<S>, Aabb<S>> {
     let pairs = scene.map(|l| unit.segment(l), |c| unit.aabb(c, form));
     let wide = pairs.map(|s| unit.wide_segment(s), |b| unit.wide_aabb(b));
     Course::new((unit.name, form.name()), pairs, wide.answers(|s, b| s.overlaps(b)))
 }
 
+/// The same test as the yardstick of pictures.
+pub fn yardstick(scene: &Scene) -> Candidate {
+    let course = course(scene, &F32, Form::Corners);
+    course.candidate("yardstick: as published (SAT)", Promise::Nothing, as_published)
+}
+
 /// All our methods in one scalar. Rays are prepared before the clock starts.
-pub fn ours<S: Scalar>(scene: &Scene, unit: &Unit<S>, form: Form) -> Vec<Candidate> {
-    let plain = course(scene, unit, form);
-    let slab = plain.prepared(form.name(), |p| p.map(Ray::for_slabs, Aabb::clone));
-    let slopes = plain.prepared(form.name(), |p| p.map(Ray::for_slopes, Aabb::clone));
-    let segment = segments(scene, unit, form);
+pub fn ours<S: Scalar>(
+    plain: &Course<Ray<S>, Aabb<S>>,
+    segment: &Course<Segment<S>, Aabb<S>>,
+) -> Vec<Candidate> {
+    let slab = plain.prepared(plain.form, |p| p.map(Ray::for_slabs, Aabb::clone));
+    let slopes = plain.prepared(plain.form, |p| p.map(Ray::for_slopes, Aabb::clone));
     let (never_misses, none) = (Promise::NeverMisses, Promise::Nothing);
     vec![
         plain.candidate("exact", Promise::Exact, exact),

@@ -53,15 +53,19 @@ fn in_parry(ours: &Course<Ray<f32>, Aabb<f32>>) -> Course<ParryRay, ParryAabb> {
 
 /// The test that all ratios are to.
 pub fn yardstick(scene: &Scene) -> Candidate {
-    let course = in_parry(&course(scene, &F32, Form::Corners));
-    course.candidate("yardstick: parry3d cast_local_ray", Promise::Nothing, parry)
+    let course = course(scene, &F32, Form::Corners);
+    parry_cast(&course, "yardstick: parry3d cast_local_ray")
 }
 
-/// Every peer on the scene, in `f32`.
-pub fn peers(scene: &Scene) -> Vec<Candidate> {
-    let ours = course(scene, &F32, Form::Corners);
+/// The same by a name of its own.
+pub fn parry_cast(ours: &Course<Ray<f32>, Aabb<f32>>, who: &str) -> Candidate {
+    in_parry(ours).candidate(who, Promise::Nothing, parry)
+}
+
+/// Every peer, in `f32`, on boxes by their corners.
+pub fn peers(ours: &Course<Ray<f32>, Aabb<f32>>) -> Vec<Candidate> {
     let form = Form::Corners.name();
-    let parry3d = in_parry(&ours);
+    let parry3d = in_parry(ours);
     let obvh = ours.prepared(form, |p| {
         p.map(obvhs_ray, |b| {
             let (min, max) = corners(b);

@@ -2,12 +2,8 @@
 
 use septum::{Cull, Hits, NormalTriangles, Ray, Scalar, ShearedRay, Triangle, Triangles};
 
-use crate::candidate::{Candidate, Promise};
+use crate::candidate::{Candidate, Course, Promise};
 use crate::pairs::Answer;
-use crate::unit::Unit;
-
-use super::ours::course;
-use super::scenes::Scene;
 
 const N: usize = 8;
 
@@ -37,8 +33,7 @@ fn exact<S: Scalar>(r: &Ray<S>, t: &Triangles<S, N>) -> Hits<S, N> {
 }
 
 /// The methods that there are for many at once, in one scalar.
-pub fn lanes<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Vec<Candidate> {
-    let course = course(scene, unit);
+pub fn lanes<S: Scalar>(course: &Course<Ray<S>, Triangle<S>>) -> Vec<Candidate> {
     let plain = course.prepared("8 at once", |p| p.blocks().map(Ray::clone, Triangles::new));
     let sheared = course
         .prepared("8 at once, ray prepared", |p| p.blocks().map(Ray::sheared, Triangles::new));

@@ -5,7 +5,7 @@ mod naive;
 mod ours;
 mod peers;
 mod rounded;
-mod scenes;
+pub(crate) mod scenes;
 
 use fixed::types::I16F16;
 use septum::Scalar;
@@ -13,14 +13,18 @@ use septum::Scalar;
 use crate::session::{Group, Session};
 use crate::unit::{F32, F64, I8F8_15, I16F16_18, I16F16_26, I32F32_34, Unit};
 
-use naive::yardstick;
+pub(crate) use naive::{in_floats, wrapping, yardstick};
+pub(crate) use ours::{course, ours};
+pub(crate) use peers::{culling, peers};
+pub(crate) use rounded::{distance_only, rounded};
 use scenes::Scene;
 
 /// All methods in one scalar.
 fn group<S: Scalar>(unit: Unit<S>) -> Group<Scene> {
     let all = move |scene: &Scene| {
-        let mut candidates = ours::ours(scene, &unit);
-        candidates.extend(rounded::rounded(scene, &unit));
+        let course = course(scene, &unit);
+        let mut candidates = ours(&course);
+        candidates.extend(rounded(&course));
         candidates
     };
     (unit.name, Box::new(all))
@@ -28,38 +32,49 @@ fn group<S: Scalar>(unit: Unit<S>) -> Group<Scene> {
 
 /// The same, and what a user would have typed in.
 fn with_naive(unit: Unit<I16F16>) -> Group<Scene> {
-    let (name, ours) = group(unit);
-    let all = move |scene: &Scene| {
-        let mut candidates = ours(scene);
-        candidates.push(naive::wrapping(scene, &unit));
+    let (name, all) = group(unit);
+    let with = move |scene: &Scene| {
+        let mut candidates = all(scene);
+        candidates.push(wrapping(&course(scene, &unit)));
         candidates
     };
-    (name, Box::new(all))
+    (name, Box::new(with))
 }
 
 fn lanes<S: Scalar>(unit: Unit<S>) -> Group<Scene> {
-    (unit.name, Box::new(move |scene| lanes::lanes(scene, &unit)))
+    (unit.name, Box::new(move |scene| lanes::lanes(&course(scene, &unit))))
 }
 
-fn peers() -> Group<Scene> {
+fn with_peers() -> Group<Scene> {
     let all = |scene: &Scene| {
-        let mut candidates = peers::peers(scene);
-        candidates.push(rounded::distance_only(scene));
+        let plain = course(scene, &F32);
+        let mut candidates = peers(&plain, &culling(scene));
+        candidates.push(distance_only(&plain));
         candidates
     };
     ("f32 parry3d obvhs bvh", Box::new(all))
 }
 
-pub fn run(session: &mut Session) {
-    let mut all = vec![
+/// All candidates that take one triangle at a time.
+pub(crate) fn groups() -> Vec<Group<Scene>> {
+    vec![
         group(F32),
-        peers(),
+        with_peers(),
         group(F64),
         group(I8F8_15),
         with_naive(I16F16_18),
         with_naive(I16F16_26),
         group(I32F32_34),
-    ];
+    ]
+}
+
+/// Those that take eight.
+pub(crate) fn groups_of_lanes() -> [Group<Scene>; 3] {
+    [lanes(F32), lanes(F64), lanes(I16F16_18)]
+}
+
+pub fn run(session: &mut Session) {
+    let mut all = groups();
     let mut race = |name: &str, scene, all: &[_]| session.measure(name, scene, yardstick, all);
     race("ray/triangle: pairs, 50 % hits", scenes::half_hit, &all);
     race("ray/triangle: pairs, 10 % hits", scenes::tenth_hit, &all);
@@ -67,7 +82,7 @@ pub fn run(session: &mut Session) {
     race("ray/triangle: aimed at edges", scenes::edges, &all);
     race("ray/triangle: integer grid", scenes::grid, &all);
     race("ray/triangle: nearly parallel", scenes::near_parallel, &all);
-    all.extend([lanes(F32), lanes(F64), lanes(I16F16_18)]);
+    all.extend(groups_of_lanes());
     race("ray/triangle: one against 1,000, 50 % hits", scenes::many_half_hit, &all);
     race("ray/triangle: one against 1,000, 10 % hits", scenes::many_tenth_hit, &all);
 }

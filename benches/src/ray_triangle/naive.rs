@@ -7,8 +7,8 @@ use fixed::Wrapping;
 use fixed::types::I16F16;
 use septum::{Ray, Scalar, Triangle, Vec3};
 
-use crate::candidate::{Candidate, Promise};
-use crate::unit::{F32, Unit};
+use crate::candidate::{Candidate, Course, Promise};
+use crate::unit::F32;
 
 use super::ours::course;
 use super::scenes::Scene;
@@ -43,24 +43,28 @@ impl Real for Wrapping<I16F16> {
 
 /// The test that all ratios are to.
 pub fn yardstick(scene: &Scene) -> Candidate {
-    in_c(scene, &F32, "yardstick: Möller–Trumbore as in C", |x| x)
+    in_floats(&course(scene, &F32))
+}
+
+/// The same on any course.
+pub fn in_floats(course: &Course<Ray<f32>, Triangle<f32>>) -> Candidate {
+    in_c(course, "yardstick: Möller–Trumbore as in C", |x| x)
 }
 
 /// The same in wrapping fixed point.
-pub fn wrapping(scene: &Scene, unit: &Unit<I16F16>) -> Candidate {
-    in_c(scene, unit, "Möller–Trumbore as in C, wrapping", Wrapping)
+pub fn wrapping(course: &Course<Ray<I16F16>, Triangle<I16F16>>) -> Candidate {
+    in_c(course, "Möller–Trumbore as in C, wrapping", Wrapping)
 }
 
 fn in_c<S: Scalar, T: Real>(
-    scene: &Scene,
-    unit: &Unit<S>,
+    course: &Course<Ray<S>, Triangle<S>>,
     who: &str,
     number: fn(S) -> T,
 ) -> Candidate {
     let vector = |v: Vec3<S>| v.to_array().map(number);
     let ray = |r: &Ray<S>| [vector(r.origin()), vector(r.direction())];
     let triangle = |t: &Triangle<S>| t.vertices().map(vector);
-    let course = course(scene, unit).prepared("", |p| p.map(ray, triangle));
+    let course = course.prepared("", |p| p.map(ray, triangle));
     course.candidate(who, Promise::Nothing, moller_trumbore)
 }
 

@@ -45,8 +45,7 @@ pub fn course_by<S: Scalar>(
 }
 
 /// The exact methods, and the one that everyone has, in one scalar.
-pub fn ours<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Vec<Candidate> {
-    let course = course(scene, unit);
+pub fn ours<S: Scalar>(course: &Course<Ray<S>, Triangle<S>>) -> Vec<Candidate> {
     vec![
         course.candidate("exact hit", Promise::Exact, exact),
         course.candidate("exact hits", Promise::Exact, exact_verdict),

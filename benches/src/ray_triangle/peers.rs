@@ -10,14 +10,14 @@ use parry3d::query::{Ray as ParryRay, RayCast, RayIntersection};
 use parry3d::shape::Triangle as ParryTriangle;
 use septum::{Cull, HitRules, Ray, Triangle};
 
-use crate::candidate::{Candidate, Promise};
+use crate::candidate::{Candidate, Course, Promise};
 use crate::pairs::Answer;
 use crate::peer_shapes::{
     Distance, bvh_point, bvh_ray, obvhs_ray, obvhs_vector, parry_ray, parry_vector,
 };
 use crate::unit::F32;
 
-use super::ours::{course, course_by};
+use super::ours::course_by;
 use super::scenes::Scene;
 
 #[inline(never)]
@@ -45,16 +45,22 @@ fn bvh(r: &BvhRay<f32, 3>, [a, b, c]: &[Point3<f32>; 3]) -> Intersection<f32> {
     r.intersects_triangle(a, b, c)
 }
 
-/// Every peer on the scene, in `f32`.
-pub fn peers(scene: &Scene) -> Vec<Candidate> {
-    let plain = course(scene, &F32);
+/// What the peers are asked in our types.
+type Ours = Course<Ray<f32>, Triangle<f32>>;
+
+/// The course for the peer that does not see back faces.
+pub fn culling(scene: &Scene) -> Ours {
+    let from_before =
+        |r: &Ray<f64>, t: &Triangle<f64>| r.hits_with(t, HitRules::new().culling(Cull::Back));
+    course_by(scene, &F32, "culls", from_before)
+}
+
+/// Every peer, in `f32`; the one that culls with a truth of its own.
+pub fn peers(plain: &Ours, culling: &Ours) -> Vec<Candidate> {
     let parry3d = plain.prepared("", |p| p.map(parry_ray, parry_triangle));
     let obvh = plain.prepared("ray prepared", |p| p.map(obvhs_ray, obvhs_triangle));
     let rt = |t: &Triangle<f32>| RtTriangle::from(&obvhs_triangle(t));
     let obvh_rt = plain.prepared("both prepared", |p| p.map(obvhs_ray, rt));
-    let from_before =
-        |r: &Ray<f64>, t: &Triangle<f64>| r.hits_with(t, HitRules::new().culling(Cull::Back));
-    let culling = course_by(scene, &F32, "culls", from_before);
     let bvhs = culling.prepared("culls", |p| p.map(bvh_ray, |t| t.vertices().map(bvh_point)));
     let none = Promise::Nothing;
     vec![

@@ -2,12 +2,8 @@
 
 use septum::{Cull, Hit, NormalTriangle, ProjectedTriangle, Ray, Scalar, ShearedRay, Triangle};
 
-use crate::candidate::{Candidate, Promise};
+use crate::candidate::{Candidate, Course, Promise};
 use crate::peer_shapes::Distance;
-use crate::unit::{F32, Unit};
-
-use super::ours::course;
-use super::scenes::Scene;
 
 #[inline(never)]
 fn stored_normal<S: Scalar>(r: &Ray<S>, t: &NormalTriangle<S>) -> Option<Hit<S>> {
@@ -41,8 +37,7 @@ fn watertight_at_once<S: Scalar>(r: &Ray<S>, t: &Triangle<S>) -> Option<Hit<S>> 
 }
 
 /// The rounded methods in one scalar.
-pub fn rounded<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Vec<Candidate> {
-    let plain = course(scene, unit);
+pub fn rounded<S: Scalar>(plain: &Course<Ray<S>, Triangle<S>>) -> Vec<Candidate> {
     let normal = plain.prepared("triangle prepared", |p| p.map(Ray::clone, Triangle::with_normal));
     let flat = plain.prepared("triangle prepared", |p| p.map(Ray::clone, Triangle::projected));
     let sheared = plain.prepared("ray prepared", |p| p.map(Ray::sheared, Triangle::clone));
@@ -57,8 +52,7 @@ pub fn rounded<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Vec<Candidate> {
 }
 
 /// What is there in `f32` alone, to return no more than the peers do.
-pub fn distance_only(scene: &Scene) -> Candidate {
-    let normal = course(scene, &F32)
-        .prepared("triangle prepared", |p| p.map(Ray::clone, Triangle::with_normal));
+pub fn distance_only(plain: &Course<Ray<f32>, Triangle<f32>>) -> Candidate {
+    let normal = plain.prepared("triangle prepared", |p| p.map(Ray::clone, Triangle::with_normal));
     normal.candidate("stored normal, t alone", Promise::Nothing, stored_normal_t)
 }

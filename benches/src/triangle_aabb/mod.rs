@@ -2,15 +2,17 @@
 
 mod ours;
 mod peers;
-mod scenes;
+pub(crate) mod scenes;
 
 use fixed::types::I16F16;
 use septum::Scalar;
 
+use crate::candidate::Candidate;
 use crate::session::{Group, Session};
 use crate::unit::{F32, F64, Form, I8F8_15, I16F16_18, I16F16_26, I32F32_34, Unit};
 
-use ours::{ours, yardstick};
+pub(crate) use ours::{course, ours, yardstick};
+pub(crate) use peers::peers as peers_on;
 use scenes::Scene;
 
 /// The scenes of contact reach to 16 rather than to 2.
@@ -19,10 +21,16 @@ const I16F16_22: Unit<I16F16> = Unit { name: "I16F16, 22 bits", ..I16F16_18 };
 const I16F16_FULL: Unit<I16F16> = Unit { name: "I16F16, 32 bits", scale: 1024.0, ..I16F16_18 };
 
 fn group<S: Scalar>(unit: Unit<S>, form: Form) -> Group<Scene> {
-    (unit.name, Box::new(move |scene| ours(scene, &unit, form)))
+    (unit.name, Box::new(move |scene| ours(&course(scene, &unit, form))))
 }
 
-pub fn run(session: &mut Session) {
+/// Every peer, in `f32`.
+pub(crate) fn peers(scene: &Scene) -> Vec<Candidate> {
+    peers_on(&course(scene, &F32, Form::Center), &course(scene, &F32, Form::Corners))
+}
+
+/// All candidates on random scenes.
+pub(crate) fn groups() -> Vec<Group<Scene>> {
     let by_form = |form| {
         [
             group(F32, form),
@@ -34,7 +42,12 @@ pub fn run(session: &mut Session) {
         ]
     };
     let mut all: Vec<_> = Form::ALL.into_iter().flat_map(by_form).collect();
-    all.push(("f32 parry3d box3d-rust", Box::new(peers::peers)));
+    all.push(("f32 parry3d box3d-rust", Box::new(peers)));
+    all
+}
+
+pub fn run(session: &mut Session) {
+    let all = groups();
     session.measure("triangle/box: Voorhies", scenes::voorhies, yardstick, &all);
     session.measure("triangle/box: Voxel", scenes::voxel, yardstick, &all);
 

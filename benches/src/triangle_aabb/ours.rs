@@ -48,8 +48,7 @@ pub fn yardstick(scene: &Scene) -> Candidate {
 }
 
 /// All our modes in one scalar.
-pub fn ours<S: Scalar>(scene: &Scene, unit: &Unit<S>, form: Form) -> Vec<Candidate> {
-    let course = course(scene, unit, form);
+pub fn ours<S: Scalar>(course: &Course<Triangle<S>, Aabb<S>>) -> Vec<Candidate> {
     let modes: [(_, _, Test<S>); 4] = [
         ("exact", Promise::Exact, exact),
         ("conservative", Promise::NeverMisses, conservative),

@@ -8,11 +8,7 @@ use parry3d::query::{self, details};
 use parry3d::shape::{Cuboid, Triangle as ParryTriangle};
 use septum::{Aabb, Triangle, Vec3};
 
-use crate::candidate::{Candidate, Promise};
-use crate::unit::{F32, Form};
-
-use super::ours::course;
-use super::scenes::Scene;
+use crate::candidate::{Candidate, Course, Promise};
 
 /// A cuboid that has been put somewhere.
 struct Placed {
@@ -49,10 +45,12 @@ fn box3d_bounds_triangle(t: &[box3d::Vec3; 3], b: &Box3dBox) -> bool {
     box3d::test_bounds_triangle_overlap(b.center, b.extent, t[0], t[1], t[2])
 }
 
-/// Every peer on the scene, in `f32`.
-pub fn peers(scene: &Scene) -> Vec<Candidate> {
-    let ours = course(scene, &F32, Form::Center);
-    let placed = ours.prepared("centre", |pairs| {
+/// Boxes by centre and half-extents, and by their corners.
+type Ours = Course<Triangle<f32>, Aabb<f32>>;
+
+/// Every peer, in `f32`, with boxes in the form that it takes.
+pub fn peers(by_center: &Ours, by_corners: &Ours) -> Vec<Candidate> {
+    let placed = by_center.prepared("centre", |pairs| {
         pairs.map(parry_triangle, |b| {
             let (center, half) = center_half(b);
             let cuboid = Cuboid::new(vector(half));
@@ -60,13 +58,13 @@ pub fn peers(scene: &Scene) -> Vec<Candidate> {
             Placed { cuboid, inverse: pose.inverse(), pose }
         })
     });
-    let aabbs = ours.prepared("corners", |pairs| {
+    let aabbs = by_corners.prepared("corners", |pairs| {
         pairs.map(parry_triangle, |b| {
-            let (center, half) = center_half(b);
-            ParryAabb::from_half_extents(vector(center), vector(half))
+            let (min, max) = b.min_max().expect("made of corners");
+            ParryAabb::new(vector(min), vector(max))
         })
     });
-    let box3d = ours.prepared("centre", |pairs| {
+    let box3d = by_center.prepared("centre", |pairs| {
         let aabb = |b: &Aabb<f32>| {
             let (center, half) = center_half(b);
             Box3dBox { center: box3d_vec3(center), extent: box3d_vec3(half) }

@@ -1,0 +1,165 @@
+//! Both measurements, and what belongs together in them.
+
+use fixed::types::{I8F8, I16F16, I32F32};
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::accuracy::{self, Exam, Tally, examine};
+use crate::candidate::Candidate;
+use crate::pairs::Pairs;
+use crate::race::{Timing, race};
+use crate::session::Group;
+use crate::unit::{F32, Form};
+use crate::{ray_aabb, ray_triangle, triangle_aabb};
+
+use super::point::Point;
+
+/// Every point of every picture.
+pub(super) fn points(rounds: usize, cases: usize) -> Vec<Point> {
+    eprintln!("triangle/box: wrong answers");
+    let boxes = Accuracy::of(cases, {
+        use accuracy::triangle_box_sets as sets;
+        [sets::<f32>("f32"), sets::<f64>("f64"), sets::<I8F8>("I8F8"), sets::<I16F16>("I16F16")]
+            .into_iter()
+            .chain([sets::<I32F32>("I32F32")])
+    });
+    eprintln!("ray/triangle: wrong answers");
+    let rays = Accuracy::of(cases, {
+        use accuracy::ray_triangle_sets as sets;
+        [sets::<f32>("f32"), sets::<f64>("f64"), sets::<I8F8>("I8F8"), sets::<I16F16>("I16F16")]
+            .into_iter()
+            .chain([sets::<I32F32>("I32F32")])
+    });
+    eprintln!("ray/box: wrong answers");
+    let lines = Accuracy::of(cases, {
+        use accuracy::ray_box_sets as sets;
+        [sets::<f32>("f32"), sets::<f64>("f64"), sets::<I8F8>("I8F8"), sets::<I16F16>("I16F16")]
+            .into_iter()
+            .chain([sets::<I32F32>("I32F32")])
+    });
+
+    let mut points = Vec::new();
+    let mut add = |picture: &str, timed: Vec<(Candidate, Timing)>, accuracy: &Accuracy| {
+        points.extend(timed.iter().map(|(c, timing)| accuracy.point(picture, c, timing)));
+    };
+    let (groups, yardstick) = (triangle_aabb::groups(), triangle_aabb::yardstick);
+    let timed = time("triangle/box: Voorhies", voorhies(), yardstick, &groups, rounds);
+    add("triangle-box", timed, &boxes);
+    let timed = time("triangle/box: Voxel", voxel(), yardstick, &groups, rounds);
+    add("triangle-box-voxel", timed, &boxes);
+
+    let (mut groups, yardstick) = (ray_triangle::groups(), ray_triangle::yardstick);
+    let half = ray_triangle::scenes::half_hit();
+    let timed = time("ray/triangle: 50 % hits", half, yardstick, &groups, rounds);
+    add("ray-triangle", timed, &rays);
+    groups.extend(ray_triangle::groups_of_lanes());
+    let many = ray_triangle::scenes::many_tenth_hit();
+    let timed = time("ray/triangle: one against many", many, yardstick, &groups, rounds);
+    add("ray-triangle-many", timed, &rays);
+
+    let (mut groups, yardstick) = (ray_aabb::groups(), ray_aabb::as_published);
+    let parry = |scene: &_| {
+        let rays = ray_aabb::course(scene, &F32, Form::Corners);
+        vec![ray_aabb::parry_cast(&rays, "parry3d cast_local_ray")]
+    };
+    groups.push(("f32 parry3d", Box::new(parry)));
+    let half = ray_aabb::scenes::half_hit();
+    let timed = time("ray/box: 50 % hits", half, yardstick, &groups, rounds);
+    add("ray-box", timed, &lines);
+    points
+}
+
+use crate::triangle_aabb::scenes::{voorhies, voxel};
+
+/// Each group races against the yardstick, brings its own data, and is dropped before
+/// the next.
+fn time<L, R>(
+    name: &str,
+    scene: Pairs<L, R>,
+    yardstick: fn(&Pairs<L, R>) -> Candidate,
+    groups: &[Group<Pairs<L, R>>],
+    rounds: usize,
+) -> Vec<(Candidate, Timing)> {
+    let bar = ProgressBar::new((rounds * groups.len()) as u64);
+    let style = ProgressStyle::with_template("{prefix}, time {wide_bar} {msg} {eta}");
+    bar.set_style(style.expect("the template is valid"));
+    bar.set_prefix(name.to_owned());
+    let mut timed: Vec<(Candidate, Timing)> = Vec::new();
+    for (group, make) in groups {
+        bar.set_message(*group);
+        let mut candidates = vec![yardstick(&scene)];
+        candidates.extend(make(&scene));
+        let timings = race(&candidates, rounds, &bar);
+        // The yardstick stands for itself once.
+        let skipped = usize::from(!timed.is_empty());
+        timed.extend(candidates.into_iter().zip(timings).skip(skipped));
+        // The data are not needed any more.
+        timed.iter_mut().for_each(|(candidate, _)| candidate.run = Box::new(|| 0));
+    }
+    bar.finish_and_clear();
+    timed
+}
+
+/// What was counted: a tally for each set and candidate.
+struct Accuracy(Vec<(&'static str, Tally)>);
+
+impl Accuracy {
+    fn of(cases: usize, exams: impl Iterator<Item = Vec<Exam<&'static str>>>) -> Self {
+        let exams: Vec<_> = exams.flatten().collect();
+        let tallies = examine(&exams, cases);
+        let labelled = exams.iter().zip(tallies);
+        Self(labelled.flat_map(|(e, t)| t.into_iter().map(|t| (e.label, t))).collect())
+    }
+
+    fn point(&self, picture: &str, candidate: &Candidate, timing: &Timing) -> Point {
+        let scalar = candidate.scalar.split(',').next().expect("a name");
+        let (who, form) = alone(&candidate.who, candidate.form);
+        let sets: Vec<_> = self
+            .0
+            .iter()
+            .filter(|(_, t)| t.who == who && t.form == form && t.scalar == scalar && t.cases > 0)
+            .collect();
+        assert!(!sets.is_empty(), "{who}, {form}, {scalar}: timed, but not examined");
+        let sum = |of: fn(&Tally) -> u64| sets.iter().map(|(_, t)| of(t)).sum();
+        let rates = || sets.iter().map(|(set, t)| (*set, t.per_million()));
+        let worst = rates().max_by(|a, b| a.1.total_cmp(&b.1)).expect("there are sets");
+        let [fast, median, slow] = timing.quartiles.map(|speed| 1.0 / speed);
+        Point {
+            picture: picture.into(),
+            test: candidate.who.clone(),
+            scalar: candidate.scalar.into(),
+            form: candidate.form.into(),
+            peer: is_peer(&candidate.who),
+            time_low: slow,
+            time: median,
+            time_high: fast,
+            cases: sum(|t| t.cases),
+            false_disjoint: sum(|t| t.false_disjoint),
+            false_overlap: sum(|t| t.false_overlap),
+            worst_set: if worst.1 > 0.0 { worst.0.into() } else { String::new() },
+            worst: worst.1,
+            mean: rates().map(|(_, rate)| rate).sum::<f64>() / sets.len() as f64,
+        }
+    }
+}
+
+fn is_peer(who: &str) -> bool {
+    ["parry3d", "box3d", "obvhs", "bvh"].iter().any(|peer| who.contains(peer))
+}
+
+/// The test that gives the same bits one at a time, by whose answers those of many at
+/// once are counted; and the yardsticks by their other names.
+fn alone<'a>(who: &'a str, form: &'a str) -> (&'a str, &'a str) {
+    let who = match who {
+        "yardstick: as published" => "as published",
+        "yardstick: as published (SAT)" => "as published (SAT)",
+        _ => who,
+    };
+    match form {
+        "8 at once" if who == "exact" => ("exact hit", ""),
+        "8 at once" => (who, ""),
+        "8 at once, ray prepared" => (who, "ray prepared"),
+        "8 at once, prepared" => (who, "triangle prepared"),
+        "corners, 8 at once" => (who, "corners"),
+        _ => (who, form),
+    }
+}

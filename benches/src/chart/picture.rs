@@ -1,0 +1,196 @@
+//! What pictures there are: a query on a workload with a row for each scalar, and an
+//! overview of three of them.
+
+use std::error::Error;
+use std::path::Path;
+
+use crate::drawing::{grouped, short};
+
+use super::frame::{Dot, Frame, Row};
+use super::point::Point;
+use super::style::{is_shown, label, look};
+
+/// What it is called, and what it shows.
+pub(super) struct Picture {
+    pub(super) stem: &'static str,
+    title: &'static str,
+    workload: &'static str,
+    yardstick: &'static str,
+    sets: &'static str,
+    /// Pixels above the band of nought, for a row with peers and for one without.
+    heights: [f64; 2],
+}
+
+const BOXES: &str = "tests/support/sets.rs";
+const RAYS: &str = "tests/support/rays/sets.rs";
+const LINES: &str = "tests/support/ray_boxes.rs";
+const PUBLISHED: &str = "the test as published in 2001, in f32";
+const IN_C: &str = "Möller–Trumbore as in C, in f32";
+const SAT: &str = "the SAT test as published (Real-Time Rendering 16.7), in f32";
+
+pub(super) const PICTURES: [Picture; 5] = [
+    Picture {
+        stem: "triangle-box",
+        title: "Triangle and box",
+        workload: "Random triangles against one box, half of them meet it (Voorhies).",
+        yardstick: PUBLISHED,
+        sets: BOXES,
+        heights: [140.0, 105.0],
+    },
+    Picture {
+        stem: "triangle-box-voxel",
+        title: "Triangle and voxels",
+        workload: "Triangles against the cubes in their bounding boxes; a quarter of them meet.",
+        yardstick: PUBLISHED,
+        sets: BOXES,
+        heights: [140.0, 105.0],
+    },
+    Picture {
+        stem: "ray-triangle",
+        title: "Ray and triangle",
+        workload: "Random pairs, half of them meet.",
+        yardstick: IN_C,
+        sets: RAYS,
+        heights: [190.0, 120.0],
+    },
+    Picture {
+        stem: "ray-triangle-many",
+        title: "One ray, many triangles",
+        workload: "Each ray against 1,000 triangles, one in ten is hit. ×8: eight at once.",
+        yardstick: IN_C,
+        sets: RAYS,
+        heights: [200.0, 160.0],
+    },
+    Picture {
+        stem: "ray-box",
+        title: "Ray and box",
+        workload: "Each ray against 1,000 boxes, half of them meet. ×8: eight at once.",
+        yardstick: SAT,
+        sets: LINES,
+        heights: [170.0, 130.0],
+    },
+];
+
+const HOW_TO_READ: &str = "Farther left is faster, lower is more often right. In the band marked 0 not one answer was \
+     wrong; height within the band has no meaning. Wrong: false “disjoint” and false “overlap” \
+     together, by an exact oracle; what is conservative errs to “overlap” alone, and means to. \
+     The grey stair: nothing lies both left of it and below it.";
+
+impl Picture {
+    pub(super) fn draw(&self, points: &[Point], folder: &Path) -> Result<(), Box<dyn Error>> {
+        let points = self.shown(points);
+        let line = fastest_peer(&points).map(|p| (p.time, format!("fastest peer: {}", label(p))));
+        let mut rows: Vec<Row> = Vec::new();
+        for point in &points {
+            let dot = dot(point, label(point));
+            match rows.iter_mut().find(|row| row.heading == point.scalar) {
+                Some(row) => row.dots.push(dot),
+                None => rows.push(Row {
+                    heading: point.scalar.clone(),
+                    dots: vec![dot],
+                    height: self.heights[usize::from(!rows.is_empty())],
+                    // It is named once.
+                    line: line
+                        .clone()
+                        .map(|(at, text)| (at, if rows.is_empty() { text } else { String::new() })),
+                }),
+            }
+        }
+        let frame = Frame {
+            title: self.title.into(),
+            subtitle: self.workload.into(),
+            rows,
+            axis: format!("time per query; 1 is {}", self.yardstick),
+            tick: short,
+            base: 2.0,
+            caption: format!(
+                "{HOW_TO_READ} Up to {} cases, on every set in {} that the scalar holds; the mean \
+                 is over sets. Peers take f32 alone: the dashed line shows their fastest to every \
+                 scalar. Time: medians of rounds in one process, each in turn with the test that is \
+                 1. “cargo chart” measures and draws; the figures are in chart.csv.",
+                most_cases(&points),
+                self.sets,
+            ),
+            bars: true,
+        };
+        frame.draw(&folder.join(self.stem))
+    }
+
+    fn shown<'a>(&self, points: &'a [Point]) -> Vec<&'a Point> {
+        points.iter().filter(|p| p.picture == self.stem && is_shown(p)).collect()
+    }
+
+    /// Where our exact tests lie beside the fastest peer, in words.
+    pub(super) fn verdict(&self, points: &[Point]) -> String {
+        let points = self.shown(points);
+        let Some(peer) = fastest_peer(&points) else { return String::new() };
+        let mut text = format!("{}: {} {:.2}", self.stem, label(peer), peer.time);
+        for point in points.iter().filter(|p| p.claims_to_be_exact()) {
+            let side = if point.time <= peer.time { "left of it" } else { "right of it" };
+            let (label, scalar, time) = (label(point), &point.scalar, point.time);
+            text += &format!("\n  {label:<24} {scalar:<16} {time:.2} {side}");
+        }
+        text
+    }
+}
+
+/// All methods in `f32` with the peers, and the exact ones in the other scalars: three
+/// queries in one picture.
+pub(super) fn overview(points: &[Point], folder: &Path) -> Result<(), Box<dyn Error>> {
+    let row = |stem: &str, height: f64, exact: &str| {
+        let picture = PICTURES.iter().find(|p| p.stem == stem).expect("one of them");
+        let points = picture.shown(points);
+        let peer = fastest_peer(&points);
+        let mut dots = Vec::new();
+        for point in &points {
+            let text = label(point);
+            if point.form.contains("8 at once") || text.ends_with(", corners") {
+                continue;
+            } else if point.scalar == "f32" {
+                dots.push(dot(point, text));
+            } else if point.test == exact {
+                dots.push(dot(point, format!("exact, {}", point.scalar.replace(" bits", ""))));
+            }
+        }
+        Row {
+            heading: format!("{}: 1 is {}", picture.title, picture.yardstick),
+            dots,
+            height,
+            line: peer.map(|p| (p.time, String::new())),
+        }
+    };
+    let frame = Frame {
+        title: "Speed and accuracy".into(),
+        subtitle: "All methods in f32, the peers, and what is exact in every other scalar too."
+            .into(),
+        rows: vec![
+            row("triangle-box", 130.0, "exact"),
+            row("ray-triangle", 165.0, "exact hit"),
+            row("ray-box", 165.0, "exact"),
+        ],
+        axis: "time per query".into(),
+        tick: short,
+        base: 2.0,
+        caption: format!(
+            "{HOW_TO_READ} The dashed line is the fastest peer. Times are medians of rounds in one \
+             process, each in turn with the test that is 1. I16F16, 18: coordinates of 18 bits; boxes by centre, for rays by corners. \
+             “cargo chart” measures and draws; the figures are in chart.csv."
+        ),
+        bars: true,
+    };
+    frame.draw(&folder.join("overview"))
+}
+
+fn dot(point: &Point, label: String) -> Dot {
+    let cost = [point.time_low, point.time, point.time_high];
+    Dot { family: look(&point.test), label, cost, worst: point.worst, mean: point.mean }
+}
+
+fn fastest_peer<'a>(points: &[&'a Point]) -> Option<&'a Point> {
+    let peers = points.iter().filter(|p| p.peer);
+    peers.min_by(|a, b| a.time.total_cmp(&b.time)).copied()
+}
+
+fn most_cases(points: &[&Point]) -> String {
+    grouped(points.iter().map(|p| p.cases).max().unwrap_or_default() as f64)
+}

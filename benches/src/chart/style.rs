@@ -1,0 +1,96 @@
+//! How each test looks, and what it is called in a picture.
+
+use crate::drawing::{BLACK, BLUE, GREEN, Mark, ORANGE, PURPLE, VERMILION};
+
+use super::point::Point;
+
+/// A family of tests: one mark, one colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Family {
+    pub(super) name: &'static str,
+    pub(super) mark: Mark,
+    pub(super) color: &'static str,
+}
+
+const fn family(name: &'static str, mark: Mark, color: &'static str) -> Family {
+    Family { name, mark, color }
+}
+
+/// In the order of a legend; the first whose part of a name fits is meant.
+const FAMILIES: [(&str, Family); 16] = [
+    ("parry3d", family("parry3d", Mark::Cross, PURPLE)),
+    ("box3d", family("box3d-rust", Mark::Plus, PURPLE)),
+    ("obvhs", family("obvhs", Mark::HourGlass, PURPLE)),
+    ("bvh", family("bvh", Mark::BowTie, PURPLE)),
+    ("exact", family("exact", Mark::Star, BLACK)),
+    ("conservative", family("conservative", Mark::Up, GREEN)),
+    ("rounded, as published", family("as published", Mark::Square, VERMILION)),
+    ("as published", family("as published", Mark::Square, VERMILION)),
+    ("as in C", family("Möller–Trumbore as in C", Mark::Square, VERMILION)),
+    ("Möller", family("Möller–Trumbore", Mark::Left, VERMILION)),
+    ("stored normal", family("stored normal", Mark::Diamond, BLUE)),
+    ("projected", family("projected", Mark::Pentagon, BLUE)),
+    ("volumes", family("volumes", Mark::Hexagon, BLUE)),
+    ("watertight", family("watertight (Woop)", Mark::Down, ORANGE)),
+    ("slopes", family("slopes", Mark::Diamond, BLUE)),
+    ("rounded", family("rounded", Mark::Circle, BLUE)),
+];
+
+/// The family of a test.
+pub(super) fn look(test: &str) -> Family {
+    let found = FAMILIES.iter().find(|(part, _)| test.contains(part));
+    found.unwrap_or_else(|| panic!("no mark for {test}")).1
+}
+
+impl Family {
+    /// Its place in a legend: ours before the peers, then in the order above.
+    pub(super) fn rank(&self) -> (bool, Option<usize>) {
+        (self.color == PURPLE, FAMILIES.iter().position(|(_, family)| family == self))
+    }
+}
+
+/// Whether a picture shows it. It shows a yardstick under one name, and one form of
+/// boxes where tests are many.
+pub(super) fn is_shown(point: &Point) -> bool {
+    let is_twice = point.test.starts_with("yardstick: as published");
+    !is_twice && (point.picture != "ray-box" || point.form != "centre")
+}
+
+/// What is written beside a mark.
+pub(super) fn label(point: &Point) -> String {
+    let test = match point.test.as_str() {
+        "yardstick: Möller–Trumbore as in C" => "as in C",
+        "Möller–Trumbore as in C, wrapping" => "as in C, wrapping",
+        "box3d-rust test_bounds_triangle_overlap" => "box3d-rust",
+        "parry3d …_cuboid_triangle" => "parry3d cuboid_triangle",
+        "parry3d …_aabb_triangle" => "parry3d aabb_triangle",
+        "parry3d cast_local_ray_and_get_normal" => "parry3d cast, normal",
+        "parry3d cast_local_ray" | "yardstick: parry3d cast_local_ray" => "parry3d cast",
+        "parry3d clip_ray_parameters" => "parry3d clip",
+        "obvhs Triangle::intersect" => "obvhs Triangle",
+        "obvhs RtTriangle::intersect" => "obvhs RtTriangle",
+        "obvhs intersect_ray" => "obvhs",
+        "bvh intersects_triangle" => "bvh, culling",
+        "bvh intersects_aabb" => "bvh",
+        "bvh intersection_slice_for_aabb" => "bvh slice",
+        "slabs, rounded" => "slabs",
+        "slabs, rounded t_range" => "slabs t_range",
+        "slabs, conservative" => "slabs, conservative",
+        "slopes, rounded" => "slopes",
+        "slopes, rounded t_enter" => "slopes t_enter",
+        "as published (SAT)" => "SAT",
+        "segment, as published (SAT)" => "segment SAT",
+        "stored normal, t alone" => "stored normal, t only",
+        "watertight (Woop)" => "Woop",
+        "conservative" if point.picture == "ray-box" => "SAT, conservative",
+        other => other,
+    };
+    let form = match point.form.as_str() {
+        _ if point.peer => "",
+        "corners" if point.picture.starts_with("triangle") => ", corners",
+        form if form.contains("8 at once") => " ×8",
+        "ray prepared" if test == "Woop" => ", prepared",
+        _ => "",
+    };
+    format!("{test}{form}")
+}
