@@ -1,0 +1,203 @@
+//! Which type to take, and why not another.
+
+use crate::costs::Figure;
+use crate::effect::Effect;
+use crate::kind::{Kind, most_fraction_bits};
+use crate::prediction::Prediction;
+use crate::race::Timing;
+use crate::scene::Scene;
+
+/// What is known of a type that holds the scene.
+#[derive(Clone, Debug)]
+pub(crate) struct Row {
+    pub(crate) kind: Kind,
+    pub(crate) effect: Effect,
+    /// The exact rung, or rungs.
+    pub(crate) rung: String,
+    pub(crate) prediction: Prediction,
+    /// Verdicts that changed in the full run.
+    pub(crate) counted: Option<u64>,
+    pub(crate) timing: Option<Timing>,
+    pub(crate) instructions: Option<Figure>,
+    pub(crate) code: Option<Figure>,
+}
+
+/// Costs that are so close are the same.
+const SAME: f64 = 1.05;
+
+impl Row {
+    /// Why it is not good enough, if it is not.
+    pub(crate) fn refusal(&self, scene: &Scene) -> Option<String> {
+        let Effect { moved, flat, .. } = self.effect;
+        if flat {
+            Some(format!("too fine: boxes of {} become flat", scene.cell))
+        } else if moved > scene.tolerance {
+            Some("too fine: moved too far".into())
+        } else {
+            None
+        }
+    }
+
+    /// Time or instructions, whichever is known.
+    fn cost(&self) -> Option<f64> {
+        self.timing.map(|t| t.median).or(self.instructions.as_ref().map(|i| i.value))
+    }
+
+    /// Code and table, as far as they are known.
+    fn bytes(&self) -> u64 {
+        self.code.as_ref().map_or(0, |code| code.value as u64) + self.effect.table
+    }
+}
+
+/// The cheapest that moves nothing too far and has no more than `bits` bits. Of those
+/// that cost about the same, the smallest; then the finest. Where costs are unknown,
+/// the narrowest, and fixed point before floats.
+pub(crate) fn recommend<'a>(rows: &'a [Row], scene: &Scene, bits: u32) -> Option<&'a Row> {
+    let good: Vec<&Row> =
+        rows.iter().filter(|row| row.refusal(scene).is_none() && row.kind.bits() <= bits).collect();
+    let least = good.iter().filter_map(|row| row.cost()).min_by(f64::total_cmp);
+    let is_cheap = |row: &&&Row| match least {
+        Some(least) => row.cost().is_some_and(|cost| cost <= least * SAME),
+        None => true,
+    };
+    good.iter()
+        .filter(is_cheap)
+        .min_by(|a, b| {
+            let wide = |row: &Row| (row.kind.is_float() && least.is_none(), row.bytes());
+            wide(a).cmp(&wide(b)).then(a.effect.moved.total_cmp(&b.effect.moved))
+        })
+        .copied()
+}
+
+/// Why no type of so many bits is good enough, and what would have to give.
+pub(crate) fn what_would_help(bits: u32, rows: &[Row], scene: &Scene) -> Option<String> {
+    let of_width = || rows.iter().filter(|r| r.kind.bits() == bits && !r.kind.is_float());
+    if of_width().any(|row| row.refusal(scene).is_none()) {
+        return None;
+    }
+    let best = of_width().min_by(|a, b| a.effect.moved.total_cmp(&b.effect.moved));
+    let [least, greatest] = scene.range();
+    let mut ways = Vec::new();
+    let why = match best {
+        None => {
+            let most = Kind::Fixed { bits, frac: 0 }.greatest();
+            let mut doublings = 1;
+            let shrunk = |k: i32| [least, greatest].map(|x| x * f64::from(-k).exp2());
+            while most_fraction_bits(bits, bits, shrunk(doublings)).is_none() {
+                doublings += 1;
+            }
+            ways.push(format!(
+                "at 1/2^{doublings} of its size or less it would hold it, with a tolerance of {} of today's units",
+                sig(worst(0) * f64::from(doublings).exp2())
+            ));
+            format!(
+                "too large: triangles and boxes reach from {} to {}, and {bits} bits hold at most {most}",
+                sig(least),
+                sig(greatest)
+            )
+        }
+        Some(row) => {
+            let Kind::Fixed { frac, .. } = row.kind else { return None };
+            if row.effect.flat {
+                ways.push(format!(
+                    "larger boxes, of {} or more",
+                    sig(f64::from(frac).exp2().recip())
+                ));
+            }
+            ways.push(format!(
+                "--tolerance {} ({} of a box)",
+                up(row.effect.moved),
+                percent(row.effect.moved / scene.cell)
+            ));
+            ways.push(format!(
+                "boxes {} times as large, if the tolerance grows with them",
+                (row.effect.moved / scene.tolerance).ceil()
+            ));
+            let spare = if frac == bits { spare_doublings(bits, [least, greatest]) } else { 0 };
+            if spare > 0 {
+                ways.push(format!(
+                    "the scene at up to 2^{spare} times its size: so small, it leaves bits unused"
+                ));
+            }
+            let width = least.abs().max(greatest.abs());
+            format!(
+                "too fine: beside ±{} there is room for {frac} fraction bits, which move a corner by up to {}, and at most {} is wanted{}",
+                sig(width),
+                sig(row.effect.moved),
+                sig(scene.tolerance),
+                if row.effect.flat { "; its boxes become flat" } else { "" }
+            )
+        }
+    };
+    if let Some(way) = about_the_middle(bits, best, scene) {
+        ways.push(way);
+    }
+    Some(format!("{bits:>2} bits: {why}. What would help: {}.", ways.join("; or ")))
+}
+
+/// What is gained where the origin lies in the middle.
+fn about_the_middle(bits: u32, best: Option<&Row>, scene: &Scene) -> Option<String> {
+    let mut offset = [0.0; 3];
+    let mut range = [0.0_f64; 2];
+    for (axis, offset) in offset.iter_mut().enumerate() {
+        let [least, greatest] = scene.extent(axis);
+        // By whole boxes: the grid stays where it is.
+        *offset = -((least + greatest) / 2.0 / scene.cell).round() * scene.cell;
+        range = [range[0].min(least + *offset), range[1].max(greatest + *offset)];
+    }
+    let now = best.and_then(|row| match row.kind {
+        Kind::Fixed { frac, .. } => Some(frac),
+        Kind::F32 | Kind::F64 => None,
+    });
+    let then = most_fraction_bits(bits, bits, range)?;
+    let [x, y, z] = offset;
+    let enough =
+        if worst(then) <= scene.tolerance { ", which is enough" } else { ", not enough alone" };
+    now.is_none_or(|now| then > now)
+        .then(|| format!("moved by ({x}, {y}, {z}) there is room for {then} fraction bits{enough}"))
+}
+
+/// How far a point moves at most.
+fn worst(frac: u32) -> f64 {
+    3_f64.sqrt() / 2.0 / f64::from(frac).exp2()
+}
+
+/// How often a scene could be doubled in size.
+fn spare_doublings(bits: u32, range: [f64; 2]) -> u32 {
+    let fits = |k: u32| {
+        let grown = range.map(|x| x * f64::from(k).exp2());
+        most_fraction_bits(bits, bits, grown) == Some(bits)
+    };
+    (1..1024).take_while(|&k| fits(k)).last().unwrap_or(0)
+}
+
+/// Three digits.
+pub(crate) fn sig(x: f64) -> String {
+    rounded(x, f64::round)
+}
+
+/// The same, rounded up.
+fn up(x: f64) -> String {
+    rounded(x, f64::ceil)
+}
+
+fn rounded(x: f64, round: fn(f64) -> f64) -> String {
+    if x == 0.0 {
+        return "0".into();
+    }
+    let digits = 2 - x.abs().log10().floor() as i32;
+    let unit = 10_f64.powi(digits);
+    let x = round(x * unit) / unit;
+    if !(-3..=8).contains(&digits) {
+        return format!("{x:.2e}");
+    }
+    let text = format!("{x:.*}", digits.max(0) as usize);
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').into(),
+        false => text,
+    }
+}
+
+pub(crate) fn percent(x: f64) -> String {
+    format!("{} %", sig(100.0 * x))
+}

@@ -1,0 +1,64 @@
+//! What rounding does to a scene.
+
+use std::collections::BTreeSet;
+
+use septum::Triangle;
+
+use crate::kind::Kind;
+use crate::scene::Scene;
+
+/// What rounding did.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Effect {
+    /// How far a vertex, or a corner of a box, moved at most.
+    pub(crate) moved: f64,
+    /// How many triangles became segments or points.
+    pub(crate) degenerate: usize,
+    /// Whether a box lost its inside.
+    pub(crate) flat: bool,
+    /// Bytes of a table that holds each vertex once, and faces as indices.
+    pub(crate) table: u64,
+}
+
+impl Effect {
+    /// What `kind`, which holds the scene, does to it.
+    pub(crate) fn of(kind: Kind, scene: &Scene) -> Self {
+        let nearest = |x: f64| kind.nearest(x).expect("a type that holds the scene");
+        let mut effect = Self { moved: 0.0, degenerate: 0, flat: false, table: 0 };
+        let mut vertices = BTreeSet::new();
+        for triangle in &scene.triangles {
+            let rounded = triangle.map(|p| p.map(nearest));
+            for (p, q) in triangle.iter().zip(&rounded) {
+                effect.moved = effect.moved.max(distance([0, 1, 2].map(|i| p[i] - q[i])));
+                vertices.insert(q.map(|x| (x + 0.0).to_bits()));
+            }
+            let became = is_degenerate(&rounded) && !is_degenerate(triangle);
+            effect.degenerate += usize::from(became);
+        }
+        // The faces of the boxes move by themselves along each axis.
+        let mut worst = [0.0; 3];
+        for (worst, cells) in worst.iter_mut().zip(&scene.cells) {
+            let mut last = None;
+            for i in cells.start..=cells.end {
+                let (from, to) = (scene.face(i), nearest(scene.face(i)));
+                *worst = f64::max(*worst, (from - to).abs());
+                effect.flat |= last.replace(to) == Some(to);
+            }
+        }
+        effect.moved = effect.moved.max(distance(worst));
+        let index = if vertices.len() > 1 << 16 { 4 } else { 2 };
+        let coordinates = u64::from(kind.bits() / 8) * vertices.len() as u64;
+        effect.table = 3 * (coordinates + index * scene.triangles.len() as u64);
+        effect
+    }
+}
+
+fn distance([x, y, z]: [f64; 3]) -> f64 {
+    x.hypot(y).hypot(z)
+}
+
+/// Exact, and so for every type: its numbers are numbers of `f64` here.
+fn is_degenerate(triangle: &[[f64; 3]; 3]) -> bool {
+    let [a, b, c] = *triangle;
+    Triangle::new(a, b, c).is_ok_and(|t| t.is_degenerate())
+}

@@ -1,0 +1,112 @@
+//! The number types that a scene may be brought to.
+
+use crate::scene::Scene;
+
+/// A number type.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Kind {
+    Fixed { bits: u32, frac: u32 },
+    F32,
+    F64,
+}
+
+use Kind::{F32, F64, Fixed};
+
+impl Kind {
+    pub(crate) fn bits(self) -> u32 {
+        match self {
+            Fixed { bits, .. } => bits,
+            F32 => 32,
+            F64 => 64,
+        }
+    }
+
+    pub(crate) fn is_float(self) -> bool {
+        self == F32 || self == F64
+    }
+
+    /// As its crate calls it, with the short name where there is one.
+    pub(crate) fn name(self) -> String {
+        match self {
+            Fixed { bits, frac } if 2 * frac == bits => format!("I{frac}F{frac}"),
+            Fixed { bits, frac } => format!("FixedI{bits}<U{frac}>"),
+            F32 => "f32".into(),
+            F64 => "f64".into(),
+        }
+    }
+
+    /// The type with its whole path.
+    pub(crate) fn path(self) -> String {
+        match self {
+            Fixed { bits, frac } => format!("fixed::FixedI{bits}<fixed::types::extra::U{frac}>"),
+            F32 | F64 => self.name(),
+        }
+    }
+
+    /// The nearest number to `x`, in units of the last place, if it is one of an
+    /// integer of `bits` bits.
+    pub(crate) fn raw(x: f64, bits: u32, frac: u32) -> Option<f64> {
+        let raw = (x * f64::from(frac).exp2()).round_ties_even();
+        let end = f64::from(bits - 1).exp2();
+        (-end <= raw && raw < end).then_some(raw)
+    }
+
+    /// The nearest number to `x`, if there is one.
+    pub(crate) fn nearest(self, x: f64) -> Option<f64> {
+        match self {
+            Fixed { bits, frac } => Some(Self::raw(x, bits, frac)? / f64::from(frac).exp2()),
+            F32 => Some(f64::from(x as f32)).filter(|x| x.is_finite()),
+            F64 => Some(x),
+        }
+    }
+
+    /// The greatest number.
+    pub(crate) fn greatest(self) -> f64 {
+        match self {
+            Fixed { bits, frac } => (f64::from(bits - 1).exp2() - 1.0) / f64::from(frac).exp2(),
+            F32 => f32::MAX.into(),
+            F64 => f64::MAX,
+        }
+    }
+
+    /// Whether it has all numbers from the least to the greatest, to the nearest.
+    pub(crate) fn holds(self, range: [f64; 2]) -> bool {
+        range.iter().all(|&x| self.nearest(x).is_some())
+    }
+}
+
+/// The most fraction bits with which a type of `bits` bits holds the range in `below`
+/// of them: to fewer of them there is a faster way.
+pub(crate) fn most_fraction_bits(bits: u32, below: u32, range: [f64; 2]) -> Option<u32> {
+    (0..=bits).rev().find(|&frac| range.iter().all(|&x| Kind::raw(x, below, frac).is_some()))
+}
+
+/// The types that are looked at, and those of them that cannot hold the scene.
+pub(crate) struct Candidates {
+    pub(crate) held: Vec<Kind>,
+    pub(crate) too_large: Vec<Kind>,
+}
+
+impl Candidates {
+    /// For each width the most fraction bits that the scene leaves, and the most for
+    /// which the integers of each rung of its ladder suffice; the types with as many
+    /// bits before the point as after it; and the floats.
+    pub(crate) fn of(scene: &Scene) -> Self {
+        let range = scene.range();
+        let mut all = Vec::new();
+        for (bits, rungs) in [(8, &[8][..]), (16, &[16]), (32, &[19, 29, 32]), (64, &[40, 61, 64])]
+        {
+            let most = rungs.iter().filter_map(|&below| most_fraction_bits(bits, below, range));
+            let mut fracs: Vec<u32> = most.chain([bits / 2]).collect();
+            if fracs.len() == 1 {
+                fracs.push(0);
+            }
+            fracs.sort_unstable();
+            fracs.dedup();
+            all.extend(fracs.into_iter().map(|frac| Fixed { bits, frac }));
+        }
+        all.extend([F32, F64]);
+        let (held, too_large) = all.into_iter().partition(|kind| kind.holds(range));
+        Self { held, too_large }
+    }
+}

@@ -1,0 +1,141 @@
+//! The scene: a mesh, and the boxes that are asked about.
+
+use std::ops::Range;
+
+/// More boxes along a side than anyone asks about.
+const LONGEST_SIDE: f64 = (1_u32 << 24) as f64;
+
+/// A mesh among boxes, of which box (i, j, k) has its least corner at (i, j, k)
+/// times the size of a cell.
+pub(crate) struct Scene {
+    pub(crate) triangles: Vec<[[f64; 3]; 3]>,
+    pub(crate) cell: f64,
+    pub(crate) tolerance: f64,
+    /// Along each axis the first box that is asked about, and the one after the last.
+    pub(crate) cells: [Range<i64>; 3],
+    /// The same for each triangle.
+    around: Vec<[Range<i64>; 3]>,
+    /// How many queries there are about the triangles before each, and in all.
+    before: Vec<u64>,
+}
+
+/// A triangle, by its number, against a box, by its place.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Query {
+    pub(crate) triangle: usize,
+    pub(crate) cell: [i64; 3],
+}
+
+impl Scene {
+    /// Each triangle is asked about the boxes that its bounding box touches when
+    /// grown by twice the tolerance: what moves no farther than the tolerance, boxes
+    /// and triangles alike, changes no other verdict.
+    pub(crate) fn new(
+        triangles: Vec<[[f64; 3]; 3]>,
+        cell: Option<f64>,
+        tolerance: Option<f64>,
+    ) -> Result<Self, String> {
+        let cell = match cell {
+            Some(cell) => cell,
+            None => usual_cell(&triangles)?,
+        };
+        let tolerance = tolerance.unwrap_or(cell / 100.0);
+        let touched = |t: &[[f64; 3]; 3], i: usize| {
+            let [least, greatest] = span(t.iter().map(|p| p[i]));
+            let first = ((least - 2.0 * tolerance) / cell).ceil() - 1.0;
+            let end = ((greatest + 2.0 * tolerance) / cell).floor() + 1.0;
+            let far = first.abs().max(end.abs()) >= (1_u64 << 53) as f64;
+            if far || end - first > LONGEST_SIDE {
+                return Err(format!(
+                    "boxes of {cell} are too small, or too far from the origin: there would be \
+                     {:.0} along a side of a triangle, from the {first:.0}th on",
+                    end - first
+                ));
+            }
+            Ok(first as i64..end as i64)
+        };
+        let mut around: Vec<[Range<i64>; 3]> = Vec::with_capacity(triangles.len());
+        for t in &triangles {
+            around.push([touched(t, 0)?, touched(t, 1)?, touched(t, 2)?]);
+        }
+        let cells = [0, 1, 2].map(|i| {
+            let least = around.iter().map(|r| r[i].start).min().unwrap_or(0);
+            least..around.iter().map(|r| r[i].end).max().unwrap_or(0)
+        });
+        let mut sum = 0_u64;
+        let mut before = vec![0];
+        for ranges in &around {
+            let count = ranges.iter().map(length).try_fold(1_u64, u64::checked_mul);
+            sum = count.and_then(|n| sum.checked_add(n)).ok_or("too many boxes for one mesh")?;
+            before.push(sum);
+        }
+        if let Some(side) = cells.iter().map(length).find(|&n| n as f64 > LONGEST_SIDE) {
+            return Err(format!(
+                "boxes of {cell} are too small: there would be {side} along a side"
+            ));
+        }
+        Ok(Self { triangles, cell, tolerance, cells, around, before })
+    }
+
+    /// How many queries there are.
+    pub(crate) fn queries(&self) -> u64 {
+        self.before.last().copied().unwrap_or(0)
+    }
+
+    /// Query number `n`.
+    pub(crate) fn query(&self, n: u64) -> Query {
+        // Every triangle has boxes around it.
+        let triangle = self.before.partition_point(|&before| before <= n) - 1;
+        let [x, y, z] = &self.around[triangle];
+        let n = n - self.before[triangle];
+        let (n, i) = (n / length(x), n % length(x));
+        let (k, j) = (n / length(y), n % length(y));
+        let cell = [x.start + i as i64, y.start + j as i64, z.start + k as i64];
+        Query { triangle, cell }
+    }
+
+    /// The coordinate at which box `i` begins, and the one before it ends.
+    pub(crate) fn face(&self, i: i64) -> f64 {
+        i as f64 * self.cell
+    }
+
+    /// The points of a query: the triangle's, the least and the greatest of the box.
+    pub(crate) fn points(&self, query: Query) -> [[f64; 3]; 5] {
+        let [a, b, c] = self.triangles[query.triangle];
+        [a, b, c, query.cell.map(|i| self.face(i)), query.cell.map(|i| self.face(i + 1))]
+    }
+
+    /// The least and the greatest coordinate along an axis, of triangles and boxes.
+    pub(crate) fn extent(&self, axis: usize) -> [f64; 2] {
+        let Range { start, end } = self.cells[axis];
+        let faces = [self.face(start), self.face(end)];
+        span(self.triangles.iter().flatten().map(|p| p[axis]).chain(faces))
+    }
+
+    /// The same for all three axes.
+    pub(crate) fn range(&self) -> [f64; 2] {
+        span([0, 1, 2].into_iter().flat_map(|axis| self.extent(axis)))
+    }
+}
+
+fn length(range: &Range<i64>) -> u64 {
+    range.start.abs_diff(range.end)
+}
+
+fn span(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
+    numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
+}
+
+/// A power of two: it costs a fixed-point type nothing.
+fn usual_cell(triangles: &[[[f64; 3]; 3]]) -> Result<f64, String> {
+    let side = |i: usize| {
+        let [least, greatest] = span(triangles.iter().flatten().map(|p| p[i]));
+        greatest - least
+    };
+    let longest = side(0).max(side(1)).max(side(2));
+    if longest > 0.0 {
+        Ok((longest / 64.0).log2().floor().exp2())
+    } else {
+        Err("the mesh is a single point: say how large the boxes are, by --cell".into())
+    }
+}

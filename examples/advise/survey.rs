@@ -1,0 +1,120 @@
+//! The measuring of a scene: what each type does to it, and what it costs.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use crate::advice::Row;
+use crate::costs::Costs;
+use crate::effect::Effect;
+use crate::kind::{Candidates, Kind};
+use crate::options::Target;
+use crate::prediction::Prediction;
+use crate::race::race;
+use crate::rng::Rng;
+use crate::rung::Rung;
+use crate::scene::{Query, Scene};
+use crate::shared::{on_all_cores, pieces};
+use crate::verdict;
+
+/// Queries in one piece of work.
+const PIECE: usize = 4096;
+
+/// Queries that are timed: they stay in a cache.
+const TIMED: usize = 8192;
+
+/// What was found.
+pub(crate) struct Survey {
+    pub(crate) rows: Vec<Row>,
+    pub(crate) too_large: Vec<Kind>,
+    /// How many queries the sample has, and whether it is all of them.
+    pub(crate) asked: u64,
+    /// Of a query in `f32`, where it was measured.
+    pub(crate) each: Option<Duration>,
+}
+
+/// How to go about it.
+pub(crate) struct Plan<'a> {
+    pub(crate) target: Target,
+    pub(crate) sample: usize,
+    pub(crate) full: bool,
+    pub(crate) costs: &'a Costs,
+}
+
+impl Survey {
+    pub(crate) fn of(scene: &Scene, plan: &Plan<'_>) -> Self {
+        let Candidates { held: kinds, too_large } = Candidates::of(scene);
+        let all = scene.queries();
+        let sample = sample(scene, plan.sample);
+        let asked = sample.len() as u64;
+        let changed = changes(scene, &kinds, asked, |n| sample[n as usize]);
+        let counted = plan.full.then(|| changes(scene, &kinds, all, |n| scene.query(n)));
+
+        let timed = &sample[..sample.len().min(TIMED)];
+        let race = (plan.target == Target::Host && kinds.contains(&Kind::F32))
+            .then(|| race(scene, Kind::F32, &kinds, timed));
+        // f64 itself is not predicted.
+        let predicted = kinds.len() - 1;
+        let row = |(k, &kind): (usize, &Kind)| {
+            let shares = Rung::shares(kind, plan.target, scene, &sample);
+            let prediction = match kind {
+                Kind::F64 => Prediction::counted(changed[k]),
+                _ => Prediction::new(changed[k], asked, all, predicted),
+            };
+            Row {
+                kind,
+                effect: Effect::of(kind, scene),
+                rung: in_words(kind, &shares),
+                prediction,
+                counted: counted.as_ref().map(|counted| counted[k]),
+                timing: race.as_ref().map(|(_, timings)| timings[k]),
+                instructions: plan.costs.instructions(kind, &shares),
+                code: plan.costs.code(kind),
+            }
+        };
+        let rows = kinds.iter().enumerate().map(row).collect();
+        Self { rows, too_large, asked, each: race.map(|(each, _)| each) }
+    }
+}
+
+/// Queries drawn by chance, each from all of them; or all, if there are no more.
+fn sample(scene: &Scene, most: usize) -> Vec<Query> {
+    let all = scene.queries();
+    if all <= most as u64 {
+        return (0..all).map(|n| scene.query(n)).collect();
+    }
+    let mut rng = Rng::new(0);
+    (0..most).map(|_| scene.query(rng.whole(0, all as i64 - 1) as u64)).collect()
+}
+
+/// In how many of so many queries each type changes the verdict, on all cores.
+fn changes(
+    scene: &Scene,
+    kinds: &[Kind],
+    count: u64,
+    query: impl Fn(u64) -> Query + Sync,
+) -> Vec<u64> {
+    let jobs: Vec<(u64, usize)> = pieces(0, count as usize, PIECE).collect();
+    let mut sum = vec![0; kinds.len()];
+    on_all_cores(
+        &jobs,
+        |&(_, size)| size,
+        |&(piece, size)| {
+            let first = piece * PIECE as u64;
+            verdict::changes(scene, kinds, (first..first + size as u64).map(&query))
+        },
+        |_, changed| sum.iter_mut().zip(changed).for_each(|(sum, n)| *sum += n),
+    );
+    sum
+}
+
+/// The rungs, and how often each is taken if there are several.
+fn in_words(kind: Kind, shares: &BTreeMap<Rung, f64>) -> String {
+    let one = |(rung, share): (&Rung, &f64)| {
+        let name = rung.name(kind);
+        match shares.len() {
+            1 => name.into(),
+            _ => format!("{name} {:.0} %", 100.0 * share),
+        }
+    };
+    shares.iter().map(one).collect::<Vec<_>>().join(", ")
+}

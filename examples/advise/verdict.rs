@@ -1,0 +1,119 @@
+//! The queries, asked in any number type.
+
+use std::hint::black_box;
+
+use fixed::types::extra::U0;
+use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
+use septum::{Aabb, Scalar, Triangle};
+
+use crate::kind::Kind;
+use crate::scene::{Query, Scene};
+
+/// A scalar, the nearest of which can be had. Fixed-point types stand for those with
+/// other units: verdicts, and the way to them, are those of the raw bits.
+pub(crate) trait Coordinate: Scalar {
+    fn nearest(x: f64, frac: u32) -> Self;
+}
+
+impl Coordinate for f32 {
+    fn nearest(x: f64, _: u32) -> Self {
+        x as Self
+    }
+}
+
+impl Coordinate for f64 {
+    fn nearest(x: f64, _: u32) -> Self {
+        x
+    }
+}
+
+/// The raw bits; the caller has seen to it that they fit.
+fn raw(x: f64, bits: u32, frac: u32) -> i64 {
+    Kind::raw(x, bits, frac).expect("a type that holds the scene") as i64
+}
+
+impl Coordinate for FixedI8<U0> {
+    fn nearest(x: f64, frac: u32) -> Self {
+        Self::from_bits(raw(x, 8, frac) as i8)
+    }
+}
+
+impl Coordinate for FixedI16<U0> {
+    fn nearest(x: f64, frac: u32) -> Self {
+        Self::from_bits(raw(x, 16, frac) as i16)
+    }
+}
+
+impl Coordinate for FixedI32<U0> {
+    fn nearest(x: f64, frac: u32) -> Self {
+        Self::from_bits(raw(x, 32, frac) as i32)
+    }
+}
+
+impl Coordinate for FixedI64<U0> {
+    fn nearest(x: f64, frac: u32) -> Self {
+        Self::from_bits(raw(x, 64, frac))
+    }
+}
+
+/// The shapes of a query, rounded.
+fn shapes<S: Coordinate>(scene: &Scene, query: Query, frac: u32) -> (Triangle<S>, Aabb<S>) {
+    let [a, b, c, min, max] = scene.points(query).map(|p| p.map(|x| S::nearest(x, frac)));
+    let triangle = Triangle::new(a, b, c).expect("the scene is finite");
+    (triangle, Aabb::from_min_max(min, max).expect("rounding keeps the order"))
+}
+
+fn overlaps<S: Coordinate>(scene: &Scene, query: Query, frac: u32) -> bool {
+    let (triangle, aabb) = shapes::<S>(scene, query, frac);
+    triangle.overlaps(&aabb)
+}
+
+/// Something to time: asks all queries, and counts the overlaps.
+pub(crate) type Asking = Box<dyn Fn() -> usize>;
+
+fn asking<S: Coordinate>(scene: &Scene, queries: &[Query], frac: u32) -> Asking {
+    let pairs: Vec<_> = queries.iter().map(|&q| shapes::<S>(scene, q, frac)).collect();
+    Box::new(move || pairs.iter().filter(|(t, b)| black_box(t).overlaps(black_box(b))).count())
+}
+
+impl Kind {
+    /// The exact verdict on the shapes of the query as the type has them.
+    pub(crate) fn overlaps(self, scene: &Scene, query: Query) -> bool {
+        match self {
+            Self::Fixed { bits: ..=8, frac } => overlaps::<FixedI8<U0>>(scene, query, frac),
+            Self::Fixed { bits: ..=16, frac } => overlaps::<FixedI16<U0>>(scene, query, frac),
+            Self::Fixed { bits: ..=32, frac } => overlaps::<FixedI32<U0>>(scene, query, frac),
+            Self::Fixed { frac, .. } => overlaps::<FixedI64<U0>>(scene, query, frac),
+            Self::F32 => overlaps::<f32>(scene, query, 0),
+            Self::F64 => overlaps::<f64>(scene, query, 0),
+        }
+    }
+
+    /// All of the queries, with shapes that are rounded beforehand.
+    pub(crate) fn asking(self, scene: &Scene, queries: &[Query]) -> Asking {
+        match self {
+            Self::Fixed { bits: ..=8, frac } => asking::<FixedI8<U0>>(scene, queries, frac),
+            Self::Fixed { bits: ..=16, frac } => asking::<FixedI16<U0>>(scene, queries, frac),
+            Self::Fixed { bits: ..=32, frac } => asking::<FixedI32<U0>>(scene, queries, frac),
+            Self::Fixed { frac, .. } => asking::<FixedI64<U0>>(scene, queries, frac),
+            Self::F32 => asking::<f32>(scene, queries, 0),
+            Self::F64 => asking::<f64>(scene, queries, 0),
+        }
+    }
+}
+
+/// In how many of the queries each type's verdict is not that of `f64`.
+pub(crate) fn changes(
+    scene: &Scene,
+    kinds: &[Kind],
+    queries: impl Iterator<Item = Query>,
+) -> Vec<u64> {
+    let mut changed = vec![0; kinds.len()];
+    for query in queries {
+        let truth = Kind::F64.overlaps(scene, query);
+        for (changed, kind) in changed.iter_mut().zip(kinds) {
+            *changed += u64::from(kind.overlaps(scene, query) != truth);
+        }
+    }
+    changed
+}
