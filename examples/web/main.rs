@@ -7,10 +7,16 @@
 //! cargo web
 //! ```
 //!
-//! builds the module, in the profile `web`, and serves the page with it (by node).
-//! Without node: `cargo build --profile web --example web --target
-//! wasm32-unknown-unknown`, any server of files on this repository's folder, such as
-//! `python3 -m http.server`, and a browser at `/examples/web/`.
+//! builds the module, 20 kB by the profile `web` and the feature `small`, and serves
+//! the page with it, by node. Without node:
+//!
+//! ```text
+//! cargo build --profile web --features small --example web --target wasm32-unknown-unknown
+//! python3 -m http.server
+//! ```
+//!
+//! or any other server of files on this folder, and a browser at `/examples/web/`. The
+//! page and `web.wasm` in one folder do anywhere. `.ci/web` tests it all.
 //!
 //! The module imports nothing. Whoever asks writes 15 words to `numbers()`, three
 //! vertices, the box's centre and its half-extents, and calls `answers(scalar)`.

@@ -3,8 +3,8 @@ import { SCALARS } from './scalar.mjs';
 
 /** The 13 axes in the order of `Axis::ALL`, by the names of the page. */
 export const AXES = [
-    ...['x', 'y', 'z'].map((name, i) => ({ kind: 'face', i, name, text: `face normal of the box, ${name}` })),
-    { kind: 'normal', name: 'n', text: 'normal of the triangle, ab × bc' },
+    ...['x', 'y', 'z'].map((name, i) => ({ kind: 'face', i, name, text: 'face normal of the box' })),
+    { kind: 'normal', name: 'n', text: 'normal of the triangle' },
     ...['x', 'y', 'z'].flatMap((name, i) =>
         ['ab', 'bc', 'ca'].map((edge, k) => ({
             kind: 'edge', i, k, name: `${name} × ${edge}`, text: `cross product of ${name} and edge ${edge}`,
