@@ -8,6 +8,7 @@ mod drawing;
 mod geometry;
 pub mod order;
 mod pairs;
+pub mod paper;
 mod peer_shapes;
 mod race;
 pub mod ray_aabb;

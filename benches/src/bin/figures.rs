@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use clap::{Parser, Subcommand};
-use septum_benches::{chart, order, slivers, stability};
+use septum_benches::{chart, order, paper, slivers, stability};
 
 /// Measures and draws the figures of the documentation.
 #[derive(Parser)]
@@ -19,6 +19,7 @@ enum Figure {
     Stability(stability::Options),
     Slivers(slivers::Options),
     Order(order::Options),
+    Paper(paper::Options),
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -27,5 +28,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         Figure::Stability(options) => stability::run(&options),
         Figure::Slivers(options) => slivers::run(&options),
         Figure::Order(options) => order::run(&options),
+        Figure::Paper(options) => paper::run(&options),
     }
 }

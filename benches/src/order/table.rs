@@ -12,9 +12,7 @@ pub(super) fn text(groups: &[Race], nine: &[Race], counts: &[(&str, Counts)]) ->
     text += BEST;
     for race in groups {
         let (name, time) = best(race, &ORDERS.map(|(name, _)| name));
-        let third = race.times[1..].iter().all(|t| t[1] >= 1.0);
-        let versus = if third { "the paper's own".into() } else { format!("{time:.2} of 3-1-2") };
-        writeln!(text, "* {}, {}: {name}, {versus}", race.workload, race.scalar).expect(FITS);
+        writeln!(text, "* {}, {}: {name}, {time:.2}", race.workload, race.scalar).expect(FITS);
     }
     text += WHY;
     text += "| workload | pairs | apart | by a face | by the normal | by a cross product |\n";
@@ -93,6 +91,18 @@ fn races(text: &mut String, races: &[Race], names: &[&str]) {
             let [low, high] = [slow.min(*fast), slow.max(*fast)];
             let strong = if *name == best { "**" } else { "" };
             write!(text, " {strong}{median:.2}{strong} ({low:.2}–{high:.2}) |").expect(FITS);
+        }
+        *text += "\n";
+    }
+    for scalar in ["f32", "f64", "I16F16"] {
+        let same: Vec<&Race> = races.iter().filter(|race| race.scalar == scalar).collect();
+        if same.is_empty() {
+            continue;
+        }
+        write!(text, "| all, geometric mean | {scalar} | |").expect(FITS);
+        for k in 0..names.len() {
+            let sum: f64 = same.iter().map(|race| race.times[k][1].ln()).sum();
+            write!(text, " {:.2} |", (sum / same.len() as f64).exp()).expect(FITS);
         }
         *text += "\n";
     }
