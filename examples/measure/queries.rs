@@ -3,7 +3,7 @@
 use core::hint::black_box;
 
 use heapless::Vec;
-use septum::{Aabb, Cull, MayOverlap, Obb, Overlaps, Ray, SlabRay, SlopeRay, Triangle};
+use septum::{Aabb, Cull, Obb, Ray, SlabRay, SlopeRay, Triangle};
 
 use crate::CORE;
 use crate::firmware::say;
