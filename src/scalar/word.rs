@@ -113,10 +113,16 @@ macro_rules! word {
 }
 
 // ARMv6-M has neither long products nor atomics, ARMv7-M both. Only the latter can be
-// asked for in stable Rust.
-#[cfg(all(target_arch = "arm", target_has_atomic = "32"))]
+// asked for in stable Rust. RISC-V has long products where it has any.
+#[cfg(any(
+    all(target_arch = "arm", target_has_atomic = "32"),
+    all(target_arch = "riscv32", target_feature = "m"),
+))]
 word! { i32, u32, i64: 29, 10; }
-#[cfg(not(all(target_arch = "arm", target_has_atomic = "32")))]
+#[cfg(not(any(
+    all(target_arch = "arm", target_has_atomic = "32"),
+    all(target_arch = "riscv32", target_feature = "m"),
+)))]
 word! { i32, u32, Pair<i32>: 18, 10; }
 word! {
     i64, u64, Pair<i64>: 34, 20;

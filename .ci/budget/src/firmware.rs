@@ -68,8 +68,8 @@ pub struct Firmware {
 struct Function {
     name: String,
     end: u64,
-    /// Its own, if that is known.
-    frame: Option<u64>,
+    /// The bytes of stack that it takes itself.
+    frame: u64,
     calls: HashSet<u64>,
 }
 
@@ -91,6 +91,10 @@ impl Firmware {
             None => HashMap::new(),
         };
 
+        let section = elf.section_by_name(".text").ok_or("there is no .text")?;
+        let (code, origin) = (section.data()?, section.address());
+        let code = |start: u64| start.checked_sub(origin).and_then(|at| code.get(at as usize..));
+
         let mut functions = BTreeMap::new();
         for symbol in elf.symbols().filter(|s| s.kind() == SymbolKind::Text && s.size() > 0) {
             let start = address(symbol.address());
@@ -99,7 +103,7 @@ impl Firmware {
                 Function {
                     name: format!("{:#}", rustc_demangle::demangle(symbol.name()?)),
                     end: start + symbol.size(),
-                    frame: frames.get(&start).copied(),
+                    frame: frames.get(&start).copied().unwrap_or_else(|| opening(code(start))),
                     calls: HashSet::new(),
                 },
             );
@@ -125,27 +129,59 @@ impl Firmware {
         names.filter(|name| kind.has(name)).collect()
     }
 
-    /// The deepest stack below the entry, by the frames along each way down.
-    pub fn stack(&self) -> Result<u64, String> {
+    /// The deepest stack below the entry, by the frames along each way down, but not
+    /// through functions of which the name ends so.
+    pub fn stack(&self, without: Option<&str>) -> Result<u64, String> {
         let entry = self.functions.iter().find(|(_, f)| f.name == "_start");
         let (&entry, _) = entry.ok_or("there is no _start")?;
-        self.below(entry, &mut Vec::new())
+        let is_skipped = |f: &Function| without.is_some_and(|end| f.name.ends_with(end));
+        if without.is_some() && !self.functions.values().any(is_skipped) {
+            return Err(format!("there is no {}", without.unwrap_or_default()));
+        }
+        self.below(entry, &is_skipped, &mut Vec::new())
     }
 
-    fn below(&self, at: u64, above: &mut Vec<u64>) -> Result<u64, String> {
+    fn below(
+        &self,
+        at: u64,
+        is_skipped: &dyn Fn(&Function) -> bool,
+        above: &mut Vec<u64>,
+    ) -> Result<u64, String> {
         let function = &self.functions[&at];
+        if is_skipped(function) {
+            return Ok(0);
+        }
         if above.contains(&at) {
             return Err(format!("{} calls itself", function.name));
         }
-        let frame = function.frame.ok_or(format!("the frame of {} is not known", function.name))?;
         above.push(at);
         let mut deepest = 0;
         for &callee in &function.calls {
-            deepest = self.below(callee, above)?.max(deepest);
+            deepest = self.below(callee, is_skipped, above)?.max(deepest);
         }
         above.pop();
-        Ok(frame + deepest)
+        Ok(function.frame + deepest)
     }
+}
+
+/// The stack that a function takes by its first instructions, for those that were
+/// written in assembly, or compiled beforehand: of Thumb `push` and `sub sp`.
+fn opening(code: Option<&[u8]>) -> u64 {
+    let (code, _) = code.unwrap_or_default().as_chunks::<2>();
+    let mut frame = 0;
+    let mut words = code.iter().map(|&word| u16::from_le_bytes(word));
+    while let Some(word) = words.next() {
+        frame += match word {
+            0xb400..=0xb5ff => 4 * u64::from((word & 0x1ff).count_ones()),
+            0xb080..=0xb0ff => 4 * u64::from(word & 0x7f),
+            // The wide push, its registers in the second half.
+            0xe92d => 4 * u64::from(words.next().unwrap_or(0).count_ones()),
+            // A frame pointer.
+            0xaf00..=0xafff => 0,
+            _ => break,
+        };
+    }
+    frame
 }
 
 /// The section's pairs: an address of 4 bytes, and a size in the variable length of

@@ -13,6 +13,8 @@ pub struct Budget {
     pub text: u64,
     /// Bytes, at most.
     pub stack: u64,
+    /// The same where the shapes are near to each other, if that is another budget.
+    pub stack_nearby: Option<u64>,
     pub may_link: Vec<Kind>,
 }
 
@@ -22,8 +24,8 @@ pub fn read(path: &Path, target: &str) -> Result<Vec<Budget>, Box<dyn Error>> {
     let mut budgets = Vec::new();
     for line in table.lines().skip(1) {
         let columns: Vec<&str> = line.split(',').collect();
-        let [program, on, text, stack, may_link] = columns[..] else {
-            return Err(format!("{}: five columns, please: {line}", path.display()).into());
+        let [program, on, text, stack, nearby, may_link] = columns[..] else {
+            return Err(format!("{}: six columns, please: {line}", path.display()).into());
         };
         let kind = |name| Kind::ALL.into_iter().find(|kind| kind.to_string() == name);
         if on == target {
@@ -31,6 +33,7 @@ pub fn read(path: &Path, target: &str) -> Result<Vec<Budget>, Box<dyn Error>> {
                 program: program.into(),
                 text: text.parse()?,
                 stack: stack.parse()?,
+                stack_nearby: Some(nearby).filter(|s| !s.is_empty()).map(str::parse).transpose()?,
                 may_link: may_link
                     .split(';')
                     .filter(|name| !name.is_empty())
