@@ -42,31 +42,22 @@ impl Row {
     fn cost(&self) -> Option<f64> {
         self.timing.map(|t| t.median).or(self.instructions.as_ref().map(|i| i.value))
     }
-
-    /// Code and table, as far as they are known.
-    fn bytes(&self) -> u64 {
-        self.code.as_ref().map_or(0, |code| code.value as u64) + self.effect.table
-    }
 }
 
 /// The cheapest that moves nothing too far and has no more than `bits` bits. Of those
-/// that cost about the same, the smallest; then the finest. Where costs are unknown,
-/// the narrowest, and fixed point before floats.
+/// that cost about the same, the one with the smallest table; then the finest. Where no
+/// cost is known, the narrowest, and fixed point before floats.
 pub(crate) fn recommend<'a>(rows: &'a [Row], scene: &Scene, bits: u32) -> Option<&'a Row> {
-    let good: Vec<&Row> =
-        rows.iter().filter(|row| row.refusal(scene).is_none() && row.kind.bits() <= bits).collect();
-    let least = good.iter().filter_map(|row| row.cost()).min_by(f64::total_cmp);
-    let is_cheap = |row: &&&Row| match least {
+    let good = || rows.iter().filter(|row| row.refusal(scene).is_none() && row.kind.bits() <= bits);
+    let least = good().filter_map(Row::cost).min_by(f64::total_cmp);
+    let is_cheap = |row: &&Row| match least {
         Some(least) => row.cost().is_some_and(|cost| cost <= least * SAME),
         None => true,
     };
-    good.iter()
-        .filter(is_cheap)
-        .min_by(|a, b| {
-            let wide = |row: &Row| (row.kind.is_float() && least.is_none(), row.bytes());
-            wide(a).cmp(&wide(b)).then(a.effect.moved.total_cmp(&b.effect.moved))
-        })
-        .copied()
+    good().filter(is_cheap).min_by(|a, b| {
+        let size = |row: &Row| (least.is_none() && row.kind.is_float(), row.effect.table);
+        size(a).cmp(&size(b)).then(a.effect.moved.total_cmp(&b.effect.moved))
+    })
 }
 
 /// Why no type of so many bits is good enough, and what would have to give.
@@ -76,63 +67,58 @@ pub(crate) fn what_would_help(bits: u32, rows: &[Row], scene: &Scene) -> Option<
         return None;
     }
     let best = of_width().min_by(|a, b| a.effect.moved.total_cmp(&b.effect.moved));
-    let [least, greatest] = scene.range();
-    let mut ways = Vec::new();
-    let why = match best {
-        None => {
-            let most = Kind::Fixed { bits, frac: 0 }.greatest();
-            let mut doublings = 1;
-            let shrunk = |k: i32| [least, greatest].map(|x| x * f64::from(-k).exp2());
-            while most_fraction_bits(bits, bits, shrunk(doublings)).is_none() {
-                doublings += 1;
-            }
-            ways.push(format!(
-                "at 1/2^{doublings} of its size or less it would hold it, with a tolerance of {} of today's units",
-                sig(worst(0) * f64::from(doublings).exp2())
-            ));
-            format!(
-                "too large: triangles and boxes reach from {} to {}, and {bits} bits hold at most {most}",
-                sig(least),
-                sig(greatest)
-            )
-        }
-        Some(row) => {
-            let Kind::Fixed { frac, .. } = row.kind else { return None };
-            if row.effect.flat {
-                ways.push(format!(
-                    "larger boxes, of {} or more",
-                    sig(f64::from(frac).exp2().recip())
-                ));
-            }
-            ways.push(format!(
-                "--tolerance {} ({} of a box)",
-                up(row.effect.moved),
-                percent(row.effect.moved / scene.cell)
-            ));
-            ways.push(format!(
-                "boxes {} times as large, if the tolerance grows with them",
-                (row.effect.moved / scene.tolerance).ceil()
-            ));
-            let spare = if frac == bits { spare_doublings(bits, [least, greatest]) } else { 0 };
-            if spare > 0 {
-                ways.push(format!(
-                    "the scene at up to 2^{spare} times its size: so small, it leaves bits unused"
-                ));
-            }
-            let width = least.abs().max(greatest.abs());
-            format!(
-                "too fine: beside ±{} there is room for {frac} fraction bits, which move a corner by up to {}, and at most {} is wanted{}",
-                sig(width),
-                sig(row.effect.moved),
-                sig(scene.tolerance),
-                if row.effect.flat { "; its boxes become flat" } else { "" }
-            )
-        }
+    let (why, mut ways) = match best {
+        None => too_large(bits, scene),
+        Some(row) => too_fine(row, scene),
     };
-    if let Some(way) = about_the_middle(bits, best, scene) {
-        ways.push(way);
+    ways.extend(about_the_middle(bits, best, scene));
+    let ways: String = ways.iter().map(|way| format!("\n  - {way}")).collect();
+    Some(format!("{bits} bits: {why}.\nWhat would help:{ways}"))
+}
+
+fn too_large(bits: u32, scene: &Scene) -> (String, Vec<String>) {
+    let range = scene.range();
+    let [least, greatest] = range.map(sig);
+    let most = Kind::Fixed { bits, frac: 0 }.greatest();
+    let fits = |k: &i32| {
+        let shrunk = range.map(|x| x * f64::from(-k).exp2());
+        most_fraction_bits(bits, bits, shrunk).is_some()
+    };
+    let halvings = (1..).find(fits).unwrap_or(1);
+    let tolerance = up(worst(0) * f64::from(halvings).exp2());
+    let why = format!(
+        "too large: the scene reaches from {least} to {greatest}, and {bits} bits end at {most}"
+    );
+    let way = format!(
+        "the scene at 1/2^{halvings} of its size, with a tolerance that is {tolerance} at today's"
+    );
+    (why, vec![way])
+}
+
+fn too_fine(row: &Row, scene: &Scene) -> (String, Vec<String>) {
+    let (bits, Effect { moved, flat, .. }) = (row.kind.bits(), row.effect);
+    let frac = row.kind.fraction_bits();
+    let range @ [least, greatest] = scene.range();
+    let mut ways = Vec::new();
+    if flat {
+        let unit = f64::from(frac).exp2().recip();
+        ways.push(format!("boxes of {} or more, so that none is flat", sig(unit)));
     }
-    Some(format!("{bits:>2} bits: {why}. What would help: {}.", ways.join("; or ")))
+    ways.push(format!("--tolerance {} ({} of a box)", up(moved), percent(moved / scene.cell)));
+    let times = up(moved / scene.tolerance);
+    ways.push(format!("boxes about {times} times as large, if the tolerance grows with them"));
+    let spare = if frac == bits { spare_doublings(bits, range) } else { 0 };
+    if spare > 0 {
+        ways.push(format!("the scene at 2^{spare} times its size: now it leaves bits unused"));
+    }
+    let why = format!(
+        "too fine: {frac} fraction bits beside ±{} move a corner by up to {}, beyond {}{}",
+        sig(least.abs().max(greatest.abs())),
+        sig(moved),
+        sig(scene.tolerance),
+        if flat { "; boxes become flat" } else { "" }
+    );
+    (why, ways)
 }
 
 /// What is gained where the origin lies in the middle.
@@ -142,13 +128,10 @@ fn about_the_middle(bits: u32, best: Option<&Row>, scene: &Scene) -> Option<Stri
     for (axis, offset) in offset.iter_mut().enumerate() {
         let [least, greatest] = scene.extent(axis);
         // By whole boxes: the grid stays where it is.
-        *offset = -((least + greatest) / 2.0 / scene.cell).round() * scene.cell;
+        *offset = 0.0 - ((least + greatest) / 2.0 / scene.cell).round() * scene.cell;
         range = [range[0].min(least + *offset), range[1].max(greatest + *offset)];
     }
-    let now = best.and_then(|row| match row.kind {
-        Kind::Fixed { frac, .. } => Some(frac),
-        Kind::F32 | Kind::F64 => None,
-    });
+    let now = best.map(|row| row.kind.fraction_bits());
     let then = most_fraction_bits(bits, bits, range)?;
     let [x, y, z] = offset;
     let enough =

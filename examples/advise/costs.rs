@@ -41,13 +41,13 @@ impl Costs {
             ["core", "query", "scalar", "mode", "path", "instructions"],
         )? {
             if core == name && query == "triangle/box" && mode == "exact" {
-                costs.instructions.insert((scalar, path), instructions.parse()?);
+                costs.instructions.insert((scalar, path), number(&instructions)?);
             }
         }
         for [on, program, text] in costs.rows(folder, "flash.csv", ["target", "program", "text"])? {
             if on == name {
                 if let Some(scalar) = program.strip_prefix("triangle/box exact ") {
-                    costs.code.insert(scalar.into(), text.parse()?);
+                    costs.code.insert(scalar.into(), number(&text)?);
                 }
             }
         }
@@ -104,6 +104,10 @@ impl Costs {
         let value = *self.code.get(&scalar)?;
         Some(Figure { value, is_estimate: scalar != kind.name() })
     }
+}
+
+fn number(text: &str) -> Result<f64, String> {
+    text.parse().map_err(|_| format!("a table of costs has {text:?} for a number"))
 }
 
 /// The type of the tables that has as many bits.

@@ -21,6 +21,14 @@ impl Kind {
         }
     }
 
+    /// Of fixed-point types; floats have none.
+    pub(crate) fn fraction_bits(self) -> u32 {
+        match self {
+            Fixed { frac, .. } => frac,
+            F32 | F64 => 0,
+        }
+    }
+
     pub(crate) fn is_float(self) -> bool {
         self == F32 || self == F64
     }

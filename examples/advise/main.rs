@@ -18,10 +18,12 @@ mod paste;
 mod prediction;
 mod race;
 mod report;
+#[allow(dead_code, reason = "shared with the tests")]
 #[path = "../../tests/support/rng.rs"]
 mod rng;
 mod rung;
 mod scene;
+#[allow(dead_code, reason = "shared with other examples")]
 #[path = "../shared/mod.rs"]
 mod shared;
 mod survey;

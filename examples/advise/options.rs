@@ -18,12 +18,12 @@ pub(crate) struct Options {
 
     /// The size of the boxes, which have their corners at multiples of it
     /// [default: a power of two, 64 to 128 of which make the mesh's longest side]
-    #[arg(long, value_name = "SIZE", value_parser = size)]
+    #[arg(long, value_name = "SIZE", value_parser = size, allow_negative_numbers = true)]
     pub(crate) cell: Option<f64>,
 
     /// How far rounding may move a vertex or a corner of a box
     /// [default: a hundredth of the cell]
-    #[arg(long, value_name = "T", value_parser = distance)]
+    #[arg(long, value_name = "T", value_parser = distance, allow_negative_numbers = true)]
     pub(crate) tolerance: Option<f64>,
 
     /// What it is to run on

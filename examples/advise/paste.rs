@@ -22,12 +22,18 @@ const fn v(x: {number}, y: {number}, z: {number}) -> septum::Vec3<Scalar> {{
 }}
 
 // The first triangle, and the first box that it is asked about.
-const TRIANGLE: septum::Triangle<Scalar> =
-    match septum::Triangle::<Scalar>::constant({a}, {b}, {c}) {{
-        Ok(triangle) => triangle,
-        Err(_) => unreachable!(),
-    }};
-const CELL: septum::Aabb<Scalar> = match septum::Aabb::<Scalar>::constant({min}, {max}) {{
+const TRIANGLE: septum::Triangle<Scalar> = match septum::Triangle::<Scalar>::constant(
+    {a},
+    {b},
+    {c},
+) {{
+    Ok(triangle) => triangle,
+    Err(_) => unreachable!(),
+}};
+const CELL: septum::Aabb<Scalar> = match septum::Aabb::<Scalar>::constant(
+    {min},
+    {max},
+) {{
     Ok(cell) => cell,
     Err(_) => unreachable!(),
 }};

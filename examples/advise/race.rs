@@ -11,6 +11,10 @@ use crate::verdict::Asking;
 
 const ROUNDS: usize = 60;
 
+/// As many for what takes ages: exact sums do, where every query comes to them.
+const FEW: usize = 3;
+const AGES: f64 = 20.0;
+
 /// Time of a query, to that of the first type, in the same round.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Timing {
@@ -38,6 +42,9 @@ pub(crate) fn race(
     for round in 0..ROUNDS {
         for turn in 0..runners.len() {
             let k = (turn + round) % runners.len();
+            if round >= FEW && seconds[k][0] > AGES * seconds[0][0] {
+                continue;
+            }
             seconds[k].push(time(&runners[k]));
         }
         bar.inc(1);
@@ -48,8 +55,8 @@ pub(crate) fn race(
         let mut ratios: Vec<f64> =
             seconds[k].iter().zip(&seconds[0]).map(|(time, unit)| time / unit).collect();
         ratios.sort_by(f64::total_cmp);
-        let usual = [ratios[ROUNDS / 10], ratios[ROUNDS - 1 - ROUNDS / 10]];
-        Timing { median: ratios[ROUNDS / 2], usual }
+        let (rounds, tenth) = (ratios.len(), ratios.len() / 10);
+        Timing { median: ratios[rounds / 2], usual: [ratios[tenth], ratios[rounds - 1 - tenth]] }
     };
     let each = Duration::from_secs_f64(best / queries.len() as f64);
     (each, (1..runners.len()).map(timing).collect())

@@ -45,10 +45,11 @@ fn heading(name: &str, options: &Options, scene: &Scene, survey: &Survey) -> Str
         format!("{} drawn by chance are asked in every type", grouped(survey.asked))
     };
     format!(
-        "{name}: {} triangles; with the boxes they fill {x} × {y} × {z}
+        "{name} for {}: {} triangles; with the boxes they fill {x} × {y} × {z}
 boxes of {}{}, corners at multiples of it
 tolerance {}{}
 {} queries: each triangle against the boxes within {} of its bounding box; {sample}",
+        options.target.name(),
         grouped(scene.triangles.len() as u64),
         scene.cell,
         chosen(options.cell.is_some(), "64 to 128 to the longest side; --cell"),
@@ -61,22 +62,28 @@ tolerance {}{}
 
 fn table(options: &Options, scene: &Scene, survey: &Survey) -> Table {
     let host = options.target == Target::Host;
-    let mut headers =
-        vec!["type", "exact in", "moved by", "made flat", "changed", "changed of all"];
+    let mut headers = vec!["type", "exact in", "moved by", "made flat", "changed"];
+    if survey.asked < scene.queries() {
+        headers.push("of all, predicted");
+    }
     if options.full {
         headers.push("counted");
     }
-    headers.extend(if host { ["time", "table"] } else { ["instructions", "code + table"] });
+    headers.extend(if host {
+        ["time, f32 = 1", "table, bytes"]
+    } else {
+        ["instructions", "code + table, bytes"]
+    });
     headers.push("good enough?");
     let mut table = Table::new();
     table.load_preset(presets::NOTHING).set_header(&headers);
     for row in &survey.rows {
-        table.add_row(line(row, options, scene));
+        table.add_row(line(row, options, scene, survey));
     }
     for kind in &survey.too_large {
         let mut cells = vec!["–".to_owned(); headers.len()];
         cells[0] = kind.name();
-        cells[headers.len() - 1] = format!("too large: it ends at {}", sig(kind.greatest()));
+        cells[headers.len() - 1] = format!("too large: it ends at {}", kind.greatest());
         table.add_row(cells);
     }
     for (i, column) in table.column_iter_mut().enumerate() {
@@ -87,7 +94,7 @@ fn table(options: &Options, scene: &Scene, survey: &Survey) -> Table {
     table
 }
 
-fn line(row: &Row, options: &Options, scene: &Scene) -> Vec<String> {
+fn line(row: &Row, options: &Options, scene: &Scene, survey: &Survey) -> Vec<String> {
     let (effect, prediction) = (row.effect, row.prediction);
     let mut cells = vec![
         row.kind.name(),
@@ -95,11 +102,13 @@ fn line(row: &Row, options: &Options, scene: &Scene) -> Vec<String> {
         sig(effect.moved),
         grouped(effect.degenerate as u64),
         grouped(prediction.changed),
-        match (prediction.least, prediction.most) {
+    ];
+    if survey.asked < scene.queries() {
+        cells.push(match (prediction.least, prediction.most) {
             (least, most) if least == most => grouped(least),
             (least, most) => format!("{} to {}", grouped(least), grouped(most)),
-        },
-    ];
+        });
+    }
     cells.extend(row.counted.map(grouped));
     match options.target {
         Target::Host => {
@@ -133,9 +142,10 @@ fn figure(figure: Option<&Figure>) -> String {
 
 fn legend(options: &Options, scene: &Scene, survey: &Survey, costs: &Costs) -> String {
     let mut text = String::from(
-        "Measured: how far rounding moves a vertex or a corner of a box at most, triangles that it\n\
+        "Measured here: how far rounding moves a vertex or a corner of a box at most, triangles that it\n\
          makes segments or points, verdicts that it changes (exact on the rounded shapes, to exact\n\
-         on those of f64), and bytes of a table of the mesh.",
+         on those of f64), and bytes of a table of the mesh. Exact verdicts on shapes that did not\n\
+         move cannot change.",
     );
     if survey.asked < scene.queries() {
         write!(

@@ -65,12 +65,12 @@ impl Rung {
         scene: &Scene,
         queries: &[Query],
     ) -> BTreeMap<Self, f64> {
-        let mut shares = BTreeMap::new();
+        let mut counts = BTreeMap::new();
         for &query in queries {
-            *shares.entry(Self::of(kind, target, scene, query)).or_insert(0.0) +=
-                1.0 / queries.len() as f64;
+            *counts.entry(Self::of(kind, target, scene, query)).or_insert(0) += 1;
         }
-        shares
+        let share = |count: i32| f64::from(count) / queries.len() as f64;
+        counts.into_iter().map(|(rung, count)| (rung, share(count))).collect()
     }
 }
 

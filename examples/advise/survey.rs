@@ -52,17 +52,19 @@ impl Survey {
         let timed = &sample[..sample.len().min(TIMED)];
         let race = (plan.target == Target::Host && kinds.contains(&Kind::F32))
             .then(|| race(scene, Kind::F32, &kinds, timed));
-        // f64 itself is not predicted.
-        let predicted = kinds.len() - 1;
+        let effects: Vec<_> = kinds.iter().map(|&kind| Effect::of(kind, scene)).collect();
+        let predicted = effects.iter().filter(|effect| effect.moved > 0.0).count();
         let row = |(k, &kind): (usize, &Kind)| {
-            let shares = Rung::shares(kind, plan.target, scene, &sample);
-            let prediction = match kind {
-                Kind::F64 => Prediction::counted(changed[k]),
-                _ => Prediction::new(changed[k], asked, all, predicted),
+            let (effect, shares) = (effects[k], Rung::shares(kind, plan.target, scene, &sample));
+            let prediction = if effect.moved == 0.0 {
+                // The same shapes, and exact verdicts.
+                Prediction::counted(changed[k])
+            } else {
+                Prediction::new(changed[k], asked, all, predicted)
             };
             Row {
                 kind,
-                effect: Effect::of(kind, scene),
+                effect,
                 rung: in_words(kind, &shares),
                 prediction,
                 counted: counted.as_ref().map(|counted| counted[k]),
@@ -93,6 +95,7 @@ fn changes(
     count: u64,
     query: impl Fn(u64) -> Query + Sync,
 ) -> Vec<u64> {
+    // Their seeds count the pieces.
     let jobs: Vec<(u64, usize)> = pieces(0, count as usize, PIECE).collect();
     let mut sum = vec![0; kinds.len()];
     on_all_cores(
