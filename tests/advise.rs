@@ -60,7 +60,9 @@ use survey::{Plan, Survey};
 type Triangles = Vec<[[f64; 3]; 3]>;
 
 fn teapot() -> Triangles {
-    Mesh::load(None, Some(Up::Y)).unwrap().triangles
+    let mesh = Mesh::load(None, Some(Up::Y)).unwrap();
+    assert_eq!(mesh.name, "teapot");
+    mesh.triangles
 }
 
 fn scaled(by: f64) -> Triangles {
@@ -224,11 +226,11 @@ fn scenes_in_the_wrong_place() {
     let aside: Triangles =
         teapot().into_iter().map(|t| t.map(|[x, y, z]| [x + 100.0, y, z])).collect();
     let advice = Advice::on(aside, "--bits 16 --tolerance 0.002");
-    let says = "moved by (-100, 0, 0) there is room for 10 fraction bits, which is enough";
+    let says = "the scene moved by (-100, 0, 0): room for 10 fraction bits, which is enough";
     assert!(advice.recommended().is_none() && advice.text.contains(says), "{}", advice.text);
 
     let tiny = Advice::on(scaled(1.0 / 4096.0), "--bits 16");
-    let says = "the scene at 2^6 times its size";
+    let says = "the scene at 2^6 times its size, to use all bits, which is enough";
     assert!(tiny.recommended().is_none() && tiny.text.contains(says), "{}", tiny.text);
     let grown = Advice::on(scaled(64.0 / 4096.0), "--bits 16");
     assert!(grown.recommended().is_some(), "{}", grown.text);
