@@ -109,7 +109,8 @@ fn too_fine(row: &Row, scene: &Scene) -> (String, Vec<String>) {
     ways.push(format!("boxes about {times} times as large, if the tolerance grows with them"));
     let spare = if frac == bits { spare_doublings(bits, range) } else { 0 };
     if spare > 0 {
-        ways.push(format!("the scene at 2^{spare} times its size: now it leaves bits unused"));
+        let enough = is_enough(moved / f64::from(spare).exp2(), scene);
+        ways.push(format!("the scene at 2^{spare} times its size, to use all bits{enough}"));
     }
     let why = format!(
         "too fine: {frac} fraction bits beside ±{} move a corner by up to {}, beyond {}{}",
@@ -134,10 +135,14 @@ fn about_the_middle(bits: u32, best: Option<&Row>, scene: &Scene) -> Option<Stri
     let now = best.map(|row| row.kind.fraction_bits());
     let then = most_fraction_bits(bits, bits, range)?;
     let [x, y, z] = offset;
-    let enough =
-        if worst(then) <= scene.tolerance { ", which is enough" } else { ", not enough alone" };
-    now.is_none_or(|now| then > now)
-        .then(|| format!("moved by ({x}, {y}, {z}) there is room for {then} fraction bits{enough}"))
+    let enough = is_enough(worst(then), scene);
+    now.is_none_or(|now| then > now).then(|| {
+        format!("the scene moved by ({x}, {y}, {z}): room for {then} fraction bits{enough}")
+    })
+}
+
+fn is_enough(moved: f64, scene: &Scene) -> &'static str {
+    if moved <= scene.tolerance { ", which is enough" } else { ", not enough alone" }
 }
 
 /// How far a point moves at most.

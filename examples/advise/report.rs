@@ -8,7 +8,7 @@ use crate::advice::{Row, percent, recommend, sig, what_would_help};
 use crate::costs::{Costs, Figure};
 use crate::options::{Options, Target};
 use crate::paste;
-use crate::prediction::CONFIDENCE;
+use crate::prediction::{CONFIDENCE, Prediction};
 use crate::scene::Scene;
 use crate::shared::grouped;
 use crate::survey::Survey;
@@ -207,23 +207,30 @@ fn recommendation(options: &Options, scene: &Scene, survey: &Survey) -> String {
     let Some(row) = recommend(&survey.rows, scene, options.bits) else {
         return format!("Nothing of up to {} bits is good enough.", options.bits);
     };
-    let prediction = row.prediction;
-    let changed = match row.counted {
-        Some(n) => format!("{} of {}, counted", grouped(n), grouped(scene.queries())),
-        None if prediction.least == prediction.most => {
-            format!("{} of {}, counted", grouped(prediction.most), grouped(scene.queries()))
-        }
-        None => format!(
-            "{} of {} asked; of all {} at most {}, predicted",
-            grouped(prediction.changed),
-            grouped(survey.asked),
-            grouped(scene.queries()),
-            grouped(prediction.most)
+    let Prediction { changed, least, most } = row.prediction;
+    let (all, asked) = (grouped(scene.queries()), grouped(survey.asked));
+    let predicted = match (least, most) {
+        _ if row.effect.moved == 0.0 => format!("none of {all}, for nothing moves"),
+        (least, most) if least == most => format!("{} of {all}, counted", grouped(most)),
+        (least, most) => format!(
+            "{} of {asked} asked, {} to {} of all {all} predicted",
+            grouped(changed),
+            grouped(least),
+            grouped(most)
         ),
     };
+    let counted = row.counted.map_or(String::new(), |n| format!(", {} counted", grouped(n)));
+    let cost = match (&row.timing, &row.instructions) {
+        (Some(timing), _) => format!("{:.2} times the time of f32, measured", timing.median),
+        (None, None) => "unknown".into(),
+        (None, cost) => format!("{} instructions, from the table", figure(cost.as_ref())),
+    };
     format!(
-        "Recommended: {}. Verdicts changed: {changed}.\n\n{}",
+        "Recommended: {}\n  verdicts changed: {predicted}{counted}\n  cost of a query: {cost}\n  \
+         moved by: {} at most, measured; {} bytes of table\n\n{}",
         row.kind.name(),
+        sig(row.effect.moved),
+        grouped(row.effect.table),
         paste::lines(row.kind, scene)
     )
 }
