@@ -148,7 +148,7 @@ impl<S: Scalar> Predicate<S> for Range<'_, S> {
 }
 
 /// Not an infinity, nor a NaN. Integers have neither.
-#[allow(clippy::eq_op, reason = "infinity less itself is a NaN")]
+#[allow(clippy::eq_op)] // an infinity minus itself is a NaN
 #[inline(always)]
 fn is_finite<L: Number>(x: L) -> bool {
     x - x == L::ZERO

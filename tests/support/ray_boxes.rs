@@ -40,7 +40,7 @@ impl Fraction {
     pub(crate) fn exceeds_number<S: Sample>(&self, x: S) -> bool {
         let (m, e) = x.mantissa_exponent();
         let (up, down) = (e.max(0) as usize, (-e).max(0) as usize);
-        &self.0 << down > (IBig::from(m) * &self.1) << up
+        (&self.0 << down) > ((IBig::from(m) * &self.1) << up)
     }
     /// Whether `x` is within n/d units in the last place, on the side where the truth
     /// lies.
