@@ -210,8 +210,9 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Triangle<S> {
     /// *Cost*: 21 comparisons; if no face separates, 48 multiplications and no
     /// division. Floats that come within rounding of contact take it again in
     /// wider numbers. Fixed point on 32-bit cores has a kernel of its own: in I16F16,
-    /// within ±4 of the box, 821 instructions for all 13 axes on a Cortex-M0 and 562 on
-    /// an M4F (counted in QEMU, at opt-level 3), 2.4 KB of code at opt-level s.
+    /// for all 13 axes, 747 instructions on a Cortex-M0 within ±4 of the box and
+    /// 440 on an M4F within ±8192 (counted in QEMU, at opt-level 3; `docs/target.csv`),
+    /// 2.6 and 2.3 KB of code and 248 and 200 bytes of stack at opt-level s.
     ///
     /// *Source*: Akenine-Möller 2001; the shared normal, the error bound and the
     /// exact stages are ours.

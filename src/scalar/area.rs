@@ -10,8 +10,14 @@ pub trait Area<W>: Copy {
     /// A word that is negative exactly if the area is.
     fn sign(self) -> W;
 
-    /// Whether the sum of the areas, each times its length, is negative.
-    fn is_negative(areas: &[Self; 3], lengths: [W; 3]) -> bool;
+    /// A sum of products of an area and a length.
+    type Volume: Copy;
+    /// Nothing yet.
+    const NOUGHT: Self::Volume;
+    /// The sum with one more product.
+    fn sum(volume: Self::Volume, area: Self, length: W) -> Self::Volume;
+    /// Whether the sum is negative.
+    fn is_negative(volume: Self::Volume) -> bool;
 }
 
 /// Where one instruction, or two, multiply words in full.
@@ -24,16 +30,20 @@ impl Area<i32> for i64 {
     fn sign(self) -> i32 {
         (self >> i32::BITS) as i32
     }
+
+    /// By the upper word of an area, rounded to the nearest, and by what is left of it.
+    type Volume = (i64, i64);
+    const NOUGHT: (i64, i64) = (0, 0);
     #[inline(always)]
-    fn is_negative(areas: &[Self; 3], lengths: [i32; 3]) -> bool {
-        // The upper word of an area, rounded to the nearest, and what is left.
-        let (mut upper, mut lower) = (0, 0);
-        for (&area, length) in areas.iter().zip(lengths) {
-            let rest = area as i32;
-            upper += (area.sign() - (rest >> (i32::BITS - 1))) * length;
-            lower += Self::from(rest) * Self::from(length);
-        }
-        upper + lower.sign() < 0
+    fn sum((upper, lower): (i64, i64), area: i64, length: i32) -> (i64, i64) {
+        let rest = area as i32;
+        let whole = area.sign() - (rest >> (i32::BITS - 1));
+        let product = |word| Self::from(word) * Self::from(length);
+        (upper + product(whole), lower + product(rest))
+    }
+    #[inline(always)]
+    fn is_negative((upper, lower): (i64, i64)) -> bool {
+        upper + (lower >> i32::BITS) < 0
     }
 }
 
@@ -65,17 +75,21 @@ impl<W: Word> Area<W> for Pair<W> {
         self.upper + (self.lower >> W::SPLIT)
     }
 
+    /// In four words, of which the two in the middle have the same weight.
+    type Volume = [W; 4];
+    const NOUGHT: [W; 4] = [W::ZERO; 4];
     #[inline(always)]
-    fn is_negative(areas: &[Self; 3], lengths: [W; 3]) -> bool {
-        // In four words, of which the two in the middle have the same weight.
-        let (mut s0, mut s1, mut s2, mut s3) = (W::ZERO, W::ZERO, W::ZERO, W::ZERO);
-        for (area, z) in areas.iter().zip(lengths) {
-            let upper = area.sign();
-            s0 = s0 + (area.lower & W::LOWER) * z;
-            s1 = s1 + (upper & W::LOWER) * z;
-            s2 = s2 + (upper >> W::SPLIT) * (z & W::LOWER);
-            s3 = s3 + (upper >> W::SPLIT) * (z >> W::SPLIT);
-        }
+    fn sum([s0, s1, s2, s3]: [W; 4], area: Self, z: W) -> [W; 4] {
+        let upper = area.sign();
+        [
+            s0 + (area.lower & W::LOWER) * z,
+            s1 + (upper & W::LOWER) * z,
+            s2 + (upper >> W::SPLIT) * (z & W::LOWER),
+            s3 + (upper >> W::SPLIT) * (z >> W::SPLIT),
+        ]
+    }
+    #[inline(always)]
+    fn is_negative([s0, s1, s2, s3]: [W; 4]) -> bool {
         let carry = s1 + (s0 >> W::SPLIT);
         let carry = s2 + (carry >> W::SPLIT);
         s3 + (carry >> W::SPLIT) < W::ZERO

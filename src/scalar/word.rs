@@ -7,8 +7,8 @@ use super::area::{Area, Pair};
 
 /// A signed machine word, in which a kernel keeps lengths.
 ///
-/// Lengths are measured from the least corner of the box. With lengths up to 2^R and
-/// S for SPLIT, where [`Pair`] cuts a word in two,
+/// Lengths are measured from the least corner of the box. With lengths up to 2^R, the
+/// reach, and S for SPLIT, where [`Pair`] cuts a word in two,
 ///
 /// | quantity | magnitude | `i32` | `i64` | `i128` |
 /// | --- | --- | --- | --- | --- |
@@ -20,9 +20,10 @@ use super::area::{Area, Pair};
 /// | a·(upper part of a length), three | 3·2^(3R+4−3S) | 2^29.6 | 2^47.6 | 2^83.6 |
 /// | a·(lower part of a length), three | 3·2^(2R+3−S) | 2^30.6 | 2^52.6 | 2^96.6 |
 /// | (lower part of a normal)·length, three | 3·2^(R+1+S) | 2^30.6 | 2^56.6 | 2^108.6 |
-/// | normal·length, three, in one number | 3·2^(3R+4) | 2^59.6 | | |
 ///
-/// and the carries add less than 2^-8 of that.
+/// and the carries add less than 2^-8 of that. Where `i64` holds the areas of `i32`,
+/// the reach is 29: a normal is up to 2^61, its upper word up to 2^29, three products of
+/// that and a length up to 3·2^59, and of its lower word and a length up to 3·2^61.
 pub trait Word:
     Copy
     + Ord
@@ -112,10 +113,16 @@ macro_rules! word {
 }
 
 // ARMv6-M has neither long products nor atomics, ARMv7-M both. Only the latter can be
-// asked for in stable Rust.
-#[cfg(all(target_arch = "arm", target_has_atomic = "32"))]
-word! { i32, u32, i64: 18, 10; }
-#[cfg(not(all(target_arch = "arm", target_has_atomic = "32")))]
+// asked for in stable Rust. RISC-V has long products where it has any.
+#[cfg(any(
+    all(target_arch = "arm", target_has_atomic = "32"),
+    all(target_arch = "riscv32", target_feature = "m"),
+))]
+word! { i32, u32, i64: 29, 10; }
+#[cfg(not(any(
+    all(target_arch = "arm", target_has_atomic = "32"),
+    all(target_arch = "riscv32", target_feature = "m"),
+)))]
 word! { i32, u32, Pair<i32>: 18, 10; }
 word! {
     i64, u64, Pair<i64>: 34, 20;

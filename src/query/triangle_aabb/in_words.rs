@@ -3,7 +3,7 @@
 use super::Disjoint;
 use crate::axis::{self, Shadow};
 use crate::linear::Vec3;
-use crate::scalar::{InWord, Scalar, Word};
+use crate::scalar::{InWord, Scalar, Word, out_of_line_if_wide};
 use crate::shape::AabbForm;
 
 impl<S: Scalar> Disjoint<'_, S> {
@@ -13,7 +13,7 @@ impl<S: Scalar> Disjoint<'_, S> {
     where
         S: InWord<W>,
     {
-        axis::one_sided(&self.shadows().1)
+        axis::one_sided(&self.shadows())
     }
 
     /// The answer in words that hold the shapes if they are near to each other.
@@ -22,19 +22,34 @@ impl<S: Scalar> Disjoint<'_, S> {
     where
         S: InWord<W>,
     {
-        let ([x, y, z], shadows) = self.shadows();
+        let ([x, y, z], _) = self.extents();
+        let shadows = self.shadows();
         (W::is_central(x) && W::is_central(y) && W::is_central(z) && Shadow::are_near(&shadows))
             .then(|| axis::one_sided(&shadows))
     }
 
-    /// The least corner of the box, and the shapes on each coordinate axis.
+    /// The shapes on the coordinate axes, as seen from the least corner of the box.
     #[inline(always)]
-    fn shadows<W: Word>(&self) -> ([W; 3], [Shadow<W>; 3])
+    fn shadows<W: Word>(&self) -> [Shadow<W>; 3]
     where
         S: InWord<W>,
     {
-        let [a, b, c] = self.triangle.vertices();
-        let (min, size) = match self.aabb.form() {
+        out_of_line_if_wide!(W, {
+            let (min, size) = self.extents();
+            let [a, b, c] = self.triangle.vertices();
+            let [a, b, c] = [words(a), words(b), words(c)];
+            let shadow = |i: usize| Shadow::new(min[i], size[i], [a[i], b[i], c[i]]);
+            [shadow(0), shadow(1), shadow(2)]
+        })
+    }
+
+    /// The least corner of the box, and how far it is to the greatest.
+    #[inline(always)]
+    fn extents<W: Word>(&self) -> ([W; 3], [W; 3])
+    where
+        S: InWord<W>,
+    {
+        match self.aabb.form() {
             AabbForm::Center { center, half } => {
                 let (center, half) = (words(center), words(half));
                 (each(center, half, W::minus), each(half, half, W::plus))
@@ -43,10 +58,7 @@ impl<S: Scalar> Disjoint<'_, S> {
                 let (min, max) = (words(min), words(max));
                 (min, each(max, min, W::minus))
             }
-        };
-        let [a, b, c] = [words(a), words(b), words(c)];
-        let shadow = |i: usize| Shadow::new(min[i], size[i], [a[i], b[i], c[i]]);
-        (min, [shadow(0), shadow(1), shadow(2)])
+        }
     }
 }
 
