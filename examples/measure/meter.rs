@@ -17,7 +17,12 @@ pub(crate) struct Taken {
 }
 
 impl Taken {
-    /// Each, on average, to the nearest.
+    /// All instructions.
+    pub(crate) fn total(&self) -> u64 {
+        self.instructions
+    }
+
+    /// Those of a query, on average, to the nearest.
     pub(crate) fn instructions(&self) -> u64 {
         (self.instructions + self.queries / 2).checked_div(self.queries).unwrap_or(0)
     }

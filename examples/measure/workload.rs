@@ -1,7 +1,7 @@
 //! Shapes from random bits, the same on every board.
 
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
-use septum::{Aabb, Obb, Overlaps, Ray, Scalar, ShapeError, Triangle, Vec3};
+use septum::{Aabb, Obb, Ray, Scalar, ShapeError, Triangle, Vec3};
 
 /// A point in units of 2⁻¹⁶.
 type Point = [i32; 3];
