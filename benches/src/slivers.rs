@@ -28,8 +28,8 @@ const GAP: f64 = 12.0;
 
 // Different in lightness: the right verdicts pale, the wrong ones dark.
 const CLASSES: [(&str, &str); 4] = [
-    ("right: they meet", "#C9DCEB"),
-    ("right: they are apart", "#F7F2E6"),
+    ("right: they meet", "#BBDDEE"),
+    ("right: they are apart", "#FFFFEE"),
     ("wrong: said to be apart", "#000000"),
     ("wrong: said to meet", "#D55E00"),
 ];

@@ -49,7 +49,9 @@ impl<S: Scalar> Triangle<S> {
 
     /// [`overlaps_as_published`](Self::overlaps_as_published) with the groups of
     /// axes in another order.
-    #[inline]
+    // A constant order must be known inside, whoever else calls it: a quarter of the time
+    // goes into asking for it otherwise.
+    #[inline(always)]
     pub fn overlaps_as_published_in(&self, aabb: &Aabb<S>, order: Order) -> bool {
         let (center, h) = match aabb.form() {
             AabbForm::Center { center, half } => (center.to_array(), half.to_array()),
@@ -135,7 +137,17 @@ impl<S: Scalar> Published<S> {
     /// same point, so two projections make the interval.
     #[inline(always)]
     fn edges(&self) -> bool {
-        (0..3).any(|k| (0..3).any(|i| self.edge(i, k)))
+        // Written out, as in the paper's code: left to the compiler, loops are unrolled in one
+        // program and not in the next, and that costs a quarter of the time.
+        self.edge(0, 0)
+            || self.edge(1, 0)
+            || self.edge(2, 0)
+            || self.edge(0, 1)
+            || self.edge(1, 1)
+            || self.edge(2, 1)
+            || self.edge(0, 2)
+            || self.edge(1, 2)
+            || self.edge(2, 2)
     }
 
     #[inline(always)]

@@ -91,7 +91,10 @@ impl Frame {
     /// From below the least to above the greatest cost, with room for a label there.
     fn reach(&self) -> [f64; 2] {
         let lines = self.rows.iter().filter_map(|row| row.line.as_ref()).map(|(x, _)| *x);
-        let costs: Vec<f64> = self.dots().map(|dot| dot.cost[1]).chain(lines).collect();
+        // A path is where it is; a round that was disturbed is not.
+        let from = if self.bars { 1 } else { 0 };
+        let dots = self.dots().flat_map(|dot| [dot.cost[from], dot.cost[1]]);
+        let costs: Vec<f64> = dots.chain(lines).collect();
         let low = costs.iter().copied().fold(f64::INFINITY, f64::min);
         let high = costs.iter().copied().fold(0.0, f64::max);
         let room = (high / low).ln() * 0.1;

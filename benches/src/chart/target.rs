@@ -47,7 +47,7 @@ pub(super) fn draw(table: &Path, points: &[Point], out: &Path) -> Result<(), Box
             axis: "instructions; the bar reaches from the shortest path measured to the longest"
                 .into(),
             tick: grouped,
-            base: 10.0,
+            base: 2.0,
             caption: format!(
                 "Farther left is cheaper, lower is more often right; marks stand at the longest \
                  path. In the band marked 0 not one answer was wrong; height within the band has no \

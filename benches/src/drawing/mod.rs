@@ -3,6 +3,7 @@
 
 mod labels;
 mod marks;
+mod raster;
 mod scale;
 
 use std::error::Error;
@@ -231,7 +232,7 @@ impl Canvas {
         let side = |length: f64| (length as f32 * DENSITY) as u32;
         let mut pixels = Pixmap::new(side(width), side(height)).ok_or("an empty picture")?;
         resvg::render(&tree, Transform::from_scale(DENSITY, DENSITY), &mut pixels.as_mut());
-        std::fs::write(named("png"), pixels.encode_png()?).map_err(|e| failed(&e))?;
+        std::fs::write(named("png"), raster::encode(&pixels)?).map_err(|e| failed(&e))?;
         Ok(())
     }
 }

@@ -74,3 +74,27 @@ fn raised(c: char) -> char {
 pub(crate) fn short(x: f64) -> String {
     if x >= 1.0 { format!("{x}") } else { format!("1/{}", (1.0 / x).round()) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Scale, Zeroed, power_of};
+
+    #[test]
+    fn nought_has_a_place_that_no_other_rate_has() {
+        let y = Zeroed::new([10.0, 1e6], [100.0, 400.0], 40.0);
+        assert!(y.band[0] < y.at(0.0) && y.at(0.0) < y.band[1]);
+        for rate in [1e-9, 1.0, 10.0, 1e3, 1e6] {
+            assert!(y.at(rate) < y.band[0], "{rate}");
+        }
+        assert_eq!(y.at(1e6), 100.0);
+    }
+
+    #[test]
+    fn powers_are_on_the_scale_and_equally_far_apart() {
+        let x = Scale { values: [0.2, 9.0], pixels: [0.0, 900.0] };
+        assert_eq!(x.powers(2.0), [0.25, 0.5, 1.0, 2.0, 4.0, 8.0]);
+        let apart = x.at(2.0) - x.at(1.0);
+        assert!((x.at(8.0) - x.at(4.0) - apart).abs() < 1e-9);
+        assert_eq!(power_of(10, -12), "10⁻¹²");
+    }
+}

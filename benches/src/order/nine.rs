@@ -148,3 +148,23 @@ impl Counts {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{ORDERS, candidates};
+    use crate::triangle_aabb::{course, scenes::grid};
+    use crate::unit::{F32, Form};
+
+    /// Small whole numbers are not rounded: every order must find the truth.
+    #[test]
+    fn every_order_has_all_nine_axes_and_finds_the_truth() {
+        for (name, mut order) in ORDERS {
+            order.sort_unstable();
+            assert_eq!(order, std::array::from_fn(|n| (n / 3, n % 3)), "{name}");
+        }
+        for candidate in candidates(&course(&grid(), &F32, Form::Center)) {
+            assert_eq!((candidate.false_disjoint, candidate.false_overlap), (0, 0));
+            assert!(candidate.overlaps > 1_000);
+        }
+    }
+}

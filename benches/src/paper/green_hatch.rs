@@ -94,3 +94,36 @@ fn diagonal([a, b, c]: &[Point; 3]) -> bool {
 fn dot(a: &Point, b: &Point) -> f32 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
+
+#[cfg(test)]
+mod tests {
+    use fastrand::Rng;
+    use septum::{Aabb, Triangle};
+
+    use super::meets_unit_cube;
+
+    /// Vertices in eighths, where `f32` holds every sum and product: no rounding, so that
+    /// only a mistake can make a difference.
+    #[test]
+    fn agrees_with_the_exact_test_where_nothing_is_rounded() {
+        let mut rng = Rng::with_seed(1);
+        let mut number = || f32::from(rng.i8(-16..=16)) / 8.0;
+        let cube = Aabb::from_center_half_extents([0.0; 3], [0.5; 3]).unwrap();
+        let (mut met, mut by_the_diagonal) = (0, 0);
+        for _ in 0..200_000 {
+            let t = [(); 3].map(|()| [number(), number(), number()]);
+            let triangle = Triangle::new(t[0], t[1], t[2]).unwrap();
+            // The division of the diagonal does round: contact is left out.
+            let grown = |h: f32| Aabb::from_center_half_extents([0.0; 3], [h; 3]).unwrap();
+            if triangle.overlaps(&grown(0.499)) != triangle.overlaps(&grown(0.501)) {
+                continue;
+            }
+            assert_eq!(meets_unit_cube(&t), triangle.overlaps(&cube), "{t:?}");
+            met += usize::from(triangle.overlaps(&cube));
+            let is_edge = |a: usize, b: usize| super::segment(&t[a], &t[b]);
+            let by_edges = is_edge(0, 1) || is_edge(1, 2) || is_edge(2, 0);
+            by_the_diagonal += usize::from(triangle.overlaps(&cube) && !by_edges);
+        }
+        assert!(met > 50_000 && by_the_diagonal > 1_000, "{met}, {by_the_diagonal}");
+    }
+}
