@@ -3,7 +3,7 @@
 use dashu_int::IBig;
 use septum::{Facing, Ray, Triangle};
 
-use crate::scalars::{Check, run};
+use crate::scalars::{Check, run, told};
 use crate::shapes::{Point, Shapes};
 use crate::support::{Ring, Sample};
 
@@ -33,7 +33,7 @@ impl Check for ClosedMesh {
         let ray = Ray::new(origin, direction).expect("a ray");
         let line = ray.with_range(None, None).expect("a line");
 
-        let told = || format!("{}: {ray:?} {vertices:?}", S::name());
+        let case = || told::<S>(&(ray, &vertices));
         let triangles = faces.iter().map(|face| {
             let [a, b, c] = face.map(|v| vertices[v]);
             Triangle::new(a, b, c).expect("finite vertices")
@@ -48,10 +48,10 @@ impl Check for ClosedMesh {
                 }
             }
         }
-        assert_eq!(through[0], through[1], "entries and exits, {}", told());
+        assert_eq!(through[0], through[1], "entries and exits, {}", case());
         if is_tetrahedron {
-            assert!(through[0] <= 1, "{through:?}, {}", told());
-            check_inside(&vertices, origin, ahead, &told);
+            assert!(through[0] <= 1, "{through:?}, {}", case());
+            check_inside(&vertices, origin, ahead, &case);
         }
     }
 }
@@ -61,7 +61,7 @@ fn check_inside<S: Sample>(
     vertices: &[Point<S>],
     origin: Point<S>,
     [entries, exits]: [i32; 2],
-    told: &dyn Fn() -> String,
+    case: &dyn Fn() -> String,
 ) {
     let signs = TETRAHEDRON.map(|face| {
         let [a, b, c] = face.map(|v| vertices[v]);
@@ -74,7 +74,7 @@ fn check_inside<S: Sample>(
     let is_inside = signs.iter().all(|&sign| sign == volume);
     // Turned inside out, entries are exits.
     let expected = if is_inside { -volume } else { 0 };
-    assert_eq!(exits - entries, expected, "inside is {is_inside}, {}", told());
+    assert_eq!(exits - entries, expected, "inside is {is_inside}, {}", case());
 }
 
 /// On which side of the plane of a, b, c the point lies: 1 where the vertices go

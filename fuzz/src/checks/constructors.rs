@@ -6,7 +6,7 @@ use septum::{Aabb, FixedPoint, Obb, Plane, Ray, Segment, ShapeError, Triangle, V
 
 use super::triangle_obb::axes;
 use crate::bytes::Bytes;
-use crate::scalars::{FixedCheck, run_fixed};
+use crate::scalars::{FixedCheck, run_fixed, told};
 use crate::shapes::{Point, Shapes};
 use crate::support::{Ring, Sample};
 
@@ -64,7 +64,7 @@ fn check<S: Sample>(rows: &Rows<S>) {
     let bad =
         |rows: &[Point<S>]| (rows.iter().flatten().any(|x| !x.is_finite()), ShapeError::NotFinite);
     let is_nought = |p: Point<S>| p == [S::ZERO; 3];
-    let told = || format!("{}: {rows:?}", S::name());
+    let told = || told::<S>(rows);
     let is_negative = q.iter().any(|x| *x < S::ZERO);
     let negative = (is_negative, ShapeError::NegativeHalfExtent);
 

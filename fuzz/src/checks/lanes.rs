@@ -2,11 +2,12 @@
 
 use septum::{Aabb, Cull, Ray, Triangle};
 
-use crate::scalars::{Check, run};
+use crate::scalars::{Check, run, told};
 use crate::shapes::{Shapes, magnitude};
 use crate::support::{Lanes, Sample};
 
-/// Every method on lanes, in one lane, three and eight.
+/// Every method on lanes, in one lane, three and eight. With `SHOW` in the environment the
+/// shapes are printed first: the messages would be too long with them.
 pub fn lanes(data: &[u8]) {
     run::<AllLanes>(data);
 }
@@ -36,6 +37,9 @@ fn check<S: Sample, const N: usize>(shapes: &mut Shapes<'_, S>) {
         Aabb::from_min_max(ends(true), ends(false)).expect("corners in order")
     });
     let centered = Aabb::from_center_half_extents(shapes.point(), shapes.point().map(magnitude));
+    if std::env::var_os("SHOW").is_some() {
+        eprintln!("{}", told::<S>(&(cull, triangles, rays, boxes, centered)));
+    }
     Lanes { triangles, rays, boxes, centered: centered.ok() }.check(cull);
 }
 

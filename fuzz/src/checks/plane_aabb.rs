@@ -2,7 +2,7 @@
 
 use septum::Side;
 
-use crate::scalars::{Check, run};
+use crate::scalars::{Check, run, told};
 use crate::shapes::Shapes;
 use crate::support::{Given, Sample, side};
 
@@ -26,7 +26,7 @@ impl Check for PlaneAabb {
             return;
         };
         let truth = side(normal, given, aabb);
-        let told = || format!("{}: {given:?} {normal:?} {aabb:?}", S::name());
+        let told = || told::<S>(&(given, normal, aabb));
         assert_eq!(plane.side_of(&shape), truth, "side_of, {}", told());
         assert_eq!(plane.overlaps(&shape), truth == Side::Both, "overlaps, {}", told());
     }

@@ -1,7 +1,7 @@
 //! Ray against axis-aligned box: verdicts, t of entry and exit, prepared rays.
 
 use crate::ray_boxes::{Fraction, LineBox};
-use crate::scalars::{Check, is_float, run};
+use crate::scalars::{Check, is_float, run, told};
 use crate::shapes::Shapes;
 use crate::support::Sample;
 
@@ -21,19 +21,19 @@ impl Check for RayAabb {
 
         let clipped = case.clip();
         let truth = clipped.is_some();
-        assert_eq!(ray.overlaps(&aabb), truth, "overlaps, {}: {case:?}", S::name());
-        assert!(ray.may_overlap(&aabb) || !truth, "may_overlap, {}: {case:?}", S::name());
+        assert_eq!(ray.overlaps(&aabb), truth, "overlaps, {}", told::<S>(&case));
+        assert!(ray.may_overlap(&aabb) || !truth, "may_overlap, {}", told::<S>(&case));
         let may = slabs.may_overlap(&aabb);
-        assert!(may || !truth, "slabs, {}: {case:?}", S::name());
+        assert!(may || !truth, "slabs, {}", told::<S>(&case));
 
         let found = ray.t_range(&aabb);
-        assert_eq!(found.is_some(), truth, "t_range, {}: {case:?}", S::name());
+        assert_eq!(found.is_some(), truth, "t_range, {}", told::<S>(&case));
         if let (Some((enter, leave)), Some([Some(from), Some(to)])) = (found, clipped) {
             check_ends(&case, [(enter, from), (leave, to)]);
         }
 
         let range = slabs.t_range_rounded(&aabb);
-        assert_eq!(range.is_some(), slabs.overlaps_rounded(&aabb), "{}: {case:?}", S::name());
+        assert_eq!(range.is_some(), slabs.overlaps_rounded(&aabb), "{}", told::<S>(&case));
         let slopes = ray.for_slopes();
         let _ = (slopes.overlaps_rounded(&aabb), slopes.t_enter_rounded(&aabb));
         let _ = ray.overlaps_as_published(&aabb);
@@ -41,9 +41,9 @@ impl Check for RayAabb {
 }
 
 fn check_ends<S: Sample>(case: &LineBox<S>, ends: [(S, Fraction); 2]) {
-    assert!(ends[0].0 <= ends[1].0, "{}: {case:?}", S::name());
+    assert!(ends[0].0 <= ends[1].0, "{}", told::<S>(&case));
     for (t, truth) in ends {
-        let told = || format!("t is {t:?}, {}: {case:?}", S::name());
+        let told = || told::<S>(&(t, case));
         if !is_float::<S>() {
             assert_eq!(t, truth.nearest_fixed(), "{}", told());
         } else if t.is_finite() {

@@ -3,7 +3,7 @@
 use septum::{Cull, HitRules};
 
 use super::once::counts_once;
-use crate::scalars::{Check, is_float, run};
+use crate::scalars::{Check, is_float, run, told};
 use crate::shapes::Shapes;
 use crate::support::Sample;
 use crate::support::rays::{Fraction, Method, RayCase, crossing};
@@ -20,7 +20,7 @@ impl Check for RayTriangle {
     fn check<S: Sample>(shapes: &mut Shapes<'_, S>) {
         let Some(case) = shapes.ray_case() else { return };
         let (ray, triangle) = (case.ray(), case.triangle());
-        let told = |what: &str| format!("{what}, {}: {case:?}", S::name());
+        let told = |what: &str| format!("{what}, {}", told::<S>(&case));
 
         let (hit, truth) = (ray.hit(&triangle), crossing(&case));
         assert_eq!(hit.is_some(), truth.is_some(), "{}", told("hit"));

@@ -1,7 +1,7 @@
 //! Segment against axis-aligned box.
 
 use crate::ray_boxes::{Line, LineBox};
-use crate::scalars::{Check, run};
+use crate::scalars::{Check, run, told};
 use crate::shapes::Shapes;
 use crate::support::Sample;
 
@@ -21,8 +21,8 @@ impl Check for SegmentAabb {
         let case = LineBox { line, aabb };
 
         let truth = case.meets();
-        assert_eq!(case.overlaps(), truth, "overlaps, {}: {case:?}", S::name());
-        assert!(case.may_overlap() || !truth, "may_overlap, {}: {case:?}", S::name());
+        assert_eq!(case.overlaps(), truth, "overlaps, {}", told::<S>(&case));
+        assert!(case.may_overlap() || !truth, "may_overlap, {}", told::<S>(&case));
         let segment = case.segment().expect("two points");
         let _ = segment.overlaps_as_published(&case.aabb());
     }

@@ -3,7 +3,7 @@
 
 use septum::{Axis, Order};
 
-use crate::scalars::{Check, run};
+use crate::scalars::{Check, run, told};
 use crate::shapes::Shapes;
 use crate::support::{Case, Sample, is_collinear, meets, separates};
 
@@ -22,28 +22,28 @@ impl Check for TriangleAabb {
         let (triangle, aabb) = case.shapes();
 
         let truth = meets(&case);
-        assert_eq!(triangle.overlaps(&aabb), truth, "overlaps, {}: {case:?}", S::name());
+        assert_eq!(triangle.overlaps(&aabb), truth, "overlaps, {}", told::<S>(&case));
         let may = triangle.may_overlap(&aabb);
-        assert!(may || !truth, "may_overlap, {}: {case:?}", S::name());
+        assert!(may || !truth, "may_overlap, {}", told::<S>(&case));
 
         let mut first = None;
         for axis in Axis::ALL {
             let truth = separates(&case, axis);
             let found = triangle.is_separated_by(&aabb, axis);
-            assert_eq!(found, truth, "{axis:?}, {}: {case:?}", S::name());
+            assert_eq!(found, truth, "{axis:?}, {}", told::<S>(&case));
             first = first.or(truth.then_some(axis));
         }
         let found = triangle.separating_axis(&aabb);
-        assert_eq!(found, first, "separating_axis, {}: {case:?}", S::name());
+        assert_eq!(found, first, "separating_axis, {}", told::<S>(&case));
 
         let flat = is_collinear(&case);
-        assert_eq!(triangle.is_degenerate(), flat, "is_degenerate, {}: {case:?}", S::name());
+        assert_eq!(triangle.is_degenerate(), flat, "is_degenerate, {}", told::<S>(&case));
 
         let _ = triangle.overlaps_rounded(&aabb);
         let published = triangle.overlaps_as_published(&aabb);
         for order in ORDERS {
             let ordered = triangle.overlaps_as_published_in(&aabb, order);
-            assert_eq!(ordered, published, "{order:?}, {}: {case:?}", S::name());
+            assert_eq!(ordered, published, "{order:?}, {}", told::<S>(&case));
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use septum::{Obb, Vec3};
 
-use crate::scalars::{Check, run};
+use crate::scalars::{Check, run, told};
 use crate::shapes::{Point, Shapes, magnitude};
 use crate::support::{Oriented, Sample};
 
@@ -23,9 +23,9 @@ impl Check for TriangleObb {
         let triangle = case.triangle();
 
         let truth = case.meets();
-        assert_eq!(triangle.overlaps(&obb), truth, "overlaps, {}: {case:?}", S::name());
+        assert_eq!(triangle.overlaps(&obb), truth, "overlaps, {}", told::<S>(&case));
         let may = triangle.may_overlap(&obb);
-        assert!(may || !truth, "may_overlap, {}: {case:?}", S::name());
+        assert!(may || !truth, "may_overlap, {}", told::<S>(&case));
         let _ = triangle.overlaps_by_transform(&obb);
         if let Ok(frame) = Obb::new(center, axes.map(Vec3::from), half) {
             assert_eq!(frame, obb);

@@ -4,7 +4,7 @@ use dashu_int::IBig;
 use septum::{FixedPoint, Triangle, Vec3};
 
 use crate::bytes::Bytes;
-use crate::scalars::{FixedCheck, run_fixed};
+use crate::scalars::{FixedCheck, run_fixed, told};
 use crate::shapes::Shapes;
 use crate::support::{Points, Sample, compare_with_unit, is_nearest_to_unit, normal_of};
 
@@ -38,7 +38,7 @@ impl FixedCheck for Integer {
         let points = shapes.triangle();
         let (n, square) = normal_of(&points);
         let found = triangle(&points).unit_normal_integer();
-        let told = || format!("{found:?}, {}: {points:?}", S::name());
+        let told = || told::<S>(&(found, points));
         assert_eq!(found.is_none(), square == IBig::ZERO, "{}", told());
         let Some(found) = found else { return };
         for (x, n) in found.to_array().into_iter().zip(&n) {
@@ -55,7 +55,7 @@ fn check_float<S: Sample>(
 ) {
     let (n, square) = normal_of(points);
     let found = find(&triangle(points));
-    let told = || format!("{found:?}, {}: {points:?}", S::name());
+    let told = || told::<S>(&(found, points));
     assert_eq!(found.is_none(), square == IBig::ZERO, "{}", told());
     let Some(found) = found else { return };
     for (x, n) in found.to_array().into_iter().zip(&n) {
@@ -73,6 +73,6 @@ fn check_float<S: Sample>(
 fn check_micromath(points: &Points<f32>) {
     if let Some(n) = triangle(points).unit_normal_micromath() {
         let square: f64 = n.to_array().iter().map(|&x| f64::from(x).powi(2)).sum();
-        assert!((0.93..1.08).contains(&square), "{n:?}: {points:?}");
+        assert!((0.93..1.08).contains(&square), "{}", told::<f32>(&(n, points)));
     }
 }
