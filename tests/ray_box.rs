@@ -126,6 +126,26 @@ fn a_difference_may_overflow_where_t_does_not() {
     check::<f64>();
 }
 
+/// No number is above this t: what it is off by is counted in the last place below.
+#[test]
+fn t_may_be_the_greatest_number() {
+    fn check<S: Sample>() {
+        let (x, zero) = (S::nearest(1.75), S::ZERO);
+        let case = LineBox {
+            line: Line::Ray([x; 3], [S::nearest(-1.0), zero, zero], [None; 2]),
+            aabb: BoxNumbers::Corners([S::LEAST, zero, zero], [zero, x, x]),
+        };
+        let (_, leave) = case.ray().unwrap().t_range(&case.aabb()).unwrap();
+        assert_eq!(leave, S::GREATEST);
+        let [_, truth] = case.clip().unwrap();
+        let truth = truth.unwrap();
+        assert!(truth.is_within(leave, (1, 100)));
+        assert!(!truth.is_within(leave.moved(-1), (99, 100)));
+    }
+    check::<f32>();
+    check::<f64>();
+}
+
 /// A range in fixed point counts in the scalar's own unit, at every place of the point.
 #[test]
 fn ranges_have_the_scalars_unit() {

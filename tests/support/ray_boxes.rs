@@ -50,8 +50,11 @@ impl Fraction {
             IBig::from(m) << (e + 1100) as usize
         };
         let gap = (&self.0 << 1100) - value(x) * &self.1;
-        let next = x.moved(if gap < IBig::ZERO { -1 } else { 1 });
-        let unit = (value(next) - value(x)).abs();
+        let beside = |steps| (value(x.moved(steps)) - value(x)).abs();
+        let (towards, away) = if gap < IBig::ZERO { (-1, 1) } else { (1, -1) };
+        // Beyond the last of all numbers there is none.
+        let unit = beside(towards);
+        let unit = if unit == IBig::ZERO { beside(away) } else { unit };
         gap.abs() * IBig::from(d) <= unit * &self.1 * IBig::from(n)
     }
     /// The nearest value of a fixed-point type, the even one of two, or the extreme.

@@ -98,7 +98,15 @@ impl Frame {
         let low = costs.iter().copied().fold(f64::INFINITY, f64::min);
         let high = costs.iter().copied().fold(0.0, f64::max);
         let room = (high / low).ln() * 0.1;
-        [low * (-0.4 * room).exp() * 0.9, high * (1.2 * room).exp() * 1.1]
+        let left = low * (-0.4 * room).exp() * 0.9;
+        let right = high * (1.2 * room).exp() * 1.1;
+        // In the band of nought a label stands to the right of its mark, whatever else.
+        let needed = self.dots().filter(|dot| dot.worst == 0.0).map(|dot| {
+            let width = RIGHT - LEFT;
+            let share = width / (width - 20.0 - width_of(&dot.label, SMALL));
+            left * (dot.cost[1] / left).powf(share)
+        });
+        [left, needed.fold(right, f64::max)]
     }
 
     /// The power of ten below all rates but nought.
