@@ -3,6 +3,10 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+// Unit tests share questions with an example, which knows the crate by its name.
+#[cfg(test)]
+extern crate self as septum;
+
 mod axis;
 mod interop;
 mod lanes;

@@ -6,7 +6,7 @@
 use septum::{Aabb, Axis, Cull, Feature, Hit, Obb, Plane, Ray, Scalar, Segment, Side, Triangle};
 use septum::{Aabbs, Facing, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles, Vec3};
 
-use crate::draw::{Draw, Rng};
+use super::draw::{Draw, Rng};
 
 /// FNV-1a, 64 bits (Fowler, Noll, Vo).
 struct Hash(u64);

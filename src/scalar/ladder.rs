@@ -5,6 +5,7 @@ use super::integer::Int64;
 #[cfg(feature = "fixed")]
 use super::integer::REGISTERS_ARE_WIDE;
 use super::numbers::Holds;
+use super::tally::{Step, note};
 use super::word::{InWord, Word};
 
 /// A question about coordinates of the scalar `S`.
@@ -46,7 +47,10 @@ pub(super) fn first<S: Scalar, N: Holds<S>, P: Predicate<S>>(
 ) -> P::Answer {
     match p.quick::<N>() {
         Some(answer) => answer,
-        None => above(p),
+        None => {
+            note(Step::First);
+            above(p)
+        }
     }
 }
 
@@ -65,7 +69,10 @@ pub(super) fn rung<S: Scalar, N: Holds<S>, P: Predicate<S>>(
 ) -> P::Answer {
     match p.attempt::<N>() {
         Some(answer) => answer,
-        None => above(p),
+        None => {
+            note(Step::Rung);
+            above(p)
+        }
     }
 }
 
@@ -82,7 +89,10 @@ pub(super) fn words<S: Scalar + InWord<W>, W: Word, P: Predicate<S>>(
     }
     match p.in_words() {
         Some(answer) => answer,
-        None => above(p),
+        None => {
+            note(Step::Words);
+            above(p)
+        }
     }
 }
 
@@ -99,6 +109,7 @@ pub(super) fn only<S: Scalar, N: Holds<S>, P: Predicate<S>>(p: &P) -> P::Answer 
 #[cold]
 #[inline(never)]
 pub(super) fn exactly<S: Scalar, P: Predicate<S>>(p: &P) -> P::Answer {
+    note(Step::Exactly);
     p.exact()
 }
 

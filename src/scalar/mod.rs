@@ -3,6 +3,8 @@
 
 mod area;
 mod bounded;
+#[cfg(all(test, feature = "fixed"))]
+mod climbs;
 #[cfg(feature = "fixed")]
 mod coarse;
 mod float;
@@ -17,6 +19,7 @@ mod quotient;
 mod root;
 mod rounded;
 mod sum;
+mod tally;
 mod wide;
 mod word;
 
