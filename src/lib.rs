@@ -4,7 +4,7 @@
 #![warn(missing_docs)]
 
 // Unit tests share questions with an example, which knows the crate by its name.
-#[cfg(test)]
+#[cfg(all(test, feature = "fixed"))]
 extern crate self as septum;
 
 mod axis;
