@@ -208,3 +208,31 @@ impl Scalar for f64 {
         first::<_, Bounded<f64>, _>(p, thorough)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Float, Padding, Scalar};
+
+    /// 2^e, made without bits.
+    fn two_to<F: Float>(e: i32) -> F {
+        let factor = if e < 0 { F::HALF } else { F::from(2_u8) };
+        (0..e.unsigned_abs()).fold(F::from(1_u8), |x, _| x * factor)
+    }
+
+    /// What the bounds and the docs say of a type, whatever its constants are made of.
+    fn check<F: Float + Scalar>(digits: i32, reach: [i32; 2], tame: [i32; 2]) {
+        let one = F::from(1_u8);
+        assert!(F::ROUNDOFF == two_to(-digits));
+        assert!(one + F::ROUNDOFF == one && one + two_to(1 - digits) > one);
+        assert!(F::REACH == (two_to(reach[0]), two_to(reach[1])));
+        let Some(Padding { ratio, least, tame: ends }) = F::PADDING else { unreachable!() };
+        assert!(ratio == two_to(3 - digits) && least == F::TINY);
+        assert!(ends == (two_to(tame[0]), two_to(tame[1])));
+    }
+
+    #[test]
+    fn constants_are_what_they_are_said_to_be() {
+        check::<f32>(24, [-32, 40], [-100, 100]);
+        check::<f64>(53, [-320, 320], [-1000, 1000]);
+    }
+}

@@ -23,7 +23,7 @@ pub(super) struct Picture {
 
 const BOXES: &str = "tests/support/sets.rs";
 const RAYS: &str = "tests/support/rays/sets.rs";
-const LINES: &str = "tests/support/ray_boxes.rs";
+const LINES: &str = "tests/support/line_sets.rs";
 const PUBLISHED: &str = "the test as published in 2001, in f32";
 const IN_C: &str = "Möller–Trumbore as in C, in f32";
 const SAT: &str = "the SAT test as published (Real-Time Rendering 16.7), in f32";
