@@ -274,3 +274,13 @@ fn empty_range<S: Sample>() {
     assert!(ray.with_range(S::LEAST, None).is_ok() && ray.with_range(None, S::LEAST).is_ok());
 }
 for_every_scalar!(empty_range);
+
+#[test]
+fn a_shape_gives_back_what_it_was_made_of() {
+    let (p, q) = (Vec3::new(1.0, -2.5, 3.0), Vec3::new(4.0, 5.0, 6.0));
+    assert_eq!(format!("{p:?}"), "(1.0, -2.5, 3.0)");
+    let plane = Plane::from_point_normal(p, q).unwrap();
+    assert_eq!((plane.point(), plane.normal(), plane.offset()), (Some(p), q, None));
+    let plane = Plane::from_equation(q, 0.5).unwrap();
+    assert_eq!((plane.point(), plane.normal(), plane.offset()), (None, q, Some(0.5)));
+}

@@ -76,6 +76,14 @@ fn shapes_carry_all_their_numbers() {
     carries(&hit, n(&[1.0, 0.25, 0.5]));
 }
 
+#[test]
+fn a_bounded_result_carries_what_it_kept_and_how_much_more() {
+    let bounded: Bounded<u16, 2> = (7_u16..12).collect();
+    assert_eq!((bounded.kept(), bounded.missed()), (&[7, 8][..], 3));
+    carries(&bounded, [7_u16.to_le_bytes(), 8_u16.to_le_bytes()]);
+    carries(&bounded, [3_u32.to_le_bytes()]);
+}
+
 /// Nothing to run: it compiles or not.
 #[test]
 fn every_public_type_can_be_logged() {

@@ -1,12 +1,22 @@
-//! What must not change a verdict: the order of the vertices, the 48 symmetries
-//! of the box, powers of two, translation by amounts that round nothing.
+//! What must not change a verdict: the order of the vertices, that of the published test's
+//! groups, the 48 symmetries of the box, powers of two, translation by amounts that round nothing.
 #![cfg(feature = "fixed")]
 
 mod support;
 
+use septum::Order;
 use support::{BoxNumbers, Case, Rng, Sample, Set, Touch, for_every_scalar};
 
 const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+
+const GROUPS: [Order; 6] = [
+    Order::EdgesFacesNormal,
+    Order::EdgesNormalFaces,
+    Order::FacesEdgesNormal,
+    Order::FacesNormalEdges,
+    Order::NormalEdgesFaces,
+    Order::NormalFacesEdges,
+];
 
 /// Cases of each set.
 const COUNT: usize = 4_000;
@@ -23,6 +33,19 @@ fn order_of_vertices<S: Sample>() {
             for order in ORDERS {
                 let vertices = order.map(|k| case.vertices[k]);
                 assert_eq!(overlaps(&Case { vertices, ..case }), expected, "{set:?}: {case:?}");
+            }
+        }
+    }
+}
+
+fn order_of_the_published_tests_groups<S: Sample>() {
+    for set in Set::ALL {
+        for case in set.cases::<S>(75, COUNT) {
+            let (triangle, aabb) = case.shapes();
+            let expected = triangle.overlaps_as_published(&aabb);
+            for order in GROUPS {
+                let verdict = triangle.overlaps_as_published_in(&aabb, order);
+                assert_eq!(verdict, expected, "{set:?}, {order:?}: {case:?}");
             }
         }
     }
@@ -144,4 +167,10 @@ fn translated(touch: &Touch, by: [i64; 3]) -> Touch {
     }
 }
 
-for_every_scalar!(order_of_vertices, symmetries_of_the_box, powers_of_two, translation);
+for_every_scalar!(
+    order_of_vertices,
+    order_of_the_published_tests_groups,
+    symmetries_of_the_box,
+    powers_of_two,
+    translation,
+);
