@@ -283,4 +283,8 @@ fn a_shape_gives_back_what_it_was_made_of() {
     assert_eq!((plane.point(), plane.normal(), plane.offset()), (Some(p), q, None));
     let plane = Plane::from_equation(q, 0.5).unwrap();
     assert_eq!((plane.point(), plane.normal(), plane.offset()), (None, q, Some(0.5)));
+    let segment = Segment::new(p, q).unwrap();
+    assert_eq!((segment.ends(), segment.center_half_vector()), (Some((p, q)), None));
+    let segment = Segment::from_center_half_vector(p, q).unwrap();
+    assert_eq!((segment.ends(), segment.center_half_vector()), (None, Some((p, q))));
 }

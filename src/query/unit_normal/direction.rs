@@ -26,8 +26,7 @@ const RANGE: (f64, f64) = (f64::from_bits((1023 - 400) << 52), f64::from_bits((1
 /// Its squares neither overflow nor, but where they do not matter, underflow.
 pub(crate) fn direction(t: &Triangle<f64>, enough: f64) -> Option<[f64; 3]> {
     let points = t.points();
-    let tame = |x: f64| x == 0.0 || (x.abs() > RANGE.0 && x.abs() < RANGE.1);
-    if points.as_flattened().iter().all(|&x| tame(x)) {
+    if points.as_flattened().iter().all(|&x| is_tame(x)) {
         let [a, b, c] = points;
         let n = |j: usize, k: usize| component([a[j], b[j], c[j]], [a[k], b[k], c[k]], enough);
         if let (Some(x), Some(y), Some(z)) = (n(1, 2), n(2, 0), n(0, 1)) {
@@ -41,6 +40,10 @@ pub(crate) fn direction(t: &Triangle<f64>, enough: f64) -> Option<[f64; 3]> {
         }
     }
     by_sums(t)
+}
+
+fn is_tame(x: f64) -> bool {
+    x == 0.0 || (x.abs() > RANGE.0 && x.abs() < RANGE.1)
 }
 
 /// (b₀ − a₀)·(c₁ − a₁) − (b₁ − a₁)·(c₀ − a₀), if floats can vouch for it.
@@ -115,4 +118,53 @@ fn by_sums(t: &Triangle<f64>) -> Option<[f64; 3]> {
         n = [-n[0], -n[1], -n[2]];
     }
     Some(n)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{component, is_tame};
+
+    /// 2^e.
+    fn two_to(e: i32) -> f64 {
+        (0..e.unsigned_abs()).fold(1.0, |x, _| if e < 0 { x / 2.0 } else { x * 2.0 })
+    }
+
+    // What floats will not vouch for goes to exact sums: as right, and slow.
+
+    #[test]
+    fn floats_take_what_is_neither_vast_nor_tiny() {
+        for x in [0.0, 1.0, -3.5, two_to(-399), -two_to(249), f32::MAX.into()] {
+            assert!(is_tame(x), "{x}");
+        }
+        for x in [two_to(-400), -two_to(-401), two_to(250), -f64::MAX, f64::MIN_POSITIVE] {
+            assert!(!is_tame(x), "{x}");
+        }
+    }
+
+    /// Of the points (0, 0), (x, y) and (1, s).
+    fn of(x: f64, y: f64, s: f64) -> Option<f64> {
+        component([0.0, x, 1.0], [0.0, y, s], 0.0)
+    }
+
+    #[test]
+    fn floats_vouch_for_what_forty_places_of_cancellation_leave() {
+        let slope = 1.0 / 3.0;
+        assert_eq!(of(1.0, slope, slope + two_to(-30)), Some(two_to(-30)));
+        assert_eq!(of(1.0, slope, slope + two_to(-45)), None);
+        // Nought where nothing was left out: whole numbers on a line.
+        assert_eq!(of(3.0, 6.0, 2.0), Some(0.0));
+        // Each of the four differences in turn is no float: it may not be nought.
+        for k in 0..4 {
+            let (mut a, mut b, mut c) = ([0.0; 2], [1.0; 2], [1.0; 2]);
+            let tiny = two_to(-80);
+            match k {
+                0 => (a[0], b[0]) = (tiny, 1.0),
+                1 => (a[1], c[1]) = (tiny, 1.0),
+                2 => (b[1], a[1]) = (1.0, -tiny),
+                _ => (c[0], a[0]) = (1.0, -tiny),
+            }
+            let [x, y] = [0, 1].map(|i| [a[i], b[i], c[i]]);
+            assert_eq!(component(x, y, 0.0), None, "{x:?}, {y:?}");
+        }
+    }
 }
