@@ -299,6 +299,23 @@ mod tests {
         }
     }
 
+    /// A guess is made of the leading bits of both, or not at all.
+    #[test]
+    fn quotients_of_numbers_beyond_a_word() {
+        for den_bits in 20..100 {
+            for bits in 2..(121 - den_bits).min(62) {
+                for odd in [1_i128, 0x2a5c_93d1, -0x7b1e_4f27] {
+                    let den = (1_i128 << den_bits) + (odd << (den_bits / 2)) + 1;
+                    let num = (den << bits) / 3 + odd;
+                    if den > 0 {
+                        check(num, den, 0, num.quotient(den, 0));
+                        check(-num, den, 0, (-num).quotient(den, 0));
+                    }
+                }
+            }
+        }
+    }
+
     #[test]
     fn long_division_goes_on_where_one_does_not_reach() {
         let den = (1_i64 << 61) - 1;
