@@ -2,7 +2,8 @@
 //! of whole numbers (Y. Liang, B. Barsky, *ACM TOG* 3(1), 1984), where the crate compares
 //! slabs in pairs and forms no fraction.
 
-#![allow(dead_code)]
+// Each who includes this uses a part of it.
+#![allow(dead_code, unused_imports)]
 
 mod line_sets;
 
