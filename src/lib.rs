@@ -1,30 +1,137 @@
-#![doc = include_str!("../README.md")]
+//! Exact overlap and ray queries for triangles and boxes.
+//!
+//! septum answers whether a triangle meets a box, where a ray hits a triangle, and the
+//! questions beside these. Its answers are exact for every valid input, in `f32`, `f64` and
+//! the signed types of the [`fixed`] crate of up to 64 bits. It uses no epsilon, no
+//! allocator and no `std`, and its answers are the same bits on every machine.
+//!
+//! ```
+//! use septum::{Aabb, Triangle};
+//!
+//! let cell = Aabb::from_min_max([0.0, 0.0, 0.0], [1.0, 1.0, 1.0])?;
+//! let t = Triangle::new([0.0, 3.0, 0.0], [3.0, 0.0, 0.0], [0.0, 0.0, 3.0])?;
+//! assert!(t.overlaps(&cell)); // touches the corner (1, 1, 1), and touching is overlap
+//!
+//! let off = Triangle::new([0.0, 3.0000000000000004, 0.0], [3.0, 0.0, 0.0], [0.0, 0.0, 3.0])?;
+//! assert!(!off.overlaps(&cell)); // one unit in the last place farther off
+//! # Ok::<(), septum::ShapeError>(())
+//! ```
+//!
+#![cfg_attr(feature = "fixed", doc = "```")]
+#![cfg_attr(not(feature = "fixed"), doc = "```ignore")]
+//! use fixed::types::I16F16;
+//! use septum::{Feature, Ray, Triangle};
+//!
+//! let at = |p: [f32; 3]| p.map(I16F16::from_num);
+//! let ray = Ray::new(at([0.5, 0.5, 3.0]), at([0.0, 0.0, -2.0]))?;
+//! let t = Triangle::new(at([0.0; 3]), at([1.0, 0.0, 0.0]), at([0.0, 1.0, 0.0]))?;
+//! let hit = ray.hit(&t).unwrap();
+//! assert_eq!(hit.t, I16F16::from_num(1.5)); // in units of the direction
+//! assert_eq!(hit.feature, Feature::Edge(1)); // in the middle of the long edge
+//! # Ok::<(), septum::ShapeError>(())
+//! ```
+//!
+//! # Which query
+//!
+//! Each link in the second column leads to the geometry, numerics, range and cost of that
+//! pair. All shapes are closed sets: touching is overlap. [`Overlaps`] holds `overlaps` and
+//! `may_overlap` for generic code; both take the shapes in either order.
+//!
+//! | question | exact | never misses |
+//! | --- | --- | --- |
+//! | triangle, axis-aligned box | [`overlaps`][triangle-aabb] | [`may_overlap`][triangle-aabb] |
+//! | triangle, oriented box | [`overlaps`][triangle-obb] | [`may_overlap`][triangle-obb] |
+//! | box, box | [`overlaps`][aabb-aabb] | the same |
+//! | plane, box | [`overlaps`][plane-aabb], [`side_of`](Plane::side_of) | the same |
+//! | segment, box | [`overlaps`][segment-aabb] | [`may_overlap`][segment-aabb] |
+//! | ray, box | [`overlaps`][ray-aabb], [`t_range`](Ray::t_range) | [`may_overlap`][ray-aabb]; many boxes: [`SlabRay`](published::slabs::SlabRay) |
+//! | point, box | [`Aabb::contains`], [`Obb::contains`] | |
+//! | ray, triangle | [`hit`](Ray::hit), [`is_hit`](Ray::is_hit), [`hit_once`](Ray::hit_once), [`hit_with`](Ray::hit_with); [`compare_hits`](Ray::compare_hits) | |
+//! | ray, many triangles | [`lanes::Triangles::hit`] | |
+//! | the axis that separates | [`separating_axis`](Triangle::separating_axis), [`is_separated_by`](Triangle::is_separated_by) | |
+//! | a triangle alone | [`is_degenerate`](Triangle::is_degenerate), [`unit_normal`](Triangle::unit_normal) | |
+//! | the box around an oriented box | | [`Obb::aabb`] |
+//!
+//! [triangle-aabb]: Triangle#impl-Overlaps<Aabb<S>>-for-Triangle<S>
+//! [triangle-obb]: Triangle#impl-Overlaps<Obb<S>>-for-Triangle<S>
+//! [aabb-aabb]: Aabb#impl-Overlaps<Aabb<S>>-for-Aabb<S>
+//! [plane-aabb]: Plane#impl-Overlaps<Aabb<S>>-for-Plane<S>
+//! [segment-aabb]: Segment#impl-Overlaps<Aabb<S>>-for-Segment<S>
+//! [ray-aabb]: Ray#impl-Overlaps<Aabb<S>>-for-Ray<S>
+//!
+//! [`published`] has the methods of the literature as published, which round and are
+//! sometimes wrong. [`lanes`] asks about many shapes at once.
+//!
+//! # Scalars and ranges
+//!
+//! An answer is exact over the whole range of a type. How long it takes depends on the
+//! input. These are the bounds within which an axis-aligned box is asked about in the first
+//! stages; an oriented box has narrower ones, on [its page][triangle-obb].
+//!
+//! | scalar | fast | elsewhere |
+//! | --- | --- | --- |
+//! | `f32` | spans of 2⁻³² to 2⁴⁰, not within rounding of contact | `f64`, integers, exact sums |
+//! | `f64` | spans of 2⁻³²⁰ to 2³²⁰, not within rounding of contact | integers, exact sums |
+//! | `FixedI8`, `FixedI16` | always | |
+//! | `FixedI32` | coordinates below 2²⁸ units in the last place | wider integers; on 32-bit cores exact sums, but for a triangle and a box |
+//! | `FixedI64` | coordinates below 2⁶⁰ units in the last place | exact sums |
+//!
+//! For axis-aligned boxes and rays a narrower fixed-point type is faster and takes less
+//! code. For oriented boxes it is not: all types compute in 128 bits there.
+//!
+//! # Promises and limits
+//!
+//! * A constructor refuses what is not a shape, with a [`ShapeError`]: NaN, infinities, a
+//!   negative half-extent, a least corner above the greatest. A triangle may be a segment or
+//!   a point, and a box may be flat.
+//! * A query on a shape does not panic, and fixed point does not overflow.
+//! * `may_overlap` may answer `true` for shapes a hair apart, never `false` for shapes that
+//!   meet. In fixed point of up to 32 bits and an axis-aligned box it is the exact test.
+//! * t, u and v are rounded: [`Ray::hit`] says by how much in each scalar.
+//! * The same bits come from every machine, build and optimisation level. Floats must be
+//!   IEEE 754 with subnormals, which excludes x87 and hosts that flush them to zero.
+//! * Time depends on the input. Exact sums take up to a thousand times as long as the first
+//!   stage.
+//! * `const_new` makes shapes for tables in flash: see [`Triangle::const_new`].
+//!
+//! # Features
+//!
+//! | feature | what it adds | default |
+//! | --- | --- | --- |
+//! | `fixed` | the signed types of the [`fixed`] crate of up to 64 bits as scalars | yes |
+//! | `libm` | [`unit_normal`](Triangle::unit_normal) in floats, within 0.51 ulp in `f32` and 6 in `f64` | no |
+//! | `micromath` | `unit_normal_fast` in `f32`: a few percent off, cheap without an FPU | no |
+//! | `heapless` | `interop::Bounded` and `interop::touched`: results of bounded size | no |
+//! | `defmt` | `defmt::Format` for every public type | no |
+//! | `mint` | conversions from and to the vectors of `mint` | no |
+//! | `serde` | reading and writing; a shape that is read is checked by its constructor | no |
+//! | `small` | less code: a cascade has its first stage and its last; no answer changes | no |
+//!
+//! The minimum Rust version is 1.85, with the feature `heapless` 1.87.
+//!
+//! [`fixed`]: https://docs.rs/fixed
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
-// Unit tests share questions with an example, which knows the crate by its name.
-#[cfg(all(test, feature = "fixed"))]
-extern crate self as septum;
-
-mod axis;
-mod interop;
-mod lanes;
-mod linear;
-mod query;
-mod robust;
-mod scalar;
+// The order of the pages of the shapes: constructors, `overlaps`, exact queries, the rest.
 mod shape;
 
-pub use axis::Axis;
-#[cfg(feature = "heapless")]
-pub use interop::{Bounded, touched};
-pub use lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles};
-pub use linear::Vec3;
-pub use query::{Cull, Facing, Feature, Hit, HitRules, MayOverlap, Order, Overlaps, Side};
-pub use query::{NormalTriangle, ProjectedTriangle, ShearedRay};
-pub use query::{SlabRay, SlopeRay};
-#[cfg(feature = "fixed")]
-pub use scalar::FixedPoint;
+mod query;
+
+mod arithmetic;
+pub mod interop;
+pub mod lanes;
+pub mod published;
+mod robust;
+mod scalar;
+
+pub use query::{Axis, Cull, Facing, Feature, Hit, HitRules, Side};
 pub use scalar::Scalar;
-pub use shape::{Aabb, Obb, Plane, Ray, Segment, ShapeError, Triangle};
+pub use shape::{Aabb, Obb, Overlaps, Plane, Ray, Segment, ShapeError, Triangle, Vec3};
+
+/// The README's examples, to be tested.
+#[cfg(all(doctest, feature = "fixed"))]
+#[doc = include_str!("../README.md")]
+struct ReadmeExamples;

@@ -19,13 +19,3 @@ pub mod slivers;
 pub mod stability;
 pub mod triangle_aabb;
 mod unit;
-
-// Cases and oracles, which the crate's tests and examples use too, for an older Rust.
-#[allow(clippy::collapsible_if)]
-#[path = "../../tests/support/ray_boxes.rs"]
-mod ray_boxes;
-#[allow(dead_code, clippy::manual_is_multiple_of)]
-#[path = "../../examples/shared/mod.rs"]
-mod shared;
-#[path = "../../tests/support/mod.rs"]
-mod support;

@@ -10,7 +10,7 @@ use clap::Args;
 use crate::accuracy::{triangle_box, triangle_box_peers};
 use crate::candidate::Candidate;
 use crate::drawing::{Anchor, BLACK, Canvas, GREY, WIDTH, grouped};
-use crate::support::{BoxNumbers, Case, Sample, meets};
+use septum_kit::{BoxNumbers, Case, Sample, meets};
 
 /// Draws the verdict of every method on slivers of which one vertex is moved by single
 /// units in the last place.

@@ -8,36 +8,40 @@
 //! Fails if the exact mode is ever wrong, or the conservative one misses an
 //! overlap.
 
+#[allow(dead_code, reason = "shared with other examples")]
+#[path = "../shared/cli.rs"]
+mod cli;
 mod measure;
 mod report;
-#[path = "../shared/mod.rs"]
-mod shared;
-#[path = "../../tests/support/mod.rs"]
-mod support;
 
+use std::fs::File;
+use std::io::Write;
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
+use cli::{any, valid};
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 use measure::{Instance, Tally};
 use report::Row;
-use shared::{on_all_cores, pieces};
-use support::Set;
+use septum_kit::Set;
+use septum_kit::jobs::{on_all_cores, pieces};
 
 /// Counts wrong answers of every mode, on every scalar, on every set of cases.
 ///
-/// Each case is decided by exact clipping too: by another theorem than the
-/// crate's. Prints wrong answers per million, false disjoint / false overlap.
+/// Exact clipping decides each case too, by another theorem than the crate's. Prints
+/// wrong answers per million, false disjoint / false overlap.
 #[derive(Parser)]
 struct Options {
     /// Cases in each set
-    #[arg(long, value_name = "N", default_value = "200000")]
+    #[arg(long, value_name = "N", default_value = "200000", allow_negative_numbers = true,
+        value_parser = valid("a whole number from 1 to 10^9", |&n: &NonZeroUsize| n <= MOST_CASES))]
     cases: NonZeroUsize,
 
     /// Seed of the cases: the same seed gives the same cases everywhere
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true,
+        value_parser = any::<u64>("a whole number of 64 bits"))]
     seed: u64,
 
     /// Writes the counts to this file too, as comma-separated values
@@ -45,7 +49,10 @@ struct Options {
     csv: Option<PathBuf>,
 }
 
-/// Cases in one piece of work. Part of what makes a seed's cases what they are.
+/// More cases would take days, and their list of pieces much memory.
+const MOST_CASES: NonZeroUsize = NonZeroUsize::new(1_000_000_000).unwrap();
+
+/// Cases in one piece of work. The cases of a seed depend on it.
 const PIECE: usize = 5_000;
 
 /// One piece of one set in one scalar.
@@ -56,7 +63,13 @@ struct Job {
 }
 
 fn main() -> ExitCode {
-    let options = Options::parse();
+    let options: Options = cli::read();
+    // Whether the counts can be written is known before they are made.
+    let csv = match options.csv.as_deref().map(|path| (path, File::create(path))) {
+        None => None,
+        Some((path, Ok(file))) => Some((path, file)),
+        Some((path, Err(error))) => return cannot_write(path, &error),
+    };
     let scalars = [
         Instance::of::<f32>(),
         Instance::of::<f64>(),
@@ -70,10 +83,9 @@ fn main() -> ExitCode {
     run(&options, &mut rows);
 
     report::print(&rows);
-    if let Some(path) = &options.csv {
-        if let Err(error) = std::fs::write(path, report::csv(&rows)) {
-            eprintln!("error: {}: {error}", path.display());
-            return ExitCode::FAILURE;
+    if let Some((path, mut file)) = csv {
+        if let Err(error) = file.write_all(report::csv(&rows).as_bytes()) {
+            return cannot_write(path, &error);
         }
     }
     let broken = report::broken_promises(&rows);
@@ -81,6 +93,11 @@ fn main() -> ExitCode {
         eprintln!("error: {promise}");
     }
     if broken.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+fn cannot_write(path: &Path, error: &std::io::Error) -> ExitCode {
+    eprintln!("error: {}: cannot be written: {error}", path.display());
+    ExitCode::FAILURE
 }
 
 /// Fills in the rows, on all cores.

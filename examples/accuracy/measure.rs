@@ -2,9 +2,10 @@
 
 use std::ops::AddAssign;
 
+use septum::published;
 use septum::{Aabb, Triangle};
 
-use super::support::{Sample, Set, meets};
+use septum_kit::{Sample, Set, meets};
 
 /// The ways to ask.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,8 +37,8 @@ impl Mode {
         match self {
             Self::Exact => triangle.overlaps(aabb),
             Self::Conservative => triangle.may_overlap(aabb),
-            Self::Rounded => triangle.overlaps_rounded(aabb),
-            Self::Published => triangle.overlaps_as_published(aabb),
+            Self::Rounded => published::shared_normal::overlaps(triangle, aabb),
+            Self::Published => published::akenine_moller::overlaps(triangle, aabb),
         }
     }
 }

@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use super::measure::{Instance, Mode, Tally, Wrong};
-use super::shared::{grouped, per_million};
-use super::support::Set;
+use septum_kit::Set;
+use septum_kit::jobs::{grouped, per_million};
 
 /// One set in one scalar.
 pub(crate) struct Row<'a> {

@@ -12,8 +12,8 @@ use crate::scene::Scene;
 pub(crate) struct Row {
     pub(crate) kind: Kind,
     pub(crate) effect: Effect,
-    /// The exact rung, or rungs.
-    pub(crate) rung: String,
+    /// The stages that settle the queries, a line for each.
+    pub(crate) stages: String,
     pub(crate) prediction: Prediction,
     /// Verdicts that changed in the full run.
     pub(crate) counted: Option<u64>,
@@ -22,31 +22,31 @@ pub(crate) struct Row {
     pub(crate) code: Option<Figure>,
 }
 
-/// Costs that are so close are the same.
+/// Costs within this ratio count as the same.
 const SAME: f64 = 1.05;
 
 impl Row {
     /// Why it is not good enough, if it is not.
-    pub(crate) fn refusal(&self, scene: &Scene) -> Option<String> {
+    pub(crate) fn refusal(&self, scene: &Scene) -> Option<&'static str> {
         let Effect { moved, flat, .. } = self.effect;
         if flat {
-            Some(format!("too fine: boxes of {} become flat", scene.cell))
+            Some("flat boxes")
         } else if moved > scene.tolerance {
-            Some("too fine: moved too far".into())
+            Some("moved too far")
         } else {
             None
         }
     }
 
-    /// Time or instructions, whichever is known.
+    /// The time or the instructions of a query, whichever is known.
     fn cost(&self) -> Option<f64> {
         self.timing.map(|t| t.median).or(self.instructions.as_ref().map(|i| i.value))
     }
 }
 
-/// The cheapest that moves nothing too far and has no more than `bits` bits. Of those
-/// that cost about the same, the one with the smallest table; then the finest. Where no
-/// cost is known, the narrowest, and fixed point before floats.
+/// The cheapest type of at most `bits` bits that moves nothing too far. Of those that
+/// cost about the same it is the one with the smallest table, then the finest. If no
+/// cost is known, it is the narrowest, and fixed point comes before floats.
 pub(crate) fn recommend<'a>(rows: &'a [Row], scene: &Scene, bits: u32) -> Option<&'a Row> {
     let good = || rows.iter().filter(|row| row.refusal(scene).is_none() && row.kind.bits() <= bits);
     let least = good().filter_map(Row::cost).min_by(f64::total_cmp);
@@ -60,7 +60,7 @@ pub(crate) fn recommend<'a>(rows: &'a [Row], scene: &Scene, bits: u32) -> Option
     })
 }
 
-/// Why no type of so many bits is good enough, and what would have to give.
+/// Why no type of so many bits is good enough, and what would help.
 pub(crate) fn what_would_help(bits: u32, rows: &[Row], scene: &Scene) -> Option<String> {
     let of_width = || rows.iter().filter(|r| r.kind.bits() == bits && !r.kind.is_float());
     if of_width().any(|row| row.refusal(scene).is_none()) {
@@ -79,7 +79,7 @@ pub(crate) fn what_would_help(bits: u32, rows: &[Row], scene: &Scene) -> Option<
 fn too_large(bits: u32, scene: &Scene) -> (String, Vec<String>) {
     let range = scene.range();
     let [least, greatest] = range.map(sig);
-    let most = Kind::Fixed { bits, frac: 0 }.greatest();
+    let most = (1_u64 << (bits - 1)) - 1;
     let fits = |k: &i32| {
         let shrunk = range.map(|x| x * f64::from(-k).exp2());
         most_fraction_bits(bits, bits, shrunk).is_some()
@@ -122,13 +122,13 @@ fn too_fine(row: &Row, scene: &Scene) -> (String, Vec<String>) {
     (why, ways)
 }
 
-/// What is gained where the origin lies in the middle.
+/// How many fraction bits there would be with the origin in the middle of the scene.
 fn about_the_middle(bits: u32, best: Option<&Row>, scene: &Scene) -> Option<String> {
     let mut offset = [0.0; 3];
     let mut range = [0.0_f64; 2];
     for (axis, offset) in offset.iter_mut().enumerate() {
         let [least, greatest] = scene.extent(axis);
-        // By whole boxes: the grid stays where it is.
+        // The scene moves by whole boxes, so that the grid stays where it is.
         *offset = 0.0 - ((least + greatest) / 2.0 / scene.cell).round() * scene.cell;
         range = [range[0].min(least + *offset), range[1].max(greatest + *offset)];
     }
@@ -145,7 +145,7 @@ fn is_enough(moved: f64, scene: &Scene) -> &'static str {
     if moved <= scene.tolerance { ", which is enough" } else { ", not enough alone" }
 }
 
-/// How far a point moves at most.
+/// How far rounding moves a point at most.
 fn worst(frac: u32) -> f64 {
     3_f64.sqrt() / 2.0 / f64::from(frac).exp2()
 }
@@ -159,12 +159,12 @@ fn spare_doublings(bits: u32, range: [f64; 2]) -> u32 {
     (1..1024).take_while(|&k| fits(k)).last().unwrap_or(0)
 }
 
-/// Three digits.
+/// A number with three digits.
 pub(crate) fn sig(x: f64) -> String {
     rounded(x, f64::round)
 }
 
-/// The same, rounded up.
+/// A number with three digits, rounded up.
 fn up(x: f64) -> String {
     rounded(x, f64::ceil)
 }

@@ -6,28 +6,28 @@ use std::path::{Path, PathBuf};
 
 use crate::kind::Kind;
 use crate::options::Target;
-use crate::rung::Rung;
+use crate::stage::Stage;
 
 /// A figure of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Figure {
     pub(crate) value: f64,
-    /// Whether it is that of another type.
+    /// Whether it is the figure of another type.
     pub(crate) is_estimate: bool,
 }
 
-/// The tables, as far as they are there.
+/// The tables that are there.
 pub(crate) struct Costs {
-    /// By scalar and path, for the exact triangle/box query.
+    /// Instructions of the exact triangle/box query, by scalar and path.
     instructions: BTreeMap<(String, String), f64>,
-    /// By scalar, bytes of a program that is that query.
+    /// Bytes of a program that is that query, by scalar.
     code: BTreeMap<String, f64>,
-    /// What is not there.
+    /// The names of the tables that are missing.
     pub(crate) missing: Vec<String>,
 }
 
 impl Costs {
-    /// From the folder of the tables.
+    /// Reads the tables in a folder.
     pub(crate) fn read(folder: &Path, target: Target) -> Result<Self, Box<dyn Error>> {
         let mut costs =
             Self { instructions: BTreeMap::new(), code: BTreeMap::new(), missing: Vec::new() };
@@ -54,7 +54,7 @@ impl Costs {
         Ok(costs)
     }
 
-    /// The columns by their names; no rows where there is no file.
+    /// The columns with these names. A missing file has no rows.
     fn rows<const N: usize>(
         &mut self,
         folder: &Path,
@@ -84,14 +84,14 @@ impl Costs {
         Ok(rows)
     }
 
-    /// Instructions of a query all of whose 13 axes are tried, for queries that the
-    /// rungs have these shares in.
-    pub(crate) fn instructions(&self, kind: Kind, shares: &BTreeMap<Rung, f64>) -> Option<Figure> {
+    /// Instructions of a query that tries all 13 axes. The average over the stages, by
+    /// their shares of the queries.
+    pub(crate) fn instructions(&self, kind: Kind, shares: &BTreeMap<Stage, f64>) -> Option<Figure> {
         let scalar = tabled(kind);
         let mut value = 0.0;
-        for (rung, share) in shares {
-            // The wider rung of 32 bits is the path of shapes as large as the type.
-            let far = kind.bits() == 32 && *rung == Rung::I64;
+        for (stage, share) in shares {
+            // The tables measured the wider stage of 32 bits on shapes as large as the type.
+            let far = kind.bits() == 32 && *stage == Stage::I64;
             let path = if far { "whole range" } else { "full" };
             value += share * self.instructions.get(&(scalar.clone(), path.into()))?;
         }
@@ -110,7 +110,7 @@ fn number(text: &str) -> Result<f64, String> {
     text.parse().map_err(|_| format!("a table of costs has {text:?} for a number"))
 }
 
-/// The type of the tables that has as many bits.
+/// The type in the tables that has as many bits.
 fn tabled(kind: Kind) -> String {
     match kind {
         Kind::Fixed { bits, .. } => Kind::Fixed { bits, frac: bits / 2 }.name(),
@@ -119,7 +119,7 @@ fn tabled(kind: Kind) -> String {
 }
 
 impl Target {
-    /// As the tables call it.
+    /// Its name in the tables.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Host => "this machine",

@@ -7,7 +7,7 @@ use septum::Triangle;
 use crate::kind::Kind;
 use crate::scene::Scene;
 
-/// What rounding did.
+/// The effect of rounding to one type.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effect {
     /// How far a vertex, or a corner of a box, moved at most.
@@ -21,7 +21,7 @@ pub(crate) struct Effect {
 }
 
 impl Effect {
-    /// What `kind`, which holds the scene, does to it.
+    /// The effect of `kind` on the scene, which it holds.
     pub(crate) fn of(kind: Kind, scene: &Scene) -> Self {
         let nearest = |x: f64| kind.nearest(x).expect("a type that holds the scene");
         let mut effect = Self { moved: 0.0, degenerate: 0, flat: false, table: 0 };
@@ -35,7 +35,7 @@ impl Effect {
             let became = is_degenerate(&rounded) && !is_degenerate(triangle);
             effect.degenerate += usize::from(became);
         }
-        // The faces of the boxes move by themselves along each axis.
+        // The faces of the boxes move along each axis, independently of the others.
         let mut worst = [0.0; 3];
         for (worst, cells) in worst.iter_mut().zip(&scene.cells) {
             let mut last = None;
@@ -57,7 +57,7 @@ fn distance([x, y, z]: [f64; 3]) -> f64 {
     x.hypot(y).hypot(z)
 }
 
-/// Exact, and so for every type: its numbers are numbers of `f64` here.
+/// Exact for every type: `f64` holds all numbers that occur here.
 fn is_degenerate(triangle: &[[f64; 3]; 3]) -> bool {
     let [a, b, c] = *triangle;
     Triangle::new(a, b, c).is_ok_and(|t| t.is_degenerate())

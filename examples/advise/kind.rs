@@ -21,7 +21,7 @@ impl Kind {
         }
     }
 
-    /// Of fixed-point types; floats have none.
+    /// The fraction bits of a fixed-point type. Floats count as having none.
     pub(crate) fn fraction_bits(self) -> u32 {
         match self {
             Fixed { frac, .. } => frac,
@@ -33,7 +33,7 @@ impl Kind {
         self == F32 || self == F64
     }
 
-    /// As its crate calls it, with the short name where there is one.
+    /// Its name in the crate `fixed`: the short one if there is one.
     pub(crate) fn name(self) -> String {
         match self {
             Fixed { bits, frac } if 2 * frac == bits => format!("I{frac}F{frac}"),
@@ -51,15 +51,15 @@ impl Kind {
         }
     }
 
-    /// The nearest number to `x`, in units of the last place, if it is one of an
-    /// integer of `bits` bits.
+    /// The nearest number to `x`, in units of the last place, if an integer of `bits`
+    /// bits holds it.
     pub(crate) fn raw(x: f64, bits: u32, frac: u32) -> Option<f64> {
         let raw = (x * f64::from(frac).exp2()).round_ties_even();
         let end = f64::from(bits - 1).exp2();
         (-end <= raw && raw < end).then_some(raw)
     }
 
-    /// The nearest number to `x`, if there is one.
+    /// The nearest number to `x`, if the type's range holds it.
     pub(crate) fn nearest(self, x: f64) -> Option<f64> {
         match self {
             Fixed { bits, frac } => Some(Self::raw(x, bits, frac)? / f64::from(frac).exp2()),
@@ -68,43 +68,43 @@ impl Kind {
         }
     }
 
-    /// The greatest number.
-    pub(crate) fn greatest(self) -> f64 {
+    /// The power of two that all numbers lie below, and none of them reaches.
+    pub(crate) fn end(self) -> f64 {
         match self {
-            Fixed { bits, frac } => (f64::from(bits - 1).exp2() - 1.0) / f64::from(frac).exp2(),
-            F32 => f32::MAX.into(),
-            F64 => f64::MAX,
+            Fixed { bits, frac } => (f64::from(bits) - 1.0 - f64::from(frac)).exp2(),
+            F32 => 128_f64.exp2(),
+            F64 => f64::INFINITY,
         }
     }
 
-    /// Whether it has all numbers from the least to the greatest, to the nearest.
+    /// Whether both ends of the range are within the type's range.
     pub(crate) fn holds(self, range: [f64; 2]) -> bool {
         range.iter().all(|&x| self.nearest(x).is_some())
     }
 }
 
-/// The most fraction bits with which a type of `bits` bits holds the range in `below`
-/// of them: to fewer of them there is a faster way.
+/// The most fraction bits with which the range fits `below` of the type's `bits` bits.
+/// Numbers that fit fewer bits are settled by a faster stage.
 pub(crate) fn most_fraction_bits(bits: u32, below: u32, range: [f64; 2]) -> Option<u32> {
     (0..=bits).rev().find(|&frac| range.iter().all(|&x| Kind::raw(x, below, frac).is_some()))
 }
 
-/// The types that are looked at, and those of them that cannot hold the scene.
+/// The types that are considered: those that hold the scene, and the others.
 pub(crate) struct Candidates {
     pub(crate) held: Vec<Kind>,
     pub(crate) too_large: Vec<Kind>,
 }
 
 impl Candidates {
-    /// For each width the most fraction bits that the scene leaves, and the most for
-    /// which the integers of each rung of its ladder suffice; the types with as many
-    /// bits before the point as after it; and the floats.
+    /// For each width the type with the most fraction bits that holds the scene, and for
+    /// each stage of its cascade the one with the most that this stage can settle. Also
+    /// the types with as many bits before the point as after it, and the floats.
     pub(crate) fn of(scene: &Scene) -> Self {
         let range = scene.range();
         let mut all = Vec::new();
-        for (bits, rungs) in [(8, &[8][..]), (16, &[16]), (32, &[19, 29, 32]), (64, &[40, 61, 64])]
+        for (bits, stages) in [(8, &[8][..]), (16, &[16]), (32, &[19, 29, 32]), (64, &[40, 61, 64])]
         {
-            let most = rungs.iter().filter_map(|&below| most_fraction_bits(bits, below, range));
+            let most = stages.iter().filter_map(|&below| most_fraction_bits(bits, below, range));
             let mut fracs: Vec<u32> = most.chain([bits / 2]).collect();
             if fracs.len() == 1 {
                 fracs.push(0);

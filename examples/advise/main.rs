@@ -1,5 +1,6 @@
-//! Says which number type a scene needs: which hold it, what rounding to each costs in
-//! verdicts, what a query costs in each, and which is the cheapest that is good enough.
+//! Says which number type a scene needs. It lists the types that hold the scene, how
+//! many verdicts rounding to each changes, and what a query costs in each. It
+//! recommends the cheapest that is good enough.
 //!
 //! ```text
 //! cargo run --release --example advise
@@ -8,6 +9,10 @@
 //! ```
 
 mod advice;
+#[allow(dead_code, reason = "shared with other examples")]
+#[path = "../shared/cli.rs"]
+mod cli;
+mod columns;
 mod costs;
 mod effect;
 mod kind;
@@ -18,15 +23,11 @@ mod paste;
 mod prediction;
 mod race;
 mod report;
-#[allow(dead_code, reason = "shared with the tests")]
-#[path = "../../tests/support/rng.rs"]
-mod rng;
-mod rung;
 mod scene;
-#[allow(dead_code, reason = "shared with other examples")]
-#[path = "../shared/mod.rs"]
-mod shared;
+mod stage;
 mod survey;
+#[cfg(test)]
+mod tests;
 mod verdict;
 
 use std::error::Error;
@@ -34,7 +35,6 @@ use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
 
-use clap::Parser;
 use costs::Costs;
 use mesh::Mesh;
 use options::{Options, Up};
@@ -42,7 +42,7 @@ use scene::Scene;
 use survey::{Plan, Survey};
 
 fn main() -> ExitCode {
-    match run(&Options::parse()) {
+    match run(&cli::read()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");
@@ -63,7 +63,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     say(&report::write(&mesh.name, options, &scene, &survey, &costs))
 }
 
-/// Prints; that nobody listens any more is no error.
+/// Prints. A closed pipe is no error.
 fn say(text: &str) -> Result<(), Box<dyn Error>> {
     match std::io::stdout().write_all(text.as_bytes()) {
         Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(e.into()),

@@ -1,9 +1,11 @@
-//! What can be said on the command line.
+//! The options of the command line.
 
 use std::num::NonZeroU32;
 use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
+
+use crate::cli::{any, valid};
 
 /// Says which number type a scene needs, and what it costs.
 ///
@@ -18,40 +20,33 @@ pub(crate) struct Options {
 
     /// The size of the boxes, which have their corners at multiples of it
     /// [default: a power of two, 64 to 128 of which make the mesh's longest side]
-    #[arg(long, value_name = "SIZE", value_parser = size, allow_negative_numbers = true)]
+    #[arg(long, value_name = "SIZE", allow_negative_numbers = true,
+        value_parser = valid("a number above zero", |&x: &f64| x.is_finite() && x > 0.0))]
     pub(crate) cell: Option<f64>,
 
     /// How far rounding may move a vertex or a corner of a box
     /// [default: a hundredth of the cell]
-    #[arg(long, value_name = "T", value_parser = distance, allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", allow_negative_numbers = true,
+        value_parser = valid("a number, zero or above", |&x: &f64| x.is_finite() && x >= 0.0))]
     pub(crate) tolerance: Option<f64>,
 
-    /// What it is to run on
-    #[arg(long, value_enum, default_value_t = Target::Host)]
+    /// The machine that the queries will run on
+    #[arg(long, value_enum, ignore_case = true, default_value_t = Target::Host)]
     pub(crate) target: Target,
 
-    /// Recommend nothing wider
-    #[arg(long, value_name = "BITS", default_value_t = 64)]
+    /// Recommend no type with more bits
+    #[arg(long, value_name = "BITS", default_value_t = 64, allow_negative_numbers = true,
+        value_parser = valid("a whole number from 8 to 64", |n: &u32| (8..=64).contains(n)))]
     pub(crate) bits: u32,
 
-    /// How many queries the verdicts are compared on
-    #[arg(long, value_name = "N", default_value = "20000")]
+    /// How many queries are asked in every type
+    #[arg(long, value_name = "N", default_value = "20000", allow_negative_numbers = true,
+        value_parser = any::<NonZeroU32>("a whole number of 32 bits above zero"))]
     pub(crate) sample: NonZeroU32,
 
     /// Compare the verdicts of all queries too, and hold the prediction against them
     #[arg(long)]
     pub(crate) full: bool,
-}
-
-fn distance(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(x) if f64::is_finite(x) && x >= 0.0 => Ok(x),
-        _ => Err("a number, not below nought".into()),
-    }
-}
-
-fn size(text: &str) -> Result<f64, String> {
-    distance(text).ok().filter(|&x| x > 0.0).ok_or("a number above nought".into())
 }
 
 /// The machine.
@@ -65,7 +60,7 @@ pub(crate) enum Target {
     M4f,
 }
 
-/// The axis of a mesh that points up. Here meshes stay as they are.
+/// The axis of a mesh that points up. This example does not turn meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Up {
     Y,

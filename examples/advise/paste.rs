@@ -7,22 +7,24 @@ use crate::scene::Scene;
 pub(crate) fn lines(kind: Kind, scene: &Scene) -> String {
     let points = scene.points(scene.query(0));
     let [a, b, c, min, max] = points.map(|p| vertex(kind, p));
-    let (number, [x, y, z]) = match kind {
+    let (number, vector) = match kind {
+        // Raw bits read back as they are; decimal digits need not.
         Kind::Fixed { bits, .. } => {
-            (format!("i{bits}"), ["x", "y", "z"].map(|x| format!("Scalar::from_bits({x})")))
+            let of = |x: &str| format!("\n        Scalar::from_bits({x}),");
+            (format!("i{bits}"), ["x", "y", "z"].map(of).concat() + "\n    ")
         }
-        Kind::F32 | Kind::F64 => (kind.name(), ["x", "y", "z"].map(String::from)),
+        Kind::F32 | Kind::F64 => (kind.name(), "x, y, z".into()),
     };
     format!(
         "\
 type Scalar = {};
 
 const fn v(x: {number}, y: {number}, z: {number}) -> septum::Vec3<Scalar> {{
-    septum::Vec3::new({x}, {y}, {z})
+    septum::Vec3::new({vector})
 }}
 
 // The first triangle, and the first box that it is asked about.
-const TRIANGLE: septum::Triangle<Scalar> = match septum::Triangle::<Scalar>::constant(
+const TRIANGLE: septum::Triangle<Scalar> = match septum::Triangle::<Scalar>::const_new(
     {a},
     {b},
     {c},
@@ -30,7 +32,7 @@ const TRIANGLE: septum::Triangle<Scalar> = match septum::Triangle::<Scalar>::con
     Ok(triangle) => triangle,
     Err(_) => unreachable!(),
 }};
-const CELL: septum::Aabb<Scalar> = match septum::Aabb::<Scalar>::constant(
+const CELL: septum::Aabb<Scalar> = match septum::Aabb::<Scalar>::const_new(
     {min},
     {max},
 ) {{

@@ -3,19 +3,19 @@
 /// How sure a prediction is, for all types at once.
 pub(crate) const CONFIDENCE: f64 = 0.95;
 
-/// How many of `all` verdicts will have changed.
+/// How many verdicts rounding changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Prediction {
-    /// In the sample.
+    /// Counted in the sample.
     pub(crate) changed: u64,
     pub(crate) least: u64,
     pub(crate) most: u64,
 }
 
 impl Prediction {
-    /// From `changed` verdicts of `asked`, each drawn from `all` by chance and put
-    /// back. All of as many predictions as there are `at_once` hold with the stated
-    /// confidence.
+    /// The prediction for `all` queries, from `changed` verdicts of `asked`. The sample
+    /// is drawn with replacement. All of `at_once` predictions together hold with the
+    /// stated confidence.
     ///
     /// If a share of p has changed in truth, a sample in which k of n have, or a still
     /// less likely one, comes up with a probability of at most exp(−n·d), where d is
@@ -36,7 +36,7 @@ impl Prediction {
         Self { changed, least: (low * all).floor() as u64, most: (high * all).ceil() as u64 }
     }
 
-    /// From all of them.
+    /// The count itself, where all queries were asked.
     pub(crate) fn counted(changed: u64) -> Self {
         Self { changed, least: changed, most: changed }
     }
@@ -51,8 +51,8 @@ fn divergence(q: f64, p: f64) -> f64 {
     term(q, p) + term(1.0 - q, 1.0 - p)
 }
 
-/// Where between `inside`, which is possible, and `outside` the possible ends; on the
-/// far side of it.
+/// Where the possible shares end, between `inside`, which is possible, and `outside`.
+/// The result is on the side of `outside`.
 fn boundary(possible: impl Fn(f64) -> bool, mut outside: f64, mut inside: f64) -> f64 {
     for _ in 0..100 {
         let middle = (inside + outside) / 2.0;

@@ -1,4 +1,4 @@
-//! The clock: the types take turns, round after round, in one process.
+//! Timing: the types take turns, round after round, in one process.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -11,20 +11,21 @@ use crate::verdict::Asking;
 
 const ROUNDS: usize = 60;
 
-/// As many for what takes ages: exact sums do, where every query comes to them.
+/// The number of rounds for types that take more than `AGES` times as long. Exact sums
+/// do, where they settle every query.
 const FEW: usize = 3;
 const AGES: f64 = 20.0;
 
-/// Time of a query, to that of the first type, in the same round.
+/// Time of a query relative to the yardstick's, in the same round.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Timing {
     pub(crate) median: f64,
-    /// Of the rounds, all but a tenth at either end lie between these.
+    /// All rounds but the upper and lower tenth lie between these.
     pub(crate) usual: [f64; 2],
 }
 
-/// Times all kinds on the same queries; ratios are to `yardstick`. Also the time of a
-/// query of the yardstick, at best.
+/// Times all kinds on the same queries, relative to `yardstick`. Also returns the
+/// yardstick's best time of a query.
 pub(crate) fn race(
     scene: &Scene,
     yardstick: Kind,
@@ -62,7 +63,7 @@ pub(crate) fn race(
     (each, (1..runners.len()).map(timing).collect())
 }
 
-/// The faster of two passes: the first one brings the data into the cache.
+/// The time of the faster of two passes. The first one brings the data into the cache.
 fn time(run: &Asking) -> f64 {
     let pass = || {
         let start = Instant::now();

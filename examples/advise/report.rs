@@ -1,19 +1,20 @@
-//! What the advisor says.
-
-use std::fmt::Write;
-
-use comfy_table::{CellAlignment, Table, presets};
+//! The text that the advisor prints.
 
 use crate::advice::{Row, percent, recommend, sig, what_would_help};
-use crate::costs::{Costs, Figure};
+use crate::columns::{self, figure};
+use crate::costs::Costs;
+use crate::kind::Kind;
 use crate::options::{Options, Target};
 use crate::paste;
 use crate::prediction::{CONFIDENCE, Prediction};
 use crate::scene::Scene;
-use crate::shared::grouped;
 use crate::survey::Survey;
+use septum_kit::jobs::grouped;
 
-/// All of it.
+/// The columns of a terminal. No line is longer.
+pub(crate) const WIDTH: usize = 80;
+
+/// The whole report.
 pub(crate) fn write(
     name: &str,
     options: &Options,
@@ -21,15 +22,43 @@ pub(crate) fn write(
     survey: &Survey,
     costs: &Costs,
 ) -> String {
+    let recommended = recommend(&survey.rows, scene, options.bits);
     let parts = [
-        heading(name, options, scene, survey),
-        table(options, scene, survey).to_string(),
-        legend(options, scene, survey, costs),
-        refusals(options, scene, survey),
-        recommendation(options, scene, survey),
+        filled(&heading(name, options, scene, survey)),
+        columns::effects(scene, survey, options.full),
+        columns::costs(options, scene, survey),
+        filled(&too_large(survey)),
+        filled(&legend(options, scene, survey, costs)),
+        filled(&refusals(options, scene, survey)),
+        filled(&recommendation(recommended, options, scene, survey)),
+        recommended.map_or(String::new(), |row| paste::lines(row.kind, scene)),
     ];
     let parts: Vec<_> = parts.iter().map(|p| p.trim_end()).filter(|p| !p.is_empty()).collect();
     parts.join("\n\n") + "\n"
+}
+
+/// Breaks lines that are too long. The rest of such a line is indented by four.
+fn filled(text: &str) -> String {
+    let mut out = String::new();
+    for line in text.lines() {
+        let start = line.len() - line.trim_start().len();
+        let mut column = start;
+        out.push_str(&line[..start]);
+        for (i, word) in line.split_whitespace().enumerate() {
+            let length = word.chars().count();
+            if i > 0 && column + 1 + length > WIDTH {
+                out.push_str("\n    ");
+                column = 4;
+            } else if i > 0 {
+                out.push(' ');
+                column += 1;
+            }
+            out.push_str(word);
+            column += length;
+        }
+        out.push('\n');
+    }
+    out
 }
 
 fn heading(name: &str, options: &Options, scene: &Scene, survey: &Survey) -> String {
@@ -60,151 +89,86 @@ tolerance {}{}
     )
 }
 
-fn table(options: &Options, scene: &Scene, survey: &Survey) -> Table {
-    let host = options.target == Target::Host;
-    let mut headers = vec!["type", "exact in", "moved by", "made flat", "changed"];
-    if survey.asked < scene.queries() {
-        headers.push("of all, predicted");
+/// The types that were looked at and cannot hold the scene.
+fn too_large(survey: &Survey) -> String {
+    let name = |kind: &Kind| format!("{} (below {})", kind.name(), kind.end());
+    let names: Vec<_> = survey.too_large.iter().map(name).collect();
+    if names.is_empty() {
+        return String::new();
     }
-    if options.full {
-        headers.push("counted");
-    }
-    headers.extend(if host {
-        ["time, f32 = 1", "table, bytes"]
-    } else {
-        ["instructions", "code + table, bytes"]
-    });
-    headers.push("good enough?");
-    let mut table = Table::new();
-    table.load_preset(presets::NOTHING).set_header(&headers);
-    for row in &survey.rows {
-        table.add_row(line(row, options, scene, survey));
-    }
-    for kind in &survey.too_large {
-        let mut cells = vec!["–".to_owned(); headers.len()];
-        cells[0] = kind.name();
-        cells[headers.len() - 1] = format!("too large: it ends at {}", kind.greatest());
-        table.add_row(cells);
-    }
-    for (i, column) in table.column_iter_mut().enumerate() {
-        if i >= 2 && i + 1 < headers.len() {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
-    table
-}
-
-fn line(row: &Row, options: &Options, scene: &Scene, survey: &Survey) -> Vec<String> {
-    let (effect, prediction) = (row.effect, row.prediction);
-    let mut cells = vec![
-        row.kind.name(),
-        row.rung.clone(),
-        sig(effect.moved),
-        grouped(effect.degenerate as u64),
-        grouped(prediction.changed),
-    ];
-    if survey.asked < scene.queries() {
-        cells.push(match (prediction.least, prediction.most) {
-            (least, most) if least == most => grouped(least),
-            (least, most) => format!("{} to {}", grouped(least), grouped(most)),
-        });
-    }
-    cells.extend(row.counted.map(grouped));
-    match options.target {
-        Target::Host => {
-            cells.push(row.timing.map_or("?".into(), |t| {
-                format!("{:.2} ({:.2}–{:.2})", t.median, t.usual[0], t.usual[1])
-            }));
-            cells.push(grouped(effect.table));
-        }
-        Target::M0 | Target::M4f => {
-            cells.push(figure(row.instructions.as_ref()));
-            cells.push(format!("{} + {}", figure(row.code.as_ref()), grouped(effect.table)));
-        }
-    }
-    cells.push(match row.refusal(scene) {
-        Some(reason) => reason,
-        None if row.kind.bits() > options.bits => format!("wider than {} bits", options.bits),
-        None => "yes".into(),
-    });
-    cells
-}
-
-/// Estimates bear a sign.
-fn figure(figure: Option<&Figure>) -> String {
-    match figure {
-        None => "?".into(),
-        Some(Figure { value, is_estimate }) => {
-            format!("{}{}", if *is_estimate { "≈" } else { "" }, grouped(value.round() as u64))
-        }
-    }
+    format!("Too large for {}.", names.join(", "))
 }
 
 fn legend(options: &Options, scene: &Scene, survey: &Survey, costs: &Costs) -> String {
     let mut text = String::from(
-        "Measured here: how far rounding moves a vertex or a corner of a box at most, triangles that it\n\
-         makes segments or points, verdicts that it changes (exact on the rounded shapes, to exact\n\
-         on those of f64), and bytes of a table of the mesh. Exact verdicts on shapes that did not\n\
-         move cannot change.",
+        "moved by: how far rounding moves a vertex or a corner of a box at most, measured.\n\
+         made flat: triangles that rounding makes segments or points, counted.\n\
+         changed: verdicts that rounding changes, counted on the queries asked. Both verdicts \
+         are exact, one on the rounded shapes and one on those of f64. Where nothing moves \
+         none can change.\n",
     );
     if survey.asked < scene.queries() {
-        write!(
-            text,
-            "\nPredicted from the sample: verdicts changed of all, with {} confidence for all types \
-             together.",
-            percent(CONFIDENCE)
-        )
-        .expect("a string takes all");
+        let confidence = percent(CONFIDENCE);
+        text += &format!(
+            "of all, predicted: from the queries asked, with {confidence} confidence for all types \
+             together.\n"
+        );
     }
     if options.full {
         let predicted = survey.rows.iter().filter_map(|r| Some((r.prediction, r.counted?)));
         let (held, missed): (Vec<_>, Vec<_>) = predicted.partition(|(p, n)| p.allows(*n));
         text += &match (held.len(), missed.len()) {
-            (n, 0) => format!("\nCounted in the full run: all {n} predictions hold."),
+            (n, 0) => format!("counted: on all queries; all {n} predictions hold.\n"),
             (n, m) => {
-                format!("\nCounted in the full run: {m} of {} predictions do not hold.", n + m)
+                format!("counted: on all queries; {m} of {} predictions do not hold.\n", n + m)
             }
         };
     }
+    text += "exact in: the arithmetic that settles a query, and the share of the queries.\n";
     match survey.each {
         Some(each) => {
             let nanoseconds = each.as_secs_f64() * 1e9;
-            write!(
-                text,
-                "\nTimed here, by turns: a query to one in f32, which takes {nanoseconds:.1} ns; the \
-                 median, and all\nbut the upper and lower tenth of the rounds."
-            )
-            .expect("a string takes all");
+            text += &format!(
+                "time: of a query, measured by turns; f32 takes {nanoseconds:.1} ns. The median, and \
+                 all but the upper and lower tenth of the rounds.\n"
+            );
         }
-        None if options.target == Target::Host => text += "\nNot timed: f32 cannot hold the scene.",
-        None => {
-            write!(
-                text,
-                "\nFrom tables, not from this scene: instructions on a {} where all 13 axes are tried, \
-                 and bytes of\na program that is the query. ≈ is an estimate, from the type with as \
-                 many bits and as exact.",
-                options.target.name()
-            )
-            .expect("a string takes all");
-            for file in &costs.missing {
-                write!(text, "\n{file} is not there: its figures are unknown.").expect("it does");
-            }
-            if survey.rows.iter().all(|row| row.instructions.is_none()) {
-                text += "\nWithout instructions, the smallest counts as the cheapest, and floats come last.";
-            }
-        }
+        None if options.target == Target::Host => text += "Not timed: f32 cannot hold the scene.\n",
+        None => text += &legend_of_tables(options, survey, costs),
+    }
+    text + "table: bytes of the mesh, each vertex once.\n"
+}
+
+fn legend_of_tables(options: &Options, survey: &Survey, costs: &Costs) -> String {
+    let mut text = format!(
+        "instructions: of a query on a {} where all 13 axes are tried. code: of a program that is \
+         the query. Both come from tables, not from this scene. ≈ is an estimate, from the type \
+         with as many bits and as exact.\n",
+        options.target.name()
+    );
+    for file in &costs.missing {
+        text += &format!("{file} is not there: its figures are unknown.\n");
+    }
+    if survey.rows.iter().all(|row| row.instructions.is_none()) {
+        text +=
+            "Without instructions, the smallest counts as the cheapest, and floats come last.\n";
     }
     text
 }
 
-/// Why narrow types will not do.
+/// Why no type of a width is good enough, for each such width.
 fn refusals(options: &Options, scene: &Scene, survey: &Survey) -> String {
     let widths = [8, 16, 32, 64].into_iter().filter(|&bits| bits <= options.bits);
     widths.filter_map(|bits| Some(what_would_help(bits, &survey.rows, scene)? + "\n")).collect()
 }
 
-fn recommendation(options: &Options, scene: &Scene, survey: &Survey) -> String {
-    let Some(row) = recommend(&survey.rows, scene, options.bits) else {
+fn recommendation(
+    recommended: Option<&Row>,
+    options: &Options,
+    scene: &Scene,
+    survey: &Survey,
+) -> String {
+    let Some(row) = recommended else {
         return format!("Nothing of up to {} bits is good enough.", options.bits);
     };
     let Prediction { changed, least, most } = row.prediction;
@@ -227,10 +191,9 @@ fn recommendation(options: &Options, scene: &Scene, survey: &Survey) -> String {
     };
     format!(
         "Recommended: {}\n  verdicts changed: {predicted}{counted}\n  cost of a query: {cost}\n  \
-         moved by: {} at most, measured; {} bytes of table\n\n{}",
+         moved by: {} at most, measured; {} bytes of table",
         row.kind.name(),
         sig(row.effect.moved),
         grouped(row.effect.table),
-        paste::lines(row.kind, scene)
     )
 }

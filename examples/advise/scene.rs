@@ -2,24 +2,26 @@
 
 use std::ops::Range;
 
-/// More boxes along a side than anyone asks about.
+use crate::advice::sig;
+
+/// The most boxes along a side.
 const LONGEST_SIDE: f64 = (1_u32 << 24) as f64;
 
-/// A mesh among boxes, of which box (i, j, k) has its least corner at (i, j, k)
-/// times the size of a cell.
+/// A mesh among boxes. Box (i, j, k) has its least corner at (i, j, k) times the size
+/// of a cell.
 pub(crate) struct Scene {
     pub(crate) triangles: Vec<[[f64; 3]; 3]>,
     pub(crate) cell: f64,
     pub(crate) tolerance: f64,
-    /// Along each axis the first box that is asked about, and the one after the last.
+    /// The boxes that are asked about, along each axis.
     pub(crate) cells: [Range<i64>; 3],
-    /// The same for each triangle.
+    /// The boxes that are asked about with each triangle.
     around: Vec<[Range<i64>; 3]>,
     /// How many queries there are about the triangles before each, and in all.
     before: Vec<u64>,
 }
 
-/// A triangle, by its number, against a box, by its place.
+/// A triangle, by its index, and a box, by its place.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Query {
     pub(crate) triangle: usize,
@@ -27,9 +29,9 @@ pub(crate) struct Query {
 }
 
 impl Scene {
-    /// Each triangle is asked about the boxes that its bounding box touches when
-    /// grown by twice the tolerance: what moves no farther than the tolerance, boxes
-    /// and triangles alike, changes no other verdict.
+    /// Each triangle is asked about the boxes that its bounding box touches, grown by
+    /// twice the tolerance. If neither boxes nor triangles move farther than the
+    /// tolerance, no other verdict can change.
     pub(crate) fn new(
         triangles: Vec<[[f64; 3]; 3]>,
         cell: Option<f64>,
@@ -47,9 +49,11 @@ impl Scene {
             let far = first.abs().max(end.abs()) >= (1_u64 << 53) as f64;
             if far || end - first > LONGEST_SIDE {
                 return Err(format!(
-                    "boxes of {cell} are too small, or too far from the origin: there would be \
-                     {:.0} along a side of a triangle, from the {first:.0}th on",
-                    end - first
+                    "boxes of {} are too small, or too far from the origin: a triangle would have \
+                     {} along a side, from number {} on",
+                    sig(cell),
+                    sig(end - first),
+                    sig(first)
                 ));
             }
             Ok(first as i64..end as i64)
@@ -71,7 +75,8 @@ impl Scene {
         }
         if let Some(side) = cells.iter().map(length).find(|&n| n as f64 > LONGEST_SIDE) {
             return Err(format!(
-                "boxes of {cell} are too small: there would be {side} along a side"
+                "boxes of {} are too small: there would be {side} along a side",
+                sig(cell)
             ));
         }
         Ok(Self { triangles, cell, tolerance, cells, around, before })
@@ -82,9 +87,9 @@ impl Scene {
         self.before.last().copied().unwrap_or(0)
     }
 
-    /// Query number `n`.
+    /// The query with index `n`.
     pub(crate) fn query(&self, n: u64) -> Query {
-        // Every triangle has boxes around it.
+        // Every triangle has queries, so that `before` grows at each.
         let triangle = self.before.partition_point(|&before| before <= n) - 1;
         let [x, y, z] = &self.around[triangle];
         let n = n - self.before[triangle];
@@ -99,7 +104,8 @@ impl Scene {
         i as f64 * self.cell
     }
 
-    /// The points of a query: the triangle's, the least and the greatest of the box.
+    /// The points of a query: the triangle's vertices, the least and the greatest corner
+    /// of the box.
     pub(crate) fn points(&self, query: Query) -> [[f64; 3]; 5] {
         let [a, b, c] = self.triangles[query.triangle];
         [a, b, c, query.cell.map(|i| self.face(i)), query.cell.map(|i| self.face(i + 1))]
@@ -112,7 +118,7 @@ impl Scene {
         span(self.triangles.iter().flatten().map(|p| p[axis]).chain(faces))
     }
 
-    /// The same for all three axes.
+    /// The least and the greatest coordinate of all three axes.
     pub(crate) fn range(&self) -> [f64; 2] {
         span([0, 1, 2].into_iter().flat_map(|axis| self.extent(axis)))
     }
@@ -126,7 +132,8 @@ fn span(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
     numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
 }
 
-/// A power of two: it costs a fixed-point type nothing.
+/// The usual size of a box: a power of two, which every fixed-point type can hold
+/// exactly if it is fine enough.
 fn usual_cell(triangles: &[[[f64; 3]; 3]]) -> Result<f64, String> {
     let side = |i: usize| {
         let [least, greatest] = span(triangles.iter().flatten().map(|p| p[i]));

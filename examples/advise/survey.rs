@@ -1,7 +1,9 @@
-//! The measuring of a scene: what each type does to it, and what it costs.
+//! The survey of a scene: what each type does to it, and what a query costs.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
+
+use septum_kit::Rng;
 
 use crate::advice::Row;
 use crate::costs::Costs;
@@ -10,29 +12,28 @@ use crate::kind::{Candidates, Kind};
 use crate::options::Target;
 use crate::prediction::Prediction;
 use crate::race::race;
-use crate::rng::Rng;
-use crate::rung::Rung;
 use crate::scene::{Query, Scene};
-use crate::shared::{on_all_cores, pieces};
+use crate::stage::Stage;
 use crate::verdict;
+use septum_kit::jobs::{on_all_cores, pieces};
 
 /// Queries in one piece of work.
 const PIECE: usize = 4096;
 
-/// Queries that are timed: they stay in a cache.
+/// How many queries are timed. They stay in a cache.
 const TIMED: usize = 8192;
 
-/// What was found.
+/// The result.
 pub(crate) struct Survey {
     pub(crate) rows: Vec<Row>,
     pub(crate) too_large: Vec<Kind>,
     /// How many queries the sample has, and whether it is all of them.
     pub(crate) asked: u64,
-    /// Of a query in `f32`, where it was measured.
+    /// The time of a query in `f32`, if it was measured.
     pub(crate) each: Option<Duration>,
 }
 
-/// How to go about it.
+/// How the survey is made.
 pub(crate) struct Plan<'a> {
     pub(crate) target: Target,
     pub(crate) sample: usize,
@@ -55,9 +56,9 @@ impl Survey {
         let effects: Vec<_> = kinds.iter().map(|&kind| Effect::of(kind, scene)).collect();
         let predicted = effects.iter().filter(|effect| effect.moved > 0.0).count();
         let row = |(k, &kind): (usize, &Kind)| {
-            let (effect, shares) = (effects[k], Rung::shares(kind, plan.target, scene, &sample));
+            let (effect, shares) = (effects[k], Stage::shares(kind, plan.target, scene, &sample));
             let prediction = if effect.moved == 0.0 {
-                // The same shapes, and exact verdicts.
+                // The shapes are the same, and so are their exact verdicts.
                 Prediction::counted(changed[k])
             } else {
                 Prediction::new(changed[k], asked, all, predicted)
@@ -65,7 +66,7 @@ impl Survey {
             Row {
                 kind,
                 effect,
-                rung: in_words(kind, &shares),
+                stages: in_words(kind, &shares),
                 prediction,
                 counted: counted.as_ref().map(|counted| counted[k]),
                 timing: race.as_ref().map(|(_, timings)| timings[k]),
@@ -78,7 +79,7 @@ impl Survey {
     }
 }
 
-/// Queries drawn by chance, each from all of them; or all, if there are no more.
+/// Queries drawn by chance from all of them, or all if there are no more than `most`.
 fn sample(scene: &Scene, most: usize) -> Vec<Query> {
     let all = scene.queries();
     if all <= most as u64 {
@@ -95,7 +96,7 @@ fn changes(
     count: u64,
     query: impl Fn(u64) -> Query + Sync,
 ) -> Vec<u64> {
-    // Their seeds count the pieces.
+    // With the first seed 0, a piece's seed is its index.
     let jobs: Vec<(u64, usize)> = pieces(0, count as usize, PIECE).collect();
     let mut sum = vec![0; kinds.len()];
     on_all_cores(
@@ -110,14 +111,14 @@ fn changes(
     sum
 }
 
-/// The rungs, and how often each is taken if there are several.
-fn in_words(kind: Kind, shares: &BTreeMap<Rung, f64>) -> String {
-    let one = |(rung, share): (&Rung, &f64)| {
-        let name = rung.name(kind);
+/// The stages, and how often each is taken if there are several.
+fn in_words(kind: Kind, shares: &BTreeMap<Stage, f64>) -> String {
+    let one = |(stage, share): (&Stage, &f64)| {
+        let name = stage.name(kind);
         match shares.len() {
             1 => name.into(),
             _ => format!("{name} {:.0} %", 100.0 * share),
         }
     };
-    shares.iter().map(one).collect::<Vec<_>>().join(", ")
+    shares.iter().map(one).collect::<Vec<_>>().join("\n")
 }

@@ -9,8 +9,8 @@ use septum::{Aabb, Scalar, Triangle};
 use crate::kind::Kind;
 use crate::scene::{Query, Scene};
 
-/// A scalar, the nearest of which can be had. Fixed-point types stand for those with
-/// other units: verdicts, and the way to them, are those of the raw bits.
+/// A scalar that an `f64` can be rounded to. A fixed-point type stands for all types of
+/// its width: verdicts, and the way to them, depend on the raw bits alone.
 pub(crate) trait Coordinate: Scalar {
     fn nearest(x: f64, frac: u32) -> Self;
 }
@@ -27,7 +27,7 @@ impl Coordinate for f64 {
     }
 }
 
-/// The raw bits; the caller has seen to it that they fit.
+/// The raw bits. The caller has checked that they fit.
 fn raw(x: f64, bits: u32, frac: u32) -> i64 {
     Kind::raw(x, bits, frac).expect("a type that holds the scene") as i64
 }
@@ -68,7 +68,7 @@ fn overlaps<S: Coordinate>(scene: &Scene, query: Query, frac: u32) -> bool {
     triangle.overlaps(&aabb)
 }
 
-/// Something to time: asks all queries, and counts the overlaps.
+/// A function to time. It asks all queries, and counts the overlaps.
 pub(crate) type Asking = Box<dyn Fn() -> usize>;
 
 fn asking<S: Coordinate>(scene: &Scene, queries: &[Query], frac: u32) -> Asking {
@@ -89,7 +89,7 @@ impl Kind {
         }
     }
 
-    /// All of the queries, with shapes that are rounded beforehand.
+    /// A function that asks all queries. The shapes are rounded beforehand.
     pub(crate) fn asking(self, scene: &Scene, queries: &[Query]) -> Asking {
         match self {
             Self::Fixed { bits: ..=8, frac } => asking::<FixedI8<U0>>(scene, queries, frac),

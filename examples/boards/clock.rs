@@ -1,7 +1,7 @@
 //! Instructions, counted by the emulated board's own timer.
 //!
 //! QEMU gives each instruction the same time (`-icount`), so that a timer counts
-//! instructions; that is what they are, not cycles.
+//! instructions. They are not cycles.
 
 #[cfg(target_arch = "arm")]
 pub(crate) use arm::Clock;
@@ -14,23 +14,23 @@ mod arm {
     use cortex_m::peripheral::SYST;
     use cortex_m::peripheral::syst::SystClkSource;
 
-    /// How often the timer, of 24 bits, began anew.
+    /// How often the timer, which has 24 bits, has wrapped around.
     static ROUNDS: AtomicU32 = AtomicU32::new(0);
 
     #[cortex_m_rt::exception]
     fn SysTick() {
-        // There is no fetch_add on a Cortex-M0, and nothing else that writes.
+        // A Cortex-M0 has no fetch_add. Nothing else writes this number.
         ROUNDS.store(ROUNDS.load(Ordering::Relaxed).wrapping_add(1), Ordering::Relaxed);
     }
 
-    /// The timer, and what it shows after a known number of instructions.
+    /// The timer, and how many ticks a known number of instructions takes.
     pub(crate) struct Clock {
         ticks: u64,
         instructions: u64,
     }
 
     impl Clock {
-        /// Takes the timer; there is only one.
+        /// Takes the timer. There is only one.
         pub(crate) fn new() -> Option<Self> {
             let mut timer = Peripherals::take()?.SYST;
             timer.set_clock_source(SystClkSource::Core);
@@ -64,7 +64,7 @@ mod arm {
         }
     }
 
-    /// Ticks since the beginning; the timer itself counts down.
+    /// Ticks since the beginning. The timer itself counts down.
     fn now() -> u64 {
         loop {
             let rounds = ROUNDS.load(Ordering::Relaxed);
@@ -76,7 +76,7 @@ mod arm {
     }
 }
 
-/// How many instructions ran.
+/// The core's own count of instructions.
 #[cfg(target_arch = "riscv32")]
 pub(crate) struct Clock;
 
@@ -94,7 +94,7 @@ impl Clock {
     }
 }
 
-/// Counts nothing: a real machine has no time for it.
+/// A host counts no instructions.
 #[cfg(not(target_os = "none"))]
 pub(crate) struct Clock;
 
@@ -104,7 +104,7 @@ impl Clock {
         Some(Self)
     }
 
-    /// Does `work`.
+    /// Does `work`, and counts nothing.
     pub(crate) fn count<T>(&self, work: impl FnOnce() -> T) -> (T, Option<u64>) {
         (work(), None)
     }

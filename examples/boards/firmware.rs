@@ -1,7 +1,7 @@
 //! A program that logs: by defmt on Arm, by semihosting on RISC-V, by `println!`
 //! on a host.
 
-/// Logs a line, its format string in the part of the language that all share.
+/// Logs a line. Its format string must mean the same to all three loggers.
 #[cfg(target_arch = "arm")]
 macro_rules! say {
     ($($log:tt)*) => { defmt::info!($($log)*) };
@@ -17,8 +17,7 @@ macro_rules! say {
     ($($log:tt)*) => { println!($($log)*) };
 }
 
-/// `main`, or what the machine has in its place; it fails where `$run` returns
-/// false.
+/// `main`, or the entry point of the board. It fails if `$run` returns false.
 macro_rules! program {
     ($run:path) => {
         #[cfg(not(target_os = "none"))]

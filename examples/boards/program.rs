@@ -2,11 +2,11 @@
 
 use heapless::String;
 
-/// A line of text, and whether all is well with it.
+/// A line of text, and whether the result in it is right.
 pub(crate) type Line = (String<120>, bool);
 
-/// `main`, or what the machine has in its place: prints the lines 0 to `$lines` − 1,
-/// which `$line` writes, and fails where not all is well.
+/// `main`, or the entry point of the machine. It prints the lines 0 to `$lines` − 1,
+/// which `$line` writes, and fails if a result is wrong.
 macro_rules! program {
     ($lines:expr, $line:path) => {
         #[cfg(not(any(target_os = "none", target_family = "wasm")))]
@@ -43,7 +43,7 @@ macro_rules! program {
             }
         }
 
-        /// As `node.mjs` expects it.
+        /// The exports that `node.mjs` calls.
         #[cfg(target_family = "wasm")]
         #[allow(unsafe_code, reason = "exports")]
         mod module {
@@ -58,7 +58,7 @@ macro_rules! program {
                 $lines
             }
 
-            /// Writes line `k`, and says how long it is.
+            /// Writes line `k`, and returns its length.
             #[unsafe(export_name = "line")]
             extern "C" fn export_line(k: usize) -> usize {
                 let (text, _) = $line(k);

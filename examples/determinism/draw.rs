@@ -1,7 +1,7 @@
 //! Numbers from random bits, the same on every machine.
 
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
-use septum::Scalar;
+use septum::{Scalar, Triangle, Vec3};
 
 /// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, "Fast Splittable Pseudorandom
 /// Number Generators", OOPSLA 2014).
@@ -48,6 +48,11 @@ pub(crate) trait Draw: Scalar {
 
     /// The difference, kept within the range.
     fn minus(self, other: Self) -> Self;
+
+    /// The unit normal by integers, in the scalars that have it.
+    fn unit_normal(_triangle: &Triangle<Self>) -> Option<Option<Vec3<Self>>> {
+        None
+    }
 }
 
 macro_rules! float {
@@ -127,6 +132,9 @@ macro_rules! fixed {
             }
             fn minus(self, other: Self) -> Self {
                 self.saturating_sub(other)
+            }
+            fn unit_normal(triangle: &Triangle<Self>) -> Option<Option<Vec3<Self>>> {
+                Some(triangle.unit_normal())
             }
         }
     )*};

@@ -1,32 +1,75 @@
-//! The hashes, the same on every machine.
+//! The tables that are kept: the same on every machine, and in every later version.
 
-use fixed::types::{I4F4, I8F8, I16F16, I32F32};
+use core::fmt;
 
-use crate::stream::{CASES, hash};
+#[path = "table.rs"]
+pub(crate) mod table;
 
-/// A scalar's name, its hash as computed here, and as it was first computed.
-pub(crate) struct Golden {
-    pub(crate) name: &'static str,
-    pub(crate) compute: fn() -> u64,
-    pub(crate) expected: u64,
+use table::{Cell, SCALARS};
+
+/// What each version added, oldest first. The table of a version is all rows down to its
+/// own; a row of a released version is never changed and never removed.
+const VERSIONS: [&str; 1] = [include_str!("golden/0.1.csv")];
+
+/// The hashes of one query.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Row<'a> {
+    pub(crate) query: &'a str,
+    pub(crate) cells: [Cell; SCALARS.len()],
 }
 
-macro_rules! golden {
-    ($($scalar:ident = $expected:literal;)*) => {
-        [$(Golden {
-            name: stringify!($scalar),
-            compute: || hash::<$scalar>(CASES),
-            expected: $expected,
-        }),*]
-    };
+impl<'a> Row<'a> {
+    /// A line of a kept table: the query, and a hash in hexadecimal digits for each scalar,
+    /// or a dash. A number that cannot be read equals none that is computed.
+    fn read(line: &'a str) -> Self {
+        let mut columns = line.trim_end().split(',');
+        let query = columns.next().unwrap_or_default();
+        let cells = [(); SCALARS.len()].map(|()| match columns.next() {
+            Some("-") => 0,
+            Some(hash) => Cell::from_str_radix(hash, 16).unwrap_or(Cell::MAX),
+            None => Cell::MAX,
+        });
+        Self { query, cells }
+    }
+
+    /// Whether the cell of a scalar is as it was kept.
+    fn is_kept(&self, scalar: usize) -> bool {
+        kept().any(|kept| kept.query == self.query && kept.cells[scalar] == self.cells[scalar])
+    }
+
+    /// Whether the row is as it was kept.
+    pub(crate) fn is_as_everywhere(&self) -> bool {
+        (0..SCALARS.len()).all(|scalar| self.is_kept(scalar))
+    }
 }
 
-/// A change of any of these is a change of what is promised: see DETERMINISM.md.
-pub(crate) const GOLDEN: [Golden; 6] = golden! {
-    f32 = 0x6cc9_b90f_afb6_a8ad;
-    f64 = 0x01c9_faf1_0ac2_6bbd;
-    I4F4 = 0x5b70_3894_11e1_eac7;
-    I8F8 = 0x55dd_56b0_d4f5_2da1;
-    I16F16 = 0x5016_831a_6115_4e36;
-    I32F32 = 0xd4e9_075e_c52a_2fff;
-};
+/// The rows of all versions.
+pub(crate) fn kept() -> impl Iterator<Item = Row<'static>> {
+    VERSIONS.iter().flat_map(|table| table.lines().skip(1)).map(Row::read)
+}
+
+/// As the table is printed. What differs from the kept table is followed by an exclamation
+/// mark.
+impl fmt::Display for Row<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:31}", self.query)?;
+        for (scalar, &cell) in self.cells.iter().enumerate() {
+            let mark = if self.is_kept(scalar) { "" } else { "!" };
+            match cell {
+                0 => write!(f, " {:>8}{mark}", "-")?,
+                _ => write!(f, " {cell:08x}{mark}")?,
+            }
+        }
+        if self.is_as_everywhere() { Ok(()) } else { f.write_str(" DIFFERS") }
+    }
+}
+
+/// The line over the rows.
+pub(crate) struct Header;
+
+impl fmt::Display for Header {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:31}", "query")?;
+        SCALARS.iter().try_for_each(|(name, _)| write!(f, " {name:>8}"))
+    }
+}

@@ -3,89 +3,47 @@
 //! Nothing here may depend on the machine: numbers are made from bits, floats
 //! with no more than exact scaling, and no library is asked.
 
-use septum::{Aabb, Axis, Cull, Feature, Hit, Obb, Plane, Ray, Scalar, Segment, Side, Triangle};
-use septum::{Aabbs, Facing, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles, Vec3};
+use septum::Vec3;
+use septum::lanes::{Aabbs, NormalTriangles, Rays, SlabRays, Triangles};
+use septum::published;
+use septum::published::projected::ProjectedTriangle;
+use septum::published::slabs::SlabRay;
+use septum::published::slopes::SlopeRay;
+use septum::published::stored_normal::NormalTriangle;
+use septum::published::watertight::ShearedRay;
+use septum::{Aabb, Axis, Cull, Obb, Plane, Ray, Scalar, Segment, Side, Triangle};
 
 use super::draw::{Draw, Rng};
 
-/// FNV-1a, 64 bits (Fowler, Noll, Vo).
-struct Hash(u64);
+// By path: a test in another folder includes this file too.
+#[path = "added.rs"]
+mod added;
+#[path = "answers.rs"]
+pub(crate) mod answers;
+#[path = "pairs.rs"]
+mod pairs;
+#[path = "queries.rs"]
+pub(crate) mod queries;
 
-impl Hash {
-    fn byte(&mut self, byte: u8) {
-        self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-    }
-
-    fn yes(&mut self, answer: bool) {
-        self.byte(answer.into());
-    }
-
-    fn number<S: Draw>(&mut self, x: S) {
-        x.bits().to_le_bytes().into_iter().for_each(|byte| self.byte(byte));
-    }
-
-    fn range<S: Draw>(&mut self, range: Option<(S, S)>) {
-        self.yes(range.is_some());
-        if let Some((from, to)) = range {
-            self.number(from);
-            self.number(to);
-        }
-    }
-
-    fn axis(&mut self, axis: Option<Axis>) {
-        self.byte(match axis {
-            None => 0,
-            Some(Axis::Face(i)) => 1 + i,
-            Some(Axis::Normal) => 4,
-            Some(Axis::Edge { axis, edge }) => 5 + 3 * axis + edge,
-        });
-    }
-
-    fn hit<S: Draw>(&mut self, hit: Option<Hit<S>>) {
-        let Some(hit) = hit else { return self.byte(0) };
-        self.byte(match hit.facing {
-            Facing::Front => 1,
-            Facing::Back => 2,
-        });
-        self.byte(match hit.feature {
-            Feature::Interior => 0,
-            Feature::Edge(k) => 1 + k,
-            Feature::Vertex(k) => 4 + k,
-        });
-        self.number(hit.t);
-        self.number(hit.u);
-        self.number(hit.v);
-    }
-}
-
-/// The answers of four lanes.
-impl Hash {
-    fn hits<S: Draw>(&mut self, hits: &Hits<S, 4>) {
-        (0..4).for_each(|k| self.hit(hits.get(k)));
-    }
-
-    fn ranges<S: Draw>(&mut self, ranges: &Ranges<S, 4>) {
-        (0..4).for_each(|k| self.range(ranges.get(k)));
-    }
-}
+use answers::Answers;
+use queries::Query;
 
 /// How many cases there are for a scalar.
 pub(crate) const CASES: u32 = 1000;
 
-/// The hash of all answers about `cases` cases in this scalar.
-pub(crate) fn hash<S: Draw>(cases: u32) -> u64 {
+/// Asks all questions about `cases` cases in this scalar; those of `added` about every
+/// fourth, for a small core takes a minute for the others already.
+pub(crate) fn ask<S: Draw, A: Answers>(cases: u32, answers: &mut A) {
     let mut rng = Rng::new(0x5e97_0a11);
-    let mut hash = Hash(0xcbf2_9ce4_8422_2325);
-    for _ in 0..cases {
-        case::<S>(&mut rng, &mut hash);
+    for k in 0..cases {
+        case::<S, A>(&mut rng, answers, k % 4 == 0);
     }
-    hash.0
 }
 
 /// One triangle against a box of each kind, the boxes against a plane, a segment
-/// and a ray.
+/// and a ray; and where there is more to ask, that too.
 #[inline(never)]
-fn case<S: Draw>(rng: &mut Rng, hash: &mut Hash) {
+fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, asks_more: bool) {
     let kind = rng.below(6) as u8;
     let point = |rng: &mut Rng| Vec3::from([(); 3].map(|()| S::draw(rng, kind)));
     let [a, b, c, p, q, d, n, o] = [(); 8].map(|()| point(rng));
@@ -96,52 +54,70 @@ fn case<S: Draw>(rng: &mut Rng, hash: &mut Hash) {
     let (Ok(triangle), Ok(centered), Ok(corners)) =
         (triangle, Aabb::from_center_half_extents(p, half), corners)
     else {
-        return hash.byte(0xff);
+        return answers.to(Query::ShapesAccepted).byte(0xff);
     };
-    for aabb in [&centered, &corners] {
-        boxes(&triangle, aabb, hash);
-        if let Ok(plane) = Plane::from_point_normal(o, n) {
-            sides(&plane, aabb, hash);
-        }
-        if let Ok(plane) = Plane::from_equation(n, o.x) {
-            sides(&plane, aabb, hash);
-        }
-        for segment in [Segment::new(o, d), Segment::from_center_half_vector(o, d)] {
-            let Ok(segment) = segment else { continue };
-            hash.yes(segment.overlaps(aabb));
-            hash.yes(segment.may_overlap(aabb));
+    let aabbs = [&centered, &corners];
+    let planes = [Plane::from_point_normal(o, n), Plane::from_equation(n, o.x)].map(Result::ok);
+    let segments = [Segment::new(o, d), Segment::from_center_half_vector(o, d)].map(Result::ok);
+    for aabb in aabbs {
+        boxes(&triangle, aabb, answers);
+        planes.iter().flatten().for_each(|plane| sides(plane, aabb, answers));
+        for segment in segments.iter().flatten() {
+            answers.to(Query::SegmentAabb).yes(segment.overlaps(aabb));
+            answers.to(Query::SegmentAabbMay).yes(segment.may_overlap(aabb));
         }
     }
     let axes = if rng.below(2) == 0 { [d, n, o] } else { [d, p, n] };
-    if let Ok(obb) = Obb::from_skewed_axes(p, axes, half) {
-        hash.yes(triangle.overlaps(&obb));
-        hash.yes(triangle.may_overlap(&obb));
-        hash.yes(triangle.overlaps_by_transform(&obb));
+    let obb = Obb::from_skewed_axes(p, axes, half).ok();
+    if let Some(obb) = &obb {
+        answers.to(Query::TriangleObb).yes(triangle.overlaps(obb));
+        answers.to(Query::TriangleObbMay).yes(triangle.may_overlap(obb));
+        answers
+            .to(Query::TriangleObbTransform)
+            .yes(published::akenine_moller::overlaps_obb(&triangle, obb));
     }
     // At the triangle, or anywhere.
     let direction = if rng.below(3) == 0 { d } else { towards(o, &triangle) };
-    if let Ok(ray) = Ray::new(o, direction) {
-        crossings(&ray, &triangle, [&centered, &corners], hash);
-        lanes(&ray, &triangle, [&centered, &corners], hash);
+    let ray = Ray::new(o, direction).ok();
+    if let Some(ray) = &ray {
+        crossings(ray, &triangle, aabbs, answers);
+        lanes(ray, &triangle, aabbs, answers);
+    }
+    if !asks_more {
+        return;
+    }
+    let accepted = answers.to(Query::ShapesAccepted);
+    planes.iter().for_each(|plane| accepted.yes(plane.is_some()));
+    segments.iter().for_each(|segment| accepted.yes(segment.is_some()));
+    accepted.yes(obb.is_some());
+    accepted.yes(ray.is_some());
+    added::shapes(&triangle, aabbs, &segments, answers);
+    pairs::boxes(&triangle, aabbs, obb.as_ref(), answers);
+    if let Some(ray) = &ray {
+        added::crossings(ray, &triangle, aabbs, answers);
+        added::lanes(ray, &triangle, aabbs, answers);
+        pairs::hits(ray, &triangle, d, answers);
     }
 }
 
 #[inline(never)]
-fn boxes<S: Draw>(triangle: &Triangle<S>, aabb: &Aabb<S>, hash: &mut Hash) {
-    hash.yes(triangle.overlaps(aabb));
-    hash.yes(triangle.may_overlap(aabb));
-    hash.yes(triangle.overlaps_rounded(aabb));
-    hash.yes(triangle.overlaps_as_published(aabb));
-    hash.axis(triangle.separating_axis(aabb));
+fn boxes<S: Draw, A: Answers>(triangle: &Triangle<S>, aabb: &Aabb<S>, answers: &mut A) {
+    answers.to(Query::TriangleAabb).yes(triangle.overlaps(aabb));
+    answers.to(Query::TriangleAabbMay).yes(triangle.may_overlap(aabb));
+    answers.to(Query::TriangleAabbRounded).yes(published::shared_normal::overlaps(triangle, aabb));
+    answers
+        .to(Query::TriangleAabbPublished)
+        .yes(published::akenine_moller::overlaps(triangle, aabb));
+    answers.to(Query::TriangleAabbAxis).axis(triangle.separating_axis(aabb));
     for axis in Axis::ALL {
-        hash.yes(triangle.is_separated_by(aabb, axis));
+        answers.to(Query::TriangleAabbBy).yes(triangle.is_separated_by(aabb, axis));
     }
 }
 
 #[inline(never)]
-fn sides<S: Draw>(plane: &Plane<S>, aabb: &Aabb<S>, hash: &mut Hash) {
-    hash.yes(plane.overlaps(aabb));
-    hash.byte(match plane.side_of(aabb) {
+fn sides<S: Draw, A: Answers>(plane: &Plane<S>, aabb: &Aabb<S>, answers: &mut A) {
+    answers.to(Query::PlaneAabb).yes(plane.overlaps(aabb));
+    answers.to(Query::PlaneAabbSide).byte(match plane.side_of(aabb) {
         Side::Front => 0,
         Side::Back => 1,
         Side::Both => 2,
@@ -149,50 +125,94 @@ fn sides<S: Draw>(plane: &Plane<S>, aabb: &Aabb<S>, hash: &mut Hash) {
 }
 
 #[inline(never)]
-fn crossings<S: Draw>(ray: &Ray<S>, triangle: &Triangle<S>, aabbs: [&Aabb<S>; 2], hash: &mut Hash) {
-    hash.hit(ray.hit(triangle));
-    hash.hit(ray.hit_once(triangle));
-    hash.yes(ray.hits(triangle));
-    hash.hit(ray.hit_moller_trumbore(triangle, Cull::Nothing));
-    hash.hit(ray.hit_volumes(triangle, Cull::Nothing));
-    hash.hit(ray.hit_stored_normal(&triangle.with_normal(), Cull::Back));
-    hash.hit(ray.hit_projected(&triangle.projected(), Cull::Front));
-    hash.hit(ray.sheared().hit(triangle, Cull::Nothing));
-    let (slabs, slopes) = (ray.for_slabs(), ray.for_slopes());
+fn crossings<S: Draw, A: Answers>(
+    ray: &Ray<S>,
+    triangle: &Triangle<S>,
+    aabbs: [&Aabb<S>; 2],
+    answers: &mut A,
+) {
+    answers.to(Query::RayTriangle).hit(ray.hit(triangle));
+    answers.to(Query::RayTriangleOnce).hit(ray.hit_once(triangle));
+    answers.to(Query::RayTriangleIs).yes(ray.is_hit(triangle));
+    let (by_normal, projected, nothing) =
+        (&NormalTriangle::new(triangle), ProjectedTriangle::new(triangle), Cull::Nothing);
+    answers
+        .to(Query::RayTriangleMollerTrumbore)
+        .hit(published::moller_trumbore::hit(ray, triangle, nothing));
+    answers.to(Query::RayTriangleVolumes).hit(published::volumes::hit(ray, triangle, nothing));
+    answers.to(Query::RayTriangleStored).hit(published::stored_normal::hit(
+        ray,
+        by_normal,
+        Cull::Back,
+    ));
+    answers.to(Query::RayTriangleProjected).hit(published::projected::hit(
+        ray,
+        &projected,
+        Cull::Front,
+    ));
+    answers.to(Query::RayTriangleWatertight).hit(ShearedRay::new(ray).hit(triangle, nothing));
+    let (slabs, slopes) = (&SlabRay::new(ray), SlopeRay::new(ray));
     for aabb in aabbs {
-        hash.yes(ray.overlaps(aabb));
-        hash.yes(ray.may_overlap(aabb));
-        hash.range(ray.t_range(aabb));
-        hash.range(slabs.t_range_rounded(aabb));
-        hash.yes(slabs.may_overlap(aabb));
-        hash.yes(slopes.overlaps_rounded(aabb));
+        answers.to(Query::RayAabb).yes(ray.overlaps(aabb));
+        answers.to(Query::RayAabbMay).yes(ray.may_overlap(aabb));
+        answers.to(Query::RayAabbRange).range(ray.t_range(aabb));
+        answers.to(Query::RayAabbSlabsRange).range(slabs.t_range_rounded(aabb));
+        answers.to(Query::RayAabbSlabsMay).yes(slabs.may_overlap(aabb));
+        answers.to(Query::RayAabbSlopes).yes(slopes.overlaps_rounded(aabb));
     }
 }
 
 /// Four at once: the triangle and itself with its vertices moved on, the ray and itself
 /// with its ends exchanged. These are the loops that become vector instructions.
 #[inline(never)]
-fn lanes<S: Draw>(ray: &Ray<S>, triangle: &Triangle<S>, aabbs: [&Aabb<S>; 2], hash: &mut Hash) {
-    let [a, b, c] = *triangle.vertices();
-    let turned = [[a, b, c], [b, c, a], [c, a, b], [b, a, c]];
-    let Ok(back) = Ray::new(ray.direction(), ray.origin()) else { return hash.byte(0xfe) };
-    let rays = [ray, &back, &back, ray].map(Clone::clone);
-    let triangles = turned.map(|[a, b, c]| Triangle::new(a, b, c).unwrap_or(*triangle));
-    let (by_normal, by_slabs) = (triangles.map(|t| t.with_normal()), rays.map(|r| r.for_slabs()));
-    let triangles = Triangles::new(&triangles);
-    hash.hits(&ray.hit_each(&triangles));
-    hash.hits(&ray.hit_each_moller_trumbore(&triangles, Cull::Nothing));
-    hash.hits(&ray.hit_each_volumes(&triangles, Cull::Back));
-    hash.hits(&ray.hit_each_stored_normal(&NormalTriangles::new(&by_normal), Cull::Nothing));
-    hash.hits(&ray.sheared().hit_each(&triangles, Cull::Nothing));
-    hash.hits(&Rays::new(&rays).hit_volumes(triangle, Cull::Front));
+fn lanes<S: Draw, A: Answers>(
+    ray: &Ray<S>,
+    triangle: &Triangle<S>,
+    aabbs: [&Aabb<S>; 2],
+    answers: &mut A,
+) {
+    let Some(Four { rays, triangles }) = Four::new(ray, triangle) else {
+        return answers.to(Query::ShapesAccepted).byte(0xfe);
+    };
+    let (by_normal, by_slabs) =
+        (triangles.map(|t| NormalTriangle::new(&t)), rays.map(|r| SlabRay::new(&r)));
+    let (triangles, rays) = (Triangles::new(&triangles), Rays::new(&rays));
+    let (by_normal, nothing) = (NormalTriangles::new(&by_normal), Cull::Nothing);
+    answers.to(Query::RayTriangles).hits(&triangles.hit(ray));
+    answers
+        .to(Query::RayTrianglesMollerTrumbore)
+        .hits(&triangles.hit_moller_trumbore(ray, nothing));
+    answers.to(Query::RayTrianglesVolumes).hits(&triangles.hit_volumes(ray, Cull::Back));
+    answers.to(Query::RayTrianglesStored).hits(&by_normal.hit(ray, nothing));
+    answers
+        .to(Query::RayTrianglesWatertight)
+        .hits(&triangles.hit_watertight(&ShearedRay::new(ray), nothing));
+    answers.to(Query::RaysTriangleVolumes).hits(&rays.hit_volumes(triangle, Cull::Front));
     let slabs = SlabRays::new(&by_slabs);
     for aabb in aabbs {
-        hash.ranges(&slabs.t_range_rounded(aabb));
+        answers.to(Query::RaysAabbSlabs).ranges(&slabs.t_range_rounded(aabb));
     }
+    // These two have different forms, and lanes hold one: `added` asks about more boxes.
     let [p, q] = aabbs;
     if let Some(aabbs) = Aabbs::new(&[*p, *q, *q, *p]) {
-        hash.ranges(&ray.for_slabs().t_range_each_rounded(&aabbs));
+        answers.to(Query::RayAabbsSlabs).ranges(&aabbs.t_range_rounded(&SlabRay::new(ray)));
+    }
+}
+
+/// What lanes are asked about.
+struct Four<S> {
+    rays: [Ray<S>; 4],
+    triangles: [Triangle<S>; 4],
+}
+
+impl<S: Draw> Four<S> {
+    fn new(ray: &Ray<S>, triangle: &Triangle<S>) -> Option<Self> {
+        let [a, b, c] = *triangle.vertices();
+        let turned = [[a, b, c], [b, c, a], [c, a, b], [b, a, c]];
+        let back = Ray::new(ray.direction(), ray.origin()).ok()?;
+        let rays = [ray, &back, &back, ray].map(Clone::clone);
+        let triangles = turned.map(|[a, b, c]| Triangle::new(a, b, c).unwrap_or(*triangle));
+        Some(Self { rays, triangles })
     }
 }
 

@@ -3,17 +3,17 @@
 use fixed::types::I16F16;
 use septum::{Aabb, Obb, Vec3};
 
-/// Along the path.
+/// The number of steps along the path.
 pub(crate) const STEPS: u32 = 32;
 
-/// Half of it along its own axes: a drill.
+/// Half-extents of the tool along its own axes. It is a drill.
 const HALF: [I16F16; 3] = [I16F16::lit("0.125"), I16F16::lit("1.5"), I16F16::lit("0.125")];
 
 const START: [I16F16; 3] = [I16F16::lit("-7"), I16F16::lit("7"), I16F16::lit("3")];
 const END: [I16F16; 3] = [I16F16::lit("5"), I16F16::lit("1.5"), I16F16::lit("-1")];
 
-/// The tool at a step: on its way from start to end, and leaning over by a
-/// quarter of a turn.
+/// The tool at a step. It moves from start to end, and turns by 45 degrees on the
+/// way.
 pub(crate) fn at(step: u32) -> Option<Obb<I16F16>> {
     let one = I16F16::ONE;
     let way = I16F16::from_num(step) / I16F16::from_num(STEPS);
@@ -21,7 +21,7 @@ pub(crate) fn at(step: u32) -> Option<Obb<I16F16>> {
     for (at, end) in center.iter_mut().zip(END) {
         *at += (end - *at) * way;
     }
-    // A rotation about z without trigonometry: half the angle has the tangent h.
+    // A rotation about z without trigonometry. The tangent of half the angle is h.
     let h = way * I16F16::lit("0.41421");
     let (cos, sin) = ((one - h * h) / (one + h * h), (h + h) / (one + h * h));
     let zero = I16F16::ZERO;
@@ -29,13 +29,13 @@ pub(crate) fn at(step: u32) -> Option<Obb<I16F16>> {
     Obb::new(center, axes.map(Vec3::from), HALF).ok()
 }
 
-/// An upright box around the tool, with a little room.
+/// An axis-aligned box that holds the tool.
 pub(crate) fn bounds(tool: &Obb<I16F16>) -> Option<Aabb<I16F16>> {
     let (center, half) = (tool.center(), tool.half_extents().to_array());
     let mut reach = [I16F16::ZERO; 3];
     for (axis, half) in tool.axes().iter().zip(half) {
         for (reach, along) in reach.iter_mut().zip(axis.to_array()) {
-            // A product is rounded down, by less than one unit.
+            // A product is rounded down by less than one unit.
             *reach += along.abs() * half + I16F16::DELTA;
         }
     }

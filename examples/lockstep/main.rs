@@ -1,10 +1,11 @@
-//! Lockstep: two peers run the same world from the same inputs, and never send it.
+//! Lockstep: two peers run the same world from the same inputs. They send each other
+//! inputs and hashes, never the world.
 //!
-//! Boxes fall and slide on a terrain of triangles, all in I16F16. Each peer knows
-//! its own input at once and the other's five ticks later; until then it guesses,
-//! and where it guessed wrong it goes back and runs those ticks again. The hash of
-//! each tick is the same in both, on every machine. One bit changed in one input is
-//! noticed at that very tick.
+//! Boxes fall and slide on a terrain of triangles, all in I16F16. Each peer knows its
+//! own input at once, and the other's five ticks later. Until then it predicts that
+//! input. If the prediction was wrong, it rolls back and runs those ticks again. The
+//! hash of each tick is the same in both peers, on every machine. If one bit of one
+//! input is changed, the hashes differ from that tick on.
 //!
 //! ```text
 //! cargo run --release --example lockstep
@@ -24,9 +25,9 @@ use peer::Peer;
 use program::{Line, program};
 use world::World;
 
-/// How long it runs.
+/// How many ticks the world runs.
 const TICKS: usize = 120;
-/// Where the input is changed that must not be.
+/// The tick whose input is corrupted on the way.
 const BAD_TICK: usize = 57;
 /// The hash of the last tick, the same on every machine.
 const LAST: u64 = 0x8e33_66e5_807f_768f;
@@ -35,15 +36,14 @@ const LINES: usize = 3;
 
 type Hashes = [u64; TICKS];
 
-/// What a player's hand does: the same in each run, and the four directions as four
-/// bits.
+/// A player's input, the same in each run. Four bits are the four directions.
 fn input(player: usize, tick: usize) -> u8 {
-    // A hand holds still for seven ticks.
+    // An input stays for seven ticks.
     let mixed = (tick as u64 / 7 * 2 + player as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     (mixed >> 60) as u8
 }
 
-/// Nobody guesses.
+/// The hashes of a run in which every input is known at once.
 fn straight() -> Hashes {
     let (mut world, mut hashes) = (World::new(), [0; TICKS]);
     for (tick, hash) in hashes.iter_mut().enumerate() {
@@ -53,8 +53,8 @@ fn straight() -> Hashes {
     hashes
 }
 
-/// What a peer makes of it, which gets the other's inputs late, and with these bits
-/// of one of them changed on the way. Also how many ticks it ran again.
+/// The hashes of a peer that gets the other's inputs late. The bits `changed` of one
+/// of these inputs are flipped on the way. Also how many ticks it ran again.
 fn late(own: usize, changed: u8) -> (Hashes, usize) {
     let mut peer = Peer::new(own);
     let mut hashes = [0; TICKS];
@@ -63,7 +63,7 @@ fn late(own: usize, changed: u8) -> (Hashes, usize) {
             let bits = if arrived == BAD_TICK { changed } else { 0 };
             hashes[arrived] = peer.confirm(input(1 - own, arrived) ^ bits);
         }
-        // The last ticks are waited for, not played.
+        // After the last tick the peer only waits for inputs.
         if tick < TICKS {
             peer.play(input(own, tick));
         }
@@ -74,7 +74,7 @@ fn late(own: usize, changed: u8) -> (Hashes, usize) {
 fn line(k: usize) -> Line {
     let mut text = heapless::String::new();
     let hashes = straight();
-    // There is room for all of it.
+    // A line has room for all of this text.
     let is_right = match k {
         0 => {
             let _ = write!(text, "hash at tick 30, 60, 90, 120:");
@@ -91,7 +91,7 @@ fn line(k: usize) -> Line {
             agree
         }
         _ => {
-            // What the peers send each other beside their inputs: the hashes.
+            // The peers compare hashes.
             let ((ours, _), (theirs, _)) = (late(0, 1), late(1, 0));
             let desync = (0..TICKS).find(|&tick| ours[tick] != theirs[tick]);
             let _ = write!(text, "one bit changed at tick {BAD_TICK}: ");

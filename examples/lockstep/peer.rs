@@ -1,4 +1,4 @@
-//! A peer: plays ahead on a guess, and goes back where it was wrong.
+//! A peer: it predicts the other's input, and rolls back if the prediction was wrong.
 
 use crate::world::World;
 
@@ -7,19 +7,19 @@ pub(crate) const DELAY: usize = 5;
 
 /// A tick whose inputs are not all known yet.
 struct Tick {
-    /// The world before it: where to go back to.
+    /// The world before the tick. A rollback starts here.
     before: World,
     own: u8,
-    /// What the other's input is taken for.
+    /// The other's input as predicted.
     other: u8,
 }
 
 /// One of the two players.
 pub(crate) struct Peer {
     player: usize,
-    /// As it is shown: after all ticks, some of them guessed.
+    /// The world after all ticks, some of them with predicted inputs.
     shown: World,
-    /// The ticks not certain yet, the oldest first.
+    /// The ticks whose inputs are not all known yet, the oldest first.
     open: heapless::Deque<Tick, { DELAY + 1 }>,
     last_known: u8,
     replayed: usize,
@@ -31,16 +31,16 @@ impl Peer {
         Self { player, shown: World::new(), open, last_known: 0, replayed: 0 }
     }
 
-    /// One tick ahead: the other's hand is where it was last seen.
+    /// Runs one tick. The prediction is that the other's input has not changed.
     pub(crate) fn play(&mut self, own: u8) {
         let tick = Tick { before: self.shown, own, other: self.last_known };
         self.shown.step(self.inputs(&tick));
-        // Ticks become certain as fast as others come.
+        // There is room: for each tick that comes, one is confirmed.
         let _ = self.open.push_back(tick);
     }
 
-    /// The other's input of the oldest open tick has come: the hash of the world
-    /// after that tick, run again if it was guessed wrong.
+    /// Takes the other's input of the oldest open tick. Returns the hash of the world
+    /// after that tick, which is run again if the prediction was wrong.
     pub(crate) fn confirm(&mut self, other: u8) -> u64 {
         let guess = self.open.front().map(|tick| tick.other);
         self.last_known = other;
@@ -51,7 +51,7 @@ impl Peer {
         self.open.front().map_or(&self.shown, |next| &next.before).hash()
     }
 
-    /// Back to before the oldest open tick, and all of them once more.
+    /// Goes back to before the oldest open tick, and runs all open ticks again.
     fn roll_back(&mut self) {
         let Some(oldest) = self.open.front() else { return };
         self.shown = oldest.before;

@@ -3,10 +3,10 @@
 use fixed::types::I16F16;
 use septum::{Aabb, Triangle, Vec3};
 
-/// Cells along each side.
+/// How many cells the ground has along each side.
 pub(crate) const SIDE: i32 = 10;
 
-/// Heights in sixteenths, for a pattern that repeats.
+/// Heights in sixteenths. The pattern repeats.
 const HEIGHTS: [[i32; 5]; 5] =
     [[24, 14, 9, 3, 12], [15, 6, 0, 5, 13], [8, 2, 5, 11, 6], [3, 7, 14, 8, 1], [16, 9, 4, 0, 10]];
 

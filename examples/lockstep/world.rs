@@ -1,5 +1,5 @@
-//! Boxes that fall and slide, and two of them that are steered. Every operation is
-//! one on integers: products of two numbers are rounded down, everywhere.
+//! Boxes that fall and slide. Players steer two of them. Every operation is one on
+//! integers, and products are rounded down, so that every machine computes the same.
 
 use fixed::types::I16F16;
 use septum::{Aabb, Triangle};
@@ -16,8 +16,8 @@ const GRAVITY: Number = lit("0.00390625");
 const THRUST: Number = lit("0.005");
 const DRAG: Number = lit("0.984375");
 const SLIDE: Number = lit("0.01");
-/// How high a box climbs in one tick.
-const CLIMB: Number = lit("0.0625");
+/// How far a box is lifted in one tick, where the ground rises before it.
+const LIFT: Number = lit("0.0625");
 
 #[derive(Clone, Copy)]
 struct Body {
@@ -27,7 +27,7 @@ struct Body {
 }
 
 impl Body {
-    /// The box, or nothing where it left the range of its coordinates.
+    /// The box, unless it left the range of its coordinates.
     fn aabb(&self) -> Option<Aabb<Number>> {
         let [x, y, z] = self.position;
         let corner = |d: Number| [x + d, y + d, z + d];
@@ -45,7 +45,7 @@ impl Body {
     }
 }
 
-/// All there is to know of a tick.
+/// The whole state.
 #[derive(Clone, Copy)]
 pub(crate) struct World {
     bodies: [Body; 6],
@@ -64,7 +64,7 @@ impl World {
         Self { bodies }
     }
 
-    /// One tick. The bits of an input are left, right, back and forth.
+    /// Runs one tick. The bits of an input mean left, right, back and forward.
     pub(crate) fn step(&mut self, inputs: [u8; 2]) {
         for (body, input) in self.bodies.iter_mut().zip(inputs) {
             let push = |bit: u8| if input >> bit & 1 == 1 { THRUST } else { Number::ZERO };
@@ -83,15 +83,15 @@ impl World {
         self.bodies.iter().enumerate().any(|(j, other)| j != k && body.meets(other))
     }
 
-    /// Along a horizontal axis: over the ground if that is not too steep, and within
-    /// the walls around it.
+    /// Moves a box along a horizontal axis. It slides over the ground where that is not
+    /// too steep, and stays within the walls.
     fn slide(&mut self, k: usize, i: usize) {
         let mut moved = self.bodies[k];
         moved.velocity[i] *= DRAG;
         let end = Number::from_num(SIDE) - moved.half;
         moved.position[i] = (moved.position[i] + moved.velocity[i]).clamp(moved.half, end);
         if moved.ground().is_some() {
-            moved.position[1] += CLIMB;
+            moved.position[1] += LIFT;
         }
         if moved.ground().is_some() || self.is_blocked(k, &moved) {
             self.bodies[k].velocity[i] = -self.bodies[k].velocity[i] / 2;
@@ -100,7 +100,7 @@ impl World {
         }
     }
 
-    /// Down; on the ground, downhill.
+    /// Moves a box down. A box on the ground gains speed downhill.
     fn fall(&mut self, k: usize) {
         let mut moved = self.bodies[k];
         moved.velocity[1] = (moved.velocity[1] - GRAVITY).max(-moved.half);
@@ -120,7 +120,7 @@ impl World {
         }
     }
 
-    /// FNV-1a over every bit of it.
+    /// The hash of every bit of the state: FNV-1a.
     pub(crate) fn hash(&self) -> u64 {
         let mut hash = 0xcbf2_9ce4_8422_2325_u64;
         for body in &self.bodies {

@@ -7,10 +7,10 @@
 //! bash .ci/target-table > docs/target.csv     # all boards
 //! ```
 //!
-//! Instructions are the average over the cases of a path, without the call. They are
-//! counted by the board's timer, as if each took the same time: they are not cycles.
-//! The stack is the most that any of the cases took, by what it left of a painted
-//! stack. Paths:
+//! Instructions are the average over the cases of a path, without the call. The
+//! board's timer counts them, as if each took the same time. They are not cycles.
+//! The stack is the most that any of the cases took. It is measured by painting the
+//! stack and looking where the paint is left. Paths:
 //!
 //! - `voorhies`: triangles with vertices in [−2, 2]³ against the unit cube around the
 //!   origin, or one that is turned: the experiment of 2001
@@ -19,7 +19,7 @@
 //! - `whole range`: `full`, as wide as the numbers of the scalar
 //! - `hit`, `miss`: rays through triangles and boxes, and past them
 //!
-//! A host counts no instructions; for times there, see `benches/`.
+//! A host counts no instructions. `benches/` measures times there.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[path = "../boards/clock.rs"]

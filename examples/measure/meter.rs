@@ -5,10 +5,10 @@ use core::hint::black_box;
 use crate::clock::Clock;
 use crate::stack;
 
-/// A question about two shapes.
+/// A query about two shapes.
 pub(crate) type Ask<A, B> = fn(&A, &B) -> bool;
 
-/// What queries took.
+/// The cost of some queries.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Taken {
     queries: u64,
@@ -17,23 +17,23 @@ pub(crate) struct Taken {
 }
 
 impl Taken {
-    /// All instructions.
+    /// The instructions of all queries.
     pub(crate) fn total(&self) -> u64 {
         self.instructions
     }
 
-    /// Those of a query, on average, to the nearest.
+    /// The instructions of one query: the average, rounded to the nearest.
     pub(crate) fn instructions(&self) -> u64 {
         (self.instructions + self.queries / 2).checked_div(self.queries).unwrap_or(0)
     }
 
-    /// Bytes, at most.
+    /// The most bytes of stack that a query took.
     pub(crate) fn stack(&self) -> usize {
         self.stack
     }
 }
 
-/// Counts instructions, and looks at the stack.
+/// Measures instructions and stack.
 pub(crate) struct Meter(Clock);
 
 impl Meter {
@@ -41,12 +41,13 @@ impl Meter {
         Self(clock)
     }
 
-    /// Whether there is anything to count with.
+    /// Whether this machine counts instructions.
     pub(crate) fn counts(&self) -> bool {
         self.0.count(|| ()).1.is_some()
     }
 
-    /// Adds what a query about each of the pairs takes beyond one that says nothing.
+    /// Adds the cost of a query about each of the pairs. The cost of an empty query is
+    /// taken off.
     pub(crate) fn add<A, B>(&self, taken: &mut Taken, pairs: &[(A, B)], ask: Ask<A, B>) {
         let nothing: Ask<A, B> = |_, _| false;
         let count = |ask| self.0.count(|| ask_all(pairs, ask)).1.unwrap_or(0);
@@ -57,7 +58,7 @@ impl Meter {
     }
 }
 
-/// The same code for every query about such shapes.
+/// Never inlined, so that the loop is the same code for every query.
 #[inline(never)]
 fn ask_all<A, B>(pairs: &[(A, B)], ask: Ask<A, B>) {
     let ask = black_box(ask);

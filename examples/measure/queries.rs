@@ -3,7 +3,10 @@
 use core::hint::black_box;
 
 use heapless::Vec;
-use septum::{Aabb, Cull, Obb, Ray, SlabRay, SlopeRay, Triangle};
+use septum::published;
+use septum::published::slabs::SlabRay;
+use septum::published::slopes::SlopeRay;
+use septum::{Aabb, Cull, Obb, Ray, Triangle};
 
 use crate::CORE;
 use crate::firmware::say;
@@ -13,7 +16,8 @@ use crate::workload::{self, Coordinate, Draw, Rng};
 /// How many pairs of shapes there are in a path, and how many at once.
 const CASES: usize = 256;
 const BATCH: usize = 32;
-/// No more cases after so many instructions: what takes so long varies little.
+/// No more cases follow after so many instructions. Queries that take so long vary
+/// little.
 const ENOUGH: u64 = 10_000_000;
 
 /// Measures all queries in a scalar.
@@ -32,8 +36,8 @@ fn triangle_aabb<S: Coordinate>(meter: &Meter) {
     let queries: [Query<Triangle<S>, Aabb<S>>; 4] = [
         (NAME, "exact", |t, b| t.overlaps(b)),
         (NAME, "conservative", |t, b| t.may_overlap(b)),
-        (NAME, "rounded", |t, b| t.overlaps_rounded(b)),
-        (NAME, "as published", |t, b| t.overlaps_as_published(b)),
+        (NAME, "rounded", |t, b| published::shared_normal::overlaps(t, b)),
+        (NAME, "as published", |t, b| published::akenine_moller::overlaps(t, b)),
     ];
     lines::<S, _, _>(meter, "full", workload::full, &queries);
     lines::<S, _, _>(meter, "voorhies", workload::voorhies, &queries);
@@ -46,20 +50,20 @@ fn triangle_obb<S: Coordinate>(meter: &Meter) {
     let queries: [Query<Triangle<S>, Obb<S>>; 3] = [
         (NAME, "exact", |t, b| t.overlaps(b)),
         (NAME, "conservative", |t, b| t.may_overlap(b)),
-        (NAME, "as published", |t, b| t.overlaps_by_transform(b)),
+        (NAME, "as published", |t, b| published::akenine_moller::overlaps_obb(t, b)),
     ];
     lines::<S, _, _>(meter, "full", workload::turned_full, &queries);
     lines::<S, _, _>(meter, "voorhies", workload::turned_voorhies, &queries);
 }
 
 fn ray_triangle<S: Coordinate>(meter: &Meter) {
-    // All of the hit is asked for, not just whether there is one.
+    // `black_box` asks for all of the hit, not only whether there is one.
     let queries: [Query<Ray<S>, Triangle<S>>; 4] = [
-        ("ray/triangle hits", "exact", |r, t| r.hits(t)),
+        ("ray/triangle hits", "exact", |r, t| r.is_hit(t)),
         ("ray/triangle hit", "exact", |r, t| black_box(r.hit(t)).is_some()),
         ("ray/triangle hit once", "exact", |r, t| black_box(r.hit_once(t)).is_some()),
         ("ray/triangle hit", "as published", |r, t| {
-            black_box(r.hit_moller_trumbore(t, Cull::Nothing)).is_some()
+            black_box(published::moller_trumbore::hit(r, t, Cull::Nothing)).is_some()
         }),
     ];
     lines::<S, _, _>(meter, "hit", workload::hit, &queries);
@@ -71,18 +75,18 @@ fn ray_aabb<S: Coordinate>(meter: &Meter) {
     let queries: [Query<Ray<S>, Aabb<S>>; 3] = [
         (NAME, "exact", |r, b| r.overlaps(b)),
         (NAME, "conservative", |r, b| r.may_overlap(b)),
-        (NAME, "as published", |r, b| r.overlaps_as_published(b)),
+        (NAME, "as published", |r, b| published::separating_axes::ray_overlaps(r, b)),
     ];
     lines::<S, _, _>(meter, "hit", workload::box_hit, &queries);
     lines::<S, _, _>(meter, "miss", workload::box_miss, &queries);
 
-    // Of rays that are prepared.
+    // Rays that are prepared for a method.
     let slabs: [Query<SlabRay<S>, Aabb<S>>; 1] = [(NAME, "slabs", |r, b| r.overlaps_rounded(b))];
-    lines::<S, _, _>(meter, "hit", |r| prepared(r, true, Ray::for_slabs), &slabs);
-    lines::<S, _, _>(meter, "miss", |r| prepared(r, false, Ray::for_slabs), &slabs);
+    lines::<S, _, _>(meter, "hit", |r| prepared(r, true, SlabRay::new), &slabs);
+    lines::<S, _, _>(meter, "miss", |r| prepared(r, false, SlabRay::new), &slabs);
     let slopes: [Query<SlopeRay<S>, Aabb<S>>; 1] = [(NAME, "slopes", |r, b| r.overlaps_rounded(b))];
-    lines::<S, _, _>(meter, "hit", |r| prepared(r, true, Ray::for_slopes), &slopes);
-    lines::<S, _, _>(meter, "miss", |r| prepared(r, false, Ray::for_slopes), &slopes);
+    lines::<S, _, _>(meter, "hit", |r| prepared(r, true, SlopeRay::new), &slopes);
+    lines::<S, _, _>(meter, "miss", |r| prepared(r, false, SlopeRay::new), &slopes);
 }
 
 fn prepared<S: Coordinate, R>(
@@ -94,7 +98,7 @@ fn prepared<S: Coordinate, R>(
     Some((prepare(&ray), aabb))
 }
 
-/// Measures the queries on one path, and says what they took.
+/// Measures the queries on one path, and prints a line for each.
 fn lines<S: Coordinate, A, B>(
     meter: &Meter,
     path: &str,
@@ -106,7 +110,7 @@ fn lines<S: Coordinate, A, B>(
     for _ in 0..CASES / BATCH {
         let mut pairs = Vec::<_, BATCH>::new();
         while let (false, Some(pair)) = (pairs.is_full(), draw(&mut rng)) {
-            // There is room.
+            // There is room: the loop has just asked.
             let _ = pairs.push(pair);
         }
         if pairs.is_empty() {

@@ -6,7 +6,7 @@ pub(crate) fn lowest(run: &mut dyn FnMut()) -> usize {
     painted::lowest(run)
 }
 
-/// A host's stack is not looked at.
+/// A host's stack is not measured.
 #[cfg(not(target_os = "none"))]
 pub(crate) fn lowest(run: &mut dyn FnMut()) -> usize {
     run();
@@ -21,14 +21,14 @@ mod painted {
     use core::mem::MaybeUninit;
 
     const PAINT: u32 = 0x5e97_0a11;
-    /// How far down to paint.
+    /// How many bytes are painted.
     const DEPTH: usize = 16 << 10;
-    /// What `paint` and `find` may take of the stack themselves, and no more than what
-    /// `from_below` leaves unused.
+    /// How many bytes of stack `paint` and `find` may take themselves. `from_below`
+    /// leaves as many unused.
     const OWN: usize = 256;
 
     pub(super) fn lowest(run: &mut dyn FnMut()) -> usize {
-        // An interrupt would leave its frame.
+        // An interrupt would leave its frame on the stack.
         #[cfg(target_arch = "arm")]
         cortex_m::interrupt::disable();
         let bottom = paint();
@@ -42,7 +42,7 @@ mod painted {
         lowest
     }
 
-    /// Runs it with nothing of the unpainted stack left to it.
+    /// Runs it below the part of the stack that is not painted.
     #[inline(never)]
     fn from_below(run: &mut dyn FnMut()) {
         let mut unused = MaybeUninit::<[u8; OWN]>::uninit();
@@ -51,8 +51,9 @@ mod painted {
         black_box(&mut unused);
     }
 
-    /// Paints, and says down to where. Out of line, and not up to the stack pointer:
-    /// this function may put its registers there after the pointer was read.
+    /// Paints the stack, and returns the lowest painted address. It is not inlined, and
+    /// leaves a gap below the stack pointer: this function may save registers there
+    /// after it has read the pointer.
     #[inline(never)]
     fn paint() -> usize {
         let pointer: usize;

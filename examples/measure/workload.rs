@@ -8,15 +8,15 @@ type Point = [i32; 3];
 
 const HALF: i32 = 1 << 15;
 
-/// A scalar that has such numbers, if not all of their places.
+/// A scalar that has these numbers, perhaps with fewer fraction bits.
 pub(crate) trait Coordinate: Scalar {
     const NAME: &'static str;
 
     /// So many units of 2⁻¹⁶, rounded down.
     fn of(units: i32) -> Self;
 
-    /// So many units of 2⁻³ of a scalar that has 32 bits, which makes the scene as
-    /// wide as its numbers are.
+    /// The same units scaled by 2¹³, for scalars of 32 bits: the scene is then as wide
+    /// as the range of the scalar.
     fn of_whole_range(units: i32) -> Option<Self> {
         let _ = units;
         None
@@ -93,7 +93,7 @@ impl Rng {
         [(); 3].map(|()| ((u64::from(self.bits()) * 9) >> 32) as i32 - 4).map(|x| x << 16)
     }
 
-    /// One of 0 to 255.
+    /// An integer from 0 to 255.
     fn byte(&mut self) -> i32 {
         (self.bits() >> 24) as i32
     }
@@ -102,7 +102,7 @@ impl Rng {
 /// A way to make a pair of shapes; `None` where the scalar has no such pair.
 pub(crate) type Draw<A, B> = fn(&mut Rng) -> Option<(A, B)>;
 
-/// Points of a scalar.
+/// A point in a scalar.
 fn vector<S: Coordinate>(p: Point) -> Vec3<S> {
     Vec3::from(p.map(S::of))
 }
@@ -156,7 +156,8 @@ pub(crate) fn whole_range<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, 
     }
 }
 
-/// Against a cube turned about two axes, by the triangle of sides 3, 4 and 5.
+/// A triangle and a cube turned about two axes. The angles are those of the triangle
+/// with sides 3, 4 and 5.
 pub(crate) fn turned_voorhies<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Obb<S>)> {
     let triangle = triangle([(); 3].map(|()| rng.point())).ok()?;
     let axes = [[60, 80, 0], [-48, 36, 80], [64, -48, 60]].map(|a| a.map(|x| x * 65536 / 100));
@@ -174,7 +175,7 @@ fn ray<S: Coordinate>(from: Point, to: Point) -> Option<Ray<S>> {
     Ray::new(vector(from), vector(direction)).ok()
 }
 
-/// A ray at some point of a triangle, as near as numbers go.
+/// A ray towards some point of a triangle, as near as rounding allows.
 fn at_triangle<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Triangle<S>)> {
     let p = [(); 3].map(|()| rng.point());
     let (u, v) = (rng.byte(), rng.byte());
@@ -189,11 +190,11 @@ fn anywhere_at_triangle<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Triangl
 }
 
 pub(crate) fn hit<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Triangle<S>)> {
-    first(rng, at_triangle, true, |ray, triangle| ray.hits(triangle))
+    first(rng, at_triangle, true, |ray, triangle| ray.is_hit(triangle))
 }
 
 pub(crate) fn miss<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Triangle<S>)> {
-    first(rng, anywhere_at_triangle, false, |ray, triangle| ray.hits(triangle))
+    first(rng, anywhere_at_triangle, false, |ray, triangle| ray.is_hit(triangle))
 }
 
 /// A ray between two points, and a box of half-extents up to 0.75 in [−2, 2]³.

@@ -4,24 +4,28 @@
 //! cargo run --release --example quantise -- MESH --scalar i16f16 > table.rs
 //! ```
 //!
-//! The table holds each vertex once, in raw bits; the faces are indices. What
-//! rounding did to the mesh goes to the error stream.
+//! The table holds each vertex once, in raw bits; the faces are indices. A closed
+//! mesh also gets a table of its parts, for only a closed mesh has an inside. What
+//! rounding did to the mesh, and whether it is closed, goes to the error stream.
 
+#[allow(dead_code, reason = "shared with other examples")]
+#[path = "../shared/cli.rs"]
+mod cli;
 #[path = "../voxelize/mesh.rs"]
 mod mesh;
 mod options;
+mod solid;
 mod table;
 
 use std::error::Error;
 use std::process::ExitCode;
 
-use clap::Parser;
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 use mesh::Mesh;
 use options::{Options, Scalar};
 
 fn main() -> ExitCode {
-    match run(&Options::parse()) {
+    match run(&cli::read()) {
         Ok(table) => {
             print!("{table}");
             ExitCode::SUCCESS

@@ -1,29 +1,38 @@
-//! What can be said on the command line.
+//! The options of the command line.
 
 use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
 
+use crate::cli::valid;
+
 /// Brings a mesh to fixed point, as a table for flash.
 ///
 /// Prints a Rust file: the vertices as raw bits, each once, and the faces as
-/// indices. Faces that rounding made degenerate are kept: a query takes them.
+/// indices. Faces that rounding made degenerate are kept: a query takes them. If the
+/// mesh is closed, the faces are sorted by part, and PARTS says which are whose.
 #[derive(Parser)]
 pub(crate) struct Options {
     /// The mesh, an .obj or .stl file; without it, the bundled teapot
     pub(crate) mesh: Option<PathBuf>,
 
     /// What is up in the file
-    #[arg(long, value_name = "AXIS")]
+    #[arg(long, value_name = "AXIS", ignore_case = true)]
     pub(crate) up: Option<Up>,
 
     /// The type to round to
-    #[arg(long, value_name = "TYPE", default_value = "i16f16")]
+    #[arg(long, value_name = "TYPE", default_value = "i16f16", ignore_case = true)]
     pub(crate) scalar: Scalar,
 
     /// Enlarges the mesh so many times before it is rounded
-    #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0,
+        value_parser = valid("a number above zero", |&x: &f64| x.is_finite() && x > 0.0),
+        allow_negative_numbers = true)]
     pub(crate) scale: f64,
+
+    /// Fills each hole with a fan of triangles, so that the mesh has an inside
+    #[arg(long)]
+    pub(crate) close: bool,
 }
 
 /// The axis that points up.

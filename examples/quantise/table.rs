@@ -1,13 +1,52 @@
-//! The table.
+//! The table: the mesh with rounded vertices, as a Rust file.
 
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt::Write;
+use std::ops::Range;
 
 use fixed::traits::{Fixed, ToFixed};
 
 use crate::mesh::Mesh;
 use crate::options::Options;
+use crate::solid::{Face, caps, open_edges, sort_into_parts};
+
+/// A mesh whose vertices are rounded. Each vertex is there once.
+struct Rounded<S> {
+    vertices: Vec<[S; 3]>,
+    faces: Vec<Face>,
+    /// How far a coordinate moved at most.
+    moved: f64,
+}
+
+impl<S: Fixed> Rounded<S> {
+    fn new(mesh: &Mesh, scale: f64, scalar: &str) -> Result<Self, Box<dyn Error>> {
+        let mut places = BTreeMap::new();
+        let (mut vertices, mut faces, mut moved) = (Vec::new(), Vec::new(), 0.0_f64);
+        for triangle in &mesh.triangles {
+            let mut face = [0; 3];
+            for (corner, point) in face.iter_mut().zip(triangle) {
+                let mut rounded = [S::ZERO; 3];
+                for (to, x) in rounded.iter_mut().zip(point.map(|x| x * scale)) {
+                    *to = x.checked_to_fixed().ok_or_else(|| {
+                        format!("{x:e} is beyond the range of {scalar}: see --scale")
+                    })?;
+                    moved = moved.max((to.to_num::<f64>() - x).abs());
+                }
+                let next = vertices.len();
+                *corner = *places.entry(rounded).or_insert(next);
+                if *corner == next {
+                    vertices.push(rounded);
+                }
+            }
+            faces.push(face);
+        }
+        if vertices.len() > usize::from(u16::MAX) + 1 {
+            return Err(format!("{} vertices: indices have 16 bits", vertices.len()).into());
+        }
+        Ok(Self { vertices, faces, moved })
+    }
+}
 
 /// The mesh as a Rust file.
 pub(crate) fn write<S: Fixed<Bits: std::fmt::Display>>(
@@ -15,45 +54,37 @@ pub(crate) fn write<S: Fixed<Bits: std::fmt::Display>>(
     options: &Options,
 ) -> Result<String, Box<dyn Error>> {
     let scalar = format!("{:?}", options.scalar);
-    let mut places = BTreeMap::new();
-    let (mut vertices, mut faces, mut largest_error) = (Vec::new(), Vec::new(), 0.0_f64);
-    for triangle in &mesh.triangles {
-        let mut face = [0; 3];
-        for (corner, point) in face.iter_mut().zip(triangle) {
-            let scaled = point.map(|x| x * options.scale);
-            let mut rounded = [S::ZERO; 3];
-            for (to, x) in rounded.iter_mut().zip(scaled) {
-                *to = x
-                    .checked_to_fixed()
-                    .ok_or_else(|| format!("{x} is beyond the range of {scalar}: see --scale"))?;
-                largest_error = largest_error.max((to.to_num::<f64>() - x).abs());
-            }
-            let next = vertices.len();
-            *corner = *places.entry(rounded).or_insert(next);
-            if *corner == next {
-                vertices.push(rounded);
-            }
-        }
-        faces.push(face);
+    let Rounded { vertices, mut faces, moved } = Rounded::<S>::new(mesh, options.scale, &scalar)?;
+    if options.close {
+        faces.extend(caps(&faces));
     }
-    if vertices.len() > usize::from(u16::MAX) + 1 {
-        return Err(format!("{} vertices: indices have 16 bits", vertices.len()).into());
-    }
+    let open = open_edges(&faces).len();
+    let parts = if open == 0 { sort_into_parts(&mut faces) } else { Vec::new() };
     eprintln!(
-        "{}: {} vertices, {} faces, {} bytes; rounded by at most {largest_error:.2e}",
+        "{}: {} vertices, {} faces, {} bytes; rounded by at most {moved:.2e}",
         mesh.name,
         vertices.len(),
         faces.len(),
         vertices.len() * 3 * size_of::<S>() + faces.len() * 6,
     );
+    match open {
+        0 => eprintln!("closed, parts: {}", parts.len()),
+        _ => eprintln!("open at {open} edges: it has no inside; --close fills its holes"),
+    }
+    text(&mesh.name, &scalar, &vertices, &faces, &parts)
+}
 
-    let mut out = format!("// The {} in {scalar}, made by the example `quantise`.\n\n", mesh.name);
+fn text<S: Fixed<Bits: std::fmt::Display>>(
+    name: &str,
+    scalar: &str,
+    vertices: &[[S; 3]],
+    faces: &[Face],
+    parts: &[Range<usize>],
+) -> Result<String, Box<dyn Error>> {
+    let mut out = format!("// The {name} in {scalar}, made by the example `quantise`.\n\n");
     writeln!(out, "use fixed::types::{scalar};\nuse septum::Vec3;\n")?;
-    writeln!(
-        out,
-        "const fn v(x: {bits}, y: {bits}, z: {bits}) -> Vec3<{scalar}> {{",
-        bits = bits::<S>()
-    )?;
+    let bits = format!("i{}", 8 * size_of::<S>());
+    writeln!(out, "const fn v(x: {bits}, y: {bits}, z: {bits}) -> Vec3<{scalar}> {{")?;
     writeln!(
         out,
         "    Vec3::new({scalar}::from_bits(x), {scalar}::from_bits(y), {scalar}::from_bits(z))\n}}\n"
@@ -65,15 +96,18 @@ pub(crate) fn write<S: Fixed<Bits: std::fmt::Display>>(
         writeln!(out, "    {}", row.iter().map(of).collect::<Vec<_>>().join(" "))?;
     }
     writeln!(out, "];\n\npub(crate) static FACES: [[u16; 3]; {}] = [", faces.len())?;
-    for row in faces.chunks(6) {
-        let of = |face: &[usize; 3]| format!("{face:?},");
+    for row in faces.chunks(8) {
+        let of = |face: &Face| format!("{face:?},");
         writeln!(out, "    {}", row.iter().map(of).collect::<Vec<_>>().join(" "))?;
     }
     writeln!(out, "];")?;
+    if !parts.is_empty() {
+        writeln!(
+            out,
+            "\n// The faces of each part. Every part is closed: each edge has an even number of \
+             faces.\npub(crate) static PARTS: [core::ops::Range<usize>; {}] = {parts:?};",
+            parts.len()
+        )?;
+    }
     Ok(out)
-}
-
-/// The integer that holds the bits.
-fn bits<S>() -> String {
-    format!("i{}", 8 * size_of::<S>())
 }

@@ -1,11 +1,11 @@
-//! Shoots through closed meshes, and counts what gets through unseen or is seen
-//! twice.
+//! Shoots rays through closed meshes. Counts those that meet no triangle at a wall, and
+//! those that meet two.
 
 use std::ops::AddAssign;
 
 use super::measure::Instance;
-use super::support::Sample;
-use super::support::rays::{Aim, Method, Scene};
+use septum_kit::Sample;
+use septum_kit::rays::{Aim, Method, Scene};
 
 /// What was counted.
 #[derive(Clone, Copy, Debug, Default)]

@@ -5,8 +5,8 @@ use std::ops::AddAssign;
 use septum::Feature;
 
 use super::leaks;
-use super::support::Sample;
-use super::support::rays::{Aim, Method, RaySet, Scene, Truth, crossing};
+use septum_kit::Sample;
+use septum_kit::rays::{Aim, Method, RaySet, Scene, Truth, crossing};
 
 /// Wrong answers of one method.
 #[derive(Clone, Copy, Debug, Default)]
@@ -41,7 +41,7 @@ impl AddAssign for Tally {
 /// The measurements, made for one scalar.
 pub(crate) struct Instance {
     pub(crate) name: String,
-    /// The error that the exact methods' t may have, in ulp.
+    /// The largest error that the exact methods' t may have, in ulp.
     pub(crate) bound: f64,
     pub(crate) set_misfit: fn(RaySet) -> Option<&'static str>,
     pub(crate) measure: fn(RaySet, u64, usize) -> Tally,
@@ -100,8 +100,8 @@ fn measure<S: Sample>(set: RaySet, seed: u64, count: usize) -> Tally {
                 (Some(truth), None) => {
                     wrong.false_miss += u64::from(must_hit(method, truth, &case.t_min, &case.t_max))
                 }
-                // Where the type ends there is no last place, and none at nought.
-                (Some(truth), Some(_)) if truth.t.is_beyond::<S>() || truth.t.is_nought() => {}
+                // Beyond the type's range there is no last place, and zero has none.
+                (Some(truth), Some(_)) if truth.t.is_beyond::<S>() || truth.t.is_zero() => {}
                 (Some(truth), Some(hit)) if !hit.t.is_finite() => wrong.worst_t = f64::INFINITY,
                 (Some(truth), Some(hit)) => {
                     wrong.worst_t = wrong.worst_t.max(truth.t.error_in_ulp(hit.t));
@@ -112,7 +112,8 @@ fn measure<S: Sample>(set: RaySet, seed: u64, count: usize) -> Tally {
     tally
 }
 
-/// A method that counts what is in contact once may leave it to a neighbour.
+/// Whether the method must report a hit where the truth is one. `hit_once` may leave a
+/// contact to a neighbouring triangle.
 fn must_hit<S: Sample>(
     method: Method,
     truth: &Truth,

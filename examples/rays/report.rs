@@ -4,10 +4,10 @@ use std::fmt::Write;
 
 use super::leaks::{self, LeakRow};
 use super::measure::{SetRow, Tally, Wrong};
-use super::shared::{grouped, per_million};
-use super::support::rays::Method;
+use septum_kit::jobs::{grouped, per_million};
+use septum_kit::rays::Method;
 
-/// Prints a table for each scalar, of wrong answers, of leaks, of errors of t.
+/// Prints three tables for each scalar: wrong answers, leaks, and errors of t.
 pub(crate) fn print(sets: &[SetRow<'_>], leaks: &[LeakRow<'_>]) {
     let by_scalar = |a: &SetRow<'_>, b: &SetRow<'_>| a.scalar.name == b.scalar.name;
     println!("Wrong answers per million cases: false miss / false hit.");
@@ -20,7 +20,7 @@ pub(crate) fn print(sets: &[SetRow<'_>], leaks: &[LeakRow<'_>]) {
         heading(&table[0].scalar.name, 21, &["rays"], 23);
         table.iter().for_each(|row| println!("{}", leaking(row)));
     }
-    println!("\nLargest error of t, in units in the last place of t, which is not nought.");
+    println!("\nLargest error of t, in units in the last place of t, where t is not zero.");
     for table in sets.chunk_by(by_scalar) {
         heading(&table[0].scalar.name, 12, &["hits"], 15);
         table.iter().for_each(|row| println!("{}", errors(row)));
@@ -65,7 +65,7 @@ fn leaking(row: &LeakRow<'_>) -> String {
     line.trim_end().into()
 }
 
-/// Two rates, each in so many places.
+/// Two rates, each with so many columns.
 fn pair(line: &mut String, a: u64, b: u64, cases: u64, places: usize) {
     let (a, b) = (per_million(a, cases), per_million(b, cases));
     write!(line, "  {a:>places$} / {b:<places$}").expect("a string takes all");
@@ -123,7 +123,7 @@ pub(crate) fn broken_promises(sets: &[SetRow<'_>], leaks: &[LeakRow<'_>]) -> Vec
             if count > 0 {
                 broken.push(format!("{method} was wrong {count} times on {set}, {name}"));
             }
-            // Quotients of long numbers, a little off themselves.
+            // The error itself is a quotient in floats, and a little off.
             if wrong.worst_t > row.scalar.bound * (1.0 + 1e-12) {
                 let worst = wrong.worst_t;
                 broken.push(format!("{method}: t was {worst} ulp off on {set}, {name}"));

@@ -3,7 +3,7 @@
 /// Red, green and blue in linear light.
 pub(crate) type Color = [f64; 3];
 
-/// The surface, from foot (0) to top (1).
+/// The colour of the surface, from foot (0) to top (1).
 pub(crate) fn glaze(height: f64) -> Color {
     const STOPS: [[u8; 3]; 5] =
         [[38, 70, 120], [38, 128, 150], [96, 176, 140], [236, 190, 108], [232, 112, 84]];
@@ -28,7 +28,7 @@ pub(crate) fn plus(a: Color, b: Color) -> Color {
     [0, 1, 2].map(|i| a[i] + b[i])
 }
 
-/// From the bytes of a picture. IEC 61966-2-1.
+/// A colour from the bytes of a picture. IEC 61966-2-1.
 pub(crate) fn from_srgb(bytes: [u8; 3]) -> Color {
     bytes.map(|b| {
         let x = f64::from(b) / 255.0;
@@ -36,7 +36,7 @@ pub(crate) fn from_srgb(bytes: [u8; 3]) -> Color {
     })
 }
 
-/// To the bytes of a picture.
+/// The bytes of a picture from a colour.
 pub(crate) fn to_srgb(color: Color) -> [u8; 3] {
     color.map(|x| {
         let x = x.clamp(0.0, 1.0);

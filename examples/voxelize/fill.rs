@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 use std::time::Duration;
 
 use fixed::types::{I8F8, I16F16, I32F32};
+use septum::published;
 use septum::{Aabb, Scalar, ShapeError, Triangle};
 
 use crate::grid::Grid;
@@ -11,18 +12,18 @@ use crate::options::{Method, ScalarType};
 use crate::placement::Placed;
 use crate::progress::Progress;
 
-/// The voxels that the mesh meets, and what it took to find them.
+/// The voxels that the mesh meets, and the cost of finding them.
 pub(crate) struct Filled {
     pub(crate) grid: Grid,
     /// Overlap tests made.
     pub(crate) tests: u64,
-    /// For the tests alone.
+    /// The time of the tests alone.
     pub(crate) time: Duration,
     /// How far a coordinate moved at most when rounded to the scalar, in voxels.
     pub(crate) moved: f64,
 }
 
-/// Sets every voxel that overlaps a triangle, by the method's word.
+/// Sets every voxel that overlaps a triangle, according to the method.
 pub(crate) fn fill(
     mesh: &Placed,
     scalar: ScalarType,
@@ -49,8 +50,8 @@ fn by_method<S: Scalar>(
     let (grid, tests, time) = match method {
         Method::Exact => work.run(|t, b| t.overlaps(b)),
         Method::Conservative => work.run(|t, b| t.may_overlap(b)),
-        Method::Published => work.run(|t, b| t.overlaps_as_published(b)),
-        Method::Rounded => work.run(|t, b| t.overlaps_rounded(b)),
+        Method::Published => work.run(|t, b| published::akenine_moller::overlaps(t, b)),
+        Method::Rounded => work.run(|t, b| published::shared_normal::overlaps(t, b)),
     }?;
     Ok(Filled { grid, tests, time, moved })
 }
@@ -67,7 +68,7 @@ impl<S> Candidates<S> {
     }
 }
 
-/// The mesh rounded to the scalar: from here on, that is the mesh.
+/// The mesh rounded to the scalar. All verdicts are about this mesh.
 fn rounded<S: Scalar>(
     mesh: &Placed,
     nearest: impl Fn(f64) -> S,
@@ -87,8 +88,8 @@ fn rounded<S: Scalar>(
     Ok((triangles, moved))
 }
 
-/// The voxels along an axis that the interval of these coordinates touches:
-/// closed sets, so a coordinate on a whole number touches both neighbours.
+/// The voxels along an axis that the interval of these coordinates touches. Both are
+/// closed sets, so that a coordinate on a whole number touches both neighbours.
 fn touched(mesh: &Placed, axis: usize, [a, b, c]: [f64; 3]) -> RangeInclusive<usize> {
     let last = (mesh.size[axis] - 1) as f64;
     let first_touched = a.min(b).min(c).ceil() - 1.0 - mesh.start(axis);
@@ -97,7 +98,7 @@ fn touched(mesh: &Placed, axis: usize, [a, b, c]: [f64; 3]) -> RangeInclusive<us
     index(first_touched)..=index(last_touched)
 }
 
-/// The coordinates of voxel centres along each axis; all exact in every scalar.
+/// The coordinates of voxel centres along each axis. All are exact in every scalar.
 struct Cells<S>([Vec<S>; 3]);
 
 impl<S> Cells<S> {
@@ -121,9 +122,9 @@ impl<S: Scalar> Work<S> {
     ) -> Result<(Grid, u64, Duration), ShapeError> {
         let mut grid = Grid::new(self.size);
         let tests = self.triangles.iter().map(Candidates::count).sum();
-        let progress = Progress::new("Voxelizing", tests);
+        let progress = Progress::new("Testing", tests);
         let [xs, ys, zs] = &self.cells.0;
-        // Looking at the clock takes as long as some tests.
+        // Reading the clock takes as long as a test, and is not done after each.
         let mut unreported = 0;
         for Candidates { triangle, ranges: [i, j, k] } in &self.triangles {
             for z in k.clone() {

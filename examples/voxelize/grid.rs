@@ -7,7 +7,7 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// All clear.
+    /// A grid with no voxel set.
     pub(crate) fn new(size: [usize; 3]) -> Self {
         let bits: usize = size.iter().product();
         Self { size, words: vec![0; bits.div_ceil(64)] }

@@ -3,14 +3,14 @@
 use crate::color::{Color, mix, plus, scaled};
 use crate::march::Scene;
 
-/// Towards the sun: left, front, above.
+/// The direction of the sun: left, front, above.
 const SUN: [f64; 3] = [-0.28, 0.80, 0.53];
 /// The sun's radius, in radians: large, for soft shadows.
 const SUN_RADIUS: f64 = 0.07;
 const SUN_COLOR: Color = [1.62, 1.49, 1.29];
 const ZENITH: Color = [0.56, 0.68, 0.90];
 const HORIZON: Color = [0.72, 0.75, 0.80];
-/// What comes back from the ground, and from other voxels.
+/// The light that the ground and other voxels reflect.
 const GROUND: Color = [0.50, 0.48, 0.46];
 const BOUNCE: Color = [0.16, 0.15, 0.15];
 
@@ -24,31 +24,32 @@ pub(crate) struct Light {
 }
 
 impl Light {
-    /// With nothing in the way.
+    /// The light at a point with nothing in the way.
     pub(crate) fn open(axis: usize) -> Self {
         let probe = Probe::new(64, 0.0);
         let mean = probe.hemisphere(axis).map(sky).fold([0.0; 3], plus);
         Self { sun: 1.0, sky: scaled(mean, 1.0 / probe.directions.len() as f64) }
     }
 
-    /// Between two.
+    /// The light between two points.
     pub(crate) fn mix(a: Self, b: Self, t: f64) -> Self {
         Self { sun: a.sun + (b.sun - a.sun) * t, sky: mix(a.sky, b.sky, t) }
     }
 
-    /// What a white surface that faces along `axis` sends back.
+    /// The light that a white surface facing along `axis` reflects.
     pub(crate) fn reflected(&self, axis: usize) -> Color {
         let facing = SUN[axis].max(0.0);
         plus(self.sky, scaled(SUN_COLOR, facing * self.sun))
     }
 }
 
-/// The directions to look in, the same from every point: no noise.
+/// The directions to look in. They are the same at every point, so that there is no
+/// noise.
 pub(crate) struct Probe {
-    /// About +y, denser towards it: by the cosine.
+    /// Directions around +y, distributed by the cosine.
     directions: Vec<[f64; 3]>,
     suns: Vec<[f64; 3]>,
-    /// What is farther away casts no shade, other than from the sun.
+    /// Voxels farther away than this block the sun, but not the sky.
     reach: f64,
 }
 
@@ -79,10 +80,10 @@ impl Probe {
         })
     }
 
-    /// The light at a point of the lattice, for a surface that faces along
-    /// `axis`: the mean over the four faces of size `step` that meet there.
-    /// Looked at from a little inside each, so that a wall beside the corner
-    /// takes its share and the shading has no seams.
+    /// The light at a point of the lattice, for a surface that faces along `axis`. It
+    /// is the mean over the four faces of size `step` that meet there. Each is looked
+    /// at from a little inside, so that a wall beside the corner counts and the shading
+    /// has no seams.
     pub(crate) fn look(
         &self,
         scene: &Scene<'_>,

@@ -4,9 +4,13 @@
 //! ```text
 //! cargo run --release --example voxelize
 //! cargo run --release --example voxelize -- cow.obj --resolution 256 --scalar i16f16 --vox cow.vox
+//! cargo run --release --example voxelize -- --no-picture   # a fraction of a second
 //! cargo run --release --example voxelize -- --help
 //! ```
 
+#[allow(dead_code, reason = "shared with other examples")]
+#[path = "../shared/cli.rs"]
+mod cli;
 mod color;
 mod fill;
 mod grid;
@@ -24,14 +28,15 @@ use std::fs::{self, File};
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::time::{Duration, Instant};
 
-use clap::Parser;
-
+use indicatif::HumanCount;
 use mesh::Mesh;
 use options::{Options, ScalarType, Up};
+use progress::Progress;
 
 fn main() -> ExitCode {
-    match run(&Options::parse()) {
+    match run(&cli::read()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");
@@ -42,21 +47,31 @@ fn main() -> ExitCode {
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     check_resolution(options.resolution, options.scalar)?;
+    let reading = Progress::of_unknown_length("Reading");
     let mesh = Mesh::load(options.mesh.as_deref(), options.up)?;
+    let reading = reading.finish();
     let placed = placement::place(&mesh.triangles, options.resolution)?;
     if options.vox.is_some() {
         vox::check_size(placed.size)?;
     }
     // Whether the results can be written is known before the work is done.
-    let picture = Output::open(options, options.output.clone().unwrap_or_else(|| default(&mesh)))?;
+    let place = || options.output.clone().unwrap_or_else(|| default(&mesh));
+    let picture = (!options.no_picture).then(|| Output::open(options, place())).transpose()?;
     let model = options.vox.clone().map(|path| Output::open(options, path)).transpose()?;
-    if model.as_ref().is_some_and(|model| model.is_same(&picture)) {
-        return Err(format!("{}: both the picture and the model", picture.path.display()).into());
+    if let (Some(picture), Some(model)) = (&picture, &model) {
+        if model.is_same(picture) {
+            let path = picture.path.display();
+            return Err(format!("{path}: both the picture and the model").into());
+        }
     }
 
     let filled = fill::fill(&placed, options.scalar, options.method)?;
-    say(&report(options, &mesh, &filled))?;
-    picture.write("picture", |file| Ok(picture::write(&filled.grid, file)?))?;
+    say(&report(options, &mesh, reading, &filled))?;
+    if let Some(picture) = picture {
+        let start = Instant::now();
+        picture.write("picture", |file| Ok(picture::write(&filled.grid, file)?))?;
+        say(&line("drawing", &format!("{}, without it: --no-picture", spent(start.elapsed()))))?;
+    }
     if let Some(model) = model {
         model.write("model", |file| Ok(vox::write(&filled.grid, file)?))?;
     }
@@ -119,30 +134,43 @@ impl Output {
         content(&mut file)
             .and_then(|()| Ok(file.flush()?))
             .map_err(|e| format!("{}: cannot be written: {e}", self.path.display()))?;
-        say(&format!("{what:<11}{}\n", self.path.display()))
+        say(&line(what, &self.path.display().to_string()))
     }
 }
 
-fn report(options: &Options, mesh: &Mesh, filled: &fill::Filled) -> String {
+fn report(options: &Options, mesh: &Mesh, reading: Duration, filled: &fill::Filled) -> String {
     let [x, y, z] = filled.grid.size();
-    // In the order of the file's axes.
+    // The report has the order of the file's axes.
     let [x, y, z] = if mesh.up == Up::Z { [x, z, y] } else { [x, y, z] };
     let (set, all) = (filled.grid.count(), (x * y * z) as f64);
     let triangles = mesh.triangles.len() as u64;
-    let seconds = filled.time.as_secs_f64();
-    let each = 1e9 * seconds / filled.tests as f64;
-    let tests = grouped(filled.tests);
+    let each = 1e9 * filled.time.as_secs_f64() / filled.tests as f64;
+    let tests = HumanCount(filled.tests);
     [
-        ("mesh", format!("{}, {} triangles", mesh.name, grouped(triangles))),
+        ("mesh", format!("{}, {} triangles", mesh.name, HumanCount(triangles))),
         ("grid", format!("{x} × {y} × {z} voxels")),
         ("scalar", format!("{}, {}", options.scalar.name(), moved(filled.moved))),
         ("method", options.method.description().into()),
         ("tests", format!("{tests}, one for each triangle and voxel it may meet")),
-        ("set", format!("{} voxels, {:.1} % of the grid", grouped(set), 100.0 * set as f64 / all)),
-        ("time", format!("{:.1} ms, {each:.1} ns a test", 1e3 * seconds)),
+        (
+            "set",
+            format!("{} voxels, {:.1} % of the grid", HumanCount(set), 100.0 * set as f64 / all),
+        ),
+        ("reading", spent(reading)),
+        ("testing", format!("{}, {each:.1} ns a test", spent(filled.time))),
     ]
-    .map(|(name, value)| format!("{name:<11}{value}\n"))
+    .map(|(name, value)| line(name, &value))
     .concat()
+}
+
+fn line(name: &str, value: &str) -> String {
+    format!("{name:<11}{value}\n")
+}
+
+/// A time, in seconds if it is long.
+fn spent(time: Duration) -> String {
+    let seconds = time.as_secs_f64();
+    if seconds < 1.0 { format!("{:.1} ms", 1e3 * seconds) } else { format!("{seconds:.2} s") }
 }
 
 fn moved(by: f64) -> String {
@@ -152,20 +180,7 @@ fn moved(by: f64) -> String {
     format!("vertices rounded by at most {by:.1e} of a voxel")
 }
 
-/// A number with its digits in threes.
-fn grouped(n: u64) -> String {
-    let digits = n.to_string();
-    let (mut grouped, first) = (String::new(), digits.len() % 3);
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && i % 3 == first {
-            grouped.push(',');
-        }
-        grouped.push(digit);
-    }
-    grouped
-}
-
-/// Prints; that nobody listens any more is no error.
+/// Prints. A closed pipe is no error.
 fn say(text: &str) -> Result<(), Box<dyn Error>> {
     match std::io::stdout().write_all(text.as_bytes()) {
         Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(e.into()),

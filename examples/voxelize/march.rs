@@ -1,4 +1,5 @@
-//! Rays through the grid: from voxel to voxel, over empty blocks in one step.
+//! Rays through the grid. They go from voxel to voxel, and cross empty blocks in one
+//! step.
 //!
 //! J. Amanatides and A. Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing",
 //! *Eurographics* 1987, on two levels.
@@ -45,9 +46,9 @@ impl<'a> Scene<'a> {
     pub(crate) fn march(&self, origin: [f64; 3], dir: [f64; 3], limit: f64) -> Option<Hit> {
         let inverse = dir.map(|d| 1.0 / d);
         let (mut t, mut axis, end) = self.clip(origin, dir, inverse, limit)?;
-        // Inside the grid, so that truncation is rounding down.
+        // Coordinates inside the grid are not negative: truncation rounds down.
         let at = |t: f64, i: usize| (origin[i] + t * dir[i]) as i32;
-        // When the ray comes to a plane.
+        // The t at which the ray meets a plane.
         let meets = |i: usize, plane: i32| {
             if dir[i] == 0.0 { f64::INFINITY } else { (f64::from(plane) - origin[i]) * inverse[i] }
         };
@@ -109,7 +110,7 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// The least of three, and which it is.
+/// The index and the value of the least of three.
 fn least(t: [f64; 3]) -> (usize, f64) {
     let i = if t[0] <= t[1] { 0 } else { 1 };
     if t[2] < t[i] { (2, t[2]) } else { (i, t[i]) }

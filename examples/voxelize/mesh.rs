@@ -72,7 +72,7 @@ fn checked(triangles: Triangles) -> Result<Triangles, Box<dyn Error>> {
     Ok(triangles)
 }
 
-/// Polygons become fans, lines and points degenerate triangles.
+/// Polygons become fans of triangles. Lines and points become degenerate triangles.
 fn read_obj(bytes: &[u8]) -> Result<Triangles, Box<dyn Error>> {
     let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
     let no_materials = |_: &Path| Err(tobj::LoadError::GenericFailure);
@@ -93,8 +93,8 @@ fn read_obj(bytes: &[u8]) -> Result<Triangles, Box<dyn Error>> {
     Ok(triangles)
 }
 
-/// The vertex and face lines of an OBJ file, faces without their texture and
-/// normal indices: a fault in what is not looked at is no reason to refuse.
+/// The vertex and face lines of an OBJ file. Faces lose their texture and normal
+/// indices: an error in data that is not used is no reason to refuse the file.
 fn geometry_of_obj(bytes: &[u8]) -> String {
     let text = String::from_utf8_lossy(bytes).replace("\\\r\n", " ").replace("\\\n", " ");
     let mut geometry = String::with_capacity(text.len());
@@ -129,10 +129,10 @@ fn read_stl(bytes: &[u8]) -> Result<Triangles, Box<dyn Error>> {
     Ok(triangles)
 }
 
-/// The file in the form that `stl_io` tells apart for sure, by its first word.
+/// The file in a form that `stl_io` recognises by its first word.
 ///
-/// Binary files may begin with "solid" too, and give themselves away by their
-/// length; text files may have several solids, and none of them a name.
+/// Binary files may begin with "solid" too. Their length tells them apart. Text files
+/// may have several solids, and solids without a name.
 fn unambiguous_stl(bytes: &[u8]) -> Result<Vec<u8>, Box<dyn Error>> {
     const HEADER: usize = 84;
     const TRIANGLE: usize = 50;

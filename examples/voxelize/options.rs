@@ -1,8 +1,10 @@
-//! The command line.
+//! The options of the command line.
 
 use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
+
+use crate::cli::any;
 
 /// Voxelizes a triangle mesh: one overlap test for each voxel that the bounding
 /// box of a triangle touches. Writes a picture of the result.
@@ -14,26 +16,31 @@ pub(crate) struct Options {
     pub(crate) mesh: Option<PathBuf>,
 
     /// Voxels along the longest side of the mesh
-    #[arg(short, long, value_name = "N", default_value_t = 128)]
+    #[arg(short, long, value_name = "N", default_value_t = 128,
+        value_parser = any::<u32>("a whole number of 32 bits"), allow_negative_numbers = true)]
     pub(crate) resolution: u32,
 
-    /// Number type to compute in. Vertices are rounded to it once; exact
-    /// verdicts are exact for the mesh so rounded
-    #[arg(short, long, value_enum, default_value_t = ScalarType::F32)]
+    /// Number type to compute in, in upper or lower case. Vertices are rounded
+    /// to it once; exact verdicts are exact for the rounded mesh
+    #[arg(short, long, value_enum, ignore_case = true, default_value_t = ScalarType::F32)]
     pub(crate) scalar: ScalarType,
 
     /// Overlap test to ask
-    #[arg(short, long, value_enum, default_value_t = Method::Exact)]
+    #[arg(short, long, value_enum, ignore_case = true, default_value_t = Method::Exact)]
     pub(crate) method: Method,
 
     /// Axis of the mesh that points up in the picture [default: y for OBJ, z
     /// for STL]
-    #[arg(short, long, value_enum)]
+    #[arg(short, long, value_enum, ignore_case = true)]
     pub(crate) up: Option<Up>,
 
     /// Picture to write [default: out/MESH.png]
     #[arg(short, long, value_name = "PNG")]
     pub(crate) output: Option<PathBuf>,
+
+    /// Draw no picture: drawing takes far longer than the tests
+    #[arg(long, conflicts_with = "output")]
+    pub(crate) no_picture: bool,
 
     /// Also write a MagicaVoxel model, up to 256 voxels a side
     #[arg(long, value_name = "FILE")]
@@ -60,8 +67,8 @@ impl ScalarType {
     /// The finest grid whose coordinates the type can hold, with the origin at
     /// the grid's centre: corners go from -⌈N/2⌉ to ⌊N/2⌋.
     ///
-    /// Floats have no such limit; for them it is where voxel centres would no
-    /// longer be exact.
+    /// Floats have no such limit. For them it is the finest grid whose voxel centres
+    /// are exact.
     pub(crate) fn finest_grid(self) -> u64 {
         match self {
             Self::F32 => 1 << 24,

@@ -17,8 +17,8 @@ const HEIGHT: usize = 700;
 const SAMPLES: usize = 4;
 /// Rows of pixels that a thread takes at a time.
 const BAND: usize = 35;
-/// The part of the picture that the voxels may fill, and how far they stand left
-/// of its middle.
+/// The part of the picture that the voxels may fill, and how far left of its middle
+/// they stand.
 const FILL: f64 = 0.68;
 const ASIDE: f64 = 0.06;
 /// The ground, at the corners of the picture and in the middle.
@@ -40,7 +40,7 @@ pub(crate) fn write(grid: &Grid, to: &mut impl Write) -> Result<(), png::Encodin
 fn render(grid: &Grid) -> Vec<u8> {
     let scene = Scene::new(grid);
     let (view, paint) = (View::new(grid), Paint::new(grid.size()[1]));
-    let progress = Progress::new("Rendering", HEIGHT as u64);
+    let progress = Progress::new("Drawing", HEIGHT as u64);
     let mut pixels = vec![0; 3 * WIDTH * HEIGHT];
     let bands = Mutex::new(pixels.chunks_mut(3 * WIDTH * BAND).enumerate());
     let next = || bands.lock().ok()?.next();
@@ -50,7 +50,7 @@ fn render(grid: &Grid) -> Vec<u8> {
             for (j, row) in band.chunks_exact_mut(3 * WIDTH).enumerate() {
                 for (x, pixel) in row.chunks_exact_mut(3).enumerate() {
                     let color = color::to_srgb(brush.pixel(x, BAND * i + j));
-                    // The last bit is noise that no eye sees, and a fifth of the file.
+                    // The last bit is invisible noise, and would be a fifth of the file.
                     pixel.copy_from_slice(&color.map(|c| c & !1));
                 }
                 progress.add(1);
@@ -67,13 +67,13 @@ fn render(grid: &Grid) -> Vec<u8> {
     pixels
 }
 
-/// Parallel rays along the diagonal of a voxel: every visible face is one of
-/// three, and all look equally large.
+/// Parallel rays along the diagonal of a voxel. All visible faces look in one of three
+/// directions, and look equally large.
 struct View {
-    /// Pixels to the edge of a voxel, as long as it is.
+    /// The length of a voxel's edge in pixels, if it lay in the plane of the picture.
     scale: f64,
-    /// The point of the scene in the middle of the picture, moved towards the
-    /// viewer out of everything's way.
+    /// The point of the scene in the middle of the picture, moved towards the viewer
+    /// until it is in front of all voxels.
     middle: [f64; 3],
     /// Voxels along the longest side.
     longest: f64,
@@ -84,7 +84,7 @@ impl View {
     const UP: [f64; 3] = [-0.408_248_290_463_863, 0.816_496_580_927_726, -0.408_248_290_463_863];
     const AWAY: [f64; 3] = [-1.0; 3];
 
-    /// Fits the voxels that are set into the picture.
+    /// A view in which the voxels that are set fill the picture.
     fn new(grid: &Grid) -> Self {
         let (mut least, mut greatest) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for voxel in grid.voxels() {
@@ -94,13 +94,13 @@ impl View {
             greatest = [0, 1].map(|i| seen[i].max(greatest[i]));
         }
         if least[0] > greatest[0] {
-            // A method that misses voxels can miss them all.
+            // A method that misses voxels may miss all of them.
             (least, greatest) = ([0.0; 2], [0.0; 2]);
         }
-        // A voxel reaches this far beyond its centre, and more room than that.
+        // Room for the voxels around the outermost centres.
         let [wide, high] = [0, 1].map(|i| greatest[i] - least[i] + 2.0);
         let scale = FILL * (WIDTH as f64 / wide).min(HEIGHT as f64 / high);
-        // Shadows fall to the right.
+        // Shadows fall to the right, so that the voxels stand left of the middle.
         let [right, up] = [0, 1].map(|i| (greatest[i] + least[i]) / 2.0);
         let right = right + ASIDE * WIDTH as f64 / scale;
         let size = grid.size().map(|n| n as f64);
@@ -118,7 +118,7 @@ impl View {
     }
 }
 
-/// A square of the lattice that faces one way, and the light at its corners.
+/// A square of the lattice, and the direction that it faces.
 #[derive(Clone, Copy, PartialEq)]
 struct Patch {
     axis: usize,
@@ -172,7 +172,7 @@ struct Brush<'a> {
 
 impl<'a> Brush<'a> {
     fn new(scene: &'a Scene<'a>, view: &'a View, paint: &'a Paint) -> Self {
-        // Many voxels to a pixel share the work.
+        // Where voxels are small on the picture, each needs fewer directions.
         let count = (8.0 * view.scale * view.scale).clamp(12.0, 128.0) as usize;
         let [probe, ground_probe] = [count, 128].map(|n| Probe::new(n, 0.5 * view.longest));
         let ground_step = (view.longest / 128.0).ceil() as i32;
@@ -180,7 +180,8 @@ impl<'a> Brush<'a> {
         Self { scene, view, paint, probe, ground_probe, ground_step, seen, last }
     }
 
-    /// The mean of the samples; where the outermost see one surface, of those.
+    /// The mean of the samples. If the outermost samples see the same face, only they
+    /// are taken.
     fn pixel(&mut self, x: usize, y: usize) -> Color {
         let part = |i: usize| (i as f64 + 0.5) / SAMPLES as f64;
         let look = |i: usize, j: usize| {
@@ -219,7 +220,7 @@ impl<'a> Brush<'a> {
         color::times(paper, [0, 1, 2].map(|i| light[i] / self.paint.open_ground[i]))
     }
 
-    /// The light at a point of a patch, from that at its corners.
+    /// The light at a point of a patch, interpolated between its corners.
     fn light(&mut self, patch: Patch, step: i32, point: [f64; 3]) -> Light {
         let lights = match self.last {
             Some((last, lights)) if last == patch => lights,

@@ -2,15 +2,15 @@
 
 use std::error::Error;
 
-/// A grid may take this much memory: a gibibyte, at a bit for each voxel.
+/// The most voxels of a grid. It takes a gibibyte, at a bit for each voxel.
 const MOST_VOXELS: f64 = (1_u64 << 33) as f64;
 
-/// And have this many voxels along a side.
+/// The most voxels along a side.
 const LONGEST_SIDE: u32 = 1 << 16;
 
-/// A mesh in grid coordinates: a voxel has edges of length one and corners at
-/// whole numbers, and the origin is a corner at the middle of the grid, where
-/// both floats and fixed-point numbers have the most to give.
+/// A mesh in grid coordinates. A voxel has edges of length one and corners at whole
+/// numbers. The origin is a corner in the middle of the grid, so that all coordinates
+/// are as small as possible.
 pub(crate) struct Placed {
     /// Voxels along each axis.
     pub(crate) size: [usize; 3],
@@ -20,8 +20,8 @@ pub(crate) struct Placed {
 /// Scales the mesh so that its longest side spans `resolution` voxels, and
 /// centres it in the least grid that holds it.
 ///
-/// Multiplication comes before division, so that whatever lies on a whole
-/// number of voxels comes out there, and not next to it.
+/// Multiplication comes before division, so that a coordinate that is a whole number
+/// of voxels becomes exactly that number.
 pub(crate) fn place(
     triangles: &[[[f64; 3]; 3]],
     resolution: u32,

@@ -1,4 +1,4 @@
-//! A progress bar for work that turns out to take long.
+//! A progress bar for work that takes long.
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -19,13 +19,22 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
+    /// Starts the clock on work of unknown length. The label shows at once.
+    pub(crate) fn of_unknown_length(label: &'static str) -> Self {
+        let progress = Self::new(label, 0);
+        let bar = ProgressBar::new_spinner().with_message(label);
+        bar.enable_steady_tick(PATIENCE);
+        progress.bar.get_or_init(|| bar);
+        progress
+    }
+
     /// Starts the clock on `total` units of work.
     pub(crate) fn new(label: &'static str, total: u64) -> Self {
         let (done, start, bar) = (AtomicU64::new(0), Instant::now(), OnceLock::new());
         Self { label, total, done, start, bar }
     }
 
-    /// `units` more are done.
+    /// Counts `units` more as done.
     pub(crate) fn add(&self, units: u64) {
         let done = self.done.fetch_add(units, Ordering::Relaxed) + units;
         if self.start.elapsed() >= PATIENCE {
@@ -33,7 +42,7 @@ impl Progress {
         }
     }
 
-    /// Takes the bar away, if there is one, and says how long it all took.
+    /// Takes the bar away, if there is one, and returns the time that the work took.
     pub(crate) fn finish(self) -> Duration {
         if let Some(bar) = self.bar.get() {
             bar.finish_and_clear();

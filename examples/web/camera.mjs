@@ -1,8 +1,14 @@
 // Looks at a point from a distance, and turns around it. All is taken relative to that
-// point first, so that one can come as close as two neighbouring floats are.
-import { add, clip, cross, dot, minus } from './vector.mjs';
+// point first, so that the view can come as close as two neighbouring floats are.
+import { add, clip, cross, dot, mean, minus } from './vector.mjs';
 
 const NEAR = 0.02;
+/** What lies as near to the target as this is in sight at the start. */
+const START = 3.4;
+/** From how far, in radii, all of a ball is in sight. */
+const FIT = 3;
+/** The limits of the distance: any two `f32` can be seen apart, and all be in sight. */
+const [NEAREST, FARTHEST] = [1e-44, 1e40];
 /** Half the height of what is seen, at a distance of one. */
 const SPREAD = 0.36;
 
@@ -84,7 +90,25 @@ export class Camera {
         this.pitch = Math.min(Math.max(this.pitch + dy * 0.008, -1.5), 1.5);
     }
 
+    /** Moves what is seen by so many pixels. */
+    pan(dx, dy) {
+        this.target = add(this.target, this.way(dx, dy, this.distance), -1);
+    }
+
     zoom(by) {
-        this.distance = Math.min(Math.max(this.distance * by, 1e-12), 1e6);
+        this.distance = Math.min(Math.max(this.distance * by, NEAREST), FARTHEST);
+    }
+
+    /** As at the start, if all points are in sight then; else so far away that they are. */
+    fit(points) {
+        const { target, distance, yaw, pitch } = new Camera();
+        Object.assign(this, { target, distance, yaw, pitch });
+        const ends = [Math.min, Math.max].map((end) => [0, 1, 2].map((i) => end(...points.map((p) => p[i]))));
+        const middle = mean(ends);
+        const radius = Math.hypot(...minus(ends[1], middle));
+        const fromStart = Math.max(...points.map((p) => Math.hypot(...minus(p, target))));
+        if (fromStart <= START && radius > START / 50) return;
+        this.target = middle;
+        this.distance = Math.min(Math.max(radius * FIT, NEAREST), FARTHEST);
     }
 }

@@ -43,7 +43,7 @@ function vector({ kind, i, k }, edges) {
 
 /**
  * For each axis its direction, the intervals of both shapes on it in units of the scene,
- * and the gap between them: below nought where they overlap, `sign` exactly so.
+ * and the gap between them: negative where they overlap, with `sign` exact.
  */
 export function project(numbers) {
     const { values, exponent } = whole(numbers);

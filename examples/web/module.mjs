@@ -28,22 +28,32 @@ export class Septum {
         return new Septum(instance.exports);
     }
 
-    /** From the first of the places where there is one, and its size; or nothing. */
+    /**
+     * From the first of the places where there is one, and its size. Else `problem` says
+     * what is wrong with what lies there, if anything does.
+     */
     static async find(places = PLACES) {
+        let problem = '';
         for (const place of places) {
-            const response = await fetch(place).catch(() => null);
-            if (!response?.ok) continue;
-            const bytes = await response.arrayBuffer();
-            return { septum: await Septum.from(bytes), size: bytes.byteLength };
+            try {
+                const response = await fetch(place);
+                if (!response.ok) continue;
+                const bytes = await response.arrayBuffer();
+                return { septum: await Septum.from(bytes), size: bytes.byteLength };
+            } catch (error) {
+                problem = `${place}: ${error.message}`;
+            }
         }
-        return null;
+        return { septum: null, problem };
     }
 
     /**
      * All answers about 15 numbers of a scalar: a, b, c, centre, half-extents. Nothing
-     * where they are no triangle and box.
+     * where they are no triangle and box, or not numbers of the scalar: the module gets
+     * their bits, and the bits of I8F8 cannot say NaN.
      */
     ask(scalar, numbers) {
+        if (!numbers.every(SCALARS[scalar].holds)) return null;
         const words = new Uint32Array(this.#exports.memory.buffer, this.#exports.numbers(), 15);
         words.set(numbers.map(SCALARS[scalar].bits));
         const bits = this.#exports.answers(scalar);

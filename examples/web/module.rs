@@ -4,6 +4,7 @@
 use core::sync::atomic::{AtomicU32, Ordering};
 
 use fixed::types::I8F8;
+use septum::published;
 use septum::{Aabb, Axis, Scalar, Triangle};
 
 /// The numbers of the question, as bits: a, b, c, centre, half-extents.
@@ -27,7 +28,9 @@ extern "C" fn numbers() -> *const AtomicU32 {
 #[unsafe(export_name = "answers")]
 extern "C" fn answers(scalar: u32) -> u32 {
     match scalar {
-        0 => about(f32::from_bits, |t, aabb| [t.may_overlap(aabb), t.overlaps_as_published(aabb)]),
+        0 => about(f32::from_bits, |t, aabb| {
+            [t.may_overlap(aabb), published::akenine_moller::overlaps(&t, aabb)]
+        }),
         _ => about(|bits| I8F8::from_bits(bits as i16), |_, _| [false; 2]),
     }
     .unwrap_or(0)
@@ -41,7 +44,8 @@ fn about<S: Scalar>(
     let triangle = Triangle::new(point(0), point(1), point(2)).ok()?;
     let aabb = Aabb::from_center_half_extents(point(3), point(4)).ok()?;
     let [conservative, published] = more(&triangle, &aabb);
-    let (exact, rounded) = (triangle.overlaps(&aabb), triangle.overlaps_rounded(&aabb));
+    let (exact, rounded) =
+        (triangle.overlaps(&aabb), published::shared_normal::overlaps(&triangle, &aabb));
     let witness = triangle.separating_axis(&aabb);
     let number = Axis::ALL.iter().position(|&axis| Some(axis) == witness);
     Some(

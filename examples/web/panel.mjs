@@ -1,15 +1,11 @@
-// What the page says in words: the verdict, the axes, the methods, the numbers.
+// What the page says in words: the verdict, the axes, the methods.
+import { make } from './fields.mjs';
 import { AXES } from './module.mjs';
 import { SCALARS } from './scalar.mjs';
 import { nearest } from './touch.mjs';
 
 const at = (id) => document.getElementById(id);
 const said = (overlaps) => overlaps ? 'overlap' : 'disjoint';
-
-/** A new element. */
-export function make(tag, text = '', more = {}) {
-    return Object.assign(document.createElement(tag), { textContent: text }, more);
-}
 
 /** A length with three digits. */
 export function length(x) {
@@ -18,11 +14,6 @@ export function length(x) {
     const [digits, exponent] = size.toExponential(2).split('e');
     const raised = [...String(Number(exponent))].map((c) => c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[c]).join('');
     return `${digits}\u00a0·\u00a010${raised}`;
-}
-
-/** The number `k` of the 15, by name. */
-export function nameOf(k) {
-    return `${['a', 'b', 'c', 'centre', 'half'][Math.floor(k / 3)]}.${'xyz'[k % 3]}`;
 }
 
 function verdict(answer, axes) {
@@ -51,7 +42,7 @@ function methods(answer, truth) {
         ['Exact', 'overlaps', answer.overlaps],
         ['Conservative', 'may_overlap', answer.mayOverlap],
         ['Rounded', 'overlaps_rounded', answer.rounded],
-        ['Published in 2001', 'overlaps_as_published', answer.published],
+        ['Published', 'overlaps_as_published', answer.published],
         ['Checked in big integers', '', truth],
     ].filter((row) => row[2] !== null);
     at('methods').replaceChildren(...rows.map(([name, call, overlaps]) => {
@@ -83,34 +74,4 @@ export function report(scalar, answer, axes) {
     lit(answer);
     methods(answer, !axes.some(({ sign }) => sign > 0));
     banner(scalar, answer, axes);
-}
-
-/** The table of numbers: `change(k, x)` when one is written, `choose(k)` when touched. */
-export function table(change, choose) {
-    const rows = ['a', 'b', 'c', 'centre', 'half'].map((name, r) => {
-        const row = make('tr');
-        row.append(make('th', name));
-        for (let i = 0; i < 3; i += 1) {
-            const cell = make('td');
-            const k = 3 * r + i;
-            const input = make('input', '', { inputMode: 'decimal', ariaLabel: nameOf(k) });
-            input.addEventListener('focus', () => choose(k));
-            input.addEventListener('change', () => change(k, Number(input.value)));
-            cell.append(input, make('small', '', { hidden: true }));
-            row.append(cell);
-        }
-        return row;
-    });
-    at('numbers').replaceChildren(...rows);
-}
-
-/** Fills the table in. */
-export function fill(scalar, numbers, chosen, bits) {
-    at('numbers').querySelectorAll('td').forEach((cell, k) => {
-        const [input, small] = cell.children;
-        input.value = SCALARS[scalar].show(numbers[k]);
-        input.className = k === chosen ? 'chosen' : '';
-        small.hidden = !bits;
-        small.textContent = SCALARS[scalar].hex(numbers[k]);
-    });
 }

@@ -39,6 +39,7 @@ export class Scene {
         } else {
             this.#pieces(triangle, sides, eye);
         }
+        this.#mark(triangle, sides, held);
         this.#corners(triangle, held);
         if (wall) this.#axis(wall, center);
         this.#ring(triangle, center, half, axes);
@@ -87,7 +88,8 @@ export class Scene {
 
     /** A grid below it all, with the shadows on it. */
     #floor(triangle, sides) {
-        if (this.#camera.eye[2] < FLOOR || this.#camera.distance < 1) return;
+        const { eye, distance } = this.#camera;
+        if (eye[2] < FLOOR || distance < 1 || distance > 100) return;
         const onFloor = ([x, y]) => [x, y, FLOOR];
         for (let k = -ROOM; k <= ROOM; k += 1) {
             const alpha = k === 0 ? 0.9 : 0.45;
@@ -155,7 +157,8 @@ export class Scene {
         // Of both shapes that part which lies nearest to the other along the axis: a
         // vertex, an edge, a face. From one to the other and back, to where they meet.
         const near = (x) => Math.abs(x) < 1e-6;
-        const part = triangle.filter((_, k) => near(height[k] - least));
+        const spread = Math.max(...height) - least || 1;
+        const part = triangle.filter((_, k) => near((height[k] - least) / spread));
         const onBox = (p) => center.map((x, i) => near(up[i])
             ? Math.min(Math.max(p[i], x - half[i]), x + half[i])
             : x + Math.sign(up[i]) * half[i]);
@@ -173,7 +176,7 @@ export class Scene {
         // Across the axis: as far to the right in the picture as can be, and the third.
         const aside = unit(add(right, wall.along, -dot(right, wall.along)));
         const u = Math.hypot(...aside) > 0.1 ? aside : unit(cross(wall.along, away));
-        const size = Math.min(1.5, this.#camera.distance * 0.17);
+        const size = Math.min(Math.max(1.5, wall.radius * 0.9), this.#camera.distance * 0.17);
         return { ...wall, u, v: cross(wall.along, u), size };
     }
 
@@ -188,7 +191,7 @@ export class Scene {
         const foot = add(middle, u, size * 1.06);
         const base = dot(along, minus(foot, center));
         const at = (x) => add(foot, along, x - base);
-        const reach = Math.max(greatest - least, radius) * 0.15 + 0.25;
+        const reach = Math.max(greatest - least, radius) * 0.15 + Math.min(0.25, this.#camera.distance * 0.027);
         this.#line([at(-radius - reach), at(greatest + reach)], this.#color('wall'), 1.5);
         this.#line([at(-radius), at(radius)], this.#color('box'), 6);
         // A triangle seen edge-on is a point: a little longer, so that it is seen.
@@ -196,6 +199,12 @@ export class Scene {
         this.#line([at(least - little), at(greatest + little)], this.#color('triangle'), 6);
         const tip = this.#camera.pixel(at(greatest + reach));
         if (tip) this.#text('axis', [tip.at[0], tip.at[1] - 11], this.#color('wall'));
+    }
+
+    /** The outline of what is moved, stronger; a vertex has a larger circle instead. */
+    #mark(triangle, sides, held) {
+        const outlines = { triangle: [triangle], box: sides.map(({ corners }) => corners) }[held] ?? [];
+        outlines.forEach((outline) => this.#line(outline, this.#color(held), 3.5));
     }
 
     #corners(triangle, held) {
@@ -214,7 +223,7 @@ export class Scene {
         });
     }
 
-    /** Where they all but touch. */
+    /** Where they nearly touch. */
     #ring(triangle, center, half, axes) {
         const axis = axes[nearest(axes)];
         if (!(Math.abs(axis.gap) < this.#camera.distance * 0.002)) return;

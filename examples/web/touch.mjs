@@ -1,10 +1,10 @@
-// Brings the triangle to where the verdict flips, and looks around there for numbers
-// that the rounded methods get wrong.
+// Brings the triangle to where the verdict flips, and looks there for numbers that the
+// rounded methods get wrong.
 import { project } from './exact.mjs';
 import { SCALARS } from './scalar.mjs';
 import { mean, minus } from './vector.mjs';
 
-/** How far to look, in units of the last place. */
+/** How far to look, in units in the last place. */
 export const AROUND = 24;
 
 /** The axis with the widest gap, or the least overlap. */
@@ -18,7 +18,7 @@ export function moved(scalar, numbers, way, first = 0, count = 9) {
         k < first || k >= first + count ? x : SCALARS[scalar].nearest(x + way[k % 3]));
 }
 
-/** The numbers with number `k` so many units of the last place further up. */
+/** The numbers with number `k` so many units in the last place further up. */
 export function stepped(scalar, numbers, k, n) {
     const all = [...numbers];
     all[k] = SCALARS[scalar].step(all[k], n);
@@ -28,13 +28,19 @@ export function stepped(scalar, numbers, k, n) {
 export const isWrong = (answer) =>
     answer.rounded !== answer.overlaps || (answer.published ?? answer.overlaps) !== answer.overlaps;
 
-/** The answers around number `k`, from so many units below to as many above. */
+/**
+ * The answers around number `k`, from `AROUND` units below to as many above; `null` where
+ * the numbers are no shapes, or the scalar ends.
+ */
 export function strip(septum, scalar, numbers, k) {
-    return Array.from({ length: 2 * AROUND + 1 }, (_, n) =>
-        septum.ask(scalar, stepped(scalar, numbers, k, n - AROUND)));
+    const { step } = SCALARS[scalar];
+    return Array.from({ length: 2 * AROUND + 1 }, (_, n) => {
+        const all = stepped(scalar, numbers, k, n - AROUND);
+        return step(all[k], AROUND - n) === numbers[k] ? septum.ask(scalar, all) : null;
+    });
 }
 
-/** The way to a place where the verdict is another. */
+/** The way to a place where the verdict is the opposite. */
 function beyond(septum, scalar, numbers) {
     if (!septum.ask(scalar, numbers).overlaps) {
         const [a, b, c, center] = [0, 3, 6, 9].map((k) => numbers.slice(k, k + 3));
@@ -43,13 +49,15 @@ function beyond(septum, scalar, numbers) {
     const axes = project(numbers);
     const { along, gap, triangle, box } = axes[nearest(axes)];
     const sign = Math.sign(triangle[0] + triangle[1] - box[0] - box[1]) || 1;
-    return along.map((x) => x * sign * (0.5 - gap));
+    const margin = Math.max(0.5, -gap / 100);
+    return along.map((x) => x * sign * (margin - gap));
 }
 
 /**
- * The numbers with the triangle moved to where the verdict flips, within a few units of
+ * The numbers with the triangle moved to where the verdict flips, within a few units in
  * the last place of one of its coordinates, and which coordinate that is: one where
- * `rounded` errs nearby, and with a number that it gets wrong, if there is one.
+ * `rounded` errs nearby, and with a number that it gets wrong, if there is one. Nothing
+ * where the verdict stays the same all the way.
  */
 export function touch(septum, scalar, numbers) {
     const verdict = (all) => septum.ask(scalar, all).overlaps;
@@ -65,10 +73,10 @@ export function touch(septum, scalar, numbers) {
     let flips = null;
     for (let k = 0; k < 9; k += 1) {
         const row = strip(septum, scalar, there, k);
-        if (row.every((answer) => answer.overlaps === before)) continue;
+        if (row.every((answer) => !answer || answer.overlaps === before)) continue;
         flips ??= { numbers: there, number: k, wrong: false };
-        // The one nearest to where we are.
-        const wrong = row.map((answer, n) => ({ n: n - AROUND, is: answer.rounded !== answer.overlaps }))
+        // The nearest one.
+        const wrong = row.map((answer, n) => ({ n: n - AROUND, is: answer !== null && answer.rounded !== answer.overlaps }))
             .filter(({ is }) => is).sort((x, y) => Math.abs(x.n) - Math.abs(y.n))[0];
         if (wrong) {
             return { numbers: stepped(scalar, there, k, wrong.n), number: k, wrong: true };

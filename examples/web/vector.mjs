@@ -13,7 +13,7 @@ export const unit = (a) => {
 export const mean = (points) =>
     [0, 1, 2].map((i) => points.reduce((sum, p) => sum + p[i], 0) / points.length);
 
-/** What of a polygon, or of a segment, lies where `side` is at least nought. */
+/** What of a polygon, or of a segment, lies where `side` is at least zero. */
 export function clip(points, side) {
     const kept = [];
     points.forEach((p, k) => {

@@ -1,4 +1,4 @@
-//! Bytes as choices. Where they end, all that follows is nought: every input means
+//! Bytes as choices. Where they end, all that follows is zero: every input means
 //! something, and a longer one begins as the shorter one did.
 
 /// What is left of the input.
@@ -26,7 +26,7 @@ impl<'a> Bytes<'a> {
     }
 
     /// From −n to n.
-    pub(crate) fn about_nought(&mut self, n: i64) -> i64 {
+    pub(crate) fn about_zero(&mut self, n: i64) -> i64 {
         i64::from(self.byte()) % (2 * n + 1) - n
     }
 

@@ -6,12 +6,8 @@ mod bytes;
 mod checks;
 #[cfg(test)]
 mod random;
-#[path = "../../tests/support/ray_boxes.rs"]
-mod ray_boxes;
 mod scalars;
 mod shapes;
-#[path = "../../tests/support/mod.rs"]
-mod support;
 
 pub use checks::{
     closed_mesh, constructors, lanes, plane_aabb, ray_aabb, ray_triangle, segment_aabb,

@@ -7,8 +7,8 @@ use septum::Feature;
 
 use crate::scalars::{Check, run, told};
 use crate::shapes::Shapes;
-use crate::support::rays::crossing;
-use crate::support::{Case, Rng, Sample, is_collinear, meets};
+use septum_kit::rays::crossing;
+use septum_kit::{Case, Rng, Sample, is_collinear, meets};
 
 /// Inputs of random bytes, of many lengths, the same every time.
 fn inputs(count: usize) -> impl Iterator<Item = Vec<u8>> {

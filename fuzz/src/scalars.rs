@@ -4,11 +4,11 @@ use std::fmt::Debug;
 
 use fixed::types::extra::{U0, U1, U4, U7, U8, U15, U16, U30, U31, U32, U63, U64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
-use septum::FixedPoint;
 
 use crate::bytes::Bytes;
 use crate::shapes::Shapes;
-use crate::support::Sample;
+use septum::interop::FixedPoint;
+use septum_kit::Sample;
 
 /// A check in any scalar.
 pub(crate) trait Check {

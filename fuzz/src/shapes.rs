@@ -6,10 +6,10 @@
 use septum::Ray;
 
 use crate::bytes::Bytes;
-use crate::ray_boxes::{Line, LineBox};
 use crate::scalars::is_float;
-use crate::support::rays::RayCase;
-use crate::support::{BoxNumbers, Sample};
+use septum_kit::lines::{Line, LineBox};
+use septum_kit::rays::RayCase;
+use septum_kit::{BoxNumbers, Sample};
 
 /// A point or a vector.
 pub(crate) type Point<S> = [S; 3];
@@ -29,7 +29,7 @@ struct Lattice<S> {
 }
 
 impl<S: Sample> Lattice<S> {
-    /// Mostly quarters about nought.
+    /// Mostly quarters about zero.
     fn new(bytes: &mut Bytes<'_>) -> Self {
         let least = S::ZERO.moved(1).mantissa_exponent().1;
         let exponent = match (bytes.byte(), is_float::<S>()) {
@@ -103,10 +103,10 @@ impl<'a, S: Sample> Shapes<'a, S> {
             8 => S::nearest(-0.0),
             9 => self.earlier()[choice as usize / 16 % 3],
             10 => S::from_ordinal(self.earlier()[0].ordinal().saturating_neg()),
-            11 => self.earlier()[choice as usize / 16 % 3].moved(self.bytes.about_nought(2)),
+            11 => self.earlier()[choice as usize / 16 % 3].moved(self.bytes.about_zero(2)),
             12 => S::from_ordinal(self.bytes.word() >> self.bytes.below(64)),
             13 => {
-                let (end, steps) = (choice >= 128, self.bytes.about_nought(2));
+                let (end, steps) = (choice >= 128, self.bytes.about_zero(2));
                 if end { S::GREATEST } else { S::LEAST }.moved(steps)
             }
             // Any exponent, few digits.
@@ -159,7 +159,7 @@ impl<'a, S: Sample> Shapes<'a, S> {
         };
         // Now and then an ulp beside.
         if choice & 8 != 0 {
-            point[axis] = point[axis].moved(self.bytes.about_nought(2));
+            point[axis] = point[axis].moved(self.bytes.about_zero(2));
         }
         self.points.push(point);
         point
@@ -185,13 +185,13 @@ impl<'a, S: Sample> Shapes<'a, S> {
     }
 
     /// A direction from `origin`: any, or to a point, or to one between two or three of
-    /// `marks`. Nothing if it is nought.
+    /// `marks`. Nothing if it is zero.
     pub(crate) fn direction(&mut self, origin: Point<S>, marks: &[Point<S>]) -> Option<Point<S>> {
         let choice = self.bytes.below(8);
         let mut target = if choice < 3 { self.point() } else { self.between(marks) };
         if choice == 7 {
             let axis = self.bytes.below(3);
-            target[axis] = target[axis].moved(self.bytes.about_nought(2));
+            target[axis] = target[axis].moved(self.bytes.about_zero(2));
         }
         let to_target = [0, 1, 2].map(|i| beyond(S::ZERO, target[i], origin[i], (1, 1)));
         let direction = if choice == 0 { target } else { to_target };
@@ -217,7 +217,7 @@ impl<'a, S: Sample> Shapes<'a, S> {
             return [Some(S::ZERO), None];
         }
         let mut end = || match self.bytes.one_in(2).then(&meeting).flatten() {
-            Some(t) if t.is_finite() => t.moved(self.bytes.about_nought(1)),
+            Some(t) if t.is_finite() => t.moved(self.bytes.about_zero(1)),
             _ => self.number(),
         };
         let (a, b) = (end(), end());

@@ -7,39 +7,16 @@
 use defmt::{Format, Formatter, write};
 
 use crate::lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles};
-use crate::linear::Vec3;
-use crate::query::{Hit, NormalTriangle, ProjectedTriangle, ShearedRay, SlabRay, SlopeRay};
+use crate::published::projected::ProjectedTriangle;
+use crate::published::slabs::SlabRay;
+use crate::published::slopes::SlopeRay;
+use crate::published::stored_normal::NormalTriangle;
+use crate::published::watertight::ShearedRay;
+use crate::query::Hit;
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Obb, Plane, PlaneForm, Ray, Segment, SegmentForm, Triangle};
-
-/// A scalar that can be logged: all can.
-pub trait Logged: Sized {
-    /// Writes the number.
-    #[doc(hidden)]
-    fn log(self, to: Formatter<'_>);
-}
-
-macro_rules! logged {
-    ($([$($generic:ident: $bound:ident)?] $scalar:ty, $format:literal, |$x:ident| $number:expr;)*) => {$(
-        impl<$($generic: fixed::types::extra::$bound)?> Logged for $scalar {
-            fn log(self, to: Formatter<'_>) {
-                let $x = self;
-                write!(to, $format, $number);
-            }
-        }
-    )*};
-}
-logged! {
-    [] f32, "{=f32}", |x| x;
-    [] f64, "{=f64}", |x| x;
-}
-#[cfg(feature = "fixed")]
-logged! {
-    [Frac: LeEqU8] fixed::FixedI8<Frac>, "{=f32}", |x| x.to_num();
-    [Frac: LeEqU16] fixed::FixedI16<Frac>, "{=f32}", |x| x.to_num();
-    [Frac: LeEqU32] fixed::FixedI32<Frac>, "{=f64}", |x| x.to_num();
-    [Frac: LeEqU64] fixed::FixedI64<Frac>, "{=f64}", |x| x.to_num();
-}
+use crate::shape::{
+    Aabb, AabbForm, Obb, Plane, PlaneForm, Ray, Segment, SegmentForm, Triangle, Vec3,
+};
 
 /// One number.
 struct Number<S>(S);

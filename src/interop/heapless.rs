@@ -2,7 +2,7 @@
 
 use heapless::Vec;
 
-use crate::query::Overlaps;
+use crate::shape::Overlaps;
 
 /// Up to N results, and how many there were beyond.
 ///
@@ -10,7 +10,7 @@ use crate::query::Overlaps;
 /// lost without a trace. With the feature `heapless`.
 ///
 /// ```
-/// use septum::Bounded;
+/// use septum::interop::Bounded;
 ///
 /// let squares: Bounded<u32, 3> = (1..=5).map(|n| n * n).collect();
 /// assert_eq!(squares.kept(), [1, 4, 9]);
@@ -25,6 +25,7 @@ pub struct Bounded<T, const N: usize> {
 
 impl<T, const N: usize> Bounded<T, N> {
     /// Nothing yet.
+    #[must_use]
     pub const fn new() -> Self {
         Self { kept: Vec::new(), missed: 0 }
     }
@@ -37,21 +38,25 @@ impl<T, const N: usize> Bounded<T, N> {
     }
 
     /// The first N results.
+    #[must_use]
     pub fn kept(&self) -> &[T] {
         &self.kept
     }
 
     /// How many results there was no room for.
+    #[must_use]
     pub fn missed(&self) -> usize {
         self.missed
     }
 
     /// How many results there were.
+    #[must_use]
     pub fn total(&self) -> usize {
         self.kept.len().saturating_add(self.missed)
     }
 
     /// Whether all results are here.
+    #[must_use]
     pub fn is_complete(&self) -> bool {
         self.missed == 0
     }
@@ -95,7 +100,8 @@ impl<T, const N: usize> FromIterator<T> for Bounded<T, N> {
 /// *Panics*: never. *Cost*: one question for each shape, whether or not it fits.
 ///
 /// ```
-/// use septum::{Aabb, Bounded, Triangle, touched};
+/// use septum::interop::{Bounded, touched};
+/// use septum::{Aabb, Triangle};
 ///
 /// let wall = |x| Triangle::new([x, 0.0, 0.0], [x, 1.0, 0.0], [x, 0.0, 1.0]);
 /// let walls = [wall(0.0)?, wall(1.0)?, wall(2.0)?, wall(3.0)?];
@@ -107,6 +113,7 @@ impl<T, const N: usize> FromIterator<T> for Bounded<T, N> {
 /// assert_eq!((some.kept(), some.missed()), (&[1, 2][..], 1));
 /// # Ok::<(), septum::ShapeError>(())
 /// ```
+#[must_use]
 pub fn touched<Shape, Other, const N: usize>(shapes: &[Shape], other: &Other) -> Bounded<usize, N>
 where
     Shape: Overlaps<Other>,

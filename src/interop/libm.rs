@@ -1,8 +1,7 @@
 //! `libm`: unit normals by its correctly rounded root.
 
-use crate::linear::Vec3;
 use crate::query::direction;
-use crate::shape::Triangle;
+use crate::shape::{Triangle, Vec3};
 
 /// n/|n|, each of the operations rounded once.
 #[inline]
@@ -16,7 +15,7 @@ impl Triangle<f32> {
     /// `None` if the triangle is degenerate. With the feature `libm`.
     ///
     /// *When to choose it*: wherever there is an FPU for `f64`, and wherever a normal
-    /// must be right. On a core without one, `unit_normal_micromath` costs a fifth.
+    /// must be right. On a core without one, `unit_normal_fast` costs about a fifth.
     ///
     /// *Geometry*: the normal points to where the vertices go counterclockwise;
     /// [`Hit::oriented`](crate::Hit::oriented) turns it to the ray.
@@ -27,19 +26,18 @@ impl Triangle<f32> {
     /// every machine.
     ///
     /// *Range*: all finite coordinates. *Panics*: never. *Cost*: in `f64`, nine
-    /// multiplications, a root and three divisions. That is 360 instructions on x86-64
-    /// and 12,900 to 14,300 on a Cortex-M0 (counted in QEMU), against 100 and 2,400 to
-    /// 2,700 of `unit_normal_micromath`. Exact sums, for one sliver in many, take
-    /// some 50,000 and 7 KB of stack.
+    /// multiplications, a root and three divisions. Exact sums, for one sliver in many,
+    /// take a hundred times as long and 7 KB of stack.
     ///
     /// ```
     /// use septum::{Triangle, Vec3};
     ///
     /// let ramp = Triangle::new([0.0_f32; 3], [4.0, 0.0, 3.0], [0.0, 1.0, 0.0])?;
-    /// assert_eq!(ramp.unit_normal_libm(), Some(Vec3::new(-0.6, 0.0, 0.8)));
+    /// assert_eq!(ramp.unit_normal(), Some(Vec3::new(-0.6, 0.0, 0.8)));
     /// # Ok::<(), septum::ShapeError>(())
     /// ```
-    pub fn unit_normal_libm(&self) -> Option<Vec3<f32>> {
+    #[must_use]
+    pub fn unit_normal(&self) -> Option<Vec3<f32>> {
         let [a, b, c] = self.vertices();
         let wide = |p: &Vec3<f32>| Vec3::new(p.x.into(), p.y.into(), p.z.into());
         let wide = Triangle::from_rounded([wide(a), wide(b), wide(c)]);
@@ -65,19 +63,19 @@ impl Triangle<f64> {
     /// same bits on every machine.
     ///
     /// *Range*: all finite coordinates. *Panics*: never. *Cost*: about 250 additions
-    /// and multiplications, a root and three divisions: 640 instructions on x86-64,
-    /// 44,000 to 51,000 on a Cortex-M0 (counted in QEMU). Exact sums, for slivers that
-    /// lose 40 places to cancellation and for coordinates beyond 2^-400 or 2^250, take
-    /// 50,000 on x86-64 and some 7 KB of stack.
+    /// and multiplications, a root and three divisions. Exact sums, for slivers that
+    /// lose 40 places to cancellation and for coordinates beyond 2⁻⁴⁰⁰ or 2²⁵⁰, take
+    /// eighty times as long and some 7 KB of stack.
     ///
     /// ```
     /// use septum::{Triangle, Vec3};
     ///
     /// let ramp = Triangle::new([0.0_f64; 3], [4.0, 0.0, 3.0], [0.0, 1.0, 0.0])?;
-    /// assert_eq!(ramp.unit_normal_libm(), Some(Vec3::new(-0.6, 0.0, 0.8)));
+    /// assert_eq!(ramp.unit_normal(), Some(Vec3::new(-0.6, 0.0, 0.8)));
     /// # Ok::<(), septum::ShapeError>(())
     /// ```
-    pub fn unit_normal_libm(&self) -> Option<Vec3<f64>> {
+    #[must_use]
+    pub fn unit_normal(&self) -> Option<Vec3<f64>> {
         // Six roundoffs at most. Relative to each component: one in it; in the length
         // one from the components, one and a half from squares and sums, one from
         // the root; one from the division.

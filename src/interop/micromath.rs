@@ -2,16 +2,15 @@
 
 use micromath::F32Ext;
 
-use crate::linear::Vec3;
-use crate::shape::Triangle;
+use crate::shape::{Triangle, Vec3};
 
 impl Triangle<f32> {
     /// A normal about 1 long, by the reciprocal root of `micromath`; `None` if the
     /// cross product, as rounded, has no length. With the feature `micromath`.
     ///
-    /// *When to choose it*: on a core without an FPU, where a few per cent of length
+    /// *When to choose it*: on a core without an FPU, where a few percent of length
     /// do not matter: shading, sorting, a push along the normal.
-    /// `unit_normal_libm` is right, and takes many times the instructions there.
+    /// `unit_normal` is right, and takes many times the instructions there.
     ///
     /// *Geometry*: the normal points to where the vertices go counterclockwise;
     /// [`Hit::oriented`](crate::Hit::oriented) turns it to the ray.
@@ -23,20 +22,19 @@ impl Triangle<f32> {
     /// *Range*: |(b − a) × (c − a)| between 2^-62 and 2^63; `None` outside.
     ///
     /// *Panics*: never. *Cost*: twelve multiplications, eleven additions and
-    /// subtractions; no root, no division. That is 100 instructions on x86-64, and
-    /// 2,400 to 2,700 on a Cortex-M0 (counted in QEMU), where `unit_normal_libm` takes
-    /// 12,900 to 14,300.
+    /// subtractions; no root, no division.
     ///
     /// ```
     /// use septum::Triangle;
     ///
     /// let ramp = Triangle::new([0.0_f32; 3], [4.0, 0.0, 3.0], [0.0, 1.0, 0.0])?;
-    /// let n = ramp.unit_normal_micromath().unwrap();
+    /// let n = ramp.unit_normal_fast().unwrap();
     /// assert!((n.x + 0.6).abs() < 0.03 && n.y == 0.0 && (n.z - 0.8).abs() < 0.03);
     /// # Ok::<(), septum::ShapeError>(())
     /// ```
     #[inline]
-    pub fn unit_normal_micromath(&self) -> Option<Vec3<f32>> {
+    #[must_use]
+    pub fn unit_normal_fast(&self) -> Option<Vec3<f32>> {
         let [a, b, c] = self.vertices();
         let e = [b.x - a.x, b.y - a.y, b.z - a.z];
         let f = [c.x - a.x, c.y - a.y, c.z - a.z];

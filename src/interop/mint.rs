@@ -2,7 +2,7 @@
 
 use mint::{Point3, Vector3};
 
-use crate::linear::Vec3;
+use crate::shape::Vec3;
 
 impl<S> From<Vector3<S>> for Vec3<S> {
     fn from(v: Vector3<S>) -> Self {

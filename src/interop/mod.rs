@@ -1,4 +1,8 @@
-//! Other crates' types: one small file each, each behind a feature of its name.
+//! Other crates' types, each behind a feature of its name.
+//!
+//! `mint`, `serde` and `defmt` add implementations of their traits to the shapes; `libm` and
+//! `micromath` add unit normals in floats to [`Triangle`](crate::Triangle). Here are the
+//! items that those features add beside the shapes.
 
 #[cfg(feature = "defmt")]
 mod defmt;
@@ -13,14 +17,7 @@ mod mint;
 #[cfg(feature = "serde")]
 mod serde;
 
-#[cfg(feature = "defmt")]
-pub use defmt::Logged;
+#[cfg(feature = "fixed")]
+pub use crate::scalar::FixedPoint;
 #[cfg(feature = "heapless")]
 pub use heapless::{Bounded, touched};
-
-/// Asks nothing of a scalar, where there is no logging.
-#[cfg(not(feature = "defmt"))]
-pub trait Logged {}
-
-#[cfg(not(feature = "defmt"))]
-impl<S> Logged for S {}

@@ -1,13 +1,12 @@
 //! `serde`: every shape is written as it was given, and read through the
-//! constructor that checks it.
+//! constructor that checks it. A field too many or too few is an error.
 
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::{Serialize, Serializer};
 
-use crate::linear::Vec3;
 use crate::scalar::Scalar;
 use crate::shape::{
-    Aabb, AabbForm, Obb, Plane, PlaneForm, Ray, Segment, SegmentForm, ShapeError, Triangle,
+    Aabb, AabbForm, Obb, Plane, PlaneForm, Ray, Segment, SegmentForm, ShapeError, Triangle, Vec3,
 };
 
 /// The vertices of a triangle, unchecked.
@@ -17,24 +16,25 @@ struct Vertices<S>([Vec3<S>; 3]);
 
 /// The numbers of an axis-aligned box, unchecked.
 #[derive(serde::Serialize, serde::Deserialize)]
-#[serde(rename = "Aabb", rename_all = "snake_case")]
+#[serde(rename = "Aabb", rename_all = "snake_case", deny_unknown_fields)]
 enum Extent<S> {
     CenterHalfExtents { center: Vec3<S>, half_extents: Vec3<S> },
     MinMax { min: Vec3<S>, max: Vec3<S> },
 }
 
-/// The numbers of an oriented box, unchecked.
+/// The numbers of an oriented box, unchecked. It is written with `axes` where
+/// [`Obb::new`] would take them, and else with `skewed_axes`; each is read through its
+/// own constructor.
 #[derive(serde::Serialize, serde::Deserialize)]
-#[serde(rename = "Obb")]
-struct Frame<S> {
-    center: Vec3<S>,
-    axes: [Vec3<S>; 3],
-    half_extents: Vec3<S>,
+#[serde(rename = "Obb", rename_all = "snake_case", deny_unknown_fields)]
+enum Oriented<S> {
+    Axes { center: Vec3<S>, axes: [Vec3<S>; 3], half_extents: Vec3<S> },
+    SkewedAxes { center: Vec3<S>, axes: [Vec3<S>; 3], half_extents: Vec3<S> },
 }
 
 /// The numbers of a plane, unchecked.
 #[derive(serde::Serialize, serde::Deserialize)]
-#[serde(rename = "Plane", rename_all = "snake_case")]
+#[serde(rename = "Plane", rename_all = "snake_case", deny_unknown_fields)]
 enum Position<S> {
     PointNormal { point: Vec3<S>, normal: Vec3<S> },
     Equation { normal: Vec3<S>, d: S },
@@ -42,7 +42,7 @@ enum Position<S> {
 
 /// The numbers of a segment, unchecked.
 #[derive(serde::Serialize, serde::Deserialize)]
-#[serde(rename = "Segment", rename_all = "snake_case")]
+#[serde(rename = "Segment", rename_all = "snake_case", deny_unknown_fields)]
 enum Course<S> {
     Ends(Vec3<S>, Vec3<S>),
     CenterHalfVector { center: Vec3<S>, half_vector: Vec3<S> },
@@ -50,11 +50,14 @@ enum Course<S> {
 
 /// The numbers of a ray, unchecked.
 #[derive(serde::Serialize, serde::Deserialize)]
-#[serde(rename = "Ray")]
+#[serde(rename = "Ray", deny_unknown_fields, bound(deserialize = "S: serde::Deserialize<'de>"))]
 struct Path<S> {
     origin: Vec3<S>,
     direction: Vec3<S>,
+    // An open end must be written as one, `null`: a derived `Option` may be left out.
+    #[serde(deserialize_with = "Option::deserialize")]
     t_min: Option<S>,
+    #[serde(deserialize_with = "Option::deserialize")]
     t_max: Option<S>,
 }
 
@@ -94,16 +97,26 @@ impl<S: Scalar> TryFrom<Extent<S>> for Aabb<S> {
     }
 }
 
-impl<S: Scalar> From<&Obb<S>> for Frame<S> {
+impl<S: Scalar> From<&Obb<S>> for Oriented<S> {
     fn from(obb: &Obb<S>) -> Self {
-        Self { center: obb.center(), axes: *obb.axes(), half_extents: obb.half_extents() }
+        let (center, axes, half_extents) = (obb.center(), *obb.axes(), obb.half_extents());
+        if obb.is_orthonormal() {
+            Self::Axes { center, axes, half_extents }
+        } else {
+            Self::SkewedAxes { center, axes, half_extents }
+        }
     }
 }
 
-impl<S: Scalar> TryFrom<Frame<S>> for Obb<S> {
+impl<S: Scalar> TryFrom<Oriented<S>> for Obb<S> {
     type Error = ShapeError;
-    fn try_from(frame: Frame<S>) -> Result<Self, ShapeError> {
-        Self::from_skewed_axes(frame.center, frame.axes, frame.half_extents)
+    fn try_from(oriented: Oriented<S>) -> Result<Self, ShapeError> {
+        match oriented {
+            Oriented::Axes { center, axes, half_extents } => Self::new(center, axes, half_extents),
+            Oriented::SkewedAxes { center, axes, half_extents } => {
+                Self::from_skewed_axes(center, axes, half_extents)
+            }
+        }
     }
 }
 
@@ -186,7 +199,7 @@ macro_rules! through {
 through! {
     Triangle => Vertices;
     Aabb => Extent;
-    Obb => Frame;
+    Obb => Oriented;
     Plane => Position;
     Segment => Course;
     Ray => Path;

@@ -1,19 +1,21 @@
 use super::Ranges;
 use super::ranges::minus;
 use super::triangles::lane;
-use crate::query::SlabRay;
+use crate::published::slabs::SlabRay;
 use crate::scalar::Scalar;
 use crate::shape::Aabb;
 
 /// N boxes by their corners, an array for each coordinate.
 ///
 /// ```
-/// use septum::{Aabb, Aabbs, Ray};
+/// use septum::lanes::Aabbs;
+/// use septum::published::slabs::SlabRay;
+/// use septum::{Aabb, Ray};
 ///
 /// let cell = |x: f32| Aabb::from_min_max([x, 0.0, 0.0], [x + 1.0, 1.0, 1.0]);
 /// let cells = Aabbs::new(&[cell(0.0)?, cell(2.0)?, cell(-3.0)?, cell(4.0)?]).unwrap();
-/// let ray = Ray::new([-1.0, 0.5, 0.5], [1.0, 0.0, 0.0])?.for_slabs();
-/// let found = ray.t_range_each_rounded(&cells);
+/// let ray = SlabRay::new(&Ray::new([-1.0, 0.5, 0.5], [1.0, 0.0, 0.0])?);
+/// let found = cells.t_range_rounded(&ray);
 /// assert_eq!(found.mask, [true, true, false, true]);
 /// assert_eq!(found.get(1), Some((3.0, 4.0)));
 /// # Ok::<(), septum::ShapeError>(())
@@ -28,6 +30,7 @@ impl<S: Scalar, const N: usize> Aabbs<S, N> {
     /// The boxes, each in its lane. `None` where one was given by its centre: its
     /// corners need not be numbers of the scalar.
     #[inline]
+    #[must_use]
     pub fn new(aabbs: &[Aabb<S>; N]) -> Option<Self> {
         let mut all = Self { min: [[S::ZERO; N]; 3], max: [[S::ZERO; N]; 3] };
         for k in 0..N {
@@ -43,6 +46,7 @@ impl<S: Scalar, const N: usize> Aabbs<S, N> {
 
     /// The box in lane `k`, if there is that lane.
     #[inline]
+    #[must_use]
     pub fn get(&self, k: usize) -> Option<Aabb<S>> {
         if k >= N {
             return None;
@@ -51,25 +55,26 @@ impl<S: Scalar, const N: usize> Aabbs<S, N> {
     }
 }
 
-impl<S: Scalar> SlabRay<S> {
-    /// [`t_range_rounded`](Self::t_range_rounded) on each of N boxes.
+impl<S: Scalar, const N: usize> Aabbs<S, N> {
+    /// [`SlabRay::t_range_rounded`] on each of N boxes.
     ///
     /// *Numerics*: the same bits as one by one.
     ///
     /// *Panics*: never. *Cost*: that of one for a vector of them, in floats and
-    /// narrow fixed point. Where a component of the direction is nought, the boxes
+    /// narrow fixed point. Where a component of the direction is zero, the boxes
     /// go one by one.
     #[inline]
-    pub fn t_range_each_rounded<const N: usize>(&self, aabbs: &Aabbs<S, N>) -> Ranges<S, N> {
-        let o = self.origin;
+    #[must_use]
+    pub fn t_range_rounded(&self, ray: &SlabRay<S>) -> Ranges<S, N> {
+        let o = ray.origin;
         let faces = |k: usize| {
-            let (min, max) = (lane(&aabbs.min, k), lane(&aabbs.max, k));
+            let (min, max) = (lane(&self.min, k), lane(&self.max, k));
             (minus(min, o), minus(max, o))
         };
-        if self.is_plain {
-            Ranges::each(|k| self.plain_interval(&faces(k)))
+        if ray.is_plain {
+            Ranges::each(|k| ray.plain_interval(&faces(k)))
         } else {
-            Ranges::each(|k| self.interval(&faces(k)))
+            Ranges::each(|k| ray.interval(&faces(k)))
         }
     }
 }

@@ -1,48 +1,46 @@
 //! N rays against one triangle.
 
 use super::{Hits, Rays};
-use crate::query::{
-    Cull, Facing, NormalTriangle, Stored, moller_trumbore, rounded, settle, store, stored_normal,
-};
+use crate::published::moller_trumbore::moller_trumbore;
+use crate::published::stored_normal::{NormalTriangle, Stored, store, stored_normal};
+use crate::published::{resolve, rounded};
+use crate::query::{Cull, Facing};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
 impl<S: Scalar, const N: usize> Rays<S, N> {
-    /// [`Ray::hit_moller_trumbore`] for N rays at once: the same verdicts, the same
-    /// bits.
+    /// [`moller_trumbore::hit`](crate::published::moller_trumbore::hit) for N rays at once:
+    /// the same verdicts, the same bits.
     ///
     /// *Panics*: never. *Cost*: that of one for each vector of them.
-    ///
-    /// [`Ray::hit_moller_trumbore`]: crate::Ray::hit_moller_trumbore
     #[inline]
+    #[must_use]
     pub fn hit_moller_trumbore(&self, triangle: &Triangle<S>, cull: Cull) -> Hits<S, N> {
         let keeps = (cull.keeps(Facing::Front), cull.keeps(Facing::Back));
         let [a, b, c] = triangle.points();
         let triangle = [rounded(a), rounded(b), rounded(c)];
         Hits::each(|k| {
             let (o, d) = self.at(k);
-            settle(moller_trumbore(o, d, triangle), &self.limits(k, keeps))
+            resolve(moller_trumbore(o, d, triangle), &self.limits(k, keeps))
         })
     }
 
-    /// [`Ray::hit_stored_normal`] for N rays at once: the same verdicts, the same
-    /// bits.
+    /// [`stored_normal::hit`](crate::published::stored_normal::hit) for N rays at once: the
+    /// same verdicts, the same bits.
     ///
     /// *Panics*: never. *Cost*: that of one for each vector of them.
-    ///
-    /// [`Ray::hit_stored_normal`]: crate::Ray::hit_stored_normal
     #[inline]
+    #[must_use]
     pub fn hit_stored_normal(&self, triangle: &NormalTriangle<S>, cull: Cull) -> Hits<S, N> {
         self.hit_stored(triangle.rounded(), cull)
     }
 
-    /// [`Ray::hit_volumes`] for N rays at once: the same verdicts, the same
-    /// bits.
+    /// [`volumes::hit`](crate::published::volumes::hit) for N rays at once: the same
+    /// verdicts, the same bits.
     ///
     /// *Panics*: never. *Cost*: that of one for each vector of them.
-    ///
-    /// [`Ray::hit_volumes`]: crate::Ray::hit_volumes
     #[inline]
+    #[must_use]
     pub fn hit_volumes(&self, triangle: &Triangle<S>, cull: Cull) -> Hits<S, N> {
         let [a, b, c] = triangle.points();
         self.hit_stored(store([rounded(a), rounded(b), rounded(c)]), cull)
@@ -53,7 +51,7 @@ impl<S: Scalar, const N: usize> Rays<S, N> {
         let keeps = (cull.keeps(Facing::Front), cull.keeps(Facing::Back));
         Hits::each(|k| {
             let (o, d) = self.at(k);
-            settle(stored_normal(o, d, triangle), &self.limits(k, keeps))
+            resolve(stored_normal(o, d, triangle), &self.limits(k, keeps))
         })
     }
 }

@@ -1,9 +1,9 @@
-use crate::query::{Found, Hit};
+use crate::query::{Candidate, Hit};
 use crate::scalar::Scalar;
 
 /// The hits of one ray on N triangles, or of N rays on one.
 ///
-/// Where `mask` is false, t, u and v are nought.
+/// Where `mask` is false, t, u and v are zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hits<S, const N: usize> {
     /// Which lanes have a hit.
@@ -21,24 +21,24 @@ impl<S: Scalar, const N: usize> Hits<S, N> {
     /// Lane by lane, into arrays of their own: filled in place, they would be copied
     /// out by loads wider than the stores, and wait for them.
     #[inline(always)]
-    pub(super) fn each(mut found: impl FnMut(usize) -> Found<S>) -> Self {
-        let nought = [S::ZERO; N];
-        let (mut t, mut u, mut v) = (nought, nought, nought);
+    pub(super) fn each(mut found: impl FnMut(usize) -> Candidate<S>) -> Self {
+        let zero = [S::ZERO; N];
+        let (mut t, mut u, mut v) = (zero, zero, zero);
         let (mut mask, mut marks) = ([false; N], [0; N]);
         for k in 0..N {
             let found = found(k);
-            let or_nought = |x: S| if found.hit { x } else { S::ZERO };
+            let or_zero = |x: S| if found.hit { x } else { S::ZERO };
             mask[k] = found.hit;
-            t[k] = or_nought(found.t);
-            u[k] = or_nought(found.u);
-            v[k] = or_nought(found.v);
+            t[k] = or_zero(found.t);
+            u[k] = or_zero(found.u);
+            v[k] = or_zero(found.v);
             marks[k] = if found.hit { found.marks } else { 0 };
         }
         Self { mask, t, u, v, marks }
     }
 
     #[inline(always)]
-    pub(super) fn set(&mut self, k: usize, found: Found<S>) {
+    pub(super) fn set(&mut self, k: usize, found: Candidate<S>) {
         self.mask[k] = found.hit;
         (self.t[k], self.u[k], self.v[k]) = (found.t, found.u, found.v);
         self.marks[k] = found.marks;
@@ -46,14 +46,16 @@ impl<S: Scalar, const N: usize> Hits<S, N> {
 
     /// The hit in lane `k`, if there is one.
     #[inline]
+    #[must_use]
     pub fn get(&self, k: usize) -> Option<Hit<S>> {
         let hit = *self.mask.get(k)?;
         let (t, u, v) = (self.t[k], self.u[k], self.v[k]);
-        Found { hit, t, u, v, marks: self.marks[k] }.into_hit()
+        Candidate { hit, t, u, v, marks: self.marks[k] }.into_hit()
     }
 
     /// Whether any lane has a hit.
     #[inline]
+    #[must_use]
     pub fn any(&self) -> bool {
         let mut any = false;
         for hit in self.mask {
@@ -64,6 +66,7 @@ impl<S: Scalar, const N: usize> Hits<S, N> {
 
     /// The lane and the hit with the least t; of equal ones the first.
     #[inline]
+    #[must_use]
     pub fn nearest(&self) -> Option<(usize, Hit<S>)> {
         let mut nearest = None;
         for k in 0..N {

@@ -1,5 +1,19 @@
-//! Many at once: structures of arrays, and plain loops over them that the
-//! compiler turns into vector instructions.
+//! Many at once: structures of arrays, and plain loops over them that the compiler turns
+//! into vector instructions.
+//!
+//! | type | asks | exactly | rounded |
+//! | --- | --- | --- | --- |
+//! | [`Triangles`] | one ray, N triangles | [`hit`](Triangles::hit) | [`hit_moller_trumbore`](Triangles::hit_moller_trumbore), [`hit_volumes`](Triangles::hit_volumes), [`hit_watertight`](Triangles::hit_watertight) |
+//! | [`NormalTriangles`] | one ray, N triangles with stored normals | | [`hit`](NormalTriangles::hit) |
+//! | [`Rays`] | N rays, one triangle | | [`hit_moller_trumbore`](Rays::hit_moller_trumbore), [`hit_stored_normal`](Rays::hit_stored_normal), [`hit_volumes`](Rays::hit_volumes) |
+//! | [`Aabbs`] | one prepared ray, N boxes | | [`t_range_rounded`](Aabbs::t_range_rounded) |
+//! | [`SlabRays`] | N prepared rays, one box | | [`t_range_rounded`](SlabRays::t_range_rounded) |
+//!
+//! Each lane has the bits that the same question has one by one. Any number of lanes works,
+//! in every scalar; 4 fit SSE2, NEON and simd128, and 8 fit AVX2. The speed is that of the
+//! vector unit: without one, as on a microcontroller, lanes gain nothing.
+//!
+//! Nothing here panics.
 
 mod aabbs;
 mod each_exactly;

@@ -1,6 +1,6 @@
 use crate::scalar::Scalar;
 
-/// Where one ray enters and leaves each of N boxes, or each of N rays one box; nought
+/// Where one ray enters and leaves each of N boxes, or each of N rays one box; zero
 /// where `mask` is false.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ranges<S, const N: usize> {
@@ -16,8 +16,8 @@ impl<S: Scalar, const N: usize> Ranges<S, N> {
     /// Lane by lane, into arrays of their own: see [`Hits`](super::Hits).
     #[inline(always)]
     pub(super) fn each(mut interval: impl FnMut(usize) -> (S, S)) -> Self {
-        let nought = [S::ZERO; N];
-        let (mut mask, mut t_enter, mut t_leave) = ([false; N], nought, nought);
+        let zero = [S::ZERO; N];
+        let (mut mask, mut t_enter, mut t_leave) = ([false; N], zero, zero);
         for k in 0..N {
             let (enter, leave) = interval(k);
             let met = enter <= leave;
@@ -30,6 +30,7 @@ impl<S: Scalar, const N: usize> Ranges<S, N> {
 
     /// Where ray and box of lane `k` meet, if they do.
     #[inline]
+    #[must_use]
     pub fn get(&self, k: usize) -> Option<(S, S)> {
         if *self.mask.get(k)? { Some((self.t_enter[k], self.t_leave[k])) } else { None }
     }

@@ -1,16 +1,17 @@
 use super::triangles::lane;
-use crate::query::{Cull, Limits, Triple, rounded};
+use crate::published::{Limits, Triple, rounded};
+use crate::query::Cull;
 use crate::scalar::Scalar;
 use crate::shape::Ray;
 
 /// N rays, an array for each coordinate, to meet one triangle at once.
 ///
-/// Choose it where many rays go to the same triangles, as those of a camera. With
-/// N = 8 and AVX2, `f32` takes 0.05 of the time of Möller–Trumbore one by one for each
-/// ray by [`hit_stored_normal`](Self::hit_stored_normal), 0.07 by the others.
+/// Choose it where many rays go to the same triangles, as those of a camera.
+/// [`hit_stored_normal`](Self::hit_stored_normal) is the fastest.
 ///
 /// ```
-/// use septum::{Cull, Ray, Rays, Triangle};
+/// use septum::lanes::Rays;
+/// use septum::{Cull, Ray, Triangle};
 ///
 /// let floor = Triangle::new([0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0])?;
 /// let down = |x: f32| Ray::new([x, 0.25, 1.0], [0.0, 0.0, -1.0]);
@@ -31,26 +32,32 @@ pub struct Rays<S, const N: usize> {
 impl<S: Scalar, const N: usize> Rays<S, N> {
     /// The rays, each in its lane.
     #[inline]
+    #[must_use]
     pub fn new(rays: &[Ray<S>; N]) -> Self {
-        let (nought, three) = ([S::ZERO; N], [[S::ZERO; N]; 3]);
+        let (zero, three) = ([S::ZERO; N], [[S::ZERO; N]; 3]);
         let mut all = Self {
             origin: three,
             direction: three,
-            t_min: nought,
-            t_max: nought,
+            t_min: zero,
+            t_max: zero,
             open: [[false; N]; 2],
         };
         for k in 0..N {
-            all.set(k, &rays[k]);
+            let _ = all.set(k, &rays[k]);
         }
         all
     }
 
-    /// Puts a ray into lane `k`.
+    /// Puts a ray into lane `k`, and says whether there is that lane. Without it nothing
+    /// changes.
     ///
-    /// *Panics*: where there is no lane `k`, as an array does.
+    /// *Panics*: never.
     #[inline]
-    pub fn set(&mut self, k: usize, ray: &Ray<S>) {
+    #[must_use]
+    pub fn set(&mut self, k: usize, ray: &Ray<S>) -> bool {
+        if k >= N {
+            return false;
+        }
         let (origin, direction) = (ray.origin().to_array(), ray.direction().to_array());
         for i in 0..3 {
             self.origin[i][k] = origin[i];
@@ -59,10 +66,12 @@ impl<S: Scalar, const N: usize> Rays<S, N> {
         let limits = Limits::new(ray, Cull::Nothing);
         (self.t_min[k], self.t_max[k]) = (limits.t_min, limits.t_max);
         (self.open[0][k], self.open[1][k]) = (limits.open[0], limits.open[1]);
+        true
     }
 
     /// The ray in lane `k`, if there is that lane.
     #[inline]
+    #[must_use]
     pub fn get(&self, k: usize) -> Option<Ray<S>> {
         if k >= N {
             return None;

@@ -1,21 +1,21 @@
 use super::Ranges;
 use super::ranges::minus;
 use super::triangles::lane;
-use crate::query::{Faces, SlabRay, plain_interval};
+use crate::published::slabs::{Faces, SlabRay, plain_interval};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm};
 
 /// N rays prepared for boxes, an array for each coordinate, to meet one box at once.
 ///
-/// Choose it where many rays go down the same tree, as those of a camera. With N = 8
-/// and AVX2 `f32` takes 0.26 of the time of
-/// [`t_range_rounded`](SlabRay::t_range_rounded) one by one.
+/// Choose it where many rays go down the same tree, as those of a camera.
 ///
 /// ```
-/// use septum::{Aabb, Ray, SlabRays};
+/// use septum::lanes::SlabRays;
+/// use septum::published::slabs::SlabRay;
+/// use septum::{Aabb, Ray};
 ///
 /// let ray = |y: f32| Ray::new([-1.0, y, 0.5], [1.0, 0.25, 0.125]);
-/// let four = [ray(0.0)?, ray(0.5)?, ray(1.0)?, ray(-3.0)?].map(|ray| ray.for_slabs());
+/// let four = [ray(0.0)?, ray(0.5)?, ray(1.0)?, ray(-3.0)?].map(|ray| SlabRay::new(&ray));
 /// let cell = Aabb::from_min_max([0.0; 3], [1.0; 3])?;
 /// let found = SlabRays::new(&four).t_range_rounded(&cell);
 /// assert_eq!(found.mask, [true, true, false, false]);
@@ -35,10 +35,11 @@ pub struct SlabRays<S, const N: usize> {
 impl<S: Scalar, const N: usize> SlabRays<S, N> {
     /// The rays, each in its lane.
     #[inline]
+    #[must_use]
     pub fn new(rays: &[SlabRay<S>; N]) -> Self {
-        let (nought, three) = ([S::ZERO; N], [[S::ZERO; N]; 3]);
+        let (zero, three) = ([S::ZERO; N], [[S::ZERO; N]; 3]);
         let (mut origin, mut reciprocal) = (three, three);
-        let (mut from, mut to, mut is_plain) = (nought, nought, true);
+        let (mut from, mut to, mut is_plain) = (zero, zero, true);
         for (k, ray) in rays.iter().enumerate() {
             for i in 0..3 {
                 origin[i][k] = ray.origin[i];
@@ -52,6 +53,7 @@ impl<S: Scalar, const N: usize> SlabRays<S, N> {
 
     /// The ray in lane `k`, if there is that lane.
     #[inline]
+    #[must_use]
     pub fn get(&self, k: usize) -> Option<&SlabRay<S>> {
         self.rays.get(k)
     }
@@ -60,9 +62,10 @@ impl<S: Scalar, const N: usize> SlabRays<S, N> {
     /// bits.
     ///
     /// *Panics*: never. *Cost*: that of one for a vector of them, in floats and
-    /// narrow fixed point. Where a component of a direction is nought, the rays go one
+    /// narrow fixed point. Where a component of a direction is zero, the rays go one
     /// by one.
     #[inline]
+    #[must_use]
     pub fn t_range_rounded(&self, aabb: &Aabb<S>) -> Ranges<S, N> {
         match *aabb.form() {
             AabbForm::Corners { min, max } => {

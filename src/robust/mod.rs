@@ -1,15 +1,34 @@
-//! What makes the answers right: bounds with their derivations, the exact
-//! stage, and the normal that is nearly nought.
+//! How a doubtful sign is settled, and what becomes of a normal that is nearly zero.
+//!
+//! A question is a [`Predicate`]: it can answer itself in any number system that its
+//! coordinates can be brought into. A scalar lists the systems to ask, the cheapest first:
+//! its cascade ([`cascade`]). Each stage returns an answer only where it is certain of it.
+//! Integers are certain wherever they hold the input. Floats compute each axis with a bound
+//! on its error, and gather two flags over all axes ([`Uncertain`]): some axis separates
+//! for certain, and some axis may separate. Where the flags agree they are the answer;
+//! where they differ the question escalates. The last stage adds signed products of the
+//! coordinates as given in one long accumulator ([`ExactSum`]), so it is right for every
+//! finite input.
+//!
+//! An answer is given only where it is the exact one. So the order and the number of the
+//! stages change its time and never its value. How often questions escalate is counted in
+//! unit tests (`stages`).
 
-mod bounds;
-mod exact;
-mod exact_line;
-mod exact_ray;
-mod exact_skewed;
+mod cascade;
+mod determinant;
+mod exact_sum;
 mod near_zero_normal;
+mod predicate;
+mod stages;
+mod uncertain;
 
-pub(crate) use bounds::{PLANE, RAY, RAY_SIDES, SKEWED, bounds};
-pub(crate) use exact::{ExactBox, ExactTriangle};
-pub(crate) use exact_line::ExactLine;
-pub(crate) use exact_ray::ExactRay;
-pub(crate) use exact_skewed::ExactSkewed;
+pub(crate) use cascade::{exact_stage, integer_stage, numeric_stage, stage};
+#[cfg(feature = "fixed")]
+pub(crate) use cascade::{narrow_stage, only_stage};
+pub(crate) use determinant::{
+    Linear, Vector, add_area, add_determinant, add_scaled_determinant, difference, sign, single,
+};
+pub use exact_sum::ExactSum;
+pub(crate) use exact_sum::Sum;
+pub use predicate::Predicate;
+pub(crate) use uncertain::Uncertain;

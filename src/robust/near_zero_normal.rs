@@ -1,22 +1,20 @@
-//! The normal that is nearly nought.
+//! The normal that is nearly zero.
 //!
 //! # What goes wrong
 //!
 //! The normal of a triangle is n = e0 × e1, and each component a difference of
-//! two products. For a sliver the two are nearly equal, and rounding leaves of
-//! the difference little but noise: a direction at random. The plane test of
-//! the 2001 paper then asks whether the box lies to one side of a plane that has
-//! nothing to do with the triangle, and often it does. The triangle is dropped
-//! although it pierces the box. In `f32` this befalls three slivers in a hundred.
+//! two products. In a sliver the two are nearly equal, and their difference is mostly
+//! rounding error: a direction at random. The plane test of the 2001 paper then asks
+//! whether the box lies to one side of a plane that has nothing to do with the triangle,
+//! and often it does. The triangle is dropped although it pierces the box. In `f32` this
+//! happens to 3 slivers in 100 (`docs/accuracy.md`).
 //!
-//! # What a normal of nought means
+//! # What a normal of zero means
 //!
-//! That the three vertices lie on one line, and nothing else: the triangle is a
-//! segment or a point. It lies in many planes and defines none, so the normal
-//! axis has no say: everything projects to nought on it and it never separates.
-//! The other twelve suffice then. For a segment, the box's face normals and the
-//! cross products with the segment's direction are all the axes there are; for a
-//! point the face normals are.
+//! The three vertices lie on one line: the triangle is a segment or a point. Everything
+//! projects to zero on a normal of zero, so that axis never separates. The other twelve
+//! are enough then. For a segment the axes are the box's face normals and their cross
+//! products with the segment; for a point they are the face normals.
 //!
 //! # Why no epsilon
 //!
@@ -30,40 +28,7 @@
 //! # What is done instead
 //!
 //! The plane test is believed only where its value exceeds the error that the
-//! operands allow ([`super::bounds`]). That error does not shrink with n, so a
-//! noisy normal is never believed. What is left goes to integers, where n is
-//! what it is, nought included. There is no third case.
-
-use core::cmp::Ordering;
-
-use super::ExactTriangle;
-use crate::scalar::Scalar;
-use crate::shape::Triangle;
-
-impl<S: Scalar> Triangle<S> {
-    /// Whether the three vertices lie on one line, or in one point.
-    ///
-    /// *Numerics*: exact for every input; a sliver of any proportions is none.
-    ///
-    /// *Contact*: no query needs this to be asked first. Degenerate triangles
-    /// are segments and points, and are answered exactly as such.
-    ///
-    /// *Panics*: never. *Cost*: three sums of eight products, by long
-    /// accumulation; meant for checking a mesh, not for an inner loop.
-    ///
-    /// ```
-    /// use septum::Triangle;
-    ///
-    /// // In f32 the cross product of these edges rounds to nought.
-    /// let (b, c) = ([1.000122, 1.0, 0.0], [2.000122, 1.999878, 0.0]);
-    /// let sliver = Triangle::new([0.0_f32; 3], b, c)?;
-    /// assert!(!sliver.is_degenerate());
-    /// let segment = Triangle::new([0.0_f32; 3], [1.0, 1.0, 1.0], [3.0, 3.0, 3.0])?;
-    /// assert!(segment.is_degenerate());
-    /// # Ok::<(), septum::ShapeError>(())
-    /// ```
-    pub fn is_degenerate(&self) -> bool {
-        let exact = ExactTriangle::new(&self.points());
-        (0..3).all(|i| exact.normal_sign::<S>(i) == Ordering::Equal)
-    }
-}
+//! operands allow (`query/triangle_aabb/error_bound.rs`). That error does not shrink with
+//! n, so a noisy normal is never believed. A doubtful sign escalates ([`super::cascade`])
+//! to wider numbers and at last to exact sums, where n is what it is, zero included.
+//! There is no third case.

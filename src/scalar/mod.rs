@@ -1,51 +1,33 @@
-//! The scalar trait, and the number systems that a scalar's questions are
-//! answered in.
+//! The scalars: what is public of them, and for each type its constants and its cascade.
 
-mod area;
-mod bounded;
-#[cfg(all(test, feature = "fixed"))]
-mod climbs;
-#[cfg(feature = "fixed")]
-mod coarse;
-mod float;
-mod integer;
-mod ladder;
-mod multiples;
-mod number;
-mod numbers;
-mod padding;
-mod quotient;
-#[cfg(feature = "fixed")]
-mod root;
-mod rounded;
-mod sum;
-mod tally;
-mod wide;
-mod word;
-
+pub(crate) mod axes;
+mod backend;
 #[cfg(feature = "fixed")]
 mod fixed;
-
-pub use area::Area;
-#[cfg(test)]
-pub(crate) use area::Pair;
-pub use ladder::Predicate;
-pub use number::Number;
-pub(crate) use number::{greatest, least};
-pub use numbers::{Holds, Numbers};
-pub use padding::Padding;
 #[cfg(feature = "fixed")]
-pub use root::FixedPoint;
-pub use rounded::Rounded;
-pub use sum::{ExactSum, Parts};
-pub use word::{InWord, Word};
-pub(crate) use word::{out_of_line, out_of_line_if_wide};
+mod fixed_point;
+mod float;
+#[cfg(feature = "defmt")]
+mod logged;
 
-mod sealed {
-    pub trait Sealed {}
-}
+pub use backend::{Backend, FloatFormat};
+#[cfg(feature = "fixed")]
+pub use fixed_point::FixedPoint;
 
-/// A coordinate: `f32`, `f64`, or any signed type of the `fixed` crate.
+#[cfg(feature = "defmt")]
+pub use logged::Logged;
+
+/// Asks nothing of a scalar, where there is no logging.
+#[cfg(not(feature = "defmt"))]
+pub trait Logged {}
+
+#[cfg(not(feature = "defmt"))]
+impl<S> Logged for S {}
+
+/// A coordinate: `f32`, `f64`, or a signed type of the `fixed` crate of up to 64 bits.
+///
+/// Those are `FixedI8`, `FixedI16`, `FixedI32` and `FixedI64` with any number of fraction
+/// bits. `FixedI128` is not among them.
 ///
 /// The trait is sealed: exactness rests on what is known of each of its types.
 /// Generic code needs no other bound than `S: Scalar`:
@@ -58,8 +40,9 @@ mod sealed {
 /// }
 /// ```
 pub trait Scalar:
-    sealed::Sealed
-    + crate::interop::Logged
+    Backend
+    + axes::Axes
+    + Logged
     + Copy
     + PartialOrd
     + Default
@@ -68,74 +51,10 @@ pub trait Scalar:
     + Sync
     + 'static
 {
-    /// Nought.
+    /// Zero.
     const ZERO: Self;
 
     /// Whether this is a number: not NaN, not infinite. Always true of
     /// fixed-point numbers.
     fn is_finite(self) -> bool;
-
-    /// One, for checks of unit length. Some fixed-point types cannot hold it.
-    #[doc(hidden)]
-    const ONE: Parts;
-
-    /// What rounding costs a conservative method; nothing where there is an exact one
-    /// at the same price.
-    #[doc(hidden)]
-    const PADDING: Option<Padding<Self>> = None;
-
-    /// The system of [`may_overlap`](crate::Triangle::may_overlap): its
-    /// "disjoint" can be trusted, and its arithmetic is the same everywhere.
-    #[doc(hidden)]
-    type Quick: Holds<Self>;
-
-    /// The same for boxes with axes of their own.
-    #[doc(hidden)]
-    type Products: Holds<Self>;
-
-    /// An accumulator wide enough for products of four scalars.
-    #[doc(hidden)]
-    type Sum: ExactSum;
-
-    /// Sign, magnitude and exponent.
-    #[doc(hidden)]
-    fn parts(self) -> Parts;
-
-    /// The answer to `p`, by the cheapest number system that can vouch for it.
-    #[doc(hidden)]
-    fn decide<P: Predicate<Self>>(p: &P) -> P::Answer;
-
-    /// The same for a `p` whose answer is more often than not a number: no system
-    /// is tried whose numbers would not do.
-    #[doc(hidden)]
-    fn measure<P: Predicate<Self>>(p: &P) -> P::Answer {
-        Self::decide(p)
-    }
-
-    /// The quotient of two sums, to the nearest; the divisor is not nought.
-    #[doc(hidden)]
-    fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self;
-
-    // The scalar's own arithmetic: rounds, and wraps where a fixed-point type
-    // overflows. Only the rounded methods use it.
-    #[doc(hidden)]
-    fn plain_add(self, other: Self) -> Self;
-    #[doc(hidden)]
-    fn plain_sub(self, other: Self) -> Self;
-    #[doc(hidden)]
-    fn plain_mul(self, other: Self) -> Self;
-    /// The quotient; a divisor of nought gives an infinity, or the end of a
-    /// fixed-point type.
-    #[doc(hidden)]
-    fn plain_div(self, other: Self) -> Self;
-    /// One, or what of it the type holds.
-    #[doc(hidden)]
-    fn plain_one() -> Self;
-    #[doc(hidden)]
-    fn plain_abs(self) -> Self;
-    /// This, negated where `other` bears a minus.
-    #[doc(hidden)]
-    fn plain_turned_by(self, other: Self) -> Self;
-    #[doc(hidden)]
-    fn plain_half(self) -> Self;
 }

@@ -1,5 +1,6 @@
+use super::Vec3;
+use super::overlaps::overlaps_methods;
 use super::{ShapeError, finite};
-use crate::linear::Vec3;
 use crate::scalar::Scalar;
 
 /// An axis-aligned box, a closed set; flat boxes and points are boxes too.
@@ -13,6 +14,7 @@ use crate::scalar::Scalar;
 ///
 /// let a = Aabb::from_center_half_extents([0.5, 0.5, 0.5], [0.5, 0.5, 0.5])?;
 /// let b = Aabb::from_min_max([0.0, 0.0, 0.0], [1.0, 1.0, 1.0])?;
+/// assert!(a.overlaps(&b) && b.contains([1.0, 0.5, 0.5]));
 /// let (min, max) = b.min_max().unwrap();
 /// assert!(min.x <= max.x && a.min_max().is_none());
 ///
@@ -42,7 +44,7 @@ impl<S: Scalar> Aabb<S> {
     ///
     /// # Errors
     /// [`ShapeError::NotFinite`] where a number is NaN or infinite,
-    /// [`ShapeError::NegativeHalfExtent`] where a half-extent is below nought.
+    /// [`ShapeError::NegativeHalfExtent`] where a half-extent is negative.
     #[inline]
     pub fn from_center_half_extents(
         center: impl Into<Vec3<S>>,
@@ -73,9 +75,15 @@ impl<S: Scalar> Aabb<S> {
     }
 }
 
+overlaps_methods!(
+    Aabb,
+    "a [`Triangle`](crate::Triangle), [`Plane`](crate::Plane), [`Segment`](crate::Segment), [`Ray`](crate::Ray) or another box"
+);
+
 impl<S: Copy> Aabb<S> {
     /// Centre and half-extents, if the box was given so.
     #[inline]
+    #[must_use]
     pub const fn center_half_extents(&self) -> Option<(Vec3<S>, Vec3<S>)> {
         match self.form {
             Form::Center { center, half } => Some((center, half)),
@@ -85,11 +93,17 @@ impl<S: Copy> Aabb<S> {
 
     /// Least and greatest corner, if the box was given so.
     #[inline]
+    #[must_use]
     pub const fn min_max(&self) -> Option<(Vec3<S>, Vec3<S>)> {
         match self.form {
             Form::Corners { min, max } => Some((min, max)),
             Form::Center { .. } => None,
         }
+    }
+
+    /// The box between two corners that were checked before.
+    pub(super) const fn between(min: Vec3<S>, max: Vec3<S>) -> Self {
+        Self { form: Form::Corners { min, max } }
     }
 
     /// The box around the origin with half-extents that were checked before.

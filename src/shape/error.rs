@@ -7,35 +7,81 @@ use core::fmt;
 pub enum ShapeError {
     /// A coordinate is NaN or infinite.
     NotFinite,
-    /// A half-extent is below nought.
+    /// A half-extent is negative.
     NegativeHalfExtent,
     /// On some axis the least corner lies above the greatest.
     MinAboveMax,
-    /// The axes do not span space: one is nought, or they lie in one plane.
+    /// The axes do not span space: one is zero, two are parallel, or all three lie
+    /// in one plane.
     DependentAxes,
     /// The axes are not at right angles, or not of length one, by more than any
-    /// rounding explains.
+    /// rounding explains. [`Obb::from_skewed_axes`](crate::Obb::from_skewed_axes)
+    /// takes them if that is what they should be.
     NotOrthonormal,
-    /// A plane's normal is nought.
+    /// The scalar holds no vector of length one: it is a fixed-point type without
+    /// integer bits.
+    /// [`Obb::from_skewed_axes`](crate::Obb::from_skewed_axes) takes axes of any
+    /// length, with half-extents in units of that length.
+    NoUnitLength,
+    /// A plane's normal is zero.
     ZeroNormal,
-    /// A ray's direction is nought.
+    /// A ray's direction is zero.
     ZeroDirection,
     /// A range ends before it begins.
     EmptyRange,
 }
 
-impl fmt::Display for ShapeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+impl ShapeError {
+    /// The shape, for a `const` or a `static`, where a bad shape is an error of the
+    /// compiler. [`Result::unwrap`] is not `const`.
+    ///
+    /// ```
+    /// use septum::{Aabb, ShapeError, Vec3};
+    ///
+    /// const LOW: Vec3<f32> = Vec3::splat(-1.0);
+    /// const HIGH: Vec3<f32> = Vec3::splat(1.0);
+    /// static CELL: Aabb<f32> = ShapeError::unwrap(Aabb::<f32>::const_new(LOW, HIGH));
+    /// assert_eq!(CELL.min_max(), Some((LOW, HIGH)));
+    /// ```
+    ///
+    /// The other way round does not compile:
+    ///
+    /// ```compile_fail
+    /// # use septum::{Aabb, ShapeError, Vec3};
+    /// # const LOW: Vec3<f32> = Vec3::splat(-1.0);
+    /// # const HIGH: Vec3<f32> = Vec3::splat(1.0);
+    /// static CELL: Aabb<f32> = ShapeError::unwrap(Aabb::<f32>::const_new(HIGH, LOW));
+    /// ```
+    ///
+    /// # Panics
+    /// If there is an error and it is called at run time. Match on the result there.
+    #[must_use]
+    #[track_caller]
+    pub const fn unwrap<T: Copy>(shape: Result<T, Self>) -> T {
+        match shape {
+            Ok(shape) => shape,
+            Err(error) => panic!("{}", error.message()),
+        }
+    }
+
+    const fn message(self) -> &'static str {
+        match self {
             Self::NotFinite => "a coordinate is NaN or infinite",
             Self::NegativeHalfExtent => "a half-extent is negative",
             Self::MinAboveMax => "the least corner lies above the greatest",
             Self::DependentAxes => "the axes are linearly dependent",
             Self::NotOrthonormal => "the axes are not orthonormal",
+            Self::NoUnitLength => "the scalar holds no vector of length one",
             Self::ZeroNormal => "the normal is zero",
             Self::ZeroDirection => "the direction is zero",
             Self::EmptyRange => "the range ends before it begins",
-        })
+        }
+    }
+}
+
+impl fmt::Display for ShapeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.message())
     }
 }
 

@@ -1,26 +1,31 @@
 //! The shapes: data, what is always true of it, and constructors that check.
 
 mod aabb;
-mod constant;
 mod error;
 mod obb;
+mod overlaps;
 mod plane;
 mod ray;
 mod segment;
 mod triangle;
+mod vec3;
+
+// Last, as on the pages of the shapes.
+mod const_new;
 
 pub use aabb::Aabb;
 pub(crate) use aabb::Form as AabbForm;
 pub use error::ShapeError;
 pub use obb::Obb;
+pub use overlaps::Overlaps;
 pub(crate) use plane::Form as PlaneForm;
 pub use plane::Plane;
 pub use ray::Ray;
 pub(crate) use segment::Form as SegmentForm;
 pub use segment::Segment;
 pub use triangle::Triangle;
+pub use vec3::Vec3;
 
-use crate::linear::Vec3;
 use crate::scalar::Scalar;
 
 /// The vector, if all its coordinates are numbers.

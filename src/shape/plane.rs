@@ -1,11 +1,12 @@
+use super::Vec3;
+use super::overlaps::overlaps_methods;
 use super::{ShapeError, finite};
-use crate::linear::Vec3;
 use crate::scalar::Scalar;
 
 /// A plane: all points x with n·(x − p) = 0, or with n·x + d = 0.
 ///
 /// Its front is the side that the normal points to. The normal may have any
-/// length but nought.
+/// length but zero.
 ///
 /// ```
 /// use septum::{Aabb, Plane, Side};
@@ -36,7 +37,7 @@ impl<S: Scalar> Plane<S> {
     ///
     /// # Errors
     /// [`ShapeError::NotFinite`] where a number is NaN or infinite,
-    /// [`ShapeError::ZeroNormal`] where the normal is nought.
+    /// [`ShapeError::ZeroNormal`] where the normal is zero.
     #[inline]
     pub fn from_point_normal(
         point: impl Into<Vec3<S>>,
@@ -50,7 +51,7 @@ impl<S: Scalar> Plane<S> {
     ///
     /// # Errors
     /// [`ShapeError::NotFinite`] where a number is NaN or infinite,
-    /// [`ShapeError::ZeroNormal`] where the normal is nought.
+    /// [`ShapeError::ZeroNormal`] where the normal is zero.
     #[inline]
     pub fn from_equation(normal: impl Into<Vec3<S>>, d: S) -> Result<Self, ShapeError> {
         if !d.is_finite() {
@@ -60,15 +61,19 @@ impl<S: Scalar> Plane<S> {
     }
 }
 
+overlaps_methods!(Plane, "an [`Aabb`](crate::Aabb)");
+
 impl<S: Copy> Plane<S> {
     /// The normal, as given.
     #[inline]
+    #[must_use]
     pub const fn normal(&self) -> Vec3<S> {
         self.normal
     }
 
     /// The point that the plane was given by, if it was.
     #[inline]
+    #[must_use]
     pub const fn point(&self) -> Option<Vec3<S>> {
         match self.form {
             Form::Point(p) => Some(p),
@@ -78,6 +83,7 @@ impl<S: Copy> Plane<S> {
 
     /// The d of n·x + d = 0, if the plane was given by it.
     #[inline]
+    #[must_use]
     pub const fn offset(&self) -> Option<S> {
         match self.form {
             Form::Offset(d) => Some(d),

@@ -1,10 +1,11 @@
+use super::Vec3;
+use super::overlaps::overlaps_methods;
 use super::{ShapeError, finite};
-use crate::linear::Vec3;
 use crate::scalar::Scalar;
 
 /// A ray: the points `origin + t·direction` for all t in a range, a closed set.
 ///
-/// The direction may have any length but nought, and t counts in units of it:
+/// The direction may have any length but zero, and t counts in units of it:
 /// nothing is normalised, for that would round. The range is t ≥ 0 unless
 /// [`with_range`](Self::with_range) says otherwise.
 ///
@@ -33,7 +34,7 @@ impl<S: Scalar> Ray<S> {
     ///
     /// # Errors
     /// [`ShapeError::NotFinite`] where a coordinate is NaN or infinite,
-    /// [`ShapeError::ZeroDirection`] where the direction is nought.
+    /// [`ShapeError::ZeroDirection`] where the direction is zero.
     #[inline]
     pub fn new(
         origin: impl Into<Vec3<S>>,
@@ -70,27 +71,33 @@ impl<S: Scalar> Ray<S> {
     }
 }
 
+overlaps_methods!(Ray, "an [`Aabb`](crate::Aabb)");
+
 impl<S: Copy> Ray<S> {
-    /// Where t is nought.
+    /// Where t is zero.
     #[inline]
+    #[must_use]
     pub const fn origin(&self) -> Vec3<S> {
         self.origin
     }
 
     /// The way that one unit of t goes.
     #[inline]
+    #[must_use]
     pub const fn direction(&self) -> Vec3<S> {
         self.direction
     }
 
     /// The least t, if there is one.
     #[inline]
+    #[must_use]
     pub const fn t_min(&self) -> Option<S> {
         self.t_min
     }
 
     /// The greatest t, if there is one.
     #[inline]
+    #[must_use]
     pub const fn t_max(&self) -> Option<S> {
         self.t_max
     }

@@ -1,5 +1,6 @@
+use super::Vec3;
+use super::overlaps::overlaps_methods;
 use super::{ShapeError, finite};
-use crate::linear::Vec3;
 use crate::scalar::Scalar;
 
 /// A segment: all points between two ends, a closed set.
@@ -57,9 +58,12 @@ impl<S: Scalar> Segment<S> {
     }
 }
 
+overlaps_methods!(Segment, "an [`Aabb`](crate::Aabb)");
+
 impl<S: Copy> Segment<S> {
     /// The two ends, if the segment was given so.
     #[inline]
+    #[must_use]
     pub const fn ends(&self) -> Option<(Vec3<S>, Vec3<S>)> {
         match self.form {
             Form::Ends(a, b) => Some((a, b)),
@@ -69,6 +73,7 @@ impl<S: Copy> Segment<S> {
 
     /// Centre and half-vector, if the segment was given so.
     #[inline]
+    #[must_use]
     pub const fn center_half_vector(&self) -> Option<(Vec3<S>, Vec3<S>)> {
         match self.form {
             Form::Center { center, half } => Some((center, half)),

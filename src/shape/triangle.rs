@@ -1,5 +1,6 @@
+use super::Vec3;
+use super::overlaps::overlaps_methods;
 use super::{ShapeError, finite};
-use crate::linear::Vec3;
 use crate::scalar::Scalar;
 
 /// A triangle: the convex hull of three points, a closed set.
@@ -36,9 +37,12 @@ impl<S: Scalar> Triangle<S> {
     }
 }
 
+overlaps_methods!(Triangle, "an [`Aabb`](crate::Aabb) or an [`Obb`](crate::Obb)");
+
 impl<S: Copy> Triangle<S> {
     /// The three vertices, in the order given.
     #[inline]
+    #[must_use]
     pub const fn vertices(&self) -> &[Vec3<S>; 3] {
         &self.vertices
     }

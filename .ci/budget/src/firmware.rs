@@ -61,7 +61,7 @@ impl fmt::Display for Kind {
 /// A program.
 pub struct Firmware {
     /// Bytes of code and constants.
-    pub text: u64,
+    text: u64,
     functions: BTreeMap<u64, Function>,
 }
 
@@ -71,6 +71,14 @@ struct Function {
     /// The bytes of stack that it takes itself.
     frame: u64,
     calls: HashSet<u64>,
+}
+
+impl Function {
+    /// Whether it is the language's own: soft floats, wide division, copies of memory. It
+    /// comes with `core`, from whoever compiled that.
+    fn is_run_time(&self) -> bool {
+        self.name != "_start" && ["septum::", "fixed::"].iter().all(|own| !self.name.contains(own))
+    }
 }
 
 /// The address of a function: in Thumb code the last bit is none of it.
@@ -121,6 +129,17 @@ impl Firmware {
             }
         }
         Ok(Self { text, functions })
+    }
+
+    /// Bytes of the language's own functions.
+    pub fn run_time_text(&self) -> u64 {
+        let functions = self.functions.iter().filter(|(_, function)| function.is_run_time());
+        functions.map(|(start, function)| function.end - start).sum()
+    }
+
+    /// Bytes of all else.
+    pub fn own_text(&self) -> u64 {
+        self.text - self.run_time_text()
     }
 
     /// The names of what is linked of a kind.

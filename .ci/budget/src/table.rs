@@ -9,8 +9,10 @@ use crate::firmware::Kind;
 /// What one program may take on one target.
 pub struct Budget {
     pub program: String,
-    /// Bytes of code and constants, beyond an empty program.
-    pub text: u64,
+    /// Bytes of code and constants, beyond an empty program, without the run-time's.
+    pub own: u64,
+    /// Bytes of the language's own functions, where they are compiled with the program.
+    pub run_time: u64,
     /// Bytes, at most.
     pub stack: u64,
     /// The same where the shapes are near to each other, if that is another budget.
@@ -24,14 +26,15 @@ pub fn read(path: &Path, target: &str) -> Result<Vec<Budget>, Box<dyn Error>> {
     let mut budgets = Vec::new();
     for line in table.lines().skip(1) {
         let columns: Vec<&str> = line.split(',').collect();
-        let [program, on, text, stack, nearby, may_link] = columns[..] else {
-            return Err(format!("{}: six columns, please: {line}", path.display()).into());
+        let [program, on, own, run_time, stack, nearby, may_link] = columns[..] else {
+            return Err(format!("{}: seven columns, please: {line}", path.display()).into());
         };
         let kind = |name| Kind::ALL.into_iter().find(|kind| kind.to_string() == name);
         if on == target {
             budgets.push(Budget {
                 program: program.into(),
-                text: text.parse()?,
+                own: own.parse()?,
+                run_time: run_time.parse()?,
                 stack: stack.parse()?,
                 stack_nearby: Some(nearby).filter(|s| !s.is_empty()).map(str::parse).transpose()?,
                 may_link: may_link

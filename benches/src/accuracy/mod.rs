@@ -14,7 +14,7 @@ pub(crate) use triangle_aabb::{
 };
 
 use crate::candidate::Candidate;
-use crate::shared::{on_all_cores, pieces};
+use septum_kit::jobs::{on_all_cores, pieces};
 
 /// Cases from a seed, as candidates that have answered them.
 pub(crate) type Ask = Box<dyn Fn(u64, usize) -> Vec<Candidate> + Send + Sync>;

@@ -7,9 +7,9 @@ use septum::{Aabb, Ray};
 use crate::candidate::{Candidate, Course};
 use crate::pairs::Pairs;
 use crate::ray_aabb as tests;
-use crate::ray_boxes::{Line, LineBox, LineSet};
-use crate::support::{BoxNumbers, Rng, Sample};
 use crate::unit::Form;
+use septum_kit::lines::{Line, LineBox, LineSet};
+use septum_kit::{BoxNumbers, Rng, Sample};
 
 use super::Exam;
 

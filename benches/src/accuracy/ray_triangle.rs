@@ -7,8 +7,8 @@ use septum::{Facing, Feature, Ray, Triangle};
 use crate::candidate::{Candidate, Course};
 use crate::pairs::Pairs;
 use crate::ray_triangle as tests;
-use crate::support::Sample;
-use crate::support::rays::{RayCase, RaySet, Truth, crossing};
+use septum_kit::Sample;
+use septum_kit::rays::{RayCase, RaySet, Truth, crossing};
 
 use super::Exam;
 

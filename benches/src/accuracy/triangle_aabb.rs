@@ -6,9 +6,9 @@ use septum::{Aabb, Triangle};
 
 use crate::candidate::{Candidate, Course};
 use crate::pairs::Pairs;
-use crate::support::{BoxNumbers, Case, Sample, Set, meets};
 use crate::triangle_aabb as tests;
 use crate::unit::Form;
+use septum_kit::{BoxNumbers, Case, Sample, Set, meets};
 
 use super::Exam;
 

@@ -24,7 +24,7 @@ pub(super) struct Dot {
 pub(super) struct Row {
     pub(super) heading: String,
     pub(super) dots: Vec<Dot>,
-    /// Pixels of the part above the band of nought.
+    /// Pixels of the part above the band of zero.
     pub(super) height: f64,
     /// An upright line: where the fastest peer is.
     pub(super) line: Option<(f64, String)>,
@@ -43,7 +43,7 @@ pub(super) struct Frame {
     pub(super) bars: bool,
 }
 
-/// Pixels for each line of marks in the band of nought, and above a row.
+/// Pixels for each line of marks in the band of zero, and above a row.
 const LANE: f64 = 15.0;
 const HEADING: f64 = 24.0;
 const LEFT: f64 = 76.0;
@@ -100,7 +100,7 @@ impl Frame {
         let room = (high / low).ln() * 0.1;
         let left = low * (-0.4 * room).exp() * 0.9;
         let right = high * (1.2 * room).exp() * 1.1;
-        // In the band of nought a label stands to the right of its mark, whatever else.
+        // In the band of zero a label stands to the right of its mark, whatever else.
         let needed = self.dots().filter(|dot| dot.worst == 0.0).map(|dot| {
             let width = RIGHT - LEFT;
             let share = width / (width - 20.0 - width_of(&dot.label, SMALL));
@@ -109,7 +109,7 @@ impl Frame {
         [left, needed.fold(right, f64::max)]
     }
 
-    /// The power of ten below all rates but nought.
+    /// The power of ten below all rates but zero.
     fn floor(&self) -> f64 {
         let rates = self.dots().map(|dot| dot.mean).filter(|rate| *rate > 0.0);
         let least = rates.fold(1e4, f64::min);

@@ -17,13 +17,13 @@ pub(super) struct Picture {
     workload: &'static str,
     yardstick: &'static str,
     sets: &'static str,
-    /// Pixels above the band of nought, for a row with peers and for one without.
+    /// Pixels above the band of zero, for a row with peers and for one without.
     heights: [f64; 2],
 }
 
-const BOXES: &str = "tests/support/sets.rs";
-const RAYS: &str = "tests/support/rays/sets.rs";
-const LINES: &str = "tests/support/line_sets.rs";
+const BOXES: &str = "tests/kit/src/sets.rs";
+const RAYS: &str = "tests/kit/src/rays/sets.rs";
+const LINES: &str = "tests/kit/src/lines/sets.rs";
 const PUBLISHED: &str = "the test as published in 2001, in f32";
 const IN_C: &str = "Möller–Trumbore as in C, in f32";
 const SAT: &str = "the SAT test as published (Real-Time Rendering 16.7), in f32";

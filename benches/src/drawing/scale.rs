@@ -23,7 +23,7 @@ impl Scale {
     }
 }
 
-/// A logarithmic scale of rates per million, upwards, with a band for nought apart
+/// A logarithmic scale of rates per million, upwards, with a band for zero apart
 /// from it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Zeroed {
@@ -33,7 +33,7 @@ pub(crate) struct Zeroed {
 }
 
 impl Zeroed {
-    /// From `top` to `bottom`, with the band lowest. What lies between nought and the
+    /// From `top` to `bottom`, with the band lowest. What lies between zero and the
     /// scale is drawn at its lower end.
     pub(crate) fn new(values: [f64; 2], [top, bottom]: [f64; 2], band: f64) -> Self {
         let rates = Scale { values, pixels: [bottom - band - 8.0, top] };
@@ -52,7 +52,7 @@ impl Zeroed {
 
 /// With a comma at every third digit.
 pub(crate) fn grouped(n: f64) -> String {
-    crate::shared::grouped(n.round() as u64)
+    septum_kit::jobs::grouped(n.round() as u64)
 }
 
 /// A power as it is written.
@@ -80,7 +80,7 @@ mod tests {
     use super::{Scale, Zeroed, power_of};
 
     #[test]
-    fn nought_has_a_place_that_no_other_rate_has() {
+    fn zero_has_a_place_that_no_other_rate_has() {
         let y = Zeroed::new([10.0, 1e6], [100.0, 400.0], 40.0);
         assert!(y.band[0] < y.at(0.0) && y.at(0.0) < y.band[1]);
         for rate in [1e-9, 1.0, 10.0, 1e3, 1e6] {

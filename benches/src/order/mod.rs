@@ -9,7 +9,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use septum::{Aabb, Order, Scalar, Triangle};
+use septum::published;
+use septum::published::akenine_moller::Order;
+use septum::{Aabb, Scalar, Triangle};
 
 use crate::candidate::{Candidate, Course, Promise};
 use crate::race::race;
@@ -89,7 +91,7 @@ pub fn run(options: &Options) -> Result<(), Box<dyn Error>> {
 
 #[inline(never)]
 fn published<S: Scalar, const K: usize>(t: &Triangle<S>, b: &Aabb<S>) -> bool {
-    t.overlaps_as_published_in(b, const { ORDERS[K].1 })
+    published::akenine_moller::overlaps_in(t, b, const { ORDERS[K].1 })
 }
 
 fn in_orders<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Vec<Candidate> {

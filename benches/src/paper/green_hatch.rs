@@ -73,7 +73,7 @@ fn diagonal([a, b, c]: &[Point; 3]) -> bool {
     let n = [(1, 2), (2, 0), (0, 1)].map(|(j, k)| e[j] * f[k] - e[k] * f[j]);
     let best = n.map(|x| if x < 0.0 { -1.0 } else { 1.0 });
     let t = dot(&n, a) / dot(&n, &best);
-    // Not a number where the normal is nought: then there is nothing but edges.
+    // Not a number where the normal is zero: then there is nothing but edges.
     if !(-0.5..=0.5).contains(&t) {
         return false;
     }

@@ -1,6 +1,9 @@
 //! Our methods, in any scalar.
 
-use septum::{Aabb, Ray, Scalar, Segment, SlabRay, SlopeRay};
+use septum::published;
+use septum::published::slabs::SlabRay;
+use septum::published::slopes::SlopeRay;
+use septum::{Aabb, Ray, Scalar, Segment};
 
 use crate::candidate::{Candidate, Course, Promise};
 use crate::unit::{F32, Form, Unit};
@@ -24,7 +27,7 @@ fn conservative<S: Scalar>(r: &Ray<S>, b: &Aabb<S>) -> bool {
 
 #[inline(never)]
 fn as_published<S: Scalar>(r: &Ray<S>, b: &Aabb<S>) -> bool {
-    r.overlaps_as_published(b)
+    published::separating_axes::ray_overlaps(r, b)
 }
 
 #[inline(never)]
@@ -59,7 +62,7 @@ fn segment_exact<S: Scalar>(s: &Segment<S>, b: &Aabb<S>) -> bool {
 
 #[inline(never)]
 fn segment_as_published<S: Scalar>(s: &Segment<S>, b: &Aabb<S>) -> bool {
-    s.overlaps_as_published(b)
+    published::separating_axes::segment_overlaps(s, b)
 }
 
 /// The scene in a scalar; the truth is the exact verdict in `f64`.
@@ -91,8 +94,8 @@ pub fn ours<S: Scalar>(
     plain: &Course<Ray<S>, Aabb<S>>,
     segment: &Course<Segment<S>, Aabb<S>>,
 ) -> Vec<Candidate> {
-    let slab = plain.prepared(plain.form, |p| p.map(Ray::for_slabs, Aabb::clone));
-    let slopes = plain.prepared(plain.form, |p| p.map(Ray::for_slopes, Aabb::clone));
+    let slab = plain.prepared(plain.form, |p| p.map(SlabRay::new, Aabb::clone));
+    let slopes = plain.prepared(plain.form, |p| p.map(SlopeRay::new, Aabb::clone));
     let (never_misses, none) = (Promise::NeverMisses, Promise::Nothing);
     vec![
         plain.candidate("exact", Promise::Exact, exact),

@@ -24,7 +24,7 @@ pub fn tenth_hit() -> Scene {
     random(&mut Rng::with_seed(22), 0.1)
 }
 
-/// Rays along the grid lines of unit cubes, and through their corners: nought in
+/// Rays along the grid lines of unit cubes, and through their corners: zero in
 /// some component of the direction, and contacts of every kind.
 pub fn grid() -> Scene {
     let mut rng = Rng::with_seed(23);

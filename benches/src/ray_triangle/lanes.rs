@@ -1,6 +1,9 @@
 //! One ray against eight triangles at once, in the scenes where it meets many.
 
-use septum::{Cull, Hits, NormalTriangles, Ray, Scalar, ShearedRay, Triangle, Triangles};
+use septum::lanes::{Hits, NormalTriangles, Triangles};
+use septum::published::stored_normal::NormalTriangle;
+use septum::published::watertight::ShearedRay;
+use septum::{Cull, Ray, Scalar, Triangle};
 
 use crate::candidate::{Candidate, Course, Promise};
 use crate::pairs::Answer;
@@ -9,36 +12,36 @@ const N: usize = 8;
 
 #[inline(never)]
 fn moller_trumbore<S: Scalar>(r: &Ray<S>, t: &Triangles<S, N>) -> Hits<S, N> {
-    r.hit_each_moller_trumbore(t, Cull::Nothing)
+    t.hit_moller_trumbore(r, Cull::Nothing)
 }
 
 #[inline(never)]
 fn stored_normal<S: Scalar>(r: &Ray<S>, t: &NormalTriangles<S, N>) -> Hits<S, N> {
-    r.hit_each_stored_normal(t, Cull::Nothing)
+    t.hit(r, Cull::Nothing)
 }
 
 #[inline(never)]
 fn volumes<S: Scalar>(r: &Ray<S>, t: &Triangles<S, N>) -> Hits<S, N> {
-    r.hit_each_volumes(t, Cull::Nothing)
+    t.hit_volumes(r, Cull::Nothing)
 }
 
 #[inline(never)]
 fn watertight<S: Scalar>(r: &ShearedRay<S>, t: &Triangles<S, N>) -> Hits<S, N> {
-    r.hit_each(t, Cull::Nothing)
+    t.hit_watertight(r, Cull::Nothing)
 }
 
 #[inline(never)]
 fn exact<S: Scalar>(r: &Ray<S>, t: &Triangles<S, N>) -> Hits<S, N> {
-    r.hit_each(t)
+    t.hit(r)
 }
 
 /// The methods that there are for many at once, in one scalar.
 pub fn lanes<S: Scalar>(course: &Course<Ray<S>, Triangle<S>>) -> Vec<Candidate> {
     let plain = course.prepared("8 at once", |p| p.blocks().map(Ray::clone, Triangles::new));
     let sheared = course
-        .prepared("8 at once, ray prepared", |p| p.blocks().map(Ray::sheared, Triangles::new));
+        .prepared("8 at once, ray prepared", |p| p.blocks().map(ShearedRay::new, Triangles::new));
     let with_normals =
-        |block: &[Triangle<S>; N]| NormalTriangles::new(&block.map(|t| t.with_normal()));
+        |block: &[Triangle<S>; N]| NormalTriangles::new(&block.map(|t| NormalTriangle::new(&t)));
     let normals =
         course.prepared("8 at once, prepared", |p| p.blocks().map(Ray::clone, with_normals));
     let none = Promise::Nothing;

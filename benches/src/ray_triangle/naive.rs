@@ -25,7 +25,7 @@ pub trait Real:
 {
     const ZERO: Self;
     const ONE: Self;
-    /// Rays of which the determinant is less miss: the paper's, or none but nought.
+    /// Rays of which the determinant is less miss: the paper's, or none but zero.
     const EPSILON: Self;
 }
 

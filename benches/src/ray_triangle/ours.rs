@@ -1,5 +1,6 @@
 //! Our methods that take a ray and a triangle as they are, in any scalar.
 
+use septum::published;
 use septum::{Cull, Hit, Ray, Scalar, Triangle};
 
 use crate::candidate::{Candidate, Course, Promise};
@@ -19,17 +20,17 @@ fn exact_once<S: Scalar>(r: &Ray<S>, t: &Triangle<S>) -> Option<Hit<S>> {
 
 #[inline(never)]
 fn exact_verdict<S: Scalar>(r: &Ray<S>, t: &Triangle<S>) -> bool {
-    r.hits(t)
+    r.is_hit(t)
 }
 
 #[inline(never)]
 fn moller_trumbore<S: Scalar>(r: &Ray<S>, t: &Triangle<S>) -> Option<Hit<S>> {
-    r.hit_moller_trumbore(t, Cull::Nothing)
+    published::moller_trumbore::hit(r, t, Cull::Nothing)
 }
 
 /// The scene in a scalar; the truth is the exact verdict in `f64`.
 pub fn course<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Course<Ray<S>, Triangle<S>> {
-    course_by(scene, unit, "", Ray::hits)
+    course_by(scene, unit, "", Ray::is_hit)
 }
 
 /// The same with a truth of its own.

@@ -51,7 +51,7 @@ type Ours = Course<Ray<f32>, Triangle<f32>>;
 /// The course for the peer that does not see back faces.
 pub fn culling(scene: &Scene) -> Ours {
     let from_before =
-        |r: &Ray<f64>, t: &Triangle<f64>| r.hits_with(t, HitRules::new().culling(Cull::Back));
+        |r: &Ray<f64>, t: &Triangle<f64>| r.is_hit_with(t, HitRules::new().culling(Cull::Back));
     course_by(scene, &F32, "culls", from_before)
 }
 

@@ -1,29 +1,33 @@
 //! Our rounded methods that prepare the triangle or the ray.
 
-use septum::{Cull, Hit, NormalTriangle, ProjectedTriangle, Ray, Scalar, ShearedRay, Triangle};
+use septum::published;
+use septum::published::projected::ProjectedTriangle;
+use septum::published::stored_normal::NormalTriangle;
+use septum::published::watertight::ShearedRay;
+use septum::{Cull, Hit, Ray, Scalar, Triangle};
 
 use crate::candidate::{Candidate, Course, Promise};
 use crate::peer_shapes::Distance;
 
 #[inline(never)]
 fn stored_normal<S: Scalar>(r: &Ray<S>, t: &NormalTriangle<S>) -> Option<Hit<S>> {
-    r.hit_stored_normal(t, Cull::Nothing)
+    published::stored_normal::hit(r, t, Cull::Nothing)
 }
 
 /// t alone, or infinity.
 #[inline(never)]
 fn stored_normal_t(r: &Ray<f32>, t: &NormalTriangle<f32>) -> Distance {
-    Distance(r.t_stored_normal(t, Cull::Nothing, f32::INFINITY))
+    Distance(published::stored_normal::t(r, t, Cull::Nothing, f32::INFINITY))
 }
 
 #[inline(never)]
 fn projected<S: Scalar>(r: &Ray<S>, t: &ProjectedTriangle<S>) -> Option<Hit<S>> {
-    r.hit_projected(t, Cull::Nothing)
+    published::projected::hit(r, t, Cull::Nothing)
 }
 
 #[inline(never)]
 fn volumes<S: Scalar>(r: &Ray<S>, t: &Triangle<S>) -> Option<Hit<S>> {
-    r.hit_volumes(t, Cull::Nothing)
+    published::volumes::hit(r, t, Cull::Nothing)
 }
 
 #[inline(never)]
@@ -33,14 +37,14 @@ fn watertight<S: Scalar>(r: &ShearedRay<S>, t: &Triangle<S>) -> Option<Hit<S>> {
 
 #[inline(never)]
 fn watertight_at_once<S: Scalar>(r: &Ray<S>, t: &Triangle<S>) -> Option<Hit<S>> {
-    r.sheared().hit(t, Cull::Nothing)
+    ShearedRay::new(r).hit(t, Cull::Nothing)
 }
 
 /// The rounded methods in one scalar.
 pub fn rounded<S: Scalar>(plain: &Course<Ray<S>, Triangle<S>>) -> Vec<Candidate> {
-    let normal = plain.prepared("triangle prepared", |p| p.map(Ray::clone, Triangle::with_normal));
-    let flat = plain.prepared("triangle prepared", |p| p.map(Ray::clone, Triangle::projected));
-    let sheared = plain.prepared("ray prepared", |p| p.map(Ray::sheared, Triangle::clone));
+    let normal = plain.prepared("triangle prepared", |p| p.map(Ray::clone, NormalTriangle::new));
+    let flat = plain.prepared("triangle prepared", |p| p.map(Ray::clone, ProjectedTriangle::new));
+    let sheared = plain.prepared("ray prepared", |p| p.map(ShearedRay::new, Triangle::clone));
     let none = Promise::Nothing;
     vec![
         normal.candidate("stored normal", none, stored_normal),
@@ -53,6 +57,6 @@ pub fn rounded<S: Scalar>(plain: &Course<Ray<S>, Triangle<S>>) -> Vec<Candidate>
 
 /// What is there in `f32` alone, to return no more than the peers do.
 pub fn distance_only(plain: &Course<Ray<f32>, Triangle<f32>>) -> Candidate {
-    let normal = plain.prepared("triangle prepared", |p| p.map(Ray::clone, Triangle::with_normal));
+    let normal = plain.prepared("triangle prepared", |p| p.map(Ray::clone, NormalTriangle::new));
     normal.candidate("stored normal, t alone", Promise::Nothing, stored_normal_t)
 }

@@ -131,5 +131,5 @@ fn crosses(line: &Line, triangle: &[Point; 3]) -> bool {
     let ray = septum::Ray::new(line.origin, line.direction);
     let [a, b, c] = *triangle;
     let triangle = septum::Triangle::new(a, b, c);
-    ray.is_ok_and(|ray| triangle.is_ok_and(|triangle| ray.hits(&triangle)))
+    ray.is_ok_and(|ray| triangle.is_ok_and(|triangle| ray.is_hit(&triangle)))
 }

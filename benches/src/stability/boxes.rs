@@ -1,6 +1,6 @@
 //! Triangles and boxes on the way into each regime.
 
-use crate::support::{BoxNumbers, Case, Rng, Sample, Touch};
+use septum_kit::{BoxNumbers, Case, Rng, Sample, Touch};
 
 pub(super) type Point = [f64; 3];
 

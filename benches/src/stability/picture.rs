@@ -41,7 +41,7 @@ pub(super) fn draw(
     let middle = (LEFT + RIGHT) / 2.0;
     canvas.text([middle, y + 14.0], 12.0, Anchor::Middle, BLACK, regime.axis);
     let how = format!(
-        "The grey band is nought: not one of {} answers at that step was wrong. Lines in it are set \
+        "The grey band is zero: not one of {} answers at that step was wrong. Lines in it are set \
          apart so that they can be told; the exact ones lie in it from end to end. Solid: f32, \
          dashed: f64, dotted: fixed point. Wrong: false “disjoint” or “miss” and false “overlap” or \
          “hit”, by an exact oracle, on the numbers as the scalar holds them. “cargo stability” \

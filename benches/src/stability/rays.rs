@@ -1,7 +1,7 @@
 //! Rays and triangles on the way into each regime.
 
-use crate::support::rays::RayCase;
-use crate::support::{Rng, Sample};
+use septum_kit::rays::RayCase;
+use septum_kit::{Rng, Sample};
 
 use super::boxes::{Point, across, along, most, plus, point};
 

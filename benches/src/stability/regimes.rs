@@ -3,8 +3,8 @@
 use fixed::types::{I16F16, I32F32};
 
 use crate::accuracy::{Exam, ray_triangle, ray_triangle_peers, triangle_box, triangle_box_peers};
-use crate::support::rays::RayCase;
-use crate::support::{Case, Rng, Sample};
+use septum_kit::rays::RayCase;
+use septum_kit::{Case, Rng, Sample};
 
 use super::{Step, boxes, rays};
 
@@ -17,7 +17,7 @@ pub(super) enum Ticks {
     Two(usize),
     /// Whole numbers that it divides.
     Whole(usize),
-    /// Nought and powers of four.
+    /// Zero and powers of four.
     Units,
 }
 

@@ -1,5 +1,6 @@
 //! Our modes, in any scalar.
 
+use septum::published;
 use septum::{Aabb, Scalar, Triangle};
 
 use crate::candidate::{Candidate, Course, Promise};
@@ -12,12 +13,12 @@ type Test<S> = fn(&Triangle<S>, &Aabb<S>) -> bool;
 
 #[inline(never)]
 fn as_published<S: Scalar>(t: &Triangle<S>, b: &Aabb<S>) -> bool {
-    t.overlaps_as_published(b)
+    published::akenine_moller::overlaps(t, b)
 }
 
 #[inline(never)]
 fn rounded<S: Scalar>(t: &Triangle<S>, b: &Aabb<S>) -> bool {
-    t.overlaps_rounded(b)
+    published::shared_normal::overlaps(t, b)
 }
 
 #[inline(never)]

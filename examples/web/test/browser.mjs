@@ -1,9 +1,18 @@
 // A headless Chromium, driven through its own pipe: what a message is called and
-// answers is its DevTools protocol.
+// answers is its DevTools protocol. A page that does not answer in time is frozen.
 import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+
+/** How long a page may take to answer, in ms. */
+const PATIENCE = 15_000;
+
+/** The codes of the keys that are more than a character. */
+const CODES = {
+    Tab: 9, Enter: 13, Escape: 27, ' ': 32, PageUp: 33, PageDown: 34, Home: 36,
+    ArrowLeft: 37, ArrowUp: 38, ArrowRight: 39, ArrowDown: 40, Delete: 46,
+};
 
 export class Browser {
     #process;
@@ -47,7 +56,17 @@ export class Browser {
         this.#last += 1;
         const id = this.#last;
         this.#process.stdio[3].write(`${JSON.stringify({ id, method, params, sessionId })}\0`);
-        return new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject, method }));
+        return new Promise((resolve, reject) => {
+            const timer = setTimeout(() => {
+                this.#waiting.delete(id);
+                reject(new Error(`frozen: no answer to ${method} in ${PATIENCE / 1000} s`));
+            }, PATIENCE);
+            const ended = (settle) => (value) => {
+                clearTimeout(timer);
+                settle(value);
+            };
+            this.#waiting.set(id, { resolve: ended(resolve), reject: ended(reject), method });
+        });
     }
 
     async open(address) {
@@ -56,6 +75,7 @@ export class Browser {
         const send = (method, params) => this.send(method, params, sessionId);
         await send('Runtime.enable');
         await send('Page.enable');
+        await send('Page.bringToFront');
         await send('Page.navigate', { url: address });
         return new Page(send);
     }
@@ -99,15 +119,53 @@ class Page {
         return this.evaluate(`document.getElementById('${id}').textContent`);
     }
 
-    /** Clicks on what has this id, where it is seen. */
-    async click(id) {
-        const [x, y] = await this.evaluate(`(() => {
-            const element = document.getElementById('${id}');
-            element.scrollIntoView({ block: 'nearest' });
+    /** The middle of what a selector finds, scrolled to where it is seen. */
+    middle(selector) {
+        return this.evaluate(`(() => {
+            const element = document.querySelector('${selector}');
+            element.scrollIntoView({ block: 'nearest', behavior: 'instant' });
             const { left, top, width, height } = element.getBoundingClientRect();
             return [left + width / 2, top + height / 2];
         })()`);
-        await this.drag([x, y], [x, y]);
+    }
+
+    /** Clicks on what has this id, where it is seen. */
+    async click(id) {
+        const at = await this.middle(`#${id}`);
+        await this.drag(at, at);
+    }
+
+    /** Taps with a finger on what has this id. */
+    async tap(id) {
+        const at = await this.middle(`#${id}`);
+        await this.touch([[at]]);
+    }
+
+    /** Puts fingers down at the first pixels, moves them through the others, and lifts them. */
+    async touch([first, ...rest]) {
+        const send = (type, fingers) => this.#send('Input.dispatchTouchEvent', {
+            type, touchPoints: fingers.map(([x, y], id) => ({ x, y, id })),
+        });
+        await send('touchStart', first);
+        for (const fingers of rest) await send('touchMove', fingers);
+        await send('touchEnd', []);
+    }
+
+    /** Presses a key and lets it go. */
+    async press(key, { shift = false } = {}) {
+        const text = key.length === 1 ? key : key === 'Enter' ? '\r' : undefined;
+        const event = {
+            key, text, modifiers: shift ? 8 : 0,
+            windowsVirtualKeyCode: CODES[key] ?? key.toUpperCase().charCodeAt(0),
+        };
+        await this.#send('Input.dispatchKeyEvent', { ...event, type: text ? 'keyDown' : 'rawKeyDown' });
+        await this.#send('Input.dispatchKeyEvent', { ...event, type: 'keyUp' });
+    }
+
+    /** Writes a text where the focus is, over what is selected there. */
+    async write(text) {
+        if (text === '') await this.press('Delete');
+        else await this.#send('Input.insertText', { text });
     }
 
     /** Presses the mouse at one pixel, moves, and lets go at another. */
@@ -126,13 +184,24 @@ class Page {
         return this.#send('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor, mobile: false });
     }
 
+    /** A phone with a screen for fingers. */
+    async phone(width, height) {
+        await this.#send('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: 2, mobile: true });
+        await this.#send('Emulation.setTouchEmulationEnabled', { enabled: true, maxTouchPoints: 5 });
+    }
+
     theme(name) {
         return this.#send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: name }] });
     }
 
+    /** Waits until all is drawn. */
+    drawn() {
+        return this.evaluate('new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)))');
+    }
+
     /** A picture of it, as PNG. */
     async picture() {
-        await this.evaluate('new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)))');
+        await this.drawn();
         const { data } = await this.#send('Page.captureScreenshot', { format: 'png' });
         return Buffer.from(data, 'base64');
     }

@@ -1,6 +1,6 @@
 // The golden hashes of the example `determinism`, wherever JavaScript runs.
 
-/** The lines that the module prints, one for each scalar. */
+/** The lines that the module prints: a table, and a verdict. */
 export async function hashes(bytes) {
     const { instance } = await WebAssembly.instantiate(bytes);
     const { memory, buffer, lines, line } = instance.exports;
@@ -11,4 +11,4 @@ export async function hashes(bytes) {
 }
 
 /** Whether all are what they are on every other machine. */
-export const areGolden = (all) => all.length === 6 && all.every((line) => line.endsWith(' as everywhere'));
+export const areGolden = (all) => all.at(-1)?.endsWith(' scalars: as everywhere') ?? false;

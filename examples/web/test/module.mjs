@@ -91,6 +91,9 @@ for (const { path, bytes } of modules) {
         if (said.has(of)) check(`${of}: the same bits as the first module`, said.get(of) === raw.join());
         else said.set(of, raw.join());
     });
+    // Bits of I8F8 cannot say these: it is the page that must not send them.
+    for (const x of [NaN, Infinity, 0.1, 128]) check(`I8F8: ${x} is refused`, septum.ask(1, other(4, x)) === null);
+    check('f32: what is no f32 is refused', septum.ask(0, other(4, 0.1)) === null);
     check('f32: NaN is refused', septum.ask(0, other(4, NaN)) === null);
     check('f32: an infinity is refused', septum.ask(0, other(4, Infinity)) === null);
 }

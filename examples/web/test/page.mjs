@@ -8,6 +8,10 @@ import { writeFileSync } from 'node:fs';
 import { serve } from '../serve.mjs';
 import { Browser } from './browser.mjs';
 import { check, outcome } from './check.mjs';
+import { withoutMouse } from './keyboard.mjs';
+import { banner, numbers, pixels, place, says } from './look.mjs';
+import { onPhone } from './phone.mjs';
+import { rubbishInAllFields } from './rubbish.mjs';
 
 const options = process.argv.slice(2);
 const split = options.includes('--') ? options.indexOf('--') : options.length;
@@ -16,36 +20,6 @@ const golden = Object.fromEntries(options.slice(split + 1).map((path, k) => [`go
 
 const { server, address } = await serve({ 'web.wasm': module, ...golden }, 0);
 const browser = new Browser(process.env.CHROMIUM ?? 'chromium');
-
-/** The 15 numbers in the table. */
-const numbers = (page) => page.evaluate(
-    `[...document.querySelectorAll('#numbers input')].map(({ value }) => Number(value))`);
-const lit = (page) => page.evaluate(`document.querySelector('#axes .first')?.textContent ?? 'none'`);
-const says = async (page, word, axis) => await page.text('word') === word && await lit(page) === axis;
-const banner = (page) => page.evaluate(`document.getElementById('banner').checkVisibility()`);
-/** How many pixels of the picture are nearly of a colour of the page, by its name. */
-const pixels = (page, color) => page.evaluate(`(() => {
-    const canvas = document.getElementById('scene');
-    const probe = document.createElement('canvas').getContext('2d');
-    probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--${color}');
-    probe.fillRect(0, 0, 1, 1);
-    const wanted = probe.getImageData(0, 0, 1, 1).data;
-    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-    let count = 0;
-    for (let i = 0; i < data.length; i += 4) {
-        count += data[i + 3] > 250 && [0, 1, 2].every((k) => Math.abs(data[i + k] - wanted[k]) < 40);
-    }
-    return count;
-})()`);
-
-/** Where vertex k is on the page, by the page's own camera from the start. */
-const place = (page, k) => page.evaluate(`(async () => {
-    const { Camera } = await import('./camera.mjs');
-    const canvas = document.getElementById('scene');
-    const camera = Object.assign(new Camera(), { width: canvas.clientWidth, height: canvas.clientHeight });
-    const values = [...document.querySelectorAll('#numbers input')].map(({ value }) => Number(value));
-    return camera.pixel(values.slice(3 * ${k}, 3 * ${k} + 3)).at;
-})()`);
 
 async function scenes(page) {
     for (const [id, word, axis] of [
@@ -92,12 +66,12 @@ async function drags(page) {
 
 async function wrong(page) {
     for (const scalar of [0, 1]) {
-        await page.evaluate(`document.querySelectorAll('#scalars button')[${scalar}].click()`);
+        await page.evaluate(`document.querySelectorAll('#scalars input')[${scalar}].click()`);
         await page.click('wrong');
         check(`${['f32', 'I8F8'][scalar]}: a banner says that rounding is wrong`, await banner(page));
         console.log(`       ${await page.text('banner')}`);
     }
-    await page.evaluate(`document.querySelectorAll('#scalars button')[0].click()`);
+    await page.evaluate(`document.querySelectorAll('#scalars input')[0].click()`);
     await page.click('wrong');
     const start = await numbers(page);
     // Far enough from the flip all methods agree again.
@@ -124,7 +98,27 @@ async function wrong(page) {
     await write(11, '1.5');
     check('a number can be written', await says(page, 'Overlap', 'none') && (await numbers(page))[11] === 1.5);
     await write(14, '-1');
-    check('what is no box is refused', (await numbers(page))[14] === 0.75);
+    check('what is no box is refused, and the last good one kept', (await page.text('remark-14')).includes('Kept: 0.75') &&
+        await says(page, 'Overlap', 'none'));
+    await page.click('preset-face');
+    await write(14, 'abc');
+    await page.click('preset-edge');
+    check('a scene ends all errors', await page.evaluate(`document.querySelector('[aria-invalid=true]') === null`));
+}
+
+async function far(page) {
+    await page.click('preset-edge');
+    for (const k of [0, 3, 6, 9]) {
+        await page.evaluate(`document.querySelectorAll('#numbers input')[${k}].focus()`);
+        await page.evaluate('document.activeElement.select()');
+        await page.write(String(1000 + k));
+        await page.press('Enter');
+    }
+    const [gone, goneToo] = [await pixels(page, 'triangle'), await pixels(page, 'box')];
+    await page.click('whole');
+    check('"whole view" finds shapes that are far away', gone + goneToo === 0 &&
+        await pixels(page, 'triangle') > 300 && await pixels(page, 'box') > 300);
+    await page.click('preset-edge');
 }
 
 async function hashes(page) {
@@ -148,23 +142,34 @@ try {
     await scenes(page);
     await drags(page);
     await wrong(page);
+    await far(page);
     await hashes(page);
     await page.click('wrong');
     await page.evaluate(`document.activeElement.blur()`);
     if (picture === '--picture') {
-        await page.size(1180, 870, 1.5);
+        await page.size(1180, 900, 1.5);
+        await page.evaluate(`document.querySelector('aside').scrollTo(0, 0)`);
         writeFileSync(file, await page.picture());
     }
     const shot = await page.picture();
     await page.theme('dark');
     const dark = await page.picture();
     check('it has a dark theme', !shot.equals(dark));
+    for (const test of [withoutMouse, onPhone, rubbishInAllFields]) {
+        console.log();
+        await test(await browser.open(address)).catch((error) => check(error.stack, false));
+    }
     // No module: the page asks for one.
     server.closeAllConnections();
     const { server: empty, address: elsewhere } = await serve({}, 0);
     const lone = await browser.open(elsewhere);
     await lone.until(`document.getElementById('missing').open`);
     check('without a module the page asks for one', await lone.evaluate(`!document.body.dataset.ready`));
+    for (let k = 0; k < 3; k += 1) await lone.press('Escape');
+    check('and goes on asking', await lone.evaluate(`new Promise((later) => setTimeout(later, 200)).then(() => document.getElementById('missing').open)`));
+    const local = await browser.open(new URL('../index.html', import.meta.url).href);
+    await local.until(`getComputedStyle(document.getElementById('verdict')).visibility === 'visible'`);
+    check('opened as a file it says that it needs a server', /server: *cargo web/.test((await local.text('why')).replace(/\s+/g, ' ')));
     empty.closeAllConnections();
     empty.close();
     check('no error in the page', browser.errors.length === 0);

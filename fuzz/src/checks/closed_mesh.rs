@@ -5,7 +5,7 @@ use septum::{Facing, Ray, Triangle};
 
 use crate::scalars::{Check, run, told};
 use crate::shapes::{Point, Shapes};
-use crate::support::{Ring, Sample};
+use septum_kit::{Ring, Sample};
 
 /// `hit_once` on the faces of a tetrahedron or an octahedron, however flat or crossed:
 /// a line leaves as often as it enters. A convex one is entered once at most, and a ray

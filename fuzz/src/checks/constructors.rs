@@ -2,13 +2,14 @@
 //! in a `const` too, and nothing panics.
 
 use dashu_int::IBig;
-use septum::{Aabb, FixedPoint, Obb, Plane, Ray, Segment, ShapeError, Triangle, Vec3};
+use septum::interop::FixedPoint;
+use septum::{Aabb, Obb, Plane, Ray, Segment, ShapeError, Triangle, Vec3};
 
 use super::triangle_obb::axes;
 use crate::bytes::Bytes;
 use crate::scalars::{FixedCheck, run_fixed, told};
 use crate::shapes::{Point, Shapes};
-use crate::support::{Ring, Sample};
+use septum_kit::{Ring, Sample};
 
 /// Every constructor, by numbers that need not be finite.
 pub fn constructors(data: &[u8]) {
@@ -63,7 +64,7 @@ fn check<S: Sample>(rows: &Rows<S>) {
     let [u, v, w, p, q, r] = *rows;
     let bad =
         |rows: &[Point<S>]| (rows.iter().flatten().any(|x| !x.is_finite()), ShapeError::NotFinite);
-    let is_nought = |p: Point<S>| p == [S::ZERO; 3];
+    let is_zero = |p: Point<S>| p == [S::ZERO; 3];
     let told = || told::<S>(rows);
     let is_negative = q.iter().any(|x| *x < S::ZERO);
     let negative = (is_negative, ShapeError::NegativeHalfExtent);
@@ -78,13 +79,13 @@ fn check<S: Sample>(rows: &Rows<S>) {
     for made in [Segment::new(p, q), Segment::from_center_half_vector(p, q)] {
         assert_eq!(made.err(), first_of(&[bad(&[p, q])]), "{}", told());
     }
-    let zero = (is_nought(q), ShapeError::ZeroNormal);
+    let zero = (is_zero(q), ShapeError::ZeroNormal);
     let made = Plane::from_point_normal(p, q).err();
     assert_eq!(made, first_of(&[bad(&[p, q]), zero]), "{}", told());
     let made = Plane::from_equation(q, p[0]).err();
     assert_eq!(made, first_of(&[bad(&[q, [p[0]; 3]]), zero]), "{}", told());
 
-    let zero = (is_nought(q), ShapeError::ZeroDirection);
+    let zero = (is_zero(q), ShapeError::ZeroDirection);
     let ray = Ray::new(p, q);
     assert_eq!(ray.err(), first_of(&[bad(&[p, q]), zero]), "{}", told());
     if let Ok(ray) = ray {
@@ -132,13 +133,13 @@ macro_rules! check_constants {
     ($name:ident, $scalar:ty) => {
         fn $name(rows: &Rows<$scalar>) {
             let [p, q, r] = [rows[3], rows[4], rows[5]].map(Vec3::from);
-            assert_eq!(Triangle::<$scalar>::constant(p, q, r), Triangle::new(p, q, r));
-            assert_eq!(Aabb::<$scalar>::constant(p, q), Aabb::from_min_max(p, q));
-            let half = Aabb::<$scalar>::constant_center_half_extents(p, q);
+            assert_eq!(Triangle::<$scalar>::const_new(p, q, r), Triangle::new(p, q, r));
+            assert_eq!(Aabb::<$scalar>::const_new(p, q), Aabb::from_min_max(p, q));
+            let half = Aabb::<$scalar>::const_from_center_half_extents(p, q);
             assert_eq!(half, Aabb::from_center_half_extents(p, q));
-            assert_eq!(Segment::<$scalar>::constant(p, q), Segment::new(p, q));
-            assert_eq!(Ray::<$scalar>::constant(p, q), Ray::new(p, q));
-            assert_eq!(Plane::<$scalar>::constant(q, p.x), Plane::from_equation(q, p.x));
+            assert_eq!(Segment::<$scalar>::const_new(p, q), Segment::new(p, q));
+            assert_eq!(Ray::<$scalar>::const_new(p, q), Ray::new(p, q));
+            assert_eq!(Plane::<$scalar>::const_new(q, p.x), Plane::from_equation(q, p.x));
         }
     };
 }

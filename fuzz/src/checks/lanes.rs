@@ -4,7 +4,7 @@ use septum::{Aabb, Cull, Ray, Triangle};
 
 use crate::scalars::{Check, run, told};
 use crate::shapes::{Shapes, magnitude};
-use crate::support::{Lanes, Sample};
+use septum_kit::{Lanes, Sample};
 
 /// Every method on lanes, in one lane, three and eight. With `SHOW` in the environment the
 /// shapes are printed first: the messages would be too long with them.

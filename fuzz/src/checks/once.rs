@@ -1,12 +1,12 @@
 //! The oracle of hits that count once: the ray's origin moved by (ε, ε², ε³), with ε
 //! smaller than any number. What depends on the origin is linear in it, so that its sign
-//! is that of its value, or of the first derivative that is not nought. The derivatives
+//! is that of its value, or of the first derivative that is not zero. The derivatives
 //! are differences here, of the same formula at neighbouring origins.
 
 use dashu_int::IBig;
 
-use crate::support::rays::RayCase;
-use crate::support::{Ring, Sample, odd_mantissa};
+use septum_kit::rays::RayCase;
+use septum_kit::{Ring, Sample, odd_mantissa};
 
 type Big3 = [IBig; 3];
 
@@ -39,7 +39,7 @@ pub(super) fn counts_once<S: Sample>(case: &RayCase<S>) -> bool {
     let within = [(&a, &b), (&b, &c), (&c, &a)]
         .iter()
         .all(|(p, q)| moved_sign(&o, |o| side(p, q, o)) == Ring::sign(&det));
-    // Above nought where t is greater than the end.
+    // Above zero where t is greater than the end.
     let past = |end: &IBig| {
         let sign = moved_sign(&o, |o| Ring::dot(&n, &Ring::difference(&a, o)) * &one - end * &det);
         sign * Ring::sign(&det)

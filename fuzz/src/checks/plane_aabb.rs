@@ -4,7 +4,7 @@ use septum::Side;
 
 use crate::scalars::{Check, run, told};
 use crate::shapes::Shapes;
-use crate::support::{Given, Sample, side};
+use septum_kit::{Given, Sample, side};
 
 /// `side_of` and `overlaps`.
 pub fn plane_aabb(data: &[u8]) {

@@ -1,9 +1,12 @@
 //! Ray against axis-aligned box: verdicts, t of entry and exit, prepared rays.
 
-use crate::ray_boxes::{Fraction, LineBox};
 use crate::scalars::{Check, is_float, run, told};
 use crate::shapes::Shapes;
-use crate::support::Sample;
+use septum::published;
+use septum::published::slabs::SlabRay;
+use septum::published::slopes::SlopeRay;
+use septum_kit::Sample;
+use septum_kit::lines::{Fraction, LineBox};
 
 /// `overlaps`, `may_overlap`, `t_range`, and `may_overlap` of a `SlabRay`; that the
 /// rounded methods come to an end and agree with themselves.
@@ -17,7 +20,7 @@ impl Check for RayAabb {
     fn check<S: Sample>(shapes: &mut Shapes<'_, S>) {
         let Some(case) = shapes.ray_box() else { return };
         let (ray, aabb) = (case.ray().expect("a ray"), case.aabb());
-        let slabs = ray.for_slabs();
+        let slabs = SlabRay::new(&ray);
 
         let clipped = case.clip();
         let truth = clipped.is_some();
@@ -34,9 +37,9 @@ impl Check for RayAabb {
 
         let range = slabs.t_range_rounded(&aabb);
         assert_eq!(range.is_some(), slabs.overlaps_rounded(&aabb), "{}", told::<S>(&case));
-        let slopes = ray.for_slopes();
+        let slopes = SlopeRay::new(&ray);
         let _ = (slopes.overlaps_rounded(&aabb), slopes.t_enter_rounded(&aabb));
-        let _ = ray.overlaps_as_published(&aabb);
+        let _ = published::separating_axes::ray_overlaps(&ray, &aabb);
     }
 }
 

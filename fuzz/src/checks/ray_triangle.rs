@@ -1,12 +1,14 @@
 //! Ray against triangle: verdicts, t, u, v, facing and feature, by every rule.
 
+use septum::published;
+use septum::published::stored_normal::NormalTriangle;
 use septum::{Cull, HitRules};
 
 use super::once::counts_once;
 use crate::scalars::{Check, is_float, run, told};
 use crate::shapes::Shapes;
-use crate::support::Sample;
-use crate::support::rays::{Fraction, Method, RayCase, crossing};
+use septum_kit::Sample;
+use septum_kit::rays::{Fraction, Method, RayCase, crossing};
 
 /// `hit`, `hits`, `hit_once`, and both with culling; that the rounded methods come to an
 /// end.
@@ -24,7 +26,7 @@ impl Check for RayTriangle {
 
         let (hit, truth) = (ray.hit(&triangle), crossing(&case));
         assert_eq!(hit.is_some(), truth.is_some(), "{}", told("hit"));
-        assert_eq!(ray.hits(&triangle), truth.is_some(), "{}", told("hits"));
+        assert_eq!(ray.is_hit(&triangle), truth.is_some(), "{}", told("hits"));
         if let (Some(hit), Some(truth)) = (hit, &truth) {
             assert_eq!(hit.facing, truth.facing, "{}", told("facing"));
             assert_eq!(hit.feature, truth.feature, "{}", told("feature"));
@@ -43,7 +45,7 @@ impl Check for RayTriangle {
             let rules = HitRules::new().culling(cull);
             for (rules, expected) in [(rules, kept), (rules.once(), kept.filter(|_| once))] {
                 assert_eq!(ray.hit_with(&triangle, rules), expected, "{} {rules:?}", told("hit"));
-                let hits = ray.hits_with(&triangle, rules);
+                let hits = ray.is_hit_with(&triangle, rules);
                 assert_eq!(hits, expected.is_some(), "{} {rules:?}", told("hits"));
             }
         }
@@ -83,5 +85,10 @@ fn check_rounded<S: Sample>(case: &RayCase<S>) {
     for method in Method::ALL {
         let _ = method.ask(&ray, &triangle);
     }
-    let _ = ray.t_stored_normal(&triangle.with_normal(), Cull::Nothing, S::GREATEST);
+    let _ = published::stored_normal::t(
+        &ray,
+        &NormalTriangle::new(&triangle),
+        Cull::Nothing,
+        S::GREATEST,
+    );
 }

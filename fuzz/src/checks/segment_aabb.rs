@@ -1,9 +1,10 @@
 //! Segment against axis-aligned box.
 
-use crate::ray_boxes::{Line, LineBox};
 use crate::scalars::{Check, run, told};
 use crate::shapes::Shapes;
-use crate::support::Sample;
+use septum::published;
+use septum_kit::Sample;
+use septum_kit::lines::{Line, LineBox};
 
 /// `overlaps` and `may_overlap`; and that the rounded method comes to an end.
 pub fn segment_aabb(data: &[u8]) {
@@ -24,6 +25,6 @@ impl Check for SegmentAabb {
         assert_eq!(case.overlaps(), truth, "overlaps, {}", told::<S>(&case));
         assert!(case.may_overlap() || !truth, "may_overlap, {}", told::<S>(&case));
         let segment = case.segment().expect("two points");
-        let _ = segment.overlaps_as_published(&case.aabb());
+        let _ = published::separating_axes::segment_overlaps(&segment, &case.aabb());
     }
 }

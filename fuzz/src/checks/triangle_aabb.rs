@@ -1,11 +1,13 @@
 //! Triangle against axis-aligned box: the verdict, the witness, and whether the
 //! triangle is degenerate.
 
-use septum::{Axis, Order};
+use septum::Axis;
+use septum::published;
+use septum::published::akenine_moller::Order;
 
 use crate::scalars::{Check, run, told};
 use crate::shapes::Shapes;
-use crate::support::{Case, Sample, is_collinear, meets, separates};
+use septum_kit::{Case, Sample, is_collinear, meets, separates};
 
 /// `overlaps`, `may_overlap`, `separating_axis`, `is_separated_by`, `is_degenerate`; and
 /// that the rounded methods come to an end.
@@ -39,10 +41,10 @@ impl Check for TriangleAabb {
         let flat = is_collinear(&case);
         assert_eq!(triangle.is_degenerate(), flat, "is_degenerate, {}", told::<S>(&case));
 
-        let _ = triangle.overlaps_rounded(&aabb);
-        let published = triangle.overlaps_as_published(&aabb);
+        let _ = published::shared_normal::overlaps(&triangle, &aabb);
+        let published = published::akenine_moller::overlaps(&triangle, &aabb);
         for order in ORDERS {
-            let ordered = triangle.overlaps_as_published_in(&aabb, order);
+            let ordered = published::akenine_moller::overlaps_in(&triangle, &aabb, order);
             assert_eq!(ordered, published, "{order:?}, {}", told::<S>(&case));
         }
     }

@@ -1,10 +1,11 @@
 //! Triangle against oriented box.
 
+use septum::published;
 use septum::{Obb, Vec3};
 
 use crate::scalars::{Check, run, told};
 use crate::shapes::{Point, Shapes, magnitude};
-use crate::support::{Oriented, Sample};
+use septum_kit::{Oriented, Sample};
 
 /// `overlaps` and `may_overlap`; and that the rounded method comes to an end.
 pub fn triangle_obb(data: &[u8]) {
@@ -26,7 +27,7 @@ impl Check for TriangleObb {
         assert_eq!(triangle.overlaps(&obb), truth, "overlaps, {}", told::<S>(&case));
         let may = triangle.may_overlap(&obb);
         assert!(may || !truth, "may_overlap, {}", told::<S>(&case));
-        let _ = triangle.overlaps_by_transform(&obb);
+        let _ = published::akenine_moller::overlaps_obb(&triangle, &obb);
         if let Ok(frame) = Obb::new(center, axes.map(Vec3::from), half) {
             assert_eq!(frame, obb);
         }

@@ -1,26 +1,27 @@
 //! Unit normals: correctly rounded in fixed point, near in floats.
 
 use dashu_int::IBig;
-use septum::{FixedPoint, Triangle, Vec3};
+use septum::interop::FixedPoint;
+use septum::{Triangle, Vec3};
 
 use crate::bytes::Bytes;
 use crate::scalars::{FixedCheck, run_fixed, told};
 use crate::shapes::Shapes;
-use crate::support::{Points, Sample, compare_with_unit, is_nearest_to_unit, normal_of};
+use septum_kit::{Points, Sample, compare_with_unit, is_nearest_to_unit, normal_of};
 
-/// `unit_normal_integer`, `unit_normal_libm`, `unit_normal_micromath`.
+/// `unit_normal`, `unit_normal`, `unit_normal_fast`.
 pub fn unit_normal(data: &[u8]) {
     let mut bytes = Bytes::new(data);
     match bytes.below(20) {
         0 | 1 => {
             let points = Shapes::new(bytes).triangle();
             // Hundredths of the last place.
-            check_float::<f32>(&points, 51, |t| t.unit_normal_libm());
+            check_float::<f32>(&points, 51, |t| t.unit_normal());
             check_micromath(&points);
         }
         2 | 3 => {
             let points = Shapes::new(bytes).triangle();
-            check_float::<f64>(&points, 600, |t| t.unit_normal_libm());
+            check_float::<f64>(&points, 600, |t| t.unit_normal());
         }
         n => run_fixed::<Integer>(n - 4, bytes),
     }
@@ -37,7 +38,7 @@ impl FixedCheck for Integer {
     fn check<S: Sample + FixedPoint>(shapes: &mut Shapes<'_, S>) {
         let points = shapes.triangle();
         let (n, square) = normal_of(&points);
-        let found = triangle(&points).unit_normal_integer();
+        let found = triangle(&points).unit_normal();
         let told = || told::<S>(&(found, points));
         assert_eq!(found.is_none(), square == IBig::ZERO, "{}", told());
         let Some(found) = found else { return };
@@ -71,7 +72,7 @@ fn check_float<S: Sample>(
 
 /// About 1 long, or nothing.
 fn check_micromath(points: &Points<f32>) {
-    if let Some(n) = triangle(points).unit_normal_micromath() {
+    if let Some(n) = triangle(points).unit_normal_fast() {
         let square: f64 = n.to_array().iter().map(|&x| f64::from(x).powi(2)).sum();
         assert!((0.93..1.08).contains(&square), "{}", told::<f32>(&(n, points)));
     }

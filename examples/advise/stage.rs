@@ -1,0 +1,95 @@
+//! Which stage of a scalar's cascade settles a query: ARCHITECTURE.md, "How a question
+//! is answered".
+
+use std::collections::BTreeMap;
+
+use crate::kind::Kind;
+use crate::options::Target;
+use crate::scene::{Query, Scene};
+
+/// A stage, by the arithmetic that it runs in. The cheapest comes first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Stage {
+    Float,
+    I32,
+    I64,
+    I64AndI128,
+    I128,
+    Wide,
+    ExactSums,
+}
+
+impl Stage {
+    pub(crate) fn name(self, kind: Kind) -> &'static str {
+        match self {
+            Self::Float if kind == Kind::F32 => "f32/f64/integers",
+            Self::Float => "f64/integers",
+            Self::I32 => "i32",
+            Self::I64 => "i64",
+            Self::I64AndI128 => "i64 + i128",
+            Self::I128 => "i128",
+            Self::Wide => "256 bits",
+            Self::ExactSums => "exact sums",
+        }
+    }
+
+    /// The stage that settles one query.
+    pub(crate) fn of(kind: Kind, target: Target, scene: &Scene, query: Query) -> Self {
+        let Kind::Fixed { bits, frac } = kind else { return Self::Float };
+        let raw = |x: f64| Kind::raw(x, bits, frac).expect("a type that holds the scene");
+        let points = scene.points(query).map(|p| p.map(raw));
+        let below = |most: i32| {
+            let end = f64::from(most).exp2();
+            points.as_flattened().iter().all(|x| (-end..end).contains(x))
+        };
+        match (target, bits) {
+            (Target::Host, ..=8) => Self::I32,
+            (Target::Host, ..=16) => Self::I64,
+            (Target::Host, ..=32) if below(18) => Self::I64,
+            (Target::Host, ..=32) if below(28) => Self::I64AndI128,
+            (Target::Host, ..=32) => Self::I128,
+            (Target::Host, _) if !below(60) => Self::ExactSums,
+            (Target::Host, _) if reach(&points) < 41_f64.exp2() => Self::I128,
+            (Target::Host, _) => Self::Wide,
+            (_, ..=16) => Self::I32,
+            (_, ..=32) if are_near(&points) => Self::I32,
+            (_, ..=32) => Self::I64,
+            _ => Self::I128,
+        }
+    }
+
+    /// The share of the queries that each stage settles.
+    pub(crate) fn shares(
+        kind: Kind,
+        target: Target,
+        scene: &Scene,
+        queries: &[Query],
+    ) -> BTreeMap<Self, f64> {
+        let mut counts = BTreeMap::new();
+        for &query in queries {
+            *counts.entry(Self::of(kind, target, scene, query)).or_insert(0) += 1;
+        }
+        let share = |count: i32| f64::from(count) / queries.len() as f64;
+        counts.into_iter().map(|(stage, count)| (stage, share(count))).collect()
+    }
+}
+
+/// The greatest magnitude in the doubled frame of the box: of a coordinate, or of an
+/// extent of the box.
+fn reach([a, b, c, min, max]: &[[f64; 3]; 5]) -> f64 {
+    let on_axis = |i: usize| {
+        let from_middle = |v: &[f64; 3]| ((v[i] - min[i]) + (v[i] - max[i])).abs();
+        from_middle(a).max(from_middle(b)).max(from_middle(c)).max(max[i] - min[i])
+    };
+    on_axis(0).max(on_axis(1)).max(on_axis(2))
+}
+
+/// Whether all points lie within 2^18 units of the least corner of the box. The kernel
+/// for narrow registers halves them first.
+fn are_near([a, b, c, min, max]: &[[f64; 3]; 5]) -> bool {
+    let half = |x: f64| (x / 2.0).floor();
+    let reach = 17_f64.exp2();
+    [a, b, c, max]
+        .iter()
+        .all(|p| (0..3).all(|i| (-reach..reach).contains(&(half(p[i]) - half(min[i])))))
+}

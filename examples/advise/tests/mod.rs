@@ -1,0 +1,72 @@
+//! What the example predicts comes true, what it refuses would not do, and what it
+//! recommends does.
+
+mod predictions;
+mod printing;
+mod refusals;
+mod tables;
+mod types;
+
+use std::path::Path;
+
+use clap::Parser;
+
+use crate::advice::{Row, recommend};
+use crate::costs::Costs;
+use crate::mesh::Mesh;
+use crate::options::{Options, Up};
+use crate::scene::Scene;
+use crate::survey::{Plan, Survey};
+
+type Triangles = Vec<[[f64; 3]; 3]>;
+
+fn teapot() -> Triangles {
+    let mesh = Mesh::load(None, Some(Up::Y)).unwrap();
+    assert_eq!(mesh.name, "teapot");
+    mesh.triangles
+}
+
+fn scaled(by: f64) -> Triangles {
+    teapot().into_iter().map(|t| t.map(|p| p.map(|x| x * by))).collect()
+}
+
+/// A consultation, with what it was about and what it said.
+struct Advice {
+    options: Options,
+    scene: Scene,
+    survey: Survey,
+    text: String,
+}
+
+impl Advice {
+    /// On these triangles, with tables of costs from a folder.
+    fn with_tables(triangles: Triangles, arguments: &str, tables: &Path) -> Self {
+        let words = ["advise"].into_iter().chain(arguments.split_whitespace());
+        let options = Options::try_parse_from(words).unwrap();
+        let scene = Scene::new(triangles, options.cell, options.tolerance).unwrap();
+        let costs = Costs::read(tables, options.target).unwrap();
+        let sample = options.sample.get() as usize;
+        let (target, full) = (options.target, options.full);
+        let survey = Survey::of(&scene, &Plan { target, sample, full, costs: &costs });
+        // Broken lines are one line again.
+        let text = crate::report::write("mesh", &options, &scene, &survey, &costs);
+        let text = text.replace("\n    ", " ");
+        Self { options, scene, survey, text }
+    }
+
+    /// For a small core, so that no clock has a say, and without tables.
+    fn on(triangles: Triangles, arguments: &str) -> Self {
+        let arguments = format!("--target m0 {arguments}");
+        Self::with_tables(triangles, &arguments, Path::new("no such folder"))
+    }
+
+    fn recommended(&self) -> Option<&Row> {
+        recommend(&self.survey.rows, &self.scene, self.options.bits)
+    }
+
+    /// What follows these words in the text, up to a space.
+    fn figure_after(&self, words: &str) -> f64 {
+        let (_, rest) = self.text.split_once(words).unwrap_or_else(|| panic!("{}", self.text));
+        rest.split([' ', ',', '\n']).next().unwrap().parse().unwrap()
+    }
+}

@@ -1,0 +1,123 @@
+//! Questions that are asked about every fourth case.
+
+use septum::lanes::{Aabbs, Rays};
+use septum::published;
+use septum::published::akenine_moller::Order;
+use septum::published::slabs::SlabRay;
+use septum::published::slopes::SlopeRay;
+use septum::published::stored_normal::NormalTriangle;
+use septum::{Aabb, Cull, HitRules, Ray, Segment, Triangle, Vec3};
+
+use super::super::draw::Draw;
+use super::answers::Answers;
+use super::queries::Query;
+use super::{Four, greatest, least};
+
+/// The orders of the groups of axes, but for the default one.
+const ORDERS: [Order; 5] = [
+    Order::EdgesNormalFaces,
+    Order::FacesEdgesNormal,
+    Order::FacesNormalEdges,
+    Order::NormalEdgesFaces,
+    Order::NormalFacesEdges,
+];
+
+#[inline(never)]
+pub(super) fn shapes<S: Draw, A: Answers>(
+    triangle: &Triangle<S>,
+    aabbs: [&Aabb<S>; 2],
+    segments: &[Option<Segment<S>>; 2],
+    answers: &mut A,
+) {
+    answers.to(Query::TriangleDegenerate).yes(triangle.is_degenerate());
+    if let Some(normal) = S::unit_normal(triangle) {
+        answers.to(Query::TriangleNormal).vector(normal);
+    }
+    for aabb in aabbs {
+        for order in ORDERS {
+            let answer = published::akenine_moller::overlaps_in(triangle, aabb, order);
+            answers.to(Query::TriangleAabbOrders).yes(answer);
+        }
+        for segment in segments.iter().flatten() {
+            answers
+                .to(Query::SegmentAabbPublished)
+                .yes(published::separating_axes::segment_overlaps(segment, aabb));
+        }
+    }
+}
+
+#[inline(never)]
+pub(super) fn crossings<S: Draw, A: Answers>(
+    ray: &Ray<S>,
+    triangle: &Triangle<S>,
+    aabbs: [&Aabb<S>; 2],
+    answers: &mut A,
+) {
+    for rules in [
+        HitRules::new().culling(Cull::Back),
+        HitRules::new().culling(Cull::Front),
+        HitRules::new().culling(Cull::Back).once(),
+    ] {
+        answers.to(Query::RayTriangleRules).hit(ray.hit_with(triangle, rules));
+        answers.to(Query::RayTriangleIsRules).yes(ray.is_hit_with(triangle, rules));
+    }
+    for cull in [Cull::Nothing, Cull::Front] {
+        let t = published::stored_normal::t(
+            ray,
+            &NormalTriangle::new(triangle),
+            cull,
+            triangle.vertices()[0].x,
+        );
+        answers.to(Query::RayTriangleStoredT).number(t);
+    }
+    let (slabs, slopes) = (&SlabRay::new(ray), SlopeRay::new(ray));
+    for aabb in aabbs {
+        answers
+            .to(Query::RayAabbPublished)
+            .yes(published::separating_axes::ray_overlaps(ray, aabb));
+        answers.to(Query::RayAabbSlabs).yes(slabs.overlaps_rounded(aabb));
+        answers.to(Query::RayAabbSlopesEnter).maybe(slopes.t_enter_rounded(aabb));
+    }
+    // From and up to numbers that the case has anyway, and up to the hit itself.
+    let Some((min, max)) = aabbs[1].min_max() else { return };
+    let hit = ray.hit(triangle).map(|hit| hit.t);
+    for (from, to) in [(None, hit), (Some(min.x), Some(max.x)), (Some(min.y), None)] {
+        let Ok(limited) = (*ray).with_range(from, to) else { continue };
+        answers.to(Query::RayTriangleLimited).hit(limited.hit(triangle));
+        for aabb in aabbs {
+            answers.to(Query::RayAabbLimited).range(limited.t_range(aabb));
+        }
+    }
+}
+
+#[inline(never)]
+pub(super) fn lanes<S: Draw, A: Answers>(
+    ray: &Ray<S>,
+    triangle: &Triangle<S>,
+    aabbs: [&Aabb<S>; 2],
+    answers: &mut A,
+) {
+    let Some(Four { rays, .. }) = Four::new(ray, triangle) else { return };
+    let rays = Rays::new(&rays);
+    answers
+        .to(Query::RaysTriangleMollerTrumbore)
+        .hits(&rays.hit_moller_trumbore(triangle, Cull::Nothing));
+    answers
+        .to(Query::RaysTriangleStored)
+        .hits(&rays.hit_stored_normal(&NormalTriangle::new(triangle), Cull::Back));
+    // Lanes hold boxes of one form.
+    let [centered, corners] = aabbs;
+    let half = centered.center_half_extents().map(|(_, half)| half);
+    let around = |p: Vec3<S>| {
+        half.and_then(|half| Aabb::from_center_half_extents(p, half).ok()).unwrap_or(*centered)
+    };
+    let over = |p, q| Aabb::from_min_max(least(p, q), greatest(p, q)).unwrap_or(*corners);
+    let [a, b, c] = *triangle.vertices();
+    for four in [
+        [*centered, around(a), around(b), around(c)],
+        [*corners, over(a, b), over(b, c), over(c, a)],
+    ] {
+        let Some(aabbs) = Aabbs::new(&four) else { continue };
+        answers.to(Query::RayAabbsSlabs).ranges(&aabbs.t_range_rounded(&SlabRay::new(ray)));
+    }
+}

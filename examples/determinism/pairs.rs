@@ -1,0 +1,56 @@
+//! Questions about small pairs: boxes with boxes and points, and two hits of one ray.
+
+use septum::{Aabb, Axis, Obb, Ray, Triangle, Vec3};
+
+use super::super::draw::Draw;
+use super::answers::Answers;
+use super::queries::Query;
+use super::{greatest, least};
+
+#[inline(never)]
+pub(super) fn boxes<S: Draw, A: Answers>(
+    triangle: &Triangle<S>,
+    aabbs: [&Aabb<S>; 2],
+    obb: Option<&Obb<S>>,
+    answers: &mut A,
+) {
+    let [a, b, c] = *triangle.vertices();
+    for aabb in aabbs {
+        for corners in [[a, b], [b, c]].map(|[p, q]| (least(p, q), greatest(p, q))) {
+            let Ok(around) = Aabb::from_min_max(corners.0, corners.1) else { continue };
+            answers.to(Query::AabbAabb).yes(aabb.overlaps(&around));
+        }
+        for point in [a, b, c] {
+            answers.to(Query::AabbContains).yes(aabb.contains(point));
+        }
+    }
+    if let Some(obb) = obb {
+        for point in [a, b, c, obb.center()] {
+            answers.to(Query::ObbContains).yes(obb.contains(point));
+        }
+        // By corners: a point where there is none.
+        let corners = obb.aabb().and_then(|aabb| aabb.min_max());
+        for corner in corners.map_or([None; 2], |(min, max)| [Some(min), Some(max)]) {
+            answers.to(Query::ObbAabb).vector(corner);
+        }
+    }
+    for axis in Axis::ALL {
+        answers.to(Query::AxisVector).vector(Some(axis.vector(triangle)));
+    }
+}
+
+/// The triangle, and itself with one vertex elsewhere: equal distances, and others.
+#[inline(never)]
+pub(super) fn hits<S: Draw, A: Answers>(
+    ray: &Ray<S>,
+    triangle: &Triangle<S>,
+    other: Vec3<S>,
+    answers: &mut A,
+) {
+    let [a, b, c] = *triangle.vertices();
+    for vertices in [[b, a, c], [a, b, other], [other, b, c]] {
+        let Ok(moved) = Triangle::new(vertices[0], vertices[1], vertices[2]) else { continue };
+        let order = ray.compare_hits(triangle, &moved);
+        answers.to(Query::RayCompareHits).byte(order.map_or(0xff, |order| order as i8 as u8));
+    }
+}

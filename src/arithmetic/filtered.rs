@@ -1,0 +1,127 @@
+//! Floats as they are, with a bound on their error.
+
+use core::cmp::Ordering;
+use core::marker::PhantomData;
+
+use super::float::Float;
+use super::system::{Arithmetic, Embeds, convert};
+
+/// The number system of a float type with a bound on its error: an answer is
+/// given only where it stands clear of the bound.
+#[derive(Clone, Copy, Debug)]
+pub struct Filtered<F>(PhantomData<F>);
+
+impl<F: Float> Arithmetic for Filtered<F> {
+    type Length = F;
+    type Area = F;
+    type Volume = F;
+    type Product = F;
+    type Narrow = Self;
+
+    const CERTAIN: bool = false;
+    const DOUBLED: bool = false;
+    const CORNER_FORM_ONLY: bool = false;
+
+    #[inline(always)]
+    fn area(a: F, b: F) -> F {
+        a * b
+    }
+    #[inline(always)]
+    fn volume(a: F, b: F) -> F {
+        a * b
+    }
+    #[inline(always)]
+    fn operand(a: F) -> F {
+        a
+    }
+    #[inline(always)]
+    fn widened(narrow: F) -> F {
+        narrow
+    }
+    #[inline(always)]
+    fn is_narrow(_: F) -> bool {
+        false
+    }
+}
+
+/// How the quotient of two numbers that err compares with `t`.
+#[inline(always)]
+pub(super) fn compare_quotient<F: Float>(
+    num: F,
+    den: F,
+    [num_error, den_error]: [F; 2],
+    t: F,
+    infinity: F,
+) -> Option<Ordering> {
+    let product = t * den;
+    // Twice what the operands may err, and twice the rounding of the
+    // product; that of the gap is a trifle against the former.
+    let two = F::from(2_u16);
+    let error =
+        two * (num_error + t.magnitude() * den_error) + two * F::ROUNDOFF * product.magnitude();
+    let gap = num - product;
+    if gap.magnitude() > error && product.magnitude() < infinity {
+        gap.partial_cmp(&F::ZERO)
+    } else {
+        None
+    }
+}
+
+macro_rules! embeds {
+    ($from:ty => $to:ty, $divides:literal, $clear:expr, |$num:ident, $den:ident| $quotients:expr) => {
+        impl Embeds<$from> for Filtered<$to> {
+            const DIVIDES: bool = $divides;
+
+            #[inline(always)]
+            fn holds<const K: usize>(_: &[[$from; 3]; K]) -> bool {
+                true
+            }
+            #[inline(always)]
+            fn embed_held<const K: usize>(coordinates: &[[$from; 3]; K]) -> [[$to; 3]; K] {
+                convert(coordinates, 0.0, |x| x.into())
+            }
+            fn one() -> Option<$to> {
+                Some(1.0)
+            }
+            fn times_one(d: $to) -> Option<$to> {
+                Some(d)
+            }
+            #[inline(always)]
+            fn quotient_of_lengths(num: $to, den: $to) -> $from {
+                (num / den) as $from
+            }
+            #[inline(always)]
+            fn quotients(
+                $num: [$to; 3],
+                $den: $to,
+                [error, other]: [$to; 2],
+            ) -> ([$from; 3], bool) {
+                let is_clear = |value: $to, error: $to| value.abs() >= $clear * error;
+                let are_clear = is_clear($num[0], error)
+                    & is_clear($num[1], other)
+                    & is_clear($num[2], other)
+                    & is_clear($den, other);
+                ($quotients, $divides & are_clear)
+            }
+            #[inline(always)]
+            fn compare_quotient(
+                num: $to,
+                den: $to,
+                errors: [$to; 2],
+                t: $from,
+            ) -> Option<Ordering> {
+                compare_quotient::<$to>(num, den, errors, t.into(), <$to>::INFINITY)
+            }
+        }
+    };
+}
+// An `f32` computed in `f32` would be too far from the truth.
+embeds! { f32 => f32, false, 1.0, |_num, _den| [0.0; 3] }
+// Both numbers within 2^-25 of themselves: with the last rounding less than 2 ulp.
+embeds! { f32 => f64, true, 33_554_432.0, |num, den| {
+    [(num[0] / den) as f32, (num[1] / den) as f32, (num[2] / den) as f32]
+}}
+// Both within 2^-32.
+embeds! { f64 => f64, true, 4_294_967_296.0, |num, den| {
+    [num[0] / den, num[1] / den, num[2] / den]
+}}

@@ -1,0 +1,203 @@
+//! Fixed-point numbers in number systems, by their raw bits.
+//!
+//! A fixed-point number is an integer with a name for its unit. A verdict does
+//! not depend on the unit; a quotient, an offset and an axis do.
+
+use core::cmp::Ordering;
+
+use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
+use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
+
+use super::filtered::{Filtered, compare_quotient};
+use super::integer::{Int8, Int16, Int32, Int64, below_i32, below_i64};
+use super::number::greatest;
+use super::quotient::{Dividend, WHOLE};
+use super::system::{Arithmetic, Embeds, convert};
+use super::words::InWord;
+
+/// The number with these raw bits, or the end of the type.
+macro_rules! clamped {
+    ($fixed:ident, $bits:expr) => {{
+        let bits: i64 = $bits;
+        <$fixed<Frac>>::from_bits(
+            bits.clamp(<$fixed<Frac>>::MIN.to_bits().into(), <$fixed<Frac>>::MAX.to_bits().into())
+                as _,
+        )
+    }};
+}
+pub(crate) use clamped;
+
+/// A type, the integers for it, and which coordinates they hold.
+macro_rules! embeds {
+    ($fixed:ident, $bound:ident, $system:ty, $length:ty, |$coordinates:ident| $fits:expr) => {
+        impl<Frac: $bound> Embeds<$fixed<Frac>> for $system {
+            #[inline(always)]
+            fn holds<const K: usize>($coordinates: &[[$fixed<Frac>; 3]; K]) -> bool {
+                $fits
+            }
+            #[inline(always)]
+            fn embed_held<const K: usize>(all: &[[$fixed<Frac>; 3]; K]) -> [[$length; 3]; K] {
+                convert(all, 0, |x| x.to_bits().into())
+            }
+
+            fn one() -> Option<i128> {
+                // A unit above 2^30 would not leave the products room.
+                (<$fixed<Frac>>::FRAC_NBITS <= 30).then(|| 1 << <$fixed<Frac>>::FRAC_NBITS)
+            }
+
+            fn times_one(d: $length) -> Option<<$system as Arithmetic>::Area> {
+                // See the table in `integer`.
+                Some(<$system as Arithmetic>::Area::from(2 * d) << <$fixed<Frac>>::FRAC_NBITS)
+            }
+
+            const DIVIDES: bool = true;
+
+            #[inline(always)]
+            fn quotients(
+                [a, b, c]: [<$system as Arithmetic>::Volume; 3],
+                den: <$system as Arithmetic>::Volume,
+                _: [<$system as Arithmetic>::Volume; 2],
+            ) -> ([$fixed<Frac>; 3], bool) {
+                let of = |num: <$system as Arithmetic>::Volume| {
+                    clamped!($fixed, num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
+                };
+                ([of(a), of(b), of(c)], true)
+            }
+            #[inline(always)]
+            fn quotient_of_lengths(num: $length, den: $length) -> $fixed<Frac> {
+                clamped!($fixed, num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
+            }
+            #[inline(always)]
+            fn compare_quotient(
+                num: <$system as Arithmetic>::Volume,
+                den: <$system as Arithmetic>::Volume,
+                _: [<$system as Arithmetic>::Volume; 2],
+                t: $fixed<Frac>,
+            ) -> Option<Ordering> {
+                Some(num.compare(den, <$fixed<Frac>>::FRAC_NBITS, t.to_bits().into()))
+            }
+        }
+    };
+}
+embeds!(FixedI8, LeEqU8, Int8, i32, |_all| true);
+embeds!(FixedI16, LeEqU16, Int16, i32, |_all| true);
+embeds!(FixedI32, LeEqU32, Int16, i32, |all| {
+    below_i32(all.as_flattened().iter().map(|x| x.to_bits()), 18)
+});
+embeds!(FixedI32, LeEqU32, Int32, i32, |all| {
+    below_i32(all.as_flattened().iter().map(|x| x.to_bits()), 28)
+});
+embeds!(FixedI32, LeEqU32, Int64, i64, |_all| true);
+embeds!(FixedI64, LeEqU64, Int64, i64, |all| {
+    below_i64(all.as_flattened().iter().map(|x| x.to_bits()), 60)
+});
+
+/// The word of a type, and whether it holds whatever is asked of the type.
+macro_rules! in_word {
+    ($($fixed:ident, $bound:ident: $word:ty, $always_near:literal;)*) => {$(
+        impl<Frac: $bound> InWord<$word> for $fixed<Frac> {
+            const ALWAYS_NEAR: bool = $always_near;
+
+            #[inline(always)]
+            fn in_word(self) -> $word {
+                self.to_bits().into()
+            }
+        }
+    )*};
+}
+in_word! {
+    FixedI8, LeEqU8: i32, true;
+    FixedI16, LeEqU16: i32, true;
+    FixedI32, LeEqU32: i32, false;
+    FixedI32, LeEqU32: i64, true;
+    FixedI64, LeEqU64: i128, true;
+}
+
+/// Whole numbers that `f64` holds: verdicts where they are clear, and quotients
+/// where it is clear to which side they round.
+macro_rules! doubles {
+    ($($fixed:ident, $bound:ident, $raw:ty;)*) => {$(
+        impl<Frac: $bound> Embeds<$fixed<Frac>> for Filtered<f64> {
+            const DIVIDES: bool = false;
+
+            #[inline(always)]
+            fn holds<const K: usize>(_: &[[$fixed<Frac>; 3]; K]) -> bool {
+                true
+            }
+            #[inline(always)]
+            fn embed_held<const K: usize>(all: &[[$fixed<Frac>; 3]; K]) -> [[f64; 3]; K] {
+                convert(all, 0.0, |x| x.to_bits().into())
+            }
+            fn one() -> Option<f64> {
+                Some(unit(<$fixed<Frac>>::FRAC_NBITS))
+            }
+            fn times_one(d: f64) -> Option<f64> {
+                Some(d * unit(<$fixed<Frac>>::FRAC_NBITS))
+            }
+            #[inline(always)]
+            fn quotient_of_lengths(_: f64, _: f64) -> $fixed<Frac> {
+                $fixed::ZERO
+            }
+            #[inline(always)]
+            fn quotients(
+                num: [f64; 3],
+                den: f64,
+                errors: [f64; 2],
+            ) -> ([$fixed<Frac>; 3], bool) {
+                let unit = unit(<$fixed<Frac>>::FRAC_NBITS);
+                let ([t, u, v], are_good) =
+                    nearest_whole(num, den, errors, unit, <$raw>::MAX.into());
+                let of = |bits: u64| $fixed::from_bits(bits as $raw);
+                ([of(t), of(u), of(v)], are_good)
+            }
+            #[inline(always)]
+            fn compare_quotient(
+                num: f64,
+                den: f64,
+                errors: [f64; 2],
+                t: $fixed<Frac>,
+            ) -> Option<Ordering> {
+                let t = f64::from(t.to_bits()) / unit(<$fixed<Frac>>::FRAC_NBITS);
+                compare_quotient(num, den, errors, t, f64::INFINITY)
+            }
+        }
+    )*};
+}
+doubles! {
+    FixedI8, LeEqU8, i8;
+    FixedI16, LeEqU16, i16;
+    FixedI32, LeEqU32, i32;
+}
+
+/// How many units in the last place make one.
+#[inline(always)]
+fn unit(fraction_bits: u32) -> f64 {
+    f64::from_bits((1023 + u64::from(fraction_bits)) << 52)
+}
+
+/// The three quotients times `unit`, each to the nearest whole number, in its last
+/// bits; and whether all of them are, which is so if they are below `most` and not so
+/// near a half that they may be wrong.
+#[inline(always)]
+fn nearest_whole(
+    num: [f64; 3],
+    den: f64,
+    errors: [f64; 2],
+    unit: f64,
+    most: f64,
+) -> ([u64; 3], bool) {
+    let inverse = unit / den;
+    let q = [num[0] * inverse, num[1] * inverse, num[2] * inverse];
+    let sums = [q[0] + WHOLE, q[1] + WHOLE, q[2] + WHOLE];
+    let rest = |k: usize| (q[k] - (sums[k] - WHOLE)).abs();
+    let rest = greatest(greatest(rest(0), rest(1)), rest(2));
+    let largest = greatest(greatest(q[0].abs(), q[1].abs()), q[2].abs());
+    // Twice what the numerators may err, twice what the divisor may, and all roundings
+    // from here on.
+    let doubt = inverse.abs()
+        * (2.0 * greatest(errors[0], errors[1]) + largest * (2.0 * errors[1] / unit))
+        + largest * (4.0 * f64::EPSILON);
+    // Ordered so that a NaN is not good.
+    let are_good = (rest + doubt < 0.5) & (largest < most);
+    ([sums[0].to_bits(), sums[1].to_bits(), sums[2].to_bits()], are_good)
+}

@@ -1,0 +1,147 @@
+//! `f32` and `f64` as numbers of a kernel.
+
+use core::ops::Mul;
+
+use super::number::Number;
+use super::parts::Parts;
+use super::quotient::Leading;
+
+/// A binary floating-point type of IEEE 754.
+pub trait Float: Number + Mul<Output = Self> + From<u16> + 'static {
+    /// One half.
+    const HALF: Self;
+    /// u: half the distance from 1 to the next number.
+    const ROUNDOFF: Self;
+    /// Products of three lengths, the greatest of them in this range, and of those
+    /// with axes between one and four long, neither overflow nor lose more to
+    /// underflow than the bounds have to spare.
+    const RANGE: (Self, Self);
+
+    /// Sign, magnitude and exponent.
+    fn parts(self) -> Parts;
+
+    /// m·2^e to the nearest, but for a second rounding where the result is tiny or
+    /// an `f32`.
+    fn scaled(magnitude: u64, exponent: i32) -> Self;
+}
+
+macro_rules! number {
+    ($float:ty) => {
+        impl Number for $float {
+            const ZERO: Self = 0.0;
+            /// The least normal number: more than what a few underflows cost.
+            const UNDERFLOW: Self = <$float>::MIN_POSITIVE;
+
+            #[inline(always)]
+            fn magnitude(self) -> Self {
+                self.abs()
+            }
+            #[inline(always)]
+            fn half(self) -> Self {
+                self * Self::HALF
+            }
+            #[inline(always)]
+            fn error(self, roundoffs: u16) -> Self {
+                Self::from(roundoffs) * Self::ROUNDOFF * self
+            }
+            // A NaN is in no range.
+            #[inline(always)]
+            fn in_range(self) -> bool {
+                (self > Self::RANGE.0) & (self < Self::RANGE.1)
+            }
+        }
+    };
+}
+number!(f32);
+number!(f64);
+
+// f32: an underflow costs at most 2^-150 an operation. The bounds have 1 (areas)
+// and 4 (volumes) times u·r² and u·r³ to spare (query::triangle_aabb::error_bound),
+// against about 10 and 12·r + 6 underflows: enough from r = 2^-40 on. Above, r³·24
+// stays below 2^128 up to r = 2^41.
+impl Float for f32 {
+    const HALF: f32 = 0.5;
+    const ROUNDOFF: f32 = f32::EPSILON / 2.0;
+    const RANGE: (f32, f32) = (f32::from_bits((127 - 32) << 23), f32::from_bits((127 + 40) << 23));
+
+    fn parts(self) -> Parts {
+        let bits = self.to_bits();
+        let (exponent, fraction) = ((bits >> 23) & 0xff, bits & 0x7f_ffff);
+        let hidden = if exponent == 0 { 0 } else { 1 << 23 };
+        Parts {
+            negative: bits >> 31 != 0,
+            magnitude: (hidden | fraction) as u64,
+            shift: exponent.saturating_sub(1) as u16,
+        }
+    }
+
+    fn scaled(magnitude: u64, exponent: i32) -> f32 {
+        f64::scaled(magnitude, exponent) as f32
+    }
+}
+
+// f64: likewise 2^-53·r² and 4·2^-53·r³ against 2^-1075, and r³·24 below 2^1024. A
+// nonzero number that was an f32 is always inside.
+impl Float for f64 {
+    const HALF: f64 = 0.5;
+    const ROUNDOFF: f64 = f64::EPSILON / 2.0;
+    const RANGE: (f64, f64) =
+        (f64::from_bits((1023 - 320) << 52), f64::from_bits((1023 + 320) << 52));
+
+    fn parts(self) -> Parts {
+        let bits = self.to_bits();
+        let (exponent, fraction) = ((bits >> 52) & 0x7ff, bits & 0xf_ffff_ffff_ffff);
+        let hidden = if exponent == 0 { 0 } else { 1 << 52 };
+        Parts {
+            negative: bits >> 63 != 0,
+            magnitude: hidden | fraction,
+            shift: exponent.saturating_sub(1) as u16,
+        }
+    }
+
+    fn scaled(magnitude: u64, exponent: i32) -> f64 {
+        let mut x = magnitude as f64;
+        let mut left = exponent.clamp(-2400, 2400);
+        while left != 0 {
+            let step = left.clamp(-1000, 1000);
+            x *= f64::from_bits(((1023 + step) as u64) << 52);
+            left -= step;
+        }
+        x
+    }
+}
+
+/// The quotient of two whole numbers, to the nearest or next to it.
+pub(crate) fn quotient<F: Float>(num: Leading, den: Leading) -> F {
+    let (negative, magnitude, exponent) = num.quotient(den);
+    let x = F::scaled(magnitude, exponent);
+    if negative { -x } else { x }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Float;
+
+    /// 2^e, made without bits.
+    fn two_to<F: Float>(e: i32) -> F {
+        let factor = if e < 0 { F::HALF } else { F::from(2_u16) };
+        (0..e.unsigned_abs()).fold(F::from(1_u16), |x, _| x * factor)
+    }
+
+    /// What the bounds and the docs say of a type, whatever its constants are made of.
+    fn check<F: Float>(digits: i32, range: [i32; 2], least_normal: i32) {
+        let one = F::from(1_u16);
+        assert!(F::ROUNDOFF == two_to(-digits));
+        assert!(one + F::ROUNDOFF == one && one + two_to(1 - digits) > one);
+        assert!(F::RANGE == (two_to(range[0]), two_to(range[1])));
+        assert!(F::UNDERFLOW == two_to(least_normal));
+        assert!(one.error(3) == F::ROUNDOFF + F::ROUNDOFF + F::ROUNDOFF);
+        assert!(one.in_range() && !F::RANGE.0.in_range() && !F::RANGE.1.in_range());
+    }
+
+    #[test]
+    fn constants_are_what_they_are_said_to_be() {
+        check::<f32>(24, [-32, 40], -126);
+        check::<f64>(53, [-320, 320], -1022);
+    }
+}

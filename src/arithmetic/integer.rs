@@ -1,0 +1,111 @@
+//! Exact integers: for each width of coordinates a system with the narrowest
+//! types that hold.
+//!
+//! With positions and extents below 2^k, in the doubled frame of [`Arithmetic`],
+//! and with sizes below 2^m (no coordinate in the frame exceeds the size):
+//!
+//! | quantity | magnitude | k = 7 | k = 18 | k = 28 | k = 60 |
+//! | --- | --- | --- | --- | --- | --- |
+//! | edge, half-extent | 2^(k+1) | 2^8 | 2^19 | 2^29 | 2^61 |
+//! | position, 2v − min − max | 2^(k+2) | 2^9 | 2^20 | 2^30 | 2^62 |
+//! | normal, radius on an edge axis | 2^(2k+3) | 2^17 | 2^39 | 2^59 | 2^123 |
+//! | 2p + n on an edge axis | 2^(2k+4) + 2^(2k+3) | 2^18.6 | 2^40.6 | 2^60.6 | 2^124.6 |
+//! | n·v and Σ h·abs(n) | 3·2^(3k+5) | 2^27.6 | 2^60.6 | 2^90.6 | 2^186.6 |
+//! | 2·d·one of a plane, with F fraction bits | 2^(k+1+F) | 2^16 | 2^51 | 2^61 | 2^125 |
+//! | the same as the last but one, by size | 6·2^(3m) | | | 2^62.6 for m = 20 | 2^125.6 for m = 41 |
+//! | det − u − v of ray and triangle, by size | 18·2^(3m) | | | 2^61.2 for m = 19 | 2^124.2 for m = 40 |
+//! | near and far of a line, not doubled | 3·2^k | 2^8.6 | 2^19.6 | 2^29.6 | 2^61.6 |
+//! | near·m, with m = abs(d), or b − a of a segment | 3·2^(2k+1) | 2^16.6 | 2^38.6 | 2^58.6 | 2^122.6 |
+//! | 2·near·one, with F fraction bits | 3·2^(k+1+F) | 2^17.6 | 2^52.6 | 2^62.6 | 2^126.6 |
+//!
+//! A type of b bits holds magnitudes below 2^(b−1).
+
+use super::platform::REGISTERS_ARE_WIDE;
+use super::system::Arithmetic;
+use super::wide::I256;
+
+/// For 8-bit coordinates: everything in `i32`.
+#[cfg(feature = "fixed")]
+#[derive(Clone, Copy, Debug)]
+pub struct Int8;
+
+/// For coordinates below 2^18: areas and volumes in `i64`.
+#[cfg(feature = "fixed")]
+#[derive(Clone, Copy, Debug)]
+pub struct Int16;
+
+/// For 32-bit coordinates below 2^28: areas in `i64`, volumes in `i128`.
+#[cfg(feature = "fixed")]
+#[derive(Clone, Copy, Debug)]
+pub struct Int32;
+
+/// For coordinates below 2^60: areas in `i128`, volumes in 256 bits.
+#[derive(Clone, Copy, Debug)]
+pub struct Int64;
+
+/// [`Int64`] with volumes in `i128`, for sizes below 2^41.
+#[derive(Clone, Copy, Debug)]
+pub struct Int64Narrow;
+
+macro_rules! integers {
+    ($($system:ty: $length:ty, $area:ty, $volume:ty, $product:expr; $narrow:ty, $is_narrow:expr;)*) => {$(
+        impl Arithmetic for $system {
+            type Length = $length;
+            type Area = $area;
+            type Volume = $volume;
+            type Product = i128;
+            type Narrow = $narrow;
+
+            const CERTAIN: bool = true;
+            const DOUBLED: bool = true;
+            const CORNER_FORM_ONLY: bool = !REGISTERS_ARE_WIDE;
+
+            #[inline(always)]
+            fn area(a: $length, b: $length) -> $area {
+                <$area>::from(a) * <$area>::from(b)
+            }
+            #[inline(always)]
+            fn volume(a: $area, b: $length) -> $volume {
+                $product(a, b)
+            }
+            #[inline(always)]
+            fn operand(a: $length) -> i128 {
+                a.into()
+            }
+            #[inline(always)]
+            fn widened(narrow: <$narrow as Arithmetic>::Volume) -> $volume {
+                narrow.into()
+            }
+            #[inline(always)]
+            fn is_narrow(size: $length) -> bool {
+                $is_narrow(size)
+            }
+        }
+    )*};
+}
+#[cfg(feature = "fixed")]
+integers! {
+    Int8: i32, i32, i32, |a, b| a * b; Self, |_: i32| false;
+    Int16: i32, i64, i64, |a, b| a * i64::from(b); Self, |_: i32| false;
+    Int32: i32, i64, i128, |a, b| i128::from(a) * i128::from(b); Int16, |size: i32| !REGISTERS_ARE_WIDE && size >> 20 == 0;
+}
+integers! {
+    Int64: i64, i128, I256, I256::product; Int64Narrow, |size: i64| size >> 41 == 0;
+    Int64Narrow: i64, i128, i128, |a, b| a * i128::from(b); Self, |_: i64| false;
+}
+
+/// Whether all coordinates lie below two to the `most`.
+#[cfg(feature = "fixed")]
+macro_rules! below {
+    ($name:ident: $raw:ty) => {
+        #[inline(always)]
+        pub(super) fn $name(coordinates: impl Iterator<Item = $raw>, most: u32) -> bool {
+            // For x below zero, !x: one less than the magnitude.
+            coordinates.fold(0, |size, x| size | (x ^ (x >> (<$raw>::BITS - 1)))) >> most == 0
+        }
+    };
+}
+#[cfg(feature = "fixed")]
+below! { below_i32: i32 }
+#[cfg(feature = "fixed")]
+below! { below_i64: i64 }

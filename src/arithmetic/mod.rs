@@ -1,0 +1,49 @@
+//! The number systems that kernels run in. Nothing here knows a shape or a query.
+
+mod filtered;
+#[cfg(feature = "fixed")]
+mod fixed;
+mod float;
+mod index;
+mod integer;
+mod multiples;
+mod number;
+mod parts;
+mod platform;
+mod quotient;
+#[cfg(feature = "fixed")]
+mod root;
+mod rounded;
+mod system;
+mod wide;
+mod words;
+
+pub use filtered::Filtered;
+#[cfg(feature = "fixed")]
+pub(crate) use fixed::clamped;
+pub use float::Float;
+pub(crate) use float::quotient;
+pub(crate) use index::{pick, turn};
+pub(crate) use integer::Int64;
+#[cfg(feature = "fixed")]
+pub(crate) use integer::{Int8, Int16, Int32};
+pub use number::Number;
+pub(crate) use number::{greatest, largest, least};
+pub use parts::Parts;
+pub(crate) use platform::{REGISTERS_ARE_WIDE, SMALL_CODE};
+#[cfg(feature = "fixed")]
+pub(crate) use quotient::Dividend;
+pub(crate) use quotient::Leading;
+#[cfg(feature = "fixed")]
+pub use root::Signed;
+#[cfg(feature = "fixed")]
+pub(crate) use root::{Limbs, Wide, over_roots};
+pub use rounded::{Rounded, RoundedOps};
+pub use system::{Arithmetic, Embeds};
+pub(crate) use system::{of_two, once};
+#[cfg(feature = "fixed")]
+pub(crate) use wide::I256;
+#[cfg(test)]
+pub(crate) use words::SplitSum;
+pub use words::{InWord, ProductSum, Word};
+pub(crate) use words::{out_of_line, out_of_line_if_wide};

@@ -1,0 +1,90 @@
+//! What every number of a kernel can do. Products are not here: they belong to
+//! [`Arithmetic`](super::Arithmetic), which knows in what type a product fits.
+
+use core::ops::{Add, Neg, Sub};
+
+/// A number that a geometric quantity is held in.
+pub trait Number:
+    Copy + PartialOrd + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self>
+{
+    /// Zero.
+    const ZERO: Self;
+
+    /// What the underflows of a few operations may cost, beside [`error`](Self::error).
+    const UNDERFLOW: Self = Self::ZERO;
+
+    /// The absolute value.
+    fn magnitude(self) -> Self;
+
+    /// One half of the number; an odd integer rounds down.
+    fn half(self) -> Self;
+
+    /// How far a computed number of this size may be from the truth: `roundoffs` times
+    /// the unit roundoff times the size. Zero where nothing is rounded, or where the
+    /// rounding is taken as it comes.
+    #[inline(always)]
+    fn error(self, roundoffs: u16) -> Self {
+        let _ = roundoffs;
+        Self::ZERO
+    }
+
+    /// Whether products of numbers of this size keep to their type and to their
+    /// [`error`](Self::error): nothing overflows, and underflow does not matter.
+    #[inline(always)]
+    fn in_range(self) -> bool {
+        true
+    }
+}
+
+macro_rules! integer {
+    ($($t:ty)*) => {$(
+        impl Number for $t {
+            const ZERO: Self = 0;
+            #[inline(always)]
+            fn magnitude(self) -> Self {
+                self.abs()
+            }
+            #[inline(always)]
+            fn half(self) -> Self {
+                self >> 1
+            }
+        }
+    )*};
+}
+integer! { i32 i64 }
+
+impl Number for i128 {
+    const ZERO: Self = 0;
+    #[inline(always)]
+    fn magnitude(self) -> Self {
+        self.abs()
+    }
+    #[inline(always)]
+    fn half(self) -> Self {
+        self >> 1
+    }
+    /// As an operand of sums of at most 30 products of four.
+    #[inline(always)]
+    fn in_range(self) -> bool {
+        self <= 1 << 30
+    }
+}
+
+/// The smaller of two numbers. On x86-64 this form is one instruction, where
+/// `f32::min`, which must think of NaN, is several.
+#[inline(always)]
+pub(crate) fn least<T: PartialOrd>(a: T, b: T) -> T {
+    if a < b { a } else { b }
+}
+
+/// The greater of two numbers; see [`least`].
+#[inline(always)]
+pub(crate) fn greatest<T: PartialOrd>(a: T, b: T) -> T {
+    if a > b { a } else { b }
+}
+
+/// The greatest magnitude of three numbers.
+#[inline(always)]
+pub(crate) fn largest<T: Number>(x: &[T; 3]) -> T {
+    greatest(greatest(x[0].magnitude(), x[1].magnitude()), x[2].magnitude())
+}

@@ -1,0 +1,260 @@
+//! Quotients of whole numbers, rounded once.
+//!
+//! Every number here is a volume, or a length, of some system in `integer`: far
+//! enough from the end of its type that a remainder can be doubled.
+
+#[cfg(feature = "fixed")]
+use core::cmp::Ordering;
+#[cfg(feature = "fixed")]
+use core::num::NonZero;
+
+#[cfg(feature = "fixed")]
+use super::number::Number;
+#[cfg(feature = "fixed")]
+use super::platform::REGISTERS_ARE_WIDE;
+use super::wide::I256;
+
+/// A whole number that can be divided by another, both times a power of two.
+#[cfg(feature = "fixed")]
+pub trait Dividend: Number {
+    /// self·2^shift / den to the nearest, of two the even one, no farther out than
+    /// `i64` goes; `den` is not zero.
+    fn quotient(self, den: Self, shift: u32) -> i64;
+
+    /// How self·2^shift / den compares with `t`; `den` is above zero.
+    fn compare(self, den: Self, shift: u32, t: i64) -> Ordering;
+}
+
+/// With the sign that the quotient of two numbers has.
+#[cfg(feature = "fixed")]
+#[inline(always)]
+fn signed(magnitude: u64, negative: bool) -> i64 {
+    if negative {
+        0_i64.checked_sub_unsigned(magnitude).unwrap_or(i64::MIN)
+    } else {
+        i64::try_from(magnitude).unwrap_or(i64::MAX)
+    }
+}
+
+/// Long division, as many binary places at a time as the remainder has room for.
+#[cfg(feature = "fixed")]
+macro_rules! long_division {
+    ($name:ident: $unsigned:ty) => {
+        fn $name(num: $unsigned, den: $unsigned, shift: u32) -> u64 {
+            const END: u64 = 1 << 63;
+            // So that the compiler sees that no division is one by zero.
+            let Some(divisor) = NonZero::<$unsigned>::new(den) else { return END };
+            if num >> (<$unsigned>::BITS - 1 - shift.min(<$unsigned>::BITS - 1)) == 0 {
+                // The whole of it fits.
+                // A shift by all bits can only be one of zero.
+                let num = num.wrapping_shl(shift);
+                let (q, r) = (num / divisor, num % divisor);
+                return u64::try_from(q).map_or(END, |q| nearest(q, r.cmp(&(den - r))));
+            }
+            let (q, mut r) = (num / divisor, num % divisor);
+            if q >> 63 != 0 {
+                return END;
+            }
+            let (mut q, mut left) = (q as u64, shift);
+            while left > 0 {
+                let places = left.min(den.leading_zeros()).clamp(1, 62);
+                if q >> (63 - places) != 0 {
+                    return END;
+                }
+                r <<= places;
+                q = (q << places) | (r / divisor) as u64;
+                r %= divisor;
+                left -= places;
+            }
+            nearest(q, r.cmp(&(den - r)))
+        }
+    };
+}
+#[cfg(feature = "fixed")]
+long_division! { divide: u64 }
+#[cfg(feature = "fixed")]
+long_division! { divide_wide: u128 }
+
+/// The quotient, given how its remainder compares with half the divisor.
+#[cfg(feature = "fixed")]
+#[inline(always)]
+fn nearest(q: u64, remainder: Ordering) -> u64 {
+    let up = match remainder {
+        Ordering::Less => false,
+        Ordering::Equal => q % 2 == 1,
+        Ordering::Greater => true,
+    };
+    q.saturating_add(up.into())
+}
+
+/// Long division, place by place: where hardware ends.
+#[cfg(feature = "fixed")]
+#[cold]
+#[inline(never)]
+fn divide_widest(num: I256, den: I256, shift: u32) -> u64 {
+    const END: u64 = 1 << 63;
+    let (mut divisor, mut places) = (den, shift);
+    while divisor <= num {
+        divisor = divisor + divisor;
+        places += 1;
+    }
+    // num < 2^extra·den: begin with the dividend that much smaller, which is to
+    // say with the divisor that much larger, and halve it while it is whole.
+    let mut extra = places - shift;
+    let (mut q, mut r) = (0_u64, num);
+    while places > 0 {
+        if q >> 62 != 0 {
+            return END;
+        }
+        if extra > 0 {
+            divisor = divisor.half();
+            extra -= 1;
+        } else {
+            r = r + r;
+        }
+        q <<= 1;
+        if r >= divisor {
+            r = r - divisor;
+            q |= 1;
+        }
+        places -= 1;
+    }
+    nearest(q, r.cmp(&(den - r)))
+}
+
+/// Adding this rounds to a whole number, in the last bits of the sum: 1.5·2^52.
+#[cfg(feature = "fixed")]
+pub(super) const WHOLE: f64 = 6_755_399_441_055_744.0;
+
+/// About num·2^shift / den, if that is below 2^40: no farther from the truth than a
+/// half and a little.
+#[cfg(feature = "fixed")]
+#[inline(always)]
+fn guess(num: i64, den: i64, shift: u32) -> Option<i64> {
+    let unit = f64::from_bits((1023 + u64::from(shift)) << 52);
+    let guess = num as f64 / den as f64 * unit;
+    let whole = (guess + WHOLE).to_bits().wrapping_sub(WHOLE.to_bits()) as i64;
+    (guess.abs() < 1_099_511_627_776.0).then_some(whole)
+}
+
+/// The quotient by a guess, put right by the remainder, which is exact though the
+/// product may wrap. Where floats are cheap; the answer is the same anywhere.
+#[cfg(feature = "fixed")]
+macro_rules! by_guess {
+    ($num:ident, $den:ident, $shift:ident, $leading:expr) => {
+        if REGISTERS_ARE_WIDE {
+            let (num, den) = $leading;
+            if let Some(q) = guess(num, den, $shift) {
+                let r =
+                    $num.checked_shl($shift).unwrap_or(0).wrapping_sub($den.wrapping_mul(q.into()));
+                let (r, d) = if $den < 0 { (-r, -$den) } else { (r, $den) };
+                // From an odd number even a tie leads away.
+                let d = d - Self::from(q as i8 & 1);
+                return q + i64::from(2 * r > d) - i64::from(-2 * r > d);
+            }
+        }
+    };
+}
+
+#[cfg(feature = "fixed")]
+impl Dividend for i32 {
+    #[inline(always)]
+    fn quotient(self, den: Self, shift: u32) -> i64 {
+        i64::from(self).quotient(den.into(), shift)
+    }
+    #[inline(always)]
+    fn compare(self, den: Self, shift: u32, t: i64) -> Ordering {
+        i64::from(self).compare(den.into(), shift, t)
+    }
+}
+
+#[cfg(feature = "fixed")]
+impl Dividend for i64 {
+    #[inline(always)]
+    fn quotient(self, den: Self, shift: u32) -> i64 {
+        by_guess!(self, den, shift, (self, den));
+        let magnitude = divide(self.unsigned_abs(), den.unsigned_abs(), shift);
+        signed(magnitude, (self < 0) != (den < 0))
+    }
+    #[inline(always)]
+    fn compare(self, den: Self, shift: u32, t: i64) -> Ordering {
+        (i128::from(self) << shift).cmp(&(i128::from(den) * i128::from(t)))
+    }
+}
+
+#[cfg(feature = "fixed")]
+impl Dividend for i128 {
+    #[inline(always)]
+    fn quotient(self, den: Self, shift: u32) -> i64 {
+        let (num, d) = (self.unsigned_abs(), den.unsigned_abs());
+        let excess = 66_u32.saturating_sub((num | d).leading_zeros());
+        // A guess must keep the bits that it needs.
+        if excess == 0 || (num >> excess >> 42 != 0 && d >> excess >> 42 != 0) {
+            by_guess!(self, den, shift, ((self >> excess) as i64, (den >> excess) as i64));
+        }
+        let magnitude = match (u64::try_from(num), u64::try_from(d)) {
+            // A divisor above 2^62 leaves the remainder no room.
+            (Ok(num), Ok(d)) if d >> 62 == 0 => divide(num, d, shift),
+            _ => divide_wide(num, d, shift),
+        };
+        signed(magnitude, (self < 0) != (den < 0))
+    }
+    fn compare(self, den: Self, shift: u32, t: i64) -> Ordering {
+        I256::from(self).compare(I256::from(den), shift, t)
+    }
+}
+
+#[cfg(feature = "fixed")]
+impl Dividend for I256 {
+    fn quotient(self, den: Self, shift: u32) -> i64 {
+        if let (Some(num), Some(den)) = (self.narrowed(), den.narrowed()) {
+            return num.quotient(den, shift);
+        }
+        let negative = (self < Self::ZERO) != (den < Self::ZERO);
+        signed(divide_widest(self.magnitude(), den.magnitude(), shift), negative)
+    }
+    fn compare(self, den: Self, shift: u32, t: i64) -> Ordering {
+        self.shifted_up(shift).cmp(&den.times(t))
+    }
+}
+
+/// The leading 64 bits of a whole number: sign, magnitude with its top bit set
+/// (or zero), and the power of two that it is to be multiplied by.
+#[derive(Clone, Copy, Debug)]
+pub struct Leading {
+    pub(crate) negative: bool,
+    pub(crate) magnitude: u64,
+    pub(crate) exponent: i32,
+}
+
+impl Leading {
+    /// Sign and magnitude, the latter in limbs, least first.
+    pub(crate) fn new(negative: bool, limbs: &[u64]) -> Self {
+        let Some(top) = limbs.iter().rposition(|&limb| limb != 0) else {
+            return Self { negative: false, magnitude: 0, exponent: 0 };
+        };
+        let limb = |k: usize| limbs.get(k).copied().unwrap_or(0);
+        let zeros = limb(top).leading_zeros();
+        let below = if top == 0 { 0 } else { limb(top - 1) };
+        let two = (u128::from(limb(top)) << 64 | u128::from(below)) << zeros;
+        Self { negative, magnitude: (two >> 64) as u64, exponent: 64 * top as i32 - zeros as i32 }
+    }
+
+    /// The quotient, its magnitude as m·2^e with m in [2^62, 2^64] or zero, less
+    /// than 2^-61 of itself from the truth; the divisor is not zero.
+    pub(crate) fn quotient(self, den: Self) -> (bool, u64, i32) {
+        let divisor = u128::from(den.magnitude.max(1));
+        let magnitude = ((u128::from(self.magnitude) << 63) / divisor) as u64;
+        (self.negative != den.negative, magnitude, self.exponent - den.exponent - 63)
+    }
+}
+
+impl From<I256> for Leading {
+    fn from(x: I256) -> Self {
+        let (negative, limbs) = x.limbs();
+        Self::new(negative, &limbs)
+    }
+}
+
+#[cfg(all(test, feature = "fixed"))]
+mod tests;

@@ -1,0 +1,202 @@
+//! The quotient of a whole number and a root, digit by digit: no float, no
+//! division, and right to the last place.
+
+/// An unsigned integer for [`over_root`].
+pub trait Wide: Copy + PartialEq {
+    /// A narrower type, for what is small; or the type itself.
+    type Narrow: Wide;
+    /// Zero.
+    const ZERO: Self;
+    /// The sum, which fits.
+    fn plus(self, other: Self) -> Self;
+    /// The difference, if it is not below zero.
+    fn minus(self, other: Self) -> Option<Self>;
+    /// Twice the number, which fits.
+    fn doubled(self) -> Self;
+    /// The number in a narrower type, if that has `room` more bits than it needs.
+    fn narrowed(self, room: u32) -> Option<Self::Narrow>;
+}
+
+macro_rules! wide {
+    ($($t:ty: $narrow:ty, |$x:ident, $room:ident| $narrowed:expr;)*) => {$(
+        impl Wide for $t {
+            type Narrow = $narrow;
+            const ZERO: Self = 0;
+            #[inline(always)]
+            fn plus(self, other: Self) -> Self {
+                self + other
+            }
+            #[inline(always)]
+            fn minus(self, other: Self) -> Option<Self> {
+                self.checked_sub(other)
+            }
+            #[inline(always)]
+            fn doubled(self) -> Self {
+                self << 1
+            }
+            #[inline(always)]
+            fn narrowed(self, $room: u32) -> Option<$narrow> {
+                let $x = self;
+                $narrowed
+            }
+        }
+    )*};
+}
+wide! {
+    u64: u64, |_x, _room| None;
+    u128: u64, |x, room| (x.leading_zeros() >= 64 + room).then_some(x as u64);
+}
+
+/// An unsigned integer of L limbs, the least first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Limbs<const L: usize>([u64; L]);
+
+impl<const L: usize> Limbs<L> {
+    /// The number x·2^(64·k) with the halves of x as its limbs.
+    #[inline(always)]
+    pub(crate) fn new(x: u128, k: usize) -> Self {
+        let mut limbs = [0; L];
+        for (limb, word) in limbs.iter_mut().skip(k).zip([x as u64, (x >> 64) as u64]) {
+            *limb = word;
+        }
+        Self(limbs)
+    }
+}
+
+// Loops over indices into a new array: iterators over two arrays, or limbs of
+// `u128`, took three to six times as long.
+impl<const L: usize> Wide for Limbs<L> {
+    type Narrow = u128;
+    const ZERO: Self = Self([0; L]);
+
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        let (mut limbs, mut carry) = ([0; L], false);
+        for k in 0..L {
+            let (sum, over) = self.0[k].overflowing_add(other.0[k]);
+            let (sum, over_too) = sum.overflowing_add(carry.into());
+            (limbs[k], carry) = (sum, over | over_too);
+        }
+        Self(limbs)
+    }
+    #[inline(always)]
+    fn minus(self, other: Self) -> Option<Self> {
+        let (mut limbs, mut borrow) = ([0; L], false);
+        for k in 0..L {
+            let (rest, under) = self.0[k].overflowing_sub(other.0[k]);
+            let (rest, under_too) = rest.overflowing_sub(borrow.into());
+            (limbs[k], borrow) = (rest, under | under_too);
+        }
+        (!borrow).then_some(Self(limbs))
+    }
+    #[inline(always)]
+    fn doubled(self) -> Self {
+        let (mut limbs, mut carry) = ([0; L], 0);
+        for k in 0..L {
+            (limbs[k], carry) = (self.0[k] << 1 | carry, self.0[k] >> 63);
+        }
+        Self(limbs)
+    }
+    #[inline(always)]
+    fn narrowed(self, room: u32) -> Option<u128> {
+        let (low, high) = self.0.split_first_chunk::<2>()?;
+        let low = u128::from(low[1]) << 64 | u128::from(low[0]);
+        (high.iter().all(|&x| x == 0) && low.leading_zeros() >= room).then_some(low)
+    }
+}
+
+/// √(x / sum)·2^`places` to the nearest whole number, no farther out than `u64` goes,
+/// for each x of `squares` and the sum of them, which is not zero; `W` has room for
+/// the sum times 2^(`places` + 3).
+pub(crate) fn over_roots<W: Wide>(squares: [W; 3], places: u32) -> [u64; 3] {
+    let [x, y, z] = squares;
+    let norm = x.plus(y).plus(z);
+    if norm.narrowed(places + 3).is_some() {
+        if let (Some(x), Some(y), Some(z)) = (x.narrowed(0), y.narrowed(0), z.narrowed(0)) {
+            return over_roots([x, y, z], places);
+        }
+    }
+    let mut roots = [0; 3];
+    for (root, square) in roots.iter_mut().zip(squares) {
+        *root = over_root(square, norm, places);
+    }
+    roots
+}
+
+/// √(`square` / `norm`)·2^`places` to the nearest whole number, for one of them.
+///
+/// The schoolbook root, taken of a quotient that is never formed. After j places,
+/// p = ⌊√(square/norm)·2^j⌋ is held as `root` = 2·p·norm, with what is left over,
+/// `rest` = square·4^j − p²·norm. The next place is 1 where
+/// 4·rest ≥ (2p + 1)²·norm − (2p)²·norm = 2·root + norm.
+#[inline(always)]
+fn over_root<W: Wide>(square: W, norm: W, places: u32) -> u64 {
+    if square == norm {
+        return 1_u64.checked_shl(places).unwrap_or(u64::MAX);
+    }
+    let (mut rest, mut root, mut p) = (square, W::ZERO, 0_u64);
+    for _ in 0..places {
+        rest = rest.doubled().doubled();
+        root = root.doubled();
+        p <<= 1;
+        let step = root.plus(norm);
+        if let Some(less) = rest.minus(step) {
+            rest = less;
+            root = step.plus(norm);
+            p |= 1;
+        }
+    }
+    // The place after the last rounds. Nothing lies halfway between two numbers,
+    // so there is no tie to break: a root that is a fraction at all is one of odd
+    // denominator, for in a² + b² + c² = d² without a common factor d is odd, or
+    // all four squares would be divisible by 4.
+    let up = rest.doubled().doubled().minus(root.doubled().plus(norm)).is_some();
+    p.saturating_add(up.into())
+}
+
+/// A whole number as sign and magnitude: one bit more than the magnitude's type
+/// has in two's complement, and that bit is what normals need.
+#[derive(Clone, Copy, Debug)]
+pub struct Signed<M> {
+    pub(crate) negative: bool,
+    pub(crate) magnitude: M,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_width_agrees_with_the_definition() {
+        for norm in 1_u64..=60 {
+            for square in 0..=norm {
+                for places in 0..12 {
+                    let p = over_root(square, norm, places);
+                    // (2p − 1)²·norm < 4·square·4^places < (2p + 1)²·norm
+                    let four = square << (2 * places + 2);
+                    let odd = |x: u64| x * x * norm;
+                    // Squares of rationals are all that may lie halfway, and upward.
+                    assert!(four < odd(2 * p + 1), "{square} {norm} {places}");
+                    assert!(p == 0 || four >= odd(2 * p - 1), "{square} {norm} {places}");
+                    let wide = |x: u64| Limbs::<6>::new(u128::from(x) << 40, 2);
+                    assert_eq!(p, over_root(u128::from(square), norm.into(), places));
+                    assert_eq!(p, over_root(wide(square), wide(norm), places));
+                    let squares = [square, norm - square, 0].map(wide);
+                    assert_eq!(p, over_roots(squares, places)[0]);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn limbs_carry() {
+        let all = Limbs([u64::MAX, u64::MAX, u64::MAX, 0]);
+        let one = Limbs([1, 0, 0, 0]);
+        let next = Limbs([0, 0, 0, 1]);
+        assert_eq!(all.plus(one), next);
+        assert_eq!((next.minus(one), one.minus(all)), (Some(all), None));
+        assert_eq!(all.plus(all), all.doubled());
+        assert_eq!((all.narrowed(0), next.narrowed(0)), (None, None));
+        assert_eq!((one.narrowed(127), one.narrowed(128)), (Some(1), None));
+    }
+}

@@ -1,0 +1,140 @@
+//! Number systems: in what types a length, an area and a volume are held.
+
+use core::cmp::Ordering;
+use core::ops::Mul;
+
+use super::number::Number;
+
+/// A number system that a kernel runs in.
+///
+/// Every predicate is the sign of a polynomial in coordinate differences. A
+/// difference is a [`Length`](Self::Length), a product of two an
+/// [`Area`](Self::Area), a product of three a [`Volume`](Self::Volume), and the type
+/// checker keeps them apart. One kernel serves all systems: integers that widen,
+/// floats with an error bound, and a scalar's own rounding arithmetic.
+///
+/// # The frame of a box
+///
+/// Kernels put the centre of a box at the origin. Floats subtract and halve; integers,
+/// which could lose half a unit that way, [double](Self::DOUBLED) every position and
+/// extent instead. [`once`] and [`of_two`] hide the difference.
+pub trait Arithmetic: Sized + 'static {
+    /// Coordinates, differences, extents.
+    type Length: Number;
+    /// Products of two lengths.
+    type Area: Number;
+    /// Products of three lengths.
+    type Volume: Number;
+    /// Operands of products of up to four, for boxes whose axes are numbers too.
+    type Product: Number + Mul<Output = Self::Product>;
+    /// The same lengths and areas with narrower volumes, for shapes that are
+    /// small enough.
+    type Narrow: Arithmetic<Length = Self::Length, Area = Self::Area>;
+
+    /// Whether a result is final as it stands, with no error to allow for.
+    const CERTAIN: bool;
+    /// Whether lengths in the frame of a box are doubled.
+    const DOUBLED: bool;
+    /// Whether a box given by its centre goes the way of one given by its corners,
+    /// both at the centre and grown by the half-extents: as exact, a little
+    /// slower, half the code.
+    const CORNER_FORM_ONLY: bool;
+
+    /// The product of two lengths.
+    fn area(a: Self::Length, b: Self::Length) -> Self::Area;
+    /// The product of an area and a length.
+    fn volume(a: Self::Area, b: Self::Length) -> Self::Volume;
+    /// A length as an operand of products.
+    fn operand(a: Self::Length) -> Self::Product;
+
+    /// A narrow volume as one of this system.
+    fn widened(narrow: <Self::Narrow as Arithmetic>::Volume) -> Self::Volume;
+    /// Whether the [`Narrow`](Self::Narrow) volumes hold for lengths up to `size`,
+    /// and are worth the question.
+    fn is_narrow(size: Self::Length) -> bool;
+}
+
+/// A difference or an extent in the frame of a box: integers double it.
+#[inline(always)]
+pub(crate) fn once<N: Arithmetic, T: Number>(x: T) -> T {
+    if N::DOUBLED { x + x } else { x }
+}
+
+/// The mean of two differences in the frame of a box, given their sum: floats halve it.
+#[inline(always)]
+pub(crate) fn of_two<N: Arithmetic, T: Number>(x: T) -> T {
+    if N::DOUBLED { x } else { x.half() }
+}
+
+/// A number system that the coordinates of a scalar `S` can be brought into.
+pub trait Embeds<S>: Arithmetic {
+    /// Whether this system holds the coordinates, and all that is made of them.
+    fn holds<const K: usize>(coordinates: &[[S; 3]; K]) -> bool;
+
+    /// Coordinates that this system holds, all in one unit.
+    fn embed_held<const K: usize>(coordinates: &[[S; 3]; K]) -> [[Self::Length; 3]; K];
+
+    /// The coordinates in this system, all in one unit; `None` if it does not hold them.
+    ///
+    /// The two steps apart are for who asks before it calls a kernel out of line: that
+    /// was worth a tenth of the time where a shape was just made.
+    #[inline(always)]
+    fn embed<const K: usize>(coordinates: &[[S; 3]; K]) -> Option<[[Self::Length; 3]; K]> {
+        if Self::holds(coordinates) { Some(Self::embed_held(coordinates)) } else { None }
+    }
+
+    /// One as an operand, where operands have the scalar's unit.
+    fn one() -> Option<Self::Product> {
+        None
+    }
+
+    /// A length times one, as an area in the frame, where one has the scalar's
+    /// unit.
+    fn times_one(d: Self::Length) -> Option<Self::Area> {
+        let _ = d;
+        None
+    }
+
+    /// Whether quotients of lengths are as good as the scalar promises.
+    const DIVIDES: bool;
+
+    /// num/den to the nearest number of the scalar, or the end of its range; floats
+    /// divide, and overflow to an infinity. The divisor is not zero.
+    fn quotient_of_lengths(num: Self::Length, den: Self::Length) -> S;
+
+    /// The same of three volumes, and whether they are as good as the scalar
+    /// promises, given how far from the truth the first may be, and the others.
+    fn quotients(
+        num: [Self::Volume; 3],
+        den: Self::Volume,
+        errors: [Self::Volume; 2],
+    ) -> ([S; 3], bool);
+
+    /// How num/den compares with `t`, where `num` and `den` err by up to `errors`;
+    /// `den` is above zero, whatever its error. `None` in doubt.
+    fn compare_quotient(
+        num: Self::Volume,
+        den: Self::Volume,
+        errors: [Self::Volume; 2],
+        t: S,
+    ) -> Option<Ordering>;
+}
+
+/// Every coordinate by `f`.
+///
+/// A loop into a filled array: `array::map` is often not inlined, and then its
+/// round trip through memory costs more than a whole query.
+#[inline(always)]
+pub(super) fn convert<A: Copy, B: Copy, const K: usize>(
+    from: &[[A; 3]; K],
+    empty: B,
+    mut f: impl FnMut(A) -> B,
+) -> [[B; 3]; K] {
+    let mut to = [[empty; 3]; K];
+    for k in 0..K {
+        for i in 0..3 {
+            to[k][i] = f(from[k][i]);
+        }
+    }
+    to
+}

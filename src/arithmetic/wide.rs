@@ -1,0 +1,141 @@
+//! A 256-bit integer: what volumes of 64-bit scalars need, and no more.
+
+use core::ops::{Add, Neg, Sub};
+
+use super::number::Number;
+
+/// A signed integer of 256 bits in two's complement. `high` comes first, so
+/// that the derived order is the order of numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct I256 {
+    high: i128,
+    low: u128,
+}
+
+impl I256 {
+    /// The product of 128 and 64 bits.
+    pub(crate) fn product(a: i128, b: i64) -> Self {
+        let (m, f) = (a.unsigned_abs(), u128::from(b.unsigned_abs()));
+        let lower = (m & u128::from(u64::MAX)) * f;
+        let upper = (m >> 64) * f + (lower >> 64);
+        let magnitude = Self {
+            high: (upper >> 64) as i128,
+            low: (upper << 64) | (lower & u128::from(u64::MAX)),
+        };
+        if (a < 0) != (b < 0) { -magnitude } else { magnitude }
+    }
+
+    /// Sign and magnitude, the latter in limbs, least first.
+    pub(crate) fn limbs(self) -> (bool, [u64; 4]) {
+        let Self { high, low } = self.magnitude();
+        let limbs = [low as u64, (low >> 64) as u64, high as u64, (high >> 64) as u64];
+        (self.high < 0, limbs)
+    }
+}
+
+/// What quotients need besides.
+#[cfg(feature = "fixed")]
+impl I256 {
+    /// The number these limbs make in two's complement, the least first.
+    pub(crate) fn from_limbs([a, b, c, d]: [u64; 4]) -> Self {
+        let two = |low: u64, high: u64| u128::from(high) << 64 | u128::from(low);
+        Self { high: two(c, d) as i128, low: two(a, b) }
+    }
+
+    /// The same in 128 bits, if they hold it and leave a bit to spare.
+    pub(crate) fn narrowed(self) -> Option<i128> {
+        let sign = self.high >> 127;
+        (self.high == sign && (self.low as i128) >> 126 == sign).then_some(self.low as i128)
+    }
+
+    /// Times two to the power `shift`, at most 64; the product must fit.
+    pub(crate) fn shifted_up(self, shift: u32) -> Self {
+        if shift == 0 {
+            return self;
+        }
+        Self {
+            high: self.high << shift | (self.low >> (128 - shift)) as i128,
+            low: self.low << shift,
+        }
+    }
+
+    /// Times `factor`; the product must fit.
+    pub(crate) fn times(self, factor: i64) -> Self {
+        let (negative, limbs) = self.limbs();
+        let (mut product, mut carry) = ([0; 4], 0);
+        for (to, limb) in product.iter_mut().zip(limbs) {
+            let wide = u128::from(limb) * u128::from(factor.unsigned_abs()) + u128::from(carry);
+            *to = wide as u64;
+            carry = (wide >> 64) as u64;
+        }
+        let magnitude = Self::from_limbs(product);
+        if negative != (factor < 0) { -magnitude } else { magnitude }
+    }
+}
+
+impl From<i128> for I256 {
+    fn from(x: i128) -> Self {
+        Self { high: x >> 127, low: x as u128 }
+    }
+}
+
+impl Add for I256 {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        let (low, carry) = self.low.overflowing_add(other.low);
+        Self { high: self.high.wrapping_add(other.high).wrapping_add(carry.into()), low }
+    }
+}
+
+impl Neg for I256 {
+    type Output = Self;
+    fn neg(self) -> Self {
+        let (low, carry) = (!self.low).overflowing_add(1);
+        Self { high: (!self.high).wrapping_add(carry.into()), low }
+    }
+}
+
+impl Sub for I256 {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Number for I256 {
+    const ZERO: Self = Self { high: 0, low: 0 };
+    fn magnitude(self) -> Self {
+        if self.high < 0 { -self } else { self }
+    }
+    fn half(self) -> Self {
+        Self { high: self.high >> 1, low: self.low >> 1 | (self.high as u128) << 127 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn agrees_with_i128_where_that_suffices() {
+        let some = [-(1_i128 << 61), -12345, -1, 0, 1, 77, (1 << 61) - 1];
+        for a in some {
+            for b in some {
+                let product = I256::product(a, b as i64);
+                let expected = I256::product(a * b, 1);
+                assert_eq!(product, expected);
+                assert_eq!(I256::product(a, 1) < I256::product(b, 1), a < b);
+                assert_eq!(I256::product(a, 1) + I256::product(b, 1), I256::product(a + b, 1));
+                assert_eq!(I256::product(a, 1) - I256::product(b, 1), I256::product(a - b, 1));
+            }
+        }
+    }
+
+    #[test]
+    fn holds_the_largest_volume() {
+        let largest = I256::product(i128::MIN, i64::MIN);
+        assert_eq!(largest, I256 { high: 1 << 62, low: 0 });
+        assert_eq!(-largest, I256::product(i128::MIN, i64::MAX) - I256::product(i128::MIN, -1));
+        assert!(-largest < I256::ZERO && (-largest).magnitude() == largest);
+    }
+}

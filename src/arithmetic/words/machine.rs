@@ -1,0 +1,65 @@
+//! The words of the machines: `i32` where one multiplication holds a product, and wider
+//! ones made of several.
+
+use super::SplitSum;
+use super::word::Word;
+
+macro_rules! word {
+    ($($word:ident, $unsigned:ident, $sum:ty: $range:literal, $split:literal;)*) => {$(
+        impl Word for $word {
+            type Sum = $sum;
+
+            const ZERO: Self = 0;
+            const SPLIT: u32 = $split;
+            const LOWER: Self = (1 << $split) - 1;
+
+            const IS_WIDE: bool = $word::BITS > 32;
+
+            #[inline(always)]
+            fn plus(self, other: Self) -> Self {
+                self.wrapping_add(other)
+            }
+            #[inline(always)]
+            fn minus(self, other: Self) -> Self {
+                self.wrapping_sub(other)
+            }
+            #[inline(always)]
+            fn where_negative(self, other: Self) -> Self {
+                self & (other >> ($word::BITS - 1))
+            }
+            #[inline(always)]
+            fn unless_negative(self, other: Self) -> Self {
+                self & !(other >> ($word::BITS - 1))
+            }
+            #[inline(always)]
+            fn folded(self) -> Self {
+                self ^ (self >> ($word::BITS - 1))
+            }
+            #[inline(always)]
+            fn is_near(self) -> bool {
+                (self as $unsigned) >> $range == 0
+            }
+            #[inline(always)]
+            fn is_central(self) -> bool {
+                self ^ (self << 1) >= 0
+            }
+        }
+    )*};
+}
+
+// ARMv6-M has neither long products nor atomics, ARMv7-M both. Only the latter can be
+// asked for in stable Rust. RISC-V has long products where it has any.
+#[cfg(any(
+    all(target_arch = "arm", target_has_atomic = "32"),
+    all(target_arch = "riscv32", target_feature = "m"),
+))]
+word! { i32, u32, i64: 29, 10; }
+#[cfg(not(any(
+    all(target_arch = "arm", target_has_atomic = "32"),
+    all(target_arch = "riscv32", target_feature = "m"),
+)))]
+word! { i32, u32, SplitSum<i32>: 18, 10; }
+word! {
+    i64, u64, SplitSum<i64>: 34, 20;
+    i128, u128, SplitSum<i128>: 66, 40;
+}

@@ -1,0 +1,46 @@
+//! Sums of products of two words, asked only for their sign.
+
+/// A sum of products of two lengths: see the table at [`Word`](super::Word).
+pub trait ProductSum<W>: Copy {
+    /// a·b + c·d.
+    fn new(a: W, b: W, c: W, d: W) -> Self;
+
+    /// A word that is negative exactly if the area is.
+    fn sign(self) -> W;
+
+    /// A sum of products of an area and a length.
+    type Volume: Copy;
+    /// Nothing yet.
+    const ZERO: Self::Volume;
+    /// The sum with one more product.
+    fn sum(volume: Self::Volume, area: Self, length: W) -> Self::Volume;
+    /// Whether the sum is negative.
+    fn is_negative(volume: Self::Volume) -> bool;
+}
+
+/// Where one instruction, or two, multiply words in full.
+impl ProductSum<i32> for i64 {
+    #[inline(always)]
+    fn new(a: i32, b: i32, c: i32, d: i32) -> Self {
+        Self::from(a) * Self::from(b) + Self::from(c) * Self::from(d)
+    }
+    #[inline(always)]
+    fn sign(self) -> i32 {
+        (self >> i32::BITS) as i32
+    }
+
+    /// By the upper word of an area, rounded to the nearest, and by what is left of it.
+    type Volume = (i64, i64);
+    const ZERO: (i64, i64) = (0, 0);
+    #[inline(always)]
+    fn sum((upper, lower): (i64, i64), area: i64, length: i32) -> (i64, i64) {
+        let rest = area as i32;
+        let whole = area.sign() - (rest >> (i32::BITS - 1));
+        let product = |word| Self::from(word) * Self::from(length);
+        (upper + product(whole), lower + product(rest))
+    }
+    #[inline(always)]
+    fn is_negative((upper, lower): (i64, i64)) -> bool {
+        upper + (lower >> i32::BITS) < 0
+    }
+}

@@ -1,0 +1,53 @@
+//! A sum of products in two words, for cores whose products have no more bits than a word.
+
+use super::product_sum::ProductSum;
+use super::word::{Word, out_of_line_if_wide};
+
+/// The sum upper·2^SPLIT + lower, where a product has no more bits than a word.
+///
+/// A word x is its upper part x >> SPLIT times 2^SPLIT and its lower part
+/// x & LOWER, which is never negative.
+#[derive(Clone, Copy, Debug)]
+pub struct SplitSum<W> {
+    upper: W,
+    lower: W,
+}
+
+impl<W: Word> ProductSum<W> for SplitSum<W> {
+    #[inline(always)]
+    fn new(a: W, b: W, c: W, d: W) -> Self {
+        out_of_line_if_wide!(
+            W,
+            Self {
+                upper: (a >> W::SPLIT) * b + (c >> W::SPLIT) * d,
+                lower: (a & W::LOWER) * b + (c & W::LOWER) * d,
+            }
+        )
+    }
+
+    /// The sum without its lower part, so rounded down.
+    #[inline(always)]
+    fn sign(self) -> W {
+        self.upper + (self.lower >> W::SPLIT)
+    }
+
+    /// In four words, of which the two in the middle have the same weight.
+    type Volume = [W; 4];
+    const ZERO: [W; 4] = [W::ZERO; 4];
+    #[inline(always)]
+    fn sum([s0, s1, s2, s3]: [W; 4], area: Self, z: W) -> [W; 4] {
+        let upper = area.sign();
+        [
+            s0 + (area.lower & W::LOWER) * z,
+            s1 + (upper & W::LOWER) * z,
+            s2 + (upper >> W::SPLIT) * (z & W::LOWER),
+            s3 + (upper >> W::SPLIT) * (z >> W::SPLIT),
+        ]
+    }
+    #[inline(always)]
+    fn is_negative([s0, s1, s2, s3]: [W; 4]) -> bool {
+        let carry = s1 + (s0 >> W::SPLIT);
+        let carry = s2 + (carry >> W::SPLIT);
+        s3 + (carry >> W::SPLIT) < W::ZERO
+    }
+}

@@ -1,0 +1,96 @@
+//! What a kernel asks of a machine word.
+
+use core::fmt::Debug;
+use core::ops::{Add, BitAnd, BitOr, BitXor, Mul, Shr, Sub};
+
+use super::product_sum::ProductSum;
+
+/// A signed machine word, in which a kernel keeps lengths.
+///
+/// Lengths are measured from the least corner of the box. With lengths up to 2^R, the
+/// range, and S for SPLIT, where [`SplitSum`](super::SplitSum) cuts a word in two,
+///
+/// | quantity | magnitude | `i32` | `i64` | `i128` |
+/// | --- | --- | --- | --- | --- |
+/// | range, SPLIT | R, S | 18, 10 | 34, 20 | 66, 40 |
+/// | edge, vertex to face | 2^(R+1) | 2^19 | 2^35 | 2^67 |
+/// | two products with a lower part | 2^(R+2+S) | 2^30 | 2^56 | 2^108 |
+/// | two products with an upper part | 2^(2R+3−S) | 2^29 | 2^51 | 2^95 |
+/// | upper part of a normal's upper part, a | 2^(2R+3−2S) | 2^19 | 2^31 | 2^55 |
+/// | a·(upper part of a length), three | 3·2^(3R+4−3S) | 2^29.6 | 2^47.6 | 2^83.6 |
+/// | a·(lower part of a length), three | 3·2^(2R+3−S) | 2^30.6 | 2^52.6 | 2^96.6 |
+/// | (lower part of a normal)·length, three | 3·2^(R+1+S) | 2^30.6 | 2^56.6 | 2^108.6 |
+///
+/// and the carries add less than 2^-8 of that. Where `i64` holds the areas of `i32`,
+/// the range is 29: a normal is up to 2^61, its upper word up to 2^29, three products of
+/// that and a length up to 3·2^59, and of its lower word and a length up to 3·2^61.
+pub trait Word:
+    Copy
+    + Ord
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Shr<u32, Output = Self>
+    + BitAnd<Output = Self>
+    + BitOr<Output = Self>
+    + BitXor<Output = Self>
+{
+    /// What holds a sum of products on the core at hand.
+    type Sum: ProductSum<Self>;
+
+    /// Zero.
+    const ZERO: Self;
+    /// How many bits the lower part has.
+    const SPLIT: u32;
+    /// A mask for the lower part.
+    const LOWER: Self;
+
+    /// Whether a word is wider than a narrow register: an operation takes many
+    /// instructions then, or a call.
+    const IS_WIDE: bool;
+
+    /// The sum, wrapped.
+    fn plus(self, other: Self) -> Self;
+    /// The difference, wrapped.
+    fn minus(self, other: Self) -> Self;
+
+    /// The word where `other` is negative, and otherwise zero.
+    fn where_negative(self, other: Self) -> Self;
+    /// The word where `other` is not negative, and otherwise zero.
+    fn unless_negative(self, other: Self) -> Self;
+
+    /// The word, or if it is negative all its bits flipped.
+    fn folded(self) -> Self;
+    /// Whether a length lies within the range.
+    fn is_near(self) -> bool;
+    /// Whether a difference from this word that is within the range cannot be wrapped:
+    /// in the middle half of the range, wrapped differences are long.
+    fn is_central(self) -> bool;
+}
+
+/// A scalar whose raw bits fit a word.
+pub trait InWord<W: Word> {
+    /// Whether two points and a box around a third are always within the range of each
+    /// other.
+    const ALWAYS_NEAR: bool;
+
+    /// The raw bits.
+    fn in_word(self) -> W;
+}
+
+/// What `f` says, by a call.
+#[inline(never)]
+pub(crate) fn out_of_line<T>(f: impl FnOnce() -> T) -> T {
+    f()
+}
+
+/// The expression, and in wide words a call of it, so that there is one copy.
+/// A closure alone will not do: where it is used twice it is not inlined for narrow
+/// words either.
+macro_rules! out_of_line_if_wide {
+    ($word:ident, $value:expr) => {
+        if $word::IS_WIDE { $crate::arithmetic::out_of_line(move || $value) } else { $value }
+    };
+}
+pub(crate) use out_of_line_if_wide;

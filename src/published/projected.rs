@@ -1,0 +1,108 @@
+//! Ray and triangle by the plane, and then in two dimensions.
+
+use super::resolve::{Limits, none_below_zero};
+use super::stored_normal::store;
+use super::vector::{by_index, dot, minus, rounded};
+use crate::arithmetic::{Number, Rounded, pick, turn};
+use crate::query::{Candidate, Cull, Hit};
+use crate::scalar::Scalar;
+use crate::shape::{Ray, Triangle};
+
+/// A triangle prepared for [`hit`]: its plane, and its edges in the coordinate plane in
+/// which it looks largest, all as rounded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ProjectedTriangle<S> {
+    a: [S; 3],
+    normal: [S; 3],
+    // Turned so that the area is above zero.
+    edges: [[S; 2]; 2],
+    area: S,
+    /// The coordinates that are left.
+    left: [u8; 2],
+}
+
+impl<S: Scalar> ProjectedTriangle<S> {
+    /// The triangle with its plane and its projection, prepared for [`hit`].
+    ///
+    /// *Panics*: never. *Cost*: 6 multiplications, 9 differences, 4 comparisons.
+    #[inline]
+    #[must_use]
+    pub fn new(triangle: &Triangle<S>) -> Self {
+        let [a, b, c] = triangle.points();
+        let [_, e1, e2, n] = store([rounded(a), rounded(b), rounded(c)]);
+        let [x, y, z] = [n[0].magnitude(), n[1].magnitude(), n[2].magnitude()];
+        let dropped = if x >= y && x >= z {
+            0
+        } else if y >= z {
+            1
+        } else {
+            2
+        };
+        let (i, j, k) = turn(dropped);
+        let area = *pick(&n, i);
+        let up = |x: Rounded<S>| if area < Rounded::ZERO { (-x).0 } else { x.0 };
+        let flat = |e| [up(*pick(&e, j)), up(*pick(&e, k))];
+        Self {
+            a,
+            normal: [n[0].0, n[1].0, n[2].0],
+            edges: [flat(e1), flat(e2)],
+            area: up(area),
+            left: [j as u8, k as u8],
+        }
+    }
+}
+
+/// Where the ray crosses the triangle: the plane first, then the point in it in
+/// two dimensions, in the scalar's own arithmetic; now and then wrong.
+///
+/// Choose it where few multiplications count, as on a core without a
+/// floating-point unit, or where most planes are missed and divisions are cheap.
+/// In floats it gains little on
+/// [`moller_trumbore`](super::moller_trumbore::hit), where the table is: it must
+/// divide before it can evaluate. In I16F16 its u and
+/// v stay in range the longest, for they are made of areas and not of volumes.
+///
+/// *Geometry*, *Contact*: as [`moller_trumbore`](super::moller_trumbore::hit). *Numerics*: the error of t moves the point,
+/// and so grows with the distance.
+///
+/// *Panics*: never. *Cost*: 12 multiplications, 3 divisions.
+///
+/// *Source*: D. Badouel, "An Efficient Ray-Polygon Intersection", *Graphics Gems*,
+/// 1990; E. Haines's survey of such methods. Ours keeps the area and divides last
+/// for u and v.
+#[inline]
+#[must_use]
+pub fn hit<S: Scalar>(ray: &Ray<S>, triangle: &ProjectedTriangle<S>, cull: Cull) -> Option<Hit<S>> {
+    projected(ray, triangle, &Limits::new(ray, cull)).into_hit()
+}
+
+#[inline(always)]
+fn projected<S: Scalar>(
+    ray: &Ray<S>,
+    triangle: &ProjectedTriangle<S>,
+    limits: &Limits<S>,
+) -> Candidate<S> {
+    let zero = Rounded::ZERO;
+    let ProjectedTriangle { a, normal, edges: [e1, e2], area, left: [j, k] } = *triangle;
+    let s = minus(rounded(ray.origin().to_array()), rounded(a));
+    let d = rounded(ray.direction().to_array());
+    let n = rounded(normal);
+    let det = zero - dot(d, n);
+    let front = det > zero;
+    let crosses = ((det > zero) | (det < zero)) & limits.keep(front);
+    let t = dot(s, n).0.plain_div(if crosses { det.0 } else { S::ZERO });
+
+    let on = |i| *by_index(&s, i) + Rounded(t) * *by_index(&d, i);
+    let (x, y) = (on(j), on(k));
+    let u = x * Rounded(e2[1]) - y * Rounded(e2[0]);
+    let v = y * Rounded(e1[0]) - x * Rounded(e1[1]);
+    let w = Rounded(area) - u - v;
+    let inside = crosses & limits.hold(t) & none_below_zero(u, v, w);
+    let divisor = if inside { area } else { S::ZERO };
+    Candidate::new(
+        inside,
+        [t, u.0.plain_div(divisor), v.0.plain_div(divisor)],
+        front,
+        [w == zero, u == zero, v == zero],
+    )
+}

@@ -1,0 +1,118 @@
+//! Ray and triangle by the stored normal.
+
+use super::resolve::{Fractions, Limits, resolve};
+use super::vector::{Triple, cross, dot, minus, rounded};
+use crate::arithmetic::{Number, Rounded};
+use crate::query::{Cull, Hit};
+use crate::scalar::Scalar;
+use crate::shape::{Ray, Triangle, Vec3};
+
+/// A triangle prepared for [`hit`]: its first vertex, its edges from there, and its normal,
+/// all as rounded. Twelve scalars instead of nine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NormalTriangle<S> {
+    pub(crate) stored: [[S; 3]; 4],
+}
+
+/// The first vertex, the edges to the second and the third, and their product.
+pub(crate) type Stored<S> = [Triple<S>; 4];
+
+#[inline(always)]
+pub(crate) fn store<S: Scalar>([a, b, c]: [Triple<S>; 3]) -> Stored<S> {
+    let (e1, e2) = (minus(b, a), minus(c, a));
+    [a, e1, e2, cross(e1, e2)]
+}
+
+impl<S: Scalar> NormalTriangle<S> {
+    /// The triangle with its normal, prepared for [`hit`].
+    ///
+    /// *Panics*: never. *Cost*: 6 multiplications, 9 differences.
+    #[inline]
+    #[must_use]
+    pub fn new(triangle: &Triangle<S>) -> Self {
+        let [a, b, c] = triangle.points();
+        let stored = store([rounded(a), rounded(b), rounded(c)]);
+        let plain = |v: Triple<S>| [v[0].0, v[1].0, v[2].0];
+        Self { stored: [plain(stored[0]), plain(stored[1]), plain(stored[2]), plain(stored[3])] }
+    }
+
+    /// The normal, (b − a) × (c − a), as rounded. Its length is twice the area.
+    #[inline]
+    #[must_use]
+    pub fn normal(&self) -> Vec3<S> {
+        self.stored[3].into()
+    }
+
+    #[inline(always)]
+    pub(crate) fn rounded(&self) -> Stored<S> {
+        let [a, e1, e2, n] = self.stored;
+        [rounded(a), rounded(e1), rounded(e2), rounded(n)]
+    }
+}
+
+/// Where the ray crosses a triangle whose normal is stored, in the scalar's own
+/// arithmetic: the fastest method, and now and then wrong.
+///
+/// Choose it where triangles are met often and memory allows a third more: it
+/// takes a little less time than [`moller_trumbore`](super::moller_trumbore::hit),
+/// where all are compared. If t is all that is asked for, or all at first,
+/// [`t`] takes half of it.
+///
+/// *Geometry*, *Contact*, *Numerics*: as [`moller_trumbore`](super::moller_trumbore::hit).
+///
+/// *Panics*: never. *Cost*: 18 multiplications, 3 divisions, no early exit.
+///
+/// *Source*: *Real-Time Rendering*, equation 16.24, with n·d, n·s and s×d.
+///
+/// ```
+/// use septum::published::stored_normal::{self, NormalTriangle};
+/// use septum::{Cull, Ray, Triangle};
+///
+/// let floor = Triangle::new([0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0])?;
+/// let floor = NormalTriangle::new(&floor);
+/// let ray = Ray::new([0.25, 0.5, 9.0], [0.0, 0.0, -2.0])?;
+/// assert_eq!(stored_normal::hit(&ray, &floor, Cull::Nothing).unwrap().t, 4.5);
+/// assert_eq!(stored_normal::t(&ray, &floor, Cull::Nothing, f64::INFINITY), 4.5);
+/// assert_eq!(stored_normal::t(&ray, &floor, Cull::Front, f64::INFINITY), f64::INFINITY);
+/// # Ok::<(), septum::ShapeError>(())
+/// ```
+#[inline]
+pub fn hit<S: Scalar>(ray: &Ray<S>, triangle: &NormalTriangle<S>, cull: Cull) -> Option<Hit<S>> {
+    resolve(by_normal(ray, triangle), &Limits::new(ray, cull)).into_hit()
+}
+
+/// The t of [`hit`], or `miss`.
+///
+/// Choose it where a loop keeps the least t: an `Option` makes the caller branch
+/// on what cannot be foreseen, a number it can choose without. Half the time of
+/// Möller–Trumbore where half of the rays hit.
+///
+/// *Panics*: never. *Cost*: 18 multiplications, 1 division, no branch.
+#[inline]
+#[must_use]
+pub fn t<S: Scalar>(ray: &Ray<S>, triangle: &NormalTriangle<S>, cull: Cull, miss: S) -> S {
+    let found = resolve(by_normal(ray, triangle), &Limits::new(ray, cull));
+    // By its address: a choice may become a branch.
+    [miss, found.t][usize::from(found.hit)]
+}
+
+#[inline(always)]
+fn by_normal<S: Scalar>(ray: &Ray<S>, triangle: &NormalTriangle<S>) -> Fractions<S> {
+    stored_normal(
+        rounded(ray.origin().to_array()),
+        rounded(ray.direction().to_array()),
+        triangle.rounded(),
+    )
+}
+
+#[inline(always)]
+pub(crate) fn stored_normal<S: Scalar>(
+    origin: Triple<S>,
+    direction: Triple<S>,
+    [a, e1, e2, n]: Stored<S>,
+) -> Fractions<S> {
+    let s = minus(origin, a);
+    let m = cross(s, direction);
+    let zero = Rounded::ZERO;
+    Fractions { det: zero - dot(direction, n), t: dot(s, n), u: dot(m, e2), v: zero - dot(m, e1) }
+}

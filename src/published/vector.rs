@@ -1,0 +1,34 @@
+//! What the kernels do with three rounded numbers.
+
+use crate::arithmetic::Rounded;
+use crate::scalar::Scalar;
+
+/// A vector in the scalar's own arithmetic.
+pub(crate) type Triple<S> = [Rounded<S>; 3];
+
+#[inline(always)]
+pub(crate) fn rounded<S>([x, y, z]: [S; 3]) -> Triple<S> {
+    [Rounded(x), Rounded(y), Rounded(z)]
+}
+
+#[inline(always)]
+pub(super) fn minus<S: Scalar>(a: Triple<S>, b: Triple<S>) -> Triple<S> {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+#[inline(always)]
+pub(super) fn dot<S: Scalar>(a: Triple<S>, b: Triple<S>) -> Rounded<S> {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+#[inline(always)]
+pub(super) fn cross<S: Scalar>(a: Triple<S>, b: Triple<S>) -> Triple<S> {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// Component `i` of three, by its address: for an index that no branch could
+/// foresee.
+#[inline(always)]
+pub(super) fn by_index<T>(x: &[T; 3], i: u8) -> &T {
+    &x[if i < 3 { usize::from(i) } else { 0 }]
+}

@@ -1,0 +1,141 @@
+//! The gap between two boxes on each axis, and its sign.
+
+use core::cmp::Ordering;
+
+use crate::arithmetic::{Embeds, Number, greatest};
+use crate::robust::{ExactSum, Predicate};
+use crate::scalar::Scalar;
+use crate::shape::{AabbForm, Vec3};
+
+/// A box in either form as one: on each axis it is the interval from `low` − `grown`
+/// to `high` + `grown`.
+#[derive(Clone, Copy)]
+struct Grown<S> {
+    low: [S; 3],
+    high: [S; 3],
+    grown: [S; 3],
+}
+
+impl<S: Scalar> Grown<S> {
+    #[inline(always)]
+    fn new(form: &AabbForm<S>) -> Self {
+        let (low, high, grown) = match *form {
+            AabbForm::Center { center, half } => (center, center, half),
+            AabbForm::Corners { min, max } => (min, max, Vec3::splat(S::ZERO)),
+        };
+        Self { low: low.to_array(), high: high.to_array(), grown: grown.to_array() }
+    }
+}
+
+/// The question whether two boxes have no point in common.
+pub(in crate::query) struct Apart<S> {
+    a: Grown<S>,
+    b: Grown<S>,
+}
+
+impl<S: Scalar> Apart<S> {
+    #[inline(always)]
+    pub(in crate::query) fn new(a: &AabbForm<S>, b: &AabbForm<S>) -> Self {
+        Self { a: Grown::new(a), b: Grown::new(b) }
+    }
+}
+
+/// Roundoffs in a gap, per sum of the magnitudes of its two operands.
+///
+/// A gap is d − r, where d is the greater of two differences and r the sum of two
+/// half-extents. Each errs by u of itself, and so does the gap, which is at most
+/// |d| + r: two roundoffs of |d| + r. The third is for what this leaves out: the
+/// roundings of |d| + r and of the bound, and terms in u². Sums of floats do not
+/// underflow: below twice the least normal number they are exact, and there the
+/// bound may as well be zero.
+const GAP: u16 = 3;
+
+impl<S: Scalar> Predicate<S> for Apart<S> {
+    type Answer = bool;
+
+    #[inline(always)]
+    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        let Self { a, b } = self;
+        let all = [a.low, a.high, a.grown, b.low, b.high, b.grown];
+        let [a_low, a_high, a_grown, b_low, b_high, b_grown] = N::embed(&all)?;
+        let (mut is_apart, mut is_in_doubt) = (false, false);
+        for i in 0..3 {
+            let d = greatest(a_low[i] - b_high[i], b_low[i] - a_high[i]);
+            let r = a_grown[i] + b_grown[i];
+            let (gap, error) = (d - r, (d.magnitude() + r).error(GAP));
+            is_apart |= gap > error;
+            // A NaN, of two infinities, is in doubt.
+            let is_clear_of_gap = gap <= -error;
+            is_in_doubt |= !is_clear_of_gap;
+        }
+        // Whatever lies clear of the error lies in doubt too.
+        (is_apart == is_in_doubt).then_some(is_apart)
+    }
+
+    fn exact(&self) -> bool {
+        let Self { a, b } = self;
+        let is_beyond = |low: S, high: S, r: S, s: S| {
+            let mut gap = S::Sum::new();
+            gap.add(&[low.parts()]);
+            gap.add(&[high.parts().negated()]);
+            gap.add(&[r.parts().negated()]);
+            gap.add(&[s.parts().negated()]);
+            gap.sign() == Ordering::Greater
+        };
+        (0..3).any(|i| {
+            let (r, s) = (a.grown[i], b.grown[i]);
+            is_beyond(a.low[i], b.high[i], r, s) || is_beyond(b.low[i], a.high[i], r, s)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// On one axis, beside contact: each stage says what exact sums say, or nothing.
+    fn check<S: Scalar>(numbers: &[S]) {
+        let (mut settled, mut apart) = (0, 0);
+        let negative = |x: &S| *x < S::ZERO;
+        for &c in numbers {
+            for &h in numbers.iter().filter(|x| !negative(x)) {
+                for &d in numbers {
+                    for &k in numbers.iter().filter(|x| !negative(x)) {
+                        let center = |c: S, half: S| AabbForm::Center {
+                            center: Vec3::new(c, S::ZERO, S::ZERO),
+                            half: Vec3::new(half, S::ZERO, S::ZERO),
+                        };
+                        let question = Apart::new(&center(c, h), &center(d, k));
+                        let exact = question.exact();
+                        let first = S::evaluate_bounded(&question);
+                        assert!(
+                            first.is_none_or(|answer| answer == exact),
+                            "{c:?} {h:?} {d:?} {k:?}"
+                        );
+                        assert_eq!(S::evaluate(&question), exact, "{c:?} {h:?} {d:?} {k:?}");
+                        settled += u32::from(first.is_some());
+                        apart += u32::from(exact);
+                    }
+                }
+            }
+        }
+        assert!(settled > 0 && apart > 100, "{settled} settled, {apart} apart");
+    }
+
+    #[test]
+    fn stages_agree_in_floats() {
+        let ulp = f32::EPSILON;
+        check(&[-3.0, -1.0, 0.0, 1e-30, 0.5, 1.0 - ulp / 2.0, 1.0, 1.0 + ulp, 2.0_f32]);
+        check(&[f32::MIN, -1e38, 0.0, f32::from_bits(1), f32::MIN_POSITIVE, 1e38, f32::MAX]);
+        check(&[f64::MIN, -2.0, 0.0, f64::from_bits(1), 1.0, 1.0 + f64::EPSILON, 3.0, f64::MAX]);
+    }
+
+    #[cfg(feature = "fixed")]
+    #[test]
+    fn stages_agree_in_fixed_point() {
+        use fixed::types::{I4F4, I16F16, I32F32};
+        check(&[-128_i8, -127, -1, 0, 1, 2, 64, 127].map(I4F4::from_bits));
+        check(&[i32::MIN, -(1 << 28), -1, 0, 1, 1 << 28, i32::MAX].map(I16F16::from_bits));
+        check(&[i64::MIN, -(1 << 60), -1, 0, 1, 1 << 60, i64::MAX].map(I32F32::from_bits));
+    }
+}

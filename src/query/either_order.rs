@@ -1,0 +1,33 @@
+//! The pairs with the arguments in the other order: one forwards to the other.
+
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, Obb, Overlaps, Plane, Ray, Segment, Triangle};
+
+macro_rules! reversed {
+    ($($shape:ident with $other:ident;)*) => {$(
+        impl<S: Scalar> Overlaps<$other<S>> for $shape<S> {
+            #[doc = concat!(
+                "[`", stringify!($other), "::overlaps`] with the arguments in the other order.",
+            )]
+            #[inline]
+            fn overlaps(&self, other: &$other<S>) -> bool {
+                Overlaps::overlaps(other, self)
+            }
+
+            #[doc = concat!(
+                "[`", stringify!($other), "::may_overlap`] with the arguments in the other order.",
+            )]
+            #[inline]
+            fn may_overlap(&self, other: &$other<S>) -> bool {
+                Overlaps::may_overlap(other, self)
+            }
+        }
+    )*};
+}
+reversed! {
+    Aabb with Triangle;
+    Aabb with Plane;
+    Aabb with Segment;
+    Aabb with Ray;
+    Obb with Triangle;
+}

@@ -1,0 +1,206 @@
+//! What rays and segments share against an axis-aligned box: a line in three slabs.
+
+mod exact;
+
+pub(super) use exact::ExactLine;
+
+use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, least, once};
+use crate::robust::Uncertain;
+
+/// Roundoffs in a comparison of two products, per sum of their sizes.
+///
+/// Each is the product of a length, which carries up to two roundings, and of a magnitude,
+/// which carries one: 2 + 1, and 1 for the product. Their difference takes 1 more. In all
+/// 5; the sixth is for second orders.
+const ROUNDOFFS: u16 = 6;
+
+/// A line o + t·d in the three slabs of a box, every axis mirrored on which the
+/// line falls, so that it rises on all of them.
+///
+/// On axis i the line is in the slab for m_i·t from near_i to far_i, with m = |d|.
+/// Intervals have a point in common exactly if every two of them have (Helly's
+/// theorem on a line), so the line meets the box exactly if for no i ≠ j
+/// near_i/m_i > far_j/m_j: six comparisons of products. Where m_j is zero they
+/// say that the line runs within slab j; where both are, nothing. Two at a time
+/// they are the separating axes x_k × d of *Real-Time Rendering* 16.7.
+pub(super) struct Slabs<N: Arithmetic> {
+    /// From the line's origin to the face it comes to first.
+    pub(super) near: [N::Length; 3],
+    /// To the face it comes to last.
+    pub(super) far: [N::Length; 3],
+    /// The magnitudes of the direction.
+    pub(super) m: [N::Length; 3],
+    /// Where both are rounded sums of three numbers, what they cannot exceed;
+    /// differences of two err only by their own size, and their sign is right.
+    spread: Option<[N::Length; 3]>,
+}
+
+impl<N: Arithmetic> Slabs<N> {
+    /// The line from `o` along `d`, and the box from `min` to `max`.
+    #[inline(always)]
+    pub(super) fn in_corners(
+        o: &[N::Length; 3],
+        d: &[N::Length; 3],
+        min: &[N::Length; 3],
+        max: &[N::Length; 3],
+    ) -> Self {
+        let zero = [N::Length::ZERO; 3];
+        let (mut near, mut far, mut m) = (zero, zero, zero);
+        for i in 0..3 {
+            let (low, high) = (min[i] - o[i], max[i] - o[i]);
+            let falls = d[i] < N::Length::ZERO;
+            near[i] = if falls { -high } else { low };
+            far[i] = if falls { -low } else { high };
+            m[i] = d[i].magnitude();
+        }
+        Self { near, far, m, spread: None }
+    }
+
+    /// The line from `o` along `d`, and the box around `center`.
+    #[inline(always)]
+    pub(super) fn in_center(
+        o: &[N::Length; 3],
+        d: &[N::Length; 3],
+        center: &[N::Length; 3],
+        half: &[N::Length; 3],
+    ) -> Self {
+        let zero = [N::Length::ZERO; 3];
+        let (mut near, mut far, mut m, mut spread) = (zero, zero, zero, zero);
+        for i in 0..3 {
+            let to_center = center[i] - o[i];
+            let falls = d[i] < N::Length::ZERO;
+            let along = if falls { -to_center } else { to_center };
+            near[i] = along - half[i];
+            far[i] = along + half[i];
+            spread[i] = along.magnitude() + half[i];
+            m[i] = d[i].magnitude();
+        }
+        Self { near, far, m, spread: Some(spread) }
+    }
+
+    /// Whether the whole line misses the box, unless its direction is zero.
+    #[inline(always)]
+    pub(super) fn line_misses(&self) -> Uncertain {
+        // Zeros that are known exactly matter only in doubt.
+        let so_far = self.pairs_miss::<false>();
+        if so_far.certain == so_far.possible { so_far } else { self.pairs_miss::<true>() }
+    }
+
+    #[inline(always)]
+    fn pairs_miss<const HEED_ZEROS: bool>(&self) -> Uncertain {
+        let mut so_far = Uncertain::NONE;
+        for i in 0..3 {
+            so_far = so_far.or(self.pair_misses::<HEED_ZEROS>(i, (i + 1) % 3));
+            so_far = so_far.or(self.pair_misses::<HEED_ZEROS>((i + 1) % 3, i));
+        }
+        so_far
+    }
+
+    /// Whether the line leaves slab j before it enters slab i.
+    #[inline(always)]
+    fn pair_misses<const HEED_ZEROS: bool>(&self, i: usize, j: usize) -> Uncertain {
+        let (near, far, m) = (&self.near, &self.far, &self.m);
+        let (enter, leave) = (N::area(near[i], m[j]), N::area(far[j], m[i]));
+        let size = match &self.spread {
+            Some(spread) => N::area(spread[i], m[j]) + N::area(spread[j], m[i]),
+            None => enter.magnitude() + leave.magnitude(),
+        };
+        let zero = N::Length::ZERO;
+        let is_exact = self.spread.is_none();
+        let is_zero = HEED_ZEROS
+            & ((m[j] == zero) | (is_exact & (near[i] == zero)))
+            & ((m[i] == zero) | (is_exact & (far[j] == zero)));
+        above::<N>(enter, leave, is_zero, size)
+    }
+
+    /// Whether all of the box lies before the origin on some axis: t < 0.
+    #[inline(always)]
+    pub(super) fn lies_before(&self) -> Uncertain {
+        let [x, y, z] = self.far;
+        self.side(-least(least(x, y), z))
+    }
+
+    /// Whether all of the box lies beyond the origin on some axis: t > 0.
+    #[inline(always)]
+    pub(super) fn lies_beyond(&self) -> Uncertain {
+        let [x, y, z] = self.near;
+        self.side(greatest(greatest(x, y), z))
+    }
+
+    /// Rounding keeps order: only zero may have been another sign.
+    #[inline(always)]
+    fn side(&self, gap: N::Length) -> Uncertain {
+        let certain = gap > N::Length::ZERO;
+        let touch = !N::CERTAIN & self.spread.is_some() & (gap == N::Length::ZERO);
+        Uncertain { certain, possible: certain | touch }
+    }
+
+    /// Whether on some axis all of the box lies at t < `from` or at t > `to`.
+    #[inline(always)]
+    pub(super) fn lies_outside<S>(
+        &self,
+        from: Option<N::Length>,
+        to: Option<N::Length>,
+    ) -> Option<Uncertain>
+    where
+        N: Embeds<S>,
+    {
+        let (mut so_far, zero) = (Uncertain::NONE, N::Length::ZERO);
+        for i in 0..3 {
+            // In the frame, as `times_one` is: integers double.
+            let m = once::<N, _>(self.m[i]);
+            let compared = |t: N::Length, face: N::Length, is_lower: bool| {
+                let (at, face_area) = (N::area(t, m), N::times_one(face)?);
+                let (own, is_zero) = match &self.spread {
+                    Some(spread) => (spread[i], false),
+                    None => (face.magnitude(), (m == zero) & (face == zero)),
+                };
+                let size = at.magnitude() + N::times_one(own)?;
+                let (a, b) = if is_lower { (at, face_area) } else { (face_area, at) };
+                Some(above::<N>(a, b, is_zero, size))
+            };
+            if let Some(from) = from {
+                so_far = so_far.or(compared(from, self.far[i], true)?);
+            }
+            if let Some(to) = to {
+                so_far = so_far.or(compared(to, self.near[i], false)?);
+            }
+        }
+        Some(so_far)
+    }
+
+    /// Whether on some axis all of the box lies at t < −1 or at t > 1.
+    #[inline(always)]
+    pub(super) fn lies_beyond_one(&self) -> Uncertain {
+        let mut so_far = Uncertain::NONE;
+        for i in 0..3 {
+            let gap = greatest(self.near[i], -self.far[i]) - self.m[i];
+            if N::CERTAIN {
+                let certain = gap > N::Length::ZERO;
+                so_far = so_far.or(Uncertain { certain, possible: certain });
+                continue;
+            }
+            let own = greatest(self.near[i].magnitude(), self.far[i].magnitude());
+            let own = self.spread.as_ref().map_or(own, |spread| spread[i]);
+            let error = (own + self.m[i]).error(ROUNDOFFS);
+            #[allow(clippy::neg_cmp_op_on_partial_ord)]
+            let possible = !(gap < -error);
+            so_far = so_far.or(Uncertain { certain: gap > error, possible });
+        }
+        so_far
+    }
+}
+
+/// Whether a > b, where both together are of some size. Both are zero, known
+/// exactly, or some error must be allowed for.
+#[inline(always)]
+fn above<N: Arithmetic>(a: N::Area, b: N::Area, is_zero: bool, size: N::Area) -> Uncertain {
+    if N::CERTAIN {
+        return Uncertain { certain: a > b, possible: a > b };
+    }
+    let (gap, error) = (a - b, size.error(ROUNDOFFS) + N::Area::UNDERFLOW);
+    // Where something overflowed, an infinity or a NaN must leave it in doubt.
+    #[allow(clippy::neg_cmp_op_on_partial_ord)]
+    let possible = !(gap < -error) & !is_zero;
+    Uncertain { certain: gap > error, possible }
+}

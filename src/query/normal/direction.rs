@@ -1,0 +1,172 @@
+//! The direction of a normal in floats, right however thin the triangle.
+//!
+//! Three stages, the next only where the last is in doubt: the plain cross product,
+//! the same in pairs of floats, and exact sums.
+
+use core::cmp::Ordering;
+
+use crate::arithmetic::pick;
+use crate::query::exact_triangle::ExactTriangle;
+use crate::robust::ExactSum;
+use crate::scalar::Backend;
+use crate::shape::Triangle;
+
+/// A number as the unevaluated sum of a float and a much smaller one.
+type DoubleDouble = (f64, f64);
+
+/// Coordinates in this range, or zero, multiply without overflow and without
+/// underflow, the lowest bits of products of their differences included. Every
+/// `f32` is in it.
+const RANGE: (f64, f64) = (f64::from_bits((1023 - 400) << 52), f64::from_bits((1023 + 250) << 52));
+
+/// A vector along the normal; `None` if the triangle is degenerate.
+///
+/// Each component is within 1.01 roundoffs of the truth, relative to itself. Where
+/// cancellation makes the plain cross product smaller than its terms by no more than the
+/// factor `enough`, it is taken instead, and is within 5·`enough` roundoffs; with `enough`
+/// zero it never is. The squares of the components do not overflow, and underflow only where
+/// they do not matter.
+pub(crate) fn direction(t: &Triangle<f64>, enough: f64) -> Option<[f64; 3]> {
+    let points = t.points();
+    if points.as_flattened().iter().all(|&x| is_in_range(x)) {
+        let [a, b, c] = points;
+        let n = |j: usize, k: usize| component([a[j], b[j], c[j]], [a[k], b[k], c[k]], enough);
+        if let (Some(x), Some(y), Some(z)) = (n(1, 2), n(2, 0), n(0, 1)) {
+            let size = x.abs() + y.abs() + z.abs();
+            if size == 0.0 {
+                return None;
+            }
+            if size > RANGE.0 {
+                return Some([x, y, z]);
+            }
+        }
+    }
+    by_sums(t)
+}
+
+fn is_in_range(x: f64) -> bool {
+    x == 0.0 || (x.abs() > RANGE.0 && x.abs() < RANGE.1)
+}
+
+/// (b₀ − a₀)·(c₁ − a₁) − (b₁ − a₁)·(c₀ − a₀), if floats can vouch for it.
+#[inline]
+fn component([a0, b0, c0]: [f64; 3], [a1, b1, c1]: [f64; 3], enough: f64) -> Option<f64> {
+    let (p, q) = ((b0 - a0) * (c1 - a1), (b1 - a1) * (c0 - a0));
+    let size = p.abs() + q.abs();
+    let n = p - q;
+    // Nothing underflows: a product of zero is zero. Otherwise each product is
+    // off by up to 3 roundoffs, and the difference by one.
+    if size == 0.0 || n.abs() * enough >= size {
+        return Some(n);
+    }
+    let (e, f) = (difference(b0, a0), difference(c1, a1));
+    let (g, h) = (difference(b1, a1), difference(c0, a0));
+    let (p, q) = (product(e, f), product(g, h));
+    let (high, low) = difference(p.0, q.0);
+    let n = high + (low + (p.1 - q.1));
+    // What a pair leaves out is below 16 squared roundoffs, 2^-102, of p and q: not
+    // 2^-8 roundoffs of n if cancellation took no more than 40 places. Zero is zero
+    // if nothing is left out, as when the differences needed no second float.
+    let exact = e.1 == 0.0 && f.1 == 0.0 && g.1 == 0.0 && h.1 == 0.0;
+    (n.abs() >= size * TWO_TO_THE_MINUS_40 || (exact && p == q)).then_some(n)
+}
+
+const TWO_TO_THE_MINUS_40: f64 = f64::from_bits((1023 - 40) << 52);
+
+/// a − b, exactly (D. E. Knuth, *The Art of Computer Programming* 2, 4.2.2).
+#[inline]
+fn difference(a: f64, b: f64) -> DoubleDouble {
+    let d = a - b;
+    let of_b = a - d;
+    let of_a = d + of_b;
+    (d, (a - of_a) + (of_b - b))
+}
+
+/// The product of two pairs, but for what is far below the last place; exactly if
+/// the smaller parts are zero (T. J. Dekker, "A floating-point technique for
+/// extending the available precision", 1971).
+#[inline]
+fn product(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
+    let p = a.0 * b.0;
+    let ((a1, a2), (b1, b2)) = (halves(a.0), halves(b.0));
+    let rest = ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2;
+    (p, rest + (a.0 * b.1 + a.1 * b.0))
+}
+
+/// The upper and the lower half of the digits.
+#[inline]
+fn halves(x: f64) -> DoubleDouble {
+    let shifted = x * 134_217_729.0; // 2^27 + 1
+    let high = shifted - (shifted - x);
+    (high, x - high)
+}
+
+/// The same by exact sums, for any input: the components over the greatest of them.
+#[cold]
+#[inline(never)]
+fn by_sums(t: &Triangle<f64>) -> Option<[f64; 3]> {
+    let exact = ExactTriangle::new(&t.points());
+    let sums = [0, 1, 2].map(|i| exact.normal_sum::<f64>(i));
+    let sign = |i: usize| pick(&sums, i).sign();
+    let ratio = |i: usize, k: usize| f64::quotient(pick(&sums, i), pick(&sums, k));
+    let mut greatest = (0..3).find(|&i| sign(i) != Ordering::Equal)?;
+    for i in greatest + 1..3 {
+        if ratio(i, greatest).abs() > 1.0 {
+            greatest = i;
+        }
+    }
+    let mut n = [ratio(0, greatest), ratio(1, greatest), ratio(2, greatest)];
+    if sign(greatest) == Ordering::Less {
+        n = [-n[0], -n[1], -n[2]];
+    }
+    Some(n)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{component, is_in_range};
+
+    /// 2^e.
+    fn two_to(e: i32) -> f64 {
+        (0..e.unsigned_abs()).fold(1.0, |x, _| if e < 0 { x / 2.0 } else { x * 2.0 })
+    }
+
+    // What floats will not vouch for goes to exact sums: as right, and slow.
+
+    #[test]
+    fn floats_take_what_is_neither_vast_nor_tiny() {
+        for x in [0.0, 1.0, -3.5, two_to(-399), -two_to(249), f32::MAX.into()] {
+            assert!(is_in_range(x), "{x}");
+        }
+        for x in [two_to(-400), -two_to(-401), two_to(250), -f64::MAX, f64::MIN_POSITIVE] {
+            assert!(!is_in_range(x), "{x}");
+        }
+    }
+
+    /// Of the points (0, 0), (x, y) and (1, s).
+    fn of(x: f64, y: f64, s: f64) -> Option<f64> {
+        component([0.0, x, 1.0], [0.0, y, s], 0.0)
+    }
+
+    #[test]
+    fn floats_vouch_for_what_forty_places_of_cancellation_leave() {
+        let slope = 1.0 / 3.0;
+        assert_eq!(of(1.0, slope, slope + two_to(-30)), Some(two_to(-30)));
+        assert_eq!(of(1.0, slope, slope + two_to(-45)), None);
+        // Zero where nothing was left out: whole numbers on a line.
+        assert_eq!(of(3.0, 6.0, 2.0), Some(0.0));
+        // Each of the four differences in turn is no float: it may not be zero.
+        for k in 0..4 {
+            let (mut a, mut b, mut c) = ([0.0; 2], [1.0; 2], [1.0; 2]);
+            let tiny = two_to(-80);
+            match k {
+                0 => (a[0], b[0]) = (tiny, 1.0),
+                1 => (a[1], c[1]) = (tiny, 1.0),
+                2 => (b[1], a[1]) = (1.0, -tiny),
+                _ => (c[0], a[0]) = (1.0, -tiny),
+            }
+            let [x, y] = [0, 1].map(|i| [a[i], b[i], c[i]]);
+            assert_eq!(component(x, y, 0.0), None, "{x:?}, {y:?}");
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! Point against oriented box.
+
+mod kernel;
+
+use kernel::Outside;
+
+use crate::scalar::Scalar;
+use crate::shape::{Obb, Vec3};
+
+impl<S: Scalar> Obb<S> {
+    /// Whether the box contains a point.
+    ///
+    /// *Geometry*: a closed box, namely the parallelepiped that its numbers
+    /// describe: axes that a rotation left a little short or askew are taken as they
+    /// are. A point with a coordinate that is NaN or infinite is in no box.
+    ///
+    /// *Contact*: a point on a face is in the box.
+    ///
+    /// *Numerics*: exact for every valid input, in every scalar.
+    ///
+    /// *Range*: all finite floats, all fixed-point values. The fast stage serves the
+    /// same range as that of a triangle and an oriented box; elsewhere, and for floats
+    /// within rounding of a face, exact sums take over, a hundred times slower.
+    ///
+    /// *Panics*: never. *Cost*: some 36 multiplications; fixed point in 128 bits.
+    ///
+    /// *Source*: Cramer's rule, without its division.
+    ///
+    /// ```
+    /// use septum::Obb;
+    ///
+    /// let axes = [[0.8, 0.6, 0.0], [-0.6, 0.8, 0.0], [0.0, 0.0, 1.0]];
+    /// let tool = Obb::new([10.0, 0.0, 0.0], axes, [2.0, 1.0, 0.5])?;
+    /// assert!(tool.contains([11.0, 1.0, 0.5]));
+    /// assert!(!tool.contains([11.0, -1.0, 0.0]));
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn contains(&self, point: impl Into<Vec3<S>>) -> bool {
+        let p = point.into();
+        let is_finite = p.x.is_finite() && p.y.is_finite() && p.z.is_finite();
+        is_finite && !S::evaluate(&Outside { point: p.to_array(), obb: self })
+    }
+}

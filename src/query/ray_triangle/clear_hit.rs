@@ -1,0 +1,38 @@
+//! Ray against triangle where the answer is clear at once: the first stage of the
+//! exact query, without a branch, for many at once.
+
+use super::Candidate;
+use super::crossing::{Crossing, Setting};
+use crate::arithmetic::{Embeds, Number};
+use crate::scalar::Scalar;
+use crate::shape::Ray;
+
+/// What [`Ray::hit`] says of a triangle, bit by bit, and whether that is certain: a
+/// hit clear of edges and of the ray's ends, or a clear miss.
+///
+/// `is_plain`: the ray has the range t ≥ 0. It is for the caller to tell apart, as a
+/// constant.
+#[inline(always)]
+pub(crate) fn clear_hit<S: Scalar, N: Embeds<S>>(
+    ray: &Ray<S>,
+    is_plain: bool,
+    [a, b, c]: [[S; 3]; 3],
+) -> (bool, Candidate<S>) {
+    let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
+    let Some([a, b, c, o, d]) = N::embed(&[a, b, c, o, d]) else {
+        return (false, Candidate::none());
+    };
+    let setting = Setting::new(&[a, b, c, o], d);
+    let (crossing, is_known) = setting.crossing_if_known::<N>();
+    if !is_plain {
+        return (is_known & (crossing.meets(false) == Some(false)), Candidate::none());
+    }
+    let Crossing { det, t, sides: [_, u, v], error_bound } = crossing;
+    let (certain, hit) = match crossing.strictly_ahead() {
+        Some(hit) => (true, hit),
+        None => (false, false),
+    };
+    let (quotients, are_good) = N::quotients([t, u, v], det, [error_bound.t, error_bound.side]);
+    let found = Candidate::new(hit & are_good, quotients, det > N::Volume::ZERO, [false; 3]);
+    (is_known & certain & (are_good | !hit), found)
+}

@@ -1,0 +1,213 @@
+//! Where a line crosses the plane of a triangle, as volumes: the kernel of the
+//! exact ray/triangle query, in any number system.
+
+use core::cmp::Ordering;
+
+use super::error_bound::{SIDES, T, VOLUME};
+use crate::arithmetic::{Arithmetic, Number, greatest, largest, least};
+
+/// A line and a triangle, relative to the triangle's first vertex.
+#[derive(Clone, Copy)]
+pub(super) struct Setting<L> {
+    /// The direction.
+    d: [L; 3],
+    /// The edges to the second and the third vertex.
+    e: [[L; 3]; 2],
+    /// From the first vertex to the origin.
+    s: [L; 3],
+}
+
+/// Volumes whose signs and quotients are the answer: t is t/det, w is w/det, u and
+/// v likewise.
+#[derive(Clone, Copy)]
+pub(super) struct Crossing<V> {
+    /// The determinant: w + u + v.
+    pub(super) det: V,
+    /// The numerator of t.
+    pub(super) t: V,
+    /// The numerators of the barycentric coordinates of the three vertices.
+    pub(super) sides: [V; 3],
+    /// How far they may be from the truth.
+    pub(super) error_bound: ErrorBound<V>,
+}
+
+/// How far volumes may be from the truth.
+#[derive(Clone, Copy)]
+pub(super) struct ErrorBound<V> {
+    /// The determinant, u and v.
+    pub(super) side: V,
+    /// w, a difference of those.
+    pub(super) sides: V,
+    /// t.
+    pub(super) t: V,
+}
+
+impl<L: Number> Setting<L> {
+    #[inline(always)]
+    pub(super) fn new([a, b, c, o]: &[[L; 3]; 4], d: [L; 3]) -> Self {
+        let from_a = |p: &[L; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
+        Self { d, e: [from_a(b), from_a(c)], s: from_a(o) }
+    }
+
+    /// The greatest component of all.
+    #[inline(always)]
+    pub(super) fn size(&self) -> L {
+        let Self { d, e: [e1, e2], s } = self;
+        greatest(greatest(largest(d), largest(s)), greatest(largest(e1), largest(e2)))
+    }
+
+    /// How far the volumes may be from the truth.
+    #[inline(always)]
+    fn error_bound<M: Arithmetic<Length = L>>(&self) -> Option<ErrorBound<M::Volume>> {
+        if M::CERTAIN {
+            let none = M::Volume::ZERO;
+            return Some(ErrorBound { sides: none, side: none, t: none });
+        }
+        let Self { d, e: [e1, e2], s } = self;
+        let (direction, edges) = (largest(d), greatest(largest(e1), largest(e2)));
+        let size = greatest(edges, largest(s));
+        if !(direction.in_range() & edges.in_range() & size.in_range()) {
+            return None;
+        }
+        let volume = |a, b, c| M::volume(M::area(a, b), c);
+        Some(ErrorBound {
+            sides: volume(direction, edges, size).error(SIDES),
+            side: volume(direction, edges, size).error(VOLUME),
+            t: volume(edges, edges, size).error(T),
+        })
+    }
+
+    /// The volumes; `None` where `M` does not know how far they are from the truth.
+    ///
+    /// T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection",
+    /// *Journal of Graphics Tools* 2(1), 1997.
+    #[inline(always)]
+    pub(super) fn crossing<M: Arithmetic<Length = L>>(&self) -> Option<Crossing<M::Volume>> {
+        Some(self.crossing_within::<M>(self.error_bound::<M>()?))
+    }
+
+    /// The same, and whether that is known; without a branch.
+    #[inline(always)]
+    pub(super) fn crossing_if_known<M: Arithmetic<Length = L>>(
+        &self,
+    ) -> (Crossing<M::Volume>, bool) {
+        let none = M::Volume::ZERO;
+        let (error_bound, is_known) = match self.error_bound::<M>() {
+            Some(error_bound) => (error_bound, true),
+            None => (ErrorBound { side: none, sides: none, t: none }, false),
+        };
+        (self.crossing_within::<M>(error_bound), is_known)
+    }
+
+    #[inline(always)]
+    fn crossing_within<M: Arithmetic<Length = L>>(
+        &self,
+        error_bound: ErrorBound<M::Volume>,
+    ) -> Crossing<M::Volume> {
+        let Self { d, e: [e1, e2], s } = self;
+        let p = cross::<M>(d, e2);
+        let q = cross::<M>(s, e1);
+        let (det, u, v) = (dot::<M>(&p, e1), dot::<M>(&p, s), dot::<M>(&q, d));
+        Crossing { det, t: dot::<M>(&q, e2), sides: [det - u - v, u, v], error_bound }
+    }
+
+    /// On which side of barycentric coordinate `k` the crossing falls if the origin
+    /// moves by an infinitesimal amount along the first axis, by one infinitely
+    /// smaller along the second, and again along the third; for a determinant above
+    /// zero. Each is the derivative with respect to the origin.
+    pub(super) fn perturbed_side<M: Arithmetic<Length = L>>(&self, k: usize) -> Ordering {
+        let Self { d, e: [e1, e2], .. } = self;
+        match k {
+            0 => sign::<M>(&cross::<M>(d, &[e1[0] - e2[0], e1[1] - e2[1], e1[2] - e2[2]])),
+            1 => sign::<M>(&cross::<M>(d, e2)),
+            _ => sign::<M>(&cross::<M>(e1, d)),
+        }
+    }
+
+    /// The same of t.
+    pub(super) fn perturbed_t<M: Arithmetic<Length = L>>(&self) -> Ordering {
+        let [e1, e2] = &self.e;
+        sign::<M>(&cross::<M>(e1, e2))
+    }
+}
+
+impl<V: Number> Crossing<V> {
+    /// Whether the half-line from t = 0 crosses the triangle, if that is certain and
+    /// it touches nothing on the way.
+    ///
+    /// The line crosses if w, u and v are of one sign, and that is the determinant's
+    /// too, whose own sign need not be asked for. All is computed before anything is
+    /// branched on: a branch that is as good as random costs more.
+    #[inline(always)]
+    pub(super) fn strictly_ahead(&self) -> Option<bool> {
+        let Self { t, sides: [w, u, v], error_bound, .. } = *self;
+        let (low, high) = (least(least(u, v), w), greatest(greatest(u, v), w));
+        let (positive, negative) = (low > error_bound.sides, high < -error_bound.sides);
+        let (ahead, behind) = (t > error_bound.t, t < -error_bound.t);
+        let hit = (positive & ahead) | (negative & behind);
+        let miss = ((low < -error_bound.sides) & (high > error_bound.sides))
+            | (positive & behind)
+            | (negative & ahead);
+        if hit ^ miss { Some(hit) } else { None }
+    }
+
+    /// Whether the line crosses the triangle or touches it; `None` in doubt. One that
+    /// is parallel to its plane does not. `is_certain` says that there is no doubt.
+    #[inline]
+    pub(super) fn meets(&self, is_certain: bool) -> Option<bool> {
+        let Self { det, sides: [w, u, v], error_bound, .. } = *self;
+        let (low, high) = (least(least(u, v), w), greatest(greatest(u, v), w));
+        if low < -error_bound.sides && high > error_bound.sides {
+            Some(false)
+        } else if is_certain {
+            Some(det != V::ZERO)
+        } else {
+            (low > error_bound.sides || high < -error_bound.sides).then_some(true)
+        }
+    }
+
+    /// The same in wider volumes.
+    #[inline(always)]
+    pub(super) fn widened<W>(self, widen: fn(V) -> W) -> Crossing<W> {
+        let ([w, u, v], error_bound) = (self.sides, self.error_bound);
+        Crossing {
+            det: widen(self.det),
+            t: widen(self.t),
+            sides: [widen(w), widen(u), widen(v)],
+            error_bound: ErrorBound {
+                side: widen(error_bound.side),
+                sides: widen(error_bound.sides),
+                t: widen(error_bound.t),
+            },
+        }
+    }
+
+    /// Whether the line runs against the normal.
+    #[inline(always)]
+    pub(super) fn is_front(&self) -> bool {
+        self.det > V::ZERO
+    }
+}
+
+#[inline(always)]
+fn cross<M: Arithmetic>(a: &[M::Length; 3], b: &[M::Length; 3]) -> [M::Area; 3] {
+    let minor = |j: usize, k: usize| M::area(a[j], b[k]) - M::area(a[k], b[j]);
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
+}
+
+#[inline(always)]
+fn dot<M: Arithmetic>(a: &[M::Area; 3], b: &[M::Length; 3]) -> M::Volume {
+    M::volume(a[0], b[0]) + M::volume(a[1], b[1]) + M::volume(a[2], b[2])
+}
+
+/// The sign of the first component that has one.
+fn sign<M: Arithmetic>(x: &[M::Area; 3]) -> Ordering {
+    let first = if x[0] != M::Area::ZERO {
+        x[0]
+    } else if x[1] != M::Area::ZERO {
+        x[1]
+    } else {
+        x[2]
+    };
+    first.partial_cmp(&M::Area::ZERO).unwrap_or(Ordering::Equal)
+}

@@ -1,0 +1,161 @@
+//! What a ray finds on a triangle.
+
+use crate::scalar::Scalar;
+use crate::shape::{Ray, Vec3};
+
+/// Where a ray crosses a triangle.
+///
+/// The point is `origin + t·direction` on the ray and w·a + u·b + v·c on the
+/// triangle, with w = 1 − u − v.
+///
+/// In floats, t, u and v may be −0.0, which equals 0.0: they are quotients, and the
+/// divisor is negative where the [back](Facing::Back) is hit. So compare numbers, not
+/// bits. A t may be infinite, where the hit is farther along the ray than the greatest
+/// number; fixed point ends at the end of its range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
+pub struct Hit<S> {
+    /// How far along the ray, in units of its direction.
+    pub t: S,
+    /// The barycentric coordinate of the second vertex.
+    pub u: S,
+    /// The barycentric coordinate of the third vertex.
+    pub v: S,
+    /// Which side of the triangle was hit.
+    pub facing: Facing,
+    /// What of the triangle was hit.
+    pub feature: Feature,
+}
+
+/// The side of a triangle that a ray comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Facing {
+    /// The side from which the vertices go counterclockwise: the ray runs
+    /// against the normal (b − a) × (c − a). On a closed mesh with normals
+    /// outward, an entry.
+    Front,
+    /// The other side; an exit.
+    Back,
+}
+
+/// The part of a triangle that a ray goes through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Feature {
+    /// The interior.
+    Interior,
+    /// Edge k, from vertex k to the next, but none of its ends.
+    Edge(u8),
+    /// Vertex k.
+    Vertex(u8),
+}
+
+/// Which hits do not count.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Cull {
+    /// All count.
+    #[default]
+    Nothing,
+    /// Those from behind do not.
+    Back,
+    /// Those from before do not.
+    Front,
+}
+
+impl Cull {
+    /// Whether a hit on this side counts.
+    #[inline]
+    #[must_use]
+    pub fn keeps(self, facing: Facing) -> bool {
+        match self {
+            Self::Nothing => true,
+            Self::Back => facing == Facing::Front,
+            Self::Front => facing == Facing::Back,
+        }
+    }
+}
+
+/// What counts as a hit. The default: everything, contact included.
+///
+/// ```
+/// use septum::{Cull, HitRules, Ray, Triangle};
+///
+/// let ray = Ray::new([0.25, 0.25, 1.0], [0.0, 0.0, -1.0])?;
+/// let t = Triangle::new([0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0])?;
+/// let rules = HitRules::new().culling(Cull::Front).once();
+/// assert!(ray.hit_with(&t, rules).is_none());
+/// # Ok::<(), septum::ShapeError>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct HitRules {
+    pub(super) cull: Cull,
+    pub(super) once: bool,
+}
+
+impl HitRules {
+    /// Everything counts, contact included.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { cull: Cull::Nothing, once: false }
+    }
+
+    /// The same, but hits on one side do not count.
+    #[must_use]
+    pub const fn culling(self, cull: Cull) -> Self {
+        Self { cull, ..self }
+    }
+
+    /// The same, but what lies on an edge or a vertex counts for one of the triangles
+    /// there: see [`Ray::hit_once`].
+    #[must_use]
+    pub const fn once(self) -> Self {
+        Self { once: true, ..self }
+    }
+}
+
+impl Feature {
+    /// What lies where these barycentric coordinates, of the first, second and
+    /// third vertex, are zero.
+    #[inline]
+    pub(crate) fn from_zeros(w: bool, u: bool, v: bool) -> Self {
+        match (w, u, v) {
+            (false, false, true) => Self::Edge(0),
+            (true, false, false) => Self::Edge(1),
+            (false, true, false) => Self::Edge(2),
+            (_, true, true) => Self::Vertex(0),
+            (true, _, true) => Self::Vertex(1),
+            (true, true, _) => Self::Vertex(2),
+            (false, false, false) => Self::Interior,
+        }
+    }
+}
+
+impl<S: Scalar> Hit<S> {
+    /// The barycentric coordinate of the first vertex, 1 − u − v, rounded.
+    ///
+    /// *Panics*: never.
+    #[inline]
+    #[must_use]
+    pub fn w(&self) -> S {
+        S::plain_one().plain_sub(self.u).plain_sub(self.v)
+    }
+
+    /// The point of the ray at t, rounded: one multiplication and one addition
+    /// for each coordinate. In fixed point it wraps where it leaves the type.
+    ///
+    /// *Panics*: never.
+    #[inline]
+    #[must_use]
+    pub fn point(&self, ray: &Ray<S>) -> Vec3<S> {
+        let (o, d) = (ray.origin(), ray.direction());
+        let at = |o: S, d: S| o.plain_add(d.plain_mul(self.t));
+        Vec3::new(at(o.x, d.x), at(o.y, d.y), at(o.z, d.z))
+    }
+}

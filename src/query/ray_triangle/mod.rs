@@ -1,0 +1,361 @@
+//! Ray against triangle, exactly.
+//!
+//! T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection",
+//! *Journal of Graphics Tools* 2(1), 1997; T. Akenine-Möller, E. Haines, N. Hoffman,
+//! *Real-Time Rendering*, 16.8. The volumes are theirs. What differs: signs are
+//! decided without a division, and exactly.
+
+mod candidate;
+mod clear_hit;
+mod crossing;
+mod error_bound;
+mod exact;
+mod hit;
+mod order;
+
+pub(crate) use candidate::Candidate;
+pub(crate) use clear_hit::clear_hit;
+pub use hit::{Cull, Facing, Feature, Hit, HitRules};
+
+use core::cmp::Ordering;
+
+use self::crossing::{Crossing, Setting};
+use self::exact::ExactRay;
+use crate::arithmetic::{Embeds, Number};
+use crate::robust::{ExactSum, Predicate};
+use crate::scalar::Scalar;
+use crate::shape::{Ray, Triangle};
+
+/// The question where a ray crosses a triangle.
+struct Crosses<'a, S> {
+    ray: &'a Ray<S>,
+    triangle: &'a Triangle<S>,
+    rules: HitRules,
+}
+
+/// The question whether it does.
+struct Hits<'a, S>(Crosses<'a, S>);
+
+impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
+    type Answer = Option<Hit<S>>;
+
+    fn filter<N: Embeds<S>>(&self) -> Option<Option<Hit<S>>> {
+        match self.crossing::<N>()? {
+            Some(crossing) => numbers::<S, N>(true, crossing),
+            None => Some(None),
+        }
+    }
+
+    #[inline(always)]
+    fn fast_path<N: Embeds<S>>(&self) -> Option<Option<Hit<S>>> {
+        let (counts, crossing) = self.ahead::<N>()?;
+        numbers::<S, N>(counts, crossing)
+    }
+
+    fn exact(&self) -> Option<Hit<S>> {
+        let exact = self.taken_apart();
+        let crossing = exact.crossing::<S>();
+        let is_front = self.passes(&exact, &crossing.det, &crossing.sides, &crossing.t)?;
+        let quotient = |x| S::quotient(x, &crossing.det);
+        let [w, u, v] = &crossing.sides;
+        let is_zero = |x: &S::Sum| x.sign() == Ordering::Equal;
+        Some(Hit {
+            t: quotient(&crossing.t),
+            u: quotient(u),
+            v: quotient(v),
+            facing: facing(is_front),
+            feature: Feature::from_zeros(is_zero(w), is_zero(u), is_zero(v)),
+        })
+    }
+}
+
+impl<S: Scalar> Predicate<S> for Hits<'_, S> {
+    type Answer = bool;
+
+    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        self.0.crossing::<N>().map(|crossing| crossing.is_some())
+    }
+
+    #[inline(always)]
+    fn fast_path<N: Embeds<S>>(&self) -> Option<bool> {
+        self.0.ahead::<N>().map(|(counts, _)| counts)
+    }
+
+    fn exact(&self) -> bool {
+        let exact = self.0.taken_apart();
+        let crossing = exact.crossing::<S>();
+        self.0.passes(&exact, &crossing.det, &crossing.sides, &crossing.t).is_some()
+    }
+}
+
+/// The hit, if it counts; `None` where `N` has no good numbers for it.
+#[inline(always)]
+fn numbers<S: Scalar, N: Embeds<S>>(
+    counts: bool,
+    crossing: Crossing<N::Volume>,
+) -> Option<Option<Hit<S>>> {
+    let facing = facing(crossing.is_front());
+    let Crossing { det, t, sides: [w, u, v], error_bound } = crossing;
+    let is_zero = |x: N::Volume| N::CERTAIN && x == N::Volume::ZERO;
+    let feature = Feature::from_zeros(is_zero(w), is_zero(u), is_zero(v));
+    // Even for a miss: to divide is cheaper than to guess wrong whether it is one.
+    let ([t, u, v], are_good) = N::quotients([t, u, v], det, [error_bound.t, error_bound.side]);
+    if counts & !are_good {
+        return None;
+    }
+    let hit = Hit { t, u, v, facing, feature };
+    Some(if counts { Some(hit) } else { None })
+}
+
+#[inline(always)]
+fn facing(is_front: bool) -> Facing {
+    if is_front { Facing::Front } else { Facing::Back }
+}
+
+impl<S: Scalar> Crosses<'_, S> {
+    /// Whether a crossing ahead of the origin counts, and the crossing, where it is
+    /// not a contact and the range is the usual one; `None` otherwise, or in doubt.
+    #[inline(always)]
+    fn ahead<N: Embeds<S>>(&self) -> Option<(bool, Crossing<N::Volume>)> {
+        if self.ray.t_min() != Some(S::ZERO) || self.ray.t_max().is_some() {
+            return None;
+        }
+        let crossing = self.setting::<N>()?.crossing::<N>()?;
+        let keeps = self.rules.cull.keeps(facing(crossing.is_front()));
+        Some((crossing.strictly_ahead()? & keeps, crossing))
+    }
+
+    /// Ray and triangle in `N`, if it holds them.
+    #[inline(always)]
+    fn setting<N: Embeds<S>>(&self) -> Option<Setting<N::Length>> {
+        let [a, b, c] = self.triangle.points();
+        let (o, d) = (self.ray.origin().to_array(), self.ray.direction().to_array());
+        let [a, b, c, o, d] = N::embed(&[a, b, c, o, d])?;
+        Some(Setting::new(&[a, b, c, o], d))
+    }
+
+    /// The crossing, if it counts, contacts and any range included; `None` in doubt.
+    #[inline]
+    fn crossing<N: Embeds<S>>(&self) -> Option<Option<Crossing<N::Volume>>> {
+        let setting = self.setting::<N>()?;
+        // w is a difference of three determinants: twice what a box's plane comes to.
+        let size = setting.size();
+        let crossing = if N::is_narrow(size + size) {
+            let crossing = setting.crossing::<N::Narrow>()?;
+            crossing.meets(N::CERTAIN)?.then(|| crossing.widened(N::widened))
+        } else {
+            let crossing = setting.crossing::<N>()?;
+            crossing.meets(N::CERTAIN)?.then_some(crossing)
+        };
+        let Some(crossing) = crossing else { return Some(None) };
+        Some(self.counts::<N>(&setting, &crossing)?.then_some(crossing))
+    }
+
+    /// Whether the crossing of a line that meets the triangle counts; `None` in doubt.
+    fn counts<N: Embeds<S>>(
+        &self,
+        setting: &Setting<N::Length>,
+        crossing: &Crossing<N::Volume>,
+    ) -> Option<bool> {
+        let zero = N::Volume::ZERO;
+        let is_front = crossing.is_front();
+        if !self.rules.cull.keeps(facing(is_front)) {
+            return Some(false);
+        }
+        if N::CERTAIN && self.rules.once {
+            for (k, side) in crossing.sides.iter().enumerate() {
+                let perturbed = || oriented(setting.perturbed_side::<N>(k), is_front);
+                if *side == zero && perturbed() == Ordering::Less {
+                    return Some(false);
+                }
+            }
+        }
+        let Crossing { det, t, error_bound, .. } = *crossing;
+        let (det, t) = if is_front { (det, t) } else { (-det, -t) };
+        for (end, inside) in self.ends() {
+            let Some(end) = end else { continue };
+            let side = if end == S::ZERO {
+                let is_certain = N::CERTAIN || t.magnitude() > error_bound.t;
+                is_certain.then(|| t.partial_cmp(&zero)).flatten()
+            } else {
+                N::compare_quotient(t, det, [error_bound.t, error_bound.side], end)
+            }?;
+            let perturbed = || oriented(setting.perturbed_t::<N>(), is_front);
+            if !self.admits(side, inside, perturbed) {
+                return Some(false);
+            }
+        }
+        Some(true)
+    }
+
+    /// The ends of the range, and on which side of each it lies.
+    #[inline(always)]
+    fn ends(&self) -> [(Option<S>, Ordering); 2] {
+        [(self.ray.t_min(), Ordering::Greater), (self.ray.t_max(), Ordering::Less)]
+    }
+
+    fn taken_apart(&self) -> ExactRay {
+        let (o, d) = (self.ray.origin().to_array(), self.ray.direction().to_array());
+        ExactRay::new(&self.triangle.points(), &o, &d)
+    }
+
+    /// Whether a crossing counts, by exact sums, and if so whether the line runs
+    /// against the normal.
+    fn passes(
+        &self,
+        exact: &ExactRay,
+        det: &S::Sum,
+        sides: &[S::Sum; 3],
+        t: &S::Sum,
+    ) -> Option<bool> {
+        let det = det.sign();
+        let is_front = det == Ordering::Greater;
+        if det == Ordering::Equal || !self.rules.cull.keeps(facing(is_front)) {
+            return None;
+        }
+        for (k, side) in sides.iter().enumerate() {
+            let perturbed = || oriented(exact.perturbed_side::<S>(k), is_front);
+            if !self.admits(oriented(side.sign(), is_front), Ordering::Greater, perturbed) {
+                return None;
+            }
+        }
+        for (end, inside) in self.ends() {
+            let Some(end) = end else { continue };
+            let side = if end == S::ZERO { t.sign() } else { exact.compare(end) };
+            let perturbed = || oriented(exact.perturbed_t::<S>(), is_front);
+            if !self.admits(oriented(side, is_front), inside, perturbed) {
+                return None;
+            }
+        }
+        Some(is_front)
+    }
+
+    /// Whether what lies on this side of an end counts, if only `inside` does.
+    #[inline(always)]
+    fn admits(&self, side: Ordering, inside: Ordering, perturbed: impl Fn() -> Ordering) -> bool {
+        match side {
+            Ordering::Equal if self.rules.once => perturbed() == inside,
+            Ordering::Equal => true,
+            side => side == inside,
+        }
+    }
+}
+
+/// A sign, for a determinant above zero.
+#[inline(always)]
+fn oriented(sign: Ordering, is_front: bool) -> Ordering {
+    if is_front { sign } else { sign.reverse() }
+}
+
+impl<S: Scalar> Ray<S> {
+    /// Where the ray crosses a triangle, if it does.
+    ///
+    /// *Geometry*: one frame and unit for both. A ray that is parallel to the plane
+    /// of the triangle, or lies in it, misses. A triangle that is a segment or a point
+    /// is never hit. Both sides of the triangle count.
+    ///
+    /// *Contact*: edges, vertices, and the ends of the ray's range belong to it.
+    /// [`Hit::feature`] says which was met.
+    ///
+    /// *Numerics*: whether there is a hit, its side and its feature are exact for
+    /// every valid input, in every scalar, so that a closed mesh has no leak. t, u and
+    /// v in fixed point are the nearest numbers of the type (of two, the even one),
+    /// or the end of the type where it does not reach; in `f32` they are within 2 ulp,
+    /// in `f64` within 2⁻³¹ of themselves, and nearly always within a few ulp. A t
+    /// beyond the greatest float is infinite, and still a hit. They are the same bits
+    /// on every machine. [`compare_hits`](Self::compare_hits) orders hits exactly.
+    ///
+    /// *Range*: all finite floats, all fixed-point values. As with
+    /// [`Triangle::overlaps`], what the fast stage cannot resolve goes to wider
+    /// numbers, and at last to exact sums, up to a thousand times slower.
+    ///
+    /// *Panics*: never.
+    ///
+    /// *Cost*: 24 multiplications and 3 divisions. On a 64-bit machine a hit costs
+    /// what a miss costs, in `f64` and in scalars of up to 32 bits, and the time is
+    /// below that of Möller–Trumbore in floats (`docs/speed.md` in the repository). On
+    /// 32-bit cores a hit costs more than a miss: on a Cortex-M4F 40 times as much in
+    /// `f32`, whose t, u and v need `f64` (`docs/target.csv`). A ray through an edge,
+    /// exactly, goes to integers everywhere. Choose it unless you measured that you
+    /// cannot pay for it; [`is_hit`](Self::is_hit) saves the divisions, and
+    /// [`lanes::Triangles`](crate::lanes::Triangles) asks about several triangles at once.
+    ///
+    /// *Source*: Möller and Trumbore 1997; the sign test, the error bound and the
+    /// exact stages are ours.
+    ///
+    /// ```
+    /// use septum::{Facing, Feature, Ray, Triangle};
+    ///
+    /// let ray = Ray::new([0.5, 0.5, 3.0], [0.0, 0.0, -2.0])?;
+    /// let t = Triangle::new([0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0])?;
+    /// let hit = ray.hit(&t).unwrap(); // in the middle of the long edge
+    /// assert_eq!((hit.t, hit.u, hit.v), (1.5, 0.5, 0.5));
+    /// assert_eq!((hit.feature, hit.facing), (Feature::Edge(1), Facing::Front));
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    pub fn hit(&self, triangle: &Triangle<S>) -> Option<Hit<S>> {
+        self.hit_with(triangle, HitRules::new())
+    }
+
+    /// [`hit`](Self::hit), but for a closed mesh each crossing counts once.
+    ///
+    /// A ray through an edge or a vertex meets every triangle there. Here it meets
+    /// one of them: the one that it would meet had its origin moved by an
+    /// infinitesimal amount, the same for every triangle. So through a consistently
+    /// oriented closed mesh hits from outside and from inside alternate, and a point
+    /// is inside exactly if a ray from it hits an odd number of triangles.
+    ///
+    /// *Contact*: a ray that touches the mesh without entering it hits two triangles
+    /// or none. One that starts on a triangle hits it or does not, as the moved
+    /// origin says.
+    ///
+    /// *Numerics*, *Range*, *Panics*: as [`hit`](Self::hit). *Cost*: the same, and a
+    /// few comparisons where the ray goes through an edge, exactly.
+    ///
+    /// *Source*: symbolic perturbation: H. Edelsbrunner, E. P. Mücke, "Simulation of
+    /// Simplicity", *ACM Transactions on Graphics* 9(1), 1990. The origin moves by
+    /// (ε, ε², ε³).
+    ///
+    /// ```
+    /// use septum::{Ray, Triangle};
+    ///
+    /// // Two triangles that share an edge, and a ray through it.
+    /// let ray = Ray::new([0.5, 0.5, 1.0], [0.0, 0.0, -1.0])?;
+    /// let (a, b, c) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]);
+    /// let square = [Triangle::new([0.0; 3], a, b)?, Triangle::new(c, b, a)?];
+    /// assert_eq!(square.iter().filter(|t| ray.hit(t).is_some()).count(), 2);
+    /// assert_eq!(square.iter().filter(|t| ray.hit_once(t).is_some()).count(), 1);
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn hit_once(&self, triangle: &Triangle<S>) -> Option<Hit<S>> {
+        self.hit_with(triangle, HitRules::new().once())
+    }
+
+    /// [`hit`](Self::hit) by the rules given.
+    #[inline]
+    #[must_use]
+    pub fn hit_with(&self, triangle: &Triangle<S>, rules: HitRules) -> Option<Hit<S>> {
+        S::evaluate_numeric(&Crosses { ray: self, triangle, rules })
+    }
+
+    /// Whether the ray crosses a triangle: [`hit`](Self::hit) without t, u and v.
+    ///
+    /// *Numerics*: exact. *Panics*: never. *Cost*: 24 multiplications, no division. In
+    /// `f32` on a core with an FPU for `f32` alone, a hit costs a thirtieth of what it
+    /// costs by [`hit`](Self::hit). Choose it for projections and visibility.
+    #[inline]
+    #[must_use]
+    pub fn is_hit(&self, triangle: &Triangle<S>) -> bool {
+        self.is_hit_with(triangle, HitRules::new())
+    }
+
+    /// [`is_hit`](Self::is_hit) by the rules given.
+    #[inline]
+    #[must_use]
+    pub fn is_hit_with(&self, triangle: &Triangle<S>, rules: HitRules) -> bool {
+        S::evaluate_numeric(&Hits(Crosses { ray: self, triangle, rules }))
+    }
+}

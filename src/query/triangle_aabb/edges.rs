@@ -1,0 +1,55 @@
+use super::frame::Frame;
+use crate::arithmetic::{Arithmetic, Number, of_two};
+use crate::robust::Uncertain;
+
+/// Whether one of the nine cross products of a coordinate axis x_i and an edge
+/// e_k separates.
+///
+/// Project on x_i × e_k from the vertex v_k where the edge begins. The whole
+/// edge falls on p = (e_k × v_k)_i, and the vertex opposite on p + n_i: the
+/// component of the triangle's normal, the same for all three edges. So the
+/// triangle covers the interval from p to p + n_i, whose middle is p + n_i/2 and
+/// whose radius is |n_i|/2, and the box covers ±r with r = h_j·|e_l| + h_l·|e_j|.
+/// The axis separates if |p + n_i/2| > |n_i|/2 + r.
+#[inline(always)]
+pub(super) fn edges<N: Arithmetic>(
+    frame: &Frame<N>,
+    n: &[N::Area; 3],
+    error_bound: N::Area,
+) -> Uncertain {
+    let mut so_far = Uncertain::NONE;
+    for k in 0..3 {
+        for i in 0..3 {
+            so_far = so_far.or(one_edge(frame, n, error_bound, i, k));
+        }
+    }
+    so_far
+}
+
+/// Whether the cross product of coordinate axis `i` and edge `k` separates.
+#[inline(always)]
+pub(super) fn one_edge<N: Arithmetic>(
+    frame: &Frame<N>,
+    n: &[N::Area; 3],
+    error_bound: N::Area,
+    i: usize,
+    k: usize,
+) -> Uncertain {
+    let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+    let (e, v, h) = (&frame.e[k], &frame.v[k], &frame.h);
+
+    let p = N::area(e[j], v[l]) - N::area(e[l], v[j]);
+    let r = N::area(e[l].magnitude(), h[j]) + N::area(e[j].magnitude(), h[l]);
+    let middle = of_two::<N, _>(n[i]);
+    let far = (p + middle).magnitude();
+    let radius = middle.magnitude();
+
+    let certain = far > (radius + error_bound) + r;
+    if N::CERTAIN {
+        return Uncertain { certain, possible: certain };
+    }
+    // An edge along x_i has e_j = e_l = 0, known exactly: the axis is zero and
+    // separates nothing. Without this, every box-shaped mesh would be in doubt.
+    let is_axis = (e[j] != N::Length::ZERO) | (e[l] != N::Length::ZERO);
+    Uncertain { certain, possible: (far > (radius - error_bound) + r) & is_axis }
+}

@@ -1,0 +1,89 @@
+//! The last stage: the 13 axes by exact sums of products of the coordinates as they were
+//! given. Slow, short, and right for every finite input, the extremes of `f64` included.
+
+use core::cmp::Ordering;
+
+use super::Axis;
+use crate::arithmetic::{pick, turn};
+use crate::query::exact_aabb::ExactAabb;
+use crate::query::exact_triangle::ExactTriangle;
+use crate::robust::{ExactSum, add_area, add_determinant, sign};
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, Triangle};
+
+/// Whether one axis separates.
+pub(super) fn separates<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>, axis: Axis) -> bool {
+    let t = ExactTriangle::new(&triangle.points());
+    let b = ExactAabb::new(aabb.form());
+    match axis {
+        Axis::Face(i) => face_separates::<S>(&b, &t, usize::from(i % 3)),
+        Axis::Normal => normal_separates::<S>(&b, &t, &[0, 1, 2].map(|i| t.normal_sign::<S>(i))),
+        Axis::Edge { axis, edge } => {
+            let (i, k) = (usize::from(axis % 3), usize::from(edge % 3));
+            edge_separates::<S>(&b, &t, i, k, t.normal_sign::<S>(i))
+        }
+    }
+}
+
+/// Whether face axis `i` separates.
+fn face_separates<S: Scalar>(b: &ExactAabb, t: &ExactTriangle, i: usize) -> bool {
+    let all = |toward: Ordering| {
+        let side = |v| sign::<S::Sum>(&b.to_face(*pick(v, i), i, toward));
+        t.v.iter().all(|v| side(v) == toward.reverse())
+    };
+    all(Ordering::Greater) || all(Ordering::Less)
+}
+
+/// Whether the triangle's normal separates, given the signs of its
+/// components.
+fn normal_separates<S: Scalar>(b: &ExactAabb, t: &ExactTriangle, signs: &[Ordering; 3]) -> bool {
+    let (e0, e1) = (t.edge(0), t.edge(1));
+    // The critical corner along the normal, or against it, from vertex 0.
+    let corner = |along: bool| {
+        let to_corner = |i: usize| {
+            let toward = *pick(signs, i);
+            let toward = if along { toward } else { toward.reverse() };
+            b.to_face(*pick(&t.v[0], i), i, toward)
+        };
+        let mut sum = S::Sum::new();
+        let to_corner = [to_corner(0), to_corner(1), to_corner(2)];
+        add_determinant(&mut sum, &e0, &e1, &to_corner);
+        sum.sign()
+    };
+    corner(true) == Ordering::Less || corner(false) == Ordering::Greater
+}
+
+/// Whether the cross product of coordinate axis `i` and edge `k` separates,
+/// given the sign of component `i` of the normal.
+fn edge_separates<S: Scalar>(
+    b: &ExactAabb,
+    t: &ExactTriangle,
+    i: usize,
+    k: usize,
+    normal: Ordering,
+) -> bool {
+    let (_, j, l) = turn(i);
+    let (k, _, opposite) = turn(k);
+    let e = t.edge(k);
+    let (ej, el) = (sign::<S::Sum>(pick(&e, j)), sign::<S::Sum>(pick(&e, l)));
+    // (e × (z − v))_i is greatest over the box for z_l along e_j and z_j
+    // against e_l. The triangle covers the interval from 0 to n_i: from the
+    // edge's own vertex to the one opposite.
+    let beyond = |along: bool| {
+        let base = if (normal == Ordering::Greater) == along {
+            // Beyond the far end: measure from the vertex opposite.
+            pick(&t.v, opposite)
+        } else {
+            pick(&t.v, k)
+        };
+        let turn = |o: Ordering| if along { o } else { o.reverse() };
+        let mut sum = S::Sum::new();
+        let z_l = b.to_face(*pick(base, l), l, turn(ej).reverse());
+        let z_j = b.to_face(*pick(base, j), j, turn(el));
+        add_area(&mut sum, pick(&e, j), &z_l, false);
+        add_area(&mut sum, pick(&e, l), &z_j, true);
+        sum.sign() == turn(Ordering::Greater)
+    };
+    // The whole box above the interval, or the whole box below it.
+    beyond(true) || beyond(false)
+}

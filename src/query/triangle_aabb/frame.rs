@@ -1,0 +1,134 @@
+use crate::arithmetic::{Arithmetic, Number, greatest, least, of_two, once};
+
+/// How a box was given, in a number system's own lengths.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum BoxForm<L> {
+    /// Centre and half-extents.
+    Center([L; 3], [L; 3]),
+    /// Least and greatest corner, and by how much to grow the box on each side;
+    /// in floats, which always have a centre's form of their own, by zero.
+    Corners([L; 3], [L; 3], [L; 3]),
+}
+
+/// A triangle in the frame of a box: see [`Arithmetic`] on it.
+pub(super) struct Frame<N: Arithmetic> {
+    /// The vertices.
+    pub(super) v: [[N::Length; 3]; 3],
+    /// The edges, each from a vertex to the next; not doubled.
+    pub(super) e: [[N::Length; 3]; 3],
+    /// The half-extents.
+    pub(super) h: [N::Length; 3],
+    /// The gap between box and triangle along each coordinate axis, below zero
+    /// where they overlap; floats only.
+    pub(super) gaps: [N::Length; 3],
+    /// Whether a gap of zero is one indeed, and not a rounded one. The sign of
+    /// any other is right: a difference of two numbers rounds to zero only if
+    /// it is zero, and rounding keeps order.
+    pub(super) gaps_are_exact: bool,
+    /// The triangle's extent along each coordinate axis and the half-extent of the
+    /// box, together; floats only.
+    spans: [N::Length; 3],
+}
+
+impl<N: Arithmetic> Frame<N> {
+    #[inline(always)]
+    pub(super) fn new(t: &[[N::Length; 3]; 3], form: &BoxForm<N::Length>) -> Self {
+        let zero = N::Length::ZERO;
+        let (mut h, mut gaps, mut spans) = ([zero; 3], [zero; 3], [zero; 3]);
+        let v = match form {
+            BoxForm::Center(c, half) => {
+                let from = |p: [N::Length; 3]| {
+                    [
+                        once::<N, _>(p[0] - c[0]),
+                        once::<N, _>(p[1] - c[1]),
+                        once::<N, _>(p[2] - c[2]),
+                    ]
+                };
+                let v = [from(t[0]), from(t[1]), from(t[2])];
+                for i in 0..3 {
+                    let (low, high) = range(&v, i);
+                    h[i] = once::<N, _>(half[i]);
+                    if !N::CERTAIN {
+                        gaps[i] = greatest(low, -high) - h[i];
+                        spans[i] = h[i] + (high - low);
+                    }
+                }
+                v
+            }
+            BoxForm::Corners(min, max, grown) => {
+                // Not v − (min + max)/2: the sum rounds by the distance from the origin,
+                // the differences only by the distance from the box.
+                let from = |p: [N::Length; 3]| {
+                    [
+                        of_two::<N, _>((p[0] - min[0]) + (p[0] - max[0])),
+                        of_two::<N, _>((p[1] - min[1]) + (p[1] - max[1])),
+                        of_two::<N, _>((p[2] - min[2]) + (p[2] - max[2])),
+                    ]
+                };
+                let v = [from(t[0]), from(t[1]), from(t[2])];
+                for i in 0..3 {
+                    let (low, high) = range(t, i);
+                    h[i] = of_two::<N, _>(max[i] - min[i]);
+                    if N::CERTAIN {
+                        h[i] = h[i] + once::<N, _>(grown[i]);
+                    } else {
+                        gaps[i] = greatest(low - max[i], min[i] - high);
+                        spans[i] = h[i] + (high - low);
+                    }
+                }
+                v
+            }
+        };
+        let difference =
+            |a: [N::Length; 3], b: [N::Length; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+        Self {
+            v,
+            e: [difference(t[1], t[0]), difference(t[2], t[1]), difference(t[0], t[2])],
+            h,
+            gaps,
+            gaps_are_exact: matches!(form, BoxForm::Corners(..)),
+            spans,
+        }
+    }
+}
+
+impl<N: Arithmetic> Frame<N> {
+    /// No coordinate in the frame exceeds this, if there is no gap; nor does an
+    /// edge, nor a half-extent.
+    #[inline(always)]
+    pub(super) fn size(&self) -> N::Length {
+        if N::CERTAIN {
+            return self.largest();
+        }
+        let [x, y, z] = self.spans;
+        greatest(greatest(x, y), z)
+    }
+
+    /// The same, gap or no gap.
+    pub(super) fn size_across_gap(&self) -> N::Length {
+        if N::CERTAIN {
+            return self.largest();
+        }
+        let [x, y, z] = self.gaps;
+        self.size() + greatest(greatest(greatest(x, y), z), N::Length::ZERO)
+    }
+
+    /// The greatest coordinate or half-extent. A sum of the two might not fit.
+    #[inline(always)]
+    fn largest(&self) -> N::Length {
+        let [a, b, c] = &self.v;
+        let mut largest = N::Length::ZERO;
+        for i in 0..3 {
+            for x in [a[i], b[i], c[i], self.h[i]] {
+                largest = greatest(largest, x.magnitude());
+            }
+        }
+        largest
+    }
+}
+
+/// Least and greatest coordinate `i` of three points.
+#[inline(always)]
+pub(super) fn range<L: Number>(t: &[[L; 3]; 3], i: usize) -> (L, L) {
+    (least(least(t[0][i], t[1][i]), t[2][i]), greatest(greatest(t[0][i], t[1][i]), t[2][i]))
+}

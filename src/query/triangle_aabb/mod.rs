@@ -1,0 +1,163 @@
+//! Triangle against axis-aligned box.
+//!
+//! T. Akenine-Möller, "Fast 3D Triangle-Box Overlap Testing", *Journal of
+//! Graphics Tools* 6(1), 2001. The 13 axes are the paper's. What differs: the
+//! nine edge axes share the components of the triangle's normal, faces come
+//! first and nothing else is branched on, and the verdict is exact.
+
+mod axis;
+#[cfg(feature = "fixed")]
+mod conservative;
+mod edges;
+mod error_bound;
+mod exact;
+mod faces;
+mod frame;
+mod kernel;
+mod narrow;
+mod one_sided;
+mod plane;
+mod witness;
+
+pub use axis::Axis;
+
+use super::Overlaps;
+use crate::arithmetic::{Embeds, InWord, Rounded, Word};
+use crate::robust::Predicate;
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
+
+/// The question, for the number systems to answer.
+struct Disjoint<'a, S> {
+    triangle: &'a Triangle<S>,
+    aabb: &'a Aabb<S>,
+}
+
+impl<S: Scalar> Disjoint<'_, S> {
+    /// Whether `N` holds the shapes.
+    #[inline(always)]
+    fn is_held<N: Embeds<S>>(&self) -> bool {
+        let [a, b, c] = self.triangle.points();
+        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
+            self.aabb.form();
+        N::holds(&[a, b, c, p.to_array(), q.to_array()])
+    }
+}
+
+impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
+    type Answer = bool;
+
+    #[inline(always)]
+    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        // Here, where a shape just made is in registers.
+        if !self.is_held::<N>() {
+            return None;
+        }
+        match self.aabb.form() {
+            AabbForm::Center { center, half } if N::CORNER_FORM_ONLY => {
+                kernel::by_corners::<S, N>(self.triangle, center, center, half)
+            }
+            AabbForm::Center { center, half } => {
+                kernel::by_center::<S, N>(self.triangle, center, half)
+            }
+            AabbForm::Corners { min, max } => {
+                kernel::by_corners::<S, N>(self.triangle, min, max, &Vec3::splat(S::ZERO))
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn narrow<W: Word>(&self) -> Option<bool>
+    where
+        S: InWord<W>,
+    {
+        if S::ALWAYS_NEAR { Some(self.in_any_words()) } else { self.in_near_words() }
+    }
+
+    #[cfg(feature = "fixed")]
+    #[inline(always)]
+    fn cut_down(&self) -> Option<bool>
+    where
+        S: InWord<i128>,
+    {
+        Some(conservative::disjoint(self.triangle, self.aabb))
+    }
+
+    fn exact(&self) -> bool {
+        Axis::ALL.iter().any(|&axis| exact::separates(self.triangle, self.aabb, axis))
+    }
+}
+
+impl<S: Scalar> Overlaps<Aabb<S>> for Triangle<S> {
+    /// Whether a triangle and an axis-aligned box have a point in common.
+    ///
+    /// *Geometry*: closed sets in one frame and unit; triangles that are
+    /// segments or points, boxes that are flat or points, are what they are.
+    ///
+    /// *Contact*: touching is overlap.
+    ///
+    /// *Numerics*: exact for every valid input, in every scalar; the verdict does
+    /// not depend on vertex order, machine or compiler.
+    ///
+    /// *Range*: all finite floats, all fixed-point values. The first stage serves
+    /// floats while the two shapes together span between 2⁻³² and 2⁴⁰ (`f32`) or
+    /// 2⁻³²⁰ and 2³²⁰ (`f64`), and fixed point while coordinates are below 2¹⁸ (32
+    /// bits) or 2⁶⁰ (64 bits) units in the last place; 8 and 16 bits always. Outside,
+    /// and for floats within rounding of contact, wider numbers take over: 32 bits take
+    /// wider integers; floats and 64 bits at last take exact sums, up to a thousand times
+    /// slower.
+    ///
+    /// *Panics*: never.
+    ///
+    /// *Cost*: 21 comparisons; if no face separates, 48 multiplications and no
+    /// division. Floats that come within rounding of contact take it again in wider
+    /// numbers. Fixed point on 32-bit cores has a kernel of its own, with 30
+    /// multiplications, for shapes within 2¹⁸ units of the box (2²⁹ where the core
+    /// multiplies words in full); `docs/target.csv` in the repository has its
+    /// instructions and stack, and `docs/flash.csv` its size.
+    ///
+    /// *Source*: Akenine-Möller 2001; the shared normal, the error bound and the
+    /// exact stages are ours.
+    ///
+    /// ```
+    /// use septum::{Aabb, Triangle};
+    ///
+    /// let cell = Aabb::from_center_half_extents([0.5; 3], [0.5; 3])?;
+    /// let t = Triangle::new([1.0, 1.0, 1.0], [2.0, 1.0, 1.0], [1.0, 2.0, 2.0])?;
+    /// assert!(t.overlaps(&cell)); // in one corner
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    fn overlaps(&self, aabb: &Aabb<S>) -> bool {
+        !S::evaluate(&Disjoint { triangle: self, aabb })
+    }
+
+    /// Whether a triangle and an axis-aligned box may have a point in common.
+    ///
+    /// *Numerics*: `false` is certain, `true` may be wrong. Fixed point of up to 32
+    /// bits is exact. In 64 bits coordinates are cut down to 18 bits, and the box is
+    /// grown by two of the units that are left. Floats answer `true` within 30·u·R² of
+    /// an edge axis and 120·u·R³ of the plane, with u the unit roundoff and R the span
+    /// of the two shapes; a box given by its centre is also in doubt where a vertex
+    /// lies within rounding of a face.
+    ///
+    /// *Range*: floats whose span is outside 2⁻³² to 2⁴⁰ (`f32`) or 2⁻³²⁰ to 2³²⁰
+    /// (`f64`) get `true` unless a face separates.
+    ///
+    /// *Panics*: never.
+    ///
+    /// *Cost*: bounded. In floats it is the first stage of
+    /// [`overlaps`](Overlaps::overlaps), and in fixed point of up to 32 bits
+    /// [`overlaps`](Overlaps::overlaps) itself. Choose it where a bounded time matters
+    /// more than the last touch, or before a finer test.
+    #[inline]
+    fn may_overlap(&self, aabb: &Aabb<S>) -> bool {
+        S::evaluate_bounded(&Disjoint { triangle: self, aabb }) != Some(true)
+    }
+}
+
+/// The kernel in the scalar's own arithmetic, for [`published`](crate::published).
+#[inline(always)]
+pub(crate) fn disjoint_rounded<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bool {
+    Disjoint { triangle, aabb }.filter::<Rounded<S>>() != Some(false)
+}

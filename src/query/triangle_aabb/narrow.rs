@@ -1,0 +1,76 @@
+//! The question in machine words, where registers are narrow.
+
+use super::Disjoint;
+use super::one_sided::{Projection, one_sided};
+use crate::arithmetic::{InWord, Word, out_of_line_if_wide};
+use crate::scalar::Scalar;
+use crate::shape::{AabbForm, Vec3};
+
+impl<S: Scalar> Disjoint<'_, S> {
+    /// The answer in words that hold the shapes wherever they are.
+    #[inline(never)]
+    pub(super) fn in_any_words<W: Word>(&self) -> bool
+    where
+        S: InWord<W>,
+    {
+        one_sided(&self.projections())
+    }
+
+    /// The answer in words that hold the shapes if they are near to each other.
+    #[inline(never)]
+    pub(super) fn in_near_words<W: Word>(&self) -> Option<bool>
+    where
+        S: InWord<W>,
+    {
+        let ([x, y, z], _) = self.extents();
+        let projections = self.projections();
+        (W::is_central(x)
+            && W::is_central(y)
+            && W::is_central(z)
+            && Projection::are_near(&projections))
+        .then(|| one_sided(&projections))
+    }
+
+    /// The shapes on the coordinate axes, as seen from the least corner of the box.
+    #[inline(always)]
+    fn projections<W: Word>(&self) -> [Projection<W>; 3]
+    where
+        S: InWord<W>,
+    {
+        out_of_line_if_wide!(W, {
+            let (min, size) = self.extents();
+            let [a, b, c] = self.triangle.vertices();
+            let [a, b, c] = [words(a), words(b), words(c)];
+            let projection = |i: usize| Projection::new(min[i], size[i], [a[i], b[i], c[i]]);
+            [projection(0), projection(1), projection(2)]
+        })
+    }
+
+    /// The least corner of the box, and how far it is to the greatest.
+    #[inline(always)]
+    fn extents<W: Word>(&self) -> ([W; 3], [W; 3])
+    where
+        S: InWord<W>,
+    {
+        match self.aabb.form() {
+            AabbForm::Center { center, half } => {
+                let (center, half) = (words(center), words(half));
+                (each(center, half, W::minus), each(half, half, W::plus))
+            }
+            AabbForm::Corners { min, max } => {
+                let (min, max) = (words(min), words(max));
+                (min, each(max, min, W::minus))
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn words<S: InWord<W> + Copy, W: Word>(v: &Vec3<S>) -> [W; 3] {
+    [v.x.in_word(), v.y.in_word(), v.z.in_word()]
+}
+
+#[inline(always)]
+fn each<W: Word>(a: [W; 3], b: [W; 3], f: fn(W, W) -> W) -> [W; 3] {
+    [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2])]
+}

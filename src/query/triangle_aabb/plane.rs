@@ -1,0 +1,31 @@
+use super::frame::Frame;
+use crate::arithmetic::{Arithmetic, Number};
+use crate::robust::Uncertain;
+
+/// The triangle's normal, e0 × e1.
+#[inline(always)]
+pub(super) fn normal<N: Arithmetic>(frame: &Frame<N>) -> [N::Area; 3] {
+    let [e0, e1, _] = frame.e;
+    let component = |j: usize, k: usize| N::area(e0[j], e1[k]) - N::area(e0[k], e1[j]);
+    [component(1, 2), component(2, 0), component(0, 1)]
+}
+
+/// Whether the triangle's normal separates: whether the plane of the triangle
+/// misses the box.
+///
+/// The triangle projects to one number, n·v, and the box to ±Σ h·|n|: the
+/// distances along n to the two critical corners of Haines and Wallace.
+#[inline(always)]
+pub(super) fn plane<N: Arithmetic>(
+    n: &[N::Area; 3],
+    v: &[N::Length; 3],
+    h: &[N::Length; 3],
+    error_bound: N::Volume,
+) -> Uncertain {
+    let distance = N::volume(n[0], v[0]) + N::volume(n[1], v[1]) + N::volume(n[2], v[2]);
+    let radius = N::volume(n[0].magnitude(), h[0])
+        + N::volume(n[1].magnitude(), h[1])
+        + N::volume(n[2].magnitude(), h[2]);
+    let beyond = distance.magnitude() - radius;
+    Uncertain { certain: beyond > error_bound, possible: beyond > -error_bound }
+}

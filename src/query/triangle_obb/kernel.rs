@@ -1,0 +1,97 @@
+use core::ops::Mul;
+
+use crate::arithmetic::{Number, turn};
+use crate::robust::Uncertain;
+
+/// A triangle and a parallelepiped, all as operands of products: the vertices
+/// from its centre, the triangle's edges, the axes u_i, the half-extents along
+/// them, and one in the unit of an axis.
+pub(super) struct Parallelepiped<P> {
+    pub(super) t: [[P; 3]; 3],
+    pub(super) e: [[P; 3]; 3],
+    pub(super) u: [[P; 3]; 3],
+    pub(super) h: [P; 3],
+    pub(super) one: P,
+}
+
+/// How far computed axes may be from the truth.
+pub(in crate::query) struct ErrorBound<P> {
+    pub(in crate::query) face: P,
+    pub(super) edge: P,
+    pub(super) plane: P,
+}
+
+/// Whether one of the 13 axes of a triangle and a parallelepiped separates.
+///
+/// The same test as for an axis-aligned box, in the basis of the box's axes: for
+/// vectors x, the components u_i·x take the place of coordinates on normals, and
+/// the components w_i·x with w_i = u_j × u_k that of coordinates on edges. So
+/// with n the triangle's normal and t_k its vertices from the centre,
+///
+/// * faces: the vertices project to w_i·t_k, the box to ±h_i·|u_0·w_0|;
+/// * normal: the triangle projects to n·t_0, the box to ±Σ h_i·|u_i·n|;
+/// * edges: on e_k × u_i the edge falls on p = u_i·(e_k × t_k), the vertex
+///   opposite on p + u_i·n, the box on ±(h_j·|w_l·e_k| + h_l·|w_j·e_k|).
+///
+/// Where a product lacks an axis or a half-extent, one stands in for it: in fixed
+/// point it is not 1.
+#[inline(always)]
+pub(super) fn any_axis<P: Number + Mul<Output = P>>(
+    s: &Parallelepiped<P>,
+    error_bound: &ErrorBound<P>,
+) -> Uncertain {
+    let Parallelepiped { t, e, u, h, one } = s;
+    let n = cross(&e[0], &e[1]);
+    let w = [cross(&u[1], &u[2]), cross(&u[2], &u[0]), cross(&u[0], &u[1])];
+    let un = [dot(&u[0], &n), dot(&u[1], &n), dot(&u[2], &n)];
+
+    let volume = dot(&u[0], &w[0]).magnitude();
+    let mut so_far = Uncertain::NONE;
+    for i in 0..3 {
+        let on = |k: usize| dot(&w[i], &t[k]) * *one;
+        let (a, b, c, r) = (on(0), on(1), on(2), h[i] * volume);
+        let beyond = |error: P| {
+            let r = r + error;
+            ((a > r) & (b > r) & (c > r)) | ((a < -r) & (b < -r) & (c < -r))
+        };
+        so_far = so_far.or(Uncertain {
+            certain: beyond(error_bound.face),
+            possible: beyond(-error_bound.face),
+        });
+    }
+
+    let r = un[0].magnitude() * h[0] + un[1].magnitude() * h[1] + un[2].magnitude() * h[2];
+    let beyond = (dot(&n, &t[0]) * *one).magnitude() - r;
+    so_far = so_far.or(Uncertain {
+        certain: beyond > error_bound.plane,
+        possible: beyond > -error_bound.plane,
+    });
+
+    for k in 0..3 {
+        let m = cross(&e[k], &t[k]);
+        let along = [dot(&w[0], &e[k]), dot(&w[1], &e[k]), dot(&w[2], &e[k])];
+        for i in 0..3 {
+            let (i, j, l) = turn(i);
+            // All doubled: the middle of the interval need not be a whole number.
+            let p = dot(&u[i], &m) * *one;
+            let q = un[i] * *one;
+            let r = along[l].magnitude() * h[j] + along[j].magnitude() * h[l];
+            let beyond = (p + p + q).magnitude() - (q.magnitude() + (r + r));
+            so_far = so_far.or(Uncertain {
+                certain: beyond > error_bound.edge,
+                possible: beyond > -error_bound.edge,
+            });
+        }
+    }
+    so_far
+}
+
+#[inline(always)]
+pub(in crate::query) fn cross<P: Number + Mul<Output = P>>(a: &[P; 3], b: &[P; 3]) -> [P; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+#[inline(always)]
+pub(in crate::query) fn dot<P: Number + Mul<Output = P>>(a: &[P; 3], b: &[P; 3]) -> P {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}

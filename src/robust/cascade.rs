@@ -1,0 +1,86 @@
+//! The stages that a scalar puts together to a cascade: each asks one number system, and
+//! escalates to the next where that cannot vouch for the answer.
+//!
+//! Only the first stage is inlined: the common path stays small.
+
+use super::predicate::Predicate;
+use super::stages::{Stage, note};
+use crate::arithmetic::{Embeds, Int64};
+#[cfg(feature = "fixed")]
+use crate::arithmetic::{InWord, REGISTERS_ARE_WIDE, Word};
+
+/// The first stage for questions with a number for an answer.
+#[inline(always)]
+pub(crate) fn numeric_stage<S, N: Embeds<S>, P: Predicate<S>>(
+    p: &P,
+    next: fn(&P) -> P::Answer,
+) -> P::Answer {
+    match p.fast_path::<N>() {
+        Some(answer) => answer,
+        None => {
+            note(Stage::Numeric);
+            next(p)
+        }
+    }
+}
+
+/// The answer in `N`, or else what `next` says.
+#[inline(always)]
+pub(crate) fn stage<S, N: Embeds<S>, P: Predicate<S>>(
+    p: &P,
+    next: fn(&P) -> P::Answer,
+) -> P::Answer {
+    match p.filter::<N>() {
+        Some(answer) => answer,
+        None => {
+            note(Stage::Filter);
+            next(p)
+        }
+    }
+}
+
+/// Where registers are narrow: the answer in words of `W`, or else what `next` says.
+#[cfg(feature = "fixed")]
+#[inline(always)]
+pub(crate) fn narrow_stage<S: InWord<W>, W: Word, P: Predicate<S>>(
+    p: &P,
+    next: impl FnOnce(&P) -> P::Answer,
+) -> P::Answer {
+    if REGISTERS_ARE_WIDE {
+        return next(p);
+    }
+    match p.narrow() {
+        Some(answer) => answer,
+        None => {
+            note(Stage::Narrow);
+            next(p)
+        }
+    }
+}
+
+/// The only stage, for a scalar all of whose questions `N` can answer.
+#[cfg(feature = "fixed")]
+#[inline(always)]
+pub(crate) fn only_stage<S, N: Embeds<S>, P: Predicate<S>>(p: &P) -> P::Answer {
+    let answer = p.filter::<N>();
+    debug_assert!(answer.is_some());
+    answer.unwrap_or_default()
+}
+
+/// Exact integers if the input fits them, else exact sums.
+#[cold]
+#[inline(never)]
+pub(crate) fn integer_stage<S, P: Predicate<S>>(p: &P) -> P::Answer
+where
+    Int64: Embeds<S>,
+{
+    stage::<S, Int64, P>(p, exact_stage::<S, P>)
+}
+
+/// The last stage: exact sums.
+#[cold]
+#[inline(never)]
+pub(crate) fn exact_stage<S, P: Predicate<S>>(p: &P) -> P::Answer {
+    note(Stage::Exact);
+    p.exact()
+}

@@ -1,0 +1,92 @@
+//! Areas and determinants of differences, as exact sums of products.
+//!
+//! No difference is formed, for it might round. A difference is a list of signed
+//! coordinates, a product of differences the sum of all products of one from each list,
+//! and only the sum's sign is asked for.
+
+use core::cmp::Ordering;
+
+use super::exact_sum::ExactSum;
+use crate::arithmetic::{Parts, pick, turn};
+
+/// A sum of up to three signed coordinates.
+pub(crate) type Linear = [Parts; 3];
+
+/// Three of them.
+pub(crate) type Vector = [Linear; 3];
+
+/// A coordinate alone.
+pub(crate) fn single(a: Parts) -> Linear {
+    [a, Parts::ZERO, Parts::ZERO]
+}
+
+/// a − b.
+pub(crate) fn difference(a: Parts, b: Parts) -> Linear {
+    [a, b.negated(), Parts::ZERO]
+}
+
+const UNIT: Linear = [Parts::UNIT, Parts::ZERO, Parts::ZERO];
+
+/// Adds a·b·c to the sum, or takes it away. Out of line: code this cold should be small.
+#[inline(never)]
+fn add_product<T: ExactSum>(sum: &mut T, [a, b, c]: [&Linear; 3], minus: bool) {
+    let nonzero = |x: &&Parts| x.magnitude != 0;
+    for &x in a.iter().filter(nonzero) {
+        let x = if minus { x.negated() } else { x };
+        for &y in b.iter().filter(nonzero) {
+            for &z in c.iter().filter(nonzero) {
+                sum.add(&[x, y, z]);
+            }
+        }
+    }
+}
+
+/// Adds a·b·c times `factor` to the sum.
+#[inline(never)]
+fn add_multiple<T: ExactSum>(sum: &mut T, [a, b, c]: [&Linear; 3], factor: Parts) {
+    let nonzero = |x: &&Parts| x.magnitude != 0;
+    for &x in a.iter().filter(nonzero) {
+        for &y in b.iter().filter(nonzero) {
+            for &z in c.iter().filter(nonzero) {
+                sum.add(&[factor, x, y, z]);
+            }
+        }
+    }
+}
+
+/// The sign of a sum of coordinates.
+#[inline(never)]
+pub(crate) fn sign<T: ExactSum>(x: &Linear) -> Ordering {
+    let mut sum = T::new();
+    add_product(&mut sum, [x, &UNIT, &UNIT], false);
+    sum.sign()
+}
+
+/// Adds a·b to the sum, or takes it away.
+pub(crate) fn add_area<T: ExactSum>(sum: &mut T, a: &Linear, b: &Linear, minus: bool) {
+    add_product(sum, [a, b, &UNIT], minus);
+}
+
+/// Adds (a × b)·c to the sum.
+pub(crate) fn add_determinant<T: ExactSum>(sum: &mut T, a: &Vector, b: &Vector, c: &Vector) {
+    for i in 0..3 {
+        let (i, j, k) = turn(i);
+        add_product(sum, [pick(a, j), pick(b, k), pick(c, i)], false);
+        add_product(sum, [pick(a, k), pick(b, j), pick(c, i)], true);
+    }
+}
+
+/// Adds (a × b)·c times `factor` to the sum.
+pub(crate) fn add_scaled_determinant<T: ExactSum>(
+    sum: &mut T,
+    a: &Vector,
+    b: &Vector,
+    c: &Vector,
+    factor: Parts,
+) {
+    for i in 0..3 {
+        let (i, j, k) = turn(i);
+        add_multiple(sum, [pick(a, j), pick(b, k), pick(c, i)], factor);
+        add_multiple(sum, [pick(a, k), pick(b, j), pick(c, i)], factor.negated());
+    }
+}

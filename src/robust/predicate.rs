@@ -1,0 +1,43 @@
+use crate::arithmetic::{Embeds, InWord, Word};
+
+/// A question about coordinates of the scalar `S`.
+///
+/// It knows how to answer itself in any number system; the scalar knows which
+/// systems to try, the cheapest first.
+pub trait Predicate<S> {
+    /// Yes or no, or what was found.
+    type Answer: Default;
+
+    /// The answer, if `N` can vouch for it.
+    fn filter<N: Embeds<S>>(&self) -> Option<Self::Answer>;
+
+    /// The same, where it takes but one pass without branches; `None` otherwise.
+    #[inline(always)]
+    fn fast_path<N: Embeds<S>>(&self) -> Option<Self::Answer> {
+        self.filter::<N>()
+    }
+
+    /// The answer in words of `W`, for a question that has a kernel of its own for
+    /// narrow registers, if the shapes are near enough to each other.
+    #[inline(always)]
+    fn narrow<W: Word>(&self) -> Option<Self::Answer>
+    where
+        S: InWord<W>,
+    {
+        None
+    }
+
+    /// A conservative answer by coordinates cut down to 18 bits, for scalars so wide that
+    /// an exact one is dear; `None` where the question has none.
+    #[cfg(feature = "fixed")]
+    #[inline(always)]
+    fn cut_down(&self) -> Option<Self::Answer>
+    where
+        S: InWord<i128>,
+    {
+        None
+    }
+
+    /// The answer for every input, by exact sums of products.
+    fn exact(&self) -> Self::Answer;
+}

@@ -1,0 +1,27 @@
+//! How often a cascade escalates: counted in unit tests, and nowhere else.
+
+/// Where a question escalates, or arrives at the last stage.
+#[derive(Clone, Copy)]
+pub(super) enum Stage {
+    /// Past the first stage for numbers.
+    Numeric,
+    /// Past a number system.
+    Filter,
+    /// Past a stage for narrow registers.
+    #[cfg(feature = "fixed")]
+    Narrow,
+    /// Arrived at the exact sums.
+    Exact,
+}
+
+/// Notes a step, in unit tests.
+#[inline(always)]
+pub(super) fn note(stage: Stage) {
+    #[cfg(all(test, feature = "fixed"))]
+    counts::add(stage);
+    #[cfg(not(all(test, feature = "fixed")))]
+    let _ = stage;
+}
+
+#[cfg(all(test, feature = "fixed"))]
+mod counts;

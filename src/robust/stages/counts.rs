@@ -1,0 +1,170 @@
+//! How many of a fixed stream of questions escalate: as many as ever.
+//!
+//! A bound that is too wide gives no wrong answer, and no hash of answers shows it: it
+//! sends questions to dearer arithmetic. How many go there is a matter of bits, and the
+//! same on every machine. Who changes a bound or a cascade measures its price, and then
+//! writes down the new numbers: `counts.txt`, and `counts_narrow.txt` where registers have
+//! 32 bits (`--cfg septum_narrow`).
+
+extern crate std;
+
+use core::cell::Cell;
+use std::fmt::Write;
+use std::format;
+use std::string::String;
+
+use fixed::types::{I4F4, I8F8, I16F16, I32F32};
+
+use super::Stage;
+use crate::arithmetic::{REGISTERS_ARE_WIDE, SMALL_CODE};
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, Obb, Plane, Ray, Segment, Triangle};
+
+std::thread_local! {
+    static COUNTS: Cell<[u32; 4]> = const { Cell::new([0; 4]) };
+}
+
+pub(super) fn add(stage: Stage) {
+    let mut counts = COUNTS.get();
+    counts[stage as usize] += 1;
+    COUNTS.set(counts);
+}
+
+/// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, "Fast Splittable Pseudorandom Number
+/// Generators", OOPSLA 2014).
+struct Rng(u64);
+
+impl Rng {
+    /// A whole number from −n to n.
+    fn within(&mut self, n: u32) -> i64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        let z = (z ^ (z >> 31)) as u32;
+        ((u64::from(z) * u64::from(2 * n + 1)) >> 32) as i64 - i64::from(n)
+    }
+}
+
+trait Sample: Scalar {
+    /// A number of one of three kinds: on a coarse grid, on a fine one, or as fine and far
+    /// from zero, where what is left of the type is contact.
+    fn sample(rng: &mut Rng, kind: u32) -> Self;
+}
+
+macro_rules! floats {
+    ($($float:ident: $far:literal;)*) => {$(
+        impl Sample for $float {
+            fn sample(rng: &mut Rng, kind: u32) -> Self {
+                match kind {
+                    0 => rng.within(4) as $float,
+                    1 => rng.within(1 << 20) as $float / 262_144.0,
+                    _ => $far + rng.within(1 << 20) as $float / 262_144.0,
+                }
+            }
+        }
+    )*};
+}
+floats! { f32: 1e5; f64: 1e14; }
+
+macro_rules! fixed_point {
+    ($($fixed:ident: $coarse:literal, $fine:literal, $far:literal;)*) => {$(
+        impl Sample for $fixed {
+            fn sample(rng: &mut Rng, kind: u32) -> Self {
+                Self::from_bits(match kind {
+                    0 => rng.within(4) << $coarse,
+                    1 => rng.within(1 << 20) >> (20 - $fine),
+                    _ => (1 << $far) + (rng.within(1 << 20) >> (20 - $fine)),
+                } as _)
+            }
+        }
+    )*};
+}
+fixed_point! {
+    I4F4: 3, 6, 5;
+    I8F8: 6, 13, 13;
+    I16F16: 15, 18, 30;
+    I32F32: 30, 20, 62;
+}
+
+/// How often each question escalates: past the first stage for numbers, a filter, a stage
+/// for narrow registers; and how often it arrives at the exact sums.
+fn rows<S: Sample>(scalar: &str, to: &mut String) {
+    const QUESTIONS: [&str; 10] = [
+        "triangle/aabb",
+        "separating axis",
+        "triangle/obb",
+        "aabb/aabb",
+        "plane/aabb",
+        "segment/aabb",
+        "ray/aabb",
+        "ray/aabb t_range",
+        "ray/triangle is_hit",
+        "ray/triangle hit",
+    ];
+    let mut counts = [[0; 4]; QUESTIONS.len()];
+    let mut rng = Rng(0x5e97_0a11);
+    for case in 0..1_800 {
+        let point = |rng: &mut Rng| [(); 3].map(|()| S::sample(rng, case % 3));
+        let [a, b, c, p, q, o, d] = [(); 7].map(|()| point(&mut rng));
+        let size = |x: S| if x < S::ZERO { S::ZERO } else { x };
+        let half = [(); 3].map(|()| size(S::sample(&mut rng, 1)));
+        let (low, high) = ([0, 1, 2].map(|i| if p[i] < q[i] { p[i] } else { q[i] }), p);
+        let high = [0, 1, 2].map(|i: usize| if high[i] < q[i] { q[i] } else { high[i] });
+        let triangle = Triangle::new(a, b, c).unwrap();
+        let boxes = [Aabb::from_center_half_extents(p, half), Aabb::from_min_max(low, high)];
+        let mut ask = |k: usize, question: &dyn Fn()| {
+            COUNTS.set([0; 4]);
+            question();
+            for (sum, count) in counts[k].iter_mut().zip(COUNTS.get()) {
+                *sum += count;
+            }
+        };
+        for aabb in boxes.map(Result::unwrap) {
+            ask(0, &|| _ = triangle.overlaps(&aabb));
+            ask(1, &|| _ = triangle.separating_axis(&aabb));
+            ask(3, &|| _ = aabb.overlaps(&Aabb::from_center_half_extents(c, half).unwrap()));
+            if let Ok(plane) = Plane::from_point_normal(o, d) {
+                ask(4, &|| _ = plane.side_of(&aabb));
+            }
+            ask(5, &|| _ = Segment::new(o, d).unwrap().overlaps(&aabb));
+            if let Ok(ray) = Ray::new(o, d) {
+                ask(6, &|| _ = ray.overlaps(&aabb));
+                ask(7, &|| _ = ray.t_range(&aabb));
+            }
+        }
+        if let Ok(obb) = Obb::from_skewed_axes(p, [q, d, o], half) {
+            ask(2, &|| _ = triangle.overlaps(&obb));
+        }
+        if let Ok(ray) = Ray::new(o, d) {
+            ask(8, &|| _ = ray.is_hit(&triangle));
+            ask(9, &|| _ = ray.hit(&triangle));
+        }
+    }
+    for (question, [numeric, filter, narrow, exact]) in QUESTIONS.iter().zip(counts) {
+        writeln!(to, "{scalar:7}{question:20}{numeric:6}{filter:7}{narrow:7}{exact:7}").unwrap();
+    }
+}
+
+#[test]
+fn questions_escalate_as_often_as_they_did() {
+    // Short cascades have other stages.
+    if SMALL_CODE {
+        return;
+    }
+    let mut counts = format!(
+        "scalar {:20}{:>6}{:>7}{:>7}{:>7}\n",
+        "question", "number", "filter", "narrow", "exact"
+    );
+    rows::<f32>("f32", &mut counts);
+    rows::<f64>("f64", &mut counts);
+    rows::<I4F4>("I4F4", &mut counts);
+    rows::<I8F8>("I8F8", &mut counts);
+    rows::<I16F16>("I16F16", &mut counts);
+    rows::<I32F32>("I32F32", &mut counts);
+    let kept = if REGISTERS_ARE_WIDE {
+        include_str!("counts.txt")
+    } else {
+        include_str!("counts_narrow.txt")
+    };
+    assert!(counts == kept, "the counts are now\n{counts}");
+}

@@ -1,0 +1,249 @@
+//! Three axes of a scalar: whether they are orthonormal, in plain arithmetic, and how far
+//! they reach along a coordinate axis.
+
+use super::Scalar;
+use crate::robust::ExactSum;
+
+/// What an oriented box asks when it is made, and when it is enclosed.
+pub trait Axes: Copy {
+    /// Whether the dot products of the axes are those of a frame, within one eighth;
+    /// `None` if the type holds no axis of length one.
+    fn are_orthonormal(axes: &[[Self; 3]; 3]) -> Option<bool>;
+
+    /// The greatest number not above c − r and the least not below c + r, with r the
+    /// sum of |aᵢ|·hᵢ; a fixed-point type ends where it ends. `None` where a float
+    /// overflows.
+    fn enclosed(center: Self, across: [Self; 3], half: [Self; 3]) -> Option<(Self, Self)>;
+}
+
+macro_rules! float {
+    ($float:ident, $are_orthonormal:ident, $next_up:ident, |$c:ident, $across:ident, $half:ident| $enclosed:expr) => {
+        /// In the float's own arithmetic. The rounding of a dot product is far below
+        /// an eighth; an overflow is an infinity or a NaN, and refused.
+        pub(crate) const fn $are_orthonormal(axes: &[[$float; 3]; 3]) -> Option<bool> {
+            const fn is_near(a: &[$float; 3], b: &[$float; 3], target: $float) -> bool {
+                let dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+                (dot - target).abs() <= 0.125
+            }
+            let [u, v, w] = axes;
+            Some(
+                is_near(u, u, 1.0)
+                    && is_near(v, v, 1.0)
+                    && is_near(w, w, 1.0)
+                    && is_near(u, v, 0.0)
+                    && is_near(v, w, 0.0)
+                    && is_near(w, u, 0.0),
+            )
+        }
+
+        /// The next number, for a finite one; the greatest has infinity.
+        fn $next_up(x: $float) -> $float {
+            if x == 0.0 {
+                return $float::from_bits(1);
+            }
+            let bits = x.to_bits();
+            $float::from_bits(if x > 0.0 { bits + 1 } else { bits - 1 })
+        }
+
+        impl Axes for $float {
+            fn are_orthonormal(axes: &[[Self; 3]; 3]) -> Option<bool> {
+                $are_orthonormal(axes)
+            }
+
+            fn enclosed($c: Self, $across: [Self; 3], $half: [Self; 3]) -> Option<(Self, Self)> {
+                let (low, high): (Self, Self) = $enclosed;
+                // Zero minus or plus a number, so that no corner is −0.
+                let (low, high) = (0.0 - low, 0.0 + high);
+                (low.is_finite() && high.is_finite()).then_some((low, high))
+            }
+        }
+    };
+}
+float!(f32, are_orthonormal_f32, next_up_f32, |c, across, half| faces_in_double(c, across, half));
+float!(f64, are_orthonormal_f64, next_up_f64, |c, across, half| {
+    let face = |c| face_exactly(c, across, half, next_up_f64);
+    (face(-c), face(c))
+});
+
+/// The least numbers not below −c + r and c + r, with r = Σ|aᵢ|·hᵢ: by `f64`, unless
+/// that leaves two to choose from.
+///
+/// The products are exact in `f64`. If the three sums are, so is the result; if not,
+/// each errs by 2⁻⁵³ of itself, which is at most |c| + r: together less than `margin`.
+fn faces_in_double(c: f32, across: [f32; 3], half: [f32; 3]) -> (f32, f32) {
+    // Exactly if the greater operand taken from the sum leaves the other.
+    let sum = |(a, was_exact): (f64, bool), b: f64| {
+        let s = a + b;
+        let (greater, other) = if a.abs() < b.abs() { (b, a) } else { (a, b) };
+        (s, was_exact & (s - greater == other))
+    };
+    let product = |a: f32, h: f32| f64::from(a).abs() * f64::from(h);
+    let ([a, b, d], [h, k, l]) = (across, half);
+    let extent = sum(sum((product(a, h), true), product(b, k)), product(d, l));
+    let up = |x: f64| {
+        let near = x as f32;
+        if near.is_finite() && f64::from(near) < x { next_up_f32(near) } else { near }
+    };
+    let face = |c: f32| {
+        let (middle, is_exact) = sum(extent, c.into());
+        if is_exact {
+            return up(middle);
+        }
+        let margin = 4.0 * f64::EPSILON * (f64::from(c).abs() + extent.0);
+        let (least, greatest) = (up(middle - margin), up(middle + margin));
+        if least == greatest { greatest } else { face_exactly(c, across, half, next_up_f32) }
+    };
+    (face(-c), face(c))
+}
+
+/// The least float not below c + Σ|aᵢ|·hᵢ, by exact sums.
+#[cold]
+fn face_exactly<S>(c: S, across: [S; 3], half: [S; 3], next_up: fn(S) -> S) -> S
+where
+    S: Scalar + core::ops::Neg<Output = S>,
+{
+    let mut face = S::Sum::new();
+    face.add(&[c.parts(), S::ONE]);
+    for (a, h) in across.into_iter().zip(half) {
+        let mut a = a.parts();
+        a.negative = false;
+        face.add(&[a, h.parts()]);
+    }
+    let mut one = S::Sum::new();
+    one.add(&[S::ONE, S::ONE]);
+    let is_below = |x: S| {
+        let mut rest = S::Sum::new();
+        rest.add(&[c.parts(), S::ONE]);
+        rest.add(&[x.parts().negated(), S::ONE]);
+        for (a, h) in across.into_iter().zip(half) {
+            let mut a = a.parts();
+            a.negative = false;
+            rest.add(&[a, h.parts()]);
+        }
+        rest.sign() == core::cmp::Ordering::Greater
+    };
+    // The quotient is the nearest number or one beside it.
+    let mut x = S::quotient(&face, &one);
+    while x.is_finite() && is_below(x) {
+        x = next_up(x);
+    }
+    loop {
+        let inward = -next_up(-x);
+        if !x.is_finite() || is_below(inward) {
+            return x;
+        }
+        x = inward;
+    }
+}
+
+/// Axes in units of 2^-28, or of the type's own last place where that is coarser.
+///
+/// Nothing above 2 is handed in, which no axis may have: so a product is at most
+/// 2^58, and eight times the sum of three below 2^63.
+#[cfg(feature = "fixed")]
+pub(crate) const fn are_orthonormal_fixed(axes: &[[i32; 3]; 3], fraction_bits: u32) -> bool {
+    const fn is_near(a: &[i32; 3], b: &[i32; 3], target: i64, square: i64) -> bool {
+        let dot = a[0] as i64 * b[0] as i64 + a[1] as i64 * b[1] as i64 + a[2] as i64 * b[2] as i64;
+        let off = 8 * (dot - target);
+        -square <= off && off <= square
+    }
+    let [u, v, w] = axes;
+    let one = 1_i64 << (2 * fraction_bits);
+    is_near(u, u, one, one)
+        && is_near(v, v, one, one)
+        && is_near(w, w, one, one)
+        && is_near(u, v, 0, one)
+        && is_near(v, w, 0, one)
+        && is_near(w, u, 0, one)
+}
+
+/// The most fraction bits that the check of axes keeps.
+#[cfg(feature = "fixed")]
+pub(crate) const KEPT_BITS: u32 = 28;
+
+/// The check of fixed-point axes, in a form that a `const fn` can use.
+#[cfg(feature = "fixed")]
+macro_rules! fixed_axes_are_orthonormal {
+    ($fixed:ty, $axes:expr) => {{
+        use $crate::scalar::axes::{KEPT_BITS, are_orthonormal_fixed};
+
+        const fn kept(bits: i64, shift: u32, two: i32) -> Option<i32> {
+            let x = bits >> shift;
+            if -(two as i64) <= x && x <= two as i64 { Some(x as i32) } else { None }
+        }
+        const fn row(x: Option<i32>, y: Option<i32>, z: Option<i32>) -> Option<[i32; 3]> {
+            match (x, y, z) {
+                (Some(x), Some(y), Some(z)) => Some([x, y, z]),
+                _ => None,
+            }
+        }
+        let fraction_bits = <$fixed>::FRAC_NBITS;
+        let shift = fraction_bits.saturating_sub(KEPT_BITS);
+        let unit = fraction_bits - shift;
+        let two = 2_i32 << unit;
+        let [[a, b, c], [d, e, f], [g, h, i]] = $axes;
+        let u = row(
+            kept(a.to_bits() as i64, shift, two),
+            kept(b.to_bits() as i64, shift, two),
+            kept(c.to_bits() as i64, shift, two),
+        );
+        let v = row(
+            kept(d.to_bits() as i64, shift, two),
+            kept(e.to_bits() as i64, shift, two),
+            kept(f.to_bits() as i64, shift, two),
+        );
+        let w = row(
+            kept(g.to_bits() as i64, shift, two),
+            kept(h.to_bits() as i64, shift, two),
+            kept(i.to_bits() as i64, shift, two),
+        );
+        if <$fixed>::INT_NBITS == 0 {
+            None
+        } else {
+            Some(match (u, v, w) {
+                (Some(u), Some(v), Some(w)) => are_orthonormal_fixed(&[u, v, w], unit),
+                _ => false,
+            })
+        }
+    }};
+}
+#[cfg(feature = "fixed")]
+pub(crate) use fixed_axes_are_orthonormal;
+
+/// For each type, what holds the sum of three products of its raw bits without sign:
+/// 3·2^(2b−2) is below 2^(2b).
+#[cfg(feature = "fixed")]
+macro_rules! fixed {
+    ($($fixed:ident, $bound:ident, $sum:ident;)*) => {$(
+        impl<Frac: fixed::types::extra::$bound> Axes for fixed::$fixed<Frac> {
+            fn are_orthonormal(axes: &[[Self; 3]; 3]) -> Option<bool> {
+                fixed_axes_are_orthonormal!(fixed::$fixed<Frac>, *axes)
+            }
+
+            fn enclosed(c: Self, across: [Self; 3], half: [Self; 3]) -> Option<(Self, Self)> {
+                let product = |a: Self, h: Self| {
+                    $sum::from(a.to_bits().unsigned_abs()) * $sum::from(h.to_bits().unsigned_abs())
+                };
+                let ([a, b, d], [h, k, l]) = (across, half);
+                let sum = product(a, h) + product(b, k) + product(d, l);
+                let whole = sum >> Self::FRAC_NBITS;
+                let part = sum & (((1 as $sum) << Self::FRAC_NBITS) - 1);
+                let extent = whole + $sum::from(part != 0);
+                Some(match extent.try_into() {
+                    Ok(extent) => (
+                        Self::from_bits(c.to_bits().saturating_sub_unsigned(extent)),
+                        Self::from_bits(c.to_bits().saturating_add_unsigned(extent)),
+                    ),
+                    Err(_) => (Self::MIN, Self::MAX),
+                })
+            }
+        }
+    )*};
+}
+#[cfg(feature = "fixed")]
+fixed! {
+    FixedI8, LeEqU8, u16;
+    FixedI16, LeEqU16, u32;
+    FixedI32, LeEqU32, u64;
+    FixedI64, LeEqU64, u128;
+}

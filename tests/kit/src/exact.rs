@@ -1,0 +1,17 @@
+//! Numbers taken apart. Oracles work on these: what is not generic over the scalar is
+//! compiled once for all of them.
+
+use dashu_int::IBig;
+
+/// A number of any scalar as mantissa and exponent: exactly m·2^e.
+pub type Parts = (i64, i32);
+
+/// The least exponent among numbers that are not zero, or zero.
+pub(crate) fn least_exponent<'a>(all: impl IntoIterator<Item = &'a Parts>) -> i32 {
+    all.into_iter().filter(|x| x.0 != 0).map(|x| x.1).min().unwrap_or(0)
+}
+
+/// The number in units of 2^unit, which must be no coarser than the number's own.
+pub(crate) fn whole((m, e): Parts, unit: i32) -> IBig {
+    if m == 0 { IBig::ZERO } else { IBig::from(m) << (e - unit) as usize }
+}

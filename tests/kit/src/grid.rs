@@ -1,0 +1,67 @@
+//! Every triangle on a small grid, asked about in every scalar: here and not in the test,
+//! for it is asked so often that it pays to compile the crate's part of it with all
+//! optimisation, as this package is.
+
+use fixed::types::{I4F4, I8F8, I16F16, I32F32};
+use septum::{Aabb, Triangle};
+
+use super::case::{BoxNumbers, Case};
+use super::oracle::meets;
+use super::sample::Sample;
+
+type Point = [f64; 3];
+
+const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+
+/// All triples of grid points without regard to order, repetitions included.
+fn triples() -> impl Iterator<Item = [Point; 3]> {
+    let point = |n: usize| [n / 25, n / 5 % 5, n % 5].map(|x| x as f64 - 2.0);
+    (0..125).flat_map(move |a| {
+        (a..125).flat_map(move |b| (b..125).map(move |c| [point(a), point(b), point(c)]))
+    })
+}
+
+/// Asks the crate, in every order of the vertices.
+fn check<S: Sample>(vertices: &[Point; 3], aabb: &Aabb<S>, expected: bool) {
+    let vertices = vertices.map(|v| v.map(S::nearest));
+    for order in ORDERS {
+        let [a, b, c] = order.map(|k| vertices[k]);
+        let triangle = Triangle::new(a, b, c).expect("finite vertices");
+        let is_right =
+            triangle.overlaps(aabb) == expected && triangle.may_overlap(aabb) >= expected;
+        assert!(is_right, "{triangle:?}, {aabb:?}");
+    }
+}
+
+fn in_scalar<S: Sample>(numbers: BoxNumbers<f64>) -> Aabb<S> {
+    let to = |v: Point| v.map(S::nearest);
+    match numbers {
+        BoxNumbers::Center(c, h) => Aabb::from_center_half_extents(to(c), to(h)),
+        BoxNumbers::Corners(min, max) => Aabb::from_min_max(to(min), to(max)),
+    }
+    .expect("a box")
+}
+
+/// Asks about the box and every triangle on the grid {−2, …, 2}³, degenerate ones included:
+/// 333,375 triples of vertices, each in six orders and six scalars. The oracle is asked once
+/// for three vertices. Panics at the first wrong answer; returns how many triples meet the box.
+pub fn every_triangle_on_the_grid(aabb: BoxNumbers<f64>) -> u32 {
+    let single: Aabb<f32> = in_scalar(aabb);
+    let double: Aabb<f64> = in_scalar(aabb);
+    let i4f4: Aabb<I4F4> = in_scalar(aabb);
+    let i8f8: Aabb<I8F8> = in_scalar(aabb);
+    let i16f16: Aabb<I16F16> = in_scalar(aabb);
+    let i32f32: Aabb<I32F32> = in_scalar(aabb);
+    let mut met = 0;
+    for vertices in triples() {
+        let expected = meets(&Case { vertices, aabb });
+        met += u32::from(expected);
+        check(&vertices, &single, expected);
+        check(&vertices, &double, expected);
+        check(&vertices, &i4f4, expected);
+        check(&vertices, &i8f8, expected);
+        check(&vertices, &i16f16, expected);
+        check(&vertices, &i32f32, expected);
+    }
+    met
+}

@@ -1,0 +1,87 @@
+//! What tests, fuzz targets and benches share: oracles that reach their verdicts by
+//! other theorems than the crate, and sets of cases, each from a seed.
+//!
+//! | what | oracle | cases |
+//! | --- | --- | --- |
+//! | triangle and box | [`meets`], [`separates`], [`is_collinear`] | [`Set`], [`Touch`] |
+//! | triangle and oriented box | [`Oriented::meets`] | |
+//! | plane and box | [`side`] | |
+//! | line and box | [`lines::LineBox::clip`] | [`lines::LineSet`] |
+//! | ray and triangle | [`rays::crossing`] | [`rays::RaySet`], [`rays::Scene`] |
+//! | unit normals | [`is_nearest_to_unit`] | |
+//! | lanes | [`Lanes::check`]: one by one | |
+//!
+//! [`Sample`] is what all of these must know of a scalar, [`Rng`] the one random generator.
+//! Oracles take numbers apart first ([`Parts`]): what is not generic is compiled once.
+
+mod case;
+mod exact;
+mod flip;
+mod grid;
+#[cfg(feature = "jobs")]
+pub mod jobs;
+mod lanes;
+mod lattice;
+pub mod lines;
+mod normal;
+mod oracle;
+mod oriented;
+mod plane;
+mod projection;
+pub mod rays;
+mod rng;
+mod sample;
+mod sets;
+mod touch;
+
+pub use case::{BoxNumbers, Case};
+pub use exact::Parts;
+pub use grid::every_triangle_on_the_grid;
+pub use lanes::Lanes;
+pub use lattice::{Lattice, Ring, Shapes, odd_mantissa};
+pub use normal::{Points, compare_with_unit, is_nearest_to_unit, normal_of};
+pub use oracle::{is_collinear, meets};
+pub use oriented::Oriented;
+pub use plane::{Given, side};
+pub use projection::separates;
+pub use rng::Rng;
+pub use sample::Sample;
+pub use sets::Set;
+pub use touch::Touch;
+
+/// For the names of its types in [`for_every_scalar`].
+#[doc(hidden)]
+pub use fixed;
+
+/// Runs generic checks as one test for each scalar.
+#[macro_export]
+macro_rules! for_every_scalar {
+    ($($check:ident),* $(,)?) => {$(
+        mod $check {
+            #[test]
+            fn f32() {
+                super::$check::<f32>();
+            }
+            #[test]
+            fn f64() {
+                super::$check::<f64>();
+            }
+            #[test]
+            fn i4f4() {
+                super::$check::<$crate::fixed::types::I4F4>();
+            }
+            #[test]
+            fn i8f8() {
+                super::$check::<$crate::fixed::types::I8F8>();
+            }
+            #[test]
+            fn i16f16() {
+                super::$check::<$crate::fixed::types::I16F16>();
+            }
+            #[test]
+            fn i32f32() {
+                super::$check::<$crate::fixed::types::I32F32>();
+            }
+        }
+    )*};
+}

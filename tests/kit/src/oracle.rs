@@ -1,0 +1,125 @@
+//! The oracle: does a triangle meet a box? By clipping, where the crate looks
+//! for separating axes.
+//!
+//! A closed convex set meets the box exactly if something is left of it after it
+//! was cut by the box's six closed half-spaces (I. E. Sutherland, G. W. Hodgman,
+//! "Reentrant Polygon Clipping", *CACM* 17(1), 1974). It is cut in barycentric
+//! coordinates, where every point of the triangle is some u·a + v·b + w·c with
+//! u, v, w ≥ 0 not all zero, up to a positive factor. There
+//! - a triangle that is a segment or a point is a whole triangle still, the map
+//!   to space is just not one-to-one;
+//! - a half-space is a linear form in u, v, w: its value at the three vertices;
+//! - a side of what is left is a line, its form known, and a new corner is the
+//!   cross product of two forms. So corners never get longer than that, however
+//!   many cuts they have been through, and no fraction appears.
+
+use super::case::Case;
+use super::lattice::{Lattice, Ring, Shapes};
+use super::sample::Sample;
+
+/// Whether triangle and box have a point in common.
+pub fn meets<S: Sample>(case: &Case<S>) -> bool {
+    Lattice::new(case).meets()
+}
+
+/// Whether the triangle's vertices lie on one line or in one point: equality in
+/// the inequality of Cauchy and Schwarz for two of its edges.
+pub fn is_collinear<S: Sample>(case: &Case<S>) -> bool {
+    Lattice::new(case).is_collinear()
+}
+
+impl Lattice {
+    fn is_collinear(&self) -> bool {
+        let shapes = match self {
+            Self::Narrow(shapes) => &shapes.big(),
+            Self::Wide(shapes) => shapes,
+        };
+        let (e, f) = (shapes.edge(0), shapes.edge(1));
+        let ef = Ring::dot(&e, &f);
+        Ring::dot(&e, &e) * Ring::dot(&f, &f) == &ef * &ef
+    }
+
+    /// Whether the two shapes have a point in common.
+    pub fn meets(&self) -> bool {
+        match self {
+            Self::Narrow(shapes) => shapes.meet(),
+            Self::Wide(shapes) => shapes.meet(),
+        }
+    }
+}
+
+/// A corner of what is left, and the line of the side to the next corner.
+#[derive(Clone)]
+struct Corner<I> {
+    point: [I; 3],
+    side: [I; 3],
+}
+
+impl<I: Ring> Shapes<I> {
+    fn meet(&self) -> bool {
+        let spaces = self.half_spaces();
+        // Two early answers: a vertex in the box, a half-space that holds none.
+        let inside = |form: &[I; 3], k: usize| form[k].sign() >= 0;
+        if (0..3).any(|k| spaces.iter().all(|form| inside(form, k))) {
+            return true;
+        }
+        if spaces.iter().any(|form| !(0..3).any(|k| inside(form, k))) {
+            return false;
+        }
+
+        let unit = |k: usize| core::array::from_fn(|i| I::from_bit(i == k));
+        // On the side from vertex k to the next, the third coordinate is zero.
+        let corner = |k: usize| Corner { point: unit(k), side: unit((k + 2) % 3) };
+        let mut cycle = vec![corner(0), corner(1), corner(2)];
+        for form in &spaces {
+            cycle = clip(&cycle, form);
+            if cycle.is_empty() {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// The six half-spaces as forms that are not negative inside.
+    fn half_spaces(&self) -> [[I; 3]; 6] {
+        core::array::from_fn(|s| {
+            let i = s % 3;
+            core::array::from_fn(|k| {
+                let x = &self.vertices[k][i];
+                if s < 3 { x.clone() } else { self.extent[i].minus(x) }
+            })
+        })
+    }
+}
+
+/// What the half-space leaves of the cycle.
+fn clip<I: Ring>(cycle: &[Corner<I>], form: &[I; 3]) -> Vec<Corner<I>> {
+    let signs: Vec<i32> = cycle.iter().map(|c| I::dot(&c.point, form).sign()).collect();
+    if signs.iter().all(|&sign| sign >= 0) {
+        return cycle.to_vec();
+    }
+    let mut left = Vec::with_capacity(cycle.len() + 1);
+    for (i, Corner { point, side }) in cycle.iter().enumerate() {
+        let (here, next) = (signs[i], signs[(i + 1) % signs.len()]);
+        let keep = |point, side: &[I; 3]| Corner { point, side: side.clone() };
+        match (here, next) {
+            (0.., 0..) => left.push(keep(point.clone(), side)),
+            // Leaving: from here to where it comes back, along the cut.
+            (1, _) => {
+                left.push(keep(point.clone(), side));
+                left.push(keep(crossing(side, form), form));
+            }
+            (0, _) => left.push(keep(point.clone(), form)),
+            (_, 1) => left.push(keep(crossing(side, form), side)),
+            _ => {}
+        }
+    }
+    left
+}
+
+/// Where two lines meet, which they do inside the triangle: no coordinate is
+/// negative, after a change of all signs if need be.
+fn crossing<I: Ring>(a: &[I; 3], b: &[I; 3]) -> [I; 3] {
+    let point = I::cross(a, b);
+    if point.iter().any(|x| x.sign() < 0) { I::cross(b, a) } else { point }
+}

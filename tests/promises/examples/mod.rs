@@ -1,0 +1,51 @@
+//! The examples, as their users meet them.
+
+mod advise;
+mod keep_out;
+mod options;
+mod printing;
+mod quantise;
+mod voxelize;
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::Mutex;
+
+/// A directory for one test, empty at its start.
+fn directory(test: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("examples").join(test);
+    let _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir_all(&path).unwrap();
+    path
+}
+
+/// Builds an example, once: `cargo test` builds all but those whose own tests it runs.
+fn built(example: &str, target: &Path) {
+    static BUILDING: Mutex<()> = Mutex::new(());
+    let _one_at_a_time = BUILDING.lock();
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["build", "--quiet", "--manifest-path"]);
+    cargo.arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml"));
+    cargo.args(["--example", example, "--target-dir"]).arg(target.parent().unwrap());
+    assert!(cargo.status().unwrap().success(), "{example}");
+}
+
+/// Runs an example.
+fn run(example: &str, arguments: &[&str], directory: &Path) -> Output {
+    let test = std::env::current_exe().unwrap();
+    let target = test.parent().and_then(Path::parent).unwrap();
+    let program =
+        target.join("examples").join(example).with_extension(std::env::consts::EXE_EXTENSION);
+    if !program.exists() {
+        built(example, target);
+    }
+    Command::new(program).args(arguments).current_dir(directory).output().unwrap()
+}
+
+/// What a successful run printed, and what it wrote to the error stream.
+fn printed(example: &str, arguments: &[&str], directory: &Path) -> [String; 2] {
+    let output = run(example, arguments, directory);
+    let [out, errors] = [output.stdout, output.stderr].map(|s| String::from_utf8(s).unwrap());
+    assert!(output.status.success(), "{example} {arguments:?}: {errors}");
+    [out, errors]
+}

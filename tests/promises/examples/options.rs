@@ -1,0 +1,143 @@
+//! What users type wrong costs one line, and says what is right.
+
+use std::fs;
+
+use super::{directory, printed, run};
+
+/// Each of these is refused by one line with these words in it.
+fn refused(example: &str, cases: &[(&str, &str)]) {
+    let directory = directory(&format!("refused-{example}"));
+    fs::write(directory.join("far.obj"), "v 1e30 1 1\nv 1e30 1 2\nv 1e30 4 2\nf 1 2 3\n").unwrap();
+    for (arguments, says) in cases {
+        let words: Vec<&str> = arguments.split(' ').collect();
+        let output = run(example, &words, &directory);
+        let errors = String::from_utf8(output.stderr).unwrap();
+        assert!(matches!(output.status.code(), Some(1 | 2)), "{example} {arguments}: {errors}");
+        assert!(output.stdout.is_empty(), "{example} {arguments}");
+        assert!(errors.starts_with("error: "), "{example} {arguments}: {errors}");
+        assert_eq!(errors.trim_end().lines().count(), 1, "{example} {arguments}: {errors}");
+        assert!(errors.chars().count() < 250, "{example} {arguments}: {errors}");
+        assert!(errors.contains(says), "{example} {arguments}: no `{says}` in {errors}");
+    }
+}
+
+#[test]
+fn voxelize() {
+    refused(
+        "voxelize",
+        &[
+            ("-s f16", "f32, f64, i8f8, i16f16, i32f32"),
+            ("--scalar fixed", "f32, f64, i8f8, i16f16, i32f32"),
+            ("-m best", "exact, conservative, published, rounded"),
+            ("-u x", "y, z"),
+            ("-r many", "not a whole number"),
+            ("-r -5", "not a whole number"),
+            ("-r 1e3", "not a whole number"),
+            ("-r 99999999999", "not a whole number of 32 bits"),
+            ("-r 0", "at least one voxel"),
+            ("--no-picture -o a.png", "cannot be used with"),
+            ("--no-pictures", "--no-pictures"),
+            ("--vox", "--vox"),
+            ("none.obj", "none.obj"),
+            ("a.obj b.obj", "b.obj"),
+        ],
+    );
+}
+
+#[test]
+fn advise() {
+    refused(
+        "advise",
+        &[
+            ("--cell 0", "above zero"),
+            ("--cell nan", "above zero"),
+            ("--cell wide", "above zero"),
+            ("--cell 1e-300", "boxes of 1.00e-300 are too small"),
+            ("--tolerance -1", "zero or above"),
+            ("--tolerance inf", "zero or above"),
+            ("--tolerance 1e300", "too small"),
+            ("--target m7", "host, m0, m4f"),
+            ("--bits 7", "from 8 to 64"),
+            ("--bits sixteen", "from 8 to 64"),
+            ("--sample 0", "above zero"),
+            ("--sample -1", "above zero"),
+            ("far.obj", "too far from the origin"),
+            ("none.stl", "none.stl"),
+        ],
+    );
+}
+
+#[test]
+fn quantise() {
+    refused(
+        "quantise",
+        &[
+            ("--scalar f32", "i4f4, i8f8, i16f16, i32f32"),
+            ("--up x", "y, z"),
+            ("--scale 0", "above zero"),
+            ("--scale nan", "above zero"),
+            ("--scale -2", "above zero"),
+            ("--scale 1e300", "beyond the range of I16F16"),
+            ("far.obj", "1.0000000150474662e30 is beyond the range of I16F16: see --scale"),
+        ],
+    );
+}
+
+#[test]
+fn accuracy_and_rays() {
+    for example in ["accuracy", "rays"] {
+        refused(
+            example,
+            &[
+                ("--cases 0", "from 1 to 10^9"),
+                ("--cases -1", "from 1 to 10^9"),
+                // More would not fit the memory.
+                ("--cases 1000000000000", "from 1 to 10^9"),
+                ("--seed -1", "not a whole number"),
+                ("--seed 1e5", "not a whole number"),
+                // Known at once, and not after minutes of work.
+                ("--csv none/counts.csv", "none/counts.csv: cannot be written"),
+                ("all", "all"),
+            ],
+        );
+    }
+}
+
+#[test]
+fn names_in_any_case() {
+    let directory = directory("names");
+    for (name, other) in [("i8f8", "I8F8"), ("i16f16", "I16f16"), ("i32f32", "I32F32")] {
+        let table = |name| printed("quantise", &["--scalar", name, "--scale", "0.5"], &directory);
+        assert_eq!(table(name), table(other));
+    }
+    for (name, other) in [
+        ("f32", "F32"),
+        ("f64", "F64"),
+        ("i8f8", "I8F8"),
+        ("i16f16", "I16F16"),
+        ("i32f32", "i32F32"),
+    ] {
+        let voxels = |name| {
+            let [report, _] =
+                printed("voxelize", &["-r", "16", "--no-picture", "-s", name], &directory);
+            let is_the_same =
+                |line: &&str| !line.starts_with("reading") && !line.starts_with("testing");
+            report.lines().filter(is_the_same).map(String::from).collect::<Vec<_>>()
+        };
+        assert!(voxels(name).iter().any(|line| line.starts_with(&format!("scalar     {name}"))));
+        assert_eq!(voxels(name), voxels(other));
+    }
+    let arguments = ["-r", "8", "--no-picture", "-m", "EXACT", "--up", "Z"];
+    assert!(printed("voxelize", &arguments, &directory)[0].contains("exact"));
+    let text = printed("advise", &["--target", "M4F", "--sample", "9"], &directory)[0].clone();
+    assert!(text.contains("for Cortex-M4F"), "{text}");
+}
+
+/// The text that `--help` prints is no error.
+#[test]
+fn help() {
+    for example in ["voxelize", "advise", "quantise", "accuracy", "rays"] {
+        let [help, errors] = printed(example, &["--help"], &directory("help"));
+        assert!(help.contains("Usage:") && errors.is_empty(), "{example}: {help}{errors}");
+    }
+}

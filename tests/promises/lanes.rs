@@ -1,0 +1,97 @@
+//! Lanes: the same verdicts and the same bits as one by one.
+
+use septum::lanes::Triangles;
+use septum::published;
+use septum::published::stored_normal::NormalTriangle;
+use septum::{Aabb, Cull, Ray, Scalar, Triangle};
+use septum_kit::{Lanes, Rng, Sample, for_every_scalar};
+
+for_every_scalar!(
+    same_bits_one_lane,
+    same_bits_three,
+    same_bits_four,
+    same_bits_eight,
+    same_bits_sixteen
+);
+
+fn same_bits_one_lane<S: Sample>() {
+    same_bits::<S, 1>();
+}
+fn same_bits_three<S: Sample>() {
+    same_bits::<S, 3>();
+}
+fn same_bits_four<S: Sample>() {
+    same_bits::<S, 4>();
+}
+fn same_bits_eight<S: Sample>() {
+    same_bits::<S, 8>();
+}
+fn same_bits_sixteen<S: Sample>() {
+    same_bits::<S, 16>();
+}
+
+fn same_bits<S: Sample, const N: usize>() {
+    let rng = &mut Rng::new(N as u64);
+    let mut hits = 0;
+    for round in 0..6_000 / N {
+        let cull = [Cull::Nothing, Cull::Back, Cull::Front][round % 3];
+        // On a grid edges, vertices and flat triangles are common.
+        let coordinate = |rng: &mut Rng| match round % 5 {
+            0 | 1 => S::nearest(rng.real(-1.5, 1.5)),
+            2 => S::nearest(rng.whole(-1, 1) as f64),
+            // All products of two are rounded to zero.
+            3 => S::from_ordinal(rng.whole(-3, 3)),
+            _ => S::from_ordinal(rng.whole(S::LEAST.ordinal(), S::GREATEST.ordinal())),
+        };
+        let mut point = || rng.triple(coordinate);
+        let triangles: [Triangle<S>; N] =
+            std::array::from_fn(|_| Triangle::new(point(), point(), point()).unwrap());
+        let rays: [Ray<S>; N] = std::array::from_fn(|k| {
+            let mut ray = Ray::new(point(), point());
+            while ray.is_err() {
+                ray = Ray::new(point(), point());
+            }
+            let (low, high) = (S::nearest(-0.5), S::nearest(0.75));
+            match (round + k) % 7 {
+                0 => ray.unwrap().with_range(None, None),
+                1 => ray.unwrap().with_range(low, high),
+                2 => ray.unwrap().with_range(None, high),
+                _ => ray,
+            }
+            .unwrap()
+        });
+
+        let boxes: [Aabb<S>; N] = std::array::from_fn(|_| {
+            let (p, q) = (point(), point());
+            let ends = |pick: fn(S, S) -> S| [0, 1, 2].map(|i| pick(p[i], q[i]));
+            let min = ends(|a, b| if a < b { a } else { b });
+            Aabb::from_min_max(min, ends(|a, b| if a > b { a } else { b })).unwrap()
+        });
+        let half = boxes[0].min_max().unwrap().1.to_array().map(S::plain_abs);
+        let centered = Aabb::from_center_half_extents(point(), half).ok();
+        hits += Lanes { triangles, rays, boxes, centered }.check(cull);
+    }
+    assert!(hits > 100, "{hits} hits");
+}
+
+/// The stored normal and the normal on the way are the same numbers.
+#[test]
+fn volumes_are_the_stored_normal() {
+    let rng = &mut Rng::new(9);
+    for _ in 0..100_000 {
+        let mut point = || rng.triple(|rng| rng.real(-1.0, 1.0) as f32);
+        let triangle = Triangle::new(point(), point(), point()).unwrap();
+        let ray = Ray::new(point(), point()).unwrap();
+        let (cull, stored) = (Cull::Nothing, NormalTriangle::new(&triangle));
+        let hit = published::volumes::hit(&ray, &triangle, cull);
+        assert_eq!(hit, published::stored_normal::hit(&ray, &stored, cull));
+        let t = published::stored_normal::t(&ray, &stored, cull, f32::INFINITY);
+        assert_eq!(t, hit.map_or(f32::INFINITY, |hit| hit.t));
+    }
+}
+
+/// Generic code asks for no more than a scalar.
+#[allow(dead_code)]
+fn generic<S: Scalar>(ray: &Ray<S>, triangles: &[Triangles<S, 8>]) -> usize {
+    triangles.iter().filter(|t| t.hit_moller_trumbore(ray, Cull::Nothing).any()).count()
+}

@@ -1,0 +1,109 @@
+//! Every public type can be logged by `defmt`, and its numbers go out as numbers.
+//!
+//! How a log reads is seen on the targets: `.ci/firmware` compares the decoded
+//! log of an example with what it should be.
+#![cfg(all(feature = "defmt", feature = "heapless"))]
+
+use defmt::Format;
+use fixed::FixedI64;
+use fixed::types::extra::U64;
+use fixed::types::{I4F4, I8F8, I16F16, I32F32};
+use septum::interop::Bounded;
+use septum::lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles};
+use septum::published::akenine_moller::Order;
+use septum::published::projected::ProjectedTriangle;
+use septum::published::slabs::SlabRay;
+use septum::published::slopes::SlopeRay;
+use septum::published::stored_normal::NormalTriangle;
+use septum::published::watertight::ShearedRay;
+use septum::{
+    Aabb, Axis, Cull, Facing, Feature, Hit, HitRules, Obb, Plane, Ray, Scalar, Segment, ShapeError,
+    Side, Triangle, Vec3,
+};
+
+/// What goes over the wire; strings are one mocked index each.
+fn record(x: &impl Format) -> Vec<u8> {
+    defmt::export::fetch_bytes();
+    defmt::export::fmt(x);
+    defmt::export::fetch_bytes()
+}
+
+/// Whether the record has these numbers, in this order.
+fn carries<const L: usize>(x: &impl Format, numbers: impl IntoIterator<Item = [u8; L]>) {
+    let record = record(x);
+    let mut rest = record.as_slice();
+    for number in numbers {
+        let at = rest.windows(L).position(|w| w == number);
+        rest = &rest[at.unwrap_or_else(|| panic!("{number:?} is not in {record:?}")) + L..];
+    }
+}
+
+#[test]
+fn fixed_point_numbers_go_out_as_floats() {
+    let v = [1.5, -0.0625, 7.0];
+    carries(&Vec3::from(v.map(I4F4::from_num)), v.map(|x| (x as f32).to_le_bytes()));
+    carries(&Vec3::from(v.map(I8F8::from_num)), v.map(|x| (x as f32).to_le_bytes()));
+    let v = [0.1, -32768.0, 3.75].map(I16F16::from_num);
+    carries(&Vec3::from(v), v.map(|x| x.to_num::<f64>().to_le_bytes()));
+    let v = [0.1, -2147483648.0, 1e-9].map(I32F32::from_num);
+    carries(&Vec3::from(v), v.map(|x| x.to_num::<f64>().to_le_bytes()));
+    let v = [FixedI64::<U64>::from_bits(1); 3];
+    carries(&Vec3::from(v), [2_f64.powi(-64).to_le_bytes()]);
+}
+
+#[test]
+fn floats_go_out_as_they_are() {
+    let v = [0.1_f32, f32::NAN, -0.0];
+    carries(&Vec3::from(v), v.map(f32::to_le_bytes));
+    let v = [0.1_f64, f64::INFINITY, 5e-324];
+    carries(&Vec3::from(v), v.map(f64::to_le_bytes));
+}
+
+#[test]
+fn shapes_carry_all_their_numbers() {
+    let n = |numbers: &[f32]| numbers.iter().map(|x| x.to_le_bytes()).collect::<Vec<_>>();
+    let (p, q, r) = ([1.0_f32, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 10.0]);
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let all = |parts: &[[f32; 3]]| n(parts.as_flattened());
+    carries(&Triangle::new(p, q, r).unwrap(), all(&[p, q, r]));
+    carries(&Aabb::from_min_max(p, q).unwrap(), all(&[p, q]));
+    carries(&Aabb::from_center_half_extents(p, q).unwrap(), all(&[p, q]));
+    carries(
+        &Obb::new(p, axes.map(Vec3::from), q).unwrap(),
+        all(&[p, axes[0], axes[1], axes[2], q]),
+    );
+    carries(&Plane::from_point_normal(p, q).unwrap(), all(&[p, q]));
+    carries(&Plane::from_equation(p, 9.0).unwrap(), n(&[1.0, 2.0, 3.0, 9.0]));
+    carries(&Segment::new(p, q).unwrap(), all(&[p, q]));
+    carries(&Segment::from_center_half_vector(p, q).unwrap(), all(&[p, q]));
+    let ray = Ray::new(p, q).unwrap().with_range(8.0, 9.0).unwrap();
+    carries(&ray, n(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 9.0]));
+    let hit =
+        Hit { t: 1.0_f32, u: 0.25, v: 0.5, facing: Facing::Front, feature: Feature::Interior };
+    carries(&hit, n(&[1.0, 0.25, 0.5]));
+}
+
+#[test]
+fn a_bounded_result_carries_what_it_kept_and_how_much_more() {
+    let bounded: Bounded<u16, 2> = (7_u16..12).collect();
+    assert_eq!((bounded.kept(), bounded.missed()), (&[7, 8][..], 3));
+    carries(&bounded, [7_u16.to_le_bytes(), 8_u16.to_le_bytes()]);
+    carries(&bounded, [3_u32.to_le_bytes()]);
+}
+
+/// Nothing to run: it compiles or not.
+#[test]
+fn every_public_type_can_be_logged() {
+    fn can<T: Format>() {}
+    fn every<S: Scalar>() {
+        can::<(Vec3<S>, Triangle<S>, Aabb<S>, Obb<S>, Plane<S>, Segment<S>)>();
+        can::<(Ray<S>, Hit<S>, SlabRay<S>, SlopeRay<S>, ShearedRay<S>)>();
+        can::<(NormalTriangle<S>, ProjectedTriangle<S>)>();
+        can::<(Triangles<S, 4>, NormalTriangles<S, 4>, Rays<S, 4>, Aabbs<S, 4>)>();
+        can::<(Hits<S, 4>, Ranges<S, 4>, SlabRays<S, 4>)>();
+    }
+    every::<f32>();
+    every::<I16F16>();
+    can::<(Axis, Side, Order, Facing, Feature, Cull, HitRules, ShapeError)>();
+    can::<Bounded<u16, 8>>();
+}

@@ -1,0 +1,59 @@
+//! What the crate promises: a module for each promise. Oracles and sets of cases are in
+//! the package `septum-kit`, `tests/kit/`.
+
+// Shapes: what makes one and what does not.
+mod construction;
+
+// Triangle against axis-aligned box: the exact verdict.
+mod contact;
+mod degenerate;
+mod every_size;
+mod exact_oracle;
+mod exhaustive_grid;
+mod extremes;
+mod symmetry;
+mod thirteen_axes;
+
+// The same: the conservative verdict, and the axis that separates.
+mod axis_vector;
+mod conservative;
+mod witness;
+
+// Other shapes against boxes.
+mod obb;
+mod oriented_boxes;
+mod plane;
+mod ray_box;
+mod ray_box_rounded;
+mod segment_box;
+mod small_pairs;
+
+// Ray against triangle.
+mod exhaustive_rays;
+mod hit_order;
+mod ray_rounding;
+mod ray_triangle;
+mod rounded_rays;
+mod watertight;
+
+// Unit normals.
+mod unit_normal;
+
+// Many at once.
+mod lanes;
+
+// The same bits on every machine.
+mod determinism;
+
+// Other crates' types, and results of bounded size.
+mod bounded;
+mod interop;
+mod logging;
+
+// The main job and the other examples, as their users meet them.
+mod examples;
+mod voxelize;
+
+// The oracles themselves.
+mod oracle;
+mod ray_oracle;

@@ -1,0 +1,188 @@
+//! A triangle against an oriented box: exact for the parallelepiped that the
+//! numbers describe.
+
+use fixed::types::{I2F30, I4F4, I8F8, I16F16, I32F32};
+use septum::published;
+use septum::{Aabb, Obb, ShapeError, Triangle, Vec3};
+use septum_kit::{Oriented, Rng, Sample, for_every_scalar};
+
+/// A random rotation, rounded, with now and then a skewed or a plain frame.
+fn axes<S: Sample>(rng: &mut Rng) -> [[S; 3]; 3] {
+    let mut frame = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    match rng.below(4) {
+        0 => {}
+        1 => {
+            for row in &mut frame {
+                *row = rng.triple(|r| r.real(-1.0, 1.0));
+            }
+        }
+        _ => {
+            for (j, k) in [(0, 1), (1, 2), (2, 0)] {
+                let (sin, cos) = rng.real(-3.2, 3.2).sin_cos();
+                for row in &mut frame {
+                    (row[j], row[k]) = (cos * row[j] - sin * row[k], sin * row[j] + cos * row[k]);
+                }
+            }
+        }
+    }
+    frame.map(|row| row.map(S::nearest))
+}
+
+/// Shapes of about `size`; every third time on a coarse grid, where contact is
+/// common, and then the axes are plain or diagonal.
+fn question<S: Sample>(rng: &mut Rng, size: f64) -> Oriented<S> {
+    let coarse = rng.one_in(3);
+    let number = |rng: &mut Rng, low: f64| {
+        let x = rng.real(low, size);
+        S::nearest(if coarse { (x * 4.0 / size).round() * size / 4.0 } else { x })
+    };
+    let mut axes = axes(rng);
+    if coarse && rng.one_in(2) {
+        axes = [[1.0, 1.0, 0.0], [-1.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|u| u.map(S::nearest));
+    }
+    let mut t = [0; 3].map(|_| rng.triple(|r| number(r, -size)));
+    if rng.one_in(8) {
+        t[2] = t[1];
+    }
+    Oriented {
+        t,
+        center: rng.triple(|r| number(r, -size / 2.0)),
+        axes,
+        half: rng.triple(|r| number(r, 0.0)),
+    }
+}
+
+/// A size that suits the type: products of axes and lengths, and a few units.
+fn sizes<S: Sample>() -> [f64; 3] {
+    let greatest = S::GREATEST.approximate();
+    [2.0, (greatest / 2.0).min(1e3), (greatest / 2.0).min(1.0)]
+}
+
+fn exact<S: Sample>() {
+    let mut rng = Rng::new(0x0bb);
+    let (mut met, mut asked) = (0, 0);
+    for n in 0..30_000 {
+        let q = question::<S>(&mut rng, sizes::<S>()[n % 3]);
+        let Some(obb) = q.obb() else { continue };
+        let expected = q.meets();
+        assert_eq!(q.triangle().overlaps(&obb), expected, "{:?} {obb:?}", q.triangle());
+        assert!(!expected || q.triangle().may_overlap(&obb), "{:?} {obb:?}", q.triangle());
+        (met, asked) = (met + u32::from(expected), asked + 1);
+    }
+    assert!(asked > 10_000 && met * 5 > asked && met * 5 < 4 * asked, "{met} of {asked}");
+}
+for_every_scalar!(exact);
+
+#[test]
+fn exact_at_the_extremes_of_f32_and_of_fixed_point() {
+    fn extremes<S: Sample>(pick: impl Fn(&mut Rng) -> S) {
+        let mut rng = Rng::new(7);
+        for _ in 0..3_000 {
+            let mut row = || rng.triple(|r| pick(r));
+            let q = Oriented {
+                t: [row(), row(), row()],
+                center: row(),
+                axes: [row(), row(), row()],
+                half: row(),
+            };
+            let half = q.half.map(|h| if h < S::ZERO { S::ZERO } else { h });
+            let q = Oriented { half, ..q };
+            if let Some(obb) = q.obb() {
+                assert_eq!(q.triangle().overlaps(&obb), q.meets(), "{:?} {obb:?}", q.triangle());
+            }
+        }
+    }
+    fn ends<S: Sample>(rng: &mut Rng) -> S {
+        let end = [S::LEAST, S::GREATEST, S::ZERO, S::nearest(1.0)][rng.below(4)];
+        end.moved(rng.whole(-2, 2))
+    }
+    extremes::<f32>(ends);
+    extremes::<f64>(ends);
+    extremes::<I4F4>(ends);
+    extremes::<I8F8>(ends);
+    extremes::<I16F16>(ends);
+    extremes::<I32F32>(ends);
+}
+
+#[test]
+fn plain_axes_agree_with_the_axis_aligned_box() {
+    let mut rng = Rng::new(3);
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3::<f32>::from);
+    for _ in 0..20_000 {
+        let q = question::<f32>(&mut rng, 2.0);
+        let obb = Obb::new(q.center, axes, q.half).unwrap();
+        let aabb = Aabb::from_center_half_extents(q.center, q.half).unwrap();
+        assert_eq!(q.triangle().overlaps(&obb), q.triangle().overlaps(&aabb));
+        assert_eq!(
+            published::akenine_moller::overlaps_obb(&q.triangle(), &obb),
+            published::akenine_moller::overlaps(&q.triangle(), &aabb)
+        );
+    }
+}
+
+#[test]
+fn the_transform_is_right_away_from_contact() {
+    let mut rng = Rng::new(4);
+    let mut wrong = 0;
+    for _ in 0..20_000 {
+        let q = question::<f64>(&mut rng, 2.0);
+        if let Ok(obb) = Obb::new(q.center, q.axes.map(Vec3::from), q.half) {
+            wrong += u32::from(
+                published::akenine_moller::overlaps_obb(&q.triangle(), &obb)
+                    != q.triangle().overlaps(&obb),
+            );
+        }
+    }
+    // Contact on the coarse grid it may get wrong; little else.
+    assert!(wrong < 600, "{wrong}");
+}
+
+#[test]
+fn a_frame_is_checked() {
+    let frame = |u: [f32; 3], v: [f32; 3], n: [f32; 3]| [u, v, n].map(Vec3::from);
+    let make = |axes| Obb::new([0.0_f32; 3], axes, [1.0; 3]).map(|_| ());
+    let skew = |axes| Obb::from_skewed_axes([0.0_f32; 3], axes, [1.0; 3]).map(|_| ());
+    let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
+
+    assert_eq!(make(frame(x, y, z)), Ok(()));
+    assert_eq!(make(frame(x, y, [0.0, 0.0, -1.0])), Ok(()), "left-handed frames are frames");
+    assert_eq!(make(frame(x, y, [0.1, 0.0, 1.0])), Ok(()), "off by less than an eighth");
+    assert_eq!(make(frame(x, y, [0.2, 0.0, 1.0])), Err(ShapeError::NotOrthonormal));
+    assert_eq!(make(frame(x, y, [0.0, 0.0, 1.1])), Err(ShapeError::NotOrthonormal));
+    assert_eq!(make(frame(x, y, y)), Err(ShapeError::NotOrthonormal));
+    assert_eq!(make(frame(x, y, [0.0; 3])), Err(ShapeError::NotOrthonormal));
+    assert_eq!(make(frame(x, y, [0.0, f32::NAN, 1.0])), Err(ShapeError::NotFinite));
+
+    assert_eq!(skew(frame(x, y, [9.0, 0.0, 1e-30])), Ok(()));
+    assert_eq!(skew(frame(x, y, [9.0, 5.0, 0.0])), Err(ShapeError::DependentAxes));
+    assert_eq!(skew(frame([1e-30, 0.0, 0.0], [0.0, 1e-30, 0.0], [0.0, 0.0, 1e-30])), Ok(()));
+
+    let negative = Obb::new([0.0_f32; 3], frame(x, y, z), [1.0, -1.0, 1.0]);
+    assert_eq!(negative.unwrap_err(), ShapeError::NegativeHalfExtent);
+    let far = Obb::new([f32::INFINITY, 0.0, 0.0], frame(x, y, z), [1.0; 3]);
+    assert_eq!(far.unwrap_err(), ShapeError::NotFinite);
+}
+
+#[test]
+fn unit_vectors_in_thirty_fraction_bits_take_the_fast_path() {
+    type Fx = I2F30;
+    let axes = [[1.0, 0.0, 0.0], [0.0, 0.8, 0.6], [0.0, -0.6, 0.8]];
+    let axes = axes.map(|u| u.map(Fx::nearest));
+    let obb = Obb::new([Fx::ZERO; 3], axes, [Fx::nearest(0.1); 3]).unwrap();
+    let point = |x: f64, y: f64, z: f64| [x, y, z].map(Fx::nearest);
+    let away = Triangle::new(point(0.5, 0.0, 0.0), point(0.5, 0.5, 0.0), point(0.7, 0.0, 0.5));
+    // Only the fast path can say no here; outside its range the answer is yes.
+    assert!(!away.unwrap().may_overlap(&obb));
+}
+
+#[test]
+fn eight_bits_hold_a_rotation() {
+    let turn = |degrees: f64| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        [[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]].map(|u| u.map(I4F4::nearest).into())
+    };
+    for degrees in 0..360 {
+        let axes: [Vec3<I4F4>; 3] = turn(f64::from(degrees));
+        assert!(Obb::new([I4F4::ZERO; 3], axes, [I4F4::ONE; 3]).is_ok(), "{degrees}°");
+    }
+}

@@ -1,0 +1,107 @@
+//! `ray.hit` gives the exact answer: on every set, in every scalar, and on
+//! numbers of any magnitude, against a point solved for in fractions.
+
+use core::cmp::Ordering;
+
+use fixed::types::{I1F15, I4F4, I16F0, I33F31};
+use proptest::prelude::*;
+use septum::{Cull, Facing, Feature, HitRules};
+use septum_kit::rays::{RayCase, RaySet, crossing};
+use septum_kit::{Sample, for_every_scalar};
+
+/// All exact questions about one case, against the oracle.
+fn check<S: Sample>(case: &RayCase<S>) {
+    let (ray, triangle, truth) = (case.ray(), case.triangle(), crossing(case));
+    let met = |hit: &septum::Hit<S>| (hit.facing, hit.feature);
+    let expected = truth.as_ref().map(|truth| (truth.facing, truth.feature));
+    let hit = ray.hit(&triangle);
+    assert_eq!(hit.as_ref().map(met), expected, "{case:?}");
+    assert_eq!(ray.is_hit(&triangle), expected.is_some(), "hits: {case:?}");
+
+    for (cull, kept) in [(Cull::Back, Facing::Front), (Cull::Front, Facing::Back)] {
+        let rules = HitRules::new().culling(cull);
+        let expected = hit.filter(|hit| hit.facing == kept);
+        assert_eq!(ray.hit_with(&triangle, rules), expected, "{cull:?}: {case:?}");
+        assert_eq!(ray.is_hit_with(&triangle, rules), expected.is_some(), "{cull:?}: {case:?}");
+    }
+
+    // What counts once is a hit; a hit that is in contact with nothing counts.
+    let once = ray.hit_once(&triangle);
+    assert_eq!(once.is_some(), ray.is_hit_with(&triangle, HitRules::new().once()), "{case:?}");
+    assert!(once.is_none() || once == hit, "once: {case:?}");
+    if let Some(truth) = truth {
+        let is_end = |end: Option<S>| end.is_some_and(|x| truth.t.compare(x) == Ordering::Equal);
+        let is_tie = truth.feature != Feature::Interior || is_end(case.t_min) || is_end(case.t_max);
+        assert!(is_tie || once.is_some(), "once, no tie: {case:?}");
+    }
+}
+
+fn every_set<S: Sample>() {
+    for set in RaySet::ALL {
+        for case in set.cases::<S>(41, 10_000) {
+            check(&case);
+        }
+    }
+}
+
+for_every_scalar!(every_set);
+
+/// Fifteen numbers and two ends out of four, and of their opposites, so that they
+/// coincide.
+fn case_of<S: Sample>(number: impl Strategy<Value = S>) -> impl Strategy<Value = RayCase<S>> {
+    let pool = proptest::collection::vec(number, 4);
+    let picks = proptest::array::uniform15(0..9_usize);
+    let ends = proptest::array::uniform2(0..10_usize);
+    (pool, picks, ends)
+        .prop_map(|(pool, picks, ends)| {
+            let pick = |n: usize| match n {
+                8 => S::ZERO,
+                n if n < 4 => pool[n],
+                n => S::from_ordinal(pool[n % 4].ordinal().saturating_neg()),
+            };
+            let row = |r: usize| [0, 1, 2].map(|i| pick(picks[3 * r + i]));
+            let end = |n: usize| (n < 9).then(|| pick(n));
+            RayCase {
+                origin: row(0),
+                direction: row(1),
+                vertices: [row(2), row(3), row(4)],
+                t_min: end(ends[0]),
+                t_max: end(ends[1]),
+            }
+        })
+        .prop_filter("a ray", RayCase::is_valid)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(20_000) })]
+
+    #[test]
+    fn any_f32(case in case_of(proptest::num::f32::ANY.prop_filter("finite", |x| x.is_finite()))) {
+        check(&case);
+    }
+
+    #[test]
+    fn any_f64(case in case_of(proptest::num::f64::ANY.prop_filter("finite", |x| x.is_finite()))) {
+        check(&case);
+    }
+
+    #[test]
+    fn any_i4f4(case in case_of(any::<i8>().prop_map(I4F4::from_bits))) {
+        check(&case);
+    }
+
+    #[test]
+    fn any_i1f15(case in case_of(any::<i16>().prop_map(I1F15::from_bits))) {
+        check(&case);
+    }
+
+    #[test]
+    fn any_i16f0(case in case_of(any::<i16>().prop_map(I16F0::from_bits))) {
+        check(&case);
+    }
+
+    #[test]
+    fn any_i33f31(case in case_of(any::<i64>().prop_map(I33F31::from_bits))) {
+        check(&case);
+    }
+}

@@ -1,0 +1,300 @@
+//! The example `voxelize` as its user meets it: what it writes and counts, and
+//! what it says when it cannot.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use dot_vox::DotVoxData;
+
+const SCALARS: [&str; 5] = ["f32", "f64", "i8f8", "i16f16", "i32f32"];
+const METHODS: [&str; 4] = ["exact", "conservative", "published", "rounded"];
+
+/// A directory for one test, empty at its start.
+struct Desk(PathBuf);
+
+impl Desk {
+    fn new(test: &str) -> Self {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("voxelize").join(test);
+        let _ = fs::remove_dir_all(&path);
+        fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+
+    fn write(&self, name: &str, content: impl AsRef<[u8]>) {
+        fs::write(self.0.join(name), content).unwrap();
+    }
+
+    fn exists(&self, name: &str) -> bool {
+        self.0.join(name).exists()
+    }
+
+    /// Runs the example, which `cargo test` has built beside this test; if it was asked for
+    /// tests alone, builds it.
+    fn run(&self, arguments: &str) -> Output {
+        let test = std::env::current_exe().unwrap();
+        let target = test.parent().and_then(Path::parent).unwrap();
+        let example = target
+            .join("examples")
+            .join("voxelize")
+            .with_extension(std::env::consts::EXE_EXTENSION);
+        if !example.exists() {
+            let mut build = Command::new(env!("CARGO"));
+            build.args(["build", "--quiet", "--example", "voxelize", "--target-dir"]);
+            build.arg(target.parent().unwrap()).current_dir(env!("CARGO_MANIFEST_DIR"));
+            assert!(build.status().unwrap().success());
+        }
+        Command::new(example).args(arguments.split(' ')).current_dir(&self.0).output().unwrap()
+    }
+
+    fn succeed(&self, arguments: &str) -> String {
+        let output = self.run(arguments);
+        let errors = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{arguments}: {errors}");
+        String::from_utf8(output.stdout).unwrap()
+    }
+
+    /// The model that a successful run wrote.
+    fn model(&self, arguments: &str) -> DotVoxData {
+        self.succeed(&format!("{arguments} --no-picture --vox a.vox"));
+        dot_vox::load_bytes(&fs::read(self.0.join("a.vox")).unwrap()).unwrap()
+    }
+
+    /// Voxels of the model, sorted.
+    fn voxels(&self, arguments: &str) -> Vec<[u8; 3]> {
+        let voxels = &self.model(arguments).models[0].voxels;
+        let mut voxels: Vec<_> = voxels.iter().map(|v| [v.x, v.y, v.z]).collect();
+        voxels.sort_unstable();
+        voxels
+    }
+
+    /// Every failure is one line on stderr, and the exit code of an error that
+    /// was foreseen.
+    fn fail(&self, arguments: &str, says: &[&str]) {
+        let output = self.run(arguments);
+        let errors = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(1), "{arguments}: {errors}");
+        assert!(output.stdout.is_empty(), "{arguments}");
+        assert!(errors.starts_with("error: "), "{arguments}: {errors}");
+        assert_eq!(errors.trim_end().lines().count(), 1, "{arguments}: {errors}");
+        for part in says {
+            assert!(errors.contains(part), "{arguments}: `{part}` is not in {errors}");
+        }
+    }
+}
+
+/// The surface of a box as an OBJ file, of quads; vertices after `before` others.
+fn cuboid([x0, y0, z0]: [i32; 3], [x1, y1, z1]: [i32; 3], before: i32) -> String {
+    let mut obj = String::new();
+    for i in 0..8 {
+        let pick = |bit: i32, a, b| if i >> bit & 1 == 0 { a } else { b };
+        obj += &format!("v {} {} {}\n", pick(0, x0, x1), pick(1, y0, y1), pick(2, z0, z1));
+    }
+    for quad in [[1, 2, 4, 3], [5, 6, 8, 7], [1, 2, 6, 5], [3, 4, 8, 7], [1, 3, 7, 5], [2, 4, 8, 6]]
+    {
+        let [a, b, c, d] = quad.map(|i| i + before);
+        obj += &format!("f {a} {b} {c} {d}\n");
+    }
+    obj
+}
+
+const TRIANGLE: &str = "v 0 0 0\nv 4 0 0\nv 0 3 1\nf 1 2 3\n";
+
+/// The number in the line that begins with `name`.
+fn figure(report: &str, name: &str) -> u64 {
+    let line = report.lines().find(|l| l.starts_with(name)).unwrap();
+    let number = line.split_whitespace().nth(1).unwrap();
+    number.replace(',', "").parse().unwrap()
+}
+
+#[test]
+fn teapot_without_arguments_but_a_resolution() {
+    let desk = Desk::new("teapot");
+    let report = desk.succeed("--resolution 24");
+    assert!(report.contains("teapot, 992 triangles"), "{report}");
+    assert!(report.contains("24 × 12 × 15 voxels"), "{report}");
+    assert!(figure(&report, "set") > 500 && figure(&report, "tests") > figure(&report, "set"));
+
+    let file = fs::File::open(desk.0.join("out/teapot.png")).unwrap();
+    let mut picture = png::Decoder::new(std::io::BufReader::new(file)).read_info().unwrap();
+    let mut pixels = vec![0; picture.output_buffer_size().unwrap()];
+    let info = picture.next_frame(&mut pixels).unwrap();
+    assert_eq!((info.width, info.height), (900, 700));
+    // Paper in the corner; somewhere the blue of the foot and the red of the lid.
+    assert!(pixels[..3].iter().all(|&c| c > 200));
+    let any = |what: fn(&[u8]) -> bool| pixels.chunks_exact(3).any(what);
+    assert!(any(|c| c[0] < c[2] / 2) && any(|c| c[2] < c[0] / 2));
+}
+
+#[test]
+fn report_and_model_agree() {
+    let desk = Desk::new("agree");
+    let report = desk.succeed("-r 30 -o a.png --vox a.vox");
+    let model = desk.model("-r 30");
+    let set = model.models[0].voxels.len() as u64;
+    assert_eq!(figure(&report, "set"), set);
+    assert_eq!((model.models[0].size.x, model.models[0].size.z), (30, 15));
+}
+
+#[test]
+fn scalars_agree_on_the_teapot() {
+    let desk = Desk::new("scalars");
+    let reference = desk.voxels("-r 32 -s f64");
+    for scalar in ["f32", "i16f16", "i32f32"] {
+        assert_eq!(desk.voxels(&format!("-r 32 -s {scalar}")), reference, "{scalar}");
+    }
+    // Conservative: all of those, and hardly more.
+    let conservative = desk.voxels("-r 32 -s f32 -m conservative");
+    assert!(reference.iter().all(|v| conservative.binary_search(v).is_ok()));
+    assert!(conservative.len() < reference.len() * 101 / 100);
+}
+
+/// Every face of both boxes lies between two layers of voxels: closed sets touch
+/// both, and rounding would drop one of them.
+#[test]
+fn faces_on_the_grid_touch_both_sides() {
+    let desk = Desk::new("on-grid");
+    // Both 8 and 32 are among those k for which k / 49 * 49 is not k in f64.
+    desk.write("boxes.obj", cuboid([0; 3], [49; 3], 0) + &cuboid([8; 3], [32; 3], 8));
+    let outer = 49_u64.pow(3) - 47_u64.pow(3);
+    let inner = 26_u64.pow(3) - 22_u64.pow(3);
+    for scalar in SCALARS {
+        let report = desk.succeed(&format!("boxes.obj -r 49 -s {scalar} --no-picture"));
+        assert_eq!(figure(&report, "set"), outer + inner, "{scalar}");
+    }
+}
+
+#[test]
+fn every_method_and_scalar_runs() {
+    let desk = Desk::new("methods");
+    desk.write("box.obj", cuboid([-2, 5, 9], [1, 7, 10], 0));
+    for method in METHODS {
+        for scalar in SCALARS {
+            let report =
+                desk.succeed(&format!("box.obj -r 6 -m {method} -s {scalar} --no-picture"));
+            assert!(report.contains("6 × 4 × 2 voxels"), "{report}");
+            // Two layers have no inside.
+            assert_eq!(figure(&report, "set"), 48, "{method} {scalar}");
+        }
+    }
+}
+
+#[test]
+fn i8f8_holds_255() {
+    let desk = Desk::new("i8f8");
+    desk.write("segment.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n");
+    assert_eq!(desk.voxels("segment.obj -r 255 -s i8f8").len(), 255);
+    desk.fail("segment.obj -r 256 -s i8f8", &["i8f8 can hold at most 255", "i16f16"]);
+}
+
+/// One mesh in four files.
+#[test]
+fn formats_agree() {
+    let desk = Desk::new("formats");
+    let facet = "facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 4 0 0\nvertex 0 3 1\nendloop\nendfacet\n";
+    let mut binary = b"solid, says a binary file".to_vec();
+    binary.resize(80, b' ');
+    binary.extend(1_u32.to_le_bytes());
+    for x in [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 4.0, 0.0, 0.0, 0.0, 3.0, 1.0_f32] {
+        binary.extend(x.to_le_bytes());
+    }
+    binary.extend([0, 0]);
+    desk.write("a.obj", TRIANGLE);
+    desk.write(
+        "b.obj",
+        "mtllib none.mtl\nv 0 0 0\nv 4 0 0 \\\n\nv 0 3 1\nvt 0 0\nf -3/1 2/9/9 3//7 # late\n",
+    );
+    desk.write("c.stl", format!("solid\n{facet}endsolid\n"));
+    desk.write("d.stl", &binary);
+    desk.write("e.stl", format!("solid one\nendsolid one\nsolid two\n{facet}endsolid two\n"));
+
+    // With z up, the axes of the model are those of the file.
+    let reference = desk.voxels("a.obj -r 8 --up z");
+    assert!(reference.contains(&[0, 0, 0]) && reference.contains(&[7, 0, 0]));
+    assert!(reference.contains(&[0, 5, 1]) && !reference.contains(&[0, 0, 1]));
+    for file in ["b.obj --up z", "c.stl", "d.stl", "e.stl"] {
+        assert_eq!(desk.voxels(&format!("{file} -r 8")), reference, "{file}");
+    }
+}
+
+#[test]
+fn flat_meshes_have_one_layer() {
+    let desk = Desk::new("flat");
+    desk.write("flat.obj", "v 0 0 5\nv 4 0 5\nv 0 4 5\nf 1 2 3\n");
+    let report = desk.succeed("flat.obj -r 4 --no-picture");
+    assert!(report.contains("4 × 4 × 1 voxels"), "{report}");
+    assert_eq!(figure(&report, "set"), 13); // the long side touches corners
+}
+
+#[test]
+fn bad_meshes() {
+    let desk = Desk::new("bad-meshes");
+    desk.fail("missing.obj", &["missing.obj", "No such file"]);
+    desk.write("mesh.ply", "ply");
+    desk.fail("mesh.ply", &["mesh.ply", ".obj or an .stl"]);
+    desk.write("empty.obj", "# nothing\nv 1 2 3\n");
+    desk.fail("empty.obj", &["empty.obj", "no triangles"]);
+    desk.write("empty.stl", [0; 84]);
+    desk.fail("empty.stl", &["empty.stl", "no triangles"]);
+    desk.write("nothing.stl", "");
+    desk.fail("nothing.stl", &["nothing.stl", "too short"]);
+    for x in ["nan", "inf", "-inf", "1e39"] {
+        desk.write("number.obj", TRIANGLE.replace('4', x));
+        desk.fail("number.obj", &["number.obj", "triangle 1", "NaN or infinite"]);
+    }
+    desk.write("words.obj", TRIANGLE.replace('4', "four"));
+    desk.fail("words.obj", &["words.obj", "not a valid OBJ", "position"]);
+    for face in ["f 1 2 4", "f 0 1 2", "f 1 2 -4", "f 1 2 99999999999999999999"] {
+        desk.write("index.obj", TRIANGLE.replace("f 1 2 3", face));
+        desk.fail("index.obj", &["index.obj", "not a valid OBJ", "face"]);
+    }
+    desk.write("point.obj", "v 1 2 3\nf 1 1 1\n");
+    desk.fail("point.obj", &["single point"]);
+
+    let mut cut = [0; 84 + 50];
+    cut[80] = 2;
+    desk.write("cut.stl", cut);
+    desk.fail("cut.stl", &["cut.stl", "ends before its last triangle"]);
+    let mut nan = [0; 84 + 50];
+    nan[80] = 1;
+    nan[84 + 12..84 + 16].copy_from_slice(&f32::NAN.to_le_bytes());
+    desk.write("nan.stl", nan);
+    desk.fail("nan.stl", &["nan.stl", "NaN or infinite"]);
+    desk.write("text.stl", "solid s\nfacet normal 0 0 0\nouter loop\nvertex 0 nan 0\n");
+    desk.fail("text.stl", &["text.stl", "not a valid STL"]);
+    assert!(!desk.exists("out"), "no picture of what could not be read");
+}
+
+#[test]
+fn bad_options() {
+    let desk = Desk::new("bad-options");
+    desk.write("mesh.obj", TRIANGLE);
+    desk.fail("mesh.obj --resolution 0", &["resolution 0"]);
+    desk.fail("mesh.obj -r 65536 -s i16f16", &["i16f16 can hold at most 65535", "i32f32", "f64"]);
+    desk.fail("mesh.obj -r 65537", &["at most 65536"]);
+    desk.fail("mesh.obj -r 20000", &["20000 × 15000 × 5000", "GiB", "lower --resolution"]);
+    desk.fail("mesh.obj -r 257 --vox a.vox", &["256 voxels a side", "257 × 193 × 65"]);
+    desk.fail("mesh.obj -o mesh.obj", &["mesh.obj: is the mesh itself"]);
+    desk.fail("mesh.obj -o .", &["cannot be written"]);
+    desk.fail("mesh.obj -o mesh.obj/a.png", &["mesh.obj/a.png: cannot be written"]);
+    desk.fail("mesh.obj -r 4 -o a.png --vox ./a.png", &["both the picture and the model"]);
+    assert_eq!(fs::read_to_string(desk.0.join("mesh.obj")).unwrap(), TRIANGLE);
+
+    // Usage errors are clap's, with its exit code.
+    for arguments in ["-r -5", "-r many", "-s f16", "-m wrong", "--vox", "a.obj b.obj"] {
+        let output = desk.run(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments}");
+        assert!(output.stderr.starts_with(b"error: "), "{arguments}");
+    }
+}
+
+#[test]
+fn help_explains_every_option() {
+    let help = Desk::new("help").succeed("--help");
+    for option in ["[MESH]", "--resolution", "--scalar", "--method", "--up", "--output", "--vox"] {
+        assert!(help.contains(option), "{option}");
+    }
+    for value in SCALARS.iter().chain(&METHODS) {
+        assert!(help.contains(&format!("- {value}")), "{value}");
+    }
+}
