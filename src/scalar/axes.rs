@@ -59,39 +59,46 @@ macro_rules! float {
         }
     };
 }
-float!(f32, are_orthonormal_f32, next_up_f32, |c, across, half| faces_in_double(c, across, half));
+float!(f32, are_orthonormal_f32, next_up_f32, |c, across, half| {
+    faces_in_double(c.into(), across.map(f64::from), half.map(f64::from))
+});
 float!(f64, are_orthonormal_f64, next_up_f64, |c, across, half| {
     let face = |c| face_exactly(c, across, half, next_up_f64);
     (face(-c), face(c))
 });
 
-/// The least numbers not below −c + r and c + r, with r = Σ|aᵢ|·hᵢ: by `f64`, unless
-/// that leaves two to choose from.
+/// The least `f32` not below −c + r and c + r, with r = Σ|aᵢ|·hᵢ, all of them numbers of
+/// `f32`: by `f64`, unless that leaves two to choose from.
 ///
 /// The products are exact in `f64`. If the three sums are, so is the result; if not,
 /// each errs by 2⁻⁵³ of itself, which is at most |c| + r: together less than `margin`.
-fn faces_in_double(c: f32, across: [f32; 3], half: [f32; 3]) -> (f32, f32) {
+#[inline(never)] // QEMU before 8.0 multiplies two f32 widened for it wrongly on s390x (MDEBR).
+fn faces_in_double(c: f64, across: [f64; 3], half: [f64; 3]) -> (f32, f32) {
     // Exactly if the greater operand taken from the sum leaves the other.
     let sum = |(a, was_exact): (f64, bool), b: f64| {
         let s = a + b;
         let (greater, other) = if a.abs() < b.abs() { (b, a) } else { (a, b) };
         (s, was_exact & (s - greater == other))
     };
-    let product = |a: f32, h: f32| f64::from(a).abs() * f64::from(h);
+    let product = |a: f64, h: f64| a.abs() * h;
     let ([a, b, d], [h, k, l]) = (across, half);
     let extent = sum(sum((product(a, h), true), product(b, k)), product(d, l));
     let up = |x: f64| {
         let near = x as f32;
         if near.is_finite() && f64::from(near) < x { next_up_f32(near) } else { near }
     };
-    let face = |c: f32| {
-        let (middle, is_exact) = sum(extent, c.into());
+    let face = |c: f64| {
+        let (middle, is_exact) = sum(extent, c);
         if is_exact {
             return up(middle);
         }
-        let margin = 4.0 * f64::EPSILON * (f64::from(c).abs() + extent.0);
+        let margin = 4.0 * f64::EPSILON * (c.abs() + extent.0);
         let (least, greatest) = (up(middle - margin), up(middle + margin));
-        if least == greatest { greatest } else { face_exactly(c, across, half, next_up_f32) }
+        if least == greatest {
+            return greatest;
+        }
+        let short = |x: f64| x as f32;
+        face_exactly(short(c), across.map(short), half.map(short), next_up_f32)
     };
     (face(-c), face(c))
 }
