@@ -4,12 +4,14 @@ mod filtered;
 #[cfg(feature = "fixed")]
 mod fixed;
 mod float;
+mod in_float;
 mod index;
 mod integer;
 mod multiples;
 mod number;
 mod parts;
 mod platform;
+mod quad;
 mod quotient;
 #[cfg(feature = "fixed")]
 mod root;
@@ -23,6 +25,7 @@ pub use filtered::Filtered;
 pub(crate) use fixed::clamped;
 pub use float::Float;
 pub(crate) use float::quotient;
+pub use in_float::InFloat;
 pub(crate) use index::{pick, turn};
 pub(crate) use integer::Int64;
 #[cfg(feature = "fixed")]
@@ -31,6 +34,7 @@ pub use number::Number;
 pub(crate) use number::{greatest, largest, least};
 pub use parts::Parts;
 pub(crate) use platform::{REGISTERS_ARE_WIDE, SMALL_CODE};
+pub(crate) use quad::{OfFour, Quad, THREE};
 #[cfg(feature = "fixed")]
 pub(crate) use quotient::Dividend;
 pub(crate) use quotient::Leading;

@@ -5,7 +5,7 @@
 
 use super::predicate::Predicate;
 use super::stages::{Stage, note};
-use crate::arithmetic::{Embeds, Int64};
+use crate::arithmetic::{Embeds, Filtered, Float, InFloat, Int64};
 #[cfg(feature = "fixed")]
 use crate::arithmetic::{InWord, REGISTERS_ARE_WIDE, Word};
 
@@ -31,6 +31,33 @@ pub(crate) fn stage<S, N: Embeds<S>, P: Predicate<S>>(
     next: fn(&P) -> P::Answer,
 ) -> P::Answer {
     match p.filter::<N>() {
+        Some(answer) => answer,
+        None => {
+            note(Stage::Filter);
+            next(p)
+        }
+    }
+}
+
+/// The answer in `F` with a bound on its error, if that can vouch for it.
+#[inline(always)]
+pub(crate) fn in_floats<S: InFloat<F>, F: Float, P: Predicate<S>>(p: &P) -> Option<P::Answer>
+where
+    Filtered<F>: Embeds<S>,
+{
+    if P::IN_QUADS { p.in_quads::<F>() } else { p.filter::<Filtered<F>>() }
+}
+
+/// The answer in `F`, or else what `next` says.
+#[inline(always)]
+pub(crate) fn float_stage<S: InFloat<F>, F: Float, P: Predicate<S>>(
+    p: &P,
+    next: fn(&P) -> P::Answer,
+) -> P::Answer
+where
+    Filtered<F>: Embeds<S>,
+{
+    match in_floats(p) {
         Some(answer) => answer,
         None => {
             note(Stage::Filter);

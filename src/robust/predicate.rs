@@ -1,4 +1,4 @@
-use crate::arithmetic::{Embeds, InWord, Word};
+use crate::arithmetic::{Embeds, Float, InFloat, InWord, Word};
 
 /// A question about coordinates of the scalar `S`.
 ///
@@ -15,6 +15,19 @@ pub trait Predicate<S> {
     #[inline(always)]
     fn fast_path<N: Embeds<S>>(&self) -> Option<Self::Answer> {
         self.filter::<N>()
+    }
+
+    /// Whether the question has a kernel of its own for floats, four at once. Then that is
+    /// asked in place of [`filter`](Self::filter).
+    const IN_QUADS: bool = false;
+
+    /// The answer by floats, four at once, if they can vouch for it.
+    #[inline(always)]
+    fn in_quads<F: Float>(&self) -> Option<Self::Answer>
+    where
+        S: InFloat<F>,
+    {
+        None
     }
 
     /// The answer in words of `W`, for a question that has a kernel of its own for

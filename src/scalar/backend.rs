@@ -23,6 +23,17 @@ pub trait Backend: RoundedOps {
     /// The answer to `p`, by the cheapest number system that can vouch for it.
     fn evaluate<P: Predicate<Self>>(p: &P) -> P::Answer;
 
+    /// Whether a kernel for floats, four at once, is the first stage where a question has one.
+    const IN_QUADS: bool;
+
+    /// The answer to `p` by the kernel for floats, four at once, where that is the first
+    /// stage of this scalar and can vouch for it. For who keeps a shape in registers until
+    /// [`without_quads`](Self::without_quads) needs it in memory.
+    fn in_quads<P: Predicate<Self>>(p: &P) -> Option<P::Answer>;
+
+    /// The answer to `p` by the stages that come after those floats.
+    fn without_quads<P: Predicate<Self>>(p: &P) -> P::Answer;
+
     /// The same for a `p` whose answer is more often than not a number: no system
     /// is tried whose numbers would not do.
     fn evaluate_numeric<P: Predicate<Self>>(p: &P) -> P::Answer {

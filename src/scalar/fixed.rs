@@ -5,15 +5,15 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 use super::{Backend, Scalar};
 use crate::arithmetic::{
-    Dividend, Embeds, Filtered, Int8, Int16, Int32, Int64, Parts, REGISTERS_ARE_WIDE, RoundedOps,
-    SMALL_CODE, clamped,
+    Dividend, Embeds, Filtered, Int8, Int16, Int32, Int64, OfFour, Parts, Quad, REGISTERS_ARE_WIDE,
+    RoundedOps, SMALL_CODE, clamped,
 };
 use crate::robust::{
     Predicate, Sum, exact_stage, integer_stage, narrow_stage, numeric_stage, only_stage, stage,
 };
 
 macro_rules! scalar {
-    ($fixed:ident, $bound:ident, $limbs:literal,
+    ($fixed:ident, $bound:ident, $limbs:literal, $float:ident,
      |$p:ident| $evaluate:expr, $numeric:expr, $bounded:expr) => {
         impl<Frac: $bound + Send + Sync + 'static> Scalar for $fixed<Frac> {
             const ZERO: Self = Self::ZERO;
@@ -27,6 +27,7 @@ macro_rules! scalar {
         impl<Frac: $bound + Send + Sync + 'static> Backend for $fixed<Frac> {
             const ONE: Parts =
                 Parts { negative: false, magnitude: 1, shift: Self::FRAC_NBITS as u16 };
+            const IN_QUADS: bool = <$float as OfFour>::Quad::IS_VECTOR;
             // Four products of the raw bits, and room for their number.
             type Sum = Sum<$limbs>;
 
@@ -38,7 +39,15 @@ macro_rules! scalar {
                 Parts { negative: bits < 0, magnitude: bits.unsigned_abs(), shift: 0 }
             }
             #[inline(always)]
-            fn evaluate<P: Predicate<Self>>($p: &P) -> P::Answer {
+            fn evaluate<P: Predicate<Self>>(p: &P) -> P::Answer {
+                in_quads_first(p, Self::in_quads, Self::without_quads)
+            }
+            #[inline(always)]
+            fn in_quads<P: Predicate<Self>>(p: &P) -> Option<P::Answer> {
+                if Self::IN_QUADS { p.in_quads::<$float>() } else { None }
+            }
+            #[inline(always)]
+            fn without_quads<P: Predicate<Self>>($p: &P) -> P::Answer {
                 $evaluate
             }
             #[inline(always)]
@@ -97,6 +106,7 @@ scalar!(
     FixedI8,
     LeEqU8,
     1,
+    f32,
     |p| narrow_stage::<_, i32, _>(p, only_stage::<_, Int8, _>),
     by_double(p),
     Some(Self::evaluate(p))
@@ -105,19 +115,35 @@ scalar!(
     FixedI16,
     LeEqU16,
     2,
+    f32,
     |p| narrow_stage::<_, i32, _>(p, only_stage::<_, Int16, _>),
     by_double(p),
     Some(Self::evaluate(p))
 );
-scalar!(FixedI32, LeEqU32, 3, |p| by_size(p), by_double(p), without_sums(p));
+scalar!(FixedI32, LeEqU32, 3, f32, |p| by_size(p), by_double(p), without_sums(p));
 scalar!(
     FixedI64,
     LeEqU64,
     5,
+    f64,
     |p| narrow_stage::<_, i128, _>(p, |p| stage::<_, Int64, _>(p, exact_stage)),
     Self::evaluate(p),
     p.cut_down().or_else(|| p.filter::<Int64>())
 );
+
+/// The answer in floats, four at once, where the machine has vectors and the question a
+/// kernel for them, or else what `next` says. It changes no answer.
+#[inline(always)]
+fn in_quads_first<P, A>(
+    p: &P,
+    in_quads: impl FnOnce(&P) -> Option<A>,
+    next: impl FnOnce(&P) -> A,
+) -> A {
+    match in_quads(p) {
+        Some(answer) => answer,
+        None => next(p),
+    }
+}
 
 /// Where floats are cheap, `f64` answers nearly all, and faster than integers. It
 /// changes no answer.
@@ -168,7 +194,7 @@ fn without_sums<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Fra
     p: &P,
 ) -> Option<P::Answer> {
     if REGISTERS_ARE_WIDE {
-        let answer = p.filter::<Int16>();
+        let answer = FixedI32::<Frac>::in_quads(p).or_else(|| p.filter::<Int16>());
         return answer.or_else(|| p.filter::<Int32>()).or_else(|| p.filter::<Int64>());
     }
     let near = if SMALL_CODE { None } else { p.narrow::<i32>() };

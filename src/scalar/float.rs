@@ -4,7 +4,9 @@ use super::{Backend, FloatFormat, Scalar};
 use crate::arithmetic::{
     Filtered, Float, Parts, REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, quotient,
 };
-use crate::robust::{Predicate, Sum, exact_stage, integer_stage, numeric_stage, stage};
+use crate::robust::{
+    Predicate, Sum, exact_stage, float_stage, in_floats, integer_stage, numeric_stage,
+};
 
 macro_rules! float {
     ($float:ty) => {
@@ -67,6 +69,7 @@ impl Backend for f32 {
         least_normal: f32::MIN_POSITIVE,
         invertible: (f32::from_bits((127 - 100) << 23), f32::from_bits((127 + 100) << 23)),
     });
+    const IN_QUADS: bool = true;
     // Four products of 2^-149 to 2^128: 1108 bits, and room for their number.
     type Sum = Sum<18>;
 
@@ -78,7 +81,15 @@ impl Backend for f32 {
     }
     #[inline(always)]
     fn evaluate<P: Predicate<Self>>(p: &P) -> P::Answer {
-        stage::<_, Filtered<f32>, _>(p, if SMALL_CODE { exact_stage } else { doubled })
+        float_stage::<_, f32, _>(p, Self::without_quads)
+    }
+    #[inline(always)]
+    fn in_quads<P: Predicate<Self>>(p: &P) -> Option<P::Answer> {
+        p.in_quads::<f32>()
+    }
+    #[inline(always)]
+    fn without_quads<P: Predicate<Self>>(p: &P) -> P::Answer {
+        if SMALL_CODE { exact_stage(p) } else { doubled(p) }
     }
     #[inline(always)]
     fn evaluate_numeric<P: Predicate<Self>>(p: &P) -> P::Answer {
@@ -87,11 +98,11 @@ impl Backend for f32 {
             return numeric_stage::<_, Filtered<f64>, _>(p, doubled);
         }
         // Numbers come from f64; f32 can but say that there are none.
-        stage::<_, Filtered<f32>, _>(p, doubled)
+        float_stage::<_, f32, _>(p, doubled)
     }
     #[inline(always)]
     fn evaluate_bounded<P: Predicate<Self>>(p: &P) -> Option<P::Answer> {
-        p.filter::<Filtered<f32>>()
+        in_floats::<_, f32, _>(p)
     }
 }
 
@@ -99,7 +110,7 @@ impl Backend for f32 {
 #[cold]
 #[inline(never)]
 fn doubled<P: Predicate<f32>>(p: &P) -> P::Answer {
-    stage::<_, Filtered<f64>, _>(p, integer_stage)
+    float_stage::<_, f64, _>(p, integer_stage)
 }
 
 impl Backend for f64 {
@@ -109,6 +120,7 @@ impl Backend for f64 {
         least_normal: f64::MIN_POSITIVE,
         invertible: (f64::from_bits((1023 - 1000) << 52), f64::from_bits((1023 + 1000) << 52)),
     });
+    const IN_QUADS: bool = true;
     // Four products of 2^-1074 to 2^1024: 8392 bits, and room for their number.
     type Sum = Sum<132>;
 
@@ -120,7 +132,15 @@ impl Backend for f64 {
     }
     #[inline(always)]
     fn evaluate<P: Predicate<Self>>(p: &P) -> P::Answer {
-        stage::<_, Filtered<f64>, _>(p, if SMALL_CODE { exact_stage } else { integer_stage })
+        float_stage::<_, f64, _>(p, Self::without_quads)
+    }
+    #[inline(always)]
+    fn in_quads<P: Predicate<Self>>(p: &P) -> Option<P::Answer> {
+        p.in_quads::<f64>()
+    }
+    #[inline(always)]
+    fn without_quads<P: Predicate<Self>>(p: &P) -> P::Answer {
+        if SMALL_CODE { exact_stage(p) } else { integer_stage(p) }
     }
     #[inline(always)]
     fn evaluate_numeric<P: Predicate<Self>>(p: &P) -> P::Answer {
@@ -128,7 +148,7 @@ impl Backend for f64 {
     }
     #[inline(always)]
     fn evaluate_bounded<P: Predicate<Self>>(p: &P) -> Option<P::Answer> {
-        p.filter::<Filtered<f64>>()
+        in_floats::<_, f64, _>(p)
     }
 }
 

@@ -17,12 +17,13 @@ mod kernel;
 mod narrow;
 mod one_sided;
 mod plane;
+mod rows;
 mod witness;
 
 pub use axis::Axis;
 
 use super::Overlaps;
-use crate::arithmetic::{Embeds, InWord, Rounded, Word};
+use crate::arithmetic::{Embeds, Float, InFloat, InWord, Rounded, Word};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
@@ -64,6 +65,16 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
                 kernel::by_corners::<S, N>(self.triangle, min, max, &Vec3::splat(S::ZERO))
             }
         }
+    }
+
+    const IN_QUADS: bool = true;
+
+    #[inline(always)]
+    fn in_quads<F: Float>(&self) -> Option<bool>
+    where
+        S: InFloat<F>,
+    {
+        rows::pair::<S, F>(self.triangle, self.aabb)
     }
 
     #[inline(always)]
@@ -129,7 +140,17 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Triangle<S> {
     /// ```
     #[inline]
     fn overlaps(&self, aabb: &Aabb<S>) -> bool {
-        !S::evaluate(&Disjoint { triangle: self, aabb })
+        if !S::IN_QUADS {
+            return !S::evaluate(&Disjoint { triangle: self, aabb });
+        }
+        // A box that was just made stays in registers: only a copy of it, made when it comes to
+        // that, goes to later stages through memory. Loading as a whole what was stored in
+        // parts waits for the stores, as long as the test takes.
+        let near = *aabb;
+        match S::in_quads(&Disjoint { triangle: self, aabb: &near }) {
+            Some(disjoint) => !disjoint,
+            None => beyond_quads(self, *aabb),
+        }
     }
 
     /// Whether a triangle and an axis-aligned box may have a point in common.
@@ -154,6 +175,12 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Triangle<S> {
     fn may_overlap(&self, aabb: &Aabb<S>) -> bool {
         S::evaluate_bounded(&Disjoint { triangle: self, aabb }) != Some(true)
     }
+}
+
+#[cold]
+#[inline(never)]
+fn beyond_quads<S: Scalar>(triangle: &Triangle<S>, aabb: Aabb<S>) -> bool {
+    !S::without_quads(&Disjoint { triangle, aabb: &aabb })
 }
 
 /// The kernel in the scalar's own arithmetic, for [`published`](crate::published).

@@ -1,0 +1,50 @@
+//! Scalars whose coordinates a float holds.
+
+#[cfg(feature = "fixed")]
+use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
+#[cfg(feature = "fixed")]
+use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
+
+/// A scalar whose coordinates are numbers of the float `F`, up to a limit, or multiples of
+/// such by one power of two.
+pub trait InFloat<F>: Copy {
+    /// Below this magnitude nothing is rounded; `None` if nothing ever is.
+    const LIMIT: Option<F>;
+
+    /// The coordinate, to the nearest.
+    fn in_float(self) -> F;
+}
+
+macro_rules! same {
+    ($($scalar:ty => $float:ty)*) => {$(
+        impl InFloat<$float> for $scalar {
+            const LIMIT: Option<$float> = None;
+            #[inline(always)]
+            fn in_float(self) -> $float {
+                self.into()
+            }
+        }
+    )*};
+}
+same! { f32 => f32  f32 => f64  f64 => f64 }
+
+/// By their raw bits.
+#[cfg(feature = "fixed")]
+macro_rules! raw_bits {
+    ($($fixed:ident, $bound:ident => $float:ty, $limit:expr;)*) => {$(
+        impl<Frac: $bound> InFloat<$float> for $fixed<Frac> {
+            const LIMIT: Option<$float> = $limit;
+            #[inline(always)]
+            fn in_float(self) -> $float {
+                self.to_bits() as $float
+            }
+        }
+    )*};
+}
+#[cfg(feature = "fixed")]
+raw_bits! {
+    FixedI8, LeEqU8 => f32, None;
+    FixedI16, LeEqU16 => f32, None;
+    FixedI32, LeEqU32 => f32, Some((1_u32 << 24) as f32);
+    FixedI64, LeEqU64 => f64, Some((1_u64 << 53) as f64);
+}

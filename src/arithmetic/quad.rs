@@ -1,0 +1,74 @@
+//! Four floats at once. Queries in space use three lanes, and never look at the fourth.
+
+use core::ops::{Add, Mul, Sub};
+
+use super::float::Float;
+
+#[cfg(not(all(
+    feature = "simd",
+    any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")
+)))]
+mod array;
+#[cfg(all(
+    feature = "simd",
+    any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")
+))]
+mod vector;
+
+/// Four floats side by side. Each lane of a result is what the float's own operation
+/// gives, so that an answer does not depend on what a quad is made of.
+pub trait Quad: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+    /// What is in a lane.
+    type Lane: Float;
+
+    /// Whether it is a vector of the machine, or a handful of numbers.
+    const IS_VECTOR: bool;
+
+    /// Of its lanes.
+    fn new(lanes: [Self::Lane; 4]) -> Self;
+    /// The lanes.
+    fn to_array(self) -> [Self::Lane; 4];
+    /// The absolute values.
+    fn magnitude(self) -> Self;
+    /// The smaller of each two, neither of which is NaN.
+    fn least(self, other: Self) -> Self;
+    /// The greater of each two, neither of which is NaN.
+    fn greatest(self, other: Self) -> Self;
+    /// In which lanes this is the greater: bit by bit, the first lane first.
+    fn exceeds(self, other: Self) -> u32;
+
+    /// The same number in all lanes.
+    #[inline(always)]
+    fn splat(x: Self::Lane) -> Self {
+        Self::new([x; 4])
+    }
+
+    /// Three numbers, and one that is not looked at.
+    #[inline(always)]
+    fn of_three([x, y, z]: [Self::Lane; 3]) -> Self {
+        Self::new([x, y, z, z])
+    }
+
+    /// The first three.
+    #[inline(always)]
+    fn three(self) -> [Self::Lane; 3] {
+        let [x, y, z, _] = self.to_array();
+        [x, y, z]
+    }
+
+    /// (y, z, x).
+    #[inline(always)]
+    fn turned(self) -> Self {
+        let [x, y, z, w] = self.to_array();
+        Self::new([y, z, x, w])
+    }
+}
+
+/// In which of the first three lanes a comparison held.
+pub(crate) const THREE: u32 = 0b111;
+
+/// A float that quads are made of.
+pub trait OfFour: Sized {
+    /// Four of it.
+    type Quad: Quad<Lane = Self>;
+}
