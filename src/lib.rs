@@ -49,7 +49,7 @@
 //! | ray, triangle | [`hit`](Ray::hit), [`is_hit`](Ray::is_hit), [`hit_once`](Ray::hit_once), [`hit_with`](Ray::hit_with); [`compare_hits`](Ray::compare_hits) | |
 //! | ray, many triangles | [`lanes::Triangles::hit`] | |
 //! | the axis that separates | [`separating_axis`](Triangle::separating_axis), [`is_separated_by`](Triangle::is_separated_by) | |
-//! | a triangle alone | [`is_degenerate`](Triangle::is_degenerate), [`unit_normal`](Triangle::unit_normal) | |
+//! | a triangle alone | [`is_degenerate`](Triangle::is_degenerate), [`unit_normal`](Triangle#method.unit_normal) | |
 //! | the box around an oriented box | | [`Obb::aabb`] |
 //!
 //! [triangle-aabb]: Triangle#impl-Overlaps<Aabb<S>>-for-Triangle<S>
@@ -99,7 +99,7 @@
 //! | feature | what it adds | default |
 //! | --- | --- | --- |
 //! | `fixed` | the signed types of the [`fixed`] crate of up to 64 bits as scalars | yes |
-//! | `libm` | [`unit_normal`](Triangle::unit_normal) in floats, within 0.51 ulp in `f32` and 6 in `f64` | no |
+//! | `libm` | [`unit_normal`](Triangle#method.unit_normal) in floats, within 0.51 ulp in `f32` and 6 in `f64` | no |
 //! | `micromath` | `unit_normal_fast` in `f32`: a few percent off, cheap without an FPU | no |
 //! | `heapless` | `interop::Bounded` and `interop::touched`: results of bounded size | no |
 //! | `defmt` | `defmt::Format` for every public type | no |

@@ -37,7 +37,7 @@ pub trait Number:
 }
 
 macro_rules! integer {
-    ($($t:ty)*) => {$(
+    ($($t:ty: |$x:ident| $in_range:expr;)*) => {$(
         impl Number for $t {
             const ZERO: Self = 0;
             #[inline(always)]
@@ -48,26 +48,19 @@ macro_rules! integer {
             fn half(self) -> Self {
                 self >> 1
             }
+            #[inline(always)]
+            fn in_range(self) -> bool {
+                let $x = self;
+                $in_range
+            }
         }
     )*};
 }
-integer! { i32 i64 }
-
-impl Number for i128 {
-    const ZERO: Self = 0;
-    #[inline(always)]
-    fn magnitude(self) -> Self {
-        self.abs()
-    }
-    #[inline(always)]
-    fn half(self) -> Self {
-        self >> 1
-    }
-    /// As an operand of sums of at most 30 products of four.
-    #[inline(always)]
-    fn in_range(self) -> bool {
-        self <= 1 << 30
-    }
+integer! {
+    i32: |_size| true;
+    i64: |_size| true;
+    // As an operand of sums of at most 30 products of four.
+    i128: |size| size <= 1 << 30;
 }
 
 /// The smaller of two numbers. On x86-64 this form is one instruction, where

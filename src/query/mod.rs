@@ -5,7 +5,7 @@
 //! stage; a pair whose kernel is short has them in fewer files. What two pairs share is
 //! here: `exact_aabb` and `exact_triangle`, shapes taken apart for exact sums; `line_aabb`,
 //! the slabs of rays and segments; `either_order`, the same questions with the arguments
-//! in the other order.
+//! in the other order. `counts`, in unit tests, says how often questions escalate.
 
 // In the order in which the pages of the shapes show them.
 mod triangle_aabb;
@@ -23,6 +23,8 @@ mod ray_triangle;
 
 mod normal;
 
+#[cfg(all(test, feature = "fixed"))]
+mod counts;
 mod exact_aabb;
 mod exact_triangle;
 mod line_aabb;

@@ -33,4 +33,6 @@ pub(crate) use determinant::{
 pub use exact_sum::ExactSum;
 pub(crate) use exact_sum::Sum;
 pub use predicate::Predicate;
+#[cfg(all(test, feature = "fixed"))]
+pub(crate) use stages::escalations;
 pub(crate) use uncertain::Uncertain;

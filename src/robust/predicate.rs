@@ -8,6 +8,10 @@ pub trait Predicate<S> {
     /// Yes or no, or what was found.
     type Answer: Default;
 
+    /// Whether it takes products of three lengths. If not, integers for 28 bits cost no more
+    /// than those for 18.
+    const HAS_VOLUMES: bool = true;
+
     /// The answer, if `N` can vouch for it.
     fn filter<N: Embeds<S>>(&self) -> Option<Self::Answer>;
 

@@ -18,10 +18,36 @@ pub(super) enum Stage {
 #[inline(always)]
 pub(super) fn note(stage: Stage) {
     #[cfg(all(test, feature = "fixed"))]
-    counts::add(stage);
+    counter::add(stage);
     #[cfg(not(all(test, feature = "fixed")))]
     let _ = stage;
 }
 
 #[cfg(all(test, feature = "fixed"))]
-mod counts;
+mod counter {
+    extern crate std;
+
+    use core::cell::Cell;
+
+    use super::Stage;
+
+    std::thread_local! {
+        static COUNTS: Cell<[u32; 4]> = const { Cell::new([0; 4]) };
+    }
+
+    pub(super) fn add(stage: Stage) {
+        let mut counts = COUNTS.get();
+        counts[stage as usize] += 1;
+        COUNTS.set(counts);
+    }
+
+    /// How often the question took each step.
+    pub(crate) fn escalations(question: impl FnOnce()) -> [u32; 4] {
+        COUNTS.set([0; 4]);
+        question();
+        COUNTS.get()
+    }
+}
+
+#[cfg(all(test, feature = "fixed"))]
+pub(crate) use counter::escalations;

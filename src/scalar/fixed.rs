@@ -170,7 +170,11 @@ fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
     p: &P,
 ) -> P::Answer {
     if REGISTERS_ARE_WIDE {
-        stage::<_, Int16, _>(p, middling)
+        if P::HAS_VOLUMES {
+            stage::<_, Int16, _>(p, middling)
+        } else {
+            stage::<_, Int32, _>(p, integer_stage)
+        }
     } else if SMALL_CODE {
         narrow_stage::<_, i64, _>(p, |p| stage::<_, Int32, _>(p, exact_stage))
     } else {
@@ -194,11 +198,22 @@ fn without_sums<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Fra
     p: &P,
 ) -> Option<P::Answer> {
     if REGISTERS_ARE_WIDE {
-        let answer = FixedI32::<Frac>::in_quads(p).or_else(|| p.filter::<Int16>());
-        return answer.or_else(|| p.filter::<Int32>()).or_else(|| p.filter::<Int64>());
+        let near = FixedI32::<Frac>::in_quads(p);
+        let near =
+            near.or_else(|| if P::HAS_VOLUMES { p.filter::<Int16>() } else { p.filter::<Int32>() });
+        return near.or_else(|| far_without_sums(p));
     }
     let near = if SMALL_CODE { None } else { p.narrow::<i32>() };
     near.or_else(|| p.narrow::<i64>())
         .or_else(|| p.filter::<Int32>())
         .or_else(|| p.filter::<Int64>())
+}
+
+/// The stages of [`without_sums`] after the first, out of line.
+#[inline(never)]
+fn far_without_sums<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
+    p: &P,
+) -> Option<P::Answer> {
+    let middling = if P::HAS_VOLUMES { p.filter::<Int32>() } else { None };
+    middling.or_else(|| p.filter::<Int64>())
 }

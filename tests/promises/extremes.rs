@@ -5,18 +5,8 @@ use fixed::types::extra::{U0, U1, U7, U8, U15, U16, U31, U32, U63, U64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 use septum::Axis;
 use septum::published;
-use septum::published::akenine_moller::Order;
 use septum_kit::rays::{RayCase, crossing};
-use septum_kit::{BoxNumbers, Case, Rng, Sample, is_collinear, meets};
-
-const ORDERS: [Order; 6] = [
-    Order::EdgesFacesNormal,
-    Order::EdgesNormalFaces,
-    Order::FacesEdgesNormal,
-    Order::FacesNormalEdges,
-    Order::NormalEdgesFaces,
-    Order::NormalFacesEdges,
-];
+use septum_kit::{BoxNumbers, Case, GROUP_ORDERS, Rng, Sample, is_collinear, meets};
 
 /// Asks all there is to ask; what must be right is compared with the oracle.
 fn ask_everything<S: Sample>(case: &Case<S>) {
@@ -33,7 +23,7 @@ fn ask_everything<S: Sample>(case: &Case<S>) {
     let _ = published::shared_normal::overlaps(&triangle, &aabb);
     // In any order of its groups the published test is right or wrong the same way.
     let published = published::akenine_moller::overlaps(&triangle, &aabb);
-    for order in ORDERS {
+    for order in GROUP_ORDERS {
         assert_eq!(
             published::akenine_moller::overlaps_in(&triangle, &aabb, order),
             published,

@@ -2,19 +2,9 @@
 //! groups, the 48 symmetries of the box, powers of two, translation by amounts that round nothing.
 
 use septum::published;
-use septum::published::akenine_moller::Order;
-use septum_kit::{BoxNumbers, Case, Rng, Sample, Set, Touch, for_every_scalar};
-
-const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
-
-const GROUPS: [Order; 6] = [
-    Order::EdgesFacesNormal,
-    Order::EdgesNormalFaces,
-    Order::FacesEdgesNormal,
-    Order::FacesNormalEdges,
-    Order::NormalEdgesFaces,
-    Order::NormalFacesEdges,
-];
+use septum_kit::{
+    BoxNumbers, Case, GROUP_ORDERS, Rng, Sample, Set, Touch, VERTEX_ORDERS, for_every_scalar,
+};
 
 /// Cases of each set.
 const COUNT: usize = 4_000;
@@ -28,7 +18,7 @@ fn order_of_vertices<S: Sample>() {
     for set in Set::ALL {
         for case in set.cases::<S>(71, COUNT) {
             let expected = overlaps(&case);
-            for order in ORDERS {
+            for order in VERTEX_ORDERS {
                 let vertices = order.map(|k| case.vertices[k]);
                 assert_eq!(overlaps(&Case { vertices, ..case }), expected, "{set:?}: {case:?}");
             }
@@ -41,7 +31,7 @@ fn order_of_the_published_tests_groups<S: Sample>() {
         for case in set.cases::<S>(75, COUNT) {
             let (triangle, aabb) = case.shapes();
             let expected = published::akenine_moller::overlaps(&triangle, &aabb);
-            for order in GROUPS {
+            for order in GROUP_ORDERS {
                 let verdict = published::akenine_moller::overlaps_in(&triangle, &aabb, order);
                 assert_eq!(verdict, expected, "{set:?}, {order:?}: {case:?}");
             }
@@ -56,7 +46,7 @@ fn symmetries_of_the_box<S: Sample>() {
         for case in set.cases::<S>(72, COUNT).into_iter().filter(can_turn) {
             let expected = overlaps(&case);
             for symmetry in 0..48 {
-                let turned = turned(&case, ORDERS[symmetry / 8], symmetry % 8);
+                let turned = turned(&case, VERTEX_ORDERS[symmetry / 8], symmetry % 8);
                 assert_eq!(overlaps(&turned), expected, "{set:?}, {symmetry}: {case:?}");
             }
         }

@@ -97,19 +97,31 @@ fn check<S: Sample>(rows: &Rows<S>) {
     }
 
     let bad = bad(&[u, v, w, p, q]);
-    let [spans, is_orthonormal] = if bad.0 { [false; 2] } else { frame([u, v, w]) };
+    let (spans, is_orthonormal) = if bad.0 { (false, None) } else { frame([u, v, w]) };
     let vectors = [u, v, w].map(Vec3::from);
     let made = Obb::from_skewed_axes(p, vectors, q).err();
     let dependent = (!spans, ShapeError::DependentAxes);
     assert_eq!(made, first_of(&[bad, negative, dependent]), "{}", told());
     let made = Obb::new(p, vectors, q).err();
-    let askew = (!is_orthonormal, ShapeError::NotOrthonormal);
-    assert_eq!(made, first_of(&[bad, negative, askew]), "{}", told());
+    let no_unit = (!holds_unit_vectors::<S>(), ShapeError::NoUnitLength);
+    // In doubt, as the crate has it.
+    let is_askew = is_orthonormal.map_or(made == Some(ShapeError::NotOrthonormal), |is| !is);
+    let askew = (is_askew, ShapeError::NotOrthonormal);
+    assert_eq!(made, first_of(&[bad, negative, no_unit, askew]), "{}", told());
+}
+
+/// Whether the numbers reach from one to minus one, or one of the two: the greatest is a
+/// half or more.
+fn holds_unit_vectors<S: Sample>() -> bool {
+    let (mantissa, exponent) = S::GREATEST.mantissa_exponent();
+    exponent >= 0
+        || IBig::from(mantissa) * IBig::from(2) >= IBig::ONE << exponent.unsigned_abs() as usize
 }
 
 /// Whether the axes span space, and whether their dot products are within an eighth of
-/// those of a frame.
-fn frame<S: Sample>(axes: [Point<S>; 3]) -> [bool; 2] {
+/// those of a frame. Nothing where one is within 2^-20 of the eighth: not all types are
+/// checked exactly there.
+fn frame<S: Sample>(axes: [Point<S>; 3]) -> (bool, Option<bool>) {
     let parts = axes.map(|u| u.map(S::mantissa_exponent));
     let exponents = parts.iter().flatten().filter(|x| x.0 != 0).map(|x| x.1);
     let unit = exponents.min().unwrap_or(0).min(0);
@@ -117,15 +129,19 @@ fn frame<S: Sample>(axes: [Point<S>; 3]) -> [bool; 2] {
         u.map(|(m, e)| if m == 0 { IBig::ZERO } else { IBig::from(m) << (e - unit) as usize })
     });
     let spans = IBig::dot(&axes[0], &IBig::cross(&axes[1], &axes[2])) != IBig::ZERO;
-    // An eighth of one, times eight.
-    let eighth = IBig::ONE << (-2 * unit) as usize;
-    let is_orthonormal = (0..9).all(|n| {
-        let (i, j) = (n / 3, n % 3);
-        let target = if i == j { 8 } else { 0 };
-        let off = IBig::dot(&axes[i], &axes[j]) * IBig::from(8) - &eighth * IBig::from(target);
-        -&eighth <= off && off <= eighth
-    });
-    [spans, is_orthonormal]
+    // An eighth of one, times 2^20.
+    let eighth = IBig::ONE << (17 - 2 * unit) as usize;
+    let doubt = IBig::ONE << (-2 * unit) as usize;
+    let are_within = |most: &IBig| {
+        (0..9).all(|n| {
+            let (i, j) = (n / 3, n % 3);
+            let target = &eighth * IBig::from(if i == j { 8 } else { 0 });
+            let off = (IBig::dot(&axes[i], &axes[j]) << 20) - target;
+            -most <= off && off <= *most
+        })
+    };
+    let (surely, maybe) = (are_within(&(&eighth - &doubt)), are_within(&(&eighth + &doubt)));
+    (spans, (surely == maybe).then_some(surely))
 }
 
 /// In a `const` as elsewhere. No generic code can call them.

@@ -3,11 +3,10 @@
 
 use septum::Axis;
 use septum::published;
-use septum::published::akenine_moller::Order;
 
 use crate::scalars::{Check, run, told};
 use crate::shapes::Shapes;
-use septum_kit::{Case, Sample, is_collinear, meets, separates};
+use septum_kit::{Case, GROUP_ORDERS, Sample, is_collinear, meets, separates};
 
 /// `overlaps`, `may_overlap`, `separating_axis`, `is_separated_by`, `is_degenerate`; and
 /// that the rounded methods come to an end.
@@ -43,17 +42,9 @@ impl Check for TriangleAabb {
 
         let _ = published::shared_normal::overlaps(&triangle, &aabb);
         let published = published::akenine_moller::overlaps(&triangle, &aabb);
-        for order in ORDERS {
+        for order in GROUP_ORDERS {
             let ordered = published::akenine_moller::overlaps_in(&triangle, &aabb, order);
             assert_eq!(ordered, published, "{order:?}, {}", told::<S>(&case));
         }
     }
 }
-
-const ORDERS: [Order; 5] = [
-    Order::EdgesNormalFaces,
-    Order::FacesEdgesNormal,
-    Order::FacesNormalEdges,
-    Order::NormalEdgesFaces,
-    Order::NormalFacesEdges,
-];

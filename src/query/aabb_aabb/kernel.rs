@@ -52,6 +52,7 @@ const GAP: u16 = 3;
 
 impl<S: Scalar> Predicate<S> for Apart<S> {
     type Answer = bool;
+    const HAS_VOLUMES: bool = false;
 
     #[inline(always)]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {

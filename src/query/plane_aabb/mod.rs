@@ -40,6 +40,7 @@ struct Beyond<'a, S> {
 
 impl<S: Scalar> Predicate<S> for Beyond<'_, S> {
     type Answer = bool;
+    const HAS_VOLUMES: bool = false;
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {

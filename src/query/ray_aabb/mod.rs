@@ -60,6 +60,7 @@ impl<S: Scalar> Disjoint<'_, S> {
 
 impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     type Answer = bool;
+    const HAS_VOLUMES: bool = false;
 
     #[inline(always)]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
@@ -90,6 +91,7 @@ impl<S: Scalar> Range<'_, S> {
 
 impl<S: Scalar> Predicate<S> for Range<'_, S> {
     type Answer = Option<(S, S)>;
+    const HAS_VOLUMES: bool = false;
 
     fn filter<N: Embeds<S>>(&self) -> Option<Option<(S, S)>> {
         let (line, misses) = self.0.slabs::<N>()?;

@@ -19,6 +19,7 @@ struct Disjoint<'a, S> {
 
 impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     type Answer = bool;
+    const HAS_VOLUMES: bool = false;
 
     #[inline(always)]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {

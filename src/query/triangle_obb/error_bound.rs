@@ -3,8 +3,10 @@
 //!
 //! Every projection is a sum of terms, each a product of operands. Its error is the number
 //! of roundings that touch a term, times the sum of the terms' sizes. Let A be the greatest
-//! magnitude among the components of the axes u_i and one, and R such that |t| and |e| ≤ R
-//! and h·A ≤ R. t and e carry one rounding each. Products with one are exact.
+//! magnitude among the components of the axes u_i and one, and R such that |t|·one and
+//! |e|·one ≤ R and h·A ≤ R. t and e carry one rounding each. Products with one, which is
+//! a power of two, are exact. One is 1 in floats and no less in fixed point, so R bounds
+//! |t| and |e| too, and a term that has one once and two lengths is within R².
 //!
 //! * Faces, in A²·R: w·t has 6 terms; w takes 2 roundings, t 1, the product 1,
 //!   the sums 2: 36. h·|u·w|: 6 terms, 2 + 1 + 2 + 1: 36. Their comparison,
@@ -16,8 +18,6 @@
 //! * Plane, in R³: n·t has 6 terms of 2 + 1 + 1 + 1 + 1 + 2 = 8: 48. r has 18
 //!   terms of 7 + 1 + 2 = 10: 180. The difference, of at most 24: 24. In all 252;
 //!   [`PLANE`] = 300.
-//!
-//! That holds where one is 1, as in floats: elsewhere `size` would have to count it.
 //!
 //! Underflow: A is at least one, so the margins of the range of R are those of an
 //! axis-aligned box (see `arithmetic::float`).
@@ -45,7 +45,7 @@ pub(in crate::query) fn error_bound<N: Arithmetic>(
         let in_range = greatest(greatest(axes, length), half).in_range();
         return in_range.then_some(ErrorBound { face: zero, edge: zero, plane: zero });
     }
-    let size = greatest(length, half * axes);
+    let size = greatest(length * one, half * axes);
     let two = one + one;
     // Axes are unit vectors, or near: what is longer may as well go to the end.
     if !(axes < two + two && size.in_range()) {
@@ -57,4 +57,29 @@ pub(in crate::query) fn error_bound<N: Arithmetic>(
         edge: (axes * square).error(EDGE),
         plane: (square * size).error(PLANE),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arithmetic::Filtered;
+
+    /// Each term of a face, an edge or the plane is a product of four numbers in the unit of
+    /// which there are `one` in one.
+    #[test]
+    fn bounds_grow_with_the_unit_as_terms_do() {
+        for half in [0.0, 0.01, 3.0] {
+            let bound = |one: f64| {
+                error_bound::<Filtered<f64>>(one, one, 1.5 * one, half * one).expect("in range")
+            };
+            for bits in [1, 8, 16, 31] {
+                let one = f64::from(1_u32 << bits);
+                let (plain, scaled) = (bound(1.0), bound(one));
+                let fourth = one * one * one * one;
+                assert!(scaled.face >= plain.face * fourth, "{half} {bits}");
+                assert!(scaled.edge >= plain.edge * fourth, "{half} {bits}");
+                assert!(scaled.plane >= plain.plane * fourth, "{half} {bits}");
+            }
+        }
+    }
 }

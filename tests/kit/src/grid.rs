@@ -7,11 +7,10 @@ use septum::{Aabb, Triangle};
 
 use super::case::{BoxNumbers, Case};
 use super::oracle::meets;
+use super::orders::VERTEX_ORDERS;
 use super::sample::Sample;
 
 type Point = [f64; 3];
-
-const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 
 /// All triples of grid points without regard to order, repetitions included.
 fn triples() -> impl Iterator<Item = [Point; 3]> {
@@ -24,7 +23,7 @@ fn triples() -> impl Iterator<Item = [Point; 3]> {
 /// Asks the crate, in every order of the vertices.
 fn check<S: Sample>(vertices: &[Point; 3], aabb: &Aabb<S>, expected: bool) {
     let vertices = vertices.map(|v| v.map(S::nearest));
-    for order in ORDERS {
+    for order in VERTEX_ORDERS {
         let [a, b, c] = order.map(|k| vertices[k]);
         let triangle = Triangle::new(a, b, c).expect("finite vertices");
         let is_right =

@@ -5,11 +5,9 @@ use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 use septum::{Facing, Feature, Ray, Triangle};
 
 use super::{RayCase, Truth, crossing};
-use crate::Sample;
+use crate::{Sample, VERTEX_ORDERS};
 
 type Point = [f64; 3];
-
-const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
 
 /// The points of the cube with whole coordinates up to `most`.
 pub fn grid(most: i64) -> Vec<[f64; 3]> {
@@ -46,7 +44,7 @@ fn reordered(truth: &Truth, order: [usize; 3], is_odd: bool) -> (Facing, Feature
 /// Asks the crate, in every order of the vertices.
 fn check<S: Sample>(vertices: &[Point; 3], ray: &Ray<S>, truth: Option<&Truth>) {
     let vertices = vertices.map(|v| v.map(S::nearest));
-    for (n, order) in ORDERS.into_iter().enumerate() {
+    for (n, order) in VERTEX_ORDERS.into_iter().enumerate() {
         let [a, b, c] = order.map(|k| vertices[k]);
         let triangle = Triangle::new(a, b, c).expect("finite vertices");
         let found = ray.hit(&triangle);

@@ -8,27 +8,16 @@
 
 extern crate std;
 
-use core::cell::Cell;
 use std::fmt::Write;
 use std::format;
 use std::string::String;
 
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 
-use super::Stage;
 use crate::arithmetic::{REGISTERS_ARE_WIDE, SMALL_CODE};
+use crate::robust::escalations;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb, Plane, Ray, Segment, Triangle};
-
-std::thread_local! {
-    static COUNTS: Cell<[u32; 4]> = const { Cell::new([0; 4]) };
-}
-
-pub(super) fn add(stage: Stage) {
-    let mut counts = COUNTS.get();
-    counts[stage as usize] += 1;
-    COUNTS.set(counts);
-}
 
 /// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, "Fast Splittable Pseudorandom Number
 /// Generators", OOPSLA 2014).
@@ -113,9 +102,7 @@ fn rows<S: Sample>(scalar: &str, to: &mut String) {
         let triangle = Triangle::new(a, b, c).unwrap();
         let boxes = [Aabb::from_center_half_extents(p, half), Aabb::from_min_max(low, high)];
         let mut ask = |k: usize, question: &dyn Fn()| {
-            COUNTS.set([0; 4]);
-            question();
-            for (sum, count) in counts[k].iter_mut().zip(COUNTS.get()) {
+            for (sum, count) in counts[k].iter_mut().zip(escalations(question)) {
                 *sum += count;
             }
         };
