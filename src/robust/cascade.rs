@@ -45,25 +45,24 @@ pub(crate) fn in_floats<S: InFloat<F>, F: Float, P: Predicate<S>>(p: &P) -> Opti
 where
     Filtered<F>: Embeds<S>,
 {
-    if P::IN_QUADS { p.in_quads::<F>() } else { p.filter::<Filtered<F>>() }
+    if P::IN_QUADS {
+        return in_quads(p);
+    }
+    let answer = p.filter::<Filtered<F>>();
+    if answer.is_none() {
+        note(Stage::Filter);
+    }
+    answer
 }
 
-/// The answer in `F`, or else what `next` says.
+/// The answer in `F`, four at once, where the question has a kernel for that.
 #[inline(always)]
-pub(crate) fn float_stage<S: InFloat<F>, F: Float, P: Predicate<S>>(
-    p: &P,
-    next: fn(&P) -> P::Answer,
-) -> P::Answer
-where
-    Filtered<F>: Embeds<S>,
-{
-    match in_floats(p) {
-        Some(answer) => answer,
-        None => {
-            note(Stage::Filter);
-            next(p)
-        }
+pub(crate) fn in_quads<S: InFloat<F>, F: Float, P: Predicate<S>>(p: &P) -> Option<P::Answer> {
+    let answer = p.in_quads::<F>();
+    if P::IN_QUADS && answer.is_none() {
+        note(Stage::Filter);
     }
+    answer
 }
 
 /// Where registers are narrow: the answer in words of `W`, or else what `next` says.

@@ -22,9 +22,7 @@ mod predicate;
 mod stages;
 mod uncertain;
 
-pub(crate) use cascade::{
-    exact_stage, float_stage, in_floats, integer_stage, numeric_stage, stage,
-};
+pub(crate) use cascade::{exact_stage, in_floats, in_quads, integer_stage, numeric_stage, stage};
 #[cfg(feature = "fixed")]
 pub(crate) use cascade::{narrow_stage, only_stage};
 pub(crate) use determinant::{

@@ -9,7 +9,8 @@ use crate::arithmetic::{
     RoundedOps, SMALL_CODE, clamped,
 };
 use crate::robust::{
-    Predicate, Sum, exact_stage, integer_stage, narrow_stage, numeric_stage, only_stage, stage,
+    Predicate, Sum, exact_stage, in_quads, integer_stage, narrow_stage, numeric_stage, only_stage,
+    stage,
 };
 
 macro_rules! scalar {
@@ -27,7 +28,7 @@ macro_rules! scalar {
         impl<Frac: $bound + Send + Sync + 'static> Backend for $fixed<Frac> {
             const ONE: Parts =
                 Parts { negative: false, magnitude: 1, shift: Self::FRAC_NBITS as u16 };
-            const IN_QUADS: bool = <$float as OfFour>::Quad::IS_VECTOR;
+            const IN_QUADS: bool = REGISTERS_ARE_WIDE && <$float as OfFour>::Quad::IS_VECTOR;
             // Four products of the raw bits, and room for their number.
             type Sum = Sum<$limbs>;
 
@@ -40,11 +41,14 @@ macro_rules! scalar {
             }
             #[inline(always)]
             fn evaluate<P: Predicate<Self>>(p: &P) -> P::Answer {
-                in_quads_first(p, Self::in_quads, Self::without_quads)
+                match Self::in_quads(p) {
+                    Some(answer) => answer,
+                    None => Self::without_quads(p),
+                }
             }
             #[inline(always)]
             fn in_quads<P: Predicate<Self>>(p: &P) -> Option<P::Answer> {
-                if Self::IN_QUADS { p.in_quads::<$float>() } else { None }
+                if Self::IN_QUADS { in_quads::<_, $float, _>(p) } else { None }
             }
             #[inline(always)]
             fn without_quads<P: Predicate<Self>>($p: &P) -> P::Answer {
@@ -130,20 +134,6 @@ scalar!(
     Self::evaluate(p),
     p.cut_down().or_else(|| p.filter::<Int64>())
 );
-
-/// The answer in floats, four at once, where the machine has vectors and the question a
-/// kernel for them, or else what `next` says. It changes no answer.
-#[inline(always)]
-fn in_quads_first<P, A>(
-    p: &P,
-    in_quads: impl FnOnce(&P) -> Option<A>,
-    next: impl FnOnce(&P) -> A,
-) -> A {
-    match in_quads(p) {
-        Some(answer) => answer,
-        None => next(p),
-    }
-}
 
 /// Where floats are cheap, `f64` answers nearly all, and faster than integers. It
 /// changes no answer.

@@ -5,7 +5,7 @@ use crate::arithmetic::{
     Filtered, Float, Parts, REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, quotient,
 };
 use crate::robust::{
-    Predicate, Sum, exact_stage, float_stage, in_floats, integer_stage, numeric_stage,
+    Predicate, Sum, exact_stage, in_floats, in_quads, integer_stage, numeric_stage,
 };
 
 macro_rules! float {
@@ -81,11 +81,14 @@ impl Backend for f32 {
     }
     #[inline(always)]
     fn evaluate<P: Predicate<Self>>(p: &P) -> P::Answer {
-        float_stage::<_, f32, _>(p, Self::without_quads)
+        match in_floats::<_, f32, _>(p) {
+            Some(answer) => answer,
+            None => Self::without_quads(p),
+        }
     }
     #[inline(always)]
     fn in_quads<P: Predicate<Self>>(p: &P) -> Option<P::Answer> {
-        p.in_quads::<f32>()
+        in_quads::<_, f32, _>(p)
     }
     #[inline(always)]
     fn without_quads<P: Predicate<Self>>(p: &P) -> P::Answer {
@@ -98,7 +101,10 @@ impl Backend for f32 {
             return numeric_stage::<_, Filtered<f64>, _>(p, doubled);
         }
         // Numbers come from f64; f32 can but say that there are none.
-        float_stage::<_, f32, _>(p, doubled)
+        match in_floats::<_, f32, _>(p) {
+            Some(answer) => answer,
+            None => doubled(p),
+        }
     }
     #[inline(always)]
     fn evaluate_bounded<P: Predicate<Self>>(p: &P) -> Option<P::Answer> {
@@ -110,7 +116,10 @@ impl Backend for f32 {
 #[cold]
 #[inline(never)]
 fn doubled<P: Predicate<f32>>(p: &P) -> P::Answer {
-    float_stage::<_, f64, _>(p, integer_stage)
+    match in_floats::<_, f64, _>(p) {
+        Some(answer) => answer,
+        None => integer_stage(p),
+    }
 }
 
 impl Backend for f64 {
@@ -132,11 +141,14 @@ impl Backend for f64 {
     }
     #[inline(always)]
     fn evaluate<P: Predicate<Self>>(p: &P) -> P::Answer {
-        float_stage::<_, f64, _>(p, Self::without_quads)
+        match in_floats::<_, f64, _>(p) {
+            Some(answer) => answer,
+            None => Self::without_quads(p),
+        }
     }
     #[inline(always)]
     fn in_quads<P: Predicate<Self>>(p: &P) -> Option<P::Answer> {
-        p.in_quads::<f64>()
+        in_quads::<_, f64, _>(p)
     }
     #[inline(always)]
     fn without_quads<P: Predicate<Self>>(p: &P) -> P::Answer {
