@@ -1,8 +1,9 @@
 # How far the face of the box around an oriented box may be from the truth.
 # constant: SUMS
+# only: f64
 #
 # Proved: the errors of three sums, and of adding or subtracting the margin, are together at most
-# the margin as it is computed. Only `f64` is used, on products of `f32` that are exact: nothing
+# the margin as it is computed. Products of `f32` are exact in `f64`: nothing
 # underflows.
 #
 # The extent a + b + d, as computed, is divided by itself and multiplied by p, the centre by itself
