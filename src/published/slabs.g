@@ -7,10 +7,10 @@
 # face within the truth. Underflow included.
 #
 # The way to a face and the reciprocal are divided by themselves, as computed, and products
-# multiplied by p and q: the magnitudes of n and f but for their last rounding, divided by size =
-# p + q. A reciprocal, s in truth, does not underflow, for components beyond `invertible` are ignored. What
-# underflow takes from a product is below the least number, 2·U times the least normal number. So,
-# if size ≥ (least normal)/(8·U), it is below 16·U²·size: `margin` is the one relative to size,
+# multiplied by p and q: the magnitudes of n and f but for their last rounding, divided by size = p
+# + q. A reciprocal, s in truth, does not underflow, for components beyond `invertible` are ignored.
+# What underflow takes from a product is below the least number, 2·U times the least normal number.
+# So, if size ≥ (least normal)/(8·U), it is below 16·U²·size: `margin` is the one relative to size,
 # without the least normal number that the code adds. If size is less, divide by (least
 # normal)/(8·U) instead: p and q are less, and the least normal number, `small`, is 8·U.
 

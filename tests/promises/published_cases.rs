@@ -5,7 +5,6 @@
 //! A segment is asked about as a ray with t from 0 to 1 along the difference of its ends, rounded
 //! in `f64`. Two triangles are asked about as the sides of each against the other, from both ends.
 
-use septum::Overlaps;
 use septum_kit::rays::{RayCase, crossing};
 use septum_kit::{BoxNumbers, Case, Sample, meets};
 
@@ -52,6 +51,7 @@ fn check_boxes<S: Sample>(table: &[InBox<S>]) {
         let (triangle, aabb) = case.shapes();
         assert_eq!(meets(&case), answer.is_yes(), "the oracle: {source}");
         assert_eq!(triangle.overlaps(&aabb), answer.is_yes(), "{source}");
+        assert_eq!(aabb.overlaps(&triangle), answer.is_yes(), "{source}");
         assert!(triangle.may_overlap(&aabb) || !answer.is_yes(), "{source}");
     }
 }

@@ -54,9 +54,12 @@ t_bound = fl(T*U*size, m);
 sides_bound = fl(SIDES*U*size, m);
 
 { o in [0,0] /\ |k| <= LOST2 /\ |l| <= LOST3 /\ |m| <= LOST3
-/\ |dx| <= 1 /\ |ex| <= 1 /\ |Ex| <= UP1 /\ |gx| <= 1 /\ |Gx| <= UP1 /\ |fx| <= 1 /\ |Fx| <= UP1 /\ |sx| <= 1 /\ |Sx| <= UP1
-/\ |dy| <= 1 /\ |ey| <= 1 /\ |Ey| <= UP1 /\ |gy| <= 1 /\ |Gy| <= UP1 /\ |fy| <= 1 /\ |Fy| <= UP1 /\ |sy| <= 1 /\ |Sy| <= UP1
-/\ |dz| <= 1 /\ |ez| <= 1 /\ |Ez| <= UP1 /\ |gz| <= 1 /\ |Gz| <= UP1 /\ |fz| <= 1 /\ |Fz| <= UP1 /\ |sz| <= 1 /\ |Sz| <= UP1
+/\ |dx| <= 1 /\ |ex| <= 1 /\ |Ex| <= UP1 /\ |gx| <= 1 /\ |Gx| <= UP1
+/\ |fx| <= 1 /\ |Fx| <= UP1 /\ |sx| <= 1 /\ |Sx| <= UP1
+/\ |dy| <= 1 /\ |ey| <= 1 /\ |Ey| <= UP1 /\ |gy| <= 1 /\ |Gy| <= UP1
+/\ |fy| <= 1 /\ |Fy| <= UP1 /\ |sy| <= 1 /\ |Sy| <= UP1
+/\ |dz| <= 1 /\ |ez| <= 1 /\ |Ez| <= UP1 /\ |gz| <= 1 /\ |Gz| <= UP1
+/\ |fz| <= 1 /\ |Fz| <= UP1 /\ |sz| <= 1 /\ |Sz| <= UP1
 /\ |u1| <= LOST2 /\ |u2| <= LOST2 /\ |u3| <= LOST2 /\ |u4| <= LOST2 /\ |u5| <= LOST2
 /\ |u6| <= LOST2 /\ |u7| <= LOST2 /\ |u8| <= LOST2 /\ |u9| <= LOST2 /\ |u10| <= LOST2
 /\ |u11| <= LOST2 /\ |u12| <= LOST2 /\ |u13| <= LOST3 /\ |u14| <= LOST3 /\ |u15| <= LOST3

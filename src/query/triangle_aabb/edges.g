@@ -4,12 +4,13 @@
 # Proved: |computed − true| is at most the bound as it is computed, underflow included; and nothing
 # overflows. So it is with EDGE = 24, for which the case split is fine enough.
 #
-# All is divided by R, the greatest computed h + s, with s the extent of the triangle. As h, s and
-# their sum are rounded, h + s is at most 1 + 4·U in truth, and so is |v|, for no face
-# separates. X is more. On each axis s is X·s in the script, h at most X·(1 − s), an edge at most
-# X·s, a vertex at most X. A vertex in the frame of a box by its corners is the mean of two
-# differences, whose magnitudes add up to twice the greater of |v| and h: the mean errs by U·X at
-# most, m being what part of that. Then it is rounded and, as half-extents are, halved.
+# All is divided by R, the greatest computed h + s, with h the half-extent of the box and s the
+# extent of the triangle on an axis. These are rounded, so h + s is at most 1 + 4·U in truth, and so
+# is |v|, for no face separates. X is above both. In the script s is the extent divided by X: on each
+# axis an edge is at most X·s, h at most X·(1 − s), a vertex at most X. In the frame of a box by its
+# corners a vertex is the mean of two differences. Their magnitudes add up to twice the greater of
+# |v| and h, so it errs by U·X at most, of which it does the part m. Then it is rounded and, as
+# half-extents are, halved.
 #
 # The magnitude of x, computed where X is true, is |X| + q·(x − X) for some |q| ≤ 1. What the edge's
 # vertices and the opposite one project to is 2·X² at most each, and Far is the mean of both.

@@ -15,7 +15,7 @@
 # The magnitude of x, computed where X is true, is |X| + s·(x − X) for some |s| ≤ 1. Products
 # with one are exact, and so is doubling.
 
-# From the centre to a vertex, and two edges: differences, each with its truth.
+# From the centre to a vertex, two edges, and one of the three: differences, each with its truth.
 tx = fl(txp, -txq); Tx = txp + -txq;
 ty = fl(typ, -tyq); Ty = typ + -tyq;
 tz = fl(tzp, -tzq); Tz = tzp + -tzq;
@@ -25,6 +25,9 @@ ez = fl(ezp, -ezq); Ez = ezp + -ezq;
 gx = fl(gxp, -gxq); Gx = gxp + -gxq;
 gy = fl(gyp, -gyq); Gy = gyp + -gyq;
 gz = fl(gzp, -gzq); Gz = gzp + -gzq;
+dx = fl(dxp, -dxq); Dx = dxp + -dxq;
+dy = fl(dyp, -dyq); Dy = dyp + -dyq;
+dz = fl(dzp, -dzq); Dz = dzp + -dzq;
 
 # The cross products of the axes a, b and c, and what makes them one.
 w0x = fl(fl(by*cz, z1), -fl(bz*cy, z2));
@@ -81,20 +84,20 @@ nr = fl(fl(fl(un0_abs*h, z44), fl(un1_abs*k, z45)), fl(un2_abs*l, z46));
 Nr = ((Un0_abs*h + o) + (Un1_abs*k + o)) + (Un2_abs*l + o);
 over = fl(nt_abs, -nr); Over = Nt_abs + -Nr;
 
-# An edge: e × a. The other eight differ by names.
-mx = fl(fl(ey*tz, z47), -fl(ez*ty, z48));
-Mx = (Ey*Tz + o) + -(Ez*Ty + o);
-my = fl(fl(ez*tx, z49), -fl(ex*tz, z50));
-My = (Ez*Tx + o) + -(Ex*Tz + o);
-mz = fl(fl(ex*ty, z51), -fl(ey*tx, z52));
-Mz = (Ex*Ty + o) + -(Ey*Tx + o);
+# An edge: d × a. The other eight differ by names.
+mx = fl(fl(dy*tz, z47), -fl(dz*ty, z48));
+Mx = (Dy*Tz + o) + -(Dz*Ty + o);
+my = fl(fl(dz*tx, z49), -fl(dx*tz, z50));
+My = (Dz*Tx + o) + -(Dx*Tz + o);
+mz = fl(fl(dx*ty, z51), -fl(dy*tx, z52));
+Mz = (Dx*Ty + o) + -(Dy*Tx + o);
 p = fl(fl(fl(ax*mx, z53), fl(ay*my, z54)), fl(az*mz, z55));
 P = ((ax*Mx + o) + (ay*My + o)) + (az*Mz + o);
-along1 = fl(fl(fl(w1x*ex, z56), fl(w1y*ey, z57)), fl(w1z*ez, z58));
-Along1 = ((W1x*Ex + o) + (W1y*Ey + o)) + (W1z*Ez + o);
+along1 = fl(fl(fl(w1x*dx, z56), fl(w1y*dy, z57)), fl(w1z*dz, z58));
+Along1 = ((W1x*Dx + o) + (W1y*Dy + o)) + (W1z*Dz + o);
 along1_abs = |Along1| + s7*(along1 - Along1); Along1_abs = |Along1| + o;
-along2 = fl(fl(fl(w2x*ex, z59), fl(w2y*ey, z60)), fl(w2z*ez, z61));
-Along2 = ((W2x*Ex + o) + (W2y*Ey + o)) + (W2z*Ez + o);
+along2 = fl(fl(fl(w2x*dx, z59), fl(w2y*dy, z60)), fl(w2z*dz, z61));
+Along2 = ((W2x*Dx + o) + (W2y*Dy + o)) + (W2z*Dz + o);
 along2_abs = |Along2| + s8*(along2 - Along2); Along2_abs = |Along2| + o;
 er = fl(fl(along2_abs*k, z62), fl(along1_abs*l, z63)); Er = (Along2_abs*k + o) + (Along1_abs*l + o);
 far = fl(2*p, un0); Far = 2*P + Un0;
@@ -109,7 +112,8 @@ plane_bound = fl(PLANE*U*fl(fl(1, z70), z71), z72);
 { o in [0,0] /\ |h| <= UP1 /\ |k| <= UP1 /\ |l| <= UP1 /\ |tx| <= 1 /\ |Tx| <= UP1
 /\ |ty| <= 1 /\ |Ty| <= UP1 /\ |tz| <= 1 /\ |Tz| <= UP1 /\ |ex| <= 1 /\ |Ex| <= UP1
 /\ |ey| <= 1 /\ |Ey| <= UP1 /\ |ez| <= 1 /\ |Ez| <= UP1 /\ |gx| <= 1 /\ |Gx| <= UP1
-/\ |gy| <= 1 /\ |Gy| <= UP1 /\ |gz| <= 1 /\ |Gz| <= UP1 /\ |ax| <= 1 /\ |ay| <= 1 /\ |az| <= 1
+/\ |gy| <= 1 /\ |Gy| <= UP1 /\ |gz| <= 1 /\ |Gz| <= UP1 /\ |dx| <= 1 /\ |Dx| <= UP1
+/\ |dy| <= 1 /\ |Dy| <= UP1 /\ |dz| <= 1 /\ |Dz| <= UP1 /\ |ax| <= 1 /\ |ay| <= 1 /\ |az| <= 1
 /\ |bx| <= 1 /\ |by| <= 1 /\ |bz| <= 1 /\ |cx| <= 1 /\ |cy| <= 1 /\ |cz| <= 1 /\ |z1| <= LOST0
 /\ |z2| <= LOST0 /\ |z3| <= LOST0 /\ |z4| <= LOST0 /\ |z5| <= LOST0 /\ |z6| <= LOST0
 /\ |z7| <= LOST0 /\ |z8| <= LOST0 /\ |z9| <= LOST0 /\ |z10| <= LOST0 /\ |z11| <= LOST0
