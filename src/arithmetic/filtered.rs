@@ -44,6 +44,10 @@ impl<F: Float> Arithmetic for Filtered<F> {
     }
 }
 
+/// By what factor the gap between a numerator and a product exceeds what the two may err:
+/// for the roundings of that. Proved in `filtered.g`.
+const CLEARANCE: u16 = 2;
+
 /// How the quotient of two numbers that err compares with `t`.
 #[inline(always)]
 pub(super) fn compare_quotient<F: Float>(
@@ -54,11 +58,9 @@ pub(super) fn compare_quotient<F: Float>(
     infinity: F,
 ) -> Option<Ordering> {
     let product = t * den;
-    // Twice what the operands may err, and twice the rounding of the
-    // product; that of the gap is a trifle against the former.
-    let two = F::from(2_u16);
-    let error =
-        two * (num_error + t.magnitude() * den_error) + two * F::ROUNDOFF * product.magnitude();
+    let clearance = F::from(CLEARANCE);
+    let error = clearance * (num_error + t.magnitude() * den_error)
+        + clearance * F::ROUNDOFF * product.magnitude();
     let gap = num - product;
     if gap.magnitude() > error && product.magnitude() < infinity {
         gap.partial_cmp(&F::ZERO)

@@ -257,9 +257,14 @@ impl<S: Scalar> SlabRay<S> {
     }
 }
 
-/// Eight times the unit roundoff.
+/// Roundoffs in the padding of two values of t; half of them in that of a half-extent. Proved
+/// in `slabs.g`.
+const PADDING: u16 = 8;
+
+/// The padding, relative to what is padded.
 #[inline(always)]
 fn ratio<S: Scalar>(format: &FloatFormat<S>) -> S {
+    const { assert!(PADDING == 8) }
     let twice = |x: S| x.plain_add(x);
     twice(twice(twice(format.roundoff)))
 }

@@ -2,6 +2,7 @@
 //! they reach along a coordinate axis.
 
 use super::Scalar;
+use crate::arithmetic::Number;
 use crate::robust::ExactSum;
 
 /// What an oriented box asks when it is made, and when it is enclosed.
@@ -67,6 +68,9 @@ float!(f64, are_orthonormal_f64, next_up_f64, |c, across, half| {
     (face(-c), face(c))
 });
 
+/// Roundoffs in three sums, relative to the sum of all magnitudes. Proved in `axes.g`.
+const SUMS: u16 = 8;
+
 /// The least `f32` not below −c + r and c + r, with r = Σ|aᵢ|·hᵢ, all of them numbers of
 /// `f32`: by `f64`, unless that leaves two to choose from.
 ///
@@ -92,7 +96,7 @@ fn faces_in_double(c: f64, across: [f64; 3], half: [f64; 3]) -> (f32, f32) {
         if is_exact {
             return up(middle);
         }
-        let margin = 4.0 * f64::EPSILON * (c.abs() + extent.0);
+        let margin = (c.abs() + extent.0).error(SUMS);
         let (least, greatest) = (up(middle - margin), up(middle + margin));
         if least == greatest {
             return greatest;

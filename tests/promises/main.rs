@@ -36,6 +36,9 @@ mod ray_triangle;
 mod rounded_rays;
 mod watertight;
 
+// What other libraries' users met.
+mod published_cases;
+
 // Unit normals.
 mod unit_normal;
 

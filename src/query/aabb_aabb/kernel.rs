@@ -47,7 +47,7 @@ impl<S: Scalar> Apart<S> {
 /// |d| + r: two roundoffs of |d| + r. The third is for what this leaves out: the
 /// roundings of |d| + r and of the bound, and terms in u². Sums of floats do not
 /// underflow: below twice the least normal number they are exact, and there the
-/// bound may as well be zero.
+/// bound may as well be zero. Proved in `kernel.g`.
 const GAP: u16 = 3;
 
 impl<S: Scalar> Predicate<S> for Apart<S> {

@@ -64,14 +64,18 @@ fn component([a0, b0, c0]: [f64; 3], [a1, b1, c1]: [f64; 3], enough: f64) -> Opt
     let (p, q) = (product(e, f), product(g, h));
     let (high, low) = difference(p.0, q.0);
     let n = high + (low + (p.1 - q.1));
-    // What a pair leaves out is below 16 squared roundoffs, 2^-102, of p and q: not
-    // 2^-8 roundoffs of n if cancellation took no more than 40 places. Zero is zero
+    // What pairs leave out is below 16 squared roundoffs, 2^-102, of p and q: not
+    // 2^-8 roundoffs of n if cancellation took no more than `PLACES`. Zero is zero
     // if nothing is left out, as when the differences needed no second float.
     let exact = e.1 == 0.0 && f.1 == 0.0 && g.1 == 0.0 && h.1 == 0.0;
-    (n.abs() >= size * TWO_TO_THE_MINUS_40 || (exact && p == q)).then_some(n)
+    (n.abs() >= size * LEFT || (exact && p == q)).then_some(n)
 }
 
-const TWO_TO_THE_MINUS_40: f64 = f64::from_bits((1023 - 40) << 52);
+/// How many places cancellation may take. Proved in `direction.g`.
+const PLACES: u64 = 40;
+
+/// What is left then.
+const LEFT: f64 = f64::from_bits((1023 - PLACES) << 52);
 
 /// a − b, exactly (D. E. Knuth, *The Art of Computer Programming* 2, 4.2.2).
 #[inline]

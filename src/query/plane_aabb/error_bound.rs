@@ -12,6 +12,8 @@
 //! A plane given by its offset d has no point. v is the world's origin then. Differences
 //! from zero are exact, so v errs by 1: 3 terms of 1 + 1 + 2 = 4: 12. To take d from n·v adds
 //! 3 and 1 for d, and the last difference 1 more for d. In all 33, and 2 for d.
+//!
+//! `error_bound.g` proves the bound, second orders and underflow included.
 
 use crate::arithmetic::{Arithmetic, Number};
 

@@ -153,6 +153,10 @@ fn is_finite<L: Number>(x: L) -> bool {
     x - x == L::ZERO
 }
 
+/// Roundoffs that a sum must exceed, relative to its terms, for what was lost in it to be known
+/// well enough. Proved in `compensated.g`.
+const LEFT: u16 = 128;
+
 /// c − o + h, less than 1.02 roundings from the truth; nothing where so much cancels
 /// that it might be more. In floats.
 ///
@@ -169,7 +173,7 @@ fn compensated<N: Arithmetic>(c: N::Length, o: N::Length, h: N::Length) -> Optio
     let lost = error + second;
     let result = length + lost;
     // All that is unaccounted for is the rounding of what was lost, twice.
-    let error_bound = (along.magnitude() + h.magnitude()).error(128);
+    let error_bound = (along.magnitude() + h.magnitude()).error(LEFT);
     (lost == N::Length::ZERO || result.magnitude() >= error_bound).then_some(result)
 }
 

@@ -21,6 +21,8 @@
 //!
 //! Underflow: A is at least one, so the margins of the range of R are those of an
 //! axis-aligned box (see `arithmetic::float`).
+//!
+//! `error_bound.g` proves all three bounds, second orders and underflow included.
 
 use super::kernel::ErrorBound;
 use crate::arithmetic::{Arithmetic, Number, greatest};
