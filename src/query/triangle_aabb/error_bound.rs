@@ -30,7 +30,7 @@
 //!   + h_l·s_j ≤ 1: 10.
 //!
 //! So |p + m| and |m| + r together err by at most 29·u·X_j·X_l ≤ 29·u·R². That is
-//! with all three X alike at the worst; the constant below is [`EDGE`] = 30.
+//! with all three X alike at the worst.
 //!
 //! # The plane, in units of u·W with W = X_0·X_1·X_2 ≤ R³
 //!
@@ -40,23 +40,28 @@
 //! * h_i·|n_i|: 8 + 2 + 2 = 12, three of them 36, their sums 10: 46.
 //! * the difference of the two, each at most 6: 12.
 //!
-//! So n·v − Σ h·|n| errs by at most 116·u·R³; [`PLANE`] = 120.
+//! So n·v − Σ h·|n| errs by at most 116·u·R³.
 //!
 //! # What the first order leaves out
 //!
 //! Terms in u² are below 2·29²·u² of the first-order terms' unit, a relative
 //! 10⁻⁴ for `f32`. The computed R may fall short by 4u·R, and the bound by 4u of
-//! itself. 30 against 29 and 120 against 116 are 3 % more: enough for all of it.
-//! Underflow is met by the range of R, see `arithmetic::float`. `edges.g` and `plane.g`
-//! prove both bounds, with all of it.
+//! itself. The rounding of the last difference
+//! is u times a number that is itself near the bound. Underflow is met by the range of
+//! R, see `arithmetic::float`.
+//!
+//! # What is proved
+//!
+//! The sums above take the worst of each term, which never meet. `edges.g` and
+//! `plane.g` prove [`EDGE`] and [`PLANE`], second orders and underflow included.
 
 use crate::arithmetic::{Arithmetic, Number};
 
 /// Roundoffs in an edge axis, per R².
-const EDGE: u16 = 30;
+const EDGE: u16 = 24;
 
 /// Roundoffs in the plane, per R³.
-const PLANE: u16 = 120;
+const PLANE: u16 = 60;
 
 /// How far computed axes may be from the truth.
 pub(super) struct ErrorBound<N: Arithmetic> {

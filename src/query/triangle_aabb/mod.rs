@@ -157,8 +157,8 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Triangle<S> {
     ///
     /// *Numerics*: `false` is certain, `true` may be wrong. Fixed point of up to 32
     /// bits is exact. In 64 bits coordinates are cut down to 18 bits, and the box is
-    /// grown by two of the units that are left. Floats answer `true` within 30·u·R² of
-    /// an edge axis and 120·u·R³ of the plane, with u the unit roundoff and R the span
+    /// grown by two of the units that are left. Floats answer `true` within 24·u·R² of
+    /// an edge axis and 60·u·R³ of the plane, with u the unit roundoff and R the span
     /// of the two shapes; a box given by its centre is also in doubt where a vertex
     /// lies within rounding of a face.
     ///
