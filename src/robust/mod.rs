@@ -31,4 +31,5 @@ pub(crate) use determinant::{
 pub use exact_sum::ExactSum;
 pub(crate) use exact_sum::Sum;
 pub use predicate::Predicate;
+pub(crate) use stages::{Stage, note};
 pub(crate) use uncertain::Uncertain;
