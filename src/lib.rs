@@ -44,7 +44,8 @@
 //! | box, box | [`overlaps`][aabb-aabb] | the same |
 //! | plane, box | [`overlaps`][plane-aabb], [`side_of`](Plane::side_of) | the same |
 //! | segment, box | [`overlaps`][segment-aabb] | [`may_overlap`][segment-aabb] |
-//! | ray, box | [`overlaps`][ray-aabb], [`t_range`](Ray::t_range) | [`may_overlap`][ray-aabb]; many boxes: [`SlabRay`](published::slabs::SlabRay) |
+//! | ray, box | [`overlaps`][ray-aabb], [`t_range`](Ray::t_range) | [`may_overlap`][ray-aabb] |
+//! | ray, many boxes | [`PreparedRay::overlaps`](prepared::PreparedRay::overlaps) | [`SlabRay::may_overlap`](published::slabs::SlabRay::may_overlap) |
 //! | point, box | [`Aabb::contains`], [`Obb::contains`] | |
 //! | ray, triangle | [`hit`](Ray::hit), [`is_hit`](Ray::is_hit), [`hit_once`](Ray::hit_once), [`hit_with`](Ray::hit_with); [`compare_hits`](Ray::compare_hits) | |
 //! | ray, many triangles | [`lanes::Triangles::hit`] | |
@@ -125,6 +126,7 @@ mod query;
 mod arithmetic;
 pub mod interop;
 pub mod lanes;
+pub mod prepared;
 pub mod published;
 mod robust;
 mod scalar;

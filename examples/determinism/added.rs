@@ -1,6 +1,7 @@
 //! Questions that are asked about every fourth case.
 
 use septum::lanes::{Aabbs, Rays};
+use septum::prepared::PreparedRay;
 use septum::published;
 use septum::published::akenine_moller::Order;
 use septum::published::slabs::SlabRay;
@@ -71,7 +72,9 @@ pub(super) fn crossings<S: Draw, A: Answers>(
         answers.to(Query::RayTriangleStoredT).number(t);
     }
     let (slabs, slopes) = (&SlabRay::new(ray), SlopeRay::new(ray));
+    let prepared = PreparedRay::new(ray);
     for aabb in aabbs {
+        answers.to(Query::RayAabbPrepared).range(prepared.t_range(aabb));
         answers
             .to(Query::RayAabbPublished)
             .yes(published::separating_axes::ray_overlaps(ray, aabb));
@@ -84,7 +87,9 @@ pub(super) fn crossings<S: Draw, A: Answers>(
     for (from, to) in [(None, hit), (Some(min.x), Some(max.x)), (Some(min.y), None)] {
         let Ok(limited) = (*ray).with_range(from, to) else { continue };
         answers.to(Query::RayTriangleLimited).hit(limited.hit(triangle));
+        let prepared = PreparedRay::new(&limited);
         for aabb in aabbs {
+            answers.to(Query::RayAabbPrepared).yes(prepared.overlaps(aabb));
             answers.to(Query::RayAabbLimited).range(limited.t_range(aabb));
         }
     }

@@ -71,4 +71,5 @@ queries! {
     ObbAabb = "obb aabb",
     AxisVector = "axis vector",
     RayCompareHits = "ray compare_hits",
+    RayAabbPrepared = "ray/aabb prepared",
 }

@@ -16,6 +16,7 @@ mod quotient;
 #[cfg(feature = "fixed")]
 mod root;
 mod rounded;
+mod span;
 mod system;
 mod wide;
 mod words;
@@ -43,6 +44,7 @@ pub use root::Signed;
 #[cfg(feature = "fixed")]
 pub(crate) use root::{Limbs, Wide, over_roots};
 pub use rounded::{Rounded, RoundedOps};
+pub use span::{Span, Spanned};
 pub use system::{Arithmetic, Embeds};
 pub(crate) use system::{of_two, once};
 #[cfg(feature = "fixed")]

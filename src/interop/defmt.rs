@@ -7,6 +7,7 @@
 use defmt::{Format, Formatter, write};
 
 use crate::lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles};
+use crate::prepared::PreparedRay;
 use crate::published::projected::ProjectedTriangle;
 use crate::published::slabs::SlabRay;
 use crate::published::slopes::SlopeRay;
@@ -91,6 +92,7 @@ formats! {
     NormalTriangle: |t, to| write!(to, "NormalTriangle {{ normal: {}, .. }}", t.normal());
     ProjectedTriangle: |_t, to| write!(to, "ProjectedTriangle {{ .. }}");
     ShearedRay: |sheared, to| write!(to, "ShearedRay {{ ray: {}, .. }}", sheared.ray);
+    PreparedRay: |prepared, to| write!(to, "PreparedRay {{ {} }}", prepared.ray());
     SlabRay: |_r, to| write!(to, "SlabRay {{ .. }}");
     SlopeRay: |_r, to| write!(to, "SlopeRay {{ .. }}");
 }

@@ -5,7 +5,7 @@
 //! only draw. Each module names its source, its cost, and what measures better. The exact
 //! queries are methods of the shapes: [`Triangle::overlaps`](crate::Triangle::overlaps),
 //! [`Ray::hit`](crate::Ray::hit). One method here never loses a box:
-//! [`slabs::SlabRay::may_overlap`], for walking a tree.
+//! [`slabs::SlabRay::may_overlap`]. To walk a tree see [`prepared`](crate::prepared).
 //!
 //! Nothing here panics. In fixed point, products lose their last bits and sums wrap beyond
 //! the range; the exact queries do neither.
@@ -15,7 +15,7 @@
 //! | [`akenine_moller`] | triangle, box | for comparison |
 //! | [`shared_normal`] | triangle, box | to draw, in floats |
 //! | [`separating_axes`] | segment or ray, box | for comparison |
-//! | [`slabs`] | ray, many boxes | to walk a tree: [`may_overlap`](slabs::SlabRay::may_overlap) loses no box |
+//! | [`slabs`] | ray, many boxes | to draw; [`may_overlap`](slabs::SlabRay::may_overlap) loses no box, [`PreparedRay`](crate::prepared::PreparedRay) is exact |
 //! | [`slopes`] | ray, many boxes | for comparison: slabs measure better |
 //! | [`moller_trumbore`] | ray, triangle | to draw triangles that are met once |
 //! | [`stored_normal`] | ray, triangle | to draw triangles that are met often |

@@ -33,10 +33,10 @@ use crate::shape::{Aabb, AabbForm, Ray, Vec3};
 /// A ray prepared for many boxes: the reciprocals of its direction, and which
 /// components of it are zero.
 ///
-/// Choose it where one ray meets many boxes, as in the traversal of a tree:
-/// [`may_overlap`](Self::may_overlap) where no box may be lost,
-/// [`overlaps_rounded`](Self::overlaps_rounded) where the last bit does not matter.
-/// In fixed point [`Ray::overlaps`] is exact at twice the price: choose that.
+/// Choose it where one ray meets many boxes and the last bit does not matter:
+/// [`overlaps_rounded`](Self::overlaps_rounded). In the traversal of a tree, where no box may
+/// be lost, a [`PreparedRay`](crate::prepared::PreparedRay) is exact at about the price of
+/// [`may_overlap`](Self::may_overlap), in fixed point too.
 ///
 /// In `f32` on a 64-bit machine the rounded test takes a fifth of the time of the exact one
 /// and the conservative test a quarter; eight boxes at once, by

@@ -32,6 +32,7 @@ mod line_aabb;
 #[cfg(feature = "libm")]
 pub(crate) use normal::direction;
 pub use plane_aabb::Side;
+pub use ray_aabb::PreparedRay;
 pub(crate) use ray_triangle::{Candidate, clear_hit};
 pub use ray_triangle::{Cull, Facing, Feature, Hit, HitRules};
 pub use triangle_aabb::Axis;

@@ -33,4 +33,5 @@ pub(crate) use exact_sum::Sum;
 pub use predicate::Predicate;
 #[cfg(all(test, feature = "fixed"))]
 pub(crate) use stages::escalations;
+pub(crate) use stages::{Stage, note};
 pub(crate) use uncertain::Uncertain;

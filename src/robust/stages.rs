@@ -2,8 +2,8 @@
 
 /// Where a question escalates, or arrives at the last stage.
 #[derive(Clone, Copy)]
-pub(super) enum Stage {
-    /// Past the first stage for numbers.
+pub(crate) enum Stage {
+    /// Past the first stage for numbers, or past the slabs of a prepared ray.
     Numeric,
     /// Past a number system.
     Filter,
@@ -16,7 +16,7 @@ pub(super) enum Stage {
 
 /// Notes a step, in unit tests.
 #[inline(always)]
-pub(super) fn note(stage: Stage) {
+pub(crate) fn note(stage: Stage) {
     #[cfg(all(test, feature = "fixed"))]
     counter::add(stage);
     #[cfg(not(all(test, feature = "fixed")))]

@@ -23,6 +23,7 @@ mod witness;
 mod obb;
 mod oriented_boxes;
 mod plane;
+mod prepared_rays;
 mod ray_box;
 mod ray_box_rounded;
 mod segment_box;

@@ -3,6 +3,7 @@
 //! lost that the conservative ones should keep.
 
 use fixed::types::{I8F8, I16F16, I32F32};
+use septum::prepared::PreparedRay;
 use septum::published;
 use septum::published::slabs::SlabRay;
 use septum::published::slopes::SlopeRay;
@@ -75,6 +76,7 @@ fn check_all<S: Sample>(case: &LineBox<S>, meets: bool) {
     assert_eq!(slabs.overlaps_rounded(&aabb), meets, "slabs: {case:?}");
     assert_eq!(slopes.overlaps_rounded(&aabb), meets, "slopes: {case:?}");
     assert!(slabs.may_overlap(&aabb) || !meets, "conservative: {case:?}");
+    assert_eq!(PreparedRay::new(&ray).overlaps(&aabb), meets, "prepared: {case:?}");
     let range = ray.t_range(&aabb);
     assert_eq!(slabs.t_range_rounded(&aabb), range, "slabs: {case:?}");
     assert_eq!(slopes.t_enter_rounded(&aabb), range.map(|t| t.0), "slopes: {case:?}");

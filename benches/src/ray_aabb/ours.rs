@@ -1,5 +1,6 @@
 //! Our methods, in any scalar.
 
+use septum::prepared::PreparedRay;
 use septum::published;
 use septum::published::slabs::SlabRay;
 use septum::published::slopes::SlopeRay;
@@ -18,6 +19,11 @@ fn exact<S: Scalar>(r: &Ray<S>, b: &Aabb<S>) -> bool {
 #[inline(never)]
 fn exact_t_range<S: Scalar>(r: &Ray<S>, b: &Aabb<S>) -> Option<(S, S)> {
     r.t_range(b)
+}
+
+#[inline(never)]
+fn prepared<S: Scalar>(r: &PreparedRay<S>, b: &Aabb<S>) -> bool {
+    r.overlaps(b)
 }
 
 #[inline(never)]
@@ -94,11 +100,13 @@ pub fn ours<S: Scalar>(
     plain: &Course<Ray<S>, Aabb<S>>,
     segment: &Course<Segment<S>, Aabb<S>>,
 ) -> Vec<Candidate> {
+    let ray = plain.prepared(plain.form, |p| p.map(PreparedRay::new, Aabb::clone));
     let slab = plain.prepared(plain.form, |p| p.map(SlabRay::new, Aabb::clone));
     let slopes = plain.prepared(plain.form, |p| p.map(SlopeRay::new, Aabb::clone));
     let (never_misses, none) = (Promise::NeverMisses, Promise::Nothing);
     vec![
         plain.candidate("exact", Promise::Exact, exact),
+        ray.candidate("exact, ray prepared", Promise::Exact, prepared),
         plain.candidate("exact t_range", Promise::Exact, exact_t_range),
         plain.candidate("conservative", never_misses, conservative),
         plain.candidate("as published (SAT)", none, as_published),

@@ -2,14 +2,15 @@
 
 use crate::scalars::{Check, is_float, run, told};
 use crate::shapes::Shapes;
+use septum::prepared::PreparedRay;
 use septum::published;
 use septum::published::slabs::SlabRay;
 use septum::published::slopes::SlopeRay;
 use septum_kit::Sample;
 use septum_kit::lines::{Fraction, LineBox};
 
-/// `overlaps`, `may_overlap`, `t_range`, and `may_overlap` of a `SlabRay`; that the
-/// rounded methods come to an end and agree with themselves.
+/// `overlaps`, `may_overlap`, `t_range`; `overlaps` of a `PreparedRay`, and `may_overlap` of
+/// a `SlabRay`; that the rounded methods come to an end and agree with themselves.
 pub fn ray_aabb(data: &[u8]) {
     run::<RayAabb>(data);
 }
@@ -26,6 +27,8 @@ impl Check for RayAabb {
         let truth = clipped.is_some();
         assert_eq!(ray.overlaps(&aabb), truth, "overlaps, {}", told::<S>(&case));
         assert!(ray.may_overlap(&aabb) || !truth, "may_overlap, {}", told::<S>(&case));
+        let prepared = PreparedRay::new(&ray);
+        assert_eq!(prepared.overlaps(&aabb), truth, "prepared, {}", told::<S>(&case));
         let may = slabs.may_overlap(&aabb);
         assert!(may || !truth, "slabs, {}", told::<S>(&case));
 

@@ -2,7 +2,12 @@
 //! leaves.
 //!
 //! Slabs, with cross-multiplied comparisons in place of divisions; see
-//! `line_aabb`.
+//! `line_aabb`. For one ray and many boxes see `prepared`.
+
+mod error_bound;
+mod prepared;
+
+pub use prepared::PreparedRay;
 
 use super::Overlaps;
 use super::line_aabb::{ExactLine, Slabs};
@@ -200,10 +205,8 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Ray<S> {
     /// *Panics*: never. *Cost*: 12 multiplications, 6 differences, no division; up to
     /// 6 multiplications more for a range other than t ≥ 0.
     ///
-    /// Choose it wherever a wrong answer would be seen, and in fixed point always. For
-    /// many boxes on one ray in floats a prepared
-    /// [`SlabRay`](crate::published::slabs::SlabRay) takes a fifth of the time, and
-    /// rounds.
+    /// For many boxes on one ray a [`PreparedRay`] takes a fraction of the time, and is as
+    /// exact.
     ///
     /// *Source*: slabs after Kay and Kajiya 1986; cross-multiplied, they are the
     /// separating axes of *Real-Time Rendering* 16.7. The exact stages are ours.
@@ -232,7 +235,7 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Ray<S> {
     /// *Panics*: never. *Cost*: bounded; in floats the first stage of
     /// [`overlaps`](Overlaps::overlaps), and in fixed point of up to 32 bits
     /// [`overlaps`](Overlaps::overlaps) itself. For many boxes on one ray see
-    /// [`SlabRay::may_overlap`](crate::published::slabs::SlabRay::may_overlap).
+    /// [`PreparedRay`].
     #[inline]
     fn may_overlap(&self, aabb: &Aabb<S>) -> bool {
         S::evaluate_bounded(&Disjoint { ray: self, aabb }) != Some(true)
@@ -257,8 +260,7 @@ impl<S: Scalar> Ray<S> {
     /// *Range*: that of [`overlaps`](Ray::overlaps).
     ///
     /// *Panics*: never. *Cost*: [`overlaps`](Ray::overlaps), and up to six divisions.
-    /// Choose it for the one box that matters, after a traversal by
-    /// [`SlabRay`](crate::published::slabs::SlabRay).
+    /// Choose it for the one box that matters, after a traversal by a [`PreparedRay`].
     ///
     /// ```
     /// use septum::{Aabb, Ray};

@@ -1,0 +1,213 @@
+//! Lengths as floats of a scale, for quotients that are only compared.
+//!
+//! A filter by quotients needs each of its terms within a few roundings of itself, and
+//! then no term for underflow and no check for overflow. Differences of coordinates are:
+//! floats subtract with one rounding, and integers that an `f64` holds with none. Quotients
+//! are, in units of 1/[`Span::SCALE`]: see `query::ray_aabb::error_bound`.
+
+use core::fmt::Debug;
+use core::ops::Div;
+
+use super::float::Float;
+
+/// A float that quotients of lengths are compared in.
+pub trait Span: Float + Div<Output = Self> + Debug {
+    /// One, where quotients count. The product of a length that is not zero with the scale
+    /// over an [`INVERTIBLE`](Self::INVERTIBLE) number is a normal number, and so is its
+    /// error; if it overflows, the quotient is greater than any of finite computed value.
+    const SCALE: Self;
+    /// Between these a number may be a divisor.
+    const INVERTIBLE: (Self, Self);
+    /// The greatest number, where an open range ends.
+    const GREATEST: Self;
+
+    /// Whether the other number is more than so many units in the last place greater. Of
+    /// numbers that are not −0, of which one is not negative.
+    fn is_below(self, other: Self, units: u16) -> bool;
+}
+
+impl Span for f32 {
+    const SCALE: f32 = f32::from_bits((127 + 64) << 23);
+    const INVERTIBLE: (f32, f32) =
+        (f32::from_bits((127 - 40) << 23), f32::from_bits((127 + 40) << 23));
+    const GREATEST: f32 = f32::MAX;
+
+    #[inline(always)]
+    fn is_below(self, other: f32, units: u16) -> bool {
+        (self.to_bits() as i32) + i32::from(units) < other.to_bits() as i32
+    }
+}
+
+impl Span for f64 {
+    const SCALE: f64 = f64::from_bits((1023 + 512) << 52);
+    const INVERTIBLE: (f64, f64) =
+        (f64::from_bits((1023 - 400) << 52), f64::from_bits((1023 + 400) << 52));
+    const GREATEST: f64 = f64::MAX;
+
+    #[inline(always)]
+    fn is_below(self, other: f64, units: u16) -> bool {
+        (self.to_bits() as i64) + i64::from(units) < other.to_bits() as i64
+    }
+}
+
+/// A scalar whose lengths are spans, each rounded once at most.
+pub trait Spanned: Copy {
+    /// The float.
+    type Span: Span;
+    /// A coordinate that others are measured from.
+    type Anchor: Copy + Debug;
+    /// Whether this machine has fast operations on the float.
+    const IS_FAST: bool;
+
+    /// The coordinate, to measure from.
+    fn anchor(self) -> Self::Anchor;
+    /// What is between the anchor and this coordinate.
+    fn beyond(self, anchor: Self::Anchor) -> Self::Span;
+    /// A length, in the unit of differences.
+    fn span(self) -> Self::Span;
+    /// A quotient of lengths, times the scale; `None` if it was rounded.
+    fn scaled(self) -> Option<Self::Span>;
+}
+
+macro_rules! float {
+    ($float:ident) => {
+        impl Spanned for $float {
+            type Span = $float;
+            type Anchor = $float;
+            const IS_FAST: bool = true;
+
+            #[inline(always)]
+            fn anchor(self) -> $float {
+                self
+            }
+            #[inline(always)]
+            fn beyond(self, anchor: $float) -> $float {
+                self - anchor
+            }
+            #[inline(always)]
+            fn span(self) -> $float {
+                self
+            }
+            #[inline(always)]
+            fn scaled(self) -> Option<$float> {
+                Some(self * <$float as Span>::SCALE)
+            }
+        }
+    };
+}
+float!(f32);
+float!(f64);
+
+#[cfg(feature = "fixed")]
+mod fixed_point {
+    use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
+    use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
+
+    use super::{Span, Spanned};
+    use crate::arithmetic::REGISTERS_ARE_WIDE;
+
+    /// 2^-n times the scale.
+    #[inline]
+    const fn scale_over_two_to(n: u32) -> f64 {
+        f64::from_bits(<f64 as Span>::SCALE.to_bits() - ((n as u64) << 52))
+    }
+
+    /// The number and 2^52 + 2^31, exactly: the number is in the last bits of the float.
+    ///
+    /// On x86-64 the instruction that converts waits for whatever was in its register, which
+    /// took as long as all of a query against one box of many.
+    #[inline(always)]
+    const fn above(x: i32) -> f64 {
+        f64::from_bits(1075 << 52 | (x as u32 ^ 1 << 31) as u64)
+    }
+
+    macro_rules! fixed_point {
+        ($($fixed:ident: $bound:ident;)*) => {$(
+            impl<Frac: $bound> Spanned for $fixed<Frac> {
+                type Span = f64;
+                type Anchor = f64;
+                const IS_FAST: bool = REGISTERS_ARE_WIDE;
+
+                #[inline(always)]
+                fn anchor(self) -> f64 {
+                    above(self.to_bits().into())
+                }
+                // 33 bits at most: not rounded.
+                #[inline(always)]
+                fn beyond(self, anchor: f64) -> f64 {
+                    above(self.to_bits().into()) - anchor
+                }
+                #[inline(always)]
+                fn span(self) -> f64 {
+                    above(self.to_bits().into()) - above(0)
+                }
+                #[inline(always)]
+                fn scaled(self) -> Option<f64> {
+                    Some(self.span() * scale_over_two_to(Self::FRAC_NBITS))
+                }
+            }
+        )*};
+    }
+    fixed_point! { FixedI8: LeEqU8; FixedI16: LeEqU16; FixedI32: LeEqU32; }
+
+    /// From the anchor to a coordinate on the other side of zero. The difference has 65 bits,
+    /// its magnitude 64, whose conversion takes three times as long.
+    #[cold]
+    #[inline(never)]
+    fn far(x: i64, anchor: i64) -> f64 {
+        let magnitude = x.abs_diff(anchor) as f64;
+        if x < anchor { -magnitude } else { magnitude }
+    }
+
+    impl<Frac: LeEqU64> Spanned for FixedI64<Frac> {
+        type Span = f64;
+        type Anchor = i64;
+        const IS_FAST: bool = REGISTERS_ARE_WIDE;
+
+        #[inline(always)]
+        fn anchor(self) -> i64 {
+            self.to_bits()
+        }
+        #[inline(always)]
+        fn beyond(self, anchor: i64) -> f64 {
+            match self.to_bits().checked_sub(anchor) {
+                Some(difference) => difference as f64,
+                None => far(self.to_bits(), anchor),
+            }
+        }
+        #[inline(always)]
+        fn span(self) -> f64 {
+            self.to_bits() as f64
+        }
+        #[inline(always)]
+        fn scaled(self) -> Option<f64> {
+            let is_exact = self.to_bits().unsigned_abs() <= 1 << 53;
+            is_exact.then(|| self.span() * scale_over_two_to(Self::FRAC_NBITS))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Float, Span};
+
+    /// 2^e, made without bits.
+    fn two_to<F: Float>(e: i32) -> F {
+        let factor = if e < 0 { F::HALF } else { F::from(2_u16) };
+        (0..e.unsigned_abs()).fold(F::from(1_u16), |x, _| x * factor)
+    }
+
+    /// What the derivation of the bounds says of them.
+    fn check<F: Span>(scale: i32, invertible: [i32; 2], [least, least_normal, past]: [i32; 3]) {
+        assert!(F::SCALE == two_to(scale));
+        assert!(F::INVERTIBLE == (two_to(invertible[0]), two_to(invertible[1])));
+        assert!(scale - invertible[1] + least > least_normal);
+        assert!(scale - invertible[0] < past && scale - invertible[1] > 0);
+    }
+
+    #[test]
+    fn scales_are_what_they_are_said_to_be() {
+        check::<f32>(64, [-40, 40], [-149, -126, 128]);
+        check::<f64>(512, [-400, 400], [-1074, -1022, 1024]);
+    }
+}

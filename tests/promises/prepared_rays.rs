@@ -1,0 +1,183 @@
+//! A prepared ray against boxes: the answers of the oracle, and of the ray itself.
+
+use septum::prepared::PreparedRay;
+use septum_kit::lines::{Line, LineBox, LineSet};
+use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar};
+
+/// The oracle, the ray and the prepared ray; whether they meet.
+fn check<S: Sample>(case: &LineBox<S>, meets: bool) {
+    let (ray, aabb) = (case.ray().unwrap(), case.aabb());
+    let prepared = PreparedRay::new(&ray);
+    assert_eq!(prepared.overlaps(&aabb), meets, "{}: {case:?}", S::name());
+    assert_eq!(prepared.overlaps(&aabb), ray.overlaps(&aabb), "{}: {case:?}", S::name());
+    assert_eq!(prepared.t_range(&aabb), ray.t_range(&aabb), "{}: {case:?}", S::name());
+}
+
+fn exact_on_every_set<S: Sample>() {
+    for set in LineSet::ALL {
+        let rng = &mut Rng::new(0x9e9a);
+        let (mut rays, mut met) = (0, 0);
+        for _ in 0..25_000 {
+            let case = set.case::<S>(rng);
+            if case.ray().is_none() {
+                continue;
+            }
+            let meets = case.meets();
+            check(&case, meets);
+            (rays, met) = (rays + 1, met + usize::from(meets));
+        }
+        let both = matches!(set, LineSet::Far | LineSet::Small) || (200..rays - 200).contains(&met);
+        assert!(both, "{set:?}: {met} of {rays} meet");
+    }
+}
+for_every_scalar!(exact_on_every_set);
+
+/// All origins and directions of {−1, 0, 1}³ against all boxes of {−1, 0, 1}³, flat ones and
+/// points included, by corners and by centre, from 0 and up to 1/2: 600,000 cases, most of
+/// them in contact. Half-extents of 1/2 need a number with places.
+#[test]
+fn the_smallest_grid() {
+    use fixed::types::{I4F4, I16F16, I32F32};
+    let triples = |n: i64| {
+        let along = move || -n..=n;
+        along().flat_map(move |x| along().flat_map(move |y| along().map(move |z| [x, y, z])))
+    };
+    let corners = || triples(1).flat_map(|a| triples(1).map(move |b| (a, b)));
+    let boxes: Vec<_> = corners().filter(|(a, b)| (0..3).all(|i| a[i] <= b[i])).collect();
+    assert_eq!(boxes.len(), 216);
+    let (mut cases, mut met) = (0, 0);
+    for d in triples(1).filter(|d| *d != [0; 3]) {
+        for o in triples(1) {
+            for (min, max) in &boxes {
+                for to in [None, Some(0.5)] {
+                    let numbers = Numbers { o, d, min: *min, max: *max, to };
+                    let meets = numbers.case::<f64>(true).meets();
+                    for by_corners in [true, false] {
+                        check(&numbers.case::<f32>(by_corners), meets);
+                        check(&numbers.case::<f64>(by_corners), meets);
+                        check(&numbers.case::<I4F4>(by_corners), meets);
+                        check(&numbers.case::<I16F16>(by_corners), meets);
+                        check(&numbers.case::<I32F32>(by_corners), meets);
+                        cases += 1;
+                        met += usize::from(meets);
+                    }
+                }
+            }
+        }
+    }
+    assert_eq!(cases, 606_528);
+    assert!((50_000..550_000).contains(&met), "{met}");
+}
+
+struct Numbers {
+    o: [i64; 3],
+    d: [i64; 3],
+    min: [i64; 3],
+    max: [i64; 3],
+    to: Option<f64>,
+}
+
+impl Numbers {
+    fn case<S: Sample>(&self, by_corners: bool) -> LineBox<S> {
+        let (min, max) = (self.min.map(|x| x as f64), self.max.map(|x| x as f64));
+        let half = |sign: f64| [0, 1, 2].map(|i: usize| S::nearest((max[i] + sign * min[i]) / 2.0));
+        let plain = |v: [f64; 3]| v.map(S::nearest);
+        LineBox {
+            line: Line::Ray(
+                self.o.map(|x| S::nearest(x as f64)),
+                self.d.map(|x| S::nearest(x as f64)),
+                [Some(S::ZERO), self.to.map(S::nearest)],
+            ),
+            aabb: if by_corners {
+                BoxNumbers::Corners(plain(min), plain(max))
+            } else {
+                BoxNumbers::Center(half(1.0), half(-1.0))
+            },
+        }
+    }
+}
+
+/// Numbers of all magnitudes that there are, with ranges of all kinds: t that overflows, t
+/// that would underflow, directions without a reciprocal.
+fn exact_at_every_magnitude<S: Sample>(exponents: [i64; 2]) {
+    let rng = &mut Rng::new(0xed6e);
+    let power = |rng: &mut Rng, [low, high]: [i64; 2]| {
+        let mut x = rng.real(1.0, 2.0);
+        let e = rng.whole(low, high);
+        // In two steps, for either may be subnormal.
+        x *= 2_f64.powi((e / 2) as i32) * 2_f64.powi((e - e / 2) as i32);
+        S::nearest([x, -x, 0.0][rng.below(3)])
+    };
+    let narrow = exponents.map(|e| e / 8);
+    let mut met = 0;
+    for k in 0..120_000 {
+        // Now and then a direction that can be inverted, against anything.
+        let along = if k % 2 == 0 { narrow } else { exponents };
+        let mut row = |ends: [i64; 2]| rng.triple(|rng| power(rng, ends));
+        let (o, d, p, q, t) =
+            (row(exponents), row(along), row(exponents), row(exponents), row(exponents));
+        let aabb = if k % 3 == 0 {
+            BoxNumbers::Center(
+                p,
+                q.map(|x| if x < S::ZERO { S::nearest(-x.approximate()) } else { x }),
+            )
+        } else {
+            let least = |i: usize| if p[i] < q[i] { p[i] } else { q[i] };
+            let greatest = |i: usize| if p[i] < q[i] { q[i] } else { p[i] };
+            BoxNumbers::Corners([0, 1, 2].map(least), [0, 1, 2].map(greatest))
+        };
+        let ends = match k % 7 {
+            0 => [None, None],
+            1 => [None, Some(t[0])],
+            2 => [Some(t[0]), None],
+            3 if t[0] <= t[1] => [Some(t[0]), Some(t[1])],
+            _ => [Some(S::ZERO), None],
+        };
+        if d == [S::ZERO; 3] {
+            continue;
+        }
+        let case = LineBox { line: Line::Ray(o, d, ends), aabb };
+        let meets = case.meets();
+        check(&case, meets);
+        met += usize::from(meets);
+    }
+    assert!(met > 5_000, "{met}");
+}
+
+#[test]
+fn exact_at_every_magnitude_of_f32() {
+    exact_at_every_magnitude::<f32>([-149, 127]);
+}
+
+#[test]
+fn exact_at_every_magnitude_of_f64() {
+    exact_at_every_magnitude::<f64>([-1074, 1023]);
+}
+
+/// A ray from the world's origin through the corner of a box, and the same corner moved one
+/// place: where the two values of t are nearest to each other.
+fn exact_next_to_corners<S: Sample>() {
+    let rng = &mut Rng::new(0xc042);
+    let mut met = 0;
+    for k in 0..20_000 {
+        let size = S::GREATEST.approximate().min(16.0);
+        let corner = rng.triple(|rng| S::nearest(rng.real(size / 16.0, size / 4.0)));
+        // Once the direction is the corner itself: t = 1 on all axes. Else it is rounded.
+        let scale = if k % 2 == 0 { 1.0 } else { rng.real(0.5, 1.0) };
+        let d = corner.map(|x| S::nearest(x.approximate() * scale));
+        let side = rng.triple(|rng| rng.one_in(2));
+        let (mut min, mut max) = (corner, corner);
+        for i in 0..3 {
+            let moved = corner[i].moved(rng.whole(-1, 1));
+            let far = S::nearest(corner[i].approximate() + if side[i] { 1.0 } else { -1.0 });
+            (min[i], max[i]) = if far < moved { (far, moved) } else { (moved, far) };
+        }
+        let line = Line::Ray([S::ZERO; 3], d, [Some(S::ZERO), None]);
+        let case = LineBox { line, aabb: BoxNumbers::Corners(min, max) };
+        let meets = case.meets();
+        check(&case, meets);
+        met += usize::from(meets);
+    }
+    assert!((4_000..19_000).contains(&met), "{}: {met}", S::name());
+}
+for_every_scalar!(exact_next_to_corners);
