@@ -13,4 +13,4 @@
 //! # Ok::<(), septum::ShapeError>(())
 //! ```
 
-pub use crate::query::PreparedRay;
+pub use crate::query::{PreparedRay, PreparedTriangle};

@@ -72,4 +72,5 @@ queries! {
     AxisVector = "axis vector",
     RayCompareHits = "ray compare_hits",
     RayAabbPrepared = "ray/aabb prepared",
+    TriangleAabbPrepared = "triangle/aabb prepared",
 }

@@ -5,6 +5,7 @@
 
 use septum::Vec3;
 use septum::lanes::{Aabbs, NormalTriangles, Rays, SlabRays, Triangles};
+use septum::prepared::PreparedTriangle;
 use septum::published;
 use septum::published::projected::ProjectedTriangle;
 use septum::published::slabs::SlabRay;
@@ -103,6 +104,8 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, asks_more: bool) {
 #[inline(never)]
 fn boxes<S: Draw, A: Answers>(triangle: &Triangle<S>, aabb: &Aabb<S>, answers: &mut A) {
     answers.to(Query::TriangleAabb).yes(triangle.overlaps(aabb));
+    let prepared = PreparedTriangle::new(triangle);
+    answers.to(Query::TriangleAabbPrepared).yes(prepared.overlaps(aabb));
     answers.to(Query::TriangleAabbMay).yes(triangle.may_overlap(aabb));
     answers.to(Query::TriangleAabbRounded).yes(published::shared_normal::overlaps(triangle, aabb));
     answers

@@ -94,8 +94,10 @@ impl ScalarType {
 /// The overlap tests on offer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Method {
-    /// Always right
+    /// Always right; each triangle is prepared once
     Exact,
+    /// The same, each triangle and voxel as they are
+    ExactPairs,
     /// Never misses a voxel, may set one too many
     Conservative,
     /// Akenine-Möller 2001, in the scalar's own rounding arithmetic
@@ -108,10 +110,11 @@ impl Method {
     /// What the method is, and the function that does it.
     pub(crate) fn description(self) -> &'static str {
         match self {
-            Self::Exact => "exact (Triangle::overlaps)",
+            Self::Exact => "exact (PreparedTriangle::overlaps)",
+            Self::ExactPairs => "exact, pair by pair (Triangle::overlaps)",
             Self::Conservative => "conservative (Triangle::may_overlap)",
-            Self::Published => "as published in 2001 (Triangle::overlaps_as_published)",
-            Self::Rounded => "rounded (Triangle::overlaps_rounded)",
+            Self::Published => "as published in 2001 (published::akenine_moller)",
+            Self::Rounded => "rounded (published::shared_normal)",
         }
     }
 }

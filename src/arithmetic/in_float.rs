@@ -5,6 +5,8 @@ use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
 #[cfg(feature = "fixed")]
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
+use super::float::Float;
+
 /// A scalar whose coordinates are numbers of the float `F`, up to a limit, or multiples of
 /// such by one power of two.
 pub trait InFloat<F>: Copy {
@@ -13,6 +15,37 @@ pub trait InFloat<F>: Copy {
 
     /// The coordinate, to the nearest.
     fn in_float(self) -> F;
+}
+
+/// The float that is asked first, four at once, in a query that has a kernel for that.
+pub trait FirstFloat: Copy {
+    /// That float.
+    type First: Float;
+
+    /// [`InFloat::LIMIT`].
+    const FIRST_LIMIT: Option<Self::First>;
+
+    /// [`InFloat::in_float`].
+    fn first(self) -> Self::First;
+}
+
+macro_rules! first {
+    ($float:ty) => {
+        type First = $float;
+        const FIRST_LIMIT: Option<$float> = <Self as InFloat<$float>>::LIMIT;
+        #[inline(always)]
+        fn first(self) -> $float {
+            self.in_float()
+        }
+    };
+}
+
+impl FirstFloat for f32 {
+    first!(f32);
+}
+
+impl FirstFloat for f64 {
+    first!(f64);
 }
 
 macro_rules! same {
@@ -38,6 +71,10 @@ macro_rules! raw_bits {
             fn in_float(self) -> $float {
                 self.to_bits() as $float
             }
+        }
+
+        impl<Frac: $bound> FirstFloat for $fixed<Frac> {
+            first!($float);
         }
     )*};
 }

@@ -26,7 +26,7 @@ pub use filtered::Filtered;
 pub(crate) use fixed::clamped;
 pub use float::Float;
 pub(crate) use float::quotient;
-pub use in_float::InFloat;
+pub use in_float::{FirstFloat, InFloat};
 pub(crate) use index::{pick, turn};
 pub(crate) use integer::Int64;
 #[cfg(feature = "fixed")]

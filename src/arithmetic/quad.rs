@@ -1,5 +1,6 @@
 //! Four floats at once. Queries in space use three lanes, and never look at the fourth.
 
+use core::fmt::Debug;
 use core::ops::{Add, Mul, Sub};
 
 use super::float::Float;
@@ -17,7 +18,9 @@ mod vector;
 
 /// Four floats side by side. Each lane of a result is what the float's own operation
 /// gives, so that an answer does not depend on what a quad is made of.
-pub trait Quad: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+pub trait Quad:
+    Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
+{
     /// What is in a lane.
     type Lane: Float;
 

@@ -7,7 +7,7 @@
 use defmt::{Format, Formatter, write};
 
 use crate::lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles};
-use crate::prepared::PreparedRay;
+use crate::prepared::{PreparedRay, PreparedTriangle};
 use crate::published::projected::ProjectedTriangle;
 use crate::published::slabs::SlabRay;
 use crate::published::slopes::SlopeRay;
@@ -93,6 +93,9 @@ formats! {
     ProjectedTriangle: |_t, to| write!(to, "ProjectedTriangle {{ .. }}");
     ShearedRay: |sheared, to| write!(to, "ShearedRay {{ ray: {}, .. }}", sheared.ray);
     PreparedRay: |prepared, to| write!(to, "PreparedRay {{ {} }}", prepared.ray());
+    PreparedTriangle: |prepared, to| {
+        write!(to, "PreparedTriangle {{ {} }}", prepared.triangle())
+    };
     SlabRay: |_r, to| write!(to, "SlabRay {{ .. }}");
     SlopeRay: |_r, to| write!(to, "SlopeRay {{ .. }}");
 }

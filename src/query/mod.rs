@@ -35,8 +35,8 @@ pub use plane_aabb::Side;
 pub use ray_aabb::PreparedRay;
 pub(crate) use ray_triangle::{Candidate, clear_hit};
 pub use ray_triangle::{Cull, Facing, Feature, Hit, HitRules};
-pub use triangle_aabb::Axis;
 pub(crate) use triangle_aabb::disjoint_rounded;
+pub use triangle_aabb::{Axis, PreparedTriangle};
 
 // The trait stands with the shapes, whose methods call it.
 use crate::shape::Overlaps;

@@ -3,13 +3,17 @@
 
 use fixed::types::{I1F15, I16F0, I33F31};
 use proptest::prelude::*;
+use septum::prepared::PreparedTriangle;
 use septum_kit::{BoxNumbers, Case, Sample, Set, for_every_scalar, meets};
 
 fn every_set<S: Sample>() {
     for set in Set::ALL {
         for case in set.cases::<S>(21, 20_000) {
             let (triangle, aabb) = case.shapes();
-            assert_eq!(triangle.overlaps(&aabb), meets(&case), "{set:?}: {case:?}");
+            let answer = meets(&case);
+            assert_eq!(triangle.overlaps(&aabb), answer, "{set:?}: {case:?}");
+            let prepared = PreparedTriangle::new(&triangle);
+            assert_eq!(prepared.overlaps(&aabb), answer, "prepared, {set:?}: {case:?}");
         }
     }
 }
@@ -45,6 +49,7 @@ fn case_of<S: Sample>(number: impl Strategy<Value = S>) -> impl Strategy<Value =
 fn agrees<S: Sample>(case: &Case<S>) -> Result<(), TestCaseError> {
     let (triangle, aabb) = case.shapes();
     prop_assert_eq!(triangle.overlaps(&aabb), meets(case));
+    prop_assert_eq!(PreparedTriangle::new(&triangle).overlaps(&aabb), meets(case));
     prop_assert!(triangle.may_overlap(&aabb) || !meets(case));
     Ok(())
 }

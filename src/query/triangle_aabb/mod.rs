@@ -17,10 +17,12 @@ mod kernel;
 mod narrow;
 mod one_sided;
 mod plane;
+mod prepared;
 mod rows;
 mod witness;
 
 pub use axis::Axis;
+pub use prepared::PreparedTriangle;
 
 use super::Overlaps;
 use crate::arithmetic::{Embeds, Float, InFloat, InWord, Rounded, Word};

@@ -11,7 +11,7 @@ use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
 /// What of a triangle is the same for every box.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Rows<Q> {
     /// The vertices.
     v: [Q; 3],
@@ -26,7 +26,7 @@ pub(super) struct Rows<Q> {
     middle: Q,
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Edge<Q> {
     e: Q,
     turned: Q,
@@ -83,9 +83,9 @@ fn by_center<S: Scalar + InFloat<F>, F: Float>(
     hz: S,
 ) -> Apart {
     let (center, half) = (row(&Vec3::new(cx, cy, cz)), row(&Vec3::new(hx, hy, hz)));
-    let rows = Rows::<F::Quad>::new(triangle);
-    if rows.are_within(S::LIMIT, center, half) {
-        rows.apart_by_center(center, half)
+    let all = rows::<S, F::Quad>(triangle);
+    if all.are_within(S::LIMIT, center, half) {
+        all.apart_by_center(center, half)
     } else {
         Apart::Unknown
     }
@@ -103,17 +103,20 @@ fn by_corners<S: Scalar + InFloat<F>, F: Float>(
     bz: S,
 ) -> Apart {
     let (min, max) = (row(&Vec3::new(ax, ay, az)), row(&Vec3::new(bx, by, bz)));
-    let rows = Rows::<F::Quad>::new(triangle);
-    if rows.are_within(S::LIMIT, min, max) {
-        rows.apart_by_corners(min, max)
-    } else {
-        Apart::Unknown
-    }
+    let all = rows::<S, F::Quad>(triangle);
+    if all.are_within(S::LIMIT, min, max) { all.apart_by_corners(min, max) } else { Apart::Unknown }
 }
 
 #[inline(always)]
 fn row<S: InFloat<Q::Lane>, Q: Quad>(v: &Vec3<S>) -> Q {
     Q::of_three([v.x.in_float(), v.y.in_float(), v.z.in_float()])
+}
+
+#[inline(always)]
+fn rows<S: Scalar + InFloat<Q::Lane>, Q: Quad>(triangle: &Triangle<S>) -> Rows<Q> {
+    let [a, b, c] = triangle.vertices();
+    let point = |v: &Vec3<S>| [v.x.in_float(), v.y.in_float(), v.z.in_float()];
+    Rows::new([point(a), point(b), point(c)])
 }
 
 /// Whether an axis separates.
@@ -131,12 +134,8 @@ pub(super) enum Apart {
 
 impl<Q: Quad> Rows<Q> {
     #[inline(always)]
-    pub(super) fn new<S: Scalar + InFloat<Q::Lane>>(triangle: &Triangle<S>) -> Self {
-        let [a, b, c] = triangle.vertices();
+    pub(super) fn new([[px, py, pz], [qx, qy, qz], [rx, ry, rz]]: [[Q::Lane; 3]; 3]) -> Self {
         // Four at a time, as they lie in memory; the last has no one behind it.
-        let [px, py, pz] = [a.x, a.y, a.z].map(S::in_float);
-        let [qx, qy, qz] = [b.x, b.y, b.z].map(S::in_float);
-        let [rx, ry, rz] = [c.x, c.y, c.z].map(S::in_float);
         let before = Q::new([qz, rx, ry, rz]).to_array();
         let v = [
             Q::new([px, py, pz, qx]),
@@ -157,7 +156,7 @@ impl<Q: Quad> Rows<Q> {
 
     /// Whether none of the coordinates was rounded when it became a float.
     #[inline(always)]
-    fn are_within(&self, limit: Option<Q::Lane>, p: Q, q: Q) -> bool {
+    pub(super) fn are_within(&self, limit: Option<Q::Lane>, p: Q, q: Q) -> bool {
         let Some(limit) = limit else { return true };
         let most = self.low.magnitude().greatest(self.high.magnitude());
         let most = most.greatest(p.magnitude()).greatest(q.magnitude());
@@ -265,7 +264,7 @@ fn gaps_are_exact<S: Scalar + InFloat<F>, F: Float>(
     center: &Vec3<S>,
     half: &Vec3<S>,
 ) -> bool {
-    let (rows, half) = (Rows::<F::Quad>::new(triangle), row::<S, F::Quad>(half));
+    let (all, half) = (rows::<S, F::Quad>(triangle), row::<S, F::Quad>(half));
     let center = row::<S, F::Quad>(center);
     // What a difference lost, exactly: Knuth's sum of two.
     let is_rounded = |a: F::Quad, difference: F::Quad| {
@@ -273,10 +272,10 @@ fn gaps_are_exact<S: Scalar + InFloat<F>, F: Float>(
         let lost = (a - (difference + b)) + (b - center);
         lost.magnitude().exceeds(F::Quad::splat(F::ZERO))
     };
-    let (low, high) = (rows.low - center, rows.high - center);
+    let (low, high) = (all.low - center, all.high - center);
     let minus = F::Quad::splat(F::ZERO) - half;
     let (above, below) = (half.exceeds(low), high.exceeds(minus));
-    (is_rounded(rows.low, low) & !above | is_rounded(rows.high, high) & !below) & THREE == 0
+    (is_rounded(all.low, low) & !above | is_rounded(all.high, high) & !below) & THREE == 0
 }
 
 /// Whether these coordinates are whole multiples of so great a unit that no sum of
@@ -284,7 +283,7 @@ fn gaps_are_exact<S: Scalar + InFloat<F>, F: Float>(
 #[cold]
 #[inline(never)]
 fn is_on_grid<S: Scalar + InFloat<F>, F: Float>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bool {
-    let rows = Rows::<F::Quad>::new(triangle);
+    let all = rows::<S, F::Quad>(triangle);
     let (p, q, half) = match aabb.form() {
         AabbForm::Center { center, half } => (row(center), row(half), row(half)),
         AabbForm::Corners { min, max } => {
@@ -292,9 +291,9 @@ fn is_on_grid<S: Scalar + InFloat<F>, F: Float>(triangle: &Triangle<S>, aabb: &A
             (min, max, half_of(max - min))
         }
     };
-    let shifter = F::Quad::splat(rows.size(half).power_of_two_below() * F::GRID_SHIFTER);
+    let shifter = F::Quad::splat(all.size(half).power_of_two_below() * F::GRID_SHIFTER);
     let mut off = 0;
-    for x in [rows.v[0], rows.v[1], rows.v[2], p, q] {
+    for x in [all.v[0], all.v[1], all.v[2], p, q] {
         let whole = (x + shifter) - shifter;
         off |= whole.exceeds(x) | x.exceeds(whole);
     }

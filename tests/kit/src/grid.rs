@@ -3,6 +3,7 @@
 //! optimisation, as this package is.
 
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
+use septum::prepared::PreparedTriangle;
 use septum::{Aabb, Triangle};
 
 use super::case::{BoxNumbers, Case};
@@ -26,8 +27,9 @@ fn check<S: Sample>(vertices: &[Point; 3], aabb: &Aabb<S>, expected: bool) {
     for order in VERTEX_ORDERS {
         let [a, b, c] = order.map(|k| vertices[k]);
         let triangle = Triangle::new(a, b, c).expect("finite vertices");
-        let is_right =
-            triangle.overlaps(aabb) == expected && triangle.may_overlap(aabb) >= expected;
+        let is_right = triangle.overlaps(aabb) == expected
+            && PreparedTriangle::new(&triangle).overlaps(aabb) == expected
+            && triangle.may_overlap(aabb) >= expected;
         assert!(is_right, "{triangle:?}, {aabb:?}");
     }
 }
