@@ -154,6 +154,52 @@ fn exact_at_every_magnitude_of_f64() {
     exact_at_every_magnitude::<f64>([-1074, 1023]);
 }
 
+/// Small whole numbers times the least number there is, or nearly the greatest, along
+/// directions of every size: contact of every kind where t would underflow or overflow. The
+/// range begins at zero or at −0.
+fn exact_in_contact_at_the_ends<S: Sample>(coordinates: [i32; 3], directions: [i32; 5]) {
+    let rng = &mut Rng::new(0x0e4d);
+    let mut met = 0;
+    for k in 0..120_000 {
+        let (a, b) = (coordinates[k % 3], directions[k / 3 % 5]);
+        // In two steps, for either may be subnormal.
+        let times =
+            |x: i64, e: i32| S::nearest(x as f64 * 2_f64.powi(e / 2) * 2_f64.powi(e - e / 2));
+        let (o, p, q) = (
+            rng.triple(|rng| rng.whole(-3, 3)),
+            rng.triple(|rng| rng.whole(-3, 3)),
+            rng.triple(|rng| rng.whole(0, 3)),
+        );
+        let d = rng.triple(|rng| rng.whole(-3, 3));
+        if d == [0; 3] {
+            continue;
+        }
+        let at = |v: [i64; 3]| v.map(|x| times(x, a));
+        let aabb = if k % 2 == 0 {
+            BoxNumbers::Center(at(p), at(q))
+        } else {
+            BoxNumbers::Corners(at(p), at([0, 1, 2].map(|i: usize| p[i] + q[i])))
+        };
+        let zero = if k % 7 == 0 { S::nearest(-0.0) } else { S::ZERO };
+        let line = Line::Ray(at(o), d.map(|x| times(x, b)), [Some(zero), None]);
+        let case = LineBox { line, aabb };
+        let meets = case.meets();
+        check(&case, meets);
+        met += usize::from(meets);
+    }
+    assert!((10_000..110_000).contains(&met), "{met}");
+}
+
+#[test]
+fn exact_in_contact_at_the_ends_of_f32() {
+    exact_in_contact_at_the_ends::<f32>([-149, -126, 125], [-41, -38, 0, 37, 40]);
+}
+
+#[test]
+fn exact_in_contact_at_the_ends_of_f64() {
+    exact_in_contact_at_the_ends::<f64>([-1074, -1022, 1020], [-402, -390, 0, 390, 400]);
+}
+
 /// A ray from the world's origin through the corner of a box, and the same corner moved one
 /// place: where the two values of t are nearest to each other.
 fn exact_next_to_corners<S: Sample>() {
