@@ -14,6 +14,7 @@ mod quotient;
 #[cfg(feature = "fixed")]
 mod root;
 mod rounded;
+mod split;
 mod system;
 mod wide;
 mod words;
@@ -39,6 +40,7 @@ pub use root::Signed;
 #[cfg(feature = "fixed")]
 pub(crate) use root::{Limbs, Wide, over_roots};
 pub use rounded::{Rounded, RoundedOps};
+pub(crate) use split::{FAR, Split, Two, short_areas, two_difference};
 pub use system::{Arithmetic, Embeds};
 pub(crate) use system::{of_two, once};
 #[cfg(feature = "fixed")]

@@ -30,7 +30,7 @@ mod line_aabb;
 #[cfg(feature = "libm")]
 pub(crate) use normal::direction;
 pub use plane_aabb::Side;
-pub(crate) use ray_triangle::{Candidate, clear_hit};
+pub(crate) use ray_triangle::{Candidate, clear_hit, clear_refined_hit};
 pub use ray_triangle::{Cull, Facing, Feature, Hit, HitRules};
 pub use triangle_aabb::Axis;
 pub(crate) use triangle_aabb::disjoint_rounded;

@@ -22,7 +22,7 @@ mod predicate;
 mod stages;
 mod uncertain;
 
-pub(crate) use cascade::{exact_stage, integer_stage, numeric_stage, stage};
+pub(crate) use cascade::{exact_stage, integer_stage, numeric_stage, refined_stage, stage};
 #[cfg(feature = "fixed")]
 pub(crate) use cascade::{narrow_stage, only_stage};
 pub(crate) use determinant::{
@@ -30,5 +30,5 @@ pub(crate) use determinant::{
 };
 pub use exact_sum::ExactSum;
 pub(crate) use exact_sum::Sum;
-pub use predicate::Predicate;
+pub use predicate::{Clue, Predicate};
 pub(crate) use uncertain::Uncertain;
