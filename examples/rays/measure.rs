@@ -53,9 +53,7 @@ impl Instance {
     pub(crate) fn of<S: Sample>() -> Self {
         let name = S::name();
         let bound = match name.as_str() {
-            "f32" => 2.0,
-            // 2⁻³¹ of a number.
-            "f64" => 4_194_304.0,
+            "f32" | "f64" => 2.0,
             _ => 0.5,
         };
         Self {

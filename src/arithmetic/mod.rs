@@ -17,6 +17,7 @@ mod quotient;
 mod root;
 mod rounded;
 mod span;
+mod split;
 mod system;
 mod wide;
 mod words;
@@ -45,6 +46,7 @@ pub use root::Signed;
 pub(crate) use root::{Limbs, Wide, over_roots};
 pub use rounded::{Rounded, RoundedOps};
 pub use span::{Span, Spanned};
+pub(crate) use split::{FAR, Split, Two, short_areas, two_difference};
 pub use system::{Arithmetic, Embeds};
 pub(crate) use system::{of_two, once};
 #[cfg(feature = "fixed")]

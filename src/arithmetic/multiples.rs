@@ -8,34 +8,32 @@ use super::parts::Parts;
 use super::system::{Embeds, convert};
 use super::wide::I256;
 
-/// The exponents of the lowest and highest bit of any coordinate, as powers of
-/// two in units of the least number; `None` if all are zero.
-fn span<F: Float>(all: &[[F; 3]]) -> Option<(i32, i32)> {
-    let mut span = None;
+/// The exponents of the lowest and highest bit of any coordinate, as powers of two in
+/// units of the least number: without a branch, for whether one is zero is hard to guess.
+fn span<F: Float>(all: &[[F; 3]]) -> (i32, i32) {
+    let mut span = (i32::MAX, 0);
     for x in all.as_flattened() {
         let Parts { magnitude, shift, .. } = x.parts();
-        if magnitude != 0 {
-            let low = i32::from(shift) + magnitude.trailing_zeros() as i32;
-            let high = i32::from(shift) + 64 - magnitude.leading_zeros() as i32;
-            let (l, h) = span.unwrap_or((low, high));
-            span = Some((low.min(l), high.max(h)));
-        }
+        let low = i32::from(shift) + magnitude.trailing_zeros() as i32;
+        let high = i32::from(shift) + 64 - magnitude.leading_zeros() as i32;
+        let is_zero = magnitude == 0;
+        span.0 = span.0.min(if is_zero { i32::MAX } else { low });
+        span.1 = span.1.max(if is_zero { 0 } else { high });
     }
     span
 }
 
+/// Whether 60 bits hold all.
+fn is_short((low, high): (i32, i32)) -> bool {
+    high.saturating_sub(low) <= 60
+}
+
 /// `x` in units of two to the power `low`; the unit divides `x`.
+#[inline(always)]
 fn in_units<F: Float>(x: F, low: i32) -> i64 {
     let Parts { negative, magnitude, shift } = x.parts();
-    let up = i32::from(shift) - low;
-    // Zero may have any exponent; nothing else shifts by more than 60.
-    let whole = if magnitude == 0 {
-        0
-    } else if up >= 0 {
-        magnitude.wrapping_shl(up as u32)
-    } else {
-        magnitude.wrapping_shr(up.unsigned_abs())
-    } as i64;
+    // Up or down by less than 64, and no bit goes over the end.
+    let whole = magnitude.rotate_left(i32::from(shift).wrapping_sub(low) as u32) as i64;
     if negative { -whole } else { whole }
 }
 
@@ -44,12 +42,17 @@ fn in_units<F: Float>(x: F, low: i32) -> i64 {
 /// among them: the unit is the scene's, not the scalar's.
 impl<F: Float> Embeds<F> for Int64 {
     fn holds<const K: usize>(coordinates: &[[F; 3]; K]) -> bool {
-        span(coordinates).is_none_or(|(low, high)| high - low <= 60)
+        is_short(span(coordinates))
     }
 
     fn embed_held<const K: usize>(coordinates: &[[F; 3]; K]) -> [[i64; 3]; K] {
-        let (low, _) = span(coordinates).unwrap_or_default();
+        let (low, _) = span(coordinates);
         convert(coordinates, 0, |x| in_units(x, low))
+    }
+
+    fn embed<const K: usize>(coordinates: &[[F; 3]; K]) -> Option<[[i64; 3]; K]> {
+        let span = span(coordinates);
+        is_short(span).then(|| convert(coordinates, 0, |x| in_units(x, span.0)))
     }
 
     const DIVIDES: bool = true;

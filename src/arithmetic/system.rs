@@ -102,6 +102,9 @@ pub trait Embeds<S>: Arithmetic {
     /// divide, and overflow to an infinity. The divisor is not zero.
     fn quotient_of_lengths(num: Self::Length, den: Self::Length) -> S;
 
+    /// Whether those of volumes ever are.
+    const HAS_QUOTIENTS: bool = true;
+
     /// The same of three volumes, and whether they are as good as the scalar
     /// promises, given how far from the truth the first may be, and the others.
     fn quotients(

@@ -15,14 +15,10 @@ pub struct I256 {
 impl I256 {
     /// The product of 128 and 64 bits.
     pub(crate) fn product(a: i128, b: i64) -> Self {
-        let (m, f) = (a.unsigned_abs(), u128::from(b.unsigned_abs()));
-        let lower = (m & u128::from(u64::MAX)) * f;
-        let upper = (m >> 64) * f + (lower >> 64);
-        let magnitude = Self {
-            high: (upper >> 64) as i128,
-            low: (upper << 64) | (lower & u128::from(u64::MAX)),
-        };
-        if (a < 0) != (b < 0) { -magnitude } else { magnitude }
+        let (upper, lower) = (a >> 64, i128::from(a as u64));
+        let (upper, lower) = (upper * i128::from(b), lower * i128::from(b));
+        let (low, carry) = ((upper as u128) << 64).overflowing_add(lower as u128);
+        Self { high: (upper >> 64) + (lower >> 127) + i128::from(carry), low }
     }
 
     /// Sign and magnitude, the latter in limbs, least first.
@@ -98,7 +94,8 @@ impl Neg for I256 {
 impl Sub for I256 {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        self + -other
+        let (low, borrow) = self.low.overflowing_sub(other.low);
+        Self { high: self.high.wrapping_sub(other.high).wrapping_sub(borrow.into()), low }
     }
 }
 

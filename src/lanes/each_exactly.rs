@@ -1,9 +1,9 @@
 //! One ray against N triangles, exactly.
 
 use super::{Hits, Triangles};
-use crate::arithmetic::Embeds;
-use crate::query::{Candidate, clear_hit};
-use crate::robust::Predicate;
+use crate::arithmetic::{Embeds, Filtered};
+use crate::query::{Candidate, clear_hit, clear_refined_hit};
+use crate::robust::{Clue, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::Ray;
 
@@ -22,13 +22,55 @@ impl<S: Scalar, const N: usize> Predicate<S> for CrossesEach<'_, S, N> {
 
     /// All at once; those of which `M` cannot be certain are asked about one by one.
     #[inline(always)]
-    fn fast_path<M: Embeds<S>>(&self) -> Option<Option<Hits<S, N>>> {
+    fn fast_path<M: Embeds<S>>(&self) -> Result<Option<Hits<S, N>>, Clue> {
         if M::CERTAIN {
-            return None;
+            return Err(Clue::Unasked);
         }
         let is_plain = self.ray.t_min() == Some(S::ZERO) && self.ray.t_max().is_none();
-        let (mut hits, certain) =
-            if is_plain { self.clear::<M, true>() } else { self.clear::<M, false>() };
+        let (hits, certain) = if is_plain {
+            self.each(|triangle| clear_hit::<S, M>(self.ray, true, triangle))
+        } else {
+            self.each(|triangle| clear_hit::<S, M>(self.ray, false, triangle))
+        };
+        if is_plain && !M::HAS_QUOTIENTS && certain != [true; N] {
+            return Err(Clue::NoNumbers);
+        }
+        Ok(Some(self.completed(hits, certain)))
+    }
+
+    /// All at once, where the first stage has no numbers.
+    fn refined(&self, clue: Clue) -> Option<Option<Hits<S, N>>>
+    where
+        Filtered<f64>: Embeds<S>,
+    {
+        if clue != Clue::NoNumbers {
+            return None;
+        }
+        let (hits, certain) = self.each(|triangle| clear_refined_hit(self.ray, triangle));
+        Some(Some(self.completed(hits, certain)))
+    }
+
+    fn exact(&self) -> Option<Hits<S, N>> {
+        Some(Hits::each(|k| self.one(k)))
+    }
+}
+
+impl<S: Scalar, const N: usize> CrossesEach<'_, S, N> {
+    /// What is found on each, and whether that is certain.
+    #[inline(always)]
+    fn each(&self, find: impl Fn([[S; 3]; 3]) -> (bool, Candidate<S>)) -> (Hits<S, N>, [bool; N]) {
+        let mut certain = [false; N];
+        let hits = Hits::each(|k| {
+            let found;
+            (certain[k], found) = find(self.triangles.at(k));
+            found
+        });
+        (hits, certain)
+    }
+
+    /// Those that are not certain one by one.
+    #[inline(always)]
+    fn completed(&self, mut hits: Hits<S, N>, certain: [bool; N]) -> Hits<S, N> {
         let mut all = true;
         for k in 0..N {
             all &= certain[k];
@@ -40,25 +82,7 @@ impl<S: Scalar, const N: usize> Predicate<S> for CrossesEach<'_, S, N> {
                 }
             }
         }
-        Some(Some(hits))
-    }
-
-    fn exact(&self) -> Option<Hits<S, N>> {
-        Some(Hits::each(|k| self.one(k)))
-    }
-}
-
-impl<S: Scalar, const N: usize> CrossesEach<'_, S, N> {
-    /// The hits that are clear in `M`, and of which lanes it can be certain.
-    #[inline(always)]
-    fn clear<M: Embeds<S>, const IS_PLAIN: bool>(&self) -> (Hits<S, N>, [bool; N]) {
-        let mut certain = [false; N];
-        let hits = Hits::each(|k| {
-            let found;
-            (certain[k], found) = clear_hit::<S, M>(self.ray, IS_PLAIN, self.triangles.at(k));
-            found
-        });
-        (hits, certain)
+        hits
     }
 
     fn one(&self, k: usize) -> Candidate<S> {

@@ -3,7 +3,7 @@
 //!
 //! Only the first stage is inlined: the common path stays small.
 
-use super::predicate::Predicate;
+use super::predicate::{Clue, Predicate};
 use super::stages::{Stage, note};
 use crate::arithmetic::{Embeds, Filtered, Float, InFloat, Int64};
 #[cfg(feature = "fixed")]
@@ -13,12 +13,38 @@ use crate::arithmetic::{InWord, REGISTERS_ARE_WIDE, Word};
 #[inline(always)]
 pub(crate) fn numeric_stage<S, N: Embeds<S>, P: Predicate<S>>(
     p: &P,
-    next: fn(&P) -> P::Answer,
+    next: fn(&P, Clue) -> P::Answer,
 ) -> P::Answer {
     match p.fast_path::<N>() {
+        Ok(answer) => answer,
+        Err(clue) => {
+            note(Stage::Numeric);
+            next(p, clue)
+        }
+    }
+}
+
+/// The stages for numbers after the first: `f64`, if it was not asked, and `f64` in two
+/// parts.
+#[inline(always)]
+pub(crate) fn refined_stage<S, P: Predicate<S>>(
+    p: &P,
+    clue: Clue,
+    next: fn(&P) -> P::Answer,
+) -> P::Answer
+where
+    Filtered<f64>: Embeds<S>,
+{
+    if clue == Clue::Unasked {
+        if let Some(answer) = p.filter::<Filtered<f64>>() {
+            return answer;
+        }
+        note(Stage::Filter);
+    }
+    match p.refined(clue) {
         Some(answer) => answer,
         None => {
-            note(Stage::Numeric);
+            note(Stage::Filter);
             next(p)
         }
     }

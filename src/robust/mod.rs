@@ -22,7 +22,9 @@ mod predicate;
 mod stages;
 mod uncertain;
 
-pub(crate) use cascade::{exact_stage, in_floats, in_quads, integer_stage, numeric_stage, stage};
+pub(crate) use cascade::{
+    exact_stage, in_floats, in_quads, integer_stage, numeric_stage, refined_stage, stage,
+};
 #[cfg(feature = "fixed")]
 pub(crate) use cascade::{narrow_stage, only_stage};
 pub(crate) use determinant::{
@@ -30,7 +32,7 @@ pub(crate) use determinant::{
 };
 pub use exact_sum::ExactSum;
 pub(crate) use exact_sum::Sum;
-pub use predicate::Predicate;
+pub use predicate::{Clue, Predicate};
 #[cfg(all(test, feature = "fixed"))]
 pub(crate) use stages::escalations;
 pub(crate) use stages::{Stage, note};

@@ -1,4 +1,15 @@
-use crate::arithmetic::{Embeds, Float, InFloat, InWord, Word};
+use crate::arithmetic::{Embeds, Filtered, Float, InFloat, InWord, Word};
+
+/// Why a fast path has no answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Clue {
+    /// It is not for such a question.
+    Unasked,
+    /// The answer is in doubt.
+    Doubt,
+    /// It is yes for certain, but the numbers are not good.
+    NoNumbers,
+}
 
 /// A question about coordinates of the scalar `S`.
 ///
@@ -15,10 +26,21 @@ pub trait Predicate<S> {
     /// The answer, if `N` can vouch for it.
     fn filter<N: Embeds<S>>(&self) -> Option<Self::Answer>;
 
-    /// The same, where it takes but one pass without branches; `None` otherwise.
+    /// The same, where it takes but one pass without branches.
     #[inline(always)]
-    fn fast_path<N: Embeds<S>>(&self) -> Option<Self::Answer> {
-        self.filter::<N>()
+    fn fast_path<N: Embeds<S>>(&self) -> Result<Self::Answer, Clue> {
+        self.filter::<N>().ok_or(Clue::Doubt)
+    }
+
+    /// The answer by `f64` in two parts, if that can vouch for it; `None` where the
+    /// question has none.
+    #[inline(always)]
+    fn refined(&self, clue: Clue) -> Option<Self::Answer>
+    where
+        Filtered<f64>: Embeds<S>,
+    {
+        let _ = clue;
+        None
     }
 
     /// Whether the question has a kernel of its own for floats, four at once. Then that is

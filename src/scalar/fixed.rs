@@ -143,7 +143,7 @@ where
     Filtered<f64>: Embeds<S>,
 {
     if REGISTERS_ARE_WIDE {
-        numeric_stage::<_, Filtered<f64>, _>(p, whole_cascade)
+        numeric_stage::<_, Filtered<f64>, _>(p, |p, _| whole_cascade(p))
     } else {
         S::evaluate(p)
     }

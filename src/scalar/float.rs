@@ -5,7 +5,8 @@ use crate::arithmetic::{
     Filtered, Float, Parts, REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, quotient,
 };
 use crate::robust::{
-    Predicate, Sum, exact_stage, in_floats, in_quads, integer_stage, numeric_stage,
+    Clue, Predicate, Sum, exact_stage, in_floats, in_quads, integer_stage, numeric_stage,
+    refined_stage,
 };
 
 macro_rules! float {
@@ -98,7 +99,7 @@ impl Backend for f32 {
     fn evaluate_numeric<P: Predicate<Self>>(p: &P) -> P::Answer {
         // Where `f64` costs no more than `f32`.
         if REGISTERS_ARE_WIDE {
-            return numeric_stage::<_, Filtered<f64>, _>(p, doubled);
+            return numeric_stage::<_, Filtered<f64>, _>(p, refined);
         }
         // Numbers come from f64; f32 can but say that there are none.
         match in_floats::<_, f32, _>(p) {
@@ -120,6 +121,14 @@ fn doubled<P: Predicate<f32>>(p: &P) -> P::Answer {
         Some(answer) => answer,
         None => integer_stage(p),
     }
+}
+
+/// The stages of `f32` for numbers after the first, where `f64` is cheap: its two parts
+/// give the numbers that the integers give, and save time.
+#[cold]
+#[inline(never)]
+fn refined<P: Predicate<f32>>(p: &P, clue: Clue) -> P::Answer {
+    refined_stage(p, clue, integer_stage)
 }
 
 impl Backend for f64 {
@@ -156,7 +165,7 @@ impl Backend for f64 {
     }
     #[inline(always)]
     fn evaluate_numeric<P: Predicate<Self>>(p: &P) -> P::Answer {
-        numeric_stage::<_, Filtered<f64>, _>(p, whole_cascade)
+        numeric_stage::<_, Filtered<f64>, _>(p, refined_doubles)
     }
     #[inline(always)]
     fn evaluate_bounded<P: Predicate<Self>>(p: &P) -> Option<P::Answer> {
@@ -164,10 +173,10 @@ impl Backend for f64 {
     }
 }
 
-/// All stages, out of line.
+/// The stages of `f64` for numbers after the first: every hit goes there.
 #[inline(never)]
-fn whole_cascade<P: Predicate<f64>>(p: &P) -> P::Answer {
-    f64::evaluate(p)
+fn refined_doubles<P: Predicate<f64>>(p: &P, clue: Clue) -> P::Answer {
+    refined_stage(p, clue, if SMALL_CODE { exact_stage } else { integer_stage })
 }
 
 #[cfg(test)]

@@ -60,14 +60,12 @@ fn is_rounded<S: Sample>(x: S, truth: &Fraction) -> bool {
     if !is_float::<S>() {
         return truth.is_nearest(x);
     }
-    // In f64 within 2^-31 of itself, which is 2^22 ulp at most.
-    let ulp = if S::name() == "f32" { 2.0 } else { 4_194_304.0 };
     if truth.is_beyond::<S>() {
         // Past the greatest float there are no ulp.
         let end = if truth.approximate() > 0.0 { S::GREATEST } else { S::LEAST };
         return !x.is_finite() || (x > S::ZERO) == (end > S::ZERO);
     }
-    x.is_finite() && truth.error_in_ulp(x) <= ulp || is_last::<S>(x, truth)
+    x.is_finite() && truth.error_in_ulp(x) <= 2.0 || is_last::<S>(x, truth)
 }
 
 /// Whether an infinity stands for a number within the bound of the greatest.

@@ -3,7 +3,8 @@
 
 use super::Candidate;
 use super::crossing::{Crossing, Setting};
-use crate::arithmetic::{Embeds, Number};
+use super::refined::Refined;
+use crate::arithmetic::{Embeds, Filtered, Number};
 use crate::scalar::Scalar;
 use crate::shape::Ray;
 
@@ -34,5 +35,26 @@ pub(crate) fn clear_hit<S: Scalar, N: Embeds<S>>(
     };
     let (quotients, are_good) = N::quotients([t, u, v], det, [error_bound.t, error_bound.side]);
     let found = Candidate::new(hit & are_good, quotients, det > N::Volume::ZERO, [false; 3]);
+    (is_known & certain & (are_good | !hit), found)
+}
+
+/// The same in `f64` in two parts, of a ray with the range t ≥ 0.
+#[inline(always)]
+pub(crate) fn clear_refined_hit<S: Scalar>(
+    ray: &Ray<S>,
+    [a, b, c]: [[S; 3]; 3],
+) -> (bool, Candidate<S>)
+where
+    Filtered<f64>: Embeds<S>,
+{
+    let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
+    let [a, b, c, o, d] = Filtered::<f64>::embed_held(&[a, b, c, o, d]);
+    let (refined, is_known) = Refined::new(&[a, b, c, o], d);
+    let (certain, hit) = match refined.crossing().0.strictly_ahead() {
+        Some(hit) => (true, hit),
+        None => (false, false),
+    };
+    let (numbers, are_good) = refined.numbers::<S>();
+    let found = Candidate::new(hit & are_good, numbers, refined.det > 0.0, [false; 3]);
     (is_known & certain & (are_good | !hit), found)
 }

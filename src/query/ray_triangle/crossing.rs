@@ -3,6 +3,7 @@
 
 use core::cmp::Ordering;
 
+use super::Feature;
 use super::error_bound::{SIDES, T, VOLUME};
 use crate::arithmetic::{Arithmetic, Number, greatest, largest, least};
 
@@ -15,6 +16,14 @@ pub(super) struct Setting<L> {
     e: [[L; 3]; 2],
     /// From the first vertex to the origin.
     s: [L; 3],
+}
+
+/// The greatest components: of the direction, of both edges, and of the edges and the way
+/// to the origin.
+pub(super) struct Sizes<L> {
+    pub(super) direction: L,
+    pub(super) edges: L,
+    pub(super) size: L,
 }
 
 /// Volumes whose signs and quotients are the answer: t is t/det, w is w/det, u and
@@ -56,6 +65,13 @@ impl<L: Number> Setting<L> {
         greatest(greatest(largest(d), largest(s)), greatest(largest(e1), largest(e2)))
     }
 
+    #[inline(always)]
+    pub(super) fn sizes(&self) -> Sizes<L> {
+        let Self { d, e: [e1, e2], s } = self;
+        let edges = greatest(largest(e1), largest(e2));
+        Sizes { direction: largest(d), edges, size: greatest(edges, largest(s)) }
+    }
+
     /// How far the volumes may be from the truth.
     #[inline(always)]
     fn error_bound<M: Arithmetic<Length = L>>(&self) -> Option<ErrorBound<M::Volume>> {
@@ -63,9 +79,7 @@ impl<L: Number> Setting<L> {
             let none = M::Volume::ZERO;
             return Some(ErrorBound { sides: none, side: none, t: none });
         }
-        let Self { d, e: [e1, e2], s } = self;
-        let (direction, edges) = (largest(d), greatest(largest(e1), largest(e2)));
-        let size = greatest(edges, largest(s));
+        let Sizes { direction, edges, size } = self.sizes();
         if !(direction.in_range() & edges.in_range() & size.in_range()) {
             return None;
         }
@@ -180,6 +194,13 @@ impl<V: Number> Crossing<V> {
                 t: widen(error_bound.t),
             },
         }
+    }
+
+    /// What of the triangle is met, where no sign is in doubt.
+    #[inline(always)]
+    pub(super) fn feature(&self) -> Feature {
+        let [w, u, v] = self.sides;
+        Feature::from_zeros(w == V::ZERO, u == V::ZERO, v == V::ZERO)
     }
 
     /// Whether the line runs against the normal.

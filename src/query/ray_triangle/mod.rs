@@ -12,17 +12,18 @@ mod error_bound;
 mod exact;
 mod hit;
 mod order;
+mod refined;
 
 pub(crate) use candidate::Candidate;
-pub(crate) use clear_hit::clear_hit;
+pub(crate) use clear_hit::{clear_hit, clear_refined_hit};
 pub use hit::{Cull, Facing, Feature, Hit, HitRules};
 
 use core::cmp::Ordering;
 
 use self::crossing::{Crossing, Setting};
 use self::exact::ExactRay;
-use crate::arithmetic::{Embeds, Number};
-use crate::robust::{ExactSum, Predicate};
+use crate::arithmetic::{Embeds, Filtered, Number};
+use crate::robust::{Clue, ExactSum, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
 
@@ -47,9 +48,26 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
     }
 
     #[inline(always)]
-    fn fast_path<N: Embeds<S>>(&self) -> Option<Option<Hit<S>>> {
+    fn fast_path<N: Embeds<S>>(&self) -> Result<Option<Hit<S>>, Clue> {
         let (counts, crossing) = self.ahead::<N>()?;
-        numbers::<S, N>(counts, crossing)
+        numbers::<S, N>(counts, crossing).ok_or(Clue::NoNumbers)
+    }
+
+    fn refined(&self, clue: Clue) -> Option<Option<Hit<S>>>
+    where
+        Filtered<f64>: Embeds<S>,
+    {
+        let refined = self.refined_crossing()?;
+        let feature = if clue == Clue::NoNumbers {
+            Feature::Interior
+        } else {
+            match self.refined_verdict(&refined)? {
+                None => return Some(None),
+                Some(feature) => feature,
+            }
+        };
+        let ([t, u, v], are_good) = refined.numbers::<S>();
+        are_good.then_some(Some(Hit { t, u, v, facing: facing(refined.det > 0.0), feature }))
     }
 
     fn exact(&self) -> Option<Hit<S>> {
@@ -77,8 +95,16 @@ impl<S: Scalar> Predicate<S> for Hits<'_, S> {
     }
 
     #[inline(always)]
-    fn fast_path<N: Embeds<S>>(&self) -> Option<bool> {
+    fn fast_path<N: Embeds<S>>(&self) -> Result<bool, Clue> {
         self.0.ahead::<N>().map(|(counts, _)| counts)
+    }
+
+    fn refined(&self, _: Clue) -> Option<bool>
+    where
+        Filtered<f64>: Embeds<S>,
+    {
+        let refined = self.0.refined_crossing()?;
+        self.0.refined_verdict(&refined).map(|feature| feature.is_some())
     }
 
     fn exact(&self) -> bool {
@@ -95,9 +121,8 @@ fn numbers<S: Scalar, N: Embeds<S>>(
     crossing: Crossing<N::Volume>,
 ) -> Option<Option<Hit<S>>> {
     let facing = facing(crossing.is_front());
-    let Crossing { det, t, sides: [w, u, v], error_bound } = crossing;
-    let is_zero = |x: N::Volume| N::CERTAIN && x == N::Volume::ZERO;
-    let feature = Feature::from_zeros(is_zero(w), is_zero(u), is_zero(v));
+    let Crossing { det, t, sides: [_, u, v], error_bound } = crossing;
+    let feature = if N::CERTAIN { crossing.feature() } else { Feature::Interior };
     // Even for a miss: to divide is cheaper than to guess wrong whether it is one.
     let ([t, u, v], are_good) = N::quotients([t, u, v], det, [error_bound.t, error_bound.side]);
     if counts & !are_good {
@@ -114,15 +139,17 @@ fn facing(is_front: bool) -> Facing {
 
 impl<S: Scalar> Crosses<'_, S> {
     /// Whether a crossing ahead of the origin counts, and the crossing, where it is
-    /// not a contact and the range is the usual one; `None` otherwise, or in doubt.
+    /// not a contact and the range is the usual one.
     #[inline(always)]
-    fn ahead<N: Embeds<S>>(&self) -> Option<(bool, Crossing<N::Volume>)> {
+    fn ahead<N: Embeds<S>>(&self) -> Result<(bool, Crossing<N::Volume>), Clue> {
         if self.ray.t_min() != Some(S::ZERO) || self.ray.t_max().is_some() {
-            return None;
+            return Err(Clue::Unasked);
         }
-        let crossing = self.setting::<N>()?.crossing::<N>()?;
+        let setting = self.setting::<N>().ok_or(Clue::Doubt)?;
+        let crossing = setting.crossing::<N>().ok_or(Clue::Doubt)?;
         let keeps = self.rules.cull.keeps(facing(crossing.is_front()));
-        Some((crossing.strictly_ahead()? & keeps, crossing))
+        let is_ahead = crossing.strictly_ahead().ok_or(Clue::Doubt)?;
+        Ok((is_ahead & keeps, crossing))
     }
 
     /// Ray and triangle in `N`, if it holds them.
@@ -148,21 +175,24 @@ impl<S: Scalar> Crosses<'_, S> {
             crossing.meets(N::CERTAIN)?.then_some(crossing)
         };
         let Some(crossing) = crossing else { return Some(None) };
-        Some(self.counts::<N>(&setting, &crossing)?.then_some(crossing))
+        Some(self.counts::<N>(&setting, &crossing, N::CERTAIN)?.then_some(crossing))
     }
 
     /// Whether the crossing of a line that meets the triangle counts; `None` in doubt.
+    /// `is_certain` says that all signs are.
+    #[inline(always)]
     fn counts<N: Embeds<S>>(
         &self,
         setting: &Setting<N::Length>,
         crossing: &Crossing<N::Volume>,
+        is_certain: bool,
     ) -> Option<bool> {
         let zero = N::Volume::ZERO;
         let is_front = crossing.is_front();
         if !self.rules.cull.keeps(facing(is_front)) {
             return Some(false);
         }
-        if N::CERTAIN && self.rules.once {
+        if is_certain && self.rules.once {
             for (k, side) in crossing.sides.iter().enumerate() {
                 let perturbed = || oriented(setting.perturbed_side::<N>(k), is_front);
                 if *side == zero && perturbed() == Ordering::Less {
@@ -175,10 +205,12 @@ impl<S: Scalar> Crosses<'_, S> {
         for (end, inside) in self.ends() {
             let Some(end) = end else { continue };
             let side = if end == S::ZERO {
-                let is_certain = N::CERTAIN || t.magnitude() > error_bound.t;
-                is_certain.then(|| t.partial_cmp(&zero)).flatten()
+                let is_clear = is_certain || t.magnitude() > error_bound.t;
+                is_clear.then(|| t.partial_cmp(&zero)).flatten()
             } else {
-                N::compare_quotient(t, det, [error_bound.t, error_bound.side], end)
+                let errors =
+                    [error_bound.t + t.magnitude().error(1), error_bound.side + det.error(1)];
+                N::compare_quotient(t, det, errors, end)
             }?;
             let perturbed = || oriented(setting.perturbed_t::<N>(), is_front);
             if !self.admits(side, inside, perturbed) {
@@ -260,10 +292,9 @@ impl<S: Scalar> Ray<S> {
     /// *Numerics*: whether there is a hit, its side and its feature are exact for
     /// every valid input, in every scalar, so that a closed mesh has no leak. t, u and
     /// v in fixed point are the nearest numbers of the type (of two, the even one),
-    /// or the end of the type where it does not reach; in `f32` they are within 2 ulp,
-    /// in `f64` within 2⁻³¹ of themselves, and nearly always within a few ulp. A t
-    /// beyond the greatest float is infinite, and still a hit. They are the same bits
-    /// on every machine. [`compare_hits`](Self::compare_hits) orders hits exactly.
+    /// or the end of the type where it does not reach; in floats they are within 2 ulp.
+    /// A t beyond the greatest float is infinite, and still a hit. They are the same
+    /// bits on every machine. [`compare_hits`](Self::compare_hits) orders hits exactly.
     ///
     /// *Range*: all finite floats, all fixed-point values. As with
     /// [`Triangle::overlaps`], what the fast stage cannot resolve goes to wider
@@ -272,11 +303,11 @@ impl<S: Scalar> Ray<S> {
     /// *Panics*: never.
     ///
     /// *Cost*: 24 multiplications and 3 divisions. On a 64-bit machine a hit costs
-    /// what a miss costs, in `f64` and in scalars of up to 32 bits, and the time is
-    /// below that of Möller–Trumbore in floats (`docs/speed.md` in the repository). On
+    /// what a miss costs in scalars of up to 32 bits. In `f64` it takes 72 further
+    /// multiplications: a hit has better numbers than products of `f64` have. On
     /// 32-bit cores a hit costs more than a miss: on a Cortex-M4F 40 times as much in
     /// `f32`, whose t, u and v need `f64` (`docs/target.csv`). A ray through an edge,
-    /// exactly, goes to integers everywhere. Choose it unless you measured that you
+    /// exactly, goes to integers unless the coordinates are short. Choose it unless you measured that you
     /// cannot pay for it; [`is_hit`](Self::is_hit) saves the divisions, and
     /// [`lanes::Triangles`](crate::lanes::Triangles) asks about several triangles at once.
     ///

@@ -52,8 +52,8 @@ impl<S: Scalar> Ray<S> {
 
 /// The order of two numbers that `hit` rounded, if their true order is the same.
 ///
-/// In fixed point the rounding keeps order. Floats are within 2⁻²² (`f32`) or 2⁻³¹
-/// (`f64`) of the truth, or of what underflow left of it: 2⁻²⁰ is clear of both.
+/// In fixed point the rounding keeps order. Floats are within 2⁻²² of the truth,
+/// `f64` far nearer, or of what underflow left of it: 2⁻²⁰ is clear of that.
 fn in_clear_order<S: Scalar>(t: S, s: S) -> Option<Ordering> {
     let is_clear = match S::FLOAT {
         None => t != s,
