@@ -29,7 +29,7 @@ fn is_short((low, high): (i32, i32)) -> bool {
 }
 
 /// `x` in units of two to the power `low`; the unit divides `x`.
-#[inline(always)]
+#[inline]
 fn in_units<F: Float>(x: F, low: i32) -> i64 {
     let Parts { negative, magnitude, shift } = x.parts();
     // Up or down by less than 64, and no bit goes over the end.

@@ -71,7 +71,7 @@ pub trait Quad:
 pub(crate) const THREE: u32 = 0b111;
 
 /// A float that quads are made of.
-pub trait OfFour: Sized {
+pub trait OfFour: Copy + Debug {
     /// Four of it.
     type Quad: Quad<Lane = Self>;
 }

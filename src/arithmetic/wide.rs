@@ -3,6 +3,7 @@
 use core::ops::{Add, Neg, Sub};
 
 use super::number::Number;
+use super::platform::REGISTERS_ARE_WIDE;
 
 /// A signed integer of 256 bits in two's complement. `high` comes first, so
 /// that the derived order is the order of numbers.
@@ -14,7 +15,19 @@ pub struct I256 {
 
 impl I256 {
     /// The product of 128 and 64 bits.
+    #[inline]
     pub(crate) fn product(a: i128, b: i64) -> Self {
+        if REGISTERS_ARE_WIDE { Self::halves(a, b) } else { Self::halves_out_of_line(a, b) }
+    }
+
+    /// The same in one place: where registers are narrow it takes hundreds of bytes.
+    #[inline(never)]
+    fn halves_out_of_line(a: i128, b: i64) -> Self {
+        Self::halves(a, b)
+    }
+
+    #[inline(always)]
+    fn halves(a: i128, b: i64) -> Self {
         let (upper, lower) = (a >> 64, i128::from(a as u64));
         let (upper, lower) = (upper * i128::from(b), lower * i128::from(b));
         let (low, carry) = ((upper as u128) << 64).overflowing_add(lower as u128);

@@ -5,9 +5,9 @@
 
 use super::predicate::{Clue, Predicate};
 use super::stages::{Stage, note};
-use crate::arithmetic::{Embeds, Filtered, Float, InFloat, Int64};
+use crate::arithmetic::{Embeds, Filtered, Float, InFloat, Int64, REGISTERS_ARE_WIDE};
 #[cfg(feature = "fixed")]
-use crate::arithmetic::{InWord, REGISTERS_ARE_WIDE, Word};
+use crate::arithmetic::{InWord, Word};
 
 /// The first stage for questions with a number for an answer.
 #[inline(always)]
@@ -71,7 +71,7 @@ pub(crate) fn in_floats<S: InFloat<F>, F: Float, P: Predicate<S>>(p: &P) -> Opti
 where
     Filtered<F>: Embeds<S>,
 {
-    if P::IN_QUADS {
+    if P::IN_QUADS && REGISTERS_ARE_WIDE {
         return in_quads(p);
     }
     let answer = p.filter::<Filtered<F>>();

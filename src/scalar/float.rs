@@ -70,7 +70,7 @@ impl Backend for f32 {
         least_normal: f32::MIN_POSITIVE,
         invertible: (f32::from_bits((127 - 100) << 23), f32::from_bits((127 + 100) << 23)),
     });
-    const IN_QUADS: bool = true;
+    const IN_QUADS: bool = REGISTERS_ARE_WIDE;
     // Four products of 2^-149 to 2^128: 1108 bits, and room for their number.
     type Sum = Sum<18>;
 
@@ -138,7 +138,7 @@ impl Backend for f64 {
         least_normal: f64::MIN_POSITIVE,
         invertible: (f64::from_bits((1023 - 1000) << 52), f64::from_bits((1023 + 1000) << 52)),
     });
-    const IN_QUADS: bool = true;
+    const IN_QUADS: bool = REGISTERS_ARE_WIDE;
     // Four products of 2^-1074 to 2^1024: 8392 bits, and room for their number.
     type Sum = Sum<132>;
 

@@ -176,7 +176,7 @@ impl<Q: Quad> Rows<Q> {
         // keeps order.
         let meets = half.exceeds(low) & high.exceeds(minus) & THREE == THREE;
         let v = [self.v[0] - center, self.v[1] - center, self.v[2] - center];
-        self.apart_in_frame(v, half, meets)
+        self.apart_in_frame(v, half, high - low, meets)
     }
 
     /// The same for the box with these corners.
@@ -189,22 +189,19 @@ impl<Q: Quad> Rows<Q> {
         // differences only by the distance from the box.
         let [a, b, c] = self.v;
         let from = |v: Q| half_of((v - min) + (v - max));
-        self.apart_in_frame([from(a), from(b), from(c)], half_of(max - min), true)
-    }
-
-    /// No coordinate in the frame of the box exceeds this, if no face separates; nor does an
-    /// edge, nor a half-extent.
-    #[inline(always)]
-    fn size(&self, half: Q) -> Q::Lane {
-        let [x, y, z] = (half + (self.high - self.low)).three();
-        greatest(greatest(x, y), z)
+        self.apart_in_frame(
+            [from(a), from(b), from(c)],
+            half_of(max - min),
+            self.high - self.low,
+            true,
+        )
     }
 
     /// Whether the normal or an edge axis separates, in the frame of the box. `meets` says
     /// that no face does.
     #[inline(always)]
-    fn apart_in_frame(&self, v: [Q; 3], half: Q, meets: bool) -> Apart {
-        let Some(bound) = error_bound::<Filtered<Q::Lane>>(self.size(half)) else {
+    fn apart_in_frame(&self, v: [Q; 3], half: Q, extent: Q, meets: bool) -> Apart {
+        let Some(bound) = error_bound::<Filtered<Q::Lane>>(size(half, extent)) else {
             return Apart::Unknown;
         };
 
@@ -291,13 +288,22 @@ fn is_on_grid<S: Scalar + InFloat<F>, F: Float>(triangle: &Triangle<S>, aabb: &A
             (min, max, half_of(max - min))
         }
     };
-    let shifter = F::Quad::splat(all.size(half).power_of_two_below() * F::GRID_SHIFTER);
+    let shifter =
+        F::Quad::splat(size(half, all.high - all.low).power_of_two_below() * F::GRID_SHIFTER);
     let mut off = 0;
     for x in [all.v[0], all.v[1], all.v[2], p, q] {
         let whole = (x + shifter) - shifter;
         off |= whole.exceeds(x) | x.exceeds(whole);
     }
     off & THREE == 0
+}
+
+/// No coordinate in the frame of the box exceeds this, if no face separates; nor does an
+/// edge, nor a half-extent.
+#[inline(always)]
+fn size<Q: Quad>(half: Q, extent: Q) -> Q::Lane {
+    let [x, y, z] = (half + extent).three();
+    greatest(greatest(x, y), z)
 }
 
 #[inline(always)]
