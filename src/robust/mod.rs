@@ -23,10 +23,10 @@ mod stages;
 mod uncertain;
 
 pub(crate) use cascade::{
-    exact_stage, in_floats, in_quads, integer_stage, numeric_stage, refined_stage, stage,
+    exact_stage, in_floats, in_quads, integer_stage, numeric_stage, refined_stage,
 };
 #[cfg(feature = "fixed")]
-pub(crate) use cascade::{narrow_stage, only_stage};
+pub(crate) use cascade::{narrow_stage, only_stage, stage};
 pub(crate) use determinant::{
     Linear, Vector, add_area, add_determinant, add_scaled_determinant, difference, sign, single,
 };
