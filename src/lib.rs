@@ -45,6 +45,7 @@
 //! | plane, box | [`overlaps`][plane-aabb], [`side_of`](Plane::side_of) | the same |
 //! | segment, box | [`overlaps`][segment-aabb] | [`may_overlap`][segment-aabb] |
 //! | ray, box | [`overlaps`][ray-aabb], [`t_range`](Ray::t_range) | [`may_overlap`][ray-aabb] |
+//! | triangle, many boxes | [`PreparedTriangle::overlaps`](prepared::PreparedTriangle::overlaps) | |
 //! | ray, many boxes | [`PreparedRay::overlaps`](prepared::PreparedRay::overlaps) | [`SlabRay::may_overlap`](published::slabs::SlabRay::may_overlap) |
 //! | point, box | [`Aabb::contains`], [`Obb::contains`] | |
 //! | ray, triangle | [`hit`](Ray::hit), [`is_hit`](Ray::is_hit), [`hit_once`](Ray::hit_once), [`hit_with`](Ray::hit_with); [`compare_hits`](Ray::compare_hits) | |

@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Mul, Sub};
 
-use super::float::Float;
+use super::number::Number;
 
 #[cfg(not(all(
     feature = "simd",
@@ -22,7 +22,7 @@ pub trait Quad:
     Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
 {
     /// What is in a lane.
-    type Lane: Float;
+    type Lane: Number;
 
     /// Whether it is a vector of the machine, or a handful of numbers.
     const IS_VECTOR: bool;

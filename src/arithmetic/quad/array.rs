@@ -1,10 +1,11 @@
 //! Quads of a machine that has no vectors, or is not asked for them. What is only in the
 //! fourth lane is computed for nobody, and the compiler leaves it out.
 
+use core::fmt::Debug;
 use core::ops::{Add, Mul, Sub};
 
 use super::{OfFour, Quad};
-use crate::arithmetic::{Float, greatest, least};
+use crate::arithmetic::{Number, greatest, least};
 
 /// Four numbers, each on its own.
 #[derive(Clone, Copy, Debug)]
@@ -16,7 +17,7 @@ fn each<F: Copy>(Four(a): Four<F>, Four(b): Four<F>, f: impl Fn(F, F) -> F) -> F
     Four([f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])])
 }
 
-impl<F: Float> Add for Four<F> {
+impl<F: Number> Add for Four<F> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
@@ -24,7 +25,7 @@ impl<F: Float> Add for Four<F> {
     }
 }
 
-impl<F: Float> Sub for Four<F> {
+impl<F: Number> Sub for Four<F> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
@@ -32,7 +33,7 @@ impl<F: Float> Sub for Four<F> {
     }
 }
 
-impl<F: Float> Mul for Four<F> {
+impl<F: Number + Mul<Output = F>> Mul for Four<F> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
@@ -48,7 +49,7 @@ impl OfFour for f64 {
     type Quad = Four<f64>;
 }
 
-impl<F: Float> Quad for Four<F> {
+impl<F: Number + Debug + Mul<Output = F>> Quad for Four<F> {
     type Lane = F;
     const IS_VECTOR: bool = false;
 

@@ -1,7 +1,6 @@
 //! Quads of a machine that has vectors, by the crate `wide`.
 
-use super::Quad;
-use crate::arithmetic::quad::OfFour;
+use super::{OfFour, Quad};
 
 macro_rules! quad {
     ($vector:ident, $float:ident) => {

@@ -1,4 +1,4 @@
-//! The separating-axis kernel, on a box centred at the origin.
+//! The separating-axis kernel in any number system, on a box centred at the origin.
 //!
 //! By the separating axis theorem a triangle and a box are disjoint exactly if
 //! their projections on one of 13 axes are: the box's three face normals

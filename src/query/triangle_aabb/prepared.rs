@@ -97,7 +97,7 @@ impl<S: Scalar> PreparedTriangle<S> {
             Apart::Yes => false,
             Apart::No => true,
             // Of a copy: a box just made stays in registers.
-            Apart::ByRounding(_) | Apart::UnlessByGap | Apart::Unknown => {
+            Apart::UnlessByRounding | Apart::UnlessByGap | Apart::Unknown => {
                 ask_the_triangle(&self.triangle, *aabb)
             }
         }

@@ -57,10 +57,10 @@ pub(super) fn pair<S: Scalar + InFloat<F>, F: Float>(
         Apart::Yes => Some(true),
         Apart::No => Some(false),
         Apart::Unknown => None,
-        Apart::ByRounding(apart) => {
+        Apart::UnlessByRounding => {
             // A copy, for the reason that `overlaps` gives.
             let copy = *aabb;
-            is_on_grid::<S, F>(triangle, &copy).then_some(apart)
+            is_on_grid::<S, F>(triangle, &copy).then_some(false)
         }
         Apart::UnlessByGap => match *aabb.form() {
             AabbForm::Center { center, half } => {
@@ -113,7 +113,7 @@ fn row<S: InFloat<Q::Lane>, Q: Quad>(v: &Vec3<S>) -> Q {
 }
 
 #[inline(always)]
-fn rows<S: Scalar + InFloat<Q::Lane>, Q: Quad>(triangle: &Triangle<S>) -> Rows<Q> {
+fn rows<S: Scalar + InFloat<Q::Lane>, Q: Quad<Lane: Float>>(triangle: &Triangle<S>) -> Rows<Q> {
     let [a, b, c] = triangle.vertices();
     let point = |v: &Vec3<S>| [v.x.in_float(), v.y.in_float(), v.z.in_float()];
     Rows::new([point(a), point(b), point(c)])
@@ -124,15 +124,15 @@ fn rows<S: Scalar + InFloat<Q::Lane>, Q: Quad>(triangle: &Triangle<S>) -> Rows<Q
 pub(super) enum Apart {
     Yes,
     No,
-    /// That is what floats say, and they are right if nothing was rounded.
-    ByRounding(bool),
+    /// No, if nothing was rounded.
+    UnlessByRounding,
     /// No, if a gap of zero is one indeed and not a rounded one.
     UnlessByGap,
-    /// The shapes are too great or too small to say.
+    /// Floats cannot say.
     Unknown,
 }
 
-impl<Q: Quad> Rows<Q> {
+impl<Q: Quad<Lane: Float>> Rows<Q> {
     #[inline(always)]
     pub(super) fn new([[px, py, pz], [qx, qy, qz], [rx, ry, rz]]: [[Q::Lane; 3]; 3]) -> Self {
         // Four at a time, as they lie in memory; the last has no one behind it.
@@ -242,8 +242,11 @@ impl<Q: Quad> Rows<Q> {
             doubt |= (may_separate(0) | may_separate(1) | may_separate(2)) & THREE != 0;
         }
         if doubt {
-            let separates = most.exceeds(Q::splat(Q::Lane::ZERO)) & THREE != 0;
-            Apart::ByRounding(separates | (beyond_plane > Q::Lane::ZERO))
+            let seems_apart =
+                most.exceeds(Q::splat(Q::Lane::ZERO)) & THREE != 0 || beyond_plane > Q::Lane::ZERO;
+            // "Yes" would be as sure on a grid, but not every machine has this kernel, and
+            // `may_overlap` is the same on all.
+            if seems_apart { Apart::Unknown } else { Apart::UnlessByRounding }
         } else if meets {
             Apart::No
         } else {
@@ -307,7 +310,7 @@ fn size<Q: Quad>(half: Q, extent: Q) -> Q::Lane {
 }
 
 #[inline(always)]
-fn half_of<Q: Quad>(x: Q) -> Q {
+fn half_of<Q: Quad<Lane: Float>>(x: Q) -> Q {
     x * Q::splat(Q::Lane::HALF)
 }
 
