@@ -8,6 +8,7 @@ mod checks;
 mod random;
 mod scalars;
 mod shapes;
+mod told;
 
 pub use checks::{
     closed_mesh, constructors, lanes, plane_aabb, ray_aabb, ray_triangle, segment_aabb,

@@ -5,8 +5,9 @@ use std::str::FromStr;
 
 use septum::Feature;
 
-use crate::scalars::{Check, run, told};
+use crate::scalars::{Check, run};
 use crate::shapes::Shapes;
+use crate::told::told;
 use septum_kit::rays::crossing;
 use septum_kit::{Case, Rng, Sample, is_collinear, meets};
 

@@ -1,7 +1,5 @@
 //! Which scalar an input is about.
 
-use std::fmt::Debug;
-
 use fixed::types::extra::{U0, U1, U4, U7, U8, U15, U16, U30, U31, U32, U63, U64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
@@ -63,20 +61,4 @@ impl<C: Check> FixedCheck for InFixedPoint<C> {
     fn check<S: Sample + FixedPoint>(shapes: &mut Shapes<'_, S>) {
         C::check(shapes);
     }
-}
-
-/// The scalar and the case, with all digits: so a message can be made a test. Floats print
-/// as many as they need, fixed-point numbers only if told so.
-pub(crate) fn told<S: Sample>(case: &impl Debug) -> String {
-    if is_float::<S>() {
-        format!("{}: {case:?}", S::name())
-    } else {
-        format!("{}: {case:.20?}", S::name())
-    }
-}
-
-/// Whether the scalar is a float.
-pub(crate) fn is_float<S: Sample>() -> bool {
-    // In fixed point all numbers have one exponent.
-    S::GREATEST.mantissa_exponent().1 != S::ZERO.mantissa_exponent().1
 }

@@ -6,7 +6,7 @@
 use septum::Ray;
 
 use crate::bytes::Bytes;
-use crate::scalars::is_float;
+use crate::told::is_float;
 use septum_kit::lines::{Line, LineBox};
 use septum_kit::rays::RayCase;
 use septum_kit::{BoxNumbers, Sample};

@@ -3,8 +3,9 @@
 use dashu_int::IBig;
 use septum::{Facing, Ray, Triangle};
 
-use crate::scalars::{Check, run, told};
+use crate::scalars::{Check, run};
 use crate::shapes::{Point, Shapes};
+use crate::told::told;
 use septum_kit::{Ring, Sample};
 
 /// `hit_once` on the faces of a tetrahedron or an octahedron, however flat or crossed:

@@ -7,8 +7,9 @@ use septum::{Aabb, Obb, Plane, Ray, Segment, ShapeError, Triangle, Vec3};
 
 use super::triangle_obb::axes;
 use crate::bytes::Bytes;
-use crate::scalars::{FixedCheck, run_fixed, told};
+use crate::scalars::{FixedCheck, run_fixed};
 use crate::shapes::{Point, Shapes};
+use crate::told::told;
 use septum_kit::{Ring, Sample};
 
 /// Every constructor, by numbers that need not be finite.

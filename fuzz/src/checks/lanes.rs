@@ -2,8 +2,9 @@
 
 use septum::{Aabb, Cull, Ray, Triangle};
 
-use crate::scalars::{Check, run, told};
+use crate::scalars::{Check, run};
 use crate::shapes::{Shapes, magnitude};
+use crate::told::told;
 use septum_kit::{Lanes, Sample};
 
 /// Every method on lanes, in one lane, three and eight. With `SHOW` in the environment the

@@ -2,8 +2,9 @@
 
 use septum::Side;
 
-use crate::scalars::{Check, run, told};
+use crate::scalars::{Check, run};
 use crate::shapes::Shapes;
+use crate::told::told;
 use septum_kit::{Given, Sample, side};
 
 /// `side_of` and `overlaps`.

@@ -1,7 +1,9 @@
 //! Ray against axis-aligned box: verdicts, t of entry and exit, prepared rays.
 
-use crate::scalars::{Check, is_float, run, told};
+use crate::scalars::{Check, run};
 use crate::shapes::Shapes;
+use crate::told::is_float;
+use crate::told::told;
 use septum::prepared::PreparedRay;
 use septum::published;
 use septum::published::slabs::SlabRay;

@@ -5,8 +5,10 @@ use septum::published::stored_normal::NormalTriangle;
 use septum::{Cull, HitRules};
 
 use super::once::counts_once;
-use crate::scalars::{Check, is_float, run, told};
+use crate::scalars::{Check, run};
 use crate::shapes::Shapes;
+use crate::told::is_float;
+use crate::told::told;
 use septum_kit::Sample;
 use septum_kit::rays::{Fraction, Method, RayCase, crossing};
 

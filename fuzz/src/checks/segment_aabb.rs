@@ -1,7 +1,8 @@
 //! Segment against axis-aligned box.
 
-use crate::scalars::{Check, run, told};
+use crate::scalars::{Check, run};
 use crate::shapes::Shapes;
+use crate::told::told;
 use septum::published;
 use septum_kit::Sample;
 use septum_kit::lines::{Line, LineBox};

@@ -4,8 +4,9 @@
 use septum::Axis;
 use septum::published;
 
-use crate::scalars::{Check, run, told};
+use crate::scalars::{Check, run};
 use crate::shapes::Shapes;
+use crate::told::told;
 use septum_kit::{Case, GROUP_ORDERS, Sample, is_collinear, meets, separates};
 
 /// `overlaps`, `may_overlap`, `separating_axis`, `is_separated_by`, `is_degenerate`; and

@@ -3,8 +3,9 @@
 use septum::published;
 use septum::{Obb, Vec3};
 
-use crate::scalars::{Check, run, told};
+use crate::scalars::{Check, run};
 use crate::shapes::{Point, Shapes, magnitude};
+use crate::told::told;
 use septum_kit::{Oriented, Sample};
 
 /// `overlaps` and `may_overlap`; and that the rounded method comes to an end.

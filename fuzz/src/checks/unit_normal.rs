@@ -5,8 +5,9 @@ use septum::interop::FixedPoint;
 use septum::{Triangle, Vec3};
 
 use crate::bytes::Bytes;
-use crate::scalars::{FixedCheck, run_fixed, told};
+use crate::scalars::{FixedCheck, run_fixed};
 use crate::shapes::Shapes;
+use crate::told::told;
 use septum_kit::{Points, Sample, compare_with_unit, is_nearest_to_unit, normal_of};
 
 /// `unit_normal`, `unit_normal`, `unit_normal_fast`.

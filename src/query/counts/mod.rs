@@ -15,7 +15,7 @@ use std::string::String;
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 
 use crate::arithmetic::{REGISTERS_ARE_WIDE, SMALL_CODE};
-use crate::prepared::PreparedRay;
+use crate::query::PreparedRay;
 use crate::robust::escalations;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb, Plane, Ray, Segment, Triangle};

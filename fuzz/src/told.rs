@@ -1,0 +1,21 @@
+//! How a case is told.
+
+use std::fmt::Debug;
+
+use septum_kit::Sample;
+
+/// The scalar and the case, with all digits: so a message can be made a test. Floats print
+/// as many as they need, fixed-point numbers only if told so.
+pub(crate) fn told<S: Sample>(case: &impl Debug) -> String {
+    if is_float::<S>() {
+        format!("{}: {case:?}", S::name())
+    } else {
+        format!("{}: {case:.20?}", S::name())
+    }
+}
+
+/// Whether the scalar is a float.
+pub(crate) fn is_float<S: Sample>() -> bool {
+    // In fixed point all numbers have one exponent.
+    S::GREATEST.mantissa_exponent().1 != S::ZERO.mantissa_exponent().1
+}
