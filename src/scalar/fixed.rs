@@ -160,7 +160,8 @@ fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
     p: &P,
 ) -> P::Answer {
     if REGISTERS_ARE_WIDE {
-        if P::HAS_VOLUMES {
+        // Where vectors come first, what is left is far out or in contact.
+        if P::HAS_VOLUMES && !(P::IN_QUADS && FixedI32::<Frac>::IN_QUADS) {
             stage::<_, Int16, _>(p, middling)
         } else {
             stage::<_, Int32, _>(p, integer_stage)
