@@ -1,9 +1,10 @@
 //! The crossing in `f64` in two parts: for numbers good to the last place, and signs in
 //! doubt.
 
+use super::Feature;
 use super::crossing::{Crossing, ErrorBound, Setting, Sizes};
 use super::error_bound::{REFINED, REFINED_UNIT};
-use super::{Crosses, Feature};
+use super::question::Crosses;
 use crate::arithmetic::{Embeds, FAR, Filtered, Number, Split, Two, short_areas, two_difference};
 use crate::scalar::Scalar;
 
