@@ -53,13 +53,37 @@ impl<L: 'static, R: 'static> Course<L, R> {
         promise: Promise,
         test: fn(&L, &R) -> A,
     ) -> Candidate {
-        let answers = self.pairs.answers(test);
+        let pairs = Rc::clone(&self.pairs);
+        let run = Box::new(move || pairs.count(test));
+        self.judged(who, promise, self.pairs.answers(test), run)
+    }
+
+    /// A test that is inlined, of shapes on the left that are made for it once for all on the
+    /// right, while the clock runs.
+    pub fn candidate_made<P: 'static>(
+        &self,
+        who: &str,
+        promise: Promise,
+        make: impl Fn(&L) -> P + Copy + 'static,
+        test: impl Fn(&P, &R) -> bool + Copy + 'static,
+    ) -> Candidate {
+        let pairs = Rc::clone(&self.pairs);
+        let run = Box::new(move || pairs.count_made(make, test));
+        self.judged(who, promise, self.pairs.answers(|l, r| test(&make(l), r)), run)
+    }
+
+    fn judged(
+        &self,
+        who: &str,
+        promise: Promise,
+        answers: Vec<bool>,
+        run: Box<dyn Fn() -> usize>,
+    ) -> Candidate {
         assert_eq!(answers.len(), self.truth.len(), "{who} answered another question");
         let differ = |said: bool| {
             let wrong = |(a, t): &(&bool, &bool)| **a == said && **t != said;
             answers.iter().zip(&*self.truth).filter(wrong).count()
         };
-        let pairs = Rc::clone(&self.pairs);
         Candidate {
             who: who.into(),
             scalar: self.scalar,
@@ -69,7 +93,7 @@ impl<L: 'static, R: 'static> Course<L, R> {
             false_disjoint: differ(false),
             false_overlap: differ(true),
             answers,
-            run: Box::new(move || pairs.count(test)),
+            run,
             promise,
         }
     }

@@ -54,6 +54,19 @@ impl<L, R> Pairs<L, R> {
         count
     }
 
+    /// The number of pairs that the test says yes to, as a program of its own would ask: the
+    /// test inlined, and of each shape on the left first made what the test takes.
+    pub fn count_made<P>(&self, make: impl Fn(&L) -> P, test: impl Fn(&P, &R) -> bool) -> usize {
+        let mut count = 0;
+        for (left, span) in self.left.iter().zip(&self.spans) {
+            let made = make(left);
+            for right in &self.right[span.clone()] {
+                count += usize::from(test(&made, right));
+            }
+        }
+        count
+    }
+
     /// Each answer, in order.
     pub fn answers<A: Answer>(&self, test: impl Fn(&L, &R) -> A) -> Vec<bool> {
         let mut answers = Vec::with_capacity(self.len());

@@ -57,7 +57,7 @@ impl Form {
 
 /// Coordinates are rounded here, before anything is asked or timed.
 impl<S: Scalar> Unit<S> {
-    fn point(&self, p: Point) -> [S; 3] {
+    pub fn point(&self, p: Point) -> [S; 3] {
         p.map(|x| (self.near)(x * self.scale))
     }
 

@@ -1,5 +1,6 @@
 //! Triangle against box; the yardstick is the test as published in 2001.
 
+mod mesh;
 mod ours;
 mod peers;
 pub(crate) mod scenes;
@@ -47,6 +48,19 @@ pub(crate) fn groups() -> Vec<Group<Scene>> {
 }
 
 pub fn run(session: &mut Session) {
+    session.measure(
+        "triangle/box: teapot in 128 voxels",
+        mesh::teapot,
+        mesh::yardstick,
+        &mesh::groups(),
+    );
+    session.measure(
+        "triangle/box: fine sphere in 128 voxels",
+        mesh::sphere,
+        mesh::yardstick,
+        &mesh::groups(),
+    );
+
     let all = groups();
     session.measure("triangle/box: Voorhies", scenes::voorhies, yardstick, &all);
     session.measure("triangle/box: Voxel", scenes::voxel, yardstick, &all);

@@ -81,7 +81,7 @@ pub fn spread() -> Scene {
     Scene::all_against(triangles, vec![UNIT_CUBE])
 }
 
-fn bounding_box(triangle: &[Point; 3]) -> (Point, Point) {
+pub fn bounding_box(triangle: &[Point; 3]) -> (Point, Point) {
     let fold = |f: fn(f64, f64) -> f64| {
         let [a, b, c] = triangle;
         std::array::from_fn(|i| f(f(a[i], b[i]), c[i]))
