@@ -160,8 +160,7 @@ fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
     p: &P,
 ) -> P::Answer {
     if REGISTERS_ARE_WIDE {
-        // Where vectors come first, what is left is far out or in contact.
-        if P::HAS_VOLUMES && !(P::IN_QUADS && FixedI32::<Frac>::IN_QUADS) {
+        if has_short_stage::<Frac, P>() {
             stage::<_, Int16, _>(p, middling)
         } else {
             stage::<_, Int32, _>(p, integer_stage)
@@ -173,6 +172,14 @@ fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
             narrow_stage::<_, i64, _>(p, |p| stage::<_, Int32, _>(p, exact_stage))
         })
     }
+}
+
+/// Whether integers for 18 bits are worth a stage: not where those for 28 cost no more, nor
+/// after vectors, which leave what is far out or in contact.
+#[inline(always)]
+const fn has_short_stage<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>()
+-> bool {
+    P::HAS_VOLUMES && !(P::IN_QUADS && FixedI32::<Frac>::IN_QUADS)
 }
 
 #[inline(never)]
@@ -190,8 +197,9 @@ fn without_sums<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Fra
 ) -> Option<P::Answer> {
     if REGISTERS_ARE_WIDE {
         let near = FixedI32::<Frac>::in_quads(p);
+        let is_short = has_short_stage::<Frac, P>();
         let near =
-            near.or_else(|| if P::HAS_VOLUMES { p.filter::<Int16>() } else { p.filter::<Int32>() });
+            near.or_else(|| if is_short { p.filter::<Int16>() } else { p.filter::<Int32>() });
         return near.or_else(|| far_without_sums(p));
     }
     let near = if SMALL_CODE { None } else { p.narrow::<i32>() };
@@ -205,6 +213,6 @@ fn without_sums<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Fra
 fn far_without_sums<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
     p: &P,
 ) -> Option<P::Answer> {
-    let middling = if P::HAS_VOLUMES { p.filter::<Int32>() } else { None };
+    let middling = if has_short_stage::<Frac, P>() { p.filter::<Int32>() } else { None };
     middling.or_else(|| p.filter::<Int64>())
 }

@@ -51,8 +51,8 @@ impl<S: Scalar> Ray<S> {
     /// multiplications: a hit has better numbers than products of `f64` have. On
     /// 32-bit cores a hit costs more than a miss: on a Cortex-M4F 40 times as much in
     /// `f32`, whose t, u and v need `f64` (`docs/target.csv`). A ray through an edge,
-    /// exactly, goes to integers unless the coordinates are short. Choose it unless you measured that you
-    /// cannot pay for it; [`is_hit`](Self::is_hit) saves the divisions, and
+    /// exactly, goes to integers unless the coordinates are short. Choose it unless you
+    /// measured that you cannot pay for it; [`is_hit`](Self::is_hit) saves the divisions, and
     /// [`lanes::Triangles`](crate::lanes::Triangles) asks about several triangles at once.
     ///
     /// *Source*: Möller and Trumbore 1997; the sign test, the error bound and the

@@ -119,20 +119,20 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Triangle<S> {
     /// *Range*: all finite floats, all fixed-point values. The first stage serves
     /// floats while the two shapes together span between 2⁻³² and 2⁴⁰ (`f32`) or
     /// 2⁻³²⁰ and 2³²⁰ (`f64`), and fixed point while coordinates are below 2¹⁸ (32
-    /// bits; 2²⁴ with vectors) or 2⁶⁰ (64 bits) units in the last place; 8 and 16 bits always. Outside,
-    /// and for floats within rounding of contact, wider numbers take over: 32 bits take
-    /// wider integers; floats and 64 bits at last take exact sums, up to a thousand times
-    /// slower.
+    /// bits; 2²⁴ with vectors) or 2⁶⁰ (64 bits) units in the last place; 8 and 16 bits
+    /// always. Outside, and for floats within rounding of contact, wider numbers take
+    /// over: 32 bits take wider integers; floats and 64 bits at last take exact sums, up
+    /// to a thousand times slower.
     ///
     /// *Panics*: never.
     ///
     /// *Cost*: 21 comparisons; if no face separates, 48 multiplications and no
     /// division, with vectors three at a time. Floats that come within rounding of contact
     /// take it again in wider numbers, but not along a face or on a grid. Many boxes: see
-    /// [`PreparedTriangle`](crate::prepared::PreparedTriangle). Fixed point on 32-bit cores has a kernel of its own, with 30
-    /// multiplications, for shapes within 2¹⁸ units of the box (2²⁹ where the core
-    /// multiplies words in full); `docs/target.csv` in the repository has its
-    /// instructions and stack, and `docs/flash.csv` its size.
+    /// [`PreparedTriangle`](crate::prepared::PreparedTriangle). Fixed point on 32-bit
+    /// cores has a kernel of its own, with 30 multiplications, for shapes within 2¹⁸ units
+    /// of the box (2²⁹ where the core multiplies words in full); `docs/target.csv` in the
+    /// repository has its instructions and stack, and `docs/flash.csv` its size.
     ///
     /// *Source*: Akenine-Möller 2001; the shared normal, the rows, the error bound and the
     /// exact stages are ours.

@@ -6,7 +6,7 @@
 //! axes of an edge.
 
 use super::error_bound::error_bound;
-use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, greatest};
+use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, greatest, two_difference};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
@@ -83,12 +83,7 @@ fn by_center<S: Scalar + InFloat<F>, F: Float>(
     hz: S,
 ) -> Apart {
     let (center, half) = (row(&Vec3::new(cx, cy, cz)), row(&Vec3::new(hx, hy, hz)));
-    let all = rows::<S, F::Quad>(triangle);
-    if all.are_within(S::LIMIT, center, half) {
-        all.apart_by_center(center, half)
-    } else {
-        Apart::Unknown
-    }
+    rows::<S, F::Quad>(triangle).apart_by_center(S::LIMIT, center, half)
 }
 
 #[allow(clippy::too_many_arguments)] // each in a register
@@ -103,8 +98,7 @@ fn by_corners<S: Scalar + InFloat<F>, F: Float>(
     bz: S,
 ) -> Apart {
     let (min, max) = (row(&Vec3::new(ax, ay, az)), row(&Vec3::new(bx, by, bz)));
-    let all = rows::<S, F::Quad>(triangle);
-    if all.are_within(S::LIMIT, min, max) { all.apart_by_corners(min, max) } else { Apart::Unknown }
+    rows::<S, F::Quad>(triangle).apart_by_corners(S::LIMIT, min, max)
 }
 
 #[inline(always)]
@@ -156,7 +150,7 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
 
     /// Whether none of the coordinates was rounded when it became a float.
     #[inline(always)]
-    pub(super) fn are_within(&self, limit: Option<Q::Lane>, p: Q, q: Q) -> bool {
+    fn are_within(&self, limit: Option<Q::Lane>, p: Q, q: Q) -> bool {
         let Some(limit) = limit else { return true };
         let most = self.low.magnitude().greatest(self.high.magnitude());
         let most = most.greatest(p.magnitude()).greatest(q.magnitude());
@@ -164,9 +158,12 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
     }
 
     /// Whether an axis separates the triangle from the box with this centre and these
-    /// half-extents, if that is certain.
+    /// half-extents, if that is certain. From `limit` on a coordinate may have been rounded.
     #[inline(always)]
-    pub(super) fn apart_by_center(&self, center: Q, half: Q) -> Apart {
+    pub(super) fn apart_by_center(&self, limit: Option<Q::Lane>, center: Q, half: Q) -> Apart {
+        if !self.are_within(limit, center, half) {
+            return Apart::Unknown;
+        }
         let (low, high) = (self.low - center, self.high - center);
         let minus = Q::splat(Q::Lane::ZERO) - half;
         if (low.exceeds(half) | minus.exceeds(high)) & THREE != 0 {
@@ -181,7 +178,10 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
 
     /// The same for the box with these corners.
     #[inline(always)]
-    pub(super) fn apart_by_corners(&self, min: Q, max: Q) -> Apart {
+    pub(super) fn apart_by_corners(&self, limit: Option<Q::Lane>, min: Q, max: Q) -> Apart {
+        if !self.are_within(limit, min, max) {
+            return Apart::Unknown;
+        }
         if (self.low.exceeds(max) | min.exceeds(self.high)) & THREE != 0 {
             return Apart::Yes;
         }
@@ -266,16 +266,12 @@ fn gaps_are_exact<S: Scalar + InFloat<F>, F: Float>(
 ) -> bool {
     let (all, half) = (rows::<S, F::Quad>(triangle), row::<S, F::Quad>(half));
     let center = row::<S, F::Quad>(center);
-    // What a difference lost, exactly: Knuth's sum of two.
-    let is_rounded = |a: F::Quad, difference: F::Quad| {
-        let b = a - difference;
-        let lost = (a - (difference + b)) + (b - center);
-        lost.magnitude().exceeds(F::Quad::splat(F::ZERO))
-    };
-    let (low, high) = (all.low - center, all.high - center);
-    let minus = F::Quad::splat(F::ZERO) - half;
-    let (above, below) = (half.exceeds(low), high.exceeds(minus));
-    (is_rounded(all.low, low) & !above | is_rounded(all.high, high) & !below) & THREE == 0
+    let zero = F::Quad::splat(F::ZERO);
+    let ([low, low_lost], [high, high_lost]) =
+        (two_difference(all.low, center), two_difference(all.high, center));
+    let is_rounded = |lost: F::Quad| lost.magnitude().exceeds(zero);
+    let (above, below) = (half.exceeds(low), high.exceeds(zero - half));
+    (is_rounded(low_lost) & !above | is_rounded(high_lost) & !below) & THREE == 0
 }
 
 /// Whether these coordinates are whole multiples of so great a unit that no sum of
