@@ -127,6 +127,7 @@ mod query;
 mod arithmetic;
 pub mod interop;
 pub mod lanes;
+pub mod mesh;
 pub mod prepared;
 pub mod published;
 mod robust;

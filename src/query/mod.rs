@@ -16,6 +16,7 @@ mod either_order;
 mod plane_aabb;
 mod point_aabb;
 mod point_obb;
+mod point_triangle;
 mod segment_aabb;
 
 mod ray_aabb;
@@ -32,6 +33,7 @@ mod line_aabb;
 #[cfg(feature = "libm")]
 pub(crate) use normal::direction;
 pub use plane_aabb::Side;
+pub(crate) use point_triangle::crossing;
 pub use ray_aabb::PreparedRay;
 pub(crate) use ray_triangle::{Candidate, clear_hit, clear_refined_hit};
 pub use ray_triangle::{Cull, Facing, Feature, Hit, HitRules};

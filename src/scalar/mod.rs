@@ -7,6 +7,7 @@ mod fixed;
 #[cfg(feature = "fixed")]
 mod fixed_point;
 mod float;
+mod grid;
 #[cfg(feature = "defmt")]
 mod logged;
 
@@ -42,6 +43,7 @@ impl<S> Logged for S {}
 pub trait Scalar:
     Backend
     + axes::Axes
+    + grid::Gridded
     + Logged
     + Copy
     + PartialOrd

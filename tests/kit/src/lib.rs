@@ -8,6 +8,7 @@
 //! | plane and box | [`side`] | |
 //! | line and box | [`lines::LineBox::clip`] | [`lines::LineSet`] |
 //! | ray and triangle | [`rays::crossing`] | [`rays::RaySet`], [`rays::Scene`] |
+//! | point and mesh | [`rays::winding`] | |
 //! | unit normals | [`is_nearest_to_unit`] | |
 //! | lanes | [`Lanes::check`]: one by one | |
 //!
