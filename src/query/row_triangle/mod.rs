@@ -1,0 +1,142 @@
+//! Row against triangle: whether the half-line from a point along the first axis goes through
+//! the triangle, each crossing of a closed mesh counted once.
+//!
+//! The half-line is seen from its end: there the triangle lies in the plane of the other
+//! two axes, and the point is in it or not. A point on an edge or a vertex belongs to one of
+//! the triangles there, as if it were moved by (·, ε, ε²): one displacement for all
+//! triangles, hence consistent. What is in doubt is the sign of an area. The sign of a volume
+//! is asked for only where the triangle reaches from before the point to behind it.
+
+use core::cmp::Ordering;
+
+use super::orientation::{ExactPoints, Points, from, sides, sign, size};
+use crate::arithmetic::{Arithmetic, Embeds, Number};
+use crate::robust::Predicate;
+use crate::scalar::Scalar;
+use crate::shape::Triangle;
+
+/// How the half-line from `p` along the first axis crosses a triangle that does not contain
+/// `p`: 1 against the triangle's normal turned round, which is from inside a mesh with normals
+/// outward, −1 along with it, 0 not at all.
+#[inline]
+pub(crate) fn crossing<S: Scalar>(p: [S; 3], triangle: &Triangle<S>) -> i32 {
+    let points = triangle.points();
+    let [a, b, c] = &points;
+    let [px, py, pz] = p;
+    let above = |q: &[S; 3]| q[2] > pz;
+    // Nearly all triangles of a column are left out here.
+    if (above(a) == above(b)) & (above(b) == above(c)) {
+        return 0;
+    }
+    if (a[1] <= py) & (b[1] <= py) & (c[1] <= py) | (a[1] > py) & (b[1] > py) & (c[1] > py) {
+        return 0;
+    }
+    let (is_behind, is_ahead) =
+        ((a[0] < px) & (b[0] < px) & (c[0] < px), (a[0] > px) & (b[0] > px) & (c[0] > px));
+    if is_behind {
+        return 0;
+    }
+    let mut turns = 0;
+    for [u, v] in [[a, b], [b, c], [c, a]] {
+        let rises = above(v);
+        if above(u) == rises || !is_before(py, p, u, v) {
+            continue;
+        }
+        turns += if rises { 1 } else { -1 };
+    }
+    if turns == 0 || is_ahead {
+        return turns;
+    }
+    // The plane is met ahead if the volume has the sign of the normal's first component.
+    let volume = S::evaluate(&Volume { p, points });
+    if (volume.0 == Ordering::Greater) == (turns > 0) { turns } else { 0 }
+}
+
+/// Whether the point lies before the edge from `u` to `v`, along the second axis and on the
+/// point's level of the third, which the edge crosses.
+#[inline(always)]
+fn is_before<S: Scalar>(py: S, p: [S; 3], u: &[S; 3], v: &[S; 3]) -> bool {
+    if (u[1] <= py) & (v[1] <= py) {
+        return false;
+    }
+    if (u[1] > py) & (v[1] > py) {
+        return true;
+    }
+    let turn = S::evaluate(&Turn { p, u: *u, v: *v });
+    turn.0 == if v[2] > u[2] { Ordering::Greater } else { Ordering::Less }
+}
+
+/// A sign, as an answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sign(Ordering);
+
+impl Default for Sign {
+    fn default() -> Self {
+        Self(Ordering::Equal)
+    }
+}
+
+/// Roundoffs in the area, per sum of the sizes of its two products.
+///
+/// Each is the product of two differences: 2 roundings for these, 1 for the product, and 1 for
+/// the last difference, of at most |a| + |b|. In all 4; the others are for second orders and
+/// for the roundings of the bound. What underflow takes is below the least normal number, which
+/// is added. Proved in `area.g`.
+const TURN: u16 = 6;
+
+/// The question on which side of the edge from `u` to `v` the point is, by the second and the
+/// third coordinate: the sign of (v − u) × (p − u).
+struct Turn<S> {
+    p: [S; 3],
+    u: [S; 3],
+    v: [S; 3],
+}
+
+impl<S: Scalar> Predicate<S> for Turn<S> {
+    type Answer = Sign;
+    const HAS_VOLUMES: bool = false;
+
+    #[inline(always)]
+    fn filter<N: Embeds<S>>(&self) -> Option<Sign> {
+        let [p, u, v] = N::embed(&[self.p, self.u, self.v])?;
+        let a = N::area(v[1] - u[1], p[2] - u[2]);
+        let b = N::area(v[2] - u[2], p[1] - u[1]);
+        let error = (a.magnitude() + b.magnitude()).error(TURN) + N::Area::UNDERFLOW;
+        settled::<N>(sign(a - b, error))
+    }
+
+    fn exact(&self) -> Sign {
+        let points = [self.u, self.v, self.p];
+        Sign(ExactPoints::new(&points, &points).area(0, [0, 1, 2]))
+    }
+}
+
+/// The question on which side of a triangle the point is: the sign of n·(a − p), with n the
+/// normal of a, b and c.
+struct Volume<S> {
+    p: [S; 3],
+    points: [[S; 3]; 3],
+}
+
+impl<S: Scalar> Predicate<S> for Volume<S> {
+    type Answer = Sign;
+
+    #[inline(always)]
+    fn filter<N: Embeds<S>>(&self) -> Option<Sign> {
+        let [a, b, c] = self.points;
+        let [a, b, c, p] = N::embed(&[a, b, c, self.p])?;
+        let (e, f, to_a) = (from::<N>(&b, &a), from::<N>(&c, &a), [from::<N>(&a, &p)]);
+        let [sign] = sides::<N, 1>([&e, &f], &to_a, size::<N, 1>(&to_a))?;
+        settled::<N>(sign)
+    }
+
+    fn exact(&self) -> Sign {
+        Sign(ExactPoints::new(&[self.p; 3], &self.points).volume([3, 4, 5, 0]).reverse())
+    }
+}
+
+/// The sign, unless it is zero by doubt.
+#[inline(always)]
+fn settled<N: Arithmetic>(sign: i8) -> Option<Sign> {
+    if sign != 0 || N::CERTAIN { Some(Sign(sign.cmp(&0))) } else { None }
+}
