@@ -33,6 +33,9 @@ mod sealed {
 
         /// Whether [`may_meet`](Self::may_meet) is worth the question.
         const IS_NARROW: bool = false;
+
+        /// Whether a triangle is dearer to ask about than the box between the corners.
+        const IS_DEAR: bool = false;
     }
 }
 
@@ -47,6 +50,8 @@ impl<S: Scalar> sealed::Bounded<S> for Aabb<S> {
 }
 
 impl<S: Scalar> sealed::Bounded<S> for Obb<S> {
+    const IS_DEAR: bool = true;
+
     fn corners(&self) -> Option<[[S; 3]; 2]> {
         let (min, max) = self.aabb()?.min_max()?;
         Some([min.to_array(), max.to_array()])
@@ -101,9 +106,12 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     ///
     /// See [`Tree`] for an example.
     pub fn overlapping<'t, P: Probe<S>>(&'t self, shape: &'t P) -> Overlapping<'t, 'a, S, I, P> {
-        let cell = shape.corners().map_or(Cell::ALL, |corners| self.grid.cell(corners));
+        let corners = shape.corners();
+        let cell = corners.map_or(Cell::ALL, |corners| self.grid.cell(corners));
         let walk = Walk::new(self.nodes, |root| self.mask(root, &cell, shape));
-        Overlapping { tree: self, shape, cell, walk, leaf: 0..0 }
+        let bounds = corners.filter(|_| P::IS_DEAR);
+        let bounds = bounds.map(|[min, max]| Aabb::between(min.into(), max.into()));
+        Overlapping { tree: self, shape, bounds, cell, walk, leaf: 0..0 }
     }
 
     #[inline(always)]
@@ -126,6 +134,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
 pub struct Overlapping<'t, 'a, S: Scalar, I, P> {
     tree: &'t Tree<'a, S, I>,
     shape: &'t P,
+    bounds: Option<Aabb<S>>,
     cell: Cell,
     walk: Walk,
     leaf: Range<usize>,
@@ -135,11 +144,13 @@ impl<S: Scalar, I: Index, P: Probe<S>> Iterator for Overlapping<'_, '_, S, I, P>
     type Item = usize;
 
     fn next(&mut self) -> Option<usize> {
-        let Self { tree, shape, cell, .. } = *self;
+        let Self { tree, shape, bounds, cell, .. } = *self;
         loop {
             for place in self.leaf.by_ref() {
                 let i = tree.index(place);
-                if shape.overlaps(&tree.mesh.known(i)) {
+                let triangle = tree.mesh.known(i);
+                let is_near = bounds.is_none_or(|bounds| triangle.may_overlap(&bounds));
+                if is_near && shape.overlaps(&triangle) {
                     return Some(i);
                 }
             }
