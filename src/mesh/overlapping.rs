@@ -109,9 +109,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
         let corners = shape.corners();
         let cell = corners.map_or(Cell::ALL, |corners| self.grid.cell(corners));
         let walk = Walk::new(self.nodes, |root| self.mask(root, &cell, shape));
-        let bounds = corners.filter(|_| P::IS_DEAR);
-        let bounds = bounds.map(|[min, max]| Aabb::between(min.into(), max.into()));
-        Overlapping { tree: self, shape, bounds, cell, walk, leaf: 0..0 }
+        Overlapping { tree: self, shape, corners, cell, walk, leaf: 0..0 }
     }
 
     #[inline(always)]
@@ -134,7 +132,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
 pub struct Overlapping<'t, 'a, S: Scalar, I, P> {
     tree: &'t Tree<'a, S, I>,
     shape: &'t P,
-    bounds: Option<Aabb<S>>,
+    corners: Option<[[S; 3]; 2]>,
     cell: Cell,
     walk: Walk,
     leaf: Range<usize>,
@@ -144,12 +142,12 @@ impl<S: Scalar, I: Index, P: Probe<S>> Iterator for Overlapping<'_, '_, S, I, P>
     type Item = usize;
 
     fn next(&mut self) -> Option<usize> {
-        let Self { tree, shape, bounds, cell, .. } = *self;
+        let Self { tree, shape, corners, cell, .. } = *self;
         loop {
             for place in self.leaf.by_ref() {
                 let i = tree.index(place);
                 let triangle = tree.mesh.known(i);
-                let is_near = bounds.is_none_or(|bounds| triangle.may_overlap(&bounds));
+                let is_near = corners.is_none_or(|corners| is_near::<S, P>(&corners, &triangle));
                 if is_near && shape.overlaps(&triangle) {
                     return Some(i);
                 }
@@ -158,4 +156,17 @@ impl<S: Scalar, I: Index, P: Probe<S>> Iterator for Overlapping<'_, '_, S, I, P>
             self.leaf = self.walk.next(tree.nodes, &tree.layout, mask)?;
         }
     }
+}
+
+/// Whether a triangle may meet a shape within the box between these corners.
+#[inline(always)]
+fn is_near<S: Scalar, P: Probe<S>>([min, max]: &[[S; 3]; 2], triangle: &Triangle<S>) -> bool {
+    let [a, b, c] = triangle.vertices().map(Vec3::to_array);
+    for i in 0..3 {
+        let is_below = (a[i] < min[i]) & (b[i] < min[i]) & (c[i] < min[i]);
+        if is_below | (a[i] > max[i]) & (b[i] > max[i]) & (c[i] > max[i]) {
+            return false;
+        }
+    }
+    !P::IS_DEAR || triangle.may_overlap(&Aabb::between((*min).into(), (*max).into()))
 }
