@@ -41,13 +41,15 @@
 //! | --- | --- | --- |
 //! | triangle, axis-aligned box | [`overlaps`][triangle-aabb] | [`may_overlap`][triangle-aabb] |
 //! | triangle, oriented box | [`overlaps`][triangle-obb] | [`may_overlap`][triangle-obb] |
+//! | triangle, triangle | [`overlaps`][triangle-triangle] | [`may_overlap`][triangle-triangle] |
+//! | segment, triangle | [`overlaps`][segment-triangle] | [`may_overlap`][segment-triangle] |
 //! | box, box | [`overlaps`][aabb-aabb] | the same |
 //! | plane, box | [`overlaps`][plane-aabb], [`side_of`](Plane::side_of) | the same |
 //! | segment, box | [`overlaps`][segment-aabb] | [`may_overlap`][segment-aabb] |
 //! | ray, box | [`overlaps`][ray-aabb], [`t_range`](Ray::t_range) | [`may_overlap`][ray-aabb] |
 //! | triangle, many boxes | [`PreparedTriangle::overlaps`](prepared::PreparedTriangle::overlaps) | |
 //! | ray, many boxes | [`PreparedRay::overlaps`](prepared::PreparedRay::overlaps) | [`SlabRay::may_overlap`](published::slabs::SlabRay::may_overlap) |
-//! | point, box | [`Aabb::contains`], [`Obb::contains`] | |
+//! | point, box or triangle | [`Aabb::contains`], [`Obb::contains`], [`Triangle::contains`] | |
 //! | ray, triangle | [`hit`](Ray::hit), [`is_hit`](Ray::is_hit), [`hit_once`](Ray::hit_once), [`hit_with`](Ray::hit_with); [`compare_hits`](Ray::compare_hits) | |
 //! | ray, many triangles | [`lanes::Triangles::hit`] | |
 //! | the axis that separates | [`separating_axis`](Triangle::separating_axis), [`is_separated_by`](Triangle::is_separated_by) | |
@@ -56,6 +58,8 @@
 //!
 //! [triangle-aabb]: Triangle#impl-Overlaps<Aabb<S>>-for-Triangle<S>
 //! [triangle-obb]: Triangle#impl-Overlaps<Obb<S>>-for-Triangle<S>
+//! [triangle-triangle]: Triangle#impl-Overlaps<Triangle<S>>-for-Triangle<S>
+//! [segment-triangle]: Segment#impl-Overlaps<Triangle<S>>-for-Segment<S>
 //! [aabb-aabb]: Aabb#impl-Overlaps<Aabb<S>>-for-Aabb<S>
 //! [plane-aabb]: Plane#impl-Overlaps<Aabb<S>>-for-Plane<S>
 //! [segment-aabb]: Segment#impl-Overlaps<Aabb<S>>-for-Segment<S>

@@ -1,6 +1,7 @@
-//! Questions about small pairs: boxes with boxes and points, and two hits of one ray.
+//! Questions about small pairs: boxes with boxes and points, a triangle with triangles,
+//! segments and points, and two hits of one ray.
 
-use septum::{Aabb, Axis, Obb, Ray, Triangle, Vec3};
+use septum::{Aabb, Axis, Obb, Ray, Segment, Triangle, Vec3};
 
 use super::super::draw::Draw;
 use super::answers::Answers;
@@ -36,6 +37,33 @@ pub(super) fn boxes<S: Draw, A: Answers>(
     }
     for axis in Axis::ALL {
         answers.to(Query::AxisVector).vector(Some(axis.vector(triangle)));
+    }
+}
+
+/// The triangle with others, some of which share a vertex or an edge with it; with segments,
+/// one of which lies in its plane; and with points.
+#[inline(never)]
+pub(super) fn flats<S: Draw, A: Answers>(
+    triangle: &Triangle<S>,
+    segments: &[Option<Segment<S>>; 2],
+    [p, q, d]: [Vec3<S>; 3],
+    answers: &mut A,
+) {
+    let [a, b, c] = *triangle.vertices();
+    let middle =
+        |a: Vec3<S>, b: Vec3<S>| Vec3::new(a.x.middle(b.x), a.y.middle(b.y), a.z.middle(b.z));
+    for [x, y, z] in [[p, q, d], [p, q, middle(a, b)], [p, b, a], [c, q, q], [middle(b, c), p, a]] {
+        let Ok(other) = Triangle::new(x, y, z) else { continue };
+        answers.to(Query::TriangleTriangle).yes(triangle.overlaps(&other));
+        answers.to(Query::TriangleTriangleMay).yes(triangle.may_overlap(&other));
+    }
+    let ends = [(p, middle(a, b)), (middle(a, b), c), (p, q)].map(|(x, y)| Segment::new(x, y).ok());
+    for segment in ends.iter().chain(segments).flatten() {
+        answers.to(Query::SegmentTriangle).yes(segment.overlaps(triangle));
+        answers.to(Query::SegmentTriangleMay).yes(segment.may_overlap(triangle));
+    }
+    for point in [a, middle(a, b), middle(middle(a, b), c), p] {
+        answers.to(Query::TriangleContains).yes(triangle.contains(point));
     }
 }
 

@@ -73,4 +73,9 @@ queries! {
     RayCompareHits = "ray compare_hits",
     RayAabbPrepared = "ray/aabb prepared",
     TriangleAabbPrepared = "triangle/aabb prepared",
+    TriangleTriangle = "triangle/triangle overlaps",
+    TriangleTriangleMay = "triangle/triangle may_overlap",
+    SegmentTriangle = "segment/triangle overlaps",
+    SegmentTriangleMay = "segment/triangle may_overlap",
+    TriangleContains = "triangle contains",
 }

@@ -94,6 +94,7 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, asks_more: bool) {
     accepted.yes(ray.is_some());
     added::shapes(&triangle, aabbs, &segments, answers);
     pairs::boxes(&triangle, aabbs, obb.as_ref(), answers);
+    pairs::flats(&triangle, &segments, [p, q, d], answers);
     if let Some(ray) = &ray {
         added::crossings(ray, &triangle, aabbs, answers);
         added::lanes(ray, &triangle, aabbs, answers);

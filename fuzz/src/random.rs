@@ -31,6 +31,7 @@ macro_rules! random_bytes {
 random_bytes! {
     triangle_aabb: 20_000,
     triangle_obb: 20_000,
+    flat_shapes: 20_000,
     plane_aabb: 20_000,
     ray_triangle: 20_000,
     closed_mesh: 20_000,

@@ -30,4 +30,5 @@ reversed! {
     Aabb with Segment;
     Aabb with Ray;
     Obb with Triangle;
+    Triangle with Segment;
 }

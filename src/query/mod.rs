@@ -4,19 +4,23 @@
 //! their docs. Beside it are the kernel, the error bound with its derivation, and the exact
 //! stage; a pair whose kernel is short has them in fewer files. What two pairs share is
 //! here: `exact_aabb` and `exact_triangle`, shapes taken apart for exact sums; `line_aabb`,
-//! the slabs of rays and segments; `either_order`, the same questions with the arguments
-//! in the other order. `counts`, in unit tests, says how often questions escalate.
+//! the slabs of rays and segments; `orientation`, the signs of volumes, for triangles, segments
+//! and points against triangles; `either_order`, the same questions with the arguments in the
+//! other order. `counts`, in unit tests, says how often questions escalate.
 
 // In the order in which the pages of the shapes show them.
 mod triangle_aabb;
 mod triangle_obb;
+mod triangle_triangle;
 
 mod aabb_aabb;
 mod either_order;
 mod plane_aabb;
 mod point_aabb;
 mod point_obb;
+mod point_triangle;
 mod segment_aabb;
+mod segment_triangle;
 
 mod ray_aabb;
 mod ray_triangle;
@@ -28,6 +32,8 @@ mod counts;
 mod exact_aabb;
 mod exact_triangle;
 mod line_aabb;
+mod orientation;
+mod relation;
 
 #[cfg(feature = "libm")]
 pub(crate) use normal::direction;

@@ -58,7 +58,7 @@ impl<S: Scalar> Segment<S> {
     }
 }
 
-overlaps_methods!(Segment, "an [`Aabb`](crate::Aabb)");
+overlaps_methods!(Segment, "an [`Aabb`](crate::Aabb) or a [`Triangle`](crate::Triangle)");
 
 impl<S: Copy> Segment<S> {
     /// The two ends, if the segment was given so.

@@ -37,7 +37,10 @@ impl<S: Scalar> Triangle<S> {
     }
 }
 
-overlaps_methods!(Triangle, "an [`Aabb`](crate::Aabb) or an [`Obb`](crate::Obb)");
+overlaps_methods!(
+    Triangle,
+    "an [`Aabb`](crate::Aabb), an [`Obb`](crate::Obb), a triangle or a [`Segment`](crate::Segment)"
+);
 
 impl<S: Copy> Triangle<S> {
     /// The three vertices, in the order given.

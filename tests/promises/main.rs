@@ -19,7 +19,8 @@ mod axis_vector;
 mod conservative;
 mod witness;
 
-// Other shapes against boxes.
+// Other shapes against boxes, and flat shapes against triangles.
+mod flat_shapes;
 mod obb;
 mod oriented_boxes;
 mod plane;
@@ -39,6 +40,7 @@ mod watertight;
 
 // What other libraries' users met.
 mod published_cases;
+mod published_pairs;
 
 // Unit normals.
 mod unit_normal;

@@ -2,6 +2,7 @@
 
 mod closed_mesh;
 mod constructors;
+mod flat_shapes;
 mod lanes;
 mod once;
 mod plane_aabb;
@@ -14,6 +15,7 @@ mod unit_normal;
 
 pub use closed_mesh::closed_mesh;
 pub use constructors::constructors;
+pub use flat_shapes::flat_shapes;
 pub use lanes::lanes;
 pub use plane_aabb::plane_aabb;
 pub use ray_aabb::ray_aabb;

@@ -5,6 +5,7 @@
 //! | --- | --- | --- |
 //! | triangle and box | [`meets`], [`separates`], [`is_collinear`] | [`Set`], [`Touch`] |
 //! | triangle and oriented box | [`Oriented::meets`] | |
+//! | triangle, segment or point and triangle | [`flat::FlatCase::truth`] | [`flat::FlatSet`] |
 //! | plane and box | [`side`] | |
 //! | line and box | [`lines::LineBox::clip`] | [`lines::LineSet`] |
 //! | ray and triangle | [`rays::crossing`] | [`rays::RaySet`], [`rays::Scene`] |
@@ -16,6 +17,7 @@
 
 mod case;
 mod exact;
+pub mod flat;
 mod flip;
 mod grid;
 #[cfg(feature = "jobs")]

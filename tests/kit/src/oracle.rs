@@ -50,9 +50,16 @@ impl Lattice {
 
 /// A corner of what is left, and the line of the side to the next corner.
 #[derive(Clone)]
-struct Corner<I> {
-    point: [I; 3],
+pub(crate) struct Corner<I> {
+    pub(crate) point: [I; 3],
     side: [I; 3],
+}
+
+/// The triangle before it is cut.
+pub(crate) fn uncut<I: Ring>() -> Vec<Corner<I>> {
+    let unit = |k: usize| core::array::from_fn(|i| I::from_bit(i == k));
+    // On the side from vertex k to the next, the third coordinate is zero.
+    [0, 1, 2].map(|k: usize| Corner { point: unit(k), side: unit((k + 2) % 3) }).into()
 }
 
 impl<I: Ring> Shapes<I> {
@@ -67,10 +74,7 @@ impl<I: Ring> Shapes<I> {
             return false;
         }
 
-        let unit = |k: usize| core::array::from_fn(|i| I::from_bit(i == k));
-        // On the side from vertex k to the next, the third coordinate is zero.
-        let corner = |k: usize| Corner { point: unit(k), side: unit((k + 2) % 3) };
-        let mut cycle = vec![corner(0), corner(1), corner(2)];
+        let mut cycle = uncut();
         for form in &spaces {
             cycle = clip(&cycle, form);
             if cycle.is_empty() {
@@ -93,7 +97,7 @@ impl<I: Ring> Shapes<I> {
 }
 
 /// What the half-space leaves of the cycle.
-fn clip<I: Ring>(cycle: &[Corner<I>], form: &[I; 3]) -> Vec<Corner<I>> {
+pub(crate) fn clip<I: Ring>(cycle: &[Corner<I>], form: &[I; 3]) -> Vec<Corner<I>> {
     let signs: Vec<i32> = cycle.iter().map(|c| I::dot(&c.point, form).sign()).collect();
     if signs.iter().all(|&sign| sign >= 0) {
         return cycle.to_vec();

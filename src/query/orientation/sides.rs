@@ -1,0 +1,70 @@
+//! Sides of planes in a number system, errors allowed for.
+
+use super::{cross, dot, error_bound};
+use crate::arithmetic::{Arithmetic, Number, greatest, largest};
+
+/// Three lengths.
+pub(crate) type Vector<N> = [<N as Arithmetic>::Length; 3];
+
+/// a − b.
+#[inline(always)]
+pub(crate) fn from<N: Arithmetic>(a: &Vector<N>, b: &Vector<N>) -> Vector<N> {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// The greatest magnitude in two vectors.
+#[inline(always)]
+pub(crate) fn larger<N: Arithmetic>(a: &Vector<N>, b: &Vector<N>) -> N::Length {
+    greatest(largest(a), largest(b))
+}
+
+/// The sign of a number that errs by up to `error`: zero in doubt.
+#[inline(always)]
+pub(crate) fn sign<T: Number>(x: T, error: T) -> i8 {
+    i8::from(x > error) - i8::from(x < -error)
+}
+
+/// On which sides of the plane spanned by two edges these vectors lead: zero in doubt, and
+/// where the number system is certain on the plane. `None` where the error is not known.
+#[inline(always)]
+pub(crate) fn sides<N: Arithmetic, const K: usize>(
+    [e, f]: [&Vector<N>; 2],
+    vectors: &[Vector<N>; K],
+    size: N::Length,
+) -> Option<[i8; K]> {
+    let edges = if N::CERTAIN { N::Length::ZERO } else { larger::<N>(e, f) };
+    let error = error_bound::<N>([edges, edges, size])?;
+    let n = cross::<N>(e, f);
+    let mut signs = [0; K];
+    for k in 0..K {
+        signs[k] = sign(dot::<N>(&n, &vectors[k]), error);
+    }
+    Some(signs)
+}
+
+/// The greatest magnitude in these vectors, where the number system has errors.
+#[inline(always)]
+pub(crate) fn size<N: Arithmetic, const K: usize>(vectors: &[Vector<N>; K]) -> N::Length {
+    let mut size = N::Length::ZERO;
+    if !N::CERTAIN {
+        for v in vectors {
+            size = greatest(size, largest(v));
+        }
+    }
+    size
+}
+
+/// Whether a coordinate separates these points from those.
+#[inline(never)]
+pub(crate) fn are_apart<T: PartialOrd>(some: &[[T; 3]], others: &[[T; 3]]) -> bool {
+    let all_below = |i: usize, some: &[[T; 3]], others: &[[T; 3]]| {
+        some.iter().all(|p| others.iter().all(|q| p[i] < q[i]))
+    };
+    (0..3).any(|i| all_below(i, some, others) || all_below(i, others, some))
+}
+
+/// Whether one of these points is one of those.
+#[inline(never)]
+pub(crate) fn share_a_point<T: PartialEq>(some: &[[T; 3]], others: &[[T; 3]]) -> bool {
+    some.iter().any(|p| others.contains(p))
+}

@@ -1,0 +1,53 @@
+//! Points in whole numbers, whose signs are certain.
+
+use core::cmp::Ordering;
+
+use super::Points;
+use crate::arithmetic::{Arithmetic, Number, turn};
+
+/// Six points in a number system that is certain.
+pub(crate) struct Whole<N: Arithmetic>(pub(crate) [[N::Length; 3]; 6]);
+
+impl<N: Arithmetic> Whole<N> {
+    fn difference(&self, a: usize, b: usize) -> [N::Length; 3] {
+        let (a, b) = (&self.0[a], &self.0[b]);
+        [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+    }
+}
+
+fn sign<T: Number>(x: T) -> Ordering {
+    x.partial_cmp(&T::ZERO).unwrap_or(Ordering::Equal)
+}
+
+impl<N: Arithmetic> Points for Whole<N> {
+    fn volume(&self, [a, b, c, d]: [usize; 4]) -> Ordering {
+        let [b, c, d] = [b, c, d].map(|x| self.difference(x, a));
+        sign(dot::<N>(&cross::<N>(&b, &c), &d))
+    }
+
+    fn area(&self, axis: usize, [a, b, c]: [usize; 3]) -> Ordering {
+        let (_, j, k) = turn(axis);
+        let [b, c] = [b, c].map(|x| self.difference(x, a));
+        sign(N::area(b[j], c[k]) - N::area(b[k], c[j]))
+    }
+
+    fn compare(&self, axis: usize, [a, b]: [usize; 2]) -> Ordering {
+        sign(self.0[a][axis] - self.0[b][axis])
+    }
+}
+
+/// a × b.
+#[inline(always)]
+pub(crate) fn cross<N: Arithmetic>(a: &[N::Length; 3], b: &[N::Length; 3]) -> [N::Area; 3] {
+    [
+        N::area(a[1], b[2]) - N::area(a[2], b[1]),
+        N::area(a[2], b[0]) - N::area(a[0], b[2]),
+        N::area(a[0], b[1]) - N::area(a[1], b[0]),
+    ]
+}
+
+/// a·b.
+#[inline(always)]
+pub(crate) fn dot<N: Arithmetic>(a: &[N::Area; 3], b: &[N::Length; 3]) -> N::Volume {
+    N::volume(a[0], b[0]) + N::volume(a[1], b[1]) + N::volume(a[2], b[2])
+}

@@ -1,0 +1,72 @@
+//! Point against triangle.
+
+use super::orientation::{ExactPoints, Whole, are_apart, from, relation, sides, size};
+use super::relation::Relation;
+use crate::arithmetic::Embeds;
+use crate::robust::Predicate;
+use crate::scalar::Scalar;
+use crate::shape::{Triangle, Vec3};
+
+/// The question, for the number systems to answer.
+struct Lies<'a, S> {
+    point: [S; 3],
+    triangle: &'a Triangle<S>,
+}
+
+impl<S: Scalar> Predicate<S> for Lies<'_, S> {
+    type Answer = Relation;
+
+    #[inline]
+    fn filter<N: Embeds<S>>(&self) -> Option<Relation> {
+        let [a, b, c] = self.triangle.points();
+        let [a, b, c, point] = N::embed(&[a, b, c, self.point])?;
+        let (e, f) = (from::<N>(&b, &a), from::<N>(&c, &a));
+        let to_point = [from::<N>(&point, &a)];
+        match sides::<N, 1>([&e, &f], &to_point, size::<N, 1>(&to_point))? {
+            [0] if N::CERTAIN => Some(relation(&Whole::<N>([point, point, point, a, b, c]))),
+            [0] => None,
+            _ => Some(Relation::Disjoint),
+        }
+    }
+
+    fn exact(&self) -> Relation {
+        relation(&ExactPoints::new(&[self.point; 3], &self.triangle.points()))
+    }
+}
+
+impl<S: Scalar> Triangle<S> {
+    /// Whether the triangle contains a point.
+    ///
+    /// *Geometry*: a closed set, which may be a segment or a point. A point with a coordinate
+    /// that is NaN or infinite is in no triangle.
+    ///
+    /// *Contact*: a point on an edge is in the triangle.
+    ///
+    /// *Numerics*: exact for every valid input, in every scalar. So most points that were
+    /// computed to lie in a triangle do not: they are rounded off its plane.
+    ///
+    /// *Range*: as of [two triangles](Triangle#impl-Overlaps<Triangle<S>>-for-Triangle<S>). In
+    /// floats a point in the plane takes integers or exact sums.
+    ///
+    /// *Panics*: never. *Cost*: 9 multiplications for a point off the plane.
+    ///
+    /// ```
+    /// use septum::Triangle;
+    ///
+    /// let t = Triangle::new([0.0_f32, 0.0, 0.0], [4.0, 0.0, 2.0], [0.0, 4.0, 2.0])?;
+    /// assert!(t.contains([1.0, 1.0, 1.0]));
+    /// assert!(t.contains([2.0, 2.0, 2.0])); // on an edge
+    /// assert!(!t.contains([1.0, 1.0, 1.0000001]));
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn contains(&self, point: impl Into<Vec3<S>>) -> bool {
+        let p = point.into();
+        let is_finite = p.x.is_finite() && p.y.is_finite() && p.z.is_finite();
+        let point = p.to_array();
+        is_finite
+            && !are_apart(&[point], &self.points())
+            && S::evaluate(&Lies { point, triangle: self }) != Relation::Disjoint
+    }
+}

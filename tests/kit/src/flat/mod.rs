@@ -1,0 +1,96 @@
+//! Triangles, segments and points against triangles: a case, and the oracle.
+
+mod grid;
+mod oracle;
+mod sets;
+
+pub use grid::every_pair_on_the_grid;
+pub use oracle::{Truth, truth_of_whole};
+pub use sets::FlatSet;
+
+use septum::{Segment, Triangle};
+
+use super::exact::Parts;
+use super::sample::Sample;
+
+pub type Point<S> = [S; 3];
+
+/// The shape that a triangle is asked about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Flat<S> {
+    Triangle([Point<S>; 3]),
+    /// A segment by its ends.
+    Ends([Point<S>; 2]),
+    /// A segment by its centre and half-vector.
+    Center(Point<S>, Point<S>),
+    Point(Point<S>),
+}
+
+impl<S: Copy> Flat<S> {
+    fn map<T>(self, f: impl Fn(S) -> T + Copy) -> Flat<T> {
+        match self {
+            Self::Triangle(t) => Flat::Triangle(t.map(|p| p.map(f))),
+            Self::Ends(ends) => Flat::Ends(ends.map(|p| p.map(f))),
+            Self::Center(c, h) => Flat::Center(c.map(f), h.map(f)),
+            Self::Point(p) => Flat::Point(p.map(f)),
+        }
+    }
+}
+
+/// A shape and a triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlatCase<S> {
+    pub flat: Flat<S>,
+    pub triangle: [Point<S>; 3],
+}
+
+impl<S: Sample> FlatCase<S> {
+    /// How the two lie to each other.
+    pub fn truth(&self) -> Truth {
+        let parts = S::mantissa_exponent;
+        let flat: Flat<Parts> = self.flat.map(parts);
+        oracle::truth(flat, self.triangle.map(|p| p.map(parts)))
+    }
+
+    /// What the crate says, to each question there is about the pair, which all have one
+    /// answer, in either order; and what `may_overlap` says.
+    pub fn answers(&self) -> (Vec<bool>, bool) {
+        let [a, b, c] = self.triangle;
+        let triangle = Triangle::new(a, b, c).expect("finite vertices");
+        match self.flat {
+            Flat::Triangle([a, b, c]) => {
+                let t = Triangle::new(a, b, c).expect("finite vertices");
+                (vec![t.overlaps(&triangle), triangle.overlaps(&t)], t.may_overlap(&triangle))
+            }
+            Flat::Ends([a, b]) => {
+                Self::of_segment(&Segment::new(a, b).expect("finite ends"), &triangle)
+            }
+            Flat::Center(c, h) => {
+                let segment = Segment::from_center_half_vector(c, h).expect("finite vectors");
+                Self::of_segment(&segment, &triangle)
+            }
+            Flat::Point(p) => {
+                let answer = triangle.contains(p);
+                (vec![answer], answer)
+            }
+        }
+    }
+
+    fn of_segment(segment: &Segment<S>, triangle: &Triangle<S>) -> (Vec<bool>, bool) {
+        let answers = vec![segment.overlaps(triangle), triangle.overlaps(segment)];
+        (answers, segment.may_overlap(triangle))
+    }
+
+    /// Checks all answers against the oracle, which it returns.
+    ///
+    /// # Panics
+    /// Where one is wrong.
+    pub fn check(&self) -> Truth {
+        let truth = self.truth();
+        let (answers, may) = self.answers();
+        let meets = truth != Truth::Apart;
+        assert!(answers.iter().all(|&answer| answer == meets), "{truth:?}, {answers:?}: {self:?}");
+        assert!(may || !meets, "may_overlap: {self:?}");
+        truth
+    }
+}

@@ -1,0 +1,146 @@
+//! The oracle: by clipping, where the crate looks at the signs of volumes.
+//!
+//! A triangle is what some half-spaces have in common: both sides of its plane, and one for
+//! each edge. A segment: both sides of its line in three directions, and one for each end. The
+//! other shape is cut by these, in barycentric coordinates: see `crate::oracle`. Their
+//! interiors meet if no coordinate and no half-space of an edge or end is zero in all corners
+//! of what is left: where none is, the middle of the corners is inside of both.
+
+use dashu_int::IBig;
+
+use crate::exact::{Parts, least_exponent, whole};
+use crate::lattice::Ring;
+use crate::oracle::{clip, uncut};
+
+use super::Flat;
+
+/// How two shapes lie to each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Truth {
+    Apart,
+    /// They have points in common, but what is inside of both, seen from their own plane or
+    /// line, has none.
+    Touching,
+    Overlapping,
+}
+
+/// Three points, some of which may be one.
+type Corners<I> = [[I; 3]; 3];
+
+/// All x with normal·(x − point) ≥ 0.
+struct HalfSpace<I> {
+    normal: [I; 3],
+    point: [I; 3],
+    /// Whether only one side of it is part of the shape: not if it bounds a plane or line.
+    is_edge: bool,
+}
+
+/// Coordinates of at most so many bits leave 128 room: differences have one more, normals
+/// below 2^(2b+3), those of edges 2^(3b+5), a form's values 2^(4b+7.6), corners 2^(8b+16.2),
+/// and the value of a form at one is below 2^(12b+25.4).
+const NARROW: u32 = 8;
+
+pub(super) fn truth(flat: Flat<Parts>, triangle: [[Parts; 3]; 3]) -> Truth {
+    let rows = match flat {
+        Flat::Triangle(t) => t,
+        Flat::Ends([a, b]) => [a, b, b],
+        Flat::Center(c, h) => [c, h, h],
+        Flat::Point(p) => [p; 3],
+    };
+    let all = [rows, triangle].concat();
+    let unit = least_exponent(all.as_flattened());
+    let number = |x: Parts| whole(x, unit);
+    let mut first = rows.map(|p| p.map(number));
+    if let Flat::Center(..) = flat {
+        let [c, h, _] = first;
+        let sum = [0, 1, 2].map(|i: usize| &c[i] + &h[i]);
+        first = [IBig::difference(&c, &h), sum.clone(), sum];
+    }
+    let second = triangle.map(|p| p.map(number));
+    // From one of the points, which is often near to all.
+    let origin = second[0].clone();
+    let from = |p: &[IBig; 3]| IBig::difference(p, &origin);
+    let (first, second) = (first.each_ref().map(from), second.each_ref().map(from));
+    let narrow = |p: &[IBig; 3]| -> Option<[i128; 3]> {
+        let [x, y, z] = p.each_ref().map(|x| i128::try_from(x).ok());
+        [x?, y?, z?].into_iter().all(|x| x.unsigned_abs() >> NARROW == 0).then_some([x?, y?, z?])
+    };
+    let all = |corners: &Corners<IBig>| -> Option<Corners<i128>> {
+        let [a, b, c] = corners;
+        Some([narrow(a)?, narrow(b)?, narrow(c)?])
+    };
+    match (all(&first), all(&second)) {
+        (Some(first), Some(second)) => truth_of_whole(&first, &second),
+        _ => truth_of_whole(&first, &second),
+    }
+}
+
+/// How two triangles in whole numbers lie to each other: in `i128` they must be below 2^8.
+pub fn truth_of_whole<I: Ring>(first: &Corners<I>, second: &Corners<I>) -> Truth {
+    let spaces = half_spaces(second);
+    let form = |space: &HalfSpace<I>| -> [I; 3] {
+        first.each_ref().map(|p| I::dot(&space.normal, &I::difference(p, &space.point)))
+    };
+    let forms: Vec<[I; 3]> = spaces.iter().map(form).collect();
+    // An early answer: a half-space that holds no vertex.
+    if forms.iter().any(|form| form.iter().all(|x| x.sign() < 0)) {
+        return Truth::Apart;
+    }
+    let mut cycle = uncut();
+    for form in &forms {
+        cycle = clip(&cycle, form);
+        if cycle.is_empty() {
+            return Truth::Apart;
+        }
+    }
+    let is_inside = |form: &[I; 3]| cycle.iter().any(|c| I::dot(&c.point, form).sign() > 0);
+    let coordinate = |k: usize| cycle.iter().any(|c| c.point[k].sign() > 0);
+    let edges = spaces.iter().zip(&forms).filter(|(space, _)| space.is_edge);
+    if (0..3).all(coordinate) && edges.into_iter().all(|(_, form)| is_inside(form)) {
+        Truth::Overlapping
+    } else {
+        Truth::Touching
+    }
+}
+
+fn negated<I: Ring>(v: &[I; 3]) -> [I; 3] {
+    let zero = [(); 3].map(|()| I::from_bit(false));
+    I::difference(&zero, v)
+}
+
+/// Both sides of a plane through `point`.
+fn both<I: Ring>(normal: [I; 3], point: &[I; 3]) -> [HalfSpace<I>; 2] {
+    [negated(&normal), normal].map(|normal| HalfSpace {
+        normal,
+        point: point.clone(),
+        is_edge: false,
+    })
+}
+
+fn half_spaces<I: Ring>(corners: &Corners<I>) -> Vec<HalfSpace<I>> {
+    let is_zero = |v: &[I; 3]| v.iter().all(|x| x.sign() == 0);
+    let unit = |k: usize| core::array::from_fn(|i| I::from_bit(i == k));
+    let edges = [0, 1, 2].map(|k: usize| I::difference(&corners[(k + 1) % 3], &corners[k]));
+    let normal = I::cross(&edges[0], &edges[1]);
+    if !is_zero(&normal) {
+        let mut spaces: Vec<_> = both(normal.clone(), &corners[0]).into();
+        spaces.extend((0..3).map(|k| HalfSpace {
+            normal: I::cross(&normal, &edges[k]),
+            point: corners[k].clone(),
+            is_edge: true,
+        }));
+        return spaces;
+    }
+    // The longest edge.
+    let length = |k: usize| I::dot(&edges[k], &edges[k]);
+    let longest = (1..3)
+        .fold(0, |k, other| if length(other).minus(&length(k)).sign() > 0 { other } else { k });
+    let (a, b, d) = (&corners[longest], &corners[(longest + 1) % 3], &edges[longest]);
+    if is_zero(d) {
+        return (0..3).flat_map(|k| both(unit(k), a)).collect();
+    }
+    let mut spaces: Vec<_> = (0..3).flat_map(|k| both(I::cross(d, &unit(k)), a)).collect();
+    let end = |normal, point: &[I; 3]| HalfSpace { normal, point: point.clone(), is_edge: true };
+    spaces.extend([end(d.clone(), a), end(negated(d), b)]);
+    spaces
+}

@@ -1,0 +1,131 @@
+//! Triangles, segments and points against triangles: exact.
+
+use septum::Triangle;
+use septum_kit::flat::{Flat, FlatCase, FlatSet, Truth, every_pair_on_the_grid};
+use septum_kit::{Rng, Sample, VERTEX_ORDERS, for_every_scalar};
+
+/// So many cases of each set.
+const CASES: usize = 1_500;
+
+/// All of the sets, and how many are apart, touch and overlap in each.
+fn agrees_with_the_oracle<S: Sample>() {
+    for set in FlatSet::ALL {
+        let mut rng = Rng::new(0xf1a7);
+        let mut seen = [0; 3];
+        for _ in 0..CASES {
+            seen[set.case::<S>(&mut rng).check() as usize] += 1;
+        }
+        // Contact is what these sets aim at.
+        if matches!(set, FlatSet::Grid | FlatSet::Plane | FlatSet::Touch) {
+            assert!(seen.iter().all(|&n| n > CASES / 100), "{set:?}: {seen:?}");
+        }
+    }
+}
+for_every_scalar!(agrees_with_the_oracle);
+
+/// Of a hundred times as many: `cargo test --release --test promises flat_shapes -- --ignored`.
+#[test]
+#[ignore = "takes minutes"]
+fn agrees_with_the_oracle_on_many() {
+    use septum_kit::fixed::types::{I4F4, I8F8, I16F16, I32F32};
+    fn many<S: Sample>() {
+        for set in FlatSet::ALL {
+            let mut rng = Rng::new(0x3a2);
+            let mut seen = [0; 3];
+            for _ in 0..200_000 {
+                seen[set.case::<S>(&mut rng).check() as usize] += 1;
+            }
+            println!("{:8} {set:?}: {seen:?}", S::name());
+        }
+    }
+    many::<f32>();
+    many::<f64>();
+    many::<I4F4>();
+    many::<I8F8>();
+    many::<I16F16>();
+    many::<I32F32>();
+}
+
+mod every_pair_on_a_grid {
+    use super::*;
+
+    /// Triangles, segments and points; 136 of 3,654 are enough on one side, by symmetry.
+    #[test]
+    fn f32() {
+        println!("{:?}", every_pair_on_the_grid::<f32>(false));
+    }
+
+    #[test]
+    fn i8f8() {
+        println!("{:?}", every_pair_on_the_grid::<septum_kit::fixed::types::I8F8>(false));
+    }
+
+    /// In all orders of vertices and triangles.
+    #[test]
+    #[ignore = "takes minutes"]
+    fn in_all_orders() {
+        println!("{:?}", every_pair_on_the_grid::<f32>(true));
+        println!("{:?}", every_pair_on_the_grid::<f64>(true));
+        println!("{:?}", every_pair_on_the_grid::<septum_kit::fixed::types::I8F8>(true));
+        println!("{:?}", every_pair_on_the_grid::<septum_kit::fixed::types::I32F32>(true));
+    }
+}
+
+/// The vertices in any order, and the triangles.
+fn orders_do_not_matter<S: Sample>() {
+    let mut rng = Rng::new(0x0def);
+    for n in 0..300 {
+        let set = [FlatSet::Touch, FlatSet::Plane, FlatSet::Grid][n % 3];
+        let case = set.case::<S>(&mut rng);
+        let Flat::Triangle(other) = case.flat else { continue };
+        let shape = |p: &[[S; 3]; 3], order: [usize; 3]| {
+            let [a, b, c] = order.map(|k| p[k]);
+            Triangle::new(a, b, c).unwrap()
+        };
+        let expected = case.truth() != Truth::Apart;
+        for i in VERTEX_ORDERS {
+            for k in VERTEX_ORDERS {
+                let (t, u) = (shape(&case.triangle, i), shape(&other, k));
+                assert_eq!(t.overlaps(&u), expected, "{t:?} {u:?}");
+                assert_eq!(u.overlaps(&t), expected, "{u:?} {t:?}");
+            }
+        }
+    }
+}
+for_every_scalar!(orders_do_not_matter);
+
+#[test]
+fn a_point_that_is_not_finite_is_in_no_triangle() {
+    let t = Triangle::new([-9.0_f32, -9.0, 0.0], [9.0, -9.0, 0.0], [0.0, 9.0, 0.0]).unwrap();
+    assert!(t.contains([0.0; 3]) && t.contains([-0.0; 3]));
+    for x in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        assert!(!t.contains([x, 0.0, 0.0]) && !t.contains([0.0, x, 0.0]));
+        assert!(!t.contains([0.0, 0.0, x]));
+    }
+}
+
+/// The oracle against cases that are plain to see.
+#[test]
+fn the_oracle_knows_what_is_plain() {
+    let triangle = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+    for (flat, expected) in [
+        (Flat::Point([1.0, 1.0, 0.0]), Truth::Overlapping),
+        (Flat::Point([2.0, 2.0, 0.0]), Truth::Touching),
+        (Flat::Point([2.0, 2.0000000000000004, 0.0]), Truth::Apart),
+        (Flat::Point([1.0, 1.0, 5e-324]), Truth::Apart),
+        (Flat::Ends([[1.0, 1.0, -1.0], [1.0, 1.0, 1.0]]), Truth::Overlapping),
+        (Flat::Ends([[1.0, 1.0, 0.0], [1.0, 1.0, 1.0]]), Truth::Touching),
+        (Flat::Ends([[1.0, 1.0, 0.0], [9.0, 9.0, 0.0]]), Truth::Overlapping),
+        (Flat::Ends([[0.0, -1.0, 0.0], [0.0, 9.0, 0.0]]), Truth::Touching),
+        (Flat::Center([0.0, -1.0, 0.0], [0.0, 1.0, 0.0]), Truth::Touching),
+        (Flat::Center([-1.0, -1.0, 0.0], [2.0, 2.0, 0.0]), Truth::Overlapping),
+        (Flat::Triangle(triangle), Truth::Overlapping),
+        (Flat::Triangle([[1.0, 1.0, 0.0], [1.0, 1.0, 1.0], [2.0, 1.0, 1.0]]), Truth::Touching),
+        (Flat::Triangle([[1.0, 1.0, -1.0], [1.0, 1.0, 1.0], [2.0, 1.0, 1.0]]), Truth::Overlapping),
+        (Flat::Triangle([[4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [4.0, 4.0, 0.0]]), Truth::Touching),
+        (Flat::Triangle([[4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [4.0, 4.0, 1.0]]), Truth::Touching),
+        (Flat::Triangle([[9.0, 9.0, 0.0], [5.0, 9.0, 0.0], [9.0, 5.0, 0.0]]), Truth::Apart),
+    ] {
+        assert_eq!(FlatCase { flat, triangle }.check(), expected, "{flat:?}");
+    }
+}
