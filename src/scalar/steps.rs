@@ -19,10 +19,10 @@ pub trait Steps: Copy {
     fn check_steps(origin: Self, step: Self, count: u32) -> Result<f64, StepsError>;
 
     /// One over the number, to the nearest.
-    fn reciprocal(self) -> f64;
+    fn reciprocal_in_double(self) -> f64;
 
     /// The number less another, to the nearest.
-    fn minus(self, other: Self) -> f64;
+    fn less_in_double(self, other: Self) -> f64;
 }
 
 /// Why there are no numbers at equal steps.
@@ -64,12 +64,12 @@ macro_rules! float {
             }
 
             #[inline(always)]
-            fn reciprocal(self) -> f64 {
+            fn reciprocal_in_double(self) -> f64 {
                 1.0 / f64::from(self)
             }
 
             #[inline(always)]
-            fn minus(self, other: Self) -> f64 {
+            fn less_in_double(self, other: Self) -> f64 {
                 f64::from(self) - f64::from(other)
             }
         }
@@ -109,12 +109,12 @@ macro_rules! fixed {
             }
 
             #[inline(always)]
-            fn reciprocal(self) -> f64 {
+            fn reciprocal_in_double(self) -> f64 {
                 1.0 / self.to_bits() as f64
             }
 
             #[inline(always)]
-            fn minus(self, other: Self) -> f64 {
+            fn less_in_double(self, other: Self) -> f64 {
                 let (a, b) = (i64::from(self.to_bits()), i64::from(other.to_bits()));
                 match a.checked_sub(b) {
                     Some(d) => d as f64,

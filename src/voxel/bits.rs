@@ -16,8 +16,13 @@ mod sealed {
     use core::ops::{BitAnd, BitOrAssign, BitXorAssign, Shl, Shr};
 
     pub trait Word:
-        Copy + BitAnd<Output = Self> + BitOrAssign + BitXorAssign + Shl<u32, Output = Self>
-        + Shr<u32, Output = Self> + PartialEq
+        Copy
+        + BitAnd<Output = Self>
+        + BitOrAssign
+        + BitXorAssign
+        + Shl<u32, Output = Self>
+        + Shr<u32, Output = Self>
+        + PartialEq
     {
         const BITS: u32;
         const ZERO: Self;

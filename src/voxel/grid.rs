@@ -78,7 +78,7 @@ impl<S: Scalar> Grid<S> {
             }
             deviation[i] = S::check_steps(from[i], step[i], resolution[i])?;
             if S::HAS_PLACES {
-                per_cell[i] = step[i].reciprocal();
+                per_cell[i] = step[i].reciprocal_in_double();
             }
         }
         Ok(Self { origin, cell, first: [0; 3], resolution, per_cell, deviation })
@@ -126,7 +126,7 @@ impl<S: Scalar> Grid<S> {
     #[inline(always)]
     pub(super) fn place(&self, axis: usize, x: S) -> f64 {
         let origin = self.origin.to_array()[axis];
-        x.minus(origin) * self.per_cell[axis] - f64::from(self.first[axis])
+        x.less_in_double(origin) * self.per_cell[axis] - f64::from(self.first[axis])
     }
 
     /// How far places up to `farthest` from the first plane may be from the truth, for

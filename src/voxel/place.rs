@@ -63,12 +63,7 @@ pub(super) fn locate(
 /// The same where floats are no help.
 #[cold]
 #[inline(never)]
-fn search(
-    doubt: Option<i32>,
-    low: Place,
-    high: Place,
-    plane: impl Fn(i32) -> Ordering,
-) -> Place {
+fn search(doubt: Option<i32>, low: Place, high: Place, plane: impl Fn(i32) -> Ordering) -> Place {
     let (mut from, mut to) = doubt.map_or((low.at, high.above), |k| (k, k + 1));
     // The planes before `from` are below X, those from `to` on are above it.
     while from < to {

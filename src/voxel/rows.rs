@@ -172,7 +172,8 @@ impl<S: Scalar> Rows<S> {
             }
             self.z = self.block[1];
         }
-        let span = if self.is_full { y } else { self.yz[(self.z - self.block[1]) as usize % BLOCK] };
+        let span =
+            if self.is_full { y } else { self.yz[(self.z - self.block[1]) as usize % BLOCK] };
         self.y = span.first.max(self.block[0]);
         self.y_end = span.last.min(y.last).min(self.block[0] + STEP - 1) + 1;
         true

@@ -7,9 +7,7 @@
 use core::cmp::Ordering;
 
 use crate::arithmetic::{Embeds, Number, Parts};
-use crate::robust::{
-    ExactSum, Linear, Predicate, Vector, add_area, add_determinant, difference,
-};
+use crate::robust::{ExactSum, Linear, Predicate, Vector, add_area, add_determinant, difference};
 use crate::scalar::Scalar;
 
 /// The sign of (b − a) × (p + q − 2a) in a plane: how b lies to the right of the way from a
