@@ -135,6 +135,7 @@ pub mod prepared;
 pub mod published;
 mod robust;
 mod scalar;
+pub mod voxel;
 
 pub use query::{Axis, Cull, Facing, Feature, Hit, HitRules, Side};
 pub use scalar::Scalar;

@@ -9,10 +9,12 @@ mod fixed_point;
 mod float;
 #[cfg(feature = "defmt")]
 mod logged;
+mod steps;
 
 pub use backend::{Backend, FloatFormat};
 #[cfg(feature = "fixed")]
 pub use fixed_point::FixedPoint;
+pub use steps::{Steps, StepsError};
 
 #[cfg(feature = "defmt")]
 pub use logged::Logged;
@@ -42,6 +44,7 @@ impl<S> Logged for S {}
 pub trait Scalar:
     Backend
     + axes::Axes
+    + Steps
     + Logged
     + Copy
     + PartialOrd

@@ -58,6 +58,7 @@ mod logging;
 
 // The main job and the other examples, as their users meet them.
 mod examples;
+mod voxel;
 mod voxelize;
 
 // The oracles themselves.

@@ -9,6 +9,7 @@
 //! | plane and box | [`side`] | |
 //! | line and box | [`lines::LineBox::clip`] | [`lines::LineSet`] |
 //! | ray and triangle | [`rays::crossing`] | [`rays::RaySet`], [`rays::Scene`] |
+//! | triangles in a grid | [`voxels::check`] | [`voxels::VoxelScene`] |
 //! | unit normals | [`is_nearest_to_unit`] | |
 //! | lanes | [`Lanes::check`]: one by one | |
 //!
@@ -36,6 +37,7 @@ mod rng;
 mod sample;
 mod sets;
 mod touch;
+pub mod voxels;
 
 pub use case::{BoxNumbers, Case};
 pub use exact::Parts;
