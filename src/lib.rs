@@ -131,6 +131,7 @@ mod query;
 mod arithmetic;
 pub mod interop;
 pub mod lanes;
+pub mod mesh;
 pub mod prepared;
 pub mod published;
 mod robust;

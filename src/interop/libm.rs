@@ -40,7 +40,7 @@ impl Triangle<f32> {
     pub fn unit_normal(&self) -> Option<Vec3<f32>> {
         let [a, b, c] = self.vertices();
         let wide = |p: &Vec3<f32>| Vec3::new(p.x.into(), p.y.into(), p.z.into());
-        let wide = Triangle::from_rounded([wide(a), wide(b), wide(c)]);
+        let wide = Triangle::unchecked([wide(a), wide(b), wide(c)]);
         // With up to 16 places cancelled, 5·2^16 roundoffs of an f64 are under a
         // thousandth of one of an f32.
         let [x, y, z] = unit(direction(&wide, 65536.0)?);

@@ -99,7 +99,7 @@ pub fn overlaps_obb<S: Scalar>(triangle: &Triangle<S>, obb: &Obb<S>) -> bool {
     };
     let [a, b, c] = triangle.points().map(into).map(Vec3::from);
     let aabb = Aabb::about_origin(obb.half_extents());
-    overlaps(&Triangle::from_rounded([a, b, c]), &aabb)
+    overlaps(&Triangle::unchecked([a, b, c]), &aabb)
 }
 
 /// The triangle with the box's centre at the origin; each method is one bullet

@@ -15,6 +15,7 @@ mod triangle_triangle;
 
 mod aabb_aabb;
 mod either_order;
+mod half_line_triangle;
 mod plane_aabb;
 mod point_aabb;
 mod point_obb;
@@ -35,6 +36,7 @@ mod line_aabb;
 mod orientation;
 mod relation;
 
+pub(crate) use half_line_triangle::crossing;
 #[cfg(feature = "libm")]
 pub(crate) use normal::direction;
 pub use plane_aabb::Side;

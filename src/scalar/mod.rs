@@ -7,6 +7,7 @@ mod fixed;
 #[cfg(feature = "fixed")]
 mod fixed_point;
 mod float;
+mod grid;
 #[cfg(feature = "defmt")]
 mod logged;
 mod steps;
@@ -45,6 +46,7 @@ pub trait Scalar:
     Backend
     + axes::Axes
     + Steps
+    + grid::Gridded
     + Logged
     + Copy
     + PartialOrd

@@ -69,6 +69,12 @@ impl<S: Scalar> Ray<S> {
         }
         Ok(Self { t_min, t_max, ..self })
     }
+
+    /// The same up to a number that is no NaN and not below `t_min`, or all but empty.
+    pub(crate) fn until(self, t_max: S) -> Self {
+        let is_after = self.t_min.is_none_or(|t_min| t_min <= t_max);
+        Self { t_max: if is_after { Some(t_max) } else { self.t_min }, ..self }
+    }
 }
 
 overlaps_methods!(Ray, "an [`Aabb`](crate::Aabb)");

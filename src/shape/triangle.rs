@@ -50,9 +50,9 @@ impl<S: Copy> Triangle<S> {
         &self.vertices
     }
 
-    /// A triangle on its way through a rounded method, which bears an infinity
-    /// where a sum overflowed.
-    pub(crate) const fn from_rounded(vertices: [Vec3<S>; 3]) -> Self {
+    /// A triangle whose vertices were checked before; or one on its way through a rounded
+    /// method, which bears an infinity where a sum overflowed.
+    pub(crate) const fn unchecked(vertices: [Vec3<S>; 3]) -> Self {
         Self { vertices }
     }
 

@@ -38,6 +38,9 @@ mod ray_triangle;
 mod rounded_rays;
 mod watertight;
 
+// Whole meshes: as all of their triangles, one by one.
+mod mesh;
+
 // What other libraries' users met.
 mod published_cases;
 mod published_pairs;

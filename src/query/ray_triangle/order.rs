@@ -37,8 +37,17 @@ impl<S: Scalar> Ray<S> {
     /// ```
     #[must_use]
     pub fn compare_hits(&self, a: &Triangle<S>, b: &Triangle<S>) -> Option<Ordering> {
-        let (t, s) = (self.hit(a)?.t, self.hit(b)?.t);
-        Some(in_clear_order(t, s).unwrap_or_else(|| self.compare_exactly(a, b)))
+        Some(self.compare_found((a, self.hit(a)?.t), (b, self.hit(b)?.t)))
+    }
+
+    /// The same of two triangles that it hits, with the t of each hit.
+    #[inline]
+    pub(crate) fn compare_found(
+        &self,
+        (a, t): (&Triangle<S>, S),
+        (b, s): (&Triangle<S>, S),
+    ) -> Ordering {
+        in_clear_order(t, s).unwrap_or_else(|| self.compare_exactly(a, b))
     }
 
     #[cold]

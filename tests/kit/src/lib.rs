@@ -10,6 +10,7 @@
 //! | line and box | [`lines::LineBox::clip`] | [`lines::LineSet`] |
 //! | ray and triangle | [`rays::crossing`] | [`rays::RaySet`], [`rays::Scene`] |
 //! | triangles in a grid | [`voxels::check`] | [`voxels::VoxelScene`] |
+//! | point and mesh | [`rays::winding`] | |
 //! | unit normals | [`is_nearest_to_unit`] | |
 //! | lanes | [`Lanes::check`]: one by one | |
 //!

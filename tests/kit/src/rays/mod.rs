@@ -9,6 +9,7 @@ mod method;
 mod oracle;
 mod sets;
 mod shots;
+mod winding;
 
 pub use case::RayCase;
 pub use fraction::Fraction;
@@ -18,3 +19,4 @@ pub use method::Method;
 pub use oracle::{Truth, crossing, crossing_wide};
 pub use sets::RaySet;
 pub use shots::{Aim, Count, Scene, Shot};
+pub use winding::winding;

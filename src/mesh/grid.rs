@@ -1,0 +1,86 @@
+//! The grid of a tree, in space.
+
+use super::node::Cell;
+use super::{Index, Mesh};
+use crate::arithmetic::{greatest, least};
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, Triangle, Vec3};
+
+/// A grid for each axis.
+pub(super) struct Grid<S: Scalar>(pub(super) [S::Steps; 3]);
+
+impl<S: Scalar> Clone for Grid<S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S: Scalar> Copy for Grid<S> {}
+
+impl<S: Scalar> core::fmt::Debug for Grid<S> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl<S: Scalar> Grid<S> {
+    /// The grid that encloses all triangles of a mesh.
+    pub(super) fn around<I: Index>(mesh: &Mesh<'_, S, I>) -> Self {
+        let mut bounds: Option<[[S; 3]; 2]> = None;
+        for triangle in mesh.iter() {
+            let [min, max] = corners(&triangle);
+            bounds = Some(bounds.map_or([min, max], |[low, high]| {
+                [join(low, min, least), join(high, max, greatest)]
+            }));
+        }
+        let [min, max] = bounds.unwrap_or([[S::ZERO; 3]; 2]);
+        Self([0, 1, 2].map(|i| S::steps(min[i], max[i])))
+    }
+
+    /// The least box of the grid around the box between two corners, as far as the grid goes:
+    /// it meets all boxes of the grid that enclose a point of that.
+    #[inline(always)]
+    pub(super) fn cell(&self, [min, max]: [[S; 3]; 2]) -> Cell {
+        let [x, y, z] = &self.0;
+        Cell {
+            low: [min[0].point_below(x), min[1].point_below(y), min[2].point_below(z)],
+            high: [max[0].point_above(x), max[1].point_above(y), max[2].point_above(z)],
+        }
+    }
+
+    /// A box of the grid, by its corners in space.
+    #[inline(always)]
+    pub(super) fn corners(&self, cell: &Cell) -> [[S; 3]; 2] {
+        let [x, y, z] = &self.0;
+        let at = |q: [u16; 3]| [S::point(x, q[0]), S::point(y, q[1]), S::point(z, q[2])];
+        [at(cell.low), at(cell.high)]
+    }
+
+    /// A number of steps along an axis, for comparison with those along another: in
+    /// logarithms, to 17 digits.
+    pub(super) fn size(&self, axis: usize, steps: u32) -> i64 {
+        let Some(log) = steps.checked_ilog2() else { return i64::MIN };
+        let digits = (u64::from(steps) << 32 >> log) as u32 >> 15;
+        let exponent = S::exponent(&self.0[axis % 3]) + log as i32;
+        i64::from(exponent) << 17 | i64::from(digits)
+    }
+
+    /// A box of the grid, in space.
+    #[inline(always)]
+    pub(super) fn aabb(&self, cell: &Cell) -> Aabb<S> {
+        let [min, max] = self.corners(cell);
+        Aabb::between(min.into(), max.into())
+    }
+}
+
+#[inline(always)]
+fn join<S: Scalar>(a: [S; 3], b: [S; 3], choose: fn(S, S) -> S) -> [S; 3] {
+    [choose(a[0], b[0]), choose(a[1], b[1]), choose(a[2], b[2])]
+}
+
+/// The corners of the least box around a triangle.
+#[inline(always)]
+pub(super) fn corners<S: Scalar>(triangle: &Triangle<S>) -> [[S; 3]; 2] {
+    let [a, b, c] = triangle.vertices().map(Vec3::to_array);
+    [least, greatest].map(|choose| join(join(a, b, choose), c, choose))
+}

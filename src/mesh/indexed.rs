@@ -1,0 +1,92 @@
+use super::{Index, MeshError};
+use crate::scalar::Scalar;
+use crate::shape::{Triangle, Vec3};
+
+/// Triangles by the indices of their vertices, in the caller's memory.
+///
+/// Every vertex is finite, and every index leads to one: the constructors check it. A
+/// triangle may be a segment or a point, and vertices may coincide or be used by none.
+///
+/// A mesh is two slices, and copied as such.
+///
+/// ```
+/// use septum::Vec3;
+/// use septum::mesh::{Mesh, MeshError};
+///
+/// let vertices = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Vec3::from);
+/// let mesh = Mesh::new(&vertices, &[[0_u16, 1, 2]])?;
+/// assert_eq!(mesh.triangle(0).unwrap().vertices(), &vertices);
+///
+/// let bad = Mesh::new(&vertices, &[[0_u16, 1, 2], [0, 1, 3]]);
+/// assert_eq!(bad, Err(MeshError::NoSuchVertex { triangle: 1 }));
+/// # Ok::<(), MeshError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mesh<'a, S, I> {
+    pub(super) vertices: &'a [Vec3<S>],
+    pub(super) triangles: &'a [[I; 3]],
+}
+
+impl<'a, S: Scalar, I: Index> Mesh<'a, S, I> {
+    /// The mesh of these vertices and triangles.
+    ///
+    /// # Errors
+    /// [`MeshError::NotFinite`], [`MeshError::NoSuchVertex`], and
+    /// [`MeshError::TooManyTriangles`] where `I` cannot number them.
+    pub fn new(vertices: &'a [Vec3<S>], triangles: &'a [[I; 3]]) -> Result<Self, MeshError> {
+        let is_finite = |v: &Vec3<S>| v.x.is_finite() && v.y.is_finite() && v.z.is_finite();
+        if let Some(vertex) = vertices.iter().position(|v| !is_finite(v)) {
+            return Err(MeshError::NotFinite { vertex });
+        }
+        let is_there = |t: &[I; 3]| t.iter().all(|i| i.get() < vertices.len());
+        if let Some(triangle) = triangles.iter().position(|t| !is_there(t)) {
+            return Err(MeshError::NoSuchVertex { triangle });
+        }
+        if triangles.len() as u64 > I::COUNT {
+            return Err(MeshError::TooManyTriangles);
+        }
+        Ok(Self { vertices, triangles })
+    }
+
+    /// The triangle of this index, if there is one.
+    #[inline]
+    #[must_use]
+    pub fn triangle(&self, i: usize) -> Option<Triangle<S>> {
+        self.triangles.get(i).map(|corners| self.at(corners))
+    }
+
+    /// All triangles, in order.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = Triangle<S>> + 'a {
+        let this = *self;
+        self.triangles.iter().map(move |corners| this.at(corners))
+    }
+
+    #[inline(always)]
+    fn at(&self, corners: &[I; 3]) -> Triangle<S> {
+        // There is always a vertex; to say so links no panic.
+        let vertex = |i: I| self.vertices.get(i.get()).copied().unwrap_or(Vec3::splat(S::ZERO));
+        Triangle::unchecked([vertex(corners[0]), vertex(corners[1]), vertex(corners[2])])
+    }
+
+    /// The triangle of an index that there is.
+    #[inline(always)]
+    pub(super) fn known(&self, i: usize) -> Triangle<S> {
+        self.triangle(i).unwrap_or(Triangle::unchecked([Vec3::splat(S::ZERO); 3]))
+    }
+}
+
+impl<'a, S, I> Mesh<'a, S, I> {
+    /// The vertices.
+    #[inline]
+    #[must_use]
+    pub const fn vertices(&self) -> &'a [Vec3<S>] {
+        self.vertices
+    }
+
+    /// The triangles, by the indices of their vertices.
+    #[inline]
+    #[must_use]
+    pub const fn triangles(&self) -> &'a [[I; 3]] {
+        self.triangles
+    }
+}

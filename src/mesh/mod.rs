@@ -1,0 +1,50 @@
+//! Whole meshes: triangles in the caller's memory, or in flash, and a tree over them.
+//!
+//! A [`Mesh`] is a slice of vertices and one of triangles, by indices of 16 or 32 bits. A
+//! [`Tree`] answers about all of its triangles, exactly as asking each would: which of them a
+//! box overlaps, where a ray hits first, whether a closed mesh contains a point, which pairs
+//! of two meshes meet. It needs no allocator: 48 bytes for twelve triangles, and an index for
+//! each, or only the former if the table was made before.
+//!
+//! ```
+//! use septum::Vec3;
+//! use septum::mesh::{Mesh, Node, Tree};
+//!
+//! // An octahedron.
+//! let corners = [
+//!     [1.0_f32, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0],
+//!     [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0],
+//! ].map(Vec3::from);
+//! let faces: [[u16; 3]; 8] = [
+//!     [0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5],
+//! ];
+//! let mesh = Mesh::new(&corners, &faces)?;
+//! mesh.check_closed(&mut [[0; 2]; 24])?;
+//!
+//! let (mut nodes, mut order) = ([Node::EMPTY; Node::count_for(8)], [0; 8]);
+//! let tree = Tree::build(mesh, &mut nodes, &mut order)?;
+//! assert!(tree.contains([0.25, 0.25, 0.5])); // on a face
+//! assert!(!tree.contains([0.25, 0.25, 0.50000006])); // one unit in the last place off
+//! # Ok::<(), septum::mesh::MeshError>(())
+//! ```
+
+mod closed;
+mod descent;
+mod error;
+mod grid;
+mod index;
+mod indexed;
+mod inside;
+mod node;
+mod overlapping;
+mod ray;
+mod tree;
+mod walk;
+
+pub use error::MeshError;
+pub use index::Index;
+pub use indexed::Mesh;
+pub use node::Node;
+pub use overlapping::{Overlapping, Probe};
+pub use ray::Hits;
+pub use tree::Tree;

@@ -1,0 +1,210 @@
+//! The nodes of a tree, and their order in memory.
+
+use core::ops::Range;
+
+/// Triangles in a leaf, but for the last.
+pub(super) const LEAF: usize = 4;
+
+/// How deep a tree can be: 2³² triangles have 2³⁰ leaves, in 15 steps of four.
+pub(super) const LEVELS: usize = 16;
+
+/// A node of a tree: four boxes, on the tree's grid.
+///
+/// It is 48 bytes. Where its children are follows from where it is, so that there is no link
+/// in it, and none that could be broken.
+///
+/// ```
+/// use septum::mesh::Node;
+///
+/// static mut TREE: [Node; Node::count_for(968)] = [Node::EMPTY; Node::count_for(968)];
+/// assert_eq!(Node::count_for(968) * size_of::<Node>(), 3_888);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(transparent)]
+pub struct Node(pub(super) [[u16; 4]; 6]);
+
+impl Node {
+    /// A node without children, to fill a slice that a tree is built into.
+    pub const EMPTY: Self =
+        Self([[u16::MAX; 4], [u16::MAX; 4], [u16::MAX; 4], [0; 4], [0; 4], [0; 4]]);
+
+    /// How many nodes the tree over so many triangles has: about one for twelve.
+    #[must_use]
+    pub const fn count_for(triangles: usize) -> usize {
+        let leaves = triangles.div_ceil(LEAF);
+        match leaves {
+            0 => 0,
+            1 => 1,
+            // A node more makes three leaves more, for it takes the place of one.
+            _ => (leaves - 1).div_ceil(3),
+        }
+    }
+
+    /// A node from its bits, for a table in flash: for each of x, y and z the least
+    /// coordinates of the four boxes, and then for each the greatest.
+    #[must_use]
+    pub const fn from_bits(bits: [[u16; 4]; 6]) -> Self {
+        Self(bits)
+    }
+
+    /// The bits of the node, for [`from_bits`](Self::from_bits).
+    #[must_use]
+    pub const fn to_bits(self) -> [[u16; 4]; 6] {
+        self.0
+    }
+
+    /// Box `k`.
+    #[inline(always)]
+    pub(super) fn cell(&self, k: usize) -> Cell {
+        let [a, b, c, d, e, f] = &self.0;
+        let k = k % 4;
+        Cell { low: [a[k], b[k], c[k]], high: [d[k], e[k], f[k]] }
+    }
+
+    pub(super) fn set(&mut self, k: usize, cell: Cell) {
+        let k = k % 4;
+        for i in 0..3 {
+            self.0[i][k] = cell.low[i];
+            self.0[3 + i][k] = cell.high[i];
+        }
+    }
+
+    /// The boxes that meet this one: bit k is that of box k.
+    #[inline(always)]
+    pub(super) fn meeting(&self, cell: &Cell) -> u32 {
+        let mut meet = [true; 4];
+        for i in 0..3 {
+            for k in 0..4 {
+                meet[k] &= (self.0[i][k] <= cell.high[i]) & (self.0[3 + i][k] >= cell.low[i]);
+            }
+        }
+        let [a, b, c, d] = meet.map(u32::from);
+        a | b << 1 | c << 2 | d << 3
+    }
+}
+
+/// A box on the grid, both ends included.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Cell {
+    pub(super) low: [u16; 3],
+    pub(super) high: [u16; 3],
+}
+
+impl Cell {
+    /// No point of the grid.
+    pub(super) const NOTHING: Self = Self { low: [u16::MAX; 3], high: [0; 3] };
+    /// All of them.
+    pub(super) const ALL: Self = Self { low: [0; 3], high: [u16::MAX; 3] };
+
+    /// The least box around both.
+    pub(super) fn join(&mut self, other: &Self) {
+        for i in 0..3 {
+            self.low[i] = self.low[i].min(other.low[i]);
+            self.high[i] = self.high[i].max(other.high[i]);
+        }
+    }
+
+    /// Whether all of the other box is in this one.
+    pub(super) fn encloses(&self, other: &Self) -> bool {
+        (0..3).all(|i| self.low[i] <= other.low[i] && other.high[i] <= self.high[i])
+    }
+}
+
+/// The order of nodes and leaves.
+///
+/// Child k of node i is 4·i + 1 + k, a node if there is one of that number, else a leaf: the
+/// places of a heap with four children for two. So the leaves of the last level come first
+/// from left to right, and triangles are sorted from left to right.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Layout {
+    /// How many triangles there are, how many nodes, and how many places for either.
+    triangles: usize,
+    pub(super) nodes: usize,
+    places: usize,
+    /// The first place of the last level.
+    last_level: usize,
+}
+
+impl Layout {
+    pub(super) fn new(triangles: usize) -> Self {
+        let nodes = Node::count_for(triangles);
+        let places = nodes + triangles.div_ceil(LEAF);
+        let mut last_level = 0_usize;
+        while let Some(next) = last_level.checked_mul(4).filter(|next| next + 1 < places) {
+            last_level = next + 1;
+        }
+        Self { triangles, nodes, places, last_level }
+    }
+
+    /// The places below a node.
+    #[inline(always)]
+    pub(super) fn children(&self, node: usize) -> Range<usize> {
+        let first = 4 * node + 1;
+        first..self.places.min(first + 4)
+    }
+
+    /// Where the triangles of the leaf at this place are. The last node may have fewer than
+    /// four children; a box that is all of the grid meets those, too, that it has not.
+    #[inline(always)]
+    pub(super) fn leaf(&self, place: usize) -> Range<usize> {
+        if place >= self.places {
+            return 0..0;
+        }
+        let rank = if place >= self.last_level {
+            place - self.last_level
+        } else {
+            (place + self.places - self.last_level).saturating_sub(self.nodes)
+        };
+        let first = rank * LEAF;
+        first.min(self.triangles)..(first + LEAF).min(self.triangles)
+    }
+
+    /// The triangles below a place.
+    pub(super) fn below(&self, place: usize) -> Range<usize> {
+        let (mut first, mut last) = (place, place);
+        while first < self.nodes {
+            first = 4 * first + 1;
+        }
+        while last < self.nodes {
+            last = self.children(last).end - 1;
+        }
+        self.leaf(first).start..self.leaf(last).end
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LEAF, LEVELS, Layout, Node};
+
+    /// Each triangle is in one leaf, and below the nodes above that.
+    #[test]
+    fn every_triangle_has_one_leaf() {
+        for n in (1..600).chain([968, 4096, 4097, 16_384, 16_385]) {
+            let layout = Layout::new(n);
+            assert_eq!(layout.below(0), 0..n, "{n}");
+            let (mut leaves, mut deepest) = (0, 0);
+            let mut levels = [0; 100_000];
+            for node in 0..layout.nodes {
+                let mut next = layout.below(node).start;
+                let children = layout.children(node);
+                assert!(!children.is_empty());
+                for place in children {
+                    levels[place] = levels[node] + 1;
+                    let below = layout.below(place);
+                    assert!(below.start == next && below.end > next, "{n}: {place}");
+                    next = below.end;
+                    if place >= layout.nodes {
+                        assert!(below.len() <= LEAF && layout.leaf(place) == below);
+                        leaves += 1;
+                        deepest = deepest.max(levels[place]);
+                    }
+                }
+                assert_eq!(next, layout.below(node).end);
+            }
+            assert_eq!(leaves, n.div_ceil(LEAF));
+            assert!(4_usize.pow(deepest - 1) < leaves.max(2), "{n}: {deepest}");
+        }
+        assert!(4_u64.pow(LEVELS as u32 - 1) >= (1 << 32) / LEAF as u64);
+        assert_eq!([0, 1, 4, 5, 16, 17, 28, 29].map(Node::count_for), [0, 1, 1, 1, 1, 2, 2, 3]);
+    }
+}

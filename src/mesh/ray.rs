@@ -1,0 +1,186 @@
+//! Rays through a tree.
+
+use core::cmp::Ordering;
+use core::ops::Range;
+
+use super::descent::{Descent, Met};
+use super::node::{LEVELS, Node};
+use super::walk::Walk;
+use super::{Index, Tree};
+use crate::query::{Hit, HitRules};
+use crate::scalar::Scalar;
+use crate::shape::Ray;
+
+/// Places still to be visited: of each node on the way down all children but one.
+const STACK: usize = 3 * LEVELS + 1;
+
+impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
+    /// The first triangle that a ray hits, and where, if it hits one.
+    ///
+    /// *Contact*: as [`Ray::hit`]. Of triangles that are hit in one and the same point, as at
+    /// an edge, it is the one of the lowest index.
+    ///
+    /// *Numerics*: exact. Which is first is the order of the true t, as by
+    /// [`Ray::compare_hits`]; the hit is that of [`Ray::hit`], whose bits these are.
+    /// *Panics*: never.
+    ///
+    /// *Cost*: [`Ray::hit`] for each triangle whose box the ray meets before it has hit. On the
+    /// way down four boxes take 24 multiplications of `f32`; in fixed point on 32-bit cores
+    /// [`Ray::overlaps`] is asked about each. A stack of 49 places, 392 bytes.
+    ///
+    /// See [`Tree`] for an example.
+    #[must_use]
+    pub fn first_hit(&self, ray: &Ray<S>) -> Option<(usize, Hit<S>)> {
+        self.first_hit_with(ray, HitRules::new())
+    }
+
+    /// [`first_hit`](Self::first_hit) by the rules given.
+    #[must_use]
+    pub fn first_hit_with(&self, ray: &Ray<S>, rules: HitRules) -> Option<(usize, Hit<S>)> {
+        let mut descent = Descent::new(&self.grid, ray);
+        let mut best: Option<(usize, Hit<S>)> = None;
+        let mut stack = [(0_u32, i32::MIN); STACK];
+        let mut top = usize::from(!self.nodes.is_empty());
+        while top > 0 {
+            top -= 1;
+            let Some(&(place, sooner)) = stack.get(top) else { break };
+            let place = place as usize;
+            if !descent.reaches(sooner) {
+                continue;
+            }
+            let Some(node) = self.nodes.get(place) else {
+                for i in self.layout.leaf(place).map(|at| self.index(at)) {
+                    let Some(hit) = ray.hit_with(&self.mesh.known(i), rules) else { continue };
+                    if best.is_none_or(|best| self.is_before(ray, (i, &hit), (best.0, &best.1))) {
+                        descent.limit(hit.t);
+                        best = Some((i, hit));
+                    }
+                }
+                continue;
+            };
+            let Met { mask, sooner } = descent.meets(node);
+            let bottom = top;
+            for k in (0..4).filter(|k| mask >> k & 1 == 1) {
+                // The soonest goes on top.
+                let entry = ((4 * place + 1 + k) as u32, sooner[k]);
+                let mut at = top;
+                while at > bottom && stack.get(at - 1).is_some_and(|below| below.1 < entry.1) {
+                    if let Some(pair) = stack.get_mut(at - 1..=at) {
+                        pair.swap(0, 1);
+                    }
+                    at -= 1;
+                }
+                if let Some(to) = stack.get_mut(at) {
+                    *to = entry;
+                }
+                top += 1;
+            }
+        }
+        best
+    }
+
+    /// Whether the first hit is before the second, on the way or by its index.
+    fn is_before(&self, ray: &Ray<S>, (i, a): (usize, &Hit<S>), (j, b): (usize, &Hit<S>)) -> bool {
+        let (of_a, of_b) = (self.mesh.known(i), self.mesh.known(j));
+        match ray.compare_found((&of_a, a.t), (&of_b, b.t)) {
+            Ordering::Less => true,
+            Ordering::Equal => i < j,
+            Ordering::Greater => false,
+        }
+    }
+
+    /// Whether a ray hits any triangle.
+    ///
+    /// *Contact*, *Numerics*: exact, as [`Ray::is_hit`]. *Panics*: never. *Cost*: as
+    /// [`first_hit`](Self::first_hit), but it ends with any hit, divides nothing, and needs no
+    /// stack. Choose it for shadows and lines of sight.
+    #[must_use]
+    pub fn is_hit(&self, ray: &Ray<S>) -> bool {
+        self.is_hit_with(ray, HitRules::new())
+    }
+
+    /// [`is_hit`](Self::is_hit) by the rules given.
+    #[must_use]
+    pub fn is_hit_with(&self, ray: &Ray<S>, rules: HitRules) -> bool {
+        let mut near = Near::new(self, ray);
+        core::iter::from_fn(|| near.next(self)).any(|i| ray.is_hit_with(&self.mesh.known(i), rules))
+    }
+
+    /// All triangles that a ray hits, and where, in the tree's order.
+    ///
+    /// *Contact*, *Numerics*: exact, as [`Ray::hit`]. *Panics*: never. *Cost*: [`Ray::hit`] for
+    /// each triangle whose box the ray meets. No stack.
+    ///
+    /// ```
+    /// use septum::mesh::{Mesh, Node, Tree};
+    /// use septum::{HitRules, Ray, Vec3};
+    ///
+    /// let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Vec3::from);
+    /// let mesh = Mesh::new(&corners, &[[0_u16, 1, 2], [3, 2, 1]])?;
+    /// let (mut nodes, mut order) = ([Node::EMPTY], [0; 2]);
+    /// let tree = Tree::build(mesh, &mut nodes, &mut order)?;
+    ///
+    /// let through_the_edge = Ray::new([0.5, 0.5, 1.0], [0.0, 0.0, -1.0])?;
+    /// assert_eq!(tree.hits(&through_the_edge).count(), 2);
+    /// assert_eq!(tree.hits_with(&through_the_edge, HitRules::new().once()).count(), 1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn hits<'t>(&'t self, ray: &Ray<S>) -> Hits<'t, 'a, S, I> {
+        self.hits_with(ray, HitRules::new())
+    }
+
+    /// [`hits`](Self::hits) by the rules given.
+    pub fn hits_with<'t>(&'t self, ray: &Ray<S>, rules: HitRules) -> Hits<'t, 'a, S, I> {
+        Hits { tree: self, ray: *ray, rules, near: Near::new(self, ray) }
+    }
+}
+
+/// The triangles that a ray comes near.
+#[derive(Clone, Debug)]
+struct Near<S: Scalar> {
+    descent: Descent<S>,
+    walk: Walk,
+    leaf: Range<usize>,
+}
+
+impl<S: Scalar> Near<S> {
+    fn new<I: Index>(tree: &Tree<'_, S, I>, ray: &Ray<S>) -> Self {
+        let descent = Descent::new(&tree.grid, ray);
+        let walk = Walk::new(tree.nodes, |root| descent.meets(root).mask);
+        Self { descent, walk, leaf: 0..0 }
+    }
+
+    /// The index of the next.
+    #[inline(always)]
+    fn next<I: Index>(&mut self, tree: &Tree<'_, S, I>) -> Option<usize> {
+        loop {
+            if let Some(place) = self.leaf.next() {
+                return Some(tree.index(place));
+            }
+            let mask = |node: &Node| self.descent.meets(node).mask;
+            self.leaf = self.walk.next(tree.nodes, &tree.layout, mask)?;
+        }
+    }
+}
+
+/// The triangles that a ray hits: see [`Tree::hits`].
+#[derive(Clone, Debug)]
+pub struct Hits<'t, 'a, S: Scalar, I> {
+    tree: &'t Tree<'a, S, I>,
+    ray: Ray<S>,
+    rules: HitRules,
+    near: Near<S>,
+}
+
+impl<S: Scalar, I: Index> Iterator for Hits<'_, '_, S, I> {
+    type Item = (usize, Hit<S>);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        loop {
+            let i = self.near.next(self.tree)?;
+            if let Some(hit) = self.ray.hit_with(&self.tree.mesh.known(i), self.rules) {
+                return Some((i, hit));
+            }
+        }
+    }
+}

@@ -1,0 +1,289 @@
+//! A grid of 65,536 points along an axis, for boxes of 16-bit numbers. Every point is a number
+//! of the scalar, so that a comparison on the grid is a comparison of numbers.
+
+/// What the grid of a mesh asks of a scalar. Sealed, as [`Backend`](super::Backend).
+pub trait Gridded: Copy {
+    /// Where point zero is, and how far it is to the next.
+    type Steps: Copy + core::fmt::Debug;
+
+    /// A grid whose points enclose the numbers from `min` to `max`.
+    fn steps(min: Self, max: Self) -> Self::Steps;
+
+    /// The step as a power of two, whose exponent this is, in a unit of the scalar's own.
+    fn exponent(steps: &Self::Steps) -> i32;
+
+    /// The greatest point that is not above this number, or the first.
+    fn point_below(self, steps: &Self::Steps) -> u16;
+
+    /// The least point that is not below this number, or the last.
+    fn point_above(self, steps: &Self::Steps) -> u16;
+
+    /// The point, or the end of the scalar if that comes first.
+    fn point(steps: &Self::Steps, q: u16) -> Self;
+
+    /// A number not above self − h, or the least of the scalar.
+    fn reduced(self, h: Self) -> Self;
+
+    /// A number not below self + h, or the greatest of the scalar.
+    fn increased(self, h: Self) -> Self;
+
+    /// How many steps it is from point zero to this number, within 2⁻⁵⁰ of itself; infinite
+    /// where it overflows.
+    fn place(self, steps: &Self::Steps) -> f64;
+
+    /// How many steps a length comes to, within 2⁻⁵⁰ of itself; infinite where it overflows.
+    fn length(self, steps: &Self::Steps) -> f64;
+
+    /// The number, within 2⁻⁵⁰ of itself.
+    fn real(self) -> f64;
+
+    /// A number that the t of a hit is not above, if it was rounded to this one.
+    fn farthest(self) -> f64;
+
+    /// The same as a number of the scalar; `None` where there is none.
+    fn farthest_number(self) -> Option<Self>;
+}
+
+/// A float's grid.
+#[derive(Clone, Copy, Debug)]
+pub struct FloatSteps<F> {
+    origin: F,
+    step: F,
+    /// One over the step, exactly: both are powers of two.
+    inverse: F,
+}
+
+macro_rules! float {
+    ($float:ident, $least_step:literal, $bits:ty, |$hit:ident| $farthest:expr) => {
+        // The step is a power of two, and at least twice the last place of the greatest number;
+        // the origin is a multiple of it. So a point is a multiple of the step, by a whole number
+        // of the type's digits, and exact. The last points may be infinite.
+        impl Gridded for $float {
+            type Steps = FloatSteps<$float>;
+
+            fn steps(min: Self, max: Self) -> Self::Steps {
+                // At most 65,534 steps: one is lost at either end. Halves do not overflow.
+                let half = max * 0.5 - min * 0.5;
+                let most = if -min > max { -min } else { max };
+                let least: Self = $least_step;
+                let power = |x: Self| {
+                    let x = if x > least { x } else { least };
+                    <$float>::from_bits(x.to_bits() & Self::INFINITY.to_bits())
+                };
+                let (wide, fine) =
+                    (power(half * 3.0526e-5) * 2.0, power(most) * (2.0 * Self::EPSILON));
+                let step = if wide > fine { wide } else { fine };
+                let step = power(step);
+                let inverse = 1.0 / step;
+                // Toward zero; and down, also where what underflowed was below zero.
+                let mut origin = (min * inverse) as $bits as Self * step;
+                if origin > min {
+                    origin -= step;
+                }
+                // The least number is a multiple of half the finest step, and exact as well.
+                if origin < Self::MIN {
+                    origin = Self::MIN;
+                }
+                FloatSteps { origin, step, inverse }
+            }
+
+            fn exponent(steps: &Self::Steps) -> i32 {
+                (steps.step.to_bits() >> (Self::MANTISSA_DIGITS - 1)) as i32
+            }
+
+            #[inline]
+            fn point_below(self, steps: &Self::Steps) -> u16 {
+                // Within 2⁻⁸ of the truth; a conversion ends at the ends of the type.
+                let q = ((self - steps.origin) * steps.inverse) as u16;
+                let at = |q: u16| steps.origin + Self::from(q) * steps.step;
+                if q > 0 && at(q) > self {
+                    q - 1
+                } else if q < u16::MAX && at(q + 1) <= self {
+                    q + 1
+                } else {
+                    q
+                }
+            }
+
+            #[inline]
+            fn point_above(self, steps: &Self::Steps) -> u16 {
+                let q = self.point_below(steps);
+                let at = steps.origin + Self::from(q) * steps.step;
+                if q < u16::MAX && at < self { q + 1 } else { q }
+            }
+
+            #[inline]
+            fn point(steps: &Self::Steps, q: u16) -> Self {
+                let at = steps.origin + Self::from(q) * steps.step;
+                if at > Self::MAX { Self::MAX } else { at }
+            }
+
+            #[inline]
+            fn reduced(self, h: Self) -> Self {
+                let x = self - h;
+                // A rounding of x is at most half of its epsilon.
+                let x = x - (x.abs() * Self::EPSILON + Self::MIN_POSITIVE);
+                if x < Self::MIN { Self::MIN } else { x }
+            }
+
+            #[inline]
+            fn increased(self, h: Self) -> Self {
+                -(-self).reduced(h)
+            }
+
+            #[inline]
+            fn place(self, steps: &Self::Steps) -> f64 {
+                (f64::from(self) - f64::from(steps.origin)) * f64::from(steps.inverse)
+            }
+
+            #[inline]
+            fn length(self, steps: &Self::Steps) -> f64 {
+                f64::from(self) * f64::from(steps.inverse)
+            }
+
+            #[inline]
+            fn real(self) -> f64 {
+                self.into()
+            }
+
+            #[inline]
+            fn farthest(self) -> f64 {
+                let $hit = f64::from(self);
+                $farthest
+            }
+
+            #[inline]
+            fn farthest_number(self) -> Option<Self> {
+                None
+            }
+        }
+    };
+}
+// 2⁻¹⁰⁰ and 2⁻¹⁰⁰⁰. A t is within 2 ulp, which is 2⁻²² or 2⁻⁵¹ of itself.
+float!(f32, 7.888_609e-31, i64, |t| t + t.abs() * 4.8e-7 + 1e-44);
+float!(f64, 9.332_636_185_032_189e-302, i64, |t| t + t.abs() * 8.9e-16 + 1e-322);
+
+/// The grid of a fixed-point type, in raw bits.
+#[cfg(feature = "fixed")]
+#[derive(Clone, Copy, Debug)]
+pub struct FixedSteps<W> {
+    origin: W,
+    /// The step is two to this power.
+    shift: u32,
+}
+
+#[cfg(feature = "fixed")]
+mod fixed_point {
+    use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
+    use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
+
+    use super::{FixedSteps, Gridded};
+
+    /// 2^−n.
+    const fn one_over_two_to(n: u32) -> f64 {
+        f64::from_bits((1023 - n as u64) << 52)
+    }
+
+    // W is a word for sums of raw bits, U the same without a sign, for differences.
+    macro_rules! fixed_point {
+        ($($fixed:ident: $bound:ident, $raw:ty, $w:ty, $u:ty, |$d:ident| $to_f64:expr;)*) => {$(
+            impl<Frac: $bound> Gridded for $fixed<Frac> {
+                type Steps = FixedSteps<$w>;
+
+                fn steps(min: Self, max: Self) -> Self::Steps {
+                    let origin = <$w>::from(min.to_bits());
+                    let length = <$w>::from(max.to_bits()).wrapping_sub(origin) as $u;
+                    // The least with length ≤ 65,535·2^shift.
+                    let mut shift = (<$u>::BITS - 16).saturating_sub(length.leading_zeros());
+                    if length >> shift == 0xffff && (length >> shift) << shift != length {
+                        shift += 1;
+                    }
+                    FixedSteps { origin, shift }
+                }
+
+                fn exponent(steps: &Self::Steps) -> i32 {
+                    steps.shift as i32
+                }
+
+                #[inline]
+                fn point_below(self, steps: &Self::Steps) -> u16 {
+                    let x = <$w>::from(self.to_bits());
+                    if x < steps.origin {
+                        return 0;
+                    }
+                    let length = x.wrapping_sub(steps.origin) as $u;
+                    u16::try_from(length >> steps.shift).unwrap_or(u16::MAX)
+                }
+
+                #[inline]
+                fn point_above(self, steps: &Self::Steps) -> u16 {
+                    let x = <$w>::from(self.to_bits());
+                    if x < steps.origin {
+                        return 0;
+                    }
+                    let length = x.wrapping_sub(steps.origin) as $u;
+                    let q = length >> steps.shift;
+                    let is_between = q << steps.shift != length;
+                    u16::try_from(q).map_or(u16::MAX, |q| q.saturating_add(is_between.into()))
+                }
+
+                #[inline]
+                fn point(steps: &Self::Steps, q: u16) -> Self {
+                    let q = <$u>::from(q);
+                    if q > <$u>::MAX >> steps.shift {
+                        return Self::MAX;
+                    }
+                    let at = steps.origin.saturating_add_unsigned(q << steps.shift);
+                    Self::from_bits(<$raw>::try_from(at).unwrap_or(<$raw>::MAX))
+                }
+
+                #[inline]
+                fn reduced(self, h: Self) -> Self {
+                    self.saturating_sub(h)
+                }
+
+                #[inline]
+                fn increased(self, h: Self) -> Self {
+                    self.saturating_add(h)
+                }
+
+                #[inline]
+                fn place(self, steps: &Self::Steps) -> f64 {
+                    let $d = (self.to_bits(), steps.origin);
+                    $to_f64 * one_over_two_to(steps.shift)
+                }
+
+                #[inline]
+                fn length(self, steps: &Self::Steps) -> f64 {
+                    // In steps, for each unit of t.
+                    self.to_bits() as f64 * one_over_two_to(steps.shift)
+                }
+
+                #[inline]
+                fn real(self) -> f64 {
+                    self.to_bits() as f64 * one_over_two_to(Self::FRAC_NBITS)
+                }
+
+                #[inline]
+                fn farthest(self) -> f64 {
+                    self.farthest_number().map_or(f64::INFINITY, |t| {
+                        // What rounding to a float may have taken.
+                        t.real() + t.real().abs() * 4e-16
+                    })
+                }
+
+                #[inline]
+                fn farthest_number(self) -> Option<Self> {
+                    // At its end the type may stand for anything beyond.
+                    self.checked_add(Self::DELTA)
+                }
+            }
+        )*};
+    }
+    fixed_point! {
+        FixedI8: LeEqU8, i8, i32, u32, |d| f64::from(i32::from(d.0) - d.1);
+        FixedI16: LeEqU16, i16, i32, u32, |d| f64::from(i32::from(d.0) - d.1);
+        FixedI32: LeEqU32, i32, i32, u32, |d| f64::from(d.0) - f64::from(d.1);
+        FixedI64: LeEqU64, i64, i64, u64, |d| (i128::from(d.0) - i128::from(d.1)) as f64;
+    }
+}

@@ -1,0 +1,208 @@
+//! A tree answers as all triangles do, one by one; a closed mesh contains what it winds about.
+
+mod closedness;
+mod scenes;
+mod tables;
+
+use fixed::types::{I8F8, I16F16, I32F32};
+use septum::mesh::{Mesh, Tree};
+use septum::{Aabb, Cull, HitRules, Obb, Ray, Triangle};
+use septum_kit::{Rng, Sample, rays};
+
+use self::scenes::Scene;
+
+/// One test for each check, in some scalars: compiling all of them takes longer than asking.
+macro_rules! for_some_scalars {
+    ($($check:ident),* $(,)?) => {$(
+        mod $check {
+            use super::*;
+
+            #[test]
+            fn f32() {
+                super::$check::<f32>();
+            }
+            #[test]
+            fn f64() {
+                super::$check::<f64>();
+            }
+            #[test]
+            fn i8f8() {
+                super::$check::<I8F8>();
+            }
+            #[test]
+            fn i16f16() {
+                super::$check::<I16F16>();
+            }
+            #[test]
+            fn i32f32() {
+                super::$check::<I32F32>();
+            }
+        }
+    )*};
+}
+
+fn sorted(found: impl Iterator<Item = usize>) -> Vec<usize> {
+    let mut found: Vec<_> = found.collect();
+    found.sort_unstable();
+    found
+}
+
+/// The triangles of which it is true, asked one by one.
+fn those<S: Sample>(mesh: Mesh<'_, S, u16>, is: impl Fn(&Triangle<S>) -> bool) -> Vec<usize> {
+    mesh.iter().enumerate().filter(|(_, triangle)| is(triangle)).map(|(i, _)| i).collect()
+}
+
+/// Boxes about points of the scene, by corners and by centre, oriented too.
+fn boxes<S: Sample>(scene: &Scene<S>, rng: &mut Rng) -> (Vec<Aabb<S>>, Vec<Obb<S>>) {
+    let (mut aabbs, mut obbs) = (Vec::new(), Vec::new());
+    for _ in 0..30 {
+        let (p, q) = (scene.point(rng), scene.point(rng));
+        let (min, max) =
+            ([0, 1, 2].map(|i| least(p[i], q[i])), [0, 1, 2].map(|i| greatest(p[i], q[i])));
+        let most = scene.size * [0.0, 0.02, 0.3, 2.0][rng.below(4)];
+        let half = rng.triple(|rng| S::nearest(most * rng.real(0.0, 1.0)));
+        aabbs
+            .extend([Aabb::from_min_max(min, max), Aabb::from_min_max(p, p)].into_iter().flatten());
+        aabbs.extend(Aabb::from_center_half_extents(p, half));
+        let axes = [(); 3].map(|()| rng.triple(|rng| S::nearest(rng.whole(-4, 4) as f64 / 4.0)));
+        obbs.extend(Obb::from_skewed_axes(p, axes, half));
+    }
+    (aabbs, obbs)
+}
+
+fn least<S: PartialOrd>(a: S, b: S) -> S {
+    if b < a { b } else { a }
+}
+
+fn greatest<S: PartialOrd>(a: S, b: S) -> S {
+    if b > a { b } else { a }
+}
+
+fn boxes_overlap_as_one_by_one<S: Sample>() {
+    let (mut rng, mut count) = (Rng::new(81), 0);
+    for mut scene in scenes::all::<S>() {
+        let (aabbs, obbs) = boxes(&scene, &mut rng);
+        let (name, mesh) = (scene.name, scene.mesh().vertices().len());
+        let tree = scene.tree();
+        assert_eq!(tree.mesh().vertices().len(), mesh);
+        for aabb in &aabbs {
+            let expected = those(*tree.mesh(), |t| t.overlaps(aabb));
+            assert_eq!(sorted(tree.overlapping(aabb)), expected, "{name}: {aabb:?}");
+            count += expected.len();
+        }
+        for obb in &obbs {
+            let expected = those(*tree.mesh(), |t| t.overlaps(obb));
+            assert_eq!(sorted(tree.overlapping(obb)), expected, "{name}: {obb:?}");
+            count += expected.len();
+        }
+    }
+    assert!(count > 5_000, "{count}");
+}
+
+/// Rays between points of the scene, along axes, and from far away, some of them limited.
+fn rays_of<S: Sample>(scene: &Scene<S>, rng: &mut Rng) -> Vec<Ray<S>> {
+    let mut rays = Vec::new();
+    for k in 0..150 {
+        let (o, to) = (scene.point(rng), scene.point(rng));
+        let mut direction =
+            [0, 1, 2].map(|i| S::nearest((to[i].approximate() - o[i].approximate()) / 2.0));
+        for d in &mut direction {
+            if rng.one_in(4) {
+                *d = S::ZERO;
+            }
+        }
+        let Ok(ray) = Ray::new(o, direction) else { continue };
+        let t = S::nearest(rng.real(0.0, 4.0));
+        let before = S::nearest(-t.approximate());
+        rays.extend(match k % 4 {
+            0 => ray.with_range(None, None),
+            1 => ray.with_range(before, t),
+            2 => ray.with_range(S::ZERO, t),
+            _ => Ok(ray),
+        });
+    }
+    rays
+}
+
+fn rays_hit_as_one_by_one<S: Sample>() {
+    let (mut rng, mut count) = (Rng::new(82), [0; 2]);
+    let all_rules = [HitRules::new(), HitRules::new().once(), HitRules::new().culling(Cull::Back)];
+    for mut scene in scenes::all::<S>() {
+        let rays = rays_of(&scene, &mut rng);
+        let name = scene.name;
+        let tree = scene.tree();
+        let mesh = *tree.mesh();
+        for (k, ray) in rays.iter().enumerate() {
+            let rules = all_rules[k % 3];
+            let expected: Vec<_> = mesh
+                .iter()
+                .enumerate()
+                .filter_map(|(i, t)| ray.hit_with(&t, rules).map(|hit| (i, hit)))
+                .collect();
+            let mut found: Vec<_> = tree.hits_with(ray, rules).collect();
+            found.sort_by_key(|(i, _)| *i);
+            assert_eq!(found, expected, "{name}: {ray:?}");
+            assert_eq!(tree.is_hit_with(ray, rules), !expected.is_empty(), "{name}: {ray:?}");
+            // The first in true order, and of those in one point the first in the mesh.
+            let of = |i: usize| mesh.triangle(i).expect("it was hit");
+            let first = expected.iter().copied().reduce(|a, b| {
+                let order = ray.compare_hits(&of(a.0), &of(b.0)).expect("both are hit");
+                if order.is_gt() { b } else { a }
+            });
+            assert_eq!(tree.first_hit_with(ray, rules), first, "{name}: {ray:?}");
+            count[0] += expected.len();
+            count[1] += usize::from(expected.len() > 1);
+        }
+    }
+    assert!(count[0] > 1_000 && count[1] > 200, "{count:?}");
+}
+
+/// What a tree's answer should be, by the oracle.
+fn check_winding<S: Sample>(
+    tree: &Tree<'_, S, u16>,
+    name: &str,
+    p: [S; 3],
+    rng: &mut Rng,
+) -> Option<i32> {
+    let triangles: Vec<_> =
+        tree.mesh().iter().map(|t| t.vertices().map(|v| v.to_array())).collect();
+    let expected = rays::winding(&triangles, p, rng);
+    assert_eq!(tree.winding(p), expected, "{name}: {p:?}");
+    let is_inside = expected.is_none_or(|winding| winding % 2 != 0);
+    assert_eq!(tree.contains(p), is_inside, "{name}: {p:?}");
+    expected
+}
+
+fn closed_meshes_contain_what_they_wind_about<S: Sample>() {
+    let (mut rng, mut count) = (Rng::new(83), [0; 3]);
+    for mut scene in scenes::closed::<S>() {
+        let points: Vec<_> = (0..120).map(|_| scene.point(&mut rng)).collect();
+        let name = scene.name;
+        let tree = scene.tree();
+        for p in points {
+            match check_winding(&tree, name, p, &mut rng) {
+                None => count[0] += 1,
+                Some(0) => count[1] += 1,
+                Some(_) => count[2] += 1,
+            }
+        }
+    }
+    assert!(count.iter().all(|&n| n > 10), "on, outside, inside: {count:?}");
+}
+
+#[test]
+fn nothing_contains_a_point_that_is_none() {
+    let mut scene = scenes::closed::<f32>().swap_remove(0);
+    let tree = scene.tree();
+    assert!(tree.contains([0.0; 3]));
+    for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        assert!(!tree.contains([0.0, bad, 0.0]));
+        assert_eq!(tree.winding([bad, 0.0, 0.0]), Some(0));
+    }
+}
+
+for_some_scalars!(
+    boxes_overlap_as_one_by_one,
+    rays_hit_as_one_by_one,
+    closed_meshes_contain_what_they_wind_about,
+);
