@@ -5,19 +5,7 @@ use super::walk::Walk;
 use super::{Index, Tree};
 use crate::query::crossing;
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Triangle, Vec3};
-
-/// What a triangle adds to the winding number of the mesh about a point, `None` if it
-/// contains the point.
-#[inline]
-fn winding_of<S: Scalar>(point: &Aabb<S>, p: [S; 3], triangle: &Triangle<S>) -> Option<i32> {
-    let [a, b, c] = triangle.vertices().map(Vec3::to_array);
-    let is_within = |a: S, b: S, c: S, x: S| {
-        ((a <= x) | (b <= x) | (c <= x)) & ((a >= x) | (b >= x) | (c >= x))
-    };
-    let is_near = (0..3).all(|i| is_within(a[i], b[i], c[i], p[i]));
-    if is_near && triangle.overlaps(point) { None } else { Some(crossing(p, triangle)) }
-}
+use crate::shape::Vec3;
 
 impl<S: Scalar, I: Index> Tree<'_, S, I> {
     /// Whether a closed mesh contains a point: it lies inside, or on a triangle.
@@ -43,9 +31,7 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     #[inline]
     #[must_use]
     pub fn contains(&self, point: impl Into<Vec3<S>>) -> bool {
-        let p = point.into();
-        let is_finite = p.x.is_finite() && p.y.is_finite() && p.z.is_finite();
-        is_finite && self.winding(p).is_none_or(|winding| winding % 2 != 0)
+        self.winding(point).is_none_or(|winding| winding % 2 != 0)
     }
 
     /// The winding number of a closed mesh about a point, `None` for a point on a triangle:
@@ -59,7 +45,9 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     #[must_use]
     pub fn winding(&self, point: impl Into<Vec3<S>>) -> Option<i32> {
         let p: Vec3<S> = point.into();
-        let Ok(point) = Aabb::from_min_max(p, p) else { return Some(0) };
+        if !(p.x.is_finite() && p.y.is_finite() && p.z.is_finite()) {
+            return Some(0);
+        }
         let p = p.to_array();
         let Cell { low, high } = self.grid.cell([p, p]);
         let row = Cell { low, high: [u16::MAX, high[1], high[2]] };
@@ -67,7 +55,11 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
         let mut walk = Walk::new(self.nodes, |root| root.meeting(&row));
         while let Some(leaf) = walk.next(self.nodes, &self.layout, |node| node.meeting(&row)) {
             for place in leaf {
-                winding += winding_of(&point, p, &self.mesh.known(self.index(place)))?;
+                let triangle = self.mesh.known(self.index(place));
+                if triangle.contains(p) {
+                    return None;
+                }
+                winding += crossing(p, &triangle);
             }
         }
         Some(winding)

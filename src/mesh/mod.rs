@@ -37,6 +37,7 @@ mod indexed;
 mod inside;
 mod node;
 mod overlapping;
+mod pairs;
 mod ray;
 mod tree;
 mod walk;

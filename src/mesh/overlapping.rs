@@ -2,11 +2,12 @@
 
 use core::ops::Range;
 
+use super::grid::corners;
 use super::node::{Cell, Node};
 use super::walk::Walk;
 use super::{Index, Tree};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Obb, Overlaps, Triangle, Vec3};
+use crate::shape::{Aabb, Obb, Overlaps, Segment, SegmentForm, Triangle, Vec3};
 
 /// A shape that a tree can be asked about.
 ///
@@ -52,22 +53,51 @@ impl<S: Scalar> sealed::Bounded<S> for Obb<S> {
     }
 }
 
+impl<S: Scalar> sealed::Bounded<S> for Triangle<S> {
+    const IS_NARROW: bool = true;
+
+    fn corners(&self) -> Option<[[S; 3]; 2]> {
+        Some(corners(self))
+    }
+
+    fn may_meet(&self, aabb: &Aabb<S>) -> bool {
+        self.may_overlap(aabb)
+    }
+}
+
+impl<S: Scalar> sealed::Bounded<S> for Segment<S> {
+    const IS_NARROW: bool = true;
+
+    fn corners(&self) -> Option<[[S; 3]; 2]> {
+        Some(match *self.form() {
+            SegmentForm::Ends(a, b) => corners(&Triangle::unchecked([a, b, b])),
+            SegmentForm::Center { center, half } => around(center, half),
+        })
+    }
+
+    fn may_meet(&self, aabb: &Aabb<S>) -> bool {
+        self.may_overlap(aabb)
+    }
+}
+
 /// The corners of a box by its centre, rounded outward.
 fn around<S: Scalar>(center: Vec3<S>, half: Vec3<S>) -> [[S; 3]; 2] {
     let (c, h) = (center.to_array(), half.to_array());
-    [[0, 1, 2].map(|i| c[i].reduced(h[i])), [0, 1, 2].map(|i| c[i].increased(h[i]))]
+    let ends = [0, 1, 2].map(|i| c[i].reach(h[i]));
+    [ends.map(|[low, _]| low), ends.map(|[_, high]| high)]
 }
 
 impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     /// The triangles that have a point in common with a shape, in the tree's order: an
-    /// [`Aabb`] or an [`Obb`].
+    /// [`Aabb`], an [`Obb`], a [`Triangle`] or a [`Segment`].
     ///
     /// *Contact*: touching is overlap. *Numerics*: exact, as the shape's own
     /// [`overlaps`](Overlaps::overlaps), which is asked about each triangle that is near.
     /// *Panics*: never.
     ///
-    /// *Cost*: on the way down 6 comparisons of integers for each box. No stack: the way back
-    /// is in one word.
+    /// *Cost*: on the way down 6 comparisons of integers for each box; for a triangle or a
+    /// segment its own [`may_overlap`](Overlaps::may_overlap) besides, where these let it pass.
+    /// No stack: the way back is in one word.
     ///
     /// See [`Tree`] for an example.
     pub fn overlapping<'t, P: Probe<S>>(&'t self, shape: &'t P) -> Overlapping<'t, 'a, S, I, P> {

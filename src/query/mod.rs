@@ -15,7 +15,6 @@ mod triangle_triangle;
 
 mod aabb_aabb;
 mod either_order;
-mod half_line_triangle;
 mod plane_aabb;
 mod point_aabb;
 mod point_obb;
@@ -25,6 +24,7 @@ mod segment_triangle;
 
 mod ray_aabb;
 mod ray_triangle;
+mod row_triangle;
 
 mod normal;
 
@@ -36,13 +36,13 @@ mod line_aabb;
 mod orientation;
 mod relation;
 
-pub(crate) use half_line_triangle::crossing;
 #[cfg(feature = "libm")]
 pub(crate) use normal::direction;
 pub use plane_aabb::Side;
 pub use ray_aabb::PreparedRay;
 pub(crate) use ray_triangle::{Candidate, clear_hit, clear_refined_hit};
 pub use ray_triangle::{Cull, Facing, Feature, Hit, HitRules};
+pub(crate) use row_triangle::crossing;
 pub(crate) use triangle_aabb::disjoint_rounded;
 pub use triangle_aabb::{Axis, PreparedTriangle};
 

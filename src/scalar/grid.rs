@@ -21,11 +21,8 @@ pub trait Gridded: Copy {
     /// The point, or the end of the scalar if that comes first.
     fn point(steps: &Self::Steps, q: u16) -> Self;
 
-    /// A number not above self − h, or the least of the scalar.
-    fn reduced(self, h: Self) -> Self;
-
-    /// A number not below self + h, or the greatest of the scalar.
-    fn increased(self, h: Self) -> Self;
+    /// Two numbers that enclose self − h and self + h, as far as the scalar goes.
+    fn reach(self, h: Self) -> [Self; 2];
 
     /// How many steps it is from point zero to this number, within 2⁻⁵⁰ of itself; infinite
     /// where it overflows.
@@ -119,16 +116,13 @@ macro_rules! float {
             }
 
             #[inline]
-            fn reduced(self, h: Self) -> Self {
-                let x = self - h;
+            fn reach(self, h: Self) -> [Self; 2] {
                 // A rounding of x is at most half of its epsilon.
-                let x = x - (x.abs() * Self::EPSILON + Self::MIN_POSITIVE);
-                if x < Self::MIN { Self::MIN } else { x }
-            }
-
-            #[inline]
-            fn increased(self, h: Self) -> Self {
-                -(-self).reduced(h)
+                let above = |x: Self| {
+                    let x = x + (x.abs() * Self::EPSILON + Self::MIN_POSITIVE);
+                    if x > Self::MAX { Self::MAX } else { x }
+                };
+                [-above(h.abs() - self), above(self + h.abs())]
             }
 
             #[inline]
@@ -238,13 +232,9 @@ mod fixed_point {
                 }
 
                 #[inline]
-                fn reduced(self, h: Self) -> Self {
-                    self.saturating_sub(h)
-                }
-
-                #[inline]
-                fn increased(self, h: Self) -> Self {
-                    self.saturating_add(h)
+                fn reach(self, h: Self) -> [Self; 2] {
+                    let (a, b) = (self.saturating_sub(h), self.saturating_add(h));
+                    if a < b { [a, b] } else { [b, a] }
                 }
 
                 #[inline]

@@ -4,9 +4,11 @@ mod closedness;
 mod scenes;
 mod tables;
 
+use core::ops::ControlFlow;
+
 use fixed::types::{I8F8, I16F16, I32F32};
 use septum::mesh::{Mesh, Tree};
-use septum::{Aabb, Cull, HitRules, Obb, Ray, Triangle};
+use septum::{Aabb, Cull, HitRules, Obb, Ray, Segment, Triangle};
 use septum_kit::{Rng, Sample, rays};
 
 use self::scenes::Scene;
@@ -97,6 +99,62 @@ fn boxes_overlap_as_one_by_one<S: Sample>() {
         }
     }
     assert!(count > 5_000, "{count}");
+}
+
+/// Triangles and segments between points of the scene, of all sizes.
+fn triangles_and_segments_overlap_as_one_by_one<S: Sample>() {
+    let (mut rng, mut count) = (Rng::new(87), [0; 2]);
+    for mut scene in scenes::all::<S>() {
+        let points: Vec<_> = (0..40).map(|_| [(); 3].map(|()| scene.point(&mut rng))).collect();
+        let most = scene.size;
+        let name = scene.name;
+        let tree = scene.tree();
+        for [a, b, c] in points {
+            let triangle = Triangle::new(a, b, c).expect("finite");
+            let expected = those(*tree.mesh(), |t| t.overlaps(&triangle));
+            assert_eq!(sorted(tree.overlapping(&triangle)), expected, "{name}: {triangle:?}");
+            count[0] += expected.len();
+            let half = rng.triple(|rng| S::nearest(most * rng.real(-1.0, 1.0)));
+            let segments = [Segment::new(a, b), Segment::from_center_half_vector(a, half)];
+            for segment in segments.map(|segment| segment.expect("finite")) {
+                let expected = those(*tree.mesh(), |t| segment.overlaps(t));
+                assert_eq!(sorted(tree.overlapping(&segment)), expected, "{name}: {segment:?}");
+                count[1] += expected.len();
+            }
+        }
+    }
+    assert!(count.iter().all(|&n| n > 1_000), "{count:?}");
+}
+
+/// Two scenes, each pair of triangles once.
+fn meshes_overlap_as_pair_by_pair<S: Sample>() {
+    let mut count = 0;
+    let mut scenes = scenes::all::<S>();
+    scenes.retain(|scene| scene.faces.len() < 1_000);
+    for k in 0..scenes.len() {
+        let (first, second) = scenes.split_at_mut(k);
+        let tree = second[0].tree();
+        for with in first {
+            let name = with.name;
+            let other = with.tree();
+            let mut found = Vec::new();
+            let flow = tree.overlapping_pairs(&other, |i, k| {
+                found.push((i, k));
+                ControlFlow::<()>::Continue(())
+            });
+            assert!(flow.is_continue());
+            found.sort_unstable();
+            let pairs = tree.mesh().iter().enumerate().flat_map(|(i, t)| {
+                those(*other.mesh(), |u| t.overlaps(u)).into_iter().map(move |k| (i, k))
+            });
+            assert_eq!(found, pairs.collect::<Vec<_>>(), "{name}");
+            count += found.len();
+            // It ends where it is told to.
+            let first = tree.overlapping_pairs(&other, |i, k| ControlFlow::Break((i, k)));
+            assert_eq!(first.is_break(), !found.is_empty());
+        }
+    }
+    assert!(count > 1_000, "{count}");
 }
 
 /// Rays between points of the scene, along axes, and from far away, some of them limited.
@@ -203,6 +261,8 @@ fn nothing_contains_a_point_that_is_none() {
 
 for_some_scalars!(
     boxes_overlap_as_one_by_one,
+    triangles_and_segments_overlap_as_one_by_one,
+    meshes_overlap_as_pair_by_pair,
     rays_hit_as_one_by_one,
     closed_meshes_contain_what_they_wind_about,
 );
