@@ -1,6 +1,9 @@
+use core::cmp::Ordering;
 use core::fmt;
 use core::ops::Range;
 
+use super::marks::Line;
+use super::sign::middle;
 use crate::scalar::{Scalar, StepsError};
 use crate::shape::{Aabb, Vec3};
 
@@ -119,6 +122,28 @@ impl<S: Scalar> Grid<S> {
     pub(super) fn plane(&self, axis: usize, k: u32) -> S {
         let (origin, cell) = (self.origin.to_array(), self.cell.to_array());
         S::at_step(origin[axis], cell[axis], self.first[axis] + k)
+    }
+
+    /// The two planes that a line is the middle of.
+    #[inline]
+    pub(super) fn planes(&self, axis: usize, line: Line) -> [S; 2] {
+        [self.plane(axis, line.from as u32), self.plane(axis, line.to as u32)]
+    }
+
+    /// How a line of the grid compares with a number.
+    #[inline]
+    pub(super) fn compare(&self, axis: usize, line: Line, x: S) -> Ordering {
+        let [p, q] = self.planes(axis, line);
+        if line.from != line.to {
+            return middle(p, q, x, self.cell.x);
+        }
+        if p < x {
+            Ordering::Less
+        } else if p > x {
+            Ordering::Greater
+        } else {
+            Ordering::Equal
+        }
     }
 
     /// A number's place among the planes on an axis, up to the error that

@@ -17,6 +17,14 @@ pub(super) fn turn<S: Scalar>(a: [S; 2], b: [S; 2], p: [S; 2], q: [S; 2]) -> Ord
     S::evaluate(&Turn { a, b, p, q }).cmp(&0)
 }
 
+/// How the middle of p and q compares with x, given any number above zero.
+#[cold]
+#[inline(never)]
+pub(super) fn middle<S: Scalar>(p: S, q: S, x: S, positive: S) -> Ordering {
+    let on_axis = |x: S| [x, S::ZERO];
+    turn(on_axis(x), [x, positive], on_axis(p), on_axis(q)).reverse()
+}
+
 /// The sign of ((b − a) × (c − a))·(p + q − 2a).
 #[inline(never)]
 pub(super) fn side<S: Scalar>(triangle: &[[S; 3]; 3], p: [S; 3], q: [S; 3]) -> Ordering {

@@ -12,7 +12,7 @@ pub use scene::{VoxelScene, torus_knot};
 
 use crate::Sample;
 use oracle::{Marks, planes};
-use random::rows_agree_with_pairs;
+use random::{marks_agree_with_oracle, rows_agree_with_pairs};
 
 /// A scalar to check in, named: the checks are compiled here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,6 +57,11 @@ impl InScalar {
     /// [`rows_agree_with_pairs`] in this scalar.
     pub fn rows_agree_with_pairs(self, seed: u64, grids: u32, most: i64) -> u64 {
         in_scalar!(self, rows_agree_with_pairs(seed, grids, most))
+    }
+
+    /// [`marks_agree_with_oracle`] in this scalar.
+    pub fn marks_agree_with_oracle(self, seed: u64, grids: u32, most: i64) -> u64 {
+        in_scalar!(self, marks_agree_with_oracle(seed, grids, most))
     }
 
     /// The words of the scene, its triangles in another order and their vertices too, are those
