@@ -137,13 +137,13 @@ impl<S: Scalar> Grid<S> {
         if line.from != line.to {
             return middle(p, q, x, self.cell.x);
         }
-        if p < x {
-            Ordering::Less
-        } else if p > x {
-            Ordering::Greater
-        } else {
-            Ordering::Equal
-        }
+        compare(p, x)
+    }
+
+    /// The way from one number to another, in cells, with an error of less than four roundoffs
+    /// of itself.
+    pub(super) fn length(&self, axis: usize, from: S, to: S) -> f64 {
+        to.less_in_double(from) * self.per_cell[axis]
     }
 
     /// A number's place among the planes on an axis, up to the error that
@@ -195,6 +195,18 @@ impl<S: Copy> Grid<S> {
     #[must_use]
     pub const fn offset(&self) -> [u32; 3] {
         self.first
+    }
+}
+
+/// How two numbers compare; none is NaN.
+#[inline(always)]
+pub(super) fn compare<S: PartialOrd>(a: S, b: S) -> Ordering {
+    if a < b {
+        Ordering::Less
+    } else if a > b {
+        Ordering::Greater
+    } else {
+        Ordering::Equal
     }
 }
 

@@ -77,6 +77,12 @@ pub(super) struct Line {
 }
 
 impl Line {
+    /// Plane k.
+    #[inline(always)]
+    pub(super) const fn plane(k: i32) -> Self {
+        Self { from: k, to: k }
+    }
+
     /// About where it is.
     #[inline(always)]
     pub(super) fn middle(self) -> f64 {

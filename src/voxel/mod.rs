@@ -22,6 +22,7 @@
 
 mod bits;
 mod grid;
+mod line;
 mod marks;
 mod pass;
 mod place;
@@ -30,10 +31,14 @@ mod plane;
 mod rows;
 mod sign;
 mod slabs;
+mod solid;
+mod walk;
 
 pub use bits::{Bits, TooFewWords, Word};
 pub use grid::{Grid, GridError};
 pub use rows::{Row, Rows};
+pub use solid::Solid;
+pub use walk::Walk;
 
 /// Which voxels a triangle marks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

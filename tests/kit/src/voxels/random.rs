@@ -54,7 +54,7 @@ pub fn marks_agree_with_oracle<S: Sample>(seed: u64, grids: u32, most: i64) -> u
 }
 
 /// A grid of up to `most` voxels a side, now and then a part of one.
-fn grid<S: Sample>(rng: &mut Rng, most: i64) -> Option<Grid<S>> {
+pub(super) fn grid<S: Sample>(rng: &mut Rng, most: i64) -> Option<Grid<S>> {
     let size = rng.triple(|rng| rng.whole(1, most) as f64).map(|n| n as u32);
     let (origin, cell) = match rng.whole(0, 3) {
         0 => ([-3.0; 3], [1.0; 3]),
