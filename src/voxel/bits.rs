@@ -193,6 +193,47 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
         &self.grid
     }
 
+    /// Clears all bits.
+    pub(super) fn clear(&mut self) {
+        self.words.fill(W::ZERO);
+    }
+
+    /// Changes the bit of a voxel that the grid has.
+    #[inline(always)]
+    pub(super) fn flip(&mut self, [x, y, z]: [u32; 3]) {
+        let at = self.row_start(y, z) + (x / W::BITS) as usize;
+        if let Some(word) = self.words.get_mut(at) {
+            *word ^= W::ONE << (x % W::BITS);
+        }
+    }
+
+    /// Sets the bits of a row from each bit that is set up to before the next one; or, if
+    /// `to_none`, no bit.
+    pub(super) fn fill_between(&mut self, y: u32, z: u32, to_none: bool) {
+        let beyond = self.row_words as u32 * W::BITS - self.grid.resolution()[0];
+        let row = self.row_mut(y, z);
+        if to_none {
+            return row.fill(W::ZERO);
+        }
+        let mut is_inside = false;
+        for word in &mut *row {
+            // Each bit becomes the parity of all up to it.
+            let mut shift = 1;
+            while shift < W::BITS {
+                *word ^= *word << shift;
+                shift *= 2;
+            }
+            if is_inside {
+                *word ^= W::ALL;
+            }
+            is_inside = *word >> (W::BITS - 1) == W::ONE;
+        }
+        // Crossings beyond the grid leave a row inside at its end.
+        if let Some(last) = row.last_mut() {
+            *last = *last & (W::ALL >> beyond);
+        }
+    }
+
     #[inline(always)]
     fn row_start(&self, y: u32, z: u32) -> usize {
         let ny = self.grid.resolution()[1] as usize;

@@ -1,6 +1,9 @@
+use core::cmp::Ordering;
 use core::fmt;
 use core::ops::Range;
 
+use super::marks::Line;
+use super::sign::middle;
 use crate::scalar::{Scalar, StepsError};
 use crate::shape::{Aabb, Vec3};
 
@@ -121,6 +124,28 @@ impl<S: Scalar> Grid<S> {
         S::at_step(origin[axis], cell[axis], self.first[axis] + k)
     }
 
+    /// The two planes that a line is the middle of.
+    #[inline]
+    pub(super) fn planes(&self, axis: usize, line: Line) -> [S; 2] {
+        [self.plane(axis, line.from as u32), self.plane(axis, line.to as u32)]
+    }
+
+    /// How a line of the grid compares with a number.
+    #[inline]
+    pub(super) fn compare(&self, axis: usize, line: Line, x: S) -> Ordering {
+        let [p, q] = self.planes(axis, line);
+        if line.from != line.to {
+            return middle(p, q, x, self.cell.x);
+        }
+        compare(p, x)
+    }
+
+    /// The way from one number to another, in cells, with an error of less than four roundoffs
+    /// of itself.
+    pub(super) fn length(&self, axis: usize, from: S, to: S) -> f64 {
+        to.less_in_double(from) * self.per_cell[axis]
+    }
+
     /// A number's place among the planes on an axis, up to the error that
     /// [`place_error`](Self::place_error) says.
     #[inline(always)]
@@ -170,6 +195,18 @@ impl<S: Copy> Grid<S> {
     #[must_use]
     pub const fn offset(&self) -> [u32; 3] {
         self.first
+    }
+}
+
+/// How two numbers compare; none is NaN.
+#[inline(always)]
+pub(super) fn compare<S: PartialOrd>(a: S, b: S) -> Ordering {
+    if a < b {
+        Ordering::Less
+    } else if a > b {
+        Ordering::Greater
+    } else {
+        Ordering::Equal
     }
 }
 

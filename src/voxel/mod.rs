@@ -22,16 +22,23 @@
 
 mod bits;
 mod grid;
+mod line;
+mod marks;
+mod pass;
 mod place;
 mod placed;
 mod plane;
 mod rows;
 mod sign;
 mod slabs;
+mod solid;
+mod walk;
 
 pub use bits::{Bits, TooFewWords, Word};
 pub use grid::{Grid, GridError};
 pub use rows::{Row, Rows};
+pub use solid::Solid;
+pub use walk::Walk;
 
 /// Which voxels a triangle marks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -47,4 +54,12 @@ pub enum Rule {
     /// Those that hold a point of it, where each point of space is in one voxel: the voxel from
     /// its least planes, included, to its greatest, not included.
     HalfOpen,
+    /// Those whose cross it meets: the three segments through the middle of a voxel, from face
+    /// to face, each with its lesser end and without its greater one. No path from face to face
+    /// of voxels left free crosses the triangle (6-separating).
+    ///
+    /// For planes these are the thin voxels of Schwarz and Seidel 2010, and of Huang and others
+    /// 1998; the cross as the target is S. Laine's, "A Topological Approach to Voxelization",
+    /// *Computer Graphics Forum* 32(4), 2013.
+    Thin,
 }

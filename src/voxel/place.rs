@@ -19,7 +19,7 @@ impl Place {
     }
 
     /// On plane k.
-    const fn on(k: i32) -> Self {
+    pub(super) const fn on(k: i32) -> Self {
         Self { at: k, above: k + 1 }
     }
 

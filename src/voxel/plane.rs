@@ -25,6 +25,7 @@
 use core::cmp::Ordering;
 
 use super::grid::Grid;
+use super::marks::Line;
 use super::place::{Place, locate};
 use super::placed::Placed;
 use super::sign::side;
@@ -99,33 +100,12 @@ impl Plane {
     ) -> Place {
         let [from_x, from_y, from_z] = self.from;
         let [slope_y, slope_z] = self.slopes;
+        let marks = placed.marks[0];
         let x = from_x + slope_z * (z.middle() - from_z) + slope_y * (y.middle() - from_y);
-        locate(x, self.error, low, high, |k| {
-            let x = grid.plane(0, k as u32);
-            let at = |y: i32, z: i32| [x, grid.plane(1, y as u32), grid.plane(2, z as u32)];
-            let order = side(&placed.points, at(y.from, z.from), at(y.to, z.to));
+        locate(x - marks.shift(), self.error, low, high, |k| {
+            let planes = [grid.planes(0, marks.limit(k)), grid.planes(1, y), grid.planes(2, z)];
+            let order = side(&placed.points, planes.map(|p| p[0]), planes.map(|p| p[1]));
             if self.is_turned { order.reverse() } else { order }
         })
-    }
-}
-
-/// The middle between two planes of the grid, or a plane and itself.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Line {
-    pub(super) from: i32,
-    pub(super) to: i32,
-}
-
-impl Line {
-    /// Plane k.
-    #[inline(always)]
-    pub(super) const fn plane(k: i32) -> Self {
-        Self { from: k, to: k }
-    }
-
-    /// About where it is.
-    #[inline(always)]
-    pub(super) fn middle(self) -> f64 {
-        0.5 * f64::from(self.from + self.to)
     }
 }

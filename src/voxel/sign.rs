@@ -7,14 +7,40 @@
 use core::cmp::Ordering;
 
 use crate::arithmetic::{Embeds, Number, Parts};
-use crate::robust::{ExactSum, Linear, Predicate, Vector, add_area, add_determinant, difference};
+use crate::robust::{
+    ExactSum, Linear, Predicate, Vector, add_area, add_determinant, difference, single,
+};
 use crate::scalar::Scalar;
 
 /// The sign of (b − a) × (p + q − 2a) in a plane: how b lies to the right of the way from a
 /// to the point, if the first axis points right and the second up.
 #[inline(never)]
 pub(super) fn turn<S: Scalar>(a: [S; 2], b: [S; 2], p: [S; 2], q: [S; 2]) -> Ordering {
-    S::evaluate(&Turn { a, b, p, q }).cmp(&0)
+    S::evaluate(&Turn { from: a, to: b, a, p, q }).cmp(&0)
+}
+
+/// The sign of (to − from) × (p − a).
+#[inline(never)]
+pub(super) fn line_turn<S: Scalar>(a: [S; 2], [from, to]: [[S; 2]; 2], p: [S; 2]) -> Ordering {
+    S::evaluate(&Turn { from, to, a, p, q: p }).cmp(&0)
+}
+
+/// How p compares with a + t·(to − from).
+#[cold]
+#[inline(never)]
+pub(super) fn against_point<S: Scalar>(p: S, a: S, [from, to]: [S; 2], t: Parts) -> Ordering {
+    let mut sum = S::Sum::new();
+    add_area(&mut sum, &difference(p.parts(), a.parts()), &single(S::ONE), false);
+    add_area(&mut sum, &difference(to.parts(), from.parts()), &single(t), true);
+    sum.sign()
+}
+
+/// How the middle of p and q compares with x, given any number above zero.
+#[cold]
+#[inline(never)]
+pub(super) fn middle<S: Scalar>(p: S, q: S, x: S, positive: S) -> Ordering {
+    let on_axis = |x: S| [x, S::ZERO];
+    turn(on_axis(x), [x, positive], on_axis(p), on_axis(q)).reverse()
 }
 
 /// The sign of ((b − a) × (c − a))·(p + q − 2a).
@@ -24,8 +50,9 @@ pub(super) fn side<S: Scalar>(triangle: &[[S; 3]; 3], p: [S; 3], q: [S; 3]) -> O
 }
 
 struct Turn<S> {
+    from: [S; 2],
+    to: [S; 2],
     a: [S; 2],
-    b: [S; 2],
     p: [S; 2],
     q: [S; 2],
 }
@@ -40,17 +67,18 @@ impl<S: Scalar> Predicate<S> for Turn<S> {
             return None;
         }
         let in_space = |[u, v]: [S; 2]| [u, v, S::ZERO];
-        let [a, b, p, q] = N::embed(&[self.a, self.b, self.p, self.q].map(in_space))?;
-        let [u, v] = [0, 1].map(|i| (b[i] - a[i], (p[i] - a[i]) + (q[i] - a[i])));
+        let all = [self.from, self.to, self.a, self.p, self.q].map(in_space);
+        let [from, to, a, p, q] = N::embed(&all)?;
+        let [u, v] = [0, 1].map(|i| (to[i] - from[i], (p[i] - a[i]) + (q[i] - a[i])));
         sign_of(N::area(u.0, v.1) - N::area(v.0, u.1))
     }
 
     fn exact(&self) -> i8 {
-        let edge = |i: usize| difference(self.b[i].parts(), self.a[i].parts());
+        let way = |i: usize| difference(self.to[i].parts(), self.from[i].parts());
         let point = |i: usize| doubled(self.p[i], self.q[i], self.a[i]);
         let mut sum = S::Sum::new();
-        add_area(&mut sum, &edge(0), &point(1), false);
-        add_area(&mut sum, &edge(1), &point(0), true);
+        add_area(&mut sum, &way(0), &point(1), false);
+        add_area(&mut sum, &way(1), &point(0), true);
         sum.sign() as i8
     }
 }

@@ -22,8 +22,8 @@
 //! 4. The plane that U is compared with errs by η. Together less than 4·η + 2.4·η·|ŝ|, and
 //!    8·η·(1 + |ŝ|) is given.
 
-use super::Rule;
 use super::grid::Grid;
+use super::marks::Marks;
 use super::place::{Place, locate};
 use super::placed::Placed;
 use super::sign::turn;
@@ -41,65 +41,71 @@ pub(super) struct Span {
 
 impl Span {
     pub(super) const EMPTY: Self = Self { first: i32::MAX, last: i32::MIN };
-
-    #[inline(always)]
-    fn include(&mut self, first: i32, last: i32) {
-        self.first = self.first.min(first);
-        self.last = self.last.max(last);
-    }
 }
 
-/// The slabs from `first` on, of the axis `v`, with the cells of the axis `u`.
+/// For each interval of the axis `v`, from `first` on, the intervals of the axis `u` that the
+/// triangle comes to in it, seen along the third axis.
 #[inline(always)]
 pub(super) fn spans<S: Scalar>(
     placed: &Placed<S>,
     grid: &Grid<S>,
-    rule: Rule,
-    [u, v]: [usize; 2],
+    axes: [usize; 2],
     first: i32,
     out: &mut [Span],
 ) {
     out.fill(Span::EMPTY);
+    let [u, v] = axes;
+    let [along, across] = [placed.marks[u], placed.marks[v]];
     let end = first + out.len() as i32;
-    let mut include = |slab: i32, from: i32, to: i32| {
+    let mut include = |slab: i32, place: Place, is_open: bool| {
         if let Some(span) = out.get_mut((slab - first) as usize) {
-            span.include(from, to);
+            let (from, to) = (along.first(place, is_open), along.last(place, is_open));
+            span.first = span.first.min(from);
+            span.last = span.last.max(to);
         }
     };
-    // What lies on the line below a slab, and in it: with a half-open cell both count in full.
-    // What lies on the line above it is a limit of points in it then.
-    let low = |place: Place| if rule == Rule::HalfOpen { place.above - 1 } else { place.at - 1 };
-    let high = |place: Place| place.above - 1;
-    let limit = |place: Place| if rule == Rule::HalfOpen { place.at - 1 } else { place.above - 1 };
+    // What lies on the greatest plane of a half-open slab is a limit of points in it.
+    let is_open = across == Marks::HalfOpen;
 
     for vertex in &placed.at {
-        let (at, slab) = (vertex[u], vertex[v]);
-        include(slab.above - 1, low(at), high(at));
-        if slab.at != slab.above {
-            include(slab.at - 1, low(at), limit(at));
+        let (place, slab) = (vertex[u], vertex[v]);
+        let is_on_limit = slab.at != slab.above;
+        if across.are_cells() {
+            include(slab.above - 1, place, false);
+        }
+        if is_on_limit {
+            let slab = if across.are_cells() { slab.at - 1 } else { slab.at };
+            include(slab, place, is_open);
         }
     }
     for k in 0..3 {
-        let (a, b) = (k, if k == 2 { 0 } else { k + 1 });
-        let rises = placed.points[a][v] < placed.points[b][v];
-        let (a, b) = if rises { (a, b) } else { (b, a) };
-        // The lines between the ends, and those of them that belong to these slabs.
-        let (from, to) = (placed.at[a][v].above, placed.at[b][v].at);
+        let ends = rising(placed, v, k);
+        // The limits between the ends, and those of them that belong to these slabs.
+        let (from, to) = (placed.at[ends[0]][v].above, placed.at[ends[1]][v].at);
         let (from, to) = (from.max(first), to.min(end + 1));
         if from >= to {
             continue;
         }
-        let edge = Edge::new(placed, [u, v], [a, b]);
-        for line in from..to {
-            let at = edge.place(grid, [u, v], line);
-            include(line, low(at), high(at));
-            include(line - 1, low(at), limit(at));
+        let edge = Edge::new(placed, axes, ends);
+        for limit in from..to {
+            let place = edge.place(placed, grid, axes, limit);
+            include(limit, place, false);
+            if across.are_cells() {
+                include(limit - 1, place, is_open);
+            }
         }
     }
 }
 
+/// The ends of edge k, the lower along v first.
+#[inline(always)]
+pub(super) fn rising<S: Scalar>(placed: &Placed<S>, v: usize, k: usize) -> [usize; 2] {
+    let next = if k == 2 { 0 } else { k + 1 };
+    if placed.points[k][v] < placed.points[next][v] { [k, next] } else { [next, k] }
+}
+
 /// An edge that rises along v.
-struct Edge<S> {
+pub(super) struct Edge<S> {
     ends: [[S; 2]; 2],
     from: [f64; 2],
     slope: f64,
@@ -110,7 +116,7 @@ struct Edge<S> {
 
 impl<S: Scalar> Edge<S> {
     #[inline(always)]
-    fn new(placed: &Placed<S>, [u, v]: [usize; 2], [a, b]: [usize; 2]) -> Self {
+    pub(super) fn new(placed: &Placed<S>, [u, v]: [usize; 2], [a, b]: [usize; 2]) -> Self {
         let [p, q] = [a, b].map(|k| [placed.near[k][u], placed.near[k][v]]);
         let (du, dv) = (q[0] - p[0], q[1] - p[1]);
         let slope = du / dv;
@@ -125,15 +131,23 @@ impl<S: Scalar> Edge<S> {
         }
     }
 
-    /// Where the edge crosses a line of v.
+    /// Where the edge crosses a limit of v, which is not above its higher end.
     #[inline(always)]
-    fn place(&self, grid: &Grid<S>, [u, v]: [usize; 2], line: i32) -> Place {
-        let x = self.from[0] + (f64::from(line) - self.from[1]) * self.slope;
-        locate(x, self.error, self.low, self.high, |plane| {
-            let point = [grid.plane(u, plane as u32), grid.plane(v, line as u32)];
+    pub(super) fn place(
+        &self,
+        placed: &Placed<S>,
+        grid: &Grid<S>,
+        [u, v]: [usize; 2],
+        limit: i32,
+    ) -> Place {
+        let [along, across] = [placed.marks[u], placed.marks[v]];
+        let up = f64::from(limit) + across.shift() - self.from[1];
+        let x = self.from[0] + up * self.slope - along.shift();
+        locate(x, self.error, self.low, self.high, |k| {
+            let [p, q] = [grid.planes(u, along.limit(k)), grid.planes(v, across.limit(limit))];
             let [a, b] = self.ends;
             // Left of the edge, seen along it, is before it.
-            turn(a, b, point, point).reverse()
+            turn(a, b, [p[0], q[0]], [p[1], q[1]]).reverse()
         })
     }
 }

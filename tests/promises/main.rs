@@ -62,6 +62,7 @@ mod logging;
 // The main job and the other examples, as their users meet them.
 mod examples;
 mod voxel;
+mod voxel_lines;
 mod voxelize;
 
 // The oracles themselves.

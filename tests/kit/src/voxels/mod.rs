@@ -4,15 +4,20 @@
 mod oracle;
 mod random;
 mod scene;
+mod solid;
+mod walk;
 
 use septum::Triangle;
 use septum::voxel::{Bits, Grid, Rule};
 
 pub use scene::{VoxelScene, torus_knot};
+pub use solid::Insides;
 
 use crate::Sample;
 use oracle::{Marks, planes};
-use random::rows_agree_with_pairs;
+use random::{marks_agree_with_oracle, rows_agree_with_pairs};
+use solid::check_solid;
+use walk::walks_are_right;
 
 /// A scalar to check in, named: the checks are compiled here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,6 +62,21 @@ impl InScalar {
     /// [`rows_agree_with_pairs`] in this scalar.
     pub fn rows_agree_with_pairs(self, seed: u64, grids: u32, most: i64) -> u64 {
         in_scalar!(self, rows_agree_with_pairs(seed, grids, most))
+    }
+
+    /// [`marks_agree_with_oracle`] in this scalar.
+    pub fn marks_agree_with_oracle(self, seed: u64, grids: u32, most: i64) -> u64 {
+        in_scalar!(self, marks_agree_with_oracle(seed, grids, most))
+    }
+
+    /// The inside of the scene, beside the oracle; the mesh is closed.
+    pub fn check_solid(self, scene: &VoxelScene) -> Insides {
+        in_scalar!(self, check_solid(scene))
+    }
+
+    /// Walks along random lines, beside the oracle; how many voxels they meet.
+    pub fn walks_are_right(self, seed: u64, grids: u32) -> u64 {
+        in_scalar!(self, walks_are_right(seed, grids))
     }
 
     /// The words of the scene, its triangles in another order and their vertices too, are those

@@ -16,8 +16,7 @@ pub(super) enum Marks {
     Wide(Whole<IBig>),
 }
 
-/// In whole numbers, counted from the least planes and doubled: the middle of two planes is a
-/// whole number too.
+/// In whole numbers, counted from the least planes.
 pub(super) struct Whole<I> {
     vertices: [[I; 3]; 3],
     planes: [Vec<I>; 3],
@@ -76,9 +75,9 @@ impl Marks {
     }
 }
 
-/// Twice x less `start`, in units of 2^unit.
+/// x less `start`, in units of 2^unit.
 fn from(x: Parts, start: Parts, unit: i32) -> IBig {
-    (whole(x, unit) - whole(start, unit)) << 1
+    whole(x, unit) - whole(start, unit)
 }
 
 impl<I: Ring> Whole<I> {
@@ -93,8 +92,23 @@ impl<I: Ring> Whole<I> {
             return false;
         }
         match rule {
+            Rule::Closed => remains(&[least, greatest].concat(), &[]),
             Rule::HalfOpen => remains(&least, &greatest),
-            _ => remains(&[least, greatest].concat(), &[]),
+            // Between two planes, twice what is above the middle: above both together.
+            Rule::Thin => (0..3).any(|axis| {
+                let across = [(axis + 1) % 3, (axis + 2) % 3];
+                let sides = across.map(|i: usize| {
+                    let above: [I; 3] = std::array::from_fn(|k| least[i][k].minus(&greatest[i][k]));
+                    let below: [I; 3] = std::array::from_fn(|k| greatest[i][k].minus(&least[i][k]));
+                    [above, below]
+                });
+                let [a, b] = sides;
+                remains(
+                    &[vec![least[axis].clone()], a.into(), b.into()].concat(),
+                    &greatest[axis..=axis],
+                )
+            }),
+            _ => unreachable!("a rule without an oracle"),
         }
     }
 }

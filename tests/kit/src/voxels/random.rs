@@ -1,8 +1,9 @@
 //! Any triangle in any grid: what rows say, and what the pair says.
 
 use septum::Triangle;
-use septum::voxel::{Grid, Rule};
+use septum::voxel::{Bits, Grid, Rule};
 
+use super::oracle::{Marks, planes};
 use crate::{Rng, Sample, VERTEX_ORDERS};
 
 /// Asks for the rows of random triangles in random grids, and about each voxel by
@@ -23,8 +24,37 @@ pub fn rows_agree_with_pairs<S: Sample>(seed: u64, grids: u32, most: i64) -> u64
     met
 }
 
+/// Asks for the rows of such triangles by every rule, and the oracle about each voxel. Panics
+/// where they differ; returns how many voxels are marked.
+pub fn marks_agree_with_oracle<S: Sample>(seed: u64, grids: u32, most: i64) -> u64 {
+    let rng = &mut Rng::new(seed);
+    let mut marked = 0;
+    for _ in 0..grids {
+        let Some(grid) = grid::<S>(rng, most) else { continue };
+        let planes = planes(&grid);
+        let [nx, ny, nz] = grid.resolution();
+        for _ in 0..6 {
+            let vertices = triangle(rng, &grid);
+            let marks = Marks::new(&vertices, &planes);
+            let [a, b, c] = vertices;
+            let triangle = Triangle::new(a, b, c).expect("finite vertices");
+            for rule in [Rule::Closed, Rule::HalfOpen, Rule::Thin] {
+                let mut words = vec![0_u64; grid.words::<u64>()];
+                let mut bits = Bits::new(&grid, &mut words).expect("enough words");
+                bits.fill(&triangle, rule);
+                for voxel in (0..nx * ny * nz).map(|n| [n % nx, n / nx % ny, n / nx / ny]) {
+                    let is_right = bits.contains(voxel) == marks.has(voxel, rule);
+                    assert!(is_right, "{rule:?} {voxel:?}: {triangle:?} in {grid:?}");
+                }
+                marked += bits.count();
+            }
+        }
+    }
+    marked
+}
+
 /// A grid of up to `most` voxels a side, now and then a part of one.
-fn grid<S: Sample>(rng: &mut Rng, most: i64) -> Option<Grid<S>> {
+pub(super) fn grid<S: Sample>(rng: &mut Rng, most: i64) -> Option<Grid<S>> {
     let size = rng.triple(|rng| rng.whole(1, most) as f64).map(|n| n as u32);
     let (origin, cell) = match rng.whole(0, 3) {
         0 => ([-3.0; 3], [1.0; 3]),

@@ -36,6 +36,39 @@ impl VoxelScene {
         ]
     }
 
+    /// Closed meshes, small enough to ask an oracle about each centre; their vertices are
+    /// multiples of 1/64, and of a half in some, so that lines meet edges and centres faces.
+    pub fn solids(n: u32) -> Vec<Self> {
+        let rounded = |t: [Point; 3], per: f64| t.map(|p| p.map(|x| (x * per).round() / per));
+        let end = f64::from(n);
+        let fitted = |name, mesh: Vec<[Point; 3]>, per: f64| {
+            let fit = Self::around(name, mesh, n);
+            let to = |p: Point| [0, 1, 2].map(|i| (p[i] - fit.origin[i]) / fit.cell[i]);
+            let triangles = fit.triangles.iter().map(|t| rounded(t.map(to), per)).collect();
+            Self { name, triangles, ..Self::whole(n) }
+        };
+        let knot = torus_knot(24, 5);
+        let octahedron: Vec<_> = cube(-1.0, 1.0)
+            .into_iter()
+            .map(|t| t.map(|p| [p[0] + p[1], p[1] - p[0], p[2] + 0.5 * p[1]]))
+            .collect();
+        vec![
+            fitted("knot", knot.clone(), 64.0),
+            fitted("knot at halves", knot, 2.0),
+            fitted("parallelepiped at halves", octahedron, 2.0),
+            Self {
+                name: "cubes with faces at centres",
+                triangles: [cube(1.5, end - 1.5), cube(2.5, end - 2.0)].concat(),
+                ..Self::whole(n)
+            },
+            Self {
+                name: "cube that reaches beyond the grid",
+                triangles: cube(-3.0, end - 2.5),
+                ..Self::whole(n)
+            },
+        ]
+    }
+
     /// A grid that ends where the mesh does.
     fn around(name: &'static str, triangles: Vec<[Point; 3]>, n: u32) -> Self {
         let points = || triangles.iter().flatten();
