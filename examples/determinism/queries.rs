@@ -78,4 +78,8 @@ queries! {
     SegmentTriangle = "segment/triangle overlaps",
     SegmentTriangleMay = "segment/triangle may_overlap",
     TriangleContains = "triangle contains",
+    AabbObb = "aabb/obb overlaps",
+    AabbObbMay = "aabb/obb may_overlap",
+    ObbObb = "obb/obb overlaps",
+    ObbObbMay = "obb/obb may_overlap",
 }

@@ -25,6 +25,7 @@ const ENOUGH: u64 = 10_000_000;
 pub(crate) fn all<S: Coordinate>(meter: &Meter) {
     triangle_aabb::<S>(meter);
     triangle_obb::<S>(meter);
+    pairs::<S>(meter);
     ray_triangle::<S>(meter);
     ray_aabb::<S>(meter);
 }
@@ -72,6 +73,22 @@ fn triangle_obb<S: Coordinate>(meter: &Meter) {
     ];
     lines::<S, _, _>(meter, "full", workload::turned_full, &queries);
     lines::<S, _, _>(meter, "voorhies", workload::turned_voorhies, &queries);
+}
+
+/// Two triangles, and two oriented boxes.
+fn pairs<S: Coordinate>(meter: &Meter) {
+    let triangles: [Query<Triangle<S>, Triangle<S>>; 2] = [
+        ("triangle/triangle", "exact", |t, u| t.overlaps(u)),
+        ("triangle/triangle", "conservative", |t, u| t.may_overlap(u)),
+    ];
+    lines::<S, _, _>(meter, "full", workload::meeting_triangles, &triangles);
+    lines::<S, _, _>(meter, "random", workload::triangles, &triangles);
+    let obbs: [Query<Obb<S>, Obb<S>>; 2] = [
+        ("oriented box/oriented box", "exact", |b, c| b.overlaps(c)),
+        ("oriented box/oriented box", "conservative", |b, c| b.may_overlap(c)),
+    ];
+    lines::<S, _, _>(meter, "full", workload::meeting_obbs, &obbs);
+    lines::<S, _, _>(meter, "random", workload::obbs, &obbs);
 }
 
 fn ray_triangle<S: Coordinate>(meter: &Meter) {

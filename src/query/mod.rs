@@ -14,7 +14,9 @@ mod triangle_obb;
 mod triangle_triangle;
 
 mod aabb_aabb;
+mod aabb_obb;
 mod either_order;
+mod obb_obb;
 mod plane_aabb;
 mod point_aabb;
 mod point_obb;

@@ -23,6 +23,7 @@ mod witness;
 mod flat_shapes;
 mod obb;
 mod oriented_boxes;
+mod oriented_pairs;
 mod plane;
 mod prepared_rays;
 mod ray_box;
