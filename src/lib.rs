@@ -44,6 +44,7 @@
 //! | triangle, triangle | [`overlaps`][triangle-triangle] | [`may_overlap`][triangle-triangle] |
 //! | segment, triangle | [`overlaps`][segment-triangle] | [`may_overlap`][segment-triangle] |
 //! | box, box | [`overlaps`][aabb-aabb] | the same |
+//! | box or oriented box, oriented box | [`overlaps`][obb-obb] | [`may_overlap`][obb-obb] |
 //! | plane, box | [`overlaps`][plane-aabb], [`side_of`](Plane::side_of) | the same |
 //! | segment, box | [`overlaps`][segment-aabb] | [`may_overlap`][segment-aabb] |
 //! | ray, box | [`overlaps`][ray-aabb], [`t_range`](Ray::t_range) | [`may_overlap`][ray-aabb] |
@@ -61,6 +62,7 @@
 //! [triangle-triangle]: Triangle#impl-Overlaps<Triangle<S>>-for-Triangle<S>
 //! [segment-triangle]: Segment#impl-Overlaps<Triangle<S>>-for-Segment<S>
 //! [aabb-aabb]: Aabb#impl-Overlaps<Aabb<S>>-for-Aabb<S>
+//! [obb-obb]: Obb#impl-Overlaps<Obb<S>>-for-Obb<S>
 //! [plane-aabb]: Plane#impl-Overlaps<Aabb<S>>-for-Plane<S>
 //! [segment-aabb]: Segment#impl-Overlaps<Aabb<S>>-for-Segment<S>
 //! [ray-aabb]: Ray#impl-Overlaps<Aabb<S>>-for-Ray<S>
@@ -136,6 +138,7 @@ pub mod prepared;
 pub mod published;
 mod robust;
 mod scalar;
+pub mod voxel;
 
 pub use query::{Axis, Cull, Facing, Feature, Hit, HitRules, Side};
 pub use scalar::Scalar;

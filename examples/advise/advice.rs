@@ -19,6 +19,8 @@ pub(crate) struct Row {
     pub(crate) counted: Option<u64>,
     pub(crate) timing: Option<Timing>,
     pub(crate) instructions: Option<Figure>,
+    /// Microseconds of a query on a small core.
+    pub(crate) time: Option<Figure>,
     pub(crate) code: Option<Figure>,
 }
 

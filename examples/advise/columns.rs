@@ -39,7 +39,8 @@ pub(crate) fn costs(options: &Options, scene: &Scene, survey: &Survey) -> String
     let headers = if options.target == Target::Host {
         vec!["type", "exact in", "time, f32 = 1", "table,\nbytes", "good enough?"]
     } else {
-        vec!["type", "exact in", "instructions", "code,\nbytes", "table,\nbytes", "good enough?"]
+        let [code, table] = ["code,\nbytes", "table,\nbytes"];
+        vec!["type", "exact in", "instructions", "µs at\n48 MHz", code, table, "good enough?"]
     };
     let line = |row: &Row| {
         let mut cells = vec![row.kind.name(), row.stages.clone()];
@@ -49,6 +50,7 @@ pub(crate) fn costs(options: &Options, scene: &Scene, survey: &Survey) -> String
             })),
             Target::M0 | Target::M4f => {
                 cells.push(figure(row.instructions.as_ref()));
+                cells.push(figure(row.time.as_ref()));
                 cells.push(figure(row.code.as_ref()));
             }
         }

@@ -16,10 +16,17 @@ pub(crate) struct Figure {
     pub(crate) is_estimate: bool,
 }
 
+/// What the exact triangle/box query takes, by scalar and path.
+type ByPath = BTreeMap<(String, String), f64>;
+
+/// Cycles in a microsecond at 48 MHz, as fast as most cores without an FPU run.
+const MEGAHERTZ: f64 = 48.0;
+
 /// The tables that are there.
 pub(crate) struct Costs {
-    /// Instructions of the exact triangle/box query, by scalar and path.
-    instructions: BTreeMap<(String, String), f64>,
+    instructions: ByPath,
+    /// Only of Cortex-M0.
+    cycles: ByPath,
     /// Bytes of a program that is that query, by scalar.
     code: BTreeMap<String, f64>,
     /// The names of the tables that are missing.
@@ -29,8 +36,12 @@ pub(crate) struct Costs {
 impl Costs {
     /// Reads the tables in a folder.
     pub(crate) fn read(folder: &Path, target: Target) -> Result<Self, Box<dyn Error>> {
-        let mut costs =
-            Self { instructions: BTreeMap::new(), code: BTreeMap::new(), missing: Vec::new() };
+        let mut costs = Self {
+            instructions: BTreeMap::new(),
+            cycles: BTreeMap::new(),
+            code: BTreeMap::new(),
+            missing: Vec::new(),
+        };
         if target == Target::Host {
             return Ok(costs);
         }
@@ -42,6 +53,14 @@ impl Costs {
         )? {
             if core == name && query == "triangle/box" && mode == "exact" {
                 costs.instructions.insert((scalar, path), number(&instructions)?);
+            }
+        }
+        if target == Target::M0 {
+            let columns = ["query", "scalar", "mode", "path", "M0"];
+            for [query, scalar, mode, path, cycles] in costs.rows(folder, "cycles.csv", columns)? {
+                if query == "triangle/box" && mode == "exact" {
+                    costs.cycles.insert((scalar, path), number(&cycles)?);
+                }
             }
         }
         for [on, program, text] in costs.rows(folder, "flash.csv", ["target", "program", "text"])? {
@@ -84,18 +103,20 @@ impl Costs {
         Ok(rows)
     }
 
-    /// Instructions of a query that tries all 13 axes. The average over the stages, by
-    /// their shares of the queries.
+    /// Instructions of a query that tries all 13 axes.
     pub(crate) fn instructions(&self, kind: Kind, shares: &BTreeMap<Stage, f64>) -> Option<Figure> {
-        let scalar = tabled(kind);
-        let mut value = 0.0;
-        for (stage, share) in shares {
-            // The tables measured the wider stage of 32 bits on shapes as large as the type.
-            let far = kind.bits() == 32 && *stage == Stage::I64;
-            let path = if far { "whole range" } else { "full" };
-            value += share * self.instructions.get(&(scalar.clone(), path.into()))?;
-        }
-        Some(Figure { value, is_estimate: scalar != kind.name() || shares.len() > 1 })
+        average(&self.instructions, kind, shares)
+    }
+
+    /// Microseconds of the same at 48 MHz, with memory that does not wait. Where there is no
+    /// table of cycles an estimate: an instruction takes a cycle or more.
+    pub(crate) fn time(&self, kind: Kind, shares: &BTreeMap<Stage, f64>) -> Option<Figure> {
+        let (table, is_guess) = match self.cycles.is_empty() {
+            true => (&self.instructions, true),
+            false => (&self.cycles, false),
+        };
+        let Figure { value, is_estimate } = average(table, kind, shares)?;
+        Some(Figure { value: value / MEGAHERTZ, is_estimate: is_estimate || is_guess })
     }
 
     /// Bytes of code of a program that is the query.
@@ -104,6 +125,19 @@ impl Costs {
         let value = *self.code.get(&scalar)?;
         Some(Figure { value, is_estimate: scalar != kind.name() })
     }
+}
+
+/// The average over the stages, by their shares of the queries.
+fn average(table: &ByPath, kind: Kind, shares: &BTreeMap<Stage, f64>) -> Option<Figure> {
+    let scalar = tabled(kind);
+    let mut value = 0.0;
+    for (stage, share) in shares {
+        // The tables measured the wider stage of 32 bits on shapes as large as the type.
+        let far = kind.bits() == 32 && *stage == Stage::I64;
+        let path = if far { "whole range" } else { "full" };
+        value += share * table.get(&(scalar.clone(), path.into()))?;
+    }
+    Some(Figure { value, is_estimate: scalar != kind.name() || shares.len() > 1 })
 }
 
 fn number(text: &str) -> Result<f64, String> {

@@ -141,10 +141,14 @@ fn legend(options: &Options, scene: &Scene, survey: &Survey, costs: &Costs) -> S
 
 fn legend_of_tables(options: &Options, survey: &Survey, costs: &Costs) -> String {
     let mut text = format!(
-        "instructions: of a query on a {} where all 13 axes are tried. code: of a program that is \
-         the query. Both come from tables, not from this scene. ≈ is an estimate, from the type \
-         with as many bits and as exact.\n",
-        options.target.name()
+        "instructions: of a query on a {} where all 13 axes are tried. µs: the same, {}. code: of a \
+         program that is the query. They come from tables, not from this scene. ≈ is an estimate, \
+         from the type with as many bits and as exact.\n",
+        options.target.name(),
+        match options.target {
+            Target::M4f => "if each instruction took one cycle, which is a lower bound",
+            _ => "by Arm's table of cycles, multiplying in one, with memory that does not wait",
+        },
     );
     for file in &costs.missing {
         text += &format!("{file} is not there: its figures are unknown.\n");
@@ -187,7 +191,11 @@ fn recommendation(
     let cost = match (&row.timing, &row.instructions) {
         (Some(timing), _) => format!("{:.2} times the time of f32, measured", timing.median),
         (None, None) => "unknown".into(),
-        (None, cost) => format!("{} instructions, from the table", figure(cost.as_ref())),
+        (None, cost) => format!(
+            "{} instructions, {} µs at 48 MHz, from tables",
+            figure(cost.as_ref()),
+            figure(row.time.as_ref())
+        ),
     };
     format!(
         "Recommended: {}\n  verdicts changed: {predicted}{counted}\n  cost of a query: {cost}\n  \

@@ -71,6 +71,7 @@ impl Survey {
                 counted: counted.as_ref().map(|counted| counted[k]),
                 timing: race.as_ref().map(|(_, timings)| timings[k]),
                 instructions: plan.costs.instructions(kind, &shares),
+                time: plan.costs.time(kind, &shares),
                 code: plan.costs.code(kind),
             }
         };

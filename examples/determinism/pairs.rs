@@ -26,6 +26,19 @@ pub(super) fn boxes<S: Draw, A: Answers>(
         }
     }
     if let Some(obb) = obb {
+        // Elsewhere, and with the axes in another order.
+        let [u, v, w] = *obb.axes();
+        for (center, axes) in [(a, [u, v, w]), (b, [w, u, v]), (c, [v, b, u])] {
+            let Ok(other) = Obb::from_skewed_axes(center, axes, obb.half_extents()) else {
+                continue;
+            };
+            answers.to(Query::ObbObb).yes(obb.overlaps(&other));
+            answers.to(Query::ObbObbMay).yes(other.may_overlap(obb));
+            for aabb in aabbs {
+                answers.to(Query::AabbObb).yes(aabb.overlaps(&other));
+                answers.to(Query::AabbObbMay).yes(aabb.may_overlap(&other));
+            }
+        }
         for point in [a, b, c, obb.center()] {
             answers.to(Query::ObbContains).yes(obb.contains(point));
         }

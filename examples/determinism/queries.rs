@@ -78,4 +78,13 @@ queries! {
     SegmentTriangle = "segment/triangle overlaps",
     SegmentTriangleMay = "segment/triangle may_overlap",
     TriangleContains = "triangle contains",
+    AabbObb = "aabb/obb overlaps",
+    AabbObbMay = "aabb/obb may_overlap",
+    ObbObb = "obb/obb overlaps",
+    ObbObbMay = "obb/obb may_overlap",
+    MeshOverlapping = "mesh overlapping",
+    MeshPairs = "mesh overlapping_pairs",
+    MeshFirstHit = "mesh first_hit",
+    MeshHits = "mesh hits",
+    MeshWinding = "mesh winding",
 }

@@ -4,6 +4,7 @@ use core::hint::black_box;
 
 use heapless::Vec;
 use septum::published;
+use septum::published::akenine_moller::{self, Order};
 use septum::published::slabs::SlabRay;
 use septum::published::slopes::SlopeRay;
 use septum::{Aabb, Cull, Obb, Ray, Triangle};
@@ -24,6 +25,7 @@ const ENOUGH: u64 = 10_000_000;
 pub(crate) fn all<S: Coordinate>(meter: &Meter) {
     triangle_aabb::<S>(meter);
     triangle_obb::<S>(meter);
+    pairs::<S>(meter);
     ray_triangle::<S>(meter);
     ray_aabb::<S>(meter);
 }
@@ -45,6 +47,23 @@ fn triangle_aabb<S: Coordinate>(meter: &Meter) {
     lines::<S, _, _>(meter, "whole range", workload::whole_range, &queries);
 }
 
+/// The test as published with its groups of axes in every order, by the paper's numbers: 1, the
+/// faces; 2, the normal; 3, the cross products.
+pub(crate) fn orders<S: Coordinate>(meter: &Meter) {
+    const NAME: &str = "order of axes";
+    use akenine_moller::overlaps_in;
+    let queries: [Query<Triangle<S>, Aabb<S>>; 6] = [
+        (NAME, "3-1-2", |t, b| overlaps_in(t, b, Order::EdgesFacesNormal)),
+        (NAME, "3-2-1", |t, b| overlaps_in(t, b, Order::EdgesNormalFaces)),
+        (NAME, "1-3-2", |t, b| overlaps_in(t, b, Order::FacesEdgesNormal)),
+        (NAME, "1-2-3", |t, b| overlaps_in(t, b, Order::FacesNormalEdges)),
+        (NAME, "2-3-1", |t, b| overlaps_in(t, b, Order::NormalEdgesFaces)),
+        (NAME, "2-1-3", |t, b| overlaps_in(t, b, Order::NormalFacesEdges)),
+    ];
+    lines::<S, _, _>(meter, "voorhies", workload::voorhies, &queries);
+    lines::<S, _, _>(meter, "grid", workload::grid, &queries);
+}
+
 fn triangle_obb<S: Coordinate>(meter: &Meter) {
     const NAME: &str = "triangle/oriented box";
     let queries: [Query<Triangle<S>, Obb<S>>; 3] = [
@@ -54,6 +73,22 @@ fn triangle_obb<S: Coordinate>(meter: &Meter) {
     ];
     lines::<S, _, _>(meter, "full", workload::turned_full, &queries);
     lines::<S, _, _>(meter, "voorhies", workload::turned_voorhies, &queries);
+}
+
+/// Two triangles, and two oriented boxes.
+fn pairs<S: Coordinate>(meter: &Meter) {
+    let triangles: [Query<Triangle<S>, Triangle<S>>; 2] = [
+        ("triangle/triangle", "exact", |t, u| t.overlaps(u)),
+        ("triangle/triangle", "conservative", |t, u| t.may_overlap(u)),
+    ];
+    lines::<S, _, _>(meter, "full", workload::meeting_triangles, &triangles);
+    lines::<S, _, _>(meter, "random", workload::triangles, &triangles);
+    let obbs: [Query<Obb<S>, Obb<S>>; 2] = [
+        ("oriented box/oriented box", "exact", |b, c| b.overlaps(c)),
+        ("oriented box/oriented box", "conservative", |b, c| b.may_overlap(c)),
+    ];
+    lines::<S, _, _>(meter, "full", workload::meeting_obbs, &obbs);
+    lines::<S, _, _>(meter, "random", workload::obbs, &obbs);
 }
 
 fn ray_triangle<S: Coordinate>(meter: &Meter) {
@@ -106,7 +141,7 @@ fn lines<S: Coordinate, A, B>(
     queries: &[Query<A, B>],
 ) {
     let mut rng = Rng::new();
-    let mut taken = [Taken::default(); 4];
+    let mut taken = [Taken::default(); 6];
     for _ in 0..CASES / BATCH {
         let mut pairs = Vec::<_, BATCH>::new();
         while let (false, Some(pair)) = (pairs.is_full(), draw(&mut rng)) {

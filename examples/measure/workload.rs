@@ -174,6 +174,32 @@ pub(crate) fn turned_full<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, 
     first(rng, turned_voorhies, true, |triangle, obb| triangle.overlaps(obb))
 }
 
+/// Two triangles in a cube.
+pub(crate) fn triangles<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Triangle<S>)> {
+    let mut one = || triangle([(); 3].map(|()| rng.point())).ok();
+    Some((one()?, one()?))
+}
+
+pub(crate) fn meeting_triangles<S: Coordinate>(
+    rng: &mut Rng,
+) -> Option<(Triangle<S>, Triangle<S>)> {
+    first(rng, triangles, true, |one, other| one.overlaps(other))
+}
+
+/// A box along the axes of space, as an oriented one, and one turned about two axes.
+pub(crate) fn obbs<S: Coordinate>(rng: &mut Rng) -> Option<(Obb<S>, Obb<S>)> {
+    let along = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(|a| a.map(|x| x << 16));
+    let turned = [[60, 80, 0], [-48, 36, 80], [64, -48, 60]].map(|a| a.map(|x| x * 65536 / 100));
+    let one = |center: Point, axes: [Point; 3]| {
+        Obb::from_skewed_axes(vector(center), axes.map(vector), vector([HALF; 3])).ok()
+    };
+    Some((one([0; 3], along)?, one(rng.point(), turned)?))
+}
+
+pub(crate) fn meeting_obbs<S: Coordinate>(rng: &mut Rng) -> Option<(Obb<S>, Obb<S>)> {
+    first(rng, obbs, true, |one, other| one.overlaps(other))
+}
+
 /// A ray from one point towards another.
 fn ray<S: Coordinate>(from: Point, to: Point) -> Option<Ray<S>> {
     let direction = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];

@@ -30,5 +30,6 @@ reversed! {
     Aabb with Segment;
     Aabb with Ray;
     Obb with Triangle;
+    Obb with Aabb;
     Triangle with Segment;
 }

@@ -14,7 +14,9 @@ mod triangle_obb;
 mod triangle_triangle;
 
 mod aabb_aabb;
+mod aabb_obb;
 mod either_order;
+mod obb_obb;
 mod plane_aabb;
 mod point_aabb;
 mod point_obb;
@@ -39,7 +41,6 @@ mod relation;
 #[cfg(feature = "libm")]
 pub(crate) use normal::direction;
 pub use plane_aabb::Side;
-
 pub use ray_aabb::PreparedRay;
 pub(crate) use ray_triangle::{Candidate, clear_hit, clear_refined_hit};
 pub use ray_triangle::{Cull, Facing, Feature, Hit, HitRules};

@@ -10,10 +10,12 @@ mod float;
 mod grid;
 #[cfg(feature = "defmt")]
 mod logged;
+mod steps;
 
 pub use backend::{Backend, FloatFormat};
 #[cfg(feature = "fixed")]
 pub use fixed_point::FixedPoint;
+pub use steps::{Steps, StepsError};
 
 #[cfg(feature = "defmt")]
 pub use logged::Logged;
@@ -43,6 +45,7 @@ impl<S> Logged for S {}
 pub trait Scalar:
     Backend
     + axes::Axes
+    + Steps
     + grid::Gridded
     + Logged
     + Copy

@@ -98,7 +98,10 @@ impl<S: Scalar> Obb<S> {
     }
 }
 
-overlaps_methods!(Obb, "a [`Triangle`](crate::Triangle)");
+overlaps_methods!(
+    Obb,
+    "a [`Triangle`](crate::Triangle), an [`Aabb`](crate::Aabb) or another oriented box"
+);
 
 impl<S: Scalar> Obb<S> {
     /// The bounding box: the least axis-aligned box, given by its corners, whose

@@ -23,6 +23,7 @@ mod witness;
 mod flat_shapes;
 mod obb;
 mod oriented_boxes;
+mod oriented_pairs;
 mod plane;
 mod prepared_rays;
 mod ray_box;
@@ -61,6 +62,8 @@ mod logging;
 
 // The main job and the other examples, as their users meet them.
 mod examples;
+mod voxel;
+mod voxel_lines;
 mod voxelize;
 
 // The oracles themselves.

@@ -7,6 +7,7 @@ mod measure;
 mod picture;
 mod point;
 mod style;
+mod tables;
 mod target;
 
 use std::error::Error;
@@ -32,12 +33,15 @@ pub struct Options {
     /// Instructions on small cores, drawn too if there is such a table
     #[arg(long, value_name = "FILE", default_value = "docs/target.csv")]
     target: PathBuf,
+    /// Documents whose tables of times are made anew
+    #[arg(long, value_name = "FILE", default_values = ["docs/speed.md", "README.md"])]
+    tables: Vec<PathBuf>,
     /// Measure nothing: draw what chart.csv says
     #[arg(long)]
     redraw: bool,
 }
 
-/// Measures, writes the table, and draws.
+/// Measures, writes the table, draws, and brings the documents up to date.
 pub fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let table = options.out.join("chart.csv");
     let points = if options.redraw {
@@ -51,6 +55,9 @@ pub fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     for picture in &PICTURES {
         picture.draw(&points, &options.out)?;
         println!("{}", picture.verdict(&points));
+    }
+    for path in &options.tables {
+        tables::refresh(path, &points)?;
     }
     let claims = points.iter().filter(|p| p.claims_to_be_exact() && p.worst > 0.0);
     let broken: Vec<String> = claims.map(|p| format!("{} in {}", p.test, p.scalar)).collect();

@@ -121,7 +121,7 @@ fn rows(costs: &[Cost], query: &str, picture: &str, points: &[Point]) -> Vec<Row
 fn twin<'a>(points: &'a [Point], picture: &str, cost: &Cost) -> Option<&'a Point> {
     let test = match (cost.query.as_str(), cost.mode.as_str()) {
         ("ray/triangle hit", "exact") => "exact hit",
-        ("ray/triangle hits", "exact") => "exact hits",
+        ("ray/triangle hits", "exact") => "exact is_hit",
         ("ray/triangle hit", "as published") => "Möller–Trumbore",
         ("ray/box", "as published") => "as published (SAT)",
         ("ray/box", "slabs") => "slabs, rounded",

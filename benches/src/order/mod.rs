@@ -2,6 +2,7 @@
 //! products among themselves.
 
 mod nine;
+mod small_cores;
 mod table;
 
 use std::error::Error;
@@ -28,6 +29,9 @@ pub struct Options {
     /// Where the tables go
     #[arg(long, value_name = "FILE", default_value = "docs/order.md")]
     out: PathBuf,
+    /// Instructions on small cores
+    #[arg(long, value_name = "FILE", default_value = "docs/target.csv")]
+    target: PathBuf,
 }
 
 /// The orders by the paper's numbers: 1, the faces; 2, the normal; 3, the cross products.
@@ -80,7 +84,8 @@ pub fn run(options: &Options) -> Result<(), Box<dyn Error>> {
         counts.push((workload, nine::counts(&scene)));
     }
     bar.finish_and_clear();
-    let text = table::text(&groups, &nine, &counts);
+    let small_cores = small_cores::read(&options.target)?;
+    let text = table::text(&groups, &nine, &counts, &small_cores);
     print!("{text}");
     if let Some(folder) = options.out.parent() {
         std::fs::create_dir_all(folder)?;

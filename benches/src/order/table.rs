@@ -3,10 +3,16 @@
 use std::fmt::Write;
 
 use super::nine::{self, Counts};
+use super::small_cores::Row;
 use super::{ORDERS, Race};
 
 /// Everything that was measured, with what follows from it.
-pub(super) fn text(groups: &[Race], nine: &[Race], counts: &[(&str, Counts)]) -> String {
+pub(super) fn text(
+    groups: &[Race],
+    nine: &[Race],
+    counts: &[(&str, Counts)],
+    small_cores: &[Row],
+) -> String {
     let mut text = String::from(INTRODUCTION);
     races(&mut text, groups, &ORDERS.map(|(name, _)| name));
     text += BEST;
@@ -36,6 +42,17 @@ pub(super) fn text(groups: &[Race], nine: &[Race], counts: &[(&str, Counts)]) ->
         write!(text, "| {workload} |").expect(FITS);
         for sum in c.looked_at {
             write!(text, " {:.2} |", sum as f64 / c.by_edges.max(1) as f64).expect(FITS);
+        }
+        text += "\n";
+    }
+    text += SMALL_CORES;
+    header(&mut text, &["core", "scalar", "workload"], &ORDERS.map(|(name, _)| name));
+    for Row { core, scalar, workload, instructions } in small_cores {
+        write!(text, "| {core} | {scalar} | {workload} |").expect(FITS);
+        let best = instructions.iter().copied().fold(f64::INFINITY, f64::min);
+        for &each in instructions {
+            let strong = if each == best { "**" } else { "" };
+            write!(text, " {strong}{:.2}{strong} |", each / instructions[0]).expect(FITS);
         }
         text += "\n";
     }
@@ -76,6 +93,15 @@ with one axis of the box. *Diagonals*: no two neighbours share an edge or an axi
 const LOOKED_AT: &str = "
 How many of the nine are looked at until one tells, on average over the pairs that no face
 separates and a cross product does; the same on every machine:
+
+";
+
+const SMALL_CORES: &str = "
+## On small cores
+
+The three groups again: instructions relative to the paper's order, from
+[target.csv](target.csv). Pairs of the example `measure`: random triangles, of which half meet the
+box, and vertices on a grid of integers.
 
 ";
 

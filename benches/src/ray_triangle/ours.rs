@@ -49,7 +49,7 @@ pub fn course_by<S: Scalar>(
 pub fn ours<S: Scalar>(course: &Course<Ray<S>, Triangle<S>>) -> Vec<Candidate> {
     vec![
         course.candidate("exact hit", Promise::Exact, exact),
-        course.candidate("exact hits", Promise::Exact, exact_verdict),
+        course.candidate("exact is_hit", Promise::Exact, exact_verdict),
         course.candidate("exact hit_once", Promise::NeverInvents, exact_once),
         course.candidate("Möller–Trumbore", Promise::Nothing, moller_trumbore),
     ]

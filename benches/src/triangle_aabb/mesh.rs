@@ -18,8 +18,13 @@ use super::scenes::{Scene, bounding_box};
 const RESOLUTION: f64 = 128.0;
 const SIDE: f64 = 4.0 / RESOLUTION;
 
-/// The Utah teapot.
+/// The Utah teapot in voxels.
 pub fn teapot() -> Scene {
+    voxels(&teapot_triangles())
+}
+
+/// The Utah teapot.
+pub(crate) fn teapot_triangles() -> Vec<[Point; 3]> {
     let file = include_bytes!("../../../examples/assets/teapot.obj");
     let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
     let no_materials = |_: &std::path::Path| Err(tobj::LoadError::GenericFailure);
@@ -33,7 +38,7 @@ pub fn teapot() -> Scene {
             triangles.push(std::array::from_fn(|k| point(&corners[k])));
         }
     }
-    voxels(&triangles)
+    triangles
 }
 
 /// A sphere of 32,000 triangles, most of them smaller than a voxel.

@@ -1,6 +1,6 @@
 //! Triangle against box; the yardstick is the test as published in 2001.
 
-mod mesh;
+pub(crate) mod mesh;
 mod ours;
 mod peers;
 pub(crate) mod scenes;

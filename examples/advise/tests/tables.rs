@@ -34,6 +34,9 @@ fn costs_of_small_cores_come_from_tables() {
     fs::write(tables.join("target.csv"), TARGET).unwrap();
     let flash = "target,program,text\nCortex-M0,triangle/box exact f32,23674\n";
     fs::write(tables.join("flash.csv"), flash).unwrap();
+    let cycles =
+        "query,scalar,mode,path,M0\ntriangle/box,I8F8,exact,full,960\nray/box,I8F8,exact,full,7\n";
+    fs::write(tables.join("cycles.csv"), cycles).unwrap();
     let advice = Advice::with_tables(teapot(), "--target m0", &tables);
     let row = |kind: Kind| advice.survey.rows.iter().find(|row| row.kind == kind).unwrap();
     let instructions = |kind| row(kind).instructions.as_ref().map(|f| (f.value, f.is_estimate));
@@ -45,6 +48,8 @@ fn costs_of_small_cores_come_from_tables() {
     let mixed = instructions(fixed(32, 16)).unwrap();
     assert!(mixed.0 > 800.0 && mixed.0 < 1000.0 && mixed.1, "some of both: {mixed:?}");
     assert_eq!(instructions(Kind::F64), None, "not in the table");
+    assert_eq!(row(fixed(16, 8)).time.as_ref().unwrap().value, 20.0);
+    assert!(row(fixed(32, 13)).time.is_none(), "not in the table of cycles");
     assert_eq!(row(Kind::F32).code.as_ref().unwrap().value, 23674.0);
     assert_eq!(advice.recommended().unwrap().kind, Kind::F32, "the cheapest, if by little");
 

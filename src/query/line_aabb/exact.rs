@@ -26,21 +26,23 @@ impl ExactLine {
 
     /// The line from `o`, in the direction from `a` to `b`.
     pub(crate) fn between<S: Scalar>(o: [S; 3], a: [S; 3], b: [S; 3], form: &AabbForm<S>) -> Self {
-        let direction = |i: usize| difference(b[i].parts(), a[i].parts());
-        Self::new(o, [0, 1, 2].map(direction), [0, 1, 2].map(|i: usize| b[i] < a[i]), form)
+        let direction = |i| difference(pick(&b, i).parts(), pick(&a, i).parts());
+        let falls = [0, 1, 2].map(|i| pick(&b, i) < pick(&a, i));
+        Self::new(o, [0, 1, 2].map(direction), falls, form)
     }
 
     fn new<S: Scalar>(o: [S; 3], d: [Linear; 3], falls: [bool; 3], form: &AabbForm<S>) -> Self {
         let faces = ExactAabb::new(form);
         let mirrored = |x: Linear, falls: bool| if falls { x.map(Parts::negated) } else { x };
         let face = |i: usize, ahead: bool| {
-            let toward = if ahead == falls[i] { Ordering::Less } else { Ordering::Greater };
-            mirrored(faces.to_face(o[i].parts(), i, toward), falls[i])
+            let (o, falls) = (pick(&o, i).parts(), *pick(&falls, i));
+            let toward = if ahead == falls { Ordering::Less } else { Ordering::Greater };
+            mirrored(faces.to_face(o, i, toward), falls)
         };
         Self {
             near: [0, 1, 2].map(|i| face(i, false)),
             far: [0, 1, 2].map(|i| face(i, true)),
-            m: [0, 1, 2].map(|i| mirrored(d[i], falls[i])),
+            m: [0, 1, 2].map(|i| mirrored(*pick(&d, i), *pick(&falls, i))),
         }
     }
 

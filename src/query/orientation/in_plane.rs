@@ -2,8 +2,9 @@
 //!
 //! Two sets in one plane meet exactly if what they leave in each plane of two coordinates
 //! meets: on one of these the plane is left as it is, and where sets meet, what they leave
-//! does. So nobody need ask which one that is. In a plane of two coordinates the axes are the
-//! normals of all edges, and for what is on one line the coordinates themselves.
+//! does. One on which a triangle has an area is such a one, and enough. In a plane of two
+//! coordinates the axes are the normals of all edges, and for what is on one line the
+//! coordinates themselves.
 
 use core::cmp::Ordering;
 
@@ -40,12 +41,18 @@ pub(super) fn in_plane(points: &impl Points) -> Relation {
     }
     let mut so_far = Relation::Overlapping;
     for axis in 0..3 {
+        let mut has_area = false;
         for (one, other) in [(FIRST, SECOND), (SECOND, FIRST)] {
             for k in 0..3 {
                 let (k, next, opposite) = turn(k);
                 let side = |x: usize| points.area(axis, [one[k], one[next], x]);
-                so_far = so_far.min(along(other.map(side), &[side(one[opposite])]));
+                let back = side(one[opposite]);
+                so_far = so_far.min(along(other.map(side), &[back]));
+                has_area |= back != Ordering::Equal;
             }
+        }
+        if has_area || so_far == Relation::Disjoint {
+            break;
         }
     }
     so_far

@@ -6,9 +6,11 @@
 //! | triangle and box | [`meets`], [`separates`], [`is_collinear`] | [`Set`], [`Touch`] |
 //! | triangle and oriented box | [`Oriented::meets`] | |
 //! | triangle, segment or point and triangle | [`flat::FlatCase::truth`] | [`flat::FlatSet`] |
+//! | box and oriented box | [`boxes::BoxCase::meets`] | [`boxes::BoxSet`] |
 //! | plane and box | [`side`] | |
 //! | line and box | [`lines::LineBox::clip`] | [`lines::LineSet`] |
 //! | ray and triangle | [`rays::crossing`] | [`rays::RaySet`], [`rays::Scene`] |
+//! | triangles in a grid | [`voxels::check`] | [`voxels::VoxelScene`] |
 //! | point and mesh | [`rays::winding`] | |
 //! | unit normals | [`is_nearest_to_unit`] | |
 //! | lanes | [`Lanes::check`]: one by one | |
@@ -16,6 +18,7 @@
 //! [`Sample`] is what all of these must know of a scalar, [`Rng`] the one random generator.
 //! Oracles take numbers apart first ([`Parts`]): what is not generic is compiled once.
 
+pub mod boxes;
 mod case;
 mod exact;
 pub mod flat;
@@ -37,6 +40,7 @@ mod rng;
 mod sample;
 mod sets;
 mod touch;
+pub mod voxels;
 
 pub use case::{BoxNumbers, Case};
 pub use exact::Parts;

@@ -73,15 +73,7 @@ impl<I: Ring> Shapes<I> {
         if spaces.iter().any(|form| !(0..3).any(|k| inside(form, k))) {
             return false;
         }
-
-        let mut cycle = uncut();
-        for form in &spaces {
-            cycle = clip(&cycle, form);
-            if cycle.is_empty() {
-                return false;
-            }
-        }
-        true
+        !cut(&spaces).is_empty()
     }
 
     /// The six half-spaces as forms that are not negative inside.
@@ -94,6 +86,28 @@ impl<I: Ring> Shapes<I> {
             })
         })
     }
+}
+
+/// The corners of what all of the half-spaces leave of the triangle. Each is given by its
+/// value at the three vertices, not negative inside.
+fn cut<I: Ring>(spaces: &[[I; 3]]) -> Vec<Corner<I>> {
+    let mut cycle = uncut();
+    for form in spaces {
+        cycle = clip(&cycle, form);
+        if cycle.is_empty() {
+            break;
+        }
+    }
+    cycle
+}
+
+/// Whether closed half-spaces leave anything of the triangle that is not on the border of one
+/// of those that are `open`. What is left is convex: it is all on their borders only if it is
+/// all on one of them.
+pub(crate) fn remains<I: Ring>(closed: &[[I; 3]], open: &[[I; 3]]) -> bool {
+    let left = cut(&[closed, open].concat());
+    let is_inside = |form: &[I; 3]| left.iter().any(|c| I::dot(&c.point, form).sign() > 0);
+    !left.is_empty() && open.iter().all(is_inside)
 }
 
 /// What the half-space leaves of the cycle.

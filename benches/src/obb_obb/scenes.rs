@@ -1,0 +1,83 @@
+//! The workloads: boxes, and those that each of them is asked about.
+
+use fastrand::Rng;
+use septum::Obb;
+
+use crate::geometry::{Point, random_point};
+use crate::pairs::Pairs;
+
+/// A box by its centre, axes and half-extents.
+#[derive(Clone, Copy)]
+pub struct Turned {
+    pub center: Point,
+    pub axes: [Point; 3],
+    pub half: Point,
+}
+
+/// Boxes, and those that each is tested against.
+pub type Scene = Pairs<Turned, Turned>;
+
+const PAIRS: usize = 50_000;
+
+/// Pairs; half of them overlap.
+pub fn half() -> Scene {
+    pairs(&mut Rng::with_seed(41), 0.5, std::f64::consts::TAU)
+}
+
+/// The same, and one in ten overlaps.
+pub fn tenth() -> Scene {
+    pairs(&mut Rng::with_seed(42), 0.1, std::f64::consts::TAU)
+}
+
+/// Boxes turned by a ten-millionth at most.
+pub fn nearly_parallel() -> Scene {
+    pairs(&mut Rng::with_seed(43), 0.5, 1e-7)
+}
+
+/// Boxes along the axes of space, face on face: contact.
+pub fn stacked() -> Scene {
+    let mut rng = Rng::with_seed(44);
+    let mut scene = Scene::default();
+    for _ in 0..PAIRS {
+        let mut whole = || [0; 3].map(|_| f64::from(rng.i8(1..=16)) / 32.0);
+        let (half, other, center) = (whole(), whole(), whole());
+        let lower = Turned { center, axes: turned([0.0; 3]), half };
+        let mut upper = Turned { half: other, ..lower };
+        upper.center[2] += half[2] + other[2];
+        scene.push(lower, [upper]);
+    }
+    scene
+}
+
+/// The frame turned by these angles.
+fn turned(angles: [f64; 3]) -> [Point; 3] {
+    let mut frame = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    for (angle, (i, j)) in angles.into_iter().zip([(0, 1), (1, 2), (2, 0)]) {
+        let (sin, cos) = angle.sin_cos();
+        for row in &mut frame {
+            (row[i], row[j]) = (cos * row[i] - sin * row[j], sin * row[i] + cos * row[j]);
+        }
+    }
+    frame
+}
+
+fn pairs(rng: &mut Rng, rate: f64, angle: f64) -> Scene {
+    let one = |rng: &mut Rng| Turned {
+        center: random_point(rng).map(|x| x / 2.0),
+        axes: turned([0; 3].map(|_| rng.f64() * angle)),
+        half: [0; 3].map(|_| 0.05 + rng.f64() * 0.6),
+    };
+    let shape = |b: &Turned| Obb::new(b.center, b.axes, b.half).expect("a frame");
+    let mut scene = Scene::default();
+    for _ in 0..PAIRS {
+        let wanted = rng.f64() < rate;
+        loop {
+            let (b, c) = (one(rng), one(rng));
+            if shape(&b).overlaps(&shape(&c)) == wanted {
+                scene.push(b, [c]);
+                break;
+            }
+        }
+    }
+    scene
+}

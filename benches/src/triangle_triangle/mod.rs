@@ -1,0 +1,36 @@
+//! Triangle against triangle; the yardstick is the test by 11 axes, in `f32`.
+
+mod candidates;
+mod scenes;
+
+use septum::Scalar;
+
+use crate::session::{Group, Session};
+use crate::unit::{F32, F64, I8F8_15, I16F16_18, I16F16_26, I32F32_34, Unit};
+
+use candidates::{course, ours, peers, yardstick};
+use scenes::Scene;
+
+fn group<S: Scalar>(unit: Unit<S>) -> Group<Scene> {
+    (unit.name, Box::new(move |scene: &Scene| ours(&course(scene, &unit))))
+}
+
+pub fn run(session: &mut Session) {
+    let all = [
+        group(F32),
+        ("f32 parry3d", Box::new(|scene: &Scene| peers(scene)) as _),
+        group(F64),
+        group(I8F8_15),
+        group(I16F16_18),
+        group(I16F16_26),
+        group(I32F32_34),
+    ];
+    let mut race = |name: &str, scene| session.measure(name, scene, yardstick, &all);
+    race("triangle/triangle: two teapots", scenes::teapots);
+    race("triangle/triangle: pairs, 50 % overlap", scenes::half);
+    race("triangle/triangle: pairs, 10 % overlap", scenes::tenth);
+    // What doubt costs.
+    race("triangle/triangle: neighbours in the teapot", scenes::neighbours);
+    race("triangle/triangle: integer grid", scenes::grid);
+    race("triangle/triangle: in one plane", scenes::plane);
+}

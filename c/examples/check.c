@@ -1,0 +1,87 @@
+/* Asks every function a stream of questions and prints a hash of the answers: the same on
+   every machine, and the same as examples/expected.rs prints, which asks the crate itself. */
+
+#include "board.h"
+#include "septum.h"
+
+/* xorshift, by Marsaglia (2003). */
+static uint32_t state;
+
+static uint32_t next(void) {
+    state ^= state << 13;
+    state ^= state >> 17;
+    state ^= state << 5;
+    return state;
+}
+
+/* FNV-1a, of 32 bits. */
+static uint32_t hash;
+
+static void add(uint32_t word) {
+    for (int k = 0; k < 4; k++) {
+        hash = (hash ^ (word >> 8 * k & 255)) * 16777619u;
+    }
+}
+
+static uint32_t bits_f32(float x) {
+    union {
+        float number;
+        uint32_t bits;
+    } both = {x};
+    return both.bits;
+}
+
+/* From -2 to 2, in 65,536ths. */
+static int32_t coordinate(void) { return (int32_t)(next() >> 14) - 131072; }
+
+#define ROUNDS 256
+
+#define NUMBER i8f8
+#define TYPE septum_i8f8
+#define FROM(x) ((septum_i8f8)((x) / 256))
+#define BITS(x) ((uint32_t)(x))
+#define NO_END 32767
+#include "check_one.h"
+
+#define NUMBER i16f16
+#define TYPE septum_i16f16
+#define FROM(x) (x)
+#define BITS(x) ((uint32_t)(x))
+#define NO_END 2147483647
+#include "check_one.h"
+
+#define NUMBER f32
+#define TYPE float
+#define FROM(x) ((float)(x) / 65536.0f)
+#define BITS(x) bits_f32(x)
+#define NO_END __builtin_inff()
+#include "check_one.h"
+
+/* What is wrong with a question is told, and nothing else happens. */
+static int errors(void) {
+    septum_triangle_i16f16 triangle = {{0, 0, 0}, {65536, 0, 0}, {0, 65536, 0}};
+    septum_aabb_i16f16 inverted = {{0, 0, 1}, {1, 1, 0}};
+    septum_obb_i16f16 no_box = {{0, 0, 0}, {{65536, 0, 0}, {65536, 0, 0}, {0, 0, 65536}}, {1, 1, 1}};
+    septum_obb_i16f16 negative = {{0, 0, 0}, {{65536, 0, 0}, {0, 65536, 0}, {0, 0, 65536}}, {1, -1, 1}};
+    septum_ray_i16f16 still = {{0, 0, 0}, {0, 0, 0}, 0, NO_END_i16f16};
+    septum_ray_i16f16 empty = {{0, 0, 0}, {1, 0, 0}, 2, 1};
+    septum_triangle_f32 nan = {{__builtin_nanf(""), 0, 0}, {0, 0, 0}, {0, 0, 0}};
+    septum_aabb_f32 box = {{0, 0, 0}, {1, 1, 1}};
+    return septum_triangle_aabb_i16f16(&triangle, 0) == SEPTUM_ANSWER_NULL_POINTER
+        && septum_triangle_aabb_i16f16(&triangle, &inverted) == SEPTUM_ANSWER_MIN_ABOVE_MAX
+        && septum_triangle_obb_i16f16(&triangle, &no_box) == SEPTUM_ANSWER_NOT_ORTHONORMAL
+        && septum_triangle_obb_i16f16(&triangle, &negative) == SEPTUM_ANSWER_NEGATIVE_HALF_EXTENT
+        && septum_ray_triangle_i16f16(&still, &triangle) == SEPTUM_ANSWER_ZERO_DIRECTION
+        && septum_ray_triangle_i16f16(&empty, &triangle) == SEPTUM_ANSWER_EMPTY_RANGE
+        && septum_ray_triangle_hit_i16f16(&still, &triangle, 0) == SEPTUM_ANSWER_NULL_POINTER
+        && septum_triangle_aabb_f32(&nan, &box) == SEPTUM_ANSWER_NOT_FINITE;
+}
+
+int main(void) {
+    check_i8f8();
+    check_i16f16();
+    check_f32();
+    int told = errors();
+    print(told ? "errors are told\n" : "AN ERROR IS NOT TOLD\n");
+    return !told;
+}

@@ -1,0 +1,80 @@
+/* The stream of one type of numbers: included once for each. */
+
+#define JOIN3(a, b, c) a##b##c
+#define JOIN2(a, b) JOIN3(a, b, )
+#define NAME(name) JOIN2(name, NUMBER)
+#define ASK(query) JOIN2(septum_##query##_, NUMBER)
+
+static const TYPE NAME(NO_END_) = NO_END;
+
+static void NAME(point_)(TYPE *p) {
+    for (int k = 0; k < 3; k++) {
+        p[k] = FROM(coordinate());
+    }
+}
+
+static void NAME(report_)(const char *query, int yes) {
+    print(query);
+    print_number(" yes: ", (uint32_t)yes, 10);
+    print_number(", hash ", hash, 16);
+    print("\n");
+    hash = 2166136261u;
+}
+
+static void NAME(check_)(void) {
+    static const char *const names[] = {"triangle_aabb", "triangle_obb", "ray_aabb", "ray_triangle",
+                                        "ray_triangle_hit"};
+    hash = 2166136261u;
+    for (int query = 0; query < 5; query++) {
+        int yes = 0;
+        state = 1;
+        for (int round = 0; round < ROUNDS; round++) {
+            ASK(triangle) triangle;
+            NAME(point_)(triangle.a);
+            NAME(point_)(triangle.b);
+            NAME(point_)(triangle.c);
+            ASK(aabb) aabb;
+            NAME(point_)(aabb.min);
+            NAME(point_)(aabb.max);
+            for (int k = 0; k < 3; k++) {
+                if (aabb.min[k] > aabb.max[k]) {
+                    TYPE least = aabb.max[k];
+                    aabb.max[k] = aabb.min[k];
+                    aabb.min[k] = least;
+                }
+            }
+            /* Turned about z by the angle of the triangle of sides 3, 4 and 5. */
+            ASK(obb) obb = {{0, 0, 0},
+                            {{FROM(39322), FROM(52429), 0}, {FROM(-52429), FROM(39322), 0}, {0, 0, FROM(65536)}},
+                            {FROM(65536), FROM(32768), FROM(16384)}};
+            NAME(point_)(obb.center);
+            ASK(ray) ray = {.t_min = 0, .t_max = NAME(NO_END_)};
+            NAME(point_)(ray.origin);
+            NAME(point_)(ray.direction);
+            ASK(hit) hit = {0, 0, 0, 0, 0};
+            septum_answer answer = query == 0   ? ASK(triangle_aabb)(&triangle, &aabb)
+                                   : query == 1 ? ASK(triangle_obb)(&triangle, &obb)
+                                   : query == 2 ? ASK(ray_aabb)(&ray, &aabb)
+                                   : query == 3 ? ASK(ray_triangle)(&ray, &triangle)
+                                                : ASK(ray_triangle_hit)(&ray, &triangle, &hit);
+            yes += answer == SEPTUM_ANSWER_YES;
+            add((uint32_t)answer);
+            add(BITS(hit.t));
+            add(BITS(hit.u));
+            add(BITS(hit.v));
+            add((uint32_t)(hit.is_front << 8 | hit.feature));
+        }
+        print(TEXT(NUMBER) " ");
+        NAME(report_)(names[query], yes);
+    }
+}
+
+#undef NUMBER
+#undef TYPE
+#undef FROM
+#undef BITS
+#undef NO_END
+#undef JOIN3
+#undef JOIN2
+#undef NAME
+#undef ASK

@@ -1,0 +1,5 @@
+#include <stdio.h>
+
+#include "board.h"
+
+void print(const char *text) { fputs(text, stdout); }

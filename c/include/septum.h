@@ -1,0 +1,227 @@
+#ifndef SEPTUM_H
+#define SEPTUM_H
+
+// Made by cbindgen from c/src: see c/README.md.
+
+#include <stdint.h>
+
+// An answer, or what is wrong with a question: then it is negative.
+enum septum_answer
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  SEPTUM_ANSWER_NO = 0,
+  SEPTUM_ANSWER_YES = 1,
+  // A pointer is null.
+  SEPTUM_ANSWER_NULL_POINTER = -1,
+  // A coordinate is NaN or infinite.
+  SEPTUM_ANSWER_NOT_FINITE = -2,
+  // A half-extent is negative.
+  SEPTUM_ANSWER_NEGATIVE_HALF_EXTENT = -3,
+  // The least corner of a box lies above its greatest.
+  SEPTUM_ANSWER_MIN_ABOVE_MAX = -4,
+  // The axes of a box are no unit vectors at right angles.
+  SEPTUM_ANSWER_NOT_ORTHONORMAL = -5,
+  // A ray's direction is zero.
+  SEPTUM_ANSWER_ZERO_DIRECTION = -6,
+  // A range ends before it begins.
+  SEPTUM_ANSWER_EMPTY_RANGE = -7,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum septum_answer septum_answer;
+#else
+typedef int32_t septum_answer;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+// Fixed point of 8 fraction bits: a number times 256.
+typedef int16_t septum_i8f8;
+
+// A triangle. It may be a segment or a point.
+typedef struct {
+  septum_i8f8 a[3];
+  septum_i8f8 b[3];
+  septum_i8f8 c[3];
+} septum_triangle_i8f8;
+
+// A box with sides along the axes, by its least and greatest corner. It may be flat.
+typedef struct {
+  septum_i8f8 min[3];
+  septum_i8f8 max[3];
+} septum_aabb_i8f8;
+
+// Fixed point of 16 fraction bits: a number times 65,536.
+typedef int32_t septum_i16f16;
+
+// A triangle. It may be a segment or a point.
+typedef struct {
+  septum_i16f16 a[3];
+  septum_i16f16 b[3];
+  septum_i16f16 c[3];
+} septum_triangle_i16f16;
+
+// A box with sides along the axes, by its least and greatest corner. It may be flat.
+typedef struct {
+  septum_i16f16 min[3];
+  septum_i16f16 max[3];
+} septum_aabb_i16f16;
+
+// A triangle. It may be a segment or a point.
+typedef struct {
+  float a[3];
+  float b[3];
+  float c[3];
+} septum_triangle_f32;
+
+// A box with sides along the axes, by its least and greatest corner. It may be flat.
+typedef struct {
+  float min[3];
+  float max[3];
+} septum_aabb_f32;
+
+// A box along three unit vectors at right angles to one another.
+typedef struct {
+  septum_i8f8 center[3];
+  septum_i8f8 axes[3][3];
+  septum_i8f8 half_extents[3];
+} septum_obb_i8f8;
+
+// A box along three unit vectors at right angles to one another.
+typedef struct {
+  septum_i16f16 center[3];
+  septum_i16f16 axes[3][3];
+  septum_i16f16 half_extents[3];
+} septum_obb_i16f16;
+
+// A box along three unit vectors at right angles to one another.
+typedef struct {
+  float center[3];
+  float axes[3][3];
+  float half_extents[3];
+} septum_obb_f32;
+
+// A ray, from origin + t_min · direction to origin + t_max · direction. The direction
+// need not be of length one. The greatest number of the type as t_max, and the least
+// as t_min, mean that there is no end; in `float` infinities do.
+typedef struct {
+  septum_i8f8 origin[3];
+  septum_i8f8 direction[3];
+  septum_i8f8 t_min;
+  septum_i8f8 t_max;
+} septum_ray_i8f8;
+
+// A ray, from origin + t_min · direction to origin + t_max · direction. The direction
+// need not be of length one. The greatest number of the type as t_max, and the least
+// as t_min, mean that there is no end; in `float` infinities do.
+typedef struct {
+  septum_i16f16 origin[3];
+  septum_i16f16 direction[3];
+  septum_i16f16 t_min;
+  septum_i16f16 t_max;
+} septum_ray_i16f16;
+
+// A ray, from origin + t_min · direction to origin + t_max · direction. The direction
+// need not be of length one. The greatest number of the type as t_max, and the least
+// as t_min, mean that there is no end; in `float` infinities do.
+typedef struct {
+  float origin[3];
+  float direction[3];
+  float t_min;
+  float t_max;
+} septum_ray_f32;
+
+// Where a ray hits a triangle: how far along the ray, in units of its direction; the
+// barycentric coordinates of b and c; 1 in `is_front` where a, b, c go counterclockwise,
+// seen from the ray's origin; in `feature` 0 for the interior, 1, 2, 3 for the edges ab,
+// bc, ca, and 4, 5, 6 for the vertices a, b, c.
+typedef struct {
+  septum_i8f8 t;
+  septum_i8f8 u;
+  septum_i8f8 v;
+  uint8_t is_front;
+  uint8_t feature;
+} septum_hit_i8f8;
+
+// Where a ray hits a triangle: how far along the ray, in units of its direction; the
+// barycentric coordinates of b and c; 1 in `is_front` where a, b, c go counterclockwise,
+// seen from the ray's origin; in `feature` 0 for the interior, 1, 2, 3 for the edges ab,
+// bc, ca, and 4, 5, 6 for the vertices a, b, c.
+typedef struct {
+  septum_i16f16 t;
+  septum_i16f16 u;
+  septum_i16f16 v;
+  uint8_t is_front;
+  uint8_t feature;
+} septum_hit_i16f16;
+
+// Where a ray hits a triangle: how far along the ray, in units of its direction; the
+// barycentric coordinates of b and c; 1 in `is_front` where a, b, c go counterclockwise,
+// seen from the ray's origin; in `feature` 0 for the interior, 1, 2, 3 for the edges ab,
+// bc, ca, and 4, 5, 6 for the vertices a, b, c.
+typedef struct {
+  float t;
+  float u;
+  float v;
+  uint8_t is_front;
+  uint8_t feature;
+} septum_hit_f32;
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+// Whether a triangle meets a box with sides along the axes, exactly.
+septum_answer septum_triangle_aabb_i8f8(const septum_triangle_i8f8 *triangle, const septum_aabb_i8f8 *aabb);
+
+// Whether a triangle meets a box with sides along the axes, exactly.
+septum_answer septum_triangle_aabb_i16f16(const septum_triangle_i16f16 *triangle, const septum_aabb_i16f16 *aabb);
+
+// Whether a triangle meets a box with sides along the axes, exactly.
+septum_answer septum_triangle_aabb_f32(const septum_triangle_f32 *triangle, const septum_aabb_f32 *aabb);
+
+// Whether a triangle meets the box that the numbers of an oriented box describe, exactly.
+septum_answer septum_triangle_obb_i8f8(const septum_triangle_i8f8 *triangle, const septum_obb_i8f8 *obb);
+
+// Whether a triangle meets the box that the numbers of an oriented box describe, exactly.
+septum_answer septum_triangle_obb_i16f16(const septum_triangle_i16f16 *triangle, const septum_obb_i16f16 *obb);
+
+// Whether a triangle meets the box that the numbers of an oriented box describe, exactly.
+septum_answer septum_triangle_obb_f32(const septum_triangle_f32 *triangle, const septum_obb_f32 *obb);
+
+// Whether a ray meets a box with sides along the axes, exactly.
+septum_answer septum_ray_aabb_i8f8(const septum_ray_i8f8 *ray, const septum_aabb_i8f8 *aabb);
+
+// Whether a ray meets a box with sides along the axes, exactly.
+septum_answer septum_ray_aabb_i16f16(const septum_ray_i16f16 *ray, const septum_aabb_i16f16 *aabb);
+
+// Whether a ray meets a box with sides along the axes, exactly.
+septum_answer septum_ray_aabb_f32(const septum_ray_f32 *ray, const septum_aabb_f32 *aabb);
+
+// Whether a ray meets a triangle, exactly. A degenerate triangle is never hit.
+septum_answer septum_ray_triangle_i8f8(const septum_ray_i8f8 *ray, const septum_triangle_i8f8 *triangle);
+
+// Whether a ray meets a triangle, exactly. A degenerate triangle is never hit.
+septum_answer septum_ray_triangle_i16f16(const septum_ray_i16f16 *ray, const septum_triangle_i16f16 *triangle);
+
+// Whether a ray meets a triangle, exactly. A degenerate triangle is never hit.
+septum_answer septum_ray_triangle_f32(const septum_ray_f32 *ray, const septum_triangle_f32 *triangle);
+
+// Where a ray hits a triangle. `hit` is written only where the answer is yes. The verdict is
+// exact; t, u and v are rounded to the nearest in fixed point, within 2 ulp in `float`.
+septum_answer septum_ray_triangle_hit_i8f8(const septum_ray_i8f8 *ray, const septum_triangle_i8f8 *triangle, septum_hit_i8f8 *hit);
+
+// Where a ray hits a triangle. `hit` is written only where the answer is yes. The verdict is
+// exact; t, u and v are rounded to the nearest in fixed point, within 2 ulp in `float`.
+septum_answer septum_ray_triangle_hit_i16f16(const septum_ray_i16f16 *ray, const septum_triangle_i16f16 *triangle, septum_hit_i16f16 *hit);
+
+// Where a ray hits a triangle. `hit` is written only where the answer is yes. The verdict is
+// exact; t, u and v are rounded to the nearest in fixed point, within 2 ulp in `float`.
+septum_answer septum_ray_triangle_hit_f32(const septum_ray_f32 *ray, const septum_triangle_f32 *triangle, septum_hit_f32 *hit);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* SEPTUM_H */

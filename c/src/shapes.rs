@@ -1,0 +1,140 @@
+//! Shapes and answers as C has them.
+
+use septum::{Facing, Feature, ShapeError};
+
+use crate::number::Number;
+
+/// A triangle. It may be a segment or a point.
+#[repr(C)]
+pub struct Triangle<T> {
+    pub a: [T; 3],
+    pub b: [T; 3],
+    pub c: [T; 3],
+}
+
+/// A box with sides along the axes, by its least and greatest corner. It may be flat.
+#[repr(C)]
+pub struct Aabb<T> {
+    pub min: [T; 3],
+    pub max: [T; 3],
+}
+
+/// A box along three unit vectors at right angles to one another.
+#[repr(C)]
+pub struct Obb<T> {
+    pub center: [T; 3],
+    pub axes: [[T; 3]; 3],
+    pub half_extents: [T; 3],
+}
+
+/// A ray, from origin + t_min · direction to origin + t_max · direction. The direction
+/// need not be of length one. The greatest number of the type as t_max, and the least
+/// as t_min, mean that there is no end; in `float` infinities do.
+#[repr(C)]
+pub struct Ray<T> {
+    pub origin: [T; 3],
+    pub direction: [T; 3],
+    pub t_min: T,
+    pub t_max: T,
+}
+
+/// Where a ray hits a triangle: how far along the ray, in units of its direction; the
+/// barycentric coordinates of b and c; 1 in `is_front` where a, b, c go counterclockwise,
+/// seen from the ray's origin; in `feature` 0 for the interior, 1, 2, 3 for the edges ab,
+/// bc, ca, and 4, 5, 6 for the vertices a, b, c.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit<T> {
+    pub t: T,
+    pub u: T,
+    pub v: T,
+    pub is_front: u8,
+    pub feature: u8,
+}
+
+/// An answer, or what is wrong with a question: then it is negative.
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Answer {
+    No = 0,
+    Yes = 1,
+    /// A pointer is null.
+    NullPointer = -1,
+    /// A coordinate is NaN or infinite.
+    NotFinite = -2,
+    /// A half-extent is negative.
+    NegativeHalfExtent = -3,
+    /// The least corner of a box lies above its greatest.
+    MinAboveMax = -4,
+    /// The axes of a box are no unit vectors at right angles.
+    NotOrthonormal = -5,
+    /// A ray's direction is zero.
+    ZeroDirection = -6,
+    /// A range ends before it begins.
+    EmptyRange = -7,
+}
+
+impl From<bool> for Answer {
+    fn from(yes: bool) -> Self {
+        if yes { Self::Yes } else { Self::No }
+    }
+}
+
+impl From<ShapeError> for Answer {
+    fn from(error: ShapeError) -> Self {
+        match error {
+            ShapeError::NegativeHalfExtent => Self::NegativeHalfExtent,
+            ShapeError::MinAboveMax => Self::MinAboveMax,
+            ShapeError::DependentAxes | ShapeError::NotOrthonormal | ShapeError::NoUnitLength => {
+                Self::NotOrthonormal
+            }
+            ShapeError::ZeroDirection => Self::ZeroDirection,
+            ShapeError::EmptyRange => Self::EmptyRange,
+            _ => Self::NotFinite,
+        }
+    }
+}
+
+impl<T: Number> Triangle<T> {
+    pub(crate) fn shape(&self) -> Result<septum::Triangle<T::Scalar>, ShapeError> {
+        septum::Triangle::new(point(&self.a), point(&self.b), point(&self.c))
+    }
+}
+
+impl<T: Number> Aabb<T> {
+    pub(crate) fn shape(&self) -> Result<septum::Aabb<T::Scalar>, ShapeError> {
+        septum::Aabb::from_min_max(point(&self.min), point(&self.max))
+    }
+}
+
+impl<T: Number> Obb<T> {
+    pub(crate) fn shape(&self) -> Result<septum::Obb<T::Scalar>, ShapeError> {
+        let [u, v, w] = &self.axes;
+        let axes = [point(u), point(v), point(w)];
+        septum::Obb::new(point(&self.center), axes, point(&self.half_extents))
+    }
+}
+
+impl<T: Number> Ray<T> {
+    pub(crate) fn shape(&self) -> Result<septum::Ray<T::Scalar>, ShapeError> {
+        septum::Ray::new(point(&self.origin), point(&self.direction))?
+            .with_range(self.t_min.end(), self.t_max.end())
+    }
+}
+
+impl<T: Number> From<septum::Hit<T::Scalar>> for Hit<T> {
+    fn from(hit: septum::Hit<T::Scalar>) -> Self {
+        let feature = match hit.feature {
+            Feature::Interior => 0,
+            Feature::Edge(k) => 1 + k,
+            Feature::Vertex(k) => 4 + k,
+        };
+        let is_front = u8::from(hit.facing == Facing::Front);
+        Self { t: T::raw(hit.t), u: T::raw(hit.u), v: T::raw(hit.v), is_front, feature }
+    }
+}
+
+fn point<T: Number>(p: &[T; 3]) -> [T::Scalar; 3] {
+    let [x, y, z] = *p;
+    [x.scalar(), y.scalar(), z.scalar()]
+}

@@ -1,0 +1,46 @@
+//! Axis-aligned box against oriented box.
+
+use super::Overlaps;
+use super::obb_obb::{First, Lie};
+use super::relation::Relation;
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, Obb};
+
+impl<S: Scalar> Overlaps<Obb<S>> for Aabb<S> {
+    /// Whether an axis-aligned box and an oriented box have a point in common.
+    ///
+    /// *Geometry*: closed sets in one frame and unit, the axis-aligned box as it was given: by
+    /// its corners, or by centre and half-extents. The oriented one is the parallelepiped that
+    /// its numbers describe. Flat boxes, segments and points are boxes.
+    ///
+    /// *Contact*: touching is overlap.
+    ///
+    /// *Numerics*: exact for every valid input, in every scalar.
+    ///
+    /// *Range*, *panics*, *cost* and *source*: as of
+    /// [two oriented boxes](Obb#impl-Overlaps<Obb<S>>-for-Obb<S>).
+    ///
+    /// ```
+    /// use septum::{Aabb, Obb};
+    ///
+    /// let cell = Aabb::from_min_max([0.0, 0.0, 0.0], [1.0, 1.0, 1.0])?;
+    /// let axes = [[0.8, 0.6, 0.0], [-0.6, 0.8, 0.0], [0.0, 0.0, 1.0]];
+    /// let tool = Obb::new([2.4, 0.5, 0.5], axes, [1.0, 1.0, 0.25])?;
+    /// assert!(tool.overlaps(&cell)); // a corner reaches to x = 1
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    fn overlaps(&self, obb: &Obb<S>) -> bool {
+        S::evaluate(&Lie { first: First::Aabb(self), second: obb }) != Relation::Disjoint
+    }
+
+    /// Whether an axis-aligned box and an oriented box may have a point in common.
+    ///
+    /// *Numerics*, *panics* and *cost*: as of
+    /// [two oriented boxes](Obb#impl-Overlaps<Obb<S>>-for-Obb<S>).
+    #[inline]
+    fn may_overlap(&self, obb: &Obb<S>) -> bool {
+        let question = Lie { first: First::Aabb(self), second: obb };
+        S::evaluate_bounded(&question) != Some(Relation::Disjoint)
+    }
+}

@@ -1,0 +1,133 @@
+//! Numbers at equal steps, as the planes of a grid are.
+
+use super::Scalar;
+#[cfg(feature = "fixed")]
+use crate::arithmetic::REGISTERS_ARE_WIDE;
+
+/// What a grid asks of a scalar.
+pub trait Steps: Copy {
+    /// Whether floats may place a number among the steps: everywhere for floats, and for
+    /// fixed point where they are cheap.
+    const HAS_PLACES: bool;
+
+    /// `origin + k·step`: exact in fixed point, each of the two operations rounded in
+    /// floats.
+    fn at_step(origin: Self, step: Self, k: u32) -> Self;
+
+    /// How far any of the numbers up to `count` steps may be from its place, in steps;
+    /// nothing is above one half. Why there are no such numbers, if there are not.
+    fn check_steps(origin: Self, step: Self, count: u32) -> Result<f64, StepsError>;
+
+    /// One over the number, to the nearest.
+    fn reciprocal_in_double(self) -> f64;
+
+    /// The number less another, to the nearest.
+    fn less_in_double(self, other: Self) -> f64;
+}
+
+/// Why there are no numbers at equal steps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StepsError {
+    /// The farthest is not a number of the scalar.
+    OutOfRange,
+    /// Rounding might make one of two.
+    TooClose,
+}
+
+// The product errs by u of itself, the sum by u of itself: with M = |origin| + count·step a
+// number is off by at most 2·u·M, second orders aside, and the computed M is short of M by as
+// much. Two numbers a step apart are therefore apart if 4·u·M is below the step; 8 are asked
+// for. In steps a number is off by at most 2·u·M/step, of which 3 are given: up to 3/8.
+macro_rules! float {
+    ($($float:ident)*) => {$(
+        impl Steps for $float {
+            const HAS_PLACES: bool = true;
+
+            #[inline(always)]
+            fn at_step(origin: Self, step: Self, k: u32) -> Self {
+                origin + k as Self * step
+            }
+
+            fn check_steps(origin: Self, step: Self, count: u32) -> Result<f64, StepsError> {
+                const ROUNDOFF: $float = $float::EPSILON / 2.0;
+                let farthest = origin.abs() + count as Self * step;
+                if !farthest.is_finite() {
+                    return Err(StepsError::OutOfRange);
+                }
+                if !(8.0 * ROUNDOFF * farthest <= step) {
+                    return Err(StepsError::TooClose);
+                }
+                if is_on_grid([origin, step], farthest, $float::MANTISSA_DIGITS) {
+                    return Ok(0.0);
+                }
+                Ok((3.0 * ROUNDOFF * farthest / step).into())
+            }
+
+            #[inline(always)]
+            fn reciprocal_in_double(self) -> f64 {
+                1.0 / f64::from(self)
+            }
+
+            #[inline(always)]
+            fn less_in_double(self, other: Self) -> f64 {
+                f64::from(self) - f64::from(other)
+            }
+        }
+    )*};
+}
+float! { f32 f64 }
+
+/// Whether both numbers are whole multiples of so great a power of two that no multiple up to
+/// `farthest` is rounded; one bit is left for the rounding of `farthest`.
+fn is_on_grid<S: Scalar>(numbers: [S; 2], farthest: S, digits: u32) -> bool {
+    let lowest = numbers.map(S::parts).into_iter().filter(|x| x.magnitude != 0);
+    let lowest = lowest.map(|x| u32::from(x.shift) + x.magnitude.trailing_zeros()).min();
+    let top = farthest.parts();
+    let highest = u32::from(top.shift) + top.magnitude.max(1).ilog2();
+    lowest.is_some_and(|lowest| highest < lowest + digits - 1)
+}
+
+#[cfg(feature = "fixed")]
+macro_rules! fixed {
+    ($($fixed:ident, $bound:ident, $raw:ident;)*) => {$(
+        impl<Frac: fixed::types::extra::$bound> Steps for fixed::$fixed<Frac> {
+            const HAS_PLACES: bool = REGISTERS_ARE_WIDE;
+
+            #[inline(always)]
+            fn at_step(origin: Self, step: Self, k: u32) -> Self {
+                // Modulo two to the number of bits: the sum fits, the product may not.
+                let offset = step.to_bits().wrapping_mul(k as $raw);
+                Self::from_bits(origin.to_bits().wrapping_add(offset))
+            }
+
+            fn check_steps(origin: Self, step: Self, count: u32) -> Result<f64, StepsError> {
+                let offset = i128::from(step.to_bits()) * i128::from(count);
+                match $raw::try_from(i128::from(origin.to_bits()) + offset) {
+                    Ok(_) => Ok(0.0),
+                    Err(_) => Err(StepsError::OutOfRange),
+                }
+            }
+
+            #[inline(always)]
+            fn reciprocal_in_double(self) -> f64 {
+                1.0 / self.to_bits() as f64
+            }
+
+            #[inline(always)]
+            fn less_in_double(self, other: Self) -> f64 {
+                let (a, b) = (i64::from(self.to_bits()), i64::from(other.to_bits()));
+                match a.checked_sub(b) {
+                    Some(d) => d as f64,
+                    None => (i128::from(a) - i128::from(b)) as f64,
+                }
+            }
+        }
+    )*};
+}
+#[cfg(feature = "fixed")]
+fixed! {
+    FixedI8, LeEqU8, i8;
+    FixedI16, LeEqU16, i16;
+    FixedI32, LeEqU32, i32;
+    FixedI64, LeEqU64, i64;
+}

@@ -1,0 +1,124 @@
+//! A line among the planes of a grid: when it meets which.
+//!
+//! # Error bound
+//!
+//! Lengths are in cells; η is the error of a place, as in `placed`, for places no farther than
+//! the anchor a and the grid. A component of the direction, d, is a difference times a
+//! reciprocal: it errs by less than 4u·|d|. The line meets plane k at t = (k − a)/d. The
+//! difference errs by 2η and its rounding, at most η/8; t by that over |d|, and by six roundings
+//! of itself, each u·|k − a|/|d| ≤ η/(4·|d|). Together less than 4·η/|d|.
+
+use core::cmp::Ordering;
+
+use super::grid::{Grid, compare};
+use super::marks::{Line as Limits, Marks};
+use super::place::{Place, locate};
+use super::sign::{against_point, line_turn};
+use crate::arithmetic::Parts;
+use crate::scalar::Scalar;
+
+/// The ends of a line.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Limit {
+    /// At t = 0.
+    Anchor,
+    /// At t = 1, where the line is `to`: `from` is the anchor.
+    To,
+    /// At this t.
+    Times(Parts),
+}
+
+/// A line a + t·(to − from).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Line<S> {
+    pub(super) anchor: [S; 3],
+    pub(super) from: [S; 3],
+    pub(super) to: [S; 3],
+    near: [f64; 3],
+    per_step: [f64; 3],
+    /// Of a t.
+    error: [f64; 3],
+}
+
+impl<S: Scalar> Line<S> {
+    pub(super) fn new(grid: &Grid<S>, anchor: [S; 3], [from, to]: [[S; 3]; 2]) -> Self {
+        let (mut near, mut per_step) = ([0.0; 3], [0.0; 3]);
+        let mut error = [f64::INFINITY; 3];
+        if S::HAS_PLACES {
+            let [nx, ny, nz] = grid.resolution();
+            let mut farthest = f64::from(nx.max(ny).max(nz));
+            for i in 0..3 {
+                near[i] = grid.place(i, anchor[i]);
+                per_step[i] = 1.0 / grid.length(i, from[i], to[i]);
+                let size = near[i].abs();
+                farthest = if size <= farthest { farthest } else { size };
+            }
+            let place_error = grid.place_error(farthest);
+            error = per_step.map(|d| 4.0 * place_error * d.abs());
+        }
+        Self { anchor, from, to, near, per_step, error }
+    }
+
+    /// Which way the line goes along an axis.
+    pub(super) fn way(&self, axis: usize) -> Ordering {
+        compare(self.to[axis], self.from[axis])
+    }
+
+    /// About the t at which it meets plane k of an axis.
+    #[inline(always)]
+    fn time(&self, axis: usize, k: i32) -> f64 {
+        (f64::from(k) - self.near[axis]) * self.per_step[axis]
+    }
+
+    /// How the t of two planes of different axes compare. The line runs along neither.
+    #[inline(always)]
+    pub(super) fn order(&self, grid: &Grid<S>, a: (usize, i32), b: (usize, i32)) -> Ordering {
+        let gap = self.time(a.0, a.1) - self.time(b.0, b.1);
+        let error = self.error[a.0] + self.error[b.0];
+        if gap > error {
+            return Ordering::Greater;
+        }
+        if gap < -error {
+            return Ordering::Less;
+        }
+        self.exact_order(grid, a, b)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn exact_order(&self, grid: &Grid<S>, (i, k): (usize, i32), (j, l): (usize, i32)) -> Ordering {
+        let pick = |p: &[S; 3]| [p[i], p[j]];
+        let point = [grid.plane(i, k as u32), grid.plane(j, l as u32)];
+        let order = line_turn(pick(&self.anchor), [pick(&self.from), pick(&self.to)], point);
+        // Left of the line where both rise: t of the first is less.
+        if self.way(i) == self.way(j) { order.reverse() } else { order }
+    }
+
+    /// Where the line is on an axis at a limit.
+    pub(super) fn at_limit(&self, grid: &Grid<S>, axis: usize, limit: Limit) -> Place {
+        let place = |compare: &dyn Fn(i32) -> Ordering| search(grid, axis, compare);
+        match limit {
+            Limit::Anchor => place(&|k| grid.compare(axis, Limits::plane(k), self.anchor[axis])),
+            Limit::To => place(&|k| grid.compare(axis, Limits::plane(k), self.to[axis])),
+            Limit::Times(t) => place(&|k| {
+                let way = [self.from[axis], self.to[axis]];
+                against_point(grid.plane(axis, k as u32), self.anchor[axis], way, t)
+            }),
+        }
+    }
+
+    /// Where it is on an axis when it meets plane k of another.
+    pub(super) fn at_plane(&self, grid: &Grid<S>, axis: usize, plane: (usize, i32)) -> Place {
+        search(grid, axis, &|k| match self.way(axis) {
+            Ordering::Equal => grid.compare(axis, Limits::plane(k), self.anchor[axis]),
+            Ordering::Greater => self.order(grid, (axis, k), plane),
+            Ordering::Less => self.order(grid, (axis, k), plane).reverse(),
+        })
+    }
+}
+
+/// Where among the planes of an axis something is that they compare so with.
+fn search<S: Scalar>(grid: &Grid<S>, axis: usize, plane: &dyn Fn(i32) -> Ordering) -> Place {
+    let end = Place::before(Marks::Closed.limits(grid.resolution()[axis]));
+    locate(0.0, f64::INFINITY, Place::before(0), end, plane)
+}

@@ -1,0 +1,91 @@
+//! What of an axis the boxes are that a triangle is asked about, one for each index.
+
+use super::place::Place;
+use super::slabs::Span;
+
+/// The intervals of an axis, numbered as the voxels are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Marks {
+    /// From plane to plane, both included.
+    Closed,
+    /// From a plane, included, to the next, not included.
+    HalfOpen,
+    /// The middle between two planes alone.
+    Center,
+}
+
+impl Marks {
+    /// Whether the limits of the intervals are planes; if not, they are middles.
+    #[inline(always)]
+    pub(super) fn are_cells(self) -> bool {
+        self != Self::Center
+    }
+
+    /// How many limits an axis of so many voxels has.
+    #[inline(always)]
+    pub(super) fn limits(self, voxels: u32) -> i32 {
+        voxels as i32 + i32::from(self.are_cells())
+    }
+
+    /// How far limit k is from k.
+    #[inline(always)]
+    pub(super) fn shift(self) -> f64 {
+        if self.are_cells() { 0.0 } else { 0.5 }
+    }
+
+    /// Limit k, a plane or a middle.
+    #[inline(always)]
+    pub(super) fn limit(self, k: i32) -> Line {
+        Line { from: k, to: k + i32::from(!self.are_cells()) }
+    }
+
+    /// The first interval that a set comes to whose least number has this place, or greatest
+    /// lower bound, if it `is_open` there.
+    #[inline(always)]
+    pub(super) fn first(self, place: Place, is_open: bool) -> i32 {
+        let from = if is_open || self == Self::HalfOpen { place.above } else { place.at };
+        from - i32::from(self.are_cells())
+    }
+
+    /// The last interval that it comes to, by its greatest number or least upper bound.
+    #[inline(always)]
+    pub(super) fn last(self, place: Place, is_open: bool) -> i32 {
+        (if is_open { place.at } else { place.above }) - 1
+    }
+
+    /// The intervals of a closed set between two numbers, as far as there are any.
+    #[inline(always)]
+    pub(super) fn span(self, least: Place, greatest: Place) -> Span {
+        Span { first: self.first(least, false), last: self.last(greatest, false) }
+    }
+
+    /// The two ends of interval k, as lines of the grid.
+    #[inline(always)]
+    pub(super) fn ends(self, k: i32) -> [Line; 2] {
+        match self {
+            Self::Center => [self.limit(k); 2],
+            _ => [self.limit(k), self.limit(k + 1)],
+        }
+    }
+}
+
+/// The middle between two planes of the grid, or a plane and itself.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Line {
+    pub(super) from: i32,
+    pub(super) to: i32,
+}
+
+impl Line {
+    /// Plane k.
+    #[inline(always)]
+    pub(super) const fn plane(k: i32) -> Self {
+        Self { from: k, to: k }
+    }
+
+    /// About where it is.
+    #[inline(always)]
+    pub(super) fn middle(self) -> f64 {
+        0.5 * f64::from(self.from + self.to)
+    }
+}

@@ -1,0 +1,87 @@
+//! Where a coordinate lies among the planes of a grid: by floats where they are sure, and
+//! else by an exact comparison.
+
+use core::cmp::Ordering;
+
+/// Where a number lies among planes in rising order: the first plane not below it and the
+/// first plane above it. They differ where it lies on a plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Place {
+    pub(super) at: i32,
+    pub(super) above: i32,
+}
+
+impl Place {
+    /// Between plane k − 1 and plane k.
+    #[inline(always)]
+    pub(super) const fn before(k: i32) -> Self {
+        Self { at: k, above: k }
+    }
+
+    /// On plane k.
+    pub(super) const fn on(k: i32) -> Self {
+        Self { at: k, above: k + 1 }
+    }
+
+    #[inline(always)]
+    pub(super) fn least(self, other: Self) -> Self {
+        Self { at: self.at.min(other.at), above: self.above.min(other.above) }
+    }
+
+    #[inline(always)]
+    pub(super) fn greatest(self, other: Self) -> Self {
+        Self { at: self.at.max(other.at), above: self.above.max(other.above) }
+    }
+}
+
+/// Where a number X lies, given that it is not before `low` and not behind `high`, that it
+/// is about `x`, with an error of less than `error`, and how plane k compares with it.
+#[inline(always)]
+pub(super) fn locate(
+    x: f64,
+    error: f64,
+    low: Place,
+    high: Place,
+    plane: impl Fn(i32) -> Ordering,
+) -> Place {
+    if low == high {
+        return low;
+    }
+    // Half a cell beyond the planes in question, which keeps clear of the next ones.
+    let (least, greatest) = (f64::from(low.at) - 0.5, f64::from(high.above) - 0.5);
+    let x = if x < least { least } else { x };
+    let x = if x > greatest { greatest } else { x };
+    let (nearest, k) = nearest_whole(x);
+    let rest = x - nearest;
+    // A NaN is in doubt.
+    if rest.abs() > error {
+        return Place::before(k + i32::from(rest > 0.0));
+    }
+    search(if error < 0.5 { Some(k) } else { None }, low, high, plane)
+}
+
+/// The same where floats are no help.
+#[cold]
+#[inline(never)]
+fn search(doubt: Option<i32>, low: Place, high: Place, plane: impl Fn(i32) -> Ordering) -> Place {
+    let (mut from, mut to) = doubt.map_or((low.at, high.above), |k| (k, k + 1));
+    // The planes before `from` are below X, those from `to` on are above it.
+    while from < to {
+        let middle = from + (to - from) / 2;
+        match plane(middle) {
+            Ordering::Less => from = middle + 1,
+            Ordering::Equal => return Place::on(middle),
+            Ordering::Greater => to = middle,
+        }
+    }
+    Place::before(from)
+}
+
+/// The nearest whole number of one whose magnitude is below 2³¹.
+#[inline(always)]
+fn nearest_whole(x: f64) -> (f64, i32) {
+    // With 1.5·2^52 units are whole, and the last bits those of the number.
+    const SHIFTER: f64 = (3_u64 << 51) as f64;
+    let shifted = x + SHIFTER;
+    (shifted - SHIFTER, shifted.to_bits() as i32)
+}

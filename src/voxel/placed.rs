@@ -1,0 +1,71 @@
+//! A triangle in a grid: where its vertices are.
+
+use core::cmp::Ordering;
+
+use super::grid::Grid;
+use super::marks::Marks;
+use super::place::{Place, locate};
+use super::sign::turn;
+use crate::scalar::Scalar;
+use crate::shape::Triangle;
+
+/// A triangle in a grid, to be asked about the marks of each axis.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Placed<S> {
+    pub(super) marks: [Marks; 3],
+    pub(super) points: [[S; 3]; 3],
+    /// The vertices in units of the grid, nearly.
+    pub(super) near: [[f64; 3]; 3],
+    /// Where the vertices are among the limits of the marks, exactly.
+    pub(super) at: [[Place; 3]; 3],
+    /// The least and the greatest of them, on each axis.
+    pub(super) least: [Place; 3],
+    pub(super) greatest: [Place; 3],
+    /// No number of `near` is farther from the truth, and no plane; an infinity where floats
+    /// cannot say.
+    pub(super) error: f64,
+}
+
+impl<S: Scalar> Placed<S> {
+    #[inline(always)]
+    pub(super) fn new(triangle: &Triangle<S>, grid: &Grid<S>, marks: [Marks; 3]) -> Self {
+        let points = triangle.points();
+        let mut near = [[0.0; 3]; 3];
+        let mut error = f64::INFINITY;
+        if S::HAS_PLACES {
+            let mut farthest = 1.0;
+            for k in 0..3 {
+                for i in 0..3 {
+                    near[k][i] = grid.place(i, points[k][i]);
+                    let size = near[k][i].abs();
+                    // Not the other way round: a NaN is kept.
+                    farthest = if size <= farthest { farthest } else { size };
+                }
+            }
+            error = grid.place_error(farthest);
+        }
+        let mut at = [[Place::before(0); 3]; 3];
+        for k in 0..3 {
+            for i in 0..3 {
+                let end = Place::before(marks[i].limits(grid.resolution()[i]));
+                let x = near[k][i] - marks[i].shift();
+                at[k][i] = locate(x, error, Place::before(0), end, |limit| {
+                    grid.compare(i, marks[i].limit(limit), points[k][i])
+                });
+            }
+        }
+        let over = |of: fn(Place, Place) -> Place| {
+            [0, 1, 2].map(|i: usize| of(of(at[0][i], at[1][i]), at[2][i]))
+        };
+        let (least, greatest) = (over(Place::least), over(Place::greatest));
+        Self { marks, points, near, at, least, greatest, error }
+    }
+
+    /// The sign of the component of (b − a) × (c − a) that comes before axes j and k in turn.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn sign_of_normal(&self, j: usize, k: usize) -> Ordering {
+        let [a, b, c] = self.points.map(|p| [p[j], p[k]]);
+        turn(a, b, c, c)
+    }
+}

@@ -1,0 +1,127 @@
+//! The two signs that all of this module rests on, exactly: on which side of an edge a
+//! point lies, seen along an axis, and on which side of a plane.
+//!
+//! A point is given twice, p and q, and is the middle of the two: a corner of the grid is a
+//! corner and itself, the centre of a voxel lies between two corners.
+
+use core::cmp::Ordering;
+
+use crate::arithmetic::{Embeds, Number, Parts};
+use crate::robust::{
+    ExactSum, Linear, Predicate, Vector, add_area, add_determinant, difference, single,
+};
+use crate::scalar::Scalar;
+
+/// The sign of (b − a) × (p + q − 2a) in a plane: how b lies to the right of the way from a
+/// to the point, if the first axis points right and the second up.
+#[inline(never)]
+pub(super) fn turn<S: Scalar>(a: [S; 2], b: [S; 2], p: [S; 2], q: [S; 2]) -> Ordering {
+    S::evaluate(&Turn { from: a, to: b, a, p, q }).cmp(&0)
+}
+
+/// The sign of (to − from) × (p − a).
+#[inline(never)]
+pub(super) fn line_turn<S: Scalar>(a: [S; 2], [from, to]: [[S; 2]; 2], p: [S; 2]) -> Ordering {
+    S::evaluate(&Turn { from, to, a, p, q: p }).cmp(&0)
+}
+
+/// How p compares with a + t·(to − from).
+#[cold]
+#[inline(never)]
+pub(super) fn against_point<S: Scalar>(p: S, a: S, [from, to]: [S; 2], t: Parts) -> Ordering {
+    let mut sum = S::Sum::new();
+    add_area(&mut sum, &difference(p.parts(), a.parts()), &single(S::ONE), false);
+    add_area(&mut sum, &difference(to.parts(), from.parts()), &single(t), true);
+    sum.sign()
+}
+
+/// How the middle of p and q compares with x, given any number above zero.
+#[cold]
+#[inline(never)]
+pub(super) fn middle<S: Scalar>(p: S, q: S, x: S, positive: S) -> Ordering {
+    let on_axis = |x: S| [x, S::ZERO];
+    turn(on_axis(x), [x, positive], on_axis(p), on_axis(q)).reverse()
+}
+
+/// The sign of ((b − a) × (c − a))·(p + q − 2a).
+#[inline(never)]
+pub(super) fn side<S: Scalar>(triangle: &[[S; 3]; 3], p: [S; 3], q: [S; 3]) -> Ordering {
+    S::evaluate(&Above { triangle, p, q }).cmp(&0)
+}
+
+struct Turn<S> {
+    from: [S; 2],
+    to: [S; 2],
+    a: [S; 2],
+    p: [S; 2],
+    q: [S; 2],
+}
+
+impl<S: Scalar> Predicate<S> for Turn<S> {
+    type Answer = i8;
+    const HAS_VOLUMES: bool = false;
+
+    fn filter<N: Embeds<S>>(&self) -> Option<i8> {
+        // Whoever asks has asked floats.
+        if !N::CERTAIN {
+            return None;
+        }
+        let in_space = |[u, v]: [S; 2]| [u, v, S::ZERO];
+        let all = [self.from, self.to, self.a, self.p, self.q].map(in_space);
+        let [from, to, a, p, q] = N::embed(&all)?;
+        let [u, v] = [0, 1].map(|i| (to[i] - from[i], (p[i] - a[i]) + (q[i] - a[i])));
+        sign_of(N::area(u.0, v.1) - N::area(v.0, u.1))
+    }
+
+    fn exact(&self) -> i8 {
+        let way = |i: usize| difference(self.to[i].parts(), self.from[i].parts());
+        let point = |i: usize| doubled(self.p[i], self.q[i], self.a[i]);
+        let mut sum = S::Sum::new();
+        add_area(&mut sum, &way(0), &point(1), false);
+        add_area(&mut sum, &way(1), &point(0), true);
+        sum.sign() as i8
+    }
+}
+
+struct Above<'a, S> {
+    triangle: &'a [[S; 3]; 3],
+    p: [S; 3],
+    q: [S; 3],
+}
+
+impl<S: Scalar> Predicate<S> for Above<'_, S> {
+    type Answer = i8;
+
+    fn filter<N: Embeds<S>>(&self) -> Option<i8> {
+        if !N::CERTAIN {
+            return None;
+        }
+        let [a, b, c] = *self.triangle;
+        let [a, b, c, p, q] = N::embed(&[a, b, c, self.p, self.q])?;
+        let (e, f) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
+        let d = [0, 1, 2].map(|i| (p[i] - a[i]) + (q[i] - a[i]));
+        let n = |j: usize, k: usize| N::area(e[j], f[k]) - N::area(e[k], f[j]);
+        sign_of(N::volume(n(1, 2), d[0]) + N::volume(n(2, 0), d[1]) + N::volume(n(0, 1), d[2]))
+    }
+
+    fn exact(&self) -> i8 {
+        let [a, b, c] = self.triangle;
+        let edge = |to: &[S; 3]| -> Vector {
+            [0, 1, 2].map(|i: usize| difference(to[i].parts(), a[i].parts()))
+        };
+        let point = [0, 1, 2].map(|i: usize| doubled(self.p[i], self.q[i], a[i]));
+        let mut sum = S::Sum::new();
+        add_determinant(&mut sum, &edge(b), &edge(c), &point);
+        sum.sign() as i8
+    }
+}
+
+fn sign_of<T: Number>(x: T) -> Option<i8> {
+    x.partial_cmp(&T::ZERO).map(|order| order as i8)
+}
+
+/// p + q − 2a.
+fn doubled<S: Scalar>(p: S, q: S, a: S) -> Linear {
+    let a = a.parts();
+    [p.parts(), q.parts(), Parts { shift: a.shift + 1, ..a }.negated()]
+}

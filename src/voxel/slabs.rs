@@ -1,0 +1,153 @@
+//! A triangle seen along an axis, slab by slab: which cells it meets between two neighbouring
+//! planes of the grid.
+//!
+//! A cell of the plane is met exactly if the part of the triangle in its slab has a point in
+//! its width: both are convex. The ends of that part are vertices in the slab, and points where
+//! an edge crosses one of the slab's two lines.
+//!
+//! # Error bound
+//!
+//! Lengths are in cells; u and η as in `plane`, and e = 4η. An edge from (u₀, v₀) to (u₁, v₁)
+//! with dv = v₁ − v₀ ≥ 8e, as computed, crosses the line v = q at U, and
+//! û = u₀ + (q − v₀)·ŝ with ŝ = du/dv.
+//!
+//! 1. Move the ends to where they were computed, by η at most in u and in v: the point of the
+//!    moved edge at height q is within η, in u and in v, of a point of the edge itself, for the
+//!    same share of the way. (The share may leave the edge by 2η/dv ≤ 1/16: 9/8·η then.) The
+//!    plane of the grid is moved by η too. So the moved edge crosses within 9/8·η + (17/8)·η·|s|
+//!    of U, with s the true slope.
+//! 2. |s| ≤ (|du| + 2η)/(dv − 2η) ≤ 1.07·|ŝ| + 0.07 for the computed du and dv.
+//! 3. The roundings of û are those of two differences, a quotient, a product and a sum, each of
+//!    at most u·(|u₀| + |u₁|) ≤ η/4: less than 1.5·η.
+//! 4. The plane that U is compared with errs by η. Together less than 4·η + 2.4·η·|ŝ|, and
+//!    8·η·(1 + |ŝ|) is given.
+
+use super::grid::Grid;
+use super::marks::Marks;
+use super::place::{Place, locate};
+use super::placed::Placed;
+use super::sign::turn;
+use crate::scalar::Scalar;
+
+/// How many slabs are worked out at a time.
+pub(super) const BLOCK: usize = 32;
+
+/// A range of cells, both ends included; empty where the first is above the last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Span {
+    pub(super) first: i32,
+    pub(super) last: i32,
+}
+
+impl Span {
+    pub(super) const EMPTY: Self = Self { first: i32::MAX, last: i32::MIN };
+}
+
+/// For each interval of the axis `v`, from `first` on, the intervals of the axis `u` that the
+/// triangle comes to in it, seen along the third axis.
+#[inline(always)]
+pub(super) fn spans<S: Scalar>(
+    placed: &Placed<S>,
+    grid: &Grid<S>,
+    axes: [usize; 2],
+    first: i32,
+    out: &mut [Span],
+) {
+    out.fill(Span::EMPTY);
+    let [u, v] = axes;
+    let [along, across] = [placed.marks[u], placed.marks[v]];
+    let end = first + out.len() as i32;
+    let mut include = |slab: i32, place: Place, is_open: bool| {
+        if let Some(span) = out.get_mut((slab - first) as usize) {
+            let (from, to) = (along.first(place, is_open), along.last(place, is_open));
+            span.first = span.first.min(from);
+            span.last = span.last.max(to);
+        }
+    };
+    // What lies on the greatest plane of a half-open slab is a limit of points in it.
+    let is_open = across == Marks::HalfOpen;
+
+    for vertex in &placed.at {
+        let (place, slab) = (vertex[u], vertex[v]);
+        let is_on_limit = slab.at != slab.above;
+        if across.are_cells() {
+            include(slab.above - 1, place, false);
+        }
+        if is_on_limit {
+            let slab = if across.are_cells() { slab.at - 1 } else { slab.at };
+            include(slab, place, is_open);
+        }
+    }
+    for k in 0..3 {
+        let ends = rising(placed, v, k);
+        // The limits between the ends, and those of them that belong to these slabs.
+        let (from, to) = (placed.at[ends[0]][v].above, placed.at[ends[1]][v].at);
+        let (from, to) = (from.max(first), to.min(end + 1));
+        if from >= to {
+            continue;
+        }
+        let edge = Edge::new(placed, axes, ends);
+        for limit in from..to {
+            let place = edge.place(placed, grid, axes, limit);
+            include(limit, place, false);
+            if across.are_cells() {
+                include(limit - 1, place, is_open);
+            }
+        }
+    }
+}
+
+/// The ends of edge k, the lower along v first.
+#[inline(always)]
+pub(super) fn rising<S: Scalar>(placed: &Placed<S>, v: usize, k: usize) -> [usize; 2] {
+    let next = if k == 2 { 0 } else { k + 1 };
+    if placed.points[k][v] < placed.points[next][v] { [k, next] } else { [next, k] }
+}
+
+/// An edge that rises along v.
+pub(super) struct Edge<S> {
+    ends: [[S; 2]; 2],
+    from: [f64; 2],
+    slope: f64,
+    error: f64,
+    low: Place,
+    high: Place,
+}
+
+impl<S: Scalar> Edge<S> {
+    #[inline(always)]
+    pub(super) fn new(placed: &Placed<S>, [u, v]: [usize; 2], [a, b]: [usize; 2]) -> Self {
+        let [p, q] = [a, b].map(|k| [placed.near[k][u], placed.near[k][v]]);
+        let (du, dv) = (q[0] - p[0], q[1] - p[1]);
+        let slope = du / dv;
+        let error = 8.0 * placed.error * (1.0 + slope.abs());
+        Self {
+            ends: [a, b].map(|k| [placed.points[k][u], placed.points[k][v]]),
+            from: p,
+            slope,
+            error: if dv >= 32.0 * placed.error { error } else { f64::INFINITY },
+            low: placed.at[a][u].least(placed.at[b][u]),
+            high: placed.at[a][u].greatest(placed.at[b][u]),
+        }
+    }
+
+    /// Where the edge crosses a limit of v, which is not above its higher end.
+    #[inline(always)]
+    pub(super) fn place(
+        &self,
+        placed: &Placed<S>,
+        grid: &Grid<S>,
+        [u, v]: [usize; 2],
+        limit: i32,
+    ) -> Place {
+        let [along, across] = [placed.marks[u], placed.marks[v]];
+        let up = f64::from(limit) + across.shift() - self.from[1];
+        let x = self.from[0] + up * self.slope - along.shift();
+        locate(x, self.error, self.low, self.high, |k| {
+            let [p, q] = [grid.planes(u, along.limit(k)), grid.planes(v, across.limit(limit))];
+            let [a, b] = self.ends;
+            // Left of the edge, seen along it, is before it.
+            turn(a, b, [p[0], q[0]], [p[1], q[1]]).reverse()
+        })
+    }
+}

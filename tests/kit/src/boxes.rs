@@ -1,0 +1,320 @@
+//! A box and an oriented box: an oracle that clips the surface of the one by the other, in its
+//! own coordinates and in whole numbers, and sets of cases.
+
+use dashu_int::IBig;
+use septum::{Aabb, Obb, ShapeError, Vec3};
+
+use super::case::BoxNumbers;
+use super::exact::{Parts, least_exponent, whole};
+use super::flat::Truth;
+use super::lattice::{Lattice, Ring, Shapes};
+use super::rng::Rng;
+use super::sample::Sample;
+
+pub type Point<S> = [S; 3];
+
+/// Centre, axes and half-extents.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ObbNumbers<S> {
+    pub center: Point<S>,
+    pub axes: [Point<S>; 3],
+    pub half: Point<S>,
+}
+
+impl<S: Copy> ObbNumbers<S> {
+    fn map<T>(self, f: impl Fn(S) -> T + Copy) -> ObbNumbers<T> {
+        ObbNumbers {
+            center: self.center.map(f),
+            axes: self.axes.map(|u| u.map(f)),
+            half: self.half.map(f),
+        }
+    }
+}
+
+impl<S: Sample> ObbNumbers<S> {
+    /// The box, if the axes span space.
+    pub fn shape(&self) -> Result<Obb<S>, ShapeError> {
+        Obb::from_skewed_axes(self.center, self.axes.map(Vec3::from), self.half)
+    }
+}
+
+/// A box of either kind.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum AnyBox<S> {
+    Aabb(BoxNumbers<S>),
+    Obb(ObbNumbers<S>),
+}
+
+/// A box and an oriented box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoxCase<S> {
+    pub first: AnyBox<S>,
+    pub second: ObbNumbers<S>,
+}
+
+/// A box in whole numbers: centre, axes and half-extents, of points times one.
+struct Whole {
+    center: [IBig; 3],
+    axes: [[IBig; 3]; 3],
+    half: [IBig; 3],
+}
+
+impl Whole {
+    /// In `unit`, of which there are `one` in one; both times `scale`.
+    fn new(any: AnyBox<Parts>, unit: i32, scale: &IBig) -> Self {
+        let number = |x: Parts| whole(x, unit);
+        let one = IBig::ONE << (-unit) as usize;
+        // All twice, for the centre between corners need not be a number.
+        let times = |x: IBig, n: u8| x * IBig::from(n) * scale;
+        let along = || {
+            let zero = || IBig::ZERO;
+            let one = || one.clone();
+            [[one(), zero(), zero()], [zero(), one(), zero()], [zero(), zero(), one()]]
+        };
+        let scaled = |p: [Parts; 3], n: u8| p.map(|x| times(number(x), n));
+        let (center, axes, half) = match any {
+            AnyBox::Obb(b) => {
+                (scaled(b.center, 2), b.axes.map(|u| u.map(number)), scaled(b.half, 2))
+            }
+            AnyBox::Aabb(BoxNumbers::Center(c, h)) => (scaled(c, 2), along(), scaled(h, 2)),
+            AnyBox::Aabb(BoxNumbers::Corners(p, q)) => {
+                let (p, q) = (scaled(p, 1), scaled(q, 1));
+                let sum = [0, 1, 2].map(|i: usize| &p[i] + &q[i]);
+                (sum, along(), IBig::difference(&q, &p))
+            }
+        };
+        Self { center: center.map(|x| x * &one), axes, half }
+    }
+
+    /// w_i·x + h_i·|det| for the normals w_i of the faces, and twice h_i·|det|: x is inside
+    /// if it is between zero and that.
+    fn coordinates(&self) -> (impl Fn(&[IBig; 3]) -> [IBig; 3] + '_, [IBig; 3]) {
+        let [u, v, n] = &self.axes;
+        let w = [IBig::cross(v, n), IBig::cross(n, u), IBig::cross(u, v)];
+        let det = IBig::dot(u, &w[0]);
+        let size = &det * IBig::from(Ring::sign(&det));
+        let reach = [0, 1, 2].map(|i: usize| &self.half[i] * &size);
+        let extent = reach.clone().map(|r| r * IBig::from(2));
+        let of = move |x: &[IBig; 3]| {
+            let from = IBig::difference(x, &self.center);
+            [0, 1, 2].map(|i: usize| IBig::dot(&w[i], &from) + &reach[i])
+        };
+        (of, extent)
+    }
+
+    fn corner(&self, k: usize) -> [IBig; 3] {
+        let mut corner = self.center.clone();
+        for j in 0..3 {
+            for i in 0..3 {
+                let step = &self.half[j] * &self.axes[j][i];
+                if k >> j & 1 == 1 { corner[i] += step } else { corner[i] -= step }
+            }
+        }
+        corner
+    }
+
+    /// Whether this box and the other have a point in common: a triangle of the surface of the
+    /// other meets this one, or all of this one is inside of the other.
+    fn meets(&self, other: &Self) -> bool {
+        let (of, extent) = other.coordinates();
+        let center = of(&self.center);
+        if (0..3).all(|i| center[i] >= IBig::ZERO && center[i] <= extent[i]) {
+            return true;
+        }
+        let (of, extent) = self.coordinates();
+        let corners: Vec<[IBig; 3]> = (0..8).map(|k| of(&other.corner(k))).collect();
+        let face = |axis: usize, upper: usize| {
+            let (j, l) = ((axis + 1) % 3, (axis + 2) % 3);
+            let at = |a: usize, b: usize| upper << axis | a << j | b << l;
+            [[at(0, 0), at(1, 0), at(0, 1)], [at(1, 1), at(1, 0), at(0, 1)]]
+        };
+        (0..3).flat_map(|axis| [face(axis, 0), face(axis, 1)]).flatten().any(|triangle| {
+            let vertices = triangle.map(|k| corners[k].clone());
+            Lattice::Wide(Shapes { vertices, extent: extent.clone() }).meets()
+        })
+    }
+
+    /// Drawn together by one in 2^`bits`, about its centre.
+    fn shrunk(&self, bits: usize) -> Self {
+        let whole = IBig::ONE << bits;
+        let less = &whole - IBig::ONE;
+        Self {
+            center: self.center.clone().map(|x| x * &whole),
+            axes: self.axes.clone(),
+            half: self.half.clone().map(|x| x * &less),
+        }
+    }
+}
+
+impl<S: Sample> BoxCase<S> {
+    fn whole(&self) -> [Whole; 2] {
+        let parts = S::mantissa_exponent;
+        let first = match self.first {
+            AnyBox::Aabb(aabb) => AnyBox::Aabb(aabb.map(parts)),
+            AnyBox::Obb(obb) => AnyBox::Obb(obb.map(parts)),
+        };
+        let second = self.second.map(parts);
+        let mut rows = vec![second.center, second.half];
+        rows.extend(second.axes);
+        match first {
+            AnyBox::Aabb(BoxNumbers::Center(p, q) | BoxNumbers::Corners(p, q)) => {
+                rows.extend([p, q]);
+            }
+            AnyBox::Obb(obb) => {
+                rows.extend([obb.center, obb.half]);
+                rows.extend(obb.axes);
+            }
+        }
+        let unit = least_exponent(rows.as_flattened()).min(0);
+        [first, AnyBox::Obb(second)].map(|any| Whole::new(any, unit, &IBig::ONE))
+    }
+
+    /// Whether the two have a point in common.
+    pub fn meets(&self) -> bool {
+        let [first, second] = self.whole();
+        first.meets(&second)
+    }
+
+    /// How they lie to each other, for numbers of a few bits: their interiors meet if both may
+    /// shrink a little and still meet. The least of all numbers of degree 8 that are not zero is
+    /// beyond what they shrink by.
+    pub fn truth(&self) -> Truth {
+        let [first, second] = self.whole();
+        if !first.meets(&second) {
+            Truth::Apart
+        } else if first.shrunk(256).meets(&second.shrunk(256)) {
+            Truth::Overlapping
+        } else {
+            Truth::Touching
+        }
+    }
+
+    /// The shapes, if they are any.
+    pub fn shapes(&self) -> Option<(Result<Aabb<S>, Obb<S>>, Obb<S>)> {
+        let first = match self.first {
+            AnyBox::Aabb(aabb) => Ok(aabb.shape().ok()?),
+            AnyBox::Obb(obb) => Err(obb.shape().ok()?),
+        };
+        Some((first, self.second.shape().ok()?))
+    }
+
+    /// What the crate says in either order, and what `may_overlap` says; nothing where the
+    /// numbers are no shapes.
+    pub fn answers(&self) -> Option<([bool; 2], bool)> {
+        let (first, second) = self.shapes()?;
+        Some(match first {
+            Ok(first) => {
+                ([first.overlaps(&second), second.overlaps(&first)], first.may_overlap(&second))
+            }
+            Err(first) => {
+                ([first.overlaps(&second), second.overlaps(&first)], first.may_overlap(&second))
+            }
+        })
+    }
+
+    /// Checks the answers against the oracle, and returns its answer.
+    ///
+    /// # Panics
+    /// Where one is wrong.
+    pub fn check(&self) -> Option<bool> {
+        let (answers, may) = self.answers()?;
+        let meets = self.meets();
+        assert_eq!(answers, [meets; 2], "{self:?}");
+        assert!(may || !meets, "may_overlap: {self:?}");
+        Some(meets)
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BoxSet {
+    /// Turned anyhow.
+    Turned,
+    /// Turned by a hair: axes that are nearly parallel.
+    NearlyParallel,
+    /// Whole numbers, axes along those of space or across: contact of every kind.
+    Grid,
+    /// Any bits.
+    Bits,
+    /// At the ends of the type.
+    Huge,
+}
+
+impl BoxSet {
+    pub const ALL: [Self; 5] =
+        [Self::Turned, Self::NearlyParallel, Self::Grid, Self::Bits, Self::Huge];
+
+    pub fn case<S: Sample>(self, rng: &mut Rng) -> BoxCase<S> {
+        let second = self.obb(rng);
+        let first = match rng.below(3) {
+            0 => {
+                let (p, q) = (self.point(rng), self.half(rng));
+                AnyBox::Aabb(if rng.one_in(2) {
+                    BoxNumbers::Center(p, q)
+                } else {
+                    let q = self.point(rng);
+                    let sorted = |i: usize| if p[i] < q[i] { [p[i], q[i]] } else { [q[i], p[i]] };
+                    let rows = [0, 1, 2].map(sorted);
+                    BoxNumbers::Corners(rows.map(|r| r[0]), rows.map(|r| r[1]))
+                })
+            }
+            _ => AnyBox::Obb(self.obb(rng)),
+        };
+        BoxCase { first, second }
+    }
+
+    fn number<S: Sample>(self, rng: &mut Rng) -> S {
+        match self {
+            Self::Turned | Self::NearlyParallel => S::nearest(rng.real(-1.5, 1.5)),
+            Self::Grid => S::nearest(rng.whole(-3, 3) as f64 / 2.0),
+            Self::Bits => S::from_ordinal(rng.bits() as i64 >> rng.below(64)),
+            Self::Huge => {
+                let end = [S::LEAST, S::GREATEST, S::ZERO, S::nearest(1.0)][rng.below(4)];
+                end.moved(rng.whole(-2, 2))
+            }
+        }
+    }
+
+    fn point<S: Sample>(self, rng: &mut Rng) -> Point<S> {
+        rng.triple(|rng| self.number(rng))
+    }
+
+    fn half<S: Sample>(self, rng: &mut Rng) -> Point<S> {
+        rng.triple(|rng| {
+            let x: S = self.number(rng);
+            let size = if x < S::ZERO { S::from_ordinal(x.ordinal().saturating_neg()) } else { x };
+            if rng.one_in(8) { S::ZERO } else { size }
+        })
+    }
+
+    fn obb<S: Sample>(self, rng: &mut Rng) -> ObbNumbers<S> {
+        let (center, half) = (self.point(rng), self.half(rng));
+        let turned = |angles: [f64; 3]| {
+            let mut frame = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+            for (k, (i, j)) in [(0, 1), (1, 2), (2, 0)].into_iter().enumerate() {
+                let (sin, cos) = angles[k].sin_cos();
+                for row in &mut frame {
+                    (row[i], row[j]) = (cos * row[i] - sin * row[j], sin * row[i] + cos * row[j]);
+                }
+            }
+            frame.map(|row| row.map(S::nearest))
+        };
+        let axes = match self {
+            Self::Turned => turned(rng.triple(|rng| rng.real(0.0, 6.3))),
+            Self::NearlyParallel => {
+                turned(rng.triple(|rng| if rng.one_in(2) { 0.0 } else { rng.real(-1e-7, 1e-7) }))
+            }
+            // Along, or skewed by whole numbers.
+            Self::Grid => {
+                let skew = if rng.one_in(2) { 0 } else { 1 };
+                let mut axes = [[0; 3]; 3];
+                for (i, axis) in axes.iter_mut().enumerate() {
+                    *axis = rng.triple(|rng| rng.whole(-skew, skew));
+                    axis[i] = 1;
+                }
+                axes.map(|u| u.map(|x| S::nearest(x as f64)))
+            }
+            Self::Bits | Self::Huge => [(); 3].map(|()| self.point(rng)),
+        };
+        ObbNumbers { center, axes, half }
+    }
+}

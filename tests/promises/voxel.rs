@@ -1,0 +1,182 @@
+//! Grids of voxels: planes are where they are said to be, and the voxels that a triangle marks
+//! are those of an oracle that clips it, and those of one test for each voxel.
+
+use septum::voxel::{Bits, Grid, GridError, Rule, TooFewWords};
+use septum::{Triangle, Vec3};
+use septum_kit::Rng;
+use septum_kit::voxels::{InScalar, VoxelScene};
+
+const RULES: [Rule; 3] = [Rule::Closed, Rule::HalfOpen, Rule::Thin];
+
+fn is_exact(scalar: InScalar, n: u32) {
+    let mut held = 0;
+    for scene in VoxelScene::all(n) {
+        for rule in RULES {
+            let Some(found) = scalar.check(&scene, rule) else { continue };
+            held += 1;
+            let what = format!("{scalar:?}, {}, {rule:?}: {found:?}", scene.name);
+            assert!(found.missed == 0 && found.extra == 0, "{what}");
+            assert!(found.set > u64::from(n * n) || rule == Rule::Thin, "{what}");
+        }
+    }
+    assert!(held >= 18, "{scalar:?} holds {held}");
+}
+
+#[test]
+fn voxels_are_those_of_the_oracle() {
+    is_exact(InScalar::F32, 32);
+}
+
+#[test]
+fn in_every_scalar() {
+    InScalar::ALL.into_iter().skip(1).for_each(|scalar| is_exact(scalar, 10));
+}
+
+/// Every scene at 32 to 128, in every scalar that holds it: minutes.
+#[test]
+#[ignore = "takes minutes"]
+fn at_high_resolution() {
+    for scalar in InScalar::ALL {
+        [32, 64, 128].into_iter().for_each(|n| is_exact(scalar, n));
+    }
+}
+
+#[test]
+fn rows_say_what_pairs_and_the_oracle_say() {
+    for scalar in InScalar::ALL {
+        let met = scalar.rows_agree_with_pairs(1, 200, 9);
+        assert!(met > 8_000, "{scalar:?}: {met}");
+        let marked = scalar.marks_agree_with_oracle(3, 60, 6);
+        assert!(marked > 3_000, "{scalar:?}: {marked}");
+        // Rows, layers and slabs of more than one block and more than one word.
+        let met = scalar.rows_agree_with_pairs(2, 4, 80);
+        assert!(met > 500, "{scalar:?}: {met}");
+    }
+}
+
+#[test]
+fn order_and_slabs_change_nothing() {
+    for scene in VoxelScene::all(20) {
+        for rule in RULES {
+            InScalar::F32.keeps_order_and_slabs(&scene, rule);
+        }
+    }
+}
+
+/// A grid-aligned cube of 30 voxels a side.
+#[test]
+fn faces_on_planes() {
+    let cube = VoxelScene::all(32).into_iter().find(|scene| scene.name == "aligned cube");
+    let cube = VoxelScene {
+        triangles: cube.unwrap().triangles[..12].to_vec(),
+        ..VoxelScene::all(32)[3].clone()
+    };
+    let set = |rule| InScalar::F64.check(&cube, rule).unwrap().set;
+    // Closed: two layers of 32 and 30 a side, but what is within. Half-open: from 1 to 31.
+    assert_eq!(set(Rule::Closed), 32_u64.pow(3) - 28_u64.pow(3));
+    assert_eq!(set(Rule::HalfOpen), 31_u64.pow(3) - 29_u64.pow(3));
+}
+
+#[test]
+fn planes_are_origin_and_cells() {
+    let rng = &mut Rng::new(5);
+    for _ in 0..200 {
+        let (o, c) = (rng.real(-9.0, 9.0) as f32, rng.real(0.01, 3.0) as f32);
+        let grid = Grid::new([o; 3], [c; 3], [77; 3]).unwrap();
+        let k = rng.whole(0, 76) as u32;
+        let voxel = grid.voxel([k; 3]).unwrap();
+        let plane = |k: u32| Vec3::splat(o + k as f32 * c);
+        assert_eq!(voxel.min_max(), Some((plane(k), plane(k + 1))));
+        let part = grid.part([k..77, k..77, k..77]).unwrap();
+        assert_eq!((part.voxel([0; 3]), part.offset()), (Some(voxel), [k; 3]));
+        assert_eq!(grid.voxel([77, 0, 0]), None);
+    }
+    // From one end of a type to the other.
+    use fixed::types::I8F8;
+    let grid = Grid::new([I8F8::MIN; 3], [I8F8::from_bits(257); 3], [255; 3]).unwrap();
+    let (_, max) = grid.voxel([254; 3]).unwrap().min_max().unwrap();
+    assert_eq!(max, Vec3::splat(I8F8::MAX));
+}
+
+#[test]
+fn bad_grids() {
+    let grid = |o: f32, c: f32, n: u32| Grid::new([0.0, o, 0.0], [1.0, c, 1.0], [1, n, 1]).err();
+    assert_eq!(grid(f32::NAN, 1.0, 1), Some(GridError::NotFinite));
+    assert_eq!(grid(0.0, f32::INFINITY, 1), Some(GridError::NotFinite));
+    assert_eq!(grid(0.0, 0.0, 1), Some(GridError::CellNotPositive));
+    assert_eq!(grid(0.0, -1.0, 1), Some(GridError::CellNotPositive));
+    assert_eq!(grid(0.0, 1.0, 0), Some(GridError::NoVoxels));
+    assert_eq!(grid(0.0, 1.0, u32::MAX), Some(GridError::TooManyVoxels));
+    assert_eq!(grid(0.0, f32::MAX, 2), Some(GridError::OutOfRange));
+    // 8 roundoffs of 2^24 are 8, a cell then; two of its planes are two numbers apart.
+    let far = 2_f32.powi(24);
+    assert_eq!(grid(far, 7.0, 1), Some(GridError::CellTooSmall));
+    assert_eq!(grid(far - 9.0, 9.0, 1), None);
+    assert_eq!(grid(0.0, 1.0, 1 << 21), None);
+    assert_eq!(grid(0.0, 1.0, (1 << 21) + 1), Some(GridError::CellTooSmall));
+    let fixed =
+        |n: u32| Grid::new([fixed::types::I8F8::ZERO; 3], [fixed::types::I8F8::ONE; 3], [n; 3]);
+    assert!(fixed(127).is_ok());
+    assert_eq!(fixed(128).err(), Some(GridError::OutOfRange));
+
+    let grid = Grid::new([0.0; 3], [1.0; 3], [65, 2, 3]).unwrap();
+    assert!(grid.part([0..65, 0..2, 0..4]).is_none() && grid.part([9..9, 0..2, 0..3]).is_none());
+    assert_eq!((grid.words::<u64>(), grid.words::<u32>()), (12, 18));
+    let short = Bits::new(&grid, &mut [0_u64; 11]).err();
+    assert_eq!(short, Some(TooFewWords { needed: 12 }));
+    assert!(Bits::new(&grid, &mut [0_u64; 13]).is_ok());
+}
+
+#[test]
+fn words_of_either_width() {
+    let grid = Grid::new([0.0_f32; 3], [1.0; 3], [150, 20, 9]).unwrap();
+    let t = Triangle::new([-5.0, 1.0, 1.0], [160.0, 3.0, 2.0], [80.0, 19.0, 8.0]).unwrap();
+    // What is beyond the grid in a row's last word stays.
+    let mut wide = vec![0_u64; grid.words::<u64>()];
+    wide[2] = 1 << 22;
+    let mut narrow = vec![0_u32; grid.words::<u32>()];
+    Bits::new(&grid, &mut wide).unwrap().fill(&t, Rule::Closed);
+    Bits::new(&grid, &mut narrow).unwrap().fill(&t, Rule::Closed);
+    assert!(wide[2] >> 22 == 1 && wide[5] >> 22 == 0);
+    let (wide, narrow) =
+        (Bits::new(&grid, &mut wide).unwrap(), Bits::new(&grid, &mut narrow).unwrap());
+    let mut count = 0;
+    for (x, y, z) in (0..150 * 20 * 9).map(|n| (n % 150, n / 150 % 20, n / 3000)) {
+        assert_eq!(wide.contains([x, y, z]), narrow.contains([x, y, z]));
+        count += u64::from(wide.contains([x, y, z]));
+    }
+    assert!(count > 1000 && wide.count() == count && narrow.count() == count);
+    assert!(!wide.contains([150, 0, 0]) && !wide.contains([0, 20, 0]) && !wide.contains([0, 0, 9]));
+}
+
+/// Whatever the numbers, an answer comes, and soon.
+#[test]
+fn extremes() {
+    let many = [f32::MAX, -f32::MAX, 1e-45, 0.0, 3.0, 1e30, -1e30, f32::MIN_POSITIVE];
+    let grids = [
+        Grid::new([-1.0_f32; 3], [0.25; 3], [8; 3]),
+        Grid::new([-1e38_f32; 3], [2.5e37; 3], [8; 3]),
+        Grid::new([0.0_f32; 3], [1e-45; 3], [8; 3]),
+    ];
+    for grid in grids {
+        let grid = grid.unwrap();
+        for n in (0..many.len().pow(3)).step_by(5) {
+            let pick = |k: usize| many[n / many.len().pow(k as u32 % 3) % many.len()];
+            let t = Triangle::new(
+                [pick(0), pick(1), pick(2)],
+                [pick(1), pick(2), 0.5],
+                [pick(2), -0.25, pick(0)],
+            );
+            let t = t.unwrap();
+            let mut set = [[[false; 8]; 8]; 8];
+            for row in grid.rows(&t, Rule::Closed) {
+                row.x.for_each(|x| set[row.z as usize][row.y as usize][x as usize] = true);
+            }
+            for (x, y, z) in (0..8 * 8 * 8).map(|n| (n % 8, n / 8 % 8, n / 64)) {
+                let voxel = grid.voxel([x, y, z]).unwrap();
+                let is_set = set[z as usize][y as usize][x as usize];
+                assert_eq!(is_set, t.overlaps(&voxel), "{t:?} {voxel:?}");
+            }
+        }
+    }
+}
