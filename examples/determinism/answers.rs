@@ -52,6 +52,12 @@ impl Hash {
         }
     }
 
+    /// A set of things of which there are no more than 32.
+    pub(crate) fn set(&mut self, of: impl Iterator<Item = usize>) {
+        let mask = of.fold(0_u32, |mask, i| mask ^ 1 << (i % 32));
+        mask.to_le_bytes().into_iter().for_each(|byte| self.byte(byte));
+    }
+
     pub(crate) fn axis(&mut self, axis: Option<Axis>) {
         self.byte(match axis {
             None => 0,

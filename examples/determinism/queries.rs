@@ -82,4 +82,9 @@ queries! {
     AabbObbMay = "aabb/obb may_overlap",
     ObbObb = "obb/obb overlaps",
     ObbObbMay = "obb/obb may_overlap",
+    MeshOverlapping = "mesh overlapping",
+    MeshPairs = "mesh overlapping_pairs",
+    MeshFirstHit = "mesh first_hit",
+    MeshHits = "mesh hits",
+    MeshWinding = "mesh winding",
 }

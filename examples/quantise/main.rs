@@ -4,8 +4,9 @@
 //! cargo run --release --example quantise -- MESH --scalar i16f16 > table.rs
 //! ```
 //!
-//! The table holds each vertex once, in raw bits; the faces are indices. A closed
-//! mesh also gets a table of its parts, for only a closed mesh has an inside. What
+//! The table holds each vertex once, in raw bits; the faces are indices, and the nodes of a
+//! tree stand beside them. A closed mesh also gets a table of its parts, each with a tree of
+//! its own, for only a closed mesh has an inside. What
 //! rounding did to the mesh, and whether it is closed, goes to the error stream.
 
 #[allow(dead_code, reason = "shared with other examples")]
