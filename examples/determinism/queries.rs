@@ -82,4 +82,10 @@ queries! {
     AabbObbMay = "aabb/obb may_overlap",
     ObbObb = "obb/obb overlaps",
     ObbObbMay = "obb/obb may_overlap",
+    TriangleTriangleRelation = "triangle/triangle relation",
+    SegmentTriangleRelation = "segment/triangle relation",
+    TriangleAabbRelation = "triangle/aabb relation",
+    AabbAabbRelation = "aabb/aabb relation",
+    AabbObbRelation = "aabb/obb relation",
+    ObbObbRelation = "obb/obb relation",
 }
