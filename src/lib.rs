@@ -53,6 +53,7 @@
 //! | point, box or triangle | [`Aabb::contains`], [`Obb::contains`], [`Triangle::contains`] | |
 //! | ray, triangle | [`hit`](Ray::hit), [`is_hit`](Ray::is_hit), [`hit_once`](Ray::hit_once), [`hit_with`](Ray::hit_with); [`compare_hits`](Ray::compare_hits) | |
 //! | ray, many triangles | [`lanes::Triangles::hit`] | |
+//! | touching or overlapping | [`relation`] | |
 //! | the axis that separates | [`separating_axis`](Triangle::separating_axis), [`is_separated_by`](Triangle::is_separated_by) | |
 //! | a triangle alone | [`is_degenerate`](Triangle::is_degenerate), [`unit_normal`](Triangle#method.unit_normal) | |
 //! | the box around an oriented box | | [`Obb::aabb`] |
@@ -136,6 +137,7 @@ pub mod lanes;
 pub mod mesh;
 pub mod prepared;
 pub mod published;
+pub mod relation;
 mod robust;
 mod scalar;
 pub mod voxel;
