@@ -12,6 +12,8 @@
 #[allow(dead_code, reason = "shared with other examples")]
 #[path = "../shared/cli.rs"]
 mod cli;
+#[path = "../voxelize/gltf.rs"]
+mod gltf;
 #[path = "../voxelize/mesh.rs"]
 mod mesh;
 mod options;
@@ -39,7 +41,7 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<String, Box<dyn Error>> {
-    let mesh = Mesh::load(options.mesh.as_deref(), options.up)?;
+    let mesh = Mesh::load(options.mesh.as_slice(), options.up)?;
     match options.scalar {
         Scalar::I4F4 => table::write::<I4F4>(&mesh, options),
         Scalar::I8F8 => table::write::<I8F8>(&mesh, options),
