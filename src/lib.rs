@@ -55,6 +55,7 @@
 //! | ray, many triangles | [`lanes::Triangles::hit`] | |
 //! | a mesh: what a shape overlaps, what a ray hits, other meshes | [`overlapping`](mesh::Tree::overlapping), [`first_hit`](mesh::Tree::first_hit), [`overlapping_pairs`](mesh::Tree::overlapping_pairs) | |
 //! | a closed mesh, point | [`contains`](mesh::Tree::contains), [`winding`](mesh::Tree::winding) | |
+//! | touching or overlapping | [`relation`] | |
 //! | the axis that separates | [`separating_axis`](Triangle::separating_axis), [`is_separated_by`](Triangle::is_separated_by) | |
 //! | a triangle alone | [`is_degenerate`](Triangle::is_degenerate), [`unit_normal`](Triangle#method.unit_normal) | |
 //! | the box around an oriented box | | [`Obb::aabb`] |
@@ -138,6 +139,7 @@ pub mod lanes;
 pub mod mesh;
 pub mod prepared;
 pub mod published;
+pub mod relation;
 mod robust;
 mod scalar;
 pub mod voxel;

@@ -1,6 +1,7 @@
 //! Hashes of answers.
 
 use septum::lanes::{Hits, Ranges};
+use septum::relation::Relation;
 use septum::{Axis, Facing, Feature, Hit, Vec3};
 
 use super::super::draw::Draw;
@@ -26,6 +27,14 @@ impl Hash {
 
     pub(crate) fn yes(&mut self, answer: bool) {
         self.byte(answer.into());
+    }
+
+    pub(crate) fn relation(&mut self, relation: Relation) {
+        self.byte(match relation {
+            Relation::Disjoint => 0,
+            Relation::Touching => 1,
+            Relation::Overlapping => 2,
+        });
     }
 
     pub(crate) fn number<S: Draw>(&mut self, x: S) {

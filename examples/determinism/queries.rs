@@ -87,4 +87,10 @@ queries! {
     MeshFirstHit = "mesh first_hit",
     MeshHits = "mesh hits",
     MeshWinding = "mesh winding",
+    TriangleTriangleRelation = "triangle/triangle relation",
+    SegmentTriangleRelation = "segment/triangle relation",
+    TriangleAabbRelation = "triangle/aabb relation",
+    AabbAabbRelation = "aabb/aabb relation",
+    AabbObbRelation = "aabb/obb relation",
+    ObbObbRelation = "obb/obb relation",
 }

@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 
 use super::Feature;
 use super::error_bound::{SIDES, T, VOLUME};
-use crate::arithmetic::{Arithmetic, Number, greatest, largest, least};
+use crate::arithmetic::{Arithmetic, Filtered, Number, greatest, largest, least};
 
 /// A line and a triangle, relative to the triangle's first vertex.
 #[derive(Clone, Copy)]
@@ -113,6 +113,12 @@ impl<L: Number> Setting<L> {
         (self.crossing_within::<M>(error_bound), is_known)
     }
 
+    /// The same direction and edges with another way to the origin.
+    #[inline(always)]
+    pub(super) fn seen_along(self, s: [L; 3]) -> Self {
+        Self { s, ..self }
+    }
+
     #[inline(always)]
     fn crossing_within<M: Arithmetic<Length = L>>(
         &self,
@@ -142,6 +148,15 @@ impl<L: Number> Setting<L> {
     pub(super) fn perturbed_t<M: Arithmetic<Length = L>>(&self) -> Ordering {
         let [e1, e2] = &self.e;
         sign::<M>(&cross::<M>(e1, e2))
+    }
+}
+
+impl Setting<f64> {
+    /// The volumes, whatever they err.
+    #[inline(always)]
+    pub(super) fn volumes(&self) -> Crossing<f64> {
+        let error_bound = ErrorBound { side: 0.0, sides: 0.0, t: 0.0 };
+        self.crossing_within::<Filtered<f64>>(error_bound)
     }
 }
 
