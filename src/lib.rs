@@ -49,6 +49,7 @@
 //! | ray, many boxes | [`PreparedRay::overlaps`](prepared::PreparedRay::overlaps) | [`SlabRay::may_overlap`](published::slabs::SlabRay::may_overlap) |
 //! | point, box | [`Aabb::contains`], [`Obb::contains`] | |
 //! | ray, triangle | [`hit`](Ray::hit), [`is_hit`](Ray::is_hit), [`hit_once`](Ray::hit_once), [`hit_with`](Ray::hit_with); [`compare_hits`](Ray::compare_hits) | |
+//! | triangle, many rays | [`Target::hit`](prepared::Target::hit) | |
 //! | ray, many triangles | [`lanes::Triangles::hit`] | |
 //! | the axis that separates | [`separating_axis`](Triangle::separating_axis), [`is_separated_by`](Triangle::is_separated_by) | |
 //! | a triangle alone | [`is_degenerate`](Triangle::is_degenerate), [`unit_normal`](Triangle#method.unit_normal) | |

@@ -73,4 +73,5 @@ queries! {
     RayCompareHits = "ray compare_hits",
     RayAabbPrepared = "ray/aabb prepared",
     TriangleAabbPrepared = "triangle/aabb prepared",
+    RayTrianglePrepared = "ray/triangle prepared",
 }
