@@ -32,8 +32,7 @@ impl<S: Scalar, const N: usize> Predicate<S> for CrossesEach<'_, S, N> {
         } else {
             self.each(|triangle| clear_hit::<S, Filtered<f64>>(self.ray, false, triangle))
         };
-        let has_numbers = <Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS;
-        if is_plain && !has_numbers && left(&certain) > N / 4 {
+        if is_plain && !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS && certain != [true; N] {
             return Err(Clue::NoNumbers);
         }
         Ok(Some(self.completed(hits, certain)))
@@ -72,7 +71,11 @@ impl<S: Scalar, const N: usize> CrossesEach<'_, S, N> {
     /// Those that are not certain one by one.
     #[inline(always)]
     fn completed(&self, mut hits: Hits<S, N>, certain: [bool; N]) -> Hits<S, N> {
-        if left(&certain) != 0 {
+        let mut all = true;
+        for k in 0..N {
+            all &= certain[k];
+        }
+        if !all {
             for k in 0..N {
                 if !certain[k] {
                     hits.set(k, self.one(k));
@@ -86,16 +89,6 @@ impl<S: Scalar, const N: usize> CrossesEach<'_, S, N> {
         let hit = self.triangles.get(k).and_then(|triangle| self.ray.hit(&triangle));
         hit.map_or(Candidate::none(), Candidate::from_hit)
     }
-}
-
-/// How many are not certain.
-#[inline(always)]
-fn left<const N: usize>(certain: &[bool; N]) -> usize {
-    let mut left = 0;
-    for k in 0..N {
-        left += usize::from(!certain[k]);
-    }
-    left
 }
 
 impl<S: Scalar, const N: usize> Triangles<S, N> {

@@ -30,11 +30,12 @@ type First<S> = <S as FirstFloat>::First;
 /// use septum::prepared::Target;
 /// use septum::{Ray, Triangle};
 ///
-/// let triangle = Triangle::new([0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0])?;
+/// let triangle = Triangle::new([0.0_f32; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0])?;
 /// let target = Target::new(&triangle);
 /// let down = |x, y| Ray::new([x, y, 2.0], [0.0, 0.0, -1.0]).unwrap();
 /// assert_eq!(target.hit(&down(0.5, 0.5)).unwrap().t, 2.0); // an edge
-/// assert!(!target.is_hit(&down(0.5, 0.5_f64.next_up())));
+/// assert!(target.is_hit(&down(0.75, 0.125)));
+/// assert!(!target.is_hit(&down(0.5, 0.5_f32.next_up())));
 /// # Ok::<(), septum::ShapeError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
