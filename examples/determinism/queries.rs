@@ -93,4 +93,5 @@ queries! {
     AabbAabbRelation = "aabb/aabb relation",
     AabbObbRelation = "aabb/obb relation",
     ObbObbRelation = "obb/obb relation",
+    RayTrianglePrepared = "ray/triangle prepared",
 }

@@ -79,16 +79,7 @@ impl<L: Number> Setting<L> {
             let none = M::Volume::ZERO;
             return Some(ErrorBound { sides: none, side: none, t: none });
         }
-        let Sizes { direction, edges, size } = self.sizes();
-        if !(direction.in_range() & edges.in_range() & size.in_range()) {
-            return None;
-        }
-        let volume = |a, b, c| M::volume(M::area(a, b), c);
-        Some(ErrorBound {
-            sides: volume(direction, edges, size).error(SIDES),
-            side: volume(direction, edges, size).error(VOLUME),
-            t: volume(edges, edges, size).error(T),
-        })
+        error_bound::<M>(self.sizes())
     }
 
     /// The volumes; `None` where `M` does not know how far they are from the truth.
@@ -225,14 +216,30 @@ impl<V: Number> Crossing<V> {
     }
 }
 
+/// How far the volumes may be from the truth, given the sizes of what they are made of.
 #[inline(always)]
-fn cross<M: Arithmetic>(a: &[M::Length; 3], b: &[M::Length; 3]) -> [M::Area; 3] {
+pub(super) fn error_bound<M: Arithmetic>(
+    Sizes { direction, edges, size }: Sizes<M::Length>,
+) -> Option<ErrorBound<M::Volume>> {
+    if !(direction.in_range() & edges.in_range() & size.in_range()) {
+        return None;
+    }
+    let volume = |a, b, c| M::volume(M::area(a, b), c);
+    Some(ErrorBound {
+        sides: volume(direction, edges, size).error(SIDES),
+        side: volume(direction, edges, size).error(VOLUME),
+        t: volume(edges, edges, size).error(T),
+    })
+}
+
+#[inline(always)]
+pub(super) fn cross<M: Arithmetic>(a: &[M::Length; 3], b: &[M::Length; 3]) -> [M::Area; 3] {
     let minor = |j: usize, k: usize| M::area(a[j], b[k]) - M::area(a[k], b[j]);
     [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
 #[inline(always)]
-fn dot<M: Arithmetic>(a: &[M::Area; 3], b: &[M::Length; 3]) -> M::Volume {
+pub(super) fn dot<M: Arithmetic>(a: &[M::Area; 3], b: &[M::Length; 3]) -> M::Volume {
     M::volume(a[0], b[0]) + M::volume(a[1], b[1]) + M::volume(a[2], b[2])
 }
 

@@ -41,6 +41,8 @@
 //!   rounded, and 21 is lost: 188. [`REFINED`] = 192. So w errs by at most 3·188 and some
 //!   roundings of u·u, of 3·192.
 //!
+//! `refined.g` proves what L may err.
+//!
 //! Nothing is lost where all l are zero. What was cut off an area is less than 2^25 + 3
 //! units, L a sum of three products of that with h, and like H less than 2^53 units. X is
 //! zero only if H + L is. det is a multiple of g³, taking g of the edges twice, u and v of
@@ -198,7 +200,7 @@ mod tests {
         let (points, setting) = ([a, b, c, o], Setting::new(&[a, b, c, o], d));
         let Crossing { det, t, sides: [_, u, v], .. } = setting.volumes();
         let volumes = [det, t, u, v];
-        let numbers = Numbers::new(&points, d, volumes, setting.sizes());
+        let numbers = Numbers::new::<true>(&points, d, volumes, setting.sizes());
         if !numbers.is_known {
             return false;
         }

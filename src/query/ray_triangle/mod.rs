@@ -12,6 +12,7 @@ mod error_bound;
 mod exact;
 mod hit;
 mod order;
+mod prepared;
 mod question;
 mod refined;
 mod residual;
@@ -19,6 +20,7 @@ mod residual;
 pub(crate) use candidate::Candidate;
 pub(crate) use clear_hit::{clear_hit, clear_refined_hit};
 pub use hit::{Cull, Facing, Feature, Hit, HitRules};
+pub use prepared::Target;
 
 use self::question::{Crosses, Hits};
 use crate::scalar::Scalar;

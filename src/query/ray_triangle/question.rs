@@ -5,6 +5,7 @@ use core::cmp::Ordering;
 
 use super::crossing::{Crossing, Setting, Sizes};
 use super::exact::ExactRay;
+use super::refined::Met;
 use super::residual::Numbers;
 use super::{Facing, Feature, Hit, HitRules};
 use crate::arithmetic::{Embeds, Filtered, Number};
@@ -64,7 +65,7 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
             return None;
         }
         let (points, d) = doubles(self.ray, self.triangle);
-        let Some((feature, det, quotients)) = self.refined_crossing(&points, d)? else {
+        let Some(Met { feature, det, quotients }) = self.refined_crossing(&points, d)? else {
             return Some(None);
         };
         if let Some(quotients) = quotients {
@@ -161,7 +162,7 @@ where
 {
     let (points, d) = doubles(ray, triangle);
     let sizes = Sizes { direction, edges, size };
-    hit(&Numbers::new(&points, d, [det, t, u, v], sizes), det, Feature::Interior)
+    hit(&Numbers::new::<true>(&points, d, [det, t, u, v], sizes), det, Feature::Interior)
 }
 
 /// The hit, if its numbers are good.

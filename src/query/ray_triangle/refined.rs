@@ -24,6 +24,14 @@ pub(super) struct Refined {
     is_exact: bool,
 }
 
+/// A crossing that counts.
+pub(super) struct Met {
+    pub(super) feature: Feature,
+    pub(super) det: f64,
+    /// t, u and v, if one of them is zero.
+    pub(super) quotients: Option<[f64; 3]>,
+}
+
 impl Refined {
     /// Two volumes at a time: why the parts are what they are, `super::error_bound` tells.
     /// And whether it is known how far they are from the truth.
@@ -78,14 +86,13 @@ impl Refined {
 }
 
 impl<S: Scalar> Crosses<'_, S> {
-    /// What of the triangle is met, if the crossing counts, with the determinant, and t, u and v
-    /// if one of them is zero; `None` in doubt.
+    /// What is met, if the crossing counts; `None` in doubt.
     #[inline(always)]
     pub(super) fn refined_crossing(
         &self,
         points: &[[f64; 3]; 4],
         d: [f64; 3],
-    ) -> Option<Option<(Feature, f64, Option<[f64; 3]>)>>
+    ) -> Option<Option<Met>>
     where
         Filtered<f64>: Embeds<S>,
     {
@@ -98,9 +105,9 @@ impl<S: Scalar> Crosses<'_, S> {
             return Some(None);
         }
         let counts = self.counts::<Filtered<f64>>(&Setting::new(points, d), &crossing, is_exact)?;
-        let Crossing { t, sides: [_, u, v], .. } = crossing;
+        let Crossing { det, t, sides: [_, u, v], .. } = crossing;
         let is_contact = is_exact & [t, u, v].contains(&0.0);
         let quotients = || is_contact.then(|| refined.quotients());
-        Some(counts.then(|| (crossing.feature(), crossing.det, quotients())))
+        Some(counts.then(|| Met { feature: crossing.feature(), det, quotients: quotients() }))
     }
 }

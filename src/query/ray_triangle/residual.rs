@@ -39,7 +39,7 @@ pub(super) struct Numbers {
 impl Numbers {
     /// Of volumes that tell that it does.
     #[inline(always)]
-    pub(super) fn new(
+    pub(super) fn new<const IN_ROWS: bool>(
         points: &[[f64; 3]; 4],
         d: [f64; 3],
         [det, t, u, v]: [f64; 4],
@@ -56,13 +56,12 @@ impl Numbers {
         let longest = size.power_of_two_below() / direction.power_of_two_below();
         let near = |x: f64, shifter: f64| (x * inverse + shifter) - shifter;
         let short = [near(t, longest * T_SHIFTER), near(u, SIDE_SHIFTER), near(v, SIDE_SHIFTER)];
-        let [a, b, c, o] = points;
-        let left = left_over(
-            [a, b, c, o, &d].map(|x| Row::of_three(*x)),
-            short.map(Row::splat),
-            [edges, direction].map(|x| Row::splat(x.power_of_two_below() * SHIFTER)),
-        );
-        let left = left.three();
+        let shifters = [edges, direction].map(|x| x.power_of_two_below() * SHIFTER);
+        let left = if IN_ROWS {
+            in_rows(points, d, short, shifters)
+        } else {
+            one_by_one(points, d, short, shifters)
+        };
         let Crossing { t, sides: [_, u, v], .. } = setting.seen_along(left).volumes();
         let (left, lost) = (largest(&left), size * (f64::from(LOST) * CUT));
         let (side_left, t_left) = (left * f64::from(LEFT) + lost, left * f64::from(LEFT_T) + lost);
@@ -109,6 +108,30 @@ impl Numbers {
         let are_good = self.is_known & is_good(t) & is_good(u) & is_good(v);
         ([rounded(t.0), rounded(u.0), rounded(v.0)], are_good)
     }
+}
+
+/// [`left_over`], three components at once.
+#[inline(always)]
+fn in_rows(
+    [a, b, c, o]: &[[f64; 3]; 4],
+    d: [f64; 3],
+    short: [f64; 3],
+    shifters: [f64; 2],
+) -> [f64; 3] {
+    let rows = [a, b, c, o, &d].map(|x| Row::of_three(*x));
+    left_over(rows, short.map(Row::splat), shifters.map(Row::splat)).three()
+}
+
+/// The same one after the other, for who asks about several triangles at once.
+#[inline(always)]
+fn one_by_one(
+    [a, b, c, o]: &[[f64; 3]; 4],
+    d: [f64; 3],
+    short: [f64; 3],
+    shifters: [f64; 2],
+) -> [f64; 3] {
+    let left = |i: usize| left_over([a[i], b[i], c[i], o[i], d[i]], short, shifters);
+    [left(0), left(1), left(2)]
 }
 
 /// What is left of s + t·d − u·e1 − v·e2: each component in two parts, the higher so short that
