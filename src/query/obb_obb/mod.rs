@@ -106,7 +106,7 @@ impl<S: Scalar> Overlaps<Obb<S>> for Obb<S> {
     /// parallel, or nearly so, are no case of their own: there is no threshold.
     ///
     /// *Range*: as of a triangle and an
-    /// [oriented box](Triangle#impl-Overlaps<Obb<S>>-for-Triangle<S>).
+    /// [oriented box](crate::Triangle#impl-Overlaps<Obb<S>>-for-Triangle<S>).
     ///
     /// *Panics*: never. *Cost*: 21 multiplications where a coordinate separates, 102 where a face of
     /// the first box does, 177 where one of the second does, and otherwise 267; where the machine has `f64` in that, but
