@@ -28,7 +28,8 @@ impl<S: Scalar> Predicate<S> for Lie<S> {
             let (gap, extent) = (d - r, r + r - (before + after));
             // A NaN, of two infinities, is in doubt.
             found.add(gap, extent, error);
-            found.add_doubt(!(gap <= error));
+            let is_known = gap <= error;
+            found.add_doubt(!is_known);
         }
         found.relation(N::CERTAIN)
     }

@@ -15,7 +15,7 @@ use std::string::String;
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 
 use crate::arithmetic::{REGISTERS_ARE_WIDE, SMALL_CODE};
-use crate::query::{PreparedRay, Target};
+use crate::query::{PreparedRay, Relate, Target};
 use crate::robust::escalations;
 use crate::scalar::{Backend, Scalar};
 use crate::shape::{Aabb, Obb, Plane, Ray, Segment, Triangle};
@@ -79,7 +79,7 @@ fixed_point! {
 /// How often each question escalates: past the first stage for numbers, a filter, a stage
 /// for narrow registers; and how often it arrives at the exact sums.
 fn rows<S: Sample>(scalar: &str, to: &mut String) {
-    const QUESTIONS: [&str; 12] = [
+    const QUESTIONS: [&str; 16] = [
         "triangle/aabb",
         "separating axis",
         "triangle/obb",
@@ -92,6 +92,10 @@ fn rows<S: Sample>(scalar: &str, to: &mut String) {
         "ray/triangle hit",
         "ray/aabb prepared",
         "ray/triangle prepared",
+        "triangle/triangle",
+        "segment/triangle",
+        "obb/obb",
+        "triangle relation",
     ];
     let mut counts = [[0; 4]; QUESTIONS.len()];
     let mut rng = Rng(0x5e97_0a11);
@@ -111,6 +115,7 @@ fn rows<S: Sample>(scalar: &str, to: &mut String) {
         };
         for aabb in boxes.map(Result::unwrap) {
             ask(0, &|| _ = triangle.overlaps(&aabb));
+            ask(15, &|| _ = triangle.relation(&aabb));
             ask(1, &|| _ = triangle.separating_axis(&aabb));
             ask(3, &|| _ = aabb.overlaps(&Aabb::from_center_half_extents(c, half).unwrap()));
             if let Ok(plane) = Plane::from_point_normal(o, d) {
@@ -125,7 +130,11 @@ fn rows<S: Sample>(scalar: &str, to: &mut String) {
         }
         if let Ok(obb) = Obb::from_skewed_axes(p, [q, d, o], half) {
             ask(2, &|| _ = triangle.overlaps(&obb));
+            let other = Obb::from_skewed_axes(c, [d, q, o], half);
+            ask(14, &|| _ = obb.overlaps(other.as_ref().unwrap()));
         }
+        ask(12, &|| _ = triangle.overlaps(&Triangle::new(p, q, o).unwrap()));
+        ask(13, &|| _ = Segment::new(p, q).unwrap().overlaps(&triangle));
         if let Ok(ray) = Ray::new(o, d) {
             ask(8, &|| _ = ray.is_hit(&triangle));
             ask(9, &|| _ = ray.hit(&triangle));

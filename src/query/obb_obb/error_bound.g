@@ -1,4 +1,5 @@
 # How far the axes of two oriented boxes may be from the truth.
+# constant: COORDINATE
 # constant: BOXES
 #
 # Proved: |computed − true| is at most the bound as it is computed, for a face and a pair of axes,
@@ -22,6 +23,12 @@ Dz = ((zm + -zp) + (zm + -zq)) * 0.5 + o;
 h = fl(hq, -hp) * 0.5 + z4; H = (hq + -hp) * 0.5 + o;
 i = fl(iq, -ip) * 0.5 + z5; I = (iq + -ip) * 0.5 + o;
 j = fl(jq, -jp) * 0.5 + z6; J = (jq + -jp) * 0.5 + o;
+
+# A coordinate.
+dx_abs = |Dx| + s90*(dx - Dx); Dx_abs = |Dx| + o;
+span = fl(fl(fl(fl(h*ax, z91), fl(i*bx, z92)), fl(j*cx, z93)), fl(fl(fl(k*ex, z94), fl(l*fx, z95)), fl(m*gx, z96)));
+Span = (((H*ax + o) + (I*bx + o)) + (J*cx + o)) + (((k*ex + o) + (l*fx + o)) + (m*gx + o));
+apart = fl(dx_abs, -span); Apart = Dx_abs + -Span;
 
 # A face of the first box, and what both reach there.
 wx = fl(fl(by*cz, z7), -fl(bz*cy, z8));
@@ -68,9 +75,12 @@ reach3 = fl(fl(fl(h*one_abs, z45), fl(i*two_abs, z46)), fl(fl(k*three_abs, z47),
 Reach3 = ((H*One_abs + o) + (I*Two_abs + o)) + ((k*Three_abs + o) + (l*Volume_abs + o));
 beyond3 = fl(pair_abs, -reach3); Beyond3 = Pair_abs + -Reach3;
 
+coordinate_bound = fl(COORDINATE*U, z97);
 bound = fl(BOXES*U*fl(fl(1, z49), z50), z51);
 
-{ o in [0,0] /\ |ax| <= 1 /\ |ay| <= 1 /\ |az| <= 1 /\ |bx| <= 1 /\ |by| <= 1 /\ |bz| <= 1
+{ o in [0,0] /\ |s90| <= 1 /\ |z91| <= LOST1 /\ |z92| <= LOST1 /\ |z93| <= LOST1 /\ |z94| <= LOST1
+/\ |z95| <= LOST1 /\ |z96| <= LOST1 /\ |z97| <= LOST1
+/\ |ax| <= 1 /\ |ay| <= 1 /\ |az| <= 1 /\ |bx| <= 1 /\ |by| <= 1 /\ |bz| <= 1
 /\ |cx| <= 1 /\ |cy| <= 1 /\ |cz| <= 1 /\ |ex| <= 1 /\ |ey| <= 1 /\ |ez| <= 1 /\ |fx| <= 1
 /\ |fy| <= 1 /\ |fz| <= 1 /\ |gx| <= 1 /\ |gy| <= 1 /\ |gz| <= 1 /\ |z1| <= LOST1 /\ |Dx| <= UP4
 /\ |dx| <= 1 /\ |xm + -xp| <= 2.0000003 /\ |xm + -xq| <= 2.0000003 /\ |z2| <= LOST1 /\ |Dy| <= UP4
@@ -88,7 +98,8 @@ bound = fl(BOXES*U*fl(fl(1, z49), z50), z51);
 /\ |z41| <= LOST1 /\ |z42| <= LOST1 /\ |z43| <= LOST1 /\ |z44| <= LOST1 /\ |s6| <= 1
 /\ |z45| <= LOST1 /\ |z46| <= LOST1 /\ |z47| <= LOST1 /\ |z48| <= LOST1 /\ |z49| <= LOST0
 /\ |z50| <= LOST1 /\ |z51| <= LOST1
--> |beyond - Beyond| - bound <= 0
+-> |apart - Apart| - coordinate_bound <= 0
+/\ |beyond - Beyond| - bound <= 0
 /\ |beyond2 - Beyond2| - bound <= 0
 /\ |beyond3 - Beyond3| - bound <= 0
 /\ |beyond| <= ROOM3 /\ |beyond2| <= ROOM3 /\ |beyond3| <= ROOM3 }

@@ -12,6 +12,9 @@
 //! * u_i × v_j: the products with u_l and v_p are, but for signs, w_m·v_j and z_q·u_i, which
 //!   are there already.
 //!
+//! The three coordinates come first, which any two shapes may be separated on: they take no
+//! products of axes.
+//!
 //! Where axes are parallel their cross product is zero, and then nothing exceeds nothing: no
 //! case of its own. What is flat, or a segment or point, has its separating axis among these
 //! too. Within the span of the extents that there are, it is zero along some of them. The normals
@@ -19,6 +22,7 @@
 
 use core::ops::Mul;
 
+use super::error_bound::ErrorBound;
 use crate::arithmetic::{Number, turn};
 use crate::query::relation::{Nearness, Relation};
 use crate::query::triangle_obb::{cross, dot};
@@ -43,14 +47,27 @@ fn normals<P: Number + Mul<Output = P>>([u, v, w]: &[[P; 3]; 3]) -> [[P; 3]; 3] 
 #[inline(always)]
 pub(super) fn all_axes<P: Number + Mul<Output = P>>(
     boxes: &Boxes<P>,
-    error: P,
+    error: &ErrorBound<P>,
     is_certain: bool,
 ) -> Option<Relation> {
     let Boxes { d, u, h, v, k, one } = boxes;
+    // The coordinates, first: three axes for the price of one.
+    let mut is_disjoint = false;
+    for c in 0..3 {
+        let reach = |h: &[P; 3], u: &[[P; 3]; 3]| {
+            h[0] * u[0][c].magnitude() + h[1] * u[1][c].magnitude() + h[2] * u[2][c].magnitude()
+        };
+        let gap = (d[c] * *one).magnitude() - (reach(h, u) + reach(k, v));
+        is_disjoint |= gap > error.coordinate;
+    }
+    if is_disjoint {
+        return Some(Relation::Disjoint);
+    }
+
     let mut found = Nearness::NONE;
     // Centres so far apart, and boxes that reach so far.
     let add = |found: &mut Nearness, distance: P, reach: P| {
-        found.add(distance.magnitude() - reach, reach, error);
+        found.add(distance.magnitude() - reach, reach, error.axis);
     };
 
     let w = normals(u);

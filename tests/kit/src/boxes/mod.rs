@@ -1,16 +1,19 @@
 //! A box and an oriented box: an oracle that clips the surface of the one by the other, in its
-//! own coordinates and in whole numbers, and sets of cases.
+//! own coordinates and in whole numbers.
+
+mod sets;
+
+pub use sets::BoxSet;
 
 use dashu_int::IBig;
 use septum::relation::{Relate, Relation};
 use septum::{Aabb, Obb, ShapeError, Vec3};
 
-use super::case::BoxNumbers;
-use super::exact::{Parts, least_exponent, whole};
-use super::flat::Truth;
-use super::lattice::{Lattice, Ring, Shapes};
-use super::rng::Rng;
-use super::sample::Sample;
+use crate::case::BoxNumbers;
+use crate::exact::{Parts, least_exponent, whole};
+use crate::flat::Truth;
+use crate::lattice::{Lattice, Ring, Shapes};
+use crate::sample::Sample;
 
 pub type Point<S> = [S; 3];
 
@@ -51,6 +54,12 @@ pub enum AnyBox<S> {
 pub struct BoxCase<S> {
     pub first: AnyBox<S>,
     pub second: ObbNumbers<S>,
+}
+
+/// The same, made.
+enum Shape<S> {
+    Aabb(Aabb<S>),
+    Obb(Obb<S>),
 }
 
 /// A box in whole numbers: centre, axes and half-extents, of points times one.
@@ -191,10 +200,10 @@ impl<S: Sample> BoxCase<S> {
     }
 
     /// The shapes, if they are any.
-    pub fn shapes(&self) -> Option<(Result<Aabb<S>, Obb<S>>, Obb<S>)> {
+    fn shapes(&self) -> Option<(Shape<S>, Obb<S>)> {
         let first = match self.first {
-            AnyBox::Aabb(aabb) => Ok(aabb.shape().ok()?),
-            AnyBox::Obb(obb) => Err(obb.shape().ok()?),
+            AnyBox::Aabb(aabb) => Shape::Aabb(aabb.shape().ok()?),
+            AnyBox::Obb(obb) => Shape::Obb(obb.shape().ok()?),
         };
         Some((first, self.second.shape().ok()?))
     }
@@ -204,10 +213,10 @@ impl<S: Sample> BoxCase<S> {
     pub fn answers(&self) -> Option<([bool; 2], bool)> {
         let (first, second) = self.shapes()?;
         Some(match first {
-            Ok(first) => {
+            Shape::Aabb(first) => {
                 ([first.overlaps(&second), second.overlaps(&first)], first.may_overlap(&second))
             }
-            Err(first) => {
+            Shape::Obb(first) => {
                 ([first.overlaps(&second), second.overlaps(&first)], first.may_overlap(&second))
             }
         })
@@ -217,8 +226,8 @@ impl<S: Sample> BoxCase<S> {
     pub fn relations(&self) -> Option<[Relation; 2]> {
         let (first, second) = self.shapes()?;
         Some(match first {
-            Ok(first) => [first.relation(&second), second.relation(&first)],
-            Err(first) => [first.relation(&second), second.relation(&first)],
+            Shape::Aabb(first) => [first.relation(&second), second.relation(&first)],
+            Shape::Obb(first) => [first.relation(&second), second.relation(&first)],
         })
     }
 
@@ -234,99 +243,5 @@ impl<S: Sample> BoxCase<S> {
         let [relation, other] = self.relations()?;
         assert!(relation == other && (relation != Relation::Disjoint) == meets, "{self:?}");
         Some(meets)
-    }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BoxSet {
-    /// Turned anyhow.
-    Turned,
-    /// Turned by a hair: axes that are nearly parallel.
-    NearlyParallel,
-    /// Whole numbers, axes along those of space or across: contact of every kind.
-    Grid,
-    /// Any bits.
-    Bits,
-    /// At the ends of the type.
-    Huge,
-}
-
-impl BoxSet {
-    pub const ALL: [Self; 5] =
-        [Self::Turned, Self::NearlyParallel, Self::Grid, Self::Bits, Self::Huge];
-
-    pub fn case<S: Sample>(self, rng: &mut Rng) -> BoxCase<S> {
-        let second = self.obb(rng);
-        let first = match rng.below(3) {
-            0 => {
-                let (p, q) = (self.point(rng), self.half(rng));
-                AnyBox::Aabb(if rng.one_in(2) {
-                    BoxNumbers::Center(p, q)
-                } else {
-                    let q = self.point(rng);
-                    let sorted = |i: usize| if p[i] < q[i] { [p[i], q[i]] } else { [q[i], p[i]] };
-                    let rows = [0, 1, 2].map(sorted);
-                    BoxNumbers::Corners(rows.map(|r| r[0]), rows.map(|r| r[1]))
-                })
-            }
-            _ => AnyBox::Obb(self.obb(rng)),
-        };
-        BoxCase { first, second }
-    }
-
-    fn number<S: Sample>(self, rng: &mut Rng) -> S {
-        match self {
-            Self::Turned | Self::NearlyParallel => S::nearest(rng.real(-1.5, 1.5)),
-            Self::Grid => S::nearest(rng.whole(-3, 3) as f64 / 2.0),
-            Self::Bits => S::from_ordinal(rng.bits() as i64 >> rng.below(64)),
-            Self::Huge => {
-                let end = [S::LEAST, S::GREATEST, S::ZERO, S::nearest(1.0)][rng.below(4)];
-                end.moved(rng.whole(-2, 2))
-            }
-        }
-    }
-
-    fn point<S: Sample>(self, rng: &mut Rng) -> Point<S> {
-        rng.triple(|rng| self.number(rng))
-    }
-
-    fn half<S: Sample>(self, rng: &mut Rng) -> Point<S> {
-        rng.triple(|rng| {
-            let x: S = self.number(rng);
-            let size = if x < S::ZERO { S::from_ordinal(x.ordinal().saturating_neg()) } else { x };
-            if rng.one_in(8) { S::ZERO } else { size }
-        })
-    }
-
-    fn obb<S: Sample>(self, rng: &mut Rng) -> ObbNumbers<S> {
-        let (center, half) = (self.point(rng), self.half(rng));
-        let turned = |angles: [f64; 3]| {
-            let mut frame = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-            for (k, (i, j)) in [(0, 1), (1, 2), (2, 0)].into_iter().enumerate() {
-                let (sin, cos) = angles[k].sin_cos();
-                for row in &mut frame {
-                    (row[i], row[j]) = (cos * row[i] - sin * row[j], sin * row[i] + cos * row[j]);
-                }
-            }
-            frame.map(|row| row.map(S::nearest))
-        };
-        let axes = match self {
-            Self::Turned => turned(rng.triple(|rng| rng.real(0.0, 6.3))),
-            Self::NearlyParallel => {
-                turned(rng.triple(|rng| if rng.one_in(2) { 0.0 } else { rng.real(-1e-7, 1e-7) }))
-            }
-            // Along, or skewed by whole numbers.
-            Self::Grid => {
-                let skew = if rng.one_in(2) { 0 } else { 1 };
-                let mut axes = [[0; 3]; 3];
-                for (i, axis) in axes.iter_mut().enumerate() {
-                    *axis = rng.triple(|rng| rng.whole(-skew, skew));
-                    axis[i] = 1;
-                }
-                axes.map(|u| u.map(|x| S::nearest(x as f64)))
-            }
-            Self::Bits | Self::Huge => [(); 3].map(|()| self.point(rng)),
-        };
-        ObbNumbers { center, axes, half }
     }
 }

@@ -1,0 +1,100 @@
+//! Sets of boxes and oriented boxes.
+
+use super::{AnyBox, BoxCase, ObbNumbers, Point};
+use crate::case::BoxNumbers;
+use crate::rng::Rng;
+use crate::sample::Sample;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BoxSet {
+    /// Turned anyhow.
+    Turned,
+    /// Turned by a hair: axes that are nearly parallel.
+    NearlyParallel,
+    /// Whole numbers, axes along those of space or across: contact of every kind.
+    Grid,
+    /// Any bits.
+    Bits,
+    /// At the ends of the type.
+    Huge,
+}
+
+impl BoxSet {
+    pub const ALL: [Self; 5] =
+        [Self::Turned, Self::NearlyParallel, Self::Grid, Self::Bits, Self::Huge];
+
+    pub fn case<S: Sample>(self, rng: &mut Rng) -> BoxCase<S> {
+        let second = self.obb(rng);
+        let first = match rng.below(3) {
+            0 => {
+                let (p, q) = (self.point(rng), self.half(rng));
+                AnyBox::Aabb(if rng.one_in(2) {
+                    BoxNumbers::Center(p, q)
+                } else {
+                    let q = self.point(rng);
+                    let sorted = |i: usize| if p[i] < q[i] { [p[i], q[i]] } else { [q[i], p[i]] };
+                    let rows = [0, 1, 2].map(sorted);
+                    BoxNumbers::Corners(rows.map(|r| r[0]), rows.map(|r| r[1]))
+                })
+            }
+            _ => AnyBox::Obb(self.obb(rng)),
+        };
+        BoxCase { first, second }
+    }
+
+    fn number<S: Sample>(self, rng: &mut Rng) -> S {
+        match self {
+            Self::Turned | Self::NearlyParallel => S::nearest(rng.real(-1.5, 1.5)),
+            Self::Grid => S::nearest(rng.whole(-3, 3) as f64 / 2.0),
+            Self::Bits => S::from_ordinal(rng.bits() as i64 >> rng.below(64)),
+            Self::Huge => {
+                let end = [S::LEAST, S::GREATEST, S::ZERO, S::nearest(1.0)][rng.below(4)];
+                end.moved(rng.whole(-2, 2))
+            }
+        }
+    }
+
+    fn point<S: Sample>(self, rng: &mut Rng) -> Point<S> {
+        rng.triple(|rng| self.number(rng))
+    }
+
+    fn half<S: Sample>(self, rng: &mut Rng) -> Point<S> {
+        rng.triple(|rng| {
+            let x: S = self.number(rng);
+            let size = if x < S::ZERO { S::from_ordinal(x.ordinal().saturating_neg()) } else { x };
+            if rng.one_in(8) { S::ZERO } else { size }
+        })
+    }
+
+    fn obb<S: Sample>(self, rng: &mut Rng) -> ObbNumbers<S> {
+        let (center, half) = (self.point(rng), self.half(rng));
+        let turned = |angles: [f64; 3]| {
+            let mut frame = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+            for (k, (i, j)) in [(0, 1), (1, 2), (2, 0)].into_iter().enumerate() {
+                let (sin, cos) = angles[k].sin_cos();
+                for row in &mut frame {
+                    (row[i], row[j]) = (cos * row[i] - sin * row[j], sin * row[i] + cos * row[j]);
+                }
+            }
+            frame.map(|row| row.map(S::nearest))
+        };
+        let axes = match self {
+            Self::Turned => turned(rng.triple(|rng| rng.real(0.0, 6.3))),
+            Self::NearlyParallel => {
+                turned(rng.triple(|rng| if rng.one_in(2) { 0.0 } else { rng.real(-1e-7, 1e-7) }))
+            }
+            // Along, or skewed by whole numbers.
+            Self::Grid => {
+                let skew = if rng.one_in(2) { 0 } else { 1 };
+                let mut axes = [[0; 3]; 3];
+                for (i, axis) in axes.iter_mut().enumerate() {
+                    *axis = rng.triple(|rng| rng.whole(-skew, skew));
+                    axis[i] = 1;
+                }
+                axes.map(|u| u.map(|x| S::nearest(x as f64)))
+            }
+            Self::Bits | Self::Huge => [(); 3].map(|()| self.point(rng)),
+        };
+        ObbNumbers { center, axes, half }
+    }
+}
