@@ -78,7 +78,7 @@
 //!
 //! An answer is exact over the whole range of a type. How long it takes depends on the
 //! input. These are the bounds within which an axis-aligned box is asked about in the first
-//! stages; an oriented box has narrower ones, on [its page][triangle-obb].
+//! stages; an oriented box has other ones, on [its page][triangle-obb].
 //!
 //! | scalar | fast | elsewhere |
 //! | --- | --- | --- |
@@ -88,8 +88,8 @@
 //! | `FixedI32` | coordinates below 2²⁸ units in the last place | wider integers; on 32-bit cores exact sums, but for a triangle and a box |
 //! | `FixedI64` | coordinates below 2⁶⁰ units in the last place | exact sums |
 //!
-//! For axis-aligned boxes and rays a narrower fixed-point type is faster and takes less
-//! code. For oriented boxes it is not: all types compute in 128 bits there.
+//! A narrower fixed-point type is faster and takes less code. For triangles and oriented
+//! boxes of fixed point the first stage is the same for all types, in words of 32 bits.
 //!
 //! # Promises and limits
 //!

@@ -17,6 +17,7 @@
 //! - `full`: those of them that meet it, so that no axis of the 13 ends the search
 //! - `grid`: vertices and boxes on a grid of integers, contacts of every kind
 //! - `whole range`: `full`, as wide as the numbers of the scalar
+//! - `made`: a box from axes
 //! - `hit`, `miss`: rays through triangles and boxes, and past them
 //! - `teapot`: a mesh of 1,044 triangles, by its tree and one by one
 //!

@@ -7,7 +7,7 @@ use septum::published;
 use septum::published::akenine_moller::{self, Order};
 use septum::published::slabs::SlabRay;
 use septum::published::slopes::SlopeRay;
-use septum::{Aabb, Cull, Obb, Ray, Triangle};
+use septum::{Aabb, Cull, Obb, Ray, Triangle, Vec3};
 
 use crate::CORE;
 use crate::firmware::say;
@@ -73,6 +73,14 @@ fn triangle_obb<S: Coordinate>(meter: &Meter) {
     ];
     lines::<S, _, _>(meter, "full", workload::turned_full, &queries);
     lines::<S, _, _>(meter, "voorhies", workload::turned_voorhies, &queries);
+
+    let queries: [Query<[Vec3<S>; 3], Vec3<S>>; 2] = [
+        ("oriented box", "new", |u, half| black_box(Obb::new(*half, *u, *half)).is_ok()),
+        ("oriented box", "from skewed axes", |u, half| {
+            black_box(Obb::from_skewed_axes(*half, *u, *half)).is_ok()
+        }),
+    ];
+    lines::<S, _, _>(meter, "made", workload::turned_axes, &queries);
 }
 
 /// Two triangles, and two oriented boxes.

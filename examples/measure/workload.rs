@@ -165,9 +165,14 @@ pub(crate) fn whole_range<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, 
 /// with sides 3, 4 and 5.
 pub(crate) fn turned_voorhies<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Obb<S>)> {
     let triangle = triangle([(); 3].map(|()| rng.point())).ok()?;
+    let (axes, half) = turned_axes(rng)?;
+    Some((triangle, Obb::from_skewed_axes(vector([0; 3]), axes, half).ok()?))
+}
+
+/// The axes and the half-extents of that cube.
+pub(crate) fn turned_axes<S: Coordinate>(_: &mut Rng) -> Option<([Vec3<S>; 3], Vec3<S>)> {
     let axes = [[60, 80, 0], [-48, 36, 80], [64, -48, 60]].map(|a| a.map(|x| x * 65536 / 100));
-    let obb = Obb::from_skewed_axes(vector([0; 3]), axes.map(vector), vector([HALF; 3]));
-    Some((triangle, obb.ok()?))
+    Some((axes.map(vector), vector([HALF; 3])))
 }
 
 pub(crate) fn turned_full<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Obb<S>)> {

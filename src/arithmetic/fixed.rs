@@ -13,7 +13,7 @@ use super::integer::{Int8, Int16, Int32, Int64, below_i32, below_i64};
 use super::number::greatest;
 use super::quotient::{Dividend, WHOLE};
 use super::system::{Arithmetic, Embeds, convert};
-use super::words::InWord;
+use super::words::{InRaw, InWord};
 
 /// The number with these raw bits, or the end of the type.
 macro_rules! clamped {
@@ -40,7 +40,7 @@ macro_rules! embeds {
                 convert(all, 0, |x| x.to_bits().into())
             }
 
-            fn one() -> Option<i128> {
+            fn one() -> Option<<$system as Arithmetic>::Product> {
                 // A unit above 2^30 would not leave the products room.
                 (<$fixed<Frac>>::FRAC_NBITS <= 30).then(|| 1 << <$fixed<Frac>>::FRAC_NBITS)
             }
@@ -111,6 +111,29 @@ in_word! {
     FixedI32, LeEqU32: i32, false;
     FixedI32, LeEqU32: i64, true;
     FixedI64, LeEqU64: i128, true;
+}
+
+/// The raw bits of a type, in a word that the machine has.
+macro_rules! in_raw {
+    ($($fixed:ident, $bound:ident: $raw:ty;)*) => {$(
+        impl<Frac: $bound> InRaw for $fixed<Frac> {
+            type Raw = $raw;
+
+            const ALWAYS_NEAR: bool = Self::INT_NBITS + Self::FRAC_NBITS < <$raw>::BITS;
+            const FRACTION_BITS: i32 = Self::FRAC_NBITS as i32;
+
+            #[inline(always)]
+            fn raw(self) -> $raw {
+                self.to_bits().into()
+            }
+        }
+    )*};
+}
+in_raw! {
+    FixedI8, LeEqU8: i32;
+    FixedI16, LeEqU16: i32;
+    FixedI32, LeEqU32: i32;
+    FixedI64, LeEqU64: i64;
 }
 
 /// Whole numbers that `f64` holds: verdicts where they are clear, and quotients

@@ -18,7 +18,9 @@
 //! | near·m, with m = abs(d), or b − a of a segment | 3·2^(2k+1) | 2^16.6 | 2^38.6 | 2^58.6 | 2^122.6 |
 //! | 2·near·one, with F fraction bits | 3·2^(k+1+F) | 2^17.6 | 2^52.6 | 2^62.6 | 2^126.6 |
 //!
-//! A type of b bits holds magnitudes below 2^(b−1).
+//! A type of b bits holds magnitudes below 2^(b−1). Products of four for oriented boxes take 37
+//! bits for k = 7 and F up to 8: 30 of them, of two differences up to 2^8 and two numbers up to
+//! 2^8.
 
 use super::platform::REGISTERS_ARE_WIDE;
 use super::system::Arithmetic;
@@ -48,12 +50,12 @@ pub struct Int64;
 pub struct Int64Narrow;
 
 macro_rules! integers {
-    ($($system:ty: $length:ty, $area:ty, $volume:ty, $product:expr; $narrow:ty, $is_narrow:expr;)*) => {$(
+    ($($system:ty: $length:ty, $area:ty, $volume:ty, $product:expr, $operand:ty; $narrow:ty, $is_narrow:expr;)*) => {$(
         impl Arithmetic for $system {
             type Length = $length;
             type Area = $area;
             type Volume = $volume;
-            type Product = i128;
+            type Product = $operand;
             type Narrow = $narrow;
 
             const CERTAIN: bool = true;
@@ -69,7 +71,7 @@ macro_rules! integers {
                 $product(a, b)
             }
             #[inline(always)]
-            fn operand(a: $length) -> i128 {
+            fn operand(a: $length) -> $operand {
                 a.into()
             }
             #[inline(always)]
@@ -85,13 +87,13 @@ macro_rules! integers {
 }
 #[cfg(feature = "fixed")]
 integers! {
-    Int8: i32, i32, i32, |a, b| a * b; Self, |_: i32| false;
-    Int16: i32, i64, i64, |a, b| a * i64::from(b); Self, |_: i32| false;
-    Int32: i32, i64, i128, |a, b| i128::from(a) * i128::from(b); Int16, |size: i32| !REGISTERS_ARE_WIDE && size >> 20 == 0;
+    Int8: i32, i32, i32, |a, b| a * b, i64; Self, |_: i32| false;
+    Int16: i32, i64, i64, |a, b| a * i64::from(b), i128; Self, |_: i32| false;
+    Int32: i32, i64, i128, |a, b| i128::from(a) * i128::from(b), i128; Int16, |size: i32| !REGISTERS_ARE_WIDE && size >> 20 == 0;
 }
 integers! {
-    Int64: i64, i128, I256, I256::product; Int64Narrow, |size: i64| size >> 41 == 0;
-    Int64Narrow: i64, i128, i128, |a, b| a * i128::from(b); Self, |_: i64| false;
+    Int64: i64, i128, I256, I256::product, i128; Int64Narrow, |size: i64| size >> 41 == 0;
+    Int64Narrow: i64, i128, i128, |a, b| a * i128::from(b), i128; Self, |_: i64| false;
 }
 
 /// Whether all coordinates lie below two to the `most`.

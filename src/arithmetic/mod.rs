@@ -53,5 +53,7 @@ pub(crate) use system::{of_two, once};
 pub(crate) use wide::I256;
 #[cfg(test)]
 pub(crate) use words::SplitSum;
+#[cfg(feature = "fixed")]
+pub use words::{InRaw, Raw};
 pub use words::{InWord, ProductSum, Word};
 pub(crate) use words::{out_of_line, out_of_line_if_wide};

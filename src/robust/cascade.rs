@@ -7,7 +7,7 @@ use super::predicate::{Clue, Predicate};
 use super::stages::{Stage, note};
 use crate::arithmetic::{Embeds, Filtered, Float, InFloat, Int64, REGISTERS_ARE_WIDE};
 #[cfg(feature = "fixed")]
-use crate::arithmetic::{InWord, Word};
+use crate::arithmetic::{InRaw, InWord, SMALL_CODE, Word};
 
 /// The first stage for questions with a number for an answer.
 #[inline(always)]
@@ -106,6 +106,26 @@ pub(crate) fn narrow_stage<S: InWord<W>, W: Word, P: Predicate<S>>(
         None => {
             note(Stage::Narrow);
             next(p)
+        }
+    }
+}
+
+/// The answer by coordinates cut down where the question has a kernel for that, or else what
+/// `next` says.
+#[cfg(feature = "fixed")]
+#[inline(always)]
+pub(crate) fn short_stage<S: InRaw, P: Predicate<S>>(
+    p: &P,
+    next: impl FnOnce(&P) -> P::Answer,
+) -> P::Answer {
+    if !P::IN_SHORT {
+        return next(p);
+    }
+    match p.in_short() {
+        Some(answer) => answer,
+        None => {
+            note(Stage::Filter);
+            if SMALL_CODE { exact_stage(p) } else { next(p) }
         }
     }
 }

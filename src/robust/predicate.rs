@@ -1,3 +1,5 @@
+#[cfg(feature = "fixed")]
+use crate::arithmetic::InRaw;
 use crate::arithmetic::{Embeds, Filtered, Float, InFloat, InWord, Word};
 
 /// Why a fast path has no answer.
@@ -69,13 +71,28 @@ pub trait Predicate<S> {
         None
     }
 
-    /// A conservative answer by coordinates cut down to 18 bits, for scalars so wide that
-    /// an exact one is dear; `None` where the question has none.
+    /// Whether the question has a kernel of its own for fixed point cut down to words of 32
+    /// bits, with a bound on the error. Then that is asked first.
+    #[cfg(feature = "fixed")]
+    const IN_SHORT: bool = false;
+
+    /// The answer by coordinates cut down to words of 32 bits, if they can vouch for it.
+    #[cfg(feature = "fixed")]
+    #[inline(always)]
+    fn in_short(&self) -> Option<Self::Answer>
+    where
+        S: InRaw,
+    {
+        None
+    }
+
+    /// A conservative answer by coordinates cut down, for scalars so wide or questions so
+    /// long that an exact one is dear; `None` where the question has none.
     #[cfg(feature = "fixed")]
     #[inline(always)]
     fn cut_down(&self) -> Option<Self::Answer>
     where
-        S: InWord<i128>,
+        S: InRaw,
     {
         None
     }

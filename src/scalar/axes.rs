@@ -147,30 +147,31 @@ where
     }
 }
 
-/// Axes in units of 2^-28, or of the type's own last place where that is coarser.
+/// Axes in units of 2^-14, or of the type's own last place where that is coarser.
 ///
-/// Nothing above 2 is handed in, which no axis may have: so a product is at most
-/// 2^58, and eight times the sum of three below 2^63.
+/// Nothing above 9/8 is handed in, which no axis may have: so the sum of three products is
+/// below 2^30.
 #[cfg(feature = "fixed")]
 pub(crate) const fn are_orthonormal_fixed(axes: &[[i32; 3]; 3], fraction_bits: u32) -> bool {
-    const fn is_near(a: &[i32; 3], b: &[i32; 3], target: i64, square: i64) -> bool {
-        let dot = a[0] as i64 * b[0] as i64 + a[1] as i64 * b[1] as i64 + a[2] as i64 * b[2] as i64;
-        let off = 8 * (dot - target);
-        -square <= off && off <= square
+    const fn is_near(a: &[i32; 3], b: &[i32; 3], target: i32, eighth: i32) -> bool {
+        let off = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] - target;
+        -eighth <= off && off <= eighth
     }
     let [u, v, w] = axes;
-    let one = 1_i64 << (2 * fraction_bits);
-    is_near(u, u, one, one)
-        && is_near(v, v, one, one)
-        && is_near(w, w, one, one)
-        && is_near(u, v, 0, one)
-        && is_near(v, w, 0, one)
-        && is_near(w, u, 0, one)
+    let one = 1 << (2 * fraction_bits);
+    // Rounded down: a whole number is within an eighth of one if it is within this.
+    let eighth = one >> 3;
+    is_near(u, u, one, eighth)
+        && is_near(v, v, one, eighth)
+        && is_near(w, w, one, eighth)
+        && is_near(u, v, 0, eighth)
+        && is_near(v, w, 0, eighth)
+        && is_near(w, u, 0, eighth)
 }
 
 /// The most fraction bits that the check of axes keeps.
 #[cfg(feature = "fixed")]
-pub(crate) const KEPT_BITS: u32 = 28;
+pub(crate) const KEPT_BITS: u32 = 14;
 
 /// The check of fixed-point axes, in a form that a `const fn` can use.
 #[cfg(feature = "fixed")]
@@ -178,9 +179,9 @@ macro_rules! fixed_axes_are_orthonormal {
     ($fixed:ty, $axes:expr) => {{
         use $crate::scalar::axes::{KEPT_BITS, are_orthonormal_fixed};
 
-        const fn kept(bits: i64, shift: u32, two: i32) -> Option<i32> {
+        const fn kept(bits: i64, shift: u32, most: i32) -> Option<i32> {
             let x = bits >> shift;
-            if -(two as i64) <= x && x <= two as i64 { Some(x as i32) } else { None }
+            if -(most as i64) <= x && x <= most as i64 { Some(x as i32) } else { None }
         }
         const fn row(x: Option<i32>, y: Option<i32>, z: Option<i32>) -> Option<[i32; 3]> {
             match (x, y, z) {
@@ -191,22 +192,23 @@ macro_rules! fixed_axes_are_orthonormal {
         let fraction_bits = <$fixed>::FRAC_NBITS;
         let shift = fraction_bits.saturating_sub(KEPT_BITS);
         let unit = fraction_bits - shift;
-        let two = 2_i32 << unit;
+        let one = 1_i32 << unit;
+        let most = one + (one >> 3);
         let [[a, b, c], [d, e, f], [g, h, i]] = $axes;
         let u = row(
-            kept(a.to_bits() as i64, shift, two),
-            kept(b.to_bits() as i64, shift, two),
-            kept(c.to_bits() as i64, shift, two),
+            kept(a.to_bits() as i64, shift, most),
+            kept(b.to_bits() as i64, shift, most),
+            kept(c.to_bits() as i64, shift, most),
         );
         let v = row(
-            kept(d.to_bits() as i64, shift, two),
-            kept(e.to_bits() as i64, shift, two),
-            kept(f.to_bits() as i64, shift, two),
+            kept(d.to_bits() as i64, shift, most),
+            kept(e.to_bits() as i64, shift, most),
+            kept(f.to_bits() as i64, shift, most),
         );
         let w = row(
-            kept(g.to_bits() as i64, shift, two),
-            kept(h.to_bits() as i64, shift, two),
-            kept(i.to_bits() as i64, shift, two),
+            kept(g.to_bits() as i64, shift, most),
+            kept(h.to_bits() as i64, shift, most),
+            kept(i.to_bits() as i64, shift, most),
         );
         if <$fixed>::INT_NBITS == 0 {
             None

@@ -10,7 +10,7 @@ use crate::arithmetic::{
 };
 use crate::robust::{
     Predicate, Sum, exact_stage, in_quads, integer_stage, narrow_stage, numeric_stage, only_stage,
-    stage,
+    short_stage, stage,
 };
 
 macro_rules! scalar {
@@ -51,8 +51,8 @@ macro_rules! scalar {
                 if Self::IN_QUADS { in_quads::<_, $float, _>(p) } else { None }
             }
             #[inline(always)]
-            fn without_quads<P: Predicate<Self>>($p: &P) -> P::Answer {
-                $evaluate
+            fn without_quads<P: Predicate<Self>>(p: &P) -> P::Answer {
+                short_stage(p, |$p| $evaluate)
             }
             #[inline(always)]
             fn evaluate_numeric<P: Predicate<Self>>($p: &P) -> P::Answer {
@@ -60,7 +60,7 @@ macro_rules! scalar {
             }
             #[inline(always)]
             fn evaluate_bounded<P: Predicate<Self>>($p: &P) -> Option<P::Answer> {
-                $bounded
+                if P::IN_SHORT { $p.cut_down() } else { $bounded }
             }
         }
 

@@ -42,8 +42,8 @@ impl<S: Scalar> Obb<S> {
     /// Dot products may be off by one eighth: more than any rounding takes a
     /// rotation, even in 8 bits, and less than most mistakes do. The check is
     /// against mistakes; it has no part in a verdict. Floats are checked in their own
-    /// arithmetic, and fixed-point types of more than 28 fraction bits by the upper
-    /// 28, so that axes within rounding of the eighth may pass or not. With fewer
+    /// arithmetic, and fixed-point types of more than 14 fraction bits by the upper
+    /// 14, so that dot products within 2⁻¹² of the eighth may pass or not. With fewer
     /// bits the check is exact.
     ///
     /// A fixed-point type without integer bits holds no vector of length one. Use

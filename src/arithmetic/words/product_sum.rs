@@ -1,12 +1,20 @@
 //! Sums of products of two words, asked only for their sign.
 
+use super::word::Word;
+
 /// A sum of products of two lengths: see the table at [`Word`](super::Word).
 pub trait ProductSum<W>: Copy {
     /// a·b + c·d.
     fn new(a: W, b: W, c: W, d: W) -> Self;
 
+    /// The sum with one more product, a·b.
+    fn with_product(self, a: W, b: W) -> Self;
+
     /// A word that is negative exactly if the area is.
     fn sign(self) -> W;
+
+    /// The sum over 2^[`SPLIT`](super::Word::SPLIT), rounded down, where a word holds that.
+    fn scaled(self) -> W;
 
     /// A sum of products of an area and a length.
     type Volume: Copy;
@@ -25,8 +33,16 @@ impl ProductSum<i32> for i64 {
         Self::from(a) * Self::from(b) + Self::from(c) * Self::from(d)
     }
     #[inline(always)]
+    fn with_product(self, a: i32, b: i32) -> Self {
+        self + Self::from(a) * Self::from(b)
+    }
+    #[inline(always)]
     fn sign(self) -> i32 {
         (self >> i32::BITS) as i32
+    }
+    #[inline(always)]
+    fn scaled(self) -> i32 {
+        (self >> i32::SPLIT) as i32
     }
 
     /// By the upper word of an area, rounded to the nearest, and by what is left of it.

@@ -25,9 +25,18 @@ impl<W: Word> ProductSum<W> for SplitSum<W> {
         )
     }
 
+    #[inline(always)]
+    fn with_product(self, a: W, b: W) -> Self {
+        Self { upper: self.upper + (a >> W::SPLIT) * b, lower: self.lower + (a & W::LOWER) * b }
+    }
+
     /// The sum without its lower part, so rounded down.
     #[inline(always)]
     fn sign(self) -> W {
+        self.scaled()
+    }
+    #[inline(always)]
+    fn scaled(self) -> W {
         self.upper + (self.lower >> W::SPLIT)
     }
 

@@ -39,7 +39,14 @@ trait Sample: Scalar {
     /// A number of one of three kinds: on a coarse grid, on a fine one, or as fine and far
     /// from zero, where what is left of the type is contact.
     fn sample(rng: &mut Rng, kind: u32) -> Self;
+
+    /// Axes at right angles, of length one or near.
+    fn turned() -> [[Self; 3]; 3];
 }
+
+/// Those of a rotation about two axes, by the angles of the triangle with sides 3, 4 and 5,
+/// in hundredths.
+const TURNED: [[i64; 3]; 3] = [[60, 80, 0], [-48, 36, 80], [64, -48, 60]];
 
 macro_rules! floats {
     ($($float:ident: $far:literal;)*) => {$(
@@ -50,6 +57,10 @@ macro_rules! floats {
                     1 => rng.within(1 << 20) as $float / 262_144.0,
                     _ => $far + rng.within(1 << 20) as $float / 262_144.0,
                 }
+            }
+
+            fn turned() -> [[Self; 3]; 3] {
+                TURNED.map(|u| u.map(|x| x as $float / 100.0))
             }
         }
     )*};
@@ -66,6 +77,10 @@ macro_rules! fixed_point {
                     _ => (1 << $far) + (rng.within(1 << 20) >> (20 - $fine)),
                 } as _)
             }
+
+            fn turned() -> [[Self; 3]; 3] {
+                TURNED.map(|u| u.map(|x| Self::from_bits(((x << Self::FRAC_NBITS) / 100) as _)))
+            }
         }
     )*};
 }
@@ -79,7 +94,7 @@ fixed_point! {
 /// How often each question escalates: past the first stage for numbers, a filter, a stage
 /// for narrow registers; and how often it arrives at the exact sums.
 fn rows<S: Sample>(scalar: &str, to: &mut String) {
-    const QUESTIONS: [&str; 16] = [
+    const QUESTIONS: [&str; 17] = [
         "triangle/aabb",
         "separating axis",
         "triangle/obb",
@@ -96,6 +111,7 @@ fn rows<S: Sample>(scalar: &str, to: &mut String) {
         "segment/triangle",
         "obb/obb",
         "triangle relation",
+        "triangle/turned box",
     ];
     let mut counts = [[0; 4]; QUESTIONS.len()];
     let mut rng = Rng(0x5e97_0a11);
@@ -135,6 +151,9 @@ fn rows<S: Sample>(scalar: &str, to: &mut String) {
         }
         ask(12, &|| _ = triangle.overlaps(&Triangle::new(p, q, o).unwrap()));
         ask(13, &|| _ = Segment::new(p, q).unwrap().overlaps(&triangle));
+        if let Ok(obb) = Obb::from_skewed_axes(p, S::turned(), half) {
+            ask(16, &|| _ = triangle.overlaps(&obb));
+        }
         if let Ok(ray) = Ray::new(o, d) {
             ask(8, &|| _ = ray.is_hit(&triangle));
             ask(9, &|| _ = ray.hit(&triangle));

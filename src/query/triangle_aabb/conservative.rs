@@ -16,7 +16,7 @@
 
 use super::frame::{BoxForm, Frame};
 use super::kernel::any_axis;
-use crate::arithmetic::{InWord, Int16, REGISTERS_ARE_WIDE, greatest, least};
+use crate::arithmetic::{InRaw, Int16, REGISTERS_ARE_WIDE, greatest, least};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
@@ -25,7 +25,7 @@ const BITS: u32 = 18;
 
 /// `true` only if the shapes are disjoint.
 #[inline(always)]
-pub(super) fn disjoint<S: Scalar + InWord<i128>>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bool {
+pub(super) fn disjoint<S: Scalar + InRaw>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bool {
     let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
         aabb.form();
     let by_center = matches!(aabb.form(), AabbForm::Center { .. });
@@ -39,7 +39,7 @@ pub(super) fn disjoint<S: Scalar + InWord<i128>>(triangle: &Triangle<S>, aabb: &
 }
 
 #[inline(always)]
-fn of_form<S: Scalar + InWord<i128>>(
+fn of_form<S: Scalar + InRaw>(
     triangle: &Triangle<S>,
     p: &Vec3<S>,
     q: &Vec3<S>,
@@ -135,7 +135,7 @@ fn cut_down(lengths: &[[i64; 3]; 4]) -> ([[i32; 3]; 4], i32) {
 /// all, for that is less code.
 // It takes the shapes again: rows taken by reference would be kept in memory for it.
 #[inline(never)]
-fn cut_down_anywhere<S: Scalar + InWord<i128>>(
+fn cut_down_anywhere<S: Scalar + InRaw>(
     triangle: &Triangle<S>,
     p: &Vec3<S>,
     q: &Vec3<S>,
@@ -167,8 +167,8 @@ fn cut_down_anywhere<S: Scalar + InWord<i128>>(
 
 /// The raw bits.
 #[inline(always)]
-fn raw<S: InWord<i128> + Copy>(v: &Vec3<S>) -> [i64; 3] {
-    let bits = |x: S| x.in_word() as i64;
+fn raw<S: InRaw + Copy>(v: &Vec3<S>) -> [i64; 3] {
+    let bits = |x: S| x.raw().into();
     [bits(v.x), bits(v.y), bits(v.z)]
 }
 

@@ -27,9 +27,13 @@ mod rows;
 mod witness;
 
 pub use axis::Axis;
+#[cfg(feature = "fixed")]
+pub(super) use one_sided::{Projection, one_sided};
 pub use prepared::PreparedTriangle;
 
 use super::Overlaps;
+#[cfg(feature = "fixed")]
+use crate::arithmetic::InRaw;
 use crate::arithmetic::{Embeds, Float, InFloat, InWord, Rounded, Word};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
@@ -96,7 +100,7 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     #[inline(always)]
     fn cut_down(&self) -> Option<bool>
     where
-        S: InWord<i128>,
+        S: InRaw,
     {
         Some(conservative::disjoint(self.triangle, self.aabb))
     }

@@ -13,7 +13,8 @@ impl<S: Scalar> Disjoint<'_, S> {
     where
         S: InWord<W>,
     {
-        one_sided(&self.projections())
+        let projections = self.projections();
+        Projection::are_apart(&projections) || one_sided(&projections)
     }
 
     /// The answer in words that hold the shapes if they are near to each other.
@@ -28,7 +29,7 @@ impl<S: Scalar> Disjoint<'_, S> {
             && W::is_central(y)
             && W::is_central(z)
             && Projection::are_near(&projections))
-        .then(|| one_sided(&projections))
+        .then(|| Projection::are_apart(&projections) || one_sided(&projections))
     }
 
     /// The shapes on the coordinate axes, as seen from the least corner of the box.

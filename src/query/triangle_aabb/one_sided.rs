@@ -1,7 +1,8 @@
 use crate::arithmetic::{ProductSum, Word, out_of_line_if_wide};
 
-/// Whether one of the 13 axes separates a triangle from a box, for cores on which a
-/// product of words is cheap and a wider one is not.
+/// Whether one of the other 10 axes separates a triangle from a box, where no face of the box
+/// does ([`Projection::are_apart`]). For cores on which a product of words is cheap and a wider
+/// one is not.
 ///
 /// Each edge axis is looked at from one side only. On x_i × e_k the vertices of
 /// edge k fall on zero and the vertex opposite on n_i, the component of the
@@ -13,15 +14,12 @@ use crate::arithmetic::{ProductSum, Word, out_of_line_if_wide};
 ///
 /// Areas and volumes are only asked for their sign, see [`ProductSum`].
 #[inline(never)]
-pub(super) fn one_sided<W: Word>(shapes: &[Projection<W>; 3]) -> bool {
+pub(in crate::query) fn one_sided<W: Word>(shapes: &[Projection<W>; 3]) -> bool {
     in_areas::<W, W::Sum>(shapes)
 }
 
 #[inline(always)]
 fn in_areas<W: Word, A: ProductSum<W>>(shapes: &[Projection<W>; 3]) -> bool {
-    if shapes.iter().any(Projection::is_apart) {
-        return true;
-    }
     let [x, y, z] = shapes;
     let n: [A; 3] = [normal(y, z), normal(z, x), normal(x, y)];
     let turned = [turned(n[0], y, z), turned(n[1], z, x), turned(n[2], x, y)];
@@ -32,7 +30,7 @@ fn in_areas<W: Word, A: ProductSum<W>>(shapes: &[Projection<W>; 3]) -> bool {
 /// A triangle and a box, projected on one coordinate axis, and measured from the least
 /// corner of the box.
 #[derive(Clone, Copy)]
-pub(super) struct Projection<W> {
+pub(in crate::query) struct Projection<W> {
     /// The vertices.
     t: [W; 3],
     /// The greatest corner of the box.
@@ -42,15 +40,40 @@ pub(super) struct Projection<W> {
 impl<W: Word> Projection<W> {
     /// Of these vertices, and the box that reaches `size` from `min`.
     #[inline(always)]
-    pub(super) fn new(min: W, size: W, [a, b, c]: [W; 3]) -> Self {
+    pub(in crate::query) fn new(min: W, size: W, [a, b, c]: [W; 3]) -> Self {
         Self { t: [a.minus(min), b.minus(min), c.minus(min)], size }
     }
 
     /// Whether words have room for all that is made of these lengths, if none of them
     /// is wrapped.
     #[inline(always)]
-    pub(super) fn are_near([x, y, z]: &[Self; 3]) -> bool {
+    pub(in crate::query) fn are_near([x, y, z]: &[Self; 3]) -> bool {
         (x.lengths() | y.lengths() | z.lengths()).is_near()
+    }
+
+    /// Whether a face of the box separates.
+    #[inline(always)]
+    pub(in crate::query) fn are_apart(shapes: &[Self; 3]) -> bool {
+        shapes.iter().any(Self::is_apart)
+    }
+
+    /// The same with the box grown to either side.
+    #[inline(always)]
+    pub(in crate::query) fn grown(self, by: W) -> Self {
+        let [a, b, c] = self.t;
+        Self { t: [a.plus(by), b.plus(by), c.plus(by)], size: self.size.plus(by).plus(by) }
+    }
+
+    /// The vertices and the size.
+    #[cfg(all(test, feature = "fixed"))]
+    pub(in crate::query) fn parts(&self) -> ([W; 3], W) {
+        (self.t, self.size)
+    }
+
+    /// Whether a box has been shrunk to nothing.
+    #[inline(always)]
+    pub(in crate::query) fn is_void([x, y, z]: &[Self; 3]) -> bool {
+        x.size | y.size | z.size < W::ZERO
     }
 
     /// At least as long as each of the lengths, and less than twice as long as one.

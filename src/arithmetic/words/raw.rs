@@ -1,0 +1,57 @@
+//! Raw bits of fixed point, cut down to few.
+
+use super::word::Word;
+
+/// The raw bits of a fixed-point number, in a word.
+pub trait Raw: Word + Into<i64> {
+    /// How many bits it has, the sign included.
+    const BITS: i32;
+
+    /// How many bits hold the number, which is not below zero.
+    fn bits(self) -> i32;
+
+    /// Each number over 2^`down`, to the nearest. Those that are far below half of that
+    /// are zero; otherwise 30 bits hold what is left.
+    fn cut<const K: usize>(numbers: [[Self; 3]; K], down: i32) -> [[i32; 3]; K];
+}
+
+macro_rules! raw {
+    ($($raw:ty)*) => {$(
+        impl Raw for $raw {
+            const BITS: i32 = <$raw>::BITS as i32;
+
+            #[inline(always)]
+            fn bits(self) -> i32 {
+                <Self as Raw>::BITS - self.leading_zeros() as i32
+            }
+
+            #[inline(always)]
+            fn cut<const K: usize>(numbers: [[Self; 3]; K], down: i32) -> [[i32; 3]; K] {
+                let mut cut = [[0; 3]; K];
+                let each = cut.as_flattened_mut().iter_mut().zip(numbers.as_flattened());
+                if down <= 0 {
+                    each.for_each(|(cut, &x)| *cut = (x as i32) << -down);
+                } else if down < <Self as Raw>::BITS {
+                    each.for_each(|(cut, &x)| *cut = (((x >> (down - 1)) + 1) >> 1) as i32);
+                }
+                cut
+            }
+        }
+    )*};
+}
+raw! { i32 i64 }
+
+/// A fixed-point scalar, by its raw bits.
+pub trait InRaw: Copy {
+    /// What holds the raw bits.
+    type Raw: Raw;
+
+    /// Whether it always holds the difference of two of them.
+    const ALWAYS_NEAR: bool;
+
+    /// How many of them come after the point.
+    const FRACTION_BITS: i32;
+
+    /// The raw bits.
+    fn raw(self) -> Self::Raw;
+}

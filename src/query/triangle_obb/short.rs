@@ -1,0 +1,330 @@
+//! The first stage of fixed point: the triangle in the frame of the box, in words of 32 bits,
+//! with a bound on how far it may be from the truth.
+//!
+//! As in the published method the triangle is taken into the frame of the box, where the box is
+//! axis-aligned. Vertices and extents arrive there a little off: together by no more than an
+//! error g along each axis. If the true shapes have a point in common, then the triangle has a
+//! point within g of it, in the box grown by g. So whoever misses the grown box misses the true
+//! one. Turned around, whoever meets the box shrunk by g meets the true one. Both are exact
+//! questions about an axis-aligned box. What lies between is doubt, for later stages.
+//!
+//! # Numbers
+//!
+//! In raw bits, F of them after the point, let d be a vertex from the centre, h_i a half-extent
+//! and u_i an axis. With w_i = u_j × u_l Cramer's rule has the point in the box exactly if
+//! |w_i·d|·2^F ≤ h_i·|u_0·w_0| for all i. Powers of two bring the axes to 19 bits, the greatest
+//! component first, and lengths to 18; half-extents take what the axes were longer than one.
+//! What is then computed is off by less than
+//!
+//! | quantity | magnitude | nothing cut | axes cut | lengths cut |
+//! | --- | --- | --- | --- | --- |
+//! | u, to the nearest | 2^19 | 0 | 1/2 | |
+//! | d, to the nearest | 2^18 | 0 | | 1/2 + 2^-12 |
+//! | h, to the nearest | 2^18 | 0 | | 1/2 |
+//! | w_i = (u_j × u_l)/2^19, rounded down | 2^20 | 1 | 1 + 2 | |
+//! | volume = u_0·w_0/2^19, rounded down | 2^21 | 1 + 3 | 1 + 9 + 3 | |
+//! | vertex = w_i·d/2^10, rounded down | 3·2^28 | 1 + 768 | 1 + 2304 | and 1537 |
+//! | extent = h_i·volume/2^10, rounded down | 2^29 | 1 + 1024 | 1 + 3328 | and 1024 |
+//!
+//! * w_i: a product of two components up to 2^19, each off by 1/2, errs by 2^19. There are two.
+//! * volume: three products of w_i, off by 1 or 3, and a component of u_0, up to 2^19; and of
+//!   w_i, up to 2^20, and u_0, off by 1/2. No determinant of numbers up to 1 exceeds 4.
+//! * vertex: three products of w_i, off by 1 or 3, and a length, up to 2^18; and of w_i, up to
+//!   2^20, and a length, off by 1/2 + 2^-12.
+//! * extent: the volume, off by 4 or 13, and h, up to 2^18; and the volume, and h, off by 1/2.
+//!
+//! The last two columns add up to [`ERROR`], [`OF_AXES`] and [`OF_LENGTHS`]. `short.g` proves
+//! the sums. A difference that does not fit its word is made of halves, each off by up to 1/2
+//! together; it is cut by 13 bits or more, so that this becomes 2^-12 at most.
+//!
+//! Sums of products take words of 32 bits, in two parts: with an operand of 20 bits split in
+//! the middle, three products are below 3·2^29.
+//!
+//! At the end everything is shifted down to 17 bits, e of them lost. Vertices and extents are
+//! rounded down, and the error up, so that g = error/2^e + 3 is enough, and a box that is
+//! shrunk by it lies inside. With the room that is left for g, which is below 2^8, the
+//! kernel's lengths are below 2^18.
+
+use super::Disjoint;
+use crate::arithmetic::{InRaw, ProductSum, Raw, Word, greatest, turn};
+use crate::query::triangle_aabb::{Projection, one_sided};
+use crate::scalar::Scalar;
+use crate::shape::Vec3;
+
+/// In how many bits an axis is left, beside its sign.
+const AXIS: i32 = 19;
+/// In how many bits a length is left.
+const LENGTH: i32 = 18;
+/// In how many bits all is left in the end.
+const FINAL: i32 = 17;
+/// How far a vertex and an extent may be off together, where nothing is cut.
+const ERROR: i32 = 1794;
+/// What axes that are cut add to that.
+const OF_AXES: i32 = 3840;
+/// What lengths that are cut add.
+const OF_LENGTHS: i32 = 2561;
+
+/// A sum of products.
+type Sum = <i32 as Word>::Sum;
+
+/// A triangle in the frame of a box that is grown or shrunk by what both may be off.
+pub(super) struct Framed {
+    /// All within 2^18.
+    shapes: [Projection<i32>; 3],
+    /// By how much the box is grown or shrunk to either side.
+    by: i32,
+}
+
+/// What becomes of the box.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Change {
+    /// What misses it misses the true box.
+    Grown,
+    /// What meets it meets the true box.
+    Shrunk,
+}
+
+impl<S: Scalar + InRaw> Disjoint<'_, S> {
+    /// The triangle in the frame of the box; `None` if a face of the box separates them for
+    /// certain.
+    #[inline(never)]
+    pub(super) fn framed(&self, change: Change) -> Option<Framed> {
+        let mut error = ERROR;
+        let [u, v, w] = self.obb.axes();
+        let axes = [raw(u), raw(v), raw(w)];
+        let longest = size(&axes).bits();
+        let u = Raw::cut(axes, longest - AXIS);
+        if longest > AXIS {
+            error += OF_AXES;
+        }
+
+        let (d, halved) = self.vertices_from_center();
+        let half = [raw(&self.obb.half_extents())];
+        let longer = longest - S::FRACTION_BITS;
+        let down = greatest(halved + size(&d).bits(), size(&half).bits() + longer) - LENGTH;
+        let d = Raw::cut(d, down - halved);
+        let [h] = Raw::cut(half, down - longer);
+        if greatest(down, down - longer) > 0 {
+            error += OF_LENGTHS;
+        }
+
+        let (mut t, mut half) = ([[0; 3]; 3], [0; 3]);
+        let (mut volume, mut most) = (0, 0);
+        for i in 0..3 {
+            let (_, j, l) = turn(i);
+            let w = cross(&u[j], &u[l]);
+            if i == 0 {
+                volume = (product(&w, &u[0]) >> 9).abs();
+            }
+            t[i] = [product(&w, &d[0]), product(&w, &d[1]), product(&w, &d[2])];
+            half[i] = Sum::new(volume, h[i], 0, 0).scaled();
+            let ([a, b, c], r) = (t[i], half[i] + error);
+            if (r - a) & (r - b) & (r - c) < 0 || (r + a) & (r + b) & (r + c) < 0 {
+                return None;
+            }
+            most |= size(&[t[i]]) | half[i];
+        }
+
+        // The error is at most 3 + (1794 + 3840 + 2561)/2^6.
+        let down = greatest((most + (most >> 8)).bits() - FINAL, 6);
+        let by = (error >> down) + 3;
+        let change = if change == Change::Grown { by } else { -by };
+        let on = |[a, b, c]: [i32; 3], half: i32| {
+            let half = (half >> down) + change;
+            Projection::new(-half, half + half, [a >> down, b >> down, c >> down])
+        };
+        Some(Framed { shapes: [on(t[0], half[0]), on(t[1], half[1]), on(t[2], half[2])], by })
+    }
+
+    /// The vertices from the centre, over 2 to the power that is given.
+    #[inline(always)]
+    fn vertices_from_center(&self) -> ([[S::Raw; 3]; 3], i32) {
+        let [a, b, c] = self.triangle.vertices();
+        let center = raw(&self.obb.center());
+        let from =
+            |p: [S::Raw; 3]| [p[0].minus(center[0]), p[1].minus(center[1]), p[2].minus(center[2])];
+        let d = [from(raw(a)), from(raw(b)), from(raw(c))];
+        let [x, y, z] = center;
+        let is_central = x.is_central() && y.is_central() && z.is_central();
+        if S::ALWAYS_NEAR || (is_central && size(&d).bits() < S::Raw::BITS - 1) {
+            (d, 0)
+        } else {
+            self.vertices_from_far()
+        }
+    }
+
+    /// The same where differences may not fit: then of halves.
+    #[cold]
+    #[inline(never)]
+    fn vertices_from_far(&self) -> ([[S::Raw; 3]; 3], i32) {
+        let points = self.triangle.vertices();
+        let center = raw(&self.obb.center());
+        let (mut d, mut halves, mut wraps) =
+            ([[S::Raw::ZERO; 3]; 3], [[S::Raw::ZERO; 3]; 3], S::Raw::ZERO);
+        for k in 0..3 {
+            let p = raw(&points[k]);
+            for i in 0..3 {
+                d[k][i] = p[i].minus(center[i]);
+                halves[k][i] = (p[i] >> 1) - (center[i] >> 1);
+                wraps = wraps | ((p[i] ^ center[i]) & (p[i] ^ d[k][i]));
+            }
+        }
+        if wraps < S::Raw::ZERO { (halves, 1) } else { (d, 0) }
+    }
+}
+
+impl Framed {
+    /// Whether the shapes are disjoint, by the shrunk box; `None` in doubt.
+    #[inline(always)]
+    pub(super) fn are_disjoint(&self) -> Option<bool> {
+        let shrunk = &self.shapes;
+        // A box thinner than the error has no inside left.
+        if !Projection::is_void(shrunk) && !Projection::are_apart(shrunk) && !one_sided(shrunk) {
+            return Some(false);
+        }
+        let [x, y, z] = self.shapes;
+        let by = 2 * self.by;
+        one_sided(&[x.grown(by), y.grown(by), z.grown(by)]).then_some(true)
+    }
+
+    /// Whether the shapes are disjoint for certain, by the grown box.
+    #[inline(always)]
+    pub(super) fn are_certainly_disjoint(&self) -> bool {
+        one_sided(&self.shapes)
+    }
+}
+
+#[inline(always)]
+fn raw<S: InRaw>(v: &Vec3<S>) -> [S::Raw; 3] {
+    [v.x.raw(), v.y.raw(), v.z.raw()]
+}
+
+/// At least as long as each of the numbers, and less than twice as long as one.
+#[inline(always)]
+fn size<R: Raw, const K: usize>(x: &[[R; 3]; K]) -> R {
+    let mut size = R::ZERO;
+    for x in x {
+        size = size | x[0].folded() | x[1].folded() | x[2].folded();
+    }
+    size
+}
+
+/// The cross product over 2^19, rounded down.
+#[inline(always)]
+fn cross(a: &[i32; 3], b: &[i32; 3]) -> [i32; 3] {
+    let area = |j: usize, l: usize| Sum::new(a[j], b[l], -a[l], b[j]).scaled() >> 9;
+    [area(1, 2), area(2, 0), area(0, 1)]
+}
+
+/// The product over 2^10, rounded down.
+#[inline(always)]
+fn product(a: &[i32; 3], b: &[i32; 3]) -> i32 {
+    Sum::new(a[0], b[0], a[1], b[1]).with_product(a[2], b[2]).scaled()
+}
+
+#[cfg(test)]
+mod tests {
+    use fixed::types::{I2F30, I4F4, I8F8, I16F16};
+
+    use super::*;
+    use crate::shape::{Obb, Triangle};
+
+    /// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, "Fast Splittable Pseudorandom Number
+    /// Generators", OOPSLA 2014).
+    struct Rng(u64);
+
+    impl Rng {
+        fn next(&mut self) -> u64 {
+            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            z ^ (z >> 31)
+        }
+
+        /// A whole number below 2^`bits`, of either sign.
+        fn within(&mut self, bits: u32) -> i64 {
+            (self.next() >> (63 - bits)) as i64 - (1 << bits)
+        }
+    }
+
+    fn wide<S: InRaw>(v: Vec3<S>) -> [i128; 3] {
+        raw(&v).map(|x| x.into().into())
+    }
+
+    fn dot(a: [i128; 3], b: [i128; 3]) -> i128 {
+        a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    }
+
+    fn cross(a: [i128; 3], b: [i128; 3]) -> [i128; 3] {
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    }
+
+    /// How much of the error that is allowed for was found, at most; `None` where a face separates.
+    fn found<S: Scalar + InRaw>(question: &Disjoint<'_, S>) -> Option<f64> {
+        let framed = question.framed(Change::Grown)?;
+        assert!(Projection::are_near(&framed.shapes), "{:?} {:?}", question.triangle, question.obb);
+        let u = question.obb.axes().map(wide);
+        let (center, half) = (wide(question.obb.center()), wide(question.obb.half_extents()));
+        let w = [cross(u[1], u[2]), cross(u[2], u[0]), cross(u[0], u[1])];
+        let volume = dot(u[0], w[0]).abs();
+        let errors_over = |unit: f64| {
+            let mut most = 0.0;
+            for i in 0..3 {
+                let (vertices, size) = framed.shapes[i].parts();
+                let off = |x: i32, truth: i128| (f64::from(x) - truth as f64 / unit).abs();
+                let extent = off(size / 2 - framed.by, half[i] * volume);
+                for k in 0..3 {
+                    let p = wide(question.triangle.vertices()[k]);
+                    let d = [p[0] - center[0], p[1] - center[1], p[2] - center[2]];
+                    let vertex = off(vertices[k] - size / 2, dot(w[i], d) << S::FRACTION_BITS);
+                    most = f64::max(most, vertex + extent);
+                }
+            }
+            most
+        };
+        // What is computed are the true numbers over a power of two: over that which fits best.
+        let found = (0..160).map(|k| errors_over(f64::from_bits((1023 - 40 + k) << 52)));
+        let found = found.fold(f64::INFINITY, f64::min) / f64::from(framed.by);
+        assert!(found <= 1.0, "{:?} {:?}", question.triangle, question.obb);
+        Some(found)
+    }
+
+    /// Asks about shapes of all sizes, near and far, of the greatest and the least numbers.
+    fn most_found<S: Scalar + InRaw>(bits: u32, of: impl Fn(i64) -> S) -> (u32, f64) {
+        let rng = &mut Rng(0x0bb);
+        let (mut asked, mut most) = (0, 0.0_f64);
+        for case in 0..6_000 {
+            let mut row = |bits: u32| [(); 3].map(|()| rng.within(bits));
+            let ends =
+                |x: i64| if case % 5 == 0 { (x >> (bits - 1)) * ((1 << bits) - 1) } else { x };
+            let size = 1 + case % bits;
+            let far = row(if case % 3 == 0 { bits } else { 1 });
+            let near = |row: [i64; 3]| {
+                let shifted = |i: usize| (row[i] + far[i]).clamp(-(1 << bits), (1 << bits) - 1);
+                [0, 1, 2].map(|i| of(ends(shifted(i))))
+            };
+            let [a, b, c, center] = [(); 4].map(|()| near(row(size)));
+            let half = row(size).map(|x| of(x.abs() - 1));
+            let axes = [(); 3].map(|()| Vec3::from(row(1 + case / 7 % bits).map(|x| of(ends(x)))));
+            let triangle = Triangle::new(a, b, c).unwrap();
+            let Ok(obb) = Obb::from_skewed_axes(center, axes, half) else { continue };
+            if let Some(found) = found(&Disjoint { triangle: &triangle, obb: &obb }) {
+                (asked, most) = (asked + 1, most.max(found));
+            }
+        }
+        (asked, most)
+    }
+
+    /// The bound holds, and is not much wider than what is found.
+    #[test]
+    fn no_error_exceeds_its_bound() {
+        for (asked, most) in [
+            most_found(7, |x| I4F4::from_bits(x as i8)),
+            most_found(15, |x| I8F8::from_bits(x as i16)),
+            most_found(31, |x| I16F16::from_bits(x as i32)),
+            most_found(31, |x| I2F30::from_bits(x as i32)),
+        ] {
+            assert!(asked > 1_500 && most > 0.5, "{asked} {most}");
+        }
+    }
+}
