@@ -22,8 +22,14 @@
 //! vertices, the box's centre and its half-extents, and calls `answers(scalar)`.
 #![cfg_attr(target_family = "wasm", no_std, no_main)]
 
+#[cfg(test)]
+mod golden;
+#[cfg(target_family = "wasm")]
+mod mesh;
 #[cfg(target_family = "wasm")]
 mod module;
+#[cfg(any(target_family = "wasm", test))]
+mod voxels;
 
 #[cfg(not(target_family = "wasm"))]
 fn main() {
