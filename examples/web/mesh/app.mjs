@@ -23,6 +23,9 @@ const HINT = at('hint').textContent;
 const [reading, filling] = [new Work(), new Work()];
 const { nearest } = SCALARS[0];
 
+/** How many indices a mesh has whose tree takes longer than a moment. */
+const LARGE = 60_000;
+
 /** Where the teapot may lie: beside the page, or in its repository. */
 const TEAPOTS = ['../teapot.obj', '../../assets/teapot.obj'];
 
@@ -36,6 +39,7 @@ const state = {
     held: false,
     hasCross: false,
     times: {},
+    isFilling: false,
 };
 
 const greatest = ({ origin, size, cell }) => origin.map((x, i) => x + size[i] * cell);
@@ -77,10 +81,11 @@ function cut({ size }) {
 function show() {
     const { mesh, grid, picked } = state;
     const kept = cut(grid);
-    picture.faces = facesOf(mesh.words(grid.size), grid.size, kept);
-    const marked = picked && mesh.mark(picked.triangle, grid.size);
-    if (picked) picked.marks = marked.count;
-    picture.marked = marked ? facesOf(marked.words, grid.size, kept) : new Uint32Array(0);
+    picture.faces = facesOf(grid.words, grid.size, kept);
+    // While the next voxels come the module has another grid.
+    if (picked && !state.isFilling) picked.marked = { grid, ...mesh.mark(picked.triangle, grid.size) };
+    const marked = picked?.marked;
+    picture.marked = marked?.grid === grid ? facesOf(marked.words, grid.size, kept) : new Uint32Array(0);
     panel.reportPicked(picked);
     report();
     draw();
@@ -94,10 +99,12 @@ async function voxelize() {
     const [resolution, isSolid] = [Number(at('resolution').value), at('solid').checked];
     at('fineness').textContent = resolution;
     document.body.dataset.busy = 'yes';
+    state.isFilling = true;
     const pause = filling.begin('Filling voxels…');
     try {
         const grid = await state.mesh.voxelize(resolution, isSolid, pause);
         state.grid = { ...grid, isSolid, middle: grid.origin.map((x, i) => x + grid.size[i] * grid.cell / 2) };
+        state.isFilling = false;
         state.times[isSolid ? 'Surface and inside' : 'Surface'] = grid.time;
         delete state.times[isSolid ? 'Surface' : 'Surface and inside'];
         panel.reportVoxels(state.grid);
@@ -126,6 +133,11 @@ async function open(name, file) {
         const time = performance.now() - start;
         // From here on voxels of the mesh before would be wrong.
         filling.begin('');
+        if (numbers.triangles.length > LARGE) {
+            panel.reportWork('Building the tree…', undefined);
+            await new Promise((drawn) => requestAnimationFrame(() => setTimeout(drawn)));
+            await pause(1);
+        }
         const tree = state.mesh.load(numbers);
         const begun = performance.now();
         const edge = state.mesh.openEdge();

@@ -2,7 +2,7 @@
 import { exportsOf } from '../module.mjs';
 
 /** The most triangles. */
-export const MOST_TRIANGLES = 1_000_000;
+export const MOST_TRIANGLES = 500_000;
 /** The most voxels along a side: a face is drawn by three numbers of a byte. */
 export const MOST_VOXELS = 256;
 
@@ -84,8 +84,8 @@ export class Mesh {
 
     /**
      * Voxelizes it, and tells `pause` between parts how much is done, from 0 to 1; that may
-     * throw to end it. Says the grid, how many voxels are set, how many rows do not close,
-     * and how long the module took.
+     * throw to end it. Says the grid, which voxels are set and how many, how many rows do not
+     * close, and how long the module took.
      */
     async voxelize(resolution, isSolid, pause) {
         let time = 0;
@@ -110,23 +110,21 @@ export class Mesh {
             if (pass === 'cross') open = timed(() => this.#exports.finish());
         }
         count = timed(() => this.#exports.count());
-        return { size, origin: [x, y, z], cell, count, open, time };
+        // The next question may have another grid.
+        const words = this.#words(0, size).slice();
+        return { size, origin: [x, y, z], cell, words, count, open, time };
     }
 
+    /** The words of the voxels, 32 to a word along x, rows by y, and then z. */
     #words(which, size) {
         const words = Math.ceil(size[0] / 32) * size[1] * size[2];
         return this.#view(Uint32Array, this.#exports.words() + 4 * words * which, words);
     }
 
-    /** The words of the voxels, 32 to a word along x, rows by y, and then z. */
-    words(size) {
-        return this.#words(0, size);
-    }
-
     /** The same of the voxels of one triangle, and how many there are. */
     mark(triangle, size) {
         const count = this.#exports.mark(triangle);
-        return { count, words: this.#words(1, size) };
+        return { count, words: this.#words(1, size).slice() };
     }
 
     #ask(question, numbers) {

@@ -26,7 +26,7 @@ export async function readObj(bytes, pause) {
         if (kind === 'v') {
             if (words.length < 3) throw new Broken(`a vertex needs three numbers, and this one has ${words.length}.`, line);
             for (let i = 0; i < 3; i += 1) vertices.push(coordinate(words[i], line));
-            if (vertices.length > 9 * MOST_TRIANGLES) throw new Broken('There are more vertices than a million triangles have.');
+            if (vertices.length > 9 * MOST_TRIANGLES) throw new Broken('There are more vertices than so many triangles have as this page takes.');
         } else if (kind === 'f') {
             if (words.length < 3) throw new Broken(`a face needs three vertices, and this one has ${words.length}.`, line);
             const face = words.map((word) => index(word, line));

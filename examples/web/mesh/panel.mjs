@@ -40,8 +40,9 @@ export function reportPicked(picked) {
         at('picked').textContent = 'None is picked.';
         return;
     }
-    const { triangle, isBack, marks, corners } = picked;
-    at('picked').textContent = `Triangle ${count(triangle + 1)}${isBack ? ', from its back' : ''}: it meets ${count(marks)} ${marks === 1 ? 'voxel' : 'voxels'}.`;
+    const { triangle, isBack, marked, corners } = picked;
+    const voxels = marked ? `: it meets ${count(marked.count)} ${marked.count === 1 ? 'voxel' : 'voxels'}.` : '.';
+    at('picked').textContent = `Triangle ${count(triangle + 1)}${isBack ? ', from its back' : ''}${voxels}`;
     table.replaceChildren(...corners.map((vertex, k) => {
         const row = make('tr');
         row.append(make('td', 'abc'[k]), ...vertex.map((x) => make('td', shown(x))));
@@ -87,7 +88,8 @@ export function reportWork(doing, share) {
     at('busy').hidden = doing === null;
     if (doing === null) return;
     at('doing').textContent = doing;
-    at('done').value = share;
+    if (share === undefined) at('done').removeAttribute('value');
+    else at('done').value = share;
 }
 
 /** Shows why a file was refused, or hides it. */

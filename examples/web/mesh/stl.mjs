@@ -16,7 +16,8 @@ export function readStl(bytes, pause) {
     const words = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     const count = bytes.length >= HEADER ? words.getUint32(80, true) : -1;
     const isSolid = String.fromCharCode(...bytes.subarray(0, 5)).toLowerCase() === 'solid';
-    if (isSolid && HEADER + TRIANGLE * count !== bytes.length) return readText(bytes, pause);
+    const isText = isSolid && HEADER + TRIANGLE * count !== bytes.length && !bytes.subarray(0, HEADER).includes(0);
+    if (isText) return readText(bytes, pause);
     if (count < 0) throw new Broken('The file is too short for an STL file.');
     return readBinary(words, count, pause);
 }
