@@ -161,11 +161,13 @@ try {
         await test(await browser.open(address)).catch((error) => check(error.stack, false));
     }
     console.log();
-    await meshInVoxels((script) => browser.open(`${address}mesh/`, script), async (shown) => {
-        if (picture !== '--picture') return;
-        await pose(shown);
-        writeFileSync(file.replace('.png', '-mesh.png'), await shown.picture());
-    }).catch((error) => check(error.stack, false));
+    const open = (script) => browser.open(`${address}mesh/`, script);
+    await meshInVoxels(open).catch((error) => check(error.stack, false));
+    if (picture === '--picture') {
+        const posed = await open();
+        await pose(posed);
+        writeFileSync(file.replace('.png', '-mesh.png'), await posed.picture());
+    }
     // No module: the page asks for one.
     server.closeAllConnections();
     const { server: empty, address: elsewhere } = await serve({}, 0);

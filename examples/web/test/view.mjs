@@ -198,13 +198,12 @@ async function phone(page) {
 }
 
 /** All of it; `open` opens a page of its own, in which a script runs first. */
-export async function meshInVoxels(open, takePicture) {
+export async function meshInVoxels(open) {
     const page = await open();
     await page.size(1080, 760);
     await page.theme('light');
     await teapot(page);
     await picks(page);
-    await takePicture(page);
     await points(page);
     await keys(page);
     await files(page);
@@ -219,12 +218,14 @@ export async function meshInVoxels(open, takePicture) {
 /** The picture of it for the documentation: a solid, cut, and a triangle that was picked. */
 export async function pose(page) {
     await page.size(1180, 900, 1.5);
+    await page.theme('light');
+    await idle(page);
     await page.click('solid');
     await set(page, 'resolution', 100);
     await set(page, 'cut', 40);
     await idle(page);
     await page.click('whole');
     const [x, y] = await page.middle('#scene');
-    await page.drag([x - 150, y - 10], [x - 150, y - 10]);
+    await page.drag([x + 205, y + 70], [x + 205, y + 70]);
     await page.evaluate(`document.activeElement.blur(); document.querySelector('aside').scrollTo(0, 0)`);
 }
