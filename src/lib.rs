@@ -52,7 +52,11 @@
 //! | ray, many boxes | [`PreparedRay::overlaps`](prepared::PreparedRay::overlaps) | [`SlabRay::may_overlap`](published::slabs::SlabRay::may_overlap) |
 //! | point, box or triangle | [`Aabb::contains`], [`Obb::contains`], [`Triangle::contains`] | |
 //! | ray, triangle | [`hit`](Ray::hit), [`is_hit`](Ray::is_hit), [`hit_once`](Ray::hit_once), [`hit_with`](Ray::hit_with); [`compare_hits`](Ray::compare_hits) | |
+//! | triangle, many rays | [`Target::hit`](prepared::Target::hit) | |
 //! | ray, many triangles | [`lanes::Triangles::hit`] | |
+//! | a mesh: what a shape overlaps, what a ray hits, other meshes | [`overlapping`](mesh::Tree::overlapping), [`first_hit`](mesh::Tree::first_hit), [`overlapping_pairs`](mesh::Tree::overlapping_pairs) | |
+//! | a closed mesh, point | [`contains`](mesh::Tree::contains), [`winding`](mesh::Tree::winding) | |
+//! | touching or overlapping | [`relation`] | |
 //! | the axis that separates | [`separating_axis`](Triangle::separating_axis), [`is_separated_by`](Triangle::is_separated_by) | |
 //! | a triangle alone | [`is_degenerate`](Triangle::is_degenerate), [`unit_normal`](Triangle#method.unit_normal) | |
 //! | the box around an oriented box | | [`Obb::aabb`] |
@@ -68,7 +72,7 @@
 //! [ray-aabb]: Ray#impl-Overlaps<Aabb<S>>-for-Ray<S>
 //!
 //! [`published`] has the methods of the literature as published, which round and are
-//! sometimes wrong. [`lanes`] asks about many shapes at once.
+//! sometimes wrong. [`lanes`] asks about many shapes at once, [`mesh`] about whole meshes by a tree.
 //!
 //! # Scalars and ranges
 //!
@@ -136,6 +140,7 @@ pub mod lanes;
 pub mod mesh;
 pub mod prepared;
 pub mod published;
+pub mod relation;
 mod robust;
 mod scalar;
 pub mod voxel;

@@ -15,6 +15,8 @@ mod cli;
 mod columns;
 mod costs;
 mod effect;
+#[path = "../voxelize/gltf.rs"]
+mod gltf;
 mod kind;
 #[path = "../voxelize/mesh.rs"]
 mod mesh;
@@ -55,7 +57,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let tables = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
     let costs = Costs::read(&tables, options.target)?;
     // In the coordinates of the file.
-    let mesh = Mesh::load(options.mesh.as_deref(), Some(Up::Y))?;
+    let mesh = Mesh::load(options.mesh.as_slice(), Some(Up::Y))?;
     let scene = Scene::new(mesh.triangles, options.cell, options.tolerance)?;
     let sample = options.sample.get() as usize;
     let plan = Plan { target: options.target, sample, full: options.full, costs: &costs };

@@ -1,6 +1,7 @@
 //! Hashes of answers.
 
 use septum::lanes::{Hits, Ranges};
+use septum::relation::Relation;
 use septum::{Axis, Facing, Feature, Hit, Vec3};
 
 use super::super::draw::Draw;
@@ -28,6 +29,14 @@ impl Hash {
         self.byte(answer.into());
     }
 
+    pub(crate) fn relation(&mut self, relation: Relation) {
+        self.byte(match relation {
+            Relation::Disjoint => 0,
+            Relation::Touching => 1,
+            Relation::Overlapping => 2,
+        });
+    }
+
     pub(crate) fn number<S: Draw>(&mut self, x: S) {
         x.bits().to_le_bytes().into_iter().for_each(|byte| self.byte(byte));
     }
@@ -50,6 +59,12 @@ impl Hash {
             self.number(from);
             self.number(to);
         }
+    }
+
+    /// A set of things of which there are no more than 32.
+    pub(crate) fn set(&mut self, of: impl Iterator<Item = usize>) {
+        let mask = of.fold(0_u32, |mask, i| mask ^ 1 << (i % 32));
+        mask.to_le_bytes().into_iter().for_each(|byte| self.byte(byte));
     }
 
     pub(crate) fn axis(&mut self, axis: Option<Axis>) {

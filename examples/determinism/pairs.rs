@@ -1,6 +1,7 @@
 //! Questions about small pairs: boxes with boxes and points, a triangle with triangles,
 //! segments and points, and two hits of one ray.
 
+use septum::relation::Relate;
 use septum::{Aabb, Axis, Obb, Ray, Segment, Triangle, Vec3};
 
 use super::super::draw::Draw;
@@ -17,9 +18,12 @@ pub(super) fn boxes<S: Draw, A: Answers>(
 ) {
     let [a, b, c] = *triangle.vertices();
     for aabb in aabbs {
+        answers.to(Query::TriangleAabbRelation).relation(triangle.relation(aabb));
         for corners in [[a, b], [b, c]].map(|[p, q]| (least(p, q), greatest(p, q))) {
             let Ok(around) = Aabb::from_min_max(corners.0, corners.1) else { continue };
             answers.to(Query::AabbAabb).yes(aabb.overlaps(&around));
+            answers.to(Query::AabbAabbRelation).relation(aabb.relation(&around));
+            answers.to(Query::TriangleAabbRelation).relation(triangle.relation(&around));
         }
         for point in [a, b, c] {
             answers.to(Query::AabbContains).yes(aabb.contains(point));
@@ -34,9 +38,11 @@ pub(super) fn boxes<S: Draw, A: Answers>(
             };
             answers.to(Query::ObbObb).yes(obb.overlaps(&other));
             answers.to(Query::ObbObbMay).yes(other.may_overlap(obb));
+            answers.to(Query::ObbObbRelation).relation(obb.relation(&other));
             for aabb in aabbs {
                 answers.to(Query::AabbObb).yes(aabb.overlaps(&other));
                 answers.to(Query::AabbObbMay).yes(aabb.may_overlap(&other));
+                answers.to(Query::AabbObbRelation).relation(aabb.relation(&other));
             }
         }
         for point in [a, b, c, obb.center()] {
@@ -69,11 +75,13 @@ pub(super) fn flats<S: Draw, A: Answers>(
         let Ok(other) = Triangle::new(x, y, z) else { continue };
         answers.to(Query::TriangleTriangle).yes(triangle.overlaps(&other));
         answers.to(Query::TriangleTriangleMay).yes(triangle.may_overlap(&other));
+        answers.to(Query::TriangleTriangleRelation).relation(triangle.relation(&other));
     }
     let ends = [(p, middle(a, b)), (middle(a, b), c), (p, q)].map(|(x, y)| Segment::new(x, y).ok());
     for segment in ends.iter().chain(segments).flatten() {
         answers.to(Query::SegmentTriangle).yes(segment.overlaps(triangle));
         answers.to(Query::SegmentTriangleMay).yes(segment.may_overlap(triangle));
+        answers.to(Query::SegmentTriangleRelation).relation(segment.relation(triangle));
     }
     for point in [a, middle(a, b), middle(middle(a, b), c), p] {
         answers.to(Query::TriangleContains).yes(triangle.contains(point));

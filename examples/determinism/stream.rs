@@ -21,6 +21,8 @@ use super::draw::{Draw, Rng};
 mod added;
 #[path = "answers.rs"]
 pub(crate) mod answers;
+#[path = "meshes.rs"]
+mod meshes;
 #[path = "pairs.rs"]
 mod pairs;
 #[path = "queries.rs"]
@@ -92,6 +94,14 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, asks_more: bool) {
     segments.iter().for_each(|segment| accepted.yes(segment.is_some()));
     accepted.yes(obb.is_some());
     accepted.yes(ray.is_some());
+    let shapes = meshes::Shapes {
+        aabbs,
+        obb: obb.as_ref(),
+        triangle: &triangle,
+        segments: &segments,
+        ray: ray.as_ref(),
+    };
+    meshes::all(&[a, b, c, p, q, d, n, o], &shapes, answers);
     added::shapes(&triangle, aabbs, &segments, answers);
     pairs::boxes(&triangle, aabbs, obb.as_ref(), answers);
     pairs::flats(&triangle, &segments, [p, q, d], answers);

@@ -1,10 +1,13 @@
 //! The check: where is the tool, seen from the mesh?
 
+use core::ops::Range;
+
 use fixed::types::I16F16;
 use septum::interop::Bounded;
-use septum::{Aabb, Obb, Ray, Triangle, Vec3};
+use septum::mesh::{Mesh, Node, Tree};
+use septum::{Obb, Vec3};
 
-use super::teapot::{FACES, PARTS, VERTICES};
+use super::teapot::{FACES, NODES, PARTS, VERTICES};
 
 /// How many touched faces are named. The others are counted.
 pub(crate) const ROOM: usize = 4;
@@ -20,60 +23,47 @@ pub(crate) enum Place {
     Inside(usize),
 }
 
-/// Where the tool is. The tool lies within `around`.
-///
-/// A tool that touches no face lies on one side of them all, so that one of its
-/// points decides whether it is inside: its centre.
-pub(crate) fn place(tool: &Obb<I16F16>, around: &Aabb<I16F16>) -> Option<Place> {
-    let touched = touched_by(tool, around);
-    if touched.total() > 0 {
-        return Some(Place::Touches(touched));
+/// The mesh that the tool must keep out of: a tree over each of its parts.
+pub(crate) struct Zone([Tree<'static, I16F16, u16>; PARTS.len()]);
+
+impl Zone {
+    /// The zone of the table in flash, if that is sound.
+    pub(crate) fn new() -> Option<Self> {
+        let mut next = 0;
+        // Parts follow one another, and so do their nodes.
+        let mut tree = |part: &Range<usize>| {
+            let first = next;
+            next += Node::count_for(part.len());
+            let mesh = Mesh::new(&VERTICES, FACES.get(part.clone())?).ok()?;
+            Tree::new(mesh, NODES.get(first..next)?).ok()
+        };
+        let [a, b, c, d] = &PARTS;
+        Some(Self([tree(a)?, tree(b)?, tree(c)?, tree(d)?]))
     }
-    Some(part_around(tool.center())?.map_or(Place::Outside, Place::Inside))
-}
 
-/// The faces that the tool touches. Most are not even near.
-fn touched_by(tool: &Obb<I16F16>, around: &Aabb<I16F16>) -> Bounded<u16, ROOM> {
-    let is_touched = |&(_, face): &(u16, &[u16; 3])| {
-        triangle(face).is_some_and(|t| t.overlaps(around) && t.overlaps(tool))
-    };
-    (0..).zip(&FACES).filter(is_touched).map(|(i, _)| i).collect()
-}
+    /// Where the tool is.
+    ///
+    /// A tool that touches no face lies on one side of them all, so that one of its
+    /// points decides whether it is inside: its centre.
+    pub(crate) fn place(&self, tool: &Obb<I16F16>) -> Place {
+        let touched = self.touched_by(tool);
+        if touched.total() > 0 {
+            return Place::Touches(touched);
+        }
+        self.part_around(tool.center()).map_or(Place::Outside, Place::Inside)
+    }
 
-/// The part of the mesh that a point is inside of, if there is one. The point lies
-/// on no face.
-///
-/// Every part is closed, so that a ray from a point inside crosses it an odd number
-/// of times. Through an edge or a vertex it crosses several faces at once;
-/// `hit_once` counts them as one crossing. Parts may overlap: each is asked.
-fn part_around(point: Vec3<I16F16>) -> Option<Option<usize>> {
-    let (zero, one) = (I16F16::ZERO, I16F16::ONE);
-    let up = Ray::new(point, [zero, one, zero]).ok()?;
-    let crosses = |face: &&[u16; 3]| {
-        is_in_column(face, point) && triangle(face).is_some_and(|t| up.hit_once(&t).is_some())
-    };
-    let is_inside = |part: &core::ops::Range<usize>| {
-        FACES[part.clone()].iter().filter(crosses).count() % 2 == 1
-    };
-    Some(PARTS.iter().position(is_inside))
-}
+    /// The faces that the tool touches.
+    fn touched_by(&self, tool: &Obb<I16F16>) -> Bounded<u16, ROOM> {
+        let parts = self.0.iter().zip(&PARTS);
+        let faces =
+            parts.flat_map(|(tree, part)| tree.overlapping(tool).map(|i| (part.start + i) as u16));
+        faces.collect()
+    }
 
-/// Whether a point is above or below the face's bounding box, or in it. An upward
-/// ray misses all other faces, and comparisons cost less than the ray.
-fn is_in_column(face: &[u16; 3], point: Vec3<I16F16>) -> bool {
-    let [a, b, c] = face.map(vertex);
-    let is_between =
-        |a: I16F16, b: I16F16, c: I16F16, x: I16F16| a.min(b).min(c) <= x && x <= a.max(b).max(c);
-    is_between(a.x, b.x, c.x, point.x) && is_between(a.z, b.z, c.z, point.z)
-}
-
-/// The face as a triangle. There is one for every face: each fixed-point number is
-/// a valid coordinate.
-fn triangle(face: &[u16; 3]) -> Option<Triangle<I16F16>> {
-    let [a, b, c] = face.map(vertex);
-    Triangle::new(a, b, c).ok()
-}
-
-fn vertex(i: u16) -> Vec3<I16F16> {
-    VERTICES[usize::from(i)]
+    /// The part of the mesh that a point is inside of, if there is one. Parts may overlap:
+    /// each is asked.
+    fn part_around(&self, point: Vec3<I16F16>) -> Option<usize> {
+        self.0.iter().position(|tree| tree.contains(point))
+    }
 }

@@ -1,7 +1,7 @@
 //! A tool that must keep out of a mesh: is it outside, in contact, or wholly inside?
 //!
-//! The mesh lies in flash as a table of I16F16. The tool is an oriented box that
-//! moves and turns. Every verdict is exact, and the same on every machine.
+//! The mesh lies in flash as a table of I16F16, with a tree over each part. The tool is an
+//! oriented box that moves and turns. Every verdict is exact, and the same on every machine.
 //!
 //! No contact is not yet outside. The check therefore also asks what is inside, and
 //! only a closed mesh has an inside. The bundled teapot is open: its body,
@@ -29,7 +29,7 @@ mod firmware;
 mod teapot;
 mod tool;
 
-use check::Place;
+use check::{Place, Zone};
 use clock::Clock;
 use fixed::types::I16F16;
 use septum::Vec3;
@@ -45,17 +45,20 @@ fn bits(v: Vec3<I16F16>) -> [i32; 3] {
 /// Moves the tool along its path, from outside the mesh to its inside.
 fn run() -> bool {
     let Some(clock) = Clock::new() else { return false };
+    let (zone, count) = clock.count(Zone::new);
+    let Some(zone) = zone else { return false };
     say!("keep-out mesh: {} triangles, {} closed parts", FACES.len(), PARTS.len());
+    if let Some(count) = count {
+        say!("its table is sound: {} instructions to see", count);
+    }
     let (mut first, mut was_inside, mut instructions) = (None, false, Some(0));
     for step in 0..tool::STEPS {
         let Some(tool) = tool::at(step) else { return false };
-        let Some(around) = tool::bounds(&tool) else { return false };
-        let (place, count) = clock.count(|| check::place(&tool, &around));
+        let (place, count) = clock.count(|| zone.place(&tool));
         instructions = instructions.zip(count).map(|(sum, count)| sum + count);
         match place {
-            None => return false,
-            Some(Place::Outside) => say!("step {}: outside", step),
-            Some(Place::Touches(faces)) => {
+            Place::Outside => say!("step {}: outside", step),
+            Place::Touches(faces) => {
                 if first.is_none() {
                     say!("first contact at step {} of {}, in raw bits:", step, tool::STEPS);
                     let axes = tool.axes().map(bits);
@@ -66,7 +69,7 @@ fn run() -> bool {
                 let (named, others) = (faces.kept(), faces.missed());
                 say!("step {}: touches {:?} and {} more", step, named, others);
             }
-            Some(Place::Inside(part)) => {
+            Place::Inside(part) => {
                 say!("step {}: wholly inside part {}", step, part);
                 was_inside = true;
             }

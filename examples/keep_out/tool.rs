@@ -1,7 +1,7 @@
 //! The tool and its path, in fixed point throughout.
 
 use fixed::types::I16F16;
-use septum::{Aabb, Obb, Vec3};
+use septum::{Obb, Vec3};
 
 /// The number of steps along the path.
 pub(crate) const STEPS: u32 = 32;
@@ -27,17 +27,4 @@ pub(crate) fn at(step: u32) -> Option<Obb<I16F16>> {
     let zero = I16F16::ZERO;
     let axes = [[cos, sin, zero], [-sin, cos, zero], [zero, zero, one]];
     Obb::new(center, axes.map(Vec3::from), HALF).ok()
-}
-
-/// An axis-aligned box that holds the tool.
-pub(crate) fn bounds(tool: &Obb<I16F16>) -> Option<Aabb<I16F16>> {
-    let (center, half) = (tool.center(), tool.half_extents().to_array());
-    let mut reach = [I16F16::ZERO; 3];
-    for (axis, half) in tool.axes().iter().zip(half) {
-        for (reach, along) in reach.iter_mut().zip(axis.to_array()) {
-            // A product is rounded down by less than one unit.
-            *reach += along.abs() * half + I16F16::DELTA;
-        }
-    }
-    Aabb::from_center_half_extents(center, reach).ok()
 }

@@ -18,6 +18,7 @@
 //! - `grid`: vertices and boxes on a grid of integers, contacts of every kind
 //! - `whole range`: `full`, as wide as the numbers of the scalar
 //! - `hit`, `miss`: rays through triangles and boxes, and past them
+//! - `teapot`: a mesh of 1,044 triangles, by its tree and one by one
 //!
 //! A host counts no instructions. `benches/` measures times there.
 #![cfg_attr(target_os = "none", no_std, no_main)]
@@ -26,6 +27,7 @@
 mod clock;
 #[path = "../boards/firmware.rs"]
 mod firmware;
+mod mesh;
 mod meter;
 mod queries;
 mod stack;
@@ -64,7 +66,7 @@ fn run() -> bool {
     queries::all::<I32F32>(&meter);
     queries::orders::<f32>(&meter);
     queries::orders::<I16F16>(&meter);
-    true
+    mesh::all(&meter)
 }
 
 program!(run);

@@ -93,6 +93,11 @@ impl Rng {
         [(); 3].map(|()| ((u64::from(self.bits()) * 9) >> 32) as i32 - 4).map(|x| x << 16)
     }
 
+    /// An integer below n.
+    pub(crate) fn below(&mut self, n: usize) -> usize {
+        ((u64::from(self.bits()) * n as u64) >> 32) as usize
+    }
+
     /// An integer from 0 to 255.
     fn byte(&mut self) -> i32 {
         (self.bits() >> 24) as i32

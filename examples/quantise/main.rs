@@ -4,13 +4,16 @@
 //! cargo run --release --example quantise -- MESH --scalar i16f16 > table.rs
 //! ```
 //!
-//! The table holds each vertex once, in raw bits; the faces are indices. A closed
-//! mesh also gets a table of its parts, for only a closed mesh has an inside. What
-//! rounding did to the mesh, and whether it is closed, goes to the error stream.
+//! The table holds each vertex once, in raw bits; the faces are indices, and the nodes of a
+//! tree stand beside them. A closed mesh also gets a table of its parts, each with a tree of
+//! its own, for only a closed mesh has an inside. What rounding did to the mesh, and whether it
+//! is closed, goes to the error stream.
 
 #[allow(dead_code, reason = "shared with other examples")]
 #[path = "../shared/cli.rs"]
 mod cli;
+#[path = "../voxelize/gltf.rs"]
+mod gltf;
 #[path = "../voxelize/mesh.rs"]
 mod mesh;
 mod options;
@@ -38,7 +41,7 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<String, Box<dyn Error>> {
-    let mesh = Mesh::load(options.mesh.as_deref(), options.up)?;
+    let mesh = Mesh::load(options.mesh.as_slice(), options.up)?;
     match options.scalar {
         Scalar::I4F4 => table::write::<I4F4>(&mesh, options),
         Scalar::I8F8 => table::write::<I8F8>(&mesh, options),

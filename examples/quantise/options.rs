@@ -9,8 +9,9 @@ use crate::cli::valid;
 /// Brings a mesh to fixed point, as a table for flash.
 ///
 /// Prints a Rust file: the vertices as raw bits, each once, and the faces as
-/// indices. Faces that rounding made degenerate are kept: a query takes them. If the
-/// mesh is closed, the faces are sorted by part, and PARTS says which are whose.
+/// indices, in the order of a tree whose nodes follow. Faces that rounding made degenerate
+/// are kept: a query takes them. If the mesh is closed, the faces are sorted by part, PARTS
+/// says which are whose, and NODES has a tree for each.
 #[derive(Parser)]
 pub(crate) struct Options {
     /// The mesh, an .obj or .stl file; without it, the bundled teapot

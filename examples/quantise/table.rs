@@ -6,6 +6,8 @@ use std::fmt::Write;
 use std::ops::Range;
 
 use fixed::traits::{Fixed, ToFixed};
+use septum::mesh::{Mesh as Indexed, MeshError, Node, Tree};
+use septum::{Scalar, Vec3};
 
 use crate::mesh::Mesh;
 use crate::options::Options;
@@ -49,7 +51,7 @@ impl<S: Fixed> Rounded<S> {
 }
 
 /// The mesh as a Rust file.
-pub(crate) fn write<S: Fixed<Bits: std::fmt::Display>>(
+pub(crate) fn write<S: Fixed<Bits: std::fmt::Display> + Scalar>(
     mesh: &Mesh,
     options: &Options,
 ) -> Result<String, Box<dyn Error>> {
@@ -60,18 +62,43 @@ pub(crate) fn write<S: Fixed<Bits: std::fmt::Display>>(
     }
     let open = open_edges(&faces).len();
     let parts = if open == 0 { sort_into_parts(&mut faces) } else { Vec::new() };
+    let whole = 0..faces.len();
+    let trees = if parts.is_empty() { std::slice::from_ref(&whole) } else { &parts };
+    let nodes = sort_into_trees(&vertices, &mut faces, trees)?;
     eprintln!(
         "{}: {} vertices, {} faces, {} bytes; rounded by at most {moved:.2e}",
         mesh.name,
         vertices.len(),
         faces.len(),
-        vertices.len() * 3 * size_of::<S>() + faces.len() * 6,
+        vertices.len() * 3 * size_of::<S>() + faces.len() * 6 + size_of_val(&nodes[..]),
     );
     match open {
         0 => eprintln!("closed, parts: {}", parts.len()),
         _ => eprintln!("open at {open} edges: it has no inside; --close fills its holes"),
     }
-    text(&mesh.name, &scalar, &vertices, &faces, &parts)
+    text(&mesh.name, &scalar, &vertices, &faces, &nodes, &parts)
+}
+
+/// A tree over each of these ranges of faces: its nodes, and the faces sorted into its order.
+fn sort_into_trees<S: Scalar>(
+    vertices: &[[S; 3]],
+    faces: &mut [Face],
+    ranges: &[Range<usize>],
+) -> Result<Vec<Node>, MeshError> {
+    let vertices: Vec<_> = vertices.iter().copied().map(Vec3::from).collect();
+    let mut all = Vec::new();
+    for range in ranges {
+        let faces = &mut faces[range.clone()];
+        let triangles: Vec<_> = faces.iter().map(|face| face.map(|i| i as u32)).collect();
+        let mut nodes = vec![Node::EMPTY; Node::count_for(triangles.len())];
+        let mut order = vec![0; triangles.len()];
+        let tree = Tree::build(Indexed::new(&vertices, &triangles)?, &mut nodes, &mut order)?;
+        for (face, i) in faces.iter_mut().zip(tree.order()) {
+            *face = triangles[i].map(|i| i as usize);
+        }
+        all.extend_from_slice(tree.nodes());
+    }
+    Ok(all)
 }
 
 fn text<S: Fixed<Bits: std::fmt::Display>>(
@@ -79,16 +106,18 @@ fn text<S: Fixed<Bits: std::fmt::Display>>(
     scalar: &str,
     vertices: &[[S; 3]],
     faces: &[Face],
+    nodes: &[Node],
     parts: &[Range<usize>],
 ) -> Result<String, Box<dyn Error>> {
     let mut out = format!("// The {name} in {scalar}, made by the example `quantise`.\n\n");
-    writeln!(out, "use fixed::types::{scalar};\nuse septum::Vec3;\n")?;
+    writeln!(out, "use fixed::types::{scalar};\nuse septum::{{Vec3, mesh::Node}};\n")?;
     let bits = format!("i{}", 8 * size_of::<S>());
     writeln!(out, "const fn v(x: {bits}, y: {bits}, z: {bits}) -> Vec3<{scalar}> {{")?;
     writeln!(
         out,
         "    Vec3::new({scalar}::from_bits(x), {scalar}::from_bits(y), {scalar}::from_bits(z))\n}}\n"
     )?;
+    writeln!(out, "const fn n(bits: [[u16; 4]; 6]) -> Node {{\n    Node::from_bits(bits)\n}}\n")?;
     writeln!(out, "pub(crate) static VERTICES: [Vec3<{scalar}>; {}] = [", vertices.len())?;
     for row in vertices.chunks(4) {
         let of =
@@ -99,6 +128,15 @@ fn text<S: Fixed<Bits: std::fmt::Display>>(
     for row in faces.chunks(8) {
         let of = |face: &Face| format!("{face:?},");
         writeln!(out, "    {}", row.iter().map(of).collect::<Vec<_>>().join(" "))?;
+    }
+    let whose = if parts.is_empty() { "The tree over all faces" } else { "A tree over each part" };
+    writeln!(
+        out,
+        "];\n\n// {whose}, in whose order the faces are.\npub(crate) static NODES: [Node; {}] = [",
+        nodes.len()
+    )?;
+    for node in nodes {
+        writeln!(out, "    n({:?}),", node.to_bits())?;
     }
     writeln!(out, "];")?;
     if !parts.is_empty() {

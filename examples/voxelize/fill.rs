@@ -1,73 +1,120 @@
-//! Voxelization: which voxels does the mesh meet?
+//! Voxelization: which voxels does the mesh meet? Slab by slab, so that threads share the work,
+//! and a large grid of which nobody needs the voxels takes little memory.
 
-use std::ops::RangeInclusive;
+use std::error::Error;
+use std::ops::Range;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
 use fixed::types::{I8F8, I16F16, I32F32};
-use septum::prepared::PreparedTriangle;
-use septum::published;
-use septum::{Aabb, Scalar, ShapeError, Triangle};
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
+use rayon::slice::ParallelSliceMut;
+use septum::voxel::{self, Bits, Rule, Solid};
+use septum::{Scalar, Triangle};
 
-use crate::grid::Grid;
+use crate::grid::{self, Grid};
 use crate::options::{Method, ScalarType};
+use crate::per_voxel::PerVoxel;
 use crate::placement::Placed;
 use crate::progress::Progress;
 
+/// The most memory of a slab for each thread, in words of 64 bits: 4 MiB.
+const SLAB_WORDS: usize = 1 << 19;
+
+/// What is asked of the mesh.
+#[derive(Clone, Copy)]
+pub(crate) struct Task {
+    pub(crate) scalar: ScalarType,
+    pub(crate) method: Method,
+    pub(crate) rule: Rule,
+    /// Whether the voxels inside are wanted too.
+    pub(crate) solid: bool,
+    /// Threads; none stands for one for each core.
+    pub(crate) threads: usize,
+    /// Whether the voxels are wanted, or their number alone.
+    pub(crate) keep: bool,
+}
+
 /// The voxels that the mesh meets, and the cost of finding them.
 pub(crate) struct Filled {
-    pub(crate) grid: Grid,
-    /// Overlap tests made.
-    pub(crate) tests: u64,
-    /// The time of the tests alone.
+    /// The voxels, if they are wanted.
+    pub(crate) grid: Option<Grid>,
+    /// How many are set.
+    pub(crate) set: u64,
+    /// Overlap tests made, if there is one for each voxel.
+    pub(crate) tests: Option<u64>,
+    /// Rows in which the mesh is not closed, if the inside was asked for.
+    pub(crate) open_rows: Option<u64>,
+    /// The time of finding them.
     pub(crate) time: Duration,
     /// How far a coordinate moved at most when rounded to the scalar, in voxels.
     pub(crate) moved: f64,
 }
 
 /// Sets every voxel that overlaps a triangle, according to the method.
-pub(crate) fn fill(
-    mesh: &Placed,
-    scalar: ScalarType,
-    method: Method,
-) -> Result<Filled, ShapeError> {
-    match scalar {
-        ScalarType::F32 => by_method(mesh, method, |x| x as f32, f64::from),
-        ScalarType::F64 => by_method(mesh, method, |x| x, |x| x),
-        ScalarType::I8F8 => by_method(mesh, method, I8F8::from_num, I8F8::to_num),
-        ScalarType::I16F16 => by_method(mesh, method, I16F16::from_num, I16F16::to_num),
-        ScalarType::I32F32 => by_method(mesh, method, I32F32::from_num, I32F32::to_num),
+pub(crate) fn fill(mesh: &Placed, task: &Task) -> Result<Filled, Box<dyn Error>> {
+    match task.scalar {
+        ScalarType::F32 => in_scalar(mesh, task, |x| x as f32, f64::from),
+        ScalarType::F64 => in_scalar(mesh, task, |x| x, |x| x),
+        ScalarType::I8F8 => in_scalar(mesh, task, I8F8::from_num, I8F8::to_num),
+        ScalarType::I16F16 => in_scalar(mesh, task, I16F16::from_num, I16F16::to_num),
+        ScalarType::I32F32 => in_scalar(mesh, task, I32F32::from_num, I32F32::to_num),
     }
 }
 
-fn by_method<S: Scalar>(
+/// A triangle, and the layers of voxels that it may touch.
+struct Part<S> {
+    triangle: Triangle<S>,
+    layers: Range<u32>,
+}
+
+fn in_scalar<S: Scalar>(
     mesh: &Placed,
-    method: Method,
+    task: &Task,
     nearest: impl Fn(f64) -> S,
     value: impl Fn(S) -> f64,
-) -> Result<Filled, ShapeError> {
-    let (cells, half) = (Cells::new(mesh, &nearest), [nearest(0.5); 3]);
-    let (triangles, moved) = rounded(mesh, nearest, value)?;
-    let work = Work { size: mesh.size, cells, half, triangles };
-    let (grid, tests, time) = match method {
-        Method::Exact => work.run(PreparedTriangle::new, |t, b| t.overlaps(b)),
-        Method::ExactPairs => work.run(|t| *t, |t, b| t.overlaps(b)),
-        Method::Conservative => work.run(|t| *t, |t, b| t.may_overlap(b)),
-        Method::Published => work.run(|t| *t, published::akenine_moller::overlaps),
-        Method::Rounded => work.run(|t| *t, published::shared_normal::overlaps),
-    }?;
-    Ok(Filled { grid, tests, time, moved })
-}
+) -> Result<Filled, Box<dyn Error>> {
+    let size = mesh.size.map(|n| n as u32);
+    let origin = [0, 1, 2].map(|axis| nearest(mesh.start(axis)));
+    let grid = voxel::Grid::new(origin, [nearest(1.0); 3], size)?;
+    let (parts, moved) = rounded(mesh, nearest, &value)?;
+    let work = Work { grid, parts, task, per_voxel: PerVoxel::new(&grid, task.method) };
 
-/// A triangle, and the voxels that its bounding box touches.
-struct Candidates<S> {
-    triangle: Triangle<S>,
-    ranges: [RangeInclusive<usize>; 3],
-}
-
-impl<S> Candidates<S> {
-    fn count(&self) -> u64 {
-        self.ranges.iter().map(|r| (r.end() - r.start() + 1) as u64).product()
-    }
+    let layer_words = grid.row_words::<u64>() * mesh.size[1];
+    let threads = rayon::ThreadPoolBuilder::new().num_threads(task.threads).build()?;
+    // Several slabs for each thread, for meshes are thicker here than there.
+    let few = mesh.size[2].div_ceil(4 * threads.current_num_threads());
+    let layers = if threads.current_num_threads() == 1 { mesh.size[2] } else { few };
+    let layers = layers.min((SLAB_WORDS / layer_words.max(1)).max(1));
+    let slabs = mesh.size[2].div_ceil(layers);
+    let progress = Progress::new("Voxelizing", slabs as u64);
+    let slab = |k: usize, words: &mut [u64]| {
+        let from = (k * layers) as u32;
+        let sum = work.slab(from..(from + layers as u32).min(size[2]), words);
+        progress.add(1);
+        sum
+    };
+    let mut kept = task.keep.then(|| Grid::new(mesh.size));
+    let sums = threads.install(|| match &mut kept {
+        Some(kept) => kept
+            .words_mut()
+            .par_chunks_mut(layers * layer_words)
+            .enumerate()
+            .map(|(k, words)| slab(k, words))
+            .reduce(Sums::default, Sums::plus),
+        None => (0..slabs)
+            .into_par_iter()
+            .map_init(|| vec![0; layers * layer_words], |words, k| slab(k, words))
+            .reduce(Sums::default, Sums::plus),
+    });
+    Ok(Filled {
+        grid: kept,
+        set: sums.set,
+        tests: work.per_voxel.is_some().then(|| work.tests()),
+        open_rows: task.solid.then_some(sums.open_rows),
+        time: progress.finish(),
+        moved,
+    })
 }
 
 /// The mesh rounded to the scalar. All verdicts are about this mesh.
@@ -75,78 +122,82 @@ fn rounded<S: Scalar>(
     mesh: &Placed,
     nearest: impl Fn(f64) -> S,
     value: impl Fn(S) -> f64,
-) -> Result<(Vec<Candidates<S>>, f64), ShapeError> {
+) -> Result<(Vec<Part<S>>, f64), septum::ShapeError> {
     let mut moved = 0_f64;
-    let mut triangles = Vec::with_capacity(mesh.triangles.len());
+    let mut parts = Vec::with_capacity(mesh.triangles.len());
     for points in &mesh.triangles {
         let [a, b, c] = points.map(|p| p.map(&nearest));
         let values = [a, b, c].map(|p| p.map(&value));
         for (x, y) in points.as_flattened().iter().zip(values.as_flattened()) {
             moved = moved.max((x - y).abs());
         }
-        let ranges = [0, 1, 2].map(|i| touched(mesh, i, values.map(|p| p[i])));
-        triangles.push(Candidates { triangle: Triangle::new(a, b, c)?, ranges });
+        let touched = mesh.touched(2, values.map(|p| p[2]));
+        let layers = *touched.start() as u32..*touched.end() as u32 + 1;
+        parts.push(Part { triangle: Triangle::new(a, b, c)?, layers });
     }
-    Ok((triangles, moved))
+    Ok((parts, moved))
 }
 
-/// The voxels along an axis that the interval of these coordinates touches. Both are
-/// closed sets, so that a coordinate on a whole number touches both neighbours.
-fn touched(mesh: &Placed, axis: usize, [a, b, c]: [f64; 3]) -> RangeInclusive<usize> {
-    let last = (mesh.size[axis] - 1) as f64;
-    let first_touched = a.min(b).min(c).ceil() - 1.0 - mesh.start(axis);
-    let last_touched = a.max(b).max(c).floor() - mesh.start(axis);
-    let index = |x: f64| x.clamp(0.0, last) as usize;
-    index(first_touched)..=index(last_touched)
+/// What slabs add up to.
+#[derive(Default)]
+struct Sums {
+    set: u64,
+    open_rows: u64,
 }
 
-/// The coordinates of voxel centres along each axis. All are exact in every scalar.
-struct Cells<S>([Vec<S>; 3]);
-
-impl<S> Cells<S> {
-    fn new(mesh: &Placed, nearest: impl Fn(f64) -> S) -> Self {
-        let center = |axis, i| nearest(mesh.start(axis) + i as f64 + 0.5);
-        Self([0, 1, 2].map(|axis| (0..mesh.size[axis]).map(|i| center(axis, i)).collect()))
+impl Sums {
+    fn plus(self, other: Self) -> Self {
+        Self { set: self.set + other.set, open_rows: self.open_rows + other.open_rows }
     }
 }
 
-struct Work<S> {
-    size: [usize; 3],
-    cells: Cells<S>,
-    half: [S; 3],
-    triangles: Vec<Candidates<S>>,
+struct Work<'a, S> {
+    grid: voxel::Grid<S>,
+    parts: Vec<Part<S>>,
+    task: &'a Task,
+    /// For methods that ask about one voxel at a time.
+    per_voxel: Option<PerVoxel<S>>,
 }
 
-impl<S: Scalar> Work<S> {
-    fn run<T>(
-        &self,
-        prepare: impl Fn(&Triangle<S>) -> T,
-        overlap: impl Fn(&T, &Aabb<S>) -> bool,
-    ) -> Result<(Grid, u64, Duration), ShapeError> {
-        let mut grid = Grid::new(self.size);
-        let tests = self.triangles.iter().map(Candidates::count).sum();
-        let progress = Progress::new("Testing", tests);
-        let [xs, ys, zs] = &self.cells.0;
-        // Reading the clock takes as long as a test, and is not done after each.
-        let mut unreported = 0;
-        for Candidates { triangle, ranges: [i, j, k] } in &self.triangles {
-            let triangle = prepare(triangle);
-            for z in k.clone() {
-                for y in j.clone() {
-                    for x in i.clone() {
-                        let center = [xs[x], ys[y], zs[z]];
-                        let voxel = Aabb::from_center_half_extents(center, self.half)?;
-                        if overlap(&triangle, &voxel) {
-                            grid.set([x, y, z]);
-                        }
-                    }
-                    unreported += (i.end() - i.start() + 1) as u64;
-                }
-                if unreported > 1 << 16 {
-                    progress.add(std::mem::take(&mut unreported));
-                }
+impl<S: Scalar> Work<'_, S> {
+    /// Fills the words of a slab; how many voxels are set then.
+    fn slab(&self, layers: Range<u32>, words: &mut [u64]) -> Sums {
+        let [nx, ny, _] = self.grid.resolution();
+        let slab = self.grid.part([0..nx, 0..ny, layers.clone()]).expect("a slab of the grid");
+        let words = &mut words[..slab.words::<u64>()];
+        let in_slab = || {
+            let meets =
+                |part: &&Part<S>| part.layers.start < layers.end && part.layers.end > layers.start;
+            self.parts.iter().filter(meets).map(|part| &part.triangle)
+        };
+        let mut open_rows = 0;
+        if self.task.solid {
+            let mut lines = vec![0_u64; slab.line_words::<u64>()];
+            let mut solid = Solid::new(&slab, words, &mut lines).expect("enough words");
+            in_slab().for_each(|triangle| solid.cross(triangle));
+            solid.finish();
+            open_rows = solid.open_rows().count() as u64;
+        } else {
+            words.fill(0);
+        }
+        match &self.per_voxel {
+            Some(per_voxel) => in_slab().for_each(|t| per_voxel.fill(t, layers.clone(), words)),
+            None => {
+                let mut bits = Bits::new(&slab, words).expect("enough words");
+                in_slab().for_each(|triangle| bits.fill(triangle, self.task.rule));
             }
         }
-        Ok((grid, tests, progress.finish()))
+        Sums { set: grid::count(words), open_rows }
+    }
+
+    /// How many tests there are, of one for each voxel.
+    fn tests(&self) -> u64 {
+        let tests = AtomicU64::new(0);
+        if let Some(per_voxel) = &self.per_voxel {
+            for part in &self.parts {
+                tests.fetch_add(per_voxel.candidates(&part.triangle), Ordering::Relaxed);
+            }
+        }
+        tests.into_inner()
     }
 }

@@ -1,9 +1,10 @@
-//! Voxelizes a triangle mesh with one overlap test for each candidate voxel, and
-//! draws the result.
+//! Voxelizes triangle meshes, the surface or the inside too, and draws the result.
 //!
 //! ```text
 //! cargo run --release --example voxelize
 //! cargo run --release --example voxelize -- cow.obj --resolution 256 --scalar i16f16 --vox cow.vox
+//! cargo run --release --example voxelize -- --solid --cut
+//! cargo run --release --example voxelize -- --method rows --compare published --scalar i16f16
 //! cargo run --release --example voxelize -- --no-picture   # a fraction of a second
 //! cargo run --release --example voxelize -- --help
 //! ```
@@ -13,11 +14,13 @@
 mod cli;
 mod color;
 mod fill;
+mod gltf;
 mod grid;
 mod light;
 mod march;
 mod mesh;
 mod options;
+mod per_voxel;
 mod picture;
 mod placement;
 mod progress;
@@ -30,9 +33,13 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
+use fill::Task;
+use grid::Grid;
 use indicatif::HumanCount;
 use mesh::Mesh;
-use options::{Options, ScalarType, Up};
+use options::{Method, Options, RuleName, ScalarType, Up};
+use picture::View;
+use placement::Placed;
 use progress::Progress;
 
 fn main() -> ExitCode {
@@ -48,7 +55,7 @@ fn main() -> ExitCode {
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     check_resolution(options.resolution, options.scalar)?;
     let reading = Progress::of_unknown_length("Reading");
-    let mesh = Mesh::load(options.mesh.as_deref(), options.up)?;
+    let mesh = Mesh::load(&options.meshes, options.up)?;
     let reading = reading.finish();
     let placed = placement::place(&mesh.triangles, options.resolution)?;
     if options.vox.is_some() {
@@ -65,17 +72,70 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
         }
     }
 
-    let filled = fill::fill(&placed, options.scalar, options.method)?;
-    say(&report(options, &mesh, reading, &filled))?;
-    if let Some(picture) = picture {
+    let task = task(options, picture.is_some() || model.is_some())?;
+    let filled = fill::fill(&placed, &task)?;
+    say(&report(options, &mesh, reading, &placed, &filled))?;
+    let grid = filled.grid.as_ref();
+    let other = match options.compare {
+        Some(method) => fill::fill(&placed, &Task { method, ..task })?.grid,
+        None => None,
+    };
+    if let (Some(grid), Some(other)) = (grid, &other) {
+        say(&compared(options, grid, other))?;
+    }
+    if let (Some(picture), Some(grid)) = (picture, grid) {
         let start = Instant::now();
-        picture.write("picture", |file| Ok(picture::write(&filled.grid, file)?))?;
+        let views = views(options, grid, other.as_ref());
+        picture.write("picture", |file| Ok(picture::write(&views, file)?))?;
         say(&line("drawing", &format!("{}, without it: --no-picture", spent(start.elapsed()))))?;
     }
-    if let Some(model) = model {
-        model.write("model", |file| Ok(vox::write(&filled.grid, file)?))?;
+    if let (Some(model), Some(grid)) = (model, grid) {
+        model.write("model", |file| Ok(vox::write(grid, file)?))?;
     }
     Ok(())
+}
+
+fn task(options: &Options, keep: bool) -> Result<Task, String> {
+    let methods = [Some(options.method), options.compare];
+    let only_closed = methods.into_iter().flatten().find(|&m| m != Method::Rows);
+    if let (Some(_), true) = (only_closed, options.rule != RuleName::Closed) {
+        let rule = options.rule.name();
+        return Err(format!("--rule {rule}: only --method rows knows it, all others are closed"));
+    }
+    Ok(Task {
+        scalar: options.scalar,
+        method: options.method,
+        rule: options.rule.rule(),
+        solid: options.solid,
+        threads: options.threads,
+        keep,
+    })
+}
+
+/// What to draw: the voxels, and beside them those of another method, wrong ones marked.
+fn views(options: &Options, grid: &Grid, other: Option<&Grid>) -> Vec<View> {
+    let shown = |grid: Grid| if options.cut { grid.cut() } else { grid };
+    let view = |all: Grid, missed: Grid, extra: Grid| View {
+        all: shown(all),
+        missed: shown(missed),
+        extra: shown(extra),
+    };
+    let none = || Grid::new(grid.size());
+    let mut views = vec![view(grid.clone(), none(), none())];
+    if let Some(other) = other {
+        let missed = grid.with(other, |a, b| a & !b);
+        views.push(view(grid.with(other, |a, b| a | b), missed, grid.with(other, |a, b| b & !a)));
+    }
+    views
+}
+
+/// How two methods differ.
+fn compared(options: &Options, grid: &Grid, other: &Grid) -> String {
+    let missed = HumanCount(grid.with(other, |a, b| a & !b).count());
+    let extra = HumanCount(grid.with(other, |a, b| b & !a).count());
+    let method = options.compare.map_or("", Method::description);
+    let what = format!("{method}: {missed} voxels missed (red), {extra} extra (orange)");
+    line("compared", &what)
 }
 
 fn check_resolution(resolution: u32, scalar: ScalarType) -> Result<(), String> {
@@ -109,8 +169,8 @@ impl Output {
     fn open(options: &Options, path: PathBuf) -> Result<Self, Box<dyn Error>> {
         let in_file = |e: std::io::Error| format!("{}: cannot be written: {e}", path.display());
         let place = |path: &Path| path.canonicalize().ok();
-        let mesh = options.mesh.as_deref().and_then(place);
-        if mesh.is_some() && mesh == place(&path) {
+        let mut meshes = options.meshes.iter().filter_map(|mesh| place(mesh));
+        if meshes.any(|mesh| Some(mesh) == place(&path)) {
             return Err(format!("{}: is the mesh itself", path.display()).into());
         }
         if let Some(directory) = path.parent() {
@@ -138,29 +198,47 @@ impl Output {
     }
 }
 
-fn report(options: &Options, mesh: &Mesh, reading: Duration, filled: &fill::Filled) -> String {
-    let [x, y, z] = filled.grid.size();
+fn report(
+    options: &Options,
+    mesh: &Mesh,
+    reading: Duration,
+    placed: &Placed,
+    filled: &fill::Filled,
+) -> String {
+    let [x, y, z] = placed.size;
     // The report has the order of the file's axes.
     let [x, y, z] = if mesh.up == Up::Z { [x, z, y] } else { [x, y, z] };
-    let (set, all) = (filled.grid.count(), (x * y * z) as f64);
+    let (set, all) = (filled.set, (x * y * z) as f64);
     let triangles = mesh.triangles.len() as u64;
-    let each = 1e9 * filled.time.as_secs_f64() / filled.tests as f64;
-    let tests = HumanCount(filled.tests);
-    [
+    let time = filled.time.as_secs_f64();
+    let mut lines = vec![
         ("mesh", format!("{}, {} triangles", mesh.name, HumanCount(triangles))),
         ("grid", format!("{x} × {y} × {z} voxels")),
         ("scalar", format!("{}, {}", options.scalar.name(), moved(filled.moved))),
         ("method", options.method.description().into()),
-        ("tests", format!("{tests}, one for each triangle and voxel it may meet")),
-        (
-            "set",
-            format!("{} voxels, {:.1} % of the grid", HumanCount(set), 100.0 * set as f64 / all),
-        ),
-        ("reading", spent(reading)),
-        ("testing", format!("{}, {each:.1} ns a test", spent(filled.time))),
-    ]
-    .map(|(name, value)| line(name, &value))
-    .concat()
+        ("rule", options.rule.name().into()),
+    ];
+    if let Some(tests) = filled.tests {
+        let tests = HumanCount(tests);
+        lines.push(("tests", format!("{tests}, one for each triangle and voxel it may meet")));
+    }
+    let share = 100.0 * set as f64 / all;
+    lines.push(("set", format!("{} voxels, {share:.1} % of the grid", HumanCount(set))));
+    match filled.open_rows {
+        Some(0) => lines.push(("inside", "of a closed mesh".into())),
+        Some(open) => {
+            let rows = HumanCount(open);
+            lines.push(("inside", format!("the mesh is open: {rows} rows have no inside")));
+        }
+        None => {}
+    }
+    lines.push(("reading", spent(reading)));
+    let each = match filled.tests {
+        Some(tests) => format!("{:.1} ns a test", 1e9 * time / tests as f64),
+        None => format!("{:.0} ns a triangle", 1e9 * time / triangles as f64),
+    };
+    lines.push(("voxelizing", format!("{}, {each}", spent(filled.time))));
+    lines.iter().map(|(name, value)| line(name, value)).collect()
 }
 
 fn line(name: &str, value: &str) -> String {

@@ -1,10 +1,11 @@
-//! Reading a mesh: OBJ by `tobj`, STL by `stl_io`.
+//! Reading meshes: OBJ by `tobj`, STL by `stl_io`, glTF by `gltf`.
 
 use std::error::Error;
 use std::fs;
 use std::io::Cursor;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use crate::gltf;
 use crate::options::Up;
 
 /// The bundled mesh, in the program, so that it runs from any directory.
@@ -19,20 +20,34 @@ pub(crate) struct Mesh {
 }
 
 impl Mesh {
-    /// Reads the mesh, or the bundled one, and turns it so that y is up.
-    pub(crate) fn load(path: Option<&Path>, up: Option<Up>) -> Result<Self, Box<dyn Error>> {
-        let Some(path) = path else {
+    /// Reads the meshes, or the bundled one, and turns them so that y is up.
+    pub(crate) fn load(paths: &[PathBuf], up: Option<Up>) -> Result<Self, Box<dyn Error>> {
+        let Some((first, others)) = paths.split_first() else {
             let triangles = read_obj(TEAPOT).and_then(checked)?;
             return Ok(Self { name: "teapot".into(), triangles, up: Up::Y }.turned(up));
         };
+        let mut mesh = Self::read(first, up)?;
+        for path in others {
+            let other = Self::read(path, up)?;
+            mesh.name = format!("{}-{}", mesh.name, other.name);
+            mesh.triangles.extend(other.triangles);
+        }
+        Ok(mesh)
+    }
+
+    fn read(path: &Path, up: Option<Up>) -> Result<Self, Box<dyn Error>> {
         let in_file = |e: Box<dyn Error>| format!("{}: {e}", path.display());
         let (read, usual): (Reader, Up) = match extension(path).as_str() {
-            "obj" => (read_obj, Up::Y),
-            "stl" => (read_stl, Up::Z),
-            _ => return Err(in_file("a mesh is an .obj or an .stl file".into()).into()),
+            "obj" => (|bytes, _| read_obj(bytes), Up::Y),
+            "stl" => (|bytes, _| read_stl(bytes), Up::Z),
+            "glb" | "gltf" => (gltf::read, Up::Y),
+            _ => {
+                let kinds = "a mesh is an .obj, an .stl, a .glb or a .gltf file";
+                return Err(in_file(kinds.into()).into());
+            }
         };
         let bytes = fs::read(path).map_err(|e| in_file(e.into()))?;
-        let triangles = read(&bytes).and_then(checked).map_err(in_file)?;
+        let triangles = read(&bytes, path).and_then(checked).map_err(in_file)?;
         let name = path.file_stem().map_or("mesh".into(), |s| s.to_string_lossy().into_owned());
         Ok(Self { name, triangles, up: usual }.turned(up))
     }
@@ -48,8 +63,9 @@ impl Mesh {
     }
 }
 
-type Triangles = Vec<[[f64; 3]; 3]>;
-type Reader = fn(&[u8]) -> Result<Triangles, Box<dyn Error>>;
+pub(crate) type Triangles = Vec<[[f64; 3]; 3]>;
+/// From the bytes of a file, which is there.
+type Reader = fn(&[u8], &Path) -> Result<Triangles, Box<dyn Error>>;
 
 fn extension(path: &Path) -> String {
     path.extension().map_or(String::new(), |e| e.to_string_lossy().to_lowercase())

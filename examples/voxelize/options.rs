@@ -3,19 +3,22 @@
 use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
+use septum::voxel::Rule;
 
 use crate::cli::any;
 
-/// Voxelizes a triangle mesh: one overlap test for each voxel that the bounding
-/// box of a triangle touches. Writes a picture of the result.
+/// Voxelizes triangle meshes, exactly: the surface, or the inside too. Writes a
+/// picture of the result.
 #[derive(Parser)]
 #[command(name = "voxelize", version)]
 pub(crate) struct Options {
-    /// Mesh to voxelize: an OBJ or STL file (binary or ASCII). The Utah teapot
-    /// that comes with the example if none is given
-    pub(crate) mesh: Option<PathBuf>,
+    /// Meshes to voxelize in one grid: OBJ, STL (binary or ASCII) or glTF files
+    /// (.glb, or .gltf with its buffers in files). The Utah teapot that comes with
+    /// the example if none is given
+    #[arg(value_name = "MESH")]
+    pub(crate) meshes: Vec<PathBuf>,
 
-    /// Voxels along the longest side of the mesh
+    /// Voxels along the longest side of all meshes
     #[arg(short, long, value_name = "N", default_value_t = 128,
         value_parser = any::<u32>("a whole number of 32 bits"), allow_negative_numbers = true)]
     pub(crate) resolution: u32,
@@ -25,12 +28,40 @@ pub(crate) struct Options {
     #[arg(short, long, value_enum, ignore_case = true, default_value_t = ScalarType::F32)]
     pub(crate) scalar: ScalarType,
 
-    /// Overlap test to ask
-    #[arg(short, long, value_enum, ignore_case = true, default_value_t = Method::Exact)]
+    /// How to find the voxels
+    #[arg(short, long, value_enum, ignore_case = true, default_value_t = Method::Rows)]
     pub(crate) method: Method,
 
-    /// Axis of the mesh that points up in the picture [default: y for OBJ, z
-    /// for STL]
+    /// Which voxels a triangle marks; all methods but rows know closed ones alone
+    #[arg(long, value_enum, ignore_case = true, default_value_t = RuleName::Closed)]
+    pub(crate) rule: RuleName,
+
+    /// Also set the voxels whose centres are inside the meshes
+    #[arg(long)]
+    pub(crate) solid: bool,
+
+    /// Threads; 0 for one for each core
+    #[arg(short, long, value_name = "N", default_value_t = 0,
+        value_parser = any::<usize>("a whole number"), allow_negative_numbers = true)]
+    pub(crate) threads: usize,
+
+    /// Find the voxels by this method too, and draw both side by side: what the
+    /// other misses in red, what it sets beyond the first in orange
+    #[arg(
+        long,
+        value_enum,
+        ignore_case = true,
+        value_name = "METHOD",
+        conflicts_with = "no_picture"
+    )]
+    pub(crate) compare: Option<Method>,
+
+    /// Draw what is left when the front half is cut away
+    #[arg(long, conflicts_with = "no_picture")]
+    pub(crate) cut: bool,
+
+    /// Axis of the meshes that points up in the picture [default: y, and z for
+    /// STL]
     #[arg(short, long, value_enum, ignore_case = true)]
     pub(crate) up: Option<Up>,
 
@@ -38,7 +69,8 @@ pub(crate) struct Options {
     #[arg(short, long, value_name = "PNG")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Draw no picture: drawing takes far longer than the tests
+    /// Draw no picture, and without --vox keep no voxels: a grid of 1024 a side
+    /// takes a few MiB then
     #[arg(long, conflicts_with = "output")]
     pub(crate) no_picture: bool,
 
@@ -91,11 +123,14 @@ impl ScalarType {
     }
 }
 
-/// The overlap tests on offer.
+/// The methods on offer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Method {
-    /// Always right; each triangle is prepared once
-    Exact,
+    /// Always right: rows of voxels by their ends
+    Rows,
+    /// Always right: a test for each voxel, each triangle prepared once
+    #[value(alias = "exact")]
+    PerVoxel,
     /// The same, each triangle and voxel as they are
     ExactPairs,
     /// Never misses a voxel, may set one too many
@@ -110,11 +145,42 @@ impl Method {
     /// What the method is, and the function that does it.
     pub(crate) fn description(self) -> &'static str {
         match self {
-            Self::Exact => "exact (PreparedTriangle::overlaps)",
+            Self::Rows => "exact, in rows (voxel::Bits::fill)",
+            Self::PerVoxel => "exact, voxel by voxel (PreparedTriangle::overlaps)",
             Self::ExactPairs => "exact, pair by pair (Triangle::overlaps)",
             Self::Conservative => "conservative (Triangle::may_overlap)",
             Self::Published => "as published in 2001 (published::akenine_moller)",
             Self::Rounded => "rounded (published::shared_normal)",
+        }
+    }
+}
+
+/// The rules on offer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum RuleName {
+    /// All that it touches (26-separating)
+    Closed,
+    /// All that hold a point of it, each point in one voxel
+    HalfOpen,
+    /// As few as block every way from face to face (6-separating)
+    Thin,
+}
+
+impl RuleName {
+    pub(crate) fn rule(self) -> Rule {
+        match self {
+            Self::Closed => Rule::Closed,
+            Self::HalfOpen => Rule::HalfOpen,
+            Self::Thin => Rule::Thin,
+        }
+    }
+
+    /// The name on the command line.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Closed => "closed",
+            Self::HalfOpen => "half-open",
+            Self::Thin => "thin",
         }
     }
 }

@@ -24,10 +24,27 @@ const ASIDE: f64 = 0.06;
 /// The ground, at the corners of the picture and in the middle.
 const PAPER: [[u8; 3]; 2] = [[226, 232, 238], [250, 250, 248]];
 
-/// Renders the grid and writes a PNG.
-pub(crate) fn write(grid: &Grid, to: &mut impl Write) -> Result<(), png::EncodingError> {
-    let pixels = render(grid);
-    let mut encoder = png::Encoder::new(to, WIDTH as u32, HEIGHT as u32);
+/// Voxels that a method missed, and those that it set too many.
+const MISSED: [u8; 3] = [214, 24, 32];
+const EXTRA: [u8; 3] = [255, 150, 20];
+
+/// Voxels to draw, and which of them a method missed or set too many.
+pub(crate) struct View {
+    pub(crate) all: Grid,
+    pub(crate) missed: Grid,
+    pub(crate) extra: Grid,
+}
+
+/// Renders the views side by side and writes a PNG.
+pub(crate) fn write(views: &[View], to: &mut impl Write) -> Result<(), png::EncodingError> {
+    let pictures: Vec<_> = views.iter().map(render).collect();
+    let mut pixels = Vec::with_capacity(pictures.len() * 3 * WIDTH * HEIGHT);
+    for y in 0..HEIGHT {
+        for picture in &pictures {
+            pixels.extend_from_slice(&picture[3 * WIDTH * y..3 * WIDTH * (y + 1)]);
+        }
+    }
+    let mut encoder = png::Encoder::new(to, (pictures.len() * WIDTH) as u32, HEIGHT as u32);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::High);
@@ -37,16 +54,17 @@ pub(crate) fn write(grid: &Grid, to: &mut impl Write) -> Result<(), png::Encodin
     writer.finish()
 }
 
-fn render(grid: &Grid) -> Vec<u8> {
+fn render(view: &View) -> Vec<u8> {
+    let grid = &view.all;
     let scene = Scene::new(grid);
-    let (view, paint) = (View::new(grid), Paint::new(grid.size()[1]));
+    let (camera, paint) = (Camera::new(grid), Paint::new(view));
     let progress = Progress::new("Drawing", HEIGHT as u64);
     let mut pixels = vec![0; 3 * WIDTH * HEIGHT];
     let bands = Mutex::new(pixels.chunks_mut(3 * WIDTH * BAND).enumerate());
     let next = || bands.lock().ok()?.next();
     let work = || {
         while let Some((i, band)) = next() {
-            let mut brush = Brush::new(&scene, &view, &paint);
+            let mut brush = Brush::new(&scene, &camera, &paint);
             for (j, row) in band.chunks_exact_mut(3 * WIDTH).enumerate() {
                 for (x, pixel) in row.chunks_exact_mut(3).enumerate() {
                     let color = color::to_srgb(brush.pixel(x, BAND * i + j));
@@ -69,7 +87,7 @@ fn render(grid: &Grid) -> Vec<u8> {
 
 /// Parallel rays along the diagonal of a voxel. All visible faces look in one of three
 /// directions, and look equally large.
-struct View {
+struct Camera {
     /// The length of a voxel's edge in pixels, if it lay in the plane of the picture.
     scale: f64,
     /// The point of the scene in the middle of the picture, moved towards the viewer
@@ -79,7 +97,7 @@ struct View {
     longest: f64,
 }
 
-impl View {
+impl Camera {
     const RIGHT: [f64; 3] = [FRAC_1_SQRT_2, 0.0, -FRAC_1_SQRT_2];
     const UP: [f64; 3] = [-0.408_248_290_463_863, 0.816_496_580_927_726, -0.408_248_290_463_863];
     const AWAY: [f64; 3] = [-1.0; 3];
@@ -130,7 +148,9 @@ struct Patch {
 type Sample = ([f64; 3], Option<Hit>);
 
 /// Colours that are the same all over the picture.
-struct Paint {
+struct Paint<'a> {
+    /// The voxels with a colour of their own.
+    view: &'a View,
     /// The surface, for each layer of voxels.
     layers: Vec<Color>,
     /// The ground at the edge of the picture and in the middle.
@@ -139,13 +159,26 @@ struct Paint {
     open_ground: Color,
 }
 
-impl Paint {
-    fn new(layers: usize) -> Self {
+impl<'a> Paint<'a> {
+    fn new(view: &'a View) -> Self {
+        let layers = view.all.size()[1];
         let glaze = |y: usize| color::glaze((y as f64 + 0.5) / layers as f64);
         Self {
+            view,
             layers: (0..layers).map(glaze).collect(),
             paper: PAPER.map(color::from_srgb),
             open_ground: Light::open(1).reflected(1),
+        }
+    }
+
+    /// The colour of a voxel.
+    fn surface(&self, voxel: [usize; 3]) -> Color {
+        if self.view.missed.get(voxel) {
+            color::from_srgb(MISSED)
+        } else if self.view.extra.get(voxel) {
+            color::from_srgb(EXTRA)
+        } else {
+            self.layers[voxel[1]]
         }
     }
 
@@ -160,8 +193,8 @@ impl Paint {
 /// Paints pixels, and remembers the light that it has looked up.
 struct Brush<'a> {
     scene: &'a Scene<'a>,
-    view: &'a View,
-    paint: &'a Paint,
+    camera: &'a Camera,
+    paint: &'a Paint<'a>,
     probe: Probe,
     ground_probe: Probe,
     /// The lattice of the ground is coarser where voxels are tiny.
@@ -171,13 +204,13 @@ struct Brush<'a> {
 }
 
 impl<'a> Brush<'a> {
-    fn new(scene: &'a Scene<'a>, view: &'a View, paint: &'a Paint) -> Self {
+    fn new(scene: &'a Scene<'a>, camera: &'a Camera, paint: &'a Paint<'a>) -> Self {
         // Where voxels are small on the picture, each needs fewer directions.
-        let count = (8.0 * view.scale * view.scale).clamp(12.0, 128.0) as usize;
-        let [probe, ground_probe] = [count, 128].map(|n| Probe::new(n, 0.5 * view.longest));
-        let ground_step = (view.longest / 128.0).ceil() as i32;
+        let count = (8.0 * camera.scale * camera.scale).clamp(12.0, 128.0) as usize;
+        let [probe, ground_probe] = [count, 128].map(|n| Probe::new(n, 0.5 * camera.longest));
+        let ground_step = (camera.longest / 128.0).ceil() as i32;
         let (seen, last) = (HashMap::new(), None);
-        Self { scene, view, paint, probe, ground_probe, ground_step, seen, last }
+        Self { scene, camera, paint, probe, ground_probe, ground_step, seen, last }
     }
 
     /// The mean of the samples. If the outermost samples see the same face, only they
@@ -185,8 +218,8 @@ impl<'a> Brush<'a> {
     fn pixel(&mut self, x: usize, y: usize) -> Color {
         let part = |i: usize| (i as f64 + 0.5) / SAMPLES as f64;
         let look = |i: usize, j: usize| {
-            let origin = self.view.origin(x as f64 + part(i), y as f64 + part(j));
-            (origin, self.scene.march(origin, View::AWAY, f64::INFINITY))
+            let origin = self.camera.origin(x as f64 + part(i), y as f64 + part(j));
+            (origin, self.scene.march(origin, Camera::AWAY, f64::INFINITY))
         };
         let last = SAMPLES - 1;
         let outer = [look(0, 0), look(last, 0), look(0, last), look(last, last)];
@@ -204,12 +237,12 @@ impl<'a> Brush<'a> {
     }
 
     fn color(&mut self, (origin, hit): Sample, paper: Color) -> Color {
-        let point = |t: f64| [0, 1, 2].map(|i| origin[i] + t * View::AWAY[i]);
+        let point = |t: f64| [0, 1, 2].map(|i| origin[i] + t * Camera::AWAY[i]);
         if let Some(hit) = hit {
             let mut corner = hit.voxel;
             corner[hit.axis] += 1;
             let light = self.light(Patch { axis: hit.axis, corner }, 1, point(hit.t));
-            let surface = self.paint.layers[hit.voxel[1] as usize];
+            let surface = self.paint.surface(hit.voxel.map(|x| x as usize));
             return color::times(surface, light.reflected(hit.axis));
         }
         let ground = point(origin[1]);

@@ -1,6 +1,7 @@
 //! The mesh in the coordinates of the grid.
 
 use std::error::Error;
+use std::ops::RangeInclusive;
 
 /// The most voxels of a grid. It takes a gibibyte, at a bit for each voxel.
 const MOST_VOXELS: f64 = (1_u64 << 33) as f64;
@@ -63,6 +64,16 @@ pub(crate) fn place(
 }
 
 impl Placed {
+    /// The voxels along an axis that the interval of these coordinates touches. Both are
+    /// closed sets, so that a coordinate on a whole number touches both neighbours.
+    pub(crate) fn touched(&self, axis: usize, [a, b, c]: [f64; 3]) -> RangeInclusive<usize> {
+        let last = (self.size[axis] - 1) as f64;
+        let first_touched = a.min(b).min(c).ceil() - 1.0 - self.start(axis);
+        let last_touched = a.max(b).max(c).floor() - self.start(axis);
+        let index = |x: f64| x.clamp(0.0, last) as usize;
+        index(first_touched)..=index(last_touched)
+    }
+
     /// The whole number that the least corner of the grid has on this axis.
     pub(crate) fn start(&self, axis: usize) -> f64 {
         -(self.size[axis].div_ceil(2) as f64)

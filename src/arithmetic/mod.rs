@@ -35,7 +35,7 @@ pub(crate) use integer::{Int8, Int16, Int32};
 pub use number::Number;
 pub(crate) use number::{greatest, largest, least};
 pub use parts::Parts;
-pub(crate) use platform::{DOUBLES_ARE_FAST, REGISTERS_ARE_WIDE, SMALL_CODE};
+pub(crate) use platform::{REGISTERS_ARE_WIDE, SMALL_CODE};
 pub(crate) use quad::{OfFour, Quad, THREE};
 #[cfg(feature = "fixed")]
 pub(crate) use quotient::Dividend;

@@ -4,10 +4,6 @@
 /// its first stage and its last.
 pub(crate) const SMALL_CODE: bool = cfg!(feature = "small");
 
-/// Whether the machine calculates in `f64` as fast as in `f32`, also where code is dear.
-pub(crate) const DOUBLES_ARE_FAST: bool =
-    cfg!(any(target_pointer_width = "64", target_arch = "wasm32"));
-
 /// Whether registers hold 64 bits. Then small coordinates have a kernel of their
 /// own; elsewhere code is dearer than time, and one kernel chooses the width of
 /// its volumes. `--cfg septum_narrow` tests the other one on a wide machine.

@@ -7,7 +7,7 @@
 use defmt::{Format, Formatter, write};
 
 use crate::lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles};
-use crate::prepared::{PreparedRay, PreparedTriangle};
+use crate::prepared::{PreparedRay, PreparedTriangle, Target};
 use crate::published::projected::ProjectedTriangle;
 use crate::published::slabs::SlabRay;
 use crate::published::slopes::SlopeRay;
@@ -96,6 +96,7 @@ formats! {
     PreparedTriangle: |prepared, to| {
         write!(to, "PreparedTriangle {{ {} }}", prepared.triangle())
     };
+    Target: |target, to| write!(to, "Target {{ {} }}", target.triangle());
     SlabRay: |_r, to| write!(to, "SlabRay {{ .. }}");
     SlopeRay: |_r, to| write!(to, "SlopeRay {{ .. }}");
 }

@@ -22,7 +22,7 @@
 //! point lies clear of both planes, at t beyond ±2⁹⁴, or outside of them.
 
 use super::grid::Grid;
-use super::node::Node;
+use super::node::{Cell, Node};
 use crate::arithmetic::{greatest, least};
 use crate::scalar::Scalar;
 use crate::shape::Ray;
@@ -33,6 +33,8 @@ pub(super) struct Descent<S: Scalar> {
     ray: Ray<S>,
     grid: Grid<S>,
     fast: GridRay,
+    /// Where the ray goes, unless it is fast.
+    octant: Cell,
 }
 
 /// The children of a node that the ray meets, and in what order it comes to them.
@@ -47,7 +49,8 @@ impl<S: Scalar> Descent<S> {
     pub(super) fn new(grid: &Grid<S>, ray: &Ray<S>) -> Self {
         // Where the choice is known to the compiler it links no floats.
         let fast = if S::IS_FAST { GridRay::new(grid, ray) } else { GridRay::EVERYWHERE };
-        Self { ray: *ray, grid: *grid, fast }
+        let octant = if S::IS_FAST { Cell::ALL } else { octant(grid, ray) };
+        Self { ray: *ray, grid: *grid, fast, octant }
     }
 
     /// The boxes of a node that the ray meets.
@@ -57,12 +60,16 @@ impl<S: Scalar> Descent<S> {
     }
 
     fn meets_exactly(&self, node: &Node) -> Met {
-        let (mut mask, mut sooner) = (0, [0; 4]);
+        let (mut mask, mut sooner) = (node.meeting(&self.octant), [0; 4]);
         let d = self.ray.direction().to_array();
         for k in 0..4 {
+            if mask >> k & 1 == 0 {
+                continue;
+            }
             let cell = node.cell(k);
-            if self.ray.overlaps(&self.grid.aabb(&cell)) {
-                mask |= 1 << k;
+            if !self.ray.overlaps(&self.grid.aabb(&cell)) {
+                mask ^= 1 << k;
+                continue;
             }
             // By how far the box is along the direction's octant.
             sooner[k] = (0..3).fold(0, |sum, i| {
@@ -89,6 +96,25 @@ impl<S: Scalar> Descent<S> {
     pub(super) fn reaches(&self, sooner: i32) -> bool {
         !S::IS_FAST || sooner <= in_order(self.fast.to)
     }
+}
+
+/// The part of a grid that a ray comes to, by the signs of its direction.
+fn octant<S: Scalar>(grid: &Grid<S>, ray: &Ray<S>) -> Cell {
+    let mut to = Cell::ALL;
+    if ray.t_min().is_none_or(|t| t < S::ZERO) {
+        return to;
+    }
+    let (origin, direction) = (ray.origin().to_array(), ray.direction().to_array());
+    let at = grid.cell([origin, origin]);
+    for i in 0..3 {
+        if direction[i] >= S::ZERO {
+            to.low[i] = at.low[i];
+        }
+        if direction[i] <= S::ZERO {
+            to.high[i] = at.high[i];
+        }
+    }
+    to
 }
 
 /// A ray on a grid.

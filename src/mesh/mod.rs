@@ -29,6 +29,7 @@
 //! ```
 
 mod closed;
+mod const_new;
 mod descent;
 mod error;
 mod grid;

@@ -33,6 +33,9 @@ mod sealed {
 
         /// Whether [`may_meet`](Self::may_meet) is worth the question.
         const IS_NARROW: bool = false;
+
+        /// Whether a triangle is dearer to ask about than the box between the corners.
+        const IS_DEAR: bool = false;
     }
 }
 
@@ -47,6 +50,8 @@ impl<S: Scalar> sealed::Bounded<S> for Aabb<S> {
 }
 
 impl<S: Scalar> sealed::Bounded<S> for Obb<S> {
+    const IS_DEAR: bool = true;
+
     fn corners(&self) -> Option<[[S; 3]; 2]> {
         let (min, max) = self.aabb()?.min_max()?;
         Some([min.to_array(), max.to_array()])
@@ -101,9 +106,10 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     ///
     /// See [`Tree`] for an example.
     pub fn overlapping<'t, P: Probe<S>>(&'t self, shape: &'t P) -> Overlapping<'t, 'a, S, I, P> {
-        let cell = shape.corners().map_or(Cell::ALL, |corners| self.grid.cell(corners));
+        let corners = shape.corners();
+        let cell = corners.map_or(Cell::ALL, |corners| self.grid.cell(corners));
         let walk = Walk::new(self.nodes, |root| self.mask(root, &cell, shape));
-        Overlapping { tree: self, shape, cell, walk, leaf: 0..0 }
+        Overlapping { tree: self, shape, corners, cell, walk, leaf: 0..0 }
     }
 
     #[inline(always)]
@@ -126,6 +132,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
 pub struct Overlapping<'t, 'a, S: Scalar, I, P> {
     tree: &'t Tree<'a, S, I>,
     shape: &'t P,
+    corners: Option<[[S; 3]; 2]>,
     cell: Cell,
     walk: Walk,
     leaf: Range<usize>,
@@ -135,11 +142,13 @@ impl<S: Scalar, I: Index, P: Probe<S>> Iterator for Overlapping<'_, '_, S, I, P>
     type Item = usize;
 
     fn next(&mut self) -> Option<usize> {
-        let Self { tree, shape, cell, .. } = *self;
+        let Self { tree, shape, corners, cell, .. } = *self;
         loop {
             for place in self.leaf.by_ref() {
                 let i = tree.index(place);
-                if shape.overlaps(&tree.mesh.known(i)) {
+                let triangle = tree.mesh.known(i);
+                let is_near = corners.is_none_or(|corners| is_near::<S, P>(&corners, &triangle));
+                if is_near && shape.overlaps(&triangle) {
                     return Some(i);
                 }
             }
@@ -147,4 +156,17 @@ impl<S: Scalar, I: Index, P: Probe<S>> Iterator for Overlapping<'_, '_, S, I, P>
             self.leaf = self.walk.next(tree.nodes, &tree.layout, mask)?;
         }
     }
+}
+
+/// Whether a triangle may meet a shape within the box between these corners.
+#[inline(always)]
+fn is_near<S: Scalar, P: Probe<S>>([min, max]: &[[S; 3]; 2], triangle: &Triangle<S>) -> bool {
+    let [a, b, c] = triangle.vertices().map(Vec3::to_array);
+    for i in 0..3 {
+        let is_below = (a[i] < min[i]) & (b[i] < min[i]) & (c[i] < min[i]);
+        if is_below | (a[i] > max[i]) & (b[i] > max[i]) & (c[i] > max[i]) {
+            return false;
+        }
+    }
+    !P::IS_DEAR || triangle.may_overlap(&Aabb::between((*min).into(), (*max).into()))
 }

@@ -44,8 +44,7 @@ pub struct Tree<'a, S: Scalar, I> {
 impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     /// A tree over a mesh, built into `nodes` and `order`.
     ///
-    /// *Panics*: never. *Cost*: sorts the triangles, n·log n steps; the same tree on every
-    /// machine.
+    /// *Panics*: never. *Cost*: sorts the triangles, n·log n steps.
     ///
     /// # Errors
     /// [`MeshError::Length`] unless there are [`Node::count_for`] nodes and as many places in

@@ -1,5 +1,6 @@
 //! The pairs with the arguments in the other order: one forwards to the other.
 
+use super::relation::{Relate, Relation};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb, Overlaps, Plane, Ray, Segment, Triangle};
 
@@ -30,6 +31,22 @@ reversed! {
     Aabb with Segment;
     Aabb with Ray;
     Obb with Triangle;
+    Obb with Aabb;
+    Triangle with Segment;
+}
+
+macro_rules! relations_reversed {
+    ($($shape:ident with $other:ident;)*) => {$(
+        impl<S: Scalar> Relate<$other<S>> for $shape<S> {
+            #[inline]
+            fn relation(&self, other: &$other<S>) -> Relation {
+                other.relation(self)
+            }
+        }
+    )*};
+}
+relations_reversed! {
+    Aabb with Triangle;
     Obb with Aabb;
     Triangle with Segment;
 }

@@ -5,8 +5,8 @@
 //! stage; a pair whose kernel is short has them in fewer files. What two pairs share is
 //! here: `exact_aabb` and `exact_triangle`, shapes taken apart for exact sums; `line_aabb`,
 //! the slabs of rays and segments; `orientation`, the signs of volumes, for triangles, segments
-//! and points against triangles; `either_order`, the same questions with the arguments in the
-//! other order. `counts`, in unit tests, says how often questions escalate.
+//! and points against triangles; `relation`, how axes tell touching from overlapping;
+//! `either_order`, the same questions with the arguments in the other order. `counts`, in unit tests, says how often questions escalate.
 
 // In the order in which the pages of the shapes show them.
 mod triangle_aabb;
@@ -43,7 +43,8 @@ pub(crate) use normal::direction;
 pub use plane_aabb::Side;
 pub use ray_aabb::PreparedRay;
 pub(crate) use ray_triangle::{Candidate, clear_hit, clear_refined_hit};
-pub use ray_triangle::{Cull, Facing, Feature, Hit, HitRules};
+pub use ray_triangle::{Cull, Facing, Feature, Hit, HitRules, Target};
+pub use relation::{Relate, Relation};
 pub(crate) use row_triangle::crossing;
 pub(crate) use triangle_aabb::disjoint_rounded;
 pub use triangle_aabb::{Axis, PreparedTriangle};

@@ -1,13 +1,23 @@
-//! How two shapes lie to each other.
+//! How two shapes lie to each other, and how axes tell.
+
+use core::cmp::Ordering;
+
+use crate::arithmetic::Number;
 
 /// How two closed convex sets lie to each other.
 ///
 /// The *interior* of a shape is what is inside it seen from its own line, plane or space: of a
-/// triangle all but its edges, of a segment all but its ends, of a box all but its faces; a
-/// point is its own interior. (In the literature: the relative interior.) Two shapes touch if
-/// they have a point in common and their interiors have none. That is so exactly if some plane
-/// has one on its one side and the other on its other, both of them meet it, and it does not
-/// hold all of both (R. T. Rockafellar, *Convex Analysis*, 1970, theorem 11.3).
+/// triangle all but its edges, of a segment all but its ends, of a box all but its faces, of a
+/// flat box all but its edges; a point is its own interior. (In the literature: the relative
+/// interior.)
+///
+/// Two shapes touch if they have a point in common and their interiors have none. That is so
+/// exactly if some plane has one on its one side and the other on its other, both of them meet
+/// it, and not all of both lies in it (R. T. Rockafellar, *Convex Analysis*, 1970, theorem
+/// 11.3). So a triangle on a face of a box touches it, and two triangles of a mesh that share an
+/// edge touch, in one plane or not; two that lie on each other in one plane overlap.
+///
+/// The order is that of nearness: disjoint shapes come first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -19,4 +29,72 @@ pub enum Relation {
     Touching,
     /// Their interiors have a point in common.
     Overlapping,
+}
+
+/// How a shape lies to another: touching told apart from overlapping.
+///
+/// There is an implementation for each pair that can be asked about, in both orders of the
+/// arguments.
+pub trait Relate<Other> {
+    /// How the two shapes lie to each other.
+    ///
+    /// *Numerics*: exact for every valid input, in every scalar: it is
+    /// [`Disjoint`](Relation::Disjoint) if and only if `overlaps` is `false`.
+    ///
+    /// *Range*: as of `overlaps`. *Panics*: never.
+    ///
+    /// *Cost*: that of `overlaps`, but of a triangle or an axis-aligned box with an
+    /// axis-aligned box up to twice. In floats contact takes integers or exact sums.
+    #[must_use]
+    fn relation(&self, other: &Other) -> Relation;
+}
+
+/// What an axis says at most, given how the two gaps on it compare with zero: that before the one
+/// shape and that after it.
+pub(super) fn of_gaps(gaps: [Ordering; 2]) -> Relation {
+    match gaps {
+        [Ordering::Greater, _] | [_, Ordering::Greater] => Relation::Disjoint,
+        // All of both at one place.
+        [Ordering::Equal, Ordering::Equal] => Relation::Overlapping,
+        [Ordering::Equal, _] | [_, Ordering::Equal] => Relation::Touching,
+        [Ordering::Less, Ordering::Less] => Relation::Overlapping,
+    }
+}
+
+/// What the axes tried so far say, errors allowed for.
+pub(super) struct Nearness {
+    pub(super) is_disjoint: bool,
+    /// Whether an axis may separate, or touch.
+    is_near: bool,
+}
+
+impl Nearness {
+    pub(super) const NONE: Self = Self { is_disjoint: false, is_near: false };
+
+    /// An axis on which the shapes are so far apart (below zero: so far in each other), and
+    /// extend so far together.
+    #[inline(always)]
+    pub(super) fn add<T: Number>(&mut self, gap: T, extent: T, error: T) {
+        self.is_disjoint |= gap > error;
+        // All of both at one place is no touch. It is certain only if nothing is rounded.
+        self.is_near |= (gap >= -error) & (extent > -error);
+    }
+
+    /// An axis on which it is not known.
+    #[inline(always)]
+    pub(super) fn add_doubt(&mut self, is_near: bool) {
+        self.is_near |= is_near;
+    }
+
+    /// How the shapes lie to each other; `None` in doubt.
+    #[inline(always)]
+    pub(super) fn relation(&self, is_certain: bool) -> Option<Relation> {
+        if self.is_disjoint {
+            Some(Relation::Disjoint)
+        } else if !self.is_near {
+            Some(Relation::Overlapping)
+        } else {
+            is_certain.then_some(Relation::Touching)
+        }
+    }
 }

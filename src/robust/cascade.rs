@@ -11,11 +11,11 @@ use crate::arithmetic::{InWord, Word};
 
 /// The first stage for questions with a number for an answer.
 #[inline(always)]
-pub(crate) fn numeric_stage<S, N: Embeds<S>, P: Predicate<S>>(
-    p: &P,
-    next: fn(&P, Clue) -> P::Answer,
-) -> P::Answer {
-    match p.fast_path::<N>() {
+pub(crate) fn numeric_stage<S, P: Predicate<S>>(p: &P, next: fn(&P, Clue) -> P::Answer) -> P::Answer
+where
+    Filtered<f64>: Embeds<S>,
+{
+    match p.fast_path() {
         Ok(answer) => answer,
         Err(clue) => {
             note(Stage::Numeric);
@@ -24,8 +24,8 @@ pub(crate) fn numeric_stage<S, N: Embeds<S>, P: Predicate<S>>(
     }
 }
 
-/// The stages for numbers after the first: `f64`, if it was not asked, and `f64` in two
-/// parts.
+/// The stages for numbers after the first: `f64`, if it was not asked, and what is beyond
+/// its precision.
 #[inline(always)]
 pub(crate) fn refined_stage<S, P: Predicate<S>>(
     p: &P,

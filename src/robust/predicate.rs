@@ -26,13 +26,16 @@ pub trait Predicate<S> {
     /// The answer, if `N` can vouch for it.
     fn filter<N: Embeds<S>>(&self) -> Option<Self::Answer>;
 
-    /// The same, where it takes but one pass without branches.
+    /// The same in `f64`, where it takes but one pass without branches.
     #[inline(always)]
-    fn fast_path<N: Embeds<S>>(&self) -> Result<Self::Answer, Clue> {
-        self.filter::<N>().ok_or(Clue::Doubt)
+    fn fast_path(&self) -> Result<Self::Answer, Clue>
+    where
+        Filtered<f64>: Embeds<S>,
+    {
+        self.filter::<Filtered<f64>>().ok_or(Clue::Doubt)
     }
 
-    /// The answer by `f64` in two parts, if that can vouch for it; `None` where the
+    /// The answer by more than the precision of `f64`, if that can vouch for it; `None` where the
     /// question has none.
     #[inline(always)]
     fn refined(&self, clue: Clue) -> Option<Self::Answer>

@@ -142,11 +142,7 @@ fn by_double<S: Scalar, P: Predicate<S>>(p: &P) -> P::Answer
 where
     Filtered<f64>: Embeds<S>,
 {
-    if REGISTERS_ARE_WIDE {
-        numeric_stage::<_, Filtered<f64>, _>(p, |p, _| whole_cascade(p))
-    } else {
-        S::evaluate(p)
-    }
+    if REGISTERS_ARE_WIDE { numeric_stage(p, |p, _| whole_cascade(p)) } else { S::evaluate(p) }
 }
 
 /// All stages, out of line.

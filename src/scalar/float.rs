@@ -1,9 +1,7 @@
 //! `f32` and `f64` as scalars.
 
 use super::{Backend, FloatFormat, Scalar};
-use crate::arithmetic::{
-    DOUBLES_ARE_FAST, Filtered, Float, Parts, REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, quotient,
-};
+use crate::arithmetic::{Float, Parts, REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, quotient};
 use crate::robust::{
     Clue, Predicate, Sum, exact_stage, in_floats, in_quads, integer_stage, numeric_stage,
     refined_stage,
@@ -99,13 +97,9 @@ impl Backend for f32 {
     fn evaluate_numeric<P: Predicate<Self>>(p: &P) -> P::Answer {
         // Where `f64` costs no more than `f32`.
         if REGISTERS_ARE_WIDE {
-            return numeric_stage::<_, Filtered<f64>, _>(p, refined);
+            return numeric_stage(p, refined);
         }
-        // Numbers come from f64; f32 can but say that there are none, which saves no time where
-        // f64 takes no more.
-        if DOUBLES_ARE_FAST {
-            return doubled(p);
-        }
+        // Numbers come from f64; f32 can but say that there are none.
         match in_floats::<_, f32, _>(p) {
             Some(answer) => answer,
             None => doubled(p),
@@ -128,8 +122,8 @@ fn doubled<P: Predicate<f32>>(p: &P) -> P::Answer {
     }
 }
 
-/// The stages of `f32` for numbers after the first, where `f64` is cheap: its two parts
-/// give the numbers that the integers give, and save time.
+/// The stages of `f32` for numbers after the first, where `f64` is cheap: what is beyond its
+/// precision gives the numbers that the integers give, and saves time.
 #[cold]
 #[inline(never)]
 fn refined<P: Predicate<f32>>(p: &P, clue: Clue) -> P::Answer {
@@ -170,7 +164,7 @@ impl Backend for f64 {
     }
     #[inline(always)]
     fn evaluate_numeric<P: Predicate<Self>>(p: &P) -> P::Answer {
-        numeric_stage::<_, Filtered<f64>, _>(p, refined_doubles)
+        numeric_stage(p, refined_doubles)
     }
     #[inline(always)]
     fn evaluate_bounded<P: Predicate<Self>>(p: &P) -> Option<P::Answer> {
@@ -178,7 +172,7 @@ impl Backend for f64 {
     }
 }
 
-/// The stages of `f64` for numbers after the first: every hit goes there.
+/// The stages of `f64` for numbers after the first.
 #[inline(never)]
 fn refined_doubles<P: Predicate<f64>>(p: &P, clue: Clue) -> P::Answer {
     refined_stage(p, clue, if SMALL_CODE { exact_stage } else { integer_stage })

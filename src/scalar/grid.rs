@@ -277,3 +277,71 @@ mod fixed_point {
         FixedI64: LeEqU64, i64, i64, u64, |d| (i128::from(d.0) - i128::from(d.1)) as f64;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use std::vec::Vec;
+
+    use super::Gridded;
+    use crate::scalar::Scalar;
+
+    /// What boxes on the grid rest on: of numbers within its ends, the points around one
+    /// enclose it, and nothing lies between them; of two numbers, the order is kept.
+    fn check<S: Gridded + Scalar>(numbers: &[S]) {
+        for &min in numbers {
+            for &max in numbers.iter().filter(|&&max| max >= min) {
+                let steps = S::steps(min, max);
+                let within: Vec<S> =
+                    numbers.iter().copied().filter(|&x| min <= x && x <= max).collect();
+                for &x in numbers {
+                    let (low, high) = (x.point_below(&steps), x.point_above(&steps));
+                    assert!(low == high || low + 1 == high, "{x:?} in {min:?} to {max:?}");
+                    if min <= x && x <= max {
+                        assert!(S::point(&steps, low) <= x, "{x:?} in {min:?} to {max:?}");
+                        assert!(S::point(&steps, high) >= x, "{x:?} in {min:?} to {max:?}");
+                    }
+                    for &y in within.iter().filter(|&&y| x <= y) {
+                        assert!(low <= y.point_above(&steps), "{x:?}, {y:?}");
+                    }
+                    for &y in within.iter().filter(|&&y| y <= x) {
+                        assert!(y.point_below(&steps) <= high, "{x:?}, {y:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn points_enclose_floats() {
+        let tiny = f32::from_bits(1);
+        check(&[f32::MIN, -1e38, -3.0, -1.0, -tiny, 0.0, tiny, 1e-38, 0.1, 1.0, f32::MAX]);
+        check(&[16_777_214.0_f32, 16_777_215.0, 16_777_216.0, 16_777_218.0, 33_554_432.0]);
+        check(&[1e4, 1e4_f32.next_up_by(1), 1e4_f32.next_up_by(5), 1e4 + 1.0, 1e4 + 77.7]);
+        let tiny = f64::from_bits(1);
+        check(&[f64::MIN, -1e300, -3.0, -tiny, 0.0, tiny, 1e-300, 0.1, 1.0, 1e10, f64::MAX]);
+    }
+
+    trait NextUp {
+        fn next_up_by(self, ulps: u32) -> Self;
+    }
+
+    impl NextUp for f32 {
+        fn next_up_by(self, ulps: u32) -> f32 {
+            f32::from_bits(self.to_bits() + ulps)
+        }
+    }
+
+    #[cfg(feature = "fixed")]
+    #[test]
+    fn points_enclose_fixed_point() {
+        use fixed::types::{I4F4, I8F8, I16F16, I32F32};
+        check(&[i8::MIN, -127, -1, 0, 1, 100, i8::MAX].map(I4F4::from_bits));
+        check(&[i16::MIN, -32_767, -1, 0, 1, 300, i16::MAX - 1, i16::MAX].map(I8F8::from_bits));
+        let near = [i32::MIN, i32::MIN + 1, -65_536, -1, 0, 1, 65_535, 65_536, i32::MAX];
+        check(&near.map(I16F16::from_bits));
+        let far = [i64::MIN, i64::MIN + 1, -(1 << 50), -1, 0, 1, 65_537, 1 << 40, i64::MAX];
+        check(&far.map(I32F32::from_bits));
+    }
+}

@@ -28,6 +28,7 @@ mod plane;
 mod prepared_rays;
 mod ray_box;
 mod ray_box_rounded;
+mod relations;
 mod segment_box;
 mod small_pairs;
 

@@ -8,7 +8,8 @@ use std::process::{Command, Output};
 use dot_vox::DotVoxData;
 
 const SCALARS: [&str; 5] = ["f32", "f64", "i8f8", "i16f16", "i32f32"];
-const METHODS: [&str; 4] = ["exact", "conservative", "published", "rounded"];
+const METHODS: [&str; 6] =
+    ["rows", "per-voxel", "exact-pairs", "conservative", "published", "rounded"];
 
 /// A directory for one test, empty at its start.
 struct Desk(PathBuf);
@@ -113,7 +114,10 @@ fn teapot_without_arguments_but_a_resolution() {
     let report = desk.succeed("--resolution 24");
     assert!(report.contains("teapot, 992 triangles"), "{report}");
     assert!(report.contains("24 × 12 × 15 voxels"), "{report}");
-    assert!(figure(&report, "set") > 500 && figure(&report, "tests") > figure(&report, "set"));
+    assert!(figure(&report, "set") > 500);
+    let each = desk.succeed("--resolution 24 --method per-voxel --no-picture");
+    assert!(figure(&each, "tests") > figure(&each, "set"));
+    assert_eq!(figure(&each, "set"), figure(&report, "set"));
 
     let file = fs::File::open(desk.0.join("out/teapot.png")).unwrap();
     let mut picture = png::Decoder::new(std::io::BufReader::new(file)).read_info().unwrap();
@@ -218,6 +222,79 @@ fn formats_agree() {
 }
 
 #[test]
+fn rules_and_the_inside() {
+    let desk = Desk::new("rules");
+    // Faces between two layers, 14 voxels apart, in a grid of 16 that a segment spans.
+    let span = format!("{}v -1 -1 -1\nv 15 15 15\nf 9 10\n", cuboid([0; 3], [14; 3], 0));
+    desk.write("box.obj", &span);
+    let set = |options: &str| {
+        figure(&desk.succeed(&format!("box.obj -r 16 --no-picture {options}")), "set")
+    };
+    let closed = 16_u64.pow(3) - 12_u64.pow(3);
+    assert_eq!(set(""), closed);
+    let half_open = set("--rule half-open");
+    assert!(half_open > 15_u64.pow(3) - 13_u64.pow(3) && half_open < closed / 2 + 100);
+    assert!(set("--rule thin") < half_open);
+    assert_eq!(set("--solid"), 16_u64.pow(3));
+    for threads in 1..4 {
+        assert_eq!(set(&format!("--rule thin --threads {threads}")), set("--rule thin"));
+    }
+    let report = desk.succeed("box.obj -r 16 --no-picture --solid");
+    assert!(report.contains("of a closed mesh"), "{report}");
+    let open: String =
+        span.lines().filter(|line| *line != "f 2 4 8 6").map(|l| format!("{l}\n")).collect();
+    desk.write("open.obj", open);
+    let report = desk.succeed("open.obj -r 16 --no-picture --solid");
+    assert!(report.contains("the mesh is open: 196 rows"), "{report}");
+    desk.fail("box.obj --rule thin --method per-voxel", &["--rule thin", "--method rows"]);
+}
+
+#[test]
+fn several_meshes_and_gltf() {
+    let desk = Desk::new("several");
+    desk.write("a.obj", cuboid([0; 3], [4; 3], 0));
+    desk.write("b.obj", cuboid([6, 0, 0], [8, 4, 4], 0));
+    desk.write("both.obj", cuboid([0; 3], [4; 3], 0) + &cuboid([6, 0, 0], [8, 4, 4], 8));
+    let both = desk.voxels("both.obj -r 8");
+    assert_eq!(desk.voxels("a.obj b.obj -r 8"), both);
+    assert!(desk.succeed("a.obj b.obj -r 8 --no-picture").contains("a-b, 24 triangles"));
+
+    // One triangle, moved and scaled by its node.
+    let mut buffer = Vec::new();
+    for x in [0.0_f32, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.5, 0.5] {
+        buffer.extend(x.to_le_bytes());
+    }
+    desk.write("t.bin", &buffer);
+    let gltf = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+        "nodes":[{"mesh":0,"scale":[2,2,2],"translation":[7,8,9]}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+        "buffers":[{"byteLength":36,"uri":"t.bin"}],
+        "bufferViews":[{"buffer":0,"byteLength":36}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",
+        "min":[0,0,0],"max":[2,1.5,0.5]}]}"#;
+    desk.write("t.gltf", gltf);
+    desk.write("t.obj", TRIANGLE);
+    assert_eq!(desk.voxels("t.gltf -r 8"), desk.voxels("t.obj -r 8"));
+    desk.write("cut.gltf", gltf.replace("t.bin", "none.bin"));
+    desk.fail("cut.gltf", &["cut.gltf", "none.bin"]);
+    desk.write("no.glb", "glTF");
+    desk.fail("no.glb", &["no.glb", "not a valid glTF"]);
+}
+
+/// The colours of wrong voxels, in the right half alone.
+#[test]
+fn two_methods_side_by_side() {
+    let desk = Desk::new("compare");
+    let report = desk.succeed("-r 40 -m published --compare rows -s i8f8 -o a.png");
+    assert!(report.contains("voxels missed (red)"), "{report}");
+    let file = fs::File::open(desk.0.join("a.png")).unwrap();
+    let picture = png::Decoder::new(std::io::BufReader::new(file)).read_info().unwrap();
+    assert_eq!((picture.info().width, picture.info().height), (1800, 700));
+    let cut = desk.succeed("-r 24 --solid --cut -o b.png");
+    assert!(desk.exists("b.png") && cut.contains("inside"), "{cut}");
+}
+
+#[test]
 fn flat_meshes_have_one_layer() {
     let desk = Desk::new("flat");
     desk.write("flat.obj", "v 0 0 5\nv 4 0 5\nv 0 4 5\nf 1 2 3\n");
@@ -231,7 +308,7 @@ fn bad_meshes() {
     let desk = Desk::new("bad-meshes");
     desk.fail("missing.obj", &["missing.obj", "No such file"]);
     desk.write("mesh.ply", "ply");
-    desk.fail("mesh.ply", &["mesh.ply", ".obj or an .stl"]);
+    desk.fail("mesh.ply", &["mesh.ply", "an .obj, an .stl"]);
     desk.write("empty.obj", "# nothing\nv 1 2 3\n");
     desk.fail("empty.obj", &["empty.obj", "no triangles"]);
     desk.write("empty.stl", [0; 84]);
@@ -281,7 +358,7 @@ fn bad_options() {
     assert_eq!(fs::read_to_string(desk.0.join("mesh.obj")).unwrap(), TRIANGLE);
 
     // Usage errors are clap's, with its exit code.
-    for arguments in ["-r -5", "-r many", "-s f16", "-m wrong", "--vox", "a.obj b.obj"] {
+    for arguments in ["-r -5", "-r many", "-s f16", "-m wrong", "--vox", "--rule wide"] {
         let output = desk.run(arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments}");
         assert!(output.stderr.starts_with(b"error: "), "{arguments}");
@@ -291,7 +368,20 @@ fn bad_options() {
 #[test]
 fn help_explains_every_option() {
     let help = Desk::new("help").succeed("--help");
-    for option in ["[MESH]", "--resolution", "--scalar", "--method", "--up", "--output", "--vox"] {
+    for option in [
+        "[MESH]...",
+        "--rule",
+        "--solid",
+        "--threads",
+        "--compare",
+        "--cut",
+        "--resolution",
+        "--scalar",
+        "--method",
+        "--up",
+        "--output",
+        "--vox",
+    ] {
         assert!(help.contains(option), "{option}");
     }
     for value in SCALARS.iter().chain(&METHODS) {

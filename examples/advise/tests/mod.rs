@@ -21,7 +21,7 @@ use crate::survey::{Plan, Survey};
 type Triangles = Vec<[[f64; 3]; 3]>;
 
 fn teapot() -> Triangles {
-    let mesh = Mesh::load(None, Some(Up::Y)).unwrap();
+    let mesh = Mesh::load(&[], Some(Up::Y)).unwrap();
     assert_eq!(mesh.name, "teapot");
     mesh.triangles
 }

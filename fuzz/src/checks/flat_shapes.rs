@@ -24,9 +24,13 @@ impl Check for FlatShapes {
         };
         let case = FlatCase { flat, triangle };
 
-        let meets = case.truth() != Truth::Apart;
+        let truth = case.truth();
+        let meets = truth != Truth::Apart;
         let (answers, may) = case.answers();
         assert_eq!(answers, vec![meets; answers.len()], "{}", told::<S>(&case));
         assert!(may || !meets, "may_overlap, {}", told::<S>(&case));
+        if let Some(relation) = case.relation() {
+            assert_eq!(relation, truth.relation(), "relation, {}", told::<S>(&case));
+        }
     }
 }

@@ -4,6 +4,7 @@ use super::triangle_obb::axes;
 use crate::scalars::{Check, run};
 use crate::shapes::{Shapes, magnitude};
 use crate::told::told;
+use septum::relation::Relation;
 use septum_kit::Sample;
 use septum_kit::boxes::{AnyBox, BoxCase, ObbNumbers};
 
@@ -34,5 +35,8 @@ impl Check for OrientedPairs {
         let meets = case.meets();
         assert_eq!(answers, [meets; 2], "{}", told::<S>(&case));
         assert!(may || !meets, "may_overlap, {}", told::<S>(&case));
+        let relations = case.relations().expect("shapes");
+        let are_disjoint = relations.map(|relation| relation == Relation::Disjoint);
+        assert_eq!(are_disjoint, [!meets; 2], "relation, {}", told::<S>(&case));
     }
 }

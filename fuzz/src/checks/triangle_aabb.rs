@@ -3,6 +3,7 @@
 
 use septum::Axis;
 use septum::published;
+use septum::relation::{Relate, Relation};
 
 use crate::scalars::{Check, run};
 use crate::shapes::Shapes;
@@ -27,6 +28,9 @@ impl Check for TriangleAabb {
         assert_eq!(triangle.overlaps(&aabb), truth, "overlaps, {}", told::<S>(&case));
         let may = triangle.may_overlap(&aabb);
         assert!(may || !truth, "may_overlap, {}", told::<S>(&case));
+
+        let is_disjoint = triangle.relation(&aabb) == Relation::Disjoint;
+        assert_eq!(is_disjoint, !truth, "relation, {}", told::<S>(&case));
 
         let mut first = None;
         for axis in Axis::ALL {

@@ -1,6 +1,7 @@
 //! Axis-aligned box against axis-aligned box.
 
 mod kernel;
+mod relation;
 
 pub(super) use kernel::Apart;
 

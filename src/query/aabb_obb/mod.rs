@@ -2,7 +2,7 @@
 
 use super::Overlaps;
 use super::obb_obb::{First, Lie};
-use super::relation::Relation;
+use super::relation::{Relate, Relation};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb};
 
@@ -31,7 +31,7 @@ impl<S: Scalar> Overlaps<Obb<S>> for Aabb<S> {
     /// ```
     #[inline]
     fn overlaps(&self, obb: &Obb<S>) -> bool {
-        S::evaluate(&Lie { first: First::Aabb(self), second: obb }) != Relation::Disjoint
+        S::evaluate_numeric(&Lie { first: First::Aabb(self), second: obb }) != Relation::Disjoint
     }
 
     /// Whether an axis-aligned box and an oriented box may have a point in common.
@@ -42,5 +42,11 @@ impl<S: Scalar> Overlaps<Obb<S>> for Aabb<S> {
     fn may_overlap(&self, obb: &Obb<S>) -> bool {
         let question = Lie { first: First::Aabb(self), second: obb };
         S::evaluate_bounded(&question) != Some(Relation::Disjoint)
+    }
+}
+
+impl<S: Scalar> Relate<Obb<S>> for Aabb<S> {
+    fn relation(&self, obb: &Obb<S>) -> Relation {
+        S::evaluate_numeric(&Lie { first: First::Aabb(self), second: obb })
     }
 }

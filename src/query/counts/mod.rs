@@ -15,7 +15,7 @@ use std::string::String;
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 
 use crate::arithmetic::{REGISTERS_ARE_WIDE, SMALL_CODE};
-use crate::query::PreparedRay;
+use crate::query::{PreparedRay, Target};
 use crate::robust::escalations;
 use crate::scalar::{Backend, Scalar};
 use crate::shape::{Aabb, Obb, Plane, Ray, Segment, Triangle};
@@ -79,7 +79,7 @@ fixed_point! {
 /// How often each question escalates: past the first stage for numbers, a filter, a stage
 /// for narrow registers; and how often it arrives at the exact sums.
 fn rows<S: Sample>(scalar: &str, to: &mut String) {
-    const QUESTIONS: [&str; 11] = [
+    const QUESTIONS: [&str; 12] = [
         "triangle/aabb",
         "separating axis",
         "triangle/obb",
@@ -91,6 +91,7 @@ fn rows<S: Sample>(scalar: &str, to: &mut String) {
         "ray/triangle is_hit",
         "ray/triangle hit",
         "ray/aabb prepared",
+        "ray/triangle prepared",
     ];
     let mut counts = [[0; 4]; QUESTIONS.len()];
     let mut rng = Rng(0x5e97_0a11);
@@ -128,6 +129,7 @@ fn rows<S: Sample>(scalar: &str, to: &mut String) {
         if let Ok(ray) = Ray::new(o, d) {
             ask(8, &|| _ = ray.is_hit(&triangle));
             ask(9, &|| _ = ray.hit(&triangle));
+            ask(11, &|| _ = Target::new(&triangle).is_hit(&ray));
         }
     }
     for (question, [numeric, filter, narrow, exact]) in QUESTIONS.iter().zip(counts) {

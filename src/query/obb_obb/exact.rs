@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 
 use super::{First, Lie};
 use crate::arithmetic::{Parts, turn};
-use crate::query::relation::Relation;
+use crate::query::relation::{Relation, of_gaps};
 use crate::robust::{ExactSum, Linear, Vector, add_scaled_determinant, difference, single};
 use crate::scalar::Scalar;
 use crate::shape::{AabbForm, Obb};
@@ -93,7 +93,7 @@ impl ExactBoxes {
             add_scaled_determinant(sum, a, b, x, factor);
         };
         // How far the second box stays beyond the first, on either side.
-        let beyond = [Ordering::Greater, Ordering::Less].map(|side| {
+        of_gaps([Ordering::Greater, Ordering::Less].map(|side| {
             let mut sum = S::Sum::new();
             determinant(&mut sum, &self.d, S::ONE);
             for Extent { axis, half } in &self.extents {
@@ -104,15 +104,7 @@ impl ExactBoxes {
                     determinant(&mut sum, axis, if is_against { h.negated() } else { *h });
                 }
             }
-            (sum.sign(), side)
-        });
-        if beyond.iter().any(|(sign, side)| sign == side) {
-            Relation::Disjoint
-        } else if beyond[0].0 != beyond[1].0 && beyond.iter().any(|(sign, _)| sign.is_eq()) {
-            Relation::Touching
-        } else {
-            // Not zero on both sides: all of both on one plane.
-            Relation::Overlapping
-        }
+            if side.is_gt() { sum.sign() } else { sum.sign().reverse() }
+        }))
     }
 }

@@ -20,7 +20,7 @@
 use core::ops::Mul;
 
 use crate::arithmetic::{Number, turn};
-use crate::query::relation::Relation;
+use crate::query::relation::{Nearness, Relation};
 use crate::query::triangle_obb::{cross, dot};
 
 /// Two parallelepipeds as operands of products: from centre to centre, axes and half-extents
@@ -32,25 +32,6 @@ pub(super) struct Boxes<P> {
     pub(super) v: [[P; 3]; 3],
     pub(super) k: [P; 3],
     pub(super) one: P,
-}
-
-/// What the axes say so far.
-struct Found<P> {
-    error: P,
-    is_disjoint: bool,
-    /// Whether an axis may separate, or touch.
-    is_near: bool,
-}
-
-impl<P: Number> Found<P> {
-    /// An axis on which the centres are so far apart, and the boxes reach so far.
-    #[inline(always)]
-    fn add(&mut self, distance: P, reach: P) {
-        let beyond = distance.magnitude() - reach;
-        self.is_disjoint |= beyond > self.error;
-        // All of both on one plane is no touch.
-        self.is_near |= (beyond >= -self.error) & (reach > -self.error);
-    }
 }
 
 #[inline(always)]
@@ -66,14 +47,18 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>>(
     is_certain: bool,
 ) -> Option<Relation> {
     let Boxes { d, u, h, v, k, one } = boxes;
-    let mut found = Found { error, is_disjoint: false, is_near: false };
+    let mut found = Nearness::NONE;
+    // Centres so far apart, and boxes that reach so far.
+    let add = |found: &mut Nearness, distance: P, reach: P| {
+        found.add(distance.magnitude() - reach, reach, error);
+    };
 
     let w = normals(u);
     let volume = dot(&u[0], &w[0]).magnitude();
     let mut on_v = [[P::ZERO; 3]; 3];
     for i in 0..3 {
         on_v[i] = [0, 1, 2].map(|j: usize| dot(&w[i], &v[j]).magnitude());
-        found.add(dot(&w[i], d) * *one, h[i] * volume + dot(k, &on_v[i]));
+        add(&mut found, dot(&w[i], d) * *one, h[i] * volume + dot(k, &on_v[i]));
     }
     if found.is_disjoint {
         return Some(Relation::Disjoint);
@@ -84,7 +69,7 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>>(
     let mut on_u = [[P::ZERO; 3]; 3];
     for j in 0..3 {
         on_u[j] = [0, 1, 2].map(|i: usize| dot(&z[j], &u[i]).magnitude());
-        found.add(dot(&z[j], d) * *one, k[j] * volume + dot(h, &on_u[j]));
+        add(&mut found, dot(&z[j], d) * *one, k[j] * volume + dot(h, &on_u[j]));
     }
     if found.is_disjoint {
         return Some(Relation::Disjoint);
@@ -97,14 +82,8 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>>(
             let (j, p, q) = turn(j);
             let reach =
                 (h[l] * on_v[m][j] + h[m] * on_v[l][j]) + (k[p] * on_u[q][i] + k[q] * on_u[p][i]);
-            found.add(dot(&n, &v[j]) * *one, reach);
+            add(&mut found, dot(&n, &v[j]) * *one, reach);
         }
     }
-    if found.is_disjoint {
-        Some(Relation::Disjoint)
-    } else if !found.is_near {
-        Some(Relation::Overlapping)
-    } else {
-        is_certain.then_some(Relation::Touching)
-    }
+    found.relation(is_certain)
 }

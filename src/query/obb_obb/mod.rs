@@ -8,7 +8,7 @@ use self::error_bound::error_bound;
 use self::exact::ExactBoxes;
 use self::kernel::{Boxes, all_axes};
 use super::Overlaps;
-use super::relation::Relation;
+use super::relation::{Relate, Relation};
 use crate::arithmetic::{Embeds, Number, greatest, largest, of_two, once};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
@@ -109,7 +109,8 @@ impl<S: Scalar> Overlaps<Obb<S>> for Obb<S> {
     /// [oriented box](Triangle#impl-Overlaps<Obb<S>>-for-Triangle<S>).
     ///
     /// *Panics*: never. *Cost*: 81 multiplications where a face of the first box separates, 156
-    /// where one of the second does, and otherwise 246. Fixed point in 128 bits.
+    /// where one of the second does, and otherwise 246; where the machine has `f64` in that, but
+    /// for doubt, in fixed point of up to 32 bits too, and else there in 128 bits.
     ///
     /// *Source*: S. Gottschalk, M. C. Lin, D. Manocha, SIGGRAPH 1996; for skewed axes, and the
     /// exact stages, ours.
@@ -128,7 +129,7 @@ impl<S: Scalar> Overlaps<Obb<S>> for Obb<S> {
     #[inline]
     fn overlaps(&self, other: &Obb<S>) -> bool {
         let question = Lie { first: First::Obb(self), second: other };
-        S::evaluate(&question) != Relation::Disjoint
+        S::evaluate_numeric(&question) != Relation::Disjoint
     }
 
     /// Whether two oriented boxes may have a point in common.
@@ -142,5 +143,11 @@ impl<S: Scalar> Overlaps<Obb<S>> for Obb<S> {
     fn may_overlap(&self, other: &Obb<S>) -> bool {
         let question = Lie { first: First::Obb(self), second: other };
         S::evaluate_bounded(&question) != Some(Relation::Disjoint)
+    }
+}
+
+impl<S: Scalar> Relate<Obb<S>> for Obb<S> {
+    fn relation(&self, other: &Obb<S>) -> Relation {
+        S::evaluate_numeric(&Lie { first: First::Obb(self), second: other })
     }
 }

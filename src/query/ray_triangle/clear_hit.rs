@@ -3,7 +3,7 @@
 
 use super::Candidate;
 use super::crossing::{Crossing, Setting};
-use super::refined::Refined;
+use super::residual::Numbers;
 use crate::arithmetic::{Embeds, Filtered, Number};
 use crate::scalar::Scalar;
 use crate::shape::Ray;
@@ -38,7 +38,7 @@ pub(crate) fn clear_hit<S: Scalar, N: Embeds<S>>(
     (is_known & certain & (are_good | !hit), found)
 }
 
-/// The same in `f64` in two parts, of a ray with the range t ≥ 0.
+/// The same with numbers by what is left over, of a ray with the range t ≥ 0.
 #[inline(always)]
 pub(crate) fn clear_refined_hit<S: Scalar>(
     ray: &Ray<S>,
@@ -49,12 +49,16 @@ where
 {
     let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
     let [a, b, c, o, d] = Filtered::<f64>::embed_held(&[a, b, c, o, d]);
-    let (refined, is_known) = Refined::new(&[a, b, c, o], d);
-    let (certain, hit) = match refined.crossing().0.strictly_ahead() {
+    let points = [a, b, c, o];
+    let setting = Setting::new(&points, d);
+    let (crossing, is_known) = setting.crossing_if_known::<Filtered<f64>>();
+    let (certain, hit) = match crossing.strictly_ahead() {
         Some(hit) => (true, hit),
         None => (false, false),
     };
-    let (numbers, are_good) = refined.numbers::<S>();
-    let found = Candidate::new(hit & are_good, numbers, refined.det > 0.0, [false; 3]);
+    let Crossing { det, t, sides: [_, u, v], .. } = crossing;
+    let numbers = Numbers::new::<false>(&points, d, [det, t, u, v], setting.sizes());
+    let (rounded, are_good) = numbers.rounded::<S>();
+    let found = Candidate::new(hit & are_good, rounded, det > 0.0, [false; 3]);
     (is_known & certain & (are_good | !hit), found)
 }

@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 
 use super::Feature;
 use super::error_bound::{SIDES, T, VOLUME};
-use crate::arithmetic::{Arithmetic, Number, greatest, largest, least};
+use crate::arithmetic::{Arithmetic, Filtered, Number, greatest, largest, least};
 
 /// A line and a triangle, relative to the triangle's first vertex.
 #[derive(Clone, Copy)]
@@ -79,16 +79,7 @@ impl<L: Number> Setting<L> {
             let none = M::Volume::ZERO;
             return Some(ErrorBound { sides: none, side: none, t: none });
         }
-        let Sizes { direction, edges, size } = self.sizes();
-        if !(direction.in_range() & edges.in_range() & size.in_range()) {
-            return None;
-        }
-        let volume = |a, b, c| M::volume(M::area(a, b), c);
-        Some(ErrorBound {
-            sides: volume(direction, edges, size).error(SIDES),
-            side: volume(direction, edges, size).error(VOLUME),
-            t: volume(edges, edges, size).error(T),
-        })
+        error_bound::<M>(self.sizes())
     }
 
     /// The volumes; `None` where `M` does not know how far they are from the truth.
@@ -111,6 +102,12 @@ impl<L: Number> Setting<L> {
             None => (ErrorBound { side: none, sides: none, t: none }, false),
         };
         (self.crossing_within::<M>(error_bound), is_known)
+    }
+
+    /// The same direction and edges with another way to the origin.
+    #[inline(always)]
+    pub(super) fn seen_along(self, s: [L; 3]) -> Self {
+        Self { s, ..self }
     }
 
     #[inline(always)]
@@ -142,6 +139,15 @@ impl<L: Number> Setting<L> {
     pub(super) fn perturbed_t<M: Arithmetic<Length = L>>(&self) -> Ordering {
         let [e1, e2] = &self.e;
         sign::<M>(&cross::<M>(e1, e2))
+    }
+}
+
+impl Setting<f64> {
+    /// The volumes, whatever they err.
+    #[inline(always)]
+    pub(super) fn volumes(&self) -> Crossing<f64> {
+        let error_bound = ErrorBound { side: 0.0, sides: 0.0, t: 0.0 };
+        self.crossing_within::<Filtered<f64>>(error_bound)
     }
 }
 
@@ -210,14 +216,30 @@ impl<V: Number> Crossing<V> {
     }
 }
 
+/// How far the volumes may be from the truth, given the sizes of what they are made of.
 #[inline(always)]
-fn cross<M: Arithmetic>(a: &[M::Length; 3], b: &[M::Length; 3]) -> [M::Area; 3] {
+pub(super) fn error_bound<M: Arithmetic>(
+    Sizes { direction, edges, size }: Sizes<M::Length>,
+) -> Option<ErrorBound<M::Volume>> {
+    if !(direction.in_range() & edges.in_range() & size.in_range()) {
+        return None;
+    }
+    let volume = |a, b, c| M::volume(M::area(a, b), c);
+    Some(ErrorBound {
+        sides: volume(direction, edges, size).error(SIDES),
+        side: volume(direction, edges, size).error(VOLUME),
+        t: volume(edges, edges, size).error(T),
+    })
+}
+
+#[inline(always)]
+pub(super) fn cross<M: Arithmetic>(a: &[M::Length; 3], b: &[M::Length; 3]) -> [M::Area; 3] {
     let minor = |j: usize, k: usize| M::area(a[j], b[k]) - M::area(a[k], b[j]);
     [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
 #[inline(always)]
-fn dot<M: Arithmetic>(a: &[M::Area; 3], b: &[M::Length; 3]) -> M::Volume {
+pub(super) fn dot<M: Arithmetic>(a: &[M::Area; 3], b: &[M::Length; 3]) -> M::Volume {
     M::volume(a[0], b[0]) + M::volume(a[1], b[1]) + M::volume(a[2], b[2])
 }
 

@@ -24,7 +24,7 @@
 //!
 //! # In two parts
 //!
-//! In `super::refined` a component x of a vector of size s (D, E or R) is cut at a grid:
+//! In `super::refined`, for signs, a component x of a vector of size s (D, E or R) is cut at a grid:
 //! x = h + l, with h a multiple of g, |h| ≤ (2^25 + 1)·g, and |l| ≤ η·s, η = 2^-25, but for
 //! a trifle of 2^-28 (`arithmetic::split`). l takes the error of the difference along. A
 //! component of an area is (h h − h h) + (h l + l x − h l − l x). The first bracket comes to
@@ -41,21 +41,51 @@
 //!   rounded, and 21 is lost: 188. [`REFINED`] = 192. So w errs by at most 3·188 and some
 //!   roundings of u·u, of 3·192.
 //!
+//! `refined.g` proves what L may err.
+//!
 //! Nothing is lost where all l are zero. What was cut off an area is less than 2^25 + 3
 //! units, L a sum of three products of that with h, and like H less than 2^53 units. X is
 //! zero only if H + L is. det is a multiple of g³, taking g of the edges twice, u and v of
 //! no less, for R ≥ E. The roundings that are added for w come to less than
 //! 2^6·u·D·E·R ≤ 2^28·R/E units: while R ≤ 2^20·E their sum is exact too.
 //!
-//! A quotient of two X is divided once; what the roundings took is divided by the rounded
-//! divisor and added. In `f64` it is good if what both X may err comes to u/2 of it: 1/2 ulp
-//! for the division, 1/2 for both X, 1/2 for the sum (1 where that passes a power of two),
-//! together 2 at most. In `f32` it is good if the error leaves no doubt to which number it
-//! rounds. So it is the number that the integers would give, and machines to which `f64` is
-//! dear need not ask.
-//!
 //! D, E and R are in range: units of volumes are multiples of 2^-1038, which `f64` holds,
 //! and what underflows besides is below 2^-40 of the bound.
+//!
+//! # What is left over
+//!
+//! `super::residual` puts short numbers t', u' and v' into r = s + t'·d − u'·e1 − v'·e2, with
+//! true ways and edges, of which r says how far they are from t, u and v. Below, P(x) is the power
+//! of two below x, and ρ the relative error of the determinant. It is asked for that R ≤ 2^22·E
+//! and ρ·R ≤ 2^-20·E, and known that the ray hits.
+//!
+//! * u' and v' are multiples of 2^-26, and at most 1 + 2^-18: they err by ρ and half a unit. t'
+//!   is a multiple of τ = 2^-24·P(R)/P(D). The hit is no farther than E + R from the origin, so
+//!   |t| ≤ 2·R/D, and |t'| < 1.05·2^26·τ.
+//! * A component of e1, e2 or s is cut at G = 2^-25·P(E), of d at 2^-25·P(D). What is cut off is
+//!   half of that at most, and exact. The lower part has what the rounding of the difference
+//!   took besides.
+//! * The higher parts: one of e1 or e2 is at most 2^26 units of G; times u' that is below 2^53
+//!   units of 2^-26·G, and so is t'·d, below 2^26 + 1 times 1.05·2^26 units of 2^-49·P(R). So
+//!   products are exact. s + t'·d is a way from the first vertex to near the hit: E, but for
+//!   τ·D/2, for 3.2·ρ·R and for the lower parts, at most 2.8·P(E); and what comes after is no
+//!   greater. All are multiples of 2^-51·P(E), for R ≥ E: below 2^53 units. So sums are exact too.
+//! * The lower parts, in units of u·2^-25·R, times 1/u. Of s: 0.54, and errs by that. t'·d: 1.05
+//!   and 1.05; the sum: 1.6. Those of e1 and e2: 0.5, and with u' and v' 0.5 and 0.5 each; the
+//!   sums with them: 2.1 and 2.6. In all 0.54 + 1.05 + 1.6 + 3.1 + 3.6 = 9.9. r is that, and a
+//!   rounding of its own.
+//! * The kernel takes r for s. No difference for s, so the first bound has 6 roundings for each of
+//!   6 terms, t 7. With that of r itself 42 and 48 roundoffs of D·E and E·E times the greatest of
+//!   r; [`LEFT`] = 45 and [`LEFT_T`] = 51. What the lower parts err counts 6 times: 60 of u·2^-25
+//!   times R; [`LOST`] = 64.
+//! * Divided by the determinant: ρ, and 2 roundings, of what is added. ρ is at least
+//!   44·u/6: 2·ρ. Then a rounding of the sum, 1/2 ulp.
+//!
+//! In `f64` numbers are good if the rest comes to u of them, at most 1 ulp. In `f32` they are good
+//! if the error leaves no doubt to which number they round. So it is the number that the
+//! integers would give, and machines to which `f64` is dear need not ask.
+//!
+//! `residual.g` proves the lower parts and the volumes of r, underflow included.
 
 /// Roundoffs in the determinant, u and v.
 pub(super) const VOLUME: u16 = 44;
@@ -66,11 +96,20 @@ pub(super) const T: u16 = 50;
 /// Roundoffs in w, the difference of the others.
 pub(super) const SIDES: u16 = 160;
 
-/// What [`REFINED`] counts, in roundoffs: 2^-25.
-pub(super) const REFINED_UNIT: f64 = 1.0 / 33_554_432.0;
+/// What [`REFINED`] and [`LOST`] count, in roundoffs: 2^-25.
+pub(super) const CUT: f64 = 1.0 / 33_554_432.0;
 
 /// Roundoffs, times 2^-25, in the volumes in two parts.
 pub(super) const REFINED: u16 = 192;
+
+/// Roundoffs in u and v of what is left over.
+pub(super) const LEFT: u16 = 45;
+
+/// Roundoffs in its t.
+pub(super) const LEFT_T: u16 = 51;
+
+/// Roundoffs, times 2^-25, in its volumes from what it errs itself.
+pub(super) const LOST: u16 = 64;
 
 #[cfg(test)]
 mod tests {
@@ -79,12 +118,14 @@ mod tests {
     use core::cmp::Ordering;
     use std::format;
 
-    use super::super::crossing::Setting;
+    use super::super::crossing::{Crossing, Setting};
     use super::super::exact::ExactRay;
     use super::super::refined::Refined;
+    use super::super::residual::Numbers;
     use crate::arithmetic::{Filtered, Float};
     use crate::robust::{ExactSum, Sum};
     use crate::scalar::Backend;
+    use crate::shape::{Ray, Triangle};
 
     /// The three vertices, the origin and the direction.
     type Case = [[f64; 3]; 5];
@@ -126,30 +167,54 @@ mod tests {
         exceeds(&exact.sides[1], u, bound.side / f64::from(super::VOLUME) * roundoffs)
     }
 
-    /// That no volume in two parts is farther from the truth than its bound, and exact
-    /// where it says so; and whether u is by `share` of the bound or more.
+    /// That no volume in two parts is farther from the truth than its bound and a rounding, and
+    /// exact where it says so; and whether u is by `share` of the bound or more.
     fn check_refined([a, b, c, o, d]: Case, share: f64) -> bool {
         let refined = Refined::new(&[a, b, c, o], d).0;
         let exact = ExactRay::new::<f64>(&[a, b, c], &o, &d).crossing::<f64>();
         let (crossing, is_exact) = refined.crossing();
         let [w, u, v] = crossing.sides;
+        let rounding = |x: f64| x.abs() * f64::EPSILON / 2.0;
         let told = || format!("{a:?} {b:?} {c:?} {o:?} {d:?}");
         for (exact, computed, bound) in [
-            (&exact.det, [crossing.det, refined.low_det], refined.det_error),
-            (&exact.t, [crossing.t, refined.low_t], crossing.error_bound.t),
+            (&exact.det, [crossing.det, refined.low_det], crossing.error_bound.side),
+            (&exact.t, [crossing.t, 0.0], crossing.error_bound.t + rounding(crossing.t)),
             (&exact.sides[1], [u, refined.low_u], crossing.error_bound.side),
             (&exact.sides[2], [v, refined.low_v], crossing.error_bound.side),
         ] {
-            let bound = if is_exact { 0.0 } else { bound };
+            let bound = if is_exact && computed[1] != 0.0 { 0.0 } else { bound };
             assert!(!exceeds_sum(exact, computed, bound), "{}", told());
         }
         // What w is rounded by last changes no sign.
-        let rounding = w.abs() * f64::EPSILON / 2.0;
-        assert!(!exceeds(&exact.sides[0], w, crossing.error_bound.sides + rounding), "{}", told());
+        let bound = crossing.error_bound.sides + rounding(w);
+        assert!(!exceeds(&exact.sides[0], w, bound), "{}", told());
         if is_exact {
             assert_eq!(w.partial_cmp(&0.0), Some(exact.sides[0].sign()), "{}", told());
         }
         exceeds_sum(&exact.sides[1], [u, refined.low_u], crossing.error_bound.side * share)
+    }
+
+    /// That t, u and v are no farther from the truth than they say, and half an ulp; and whether
+    /// one of them is by some part of it. Of a ray that hits.
+    fn check_numbers([a, b, c, o, d]: Case) -> bool {
+        let (points, setting) = ([a, b, c, o], Setting::new(&[a, b, c, o], d));
+        let Crossing { det, t, sides: [_, u, v], .. } = setting.volumes();
+        let volumes = [det, t, u, v];
+        let numbers = Numbers::new::<true>(&points, d, volumes, setting.sizes());
+        if !numbers.is_known {
+            return false;
+        }
+        let exact = ExactRay::new::<f64>(&[a, b, c], &o, &d).crossing::<f64>();
+        let truths =
+            [&exact.t, &exact.sides[1], &exact.sides[2]].map(|x| f64::quotient(x, &exact.det));
+        let mut is_of_some_size = false;
+        for ((number, error), truth) in numbers.numbers.into_iter().zip(truths) {
+            // Half an ulp for the truth, which is rounded as well.
+            let distance = (number - truth).abs() - truth.abs() * f64::EPSILON * 1.01;
+            assert!(distance <= error, "{a:?} {b:?} {c:?} {o:?} {d:?}");
+            is_of_some_size |= distance > error / 2048.0;
+        }
+        is_of_some_size
     }
 
     /// Found by a search uphill: one vertex far from all else, so that
@@ -186,6 +251,36 @@ mod tests {
         }
         assert!(of_some_size > 100, "{of_some_size} of 20,000 errors are of some size");
         assert!(of_some_size_refined > 100, "{of_some_size_refined} in two parts");
+    }
+
+    #[test]
+    fn numbers_are_as_near_as_they_say() {
+        let mut seed = 3_u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (seed >> 11) as f64 / (1_u64 << 53) as f64 * 2.0 - 1.0
+        };
+        let mut of_some_size = 0;
+        for case in 0..30_000_i32 {
+            // Slivers, far origins and all far from zero; a third at edges.
+            let [thin, far, away] = [case % 20, case % 7 * 3, case % 11 * 3];
+            let mut vector = |size: f64| [(); 3].map(|()| random() * size);
+            let (a, ab) = (vector(Float::scaled(1, away)), vector(1.0));
+            let (ac, way) = (vector(Float::scaled(1, -thin)), vector(Float::scaled(1, far)));
+            let plus = |a: [f64; 3], b: [f64; 3]| [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+            let (b, c) = (plus(a, ab), plus(a, if case % 2 == 0 { plus(ab, ac) } else { ac }));
+            let (o, mut u) = (plus(a, way), random().abs());
+            if case % 3 == 0 {
+                u *= <f64 as Float>::scaled(1, -case % 60);
+            }
+            let v = (1.0 - u) * random().abs();
+            let aim = [0, 1, 2].map(|i| (b[i] - a[i]) * u + (c[i] - a[i]) * v + (a[i] - o[i]));
+            let is_hit = Ray::new(o, aim).is_ok_and(|ray| {
+                Triangle::new(a, b, c).is_ok_and(|triangle| ray.is_hit(&triangle))
+            });
+            of_some_size += u32::from(is_hit && check_numbers([a, b, c, o, aim]));
+        }
+        assert!(of_some_size > 100, "{of_some_size} errors are of some size");
     }
 
     /// Whole numbers of up to 24 bits, and far fewer, some in the plane or on an edge.

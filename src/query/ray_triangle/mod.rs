@@ -12,12 +12,15 @@ mod error_bound;
 mod exact;
 mod hit;
 mod order;
+mod prepared;
 mod question;
 mod refined;
+mod residual;
 
 pub(crate) use candidate::Candidate;
 pub(crate) use clear_hit::{clear_hit, clear_refined_hit};
 pub use hit::{Cull, Facing, Feature, Hit, HitRules};
+pub use prepared::Target;
 
 use self::question::{Crosses, Hits};
 use crate::scalar::Scalar;
@@ -47,7 +50,7 @@ impl<S: Scalar> Ray<S> {
     /// *Panics*: never.
     ///
     /// *Cost*: 24 multiplications and 3 divisions. On a 64-bit machine a hit costs
-    /// what a miss costs in scalars of up to 32 bits. In `f64` it takes 72 further
+    /// what a miss costs in scalars of up to 32 bits. In `f64` it takes 42 further
     /// multiplications: a hit has better numbers than products of `f64` have. On
     /// 32-bit cores a hit costs more than a miss: on a Cortex-M4F 40 times as much in
     /// `f32`, whose t, u and v need `f64` (`docs/target.csv`). A ray through an edge,

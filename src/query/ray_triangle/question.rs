@@ -3,8 +3,10 @@
 
 use core::cmp::Ordering;
 
-use super::crossing::{Crossing, Setting};
+use super::crossing::{Crossing, Setting, Sizes};
 use super::exact::ExactRay;
+use super::refined::Met;
+use super::residual::Numbers;
 use super::{Facing, Feature, Hit, HitRules};
 use crate::arithmetic::{Embeds, Filtered, Number};
 use crate::robust::{Clue, ExactSum, Predicate};
@@ -32,26 +34,48 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
     }
 
     #[inline(always)]
-    fn fast_path<N: Embeds<S>>(&self) -> Result<Option<Hit<S>>, Clue> {
-        let (counts, crossing) = self.ahead::<N>()?;
-        numbers::<S, N>(counts, crossing).ok_or(Clue::NoNumbers)
+    fn fast_path(&self) -> Result<Option<Hit<S>>, Clue>
+    where
+        Filtered<f64>: Embeds<S>,
+    {
+        let (counts, crossing, sizes) = self.ahead()?;
+        if <Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS {
+            if let Some(hit) = numbers::<S, Filtered<f64>>(counts, crossing) {
+                return Ok(hit);
+            }
+            if S::FLOAT.is_none() {
+                return Err(Clue::NoNumbers);
+            }
+        } else if !counts {
+            return Ok(None);
+        }
+        let Crossing { det, t, sides: [_, u, v], .. } = crossing;
+        let Sizes { direction, edges, size } = sizes;
+        refined_hit(self.ray, self.triangle, det, t, u, v, direction, edges, size)
+            .map(Some)
+            .ok_or(Clue::NoNumbers)
     }
 
     fn refined(&self, clue: Clue) -> Option<Option<Hit<S>>>
     where
         Filtered<f64>: Embeds<S>,
     {
-        let refined = self.refined_crossing()?;
-        let feature = if clue == Clue::NoNumbers {
-            Feature::Interior
-        } else {
-            match self.refined_verdict(&refined)? {
-                None => return Some(None),
-                Some(feature) => feature,
-            }
+        // If there are no numbers, they were looked for.
+        if clue == Clue::NoNumbers {
+            return None;
+        }
+        let (points, d) = doubles(self.ray, self.triangle);
+        let Some(Met { feature, det, quotients }) = self.refined_crossing(&points, d)? else {
+            return Some(None);
         };
-        let ([t, u, v], are_good) = refined.numbers::<S>();
-        are_good.then_some(Some(Hit { t, u, v, facing: facing(refined.det > 0.0), feature }))
+        if let Some(quotients) = quotients {
+            return hit(&Numbers::known(quotients), det, feature).map(Some);
+        }
+        let setting = Setting::new(&points, d);
+        let Crossing { det, t, sides: [_, u, v], .. } = setting.volumes();
+        let Sizes { direction, edges, size } = setting.sizes();
+        let hit = refined_hit(self.ray, self.triangle, det, t, u, v, direction, edges, size);
+        hit.map(|hit| Some(Hit { feature, ..hit }))
     }
 
     fn exact(&self) -> Option<Hit<S>> {
@@ -79,16 +103,19 @@ impl<S: Scalar> Predicate<S> for Hits<'_, S> {
     }
 
     #[inline(always)]
-    fn fast_path<N: Embeds<S>>(&self) -> Result<bool, Clue> {
-        self.0.ahead::<N>().map(|(counts, _)| counts)
+    fn fast_path(&self) -> Result<bool, Clue>
+    where
+        Filtered<f64>: Embeds<S>,
+    {
+        self.0.ahead().map(|(counts, ..)| counts)
     }
 
     fn refined(&self, _: Clue) -> Option<bool>
     where
         Filtered<f64>: Embeds<S>,
     {
-        let refined = self.0.refined_crossing()?;
-        self.0.refined_verdict(&refined).map(|feature| feature.is_some())
+        let (points, d) = doubles(self.0.ray, self.0.triangle);
+        self.0.refined_crossing(&points, d).map(|found| found.is_some())
     }
 
     fn exact(&self) -> bool {
@@ -116,6 +143,50 @@ fn numbers<S: Scalar, N: Embeds<S>>(
     Some(if counts { Some(hit) } else { None })
 }
 
+/// The hit, where there is one for certain, of these volumes and sizes: each in a register.
+#[allow(clippy::too_many_arguments)]
+#[inline(never)]
+fn refined_hit<S: Scalar>(
+    ray: &Ray<S>,
+    triangle: &Triangle<S>,
+    det: f64,
+    t: f64,
+    u: f64,
+    v: f64,
+    direction: f64,
+    edges: f64,
+    size: f64,
+) -> Option<Hit<S>>
+where
+    Filtered<f64>: Embeds<S>,
+{
+    let (points, d) = doubles(ray, triangle);
+    let sizes = Sizes { direction, edges, size };
+    hit(&Numbers::new::<true>(&points, d, [det, t, u, v], sizes), det, Feature::Interior)
+}
+
+/// The hit, if its numbers are good.
+#[inline(always)]
+fn hit<S: Scalar>(numbers: &Numbers, det: f64, feature: Feature) -> Option<Hit<S>>
+where
+    Filtered<f64>: Embeds<S>,
+{
+    let ([t, u, v], are_good) = numbers.rounded::<S>();
+    are_good.then_some(Hit { t, u, v, facing: facing(det > 0.0), feature })
+}
+
+/// The triangle and the origin, and the direction.
+#[inline(always)]
+fn doubles<S: Scalar>(ray: &Ray<S>, triangle: &Triangle<S>) -> ([[f64; 3]; 4], [f64; 3])
+where
+    Filtered<f64>: Embeds<S>,
+{
+    let [a, b, c] = triangle.points();
+    let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
+    let [a, b, c, o, d] = Filtered::<f64>::embed_held(&[a, b, c, o, d]);
+    ([a, b, c, o], d)
+}
+
 #[inline(always)]
 fn facing(is_front: bool) -> Facing {
     if is_front { Facing::Front } else { Facing::Back }
@@ -125,15 +196,18 @@ impl<S: Scalar> Crosses<'_, S> {
     /// Whether a crossing ahead of the origin counts, and the crossing, where it is
     /// not a contact and the range is the usual one.
     #[inline(always)]
-    fn ahead<N: Embeds<S>>(&self) -> Result<(bool, Crossing<N::Volume>), Clue> {
+    fn ahead(&self) -> Result<(bool, Crossing<f64>, Sizes<f64>), Clue>
+    where
+        Filtered<f64>: Embeds<S>,
+    {
         if self.ray.t_min() != Some(S::ZERO) || self.ray.t_max().is_some() {
             return Err(Clue::Unasked);
         }
-        let setting = self.setting::<N>().ok_or(Clue::Doubt)?;
-        let crossing = setting.crossing::<N>().ok_or(Clue::Doubt)?;
+        let setting = self.setting::<Filtered<f64>>().ok_or(Clue::Doubt)?;
+        let crossing = setting.crossing::<Filtered<f64>>().ok_or(Clue::Doubt)?;
         let keeps = self.rules.cull.keeps(facing(crossing.is_front()));
         let is_ahead = crossing.strictly_ahead().ok_or(Clue::Doubt)?;
-        Ok((is_ahead & keeps, crossing))
+        Ok((is_ahead & keeps, crossing, setting.sizes()))
     }
 
     /// Ray and triangle in `N`, if it holds them.

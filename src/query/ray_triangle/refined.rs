@@ -1,29 +1,35 @@
-//! The crossing in `f64` in two parts: for numbers good to the last place, and signs in
-//! doubt.
+//! The crossing in `f64` in two parts, for signs in doubt.
 
 use super::Feature;
 use super::crossing::{Crossing, ErrorBound, Setting, Sizes};
-use super::error_bound::{REFINED, REFINED_UNIT};
+use super::error_bound::{CUT, REFINED};
 use super::question::Crosses;
 use crate::arithmetic::{Embeds, FAR, Filtered, Number, Split, Two, short_areas, two_difference};
 use crate::scalar::Scalar;
 
 /// Volumes, each as it is rounded, and what the rounding took.
 pub(super) struct Refined {
-    pub(super) det: f64,
+    det: f64,
     t: f64,
     u: f64,
     v: f64,
     pub(super) low_det: f64,
-    pub(super) low_t: f64,
+    low_t: f64,
     pub(super) low_u: f64,
     pub(super) low_v: f64,
-    /// How far t, u and v, and the determinant may be from the truth.
+    /// How far t, and the others may be from the truth.
     t_error: f64,
     side_error: f64,
-    pub(super) det_error: f64,
     /// Whether nothing was lost, neither in a determinant nor in a sum of three.
     is_exact: bool,
+}
+
+/// A crossing that counts.
+pub(super) struct Met {
+    pub(super) feature: Feature,
+    pub(super) det: f64,
+    /// t, u and v, if one of them is zero.
+    pub(super) quotients: Option<[f64; 3]>,
 }
 
 impl Refined {
@@ -46,25 +52,12 @@ impl Refined {
         let [Two([t, det]), Two([low_t, low_det])] = edges.dot(&products);
         let [Two([v, u]), Two([low_v, low_u])] = ways.dot(&products);
         let is_exact = (ways.lost() + edges.lost() == 0.0) & (size <= 1_048_576.0 * edge);
-        let unit = if is_exact { 0.0 } else { REFINED_UNIT };
+        let unit = if is_exact { 0.0 } else { CUT };
         let error = |area: f64, length: f64| (area * length).error(REFINED) * unit;
         let Two([area, far_area]) = areas;
         let (t_error, side_error) = (error(far_area, edge), error(area, size));
-        let det_error = error(area, edge);
-        let refined = Self {
-            det,
-            t,
-            u,
-            v,
-            low_det,
-            low_t,
-            low_u,
-            low_v,
-            t_error,
-            side_error,
-            det_error,
-            is_exact,
-        };
+        let refined =
+            Self { det, t, u, v, low_det, low_t, low_u, low_v, t_error, side_error, is_exact };
         (refined, is_known)
     }
 
@@ -80,77 +73,41 @@ impl Refined {
         (Crossing { det, t, sides: [w, u, v], error_bound }, self.is_exact)
     }
 
-    /// t, u and v, and how far each may be from the truth but for 1.1 roundings.
+    /// t, u and v where nothing was lost, but for 1.1 roundings.
     #[inline(always)]
-    fn quotients(&self) -> [(f64, f64); 3] {
+    fn quotients(&self) -> [f64; 3] {
         let inverse = 1.0 / self.det;
-        let quotient = |high: f64, low: f64, error: f64| {
+        let quotient = |high: f64, low: f64| {
             let first = high / self.det;
-            let corrected = first + (low - first * self.low_det) * inverse;
-            // An infinity less an infinity.
-            let quotient = if corrected.is_nan() { first } else { corrected };
-            (quotient, (error + first.magnitude() * self.det_error) * inverse.magnitude())
+            first + (low - first * self.low_det) * inverse
         };
-        [
-            quotient(self.t, self.low_t, self.t_error),
-            quotient(self.u, self.low_u, self.side_error),
-            quotient(self.v, self.low_v, self.side_error),
-        ]
-    }
-
-    /// t, u and v, each within 2 ulp in `f64`, and as the last stages would round it in
-    /// `f32`, if the second says so.
-    #[inline(always)]
-    pub(super) fn numbers<S: Scalar>(&self) -> ([S; 3], bool)
-    where
-        Filtered<f64>: Embeds<S>,
-    {
-        let rounded = |x: f64| Filtered::<f64>::quotient_of_lengths(x, 1.0);
-        // Seen at compile time.
-        let is_f64 = S::FLOAT.is_some_and(|format| {
-            let [[roundoff, ..]] = Filtered::<f64>::embed_held(&[[format.roundoff; 3]]);
-            roundoff == f64::EPSILON / 2.0
-        });
-        let is_good = |(x, error): (f64, f64)| {
-            if is_f64 {
-                return error <= x.magnitude() * (f64::EPSILON / 4.0);
-            }
-            // 2^-50 for the roundings, and for those of the last stages.
-            let doubt = 1.25 * error + x.magnitude() * (4.0 * f64::EPSILON);
-            rounded(x - doubt) == rounded(x + doubt)
-        };
-        let [t, u, v] = self.quotients();
-        let are_good = is_good(t) & is_good(u) & is_good(v) & (1.0 / self.det).is_finite();
-        ([rounded(t.0), rounded(u.0), rounded(v.0)], are_good)
+        [quotient(self.t, self.low_t), quotient(self.u, self.low_u), quotient(self.v, self.low_v)]
     }
 }
 
 impl<S: Scalar> Crosses<'_, S> {
-    /// The crossing in `f64` in two parts.
+    /// What is met, if the crossing counts; `None` in doubt.
     #[inline(always)]
-    pub(super) fn refined_crossing(&self) -> Option<Refined>
+    pub(super) fn refined_crossing(
+        &self,
+        points: &[[f64; 3]; 4],
+        d: [f64; 3],
+    ) -> Option<Option<Met>>
     where
         Filtered<f64>: Embeds<S>,
     {
-        let [a, b, c] = self.triangle.points();
-        let (o, d) = (self.ray.origin().to_array(), self.ray.direction().to_array());
-        let [a, b, c, o, d] = Filtered::<f64>::embed(&[a, b, c, o, d])?;
-        let (refined, is_known) = Refined::new(&[a, b, c, o], d);
-        is_known.then_some(refined)
-    }
-
-    /// What of the triangle is met, if the crossing counts; `None` in doubt.
-    #[inline(always)]
-    pub(super) fn refined_verdict(&self, refined: &Refined) -> Option<Option<Feature>>
-    where
-        Filtered<f64>: Embeds<S>,
-    {
+        let (refined, is_known) = Refined::new(points, d);
+        if !is_known {
+            return None;
+        }
         let (crossing, is_exact) = refined.crossing();
         if !crossing.meets(is_exact)? {
             return Some(None);
         }
-        let setting = self.setting::<Filtered<f64>>()?;
-        let counts = self.counts::<Filtered<f64>>(&setting, &crossing, is_exact)?;
-        Some(counts.then(|| crossing.feature()))
+        let counts = self.counts::<Filtered<f64>>(&Setting::new(points, d), &crossing, is_exact)?;
+        let Crossing { det, t, sides: [_, u, v], .. } = crossing;
+        let is_contact = is_exact & [t, u, v].contains(&0.0);
+        let quotients = || is_contact.then(|| refined.quotients());
+        Some(counts.then(|| Met { feature: crossing.feature(), det, quotients: quotients() }))
     }
 }

@@ -5,7 +5,7 @@ use super::orientation::{
     ExactPoints, Vector, Whole, are_apart, cross, dot, error_bound, from, relation, share_a_point,
     sides, sign, size,
 };
-use super::relation::Relation;
+use super::relation::{Relate, Relation};
 use crate::arithmetic::{Arithmetic, Embeds};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
@@ -189,5 +189,11 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Segment<S> {
     fn may_overlap(&self, triangle: &Triangle<S>) -> bool {
         let question = Lie { segment: self, triangle, verdict_only: true };
         S::evaluate_bounded(&question) != Some(Relation::Disjoint)
+    }
+}
+
+impl<S: Scalar> Relate<Triangle<S>> for Segment<S> {
+    fn relation(&self, triangle: &Triangle<S>) -> Relation {
+        S::evaluate(&Lie { segment: self, triangle, verdict_only: false })
     }
 }

@@ -11,32 +11,45 @@ use crate::robust::{ExactSum, add_area, add_determinant, sign};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Triangle};
 
-/// Whether one axis separates.
-pub(super) fn separates<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>, axis: Axis) -> bool {
+/// How the gaps on one axis compare with zero: from the triangle to the box beyond it, on
+/// either side.
+pub(super) fn gaps<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>, axis: Axis) -> [Ordering; 2] {
     let t = ExactTriangle::new(&triangle.points());
     let b = ExactAabb::new(aabb.form());
     match axis {
-        Axis::Face(i) => face_separates::<S>(&b, &t, usize::from(i % 3)),
-        Axis::Normal => normal_separates::<S>(&b, &t, &[0, 1, 2].map(|i| t.normal_sign::<S>(i))),
+        Axis::Face(i) => face_gaps::<S>(&b, &t, usize::from(i % 3)),
+        Axis::Normal => normal_gaps::<S>(&b, &t, &[0, 1, 2].map(|i| t.normal_sign::<S>(i))),
         Axis::Edge { axis, edge } => {
             let (i, k) = (usize::from(axis % 3), usize::from(edge % 3));
-            edge_separates::<S>(&b, &t, i, k, t.normal_sign::<S>(i))
+            edge_gaps::<S>(&b, &t, i, k, t.normal_sign::<S>(i))
         }
     }
 }
 
-/// Whether face axis `i` separates.
-fn face_separates<S: Scalar>(b: &ExactAabb, t: &ExactTriangle, i: usize) -> bool {
-    let all = |toward: Ordering| {
-        let side = |v| sign::<S::Sum>(&b.to_face(*pick(v, i), i, toward));
-        t.v.iter().all(|v| side(v) == toward.reverse())
-    };
-    all(Ordering::Greater) || all(Ordering::Less)
+/// Whether one axis separates.
+pub(super) fn separates<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>, axis: Axis) -> bool {
+    gaps(triangle, aabb, axis).contains(&Ordering::Greater)
 }
 
-/// Whether the triangle's normal separates, given the signs of its
-/// components.
-fn normal_separates<S: Scalar>(b: &ExactAabb, t: &ExactTriangle, signs: &[Ordering; 3]) -> bool {
+/// Face axis `i`.
+fn face_gaps<S: Scalar>(b: &ExactAabb, t: &ExactTriangle, i: usize) -> [Ordering; 2] {
+    let gap = |toward: Ordering| {
+        let side = |v| sign::<S::Sum>(&b.to_face(*pick(v, i), i, toward));
+        let gaps = t.v.iter().map(side).map(|side| match toward {
+            Ordering::Greater => side.reverse(),
+            _ => side,
+        });
+        gaps.min().unwrap_or(Ordering::Equal)
+    };
+    [gap(Ordering::Greater), gap(Ordering::Less)]
+}
+
+/// The triangle's normal, given the signs of its components.
+fn normal_gaps<S: Scalar>(
+    b: &ExactAabb,
+    t: &ExactTriangle,
+    signs: &[Ordering; 3],
+) -> [Ordering; 2] {
     let (e0, e1) = (t.edge(0), t.edge(1));
     // The critical corner along the normal, or against it, from vertex 0.
     let corner = |along: bool| {
@@ -50,18 +63,18 @@ fn normal_separates<S: Scalar>(b: &ExactAabb, t: &ExactTriangle, signs: &[Orderi
         add_determinant(&mut sum, &e0, &e1, &to_corner);
         sum.sign()
     };
-    corner(true) == Ordering::Less || corner(false) == Ordering::Greater
+    [corner(true).reverse(), corner(false)]
 }
 
-/// Whether the cross product of coordinate axis `i` and edge `k` separates,
-/// given the sign of component `i` of the normal.
-fn edge_separates<S: Scalar>(
+/// The cross product of coordinate axis `i` and edge `k`, given the sign of component `i` of the
+/// normal.
+fn edge_gaps<S: Scalar>(
     b: &ExactAabb,
     t: &ExactTriangle,
     i: usize,
     k: usize,
     normal: Ordering,
-) -> bool {
+) -> [Ordering; 2] {
     let (_, j, l) = turn(i);
     let (k, _, opposite) = turn(k);
     let e = t.edge(k);
@@ -69,7 +82,7 @@ fn edge_separates<S: Scalar>(
     // (e × (z − v))_i is greatest over the box for z_l along e_j and z_j
     // against e_l. The triangle covers the interval from 0 to n_i: from the
     // edge's own vertex to the one opposite.
-    let beyond = |along: bool| {
+    let gap = |along: bool| {
         let base = if (normal == Ordering::Greater) == along {
             // Beyond the far end: measure from the vertex opposite.
             pick(&t.v, opposite)
@@ -82,8 +95,8 @@ fn edge_separates<S: Scalar>(
         let z_j = b.to_face(*pick(base, j), j, turn(el));
         add_area(&mut sum, pick(&e, j), &z_l, false);
         add_area(&mut sum, pick(&e, l), &z_j, true);
-        sum.sign() == turn(Ordering::Greater)
+        turn(sum.sign())
     };
     // The whole box above the interval, or the whole box below it.
-    beyond(true) || beyond(false)
+    [gap(true), gap(false)]
 }

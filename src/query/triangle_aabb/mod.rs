@@ -22,6 +22,7 @@ mod narrow;
 mod one_sided;
 mod plane;
 mod prepared;
+mod relation;
 mod rows;
 mod witness;
 

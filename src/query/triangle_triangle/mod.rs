@@ -8,7 +8,7 @@ mod kernel;
 use self::kernel::{crossing, is_beyond};
 use super::Overlaps;
 use super::orientation::{ExactPoints, Whole, are_apart, relation, share_a_point};
-use super::relation::Relation;
+use super::relation::{Relate, Relation};
 use crate::arithmetic::{Arithmetic, Embeds};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
@@ -120,5 +120,11 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Triangle<S> {
     fn may_overlap(&self, other: &Triangle<S>) -> bool {
         let question = Lie { first: self, second: other, verdict_only: true };
         S::evaluate_bounded(&question) != Some(Relation::Disjoint)
+    }
+}
+
+impl<S: Scalar> Relate<Triangle<S>> for Triangle<S> {
+    fn relation(&self, other: &Triangle<S>) -> Relation {
+        S::evaluate(&Lie { first: self, second: other, verdict_only: false })
     }
 }

@@ -2,6 +2,7 @@
 //! own coordinates and in whole numbers, and sets of cases.
 
 use dashu_int::IBig;
+use septum::relation::{Relate, Relation};
 use septum::{Aabb, Obb, ShapeError, Vec3};
 
 use super::case::BoxNumbers;
@@ -182,7 +183,7 @@ impl<S: Sample> BoxCase<S> {
         let [first, second] = self.whole();
         if !first.meets(&second) {
             Truth::Apart
-        } else if first.shrunk(256).meets(&second.shrunk(256)) {
+        } else if first.shrunk(128).meets(&second.shrunk(128)) {
             Truth::Overlapping
         } else {
             Truth::Touching
@@ -212,6 +213,15 @@ impl<S: Sample> BoxCase<S> {
         })
     }
 
+    /// How the crate says that they lie to each other, in either order.
+    pub fn relations(&self) -> Option<[Relation; 2]> {
+        let (first, second) = self.shapes()?;
+        Some(match first {
+            Ok(first) => [first.relation(&second), second.relation(&first)],
+            Err(first) => [first.relation(&second), second.relation(&first)],
+        })
+    }
+
     /// Checks the answers against the oracle, and returns its answer.
     ///
     /// # Panics
@@ -221,6 +231,8 @@ impl<S: Sample> BoxCase<S> {
         let meets = self.meets();
         assert_eq!(answers, [meets; 2], "{self:?}");
         assert!(may || !meets, "may_overlap: {self:?}");
+        let [relation, other] = self.relations()?;
+        assert!(relation == other && (relation != Relation::Disjoint) == meets, "{self:?}");
         Some(meets)
     }
 }

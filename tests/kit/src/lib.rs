@@ -4,6 +4,7 @@
 //! | what | oracle | cases |
 //! | --- | --- | --- |
 //! | triangle and box | [`meets`], [`separates`], [`is_collinear`] | [`Set`], [`Touch`] |
+//! | the same: touching or overlapping | [`contact::truth`] | |
 //! | triangle and oriented box | [`Oriented::meets`] | |
 //! | triangle, segment or point and triangle | [`flat::FlatCase::truth`] | [`flat::FlatSet`] |
 //! | box and oriented box | [`boxes::BoxCase::meets`] | [`boxes::BoxSet`] |
@@ -20,6 +21,7 @@
 
 pub mod boxes;
 mod case;
+pub mod contact;
 mod exact;
 pub mod flat;
 mod flip;

@@ -59,7 +59,8 @@ fn tool_at(center: [I16F16; 3], half: [I16F16; 3]) -> Obb<I16F16> {
 }
 
 fn place(tool: &Obb<I16F16>) -> Place {
-    check::place(tool, &tool::bounds(tool).unwrap()).unwrap()
+    thread_local!(static ZONE: check::Zone = check::Zone::new().unwrap());
+    ZONE.with(|zone| zone.place(tool))
 }
 
 /// The parts that have all of the tool inside, by winding numbers. `None` where a

@@ -8,6 +8,7 @@ pub use grid::every_pair_on_the_grid;
 pub use oracle::{Truth, truth_of_whole};
 pub use sets::FlatSet;
 
+use septum::relation::{Relate, Relation};
 use septum::{Segment, Triangle};
 
 use super::exact::Parts;
@@ -76,6 +77,25 @@ impl<S: Sample> FlatCase<S> {
         }
     }
 
+    /// How the crate says that they lie to each other, which a point is not asked about.
+    pub fn relation(&self) -> Option<Relation> {
+        let [a, b, c] = self.triangle;
+        let triangle = Triangle::new(a, b, c).expect("finite vertices");
+        match self.flat {
+            Flat::Triangle([a, b, c]) => {
+                Some(Triangle::new(a, b, c).expect("finite vertices").relation(&triangle))
+            }
+            Flat::Ends([a, b]) => {
+                Some(Segment::new(a, b).expect("finite ends").relation(&triangle))
+            }
+            Flat::Center(c, h) => {
+                let segment = Segment::from_center_half_vector(c, h).expect("finite vectors");
+                Some(triangle.relation(&segment))
+            }
+            Flat::Point(_) => None,
+        }
+    }
+
     fn of_segment(segment: &Segment<S>, triangle: &Triangle<S>) -> (Vec<bool>, bool) {
         let answers = vec![segment.overlaps(triangle), triangle.overlaps(segment)];
         (answers, segment.may_overlap(triangle))
@@ -91,6 +111,9 @@ impl<S: Sample> FlatCase<S> {
         let meets = truth != Truth::Apart;
         assert!(answers.iter().all(|&answer| answer == meets), "{truth:?}, {answers:?}: {self:?}");
         assert!(may || !meets, "may_overlap: {self:?}");
+        if let Some(relation) = self.relation() {
+            assert_eq!(relation, truth.relation(), "{self:?}");
+        }
         truth
     }
 }

@@ -7,6 +7,7 @@
 //! of what is left: where none is, the middle of the corners is inside of both.
 
 use dashu_int::IBig;
+use septum::relation::Relation;
 
 use crate::exact::{Parts, least_exponent, whole};
 use crate::lattice::Ring;
@@ -22,6 +23,17 @@ pub enum Truth {
     /// line, has none.
     Touching,
     Overlapping,
+}
+
+impl Truth {
+    /// As the crate calls it.
+    pub fn relation(self) -> Relation {
+        match self {
+            Self::Apart => Relation::Disjoint,
+            Self::Touching => Relation::Touching,
+            Self::Overlapping => Relation::Overlapping,
+        }
+    }
 }
 
 /// Three points, some of which may be one.

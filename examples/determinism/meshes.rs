@@ -1,0 +1,93 @@
+//! Questions about a mesh and its tree: three closed surfaces, which go through one another.
+
+use core::ops::ControlFlow;
+
+use septum::mesh::{Mesh, Node, Tree};
+use septum::{Aabb, HitRules, Obb, Ray, Segment, Triangle, Vec3};
+
+use super::super::draw::Draw;
+use super::answers::Answers;
+use super::queries::Query;
+
+/// A cuboid, an octahedron and a tetrahedron, by their corners among eight points.
+const FACES: [[u16; 3]; 24] = [
+    [0, 2, 1],
+    [1, 2, 3],
+    [4, 5, 6],
+    [5, 7, 6],
+    [0, 1, 4],
+    [1, 5, 4],
+    [2, 6, 3],
+    [3, 6, 7],
+    [0, 4, 2],
+    [2, 4, 6],
+    [1, 3, 5],
+    [3, 7, 5],
+    [2, 4, 6],
+    [4, 3, 6],
+    [3, 5, 6],
+    [5, 2, 6],
+    [4, 2, 7],
+    [3, 4, 7],
+    [5, 3, 7],
+    [2, 5, 7],
+    [0, 6, 1],
+    [0, 1, 7],
+    [0, 7, 6],
+    [1, 6, 7],
+];
+
+/// The shapes that a mesh is asked about.
+pub(super) struct Shapes<'a, S> {
+    pub(super) aabbs: [&'a Aabb<S>; 2],
+    pub(super) obb: Option<&'a Obb<S>>,
+    pub(super) triangle: &'a Triangle<S>,
+    pub(super) segments: &'a [Option<Segment<S>>; 2],
+    pub(super) ray: Option<&'a Ray<S>>,
+}
+
+#[inline(never)]
+pub(super) fn all<S: Draw, A: Answers>(
+    points: &[Vec3<S>; 8],
+    shapes: &Shapes<'_, S>,
+    answers: &mut A,
+) {
+    let (mut nodes, mut order) = ([Node::EMPTY; Node::count_for(24)], [0; 24]);
+    let tree = Mesh::new(points, &FACES).and_then(|m| Tree::build(m, &mut nodes, &mut order));
+    let Ok(tree) = tree else { return answers.to(Query::ShapesAccepted).byte(0xff) };
+    let told = answers.to(Query::MeshOverlapping);
+    shapes.aabbs.iter().for_each(|aabb| told.set(tree.overlapping(*aabb)));
+    shapes.obb.into_iter().for_each(|obb| told.set(tree.overlapping(obb)));
+    told.set(tree.overlapping(shapes.triangle));
+    shapes.segments.iter().flatten().for_each(|segment| told.set(tree.overlapping(segment)));
+
+    let (mut nodes, mut order) = ([Node::EMPTY], [0]);
+    let other = Mesh::new(shapes.triangle.vertices(), &[[0_u16, 1, 2]]);
+    if let Ok(other) = other.and_then(|m| Tree::build(m, &mut nodes, &mut order)) {
+        let mut pairs = 0_u32;
+        let _ = tree.overlapping_pairs(&other, |i, _| {
+            pairs ^= 1 << (i % 32);
+            ControlFlow::<()>::Continue(())
+        });
+        let told = answers.to(Query::MeshPairs);
+        pairs.to_le_bytes().into_iter().for_each(|byte| told.byte(byte));
+    }
+
+    if let Some(ray) = shapes.ray {
+        let first = tree.first_hit(ray);
+        let told = answers.to(Query::MeshFirstHit);
+        told.byte(first.map_or(0xff, |(i, _)| i as u8));
+        told.hit(first.map(|(_, hit)| hit));
+        for rules in [HitRules::new(), HitRules::new().once()] {
+            answers.to(Query::MeshHits).set(tree.hits_with(ray, rules).map(|(i, _)| i));
+        }
+    }
+
+    let middle =
+        |p: Vec3<S>, q: Vec3<S>| Vec3::new(p.x.middle(q.x), p.y.middle(q.y), p.z.middle(q.z));
+    let center = middle(middle(points[0], points[7]), middle(points[3], points[4]));
+    for point in [points[0], middle(points[0], points[7]), center, middle(center, points[6])] {
+        let winding = tree.winding(point).map_or(0x7f, |winding| winding as i8 as u8);
+        answers.to(Query::MeshWinding).byte(winding);
+    }
+}

@@ -1,0 +1,98 @@
+//! glTF 2.0: the triangles of the scene, each node where it stands.
+
+use std::error::Error;
+use std::path::Path;
+
+use ::gltf::buffer::Source;
+use ::gltf::mesh::Mode;
+use ::gltf::scene::Node;
+use ::gltf::{Gltf, Primitive};
+
+use crate::mesh::Triangles;
+
+type Matrix = [[f64; 4]; 4];
+
+const IDENTITY: Matrix =
+    [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+
+/// Nodes deeper than this make a file that means no good.
+const DEEPEST: usize = 256;
+
+/// Reads a .glb, or a .gltf with its buffers in files beside it.
+pub(crate) fn read(bytes: &[u8], path: &Path) -> Result<Triangles, Box<dyn Error>> {
+    let file = Gltf::from_slice(bytes).map_err(|e| format!("not a valid glTF file: {e}"))?;
+    let mut buffers = Vec::new();
+    for buffer in file.buffers() {
+        let data = match buffer.source() {
+            Source::Bin => file.blob.clone().ok_or("the .glb has no binary part")?,
+            Source::Uri(uri) if uri.starts_with("data:") => {
+                return Err("its buffers are text: save it as .glb".into());
+            }
+            Source::Uri(uri) => {
+                let place = path.with_file_name(uri);
+                std::fs::read(&place).map_err(|e| format!("{}: {e}", place.display()))?
+            }
+        };
+        if data.len() < buffer.length() {
+            return Err("a buffer ends too early".into());
+        }
+        buffers.push(data);
+    }
+    let scene = file.default_scene().or_else(|| file.scenes().next());
+    let mut triangles = Vec::new();
+    for node in scene.iter().flat_map(|scene| scene.nodes()) {
+        collect(&node, &IDENTITY, &buffers, &mut triangles, 0)?;
+    }
+    Ok(triangles)
+}
+
+fn collect(
+    node: &Node<'_>,
+    parent: &Matrix,
+    buffers: &[Vec<u8>],
+    triangles: &mut Triangles,
+    depth: usize,
+) -> Result<(), Box<dyn Error>> {
+    if depth > DEEPEST {
+        return Err("its nodes are nested too deep".into());
+    }
+    let own = node.transform().matrix().map(|column| column.map(f64::from));
+    // By columns: the node's axes and place, seen by the parent.
+    let placed = own.map(|c| [0, 1, 2, 3].map(|r| (0..4).map(|k| parent[k][r] * c[k]).sum()));
+    for primitive in node.mesh().iter().flat_map(|mesh| mesh.primitives()) {
+        let points = positions(&primitive, &placed, buffers)?;
+        let reader = primitive.reader(|buffer| buffers.get(buffer.index()).map(Vec::as_slice));
+        let indices: Vec<usize> = match reader.read_indices() {
+            Some(indices) => indices.into_u32().map(|i| i as usize).collect(),
+            None => (0..points.len()).collect(),
+        };
+        let corners: Vec<[usize; 3]> = match primitive.mode() {
+            Mode::Triangles => indices.chunks_exact(3).map(|t| [t[0], t[1], t[2]]).collect(),
+            Mode::TriangleStrip => indices.windows(3).map(|t| [t[0], t[1], t[2]]).collect(),
+            Mode::TriangleFan => {
+                indices.windows(2).skip(1).map(|t| [indices[0], t[0], t[1]]).collect()
+            }
+            // Points and lines have no surface.
+            _ => Vec::new(),
+        };
+        for corner in corners {
+            let point = |i: usize| points.get(i).copied().ok_or("an index has no vertex");
+            triangles.push([point(corner[0])?, point(corner[1])?, point(corner[2])?]);
+        }
+    }
+    node.children().try_for_each(|child| collect(&child, &placed, buffers, triangles, depth + 1))
+}
+
+fn positions(
+    primitive: &Primitive<'_>,
+    placed: &Matrix,
+    buffers: &[Vec<u8>],
+) -> Result<Vec<[f64; 3]>, Box<dyn Error>> {
+    let reader = primitive.reader(|buffer| buffers.get(buffer.index()).map(Vec::as_slice));
+    let place = |p: [f32; 3]| {
+        let p = p.map(f64::from);
+        [0, 1, 2].map(|r| placed[3][r] + (0..3).map(|k| placed[k][r] * p[k]).sum::<f64>())
+    };
+    let positions = reader.read_positions().ok_or("a mesh has no positions")?;
+    Ok(positions.map(place).collect())
+}

@@ -1,0 +1,65 @@
+//! Whether two boxes touch or overlap.
+
+use core::cmp::Ordering;
+
+use super::kernel::{Apart, GAP};
+use crate::arithmetic::{Embeds, Number, greatest};
+use crate::query::relation::{Nearness, Relate, Relation, of_gaps};
+use crate::robust::{ExactSum, Predicate};
+use crate::scalar::Scalar;
+use crate::shape::Aabb;
+
+/// How two boxes lie to each other.
+struct Lie<S>(Apart<S>);
+
+impl<S: Scalar> Predicate<S> for Lie<S> {
+    type Answer = Relation;
+    const HAS_VOLUMES: bool = false;
+
+    fn filter<N: Embeds<S>>(&self) -> Option<Relation> {
+        let Apart { a, b } = &self.0;
+        let all = [a.low, a.high, a.grown, b.low, b.high, b.grown];
+        let [a_low, a_high, a_grown, b_low, b_high, b_grown] = N::embed(&all)?;
+        let mut found = Nearness::NONE;
+        for i in 0..3 {
+            let (before, after) = (a_low[i] - b_high[i], b_low[i] - a_high[i]);
+            let (d, r) = (greatest(before, after), a_grown[i] + b_grown[i]);
+            let error = (d.magnitude() + r).error(GAP);
+            let (gap, extent) = (d - r, r + r - (before + after));
+            // A NaN, of two infinities, is in doubt.
+            found.add(gap, extent, error);
+            found.add_doubt(!(gap <= error));
+        }
+        found.relation(N::CERTAIN)
+    }
+
+    fn exact(&self) -> Relation {
+        let Apart { a, b } = &self.0;
+        let gap = |low: S, high: S, r: S, s: S| {
+            let mut gap = S::Sum::new();
+            gap.add(&[low.parts()]);
+            for x in [high, r, s] {
+                gap.add(&[x.parts().negated()]);
+            }
+            gap.sign()
+        };
+        (0..3).fold(Relation::Overlapping, |so_far, i| {
+            let (r, s) = (a.grown[i], b.grown[i]);
+            let gaps = [gap(a.low[i], b.high[i], r, s), gap(b.low[i], a.high[i], r, s)];
+            so_far.min(of_gaps(gaps))
+        })
+    }
+}
+
+impl<S: Scalar> Relate<Aabb<S>> for Aabb<S> {
+    fn relation(&self, other: &Aabb<S>) -> Relation {
+        let (Some((a, b)), Some((c, d))) = (self.min_max(), other.min_max()) else {
+            return S::evaluate(&Lie(Apart::new(self.form(), other.form())));
+        };
+        let order = |p: S, q: S| p.partial_cmp(&q).unwrap_or(Ordering::Equal);
+        let [a, b, c, d] = [a, b, c, d].map(|p| p.to_array());
+        (0..3).fold(Relation::Overlapping, |so_far, i| {
+            so_far.min(of_gaps([order(a[i], d[i]), order(c[i], b[i])]))
+        })
+    }
+}

@@ -1,0 +1,92 @@
+//! Whether a triangle and a box touch or overlap: the 13 axes again, to see where contact is
+//! all that there is.
+
+use super::error_bound::error_bound;
+use super::frame::{Frame, range};
+use super::kernel::{in_frame_of_center, in_frame_of_corners};
+use super::plane::normal;
+use super::{Axis, Disjoint, exact};
+use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, of_two};
+use crate::query::relation::{Nearness, Relate, Relation, of_gaps};
+use crate::robust::Predicate;
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
+
+/// The question, of shapes that are not disjoint.
+struct Lie<'a, S>(Disjoint<'a, S>);
+
+impl<S: Scalar> Predicate<S> for Lie<'_, S> {
+    type Answer = Relation;
+
+    fn filter<N: Embeds<S>>(&self) -> Option<Relation> {
+        if !self.0.is_held::<N>() {
+            return None;
+        }
+        let triangle = self.0.triangle;
+        let frame = match self.0.aabb.form() {
+            AabbForm::Center { center, half } => in_frame_of_center::<S, N>(triangle, center, half),
+            AabbForm::Corners { min, max } => {
+                in_frame_of_corners::<S, N>(triangle, min, max, &Vec3::splat(S::ZERO))
+            }
+        };
+        all_axes(&frame)
+    }
+
+    fn exact(&self) -> Relation {
+        let Disjoint { triangle, aabb } = self.0;
+        Axis::ALL.iter().fold(Relation::Overlapping, |so_far, &axis| {
+            so_far.min(of_gaps(exact::gaps(triangle, aabb, axis)))
+        })
+    }
+}
+
+#[inline(never)]
+fn all_axes<N: Arithmetic>(frame: &Frame<N>) -> Option<Relation> {
+    let bound = error_bound::<N>(frame.size_across_gap())?;
+    let mut found = Nearness::NONE;
+    let n = normal(frame);
+    for i in 0..3 {
+        let h = frame.h[i];
+        if N::CERTAIN {
+            let (low, high) = range(&frame.v, i);
+            found.add(greatest(low, -high) - h, (high - low) + h, N::Length::ZERO);
+        } else {
+            // The sign of a gap is right, unless it is zero.
+            found.add_doubt(frame.gaps[i] >= N::Length::ZERO);
+        }
+
+        // See `edges`.
+        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+        let middle = of_two::<N, _>(n[i]);
+        for k in 0..3 {
+            let (e, v) = (&frame.e[k], &frame.v[k]);
+            let p = N::area(e[j], v[l]) - N::area(e[l], v[j]);
+            let r = N::area(e[l].magnitude(), frame.h[j]) + N::area(e[j].magnitude(), frame.h[l]);
+            let reach = middle.magnitude() + r;
+            // An edge along the axis makes none.
+            if e[j] != N::Length::ZERO || e[l] != N::Length::ZERO {
+                found.add((p + middle).magnitude() - reach, reach, bound.edge);
+            }
+        }
+    }
+
+    // See `plane`.
+    let v = &frame.v[0];
+    let distance = N::volume(n[0], v[0]) + N::volume(n[1], v[1]) + N::volume(n[2], v[2]);
+    let reach = N::volume(n[0].magnitude(), frame.h[0])
+        + N::volume(n[1].magnitude(), frame.h[1])
+        + N::volume(n[2].magnitude(), frame.h[2]);
+    // A box that is a point in the plane of the triangle does not reach off it.
+    found.add(distance.magnitude() - reach, reach, bound.plane);
+    found.relation(N::CERTAIN)
+}
+
+impl<S: Scalar> Relate<Aabb<S>> for Triangle<S> {
+    fn relation(&self, aabb: &Aabb<S>) -> Relation {
+        if self.overlaps(aabb) {
+            S::evaluate(&Lie(Disjoint { triangle: self, aabb }))
+        } else {
+            Relation::Disjoint
+        }
+    }
+}

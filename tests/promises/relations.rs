@@ -1,0 +1,123 @@
+//! Touching told apart from overlapping: exact. Triangles, segments and points against triangles
+//! are in `flat_shapes`.
+
+use septum::relation::{Relate, Relation};
+use septum::{Aabb, Triangle};
+use septum_kit::boxes::BoxSet;
+use septum_kit::contact::truth;
+use septum_kit::fixed::types::I16F16;
+use septum_kit::{BoxNumbers, Rng, Sample, Set, Touch, for_every_scalar};
+
+fn boxes_with_oriented_boxes<S: Sample>() {
+    let mut rng = Rng::new(0x7e1);
+    let mut seen = [0; 3];
+    for _ in 0..200 {
+        let case = BoxSet::Grid.case::<S>(&mut rng);
+        let Some(relations) = case.relations() else { continue };
+        let truth = case.truth();
+        assert_eq!(relations, [truth.relation(); 2], "{case:?}");
+        seen[truth as usize] += 1;
+    }
+    assert!(seen.iter().all(|&n| n > 5), "{seen:?}");
+}
+for_every_scalar!(boxes_with_oriented_boxes);
+
+fn triangles_with_boxes<S: Sample>() {
+    let mut rng = Rng::new(0x7e2);
+    let mut seen = [0; 3];
+    let mut cases = Set::Grid.cases::<S>(0x7e2, 300);
+    let bits = Touch::bits::<S>().min(12);
+    cases.extend((0..200).map(|n| {
+        let touch = match n % 3 {
+            0 => Touch::vertex(&mut rng, bits),
+            1 => Touch::edge(&mut rng, bits),
+            _ => Touch::corner(&mut rng, bits),
+        };
+        touch.case(n % 2 == 0)
+    }));
+    for case in cases {
+        let (triangle, aabb) = case.shapes();
+        let truth = truth(&case);
+        let relations = [triangle.relation(&aabb), aabb.relation(&triangle)];
+        assert_eq!(relations, [truth.relation(); 2], "{case:?}");
+        seen[truth as usize] += 1;
+    }
+    assert!(seen.iter().all(|&n| n > 30), "{seen:?}");
+}
+for_every_scalar!(triangles_with_boxes);
+
+/// Any numbers whatever: disjoint exactly if they do not overlap, and of the rest the axes of
+/// exact sums say what those of integers do.
+fn disjoint_is_not_overlapping<S: Sample>() {
+    for set in [Set::Random, Set::Slivers, Set::Far, Set::Degenerate, Set::Huge] {
+        for case in set.cases::<S>(0x7e3, 500) {
+            let (triangle, aabb) = case.shapes();
+            let relation = triangle.relation(&aabb);
+            assert_eq!(relation == Relation::Disjoint, !triangle.overlaps(&aabb), "{case:?}");
+        }
+    }
+}
+for_every_scalar!(disjoint_is_not_overlapping);
+
+/// Whether two intervals meet, and whether what is inside of them does.
+fn intervals([a, b]: [i64; 2], [c, d]: [i64; 2]) -> (bool, bool) {
+    let inside = |p: i64, [a, b]: [i64; 2]| a < p && p < b || a == b && p == a;
+    let do_meet = a.max(c) <= b.min(d);
+    let interiors = match (a == b, c == d) {
+        (true, _) => inside(a, [c, d]),
+        (_, true) => inside(c, [a, b]),
+        _ => a.max(c) < b.min(d),
+    };
+    (do_meet, interiors)
+}
+
+fn boxes_with_boxes<S: Sample>() {
+    let mut rng = Rng::new(0x7e4);
+    let mut seen = [0; 3];
+    for n in 0..1_500 {
+        // In halves, for centres.
+        let mut one = |by_center: bool| {
+            let rows = [(); 3].map(|()| {
+                let (p, q) = (2 * rng.whole(-2, 2), 2 * rng.whole(0, 2));
+                [p - q, p + q]
+            });
+            let at = |k: usize| rows.map(|r| S::nearest(r[k] as f64 / 4.0));
+            let middle = rows.map(|r| S::nearest((r[0] + r[1]) as f64 / 8.0));
+            let half = rows.map(|r| S::nearest((r[1] - r[0]) as f64 / 8.0));
+            let numbers = if by_center {
+                BoxNumbers::Center(middle, half)
+            } else {
+                BoxNumbers::Corners(at(0), at(1))
+            };
+            (rows, numbers.shape().expect("a box"))
+        };
+        let ((a, b), (c, d)) = (one(n % 2 == 0), one(n % 4 < 2));
+        let axes = [0, 1, 2].map(|i: usize| intervals(a[i], c[i]));
+        let expected = if !axes.iter().all(|x| x.0) {
+            Relation::Disjoint
+        } else if axes.iter().all(|x| x.1) {
+            Relation::Overlapping
+        } else {
+            Relation::Touching
+        };
+        assert_eq!([b.relation(&d), d.relation(&b)], [expected; 2], "{b:?} {d:?}");
+        seen[expected as usize] += 1;
+    }
+    assert!(seen.iter().all(|&n| n > 100), "{seen:?}");
+}
+for_every_scalar!(boxes_with_boxes);
+
+#[test]
+fn what_lies_on_a_face_touches() {
+    let at = |p: [f64; 3]| p.map(I16F16::from_num);
+    let cell = Aabb::from_min_max(at([0.0; 3]), at([1.0; 3])).unwrap();
+    let floor = Aabb::from_min_max(at([0.0; 3]), at([1.0, 1.0, 0.0])).unwrap();
+    let on_floor = Triangle::new(at([0.25, 0.25, 0.0]), at([0.5, 0.25, 0.0]), at([0.25, 0.5, 0.0]));
+    let on_floor = on_floor.unwrap();
+    assert_eq!(on_floor.relation(&cell), Relation::Touching);
+    // A flat box has its inside in its own plane.
+    assert_eq!(on_floor.relation(&floor), Relation::Overlapping);
+    assert_eq!(floor.relation(&cell), Relation::Touching);
+    assert_eq!(floor.relation(&floor), Relation::Overlapping);
+    assert!(Relation::Disjoint < Relation::Touching && Relation::Touching < Relation::Overlapping);
+}
