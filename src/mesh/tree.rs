@@ -209,11 +209,6 @@ fn sort<S: Scalar, I: Index>(
     order.chunks_mut(LEAF).for_each(<[I]>::sort_unstable);
 }
 
-#[cfg_attr(feature = "small", inline(never))]
-fn out_of_line<T>(key: impl FnOnce() -> T) -> T {
-    key()
-}
-
 /// Brings the `count` triangles to the front that come first along the axis on which all are
 /// spread most. Where they are alike their indices decide.
 fn cut<S: Scalar, I: Index>(mesh: &Mesh<'_, S, I>, grid: &Grid<S>, order: &mut [I], count: usize) {
@@ -240,5 +235,5 @@ fn cut<S: Scalar, I: Index>(mesh: &Mesh<'_, S, I>, grid: &Grid<S>, order: &mut [
     } else {
         2
     };
-    order.select_nth_unstable_by_key(count, |i| out_of_line(|| (middles(i)[axis], *i)));
+    order.select_nth_unstable_by_key(count, |i| (middles(i)[axis], *i));
 }

@@ -168,12 +168,12 @@ async function longWork(page) {
     await page.evaluate(`window.seen = new Set(); new MutationObserver(() => {
         if (!document.getElementById('busy').hidden) seen.add(document.getElementById('doing').textContent);
     }).observe(document.getElementById('busy'), { attributes: true, subtree: true, childList: true })`);
-    await drop(page, 'waves.obj', waves(160));
+    await drop(page, 'waves.obj', waves(110));
     await page.until(`document.getElementById('mesh').textContent.startsWith('waves.obj')`);
     await idle(page);
     const seen = await page.evaluate('[...seen].join()');
     check(`work that takes longer shows it: ${seen}`, /Reading waves\.obj…|Building the tree…/.test(seen) && !await isSeen(page, 'busy'));
-    await drop(page, 'waves.obj', waves(160));
+    await drop(page, 'waves.obj', waves(110));
     await page.click('teapot');
     await page.until(`document.getElementById('mesh').textContent.startsWith('teapot.obj')`);
     check('newer work ends it', await shows(page, TEAPOT.surface));
