@@ -11,8 +11,35 @@ export const AXES = [
         }))),
 ];
 
-/** Where the module may lie: beside the page, or where cargo puts it. */
+/** Where the module may lie: beside this file, or where cargo puts it. */
 export const PLACES = ['web.wasm', '../../target/wasm32-unknown-unknown/web/examples/web.wasm'];
+
+/** The exports of a module's bytes. */
+export async function exportsOf(bytes) {
+    const { instance } = await WebAssembly.instantiate(bytes);
+    if (!instance.exports.answers) throw new Error('a module, but not the one of this page');
+    return instance.exports;
+}
+
+/**
+ * The bytes from the first of the places where there are any. Else `problem` says what is wrong
+ * with what lies there, if anything is.
+ */
+export async function find(places = PLACES) {
+    let problem = '';
+    for (const place of places) {
+        try {
+            const response = await fetch(new URL(place, import.meta.url));
+            if (!response.ok) continue;
+            const bytes = await response.arrayBuffer();
+            await WebAssembly.compile(bytes);
+            return { bytes };
+        } catch (error) {
+            problem = `${place}: ${error.message}`;
+        }
+    }
+    return { bytes: null, problem };
+}
 
 export class Septum {
     #exports;
@@ -23,28 +50,14 @@ export class Septum {
 
     /** From the module's bytes. */
     static async from(bytes) {
-        const { instance } = await WebAssembly.instantiate(bytes);
-        if (!instance.exports.answers) throw new Error('a module, but not the one of this page');
-        return new Septum(instance.exports);
+        return new Septum(await exportsOf(bytes));
     }
 
-    /**
-     * From the first of the places where there is one, and its size. Else `problem` says
-     * what is wrong with what lies there, if anything does.
-     */
-    static async find(places = PLACES) {
-        let problem = '';
-        for (const place of places) {
-            try {
-                const response = await fetch(place);
-                if (!response.ok) continue;
-                const bytes = await response.arrayBuffer();
-                return { septum: await Septum.from(bytes), size: bytes.byteLength };
-            } catch (error) {
-                problem = `${place}: ${error.message}`;
-            }
-        }
-        return { septum: null, problem };
+    /** From where the module is, and its size; else `problem` says what is wrong. */
+    static async find() {
+        const { bytes, problem } = await find();
+        if (!bytes) return { septum: null, problem };
+        return { septum: await Septum.from(bytes), size: bytes.byteLength };
     }
 
     /**

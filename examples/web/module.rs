@@ -1,4 +1,4 @@
-//! What the module exports.
+//! What the module exports about a triangle and a box; and the numbers that all of it asks by.
 #![allow(unsafe_code, reason = "exports")]
 
 use core::sync::atomic::{AtomicU32, Ordering};
@@ -7,12 +7,24 @@ use fixed::types::I8F8;
 use septum::published;
 use septum::{Aabb, Axis, Scalar, Triangle};
 
-/// The numbers of the question, as bits: a, b, c, centre, half-extents.
+/// The numbers of a question, as bits: a, b, c, centre, half-extents. Some answers too.
 static NUMBERS: [AtomicU32; 15] = [const { AtomicU32::new(0) }; 15];
 
 #[unsafe(export_name = "numbers")]
 extern "C" fn numbers() -> *const AtomicU32 {
     NUMBERS.as_ptr()
+}
+
+/// Number `k`.
+pub(crate) fn ask(k: usize) -> u32 {
+    NUMBERS[k].load(Ordering::Relaxed)
+}
+
+/// Answers by the numbers from `first` on.
+pub(crate) fn say<const N: usize>(first: usize, answer: [u32; N]) {
+    for (number, bits) in NUMBERS[first..].iter().zip(answer) {
+        number.store(bits, Ordering::Relaxed);
+    }
 }
 
 /// All answers about the numbers, read as `f32` (0) or I8F8 (1):
@@ -40,7 +52,7 @@ fn about<S: Scalar>(
     read: impl Fn(u32) -> S,
     more: impl Fn(&Triangle<S>, &Aabb<S>) -> [bool; 2],
 ) -> Option<u32> {
-    let point = |k: usize| [0, 1, 2].map(|i| read(NUMBERS[3 * k + i].load(Ordering::Relaxed)));
+    let point = |k: usize| [0, 1, 2].map(|i| read(ask(3 * k + i)));
     let triangle = Triangle::new(point(0), point(1), point(2)).ok()?;
     let aabb = Aabb::from_center_half_extents(point(3), point(4)).ok()?;
     let [conservative, published] = more(&triangle, &aabb);

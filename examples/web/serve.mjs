@@ -12,8 +12,12 @@ const TYPES = {
     '.wasm': 'application/wasm',
 };
 
+/** The mesh that is shown first. */
+const ASSETS = { 'teapot.obj': fileURLToPath(new URL('../assets/teapot.obj', import.meta.url)) };
+
 /** Serves the page, and under further names further files. Says at which address. */
-export function serve(files, port) {
+export function serve(further, port) {
+    const files = { ...ASSETS, ...further };
     const server = createServer(async (request, response) => {
         const { pathname } = new URL(request.url, 'http://localhost');
         const name = pathname.endsWith('/') ? `${pathname}index.html` : pathname;

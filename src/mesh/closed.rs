@@ -3,6 +3,7 @@
 use core::cmp::Ordering;
 
 use super::{Index, Mesh, MeshError};
+use crate::arithmetic::SMALL_CODE;
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -52,7 +53,7 @@ impl<S: Scalar, I: Index> Mesh<'_, S, I> {
             by_place(&place(a), &place(c)).then_with(|| by_place(&place(b), &place(d)))
         };
         // By index where places are the same, so that the same edge is named everywhere.
-        edges.sort_unstable_by(|a, b| compare(a, b).then_with(|| a.cmp(b)));
+        sort(edges, |a, b| compare(a, b).then_with(|| a.cmp(b)));
         let alike = edges.chunk_by(|a, b| compare(a, b) == Ordering::Equal);
         for group in alike.filter(|group| group.len() % 2 == 1) {
             let [a, b] = group[0];
@@ -61,6 +62,46 @@ impl<S: Scalar, I: Index> Mesh<'_, S, I> {
             }
         }
         Ok(())
+    }
+}
+
+/// Sorts; where code is dear by a heap, in a tenth of what the library's sort links.
+fn sort<T: Copy>(all: &mut [T], compare: impl Fn(&T, &T) -> Ordering) {
+    if !SMALL_CODE {
+        all.sort_unstable_by(compare);
+        return;
+    }
+    let n = all.len();
+    // First each place that has any below it is brought in order with those, from the last on.
+    // Then the first, which is the greatest, goes to the end, again and again.
+    for step in (0..n + n / 2).rev() {
+        let (mut top, count) = if step >= n { (step - n, n) } else { (0, step) };
+        if step < n {
+            swap(all, 0, step);
+        }
+        loop {
+            let is_less = |a: usize, b: usize| match (all.get(a), all.get(b)) {
+                (Some(a), Some(b)) => compare(a, b) == Ordering::Less,
+                _ => false,
+            };
+            let mut below = 2 * top + 1;
+            if below + 1 < count && is_less(below, below + 1) {
+                below += 1;
+            }
+            if below >= count || !is_less(top, below) {
+                break;
+            }
+            swap(all, top, below);
+            top = below;
+        }
+    }
+}
+
+/// Without a panic.
+fn swap<T: Copy>(all: &mut [T], a: usize, b: usize) {
+    if let (Some(&x), Some(&y)) = (all.get(a), all.get(b)) {
+        all[a] = y;
+        all[b] = x;
     }
 }
 

@@ -39,7 +39,8 @@ impl<S: Scalar> Grid<S> {
 
     /// The least box of the grid around the box between two corners, as far as the grid goes:
     /// it meets all boxes of the grid that enclose a point of that.
-    #[inline(always)]
+    #[cfg_attr(not(feature = "small"), inline(always))]
+    #[cfg_attr(feature = "small", inline(never))]
     pub(super) fn cell(&self, [min, max]: [[S; 3]; 2]) -> Cell {
         let [x, y, z] = &self.0;
         Cell {

@@ -70,7 +70,8 @@ impl Node {
     }
 
     /// The boxes that meet this one: bit k is that of box k.
-    #[inline(always)]
+    #[cfg_attr(not(feature = "small"), inline(always))]
+    #[cfg_attr(feature = "small", inline(never))]
     pub(super) fn meeting(&self, cell: &Cell) -> u32 {
         let mut meet = [true; 4];
         for i in 0..3 {

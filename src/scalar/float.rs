@@ -117,6 +117,7 @@ impl Backend for f32 {
 fn doubled<P: Predicate<f32>>(p: &P) -> P::Answer {
     match in_floats::<_, f64, _>(p) {
         Some(answer) => answer,
+        None if SMALL_CODE => exact_stage(p),
         None => integer_stage(p),
     }
 }
@@ -126,7 +127,7 @@ fn doubled<P: Predicate<f32>>(p: &P) -> P::Answer {
 #[cold]
 #[inline(never)]
 fn refined<P: Predicate<f32>>(p: &P, clue: Clue) -> P::Answer {
-    refined_stage(p, clue, integer_stage)
+    refined_stage(p, clue, if SMALL_CODE { exact_stage } else { integer_stage })
 }
 
 impl Backend for f64 {

@@ -36,7 +36,8 @@ pub(super) struct Pass<S> {
 }
 
 impl<S: Scalar> Pass<S> {
-    #[inline(always)]
+    #[cfg_attr(not(feature = "small"), inline(always))]
+    #[cfg_attr(feature = "small", inline(never))]
     pub(super) fn new(grid: &Grid<S>, triangle: &Triangle<S>, marks: [Marks; 3]) -> Self {
         let placed = Placed::new(triangle, grid, marks);
         let size = grid.resolution();
@@ -94,7 +95,8 @@ impl<S: Scalar> Pass<S> {
     }
 
     /// Works out the slabs of y of the present block.
-    #[inline(always)]
+    #[cfg_attr(not(feature = "small"), inline(always))]
+    #[cfg_attr(feature = "small", inline(never))]
     fn see_along_z(&mut self, grid: &Grid<S>) {
         let [_, y, _] = self.bounds;
         let first = self.block[0];
@@ -103,7 +105,8 @@ impl<S: Scalar> Pass<S> {
     }
 
     /// Works out the slabs of z of the present block.
-    #[inline(always)]
+    #[cfg_attr(not(feature = "small"), inline(always))]
+    #[cfg_attr(feature = "small", inline(never))]
     fn see_layers(&mut self, grid: &Grid<S>) {
         let [_, _, z] = self.bounds;
         let first = self.block[1];

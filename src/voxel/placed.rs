@@ -27,7 +27,8 @@ pub(super) struct Placed<S> {
 }
 
 impl<S: Scalar> Placed<S> {
-    #[inline(always)]
+    #[cfg_attr(not(feature = "small"), inline(always))]
+    #[cfg_attr(feature = "small", inline(never))]
     pub(super) fn new(triangle: &Triangle<S>, grid: &Grid<S>, marks: [Marks; 3]) -> Self {
         let points = triangle.points();
         let mut near = [[0.0; 3]; 3];

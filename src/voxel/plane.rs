@@ -47,7 +47,8 @@ pub(super) struct Plane {
 
 impl Plane {
     /// `None` where the plane is parallel to x, or the triangle has none.
-    #[inline(always)]
+    #[cfg_attr(not(feature = "small"), inline(always))]
+    #[cfg_attr(feature = "small", inline(never))]
     pub(super) fn new<S: Scalar>(placed: &Placed<S>) -> Option<Self> {
         let [a, b, c] = placed.near;
         let (e, f) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
@@ -89,7 +90,8 @@ impl Plane {
 
     /// Where the line along x through (y, z) meets the plane, given that it is not before
     /// `low` and not behind `high`. The line is the middle of two lines of the grid.
-    #[inline(always)]
+    #[cfg_attr(not(feature = "small"), inline(always))]
+    #[cfg_attr(feature = "small", inline(never))]
     pub(super) fn place<S: Scalar>(
         &self,
         placed: &Placed<S>,

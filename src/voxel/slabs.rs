@@ -45,7 +45,8 @@ impl Span {
 
 /// For each interval of the axis `v`, from `first` on, the intervals of the axis `u` that the
 /// triangle comes to in it, seen along the third axis.
-#[inline(always)]
+#[cfg_attr(not(feature = "small"), inline(always))]
+#[cfg_attr(feature = "small", inline(never))]
 pub(super) fn spans<S: Scalar>(
     placed: &Placed<S>,
     grid: &Grid<S>,
@@ -115,7 +116,8 @@ pub(super) struct Edge<S> {
 }
 
 impl<S: Scalar> Edge<S> {
-    #[inline(always)]
+    #[cfg_attr(not(feature = "small"), inline(always))]
+    #[cfg_attr(feature = "small", inline(never))]
     pub(super) fn new(placed: &Placed<S>, [u, v]: [usize; 2], [a, b]: [usize; 2]) -> Self {
         let [p, q] = [a, b].map(|k| [placed.near[k][u], placed.near[k][v]]);
         let (du, dv) = (q[0] - p[0], q[1] - p[1]);
@@ -132,7 +134,8 @@ impl<S: Scalar> Edge<S> {
     }
 
     /// Where the edge crosses a limit of v, which is not above its higher end.
-    #[inline(always)]
+    #[cfg_attr(not(feature = "small"), inline(always))]
+    #[cfg_attr(feature = "small", inline(never))]
     pub(super) fn place(
         &self,
         placed: &Placed<S>,

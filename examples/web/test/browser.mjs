@@ -69,13 +69,15 @@ export class Browser {
         });
     }
 
-    async open(address) {
+    /** Opens a page; `script` runs in it before all of its own. */
+    async open(address, script = '') {
         const { targetId } = await this.send('Target.createTarget', { url: 'about:blank' });
         const { sessionId } = await this.send('Target.attachToTarget', { targetId, flatten: true });
         const send = (method, params) => this.send(method, params, sessionId);
         await send('Runtime.enable');
         await send('Page.enable');
         await send('Page.bringToFront');
+        if (script) await send('Page.addScriptToEvaluateOnNewDocument', { source: script });
         await send('Page.navigate', { url: address });
         return new Page(send);
     }

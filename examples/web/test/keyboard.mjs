@@ -4,7 +4,7 @@ import { check } from './check.mjs';
 import { bits, drawing, says, width } from './look.mjs';
 
 const ORDER = [
-    'scene', 'closer', 'whole', 'scalar-f32', 'preset-face', 'preset-normal', 'preset-edge', 'preset-overlap',
+    'scene', 'closer', 'whole', 'scalar-f32', 'other', 'preset-face', 'preset-normal', 'preset-edge', 'preset-overlap',
     'touch', 'wrong', 'down', 'units', 'up', 'bits',
     ...['a', 'b', 'c', 'centre', 'half'].flatMap((name) => ['x', 'y', 'z'].map((axis) => `${name}.${axis}`)),
 ];

@@ -12,6 +12,7 @@ import { withoutMouse } from './keyboard.mjs';
 import { banner, numbers, pixels, place, says } from './look.mjs';
 import { onPhone } from './phone.mjs';
 import { rubbishInAllFields } from './rubbish.mjs';
+import { meshInVoxels, pose } from './view.mjs';
 
 const options = process.argv.slice(2);
 const split = options.includes('--') ? options.indexOf('--') : options.length;
@@ -159,6 +160,14 @@ try {
         console.log();
         await test(await browser.open(address)).catch((error) => check(error.stack, false));
     }
+    console.log();
+    const open = (script) => browser.open(`${address}mesh/`, script);
+    await meshInVoxels(open).catch((error) => check(error.stack, false));
+    if (picture === '--picture') {
+        const posed = await open();
+        await pose(posed);
+        writeFileSync(file.replace('.png', '-mesh.png'), await posed.picture());
+    }
     // No module: the page asks for one.
     server.closeAllConnections();
     const { server: empty, address: elsewhere } = await serve({}, 0);
@@ -167,6 +176,8 @@ try {
     check('without a module the page asks for one', await lone.evaluate(`!document.body.dataset.ready`));
     for (let k = 0; k < 3; k += 1) await lone.press('Escape');
     check('and goes on asking', await lone.evaluate(`new Promise((later) => setTimeout(later, 200)).then(() => document.getElementById('missing').open)`));
+    const bare = await browser.open(`${elsewhere}mesh/`);
+    await bare.until(`document.getElementById('missing').open`);
     const local = await browser.open(new URL('../index.html', import.meta.url).href);
     await local.until(`getComputedStyle(document.getElementById('verdict')).visibility === 'visible'`);
     check('opened as a file it says that it needs a server', /server: *cargo web/.test((await local.text('why')).replace(/\s+/g, ' ')));
