@@ -50,6 +50,8 @@
 //! | point, box | [`Aabb::contains`], [`Obb::contains`] | |
 //! | ray, triangle | [`hit`](Ray::hit), [`is_hit`](Ray::is_hit), [`hit_once`](Ray::hit_once), [`hit_with`](Ray::hit_with); [`compare_hits`](Ray::compare_hits) | |
 //! | ray, many triangles | [`lanes::Triangles::hit`] | |
+//! | triangle, grid of voxels | [`voxel::Grid::rows`], [`voxel::Bits::fill`]; inside: [`voxel::Solid`] | |
+//! | segment or ray, grid | [`voxel::Grid::walk_segment`], [`voxel::Grid::walk_ray`] | |
 //! | the axis that separates | [`separating_axis`](Triangle::separating_axis), [`is_separated_by`](Triangle::is_separated_by) | |
 //! | a triangle alone | [`is_degenerate`](Triangle::is_degenerate), [`unit_normal`](Triangle#method.unit_normal) | |
 //! | the box around an oriented box | | [`Obb::aabb`] |

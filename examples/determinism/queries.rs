@@ -73,4 +73,11 @@ queries! {
     RayCompareHits = "ray compare_hits",
     RayAabbPrepared = "ray/aabb prepared",
     TriangleAabbPrepared = "triangle/aabb prepared",
+    GridAccepted = "grid accepted",
+    GridRowsClosed = "grid/triangle closed",
+    GridRowsHalfOpen = "grid/triangle half-open",
+    GridRowsThin = "grid/triangle thin",
+    GridCrossings = "grid/triangle crossings",
+    GridWalkSegment = "grid/segment walk",
+    GridWalkRay = "grid/ray walk",
 }

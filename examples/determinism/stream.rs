@@ -21,6 +21,8 @@ use super::draw::{Draw, Rng};
 mod added;
 #[path = "answers.rs"]
 pub(crate) mod answers;
+#[path = "grids.rs"]
+mod grids;
 #[path = "pairs.rs"]
 mod pairs;
 #[path = "queries.rs"]
@@ -94,6 +96,7 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, asks_more: bool) {
     accepted.yes(ray.is_some());
     added::shapes(&triangle, aabbs, &segments, answers);
     pairs::boxes(&triangle, aabbs, obb.as_ref(), answers);
+    grids::grids(least(p, q), half, &triangle, &segments, ray.as_ref(), answers);
     if let Some(ray) = &ray {
         added::crossings(ray, &triangle, aabbs, answers);
         added::lanes(ray, &triangle, aabbs, answers);

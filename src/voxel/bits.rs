@@ -2,7 +2,10 @@ use core::fmt;
 
 use super::Rule;
 use super::grid::Grid;
+use super::marks::AllClosed;
+use super::pass::Pass;
 use super::rows::Row;
+use super::slabs::Span;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -141,22 +144,32 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
     /// *Panics*: never.
     #[inline]
     pub fn fill(&mut self, triangle: &Triangle<S>, rule: Rule) {
-        for Row { x, y, z } in self.grid.rows(triangle, rule) {
-            let row = self.row_mut(y, z);
-            let (first, last) = (x.start, x.end - 1);
-            let (from, to) = ((first / W::BITS) as usize, (last / W::BITS) as usize);
-            let head = W::ALL << (first % W::BITS);
-            let tail = W::ALL >> (W::BITS - 1 - last % W::BITS);
-            let Some(words) = row.get_mut(from..=to) else { continue };
-            match words {
-                [word] => *word |= head & tail,
-                [start, middle @ .., end] => {
-                    *start |= head;
-                    middle.fill(W::ALL);
-                    *end |= tail;
-                }
-                [] => {}
+        let grid = self.grid;
+        if rule == Rule::Closed {
+            Pass::new(&grid, triangle, AllClosed).each(&grid, |[y, z], Span { first, last }| {
+                self.set_row([y as u32, z as u32], [first as u32, last as u32]);
+            });
+        } else {
+            for Row { x, y, z } in grid.rows(triangle, rule) {
+                self.set_row([y, z], [x.start, x.end - 1]);
             }
+        }
+    }
+
+    /// Sets the bits of a row from the first to the last.
+    #[inline(always)]
+    fn set_row(&mut self, [y, z]: [u32; 2], [first, last]: [u32; 2]) {
+        let (from, to) = ((first / W::BITS) as usize, (last / W::BITS) as usize);
+        let head = W::ALL << (first % W::BITS);
+        let tail = W::ALL >> (W::BITS - 1 - last % W::BITS);
+        match self.row_mut(y, z).get_mut(from..=to) {
+            Some([word]) => *word |= head & tail,
+            Some([start, middle @ .., end]) => {
+                *start |= head;
+                middle.fill(W::ALL);
+                *end |= tail;
+            }
+            _ => {}
         }
     }
 

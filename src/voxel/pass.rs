@@ -6,7 +6,7 @@
 use core::cmp::Ordering;
 
 use super::grid::Grid;
-use super::marks::{Line, Marks};
+use super::marks::{AxisMarks, Line, Marks};
 use super::place::Place;
 use super::placed::Placed;
 use super::plane::Plane;
@@ -16,8 +16,8 @@ use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
 #[derive(Clone, Debug)]
-pub(super) struct Pass<S> {
-    placed: Placed<S>,
+pub(super) struct Pass<S, M> {
+    placed: Placed<S, M>,
     plane: Option<Plane>,
     /// The voxels in question on each axis.
     bounds: [Span; 3],
@@ -35,16 +35,16 @@ pub(super) struct Pass<S> {
     z: i32,
 }
 
-impl<S: Scalar> Pass<S> {
+impl<S: Scalar, M: AxisMarks> Pass<S, M> {
     #[inline(always)]
-    pub(super) fn new(grid: &Grid<S>, triangle: &Triangle<S>, marks: [Marks; 3]) -> Self {
+    pub(super) fn new(grid: &Grid<S>, triangle: &Triangle<S>, marks: M) -> Self {
         let placed = Placed::new(triangle, grid, marks);
         let size = grid.resolution();
         let mut bounds = [Span::EMPTY; 3];
         let mut narrow = 0;
         for i in 0..3 {
-            let Span { first, last } = marks[i].span(placed.least[i], placed.greatest[i]);
-            narrow += u32::from(first == last && marks[i].are_cells());
+            let Span { first, last } = marks.of(i).span(placed.least[i], placed.greatest[i]);
+            narrow += u32::from(first == last && marks.of(i).are_cells());
             bounds[i] = Span { first: first.max(0), last: last.min(size[i] as i32 - 1) };
         }
         if bounds.iter().any(|span| span.first > span.last) {
@@ -89,6 +89,19 @@ impl<S: Scalar> Pass<S> {
             }
             if !self.next_layer(grid) {
                 return None;
+            }
+        }
+    }
+
+    /// All rows at once: [`next`](Self::next) until there are no more.
+    #[inline(always)]
+    pub(super) fn each(mut self, grid: &Grid<S>, mut f: impl FnMut([i32; 2], Span)) {
+        while self.next_layer(grid) {
+            for y in self.y..self.y_end {
+                let span = self.row(grid, y);
+                if span.first <= span.last {
+                    f([y, self.z], span);
+                }
             }
         }
     }
@@ -161,7 +174,7 @@ impl<S: Scalar> Pass<S> {
         }
         // Of the row's lines along x, the ones nearest to where the normal comes from, and to
         // where it goes.
-        let [along, of_y, of_z] = self.placed.marks;
+        let [along, of_y, of_z] = [0, 1, 2].map(|i| self.placed.marks.of(i));
         let (ends_y, ends_z) = (of_y.ends(y), of_z.ends(self.z));
         let [mut near, mut far] = [0, 1].map(|k: usize| [ends_y[k], ends_z[k]]);
         // Half-open voxels have no point on the second of each pair.

@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use super::grid::Grid;
-use super::marks::Marks;
+use super::marks::AxisMarks;
 use super::place::{Place, locate};
 use super::sign::turn;
 use crate::scalar::Scalar;
@@ -11,8 +11,8 @@ use crate::shape::Triangle;
 
 /// A triangle in a grid, to be asked about the marks of each axis.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Placed<S> {
-    pub(super) marks: [Marks; 3],
+pub(super) struct Placed<S, M> {
+    pub(super) marks: M,
     pub(super) points: [[S; 3]; 3],
     /// The vertices in units of the grid, nearly.
     pub(super) near: [[f64; 3]; 3],
@@ -26,9 +26,9 @@ pub(super) struct Placed<S> {
     pub(super) error: f64,
 }
 
-impl<S: Scalar> Placed<S> {
+impl<S: Scalar, M: AxisMarks> Placed<S, M> {
     #[inline(always)]
-    pub(super) fn new(triangle: &Triangle<S>, grid: &Grid<S>, marks: [Marks; 3]) -> Self {
+    pub(super) fn new(triangle: &Triangle<S>, grid: &Grid<S>, marks: M) -> Self {
         let points = triangle.points();
         let mut near = [[0.0; 3]; 3];
         let mut error = f64::INFINITY;
@@ -47,10 +47,10 @@ impl<S: Scalar> Placed<S> {
         let mut at = [[Place::before(0); 3]; 3];
         for k in 0..3 {
             for i in 0..3 {
-                let end = Place::before(marks[i].limits(grid.resolution()[i]));
-                let x = near[k][i] - marks[i].shift();
+                let end = Place::before(marks.of(i).limits(grid.resolution()[i]));
+                let x = near[k][i] - marks.of(i).shift();
                 at[k][i] = locate(x, error, Place::before(0), end, |limit| {
-                    grid.compare(i, marks[i].limit(limit), points[k][i])
+                    grid.compare(i, marks.of(i).limit(limit), points[k][i])
                 });
             }
         }
