@@ -3,9 +3,11 @@ use core::fmt;
 use super::Rule;
 use super::grid::Grid;
 use super::marks::AllClosed;
-use super::pass::Pass;
+use super::pass::{Bounds, Pass};
+use super::placed::Placed;
 use super::rows::Row;
 use super::slabs::Span;
+use crate::query::PreparedTriangle;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -144,15 +146,42 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
     /// *Panics*: never.
     #[inline]
     pub fn fill(&mut self, triangle: &Triangle<S>, rule: Rule) {
-        let grid = self.grid;
         if rule == Rule::Closed {
-            Pass::new(&grid, triangle, AllClosed).each(&grid, |[y, z], Span { first, last }| {
+            return self.fill_closed(triangle);
+        }
+        for Row { x, y, z } in self.grid.rows(triangle, rule) {
+            self.set_row([y, z], [x.start, x.end - 1]);
+        }
+    }
+
+    fn fill_closed(&mut self, triangle: &Triangle<S>) {
+        let grid = self.grid;
+        let placed = Placed::new(triangle, &grid, AllClosed);
+        let bounds = Bounds::new(&placed, &grid);
+        let voxels = |Span { first, last }: Span| first as u32..(last + 1) as u32;
+        let [x, y, z] = bounds.bounds.map(voxels);
+        if bounds.is_full {
+            for z in z {
+                for y in y.clone() {
+                    self.set_row([y, z], [x.start, x.end - 1]);
+                }
+            }
+        } else if bounds.are_few() {
+            let prepared = PreparedTriangle::new(triangle);
+            for z in z {
+                for y in y.clone() {
+                    for x in x.clone() {
+                        if grid.voxel([x, y, z]).is_some_and(|voxel| prepared.overlaps(&voxel)) {
+                            self.set_row([y, z], [x, x]);
+                        }
+                    }
+                }
+            }
+        } else {
+            let pass = Pass::within(&grid, placed, bounds);
+            pass.each(&grid, |[y, z], Span { first, last }| {
                 self.set_row([y as u32, z as u32], [first as u32, last as u32]);
             });
-        } else {
-            for Row { x, y, z } in grid.rows(triangle, rule) {
-                self.set_row([y, z], [x.start, x.end - 1]);
-            }
         }
     }
 

@@ -27,7 +27,7 @@ impl AxisMarks for [Marks; 3] {
     }
 }
 
-/// Closed on every axis: what is asked for most, in half the time of what is not known.
+/// Closed on every axis: what is asked for most.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct AllClosed;
 

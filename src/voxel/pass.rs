@@ -15,6 +15,44 @@ use super::slabs::{BLOCK, Span, spans};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
+/// The voxels in question.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    /// On each axis; on none, if there are none.
+    pub(super) bounds: [Span; 3],
+    /// Whether all of them are marked.
+    pub(super) is_full: bool,
+}
+
+impl Bounds {
+    #[inline(always)]
+    pub(super) fn new<S: Scalar, M: AxisMarks>(placed: &Placed<S, M>, grid: &Grid<S>) -> Self {
+        let size = grid.resolution();
+        let mut bounds = [Span::EMPTY; 3];
+        let mut narrow = 0;
+        for i in 0..3 {
+            let marks = placed.marks.of(i);
+            let Span { first, last } = marks.span(placed.least[i], placed.greatest[i]);
+            narrow += u32::from(first == last && marks.are_cells());
+            bounds[i] = Span { first: first.max(0), last: last.min(size[i] as i32 - 1) };
+        }
+        if bounds.iter().any(|span| span.first > span.last) {
+            bounds = [Span { first: 0, last: -1 }; 3];
+        }
+        // A triangle whose box is one voxel wide on two axes: all of it is in their row.
+        Self { bounds, is_full: narrow >= 2 }
+    }
+
+    /// Whether there are so few that a test for each is the quickest way.
+    #[inline(always)]
+    pub(super) fn are_few(&self) -> bool {
+        const FEW: i64 = 12;
+        let [x, y, z] = self.bounds.map(|span| i64::from(span.last - span.first + 1));
+        // Each is below 2^30.
+        x.max(y).max(z) <= FEW && x * y * z <= FEW
+    }
+}
+
 #[derive(Clone, Debug)]
 pub(super) struct Pass<S, M> {
     placed: Placed<S, M>,
@@ -39,19 +77,17 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
     #[inline(always)]
     pub(super) fn new(grid: &Grid<S>, triangle: &Triangle<S>, marks: M) -> Self {
         let placed = Placed::new(triangle, grid, marks);
-        let size = grid.resolution();
-        let mut bounds = [Span::EMPTY; 3];
-        let mut narrow = 0;
-        for i in 0..3 {
-            let Span { first, last } = marks.of(i).span(placed.least[i], placed.greatest[i]);
-            narrow += u32::from(first == last && marks.of(i).are_cells());
-            bounds[i] = Span { first: first.max(0), last: last.min(size[i] as i32 - 1) };
-        }
-        if bounds.iter().any(|span| span.first > span.last) {
-            bounds = [Span { first: 0, last: -1 }; 3];
-        }
-        // A triangle whose box is one voxel wide on two axes: all of it is in their row.
-        let is_full = narrow >= 2;
+        let bounds = Bounds::new(&placed, grid);
+        Self::within(grid, placed, bounds)
+    }
+
+    /// The voxels within the bounds of a triangle.
+    #[inline(always)]
+    pub(super) fn within(
+        grid: &Grid<S>,
+        placed: Placed<S, M>,
+        Bounds { bounds, is_full }: Bounds,
+    ) -> Self {
         let [_, y, z] = bounds;
         let mut pass = Self {
             placed,

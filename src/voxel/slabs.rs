@@ -99,7 +99,11 @@ pub(super) fn spans<S: Scalar, M: AxisMarks>(
 
 /// The ends of edge k, the lower along v first.
 #[inline(always)]
-pub(super) fn rising<S: Scalar, M: AxisMarks>(placed: &Placed<S, M>, v: usize, k: usize) -> [usize; 2] {
+pub(super) fn rising<S: Scalar, M: AxisMarks>(
+    placed: &Placed<S, M>,
+    v: usize,
+    k: usize,
+) -> [usize; 2] {
     let next = if k == 2 { 0 } else { k + 1 };
     if placed.points[k][v] < placed.points[next][v] { [k, next] } else { [next, k] }
 }

@@ -5,10 +5,10 @@ use std::collections::HashSet;
 use std::error::Error;
 use std::io::Cursor;
 use std::path::PathBuf;
-use std::time::Instant;
 
 use clap::Parser;
 use comfy_table::Table;
+use cpu_time::ThreadTime;
 use parry3d::math::Vector;
 use parry3d::transformation::voxelization::{FillMode, VoxelValue, VoxelizedVolume};
 use septum::prepared::PreparedTriangle;
@@ -20,7 +20,7 @@ use septum_kit::voxels::torus_knot;
 ///
 /// All in f32 and voxels of size one. parry3d has a grid of its own, half a voxel aside; for it
 /// and for ours beside it the mesh is moved there, and so each is compared with the exact
-/// voxels of the very mesh that it got. Times are the best of all rounds.
+/// voxels of the very mesh that it got. Times are the best of all rounds, of the processor.
 #[derive(Parser)]
 #[command(version)]
 struct Options {
@@ -52,8 +52,17 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut table = Table::new();
     table.load_preset(comfy_table::presets::ASCII_MARKDOWN);
     table.set_header([
-        "mesh", "side", "voxels", "ours, ms", "ns/triangle", "clear + write", "per voxel",
-        "parry3d", "wrong −/+", "meshvox", "wrong −/+",
+        "mesh",
+        "side",
+        "voxels",
+        "ours, ms",
+        "ns/triangle",
+        "clear + write",
+        "per voxel",
+        "parry3d",
+        "wrong −/+",
+        "meshvox",
+        "wrong −/+",
     ]);
     for (name, mesh) in &meshes {
         for &n in &options.resolution {
@@ -81,26 +90,22 @@ fn row(name: &str, mesh: &[[[f64; 3]; 3]], n: u32, rounds: u32) -> Vec<String> {
 
     let points: Vec<Vector> =
         mesh.as_flattened().iter().map(|p| Vector::new(p[0], p[1], p[2])).collect();
-    let faces: Vec<[u32; 3]> = (0..mesh.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+    let faces: Vec<[u32; 3]> =
+        (0..mesh.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
     let corners: Vec<usize> = (0..3 * mesh.len()).collect();
     let mut best = [f64::INFINITY; 5];
     let (mut by_parry, mut by_meshvox) = (HashSet::new(), HashSet::new());
     for round in 0..rounds {
-        let mut time = |k: usize, work: &mut dyn FnMut()| {
-            let start = Instant::now();
-            work();
-            best[k] = best[k].min(start.elapsed().as_secs_f64());
-        };
-        time(0, &mut || fill(&whole, &triangles, &mut words));
-        time(1, &mut || {
+        time(&mut best[0], || fill(&whole, &triangles, &mut words));
+        time(&mut best[1], || {
             words.fill(0);
             written.iter().for_each(|&(at, word)| words[at] = word);
         });
-        time(2, &mut || per_voxel(&whole, &triangles, &mut words));
+        time(&mut best[2], || per_voxel(&whole, &triangles, &mut words));
         // The slow ones not as often where they take seconds.
         if round < 2 || best[3] < 0.5 {
             let mut volume = None;
-            time(3, &mut || {
+            time(&mut best[3], || {
                 let fill = FillMode::SurfaceOnly;
                 volume = Some(VoxelizedVolume::voxelize(&points, &faces, n, fill, false));
             });
@@ -108,7 +113,7 @@ fn row(name: &str, mesh: &[[[f64; 3]; 3]], n: u32, rounds: u32) -> Vec<String> {
         }
         if round < 2 || best[4] < 0.5 {
             let mut found = None;
-            time(4, &mut || {
+            time(&mut best[4], || {
                 found = Some(meshvox::Voxels::voxelize(mesh.as_flattened(), &corners, 1.0));
             });
             by_meshvox = found.map(|found| found.grid_positions).unwrap_or_default();
@@ -135,6 +140,13 @@ fn row(name: &str, mesh: &[[[f64; 3]; 3]], n: u32, rounds: u32) -> Vec<String> {
     ]
 }
 
+/// Keeps the time that the work takes, if it is the best so far.
+fn time(best: &mut f64, work: impl FnOnce()) {
+    let start = ThreadTime::now();
+    work();
+    *best = best.min(start.elapsed().as_secs_f64());
+}
+
 /// From zero on, with a longest side of this length.
 fn placed(mesh: &[[[f64; 3]; 3]], longest: f64) -> Mesh {
     let points = || mesh.as_flattened().iter();
@@ -159,7 +171,8 @@ fn per_voxel(grid: &Grid<f32>, triangles: &[Triangle<f32>], words: &mut [u64]) {
         let prepared = PreparedTriangle::new(triangle);
         let v = triangle.vertices().map(|v| v.to_array());
         let range = |i: usize| {
-            let (low, high) = (v[0][i].min(v[1][i]).min(v[2][i]), v[0][i].max(v[1][i]).max(v[2][i]));
+            let (low, high) =
+                (v[0][i].min(v[1][i]).min(v[2][i]), v[0][i].max(v[1][i]).max(v[2][i]));
             let (first, last) = (low.ceil() - 1.0 + 1.0, high.floor() + 1.0);
             (first.max(0.0) as u32, (last as u32).min(size[i] - 1))
         };
@@ -230,9 +243,9 @@ fn read(bytes: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, Box<dyn Error>> {
     let mut mesh = Vec::new();
     for tobj::Model { mesh: model, .. } in &models {
         for face in model.indices.as_chunks::<3>().0 {
-            mesh.push(face.map(|v| {
-                [0, 1, 2].map(|i| f64::from(model.positions[3 * v as usize + i]))
-            }));
+            mesh.push(
+                face.map(|v| [0, 1, 2].map(|i| f64::from(model.positions[3 * v as usize + i]))),
+            );
         }
     }
     Ok(mesh)
