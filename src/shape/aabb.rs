@@ -102,7 +102,8 @@ impl<S: Copy> Aabb<S> {
     }
 
     /// The box between two corners that were checked before.
-    pub(super) const fn between(min: Vec3<S>, max: Vec3<S>) -> Self {
+    #[inline(always)]
+    pub(crate) const fn between(min: Vec3<S>, max: Vec3<S>) -> Self {
         Self { form: Form::Corners { min, max } }
     }
 

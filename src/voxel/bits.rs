@@ -4,12 +4,12 @@ use super::Rule;
 use super::grid::Grid;
 use super::marks::AllClosed;
 use super::pass::{Bounds, Pass};
-use super::placed::Placed;
+use super::placed::Near;
 use super::rows::Row;
 use super::slabs::Span;
 use crate::query::PreparedTriangle;
 use crate::scalar::Scalar;
-use crate::shape::Triangle;
+use crate::shape::{Aabb, Triangle};
 
 /// A word of a grid of bits: `u32` or `u64`.
 pub trait Word: sealed::Word {}
@@ -156,8 +156,8 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
 
     fn fill_closed(&mut self, triangle: &Triangle<S>) {
         let grid = self.grid;
-        let placed = Placed::new(triangle, &grid, AllClosed);
-        let bounds = Bounds::new(&placed, &grid);
+        let near = Near::new(triangle, &grid);
+        let bounds = Bounds::new(&near, &grid, AllClosed);
         let voxels = |Span { first, last }: Span| first as u32..(last + 1) as u32;
         let [x, y, z] = bounds.bounds.map(voxels);
         if bounds.is_full {
@@ -169,16 +169,20 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
         } else if bounds.are_few() {
             let prepared = PreparedTriangle::new(triangle);
             for z in z {
+                let [z_low, z_high] = [z, z + 1].map(|k| grid.plane(2, k));
                 for y in y.clone() {
+                    let [y_low, y_high] = [y, y + 1].map(|k| grid.plane(1, k));
                     for x in x.clone() {
-                        if grid.voxel([x, y, z]).is_some_and(|voxel| prepared.overlaps(&voxel)) {
+                        let [x_low, x_high] = [x, x + 1].map(|k| grid.plane(0, k));
+                        let (low, high) = ([x_low, y_low, z_low], [x_high, y_high, z_high]);
+                        if prepared.overlaps(&Aabb::between(low.into(), high.into())) {
                             self.set_row([y, z], [x, x]);
                         }
                     }
                 }
             }
         } else {
-            let pass = Pass::within(&grid, placed, bounds);
+            let pass = Pass::within(&grid, &near, AllClosed, bounds);
             pass.each(&grid, |[y, z], Span { first, last }| {
                 self.set_row([y as u32, z as u32], [first as u32, last as u32]);
             });

@@ -8,7 +8,7 @@ use core::cmp::Ordering;
 use super::grid::Grid;
 use super::marks::{AxisMarks, Line, Marks};
 use super::place::Place;
-use super::placed::Placed;
+use super::placed::{Near, Placed};
 use super::plane::Plane;
 use super::rows::Row;
 use super::slabs::{BLOCK, Span, spans};
@@ -26,13 +26,14 @@ pub(super) struct Bounds {
 
 impl Bounds {
     #[inline(always)]
-    pub(super) fn new<S: Scalar, M: AxisMarks>(placed: &Placed<S, M>, grid: &Grid<S>) -> Self {
+    pub(super) fn new<S: Scalar, M: AxisMarks>(near: &Near<S>, grid: &Grid<S>, marks: M) -> Self {
         let size = grid.resolution();
         let mut bounds = [Span::EMPTY; 3];
         let mut narrow = 0;
         for i in 0..3 {
-            let marks = placed.marks.of(i);
-            let Span { first, last } = marks.span(placed.least[i], placed.greatest[i]);
+            let marks = marks.of(i);
+            let [least, greatest] = near.ends(grid, i, marks);
+            let Span { first, last } = marks.span(least, greatest);
             narrow += u32::from(first == last && marks.are_cells());
             bounds[i] = Span { first: first.max(0), last: last.min(size[i] as i32 - 1) };
         }
@@ -76,18 +77,19 @@ pub(super) struct Pass<S, M> {
 impl<S: Scalar, M: AxisMarks> Pass<S, M> {
     #[inline(always)]
     pub(super) fn new(grid: &Grid<S>, triangle: &Triangle<S>, marks: M) -> Self {
-        let placed = Placed::new(triangle, grid, marks);
-        let bounds = Bounds::new(&placed, grid);
-        Self::within(grid, placed, bounds)
+        let near = Near::new(triangle, grid);
+        Self::within(grid, &near, marks, Bounds::new(&near, grid, marks))
     }
 
     /// The voxels within the bounds of a triangle.
     #[inline(always)]
     pub(super) fn within(
         grid: &Grid<S>,
-        placed: Placed<S, M>,
+        near: &Near<S>,
+        marks: M,
         Bounds { bounds, is_full }: Bounds,
     ) -> Self {
+        let placed = Placed::new(near, grid, marks);
         let [_, y, z] = bounds;
         let mut pass = Self {
             placed,

@@ -39,7 +39,7 @@ fn voxelize() {
             ("--no-pictures", "--no-pictures"),
             ("--vox", "--vox"),
             ("none.obj", "none.obj"),
-            ("a.obj b.obj", "b.obj"),
+            ("a.obj b.obj", "a.obj"),
         ],
     );
 }
