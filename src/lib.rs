@@ -57,6 +57,8 @@
 //! | a mesh: what a shape overlaps, what a ray hits, other meshes | [`overlapping`](mesh::Tree::overlapping), [`first_hit`](mesh::Tree::first_hit), [`overlapping_pairs`](mesh::Tree::overlapping_pairs) | |
 //! | a closed mesh, point | [`contains`](mesh::Tree::contains), [`winding`](mesh::Tree::winding) | |
 //! | touching or overlapping | [`relation`] | |
+//! | triangle, grid of voxels | [`voxel::Grid::rows`], [`voxel::Bits::fill`]; inside: [`voxel::Solid`] | |
+//! | segment or ray, grid | [`voxel::Grid::walk_segment`], [`voxel::Grid::walk_ray`] | |
 //! | the axis that separates | [`separating_axis`](Triangle::separating_axis), [`is_separated_by`](Triangle::is_separated_by) | |
 //! | a triangle alone | [`is_degenerate`](Triangle::is_degenerate), [`unit_normal`](Triangle#method.unit_normal) | |
 //! | the box around an oriented box | | [`Obb::aabb`] |

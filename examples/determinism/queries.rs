@@ -94,4 +94,11 @@ queries! {
     AabbObbRelation = "aabb/obb relation",
     ObbObbRelation = "obb/obb relation",
     RayTrianglePrepared = "ray/triangle prepared",
+    GridAccepted = "grid accepted",
+    GridRowsClosed = "grid/triangle closed",
+    GridRowsHalfOpen = "grid/triangle half-open",
+    GridRowsThin = "grid/triangle thin",
+    GridCrossings = "grid/triangle crossings",
+    GridWalkSegment = "grid/segment walk",
+    GridWalkRay = "grid/ray walk",
 }

@@ -21,6 +21,8 @@ use super::draw::{Draw, Rng};
 mod added;
 #[path = "answers.rs"]
 pub(crate) mod answers;
+#[path = "grids.rs"]
+mod grids;
 #[path = "meshes.rs"]
 mod meshes;
 #[path = "pairs.rs"]
@@ -105,6 +107,7 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, asks_more: bool) {
     added::shapes(&triangle, aabbs, &segments, answers);
     pairs::boxes(&triangle, aabbs, obb.as_ref(), answers);
     pairs::flats(&triangle, &segments, [p, q, d], answers);
+    grids::grids(least(p, q), half, &triangle, &segments, ray.as_ref(), answers);
     if let Some(ray) = &ray {
         added::crossings(ray, &triangle, aabbs, answers);
         added::lanes(ray, &triangle, aabbs, answers);

@@ -128,6 +128,11 @@ impl Camera {
         Self { scale, middle, longest }
     }
 
+    /// Whether voxels are about as small as pixels.
+    fn is_fine(&self) -> bool {
+        self.scale < 2.0
+    }
+
     /// Where the ray through a point of the picture starts.
     fn origin(&self, x: f64, y: f64) -> [f64; 3] {
         let right = (x - WIDTH as f64 / 2.0) / self.scale;
@@ -205,16 +210,19 @@ struct Brush<'a> {
 
 impl<'a> Brush<'a> {
     fn new(scene: &'a Scene<'a>, camera: &'a Camera, paint: &'a Paint<'a>) -> Self {
-        // Where voxels are small on the picture, each needs fewer directions.
+        // Where voxels are small on the picture, each needs fewer directions, and not as far.
         let count = (8.0 * camera.scale * camera.scale).clamp(12.0, 128.0) as usize;
-        let [probe, ground_probe] = [count, 128].map(|n| Probe::new(n, 0.5 * camera.longest));
+        let (count, reach) =
+            if camera.is_fine() { (6, 48.0) } else { (count, 0.5 * camera.longest) };
+        let probe = Probe::new(count, reach);
+        let ground_probe = Probe::new(128, 0.5 * camera.longest);
         let ground_step = (camera.longest / 128.0).ceil() as i32;
         let (seen, last) = (HashMap::new(), None);
         Self { scene, camera, paint, probe, ground_probe, ground_step, seen, last }
     }
 
-    /// The mean of the samples. If the outermost samples see the same face, only they
-    /// are taken.
+    /// The mean of the samples. If the outermost samples see the same face, or all see
+    /// different ones, only they are taken.
     fn pixel(&mut self, x: usize, y: usize) -> Color {
         let part = |i: usize| (i as f64 + 0.5) / SAMPLES as f64;
         let look = |i: usize, j: usize| {
@@ -225,7 +233,7 @@ impl<'a> Brush<'a> {
         let outer = [look(0, 0), look(last, 0), look(0, last), look(last, last)];
         let same =
             |(_, hit): &Sample| hit.as_ref().map(Hit::face) == outer[0].1.as_ref().map(Hit::face);
-        let samples: Vec<Sample> = if outer.iter().all(same) {
+        let samples: Vec<Sample> = if self.camera.is_fine() || outer.iter().all(same) {
             outer.into()
         } else {
             (0..SAMPLES * SAMPLES).map(|i| look(i % SAMPLES, i / SAMPLES)).collect()

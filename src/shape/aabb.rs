@@ -102,6 +102,7 @@ impl<S: Copy> Aabb<S> {
     }
 
     /// The box between two corners that were checked before.
+    #[inline(always)]
     pub(crate) const fn between(min: Vec3<S>, max: Vec3<S>) -> Self {
         Self { form: Form::Corners { min, max } }
     }

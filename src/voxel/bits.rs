@@ -2,9 +2,14 @@ use core::fmt;
 
 use super::Rule;
 use super::grid::Grid;
+use super::marks::AllClosed;
+use super::pass::{Bounds, Pass};
+use super::placed::Near;
 use super::rows::Row;
+use super::slabs::Span;
+use crate::query::PreparedTriangle;
 use crate::scalar::Scalar;
-use crate::shape::Triangle;
+use crate::shape::{Aabb, Triangle};
 
 /// A word of a grid of bits: `u32` or `u64`.
 pub trait Word: sealed::Word {}
@@ -141,22 +146,63 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
     /// *Panics*: never.
     #[inline]
     pub fn fill(&mut self, triangle: &Triangle<S>, rule: Rule) {
+        if rule == Rule::Closed {
+            return self.fill_closed(triangle);
+        }
         for Row { x, y, z } in self.grid.rows(triangle, rule) {
-            let row = self.row_mut(y, z);
-            let (first, last) = (x.start, x.end - 1);
-            let (from, to) = ((first / W::BITS) as usize, (last / W::BITS) as usize);
-            let head = W::ALL << (first % W::BITS);
-            let tail = W::ALL >> (W::BITS - 1 - last % W::BITS);
-            let Some(words) = row.get_mut(from..=to) else { continue };
-            match words {
-                [word] => *word |= head & tail,
-                [start, middle @ .., end] => {
-                    *start |= head;
-                    middle.fill(W::ALL);
-                    *end |= tail;
+            self.set_row([y, z], [x.start, x.end - 1]);
+        }
+    }
+
+    fn fill_closed(&mut self, triangle: &Triangle<S>) {
+        let grid = self.grid;
+        let near = Near::new(triangle, &grid);
+        let bounds = Bounds::new(&near, &grid, AllClosed);
+        let voxels = |Span { first, last }: Span| first as u32..(last + 1) as u32;
+        let [x, y, z] = bounds.bounds.map(voxels);
+        if bounds.is_full {
+            for z in z {
+                for y in y.clone() {
+                    self.set_row([y, z], [x.start, x.end - 1]);
                 }
-                [] => {}
             }
+        } else if bounds.are_few() {
+            let prepared = PreparedTriangle::new(triangle);
+            for z in z {
+                let [z_low, z_high] = [z, z + 1].map(|k| grid.plane(2, k));
+                for y in y.clone() {
+                    let [y_low, y_high] = [y, y + 1].map(|k| grid.plane(1, k));
+                    for x in x.clone() {
+                        let [x_low, x_high] = [x, x + 1].map(|k| grid.plane(0, k));
+                        let (low, high) = ([x_low, y_low, z_low], [x_high, y_high, z_high]);
+                        if prepared.overlaps(&Aabb::between(low.into(), high.into())) {
+                            self.set_row([y, z], [x, x]);
+                        }
+                    }
+                }
+            }
+        } else {
+            let pass = Pass::within(&grid, &near, AllClosed, bounds);
+            pass.each(&grid, |[y, z], Span { first, last }| {
+                self.set_row([y as u32, z as u32], [first as u32, last as u32]);
+            });
+        }
+    }
+
+    /// Sets the bits of a row from the first to the last.
+    #[inline(always)]
+    fn set_row(&mut self, [y, z]: [u32; 2], [first, last]: [u32; 2]) {
+        let (from, to) = ((first / W::BITS) as usize, (last / W::BITS) as usize);
+        let head = W::ALL << (first % W::BITS);
+        let tail = W::ALL >> (W::BITS - 1 - last % W::BITS);
+        match self.row_mut(y, z).get_mut(from..=to) {
+            Some([word]) => *word |= head & tail,
+            Some([start, middle @ .., end]) => {
+                *start |= head;
+                middle.fill(W::ALL);
+                *end |= tail;
+            }
+            _ => {}
         }
     }
 

@@ -14,6 +14,30 @@ pub(super) enum Marks {
     Center,
 }
 
+/// The marks of each axis: known to the compiler, or not.
+pub(super) trait AxisMarks: Copy {
+    /// Those of an axis.
+    fn of(&self, axis: usize) -> Marks;
+}
+
+impl AxisMarks for [Marks; 3] {
+    #[inline(always)]
+    fn of(&self, axis: usize) -> Marks {
+        self[axis]
+    }
+}
+
+/// Closed on every axis: what is asked for most.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct AllClosed;
+
+impl AxisMarks for AllClosed {
+    #[inline(always)]
+    fn of(&self, _: usize) -> Marks {
+        Marks::Closed
+    }
+}
+
 impl Marks {
     /// Whether the limits of the intervals are planes; if not, they are middles.
     #[inline(always)]

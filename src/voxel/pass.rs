@@ -6,18 +6,58 @@
 use core::cmp::Ordering;
 
 use super::grid::Grid;
-use super::marks::{Line, Marks};
+use super::marks::{AxisMarks, Line, Marks};
 use super::place::Place;
-use super::placed::Placed;
+use super::placed::{Near, Placed};
 use super::plane::Plane;
 use super::rows::Row;
 use super::slabs::{BLOCK, Span, spans};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
+/// The voxels in question.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    /// On each axis; on none, if there are none.
+    pub(super) bounds: [Span; 3],
+    /// Whether all of them are marked.
+    pub(super) is_full: bool,
+}
+
+impl Bounds {
+    #[cfg_attr(not(feature = "small"), inline(always))]
+    #[cfg_attr(feature = "small", inline(never))]
+    pub(super) fn new<S: Scalar, M: AxisMarks>(near: &Near<S>, grid: &Grid<S>, marks: M) -> Self {
+        let size = grid.resolution();
+        let mut bounds = [Span::EMPTY; 3];
+        let mut narrow = 0;
+        for i in 0..3 {
+            let marks = marks.of(i);
+            let [least, greatest] = near.ends(grid, i, marks);
+            let Span { first, last } = marks.span(least, greatest);
+            narrow += u32::from(first == last && marks.are_cells());
+            bounds[i] = Span { first: first.max(0), last: last.min(size[i] as i32 - 1) };
+        }
+        if bounds.iter().any(|span| span.first > span.last) {
+            bounds = [Span { first: 0, last: -1 }; 3];
+        }
+        // A triangle whose box is one voxel wide on two axes: all of it is in their row.
+        Self { bounds, is_full: narrow >= 2 }
+    }
+
+    /// Whether there are so few that a test for each is the quickest way.
+    #[inline(always)]
+    pub(super) fn are_few(&self) -> bool {
+        const FEW: i64 = 12;
+        let [x, y, z] = self.bounds.map(|span| i64::from(span.last - span.first + 1));
+        // Each is below 2^30.
+        x.max(y).max(z) <= FEW && x * y * z <= FEW
+    }
+}
+
 #[derive(Clone, Debug)]
-pub(super) struct Pass<S> {
-    placed: Placed<S>,
+pub(super) struct Pass<S, M> {
+    placed: Placed<S, M>,
     plane: Option<Plane>,
     /// The voxels in question on each axis.
     bounds: [Span; 3],
@@ -35,24 +75,23 @@ pub(super) struct Pass<S> {
     z: i32,
 }
 
-impl<S: Scalar> Pass<S> {
+impl<S: Scalar, M: AxisMarks> Pass<S, M> {
     #[cfg_attr(not(feature = "small"), inline(always))]
     #[cfg_attr(feature = "small", inline(never))]
-    pub(super) fn new(grid: &Grid<S>, triangle: &Triangle<S>, marks: [Marks; 3]) -> Self {
-        let placed = Placed::new(triangle, grid, marks);
-        let size = grid.resolution();
-        let mut bounds = [Span::EMPTY; 3];
-        let mut narrow = 0;
-        for i in 0..3 {
-            let Span { first, last } = marks[i].span(placed.least[i], placed.greatest[i]);
-            narrow += u32::from(first == last && marks[i].are_cells());
-            bounds[i] = Span { first: first.max(0), last: last.min(size[i] as i32 - 1) };
-        }
-        if bounds.iter().any(|span| span.first > span.last) {
-            bounds = [Span { first: 0, last: -1 }; 3];
-        }
-        // A triangle whose box is one voxel wide on two axes: all of it is in their row.
-        let is_full = narrow >= 2;
+    pub(super) fn new(grid: &Grid<S>, triangle: &Triangle<S>, marks: M) -> Self {
+        let near = Near::new(triangle, grid);
+        Self::within(grid, &near, marks, Bounds::new(&near, grid, marks))
+    }
+
+    /// The voxels within the bounds of a triangle.
+    #[inline(always)]
+    pub(super) fn within(
+        grid: &Grid<S>,
+        near: &Near<S>,
+        marks: M,
+        Bounds { bounds, is_full }: Bounds,
+    ) -> Self {
+        let placed = Placed::new(near, grid, marks);
         let [_, y, z] = bounds;
         let mut pass = Self {
             placed,
@@ -90,6 +129,19 @@ impl<S: Scalar> Pass<S> {
             }
             if !self.next_layer(grid) {
                 return None;
+            }
+        }
+    }
+
+    /// All rows at once: [`next`](Self::next) until there are no more.
+    #[inline(always)]
+    pub(super) fn each(mut self, grid: &Grid<S>, mut f: impl FnMut([i32; 2], Span)) {
+        while self.next_layer(grid) {
+            for y in self.y..self.y_end {
+                let span = self.row(grid, y);
+                if span.first <= span.last {
+                    f([y, self.z], span);
+                }
             }
         }
     }
@@ -164,7 +216,7 @@ impl<S: Scalar> Pass<S> {
         }
         // Of the row's lines along x, the ones nearest to where the normal comes from, and to
         // where it goes.
-        let [along, of_y, of_z] = self.placed.marks;
+        let [along, of_y, of_z] = [0, 1, 2].map(|i| self.placed.marks.of(i));
         let (ends_y, ends_z) = (of_y.ends(y), of_z.ends(self.z));
         let [mut near, mut far] = [0, 1].map(|k: usize| [ends_y[k], ends_z[k]]);
         // Half-open voxels have no point on the second of each pair.

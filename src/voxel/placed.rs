@@ -3,33 +3,27 @@
 use core::cmp::Ordering;
 
 use super::grid::Grid;
-use super::marks::Marks;
+use super::marks::{AxisMarks, Marks};
 use super::place::{Place, locate};
 use super::sign::turn;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
-/// A triangle in a grid, to be asked about the marks of each axis.
+/// A triangle in units of a grid, nearly.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Placed<S> {
-    pub(super) marks: [Marks; 3],
+pub(super) struct Near<S> {
     pub(super) points: [[S; 3]; 3],
-    /// The vertices in units of the grid, nearly.
+    /// The vertices in units of the grid.
     pub(super) near: [[f64; 3]; 3],
-    /// Where the vertices are among the limits of the marks, exactly.
-    pub(super) at: [[Place; 3]; 3],
-    /// The least and the greatest of them, on each axis.
-    pub(super) least: [Place; 3],
-    pub(super) greatest: [Place; 3],
     /// No number of `near` is farther from the truth, and no plane; an infinity where floats
     /// cannot say.
     pub(super) error: f64,
 }
 
-impl<S: Scalar> Placed<S> {
+impl<S: Scalar> Near<S> {
     #[cfg_attr(not(feature = "small"), inline(always))]
     #[cfg_attr(feature = "small", inline(never))]
-    pub(super) fn new(triangle: &Triangle<S>, grid: &Grid<S>, marks: [Marks; 3]) -> Self {
+    pub(super) fn new(triangle: &Triangle<S>, grid: &Grid<S>) -> Self {
         let points = triangle.points();
         let mut near = [[0.0; 3]; 3];
         let mut error = f64::INFINITY;
@@ -45,21 +39,63 @@ impl<S: Scalar> Placed<S> {
             }
             error = grid.place_error(farthest);
         }
+        Self { points, near, error }
+    }
+
+    /// Where a number, of which about the place is known, is among the limits of an axis.
+    #[inline(always)]
+    fn place(&self, grid: &Grid<S>, i: usize, marks: Marks, (x, near): (S, f64)) -> Place {
+        let end = Place::before(marks.limits(grid.resolution()[i]));
+        locate(near - marks.shift(), self.error, Place::before(0), end, |limit| {
+            grid.compare(i, marks.limit(limit), x)
+        })
+    }
+
+    /// Where the least and the greatest coordinate on an axis are.
+    #[inline(always)]
+    pub(super) fn ends(&self, grid: &Grid<S>, i: usize, marks: Marks) -> [Place; 2] {
+        let vertex = |k: usize| (self.points[k][i], self.near[k][i]);
+        let (mut least, mut greatest) = (vertex(0), vertex(0));
+        for k in 1..3 {
+            let vertex = vertex(k);
+            least = if vertex.0 < least.0 { vertex } else { least };
+            greatest = if vertex.0 > greatest.0 { vertex } else { greatest };
+        }
+        [least, greatest].map(|vertex| self.place(grid, i, marks, vertex))
+    }
+}
+
+/// A triangle in a grid, to be asked about the marks of each axis.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Placed<S, M> {
+    pub(super) marks: M,
+    pub(super) points: [[S; 3]; 3],
+    pub(super) near: [[f64; 3]; 3],
+    pub(super) error: f64,
+    /// Where the vertices are among the limits of the marks, exactly.
+    pub(super) at: [[Place; 3]; 3],
+    /// The least and the greatest of them, on each axis.
+    pub(super) least: [Place; 3],
+    pub(super) greatest: [Place; 3],
+}
+
+impl<S: Scalar, M: AxisMarks> Placed<S, M> {
+    #[cfg_attr(not(feature = "small"), inline(always))]
+    #[cfg_attr(feature = "small", inline(never))]
+    pub(super) fn new(near: &Near<S>, grid: &Grid<S>, marks: M) -> Self {
         let mut at = [[Place::before(0); 3]; 3];
         for k in 0..3 {
             for i in 0..3 {
-                let end = Place::before(marks[i].limits(grid.resolution()[i]));
-                let x = near[k][i] - marks[i].shift();
-                at[k][i] = locate(x, error, Place::before(0), end, |limit| {
-                    grid.compare(i, marks[i].limit(limit), points[k][i])
-                });
+                let vertex = (near.points[k][i], near.near[k][i]);
+                at[k][i] = near.place(grid, i, marks.of(i), vertex);
             }
         }
         let over = |of: fn(Place, Place) -> Place| {
             [0, 1, 2].map(|i: usize| of(of(at[0][i], at[1][i]), at[2][i]))
         };
         let (least, greatest) = (over(Place::least), over(Place::greatest));
-        Self { marks, points, near, at, least, greatest, error }
+        let Near { points, near, error } = *near;
+        Self { marks, points, near, error, at, least, greatest }
     }
 
     /// The sign of the component of (b − a) × (c − a) that comes before axes j and k in turn.

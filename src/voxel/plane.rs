@@ -25,7 +25,7 @@
 use core::cmp::Ordering;
 
 use super::grid::Grid;
-use super::marks::Line;
+use super::marks::{AxisMarks, Line};
 use super::place::{Place, locate};
 use super::placed::Placed;
 use super::sign::side;
@@ -49,7 +49,7 @@ impl Plane {
     /// `None` where the plane is parallel to x, or the triangle has none.
     #[cfg_attr(not(feature = "small"), inline(always))]
     #[cfg_attr(feature = "small", inline(never))]
-    pub(super) fn new<S: Scalar>(placed: &Placed<S>) -> Option<Self> {
+    pub(super) fn new<S: Scalar, M: AxisMarks>(placed: &Placed<S, M>) -> Option<Self> {
         let [a, b, c] = placed.near;
         let (e, f) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
         let mut size = 0.0;
@@ -92,9 +92,9 @@ impl Plane {
     /// `low` and not behind `high`. The line is the middle of two lines of the grid.
     #[cfg_attr(not(feature = "small"), inline(always))]
     #[cfg_attr(feature = "small", inline(never))]
-    pub(super) fn place<S: Scalar>(
+    pub(super) fn place<S: Scalar, M: AxisMarks>(
         &self,
-        placed: &Placed<S>,
+        placed: &Placed<S, M>,
         grid: &Grid<S>,
         [y, z]: [Line; 2],
         low: Place,
@@ -102,7 +102,7 @@ impl Plane {
     ) -> Place {
         let [from_x, from_y, from_z] = self.from;
         let [slope_y, slope_z] = self.slopes;
-        let marks = placed.marks[0];
+        let marks = placed.marks.of(0);
         let x = from_x + slope_z * (z.middle() - from_z) + slope_y * (y.middle() - from_y);
         locate(x - marks.shift(), self.error, low, high, |k| {
             let planes = [grid.planes(0, marks.limit(k)), grid.planes(1, y), grid.planes(2, z)];

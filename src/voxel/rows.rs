@@ -23,7 +23,7 @@ pub struct Row {
 pub struct Rows<S> {
     grid: Grid<S>,
     triangle: Triangle<S>,
-    pass: Pass<S>,
+    pass: Pass<S, [Marks; 3]>,
     /// What is asked after this pass.
     next: &'static [[Marks; 3]],
 }

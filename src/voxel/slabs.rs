@@ -23,14 +23,14 @@
 //!    8·η·(1 + |ŝ|) is given.
 
 use super::grid::Grid;
-use super::marks::Marks;
+use super::marks::{AxisMarks, Marks};
 use super::place::{Place, locate};
 use super::placed::Placed;
 use super::sign::turn;
 use crate::scalar::Scalar;
 
 /// How many slabs are worked out at a time.
-pub(super) const BLOCK: usize = 32;
+pub(super) const BLOCK: usize = 8;
 
 /// A range of cells, both ends included; empty where the first is above the last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,8 +47,8 @@ impl Span {
 /// triangle comes to in it, seen along the third axis.
 #[cfg_attr(not(feature = "small"), inline(always))]
 #[cfg_attr(feature = "small", inline(never))]
-pub(super) fn spans<S: Scalar>(
-    placed: &Placed<S>,
+pub(super) fn spans<S: Scalar, M: AxisMarks>(
+    placed: &Placed<S, M>,
     grid: &Grid<S>,
     axes: [usize; 2],
     first: i32,
@@ -56,7 +56,7 @@ pub(super) fn spans<S: Scalar>(
 ) {
     out.fill(Span::EMPTY);
     let [u, v] = axes;
-    let [along, across] = [placed.marks[u], placed.marks[v]];
+    let [along, across] = [placed.marks.of(u), placed.marks.of(v)];
     let end = first + out.len() as i32;
     let mut include = |slab: i32, place: Place, is_open: bool| {
         if let Some(span) = out.get_mut((slab - first) as usize) {
@@ -100,7 +100,11 @@ pub(super) fn spans<S: Scalar>(
 
 /// The ends of edge k, the lower along v first.
 #[inline(always)]
-pub(super) fn rising<S: Scalar>(placed: &Placed<S>, v: usize, k: usize) -> [usize; 2] {
+pub(super) fn rising<S: Scalar, M: AxisMarks>(
+    placed: &Placed<S, M>,
+    v: usize,
+    k: usize,
+) -> [usize; 2] {
     let next = if k == 2 { 0 } else { k + 1 };
     if placed.points[k][v] < placed.points[next][v] { [k, next] } else { [next, k] }
 }
@@ -118,7 +122,11 @@ pub(super) struct Edge<S> {
 impl<S: Scalar> Edge<S> {
     #[cfg_attr(not(feature = "small"), inline(always))]
     #[cfg_attr(feature = "small", inline(never))]
-    pub(super) fn new(placed: &Placed<S>, [u, v]: [usize; 2], [a, b]: [usize; 2]) -> Self {
+    pub(super) fn new<M: AxisMarks>(
+        placed: &Placed<S, M>,
+        [u, v]: [usize; 2],
+        [a, b]: [usize; 2],
+    ) -> Self {
         let [p, q] = [a, b].map(|k| [placed.near[k][u], placed.near[k][v]]);
         let (du, dv) = (q[0] - p[0], q[1] - p[1]);
         let slope = du / dv;
@@ -136,14 +144,14 @@ impl<S: Scalar> Edge<S> {
     /// Where the edge crosses a limit of v, which is not above its higher end.
     #[cfg_attr(not(feature = "small"), inline(always))]
     #[cfg_attr(feature = "small", inline(never))]
-    pub(super) fn place(
+    pub(super) fn place<M: AxisMarks>(
         &self,
-        placed: &Placed<S>,
+        placed: &Placed<S, M>,
         grid: &Grid<S>,
         [u, v]: [usize; 2],
         limit: i32,
     ) -> Place {
-        let [along, across] = [placed.marks[u], placed.marks[v]];
+        let [along, across] = [placed.marks.of(u), placed.marks.of(v)];
         let up = f64::from(limit) + across.shift() - self.from[1];
         let x = self.from[0] + up * self.slope - along.shift();
         locate(x, self.error, self.low, self.high, |k| {

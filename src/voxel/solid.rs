@@ -2,7 +2,7 @@ use super::bits::{Bits, TooFewWords, Word};
 use super::grid::Grid;
 use super::marks::Marks;
 use super::place::Place;
-use super::placed::Placed;
+use super::placed::{Near, Placed};
 use super::plane::Plane;
 use super::slabs::{Edge, rising};
 use crate::scalar::Scalar;
@@ -144,7 +144,7 @@ fn crossings<S: Scalar>(
     triangle: &Triangle<S>,
     mut cross: impl FnMut([u32; 2], u32),
 ) {
-    let placed = Placed::new(triangle, grid, [Marks::Center; 3]);
+    let placed = Placed::new(&Near::new(triangle, grid), grid, [Marks::Center; 3]);
     let [nx, ny, nz] = grid.resolution().map(|n| n as i32);
     let (first, last) = (placed.least[2].at.max(0), placed.greatest[2].at.min(nz));
     if first >= last || placed.least[1].at >= ny || placed.greatest[1].at <= 0 {

@@ -224,8 +224,9 @@ fn formats_agree() {
 #[test]
 fn rules_and_the_inside() {
     let desk = Desk::new("rules");
-    // Faces between two layers, 14 voxels apart, in a grid of 16 that a segment spans.
-    let span = format!("{}v -1 -1 -1\nv 15 15 15\nf 9 10\n", cuboid([0; 3], [14; 3], 0));
+    // Faces between two layers, 14 voxels apart, in a grid of 16 that two points span.
+    let span =
+        format!("{}v -1 -1 -1\nv 15 15 15\nf 9 9 9\nf 10 10 10\n", cuboid([0; 3], [14; 3], 0));
     desk.write("box.obj", &span);
     let set = |options: &str| {
         figure(&desk.succeed(&format!("box.obj -r 16 --no-picture {options}")), "set")

@@ -28,7 +28,7 @@ fn voxelize() {
         &[
             ("-s f16", "f32, f64, i8f8, i16f16, i32f32"),
             ("--scalar fixed", "f32, f64, i8f8, i16f16, i32f32"),
-            ("-m best", "exact, exact-pairs, conservative, published, rounded"),
+            ("-m best", "rows, per-voxel, exact-pairs, conservative, published, rounded"),
             ("-u x", "y, z"),
             ("-r many", "not a whole number"),
             ("-r -5", "not a whole number"),
@@ -39,7 +39,7 @@ fn voxelize() {
             ("--no-pictures", "--no-pictures"),
             ("--vox", "--vox"),
             ("none.obj", "none.obj"),
-            ("a.obj b.obj", "b.obj"),
+            ("a.obj b.obj", "a.obj"),
         ],
     );
 }
