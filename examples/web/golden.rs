@@ -5,7 +5,7 @@ use std::collections::HashSet;
 
 use septum::mesh::{Node, Tree};
 use septum::voxel::{Bits, Grid, Solid};
-use septum::{Overlaps, Vec3};
+use septum::Vec3;
 
 use crate::voxels::{self, Mesh};
 

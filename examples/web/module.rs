@@ -41,7 +41,7 @@ pub(crate) fn say<const N: usize>(first: usize, answer: [u32; N]) {
 extern "C" fn answers(scalar: u32) -> u32 {
     match scalar {
         0 => about(f32::from_bits, |t, aabb| {
-            [t.may_overlap(aabb), published::akenine_moller::overlaps(&t, aabb)]
+            [t.may_overlap(aabb), published::akenine_moller::overlaps(t, aabb)]
         }),
         _ => about(|bits| I8F8::from_bits(bits as i16), |_, _| [false; 2]),
     }

@@ -30,25 +30,14 @@ pub(crate) fn grid_around(mesh: &Mesh<'_>, resolution: u32) -> Result<Grid<f32>,
     }
     // A little larger, for the planes to enclose what has just this size.
     let cell = (longest / f64::from(resolution) * (1.0 + 1.0 / f64::from(1 << 20))) as f32;
+    // Planes round, and rounding keeps order: what is not above a vertex before is not above it
+    // then. Where it moves the origin there is as much room on the other side.
     let (mut size, mut origin) = ([0; 3], [0.0; 3]);
-    // A voxel more where rounding has moved a plane into the mesh.
-    let mut more = [0; 3];
-    for _ in 0..2 {
-        for i in 0..3 {
-            size[i] = above(extent[i] / f64::from(cell)).max(1) + more[i];
-            origin[i] = (middle[i] - 0.5 * f64::from(size[i]) * f64::from(cell)) as f32;
-        }
-        let grid = Grid::new(origin, [cell; 3], size)?;
-        let far = grid.voxel(size.map(|n| n - 1)).and_then(|voxel| voxel.min_max());
-        let far = far.map_or(origin, |(_, far)| far.to_array());
-        for i in 0..3 {
-            more[i] = u32::from(origin[i] > least[i] || far[i] < greatest[i]);
-        }
-        if more == [0; 3] {
-            return Ok(grid);
-        }
+    for i in 0..3 {
+        size[i] = above(extent[i] / f64::from(cell)).max(1);
+        origin[i] = (middle[i] - 0.5 * f64::from(size[i]) * f64::from(cell)) as f32;
     }
-    Err(GridError::CellTooSmall)
+    Grid::new(origin, [cell; 3], size)
 }
 
 /// The least whole number that is not below.
