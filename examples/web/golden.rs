@@ -3,9 +3,9 @@
 
 use std::collections::HashSet;
 
+use septum::Vec3;
 use septum::mesh::{Node, Tree};
 use septum::voxel::{Bits, Grid, Solid};
-use septum::Vec3;
 
 use crate::voxels::{self, Mesh};
 

@@ -54,7 +54,8 @@ macro_rules! float {
                 if !farthest.is_finite() {
                     return Err(StepsError::OutOfRange);
                 }
-                if !(8.0 * ROUNDOFF * farthest <= step) {
+                let least = 8.0 * ROUNDOFF * farthest;
+                if least > step {
                     return Err(StepsError::TooClose);
                 }
                 if is_on_grid([origin, step], farthest, $float::MANTISSA_DIGITS) {

@@ -71,7 +71,7 @@ impl<S: Scalar> Grid<S> {
         }
         let (mut per_cell, mut deviation) = ([0.0; 3], [0.0; 3]);
         for i in 0..3 {
-            if !(step[i] > S::ZERO) {
+            if step[i].partial_cmp(&S::ZERO) != Some(Ordering::Greater) {
                 return Err(GridError::CellNotPositive);
             }
             match resolution[i] {

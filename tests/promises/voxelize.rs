@@ -45,7 +45,11 @@ impl Desk {
             build.arg(target.parent().unwrap()).current_dir(env!("CARGO_MANIFEST_DIR"));
             assert!(build.status().unwrap().success());
         }
-        Command::new(example).args(arguments.split(' ')).current_dir(&self.0).output().unwrap()
+        Command::new(example)
+            .args(arguments.split_whitespace())
+            .current_dir(&self.0)
+            .output()
+            .unwrap()
     }
 
     fn succeed(&self, arguments: &str) -> String {

@@ -132,24 +132,22 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut took = Duration::ZERO;
     let bvh2 = build_bvh2_from_tris(&triangles, BvhBuildParams::very_slow_build(), &mut took);
     let cwbvh = build_cwbvh_from_tris(&triangles, BvhBuildParams::very_slow_build(), &mut took);
-    let in_order = |indices: &[u32]| -> Vec<_> {
-        indices.iter().map(|&i| triangles[i as usize]).collect()
-    };
+    let in_order =
+        |indices: &[u32]| -> Vec<_> { indices.iter().map(|&i| triangles[i as usize]).collect() };
     let (of_bvh2, of_cwbvh) =
         (in_order(&bvh2.primitive_indices), in_order(&cwbvh.primitive_indices));
 
     let mut rng = Rng::new(7);
     let anywhere =
         |rng: &mut Rng, reach: f64| [3.4, 3.4, 1.4].map(|x| (rng.real(-x, x) * reach) as f32);
-    for (title, aimed) in [("random rays, the first hit", false), ("rays at vertices, the first hit", true)] {
+    for (title, aimed) in
+        [("random rays, the first hit", false), ("rays at vertices, the first hit", true)]
+    {
         let rays: Vec<(Point, Point)> = (0..4000)
             .map(|_| {
                 let o = anywhere(&mut rng, 2.0);
-                let to = if aimed {
-                    points[rng.below(points.len())]
-                } else {
-                    anywhere(&mut rng, 1.0)
-                };
+                let to =
+                    if aimed { points[rng.below(points.len())] } else { anywhere(&mut rng, 1.0) };
                 (o, [0, 1, 2].map(|i| to[i] - o[i]))
             })
             .collect();
@@ -172,7 +170,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             Method { name: "septum is_hit", ask: Box::new(|i| tree.is_hit(&ours[i]).into()) },
             Method {
                 name: "parry3d TriMesh::cast_local_ray",
-                ask: Box::new(|i| parry.cast_local_ray(&of_parry[i], f32::MAX, false).is_some().into()),
+                ask: Box::new(|i| {
+                    parry.cast_local_ray(&of_parry[i], f32::MAX, false).is_some().into()
+                }),
             },
             Method {
                 name: "obvhs Bvh2, slowest build",
@@ -211,12 +211,15 @@ fn main() -> Result<(), Box<dyn Error>> {
             .collect();
         // How many, and which, by a sum that is the same in any order.
         let tell = |found: &mut dyn Iterator<Item = u64>| {
-            found.fold(0_u64, |sum, i| sum.wrapping_add((i + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15)))
+            found
+                .fold(0_u64, |sum, i| sum.wrapping_add((i + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15)))
         };
         let truth: Vec<_> = ours
             .iter()
             .take(200)
-            .map(|b| tell(&mut (0..).zip(mesh.iter()).filter(|(_, t)| t.overlaps(b)).map(|(i, _)| i)))
+            .map(|b| {
+                tell(&mut (0..).zip(mesh.iter()).filter(|(_, t)| t.overlaps(b)).map(|(i, _)| i))
+            })
             .collect();
         let methods = [
             Method {
@@ -227,13 +230,16 @@ fn main() -> Result<(), Box<dyn Error>> {
                 name: "parry3d Bvh, aabb/triangle",
                 ask: Box::new(|i| {
                     let aabb = &of_parry[i];
-                    let meets = |&k: &u32| intersection_test_aabb_triangle(aabb, &parry.triangle(k));
+                    let meets =
+                        |&k: &u32| intersection_test_aabb_triangle(aabb, &parry.triangle(k));
                     tell(&mut parry.bvh().intersect_aabb(aabb).filter(meets).map(u64::from))
                 }),
             },
             Method {
                 name: "parry3d Bvh, boxes alone",
-                ask: Box::new(|i| tell(&mut parry.bvh().intersect_aabb(&of_parry[i]).map(u64::from))),
+                ask: Box::new(|i| {
+                    tell(&mut parry.bvh().intersect_aabb(&of_parry[i]).map(u64::from))
+                }),
             },
         ];
         race(title, options.rounds, ours.len(), &truth, &methods);

@@ -58,6 +58,7 @@ impl<W: Word> Projection<W> {
     }
 
     /// The same with the box grown to either side.
+    #[cfg(feature = "fixed")]
     #[inline(always)]
     pub(in crate::query) fn grown(self, by: W) -> Self {
         let [a, b, c] = self.t;
@@ -71,6 +72,7 @@ impl<W: Word> Projection<W> {
     }
 
     /// Whether a box has been shrunk to nothing.
+    #[cfg(feature = "fixed")]
     #[inline(always)]
     pub(in crate::query) fn is_void([x, y, z]: &[Self; 3]) -> bool {
         x.size | y.size | z.size < W::ZERO

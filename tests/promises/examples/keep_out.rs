@@ -5,7 +5,7 @@
 mod check;
 #[rustfmt::skip]
 #[path = "../../../examples/keep_out/teapot.rs"]
-mod teapot;
+pub(crate) mod teapot;
 #[path = "../../../examples/keep_out/tool.rs"]
 pub(crate) mod tool;
 

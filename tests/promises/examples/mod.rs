@@ -1,7 +1,7 @@
 //! The examples, as their users meet them.
 
 mod advise;
-mod keep_out;
+pub(crate) mod keep_out;
 mod options;
 mod printing;
 mod quantise;

@@ -41,7 +41,7 @@ fn body<'a>(table: &'a str, name: &str) -> &'a str {
     rest.split_once("];").unwrap().0
 }
 
-/// The nearest numbers, in the order of the triangles, in every type.
+/// The nearest numbers, of all triangles in the order of their tree, in every type.
 #[test]
 fn tables_for_flash() {
     let directory = directory("printing");
@@ -56,6 +56,11 @@ fn tables_for_flash() {
             .iter()
             .flat_map(|&i| vertices[3 * i as usize..3 * i as usize + 3].to_vec())
             .collect();
+        let sorted = |numbers: &[i64]| {
+            let mut triangles: Vec<Vec<i64>> = numbers.chunks(9).map(<[i64]>::to_vec).collect();
+            triangles.sort_unstable();
+            triangles
+        };
         let unit = f64::exp2(-f64::from(fraction_bits));
         let expected: Vec<i64> = triangles()
             .as_flattened()
@@ -63,7 +68,7 @@ fn tables_for_flash() {
             .iter()
             .map(|x| (x * scale / unit).round_ties_even() as i64)
             .collect();
-        assert_eq!(read, expected, "{scalar}");
+        assert!(sorted(&read) == sorted(&expected), "{scalar}");
     }
 }
 

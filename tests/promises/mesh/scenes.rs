@@ -4,10 +4,7 @@ use septum::Vec3;
 use septum::mesh::{Mesh, Node, Tree};
 use septum_kit::{Rng, Sample, rays};
 
-#[rustfmt::skip]
-#[allow(dead_code, reason = "not all of the example's table is of use here")]
-#[path = "../../../examples/keep_out/teapot.rs"]
-mod teapot;
+use crate::examples::keep_out::teapot;
 
 /// Vertices and faces, and memory for a tree.
 pub(super) struct Scene<S> {
