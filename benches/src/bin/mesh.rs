@@ -269,7 +269,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     ];
     race("points", options.rounds, places.len(), &truth, &methods);
     let start = Instant::now();
-    places.iter().take(20).for_each(|&p| assert!(black_box(without(p)) || true));
+    places.iter().take(20).for_each(|&p| _ = black_box(without(p)));
     println!("{:34} {:9.0}", "septum, all triangles", start.elapsed().as_nanos() as f64 / 20.0);
     Ok(())
 }
