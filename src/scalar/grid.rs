@@ -50,6 +50,14 @@ pub struct FloatSteps<F> {
     inverse: F,
 }
 
+/// Out of line for a machine whose emulator, QEMU before 8.0, multiplies two `f32` widened for
+/// it wrongly (MDEBR).
+#[cfg_attr(not(target_arch = "s390x"), inline(always))]
+#[cfg_attr(target_arch = "s390x", inline(never))]
+fn product(a: f64, b: f64) -> f64 {
+    a * b
+}
+
 macro_rules! float {
     ($float:ident, $least_step:literal, $bits:ty, |$hit:ident| $farthest:expr) => {
         // The step is a power of two, and at least twice the last place of the greatest number;
@@ -132,7 +140,7 @@ macro_rules! float {
 
             #[inline]
             fn length(self, steps: &Self::Steps) -> f64 {
-                f64::from(self) * f64::from(steps.inverse)
+                product(self.into(), steps.inverse.into())
             }
 
             #[inline]
