@@ -19,6 +19,7 @@ mod rounded;
 mod span;
 mod split;
 mod system;
+mod vector;
 mod wide;
 mod words;
 
@@ -33,7 +34,7 @@ pub(crate) use integer::Int64;
 #[cfg(feature = "fixed")]
 pub(crate) use integer::{Int8, Int16, Int32};
 pub use number::Number;
-pub(crate) use number::{greatest, largest, least};
+pub(crate) use number::{compare, greatest, largest, least};
 pub use parts::Parts;
 pub(crate) use platform::{REGISTERS_ARE_WIDE, SMALL_CODE};
 pub(crate) use quad::{OfFour, Quad, THREE};
@@ -49,6 +50,7 @@ pub use span::{Span, Spanned};
 pub(crate) use split::{FAR, Split, Two, short_areas, two_difference};
 pub use system::{Arithmetic, Embeds};
 pub(crate) use system::{of_two, once};
+pub(crate) use vector::{cross, dot};
 #[cfg(feature = "fixed")]
 pub(crate) use wide::I256;
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! What every number of a kernel can do. Products are not here: they belong to
 //! [`Arithmetic`](super::Arithmetic), which knows in what type a product fits.
 
+use core::cmp::Ordering;
 use core::ops::{Add, Neg, Sub};
 
 /// A number that a geometric quantity is held in.
@@ -61,6 +62,18 @@ integer! {
     i64: |_size| true;
     // As an operand of sums of at most 30 products of four.
     i128: |size| size <= 1 << 30;
+}
+
+/// How two numbers compare; none is NaN.
+#[inline(always)]
+pub(crate) fn compare<T: PartialOrd>(a: T, b: T) -> Ordering {
+    if a < b {
+        Ordering::Less
+    } else if a > b {
+        Ordering::Greater
+    } else {
+        Ordering::Equal
+    }
 }
 
 /// The smaller of two numbers. On x86-64 this form is one instruction, where

@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use super::{Index, Mesh, MeshError};
-use crate::arithmetic::SMALL_CODE;
+use crate::arithmetic::{SMALL_CODE, compare};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -49,12 +49,12 @@ impl<S: Scalar, I: Index> Mesh<'_, S, I> {
             let is_in_order = by_place(&place(a), &place(b)) != Ordering::Greater;
             *edge = if is_in_order { [a, b] } else { [b, a] };
         }
-        let compare = |&[a, b]: &[I; 2], &[c, d]: &[I; 2]| {
+        let by_ends = |&[a, b]: &[I; 2], &[c, d]: &[I; 2]| {
             by_place(&place(a), &place(c)).then_with(|| by_place(&place(b), &place(d)))
         };
         // By index where places are the same, so that the same edge is named everywhere.
-        sort(edges, |a, b| compare(a, b).then_with(|| a.cmp(b)));
-        let alike = edges.chunk_by(|a, b| compare(a, b) == Ordering::Equal);
+        sort(edges, |a, b| by_ends(a, b).then_with(|| a.cmp(b)));
+        let alike = edges.chunk_by(|a, b| by_ends(a, b) == Ordering::Equal);
         for group in alike.filter(|group| group.len() % 2 == 1) {
             let [a, b] = group[0];
             if by_place(&place(a), &place(b)) != Ordering::Equal {
@@ -107,6 +107,5 @@ fn swap<T: Copy>(all: &mut [T], a: usize, b: usize) {
 
 /// An order of places. All coordinates are numbers; zeros of either sign are alike.
 fn by_place<S: Scalar>(a: &Vec3<S>, b: &Vec3<S>) -> Ordering {
-    let compare = |a: S, b: S| a.partial_cmp(&b).unwrap_or(Ordering::Equal);
     compare(a.x, b.x).then_with(|| compare(a.y, b.y)).then_with(|| compare(a.z, b.z))
 }

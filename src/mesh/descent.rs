@@ -156,13 +156,17 @@ impl GridRay {
         const UPRIGHT: f32 = (1_u128 << 100) as f32;
         const SHIFT: f64 = 8.0 / (1 << 24) as f64;
         const POINTS: f64 = (1 << 16) as f64;
+        // A ray with a longer or a shorter direction goes to all boxes: 1/m and t/m might
+        // overflow.
+        const LEAST_SCALE: f64 = 1e-290;
+        const MOST_SCALE: f64 = 1e290;
 
         let (direction, origin) = (ray.direction().to_array(), ray.origin().to_array());
         let o = [0, 1, 2].map(|i| origin[i].place(&grid.0[i]));
         let d = [0, 1, 2].map(|i| direction[i].length(&grid.0[i]));
         let scale = d.iter().fold(0.0, |m, d| greatest(m, d.abs()));
         let is_near = o.iter().all(|o| o.abs() <= FAR);
-        if !(is_near && scale > 1e-290 && scale < 1e290) {
+        if !(is_near && scale > LEAST_SCALE && scale < MOST_SCALE) {
             return Self::EVERYWHERE;
         }
         let axis = |i: usize| {
@@ -215,8 +219,8 @@ impl GridRay {
 /// A number of `f32` that is above this one, unless that is beyond all.
 fn rounded_up(x: f64) -> f32 {
     const ROOM: f64 = 1.0 / (1 << 22) as f64;
-    // Not −0, which `in_order` tells from 0.
-    (x + x.abs() * ROOM + 1e-37) as f32 + 0.0
+    // What underflows becomes the least normal number. Not −0, which `in_order` tells from 0.
+    (x + x.abs() * ROOM + f64::from(f32::MIN_POSITIVE)) as f32 + 0.0
 }
 
 /// A float as an integer that compares as it does, but for −0, which is below 0.

@@ -34,8 +34,7 @@ impl<'a, S: Scalar, I: Index> Mesh<'a, S, I> {
     /// [`MeshError::NotFinite`], [`MeshError::NoSuchVertex`], and
     /// [`MeshError::TooManyTriangles`] where `I` cannot number them.
     pub fn new(vertices: &'a [Vec3<S>], triangles: &'a [[I; 3]]) -> Result<Self, MeshError> {
-        let is_finite = |v: &Vec3<S>| v.x.is_finite() && v.y.is_finite() && v.z.is_finite();
-        if let Some(vertex) = vertices.iter().position(|v| !is_finite(v)) {
+        if let Some(vertex) = vertices.iter().position(|v| !v.is_finite()) {
             return Err(MeshError::NotFinite { vertex });
         }
         let is_there = |t: &[I; 3]| t.iter().all(|i| i.get() < vertices.len());

@@ -45,7 +45,7 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     #[must_use]
     pub fn winding(&self, point: impl Into<Vec3<S>>) -> Option<i32> {
         let p: Vec3<S> = point.into();
-        if !(p.x.is_finite() && p.y.is_finite() && p.z.is_finite()) {
+        if !p.is_finite() {
             return Some(0);
         }
         let p = p.to_array();

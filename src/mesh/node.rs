@@ -16,8 +16,8 @@ pub(super) const LEVELS: usize = 16;
 /// ```
 /// use septum::mesh::Node;
 ///
-/// static mut TREE: [Node; Node::count_for(968)] = [Node::EMPTY; Node::count_for(968)];
-/// assert_eq!(Node::count_for(968) * size_of::<Node>(), 3_888);
+/// let tree = [Node::EMPTY; Node::count_for(968)];
+/// assert_eq!(size_of_val(&tree), 3_888);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(transparent)]

@@ -59,7 +59,7 @@ fn product(a: f64, b: f64) -> f64 {
 }
 
 macro_rules! float {
-    ($float:ident, $least_step:literal, $bits:ty, |$hit:ident| $farthest:expr) => {
+    ($float:ident, $bits:ty, $least_step:expr) => {
         // The step is a power of two, and at least twice the last place of the greatest number;
         // the origin is a multiple of it. So a point is a multiple of the step, by a whole number
         // of the type's digits, and exact. The last points may be infinite.
@@ -70,13 +70,15 @@ macro_rules! float {
                 // At most 65,534 steps: one is lost at either end. Halves do not overflow.
                 let half = max * 0.5 - min * 0.5;
                 let most = if -min > max { -min } else { max };
-                let least: Self = $least_step;
+                const LEAST: $float = <$float>::from_bits($least_step);
+                // A little more than one of 65,534 steps for the whole.
+                const PER_STEP: $float = 1.0 / 32_759.0;
                 let power = |x: Self| {
-                    let x = if x > least { x } else { least };
+                    let x = if x > LEAST { x } else { LEAST };
                     <$float>::from_bits(x.to_bits() & Self::INFINITY.to_bits())
                 };
                 let (wide, fine) =
-                    (power(half * 3.0526e-5) * 2.0, power(most) * (2.0 * Self::EPSILON));
+                    (power(half * PER_STEP) * 2.0, power(most) * (2.0 * Self::EPSILON));
                 let step = if wide > fine { wide } else { fine };
                 let step = power(step);
                 let inverse = 1.0 / step;
@@ -150,8 +152,9 @@ macro_rules! float {
 
             #[inline]
             fn farthest(self) -> f64 {
-                let $hit = f64::from(self);
-                $farthest
+                // It is within 2 ulp, and an ulp at most an epsilon of it or the least number.
+                let (t, ulp) = (f64::from(self), f64::from(Self::EPSILON));
+                t + (t.abs() * (4.0 * ulp) + f64::from(Self::from_bits(4)))
             }
 
             #[inline]
@@ -161,9 +164,9 @@ macro_rules! float {
         }
     };
 }
-// 2⁻¹⁰⁰ and 2⁻¹⁰⁰⁰. A t is within 2 ulp, which is 2⁻²² or 2⁻⁵¹ of itself.
-float!(f32, 7.888_609e-31, i64, |t| t + t.abs() * 4.8e-7 + 1e-44);
-float!(f64, 9.332_636_185_032_189e-302, i64, |t| t + t.abs() * 8.9e-16 + 1e-322);
+// The least steps are 2⁻¹⁰⁰ and 2⁻¹⁰⁰⁰: one over them is a number.
+float!(f32, i64, (127 - 100) << 23);
+float!(f64, i64, (1023 - 1000) << 52);
 
 /// The grid of a fixed-point type, in raw bits.
 #[cfg(feature = "fixed")]
@@ -266,7 +269,7 @@ mod fixed_point {
                 fn farthest(self) -> f64 {
                     self.farthest_number().map_or(f64::INFINITY, |t| {
                         // What rounding to a float may have taken.
-                        t.real() + t.real().abs() * 4e-16
+                        t.real() + t.real().abs() * (2.0 * f64::EPSILON)
                     })
                 }
 

@@ -10,12 +10,12 @@ mod float;
 mod grid;
 #[cfg(feature = "defmt")]
 mod logged;
-mod steps;
+mod planes;
 
 pub use backend::{Backend, FloatFormat};
 #[cfg(feature = "fixed")]
 pub use fixed_point::FixedPoint;
-pub use steps::{Steps, StepsError};
+pub use planes::{Planes, PlanesError};
 
 #[cfg(feature = "defmt")]
 pub use logged::Logged;
@@ -45,7 +45,7 @@ impl<S> Logged for S {}
 pub trait Scalar:
     Backend
     + axes::Axes
-    + Steps
+    + Planes
     + grid::Gridded
     + Logged
     + Copy

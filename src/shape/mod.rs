@@ -31,9 +31,5 @@ use crate::scalar::Scalar;
 /// The vector, if all its coordinates are numbers.
 fn finite<S: Scalar>(v: impl Into<Vec3<S>>) -> Result<Vec3<S>, ShapeError> {
     let v = v.into();
-    if v.x.is_finite() && v.y.is_finite() && v.z.is_finite() {
-        Ok(v)
-    } else {
-        Err(ShapeError::NotFinite)
-    }
+    if v.is_finite() { Ok(v) } else { Err(ShapeError::NotFinite) }
 }

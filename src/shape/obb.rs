@@ -142,7 +142,9 @@ impl<S: Scalar> Obb<S> {
         Some(Aabb::between(Vec3::new(x.0, y.0, z.0), Vec3::new(x.1, y.1, z.1)))
     }
 
-    fn axes_as_arrays(&self) -> [[S; 3]; 3] {
+    /// The axes, their coordinates in order.
+    #[inline(always)]
+    pub(crate) fn axes_as_arrays(&self) -> [[S; 3]; 3] {
         let [u, v, w] = self.axes;
         [u.to_array(), v.to_array(), w.to_array()]
     }

@@ -1,5 +1,7 @@
 use core::fmt;
 
+use crate::scalar::Scalar;
+
 /// A point or a direction: three coordinates in one unit.
 ///
 /// Any three numbers make one; what a shape demands of them is checked when the
@@ -49,6 +51,14 @@ impl<S: Copy> Vec3<S> {
     #[must_use]
     pub const fn splat(each: S) -> Self {
         Self { x: each, y: each, z: each }
+    }
+}
+
+impl<S: Scalar> Vec3<S> {
+    /// Whether all coordinates are numbers.
+    #[inline]
+    pub(crate) fn is_finite(self) -> bool {
+        self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
     }
 }
 

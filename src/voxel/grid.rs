@@ -4,7 +4,8 @@ use core::ops::Range;
 
 use super::marks::Line;
 use super::sign::middle;
-use crate::scalar::{Scalar, StepsError};
+use crate::arithmetic::compare;
+use crate::scalar::{PlanesError, Scalar};
 use crate::shape::{Aabb, Vec3};
 
 /// A grid of voxels, all of one size.
@@ -79,7 +80,7 @@ impl<S: Scalar> Grid<S> {
                 1..=Self::MOST => {}
                 _ => return Err(GridError::TooManyVoxels),
             }
-            deviation[i] = S::check_steps(from[i], step[i], resolution[i])?;
+            deviation[i] = S::check_planes(from[i], step[i], resolution[i])?;
             if S::HAS_PLACES {
                 per_cell[i] = step[i].reciprocal_in_double();
             }
@@ -121,7 +122,7 @@ impl<S: Scalar> Grid<S> {
     #[inline]
     pub(super) fn plane(&self, axis: usize, k: u32) -> S {
         let (origin, cell) = (self.origin.to_array(), self.cell.to_array());
-        S::at_step(origin[axis], cell[axis], self.first[axis] + k)
+        S::plane(origin[axis], cell[axis], self.first[axis] + k)
     }
 
     /// The two planes that a line is the middle of.
@@ -198,18 +199,6 @@ impl<S: Copy> Grid<S> {
     }
 }
 
-/// How two numbers compare; none is NaN.
-#[inline(always)]
-pub(super) fn compare<S: PartialOrd>(a: S, b: S) -> Ordering {
-    if a < b {
-        Ordering::Less
-    } else if a > b {
-        Ordering::Greater
-    } else {
-        Ordering::Equal
-    }
-}
-
 /// Why there is no such grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -229,11 +218,11 @@ pub enum GridError {
     CellTooSmall,
 }
 
-impl From<StepsError> for GridError {
-    fn from(error: StepsError) -> Self {
+impl From<PlanesError> for GridError {
+    fn from(error: PlanesError) -> Self {
         match error {
-            StepsError::OutOfRange => Self::OutOfRange,
-            StepsError::TooClose => Self::CellTooSmall,
+            PlanesError::OutOfRange => Self::OutOfRange,
+            PlanesError::TooClose => Self::CellTooSmall,
         }
     }
 }

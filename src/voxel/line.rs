@@ -10,11 +10,11 @@
 
 use core::cmp::Ordering;
 
-use super::grid::{Grid, compare};
+use super::grid::Grid;
 use super::marks::{Line as Limits, Marks};
 use super::place::{Place, locate};
 use super::sign::{against_point, line_turn};
-use crate::arithmetic::Parts;
+use crate::arithmetic::{Parts, compare};
 use crate::scalar::Scalar;
 
 /// The ends of a line.

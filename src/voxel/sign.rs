@@ -6,7 +6,7 @@
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::{Embeds, Number, Parts};
+use crate::arithmetic::{Embeds, Number, Parts, compare, cross, dot};
 use crate::robust::{
     ExactSum, Linear, Predicate, Vector, add_area, add_determinant, difference, single,
 };
@@ -70,7 +70,7 @@ impl<S: Scalar> Predicate<S> for Turn<S> {
         let all = [self.from, self.to, self.a, self.p, self.q].map(in_space);
         let [from, to, a, p, q] = N::embed(&all)?;
         let [u, v] = [0, 1].map(|i| (to[i] - from[i], (p[i] - a[i]) + (q[i] - a[i])));
-        sign_of(N::area(u.0, v.1) - N::area(v.0, u.1))
+        Some(sign_of(N::area(u.0, v.1) - N::area(v.0, u.1)))
     }
 
     fn exact(&self) -> i8 {
@@ -100,8 +100,7 @@ impl<S: Scalar> Predicate<S> for Above<'_, S> {
         let [a, b, c, p, q] = N::embed(&[a, b, c, self.p, self.q])?;
         let (e, f) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
         let d = [0, 1, 2].map(|i| (p[i] - a[i]) + (q[i] - a[i]));
-        let n = |j: usize, k: usize| N::area(e[j], f[k]) - N::area(e[k], f[j]);
-        sign_of(N::volume(n(1, 2), d[0]) + N::volume(n(2, 0), d[1]) + N::volume(n(0, 1), d[2]))
+        Some(sign_of(dot::<N>(&cross::<N>(&e, &f), &d)))
     }
 
     fn exact(&self) -> i8 {
@@ -116,8 +115,8 @@ impl<S: Scalar> Predicate<S> for Above<'_, S> {
     }
 }
 
-fn sign_of<T: Number>(x: T) -> Option<i8> {
-    x.partial_cmp(&T::ZERO).map(|order| order as i8)
+fn sign_of<T: Number>(x: T) -> i8 {
+    compare(x, T::ZERO) as i8
 }
 
 /// p + q − 2a.

@@ -1,9 +1,7 @@
 //! Whether two boxes touch or overlap.
 
-use core::cmp::Ordering;
-
 use super::kernel::{Apart, GAP};
-use crate::arithmetic::{Embeds, Number, greatest};
+use crate::arithmetic::{Embeds, Number, compare, greatest};
 use crate::query::relation::{Nearness, Relate, Relation, of_gaps};
 use crate::robust::{ExactSum, Predicate};
 use crate::scalar::Scalar;
@@ -57,10 +55,9 @@ impl<S: Scalar> Relate<Aabb<S>> for Aabb<S> {
         let (Some((a, b)), Some((c, d))) = (self.min_max(), other.min_max()) else {
             return S::evaluate(&Lie(Apart::new(self.form(), other.form())));
         };
-        let order = |p: S, q: S| p.partial_cmp(&q).unwrap_or(Ordering::Equal);
         let [a, b, c, d] = [a, b, c, d].map(|p| p.to_array());
         (0..3).fold(Relation::Overlapping, |so_far, i| {
-            so_far.min(of_gaps([order(a[i], d[i]), order(c[i], b[i])]))
+            so_far.min(of_gaps([compare(a[i], d[i]), compare(c[i], b[i])]))
         })
     }
 }

@@ -27,11 +27,6 @@ pub(super) enum First<'a, S> {
     Obb(&'a Obb<S>),
 }
 
-fn axes<S: Scalar>(obb: &Obb<S>) -> [[S; 3]; 3] {
-    let [u, v, w] = *obb.axes();
-    [u.to_array(), v.to_array(), w.to_array()]
-}
-
 impl<S: Scalar> Predicate<S> for Lie<'_, S> {
     type Answer = Relation;
 
@@ -39,7 +34,7 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
     fn filter<N: Embeds<S>>(&self) -> Option<Relation> {
         let one = N::one()?;
         let zero = N::Product::ZERO;
-        let [v0, v1, v2] = axes(self.second);
+        let [v0, v1, v2] = self.second.axes_as_arrays();
         let (b, k) = (self.second.center().to_array(), self.second.half_extents().to_array());
 
         let operands = |x: [N::Length; 3]| [x[0], x[1], x[2]].map(N::operand);
@@ -48,7 +43,7 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
         };
         let boxes = match self.first {
             First::Obb(first) => {
-                let [u0, u1, u2] = axes(first);
+                let [u0, u1, u2] = first.axes_as_arrays();
                 let (a, h) = (first.center().to_array(), first.half_extents().to_array());
                 let [v0, v1, v2, b, k, u0, u1, u2, a, h] =
                     N::embed(&[v0, v1, v2, b, k, u0, u1, u2, a, h])?;

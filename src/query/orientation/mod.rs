@@ -21,10 +21,11 @@ use core::cmp::Ordering;
 pub(super) use self::error_bound::error_bound;
 pub(super) use self::exact::ExactPoints;
 use self::in_plane::{boxes, in_plane};
-pub(super) use self::sides::{Vector, are_apart, from, larger, share_a_point, sides, sign, size};
-pub(super) use self::whole::{Whole, cross, dot};
+use self::sides::share_a_point;
+pub(super) use self::sides::{Vector, are_apart, from, larger, sides, sign, size};
+use self::whole::Whole;
 use super::relation::Relation;
-use crate::arithmetic::turn;
+use crate::arithmetic::{Arithmetic, turn};
 
 /// Six points: the vertices of one shape, and those of the other.
 pub(super) trait Points {
@@ -65,6 +66,27 @@ pub(super) fn relation(points: &impl Points) -> Relation {
         (true, false) => piercing(points, SECOND, second, FIRST),
         (true, true) => in_plane(points),
     })
+}
+
+/// How two shapes lie to each other of which a kernel leaves in doubt what is in one plane, or
+/// degenerate. Where that is not certain: whether they have a vertex in common or a coordinate
+/// tells them apart.
+#[inline(never)]
+pub(super) fn in_doubt<N: Arithmetic>(
+    first: &[Vector<N>; 3],
+    second: &[Vector<N>; 3],
+    verdict_only: bool,
+) -> Option<Relation> {
+    if N::CERTAIN {
+        let ([a, b, c], [d, e, f]) = (*first, *second);
+        Some(relation(&Whole::<N>([a, b, c, d, e, f])))
+    } else if verdict_only && share_a_point(first, second) {
+        Some(Relation::Touching)
+    } else if are_apart(first, second) {
+        Some(Relation::Disjoint)
+    } else {
+        None
+    }
 }
 
 /// What an axis says at most, on which one shape lies on these sides of a point, and the

@@ -1,7 +1,7 @@
 //! Sides of planes in a number system, errors allowed for.
 
-use super::{cross, dot, error_bound};
-use crate::arithmetic::{Arithmetic, Number, greatest, largest};
+use super::error_bound;
+use crate::arithmetic::{Arithmetic, Number, cross, dot, greatest, largest};
 
 /// Three lengths.
 pub(crate) type Vector<N> = [<N as Arithmetic>::Length; 3];

@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use super::Points;
-use crate::arithmetic::{Arithmetic, Number, turn};
+use crate::arithmetic::{Arithmetic, Number, compare, cross, dot, turn};
 
 /// Six points in a number system that is certain.
 pub(crate) struct Whole<N: Arithmetic>(pub(crate) [[N::Length; 3]; 6]);
@@ -16,7 +16,7 @@ impl<N: Arithmetic> Whole<N> {
 }
 
 fn sign<T: Number>(x: T) -> Ordering {
-    x.partial_cmp(&T::ZERO).unwrap_or(Ordering::Equal)
+    compare(x, T::ZERO)
 }
 
 impl<N: Arithmetic> Points for Whole<N> {
@@ -34,20 +34,4 @@ impl<N: Arithmetic> Points for Whole<N> {
     fn compare(&self, axis: usize, [a, b]: [usize; 2]) -> Ordering {
         sign(self.0[a][axis] - self.0[b][axis])
     }
-}
-
-/// a × b.
-#[inline(always)]
-pub(crate) fn cross<N: Arithmetic>(a: &[N::Length; 3], b: &[N::Length; 3]) -> [N::Area; 3] {
-    [
-        N::area(a[1], b[2]) - N::area(a[2], b[1]),
-        N::area(a[2], b[0]) - N::area(a[0], b[2]),
-        N::area(a[0], b[1]) - N::area(a[1], b[0]),
-    ]
-}
-
-/// a·b.
-#[inline(always)]
-pub(crate) fn dot<N: Arithmetic>(a: &[N::Area; 3], b: &[N::Length; 3]) -> N::Volume {
-    N::volume(a[0], b[0]) + N::volume(a[1], b[1]) + N::volume(a[2], b[2])
 }

@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::Parts;
+use crate::arithmetic::{Parts, compare};
 use crate::query::exact_aabb::ExactAabb;
 use crate::robust::{ExactSum, add_area, single};
 use crate::scalar::Scalar;
@@ -18,7 +18,7 @@ pub(super) fn corner_side<S: Scalar>(
 ) -> Ordering {
     let mut sum = S::Sum::new();
     for (i, n) in normal.into_iter().enumerate() {
-        let toward = n.partial_cmp(&S::ZERO).unwrap_or(Ordering::Equal);
+        let toward = compare(n, S::ZERO);
         let toward = if along { toward } else { toward.reverse() };
         let from = match form {
             PlaneForm::Point(p) => p.to_array()[i].parts(),

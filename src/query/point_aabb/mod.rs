@@ -39,9 +39,9 @@ impl<S: Scalar> Aabb<S> {
                 holds(min.x, p.x, max.x) & holds(min.y, p.y, max.y) & holds(min.z, p.z, max.z)
             }
             form @ AabbForm::Center { .. } => {
-                let is_finite = p.x.is_finite() && p.y.is_finite() && p.z.is_finite();
                 // A point is a box, too.
-                is_finite && !S::evaluate(&Apart::new(form, &AabbForm::Corners { min: p, max: p }))
+                p.is_finite()
+                    && !S::evaluate(&Apart::new(form, &AabbForm::Corners { min: p, max: p }))
             }
         }
     }

@@ -18,21 +18,13 @@ pub(super) struct Outside<'a, S> {
     pub(super) obb: &'a Obb<S>,
 }
 
-impl<S: Scalar> Outside<'_, S> {
-    #[inline(always)]
-    fn axes(&self) -> [[S; 3]; 3] {
-        let [u, v, w] = *self.obb.axes();
-        [u.to_array(), v.to_array(), w.to_array()]
-    }
-}
-
 impl<S: Scalar> Predicate<S> for Outside<'_, S> {
     type Answer = bool;
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
         let one = N::one()?;
-        let [u, v, w] = self.axes();
+        let [u, v, w] = self.obb.axes_as_arrays();
         let all =
             [self.point, self.obb.center().to_array(), u, v, w, self.obb.half_extents().to_array()];
         let [p, c, u, v, w, h] = N::embed(&all)?;
@@ -58,7 +50,7 @@ impl<S: Scalar> Predicate<S> for Outside<'_, S> {
     }
 
     fn exact(&self) -> bool {
-        let axes = self.axes().map(|u| u.map(|x| single(x.parts())));
+        let axes = self.obb.axes_as_arrays().map(|u| u.map(|x| single(x.parts())));
         let half = self.obb.half_extents().to_array();
         let (point, center) = (self.point, self.obb.center().to_array());
         let volume = {

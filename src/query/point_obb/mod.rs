@@ -39,7 +39,6 @@ impl<S: Scalar> Obb<S> {
     #[must_use]
     pub fn contains(&self, point: impl Into<Vec3<S>>) -> bool {
         let p = point.into();
-        let is_finite = p.x.is_finite() && p.y.is_finite() && p.z.is_finite();
-        is_finite && !S::evaluate(&Outside { point: p.to_array(), obb: self })
+        p.is_finite() && !S::evaluate(&Outside { point: p.to_array(), obb: self })
     }
 }

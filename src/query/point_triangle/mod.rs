@@ -1,6 +1,6 @@
 //! Point against triangle.
 
-use super::orientation::{ExactPoints, Whole, are_apart, from, relation, sides, size};
+use super::orientation::{ExactPoints, are_apart, from, in_doubt, relation, sides, size};
 use super::relation::Relation;
 use crate::arithmetic::Embeds;
 use crate::robust::Predicate;
@@ -23,8 +23,7 @@ impl<S: Scalar> Predicate<S> for Lies<'_, S> {
         let (e, f) = (from::<N>(&b, &a), from::<N>(&c, &a));
         let to_point = [from::<N>(&point, &a)];
         match sides::<N, 1>([&e, &f], &to_point, size::<N, 1>(&to_point))? {
-            [0] if N::CERTAIN => Some(relation(&Whole::<N>([point, point, point, a, b, c]))),
-            [0] => None,
+            [0] => in_doubt::<N>(&[point; 3], &[a, b, c], true),
             _ => Some(Relation::Disjoint),
         }
     }
@@ -63,9 +62,8 @@ impl<S: Scalar> Triangle<S> {
     #[must_use]
     pub fn contains(&self, point: impl Into<Vec3<S>>) -> bool {
         let p = point.into();
-        let is_finite = p.x.is_finite() && p.y.is_finite() && p.z.is_finite();
         let point = p.to_array();
-        is_finite
+        p.is_finite()
             && !are_apart(&[point], &self.points())
             && S::evaluate(&Lies { point, triangle: self }) != Relation::Disjoint
     }

@@ -5,7 +5,9 @@ use core::cmp::Ordering;
 
 use super::Feature;
 use super::error_bound::{SIDES, T, VOLUME};
-use crate::arithmetic::{Arithmetic, Filtered, Number, greatest, largest, least};
+use crate::arithmetic::{
+    Arithmetic, Filtered, Number, compare, cross, dot, greatest, largest, least,
+};
 
 /// A line and a triangle, relative to the triangle's first vertex.
 #[derive(Clone, Copy)]
@@ -232,17 +234,6 @@ pub(super) fn error_bound<M: Arithmetic>(
     })
 }
 
-#[inline(always)]
-pub(super) fn cross<M: Arithmetic>(a: &[M::Length; 3], b: &[M::Length; 3]) -> [M::Area; 3] {
-    let minor = |j: usize, k: usize| M::area(a[j], b[k]) - M::area(a[k], b[j]);
-    [minor(1, 2), minor(2, 0), minor(0, 1)]
-}
-
-#[inline(always)]
-pub(super) fn dot<M: Arithmetic>(a: &[M::Area; 3], b: &[M::Length; 3]) -> M::Volume {
-    M::volume(a[0], b[0]) + M::volume(a[1], b[1]) + M::volume(a[2], b[2])
-}
-
 /// The sign of the first component that has one.
 fn sign<M: Arithmetic>(x: &[M::Area; 3]) -> Ordering {
     let first = if x[0] != M::Area::ZERO {
@@ -252,5 +243,5 @@ fn sign<M: Arithmetic>(x: &[M::Area; 3]) -> Ordering {
     } else {
         x[2]
     };
-    first.partial_cmp(&M::Area::ZERO).unwrap_or(Ordering::Equal)
+    compare(first, M::Area::ZERO)
 }

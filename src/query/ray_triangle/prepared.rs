@@ -2,9 +2,9 @@
 //! scalar's first float, and a ray that misses for certain is told so at once. Most of the gain is
 //! that `f32` need not become `f64`, which only numbers need.
 
-use super::crossing::{Crossing, Sizes, cross, dot, error_bound};
+use super::crossing::{Crossing, Sizes, error_bound};
 use super::{Cull, Hit, HitRules};
-use crate::arithmetic::{Filtered, FirstFloat, Float, greatest, largest};
+use crate::arithmetic::{Filtered, FirstFloat, Float, cross, dot, greatest, largest};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};

@@ -7,8 +7,6 @@
 //! triangles, hence consistent. What is in doubt is the sign of an area. The sign of a volume
 //! is asked for only where the triangle reaches from before the point to behind it.
 
-use core::cmp::Ordering;
-
 use super::orientation::{ExactPoints, Points, from, sides, sign, size};
 use crate::arithmetic::{Arithmetic, Embeds, Number};
 use crate::robust::Predicate;
@@ -49,7 +47,7 @@ pub(crate) fn crossing<S: Scalar>(p: [S; 3], triangle: &Triangle<S>) -> i32 {
     }
     // The plane is met ahead if the volume has the sign of the normal's first component.
     let volume = S::evaluate(&Volume { p, points });
-    if (volume.0 == Ordering::Greater) == (turns > 0) { turns } else { 0 }
+    if (volume > 0) == (turns > 0) { turns } else { 0 }
 }
 
 /// Whether the point lies before the edge from `u` to `v`, along the second axis and on the
@@ -63,17 +61,7 @@ fn is_before<S: Scalar>(py: S, p: [S; 3], u: &[S; 3], v: &[S; 3]) -> bool {
         return true;
     }
     let turn = S::evaluate(&Turn { p, u: *u, v: *v });
-    turn.0 == if v[2] > u[2] { Ordering::Greater } else { Ordering::Less }
-}
-
-/// A sign, as an answer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Sign(Ordering);
-
-impl Default for Sign {
-    fn default() -> Self {
-        Self(Ordering::Equal)
-    }
+    turn == if v[2] > u[2] { 1 } else { -1 }
 }
 
 /// Roundoffs in the area, per sum of the sizes of its two products.
@@ -93,11 +81,11 @@ struct Turn<S> {
 }
 
 impl<S: Scalar> Predicate<S> for Turn<S> {
-    type Answer = Sign;
+    type Answer = i8;
     const HAS_VOLUMES: bool = false;
 
     #[inline(always)]
-    fn filter<N: Embeds<S>>(&self) -> Option<Sign> {
+    fn filter<N: Embeds<S>>(&self) -> Option<i8> {
         let [p, u, v] = N::embed(&[self.p, self.u, self.v])?;
         let a = N::area(v[1] - u[1], p[2] - u[2]);
         let b = N::area(v[2] - u[2], p[1] - u[1]);
@@ -105,9 +93,9 @@ impl<S: Scalar> Predicate<S> for Turn<S> {
         settled::<N>(sign(a - b, error))
     }
 
-    fn exact(&self) -> Sign {
+    fn exact(&self) -> i8 {
         let points = [self.u, self.v, self.p];
-        Sign(ExactPoints::new(&points, &points).area(0, [0, 1, 2]))
+        ExactPoints::new(&points, &points).area(0, [0, 1, 2]) as i8
     }
 }
 
@@ -119,10 +107,10 @@ struct Volume<S> {
 }
 
 impl<S: Scalar> Predicate<S> for Volume<S> {
-    type Answer = Sign;
+    type Answer = i8;
 
     #[inline(always)]
-    fn filter<N: Embeds<S>>(&self) -> Option<Sign> {
+    fn filter<N: Embeds<S>>(&self) -> Option<i8> {
         let [a, b, c] = self.points;
         let [a, b, c, p] = N::embed(&[a, b, c, self.p])?;
         let (e, f, to_a) = (from::<N>(&b, &a), from::<N>(&c, &a), [from::<N>(&a, &p)]);
@@ -130,13 +118,13 @@ impl<S: Scalar> Predicate<S> for Volume<S> {
         settled::<N>(sign)
     }
 
-    fn exact(&self) -> Sign {
-        Sign(ExactPoints::new(&[self.p; 3], &self.points).volume([3, 4, 5, 0]).reverse())
+    fn exact(&self) -> i8 {
+        ExactPoints::new(&[self.p; 3], &self.points).volume([3, 4, 5, 0]).reverse() as i8
     }
 }
 
 /// The sign, unless it is zero by doubt.
 #[inline(always)]
-fn settled<N: Arithmetic>(sign: i8) -> Option<Sign> {
-    if sign != 0 || N::CERTAIN { Some(Sign(sign.cmp(&0))) } else { None }
+fn settled<N: Arithmetic>(sign: i8) -> Option<i8> {
+    if sign != 0 || N::CERTAIN { Some(sign) } else { None }
 }

@@ -2,11 +2,10 @@
 
 use super::Overlaps;
 use super::orientation::{
-    ExactPoints, Vector, Whole, are_apart, cross, dot, error_bound, from, relation, share_a_point,
-    sides, sign, size,
+    ExactPoints, Vector, error_bound, from, in_doubt, relation, sides, sign, size,
 };
 use super::relation::{Relate, Relation};
-use crate::arithmetic::{Arithmetic, Embeds};
+use crate::arithmetic::{Arithmetic, Embeds, cross, dot};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Segment, SegmentForm, Triangle};
@@ -111,30 +110,12 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
                 [from::<N>(&a, &b), [a[0] + b[0], a[1] + b[1], a[2] + b[2]]]
             }
         };
-        in_doubt::<N>(&ends, &triangle, self.verdict_only)
+        let [a, b] = ends;
+        in_doubt::<N>(&[a, b, b], &triangle, self.verdict_only)
     }
 
     fn exact(&self) -> Relation {
         relation(&ExactPoints::of_segment(self.segment, &self.triangle.points()))
-    }
-}
-
-/// What the kernel leaves: what is in one plane, and in floats doubt.
-#[inline(never)]
-fn in_doubt<N: Arithmetic>(
-    ends: &[Vector<N>; 2],
-    triangle: &[Vector<N>; 3],
-    verdict_only: bool,
-) -> Option<Relation> {
-    if N::CERTAIN {
-        let ([a, b], [c, d, e]) = (*ends, *triangle);
-        Some(relation(&Whole::<N>([a, b, b, c, d, e])))
-    } else if verdict_only && share_a_point(ends, triangle) {
-        Some(Relation::Touching)
-    } else if are_apart(ends, triangle) {
-        Some(Relation::Disjoint)
-    } else {
-        None
     }
 }
 

@@ -1,13 +1,12 @@
 use super::frame::Frame;
-use crate::arithmetic::{Arithmetic, Number};
+use crate::arithmetic::{Arithmetic, Number, cross, dot};
 use crate::robust::Uncertain;
 
 /// The triangle's normal, e0 × e1.
 #[inline(always)]
 pub(super) fn normal<N: Arithmetic>(frame: &Frame<N>) -> [N::Area; 3] {
-    let [e0, e1, _] = frame.e;
-    let component = |j: usize, k: usize| N::area(e0[j], e1[k]) - N::area(e0[k], e1[j]);
-    [component(1, 2), component(2, 0), component(0, 1)]
+    let [e0, e1, _] = &frame.e;
+    cross::<N>(e0, e1)
 }
 
 /// Whether the triangle's normal separates: whether the plane of the triangle
@@ -22,7 +21,7 @@ pub(super) fn plane<N: Arithmetic>(
     h: &[N::Length; 3],
     error_bound: N::Volume,
 ) -> Uncertain {
-    let distance = N::volume(n[0], v[0]) + N::volume(n[1], v[1]) + N::volume(n[2], v[2]);
+    let distance = dot::<N>(n, v);
     let radius = N::volume(n[0].magnitude(), h[0])
         + N::volume(n[1].magnitude(), h[1])
         + N::volume(n[2].magnitude(), h[2]);

@@ -6,7 +6,7 @@ use super::frame::{Frame, range};
 use super::kernel::{in_frame_of_center, in_frame_of_corners};
 use super::plane::normal;
 use super::{Axis, Disjoint, exact};
-use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, of_two};
+use crate::arithmetic::{Arithmetic, Embeds, Number, dot, greatest, of_two};
 use crate::query::relation::{Nearness, Relate, Relation, of_gaps};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
@@ -71,11 +71,8 @@ fn all_axes<N: Arithmetic>(frame: &Frame<N>) -> Option<Relation> {
     }
 
     // See `plane`.
-    let v = &frame.v[0];
-    let distance = N::volume(n[0], v[0]) + N::volume(n[1], v[1]) + N::volume(n[2], v[2]);
-    let reach = N::volume(n[0].magnitude(), frame.h[0])
-        + N::volume(n[1].magnitude(), frame.h[1])
-        + N::volume(n[2].magnitude(), frame.h[2]);
+    let distance = dot::<N>(&n, &frame.v[0]);
+    let reach = dot::<N>(&n.map(N::Area::magnitude), &frame.h);
     // A box that is a point in the plane of the triangle does not reach off it.
     found.add(distance.magnitude() - reach, reach, bound.plane);
     found.relation(N::CERTAIN)

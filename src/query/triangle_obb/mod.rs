@@ -34,13 +34,6 @@ struct Disjoint<'a, S> {
     obb: &'a Obb<S>,
 }
 
-impl<S: Scalar> Disjoint<'_, S> {
-    fn axes(&self) -> [[S; 3]; 3] {
-        let [u, v, w] = *self.obb.axes();
-        [u.to_array(), v.to_array(), w.to_array()]
-    }
-}
-
 impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     type Answer = bool;
 
@@ -48,7 +41,7 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
         let one = N::one()?;
         let [a, b, c] = self.triangle.points();
-        let ([u, v, w], half) = (self.axes(), self.obb.half_extents().to_array());
+        let ([u, v, w], half) = (self.obb.axes_as_arrays(), self.obb.half_extents().to_array());
         let center = self.obb.center().to_array();
         let [a, b, c, center, u, v, w, h] = N::embed(&[a, b, c, center, u, v, w, half])?;
 
@@ -97,7 +90,7 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
         ExactParallelepiped::new::<S>(
             &self.triangle.points(),
             self.obb.center().to_array(),
-            &self.axes(),
+            &self.obb.axes_as_arrays(),
             self.obb.half_extents().to_array(),
         )
         .separates::<S>()

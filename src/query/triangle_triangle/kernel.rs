@@ -1,6 +1,5 @@
-use crate::arithmetic::{Arithmetic, Number, pick, turn};
-
-use crate::query::orientation::{apex, cross, dot, error_bound, from, larger, sides, sign, size};
+use crate::arithmetic::{Arithmetic, Number, cross, dot, pick, turn};
+use crate::query::orientation::{apex, error_bound, from, larger, sides, sign, size};
 use crate::query::relation::Relation;
 
 /// Three points.

@@ -7,9 +7,9 @@ mod kernel;
 
 use self::kernel::{crossing, is_beyond};
 use super::Overlaps;
-use super::orientation::{ExactPoints, Whole, are_apart, relation, share_a_point};
+use super::orientation::{ExactPoints, in_doubt, relation};
 use super::relation::{Relate, Relation};
-use crate::arithmetic::{Arithmetic, Embeds};
+use crate::arithmetic::Embeds;
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
@@ -34,35 +34,15 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
         if settled.is_some() {
             return settled;
         }
-        in_doubt::<N>(&first, &second, self.verdict_only)
+        // In floats it is often a vertex that both have, or triangles beside each other in a plane.
+        in_doubt::<N>(&first, &second, self.verdict_only).or_else(|| {
+            let are_apart = is_beyond::<N>(&first, &second) || is_beyond::<N>(&second, &first);
+            are_apart.then_some(Relation::Disjoint)
+        })
     }
 
     fn exact(&self) -> Relation {
         relation(&ExactPoints::new(&self.first.points(), &self.second.points()))
-    }
-}
-
-/// What the kernel leaves: vertices in the other's plane, and in floats doubt. There it is
-/// often a vertex that both have, or triangles beside each other in a plane.
-#[inline(never)]
-fn in_doubt<N: Arithmetic>(
-    first: &[[N::Length; 3]; 3],
-    second: &[[N::Length; 3]; 3],
-    verdict_only: bool,
-) -> Option<Relation> {
-    if N::CERTAIN {
-        let ([a, b, c], [d, e, f]) = (*first, *second);
-        return Some(relation(&Whole::<N>([a, b, c, d, e, f])));
-    }
-    if verdict_only && share_a_point(first, second) {
-        Some(Relation::Touching)
-    } else if are_apart(first, second)
-        || is_beyond::<N>(first, second)
-        || is_beyond::<N>(second, first)
-    {
-        Some(Relation::Disjoint)
-    } else {
-        None
     }
 }
 

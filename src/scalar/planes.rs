@@ -1,22 +1,22 @@
-//! Numbers at equal steps, as the planes of a grid are.
+//! The planes of a grid of voxels: numbers at equal steps.
 
 use super::Scalar;
 #[cfg(feature = "fixed")]
 use crate::arithmetic::REGISTERS_ARE_WIDE;
 
-/// What a grid asks of a scalar.
-pub trait Steps: Copy {
-    /// Whether floats may place a number among the steps: everywhere for floats, and for
+/// What a grid of voxels asks of a scalar.
+pub trait Planes: Copy {
+    /// Whether floats may place a number among the planes: everywhere for floats, and for
     /// fixed point where they are cheap.
     const HAS_PLACES: bool;
 
     /// `origin + k·step`: exact in fixed point, each of the two operations rounded in
     /// floats.
-    fn at_step(origin: Self, step: Self, k: u32) -> Self;
+    fn plane(origin: Self, step: Self, k: u32) -> Self;
 
     /// How far any of the numbers up to `count` steps may be from its place, in steps;
     /// nothing is above one half. Why there are no such numbers, if there are not.
-    fn check_steps(origin: Self, step: Self, count: u32) -> Result<f64, StepsError>;
+    fn check_planes(origin: Self, step: Self, count: u32) -> Result<f64, PlanesError>;
 
     /// One over the number, to the nearest.
     fn reciprocal_in_double(self) -> f64;
@@ -25,9 +25,9 @@ pub trait Steps: Copy {
     fn less_in_double(self, other: Self) -> f64;
 }
 
-/// Why there are no numbers at equal steps.
+/// Why there are no such planes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StepsError {
+pub enum PlanesError {
     /// The farthest is not a number of the scalar.
     OutOfRange,
     /// Rounding might make one of two.
@@ -40,23 +40,23 @@ pub enum StepsError {
 // for. In steps a number is off by at most 2·u·M/step, of which 3 are given: up to 3/8.
 macro_rules! float {
     ($($float:ident)*) => {$(
-        impl Steps for $float {
+        impl Planes for $float {
             const HAS_PLACES: bool = true;
 
             #[inline(always)]
-            fn at_step(origin: Self, step: Self, k: u32) -> Self {
+            fn plane(origin: Self, step: Self, k: u32) -> Self {
                 origin + k as Self * step
             }
 
-            fn check_steps(origin: Self, step: Self, count: u32) -> Result<f64, StepsError> {
+            fn check_planes(origin: Self, step: Self, count: u32) -> Result<f64, PlanesError> {
                 const ROUNDOFF: $float = $float::EPSILON / 2.0;
                 let farthest = origin.abs() + count as Self * step;
                 if !farthest.is_finite() {
-                    return Err(StepsError::OutOfRange);
+                    return Err(PlanesError::OutOfRange);
                 }
                 let least = 8.0 * ROUNDOFF * farthest;
                 if least > step {
-                    return Err(StepsError::TooClose);
+                    return Err(PlanesError::TooClose);
                 }
                 if is_on_grid([origin, step], farthest, $float::MANTISSA_DIGITS) {
                     return Ok(0.0);
@@ -91,21 +91,21 @@ fn is_on_grid<S: Scalar>(numbers: [S; 2], farthest: S, digits: u32) -> bool {
 #[cfg(feature = "fixed")]
 macro_rules! fixed {
     ($($fixed:ident, $bound:ident, $raw:ident;)*) => {$(
-        impl<Frac: fixed::types::extra::$bound> Steps for fixed::$fixed<Frac> {
+        impl<Frac: fixed::types::extra::$bound> Planes for fixed::$fixed<Frac> {
             const HAS_PLACES: bool = REGISTERS_ARE_WIDE;
 
             #[inline(always)]
-            fn at_step(origin: Self, step: Self, k: u32) -> Self {
+            fn plane(origin: Self, step: Self, k: u32) -> Self {
                 // Modulo two to the number of bits: the sum fits, the product may not.
                 let offset = step.to_bits().wrapping_mul(k as $raw);
                 Self::from_bits(origin.to_bits().wrapping_add(offset))
             }
 
-            fn check_steps(origin: Self, step: Self, count: u32) -> Result<f64, StepsError> {
+            fn check_planes(origin: Self, step: Self, count: u32) -> Result<f64, PlanesError> {
                 let offset = i128::from(step.to_bits()) * i128::from(count);
                 match $raw::try_from(i128::from(origin.to_bits()) + offset) {
                     Ok(_) => Ok(0.0),
-                    Err(_) => Err(StepsError::OutOfRange),
+                    Err(_) => Err(PlanesError::OutOfRange),
                 }
             }
 
