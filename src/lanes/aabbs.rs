@@ -22,8 +22,8 @@ use crate::shape::Aabb;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aabbs<S, const N: usize> {
-    min: [[S; N]; 3],
-    max: [[S; N]; 3],
+    pub(super) min: [[S; N]; 3],
+    pub(super) max: [[S; N]; 3],
 }
 
 impl<S: Scalar, const N: usize> Aabbs<S, N> {
@@ -48,10 +48,12 @@ impl<S: Scalar, const N: usize> Aabbs<S, N> {
     #[inline]
     #[must_use]
     pub fn get(&self, k: usize) -> Option<Aabb<S>> {
-        if k >= N {
-            return None;
-        }
-        Aabb::from_min_max(lane(&self.min, k), lane(&self.max, k)).ok()
+        (k < N).then(|| self.at(k))
+    }
+
+    #[inline(always)]
+    pub(super) fn at(&self, k: usize) -> Aabb<S> {
+        Aabb::between(lane(&self.min, k).into(), lane(&self.max, k).into())
     }
 }
 

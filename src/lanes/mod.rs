@@ -5,6 +5,8 @@
 //! | --- | --- | --- | --- |
 //! | [`Triangles`] | one ray, N triangles | [`hit`](Triangles::hit) | [`hit_moller_trumbore`](Triangles::hit_moller_trumbore), [`hit_volumes`](Triangles::hit_volumes), [`hit_watertight`](Triangles::hit_watertight) |
 //! | [`NormalTriangles`] | one ray, N triangles with stored normals | | [`hit`](NormalTriangles::hit) |
+//! | [`Triangles`] | one box, N triangles | [`overlaps`](Triangles::overlaps) | |
+//! | [`Aabbs`] | one triangle, N boxes | [`overlaps`](Aabbs::overlaps) | |
 //! | [`Rays`] | N rays, one triangle | | [`hit_moller_trumbore`](Rays::hit_moller_trumbore), [`hit_stored_normal`](Rays::hit_stored_normal), [`hit_volumes`](Rays::hit_volumes) |
 //! | [`Aabbs`] | one prepared ray, N boxes | | [`t_range_rounded`](Aabbs::t_range_rounded) |
 //! | [`SlabRays`] | N prepared rays, one box | | [`t_range_rounded`](SlabRays::t_range_rounded) |
@@ -17,6 +19,7 @@
 
 mod aabbs;
 mod each_exactly;
+mod each_overlap;
 mod each_ray;
 mod each_triangle;
 mod hits;

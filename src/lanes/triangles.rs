@@ -66,7 +66,12 @@ impl<S: Scalar, const N: usize> Triangles<S, N> {
     #[inline]
     #[must_use]
     pub fn get(&self, k: usize) -> Option<Triangle<S>> {
-        (k < N).then(|| Triangle::unchecked(self.at(k).map(Vec3::from)))
+        (k < N).then(|| self.triangle(k))
+    }
+
+    #[inline(always)]
+    pub(super) fn triangle(&self, k: usize) -> Triangle<S> {
+        Triangle::unchecked(self.at(k).map(Vec3::from))
     }
 
     #[inline(always)]

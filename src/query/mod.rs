@@ -46,8 +46,8 @@ pub(crate) use ray_triangle::{Candidate, clear_hit, clear_refined_hit};
 pub use ray_triangle::{Cull, Facing, Feature, Hit, HitRules, Target};
 pub use relation::{Relate, Relation};
 pub(crate) use row_triangle::crossing;
-pub(crate) use triangle_aabb::disjoint_rounded;
 pub use triangle_aabb::{Axis, PreparedTriangle};
+pub(crate) use triangle_aabb::{apart_by_center, apart_by_corners, disjoint_rounded};
 
 // The trait stands with the shapes, whose methods call it.
 use crate::shape::Overlaps;

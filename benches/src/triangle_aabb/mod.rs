@@ -1,5 +1,6 @@
 //! Triangle against box; the yardstick is the test as published in 2001.
 
+mod lanes;
 pub(crate) mod mesh;
 mod ours;
 mod peers;
@@ -23,6 +24,10 @@ const I16F16_FULL: Unit<I16F16> = Unit { name: "I16F16, 32 bits", scale: 1024.0,
 
 fn group<S: Scalar>(unit: Unit<S>, form: Form) -> Group<Scene> {
     (unit.name, Box::new(move |scene| ours(&course(scene, &unit, form))))
+}
+
+fn lanes_in<S: Scalar>(unit: Unit<S>) -> Group<Scene> {
+    (unit.name, Box::new(move |scene| lanes::lanes(&course(scene, &unit, Form::Corners))))
 }
 
 /// Every peer, in `f32`.
@@ -64,6 +69,9 @@ pub fn run(session: &mut Session) {
     let all = groups();
     session.measure("triangle/box: Voorhies", scenes::voorhies, yardstick, &all);
     session.measure("triangle/box: Voxel", scenes::voxel, yardstick, &all);
+
+    let lanes = [lanes_in(F32), lanes_in(F64), lanes_in(I16F16_18), lanes_in(I16F16_26)];
+    session.measure("triangle/box: Voxel, many boxes", scenes::many_boxes, yardstick, &lanes);
 
     // The worst case, contact: shapes that touch, where rounding must be outdone.
     let floats = |form| [group(F32, form), group(F64, form)];

@@ -28,11 +28,27 @@ pub fn voxel() -> Scene {
     let mut scene = Scene::default();
     while scene.len() < PAIRS {
         let triangle = random_triangle(&mut rng);
-        let (min, max) = bounding_box(&triangle);
-        let extent: Point = std::array::from_fn(|i| max[i] - min[i]);
-        let side = extent.into_iter().fold(0.0, f64::max) / 8.0;
-        let count = extent.map(|e| (e / side) as usize);
-        scene.push(triangle, cubes(count, |i, n| min[i] + side * n as f64, side));
+        scene.push(triangle, cubes_within(&triangle));
+    }
+    scene
+}
+
+fn cubes_within(triangle: &[Point; 3]) -> impl Iterator<Item = Cell> {
+    let (min, max) = bounding_box(triangle);
+    let extent: Point = std::array::from_fn(|i| max[i] - min[i]);
+    let side = extent.into_iter().fold(0.0, f64::max) / 8.0;
+    let count = extent.map(|e| (e / side) as usize);
+    cubes(count, move |i, n| min[i] + side * n as f64, side)
+}
+
+/// The same, whole blocks of eight cubes alone.
+pub fn many_boxes() -> Scene {
+    let mut rng = Rng::with_seed(2);
+    let mut scene = Scene::default();
+    while scene.len() < PAIRS {
+        let triangle = random_triangle(&mut rng);
+        let cubes: Vec<_> = cubes_within(&triangle).collect();
+        scene.push(triangle, cubes.as_chunks::<8>().0.as_flattened().to_vec());
     }
     scene
 }

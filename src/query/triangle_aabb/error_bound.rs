@@ -75,9 +75,12 @@ pub(super) fn error_bound<N: Arithmetic>(size: N::Length) -> Option<ErrorBound<N
     if N::CERTAIN {
         return Some(ErrorBound { edge: N::Area::ZERO, plane: N::Volume::ZERO });
     }
-    if !size.in_range() {
-        return None;
-    }
+    size.in_range().then(|| bound_of_size::<N>(size))
+}
+
+/// The same, for a caller who knows that the size is in range, or asks later.
+#[inline(always)]
+pub(super) fn bound_of_size<N: Arithmetic>(size: N::Length) -> ErrorBound<N> {
     let square = N::area(size, size);
-    Some(ErrorBound { edge: square.error(EDGE), plane: N::volume(square, size).error(PLANE) })
+    ErrorBound { edge: square.error(EDGE), plane: N::volume(square, size).error(PLANE) }
 }

@@ -10,6 +10,7 @@
 //! cores.
 
 mod axis;
+mod clear;
 #[cfg(feature = "fixed")]
 mod conservative;
 mod edges;
@@ -27,6 +28,7 @@ mod rows;
 mod witness;
 
 pub use axis::Axis;
+pub(crate) use clear::{apart_by_center, apart_by_corners};
 #[cfg(feature = "fixed")]
 pub(super) use one_sided::{Projection, one_sided};
 pub use prepared::PreparedTriangle;

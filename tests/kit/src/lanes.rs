@@ -25,6 +25,7 @@ impl<S: Sample, const N: usize> Lanes<S, N> {
     /// Compares every method on lanes with the same one by one; returns how many lanes
     /// were hit.
     pub fn check(&self, cull: Cull) -> usize {
+        self.check_overlaps();
         self.check_boxes();
         self.check_slab_rays();
         self.check_what_is_stored();
@@ -40,6 +41,16 @@ impl<S: Sample, const N: usize> Lanes<S, N> {
         for k in 0..N {
             assert_eq!(many.get(k), Some(self.boxes[k]));
             assert_eq!(ranges.mask[k], slabs.overlaps_rounded(&self.boxes[k]));
+        }
+    }
+
+    fn check_overlaps(&self) {
+        let boxes = Aabbs::new(&self.boxes).expect("boxes by their corners");
+        let triangle = &self.triangles[0];
+        assert_eq!(boxes.overlaps(triangle), self.boxes.map(|b| triangle.overlaps(&b)));
+        for aabb in [Some(self.boxes[0]), self.centered].into_iter().flatten() {
+            let found = Triangles::new(&self.triangles).overlaps(&aabb);
+            assert_eq!(found, self.triangles.map(|t| t.overlaps(&aabb)), "{aabb:?}");
         }
     }
 
