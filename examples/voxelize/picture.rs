@@ -215,8 +215,9 @@ impl<'a> Brush<'a> {
         let (count, reach) =
             if camera.is_fine() { (6, 48.0) } else { (count, 0.5 * camera.longest) };
         let probe = Probe::new(count, reach);
-        let ground_probe = Probe::new(128, 0.5 * camera.longest);
-        let ground_step = (camera.longest / 128.0).ceil() as i32;
+        let (ground_count, across) = if camera.is_fine() { (64, 80.0) } else { (128, 128.0) };
+        let ground_probe = Probe::new(ground_count, 0.5 * camera.longest);
+        let ground_step = (camera.longest / across).ceil() as i32;
         let (seen, last) = (HashMap::new(), None);
         Self { scene, camera, paint, probe, ground_probe, ground_step, seen, last }
     }
