@@ -1,5 +1,6 @@
 //! Triangles, segments and points against triangles: a case, and the oracle.
 
+mod axes;
 mod grid;
 mod oracle;
 mod sets;

@@ -13,7 +13,7 @@ use crate::exact::{Parts, least_exponent, whole};
 use crate::lattice::Ring;
 use crate::oracle::{clip, uncut};
 
-use super::Flat;
+use super::{Flat, axes};
 
 /// How two shapes lie to each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -37,7 +37,7 @@ impl Truth {
 }
 
 /// Three points, some of which may be one.
-type Corners<I> = [[I; 3]; 3];
+pub(super) type Corners<I> = [[I; 3]; 3];
 
 /// All x with normal·(x − point) ≥ 0.
 struct HalfSpace<I> {
@@ -88,7 +88,18 @@ pub(super) fn truth(flat: Flat<Parts>, triangle: [[Parts; 3]; 3]) -> Truth {
 }
 
 /// How two triangles in whole numbers lie to each other: in `i128` they must be below 2^8.
+///
+/// # Panics
+/// Where the other oracle, separating axes, does not agree.
 pub fn truth_of_whole<I: Ring>(first: &Corners<I>, second: &Corners<I>) -> Truth {
+    let truth = by_clipping(first, second);
+    if let Some(are_apart) = axes::separate(first, second) {
+        assert_eq!(are_apart, truth == Truth::Apart, "the oracles differ");
+    }
+    truth
+}
+
+fn by_clipping<I: Ring>(first: &Corners<I>, second: &Corners<I>) -> Truth {
     let spaces = half_spaces(second);
     let form = |space: &HalfSpace<I>| -> [I; 3] {
         first.each_ref().map(|p| I::dot(&space.normal, &I::difference(p, &space.point)))
