@@ -13,7 +13,7 @@ use super::integer::{Int8, Int16, Int32, Int64, below_i32, below_i64};
 use super::number::greatest;
 use super::quotient::{Dividend, WHOLE};
 use super::system::{Arithmetic, Embeds, convert};
-use super::words::{InRaw, InWord};
+use super::words::{InRaw, InWholeWord, InWord, Whole, WholeWord};
 
 /// The number with these raw bits, or the end of the type.
 macro_rules! clamped {
@@ -111,6 +111,45 @@ in_word! {
     FixedI32, LeEqU32: i32, false;
     FixedI32, LeEqU32: i64, true;
     FixedI64, LeEqU64: i128, true;
+}
+
+/// Quotients of volumes in a word, place by place.
+macro_rules! in_whole_word {
+    ($($fixed:ident, $bound:ident: $word:ty, $bits:literal;)*) => {$(
+        impl<Frac: $bound> InWholeWord<$word> for $fixed<Frac> {
+            #[inline(always)]
+            fn divided(
+                num: <$word as WholeWord>::Whole,
+                den: <$word as WholeWord>::Whole,
+            ) -> Self {
+                let q = i64::from(num.abs().nearest(den, Self::FRAC_NBITS, $bits));
+                clamped!($fixed, if num < 0 { -q } else { q })
+            }
+            #[inline(always)]
+            fn share(
+                num: <$word as WholeWord>::Whole,
+                den: <$word as WholeWord>::Whole,
+            ) -> Self {
+                // One takes a place more than what is below it.
+                let places = if Self::FRAC_NBITS < $bits { Self::FRAC_NBITS + 1 } else { $bits };
+                clamped!($fixed, num.nearest(den, Self::FRAC_NBITS, places).into())
+            }
+            #[inline(always)]
+            fn compare_quotient(
+                num: <$word as WholeWord>::Whole,
+                den: <$word as WholeWord>::Whole,
+                t: Self,
+            ) -> Ordering {
+                Whole::compare_quotient(num, den, Self::FRAC_NBITS, $bits, t.to_bits().into())
+            }
+        }
+    )*};
+}
+in_whole_word! {
+    FixedI8, LeEqU8: i32, 8;
+    FixedI16, LeEqU16: i32, 16;
+    FixedI32, LeEqU32: i32, 32;
+    FixedI32, LeEqU32: i64, 32;
 }
 
 /// The raw bits of a type, in a word that the machine has.

@@ -7,7 +7,7 @@ use super::predicate::{Clue, Predicate};
 use super::stages::{Stage, note};
 use crate::arithmetic::{Embeds, Filtered, Float, InFloat, Int64, REGISTERS_ARE_WIDE};
 #[cfg(feature = "fixed")]
-use crate::arithmetic::{InRaw, InWord, SMALL_CODE, Word};
+use crate::arithmetic::{InRaw, InWholeWord, InWord, SMALL_CODE, WholeWord, Word};
 
 /// The first stage for questions with a number for an answer.
 #[inline(always)]
@@ -108,6 +108,19 @@ pub(crate) fn narrow_stage<S: InWord<W>, W: Word, P: Predicate<S>>(
             next(p)
         }
     }
+}
+
+/// The same with words for which there are volumes too.
+#[cfg(feature = "fixed")]
+#[inline(always)]
+pub(crate) fn narrow_volume_stage<S: InWholeWord<W>, W: WholeWord, P: Predicate<S>>(
+    p: &P,
+    next: impl FnOnce(&P) -> P::Answer,
+) -> P::Answer {
+    narrow_stage::<S, W, P>(p, |p| match p.narrow_volumes() {
+        Some(answer) => answer,
+        None => next(p),
+    })
 }
 
 /// The answer by coordinates cut down where the question has a kernel for that, or else what

@@ -1,6 +1,6 @@
 #[cfg(feature = "fixed")]
 use crate::arithmetic::InRaw;
-use crate::arithmetic::{Embeds, Filtered, Float, InFloat, InWord, Word};
+use crate::arithmetic::{Embeds, Filtered, Float, InFloat, InWholeWord, InWord, WholeWord, Word};
 
 /// Why a fast path has no answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,6 +67,15 @@ pub trait Predicate<S> {
     fn narrow<W: Word>(&self) -> Option<Self::Answer>
     where
         S: InWord<W>,
+    {
+        None
+    }
+
+    /// The same for a question about volumes.
+    #[inline(always)]
+    fn narrow_volumes<W: WholeWord>(&self) -> Option<Self::Answer>
+    where
+        S: InWholeWord<W>,
     {
         None
     }

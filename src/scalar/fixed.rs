@@ -9,8 +9,8 @@ use crate::arithmetic::{
     RoundedOps, SMALL_CODE, clamped,
 };
 use crate::robust::{
-    Predicate, Sum, exact_stage, in_quads, integer_stage, narrow_stage, numeric_stage, only_stage,
-    short_stage, stage,
+    Predicate, Sum, exact_stage, in_quads, integer_stage, narrow_stage, narrow_volume_stage,
+    numeric_stage, only_stage, short_stage, stage,
 };
 
 macro_rules! scalar {
@@ -111,7 +111,7 @@ scalar!(
     LeEqU8,
     1,
     f32,
-    |p| narrow_stage::<_, i32, _>(p, only_stage::<_, Int8, _>),
+    |p| narrow_volume_stage::<_, i32, _>(p, only_stage::<_, Int8, _>),
     by_double(p),
     Some(Self::evaluate(p))
 );
@@ -120,7 +120,7 @@ scalar!(
     LeEqU16,
     2,
     f32,
-    |p| narrow_stage::<_, i32, _>(p, only_stage::<_, Int16, _>),
+    |p| narrow_volume_stage::<_, i32, _>(p, only_stage::<_, Int16, _>),
     by_double(p),
     Some(Self::evaluate(p))
 );
@@ -162,10 +162,10 @@ fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
             stage::<_, Int32, _>(p, integer_stage)
         }
     } else if SMALL_CODE {
-        narrow_stage::<_, i64, _>(p, |p| stage::<_, Int32, _>(p, exact_stage))
+        narrow_volume_stage::<_, i64, _>(p, |p| stage::<_, Int32, _>(p, exact_stage))
     } else {
-        narrow_stage::<_, i32, _>(p, |p| {
-            narrow_stage::<_, i64, _>(p, |p| stage::<_, Int32, _>(p, exact_stage))
+        narrow_volume_stage::<_, i32, _>(p, |p| {
+            narrow_volume_stage::<_, i64, _>(p, |p| stage::<_, Int32, _>(p, exact_stage))
         })
     }
 }

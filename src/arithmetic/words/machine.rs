@@ -1,8 +1,8 @@
 //! The words of the machines: `i32` where one multiplication holds a product, and wider
 //! ones made of several.
 
-use super::SplitSum;
-use super::word::Word;
+use super::word::{WholeWord, Word};
+use super::{ProductSum, SplitSum};
 
 macro_rules! word {
     ($($word:ident, $unsigned:ident, $sum:ty: $range:literal, $split:literal;)*) => {$(
@@ -62,6 +62,27 @@ word! { i32, u32, i64: 29, 10; }
     all(any(target_pointer_width = "64", target_arch = "wasm32"), not(septum_narrow)),
 )))]
 word! { i32, u32, SplitSum<i32>: 18, 10; }
+/// The range of lengths, and how a sum becomes one number.
+macro_rules! whole_word {
+    ($($word:ident, $unsigned:ident, $whole:ident: $range:literal;)*) => {$(
+        impl WholeWord for $word {
+            type Whole = $whole;
+
+            #[inline(always)]
+            fn has_volumes(self) -> bool {
+                (self as $unsigned) >> $range == 0
+            }
+            #[inline(always)]
+            fn whole(volume: <Self::Sum as ProductSum<Self>>::Volume) -> $whole {
+                <Self::Sum as ProductSum<Self>>::whole::<$whole>(volume)
+            }
+        }
+    )*};
+}
+whole_word! {
+    i32, u32, i64: 19;
+    i64, u64, i128: 34;
+}
 word! {
     i64, u64, SplitSum<i64>: 34, 20;
     i128, u128, SplitSum<i128>: 66, 40;

@@ -1,5 +1,7 @@
 //! Sums of products of two words, asked only for their sign.
 
+use core::ops::{Add, Shl};
+
 use super::word::Word;
 
 /// A sum of products of two lengths: see the table at [`Word`](super::Word).
@@ -24,6 +26,12 @@ pub trait ProductSum<W>: Copy {
     fn sum(volume: Self::Volume, area: Self, length: W) -> Self::Volume;
     /// Whether the sum is negative.
     fn is_negative(volume: Self::Volume) -> bool;
+    /// What the sum is kept in.
+    type Part;
+    /// The sum as one number, for a `T` that holds it.
+    fn whole<T>(volume: Self::Volume) -> T
+    where
+        T: From<Self::Part> + Add<Output = T> + Shl<u32, Output = T>;
 }
 
 /// Where one instruction, or two, multiply words in full.
@@ -58,5 +66,14 @@ impl ProductSum<i32> for i64 {
     #[inline(always)]
     fn is_negative((upper, lower): (i64, i64)) -> bool {
         upper + (lower >> i32::BITS) < 0
+    }
+
+    type Part = Self;
+    #[inline(always)]
+    fn whole<T>((upper, lower): (i64, i64)) -> T
+    where
+        T: From<i64> + Add<Output = T> + Shl<u32, Output = T>,
+    {
+        (T::from(upper) << i32::BITS) + T::from(lower)
     }
 }

@@ -1,5 +1,7 @@
 //! A sum of products in two words, for cores whose products have no more bits than a word.
 
+use core::ops::{Add, Shl};
+
 use super::product_sum::ProductSum;
 use super::word::{Word, out_of_line_if_wide};
 
@@ -58,5 +60,15 @@ impl<W: Word> ProductSum<W> for SplitSum<W> {
         let carry = s1 + (s0 >> W::SPLIT);
         let carry = s2 + (carry >> W::SPLIT);
         s3 + (carry >> W::SPLIT) < W::ZERO
+    }
+
+    type Part = W;
+    #[inline(always)]
+    fn whole<T>([s0, s1, s2, s3]: [W; 4]) -> T
+    where
+        T: From<W> + Add<Output = T> + Shl<u32, Output = T>,
+    {
+        let above = |sum: T, word| (sum << W::SPLIT) + T::from(word);
+        above(above(above(T::from(s3), s2), s1), s0)
     }
 }

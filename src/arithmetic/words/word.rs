@@ -1,8 +1,10 @@
 //! What a kernel asks of a machine word.
 
+use core::cmp::Ordering;
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, BitXor, Mul, Shr, Sub};
 
+use super::places::Whole;
 use super::product_sum::ProductSum;
 
 /// A signed machine word, in which a kernel keeps lengths.
@@ -67,6 +69,42 @@ pub trait Word:
     /// Whether a difference from this word that is within the range cannot be wrapped:
     /// in the middle half of the range, wrapped differences are long.
     fn is_central(self) -> bool;
+}
+
+/// A word for which a wider one holds sums of products of three lengths, whole.
+///
+/// With lengths up to 2^R, and SPLIT as at [`Word`], the operand of an area that is not split up
+/// to 2^(R+1),
+///
+/// | quantity | magnitude | `i32` | `i64` |
+/// | --- | --- | --- | --- |
+/// | range | R | 19 | 34 |
+/// | two products with a lower part | 2^(R+2+S) − 2^(R+2) | 2^31 − 2^21 | 2^56 |
+/// | two products with an upper part | 2^(2R+2−S) | 2^30 | 2^50 |
+/// | (lower part of an area)·length, three | 3·2^(R+S) | 2^30.6 | 2^55.6 |
+/// | (upper part of its upper part)·(part of a length), three | 3·2^(2R+1−S) | 2^30.6 | 2^50.6 |
+/// | determinant | 4·2^(3R) | 2^59 | 2^104 |
+pub trait WholeWord: Word {
+    /// What holds them.
+    type Whole: Whole + From<Self>;
+
+    /// Whether a length lies within the range.
+    fn has_volumes(self) -> bool;
+
+    /// The sum as one number.
+    fn whole(volume: <Self::Sum as ProductSum<Self>>::Volume) -> Self::Whole;
+}
+
+/// A scalar whose raw bits fit such a word.
+pub trait InWholeWord<W: WholeWord>: InWord<W> {
+    /// num/den to the nearest, of two the even one, or the end of the type; `den` is above zero.
+    fn divided(num: W::Whole, den: W::Whole) -> Self;
+
+    /// The same where num/den is from zero to one.
+    fn share(num: W::Whole, den: W::Whole) -> Self;
+
+    /// How num/den compares with `t`; `den` is above zero.
+    fn compare_quotient(num: W::Whole, den: W::Whole, t: Self) -> Ordering;
 }
 
 /// A scalar whose raw bits fit a word.

@@ -11,6 +11,7 @@ mod crossing;
 mod error_bound;
 mod exact;
 mod hit;
+mod narrow;
 mod order;
 mod prepared;
 mod question;

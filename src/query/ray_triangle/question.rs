@@ -5,10 +5,11 @@ use core::cmp::Ordering;
 
 use super::crossing::{Crossing, Setting, Sizes};
 use super::exact::ExactRay;
+use super::narrow::rounded;
 use super::refined::Met;
 use super::residual::Numbers;
 use super::{Facing, Feature, Hit, HitRules};
-use crate::arithmetic::{Embeds, Filtered, Number};
+use crate::arithmetic::{Embeds, Filtered, InWholeWord, Number, WholeWord};
 use crate::robust::{Clue, ExactSum, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
@@ -78,6 +79,14 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
         hit.map(|hit| Some(Hit { feature, ..hit }))
     }
 
+    #[inline(always)]
+    fn narrow_volumes<W: WholeWord>(&self) -> Option<Option<Hit<S>>>
+    where
+        S: InWholeWord<W>,
+    {
+        self.in_words::<W, _>(|counted| counted.map(|counted| rounded::<S, W>(&counted)))
+    }
+
     fn exact(&self) -> Option<Hit<S>> {
         let exact = self.taken_apart();
         let crossing = exact.crossing::<S>();
@@ -116,6 +125,14 @@ impl<S: Scalar> Predicate<S> for Hits<'_, S> {
     {
         let (points, d) = doubles(self.0.ray, self.0.triangle);
         self.0.refined_crossing(&points, d).map(|found| found.is_some())
+    }
+
+    #[inline(always)]
+    fn narrow_volumes<W: WholeWord>(&self) -> Option<bool>
+    where
+        S: InWholeWord<W>,
+    {
+        self.0.in_words::<W, _>(|counted| counted.is_some())
     }
 
     fn exact(&self) -> bool {
@@ -188,7 +205,7 @@ where
 }
 
 #[inline(always)]
-fn facing(is_front: bool) -> Facing {
+pub(super) fn facing(is_front: bool) -> Facing {
     if is_front { Facing::Front } else { Facing::Back }
 }
 
@@ -280,7 +297,7 @@ impl<S: Scalar> Crosses<'_, S> {
 
     /// The ends of the range, and on which side of each it lies.
     #[inline(always)]
-    fn ends(&self) -> [(Option<S>, Ordering); 2] {
+    pub(super) fn ends(&self) -> [(Option<S>, Ordering); 2] {
         [(self.ray.t_min(), Ordering::Greater), (self.ray.t_max(), Ordering::Less)]
     }
 
@@ -322,7 +339,12 @@ impl<S: Scalar> Crosses<'_, S> {
 
     /// Whether what lies on this side of an end counts, if only `inside` does.
     #[inline(always)]
-    fn admits(&self, side: Ordering, inside: Ordering, perturbed: impl Fn() -> Ordering) -> bool {
+    pub(super) fn admits(
+        &self,
+        side: Ordering,
+        inside: Ordering,
+        perturbed: impl Fn() -> Ordering,
+    ) -> bool {
         match side {
             Ordering::Equal if self.rules.once => perturbed() == inside,
             Ordering::Equal => true,
