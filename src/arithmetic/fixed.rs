@@ -106,6 +106,7 @@ macro_rules! in_word {
     )*};
 }
 in_word! {
+    FixedI8, LeEqU8: i16, true;
     FixedI8, LeEqU8: i32, true;
     FixedI16, LeEqU16: i32, true;
     FixedI32, LeEqU32: i32, false;
@@ -146,7 +147,7 @@ macro_rules! in_whole_word {
     )*};
 }
 in_whole_word! {
-    FixedI8, LeEqU8: i32, 8;
+    FixedI8, LeEqU8: i16, 8;
     FixedI16, LeEqU16: i32, 16;
     FixedI32, LeEqU32: i32, 32;
     FixedI32, LeEqU32: i64, 32;

@@ -110,17 +110,20 @@ pub(crate) fn narrow_stage<S: InWord<W>, W: Word, P: Predicate<S>>(
     }
 }
 
-/// The same with words for which there are volumes too.
+/// Where registers are narrow: the answer to a question about volumes in words of `W`.
 #[cfg(feature = "fixed")]
 #[inline(always)]
-pub(crate) fn narrow_volume_stage<S: InWholeWord<W>, W: WholeWord, P: Predicate<S>>(
+pub(crate) fn volume_stage<S: InWholeWord<W>, W: WholeWord, P: Predicate<S>>(
     p: &P,
     next: impl FnOnce(&P) -> P::Answer,
 ) -> P::Answer {
-    narrow_stage::<S, W, P>(p, |p| match p.narrow_volumes() {
+    if REGISTERS_ARE_WIDE {
+        return next(p);
+    }
+    match p.narrow_volumes() {
         Some(answer) => answer,
         None => next(p),
-    })
+    }
 }
 
 /// The answer by coordinates cut down where the question has a kernel for that, or else what

@@ -26,7 +26,7 @@ pub(crate) use cascade::{
     exact_stage, in_floats, in_quads, integer_stage, numeric_stage, refined_stage,
 };
 #[cfg(feature = "fixed")]
-pub(crate) use cascade::{narrow_stage, narrow_volume_stage, only_stage, short_stage, stage};
+pub(crate) use cascade::{narrow_stage, only_stage, short_stage, stage, volume_stage};
 pub(crate) use determinant::{
     Linear, Vector, add_area, add_determinant, add_scaled_determinant, difference, sign, single,
 };

@@ -5,12 +5,12 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 use super::{Backend, Scalar};
 use crate::arithmetic::{
-    Dividend, Embeds, Filtered, Int8, Int16, Int32, Int64, OfFour, Parts, Quad, REGISTERS_ARE_WIDE,
-    RoundedOps, SMALL_CODE, clamped,
+    Dividend, Embeds, Filtered, InWholeWord, Int8, Int16, Int32, Int64, OfFour, Parts, Quad,
+    REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, WholeWord, clamped,
 };
 use crate::robust::{
-    Predicate, Sum, exact_stage, in_quads, integer_stage, narrow_stage, narrow_volume_stage,
-    numeric_stage, only_stage, short_stage, stage,
+    Predicate, Sum, exact_stage, in_quads, integer_stage, narrow_stage, numeric_stage, only_stage,
+    short_stage, stage, volume_stage,
 };
 
 macro_rules! scalar {
@@ -111,7 +111,7 @@ scalar!(
     LeEqU8,
     1,
     f32,
-    |p| narrow_volume_stage::<_, i32, _>(p, only_stage::<_, Int8, _>),
+    |p| narrow_stage::<_, i32, _>(p, |p| volume_stage::<_, i16, _>(p, only_stage::<_, Int8, _>)),
     by_double(p),
     Some(Self::evaluate(p))
 );
@@ -120,7 +120,7 @@ scalar!(
     LeEqU16,
     2,
     f32,
-    |p| narrow_volume_stage::<_, i32, _>(p, only_stage::<_, Int16, _>),
+    |p| in_words::<i32, _, _>(p, only_stage::<_, Int16, _>),
     by_double(p),
     Some(Self::evaluate(p))
 );
@@ -134,6 +134,15 @@ scalar!(
     Self::evaluate(p),
     p.cut_down().or_else(|| p.filter::<Int64>())
 );
+
+/// Where registers are narrow: the answer in words of `W`, with and without volumes.
+#[inline(always)]
+fn in_words<W: WholeWord, S: InWholeWord<W>, P: Predicate<S>>(
+    p: &P,
+    next: impl FnOnce(&P) -> P::Answer,
+) -> P::Answer {
+    narrow_stage::<S, W, P>(p, |p| volume_stage::<S, W, P>(p, next))
+}
 
 /// Where floats are cheap, `f64` answers nearly all, and faster than integers. It
 /// changes no answer.
@@ -162,10 +171,10 @@ fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
             stage::<_, Int32, _>(p, integer_stage)
         }
     } else if SMALL_CODE {
-        narrow_volume_stage::<_, i64, _>(p, |p| stage::<_, Int32, _>(p, exact_stage))
+        in_words::<i64, _, _>(p, |p| stage::<_, Int32, _>(p, exact_stage))
     } else {
-        narrow_volume_stage::<_, i32, _>(p, |p| {
-            narrow_volume_stage::<_, i64, _>(p, |p| stage::<_, Int32, _>(p, exact_stage))
+        in_words::<i32, _, _>(p, |p| {
+            in_words::<i64, _, _>(p, |p| stage::<_, Int32, _>(p, exact_stage))
         })
     }
 }

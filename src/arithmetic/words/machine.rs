@@ -1,5 +1,5 @@
-//! The words of the machines: `i32` where one multiplication holds a product, and wider
-//! ones made of several.
+//! The words of the machines: `i32` where one multiplication holds a product, wider ones made of
+//! several, and `i16`, for which one multiplication holds a product on every core.
 
 use super::word::{WholeWord, Word};
 use super::{ProductSum, SplitSum};
@@ -80,10 +80,12 @@ macro_rules! whole_word {
     )*};
 }
 whole_word! {
+    i16, u16, i32: 8;
     i32, u32, i64: 19;
     i64, u64, i128: 34;
 }
 word! {
+    i16, u16, i32: 6, 5;
     i64, u64, SplitSum<i64>: 34, 20;
     i128, u128, SplitSum<i128>: 66, 40;
 }

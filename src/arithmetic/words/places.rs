@@ -51,7 +51,7 @@ macro_rules! whole {
                 // below.
                 let mut bits = if down == 0 { 0 } else { (self as u32) << (32 - down) };
                 for _ in 0..places {
-                    rest = rest + rest + Self::from(bits >> 31);
+                    rest = rest + rest + (bits >> 31) as Self;
                     bits <<= 1;
                     if rest >= den {
                         rest -= den;
@@ -63,4 +63,4 @@ macro_rules! whole {
         }
     )*};
 }
-whole! { i64 i128 }
+whole! { i32 i64 i128 }

@@ -34,6 +34,46 @@ pub trait ProductSum<W>: Copy {
         T: From<Self::Part> + Add<Output = T> + Shl<u32, Output = T>;
 }
 
+/// For lengths so short that nothing is split.
+impl ProductSum<i16> for i32 {
+    #[inline(always)]
+    fn new(a: i16, b: i16, c: i16, d: i16) -> Self {
+        Self::from(a) * Self::from(b) + Self::from(c) * Self::from(d)
+    }
+    #[inline(always)]
+    fn with_product(self, a: i16, b: i16) -> Self {
+        self + Self::from(a) * Self::from(b)
+    }
+    #[inline(always)]
+    fn sign(self) -> i16 {
+        (self >> i16::BITS) as i16
+    }
+    #[inline(always)]
+    fn scaled(self) -> i16 {
+        (self >> i16::SPLIT) as i16
+    }
+
+    type Volume = Self;
+    const ZERO: Self = 0;
+    #[inline(always)]
+    fn sum(volume: Self, area: Self, length: i16) -> Self {
+        volume + area * Self::from(length)
+    }
+    #[inline(always)]
+    fn is_negative(volume: Self) -> bool {
+        volume < 0
+    }
+
+    type Part = Self;
+    #[inline(always)]
+    fn whole<T>(volume: Self) -> T
+    where
+        T: From<Self> + Add<Output = T> + Shl<u32, Output = T>,
+    {
+        volume.into()
+    }
+}
+
 /// Where one instruction, or two, multiply words in full.
 impl ProductSum<i32> for i64 {
     #[inline(always)]

@@ -25,7 +25,8 @@ use super::product_sum::ProductSum;
 ///
 /// and the carries add less than 2^-8 of that. Where `i64` holds the areas of `i32`,
 /// the range is 29: a normal is up to 2^61, its upper word up to 2^29, three products of
-/// that and a length up to 3·2^59, and of its lower word and a length up to 3·2^61.
+/// that and a length up to 3·2^59, and of its lower word and a length up to 3·2^61. `i16` is for
+/// lengths of up to 2^6, whose normals are up to 2^15.
 pub trait Word:
     Copy
     + Ord
@@ -84,6 +85,8 @@ pub trait Word:
 /// | (lower part of an area)·length, three | 3·2^(R+S) | 2^30.6 | 2^55.6 |
 /// | (upper part of its upper part)·(part of a length), three | 3·2^(2R+1−S) | 2^30.6 | 2^50.6 |
 /// | determinant | 4·2^(3R) | 2^59 | 2^104 |
+///
+/// For `i16` the range is 8, nothing is split, and three products of areas are below 3·2^25.
 pub trait WholeWord: Word {
     /// What holds them.
     type Whole: Whole + From<Self>;
