@@ -13,7 +13,7 @@ use super::integer::{Int8, Int16, Int32, Int64, below_i32, below_i64};
 use super::number::greatest;
 use super::quotient::{Dividend, WHOLE};
 use super::system::{Arithmetic, Embeds, convert};
-use super::words::{InRaw, InWholeWord, InWord, Whole, WholeWord};
+use super::words::{InRaw, InWholeWord, InWord, WholeVolume, WholeWord};
 
 /// The number with these raw bits, or the end of the type.
 macro_rules! clamped {
@@ -119,6 +119,10 @@ macro_rules! in_whole_word {
     ($($fixed:ident, $bound:ident: $word:ty, $bits:literal;)*) => {$(
         impl<Frac: $bound> InWholeWord<$word> for $fixed<Frac> {
             #[inline(always)]
+            fn one() -> Option<$word> {
+                (Self::FRAC_NBITS + 2 <= <$word>::BITS).then(|| 1 << Self::FRAC_NBITS)
+            }
+            #[inline(always)]
             fn divided(
                 num: <$word as WholeWord>::Whole,
                 den: <$word as WholeWord>::Whole,
@@ -141,7 +145,7 @@ macro_rules! in_whole_word {
                 den: <$word as WholeWord>::Whole,
                 t: Self,
             ) -> Ordering {
-                Whole::compare_quotient(num, den, Self::FRAC_NBITS, $bits, t.to_bits().into())
+                WholeVolume::compare_quotient(num, den, Self::FRAC_NBITS, $bits, t.to_bits().into())
             }
         }
     )*};

@@ -56,6 +56,8 @@ pub(crate) use wide::I256;
 #[cfg(test)]
 pub(crate) use words::SplitSum;
 #[cfg(feature = "fixed")]
+pub use words::WholeVolume;
+#[cfg(feature = "fixed")]
 pub use words::{InRaw, Raw};
 pub use words::{InWholeWord, InWord, ProductSum, WholeWord, Word};
 pub(crate) use words::{cross_words, dot_words, first_sign, out_of_line, out_of_line_if_wide};

@@ -7,7 +7,7 @@ use super::predicate::{Clue, Predicate};
 use super::stages::{Stage, note};
 use crate::arithmetic::{Embeds, Filtered, Float, InFloat, Int64, REGISTERS_ARE_WIDE};
 #[cfg(feature = "fixed")]
-use crate::arithmetic::{InRaw, InWholeWord, InWord, SMALL_CODE, WholeWord, Word};
+use crate::arithmetic::{InRaw, InWholeWord, InWord, WholeWord, Word};
 
 /// The first stage for questions with a number for an answer.
 #[inline(always)]
@@ -141,7 +141,7 @@ pub(crate) fn short_stage<S: InRaw, P: Predicate<S>>(
         Some(answer) => answer,
         None => {
             note(Stage::Filter);
-            if SMALL_CODE { exact_stage(p) } else { next(p) }
+            next(p)
         }
     }
 }

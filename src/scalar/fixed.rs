@@ -130,10 +130,21 @@ scalar!(
     LeEqU64,
     5,
     f64,
-    |p| narrow_stage::<_, i128, _>(p, |p| stage::<_, Int64, _>(p, exact_stage)),
+    |p| beyond_words(p),
     Self::evaluate(p),
     p.cut_down().or_else(|| p.filter::<Int64>())
 );
+
+/// The stages of 64 bits.
+#[inline(always)]
+fn beyond_words<Frac: LeEqU64 + Send + Sync + 'static, P: Predicate<FixedI64<Frac>>>(
+    p: &P,
+) -> P::Answer {
+    if SMALL_CODE && P::IN_SHORT {
+        return exact_stage(p);
+    }
+    narrow_stage::<_, i128, _>(p, |p| stage::<_, Int64, _>(p, exact_stage))
+}
 
 /// Where registers are narrow: the answer in words of `W`, with and without volumes.
 #[inline(always)]

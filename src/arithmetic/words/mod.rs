@@ -10,7 +10,7 @@ mod vector;
 mod word;
 
 #[cfg(feature = "fixed")]
-pub use places::Whole;
+pub use places::WholeVolume;
 pub use product_sum::ProductSum;
 #[cfg(feature = "fixed")]
 pub use raw::{InRaw, Raw};

@@ -6,7 +6,7 @@ use core::cmp::Ordering;
 use crate::arithmetic::number::Number;
 
 /// A whole number that can be divided by another, place by place.
-pub trait Whole: Number {
+pub trait WholeVolume: Number {
     /// self·2^`fraction` / `den` rounded down, and what is left of it over 2^`fraction`; `None`
     /// where it has more than `places` places. Neither is negative, `den` is below half of what
     /// the type holds, and `fraction` ≤ `places` ≤ 32.
@@ -19,6 +19,16 @@ pub trait Whole: Number {
         let other = den - rest;
         q.saturating_add((rest > other || rest == other && q & 1 == 1).into())
     }
+
+    /// The product with `factor` added to a sum, which is the upper number times 2^32, or what
+    /// half of the type has, and the lower: see [`sign_of`](Self::sign_of).
+    ///
+    /// In `i64` a factor up to 2^30 makes a lower number below 2^62, and three up to 2^19 another
+    /// 3·2^51. Volumes up to 2^59 have upper numbers below 2^58. `i128` has more room.
+    fn product_onto(self, sum: (Self, Self), factor: impl Into<Self>) -> (Self, Self);
+
+    /// How such a sum compares with zero.
+    fn sign_of(sum: (Self, Self)) -> Ordering;
 
     /// How self/den compares with t/2^`fraction`, where `places` hold the magnitude of t.
     fn compare_quotient(self, den: Self, fraction: u32, places: u32, t: i64) -> Ordering {
@@ -39,7 +49,7 @@ pub trait Whole: Number {
 
 macro_rules! whole {
     ($($whole:ty)*) => {$(
-        impl Whole for $whole {
+        impl WholeVolume for $whole {
             #[inline(never)]
             fn places(self, den: Self, fraction: u32, places: u32) -> Option<(u32, Self)> {
                 let down = places - fraction;
@@ -59,6 +69,23 @@ macro_rules! whole {
                     }
                 }
                 Some((bits, rest))
+            }
+
+            fn product_onto(
+                self,
+                (upper, lower): (Self, Self),
+                factor: impl Into<Self>,
+            ) -> (Self, Self) {
+                let factor = factor.into();
+                let above = self >> (Self::BITS / 2);
+                let below = self - (above << (Self::BITS / 2));
+                (upper + above * factor, lower + below * factor)
+            }
+
+            fn sign_of((upper, lower): (Self, Self)) -> Ordering {
+                let above = upper + (lower >> (Self::BITS / 2));
+                let below = lower << (Self::BITS / 2);
+                above.cmp(&0).then(if below == 0 { Ordering::Equal } else { Ordering::Greater })
             }
         }
     )*};

@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, BitXor, Mul, Shr, Sub};
 
-use super::places::Whole;
+use super::places::WholeVolume;
 use super::product_sum::ProductSum;
 
 /// A signed machine word, in which a kernel keeps lengths.
@@ -89,7 +89,7 @@ pub trait Word:
 /// For `i16` the range is 8, nothing is split, and three products of areas are below 3·2^25.
 pub trait WholeWord: Word {
     /// What holds them.
-    type Whole: Whole + From<Self>;
+    type Whole: WholeVolume + From<Self>;
 
     /// Whether a length lies within the range.
     fn has_volumes(self) -> bool;
@@ -100,6 +100,9 @@ pub trait WholeWord: Word {
 
 /// A scalar whose raw bits fit such a word.
 pub trait InWholeWord<W: WholeWord>: InWord<W> {
+    /// One, if the word holds it and leaves a bit to spare.
+    fn one() -> Option<W>;
+
     /// num/den to the nearest, of two the even one, or the end of the type; `den` is above zero.
     fn divided(num: W::Whole, den: W::Whole) -> Self;
 

@@ -1,25 +1,84 @@
-//! The last stage for an oriented box: exact sums of products of the numbers as given, as
-//! for an axis-aligned box. The axes are those of the kernel; every term has four factors.
+//! The last stage for an oriented box: exact signs of sums of products of the numbers as given,
+//! as for an axis-aligned box. The axes are those of the kernel; every term has four factors.
+//! Sums are long accumulators, or words where the shapes are short enough for that.
 
 use core::cmp::Ordering;
+use core::marker::PhantomData;
 
+#[cfg(feature = "fixed")]
+use crate::arithmetic::{InWord, Number, WholeVolume, WholeWord, cross_words, dot_words};
 use crate::arithmetic::{Parts, pick, turn};
 use crate::robust::{ExactSum, Vector, add_scaled_determinant, difference, single};
 use crate::scalar::Scalar;
 
-/// A triangle and a parallelepiped, taken apart.
-pub(crate) struct ExactParallelepiped {
-    /// The vertices from the centre.
-    t: [Vector; 3],
-    /// The edges.
-    e: [Vector; 3],
-    /// The axes.
-    u: [Vector; 3],
-    h: [Parts; 3],
+/// How factors are held, and the sign of a sum of them.
+pub(super) trait Signs: Sized {
+    type Factor: Copy;
+    type Vector;
+
+    fn negated(x: Self::Factor) -> Self::Factor;
+    fn sign(terms: &[Term<'_, Self>]) -> Ordering;
 }
 
-impl ExactParallelepiped {
-    pub(crate) fn new<S: Scalar>(
+/// A factor times the determinant of three vectors.
+pub(super) struct Term<'a, N: Signs>(N::Factor, &'a N::Vector, &'a N::Vector, &'a N::Vector);
+
+/// Exact sums, for any numbers.
+pub(super) struct InSums<S>(PhantomData<S>);
+
+impl<S: Scalar> Signs for InSums<S> {
+    type Factor = Parts;
+    type Vector = Vector;
+
+    fn negated(x: Parts) -> Parts {
+        x.negated()
+    }
+    #[inline(never)]
+    fn sign(terms: &[Term<'_, Self>]) -> Ordering {
+        let mut sum = S::Sum::new();
+        for Term(factor, a, b, c) in terms {
+            add_scaled_determinant(&mut sum, a, b, c, *factor);
+        }
+        sum.sign()
+    }
+}
+
+/// Words that hold the lengths of the shapes, and one.
+#[cfg(feature = "fixed")]
+pub(super) struct InWords<W>(PhantomData<W>);
+
+#[cfg(feature = "fixed")]
+impl<W: WholeWord> Signs for InWords<W> {
+    type Factor = W;
+    type Vector = [W; 3];
+
+    fn negated(x: W) -> W {
+        W::ZERO - x
+    }
+    #[inline(never)]
+    fn sign(terms: &[Term<'_, Self>]) -> Ordering {
+        let mut sum = (W::Whole::ZERO, W::Whole::ZERO);
+        for &Term(factor, a, b, c) in terms {
+            sum = dot_words(&cross_words(a, b), c).product_onto(sum, factor);
+        }
+        W::Whole::sign_of(sum)
+    }
+}
+
+/// A triangle and a parallelepiped.
+pub(super) struct ExactParallelepiped<N: Signs> {
+    /// The vertices from the centre.
+    t: [N::Vector; 3],
+    /// The edges.
+    e: [N::Vector; 3],
+    /// The axes.
+    u: [N::Vector; 3],
+    h: [N::Factor; 3],
+    one: N::Factor,
+}
+
+impl<S: Scalar> ExactParallelepiped<InSums<S>> {
+    pub(super) fn new(
         points: &[[S; 3]; 3],
         center: [S; 3],
         axes: &[[S; 3]; 3],
@@ -34,80 +93,108 @@ impl ExactParallelepiped {
             e: [from(b, a), from(c, b), from(a, c)],
             u: axes.map(|u| u.map(|x| single(x.parts()))),
             h: half.map(S::parts),
+            one: S::ONE,
+        }
+    }
+}
+
+#[cfg(feature = "fixed")]
+impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
+    /// In words; differences that do not fit are wrapped.
+    #[inline(always)]
+    pub(super) fn in_words<S: Scalar + InWord<W>>(
+        points: &[[S; 3]; 3],
+        center: [S; 3],
+        axes: &[[S; 3]; 3],
+        half: [S; 3],
+        one: W,
+    ) -> Self {
+        let words = |x: [S; 3]| [x[0].in_word(), x[1].in_word(), x[2].in_word()];
+        let from = |to: [W; 3], from: [W; 3]| {
+            [to[0].minus(from[0]), to[1].minus(from[1]), to[2].minus(from[2])]
+        };
+        let ([a, b, c], [u, v, w]) = (*points, *axes);
+        let ([a, b, c], center) = ([words(a), words(b), words(c)], words(center));
+        Self {
+            t: [from(a, center), from(b, center), from(c, center)],
+            e: [from(b, a), from(c, b), from(a, c)],
+            u: [words(u), words(v), words(w)],
+            h: words(half),
+            one,
         }
     }
 
+    /// Whether words have room for all that is made of these lengths, if none of them is
+    /// wrapped.
+    pub(super) fn is_near(&self) -> bool {
+        let Self { t, e, u, h, .. } = self;
+        let lengths = [t, e, u].into_iter().flatten().chain([h]).flatten();
+        lengths.fold(W::ZERO, |all, x| all | x.folded()).has_volumes()
+    }
+}
+
+impl<N: Signs> ExactParallelepiped<N> {
     /// Whether one of the 13 axes separates.
-    pub(crate) fn separates<S: Scalar>(&self) -> bool {
+    pub(super) fn separates(&self) -> bool {
         let [u0, u1, u2] = &self.u;
-        let volume = sign::<S>(&[Term(S::ONE, u0, u1, u2)]);
-        if (0..3).any(|i| self.face::<S>(i, volume)) {
+        let volume = N::sign(&[Term(self.one, u0, u1, u2)]);
+        if (0..3).any(|i| self.face(i, volume)) {
             return true;
         }
         let [e0, e1, _] = &self.e;
-        let un = [0, 1, 2].map(|i| sign::<S>(&[Term(S::ONE, pick(&self.u, i), e0, e1)]));
-        self.normal::<S>(&un) || (0..3).any(|k| (0..3).any(|i| self.edge::<S>(i, k, *pick(&un, i))))
+        let un = [0, 1, 2].map(|i| N::sign(&[Term(self.one, pick(&self.u, i), e0, e1)]));
+        self.normal(&un) || (0..3).any(|k| (0..3).any(|i| self.edge(i, k, *pick(&un, i))))
     }
 
     /// All vertices beyond h_i·|det u|, on either side.
-    fn face<S: Scalar>(&self, i: usize, volume: Ordering) -> bool {
+    #[inline(never)]
+    fn face(&self, i: usize, volume: Ordering) -> bool {
         let (i, j, k) = turn(i);
         let (u, v) = (pick(&self.u, j), pick(&self.u, k));
         let [u0, u1, u2] = &self.u;
         [Ordering::Greater, Ordering::Less].into_iter().any(|side| {
-            let h = signed(*pick(&self.h, i), volume == side);
-            (0..3).all(|k| {
-                sign::<S>(&[Term(S::ONE, u, v, pick(&self.t, k)), Term(h, u0, u1, u2)]) == side
-            })
+            let h = signed::<N>(*pick(&self.h, i), volume == side);
+            self.t.iter().all(|t| N::sign(&[Term(self.one, u, v, t), Term(h, u0, u1, u2)]) == side)
         })
     }
 
     /// n·t_0 beyond Σ h_i·|u_i·n|, on either side.
-    fn normal<S: Scalar>(&self, un: &[Ordering; 3]) -> bool {
+    #[inline(never)]
+    fn normal(&self, un: &[Ordering; 3]) -> bool {
         let [e0, e1, _] = &self.e;
         [Ordering::Greater, Ordering::Less].into_iter().any(|side| {
             let box_term = |i: usize| {
-                Term(signed(*pick(&self.h, i), *pick(un, i) == side), pick(&self.u, i), e0, e1)
+                let h = signed::<N>(*pick(&self.h, i), *pick(un, i) == side);
+                Term(h, pick(&self.u, i), e0, e1)
             };
-            sign::<S>(&[Term(S::ONE, &self.t[0], e0, e1), box_term(0), box_term(1), box_term(2)])
-                == side
+            let triangle_term = Term(self.one, &self.t[0], e0, e1);
+            N::sign(&[triangle_term, box_term(0), box_term(1), box_term(2)]) == side
         })
     }
 
     /// The interval of the triangle on e_k × u_i beyond the box's, on either side.
-    fn edge<S: Scalar>(&self, i: usize, k: usize, un: Ordering) -> bool {
+    #[inline(never)]
+    fn edge(&self, i: usize, k: usize, un: Ordering) -> bool {
         let (i, j, l) = turn(i);
         let (k, _, opposite) = turn(k);
         let [ui, uj, ul] = [i, j, l].map(|i| pick(&self.u, i));
         let e = pick(&self.e, k);
         // w_l·e and w_j·e
-        let along_l = sign::<S>(&[Term(S::ONE, ui, uj, e)]);
-        let along_j = sign::<S>(&[Term(S::ONE, ul, ui, e)]);
+        let along_l = N::sign(&[Term(self.one, ui, uj, e)]);
+        let along_j = N::sign(&[Term(self.one, ul, ui, e)]);
         [Ordering::Greater, Ordering::Less].into_iter().any(|side| {
             // The end of the interval nearer to the box: p, or that of the vertex
             // opposite, p + u·n.
             let nearer = if un == side.reverse() { opposite } else { k };
-            sign::<S>(&[
-                Term(S::ONE, ui, e, pick(&self.t, nearer)),
-                Term(signed(*pick(&self.h, j), along_l == side), ui, uj, e),
-                Term(signed(*pick(&self.h, l), along_j == side), ul, ui, e),
+            N::sign(&[
+                Term(self.one, ui, e, pick(&self.t, nearer)),
+                Term(signed::<N>(*pick(&self.h, j), along_l == side), ui, uj, e),
+                Term(signed::<N>(*pick(&self.h, l), along_j == side), ul, ui, e),
             ]) == side
         })
     }
 }
 
-/// A factor times the determinant of three vectors.
-struct Term<'a>(Parts, &'a Vector, &'a Vector, &'a Vector);
-
-fn signed(x: Parts, minus: bool) -> Parts {
-    if minus { x.negated() } else { x }
-}
-
-/// The sign of a sum of terms.
-fn sign<S: Scalar>(terms: &[Term<'_>]) -> Ordering {
-    let mut sum = S::Sum::new();
-    for Term(factor, a, b, c) in terms {
-        add_scaled_determinant(&mut sum, a, b, c, *factor);
-    }
-    sum.sign()
+fn signed<N: Signs>(x: N::Factor, minus: bool) -> N::Factor {
+    if minus { N::negated(x) } else { x }
 }

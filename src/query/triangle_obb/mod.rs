@@ -15,15 +15,17 @@ mod kernel;
 mod short;
 
 pub(super) use self::error_bound::error_bound;
-use self::exact::ExactParallelepiped;
+#[cfg(feature = "fixed")]
+use self::exact::InWords;
+use self::exact::{ExactParallelepiped, InSums};
 use self::kernel::{Parallelepiped, any_axis};
 pub(super) use self::kernel::{cross, dot};
 #[cfg(feature = "fixed")]
 use self::short::Change;
 use super::Overlaps;
-#[cfg(feature = "fixed")]
-use crate::arithmetic::InRaw;
 use crate::arithmetic::{Embeds, Number, greatest, largest};
+#[cfg(feature = "fixed")]
+use crate::arithmetic::{InRaw, InWholeWord, InWord, WholeWord};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Obb, Triangle};
@@ -86,14 +88,69 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
         Some(self.framed(Change::Grown).is_none_or(|framed| framed.are_certainly_disjoint()))
     }
 
+    #[cfg(feature = "fixed")]
+    #[inline(always)]
+    fn narrow_volumes<W: WholeWord>(&self) -> Option<bool>
+    where
+        S: InWholeWord<W>,
+    {
+        let one = <S as InWholeWord<W>>::one()?;
+        if <S as InWord<W>>::ALWAYS_NEAR {
+            Some(self.in_any_words(one))
+        } else {
+            self.in_near_words(one)
+        }
+    }
+
     fn exact(&self) -> bool {
-        ExactParallelepiped::new::<S>(
+        ExactParallelepiped::<InSums<S>>::new(
             &self.triangle.points(),
             self.obb.center().to_array(),
             &self.obb.axes_as_arrays(),
             self.obb.half_extents().to_array(),
         )
-        .separates::<S>()
+        .separates()
+    }
+}
+
+/// The last stage in words, where registers are narrow.
+#[cfg(feature = "fixed")]
+impl<S: Scalar> Disjoint<'_, S> {
+    /// The answer in words that hold the shapes wherever they are.
+    #[cold]
+    #[inline(never)]
+    fn in_any_words<W: WholeWord>(&self, one: W) -> bool
+    where
+        S: InWord<W>,
+    {
+        self.in_words(one).separates()
+    }
+
+    /// The answer in words that hold the shapes if they are near to each other.
+    #[cold]
+    #[inline(never)]
+    fn in_near_words<W: WholeWord>(&self, one: W) -> Option<bool>
+    where
+        S: InWord<W>,
+    {
+        let words = self.in_words(one);
+        let center = self.obb.center().to_array().map(S::in_word);
+        (center.iter().all(|x| x.is_central()) && words.is_near()).then(|| words.separates())
+    }
+
+    #[inline(always)]
+    fn in_words<W: WholeWord>(&self, one: W) -> ExactParallelepiped<InWords<W>>
+    where
+        S: InWord<W>,
+    {
+        let (center, half) = (self.obb.center().to_array(), self.obb.half_extents().to_array());
+        ExactParallelepiped::in_words(
+            &self.triangle.points(),
+            center,
+            &self.obb.axes_as_arrays(),
+            half,
+            one,
+        )
     }
 }
 
