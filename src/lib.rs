@@ -140,6 +140,8 @@ mod arithmetic;
 pub mod interop;
 pub mod lanes;
 pub mod mesh;
+#[cfg(feature = "fixed")]
+pub mod near;
 pub mod prepared;
 pub mod published;
 pub mod relation;

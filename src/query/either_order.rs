@@ -2,6 +2,8 @@
 
 use super::relation::{Relate, Relation};
 use crate::scalar::Scalar;
+#[cfg(feature = "fixed")]
+use crate::shape::Near;
 use crate::shape::{Aabb, Obb, Overlaps, Plane, Ray, Segment, Triangle};
 
 macro_rules! reversed {
@@ -33,6 +35,36 @@ reversed! {
     Obb with Triangle;
     Obb with Aabb;
     Triangle with Segment;
+}
+
+#[cfg(feature = "fixed")]
+impl<S> Overlaps<Near<Triangle<S>>> for Near<Aabb<S>>
+where
+    Near<Triangle<S>>: Overlaps<Self>,
+{
+    #[inline]
+    fn overlaps(&self, triangle: &Near<Triangle<S>>) -> bool {
+        triangle.overlaps(self)
+    }
+    #[inline]
+    fn may_overlap(&self, triangle: &Near<Triangle<S>>) -> bool {
+        triangle.may_overlap(self)
+    }
+}
+
+#[cfg(feature = "fixed")]
+impl<S> Overlaps<Near<Triangle<S>>> for Near<Obb<S>>
+where
+    Near<Triangle<S>>: Overlaps<Self>,
+{
+    #[inline]
+    fn overlaps(&self, triangle: &Near<Triangle<S>>) -> bool {
+        triangle.overlaps(self)
+    }
+    #[inline]
+    fn may_overlap(&self, triangle: &Near<Triangle<S>>) -> bool {
+        triangle.may_overlap(self)
+    }
 }
 
 macro_rules! relations_reversed {

@@ -29,6 +29,8 @@ pub enum ShapeError {
     ZeroDirection,
     /// A range ends before it begins.
     EmptyRange,
+    /// A coordinate is too far from zero for a shape that is to be `near`.
+    NotNear,
 }
 
 impl ShapeError {
@@ -75,6 +77,7 @@ impl ShapeError {
             Self::ZeroNormal => "the normal is zero",
             Self::ZeroDirection => "the direction is zero",
             Self::EmptyRange => "the range ends before it begins",
+            Self::NotNear => "a coordinate is too far from zero",
         }
     }
 }

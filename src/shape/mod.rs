@@ -2,6 +2,8 @@
 
 mod aabb;
 mod error;
+#[cfg(feature = "fixed")]
+mod near;
 mod obb;
 mod overlaps;
 mod plane;
@@ -16,6 +18,8 @@ mod const_new;
 pub use aabb::Aabb;
 pub(crate) use aabb::Form as AabbForm;
 pub use error::ShapeError;
+#[cfg(feature = "fixed")]
+pub use near::Near;
 pub use obb::Obb;
 pub use overlaps::Overlaps;
 pub(crate) use plane::Form as PlaneForm;

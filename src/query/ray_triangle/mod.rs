@@ -12,6 +12,8 @@ mod error_bound;
 mod exact;
 mod hit;
 mod narrow;
+#[cfg(feature = "fixed")]
+mod near;
 mod order;
 mod prepared;
 mod question;

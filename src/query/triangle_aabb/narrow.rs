@@ -4,6 +4,8 @@ use super::Disjoint;
 use super::one_sided::{Projection, one_sided};
 use crate::arithmetic::{InWord, Word, out_of_line_if_wide};
 use crate::scalar::Scalar;
+#[cfg(feature = "fixed")]
+use crate::shape::{Aabb, Near, Overlaps, Triangle};
 use crate::shape::{AabbForm, Vec3};
 
 impl<S: Scalar> Disjoint<'_, S> {
@@ -63,6 +65,17 @@ impl<S: Scalar> Disjoint<'_, S> {
                 (min, each(max, min, W::minus))
             }
         }
+    }
+}
+
+#[cfg(feature = "fixed")]
+impl<S: Scalar + InWord<i32>> Overlaps<Near<Aabb<S>>> for Near<Triangle<S>> {
+    /// Whether a triangle and an axis-aligned box near the origin have a point in common.
+    ///
+    /// *Numerics*: exact, in 32-bit words alone. *Panics*: never.
+    #[inline]
+    fn overlaps(&self, aabb: &Near<Aabb<S>>) -> bool {
+        !Disjoint { triangle: self.get(), aabb: aabb.get() }.in_any_words::<i32>()
     }
 }
 

@@ -28,6 +28,8 @@ use crate::arithmetic::{Embeds, Number, greatest, largest};
 use crate::arithmetic::{InRaw, InWholeWord, InWord, WholeWord};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
+#[cfg(feature = "fixed")]
+use crate::shape::Near;
 use crate::shape::{Obb, Triangle};
 
 /// The question, for the number systems to answer.
@@ -151,6 +153,25 @@ impl<S: Scalar> Disjoint<'_, S> {
             half,
             one,
         )
+    }
+}
+
+#[cfg(feature = "fixed")]
+impl<S: Scalar + InRaw + InWholeWord<i32>> Overlaps<Near<Obb<S>>> for Near<Triangle<S>> {
+    /// Whether a triangle and an oriented box near the origin have a point in common.
+    ///
+    /// *Numerics*: exact, in 32-bit words alone. *Panics*: never.
+    #[inline]
+    fn overlaps(&self, obb: &Near<Obb<S>>) -> bool {
+        let question = Disjoint { triangle: self.get(), obb: obb.get() };
+        // A box that is near belongs to a type of which a word holds one.
+        let Some(one) = S::one() else { return self.get().overlaps(obb.get()) };
+        !question.in_short().unwrap_or_else(|| question.in_any_words::<i32>(one))
+    }
+
+    #[inline]
+    fn may_overlap(&self, obb: &Near<Obb<S>>) -> bool {
+        self.get().may_overlap(obb.get())
     }
 }
 

@@ -1,0 +1,14 @@
+//! One exact query about an oriented box in I16F16 near the origin.
+
+#![no_std]
+#![no_main]
+
+use fixed::types::I16F16;
+use septum::near::Near;
+use septum::{Obb, Triangle};
+use septum_size as _;
+
+#[unsafe(no_mangle)]
+pub fn _start(triangle: &Near<Triangle<I16F16>>, obb: &Near<Obb<I16F16>>) -> bool {
+    triangle.overlaps(obb)
+}
