@@ -61,12 +61,11 @@ macro_rules! whole {
                 // below.
                 let mut bits = if down == 0 { 0 } else { (self as u32) << (32 - down) };
                 for _ in 0..places {
-                    rest = rest + rest + (bits >> 31) as Self;
-                    bits <<= 1;
-                    if rest >= den {
-                        rest -= den;
-                        bits |= 1;
-                    }
+                    // By a mask, not by a branch: all quotients take the same time.
+                    rest = rest + rest + (bits >> 31) as Self - den;
+                    let is_negative = rest >> (Self::BITS - 1);
+                    rest += den & is_negative;
+                    bits = (bits << 1).wrapping_add(is_negative as u32).wrapping_add(1);
                 }
                 Some((bits, rest))
             }

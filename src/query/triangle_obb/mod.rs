@@ -75,10 +75,7 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     where
         S: InRaw,
     {
-        match self.framed(Change::Shrunk) {
-            None => Some(true),
-            Some(framed) => framed.are_disjoint(),
-        }
+        self.in_short_words::<false>()
     }
 
     #[cfg(feature = "fixed")]
@@ -87,7 +84,10 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     where
         S: InRaw,
     {
-        Some(self.framed(Change::Grown).is_none_or(|framed| framed.are_certainly_disjoint()))
+        Some(
+            self.framed::<false>(Change::Grown)
+                .is_none_or(|framed| framed.are_certainly_disjoint()),
+        )
     }
 
     #[cfg(feature = "fixed")]
@@ -118,6 +118,15 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
 /// The last stage in words, where registers are narrow.
 #[cfg(feature = "fixed")]
 impl<S: Scalar> Disjoint<'_, S> {
+    /// The first stage of shapes that are near, its stack given back before the last.
+    #[inline(never)]
+    fn first_near_stage(&self) -> Option<bool>
+    where
+        S: InRaw,
+    {
+        self.in_short_words::<true>()
+    }
+
     /// The answer in words that hold the shapes wherever they are.
     #[cold]
     #[inline(never)]
@@ -166,12 +175,15 @@ impl<S: Scalar + InRaw + InWholeWord<i32>> Overlaps<Near<Obb<S>>> for Near<Trian
         let question = Disjoint { triangle: self.get(), obb: obb.get() };
         // A box that is near belongs to a type of which a word holds one.
         let Some(one) = S::one() else { return self.get().overlaps(obb.get()) };
-        !question.in_short().unwrap_or_else(|| question.in_any_words::<i32>(one))
+        !question.first_near_stage().unwrap_or_else(|| question.in_any_words::<i32>(one))
     }
 
     #[inline]
     fn may_overlap(&self, obb: &Near<Obb<S>>) -> bool {
-        self.get().may_overlap(obb.get())
+        let question = Disjoint { triangle: self.get(), obb: obb.get() };
+        question
+            .framed::<true>(Change::Grown)
+            .is_some_and(|framed| !framed.are_certainly_disjoint())
     }
 }
 

@@ -85,10 +85,19 @@ pub(super) enum Change {
 }
 
 impl<S: Scalar + InRaw> Disjoint<'_, S> {
+    /// The answer, if cut coordinates can vouch for it.
+    #[inline(always)]
+    pub(super) fn in_short_words<const ARE_NEAR: bool>(&self) -> Option<bool> {
+        match self.framed::<ARE_NEAR>(Change::Shrunk) {
+            None => Some(true),
+            Some(framed) => framed.are_disjoint(),
+        }
+    }
+
     /// The triangle in the frame of the box; `None` if a face of the box separates them for
-    /// certain.
+    /// certain. `ARE_NEAR` says that no difference of coordinates overflows.
     #[inline(never)]
-    pub(super) fn framed(&self, change: Change) -> Option<Framed> {
+    pub(super) fn framed<const ARE_NEAR: bool>(&self, change: Change) -> Option<Framed> {
         let mut error = ERROR;
         let [u, v, w] = self.obb.axes();
         let axes = [raw(u), raw(v), raw(w)];
@@ -98,7 +107,7 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
             error += OF_AXES;
         }
 
-        let (d, halved) = self.vertices_from_center();
+        let (d, halved) = self.vertices_from_center::<ARE_NEAR>();
         let half = [raw(&self.obb.half_extents())];
         let longer = longest - S::FRACTION_BITS;
         let down = greatest(halved + size(&d).bits(), size(&half).bits() + longer) - LENGTH;
@@ -138,7 +147,7 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
 
     /// The vertices from the centre, over 2 to the power that is given.
     #[inline(always)]
-    fn vertices_from_center(&self) -> ([[S::Raw; 3]; 3], i32) {
+    fn vertices_from_center<const ARE_NEAR: bool>(&self) -> ([[S::Raw; 3]; 3], i32) {
         let [a, b, c] = self.triangle.vertices();
         let center = raw(&self.obb.center());
         let from =
@@ -146,7 +155,7 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
         let d = [from(raw(a)), from(raw(b)), from(raw(c))];
         let [x, y, z] = center;
         let is_central = x.is_central() && y.is_central() && z.is_central();
-        if S::ALWAYS_NEAR || (is_central && size(&d).bits() < S::Raw::BITS - 1) {
+        if ARE_NEAR || S::ALWAYS_NEAR || (is_central && size(&d).bits() < S::Raw::BITS - 1) {
             (d, 0)
         } else {
             self.vertices_from_far()
@@ -176,15 +185,17 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
 impl Framed {
     /// Whether the shapes are disjoint, by the shrunk box; `None` in doubt.
     #[inline(always)]
-    pub(super) fn are_disjoint(&self) -> Option<bool> {
+    pub(super) fn are_disjoint(mut self) -> Option<bool> {
         let shrunk = &self.shapes;
         // A box thinner than the error has no inside left.
         if !Projection::is_void(shrunk) && !Projection::are_apart(shrunk) && !one_sided(shrunk) {
             return Some(false);
         }
-        let [x, y, z] = self.shapes;
-        let by = 2 * self.by;
-        one_sided(&[x.grown(by), y.grown(by), z.grown(by)]).then_some(true)
+        // In place, for the stack.
+        for shape in &mut self.shapes {
+            *shape = shape.grown(2 * self.by);
+        }
+        one_sided(&self.shapes).then_some(true)
     }
 
     /// Whether the shapes are disjoint for certain, by the grown box.
@@ -261,7 +272,7 @@ mod tests {
 
     /// How much of the error that is allowed for was found, at most; `None` where a face separates.
     fn found<S: Scalar + InRaw>(question: &Disjoint<'_, S>) -> Option<f64> {
-        let framed = question.framed(Change::Grown)?;
+        let framed = question.framed::<false>(Change::Grown)?;
         assert!(Projection::are_near(&framed.shapes), "{:?} {:?}", question.triangle, question.obb);
         let u = question.obb.axes().map(wide);
         let (center, half) = (wide(question.obb.center()), wide(question.obb.half_extents()));
