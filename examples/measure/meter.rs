@@ -23,6 +23,7 @@ impl Taken {
     }
 
     /// The instructions of one query: the average, rounded to the nearest.
+    #[allow(dead_code, reason = "not of every example that measures")]
     pub(crate) fn instructions(&self) -> u64 {
         (self.instructions + self.queries / 2).checked_div(self.queries).unwrap_or(0)
     }

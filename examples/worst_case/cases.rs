@@ -1,0 +1,66 @@
+//! Shapes that meet in every way, from the numbers of a path.
+
+use septum::{Aabb, Obb, Ray, Triangle};
+
+use crate::draw::{Draw, Raw};
+
+fn less(a: [i64; 3], b: [i64; 3]) -> [i64; 3] {
+    [0, 1, 2].map(|i| a[i].saturating_sub(b[i]))
+}
+
+pub(crate) fn triangle_aabb<S: Raw>(draw: &mut Draw) -> Option<(Triangle<S>, Aabb<S>)> {
+    let [a, b, c] = [(); 3].map(|()| draw.point());
+    let triangle = Triangle::new(draw.vector(a), draw.vector(b), draw.vector(c)).ok()?;
+    let (p, q) = (draw.point(), draw.point());
+    let [low, high] = [i64::min, i64::max].map(|of| [0, 1, 2].map(|i| of(p[i], q[i])));
+    let aabb = if draw.rng.below(2) == 0 {
+        Aabb::from_min_max(draw.vector::<S>(low), draw.vector::<S>(high))
+    } else {
+        // A quarter, so that one that is near stays so.
+        let (center, half) = (low.map(|x| x >> 1), less(high, low).map(|x| x >> 2));
+        Aabb::from_center_half_extents(draw.vector::<S>(center), draw.vector::<S>(half))
+    };
+    Some((triangle, aabb.ok()?))
+}
+
+/// Boxes along the axes, turned by the angles of the triangle with sides 3, 4 and 5, and any.
+pub(crate) fn triangle_obb<S: Raw>(draw: &mut Draw) -> Option<(Triangle<S>, Obb<S>)> {
+    let [a, b, c, center, half] = [(); 5].map(|()| draw.point());
+    let of_one = |axes: [[i64; 3]; 3]| axes.map(|u| u.map(|x| x * S::one() / 100));
+    let axes = match draw.rng.below(4) {
+        0 | 1 => of_one([[100, 0, 0], [0, 100, 0], [0, 0, 100]]),
+        2 => of_one([[60, 80, 0], [-48, 36, 80], [64, -48, 60]]),
+        _ => [(); 3].map(|()| draw.point()),
+    };
+    let triangle = Triangle::new(draw.vector(a), draw.vector(b), draw.vector(c)).ok()?;
+    let half = half.map(|x| x.saturating_abs() >> 1);
+    let axes = axes.map(|u| draw.vector::<S>(u));
+    let obb = Obb::from_skewed_axes(draw.vector(center), axes, draw.vector(half)).ok()?;
+    Some((triangle, obb))
+}
+
+/// Three of four rays go to a point of the triangle: its interior, an edge or a vertex. The range
+/// of half of them ends there.
+pub(crate) fn ray_triangle<S: Raw>(draw: &mut Draw) -> Option<(Ray<S>, Triangle<S>)> {
+    let [a, b, c, o, d] = [(); 5].map(|()| draw.point());
+    let triangle = Triangle::new(draw.vector(a), draw.vector(b), draw.vector(c)).ok()?;
+    let i = draw.rng.below(5);
+    let j = draw.rng.below(5 - i as u32);
+    let toward = || {
+        let on = [0, 1, 2].map(|k| {
+            let (b, c) = (i128::from(b[k]) - i128::from(a[k]), i128::from(c[k]) - i128::from(a[k]));
+            (i128::from(a[k]) + (b * i128::from(i) + c * i128::from(j)) / 4) as i64
+        });
+        less(on, o)
+    };
+    let d = if draw.rng.below(4) == 0 { d } else { toward() };
+    let ray = Ray::new(draw.vector::<S>(o), draw.vector::<S>(d)).ok()?;
+    let (least, most) = (S::of(i64::MIN), S::of(i64::MAX));
+    let ranged = match (draw.rng.below(4), ray.hit(&triangle)) {
+        (0, _) => Ok(ray),
+        (1, Some(hit)) => ray.with_range(hit.t, most),
+        (2, Some(hit)) => ray.with_range(least, hit.t),
+        _ => ray.with_range(least, most),
+    };
+    Some((ranged.ok()?, triangle))
+}

@@ -1,0 +1,87 @@
+//! The queries, and the lines about them.
+
+use core::hint::black_box;
+
+use fixed::types::I16F16;
+use septum::HitRules;
+
+use crate::CORE;
+use crate::cases::{ray_triangle, triangle_aabb, triangle_obb};
+use crate::draw::{Draw, Path, Raw, Rng};
+use crate::firmware::say;
+use crate::meter::{Ask, Meter, Taken};
+
+/// How many pairs of shapes a path has.
+const CASES: usize = 512;
+/// No more follow after so many instructions.
+const ENOUGH: u64 = 5_000_000;
+/// How many bits coordinates have, beside the sign, of shapes that are near.
+const NEAR: u32 = 17;
+
+const AABB: &str = "triangle/box";
+const OBB: &str = "triangle/oriented box";
+const IS_HIT: &str = "ray/triangle is_hit";
+const HIT: &str = "ray/triangle hit";
+/// With rules, of which this is the longest: an edge asks on.
+const ONCE: HitRules = HitRules::new().once();
+
+/// Shapes that were promised to be near.
+pub(crate) fn near(meter: &Meter) {
+    type S = I16F16;
+    let aabb = |draw: &mut Draw| {
+        let (triangle, aabb) = triangle_aabb::<S>(draw)?;
+        Some((triangle.near().ok()?, aabb.near().ok()?))
+    };
+    let obb = |draw: &mut Draw| {
+        let (triangle, obb) = triangle_obb::<S>(draw)?;
+        Some((triangle.near().ok()?, obb.near().ok()?))
+    };
+    let ray = |draw: &mut Draw| {
+        let (ray, triangle) = ray_triangle::<S>(draw)?;
+        Some((ray.near().ok()?, triangle.near().ok()?))
+    };
+    let lines = Lines { meter, scalar: S::NAME, reach: "near", most: NEAR };
+    lines.say(AABB, aabb, |t, b| t.overlaps(b));
+    lines.say(OBB, obb, |t, b| t.overlaps(b));
+    lines.say(IS_HIT, ray, |r, t| r.is_hit_with(t, ONCE));
+    lines.say(HIT, ray, |r, t| black_box(r.hit_with(t, ONCE)).is_some());
+}
+
+/// Shapes anywhere.
+pub(crate) fn any<S: Raw>(meter: &Meter) {
+    let lines = Lines { meter, scalar: S::NAME, reach: "any", most: S::BITS - 1 };
+    lines.say(AABB, triangle_aabb::<S>, |t, b| t.overlaps(b));
+    lines.say(OBB, triangle_obb::<S>, |t, b| t.overlaps(b));
+    lines.say(IS_HIT, ray_triangle::<S>, |r, t| r.is_hit_with(t, ONCE));
+    lines.say(HIT, ray_triangle::<S>, |r, t| black_box(r.hit_with(t, ONCE)).is_some());
+}
+
+struct Lines<'a> {
+    meter: &'a Meter,
+    scalar: &'static str,
+    reach: &'static str,
+    most: u32,
+}
+
+impl Lines<'_> {
+    /// Says for each path the most that the query took.
+    fn say<A, B>(&self, query: &str, shapes: fn(&mut Draw) -> Option<(A, B)>, ask: Ask<A, B>) {
+        let Self { meter, scalar, reach, most } = *self;
+        for path in Path::ALL {
+            let mut draw = Draw { rng: Rng::new(), path, most };
+            let (mut instructions, mut stack, mut total) = (0, 0, 0);
+            for pair in (0..CASES).filter_map(|_| shapes(&mut draw)) {
+                let mut taken = Taken::default();
+                meter.add(&mut taken, &[pair], ask);
+                instructions = taken.total().max(instructions);
+                stack = taken.stack().max(stack);
+                total += taken.total();
+                if total > ENOUGH {
+                    break;
+                }
+            }
+            let (path, stack) = (path.name(), stack as u32);
+            say!("{},{},{},{},{},{},{}", CORE, query, scalar, reach, path, instructions, stack);
+        }
+    }
+}
