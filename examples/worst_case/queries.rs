@@ -12,9 +12,9 @@ use crate::firmware::say;
 use crate::meter::{Ask, Meter, Taken};
 
 /// How many pairs of shapes a path has.
-const CASES: usize = 512;
+const CASES: usize = 4096;
 /// No more follow after so many instructions.
-const ENOUGH: u64 = 5_000_000;
+const ENOUGH: u64 = 30_000_000;
 /// How many bits coordinates have, beside the sign, of shapes that are near.
 const NEAR: u32 = 17;
 

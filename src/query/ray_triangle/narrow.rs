@@ -176,3 +176,119 @@ fn words<S: InWord<W> + Copy, W: Word>(v: &Vec3<S>) -> [W; 3] {
 fn from<W: Word>(to: &[W; 3], from: &[W; 3]) -> [W; 3] {
     [to[0].minus(from[0]), to[1].minus(from[1]), to[2].minus(from[2])]
 }
+
+#[cfg(all(test, feature = "fixed"))]
+mod tests {
+    use fixed::types::{I0F32, I4F4, I8F8, I16F16};
+
+    use super::*;
+    use crate::query::{Cull, HitRules};
+    use crate::robust::Predicate;
+    use crate::shape::{Ray, Triangle};
+
+    /// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, "Fast Splittable Pseudorandom Number
+    /// Generators", OOPSLA 2014).
+    struct Rng(u64);
+
+    impl Rng {
+        fn below(&mut self, n: u64) -> i64 {
+            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            ((u128::from(z ^ (z >> 31)) * u128::from(n)) >> 64) as i64
+        }
+
+        /// Of so many bits beside the sign: any, an end, or one of a few.
+        fn number(&mut self, kind: i64, bits: u32) -> i64 {
+            let end = (1 << bits) - 1;
+            match kind {
+                0 => self.below(2 << bits) - end - 1,
+                1 => [-end - 1, end, 0, 1, -1][self.below(5) as usize],
+                _ => (self.below(5) - 2) << (bits - 2).min(14),
+            }
+        }
+    }
+
+    /// Words say what exact sums say, of numbers that have so many bits; counts what hits.
+    fn check<S: Scalar + InWholeWord<W>, W: WholeWord>(
+        bits: u32,
+        length_bits: u32,
+        of: impl Fn(i64) -> S,
+    ) {
+        let rng = &mut Rng(u64::from(bits));
+        let (mut hits, mut on_edges) = (0, 0);
+        for case in 0..6_000 {
+            let kind = case % 3;
+            let mut point = || [(); 3].map(|()| rng.number(kind, bits));
+            let [a, b, c, o, aside] = [point(), point(), point(), point(), point()];
+            // To a point of the triangle.
+            let (i, j) = (rng.below(5), rng.below(5));
+            let (i, j) = (i.min(4 - j), j);
+            let end = (1 << length_bits) - 1;
+            let toward = [0, 1, 2]
+                .map(|k| a[k] + ((b[k] - a[k]) * i + (c[k] - a[k]) * j) / 4 - o[k])
+                .map(|x| x.clamp(-end - 1, end));
+            let d = if case % 7 == 0 { aside } else { toward };
+            let vector = |x: [i64; 3]| x.map(&of);
+            let triangle = Triangle::new(vector(a), vector(b), vector(c)).unwrap();
+            let Ok(ray) = Ray::new(vector(o), vector(d)) else { continue };
+            let cull = [Cull::Nothing, Cull::Nothing, Cull::Back, Cull::Front];
+            let rules = HitRules::new().culling(cull[rng.below(4) as usize]);
+            let rules = if rng.below(2) == 0 { rules } else { rules.once() };
+            let line = ray.with_range(None, None).unwrap();
+            let at = Crosses { ray: &line, triangle: &triangle, rules }.exact().map(|hit| hit.t);
+            let (least, most) = (of(i64::MIN), of(i64::MAX));
+            let ray = match (rng.below(5), at) {
+                (0, Some(t)) => ray.with_range(t, most).unwrap(),
+                (1, Some(t)) => ray.with_range(least, t).unwrap(),
+                (2, _) => ray.with_range(least, most).unwrap(),
+                (3, _) => line,
+                _ => ray,
+            };
+            let question = Crosses { ray: &ray, triangle: &triangle, rules };
+            let expected = question.exact();
+            assert_eq!(question.narrow_volumes::<W>(), Some(expected), "{ray:?} {triangle:?}");
+            hits += u32::from(expected.is_some());
+            on_edges += u32::from(expected.is_some_and(|hit| hit.feature != Feature::Interior));
+        }
+        assert!(hits > 600 && on_edges > 150, "{hits} hits, {on_edges} on edges");
+    }
+
+    #[test]
+    fn words_agree_with_exact_sums() {
+        check::<I4F4, i16>(7, 7, |x| I4F4::from_bits(x.clamp(-128, 127) as i8));
+        check::<I8F8, i32>(15, 15, |x| I8F8::from_bits(x.clamp(-32768, 32767) as i16));
+        let bits = |x: i64| x.clamp(i32::MIN.into(), i32::MAX.into()) as i32;
+        check::<I16F16, i32>(18, 19, |x| I16F16::from_bits(bits(x)));
+        check::<I16F16, i64>(31, 31, |x| I16F16::from_bits(bits(x)));
+        check::<I0F32, i64>(31, 31, |x| I0F32::from_bits(bits(x)));
+    }
+
+    /// What a word does not hold it does not answer.
+    #[test]
+    fn words_leave_what_is_far() {
+        let ray = |o: i32, d: i32| {
+            Ray::new([o, 0, 9].map(I16F16::from_bits), [0, d, 1].map(I16F16::from_bits)).unwrap()
+        };
+        let [a, b, c] = [[0, 0, 0], [9, 0, 0], [0, 9, 0]].map(|p| p.map(I16F16::from_bits));
+        let triangle = Triangle::new(a, b, c).unwrap();
+        let answers = |o, d| {
+            let rules = HitRules::new();
+            Crosses { ray: &ray(o, d), triangle: &triangle, rules }
+                .narrow_volumes::<i32>()
+                .is_some()
+        };
+        let most = (1 << 19) - 1;
+        assert!(answers(most, most) && answers(-most - 1, -most - 1));
+        assert!(!answers(most + 1, 0) && !answers(0, most + 1) && !answers(0, -most - 2));
+        // A difference that is wrapped to a short one.
+        assert!(!answers(i32::MIN, 0));
+        let far = [i32::MAX, 0, 0].map(I16F16::from_bits);
+        let rules = HitRules::new();
+        let triangle = Triangle::new(far, b, c).unwrap();
+        let ray = ray(i32::MIN, 1);
+        assert!(
+            Crosses { ray: &ray, triangle: &triangle, rules }.narrow_volumes::<i32>().is_none()
+        );
+    }
+}
