@@ -57,6 +57,7 @@
 //! | a mesh: what a shape overlaps, what a ray hits, other meshes | [`overlapping`](mesh::Tree::overlapping), [`first_hit`](mesh::Tree::first_hit), [`overlapping_pairs`](mesh::Tree::overlapping_pairs) | |
 //! | a closed mesh, point | [`contains`](mesh::Tree::contains), [`winding`](mesh::Tree::winding) | |
 //! | touching or overlapping | [`relation`] | |
+//! | ray or box and triangle, near the origin, in 32-bit words alone | `near` | |
 //! | triangle, grid of voxels | [`voxel::Grid::rows`], [`voxel::Bits::fill`]; inside: [`voxel::Solid`] | |
 //! | segment or ray, grid | [`voxel::Grid::walk_segment`], [`voxel::Grid::walk_ray`] | |
 //! | the axis that separates | [`separating_axis`](Triangle::separating_axis), [`is_separated_by`](Triangle::is_separated_by) | |
@@ -87,7 +88,7 @@
 //! | `f32` | spans of 2⁻³² to 2⁴⁰, not within rounding of contact | `f64`, integers, exact sums |
 //! | `f64` | spans of 2⁻³²⁰ to 2³²⁰, not within rounding of contact | integers, exact sums |
 //! | `FixedI8`, `FixedI16` | always | |
-//! | `FixedI32` | coordinates below 2²⁸ units in the last place | wider integers; on 32-bit cores exact sums, but for a triangle and a box |
+//! | `FixedI32` | coordinates below 2²⁸ units in the last place | wider integers; on 32-bit cores exact sums, but for a triangle with a box or a ray |
 //! | `FixedI64` | coordinates below 2⁶⁰ units in the last place | exact sums |
 //!
 //! A narrower fixed-point type is faster and takes less code. For triangles and oriented

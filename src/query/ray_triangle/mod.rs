@@ -48,7 +48,9 @@ impl<S: Scalar> Ray<S> {
     ///
     /// *Range*: all finite floats, all fixed-point values. As with
     /// [`Triangle::overlaps`], what the fast stage cannot resolve goes to wider
-    /// numbers, and at last to exact sums, up to a thousand times slower.
+    /// numbers, and at last to exact sums, up to a thousand times slower. On 32-bit cores
+    /// fixed point of up to 32 bits needs none: its time is bounded
+    /// (`docs/worst-case.md`), and that of shapes that are `near` by less.
     ///
     /// *Panics*: never.
     ///

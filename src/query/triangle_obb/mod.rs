@@ -210,8 +210,8 @@ impl<S: Scalar> Overlaps<Obb<S>> for Triangle<S> {
     /// shapes' size, and a box as thin as that which is met. Axes of very different
     /// lengths, or nearly in one plane, leave more. Then wider numbers take over: floats as
     /// usual, fixed point of up to 30 fraction bits 128 bits, within 2³⁰ units in the last
-    /// place (2²⁸ where registers have 32 bits), and at last exact sums, up to a thousand
-    /// times slower.
+    /// place, and at last exact sums, up to a thousand times slower. Where registers have 32
+    /// bits, fixed point of up to 32 bits takes words instead, and no sums.
     ///
     /// *Panics*: never.
     ///
