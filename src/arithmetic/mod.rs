@@ -16,6 +16,7 @@ mod quotient;
 #[cfg(feature = "fixed")]
 mod root;
 mod rounded;
+mod short_multiples;
 mod span;
 mod split;
 mod system;
@@ -46,6 +47,8 @@ pub use root::Signed;
 #[cfg(feature = "fixed")]
 pub(crate) use root::{Limbs, Wide, over_roots};
 pub use rounded::{Rounded, RoundedOps};
+pub use short_multiples::ShortFloat;
+pub(crate) use short_multiples::{Divisor, Leading64};
 pub use span::{Span, Spanned};
 pub(crate) use split::{FAR, Split, Two, short_areas, two_difference};
 pub use system::{Arithmetic, Embeds};

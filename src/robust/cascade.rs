@@ -5,7 +5,7 @@
 
 use super::predicate::{Clue, Predicate};
 use super::stages::{Stage, note};
-use crate::arithmetic::{Embeds, Filtered, Float, InFloat, Int64, REGISTERS_ARE_WIDE};
+use crate::arithmetic::{Embeds, Filtered, Float, InFloat, Int64, REGISTERS_ARE_WIDE, ShortFloat};
 #[cfg(feature = "fixed")]
 use crate::arithmetic::{InRaw, InWholeWord, InWord, WholeWord, Word};
 
@@ -62,6 +62,18 @@ pub(crate) fn stage<S, N: Embeds<S>, P: Predicate<S>>(
             note(Stage::Filter);
             next(p)
         }
+    }
+}
+
+/// Where `f64` is dear: the numbers by short multiples, or else what `next` says.
+#[inline(always)]
+pub(crate) fn multiples_stage<S: ShortFloat, P: Predicate<S>>(
+    p: &P,
+    next: fn(&P) -> P::Answer,
+) -> P::Answer {
+    match p.in_short_multiples() {
+        Some(answer) => answer,
+        None => next(p),
     }
 }
 

@@ -23,7 +23,7 @@ mod stages;
 mod uncertain;
 
 pub(crate) use cascade::{
-    exact_stage, in_floats, in_quads, integer_stage, numeric_stage, refined_stage,
+    exact_stage, in_floats, in_quads, integer_stage, multiples_stage, numeric_stage, refined_stage,
 };
 #[cfg(feature = "fixed")]
 pub(crate) use cascade::{narrow_stage, only_stage, short_stage, stage, volume_stage};

@@ -1,6 +1,8 @@
 #[cfg(feature = "fixed")]
 use crate::arithmetic::InRaw;
-use crate::arithmetic::{Embeds, Filtered, Float, InFloat, InWholeWord, InWord, WholeWord, Word};
+use crate::arithmetic::{
+    Embeds, Filtered, Float, InFloat, InWholeWord, InWord, ShortFloat, WholeWord, Word,
+};
 
 /// Why a fast path has no answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,6 +78,16 @@ pub trait Predicate<S> {
     fn narrow_volumes<W: WholeWord>(&self) -> Option<Self::Answer>
     where
         S: InWholeWord<W>,
+    {
+        None
+    }
+
+    /// The answer to a question with a number for an answer, by short multiples of a power of two,
+    /// for cores that have no `f64`; the same bits as by `f64` and what comes after it.
+    #[inline(always)]
+    fn in_short_multiples(&self) -> Option<Self::Answer>
+    where
+        S: ShortFloat,
     {
         None
     }

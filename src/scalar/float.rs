@@ -3,8 +3,8 @@
 use super::{Backend, FloatFormat, Scalar};
 use crate::arithmetic::{Float, Parts, REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, quotient};
 use crate::robust::{
-    Clue, Predicate, Sum, exact_stage, in_floats, in_quads, integer_stage, numeric_stage,
-    refined_stage,
+    Clue, Predicate, Sum, exact_stage, in_floats, in_quads, integer_stage, multiples_stage,
+    numeric_stage, refined_stage,
 };
 
 macro_rules! float {
@@ -99,10 +99,11 @@ impl Backend for f32 {
         if REGISTERS_ARE_WIDE {
             return numeric_stage(p, refined);
         }
-        // Numbers come from f64; f32 can but say that there are none.
+        // Numbers come from integers or from f64; f32 can but say that there are none.
         match in_floats::<_, f32, _>(p) {
             Some(answer) => answer,
-            None => doubled(p),
+            None if SMALL_CODE => doubled(p),
+            None => multiples_stage(p, doubled),
         }
     }
     #[inline(always)]

@@ -11,6 +11,7 @@ mod crossing;
 mod error_bound;
 mod exact;
 mod hit;
+mod multiples;
 mod narrow;
 #[cfg(feature = "fixed")]
 mod near;

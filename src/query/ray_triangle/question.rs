@@ -9,7 +9,7 @@ use super::narrow::rounded;
 use super::refined::Met;
 use super::residual::Numbers;
 use super::{Facing, Feature, Hit, HitRules};
-use crate::arithmetic::{Embeds, Filtered, InWholeWord, Number, WholeWord};
+use crate::arithmetic::{Embeds, Filtered, InWholeWord, Number, ShortFloat, WholeWord};
 use crate::robust::{Clue, ExactSum, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
@@ -85,6 +85,14 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
         S: InWholeWord<W>,
     {
         self.in_words::<W, _>(|counted| counted.map(|counted| rounded::<S, W>(&counted)))
+    }
+
+    #[inline(always)]
+    fn in_short_multiples(&self) -> Option<Option<Hit<S>>>
+    where
+        S: ShortFloat,
+    {
+        self.in_multiples()
     }
 
     fn exact(&self) -> Option<Hit<S>> {

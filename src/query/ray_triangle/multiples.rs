@@ -1,0 +1,151 @@
+//! The question in short multiples of a power of two, for `f32` on cores without `f64`.
+//!
+//! All volumes are exact, so verdict, side and feature are. t, u and v must be the bits that `f64`
+//! gives, or what comes after it (`super::question`). That stage knows the lengths exactly too:
+//! they have 30 bits. Of lengths below 2^a, 2^b and 2^c, and with u = 2^-53,
+//!
+//! * an area is two products and their difference, off by 2u + 2u of 2^(a+b);
+//! * a volume is three products of that and a length, off by 4u each, rounded by 2u each and
+//!   added, 4u + 6u: 28u of 2^(a+b+c), and less than 2^-48 of it with the second order.
+//!
+//! So where two volumes are at least 2^(a+b+c-12), what `f64` says of their quotient is within
+//! 2·2^-36 + 2^-53 of it and second orders: less than 2^-34.5. Stages after `f64` know it to
+//! 2^-61. `ShortFloat::rounded_quotient` speaks only where all round alike. A volume of zero has a
+//! quotient of zero, with the sign of the determinant, whoever divides.
+
+use super::question::{Crosses, facing};
+use super::{Feature, Hit};
+use crate::arithmetic::{Divisor, Leading64, ProductSum, ShortFloat};
+use crate::scalar::Scalar;
+
+/// By how many bits a volume may be shorter than its lengths.
+const SHORTER: i32 = 12;
+
+impl<S: Scalar + ShortFloat> Crosses<'_, S> {
+    /// The hit of a ray with the usual range; `None` where another stage must answer.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn in_multiples(&self) -> Option<Option<Hit<S>>> {
+        if self.ray.t_min() != Some(S::ZERO) || self.ray.t_max().is_some() {
+            return None;
+        }
+        let [a, b, c] = self.triangle.points();
+        let (points, unit) = S::short(&[a, b, c, self.ray.origin().to_array()])?;
+        let ([d], unit_of_d) = S::short(&[self.ray.direction().to_array()])?;
+        let [a, b, c, o] = points;
+        let from = |p: [i32; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
+        let (e1, e2, s) = (from(b), from(c), from(o));
+
+        let p = cross(&d, &e2);
+        let (det, u) = (dot(&p, &e1), dot(&p, &s));
+        let is_front = det > 0;
+        if det == 0 || !self.rules.cull.keeps(facing(is_front)) {
+            return Some(None);
+        }
+        let q = cross(&s, &e1);
+        let (v, t) = (dot(&q, &d), dot(&q, &e2));
+        let w = det - u - v;
+        let is_outside = |x: i128| if is_front { x < 0 } else { x > 0 };
+        if is_outside(u) || is_outside(v) || is_outside(w) || is_outside(t) {
+            return Some(None);
+        }
+        if self.rules.once && (u == 0 || v == 0 || w == 0 || t == 0) {
+            return None;
+        }
+
+        let edges = bits(&e1).max(bits(&e2));
+        let size = edges.max(bits(&s));
+        let least = bits(&d) + edges + size - SHORTER;
+        let is_clear = |x: Leading64, least: i32| x.bits() > least;
+        let den = Leading64::new(det).filter(|&x| is_clear(x, least))?;
+        let divisor = Divisor::new(den);
+        let quotient = |x: i128, least: i32, exponent: i32| match Leading64::new(x) {
+            None => Some(S::zero(!is_front)),
+            Some(x) if is_clear(x, least) => S::rounded_quotient(x, &divisor, exponent),
+            Some(_) => None,
+        };
+        Some(Some(Hit {
+            t: quotient(t, edges + edges + size - SHORTER, unit - unit_of_d)?,
+            u: quotient(u, least, 0)?,
+            v: quotient(v, least, 0)?,
+            facing: facing(is_front),
+            feature: Feature::from_zeros(w == 0, u == 0, v == 0),
+        }))
+    }
+}
+
+/// How many bits hold each of the lengths, without its sign.
+fn bits(x: &[i32; 3]) -> i32 {
+    let all = x[0].unsigned_abs() | x[1].unsigned_abs() | x[2].unsigned_abs();
+    32 - all.leading_zeros() as i32
+}
+
+fn cross(a: &[i32; 3], b: &[i32; 3]) -> [i64; 3] {
+    let minor = |j: usize, k: usize| <i64 as ProductSum<i32>>::new(a[j], b[k], -a[k], b[j]);
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
+}
+
+/// With lengths below 2^30 areas are below 2^61 and fit, and so do the two sums that a volume is
+/// made of.
+fn dot(a: &[i64; 3], b: &[i32; 3]) -> i128 {
+    let mut volume = <i64 as ProductSum<i32>>::ZERO;
+    for (&a, &b) in a.iter().zip(b) {
+        volume = <i64 as ProductSum<i32>>::sum(volume, a, b);
+    }
+    <i64 as ProductSum<i32>>::whole(volume)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::query::{Cull, HitRules};
+    use crate::robust::Predicate;
+    use crate::shape::{Ray, Triangle};
+
+    /// Bit by bit what `f64` and the stages after it say; and seldom nothing, where coordinates
+    /// are multiples of 2^-16.
+    #[test]
+    fn hits_are_the_same_bits() {
+        let mut seed = 3_u64;
+        let mut below = |n: u32| {
+            seed ^= seed << 13;
+            seed ^= seed >> 7;
+            seed ^= seed << 17;
+            ((u64::from((seed >> 32) as u32) * u64::from(n)) >> 32) as u32
+        };
+        // Multiples, small grids, any floats, and small numbers far from the origin.
+        let (mut hits, mut said) = ([0; 4], [0; 4]);
+        for case in 0..40_000 {
+            let kind = case % 4;
+            let mut number = || match kind {
+                0 => (below(1 << 18) as f32 - 131_072.0) / 65536.0,
+                1 => below(5) as f32 - 2.0,
+                2 => f32::from_bits(0x3e80_0000 + below(1 << 24)) - 1.0,
+                _ => 1000.0 + below(1 << 12) as f32 / 16384.0,
+            };
+            let mut point = || [number(), number(), number()];
+            let (a, b, c, o) = (point(), point(), point(), point());
+            let (i, j) = (below(5), below(5));
+            let (i, j) = (i.min(4 - j) as f32 / 4.0, j as f32 / 4.0);
+            let nudge = if case % 3 == 0 { 0.0 } else { 1.0 / 256.0 };
+            let on = [0, 1, 2].map(|k| a[k] + (b[k] - a[k]) * i + (c[k] - a[k]) * j + nudge);
+            let triangle = Triangle::new(a, b, c).unwrap();
+            let Ok(ray) = Ray::new(o, [0, 1, 2].map(|k| on[k] - o[k])) else { continue };
+            let cull = [Cull::Nothing, Cull::Back, Cull::Front][below(3) as usize];
+            let rules = HitRules::new().culling(cull);
+            let rules = if below(2) == 0 { rules } else { rules.once() };
+            let expected = ray.hit_with(&triangle, rules);
+            hits[kind] += u32::from(expected.is_some());
+            let question = Crosses { ray: &ray, triangle: &triangle, rules };
+            if let Some(hit) = question.in_short_multiples() {
+                let bits = |hit: Option<Hit<f32>>| {
+                    hit.map(|h| ([h.t, h.u, h.v].map(f32::to_bits), h.facing, h.feature))
+                };
+                assert_eq!(bits(hit), bits(expected), "{ray:?} {triangle:?}");
+                said[kind] += u32::from(hit.is_some());
+            }
+        }
+        assert!(hits.iter().all(|&hits| hits > 500), "{hits:?}");
+        assert!(said[0] > hits[0] / 10 * 9 && said[1] > hits[1] / 4, "{said:?} of {hits:?}");
+    }
+}
