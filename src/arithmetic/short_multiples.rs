@@ -83,10 +83,11 @@ pub trait ShortFloat: Copy {
     /// hold their magnitudes.
     fn short<const K: usize>(all: &[[Self; 3]; K]) -> Option<([[i32; 3]; K], i32)>;
 
-    /// num/den times 2^`exponent`, to the nearest; `None` where the quotient is within 2^-34 of
-    /// itself of the middle of two floats, or no normal float. So whoever knows it to 2^-34.5 of
-    /// itself rounds it to the same.
-    fn rounded_quotient(num: Leading64, den: &Divisor, exponent: i32) -> Option<Self>;
+    /// num/den times 2^`exponent`, to the nearest; `None` where the middle of two floats is nearer
+    /// to what was found of it than 2^-`clear` of that, or it is no normal float. So who knows the
+    /// quotient to that, less 2^-50 for what was found, rounds it to the same. `clear` is from 26
+    /// to 48.
+    fn rounded_quotient(num: Leading64, den: &Divisor, exponent: i32, clear: i32) -> Option<Self>;
 
     /// Zero, or less zero.
     fn zero(is_negative: bool) -> Self;
@@ -111,7 +112,12 @@ impl ShortFloat for f32 {
         is_exact.then_some((short, exponent as i32 - 155))
     }
 
-    fn rounded_quotient(num: Leading64, divisor: &Divisor, exponent: i32) -> Option<f32> {
+    fn rounded_quotient(
+        num: Leading64,
+        divisor: &Divisor,
+        exponent: i32,
+        clear: i32,
+    ) -> Option<f32> {
         // 2^63·num/den, off by less than 2^-50 of itself: up to 2^-54 is the square of what is
         // missing, and what is rounded down is less than 2^-53.
         let first = times(num.magnitude, divisor.inverse);
@@ -119,9 +125,9 @@ impl ShortFloat for f32 {
         let q = first.checked_add_signed(more)?;
         // The top bit, or the next.
         let (q, zeros) = if q >> 63 == 0 { (q << 1, 1) } else { (q, 0) };
-        // 24 bits stay. 2^-34 of q is less than 2^30.
+        // 24 bits stay. q is below 2^64.
         let (kept, rest) = ((q >> 40) as u32, q & ((1 << 40) - 1));
-        if rest.abs_diff(1 << 39) <= 1 << 30 {
+        if (rest.abs_diff(1 << 39) >> 16) as u32 <= 1 << (48 - clear) {
             return None;
         }
         let den = divisor.den;
@@ -162,14 +168,14 @@ mod tests {
             let (num, den) = if case % 9 == 0 { (num << 40, (1 << 52) - 1) } else { (num, den) };
             let (Some(n), Some(d)) = (Leading64::new(num), Leading64::new(den)) else { continue };
             let expected = (num as f64 / den as f64) as f32;
-            if let Some(q) = f32::rounded_quotient(n, &Divisor::new(d), 0) {
+            if let Some(q) = f32::rounded_quotient(n, &Divisor::new(d), 0, 46) {
                 assert_eq!(q.to_bits(), expected.to_bits(), "{num} / {den}");
                 given += 1;
             }
         }
         assert!(given > 190_000, "{given}");
         let of = |num, den, e| {
-            f32::rounded_quotient(Leading64::new(num)?, &Divisor::new(Leading64::new(den)?), e)
+            f32::rounded_quotient(Leading64::new(num)?, &Divisor::new(Leading64::new(den)?), e, 46)
         };
         assert_eq!(of(3, 2, 0), Some(1.5));
         assert_eq!(of(-3, 1 << 91, 90), Some(-1.5));

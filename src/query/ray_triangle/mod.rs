@@ -58,8 +58,9 @@ impl<S: Scalar> Ray<S> {
     /// *Cost*: 24 multiplications and 3 divisions. On a 64-bit machine a hit costs
     /// what a miss costs in scalars of up to 32 bits. In `f64` it takes 42 further
     /// multiplications: a hit has better numbers than products of `f64` have. On
-    /// 32-bit cores a hit costs more than a miss: on a Cortex-M4F 40 times as much in
-    /// `f32`, whose t, u and v need `f64` (`docs/target.csv`). A ray through an edge,
+    /// 32-bit cores a hit costs more than a miss: on a Cortex-M4F 8 times as much in
+    /// `f32`, whose t, u and v need integers (`docs/target.csv`), and 50 times where a
+    /// coordinate is no multiple of 2⁻²⁸ of the greatest. A ray through an edge,
     /// exactly, goes to integers unless the coordinates are short. Choose it unless you
     /// measured that you cannot pay for it; [`is_hit`](Self::is_hit) saves the divisions, and
     /// [`lanes::Triangles`](crate::lanes::Triangles) asks about several triangles at once.
@@ -128,8 +129,8 @@ impl<S: Scalar> Ray<S> {
     /// Whether the ray crosses a triangle: [`hit`](Self::hit) without t, u and v.
     ///
     /// *Numerics*: exact. *Panics*: never. *Cost*: 24 multiplications, no division. In
-    /// `f32` on a core with an FPU for `f32` alone, a hit costs a thirtieth of what it
-    /// costs by [`hit`](Self::hit). Choose it for projections and visibility.
+    /// `f32` on a core with an FPU for `f32` alone, a hit costs a sixth of what it
+    /// costs by [`hit`](Self::hit), or less. Choose it for projections and visibility.
     #[inline]
     #[must_use]
     pub fn is_hit(&self, triangle: &Triangle<S>) -> bool {

@@ -8,18 +8,21 @@
 //! * a volume is three products of that and a length, off by 4u each, rounded by 2u each and
 //!   added, 4u + 6u: 28u of 2^(a+b+c), and less than 2^-48 of it with the second order.
 //!
-//! So where two volumes are at least 2^(a+b+c-12), what `f64` says of their quotient is within
-//! 2·2^-36 + 2^-53 of it and second orders: less than 2^-34.5. Stages after `f64` know it to
-//! 2^-61. `ShortFloat::rounded_quotient` speaks only where all round alike. A volume of zero has a
-//! quotient of zero, with the sign of the determinant, whoever divides.
+//! A volume that is k bits shorter than that, at least 2^(a+b+c-k), is known to 2^(k-48) of itself.
+//! So what `f64` says of the quotient of two that are no shorter is within 2·2^(k-48) + 2^-53 of
+//! it, and second orders; stages after `f64` know it to 2^-61. `ShortFloat::rounded_quotient` finds
+//! it to 2^-50, and speaks only where nothing within 2^(k-46) rounds to another float. A volume of
+//! zero has a quotient of zero, with the sign of the determinant, whoever divides.
 
 use super::question::{Crosses, facing};
 use super::{Feature, Hit};
 use crate::arithmetic::{Divisor, Leading64, ProductSum, ShortFloat};
 use crate::scalar::Scalar;
 
-/// By how many bits a volume may be shorter than its lengths.
-const SHORTER: i32 = 12;
+/// By how many bits a volume may be shorter than its lengths. For k = 0 nothing within 2^-46 of a
+/// quotient is to round to another float.
+const SHORTER: i32 = 19;
+const CLEAR: i32 = 46;
 
 impl<S: Scalar + ShortFloat> Crosses<'_, S> {
     /// The hit of a ray with the usual range; `None` where another stage must answer.
@@ -55,19 +58,20 @@ impl<S: Scalar + ShortFloat> Crosses<'_, S> {
 
         let edges = bits(&e1).max(bits(&e2));
         let size = edges.max(bits(&s));
-        let least = bits(&d) + edges + size - SHORTER;
-        let is_clear = |x: Leading64, least: i32| x.bits() > least;
-        let den = Leading64::new(det).filter(|&x| is_clear(x, least))?;
+        let full = bits(&d) + edges + size;
+        let shorter = |x: Leading64, full: i32| full + 1 - x.bits();
+        let den = Leading64::new(det)?;
+        let shortest = shorter(den, full).max(0);
         let divisor = Divisor::new(den);
-        let quotient = |x: i128, least: i32, exponent: i32| match Leading64::new(x) {
-            None => Some(S::zero(!is_front)),
-            Some(x) if is_clear(x, least) => S::rounded_quotient(x, &divisor, exponent),
-            Some(_) => None,
+        let quotient = |x: i128, full: i32, exponent: i32| {
+            let Some(x) = Leading64::new(x) else { return Some(S::zero(!is_front)) };
+            let k = shorter(x, full).max(shortest);
+            if k > SHORTER { None } else { S::rounded_quotient(x, &divisor, exponent, CLEAR - k) }
         };
         Some(Some(Hit {
-            t: quotient(t, edges + edges + size - SHORTER, unit - unit_of_d)?,
-            u: quotient(u, least, 0)?,
-            v: quotient(v, least, 0)?,
+            t: quotient(t, edges + edges + size, unit - unit_of_d)?,
+            u: quotient(u, full, 0)?,
+            v: quotient(v, full, 0)?,
             facing: facing(is_front),
             feature: Feature::from_zeros(w == 0, u == 0, v == 0),
         }))
@@ -80,6 +84,7 @@ fn bits(x: &[i32; 3]) -> i32 {
     32 - all.leading_zeros() as i32
 }
 
+#[inline(always)]
 fn cross(a: &[i32; 3], b: &[i32; 3]) -> [i64; 3] {
     let minor = |j: usize, k: usize| <i64 as ProductSum<i32>>::new(a[j], b[k], -a[k], b[j]);
     [minor(1, 2), minor(2, 0), minor(0, 1)]
@@ -87,6 +92,7 @@ fn cross(a: &[i32; 3], b: &[i32; 3]) -> [i64; 3] {
 
 /// With lengths below 2^30 areas are below 2^61 and fit, and so do the two sums that a volume is
 /// made of.
+#[inline(always)]
 fn dot(a: &[i64; 3], b: &[i32; 3]) -> i128 {
     let mut volume = <i64 as ProductSum<i32>>::ZERO;
     for (&a, &b) in a.iter().zip(b) {
