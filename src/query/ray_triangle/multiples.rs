@@ -108,8 +108,7 @@ mod tests {
     use crate::robust::Predicate;
     use crate::shape::{Ray, Triangle};
 
-    /// Bit by bit what `f64` and the stages after it say; and seldom nothing, where coordinates
-    /// are multiples of 2^-16.
+    /// Bit by bit what `f64` and the stages after it say, and seldom nothing.
     #[test]
     fn hits_are_the_same_bits() {
         let mut seed = 3_u64;
@@ -152,6 +151,8 @@ mod tests {
             }
         }
         assert!(hits.iter().all(|&hits| hits > 500), "{hits:?}");
-        assert!(said[0] > hits[0] / 10 * 9 && said[1] > hits[1] / 4, "{said:?} of {hits:?}");
+        // The rest are contacts by the rule that counts a crossing once, and zero.
+        let are_most = said.iter().zip(hits).all(|(said, hits)| *said > hits / 4 * 3);
+        assert!(are_most, "{said:?} of {hits:?}");
     }
 }
