@@ -1,5 +1,6 @@
 //! The number systems that kernels run in. Nothing here knows a shape or a query.
 
+mod circle;
 mod filtered;
 #[cfg(feature = "fixed")]
 mod fixed;
@@ -23,6 +24,9 @@ mod vector;
 mod wide;
 mod words;
 
+pub(crate) use circle::cos_sin_f64;
+#[cfg(feature = "fixed")]
+pub(crate) use circle::{cos_sin_30, cos_sin_62};
 pub use filtered::Filtered;
 #[cfg(feature = "fixed")]
 pub(crate) use fixed::clamped;

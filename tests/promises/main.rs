@@ -3,6 +3,7 @@
 
 // Shapes: what makes one and what does not.
 mod construction;
+mod rotations;
 
 // Triangle against axis-aligned box: the exact verdict.
 mod contact;
