@@ -42,9 +42,9 @@ pub(crate) use number::{compare, greatest, largest, least};
 pub use parts::Parts;
 pub(crate) use platform::{REGISTERS_ARE_WIDE, SMALL_CODE};
 pub(crate) use quad::{OfFour, Quad, THREE};
-#[cfg(feature = "fixed")]
-pub(crate) use quotient::Dividend;
 pub(crate) use quotient::Leading;
+#[cfg(feature = "fixed")]
+pub(crate) use quotient::{Dividend, quotient_of_limbs};
 #[cfg(feature = "fixed")]
 pub use root::Signed;
 #[cfg(feature = "fixed")]

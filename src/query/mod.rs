@@ -16,6 +16,7 @@ mod triangle_triangle;
 mod aabb_aabb;
 mod aabb_obb;
 mod either_order;
+mod line_obb;
 mod obb_obb;
 mod plane_aabb;
 mod point_aabb;

@@ -100,7 +100,8 @@ impl<S: Scalar> Obb<S> {
 
 overlaps_methods!(
     Obb,
-    "a [`Triangle`](crate::Triangle), an [`Aabb`](crate::Aabb) or another oriented box"
+    "a [`Triangle`](crate::Triangle), an [`Aabb`](crate::Aabb), another oriented box, a \
+     [`Segment`](crate::Segment) or a [`Ray`](crate::Ray)"
 );
 
 impl<S: Scalar> Obb<S> {

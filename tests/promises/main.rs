@@ -22,6 +22,7 @@ mod witness;
 
 // Other shapes against boxes, and flat shapes against triangles.
 mod flat_shapes;
+mod line_obb;
 mod obb;
 mod oriented_boxes;
 mod oriented_pairs;
