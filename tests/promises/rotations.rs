@@ -146,11 +146,14 @@ fn by_steps(turns: &[IBig; 3]) -> Frame<IBig> {
     axes
 }
 
+/// The numbers that the scalar holds, and the axes that it makes of them.
+type Made<const K: usize> = ([Parts; K], Frame<Parts>);
+
 /// A type, as functions that are not generic.
 struct Type {
     name: String,
-    by_quaternion: fn([f64; 4]) -> Result<([Parts; 4], Frame<Parts>), ShapeError>,
-    by_turns: fn([f64; 3]) -> ([Parts; 3], Frame<Parts>),
+    by_quaternion: fn([f64; 4]) -> Result<Made<4>, ShapeError>,
+    by_turns: fn([f64; 3]) -> Made<3>,
     quaternion: Allowed,
     turns: Allowed,
 }
