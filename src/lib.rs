@@ -48,6 +48,7 @@
 //! | plane, box | [`overlaps`][plane-aabb], [`side_of`](Plane::side_of) | the same |
 //! | segment, box | [`overlaps`][segment-aabb] | [`may_overlap`][segment-aabb] |
 //! | ray, box | [`overlaps`][ray-aabb], [`t_range`](Ray::t_range) | [`may_overlap`][ray-aabb] |
+//! | ray or segment, oriented box | [`overlaps`][ray-obb], [`t_range_obb`](Ray::t_range_obb) | [`may_overlap`][ray-obb] |
 //! | triangle, many boxes | [`PreparedTriangle::overlaps`](prepared::PreparedTriangle::overlaps) | |
 //! | ray, many boxes | [`PreparedRay::overlaps`](prepared::PreparedRay::overlaps) | [`SlabRay::may_overlap`](published::slabs::SlabRay::may_overlap) |
 //! | point, box or triangle | [`Aabb::contains`], [`Obb::contains`], [`Triangle::contains`] | |
@@ -73,6 +74,7 @@
 //! [plane-aabb]: Plane#impl-Overlaps<Aabb<S>>-for-Plane<S>
 //! [segment-aabb]: Segment#impl-Overlaps<Aabb<S>>-for-Segment<S>
 //! [ray-aabb]: Ray#impl-Overlaps<Aabb<S>>-for-Ray<S>
+//! [ray-obb]: Ray#impl-Overlaps<Obb<S>>-for-Ray<S>
 //!
 //! [`published`] has the methods of the literature as published, which round and are
 //! sometimes wrong. [`lanes`] asks about many shapes at once, [`mesh`] about whole meshes by a tree.

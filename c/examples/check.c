@@ -2,6 +2,7 @@
    every machine, and the same as examples/expected.rs prints, which asks the crate itself. */
 
 #include "board.h"
+#include "mesh.h"
 #include "septum.h"
 
 /* xorshift, by Marsaglia (2003). */
@@ -67,7 +68,29 @@ static int errors(void) {
     septum_ray_i16f16 empty = {{0, 0, 0}, {1, 0, 0}, 2, 1};
     septum_triangle_f32 nan = {{__builtin_nanf(""), 0, 0}, {0, 0, 0}, {0, 0, 0}};
     septum_aabb_f32 box = {{0, 0, 0}, {1, 1, 1}};
-    return septum_triangle_aabb_i16f16(&triangle, 0) == SEPTUM_ANSWER_NULL_POINTER
+    septum_mesh_i16f16 no_vertex = mesh_i16f16, few_nodes = mesh_i16f16, other_tree = mesh_i16f16, null = mesh_i16f16;
+    no_vertex.vertex_count = 15;
+    few_nodes.node_count = 2;
+    other_tree.nodes++;
+    other_tree.node_count = 1;
+    other_tree.triangle_count = 4;
+    null.triangles = 0;
+    septum_tree_i16f16 tree, zero = {{0}};
+    static const septum_i16f16 point[3] = {0, 0, 0};
+    septum_tree_f32 of_floats;
+    static const float nowhere[3] = {0, __builtin_inff(), 0};
+    int meshes = septum_tree_open_i16f16(&no_vertex, &tree) == SEPTUM_ANSWER_NO_SUCH_VERTEX
+        && septum_tree_open_i16f16(&few_nodes, &tree) == SEPTUM_ANSWER_WRONG_NODE_COUNT
+        && septum_tree_open_i16f16(&other_tree, &tree) == SEPTUM_ANSWER_BROKEN_TREE
+        && septum_tree_open_i16f16(&null, &tree) == SEPTUM_ANSWER_NULL_POINTER
+        && septum_tree_open_i16f16(&mesh_i16f16, 0) == SEPTUM_ANSWER_NULL_POINTER
+        && septum_tree_open_i16f16(&mesh_i16f16, &tree) == SEPTUM_ANSWER_YES
+        && septum_contains_i16f16(&tree, 0) == SEPTUM_ANSWER_NULL_POINTER
+        && septum_contains_i16f16(&tree, &point) == SEPTUM_ANSWER_NO
+        && septum_contains_i16f16(&zero, &point) == SEPTUM_ANSWER_NOT_OPEN
+        && septum_tree_open_f32(&mesh_f32, &of_floats) == SEPTUM_ANSWER_YES
+        && septum_contains_f32(&of_floats, &nowhere) == SEPTUM_ANSWER_NOT_FINITE;
+    return meshes && septum_triangle_aabb_i16f16(&triangle, 0) == SEPTUM_ANSWER_NULL_POINTER
         && septum_triangle_aabb_i16f16(&triangle, &inverted) == SEPTUM_ANSWER_MIN_ABOVE_MAX
         && septum_triangle_obb_i16f16(&triangle, &no_box) == SEPTUM_ANSWER_NOT_ORTHONORMAL
         && septum_triangle_obb_i16f16(&triangle, &negative) == SEPTUM_ANSWER_NEGATIVE_HALF_EXTENT

@@ -21,11 +21,21 @@ static void NAME(report_)(const char *query, int yes) {
     hash = 2166136261u;
 }
 
+/* The torus of mesh.h, and a tree over it. */
+#define V(x, y, z) {FROM(x), FROM(y), FROM(z)}
+static const TYPE NAME(vertices_)[16][3] = VERTICES;
+static const uint16_t NAME(triangles_)[32][3] = JOIN2(TRIANGLES_, NUMBER);
+static const uint16_t NAME(nodes_)[3][6][4] = JOIN2(NODES_, NUMBER);
+static const ASK(mesh) NAME(mesh_) = {NAME(vertices_), 16, NAME(triangles_), 32, NAME(nodes_), 3};
+#undef V
+
 static void NAME(check_)(void) {
     static const char *const names[] = {"triangle_aabb", "triangle_obb", "ray_aabb", "ray_triangle",
-                                        "ray_triangle_hit"};
+                                        "ray_triangle_hit", "contains"};
+    ASK(tree) tree;
+    septum_answer opened = ASK(tree_open)(&NAME(mesh_), &tree);
     hash = 2166136261u;
-    for (int query = 0; query < 5; query++) {
+    for (int query = 0; query < 6; query++) {
         int yes = 0;
         state = 1;
         for (int round = 0; round < ROUNDS; round++) {
@@ -51,12 +61,22 @@ static void NAME(check_)(void) {
             ASK(ray) ray = {.t_min = 0, .t_max = NAME(NO_END_)};
             NAME(point_)(ray.origin);
             NAME(point_)(ray.direction);
+            /* A vertex, a point in the plane of the torus, or anywhere. */
+            TYPE point[3];
+            for (int k = 0; k < 3; k++) {
+                point[k] = round % 4 == 0 ? NAME(vertices_)[round / 4 % 16][k] : triangle.a[k];
+            }
+            if (round % 4 == 1) {
+                point[2] = 0;
+            }
             ASK(hit) hit = {0, 0, 0, 0, 0};
             septum_answer answer = query == 0   ? ASK(triangle_aabb)(&triangle, &aabb)
                                    : query == 1 ? ASK(triangle_obb)(&triangle, &obb)
                                    : query == 2 ? ASK(ray_aabb)(&ray, &aabb)
                                    : query == 3 ? ASK(ray_triangle)(&ray, &triangle)
-                                                : ASK(ray_triangle_hit)(&ray, &triangle, &hit);
+                                   : query == 4 ? ASK(ray_triangle_hit)(&ray, &triangle, &hit)
+                                   : opened < 0 ? opened
+                                                : ASK(contains)(&tree, (const TYPE(*)[3]) & point);
             yes += answer == SEPTUM_ANSWER_YES;
             add((uint32_t)answer);
             add(BITS(hit.t));

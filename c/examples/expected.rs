@@ -1,7 +1,10 @@
-//! What examples/check.c prints, by the crate itself.
+//! What examples/check.c prints, by the crate itself; with the argument `mesh` examples/mesh.h.
+
+use std::fmt::Debug;
 
 use fixed::types::{I8F8, I16F16};
-use septum::{Aabb, Facing, Feature, Hit, Obb, Ray, Scalar, Triangle};
+use septum::mesh::{Mesh, Node, Tree};
+use septum::{Aabb, Facing, Feature, Hit, Obb, Ray, Scalar, Triangle, Vec3};
 
 const ROUNDS: usize = 256;
 const HASH: u32 = 2_166_136_261;
@@ -27,11 +30,69 @@ fn add(hash: u32, word: u32) -> u32 {
     word.to_le_bytes().iter().fold(hash, |h, &b| (h ^ u32::from(b)).wrapping_mul(16_777_619))
 }
 
+/// A torus of four sides, of four sides each: vertices in 65,536ths, and faces.
+fn torus() -> ([[i32; 3]; 16], [[u16; 3]; 32]) {
+    const QUARTERS: [[i32; 2]; 4] = [[1, 0], [0, 1], [-1, 0], [0, -1]];
+    let (mut vertices, mut faces) = ([[0; 3]; 16], [[0; 3]; 32]);
+    for i in 0..4 {
+        for j in 0..4 {
+            let ([x, y], [out, up]) = (QUARTERS[i], QUARTERS[j]);
+            let radius = 81_920 + 32_768 * out;
+            vertices[4 * i + j] = [x * radius, y * radius, 32_768 * up];
+            let at = |i: usize, j: usize| (4 * (i % 4) + j % 4) as u16;
+            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            faces[2 * (4 * i + j)] = [a, b, c];
+            faces[2 * (4 * i + j) + 1] = [a, c, d];
+        }
+    }
+    (vertices, faces)
+}
+
+/// The torus with its faces in the order of a tree, and the tree's nodes.
+fn sorted<S: Scalar>(vertices: &[Vec3<S>]) -> ([[u16; 3]; 32], [Node; 3]) {
+    let (_, faces) = torus();
+    let (mut nodes, mut order) = ([Node::EMPTY; 3], [0; 32]);
+    let mesh = Mesh::new(vertices, &faces).unwrap();
+    mesh.check_closed(&mut [[0; 2]; 96]).unwrap();
+    Tree::build(mesh, &mut nodes, &mut order).unwrap();
+    (order.map(|i| faces[usize::from(i)]), nodes)
+}
+
+/// A table in C.
+fn table(name: &str, rows: &impl Debug) -> String {
+    format!("#define {name} {}\n", format!("{rows:?}").replace('[', "{").replace(']', "}"))
+}
+
+fn print_tables<S: Scalar>(name: &str, from: fn(i32) -> S) {
+    let (faces, nodes) = sorted(&torus().0.map(|v| Vec3::from(v.map(from))));
+    print!("{}", table(&format!("TRIANGLES_{name}"), &faces));
+    print!("{}", table(&format!("NODES_{name}"), &nodes.map(Node::to_bits)));
+}
+
+fn print_mesh() {
+    println!("/* Made by expected.rs: a torus, and a tree over it for each type of numbers. */");
+    let vertices = torus().0.map(|[x, y, z]| format!("V({x}, {y}, {z})")).join(", ");
+    println!("#define VERTICES {{{vertices}}}");
+    print_tables("i8f8", |x| I8F8::from_bits((x / 256) as i16));
+    print_tables("i16f16", I16F16::from_bits);
+    print_tables("f32", |x| x as f32 / 65_536.0);
+}
+
 fn check<S: Scalar>(name: &str, from: fn(i32) -> S, bits: fn(S) -> u32) {
-    let queries = ["triangle_aabb", "triangle_obb", "ray_aabb", "ray_triangle", "ray_triangle_hit"];
+    let queries = [
+        "triangle_aabb",
+        "triangle_obb",
+        "ray_aabb",
+        "ray_triangle",
+        "ray_triangle_hit",
+        "contains",
+    ];
+    let vertices = torus().0.map(|v| Vec3::from(v.map(from)));
+    let (faces, nodes) = sorted(&vertices);
+    let tree = Tree::new(Mesh::new(&vertices, &faces).unwrap(), &nodes).unwrap();
     for (query, called) in queries.iter().enumerate() {
         let (mut stream, mut hash, mut yes) = (Stream(1), HASH, 0);
-        for _ in 0..ROUNDS {
+        for round in 0..ROUNDS {
             let mut point = || stream.point().map(from);
             let triangle = Triangle::new(point(), point(), point()).unwrap();
             let (p, q) = (point(), point());
@@ -48,6 +109,11 @@ fn check<S: Scalar>(name: &str, from: fn(i32) -> S, bits: fn(S) -> u32) {
                 1 => triangle.overlaps(&obb),
                 2 => ray.overlaps(&aabb),
                 3 => ray.is_hit(&triangle),
+                5 if round % 4 == 0 => tree.contains(vertices[round / 4 % 16]),
+                5 => {
+                    let Vec3 { x, y, z } = triangle.vertices()[0];
+                    tree.contains([x, y, if round % 4 == 1 { S::ZERO } else { z }])
+                }
                 _ => {
                     hit = ray.hit(&triangle);
                     hit.is_some()
@@ -72,6 +138,9 @@ fn words<S: Copy>(hit: &Hit<S>, bits: fn(S) -> u32) -> [u32; 4] {
 }
 
 fn main() {
+    if std::env::args().nth(1).is_some_and(|what| what == "mesh") {
+        return print_mesh();
+    }
     check("i8f8", |x| I8F8::from_bits((x / 256) as i16), |x| i32::from(x.to_bits()) as u32);
     check("i16f16", I16F16::from_bits, |x| x.to_bits() as u32);
     check("f32", |x| x as f32 / 65_536.0, f32::to_bits);

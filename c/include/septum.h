@@ -3,6 +3,7 @@
 
 // Made by cbindgen from c/src: see c/README.md.
 
+#include <stddef.h>
 #include <stdint.h>
 
 // An answer, or what is wrong with a question: then it is negative.
@@ -27,6 +28,16 @@ enum septum_answer
   SEPTUM_ANSWER_ZERO_DIRECTION = -6,
   // A range ends before it begins.
   SEPTUM_ANSWER_EMPTY_RANGE = -7,
+  // A triangle of a mesh has a vertex that there is not.
+  SEPTUM_ANSWER_NO_SUCH_VERTEX = -8,
+  // A mesh has another number of nodes than its tree should have.
+  SEPTUM_ANSWER_WRONG_NODE_COUNT = -9,
+  // A box of a tree does not enclose what is below it.
+  SEPTUM_ANSWER_BROKEN_TREE = -10,
+  // A tree was not opened.
+  SEPTUM_ANSWER_NOT_OPEN = -11,
+  // A mesh has more triangles than 16-bit indices can tell apart.
+  SEPTUM_ANSWER_TOO_MANY_TRIANGLES = -12,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -168,6 +179,60 @@ typedef struct {
   uint8_t feature;
 } septum_hit_f32;
 
+// A closed mesh and the nodes of its tree, in flash for example: triangles are indices of
+// vertices, in the tree's order. septum's example `quantise` makes such tables.
+typedef struct {
+  const septum_i8f8 (*vertices)[3];
+  size_t vertex_count;
+  const uint16_t (*triangles)[3];
+  size_t triangle_count;
+  const uint16_t (*nodes)[6][4];
+  size_t node_count;
+} septum_mesh_i8f8;
+
+// A mesh that was looked through and is sound. Only `septum_tree_open` writes one; it may be
+// copied. The mesh must stay where it is.
+typedef struct {
+  // What the library keeps there.
+  uint64_t opaque[24];
+} septum_tree_i8f8;
+
+// A closed mesh and the nodes of its tree, in flash for example: triangles are indices of
+// vertices, in the tree's order. septum's example `quantise` makes such tables.
+typedef struct {
+  const septum_i16f16 (*vertices)[3];
+  size_t vertex_count;
+  const uint16_t (*triangles)[3];
+  size_t triangle_count;
+  const uint16_t (*nodes)[6][4];
+  size_t node_count;
+} septum_mesh_i16f16;
+
+// A mesh that was looked through and is sound. Only `septum_tree_open` writes one; it may be
+// copied. The mesh must stay where it is.
+typedef struct {
+  // What the library keeps there.
+  uint64_t opaque[24];
+} septum_tree_i16f16;
+
+// A closed mesh and the nodes of its tree, in flash for example: triangles are indices of
+// vertices, in the tree's order. septum's example `quantise` makes such tables.
+typedef struct {
+  const float (*vertices)[3];
+  size_t vertex_count;
+  const uint16_t (*triangles)[3];
+  size_t triangle_count;
+  const uint16_t (*nodes)[6][4];
+  size_t node_count;
+} septum_mesh_f32;
+
+// A mesh that was looked through and is sound. Only `septum_tree_open` writes one; it may be
+// copied. The mesh must stay where it is.
+typedef struct {
+  // What the library keeps there.
+  uint64_t opaque[24];
+} septum_tree_f32;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -219,6 +284,45 @@ septum_answer septum_ray_triangle_hit_i16f16(const septum_ray_i16f16 *ray, const
 // Where a ray hits a triangle. `hit` is written only where the answer is yes. The verdict is
 // exact; t, u and v are rounded to the nearest in fixed point, within 2 ulp in `float`.
 septum_answer septum_ray_triangle_hit_f32(const septum_ray_f32 *ray, const septum_triangle_f32 *triangle, septum_hit_f32 *hit);
+
+// Looks through a mesh and its tree, once: yes, or what is wrong with them. `tree` is written
+// only where the answer is yes.
+//
+// # Safety
+// The pointers of the mesh lead to as many elements as it says, for as long as the tree is used.
+septum_answer septum_tree_open_i8f8(const septum_mesh_i8f8 *mesh, septum_tree_i8f8 *tree);
+
+// Looks through a mesh and its tree, once: yes, or what is wrong with them. `tree` is written
+// only where the answer is yes.
+//
+// # Safety
+// The pointers of the mesh lead to as many elements as it says, for as long as the tree is used.
+septum_answer septum_tree_open_i16f16(const septum_mesh_i16f16 *mesh, septum_tree_i16f16 *tree);
+
+// Looks through a mesh and its tree, once: yes, or what is wrong with them. `tree` is written
+// only where the answer is yes.
+//
+// # Safety
+// The pointers of the mesh lead to as many elements as it says, for as long as the tree is used.
+septum_answer septum_tree_open_f32(const septum_mesh_f32 *mesh, septum_tree_f32 *tree);
+
+// Whether a closed mesh contains a point, exactly: inside, or on a triangle.
+//
+// # Safety
+// The tree is zero, or from `septum_tree_open_i8f8`, and its mesh where it was.
+septum_answer septum_contains_i8f8(const septum_tree_i8f8 *tree, const septum_i8f8 (*point)[3]);
+
+// Whether a closed mesh contains a point, exactly: inside, or on a triangle.
+//
+// # Safety
+// The tree is zero, or from `septum_tree_open_i16f16`, and its mesh where it was.
+septum_answer septum_contains_i16f16(const septum_tree_i16f16 *tree, const septum_i16f16 (*point)[3]);
+
+// Whether a closed mesh contains a point, exactly: inside, or on a triangle.
+//
+// # Safety
+// The tree is zero, or from `septum_tree_open_f32`, and its mesh where it was.
+septum_answer septum_contains_f32(const septum_tree_f32 *tree, const float (*point)[3]);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -72,6 +72,16 @@ pub enum Answer {
     ZeroDirection = -6,
     /// A range ends before it begins.
     EmptyRange = -7,
+    /// A triangle of a mesh has a vertex that there is not.
+    NoSuchVertex = -8,
+    /// A mesh has another number of nodes than its tree should have.
+    WrongNodeCount = -9,
+    /// A box of a tree does not enclose what is below it.
+    BrokenTree = -10,
+    /// A tree was not opened.
+    NotOpen = -11,
+    /// A mesh has more triangles than 16-bit indices can tell apart.
+    TooManyTriangles = -12,
 }
 
 impl From<bool> for Answer {

@@ -6,7 +6,7 @@ fn the_header_is_that_of_the_source() {
     let root = env!("CARGO_MANIFEST_DIR");
     let config = cbindgen::Config::from_file(format!("{root}/cbindgen.toml")).unwrap();
     let builder = cbindgen::Builder::new().with_config(config);
-    let files = ["number", "shapes", "queries"].map(|name| format!("{root}/src/{name}.rs"));
+    let files = ["number", "shapes", "queries", "mesh"].map(|name| format!("{root}/src/{name}.rs"));
     let builder = files.iter().fold(builder, |builder, file| builder.with_src(file));
     let mut made = Vec::new();
     builder.generate().unwrap().write(&mut made);

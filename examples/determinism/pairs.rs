@@ -59,6 +59,48 @@ pub(super) fn boxes<S: Draw, A: Answers>(
     }
 }
 
+/// Boxes that are turned: their axes, and those of a quaternion that is their first axis.
+#[inline(never)]
+pub(super) fn turned<S: Draw, A: Answers>(turns: [Vec3<S>; 2], half: Vec3<S>, answers: &mut A) {
+    for turns in turns {
+        let made = Obb::from_turns(turns, turns, half);
+        for i in 0..3 {
+            answers.to(Query::ObbTurns).vector(made.ok().map(|obb| obb.axes()[i]));
+        }
+        let Ok(made) = made else { continue };
+        let Vec3 { x, y, z } = made.axes()[0];
+        for quaternion in [[x, y, z, S::ZERO], [z, S::ZERO, x, y], [turns.x, x, y, z]] {
+            let made = Obb::from_quaternion(turns, quaternion, half);
+            for i in 0..3 {
+                answers.to(Query::ObbQuaternion).vector(made.ok().map(|obb| obb.axes()[i]));
+            }
+        }
+    }
+}
+
+/// A ray, and what is left of it between two numbers, and segments with an oriented box.
+#[inline(never)]
+pub(super) fn lines<S: Draw, A: Answers>(
+    obb: &Obb<S>,
+    ray: Option<&Ray<S>>,
+    segments: &[Option<Segment<S>>; 2],
+    [from, to]: [S; 2],
+    answers: &mut A,
+) {
+    let limited = ray.and_then(|ray| (*ray).with_range(from, to).ok());
+    let line = ray.and_then(|ray| (*ray).with_range(None, None).ok());
+    for ray in ray.into_iter().chain(&limited).chain(&line) {
+        answers.to(Query::RayObb).yes(ray.overlaps(obb));
+        answers.to(Query::RayObbMay).yes(ray.may_overlap(obb));
+        answers.to(Query::RayObbRange).range(ray.t_range_obb(obb));
+    }
+    let through = Segment::new(obb.center(), obb.axes()[0]).ok();
+    for segment in segments.iter().chain(&[through]).flatten() {
+        answers.to(Query::SegmentObb).yes(segment.overlaps(obb));
+        answers.to(Query::SegmentObbMay).yes(segment.may_overlap(obb));
+    }
+}
+
 /// The triangle with others, some of which share a vertex or an edge with it; with segments,
 /// one of which lies in its plane; and with points.
 #[inline(never)]

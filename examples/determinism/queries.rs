@@ -101,4 +101,11 @@ queries! {
     GridCrossings = "grid/triangle crossings",
     GridWalkSegment = "grid/segment walk",
     GridWalkRay = "grid/ray walk",
+    ObbTurns = "obb from_turns",
+    ObbQuaternion = "obb from_quaternion",
+    RayObb = "ray/obb overlaps",
+    RayObbMay = "ray/obb may_overlap",
+    RayObbRange = "ray/obb t_range_obb",
+    SegmentObb = "segment/obb overlaps",
+    SegmentObbMay = "segment/obb may_overlap",
 }

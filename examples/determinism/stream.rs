@@ -100,6 +100,10 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, k: u32) {
     added::shapes(&triangle, aabbs, &segments, answers);
     pairs::boxes(&triangle, aabbs, obb.as_ref(), answers);
     pairs::flats(&triangle, &segments, [p, q, d], answers);
+    pairs::turned([a, d], half, answers);
+    if let Some(obb) = &obb {
+        pairs::lines(obb, ray.as_ref(), &segments, [least(p, q).x, greatest(p, q).x], answers);
+    }
     if k % 16 == 0 {
         let shapes = meshes::Shapes {
             aabbs,

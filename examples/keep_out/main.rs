@@ -1,84 +1,149 @@
-//! A tool that must keep out of a mesh: is it outside, in contact, or wholly inside?
+//! A mill's tool must keep out of the clamps: does a program take it into one, and where?
 //!
-//! The mesh lies in flash as a table of I16F16, with a tree over each part. The tool is an
-//! oriented box that moves and turns. Every verdict is exact, and the same on every machine.
+//! G-code goes in, and out comes each move on which the tool first touches a clamp, with the
+//! number of its line. The tool is an oriented box that moves and tilts; the clamps are closed
+//! meshes in flash, in I16F16, with a tree over them. Every verdict is exact, and the same on
+//! every machine.
 //!
-//! No contact is not yet outside. The check therefore also asks what is inside, and
-//! only a closed mesh has an inside. The bundled teapot is open: its body,
-//! handle, spout and lid each end in a hole. `quantise --close` fills the holes,
-//! and checks that no edge is left open.
+//! No contact is not yet outside: a tool may be inside a clamp, wholly. The check tells.
 //!
 //! ```text
 //! cargo run --release --example keep_out --target thumbv6m-none-eabi
 //! cargo run --release --example keep_out
+//! cargo run --release --example keep_out -- PROGRAM.nc
 //! ```
 //!
-//! This made the table:
+//! Without a file it checks the two programs that are bundled. This made the table:
 //!
 //! ```text
-//! cargo run --release --example quantise -- --close > examples/keep_out/teapot.rs
+//! cargo run --release --example quantise -- examples/keep_out/clamps.obj --whole \
+//!     > examples/keep_out/clamps.rs
 //! ```
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod check;
+#[rustfmt::skip]
+mod clamps;
 #[path = "../boards/clock.rs"]
 mod clock;
 #[path = "../boards/firmware.rs"]
 mod firmware;
-#[rustfmt::skip]
-mod teapot;
+mod gcode;
 mod tool;
 
 use check::{Place, Zone};
+use clamps::FACES;
 use clock::Clock;
-use fixed::types::I16F16;
-use septum::Vec3;
-use teapot::{FACES, PARTS};
+use gcode::{Fault, Move, Position, Program};
 
 use crate::firmware::{program, say};
 
-/// The raw bits of a vector. They read back as they are; decimal digits need not.
-fn bits(v: Vec3<I16F16>) -> [i32; 3] {
-    v.to_array().map(I16F16::to_bits)
+/// The programs that are bundled, and what becomes of them.
+const BUNDLED: [(&str, &str); 2] = [
+    ("facing.nc", include_str!("programs/facing.nc")),
+    ("plunge.nc", include_str!("programs/plunge.nc")),
+];
+
+/// Instructions of the checks, where they are counted.
+#[derive(Default)]
+struct Taken {
+    checks: u64,
+    sum: u64,
+    most: u64,
 }
 
-/// Moves the tool along its path, from outside the mesh to its inside.
 fn run() -> bool {
     let Some(clock) = Clock::new() else { return false };
     let (zone, count) = clock.count(Zone::new);
     let Some(zone) = zone else { return false };
-    say!("keep-out mesh: {} triangles, {} closed parts", FACES.len(), PARTS.len());
+    say!("clamps: {} triangles", FACES.len());
     if let Some(count) = count {
-        say!("its table is sound: {} instructions to see", count);
+        say!("their table is sound: {} instructions to see", count);
     }
-    let (mut first, mut was_inside, mut instructions) = (None, false, Some(0));
-    for step in 0..tool::STEPS {
-        let Some(tool) = tool::at(step) else { return false };
-        let (place, count) = clock.count(|| zone.place(&tool));
-        instructions = instructions.zip(count).map(|(sum, count)| sum + count);
-        match place {
-            Place::Outside => say!("step {}: outside", step),
-            Place::Touches(faces) => {
-                if first.is_none() {
-                    say!("first contact at step {} of {}, in raw bits:", step, tool::STEPS);
-                    let axes = tool.axes().map(bits);
-                    let (center, half) = (bits(tool.center()), bits(tool.half_extents()));
-                    say!("center {:?} axes {:?} half-extents {:?}", center, axes, half);
-                    first = Some(step);
-                }
-                let (named, others) = (faces.kept(), faces.missed());
-                say!("step {}: touches {:?} and {} more", step, named, others);
+    let mut taken = Taken::default();
+    let is_done = each_program(|name, text| match check(&zone, &clock, &mut taken, name, text) {
+        Ok(()) => true,
+        Err(Fault { line, at, what }) => {
+            say!("{}: line {}: {}: {}", name, line, at, what);
+            false
+        }
+    });
+    if taken.sum > 0 {
+        let each = taken.sum / taken.checks;
+        say!("{} checks, {} instructions each, {} at most", taken.checks, each, taken.most);
+    }
+    is_done
+}
+
+/// Checks the bundled programs, or that of the file which is named.
+fn each_program(mut check: impl FnMut(&str, &str) -> bool) -> bool {
+    #[cfg(not(target_os = "none"))]
+    if let Some(path) = std::env::args().nth(1) {
+        return match std::fs::read_to_string(&path) {
+            Ok(text) => check(&path, &text),
+            Err(error) => {
+                say!("{}: {}", path, error);
+                false
             }
-            Place::Inside(part) => {
-                say!("step {}: wholly inside part {}", step, part);
-                was_inside = true;
+        };
+    }
+    let mut is_done = true;
+    for (name, text) in BUNDLED {
+        is_done &= check(name, text);
+    }
+    is_done
+}
+
+/// Checks the moves of a program, and tells where contact begins and ends.
+fn check(
+    zone: &Zone,
+    clock: &Clock,
+    taken: &mut Taken,
+    name: &str,
+    text: &str,
+) -> Result<(), Fault> {
+    let (mut moves, mut poses, mut place) = (0_u32, 0_u32, Place::Outside);
+    for line in Program::new(text, tool::HOME) {
+        let line @ Move { line: number, .. } = line?;
+        moves += 1;
+        for (step, at) in tool::poses(line).enumerate() {
+            let obb = tool::obb(at);
+            let obb = obb.ok_or(Fault { line: number, at: 'G', what: "that is too far" })?;
+            let (now, count) = clock.count(|| zone.place(&obb));
+            poses += 1;
+            if let Some(count) = count {
+                taken.checks += 1;
+                taken.sum += count;
+                taken.most = taken.most.max(count);
             }
+            tell(name, number, step as u32, at, [place, now]);
+            place = now;
         }
     }
-    if let Some(each) = instructions.and_then(|n: u64| n.checked_div(u64::from(tool::STEPS))) {
-        say!("{} checks, {} instructions each on average", tool::STEPS, each);
+    let end = match place {
+        Place::Outside => "outside",
+        Place::Touches(_) => "in contact",
+        Place::Inside => "inside a clamp",
+    };
+    say!("{}: {} moves, {} poses; it ends {}", name, moves, poses, end);
+    Ok(())
+}
+
+/// Tells of a change, with the tip in micrometres.
+fn tell(name: &str, line: u32, pose: u32, at: Position, [before, now]: [Place; 2]) {
+    let tip = at.tip.map(|x| ((i64::from(x.to_bits()) * 1000) >> 16) as i32);
+    match (before, now) {
+        (Place::Outside | Place::Inside, Place::Touches(face)) => {
+            say!("{}: line {}, pose {}: touches face {}, tip {:?}", name, line, pose, face, tip);
+        }
+        (Place::Outside | Place::Touches(_), Place::Inside) => {
+            say!("{}: line {}, pose {}: inside a clamp, tip {:?}", name, line, pose, tip);
+        }
+        (Place::Touches(_) | Place::Inside, Place::Outside) => {
+            say!("{}: line {}, pose {}: outside again, tip {:?}", name, line, pose, tip);
+        }
+        _ => {}
     }
-    first.is_some() && was_inside
 }
 
 program!(run);

@@ -1,30 +1,51 @@
-//! The tool and its path, in fixed point throughout.
+//! The tool as an oriented box, and its poses along a move, in fixed point throughout.
 
 use fixed::types::I16F16;
-use septum::{Obb, Vec3};
+use septum::Obb;
 
-/// The number of steps along the path.
-pub(crate) const STEPS: u32 = 32;
+use super::gcode::{Move, Position};
 
-/// Half-extents of the tool along its own axes. It is a drill.
-const HALF: [I16F16; 3] = [I16F16::lit("0.125"), I16F16::lit("1.5"), I16F16::lit("0.125")];
+/// Half-extents of the box: a cutter of 6 mm, 40 mm long, and a clearance of 2 mm.
+///
+/// From one pose to the next the tip goes up to √3 mm, and the tool turns by up to 1° about two
+/// axes, which takes its far end 1.1 mm farther. No point of the tool is ever farther from a
+/// pose than half of that, which is within the clearance: what lies between poses is covered.
+pub(crate) const HALF: [I16F16; 3] = [I16F16::lit("5"), I16F16::lit("5"), I16F16::lit("22")];
 
-const START: [I16F16; 3] = [I16F16::lit("-7"), I16F16::lit("7"), I16F16::lit("3")];
-const END: [I16F16; 3] = [I16F16::lit("5"), I16F16::lit("1.5"), I16F16::lit("-1")];
+/// Where the tool waits for a program.
+pub(crate) const HOME: Position =
+    Position { tip: [I16F16::ZERO, I16F16::ZERO, I16F16::lit("120")], tilt: [I16F16::ZERO; 2] };
 
-/// The tool at a step. It moves from start to end, and turns by 45 degrees on the
-/// way.
-pub(crate) fn at(step: u32) -> Option<Obb<I16F16>> {
-    let one = I16F16::ONE;
-    let way = I16F16::from_num(step) / I16F16::from_num(STEPS);
-    let mut center = START;
-    for (at, end) in center.iter_mut().zip(END) {
-        *at += (end - *at) * way;
+/// The poses along a move, from its beginning to its end: one for each millimetre and degree.
+pub(crate) fn poses(line: Move) -> impl Iterator<Item = Position> {
+    let numbers = |p: Position| {
+        let ([x, y, z], [a, b]) = (p.tip, p.tilt);
+        [x, y, z, a, b].map(|x| i64::from(x.to_bits()))
+    };
+    let (from, to) = (numbers(line.from), numbers(line.to));
+    let farthest = from.iter().zip(to).map(|(from, to)| from.abs_diff(to)).max().unwrap_or(0);
+    let steps = farthest.div_ceil(1 << I16F16::FRAC_NBITS) as i64;
+    (0..=steps).map(move |step| {
+        let [x, y, z, a, b] = [0, 1, 2, 3, 4].map(|i| {
+            // Between two numbers of 32 bits there is one of 32 bits.
+            let way = (to[i] - from[i]) * step;
+            I16F16::from_bits((from[i] + way.checked_div(steps).unwrap_or(0)) as i32)
+        });
+        Position { tip: [x, y, z], tilt: [a, b] }
+    })
+}
+
+/// The box of a tool: its lower end stands around the tip, and its long axis is tilted, about x
+/// and then about y. `None` where a number is beyond the type.
+pub(crate) fn obb(at: Position) -> Option<Obb<I16F16>> {
+    let [a, b] = at.tilt.map(|degrees| degrees / 360);
+    let upright = Obb::from_turns([I16F16::ZERO; 3], [a, b, I16F16::ZERO], HALF).ok()?;
+    // From the tip to the middle, but for the clearance below.
+    let up = HALF[2] - I16F16::lit("2");
+    let [tip, axis] = [at.tip, upright.axes()[2].to_array()];
+    let mut center = tip;
+    for (to, along) in center.iter_mut().zip(axis) {
+        *to = to.checked_add(along * up)?;
     }
-    // A rotation about z without trigonometry. The tangent of half the angle is h.
-    let h = way * I16F16::lit("0.41421");
-    let (cos, sin) = ((one - h * h) / (one + h * h), (h + h) / (one + h * h));
-    let zero = I16F16::ZERO;
-    let axes = [[cos, sin, zero], [-sin, cos, zero], [zero, zero, one]];
-    Obb::new(center, axes.map(Vec3::from), HALF).ok()
+    Obb::new(center, *upright.axes(), HALF).ok()
 }

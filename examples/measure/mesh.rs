@@ -15,8 +15,8 @@ use crate::meter::{Ask, Meter, Taken};
 use crate::workload::Rng;
 
 #[rustfmt::skip]
-#[allow(dead_code, reason = "another example's table")]
-#[path = "../keep_out/teapot.rs"]
+#[allow(dead_code, reason = "its parts are for others")]
+#[path = "../assets/teapot.rs"]
 mod teapot;
 
 use teapot::{FACES, VERTICES};

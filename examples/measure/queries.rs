@@ -74,10 +74,16 @@ fn triangle_obb<S: Coordinate>(meter: &Meter) {
     lines::<S, _, _>(meter, "full", workload::turned_full, &queries);
     lines::<S, _, _>(meter, "voorhies", workload::turned_voorhies, &queries);
 
-    let queries: [Query<[Vec3<S>; 3], Vec3<S>>; 2] = [
+    let queries: [Query<[Vec3<S>; 3], Vec3<S>>; 4] = [
         ("oriented box", "new", |u, half| black_box(Obb::new(*half, *u, *half)).is_ok()),
         ("oriented box", "from skewed axes", |u, half| {
             black_box(Obb::from_skewed_axes(*half, *u, *half)).is_ok()
+        }),
+        ("oriented box", "from a quaternion", |[u, ..], half| {
+            black_box(Obb::from_quaternion(*half, [u.x, u.y, u.z, S::ZERO], *half)).is_ok()
+        }),
+        ("oriented box", "from turns", |[u, ..], half| {
+            black_box(Obb::from_turns(*half, *u, *half)).is_ok()
         }),
     ];
     lines::<S, _, _>(meter, "made", workload::turned_axes, &queries);

@@ -6,7 +6,7 @@
 //!
 //! The table holds each vertex once, in raw bits; the faces are indices, and the nodes of a
 //! tree stand beside them. A closed mesh also gets a table of its parts, each with a tree of
-//! its own, for only a closed mesh has an inside. What rounding did to the mesh, and whether it
+//! its own, for only a closed mesh has an inside; or, with `--whole`, one tree for all. What rounding did to the mesh, and whether it
 //! is closed, goes to the error stream.
 
 #[allow(dead_code, reason = "shared with other examples")]

@@ -34,6 +34,10 @@ pub(crate) struct Options {
     /// Fills each hole with a fan of triangles, so that the mesh has an inside
     #[arg(long)]
     pub(crate) close: bool,
+
+    /// One tree over all parts: winding numbers then tell inside from outside
+    #[arg(long)]
+    pub(crate) whole: bool,
 }
 
 /// The axis that points up.

@@ -61,7 +61,11 @@ pub(crate) fn write<S: Fixed<Bits: std::fmt::Display> + Scalar>(
         faces.extend(caps(&faces));
     }
     let open = open_edges(&faces).len();
-    let parts = if open == 0 { sort_into_parts(&mut faces) } else { Vec::new() };
+    let mut parts = if open == 0 { sort_into_parts(&mut faces) } else { Vec::new() };
+    let closed = parts.len();
+    if options.whole {
+        parts.clear();
+    }
     let whole = 0..faces.len();
     let trees = if parts.is_empty() { std::slice::from_ref(&whole) } else { &parts };
     let nodes = sort_into_trees(&vertices, &mut faces, trees)?;
@@ -73,7 +77,7 @@ pub(crate) fn write<S: Fixed<Bits: std::fmt::Display> + Scalar>(
         vertices.len() * 3 * size_of::<S>() + faces.len() * 6 + size_of_val(&nodes[..]),
     );
     match open {
-        0 => eprintln!("closed, parts: {}", parts.len()),
+        0 => eprintln!("closed, parts: {closed}"),
         _ => eprintln!("open at {open} edges: it has no inside; --close fills its holes"),
     }
     text(&mesh.name, &scalar, &vertices, &faces, &nodes, &parts)

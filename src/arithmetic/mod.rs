@@ -1,5 +1,6 @@
 //! The number systems that kernels run in. Nothing here knows a shape or a query.
 
+mod circle;
 mod filtered;
 #[cfg(feature = "fixed")]
 mod fixed;
@@ -24,6 +25,9 @@ mod vector;
 mod wide;
 mod words;
 
+pub(crate) use circle::cos_sin_f64;
+#[cfg(feature = "fixed")]
+pub(crate) use circle::{cos_sin_30, cos_sin_62};
 pub use filtered::Filtered;
 #[cfg(feature = "fixed")]
 pub(crate) use fixed::clamped;
@@ -39,9 +43,9 @@ pub(crate) use number::{compare, greatest, largest, least};
 pub use parts::Parts;
 pub(crate) use platform::{REGISTERS_ARE_WIDE, SMALL_CODE};
 pub(crate) use quad::{OfFour, Quad, THREE};
-#[cfg(feature = "fixed")]
-pub(crate) use quotient::Dividend;
 pub(crate) use quotient::Leading;
+#[cfg(feature = "fixed")]
+pub(crate) use quotient::{Dividend, quotient_of_limbs};
 #[cfg(feature = "fixed")]
 pub use root::Signed;
 #[cfg(feature = "fixed")]

@@ -12,6 +12,8 @@ use core::num::NonZero;
 use super::number::Number;
 #[cfg(feature = "fixed")]
 use super::platform::REGISTERS_ARE_WIDE;
+#[cfg(feature = "fixed")]
+use super::root::{Limbs, Wide};
 use super::wide::I256;
 
 /// A whole number that can be divided by another, both times a power of two.
@@ -120,6 +122,48 @@ fn divide_widest(num: I256, den: I256, shift: u32) -> u64 {
         places -= 1;
     }
     nearest(q, r.cmp(&(den - r)))
+}
+
+/// num·2^shift / den, both in two's complement, the least limb first: place by place. The divisor
+/// is not zero, and leaves a bit free.
+#[cfg(feature = "fixed")]
+#[cold]
+#[inline(never)]
+pub(crate) fn quotient_of_limbs<const L: usize>(num: &[u64; L], den: &[u64; L], shift: u32) -> i64 {
+    let magnitude = |limbs: &[u64; L]| {
+        let is_negative = limbs.last().is_some_and(|top| top >> 63 != 0);
+        let (mut limbs, mut carry) = (*limbs, is_negative);
+        if is_negative {
+            for limb in &mut limbs {
+                (*limb, carry) = (!*limb).overflowing_add(carry.into());
+            }
+        }
+        (is_negative, limbs)
+    };
+    let ((is_negative, num), (is_other_negative, den)) = (magnitude(num), magnitude(den));
+    let den = Limbs::of(den);
+    let (mut q, mut rest) = (0_u64, Limbs::<L>::ZERO);
+    for place in (0..64 * L as u32 + shift).rev() {
+        let bit = place
+            .checked_sub(shift)
+            .map_or(0, |bit| num.get(bit as usize / 64).map_or(0, |limb| limb >> (bit % 64) & 1));
+        rest = rest.doubled().plus(Limbs::new(bit.into(), 0));
+        if q >> 62 != 0 {
+            q = 1 << 63;
+            rest = Limbs::ZERO;
+            break;
+        }
+        q <<= 1;
+        if let Some(less) = rest.minus(den) {
+            (q, rest) = (q | 1, less);
+        }
+    }
+    let half = match den.minus(rest) {
+        Some(other) if other == rest => Ordering::Equal,
+        Some(other) if rest.minus(other).is_some() => Ordering::Greater,
+        _ => Ordering::Less,
+    };
+    signed(nearest(q, half), is_negative != is_other_negative)
 }
 
 /// Adding this rounds to a whole number, in the last bits of the sum: 1.5·2^52.

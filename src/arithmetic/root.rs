@@ -52,6 +52,12 @@ wide! {
 pub(crate) struct Limbs<const L: usize>([u64; L]);
 
 impl<const L: usize> Limbs<L> {
+    /// The number of these limbs.
+    #[inline(always)]
+    pub(crate) fn of(limbs: [u64; L]) -> Self {
+        Self(limbs)
+    }
+
     /// The number x·2^(64·k) with the halves of x as its limbs.
     #[inline(always)]
     pub(crate) fn new(x: u128, k: usize) -> Self {

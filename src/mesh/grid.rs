@@ -34,7 +34,9 @@ impl<S: Scalar> Grid<S> {
             }));
         }
         let [min, max] = bounds.unwrap_or([[S::ZERO; 3]; 2]);
-        Self([0, 1, 2].map(|i| S::steps(min[i], max[i])))
+        // Without indices, which where code is small are checked.
+        let ([a, b, c], [d, e, f]) = (min, max);
+        Self([S::steps(a, d), S::steps(b, e), S::steps(c, f)])
     }
 
     /// The least box of the grid around the box between two corners, as far as the grid goes:

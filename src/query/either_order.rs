@@ -34,6 +34,8 @@ reversed! {
     Aabb with Ray;
     Obb with Triangle;
     Obb with Aabb;
+    Obb with Segment;
+    Obb with Ray;
     Triangle with Segment;
 }
 

@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 #[cfg(feature = "fixed")]
-use crate::arithmetic::I256;
+use crate::arithmetic::{Dividend, I256, quotient_of_limbs};
 use crate::arithmetic::{Leading, Parts};
 
 /// A sum of products of up to four numbers that loses nothing.
@@ -73,15 +73,28 @@ impl<const LIMBS: usize> Sum<LIMBS> {
         Leading::new(negative, &magnitude)
     }
 
-    /// The sum, which must be one of products of three.
+    /// num·2^shift / den to the nearest, of two the even one, no farther out than `i64` goes; the
+    /// divisor is not zero.
     #[cfg(feature = "fixed")]
-    pub(crate) fn as_i256(&self) -> I256 {
+    pub(crate) fn quotient(&self, den: &Self, shift: u32) -> i64 {
+        match (self.as_i256(), den.as_i256()) {
+            (Some(num), Some(den)) => num.quotient(den, shift),
+            _ => quotient_of_limbs(&self.0, &den.0, shift),
+        }
+    }
+
+    /// The sum in 256 bits, if these leave a few to spare: always but for products of four
+    /// numbers of 64 bits.
+    #[cfg(feature = "fixed")]
+    fn as_i256(&self) -> Option<I256> {
         let fill = if self.sign() == Ordering::Less { u64::MAX } else { 0 };
         let mut limbs = [fill; 4];
         for (to, &limb) in limbs.iter_mut().zip(&self.0) {
             *to = limb;
         }
-        I256::from_limbs(limbs)
+        let is_spare = self.0.iter().skip(4).all(|&limb| limb == fill);
+        let has_room = self.0.get(4).is_none() || (limbs[3] ^ fill) >> 58 == 0;
+        (is_spare && has_room).then_some(I256::from_limbs(limbs))
     }
 
     /// Adds or subtracts `product` shifted up by `shift` bits.

@@ -5,7 +5,7 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 use super::{Backend, Scalar};
 use crate::arithmetic::{
-    Dividend, Embeds, Filtered, InWholeWord, Int8, Int16, Int32, Int64, OfFour, Parts, Quad,
+    Embeds, Filtered, InWholeWord, Int8, Int16, Int32, Int64, OfFour, Parts, Quad,
     REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, WholeWord, clamped,
 };
 use crate::robust::{
@@ -33,7 +33,7 @@ macro_rules! scalar {
             type Sum = Sum<$limbs>;
 
             fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self {
-                clamped!($fixed, num.as_i256().quotient(den.as_i256(), Self::FRAC_NBITS))
+                clamped!($fixed, num.quotient(den, Self::FRAC_NBITS))
             }
             fn parts(self) -> Parts {
                 let bits = i64::from(self.to_bits());

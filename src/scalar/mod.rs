@@ -11,6 +11,7 @@ mod grid;
 #[cfg(feature = "defmt")]
 mod logged;
 mod planes;
+mod rotation;
 
 pub use backend::{Backend, FloatFormat};
 #[cfg(feature = "fixed")]
@@ -46,6 +47,7 @@ pub trait Scalar:
     Backend
     + axes::Axes
     + Planes
+    + rotation::Rotation
     + grid::Gridded
     + Logged
     + Copy

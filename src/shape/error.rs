@@ -23,6 +23,9 @@ pub enum ShapeError {
     /// [`Obb::from_skewed_axes`](crate::Obb::from_skewed_axes) takes axes of any
     /// length, with half-extents in units of that length.
     NoUnitLength,
+    /// The squares of a quaternion's components do not add up to one, by more than any
+    /// rounding explains.
+    NotUnitQuaternion,
     /// A plane's normal is zero.
     ZeroNormal,
     /// A ray's direction is zero.
@@ -74,6 +77,7 @@ impl ShapeError {
             Self::DependentAxes => "the axes are linearly dependent",
             Self::NotOrthonormal => "the axes are not orthonormal",
             Self::NoUnitLength => "the scalar holds no vector of length one",
+            Self::NotUnitQuaternion => "the quaternion is not of length one",
             Self::ZeroNormal => "the normal is zero",
             Self::ZeroDirection => "the direction is zero",
             Self::EmptyRange => "the range ends before it begins",

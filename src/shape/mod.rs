@@ -8,6 +8,7 @@ mod obb;
 mod overlaps;
 mod plane;
 mod ray;
+mod rotated_obb;
 mod segment;
 mod triangle;
 mod vec3;

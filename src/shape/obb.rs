@@ -83,7 +83,7 @@ impl<S: Scalar> Obb<S> {
         if dependent(&made.axes_as_arrays()) { Err(ShapeError::DependentAxes) } else { Ok(made) }
     }
 
-    fn checked(
+    pub(super) fn checked(
         center: impl Into<Vec3<S>>,
         axes: [impl Into<Vec3<S>>; 3],
         half_extents: impl Into<Vec3<S>>,
@@ -100,7 +100,8 @@ impl<S: Scalar> Obb<S> {
 
 overlaps_methods!(
     Obb,
-    "a [`Triangle`](crate::Triangle), an [`Aabb`](crate::Aabb) or another oriented box"
+    "a [`Triangle`](crate::Triangle), an [`Aabb`](crate::Aabb), another oriented box, a \
+     [`Segment`](crate::Segment) or a [`Ray`](crate::Ray)"
 );
 
 impl<S: Scalar> Obb<S> {

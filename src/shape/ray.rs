@@ -77,7 +77,7 @@ impl<S: Scalar> Ray<S> {
     }
 }
 
-overlaps_methods!(Ray, "an [`Aabb`](crate::Aabb)");
+overlaps_methods!(Ray, "an [`Aabb`](crate::Aabb) or an [`Obb`](crate::Obb)");
 
 impl<S: Copy> Ray<S> {
     /// Where t is zero.

@@ -58,7 +58,10 @@ impl<S: Scalar> Segment<S> {
     }
 }
 
-overlaps_methods!(Segment, "an [`Aabb`](crate::Aabb) or a [`Triangle`](crate::Triangle)");
+overlaps_methods!(
+    Segment,
+    "an [`Aabb`](crate::Aabb), an [`Obb`](crate::Obb) or a [`Triangle`](crate::Triangle)"
+);
 
 impl<S: Copy> Segment<S> {
     /// The two ends, if the segment was given so.

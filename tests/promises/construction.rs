@@ -199,6 +199,7 @@ fn errors_are_told() {
         ShapeError::MinAboveMax,
         ShapeError::DependentAxes,
         ShapeError::NotOrthonormal,
+        ShapeError::NotUnitQuaternion,
         ShapeError::ZeroNormal,
     ];
     let told: std::collections::HashSet<String> = errors.iter().map(ToString::to_string).collect();

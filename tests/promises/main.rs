@@ -3,6 +3,7 @@
 
 // Shapes: what makes one and what does not.
 mod construction;
+mod rotations;
 
 // Triangle against axis-aligned box: the exact verdict.
 mod contact;
@@ -21,6 +22,7 @@ mod witness;
 
 // Other shapes against boxes, and flat shapes against triangles.
 mod flat_shapes;
+mod line_obb;
 mod obb;
 mod oriented_boxes;
 mod oriented_pairs;

@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 use core::marker::PhantomData;
 
 use super::Points;
-use crate::arithmetic::{Parts, turn};
+use crate::arithmetic::{Parts, pick, turn};
 use crate::robust::{ExactSum, Linear, Vector, add_area, add_determinant, sign};
 use crate::scalar::Scalar;
 use crate::shape::{Segment, SegmentForm};
@@ -41,8 +41,14 @@ impl<S: Scalar> ExactPoints<S> {
         Self { points: [a, b, b, c, d, e], scalar: PhantomData }
     }
 
+    /// A coordinate of a point. There is one; to say so links no panic.
+    fn coordinate(&self, point: usize, axis: usize) -> [Parts; 2] {
+        let [first, ..] = &self.points;
+        *pick(self.points.get(point).unwrap_or(first), axis)
+    }
+
     fn difference(&self, a: usize, b: usize, axis: usize) -> Linear {
-        let ([a, b], [c, d]) = (self.points[a][axis], self.points[b][axis]);
+        let ([a, b], [c, d]) = (self.coordinate(a, axis), self.coordinate(b, axis));
         // Only the ends of a segment are sums, and of the same centre.
         if a == c {
             [b, d.negated(), Parts::ZERO]

@@ -9,7 +9,7 @@
 use core::cmp::Ordering;
 
 use super::{FIRST, Points, Relation, SECOND, along};
-use crate::arithmetic::turn;
+use crate::arithmetic::{pick, turn};
 
 /// What the three coordinates say at most.
 pub(super) fn boxes(points: &impl Points) -> Relation {
@@ -45,8 +45,8 @@ pub(super) fn in_plane(points: &impl Points) -> Relation {
         for (one, other) in [(FIRST, SECOND), (SECOND, FIRST)] {
             for k in 0..3 {
                 let (k, next, opposite) = turn(k);
-                let side = |x: usize| points.area(axis, [one[k], one[next], x]);
-                let back = side(one[opposite]);
+                let side = |x: usize| points.area(axis, [*pick(&one, k), *pick(&one, next), x]);
+                let back = side(*pick(&one, opposite));
                 so_far = so_far.min(along(other.map(side), &[back]));
                 has_area |= back != Ordering::Equal;
             }

@@ -3,14 +3,20 @@
 use core::cmp::Ordering;
 
 use super::Points;
-use crate::arithmetic::{Arithmetic, Number, compare, cross, dot, turn};
+use crate::arithmetic::{Arithmetic, Number, compare, cross, dot, pick, turn};
 
 /// Six points in a number system that is certain.
 pub(crate) struct Whole<N: Arithmetic>(pub(crate) [[N::Length; 3]; 6]);
 
 impl<N: Arithmetic> Whole<N> {
+    /// A point. There is one; to say so links no panic.
+    fn point(&self, a: usize) -> &[N::Length; 3] {
+        let [first, ..] = &self.0;
+        self.0.get(a).unwrap_or(first)
+    }
+
     fn difference(&self, a: usize, b: usize) -> [N::Length; 3] {
-        let (a, b) = (&self.0[a], &self.0[b]);
+        let (a, b) = (self.point(a), self.point(b));
         [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
     }
 }
@@ -32,6 +38,6 @@ impl<N: Arithmetic> Points for Whole<N> {
     }
 
     fn compare(&self, axis: usize, [a, b]: [usize; 2]) -> Ordering {
-        sign(self.0[a][axis] - self.0[b][axis])
+        sign(*pick(self.point(a), axis) - *pick(self.point(b), axis))
     }
 }

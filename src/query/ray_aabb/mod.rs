@@ -80,13 +80,12 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
 /// The question where the ray enters and leaves.
 struct Range<'a, S>(Disjoint<'a, S>);
 
-impl<S: Scalar> Range<'_, S> {
+impl<S: Scalar> Ray<S> {
     /// What is left of the ray's own range.
-    fn clipped(&self, enter: S, leave: S) -> (S, S) {
-        let ray = self.0.ray;
+    pub(super) fn clipped(&self, enter: S, leave: S) -> (S, S) {
         let within = |mut t: S| {
-            t = ray.t_min().map_or(t, |min| greatest(min, t));
-            ray.t_max().map_or(t, |max| least(max, t))
+            t = self.t_min().map_or(t, |min| greatest(min, t));
+            self.t_max().map_or(t, |max| least(max, t))
         };
         let enter = within(enter);
         // Floats may round the one up and the other down.
@@ -137,7 +136,7 @@ impl<S: Scalar> Predicate<S> for Range<'_, S> {
                 }));
         }
         // Some component of a direction is not zero.
-        Some(range.map(|(enter, leave)| self.clipped(enter, leave)))
+        Some(range.map(|(enter, leave)| ray.clipped(enter, leave)))
     }
 
     fn exact(&self) -> Option<(S, S)> {
@@ -147,7 +146,7 @@ impl<S: Scalar> Predicate<S> for Range<'_, S> {
         }
         let crossings = (0..3).filter_map(|i| line.crossing::<S>(i));
         let (enter, leave) = crossings.reduce(|a, b| (greatest(a.0, b.0), least(a.1, b.1)))?;
-        Some(self.clipped(enter, leave))
+        Some(self.0.ray.clipped(enter, leave))
     }
 }
 

@@ -10,6 +10,7 @@
 //! | box and oriented box | [`boxes::BoxCase::meets`] | [`boxes::BoxSet`] |
 //! | plane and box | [`side`] | |
 //! | line and box | [`lines::LineBox::clip`] | [`lines::LineSet`] |
+//! | line and oriented box | [`lines::LineObb::clip`] | [`lines::LineObb::case`] |
 //! | ray and triangle | [`rays::crossing`] | [`rays::RaySet`], [`rays::Scene`] |
 //! | triangles in a grid | [`voxels::check`] | [`voxels::VoxelScene`] |
 //! | point and mesh | [`rays::winding`] | |

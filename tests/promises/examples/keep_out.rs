@@ -1,23 +1,28 @@
-//! The example `keep_out`: it tells outside, contact and inside apart, and its mesh
-//! is closed, for otherwise there would be no inside.
+//! The example `keep_out`: it reads G-code or says where it cannot, tells outside, contact and
+//! inside apart, and lets nothing pass between two poses.
 
 #[path = "../../../examples/keep_out/check.rs"]
 mod check;
 #[rustfmt::skip]
-#[path = "../../../examples/keep_out/teapot.rs"]
-pub(crate) mod teapot;
+#[path = "../../../examples/keep_out/clamps.rs"]
+mod clamps;
+#[path = "../../../examples/keep_out/gcode.rs"]
+mod gcode;
 #[path = "../../../examples/keep_out/tool.rs"]
-pub(crate) mod tool;
+mod tool;
 
-use std::cell::Cell;
 use std::collections::BTreeMap;
+use std::fs;
 
-use check::Place;
+use check::{Place, Zone};
+use clamps::{FACES, VERTICES};
 use fixed::types::I16F16;
+use gcode::{Move, Position, Program};
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use septum::{Obb, Vec3};
-use teapot::{FACES, PARTS, VERTICES};
+use septum::{Obb, Triangle, Vec3};
+use septum_kit::Rng;
+
+use super::{directory, printed, run};
 
 type Point = [f64; 3];
 
@@ -37,172 +42,221 @@ fn cross(a: Point, b: Point) -> Point {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// How often a part of the mesh winds around a point: the sum of the solid angles of
-/// its faces, in units of the sphere. A. Van Oosterom, J. Strackee, 1983. It asks no
-/// ray, and so shares nothing with the check.
-fn winding_number(part: usize, p: Point) -> f64 {
+/// How often the clamps wind around a point: the sum of the solid angles of their faces, in
+/// units of the sphere. A. Van Oosterom, J. Strackee, 1983. It asks no row, and so shares
+/// nothing with the check.
+fn winding_number(p: Point) -> f64 {
     let solid_angle = |face: &[u16; 3]| {
         let [a, b, c] = face.map(|i| minus(point(VERTICES[usize::from(i)]), p));
         let [x, y, z] = [a, b, c].map(|v| dot(v, v).sqrt());
         let denominator = x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y;
         2.0 * dot(a, cross(b, c)).atan2(denominator)
     };
-    let whole: f64 = FACES[PARTS[part].clone()].iter().map(solid_angle).sum();
-    whole / (4.0 * std::f64::consts::PI)
+    FACES.iter().map(solid_angle).sum::<f64>() / (4.0 * std::f64::consts::PI)
 }
 
-/// An upright tool.
-fn tool_at(center: [I16F16; 3], half: [I16F16; 3]) -> Obb<I16F16> {
-    let (zero, one) = (I16F16::ZERO, I16F16::ONE);
-    let axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
-    Obb::new(center, axes.map(Vec3::from), half).unwrap()
-}
-
-fn place(tool: &Obb<I16F16>) -> Place {
-    thread_local!(static ZONE: check::Zone = check::Zone::new().unwrap());
-    ZONE.with(|zone| zone.place(tool))
-}
-
-/// The parts that have all of the tool inside, by winding numbers. `None` where a
-/// number is not nearly whole: the centre is then as good as on a face.
-fn parts_around(tool: &Obb<I16F16>) -> Option<Vec<usize>> {
-    let mut around = Vec::new();
-    for part in 0..PARTS.len() {
-        let turns = winding_number(part, point(tool.center()));
-        if (turns - turns.round()).abs() > 1e-6 {
-            return None;
-        }
-        if turns.round() as i64 % 2 != 0 {
-            around.push(part);
-        }
-    }
-    Some(around)
+fn position(tip: Point, tilt: [f64; 2]) -> Position {
+    Position { tip: tip.map(I16F16::from_num), tilt: tilt.map(I16F16::from_num) }
 }
 
 #[test]
-fn the_mesh_in_flash_is_closed() {
-    let mut next = 0;
-    for part in &PARTS {
-        assert_eq!(part.start, next, "the parts follow one another");
-        next = part.end;
-        let mut faces_of = BTreeMap::new();
-        for &[a, b, c] in &FACES[part.clone()] {
-            assert!(a != b && b != c && c != a);
-            for (from, to) in [(a, b), (b, c), (c, a)] {
-                *faces_of.entry((from.min(to), from.max(to))).or_insert(0) +=
-                    if from < to { 1 } else { -1 };
+fn the_clamps_in_flash_are_closed() {
+    let mut faces_of = BTreeMap::new();
+    for &[a, b, c] in &FACES {
+        assert!(a != b && b != c && c != a);
+        for (from, to) in [(a, b), (b, c), (c, a)] {
+            *faces_of.entry((from.min(to), from.max(to))).or_insert(0) +=
+                if from < to { 1 } else { -1 };
+        }
+    }
+    // As often in either direction: closed, and oriented alike.
+    assert!(faces_of.values().all(|&sum| sum == 0));
+    // Within a jaw, and in a stud that stands in its nut and in its clamp.
+    assert_eq!(winding_number([1.0, 60.0, 30.0]).round(), 1.0);
+    assert_eq!(winding_number([74.0, 0.5, 35.0]).round(), 2.0);
+}
+
+/// Each verdict as that of all faces, one by one, and of the winding number.
+#[test]
+fn the_place_is_that_of_all_faces() {
+    let zone = Zone::new().unwrap();
+    let rng = &mut Rng::new(0x6c0de);
+    let triangle = |face: &[u16; 3]| {
+        let [a, b, c] = face.map(|i| VERTICES[usize::from(i)]);
+        Triangle::new(a, b, c).unwrap()
+    };
+    let mut seen = [0; 3];
+    for round in 0..400 {
+        let [x, y] = [rng.real(-90.0, 90.0), rng.real(-80.0, 80.0)];
+        let (x, y) = if round % 4 == 0 { (x / 2.0, 58.0) } else { (x, y) };
+        let z = if round % 4 == 0 { rng.real(3.0, 70.0) } else { rng.real(5.0, 90.0) };
+        let tilt = [rng.real(-30.0, 30.0), rng.real(-30.0, 30.0)];
+        let tilt = if round % 4 == 0 { [0.0; 2] } else { tilt };
+        let obb = tool::obb(position([x, y, z], tilt)).unwrap();
+        let touches = |face: usize| triangle(&FACES[face]).overlaps(&obb);
+        match zone.place(&obb) {
+            Place::Touches(face) => {
+                assert!(touches(face));
+                seen[0] += 1;
+            }
+            place => {
+                assert!(!(0..FACES.len()).any(touches), "{obb:?}");
+                let turns = winding_number(point(obb.center()));
+                assert!((turns - turns.round()).abs() < 1e-6, "{obb:?}");
+                assert_eq!(place == Place::Inside, turns.round() > 0.0, "{obb:?}");
+                seen[if place == Place::Inside { 1 } else { 2 }] += 1;
             }
         }
-        // Once in either direction: closed, and oriented alike.
-        assert!(faces_of.values().all(|&sum| sum == 0), "{part:?}");
     }
-    assert_eq!(next, FACES.len(), "each face is in a part");
-    assert_eq!(PARTS.len(), 4, "body, handle, spout and lid");
+    assert!(seen.iter().all(|&n| n > 15), "{seen:?}");
 }
 
-/// The path that the example takes.
-#[test]
-fn the_path_leads_from_outside_through_contact_to_inside() {
-    let mut stages = Vec::new();
-    for step in 0..tool::STEPS {
-        let tool = tool::at(step).unwrap();
-        let place = place(&tool);
-        match &place {
-            Place::Touches(faces) => assert!(faces.total() > 0),
-            Place::Inside(part) => assert_eq!(parts_around(&tool).unwrap(), [*part]),
-            Place::Outside => assert!(parts_around(&tool).unwrap().is_empty()),
-        }
-        let stage = std::mem::discriminant(&place);
-        if stages.last() != Some(&stage) {
-            stages.push(stage);
-        }
-    }
-    let touched = std::iter::once(0).collect();
-    let expected = [Place::Outside, Place::Touches(touched), Place::Inside(0)];
-    assert_eq!(stages, expected.map(|place| std::mem::discriminant(&place)));
+fn moves(text: &str) -> Vec<Move> {
+    Program::new(text, tool::HOME).map(Result::unwrap).collect()
 }
 
-/// The tool alone in the body, the handle, the spout and the lid, and beside them.
+/// Wherever the tool is on a move, each of its corners is within the box of the nearer pose.
 #[test]
-fn each_part_has_an_inside() {
-    let at = |x: f64, y: f64, z: f64, half: f64| {
-        place(&tool_at([x, y, z].map(I16F16::from_num), [I16F16::from_num(half); 3]))
-    };
-    // The middle of the body, and the hole of the handle beside it.
-    assert_eq!(at(0.0, 0.0, 0.0, 2.0), Place::Inside(0));
-    assert_eq!(at(-13.0, 0.0, 0.0, 0.25), Place::Outside);
-    assert_eq!(at(0.0, 30.0, 0.0, 2.0), Place::Outside);
-    assert_eq!(at(0.0, -30.0, 0.0, 2.0), Place::Outside);
-    // Nearly as wide as the body is.
-    assert!(matches!(at(-1.0, 0.0, 0.0, 30.0), Place::Touches(_)), "all around the mesh");
-    let mut seen = [false; 4];
-    for part in 0..4 {
-        for face in FACES[PARTS[part].clone()].iter().step_by(3) {
-            // From a corner towards the middle of the part's box, a little.
-            let p = point(VERTICES[usize::from(face[0])]);
-            for way in [0.02, 0.1, 0.3] {
-                let q = minus(p, minus(p, middle(part)).map(|x| way * x));
-                if at(q[0], q[1], q[2], 1.0 / 64.0) == Place::Inside(part) {
-                    seen[part] = true;
+fn nothing_passes_between_two_poses() {
+    let program = "G0 X3.7 Y-12.3 Z50\nG1 X4.3 Y9.9 A13.5 B-7.25\nG1 Z49.4 A-20 B30\nG1 X-30 B-30\n\
+                   Y0.3 A0.25\n";
+    let (mut asked, corner) = (0, |sign: bool, at: f64| if sign { at } else { -at });
+    for line in moves(program) {
+        let poses: Vec<Position> = tool::poses(line).collect();
+        assert_eq!((poses[0], poses[poses.len() - 1]), (line.from, line.to));
+        for pair in poses.windows(2) {
+            for (way, nearer) in [(0.25, 0), (0.5, 0), (0.5, 1), (0.75, 1)] {
+                let nearer = tool::obb(pair[nearer]).unwrap();
+                let between = |a: I16F16, b: I16F16| {
+                    a.to_num::<f64>() * (1.0 - way) + b.to_num::<f64>() * way
+                };
+                let tip = [0, 1, 2].map(|i| between(pair[0].tip[i], pair[1].tip[i]));
+                let [(sa, ca), (sb, cb)] = [0, 1]
+                    .map(|i| between(pair[0].tilt[i], pair[1].tilt[i]).to_radians().sin_cos());
+                for k in 0..8 {
+                    // The tool itself, 6 mm by 40.
+                    let (x, y) = (corner(k & 1 == 0, 3.0), corner(k & 2 == 0, 3.0));
+                    let z = if k & 4 == 0 { 0.0 } else { 40.0 };
+                    let (y, z) = (ca * y - sa * z, sa * y + ca * z);
+                    let turned = [cb * x + sb * z, y, cb * z - sb * x];
+                    let p = [0, 1, 2].map(|i| I16F16::from_num(tip[i] + turned[i]));
+                    assert!(nearer.contains(p), "{line:?} {pair:?}");
+                    asked += 1;
                 }
             }
         }
     }
-    assert_eq!(seen, [true; 4]);
+    assert!(asked > 1_000, "{asked}");
 }
 
-/// The middle of a part's bounding box.
-fn middle(part: usize) -> Point {
-    let points = || {
-        let vertices = FACES[PARTS[part].clone()].iter().flatten();
-        vertices.map(|&i| point(VERTICES[usize::from(i)]))
-    };
-    [0, 1, 2].map(|i| {
-        let least = points().map(|p| p[i]).fold(f64::INFINITY, f64::min);
-        let greatest = points().map(|p| p[i]).fold(f64::NEG_INFINITY, f64::max);
-        (least + greatest) / 2.0
-    })
-}
-
-/// A tool near the mesh. Often it stands below a vertex, where the ray meets
-/// several faces at once.
-fn any_tool() -> impl Strategy<Value = Obb<I16F16>> {
-    let along =
-        |least: i32, greatest: i32| (least << 16..greatest << 16).prop_map(I16F16::from_bits);
-    let below = (0..VERTICES.len(), along(-9, 9)).prop_map(|(i, y)| {
-        let v = VERTICES[i];
-        [v.x, y, v.z]
-    });
-    let free = [along(-17, 17), along(-9, 9), along(-11, 11)];
-    let half = (1..1_i32 << 15).prop_map(I16F16::from_bits);
-    (prop_oneof![below, free], half).prop_map(|(center, half)| tool_at(center, [half; 3]))
+/// The tip is at the middle of the tool's lower end, however it is tilted.
+#[test]
+fn the_tool_stands_on_its_tip() {
+    let at = |p: Point, a: f64, b: f64| tool::obb(position(p, [a, b])).unwrap();
+    let upright = at([1.0, 2.0, 3.0], 0.0, 0.0);
+    assert_eq!(upright.center(), Vec3::new(1, 2, 23).to_array().map(I16F16::from_num).into());
+    let lying = at([0.0; 3], -90.0, 0.0);
+    assert_eq!(lying.center(), [0, 20, 0].map(I16F16::from_num).into());
+    let end = Position { tip: [I16F16::MAX; 3], tilt: [I16F16::ZERO; 2] };
+    assert_eq!(tool::obb(end), None);
 }
 
 #[test]
-fn inside_is_what_the_winding_number_says() {
-    let config = Config { cases: 4000, failure_persistence: None, ..Config::default() };
-    let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
-    let (outside, inside) = (Cell::new(0), Cell::new([0; 4]));
-    let outcome = TestRunner::new_with_rng(config, rng).run(&any_tool(), |tool| {
-        let Some(around) = parts_around(&tool) else { return Ok(()) };
-        match place(&tool) {
-            Place::Touches(faces) => prop_assert!(faces.total() > 0),
-            Place::Outside => {
-                prop_assert!(around.is_empty(), "inside {around:?}");
-                outside.set(outside.get() + 1);
-            }
-            Place::Inside(part) => {
-                prop_assert_eq!(around.first(), Some(&part));
-                let mut counts = inside.get();
-                counts[part] += 1;
-                inside.set(counts);
+fn words_in_any_form() {
+    let moves = moves("%\n(a comment) g0x1.5Y -2 (and another)\n\nN3 F900 S1\n");
+    assert_eq!(moves.len(), 1);
+    assert_eq!((moves[0].line, moves[0].from), (2, tool::HOME));
+    assert_eq!(moves[0].to, position([1.5, -2.0, 120.0], [0.0; 2]));
+    // What is not named stays, and nothing is read after the end.
+    let moves = self::moves("G1 Z+.25 A45 ; deep\nM30\nrubbish\n");
+    assert_eq!(moves[0].to, position([0.0, 0.0, 0.25], [45.0, 0.0]));
+    assert_eq!(moves.len(), 1);
+}
+
+#[test]
+fn rubbish_is_told_with_its_line() {
+    for (text, line, at, what) in [
+        ("G0 X1\nG2 X3", 2, 'G', "not understood"),
+        ("G1 X1\n\n\nQ7", 4, 'Q', "no word of a move"),
+        ("G1 X", 1, 'X', "number is missing"),
+        ("G1 X-.", 1, 'X', "number is missing"),
+        ("G1 X1.2.3", 1, 'X', "no number"),
+        ("G1 Y40000", 1, 'Y', "beyond"),
+        ("G1 X1 Z2 X1", 1, 'X', "twice"),
+        ("G1 X1 (no end", 1, '(', "does not end"),
+        ("G91 X1", 1, 'G', "not understood"),
+        ("G0.5 X1", 1, 'G', "not understood"),
+        ("5", 1, '5', "begins with a letter"),
+        ("G1 \u{e9}1", 1, '\u{e9}', "begins with a letter"),
+    ] {
+        let fault = Program::new(text, tool::HOME).find_map(Result::err).expect(text);
+        assert_eq!((fault.line, fault.at), (line, at), "{text}");
+        assert!(fault.what.contains(what), "{text}: {}", fault.what);
+        // Nothing comes after it.
+        assert!(Program::new(text, tool::HOME).last().unwrap().is_err(), "{text}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..Default::default() })]
+    #[test]
+    fn no_text_is_a_panic(text in "[GXYZABMF0-9 .;()%+\\-\né]{0,40}") {
+        for line in Program::new(&text, tool::HOME).flatten() {
+            for pose in tool::poses(line).step_by(997) {
+                let _ = tool::obb(pose);
             }
         }
-        Ok(())
-    });
-    outcome.unwrap();
-    let [body, handle, spout, lid] = inside.get();
-    let seen = format!("outside {}, inside {:?}", outside.get(), inside.get());
-    assert!(outside.get() > 500 && body > 500, "{seen}");
-    assert!(handle > 0 && spout > 0 && lid > 0, "{seen}");
+    }
+}
+
+/// The bundled programs: one touches and gets away, one ends inside.
+#[test]
+fn the_log_names_line_and_pose() {
+    let [log, _] = printed("keep_out", &[], &directory("log"));
+    let lines: Vec<&str> = log.lines().collect();
+    let starts = [
+        "clamps: 1308 triangles",
+        "facing.nc: line 13, pose 23: touches face ",
+        "facing.nc: line 15, pose 4: outside again, ",
+        "facing.nc: line 17, pose 101: touches face ",
+        "facing.nc: line 17, pose 128: outside again, ",
+        "facing.nc: 13 moves, 838 poses; it ends outside",
+        "plunge.nc: line 4, pose 18: touches face ",
+        "plunge.nc: line 4, pose 63: inside a clamp, tip [10000, 55000, 17000]",
+        "plunge.nc: 2 moves, 129 poses; it ends inside a clamp",
+    ];
+    assert_eq!(lines.len(), starts.len(), "{log}");
+    for (line, start) in lines.iter().zip(starts) {
+        assert!(line.starts_with(start), "{line}");
+    }
+}
+
+#[test]
+fn a_file_of_ones_own() {
+    let directory = directory("program");
+    fs::write(directory.join("own.nc"), "G0 X70\nG0 Z60\nG1 Y0 Z10\n").unwrap();
+    let [log, _] = printed("keep_out", &["own.nc"], &directory);
+    assert!(log.contains("own.nc: line 3, pose ") && log.contains("touches face"), "{log}");
+    fs::write(directory.join("rubbish.nc"), "G0 X70\nG1 X80 Y\n").unwrap();
+    for (file, told) in
+        [("rubbish.nc", "rubbish.nc: line 2: Y: a number is missing"), ("none.nc", "none.nc: ")]
+    {
+        let output = run("keep_out", &[file], &directory);
+        let log = String::from_utf8(output.stdout).unwrap();
+        assert!(!output.status.success() && log.contains(told), "{log}");
+    }
+}
+
+/// A tool may be a box of any kind: the check asks no more of it.
+#[test]
+fn tools_of_other_sizes() {
+    let zone = Zone::new().unwrap();
+    let place = |center: [f64; 3], half: f64| {
+        let [center, half] = [center, [half; 3]].map(|p| p.map(I16F16::from_num));
+        zone.place(&Obb::from_turns(center, [I16F16::ZERO; 3], half).unwrap())
+    };
+    assert!(matches!(place([0.0; 3], 200.0), Place::Touches(_)));
+    // In a stud, where that stands in its nut: inside of both.
+    assert_eq!(place([74.0, 0.5, 35.5], 0.25), Place::Inside);
+    assert_eq!(place([74.0, 0.5, 50.5], 0.25), Place::Outside);
 }

@@ -1,10 +1,14 @@
 //! The examples, as their users meet them.
 
 mod advise;
-pub(crate) mod keep_out;
+mod keep_out;
 mod options;
 mod printing;
 mod quantise;
+#[rustfmt::skip]
+#[allow(dead_code, reason = "its tree is for others")]
+#[path = "../../../examples/assets/teapot.rs"]
+pub(crate) mod teapot;
 mod voxelize;
 
 use std::path::{Path, PathBuf};

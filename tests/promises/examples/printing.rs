@@ -1,10 +1,5 @@
 //! Fixed-point numbers that examples print read back as the same bits.
 
-use std::ops::Range;
-
-use fixed::types::I16F16;
-
-use super::keep_out::tool;
 use super::{directory, printed};
 
 const TEAPOT: &str = include_str!("../../../examples/assets/teapot.obj");
@@ -69,49 +64,5 @@ fn tables_for_flash() {
             .map(|x| (x * scale / unit).round_ties_even() as i64)
             .collect();
         assert!(sorted(&read) == sorted(&expected), "{scalar}");
-    }
-}
-
-/// The tool at first contact, from the line of the log.
-#[test]
-fn the_log_of_keep_out() {
-    let [log, _] = printed("keep_out", &[], &directory("log"));
-    let mut lines = log.lines();
-    let first = lines.find(|line| line.starts_with("first contact at step ")).unwrap();
-    let read = integers(lines.next().unwrap().trim_start_matches(|c: char| c != '['));
-    let tool = tool::at(integers(first)[0] as u32).unwrap();
-    let bits = |v: septum::Vec3<I16F16>| v.to_array().map(|x| i64::from(x.to_bits()));
-    let [u, v, w] = *tool.axes();
-    let shape = [tool.center(), u, v, w, tool.half_extents()].map(bits);
-    assert_eq!(integers_of_box(&read), shape);
-}
-
-/// Fifteen integers, three by three. The hyphen of "half-extents" is none of them.
-fn integers_of_box(read: &[i64]) -> [[i64; 3]; 5] {
-    assert_eq!(read.len(), 15, "{read:?}");
-    [0, 1, 2, 3, 4].map(|row| [0, 1, 2].map(|i| read[3 * row + i]))
-}
-
-/// The log says outside, contact and inside, in the form that `.ci/run` looks for.
-#[test]
-fn the_states_in_the_log() {
-    let [log, _] = printed("keep_out", &[], &directory("states"));
-    let steps: Vec<&str> = log.lines().filter(|line| line.starts_with("step ")).collect();
-    let with = |words: &str| {
-        let has = |line: &&str| line.contains(words);
-        let first = steps.iter().position(has).unwrap();
-        first..first + steps.iter().copied().filter(|line| has(line)).count()
-    };
-    let Range { start, end } = with(": touches [");
-    assert_eq!(with(": outside"), 0..start);
-    assert_eq!(with(": wholly inside part 0"), end..steps.len());
-    for (step, line) in steps.iter().enumerate() {
-        assert!(line.starts_with(&format!("step {step}: ")), "{line}");
-    }
-    for line in &steps[start..end] {
-        let (named, others) = line.split_once("] and ").unwrap();
-        let named = integers(named.split_once('[').unwrap().1).len();
-        let others: usize = others.strip_suffix(" more").unwrap().parse().unwrap();
-        assert!(named > 0 && (named == 4 || others == 0), "{line}");
     }
 }

@@ -37,8 +37,12 @@ fn is_oriented(faces: &[Face]) -> bool {
 #[test]
 fn the_table_in_flash_is_what_quantise_makes() {
     let [table, report] = printed("quantise", &["--close"], &directory("table"));
-    assert_eq!(table, include_str!("../../../examples/keep_out/teapot.rs"));
+    assert_eq!(table, include_str!("../../../examples/assets/teapot.rs"));
     assert!(report.contains("1044 faces") && report.contains("closed, parts: 4"), "{report}");
+    let clamps = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/keep_out/clamps.obj");
+    let [table, report] = printed("quantise", &[clamps, "--whole"], &directory("whole"));
+    assert_eq!(table, include_str!("../../../examples/keep_out/clamps.rs"));
+    assert!(report.contains("1308 faces") && report.contains("closed, parts: 24"), "{report}");
 }
 
 /// Without `--close` the teapot is open. There is no table of parts that a check of

@@ -4,7 +4,7 @@ use septum::Vec3;
 use septum::mesh::{Mesh, Node, Tree};
 use septum_kit::{Rng, Sample, rays};
 
-use crate::examples::keep_out::teapot;
+use crate::examples::teapot;
 
 /// Vertices and faces, and memory for a tree.
 pub(super) struct Scene<S> {

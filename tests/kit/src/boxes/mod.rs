@@ -26,7 +26,7 @@ pub struct ObbNumbers<S> {
 }
 
 impl<S: Copy> ObbNumbers<S> {
-    fn map<T>(self, f: impl Fn(S) -> T + Copy) -> ObbNumbers<T> {
+    pub(crate) fn map<T>(self, f: impl Fn(S) -> T + Copy) -> ObbNumbers<T> {
         ObbNumbers {
             center: self.center.map(f),
             axes: self.axes.map(|u| u.map(f)),

@@ -2,6 +2,7 @@
 //! of whole numbers (Y. Liang, B. Barsky, *ACM TOG* 3(1), 1984), where the crate compares
 //! slabs in pairs and forms no fraction.
 
+mod oriented;
 mod sets;
 
 use dashu_int::IBig;
@@ -11,6 +12,7 @@ use septum::{Aabb, Ray, Segment};
 use crate::exact::{Parts, least_exponent, whole};
 use crate::{BoxNumbers, Sample};
 
+pub use oriented::LineObb;
 pub use sets::LineSet;
 
 /// A line: origin and direction with a range of t, two ends, centre and half-vector.
@@ -147,7 +149,7 @@ impl LineBox<Parts> {
         let whole = |x: Parts| whole(x, unit);
         let one = IBig::ONE << (-unit) as usize;
         let [a, b, p, q, _] = rows.map(|row| row.map(whole));
-        let (mut range, d) = match self.line {
+        let (range, d) = match self.line {
             Line::Ray(_, _, ends) => {
                 (ends.map(|t| t.map(|t| Fraction(whole(t), one.clone()))), b.clone())
             }
@@ -157,34 +159,45 @@ impl LineBox<Parts> {
             ),
             Line::Center(..) => ([-1, 1].map(|t| Some(Fraction(t.into(), IBig::ONE))), b.clone()),
         };
-        for i in 0..3 {
-            let (least, greatest) = match self.aabb {
-                BoxNumbers::Center(..) => (&p[i] - &q[i], &p[i] + &q[i]),
-                BoxNumbers::Corners(..) => (p[i].clone(), q[i].clone()),
-            };
-            if d[i] == IBig::ZERO {
-                if a[i] < least || a[i] > greatest {
-                    return None;
-                }
-                continue;
+        let faces = [0, 1, 2].map(|i| match self.aabb {
+            BoxNumbers::Center(..) => [&p[i] - &q[i], &p[i] + &q[i]],
+            BoxNumbers::Corners(..) => [p[i].clone(), q[i].clone()],
+        });
+        clip(&a, &d, &faces, range)
+    }
+}
+
+/// Both ends of what the slabs between pairs of faces leave of a line's range.
+fn clip(
+    origin: &[IBig; 3],
+    d: &[IBig; 3],
+    faces: &[[IBig; 2]; 3],
+    mut range: [Option<Fraction>; 2],
+) -> Option<[Option<Fraction>; 2]> {
+    for i in 0..3 {
+        let [least, greatest] = &faces[i];
+        if d[i] == IBig::ZERO {
+            if &origin[i] < least || &origin[i] > greatest {
+                return None;
             }
-            let mut crossings = [least, greatest].map(|x| Fraction::new(x - &a[i], d[i].clone()));
-            if d[i] < IBig::ZERO {
-                crossings.reverse();
-            }
-            let [enter, leave] = crossings;
-            if range[0].as_ref().is_none_or(|from| enter.exceeds(from)) {
-                range[0] = Some(enter);
-            }
-            if range[1].as_ref().is_none_or(|to| to.exceeds(&leave)) {
-                range[1] = Some(leave);
-            }
-            if let [Some(from), Some(to)] = &range {
-                if from.exceeds(to) {
-                    return None;
-                }
+            continue;
+        }
+        let mut crossings = [least, greatest].map(|x| Fraction::new(x - &origin[i], d[i].clone()));
+        if d[i] < IBig::ZERO {
+            crossings.reverse();
+        }
+        let [enter, leave] = crossings;
+        if range[0].as_ref().is_none_or(|from| enter.exceeds(from)) {
+            range[0] = Some(enter);
+        }
+        if range[1].as_ref().is_none_or(|to| to.exceeds(&leave)) {
+            range[1] = Some(leave);
+        }
+        if let [Some(from), Some(to)] = &range {
+            if from.exceeds(to) {
+                return None;
             }
         }
-        Some(range)
     }
+    Some(range)
 }

@@ -1,0 +1,113 @@
+//! The last stage of a line and an oriented box: exact sums of products of the numbers as given.
+//! The axes are those of the kernel; every term has four factors.
+
+use core::cmp::Ordering;
+
+use crate::arithmetic::{Parts, pick, turn};
+use crate::robust::{ExactSum, Vector, add_scaled_determinant, single};
+use crate::scalar::Scalar;
+use crate::shape::Obb;
+
+/// A part of a line and a parallelepiped, taken apart.
+pub(super) struct ExactLine {
+    /// From the centre of the box to the origin.
+    pub(super) m: Vector,
+    pub(super) d: Vector,
+    pub(super) ends: [Option<Parts>; 2],
+    u: [Vector; 3],
+    h: [Parts; 3],
+}
+
+/// A factor times the determinant of three vectors.
+struct Term<'a>(Parts, [&'a Vector; 3]);
+
+fn sum<S: Scalar>(terms: &[Term<'_>]) -> S::Sum {
+    let mut sum = S::Sum::new();
+    for Term(factor, [a, b, c]) in terms {
+        add_scaled_determinant(&mut sum, a, b, c, *factor);
+    }
+    sum
+}
+
+fn sign<S: Scalar>(terms: &[Term<'_>]) -> Ordering {
+    sum::<S>(terms).sign()
+}
+
+fn signed(x: Parts, minus: bool) -> Parts {
+    if minus { x.negated() } else { x }
+}
+
+impl ExactLine {
+    pub(super) fn new<S: Scalar>(
+        obb: &Obb<S>,
+        m: Vector,
+        d: Vector,
+        ends: [Option<Parts>; 2],
+    ) -> Self {
+        let u = obb.axes_as_arrays().map(|u| u.map(|x| single(x.parts())));
+        Self { m, d, ends, u, h: obb.half_extents().to_array().map(S::parts) }
+    }
+
+    /// w_i·x as a term.
+    fn along<'a>(&'a self, i: usize, x: &'a Vector, factor: Parts) -> Term<'a> {
+        let (_, j, k) = turn(i);
+        Term(factor, [pick(&self.u, j), pick(&self.u, k), x])
+    }
+
+    /// u_0·w_0 as a term.
+    fn volume(&self, factor: Parts) -> Term<'_> {
+        let [a, b, c] = &self.u;
+        Term(factor, [a, b, c])
+    }
+
+    /// Whether one of the six axes separates.
+    pub(super) fn is_separated<S: Scalar>(&self) -> bool {
+        let along = [0, 1, 2].map(|i| sign::<S>(&[self.along(i, &self.d, S::ONE)]));
+        let volume = sign::<S>(&[self.volume(S::ONE)]);
+        [Ordering::Greater, Ordering::Less].into_iter().any(|side| {
+            (0..3).any(|i| {
+                self.line::<S>(i, side, &along) || self.face::<S>(i, side, *pick(&along, i), volume)
+            })
+        })
+    }
+
+    /// Whether the line passes the box on this side of d × u_i.
+    fn line<S: Scalar>(&self, i: usize, side: Ordering, along: &[Ordering; 3]) -> bool {
+        let (i, j, l) = turn(i);
+        let reach = |j: usize, l: usize| {
+            self.along(l, &self.d, signed(*pick(&self.h, j), *pick(along, l) == side))
+        };
+        let line = Term(S::ONE, [&self.m, &self.d, pick(&self.u, i)]);
+        sign::<S>(&[line, reach(j, l), reach(l, j)]) == side
+    }
+
+    /// Whether all of the part lies beyond the box on this side of w_i.
+    fn face<S: Scalar>(&self, i: usize, side: Ordering, along: Ordering, volume: Ordering) -> bool {
+        let beyond = |t: Parts| {
+            let reach = self.volume(signed(*pick(&self.h, i), volume == side));
+            let at = [self.along(i, &self.m, S::ONE), self.along(i, &self.d, t), reach];
+            sign::<S>(&at) == side
+        };
+        let [from, to] = self.ends;
+        let first = from.map_or(along != side, beyond);
+        let last = to.map_or(along != side.reverse(), beyond);
+        first && last && (from.is_some() || to.is_some() || beyond(Parts::ZERO))
+    }
+
+    /// Where the line enters slab `i` and where it leaves it, to the nearest; nothing if it runs
+    /// along it.
+    pub(super) fn crossing<S: Scalar>(&self, i: usize) -> Option<(S, S)> {
+        let falls = match sign::<S>(&[self.along(i, &self.d, S::ONE)]) {
+            Ordering::Equal => return None,
+            side => side == Ordering::Less,
+        };
+        let is_negative = sign::<S>(&[self.volume(S::ONE)]) == Ordering::Less;
+        let den = sum::<S>(&[self.along(i, &self.d, signed(S::ONE, falls))]);
+        let at = |is_near: bool| {
+            let face = self.volume(signed(*pick(&self.h, i), is_negative != is_near));
+            let num = sum::<S>(&[self.along(i, &self.m, signed(S::ONE, !falls)), face]);
+            S::quotient(&num, &den)
+        };
+        Some((at(true), at(false)))
+    }
+}

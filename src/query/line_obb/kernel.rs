@@ -1,0 +1,89 @@
+//! The six axes of a part of a line and a parallelepiped.
+//!
+//! Let u_i be the axes of the box, w_i = u_j × u_k, h_i the half-extents, m the way from the
+//! centre to the line's origin and d its direction. The point at t is inside if for all i
+//! |w_i·m + t·(w_i·d)| ≤ h_i·|u_0·w_0| (Cramer's rule). So
+//!
+//! * w_i separates if the part of the line lies beyond that on one side: both its ends do. Where
+//!   there is no end, the line must not come back that way.
+//! * d × u_i separates the whole line: it falls on u_i·(m × d), the box on
+//!   ±(h_j·|w_l·d| + h_l·|w_j·d|).
+//!
+//! A convex set in the plane across d, the box seen along the line, has its edges along the u_i:
+//! so the last three tell every line that misses. What is flat needs no others: a gap between closed
+//! sets stays open if the box is a little thicker. Where d is zero nothing exceeds nothing.
+
+use core::ops::Mul;
+
+use super::error_bound::ErrorBound;
+use crate::arithmetic::{Number, turn};
+use crate::query::triangle_obb::{cross, dot};
+use crate::robust::Uncertain;
+
+/// A part of a line and a parallelepiped, all as operands of products: from the box's centre to
+/// the origin of the line, its direction and the ends of t, the axes and half-extents, and one in
+/// the unit of an axis.
+pub(super) struct Operands<P> {
+    pub(super) m: [P; 3],
+    pub(super) d: [P; 3],
+    pub(super) ends: [Option<P>; 2],
+    pub(super) u: [[P; 3]; 3],
+    pub(super) h: [P; 3],
+    pub(super) one: P,
+}
+
+/// Whether one of the six axes separates.
+#[inline(always)]
+pub(super) fn any_axis<P: Number + Mul<Output = P>>(
+    s: &Operands<P>,
+    error: &ErrorBound<P>,
+) -> Uncertain {
+    let Operands { m, d, ends: [from, to], u, h, one } = s;
+    let w = [cross(&u[1], &u[2]), cross(&u[2], &u[0]), cross(&u[0], &u[1])];
+    let along = [dot(&w[0], d), dot(&w[1], d), dot(&w[2], d)];
+    let mut so_far = Uncertain::NONE;
+
+    let across = cross(m, d);
+    for i in 0..3 {
+        let (i, j, l) = turn(i);
+        let reach = h[j] * along[l].magnitude() + h[l] * along[j].magnitude();
+        let gap = (dot(&across, &u[i]) * *one).magnitude() - reach;
+        so_far = so_far.or(exceeds(gap, error.line));
+    }
+
+    let volume = dot(&u[0], &w[0]).magnitude();
+    for i in 0..3 {
+        let (middle, reach) = (dot(&w[i], m) * *one, h[i] * volume);
+        let at = |end: &Option<P>| end.map(|t| middle + along[i] * t);
+        let (start, end) = (at(from), at(to));
+        for is_upper in [true, false] {
+            let beyond = |x: P| {
+                let gap = if is_upper { x - reach } else { -x - reach };
+                exceeds(gap, error.face)
+            };
+            // Where there is no end the line goes on for ever, and away from the box or along it.
+            let leaves =
+                |x: P| Uncertain { certain: x >= error.direction, possible: x >= -error.direction };
+            let upward = if is_upper { along[i] } else { -along[i] };
+            let first = start.map_or_else(|| leaves(-upward), beyond);
+            let last = end.map_or_else(|| leaves(upward), beyond);
+            let mut both = and(first, last);
+            if start.is_none() & end.is_none() {
+                both = and(both, beyond(middle));
+            }
+            so_far = so_far.or(both);
+        }
+    }
+    so_far
+}
+
+/// Whether a number is above zero, which may be off by so much.
+#[inline(always)]
+fn exceeds<P: Number>(x: P, error: P) -> Uncertain {
+    Uncertain { certain: x > error, possible: x > -error }
+}
+
+#[inline(always)]
+fn and(a: Uncertain, b: Uncertain) -> Uncertain {
+    Uncertain { certain: a.certain & b.certain, possible: a.possible & b.possible }
+}

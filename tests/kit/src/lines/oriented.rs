@@ -1,0 +1,152 @@
+//! Lines against oriented boxes: the line is taken into the box's own coordinates, by Cramer's
+//! rule in whole numbers, and clipped there.
+
+use dashu_int::IBig;
+use septum::{Obb, Overlaps, Ray, Segment};
+
+use super::{Fraction, Line, clip};
+use crate::boxes::{AnyBox, BoxSet, ObbNumbers};
+use crate::exact::{Parts, least_exponent, whole};
+use crate::lattice::Ring;
+use crate::{BoxNumbers, Rng, Sample};
+
+/// A line and an oriented box.
+#[derive(Clone, Copy, Debug)]
+pub struct LineObb<S> {
+    pub line: Line<S>,
+    pub obb: ObbNumbers<S>,
+}
+
+impl<S: Sample> LineObb<S> {
+    /// A box of the set, and a line that leads through a corner of it, the middle of an edge or
+    /// of a face, or its centre, as near as rounding allows, if not from anywhere to anywhere.
+    pub fn case(set: BoxSet, rng: &mut Rng) -> Self {
+        let case = set.case::<S>(rng);
+        let obb = case.second;
+        let (p, q) = match case.first {
+            AnyBox::Aabb(BoxNumbers::Center(p, q) | BoxNumbers::Corners(p, q)) => (p, q),
+            AnyBox::Obb(other) => (other.center, other.axes[0]),
+        };
+        let signs = rng.triple(|rng| rng.whole(-1, 1) as f64);
+        let target = [0, 1, 2].map(|i: usize| {
+            let along =
+                |k: usize| signs[k] * obb.half[k].approximate() * obb.axes[k][i].approximate();
+            S::nearest(obb.center[i].approximate() + along(0) + along(1) + along(2))
+        });
+        let minus = |a: [S; 3], b: [S; 3]| {
+            [0, 1, 2].map(|i: usize| S::nearest(a[i].approximate() - b[i].approximate()))
+        };
+        let aims = !rng.one_in(3);
+        let line = match rng.below(6) {
+            0 => Line::Ends(p, if aims { target } else { q }),
+            1 => Line::Center(p, if aims { minus(target, p) } else { q }),
+            _ => {
+                let direction = if aims { minus(target, p) } else { q };
+                let zero = S::ZERO;
+                let mut ends = [(); 2].map(|()| match rng.below(3) {
+                    0 => None,
+                    1 => Some(zero),
+                    _ => Some([q[0], S::nearest(1.0), p[1], S::nearest(-1.0)][rng.below(4)]),
+                });
+                if let [Some(from), Some(to)] = ends {
+                    if from > to {
+                        ends = [Some(to), Some(from)];
+                    }
+                }
+                Line::Ray(p, direction, ends)
+            }
+        };
+        Self { line, obb }
+    }
+
+    pub fn ray(&self) -> Option<Ray<S>> {
+        let Line::Ray(o, d, [from, to]) = self.line else { return None };
+        Ray::new(o, d).ok()?.with_range(from, to).ok()
+    }
+
+    pub fn segment(&self) -> Option<Segment<S>> {
+        match self.line {
+            Line::Ray(..) => None,
+            Line::Ends(a, b) => Segment::new(a, b).ok(),
+            Line::Center(c, w) => Segment::from_center_half_vector(c, w).ok(),
+        }
+    }
+
+    /// Both ends of what the box leaves of the line, if it leaves anything; an end is missing
+    /// where neither bounds it.
+    pub fn clip(&self) -> Option<[Option<Fraction>; 2]> {
+        let parts = |p: [S; 3]| p.map(S::mantissa_exponent);
+        let line = match self.line {
+            Line::Ray(o, d, t) => {
+                Line::Ray(parts(o), parts(d), t.map(|t| t.map(S::mantissa_exponent)))
+            }
+            Line::Ends(a, b) => Line::Ends(parts(a), parts(b)),
+            Line::Center(c, w) => Line::Center(parts(c), parts(w)),
+        };
+        LineObb { line, obb: self.obb.map(S::mantissa_exponent) }.clip_in_parts()
+    }
+
+    /// Checks verdicts against the oracle, in either order, and returns its answer; nothing where
+    /// the numbers are no shapes.
+    ///
+    /// # Panics
+    /// Where one is wrong.
+    pub fn check(&self) -> Option<bool> {
+        fn asked<S: Sample, L: Overlaps<Obb<S>>>(line: &L, obb: &Obb<S>) -> [bool; 3]
+        where
+            Obb<S>: Overlaps<L>,
+        {
+            [line.overlaps(obb), Overlaps::overlaps(obb, line), line.may_overlap(obb)]
+        }
+        let obb = self.obb.shape().ok()?;
+        let [one, other, may] = match (self.ray(), self.segment()) {
+            (Some(ray), _) => asked(&ray, &obb),
+            (None, segment) => asked(&segment?, &obb),
+        };
+        let meets = self.clip().is_some();
+        assert_eq!([one, other], [meets; 2], "{self:?}");
+        assert!(may || !meets, "may_overlap: {self:?}");
+        Some(meets)
+    }
+}
+
+impl LineObb<Parts> {
+    /// In units of the least exponent, with `one` in that unit: x = c + Σ s_i·u_i/one has
+    /// s_i·det = one·w_i·(x − c).
+    fn clip_in_parts(&self) -> Option<[Option<Fraction>; 2]> {
+        let ObbNumbers { center, axes, half } = self.obb;
+        let (mut rows, mut t) = (vec![center, half], Vec::new());
+        rows.extend(axes);
+        match self.line {
+            Line::Ray(o, d, ends) => {
+                rows.extend([o, d]);
+                t.extend(ends.into_iter().flatten());
+            }
+            Line::Ends(a, b) | Line::Center(a, b) => rows.extend([a, b]),
+        }
+        let unit = least_exponent(rows.as_flattened().iter().chain(&t)).min(0);
+        let vector = |p: [Parts; 3]| p.map(|x| whole(x, unit));
+        let one = IBig::ONE << (-unit) as usize;
+        let number = |n: i8| Some(Fraction(n.into(), IBig::ONE));
+        let (origin, d, range) = match self.line {
+            Line::Ray(o, d, ends) => {
+                let end = |t: Option<Parts>| t.map(|t| Fraction(whole(t, unit), one.clone()));
+                (vector(o), vector(d), ends.map(end))
+            }
+            Line::Ends(a, b) => {
+                let (a, b) = (vector(a), vector(b));
+                let d = IBig::difference(&b, &a);
+                (a, d, [number(0), number(1)])
+            }
+            Line::Center(c, w) => (vector(c), vector(w), [number(-1), number(1)]),
+        };
+        let [u, v, n] = axes.map(vector);
+        let w = [IBig::cross(&v, &n), IBig::cross(&n, &u), IBig::cross(&u, &v)];
+        let det = IBig::dot(&u, &w[0]);
+        let size = &det * IBig::from(Ring::sign(&det));
+        let faces = vector(half).map(|h| [-(&h * &size), h * &size]);
+        let from = IBig::difference(&origin, &vector(center));
+        let along = |x: &[IBig; 3]| [0, 1, 2].map(|i: usize| IBig::dot(&w[i], x) * &one);
+        clip(&along(&from), &along(&d), &faces, range)
+    }
+}
