@@ -91,7 +91,12 @@ impl<const LIMBS: usize> Sum<LIMBS> {
         let mut below = 0_u64;
         let mut carry = negative; // subtracting is adding the complement, and one
         for limb in self.0.iter_mut().skip(shift / 64) {
-            let word = words.next().unwrap_or(0);
+            let next = words.next();
+            // All has arrived, and what is left would be added nothing, or taken nothing.
+            if next.is_none() && (bit == 0 || below == 0) && carry == negative {
+                break;
+            }
+            let word = next.unwrap_or(0);
             let shifted = word.wrapping_shl(bit) | if bit == 0 { 0 } else { below >> (64 - bit) };
             below = word;
             let addend = if negative { !shifted } else { shifted };

@@ -11,6 +11,7 @@ mod grid;
 #[cfg(feature = "defmt")]
 mod logged;
 mod planes;
+mod rounding;
 
 pub use backend::{Backend, FloatFormat};
 #[cfg(feature = "fixed")]
@@ -47,6 +48,7 @@ pub trait Scalar:
     + axes::Axes
     + Planes
     + grid::Gridded
+    + rounding::Rounding
     + Logged
     + Copy
     + PartialOrd
