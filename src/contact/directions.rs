@@ -93,7 +93,7 @@ pub(super) struct Filter {
     shapes: [Rough; 2],
     /// No number of either shape is greater.
     size: f64,
-    /// Coordinate axes that came before.
+    /// Coordinate axes that came before, as one that is not zero.
     seen: [bool; 3],
     /// Which axes of the first box are the same as each axis of the second, if any.
     same: [Option<usize>; 3],
@@ -170,26 +170,25 @@ impl Filter {
         let [x, y] = direction
             .sides([shapes[0].is_triangle, shapes[1].is_triangle])
             .map(|(shape, k)| pick(&shapes[shape % 2].sides, k));
-        // Coordinates that are zero for certain, and not because a product underflows.
-        let is_zero = [0, 1, 2].map(|i: usize| {
+        // Which coordinates are zero for certain, and not because a product underflows; and which
+        // for certain are not.
+        let products = [0, 1, 2].map(|i: usize| {
             let (_, j, k) = turn(i);
-            (x[j] == 0.0 || y[k] == 0.0) && (x[k] == 0.0 || y[j] == 0.0)
+            let is_product = |a: usize, b: usize| *pick(x, a) != 0.0 && *pick(y, b) != 0.0;
+            u8::from(is_product(j, k)) + u8::from(is_product(k, j))
         });
-        match is_zero {
-            [true, true, true] => return Finding::Nothing,
-            [i, j, k] if u8::from(i) + u8::from(j) + u8::from(k) == 2 => {
-                let along = if !i {
-                    0
-                } else if !j {
-                    1
-                } else {
-                    2
-                };
-                if core::mem::replace(&mut self.seen[along], true) {
-                    return Finding::Nothing;
-                }
+        let along = match products {
+            [0, 0, 0] => return Finding::Nothing,
+            [n, 0, 0] => Some((0, n)),
+            [0, n, 0] => Some((1, n)),
+            [0, 0, n] => Some((2, n)),
+            _ => None,
+        };
+        if let Some((axis, n)) = along {
+            if self.seen[axis] {
+                return Finding::Nothing;
             }
-            _ => {}
+            self.seen[axis] = n == 1;
         }
 
         let a = cross(x, y);

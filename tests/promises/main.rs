@@ -20,6 +20,7 @@ mod conservative;
 mod witness;
 
 // Other shapes against boxes, and flat shapes against triangles.
+mod contacts;
 mod flat_shapes;
 mod obb;
 mod oriented_boxes;
