@@ -1,7 +1,9 @@
 //! The directions that shapes may be moved apart along, and what floats say of each.
 
+use core::cmp::Ordering;
+
 use super::body::{Body, Rough, Vec64};
-use crate::arithmetic::{greatest, pick, turn};
+use crate::arithmetic::{compare, greatest, pick, turn};
 use crate::scalar::Scalar;
 
 /// An axis: a cross product of two sides of the shapes.
@@ -76,6 +78,10 @@ const SPREAD: f64 = f64::from_bits((1023 - 20) << 52);
 /// Between these a number may be squared, cubed, and squared again.
 const RANGE: (f64, f64) = (f64::from_bits((1023 - 100) << 52), f64::from_bits((1023 + 100) << 52));
 
+fn in_range(x: f64) -> bool {
+    x > RANGE.0 && x < RANGE.1
+}
+
 fn largest(x: &Vec64) -> f64 {
     x.iter().fold(0.0, |most, x| greatest(most, x.abs()))
 }
@@ -123,6 +129,29 @@ impl Filter {
         Self { shapes, size, seen: [false; 3], same }
     }
 
+    fn sides(&self, direction: Direction) -> [Vec64; 2] {
+        let shapes = &self.shapes;
+        direction
+            .sides([shapes[0].is_triangle, shapes[1].is_triangle])
+            .map(|(shape, k)| *pick(&shapes[shape % 2].sides, k))
+    }
+
+    /// How the sides of the shapes lie to a direction, where floats are certain.
+    ///
+    /// a·s errs like the product with a position, but that s errs by u of itself: by
+    /// (8 + 2 + 2)·3 + 12 = 48 times u·X·Y·S, with S the greatest coordinate of s.
+    pub(super) fn along(&self, direction: Direction) -> [[Option<Ordering>; 3]; 2] {
+        let [x, y] = &self.sides(direction);
+        let (a, scale) = (cross(x, y), largest(x) * largest(y));
+        self.shapes.each_ref().map(|shape| {
+            shape.sides.each_ref().map(|s| {
+                let (along, size) = (dot(&a, s), scale * largest(s));
+                let is_certain = in_range(size) && along.abs() > ERROR / 4.0 * size;
+                is_certain.then(|| compare(along, 0.0))
+            })
+        })
+    }
+
     /// Whether a direction of two boxes came before, or is zero, because of axes that they share.
     fn is_shared(&self, direction: Direction) -> bool {
         match direction {
@@ -167,9 +196,7 @@ impl Filter {
             return Finding::Nothing;
         }
         let shapes = &self.shapes;
-        let [x, y] = direction
-            .sides([shapes[0].is_triangle, shapes[1].is_triangle])
-            .map(|(shape, k)| pick(&shapes[shape % 2].sides, k));
+        let [x, y] = &self.sides(direction);
         // Which coordinates are zero for certain, and not because a product underflows; and which
         // for certain are not.
         let products = [0, 1, 2].map(|i: usize| {
@@ -194,7 +221,6 @@ impl Filter {
         let a = cross(x, y);
         let scale = largest(x) * largest(y);
         let square = dot(&a, &a);
-        let in_range = |x: f64| x > RANGE.0 && x < RANGE.1;
         if !in_range(scale) || !in_range(self.size) || square < NOISE * scale * scale {
             // It may be zero, or point anywhere.
             return Finding::Overlaps([Overlap::UNKNOWN; 2]);

@@ -25,8 +25,12 @@ fn size<T: ExactSum>(sum: &T) -> Option<Positive> {
 }
 
 impl<'a, S: Scalar> Exact<'a, S> {
-    /// The direction, if it is not zero.
-    pub(super) fn new(bodies: &'a [Body<'a, S>; 2], direction: Direction) -> Option<Self> {
+    /// The direction, if it is not zero; some of the signs are known.
+    pub(super) fn new(
+        bodies: &'a [Body<'a, S>; 2],
+        direction: Direction,
+        known: &[[Option<Ordering>; 3]; 2],
+    ) -> Option<Self> {
         let own = direction.sides([bodies[0].is_triangle(), bodies[1].is_triangle()]);
         let sides = own.map(|(shape, k)| bodies[shape % 2].side(k));
         let coordinates = [0, 1, 2].map(|i: usize| {
@@ -55,7 +59,8 @@ impl<'a, S: Scalar> Exact<'a, S> {
                 if is_across {
                     return Ordering::Equal;
                 }
-                side_of::<S>(sides.each_ref(), &bodies[shape % 2].side(k))
+                let side = || side_of::<S>(sides.each_ref(), &bodies[shape % 2].side(k));
+                pick(&known[shape % 2], k).unwrap_or_else(side)
             })
         });
         Some(Self { bodies, sides, coordinates, along })

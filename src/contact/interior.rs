@@ -11,8 +11,8 @@ use crate::shape::Triangle;
 
 /// Which edges of a triangle are inside of the surface of a mesh, one bit each.
 ///
-/// An edge is interior if the surface goes on beyond it, level or upward: what lies on the
-/// triangle there lies on its neighbour too, and no direction across the edge leads out.
+/// An edge is interior if the surface goes on beyond it, level or upward: what lies on the triangle
+/// there lies on its neighbour too, and no direction across the edge leads out.
 ///
 /// ```
 /// use septum::contact::InteriorEdges;
@@ -52,12 +52,12 @@ impl InteriorEdges {
 /// *Geometry*: an edge that exactly two triangles share is interior if they lie in one plane, side
 /// by side, or if each lies above the plane of the other: on the side from which its vertices go
 /// counterclockwise. Edges at the border are not, nor those of more than two triangles. Of two
-/// triangles that are turned against each other no side is the upper: their edge is interior only if
-/// they lie in one plane. An edge of a triangle that is a segment or a point is not interior. An edge
-/// is known by where its ends are, not by their indices.
+/// triangles that are turned against each other no side is the upper: their edge is interior only
+/// if they lie in one plane. An edge of a triangle that is a segment or a point is not interior. An
+/// edge is known by where its ends are, not by their indices.
 ///
-/// *Numerics*: exact. *Panics*: never. *Cost*: sorts the edges in `scratch`, three for each triangle,
-/// and takes a determinant or two for each pair.
+/// *Numerics*: exact. *Panics*: never. *Cost*: sorts the edges in `scratch`, three for each
+/// triangle, and takes a determinant or two for each pair.
 ///
 /// # Errors
 /// [`MeshError::Length`] where `scratch` has not three entries for each triangle, or `edges` not

@@ -30,10 +30,13 @@ pub(super) struct Way {
 /// The ways along a direction, both or one of them. `Err` if the shapes are apart or touch.
 fn ways<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
+    filter: &Filter,
     direction: Direction,
     wanted: [bool; 2],
 ) -> Result<[Option<Way>; 2], ()> {
-    let Some(exact) = Exact::new(bodies, direction) else { return Ok([None, None]) };
+    let Some(exact) = Exact::new(bodies, direction, &filter.along(direction)) else {
+        return Ok([None, None]);
+    };
     let Some((length, square)) = exact.length() else { return Ok([None, None]) };
     let way = |is_along: bool| {
         if !wanted[usize::from(is_along)] {
@@ -65,8 +68,8 @@ fn least(ways: impl Iterator<Item = Way>) -> Option<Way> {
 
 /// The least way out; `None` if there is a plane between the shapes.
 ///
-/// Floats tell which directions may be the least, and exact sums which of them is. A shape of one
-/// coordinate system and another of 15 directions has 30 ways: nearly always one is left.
+/// Floats tell which of up to 30 ways may be the least: nearly always one is left. Exact sums tell
+/// which of those is, and whether the shapes are in each other at all.
 pub(super) fn least_way<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     interior: InteriorEdges,
@@ -94,31 +97,40 @@ pub(super) fn least_way<S: Scalar>(
         if wanted == [false; 2] {
             continue;
         }
-        let both = ways(bodies, direction, wanted).ok()?;
+        let both = ways(bodies, &filter, direction, wanted).ok()?;
         best = least(best.into_iter().chain(both.into_iter().flatten()));
     }
     let best = best?;
-    if interior == InteriorEdges::NONE || !is_held(&best, &rough[0].sides, interior) {
+    if interior == InteriorEdges::NONE {
         return Some(best);
     }
-    let normal = ways(bodies, Direction::Face { is_second: false, k: 0 }, [true; 2]).ok()?;
+    let face = Direction::Face { is_second: false, k: 0 };
+    let is_held = match across(&best, &rough[0].sides, interior) {
+        Some(is_held) => is_held,
+        // All of the triangle lies across. Then it is its normal, or the triangle has none.
+        None => best.direction != face && Exact::new(bodies, face, &[[None; 3]; 2]).is_none(),
+    };
+    if !is_held {
+        return Some(best);
+    }
+    let normal = ways(bodies, &filter, face, [true; 2]).ok()?;
     least(normal.into_iter().flatten()).map(|way| Way { is_held: true, ..way })
 }
 
-/// Whether the way out leads across an interior edge of the triangle, which is the first shape.
-fn is_held(way: &Way, edges: &[Vec64; 3], interior: InteriorEdges) -> bool {
+/// Whether the way out leads across an interior edge of the triangle, which is the first shape;
+/// `None` if no vertex is farther along it than another.
+fn across(way: &Way, edges: &[Vec64; 3], interior: InteriorEdges) -> Option<bool> {
     let farthest = farthest(&way.along[0], way.toward(0));
     match farthest.iter().filter(|&&is| is).count() {
-        // An edge at least. All of the triangle is no edge.
-        3 => false,
-        2 => (0..3).any(|k| farthest[k] && farthest[turn(k).1] && interior.contains(k)),
+        3 => None,
+        2 => Some((0..3).any(|k| farthest[k] && farthest[turn(k).1] && interior.contains(k))),
         _ => {
             let n = way.unit().map(|x| -x);
             let normal = cross(&edges[0], &edges[1]);
             let k = farthest.iter().position(|&is| is).unwrap_or(0);
             let outward = |k: usize| dot(&n, &cross(pick(edges, k), &normal)) >= 0.0;
             let (k, _, before) = turn(k);
-            [k, before].into_iter().any(|k| interior.contains(k) && outward(k))
+            Some([k, before].into_iter().any(|k| interior.contains(k) && outward(k)))
         }
     }
 }
@@ -151,7 +163,7 @@ impl Way {
             Some((sign, size)) => {
                 let (m, exponent) = of(size).scaled(units).upper();
                 let x = S::of_units(m, exponent, is_up);
-                if sign.is_gt() == self.is_along { x } else { x.minus() }
+                if sign.is_gt() == self.is_along { x } else { x.opposite() }
             }
             None => S::ZERO,
         });

@@ -22,8 +22,8 @@
 //!
 //! # Which pairs
 //!
-//! A [`Triangle`], an [`Aabb`] and an [`Obb`], each with each, in every scalar. An oriented box is the
-//! parallelepiped that its numbers describe.
+//! A [`Triangle`], an [`Aabb`] and an [`Obb`], each with each, in every scalar. An oriented box is
+//! the parallelepiped that its numbers describe.
 //!
 //! # What is exact
 //!
@@ -33,26 +33,28 @@
 //!
 //! The first shape moved by the vector as returned has no interior point in common with the second,
 //! for certain: each coordinate is rounded away from zero. Moved means p + t without rounding. Who
-//! rounds p + t moves each coordinate of each number by up to half a unit in its last place, and the
-//! shapes may be that far in each other still; where that matters, add a unit.
+//! rounds p + t moves each coordinate by up to half a unit in the last place of p + t beside, and
+//! the shapes may be as far in each other still. Fixed point does not round a sum.
 //!
 //! The direction is that of the least depth, but for differences of less than 2^-55 of it. Of equal
-//! ones it is the first in this order: the faces of triangles, faces of the first shape, of the second,
-//! and edges across edges, those of the first shape in turn; against the direction of the cross product
-//! before along it. The depth is the least number of the scalar that is not below the true depth, or, if
-//! that is within 2^-55 of itself below a number, the one after. It is exact where the direction is along
-//! a coordinate axis and numbers are not long.
+//! ones it is the first in this order: the faces of triangles, faces of the first shape, of the
+//! second, and edges across edges, those of the first shape in turn; against the direction of the
+//! cross product before along it. The depth is the least number of the scalar that is not below the
+//! true depth, or, if that is within 2^-55 of itself below a number, the one after. It is exact
+//! where the direction is along a coordinate axis and numbers are not long.
 //!
-//! Points are rounded: computed in `f64` from the second shape's centre or first vertex, and rounded to
-//! the scalar. Their parts say which vertex, edge or face of either shape meets there.
+//! Points are rounded: computed in `f64` from the second shape's centre or first vertex, and
+//! rounded to the scalar. Where numbers go beyond 2^300 they may be infinite or NaN. Their parts
+//! say which vertex, edge or face of either shape meets there.
 //!
 //! All of it is the same on every machine.
 //!
 //! # On meshes
 //!
 //! A box that slides over a floor of triangles is now and then caught by an edge between two: seen
-//! alone, a triangle that it has just entered is left soonest sideways. [`contact_in_mesh`] takes three
-//! bits for a triangle that say which of its edges are interior; [`interior_edges`] computes them.
+//! alone, a triangle that it has just entered is left soonest sideways. [`contact_in_mesh`] takes
+//! three bits for a triangle that say which of its edges are interior; [`interior_edges`] computes
+//! them.
 
 mod body;
 mod directions;
@@ -98,9 +100,11 @@ shapes! { Triangle Aabb Obb }
 
 /// The least translation of the first shape that takes it out of the second.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Translation<S> {
-    /// The translation. Each coordinate is rounded away from zero; beyond the range of the scalar it
-    /// is infinite, or the end of the range, and does not take the shape out.
+    /// The translation. Each coordinate is rounded away from zero; beyond the range of the scalar
+    /// it is infinite, or the end of the range, and does not take the shape out.
     pub vector: Vec3<S>,
     /// Its length, rounded up, likewise.
     pub depth: S,
@@ -125,9 +129,9 @@ pub struct Contact<S> {
 impl<S: Scalar> Contact<S> {
     /// Between one and eight points.
     ///
-    /// If the axis is a face: what that face, taken along its normal, leaves of the face of the other
-    /// shape that is turned to it most, as far as it lies below. If it is two edges: where they come
-    /// nearest.
+    /// If the axis is a face: what that face, taken along its normal, leaves of the face of the
+    /// other shape that is turned to it most, as far as it lies below. If it is two edges: where
+    /// they come nearest.
     #[must_use]
     pub fn points(&self) -> &[Point<S>] {
         self.points.as_slice()
@@ -137,19 +141,20 @@ impl<S: Scalar> Contact<S> {
 /// The least translation of the first shape that takes it out of the second; `None` if they are
 /// disjoint or touch.
 ///
-/// *Geometry*: interiors have no point in common after it. See [the module](self) for shapes that lie
-/// in one plane.
+/// *Geometry*: interiors have no point in common after it. See [the module](self) for shapes that
+/// lie in one plane.
 ///
 /// *Numerics*: see [the module](self): whether there is one is exact, and it suffices for certain.
 ///
-/// *Range*: all of the scalar's. A coordinate of the result beyond it is infinite in floats, and in fixed
-/// point the end of the range.
+/// *Range*: all of the scalar's. A coordinate of the result beyond it is infinite in floats, and in
+/// fixed point the end of the range.
 ///
-/// *Panics*: never. *Cost*: in `f64` at most 15 cross products, each with two intervals; where floats leave
-/// one direction, as they nearly always do, three exact sums for its coordinates, six signs at most and one
-/// sum for the depth; a root and seven quotients of 64 bits.
+/// *Panics*: never. *Cost*: in `f64` at most 15 cross products, each with two intervals; where
+/// floats leave one direction, as they nearly always do, three exact sums for its coordinates, six
+/// signs at most and one sum for the depth; a root and seven quotients of 64 bits.
 ///
-/// *Source*: separating axes, as for [`Obb::overlaps`]; a vector that suffices as it is rounded, ours.
+/// *Source*: separating axes, as for [`Obb::overlaps`]; a vector that suffices as it is rounded,
+/// ours.
 #[must_use]
 pub fn least_translation<S: Scalar>(
     first: &impl Shape<S>,
@@ -162,7 +167,8 @@ pub fn least_translation<S: Scalar>(
 /// The least translation of the first shape that takes it out of the second, and the points where
 /// they are in each other; `None` if they are disjoint or touch.
 ///
-/// *Geometry*, *numerics*, *range*, *cost*: as of [`least_translation`]; points are rounded. *Panics*: never.
+/// *Geometry*, *numerics*, *range*, *cost*: as of [`least_translation`]; points are rounded.
+/// *Panics*: never.
 ///
 /// *Source* of the points: I. E. Sutherland, G. W. Hodgman, *Communications of the ACM* 17, 1974.
 #[must_use]
@@ -170,12 +176,12 @@ pub fn contact<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> Opti
     of_bodies(&[first.body(), second.body()], InteriorEdges::NONE)
 }
 
-/// The same for a triangle of a mesh: where the least translation leads across an interior edge, that
-/// along the triangle's normal.
+/// The same for a triangle of a mesh: where the least translation leads across an interior edge,
+/// that along the triangle's normal.
 ///
-/// A translation leads across an edge if what of the triangle is farthest along it is the edge, or a vertex
-/// at its end and the direction does not point back from the edge. Then `is_held` is `true`, and the depth
-/// is that along the normal, on the side where it is less.
+/// A translation leads across an edge if what of the triangle is farthest along it is the edge, or
+/// a vertex at its end and the direction does not point back from the edge. Then `is_held` is
+/// `true`, and the depth is that along the normal, on the side where it is less.
 ///
 /// `None` also where the triangle is a segment or a point, which has no normal to hold it to.
 ///

@@ -11,6 +11,8 @@ use crate::shape::Vec3;
 
 /// A place where two shapes are in each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Point<S> {
     /// On the first shape.
     pub on_first: Vec3<S>,

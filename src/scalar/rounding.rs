@@ -22,7 +22,7 @@ pub trait Rounding: Copy {
     fn of_units(m: u128, exponent: i32, is_up: bool) -> Self;
 
     /// The number with the other sign; of zero zero.
-    fn minus(self) -> Self;
+    fn opposite(self) -> Self;
 }
 
 macro_rules! float {
@@ -50,7 +50,7 @@ macro_rules! float {
                 let digits = whole(m, exponent - places, is_up) as $bits;
                 $float::from_bits(((places as $bits) << (DIGITS - 1)) + digits)
             }
-            fn minus(self) -> Self {
+            fn opposite(self) -> Self {
                 0.0 - self
             }
         }
@@ -97,7 +97,7 @@ mod fixed_point {
                     let units = whole(m, exponent, is_up);
                     Self::from_bits($raw::try_from(units).unwrap_or($raw::MAX))
                 }
-                fn minus(self) -> Self {
+                fn opposite(self) -> Self {
                     self.saturating_neg()
                 }
             }

@@ -50,7 +50,13 @@ impl ContactSet {
                 let by = found.translation.vector.to_array();
                 let at = |x: S, i: usize| S::nearest(x.approximate() + by[i].approximate());
                 let step = rng.triple(|rng| rng.whole(-1, 1));
-                let moved = |p: [S; 3]| [0, 1, 2].map(|i: usize| at(p[i], i).moved(step[i]));
+                let moved = |p: [S; 3]| {
+                    [0, 1, 2].map(|i: usize| {
+                        // Not from zero to the least number: oracles draw shapes together by more.
+                        let x = at(p[i], i);
+                        if x == S::ZERO { x } else { x.moved(step[i]) }
+                    })
+                };
                 let first = match case.first {
                     Solid::Triangle(t) => Solid::Triangle(t.map(moved)),
                     Solid::Box(AnyBox::Obb(b)) => {
