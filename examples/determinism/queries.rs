@@ -101,4 +101,8 @@ queries! {
     GridCrossings = "grid/triangle crossings",
     GridWalkSegment = "grid/segment walk",
     GridWalkRay = "grid/ray walk",
+    TriangleBoxTranslation = "triangle/box translation",
+    TriangleBoxPoints = "triangle/box contact points",
+    BoxBoxTranslation = "box/box translation",
+    BoxBoxPoints = "box/box contact points",
 }

@@ -21,6 +21,8 @@ use super::draw::{Draw, Rng};
 mod added;
 #[path = "answers.rs"]
 pub(crate) mod answers;
+#[path = "contacts.rs"]
+mod contacts;
 #[path = "grids.rs"]
 mod grids;
 #[path = "meshes.rs"]
@@ -100,6 +102,9 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, k: u32) {
     added::shapes(&triangle, aabbs, &segments, answers);
     pairs::boxes(&triangle, aabbs, obb.as_ref(), answers);
     pairs::flats(&triangle, &segments, [p, q, d], answers);
+    if k % 8 == 0 {
+        contacts::all(&triangle, aabbs, obb.as_ref(), answers);
+    }
     if k % 16 == 0 {
         let shapes = meshes::Shapes {
             aabbs,
