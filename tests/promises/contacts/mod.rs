@@ -92,6 +92,32 @@ fn boxes_that_share_axes_part_by_the_rest() {
     }
 }
 
+/// The same box by axes twice as long and half-extents half as great shares no axis, and parts
+/// likewise.
+#[test]
+fn shared_axes_are_no_case_of_their_own() {
+    let mut rng = Rng::new(0x54a6);
+    let (mut contacts, mut of_second) = (0, 0);
+    for n in 0..600 {
+        let (s, c) = rng.real(0.0, 6.3).sin_cos();
+        let axes = [[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]];
+        let aligned = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        // All three, or one of them.
+        let others = [[axes[1], axes[2], axes[0]], aligned, axes][n % 3];
+        let mut numbers = || rng.triple(|rng| rng.real(0.2, 1.0));
+        let (center, half, other_half) = (numbers(), numbers(), numbers());
+        let first = Obb::new([0.0; 3], axes, half).unwrap();
+        let second = Obb::new(center, others, other_half).unwrap();
+        let longer = others.map(|u| u.map(|x| 2.0 * x));
+        let apart = Obb::from_skewed_axes(center, longer, other_half.map(|x| x / 2.0)).unwrap();
+        let found = [&second, &apart].map(|b| contact(&first, b).map(|c| c.translation));
+        assert_eq!(found[0], found[1]);
+        contacts += usize::from(found[0].is_some());
+        of_second += usize::from(matches!(found[0], Some(t) if matches!(t.axis, Axis::Second(_))));
+    }
+    assert!(contacts > 100 && of_second > 10, "{contacts} {of_second}");
+}
+
 /// What is documented of the ends of a type: no panic, and the end of the range.
 #[test]
 fn beyond_the_range_is_its_end() {
