@@ -59,6 +59,7 @@
 //! | a closed mesh, point | [`contains`](mesh::Tree::contains), [`winding`](mesh::Tree::winding) | |
 //! | touching or overlapping | [`relation`] | |
 //! | ray or box and triangle, near the origin, in 32-bit words alone | `near` | |
+//! | the least translation that parts two shapes, and where they touch | [`contact`] | |
 //! | triangle, grid of voxels | [`voxel::Grid::rows`], [`voxel::Bits::fill`]; inside: [`voxel::Solid`] | |
 //! | segment or ray, grid | [`voxel::Grid::walk_segment`], [`voxel::Grid::walk_ray`] | |
 //! | the axis that separates | [`separating_axis`](Triangle::separating_axis), [`is_separated_by`](Triangle::is_separated_by) | |
@@ -140,6 +141,7 @@ mod shape;
 mod query;
 
 mod arithmetic;
+pub mod contact;
 pub mod interop;
 pub mod lanes;
 pub mod mesh;

@@ -108,4 +108,8 @@ queries! {
     RayObbRange = "ray/obb t_range_obb",
     SegmentObb = "segment/obb overlaps",
     SegmentObbMay = "segment/obb may_overlap",
+    TriangleBoxTranslation = "triangle/box translation",
+    TriangleBoxPoints = "triangle/box contact points",
+    BoxBoxTranslation = "box/box translation",
+    BoxBoxPoints = "box/box contact points",
 }

@@ -21,6 +21,8 @@ use super::draw::{Draw, Rng};
 mod added;
 #[path = "answers.rs"]
 pub(crate) mod answers;
+#[path = "contacts.rs"]
+mod contacts;
 #[path = "grids.rs"]
 mod grids;
 #[path = "meshes.rs"]
@@ -103,6 +105,9 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, k: u32) {
     pairs::turned([a, d], half, answers);
     if let Some(obb) = &obb {
         pairs::lines(obb, ray.as_ref(), &segments, [least(p, q).x, greatest(p, q).x], answers);
+    }
+    if k % 8 == 0 {
+        contacts::all(&triangle, aabbs, obb.as_ref(), answers);
     }
     if k % 16 == 0 {
         let shapes = meshes::Shapes {

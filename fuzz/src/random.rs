@@ -32,6 +32,7 @@ random_bytes! {
     triangle_aabb: 20_000,
     triangle_obb: 20_000,
     flat_shapes: 20_000,
+    contacts: 10_000,
     oriented_pairs: 10_000,
     plane_aabb: 20_000,
     ray_triangle: 20_000,

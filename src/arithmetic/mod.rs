@@ -12,6 +12,7 @@ mod multiples;
 mod number;
 mod parts;
 mod platform;
+mod positive;
 mod quad;
 mod quotient;
 #[cfg(feature = "fixed")]
@@ -42,6 +43,7 @@ pub use number::Number;
 pub(crate) use number::{compare, greatest, largest, least};
 pub use parts::Parts;
 pub(crate) use platform::{REGISTERS_ARE_WIDE, SMALL_CODE};
+pub(crate) use positive::{Positive, whole};
 pub(crate) use quad::{OfFour, Quad, THREE};
 pub(crate) use quotient::Leading;
 #[cfg(feature = "fixed")]

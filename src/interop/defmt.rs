@@ -6,6 +6,7 @@
 
 use defmt::{Format, Formatter, write};
 
+use crate::contact::{Contact, Point, Translation};
 use crate::lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles};
 use crate::prepared::{PreparedRay, PreparedTriangle, Target};
 use crate::published::projected::ProjectedTriangle;
@@ -87,6 +88,21 @@ formats! {
         to,
         "Hit {{ t: {}, u: {}, v: {}, facing: {}, feature: {} }}",
         Number(hit.t), Number(hit.u), Number(hit.v), hit.facing, hit.feature
+    );
+    Translation: |out, to| write!(
+        to,
+        "Translation {{ vector: {}, depth: {}, normal: {}, axis: {} }}",
+        out.vector, Number(out.depth), out.normal, out.axis
+    );
+    Point: |point, to| write!(
+        to,
+        "Point {{ on_first: {}, on_second: {}, depth: {}, parts: {} }}",
+        point.on_first, point.on_second, Number(point.depth), point.parts
+    );
+    Contact: |found, to| write!(
+        to,
+        "Contact {{ {}, is_held: {}, points: {=[?]} }}",
+        found.translation, found.is_held, found.points()
     );
     // Of what is prepared for a method, what it was prepared from.
     NormalTriangle: |t, to| write!(to, "NormalTriangle {{ normal: {}, .. }}", t.normal());

@@ -66,7 +66,7 @@ impl<S: Scalar, I: Index> Mesh<'_, S, I> {
 }
 
 /// Sorts; where code is dear by a heap, in a tenth of what the library's sort links.
-fn sort<T: Copy>(all: &mut [T], compare: impl Fn(&T, &T) -> Ordering) {
+pub(crate) fn sort<T: Copy>(all: &mut [T], compare: impl Fn(&T, &T) -> Ordering) {
     if !SMALL_CODE {
         all.sort_unstable_by(compare);
         return;
@@ -106,6 +106,6 @@ fn swap<T: Copy>(all: &mut [T], a: usize, b: usize) {
 }
 
 /// An order of places. All coordinates are numbers; zeros of either sign are alike.
-fn by_place<S: Scalar>(a: &Vec3<S>, b: &Vec3<S>) -> Ordering {
+pub(crate) fn by_place<S: Scalar>(a: &Vec3<S>, b: &Vec3<S>) -> Ordering {
     compare(a.x, b.x).then_with(|| compare(a.y, b.y)).then_with(|| compare(a.z, b.z))
 }

@@ -69,7 +69,7 @@ impl<'a, S: Scalar, I: Index> Mesh<'a, S, I> {
 
     /// The triangle of an index that there is.
     #[inline(always)]
-    pub(super) fn known(&self, i: usize) -> Triangle<S> {
+    pub(crate) fn known(&self, i: usize) -> Triangle<S> {
         self.triangle(i).unwrap_or(Triangle::unchecked([Vec3::splat(S::ZERO); 3]))
     }
 }

@@ -43,6 +43,7 @@ mod ray;
 mod tree;
 mod walk;
 
+pub(crate) use closed::{by_place, sort};
 pub use error::MeshError;
 pub use index::Index;
 pub use indexed::Mesh;

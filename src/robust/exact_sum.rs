@@ -32,17 +32,25 @@ impl<const LIMBS: usize> ExactSum for Sum<LIMBS> {
 
     fn add(&mut self, factors: &[Parts]) {
         debug_assert!(factors.len() <= 4);
-        let mut product = [1, 0, 0, 0];
+        // Two and two: most magnitudes are so short that their products need no more than a word.
+        let mut pairs = [1_u128; 2];
         let (mut shift, mut negative) = (0, false);
-        for f in factors {
+        for (k, f) in factors.iter().enumerate() {
             if f.magnitude == 0 {
                 return;
             }
-            times(&mut product, f.magnitude);
+            // The first factor of a pair meets one.
+            pairs[k / 2 % 2] *= u128::from(f.magnitude);
             shift += usize::from(f.shift);
             negative ^= f.negative;
         }
-        self.accumulate(product, shift, negative);
+        match pairs.map(u64::try_from) {
+            [Ok(a), Ok(b)] => {
+                let product = u128::from(a) * u128::from(b);
+                self.accumulate(&[product as u64, (product >> 64) as u64], shift, negative);
+            }
+            _ => self.accumulate(&product(pairs), shift, negative),
+        }
     }
 
     fn sign(&self) -> Ordering {
@@ -98,13 +106,19 @@ impl<const LIMBS: usize> Sum<LIMBS> {
     }
 
     /// Adds or subtracts `product` shifted up by `shift` bits.
-    fn accumulate(&mut self, product: [u64; 4], shift: usize, negative: bool) {
+    #[inline(always)]
+    fn accumulate(&mut self, product: &[u64], shift: usize, negative: bool) {
         let bit = (shift % 64) as u32;
-        let mut words = product.into_iter();
+        let mut words = product.iter();
         let mut below = 0_u64;
         let mut carry = negative; // subtracting is adding the complement, and one
         for limb in self.0.iter_mut().skip(shift / 64) {
-            let word = words.next().unwrap_or(0);
+            let next = words.next();
+            // All has arrived, and what is left would be added nothing, or taken nothing.
+            if next.is_none() && (bit == 0 || below == 0) && carry == negative {
+                break;
+            }
+            let word = next.copied().unwrap_or(0);
             let shifted = word.wrapping_shl(bit) | if bit == 0 { 0 } else { below >> (64 - bit) };
             below = word;
             let addend = if negative { !shifted } else { shifted };
@@ -116,15 +130,17 @@ impl<const LIMBS: usize> Sum<LIMBS> {
     }
 }
 
-/// Multiplies `product` by `factor`; four limbs hold four factors.
-fn times(product: &mut [u64; 4], factor: u64) {
-    let mut carry = 0;
-    for limb in product {
-        let wide = u128::from(*limb) * u128::from(factor) + u128::from(carry);
-        *limb = wide as u64;
-        carry = (wide >> 64) as u64;
-    }
-    debug_assert_eq!(carry, 0);
+/// The product of two numbers, in limbs, least first.
+fn product([a, b]: [u128; 2]) -> [u64; 4] {
+    let halves = |x: u128| [u128::from(x as u64), x >> 64];
+    let ([a, c], [b, d]) = (halves(a), halves(b));
+    let (low, high) = (a * b, c * d);
+    let [first, carry] = halves(low);
+    // Below 3·2^64.
+    let middle = carry + u128::from((a * d) as u64) + u128::from((c * b) as u64);
+    let [second, carry] = halves(middle);
+    let high = high + ((a * d) >> 64) + ((c * b) >> 64) + carry;
+    [first as u64, second as u64, high as u64, (high >> 64) as u64]
 }
 
 #[cfg(test)]

@@ -12,6 +12,7 @@ mod grid;
 mod logged;
 mod planes;
 mod rotation;
+mod rounding;
 
 pub use backend::{Backend, FloatFormat};
 #[cfg(feature = "fixed")]
@@ -49,6 +50,7 @@ pub trait Scalar:
     + Planes
     + rotation::Rotation
     + grid::Gridded
+    + rounding::Rounding
     + Logged
     + Copy
     + PartialOrd

@@ -8,6 +8,7 @@ use defmt::Format;
 use fixed::FixedI64;
 use fixed::types::extra::U64;
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
+use septum::contact::{Contact, InteriorEdges, Part, Point, Translation, contact};
 use septum::interop::Bounded;
 use septum::lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles};
 use septum::prepared::{PreparedRay, PreparedTriangle, Target};
@@ -82,6 +83,11 @@ fn shapes_carry_all_their_numbers() {
     let hit =
         Hit { t: 1.0_f32, u: 0.25, v: 0.5, facing: Facing::Front, feature: Feature::Interior };
     carries(&hit, n(&[1.0, 0.25, 0.5]));
+    let unit = Aabb::from_min_max([0.0_f32; 3], [4.0; 3]).unwrap();
+    let on_top = Aabb::from_min_max([0.5, 0.75, 3.75], [3.0, 3.0, 9.0]).unwrap();
+    let found = contact(&on_top, &unit).unwrap();
+    let of_point = [[0.5, 0.75, 3.75], [0.5, 0.75, 4.0]];
+    carries(&found, [n(&[0.0, 0.0, 0.25, 0.25, 0.0, 0.0, 1.0]), all(&of_point)].concat());
 }
 
 #[test]
@@ -102,9 +108,11 @@ fn every_public_type_can_be_logged() {
         can::<(NormalTriangle<S>, ProjectedTriangle<S>, PreparedTriangle<S>, Target<S>)>();
         can::<(Triangles<S, 4>, NormalTriangles<S, 4>, Rays<S, 4>, Aabbs<S, 4>)>();
         can::<(Hits<S, 4>, Ranges<S, 4>, SlabRays<S, 4>)>();
+        can::<(Translation<S>, Point<S>, Contact<S>)>();
     }
     every::<f32>();
     every::<I16F16>();
     can::<(Axis, Side, Order, Facing, Feature, Cull, HitRules, ShapeError)>();
+    can::<(septum::contact::Axis, Part, InteriorEdges)>();
     can::<Bounded<u16, 8>>();
 }

@@ -21,6 +21,7 @@ mod conservative;
 mod witness;
 
 // Other shapes against boxes, and flat shapes against triangles.
+mod contacts;
 mod flat_shapes;
 mod line_obb;
 mod obb;

@@ -2,6 +2,7 @@
 
 mod closed_mesh;
 mod constructors;
+mod contacts;
 mod flat_shapes;
 mod lanes;
 mod once;
@@ -16,6 +17,7 @@ mod unit_normal;
 
 pub use closed_mesh::closed_mesh;
 pub use constructors::constructors;
+pub use contacts::contacts;
 pub use flat_shapes::flat_shapes;
 pub use lanes::lanes;
 pub use oriented_pairs::oriented_pairs;

@@ -15,7 +15,7 @@ pub fn oriented_pairs(data: &[u8]) {
 
 struct OrientedPairs;
 
-fn obb<S: Sample>(shapes: &mut Shapes<'_, S>) -> ObbNumbers<S> {
+pub(super) fn obb<S: Sample>(shapes: &mut Shapes<'_, S>) -> ObbNumbers<S> {
     let axes = axes(shapes);
     ObbNumbers { center: shapes.point(), axes, half: shapes.point().map(magnitude) }
 }

@@ -8,6 +8,7 @@
 //! | triangle and oriented box | [`Oriented::meets`] | |
 //! | triangle, segment or point and triangle | [`flat::FlatCase::truth`] | [`flat::FlatSet`] |
 //! | box and oriented box | [`boxes::BoxCase::meets`] | [`boxes::BoxSet`] |
+//! | shapes in each other | [`contacts::ContactCase::check`] | [`contacts::ContactSet`] |
 //! | plane and box | [`side`] | |
 //! | line and box | [`lines::LineBox::clip`] | [`lines::LineSet`] |
 //! | line and oriented box | [`lines::LineObb::clip`] | [`lines::LineObb::case`] |
@@ -23,6 +24,7 @@
 pub mod boxes;
 mod case;
 pub mod contact;
+pub mod contacts;
 mod exact;
 pub mod flat;
 mod flip;

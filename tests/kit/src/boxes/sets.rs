@@ -26,20 +26,21 @@ impl BoxSet {
     pub fn case<S: Sample>(self, rng: &mut Rng) -> BoxCase<S> {
         let second = self.obb(rng);
         let first = match rng.below(3) {
-            0 => {
-                let (p, q) = (self.point(rng), self.half(rng));
-                AnyBox::Aabb(if rng.one_in(2) {
-                    BoxNumbers::Center(p, q)
-                } else {
-                    let q = self.point(rng);
-                    let sorted = |i: usize| if p[i] < q[i] { [p[i], q[i]] } else { [q[i], p[i]] };
-                    let rows = [0, 1, 2].map(sorted);
-                    BoxNumbers::Corners(rows.map(|r| r[0]), rows.map(|r| r[1]))
-                })
-            }
+            0 => AnyBox::Aabb(self.aabb(rng)),
             _ => AnyBox::Obb(self.obb(rng)),
         };
         BoxCase { first, second }
+    }
+
+    pub(crate) fn aabb<S: Sample>(self, rng: &mut Rng) -> BoxNumbers<S> {
+        let (p, q) = (self.point(rng), self.half(rng));
+        if rng.one_in(2) {
+            return BoxNumbers::Center(p, q);
+        }
+        let q = self.point(rng);
+        let sorted = |i: usize| if p[i] < q[i] { [p[i], q[i]] } else { [q[i], p[i]] };
+        let rows = [0, 1, 2].map(sorted);
+        BoxNumbers::Corners(rows.map(|r| r[0]), rows.map(|r| r[1]))
     }
 
     fn number<S: Sample>(self, rng: &mut Rng) -> S {
@@ -54,7 +55,7 @@ impl BoxSet {
         }
     }
 
-    fn point<S: Sample>(self, rng: &mut Rng) -> Point<S> {
+    pub(crate) fn point<S: Sample>(self, rng: &mut Rng) -> Point<S> {
         rng.triple(|rng| self.number(rng))
     }
 
@@ -66,7 +67,7 @@ impl BoxSet {
         })
     }
 
-    fn obb<S: Sample>(self, rng: &mut Rng) -> ObbNumbers<S> {
+    pub(crate) fn obb<S: Sample>(self, rng: &mut Rng) -> ObbNumbers<S> {
         let (center, half) = (self.point(rng), self.half(rng));
         let turned = |angles: [f64; 3]| {
             let mut frame = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

@@ -1,0 +1,147 @@
+//! The shapes that have contacts, as one: taken apart for floats and for exact sums.
+
+use crate::arithmetic::{Parts, pick, turn};
+use crate::robust::{ExactSum, Linear, Vector, add_scaled_determinant, difference, single};
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, AabbForm, Obb, Triangle};
+
+pub(super) type Vec64 = [f64; 3];
+
+/// A shape, as it was given.
+#[derive(Clone, Copy, Debug)]
+pub enum Body<'a, S> {
+    Triangle(&'a Triangle<S>),
+    Aabb(&'a Aabb<S>),
+    Obb(&'a Obb<S>),
+}
+
+/// A place half way between two points, which are one if it is a number of the scalar.
+#[derive(Clone, Copy)]
+pub(super) struct Place<S>(pub(super) [S; 3], pub(super) [S; 3]);
+
+/// A shape in floats, from some origin: its centre or its vertices, its axes or its edges, its
+/// half-extents or zero.
+#[derive(Clone, Copy)]
+pub(super) struct Rough {
+    pub(super) is_triangle: bool,
+    /// The vertices, or the centre three times.
+    pub(super) at: [Vec64; 3],
+    pub(super) sides: [Vec64; 3],
+    pub(super) half: Vec64,
+}
+
+impl<S: Scalar> Body<'_, S> {
+    pub(super) fn is_triangle(&self) -> bool {
+        matches!(self, Self::Triangle(_))
+    }
+
+    /// How many faces have normals of their own.
+    pub(super) fn normals(&self) -> usize {
+        if self.is_triangle() { 1 } else { 3 }
+    }
+
+    /// The centre of a box, the first vertex of a triangle.
+    pub(super) fn origin(&self) -> Place<S> {
+        match self {
+            Self::Triangle(t) => {
+                let [a, _, _] = t.points();
+                Place(a, a)
+            }
+            Self::Aabb(aabb) => match aabb.form() {
+                AabbForm::Center { center, .. } => Place(center.to_array(), center.to_array()),
+                AabbForm::Corners { min, max } => Place(min.to_array(), max.to_array()),
+            },
+            Self::Obb(obb) => Place(obb.center().to_array(), obb.center().to_array()),
+        }
+    }
+
+    /// The shape in floats. Every number of it has been rounded once or twice.
+    #[inline(never)] // QEMU before 8.0 multiplies two f32 widened for it wrongly on s390x (MDEBR).
+    pub(super) fn rough(&self, origin: &Place<S>) -> Rough {
+        let from = |x: &Place<S>| {
+            [0, 1, 2].map(|i: usize| {
+                (x.0[i].beyond_in_double(origin.0[i]) + x.1[i].beyond_in_double(origin.1[i])) * 0.5
+            })
+        };
+        let aligned = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let (sides, half) = match self {
+            Self::Triangle(t) => {
+                let v = t.points();
+                let edge = |k: usize| {
+                    let (from, to) = (pick(&v, k), pick(&v, turn(k).1));
+                    [0, 1, 2].map(|i: usize| to[i].beyond_in_double(from[i]))
+                };
+                let sides = [edge(0), edge(1), edge(2)];
+                let at = v.map(|x| from(&Place(x, x)));
+                return Rough { is_triangle: true, at, sides, half: [0.0; 3] };
+            }
+            Self::Aabb(aabb) => match aabb.form() {
+                AabbForm::Center { half, .. } => (aligned, half.to_array().map(S::in_double)),
+                AabbForm::Corners { min, max } => {
+                    let (p, q) = (min.to_array(), max.to_array());
+                    (aligned, [0, 1, 2].map(|i: usize| q[i].beyond_in_double(p[i]) * 0.5))
+                }
+            },
+            Self::Obb(obb) => (
+                obb.axes().map(|u| u.to_array().map(S::in_double)),
+                obb.half_extents().to_array().map(S::in_double),
+            ),
+        };
+        let center = from(&self.origin());
+        Rough { is_triangle: false, at: [center; 3], sides, half }
+    }
+
+    /// Edge k of a triangle, or axis k of a box.
+    pub(super) fn side(&self, k: usize) -> Vector {
+        match self {
+            Self::Triangle(t) => {
+                let v = t.points();
+                let (from, to) = (pick(&v, k), pick(&v, turn(k).1));
+                [0, 1, 2].map(|i: usize| difference(to[i].parts(), from[i].parts()))
+            }
+            Self::Aabb(_) => {
+                let mut axis = [single(Parts::ZERO); 3];
+                axis[k % 3] = single(S::ONE);
+                axis
+            }
+            Self::Obb(obb) => pick(obb.axes(), k).to_array().map(|x| single(x.parts())),
+        }
+    }
+
+    /// The half-extent along axis k, twice, as the sum of two numbers; of a triangle zero.
+    pub(super) fn extent(&self, k: usize) -> [Parts; 2] {
+        let k = k % 3;
+        match self {
+            Self::Triangle(_) => [Parts::ZERO; 2],
+            Self::Aabb(aabb) => match aabb.form() {
+                AabbForm::Center { half, .. } => [half.to_array()[k].parts(); 2],
+                AabbForm::Corners { min, max } => {
+                    [max.to_array()[k].parts(), min.to_array()[k].parts().negated()]
+                }
+            },
+            Self::Obb(obb) => [obb.half_extents().to_array()[k].parts(); 2],
+        }
+    }
+
+    /// Adds (x × y)·p to the sum, with p twice the centre, or twice vertex k; or takes it away.
+    pub(super) fn add_place(&self, sum: &mut S::Sum, [x, y]: [&Vector; 2], k: usize, minus: bool) {
+        let Place(p, q) = match self {
+            Self::Triangle(t) => {
+                let v = *pick(&t.points(), k);
+                Place(v, v)
+            }
+            _ => self.origin(),
+        };
+        let both: Vector =
+            [0, 1, 2].map(|i: usize| -> Linear { [p[i].parts(), q[i].parts(), Parts::ZERO] });
+        let one = if minus { S::ONE.negated() } else { S::ONE };
+        add_scaled_determinant(sum, x, y, &both, one);
+    }
+}
+
+/// The sign of (x × y)·z.
+pub(super) fn side_of<S: Scalar>([x, y]: [&Vector; 2], z: &Vector) -> core::cmp::Ordering {
+    let mut sum = S::Sum::new();
+    add_scaled_determinant(&mut sum, x, y, z, S::ONE);
+    sum.sign()
+}

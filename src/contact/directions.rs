@@ -1,0 +1,252 @@
+//! The directions that shapes may be moved apart along, and what floats say of each.
+
+use core::cmp::Ordering;
+
+use super::body::{Body, Rough, Vec64};
+use crate::arithmetic::{compare, greatest, pick, turn};
+use crate::scalar::Scalar;
+
+/// An axis: a cross product of two sides of the shapes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Direction {
+    /// The normal of a face, of the first shape or of the second.
+    Face { is_second: bool, k: usize },
+    /// Side i of the first shape across side j of the second.
+    Sides(usize, usize),
+}
+
+/// All of them, in the order in which the first of equals is taken: faces of the first shape,
+/// faces of the second, pairs of sides. A triangle's face comes before those of a box.
+pub(super) fn all<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> impl Iterator<Item = Direction> {
+    let [first, second] = bodies.each_ref().map(Body::normals);
+    let faces = move |is_second: bool| {
+        let count = if is_second { second } else { first };
+        (0..count).map(move |k| Direction::Face { is_second, k })
+    };
+    let begin = bodies[1].is_triangle() && !bodies[0].is_triangle();
+    let pairs = (0..9).map(|n| Direction::Sides(n / 3, n % 3));
+    faces(begin).chain(faces(!begin)).chain(pairs)
+}
+
+impl Direction {
+    /// The two sides that it is the cross product of, each as a shape and a side of it.
+    pub(super) fn sides(self, is_triangle: [bool; 2]) -> [(usize, usize); 2] {
+        match self {
+            Self::Face { is_second, k } => {
+                let shape = usize::from(is_second);
+                let (_, i, j) = if is_triangle[shape] { (0, 0, 1) } else { turn(k) };
+                [(shape, i), (shape, j)]
+            }
+            Self::Sides(i, j) => [(0, i), (1, j)],
+        }
+    }
+}
+
+/// How far two shapes overlap along a direction that need not be of length one: between two
+/// bounds. Squares of true lengths, with nothing below zero.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Overlap {
+    pub(super) least: f64,
+    pub(super) most: f64,
+}
+
+impl Overlap {
+    /// Where floats say nothing.
+    pub(super) const UNKNOWN: Self = Self { least: 0.0, most: f64::INFINITY };
+}
+
+/// What floats say of a direction.
+pub(super) enum Finding {
+    /// The direction is zero for certain, or one that came before.
+    Nothing,
+    /// The shapes are apart.
+    Apart,
+    /// How far the first must go against the direction, and how far along it.
+    Overlaps([Overlap; 2]),
+}
+
+/// 256 roundoffs.
+const ERROR: f64 = 256.0 * (f64::EPSILON / 2.0);
+
+/// Below this part of the squares of the sides the square of their cross product may be off by
+/// more than [`SPREAD`].
+const NOISE: f64 = f64::from_bits((1023 - 54) << 52);
+
+/// What the square of a cross product may be off by, of itself.
+const SPREAD: f64 = f64::from_bits((1023 - 20) << 52);
+
+/// Between these a number may be squared, cubed, and squared again.
+const RANGE: (f64, f64) = (f64::from_bits((1023 - 100) << 52), f64::from_bits((1023 + 100) << 52));
+
+fn in_range(x: f64) -> bool {
+    x > RANGE.0 && x < RANGE.1
+}
+
+fn largest(x: &Vec64) -> f64 {
+    x.iter().fold(0.0, |most, x| greatest(most, x.abs()))
+}
+
+pub(super) fn cross(x: &Vec64, y: &Vec64) -> Vec64 {
+    [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
+}
+
+pub(super) fn dot(x: &Vec64, y: &Vec64) -> f64 {
+    x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
+}
+
+/// Two shapes in floats, and what is known of them beforehand.
+pub(super) struct Filter {
+    shapes: [Rough; 2],
+    /// No number of either shape is greater.
+    size: f64,
+    /// Coordinate axes that came before, as one that is not zero.
+    seen: [bool; 3],
+    /// Which axes of the first box are the same as each axis of the second, if any.
+    same: [Option<usize>; 3],
+}
+
+impl Filter {
+    pub(super) fn new<S: Scalar>(shapes: [Rough; 2]) -> Self {
+        let mut size = 0.0;
+        for shape in &shapes {
+            for k in 0..3 {
+                let side = largest(pick(&shape.sides, k));
+                size += largest(pick(&shape.at, k)) + pick(&shape.half, k) * side;
+                if side > RANGE.1 {
+                    size = f64::INFINITY;
+                }
+            }
+        }
+        let mut same = [None; 3];
+        // A float that is rounded may be the same where the number is another.
+        if S::IS_IN_DOUBLE && !shapes[0].is_triangle && !shapes[1].is_triangle {
+            for (same, v) in same.iter_mut().zip(&shapes[1].sides) {
+                let is_along = |u: &Vec64| (0..3).all(|i| u[i] == v[i]);
+                let is_against = |u: &Vec64| (0..3).all(|i| u[i] == -v[i]);
+                *same = shapes[0].sides.iter().position(|u| is_along(u) || is_against(u));
+            }
+        }
+        Self { shapes, size, seen: [false; 3], same }
+    }
+
+    fn sides(&self, direction: Direction) -> [Vec64; 2] {
+        let shapes = &self.shapes;
+        direction
+            .sides([shapes[0].is_triangle, shapes[1].is_triangle])
+            .map(|(shape, k)| *pick(&shapes[shape % 2].sides, k))
+    }
+
+    /// How the sides of the shapes lie to a direction, where floats are certain.
+    ///
+    /// a·s errs like the product with a position, but that s errs by u of itself: by
+    /// (8 + 2 + 2)·3 + 12 = 48 times u·X·Y·S, with S the greatest coordinate of s.
+    pub(super) fn along(&self, direction: Direction) -> [[Option<Ordering>; 3]; 2] {
+        let [x, y] = &self.sides(direction);
+        let (a, scale) = (cross(x, y), largest(x) * largest(y));
+        self.shapes.each_ref().map(|shape| {
+            shape.sides.each_ref().map(|s| {
+                let (along, size) = (dot(&a, s), scale * largest(s));
+                let is_certain = in_range(size) && along.abs() > ERROR / 4.0 * size;
+                is_certain.then(|| compare(along, 0.0))
+            })
+        })
+    }
+
+    /// Whether a direction of two boxes came before, or is zero, because of axes that they share.
+    fn is_shared(&self, direction: Direction) -> bool {
+        match direction {
+            Direction::Face { is_second: false, .. } => false,
+            Direction::Face { is_second: true, k } => {
+                let (_, i, j) = turn(k);
+                pick(&self.same, i).is_some() && pick(&self.same, j).is_some()
+            }
+            // u_i × v_j is zero or a normal of the first box if v_j is one of its axes, and of the
+            // second if u_i is one of that.
+            Direction::Sides(i, j) => pick(&self.same, j).is_some() || self.same.contains(&Some(i)),
+        }
+    }
+
+    /// What floats say of the direction.
+    ///
+    /// # The error
+    ///
+    /// To first order in the unit roundoff u. Sides and half-extents have one rounding at most:
+    /// they err by u of themselves. Positions from the origin are means of two differences. These
+    /// may cancel, but neither is greater than `size` R: they err by 3·u·R. Let X and Y be the
+    /// greatest coordinates of the two sides x and y.
+    ///
+    /// * A coordinate of a = x × y is two products, each with three roundings, and their difference
+    ///   at most 2·X·Y: it errs by 2·3·u·X·Y + u·2·X·Y = 8·u·X·Y.
+    /// * a·p for a position p: three products, each off by 8·u·X·Y·R for a, 3·u·R·2·X·Y for p, and
+    ///   u·2·X·Y·R; two sums of at most 6·X·Y·R: (8 + 6 + 2)·3 + 12 = 60 times u·X·Y·R.
+    /// * h·|a·s| for a half-extent and an axis with h·|s| ≤ H: likewise, with u for s in place of
+    ///   3·u, (8 + 2 + 2)·3 + 12 = 48, and 12 for h and the product: 60 times u·X·Y·H. The sum of
+    ///   three adds 2·u·6·X·Y·H, with H the sum over the three: 72 times u·X·Y·H.
+    /// * The overlap is the sum of two of the former and two of the latter, over all at most
+    ///   (2·60 + 72) times u·X·Y·R, and its sums at most 3·u·6·X·Y·R: 210 times u·X·Y·R.
+    ///
+    /// 256 is more, by a fifth of it: enough for the second orders and for the roundings of R and of
+    /// the bound. Underflow matters nowhere: if X·Y·R is a normal number, what it costs is far below
+    /// u·X·Y·R, and [`RANGE`] sees to that.
+    ///
+    /// The square of a errs by no more than 2·√3·8·u·X·Y·|a| and roundings, which is below
+    /// [`SPREAD`] of it where it exceeds [`NOISE`]·X²·Y²: 28·2^-53 / 2^-27 = 2^-21.2.
+    pub(super) fn finding(&mut self, direction: Direction) -> Finding {
+        if self.is_shared(direction) {
+            return Finding::Nothing;
+        }
+        let shapes = &self.shapes;
+        let [x, y] = &self.sides(direction);
+        // Which coordinates are zero for certain, and not because a product underflows; and which
+        // for certain are not.
+        let products = [0, 1, 2].map(|i: usize| {
+            let (_, j, k) = turn(i);
+            let is_product = |a: usize, b: usize| *pick(x, a) != 0.0 && *pick(y, b) != 0.0;
+            u8::from(is_product(j, k)) + u8::from(is_product(k, j))
+        });
+        let along = match products {
+            [0, 0, 0] => return Finding::Nothing,
+            [n, 0, 0] => Some((0, n)),
+            [0, n, 0] => Some((1, n)),
+            [0, 0, n] => Some((2, n)),
+            _ => None,
+        };
+        if let Some((axis, n)) = along {
+            if self.seen[axis] {
+                return Finding::Nothing;
+            }
+            self.seen[axis] = n == 1;
+        }
+
+        let a = cross(x, y);
+        let scale = largest(x) * largest(y);
+        let square = dot(&a, &a);
+        if !in_range(scale) || !in_range(self.size) || square < NOISE * scale * scale {
+            // It may be zero, or point anywhere.
+            return Finding::Overlaps([Overlap::UNKNOWN; 2]);
+        }
+        let ends = |shape: &Rough| {
+            let at = shape.at.map(|p| dot(&a, &p));
+            let reach = shape.half[0] * dot(&a, &shape.sides[0]).abs()
+                + shape.half[1] * dot(&a, &shape.sides[1]).abs()
+                + shape.half[2] * dot(&a, &shape.sides[2]).abs();
+            let most = greatest(greatest(at[0], at[1]), at[2]) + reach;
+            let least = -greatest(greatest(-at[0], -at[1]), -at[2]) - reach;
+            [least, most]
+        };
+        // A triangle has no half-extents, and a box one position.
+        let ([a0, a1], [b0, b1]) = (ends(&shapes[0]), ends(&shapes[1]));
+        let error = ERROR * (scale * self.size);
+        let overlaps = [a1 - b0, b1 - a0];
+        if overlaps[0] < -error || overlaps[1] < -error {
+            return Finding::Apart;
+        }
+        Finding::Overlaps(overlaps.map(|overlap| {
+            let (low, high) = (greatest(overlap - error, 0.0), overlap + error);
+            Overlap {
+                least: low * low / (square * (1.0 + SPREAD)),
+                most: high * high / (square * (1.0 - 2.0 * SPREAD)),
+            }
+        }))
+    }
+}

@@ -1,0 +1,37 @@
+//! Parts of shapes, by number.
+
+/// A part of a triangle or of a box.
+///
+/// Numbers depend on nothing but the order in which a shape's numbers were given. So a part has
+/// the same one in each frame of a simulation, and a solver finds what it knew of a point by the
+/// parts that meet there.
+///
+/// | | triangle | box |
+/// | --- | --- | --- |
+/// | face | 0 | 2·i on the lower side of axis i, 2·i + 1 on the upper |
+/// | edge | k, from vertex k to the next | 4·i + a + 2·b: along axis i, on the upper side of the next axis if a is 1, of the one after that if b is |
+/// | vertex | k | a + 2·b + 4·c: on the upper side of the first axis if a is 1, of the second if b is, of the third if c is |
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Part {
+    /// A face.
+    Face(u8),
+    /// An edge.
+    Edge(u8),
+    /// A vertex.
+    Vertex(u8),
+}
+
+/// The direction of a translation, by the parts of the shapes that it comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Axis {
+    /// The normal of this face of the first shape.
+    First(u8),
+    /// The normal of this face of the second shape.
+    Second(u8),
+    /// Across an edge of the first shape and one of the second.
+    Edges(u8, u8),
+}

@@ -1,0 +1,157 @@
+//! Edges that are inside of a surface: where nothing may be caught.
+
+use core::cmp::Ordering;
+
+use super::body::{Body, side_of};
+use crate::arithmetic::{pick, turn};
+use crate::mesh::{Index, Mesh, MeshError, by_place, sort};
+use crate::robust::{ExactSum, add_area, difference};
+use crate::scalar::Scalar;
+use crate::shape::Triangle;
+
+/// Which edges of a triangle are inside of the surface of a mesh, one bit each.
+///
+/// An edge is interior if the surface goes on beyond it, level or upward: what lies on the triangle
+/// there lies on its neighbour too, and no direction across the edge leads out.
+///
+/// ```
+/// use septum::contact::InteriorEdges;
+///
+/// let two = InteriorEdges::new([true, false, true]);
+/// assert!(two.contains(0) && !two.contains(1) && two != InteriorEdges::NONE);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct InteriorEdges(u8);
+
+impl InteriorEdges {
+    /// No edge: the triangle stands alone.
+    pub const NONE: Self = Self(0);
+    /// All three.
+    pub const ALL: Self = Self(7);
+
+    /// The edges that are interior: edge k goes from vertex k to the next.
+    #[must_use]
+    pub const fn new(edges: [bool; 3]) -> Self {
+        Self(edges[0] as u8 | (edges[1] as u8) << 1 | (edges[2] as u8) << 2)
+    }
+
+    /// Whether edge `k` is interior.
+    #[must_use]
+    pub const fn contains(self, k: usize) -> bool {
+        k < 3 && self.0 >> k & 1 == 1
+    }
+
+    fn add(&mut self, k: u8) {
+        self.0 |= 1 << (k % 3);
+    }
+}
+
+/// Tells for each triangle of a mesh which of its edges are interior, into `edges`.
+///
+/// *Geometry*: an edge that exactly two triangles share is interior if they lie in one plane, side
+/// by side, or if each lies above the plane of the other: on the side from which its vertices go
+/// counterclockwise. Edges at the border are not, nor those of more than two triangles. Of two
+/// triangles that are turned against each other no side is the upper: their edge is interior only
+/// if they lie in one plane. An edge of a triangle that is a segment or a point is not interior. An
+/// edge is known by where its ends are, not by their indices.
+///
+/// *Numerics*: exact. *Panics*: never. *Cost*: sorts the edges in `scratch`, three for each
+/// triangle, and takes a determinant or two for each pair.
+///
+/// # Errors
+/// [`MeshError::Length`] where `scratch` has not three entries for each triangle, or `edges` not
+/// one.
+///
+/// ```
+/// use septum::Vec3;
+/// use septum::contact::{InteriorEdges, interior_edges};
+/// use septum::mesh::{Mesh, MeshError};
+///
+/// // A square in two triangles, and a wall that stands on its first edge.
+/// let vertices = [
+///     [0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0, 2.0, 0.0], [1.0, 0.0, 2.0],
+/// ].map(Vec3::from);
+/// let mesh = Mesh::new(&vertices, &[[0_u16, 1, 2], [0, 2, 3], [1, 0, 4]])?;
+/// let mut edges = [InteriorEdges::NONE; 3];
+/// interior_edges(&mesh, &mut [(0, 0); 9], &mut edges)?;
+/// assert_eq!(edges[0], InteriorEdges::new([true, false, true])); // to the wall, to the diagonal
+/// assert_eq!(edges[1], InteriorEdges::new([true, false, false]));
+/// assert_eq!(edges[2], InteriorEdges::new([true, false, false]));
+/// # Ok::<(), MeshError>(())
+/// ```
+pub fn interior_edges<S: Scalar, I: Index>(
+    mesh: &Mesh<'_, S, I>,
+    scratch: &mut [(I, u8)],
+    edges: &mut [InteriorEdges],
+) -> Result<(), MeshError> {
+    let count = mesh.triangles().len();
+    let sides = scratch.get_mut(..3 * count).ok_or(MeshError::Length { needed: 3 * count })?;
+    let edges = edges.get_mut(..count).ok_or(MeshError::Length { needed: count })?;
+    edges.fill(InteriorEdges::NONE);
+    let numbers = (0..count).flat_map(|t| [0, 1, 2].map(|k| (I::of(t), k)));
+    for (side, number) in sides.iter_mut().zip(numbers) {
+        *side = number;
+    }
+    // The lesser end first, and whether that is where the edge begins.
+    let ends = |&(t, k): &(I, u8)| {
+        let t = mesh.known(t.get());
+        let (k, next, _) = turn(k.into());
+        let (a, b) = (*pick(t.vertices(), k), *pick(t.vertices(), next));
+        if by_place(&a, &b).is_gt() { ([b, a], false) } else { ([a, b], true) }
+    };
+    let by_ends = |a: &(I, u8), b: &(I, u8)| {
+        let ([a, b], [c, d]) = (ends(a).0, ends(b).0);
+        by_place(&a, &c).then_with(|| by_place(&b, &d))
+    };
+    sort(sides, |a, b| by_ends(a, b).then_with(|| a.cmp(b)));
+    for group in sides.chunk_by(|a, b| by_ends(a, b).is_eq()) {
+        let &[(t, k), (u, l)] = group else { continue };
+        let are_turned_alike = ends(&(t, k)).1 != ends(&(u, l)).1;
+        let both = [mesh.known(t.get()), mesh.known(u.get())];
+        let apexes = [k, l].map(|k| usize::from((k + 2) % 3));
+        if t != u && is_interior(&both, apexes, are_turned_alike) {
+            for (t, k) in [(t, k), (u, l)] {
+                if let Some(edges) = edges.get_mut(t.get()) {
+                    edges.add(k);
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Whether the edge between two triangles is, given the vertices that are not on it.
+fn is_interior<S: Scalar>(
+    triangles: &[Triangle<S>; 2],
+    apexes: [usize; 2],
+    are_turned_alike: bool,
+) -> bool {
+    let [first, second] = triangles;
+    let (normals, edges) = (triangles.each_ref().map(normal_signs), Body::Triangle(first));
+    if normals.contains(&[Ordering::Equal; 3]) {
+        return false;
+    }
+    // If the apex of the second lies above the first, so does that of the first above the second.
+    let (base, apex) = (first.points()[0], *pick(&second.points(), apexes[1]));
+    let height = [0, 1, 2].map(|i: usize| difference(apex[i].parts(), base[i].parts()));
+    match side_of::<S>([&edges.side(0), &edges.side(1)], &height) {
+        Ordering::Greater => are_turned_alike,
+        Ordering::Less => false,
+        // In one plane: side by side, and not folded, if the normals agree as the edges say.
+        Ordering::Equal => (normals[0] == normals[1]) == are_turned_alike,
+    }
+}
+
+/// The signs of the coordinates of the normal.
+fn normal_signs<S: Scalar>(triangle: &Triangle<S>) -> [Ordering; 3] {
+    let body = Body::Triangle(triangle);
+    let (x, y) = (body.side(0), body.side(1));
+    [0, 1, 2].map(|i: usize| {
+        let (_, j, k) = turn(i);
+        let mut sum = S::Sum::new();
+        add_area(&mut sum, pick(&x, j), pick(&y, k), false);
+        add_area(&mut sum, pick(&x, k), pick(&y, j), true);
+        sum.sign()
+    })
+}

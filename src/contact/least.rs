@@ -1,0 +1,192 @@
+//! The least translation: the direction that overlaps least, and its numbers.
+
+use core::cmp::Ordering;
+
+use super::body::{Body, Vec64};
+use super::directions::{Direction, Filter, Finding, Overlap, all, cross, dot};
+use super::exact::{Exact, farthest};
+use super::interior::InteriorEdges;
+use crate::arithmetic::{Positive, pick, turn};
+use crate::scalar::Scalar;
+use crate::shape::Vec3;
+
+/// The way out along one direction.
+pub(super) struct Way {
+    pub(super) direction: Direction,
+    /// Whether the first shape goes along the direction, or against it.
+    pub(super) is_along: bool,
+    /// How far the shapes overlap, in units of the direction.
+    overlap: Positive,
+    length: Positive,
+    square: Positive,
+    /// The overlap as a length.
+    depth: Positive,
+    coordinates: [Option<(Ordering, Positive)>; 3],
+    /// How the sides of the shapes lie to the direction.
+    pub(super) along: [[Ordering; 3]; 2],
+    pub(super) is_held: bool,
+}
+
+/// The ways along a direction, both or one of them. `Err` if the shapes are apart or touch.
+fn ways<S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    filter: &Filter,
+    direction: Direction,
+    wanted: [bool; 2],
+) -> Result<[Option<Way>; 2], ()> {
+    let Some(exact) = Exact::new(bodies, direction, &filter.along(direction)) else {
+        return Ok([None, None]);
+    };
+    let Some((length, square)) = exact.length() else { return Ok([None, None]) };
+    let way = |is_along: bool| {
+        if !wanted[usize::from(is_along)] {
+            return Ok(None);
+        }
+        let overlap = exact.overlap(is_along).ok_or(())?;
+        let (coordinates, along) = (exact.coordinates, exact.along);
+        let depth = overlap.over(length);
+        let is_held = false;
+        Ok(Some(Way {
+            direction,
+            is_along,
+            overlap,
+            length,
+            square,
+            depth,
+            coordinates,
+            along,
+            is_held,
+        }))
+    };
+    Ok([way(false)?, way(true)?])
+}
+
+/// The least of all, the first of equals.
+fn least(ways: impl Iterator<Item = Way>) -> Option<Way> {
+    ways.reduce(|best, way| if way.depth.is_less_than(best.depth) { way } else { best })
+}
+
+/// The least way out; `None` if there is a plane between the shapes.
+///
+/// Floats tell which of up to 30 ways may be the least: nearly always one is left. Exact sums tell
+/// which of those is, and whether the shapes are in each other at all.
+pub(super) fn least_way<S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    interior: InteriorEdges,
+) -> Option<Way> {
+    let origin = bodies[1].origin();
+    let rough = bodies.each_ref().map(|body| body.rough(&origin));
+    let mut filter = Filter::new::<S>(rough);
+    let mut found = [None; 15];
+    let mut bound = f64::INFINITY;
+    for (found, direction) in found.iter_mut().zip(all(bodies)) {
+        match filter.finding(direction) {
+            Finding::Apart => return None,
+            Finding::Nothing => {}
+            Finding::Overlaps(overlaps) => {
+                for overlap in overlaps {
+                    bound = if overlap.most < bound { overlap.most } else { bound };
+                }
+                *found = Some((direction, overlaps));
+            }
+        }
+    }
+    let mut best: Option<Way> = None;
+    for (direction, overlaps) in found.into_iter().flatten() {
+        let wanted = overlaps.map(|Overlap { least, .. }| least <= bound);
+        if wanted == [false; 2] {
+            continue;
+        }
+        let both = ways(bodies, &filter, direction, wanted).ok()?;
+        best = least(best.into_iter().chain(both.into_iter().flatten()));
+    }
+    let best = best?;
+    if interior == InteriorEdges::NONE {
+        return Some(best);
+    }
+    let face = Direction::Face { is_second: false, k: 0 };
+    let is_held = match across(&best, &rough[0].sides, interior) {
+        Some(is_held) => is_held,
+        // All of the triangle lies across. Then it is its normal, or the triangle has none.
+        None => best.direction != face && Exact::new(bodies, face, &[[None; 3]; 2]).is_none(),
+    };
+    if !is_held {
+        return Some(best);
+    }
+    let normal = ways(bodies, &filter, face, [true; 2]).ok()?;
+    least(normal.into_iter().flatten()).map(|way| Way { is_held: true, ..way })
+}
+
+/// Whether the way out leads across an interior edge of the triangle, which is the first shape;
+/// `None` if no vertex is farther along it than another.
+fn across(way: &Way, edges: &[Vec64; 3], interior: InteriorEdges) -> Option<bool> {
+    let farthest = farthest(&way.along[0], way.toward(0));
+    match farthest.iter().filter(|&&is| is).count() {
+        3 => None,
+        2 => Some((0..3).any(|k| farthest[k] && farthest[turn(k).1] && interior.contains(k))),
+        _ => {
+            let n = way.unit().map(|x| -x);
+            let normal = cross(&edges[0], &edges[1]);
+            let k = farthest.iter().position(|&is| is).unwrap_or(0);
+            let outward = |k: usize| dot(&n, &cross(pick(edges, k), &normal)) >= 0.0;
+            let (k, _, before) = turn(k);
+            Some([k, before].into_iter().any(|k| interior.contains(k) && outward(k)))
+        }
+    }
+}
+
+impl Way {
+    /// Where along the direction the other shape lies, seen from this one.
+    pub(super) fn toward(&self, shape: usize) -> Ordering {
+        if self.is_along == (shape == 0) { Ordering::Less } else { Ordering::Greater }
+    }
+
+    /// The unit vector that the first shape goes along, as it is to be rounded.
+    pub(super) fn unit(&self) -> Vec64 {
+        self.coordinates.map(|c| match c {
+            Some((sign, size)) => {
+                let x = size.over(self.length).in_double();
+                if sign.is_gt() == self.is_along { x } else { -x }
+            }
+            None => 0.0,
+        })
+    }
+
+    /// A vector along the way: for each coordinate its size, in real units, and the rounding.
+    fn vector<S: Scalar>(
+        &self,
+        units: i32,
+        is_up: bool,
+        of: impl Fn(Positive) -> Positive,
+    ) -> Vec3<S> {
+        let [x, y, z] = self.coordinates.map(|c| match c {
+            Some((sign, size)) => {
+                let (m, exponent) = of(size).scaled(units).upper();
+                let x = S::of_units(m, exponent, is_up);
+                if sign.is_gt() == self.is_along { x } else { x.opposite() }
+            }
+            None => S::ZERO,
+        });
+        Vec3::new(x, y, z)
+    }
+
+    /// The translation: each coordinate rounded away from zero, so that none is too short.
+    ///
+    /// With a the direction and o the overlap on it, |tᵢ| ≥ |aᵢ|·o/(a·a), and tᵢ has the sign of
+    /// aᵢ. So a·t = Σ|aᵢ|·|tᵢ| ≥ o: on this direction the shapes overlap no more.
+    pub(super) fn translation<S: Scalar>(&self) -> Vec3<S> {
+        let is_single = self.coordinates.iter().flatten().count() == 1;
+        self.vector(-i32::from(S::ONE.shift), true, |size| {
+            if is_single { self.depth } else { size.times(self.overlap).over(self.square) }
+        })
+    }
+
+    pub(super) fn normal<S: Scalar>(&self) -> Vec3<S> {
+        self.vector(i32::from(S::ONE.shift), false, |size| size.over(self.length))
+    }
+
+    pub(super) fn depth<S: Scalar>(&self) -> S {
+        let (m, exponent) = self.depth.scaled(-i32::from(S::ONE.shift)).upper();
+        S::of_units(m, exponent, true)
+    }
+}

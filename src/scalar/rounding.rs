@@ -1,0 +1,136 @@
+//! How a scalar becomes a float and numbers become a scalar, for answers that are rounded.
+
+use crate::arithmetic::whole;
+
+/// What contacts ask of a scalar.
+pub trait Rounding: Copy {
+    /// Whether `f64` holds each of its numbers.
+    const IS_IN_DOUBLE: bool;
+
+    /// The number, to the nearest.
+    fn in_double(self) -> f64;
+
+    /// The number less another, to the nearest.
+    fn beyond_in_double(self, other: Self) -> f64;
+
+    /// The number plus an offset, to the nearest or next to it; a fixed-point type ends where
+    /// it ends.
+    fn plus_double(self, offset: f64) -> Self;
+
+    /// m·2^exponent least numbers of the type, rounded up, or to the nearest with halves up;
+    /// m is at most 2^65. Beyond the range an infinity, or the end of it.
+    fn of_units(m: u128, exponent: i32, is_up: bool) -> Self;
+
+    /// The number with the other sign; of zero zero.
+    fn opposite(self) -> Self;
+}
+
+macro_rules! float {
+    ($float:ident, $bits:ident) => {
+        impl Rounding for $float {
+            const IS_IN_DOUBLE: bool = true;
+
+            fn in_double(self) -> f64 {
+                self.into()
+            }
+            fn beyond_in_double(self, other: Self) -> f64 {
+                f64::from(self) - f64::from(other)
+            }
+            fn plus_double(self, offset: f64) -> Self {
+                (f64::from(self) + offset) as $float
+            }
+            fn of_units(m: u128, exponent: i32, is_up: bool) -> Self {
+                const DIGITS: i32 = $float::MANTISSA_DIGITS as i32;
+                let bits = 128 - m.leading_zeros() as i32;
+                let places = (bits + exponent - DIGITS).max(0);
+                if places > $float::MAX_EXP - $float::MIN_EXP {
+                    return $float::INFINITY;
+                }
+                // Of 2^DIGITS at most, which carries into the exponent as it should.
+                let digits = whole(m, exponent - places, is_up) as $bits;
+                $float::from_bits(((places as $bits) << (DIGITS - 1)) + digits)
+            }
+            fn opposite(self) -> Self {
+                0.0 - self
+            }
+        }
+    };
+}
+float!(f32, u32);
+float!(f64, u64);
+
+#[cfg(feature = "fixed")]
+mod fixed_point {
+    use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
+    use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
+
+    use super::{Rounding, whole};
+
+    /// 2^n, for n from −64 to 64.
+    const fn two_to(n: i32) -> f64 {
+        f64::from_bits(((1023 + n) as u64) << 52)
+    }
+
+    macro_rules! fixed_point {
+        ($($fixed:ident, $bound:ident, $raw:ident, $is_in_double:literal;)*) => {$(
+            impl<Frac: $bound> Rounding for $fixed<Frac> {
+                const IS_IN_DOUBLE: bool = $is_in_double;
+
+                fn in_double(self) -> f64 {
+                    self.to_bits() as f64 * two_to(-(Self::FRAC_NBITS as i32))
+                }
+                fn beyond_in_double(self, other: Self) -> f64 {
+                    let (a, b) = (i64::from(self.to_bits()), i64::from(other.to_bits()));
+                    let units = match a.checked_sub(b) {
+                        Some(d) => d as f64,
+                        None => (i128::from(a) - i128::from(b)) as f64,
+                    };
+                    units * two_to(-(Self::FRAC_NBITS as i32))
+                }
+                fn plus_double(self, offset: f64) -> Self {
+                    let units = offset * two_to(Self::FRAC_NBITS as i32);
+                    let nearest = (units + if units < 0.0 { -0.5 } else { 0.5 }) as i64;
+                    let sum = i64::from(self.to_bits()).saturating_add(nearest);
+                    Self::from_bits(sum.clamp($raw::MIN.into(), $raw::MAX.into()) as $raw)
+                }
+                fn of_units(m: u128, exponent: i32, is_up: bool) -> Self {
+                    let units = whole(m, exponent, is_up);
+                    Self::from_bits($raw::try_from(units).unwrap_or($raw::MAX))
+                }
+                fn opposite(self) -> Self {
+                    self.saturating_neg()
+                }
+            }
+        )*};
+    }
+    fixed_point! {
+        FixedI8, LeEqU8, i8, true;
+        FixedI16, LeEqU16, i16, true;
+        FixedI32, LeEqU32, i32, true;
+        FixedI64, LeEqU64, i64, false;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Rounding;
+
+    /// Numbers of `f32` from least numbers, and back by counting them.
+    #[test]
+    fn units_become_the_next_number() {
+        for bits in [1, 2, 0x7f_ffff, 0x80_0000, 0x80_0001, 0x3f80_0000, 0x3f80_0001, 0x7f7f_ffff] {
+            let x = f32::from_bits(bits);
+            let parts = <f32 as crate::arithmetic::Float>::parts(x);
+            let (m, e) = (u128::from(parts.magnitude), i32::from(parts.shift));
+            assert_eq!(f32::of_units(m, e, true), x);
+            assert_eq!(f32::of_units(m << 30, e - 30, false), x);
+            // A little more: the next, or the same.
+            let more = (m << 30) + 1;
+            assert_eq!(f32::of_units(more, e - 30, true), f32::from_bits(bits + 1));
+            assert_eq!(f32::of_units(more, e - 30, false), x);
+        }
+        assert_eq!(f32::of_units(1, 500, true), f32::INFINITY);
+        assert_eq!(f64::of_units(1, -500, true), f64::from_bits(1));
+        assert_eq!(f64::of_units(1, -500, false), 0.0);
+    }
+}

@@ -1,0 +1,338 @@
+//! Shapes in each other: two oracles in whole numbers. By linear programming whether they are, and
+//! whether a translation takes them apart; by all axes how far they are in each other at least.
+
+mod sets;
+mod simplex;
+
+pub use sets::ContactSet;
+pub use simplex::holds_zero;
+
+use dashu_int::IBig;
+use septum::contact::{Axis, Contact, InteriorEdges, contact, contact_in_mesh, least_translation};
+use septum::{Aabb, Obb, Triangle};
+
+use crate::boxes::AnyBox;
+use crate::case::BoxNumbers;
+use crate::exact::{Parts, least_exponent, whole};
+use crate::lattice::Ring;
+use crate::sample::Sample;
+
+/// A shape that has contacts, as plain numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Solid<S> {
+    Triangle([[S; 3]; 3]),
+    Box(AnyBox<S>),
+}
+
+/// The same, made.
+enum Made<S> {
+    Triangle(Triangle<S>),
+    Aabb(Aabb<S>),
+    Obb(Obb<S>),
+}
+
+/// Two shapes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactCase<S> {
+    pub first: Solid<S>,
+    pub second: Solid<S>,
+}
+
+type Point = [IBig; 3];
+
+/// The convex hull of points, with the vectors along its sides and how many faces have normals of
+/// their own.
+struct Hull {
+    points: Vec<Point>,
+    sides: [Point; 3],
+    is_triangle: bool,
+    /// The sides that it extends along.
+    extends: [bool; 3],
+}
+
+fn scaled(p: &Point, by: &IBig) -> Point {
+    [0, 1, 2].map(|i: usize| &p[i] * by)
+}
+
+fn sum(a: &Point, b: &Point) -> Point {
+    [0, 1, 2].map(|i: usize| &a[i] + &b[i])
+}
+
+impl<S: Sample> Solid<S> {
+    fn numbers(&self) -> Vec<Parts> {
+        let rows: Vec<[S; 3]> = match *self {
+            Self::Triangle(t) => t.to_vec(),
+            Self::Box(AnyBox::Aabb(BoxNumbers::Center(p, q) | BoxNumbers::Corners(p, q))) => {
+                vec![p, q]
+            }
+            Self::Box(AnyBox::Obb(b)) => [b.axes.as_slice(), &[b.center, b.half]].concat(),
+        };
+        rows.into_iter().flatten().map(S::mantissa_exponent).collect()
+    }
+
+    fn made(&self) -> Option<Made<S>> {
+        Some(match *self {
+            Self::Triangle([a, b, c]) => Made::Triangle(Triangle::new(a, b, c).ok()?),
+            Self::Box(AnyBox::Aabb(aabb)) => Made::Aabb(aabb.shape().ok()?),
+            Self::Box(AnyBox::Obb(obb)) => Made::Obb(obb.shape().ok()?),
+        })
+    }
+
+    /// In units of 2^(2·unit − 1).
+    fn hull(&self, unit: i32) -> Hull {
+        let one = IBig::ONE << (-unit) as usize;
+        let vector = |p: &[S; 3]| p.map(|x| whole(x.mantissa_exponent(), unit));
+        let two = &one * IBig::from(2);
+        let zero = IBig::ZERO;
+        let (center, sides, half) = match self {
+            Self::Triangle(t) => {
+                let points: Vec<Point> = t.iter().map(|p| scaled(&vector(p), &two)).collect();
+                let side = |k: usize| IBig::difference(&points[(k + 1) % 3], &points[k]);
+                let sides = [side(0), side(1), side(2)];
+                let extends = sides.each_ref().map(|s| s.iter().any(|x| *x != zero));
+                return Hull { points, sides, is_triangle: true, extends };
+            }
+            Self::Box(AnyBox::Obb(b)) => (
+                scaled(&vector(&b.center), &two),
+                b.axes.each_ref().map(vector),
+                scaled(&vector(&b.half), &2.into()),
+            ),
+            Self::Box(AnyBox::Aabb(aabb)) => {
+                let z = || zero.clone();
+                let along =
+                    [[one.clone(), z(), z()], [z(), one.clone(), z()], [z(), z(), one.clone()]];
+                match aabb {
+                    BoxNumbers::Center(c, h) => {
+                        (scaled(&vector(c), &two), along, scaled(&vector(h), &2.into()))
+                    }
+                    BoxNumbers::Corners(p, q) => {
+                        let (p, q) = (vector(p), vector(q));
+                        (scaled(&sum(&p, &q), &one), along, IBig::difference(&q, &p))
+                    }
+                }
+            }
+        };
+        let corner = |k: usize| {
+            (0..3).fold(center.clone(), |at, i| {
+                let step = scaled(&sides[i], &half[i]);
+                if k >> i & 1 == 1 { sum(&at, &step) } else { IBig::difference(&at, &step) }
+            })
+        };
+        let points = (0..8).map(corner).collect();
+        Hull { points, sides, is_triangle: false, extends: half.map(|h| h != zero) }
+    }
+}
+
+impl Hull {
+    fn moved(&self, by: &Point) -> Vec<Point> {
+        self.points.iter().map(|p| sum(p, by)).collect()
+    }
+
+    fn normals(&self) -> Vec<Point> {
+        let [a, b, c] = &self.sides;
+        let all = if self.is_triangle { vec![(a, b)] } else { vec![(b, c), (c, a), (a, b)] };
+        all.into_iter().map(|(x, y)| IBig::cross(x, y)).collect()
+    }
+
+    fn ends(&self, a: &Point) -> [IBig; 2] {
+        let along = || self.points.iter().map(|p| IBig::dot(p, a));
+        [along().min().expect("points"), along().max().expect("points")]
+    }
+}
+
+/// Whether two hulls have a point in common that stays one if both are drawn together by one in
+/// 2^128 about their centres.
+fn share_an_interior_point(first: &[Point], second: &[Point]) -> bool {
+    let shrunk = |points: &[Point], other: usize| -> Vec<Point> {
+        let count = IBig::from(points.len());
+        let center = points.iter().fold([IBig::ZERO, IBig::ZERO, IBig::ZERO], |s, p| sum(&s, p));
+        let less = ((IBig::ONE << 128) - IBig::ONE) * count;
+        // In units that both have: by the number of points of either.
+        let shrink = |p: &Point| scaled(&sum(&scaled(p, &less), &center), &IBig::from(other));
+        points.iter().map(shrink).collect()
+    };
+    let (a, b) = (shrunk(first, second.len()), shrunk(second, first.len()));
+    let differences: Vec<Point> =
+        a.iter().flat_map(|p| b.iter().map(move |q| IBig::difference(p, q))).collect();
+    holds_zero(&differences)
+}
+
+/// A direction, by how much the shapes overlap on it: |a|·depth, and a.
+struct Depth {
+    overlap: IBig,
+    square: IBig,
+}
+
+impl<S: Sample> ContactCase<S> {
+    /// What the crate says.
+    pub fn contact(&self) -> Option<Option<Contact<S>>> {
+        let both = (self.first.made()?, self.second.made()?);
+        macro_rules! each {
+            ($($a:ident $b:ident),*) => {
+                match &both {$(
+                    (Made::$a(a), Made::$b(b)) => {
+                        let found = contact(a, b);
+                        let alone = least_translation(a, b);
+                        assert_eq!(alone, found.as_ref().map(|c| c.translation), "{self:?}");
+                        found
+                    }
+                )*}
+            };
+        }
+        Some(each!(
+            Triangle Triangle, Triangle Aabb, Triangle Obb, Aabb Triangle, Aabb Aabb, Aabb Obb,
+            Obb Triangle, Obb Aabb, Obb Obb
+        ))
+    }
+
+    /// What the crate says of the first shape as a triangle of a mesh.
+    pub fn contact_in_mesh(&self, interior: InteriorEdges) -> Option<Option<Contact<S>>> {
+        let Made::Triangle(t) = self.first.made()? else { return None };
+        Some(match self.second.made()? {
+            Made::Triangle(other) => contact_in_mesh(&t, interior, &other),
+            Made::Aabb(other) => contact_in_mesh(&t, interior, &other),
+            Made::Obb(other) => contact_in_mesh(&t, interior, &other),
+        })
+    }
+
+    /// Checks what the crate says, and returns whether it was a contact whose numbers are in range.
+    ///
+    /// # Panics
+    /// Where something is wrong.
+    pub fn check(&self, with_programming: bool) -> Option<bool> {
+        let found = self.contact()?;
+        let extra: Vec<S> = found
+            .iter()
+            .flat_map(|c| {
+                let t = c.translation;
+                [t.vector.to_array().as_slice(), &[t.depth]].concat()
+            })
+            .collect();
+        let is_in_range = |x: &S| *x > S::LEAST.moved(1) && *x < S::GREATEST;
+        let in_range = extra.iter().all(is_in_range);
+        let mut numbers = [self.first.numbers(), self.second.numbers()].concat();
+        if in_range {
+            numbers.extend(extra.iter().map(|x| x.mantissa_exponent()));
+            let nonzero = extra.iter().filter(|x| **x != S::ZERO);
+            numbers.extend(nonzero.map(|x| inward(*x).mantissa_exponent()));
+        }
+        let unit = least_exponent(&numbers).min(0);
+        let hulls = [self.first.hull(unit), self.second.hull(unit)];
+        let depths = depths(&hulls);
+        let least = depths.as_ref().and_then(|all| {
+            all.iter().min_by(|a, b| {
+                let square = |x: &Depth, other: &Depth| &x.overlap * &x.overlap * &other.square;
+                square(a, b).cmp(&square(b, a))
+            })
+        });
+        assert_eq!(found.is_some(), least.is_some(), "{self:?}");
+        if with_programming && !is_flat(&hulls) {
+            let truth = share_an_interior_point(&hulls[0].points, &hulls[1].points);
+            assert_eq!(found.is_some(), truth, "by programming: {self:?}");
+        }
+        let (Some(found), Some(least)) = (found, least) else { return Some(false) };
+        assert!(!found.is_held && !found.points().is_empty(), "{self:?}");
+        if !in_range {
+            return Some(false);
+        }
+        // In units of positions.
+        let length = |x: S| whole(x.mantissa_exponent(), unit) << (1 - unit) as usize;
+        let t = found.translation;
+        let vector = t.vector.to_array().map(length);
+        self.check_depth(t.depth, least, &length);
+        self.check_vector(&t.vector.to_array(), &vector, t.axis, &hulls, &length);
+        if with_programming {
+            let still = share_an_interior_point(&hulls[0].moved(&vector), &hulls[1].points);
+            assert!(!still, "not parted: {self:?} {t:?}");
+        }
+        Some(true)
+    }
+
+    /// Not below the least, and no number is between but for 2^-55 of it.
+    fn check_depth(&self, depth: S, least: &Depth, length: &dyn Fn(S) -> IBig) {
+        let square = |x: IBig| &x * &x * &least.square;
+        let of_overlap = &least.overlap * &least.overlap;
+        assert!(square(length(depth)) >= of_overlap, "depth {depth:?} too small: {self:?}");
+        let near = (IBig::ONE << 55) + IBig::ONE;
+        let before = length(inward(depth)) << 55;
+        assert!(square(before) < of_overlap * &near * &near, "depth {depth:?} too great: {self:?}");
+    }
+
+    /// Each coordinate is |aᵢ|·o/(a·a) for the axis that is named, rounded away from zero, and the
+    /// vector parts the shapes on that axis.
+    fn check_vector(
+        &self,
+        numbers: &[S; 3],
+        vector: &Point,
+        axis: Axis,
+        hulls: &[Hull; 2],
+        length: &dyn Fn(S) -> IBig,
+    ) {
+        let edge = |shape: usize, k: u8| {
+            let hull = &hulls[shape];
+            &hull.sides[usize::from(if hull.is_triangle { k } else { k / 4 })]
+        };
+        let a = match axis {
+            Axis::First(k) => hulls[0].normals()[usize::from(k / 2)].clone(),
+            Axis::Second(k) => hulls[1].normals()[usize::from(k / 2)].clone(),
+            Axis::Edges(i, j) => IBig::cross(edge(0, i), edge(1, j)),
+        };
+        let along = IBig::dot(&a, vector);
+        let a = if along < IBig::ZERO { a.map(|x| -x) } else { a };
+        let ([_, top], [bottom, _]) = (hulls[1].ends(&a), hulls[0].ends(&a));
+        let overlap = top - bottom;
+        assert!(IBig::dot(&a, vector) >= overlap, "not parted on its axis: {self:?}");
+        let square = IBig::dot(&a, &a);
+        let near = (IBig::ONE << 55) + IBig::ONE;
+        for (i, &x) in numbers.iter().enumerate() {
+            let sign = IBig::from(Ring::sign(&a[i]));
+            let size = &a[i] * &sign * &overlap;
+            assert!(&vector[i] * &sign * &square >= size, "coordinate {i} too short: {self:?}");
+            if x == S::ZERO {
+                assert!(sign == IBig::ZERO, "coordinate {i} is zero: {self:?}");
+                continue;
+            }
+            let before = length(inward(x)) * &sign * (&square << 55);
+            assert!(before < size * &near, "coordinate {i} too long: {self:?}");
+        }
+    }
+}
+
+/// The number next to it toward zero.
+fn inward<S: Sample>(x: S) -> S {
+    x.moved(if x > S::ZERO { -1 } else { 1 })
+}
+
+/// Whether both lie in one plane, or in parallel ones.
+fn is_flat(hulls: &[Hull; 2]) -> bool {
+    let sides: Vec<&Point> = hulls
+        .iter()
+        .flat_map(|h| h.sides.iter().zip(h.extends).filter(|(_, e)| *e).map(|(s, _)| s))
+        .collect();
+    let normals = || sides.iter().flat_map(|a| sides.iter().map(move |b| IBig::cross(a, b)));
+    !normals().any(|n| sides.iter().any(|c| IBig::dot(&n, c) != IBig::ZERO))
+}
+
+/// How far the shapes overlap on all axes, either way; `None` if they do not overlap on one.
+fn depths(hulls: &[Hull; 2]) -> Option<Vec<Depth>> {
+    let [first, second] = hulls;
+    let mut axes = [first.normals(), second.normals()].concat();
+    for x in &first.sides {
+        axes.extend(second.sides.iter().map(|y| IBig::cross(x, y)));
+    }
+    let mut all = Vec::new();
+    for a in axes {
+        let square = IBig::dot(&a, &a);
+        if square == IBig::ZERO {
+            continue;
+        }
+        let ([b, e], [c, f]) = (first.ends(&a), second.ends(&a));
+        for overlap in [e - c, f - b] {
+            if overlap <= IBig::ZERO {
+                return None;
+            }
+            all.push(Depth { overlap, square: square.clone() });
+        }
+    }
+    (!all.is_empty()).then_some(all)
+}

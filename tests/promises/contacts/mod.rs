@@ -1,0 +1,133 @@
+//! Shapes in each other: the least translation takes them apart, and is least.
+
+mod points;
+mod surface;
+
+use septum::contact::{Axis, contact};
+use septum::{Aabb, Obb, Triangle};
+use septum_kit::boxes::BoxSet;
+use septum_kit::contacts::ContactSet;
+use septum_kit::{Rng, Sample, for_every_scalar};
+
+/// Cases of each set; so many of them by linear programming too.
+const CASES: usize = 120;
+const PROGRAMMED: usize = 20;
+
+/// Whether each case is a contact: yes and no.
+fn check<S: Sample>(set: ContactSet, seed: u64, cases: usize, programmed: usize) -> [usize; 2] {
+    // What numbers of any size are drawn together by is not known to be too little.
+    let any_bits = matches!(set, ContactSet::Like(BoxSet::Bits | BoxSet::Huge));
+    let (mut rng, mut seen) = (Rng::new(seed), [0; 2]);
+    for n in 0..cases {
+        if let Some(is_contact) = set.case::<S>(&mut rng).check(!any_bits && n < programmed) {
+            seen[usize::from(is_contact)] += 1;
+        }
+    }
+    assert!(any_bits || seen.iter().all(|&n| n > cases / 20), "{} {set:?}: {seen:?}", S::name());
+    seen
+}
+
+fn agrees_with_the_oracles<S: Sample>() {
+    for set in ContactSet::ALL {
+        check::<S>(set, 0xc0a1, CASES, PROGRAMMED);
+    }
+}
+for_every_scalar!(agrees_with_the_oracles);
+
+/// A million and more: `cargo test --release --test promises contacts -- --ignored --nocapture`.
+#[test]
+#[ignore = "takes half an hour"]
+fn agrees_with_the_oracles_on_a_million() {
+    use septum_kit::fixed::types::{I4F4, I8F8, I16F16, I32F32};
+    fn many<S: Sample>() {
+        for set in ContactSet::ALL {
+            let seen = check::<S>(set, 0xc0a2, 21_000, 3_000);
+            println!("{:8} {set:?}: none, contact: {seen:?}", S::name());
+        }
+    }
+    many::<f32>();
+    many::<f64>();
+    many::<I4F4>();
+    many::<I8F8>();
+    many::<I16F16>();
+    many::<I32F32>();
+}
+
+/// Of equal ones the first: a triangle's face, faces of the first shape, of the second, edges.
+#[test]
+fn equal_ways_have_an_order() {
+    let unit = Aabb::from_min_max([-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]).unwrap();
+    let same = contact(&unit, &unit).unwrap().translation;
+    // Against x, by the upper face of the first; depth is exact.
+    assert_eq!((same.axis, same.depth), (Axis::First(1), 2.0));
+    assert_eq!(same.vector.to_array(), [-2.0, 0.0, 0.0]);
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let obb = Obb::new([0.0; 3], axes, [1.0; 3]).unwrap();
+    assert_eq!(contact(&obb, &unit).unwrap().translation, same);
+    assert_eq!(contact(&unit, &obb).unwrap().translation, same);
+    // A triangle that is big enough, in the middle: its face, though it comes second.
+    let big = Triangle::new([-9.0, -9.0, 0.0], [9.0, -9.0, 0.0], [0.0, 9.0, 0.0]).unwrap();
+    let out = contact(&unit, &big).unwrap().translation;
+    assert_eq!((out.axis, out.depth), (Axis::Second(0), 1.0));
+    assert_eq!(out.vector.to_array(), [0.0, 0.0, -1.0]);
+    let out = contact(&big, &unit).unwrap().translation;
+    assert_eq!((out.axis, out.vector.to_array()), (Axis::First(0), [0.0, 0.0, -1.0]));
+}
+
+/// Axes that are the same, and directions that came before, are left out: none is missed by it.
+#[test]
+fn boxes_that_share_axes_part_by_the_rest() {
+    let axes = [[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0], [0.0, 0.0, 1.0]];
+    let turned = [axes[1], axes[2], axes[0].map(|x: f64| -x)];
+    let lower = Obb::new([0.0; 3], axes, [1.0, 2.0, 3.0]).unwrap();
+    for other in [axes, turned] {
+        for k in 0..3 {
+            let half = [1.0, 2.0, 3.0][k] + 0.5;
+            let center = axes[k].map(|x| x * (half - 0.125));
+            let upper = Obb::new(center, other, [0.5; 3]).unwrap();
+            let out = contact(&lower, &upper).unwrap().translation;
+            assert!((out.depth - 0.125).abs() < 1e-12, "{out:?}");
+            assert_eq!(out.axis, Axis::First(2 * k as u8 + 1));
+        }
+    }
+}
+
+/// The same box by axes twice as long and half-extents half as great shares no axis, and parts
+/// likewise.
+#[test]
+fn shared_axes_are_no_case_of_their_own() {
+    let mut rng = Rng::new(0x54a6);
+    let (mut contacts, mut of_second) = (0, 0);
+    for n in 0..600 {
+        let (s, c) = rng.real(0.0, 6.3).sin_cos();
+        let axes = [[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]];
+        let aligned = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        // All three, or one of them.
+        let others = [[axes[1], axes[2], axes[0]], aligned, axes][n % 3];
+        let mut numbers = || rng.triple(|rng| rng.real(0.2, 1.0));
+        let (center, half, other_half) = (numbers(), numbers(), numbers());
+        let first = Obb::new([0.0; 3], axes, half).unwrap();
+        let second = Obb::new(center, others, other_half).unwrap();
+        let longer = others.map(|u| u.map(|x| 2.0 * x));
+        let apart = Obb::from_skewed_axes(center, longer, other_half.map(|x| x / 2.0)).unwrap();
+        let found = [&second, &apart].map(|b| contact(&first, b).map(|c| c.translation));
+        assert_eq!(found[0], found[1]);
+        contacts += usize::from(found[0].is_some());
+        of_second += usize::from(matches!(found[0], Some(t) if matches!(t.axis, Axis::Second(_))));
+    }
+    assert!(contacts > 100 && of_second > 10, "{contacts} {of_second}");
+}
+
+/// What is documented of the ends of a type: no panic, and the end of the range.
+#[test]
+fn beyond_the_range_is_its_end() {
+    use septum_kit::fixed::types::I8F8;
+    let all = Aabb::from_min_max([I8F8::MIN; 3], [I8F8::MAX; 3]).unwrap();
+    let out = contact(&all, &all).unwrap().translation;
+    assert_eq!(out.depth, I8F8::MAX);
+    assert_eq!(out.vector.to_array(), [-I8F8::MAX, I8F8::ZERO, I8F8::ZERO]);
+    let all = Aabb::from_min_max([f32::MIN; 3], [f32::MAX; 3]).unwrap();
+    let out = contact(&all, &all).unwrap().translation;
+    assert_eq!(out.depth, f32::INFINITY);
+    assert!(contact(&all, &all).unwrap().points().iter().all(|p| !p.depth.is_nan()));
+}

@@ -1,0 +1,196 @@
+//! Surfaces of triangles: which edges are interior, and nothing is caught by one.
+
+use septum::contact::{Contact, InteriorEdges, contact, contact_in_mesh, interior_edges};
+use septum::mesh::{Mesh, MeshError};
+use septum::{Aabb, Obb, Triangle, Vec3};
+use septum_kit::Rng;
+
+type Point = [f32; 3];
+
+fn edges(vertices: &[Point], triangles: &[[u16; 3]]) -> Vec<InteriorEdges> {
+    let vertices: Vec<_> = vertices.iter().copied().map(Vec3::from).collect();
+    let mesh = Mesh::new(&vertices, triangles).unwrap();
+    let mut edges = vec![InteriorEdges::ALL; triangles.len()];
+    interior_edges(&mesh, &mut vec![(0, 0); 3 * triangles.len()], &mut edges).unwrap();
+    edges
+}
+
+const NONE: InteriorEdges = InteriorEdges::NONE;
+
+/// The edge from vertex 0 to vertex 1 of a first triangle, and a second one on it.
+fn on_first_edge(apex: Point, second: [u16; 3]) -> [bool; 2] {
+    let vertices = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], apex];
+    let all = edges(&vertices, &[[0, 1, 2], second]);
+    let k = (0..3).find(|&k| second[k] != 3 && second[(k + 1) % 3] != 3).unwrap();
+    assert!([1, 2].iter().all(|&k| !all[0].contains(k)));
+    [all[0].contains(0), all[1].contains(k)]
+}
+
+#[test]
+fn flat_and_concave_edges_are_interior() {
+    // Turned alike: level, above and below.
+    for turn in [[1, 0, 3], [0, 3, 1], [3, 1, 0]] {
+        assert_eq!(on_first_edge([0.3, -1.0, 0.0], turn), [true; 2]);
+        assert_eq!(on_first_edge([0.3, -1.0, 1e-30], turn), [true; 2]);
+        assert_eq!(on_first_edge([0.3, 0.5, 1e-30], turn), [true; 2]);
+        assert_eq!(on_first_edge([0.3, -1.0, -1e-30], turn), [false; 2]);
+        // Folded back on the first.
+        assert_eq!(on_first_edge([0.3, 1.0, 0.0], turn), [false; 2]);
+        // Of no area.
+        assert_eq!(on_first_edge([0.5, 0.0, 0.0], turn), [false; 2]);
+    }
+    // Turned against each other: no side is the upper, but level is level.
+    assert_eq!(on_first_edge([0.3, -1.0, 0.0], [0, 1, 3]), [true; 2]);
+    assert_eq!(on_first_edge([0.3, -1.0, 1.0], [0, 1, 3]), [false; 2]);
+    assert_eq!(on_first_edge([0.3, -1.0, -1.0], [0, 1, 3]), [false; 2]);
+    assert_eq!(on_first_edge([0.3, 1.0, 0.0], [0, 1, 3]), [false; 2]);
+}
+
+#[test]
+fn an_edge_is_known_by_its_ends() {
+    let square = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+    let diagonal =
+        [InteriorEdges::new([false, false, true]), InteriorEdges::new([true, false, false])];
+    assert_eq!(edges(&square, &[[0, 1, 2], [0, 2, 3]]), diagonal);
+    let seam = [square.as_slice(), &[[-0.0; 3], [1.0, 1.0, 0.0]]].concat();
+    assert_eq!(edges(&seam, &[[0, 1, 2], [4, 5, 3]]), diagonal);
+    // Three on one edge are no surface; nor are two that are one.
+    assert_eq!(edges(&square, &[[0, 1, 2], [0, 2, 3], [0, 2, 3]])[0], NONE);
+    assert_eq!(edges(&square, &[[0, 1, 2], [0, 1, 2]]), [NONE; 2]);
+    let vertices = square.map(Vec3::from);
+    let mesh = Mesh::new(&vertices, &[[0_u16, 1, 2]]).unwrap();
+    let short = |scratch: usize, into: usize| {
+        interior_edges(&mesh, &mut vec![(0, 0); scratch], &mut vec![NONE; into])
+    };
+    assert_eq!(short(2, 1), Err(MeshError::Length { needed: 3 }));
+    assert_eq!(short(3, 0), Err(MeshError::Length { needed: 1 }));
+    assert_eq!(short(9, 9), Ok(()));
+}
+
+/// A floor of cells in a plane z = a·x + b·y, each in two triangles, the inner vertices out of place.
+fn floor(rng: &mut Rng, [a, b]: [f32; 2]) -> (Vec<Triangle<f32>>, Vec<InteriorEdges>) {
+    const CELLS: u16 = 6;
+    let mut vertices = Vec::new();
+    for i in 0..=CELLS {
+        for j in 0..=CELLS {
+            let mut place = |n: u16| {
+                let is_inner = i % CELLS != 0 && j % CELLS != 0;
+                let off = if is_inner { rng.whole(-5, 5) } else { 0 };
+                f32::from(n) - 3.0 + off as f32 / 16.0
+            };
+            let (x, y) = (place(i), place(j));
+            vertices.push([x, y, a * x + b * y]);
+        }
+    }
+    let at = |i, j| i * (CELLS + 1) + j;
+    let mut triangles = Vec::new();
+    for i in 0..CELLS {
+        for j in 0..CELLS {
+            let [p, q, r, s] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            triangles.extend(if rng.one_in(2) {
+                [[p, q, r], [p, r, s]]
+            } else {
+                [[p, q, s], [q, r, s]]
+            });
+        }
+    }
+    let interior = edges(&vertices, &triangles);
+    let vertex = |v: u16| vertices[usize::from(v)];
+    let shape = |t: [u16; 3]| {
+        let [a, b, c] = t.map(vertex);
+        Triangle::new(a, b, c).unwrap()
+    };
+    (triangles.into_iter().map(shape).collect(), interior)
+}
+
+/// Slides boxes over floors, and returns how often one that knows no mesh would be caught.
+fn slide(starts: usize, seed: u64) -> usize {
+    let mut rng = Rng::new(seed);
+    let (mut caught, mut rests) = (0, 0);
+    for n in 0..starts {
+        // In quarters, so that the floor is level to the last bit.
+        let slope = [0, 1].map(|_| if n % 2 == 0 { 0.0 } else { rng.whole(-3, 3) as f32 / 4.0 });
+        let (triangles, interior) = floor(&mut rng, slope);
+        let size = (slope[0] * slope[0] + slope[1] * slope[1] + 1.0).sqrt();
+        let up = [-slope[0] / size, -slope[1] / size, 1.0 / size];
+        let half = rng.triple(|rng| rng.real(0.2, 0.7) as f32);
+        let along = rng.real(0.0, 6.3).sin_cos();
+        let (s, c) = (along.0 as f32, along.1 as f32);
+        let turned = [[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]];
+        let (mut x, mut y) = (rng.real(-1.2, 1.2) as f32, rng.real(-1.2, 1.2) as f32);
+        let step = [rng.real(-0.1, 0.1) as f32, rng.real(-0.1, 0.1) as f32];
+        for _ in 0..5 {
+            (x, y) = (x + step[0], y + step[1]);
+            let depth = rng.real(0.001, 0.02) as f32;
+            let is_turned = n % 3 != 0;
+            let axes = if is_turned {
+                turned
+            } else {
+                [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+            };
+            let reach: f32 = (0..3)
+                .map(|k| half[k] * (0..3).map(|i| axes[k][i] * up[i]).sum::<f32>().abs())
+                .sum();
+            let center = [x, y, slope[0] * x + slope[1] * y + (reach - depth) * size];
+            let obb = Obb::new(center, axes, half).unwrap();
+            let aabb = Aabb::from_center_half_extents(center, half).unwrap();
+            for (t, &edges) in triangles.iter().zip(&interior) {
+                let ask = |edges: Option<InteriorEdges>| match (edges, is_turned) {
+                    (Some(edges), true) => contact_in_mesh(t, edges, &obb),
+                    (Some(edges), false) => contact_in_mesh(t, edges, &aabb),
+                    (None, true) => contact(t, &obb),
+                    (None, false) => contact(t, &aabb),
+                };
+                let is_up = |c: &Contact<f32>| {
+                    let n = c.translation.normal.to_array();
+                    // The triangle goes down.
+                    (0..3).map(|i| n[i] * up[i]).sum::<f32>() < -0.999_999
+                };
+                let Some(found) = ask(Some(edges)) else { continue };
+                assert!(is_up(&found), "{found:?} {t:?} {edges:?} {obb:?}");
+                assert!(found.translation.depth < 0.05 && !found.points().is_empty(), "{found:?}");
+                let alone = ask(None).expect("the same verdict");
+                assert!(found.is_held || is_up(&alone), "{found:?} {alone:?}");
+                caught += usize::from(!is_up(&alone));
+                rests += 1;
+            }
+        }
+    }
+    assert!(rests > starts, "{rests}");
+    caught
+}
+
+#[test]
+fn nothing_is_caught_on_a_floor() {
+    assert!(slide(60, 0x51de) > 5);
+}
+
+/// `cargo test --release --test promises contacts -- --ignored --nocapture`.
+#[test]
+#[ignore = "takes minutes"]
+fn nothing_is_caught_on_ten_thousand_floors() {
+    println!("held to the normal: {}", slide(10_000, 0x51df));
+}
+
+/// Without an edge that is interior nothing is held, and a triangle of no area holds nothing.
+#[test]
+fn only_interior_edges_hold() {
+    let t = Triangle::new([0.0_f32, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]).unwrap();
+    let across =
+        |x: f32, y: f32| Aabb::from_min_max([x, y, -0.5], [x + 1.0, y + 1.0, 0.5]).unwrap();
+    let over_first = across(1.0, -0.875);
+    for edges in 0..8 {
+        let edges = InteriorEdges::new([edges & 1 == 1, edges & 2 == 2, edges & 4 == 4]);
+        let found = contact_in_mesh(&t, edges, &over_first).unwrap();
+        assert_eq!(found.is_held, edges.contains(0));
+        let expected = if edges.contains(0) { [0.0, 0.0, -0.5] } else { [0.0, 0.125, 0.0] };
+        assert_eq!(found.translation.vector.to_array(), expected);
+        // At the first vertex, sideways: across the third edge, and along the first.
+        let beside = contact_in_mesh(&t, edges, &across(-0.875, 1.0)).unwrap();
+        assert_eq!(beside.is_held, edges.contains(2));
+    }
+    let line = Triangle::new([0.0_f32, 0.0, 0.0], [4.0, 0.0, 0.0], [2.0, 0.0, 0.0]).unwrap();
+    assert!(contact(&line, &over_first).is_some());
+    assert!(contact_in_mesh(&line, InteriorEdges::NONE, &over_first).is_some());
+    assert!(contact_in_mesh(&line, InteriorEdges::ALL, &over_first).is_none());
+}
