@@ -145,6 +145,7 @@ pub mod published;
 pub mod relation;
 mod robust;
 mod scalar;
+pub mod sweep;
 pub mod voxel;
 
 pub use query::{Axis, Cull, Facing, Feature, Hit, HitRules, Side};

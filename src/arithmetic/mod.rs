@@ -11,6 +11,7 @@ mod multiples;
 mod number;
 mod parts;
 mod platform;
+mod portion;
 mod quad;
 mod quotient;
 #[cfg(feature = "fixed")]
@@ -37,6 +38,8 @@ pub use number::Number;
 pub(crate) use number::{compare, greatest, largest, least};
 pub use parts::Parts;
 pub(crate) use platform::{REGISTERS_ARE_WIDE, SMALL_CODE};
+pub use portion::Portion;
+pub(crate) use portion::divided_limbs;
 pub(crate) use quad::{OfFour, Quad, THREE};
 #[cfg(feature = "fixed")]
 pub(crate) use quotient::Dividend;

@@ -5,8 +5,8 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 use super::{Backend, Scalar};
 use crate::arithmetic::{
-    Dividend, Embeds, Filtered, Int8, Int16, Int32, Int64, OfFour, Parts, Quad, REGISTERS_ARE_WIDE,
-    RoundedOps, SMALL_CODE, clamped,
+    Dividend, Embeds, Filtered, Int8, Int16, Int32, Int64, OfFour, Parts, Portion, Quad,
+    REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, clamped,
 };
 use crate::robust::{
     Predicate, Sum, exact_stage, in_quads, integer_stage, narrow_stage, numeric_stage, only_stage,
@@ -34,6 +34,16 @@ macro_rules! scalar {
 
             fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self {
                 clamped!($fixed, num.as_i256().quotient(den.as_i256(), Self::FRAC_NBITS))
+            }
+            #[inline(always)]
+            fn at_most(portion: Portion) -> Self {
+                let unit = -(Self::FRAC_NBITS as i32);
+                match portion.whole(64, unit) {
+                    (whole, exponent) if exponent == unit => {
+                        i64::try_from(whole).map_or(Self::MAX, |whole| clamped!($fixed, whole))
+                    }
+                    _ => Self::MAX,
+                }
             }
             fn parts(self) -> Parts {
                 let bits = i64::from(self.to_bits());

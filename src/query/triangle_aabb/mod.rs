@@ -14,14 +14,14 @@ mod clear;
 #[cfg(feature = "fixed")]
 mod conservative;
 mod edges;
-mod error_bound;
+pub(super) mod error_bound;
 mod exact;
 mod faces;
-mod frame;
+pub(super) mod frame;
 mod kernel;
 mod narrow;
 mod one_sided;
-mod plane;
+pub(super) mod plane;
 mod prepared;
 mod relation;
 mod rows;

@@ -12,6 +12,7 @@
 //! | line and box | [`lines::LineBox::clip`] | [`lines::LineSet`] |
 //! | ray and triangle | [`rays::crossing`] | [`rays::RaySet`], [`rays::Scene`] |
 //! | triangles in a grid | [`voxels::check`] | [`voxels::VoxelScene`] |
+//! | triangle or box that moves past a box | [`sweeps::SweepCase::truth`] | [`sweeps::SweepSet`] |
 //! | point and mesh | [`rays::winding`] | |
 //! | unit normals | [`is_nearest_to_unit`] | |
 //! | lanes | [`Lanes::check`]: one by one | |
@@ -41,6 +42,7 @@ pub mod rays;
 mod rng;
 mod sample;
 mod sets;
+pub mod sweeps;
 mod touch;
 pub mod voxels;
 
