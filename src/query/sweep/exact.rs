@@ -3,8 +3,8 @@
 
 use core::cmp::Ordering;
 
-use super::FirstContact;
 use super::latest::Latest;
+use super::{FirstContact, Motion};
 use crate::arithmetic::{Parts, pick, turn};
 use crate::query::Axis;
 use crate::query::exact_aabb::ExactAabb;
@@ -61,8 +61,9 @@ impl ExactCourse {
     pub(super) fn new<S: Scalar>(
         triangle: &Triangle<S>,
         aabb: &Aabb<S>,
-        [from, to]: &[[S; 3]; 2],
+        motion: &Motion<S>,
     ) -> Self {
+        let (from, to) = (motion.from().to_array(), motion.to().to_array());
         Self {
             triangle: ExactTriangle::new(&triangle.points()),
             aabb: ExactAabb::new(aabb.form()),

@@ -6,6 +6,7 @@ mod exact;
 mod kernel;
 mod latest;
 mod motion;
+mod rows;
 
 pub use motion::Motion;
 
@@ -13,7 +14,7 @@ use self::exact::ExactCourse;
 use self::kernel::Course;
 use super::Axis;
 use super::triangle_aabb::frame::{BoxForm, Frame};
-use crate::arithmetic::{Embeds, Number};
+use crate::arithmetic::{Embeds, Float, InFloat, Number};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle};
@@ -95,19 +96,19 @@ pub trait Sweep<Other> {
 struct Passing<'a, S> {
     triangle: &'a Triangle<S>,
     aabb: &'a Aabb<S>,
-    way: [[S; 3]; 2],
+    motion: Motion<S>,
 }
 
 impl<'a, S: Scalar> Passing<'a, S> {
     #[inline(always)]
     fn new(triangle: &'a Triangle<S>, aabb: &'a Aabb<S>, motion: &Motion<S>) -> Self {
-        Self { triangle, aabb, way: [motion.from().to_array(), motion.to().to_array()] }
+        Self { triangle, aabb, motion: *motion }
     }
 
     #[inline(always)]
     fn course<N: Embeds<S>>(&self) -> Option<Course<N>> {
         let [a, b, c] = self.triangle.points();
-        let [from, to] = self.way;
+        let (from, to) = (self.motion.from().to_array(), self.motion.to().to_array());
         let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
             self.aabb.form();
         let all = [a, b, c, p.to_array(), q.to_array(), from, to];
@@ -121,7 +122,7 @@ impl<'a, S: Scalar> Passing<'a, S> {
     }
 
     fn exactly(&self) -> ExactCourse {
-        ExactCourse::new(self.triangle, self.aabb, &self.way)
+        ExactCourse::new(self.triangle, self.aabb, &self.motion)
     }
 }
 
@@ -133,6 +134,16 @@ impl<S: Scalar> Predicate<S> for Misses<'_, S> {
 
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
         self.0.course::<N>()?.misses()
+    }
+
+    const IN_QUADS: bool = true;
+
+    #[inline(always)]
+    fn in_quads<F: Float>(&self) -> Option<bool>
+    where
+        S: InFloat<F>,
+    {
+        rows::misses::<S, F>(&self.0)
     }
 
     fn exact(&self) -> bool {

@@ -24,7 +24,7 @@ mod one_sided;
 pub(super) mod plane;
 mod prepared;
 mod relation;
-mod rows;
+pub(super) mod rows;
 mod witness;
 
 pub use axis::Axis;
