@@ -7,6 +7,7 @@ mod float;
 mod in_float;
 mod index;
 mod integer;
+mod long;
 mod multiples;
 mod number;
 mod parts;
@@ -34,6 +35,7 @@ pub(crate) use index::{pick, turn};
 pub(crate) use integer::Int64;
 #[cfg(feature = "fixed")]
 pub(crate) use integer::{Int8, Int16, Int32};
+pub(crate) use long::Long;
 pub use number::Number;
 pub(crate) use number::{compare, greatest, largest, least};
 pub use parts::Parts;

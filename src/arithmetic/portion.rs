@@ -20,6 +20,12 @@ impl Portion {
     /// One, or anything beyond.
     pub(crate) const ONE: Self = Self { exponent: 1, mantissa: 1 << 63 };
 
+    /// A float that is normal, above zero and not above one.
+    #[inline(always)]
+    pub(crate) fn of(x: f64) -> Self {
+        of_normal(x)
+    }
+
     /// A number that is above zero, as a whole one times two to the power `exponent`.
     #[inline(always)]
     fn of_whole(magnitude: u64, exponent: i32) -> Self {

@@ -24,7 +24,19 @@
 //!   10. n·d: 6 terms, touched by 3, 2, 1 and 2: 48. [`VOLUME_SPEED`] = 52.
 //! * A face. The gap g at the start errs by one rounding, or with a box given by its centre by
 //!   two, the first of which is relative to at most g + h. d errs by one, and so does the
-//!   difference of the two: at most 3·u·(g + h + |d|). [`FACE`] = 4.
+//!   difference of the two: at most 4·u·(g + h + |d|). [`FACE`] = 5.
+//!
+//! `edge.g`, `volume.g`, `speed.g` and `face.g` prove these, second orders and underflow included.
+//!
+//! In numbers of 106 digits (`arithmetic::long`), in units of u² and to first order: edges and d
+//! are exact. n_i is a difference of two products within R², of which each errs by 5 and the
+//! difference by 3 of itself: 16. From vertex to corner is at most 2·R, and errs by 3 of itself.
+//! Its product with n_i, at most 4·R³, errs by 16·2 + 6·2 + 5·4 = 64; three of them 192, and their
+//! sums 3·(8 + 12) = 60. A component of n of the wrong sign, which is within its error, takes
+//! the wrong corner: 2·16·R³ each, 96. n·d: 16 + 5·2 for each product, 78, and sums 3·(4 + 6): 108.
+//! So gap − t·speed, with t ≤ 1 and the product of speed and t at most 6·R³, errs by 252 + 96 +
+//! 108 + 5·6 + 3·18 = 540. An axis x_i × e_k, whose components are exact, and a face have less.
+//! [`LONG`] = 2^-96 is 1,024·u².
 //!
 //! The gaps at the start, on the axes that do not move, have the bounds of
 //! `triangle_aabb::error_bound`, whose sizes are within these.
@@ -33,7 +45,7 @@ use crate::arithmetic::{Arithmetic, Number};
 use crate::query::triangle_aabb::error_bound::{ErrorBound, error_bound};
 
 /// Roundoffs on a face, per g + h + |d|.
-pub(super) const FACE: u16 = 4;
+pub(super) const FACE: u16 = 5;
 /// Roundoffs on an axis with areas, per R².
 const EDGE: u16 = 64;
 /// Roundoffs on one with volumes, per R³.
@@ -42,6 +54,9 @@ const VOLUME: u16 = 200;
 const AREA_SPEED: u16 = 10;
 /// Roundoffs in one that is a volume, per R³.
 const VOLUME_SPEED: u16 = 52;
+
+/// How far what is left of a gap in numbers of 106 digits may be from the truth, per R, R² or R³.
+pub(super) const LONG: f64 = f64::from_bits((1023 - 96) << 52);
 
 /// How far computed axes may be from the truth, all along the way.
 pub(super) struct Along<N: Arithmetic> {

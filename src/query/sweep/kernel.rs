@@ -88,7 +88,7 @@ impl<N: Arithmetic> Course<N> {
     }
 
     #[inline(always)]
-    fn face_error(&self, i: usize) -> N::Length {
+    pub(super) fn face_error(&self, i: usize) -> N::Length {
         let Frame { h, gaps, .. } = &self.frame;
         (gaps[i].magnitude() + h[i] + self.d[i].magnitude()).error(FACE)
     }

@@ -3,6 +3,7 @@
 mod aabb_aabb;
 mod error_bound;
 mod exact;
+mod in_doubles;
 mod kernel;
 mod latest;
 mod motion;
@@ -14,8 +15,8 @@ use self::exact::ExactCourse;
 use self::kernel::Course;
 use super::Axis;
 use super::triangle_aabb::frame::{BoxForm, Frame};
-use crate::arithmetic::{Embeds, Float, InFloat, Number};
-use crate::robust::Predicate;
+use crate::arithmetic::{Arithmetic, Embeds, Filtered, Float, InFloat, Number};
+use crate::robust::{Clue, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle};
 
@@ -106,24 +107,42 @@ impl<'a, S: Scalar> Passing<'a, S> {
     }
 
     #[inline(always)]
-    fn course<N: Embeds<S>>(&self) -> Option<Course<N>> {
+    fn given<N: Embeds<S>>(&self) -> Option<Given<N>> {
         let [a, b, c] = self.triangle.points();
         let (from, to) = (self.motion.from().to_array(), self.motion.to().to_array());
         let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
             self.aabb.form();
         let all = [a, b, c, p.to_array(), q.to_array(), from, to];
         let [a, b, c, p, q, from, to] = N::embed(&all)?;
-        let form = match self.aabb.form() {
-            AabbForm::Center { .. } => BoxForm::Center(p, q),
-            AabbForm::Corners { .. } => BoxForm::Corners(p, q, [N::Length::ZERO; 3]),
+        let is_by_center = matches!(self.aabb.form(), AabbForm::Center { .. });
+        Some(Given { triangle: [a, b, c], p, q, is_by_center, way: [from, to] })
+    }
+
+    #[inline(always)]
+    fn course<N: Embeds<S>>(&self) -> Option<Course<N>> {
+        let Given { triangle, p, q, is_by_center, way: [from, to] } = self.given::<N>()?;
+        let form = if is_by_center {
+            BoxForm::Center(p, q)
+        } else {
+            BoxForm::Corners(p, q, [N::Length::ZERO; 3])
         };
         let d = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
-        Some(Course { frame: Frame::new(&[a, b, c], &form), d })
+        Some(Course { frame: Frame::new(&triangle, &form), d })
     }
 
     fn exactly(&self) -> ExactCourse {
         ExactCourse::new(self.triangle, self.aabb, &self.motion)
     }
+}
+
+/// The numbers of shapes and way in a number system.
+struct Given<N: Arithmetic> {
+    triangle: [[N::Length; 3]; 3],
+    p: [N::Length; 3],
+    q: [N::Length; 3],
+    /// Whether p and q are centre and half-extents, or corners.
+    is_by_center: bool,
+    way: [[N::Length; 3]; 2],
 }
 
 /// The question whether it misses it.
@@ -162,6 +181,25 @@ impl<S: Scalar> Predicate<S> for Meets<'_, S> {
             return None;
         }
         self.0.course::<N>()?.first_contact()
+    }
+
+    #[inline(always)]
+    fn fast_path(&self) -> Result<FirstContact<S>, Clue>
+    where
+        Filtered<f64>: Embeds<S>,
+    {
+        if !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS {
+            return Err(Clue::NoNumbers);
+        }
+        in_doubles::first_contact(&self.0).ok_or(Clue::Doubt)
+    }
+
+    fn refined(&self, _: Clue) -> Option<FirstContact<S>>
+    where
+        Filtered<f64>: Embeds<S>,
+    {
+        let is_long = !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS;
+        if is_long { in_doubles::first_contact_of_long(&self.0) } else { None }
     }
 
     fn exact(&self) -> FirstContact<S> {
