@@ -57,6 +57,7 @@
 //! | a mesh: what a shape overlaps, what a ray hits, other meshes | [`overlapping`](mesh::Tree::overlapping), [`first_hit`](mesh::Tree::first_hit), [`overlapping_pairs`](mesh::Tree::overlapping_pairs) | |
 //! | a closed mesh, point | [`contains`](mesh::Tree::contains), [`winding`](mesh::Tree::winding) | |
 //! | touching or overlapping | [`relation`] | |
+//! | a box or a triangle that moves | [`meets_along`](sweep::Sweep::meets_along), [`first_contact`](sweep::Sweep::first_contact); a mesh: [`first_contact`](mesh::Tree::first_contact) | |
 //! | triangle, grid of voxels | [`voxel::Grid::rows`], [`voxel::Bits::fill`]; inside: [`voxel::Solid`] | |
 //! | segment or ray, grid | [`voxel::Grid::walk_segment`], [`voxel::Grid::walk_ray`] | |
 //! | the axis that separates | [`separating_axis`](Triangle::separating_axis), [`is_separated_by`](Triangle::is_separated_by) | |

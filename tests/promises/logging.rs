@@ -17,6 +17,7 @@ use septum::published::slabs::SlabRay;
 use septum::published::slopes::SlopeRay;
 use septum::published::stored_normal::NormalTriangle;
 use septum::published::watertight::ShearedRay;
+use septum::sweep::{FirstContact, Motion};
 use septum::{
     Aabb, Axis, Cull, Facing, Feature, Hit, HitRules, Obb, Plane, Ray, Scalar, Segment, ShapeError,
     Side, Triangle, Vec3,
@@ -82,6 +83,8 @@ fn shapes_carry_all_their_numbers() {
     let hit =
         Hit { t: 1.0_f32, u: 0.25, v: 0.5, facing: Facing::Front, feature: Feature::Interior };
     carries(&hit, n(&[1.0, 0.25, 0.5]));
+    carries(&Motion::new(p, q).unwrap(), all(&[p, q]));
+    carries(&FirstContact { t: 0.25_f32, axis: Some(Axis::Normal) }, n(&[0.25]));
 }
 
 #[test]
@@ -102,6 +105,7 @@ fn every_public_type_can_be_logged() {
         can::<(NormalTriangle<S>, ProjectedTriangle<S>, PreparedTriangle<S>, Target<S>)>();
         can::<(Triangles<S, 4>, NormalTriangles<S, 4>, Rays<S, 4>, Aabbs<S, 4>)>();
         can::<(Hits<S, 4>, Ranges<S, 4>, SlabRays<S, 4>)>();
+        can::<(Motion<S>, FirstContact<S>)>();
     }
     every::<f32>();
     every::<I16F16>();

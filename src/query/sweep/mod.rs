@@ -22,8 +22,8 @@ use crate::shape::{Aabb, AabbForm, Triangle};
 
 /// When a shape that moves first meets another, and how.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct FirstContact<S> {
     /// The part of the motion before it, from zero to one: the greatest number of the scalar that
     /// is not above the true time.
