@@ -166,11 +166,13 @@ fn count(title: &str, shots: &[Shot]) {
         let (mut misses, mut inventions, mut late) = (0, 0, 0);
         let (mut most_late, mut most_early) = (0.0_f64, 0.0_f64);
         for (shot, truth) in shots.iter().zip(&truth) {
-            match (cast(shot).map(f64::from), truth) {
+            match (cast(shot), truth) {
                 (None, Some(_)) => misses += 1,
                 (Some(_), None) => inventions += 1,
                 (Some(t), Some(truth)) => {
-                    late += usize::from(t > truth.next_up());
+                    // Rounding to the nearest would not be late.
+                    late += usize::from(f64::from(t.next_down()) > *truth);
+                    let t = f64::from(t);
                     most_late = most_late.max(t - truth);
                     most_early = most_early.max(truth - t);
                 }

@@ -86,15 +86,17 @@ impl<N: Arithmetic> Slabs<N> {
     ) -> Self {
         let zero = [N::Length::ZERO; 3];
         let (mut near, mut far, mut m, mut spread) = (zero, zero, zero, zero);
+        let mut is_grown = false;
         for i in 0..3 {
             let (low, high, grown, d) = axis(i);
+            is_grown |= grown != N::Length::ZERO;
             let falls = d < N::Length::ZERO;
             near[i] = if falls { -high } else { low } - grown;
             far[i] = if falls { -low } else { high } + grown;
             spread[i] = greatest(low.magnitude(), high.magnitude()) + grown;
             m[i] = d.magnitude();
         }
-        Self { near, far, m, spread: Some(spread) }
+        Self { near, far, m, spread: is_grown.then_some(spread) }
     }
 
     /// Whether the whole line misses the box, unless its direction is zero.

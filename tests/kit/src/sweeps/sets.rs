@@ -14,12 +14,15 @@ pub enum SweepSet {
     Of(Set),
     /// In exact contact at some time, or one number one place beside.
     Touch,
+    /// In touch on the way alone: a vertex along an edge of the box, or an edge across a corner; or
+    /// one number one place beside.
+    Graze,
     /// A box that comes down on a plane of triangles, or moves along it.
     Floor,
 }
 
 impl SweepSet {
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Of(Set::Random),
         Self::Of(Set::Grid),
         Self::Of(Set::Slivers),
@@ -30,6 +33,7 @@ impl SweepSet {
         Self::Of(Set::Huge),
         Self::Of(Set::Flip),
         Self::Touch,
+        Self::Graze,
         Self::Floor,
     ];
 
@@ -44,6 +48,7 @@ impl SweepSet {
                 shapes.into_iter().zip(places).map(|(case, way)| of_set(rng, case, way)).collect()
             }
             Self::Touch => (0..count).map(|_| touch(rng)).collect(),
+            Self::Graze => (0..count).map(|_| graze(rng)).collect(),
             Self::Floor => (0..count).map(|_| floor(rng)).collect(),
         }
     }
@@ -108,9 +113,14 @@ fn touch<S: Sample>(rng: &mut Rng) -> SweepCase<S> {
     }
     let from = rng.triple(|rng| S::whole(rng.whole(-8, 8)));
     let to = [0, 1, 2].map(|i: usize| moved(from[i], steps * step[i]));
-    let mut sweep = SweepCase { case, way: [from, to] };
+    nudged(rng, SweepCase { case, way: [from, to] })
+}
+
+/// One number one place up, down or not at all, in half of the cases.
+fn nudged<S: Sample>(rng: &mut Rng, mut sweep: SweepCase<S>) -> SweepCase<S> {
     if rng.one_in(2) {
-        let (i, up) = (rng.below(21), rng.whole(-1, 1));
+        let i = if rng.one_in(2) { rng.below(9) } else { rng.below(21) };
+        let up = rng.whole(-1, 1);
         if i >= 15 {
             let x = &mut sweep.way[(i - 15) / 3][i % 3];
             *x = x.moved(up);
@@ -120,6 +130,37 @@ fn touch<S: Sample>(rng: &mut Rng) -> SweepCase<S> {
         }
     }
     sweep
+}
+
+/// A triangle in touch: of what is in the plane that separates it from the box all but an end
+/// becomes the way, and the rest of the triangle is above the plane.
+fn graze<S: Sample>(rng: &mut Rng) -> SweepCase<S> {
+    let bits = (Touch::bits::<S>() - 1).min(12);
+    let by_edge = rng.one_in(2);
+    let mut touch = if by_edge { Touch::edge(rng, bits) } else { Touch::corner(rng, bits) };
+    let dot = |v: &[i64; 3]| (0..3).map(|i| v[i] * touch.normal[i]).sum::<i64>();
+    let mut vertices = touch.vertices;
+    // Those in the plane come first.
+    vertices.sort_by_key(dot);
+    let up = (0..3).max_by_key(|&i| touch.normal[i].abs()).unwrap_or(0);
+    let above = |rng: &mut Rng, mut p: [i64; 3]| {
+        p[up] += touch.normal[up].signum() * rng.whole(0, 1 << (bits - 3));
+        p
+    };
+    let [a, b, c] = vertices;
+    let way = if by_edge { [a, b] } else { [a, c] };
+    vertices = if by_edge { [a, above(rng, a), c] } else { [a, b, above(rng, a)] };
+    vertices.rotate_left(rng.below(3));
+    touch.vertices = vertices;
+    // At times about zero, so that what is one place beside is far smaller than the rest.
+    if rng.one_in(2) {
+        let [x, y, z] = &mut touch.vertices;
+        for p in [x, y, z, &mut touch.least, &mut touch.greatest] {
+            *p = [0, 1, 2].map(|i: usize| p[i] - a[i]);
+        }
+    }
+    let case = touch.case(rng.one_in(2));
+    nudged(rng, SweepCase { case, way: way.map(|p| p.map(S::whole)) })
 }
 
 fn floor<S: Sample>(rng: &mut Rng) -> SweepCase<S> {
