@@ -4,6 +4,7 @@
 //! been rounded once: each number of a scalar from zero to one is among those of 64 digits. And
 //! rounding keeps order, so the greatest of rounded quotients is the greatest quotient, rounded.
 
+use super::number::Number;
 use super::wide::I256;
 
 /// A quotient, `mantissa`·2^(`exponent` − 64) with the mantissa's highest bit set, or zero.
@@ -74,33 +75,7 @@ fn of_normal(x: f64) -> Portion {
     Portion::of_whole(bits & (HIDDEN - 1) | HIDDEN, (bits / HIDDEN) as i32 - 1075)
 }
 
-/// The quotient of two numbers above zero, the first not the greater, place by place. Neither
-/// fills its type: it can be doubled.
-macro_rules! long_division {
-    ($num:expr, $den:expr, $lead:expr, $zero:expr, $doubled:expr, $shifted:expr) => {{
-        let (num, den) = ($num, $den);
-        // Both with their highest bit in one place.
-        let places = $lead(num).saturating_sub($lead(den));
-        let mut rest = $shifted(num, places);
-        let mut exponent = 1 - places as i32;
-        if rest < den {
-            rest = $doubled(rest);
-            exponent -= 1;
-        }
-        let mut mantissa = 0_u64;
-        for _ in 0..64 {
-            mantissa <<= 1;
-            if rest >= den {
-                rest = rest - den;
-                mantissa |= 1;
-            }
-            rest = $doubled(rest);
-        }
-        Portion { exponent, mantissa }
-    }};
-}
-
-/// The same of numbers that a register holds.
+/// The quotient of two numbers above zero, the first not the greater, that a register holds.
 #[inline(always)]
 pub(super) fn divided_short(num: u64, den: u64) -> Portion {
     let places = num.leading_zeros() - den.leading_zeros();
@@ -112,25 +87,42 @@ pub(super) fn divided_short(num: u64, den: u64) -> Portion {
     Portion { exponent: i32::from(!is_less) - places as i32, mantissa }
 }
 
+/// The same of longer ones.
 #[inline(never)]
 pub(super) fn divided(num: u128, den: u128) -> Portion {
     if let (Ok(num), Ok(den)) = (u64::try_from(num), u64::try_from(den)) {
         return divided_short(num, den);
     }
-    long_division!(num, den, u128::leading_zeros, 0, |x| x << 1, |x: u128, n: u32| x << n)
+    let places = num.leading_zeros() - den.leading_zeros();
+    by_places((num << places) as i128, den as i128, places)
 }
 
 #[cold]
 #[inline(never)]
 pub(super) fn divided_wide(num: I256, den: I256) -> Portion {
-    long_division!(
-        num,
-        den,
-        |x: I256| x.leading_zeros(),
-        I256::ZERO,
-        |x| x + x,
-        |x: I256, n: u32| (0..n).fold(x, |x, _| x + x)
-    )
+    let places = num.leading_zeros().saturating_sub(den.leading_zeros());
+    by_places((0..places).fold(num, |x, _| x + x), den, places)
+}
+
+/// The quotient place by place, of two numbers whose highest bits are in one place, the first of
+/// which was shifted there. They can be doubled.
+#[inline(always)]
+fn by_places<T: Number>(mut rest: T, den: T, places: u32) -> Portion {
+    let mut exponent = 1 - places as i32;
+    if rest < den {
+        rest = rest + rest;
+        exponent -= 1;
+    }
+    let mut mantissa = 0_u64;
+    for _ in 0..64 {
+        mantissa <<= 1;
+        if rest >= den {
+            rest = rest - den;
+            mantissa |= 1;
+        }
+        rest = rest + rest;
+    }
+    Portion { exponent, mantissa }
 }
 
 /// The quotient of two numbers above zero in limbs, the least first, the first not the greater.
