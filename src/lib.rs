@@ -60,6 +60,7 @@
 //! | touching or overlapping | [`relation`] | |
 //! | ray or box and triangle, near the origin, in 32-bit words alone | `near` | |
 //! | the least translation that parts two shapes, and where they touch | [`contact`] | |
+//! | a box or a triangle that moves | [`meets_along`](sweep::Sweep::meets_along), [`first_contact`](sweep::Sweep::first_contact); a mesh: [`first_contact`](mesh::Tree::first_contact) | |
 //! | triangle, grid of voxels | [`voxel::Grid::rows`], [`voxel::Bits::fill`]; inside: [`voxel::Solid`] | |
 //! | segment or ray, grid | [`voxel::Grid::walk_segment`], [`voxel::Grid::walk_ray`] | |
 //! | the axis that separates | [`separating_axis`](Triangle::separating_axis), [`is_separated_by`](Triangle::is_separated_by) | |
@@ -152,6 +153,7 @@ pub mod published;
 pub mod relation;
 mod robust;
 mod scalar;
+pub mod sweep;
 pub mod voxel;
 
 pub use query::{Axis, Cull, Facing, Feature, Hit, HitRules, Side};

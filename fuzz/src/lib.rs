@@ -12,5 +12,5 @@ mod told;
 
 pub use checks::{
     closed_mesh, constructors, contacts, flat_shapes, lanes, oriented_pairs, plane_aabb, ray_aabb,
-    ray_triangle, segment_aabb, triangle_aabb, triangle_obb, unit_normal,
+    ray_triangle, segment_aabb, sweeps, triangle_aabb, triangle_obb, unit_normal,
 };

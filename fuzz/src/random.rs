@@ -39,6 +39,7 @@ random_bytes! {
     closed_mesh: 20_000,
     ray_aabb: 20_000,
     segment_aabb: 20_000,
+    sweeps: 5_000,
     lanes: 2_000,
     unit_normal: 20_000,
     constructors: 20_000,

@@ -4,6 +4,7 @@ use core::ops::Mul;
 
 use super::number::Number;
 use super::parts::Parts;
+use super::portion::{Portion, enclosing};
 use super::quad::OfFour;
 use super::quotient::Leading;
 
@@ -63,6 +64,10 @@ macro_rules! number {
             #[inline(always)]
             fn in_range(self) -> bool {
                 (self > Self::RANGE.0) & (self < Self::RANGE.1)
+            }
+            #[inline(always)]
+            fn portion(self, den: Self, [error, other]: [Self; 2]) -> [Portion; 2] {
+                enclosing(self.into(), den.into(), [error.into(), other.into()])
             }
         }
     };

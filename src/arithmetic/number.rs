@@ -4,6 +4,8 @@
 use core::cmp::Ordering;
 use core::ops::{Add, Neg, Sub};
 
+use super::portion::{Portion, divided, divided_short};
+
 /// A number that a geometric quantity is held in.
 pub trait Number:
     Copy + PartialOrd + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self>
@@ -35,10 +37,18 @@ pub trait Number:
     fn in_range(self) -> bool {
         true
     }
+
+    /// Two numbers that enclose self/den, given how far from the truth the two may be. Where
+    /// nothing is rounded, 0 < self ≤ den is asked for, and both are that quotient rounded down.
+    #[inline(always)]
+    fn portion(self, den: Self, errors: [Self; 2]) -> [Portion; 2] {
+        let _ = (den, errors);
+        [Portion::ZERO, Portion::ONE]
+    }
 }
 
 macro_rules! integer {
-    ($($t:ty: |$x:ident| $in_range:expr;)*) => {$(
+    ($($t:ty: $divided:ident, |$x:ident| $in_range:expr;)*) => {$(
         impl Number for $t {
             const ZERO: Self = 0;
             #[inline(always)]
@@ -54,14 +64,19 @@ macro_rules! integer {
                 let $x = self;
                 $in_range
             }
+            #[inline(always)]
+            fn portion(self, den: Self, _: [Self; 2]) -> [Portion; 2] {
+                debug_assert!(self > 0 && self <= den);
+                [$divided(self.unsigned_abs().into(), den.unsigned_abs().into()); 2]
+            }
         }
     )*};
 }
 integer! {
-    i32: |_size| true;
-    i64: |_size| true;
+    i32: divided_short, |_size| true;
+    i64: divided_short, |_size| true;
     // As an operand of sums of at most 30 products of four.
-    i128: |size| size <= 1 << 30;
+    i128: divided, |size| size <= 1 << 30;
 }
 
 /// How two numbers compare; none is NaN.

@@ -14,7 +14,7 @@ use crate::published::slabs::SlabRay;
 use crate::published::slopes::SlopeRay;
 use crate::published::stored_normal::NormalTriangle;
 use crate::published::watertight::ShearedRay;
-use crate::query::Hit;
+use crate::query::{FirstContact, Hit, Motion};
 use crate::scalar::Scalar;
 use crate::shape::{
     Aabb, AabbForm, Obb, Plane, PlaneForm, Ray, Segment, SegmentForm, Triangle, Vec3,
@@ -104,6 +104,10 @@ formats! {
         "Contact {{ {}, is_held: {}, points: {=[?]} }}",
         found.translation, found.is_held, found.points()
     );
+    Motion: |motion, to| write!(to, "Motion {{ from: {}, to: {} }}", motion.from(), motion.to());
+    FirstContact: |first, to| {
+        write!(to, "FirstContact {{ t: {}, axis: {} }}", Number(first.t), first.axis)
+    };
     // Of what is prepared for a method, what it was prepared from.
     NormalTriangle: |t, to| write!(to, "NormalTriangle {{ normal: {}, .. }}", t.normal());
     ProjectedTriangle: |_t, to| write!(to, "ProjectedTriangle {{ .. }}");

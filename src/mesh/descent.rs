@@ -21,6 +21,8 @@
 //! origin the whole grid. Where d is zero r̂ is 2¹⁰⁰: the shift of o is at least 2⁻⁵, so that the
 //! point lies clear of both planes, at t beyond ±2⁹⁴, or outside of them.
 
+use core::cmp::Ordering;
+
 use super::grid::Grid;
 use super::node::{Cell, Node};
 use crate::arithmetic::{greatest, least};
@@ -45,18 +47,32 @@ pub(super) struct Met {
     pub(super) sooner: [i32; 4],
 }
 
+/// What goes down a tree in the order in which it comes to things.
+pub(super) trait Descend {
+    /// The boxes of a node that it meets.
+    fn meets(&self, node: &Node) -> Met;
+    /// Whether a child that is so soon may still be met.
+    fn reaches(&self, sooner: i32) -> bool;
+}
+
+impl<S: Scalar> Descend for Descent<S> {
+    #[inline(always)]
+    fn meets(&self, node: &Node) -> Met {
+        if S::IS_FAST { self.fast.meets(node) } else { self.meets_exactly(node) }
+    }
+
+    #[inline(always)]
+    fn reaches(&self, sooner: i32) -> bool {
+        !S::IS_FAST || self.fast.reaches(sooner)
+    }
+}
+
 impl<S: Scalar> Descent<S> {
     pub(super) fn new(grid: &Grid<S>, ray: &Ray<S>) -> Self {
         // Where the choice is known to the compiler it links no floats.
         let fast = if S::IS_FAST { GridRay::new(grid, ray) } else { GridRay::EVERYWHERE };
         let octant = if S::IS_FAST { Cell::ALL } else { octant(grid, ray) };
         Self { ray: *ray, grid: *grid, fast, octant }
-    }
-
-    /// The boxes of a node that the ray meets.
-    #[inline(always)]
-    pub(super) fn meets(&self, node: &Node) -> Met {
-        if S::IS_FAST { self.fast.meets(node) } else { self.meets_exactly(node) }
     }
 
     fn meets_exactly(&self, node: &Node) -> Met {
@@ -71,12 +87,7 @@ impl<S: Scalar> Descent<S> {
                 mask ^= 1 << k;
                 continue;
             }
-            // By how far the box is along the direction's octant.
-            sooner[k] = (0..3).fold(0, |sum, i| {
-                let is_falling = d[i] < S::ZERO;
-                let face = if is_falling { -i32::from(cell.high[i]) } else { cell.low[i].into() };
-                if d[i] == S::ZERO { sum } else { sum + face }
-            });
+            sooner[k] = along_octant(&cell, d.map(|d| d.partial_cmp(&S::ZERO)));
         }
         Met { mask, sooner }
     }
@@ -90,12 +101,15 @@ impl<S: Scalar> Descent<S> {
             self.ray = self.ray.until(end);
         }
     }
+}
 
-    /// Whether a child that is so soon may still be met.
-    #[inline(always)]
-    pub(super) fn reaches(&self, sooner: i32) -> bool {
-        !S::IS_FAST || sooner <= in_order(self.fast.to)
-    }
+/// How far a box is along the octant that a direction with these signs leads to.
+pub(super) fn along_octant(cell: &Cell, signs: [Option<Ordering>; 3]) -> i32 {
+    (0..3).fold(0, |sum, i| match signs[i] {
+        Some(Ordering::Less) => sum - i32::from(cell.high[i]),
+        Some(Ordering::Greater) => sum + i32::from(cell.low[i]),
+        _ => sum,
+    })
 }
 
 /// The part of a grid that a ray comes to, by the signs of its direction.
@@ -117,9 +131,9 @@ fn octant<S: Scalar>(grid: &Grid<S>, ray: &Ray<S>) -> Cell {
     to
 }
 
-/// A ray on a grid.
+/// A ray on a grid, or a box that moves.
 #[derive(Clone, Copy, Debug)]
-struct GridRay {
+pub(super) struct GridRay {
     axes: [Axis; 3],
     /// The range of t, in units of 1/m.
     from: f32,
@@ -147,10 +161,26 @@ impl Axis {
 
 impl GridRay {
     /// What meets all boxes.
-    const EVERYWHERE: Self =
+    pub(super) const EVERYWHERE: Self =
         Self { axes: [Axis::OPEN; 3], from: f32::NEG_INFINITY, to: f32::INFINITY, scale: 0.0 };
 
     fn new<S: Scalar>(grid: &Grid<S>, ray: &Ray<S>) -> Self {
+        let (direction, origin) = (ray.direction().to_array(), ray.origin().to_array());
+        let o = [0, 1, 2].map(|i| origin[i].place(&grid.0[i]));
+        let d = [0, 1, 2].map(|i| direction[i].length(&grid.0[i]));
+        let ends = [ray.t_min(), ray.t_max()].map(|t| t.map(S::real));
+        Self::between([o; 2], d, direction.map(|d| d == S::ZERO), ends)
+    }
+
+    /// A box between two corners on its way, in steps of the grid, and which components of that
+    /// are zero; and the range of t. It meets what its greatest corner does that is below, and
+    /// what its least corner does that is above.
+    pub(super) fn between(
+        [min, max]: [[f64; 3]; 2],
+        d: [f64; 3],
+        is_zero: [bool; 3],
+        [from, to]: [Option<f64>; 2],
+    ) -> Self {
         const FAR: f64 = (1_u64 << 60) as f64;
         const SHORT: f64 = 1.0 / (1_u128 << 64) as f64;
         const UPRIGHT: f32 = (1_u128 << 100) as f32;
@@ -161,18 +191,15 @@ impl GridRay {
         const LEAST_SCALE: f64 = 1e-290;
         const MOST_SCALE: f64 = 1e290;
 
-        let (direction, origin) = (ray.direction().to_array(), ray.origin().to_array());
-        let o = [0, 1, 2].map(|i| origin[i].place(&grid.0[i]));
-        let d = [0, 1, 2].map(|i| direction[i].length(&grid.0[i]));
         let scale = d.iter().fold(0.0, |m, d| greatest(m, d.abs()));
-        let is_near = o.iter().all(|o| o.abs() <= FAR);
+        let is_near = min.iter().chain(&max).all(|o| o.abs() <= FAR);
         if !(is_near && scale > LEAST_SCALE && scale < MOST_SCALE) {
             return Self::EVERYWHERE;
         }
         let axis = |i: usize| {
             let unit = d[i] / scale;
-            let shift = SHIFT * (POINTS + o[i].abs());
-            let inverse = if direction[i] == S::ZERO {
+            let shift = |o: f64| SHIFT * (POINTS + o.abs());
+            let inverse = if is_zero[i] {
                 UPRIGHT
             } else if unit.abs() < SHORT {
                 return Axis::OPEN;
@@ -180,19 +207,19 @@ impl GridRay {
                 (1.0 / unit) as f32
             };
             Axis {
-                low: (o[i] + shift) as f32,
-                high: (o[i] - shift) as f32,
+                low: (max[i] + shift(max[i])) as f32,
+                high: (min[i] - shift(min[i])) as f32,
                 inverse,
                 is_falling: inverse < 0.0,
             }
         };
-        let from = ray.t_min().map_or(f32::NEG_INFINITY, |t| -rounded_up(-(t.real() * scale)));
-        let to = ray.t_max().map_or(f32::INFINITY, |t| rounded_up(t.real() * scale));
+        let from = from.map_or(f32::NEG_INFINITY, |t| -rounded_up(-(t * scale)));
+        let to = to.map_or(f32::INFINITY, |t| rounded_up(t * scale));
         Self { axes: [axis(0), axis(1), axis(2)], from, to, scale }
     }
 
     #[inline(always)]
-    fn meets(&self, node: &Node) -> Met {
+    pub(super) fn meets(&self, node: &Node) -> Met {
         let (mut enter, mut leave) = ([self.from; 4], [self.to; 4]);
         for i in 0..3 {
             let Axis { low, high, inverse, is_falling } = self.axes[i];
@@ -209,7 +236,17 @@ impl GridRay {
         Met { mask: a | b << 1 | c << 2 | d << 3, sooner: enter.map(in_order) }
     }
 
-    fn limit(&mut self, t: f64) {
+    /// Whether it is somewhere.
+    pub(super) fn is_known(&self) -> bool {
+        self.scale > 0.0
+    }
+
+    #[inline(always)]
+    pub(super) fn reaches(&self, sooner: i32) -> bool {
+        sooner <= in_order(self.to)
+    }
+
+    pub(super) fn limit(&mut self, t: f64) {
         if self.scale > 0.0 {
             self.to = least(rounded_up(t * self.scale), self.to);
         }

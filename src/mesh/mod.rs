@@ -40,6 +40,7 @@ mod node;
 mod overlapping;
 mod pairs;
 mod ray;
+mod sweep;
 mod tree;
 mod walk;
 

@@ -16,7 +16,7 @@ pub trait Probe<S: Scalar>: Overlaps<Triangle<S>> + sealed::Bounded<S> {}
 
 impl<S: Scalar, P: Overlaps<Triangle<S>> + sealed::Bounded<S>> Probe<S> for P {}
 
-mod sealed {
+pub(super) mod sealed {
     use crate::scalar::Scalar;
     use crate::shape::Aabb;
 

@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 use core::ops::Range;
 
-use super::descent::{Descent, Met};
+use super::descent::{Descend, Descent, Met};
 use super::node::{LEVELS, Node};
 use super::walk::Walk;
 use super::{Index, Tree};
@@ -39,6 +39,23 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     pub fn first_hit_with(&self, ray: &Ray<S>, rules: HitRules) -> Option<(usize, Hit<S>)> {
         let mut descent = Descent::new(&self.grid, ray);
         let mut best: Option<(usize, Hit<S>)> = None;
+        self.descend(&mut descent, |descent, i| {
+            let Some(hit) = ray.hit_with(&self.mesh.known(i), rules) else { return };
+            if best.is_none_or(|best| self.is_before(ray, (i, &hit), (best.0, &best.1))) {
+                descent.limit(hit.t);
+                best = Some((i, hit));
+            }
+        });
+        best
+    }
+
+    /// Goes down to the triangles that are near, those first that come soon.
+    #[inline(always)]
+    pub(super) fn descend<D: Descend>(
+        &self,
+        descent: &mut D,
+        mut visit: impl FnMut(&mut D, usize),
+    ) {
         let mut stack = [(0_u32, i32::MIN); STACK];
         let mut top = usize::from(!self.nodes.is_empty());
         while top > 0 {
@@ -50,11 +67,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
             }
             let Some(node) = self.nodes.get(place) else {
                 for i in self.layout.leaf(place).map(|at| self.index(at)) {
-                    let Some(hit) = ray.hit_with(&self.mesh.known(i), rules) else { continue };
-                    if best.is_none_or(|best| self.is_before(ray, (i, &hit), (best.0, &best.1))) {
-                        descent.limit(hit.t);
-                        best = Some((i, hit));
-                    }
+                    visit(descent, i);
                 }
                 continue;
             };
@@ -76,7 +89,6 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
                 top += 1;
             }
         }
-        best
     }
 
     /// Whether the first hit is before the second, on the way or by its index.

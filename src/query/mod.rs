@@ -29,6 +29,8 @@ mod ray_aabb;
 mod ray_triangle;
 mod row_triangle;
 
+mod sweep;
+
 mod normal;
 
 #[cfg(all(test, feature = "fixed"))]
@@ -47,6 +49,7 @@ pub(crate) use ray_triangle::{Candidate, clear_hit, clear_refined_hit};
 pub use ray_triangle::{Cull, Facing, Feature, Hit, HitRules, Target};
 pub use relation::{Relate, Relation};
 pub(crate) use row_triangle::crossing;
+pub use sweep::{FirstContact, Motion, Sweep};
 pub use triangle_aabb::{Axis, PreparedTriangle};
 pub(crate) use triangle_aabb::{apart_by_center, apart_by_corners, disjoint_rounded};
 

@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 #[cfg(feature = "fixed")]
 use crate::arithmetic::{Dividend, I256, quotient_of_limbs};
-use crate::arithmetic::{Leading, Parts};
+use crate::arithmetic::{Leading, Parts, Portion, divided_limbs};
 
 /// A sum of products of up to four numbers that loses nothing.
 pub trait ExactSum {
@@ -18,6 +18,8 @@ pub trait ExactSum {
     /// The sum in two's complement, least limb first, in units of the product of as
     /// many least numbers as a term has factors.
     fn limbs(&self) -> &[u64];
+    /// The quotient of two sums above zero, this not the greater, rounded down.
+    fn portion(&self, den: &Self) -> Portion;
 }
 
 /// A sum in two's complement, least limb first. Kulisch's long accumulator,
@@ -65,6 +67,10 @@ impl<const LIMBS: usize> ExactSum for Sum<LIMBS> {
 
     fn limbs(&self) -> &[u64] {
         &self.0
+    }
+
+    fn portion(&self, den: &Self) -> Portion {
+        divided_limbs(self.0, &den.0)
     }
 }
 

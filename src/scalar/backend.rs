@@ -1,4 +1,4 @@
-use crate::arithmetic::{FirstFloat, Parts, RoundedOps, Spanned};
+use crate::arithmetic::{FirstFloat, Parts, Portion, RoundedOps, Spanned};
 use crate::robust::{ExactSum, Predicate};
 
 /// What queries need of a scalar: a few constants, and its cascade.
@@ -19,6 +19,9 @@ pub trait Backend: RoundedOps + Spanned + FirstFloat {
 
     /// The quotient of two sums, to the nearest; the divisor is not zero.
     fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self;
+
+    /// The greatest number that is not above this one; the end of the type where that is below.
+    fn at_most(portion: Portion) -> Self;
 
     /// The answer to `p`, by the cheapest number system that can vouch for it.
     fn evaluate<P: Predicate<Self>>(p: &P) -> P::Answer;

@@ -5,7 +5,7 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 use super::{Backend, Scalar};
 use crate::arithmetic::{
-    Embeds, Filtered, InWholeWord, Int8, Int16, Int32, Int64, OfFour, Parts, Quad,
+    Embeds, Filtered, InWholeWord, Int8, Int16, Int32, Int64, OfFour, Parts, Portion, Quad,
     REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, WholeWord, clamped,
 };
 use crate::robust::{
@@ -34,6 +34,16 @@ macro_rules! scalar {
 
             fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self {
                 clamped!($fixed, num.quotient(den, Self::FRAC_NBITS))
+            }
+            #[inline(always)]
+            fn at_most(portion: Portion) -> Self {
+                let unit = -(Self::FRAC_NBITS as i32);
+                match portion.whole(64, unit) {
+                    (whole, exponent) if exponent == unit => {
+                        i64::try_from(whole).map_or(Self::MAX, |whole| clamped!($fixed, whole))
+                    }
+                    _ => Self::MAX,
+                }
             }
             fn parts(self) -> Parts {
                 let bits = i64::from(self.to_bits());

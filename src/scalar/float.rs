@@ -1,7 +1,9 @@
 //! `f32` and `f64` as scalars.
 
 use super::{Backend, FloatFormat, Scalar};
-use crate::arithmetic::{Float, Parts, REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, quotient};
+use crate::arithmetic::{
+    Float, Parts, Portion, REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, quotient,
+};
 use crate::robust::{
     Clue, Predicate, Sum, exact_stage, in_floats, in_quads, integer_stage, multiples_stage,
     numeric_stage, refined_stage,
@@ -79,6 +81,11 @@ impl Backend for f32 {
         quotient(num.leading(), den.leading())
     }
     #[inline(always)]
+    fn at_most(portion: Portion) -> Self {
+        let (whole, exponent) = portion.whole(Self::MANTISSA_DIGITS, -149);
+        Float::scaled(whole, exponent)
+    }
+    #[inline(always)]
     fn evaluate<P: Predicate<Self>>(p: &P) -> P::Answer {
         match in_floats::<_, f32, _>(p) {
             Some(answer) => answer,
@@ -147,6 +154,11 @@ impl Backend for f64 {
     }
     fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self {
         quotient(num.leading(), den.leading())
+    }
+    #[inline(always)]
+    fn at_most(portion: Portion) -> Self {
+        let (whole, exponent) = portion.whole(Self::MANTISSA_DIGITS, -1074);
+        Float::scaled(whole, exponent)
     }
     #[inline(always)]
     fn evaluate<P: Predicate<Self>>(p: &P) -> P::Answer {

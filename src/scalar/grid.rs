@@ -31,6 +31,10 @@ pub trait Gridded: Copy {
     /// How many steps a length comes to, within 2⁻⁵⁰ of itself; infinite where it overflows.
     fn length(self, steps: &Self::Steps) -> f64;
 
+    /// How many steps it is from another number to this one, within 2⁻⁵⁰ of itself; infinite
+    /// where it overflows.
+    fn steps_from(self, other: Self, steps: &Self::Steps) -> f64;
+
     /// The number, within 2⁻⁵⁰ of itself.
     fn real(self) -> f64;
 
@@ -146,6 +150,11 @@ macro_rules! float {
             }
 
             #[inline]
+            fn steps_from(self, other: Self, steps: &Self::Steps) -> f64 {
+                product(f64::from(self) - f64::from(other), steps.inverse.into())
+            }
+
+            #[inline]
             fn real(self) -> f64 {
                 self.into()
             }
@@ -258,6 +267,12 @@ mod fixed_point {
                 fn length(self, steps: &Self::Steps) -> f64 {
                     // In steps, for each unit of t.
                     self.to_bits() as f64 * one_over_two_to(steps.shift)
+                }
+
+                #[inline]
+                fn steps_from(self, other: Self, steps: &Self::Steps) -> f64 {
+                    let $d = (self.to_bits(), <$w>::from(other.to_bits()));
+                    $to_f64 * one_over_two_to(steps.shift)
                 }
 
                 #[inline]

@@ -34,7 +34,7 @@ pub use vec3::Vec3;
 use crate::scalar::Scalar;
 
 /// The vector, if all its coordinates are numbers.
-fn finite<S: Scalar>(v: impl Into<Vec3<S>>) -> Result<Vec3<S>, ShapeError> {
+pub(crate) fn finite<S: Scalar>(v: impl Into<Vec3<S>>) -> Result<Vec3<S>, ShapeError> {
     let v = v.into();
     if v.is_finite() { Ok(v) } else { Err(ShapeError::NotFinite) }
 }

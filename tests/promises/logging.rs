@@ -18,6 +18,7 @@ use septum::published::slabs::SlabRay;
 use septum::published::slopes::SlopeRay;
 use septum::published::stored_normal::NormalTriangle;
 use septum::published::watertight::ShearedRay;
+use septum::sweep::{FirstContact, Motion};
 use septum::{
     Aabb, Axis, Cull, Facing, Feature, Hit, HitRules, Obb, Plane, Ray, Scalar, Segment, ShapeError,
     Side, Triangle, Vec3,
@@ -88,6 +89,8 @@ fn shapes_carry_all_their_numbers() {
     let found = contact(&on_top, &unit).unwrap();
     let of_point = [[0.5, 0.75, 3.75], [0.5, 0.75, 4.0]];
     carries(&found, [n(&[0.0, 0.0, 0.25, 0.25, 0.0, 0.0, 1.0]), all(&of_point)].concat());
+    carries(&Motion::new(p, q).unwrap(), all(&[p, q]));
+    carries(&FirstContact { t: 0.25_f32, axis: Some(Axis::Normal) }, n(&[0.25]));
 }
 
 #[test]
@@ -109,6 +112,7 @@ fn every_public_type_can_be_logged() {
         can::<(Triangles<S, 4>, NormalTriangles<S, 4>, Rays<S, 4>, Aabbs<S, 4>)>();
         can::<(Hits<S, 4>, Ranges<S, 4>, SlabRays<S, 4>)>();
         can::<(Translation<S>, Point<S>, Contact<S>)>();
+        can::<(Motion<S>, FirstContact<S>)>();
     }
     every::<f32>();
     every::<I16F16>();

@@ -34,6 +34,7 @@ mod ray_box_rounded;
 mod relations;
 mod segment_box;
 mod small_pairs;
+mod sweep;
 
 // Ray against triangle.
 mod exhaustive_rays;

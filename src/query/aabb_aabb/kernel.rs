@@ -10,10 +10,10 @@ use crate::shape::{AabbForm, Vec3};
 /// A box in either form as one: on each axis it is the interval from `low` − `grown`
 /// to `high` + `grown`.
 #[derive(Clone, Copy)]
-pub(super) struct Grown<S> {
-    pub(super) low: [S; 3],
-    pub(super) high: [S; 3],
-    pub(super) grown: [S; 3],
+pub(in crate::query) struct Grown<S> {
+    pub(in crate::query) low: [S; 3],
+    pub(in crate::query) high: [S; 3],
+    pub(in crate::query) grown: [S; 3],
 }
 
 impl<S: Scalar> Grown<S> {
@@ -29,8 +29,8 @@ impl<S: Scalar> Grown<S> {
 
 /// The question whether two boxes have no point in common.
 pub(in crate::query) struct Apart<S> {
-    pub(super) a: Grown<S>,
-    pub(super) b: Grown<S>,
+    pub(in crate::query) a: Grown<S>,
+    pub(in crate::query) b: Grown<S>,
 }
 
 impl<S: Scalar> Apart<S> {
@@ -48,7 +48,7 @@ impl<S: Scalar> Apart<S> {
 /// roundings of |d| + r and of the bound, and terms in u². Sums of floats do not
 /// underflow: below twice the least normal number they are exact, and there the
 /// bound may as well be zero. Proved in `kernel.g`.
-pub(super) const GAP: u16 = 3;
+pub(in crate::query) const GAP: u16 = 3;
 
 impl<S: Scalar> Predicate<S> for Apart<S> {
     type Answer = bool;

@@ -3,7 +3,7 @@
 mod kernel;
 mod relation;
 
-pub(super) use kernel::Apart;
+pub(super) use kernel::{Apart, GAP};
 
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Overlaps};

@@ -32,7 +32,7 @@ pub(super) struct Slabs<N: Arithmetic> {
     pub(super) m: [N::Length; 3],
     /// Where both are rounded sums of three numbers, what they cannot exceed;
     /// differences of two err only by their own size, and their sign is right.
-    spread: Option<[N::Length; 3]>,
+    pub(super) spread: Option<[N::Length; 3]>,
 }
 
 impl<N: Arithmetic> Slabs<N> {
@@ -76,6 +76,27 @@ impl<N: Arithmetic> Slabs<N> {
             m[i] = d[i].magnitude();
         }
         Self { near, far, m, spread: Some(spread) }
+    }
+
+    /// The line from the origin, and intervals from `low` − `grown` to `high` + `grown`: of each
+    /// axis `low`, `high`, `grown` and the direction, which are rounded once at most.
+    #[inline(always)]
+    pub(super) fn of_intervals(
+        axis: impl Fn(usize) -> (N::Length, N::Length, N::Length, N::Length),
+    ) -> Self {
+        let zero = [N::Length::ZERO; 3];
+        let (mut near, mut far, mut m, mut spread) = (zero, zero, zero, zero);
+        let mut is_grown = false;
+        for i in 0..3 {
+            let (low, high, grown, d) = axis(i);
+            is_grown |= grown != N::Length::ZERO;
+            let falls = d < N::Length::ZERO;
+            near[i] = if falls { -high } else { low } - grown;
+            far[i] = if falls { -low } else { high } + grown;
+            spread[i] = greatest(low.magnitude(), high.magnitude()) + grown;
+            m[i] = d.magnitude();
+        }
+        Self { near, far, m, spread: is_grown.then_some(spread) }
     }
 
     /// Whether the whole line misses the box, unless its direction is zero.

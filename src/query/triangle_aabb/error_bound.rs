@@ -64,14 +64,14 @@ const EDGE: u16 = 24;
 const PLANE: u16 = 60;
 
 /// How far computed axes may be from the truth.
-pub(super) struct ErrorBound<N: Arithmetic> {
-    pub(super) edge: N::Area,
-    pub(super) plane: N::Volume,
+pub(in crate::query) struct ErrorBound<N: Arithmetic> {
+    pub(in crate::query) edge: N::Area,
+    pub(in crate::query) plane: N::Volume,
 }
 
 /// The bounds for shapes of this size; `None` where they are not known.
 #[inline(always)]
-pub(super) fn error_bound<N: Arithmetic>(size: N::Length) -> Option<ErrorBound<N>> {
+pub(in crate::query) fn error_bound<N: Arithmetic>(size: N::Length) -> Option<ErrorBound<N>> {
     if N::CERTAIN {
         return Some(ErrorBound { edge: N::Area::ZERO, plane: N::Volume::ZERO });
     }

@@ -2,7 +2,7 @@ use crate::arithmetic::{Arithmetic, Number, greatest, least, of_two, once};
 
 /// How a box was given, in a number system's own lengths.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum BoxForm<L> {
+pub(in crate::query) enum BoxForm<L> {
     /// Centre and half-extents.
     Center([L; 3], [L; 3]),
     /// Least and greatest corner, and by how much to grow the box on each side;
@@ -11,20 +11,20 @@ pub(super) enum BoxForm<L> {
 }
 
 /// A triangle in the frame of a box: see [`Arithmetic`] on it.
-pub(super) struct Frame<N: Arithmetic> {
+pub(in crate::query) struct Frame<N: Arithmetic> {
     /// The vertices.
-    pub(super) v: [[N::Length; 3]; 3],
+    pub(in crate::query) v: [[N::Length; 3]; 3],
     /// The edges, each from a vertex to the next; not doubled.
-    pub(super) e: [[N::Length; 3]; 3],
+    pub(in crate::query) e: [[N::Length; 3]; 3],
     /// The half-extents.
-    pub(super) h: [N::Length; 3],
+    pub(in crate::query) h: [N::Length; 3],
     /// The gap between box and triangle along each coordinate axis, below zero
     /// where they overlap; floats only.
-    pub(super) gaps: [N::Length; 3],
+    pub(in crate::query) gaps: [N::Length; 3],
     /// Whether a gap of zero is one indeed, and not a rounded one. The sign of
     /// any other is right: a difference of two numbers rounds to zero only if
     /// it is zero, and rounding keeps order.
-    pub(super) gaps_are_exact: bool,
+    pub(in crate::query) gaps_are_exact: bool,
     /// The triangle's extent along each coordinate axis and the half-extent of the
     /// box, together; floats only.
     spans: [N::Length; 3],
@@ -32,7 +32,7 @@ pub(super) struct Frame<N: Arithmetic> {
 
 impl<N: Arithmetic> Frame<N> {
     #[inline(always)]
-    pub(super) fn new(t: &[[N::Length; 3]; 3], form: &BoxForm<N::Length>) -> Self {
+    pub(in crate::query) fn new(t: &[[N::Length; 3]; 3], form: &BoxForm<N::Length>) -> Self {
         let zero = N::Length::ZERO;
         let (mut h, mut gaps, mut spans) = ([zero; 3], [zero; 3], [zero; 3]);
         let v = match form {
@@ -96,7 +96,7 @@ impl<N: Arithmetic> Frame<N> {
     /// No coordinate in the frame exceeds this, if there is no gap; nor does an
     /// edge, nor a half-extent.
     #[inline(always)]
-    pub(super) fn size(&self) -> N::Length {
+    pub(in crate::query) fn size(&self) -> N::Length {
         if N::CERTAIN {
             return self.largest();
         }
@@ -104,8 +104,16 @@ impl<N: Arithmetic> Frame<N> {
         greatest(greatest(x, y), z)
     }
 
+    /// The same with a way of the triangle, if there is no gap all along it.
+    #[inline(always)]
+    pub(in crate::query) fn size_along(&self, d: &[N::Length; 3]) -> N::Length {
+        let [x, y, z] = self.spans;
+        let along = |span: N::Length, d: N::Length| span + d.magnitude();
+        greatest(greatest(along(x, d[0]), along(y, d[1])), along(z, d[2]))
+    }
+
     /// The same, gap or no gap.
-    pub(super) fn size_across_gap(&self) -> N::Length {
+    pub(in crate::query) fn size_across_gap(&self) -> N::Length {
         if N::CERTAIN {
             return self.largest();
         }
@@ -129,6 +137,6 @@ impl<N: Arithmetic> Frame<N> {
 
 /// Least and greatest coordinate `i` of three points.
 #[inline(always)]
-pub(super) fn range<L: Number>(t: &[[L; 3]; 3], i: usize) -> (L, L) {
+pub(in crate::query) fn range<L: Number>(t: &[[L; 3]; 3], i: usize) -> (L, L) {
     (least(least(t[0][i], t[1][i]), t[2][i]), greatest(greatest(t[0][i], t[1][i]), t[2][i]))
 }

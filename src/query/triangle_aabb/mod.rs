@@ -14,17 +14,17 @@ mod clear;
 #[cfg(feature = "fixed")]
 mod conservative;
 mod edges;
-mod error_bound;
+pub(super) mod error_bound;
 mod exact;
 mod faces;
-mod frame;
+pub(super) mod frame;
 mod kernel;
 mod narrow;
 mod one_sided;
-mod plane;
+pub(super) mod plane;
 mod prepared;
 mod relation;
-mod rows;
+pub(super) mod rows;
 mod witness;
 
 pub use axis::Axis;

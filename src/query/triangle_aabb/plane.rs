@@ -4,7 +4,7 @@ use crate::robust::Uncertain;
 
 /// The triangle's normal, e0 × e1.
 #[inline(always)]
-pub(super) fn normal<N: Arithmetic>(frame: &Frame<N>) -> [N::Area; 3] {
+pub(in crate::query) fn normal<N: Arithmetic>(frame: &Frame<N>) -> [N::Area; 3] {
     let [e0, e1, _] = &frame.e;
     cross::<N>(e0, e1)
 }
@@ -15,7 +15,7 @@ pub(super) fn normal<N: Arithmetic>(frame: &Frame<N>) -> [N::Area; 3] {
 /// The triangle projects to one number, n·v, and the box to ±Σ h·|n|: the
 /// distances along n to the two critical corners of Haines and Wallace.
 #[inline(always)]
-pub(super) fn plane<N: Arithmetic>(
+pub(in crate::query) fn plane<N: Arithmetic>(
     n: &[N::Area; 3],
     v: &[N::Length; 3],
     h: &[N::Length; 3],

@@ -12,29 +12,29 @@ use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
 /// What of a triangle is the same for every box.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Rows<Q> {
+pub(in crate::query) struct Rows<Q> {
     /// The vertices.
-    v: [Q; 3],
+    pub(in crate::query) v: [Q; 3],
     /// The least and the greatest of their coordinates.
-    low: Q,
-    high: Q,
+    pub(in crate::query) low: Q,
+    pub(in crate::query) high: Q,
     /// The edges, each from a vertex to the next.
-    e: [Edge<Q>; 3],
+    pub(in crate::query) e: [Edge<Q>; 3],
     /// The normal.
-    n: Q,
+    pub(in crate::query) n: Q,
     /// Half the normal, as products come out.
-    middle: Q,
+    pub(in crate::query) middle: Q,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Edge<Q> {
-    e: Q,
-    turned: Q,
+pub(in crate::query) struct Edge<Q> {
+    pub(in crate::query) e: Q,
+    pub(in crate::query) turned: Q,
 }
 
 impl<Q: Quad> Edge<Q> {
     #[inline(always)]
-    fn new(e: Q) -> Self {
+    pub(in crate::query) fn new(e: Q) -> Self {
         Self { e, turned: e.turned() }
     }
 }
@@ -102,15 +102,13 @@ fn by_corners<S: Scalar + InFloat<F>, F: Float>(
 }
 
 #[inline(always)]
-fn row<S: InFloat<Q::Lane>, Q: Quad>(v: &Vec3<S>) -> Q {
+pub(in crate::query) fn row<S: InFloat<Q::Lane>, Q: Quad>(v: &Vec3<S>) -> Q {
     Q::of_three([v.x.in_float(), v.y.in_float(), v.z.in_float()])
 }
 
 #[inline(always)]
 fn rows<S: Scalar + InFloat<Q::Lane>, Q: Quad<Lane: Float>>(triangle: &Triangle<S>) -> Rows<Q> {
-    let [a, b, c] = triangle.vertices();
-    let point = |v: &Vec3<S>| [v.x.in_float(), v.y.in_float(), v.z.in_float()];
-    Rows::new([point(a), point(b), point(c)])
+    Rows::of(triangle)
 }
 
 /// Whether an axis separates.
@@ -127,6 +125,13 @@ pub(super) enum Apart {
 }
 
 impl<Q: Quad<Lane: Float>> Rows<Q> {
+    #[inline(always)]
+    pub(in crate::query) fn of<S: Scalar + InFloat<Q::Lane>>(triangle: &Triangle<S>) -> Self {
+        let [a, b, c] = triangle.vertices();
+        let point = |v: &Vec3<S>| [v.x.in_float(), v.y.in_float(), v.z.in_float()];
+        Self::new([point(a), point(b), point(c)])
+    }
+
     #[inline(always)]
     pub(super) fn new([[px, py, pz], [qx, qy, qz], [rx, ry, rz]]: [[Q::Lane; 3]; 3]) -> Self {
         // Four at a time, as they lie in memory; the last has no one behind it.
@@ -150,7 +155,7 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
 
     /// Whether none of the coordinates was rounded when it became a float.
     #[inline(always)]
-    fn are_within(&self, limit: Option<Q::Lane>, p: Q, q: Q) -> bool {
+    pub(in crate::query) fn are_within(&self, limit: Option<Q::Lane>, p: Q, q: Q) -> bool {
         let Some(limit) = limit else { return true };
         let most = self.low.magnitude().greatest(self.high.magnitude());
         let most = most.greatest(p.magnitude()).greatest(q.magnitude());
@@ -306,13 +311,13 @@ fn size<Q: Quad>(half: Q, extent: Q) -> Q::Lane {
 }
 
 #[inline(always)]
-fn half_of<Q: Quad<Lane: Float>>(x: Q) -> Q {
+pub(in crate::query) fn half_of<Q: Quad<Lane: Float>>(x: Q) -> Q {
     x * Q::splat(Q::Lane::HALF)
 }
 
 /// The sum of the first three, in order.
 #[inline(always)]
-fn sum<Q: Quad>(row: Q) -> Q::Lane {
+pub(in crate::query) fn sum<Q: Quad>(row: Q) -> Q::Lane {
     let [x, y, z] = row.three();
     x + y + z
 }

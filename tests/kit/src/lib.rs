@@ -14,6 +14,7 @@
 //! | line and oriented box | [`lines::LineObb::clip`] | [`lines::LineObb::case`] |
 //! | ray and triangle | [`rays::crossing`] | [`rays::RaySet`], [`rays::Scene`] |
 //! | triangles in a grid | [`voxels::check`] | [`voxels::VoxelScene`] |
+//! | triangle or box that moves past a box | [`sweeps::SweepCase::truth`] | [`sweeps::SweepSet`] |
 //! | point and mesh | [`rays::winding`] | |
 //! | unit normals | [`is_nearest_to_unit`] | |
 //! | lanes | [`Lanes::check`]: one by one | |
@@ -44,6 +45,7 @@ pub mod rays;
 mod rng;
 mod sample;
 mod sets;
+pub mod sweeps;
 mod touch;
 pub mod voxels;
 

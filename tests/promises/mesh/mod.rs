@@ -2,6 +2,7 @@
 
 mod closedness;
 mod scenes;
+mod sweeps;
 mod tables;
 
 use core::ops::ControlFlow;
@@ -12,6 +13,7 @@ use septum::{Aabb, Cull, HitRules, Obb, Ray, Segment, Triangle};
 use septum_kit::{Rng, Sample, rays};
 
 use self::scenes::Scene;
+use self::sweeps::boxes_meet_first_as_one_by_one;
 
 /// One test for each check, in some scalars: compiling all of them takes longer than asking.
 macro_rules! for_some_scalars {
@@ -265,4 +267,5 @@ for_some_scalars!(
     meshes_overlap_as_pair_by_pair,
     rays_hit_as_one_by_one,
     closed_meshes_contain_what_they_wind_about,
+    boxes_meet_first_as_one_by_one,
 );

@@ -1,0 +1,155 @@
+//! A box that moves past a mesh.
+
+use super::descent::{Descend, GridRay, Met, along_octant};
+use super::grid::Grid;
+use super::node::{Cell, Node};
+use super::overlapping::sealed::Bounded;
+use super::{Index, Tree};
+use crate::query::{FirstContact, Motion, Sweep};
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, AabbForm, Vec3};
+
+impl<S: Scalar, I: Index> Tree<'_, S, I> {
+    /// The triangle that a box, as it moves, meets first, if it meets one, and when.
+    ///
+    /// *Contact*: as [`Sweep::first_contact`]. Of triangles whose times are the same number of the
+    /// scalar it is the one of the lowest index.
+    ///
+    /// *Numerics*: exact; the contact is that of [`Sweep::first_contact`], whose bits these are.
+    /// *Panics*: never.
+    ///
+    /// *Cost*: [`Sweep::first_contact`] for each triangle whose box is met before any triangle is.
+    /// The way down is that of [`first_hit`](Self::first_hit).
+    ///
+    /// ```
+    /// use septum::mesh::{Mesh, Node, Tree};
+    /// use septum::sweep::Motion;
+    /// use septum::{Aabb, Axis, Vec3};
+    ///
+    /// let corners = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [4.0, 4.0, 0.0]].map(Vec3::from);
+    /// let floor = Mesh::new(&corners, &[[0_u16, 1, 2], [3, 2, 1]])?;
+    /// let (mut nodes, mut order) = ([Node::EMPTY], [0; 2]);
+    /// let tree = Tree::build(floor, &mut nodes, &mut order)?;
+    ///
+    /// let ball = Aabb::from_center_half_extents([3.0, 3.0, 9.0], [1.0; 3])?;
+    /// let fall = Motion::new([3.0, 3.0, 9.0], [3.0, 3.0, -7.0])?;
+    /// let (triangle, first) = tree.first_contact(&ball, &fall).unwrap();
+    /// assert_eq!((triangle, first.t, first.axis), (0, 0.5, Some(Axis::Face(2))));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn first_contact(
+        &self,
+        aabb: &Aabb<S>,
+        motion: &Motion<S>,
+    ) -> Option<(usize, FirstContact<S>)> {
+        let mut best: Option<(usize, FirstContact<S>)> = None;
+        self.descend(&mut Moving::new(&self.grid, aabb, motion), |moving, i| {
+            let Some(first) = aabb.first_contact(motion, &self.mesh.known(i)) else { return };
+            let is_before = |(j, other): (usize, FirstContact<S>)| {
+                first.t < other.t || first.t == other.t && i < j
+            };
+            if best.is_none_or(is_before) {
+                moving.limit(first.t);
+                best = Some((i, first));
+            }
+        });
+        best
+    }
+}
+
+/// A box on its way down.
+struct Moving<'a, S: Scalar> {
+    aabb: &'a Aabb<S>,
+    motion: &'a Motion<S>,
+    grid: &'a Grid<S>,
+    fast: GridRay,
+    /// Where the box goes, unless it is fast.
+    cell: Cell,
+    /// Nothing later is asked for.
+    end: Option<S>,
+}
+
+impl<'a, S: Scalar> Moving<'a, S> {
+    fn new(grid: &'a Grid<S>, aabb: &'a Aabb<S>, motion: &'a Motion<S>) -> Self {
+        let (from, to) = (motion.from().to_array(), motion.to().to_array());
+        let at_rest = if from == to { aabb.corners() } else { None };
+        let cell = at_rest.map_or(Cell::ALL, |corners| grid.cell(corners));
+        // Where the choice is known to the compiler it links no floats.
+        let fast = match places(grid, aabb) {
+            Some(places) if S::IS_FAST => {
+                let d = [0, 1, 2].map(|i| to[i].steps_from(from[i], &grid.0[i]));
+                let is_zero = [0, 1, 2].map(|i| from[i] == to[i]);
+                GridRay::between(places, d, is_zero, [Some(0.0), Some(1.0)])
+            }
+            _ => GridRay::EVERYWHERE,
+        };
+        Self { aabb, motion, grid, fast, cell, end: None }
+    }
+
+    #[inline(never)]
+    fn meets_exactly(&self, node: &Node) -> Met {
+        let (mut mask, mut sooner) = (node.meeting(&self.cell), [0; 4]);
+        let (from, to) = (self.motion.from().to_array(), self.motion.to().to_array());
+        for k in 0..4 {
+            if mask >> k & 1 == 0 {
+                continue;
+            }
+            let cell = node.cell(k);
+            let first = self.aabb.first_contact(self.motion, &self.grid.aabb(&cell));
+            if first.is_none_or(|first| self.end.is_some_and(|end| first.t > end)) {
+                mask ^= 1 << k;
+            }
+            sooner[k] = along_octant(&cell, [0, 1, 2].map(|i| to[i].partial_cmp(&from[i])));
+        }
+        Met { mask, sooner }
+    }
+
+    /// Leaves out what is later than a contact whose time was rounded down to this.
+    fn limit(&mut self, t: S) {
+        self.end = Some(t);
+        if S::IS_FAST {
+            self.fast.limit(t.farthest());
+        }
+    }
+}
+
+/// The corners of a box, in steps of a grid, which may be beyond the numbers of the scalar; `None`
+/// of a box by its centre where that or a half-extent is so long that their sum is not known
+/// as well as a number is.
+fn places<S: Scalar>(grid: &Grid<S>, aabb: &Aabb<S>) -> Option<[[f64; 3]; 2]> {
+    const LONG: f64 = (1_u64 << 40) as f64;
+    let place = |p: &Vec3<S>| {
+        let p = p.to_array();
+        [0, 1, 2].map(|i| p[i].place(&grid.0[i]))
+    };
+    match aabb.form() {
+        AabbForm::Corners { min, max } => Some([place(min), place(max)]),
+        AabbForm::Center { center, half } => {
+            let (c, h) = (place(center), half.to_array());
+            let h = [0, 1, 2].map(|i| h[i].length(&grid.0[i]));
+            let ends = [-1.0, 1.0].map(|sign| [0, 1, 2].map(|i: usize| c[i] + sign * h[i]));
+            c.iter().chain(&h).all(|x| x.abs() <= LONG).then_some(ends)
+        }
+    }
+}
+
+impl<S: Scalar> Descend for Moving<'_, S> {
+    #[inline(always)]
+    fn meets(&self, node: &Node) -> Met {
+        if !S::IS_FAST {
+            return self.meets_exactly(node);
+        }
+        let met = self.fast.meets(node);
+        if self.fast.is_known() {
+            met
+        } else {
+            Met { mask: met.mask & node.meeting(&self.cell), ..met }
+        }
+    }
+
+    #[inline(always)]
+    fn reaches(&self, sooner: i32) -> bool {
+        !S::IS_FAST || self.fast.reaches(sooner)
+    }
+}

@@ -1,0 +1,254 @@
+//! The time of the first contact in `f64`: of the axes with a gap the one that closes last is
+//! found without a division. Where it closes at a time that `f64` is sure of, to the last place
+//! of the scalar, that is it. For a scalar of as many digits the gap and the speed on that axis
+//! are computed again in 106 digits.
+
+use super::error_bound::{AtStart, LONG, at_start};
+use super::kernel::Course;
+use super::{FirstContact, Given, Passing};
+use crate::arithmetic::{Embeds, Filtered, Long, Number, Portion, turn};
+use crate::query::Axis;
+use crate::query::triangle_aabb::frame::Frame;
+use crate::query::triangle_aabb::plane::normal;
+use crate::scalar::Scalar;
+
+/// Sizes within which products of two volumes neither overflow nor underflow, nor what is left
+/// over of products of lengths.
+const RANGE: (f64, f64) = (f64::from_bits((1023 - 150) << 52), f64::from_bits((1023 + 150) << 52));
+
+/// Gaps at the start and speeds on the 13 axes, in the order of [`Axis::ALL`], and how far these
+/// may be from the truth. Where there is certainly no gap it is below zero.
+struct Gaps {
+    gap: [f64; 13],
+    error: [f64; 13],
+    speed: [f64; 13],
+    speed_error: [f64; 13],
+}
+
+/// Where an axis is in the order.
+const fn place(axis: usize, edge: usize) -> usize {
+    4 + 3 * axis + edge
+}
+
+impl Course<Filtered<f64>> {
+    /// Nothing where the bounds are not known.
+    #[inline(always)]
+    fn gaps(&self) -> Option<Gaps> {
+        let (Frame { v, e, h, gaps, .. }, d) = (&self.frame, &self.d);
+        let size = self.frame.size_along(d);
+        if !(size > RANGE.0 && size < RANGE.1) {
+            return None;
+        }
+        let AtStart { gap: bound, area_speed, volume_speed }: AtStart<Filtered<f64>> =
+            at_start(size)?;
+        let mut all =
+            Gaps { gap: [-1.0; 13], error: [0.0; 13], speed: [1.0; 13], speed_error: [0.0; 13] };
+        for i in 0..3 {
+            let is_known = self.frame.gaps_are_exact | (gaps[i] < 0.0);
+            if !(is_known & (gaps[i] <= 0.0)) {
+                all.gap[i] = gaps[i];
+                all.error[i] = self.face_error(i);
+                all.speed[i] = d[i].magnitude();
+                all.speed_error[i] = d[i].magnitude().error(2);
+            }
+        }
+        let n = normal(&self.frame);
+        let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        let reach = dot(&n.map(f64::abs), h);
+        all.gap[3] = dot(&n, &v[0]).abs() - reach;
+        all.speed[3] = dot(&n, d).abs();
+        (all.error[3], all.speed_error[3]) = (bound.plane, volume_speed);
+        for i in 0..3 {
+            let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+            let middle = n[i].half();
+            for k in 0..3 {
+                let (e, v) = (&e[k], &v[k]);
+                // Else it is a face, which comes first.
+                if (e[j] == 0.0) | (e[l] == 0.0) {
+                    continue;
+                }
+                let p = e[j] * v[l] - e[l] * v[j];
+                let r = e[l].abs() * h[j] + e[j].abs() * h[l];
+                let at = place(i, k);
+                all.gap[at] = (p + middle).abs() - (middle.abs() + r);
+                all.speed[at] = (e[j] * d[l] - e[l] * d[j]).abs();
+                (all.error[at], all.speed_error[at]) = (bound.edge, area_speed);
+            }
+        }
+        Some(all)
+    }
+}
+
+impl Gaps {
+    /// The axis whose gap closes last, or seems to; nothing if there seems to be none.
+    #[inline(always)]
+    fn last(&self) -> Option<usize> {
+        let (mut last, mut gap, mut speed) = (None, 0.0, 1.0);
+        for k in 0..13 {
+            if self.gap[k] * speed > gap * self.speed[k] {
+                (last, gap, speed) = (Some(k), self.gap[k], self.speed[k]);
+            }
+        }
+        last
+    }
+
+    /// Whether all axes but that one have certainly closed before a time. Twice the errors, for
+    /// the roundings here.
+    #[inline(always)]
+    fn others_close_before(&self, last: usize, t: f64) -> bool {
+        let closes = |k: usize| {
+            let speed = self.speed[k] - 2.0 * self.speed_error[k];
+            self.gap[k] + 2.0 * self.error[k] < t * speed
+        };
+        (0..13).fold(true, |so_far, k| so_far & ((k == last) | closes(k) | (self.gap[k] == -1.0)))
+    }
+
+    /// Whether there is certainly no gap.
+    fn are_none(&self) -> bool {
+        (0..13).all(|k| self.gap[k] < -self.error[k])
+    }
+}
+
+/// The answer, where `f64` has digits enough.
+#[inline(always)]
+pub(super) fn first_contact<S: Scalar>(passing: &Passing<'_, S>) -> Option<FirstContact<S>>
+where
+    Filtered<f64>: Embeds<S>,
+{
+    let gaps = passing.course::<Filtered<f64>>()?.gaps()?;
+    let Some(last) = gaps.last() else { return at_start_of(&gaps) };
+    let errors = [gaps.error[last], gaps.speed_error[last]];
+    let [low, high] = gaps.gap[last].portion(gaps.speed[last], errors).map(S::at_most);
+    let is_known = (low == high) & (gaps.gap[last] > gaps.error[last]);
+    let is_last = is_known && gaps.others_close_before(last, low.real());
+    is_last.then(|| FirstContact { t: low, axis: Axis::ALL.get(last).copied() })
+}
+
+fn at_start_of<S: Scalar>(gaps: &Gaps) -> Option<FirstContact<S>> {
+    gaps.are_none().then(FirstContact::default)
+}
+
+/// The answer, where the scalar has as many digits as `f64`.
+#[inline(never)]
+pub(super) fn first_contact_of_long<S: Scalar>(passing: &Passing<'_, S>) -> Option<FirstContact<S>>
+where
+    Filtered<f64>: Embeds<S>,
+{
+    let course = passing.course::<Filtered<f64>>()?;
+    let gaps = course.gaps()?;
+    let Some(last) = gaps.last() else { return at_start_of(&gaps) };
+    if gaps.gap[last] <= gaps.error[last] {
+        return None;
+    }
+    let axis = *Axis::ALL.get(last)?;
+    let (gap, speed) = passing.given::<Filtered<f64>>()?.long(axis, &course);
+    let size = course.frame.size_along(&course.d);
+    let error = match axis {
+        Axis::Face(_) => size,
+        Axis::Edge { .. } => size * size,
+        Axis::Normal => size * size * size,
+    } * LONG;
+    let t = rounded_down(gap, speed, error)?;
+    let found = || FirstContact { t: S::at_most(Portion::of(t)), axis: Some(axis) };
+    gaps.others_close_before(last, t).then(found)
+}
+
+/// gap/speed, rounded down, if gap − t·speed is known as well as it must be.
+fn rounded_down(gap: Long, speed: Long, error: f64) -> Option<f64> {
+    let left = |t: f64| gap.minus(speed.times(Long::of(t))).high;
+    let is_at_most = |t: f64| {
+        let left = left(t);
+        (left.abs() > error).then_some(left > 0.0)
+    };
+    let next = |t: f64| f64::from_bits(t.to_bits() + 1);
+    let mut t = gap.high / speed.high;
+    if !(t > f64::MIN_POSITIVE && t <= 1.0) {
+        return None;
+    }
+    // Within two units in the last place.
+    t = f64::from_bits(t.to_bits() - 2);
+    if !is_at_most(t)? {
+        return None;
+    }
+    for _ in 0..4 {
+        let above = next(t);
+        if !is_at_most(above)? {
+            return Some(t);
+        }
+        t = above;
+    }
+    None
+}
+
+fn cross(a: &[Long; 3], b: &[Long; 3]) -> [Long; 3] {
+    let minor = |j: usize, k: usize| a[j].times(b[k]).minus(a[k].times(b[j]));
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
+}
+
+fn difference(a: &[f64; 3], b: &[f64; 3]) -> [Long; 3] {
+    [0, 1, 2].map(|i: usize| Long::difference(a[i], b[i]))
+}
+
+impl Given<Filtered<f64>> {
+    /// The gap on an axis that has one, and the speed at which it closes.
+    fn long(&self, axis: Axis, course: &Course<Filtered<f64>>) -> (Long, Long) {
+        let Self { triangle: [a, b, c], way: [from, to], .. } = self;
+        let e = [difference(b, a), difference(c, b), difference(a, c)];
+        let (zero, one) = (Long::ZERO, Long::of(1.0));
+        let n = || cross(&e[0], &e[1]);
+        // The axis, and by how much the vertices are beyond the first that is named.
+        let (axis, vertex, beyond) = match axis {
+            Axis::Face(i) => {
+                let mut unit = [zero; 3];
+                unit[usize::from(i % 3)] = one;
+                (unit, None, zero)
+            }
+            Axis::Normal => (n(), Some(0), zero),
+            Axis::Edge { axis, edge } => {
+                let (i, j, l) = turn(axis.into());
+                let k = usize::from(edge % 3);
+                let mut axis = [zero; 3];
+                (axis[j], axis[l]) = (e[k][l].negated(), e[k][j]);
+                (axis, Some(k), n()[i])
+            }
+        };
+        // Which way the triangle lies, as `f64` is certain.
+        let on_axis =
+            |v: &[f64; 3]| axis[0].high * v[0] + axis[1].high * v[1] + axis[2].high * v[2];
+        let v = &course.frame.v;
+        let is_above = on_axis(&v[0]) + on_axis(&v[1]) + on_axis(&v[2]) > 0.0;
+        let all = [a, b, c];
+        let nearer = |x: f64, y: f64| if is_above { x < y } else { x > y };
+        let vertex = match vertex {
+            Some(k) if nearer(beyond.high, 0.0) => all[(k + 2) % 3],
+            Some(k) => all[k % 3],
+            // On a coordinate they are as given.
+            None => {
+                let x =
+                    |v: &[f64; 3]| axis[0].high * v[0] + axis[1].high * v[1] + axis[2].high * v[2];
+                let nearest = |a, b| if nearer(x(a), x(b)) { a } else { b };
+                nearest(nearest(a, b), c)
+            }
+        };
+        let d = difference(to, from);
+        let (mut gap, mut speed) = (zero, zero);
+        for i in 0..3 {
+            let to_vertex = self.beyond_corner(i, vertex[i], (axis[i].high > 0.0) == is_above);
+            gap = gap.plus(axis[i].times(to_vertex));
+            speed = speed.minus(axis[i].times(d[i]));
+        }
+        if is_above { (gap, speed) } else { (gap.negated(), speed.negated()) }
+    }
+
+    /// How far a coordinate is beyond the greatest or the least of the box.
+    fn beyond_corner(&self, i: usize, x: f64, is_greatest: bool) -> Long {
+        let Self { p, q, is_by_center, .. } = self;
+        if *is_by_center {
+            let half = Long::of(q[i]);
+            let from_center = Long::difference(x, p[i]);
+            if is_greatest { from_center.minus(half) } else { from_center.plus(half) }
+        } else {
+            Long::difference(x, if is_greatest { q[i] } else { p[i] })
+        }
+    }
+}

@@ -1,0 +1,211 @@
+//! A triangle that moves past a box, in any number system: the frame is that of the box, which
+//! stands still.
+//!
+//! What the triangle sweeps is convex: it is the sum of the triangle and the way d. So is that
+//! less the box, and whether it contains the origin its faces say. They are spanned by two of
+//! the edges of box and triangle and of d, so there are 19 axes: the 13 of triangle and box, the
+//! cross products of d with the three coordinate axes, and those with the three edges. With flat
+//! boxes, triangles and ways these are enough, too: a box grown by a hair does not meet either,
+//! has a separating axis among them, and encloses the flat one.
+//!
+//! On an axis that the triangle moves along by s, what it covers grows by s: the middle moves by
+//! s/2, and the radius grows by |s|/2. The times at which the triangle meets the box are an
+//! interval, that in which none of the 13 axes separates. An axis with a gap g at the start ceases
+//! to separate at g/|s|, if any, and the latest of these is the first time, if there is one.
+
+use super::FirstContact;
+use super::error_bound::{Along, AtStart, FACE, along, at_start};
+use super::latest::Latest;
+use crate::arithmetic::{Arithmetic, Embeds, Number, cross, dot, greatest, least, of_two, once};
+use crate::query::Axis;
+use crate::query::triangle_aabb::frame::{Frame, range};
+use crate::query::triangle_aabb::plane::normal;
+use crate::robust::Uncertain;
+use crate::scalar::Scalar;
+
+/// A triangle in the frame of a box, and its way, which is not doubled.
+pub(super) struct Course<N: Arithmetic> {
+    pub(super) frame: Frame<N>,
+    pub(super) d: [N::Length; 3],
+}
+
+/// Whether an axis separates that has its middle there, and such a radius in all.
+#[inline(always)]
+fn axis<T: Number>(middle: T, radius: T, error: T) -> Uncertain {
+    let beyond = middle.magnitude() - radius;
+    Uncertain { certain: beyond > error, possible: beyond > -error }
+}
+
+/// What is certain, and what is possible if this is so.
+#[inline(always)]
+fn possible_if(found: Uncertain, is_so: bool) -> Uncertain {
+    Uncertain { possible: found.possible & (found.certain | is_so), ..found }
+}
+
+impl<N: Arithmetic> Course<N> {
+    /// Whether the triangle misses the box all of the way, if `N` can tell.
+    #[inline(always)]
+    pub(super) fn misses(&self) -> Option<bool> {
+        let Self { frame, d } = self;
+        let faces = self.face(0).or(self.face(1)).or(self.face(2));
+        if faces.certain {
+            return Some(true);
+        }
+        let error = along::<N>(frame.size_along(d))?;
+        let n = normal(frame);
+        let half_way = of_two::<N, _>(dot::<N>(&n, d));
+        let mut so_far = faces.or(self.plane(&n, half_way, error.volume));
+        for k in 0..3 {
+            so_far = so_far.or(self.edge(k, &n, half_way, &error));
+        }
+        for i in 0..3 {
+            so_far = so_far.or(self.across(i, error.area));
+        }
+        so_far.verdict()
+    }
+
+    /// A face of the box.
+    #[inline(always)]
+    fn face(&self, i: usize) -> Uncertain {
+        let (Frame { v, h, gaps, .. }, zero) = (&self.frame, N::Length::ZERO);
+        let d = once::<N, _>(self.d[i]);
+        let (low, high) = range(v, i);
+        if N::CERTAIN {
+            let is_beyond = (low + least(d, zero) > h[i]) | (high + greatest(d, zero) < -h[i]);
+            return Uncertain { certain: is_beyond, possible: is_beyond };
+        }
+        // Which side it is on is certain where there is a gap, and so is whether there is one,
+        // unless it is zero: see `Frame`.
+        let gap = gaps[i];
+        let (is_gap, is_rounded) = (gap > zero, !self.frame.gaps_are_exact & (gap == zero));
+        let toward = if low > zero { -d } else { d };
+        let (left, error) = (gap - toward, self.face_error(i));
+        let is_open = toward <= zero;
+        Uncertain {
+            certain: is_gap & (is_open | (left > error)),
+            possible: (is_gap & (is_open | (left > -error))) | is_rounded,
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn face_error(&self, i: usize) -> N::Length {
+        let Frame { h, gaps, .. } = &self.frame;
+        (gaps[i].magnitude() + h[i] + self.d[i].magnitude()).error(FACE)
+    }
+
+    /// The plane of the triangle.
+    #[inline(always)]
+    fn plane(&self, n: &[N::Area; 3], half_way: N::Volume, error: N::Volume) -> Uncertain {
+        let Frame { v, e, h, .. } = &self.frame;
+        let radius = half_way.magnitude() + reach::<N>(n, h);
+        let found = axis(dot::<N>(n, &v[0]) + half_way, radius, error);
+        // In a coordinate plane it is a face.
+        let zero = N::Length::ZERO;
+        let is_flat = |i: usize| (e[0][i] == zero) & (e[1][i] == zero);
+        possible_if(found, !(is_flat(0) | is_flat(1) | is_flat(2)))
+    }
+
+    /// The cross products of an edge with coordinate axes, and with the way.
+    #[inline(always)]
+    fn edge(&self, k: usize, n: &[N::Area; 3], half_way: N::Volume, error: &Along<N>) -> Uncertain {
+        let (Frame { h, .. }, d, zero) = (&self.frame, &self.d, N::Length::ZERO);
+        let (e, v) = (&self.frame.e[k], &self.frame.v[k]);
+        let q = cross::<N>(e, d);
+        // Of the edge the axis sees a point, of the way nothing, and the vertex opposite is off by
+        // what the plane moves.
+        let found = axis(
+            dot::<N>(&q, v) - half_way,
+            half_way.magnitude() + reach::<N>(&q, h),
+            error.volume,
+        );
+        // Along a face normal, or across an edge or a way that is along one: there are others
+        // that say the same.
+        let along = |x: &[N::Length; 3]| {
+            let zeros = x.map(|x| x == zero);
+            (zeros[0] & (zeros[1] | zeros[2])) | (zeros[1] & zeros[2])
+        };
+        let both = |i: usize| (e[i] == zero) & (d[i] == zero);
+        let is_known = along(e) | along(d) | both(0) | both(1) | both(2);
+        let mut so_far = possible_if(found, !is_known);
+
+        let p = cross::<N>(e, v);
+        for i in 0..3 {
+            let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+            let (middle, half_way) = (of_two::<N, _>(n[i]), of_two::<N, _>(q[i]));
+            let r = N::area(e[l].magnitude(), h[j]) + N::area(e[j].magnitude(), h[l]);
+            let radius = middle.magnitude() + half_way.magnitude() + r;
+            let found = axis(p[i] + middle + half_way, radius, error.area);
+            so_far = so_far.or(possible_if(found, (e[j] != zero) & (e[l] != zero)));
+        }
+        so_far
+    }
+
+    /// The cross product of a coordinate axis and the way.
+    #[inline(always)]
+    fn across(&self, i: usize, error: N::Area) -> Uncertain {
+        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+        let (Frame { v, h, .. }, d) = (&self.frame, &self.d);
+        let on_axis = |v: &[N::Length; 3]| N::area(d[j], v[l]) - N::area(d[l], v[j]);
+        let [a, b, c] = [on_axis(&v[0]), on_axis(&v[1]), on_axis(&v[2])];
+        let r = N::area(d[l].magnitude(), h[j]) + N::area(d[j].magnitude(), h[l]);
+        let (low, high) = (least(least(a, b), c), greatest(greatest(a, b), c));
+        let beyond = greatest(low, -high) - r;
+        let found = Uncertain { certain: beyond > error, possible: beyond > -error };
+        let zero = N::Length::ZERO;
+        possible_if(found, (d[j] != zero) & (d[l] != zero))
+    }
+
+    /// When and on which axis a triangle that does not miss the box meets it, if `N` can tell.
+    #[inline(always)]
+    pub(super) fn first_contact<S: Scalar>(&self) -> Option<FirstContact<S>>
+    where
+        N: Embeds<S>,
+    {
+        let (Frame { v, e, h, gaps, .. }, d) = (&self.frame, &self.d);
+        let error: AtStart<N> = at_start(self.frame.size_along(d))?;
+        let mut latest = Latest::<S>::NONE;
+        for i in 0..3 {
+            let speed = once::<N, _>(d[i]).magnitude();
+            let gap = if N::CERTAIN {
+                let (low, high) = range(v, i);
+                greatest(low, -high) - h[i]
+            } else {
+                gaps[i]
+            };
+            // The sign of one that is not zero is right.
+            let is_known = N::CERTAIN | self.frame.gaps_are_exact | (gap < N::Length::ZERO);
+            if !(is_known & (gap <= N::Length::ZERO)) {
+                let errors = [self.face_error(i), speed.error(2)];
+                latest.add(Axis::Face(i as u8), [gap, errors[0]], [speed, errors[1]]);
+            }
+        }
+        let n = normal(&self.frame);
+        let gap = dot::<N>(&n, &v[0]).magnitude() - reach::<N>(&n, h);
+        let half = of_two::<N, _>(dot::<N>(&n, d)).magnitude();
+        latest.add(Axis::Normal, [gap, error.gap.plane], [half + half, error.volume_speed]);
+        for i in 0..3 {
+            let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+            for k in 0..3 {
+                let (e, v) = (&e[k], &v[k]);
+                // Else it is a face, which comes first.
+                if (e[j] == N::Length::ZERO) | (e[l] == N::Length::ZERO) {
+                    continue;
+                }
+                let p = N::area(e[j], v[l]) - N::area(e[l], v[j]);
+                let r = N::area(e[l].magnitude(), h[j]) + N::area(e[j].magnitude(), h[l]);
+                let middle = of_two::<N, _>(n[i]);
+                let gap = (p + middle).magnitude() - (middle.magnitude() + r);
+                let half = of_two::<N, _>(N::area(e[j], d[l]) - N::area(e[l], d[j])).magnitude();
+                let axis = Axis::Edge { axis: i as u8, edge: k as u8 };
+                latest.add(axis, [gap, error.gap.edge], [half + half, error.area_speed]);
+            }
+        }
+        latest.known()
+    }
+}
+
+/// How far a box reaches along a vector.
+#[inline(always)]
+fn reach<N: Arithmetic>(n: &[N::Area; 3], h: &[N::Length; 3]) -> N::Volume {
+    dot::<N>(&[n[0].magnitude(), n[1].magnitude(), n[2].magnitude()], h)
+}

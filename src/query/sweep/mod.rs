@@ -1,0 +1,238 @@
+//! Shapes that move past others: whether they meet, and when first.
+
+mod aabb_aabb;
+mod error_bound;
+mod exact;
+mod in_doubles;
+mod kernel;
+mod latest;
+mod motion;
+mod rows;
+
+pub use motion::Motion;
+
+use self::exact::ExactCourse;
+use self::kernel::Course;
+use super::Axis;
+use super::triangle_aabb::frame::{BoxForm, Frame};
+use crate::arithmetic::{Arithmetic, Embeds, Filtered, Float, InFloat, Number};
+use crate::robust::{Clue, Predicate};
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, AabbForm, Triangle};
+
+/// When a shape that moves first meets another, and how.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
+pub struct FirstContact<S> {
+    /// The part of the motion before it, from zero to one: the greatest number of the scalar that
+    /// is not above the true time.
+    ///
+    /// So it is never late, and a float is less than one unit in the last place early. A
+    /// fixed-point type that ends below one says its end for what is beyond.
+    pub t: S,
+    /// The axis on which the shapes are apart until then; none if they meet at the start.
+    ///
+    /// Of several axes, whose times are one number of the scalar, it is the first in the order of
+    /// [`Axis::ALL`]. Axes are those of the triangle, or of two boxes the three
+    /// [`Axis::Face`].
+    pub axis: Option<Axis>,
+}
+
+/// A shape that can be moved past another.
+///
+/// There is an implementation for each pair that can be asked about. A triangle that moves past a
+/// box is the box that moves past the triangle by [`Motion::reversed`].
+pub trait Sweep<Other> {
+    /// The scalar of both shapes.
+    type Scalar;
+
+    /// Whether this shape, as it moves, has a point in common with the other at any time.
+    ///
+    /// *Geometry*: closed sets in one frame and unit. This one is given as it lies at the start,
+    /// and every point of it moves by `to` − `from` of the motion. That is a translation: bodies
+    /// that turn need another way, such as a sweep of what encloses them as they turn.
+    ///
+    /// *Contact*: touching is contact, at the start and at the end too. No motion is
+    /// [`overlaps`](crate::Overlaps::overlaps).
+    ///
+    /// *Numerics*: exact for every valid input, in every scalar: no difference of the motion and
+    /// no sum of it and a coordinate is rounded.
+    ///
+    /// *Range*: all finite floats, all fixed-point values. The fast stage serves what
+    /// [`overlaps`](crate::Triangle#impl-Overlaps<Aabb<S>>-for-Triangle<S>) says of the two shapes
+    /// and the way together.
+    ///
+    /// *Panics*: never.
+    ///
+    /// *Cost*: of a triangle and a box 111 multiplications, unless a face separates all of the
+    /// way; of two boxes 12. No division. Floats within rounding of contact take it again in wider
+    /// numbers, at last in exact sums.
+    ///
+    /// *Source*: separating axes of sums of convex sets (Gottschalk, Lin and Manocha 1996, for
+    /// boxes); that the way is an edge like others, the bounds and the exact stages are ours.
+    #[must_use]
+    fn meets_along(&self, motion: &Motion<Self::Scalar>, other: &Other) -> bool;
+
+    /// When this shape, as it moves, first has a point in common with the other; nothing if it
+    /// [misses](Self::meets_along) it.
+    ///
+    /// *Contact*: shapes that touch at the start meet at time zero.
+    ///
+    /// *Numerics*: exact but for one rounding, down: see [`FirstContact`]. If an axis is told, the
+    /// shapes are apart until that time, and then apart still or in touch.
+    ///
+    /// *Panics*: never. *Cost*: [`meets_along`](Self::meets_along), and for shapes that meet about
+    /// as much again and two divisions; in `f64` that gap and that speed once more, in 106 digits.
+    /// Where floats are dear, and in fixed point of 64 bits, every axis with a gap takes a division
+    /// of integers.
+    #[must_use]
+    fn first_contact(
+        &self,
+        motion: &Motion<Self::Scalar>,
+        other: &Other,
+    ) -> Option<FirstContact<Self::Scalar>>;
+}
+
+/// A triangle that moves past a box.
+struct Passing<'a, S> {
+    triangle: &'a Triangle<S>,
+    aabb: &'a Aabb<S>,
+    motion: Motion<S>,
+}
+
+impl<'a, S: Scalar> Passing<'a, S> {
+    #[inline(always)]
+    fn new(triangle: &'a Triangle<S>, aabb: &'a Aabb<S>, motion: &Motion<S>) -> Self {
+        Self { triangle, aabb, motion: *motion }
+    }
+
+    #[inline(always)]
+    fn given<N: Embeds<S>>(&self) -> Option<Given<N>> {
+        let [a, b, c] = self.triangle.points();
+        let (from, to) = (self.motion.from().to_array(), self.motion.to().to_array());
+        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
+            self.aabb.form();
+        let all = [a, b, c, p.to_array(), q.to_array(), from, to];
+        let [a, b, c, p, q, from, to] = N::embed(&all)?;
+        let is_by_center = matches!(self.aabb.form(), AabbForm::Center { .. });
+        Some(Given { triangle: [a, b, c], p, q, is_by_center, way: [from, to] })
+    }
+
+    #[inline(always)]
+    fn course<N: Embeds<S>>(&self) -> Option<Course<N>> {
+        let Given { triangle, p, q, is_by_center, way: [from, to] } = self.given::<N>()?;
+        let form = if is_by_center {
+            BoxForm::Center(p, q)
+        } else {
+            BoxForm::Corners(p, q, [N::Length::ZERO; 3])
+        };
+        let d = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
+        Some(Course { frame: Frame::new(&triangle, &form), d })
+    }
+
+    fn exactly(&self) -> ExactCourse {
+        ExactCourse::new(self.triangle, self.aabb, &self.motion)
+    }
+}
+
+/// The numbers of shapes and way in a number system.
+struct Given<N: Arithmetic> {
+    triangle: [[N::Length; 3]; 3],
+    p: [N::Length; 3],
+    q: [N::Length; 3],
+    /// Whether p and q are centre and half-extents, or corners.
+    is_by_center: bool,
+    way: [[N::Length; 3]; 2],
+}
+
+/// The question whether it misses it.
+struct Misses<'a, S>(Passing<'a, S>);
+
+impl<S: Scalar> Predicate<S> for Misses<'_, S> {
+    type Answer = bool;
+
+    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        self.0.course::<N>()?.misses()
+    }
+
+    const IN_QUADS: bool = true;
+
+    #[inline(always)]
+    fn in_quads<F: Float>(&self) -> Option<bool>
+    where
+        S: InFloat<F>,
+    {
+        rows::misses::<S, F>(&self.0)
+    }
+
+    fn exact(&self) -> bool {
+        self.0.exactly().misses::<S>()
+    }
+}
+
+/// The question when it meets it, of shapes that do.
+struct Meets<'a, S>(Passing<'a, S>);
+
+impl<S: Scalar> Predicate<S> for Meets<'_, S> {
+    type Answer = FirstContact<S>;
+
+    fn filter<N: Embeds<S>>(&self) -> Option<FirstContact<S>> {
+        if !N::HAS_QUOTIENTS {
+            return None;
+        }
+        self.0.course::<N>()?.first_contact()
+    }
+
+    #[inline(always)]
+    fn fast_path(&self) -> Result<FirstContact<S>, Clue>
+    where
+        Filtered<f64>: Embeds<S>,
+    {
+        if !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS {
+            return Err(Clue::NoNumbers);
+        }
+        in_doubles::first_contact(&self.0).ok_or(Clue::Doubt)
+    }
+
+    fn refined(&self, _: Clue) -> Option<FirstContact<S>>
+    where
+        Filtered<f64>: Embeds<S>,
+    {
+        let is_long = !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS;
+        if is_long { in_doubles::first_contact_of_long(&self.0) } else { None }
+    }
+
+    fn exact(&self) -> FirstContact<S> {
+        self.0.exactly().first_contact()
+    }
+}
+
+impl<S: Scalar> Sweep<Aabb<S>> for Triangle<S> {
+    type Scalar = S;
+
+    #[inline]
+    fn meets_along(&self, motion: &Motion<S>, aabb: &Aabb<S>) -> bool {
+        !S::evaluate(&Misses(Passing::new(self, aabb, motion)))
+    }
+
+    #[inline]
+    fn first_contact(&self, motion: &Motion<S>, aabb: &Aabb<S>) -> Option<FirstContact<S>> {
+        let meet = || S::evaluate_numeric(&Meets(Passing::new(self, aabb, motion)));
+        self.meets_along(motion, aabb).then(meet)
+    }
+}
+
+impl<S: Scalar> Sweep<Triangle<S>> for Aabb<S> {
+    type Scalar = S;
+
+    #[inline]
+    fn meets_along(&self, motion: &Motion<S>, triangle: &Triangle<S>) -> bool {
+        triangle.meets_along(&motion.reversed(), self)
+    }
+
+    #[inline]
+    fn first_contact(&self, motion: &Motion<S>, triangle: &Triangle<S>) -> Option<FirstContact<S>> {
+        triangle.first_contact(&motion.reversed(), self)
+    }
+}

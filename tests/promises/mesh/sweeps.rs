@@ -1,0 +1,44 @@
+//! Boxes that move past a mesh.
+
+use septum::Aabb;
+use septum::sweep::{FirstContact, Motion, Sweep};
+use septum_kit::{Rng, Sample};
+
+use super::{boxes, scenes};
+
+/// Boxes of all sizes between points of the scene, some of which move along an axis, or not.
+pub(super) fn boxes_meet_first_as_one_by_one<S: Sample>() {
+    let (mut rng, mut count) = (Rng::new(95), [0; 3]);
+    for mut scene in scenes::all::<S>() {
+        let (mut aabbs, _) = boxes(&scene, &mut rng);
+        aabbs.truncate(60);
+        // Beyond the numbers of the scalar.
+        let far = Aabb::from_center_half_extents([S::GREATEST; 3], [S::nearest(20.0); 3]);
+        aabbs.extend(far);
+        let moves: Vec<_> = aabbs
+            .into_iter()
+            .map(|aabb| {
+                let (from, mut to) = (scene.point(&mut rng), scene.point(&mut rng));
+                for i in 0..3 {
+                    if rng.one_in(4) {
+                        to[i] = from[i];
+                    }
+                }
+                (aabb, Motion::new(from, to).expect("finite"))
+            })
+            .collect();
+        let name = scene.name;
+        let tree = scene.tree();
+        for (aabb, motion) in &moves {
+            let all = tree.mesh().iter().enumerate();
+            let all = all.filter_map(|(i, t)| Some((i, aabb.first_contact(motion, &t)?)));
+            type Found<S> = (usize, FirstContact<S>);
+            let sooner = |a: Found<S>, b: Found<S>| if b.1.t < a.1.t { b } else { a };
+            let first = all.inspect(|_| count[0] += 1).reduce(sooner);
+            assert_eq!(tree.first_contact(aabb, motion), first, "{name}: {aabb:?} {motion:?}");
+            count[1] += usize::from(first.is_some());
+            count[2] += usize::from(first.is_some_and(|(_, first)| first.t > S::ZERO));
+        }
+    }
+    assert!(count[0] > 2_000 && count[1] > 200 && count[2] > 40, "{count:?}");
+}

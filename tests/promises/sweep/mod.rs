@@ -1,0 +1,115 @@
+//! Shapes that move: whether they meet is exact, and the time is the greatest number that is not
+//! above the true one. A mesh's tree is in `mesh`.
+
+use septum::relation::{Relate, Relation};
+use septum::sweep::{FirstContact, Motion, Sweep};
+use septum::{Aabb, Axis, ShapeError, Triangle};
+use septum_kit::fixed::types::extra::{U7, U8, U64};
+use septum_kit::fixed::types::{I4F4, I8F8, I16F16, I32F32};
+use septum_kit::fixed::{FixedI8, FixedI64};
+use septum_kit::sweeps::SweepSet;
+use septum_kit::{Rng, Sample, Set, for_every_scalar};
+
+/// All of the sets, triangles with boxes and boxes with boxes; and how many miss, meet at the
+/// start and meet on their way.
+fn check<S: Sample>(cases: usize) -> [[usize; 3]; 2] {
+    let mut seen = [[0; 3]; 2];
+    let kind = |found: Option<FirstContact<S>>| {
+        found.map_or(0, |first| 1 + usize::from(first.axis.is_some()))
+    };
+    for set in SweepSet::ALL {
+        if matches!(set, SweepSet::Of(set) if set.misfit::<S>().is_some()) {
+            continue;
+        }
+        for sweep in set.cases::<S>(0x5eeb, cases) {
+            seen[0][kind(sweep.check())] += 1;
+        }
+        for sweep in set.boxes::<S>(0x5eec, cases) {
+            seen[1][kind(sweep.check())] += 1;
+        }
+    }
+    seen
+}
+
+fn agrees_with_the_oracle<S: Sample>() {
+    const CASES: usize = 400;
+    let seen = check::<S>(CASES);
+    assert!(seen.as_flattened().iter().all(|&n| n > CASES), "{seen:?}");
+}
+for_every_scalar!(agrees_with_the_oracle);
+
+/// Types that cannot hold one: the time ends where they end.
+#[test]
+fn agrees_where_there_is_no_one() {
+    for seen in [check::<FixedI8<U7>>(200), check::<FixedI8<U8>>(200), check::<FixedI64<U64>>(200)]
+    {
+        assert!(seen.as_flattened().iter().all(|&n| n > 200), "{seen:?}");
+    }
+    let near = FixedI8::<U7>::from_num;
+    let at = |x: f64| [near(x), near(0.0), near(0.0)];
+    let point = |x: f64| Aabb::from_min_max(at(x), at(x)).unwrap();
+    let motion = Motion::new(at(-0.5), at(0.25)).unwrap();
+    let first = point(-0.5).first_contact(&motion, &point(0.25)).unwrap();
+    assert_eq!(first, FirstContact { t: FixedI8::MAX, axis: Some(Axis::Face(0)) });
+}
+
+/// Of a hundred times as many: `cargo test --release --test promises sweep -- --ignored`.
+#[test]
+#[ignore = "takes minutes"]
+fn agrees_with_the_oracle_on_many() {
+    fn many<S: Sample>() {
+        println!("{:8} {:?}", S::name(), check::<S>(91_000));
+    }
+    many::<f32>();
+    many::<f64>();
+    many::<I4F4>();
+    many::<I8F8>();
+    many::<I16F16>();
+    many::<I32F32>();
+}
+
+/// Without a way it is the question at rest, and what meets meets at the start.
+fn no_way_is_rest<S: Sample>() {
+    for set in [Set::Grid, Set::Touch, Set::Degenerate] {
+        for case in set.cases::<S>(0x5eed, 300) {
+            let (triangle, aabb) = case.shapes();
+            let p = case.vertices[0];
+            let rest = Motion::new(p, p).unwrap();
+            let meets = triangle.relation(&aabb) != Relation::Disjoint;
+            let expected = meets.then_some(FirstContact { t: S::ZERO, axis: None });
+            assert_eq!(triangle.first_contact(&rest, &aabb), expected, "{case:?}");
+            assert_eq!(aabb.meets_along(&rest, &triangle), meets, "{case:?}");
+        }
+    }
+}
+for_every_scalar!(no_way_is_rest);
+
+/// Boxes of any size, from one side of a thin wall to the other, by any way.
+fn nothing_passes_a_wall<S: Sample>() {
+    let mut rng = Rng::new(0x3a11);
+    let near = |p: [f64; 3]| p.map(S::nearest);
+    let wall =
+        Triangle::new(near([-7.5, -7.5, -0.5]), near([7.5, -7.5, 0.5]), near([0.0, 7.5, 0.25]));
+    let wall = wall.unwrap();
+    for _ in 0..2_000 {
+        let half = [2_f64.powf(rng.real(-8.0, 0.0)); 3];
+        let mut side = |z: f64| near([rng.real(-2.0, 2.0), rng.real(-2.0, 2.0), z]);
+        let (from, to) = (side(4.0), side(-4.0));
+        let bullet = Aabb::from_center_half_extents(from, near(half)).unwrap();
+        let shot = Motion::new(from, to).unwrap();
+        let first = bullet.first_contact(&shot, &wall);
+        assert!(first.is_some_and(|first| first.t > S::ZERO), "{bullet:?} {shot:?}");
+        // And on this side nothing.
+        let along = Motion::new(from, [to[0], to[1], from[2]]).unwrap();
+        assert!(!bullet.meets_along(&along, &wall), "{bullet:?} {along:?}");
+    }
+}
+for_every_scalar!(nothing_passes_a_wall);
+
+#[test]
+fn a_motion_is_of_numbers() {
+    let bad = Motion::new([0.0_f32; 3], [0.0, f32::NAN, 0.0]);
+    assert_eq!(bad, Err(ShapeError::NotFinite));
+    let bad = Motion::new([f64::INFINITY, 0.0, 0.0], [0.0; 3]);
+    assert_eq!(bad, Err(ShapeError::NotFinite));
+}
