@@ -1,6 +1,7 @@
 //! A peer: it predicts the other's input, and rolls back if the prediction was wrong.
 
-use crate::world::World;
+use crate::terrain::Ground;
+use crate::{Game, step};
 
 /// How many ticks an input takes from one peer to the other.
 pub(crate) const DELAY: usize = 5;
@@ -8,33 +9,35 @@ pub(crate) const DELAY: usize = 5;
 /// A tick whose inputs are not all known yet.
 struct Tick {
     /// The world before the tick. A rollback starts here.
-    before: World,
+    before: Game,
     own: u8,
     /// The other's input as predicted.
     other: u8,
 }
 
 /// One of the two players.
-pub(crate) struct Peer {
+pub(crate) struct Peer<'a> {
     player: usize,
+    ground: &'a Ground<'a>,
     /// The world after all ticks, some of them with predicted inputs.
-    shown: World,
+    shown: Game,
     /// The ticks whose inputs are not all known yet, the oldest first.
     open: heapless::Deque<Tick, { DELAY + 1 }>,
     last_known: u8,
     replayed: usize,
 }
 
-impl Peer {
-    pub(crate) fn new(player: usize) -> Self {
+impl<'a> Peer<'a> {
+    pub(crate) fn new(player: usize, ground: &'a Ground<'a>) -> Self {
         let open = heapless::Deque::new();
-        Self { player, shown: World::new(), open, last_known: 0, replayed: 0 }
+        Self { player, ground, shown: Game::new(), open, last_known: 0, replayed: 0 }
     }
 
     /// Runs one tick. The prediction is that the other's input has not changed.
     pub(crate) fn play(&mut self, own: u8) {
         let tick = Tick { before: self.shown, own, other: self.last_known };
-        self.shown.step(self.inputs(&tick));
+        let inputs = self.inputs(&tick);
+        step(&mut self.shown, self.ground, inputs);
         // There is room: for each tick that comes, one is confirmed.
         let _ = self.open.push_back(tick);
     }

@@ -1,40 +1,106 @@
-//! The ground: hills of triangles, on a grid.
+//! The ground: hills of triangles on a grid, walls around them and a ceiling, with a tree over
+//! all.
 
-use fixed::types::I16F16;
-use septum::{Aabb, Triangle, Vec3};
+use septum::Vec3;
+use septum::contact::{InteriorEdges, interior_edges};
+use septum::mesh::{Mesh, Node, Tree};
 
-/// How many cells the ground has along each side.
-pub(crate) const SIDE: i32 = 10;
+/// How many cells the ground has along each side, of a metre each.
+pub(crate) const SIDE: usize = 10;
+
+const CORNERS: usize = SIDE + 1;
+const VERTICES: usize = CORNERS * CORNERS + 8;
+const TRIANGLES: usize = 2 * SIDE * SIDE + 10;
 
 /// Heights in sixteenths. The pattern repeats.
-const HEIGHTS: [[i32; 5]; 5] =
+const HEIGHTS: [[u8; 5]; 5] =
     [[24, 14, 9, 3, 12], [15, 6, 0, 5, 13], [8, 2, 5, 11, 6], [3, 7, 14, 8, 1], [16, 9, 4, 0, 10]];
 
-fn vertex(x: i32, z: i32) -> Vec3<I16F16> {
-    let height = HEIGHTS[x.rem_euclid(5) as usize][z.rem_euclid(5) as usize];
-    Vec3::new(I16F16::from_num(x), I16F16::from_bits(height << 12), I16F16::from_num(z))
-}
+/// How high the walls reach.
+const WALL: f32 = 16.0;
 
-/// The two triangles of a cell.
-fn cell(x: i32, z: i32) -> [Option<Triangle<I16F16>>; 2] {
-    let [a, b, c, d] = [vertex(x, z), vertex(x, z + 1), vertex(x + 1, z), vertex(x + 1, z + 1)];
-    [Triangle::new(a, b, c).ok(), Triangle::new(d, c, b).ok()]
-}
-
-/// The first triangle of the ground that the box meets.
-pub(crate) fn met_by(aabb: &Aabb<I16F16>) -> Option<Triangle<I16F16>> {
-    let (min, max) = aabb.min_max()?;
-    let cells = |low: I16F16, high: I16F16| {
-        (low.to_num::<i32>() - 1).max(0)..=high.to_num::<i32>().min(SIDE - 1)
-    };
-    for x in cells(min.x, max.x) {
-        for z in cells(min.z, max.z) {
-            for triangle in cell(x, z).into_iter().flatten() {
-                if triangle.overlaps(aabb) {
-                    return Some(triangle);
-                }
-            }
-        }
+static POINTS: [Vec3<f32>; VERTICES] = {
+    let mut all = [Vec3::splat(0.0); VERTICES];
+    let mut k = 0;
+    while k < CORNERS * CORNERS {
+        let (x, z) = (k / CORNERS, k % CORNERS);
+        let height = HEIGHTS[x % 5][z % 5] as f32 / 16.0;
+        all[k] = Vec3::new(x as f32, height, z as f32);
+        k += 1;
     }
-    None
+    let mut n = 0;
+    while n < 4 {
+        let end = SIDE as f32;
+        let x = if n == 1 || n == 2 { end } else { 0.0 };
+        let z = if n >= 2 { end } else { 0.0 };
+        all[k] = Vec3::new(x, -1.0, z);
+        all[k + 1] = Vec3::new(x, WALL, z);
+        k += 2;
+        n += 1;
+    }
+    all
+};
+
+static FACES: [[u16; 3]; TRIANGLES] = {
+    let mut all = [[0; 3]; TRIANGLES];
+    let mut k = 0;
+    while k < SIDE * SIDE {
+        let a = (k / SIDE * CORNERS + k % SIDE) as u16;
+        let (b, c, d) = (a + 1, a + CORNERS as u16, a + CORNERS as u16 + 1);
+        all[2 * k] = [a, b, c];
+        all[2 * k + 1] = [d, c, b];
+        k += 1;
+    }
+    let mut n = 0;
+    while n < 4 {
+        let first = (CORNERS * CORNERS) as u16;
+        let (a, b) = (first + 2 * n, first + 2 * ((n + 1) % 4));
+        all[2 * SIDE * SIDE + 2 * n as usize] = [a, b, a + 1];
+        all[2 * SIDE * SIDE + 2 * n as usize + 1] = [b + 1, a + 1, b];
+        n += 1;
+    }
+    let top = (CORNERS * CORNERS + 1) as u16;
+    all[TRIANGLES - 2] = [top, top + 2, top + 4];
+    all[TRIANGLES - 1] = [top, top + 4, top + 6];
+    all
+};
+
+/// What stands still.
+pub(crate) struct Ground<'a> {
+    pub(crate) tree: Tree<'a, f32, u16>,
+    /// The edges that no box is caught by.
+    pub(crate) interior: [InteriorEdges; TRIANGLES],
+}
+
+/// Does something with the ground, which needs a place for its tree. Nothing if the ground
+/// is broken.
+pub(crate) fn with_ground<T>(f: impl FnOnce(&Ground<'_>) -> T) -> Option<T> {
+    let mesh = Mesh::new(&POINTS, &FACES).ok()?;
+    let mut interior = [InteriorEdges::NONE; TRIANGLES];
+    interior_edges(&mesh, &mut [(0, 0); 3 * TRIANGLES], &mut interior).ok()?;
+    let mut nodes = [Node::EMPTY; Node::count_for(TRIANGLES)];
+    let mut order = [0; TRIANGLES];
+    let tree = Tree::build(mesh, &mut nodes, &mut order).ok()?;
+    Some(f(&Ground { tree, interior }))
+}
+
+/// How far a point is above the ground, or below it; nothing beyond the walls.
+pub(crate) fn height_above(point: [f32; 3]) -> Option<f32> {
+    let [x, y, z] = point;
+    let inside = |x: f32| (0.0..SIDE as f32).contains(&x);
+    if !inside(x) || !inside(z) {
+        return None;
+    }
+    let (i, k) = (x as usize, z as usize);
+    let (u, v) = (x - i as f32, z - k as f32);
+    let height = |i: usize, k: usize| f32::from(HEIGHTS[i % 5][k % 5]) / 16.0;
+    let (b, c) = (height(i, k + 1), height(i + 1, k));
+    let ground = if u + v <= 1.0 {
+        let a = height(i, k);
+        a + (c - a) * u + (b - a) * v
+    } else {
+        let d = height(i + 1, k + 1);
+        d + (b - d) * (1.0 - u) + (c - d) * (1.0 - v)
+    };
+    Some(y - ground)
 }

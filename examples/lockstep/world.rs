@@ -1,135 +1,146 @@
-//! Boxes that fall and slide. Players steer two of them. Every operation is one on
-//! integers, and products are rounded down, so that every machine computes the same.
+//! Boxes that fall, turn, stack and rest. Players steer two of them. Queries are exact, and all
+//! else is sums, products and quotients of floats in one order, so that every machine computes
+//! the same.
 
-use fixed::types::I16F16;
-use septum::{Aabb, Triangle};
+use heapless::Vec;
+use septum::contact::{contact, contact_in_mesh};
 
-use crate::terrain::{SIDE, met_by};
+use crate::body::{Body, Pose};
+use crate::solver::{Pair, Touch, solve, touches};
+use crate::terrain::{Ground, SIDE, height_above};
 
-type Number = I16F16;
+/// Of 60 ticks a second.
+const GRAVITY: f32 = 9.81 / 3600.0;
+const THRUST: f32 = 0.004;
+const DRAG: f32 = 0.995;
+/// A body faster than this wakes what it touches.
+const WAKES: f32 = 0.0004;
 
-const fn lit(text: &str) -> Number {
-    Number::lit(text)
-}
-
-const GRAVITY: Number = lit("0.00390625");
-const THRUST: Number = lit("0.005");
-const DRAG: Number = lit("0.984375");
-const SLIDE: Number = lit("0.01");
-/// How far a box is lifted in one tick, where the ground rises before it.
-const LIFT: Number = lit("0.0625");
-
+/// The whole state: N bodies.
 #[derive(Clone, Copy)]
-struct Body {
-    position: [Number; 3],
-    velocity: [Number; 3],
-    half: Number,
+pub(crate) struct World<const N: usize> {
+    bodies: [Body; N],
 }
 
-impl Body {
-    /// The box, unless it left the range of its coordinates.
-    fn aabb(&self) -> Option<Aabb<Number>> {
-        let [x, y, z] = self.position;
-        let corner = |d: Number| [x + d, y + d, z + d];
-        Aabb::from_min_max(corner(-self.half), corner(self.half)).ok()
-    }
+/// How many points a tick may have for each body. More are left out, the same everywhere.
+pub(crate) const POINTS: usize = 16;
 
-    fn ground(&self) -> Option<Triangle<Number>> {
-        met_by(&self.aabb()?)
-    }
-
-    /// Whether two boxes have more than a surface in common.
-    fn meets(&self, other: &Self) -> bool {
-        let reach = self.half + other.half;
-        self.position.iter().zip(other.position).all(|(a, b)| (*a - b).abs() < reach)
-    }
-}
-
-/// The whole state.
-#[derive(Clone, Copy)]
-pub(crate) struct World {
-    bodies: [Body; 6],
-}
-
-impl World {
+impl<const N: usize> World<N> {
+    /// Boxes in layers above the ground.
     pub(crate) fn new() -> Self {
-        let mut bodies =
-            [Body { position: [Number::ZERO; 3], velocity: [Number::ZERO; 3], half: lit("0.25") };
-                6];
-        for (k, body) in (0..).zip(&mut bodies) {
-            let along = Number::from_num(k) * lit("1.5") + lit("1.125");
-            body.position = [along, lit("2.5") + Number::from_num(k) / 4, lit("9") - along];
-            body.half -= Number::from_num(k) / 64;
+        const ROW: usize = 6;
+        let mut bodies = [Body::new([0.0; 3], 0.25); N];
+        for (k, body) in bodies.iter_mut().enumerate() {
+            let [x, z, y] = [k % ROW, k / ROW % ROW, k / (ROW * ROW)].map(|n| n as f32);
+            let aside = (k % 7) as f32 / 16.0;
+            let gap = (SIDE as f32 - 2.0) / ROW as f32;
+            let position = [1.2 + gap * x + aside, 2.0 + 0.75 * y, 1.2 + gap * z + aside / 2.0];
+            *body = Body::new(position, 0.25 - (k % 5) as f32 / 64.0);
+            body.spin = [aside / 64.0, 0.01, (k % 3) as f32 / 128.0];
+            if k % 4 == 3 {
+                // A shot: in one tick it goes ten times its own length.
+                body.velocity = [3.0, -4.0, 1.0];
+            }
         }
         Self { bodies }
     }
 
     /// Runs one tick. The bits of an input mean left, right, back and forward.
-    pub(crate) fn step(&mut self, inputs: [u8; 2]) {
+    pub(crate) fn step<const TOUCHES: usize>(&mut self, ground: &Ground<'_>, inputs: [u8; 2]) {
         for (body, input) in self.bodies.iter_mut().zip(inputs) {
-            let push = |bit: u8| if input >> bit & 1 == 1 { THRUST } else { Number::ZERO };
+            let push = |bit: u8| if input >> bit & 1 == 1 { THRUST } else { 0.0 };
             body.velocity[0] += push(1) - push(0);
             body.velocity[2] += push(3) - push(2);
-        }
-        for k in 0..self.bodies.len() {
-            for i in [0, 2] {
-                self.slide(k, i);
+            if input & 15 != 0 {
+                body.wake();
             }
-            self.fall(k);
+        }
+        for body in self.bodies.iter_mut().filter(|body| !body.rests()) {
+            body.velocity = body.velocity.map(|x| x * DRAG);
+            body.spin = body.spin.map(|x| x * DRAG);
+            body.velocity[1] -= GRAVITY;
+        }
+        let mut found: Vec<Touch, TOUCHES> = Vec::new();
+        self.find(ground, &mut found);
+        solve(&mut self.bodies, &mut found);
+        for body in &mut self.bodies {
+            body.advance(ground);
         }
     }
 
-    fn is_blocked(&self, k: usize, body: &Body) -> bool {
-        self.bodies.iter().enumerate().any(|(j, other)| j != k && body.meets(other))
+    /// Where bodies are in each other, or in the ground.
+    fn find<const TOUCHES: usize>(&mut self, ground: &Ground<'_>, found: &mut Vec<Touch, TOUCHES>) {
+        let poses = self.bodies.each_ref().map(Body::pose);
+        for i in 0..N {
+            let Some(pose) = &poses[i] else { continue };
+            if !self.bodies[i].rests() {
+                self.on_ground(ground, i, pose, found);
+            }
+            for j in i + 1..N {
+                let Some(other) = &poses[j] else { continue };
+                if !are_near(pose, other) || (self.bodies[i].rests() && self.bodies[j].rests()) {
+                    continue;
+                }
+                let Some(contact) = contact(&pose.obb, &other.obb) else { continue };
+                for (k, l) in [(i, j), (j, i)] {
+                    if self.bodies[k].speed_squared() > WAKES && self.bodies[l].rests() {
+                        self.bodies[l].wake();
+                    }
+                }
+                let pair = Pair { first: i, second: Some(j) };
+                for touch in touches(&self.bodies, pair, &contact, 1.0) {
+                    let _ = found.push(touch);
+                }
+            }
+        }
     }
 
-    /// Moves a box along a horizontal axis. It slides over the ground where that is not
-    /// too steep, and stays within the walls.
-    fn slide(&mut self, k: usize, i: usize) {
-        let mut moved = self.bodies[k];
-        moved.velocity[i] *= DRAG;
-        let end = Number::from_num(SIDE) - moved.half;
-        moved.position[i] = (moved.position[i] + moved.velocity[i]).clamp(moved.half, end);
-        if moved.ground().is_some() {
-            moved.position[1] += LIFT;
-        }
-        if moved.ground().is_some() || self.is_blocked(k, &moved) {
-            self.bodies[k].velocity[i] = -self.bodies[k].velocity[i] / 2;
-        } else {
-            self.bodies[k] = moved;
+    fn on_ground<const TOUCHES: usize>(
+        &self,
+        ground: &Ground<'_>,
+        i: usize,
+        pose: &Pose,
+        found: &mut Vec<Touch, TOUCHES>,
+    ) {
+        for k in ground.tree.overlapping(&pose.obb) {
+            let (Some(triangle), Some(&interior)) =
+                (ground.tree.mesh().triangle(k), ground.interior.get(k))
+            else {
+                continue;
+            };
+            // The triangle is moved out of the box: the box goes the other way.
+            if let Some(contact) = contact_in_mesh(&triangle, interior, &pose.obb) {
+                for touch in touches(&self.bodies, Pair { first: i, second: None }, &contact, -1.0)
+                {
+                    let _ = found.push(touch);
+                }
+            }
         }
     }
 
-    /// Moves a box down. A box on the ground gains speed downhill.
-    fn fall(&mut self, k: usize) {
-        let mut moved = self.bodies[k];
-        moved.velocity[1] = (moved.velocity[1] - GRAVITY).max(-moved.half);
-        moved.position[1] += moved.velocity[1];
-        let ground = moved.ground();
-        if ground.is_none() && !self.is_blocked(k, &moved) {
-            self.bodies[k] = moved;
-            return;
-        }
-        let velocity = &mut self.bodies[k].velocity;
-        velocity[1] = Number::ZERO;
-        if let Some(ground) = ground {
-            let [a, b, c] = *ground.vertices();
-            let (e, f) = ([b.x - a.x, b.y - a.y, b.z - a.z], [c.x - a.x, c.y - a.y, c.z - a.z]);
-            velocity[0] += (e[1] * f[2] - e[2] * f[1]) * SLIDE;
-            velocity[2] += (e[0] * f[1] - e[1] * f[0]) * SLIDE;
-        }
+    /// Whether each body is inside of the wall and above the ground.
+    pub(crate) fn is_whole(&self) -> bool {
+        self.bodies.iter().all(|body| height_above(body.position).is_some_and(|y| y > 0.0))
+    }
+
+    /// How many bodies rest.
+    pub(crate) fn resting(&self) -> usize {
+        self.bodies.iter().filter(|body| body.rests()).count()
     }
 
     /// The hash of every bit of the state: FNV-1a.
     pub(crate) fn hash(&self) -> u64 {
         let mut hash = 0xcbf2_9ce4_8422_2325_u64;
-        for body in &self.bodies {
-            for number in body.position.iter().chain(&body.velocity) {
-                for byte in number.to_bits().to_le_bytes() {
-                    hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-                }
+        for number in self.bodies.iter().flat_map(Body::numbers) {
+            for byte in number.to_le_bytes() {
+                hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
             }
         }
         hash
     }
+}
+
+/// Whether the boxes around two bodies meet.
+fn are_near(a: &Pose, b: &Pose) -> bool {
+    (0..3).all(|i| a.min[i] <= b.max[i] && b.min[i] <= a.max[i])
 }
