@@ -2,6 +2,7 @@
 
 use septum::lanes::{Hits, Ranges};
 use septum::relation::Relation;
+use septum::sweep::FirstContact;
 use septum::{Axis, Facing, Feature, Hit, Vec3};
 
 use super::super::draw::Draw;
@@ -58,6 +59,14 @@ impl Hash {
         if let Some((from, to)) = range {
             self.number(from);
             self.number(to);
+        }
+    }
+
+    pub(crate) fn contact<S: Draw>(&mut self, first: Option<FirstContact<S>>) {
+        self.yes(first.is_some());
+        if let Some(FirstContact { t, axis }) = first {
+            self.number(t);
+            self.axis(axis);
         }
     }
 

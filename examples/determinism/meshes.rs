@@ -3,6 +3,7 @@
 use core::ops::ControlFlow;
 
 use septum::mesh::{Mesh, Node, Tree};
+use septum::sweep::Motion;
 use septum::{Aabb, HitRules, Obb, Ray, Segment, Triangle, Vec3};
 
 use super::super::draw::Draw;
@@ -81,6 +82,16 @@ pub(super) fn all<S: Draw, A: Answers>(
         for rules in [HitRules::new(), HitRules::new().once()] {
             answers.to(Query::MeshHits).set(tree.hits_with(ray, rules).map(|(i, _)| i));
         }
+    }
+
+    for (aabb, from, to) in
+        [(shapes.aabbs[0], points[2], points[5]), (shapes.aabbs[1], points[6], points[0])]
+    {
+        let Ok(motion) = Motion::new(from, to) else { continue };
+        let first = tree.first_contact(aabb, &motion);
+        let told = answers.to(Query::MeshSweep);
+        told.byte(first.map_or(0xff, |(i, _)| i as u8));
+        told.contact(first.map(|(_, first)| first));
     }
 
     let middle =

@@ -1,7 +1,8 @@
-//! Questions about small pairs: boxes with boxes and points, a triangle with triangles,
+//! Questions about small pairs: boxes with boxes and points, what moves past a box, a triangle with triangles,
 //! segments and points, and two hits of one ray.
 
 use septum::relation::Relate;
+use septum::sweep::{Motion, Sweep};
 use septum::{Aabb, Axis, Obb, Ray, Segment, Triangle, Vec3};
 
 use super::super::draw::Draw;
@@ -98,6 +99,31 @@ pub(super) fn lines<S: Draw, A: Answers>(
     for segment in segments.iter().chain(&[through]).flatten() {
         answers.to(Query::SegmentObb).yes(segment.overlaps(obb));
         answers.to(Query::SegmentObbMay).yes(segment.may_overlap(obb));
+    }
+}
+
+/// The triangle past the boxes, by ways that lead to them or elsewhere, and a box around an edge of
+/// it.
+#[inline(never)]
+pub(super) fn sweeps<S: Draw, A: Answers>(
+    triangle: &Triangle<S>,
+    aabbs: [&Aabb<S>; 2],
+    [p, q]: [Vec3<S>; 2],
+    answers: &mut A,
+) {
+    let [a, b, c] = *triangle.vertices();
+    for (from, to) in [(a, p), (q, b), (c, Vec3::new(c.x, c.y, p.z))] {
+        let Ok(motion) = Motion::new(from, to) else { continue };
+        for aabb in aabbs {
+            let first = triangle.first_contact(&motion, aabb);
+            answers.to(Query::TriangleAabbSweep).contact(first);
+            answers.to(Query::TriangleAabbSweep).yes(aabb.meets_along(&motion, triangle));
+        }
+        let Ok(around) = Aabb::from_min_max(least(a, b), greatest(a, b)) else { continue };
+        for aabb in aabbs {
+            answers.to(Query::AabbAabbSweep).contact(around.first_contact(&motion, aabb));
+            answers.to(Query::AabbAabbSweep).yes(aabb.meets_along(&motion, &around));
+        }
     }
 }
 

@@ -112,4 +112,7 @@ queries! {
     TriangleBoxPoints = "triangle/box contact points",
     BoxBoxTranslation = "box/box translation",
     BoxBoxPoints = "box/box contact points",
+    TriangleAabbSweep = "triangle/aabb first_contact",
+    AabbAabbSweep = "aabb/aabb first_contact",
+    MeshSweep = "mesh first_contact",
 }

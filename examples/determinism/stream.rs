@@ -109,6 +109,7 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, k: u32) {
     if k % 8 == 0 {
         contacts::all(&triangle, aabbs, obb.as_ref(), answers);
     }
+    pairs::sweeps(&triangle, aabbs, [p, d], answers);
     if k % 16 == 0 {
         let shapes = meshes::Shapes {
             aabbs,
