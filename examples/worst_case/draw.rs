@@ -99,7 +99,7 @@ impl Rng {
 
     /// An integer below n.
     pub(crate) fn below(&mut self, n: u32) -> i64 {
-        ((self.bits() >> 32) * u64::from(n) >> 32) as i64
+        (((self.bits() >> 32) * u64::from(n)) >> 32) as i64
     }
 
     /// An integer of so many bits, beside its sign.
