@@ -50,6 +50,8 @@ struct Taken {
     checks: u64,
     sum: u64,
     most: u64,
+    /// How many took longer than a millisecond at 16 MHz, an instruction a cycle.
+    late: u64,
 }
 
 fn run() -> bool {
@@ -70,7 +72,9 @@ fn run() -> bool {
     });
     if taken.sum > 0 {
         let each = taken.sum / taken.checks;
-        say!("{} checks, {} instructions each, {} at most", taken.checks, each, taken.most);
+        let Taken { checks, most, late, .. } = taken;
+        say!("{} checks, {} instructions each, {} at most", checks, each, most);
+        say!("checks of more than 16000 instructions: {}", late);
     }
     is_done
 }
@@ -115,6 +119,7 @@ fn check(
                 taken.checks += 1;
                 taken.sum += count;
                 taken.most = taken.most.max(count);
+                taken.late += u64::from(count > 16_000);
             }
             tell(name, number, step as u32, at, [place, now]);
             place = now;
