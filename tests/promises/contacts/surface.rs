@@ -75,7 +75,8 @@ fn floor(rng: &mut Rng, [a, b]: [f32; 2]) -> (Vec<Triangle<f32>>, Vec<InteriorEd
         for j in 0..=CELLS {
             let mut place = |n: u16| {
                 let is_inner = i % CELLS != 0 && j % CELLS != 0;
-                let off = if is_inner { rng.whole(-5, 5) } else { 0 };
+                // Less than a quarter of a cell: all triangles face up.
+                let off = if is_inner { rng.whole(-3, 3) } else { 0 };
                 f32::from(n) - 3.0 + off as f32 / 16.0
             };
             let (x, y) = (place(i), place(j));
