@@ -83,9 +83,7 @@ fn wall(rng: &mut Rng) -> Shot {
         [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
     };
     let (p, q) = (cross(normal, u), cross(normal, cross(normal, u)));
-    let at = |a: f64, b: f64, c: f64| {
-        [0, 1, 2].map(|i: usize| a * p[i] + b * q[i] + c * normal[i])
-    };
+    let at = |a: f64, b: f64, c: f64| [0, 1, 2].map(|i: usize| a * p[i] + b * q[i] + c * normal[i]);
     let wide = 4096.0;
     let triangle = [at(-wide, -wide, 0.0), at(wide, -wide, 0.0), at(0.0, wide, 0.0)];
     let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt().max(1e-3);
@@ -214,10 +212,7 @@ fn of_scalar<'a, S: Scalar>(given: &'a [Given<S>]) -> Vec<Method<'a>> {
     };
     vec![
         Method { name: "at the start: overlaps", run: count(|g| g.triangle.overlaps(&g.aabb)) },
-        Method {
-            name: "meets_along",
-            run: count(|g| g.aabb.meets_along(&g.motion, &g.triangle)),
-        },
+        Method { name: "meets_along", run: count(|g| g.aabb.meets_along(&g.motion, &g.triangle)) },
         Method {
             name: "first_contact",
             run: count(|g| g.aabb.first_contact(&g.motion, &g.triangle).is_some()),

@@ -16,7 +16,8 @@ fn exact<S: Scalar>(t: &Triangle<S>, b: &Aabbs<S, N>) -> [bool; N] {
 /// The exact test for many at once, in one scalar.
 pub fn lanes<S: Scalar>(by_corners: &Course<Triangle<S>, Aabb<S>>) -> Vec<Candidate> {
     let block = |boxes: &[Aabb<S>; N]| Aabbs::new(boxes).expect("made of corners");
-    let many = by_corners.prepared("corners, 8 at once", |p| p.blocks().map(Triangle::clone, block));
+    let many =
+        by_corners.prepared("corners, 8 at once", |p| p.blocks().map(Triangle::clone, block));
     vec![many.candidate("exact", Promise::Exact, exact)]
 }
 
