@@ -27,6 +27,9 @@ struct Options {
     rounds: u32,
 }
 
+/// When a shot first meets its triangle, by somebody's method.
+type Cast = fn(&Shot) -> Option<f32>;
+
 /// A box at the start, how far it moves, and a triangle.
 #[derive(Clone, Copy)]
 struct Shot {
@@ -158,7 +161,7 @@ fn count(title: &str, shots: &[Shot]) {
         "{:12} {:>9} {:>11} {:>9} {:>12} {:>12}",
         "", "misses", "false hits", "late", "most late", "most early"
     );
-    let methods: [(&str, fn(&Shot) -> Option<f32>); 3] =
+    let methods: [(&str, Cast); 3] =
         [("septum", ours), ("parry3d", parry), ("box3d-rust", box3d_cast)];
     for (name, cast) in methods {
         let (mut misses, mut inventions, mut late) = (0, 0, 0);

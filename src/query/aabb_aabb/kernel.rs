@@ -48,7 +48,7 @@ impl<S: Scalar> Apart<S> {
 /// roundings of |d| + r and of the bound, and terms in u². Sums of floats do not
 /// underflow: below twice the least normal number they are exact, and there the
 /// bound may as well be zero. Proved in `kernel.g`.
-pub(in crate::query) const GAP: u16 = 3;
+pub(crate) const GAP: u16 = 3;
 
 impl<S: Scalar> Predicate<S> for Apart<S> {
     type Answer = bool;
