@@ -1,18 +1,18 @@
-//! Rays through the grid. They go from voxel to voxel, and cross empty blocks in one
-//! step.
+//! Rays through the grid. They go from voxel to voxel, and cross empty blocks, and empty
+//! blocks of blocks, in one step.
 //!
 //! J. Amanatides and A. Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing",
-//! *Eurographics* 1987, on two levels.
+//! *Eurographics* 1987, on three levels.
 
 use crate::grid::Grid;
 
-/// Voxels along the edge of a block.
-const BLOCK: i32 = 8;
+/// Voxels along the edge of a block, and of a block of blocks.
+const BLOCKS: [i32; 2] = [8, 64];
 
 /// A grid that rays can be sent through.
 pub(crate) struct Scene<'a> {
     grid: &'a Grid,
-    blocks: Grid,
+    blocks: [Grid; 2],
     size: [i32; 3],
 }
 
@@ -35,9 +35,11 @@ impl Hit {
 impl<'a> Scene<'a> {
     /// Finds the blocks that hold anything.
     pub(crate) fn new(grid: &'a Grid) -> Self {
-        let mut blocks = Grid::new(grid.size().map(|n| n.div_ceil(BLOCK as usize)));
+        let mut blocks = BLOCKS.map(|n| Grid::new(grid.size().map(|m| m.div_ceil(n as usize))));
         for voxel in grid.voxels() {
-            blocks.set(voxel.map(|i| i / BLOCK as usize));
+            for (blocks, n) in blocks.iter_mut().zip(BLOCKS) {
+                blocks.set(voxel.map(|i| i / n as usize));
+            }
         }
         Self { grid, blocks, size: grid.size().map(|n| n as i32) }
     }
@@ -56,23 +58,29 @@ impl<'a> Scene<'a> {
         let pace = each(|i| inverse[i].abs());
         let mut voxel = each(|i| at(t, i).clamp(0, self.size[i] - 1));
         while t < end && self.holds(voxel, axis) {
-            let first = each(|i| voxel[i] & -BLOCK);
-            let last = each(|i| (first[i] + BLOCK).min(self.size[i]) - 1);
-            if self.blocks.get(each(|i| (voxel[i] / BLOCK) as usize)) {
-                let mut next = each(|i| meets(i, voxel[i] + (step[i] + 1) / 2));
-                while voxel[axis] >= first[axis] && voxel[axis] <= last[axis] && t < end {
-                    if self.grid.get(each(|i| voxel[i] as usize)) {
-                        return Some(Hit { voxel, axis, t });
-                    }
-                    (axis, t) = least(next);
-                    voxel[axis] += step[axis];
-                    next[axis] += pace[axis];
-                }
-            } else {
+            let is_empty = |level: usize| {
+                !self.blocks[level].get(each(|i| (voxel[i] / BLOCKS[level]) as usize))
+            };
+            // The greatest empty block here, or one that is not empty.
+            let (is_empty, n) =
+                if is_empty(1) { (true, BLOCKS[1]) } else { (is_empty(0), BLOCKS[0]) };
+            let first = each(|i| voxel[i] & -n);
+            let last = each(|i| (first[i] + n).min(self.size[i]) - 1);
+            if is_empty {
                 let leaves = |i: usize| meets(i, if step[i] > 0 { last[i] + 1 } else { first[i] });
                 (axis, t) = least([leaves(0), leaves(1), leaves(2)]);
                 voxel = each(|i| at(t, i).clamp(first[i], last[i]));
                 voxel[axis] = if step[axis] > 0 { last[axis] + 1 } else { first[axis] - 1 };
+                continue;
+            }
+            let mut next = each(|i| meets(i, voxel[i] + (step[i] + 1) / 2));
+            while voxel[axis] >= first[axis] && voxel[axis] <= last[axis] && t < end {
+                if self.grid.get(each(|i| voxel[i] as usize)) {
+                    return Some(Hit { voxel, axis, t });
+                }
+                (axis, t) = least(next);
+                voxel[axis] += step[axis];
+                next[axis] += pace[axis];
             }
         }
         None

@@ -1,9 +1,10 @@
 //! The picture: an isometric view, shaded by sun and sky.
 
-use std::collections::HashMap;
 use std::f64::consts::FRAC_1_SQRT_2;
 use std::io::Write;
 use std::sync::Mutex;
+
+use ahash::AHashMap;
 
 use crate::color::{self, Color};
 use crate::grid::Grid;
@@ -204,7 +205,7 @@ struct Brush<'a> {
     ground_probe: Probe,
     /// The lattice of the ground is coarser where voxels are tiny.
     ground_step: i32,
-    seen: HashMap<(usize, [i32; 3]), Light>,
+    seen: AHashMap<(usize, [i32; 3]), Light>,
     last: Option<(Patch, [Light; 4])>,
 }
 
@@ -218,7 +219,7 @@ impl<'a> Brush<'a> {
         let (ground_count, across) = if camera.is_fine() { (64, 80.0) } else { (128, 128.0) };
         let ground_probe = Probe::new(ground_count, 0.5 * camera.longest);
         let ground_step = (camera.longest / across).ceil() as i32;
-        let (seen, last) = (HashMap::new(), None);
+        let (seen, last) = (AHashMap::new(), None);
         Self { scene, camera, paint, probe, ground_probe, ground_step, seen, last }
     }
 

@@ -1,57 +1,16 @@
 use core::fmt;
 
 use super::Rule;
+use super::few::Few;
 use super::grid::Grid;
 use super::marks::AllClosed;
 use super::pass::{Bounds, Pass};
 use super::placed::Near;
 use super::rows::Row;
 use super::slabs::Span;
-use crate::query::PreparedTriangle;
+use super::word::Word;
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Triangle};
-
-/// A word of a grid of bits: `u32` or `u64`.
-pub trait Word: sealed::Word {}
-
-impl Word for u32 {}
-impl Word for u64 {}
-
-mod sealed {
-    use core::ops::{BitAnd, BitOrAssign, BitXorAssign, Shl, Shr};
-
-    pub trait Word:
-        Copy
-        + BitAnd<Output = Self>
-        + BitOrAssign
-        + BitXorAssign
-        + Shl<u32, Output = Self>
-        + Shr<u32, Output = Self>
-        + PartialEq
-    {
-        const BITS: u32;
-        const ZERO: Self;
-        const ONE: Self;
-        const ALL: Self;
-        fn ones(self) -> u32;
-    }
-
-    macro_rules! word {
-        ($($word:ident)*) => {$(
-            impl Word for $word {
-                const BITS: u32 = $word::BITS;
-                const ZERO: Self = 0;
-                const ONE: Self = 1;
-                const ALL: Self = $word::MAX;
-                #[inline(always)]
-                fn ones(self) -> u32 {
-                    self.count_ones()
-                }
-            }
-        )*};
-    }
-    word! { u32 u64 }
-}
+use crate::shape::Triangle;
 
 impl<S: Copy> Grid<S> {
     /// How many words a row of voxels takes: each begins with a word of its own.
@@ -166,26 +125,37 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
                     self.set_row([y, z], [x.start, x.end - 1]);
                 }
             }
-        } else if bounds.are_few() {
-            let prepared = PreparedTriangle::new(triangle);
-            for z in z {
-                let [z_low, z_high] = [z, z + 1].map(|k| grid.plane(2, k));
-                for y in y.clone() {
-                    let [y_low, y_high] = [y, y + 1].map(|k| grid.plane(1, k));
-                    for x in x.clone() {
-                        let [x_low, x_high] = [x, x + 1].map(|k| grid.plane(0, k));
-                        let (low, high) = ([x_low, y_low, z_low], [x_high, y_high, z_high]);
-                        if prepared.overlaps(&Aabb::between(low.into(), high.into())) {
-                            self.set_row([y, z], [x, x]);
-                        }
-                    }
-                }
-            }
+        } else if let Some(few) = Few::of(&bounds) {
+            self.set_few(&few, few.met(&near, &grid));
         } else {
             let pass = Pass::within(&grid, &near, AllClosed, bounds);
             pass.each(&grid, |[y, z], Span { first, last }| {
                 self.set_row([y as u32, z as u32], [first as u32, last as u32]);
             });
+        }
+    }
+
+    /// Sets the bits of some voxels of a block.
+    #[inline(always)]
+    fn set_few(&mut self, few: &Few, mut met: u32) {
+        let [x, y, z] = few.first.map(|first| first as u32);
+        let [width, rows, layers] = few.widths;
+        let (at, shift) = ((x / W::BITS) as usize, x % W::BITS);
+        for z in z..z + layers {
+            for y in y..y + rows {
+                let bits = W::of(met & (u32::MAX >> (32 - width)));
+                // The last row may leave none.
+                met = met.checked_shr(width).unwrap_or(0);
+                match self.row_mut(y, z).get_mut(at..) {
+                    Some([word, next, ..]) => {
+                        *word |= bits << shift;
+                        // In two steps: by all of its bits a word cannot be shifted.
+                        *next |= bits >> (W::BITS - 1 - shift) >> 1;
+                    }
+                    Some([word]) => *word |= bits << shift,
+                    _ => {}
+                }
+            }
         }
     }
 

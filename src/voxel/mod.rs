@@ -21,6 +21,7 @@
 //! ```
 
 mod bits;
+mod few;
 mod grid;
 mod line;
 mod marks;
@@ -33,12 +34,14 @@ mod sign;
 mod slabs;
 mod solid;
 mod walk;
+mod word;
 
-pub use bits::{Bits, TooFewWords, Word};
+pub use bits::{Bits, TooFewWords};
 pub use grid::{Grid, GridError};
 pub use rows::{Row, Rows};
 pub use solid::Solid;
 pub use walk::Walk;
+pub use word::Word;
 
 /// Which voxels a triangle marks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -22,6 +22,8 @@ pub(super) struct Bounds {
     pub(super) bounds: [Span; 3],
     /// Whether all of them are marked.
     pub(super) is_full: bool,
+    /// Whether the triangle ends where the grid ends, or before.
+    pub(super) is_within: bool,
 }
 
 impl Bounds {
@@ -30,28 +32,21 @@ impl Bounds {
     pub(super) fn new<S: Scalar, M: AxisMarks>(near: &Near<S>, grid: &Grid<S>, marks: M) -> Self {
         let size = grid.resolution();
         let mut bounds = [Span::EMPTY; 3];
-        let mut narrow = 0;
+        let (mut narrow, mut is_within) = (0, true);
         for i in 0..3 {
             let marks = marks.of(i);
             let [least, greatest] = near.ends(grid, i, marks);
             let Span { first, last } = marks.span(least, greatest);
             narrow += u32::from(first == last && marks.are_cells());
-            bounds[i] = Span { first: first.max(0), last: last.min(size[i] as i32 - 1) };
+            let end = size[i] as i32 - 1;
+            is_within &= first >= 0 && last <= end;
+            bounds[i] = Span { first: first.max(0), last: last.min(end) };
         }
         if bounds.iter().any(|span| span.first > span.last) {
             bounds = [Span { first: 0, last: -1 }; 3];
         }
         // A triangle whose box is one voxel wide on two axes: all of it is in their row.
-        Self { bounds, is_full: narrow >= 2 }
-    }
-
-    /// Whether there are so few that a test for each is the quickest way.
-    #[inline(always)]
-    pub(super) fn are_few(&self) -> bool {
-        const FEW: i64 = 12;
-        let [x, y, z] = self.bounds.map(|span| i64::from(span.last - span.first + 1));
-        // Each is below 2^30.
-        x.max(y).max(z) <= FEW && x * y * z <= FEW
+        Self { bounds, is_full: narrow >= 2, is_within }
     }
 }
 
@@ -89,7 +84,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         grid: &Grid<S>,
         near: &Near<S>,
         marks: M,
-        Bounds { bounds, is_full }: Bounds,
+        Bounds { bounds, is_full, .. }: Bounds,
     ) -> Self {
         let placed = Placed::new(near, grid, marks);
         let [_, y, z] = bounds;

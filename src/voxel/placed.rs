@@ -6,6 +6,7 @@ use super::grid::Grid;
 use super::marks::{AxisMarks, Marks};
 use super::place::{Place, locate};
 use super::sign::turn;
+use crate::arithmetic::{greatest, least};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -44,24 +45,25 @@ impl<S: Scalar> Near<S> {
 
     /// Where a number, of which about the place is known, is among the limits of an axis.
     #[inline(always)]
-    fn place(&self, grid: &Grid<S>, i: usize, marks: Marks, (x, near): (S, f64)) -> Place {
+    fn place(&self, grid: &Grid<S>, i: usize, marks: Marks, near: f64, x: impl Fn() -> S) -> Place {
         let end = Place::before(marks.limits(grid.resolution()[i]));
         locate(near - marks.shift(), self.error, Place::before(0), end, |limit| {
-            grid.compare(i, marks.limit(limit), x)
+            grid.compare(i, marks.limit(limit), x())
         })
     }
 
     /// Where the least and the greatest coordinate on an axis are.
     #[inline(always)]
     pub(super) fn ends(&self, grid: &Grid<S>, i: usize, marks: Marks) -> [Place; 2] {
-        let vertex = |k: usize| (self.points[k][i], self.near[k][i]);
-        let (mut least, mut greatest) = (vertex(0), vertex(0));
-        for k in 1..3 {
-            let vertex = vertex(k);
-            least = if vertex.0 < least.0 { vertex } else { least };
-            greatest = if vertex.0 > greatest.0 { vertex } else { greatest };
-        }
-        [least, greatest].map(|vertex| self.place(grid, i, marks, vertex))
+        // Rounding keeps order, so that the least place is that of the least coordinate.
+        let [a, b, c] = &self.near;
+        let low = least(least(a[i], b[i]), c[i]);
+        let high = greatest(greatest(a[i], b[i]), c[i]);
+        let [a, b, c] = &self.points;
+        [
+            self.place(grid, i, marks, low, || least(least(a[i], b[i]), c[i])),
+            self.place(grid, i, marks, high, || greatest(greatest(a[i], b[i]), c[i])),
+        ]
     }
 }
 
@@ -86,8 +88,8 @@ impl<S: Scalar, M: AxisMarks> Placed<S, M> {
         let mut at = [[Place::before(0); 3]; 3];
         for k in 0..3 {
             for i in 0..3 {
-                let vertex = (near.points[k][i], near.near[k][i]);
-                at[k][i] = near.place(grid, i, marks.of(i), vertex);
+                let x = || near.points[k][i];
+                at[k][i] = near.place(grid, i, marks.of(i), near.near[k][i], x);
             }
         }
         let over = |of: fn(Place, Place) -> Place| {

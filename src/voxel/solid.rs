@@ -1,10 +1,11 @@
-use super::bits::{Bits, TooFewWords, Word};
+use super::bits::{Bits, TooFewWords};
 use super::grid::Grid;
 use super::marks::Marks;
 use super::place::Place;
 use super::placed::{Near, Placed};
 use super::plane::Plane;
 use super::slabs::{Edge, rising};
+use super::word::Word;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 

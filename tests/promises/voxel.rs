@@ -149,6 +149,26 @@ fn words_of_either_width() {
     assert!(!wide.contains([150, 0, 0]) && !wide.contains([0, 20, 0]) && !wide.contains([0, 0, 9]));
 }
 
+/// A few voxels on both sides of where a word ends.
+#[test]
+fn a_few_voxels_of_two_words() {
+    let grid = Grid::new([0.0_f32; 3], [1.0; 3], [70, 4, 4]).unwrap();
+    let mut words = vec![0_u32; grid.words::<u32>()];
+    for x in [29.5, 30.5, 31.5, 61.5, 62.5, 63.5, 66.5] {
+        let t = Triangle::new([x, 0.2, 0.6], [x + 2.7, 1.9, 1.4], [x + 0.4, 1.5, 1.7]).unwrap();
+        words.fill(0);
+        let mut bits = Bits::new(&grid, &mut words).unwrap();
+        bits.fill(&t, Rule::Closed);
+        let mut count = 0;
+        for voxel in (0..70 * 4 * 4).map(|n| [n % 70, n / 70 % 4, n / 280]) {
+            let meets = t.overlaps(&grid.voxel(voxel).unwrap());
+            assert_eq!(bits.contains(voxel), meets, "{voxel:?} {t:?}");
+            count += u64::from(meets);
+        }
+        assert!((5..=16).contains(&count) && bits.count() == count, "{count}");
+    }
+}
+
 /// Whatever the numbers, an answer comes, and soon.
 #[test]
 fn extremes() {

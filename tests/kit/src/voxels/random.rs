@@ -6,10 +6,10 @@ use septum::voxel::{Bits, Grid, Rule};
 use super::oracle::{Marks, planes};
 use crate::{Rng, Sample, VERTEX_ORDERS};
 
-/// Asks for the rows of random triangles in random grids, and about each voxel by
-/// [`Triangle::overlaps`](septum::Overlaps::overlaps). Vertices are anywhere in and about the grid,
-/// or on its planes; triangles may be segments and points, with their edges along axes or nearly
-/// so. Panics where the two differ, in any order of the vertices. Returns how many voxels are
+/// Asks for the rows and the bits of random triangles in random grids, and about each voxel by
+/// [`Triangle::overlaps`](septum::Overlaps::overlaps). Vertices are anywhere in and about the grid or
+/// a few voxels of it, or on its planes; triangles may be segments and points, with their edges
+/// along axes or nearly so. Panics where the two differ, in any order of the vertices. Returns how many voxels are
 /// met.
 pub fn rows_agree_with_pairs<S: Sample>(seed: u64, grids: u32, most: i64) -> u64 {
     let rng = &mut Rng::new(seed);
@@ -18,6 +18,9 @@ pub fn rows_agree_with_pairs<S: Sample>(seed: u64, grids: u32, most: i64) -> u64
         let Some(grid) = grid::<S>(rng, most) else { continue };
         for _ in 0..6 {
             let vertices = triangle(rng, &grid);
+            met += check(&grid, vertices);
+            let block = block(rng, &grid);
+            let vertices = triangle(rng, &block);
             met += check(&grid, vertices);
         }
     }
@@ -71,6 +74,15 @@ pub(super) fn grid<S: Sample>(rng: &mut Rng, most: i64) -> Option<Grid<S>> {
         if a == b { 0..n } else { a.min(b)..a.max(b) }
     };
     whole.part(size.map(&mut range))
+}
+
+/// A few voxels of a grid.
+fn block<S: Sample>(rng: &mut Rng, grid: &Grid<S>) -> Grid<S> {
+    let range = grid.resolution().map(|n| {
+        let first = rng.whole(0, i64::from(n) - 1) as u32;
+        first..n.min(first + rng.whole(1, 4) as u32)
+    });
+    grid.part(range).expect("a part")
 }
 
 fn triangle<S: Sample>(rng: &mut Rng, grid: &Grid<S>) -> [[S; 3]; 3] {
@@ -139,6 +151,15 @@ fn check<S: Sample>(grid: &Grid<S>, vertices: [[S; 3]; 3]) -> u64 {
     }
     for order in VERTEX_ORDERS {
         assert!(marked(Rule::Closed, order).1 == closed, "{order:?}: {triangle:?} in {grid:?}");
+        let [a, b, c] = order.map(|k| vertices[k]);
+        let mut words = vec![0_u32; grid.words::<u32>()];
+        let mut bits = Bits::new(grid, &mut words).expect("enough words");
+        bits.fill(&Triangle::new(a, b, c).expect("finite vertices"), Rule::Closed);
+        let count = closed.iter().filter(|&&is_met| is_met).count();
+        let voxels = (0..nx * ny * nz).map(|n| [n % nx, n / nx % ny, n / nx / ny]);
+        let are_right = bits.count() == count as u64
+            && voxels.into_iter().all(|voxel| bits.contains(voxel) == closed[at(voxel)]);
+        assert!(are_right, "{order:?}: {triangle:?} in {grid:?}");
     }
     met
 }

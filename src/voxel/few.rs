@@ -1,0 +1,273 @@
+//! A few voxels: which of a small block a triangle meets, by signs at the points where the
+//! planes inside of the block cross.
+//!
+//! The block is all that the triangle's own box comes to. Let its outermost voxels go on outwards
+//! for ever: none of them gains a point of the triangle. A triangle and a box, which may be
+//! endless, are disjoint exactly if one of 13 axes separates them; and where the corner of the
+//! box that is nearest along an axis is at no end, the axis does not. What is left:
+//!
+//! * faces separate none of these voxels from the triangle;
+//! * seen along an axis, an edge separates the voxels whose nearest corner along the edge's
+//!   outward normal is a crossing of two planes inside of the block, and lies strictly outside;
+//! * the plane of the triangle separates those whose nearest corner along its normal, either
+//!   way, is a crossing of three planes inside of the block, and lies strictly off it.
+//!
+//! So there are as many signs as crossings. Where a component of a normal is zero, two corners
+//! are equally near, and either will do: what such an axis separates, a face or an edge seen
+//! along the component's axis does.
+//!
+//! # Error bound
+//!
+//! Lengths are in voxels, from the block's first planes on, and in `f32`, the roundoff of which is
+//! u. L is the block's greatest width. A vertex's place, and a plane's, errs by what `Near` says
+//! and by the rounding to `f32`, u·L: by η together. (To measure it from the block is exact: in
+//! `f64` the place is at least that of the block's plane, which is not negative, or next to it.)
+//!
+//! 1. A difference of two places, or of one and a plane, errs by 2·η and its rounding, u·L: by
+//!    less than 3·η.
+//! 2. An area is the difference of two products of lengths up to L. It errs by 4·L·3·η, the
+//!    squares of these errors, and 3·u·2·L² ≤ 6·η·L: by less than 19·η·L if η ≤ 2^-6, and 24·η·L
+//!    is given.
+//! 3. A volume is a sum of three products: of an area, at most 2·L², and a length. It errs by
+//!    3·(19·η·L·L + 2·L²·3·η), their squares, and 5·u·6·L³ ≤ 30·η·L²: by less than 110·η·L², and
+//!    128·η·L² is given.
+//!
+//! Signs of numbers within these bounds are taken exactly; all of them are if η is greater.
+
+use core::cmp::Ordering;
+
+use super::grid::Grid;
+use super::pass::Bounds;
+use super::placed::Near;
+use super::sign::{side, turn};
+use super::slabs::Span;
+use crate::arithmetic::{OfFour, Quad, THREE, compare};
+use crate::scalar::Scalar;
+
+/// How many voxels are few.
+const FEW: i64 = 32;
+
+/// A block of voxels, each a bit of a word: x first, then y, then z.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Few {
+    pub(super) first: [i32; 3],
+    pub(super) widths: [u32; 3],
+}
+
+impl Few {
+    /// All voxels that the box of a triangle comes to, if they are few and none is beyond the
+    /// grid.
+    #[inline(always)]
+    pub(super) fn of(bounds: &Bounds) -> Option<Self> {
+        let Bounds { bounds: [x, y, z], is_within, .. } = bounds;
+        let width = |span: &Span| i64::from(span.last) - i64::from(span.first) + 1;
+        let (i, j, k) = (width(x), width(y), width(z));
+        // Each is below 2^31.
+        let are_few = *is_within && i.max(j).max(k) <= FEW && i * j * k <= FEW;
+        let first = [x.first, y.first, z.first];
+        are_few.then_some(Self { first, widths: [i as u32, j as u32, k as u32] })
+    }
+
+    /// The voxels that the triangle meets.
+    #[inline(always)]
+    pub(super) fn met<S: Scalar>(&self, near: &Near<S>, grid: &Grid<S>) -> u32 {
+        let widths = self.widths;
+        let widest = widths[0].max(widths[1]).max(widths[2]) as f32;
+        let error = near.error as f32 + ROUNDOFF * widest;
+        let error = if error <= 1.0 / 64.0 { error } else { f32::INFINITY };
+        let block = Block {
+            few: self,
+            strides: [1, widths[0], widths[0] * widths[1]],
+            near,
+            grid,
+            area_error: 24.0 * error * widest,
+        };
+        let rows = [block.row(0), block.row(1), block.row(2)];
+        let views = [
+            block.view(&rows, [1, 2], 0),
+            block.view(&rows, [2, 0], 1),
+            block.view(&rows, [0, 1], 2),
+        ];
+        let mut apart = views[0].apart | views[1].apart | views[2].apart;
+        if widths[0] > 1 && widths[1] > 1 && widths[2] > 1 {
+            apart |= block.beside_plane(&rows, &views, 128.0 * error * widest * widest);
+        }
+        u32::MAX >> (32 - block.strides[2] * widths[2]) & !apart
+    }
+}
+
+/// That of `f32`.
+const ROUNDOFF: f32 = f32::EPSILON / 2.0;
+
+/// A number for each vertex, or for the edge that begins there.
+type ForEach = <f32 as OfFour>::Quad;
+
+/// A triangle on an axis.
+struct Row {
+    /// The vertices, from the block's first plane on.
+    at: ForEach,
+    /// The edges.
+    edges: ForEach,
+    /// Which of them rise.
+    rise: u32,
+}
+
+/// What is seen along an axis.
+struct View {
+    /// Twice the area of the triangle, nearly, and its exact sign.
+    area: f32,
+    sign: Ordering,
+    /// The voxels that an edge separates.
+    apart: u32,
+}
+
+/// A block, and a triangle that it is about.
+struct Block<'a, S> {
+    few: &'a Few,
+    /// How far apart the bits are of neighbours on each axis.
+    strides: [u32; 3],
+    near: &'a Near<S>,
+    grid: &'a Grid<S>,
+    /// No area errs by more.
+    area_error: f32,
+}
+
+impl<S: Scalar> Block<'_, S> {
+    #[inline(always)]
+    fn row(&self, i: usize) -> Row {
+        let first = f64::from(self.few.first[i]);
+        let [a, b, c] = &self.near.near;
+        let at = [(a[i] - first) as f32, (b[i] - first) as f32, (c[i] - first) as f32];
+        let at = ForEach::of_three(at);
+        let [a, b, c] = &self.near.points;
+        let rise =
+            u32::from(a[i] < b[i]) | u32::from(b[i] < c[i]) << 1 | u32::from(c[i] < a[i]) << 2;
+        Row { at, edges: at.turned() - at, rise }
+    }
+
+    /// What is seen along an axis; nothing, if no planes cross inside of the block.
+    #[cfg_attr(not(feature = "small"), inline(always))]
+    #[cfg_attr(feature = "small", inline(never))]
+    fn view(&self, rows: &[Row; 3], axes: [usize; 2], along: usize) -> View {
+        let [u, v] = axes;
+        let ([i, j], [x, y]) =
+            ([self.few.widths[u], self.few.widths[v]], [self.strides[u], self.strides[v]]);
+        if i == 1 || j == 1 {
+            return View { area: 0.0, sign: Ordering::Equal, apart: 0 };
+        }
+        let (d, e) = (rows[u].edges, rows[v].edges);
+        let area = (d * e.turned() - e * d.turned()).to_array()[0];
+        let sign =
+            if area.abs() > self.area_error { compare(area, 0.0) } else { self.exact_area(axes) };
+        // The normals (e, −d) of the edges point outward, unless the area is negative. Of a
+        // triangle that is seen as a line both sides are outside; but its edges go both ways.
+        let is_turned = sign == Ordering::Less;
+        let flip = if is_turned { THREE } else { 0 };
+        let (right, up) = (rows[v].rise ^ flip, !rows[u].rise ^ flip);
+        let (error, minus) = (ForEach::splat(self.area_error), ForEach::splat(-self.area_error));
+
+        let mut column = 1;
+        for _ in 1..self.few.widths[along] {
+            column = column << self.strides[along] | 1;
+        }
+        let mut apart = 0;
+        for q in 1..j {
+            let from_v = ForEach::splat(q as f32) - rows[v].at;
+            for p in 1..i {
+                let from_u = ForEach::splat(p as f32) - rows[u].at;
+                let out = e * from_u - d * from_v;
+                let mut ahead = out.exceeds(error) & THREE;
+                let mut back = minus.exceeds(out) & THREE;
+                if ahead | back != THREE {
+                    (ahead, back) = self.exact_sides(axes, [p, q]);
+                }
+                let out = if is_turned { back } else { ahead };
+                let at = p * x + q * y;
+                // No branch: which voxel is apart from which edge nobody can predict.
+                let mut clear =
+                    |edges: u32, at: u32| apart |= (column * u32::from(edges != 0)) << at;
+                clear(out & right & up, at);
+                clear(out & !right & up, at - x);
+                clear(out & right & !up, at - y);
+                clear(out & !right & !up, at - x - y);
+            }
+        }
+        View { area, sign, apart }
+    }
+
+    /// The voxels that the plane separates.
+    #[inline(always)]
+    fn beside_plane(&self, rows: &[Row; 3], views: &[View; 3], error: f32) -> u32 {
+        let ([i, j, k], [_, y, z]) = (self.few.widths, self.strides);
+        let first = |row: &Row| row.at.to_array()[0];
+        let [a, b, c] = [first(&rows[0]), first(&rows[1]), first(&rows[2])];
+        let mut apart = 0;
+        for r in 1..k {
+            for q in 1..j {
+                for p in 1..i {
+                    let above = views[0].area * (p as f32 - a)
+                        + views[1].area * (q as f32 - b)
+                        + views[2].area * (r as f32 - c);
+                    let above = if above.abs() > error {
+                        compare(above, 0.0)
+                    } else {
+                        self.exact_above([p, q, r])
+                    };
+                    let less = |view: &View| u32::from(view.sign != above);
+                    let [p, q, r] = [p - less(&views[0]), q - less(&views[1]), r - less(&views[2])];
+                    apart |= u32::from(above != Ordering::Equal) << (p + q * y + r * z);
+                }
+            }
+        }
+        apart
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn exact_area(&self, [u, v]: [usize; 2]) -> Ordering {
+        let [a, b, c] = self.near.points.map(|p| [p[u], p[v]]);
+        exact_turn(a, b, c)
+    }
+
+    /// Ahead of which edges, and behind which, a crossing of planes lies, seen along an axis.
+    #[cold]
+    #[inline(never)]
+    fn exact_sides(&self, [u, v]: [usize; 2], [p, q]: [u32; 2]) -> (u32, u32) {
+        let crossing = [self.plane(u, p), self.plane(v, q)];
+        let points = self.near.points.map(|p| [p[u], p[v]]);
+        let (mut ahead, mut back) = (0, 0);
+        for k in 0..3 {
+            match exact_turn(points[k], points[(k + 1) % 3], crossing) {
+                Ordering::Less => ahead |= 1 << k,
+                Ordering::Greater => back |= 1 << k,
+                Ordering::Equal => {}
+            }
+        }
+        (ahead, back)
+    }
+
+    /// On which side of the triangle's plane a crossing lies.
+    #[cold]
+    #[inline(never)]
+    fn exact_above(&self, [p, q, r]: [u32; 3]) -> Ordering {
+        let crossing = [self.plane(0, p), self.plane(1, q), self.plane(2, r)];
+        side(&self.near.points, crossing, crossing)
+    }
+
+    fn plane(&self, axis: usize, k: u32) -> S {
+        self.grid.plane(axis, self.few.first[axis] as u32 + k)
+    }
+}
+
+/// The sign of (b − a) × (p − a).
+fn exact_turn<S: Scalar>(a: [S; 2], b: [S; 2], p: [S; 2]) -> Ordering {
+    // Edges along an axis of the grid are frequent, and two comparisons tell.
+    match (compare(b[0], a[0]), compare(b[1], a[1])) {
+        (Ordering::Equal, Ordering::Equal) => Ordering::Equal,
+        (Ordering::Equal, Ordering::Less) => compare(p[0], a[0]),
+        (Ordering::Equal, Ordering::Greater) => compare(a[0], p[0]),
+        (Ordering::Greater, Ordering::Equal) => compare(p[1], a[1]),
+        (Ordering::Less, Ordering::Equal) => compare(a[1], p[1]),
+        _ => turn(a, b, p, p),
+    }
+}

@@ -1,0 +1,48 @@
+//! The words that bits of a grid lie in.
+
+/// A word of a grid of bits: `u32` or `u64`.
+pub trait Word: sealed::Word {}
+
+impl Word for u32 {}
+impl Word for u64 {}
+
+mod sealed {
+    use core::ops::{BitAnd, BitOrAssign, BitXorAssign, Shl, Shr};
+
+    pub trait Word:
+        Copy
+        + BitAnd<Output = Self>
+        + BitOrAssign
+        + BitXorAssign
+        + Shl<u32, Output = Self>
+        + Shr<u32, Output = Self>
+        + PartialEq
+    {
+        const BITS: u32;
+        const ZERO: Self;
+        const ONE: Self;
+        const ALL: Self;
+        fn of(bits: u32) -> Self;
+        fn ones(self) -> u32;
+    }
+
+    macro_rules! word {
+        ($($word:ident)*) => {$(
+            impl Word for $word {
+                const BITS: u32 = $word::BITS;
+                const ZERO: Self = 0;
+                const ONE: Self = 1;
+                const ALL: Self = $word::MAX;
+                #[inline(always)]
+                fn of(bits: u32) -> Self {
+                    bits.into()
+                }
+                #[inline(always)]
+                fn ones(self) -> u32 {
+                    self.count_ones()
+                }
+            }
+        )*};
+    }
+    word! { u32 u64 }
+}
