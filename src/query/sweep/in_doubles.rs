@@ -120,7 +120,7 @@ where
     let errors = [gaps.error[last], gaps.speed_error[last]];
     let [low, high] = gaps.gap[last].portion(gaps.speed[last], errors).map(S::at_most);
     let is_known = (low == high) & (gaps.gap[last] > gaps.error[last]);
-    let is_last = is_known && gaps.others_close_before(last, low.real());
+    let is_last = is_known && gaps.others_close_before(last, low.in_double());
     is_last.then(|| FirstContact { t: low, axis: Axis::ALL.get(last).copied() })
 }
 
