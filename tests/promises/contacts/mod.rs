@@ -7,7 +7,7 @@ use septum::contact::{Axis, contact};
 use septum::{Aabb, Obb, Triangle};
 use septum_kit::boxes::BoxSet;
 use septum_kit::contacts::ContactSet;
-use septum_kit::{Rng, Sample, for_every_scalar};
+use septum_kit::{Rng, Sample, for_every_scalar, with_every_scalar};
 
 /// Cases of each set; so many of them by linear programming too.
 const CASES: usize = 120;
@@ -38,19 +38,13 @@ for_every_scalar!(agrees_with_the_oracles);
 #[test]
 #[ignore = "takes half an hour"]
 fn agrees_with_the_oracles_on_a_million() {
-    use septum_kit::fixed::types::{I4F4, I8F8, I16F16, I32F32};
     fn many<S: Sample>() {
         for set in ContactSet::ALL {
             let seen = check::<S>(set, 77, 21_000, 3_000);
             println!("{:8} {set:?}: none, contact: {seen:?}", S::name());
         }
     }
-    many::<f32>();
-    many::<f64>();
-    many::<I4F4>();
-    many::<I8F8>();
-    many::<I16F16>();
-    many::<I32F32>();
+    with_every_scalar!(many);
 }
 
 /// Of equal ones the first: a triangle's face, faces of the first shape, of the second, edges.
