@@ -112,6 +112,32 @@ fn shared_axes_are_no_case_of_their_own() {
     assert!(contacts > 100 && of_second > 10, "{contacts} {of_second}");
 }
 
+/// One axis that is the same, or the opposite, of boxes that are skewed: what it is paired with
+/// is no direction of its own, and all other pairs are.
+#[test]
+fn one_shared_axis_leaves_the_other_pairs() {
+    let mut rng = Rng::new(0x54a7);
+    let (mut contacts, mut by_edges) = (0, 0);
+    for n in 0..900 {
+        let mut axes = || [(); 3].map(|()| rng.triple(|rng| rng.real(-1.0, 1.0)));
+        let (axes, mut others) = (axes(), axes());
+        let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
+        others[n % 3] = axes[n / 3 % 3].map(|x| sign * x);
+        let mut numbers = |most: f64| rng.triple(|rng| rng.real(0.2, most));
+        let (center, half, other_half) = (numbers(1.4), numbers(1.0), numbers(1.0));
+        let Ok(first) = Obb::from_skewed_axes([0.0; 3], axes, half) else { continue };
+        let longer = others.map(|u| u.map(|x| 2.0 * x));
+        let second = [(others, other_half), (longer, other_half.map(|x| x / 2.0))]
+            .map(|(axes, half)| Obb::from_skewed_axes(center, axes, half));
+        let [Ok(second), Ok(apart)] = second else { continue };
+        let found = [&second, &apart].map(|b| contact(&first, b).map(|c| c.translation));
+        assert_eq!(found[0], found[1]);
+        contacts += usize::from(found[0].is_some());
+        by_edges += usize::from(matches!(found[0], Some(t) if matches!(t.axis, Axis::Edges(..))));
+    }
+    assert!(contacts > 100 && by_edges > 30, "{contacts} {by_edges}");
+}
+
 /// What is documented of the ends of a type: no panic, and the end of the range.
 #[test]
 fn beyond_the_range_is_its_end() {
