@@ -150,7 +150,8 @@ fn turned<T: Copy + core::ops::Neg<Output = T>>(cos: T, sin: T, quarters: u32) -
 mod tests {
     use super::{cos_sin_30, cos_sin_62, cos_sin_f64};
 
-    /// Each against the next more accurate one: 4 units and what that one is off by.
+    /// Each against the next more accurate one, by the sums above and what that one is off by: 3.09
+    /// and 3.27 units.
     #[test]
     fn no_error_exceeds_its_bound() {
         let (mut most_30, mut most_f64) = (0.0_f64, 0.0_f64);
@@ -168,7 +169,7 @@ mod tests {
                 most_f64 = most_f64.max((float - truth) as f64 / 2_f64.powi(9));
             }
         }
-        assert!(most_30 <= 4.0 && most_30 > 1.0, "{most_30}");
-        assert!(most_f64 <= 4.1 && most_f64 > 0.5, "{most_f64}");
+        assert!(most_30 <= 3.1 && most_30 > 1.0, "{most_30}");
+        assert!(most_f64 <= 3.3 && most_f64 > 0.5, "{most_f64}");
     }
 }

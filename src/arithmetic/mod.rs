@@ -8,6 +8,7 @@ mod float;
 mod in_float;
 mod index;
 mod integer;
+mod limbs;
 mod long;
 mod multiples;
 mod number;
@@ -41,6 +42,9 @@ pub(crate) use index::{pick, turn};
 pub(crate) use integer::Int64;
 #[cfg(feature = "fixed")]
 pub(crate) use integer::{Int8, Int16, Int32};
+pub(crate) use limbs::Limbs;
+#[cfg(feature = "fixed")]
+pub(crate) use limbs::Wide;
 pub(crate) use long::Long;
 pub use number::Number;
 pub(crate) use number::{compare, greatest, largest, least};
@@ -56,7 +60,7 @@ pub(crate) use quotient::{Dividend, quotient_of_limbs};
 #[cfg(feature = "fixed")]
 pub use root::Signed;
 #[cfg(feature = "fixed")]
-pub(crate) use root::{Limbs, Wide, over_roots};
+pub(crate) use root::{Square, over_roots};
 pub use rounded::{Rounded, RoundedOps};
 pub use short_multiples::ShortFloat;
 pub(crate) use short_multiples::{Divisor, Leading64};

@@ -4,8 +4,7 @@
 //! been rounded once: each number of a scalar from zero to one is among those of 64 digits. And
 //! rounding keeps order, so the greatest of rounded quotients is the greatest quotient, rounded.
 
-use super::number::Number;
-use super::wide::I256;
+use super::limbs::{Limbs, Wide, divided_by_places};
 
 /// A quotient, `mantissa`·2^(`exponent` − 64) with the mantissa's highest bit set, or zero.
 /// The exponent comes first, so that the derived order is the order of numbers.
@@ -93,94 +92,31 @@ pub(super) fn divided(num: u128, den: u128) -> Portion {
     if let (Ok(num), Ok(den)) = (u64::try_from(num), u64::try_from(den)) {
         return divided_short(num, den);
     }
-    let places = num.leading_zeros() - den.leading_zeros();
-    by_places((num << places) as i128, den as i128, places)
+    by_places(num, &den)
 }
 
+/// The quotient of two numbers above zero, the first not the greater. Both can be doubled.
+#[inline(always)]
+fn by_places<W: Wide>(mut num: W, den: &W) -> Portion {
+    let places = den.width().saturating_sub(num.width());
+    num.shift_up(places);
+    // Where the first place is zero there are 65, of which the word drops the first.
+    let is_less = num < *den;
+    let (mantissa, _) = divided_by_places(num, den, 64 + u32::from(is_less));
+    Portion { exponent: i32::from(!is_less) - places as i32, mantissa }
+}
+
+/// The same of numbers in limbs.
 #[cold]
 #[inline(never)]
-pub(super) fn divided_wide(num: I256, den: I256) -> Portion {
-    let places = num.leading_zeros().saturating_sub(den.leading_zeros());
-    by_places((0..places).fold(num, |x, _| x + x), den, places)
-}
-
-/// The quotient place by place, of two numbers whose highest bits are in one place, the first of
-/// which was shifted there. They can be doubled.
-#[inline(always)]
-fn by_places<T: Number>(mut rest: T, den: T, places: u32) -> Portion {
-    let mut exponent = 1 - places as i32;
-    if rest < den {
-        rest = rest + rest;
-        exponent -= 1;
-    }
-    let mut mantissa = 0_u64;
-    for _ in 0..64 {
-        mantissa <<= 1;
-        if rest >= den {
-            rest = rest - den;
-            mantissa |= 1;
-        }
-        rest = rest + rest;
-    }
-    Portion { exponent, mantissa }
-}
-
-/// The quotient of two numbers above zero in limbs, the least first, the first not the greater.
-/// Their highest bits are zero.
-pub(crate) fn divided_limbs<const LIMBS: usize>(
-    mut num: [u64; LIMBS],
-    den: &[u64; LIMBS],
-) -> Portion {
-    let width = |x: &[u64; LIMBS]| {
-        let top = x.iter().rposition(|&limb| limb != 0).unwrap_or(0);
-        64 * top as u32 + 64 - x.get(top).map_or(64, |limb| limb.leading_zeros())
-    };
-    let places = width(den).saturating_sub(width(&num));
-    for _ in 0..places / 64 {
-        num.rotate_right(1);
-    }
-    (0..places % 64).for_each(|_| double(&mut num));
-    let mut exponent = 1 - places as i32;
-    if is_less(&num, den) {
-        double(&mut num);
-        exponent -= 1;
-    }
-    let mut mantissa = 0_u64;
-    for _ in 0..64 {
-        mantissa <<= 1;
-        if !is_less(&num, den) {
-            subtract(&mut num, den);
-            mantissa |= 1;
-        }
-        double(&mut num);
-    }
-    Portion { exponent, mantissa }
-}
-
-fn is_less(a: &[u64], b: &[u64]) -> bool {
-    a.iter().rev().lt(b.iter().rev())
-}
-
-fn double(x: &mut [u64]) {
-    let mut carry = 0;
-    for limb in x {
-        (*limb, carry) = (*limb << 1 | carry, *limb >> 63);
-    }
-}
-
-fn subtract(x: &mut [u64], y: &[u64]) {
-    let mut borrow = false;
-    for (x, &y) in x.iter_mut().zip(y) {
-        let (a, first) = x.overflowing_sub(y);
-        let (b, second) = a.overflowing_sub(borrow.into());
-        (*x, borrow) = (b, first | second);
-    }
+pub(crate) fn divided_limbs<const L: usize>(num: Limbs<L>, den: &Limbs<L>) -> Portion {
+    by_places(num, den)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{I256, Portion, divided_limbs};
-    use crate::arithmetic::Number;
+    use super::{Limbs, Portion, divided_limbs};
+    use crate::arithmetic::{Number, wide::I256};
 
     const ZERO: [i64; 2] = [0; 2];
 
@@ -208,11 +144,11 @@ mod tests {
                 for (i, k) in [(0, 0), (1, 1), (2, 2)] {
                     let (mut n, mut d) = ([0; 4], [0; 4]);
                     (n[i], d[k]) = (num as u64, den as u64);
-                    assert_eq!(divided_limbs(n, &d), short, "{num}/{den}");
+                    assert_eq!(divided_limbs(Limbs(n), &Limbs(d)), short, "{num}/{den}");
                 }
                 let (mut n, mut d) = ([0; 4], [0; 4]);
                 (n[0], d[2]) = (num as u64, den as u64);
-                let far = divided_limbs(n, &d);
+                let far = divided_limbs(Limbs(n), &Limbs(d));
                 assert_eq!((far.mantissa, far.exponent), (short.mantissa, short.exponent - 128));
             }
         }

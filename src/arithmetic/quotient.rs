@@ -9,11 +9,11 @@ use core::cmp::Ordering;
 use core::num::NonZero;
 
 #[cfg(feature = "fixed")]
+use super::limbs::{Limbs, Wide, divided_by_places};
+#[cfg(feature = "fixed")]
 use super::number::Number;
 #[cfg(feature = "fixed")]
 use super::platform::REGISTERS_ARE_WIDE;
-#[cfg(feature = "fixed")]
-use super::root::{Limbs, Wide};
 use super::wide::I256;
 
 /// A whole number that can be divided by another, both times a power of two.
@@ -89,81 +89,31 @@ fn nearest(q: u64, remainder: Ordering) -> u64 {
     q.saturating_add(up.into())
 }
 
-/// Long division, place by place: where hardware ends.
+/// num·2^shift / den of magnitudes, place by place: where hardware ends. The divisor is not zero;
+/// both can be doubled.
 #[cfg(feature = "fixed")]
 #[cold]
 #[inline(never)]
-fn divide_widest(num: I256, den: I256, shift: u32) -> u64 {
-    const END: u64 = 1 << 63;
-    let (mut divisor, mut places) = (den, shift);
-    while divisor <= num {
-        divisor = divisor + divisor;
-        places += 1;
+fn divide_widest<const L: usize>(mut num: Limbs<L>, mut den: Limbs<L>, shift: u32) -> u64 {
+    let (above, below) = (num.width(), den.width());
+    // The quotient is below 2^places, and above a quarter of that.
+    let Some(places) = (shift + 1 + above).checked_sub(below) else { return 0 };
+    if places > 64 {
+        return 1 << 63;
     }
-    // num < 2^extra·den: begin with the dividend that much smaller, which is to
-    // say with the divisor that much larger, and halve it while it is whole.
-    let mut extra = places - shift;
-    let (mut q, mut r) = (0_u64, num);
-    while places > 0 {
-        if q >> 62 != 0 {
-            return END;
-        }
-        if extra > 0 {
-            divisor = divisor.half();
-            extra -= 1;
-        } else {
-            r = r + r;
-        }
-        q <<= 1;
-        if r >= divisor {
-            r = r - divisor;
-            q |= 1;
-        }
-        places -= 1;
-    }
-    nearest(q, r.cmp(&(den - r)))
+    num.shift_up(below.saturating_sub(above));
+    den.shift_up(above.saturating_sub(below));
+    let (q, rest) = divided_by_places(num, &den, places);
+    nearest(q, rest.cmp(&den))
 }
 
-/// num·2^shift / den, both in two's complement, the least limb first: place by place. The divisor
-/// is not zero, and leaves a bit free.
+/// num·2^shift / den, both in two's complement, the least limb first. The divisor is not zero, and
+/// leaves a bit free.
 #[cfg(feature = "fixed")]
-#[cold]
-#[inline(never)]
 pub(crate) fn quotient_of_limbs<const L: usize>(num: &[u64; L], den: &[u64; L], shift: u32) -> i64 {
-    let magnitude = |limbs: &[u64; L]| {
-        let is_negative = limbs.last().is_some_and(|top| top >> 63 != 0);
-        let (mut limbs, mut carry) = (*limbs, is_negative);
-        if is_negative {
-            for limb in &mut limbs {
-                (*limb, carry) = (!*limb).overflowing_add(carry.into());
-            }
-        }
-        (is_negative, limbs)
-    };
-    let ((is_negative, num), (is_other_negative, den)) = (magnitude(num), magnitude(den));
-    let den = Limbs::of(den);
-    let (mut q, mut rest) = (0_u64, Limbs::<L>::ZERO);
-    for place in (0..64 * L as u32 + shift).rev() {
-        let bit = place
-            .checked_sub(shift)
-            .map_or(0, |bit| num.get(bit as usize / 64).map_or(0, |limb| limb >> (bit % 64) & 1));
-        rest = rest.doubled().plus(Limbs::new(bit.into(), 0));
-        if q >> 62 != 0 {
-            q = 1 << 63;
-            rest = Limbs::ZERO;
-            break;
-        }
-        q <<= 1;
-        if let Some(less) = rest.minus(den) {
-            (q, rest) = (q | 1, less);
-        }
-    }
-    let half = match den.minus(rest) {
-        Some(other) if other == rest => Ordering::Equal,
-        Some(other) if rest.minus(other).is_some() => Ordering::Greater,
-        _ => Ordering::Less,
-    };
-    signed(nearest(q, half), is_negative != is_other_negative)
+    let ((is_negative, num), (is_other_negative, den)) =
+        (Limbs::magnitude(*num), Limbs::magnitude(*den));
+    signed(divide_widest(num, den, shift), is_negative != is_other_negative)
 }
 
 /// Adding this rounds to a whole number, in the last bits of the sum: 1.5·2^52.
@@ -254,8 +204,9 @@ impl Dividend for I256 {
         if let (Some(num), Some(den)) = (self.narrowed(), den.narrowed()) {
             return num.quotient(den, shift);
         }
-        let negative = (self < Self::ZERO) != (den < Self::ZERO);
-        signed(divide_widest(self.magnitude(), den.magnitude(), shift), negative)
+        let ((is_negative, num), (is_other_negative, den)) = (self.limbs(), den.limbs());
+        let magnitude = divide_widest(Limbs(num), Limbs(den), shift);
+        signed(magnitude, is_negative != is_other_negative)
     }
     fn compare(self, den: Self, shift: u32, t: i64) -> Ordering {
         self.shifted_up(shift).cmp(&den.times(t))

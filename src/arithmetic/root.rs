@@ -1,38 +1,28 @@
 //! The quotient of a whole number and a root, digit by digit: no float, no
 //! division, and right to the last place.
 
+use super::limbs::{Limbs, Wide};
+
 /// An unsigned integer for [`over_root`].
-pub trait Wide: Copy + PartialEq {
+pub trait Square: Wide {
     /// A narrower type, for what is small; or the type itself.
-    type Narrow: Wide;
+    type Narrow: Square;
     /// Zero.
     const ZERO: Self;
     /// The sum, which fits.
     fn plus(self, other: Self) -> Self;
-    /// The difference, if it is not below zero.
-    fn minus(self, other: Self) -> Option<Self>;
-    /// Twice the number, which fits.
-    fn doubled(self) -> Self;
     /// The number in a narrower type, if that has `room` more bits than it needs.
     fn narrowed(self, room: u32) -> Option<Self::Narrow>;
 }
 
-macro_rules! wide {
+macro_rules! square {
     ($($t:ty: $narrow:ty, |$x:ident, $room:ident| $narrowed:expr;)*) => {$(
-        impl Wide for $t {
+        impl Square for $t {
             type Narrow = $narrow;
             const ZERO: Self = 0;
             #[inline(always)]
             fn plus(self, other: Self) -> Self {
                 self + other
-            }
-            #[inline(always)]
-            fn minus(self, other: Self) -> Option<Self> {
-                self.checked_sub(other)
-            }
-            #[inline(always)]
-            fn doubled(self) -> Self {
-                self << 1
             }
             #[inline(always)]
             fn narrowed(self, $room: u32) -> Option<$narrow> {
@@ -42,22 +32,12 @@ macro_rules! wide {
         }
     )*};
 }
-wide! {
+square! {
     u64: u64, |_x, _room| None;
     u128: u64, |x, room| (x.leading_zeros() >= 64 + room).then_some(x as u64);
 }
 
-/// An unsigned integer of L limbs, the least first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Limbs<const L: usize>([u64; L]);
-
 impl<const L: usize> Limbs<L> {
-    /// The number of these limbs.
-    #[inline(always)]
-    pub(crate) fn of(limbs: [u64; L]) -> Self {
-        Self(limbs)
-    }
-
     /// The number x·2^(64·k) with the halves of x as its limbs.
     #[inline(always)]
     pub(crate) fn new(x: u128, k: usize) -> Self {
@@ -69,9 +49,7 @@ impl<const L: usize> Limbs<L> {
     }
 }
 
-// Loops over indices into a new array: iterators over two arrays, or limbs of
-// `u128`, took three to six times as long.
-impl<const L: usize> Wide for Limbs<L> {
+impl<const L: usize> Square for Limbs<L> {
     type Narrow = u128;
     const ZERO: Self = Self([0; L]);
 
@@ -86,24 +64,6 @@ impl<const L: usize> Wide for Limbs<L> {
         Self(limbs)
     }
     #[inline(always)]
-    fn minus(self, other: Self) -> Option<Self> {
-        let (mut limbs, mut borrow) = ([0; L], false);
-        for k in 0..L {
-            let (rest, under) = self.0[k].overflowing_sub(other.0[k]);
-            let (rest, under_too) = rest.overflowing_sub(borrow.into());
-            (limbs[k], borrow) = (rest, under | under_too);
-        }
-        (!borrow).then_some(Self(limbs))
-    }
-    #[inline(always)]
-    fn doubled(self) -> Self {
-        let (mut limbs, mut carry) = ([0; L], 0);
-        for k in 0..L {
-            (limbs[k], carry) = (self.0[k] << 1 | carry, self.0[k] >> 63);
-        }
-        Self(limbs)
-    }
-    #[inline(always)]
     fn narrowed(self, room: u32) -> Option<u128> {
         let (low, high) = self.0.split_first_chunk::<2>()?;
         let low = u128::from(low[1]) << 64 | u128::from(low[0]);
@@ -114,7 +74,7 @@ impl<const L: usize> Wide for Limbs<L> {
 /// √(x / sum)·2^`places` to the nearest whole number, no farther out than `u64` goes,
 /// for each x of `squares` and the sum of them, which is not zero; `W` has room for
 /// the sum times 2^(`places` + 3).
-pub(crate) fn over_roots<W: Wide>(squares: [W; 3], places: u32) -> [u64; 3] {
+pub(crate) fn over_roots<W: Square>(squares: [W; 3], places: u32) -> [u64; 3] {
     let [x, y, z] = squares;
     let norm = x.plus(y).plus(z);
     if norm.narrowed(places + 3).is_some() {
@@ -136,18 +96,19 @@ pub(crate) fn over_roots<W: Wide>(squares: [W; 3], places: u32) -> [u64; 3] {
 /// `rest` = square·4^j − p²·norm. The next place is 1 where
 /// 4·rest ≥ (2p + 1)²·norm − (2p)²·norm = 2·root + norm.
 #[inline(always)]
-fn over_root<W: Wide>(square: W, norm: W, places: u32) -> u64 {
+fn over_root<W: Square>(square: W, norm: W, places: u32) -> u64 {
     if square == norm {
         return 1_u64.checked_shl(places).unwrap_or(u64::MAX);
     }
     let (mut rest, mut root, mut p) = (square, W::ZERO, 0_u64);
     for _ in 0..places {
-        rest = rest.doubled().doubled();
-        root = root.doubled();
+        rest.double();
+        rest.double();
+        root.double();
         p <<= 1;
         let step = root.plus(norm);
-        if let Some(less) = rest.minus(step) {
-            rest = less;
+        if rest >= step {
+            rest.subtract(&step);
             root = step.plus(norm);
             p |= 1;
         }
@@ -156,7 +117,10 @@ fn over_root<W: Wide>(square: W, norm: W, places: u32) -> u64 {
     // so there is no tie to break: a root that is a fraction at all is one of odd
     // denominator, for in a² + b² + c² = d² without a common factor d is odd, or
     // all four squares would be divisible by 4.
-    let up = rest.doubled().doubled().minus(root.doubled().plus(norm)).is_some();
+    rest.double();
+    rest.double();
+    root.double();
+    let up = rest >= root.plus(norm);
     p.saturating_add(up.into())
 }
 
@@ -199,9 +163,9 @@ mod tests {
         let all = Limbs([u64::MAX, u64::MAX, u64::MAX, 0]);
         let one = Limbs([1, 0, 0, 0]);
         let next = Limbs([0, 0, 0, 1]);
-        assert_eq!(all.plus(one), next);
-        assert_eq!((next.minus(one), one.minus(all)), (Some(all), None));
-        assert_eq!(all.plus(all), all.doubled());
+        let mut twice = all;
+        twice.double();
+        assert_eq!((all.plus(one), all.plus(all)), (next, twice));
         assert_eq!((all.narrowed(0), next.narrowed(0)), (None, None));
         assert_eq!((one.narrowed(127), one.narrowed(128)), (Some(1), None));
     }

@@ -2,9 +2,10 @@
 
 use core::ops::{Add, Neg, Sub};
 
+use super::limbs::Limbs;
 use super::number::Number;
 use super::platform::REGISTERS_ARE_WIDE;
-use super::portion::{Portion, divided_wide};
+use super::portion::{Portion, divided_limbs};
 
 /// A signed integer of 256 bits in two's complement. `high` comes first, so
 /// that the derived order is the order of numbers.
@@ -33,11 +34,6 @@ impl I256 {
         let (upper, lower) = (upper * i128::from(b), lower * i128::from(b));
         let (low, carry) = ((upper as u128) << 64).overflowing_add(lower as u128);
         Self { high: (upper >> 64) + (lower >> 127) + i128::from(carry), low }
-    }
-
-    /// Of a number that is not negative.
-    pub(crate) fn leading_zeros(self) -> u32 {
-        if self.high == 0 { 128 + self.low.leading_zeros() } else { self.high.leading_zeros() }
     }
 
     /// Sign and magnitude, the latter in limbs, least first.
@@ -124,7 +120,7 @@ impl Number for I256 {
         if self.high < 0 { -self } else { self }
     }
     fn portion(self, den: Self, _: [Self; 2]) -> [Portion; 2] {
-        [divided_wide(self, den); 2]
+        [divided_limbs(Limbs(self.limbs().1), &Limbs(den.limbs().1)); 2]
     }
     fn half(self) -> Self {
         Self { high: self.high >> 1, low: self.low >> 1 | (self.high as u128) << 127 }

@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use super::body::{Body, Rough, Vec64};
-use crate::arithmetic::{compare, greatest, pick, turn};
+use crate::arithmetic::{self, Filtered, compare, greatest, largest, pick, turn};
 use crate::scalar::Scalar;
 
 /// An axis: a cross product of two sides of the shapes.
@@ -82,16 +82,12 @@ fn in_range(x: f64) -> bool {
     x > RANGE.0 && x < RANGE.1
 }
 
-fn largest(x: &Vec64) -> f64 {
-    x.iter().fold(0.0, |most, x| greatest(most, x.abs()))
-}
-
 pub(super) fn cross(x: &Vec64, y: &Vec64) -> Vec64 {
-    [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
+    arithmetic::cross::<Filtered<f64>>(x, y)
 }
 
 pub(super) fn dot(x: &Vec64, y: &Vec64) -> f64 {
-    x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
+    arithmetic::dot::<Filtered<f64>>(x, y)
 }
 
 /// Two shapes in floats, and what is known of them beforehand.

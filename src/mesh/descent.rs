@@ -168,7 +168,7 @@ impl GridRay {
         let (direction, origin) = (ray.direction().to_array(), ray.origin().to_array());
         let o = [0, 1, 2].map(|i| origin[i].place(&grid.0[i]));
         let d = [0, 1, 2].map(|i| direction[i].length(&grid.0[i]));
-        let ends = [ray.t_min(), ray.t_max()].map(|t| t.map(S::real));
+        let ends = [ray.t_min(), ray.t_max()].map(|t| t.map(S::in_double));
         Self::between([o; 2], d, direction.map(|d| d == S::ZERO), ends)
     }
 
@@ -188,8 +188,8 @@ impl GridRay {
         const POINTS: f64 = (1 << 16) as f64;
         // A ray with a longer or a shorter direction goes to all boxes: 1/m and t/m might
         // overflow.
-        const LEAST_SCALE: f64 = 1e-290;
-        const MOST_SCALE: f64 = 1e290;
+        const LEAST_SCALE: f64 = f64::from_bits((1023 - 960) << 52);
+        const MOST_SCALE: f64 = f64::from_bits((1023 + 960) << 52);
 
         let scale = d.iter().fold(0.0, |m, d| greatest(m, d.abs()));
         let is_near = min.iter().chain(&max).all(|o| o.abs() <= FAR);

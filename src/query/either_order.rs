@@ -40,22 +40,7 @@ reversed! {
 }
 
 #[cfg(feature = "fixed")]
-impl<S> Overlaps<Near<Triangle<S>>> for Near<Aabb<S>>
-where
-    Near<Triangle<S>>: Overlaps<Self>,
-{
-    #[inline]
-    fn overlaps(&self, triangle: &Near<Triangle<S>>) -> bool {
-        triangle.overlaps(self)
-    }
-    #[inline]
-    fn may_overlap(&self, triangle: &Near<Triangle<S>>) -> bool {
-        triangle.may_overlap(self)
-    }
-}
-
-#[cfg(feature = "fixed")]
-impl<S> Overlaps<Near<Triangle<S>>> for Near<Obb<S>>
+impl<S, T> Overlaps<Near<Triangle<S>>> for Near<T>
 where
     Near<Triangle<S>>: Overlaps<Self>,
 {

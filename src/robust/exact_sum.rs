@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 #[cfg(feature = "fixed")]
 use crate::arithmetic::{Dividend, I256, quotient_of_limbs};
-use crate::arithmetic::{Leading, Parts, Portion, divided_limbs};
+use crate::arithmetic::{Leading, Limbs, Parts, Portion, divided_limbs};
 
 /// A sum of products of up to four numbers that loses nothing.
 pub trait ExactSum {
@@ -70,20 +70,14 @@ impl<const LIMBS: usize> ExactSum for Sum<LIMBS> {
     }
 
     fn portion(&self, den: &Self) -> Portion {
-        divided_limbs(self.0, &den.0)
+        divided_limbs(Limbs(self.0), &Limbs(den.0))
     }
 }
 
 impl<const LIMBS: usize> Sum<LIMBS> {
     /// The leading bits.
     pub(crate) fn leading(&self) -> Leading {
-        let negative = self.sign() == Ordering::Less;
-        let (mut magnitude, mut carry) = (self.0, negative);
-        if negative {
-            for limb in &mut magnitude {
-                (*limb, carry) = (!*limb).overflowing_add(carry.into());
-            }
-        }
+        let (negative, Limbs(magnitude)) = Limbs::magnitude(self.0);
         Leading::new(negative, &magnitude)
     }
 

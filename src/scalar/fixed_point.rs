@@ -4,7 +4,7 @@ use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 use super::Scalar;
-use crate::arithmetic::{Limbs, Signed, Wide, over_roots};
+use crate::arithmetic::{Limbs, Signed, Square, Wide, over_roots};
 
 /// A signed type of the `fixed` crate of up to 64 bits, for what no float is asked: unit
 /// normals by an integer root ([`unit_normal`](crate::Triangle::unit_normal)).
@@ -71,6 +71,7 @@ fixed_point!(FixedI32, LeEqU32, i32, u64, Limbs<3>, |m| {
 });
 fixed_point!(FixedI64, LeEqU64, i64, u128, Limbs<6>, |m| {
     let (low, high) = (m & u128::from(u64::MAX), m >> 64);
-    let mixed = Limbs::new(low * high, 1);
-    Limbs::new(low * low, 0).plus(Limbs::new(high * high, 2)).plus(mixed.doubled())
+    let mut mixed = Limbs::new(low * high, 1);
+    mixed.double();
+    Limbs::new(low * low, 0).plus(Limbs::new(high * high, 2)).plus(mixed)
 });

@@ -63,6 +63,41 @@ macro_rules! float {
 float!(f32);
 float!(f64);
 
+/// What is the same for both.
+macro_rules! as_any_float {
+    ($float:ident) => {
+        const IN_QUADS: bool = REGISTERS_ARE_WIDE;
+
+        fn parts(self) -> Parts {
+            Float::parts(self)
+        }
+        fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self {
+            quotient(num.leading(), den.leading())
+        }
+        #[inline(always)]
+        fn at_most(portion: Portion) -> Self {
+            let least = -i32::from(Self::ONE.shift);
+            let (whole, exponent) = portion.whole(Self::MANTISSA_DIGITS, least);
+            Float::scaled(whole, exponent)
+        }
+        #[inline(always)]
+        fn evaluate<P: Predicate<Self>>(p: &P) -> P::Answer {
+            match in_floats::<_, $float, _>(p) {
+                Some(answer) => answer,
+                None => Self::without_quads(p),
+            }
+        }
+        #[inline(always)]
+        fn in_quads<P: Predicate<Self>>(p: &P) -> Option<P::Answer> {
+            in_quads::<_, $float, _>(p)
+        }
+        #[inline(always)]
+        fn evaluate_bounded<P: Predicate<Self>>(p: &P) -> Option<P::Answer> {
+            in_floats::<_, $float, _>(p)
+        }
+    };
+}
+
 impl Backend for f32 {
     const ONE: Parts = Parts { negative: false, magnitude: 1, shift: 149 };
     const FLOAT: Option<FloatFormat<f32>> = Some(FloatFormat {
@@ -70,32 +105,11 @@ impl Backend for f32 {
         least_normal: f32::MIN_POSITIVE,
         invertible: (f32::from_bits((127 - 100) << 23), f32::from_bits((127 + 100) << 23)),
     });
-    const IN_QUADS: bool = REGISTERS_ARE_WIDE;
     // Four products of 2^-149 to 2^128: 1108 bits, and room for their number.
     type Sum = Sum<18>;
 
-    fn parts(self) -> Parts {
-        Float::parts(self)
-    }
-    fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self {
-        quotient(num.leading(), den.leading())
-    }
-    #[inline(always)]
-    fn at_most(portion: Portion) -> Self {
-        let (whole, exponent) = portion.whole(Self::MANTISSA_DIGITS, -149);
-        Float::scaled(whole, exponent)
-    }
-    #[inline(always)]
-    fn evaluate<P: Predicate<Self>>(p: &P) -> P::Answer {
-        match in_floats::<_, f32, _>(p) {
-            Some(answer) => answer,
-            None => Self::without_quads(p),
-        }
-    }
-    #[inline(always)]
-    fn in_quads<P: Predicate<Self>>(p: &P) -> Option<P::Answer> {
-        in_quads::<_, f32, _>(p)
-    }
+    as_any_float!(f32);
+
     #[inline(always)]
     fn without_quads<P: Predicate<Self>>(p: &P) -> P::Answer {
         if SMALL_CODE { exact_stage(p) } else { doubled(p) }
@@ -112,10 +126,6 @@ impl Backend for f32 {
             None if SMALL_CODE => doubled(p),
             None => multiples_stage(p, doubled),
         }
-    }
-    #[inline(always)]
-    fn evaluate_bounded<P: Predicate<Self>>(p: &P) -> Option<P::Answer> {
-        in_floats::<_, f32, _>(p)
     }
 }
 
@@ -145,32 +155,11 @@ impl Backend for f64 {
         least_normal: f64::MIN_POSITIVE,
         invertible: (f64::from_bits((1023 - 1000) << 52), f64::from_bits((1023 + 1000) << 52)),
     });
-    const IN_QUADS: bool = REGISTERS_ARE_WIDE;
     // Four products of 2^-1074 to 2^1024: 8392 bits, and room for their number.
     type Sum = Sum<132>;
 
-    fn parts(self) -> Parts {
-        Float::parts(self)
-    }
-    fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self {
-        quotient(num.leading(), den.leading())
-    }
-    #[inline(always)]
-    fn at_most(portion: Portion) -> Self {
-        let (whole, exponent) = portion.whole(Self::MANTISSA_DIGITS, -1074);
-        Float::scaled(whole, exponent)
-    }
-    #[inline(always)]
-    fn evaluate<P: Predicate<Self>>(p: &P) -> P::Answer {
-        match in_floats::<_, f64, _>(p) {
-            Some(answer) => answer,
-            None => Self::without_quads(p),
-        }
-    }
-    #[inline(always)]
-    fn in_quads<P: Predicate<Self>>(p: &P) -> Option<P::Answer> {
-        in_quads::<_, f64, _>(p)
-    }
+    as_any_float!(f64);
+
     #[inline(always)]
     fn without_quads<P: Predicate<Self>>(p: &P) -> P::Answer {
         if SMALL_CODE { exact_stage(p) } else { integer_stage(p) }
@@ -178,10 +167,6 @@ impl Backend for f64 {
     #[inline(always)]
     fn evaluate_numeric<P: Predicate<Self>>(p: &P) -> P::Answer {
         numeric_stage(p, refined_doubles)
-    }
-    #[inline(always)]
-    fn evaluate_bounded<P: Predicate<Self>>(p: &P) -> Option<P::Answer> {
-        in_floats::<_, f64, _>(p)
     }
 }
 

@@ -1,8 +1,10 @@
 //! How a scalar becomes a float and numbers become a scalar, for answers that are rounded.
 
+#[cfg(feature = "fixed")]
+use super::Planes;
 use crate::arithmetic::whole;
 
-/// What contacts ask of a scalar.
+/// What contacts, and times of hits and of contacts, ask of a scalar.
 pub trait Rounding: Copy {
     /// Whether `f64` holds each of its numbers.
     const IS_IN_DOUBLE: bool;
@@ -64,7 +66,7 @@ mod fixed_point {
     use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
     use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
-    use super::{Rounding, whole};
+    use super::{Planes, Rounding, whole};
 
     /// 2^n, for n from −64 to 64.
     const fn two_to(n: i32) -> f64 {
@@ -80,12 +82,7 @@ mod fixed_point {
                     self.to_bits() as f64 * two_to(-(Self::FRAC_NBITS as i32))
                 }
                 fn beyond_in_double(self, other: Self) -> f64 {
-                    let (a, b) = (i64::from(self.to_bits()), i64::from(other.to_bits()));
-                    let units = match a.checked_sub(b) {
-                        Some(d) => d as f64,
-                        None => (i128::from(a) - i128::from(b)) as f64,
-                    };
-                    units * two_to(-(Self::FRAC_NBITS as i32))
+                    self.less_in_double(other) * two_to(-(Self::FRAC_NBITS as i32))
                 }
                 fn plus_double(self, offset: f64) -> Self {
                     let units = offset * two_to(Self::FRAC_NBITS as i32);

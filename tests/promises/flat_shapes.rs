@@ -2,7 +2,7 @@
 
 use septum::Triangle;
 use septum_kit::flat::{Flat, FlatCase, FlatSet, Truth, every_pair_on_the_grid};
-use septum_kit::{Rng, Sample, VERTEX_ORDERS, for_every_scalar};
+use septum_kit::{Rng, Sample, VERTEX_ORDERS, for_every_scalar, with_every_scalar};
 
 /// So many cases of each set.
 const CASES: usize = 1_500;
@@ -27,7 +27,6 @@ for_every_scalar!(agrees_with_the_oracle);
 #[test]
 #[ignore = "takes minutes"]
 fn agrees_with_the_oracle_on_many() {
-    use septum_kit::fixed::types::{I4F4, I8F8, I16F16, I32F32};
     fn many<S: Sample>() {
         for set in FlatSet::ALL {
             let mut rng = Rng::new(0x3a2);
@@ -38,12 +37,7 @@ fn agrees_with_the_oracle_on_many() {
             println!("{:8} {set:?}: {seen:?}", S::name());
         }
     }
-    many::<f32>();
-    many::<f64>();
-    many::<I4F4>();
-    many::<I8F8>();
-    many::<I16F16>();
-    many::<I32F32>();
+    with_every_scalar!(many);
 }
 
 mod every_pair_on_a_grid {

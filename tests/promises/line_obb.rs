@@ -36,7 +36,7 @@ fn check_sets<S: Sample>(cases: u32) {
 }
 
 fn check_range<S: Sample>(case: &LineObb<S>) {
-    let Some(ray) = case.ray() else { return };
+    let Some(ray) = case.line.ray() else { return };
     let found = ray.t_range_obb(&case.obb.shape().unwrap());
     let expected = case.clip();
     assert_eq!(found.is_some(), expected.is_some(), "{case:?}");

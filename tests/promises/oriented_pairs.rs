@@ -1,7 +1,7 @@
 //! Boxes against oriented boxes: exact.
 
 use septum_kit::boxes::{AnyBox, BoxCase, BoxSet, ObbNumbers};
-use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar};
+use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar, with_every_scalar};
 
 /// So many cases of each set.
 const CASES: usize = 800;
@@ -26,7 +26,6 @@ for_every_scalar!(agrees_with_the_oracle);
 #[test]
 #[ignore = "takes minutes"]
 fn agrees_with_the_oracle_on_many() {
-    use septum_kit::fixed::types::{I4F4, I8F8, I16F16, I32F32};
     fn many<S: Sample>() {
         for set in BoxSet::ALL {
             let mut rng = Rng::new(0x0bb1);
@@ -38,12 +37,7 @@ fn agrees_with_the_oracle_on_many() {
             println!("{:8} {set:?}: no boxes, apart, meeting: {seen:?}", S::name());
         }
     }
-    many::<f32>();
-    many::<f64>();
-    many::<I4F4>();
-    many::<I8F8>();
-    many::<I16F16>();
-    many::<I32F32>();
+    with_every_scalar!(many);
 }
 
 /// Cases that are plain to see, the oracle among those asked.

@@ -1,6 +1,7 @@
 //! Machine words, for kernels on cores whose registers have 32 bits.
 
 mod machine;
+#[cfg(feature = "fixed")]
 mod places;
 mod product_sum;
 #[cfg(feature = "fixed")]
@@ -11,6 +12,9 @@ mod word;
 
 #[cfg(feature = "fixed")]
 pub use places::WholeVolume;
+// Floats take no quotients in words.
+#[cfg(not(feature = "fixed"))]
+use super::number::Number as WholeVolume;
 pub use product_sum::ProductSum;
 #[cfg(feature = "fixed")]
 pub use raw::{InRaw, Raw};

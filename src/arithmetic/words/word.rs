@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, BitXor, Mul, Shr, Sub};
 
-use super::places::WholeVolume;
+use super::WholeVolume;
 use super::product_sum::ProductSum;
 
 /// A signed machine word, in which a kernel keeps lengths.

@@ -7,6 +7,7 @@
 
 mod candidate;
 mod clear_hit;
+mod counted;
 mod crossing;
 mod error_bound;
 mod exact;

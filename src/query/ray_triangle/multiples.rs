@@ -14,7 +14,8 @@
 //! it to 2^-50, and speaks only where nothing within 2^(k-46) rounds to another float. A volume of
 //! zero has a quotient of zero, with the sign of the determinant, whoever divides.
 
-use super::question::{Crosses, facing};
+use super::counted::facing;
+use super::question::Crosses;
 use super::{Feature, Hit};
 use crate::arithmetic::{Divisor, Leading64, ProductSum, ShortFloat};
 use crate::scalar::Scalar;

@@ -3,7 +3,8 @@
 
 use core::cmp::Ordering;
 
-use super::question::{Crosses, facing};
+use super::counted::facing;
+use super::question::Crosses;
 use super::{Feature, Hit};
 use crate::arithmetic::{InWholeWord, InWord, Number, WholeWord, Word};
 use crate::arithmetic::{cross_words, dot_words, first_sign};

@@ -6,7 +6,7 @@
 use super::error_bound::{AtStart, LONG, at_start};
 use super::kernel::Course;
 use super::{FirstContact, Given, Passing};
-use crate::arithmetic::{Embeds, Filtered, Long, Number, Portion, turn};
+use crate::arithmetic::{Embeds, Filtered, Long, Number, Portion, dot, turn};
 use crate::query::Axis;
 use crate::query::triangle_aabb::frame::Frame;
 use crate::query::triangle_aabb::plane::normal;
@@ -53,10 +53,10 @@ impl Course<Filtered<f64>> {
             }
         }
         let n = normal(&self.frame);
-        let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-        let reach = dot(&n.map(f64::abs), h);
-        all.gap[3] = dot(&n, &v[0]).abs() - reach;
-        all.speed[3] = dot(&n, d).abs();
+        let along = dot::<Filtered<f64>>;
+        let reach = along(&n.map(f64::abs), h);
+        all.gap[3] = along(&n, &v[0]).abs() - reach;
+        all.speed[3] = along(&n, d).abs();
         (all.error[3], all.speed_error[3]) = (bound.plane, volume_speed);
         for i in 0..3 {
             let (j, l) = ((i + 1) % 3, (i + 2) % 3);
@@ -120,7 +120,7 @@ where
     let errors = [gaps.error[last], gaps.speed_error[last]];
     let [low, high] = gaps.gap[last].portion(gaps.speed[last], errors).map(S::at_most);
     let is_known = (low == high) & (gaps.gap[last] > gaps.error[last]);
-    let is_last = is_known && gaps.others_close_before(last, low.real());
+    let is_last = is_known && gaps.others_close_before(last, low.in_double());
     is_last.then(|| FirstContact { t: low, axis: Axis::ALL.get(last).copied() })
 }
 
@@ -213,8 +213,7 @@ impl Given<Filtered<f64>> {
             }
         };
         // Which way the triangle lies, as `f64` is certain.
-        let on_axis =
-            |v: &[f64; 3]| axis[0].high * v[0] + axis[1].high * v[1] + axis[2].high * v[2];
+        let on_axis = |v: &[f64; 3]| dot::<Filtered<f64>>(&axis.map(|x| x.high), v);
         let v = &course.frame.v;
         let is_above = on_axis(&v[0]) + on_axis(&v[1]) + on_axis(&v[2]) > 0.0;
         let all = [a, b, c];
@@ -224,9 +223,7 @@ impl Given<Filtered<f64>> {
             Some(k) => all[k % 3],
             // On a coordinate they are as given.
             None => {
-                let x =
-                    |v: &[f64; 3]| axis[0].high * v[0] + axis[1].high * v[1] + axis[2].high * v[2];
-                let nearest = |a, b| if nearer(x(a), x(b)) { a } else { b };
+                let nearest = |a, b| if nearer(on_axis(a), on_axis(b)) { a } else { b };
                 nearest(nearest(a, b), c)
             }
         };

@@ -65,39 +65,53 @@ pub use sample::Sample;
 pub use sets::Set;
 pub use touch::Touch;
 
-/// For the names of its types in [`for_every_scalar`].
+/// For the names of its types in [`for_every_scalar`] and [`with_every_scalar`].
 #[doc(hidden)]
 pub use fixed;
+
+/// Runs generic checks as one test for each of the scalars, each with a name for its test:
+/// `for_scalars!([f32: f32, i8f8: I8F8] one_check, another)`.
+#[macro_export]
+macro_rules! for_scalars {
+    (@ $check:ident [$($name:ident: $scalar:ty),* $(,)?]) => {
+        mod $check {
+            $(
+                #[test]
+                fn $name() {
+                    super::$check::<$scalar>();
+                }
+            )*
+        }
+    };
+    ($scalars:tt $($check:ident),* $(,)?) => {
+        $($crate::for_scalars!(@ $check $scalars);)*
+    };
+}
 
 /// Runs generic checks as one test for each scalar.
 #[macro_export]
 macro_rules! for_every_scalar {
-    ($($check:ident),* $(,)?) => {$(
-        mod $check {
-            #[test]
-            fn f32() {
-                super::$check::<f32>();
-            }
-            #[test]
-            fn f64() {
-                super::$check::<f64>();
-            }
-            #[test]
-            fn i4f4() {
-                super::$check::<$crate::fixed::types::I4F4>();
-            }
-            #[test]
-            fn i8f8() {
-                super::$check::<$crate::fixed::types::I8F8>();
-            }
-            #[test]
-            fn i16f16() {
-                super::$check::<$crate::fixed::types::I16F16>();
-            }
-            #[test]
-            fn i32f32() {
-                super::$check::<$crate::fixed::types::I32F32>();
-            }
-        }
-    )*};
+    ($($check:ident),* $(,)?) => {
+        $crate::for_scalars!([
+            f32: f32,
+            f64: f64,
+            i4f4: $crate::fixed::types::I4F4,
+            i8f8: $crate::fixed::types::I8F8,
+            i16f16: $crate::fixed::types::I16F16,
+            i32f32: $crate::fixed::types::I32F32,
+        ] $($check),*);
+    };
+}
+
+/// Calls a generic function for each scalar in turn.
+#[macro_export]
+macro_rules! with_every_scalar {
+    ($call:ident) => {
+        $call::<f32>();
+        $call::<f64>();
+        $call::<$crate::fixed::types::I4F4>();
+        $call::<$crate::fixed::types::I8F8>();
+        $call::<$crate::fixed::types::I16F16>();
+        $call::<$crate::fixed::types::I32F32>();
+    };
 }

@@ -7,7 +7,7 @@ use septum::contact::{Axis, contact};
 use septum::{Aabb, Obb, Triangle};
 use septum_kit::boxes::BoxSet;
 use septum_kit::contacts::ContactSet;
-use septum_kit::{Rng, Sample, for_every_scalar};
+use septum_kit::{Rng, Sample, for_every_scalar, with_every_scalar};
 
 /// Cases of each set; so many of them by linear programming too.
 const CASES: usize = 120;
@@ -38,19 +38,13 @@ for_every_scalar!(agrees_with_the_oracles);
 #[test]
 #[ignore = "takes half an hour"]
 fn agrees_with_the_oracles_on_a_million() {
-    use septum_kit::fixed::types::{I4F4, I8F8, I16F16, I32F32};
     fn many<S: Sample>() {
         for set in ContactSet::ALL {
             let seen = check::<S>(set, 77, 21_000, 3_000);
             println!("{:8} {set:?}: none, contact: {seen:?}", S::name());
         }
     }
-    many::<f32>();
-    many::<f64>();
-    many::<I4F4>();
-    many::<I8F8>();
-    many::<I16F16>();
-    many::<I32F32>();
+    with_every_scalar!(many);
 }
 
 /// Of equal ones the first: a triangle's face, faces of the first shape, of the second, edges.
@@ -116,6 +110,32 @@ fn shared_axes_are_no_case_of_their_own() {
         of_second += usize::from(matches!(found[0], Some(t) if matches!(t.axis, Axis::Second(_))));
     }
     assert!(contacts > 100 && of_second > 10, "{contacts} {of_second}");
+}
+
+/// One axis that is the same, or the opposite, of boxes that are skewed: what it is paired with
+/// is no direction of its own, and all other pairs are.
+#[test]
+fn one_shared_axis_leaves_the_other_pairs() {
+    let mut rng = Rng::new(0x54a7);
+    let (mut contacts, mut by_edges) = (0, 0);
+    for n in 0..900 {
+        let mut axes = || [(); 3].map(|()| rng.triple(|rng| rng.real(-1.0, 1.0)));
+        let (axes, mut others) = (axes(), axes());
+        let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
+        others[n % 3] = axes[n / 3 % 3].map(|x| sign * x);
+        let mut numbers = |most: f64| rng.triple(|rng| rng.real(0.2, most));
+        let (center, half, other_half) = (numbers(1.4), numbers(1.0), numbers(1.0));
+        let Ok(first) = Obb::from_skewed_axes([0.0; 3], axes, half) else { continue };
+        let longer = others.map(|u| u.map(|x| 2.0 * x));
+        let second = [(others, other_half), (longer, other_half.map(|x| x / 2.0))]
+            .map(|(axes, half)| Obb::from_skewed_axes(center, axes, half));
+        let [Ok(second), Ok(apart)] = second else { continue };
+        let found = [&second, &apart].map(|b| contact(&first, b).map(|c| c.translation));
+        assert_eq!(found[0], found[1]);
+        contacts += usize::from(found[0].is_some());
+        by_edges += usize::from(matches!(found[0], Some(t) if matches!(t.axis, Axis::Edges(..))));
+    }
+    assert!(contacts > 100 && by_edges > 30, "{contacts} {by_edges}");
 }
 
 /// What is documented of the ends of a type: no panic, and the end of the range.

@@ -107,6 +107,7 @@ fn check_points(shapes: [&Shape; 2], found: &Contact<f64>) {
             // Where axes and edges are nearly parallel a point is known less well.
             assert!(off < 1e-6, "{off} off {:?}: {found:?}", point.parts[k]);
         }
+        assert!(point.depth > -1e-6, "a point that is not within: {found:?}");
         deepest = deepest.max(point.depth);
     }
     assert!((deepest - t.depth).abs() < 1e-6, "{deepest}: {found:?}");

@@ -189,6 +189,11 @@ fn only_interior_edges_hold() {
         // At the first vertex, sideways: across the third edge, and along the first.
         let beside = contact_in_mesh(&t, edges, &across(-0.875, 1.0)).unwrap();
         assert_eq!(beside.is_held, edges.contains(2));
+        // Off the second vertex: out across the first edge, and inward from the second.
+        let axes = [[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]];
+        let turned = Obb::new([4.225, -0.3, 0.0], axes, [0.5; 3]).unwrap();
+        let off = contact_in_mesh(&t, edges, &turned).unwrap();
+        assert_eq!(off.is_held, edges.contains(0));
     }
     let line = Triangle::new([0.0_f32, 0.0, 0.0], [4.0, 0.0, 0.0], [2.0, 0.0, 0.0]).unwrap();
     assert!(contact(&line, &over_first).is_some());

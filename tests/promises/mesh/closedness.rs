@@ -72,6 +72,22 @@ fn seams_are_closed() {
     assert!(matches!(check(&vertices, &mut scratch), Err(MeshError::OpenEdge { .. })));
 }
 
+/// Of vertices in one place the first are named, whatever the order of the faces.
+#[test]
+fn an_open_seam_is_named_by_the_first() {
+    let ends = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]];
+    let apexes = [[2.0, 1.0, 0.0], [2.0, 0.0, 1.0], [2.0, -1.0, 0.0]];
+    let vertices = [ends, ends, ends].concat().into_iter().chain(apexes).map(Vec3::from);
+    let vertices: Vec<Vec3<f64>> = vertices.collect();
+    let mut faces = [[4_u16, 5, 6], [3, 2, 7], [0, 1, 8]];
+    for _ in 0..3 {
+        faces.rotate_left(1);
+        let mesh = Mesh::new(&vertices, &faces).expect("a mesh");
+        let open = mesh.check_closed(&mut [[0; 2]; 9]);
+        assert_eq!(open, Err(MeshError::OpenEdge { vertices: [0, 1] }));
+    }
+}
+
 #[test]
 fn a_mesh_names_what_is_wrong() {
     let vertices = [[0.0, 0.0, 0.0], [1.0, f32::NAN, 0.0]].map(Vec3::from);

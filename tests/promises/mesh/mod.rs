@@ -7,43 +7,12 @@ mod tables;
 
 use core::ops::ControlFlow;
 
-use fixed::types::{I8F8, I16F16, I32F32};
 use septum::mesh::{Mesh, Tree};
 use septum::{Aabb, Cull, HitRules, Obb, Ray, Segment, Triangle};
-use septum_kit::{Rng, Sample, rays};
+use septum_kit::{Rng, Sample, for_scalars, rays};
 
 use self::scenes::Scene;
 use self::sweeps::boxes_meet_first_as_one_by_one;
-
-/// One test for each check, in some scalars: compiling all of them takes longer than asking.
-macro_rules! for_some_scalars {
-    ($($check:ident),* $(,)?) => {$(
-        mod $check {
-            use super::*;
-
-            #[test]
-            fn f32() {
-                super::$check::<f32>();
-            }
-            #[test]
-            fn f64() {
-                super::$check::<f64>();
-            }
-            #[test]
-            fn i8f8() {
-                super::$check::<I8F8>();
-            }
-            #[test]
-            fn i16f16() {
-                super::$check::<I16F16>();
-            }
-            #[test]
-            fn i32f32() {
-                super::$check::<I32F32>();
-            }
-        }
-    )*};
-}
 
 fn sorted(found: impl Iterator<Item = usize>) -> Vec<usize> {
     let mut found: Vec<_> = found.collect();
@@ -261,7 +230,15 @@ fn nothing_contains_a_point_that_is_none() {
     }
 }
 
-for_some_scalars!(
+// Not in all scalars: compiling takes longer than asking.
+for_scalars!(
+    [
+        f32: f32,
+        f64: f64,
+        i8f8: fixed::types::I8F8,
+        i16f16: fixed::types::I16F16,
+        i32f32: fixed::types::I32F32,
+    ]
     boxes_overlap_as_one_by_one,
     triangles_and_segments_overlap_as_one_by_one,
     meshes_overlap_as_pair_by_pair,

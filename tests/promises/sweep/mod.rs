@@ -5,10 +5,9 @@ use septum::relation::{Relate, Relation};
 use septum::sweep::{FirstContact, Motion, Sweep};
 use septum::{Aabb, Axis, ShapeError, Triangle};
 use septum_kit::fixed::types::extra::{U7, U8, U64};
-use septum_kit::fixed::types::{I4F4, I8F8, I16F16, I32F32};
 use septum_kit::fixed::{FixedI8, FixedI64};
 use septum_kit::sweeps::SweepSet;
-use septum_kit::{Rng, Sample, Set, for_every_scalar};
+use septum_kit::{Rng, Sample, Set, for_every_scalar, with_every_scalar};
 
 /// All of the sets, triangles with boxes and boxes with boxes; and how many miss, meet at the
 /// start and meet on their way.
@@ -60,12 +59,7 @@ fn agrees_with_the_oracle_on_many() {
     fn many<S: Sample>() {
         println!("{:8} {:?}", S::name(), check::<S>(91_000));
     }
-    many::<f32>();
-    many::<f64>();
-    many::<I4F4>();
-    many::<I8F8>();
-    many::<I16F16>();
-    many::<I32F32>();
+    with_every_scalar!(many);
 }
 
 /// Without a way it is the question at rest, and what meets meets at the start.

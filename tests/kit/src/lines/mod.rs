@@ -10,6 +10,7 @@ use dashu_int::ops::Abs;
 use septum::{Aabb, Ray, Segment};
 
 use crate::exact::{Parts, least_exponent, whole};
+use crate::lattice::Ring;
 use crate::{BoxNumbers, Sample};
 
 pub use oriented::LineObb;
@@ -84,22 +85,76 @@ impl Fraction {
     }
 }
 
+impl<S: Sample> Line<S> {
+    /// The ray, if it is one and valid.
+    pub fn ray(&self) -> Option<Ray<S>> {
+        let Self::Ray(o, d, [from, to]) = *self else { return None };
+        Ray::new(o, d).ok()?.with_range(from, to).ok()
+    }
+
+    /// The segment, if it is one and valid.
+    pub fn segment(&self) -> Option<Segment<S>> {
+        match *self {
+            Self::Ray(..) => None,
+            Self::Ends(a, b) => Segment::new(a, b).ok(),
+            Self::Center(c, w) => Segment::from_center_half_vector(c, w).ok(),
+        }
+    }
+
+    fn parts(&self) -> Line<Parts> {
+        let parts = |p: [S; 3]| p.map(S::mantissa_exponent);
+        match *self {
+            Self::Ray(o, d, t) => {
+                Line::Ray(parts(o), parts(d), t.map(|t| t.map(S::mantissa_exponent)))
+            }
+            Self::Ends(a, b) => Line::Ends(parts(a), parts(b)),
+            Self::Center(c, w) => Line::Center(parts(c), parts(w)),
+        }
+    }
+}
+
+/// Origin, direction and range of t.
+type Whole = ([IBig; 3], [IBig; 3], [Option<Fraction>; 2]);
+
+impl Line<Parts> {
+    /// All of its numbers.
+    fn numbers(&self) -> impl Iterator<Item = Parts> {
+        let (Self::Ray(a, b, _) | Self::Ends(a, b) | Self::Center(a, b)) = *self;
+        let ends = if let Self::Ray(.., ends) = *self { ends } else { [None; 2] };
+        a.into_iter().chain(b).chain(ends.into_iter().flatten())
+    }
+
+    /// The line in units of 2^unit; t counts in ones.
+    fn whole(&self, unit: i32) -> Whole {
+        let vector = |p: [Parts; 3]| p.map(|x| whole(x, unit));
+        let number = |n: i8| Some(Fraction(n.into(), IBig::ONE));
+        match *self {
+            Self::Ray(o, d, ends) => {
+                let one = IBig::ONE << (-unit) as usize;
+                let end = |t: Option<Parts>| t.map(|t| Fraction(whole(t, unit), one.clone()));
+                (vector(o), vector(d), ends.map(end))
+            }
+            Self::Ends(a, b) => {
+                let (a, b) = (vector(a), vector(b));
+                let d = IBig::difference(&b, &a);
+                (a, d, [number(0), number(1)])
+            }
+            Self::Center(c, w) => (vector(c), vector(w), [number(-1), number(1)]),
+        }
+    }
+}
+
 impl<S: Sample> LineBox<S> {
     pub fn aabb(&self) -> Aabb<S> {
         self.aabb.shape().expect("a valid box")
     }
 
     pub fn ray(&self) -> Option<Ray<S>> {
-        let Line::Ray(o, d, [from, to]) = self.line else { return None };
-        Some(Ray::new(o, d).expect("a ray").with_range(from, to).expect("a range"))
+        matches!(self.line, Line::Ray(..)).then(|| self.line.ray().expect("a ray"))
     }
 
     pub fn segment(&self) -> Option<Segment<S>> {
-        match self.line {
-            Line::Ray(..) => None,
-            Line::Ends(a, b) => Segment::new(a, b).ok(),
-            Line::Center(c, w) => Segment::from_center_half_vector(c, w).ok(),
-        }
+        self.line.segment()
     }
 
     /// The crate's verdict.
@@ -117,15 +172,8 @@ impl<S: Sample> LineBox<S> {
     /// Both ends of what the box leaves of the line, if it leaves anything; an end is
     /// missing where neither bounds it.
     pub fn clip(&self) -> Option<[Option<Fraction>; 2]> {
-        let parts = |p: [S; 3]| p.map(S::mantissa_exponent);
-        let line = match self.line {
-            Line::Ray(o, d, t) => {
-                Line::Ray(parts(o), parts(d), t.map(|t| t.map(S::mantissa_exponent)))
-            }
-            Line::Ends(a, b) => Line::Ends(parts(a), parts(b)),
-            Line::Center(c, w) => Line::Center(parts(c), parts(w)),
-        };
-        LineBox { line, aabb: self.aabb.map(S::mantissa_exponent) }.clip_in_parts()
+        LineBox { line: self.line.parts(), aabb: self.aabb.map(S::mantissa_exponent) }
+            .clip_in_parts()
     }
 
     pub fn meets(&self) -> bool {
@@ -134,36 +182,17 @@ impl<S: Sample> LineBox<S> {
 }
 
 impl LineBox<Parts> {
-    fn rows(&self) -> [[Parts; 3]; 5] {
-        let (BoxNumbers::Center(p, q) | BoxNumbers::Corners(p, q)) = self.aabb;
-        let or_zero = |t: Option<Parts>| t.unwrap_or((0, 0));
-        match self.line {
-            Line::Ray(o, d, [from, to]) => [o, d, p, q, [or_zero(from), or_zero(to), (0, 0)]],
-            Line::Ends(a, b) | Line::Center(a, b) => [a, b, p, q, [(0, 0); 3]],
-        }
-    }
-
     fn clip_in_parts(&self) -> Option<[Option<Fraction>; 2]> {
-        let rows = self.rows();
-        let unit = least_exponent(rows.as_flattened()).min(0);
-        let whole = |x: Parts| whole(x, unit);
-        let one = IBig::ONE << (-unit) as usize;
-        let [a, b, p, q, _] = rows.map(|row| row.map(whole));
-        let (range, d) = match self.line {
-            Line::Ray(_, _, ends) => {
-                (ends.map(|t| t.map(|t| Fraction(whole(t), one.clone()))), b.clone())
-            }
-            Line::Ends(..) => (
-                [0, 1].map(|t| Some(Fraction(t.into(), IBig::ONE))),
-                [0, 1, 2].map(|i| &b[i] - &a[i]),
-            ),
-            Line::Center(..) => ([-1, 1].map(|t| Some(Fraction(t.into(), IBig::ONE))), b.clone()),
-        };
+        let (BoxNumbers::Center(p, q) | BoxNumbers::Corners(p, q)) = self.aabb;
+        let numbers: Vec<_> = self.line.numbers().chain(p).chain(q).collect();
+        let unit = least_exponent(&numbers).min(0);
+        let (origin, d, range) = self.line.whole(unit);
+        let [p, q] = [p, q].map(|row| row.map(|x| whole(x, unit)));
         let faces = [0, 1, 2].map(|i| match self.aabb {
             BoxNumbers::Center(..) => [&p[i] - &q[i], &p[i] + &q[i]],
             BoxNumbers::Corners(..) => [p[i].clone(), q[i].clone()],
         });
-        clip(&a, &d, &faces, range)
+        clip(&origin, &d, &faces, range)
     }
 }
 

@@ -2,7 +2,7 @@
 //! rule in whole numbers, and clipped there.
 
 use dashu_int::IBig;
-use septum::{Obb, Overlaps, Ray, Segment};
+use septum::{Obb, Overlaps};
 
 use super::{Fraction, Line, clip};
 use crate::boxes::{AnyBox, BoxSet, ObbNumbers};
@@ -59,31 +59,10 @@ impl<S: Sample> LineObb<S> {
         Self { line, obb }
     }
 
-    pub fn ray(&self) -> Option<Ray<S>> {
-        let Line::Ray(o, d, [from, to]) = self.line else { return None };
-        Ray::new(o, d).ok()?.with_range(from, to).ok()
-    }
-
-    pub fn segment(&self) -> Option<Segment<S>> {
-        match self.line {
-            Line::Ray(..) => None,
-            Line::Ends(a, b) => Segment::new(a, b).ok(),
-            Line::Center(c, w) => Segment::from_center_half_vector(c, w).ok(),
-        }
-    }
-
     /// Both ends of what the box leaves of the line, if it leaves anything; an end is missing
     /// where neither bounds it.
     pub fn clip(&self) -> Option<[Option<Fraction>; 2]> {
-        let parts = |p: [S; 3]| p.map(S::mantissa_exponent);
-        let line = match self.line {
-            Line::Ray(o, d, t) => {
-                Line::Ray(parts(o), parts(d), t.map(|t| t.map(S::mantissa_exponent)))
-            }
-            Line::Ends(a, b) => Line::Ends(parts(a), parts(b)),
-            Line::Center(c, w) => Line::Center(parts(c), parts(w)),
-        };
-        LineObb { line, obb: self.obb.map(S::mantissa_exponent) }.clip_in_parts()
+        LineObb { line: self.line.parts(), obb: self.obb.map(S::mantissa_exponent) }.clip_in_parts()
     }
 
     /// Checks verdicts against the oracle, in either order, and returns its answer; nothing where
@@ -99,7 +78,7 @@ impl<S: Sample> LineObb<S> {
             [line.overlaps(obb), Overlaps::overlaps(obb, line), line.may_overlap(obb)]
         }
         let obb = self.obb.shape().ok()?;
-        let [one, other, may] = match (self.ray(), self.segment()) {
+        let [one, other, may] = match (self.line.ray(), self.line.segment()) {
             (Some(ray), _) => asked(&ray, &obb),
             (None, segment) => asked(&segment?, &obb),
         };
@@ -115,31 +94,12 @@ impl LineObb<Parts> {
     /// s_i·det = one·w_i·(x − c).
     fn clip_in_parts(&self) -> Option<[Option<Fraction>; 2]> {
         let ObbNumbers { center, axes, half } = self.obb;
-        let (mut rows, mut t) = (vec![center, half], Vec::new());
-        rows.extend(axes);
-        match self.line {
-            Line::Ray(o, d, ends) => {
-                rows.extend([o, d]);
-                t.extend(ends.into_iter().flatten());
-            }
-            Line::Ends(a, b) | Line::Center(a, b) => rows.extend([a, b]),
-        }
-        let unit = least_exponent(rows.as_flattened().iter().chain(&t)).min(0);
+        let mut numbers: Vec<_> = self.line.numbers().chain(center).chain(half).collect();
+        numbers.extend(axes.as_flattened());
+        let unit = least_exponent(&numbers).min(0);
         let vector = |p: [Parts; 3]| p.map(|x| whole(x, unit));
         let one = IBig::ONE << (-unit) as usize;
-        let number = |n: i8| Some(Fraction(n.into(), IBig::ONE));
-        let (origin, d, range) = match self.line {
-            Line::Ray(o, d, ends) => {
-                let end = |t: Option<Parts>| t.map(|t| Fraction(whole(t, unit), one.clone()));
-                (vector(o), vector(d), ends.map(end))
-            }
-            Line::Ends(a, b) => {
-                let (a, b) = (vector(a), vector(b));
-                let d = IBig::difference(&b, &a);
-                (a, d, [number(0), number(1)])
-            }
-            Line::Center(c, w) => (vector(c), vector(w), [number(-1), number(1)]),
-        };
+        let (origin, d, range) = self.line.whole(unit);
         let [u, v, n] = axes.map(vector);
         let w = [IBig::cross(&v, &n), IBig::cross(&n, &u), IBig::cross(&u, &v)];
         let det = IBig::dot(&u, &w[0]);

@@ -1,0 +1,167 @@
+//! Which crossings count, by the rules and the range of the ray, in number systems and in exact
+//! sums.
+
+use core::cmp::Ordering;
+
+use super::Facing;
+use super::crossing::{Crossing, Setting, Sizes};
+use super::exact::ExactRay;
+use super::question::Crosses;
+use crate::arithmetic::{Embeds, Filtered, Number};
+use crate::robust::{Clue, ExactSum};
+use crate::scalar::Scalar;
+
+#[inline(always)]
+pub(super) fn facing(is_front: bool) -> Facing {
+    if is_front { Facing::Front } else { Facing::Back }
+}
+
+impl<S: Scalar> Crosses<'_, S> {
+    /// Whether a crossing ahead of the origin counts, and the crossing, where it is
+    /// not a contact and the range is the usual one.
+    #[inline(always)]
+    pub(super) fn ahead(&self) -> Result<(bool, Crossing<f64>, Sizes<f64>), Clue>
+    where
+        Filtered<f64>: Embeds<S>,
+    {
+        if self.ray.t_min() != Some(S::ZERO) || self.ray.t_max().is_some() {
+            return Err(Clue::Unasked);
+        }
+        let setting = self.setting::<Filtered<f64>>().ok_or(Clue::Doubt)?;
+        let crossing = setting.crossing::<Filtered<f64>>().ok_or(Clue::Doubt)?;
+        let keeps = self.rules.cull.keeps(facing(crossing.is_front()));
+        let is_ahead = crossing.strictly_ahead().ok_or(Clue::Doubt)?;
+        Ok((is_ahead & keeps, crossing, setting.sizes()))
+    }
+
+    /// Ray and triangle in `N`, if it holds them.
+    #[inline(always)]
+    pub(super) fn setting<N: Embeds<S>>(&self) -> Option<Setting<N::Length>> {
+        let [a, b, c] = self.triangle.points();
+        let (o, d) = (self.ray.origin().to_array(), self.ray.direction().to_array());
+        let [a, b, c, o, d] = N::embed(&[a, b, c, o, d])?;
+        Some(Setting::new(&[a, b, c, o], d))
+    }
+
+    /// The crossing, if it counts, contacts and any range included; `None` in doubt.
+    #[inline]
+    pub(super) fn crossing<N: Embeds<S>>(&self) -> Option<Option<Crossing<N::Volume>>> {
+        let setting = self.setting::<N>()?;
+        // w is a difference of three determinants: twice what a box's plane comes to.
+        let size = setting.size();
+        let crossing = if N::is_narrow(size + size) {
+            let crossing = setting.crossing::<N::Narrow>()?;
+            crossing.meets(N::CERTAIN)?.then(|| crossing.widened(N::widened))
+        } else {
+            let crossing = setting.crossing::<N>()?;
+            crossing.meets(N::CERTAIN)?.then_some(crossing)
+        };
+        let Some(crossing) = crossing else { return Some(None) };
+        Some(self.counts::<N>(&setting, &crossing, N::CERTAIN)?.then_some(crossing))
+    }
+
+    /// Whether the crossing of a line that meets the triangle counts; `None` in doubt.
+    /// `is_certain` says that all signs are.
+    #[inline(always)]
+    pub(super) fn counts<N: Embeds<S>>(
+        &self,
+        setting: &Setting<N::Length>,
+        crossing: &Crossing<N::Volume>,
+        is_certain: bool,
+    ) -> Option<bool> {
+        let zero = N::Volume::ZERO;
+        let is_front = crossing.is_front();
+        if !self.rules.cull.keeps(facing(is_front)) {
+            return Some(false);
+        }
+        if is_certain && self.rules.once {
+            for (k, side) in crossing.sides.iter().enumerate() {
+                let perturbed = || oriented(setting.perturbed_side::<N>(k), is_front);
+                if *side == zero && perturbed() == Ordering::Less {
+                    return Some(false);
+                }
+            }
+        }
+        let Crossing { det, t, error_bound, .. } = *crossing;
+        let (det, t) = if is_front { (det, t) } else { (-det, -t) };
+        for (end, inside) in self.ends() {
+            let Some(end) = end else { continue };
+            let side = if end == S::ZERO {
+                let is_clear = is_certain || t.magnitude() > error_bound.t;
+                is_clear.then(|| t.partial_cmp(&zero)).flatten()
+            } else {
+                let errors =
+                    [error_bound.t + t.magnitude().error(1), error_bound.side + det.error(1)];
+                N::compare_quotient(t, det, errors, end)
+            }?;
+            let perturbed = || oriented(setting.perturbed_t::<N>(), is_front);
+            if !self.admits(side, inside, perturbed) {
+                return Some(false);
+            }
+        }
+        Some(true)
+    }
+
+    /// The ends of the range, and on which side of each it lies.
+    #[inline(always)]
+    pub(super) fn ends(&self) -> [(Option<S>, Ordering); 2] {
+        [(self.ray.t_min(), Ordering::Greater), (self.ray.t_max(), Ordering::Less)]
+    }
+
+    pub(super) fn taken_apart(&self) -> ExactRay {
+        let (o, d) = (self.ray.origin().to_array(), self.ray.direction().to_array());
+        ExactRay::new(&self.triangle.points(), &o, &d)
+    }
+
+    /// Whether a crossing counts, by exact sums, and if so whether the line runs
+    /// against the normal.
+    pub(super) fn passes(
+        &self,
+        exact: &ExactRay,
+        det: &S::Sum,
+        sides: &[S::Sum; 3],
+        t: &S::Sum,
+    ) -> Option<bool> {
+        let det = det.sign();
+        let is_front = det == Ordering::Greater;
+        if det == Ordering::Equal || !self.rules.cull.keeps(facing(is_front)) {
+            return None;
+        }
+        for (k, side) in sides.iter().enumerate() {
+            let perturbed = || oriented(exact.perturbed_side::<S>(k), is_front);
+            if !self.admits(oriented(side.sign(), is_front), Ordering::Greater, perturbed) {
+                return None;
+            }
+        }
+        for (end, inside) in self.ends() {
+            let Some(end) = end else { continue };
+            let side = if end == S::ZERO { t.sign() } else { exact.compare(end) };
+            let perturbed = || oriented(exact.perturbed_t::<S>(), is_front);
+            if !self.admits(oriented(side, is_front), inside, perturbed) {
+                return None;
+            }
+        }
+        Some(is_front)
+    }
+
+    /// Whether what lies on this side of an end counts, if only `inside` does.
+    #[inline(always)]
+    pub(super) fn admits(
+        &self,
+        side: Ordering,
+        inside: Ordering,
+        perturbed: impl Fn() -> Ordering,
+    ) -> bool {
+        match side {
+            Ordering::Equal if self.rules.once => perturbed() == inside,
+            Ordering::Equal => true,
+            side => side == inside,
+        }
+    }
+}
+
+/// A sign, for a determinant above zero.
+#[inline(always)]
+fn oriented(sign: Ordering, is_front: bool) -> Ordering {
+    if is_front { sign } else { sign.reverse() }
+}

@@ -1,0 +1,104 @@
+//! How far what is computed may be from the truth, against whole numbers of 128 bits.
+
+use fixed::types::{I2F30, I4F4, I8F8, I16F16};
+
+use super::*;
+use crate::shape::{Obb, Triangle};
+
+/// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, "Fast Splittable Pseudorandom Number
+/// Generators", OOPSLA 2014).
+struct Rng(u64);
+
+impl Rng {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// A whole number below 2^`bits`, of either sign.
+    fn within(&mut self, bits: u32) -> i64 {
+        (self.next() >> (63 - bits)) as i64 - (1 << bits)
+    }
+}
+
+fn wide<S: InRaw>(v: Vec3<S>) -> [i128; 3] {
+    raw(&v).map(|x| x.into().into())
+}
+
+fn dot(a: [i128; 3], b: [i128; 3]) -> i128 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: [i128; 3], b: [i128; 3]) -> [i128; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// How much of the error that is allowed for was found, at most; `None` where a face separates.
+fn found<S: Scalar + InRaw>(question: &Disjoint<'_, S>) -> Option<f64> {
+    let framed = question.framed::<false>(Change::Grown)?;
+    assert!(Projection::are_near(&framed.shapes), "{:?} {:?}", question.triangle, question.obb);
+    let u = question.obb.axes().map(wide);
+    let (center, half) = (wide(question.obb.center()), wide(question.obb.half_extents()));
+    let w = [cross(u[1], u[2]), cross(u[2], u[0]), cross(u[0], u[1])];
+    let volume = dot(u[0], w[0]).abs();
+    let errors_over = |unit: f64| {
+        let mut most = 0.0;
+        for i in 0..3 {
+            let (vertices, size) = framed.shapes[i].parts();
+            let off = |x: i32, truth: i128| (f64::from(x) - truth as f64 / unit).abs();
+            let extent = off(size / 2 - framed.by, half[i] * volume);
+            for k in 0..3 {
+                let p = wide(question.triangle.vertices()[k]);
+                let d = [p[0] - center[0], p[1] - center[1], p[2] - center[2]];
+                let vertex = off(vertices[k] - size / 2, dot(w[i], d) << S::FRACTION_BITS);
+                most = f64::max(most, vertex + extent);
+            }
+        }
+        most
+    };
+    // What is computed are the true numbers over a power of two: over that which fits best.
+    let found = (0..160).map(|k| errors_over(f64::from_bits((1023 - 40 + k) << 52)));
+    let found = found.fold(f64::INFINITY, f64::min) / f64::from(framed.by);
+    assert!(found <= 1.0, "{:?} {:?}", question.triangle, question.obb);
+    Some(found)
+}
+
+/// Asks about shapes of all sizes, near and far, of the greatest and the least numbers.
+fn most_found<S: Scalar + InRaw>(bits: u32, of: impl Fn(i64) -> S) -> (u32, f64) {
+    let rng = &mut Rng(0x0bb);
+    let (mut asked, mut most) = (0, 0.0_f64);
+    for case in 0..6_000 {
+        let mut row = |bits: u32| [(); 3].map(|()| rng.within(bits));
+        let ends = |x: i64| if case % 5 == 0 { (x >> (bits - 1)) * ((1 << bits) - 1) } else { x };
+        let size = 1 + case % bits;
+        let far = row(if case % 3 == 0 { bits } else { 1 });
+        let near = |row: [i64; 3]| {
+            let shifted = |i: usize| (row[i] + far[i]).clamp(-(1 << bits), (1 << bits) - 1);
+            [0, 1, 2].map(|i| of(ends(shifted(i))))
+        };
+        let [a, b, c, center] = [(); 4].map(|()| near(row(size)));
+        let half = row(size).map(|x| of(x.abs() - 1));
+        let axes = [(); 3].map(|()| Vec3::from(row(1 + case / 7 % bits).map(|x| of(ends(x)))));
+        let triangle = Triangle::new(a, b, c).unwrap();
+        let Ok(obb) = Obb::from_skewed_axes(center, axes, half) else { continue };
+        if let Some(found) = found(&Disjoint { triangle: &triangle, obb: &obb }) {
+            (asked, most) = (asked + 1, most.max(found));
+        }
+    }
+    (asked, most)
+}
+
+/// The bound holds, and is not much wider than what is found.
+#[test]
+fn no_error_exceeds_its_bound() {
+    for (asked, most) in [
+        most_found(7, |x| I4F4::from_bits(x as i8)),
+        most_found(15, |x| I8F8::from_bits(x as i16)),
+        most_found(31, |x| I16F16::from_bits(x as i32)),
+        most_found(31, |x| I2F30::from_bits(x as i32)),
+    ] {
+        assert!(asked > 1_500 && most > 0.5, "{asked} {most}");
+    }
+}
