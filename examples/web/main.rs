@@ -7,7 +7,7 @@
 //! cargo web
 //! ```
 //!
-//! builds the module, 83 kB by the profile `web` and the feature `small`, and serves
+//! builds the module, 82 kB by the profile `web` and the feature `small`, and serves
 //! the page with it, by node. Without node:
 //!
 //! ```text

@@ -62,8 +62,9 @@ impl Few {
         let Bounds { bounds: [x, y, z], is_within, .. } = bounds;
         let width = |span: &Span| i64::from(span.last) - i64::from(span.first) + 1;
         let (i, j, k) = (width(x), width(y), width(z));
-        // Each is below 2^31.
-        let are_few = *is_within && i.max(j).max(k) <= FEW && i * j * k <= FEW;
+        // Each is below 2^31. A small program does without, at the price of time.
+        let are_few =
+            !cfg!(feature = "small") && *is_within && i.max(j).max(k) <= FEW && i * j * k <= FEW;
         let first = [x.first, y.first, z.first];
         are_few.then_some(Self { first, widths: [i as u32, j as u32, k as u32] })
     }
@@ -146,8 +147,7 @@ impl<S: Scalar> Block<'_, S> {
     }
 
     /// What is seen along an axis; nothing, if no planes cross inside of the block.
-    #[cfg_attr(not(feature = "small"), inline(always))]
-    #[cfg_attr(feature = "small", inline(never))]
+    #[inline(always)]
     fn view(&self, rows: &[Row; 3], axes: [usize; 2], along: usize) -> View {
         let [u, v] = axes;
         let ([i, j], [x, y]) =
