@@ -31,17 +31,49 @@ impl<S: Scalar, const N: usize> Aabbs<S, N> {
     /// corners need not be numbers of the scalar.
     #[inline]
     #[must_use]
-    pub fn new(aabbs: &[Aabb<S>; N]) -> Option<Self> {
+    pub const fn new(aabbs: &[Aabb<S>; N]) -> Option<Self> {
+        Self::from_slice(aabbs)
+    }
+
+    /// The boxes of a slice, and the last of them in all lanes that are left over. `None` where
+    /// the slice is empty or longer than N, or a box was given by its centre.
+    ///
+    /// So any number of boxes goes by lanes, chunk by chunk; tables in flash too, as it is `const`.
+    ///
+    /// ```
+    /// use septum::lanes::Aabbs;
+    /// use septum::{Aabb, Triangle};
+    ///
+    /// let cells: Vec<_> = (0..11)
+    ///     .map(|k| Aabb::from_min_max([k as f32, 0.0, 0.0], [k as f32 + 1.0, 1.0, 1.0]))
+    ///     .collect::<Result<_, _>>()?;
+    /// let triangle = Triangle::new([6.5, 0.5, 0.2], [9.5, 0.5, 0.2], [6.5, 0.8, 0.2])?;
+    /// let mut met = Vec::new();
+    /// for chunk in cells.chunks(8) {
+    ///     let Some(eight) = Aabbs::<_, 8>::from_slice(chunk) else { continue };
+    ///     met.extend_from_slice(&eight.overlaps(&triangle)[..chunk.len()]);
+    /// }
+    /// let first_and_last = (met.iter().position(|&x| x), met.iter().rposition(|&x| x));
+    /// assert_eq!(first_and_last, (Some(6), Some(9)));
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    #[must_use]
+    pub const fn from_slice(aabbs: &[Aabb<S>]) -> Option<Self> {
         let mut all = Self { min: [[S::ZERO; N]; 3], max: [[S::ZERO; N]; 3] };
-        for k in 0..N {
-            let (min, max) = aabbs[k].min_max()?;
-            let (min, max) = (min.to_array(), max.to_array());
-            for i in 0..3 {
-                all.min[i][k] = min[i];
-                all.max[i][k] = max[i];
+        let (mut left, mut k) = (aabbs, 0);
+        let mut last = None;
+        while k < N {
+            // No index into the slice: nothing that could panic is linked.
+            if let [first, rest @ ..] = left {
+                (last, left) = (first.min_max(), rest);
             }
+            let Some((min, max)) = last else { return None };
+            (all.min[0][k], all.min[1][k], all.min[2][k]) = (min.x, min.y, min.z);
+            (all.max[0][k], all.max[1][k], all.max[2][k]) = (max.x, max.y, max.z);
+            k += 1;
         }
-        Some(all)
+        if left.is_empty() { Some(all) } else { None }
     }
 
     /// The box in lane `k`, if there is that lane.

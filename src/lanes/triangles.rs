@@ -8,8 +8,7 @@ use crate::shape::{Triangle, Vec3};
 /// AVX-512 [`hit`](Self::hit), which is exact, takes a third of the time of
 /// [`Ray::hit`](crate::Ray::hit) for each triangle in `f32`, `f64` and I16F16; the rounded
 /// methods take about a tenth of theirs in `f32`. That is in the cache: from memory it
-/// takes up to twice as long. N = 4 fits SSE2, NEON and simd128. Fill up with any triangle
-/// twice, or with one of three equal vertices, which no ray hits.
+/// takes up to twice as long. N = 4 fits SSE2, NEON and simd128.
 ///
 /// ```
 /// use septum::lanes::Triangles;
@@ -35,12 +34,19 @@ impl<S: Scalar, const N: usize> Triangles<S, N> {
     /// The triangles, each in its lane.
     #[inline]
     #[must_use]
-    pub fn new(triangles: &[Triangle<S>; N]) -> Self {
-        let mut all = Self { points: [[[S::ZERO; N]; 3]; 3] };
-        for k in 0..N {
-            let _ = all.set(k, &triangles[k]);
+    pub const fn new(triangles: &[Triangle<S>; N]) -> Self {
+        Self { points: in_lanes(triangles) }
+    }
+
+    /// The triangles of a slice, and the last of them in all lanes that are left over. `None`
+    /// where the slice is empty or longer than N.
+    #[inline]
+    #[must_use]
+    pub const fn from_slice(triangles: &[Triangle<S>]) -> Option<Self> {
+        if triangles.is_empty() || triangles.len() > N {
+            return None;
         }
-        all
+        Some(Self { points: in_lanes(triangles) })
     }
 
     /// Puts a triangle into lane `k`, and says whether there is that lane. Without it nothing
@@ -79,6 +85,28 @@ impl<S: Scalar, const N: usize> Triangles<S, N> {
         let [a, b, c] = &self.points;
         [lane(a, k), lane(b, k), lane(c, k)]
     }
+}
+
+/// The vertices of the triangles, and of the last one in all lanes that are left over.
+#[inline(always)]
+const fn in_lanes<S: Scalar, const N: usize>(triangles: &[Triangle<S>]) -> [[[S; N]; 3]; 3] {
+    let mut points = [[[S::ZERO; N]; 3]; 3];
+    let (mut left, mut k) = (triangles, 0);
+    let mut last = &[Vec3::splat(S::ZERO); 3];
+    while k < N {
+        // No index into the slice: nothing that could panic is linked.
+        if let [first, rest @ ..] = left {
+            (last, left) = (first.vertices(), rest);
+        }
+        let mut v = 0;
+        while v < 3 {
+            let Vec3 { x, y, z } = last[v];
+            (points[v][0][k], points[v][1][k], points[v][2][k]) = (x, y, z);
+            v += 1;
+        }
+        k += 1;
+    }
+    points
 }
 
 #[inline(always)]

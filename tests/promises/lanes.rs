@@ -1,9 +1,10 @@
 //! Lanes: the same verdicts and the same bits as one by one.
 
-use septum::lanes::Triangles;
+use fixed::types::I16F16;
+use septum::lanes::{Aabbs, Triangles};
 use septum::published;
 use septum::published::stored_normal::NormalTriangle;
-use septum::{Aabb, Cull, Ray, Scalar, Triangle};
+use septum::{Aabb, Cull, Ray, Scalar, Triangle, Vec3};
 use septum_kit::{Lanes, Rng, Sample, for_every_scalar};
 
 for_every_scalar!(
@@ -88,6 +89,42 @@ fn volumes_are_the_stored_normal() {
         let t = published::stored_normal::t(&ray, &stored, cull, f32::INFINITY);
         assert_eq!(t, hit.map_or(f32::INFINITY, |hit| hit.t));
     }
+}
+
+/// A table in flash, of which the last lanes repeat the last box.
+const TABLE: Option<Aabbs<I16F16, 4>> = {
+    let low = Vec3::splat(I16F16::ZERO);
+    let high = Vec3::splat(I16F16::ONE);
+    match Aabb::<I16F16>::const_new(low, high) {
+        Ok(aabb) => Aabbs::from_slice(&[aabb; 3]),
+        Err(_) => None,
+    }
+};
+
+#[test]
+fn slices_fill_lanes() {
+    let cell = |k: usize| Aabb::from_min_max([k as f32; 3], [k as f32 + 1.0; 3]).unwrap();
+    let triangle = |k: usize| Triangle::new([k as f32; 3], [0.0; 3], [1.0; 3]).unwrap();
+    for n in 0..7 {
+        let (cells, triangles) =
+            ((0..n).map(cell).collect::<Vec<_>>(), (0..n).map(triangle).collect::<Vec<_>>());
+        let boxes = Aabbs::<f32, 5>::from_slice(&cells);
+        let lanes = Triangles::<f32, 5>::from_slice(&triangles);
+        assert_eq!(
+            (boxes.is_some(), lanes.is_some()),
+            ((1..=5).contains(&n), (1..=5).contains(&n))
+        );
+        if let (Some(boxes), Some(lanes)) = (boxes, lanes) {
+            for k in 0..5 {
+                assert_eq!(boxes.get(k), Some(cell(k.min(n - 1))));
+                assert_eq!(lanes.get(k), Some(triangle(k.min(n - 1))));
+            }
+            assert!(boxes.get(5).is_none() && lanes.get(5).is_none());
+        }
+    }
+    let centred = Aabb::from_center_half_extents([0.0_f32; 3], [1.0; 3]).unwrap();
+    assert_eq!(Aabbs::<f32, 4>::from_slice(&[cell(0), centred, cell(1)]), None);
+    assert_eq!(TABLE.unwrap().get(3), TABLE.unwrap().get(0));
 }
 
 /// Generic code asks for no more than a scalar.
