@@ -148,6 +148,7 @@ pub mod lanes;
 pub mod mesh;
 #[cfg(feature = "fixed")]
 pub mod near;
+pub mod polygon;
 pub mod prepared;
 pub mod published;
 pub mod relation;
