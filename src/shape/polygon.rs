@@ -4,15 +4,14 @@ use crate::scalar::Scalar;
 
 /// A polygon in the caller's memory: the fan of triangles from its first vertex, a closed set.
 ///
-/// That is the union of the triangles of vertices 0, k and k + 1. A convex polygon in one plane is
-/// its fan, and so is a concave one if its first vertex sees all of it. Four or more points of a
-/// plane, rounded, seldom lie in one plane again; then the fan is still a surface without gaps, with
-/// the polygon's own edges. So polygons that share their edges close as tightly as triangles do,
-/// whatever rounding did to them, and a polygon is what a renderer draws that splits it the same
-/// way. Vertices may coincide or lie on one line.
+/// The fan is the union of the triangles of vertices 0, k and k + 1. A convex polygon in one plane is
+/// its fan, whichever vertex comes first. So is a concave one whose first vertex sees all of it; of
+/// others the fan is more than the polygon.
 ///
-/// A polygon with bent faces depends on which vertex comes first. Nothing else does on the order in
-/// which its vertices go round.
+/// Points of a plane, rounded, seldom lie in one plane again. Their fan is a surface that is bent a
+/// little along its diagonals. It has the edges of the polygon exactly, so that nothing is lost
+/// between polygons that share an edge. It is what a renderer draws that splits polygons likewise.
+/// Vertices may coincide or lie on one line.
 ///
 /// ```
 /// use septum::Aabb;
@@ -33,7 +32,8 @@ pub struct Polygon<'a, S> {
 impl<'a, S: Scalar> Polygon<'a, S> {
     /// The polygon with these vertices, in the order in which they go round.
     ///
-    /// That it is convex, or lies in one plane, is not asked: the [fan](Polygon) is a set anyway.
+    /// Whether it is convex and lies in one plane is not asked: the [fan](Polygon) is a set anyway,
+    /// and rounding would make a refusal of the best of polygons.
     ///
     /// # Errors
     /// [`ShapeError::TooFewVertices`] where there are fewer than three,
