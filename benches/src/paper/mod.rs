@@ -37,8 +37,8 @@ pub fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let as_polygons = scene.map(|t| t.to_vec(), |cell| *cell);
     let [exact, published] = polygon_tests(&as_polygons, &F32);
     let mut candidates = vec![
-        Candidate { who: "polygon/cube as published (Green, Hatch)".into(), ..published },
-        Candidate { who: "polygon/box, exact".into(), ..exact },
+        published.named("polygon/cube as published (Green, Hatch)"),
+        exact.named("polygon/box, exact"),
     ];
     candidates.extend(ours(&course(&scene, &F32, Form::Center)));
     candidates.extend(ours(&course(&scene, &F64, Form::Center)));
