@@ -1,7 +1,8 @@
 //! A polygon against an axis-aligned box: exact.
 
 use septum::polygon::Polygon;
-use septum::{Aabb, ShapeError, Triangle, Vec3};
+use septum::published::green_hatch;
+use septum::{Aabb, Segment, ShapeError, Triangle, Vec3};
 use septum_kit::polygons::{PlanePolygon, PolygonCase, PolygonSet};
 use septum_kit::{Rng, Sample, for_every_scalar};
 
@@ -109,4 +110,35 @@ fn polygons_that_share_an_edge_leave_no_gap() {
         let cell = Aabb::from_center_half_extents(p, [f32::EPSILON; 3]).unwrap();
         assert!(one.overlaps(&cell) && other.overlaps(&cell), "{v:?} {p:?}");
     }
+}
+
+/// Vertices in eighths, where `f32` holds every sum and product: only a mistake could make a
+/// difference. The diagonal's division does round, so contact is left out.
+#[test]
+fn the_published_test_is_right_where_nothing_is_rounded() {
+    let mut rng = Rng::new(0x6ee);
+    let (mut met, mut met_inside) = (0, 0);
+    for n in 0..60_000 {
+        let mut point = || rng.triple(|rng| rng.whole(-16, 16) as f32 / 8.0);
+        let [a, b, c] = [point(), point(), point()];
+        let d = [0, 1, 2].map(|i: usize| a[i] - b[i] + c[i]);
+        let vertices = [a, b, c, d].map(Vec3::from);
+        let polygon = Polygon::new(&vertices[..3 + n % 2]).unwrap();
+        let of_size = |size: f32| {
+            Aabb::from_center_half_extents([0.125; 3], [0.5, 0.75, 1.0].map(|h| h * size)).unwrap()
+        };
+        let truth = polygon.overlaps(&of_size(1.0));
+        if polygon.overlaps(&of_size(0.998)) != polygon.overlaps(&of_size(1.002)) {
+            continue;
+        }
+        assert_eq!(green_hatch::overlaps(&polygon, &of_size(1.0)), truth, "{polygon:?}");
+        met += usize::from(truth);
+        let sides = vertices[..3 + n % 2].iter().zip(vertices[..3 + n % 2].iter().cycle().skip(1));
+        let by_sides = |size| {
+            let mut sides = sides.clone();
+            sides.any(|(&p, &q)| Segment::new(p, q).unwrap().overlaps(&of_size(size)))
+        };
+        met_inside += usize::from(truth && !by_sides(1.0));
+    }
+    assert!(met > 10_000 && met_inside > 1_000, "{met} {met_inside}");
 }
