@@ -106,6 +106,13 @@ fn polygon_row(vertices: usize, rounds: usize, bar: &ProgressBar) -> String {
     )
 }
 
+/// What the processor calls itself, where the system tells.
+fn machine() -> String {
+    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = text.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": "));
+    name.map_or("a machine without a name".into(), |(_, name)| name.replace("(R)", ""))
+}
+
 fn table(candidates: &[Candidate], timings: &[Timing]) -> String {
     let share = candidates[0].overlaps as f64 * 100.0 / candidates[0].pairs as f64;
     let mut text = format!(
@@ -113,11 +120,13 @@ fn table(candidates: &[Candidate], timings: &[Timing]) -> String {
          side 4 against the unit cube in its middle, {share:.0} % of which meet it, as in section 3 \
          of the paper of 2001. How many times as fast each test is as the polygon/cube test of \
          Green and Hatch (*Graphics Gems V*, 1995), which is \
-         `septum::published::green_hatch`: medians of rounds in one process, in turns; in brackets the middle half of the rounds. The paper had 2.3 on a Sun \
-         and 3.8 on a PC, with compilers and processors of its day.\n\n\
+         `septum::published::green_hatch`: medians of rounds in one process, in turns; in brackets \
+         the middle half of the rounds. The machine: {}. The paper had 2.3 on a Sun and 3.8 on a \
+         PC, with compilers and processors of its day.\n\n\
          | test | scalar | speed | wrong: disjoint / overlap |\n| --- | --- | --- | --- |\n\
          | the paper, on a Sun | `f32` | 2.3 | |\n| the paper, on a PC | `f32` | 3.8 | |\n",
-        crate::drawing::grouped(candidates[0].pairs as f64)
+        crate::drawing::grouped(candidates[0].pairs as f64),
+        machine(),
     );
     for (c, timing) in candidates.iter().zip(timings) {
         let [low, median, high] = timing.quartiles;
