@@ -41,6 +41,7 @@
 //! | --- | --- | --- |
 //! | triangle, axis-aligned box | [`overlaps`][triangle-aabb] | [`may_overlap`][triangle-aabb] |
 //! | triangle, oriented box | [`overlaps`][triangle-obb] | [`may_overlap`][triangle-obb] |
+//! | polygon, box | [`overlaps`][polygon-aabb] | the same |
 //! | triangle, triangle | [`overlaps`][triangle-triangle] | [`may_overlap`][triangle-triangle] |
 //! | segment, triangle | [`overlaps`][segment-triangle] | [`may_overlap`][segment-triangle] |
 //! | box, box | [`overlaps`][aabb-aabb] | the same |
@@ -69,6 +70,7 @@
 //!
 //! [triangle-aabb]: Triangle#impl-Overlaps<Aabb<S>>-for-Triangle<S>
 //! [triangle-obb]: Triangle#impl-Overlaps<Obb<S>>-for-Triangle<S>
+//! [polygon-aabb]: polygon::Polygon#impl-Overlaps<Aabb<S>>-for-Polygon<'_,+S>
 //! [triangle-triangle]: Triangle#impl-Overlaps<Triangle<S>>-for-Triangle<S>
 //! [segment-triangle]: Segment#impl-Overlaps<Triangle<S>>-for-Segment<S>
 //! [aabb-aabb]: Aabb#impl-Overlaps<Aabb<S>>-for-Aabb<S>
@@ -148,6 +150,7 @@ pub mod lanes;
 pub mod mesh;
 #[cfg(feature = "fixed")]
 pub mod near;
+pub mod polygon;
 pub mod prepared;
 pub mod published;
 pub mod relation;

@@ -116,6 +116,11 @@ pub struct Candidate {
 }
 
 impl Candidate {
+    /// The same under another name.
+    pub fn named(self, who: &str) -> Self {
+        Self { who: who.into(), ..self }
+    }
+
     /// Whether it kept what it promises on this scene.
     pub fn kept_its_word(&self) -> bool {
         let (misses, inventions) = (self.false_disjoint, self.false_overlap);

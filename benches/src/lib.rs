@@ -11,6 +11,7 @@ pub mod order;
 mod pairs;
 pub mod paper;
 mod peer_shapes;
+pub mod polygon_aabb;
 mod race;
 pub mod ray_aabb;
 pub mod ray_triangle;

@@ -5,6 +5,7 @@ use indicatif::ProgressBar;
 use std::hint::black_box;
 
 use crate::candidate::Candidate;
+use std::borrow::Borrow;
 
 /// How long a candidate took, and how that compares with the first one.
 pub struct Timing {
@@ -20,12 +21,16 @@ pub struct Timing {
 
 /// Runs every candidate once in each round, the order turning by one each time,
 /// so that what slows the machine down for a while slows all of them.
-pub fn race(candidates: &[Candidate], rounds: usize, bar: &ProgressBar) -> Vec<Timing> {
+pub fn race<C: Borrow<Candidate>>(
+    candidates: &[C],
+    rounds: usize,
+    bar: &ProgressBar,
+) -> Vec<Timing> {
     let mut seconds = vec![Vec::with_capacity(rounds); candidates.len()];
     for round in 0..rounds {
         for turn in 0..candidates.len() {
             let k = (turn + round) % candidates.len();
-            seconds[k].push(time(&candidates[k]));
+            seconds[k].push(time(candidates[k].borrow()));
         }
         bar.inc(1);
     }

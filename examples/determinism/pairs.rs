@@ -1,6 +1,8 @@
 //! Questions about small pairs: boxes with boxes and points, what moves past a box, a triangle with triangles,
 //! segments and points, and two hits of one ray.
 
+use septum::polygon::Polygon;
+use septum::published;
 use septum::relation::Relate;
 use septum::sweep::{Motion, Sweep};
 use septum::{Aabb, Axis, Obb, Ray, Segment, Triangle, Vec3};
@@ -102,6 +104,32 @@ pub(super) fn lines<S: Draw, A: Answers>(
     }
 }
 
+/// Polygons of the triangle's vertices, those between them, and another: flat but for rounding, and
+/// bent.
+#[inline(never)]
+pub(super) fn polygons<S: Draw, A: Answers>(
+    triangle: &Triangle<S>,
+    aabbs: [&Aabb<S>; 2],
+    other: Vec3<S>,
+    answers: &mut A,
+) {
+    let [a, b, c] = *triangle.vertices();
+    let vertices = [a, middle(a, b), b, middle(b, c), c, other];
+    for vertices in [&vertices[..4], &vertices[..5], &vertices[2..], &vertices] {
+        let Ok(polygon) = Polygon::new(vertices) else { continue };
+        for aabb in aabbs {
+            answers.to(Query::PolygonAabb).yes(polygon.overlaps(aabb));
+            let published = published::green_hatch::overlaps(&polygon, aabb);
+            answers.to(Query::PolygonAabbPublished).yes(published);
+        }
+    }
+}
+
+/// Half of the way from one point to another.
+fn middle<S: Draw>(a: Vec3<S>, b: Vec3<S>) -> Vec3<S> {
+    Vec3::new(a.x.middle(b.x), a.y.middle(b.y), a.z.middle(b.z))
+}
+
 /// The triangle past the boxes, by ways that lead to them or elsewhere, and a box around an edge of
 /// it.
 #[inline(never)]
@@ -137,8 +165,6 @@ pub(super) fn flats<S: Draw, A: Answers>(
     answers: &mut A,
 ) {
     let [a, b, c] = *triangle.vertices();
-    let middle =
-        |a: Vec3<S>, b: Vec3<S>| Vec3::new(a.x.middle(b.x), a.y.middle(b.y), a.z.middle(b.z));
     for [x, y, z] in [[p, q, d], [p, q, middle(a, b)], [p, b, a], [c, q, q], [middle(b, c), p, a]] {
         let Ok(other) = Triangle::new(x, y, z) else { continue };
         answers.to(Query::TriangleTriangle).yes(triangle.overlaps(&other));

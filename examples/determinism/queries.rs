@@ -115,4 +115,6 @@ queries! {
     TriangleAabbSweep = "triangle/aabb first_contact",
     AabbAabbSweep = "aabb/aabb first_contact",
     MeshSweep = "mesh first_contact",
+    PolygonAabb = "polygon/aabb overlaps",
+    PolygonAabbPublished = "polygon/aabb published",
 }

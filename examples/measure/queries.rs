@@ -3,6 +3,7 @@
 use core::hint::black_box;
 
 use heapless::Vec;
+use septum::polygon::Polygon;
 use septum::published;
 use septum::published::akenine_moller::{self, Order};
 use septum::published::slabs::SlabRay;
@@ -25,6 +26,7 @@ const ENOUGH: u64 = 10_000_000;
 pub(crate) fn all<S: Coordinate>(meter: &Meter) {
     triangle_aabb::<S>(meter);
     triangle_obb::<S>(meter);
+    polygon_aabb::<S>(meter);
     pairs::<S>(meter);
     ray_triangle::<S>(meter);
     ray_aabb::<S>(meter);
@@ -87,6 +89,17 @@ fn triangle_obb<S: Coordinate>(meter: &Meter) {
         }),
     ];
     lines::<S, _, _>(meter, "made", workload::turned_axes, &queries);
+}
+
+fn polygon_aabb<S: Coordinate>(meter: &Meter) {
+    const NAME: &str = "polygon/box";
+    let queries: [Query<[Vec3<S>; 5], Aabb<S>>; 2] = [
+        (NAME, "exact", |p, b| Polygon::new(p).is_ok_and(|p| p.overlaps(b))),
+        (NAME, "as published", |p, b| {
+            Polygon::new(p).is_ok_and(|p| published::green_hatch::overlaps(&p, b))
+        }),
+    ];
+    lines::<S, _, _>(meter, "pentagons", workload::pentagons, &queries);
 }
 
 /// Two triangles, and two oriented boxes.

@@ -140,6 +140,16 @@ pub(crate) fn full<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Aabb<S>
     first(rng, voorhies, true, |triangle, aabb| triangle.overlaps(aabb))
 }
 
+/// A triangle with two of its corners cut off, and the unit cube.
+pub(crate) fn pentagons<S: Coordinate>(rng: &mut Rng) -> Option<([Vec3<S>; 5], Aabb<S>)> {
+    let [a, b, c] = [(); 3].map(|()| rng.point());
+    let middle = |p: Point, q: Point| [0, 1, 2].map(|i: usize| (p[i] + q[i]) / 2);
+    let third = |p: Point, q: Point| [0, 1, 2].map(|i: usize| p[i] + (q[i] - p[i]) / 3);
+    let corners = [a, middle(a, b), third(b, c), third(c, b), middle(c, a)];
+    let aabb = Aabb::from_center_half_extents(vector([0; 3]), vector([HALF; 3])).ok()?;
+    Some((corners.map(vector), aabb))
+}
+
 pub(crate) fn grid<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Aabb<S>)> {
     let triangle = triangle([(); 3].map(|()| rng.grid_point())).ok()?;
     let (center, half) = (vector(rng.grid_point()), vector([2 * HALF; 3]));

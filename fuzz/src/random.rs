@@ -35,6 +35,7 @@ random_bytes! {
     contacts: 10_000,
     oriented_pairs: 10_000,
     plane_aabb: 20_000,
+    polygon_aabb: 20_000,
     ray_triangle: 20_000,
     closed_mesh: 20_000,
     ray_aabb: 20_000,

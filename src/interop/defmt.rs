@@ -17,7 +17,7 @@ use crate::published::watertight::ShearedRay;
 use crate::query::{FirstContact, Hit, Motion};
 use crate::scalar::Scalar;
 use crate::shape::{
-    Aabb, AabbForm, Obb, Plane, PlaneForm, Ray, Segment, SegmentForm, Triangle, Vec3,
+    Aabb, AabbForm, Obb, Plane, PlaneForm, Polygon, Ray, Segment, SegmentForm, Triangle, Vec3,
 };
 
 /// One number.
@@ -119,6 +119,12 @@ formats! {
     Target: |target, to| write!(to, "Target {{ {} }}", target.triangle());
     SlabRay: |_r, to| write!(to, "SlabRay {{ .. }}");
     SlopeRay: |_r, to| write!(to, "SlopeRay {{ .. }}");
+}
+
+impl<S: Scalar> Format for Polygon<'_, S> {
+    fn format(&self, to: Formatter<'_>) {
+        write!(to, "Polygon{=[?]}", self.vertices());
+    }
 }
 
 /// The same for what has lanes: each lane in brackets.

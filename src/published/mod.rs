@@ -14,6 +14,7 @@
 //! | --- | --- | --- |
 //! | [`akenine_moller`] | triangle, box | for comparison |
 //! | [`shared_normal`] | triangle, box | to draw, in floats |
+//! | [`green_hatch`] | polygon, box | for comparison |
 //! | [`separating_axes`] | segment or ray, box | for comparison |
 //! | [`slabs`] | ray, many boxes | to draw; [`may_overlap`](slabs::SlabRay::may_overlap) loses no box, [`PreparedRay`](crate::prepared::PreparedRay) is exact |
 //! | [`slopes`] | ray, many boxes | for comparison: slabs measure better |
@@ -25,6 +26,7 @@
 
 pub mod akenine_moller;
 mod degenerate_view;
+pub mod green_hatch;
 pub mod moller_trumbore;
 pub mod projected;
 mod resolve;

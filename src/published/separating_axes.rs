@@ -72,9 +72,21 @@ pub fn ray_overlaps<S: Scalar>(ray: &Ray<S>, aabb: &Aabb<S>) -> bool {
 #[inline(always)]
 fn centered_overlaps<S: Scalar>(c: Triple<S>, w: Triple<S>, aabb: &Aabb<S>) -> bool {
     let (center, h) = center_half(aabb);
-    let (c, v) = (minus(c, center), absolute(w));
+    !misses_about_origin(minus(c, center), w, h)
+}
+
+/// Whether a segment misses a box around the origin.
+#[inline(always)]
+pub(super) fn segment_misses<S: Scalar>(a: Triple<S>, b: Triple<S>, h: Triple<S>) -> bool {
+    let (c, w) = between(a, b);
+    misses_about_origin(c, w, h)
+}
+
+#[inline(always)]
+fn misses_about_origin<S: Scalar>(c: Triple<S>, w: Triple<S>, h: Triple<S>) -> bool {
+    let v = absolute(w);
     let beside = |i: usize| c[i].magnitude() > v[i] + h[i];
-    !(beside(0) || beside(1) || beside(2) || line_misses(c, w, v, h))
+    beside(0) || beside(1) || beside(2) || line_misses(c, w, v, h)
 }
 
 /// The three cross products.
@@ -96,7 +108,7 @@ fn between<S: Scalar>(a: Triple<S>, b: Triple<S>) -> (Triple<S>, Triple<S>) {
 }
 
 #[inline(always)]
-fn center_half<S: Scalar>(aabb: &Aabb<S>) -> (Triple<S>, Triple<S>) {
+pub(super) fn center_half<S: Scalar>(aabb: &Aabb<S>) -> (Triple<S>, Triple<S>) {
     match aabb.form() {
         AabbForm::Center { center, half } => (row(center), row(half)),
         AabbForm::Corners { min, max } => between(row(min), row(max)),
@@ -104,7 +116,7 @@ fn center_half<S: Scalar>(aabb: &Aabb<S>) -> (Triple<S>, Triple<S>) {
 }
 
 #[inline(always)]
-fn row<S: Scalar>(v: &Vec3<S>) -> Triple<S> {
+pub(super) fn row<S: Scalar>(v: &Vec3<S>) -> Triple<S> {
     [Rounded(v.x), Rounded(v.y), Rounded(v.z)]
 }
 

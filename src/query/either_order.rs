@@ -4,16 +4,16 @@ use super::relation::{Relate, Relation};
 use crate::scalar::Scalar;
 #[cfg(feature = "fixed")]
 use crate::shape::Near;
-use crate::shape::{Aabb, Obb, Overlaps, Plane, Ray, Segment, Triangle};
+use crate::shape::{Aabb, Obb, Overlaps, Plane, Polygon, Ray, Segment, Triangle};
 
 macro_rules! reversed {
-    ($($shape:ident with $other:ident;)*) => {$(
-        impl<S: Scalar> Overlaps<$other<S>> for $shape<S> {
+    ($($shape:ident with $other:ident $(<$life:lifetime>)?;)*) => {$(
+        impl<S: Scalar> Overlaps<$other<$($life,)? S>> for $shape<S> {
             #[doc = concat!(
                 "[`", stringify!($other), "::overlaps`] with the arguments in the other order.",
             )]
             #[inline]
-            fn overlaps(&self, other: &$other<S>) -> bool {
+            fn overlaps(&self, other: &$other<$($life,)? S>) -> bool {
                 Overlaps::overlaps(other, self)
             }
 
@@ -21,7 +21,7 @@ macro_rules! reversed {
                 "[`", stringify!($other), "::may_overlap`] with the arguments in the other order.",
             )]
             #[inline]
-            fn may_overlap(&self, other: &$other<S>) -> bool {
+            fn may_overlap(&self, other: &$other<$($life,)? S>) -> bool {
                 Overlaps::may_overlap(other, self)
             }
         }
@@ -32,6 +32,7 @@ reversed! {
     Aabb with Plane;
     Aabb with Segment;
     Aabb with Ray;
+    Aabb with Polygon<'_>;
     Obb with Triangle;
     Obb with Aabb;
     Obb with Segment;

@@ -22,6 +22,7 @@ mod plane_aabb;
 mod point_aabb;
 mod point_obb;
 mod point_triangle;
+mod polygon_aabb;
 mod segment_aabb;
 mod segment_triangle;
 

@@ -34,6 +34,8 @@ pub enum ShapeError {
     EmptyRange,
     /// A coordinate is too far from zero for a shape that is to be `near`.
     NotNear,
+    /// A polygon has fewer than three vertices.
+    TooFewVertices,
 }
 
 impl ShapeError {
@@ -82,6 +84,7 @@ impl ShapeError {
             Self::ZeroDirection => "the direction is zero",
             Self::EmptyRange => "the range ends before it begins",
             Self::NotNear => "a coordinate is too far from zero",
+            Self::TooFewVertices => "a polygon has fewer than three vertices",
         }
     }
 }

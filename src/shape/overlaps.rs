@@ -41,8 +41,8 @@ pub trait Overlaps<Other> {
 /// A macro, so that each shape's page has them in one form, right after its
 /// constructors.
 macro_rules! overlaps_methods {
-    ($shape:ident, $others:literal) => {
-        impl<S> $shape<S> {
+    ($shape:ident $(<$life:lifetime>)?, $others:literal) => {
+        impl<S> $shape<$($life,)? S> {
             #[doc = concat!("Whether the shape has a point in common with ", $others, ".")]
             ///
             /// Exact for every valid input; touching is overlap; never panics. The

@@ -11,6 +11,7 @@ use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 use septum::contact::{Contact, InteriorEdges, Part, Point, Translation, contact};
 use septum::interop::Bounded;
 use septum::lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles};
+use septum::polygon::Polygon;
 use septum::prepared::{PreparedRay, PreparedTriangle, Target};
 use septum::published::akenine_moller::Order;
 use septum::published::projected::ProjectedTriangle;
@@ -69,6 +70,7 @@ fn shapes_carry_all_their_numbers() {
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let all = |parts: &[[f32; 3]]| n(parts.as_flattened());
     carries(&Triangle::new(p, q, r).unwrap(), all(&[p, q, r]));
+    carries(&Polygon::new(&[p, q, r, q].map(Vec3::from)).unwrap(), all(&[p, q, r, q]));
     carries(&Aabb::from_min_max(p, q).unwrap(), all(&[p, q]));
     carries(&Aabb::from_center_half_extents(p, q).unwrap(), all(&[p, q]));
     carries(
@@ -106,7 +108,7 @@ fn a_bounded_result_carries_what_it_kept_and_how_much_more() {
 fn every_public_type_can_be_logged() {
     fn can<T: Format>() {}
     fn every<S: Scalar>() {
-        can::<(Vec3<S>, Triangle<S>, Aabb<S>, Obb<S>, Plane<S>, Segment<S>)>();
+        can::<(Vec3<S>, Triangle<S>, Polygon<'_, S>, Aabb<S>, Obb<S>, Plane<S>, Segment<S>)>();
         can::<(Ray<S>, Hit<S>, PreparedRay<S>, SlabRay<S>, SlopeRay<S>, ShearedRay<S>)>();
         can::<(NormalTriangle<S>, ProjectedTriangle<S>, PreparedTriangle<S>, Target<S>)>();
         can::<(Triangles<S, 4>, NormalTriangles<S, 4>, Rays<S, 4>, Aabbs<S, 4>)>();

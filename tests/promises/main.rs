@@ -28,6 +28,7 @@ mod obb;
 mod oriented_boxes;
 mod oriented_pairs;
 mod plane;
+mod polygons;
 mod prepared_rays;
 mod ray_box;
 mod ray_box_rounded;

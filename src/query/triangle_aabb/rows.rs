@@ -305,7 +305,7 @@ fn is_on_grid<S: Scalar + InFloat<F>, F: Float>(triangle: &Triangle<S>, aabb: &A
 /// No coordinate in the frame of the box exceeds this, if no face separates; nor does an
 /// edge, nor a half-extent.
 #[inline(always)]
-fn size<Q: Quad>(half: Q, extent: Q) -> Q::Lane {
+pub(in crate::query) fn size<Q: Quad>(half: Q, extent: Q) -> Q::Lane {
     let [x, y, z] = (half + extent).three();
     greatest(greatest(x, y), z)
 }

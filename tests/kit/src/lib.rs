@@ -10,6 +10,7 @@
 //! | box and oriented box | [`boxes::BoxCase::meets`] | [`boxes::BoxSet`] |
 //! | shapes in each other | [`contacts::ContactCase::check`] | [`contacts::ContactSet`] |
 //! | plane and box | [`side`] | |
+//! | polygon and box | [`polygons::PolygonCase::meets`], [`polygons::PlanePolygon::meets`] | [`polygons::PolygonSet`] |
 //! | line and box | [`lines::LineBox::clip`] | [`lines::LineSet`] |
 //! | line and oriented box | [`lines::LineObb::clip`] | [`lines::LineObb::case`] |
 //! | ray and triangle | [`rays::crossing`] | [`rays::RaySet`], [`rays::Scene`] |
@@ -40,6 +41,7 @@ mod oracle;
 mod orders;
 mod oriented;
 mod plane;
+pub mod polygons;
 mod projection;
 pub mod rays;
 mod rng;

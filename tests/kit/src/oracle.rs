@@ -55,6 +55,14 @@ pub(crate) struct Corner<I> {
     side: [I; 3],
 }
 
+/// The polygon with these corners, before it is cut: no two that are neighbours coincide, and no
+/// coordinate is negative.
+pub(crate) fn closed<I: Ring>(points: Vec<[I; 3]>) -> Vec<Corner<I>> {
+    let next = points.iter().cycle().skip(1);
+    let corner = |(p, next): (&[I; 3], _)| Corner { point: p.clone(), side: I::cross(p, next) };
+    points.iter().zip(next).map(corner).collect()
+}
+
 /// The triangle before it is cut.
 pub(crate) fn uncut<I: Ring>() -> Vec<Corner<I>> {
     let unit = |k: usize| core::array::from_fn(|i| I::from_bit(i == k));
