@@ -135,26 +135,27 @@ impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
 }
 
 impl<N: Signs> ExactParallelepiped<N> {
-    /// What the 13 axes say.
-    pub(super) fn relation(&self) -> Relation {
+    /// What the 13 axes say. Unless touching and overlapping are told apart, both are overlapping,
+    /// and an axis is left as soon as it does not separate.
+    pub(super) fn relation<const ARE_TOLD: bool>(&self) -> Relation {
         let [u0, u1, u2] = &self.u;
         let volume = N::sign(&[Term(self.one, u0, u1, u2)]);
         let mut so_far = Relation::Overlapping;
         for i in 0..3 {
-            so_far = so_far.min(self.face(i, volume));
+            so_far = so_far.min(self.face::<ARE_TOLD>(i, volume));
             if so_far == Relation::Disjoint {
                 return so_far;
             }
         }
         let [e0, e1, _] = &self.e;
         let un = [0, 1, 2].map(|i| N::sign(&[Term(self.one, pick(&self.u, i), e0, e1)]));
-        so_far = so_far.min(self.normal(&un));
+        so_far = so_far.min(self.normal::<ARE_TOLD>(&un));
         for k in 0..3 {
             for i in 0..3 {
                 if so_far == Relation::Disjoint {
                     return so_far;
                 }
-                so_far = so_far.min(self.edge(i, k, *pick(&un, i)));
+                so_far = so_far.min(self.edge::<ARE_TOLD>(i, k, *pick(&un, i)));
             }
         }
         so_far
@@ -162,18 +163,18 @@ impl<N: Signs> ExactParallelepiped<N> {
 
     /// All vertices beyond h_i·|det u|, on either side.
     #[inline(never)]
-    fn face(&self, i: usize, volume: Ordering) -> Relation {
+    fn face<const ARE_TOLD: bool>(&self, i: usize, volume: Ordering) -> Relation {
         let (i, j, k) = turn(i);
         let (u, v) = (pick(&self.u, j), pick(&self.u, k));
         let [u0, u1, u2] = &self.u;
-        on_either_side(|side| {
+        on_either_side::<ARE_TOLD>(|side| {
             let h = signed::<N>(*pick(&self.h, i), volume == side);
             let mut gap = Ordering::Greater;
             for t in &self.t {
                 let sign = N::sign(&[Term(self.one, u, v, t), Term(h, u0, u1, u2)]);
                 gap = gap.min(toward(side, sign));
-                // No vertex makes it less.
-                if gap == Ordering::Less {
+                // No vertex makes it less, or none is enough.
+                if gap == Ordering::Less || !ARE_TOLD && gap == Ordering::Equal {
                     break;
                 }
             }
@@ -183,9 +184,9 @@ impl<N: Signs> ExactParallelepiped<N> {
 
     /// n·t_0 beyond Σ h_i·|u_i·n|, on either side.
     #[inline(never)]
-    fn normal(&self, un: &[Ordering; 3]) -> Relation {
+    fn normal<const ARE_TOLD: bool>(&self, un: &[Ordering; 3]) -> Relation {
         let [e0, e1, _] = &self.e;
-        on_either_side(|side| {
+        on_either_side::<ARE_TOLD>(|side| {
             let box_term = |i: usize| {
                 let h = signed::<N>(*pick(&self.h, i), *pick(un, i) == side);
                 Term(h, pick(&self.u, i), e0, e1)
@@ -197,7 +198,7 @@ impl<N: Signs> ExactParallelepiped<N> {
 
     /// The interval of the triangle on e_k × u_i beyond the box's, on either side.
     #[inline(never)]
-    fn edge(&self, i: usize, k: usize, un: Ordering) -> Relation {
+    fn edge<const ARE_TOLD: bool>(&self, i: usize, k: usize, un: Ordering) -> Relation {
         let (i, j, l) = turn(i);
         let (k, _, opposite) = turn(k);
         let [ui, uj, ul] = [i, j, l].map(|i| pick(&self.u, i));
@@ -205,7 +206,7 @@ impl<N: Signs> ExactParallelepiped<N> {
         // w_l·e and w_j·e
         let along_l = N::sign(&[Term(self.one, ui, uj, e)]);
         let along_j = N::sign(&[Term(self.one, ul, ui, e)]);
-        on_either_side(|side| {
+        on_either_side::<ARE_TOLD>(|side| {
             // The end of the interval nearer to the box: p, or that of the vertex
             // opposite, p + u·n.
             let nearer = if un == side.reverse() { opposite } else { k };
@@ -220,8 +221,15 @@ impl<N: Signs> ExactParallelepiped<N> {
 }
 
 /// What an axis says by the gaps on its two sides.
-fn on_either_side(gap: impl Fn(Ordering) -> Ordering) -> Relation {
-    of_gaps([gap(Ordering::Greater), gap(Ordering::Less)])
+#[inline(always)]
+fn on_either_side<const ARE_TOLD: bool>(gap: impl Fn(Ordering) -> Ordering) -> Relation {
+    if ARE_TOLD {
+        of_gaps([gap(Ordering::Greater), gap(Ordering::Less)])
+    } else if [Ordering::Greater, Ordering::Less].into_iter().any(|side| gap(side).is_gt()) {
+        Relation::Disjoint
+    } else {
+        Relation::Overlapping
+    }
 }
 
 /// How far that is on the side, by the sign of it along the axis.

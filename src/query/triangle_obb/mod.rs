@@ -78,11 +78,11 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     where
         S: InWholeWord<W>,
     {
-        self.in_narrow_words::<W>().map(is_disjoint)
+        self.in_narrow_words::<W, false>().map(is_disjoint)
     }
 
     fn exact(&self) -> bool {
-        is_disjoint(self.in_exact_sums())
+        is_disjoint(self.in_exact_sums::<false>())
     }
 }
 
@@ -119,14 +119,14 @@ impl<S: Scalar> Disjoint<'_, S> {
     }
 
     /// How the shapes lie to each other, by exact sums.
-    fn in_exact_sums(&self) -> Relation {
+    fn in_exact_sums<const ARE_TOLD: bool>(&self) -> Relation {
         ExactParallelepiped::<InSums<S>>::new(
             &self.triangle.points(),
             self.obb.center().to_array(),
             &self.obb.axes_as_arrays(),
             self.obb.half_extents().to_array(),
         )
-        .relation()
+        .relation::<ARE_TOLD>()
     }
 }
 
@@ -144,38 +144,39 @@ impl<S: Scalar> Disjoint<'_, S> {
 
     /// How the shapes lie to each other, if words hold them.
     #[inline(always)]
-    fn in_narrow_words<W: WholeWord>(&self) -> Option<Relation>
+    fn in_narrow_words<W: WholeWord, const ARE_TOLD: bool>(&self) -> Option<Relation>
     where
         S: InWholeWord<W>,
     {
         let one = <S as InWholeWord<W>>::one()?;
         if <S as InWord<W>>::ALWAYS_NEAR {
-            Some(self.in_any_words(one))
+            Some(self.in_any_words::<W, ARE_TOLD>(one))
         } else {
-            self.in_near_words(one)
+            self.in_near_words::<W, ARE_TOLD>(one)
         }
     }
 
     /// The same in words that hold the shapes wherever they are.
     #[cold]
     #[inline(never)]
-    fn in_any_words<W: WholeWord>(&self, one: W) -> Relation
+    fn in_any_words<W: WholeWord, const ARE_TOLD: bool>(&self, one: W) -> Relation
     where
         S: InWord<W>,
     {
-        self.in_words(one).relation()
+        self.in_words(one).relation::<ARE_TOLD>()
     }
 
     /// The same in words that hold the shapes if they are near to each other.
     #[cold]
     #[inline(never)]
-    fn in_near_words<W: WholeWord>(&self, one: W) -> Option<Relation>
+    fn in_near_words<W: WholeWord, const ARE_TOLD: bool>(&self, one: W) -> Option<Relation>
     where
         S: InWord<W>,
     {
         let words = self.in_words(one);
         let center = self.obb.center().to_array().map(S::in_word);
-        (center.iter().all(|x| x.is_central()) && words.is_near()).then(|| words.relation())
+        (center.iter().all(|x| x.is_central()) && words.is_near())
+            .then(|| words.relation::<ARE_TOLD>())
     }
 
     #[inline(always)]
@@ -206,7 +207,7 @@ impl<S: Scalar + InRaw + InWholeWord<i32>> Overlaps<Near<Obb<S>>> for Near<Trian
         let Some(one) = S::one() else { return self.get().overlaps(obb.get()) };
         !question
             .first_near_stage()
-            .unwrap_or_else(|| is_disjoint(question.in_any_words::<i32>(one)))
+            .unwrap_or_else(|| is_disjoint(question.in_any_words::<i32, false>(one)))
     }
 
     #[inline]

@@ -42,11 +42,11 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
     where
         S: InWholeWord<W>,
     {
-        self.0.in_narrow_words::<W>()
+        self.0.in_narrow_words::<W, true>()
     }
 
     fn exact(&self) -> Relation {
-        self.0.in_exact_sums()
+        self.0.in_exact_sums::<true>()
     }
 }
 
