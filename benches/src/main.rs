@@ -7,13 +7,14 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use septum_benches::session::Session;
-use septum_benches::{obb_obb, ray_aabb, ray_triangle, triangle_aabb, triangle_triangle};
+use septum_benches::{line_obb, obb_obb, ray_aabb, ray_triangle, triangle_aabb, triangle_triangle};
 
 /// Times septum's tests beside their peers.
 ///
 /// Candidates take turns in one process with a yardstick: triangle/box with the
 /// test as published in 2001, ray/triangle with Möller–Trumbore, both in f32, ray/box with
-/// parry3d, triangle/triangle with the 11 axes in f32, and oriented boxes with parry3d. A ratio says how many times as fast as the yardstick a
+/// parry3d, triangle/triangle with the 11 axes in f32, and oriented boxes with
+/// parry3d. A ratio says how many times as fast as the yardstick a
 /// candidate is: by the best times of all rounds, and as the median, least and
 /// greatest of the rounds. Before the clock starts, every answer is compared with
 /// the exact one.
@@ -49,6 +50,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     ray_aabb::run(&mut session);
     triangle_triangle::run(&mut session);
     obb_obb::run(&mut session);
+    line_obb::run(&mut session);
 
     if let Some(path) = &options.csv {
         session.write_csv(path).map_err(|e| format!("{}: {e}", path.display()))?;
