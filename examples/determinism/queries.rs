@@ -115,4 +115,5 @@ queries! {
     TriangleAabbSweep = "triangle/aabb first_contact",
     AabbAabbSweep = "aabb/aabb first_contact",
     MeshSweep = "mesh first_contact",
+    TriangleObbRelation = "triangle/obb relation",
 }
