@@ -16,9 +16,9 @@
 //!
 //! | pair | |
 //! | --- | --- |
-//! | triangle | triangle, segment, axis-aligned box |
+//! | triangle | triangle, segment, axis-aligned box, oriented box |
 //! | axis-aligned box | axis-aligned box, oriented box, triangle |
-//! | oriented box | oriented box, axis-aligned box |
+//! | oriented box | oriented box, axis-aligned box, triangle |
 //! | segment | triangle |
 
 pub use crate::query::{Relate, Relation};

@@ -8,7 +8,7 @@ use clap::Parser;
 
 use septum_benches::session::Session;
 use septum_benches::{
-    obb_obb, polygon_aabb, ray_aabb, ray_triangle, triangle_aabb, triangle_triangle,
+    line_obb, obb_obb, polygon_aabb, ray_aabb, ray_triangle, triangle_aabb, triangle_triangle,
 };
 
 /// Times septum's tests beside their peers.
@@ -53,6 +53,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     polygon_aabb::run(&mut session);
     triangle_triangle::run(&mut session);
     obb_obb::run(&mut session);
+    line_obb::run(&mut session);
 
     if let Some(path) = &options.csv {
         session.write_csv(path).map_err(|e| format!("{}: {e}", path.display()))?;

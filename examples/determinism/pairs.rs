@@ -33,6 +33,7 @@ pub(super) fn boxes<S: Draw, A: Answers>(
         }
     }
     if let Some(obb) = obb {
+        answers.to(Query::TriangleObbRelation).relation(triangle.relation(obb));
         // Elsewhere, and with the axes in another order.
         let [u, v, w] = *obb.axes();
         for (center, axes) in [(a, [u, v, w]), (b, [w, u, v]), (c, [v, b, u])] {
@@ -42,6 +43,7 @@ pub(super) fn boxes<S: Draw, A: Answers>(
             answers.to(Query::ObbObb).yes(obb.overlaps(&other));
             answers.to(Query::ObbObbMay).yes(other.may_overlap(obb));
             answers.to(Query::ObbObbRelation).relation(obb.relation(&other));
+            answers.to(Query::TriangleObbRelation).relation(other.relation(triangle));
             for aabb in aabbs {
                 answers.to(Query::AabbObb).yes(aabb.overlaps(&other));
                 answers.to(Query::AabbObbMay).yes(aabb.may_overlap(&other));

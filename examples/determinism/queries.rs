@@ -117,4 +117,5 @@ queries! {
     MeshSweep = "mesh first_contact",
     PolygonAabb = "polygon/aabb overlaps",
     PolygonAabbPublished = "polygon/aabb published",
+    TriangleObbRelation = "triangle/obb relation",
 }

@@ -3,12 +3,15 @@
 use core::hint::black_box;
 
 use heapless::Vec;
+use septum::contact::{contact, least_translation};
 use septum::polygon::Polygon;
 use septum::published;
 use septum::published::akenine_moller::{self, Order};
 use septum::published::slabs::SlabRay;
 use septum::published::slopes::SlopeRay;
-use septum::{Aabb, Cull, Obb, Ray, Triangle, Vec3};
+use septum::relation::{Relate, Relation};
+use septum::sweep::{Motion, Sweep};
+use septum::{Aabb, Cull, Obb, Ray, Segment, Triangle, Vec3};
 
 use crate::CORE;
 use crate::firmware::say;
@@ -28,6 +31,10 @@ pub(crate) fn all<S: Coordinate>(meter: &Meter) {
     triangle_obb::<S>(meter);
     polygon_aabb::<S>(meter);
     pairs::<S>(meter);
+    relations::<S>(meter);
+    lines_obb::<S>(meter);
+    sweeps::<S>(meter);
+    contacts::<S>(meter);
     ray_triangle::<S>(meter);
     ray_aabb::<S>(meter);
 }
@@ -113,6 +120,75 @@ fn pairs<S: Coordinate>(meter: &Meter) {
     let obbs: [Query<Obb<S>, Obb<S>>; 2] = [
         ("oriented box/oriented box", "exact", |b, c| b.overlaps(c)),
         ("oriented box/oriented box", "conservative", |b, c| b.may_overlap(c)),
+    ];
+    lines::<S, _, _>(meter, "full", workload::meeting_obbs, &obbs);
+    lines::<S, _, _>(meter, "random", workload::obbs, &obbs);
+}
+
+/// Touching told apart from overlapping.
+fn relations<S: Coordinate>(meter: &Meter) {
+    let aabb: [Query<Triangle<S>, Aabb<S>>; 1] =
+        [("triangle/box relation", "exact", |t, b| t.relation(b) != Relation::Disjoint)];
+    lines::<S, _, _>(meter, "full", workload::full, &aabb);
+    lines::<S, _, _>(meter, "grid", workload::grid, &aabb);
+    let obb: [Query<Triangle<S>, Obb<S>>; 1] =
+        [("triangle/oriented box relation", "exact", |t, b| t.relation(b) != Relation::Disjoint)];
+    lines::<S, _, _>(meter, "full", workload::turned_full, &obb);
+    lines::<S, _, _>(meter, "voorhies", workload::turned_voorhies, &obb);
+}
+
+/// Rays and segments against oriented boxes.
+fn lines_obb<S: Coordinate>(meter: &Meter) {
+    let rays: [Query<Ray<S>, Obb<S>>; 2] = [
+        ("ray/oriented box", "exact", |r, b| r.overlaps(b)),
+        ("ray/oriented box", "conservative", |r, b| r.may_overlap(b)),
+    ];
+    lines::<S, _, _>(meter, "hit", workload::obb_hit, &rays);
+    lines::<S, _, _>(meter, "miss", workload::obb_miss, &rays);
+    let segments: [Query<Segment<S>, Obb<S>>; 2] = [
+        ("segment/oriented box", "exact", |s, b| s.overlaps(b)),
+        ("segment/oriented box", "conservative", |s, b| s.may_overlap(b)),
+    ];
+    lines::<S, _, _>(meter, "hit", workload::obb_met, &segments);
+    lines::<S, _, _>(meter, "miss", workload::obb_missed, &segments);
+}
+
+/// Shapes that move past a box.
+fn sweeps<S: Coordinate>(meter: &Meter) {
+    type Moving<S, Shape> = (Shape, Motion<S>);
+    let triangles: [Query<Moving<S, Triangle<S>>, Aabb<S>>; 2] = [
+        ("triangle/box sweep", "whether", |(t, motion), b| t.meets_along(motion, b)),
+        ("triangle/box sweep", "when", |(t, motion), b| {
+            black_box(t.first_contact(motion, b)).is_some()
+        }),
+    ];
+    lines::<S, _, _>(meter, "hit", workload::swept_hit, &triangles);
+    lines::<S, _, _>(meter, "miss", workload::swept_miss, &triangles);
+    let boxes: [Query<Moving<S, Aabb<S>>, Aabb<S>>; 2] = [
+        ("box/box sweep", "whether", |(a, motion), b| a.meets_along(motion, b)),
+        ("box/box sweep", "when", |(a, motion), b| black_box(a.first_contact(motion, b)).is_some()),
+    ];
+    lines::<S, _, _>(meter, "hit", workload::swept_box_hit, &boxes);
+    lines::<S, _, _>(meter, "miss", workload::swept_box_miss, &boxes);
+}
+
+/// How to get shapes out of each other, and where they touch.
+fn contacts<S: Coordinate>(meter: &Meter) {
+    let aabb: [Query<Triangle<S>, Aabb<S>>; 2] = [
+        ("triangle/box contact", "translation", |t, b| {
+            black_box(least_translation(t, b)).is_some()
+        }),
+        ("triangle/box contact", "points too", |t, b| black_box(contact(t, b)).is_some()),
+    ];
+    lines::<S, _, _>(meter, "full", workload::full, &aabb);
+    lines::<S, _, _>(meter, "grid", workload::grid, &aabb);
+    let obbs: [Query<Obb<S>, Obb<S>>; 2] = [
+        ("oriented box/oriented box contact", "translation", |b, c| {
+            black_box(least_translation(b, c)).is_some()
+        }),
+        ("oriented box/oriented box contact", "points too", |b, c| {
+            black_box(contact(b, c)).is_some()
+        }),
     ];
     lines::<S, _, _>(meter, "full", workload::meeting_obbs, &obbs);
     lines::<S, _, _>(meter, "random", workload::obbs, &obbs);

@@ -1,7 +1,8 @@
 //! Shapes from random bits, the same on every board.
 
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
-use septum::{Aabb, Obb, Ray, Scalar, ShapeError, Triangle, Vec3};
+use septum::sweep::{Motion, Sweep};
+use septum::{Aabb, Obb, Ray, Scalar, Segment, ShapeError, Triangle, Vec3};
 
 /// A point in units of 2⁻¹⁶.
 type Point = [i32; 3];
@@ -260,4 +261,74 @@ pub(crate) fn box_hit<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Aabb<S>)>
 
 pub(crate) fn box_miss<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Aabb<S>)> {
     first(rng, ray_and_box, false, |ray, aabb| ray.overlaps(aabb))
+}
+
+/// The cube that is turned.
+fn turned_box<S: Coordinate>(rng: &mut Rng) -> Option<Obb<S>> {
+    let (axes, half) = turned_axes(rng)?;
+    Obb::from_skewed_axes(vector([0; 3]), axes, half).ok()
+}
+
+fn ray_and_obb<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Obb<S>)> {
+    Some((ray(rng.point(), rng.point())?, turned_box(rng)?))
+}
+
+pub(crate) fn obb_hit<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Obb<S>)> {
+    first(rng, ray_and_obb, true, |ray, obb| ray.overlaps(obb))
+}
+
+pub(crate) fn obb_miss<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Obb<S>)> {
+    first(rng, ray_and_obb, false, |ray, obb| ray.overlaps(obb))
+}
+
+fn segment_and_obb<S: Coordinate>(rng: &mut Rng) -> Option<(Segment<S>, Obb<S>)> {
+    let ends = (vector::<S>(rng.point()), vector::<S>(rng.point()));
+    Some((Segment::new(ends.0, ends.1).ok()?, turned_box(rng)?))
+}
+
+pub(crate) fn obb_met<S: Coordinate>(rng: &mut Rng) -> Option<(Segment<S>, Obb<S>)> {
+    first(rng, segment_and_obb, true, |segment, obb| segment.overlaps(obb))
+}
+
+pub(crate) fn obb_missed<S: Coordinate>(rng: &mut Rng) -> Option<(Segment<S>, Obb<S>)> {
+    first(rng, segment_and_obb, false, |segment, obb| segment.overlaps(obb))
+}
+
+/// A shape at the start, and its way.
+type Moving<S, Shape> = (Shape, Motion<S>);
+
+/// From the origin to a point within half of [−2, 2]³.
+fn motion<S: Coordinate>(rng: &mut Rng) -> Option<Motion<S>> {
+    Motion::new(vector::<S>([0; 3]), vector::<S>(rng.point().map(|x| x >> 1))).ok()
+}
+
+fn swept<S: Coordinate>(rng: &mut Rng) -> Option<(Moving<S, Triangle<S>>, Aabb<S>)> {
+    let (triangle, aabb) = voorhies(rng)?;
+    Some(((triangle, motion(rng)?), aabb))
+}
+
+pub(crate) fn swept_hit<S: Coordinate>(rng: &mut Rng) -> Option<(Moving<S, Triangle<S>>, Aabb<S>)> {
+    first(rng, swept, true, |(triangle, motion), aabb| triangle.meets_along(motion, aabb))
+}
+
+pub(crate) fn swept_miss<S: Coordinate>(
+    rng: &mut Rng,
+) -> Option<(Moving<S, Triangle<S>>, Aabb<S>)> {
+    first(rng, swept, false, |(triangle, motion), aabb| triangle.meets_along(motion, aabb))
+}
+
+fn swept_box<S: Coordinate>(rng: &mut Rng) -> Option<(Moving<S, Aabb<S>>, Aabb<S>)> {
+    let cube =
+        |center: Point| Aabb::from_center_half_extents(vector(center), vector([HALF; 3])).ok();
+    Some(((cube(rng.point())?, motion(rng)?), cube([0; 3])?))
+}
+
+pub(crate) fn swept_box_hit<S: Coordinate>(rng: &mut Rng) -> Option<(Moving<S, Aabb<S>>, Aabb<S>)> {
+    first(rng, swept_box, true, |(moving, motion), aabb| moving.meets_along(motion, aabb))
+}
+
+pub(crate) fn swept_box_miss<S: Coordinate>(
+    rng: &mut Rng,
+) -> Option<(Moving<S, Aabb<S>>, Aabb<S>)> {
+    first(rng, swept_box, false, |(moving, motion), aabb| moving.meets_along(motion, aabb))
 }

@@ -1,5 +1,6 @@
 //! Shapes that meet in every way, from the numbers of a path.
 
+use septum::sweep::Motion;
 use septum::{Aabb, Obb, Ray, Triangle};
 
 use crate::draw::{Draw, Raw};
@@ -21,6 +22,14 @@ pub(crate) fn triangle_aabb<S: Raw>(draw: &mut Draw) -> Option<(Triangle<S>, Aab
         Aabb::from_center_half_extents(draw.vector::<S>(center), draw.vector::<S>(half))
     };
     Some((triangle, aabb.ok()?))
+}
+
+/// The same, and a way of the triangle.
+pub(crate) fn sweep<S: Raw>(draw: &mut Draw) -> Option<((Triangle<S>, Motion<S>), Aabb<S>)> {
+    let (triangle, aabb) = triangle_aabb(draw)?;
+    let (from, to) = (draw.point(), draw.point());
+    let motion = Motion::new(draw.vector::<S>(from), draw.vector::<S>(to)).ok()?;
+    Some(((triangle, motion), aabb))
 }
 
 /// Boxes along the axes, turned by the angles of the triangle with sides 3, 4 and 5, and any.

@@ -4,9 +4,12 @@ use core::hint::black_box;
 
 use fixed::types::I16F16;
 use septum::HitRules;
+use septum::contact::contact;
+use septum::relation::{Relate, Relation};
+use septum::sweep::Sweep;
 
 use crate::CORE;
-use crate::cases::{ray_triangle, triangle_aabb, triangle_obb};
+use crate::cases::{ray_triangle, sweep, triangle_aabb, triangle_obb};
 use crate::draw::{Draw, Path, Raw, Rng};
 use crate::firmware::say;
 use crate::meter::{Ask, Meter, Taken};
@@ -54,6 +57,21 @@ pub(crate) fn any<S: Raw>(meter: &Meter) {
     lines.say(OBB, triangle_obb::<S>, |t, b| t.overlaps(b));
     lines.say(IS_HIT, ray_triangle::<S>, |r, t| r.is_hit_with(t, ONCE));
     lines.say(HIT, ray_triangle::<S>, |r, t| black_box(r.hit_with(t, ONCE)).is_some());
+}
+
+/// Queries that are longer, in one scalar.
+pub(crate) fn longer(meter: &Meter) {
+    type S = I16F16;
+    let lines = Lines { meter, scalar: S::NAME, reach: "any", most: S::BITS - 1 };
+    lines.say("triangle/oriented box relation", triangle_obb::<S>, |t, b| {
+        t.relation(b) != Relation::Disjoint
+    });
+    lines.say("triangle/box meets_along", sweep::<S>, |(t, m), b| t.meets_along(m, b));
+    lines.say("triangle/box first_contact", sweep::<S>, |(t, m), b| {
+        black_box(t.first_contact(m, b)).is_some()
+    });
+    lines
+        .say("triangle/box contact", triangle_aabb::<S>, |t, b| black_box(contact(t, b)).is_some());
 }
 
 struct Lines<'a> {

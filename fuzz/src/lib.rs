@@ -11,6 +11,7 @@ mod shapes;
 mod told;
 
 pub use checks::{
-    closed_mesh, constructors, contacts, flat_shapes, lanes, oriented_pairs, plane_aabb,
-    polygon_aabb, ray_aabb, ray_triangle, segment_aabb, sweeps, triangle_aabb, triangle_obb, unit_normal,
+    closed_mesh, constructors, contacts, flat_shapes, lanes, line_obb, oriented_pairs, plane_aabb,
+    polygon_aabb, ray_aabb, ray_triangle, segment_aabb, sweeps, triangle_aabb, triangle_obb,
+    unit_normal,
 };

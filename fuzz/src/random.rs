@@ -41,6 +41,7 @@ random_bytes! {
     ray_aabb: 20_000,
     segment_aabb: 20_000,
     sweeps: 5_000,
+    line_obb: 10_000,
     lanes: 2_000,
     unit_normal: 20_000,
     constructors: 20_000,

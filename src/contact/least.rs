@@ -7,6 +7,7 @@ use super::directions::{Direction, Filter, Finding, Overlap, all, cross, dot};
 use super::exact::{Exact, farthest};
 use super::interior::InteriorEdges;
 use crate::arithmetic::{Positive, pick, turn};
+use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -34,6 +35,7 @@ fn ways<S: Scalar>(
     direction: Direction,
     wanted: [bool; 2],
 ) -> Result<[Option<Way>; 2], ()> {
+    note(Stage::Exact);
     let Some(exact) = Exact::new(bodies, direction, &filter.along(direction)) else {
         return Ok([None, None]);
     };

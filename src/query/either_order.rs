@@ -67,6 +67,7 @@ macro_rules! relations_reversed {
 }
 relations_reversed! {
     Aabb with Triangle;
+    Obb with Triangle;
     Obb with Aabb;
     Triangle with Segment;
 }

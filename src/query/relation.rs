@@ -3,6 +3,7 @@
 use core::cmp::Ordering;
 
 use crate::arithmetic::Number;
+use crate::robust::Uncertain;
 
 /// How two closed convex sets lie to each other.
 ///
@@ -96,5 +97,46 @@ impl Nearness {
         } else {
             is_certain.then_some(Relation::Touching)
         }
+    }
+}
+
+/// What axes are read for: whether one separates, or how the shapes lie.
+pub(super) trait Reading {
+    type Answer;
+    const NONE: Self;
+
+    /// An axis, as of [`Nearness::add`].
+    fn add<T: Number>(&mut self, gap: T, extent: T, error: T);
+
+    /// The answer; `None` in doubt.
+    fn answer(&self, is_certain: bool) -> Option<Self::Answer>;
+}
+
+impl Reading for Uncertain {
+    /// Whether the shapes are disjoint.
+    type Answer = bool;
+    const NONE: Self = Self::NONE;
+
+    #[inline(always)]
+    fn add<T: Number>(&mut self, gap: T, _: T, error: T) {
+        *self = self.or(Self { certain: gap > error, possible: gap > -error });
+    }
+    #[inline(always)]
+    fn answer(&self, _: bool) -> Option<bool> {
+        self.verdict()
+    }
+}
+
+impl Reading for Nearness {
+    type Answer = Relation;
+    const NONE: Self = Self::NONE;
+
+    #[inline(always)]
+    fn add<T: Number>(&mut self, gap: T, extent: T, error: T) {
+        self.add(gap, extent, error);
+    }
+    #[inline(always)]
+    fn answer(&self, is_certain: bool) -> Option<Relation> {
+        self.relation(is_certain)
     }
 }

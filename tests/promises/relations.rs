@@ -5,8 +5,11 @@ use septum::relation::{Relate, Relation};
 use septum::{Aabb, Triangle};
 use septum_kit::boxes::BoxSet;
 use septum_kit::contact::truth;
-use septum_kit::fixed::types::I16F16;
-use septum_kit::{BoxNumbers, Rng, Sample, Set, Touch, for_every_scalar};
+use septum_kit::fixed::types::{I4F4, I8F8, I16F16, I32F32};
+use septum_kit::{BoxNumbers, Oriented, Rng, Sample, Set, Touch, for_every_scalar};
+
+/// So many cases of each set.
+const TURNED: usize = 400;
 
 fn boxes_with_oriented_boxes<S: Sample>() {
     let mut rng = Rng::new(0x7e1);
@@ -21,6 +24,52 @@ fn boxes_with_oriented_boxes<S: Sample>() {
     assert!(seen.iter().all(|&n| n > 5), "{seen:?}");
 }
 for_every_scalar!(boxes_with_oriented_boxes);
+
+fn triangles_with_oriented_boxes<S: Sample>() {
+    for set in BoxSet::ALL {
+        let mut rng = Rng::new(0x7e5);
+        let mut seen = [0; 3];
+        for _ in 0..TURNED {
+            if let Some(truth) = Oriented::<S>::case(set, &mut rng).check() {
+                seen[truth as usize] += 1;
+            }
+        }
+        let is_mixed = |n: &usize| *n > TURNED / 20;
+        match set {
+            BoxSet::Grid => assert!(seen.iter().all(is_mixed), "{seen:?}"),
+            BoxSet::Turned | BoxSet::NearlyParallel => {
+                assert!(is_mixed(&seen[0]) && is_mixed(&seen[2]), "{set:?}: {seen:?}");
+            }
+            BoxSet::Bits | BoxSet::Huge => {}
+        }
+    }
+}
+for_every_scalar!(triangles_with_oriented_boxes);
+
+/// Of 500 times as many:
+/// `cargo test --release --test promises oriented_boxes_on_many -- --ignored --nocapture`.
+#[test]
+#[ignore = "takes minutes"]
+fn triangles_with_oriented_boxes_on_many() {
+    fn many<S: Sample>() {
+        for set in BoxSet::ALL {
+            let mut rng = Rng::new(0x7e6);
+            let mut seen = [0; 4];
+            for _ in 0..500 * TURNED {
+                let truth = Oriented::<S>::case(set, &mut rng).check();
+                seen[truth.map_or(3, |truth| truth as usize)] += 1;
+            }
+            let [apart, touching, overlapping, none] = seen;
+            println!("{:6} {set:?}: {apart} {touching} {overlapping}, no box {none}", S::name());
+        }
+    }
+    many::<f32>();
+    many::<f64>();
+    many::<I4F4>();
+    many::<I8F8>();
+    many::<I16F16>();
+    many::<I32F32>();
+}
 
 fn triangles_with_boxes<S: Sample>() {
     let mut rng = Rng::new(0x7e2);

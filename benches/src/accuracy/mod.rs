@@ -1,17 +1,27 @@
 //! Counts wrong answers of every candidate, ours and the peers', on cases that are
 //! decided by exact oracles too.
 
+mod line_obb;
+mod obb_obb;
 mod ray_aabb;
 mod ray_triangle;
+mod sweep;
 mod triangle_aabb;
+mod triangle_triangle;
 
+pub(crate) use line_obb::sets as line_obb_sets;
+pub(crate) use obb_obb::sets as obb_sets;
 pub(crate) use ray_aabb::sets as ray_box_sets;
 pub(crate) use ray_triangle::{
     ours as ray_triangle, peers as ray_triangle_peers, sets as ray_triangle_sets,
 };
+pub(crate) use sweep::sets as sweep_sets;
 pub(crate) use triangle_aabb::{
     ours as triangle_box, peers as triangle_box_peers, sets as triangle_box_sets,
 };
+pub(crate) use triangle_triangle::sets as triangle_pair_sets;
+
+use std::any::Any;
 
 use crate::candidate::Candidate;
 use septum_kit::jobs::{on_all_cores, pieces};
@@ -84,4 +94,9 @@ fn add(sums: &mut Vec<Tally>, found: Vec<Tally>) {
         sum.false_disjoint += tally.false_disjoint;
         sum.false_overlap += tally.false_overlap;
     }
+}
+
+/// What is in `f32` anyway, for the peers.
+fn as_f32<T: 'static, In: 'static>(course: T) -> Option<In> {
+    (Box::new(course) as Box<dyn Any>).downcast().ok().map(|course| *course)
 }

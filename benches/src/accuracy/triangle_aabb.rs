@@ -1,6 +1,6 @@
 //! Triangles and boxes; the oracle clips.
 
-use std::any::{Any, TypeId};
+use std::any::TypeId;
 
 use septum::{Aabb, Triangle};
 
@@ -10,7 +10,7 @@ use crate::triangle_aabb as tests;
 use crate::unit::Form;
 use septum_kit::{BoxNumbers, Case, Sample, Set, meets};
 
-use super::Exam;
+use super::{Exam, as_f32};
 
 /// Every set that the scalar holds, for our modes.
 pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
@@ -37,17 +37,13 @@ pub(crate) fn peers<S: Sample>(scalar: &'static str, cases: &[Case<S>]) -> Vec<C
         return Vec::new();
     }
     let [by_center, by_corners] = Form::ALL.map(|form| course(scalar, cases, form));
-    match (as_f32(by_center), as_f32(by_corners)) {
+    match (as_f32::<_, In<f32>>(by_center), as_f32::<_, In<f32>>(by_corners)) {
         (Some(by_center), Some(by_corners)) => tests::peers_on(&by_center, &by_corners),
         _ => Vec::new(),
     }
 }
 
 type In<S> = Course<Triangle<S>, Aabb<S>>;
-
-fn as_f32<S: Sample>(course: In<S>) -> Option<In<f32>> {
-    (Box::new(course) as Box<dyn Any>).downcast().ok().map(|course| *course)
-}
 
 fn course<S: Sample>(scalar: &'static str, cases: &[Case<S>], form: Form) -> In<S> {
     let (mut pairs, mut truth) = (Pairs::default(), Vec::new());

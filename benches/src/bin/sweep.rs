@@ -4,15 +4,11 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use box3d_rust::distance::{ShapeCastPairInput, make_proxy, shape_cast};
-use box3d_rust::math_functions as box3d;
 use clap::Parser;
 use fixed::types::{I16F16, I32F32};
-use parry3d::math::{Pose, Vector};
-use parry3d::query::{ShapeCastOptions, cast_shapes};
-use parry3d::shape::{Cuboid, Triangle as ParryTriangle};
-use septum::sweep::{Motion, Sweep};
-use septum::{Aabb, Scalar, Triangle};
+use septum::Scalar;
+use septum::sweep::Sweep;
+use septum_benches::sweep::{Given, Shot, box3d_cast, parry, scene, voorhies, wall};
 use septum_kit::Rng;
 
 /// Counts wrong answers of sweeps, and times them.
@@ -29,117 +25,6 @@ struct Options {
 
 /// When a shot first meets its triangle, by somebody's method.
 type Cast = fn(&Shot) -> Option<f32>;
-
-/// A box at the start, how far it moves, and a triangle.
-#[derive(Clone, Copy)]
-struct Shot {
-    center: [f32; 3],
-    half: [f32; 3],
-    way: [f32; 3],
-    triangle: [[f32; 3]; 3],
-}
-
-/// The same in a scalar.
-struct Given<S> {
-    aabb: Aabb<S>,
-    motion: Motion<S>,
-    triangle: Triangle<S>,
-}
-
-impl Shot {
-    fn given<S: Scalar>(&self, near: impl Fn(f32) -> S) -> Given<S> {
-        let p = |p: [f32; 3]| p.map(&near);
-        let [a, b, c] = self.triangle;
-        Given {
-            aabb: Aabb::from_center_half_extents(p(self.center), p(self.half)).expect("a box"),
-            motion: Motion::new(p([0.0; 3]), p(self.way)).expect("finite"),
-            triangle: Triangle::new(p(a), p(b), p(c)).expect("finite"),
-        }
-    }
-}
-
-/// Triangles about the origin, a unit cube near it, and a way of about its size.
-fn voorhies(rng: &mut Rng) -> Shot {
-    let mut point = |most: f64| rng.triple(|rng| rng.real(-most, most) as f32);
-    let (triangle, center, way) = ([point(2.0), point(2.0), point(2.0)], point(1.0), point(1.0));
-    Shot { center, half: [0.5; 3], way, triangle }
-}
-
-/// What a body meets in a scene: small triangles about its way.
-fn scene(rng: &mut Rng) -> Shot {
-    let way = rng.triple(|rng| rng.real(-1.0, 1.0) as f32);
-    let t = rng.real(0.0, 1.0);
-    let middle = [0, 1, 2].map(|i: usize| t * f64::from(way[i]) + rng.real(-0.7, 0.7));
-    let triangle =
-        [(); 3].map(|()| [0, 1, 2].map(|i: usize| (middle[i] + rng.real(-0.2, 0.2)) as f32));
-    Shot { center: [0.0; 3], half: [0.5; 3], way, triangle }
-}
-
-/// From one side of a wall of one triangle to the other, at any angle, at any speed.
-fn wall(rng: &mut Rng) -> Shot {
-    let normal = rng.triple(|rng| rng.real(-1.0, 1.0));
-    let size = 0.001 + rng.real(0.0, 1.0).powi(4);
-    let far = 2_f64.powf(rng.real(-3.0, 10.0));
-    // Two ways along it.
-    let u = rng.triple(|rng| rng.real(-1.0, 1.0));
-    let cross = |a: [f64; 3], b: [f64; 3]| {
-        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-    };
-    let (p, q) = (cross(normal, u), cross(normal, cross(normal, u)));
-    let at = |a: f64, b: f64, c: f64| [0, 1, 2].map(|i: usize| a * p[i] + b * q[i] + c * normal[i]);
-    let wide = 4096.0;
-    let triangle = [at(-wide, -wide, 0.0), at(wide, -wide, 0.0), at(0.0, wide, 0.0)];
-    let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt().max(1e-3);
-    // Far enough to be wholly on one side.
-    let off = (far + 2.0 * size) / length(normal);
-    let slant = |rng: &mut Rng| rng.real(-0.5, 0.5) * far;
-    let start = at(slant(rng), slant(rng), off);
-    let end = at(slant(rng), slant(rng), -off);
-    Shot {
-        center: start.map(|x| x as f32),
-        half: [size as f32; 3],
-        way: [0, 1, 2].map(|i: usize| (end[i] - start[i]) as f32),
-        triangle: triangle.map(|v| v.map(|x| x as f32)),
-    }
-}
-
-fn vector(p: [f32; 3]) -> Vector {
-    Vector::new(p[0], p[1], p[2])
-}
-
-/// parry3d's time, if it hits.
-#[inline(never)]
-fn parry(shot: &Shot) -> Option<f32> {
-    let [a, b, c] = shot.triangle.map(vector);
-    let cuboid = Cuboid::new(vector(shot.half));
-    let pose = Pose::from_translation(vector(shot.center));
-    let options = ShapeCastOptions::with_max_time_of_impact(1.0);
-    let triangle = ParryTriangle::new(a, b, c);
-    let (still, zero) = (Pose::IDENTITY, vector([0.0; 3]));
-    cast_shapes(&pose, vector(shot.way), &cuboid, &still, zero, &triangle, options)
-        .expect("it has a cast for these")
-        .map(|hit| hit.time_of_impact)
-}
-
-/// box3d-rust's, which stops a linear slop of 5 mm before.
-#[inline(never)]
-fn box3d_cast(shot: &Shot) -> Option<f32> {
-    let point = |[x, y, z]: [f32; 3]| box3d::Vec3 { x, y, z };
-    let corners: [_; 8] = std::array::from_fn(|k| {
-        point(std::array::from_fn(|i| {
-            shot.center[i] + if k >> i & 1 == 0 { -shot.half[i] } else { shot.half[i] }
-        }))
-    });
-    let output = shape_cast(&ShapeCastPairInput {
-        proxy_a: make_proxy(&shot.triangle.map(point), 0.0),
-        proxy_b: make_proxy(&corners, 0.0),
-        transform: box3d::TRANSFORM_IDENTITY,
-        translation_b: point(shot.way),
-        max_fraction: 1.0,
-        can_encroach: true,
-    });
-    output.hit.then_some(output.fraction)
-}
 
 fn ours(shot: &Shot) -> Option<f32> {
     let Given { aabb, motion, triangle } = shot.given(|x| x);

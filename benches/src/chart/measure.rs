@@ -9,7 +9,7 @@ use crate::pairs::Pairs;
 use crate::race::{Timing, race};
 use crate::session::Group;
 use crate::unit::{F32, Form};
-use crate::{ray_aabb, ray_triangle, triangle_aabb};
+use crate::{line_obb, obb_obb, ray_aabb, ray_triangle, sweep, triangle_aabb, triangle_triangle};
 
 use super::point::Point;
 
@@ -36,6 +36,21 @@ pub(super) fn points(rounds: usize, cases: usize) -> Vec<Point> {
             .into_iter()
             .chain([sets::<I32F32>("I32F32")])
     });
+
+    // Whole numbers of any size take long.
+    let fewer = cases.div_ceil(10);
+    macro_rules! in_every_scalar {
+        ($what:literal, $sets:path) => {{
+            use $sets as sets;
+            eprintln!(concat!($what, ": wrong answers"));
+            let floats = [sets::<f32>("f32"), sets::<f64>("f64")].into_iter();
+            Accuracy::of(fewer, floats.chain([sets::<I8F8>("I8F8"), sets::<I16F16>("I16F16")]))
+        }};
+    }
+    let triangles = in_every_scalar!("triangle/triangle", accuracy::triangle_pair_sets);
+    let obbs = in_every_scalar!("oriented boxes", accuracy::obb_sets);
+    let turned = in_every_scalar!("ray/oriented box", accuracy::line_obb_sets);
+    let moving = in_every_scalar!("sweeps", accuracy::sweep_sets);
 
     let mut points = Vec::new();
     let mut add = |picture: &str, timed: Vec<(Candidate, Timing)>, accuracy: &Accuracy| {
@@ -65,6 +80,23 @@ pub(super) fn points(rounds: usize, cases: usize) -> Vec<Point> {
     let half = ray_aabb::scenes::half_hit();
     let timed = time("ray/box: 50 % hits", half, yardstick, &groups, rounds);
     add("ray-box", timed, &lines);
+
+    let (groups, yardstick) = (triangle_triangle::groups(), triangle_triangle::yardstick);
+    // Its accuracy was not counted in I32F32.
+    let groups: Vec<_> =
+        groups.into_iter().filter(|(name, _)| !name.starts_with("I32F32")).collect();
+    let half = triangle_triangle::half();
+    let timed = time("triangle/triangle", half, yardstick, &groups, rounds);
+    add("triangle-triangle", timed, &triangles);
+    let (groups, yardstick) = (obb_obb::groups(), obb_obb::yardstick);
+    let timed = time("oriented boxes", obb_obb::half(), yardstick, &groups, rounds);
+    add("box-box", timed, &obbs);
+    let (groups, yardstick) = (line_obb::groups(), line_obb::yardstick);
+    let timed = time("ray/oriented box", line_obb::half_hit(), yardstick, &groups, rounds);
+    add("ray-oriented-box", timed, &turned);
+    let (groups, yardstick) = (sweep::groups(), sweep::yardstick);
+    let timed = time("sweep", sweep::half(), yardstick, &groups, rounds);
+    add("sweep", timed, &moving);
     points
 }
 
@@ -152,6 +184,10 @@ fn alone<'a>(who: &'a str, form: &'a str) -> (&'a str, &'a str) {
     let who = match who {
         "yardstick: as published" => "as published",
         "yardstick: as published (SAT)" => "as published (SAT)",
+        "yardstick: 11 axes" => "11 axes",
+        "yardstick: parry3d" => "parry3d",
+        "yardstick: parry3d cast_ray" => "parry3d cast_ray",
+        "yardstick: parry3d cast_shapes" => "parry3d cast_shapes",
         _ => who,
     };
     match form {

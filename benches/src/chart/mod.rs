@@ -15,7 +15,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use picture::{PICTURES, overview};
+use picture::{OVERVIEWS, PICTURES};
 
 /// Charts speed against accuracy: time per query relative to the test as published,
 /// wrong answers per million on the worst set and on the mean of all sets.
@@ -51,7 +51,9 @@ pub fn run(options: &Options) -> Result<(), Box<dyn Error>> {
         point::write(&table, &points)?;
         points
     };
-    overview(&points, &options.out)?;
+    for overview in &OVERVIEWS {
+        overview.draw(&points, &options.out)?;
+    }
     for picture in &PICTURES {
         picture.draw(&points, &options.out)?;
         println!("{}", picture.verdict(&points));

@@ -24,11 +24,13 @@ pub(super) struct Picture {
 const BOXES: &str = "tests/kit/src/sets.rs";
 const RAYS: &str = "tests/kit/src/rays/sets.rs";
 const LINES: &str = "tests/kit/src/lines/sets.rs";
+const FLATS: &str = "tests/kit/src/flat/sets.rs";
+const OBBS: &str = "tests/kit/src/boxes/sets.rs";
 const PUBLISHED: &str = "the test as published in 2001, in f32";
 const IN_C: &str = "Möller–Trumbore as in C, in f32";
 const SAT: &str = "the SAT test as published (Real-Time Rendering 16.7), in f32";
 
-pub(super) const PICTURES: [Picture; 5] = [
+pub(super) const PICTURES: [Picture; 9] = [
     Picture {
         stem: "triangle-box",
         title: "Triangle and box",
@@ -68,6 +70,39 @@ pub(super) const PICTURES: [Picture; 5] = [
         yardstick: SAT,
         sets: LINES,
         heights: [170.0, 130.0],
+    },
+    Picture {
+        stem: "triangle-triangle",
+        title: "Two triangles",
+        workload: "Random pairs, half of them meet.",
+        yardstick: "11 axes as one types them, in f32",
+        sets: FLATS,
+        heights: [140.0, 105.0],
+    },
+    Picture {
+        stem: "box-box",
+        title: "Two oriented boxes",
+        workload: "Random pairs, half of them meet. The peer takes axes as a quaternion.",
+        yardstick: "parry3d, in f32",
+        sets: OBBS,
+        heights: [120.0, 105.0],
+    },
+    Picture {
+        stem: "ray-oriented-box",
+        title: "Ray and oriented box",
+        workload: "Random pairs, half of them meet. The peer takes axes as a quaternion.",
+        yardstick: "parry3d's cast_ray, in f32",
+        sets: OBBS,
+        heights: [120.0, 105.0],
+    },
+    Picture {
+        stem: "sweep",
+        title: "A box that moves past a triangle",
+        workload: "A unit cube near triangles, half of the pairs meet. A hit that is late is wrong; \
+                   box3d-rust stops 5 mm before, by design.",
+        yardstick: "parry3d's cast_shapes, in f32",
+        sets: "tests/kit/src/sweeps/sets.rs",
+        heights: [130.0, 105.0],
     },
 ];
 
@@ -134,51 +169,82 @@ impl Picture {
     }
 }
 
-/// All methods in `f32` with the peers, and the exact ones in the other scalars: three
-/// queries in one picture.
-pub(super) fn overview(points: &[Point], folder: &Path) -> Result<(), Box<dyn Error>> {
-    let row = |stem: &str, height: f64, exact: &str| {
-        let picture = PICTURES.iter().find(|p| p.stem == stem).expect("one of them");
-        let points = picture.shown(points);
-        let peer = fastest_peer(&points);
-        let mut dots = Vec::new();
-        for point in &points {
-            let text = label(point);
-            if point.form.contains("8 at once") || text.ends_with(", corners") {
-                continue;
-            } else if point.scalar == "f32" {
-                dots.push(dot(point, text));
-            } else if point.test == exact {
-                dots.push(dot(point, format!("exact, {}", point.scalar.replace(" bits", ""))));
-            }
-        }
-        Row {
-            heading: format!("{}: 1 is {}", picture.title, picture.yardstick),
-            dots,
-            height,
-            line: peer.map(|p| (p.time, String::new())),
-        }
-    };
-    let frame = Frame {
-        title: "Speed and accuracy".into(),
-        subtitle: "All methods in f32, the peers, and what is exact in every other scalar too."
-            .into(),
-        rows: vec![
-            row("triangle-box", 130.0, "exact"),
-            row("ray-triangle", 165.0, "exact hit"),
-            row("ray-box", 165.0, "exact"),
+/// All methods in `f32` with the peers, and the exact ones in the other scalars: a few queries in
+/// one picture.
+pub(super) struct Overview {
+    stem: &'static str,
+    title: &'static str,
+    /// For each query its picture, the pixels above the band of zero, and the exact test.
+    rows: &'static [(&'static str, f64, &'static str)],
+    note: &'static str,
+}
+
+pub(super) const OVERVIEWS: [Overview; 2] = [
+    Overview {
+        stem: "overview",
+        title: "Speed and accuracy",
+        rows: &[
+            ("triangle-box", 130.0, "exact"),
+            ("ray-triangle", 165.0, "exact hit"),
+            ("ray-box", 165.0, "exact"),
         ],
-        axis: "time per query".into(),
-        tick: short,
-        base: 2.0,
-        caption: format!(
-            "{HOW_TO_READ} The dashed line is the fastest peer. Times are medians of rounds in one \
-             process, each in turn with the test that is 1. I16F16, 18: coordinates of 18 bits; boxes by centre, for rays by corners. \
-             “cargo chart” measures and draws; the figures are in chart.csv."
-        ),
-        bars: true,
-    };
-    frame.draw(&folder.join("overview"))
+        note: "I16F16, 18: coordinates of 18 bits; boxes by centre, for rays by corners.",
+    },
+    Overview {
+        stem: "family",
+        title: "Speed and accuracy: pairs, oriented boxes, and shapes that move",
+        rows: &[
+            ("triangle-triangle", 120.0, "exact"),
+            ("box-box", 100.0, "exact"),
+            ("ray-oriented-box", 100.0, "exact"),
+            ("sweep", 120.0, "exact, when"),
+        ],
+        note: "I16F16, 18: coordinates of 18 bits. Of what moves a hit that is late is wrong.",
+    },
+];
+
+impl Overview {
+    pub(super) fn draw(&self, points: &[Point], folder: &Path) -> Result<(), Box<dyn Error>> {
+        let row = |stem: &str, height: f64, exact: &str| {
+            let picture = PICTURES.iter().find(|p| p.stem == stem).expect("one of them");
+            let points = picture.shown(points);
+            let peer = fastest_peer(&points);
+            let mut dots = Vec::new();
+            for point in &points {
+                let text = label(point);
+                if point.form.contains("8 at once") || text.ends_with(", corners") {
+                    continue;
+                } else if point.scalar == "f32" {
+                    dots.push(dot(point, text));
+                } else if point.test == exact {
+                    dots.push(dot(point, format!("exact, {}", point.scalar.replace(" bits", ""))));
+                }
+            }
+            Row {
+                heading: format!("{}: 1 is {}", picture.title, picture.yardstick),
+                dots,
+                height,
+                line: peer.map(|p| (p.time, String::new())),
+            }
+        };
+        let frame = Frame {
+            title: self.title.into(),
+            subtitle: "All methods in f32, the peers, and what is exact in every other scalar too."
+                .into(),
+            rows: self.rows.iter().map(|&(stem, height, exact)| row(stem, height, exact)).collect(),
+            axis: "time per query".into(),
+            tick: short,
+            base: 2.0,
+            caption: format!(
+                "{HOW_TO_READ} The dashed line is the fastest peer. Times are medians of rounds in one \
+             process, each in turn with the test that is 1. {} “cargo chart” measures and draws; the \
+             figures are in chart.csv.",
+                self.note
+            ),
+            bars: true,
+        };
+        frame.draw(&folder.join(self.stem))
+    }
 }
 
 fn dot(point: &Point, label: String) -> Dot {

@@ -17,7 +17,7 @@ const fn family(name: &'static str, mark: Mark, color: &'static str) -> Family {
 }
 
 /// In the order of a legend; the first whose part of a name fits is meant.
-const FAMILIES: [(&str, Family); 16] = [
+const FAMILIES: [(&str, Family); 17] = [
     ("parry3d", family("parry3d", Mark::Cross, PURPLE)),
     ("box3d", family("box3d-rust", Mark::Plus, PURPLE)),
     ("obvhs", family("obvhs", Mark::HourGlass, PURPLE)),
@@ -26,6 +26,7 @@ const FAMILIES: [(&str, Family); 16] = [
     ("conservative", family("conservative", Mark::Up, GREEN)),
     ("rounded, as published", family("as published", Mark::Square, VERMILION)),
     ("as published", family("as published", Mark::Square, VERMILION)),
+    ("11 axes", family("11 axes, as one types them", Mark::Square, VERMILION)),
     ("as in C", family("Möller–Trumbore as in C", Mark::Square, VERMILION)),
     ("Möller", family("Möller–Trumbore", Mark::Left, VERMILION)),
     ("stored normal", family("stored normal", Mark::Diamond, BLUE)),
@@ -73,6 +74,10 @@ pub(super) fn label(point: &Point) -> String {
         "bvh intersects_triangle" => "bvh, culling",
         "bvh intersects_aabb" => "bvh",
         "bvh intersection_slice_for_aabb" => "bvh slice",
+        "yardstick: 11 axes" => "11 axes",
+        "yardstick: parry3d" => "parry3d",
+        "yardstick: parry3d cast_ray" => "parry3d cast_ray",
+        "yardstick: parry3d cast_shapes" => "parry3d cast_shapes",
         "slabs, rounded" => "slabs",
         "slabs, rounded t_range" => "slabs t_range",
         "slabs, conservative" => "slabs, conservative",

@@ -13,14 +13,14 @@ use crate::peer_shapes::parry_vector;
 use crate::session::{Group, Session};
 use crate::unit::{F32, F64, I8F8_15, I16F16_18, Unit};
 
-use scenes::{Scene, Turned};
+pub(crate) use scenes::{Scene, Turned, half};
 
-fn obb<S: Scalar>(unit: &Unit<S>, turned: &Turned) -> Obb<S> {
+pub(crate) fn obb<S: Scalar>(unit: &Unit<S>, turned: &Turned) -> Obb<S> {
     let axes = turned.axes.map(|u| u.map(|x| (unit.near)(x)));
     Obb::new(unit.point(turned.center), axes, unit.point(turned.half)).expect("a frame")
 }
 
-fn wide<S: Scalar>(unit: &Unit<S>, obb: &Obb<S>) -> Obb<f64> {
+pub(crate) fn wide<S: Scalar>(unit: &Unit<S>, obb: &Obb<S>) -> Obb<f64> {
     let wide = |p: septum::Vec3<S>| p.to_array().map(unit.value);
     Obb::from_skewed_axes(wide(obb.center()), obb.axes().map(wide), wide(obb.half_extents()))
         .expect("it was a box before")
@@ -43,21 +43,26 @@ fn conservative<S: Scalar>(b: &Obb<S>, c: &Obb<S>) -> bool {
     b.may_overlap(c)
 }
 
+/// Our methods in one scalar.
+pub(crate) fn ours<S: Scalar>(course: &Course<Obb<S>, Obb<S>>) -> Vec<Candidate> {
+    vec![
+        course.candidate("exact", Promise::Exact, exact),
+        course.candidate("conservative", Promise::NeverMisses, conservative),
+    ]
+}
+
 fn group<S: Scalar>(unit: Unit<S>) -> Group<Scene> {
-    let all = move |scene: &Scene| {
-        let course = course(scene, &unit);
-        vec![
-            course.candidate("exact", Promise::Exact, exact),
-            course.candidate("conservative", Promise::NeverMisses, conservative),
-        ]
-    };
-    (unit.name, Box::new(all))
+    (unit.name, Box::new(move |scene: &Scene| ours(&course(scene, &unit))))
+}
+
+pub(crate) fn groups() -> Vec<Group<Scene>> {
+    vec![group(F32), group(F64), group(I8F8_15), group(I16F16_18)]
 }
 
 /// A box as the peer has it.
-struct Placed {
-    pose: Pose,
-    cuboid: Cuboid,
+pub(crate) struct Placed {
+    pub(crate) pose: Pose,
+    pub(crate) cuboid: Cuboid,
 }
 
 #[inline(never)]
@@ -65,7 +70,7 @@ fn parry(b: &Placed, c: &Placed) -> bool {
     intersection_test_cuboid_cuboid(&b.pose.inv_mul(&c.pose), &b.cuboid, &c.cuboid)
 }
 
-fn placed(obb: &Obb<f32>) -> Placed {
+pub(crate) fn placed(obb: &Obb<f32>) -> Placed {
     let columns = obb.axes().map(|u| nalgebra::Vector3::new(u.x, u.y, u.z));
     let matrix = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&columns));
     let turn = UnitQuaternion::from_rotation_matrix(&matrix);
@@ -74,15 +79,20 @@ fn placed(obb: &Obb<f32>) -> Placed {
     Placed { pose, cuboid: Cuboid::new(parry_vector(obb.half_extents())) }
 }
 
-fn yardstick(scene: &Scene) -> Candidate {
-    let parry3d = course(scene, &F32).prepared("", |pairs| pairs.map(placed, placed));
-    parry3d.candidate("yardstick: parry3d", Promise::Nothing, parry)
+/// The peer, in `f32`.
+pub(crate) fn peer(course: &Course<Obb<f32>, Obb<f32>>, who: &str) -> Candidate {
+    let parry3d = course.prepared("", |pairs| pairs.map(placed, placed));
+    parry3d.candidate(who, Promise::Nothing, parry)
+}
+
+pub(crate) fn yardstick(scene: &Scene) -> Candidate {
+    peer(&course(scene, &F32), "yardstick: parry3d")
 }
 
 pub fn run(session: &mut Session) {
-    let all = [group(F32), group(F64), group(I8F8_15), group(I16F16_18)];
+    let all = groups();
     let mut race = |name: &str, scene| session.measure(name, scene, yardstick, &all);
-    race("box/box: turned, 50 % overlap", scenes::half);
+    race("box/box: turned, 50 % overlap", half);
     race("box/box: turned, 10 % overlap", scenes::tenth);
     // What doubt costs.
     race("box/box: nearly parallel", scenes::nearly_parallel);

@@ -61,18 +61,24 @@ fn turned(angles: [f64; 3]) -> [Point; 3] {
     frame
 }
 
+impl Turned {
+    /// In [−1, 1]³, turned about each axis by that angle at most.
+    pub fn random(rng: &mut Rng, angle: f64) -> Self {
+        Self {
+            center: random_point(rng).map(|x| x / 2.0),
+            axes: turned([0; 3].map(|_| rng.f64() * angle)),
+            half: [0; 3].map(|_| 0.05 + rng.f64() * 0.6),
+        }
+    }
+}
+
 fn pairs(rng: &mut Rng, rate: f64, angle: f64) -> Scene {
-    let one = |rng: &mut Rng| Turned {
-        center: random_point(rng).map(|x| x / 2.0),
-        axes: turned([0; 3].map(|_| rng.f64() * angle)),
-        half: [0; 3].map(|_| 0.05 + rng.f64() * 0.6),
-    };
     let shape = |b: &Turned| Obb::new(b.center, b.axes, b.half).expect("a frame");
     let mut scene = Scene::default();
     for _ in 0..PAIRS {
         let wanted = rng.f64() < rate;
         loop {
-            let (b, c) = (one(rng), one(rng));
+            let (b, c) = (Turned::random(rng, angle), Turned::random(rng, angle));
             if shape(&b).overlaps(&shape(&c)) == wanted {
                 scene.push(b, [c]);
                 break;

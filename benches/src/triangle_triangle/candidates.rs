@@ -37,7 +37,11 @@ pub fn ours<S: Scalar>(course: &Course<Triangle<S>, Triangle<S>>) -> Vec<Candida
 }
 
 pub fn yardstick(scene: &Scene) -> Candidate {
-    course(scene, &F32).candidate("yardstick: 11 axes", Promise::Nothing, eleven_axes)
+    by_axes(&course(scene, &F32), "yardstick: 11 axes")
+}
+
+pub fn by_axes(course: &Course<Triangle<f32>, Triangle<f32>>, who: &str) -> Candidate {
+    course.candidate(who, Promise::Nothing, eleven_axes)
 }
 
 /// Separating axes as one would type them in, in `f32`: both normals, and each edge with
@@ -71,11 +75,11 @@ fn parry(t: &ParryTriangle, u: &ParryTriangle) -> bool {
 }
 
 /// The peer, in `f32`.
-pub fn peers(scene: &Scene) -> Vec<Candidate> {
+pub fn peers(course: &Course<Triangle<f32>, Triangle<f32>>) -> Vec<Candidate> {
     let triangle = |t: &Triangle<f32>| {
         let [a, b, c] = t.vertices().map(parry_vector);
         ParryTriangle::new(a, b, c)
     };
-    let parry3d = course(scene, &F32).prepared("", |pairs| pairs.map(triangle, triangle));
+    let parry3d = course.prepared("", |pairs| pairs.map(triangle, triangle));
     vec![parry3d.candidate("parry3d support maps", Promise::Nothing, parry)]
 }

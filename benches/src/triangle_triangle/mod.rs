@@ -8,26 +8,31 @@ use septum::Scalar;
 use crate::session::{Group, Session};
 use crate::unit::{F32, F64, I8F8_15, I16F16_18, I16F16_26, I32F32_34, Unit};
 
-use candidates::{course, ours, peers, yardstick};
-use scenes::Scene;
+use candidates::course;
+pub(crate) use candidates::{by_axes, ours, peers, yardstick};
+pub(crate) use scenes::{Scene, half};
 
 fn group<S: Scalar>(unit: Unit<S>) -> Group<Scene> {
     (unit.name, Box::new(move |scene: &Scene| ours(&course(scene, &unit))))
 }
 
-pub fn run(session: &mut Session) {
-    let all = [
+pub(crate) fn groups() -> Vec<Group<Scene>> {
+    vec![
         group(F32),
-        ("f32 parry3d", Box::new(|scene: &Scene| peers(scene)) as _),
+        ("f32 parry3d", Box::new(|scene: &Scene| peers(&course(scene, &F32))) as _),
         group(F64),
         group(I8F8_15),
         group(I16F16_18),
         group(I16F16_26),
         group(I32F32_34),
-    ];
+    ]
+}
+
+pub fn run(session: &mut Session) {
+    let all = groups();
     let mut race = |name: &str, scene| session.measure(name, scene, yardstick, &all);
     race("triangle/triangle: two teapots", scenes::teapots);
-    race("triangle/triangle: pairs, 50 % overlap", scenes::half);
+    race("triangle/triangle: pairs, 50 % overlap", half);
     race("triangle/triangle: pairs, 10 % overlap", scenes::tenth);
     // What doubt costs.
     race("triangle/triangle: neighbours in the teapot", scenes::neighbours);

@@ -15,7 +15,8 @@ use std::string::String;
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 
 use crate::arithmetic::{REGISTERS_ARE_WIDE, SMALL_CODE};
-use crate::query::{PreparedRay, Relate, Target};
+use crate::contact::contact;
+use crate::query::{Motion, PreparedRay, Relate, Sweep, Target};
 use crate::robust::escalations;
 use crate::scalar::{Backend, Scalar};
 use crate::shape::{Aabb, Obb, Plane, Ray, Segment, Triangle};
@@ -92,9 +93,10 @@ fixed_point! {
 }
 
 /// How often each question escalates: past the first stage for numbers, a filter, a stage
-/// for narrow registers; and how often it arrives at the exact sums.
+/// for narrow registers; and how often it arrives at the exact sums. Of contacts, how many
+/// directions floats leave to those.
 fn rows<S: Sample>(scalar: &str, to: &mut String) {
-    const QUESTIONS: [&str; 17] = [
+    const QUESTIONS: [&str; 27] = [
         "triangle/aabb",
         "separating axis",
         "triangle/obb",
@@ -112,6 +114,16 @@ fn rows<S: Sample>(scalar: &str, to: &mut String) {
         "obb/obb",
         "triangle relation",
         "triangle/turned box",
+        "triangle/obb relation",
+        "turned box relation",
+        "ray/obb",
+        "ray/turned box",
+        "ray/turned box range",
+        "sweep: whether",
+        "sweep: when",
+        "sweep of two boxes",
+        "contact with a box",
+        "contact, turned box",
     ];
     let mut counts = [[0; 4]; QUESTIONS.len()];
     let mut rng = Rng(0x5e97_0a11);
@@ -138,6 +150,12 @@ fn rows<S: Sample>(scalar: &str, to: &mut String) {
                 ask(4, &|| _ = plane.side_of(&aabb));
             }
             ask(5, &|| _ = Segment::new(o, d).unwrap().overlaps(&aabb));
+            let motion = Motion::new(o, d).unwrap();
+            ask(22, &|| _ = triangle.meets_along(&motion, &aabb));
+            ask(23, &|| _ = triangle.first_contact(&motion, &aabb));
+            let other = Aabb::from_center_half_extents(c, half).unwrap();
+            ask(24, &|| _ = other.first_contact(&motion, &aabb));
+            ask(25, &|| _ = contact(&triangle, &aabb));
             if let Ok(ray) = Ray::new(o, d) {
                 ask(6, &|| _ = ray.overlaps(&aabb));
                 ask(7, &|| _ = ray.t_range(&aabb));
@@ -146,13 +164,23 @@ fn rows<S: Sample>(scalar: &str, to: &mut String) {
         }
         if let Ok(obb) = Obb::from_skewed_axes(p, [q, d, o], half) {
             ask(2, &|| _ = triangle.overlaps(&obb));
+            ask(17, &|| _ = triangle.relation(&obb));
             let other = Obb::from_skewed_axes(c, [d, q, o], half);
             ask(14, &|| _ = obb.overlaps(other.as_ref().unwrap()));
+            if let Ok(ray) = Ray::new(o, d) {
+                ask(19, &|| _ = ray.overlaps(&obb));
+            }
         }
         ask(12, &|| _ = triangle.overlaps(&Triangle::new(p, q, o).unwrap()));
         ask(13, &|| _ = Segment::new(p, q).unwrap().overlaps(&triangle));
         if let Ok(obb) = Obb::from_skewed_axes(p, S::turned(), half) {
             ask(16, &|| _ = triangle.overlaps(&obb));
+            ask(18, &|| _ = triangle.relation(&obb));
+            ask(26, &|| _ = contact(&triangle, &obb));
+            if let Ok(ray) = Ray::new(o, d) {
+                ask(20, &|| _ = ray.overlaps(&obb));
+                ask(21, &|| _ = ray.t_range_obb(&obb));
+            }
         }
         if let Ok(ray) = Ray::new(o, d) {
             ask(8, &|| _ = ray.is_hit(&triangle));

@@ -8,6 +8,7 @@ use core::marker::PhantomData;
 #[cfg(feature = "fixed")]
 use crate::arithmetic::{InWord, Number, WholeVolume, WholeWord, cross_words, dot_words};
 use crate::arithmetic::{Parts, pick, turn};
+use crate::query::relation::{Relation, of_gaps};
 use crate::robust::{ExactSum, Vector, add_scaled_determinant, difference, single};
 use crate::scalar::Scalar;
 
@@ -134,47 +135,70 @@ impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
 }
 
 impl<N: Signs> ExactParallelepiped<N> {
-    /// Whether one of the 13 axes separates.
-    pub(super) fn separates(&self) -> bool {
+    /// What the 13 axes say. Unless touching and overlapping are told apart, both are overlapping,
+    /// and an axis is left as soon as it does not separate.
+    pub(super) fn relation<const ARE_TOLD: bool>(&self) -> Relation {
         let [u0, u1, u2] = &self.u;
         let volume = N::sign(&[Term(self.one, u0, u1, u2)]);
-        if (0..3).any(|i| self.face(i, volume)) {
-            return true;
+        let mut so_far = Relation::Overlapping;
+        for i in 0..3 {
+            so_far = so_far.min(self.face::<ARE_TOLD>(i, volume));
+            if so_far == Relation::Disjoint {
+                return so_far;
+            }
         }
         let [e0, e1, _] = &self.e;
         let un = [0, 1, 2].map(|i| N::sign(&[Term(self.one, pick(&self.u, i), e0, e1)]));
-        self.normal(&un) || (0..3).any(|k| (0..3).any(|i| self.edge(i, k, *pick(&un, i))))
+        so_far = so_far.min(self.normal::<ARE_TOLD>(&un));
+        for k in 0..3 {
+            for i in 0..3 {
+                if so_far == Relation::Disjoint {
+                    return so_far;
+                }
+                so_far = so_far.min(self.edge::<ARE_TOLD>(i, k, *pick(&un, i)));
+            }
+        }
+        so_far
     }
 
     /// All vertices beyond h_i·|det u|, on either side.
     #[inline(never)]
-    fn face(&self, i: usize, volume: Ordering) -> bool {
+    fn face<const ARE_TOLD: bool>(&self, i: usize, volume: Ordering) -> Relation {
         let (i, j, k) = turn(i);
         let (u, v) = (pick(&self.u, j), pick(&self.u, k));
         let [u0, u1, u2] = &self.u;
-        [Ordering::Greater, Ordering::Less].into_iter().any(|side| {
+        on_either_side::<ARE_TOLD>(|side| {
             let h = signed::<N>(*pick(&self.h, i), volume == side);
-            self.t.iter().all(|t| N::sign(&[Term(self.one, u, v, t), Term(h, u0, u1, u2)]) == side)
+            let mut gap = Ordering::Greater;
+            for t in &self.t {
+                let sign = N::sign(&[Term(self.one, u, v, t), Term(h, u0, u1, u2)]);
+                gap = gap.min(toward(side, sign));
+                // No vertex makes it less, or none is enough.
+                if gap == Ordering::Less || !ARE_TOLD && gap == Ordering::Equal {
+                    break;
+                }
+            }
+            gap
         })
     }
 
     /// n·t_0 beyond Σ h_i·|u_i·n|, on either side.
     #[inline(never)]
-    fn normal(&self, un: &[Ordering; 3]) -> bool {
+    fn normal<const ARE_TOLD: bool>(&self, un: &[Ordering; 3]) -> Relation {
         let [e0, e1, _] = &self.e;
-        [Ordering::Greater, Ordering::Less].into_iter().any(|side| {
+        on_either_side::<ARE_TOLD>(|side| {
             let box_term = |i: usize| {
                 let h = signed::<N>(*pick(&self.h, i), *pick(un, i) == side);
                 Term(h, pick(&self.u, i), e0, e1)
             };
             let triangle_term = Term(self.one, &self.t[0], e0, e1);
-            N::sign(&[triangle_term, box_term(0), box_term(1), box_term(2)]) == side
+            toward(side, N::sign(&[triangle_term, box_term(0), box_term(1), box_term(2)]))
         })
     }
 
     /// The interval of the triangle on e_k × u_i beyond the box's, on either side.
     #[inline(never)]
-    fn edge(&self, i: usize, k: usize, un: Ordering) -> bool {
+    fn edge<const ARE_TOLD: bool>(&self, i: usize, k: usize, un: Ordering) -> Relation {
         let (i, j, l) = turn(i);
         let (k, _, opposite) = turn(k);
         let [ui, uj, ul] = [i, j, l].map(|i| pick(&self.u, i));
@@ -182,17 +206,35 @@ impl<N: Signs> ExactParallelepiped<N> {
         // w_l·e and w_j·e
         let along_l = N::sign(&[Term(self.one, ui, uj, e)]);
         let along_j = N::sign(&[Term(self.one, ul, ui, e)]);
-        [Ordering::Greater, Ordering::Less].into_iter().any(|side| {
+        on_either_side::<ARE_TOLD>(|side| {
             // The end of the interval nearer to the box: p, or that of the vertex
             // opposite, p + u·n.
             let nearer = if un == side.reverse() { opposite } else { k };
-            N::sign(&[
+            let sign = N::sign(&[
                 Term(self.one, ui, e, pick(&self.t, nearer)),
                 Term(signed::<N>(*pick(&self.h, j), along_l == side), ui, uj, e),
                 Term(signed::<N>(*pick(&self.h, l), along_j == side), ul, ui, e),
-            ]) == side
+            ]);
+            toward(side, sign)
         })
     }
+}
+
+/// What an axis says by the gaps on its two sides.
+#[inline(always)]
+fn on_either_side<const ARE_TOLD: bool>(gap: impl Fn(Ordering) -> Ordering) -> Relation {
+    if ARE_TOLD {
+        of_gaps([gap(Ordering::Greater), gap(Ordering::Less)])
+    } else if [Ordering::Greater, Ordering::Less].into_iter().any(|side| gap(side).is_gt()) {
+        Relation::Disjoint
+    } else {
+        Relation::Overlapping
+    }
+}
+
+/// How far that is on the side, by the sign of it along the axis.
+fn toward(side: Ordering, sign: Ordering) -> Ordering {
+    if side.is_gt() { sign } else { sign.reverse() }
 }
 
 fn signed<N: Signs>(x: N::Factor, minus: bool) -> N::Factor {

@@ -1,7 +1,7 @@
 use core::ops::Mul;
 
-use crate::arithmetic::{Number, turn};
-use crate::robust::Uncertain;
+use crate::arithmetic::{Number, greatest, least, turn};
+use crate::query::relation::Reading;
 
 /// A triangle and a parallelepiped, all as operands of products: the vertices
 /// from its centre, the triangle's edges, the axes u_i, the half-extents along
@@ -21,7 +21,7 @@ pub(in crate::query) struct ErrorBound<P> {
     pub(super) plane: P,
 }
 
-/// Whether one of the 13 axes of a triangle and a parallelepiped separates.
+/// What the 13 axes of a triangle and a parallelepiped say.
 ///
 /// The same test as for an axis-aligned box, in the basis of the box's axes: for
 /// vectors x, the components u_i·x take the place of coordinates on normals, and
@@ -36,36 +36,26 @@ pub(in crate::query) struct ErrorBound<P> {
 /// Where a product lacks an axis or a half-extent, one stands in for it: in fixed
 /// point it is not 1.
 #[inline(always)]
-pub(super) fn any_axis<P: Number + Mul<Output = P>>(
+pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading>(
     s: &Parallelepiped<P>,
     error_bound: &ErrorBound<P>,
-) -> Uncertain {
+) -> R {
     let Parallelepiped { t, e, u, h, one } = s;
     let n = cross(&e[0], &e[1]);
     let w = [cross(&u[1], &u[2]), cross(&u[2], &u[0]), cross(&u[0], &u[1])];
     let un = [dot(&u[0], &n), dot(&u[1], &n), dot(&u[2], &n)];
 
     let volume = dot(&u[0], &w[0]).magnitude();
-    let mut so_far = Uncertain::NONE;
+    let mut so_far = R::NONE;
     for i in 0..3 {
         let on = |k: usize| dot(&w[i], &t[k]) * *one;
         let (a, b, c, r) = (on(0), on(1), on(2), h[i] * volume);
-        let beyond = |error: P| {
-            let r = r + error;
-            ((a > r) & (b > r) & (c > r)) | ((a < -r) & (b < -r) & (c < -r))
-        };
-        so_far = so_far.or(Uncertain {
-            certain: beyond(error_bound.face),
-            possible: beyond(-error_bound.face),
-        });
+        let (low, high) = (least(least(a, b), c), greatest(greatest(a, b), c));
+        so_far.add(greatest(low, -high) - r, (high - low) + r, error_bound.face);
     }
 
     let r = un[0].magnitude() * h[0] + un[1].magnitude() * h[1] + un[2].magnitude() * h[2];
-    let beyond = (dot(&n, &t[0]) * *one).magnitude() - r;
-    so_far = so_far.or(Uncertain {
-        certain: beyond > error_bound.plane,
-        possible: beyond > -error_bound.plane,
-    });
+    so_far.add((dot(&n, &t[0]) * *one).magnitude() - r, r, error_bound.plane);
 
     for k in 0..3 {
         let m = cross(&e[k], &t[k]);
@@ -76,11 +66,8 @@ pub(super) fn any_axis<P: Number + Mul<Output = P>>(
             let p = dot(&u[i], &m) * *one;
             let q = un[i] * *one;
             let r = along[l].magnitude() * h[j] + along[j].magnitude() * h[l];
-            let beyond = (p + p + q).magnitude() - (q.magnitude() + (r + r));
-            so_far = so_far.or(Uncertain {
-                certain: beyond > error_bound.edge,
-                possible: beyond > -error_bound.edge,
-            });
+            let reach = q.magnitude() + (r + r);
+            so_far.add((p + p + q).magnitude() - reach, reach, error_bound.edge);
         }
     }
     so_far

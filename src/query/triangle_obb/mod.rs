@@ -11,6 +11,7 @@
 mod error_bound;
 mod exact;
 mod kernel;
+mod relation;
 #[cfg(feature = "fixed")]
 mod short;
 
@@ -18,15 +19,16 @@ pub(super) use self::error_bound::error_bound;
 #[cfg(feature = "fixed")]
 use self::exact::InWords;
 use self::exact::{ExactParallelepiped, InSums};
-use self::kernel::{Parallelepiped, any_axis};
+use self::kernel::{Parallelepiped, all_axes};
 pub(super) use self::kernel::{cross, dot};
 #[cfg(feature = "fixed")]
 use self::short::Change;
 use super::Overlaps;
+use super::relation::{Reading, Relation};
 use crate::arithmetic::{Embeds, Number, greatest, largest};
 #[cfg(feature = "fixed")]
 use crate::arithmetic::{InRaw, InWholeWord, InWord, WholeWord};
-use crate::robust::Predicate;
+use crate::robust::{Predicate, Uncertain};
 use crate::scalar::Scalar;
 #[cfg(feature = "fixed")]
 use crate::shape::Near;
@@ -43,27 +45,7 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
 
     #[inline(never)]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let one = N::one()?;
-        let [a, b, c] = self.triangle.points();
-        let ([u, v, w], half) = (self.obb.axes_as_arrays(), self.obb.half_extents().to_array());
-        let center = self.obb.center().to_array();
-        let [a, b, c, center, u, v, w, h] = N::embed(&[a, b, c, center, u, v, w, half])?;
-
-        let operands = |x: [N::Length; 3]| [x[0], x[1], x[2]].map(N::operand);
-        let from = |x: [N::Length; 3], y: [N::Length; 3]| {
-            operands([x[0] - y[0], x[1] - y[1], x[2] - y[2]])
-        };
-        let s = Parallelepiped {
-            t: [from(a, center), from(b, center), from(c, center)],
-            e: [from(b, a), from(c, b), from(a, c)],
-            u: [operands(u), operands(v), operands(w)],
-            h: operands(h),
-            one,
-        };
-        let axes = most(one, &s.u);
-        let length = most(most(N::Product::ZERO, &s.t), &s.e);
-        let half = largest(&s.h);
-        any_axis(&s, &error_bound::<N>(one, axes, length, half)?).verdict()
+        self.by_axes::<N, Uncertain>()
     }
 
     #[cfg(feature = "fixed")]
@@ -96,22 +78,55 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     where
         S: InWholeWord<W>,
     {
-        let one = <S as InWholeWord<W>>::one()?;
-        if <S as InWord<W>>::ALWAYS_NEAR {
-            Some(self.in_any_words(one))
-        } else {
-            self.in_near_words(one)
-        }
+        self.in_narrow_words::<W, false>().map(is_disjoint)
     }
 
     fn exact(&self) -> bool {
+        is_disjoint(self.in_exact_sums::<false>())
+    }
+}
+
+fn is_disjoint(relation: Relation) -> bool {
+    relation == Relation::Disjoint
+}
+
+impl<S: Scalar> Disjoint<'_, S> {
+    /// What the axes say in a number system, if it can vouch for it.
+    #[inline(always)]
+    fn by_axes<N: Embeds<S>, R: Reading>(&self) -> Option<R::Answer> {
+        let one = N::one()?;
+        let [a, b, c] = self.triangle.points();
+        let ([u, v, w], half) = (self.obb.axes_as_arrays(), self.obb.half_extents().to_array());
+        let center = self.obb.center().to_array();
+        let [a, b, c, center, u, v, w, h] = N::embed(&[a, b, c, center, u, v, w, half])?;
+
+        let operands = |x: [N::Length; 3]| [x[0], x[1], x[2]].map(N::operand);
+        let from = |x: [N::Length; 3], y: [N::Length; 3]| {
+            operands([x[0] - y[0], x[1] - y[1], x[2] - y[2]])
+        };
+        let s = Parallelepiped {
+            t: [from(a, center), from(b, center), from(c, center)],
+            e: [from(b, a), from(c, b), from(a, c)],
+            u: [operands(u), operands(v), operands(w)],
+            h: operands(h),
+            one,
+        };
+        let axes = most(one, &s.u);
+        let length = most(most(N::Product::ZERO, &s.t), &s.e);
+        let half = largest(&s.h);
+        let error = error_bound::<N>(one, axes, length, half)?;
+        all_axes::<_, R>(&s, &error).answer(N::CERTAIN)
+    }
+
+    /// How the shapes lie to each other, by exact sums.
+    fn in_exact_sums<const ARE_TOLD: bool>(&self) -> Relation {
         ExactParallelepiped::<InSums<S>>::new(
             &self.triangle.points(),
             self.obb.center().to_array(),
             &self.obb.axes_as_arrays(),
             self.obb.half_extents().to_array(),
         )
-        .separates()
+        .relation::<ARE_TOLD>()
     }
 }
 
@@ -127,26 +142,41 @@ impl<S: Scalar> Disjoint<'_, S> {
         self.in_short_words::<true>()
     }
 
-    /// The answer in words that hold the shapes wherever they are.
+    /// How the shapes lie to each other, if words hold them.
+    #[inline(always)]
+    fn in_narrow_words<W: WholeWord, const ARE_TOLD: bool>(&self) -> Option<Relation>
+    where
+        S: InWholeWord<W>,
+    {
+        let one = <S as InWholeWord<W>>::one()?;
+        if <S as InWord<W>>::ALWAYS_NEAR {
+            Some(self.in_any_words::<W, ARE_TOLD>(one))
+        } else {
+            self.in_near_words::<W, ARE_TOLD>(one)
+        }
+    }
+
+    /// The same in words that hold the shapes wherever they are.
     #[cold]
     #[inline(never)]
-    fn in_any_words<W: WholeWord>(&self, one: W) -> bool
+    fn in_any_words<W: WholeWord, const ARE_TOLD: bool>(&self, one: W) -> Relation
     where
         S: InWord<W>,
     {
-        self.in_words(one).separates()
+        self.in_words(one).relation::<ARE_TOLD>()
     }
 
-    /// The answer in words that hold the shapes if they are near to each other.
+    /// The same in words that hold the shapes if they are near to each other.
     #[cold]
     #[inline(never)]
-    fn in_near_words<W: WholeWord>(&self, one: W) -> Option<bool>
+    fn in_near_words<W: WholeWord, const ARE_TOLD: bool>(&self, one: W) -> Option<Relation>
     where
         S: InWord<W>,
     {
         let words = self.in_words(one);
         let center = self.obb.center().to_array().map(S::in_word);
-        (center.iter().all(|x| x.is_central()) && words.is_near()).then(|| words.separates())
+        (center.iter().all(|x| x.is_central()) && words.is_near())
+            .then(|| words.relation::<ARE_TOLD>())
     }
 
     #[inline(always)]
@@ -175,7 +205,9 @@ impl<S: Scalar + InRaw + InWholeWord<i32>> Overlaps<Near<Obb<S>>> for Near<Trian
         let question = Disjoint { triangle: self.get(), obb: obb.get() };
         // A box that is near belongs to a type of which a word holds one.
         let Some(one) = S::one() else { return self.get().overlaps(obb.get()) };
-        !question.first_near_stage().unwrap_or_else(|| question.in_any_words::<i32>(one))
+        !question
+            .first_near_stage()
+            .unwrap_or_else(|| is_disjoint(question.in_any_words::<i32, false>(one)))
     }
 
     #[inline]

@@ -151,7 +151,7 @@ fn from_least_corner<I: Ring>(numbers: &[I; 15], is_by_center: bool) -> Shapes<I
 }
 
 impl<I: Ring> Shapes<I> {
-    fn all(&self) -> impl Iterator<Item = &I> {
+    pub(crate) fn all(&self) -> impl Iterator<Item = &I> {
         self.vertices.iter().flatten().chain(&self.extent)
     }
 

@@ -5,7 +5,7 @@
 //! | --- | --- | --- |
 //! | triangle and box | [`meets`], [`separates`], [`is_collinear`] | [`Set`], [`Touch`] |
 //! | the same: touching or overlapping | [`contact::truth`] | |
-//! | triangle and oriented box | [`Oriented::meets`] | |
+//! | triangle and oriented box | [`Oriented::truth`] | [`Oriented::case`] |
 //! | triangle, segment or point and triangle | [`flat::FlatCase::truth`] | [`flat::FlatSet`] |
 //! | box and oriented box | [`boxes::BoxCase::meets`] | [`boxes::BoxSet`] |
 //! | shapes in each other | [`contacts::ContactCase::check`] | [`contacts::ContactSet`] |

@@ -2,10 +2,15 @@
 //! box's own coordinates, in whole numbers, and clips there.
 
 use dashu_int::IBig;
+use septum::relation::Relate;
 use septum::{Obb, Triangle, Vec3};
 
+use super::boxes::{BoxSet, ObbNumbers};
+use super::contact::truth_of;
 use super::exact::{Parts, least_exponent, whole};
+use super::flat::Truth;
 use super::lattice::{Lattice, Ring, Shapes};
+use super::rng::Rng;
 use super::sample::Sample;
 
 pub type Point<S> = [S; 3];
@@ -29,8 +34,55 @@ impl<S: Sample> Oriented<S> {
         Obb::from_skewed_axes(self.center, self.axes.map(Vec3::from), self.half).ok()
     }
 
+    /// A box of the set, and a triangle: a vertex lies in a corner of the box, in the middle of an
+    /// edge or of a face, or in its centre, as near as rounding allows, or anywhere.
+    pub fn case(set: BoxSet, rng: &mut Rng) -> Self {
+        let ObbNumbers { center, axes, half } = set.obb::<S>(rng);
+        let vertex = |rng: &mut Rng| {
+            if rng.one_in(2) {
+                return set.point(rng);
+            }
+            let signs = rng.triple(|rng| rng.whole(-1, 1) as f64);
+            [0, 1, 2].map(|i: usize| {
+                let along = |k: usize| signs[k] * half[k].approximate() * axes[k][i].approximate();
+                S::nearest(center[i].approximate() + along(0) + along(1) + along(2))
+            })
+        };
+        let mut t = rng.triple(vertex);
+        if rng.one_in(16) {
+            t[2] = t[1];
+        }
+        Self { t, center, axes, half }
+    }
+
     /// Whether the two have a point in common.
     pub fn meets(&self) -> bool {
+        Lattice::Wide(self.in_parts().in_box()).meets()
+    }
+
+    /// How they lie to each other.
+    pub fn truth(&self) -> Truth {
+        truth_of(self.in_parts().in_box())
+    }
+
+    /// Checks verdicts and relation against the oracle, in either order, and returns its answer;
+    /// nothing where the numbers are no shapes.
+    ///
+    /// # Panics
+    /// Where one is wrong.
+    pub fn check(&self) -> Option<Truth> {
+        let [a, b, c] = self.t;
+        let (triangle, obb) = (Triangle::new(a, b, c).ok()?, self.obb()?);
+        let truth = self.truth();
+        let meets = truth != Truth::Apart;
+        assert_eq!([triangle.overlaps(&obb), obb.overlaps(&triangle)], [meets; 2], "{self:?}");
+        assert!(triangle.may_overlap(&obb) || !meets, "may_overlap: {self:?}");
+        let relations = [triangle.relation(&obb), obb.relation(&triangle)];
+        assert_eq!(relations, [truth.relation(); 2], "{self:?}");
+        Some(truth)
+    }
+
+    fn in_parts(&self) -> Oriented<Parts> {
         let parts = |p: Point<S>| p.map(S::mantissa_exponent);
         Oriented {
             t: self.t.map(parts),
@@ -38,13 +90,13 @@ impl<S: Sample> Oriented<S> {
             axes: self.axes.map(parts),
             half: parts(self.half),
         }
-        .meets_in_parts()
     }
 }
 
 impl Oriented<Parts> {
-    /// In units of the least exponent, with one in that unit.
-    fn meets_in_parts(&self) -> bool {
+    /// The triangle in the coordinates of the box, in units of the least exponent, with one in that
+    /// unit.
+    fn in_box(&self) -> Shapes<IBig> {
         let rows = [self.t, self.axes].concat();
         let rows = rows.iter().chain([&self.center, &self.half]);
         let unit = least_exponent(rows.flatten()).min(0);
@@ -63,6 +115,6 @@ impl Oriented<Parts> {
             [0, 1, 2].map(|i: usize| IBig::dot(&w[i], &from) * &one + &reach[i])
         });
         let extent = reach.map(|r| r * IBig::from(2));
-        Lattice::Wide(Shapes { vertices, extent }).meets()
+        Shapes { vertices, extent }
     }
 }
