@@ -48,6 +48,7 @@ pub(crate) use limbs::Wide;
 pub(crate) use long::Long;
 pub use number::Number;
 pub(crate) use number::{compare, greatest, largest, least};
+pub(crate) use parts::Bits;
 pub use parts::Parts;
 pub(crate) use platform::{REGISTERS_ARE_WIDE, SMALL_CODE};
 pub use portion::Portion;
@@ -69,7 +70,6 @@ pub(crate) use split::{FAR, Split, Two, short_areas, two_difference};
 pub use system::{Arithmetic, Embeds};
 pub(crate) use system::{of_two, once};
 pub(crate) use vector::{cross, dot};
-#[cfg(feature = "fixed")]
 pub(crate) use wide::I256;
 #[cfg(test)]
 pub(crate) use words::SplitSum;

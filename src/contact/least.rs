@@ -6,6 +6,7 @@ use super::body::{Body, Vec64};
 use super::directions::{Direction, Filter, Finding, Overlap, all, cross, dot};
 use super::exact::{Exact, farthest};
 use super::interior::InteriorEdges;
+use super::whole::Units;
 use crate::arithmetic::{Positive, pick, turn};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
@@ -30,20 +31,22 @@ pub(super) struct Way {
 /// The ways along a direction, both or one of them. `Err` if the shapes are apart or touch.
 fn ways<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
+    units: Option<&Units>,
     filter: &Filter,
     direction: Direction,
     wanted: [bool; 2],
 ) -> Result<[Option<Way>; 2], ()> {
-    let Some(exact) = Exact::new(bodies, direction, &filter.along(direction)) else {
+    let known = filter.along(direction);
+    let Some(exact) = Exact::new(bodies, units, direction, &known, wanted) else {
         return Ok([None, None]);
     };
     let Some((length, square)) = exact.length() else { return Ok([None, None]) };
+    let Exact { coordinates, along, overlaps } = exact;
     let way = |is_along: bool| {
         if !wanted[usize::from(is_along)] {
             return Ok(None);
         }
-        let overlap = exact.overlap(is_along).ok_or(())?;
-        let (coordinates, along) = (exact.coordinates, exact.along);
+        let overlap = overlaps[usize::from(is_along)].ok_or(())?;
         let depth = overlap.over(length);
         let is_held = false;
         Ok(Some(Way {
@@ -91,13 +94,15 @@ pub(super) fn least_way<S: Scalar>(
             }
         }
     }
+    let units = Units::new(bodies);
+    let units = units.as_ref();
     let mut best: Option<Way> = None;
     for (direction, overlaps) in found.into_iter().flatten() {
         let wanted = overlaps.map(|Overlap { least, .. }| least <= bound);
         if wanted == [false; 2] {
             continue;
         }
-        let both = ways(bodies, &filter, direction, wanted).ok()?;
+        let both = ways(bodies, units, &filter, direction, wanted).ok()?;
         best = least(best.into_iter().chain(both.into_iter().flatten()));
     }
     let best = best?;
@@ -108,12 +113,15 @@ pub(super) fn least_way<S: Scalar>(
     let is_held = match across(&best, &rough[0].sides, interior) {
         Some(is_held) => is_held,
         // All of the triangle lies across. Then it is its normal, or the triangle has none.
-        None => best.direction != face && Exact::new(bodies, face, &[[None; 3]; 2]).is_none(),
+        None => {
+            let none = [[None; 3]; 2];
+            best.direction != face && Exact::new(bodies, units, face, &none, [false; 2]).is_none()
+        }
     };
     if !is_held {
         return Some(best);
     }
-    let normal = ways(bodies, &filter, face, [true; 2]).ok()?;
+    let normal = ways(bodies, units, &filter, face, [true; 2]).ok()?;
     least(normal.into_iter().flatten()).map(|way| Way { is_held: true, ..way })
 }
 

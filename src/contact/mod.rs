@@ -64,6 +64,8 @@ mod interior;
 mod least;
 mod points;
 mod polygon;
+mod sums;
+mod whole;
 
 use self::body::Body;
 pub use self::feature::{Axis, Part};
