@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use super::body::{Body, Rough, Vec64};
-use crate::arithmetic::{self, Filtered, compare, greatest, largest, pick, turn};
+use crate::arithmetic::{self, Filtered, compare, greatest, largest, pick, three, turn};
 use crate::scalar::Scalar;
 
 /// An axis: a cross product of two sides of the shapes.
@@ -91,8 +91,8 @@ pub(super) fn dot(x: &Vec64, y: &Vec64) -> f64 {
 }
 
 /// Two shapes in floats, and what is known of them beforehand.
-pub(super) struct Filter {
-    shapes: [Rough; 2],
+pub(super) struct Filter<'a> {
+    shapes: &'a [Rough; 2],
     /// No number of either shape is greater.
     size: f64,
     /// Coordinate axes that came before, as one that is not zero.
@@ -101,10 +101,10 @@ pub(super) struct Filter {
     same: [Option<usize>; 3],
 }
 
-impl Filter {
-    pub(super) fn new<S: Scalar>(shapes: [Rough; 2]) -> Self {
+impl<'a> Filter<'a> {
+    pub(super) fn new<S: Scalar>(shapes: &'a [Rough; 2]) -> Self {
         let mut size = 0.0;
-        for shape in &shapes {
+        for shape in shapes {
             for k in 0..3 {
                 let side = largest(pick(&shape.sides, k));
                 size += largest(pick(&shape.at, k)) + pick(&shape.half, k) * side;
@@ -126,10 +126,9 @@ impl Filter {
     }
 
     fn sides(&self, direction: Direction) -> [Vec64; 2] {
-        let shapes = &self.shapes;
-        direction
-            .sides([shapes[0].is_triangle, shapes[1].is_triangle])
-            .map(|(shape, k)| *pick(&shapes[shape % 2].sides, k))
+        let shapes = self.shapes;
+        let [(a, i), (b, j)] = direction.sides([shapes[0].is_triangle, shapes[1].is_triangle]);
+        [*pick(&shapes[a % 2].sides, i), *pick(&shapes[b % 2].sides, j)]
     }
 
     /// How the sides of the shapes lie to a direction, where floats are certain.
@@ -139,13 +138,15 @@ impl Filter {
     pub(super) fn along(&self, direction: Direction) -> [[Option<Ordering>; 3]; 2] {
         let [x, y] = &self.sides(direction);
         let (a, scale) = (cross(x, y), largest(x) * largest(y));
-        self.shapes.each_ref().map(|shape| {
-            shape.sides.each_ref().map(|s| {
+        let of = |shape: &Rough| {
+            three(|k| {
+                let s = &shape.sides[k];
                 let (along, size) = (dot(&a, s), scale * largest(s));
                 let is_certain = in_range(size) && along.abs() > ERROR / 4.0 * size;
                 is_certain.then(|| compare(along, 0.0))
             })
-        })
+        };
+        [of(&self.shapes[0]), of(&self.shapes[1])]
     }
 
     /// Whether a direction of two boxes came before, or is zero, because of axes that they share.
@@ -191,11 +192,11 @@ impl Filter {
         if self.is_shared(direction) {
             return Finding::Nothing;
         }
-        let shapes = &self.shapes;
+        let shapes = self.shapes;
         let [x, y] = &self.sides(direction);
         // Which coordinates are zero for certain, and not because a product underflows; and which
         // for certain are not.
-        let products = [0, 1, 2].map(|i: usize| {
+        let products = three(|i| {
             let (_, j, k) = turn(i);
             let is_product = |a: usize, b: usize| *pick(x, a) != 0.0 && *pick(y, b) != 0.0;
             u8::from(is_product(j, k)) + u8::from(is_product(k, j))
@@ -222,27 +223,29 @@ impl Filter {
             return Finding::Overlaps([Overlap::UNKNOWN; 2]);
         }
         let ends = |shape: &Rough| {
-            let at = shape.at.map(|p| dot(&a, &p));
+            if shape.is_triangle {
+                let at = three(|k| dot(&a, &shape.at[k]));
+                let least = -greatest(greatest(-at[0], -at[1]), -at[2]);
+                return [least, greatest(greatest(at[0], at[1]), at[2])];
+            }
             let reach = shape.half[0] * dot(&a, &shape.sides[0]).abs()
                 + shape.half[1] * dot(&a, &shape.sides[1]).abs()
                 + shape.half[2] * dot(&a, &shape.sides[2]).abs();
-            let most = greatest(greatest(at[0], at[1]), at[2]) + reach;
-            let least = -greatest(greatest(-at[0], -at[1]), -at[2]) - reach;
-            [least, most]
+            let at = dot(&a, &shape.at[0]);
+            [at - reach, at + reach]
         };
-        // A triangle has no half-extents, and a box one position.
         let ([a0, a1], [b0, b1]) = (ends(&shapes[0]), ends(&shapes[1]));
         let error = ERROR * (scale * self.size);
         let overlaps = [a1 - b0, b1 - a0];
         if overlaps[0] < -error || overlaps[1] < -error {
             return Finding::Apart;
         }
-        Finding::Overlaps(overlaps.map(|overlap| {
+        // Roundings are far below the spread.
+        let (least, most) = ((1.0 - SPREAD) / square, (1.0 + 3.0 * SPREAD) / square);
+        let bounds = |overlap: f64| {
             let (low, high) = (greatest(overlap - error, 0.0), overlap + error);
-            Overlap {
-                least: low * low / (square * (1.0 + SPREAD)),
-                most: high * high / (square * (1.0 - 2.0 * SPREAD)),
-            }
-        }))
+            Overlap { least: low * low * least, most: high * high * most }
+        };
+        Finding::Overlaps([bounds(overlaps[0]), bounds(overlaps[1])])
     }
 }

@@ -6,7 +6,7 @@ use super::body::Body;
 use super::directions::Direction;
 use super::sums::Sums;
 use super::whole::{Units, Whole};
-use crate::arithmetic::{Positive, pick, turn};
+use crate::arithmetic::{Positive, pick, three, turn};
 use crate::scalar::Scalar;
 
 /// A number that is above zero, if it is.
@@ -68,16 +68,17 @@ impl Exact {
         if coordinates.iter().all(Option::is_none) {
             return None;
         }
-        let along = [0, 1].map(|shape: usize| {
+        let along_shape = |shape: usize| {
             // The third edge of a triangle is the sum of the other two.
             let is_normal = own == [(shape, 0), (shape, 1)] && are_triangles[shape % 2];
-            [0, 1, 2].map(|k: usize| {
+            three(|k| {
                 if is_normal || own.contains(&(shape, k)) {
                     return Ordering::Equal;
                 }
                 pick(&known[shape % 2], k).unwrap_or_else(|| given.side(shape, k))
             })
-        });
+        };
+        let along = [along_shape(0), along_shape(1)];
         let overlap = |is_along: bool| {
             if !wanted[usize::from(is_along)] {
                 return None;
@@ -96,17 +97,22 @@ impl Exact {
 
     /// The length of the direction, and its square.
     pub(super) fn length(&self) -> Option<(Positive, Positive)> {
-        let sizes = || self.coordinates.iter().flatten().map(|&(_, size)| size);
-        let square = sizes().map(|x| x.times(x)).reduce(Positive::plus)?;
+        let (mut sum, mut count, mut last): (Size, _, Size) = (None, 0, None);
+        for &(_, size) in self.coordinates.iter().flatten() {
+            let square = size.times(size);
+            sum = Some(sum.map_or(square, |sum| sum.plus(square)));
+            (count, last) = (count + 1, Some(size));
+        }
+        let square = sum?;
         // Along a coordinate axis nothing is lost.
-        let length = if sizes().count() == 1 { sizes().next()? } else { square.root() };
+        let length = if count == 1 { last? } else { square.root() };
         Some((length, square))
     }
 }
 
 /// The vertices of a triangle that lie farthest in a direction, by how its edges lie to it.
 pub(super) fn farthest(along: &[Ordering; 3], toward: Ordering) -> [bool; 3] {
-    [0, 1, 2].map(|k: usize| {
+    three(|k| {
         let (_, _, before) = turn(k);
         // The edge from here does not go farther, and that to here not back.
         *pick(along, k) != toward && *pick(along, before) != toward.reverse()

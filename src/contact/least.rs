@@ -2,12 +2,12 @@
 
 use core::cmp::Ordering;
 
-use super::body::{Body, Vec64};
-use super::directions::{Direction, Filter, Finding, Overlap, all, cross, dot};
+use super::body::{Body, Rough, Vec64};
+use super::directions::{Direction, Filter, Finding, all, cross, dot};
 use super::exact::{Exact, farthest};
 use super::interior::InteriorEdges;
 use super::whole::Units;
-use crate::arithmetic::{Positive, pick, turn};
+use crate::arithmetic::{Positive, pick, three, turn};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -28,45 +28,47 @@ pub(super) struct Way {
     pub(super) is_held: bool,
 }
 
-/// The ways along a direction, both or one of them. `Err` if the shapes are apart or touch.
-fn ways<S: Scalar>(
+/// There is a plane between the shapes.
+struct Apart;
+
+/// The least of the best way so far and of those along a direction, both or one of them; of equals
+/// the first. `Err` if the shapes are apart or touch.
+fn least<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     units: Option<&Units>,
-    filter: &Filter,
+    filter: &Filter<'_>,
     direction: Direction,
     wanted: [bool; 2],
-) -> Result<[Option<Way>; 2], ()> {
+    best: &mut Option<Way>,
+) -> Result<(), Apart> {
     let known = filter.along(direction);
     let Some(exact) = Exact::new(bodies, units, direction, &known, wanted) else {
-        return Ok([None, None]);
+        return Ok(());
     };
-    let Some((length, square)) = exact.length() else { return Ok([None, None]) };
+    let Some((length, square)) = exact.length() else { return Ok(()) };
     let Exact { coordinates, along, overlaps } = exact;
-    let way = |is_along: bool| {
+    for is_along in [false, true] {
         if !wanted[usize::from(is_along)] {
-            return Ok(None);
+            continue;
         }
-        let overlap = overlaps[usize::from(is_along)].ok_or(())?;
+        let overlap = overlaps[usize::from(is_along)].ok_or(Apart)?;
         let depth = overlap.over(length);
-        let is_held = false;
-        Ok(Some(Way {
-            direction,
-            is_along,
-            overlap,
-            length,
-            square,
-            depth,
-            coordinates,
-            along,
-            is_held,
-        }))
-    };
-    Ok([way(false)?, way(true)?])
-}
-
-/// The least of all, the first of equals.
-fn least(ways: impl Iterator<Item = Way>) -> Option<Way> {
-    ways.reduce(|best, way| if way.depth.is_less_than(best.depth) { way } else { best })
+        if best.as_ref().is_none_or(|best| depth.is_less_than(best.depth)) {
+            let is_held = false;
+            *best = Some(Way {
+                direction,
+                is_along,
+                overlap,
+                length,
+                square,
+                depth,
+                coordinates,
+                along,
+                is_held,
+            });
+        }
+    }
+    Ok(())
 }
 
 /// The least way out; `None` if there is a plane between the shapes.
@@ -75,10 +77,9 @@ fn least(ways: impl Iterator<Item = Way>) -> Option<Way> {
 /// which of those is, and whether the shapes are in each other at all.
 pub(super) fn least_way<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
+    rough: &[Rough; 2],
     interior: InteriorEdges,
 ) -> Option<Way> {
-    let origin = bodies[1].origin();
-    let rough = bodies.each_ref().map(|body| body.rough(&origin));
     let mut filter = Filter::new::<S>(rough);
     let mut found = [None; 15];
     let mut bound = f64::INFINITY;
@@ -98,12 +99,11 @@ pub(super) fn least_way<S: Scalar>(
     let units = units.as_ref();
     let mut best: Option<Way> = None;
     for (direction, overlaps) in found.into_iter().flatten() {
-        let wanted = overlaps.map(|Overlap { least, .. }| least <= bound);
+        let wanted = [overlaps[0].least <= bound, overlaps[1].least <= bound];
         if wanted == [false; 2] {
             continue;
         }
-        let both = ways(bodies, units, &filter, direction, wanted).ok()?;
-        best = least(best.into_iter().chain(both.into_iter().flatten()));
+        least(bodies, units, &filter, direction, wanted, &mut best).ok()?;
     }
     let best = best?;
     if interior == InteriorEdges::NONE {
@@ -121,8 +121,9 @@ pub(super) fn least_way<S: Scalar>(
     if !is_held {
         return Some(best);
     }
-    let normal = ways(bodies, units, &filter, face, [true; 2]).ok()?;
-    least(normal.into_iter().flatten()).map(|way| Way { is_held: true, ..way })
+    let mut held = None;
+    least(bodies, units, &filter, face, [true; 2], &mut held).ok()?;
+    held.map(|way| Way { is_held: true, ..way })
 }
 
 /// Whether the way out leads across an interior edge of the triangle, which is the first shape;
@@ -151,7 +152,7 @@ impl Way {
 
     /// The unit vector that the first shape goes along, as it is to be rounded.
     pub(super) fn unit(&self) -> Vec64 {
-        self.coordinates.map(|c| match c {
+        three(|i| match self.coordinates[i] {
             Some((sign, size)) => {
                 let x = size.over(self.length).in_double();
                 if sign.is_gt() == self.is_along { x } else { -x }
@@ -167,7 +168,7 @@ impl Way {
         is_up: bool,
         of: impl Fn(Positive) -> Positive,
     ) -> Vec3<S> {
-        let [x, y, z] = self.coordinates.map(|c| match c {
+        let [x, y, z] = three(|i| match self.coordinates[i] {
             Some((sign, size)) => {
                 let (m, exponent) = of(size).scaled(units).upper();
                 let x = S::of_units(m, exponent, is_up);

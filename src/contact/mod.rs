@@ -67,7 +67,7 @@ mod polygon;
 mod sums;
 mod whole;
 
-use self::body::Body;
+use self::body::{Body, Place, Rough};
 pub use self::feature::{Axis, Part};
 pub use self::interior::{InteriorEdges, interior_edges};
 use self::least::{Way, least_way};
@@ -163,7 +163,8 @@ pub fn least_translation<S: Scalar>(
     second: &impl Shape<S>,
 ) -> Option<Translation<S>> {
     let bodies = [first.body(), second.body()];
-    Some(translation(&bodies, &least_way(&bodies, InteriorEdges::NONE)?))
+    let (_, rough) = in_floats(&bodies);
+    Some(translation(&bodies, &least_way(&bodies, &rough, InteriorEdges::NONE)?))
 }
 
 /// The least translation of the first shape that takes it out of the second, and the points where
@@ -214,10 +215,17 @@ pub fn contact_in_mesh<S: Scalar>(
 }
 
 fn of_bodies<S: Scalar>(bodies: &[Body<'_, S>; 2], interior: InteriorEdges) -> Option<Contact<S>> {
-    let way = least_way(bodies, interior)?;
+    let (origin, rough) = in_floats(bodies);
+    let way = least_way(bodies, &rough, interior)?;
     let translation = translation(bodies, &way);
-    let points = points(bodies, &way, translation.axis);
+    let points = points(origin, &rough, &way, translation.axis);
     Some(Contact { translation, is_held: way.is_held, points })
+}
+
+/// The shapes in floats, and from which place.
+fn in_floats<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> (Place<S>, [Rough; 2]) {
+    let origin = bodies[1].origin();
+    (origin, [bodies[0].rough(&origin), bodies[1].rough(&origin)])
 }
 
 fn translation<S: Scalar>(bodies: &[Body<'_, S>; 2], way: &Way) -> Translation<S> {

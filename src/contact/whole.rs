@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 
 use super::body::{Body, Place};
 use super::exact::{Given, Size, positive};
-use crate::arithmetic::{Bits, I256, Positive, REGISTERS_ARE_WIDE, pick, turn};
+use crate::arithmetic::{Bits, I256, Positive, REGISTERS_ARE_WIDE, pick, three, turn};
 use crate::scalar::Scalar;
 use crate::shape::AabbForm;
 
@@ -79,7 +79,7 @@ impl Units {
     }
 
     fn point<S: Scalar>(point: [S; 3], low: i32) -> [i64; 3] {
-        point.map(|x| x.parts().in_units(low))
+        three(|i| point[i].parts().in_units(low))
     }
 
     /// Edge k of a triangle or axis k of a box, and its unit.
@@ -87,8 +87,9 @@ impl Units {
         match body {
             Body::Triangle(t) => {
                 let v = t.points();
-                let [from, to] = [k, turn(k).1].map(|k| Self::point(*pick(&v, k), self.places));
-                ([to[0] - from[0], to[1] - from[1], to[2] - from[2]], self.places)
+                let from = Self::point(*pick(&v, k), self.places);
+                let to = Self::point(*pick(&v, turn(k).1), self.places);
+                (three(|i| to[i] - from[i]), self.places)
             }
             Body::Aabb(_) => {
                 let mut axis = [0; 3];
@@ -123,15 +124,17 @@ impl Units {
             let place = i128::from(p[i] + q[i]) << up;
             if is_upper { -place } else { place }
         };
-        let mut end = [place(0), place(1), place(2)];
+        let mut end = three(place);
         let sign = |k: usize| *pick(along, k) as i64;
         match body {
             Body::Triangle(_) => {}
             Body::Aabb(aabb) => {
-                let of = |x: [S; 3]| Self::point(x, self.places);
                 let twice = match aabb.form() {
-                    AabbForm::Center { half, .. } => of(half.to_array()).map(|h| 2 * h),
-                    AabbForm::Corners { .. } => [q[0] - p[0], q[1] - p[1], q[2] - p[2]],
+                    AabbForm::Center { half, .. } => {
+                        let half = Self::point(half.to_array(), self.places);
+                        three(|k| 2 * half[k])
+                    }
+                    AabbForm::Corners { .. } => three(|k| q[k] - p[k]),
                 };
                 for k in 0..3 {
                     end[k] += i128::from(sign(k) * twice[k]) << up;
@@ -166,7 +169,8 @@ impl<'a, S: Scalar> Whole<'a, S> {
         bodies: &'a [Body<'a, S>; 2],
         own: [(usize, usize); 2],
     ) -> Self {
-        let [(x, x_unit), (y, y_unit)] = own.map(|(shape, k)| units.side(&bodies[shape % 2], k));
+        let side = |(shape, k): (usize, usize)| units.side(&bodies[shape % 2], k);
+        let ((x, x_unit), (y, y_unit)) = (side(own[0]), side(own[1]));
         let minor = |j: usize, k: usize| {
             i128::from(x[j]) * i128::from(y[k]) - i128::from(x[k]) * i128::from(y[j])
         };
@@ -185,7 +189,8 @@ fn sign_of(x: I256) -> Ordering {
 
 impl<S: Scalar> Given for Whole<'_, S> {
     fn coordinates(&self) -> [Option<(Ordering, Positive)>; 3] {
-        self.direction.map(|x| {
+        three(|i| {
+            let x = self.direction[i];
             let size = x.unsigned_abs();
             let size = positive(&[size as u64, (size >> 64) as u64])?.scaled(self.unit);
             Some((x.cmp(&0), size))
