@@ -4,9 +4,11 @@ mod aabb_aabb;
 mod error_bound;
 mod exact;
 mod in_doubles;
+mod instants;
 mod kernel;
 mod latest;
 mod motion;
+mod one_axis;
 mod rows;
 
 pub use motion::Motion;
@@ -18,7 +20,7 @@ use super::triangle_aabb::frame::{BoxForm, Frame};
 use crate::arithmetic::{Arithmetic, Embeds, Filtered, Float, InFloat, Number};
 use crate::robust::{Clue, Predicate};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Triangle};
+use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
 /// When a shape that moves first meets another, and how.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -98,22 +100,39 @@ pub trait Sweep<Other> {
 struct Passing<'a, S> {
     triangle: &'a Triangle<S>,
     aabb: &'a Aabb<S>,
-    motion: Motion<S>,
+    /// By reference, as it lies: a copy just made would not be in memory yet when it is loaded as
+    /// a vector.
+    motion: &'a Motion<S>,
+    /// Whether the triangle goes back.
+    is_reversed: bool,
 }
 
 impl<'a, S: Scalar> Passing<'a, S> {
     #[inline(always)]
-    fn new(triangle: &'a Triangle<S>, aabb: &'a Aabb<S>, motion: &Motion<S>) -> Self {
-        Self { triangle, aabb, motion: *motion }
+    fn new(triangle: &'a Triangle<S>, aabb: &'a Aabb<S>, motion: &'a Motion<S>) -> Self {
+        Self { triangle, aabb, motion, is_reversed: false }
+    }
+
+    /// The box moves.
+    #[inline(always)]
+    fn reversed(triangle: &'a Triangle<S>, aabb: &'a Aabb<S>, motion: &'a Motion<S>) -> Self {
+        Self { triangle, aabb, motion, is_reversed: true }
+    }
+
+    /// From where to where the triangle moves.
+    #[inline(always)]
+    fn ends(&self) -> [Vec3<S>; 2] {
+        let (from, to) = (self.motion.from(), self.motion.to());
+        if self.is_reversed { [to, from] } else { [from, to] }
     }
 
     #[inline(always)]
     fn given<N: Embeds<S>>(&self) -> Option<Given<N>> {
         let [a, b, c] = self.triangle.points();
-        let (from, to) = (self.motion.from().to_array(), self.motion.to().to_array());
+        let [from, to] = self.ends();
         let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
             self.aabb.form();
-        let all = [a, b, c, p.to_array(), q.to_array(), from, to];
+        let all = [a, b, c, p.to_array(), q.to_array(), from.to_array(), to.to_array()];
         let [a, b, c, p, q, from, to] = N::embed(&all)?;
         let is_by_center = matches!(self.aabb.form(), AabbForm::Center { .. });
         Some(Given { triangle: [a, b, c], p, q, is_by_center, way: [from, to] })
@@ -132,7 +151,7 @@ impl<'a, S: Scalar> Passing<'a, S> {
     }
 
     fn exactly(&self) -> ExactCourse {
-        ExactCourse::new(self.triangle, self.aabb, &self.motion)
+        ExactCourse::new(self.triangle, self.aabb, self.ends())
     }
 }
 
@@ -171,8 +190,67 @@ impl<S: Scalar> Predicate<S> for Misses<'_, S> {
     }
 }
 
-/// The question when it meets it, of shapes that do.
-struct Meets<'a, S>(Passing<'a, S>);
+/// What floats know of a way.
+#[derive(Clone, Copy, Debug, Default)]
+enum Instant {
+    /// Nothing.
+    #[default]
+    Unknown,
+    /// The shapes miss each other.
+    Misses,
+    /// They meet at the start.
+    AtStart,
+    /// They meet, and perhaps on this axis.
+    Meets(Option<Last>),
+}
+
+/// The axis that closes last.
+#[derive(Clone, Copy, Debug)]
+struct Last {
+    axis: Axis,
+    /// When it has not closed yet, but all others have.
+    after: f64,
+    /// Of shapes and way, at least: see [`error_bound`].
+    size: f64,
+}
+
+/// The question what floats know.
+struct When<'a, 'b, S>(&'b Passing<'a, S>);
+
+impl<S: Scalar> Predicate<S> for When<'_, '_, S> {
+    type Answer = Instant;
+
+    fn filter<N: Embeds<S>>(&self) -> Option<Instant> {
+        None
+    }
+
+    const IN_QUADS: bool = true;
+
+    #[inline(always)]
+    fn in_quads<F: Float>(&self) -> Option<Instant>
+    where
+        S: InFloat<F>,
+    {
+        rows::when::<S, F>(self.0)
+    }
+
+    fn exact(&self) -> Instant {
+        Instant::Unknown
+    }
+}
+
+/// The question when it meets it, of shapes that do, and what is known of that.
+struct Meets<'a, S>(Passing<'a, S>, Option<Last>);
+
+impl Last {
+    /// The answer, if all other axes have closed before also as the scalar tells times: else one of
+    /// them may come first in the order.
+    fn at<S: Scalar>(self, t: S) -> Option<FirstContact<S>> {
+        // Half a place of what is only compared, where `f64` has no more.
+        let is_after = t.real() > self.after * (1.0 + 4.0 * f64::EPSILON * 8.0);
+        is_after.then_some(FirstContact { t, axis: Some(self.axis) })
+    }
+}
 
 impl<S: Scalar> Predicate<S> for Meets<'_, S> {
     type Answer = FirstContact<S>;
@@ -181,7 +259,9 @@ impl<S: Scalar> Predicate<S> for Meets<'_, S> {
         if !N::HAS_QUOTIENTS {
             return None;
         }
-        self.0.course::<N>()?.first_contact()
+        let course = self.0.course::<N>()?;
+        let on_axis = |last: Last| course.first_contact(Some(last.axis)).and_then(|x| last.at(x.t));
+        self.1.and_then(on_axis).or_else(|| course.first_contact(None))
     }
 
     #[inline(always)]
@@ -192,7 +272,7 @@ impl<S: Scalar> Predicate<S> for Meets<'_, S> {
         if !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS {
             return Err(Clue::NoNumbers);
         }
-        in_doubles::first_contact(&self.0).ok_or(Clue::Doubt)
+        in_doubles::first_contact(&self.0, self.1).ok_or(Clue::Doubt)
     }
 
     fn refined(&self, _: Clue) -> Option<FirstContact<S>>
@@ -200,11 +280,31 @@ impl<S: Scalar> Predicate<S> for Meets<'_, S> {
         Filtered<f64>: Embeds<S>,
     {
         let is_long = !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS;
-        if is_long { in_doubles::first_contact_of_long(&self.0) } else { None }
+        if is_long { in_doubles::first_contact_of_long(&self.0, self.1) } else { None }
     }
 
     fn exact(&self) -> FirstContact<S> {
         self.0.exactly().first_contact()
+    }
+}
+
+impl<S: Scalar> Passing<'_, S> {
+    #[inline]
+    fn meet(self) -> bool {
+        !S::evaluate(&Misses(self))
+    }
+
+    fn first_contact(self) -> Option<FirstContact<S>> {
+        let instant = if S::IN_QUADS { S::in_quads(&When(&self)) } else { None };
+        match instant {
+            Some(Instant::Misses) => None,
+            Some(Instant::AtStart) => Some(FirstContact::default()),
+            Some(Instant::Meets(last)) => Some(S::evaluate_numeric(&Meets(self, last))),
+            Some(Instant::Unknown) | None => {
+                let misses = Misses(self);
+                (!S::without_quads(&misses)).then(|| S::evaluate_numeric(&Meets(misses.0, None)))
+            }
+        }
     }
 }
 
@@ -213,13 +313,12 @@ impl<S: Scalar> Sweep<Aabb<S>> for Triangle<S> {
 
     #[inline]
     fn meets_along(&self, motion: &Motion<S>, aabb: &Aabb<S>) -> bool {
-        !S::evaluate(&Misses(Passing::new(self, aabb, motion)))
+        Passing::new(self, aabb, motion).meet()
     }
 
     #[inline]
     fn first_contact(&self, motion: &Motion<S>, aabb: &Aabb<S>) -> Option<FirstContact<S>> {
-        let meet = || S::evaluate_numeric(&Meets(Passing::new(self, aabb, motion)));
-        self.meets_along(motion, aabb).then(meet)
+        Passing::new(self, aabb, motion).first_contact()
     }
 }
 
@@ -228,11 +327,11 @@ impl<S: Scalar> Sweep<Triangle<S>> for Aabb<S> {
 
     #[inline]
     fn meets_along(&self, motion: &Motion<S>, triangle: &Triangle<S>) -> bool {
-        triangle.meets_along(&motion.reversed(), self)
+        Passing::reversed(triangle, self, motion).meet()
     }
 
     #[inline]
     fn first_contact(&self, motion: &Motion<S>, triangle: &Triangle<S>) -> Option<FirstContact<S>> {
-        triangle.first_contact(&motion.reversed(), self)
+        Passing::reversed(triangle, self, motion).first_contact()
     }
 }
