@@ -59,6 +59,7 @@ const VOLUME_SPEED: u16 = 52;
 pub(super) const LONG: f64 = f64::from_bits((1023 - 96) << 52);
 
 /// How far computed axes may be from the truth, all along the way.
+#[derive(Clone, Copy)]
 pub(super) struct Along<N: Arithmetic> {
     pub(super) area: N::Area,
     pub(super) volume: N::Volume,

@@ -3,9 +3,21 @@
 
 use super::error_bound::{AtStart, FACE, at_start};
 use super::{FirstContact, Given, Last};
-use crate::arithmetic::{Filtered, Number, greatest, least, pick, turn};
+use crate::arithmetic::{Filtered, Number, greatest, least};
 use crate::query::Axis;
 use crate::scalar::Scalar;
+
+/// A number of a row. By its address: which axis it is nobody can guess.
+#[inline(always)]
+fn at<T: Copy>(x: &[T; 3], i: usize) -> T {
+    x.get(i).copied().unwrap_or(x[0])
+}
+
+/// The axis that follows in turn.
+#[inline(always)]
+fn after(i: usize) -> usize {
+    at(&[1, 2, 0], i)
+}
 
 /// How far apart the shapes are at the start, and how far the triangle moves; with bounds.
 struct Gap {
@@ -29,33 +41,33 @@ impl Given<Filtered<f64>> {
     /// A coordinate in the frame of the box.
     #[inline(always)]
     fn in_frame(&self, x: f64, i: usize) -> f64 {
-        let (p, q) = (*pick(&self.p, i), *pick(&self.q, i));
+        let (p, q) = (at(&self.p, i), at(&self.q, i));
         if self.is_by_center { x - p } else { ((x - p) + (x - q)).half() }
     }
 
     #[inline(always)]
     fn half(&self, i: usize) -> f64 {
-        let (p, q) = (*pick(&self.p, i), *pick(&self.q, i));
+        let (p, q) = (at(&self.p, i), at(&self.q, i));
         if self.is_by_center { q } else { (q - p).half() }
     }
 
     #[inline(always)]
     fn way(&self, i: usize) -> f64 {
         let [from, to] = &self.way;
-        pick(to, i) - pick(from, i)
+        at(to, i) - at(from, i)
     }
 
     /// Coordinate i of the edge from vertex k.
     #[inline(always)]
     fn edge(&self, k: usize, i: usize) -> f64 {
         let v = &self.triangle;
-        pick(pick(v, turn(k).1), i) - pick(pick(v, k), i)
+        at(&at(v, after(k)), i) - at(&at(v, k), i)
     }
 
     /// Coordinate i of the normal.
     #[inline(always)]
     fn normal(&self, i: usize) -> f64 {
-        let (_, j, l) = turn(i);
+        let (j, l) = (after(i), after(after(i)));
         self.edge(0, j) * self.edge(1, l) - self.edge(0, l) * self.edge(1, j)
     }
 
@@ -68,9 +80,9 @@ impl Given<Filtered<f64>> {
             Axis::Face(i) => {
                 let i = usize::from(i);
                 let [a, b, c] = &self.triangle;
-                let (a, b, c) = (*pick(a, i), *pick(b, i), *pick(c, i));
+                let (a, b, c) = (at(a, i), at(b, i), at(c, i));
                 let (low, high) = (least(least(a, b), c), greatest(greatest(a, b), c));
-                let (p, q) = (*pick(&self.p, i), *pick(&self.q, i));
+                let (p, q) = (at(&self.p, i), at(&self.q, i));
                 let gap = if self.is_by_center {
                     greatest(low - p, p - high) - q
                 } else {
@@ -92,10 +104,11 @@ impl Given<Filtered<f64>> {
                 Gap { gap: [gap, bound.plane], way: [way.magnitude(), volume_speed] }
             }
             Axis::Edge { axis, edge } => {
-                let (i, j, l) = turn(usize::from(axis));
+                let i = usize::from(axis);
+                let (j, l) = (after(i), after(after(i)));
                 let k = usize::from(edge);
-                let (e, f, v) = (self.edge(k, j), self.edge(k, l), pick(&self.triangle, k));
-                let p = e * self.in_frame(*pick(v, l), l) - f * self.in_frame(*pick(v, j), j);
+                let (e, f, v) = (self.edge(k, j), self.edge(k, l), at(&self.triangle, k));
+                let p = e * self.in_frame(at(&v, l), l) - f * self.in_frame(at(&v, j), j);
                 let r = f.magnitude() * self.half(j) + e.magnitude() * self.half(l);
                 let middle = self.normal(i).half();
                 let gap = (p + middle).magnitude() - (middle.magnitude() + r);

@@ -10,6 +10,7 @@ use crate::scalar::Scalar;
 use crate::shape::AabbForm;
 
 /// A triangle in the frame of a box, and its way.
+#[derive(Clone, Copy)]
 struct Course<Q> {
     rows: Rows<Q>,
     /// The vertices in the frame.
@@ -107,7 +108,7 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
 
     /// See `triangle_aabb::frame`.
     #[inline(always)]
-    fn size(&self) -> Q::Lane {
+    fn size(self) -> Q::Lane {
         let spans = self.half + (self.rows.high - self.rows.low) + self.d.magnitude();
         let [x, y, z] = spans.three();
         greatest(greatest(x, y), z)
@@ -115,8 +116,8 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
 
     /// The axes of triangle and box. Nothing where the plane separates all of the way.
     #[inline(always)]
-    fn instants(&self, error: &Along<Filtered<Q::Lane>>) -> Option<Instants<Q>> {
-        let Self { rows, v, half, d, faces, .. } = self;
+    fn instants(self, error: &Along<Filtered<Q::Lane>>) -> Option<Instants<Q>> {
+        let Self { rows, v, half, d, faces, .. } = &self;
         let [area, volume] = [Q::splat(error.area), Q::splat(error.volume)];
         let plane = Moving::new(
             Q::splat(sum(rows.n * v[0])),
@@ -148,19 +149,19 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
 
     /// Whether it misses the box all of the way.
     #[inline(always)]
-    fn misses(&self) -> Option<bool> {
+    fn misses(self) -> Option<bool> {
         let error = along(self.size())?;
         let Some(instants) = self.instants(&error) else { return Some(true) };
         let [first, last] = instants.times();
         if first <= last && instants.overlap_at((first + last).half()) {
             return Some(false);
         }
-        self.misses_on_axes(&error, &instants)
+        self.misses_on_axes(error, instants)
     }
 
     /// What is known of when it meets it.
     #[inline(always)]
-    fn when(&self) -> Option<Instant> {
+    fn when(self) -> Option<Instant> {
         let size = self.size();
         let error = along(size)?;
         let Some(instants) = self.instants(&error) else { return Some(Instant::Misses) };
@@ -180,18 +181,21 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
                 })));
             }
         }
-        let misses = self.misses_on_axes(&error, &instants)?;
+        let misses = self.misses_on_axes(error, instants)?;
         Some(if misses { Instant::Misses } else { Instant::Meets(None) })
     }
 
     /// Whether one of the 19 axes separates all of the way. The plane does not for certain.
+    ///
+    /// By value: what others have a reference to stays in memory, and whoever loads it as a vector
+    /// waits for its parts to be stored.
     #[inline(never)]
     fn misses_on_axes(
-        &self,
-        error: &Along<Filtered<Q::Lane>>,
-        instants: &Instants<Q>,
+        self,
+        error: Along<Filtered<Q::Lane>>,
+        instants: Instants<Q>,
     ) -> Option<bool> {
-        let Self { rows, v, half, d, .. } = self;
+        let Self { rows, v, half, d, .. } = &self;
         let zero = Q::splat(Q::Lane::ZERO);
         let (way, half_turned) = (Edge::new(*d), half.turned());
         let half_way = sum(rows.n * *d).half();
@@ -228,7 +232,7 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         let is_near = (most.greatest(across).exceeds(least) & THREE != 0)
             | (greatest(plane, furthest) >= -error.volume)
             | (self.open_faces != 0);
-        if is_near && self.may_miss(error, plane, &edges, across, crosses) {
+        if is_near && self.may_miss(&error, plane, &edges, across, crosses) {
             return None;
         }
         Some(false)
