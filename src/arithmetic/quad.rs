@@ -19,12 +19,7 @@ mod vector;
 /// Four floats side by side. Each lane of a result is what the float's own operation
 /// gives, so that an answer does not depend on what a quad is made of.
 pub trait Quad:
-    Copy
-    + Debug
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
+    Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     /// What is in a lane.
     type Lane: Number;

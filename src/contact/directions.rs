@@ -65,8 +65,9 @@ pub(super) enum Finding {
     Overlaps([Overlap; 2]),
 }
 
-/// 256 roundoffs.
-const ERROR: f64 = 256.0 * (f64::EPSILON / 2.0);
+/// Roundoffs in an overlap, per X·Y·R.
+const ROUNDOFFS: u16 = 256;
+const ERROR: f64 = ROUNDOFFS as f64 * (f64::EPSILON / 2.0);
 
 /// Below this part of the squares of the sides the square of their cross product may be off by
 /// more than [`SPREAD`].
@@ -106,9 +107,10 @@ impl<'a> Filter<'a> {
         let mut size = 0.0;
         for shape in shapes {
             for k in 0..3 {
-                let side = largest(pick(&shape.sides, k));
-                size += largest(pick(&shape.at, k)) + pick(&shape.half, k) * side;
-                if side > RANGE.1 {
+                let (side, half) = (largest(pick(&shape.sides, k)), *pick(&shape.half, k));
+                size += largest(pick(&shape.at, k)) + half * side;
+                // The half-extent would make much of what a tiny side loses to underflow.
+                if side > RANGE.1 || (side < RANGE.0 && half * side > 0.0) {
                     size = f64::INFINITY;
                 }
             }
@@ -182,9 +184,10 @@ impl<'a> Filter<'a> {
     /// * The overlap is the sum of two of the former and two of the latter, over all at most
     ///   (2·60 + 72) times u·X·Y·R, and its sums at most 3·u·6·X·Y·R: 210 times u·X·Y·R.
     ///
-    /// 256 is more, by a fifth of it: enough for the second orders and for the roundings of R and of
-    /// the bound. Underflow matters nowhere: if X·Y·R is a normal number, what it costs is far below
-    /// u·X·Y·R, and [`RANGE`] sees to that.
+    /// [`ROUNDOFFS`] is more, by a fifth of it: enough for the second orders and for the roundings of
+    /// R and of the bound. Underflow matters nowhere: if X·Y·R is a normal number, and so are sides
+    /// that have half-extents, what it costs is far below u·X·Y·R, and [`RANGE`] sees to that.
+    /// `directions.g` proves it.
     ///
     /// The square of a errs by no more than 2·√3·8·u·X·Y·|a| and roundings, which is below
     /// [`SPREAD`] of it where it exceeds [`NOISE`]·X²·Y²: 28·2^-53 / 2^-27 = 2^-21.2.

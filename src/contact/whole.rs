@@ -96,9 +96,7 @@ impl Units {
                 axis[k % 3] = 1;
                 (axis, S::ONE.shift.into())
             }
-            Body::Obb(obb) => {
-                (Self::point(pick(obb.axes(), k).to_array(), self.axes), self.axes)
-            }
+            Body::Obb(obb) => (Self::point(pick(obb.axes(), k).to_array(), self.axes), self.axes),
         }
     }
 

@@ -3,8 +3,8 @@
 
 use core::cmp::Ordering;
 
-use super::latest::Latest;
 use super::FirstContact;
+use super::latest::Latest;
 use crate::arithmetic::{Parts, pick, turn};
 use crate::query::Axis;
 use crate::query::exact_aabb::ExactAabb;

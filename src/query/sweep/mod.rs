@@ -10,15 +10,17 @@ mod latest;
 mod motion;
 mod one_axis;
 mod rows;
+mod time;
 
 pub use motion::Motion;
 
 use self::exact::ExactCourse;
 use self::kernel::Course;
+use self::time::{Instant, Last, Meets, When};
 use super::Axis;
 use super::triangle_aabb::frame::{BoxForm, Frame};
-use crate::arithmetic::{Arithmetic, Embeds, Filtered, Float, InFloat, Number};
-use crate::robust::{Clue, Predicate};
+use crate::arithmetic::{Arithmetic, Embeds, Float, InFloat, Number};
+use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
@@ -190,104 +192,6 @@ impl<S: Scalar> Predicate<S> for Misses<'_, S> {
     }
 }
 
-/// What floats know of a way.
-#[derive(Clone, Copy, Debug, Default)]
-enum Instant {
-    /// Nothing.
-    #[default]
-    Unknown,
-    /// The shapes miss each other.
-    Misses,
-    /// They meet at the start.
-    AtStart,
-    /// They meet, and perhaps on this axis.
-    Meets(Option<Last>),
-}
-
-/// The axis that closes last.
-#[derive(Clone, Copy, Debug)]
-struct Last {
-    axis: Axis,
-    /// When it has not closed yet, but all others have.
-    after: f64,
-    /// Of shapes and way, at least: see [`error_bound`].
-    size: f64,
-}
-
-/// The question what floats know.
-struct When<'a, 'b, S>(&'b Passing<'a, S>);
-
-impl<S: Scalar> Predicate<S> for When<'_, '_, S> {
-    type Answer = Instant;
-
-    fn filter<N: Embeds<S>>(&self) -> Option<Instant> {
-        None
-    }
-
-    const IN_QUADS: bool = true;
-
-    #[inline(always)]
-    fn in_quads<F: Float>(&self) -> Option<Instant>
-    where
-        S: InFloat<F>,
-    {
-        rows::when::<S, F>(self.0)
-    }
-
-    fn exact(&self) -> Instant {
-        Instant::Unknown
-    }
-}
-
-/// The question when it meets it, of shapes that do, and what is known of that.
-struct Meets<'a, S>(Passing<'a, S>, Option<Last>);
-
-impl Last {
-    /// The answer, if all other axes have closed before also as the scalar tells times: else one of
-    /// them may come first in the order.
-    fn at<S: Scalar>(self, t: S) -> Option<FirstContact<S>> {
-        // Half a place of what is only compared, where `f64` has no more.
-        let is_after = t.real() > self.after * (1.0 + 4.0 * f64::EPSILON * 8.0);
-        is_after.then_some(FirstContact { t, axis: Some(self.axis) })
-    }
-}
-
-impl<S: Scalar> Predicate<S> for Meets<'_, S> {
-    type Answer = FirstContact<S>;
-
-    fn filter<N: Embeds<S>>(&self) -> Option<FirstContact<S>> {
-        if !N::HAS_QUOTIENTS {
-            return None;
-        }
-        let course = self.0.course::<N>()?;
-        let on_axis = |last: Last| course.first_contact(Some(last.axis)).and_then(|x| last.at(x.t));
-        self.1.and_then(on_axis).or_else(|| course.first_contact(None))
-    }
-
-    #[inline(always)]
-    fn fast_path(&self) -> Result<FirstContact<S>, Clue>
-    where
-        Filtered<f64>: Embeds<S>,
-    {
-        if !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS {
-            return Err(Clue::NoNumbers);
-        }
-        in_doubles::first_contact(&self.0, self.1).ok_or(Clue::Doubt)
-    }
-
-    fn refined(&self, _: Clue) -> Option<FirstContact<S>>
-    where
-        Filtered<f64>: Embeds<S>,
-    {
-        let is_long = !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS;
-        if is_long { in_doubles::first_contact_of_long(&self.0, self.1) } else { None }
-    }
-
-    fn exact(&self) -> FirstContact<S> {
-        self.0.exactly().first_contact()
-    }
-}
-
 impl<S: Scalar> Passing<'_, S> {
     #[inline]
     fn meet(self) -> bool {
@@ -299,10 +203,13 @@ impl<S: Scalar> Passing<'_, S> {
         match instant {
             Some(Instant::Misses) => None,
             Some(Instant::AtStart) => Some(FirstContact::default()),
-            Some(Instant::Meets(last)) => Some(S::evaluate_numeric(&Meets(self, last))),
+            Some(Instant::Meets(last)) => Some(S::evaluate_numeric(&Meets { passing: self, last })),
             Some(Instant::Unknown) | None => {
                 let misses = Misses(self);
-                (!S::without_quads(&misses)).then(|| S::evaluate_numeric(&Meets(misses.0, None)))
+                let is_miss =
+                    if S::IN_QUADS { S::without_quads(&misses) } else { S::evaluate(&misses) };
+                let passing = misses.0;
+                (!is_miss).then(|| S::evaluate_numeric(&Meets { passing, last: None }))
             }
         }
     }

@@ -55,7 +55,7 @@ fn when_in<S: Scalar + InFloat<F>, F: Float, const BY_CENTER: bool>(
     passing: &Passing<'_, S>,
 ) -> Option<Instant> {
     match Course::<F::Quad>::of::<S, BY_CENTER>(passing)? {
-        Some(course) => course.when(),
+        Some(course) => course.when(S::PLACE),
         None => Some(Instant::Misses),
     }
 }
@@ -102,6 +102,8 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         let v = rows.v;
         let in_frame = |v: Q| if BY_CENTER { v - p } else { half_of((v - p) + (v - q)) };
         let v = [in_frame(v[0]), in_frame(v[1]), in_frame(v[2])];
+        // What a part of the way loses to underflow is more than a part of a tiny size.
+        let error = error + Q::splat(Q::Lane::UNDERFLOW);
         let faces = Moving { above, below, way: d, error };
         Some(Self { rows, v, half, d, faces, open_faces })
     }
@@ -128,8 +130,7 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         if plane.least_gap().exceeds(volume) & THREE != 0 {
             return None;
         }
-        let (way, half_turned, radius) =
-            (Edge::new(*d), half.turned(), rows.middle.magnitude());
+        let (way, half_turned, radius) = (Edge::new(*d), half.turned(), rows.middle.magnitude());
         let edge = |k: usize| {
             let Edge { e, turned } = rows.e[k];
             let p = e * v[k].turned() - turned * v[k];
@@ -159,9 +160,10 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         self.misses_on_axes(error, instants)
     }
 
-    /// What is known of when it meets it.
+    /// What is known of when it meets it. So far before that axes are to be closed which count as
+    /// closed earlier.
     #[inline(always)]
-    fn when(self) -> Option<Instant> {
+    fn when(self, place: Q::Lane) -> Option<Instant> {
         let size = self.size();
         let error = along(size)?;
         let Some(instants) = self.instants(&error) else { return Some(Instant::Misses) };
@@ -172,10 +174,11 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
                     return Some(Instant::AtStart);
                 }
             } else if instants.overlap_at((first + last).half()) {
-                let last = instants.only_axis_at(first);
+                let after = greatest(first - place, Q::Lane::ZERO);
+                let last = instants.only_axis_at(after);
                 return Some(Instant::Meets(last.map(|axis| Last {
                     axis,
-                    after: first.into(),
+                    after: after.into(),
                     // As `f64` would have it, with all roundings.
                     size: size.into() * 1.001,
                 })));
