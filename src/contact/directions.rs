@@ -91,6 +91,21 @@ pub(super) fn dot(x: &Vec64, y: &Vec64) -> f64 {
     arithmetic::dot::<Filtered<f64>>(x, y)
 }
 
+/// Where a shape begins along a direction, and where it ends.
+#[inline(always)]
+fn ends(shape: &Rough, a: &Vec64) -> [f64; 2] {
+    if shape.is_triangle {
+        let at = three(|k| dot(a, &shape.at[k]));
+        let least = -greatest(greatest(-at[0], -at[1]), -at[2]);
+        return [least, greatest(greatest(at[0], at[1]), at[2])];
+    }
+    let reach = shape.half[0] * dot(a, &shape.sides[0]).abs()
+        + shape.half[1] * dot(a, &shape.sides[1]).abs()
+        + shape.half[2] * dot(a, &shape.sides[2]).abs();
+    let at = dot(a, &shape.at[0]);
+    [at - reach, at + reach]
+}
+
 /// Two shapes in floats, and what is known of them beforehand.
 pub(super) struct Filter<'a> {
     shapes: &'a [Rough; 2],
@@ -225,19 +240,7 @@ impl<'a> Filter<'a> {
             // It may be zero, or point anywhere.
             return Finding::Overlaps([Overlap::UNKNOWN; 2]);
         }
-        let ends = |shape: &Rough| {
-            if shape.is_triangle {
-                let at = three(|k| dot(&a, &shape.at[k]));
-                let least = -greatest(greatest(-at[0], -at[1]), -at[2]);
-                return [least, greatest(greatest(at[0], at[1]), at[2])];
-            }
-            let reach = shape.half[0] * dot(&a, &shape.sides[0]).abs()
-                + shape.half[1] * dot(&a, &shape.sides[1]).abs()
-                + shape.half[2] * dot(&a, &shape.sides[2]).abs();
-            let at = dot(&a, &shape.at[0]);
-            [at - reach, at + reach]
-        };
-        let ([a0, a1], [b0, b1]) = (ends(&shapes[0]), ends(&shapes[1]));
+        let ([a0, a1], [b0, b1]) = (ends(&shapes[0], &a), ends(&shapes[1], &a));
         let error = ERROR * (scale * self.size);
         let overlaps = [a1 - b0, b1 - a0];
         if overlaps[0] < -error || overlaps[1] < -error {

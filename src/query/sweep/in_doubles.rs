@@ -205,16 +205,21 @@ fn rounded_down(gap: Long, speed: Long, error: f64) -> Option<f64> {
         return None;
     }
     // Within two units in the last place.
-    t = f64::from_bits(t.to_bits() - 2);
-    if !is_at_most(t)? {
+    if is_at_most(t)? {
+        for _ in 0..3 {
+            let above = next(t);
+            if !is_at_most(above)? {
+                return Some(t);
+            }
+            t = above;
+        }
         return None;
     }
-    for _ in 0..4 {
-        let above = next(t);
-        if !is_at_most(above)? {
+    for _ in 0..3 {
+        t = f64::from_bits(t.to_bits() - 1);
+        if is_at_most(t)? {
             return Some(t);
         }
-        t = above;
     }
     None
 }
