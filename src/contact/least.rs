@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::body::{Body, Rough, Vec64};
 use super::directions::{Direction, Filter, Finding, all, cross, dot};
-use super::exact::{Exact, farthest};
+use super::exact::{Exact, Size, farthest};
 use super::interior::InteriorEdges;
 use super::whole::Units;
 use crate::arithmetic::{Positive, pick, three, turn};
@@ -134,7 +134,7 @@ fn across(way: &Way, edges: &[Vec64; 3], interior: InteriorEdges) -> Option<bool
         3 => None,
         2 => Some((0..3).any(|k| farthest[k] && farthest[turn(k).1] && interior.contains(k))),
         _ => {
-            let n = way.unit().map(|x| -x);
+            let n = way.unit(&way.ratios()).map(|x| -x);
             let normal = cross(&edges[0], &edges[1]);
             let k = farthest.iter().position(|&is| is).unwrap_or(0);
             let outward = |k: usize| dot(&n, &cross(pick(edges, k), &normal)) >= 0.0;
@@ -150,31 +150,31 @@ impl Way {
         if self.is_along == (shape == 0) { Ordering::Less } else { Ordering::Greater }
     }
 
-    /// The unit vector that the first shape goes along, as it is to be rounded.
-    pub(super) fn unit(&self) -> Vec64 {
-        three(|i| match self.coordinates[i] {
-            Some((sign, size)) => {
-                let x = size.over(self.length).in_double();
+    /// The sizes of the coordinates of the unit vector that the first shape goes along.
+    pub(super) fn ratios(&self) -> [Size; 3] {
+        three(|i| self.coordinates[i].map(|(_, size)| size.over(self.length)))
+    }
+
+    /// The unit vector, as it is to be rounded.
+    pub(super) fn unit(&self, ratios: &[Size; 3]) -> Vec64 {
+        three(|i| match (self.coordinates[i], ratios[i]) {
+            (Some((sign, _)), Some(ratio)) => {
+                let x = ratio.in_double();
                 if sign.is_gt() == self.is_along { x } else { -x }
             }
-            None => 0.0,
+            _ => 0.0,
         })
     }
 
     /// A vector along the way: for each coordinate its size, in real units, and the rounding.
-    fn vector<S: Scalar>(
-        &self,
-        units: i32,
-        is_up: bool,
-        of: impl Fn(Positive) -> Positive,
-    ) -> Vec3<S> {
-        let [x, y, z] = three(|i| match self.coordinates[i] {
-            Some((sign, size)) => {
-                let (m, exponent) = of(size).scaled(units).upper();
+    fn vector<S: Scalar>(&self, units: i32, is_up: bool, sizes: [Size; 3]) -> Vec3<S> {
+        let [x, y, z] = three(|i| match (self.coordinates[i], sizes[i]) {
+            (Some((sign, _)), Some(size)) => {
+                let (m, exponent) = size.scaled(units).upper();
                 let x = S::of_units(m, exponent, is_up);
                 if sign.is_gt() == self.is_along { x } else { x.opposite() }
             }
-            None => S::ZERO,
+            _ => S::ZERO,
         });
         Vec3::new(x, y, z)
     }
@@ -185,13 +185,15 @@ impl Way {
     /// aᵢ. So a·t = Σ|aᵢ|·|tᵢ| ≥ o: on this direction the shapes overlap no more.
     pub(super) fn translation<S: Scalar>(&self) -> Vec3<S> {
         let is_single = self.coordinates.iter().flatten().count() == 1;
-        self.vector(-i32::from(S::ONE.shift), true, |size| {
+        let of = |size: Positive| {
             if is_single { self.depth } else { size.times(self.overlap).over(self.square) }
-        })
+        };
+        let sizes = three(|i| self.coordinates[i].map(|(_, size)| of(size)));
+        self.vector(-i32::from(S::ONE.shift), true, sizes)
     }
 
-    pub(super) fn normal<S: Scalar>(&self) -> Vec3<S> {
-        self.vector(i32::from(S::ONE.shift), false, |size| size.over(self.length))
+    pub(super) fn normal<S: Scalar>(&self, ratios: [Size; 3]) -> Vec3<S> {
+        self.vector(i32::from(S::ONE.shift), false, ratios)
     }
 
     pub(super) fn depth<S: Scalar>(&self) -> S {

@@ -68,6 +68,7 @@ mod sums;
 mod whole;
 
 use self::body::{Body, Place, Rough};
+use self::exact::Size;
 pub use self::feature::{Axis, Part};
 pub use self::interior::{InteriorEdges, interior_edges};
 use self::least::{Way, least_way};
@@ -164,7 +165,8 @@ pub fn least_translation<S: Scalar>(
 ) -> Option<Translation<S>> {
     let bodies = [first.body(), second.body()];
     let (_, rough) = in_floats(&bodies);
-    Some(translation(&bodies, &least_way(&bodies, &rough, InteriorEdges::NONE)?))
+    let way = least_way(&bodies, &rough, InteriorEdges::NONE)?;
+    Some(translation(&bodies, &way, way.ratios()))
 }
 
 /// The least translation of the first shape that takes it out of the second, and the points where
@@ -217,8 +219,9 @@ pub fn contact_in_mesh<S: Scalar>(
 fn of_bodies<S: Scalar>(bodies: &[Body<'_, S>; 2], interior: InteriorEdges) -> Option<Contact<S>> {
     let (origin, rough) = in_floats(bodies);
     let way = least_way(bodies, &rough, interior)?;
-    let translation = translation(bodies, &way);
-    let points = points(origin, &rough, &way, translation.axis);
+    let ratios = way.ratios();
+    let translation = translation(bodies, &way, ratios);
+    let points = points(origin, &rough, &way, way.unit(&ratios), translation.axis);
     Some(Contact { translation, is_held: way.is_held, points })
 }
 
@@ -228,7 +231,11 @@ fn in_floats<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> (Place<S>, [Rough; 2]) {
     (origin, [bodies[0].rough(&origin), bodies[1].rough(&origin)])
 }
 
-fn translation<S: Scalar>(bodies: &[Body<'_, S>; 2], way: &Way) -> Translation<S> {
-    let axis = axis(bodies, way);
-    Translation { vector: way.translation(), depth: way.depth(), normal: way.normal(), axis }
+fn translation<S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    way: &Way,
+    ratios: [Size; 3],
+) -> Translation<S> {
+    let (vector, normal, axis) = (way.translation(), way.normal(ratios), axis(bodies, way));
+    Translation { vector, depth: way.depth(), normal, axis }
 }

@@ -110,11 +110,12 @@ fn edge(shape: &Rough, k: usize, upper: [bool; 3]) -> (Vec64, Vec64, [f64; 2]) {
     (corner_of_box(&flat, upper), side, [-h, h])
 }
 
-/// The points of a way out along an axis.
+/// The points of a way out along an axis, which the first shape goes along the normal.
 pub(super) fn points<S: Scalar>(
     origin: Place<S>,
     [first, second]: &[Rough; 2],
     way: &Way,
+    normal: Vec64,
     axis: Axis,
 ) -> Points<S> {
     let zero = Vec3::splat(S::ZERO);
@@ -123,8 +124,6 @@ pub(super) fn points<S: Scalar>(
     let offset = three(|i| origin.1[i].beyond_in_double(origin.0[i]) * 0.5);
     let points = Points { points: [empty; MOST], count: 0 };
     let mut finder = Finder { origin, offset, points };
-    // The first shape goes along this.
-    let normal = way.unit();
     match (axis, way.direction) {
         (Axis::First(face), _) => {
             clip(&mut finder, [first, second], face, &three(|i| -normal[i]), false);
