@@ -58,6 +58,7 @@ impl Bits {
 
     /// How many bits hold all, in units of the lowest.
     pub(crate) fn width(self) -> i32 {
-        self.high.saturating_sub(self.low)
+        let width = self.high.saturating_sub(self.low);
+        if width > 0 { width } else { 0 }
     }
 }

@@ -29,6 +29,7 @@ pub(super) trait Given {
 }
 
 /// A direction that is not zero.
+#[derive(Debug, PartialEq)]
 pub(super) struct Exact {
     pub(super) coordinates: [Option<(Ordering, Positive)>; 3],
     /// How the three sides of each shape lie to it.

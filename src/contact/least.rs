@@ -21,7 +21,7 @@ pub(super) struct Way {
     length: Positive,
     square: Positive,
     /// The overlap as a length.
-    depth: Positive,
+    pub(super) depth: Positive,
     coordinates: [Option<(Ordering, Positive)>; 3],
     /// How the sides of the shapes lie to the direction.
     pub(super) along: [[Ordering; 3]; 2],
