@@ -154,9 +154,12 @@ where
     Filtered<f64>: Embeds<S>,
 {
     let course = passing.course::<Filtered<f64>>()?;
-    if let Some(last) = last {
+    let on_axis = |last: Last| {
         let t = time_on::<S>(passing, &course, last.axis)?;
-        return last.at(S::at_most(Portion::of(t)));
+        last.at(S::at_most(Portion::of(t)))
+    };
+    if let Some(found) = last.and_then(on_axis) {
+        return Some(found);
     }
     let gaps = course.gaps()?;
     let Some(last) = gaps.last() else { return at_start_of(&gaps) };

@@ -174,7 +174,8 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
                     return Some(Instant::AtStart);
                 }
             } else if instants.overlap_at((first + last).half()) {
-                let after = greatest(first - place, Q::Lane::ZERO);
+                // And by more than what a number of the scalar loses in `f64`: see `Last`.
+                let after = greatest(first - first.error(256) - place, Q::Lane::ZERO);
                 let last = instants.only_axis_at(after);
                 return Some(Instant::Meets(last.map(|axis| Last {
                     axis,
