@@ -68,7 +68,7 @@ impl Last {
     /// The answer, if all other axes have closed before also as the scalar tells times: else one of
     /// them may come first in the order.
     pub(super) fn at<S: Scalar>(self, t: S) -> Option<FirstContact<S>> {
-        let is_after = t.real() > self.after * (1.0 + NEAR);
+        let is_after = t.in_double() > self.after * (1.0 + NEAR);
         is_after.then_some(FirstContact { t, axis: Some(self.axis) })
     }
 }
