@@ -9,7 +9,7 @@ use super::quad::OfFour;
 use super::quotient::Leading;
 
 /// A binary floating-point type of IEEE 754.
-pub trait Float: Number + OfFour + Mul<Output = Self> + From<u16> + 'static {
+pub trait Float: Number + OfFour + Mul<Output = Self> + From<u16> + Into<f64> + 'static {
     /// One half.
     const HALF: Self;
     /// u: half the distance from 1 to the next number.

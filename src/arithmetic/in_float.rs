@@ -13,6 +13,9 @@ pub trait InFloat<F>: Copy {
     /// Below this magnitude nothing is rounded; `None` if nothing ever is.
     const LIMIT: Option<F>;
 
+    /// The last place of a fixed-point number, as a number; zero of a float.
+    const PLACE: F;
+
     /// The coordinate, to the nearest.
     fn in_float(self) -> F;
 }
@@ -52,6 +55,7 @@ macro_rules! same {
     ($($scalar:ty => $float:ty)*) => {$(
         impl InFloat<$float> for $scalar {
             const LIMIT: Option<$float> = None;
+            const PLACE: $float = 0.0;
             #[inline(always)]
             fn in_float(self) -> $float {
                 self.into()
@@ -67,6 +71,7 @@ macro_rules! raw_bits {
     ($($fixed:ident, $bound:ident => $float:ty, $limit:expr;)*) => {$(
         impl<Frac: $bound> InFloat<$float> for $fixed<Frac> {
             const LIMIT: Option<$float> = $limit;
+            const PLACE: $float = 1.0 / (1_u128 << Self::FRAC_NBITS) as $float;
             #[inline(always)]
             fn in_float(self) -> $float {
                 self.to_bits() as $float

@@ -13,6 +13,13 @@ pub(crate) const fn turn(i: usize) -> (usize, usize, usize) {
     }
 }
 
+/// What `f` says of each coordinate axis. Inlined always: `array::map` often is not, and what
+/// goes through memory then costs more than what is computed.
+#[inline(always)]
+pub(crate) fn three<T>(mut f: impl FnMut(usize) -> T) -> [T; 3] {
+    [f(0), f(1), f(2)]
+}
+
 /// Component `i`, without a bound to check.
 #[inline(always)]
 pub(crate) fn pick<T>(x: &[T; 3], i: usize) -> &T {

@@ -38,7 +38,7 @@ pub(crate) use fixed::clamped;
 pub use float::Float;
 pub(crate) use float::quotient;
 pub use in_float::{FirstFloat, InFloat};
-pub(crate) use index::{pick, turn};
+pub(crate) use index::{pick, three, turn};
 pub(crate) use integer::Int64;
 #[cfg(feature = "fixed")]
 pub(crate) use integer::{Int8, Int16, Int32};
@@ -48,6 +48,7 @@ pub(crate) use limbs::Wide;
 pub(crate) use long::Long;
 pub use number::Number;
 pub(crate) use number::{compare, greatest, largest, least};
+pub(crate) use parts::Bits;
 pub use parts::Parts;
 pub(crate) use platform::{REGISTERS_ARE_WIDE, SMALL_CODE};
 pub use portion::Portion;
@@ -69,7 +70,6 @@ pub(crate) use split::{FAR, Split, Two, short_areas, two_difference};
 pub use system::{Arithmetic, Embeds};
 pub(crate) use system::{of_two, once};
 pub(crate) use vector::{cross, dot};
-#[cfg(feature = "fixed")]
 pub(crate) use wide::I256;
 #[cfg(test)]
 pub(crate) use words::SplitSum;

@@ -4,37 +4,18 @@ use core::cmp::Ordering;
 
 use super::float::{Float, quotient};
 use super::integer::Int64;
-use super::parts::Parts;
+use super::parts::Bits;
 use super::system::{Embeds, convert};
 use super::wide::I256;
 
-/// The exponents of the lowest and highest bit of any coordinate, as powers of two in
-/// units of the least number: without a branch, for whether one is zero is hard to guess.
-fn span<F: Float>(all: &[[F; 3]]) -> (i32, i32) {
-    let mut span = (i32::MAX, 0);
-    for x in all.as_flattened() {
-        let Parts { magnitude, shift, .. } = x.parts();
-        let low = i32::from(shift) + magnitude.trailing_zeros() as i32;
-        let high = i32::from(shift) + 64 - magnitude.leading_zeros() as i32;
-        let is_zero = magnitude == 0;
-        span.0 = span.0.min(if is_zero { i32::MAX } else { low });
-        span.1 = span.1.max(if is_zero { 0 } else { high });
-    }
-    span
+/// The bits of all coordinates.
+fn bits<F: Float>(all: &[[F; 3]]) -> Bits {
+    all.as_flattened().iter().fold(Bits::NONE, |bits, x| bits.with(x.parts()))
 }
 
 /// Whether 60 bits hold all.
-fn is_short((low, high): (i32, i32)) -> bool {
-    high.saturating_sub(low) <= 60
-}
-
-/// `x` in units of two to the power `low`; the unit divides `x`.
-#[inline]
-fn in_units<F: Float>(x: F, low: i32) -> i64 {
-    let Parts { negative, magnitude, shift } = x.parts();
-    // Up or down by less than 64, and no bit goes over the end.
-    let whole = magnitude.rotate_left(i32::from(shift).wrapping_sub(low) as u32) as i64;
-    if negative { -whole } else { whole }
+fn is_short(bits: Bits) -> bool {
+    bits.width() <= 60
 }
 
 /// Floats as whole multiples of one power of two, if 60 bits hold them all:
@@ -42,17 +23,17 @@ fn in_units<F: Float>(x: F, low: i32) -> i64 {
 /// among them: the unit is the scene's, not the scalar's.
 impl<F: Float> Embeds<F> for Int64 {
     fn holds<const K: usize>(coordinates: &[[F; 3]; K]) -> bool {
-        is_short(span(coordinates))
+        is_short(bits(coordinates))
     }
 
     fn embed_held<const K: usize>(coordinates: &[[F; 3]; K]) -> [[i64; 3]; K] {
-        let (low, _) = span(coordinates);
-        convert(coordinates, 0, |x| in_units(x, low))
+        let Bits { low, .. } = bits(coordinates);
+        convert(coordinates, 0, |x| x.parts().in_units(low))
     }
 
     fn embed<const K: usize>(coordinates: &[[F; 3]; K]) -> Option<[[i64; 3]; K]> {
-        let span = span(coordinates);
-        is_short(span).then(|| convert(coordinates, 0, |x| in_units(x, span.0)))
+        let bits = bits(coordinates);
+        is_short(bits).then(|| convert(coordinates, 0, |x| x.parts().in_units(bits.low)))
     }
 
     const DIVIDES: bool = true;

@@ -21,4 +21,44 @@ impl Parts {
     pub fn negated(self) -> Self {
         Self { negative: !self.negative, ..self }
     }
+
+    /// The number in units of two to the power `low`; the unit divides it, and 63 bits hold it.
+    #[inline]
+    pub(crate) fn in_units(self, low: i32) -> i64 {
+        // Up or down by less than 64, and no bit goes over the end.
+        let up = i32::from(self.shift).wrapping_sub(low) as u32;
+        let whole = self.magnitude.rotate_left(up) as i64;
+        if self.negative { -whole } else { whole }
+    }
+}
+
+/// The exponents of the lowest and of the highest bit of some numbers, as powers of two in units
+/// of the least number.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bits {
+    pub(crate) low: i32,
+    pub(crate) high: i32,
+}
+
+impl Bits {
+    /// Of no number, or of zero.
+    pub(crate) const NONE: Self = Self { low: i32::MAX, high: 0 };
+
+    /// Those of one more number: without a branch, for whether one is zero is hard to guess.
+    #[inline(always)]
+    pub(crate) fn with(self, x: Parts) -> Self {
+        let low = i32::from(x.shift) + x.magnitude.trailing_zeros() as i32;
+        let high = i32::from(x.shift) + 64 - x.magnitude.leading_zeros() as i32;
+        let is_zero = x.magnitude == 0;
+        Self {
+            low: self.low.min(if is_zero { i32::MAX } else { low }),
+            high: self.high.max(if is_zero { 0 } else { high }),
+        }
+    }
+
+    /// How many bits hold all, in units of the lowest.
+    pub(crate) fn width(self) -> i32 {
+        let width = self.high.saturating_sub(self.low);
+        if width > 0 { width } else { 0 }
+    }
 }

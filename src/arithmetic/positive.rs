@@ -6,7 +6,7 @@
 /// The top bit of `low` is set. A slack of zero says that the number is known exactly. No
 /// operation makes more of two slacks than four times their sum and four, so that after a few a
 /// number is still known to 2^-55 of itself.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Positive {
     low: u64,
     slack: u32,

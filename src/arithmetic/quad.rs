@@ -1,7 +1,7 @@
 //! Four floats at once. Queries in space use three lanes, and never look at the fourth.
 
 use core::fmt::Debug;
-use core::ops::{Add, Mul, Sub};
+use core::ops::{Add, Div, Mul, Sub};
 
 use super::number::Number;
 
@@ -19,7 +19,7 @@ mod vector;
 /// Four floats side by side. Each lane of a result is what the float's own operation
 /// gives, so that an answer does not depend on what a quad is made of.
 pub trait Quad:
-    Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
+    Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     /// What is in a lane.
     type Lane: Number;

@@ -36,6 +36,20 @@ impl I256 {
         Self { high: (upper >> 64) + (lower >> 127) + i128::from(carry), low }
     }
 
+    /// The product of 128 and 128 bits, neither of which is the least number of its type.
+    pub(crate) fn of_two(a: i128, b: i128) -> Self {
+        let halves = |x: i128| {
+            let x = x.unsigned_abs();
+            (x >> 64, u128::from(x as u64))
+        };
+        let ((a_high, a_low), (b_high, b_low)) = (halves(a), halves(b));
+        let (middle, carry) = (a_high * b_low).overflowing_add(a_low * b_high);
+        let (low, carry_too) = (a_low * b_low).overflowing_add(middle << 64);
+        let high = a_high * b_high + (middle >> 64) + (u128::from(carry) << 64);
+        let product = Self { high: (high + u128::from(carry_too)) as i128, low };
+        if (a < 0) == (b < 0) { product } else { -product }
+    }
+
     /// Sign and magnitude, the latter in limbs, least first.
     pub(crate) fn limbs(self) -> (bool, [u64; 4]) {
         let Self { high, low } = self.magnitude();
@@ -144,6 +158,22 @@ mod tests {
                 assert_eq!(I256::product(a, 1) - I256::product(b, 1), I256::product(a - b, 1));
             }
         }
+    }
+
+    #[test]
+    fn products_of_two_agree_with_those_of_one_and_a_half() {
+        let some = [-(1_i128 << 126), -(u128::MAX as i128 >> 3) - 99, -1, 0, 1, 7, i128::MAX];
+        for a in some {
+            for b in [i64::MIN, -12345, -1, 0, 1, 77, i64::MAX] {
+                let (b, by_half) = (i128::from(b), I256::product(a, b));
+                assert_eq!((I256::of_two(a, b), I256::of_two(b, a)), (by_half, by_half));
+                // a·(b·2^60), as 2^60·(a·b): where that is no longer than 256 bits.
+                let shifted = (0..60).fold(by_half, |x, _| x + x);
+                assert_eq!(I256::of_two(a, b << 60), shifted);
+            }
+        }
+        let greatest = I256::of_two(i128::MAX, i128::MAX);
+        assert_eq!(greatest, I256 { high: (1 << 126) - 1, low: 1 });
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The shapes that have contacts, as one: taken apart for floats and for exact sums.
 
-use crate::arithmetic::{Parts, pick, turn};
+use crate::arithmetic::{Parts, pick, three, turn};
 use crate::robust::{ExactSum, Linear, Vector, add_scaled_determinant, difference, single};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Obb, Triangle};
@@ -56,35 +56,36 @@ impl<S: Scalar> Body<'_, S> {
     }
 
     /// The shape in floats. Every number of it has been rounded once or twice.
-    #[inline(never)] // QEMU before 8.0 multiplies two f32 widened for it wrongly on s390x (MDEBR).
+    #[cfg_attr(target_arch = "s390x", inline(never))] // QEMU before 8.0 multiplies two f32 widened for it wrongly on s390x (MDEBR).
     pub(super) fn rough(&self, origin: &Place<S>) -> Rough {
         let from = |x: &Place<S>| {
-            [0, 1, 2].map(|i: usize| {
+            three(|i| {
                 (x.0[i].beyond_in_double(origin.0[i]) + x.1[i].beyond_in_double(origin.1[i])) * 0.5
             })
         };
+        let doubles = |x: [S; 3]| three(|i| x[i].in_double());
         let aligned = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let (sides, half) = match self {
             Self::Triangle(t) => {
                 let v = t.points();
                 let edge = |k: usize| {
                     let (from, to) = (pick(&v, k), pick(&v, turn(k).1));
-                    [0, 1, 2].map(|i: usize| to[i].beyond_in_double(from[i]))
+                    three(|i| to[i].beyond_in_double(from[i]))
                 };
                 let sides = [edge(0), edge(1), edge(2)];
-                let at = v.map(|x| from(&Place(x, x)));
+                let at = three(|k| from(&Place(v[k], v[k])));
                 return Rough { is_triangle: true, at, sides, half: [0.0; 3] };
             }
             Self::Aabb(aabb) => match aabb.form() {
-                AabbForm::Center { half, .. } => (aligned, half.to_array().map(S::in_double)),
+                AabbForm::Center { half, .. } => (aligned, doubles(half.to_array())),
                 AabbForm::Corners { min, max } => {
                     let (p, q) = (min.to_array(), max.to_array());
-                    (aligned, [0, 1, 2].map(|i: usize| q[i].beyond_in_double(p[i]) * 0.5))
+                    (aligned, three(|i| q[i].beyond_in_double(p[i]) * 0.5))
                 }
             },
             Self::Obb(obb) => (
-                obb.axes().map(|u| u.to_array().map(S::in_double)),
-                obb.half_extents().to_array().map(S::in_double),
+                three(|k| doubles(obb.axes()[k].to_array())),
+                doubles(obb.half_extents().to_array()),
             ),
         };
         let center = from(&self.origin());

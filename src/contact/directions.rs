@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use super::body::{Body, Rough, Vec64};
-use crate::arithmetic::{self, Filtered, compare, greatest, largest, pick, turn};
+use crate::arithmetic::{self, Filtered, compare, greatest, largest, pick, three, turn};
 use crate::scalar::Scalar;
 
 /// An axis: a cross product of two sides of the shapes.
@@ -65,8 +65,9 @@ pub(super) enum Finding {
     Overlaps([Overlap; 2]),
 }
 
-/// 256 roundoffs.
-const ERROR: f64 = 256.0 * (f64::EPSILON / 2.0);
+/// Roundoffs in an overlap, per X·Y·R.
+const ROUNDOFFS: u16 = 256;
+const ERROR: f64 = ROUNDOFFS as f64 * (f64::EPSILON / 2.0);
 
 /// Below this part of the squares of the sides the square of their cross product may be off by
 /// more than [`SPREAD`].
@@ -90,9 +91,24 @@ pub(super) fn dot(x: &Vec64, y: &Vec64) -> f64 {
     arithmetic::dot::<Filtered<f64>>(x, y)
 }
 
+/// Where a shape begins along a direction, and where it ends.
+#[inline(always)]
+fn ends(shape: &Rough, a: &Vec64) -> [f64; 2] {
+    if shape.is_triangle {
+        let at = three(|k| dot(a, &shape.at[k]));
+        let least = -greatest(greatest(-at[0], -at[1]), -at[2]);
+        return [least, greatest(greatest(at[0], at[1]), at[2])];
+    }
+    let reach = shape.half[0] * dot(a, &shape.sides[0]).abs()
+        + shape.half[1] * dot(a, &shape.sides[1]).abs()
+        + shape.half[2] * dot(a, &shape.sides[2]).abs();
+    let at = dot(a, &shape.at[0]);
+    [at - reach, at + reach]
+}
+
 /// Two shapes in floats, and what is known of them beforehand.
-pub(super) struct Filter {
-    shapes: [Rough; 2],
+pub(super) struct Filter<'a> {
+    shapes: &'a [Rough; 2],
     /// No number of either shape is greater.
     size: f64,
     /// Coordinate axes that came before, as one that is not zero.
@@ -101,14 +117,15 @@ pub(super) struct Filter {
     same: [Option<usize>; 3],
 }
 
-impl Filter {
-    pub(super) fn new<S: Scalar>(shapes: [Rough; 2]) -> Self {
+impl<'a> Filter<'a> {
+    pub(super) fn new<S: Scalar>(shapes: &'a [Rough; 2]) -> Self {
         let mut size = 0.0;
-        for shape in &shapes {
+        for shape in shapes {
             for k in 0..3 {
-                let side = largest(pick(&shape.sides, k));
-                size += largest(pick(&shape.at, k)) + pick(&shape.half, k) * side;
-                if side > RANGE.1 {
+                let (side, half) = (largest(pick(&shape.sides, k)), *pick(&shape.half, k));
+                size += largest(pick(&shape.at, k)) + half * side;
+                // The half-extent would make much of what a tiny side loses to underflow.
+                if side > RANGE.1 || (side < RANGE.0 && half * side > 0.0) {
                     size = f64::INFINITY;
                 }
             }
@@ -126,10 +143,9 @@ impl Filter {
     }
 
     fn sides(&self, direction: Direction) -> [Vec64; 2] {
-        let shapes = &self.shapes;
-        direction
-            .sides([shapes[0].is_triangle, shapes[1].is_triangle])
-            .map(|(shape, k)| *pick(&shapes[shape % 2].sides, k))
+        let shapes = self.shapes;
+        let [(a, i), (b, j)] = direction.sides([shapes[0].is_triangle, shapes[1].is_triangle]);
+        [*pick(&shapes[a % 2].sides, i), *pick(&shapes[b % 2].sides, j)]
     }
 
     /// How the sides of the shapes lie to a direction, where floats are certain.
@@ -139,13 +155,15 @@ impl Filter {
     pub(super) fn along(&self, direction: Direction) -> [[Option<Ordering>; 3]; 2] {
         let [x, y] = &self.sides(direction);
         let (a, scale) = (cross(x, y), largest(x) * largest(y));
-        self.shapes.each_ref().map(|shape| {
-            shape.sides.each_ref().map(|s| {
+        let of = |shape: &Rough| {
+            three(|k| {
+                let s = &shape.sides[k];
                 let (along, size) = (dot(&a, s), scale * largest(s));
                 let is_certain = in_range(size) && along.abs() > ERROR / 4.0 * size;
                 is_certain.then(|| compare(along, 0.0))
             })
-        })
+        };
+        [of(&self.shapes[0]), of(&self.shapes[1])]
     }
 
     /// Whether a direction of two boxes came before, or is zero, because of axes that they share.
@@ -181,9 +199,10 @@ impl Filter {
     /// * The overlap is the sum of two of the former and two of the latter, over all at most
     ///   (2·60 + 72) times u·X·Y·R, and its sums at most 3·u·6·X·Y·R: 210 times u·X·Y·R.
     ///
-    /// 256 is more, by a fifth of it: enough for the second orders and for the roundings of R and of
-    /// the bound. Underflow matters nowhere: if X·Y·R is a normal number, what it costs is far below
-    /// u·X·Y·R, and [`RANGE`] sees to that.
+    /// [`ROUNDOFFS`] is more, by a fifth of it: enough for the second orders and for the roundings of
+    /// R and of the bound. Underflow matters nowhere: if X·Y·R is a normal number, and so are sides
+    /// that have half-extents, what it costs is far below u·X·Y·R, and [`RANGE`] sees to that.
+    /// `directions.g` proves it.
     ///
     /// The square of a errs by no more than 2·√3·8·u·X·Y·|a| and roundings, which is below
     /// [`SPREAD`] of it where it exceeds [`NOISE`]·X²·Y²: 28·2^-53 / 2^-27 = 2^-21.2.
@@ -191,11 +210,11 @@ impl Filter {
         if self.is_shared(direction) {
             return Finding::Nothing;
         }
-        let shapes = &self.shapes;
+        let shapes = self.shapes;
         let [x, y] = &self.sides(direction);
         // Which coordinates are zero for certain, and not because a product underflows; and which
         // for certain are not.
-        let products = [0, 1, 2].map(|i: usize| {
+        let products = three(|i| {
             let (_, j, k) = turn(i);
             let is_product = |a: usize, b: usize| *pick(x, a) != 0.0 && *pick(y, b) != 0.0;
             u8::from(is_product(j, k)) + u8::from(is_product(k, j))
@@ -221,28 +240,18 @@ impl Filter {
             // It may be zero, or point anywhere.
             return Finding::Overlaps([Overlap::UNKNOWN; 2]);
         }
-        let ends = |shape: &Rough| {
-            let at = shape.at.map(|p| dot(&a, &p));
-            let reach = shape.half[0] * dot(&a, &shape.sides[0]).abs()
-                + shape.half[1] * dot(&a, &shape.sides[1]).abs()
-                + shape.half[2] * dot(&a, &shape.sides[2]).abs();
-            let most = greatest(greatest(at[0], at[1]), at[2]) + reach;
-            let least = -greatest(greatest(-at[0], -at[1]), -at[2]) - reach;
-            [least, most]
-        };
-        // A triangle has no half-extents, and a box one position.
-        let ([a0, a1], [b0, b1]) = (ends(&shapes[0]), ends(&shapes[1]));
+        let ([a0, a1], [b0, b1]) = (ends(&shapes[0], &a), ends(&shapes[1], &a));
         let error = ERROR * (scale * self.size);
         let overlaps = [a1 - b0, b1 - a0];
         if overlaps[0] < -error || overlaps[1] < -error {
             return Finding::Apart;
         }
-        Finding::Overlaps(overlaps.map(|overlap| {
+        // Roundings are far below the spread.
+        let (least, most) = ((1.0 - SPREAD) / square, (1.0 + 3.0 * SPREAD) / square);
+        let bounds = |overlap: f64| {
             let (low, high) = (greatest(overlap - error, 0.0), overlap + error);
-            Overlap {
-                least: low * low / (square * (1.0 + SPREAD)),
-                most: high * high / (square * (1.0 - 2.0 * SPREAD)),
-            }
-        }))
+            Overlap { least: low * low * least, most: high * high * most }
+        };
+        Finding::Overlaps([bounds(overlaps[0]), bounds(overlaps[1])])
     }
 }

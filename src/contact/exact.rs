@@ -1,113 +1,119 @@
-//! A direction as it is: exact sums of products of the numbers as given. Every term of a length
-//! along it has four factors, and of a coordinate of it two.
+//! A direction as it is, by exact numbers.
 
 use core::cmp::Ordering;
 
-use super::body::{Body, side_of};
+use super::body::Body;
 use super::directions::Direction;
-use crate::arithmetic::{Parts, Positive, pick, turn};
-use crate::robust::{ExactSum, Vector, add_area, add_scaled_determinant};
+use super::sums::Sums;
+use super::whole::{Units, Whole};
+use crate::arithmetic::{Positive, pick, three, turn};
 use crate::scalar::Scalar;
 
+/// A number that is above zero, if it is.
+pub(super) type Size = Option<Positive>;
+
+/// The leading bits of a whole number, least limb first; `None` of zero.
+pub(super) fn positive(limbs: &[u64]) -> Size {
+    Positive::of_limbs(limbs)
+}
+
+/// What exact numbers tell of a direction.
+pub(super) trait Given {
+    /// Its coordinates, as sign and size; `None` of zero.
+    fn coordinates(&self) -> [Option<(Ordering, Positive)>; 3];
+    /// How a side of a shape lies to it.
+    fn side(&self, shape: usize, k: usize) -> Ordering;
+    /// Twice how far the shape that lies lower reaches beyond where the other begins, by how
+    /// their sides lie and by the vertices that come last and first; `None` if it does not.
+    fn overlap(&self, along: &[[Ordering; 3]; 2], vertices: [usize; 2], lower: usize) -> Size;
+}
+
 /// A direction that is not zero.
-pub(super) struct Exact<'a, S> {
-    bodies: &'a [Body<'a, S>; 2],
-    sides: [Vector; 2],
-    /// Its coordinates, as sign and size.
+#[derive(Debug, PartialEq)]
+pub(super) struct Exact {
     pub(super) coordinates: [Option<(Ordering, Positive)>; 3],
     /// How the three sides of each shape lie to it.
     pub(super) along: [[Ordering; 3]; 2],
+    /// How far the shapes overlap, in units of its length, where it was asked for: by how far the
+    /// first must go against it, and along it. Not above zero if there is nothing.
+    pub(super) overlaps: [Size; 2],
 }
 
-/// The size of a sum, which is not below zero; `None` of zero.
-fn size<T: ExactSum>(sum: &T) -> Option<Positive> {
-    Positive::of_limbs(sum.limbs())
-}
-
-impl<'a, S: Scalar> Exact<'a, S> {
+impl Exact {
     /// The direction, if it is not zero; some of the signs are known.
-    pub(super) fn new(
-        bodies: &'a [Body<'a, S>; 2],
+    pub(super) fn new<S: Scalar>(
+        bodies: &[Body<'_, S>; 2],
+        units: Option<&Units>,
         direction: Direction,
         known: &[[Option<Ordering>; 3]; 2],
+        wanted: [bool; 2],
     ) -> Option<Self> {
-        let own = direction.sides([bodies[0].is_triangle(), bodies[1].is_triangle()]);
-        let sides = own.map(|(shape, k)| bodies[shape % 2].side(k));
-        let coordinates = [0, 1, 2].map(|i: usize| {
-            let (_, j, k) = turn(i);
-            let [x, y] = &sides;
-            let of = |minus: bool| {
-                let mut sum = S::Sum::new();
-                add_area(&mut sum, pick(x, j), pick(y, k), minus);
-                add_area(&mut sum, pick(x, k), pick(y, j), !minus);
-                sum
-            };
-            let sum = of(false);
-            let sign = sum.sign();
-            let size = if sign.is_lt() { size(&of(true)) } else { size(&sum) };
-            size.map(|size| (sign, size))
-        });
+        let are_triangles = [bodies[0].is_triangle(), bodies[1].is_triangle()];
+        let own = direction.sides(are_triangles);
+        match units {
+            Some(units) => {
+                Self::of(&Whole::new(units, bodies, own), are_triangles, own, known, wanted)
+            }
+            None => Self::of(&Sums::new(bodies, own), are_triangles, own, known, wanted),
+        }
+    }
+
+    fn of(
+        given: &impl Given,
+        are_triangles: [bool; 2],
+        own: [(usize, usize); 2],
+        known: &[[Option<Ordering>; 3]; 2],
+        wanted: [bool; 2],
+    ) -> Option<Self> {
+        let coordinates = given.coordinates();
         if coordinates.iter().all(Option::is_none) {
             return None;
         }
-        let along = [0, 1].map(|shape: usize| {
-            [0, 1, 2].map(|k: usize| {
-                let is_across = own.contains(&(shape, k));
-                // The third edge of a triangle is the sum of the other two.
-                let is_across =
-                    is_across || own == [(shape, 0), (shape, 1)] && bodies[shape % 2].is_triangle();
-                if is_across {
+        let along_shape = |shape: usize| {
+            // The third edge of a triangle is the sum of the other two.
+            let is_normal = own == [(shape, 0), (shape, 1)] && are_triangles[shape % 2];
+            three(|k| {
+                if is_normal || own.contains(&(shape, k)) {
                     return Ordering::Equal;
                 }
-                let side = || side_of::<S>(sides.each_ref(), &bodies[shape % 2].side(k));
-                pick(&known[shape % 2], k).unwrap_or_else(side)
+                pick(&known[shape % 2], k).unwrap_or_else(|| given.side(shape, k))
             })
-        });
-        Some(Self { bodies, sides, coordinates, along })
-    }
-
-    /// How far the shapes overlap along the direction, in units of its length: by how far the
-    /// first must go against it, or along it. `None` if they do not.
-    pub(super) fn overlap(&self, is_along: bool) -> Option<Positive> {
-        let (lower, upper) = if is_along { (1, 0) } else { (0, 1) };
-        let mut sum = S::Sum::new();
-        // The end of the one that lies lower, less the beginning of the other, both twice.
-        self.add_end(&mut sum, lower, Ordering::Greater);
-        self.add_end(&mut sum, upper, Ordering::Less);
-        if sum.sign().is_gt() { size(&sum).map(|size| size.scaled(-1)) } else { None }
-    }
-
-    /// Adds how far the shape reaches along the direction, twice, or takes away where it begins.
-    fn add_end(&self, sum: &mut S::Sum, shape: usize, toward: Ordering) {
-        let [x, y] = &self.sides;
-        let (body, along) = (&self.bodies[shape % 2], &self.along[shape % 2]);
-        let vertex = farthest(along, toward).iter().position(|&is| is).unwrap_or(0);
-        body.add_place(sum, [x, y], vertex, toward.is_lt());
-        for k in 0..3 {
-            let sign = *pick(along, k);
-            if sign.is_eq() || body.is_triangle() {
-                continue;
+        };
+        let along = [along_shape(0), along_shape(1)];
+        let overlap = |is_along: bool| {
+            if !wanted[usize::from(is_along)] {
+                return None;
             }
-            for h in body.extent(k) {
-                let h = if sign.is_lt() { Parts::negated(h) } else { h };
-                add_scaled_determinant(sum, x, y, &body.side(k), h);
-            }
-        }
+            // The end of the one that lies lower, less the beginning of the other.
+            let lower = usize::from(is_along);
+            let vertex = |shape: usize| {
+                let toward = if shape == lower { Ordering::Greater } else { Ordering::Less };
+                farthest(&along[shape % 2], toward).iter().position(|&is| is).unwrap_or(0)
+            };
+            given.overlap(&along, [vertex(0), vertex(1)], lower).map(|size| size.scaled(-1))
+        };
+        let overlaps = [overlap(false), overlap(true)];
+        Some(Self { coordinates, along, overlaps })
     }
 
     /// The length of the direction, and its square.
     pub(super) fn length(&self) -> Option<(Positive, Positive)> {
-        let sizes = || self.coordinates.iter().flatten().map(|&(_, size)| size);
-        let square = sizes().map(|x| x.times(x)).reduce(Positive::plus)?;
+        let (mut sum, mut count, mut last): (Size, _, Size) = (None, 0, None);
+        for &(_, size) in self.coordinates.iter().flatten() {
+            let square = size.times(size);
+            sum = Some(sum.map_or(square, |sum| sum.plus(square)));
+            (count, last) = (count + 1, Some(size));
+        }
+        let square = sum?;
         // Along a coordinate axis nothing is lost.
-        let length = if sizes().count() == 1 { sizes().next()? } else { square.root() };
+        let length = if count == 1 { last? } else { square.root() };
         Some((length, square))
     }
 }
 
 /// The vertices of a triangle that lie farthest in a direction, by how its edges lie to it.
 pub(super) fn farthest(along: &[Ordering; 3], toward: Ordering) -> [bool; 3] {
-    [0, 1, 2].map(|k: usize| {
+    three(|k| {
         let (_, _, before) = turn(k);
         // The edge from here does not go farther, and that to here not back.
         *pick(along, k) != toward && *pick(along, before) != toward.reverse()

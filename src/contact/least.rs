@@ -2,11 +2,12 @@
 
 use core::cmp::Ordering;
 
-use super::body::{Body, Vec64};
-use super::directions::{Direction, Filter, Finding, Overlap, all, cross, dot};
-use super::exact::{Exact, farthest};
+use super::body::{Body, Rough, Vec64};
+use super::directions::{Direction, Filter, Finding, all, cross, dot};
+use super::exact::{Exact, Size, farthest};
 use super::interior::InteriorEdges;
-use crate::arithmetic::{Positive, pick, turn};
+use super::whole::Units;
+use crate::arithmetic::{Positive, pick, three, turn};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
@@ -21,51 +22,55 @@ pub(super) struct Way {
     length: Positive,
     square: Positive,
     /// The overlap as a length.
-    depth: Positive,
+    pub(super) depth: Positive,
     coordinates: [Option<(Ordering, Positive)>; 3],
     /// How the sides of the shapes lie to the direction.
     pub(super) along: [[Ordering; 3]; 2],
     pub(super) is_held: bool,
 }
 
-/// The ways along a direction, both or one of them. `Err` if the shapes are apart or touch.
-fn ways<S: Scalar>(
+/// There is a plane between the shapes.
+struct Apart;
+
+/// The least of the best way so far and of those along a direction, both or one of them; of equals
+/// the first. `Err` if the shapes are apart or touch.
+fn least<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
-    filter: &Filter,
+    units: Option<&Units>,
+    filter: &Filter<'_>,
     direction: Direction,
     wanted: [bool; 2],
-) -> Result<[Option<Way>; 2], ()> {
+    best: &mut Option<Way>,
+) -> Result<(), Apart> {
     note(Stage::Exact);
-    let Some(exact) = Exact::new(bodies, direction, &filter.along(direction)) else {
-        return Ok([None, None]);
+    let known = filter.along(direction);
+    let Some(exact) = Exact::new(bodies, units, direction, &known, wanted) else {
+        return Ok(());
     };
-    let Some((length, square)) = exact.length() else { return Ok([None, None]) };
-    let way = |is_along: bool| {
+    let Some((length, square)) = exact.length() else { return Ok(()) };
+    let Exact { coordinates, along, overlaps } = exact;
+    for is_along in [false, true] {
         if !wanted[usize::from(is_along)] {
-            return Ok(None);
+            continue;
         }
-        let overlap = exact.overlap(is_along).ok_or(())?;
-        let (coordinates, along) = (exact.coordinates, exact.along);
+        let overlap = overlaps[usize::from(is_along)].ok_or(Apart)?;
         let depth = overlap.over(length);
-        let is_held = false;
-        Ok(Some(Way {
-            direction,
-            is_along,
-            overlap,
-            length,
-            square,
-            depth,
-            coordinates,
-            along,
-            is_held,
-        }))
-    };
-    Ok([way(false)?, way(true)?])
-}
-
-/// The least of all, the first of equals.
-fn least(ways: impl Iterator<Item = Way>) -> Option<Way> {
-    ways.reduce(|best, way| if way.depth.is_less_than(best.depth) { way } else { best })
+        if best.as_ref().is_none_or(|best| depth.is_less_than(best.depth)) {
+            let is_held = false;
+            *best = Some(Way {
+                direction,
+                is_along,
+                overlap,
+                length,
+                square,
+                depth,
+                coordinates,
+                along,
+                is_held,
+            });
+        }
+    }
+    Ok(())
 }
 
 /// The least way out; `None` if there is a plane between the shapes.
@@ -74,10 +79,9 @@ fn least(ways: impl Iterator<Item = Way>) -> Option<Way> {
 /// which of those is, and whether the shapes are in each other at all.
 pub(super) fn least_way<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
+    rough: &[Rough; 2],
     interior: InteriorEdges,
 ) -> Option<Way> {
-    let origin = bodies[1].origin();
-    let rough = bodies.each_ref().map(|body| body.rough(&origin));
     let mut filter = Filter::new::<S>(rough);
     let mut found = [None; 15];
     let mut bound = f64::INFINITY;
@@ -93,14 +97,15 @@ pub(super) fn least_way<S: Scalar>(
             }
         }
     }
+    let units = Units::new(bodies);
+    let units = units.as_ref();
     let mut best: Option<Way> = None;
     for (direction, overlaps) in found.into_iter().flatten() {
-        let wanted = overlaps.map(|Overlap { least, .. }| least <= bound);
+        let wanted = [overlaps[0].least <= bound, overlaps[1].least <= bound];
         if wanted == [false; 2] {
             continue;
         }
-        let both = ways(bodies, &filter, direction, wanted).ok()?;
-        best = least(best.into_iter().chain(both.into_iter().flatten()));
+        least(bodies, units, &filter, direction, wanted, &mut best).ok()?;
     }
     let best = best?;
     if interior == InteriorEdges::NONE {
@@ -110,13 +115,17 @@ pub(super) fn least_way<S: Scalar>(
     let is_held = match across(&best, &rough[0].sides, interior) {
         Some(is_held) => is_held,
         // All of the triangle lies across. Then it is its normal, or the triangle has none.
-        None => best.direction != face && Exact::new(bodies, face, &[[None; 3]; 2]).is_none(),
+        None => {
+            let none = [[None; 3]; 2];
+            best.direction != face && Exact::new(bodies, units, face, &none, [false; 2]).is_none()
+        }
     };
     if !is_held {
         return Some(best);
     }
-    let normal = ways(bodies, &filter, face, [true; 2]).ok()?;
-    least(normal.into_iter().flatten()).map(|way| Way { is_held: true, ..way })
+    let mut held = None;
+    least(bodies, units, &filter, face, [true; 2], &mut held).ok()?;
+    held.map(|way| Way { is_held: true, ..way })
 }
 
 /// Whether the way out leads across an interior edge of the triangle, which is the first shape;
@@ -127,7 +136,7 @@ fn across(way: &Way, edges: &[Vec64; 3], interior: InteriorEdges) -> Option<bool
         3 => None,
         2 => Some((0..3).any(|k| farthest[k] && farthest[turn(k).1] && interior.contains(k))),
         _ => {
-            let n = way.unit().map(|x| -x);
+            let n = way.unit(&way.ratios()).map(|x| -x);
             let normal = cross(&edges[0], &edges[1]);
             let k = farthest.iter().position(|&is| is).unwrap_or(0);
             let outward = |k: usize| dot(&n, &cross(pick(edges, k), &normal)) >= 0.0;
@@ -143,31 +152,31 @@ impl Way {
         if self.is_along == (shape == 0) { Ordering::Less } else { Ordering::Greater }
     }
 
-    /// The unit vector that the first shape goes along, as it is to be rounded.
-    pub(super) fn unit(&self) -> Vec64 {
-        self.coordinates.map(|c| match c {
-            Some((sign, size)) => {
-                let x = size.over(self.length).in_double();
+    /// The sizes of the coordinates of the unit vector that the first shape goes along.
+    pub(super) fn ratios(&self) -> [Size; 3] {
+        three(|i| self.coordinates[i].map(|(_, size)| size.over(self.length)))
+    }
+
+    /// The unit vector, as it is to be rounded.
+    pub(super) fn unit(&self, ratios: &[Size; 3]) -> Vec64 {
+        three(|i| match (self.coordinates[i], ratios[i]) {
+            (Some((sign, _)), Some(ratio)) => {
+                let x = ratio.in_double();
                 if sign.is_gt() == self.is_along { x } else { -x }
             }
-            None => 0.0,
+            _ => 0.0,
         })
     }
 
     /// A vector along the way: for each coordinate its size, in real units, and the rounding.
-    fn vector<S: Scalar>(
-        &self,
-        units: i32,
-        is_up: bool,
-        of: impl Fn(Positive) -> Positive,
-    ) -> Vec3<S> {
-        let [x, y, z] = self.coordinates.map(|c| match c {
-            Some((sign, size)) => {
-                let (m, exponent) = of(size).scaled(units).upper();
+    fn vector<S: Scalar>(&self, units: i32, is_up: bool, sizes: [Size; 3]) -> Vec3<S> {
+        let [x, y, z] = three(|i| match (self.coordinates[i], sizes[i]) {
+            (Some((sign, _)), Some(size)) => {
+                let (m, exponent) = size.scaled(units).upper();
                 let x = S::of_units(m, exponent, is_up);
                 if sign.is_gt() == self.is_along { x } else { x.opposite() }
             }
-            None => S::ZERO,
+            _ => S::ZERO,
         });
         Vec3::new(x, y, z)
     }
@@ -178,13 +187,15 @@ impl Way {
     /// aᵢ. So a·t = Σ|aᵢ|·|tᵢ| ≥ o: on this direction the shapes overlap no more.
     pub(super) fn translation<S: Scalar>(&self) -> Vec3<S> {
         let is_single = self.coordinates.iter().flatten().count() == 1;
-        self.vector(-i32::from(S::ONE.shift), true, |size| {
+        let of = |size: Positive| {
             if is_single { self.depth } else { size.times(self.overlap).over(self.square) }
-        })
+        };
+        let sizes = three(|i| self.coordinates[i].map(|(_, size)| of(size)));
+        self.vector(-i32::from(S::ONE.shift), true, sizes)
     }
 
-    pub(super) fn normal<S: Scalar>(&self) -> Vec3<S> {
-        self.vector(i32::from(S::ONE.shift), false, |size| size.over(self.length))
+    pub(super) fn normal<S: Scalar>(&self, ratios: [Size; 3]) -> Vec3<S> {
+        self.vector(i32::from(S::ONE.shift), false, ratios)
     }
 
     pub(super) fn depth<S: Scalar>(&self) -> S {

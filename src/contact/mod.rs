@@ -64,8 +64,13 @@ mod interior;
 mod least;
 mod points;
 mod polygon;
+mod sums;
+#[cfg(test)]
+mod tests;
+mod whole;
 
-use self::body::Body;
+use self::body::{Body, Place, Rough};
+use self::exact::Size;
 pub use self::feature::{Axis, Part};
 pub use self::interior::{InteriorEdges, interior_edges};
 use self::least::{Way, least_way};
@@ -150,8 +155,9 @@ impl<S: Scalar> Contact<S> {
 /// fixed point the end of the range.
 ///
 /// *Panics*: never. *Cost*: in `f64` at most 15 cross products, each with two intervals; where
-/// floats leave one direction, as they nearly always do, three exact sums for its coordinates, six
-/// signs at most and one sum for the depth; a root and seven quotients of 64 bits.
+/// floats leave one direction, as they nearly always do, three exact numbers for its coordinates, six
+/// signs at most and one for the depth: by whole numbers of up to 256 bits, or where 60 bits do not
+/// hold what is given by exact sums; a root and seven quotients of 64 bits.
 ///
 /// *Source*: separating axes, as for [`Obb::overlaps`]; a vector that suffices as it is rounded,
 /// ours.
@@ -161,7 +167,9 @@ pub fn least_translation<S: Scalar>(
     second: &impl Shape<S>,
 ) -> Option<Translation<S>> {
     let bodies = [first.body(), second.body()];
-    Some(translation(&bodies, &least_way(&bodies, InteriorEdges::NONE)?))
+    let (_, rough) = in_floats(&bodies);
+    let way = least_way(&bodies, &rough, InteriorEdges::NONE)?;
+    Some(translation(&bodies, &way, way.ratios()))
 }
 
 /// The least translation of the first shape that takes it out of the second, and the points where
@@ -212,13 +220,25 @@ pub fn contact_in_mesh<S: Scalar>(
 }
 
 fn of_bodies<S: Scalar>(bodies: &[Body<'_, S>; 2], interior: InteriorEdges) -> Option<Contact<S>> {
-    let way = least_way(bodies, interior)?;
-    let translation = translation(bodies, &way);
-    let points = points(bodies, &way, translation.axis);
+    let (origin, rough) = in_floats(bodies);
+    let way = least_way(bodies, &rough, interior)?;
+    let ratios = way.ratios();
+    let translation = translation(bodies, &way, ratios);
+    let points = points(origin, &rough, &way, way.unit(&ratios), translation.axis);
     Some(Contact { translation, is_held: way.is_held, points })
 }
 
-fn translation<S: Scalar>(bodies: &[Body<'_, S>; 2], way: &Way) -> Translation<S> {
-    let axis = axis(bodies, way);
-    Translation { vector: way.translation(), depth: way.depth(), normal: way.normal(), axis }
+/// The shapes in floats, and from which place.
+fn in_floats<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> (Place<S>, [Rough; 2]) {
+    let origin = bodies[1].origin();
+    (origin, [bodies[0].rough(&origin), bodies[1].rough(&origin)])
+}
+
+fn translation<S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    way: &Way,
+    ratios: [Size; 3],
+) -> Translation<S> {
+    let (vector, normal, axis) = (way.translation(), way.normal(ratios), axis(bodies, way));
+    Translation { vector, depth: way.depth(), normal, axis }
 }

@@ -5,7 +5,7 @@ use super::directions::{Direction, cross, dot};
 use super::feature::{Axis, Part};
 use super::least::Way;
 use super::polygon::{Face, MOST, along, corner_of_box, edge_of_box, facing, minus};
-use crate::arithmetic::{pick, turn};
+use crate::arithmetic::{pick, three, turn};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -79,7 +79,7 @@ impl<S: Scalar> Finder<S> {
 
 /// Whether a shape lies farthest on the upper side of each axis; of what lies across, the upper.
 fn upper(way: &Way, shape: usize) -> [bool; 3] {
-    way.along[shape % 2].map(|along| along != way.toward(shape).reverse())
+    three(|k| way.along[shape % 2][k] != way.toward(shape).reverse())
 }
 
 /// The direction of a way out, by the parts of the shapes that it comes from.
@@ -110,26 +110,28 @@ fn edge(shape: &Rough, k: usize, upper: [bool; 3]) -> (Vec64, Vec64, [f64; 2]) {
     (corner_of_box(&flat, upper), side, [-h, h])
 }
 
-/// The points of a way out along an axis.
-pub(super) fn points<S: Scalar>(bodies: &[Body<'_, S>; 2], way: &Way, axis: Axis) -> Points<S> {
-    let origin = bodies[1].origin();
-    let [first, second] = bodies.each_ref().map(|body| body.rough(&origin));
+/// The points of a way out along an axis, which the first shape goes along the normal.
+pub(super) fn points<S: Scalar>(
+    origin: Place<S>,
+    [first, second]: &[Rough; 2],
+    way: &Way,
+    normal: Vec64,
+    axis: Axis,
+) -> Points<S> {
     let zero = Vec3::splat(S::ZERO);
     let empty =
         Point { on_first: zero, on_second: zero, depth: S::ZERO, parts: [Part::Face(0); 2] };
-    let offset = [0, 1, 2].map(|i: usize| origin.1[i].beyond_in_double(origin.0[i]) * 0.5);
+    let offset = three(|i| origin.1[i].beyond_in_double(origin.0[i]) * 0.5);
     let points = Points { points: [empty; MOST], count: 0 };
     let mut finder = Finder { origin, offset, points };
-    // The first shape goes along this.
-    let normal = way.unit();
     match (axis, way.direction) {
         (Axis::First(face), _) => {
-            clip(&mut finder, [&first, &second], face, &normal.map(|x| -x), false);
+            clip(&mut finder, [first, second], face, &three(|i| -normal[i]), false);
         }
-        (Axis::Second(face), _) => clip(&mut finder, [&second, &first], face, &normal, true),
+        (Axis::Second(face), _) => clip(&mut finder, [second, first], face, &normal, true),
         (Axis::Edges(a, b), Direction::Sides(i, j)) => {
-            let (p, x, x_ends) = edge(&first, i, upper(way, 0));
-            let (q, y, y_ends) = edge(&second, j, upper(way, 1));
+            let (p, x, x_ends) = edge(first, i, upper(way, 0));
+            let (q, y, y_ends) = edge(second, j, upper(way, 1));
             // The lines are nearest to each other where what is between them is across both.
             let (d, n) = (minus(&q, &p), cross(&x, &y));
             let square = dot(&n, &n);

@@ -3,10 +3,12 @@
 //! I. E. Sutherland, G. W. Hodgman, "Reentrant Polygon Clipping", *Communications of the ACM* 17,
 //! 1974.
 
+use core::mem::swap;
+
 use super::body::{Rough, Vec64};
 use super::directions::{cross, dot};
 use super::feature::Part;
-use crate::arithmetic::{pick, turn};
+use crate::arithmetic::{pick, three, turn};
 
 /// So many corners a rectangle has that was cut by another.
 pub(super) const MOST: usize = 8;
@@ -33,6 +35,11 @@ pub(super) struct Face {
     pub(super) count: usize,
     parts: [Part; 4],
     sides: [Part; 4],
+}
+
+/// The number after this one of so many, in turn.
+fn following(n: usize, count: usize) -> usize {
+    if n + 1 < count { n + 1 } else { 0 }
 }
 
 pub(super) fn minus(a: &Vec64, b: &Vec64) -> Vec64 {
@@ -107,20 +114,28 @@ impl Face {
         mut found: impl FnMut(Vec64, [Part; 2]),
     ) {
         let empty = Corner { at: [0.0; 3], side: Side::Own(0) };
-        let (mut corners, mut count) = ([empty; MOST], other.count);
+        // What is cut, and what is left of it, in turns.
+        let (mut corners, mut left) = (&mut [empty; MOST], &mut [empty; MOST]);
+        let mut count = other.count;
         for k in 0..count {
             corners[k] = Corner { at: other.corners[k], side: Side::Own(k as u8) };
         }
         let center = self.center();
         for k in 0..self.count {
             let from = &self.corners[k];
-            let to = &self.corners[(k + 1) % self.count];
+            let to = &self.corners[following(k, self.count)];
             let mut inward = cross(normal, &minus(to, from));
             if dot(&inward, &minus(&center, from)) < 0.0 {
-                inward = inward.map(|x| -x);
+                inward = three(|i| -inward[i]);
             }
-            let height = |x: &Vec64| dot(&inward, &minus(x, from));
-            let (mut left, mut kept) = ([empty; MOST], 0);
+            let mut heights = [0.0; MOST];
+            for (height, corner) in heights.iter_mut().zip(corners.iter()).take(count) {
+                *height = dot(&inward, &minus(&corner.at, from));
+            }
+            if heights.iter().take(count).all(|&height| height >= 0.0) {
+                continue;
+            }
+            let mut kept = 0;
             let mut keep = |at: Vec64, side: Side| {
                 // With rounding a ninth might come.
                 if kept < MOST {
@@ -129,8 +144,9 @@ impl Face {
                 }
             };
             for n in 0..count {
-                let (here, next) = (corners[n], corners[(n + 1) % count]);
-                let (a, b) = (height(&here.at), height(&next.at));
+                let after = following(n, count);
+                let (here, next) = (corners[n], corners[after]);
+                let (a, b) = (heights[n], heights[after]);
                 let crossing = || along(&here.at, a / (a - b), &minus(&next.at, &here.at));
                 if a >= 0.0 {
                     keep(here.at, if a == 0.0 && b < 0.0 { Side::Cut(k as u8) } else { here.side });
@@ -141,13 +157,14 @@ impl Face {
                     keep(crossing(), here.side);
                 }
             }
-            (corners, count) = (left, kept);
+            count = kept;
+            swap(&mut corners, &mut left);
             if count == 0 {
                 return;
             }
         }
+        let mut before = corners[count - 1].side;
         for n in 0..count {
-            let before = corners[(n + count - 1) % count].side;
             let own = |k: u8| pick4(&other.sides, k);
             let cuts = |k: u8| pick4(&self.sides, k);
             let parts = match (before, corners[n].side) {
@@ -156,11 +173,12 @@ impl Face {
                 (Side::Cut(k), Side::Cut(l)) => {
                     // The corner between two sides in a row.
                     let after =
-                        if usize::from(k + 1) % self.count == usize::from(l) { l } else { k };
+                        if following(k.into(), self.count) == usize::from(l) { l } else { k };
                     [pick4(&self.parts, after), Part::Face(faces[1])]
                 }
             };
             found(corners[n].at, parts);
+            before = corners[n].side;
         }
     }
 

@@ -2,7 +2,7 @@
 //! fourth lane is computed for nobody, and the compiler leaves it out.
 
 use core::fmt::Debug;
-use core::ops::{Add, Mul, Sub};
+use core::ops::{Add, Div, Mul, Sub};
 
 use super::{OfFour, Quad};
 use crate::arithmetic::{Number, greatest, least};
@@ -41,6 +41,14 @@ impl<F: Number + Mul<Output = F>> Mul for Four<F> {
     }
 }
 
+impl<F: Number + Div<Output = F>> Div for Four<F> {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        each(self, other, F::div)
+    }
+}
+
 impl OfFour for f32 {
     type Quad = Four<f32>;
 }
@@ -49,7 +57,7 @@ impl OfFour for f64 {
     type Quad = Four<f64>;
 }
 
-impl<F: Number + Debug + Mul<Output = F>> Quad for Four<F> {
+impl<F: Number + Debug + Mul<Output = F> + Div<Output = F>> Quad for Four<F> {
     type Lane = F;
     const IS_VECTOR: bool = false;
 

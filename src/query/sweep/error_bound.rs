@@ -24,9 +24,17 @@
 //!   10. n·d: 6 terms, touched by 3, 2, 1 and 2: 48. [`VOLUME_SPEED`] = 52.
 //! * A face. The gap g at the start errs by one rounding, or with a box given by its centre by
 //!   two, the first of which is relative to at most g + h. d errs by one, and so does the
-//!   difference of the two: at most 4·u·(g + h + |d|). [`FACE`] = 5.
+//!   difference of the two: at most 4·u·(g + h + |d|). [`FACE`] = 6.
 //!
-//! `edge.g`, `volume.g`, `speed.g` and `face.g` prove these, second orders and underflow included.
+//! * At a time t on the way (`instants`), |p + m| − (|m| + r) and its like move by t·s, with s the
+//!   speed. What was w is t·s, once and not on both sides: its terms are touched by 2, 1, 1, the
+//!   product with t, a sum: 6 each of an area, 12 in all. One of p is touched by 9, of m by 6, of r
+//!   by 6, as before or less: 18 + 12 + 12 + 12 = 54, below [`EDGE`]. On the normal an n·v term is
+//!   touched by 10, one of t·n·d by 9, of Σ h·|n| by 9: 60 + 54 + 54 = 168, below [`VOLUME`]. A face
+//!   has a product with t besides, which errs by u·|d|: at most 5·u·(g + h + |d|).
+//!
+//! `edge.g`, `volume.g`, `speed.g` and `face.g` prove these, second orders and underflow included;
+//! `edge_instant.g`, `volume_instant.g` and `face_instant.g` those of a time.
 //!
 //! In numbers of 106 digits (`arithmetic::long`), in units of u² and to first order: edges and d
 //! are exact. n_i is a difference of two products within R², of which each errs by 5 and the
@@ -45,7 +53,7 @@ use crate::arithmetic::{Arithmetic, Number};
 use crate::query::triangle_aabb::error_bound::{ErrorBound, error_bound};
 
 /// Roundoffs on a face, per g + h + |d|.
-pub(super) const FACE: u16 = 5;
+pub(super) const FACE: u16 = 6;
 /// Roundoffs on an axis with areas, per R².
 const EDGE: u16 = 64;
 /// Roundoffs on one with volumes, per R³.
@@ -59,6 +67,7 @@ const VOLUME_SPEED: u16 = 52;
 pub(super) const LONG: f64 = f64::from_bits((1023 - 96) << 52);
 
 /// How far computed axes may be from the truth, all along the way.
+#[derive(Clone, Copy)]
 pub(super) struct Along<N: Arithmetic> {
     pub(super) area: N::Area,
     pub(super) volume: N::Volume,

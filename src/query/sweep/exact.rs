@@ -3,15 +3,15 @@
 
 use core::cmp::Ordering;
 
+use super::FirstContact;
 use super::latest::Latest;
-use super::{FirstContact, Motion};
 use crate::arithmetic::{Parts, pick, turn};
 use crate::query::Axis;
 use crate::query::exact_aabb::ExactAabb;
 use crate::query::exact_triangle::ExactTriangle;
 use crate::robust::{ExactSum, Vector, add_determinant, difference, single};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Triangle};
+use crate::shape::{Aabb, Triangle, Vec3};
 
 /// A triangle that moves and a box, taken apart.
 pub(super) struct ExactCourse {
@@ -61,9 +61,9 @@ impl ExactCourse {
     pub(super) fn new<S: Scalar>(
         triangle: &Triangle<S>,
         aabb: &Aabb<S>,
-        motion: &Motion<S>,
+        ends: [Vec3<S>; 2],
     ) -> Self {
-        let (from, to) = (motion.from().to_array(), motion.to().to_array());
+        let [from, to] = ends.map(|end| end.to_array());
         Self {
             triangle: ExactTriangle::new(&triangle.points()),
             aabb: ExactAabb::new(aabb.form()),

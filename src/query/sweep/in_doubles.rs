@@ -5,7 +5,7 @@
 
 use super::error_bound::{AtStart, LONG, at_start};
 use super::kernel::Course;
-use super::{FirstContact, Given, Passing};
+use super::{FirstContact, Given, Last, Passing, one_axis};
 use crate::arithmetic::{Embeds, Filtered, Long, Number, Portion, dot, turn};
 use crate::query::Axis;
 use crate::query::triangle_aabb::frame::Frame;
@@ -111,7 +111,23 @@ impl Gaps {
 
 /// The answer, where `f64` has digits enough.
 #[inline(always)]
-pub(super) fn first_contact<S: Scalar>(passing: &Passing<'_, S>) -> Option<FirstContact<S>>
+pub(super) fn first_contact<S: Scalar>(
+    passing: &Passing<'_, S>,
+    last: Option<Last>,
+) -> Option<FirstContact<S>>
+where
+    Filtered<f64>: Embeds<S>,
+{
+    let known = match last {
+        Some(last) => one_axis::first_contact(&passing.given::<Filtered<f64>>()?, last),
+        None => None,
+    };
+    known.or_else(|| of_all(passing))
+}
+
+/// The same if no axis is known.
+#[inline(never)]
+fn of_all<S: Scalar>(passing: &Passing<'_, S>) -> Option<FirstContact<S>>
 where
     Filtered<f64>: Embeds<S>,
 {
@@ -130,27 +146,53 @@ fn at_start_of<S: Scalar>(gaps: &Gaps) -> Option<FirstContact<S>> {
 
 /// The answer, where the scalar has as many digits as `f64`.
 #[inline(never)]
-pub(super) fn first_contact_of_long<S: Scalar>(passing: &Passing<'_, S>) -> Option<FirstContact<S>>
+pub(super) fn first_contact_of_long<S: Scalar>(
+    passing: &Passing<'_, S>,
+    last: Option<Last>,
+) -> Option<FirstContact<S>>
 where
     Filtered<f64>: Embeds<S>,
 {
     let course = passing.course::<Filtered<f64>>()?;
+    let on_axis = |last: Last| {
+        let t = time_on::<S>(passing, &course, last.axis)?;
+        last.at(S::at_most(Portion::of(t)))
+    };
+    if let Some(found) = last.and_then(on_axis) {
+        return Some(found);
+    }
     let gaps = course.gaps()?;
     let Some(last) = gaps.last() else { return at_start_of(&gaps) };
     if gaps.gap[last] <= gaps.error[last] {
         return None;
     }
     let axis = *Axis::ALL.get(last)?;
-    let (gap, speed) = passing.given::<Filtered<f64>>()?.long(axis, &course);
+    let t = time_on::<S>(passing, &course, axis)?;
+    let found = || FirstContact { t: S::at_most(Portion::of(t)), axis: Some(axis) };
+    gaps.others_close_before(last, t).then(found)
+}
+
+/// When an axis closes, rounded down.
+#[inline(always)]
+fn time_on<S: Scalar>(
+    passing: &Passing<'_, S>,
+    course: &Course<Filtered<f64>>,
+    axis: Axis,
+) -> Option<f64>
+where
+    Filtered<f64>: Embeds<S>,
+{
     let size = course.frame.size_along(&course.d);
+    if !(size > RANGE.0 && size < RANGE.1) {
+        return None;
+    }
+    let (gap, speed) = passing.given::<Filtered<f64>>()?.long(axis, course);
     let error = match axis {
         Axis::Face(_) => size,
         Axis::Edge { .. } => size * size,
         Axis::Normal => size * size * size,
     } * LONG;
-    let t = rounded_down(gap, speed, error)?;
-    let found = || FirstContact { t: S::at_most(Portion::of(t)), axis: Some(axis) };
-    gaps.others_close_before(last, t).then(found)
+    rounded_down(gap, speed, error)
 }
 
 /// gap/speed, rounded down, if gap − t·speed is known as well as it must be.
@@ -166,16 +208,21 @@ fn rounded_down(gap: Long, speed: Long, error: f64) -> Option<f64> {
         return None;
     }
     // Within two units in the last place.
-    t = f64::from_bits(t.to_bits() - 2);
-    if !is_at_most(t)? {
+    if is_at_most(t)? {
+        for _ in 0..3 {
+            let above = next(t);
+            if !is_at_most(above)? {
+                return Some(t);
+            }
+            t = above;
+        }
         return None;
     }
-    for _ in 0..4 {
-        let above = next(t);
-        if !is_at_most(above)? {
+    for _ in 0..3 {
+        t = f64::from_bits(t.to_bits() - 1);
+        if is_at_most(t)? {
             return Some(t);
         }
-        t = above;
     }
     None
 }

@@ -155,16 +155,21 @@ impl<N: Arithmetic> Course<N> {
         possible_if(found, (d[j] != zero) & (d[l] != zero))
     }
 
-    /// When and on which axis a triangle that does not miss the box meets it, if `N` can tell.
+    /// When and on which axis a triangle that does not miss the box meets it, if `N` can tell. Of
+    /// an axis that is known to be the last no other is looked at.
     #[inline(always)]
-    pub(super) fn first_contact<S: Scalar>(&self) -> Option<FirstContact<S>>
+    pub(super) fn first_contact<S: Scalar>(&self, last: Option<Axis>) -> Option<FirstContact<S>>
     where
         N: Embeds<S>,
     {
         let (Frame { v, e, h, gaps, .. }, d) = (&self.frame, &self.d);
         let error: AtStart<N> = at_start(self.frame.size_along(d))?;
         let mut latest = Latest::<S>::NONE;
+        let is_asked = |axis: Axis| last.is_none_or(|last| last == axis);
         for i in 0..3 {
+            if !is_asked(Axis::Face(i as u8)) {
+                continue;
+            }
             let speed = once::<N, _>(d[i]).magnitude();
             let gap = if N::CERTAIN {
                 let (low, high) = range(v, i);
@@ -180,15 +185,19 @@ impl<N: Arithmetic> Course<N> {
             }
         }
         let n = normal(&self.frame);
-        let gap = dot::<N>(&n, &v[0]).magnitude() - reach::<N>(&n, h);
-        let half = of_two::<N, _>(dot::<N>(&n, d)).magnitude();
-        latest.add(Axis::Normal, [gap, error.gap.plane], [half + half, error.volume_speed]);
+        if is_asked(Axis::Normal) {
+            let gap = dot::<N>(&n, &v[0]).magnitude() - reach::<N>(&n, h);
+            let half = of_two::<N, _>(dot::<N>(&n, d)).magnitude();
+            latest.add(Axis::Normal, [gap, error.gap.plane], [half + half, error.volume_speed]);
+        }
         for i in 0..3 {
             let (j, l) = ((i + 1) % 3, (i + 2) % 3);
             for k in 0..3 {
                 let (e, v) = (&e[k], &v[k]);
                 // Else it is a face, which comes first.
-                if (e[j] == N::Length::ZERO) | (e[l] == N::Length::ZERO) {
+                let axis = Axis::Edge { axis: i as u8, edge: k as u8 };
+                let is_face = (e[j] == N::Length::ZERO) | (e[l] == N::Length::ZERO);
+                if is_face || !is_asked(axis) {
                     continue;
                 }
                 let p = N::area(e[j], v[l]) - N::area(e[l], v[j]);
@@ -196,7 +205,6 @@ impl<N: Arithmetic> Course<N> {
                 let middle = of_two::<N, _>(n[i]);
                 let gap = (p + middle).magnitude() - (middle.magnitude() + r);
                 let half = of_two::<N, _>(N::area(e[j], d[l]) - N::area(e[l], d[j])).magnitude();
-                let axis = Axis::Edge { axis: i as u8, edge: k as u8 };
                 latest.add(axis, [gap, error.gap.edge], [half + half, error.area_speed]);
             }
         }

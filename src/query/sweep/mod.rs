@@ -4,21 +4,25 @@ mod aabb_aabb;
 mod error_bound;
 mod exact;
 mod in_doubles;
+mod instants;
 mod kernel;
 mod latest;
 mod motion;
+mod one_axis;
 mod rows;
+mod time;
 
 pub use motion::Motion;
 
 use self::exact::ExactCourse;
 use self::kernel::Course;
+use self::time::{Instant, Last, Meets, When};
 use super::Axis;
 use super::triangle_aabb::frame::{BoxForm, Frame};
-use crate::arithmetic::{Arithmetic, Embeds, Filtered, Float, InFloat, Number};
-use crate::robust::{Clue, Predicate};
+use crate::arithmetic::{Arithmetic, Embeds, Float, InFloat, Number};
+use crate::robust::Predicate;
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Triangle};
+use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
 /// When a shape that moves first meets another, and how.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -66,7 +70,8 @@ pub trait Sweep<Other> {
     /// *Panics*: never.
     ///
     /// *Cost*: of a triangle and a box 111 multiplications, unless a face separates all of the
-    /// way; of two boxes 12. No division. Floats within rounding of contact take it again in wider
+    /// way, and less and five quotients of four floats at once if they meet; of two boxes 12, and no
+    /// division. Floats within rounding of contact take it again in wider
     /// numbers, at last in exact sums.
     ///
     /// *Source*: separating axes of sums of convex sets (Gottschalk, Lin and Manocha 1996, for
@@ -82,10 +87,10 @@ pub trait Sweep<Other> {
     /// *Numerics*: exact but for one rounding, down: see [`FirstContact`]. If an axis is told, the
     /// shapes are apart until that time, and then apart still or in touch.
     ///
-    /// *Panics*: never. *Cost*: [`meets_along`](Self::meets_along), and for shapes that meet about
-    /// as much again and two divisions; in `f64` that gap and that speed once more, in 106 digits.
-    /// Where floats are dear, and in fixed point of 64 bits, every axis with a gap takes a division
-    /// of integers.
+    /// *Panics*: never. *Cost*: [`meets_along`](Self::meets_along), and for shapes that meet one of
+    /// its axes once more, in `f64`, and two divisions; for an answer in `f64` in 106 digits, and in
+    /// fixed point of 64 bits a division of integers. Where floats are dear, or two axes close at
+    /// about the same time, every axis with a gap.
     #[must_use]
     fn first_contact(
         &self,
@@ -98,22 +103,39 @@ pub trait Sweep<Other> {
 struct Passing<'a, S> {
     triangle: &'a Triangle<S>,
     aabb: &'a Aabb<S>,
-    motion: Motion<S>,
+    /// By reference, as it lies: a copy just made would not be in memory yet when it is loaded as
+    /// a vector.
+    motion: &'a Motion<S>,
+    /// Whether the triangle goes back.
+    is_reversed: bool,
 }
 
 impl<'a, S: Scalar> Passing<'a, S> {
     #[inline(always)]
-    fn new(triangle: &'a Triangle<S>, aabb: &'a Aabb<S>, motion: &Motion<S>) -> Self {
-        Self { triangle, aabb, motion: *motion }
+    fn new(triangle: &'a Triangle<S>, aabb: &'a Aabb<S>, motion: &'a Motion<S>) -> Self {
+        Self { triangle, aabb, motion, is_reversed: false }
+    }
+
+    /// The box moves.
+    #[inline(always)]
+    fn reversed(triangle: &'a Triangle<S>, aabb: &'a Aabb<S>, motion: &'a Motion<S>) -> Self {
+        Self { triangle, aabb, motion, is_reversed: true }
+    }
+
+    /// From where to where the triangle moves.
+    #[inline(always)]
+    fn ends(&self) -> [Vec3<S>; 2] {
+        let (from, to) = (self.motion.from(), self.motion.to());
+        if self.is_reversed { [to, from] } else { [from, to] }
     }
 
     #[inline(always)]
     fn given<N: Embeds<S>>(&self) -> Option<Given<N>> {
         let [a, b, c] = self.triangle.points();
-        let (from, to) = (self.motion.from().to_array(), self.motion.to().to_array());
+        let [from, to] = self.ends();
         let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
             self.aabb.form();
-        let all = [a, b, c, p.to_array(), q.to_array(), from, to];
+        let all = [a, b, c, p.to_array(), q.to_array(), from.to_array(), to.to_array()];
         let [a, b, c, p, q, from, to] = N::embed(&all)?;
         let is_by_center = matches!(self.aabb.form(), AabbForm::Center { .. });
         Some(Given { triangle: [a, b, c], p, q, is_by_center, way: [from, to] })
@@ -132,7 +154,7 @@ impl<'a, S: Scalar> Passing<'a, S> {
     }
 
     fn exactly(&self) -> ExactCourse {
-        ExactCourse::new(self.triangle, self.aabb, &self.motion)
+        ExactCourse::new(self.triangle, self.aabb, self.ends())
     }
 }
 
@@ -171,40 +193,26 @@ impl<S: Scalar> Predicate<S> for Misses<'_, S> {
     }
 }
 
-/// The question when it meets it, of shapes that do.
-struct Meets<'a, S>(Passing<'a, S>);
+impl<S: Scalar> Passing<'_, S> {
+    #[inline]
+    fn meet(self) -> bool {
+        !S::evaluate(&Misses(self))
+    }
 
-impl<S: Scalar> Predicate<S> for Meets<'_, S> {
-    type Answer = FirstContact<S>;
-
-    fn filter<N: Embeds<S>>(&self) -> Option<FirstContact<S>> {
-        if !N::HAS_QUOTIENTS {
-            return None;
+    fn first_contact(self) -> Option<FirstContact<S>> {
+        let instant = if S::IN_QUADS { S::in_quads(&When(&self)) } else { None };
+        match instant {
+            Some(Instant::Misses) => None,
+            Some(Instant::AtStart) => Some(FirstContact::default()),
+            Some(Instant::Meets(last)) => Some(S::evaluate_numeric(&Meets { passing: self, last })),
+            Some(Instant::Unknown) | None => {
+                let misses = Misses(self);
+                let is_miss =
+                    if S::IN_QUADS { S::without_quads(&misses) } else { S::evaluate(&misses) };
+                let passing = misses.0;
+                (!is_miss).then(|| S::evaluate_numeric(&Meets { passing, last: None }))
+            }
         }
-        self.0.course::<N>()?.first_contact()
-    }
-
-    #[inline(always)]
-    fn fast_path(&self) -> Result<FirstContact<S>, Clue>
-    where
-        Filtered<f64>: Embeds<S>,
-    {
-        if !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS {
-            return Err(Clue::NoNumbers);
-        }
-        in_doubles::first_contact(&self.0).ok_or(Clue::Doubt)
-    }
-
-    fn refined(&self, _: Clue) -> Option<FirstContact<S>>
-    where
-        Filtered<f64>: Embeds<S>,
-    {
-        let is_long = !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS;
-        if is_long { in_doubles::first_contact_of_long(&self.0) } else { None }
-    }
-
-    fn exact(&self) -> FirstContact<S> {
-        self.0.exactly().first_contact()
     }
 }
 
@@ -213,13 +221,12 @@ impl<S: Scalar> Sweep<Aabb<S>> for Triangle<S> {
 
     #[inline]
     fn meets_along(&self, motion: &Motion<S>, aabb: &Aabb<S>) -> bool {
-        !S::evaluate(&Misses(Passing::new(self, aabb, motion)))
+        Passing::new(self, aabb, motion).meet()
     }
 
     #[inline]
     fn first_contact(&self, motion: &Motion<S>, aabb: &Aabb<S>) -> Option<FirstContact<S>> {
-        let meet = || S::evaluate_numeric(&Meets(Passing::new(self, aabb, motion)));
-        self.meets_along(motion, aabb).then(meet)
+        Passing::new(self, aabb, motion).first_contact()
     }
 }
 
@@ -228,11 +235,11 @@ impl<S: Scalar> Sweep<Triangle<S>> for Aabb<S> {
 
     #[inline]
     fn meets_along(&self, motion: &Motion<S>, triangle: &Triangle<S>) -> bool {
-        triangle.meets_along(&motion.reversed(), self)
+        Passing::reversed(triangle, self, motion).meet()
     }
 
     #[inline]
     fn first_contact(&self, motion: &Motion<S>, triangle: &Triangle<S>) -> Option<FirstContact<S>> {
-        triangle.first_contact(&motion.reversed(), self)
+        Passing::reversed(triangle, self, motion).first_contact()
     }
 }

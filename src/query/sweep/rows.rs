@@ -1,20 +1,23 @@
 //! The kernel in floats: the same 19 axes, with x, y and z of a point side by side, as in
 //! `triangle_aabb::rows`.
 
-use super::Passing;
 use super::error_bound::{Along, FACE, along};
+use super::instants::{Instants, Moving};
+use super::{Instant, Last, Passing};
 use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, greatest};
 use crate::query::triangle_aabb::rows::{Edge, Rows, half_of, row, sum};
 use crate::scalar::Scalar;
 use crate::shape::AabbForm;
 
 /// A triangle in the frame of a box, and its way.
+#[derive(Clone, Copy)]
 struct Course<Q> {
     rows: Rows<Q>,
     /// The vertices in the frame.
     v: [Q; 3],
     half: Q,
     d: Q,
+    faces: Moving<Q>,
     /// The axes on which a face may separate all of the way.
     open_faces: u32,
 }
@@ -28,26 +31,51 @@ pub(super) fn misses<S: Scalar + InFloat<F>, F: Float>(passing: &Passing<'_, S>)
     }
 }
 
+/// What floats know of when.
+#[inline(always)]
+pub(super) fn when<S: Scalar + InFloat<F>, F: Float>(passing: &Passing<'_, S>) -> Option<Instant> {
+    match passing.aabb.form() {
+        AabbForm::Center { .. } => when_in::<S, F, true>(passing),
+        AabbForm::Corners { .. } => when_in::<S, F, false>(passing),
+    }
+}
+
 #[inline(never)]
 fn misses_in<S: Scalar + InFloat<F>, F: Float, const BY_CENTER: bool>(
     passing: &Passing<'_, S>,
 ) -> Option<bool> {
-    let Passing { triangle, aabb, motion } = passing;
-    let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
-        aabb.form();
-    let (p, q) = (row::<S, F::Quad>(p), row::<S, F::Quad>(q));
-    let (from, to) = (row::<S, F::Quad>(&motion.from()), row::<S, F::Quad>(&motion.to()));
-    let rows = Rows::of::<S>(triangle);
-    if !(rows.are_within(S::LIMIT, p, q) && rows.are_within(S::LIMIT, from, to)) {
-        return None;
-    }
-    match Course::new::<BY_CENTER>(rows, p, q, to - from) {
+    match Course::<F::Quad>::of::<S, BY_CENTER>(passing)? {
         Some(course) => course.misses(),
         None => Some(true),
     }
 }
 
+#[inline(never)]
+fn when_in<S: Scalar + InFloat<F>, F: Float, const BY_CENTER: bool>(
+    passing: &Passing<'_, S>,
+) -> Option<Instant> {
+    match Course::<F::Quad>::of::<S, BY_CENTER>(passing)? {
+        Some(course) => course.when(S::PLACE),
+        None => Some(Instant::Misses),
+    }
+}
+
 impl<Q: Quad<Lane: Float>> Course<Q> {
+    /// Nothing where a face separates all of the way, or where coordinates were rounded.
+    #[inline(always)]
+    fn of<S: Scalar + InFloat<Q::Lane>, const BY_CENTER: bool>(
+        passing: &Passing<'_, S>,
+    ) -> Option<Option<Self>> {
+        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
+            passing.aabb.form();
+        let (p, q) = (row::<S, Q>(p), row::<S, Q>(q));
+        let [from, to] = passing.ends();
+        let (from, to) = (row::<S, Q>(&from), row::<S, Q>(&to));
+        let rows = Rows::of::<S>(passing.triangle);
+        let are_exact = rows.are_within(S::LIMIT, p, q) && rows.are_within(S::LIMIT, from, to);
+        are_exact.then(|| Self::new::<BY_CENTER>(rows, p, q, to - from))
+    }
+
     /// Nothing where a face separates all of the way.
     #[inline(always)]
     fn new<const BY_CENTER: bool>(rows: Rows<Q>, p: Q, q: Q, d: Q) -> Option<Self> {
@@ -74,47 +102,114 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         let v = rows.v;
         let in_frame = |v: Q| if BY_CENTER { v - p } else { half_of((v - p) + (v - q)) };
         let v = [in_frame(v[0]), in_frame(v[1]), in_frame(v[2])];
-        Some(Self { rows, v, half, d, open_faces })
+        // What a part of the way loses to underflow is more than a part of a tiny size.
+        let error = error + Q::splat(Q::Lane::UNDERFLOW);
+        let faces = Moving { above, below, way: d, error };
+        Some(Self { rows, v, half, d, faces, open_faces })
     }
 
     /// See `triangle_aabb::frame`.
     #[inline(always)]
-    fn size(&self) -> Q::Lane {
+    fn size(self) -> Q::Lane {
         let spans = self.half + (self.rows.high - self.rows.low) + self.d.magnitude();
         let [x, y, z] = spans.three();
         greatest(greatest(x, y), z)
     }
 
-    /// See `kernel`: names and order of the operations are those.
+    /// The axes of triangle and box. Nothing where the plane separates all of the way.
     #[inline(always)]
-    fn misses(&self) -> Option<bool> {
-        let Self { rows, v, half, d, .. } = self;
-        let error: Along<Filtered<Q::Lane>> = along(self.size())?;
+    fn instants(self, error: &Along<Filtered<Q::Lane>>) -> Option<Instants<Q>> {
+        let Self { rows, v, half, d, faces, .. } = &self;
+        let [area, volume] = [Q::splat(error.area), Q::splat(error.volume)];
+        let plane = Moving::new(
+            Q::splat(sum(rows.n * v[0])),
+            Q::splat(sum(rows.n.magnitude() * *half)),
+            Q::splat(sum(rows.n * *d)),
+            volume,
+        );
+        if plane.least_gap().exceeds(volume) & THREE != 0 {
+            return None;
+        }
+        let (way, half_turned, radius) = (Edge::new(*d), half.turned(), rows.middle.magnitude());
+        let edge = |k: usize| {
+            let Edge { e, turned } = rows.e[k];
+            let p = e * v[k].turned() - turned * v[k];
+            let r = *half * turned.magnitude() + half_turned * e.magnitude();
+            let q = e * way.turned - turned * *d;
+            Moving::new(p + rows.middle, radius + r, q, area)
+        };
+        let e = |k: usize| [rows.e[k].e, rows.e[k].turned];
+        Some(Instants {
+            edges: [edge(0), edge(1), edge(2)],
+            faces: *faces,
+            plane,
+            e: [e(0), e(1), e(2)],
+            extent: rows.high - rows.low,
+        })
+    }
+
+    /// Whether it misses the box all of the way.
+    #[inline(always)]
+    fn misses(self) -> Option<bool> {
+        let error = along(self.size())?;
+        let Some(instants) = self.instants(&error) else { return Some(true) };
+        let [first, last] = instants.times();
+        if first <= last && instants.overlap_at((first + last).half()) {
+            return Some(false);
+        }
+        self.misses_on_axes(error, instants)
+    }
+
+    /// What is known of when it meets it. So far before that axes are to be closed which count as
+    /// closed earlier.
+    #[inline(always)]
+    fn when(self, place: Q::Lane) -> Option<Instant> {
+        let size = self.size();
+        let error = along(size)?;
+        let Some(instants) = self.instants(&error) else { return Some(Instant::Misses) };
+        let [first, last] = instants.times();
+        if first <= last {
+            if first == Q::Lane::ZERO {
+                if instants.overlap_at(first) {
+                    return Some(Instant::AtStart);
+                }
+            } else if instants.overlap_at((first + last).half()) {
+                // And by more than what a number of the scalar loses in `f64`: see `Last`.
+                let after = greatest(first - first.error(256) - place, Q::Lane::ZERO);
+                let last = instants.only_axis_at(after);
+                return Some(Instant::Meets(last.map(|axis| Last {
+                    axis,
+                    after: after.into(),
+                    // As `f64` would have it, with all roundings.
+                    size: size.into() * 1.001,
+                })));
+            }
+        }
+        let misses = self.misses_on_axes(error, instants)?;
+        Some(if misses { Instant::Misses } else { Instant::Meets(None) })
+    }
+
+    /// Whether one of the 19 axes separates all of the way. The plane does not for certain.
+    ///
+    /// By value: what others have a reference to stays in memory, and whoever loads it as a vector
+    /// waits for its parts to be stored.
+    #[inline(never)]
+    fn misses_on_axes(
+        self,
+        error: Along<Filtered<Q::Lane>>,
+        instants: Instants<Q>,
+    ) -> Option<bool> {
+        let Self { rows, v, half, d, .. } = &self;
         let zero = Q::splat(Q::Lane::ZERO);
         let (way, half_turned) = (Edge::new(*d), half.turned());
-
         let half_way = sum(rows.n * *d).half();
         let apart = |middle: Q::Lane, n: Q| {
             middle.magnitude() - (half_way.magnitude() + sum(n.magnitude() * *half))
         };
-        let plane = apart(sum(rows.n * v[0]) + half_way, rows.n);
-        if plane > error.volume {
-            return Some(true);
-        }
-
-        let radius = rows.middle.magnitude();
-        let beyond = |k: usize| {
-            let Edge { e, turned } = rows.e[k];
-            let q = e * way.turned - turned * *d;
-            let p = e * v[k].turned() - turned * v[k];
-            let r = *half * turned.magnitude() + half_turned * e.magnitude();
-            let half_way = half_of(q);
-            let edge =
-                (p + rows.middle + half_way).magnitude() - (radius + half_way.magnitude() + r);
-            (edge, q.turned())
-        };
-        let [(a, p), (b, q), (c, r)] = [beyond(0), beyond(1), beyond(2)];
-        let (edges, q) = ([a, b, c], [p, q, r]);
+        let [plane, ..] = instants.plane.least_gap().to_array();
+        let [a, b, c] = &instants.edges;
+        let q = [a.way.turned(), b.way.turned(), c.way.turned()];
+        let edges = [a.least_gap(), b.least_gap(), c.least_gap()];
         let most = edges[0].greatest(edges[1]).greatest(edges[2]);
         if most.exceeds(Q::splat(error.area)) & THREE != 0 {
             return Some(true);

@@ -1,0 +1,64 @@
+# How far the overlap of two shapes along a direction may be from the truth.
+# constant: ROUNDOFFS
+# only: f64
+#
+# Proved: |computed − true| is at most the bound as it is computed, underflow included.
+#
+# Sides x, y and s are divided by their greatest computed coordinates, and what is a place or the
+# product of a half-extent with a side by R, the computed size, a sum of eighteen such numbers. The
+# truth of each is below 1 + 32·U then. Sides and half-extents are rounded once. A place p is the mean
+# of two differences, each at most R and rounded once, so that it errs by U·R at most, of which it does
+# the part m; and is rounded then.
+#
+# There are two places and six terms t = h·|a·s|. Of these all numbers h·s add up to R at most, so
+# that a bound on the error of one which is relative to h·s holds for their sum. Sums of terms are at
+# most 6 in truth, for a coordinate of a is at most 2: so are those that are computed, but for their
+# errors. Four roundings are the most that come after a term.
+#
+# LOST: products of lengths that are within `RANGE` lose less than that to underflow.
+
+X = 1 + 32*U;
+Xx = X*cx + o;  xx = fl(X*cx, 0);
+Xy = X*cy + o;  xy = fl(X*cy, 0);
+Xz = X*cz + o;  xz = fl(X*cz, 0);
+Yx = X*dx + o;  yx = fl(X*dx, 0);
+Yy = X*dy + o;  yy = fl(X*dy, 0);
+Yz = X*dz + o;  yz = fl(X*dz, 0);
+ax = fl(fl(xy*yz, z1), -fl(xz*yy, z2));  Ax = (Xy*Yz + o) + -(Xz*Yy + o);
+ay = fl(fl(xz*yx, z3), -fl(xx*yz, z4));  Ay = (Xz*Yx + o) + -(Xx*Yz + o);
+az = fl(fl(xx*yy, z5), -fl(xy*yx, z6));  Az = (Xx*Yy + o) + -(Xy*Yx + o);
+
+# A place.
+Px = X*ex + o;  px = fl(X*ex, X*U*mx);
+Py = X*ey + o;  py = fl(X*ey, X*U*my);
+Pz = X*ez + o;  pz = fl(X*ez, X*U*mz);
+p = fl(fl(fl(ax*px, z7), fl(ay*py, z8)), fl(az*pz, z9));
+P = ((Ax*Px + o) + (Ay*Py + o)) + (Az*Pz + o);
+
+# How a side lies, and how far a half-extent reaches.
+Sx = X*fx + o;  sx = fl(X*fx, 0);
+Sy = X*fy + o;  sy = fl(X*fy, 0);
+Sz = X*fz + o;  sz = fl(X*fz, 0);
+s = fl(fl(fl(ax*sx, z10), fl(ay*sy, z11)), fl(az*sz, z12));
+S = ((Ax*Sx + o) + (Ay*Sy + o)) + (Az*Sz + o);
+H = X*g + o;  h = fl(X*g, 0);
+s_abs = |S| + q*(s - S);  S_abs = |S| + o;
+t = fl(h*s_abs, z13);  T = H*S_abs + o;
+
+# The sum of two places and of terms: Gappa sees one of each as they are added.
+sum = fl(fl(fl(fl(t0, t1), t2), p1), -end);
+Sum = (((t0 + t1) + t2) + p1) + -end;
+
+bound = fl(ROUNDOFFS*U*fl(fl(1, z14), z15), z16);
+side_bound = fl(ROUNDOFFS*0.25*U*fl(fl(1, z17), z18), z19);
+
+{ o in [0,0] /\ |cx| <= 1 /\ |cy| <= 1 /\ |cz| <= 1 /\ |dx| <= 1 /\ |dy| <= 1 /\ |dz| <= 1 /\ |ex| <= 1
+/\ |ey| <= 1 /\ |ez| <= 1 /\ |mx| <= 1 /\ |my| <= 1 /\ |mz| <= 1 /\ |fx| <= 1 /\ |fy| <= 1 /\ |fz| <= 1
+/\ g in [0,1] /\ |q| <= 1 /\ |z1| <= 1b-800 /\ |z2| <= 1b-800 /\ |z3| <= 1b-800 /\ |z4| <= 1b-800
+/\ |z5| <= 1b-800 /\ |z6| <= 1b-800 /\ |z7| <= 1b-800 /\ |z8| <= 1b-800 /\ |z9| <= 1b-800
+/\ |z10| <= 1b-800 /\ |z11| <= 1b-800 /\ |z12| <= 1b-800 /\ |z13| <= 1b-800 /\ |z14| <= 1b-800
+/\ |z15| <= 1b-800 /\ |z16| <= 1b-800 /\ |z17| <= 1b-800 /\ |z18| <= 1b-800 /\ |z19| <= 1b-800
+/\ |fl(t0, t1)| <= 6.01 /\ |fl(fl(t0, t1), t2)| <= 6.01 /\ |fl(fl(fl(t0, t1), t2), p1)| <= 6.01
+/\ |sum| <= 6.01
+-> |p - P| <= 70b-53 /\ |t - T| <= 70b-53 /\ |sum - Sum| <= 30b-53 /\ 2*70*U + 70*U + 30*U - bound <= 0
+/\ |s - S| - side_bound <= 0 }

@@ -1,0 +1,82 @@
+//! The exact numbers of a direction as sums of products of the numbers as given, for any numbers.
+//! Every term of a length along it has four factors, and of a coordinate of it two.
+
+use core::cmp::Ordering;
+
+use super::body::{Body, side_of};
+use super::exact::{Given, Size, positive};
+use crate::arithmetic::{Parts, Positive, pick, turn};
+use crate::robust::{ExactSum, Vector, add_area, add_scaled_determinant};
+use crate::scalar::Scalar;
+
+/// A direction by the sides that it is the cross product of.
+pub(super) struct Sums<'a, S> {
+    bodies: &'a [Body<'a, S>; 2],
+    sides: [Vector; 2],
+}
+
+/// The size of a sum that is not below zero; `None` of zero.
+fn size<T: ExactSum>(sum: &T) -> Size {
+    positive(sum.limbs())
+}
+
+impl<'a, S: Scalar> Sums<'a, S> {
+    pub(super) fn new(bodies: &'a [Body<'a, S>; 2], own: [(usize, usize); 2]) -> Self {
+        Self { bodies, sides: own.map(|(shape, k)| bodies[shape % 2].side(k)) }
+    }
+
+    /// Adds how far the shape reaches along the direction, twice, or takes away where it begins.
+    fn add_end(
+        &self,
+        sum: &mut S::Sum,
+        body: &Body<'_, S>,
+        vertex: usize,
+        along: &[Ordering; 3],
+        is_upper: bool,
+    ) {
+        let [x, y] = &self.sides;
+        body.add_place(sum, [x, y], vertex, is_upper);
+        for k in 0..3 {
+            let sign = *pick(along, k);
+            if sign.is_eq() || body.is_triangle() {
+                continue;
+            }
+            for h in body.extent(k) {
+                let h = if sign.is_lt() { Parts::negated(h) } else { h };
+                add_scaled_determinant(sum, x, y, &body.side(k), h);
+            }
+        }
+    }
+}
+
+impl<S: Scalar> Given for Sums<'_, S> {
+    fn coordinates(&self) -> [Option<(Ordering, Positive)>; 3] {
+        [0, 1, 2].map(|i: usize| {
+            let (_, j, k) = turn(i);
+            let [x, y] = &self.sides;
+            let of = |minus: bool| {
+                let mut sum = S::Sum::new();
+                add_area(&mut sum, pick(x, j), pick(y, k), minus);
+                add_area(&mut sum, pick(x, k), pick(y, j), !minus);
+                sum
+            };
+            let sum = of(false);
+            let sign = sum.sign();
+            let size = if sign.is_lt() { size(&of(true)) } else { size(&sum) };
+            size.map(|size| (sign, size))
+        })
+    }
+
+    fn side(&self, shape: usize, k: usize) -> Ordering {
+        side_of::<S>(self.sides.each_ref(), &self.bodies[shape % 2].side(k))
+    }
+
+    fn overlap(&self, along: &[[Ordering; 3]; 2], vertices: [usize; 2], lower: usize) -> Size {
+        let mut sum = S::Sum::new();
+        for shape in 0..2 {
+            let (body, is_upper) = (&self.bodies[shape], shape != lower);
+            self.add_end(&mut sum, body, vertices[shape], &along[shape], is_upper);
+        }
+        if sum.sign().is_gt() { size(&sum) } else { None }
+    }
+}

@@ -1,0 +1,133 @@
+//! Floats exclude only what is not the least, and whole numbers are what the sums are.
+
+use super::Shape;
+use super::body::Body;
+use super::directions::{Direction, all};
+use super::exact::{Exact, Size};
+use super::in_floats;
+use super::interior::InteriorEdges;
+use super::least::least_way;
+use super::whole::Units;
+use crate::arithmetic::REGISTERS_ARE_WIDE;
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, Obb, Triangle};
+
+/// Numbers from −1 to 1, in steps of 2^-bits.
+struct Draw(u64);
+
+impl Draw {
+    fn number(&mut self, bits: u32) -> f64 {
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let whole = (self.0 >> 33) % (2 << bits);
+        (whole as f64) / f64::from(1 << bits) - 1.0
+    }
+
+    fn point<S: Copy>(&mut self, bits: u32, of: fn(f64) -> S) -> [S; 3] {
+        [(); 3].map(|()| of(self.number(bits)))
+    }
+
+    fn half<S: Copy>(&mut self, bits: u32, of: fn(f64) -> S) -> [S; 3] {
+        [(); 3].map(|()| of(self.number(bits).abs()))
+    }
+}
+
+const NOTHING_IS_KNOWN: [[Option<core::cmp::Ordering>; 3]; 2] = [[None; 3]; 2];
+
+/// The least way by exact sums alone: its direction, whether along it, and its depth.
+fn by_sums<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<(Direction, bool, Size)> {
+    let mut best: Option<(Direction, bool, Size)> = None;
+    for direction in all(bodies) {
+        let exact = Exact::new(bodies, None, direction, &NOTHING_IS_KNOWN, [true; 2]);
+        let Some(exact) = exact else { continue };
+        let (length, _) = exact.length().unwrap();
+        for is_along in [false, true] {
+            let depth = exact.overlaps[usize::from(is_along)]?.over(length);
+            let is_less = |(_, _, best): (_, _, Size)| depth.is_less_than(best.unwrap());
+            if best.is_none_or(is_less) {
+                best = Some((direction, is_along, Some(depth)));
+            }
+        }
+    }
+    best
+}
+
+/// Whether there is a contact, and whether it was found by whole numbers.
+fn check<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [bool; 2] {
+    let bodies = [first.body(), second.body()];
+    let (_, rough) = in_floats(&bodies);
+    let way = least_way(&bodies, &rough, InteriorEdges::NONE);
+    let found = way.map(|way| (way.direction, way.is_along, Some(way.depth)));
+    assert_eq!(found, by_sums(&bodies), "{bodies:?}");
+    let units = Units::new(&bodies);
+    if units.is_some() {
+        for direction in all(&bodies) {
+            let [whole, sums] = [units.as_ref(), None]
+                .map(|units| Exact::new(&bodies, units, direction, &NOTHING_IS_KNOWN, [true; 2]));
+            assert_eq!(whole, sums, "{direction:?} {bodies:?}");
+        }
+    }
+    [found.is_some(), units.is_some()]
+}
+
+/// All pairs, of numbers that come from such as have so many bits.
+fn check_all<S: Scalar>(bits: u32, of: fn(f64) -> S, axis: fn(f64) -> S) -> [usize; 3] {
+    let (mut draw, mut seen) = (Draw(7 + u64::from(bits)), [0; 3]);
+    for _ in 0..12 {
+        let mut triangle = || {
+            let [a, b, c] = [(); 3].map(|()| draw.point(bits, of));
+            Triangle::new(a, b, c).unwrap()
+        };
+        let (t, u) = (triangle(), triangle());
+        let [a, b] = [(); 2].map(|()| {
+            Aabb::from_center_half_extents(draw.point(bits, of), draw.half(bits, of)).unwrap()
+        });
+        let [c, d] = [(); 2].map(|()| {
+            let axes = [(); 3].map(|()| draw.point(bits, axis));
+            Obb::from_skewed_axes(draw.point(bits, of), axes, draw.half(bits, of)).unwrap()
+        });
+        let all = [check(&t, &u), check(&t, &a), check(&c, &u), check(&a, &b), check(&b, &c)];
+        for [is_contact, is_whole] in all.into_iter().chain([check(&c, &d)]) {
+            seen[0] += usize::from(is_contact);
+            seen[1] += usize::from(!is_contact);
+            seen[2] += usize::from(is_whole);
+        }
+    }
+    assert!(seen[0] > 9 && seen[1] > 9, "{seen:?}");
+    seen
+}
+
+#[test]
+fn all_ways_agree() {
+    let few = |x: f64| x as f32;
+    let short = [check_all::<f32>(3, few, few), check_all(24, few, few)];
+    let long = [check_all::<f64>(3, |x| x, |x| x), check_all(30, |x| x / 3.0, |x| x * 0.7)];
+    let wholes = [short, long].map(|seen| seen.map(|[.., whole]| whole));
+    if REGISTERS_ARE_WIDE {
+        assert!(wholes.as_flattened().iter().all(|&whole| whole > 30), "{wholes:?}");
+    }
+    // Places far finer than axes, and numbers of which 60 bits hold few.
+    check_all::<f64>(24, |x| x / 3.0 * 2_f64.powi(-90), |x| x);
+    let any = check_all::<f64>(20, |x| x * x * x * x * x / 7.0, |x| x * x * x * x / 3.0);
+    assert!(any[2] < 60, "{any:?}");
+}
+
+/// A side so short that its products underflow, and a half-extent that makes it as long as others.
+#[test]
+fn tiny_sides_are_left_to_exact_numbers() {
+    let (mut draw, mut contacts) = (Draw(3), 0);
+    for n in 0..60 {
+        let mut axes = [(); 3].map(|()| draw.point(30, |x| x * 0.7));
+        axes[2] = draw.point(4, |x| x * 16.0 * f64::from_bits(1));
+        let half = [0.25, 0.25, 1.0 / (32.0 * f64::MIN_POSITIVE) * 2_f64.powi(40)];
+        let obb = Obb::from_skewed_axes([0.0; 3], axes, half.map(|h: f64| h.min(1e300))).unwrap();
+        let reach = axes[2].map(|x| x * half[2].min(1e300));
+        let near = |p: [f64; 3]| {
+            [0, 1, 2].map(|i: usize| p[i] + reach[i] * (1.0 + 0.01 * f64::from(n % 7)))
+        };
+        let [a, b, c] = [(); 3].map(|()| near(draw.point(20, |x| x * 0.2)));
+        let t = Triangle::new(a, b, c).unwrap();
+        contacts += usize::from(check(&t, &obb)[0]);
+    }
+    assert!(contacts > 5 && contacts < 55, "{contacts}");
+}

@@ -1,0 +1,110 @@
+//! The questions when shapes meet: what floats know of it, and the time.
+
+use super::{FirstContact, Passing, in_doubles, rows};
+use crate::arithmetic::{Embeds, Filtered, Float, InFloat};
+use crate::query::Axis;
+use crate::robust::{Clue, Predicate};
+use crate::scalar::Scalar;
+
+/// More than what a number of a scalar loses where it is told in `f64`, of itself.
+const NEAR: f64 = 64.0 * f64::EPSILON;
+
+/// What floats know of a way.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) enum Instant {
+    /// Nothing.
+    #[default]
+    Unknown,
+    /// The shapes miss each other.
+    Misses,
+    /// They meet at the start.
+    AtStart,
+    /// They meet, and perhaps on this axis.
+    Meets(Option<Last>),
+}
+
+/// The axis that closes last.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Last {
+    pub(super) axis: Axis,
+    /// When it has not closed yet, but all others have.
+    pub(super) after: f64,
+    /// Of shapes and way, at least: see `error_bound`.
+    pub(super) size: f64,
+}
+
+/// The question what floats know.
+pub(super) struct When<'a, 'b, S>(pub(super) &'b Passing<'a, S>);
+
+impl<S: Scalar> Predicate<S> for When<'_, '_, S> {
+    type Answer = Instant;
+
+    fn filter<N: Embeds<S>>(&self) -> Option<Instant> {
+        None
+    }
+
+    const IN_QUADS: bool = true;
+
+    #[inline(always)]
+    fn in_quads<F: Float>(&self) -> Option<Instant>
+    where
+        S: InFloat<F>,
+    {
+        rows::when::<S, F>(self.0)
+    }
+
+    fn exact(&self) -> Instant {
+        Instant::Unknown
+    }
+}
+
+/// The question when it meets it, of shapes that do, and what is known of that.
+pub(super) struct Meets<'a, S> {
+    pub(super) passing: Passing<'a, S>,
+    pub(super) last: Option<Last>,
+}
+
+impl Last {
+    /// The answer, if all other axes have closed before also as the scalar tells times: else one of
+    /// them may come first in the order.
+    pub(super) fn at<S: Scalar>(self, t: S) -> Option<FirstContact<S>> {
+        let is_after = t.in_double() > self.after * (1.0 + NEAR);
+        is_after.then_some(FirstContact { t, axis: Some(self.axis) })
+    }
+}
+
+impl<S: Scalar> Predicate<S> for Meets<'_, S> {
+    type Answer = FirstContact<S>;
+
+    fn filter<N: Embeds<S>>(&self) -> Option<FirstContact<S>> {
+        if !N::HAS_QUOTIENTS {
+            return None;
+        }
+        let course = self.passing.course::<N>()?;
+        let on_axis = |last: Last| course.first_contact(Some(last.axis)).and_then(|x| last.at(x.t));
+        self.last.and_then(on_axis).or_else(|| course.first_contact(None))
+    }
+
+    #[inline(always)]
+    fn fast_path(&self) -> Result<FirstContact<S>, Clue>
+    where
+        Filtered<f64>: Embeds<S>,
+    {
+        if !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS {
+            return Err(Clue::NoNumbers);
+        }
+        in_doubles::first_contact(&self.passing, self.last).ok_or(Clue::Doubt)
+    }
+
+    fn refined(&self, _: Clue) -> Option<FirstContact<S>>
+    where
+        Filtered<f64>: Embeds<S>,
+    {
+        let is_long = !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS;
+        if is_long { in_doubles::first_contact_of_long(&self.passing, self.last) } else { None }
+    }
+
+    fn exact(&self) -> FirstContact<S> {
+        self.passing.exactly().first_contact()
+    }
+}
