@@ -30,6 +30,7 @@ mod clock;
 mod firmware;
 mod mesh;
 mod meter;
+mod moving;
 mod queries;
 mod stack;
 mod workload;

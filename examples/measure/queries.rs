@@ -10,12 +10,13 @@ use septum::published::akenine_moller::{self, Order};
 use septum::published::slabs::SlabRay;
 use septum::published::slopes::SlopeRay;
 use septum::relation::{Relate, Relation};
-use septum::sweep::{Motion, Sweep};
+use septum::sweep::Sweep;
 use septum::{Aabb, Cull, Obb, Ray, Segment, Triangle, Vec3};
 
 use crate::CORE;
 use crate::firmware::say;
 use crate::meter::{Ask, Meter, Taken};
+use crate::moving::{self, Moving};
 use crate::workload::{self, Coordinate, Draw, Rng};
 
 /// How many pairs of shapes there are in a path, and how many at once.
@@ -155,21 +156,21 @@ fn lines_obb<S: Coordinate>(meter: &Meter) {
 
 /// Shapes that move past a box.
 fn sweeps<S: Coordinate>(meter: &Meter) {
-    type Moving<S, Shape> = (Shape, Motion<S>);
-    let triangles: [Query<Moving<S, Triangle<S>>, Aabb<S>>; 2] = [
-        ("triangle/box sweep", "whether", |(t, motion), b| t.meets_along(motion, b)),
-        ("triangle/box sweep", "when", |(t, motion), b| {
-            black_box(t.first_contact(motion, b)).is_some()
+    type Past<S, Shape> = Query<Moving<S, Shape>, Aabb<S>>;
+    let triangles: [Past<S, Triangle<S>>; 2] = [
+        ("triangle/box sweep", "whether", |m, b| m.shape.meets_along(&m.motion, b)),
+        ("triangle/box sweep", "when", |m, b| {
+            black_box(m.shape.first_contact(&m.motion, b)).is_some()
         }),
     ];
-    lines::<S, _, _>(meter, "hit", workload::swept_hit, &triangles);
-    lines::<S, _, _>(meter, "miss", workload::swept_miss, &triangles);
-    let boxes: [Query<Moving<S, Aabb<S>>, Aabb<S>>; 2] = [
-        ("box/box sweep", "whether", |(a, motion), b| a.meets_along(motion, b)),
-        ("box/box sweep", "when", |(a, motion), b| black_box(a.first_contact(motion, b)).is_some()),
+    lines::<S, _, _>(meter, "hit", moving::triangle_hits, &triangles);
+    lines::<S, _, _>(meter, "miss", moving::triangle_misses, &triangles);
+    let boxes: [Past<S, Aabb<S>>; 2] = [
+        ("box/box sweep", "whether", |m, b| m.shape.meets_along(&m.motion, b)),
+        ("box/box sweep", "when", |m, b| black_box(m.shape.first_contact(&m.motion, b)).is_some()),
     ];
-    lines::<S, _, _>(meter, "hit", workload::swept_box_hit, &boxes);
-    lines::<S, _, _>(meter, "miss", workload::swept_box_miss, &boxes);
+    lines::<S, _, _>(meter, "hit", moving::cube_hits, &boxes);
+    lines::<S, _, _>(meter, "miss", moving::cube_misses, &boxes);
 }
 
 /// How to get shapes out of each other, and where they touch.

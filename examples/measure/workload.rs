@@ -1,13 +1,12 @@
 //! Shapes from random bits, the same on every board.
 
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
-use septum::sweep::{Motion, Sweep};
 use septum::{Aabb, Obb, Ray, Scalar, Segment, ShapeError, Triangle, Vec3};
 
 /// A point in units of 2⁻¹⁶.
-type Point = [i32; 3];
+pub(crate) type Point = [i32; 3];
 
-const HALF: i32 = 1 << 15;
+pub(crate) const HALF: i32 = 1 << 15;
 
 /// A scalar that has these numbers, perhaps with fewer fraction bits.
 pub(crate) trait Coordinate: Scalar {
@@ -85,7 +84,7 @@ impl Rng {
     }
 
     /// In [−2, 2)³.
-    fn point(&mut self) -> Point {
+    pub(crate) fn point(&mut self) -> Point {
         [(); 3].map(|()| (self.bits() >> 14) as i32 - (1 << 17))
     }
 
@@ -109,7 +108,7 @@ impl Rng {
 pub(crate) type Draw<A, B> = fn(&mut Rng) -> Option<(A, B)>;
 
 /// A point in a scalar.
-fn vector<S: Coordinate>(p: Point) -> Vec3<S> {
+pub(crate) fn vector<S: Coordinate>(p: Point) -> Vec3<S> {
     Vec3::from(p.map(S::of))
 }
 
@@ -118,7 +117,7 @@ fn triangle<S: Coordinate>(p: [Point; 3]) -> Result<Triangle<S>, ShapeError> {
 }
 
 /// The first pair on which the shapes meet, or the first on which they do not.
-fn first<A, B>(
+pub(crate) fn first<A, B>(
     rng: &mut Rng,
     draw: Draw<A, B>,
     wanted: bool,
@@ -292,43 +291,4 @@ pub(crate) fn obb_met<S: Coordinate>(rng: &mut Rng) -> Option<(Segment<S>, Obb<S
 
 pub(crate) fn obb_missed<S: Coordinate>(rng: &mut Rng) -> Option<(Segment<S>, Obb<S>)> {
     first(rng, segment_and_obb, false, |segment, obb| segment.overlaps(obb))
-}
-
-/// A shape at the start, and its way.
-type Moving<S, Shape> = (Shape, Motion<S>);
-
-/// From the origin to a point within half of [−2, 2]³.
-fn motion<S: Coordinate>(rng: &mut Rng) -> Option<Motion<S>> {
-    Motion::new(vector::<S>([0; 3]), vector::<S>(rng.point().map(|x| x >> 1))).ok()
-}
-
-fn swept<S: Coordinate>(rng: &mut Rng) -> Option<(Moving<S, Triangle<S>>, Aabb<S>)> {
-    let (triangle, aabb) = voorhies(rng)?;
-    Some(((triangle, motion(rng)?), aabb))
-}
-
-pub(crate) fn swept_hit<S: Coordinate>(rng: &mut Rng) -> Option<(Moving<S, Triangle<S>>, Aabb<S>)> {
-    first(rng, swept, true, |(triangle, motion), aabb| triangle.meets_along(motion, aabb))
-}
-
-pub(crate) fn swept_miss<S: Coordinate>(
-    rng: &mut Rng,
-) -> Option<(Moving<S, Triangle<S>>, Aabb<S>)> {
-    first(rng, swept, false, |(triangle, motion), aabb| triangle.meets_along(motion, aabb))
-}
-
-fn swept_box<S: Coordinate>(rng: &mut Rng) -> Option<(Moving<S, Aabb<S>>, Aabb<S>)> {
-    let cube =
-        |center: Point| Aabb::from_center_half_extents(vector(center), vector([HALF; 3])).ok();
-    Some(((cube(rng.point())?, motion(rng)?), cube([0; 3])?))
-}
-
-pub(crate) fn swept_box_hit<S: Coordinate>(rng: &mut Rng) -> Option<(Moving<S, Aabb<S>>, Aabb<S>)> {
-    first(rng, swept_box, true, |(moving, motion), aabb| moving.meets_along(motion, aabb))
-}
-
-pub(crate) fn swept_box_miss<S: Coordinate>(
-    rng: &mut Rng,
-) -> Option<(Moving<S, Aabb<S>>, Aabb<S>)> {
-    first(rng, swept_box, false, |(moving, motion), aabb| moving.meets_along(motion, aabb))
 }
