@@ -24,8 +24,11 @@ pub(crate) fn triangle_aabb<S: Raw>(draw: &mut Draw) -> Option<(Triangle<S>, Aab
     Some((triangle, aabb.ok()?))
 }
 
+/// A triangle at the start, and its way.
+type Moving<S> = (Triangle<S>, Motion<S>);
+
 /// The same, and a way of the triangle.
-pub(crate) fn sweep<S: Raw>(draw: &mut Draw) -> Option<((Triangle<S>, Motion<S>), Aabb<S>)> {
+pub(crate) fn sweep<S: Raw>(draw: &mut Draw) -> Option<(Moving<S>, Aabb<S>)> {
     let (triangle, aabb) = triangle_aabb(draw)?;
     let (from, to) = (draw.point(), draw.point());
     let motion = Motion::new(draw.vector::<S>(from), draw.vector::<S>(to)).ok()?;
