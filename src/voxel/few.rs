@@ -26,11 +26,11 @@
 //! 1. A difference of two places, or of one and a plane, errs by 2·η and its rounding, u·L: by
 //!    less than 3·η.
 //! 2. An area is the difference of two products of lengths up to L. It errs by 4·L·3·η, the
-//!    squares of these errors, and 3·u·2·L² ≤ 6·η·L: by less than 19·η·L if η ≤ 2^-6, and 24·η·L
+//!    squares of these errors, and 3·u·2·L² ≤ 6·η·L: by less than 19·η·L if η ≤ 2^-6, and 20·η·L
 //!    is given.
 //! 3. A volume is a sum of three products: of an area, at most 2·L², and a length. It errs by
 //!    3·(19·η·L·L + 2·L²·3·η), their squares, and 5·u·6·L³ ≤ 30·η·L²: by less than 110·η·L², and
-//!    128·η·L² is given.
+//!    112·η·L² is given.
 //!
 //! Signs of numbers within these bounds are taken exactly; all of them are if η is greater.
 
@@ -81,7 +81,7 @@ impl Few {
             strides: [1, widths[0], widths[0] * widths[1]],
             near,
             grid,
-            area_error: 24.0 * error * widest,
+            area_error: f32::from(AREA) * error * widest,
         };
         let rows = [block.row(0), block.row(1), block.row(2)];
         let views = [
@@ -91,12 +91,15 @@ impl Few {
         ];
         let mut apart = views[0].apart | views[1].apart | views[2].apart;
         if widths[0] > 1 && widths[1] > 1 && widths[2] > 1 {
-            apart |= block.beside_plane(&rows, &views, 128.0 * error * widest * widest);
+            apart |= block.beside_plane(&rows, &views, f32::from(VOLUME) * error * widest * widest);
         }
         u32::MAX >> (32 - block.strides[2] * widths[2]) & !apart
     }
 }
 
+/// See the error bound above.
+const AREA: u8 = 20;
+const VOLUME: u8 = 112;
 /// That of `f32`.
 const ROUNDOFF: f32 = f32::EPSILON / 2.0;
 

@@ -24,10 +24,10 @@ pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
                 let Some(obb) = framed(&case.obb) else { continue };
                 if let Line::Ray(o, d, _) = case.line {
                     case.line = Line::Ray(o, d, [Some(S::ZERO), None]);
-                    let Some(ray) = case.ray() else { continue };
+                    let Some(ray) = case.line.ray() else { continue };
                     rays.0.push(ray, [obb]);
                     rays.1.push(case.clip().is_some());
-                } else if let Some(segment) = case.segment() {
+                } else if let Some(segment) = case.line.segment() {
                     segments.0.push(segment, [obb]);
                     segments.1.push(case.clip().is_some());
                 }

@@ -30,7 +30,7 @@ impl Check for LineWithObb {
                 let later = shapes.bytes.one_in(2);
                 let range = shapes.range(|| {
                     let line = Line::Ray(origin, direction, [None, None]);
-                    let (enter, leave) = LineObb { line, obb }.ray()?.t_range_obb(&shape)?;
+                    let (enter, leave) = line.ray()?.t_range_obb(&shape)?;
                     Some(if later { leave } else { enter })
                 });
                 Line::Ray(origin, direction, range)
@@ -39,7 +39,7 @@ impl Check for LineWithObb {
         let case = LineObb { line, obb };
         case.check();
 
-        let Some(ray) = case.ray() else { return };
+        let Some(ray) = case.line.ray() else { return };
         let (found, clipped) = (ray.t_range_obb(&shape), case.clip());
         assert_eq!(found.is_some(), clipped.is_some(), "{}", told::<S>(&case));
         let (Some((enter, leave)), Some([Some(from), Some(to)])) = (found, clipped) else { return };
