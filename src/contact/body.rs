@@ -98,7 +98,7 @@ impl<S: Scalar> Body<'_, S> {
             Self::Triangle(t) => {
                 let v = t.points();
                 let (from, to) = (pick(&v, k), pick(&v, turn(k).1));
-                [0, 1, 2].map(|i: usize| difference(to[i].parts(), from[i].parts()))
+                three(|i| difference(to[i].parts(), from[i].parts()))
             }
             Self::Aabb(_) => {
                 let mut axis = [single(Parts::ZERO); 3];
@@ -134,7 +134,7 @@ impl<S: Scalar> Body<'_, S> {
             _ => self.origin(),
         };
         let both: Vector =
-            [0, 1, 2].map(|i: usize| -> Linear { [p[i].parts(), q[i].parts(), Parts::ZERO] });
+            three(|i| -> Linear { [p[i].parts(), q[i].parts(), Parts::ZERO] });
         let one = if minus { S::ONE.negated() } else { S::ONE };
         add_scaled_determinant(sum, x, y, &both, one);
     }

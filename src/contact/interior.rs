@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use super::body::{Body, side_of};
-use crate::arithmetic::{pick, turn};
+use crate::arithmetic::{pick, three, turn};
 use crate::mesh::{Index, Mesh, MeshError, by_place, sort};
 use crate::robust::{ExactSum, add_area, difference};
 use crate::scalar::Scalar;
@@ -105,8 +105,12 @@ pub fn interior_edges<S: Scalar, I: Index>(
         by_place(&a, &c).then_with(|| by_place(&b, &d))
     };
     sort(sides, |a, b| by_ends(a, b).then_with(|| a.cmp(b)));
-    for group in sides.chunk_by(|a, b| by_ends(a, b).is_eq()) {
-        let &[(t, k), (u, l)] = group else { continue };
+    let mut rest: &[(I, u8)] = sides;
+    while let [first, others @ ..] = rest {
+        let same = others.iter().take_while(|side| by_ends(first, side).is_eq()).count();
+        rest = others.get(same..).unwrap_or_default();
+        let ([(u, l), ..], 1) = (others, same) else { continue };
+        let ((t, k), (u, l)) = (*first, (*u, *l));
         let are_turned_alike = ends(&(t, k)).1 != ends(&(u, l)).1;
         let both = [mesh.known(t.get()), mesh.known(u.get())];
         let apexes = [k, l].map(|k| usize::from((k + 2) % 3));
@@ -134,7 +138,7 @@ fn is_interior<S: Scalar>(
     }
     // If the apex of the second lies above the first, so does that of the first above the second.
     let (base, apex) = (first.points()[0], *pick(&second.points(), apexes[1]));
-    let height = [0, 1, 2].map(|i: usize| difference(apex[i].parts(), base[i].parts()));
+    let height = three(|i| difference(apex[i].parts(), base[i].parts()));
     match side_of::<S>([&edges.side(0), &edges.side(1)], &height) {
         Ordering::Greater => are_turned_alike,
         Ordering::Less => false,

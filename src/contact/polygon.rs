@@ -117,13 +117,13 @@ impl Face {
         // What is cut, and what is left of it, in turns.
         let (mut corners, mut left) = (&mut [empty; MOST], &mut [empty; MOST]);
         let mut count = other.count;
-        for k in 0..count {
-            corners[k] = Corner { at: other.corners[k], side: Side::Own(k as u8) };
+        for (k, (corner, &at)) in corners.iter_mut().zip(&other.corners).enumerate() {
+            *corner = Corner { at, side: Side::Own(k as u8) };
         }
         let center = self.center();
         for k in 0..self.count {
-            let from = &self.corners[k];
-            let to = &self.corners[following(k, self.count)];
+            let from = &self.corners[k % 4];
+            let to = &self.corners[following(k, self.count) % 4];
             let mut inward = cross(normal, &minus(to, from));
             if dot(&inward, &minus(&center, from)) < 0.0 {
                 inward = three(|i| -inward[i]);
@@ -139,14 +139,14 @@ impl Face {
             let mut keep = |at: Vec64, side: Side| {
                 // With rounding a ninth might come.
                 if kept < MOST {
-                    left[kept] = Corner { at, side };
+                    left[kept % MOST] = Corner { at, side };
                     kept += 1;
                 }
             };
             for n in 0..count {
                 let after = following(n, count);
-                let (here, next) = (corners[n], corners[after]);
-                let (a, b) = (heights[n], heights[after]);
+                let (here, next) = (corners[n % MOST], corners[after % MOST]);
+                let (a, b) = (heights[n % MOST], heights[after % MOST]);
                 let crossing = || along(&here.at, a / (a - b), &minus(&next.at, &here.at));
                 if a >= 0.0 {
                     keep(here.at, if a == 0.0 && b < 0.0 { Side::Cut(k as u8) } else { here.side });
@@ -163,11 +163,12 @@ impl Face {
                 return;
             }
         }
-        let mut before = corners[count - 1].side;
+        let mut before = corners[(count - 1) % MOST].side;
         for n in 0..count {
+            let Corner { at, side } = corners[n % MOST];
             let own = |k: u8| pick4(&other.sides, k);
             let cuts = |k: u8| pick4(&self.sides, k);
-            let parts = match (before, corners[n].side) {
+            let parts = match (before, side) {
                 (Side::Own(_), Side::Own(k)) => [Part::Face(faces[0]), pick4(&other.parts, k)],
                 (Side::Own(k), Side::Cut(l)) | (Side::Cut(l), Side::Own(k)) => [cuts(l), own(k)],
                 (Side::Cut(k), Side::Cut(l)) => {
@@ -177,8 +178,8 @@ impl Face {
                     [pick4(&self.parts, after), Part::Face(faces[1])]
                 }
             };
-            found(corners[n].at, parts);
-            before = corners[n].side;
+            found(at, parts);
+            before = side;
         }
     }
 
@@ -186,11 +187,11 @@ impl Face {
     pub(super) fn lowest(&self, normal: &Vec64) -> (Vec64, Part) {
         let mut lowest = 0;
         for k in 1..self.count {
-            if dot(normal, &self.corners[k]) < dot(normal, &self.corners[lowest]) {
+            if dot(normal, &self.corners[k % 4]) < dot(normal, &self.corners[lowest % 4]) {
                 lowest = k;
             }
         }
-        (self.corners[lowest], self.parts[lowest])
+        (self.corners[lowest % 4], self.parts[lowest % 4])
     }
 }
 

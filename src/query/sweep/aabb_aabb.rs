@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 
 use super::latest::Latest;
 use super::{FirstContact, Motion, Sweep};
-use crate::arithmetic::{Embeds, Number, Parts};
+use crate::arithmetic::{Embeds, Number, Parts, pick, three};
 use crate::query::Axis;
 use crate::query::aabb_aabb::{Apart, GAP};
 use crate::query::line_aabb::Slabs;
@@ -62,7 +62,7 @@ impl<S: Scalar> Predicate<S> for Misses<S> {
         let beside = |slab: &Slab| is_below(&slab.far, &[]) || is_below(&slab.speed, &slab.near);
         slabs.iter().any(beside)
             || [(0, 1), (1, 2), (2, 0), (1, 0), (2, 1), (0, 2)].into_iter().any(|(i, j)| {
-                let (a, b): (&Slab, &Slab) = (&slabs[i], &slabs[j]);
+                let (a, b): (&Slab, &Slab) = (pick(&slabs, i), pick(&slabs, j));
                 let mut sum = S::Sum::new();
                 add(&mut sum, &a.near, &b.speed, false);
                 add(&mut sum, &b.far, &a.speed, true);
@@ -115,7 +115,7 @@ struct Slab {
 impl<S: Scalar> Passing<S> {
     fn exactly(&self) -> [Slab; 3] {
         let Self { boxes: Apart { a, b }, way: [from, to] } = self;
-        [0, 1, 2].map(|i: usize| {
+        three(|i| {
             let minus = |x: S| x.parts().negated();
             let grown = [a.grown[i], b.grown[i]];
             let [g, h] = grown.map(S::parts);
