@@ -10,7 +10,7 @@ use crate::scene::Scene;
 /// The effect of rounding to one type.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effect {
-    /// How far a vertex, or a corner of a box, moved at most.
+    /// How far a vertex, a corner of a box, or where its way ends, moved at most.
     pub(crate) moved: f64,
     /// How many triangles became segments or points.
     pub(crate) degenerate: usize,
@@ -37,15 +37,21 @@ impl Effect {
         }
         // The faces of the boxes move along each axis, independently of the others.
         let mut worst = [0.0; 3];
-        for (worst, cells) in worst.iter_mut().zip(&scene.cells) {
+        let mut worst_end = [0.0; 3];
+        let way = scene.question.way();
+        for (axis, (worst, cells)) in worst.iter_mut().zip(&scene.cells).enumerate() {
             let mut last = None;
             for i in cells.start..=cells.end {
                 let (from, to) = (scene.face(i), nearest(scene.face(i)));
                 *worst = f64::max(*worst, (from - to).abs());
+                if i < cells.end {
+                    let end = from + way[axis];
+                    worst_end[axis] = f64::max(worst_end[axis], (end - nearest(end)).abs());
+                }
                 effect.flat |= last.replace(to) == Some(to);
             }
         }
-        effect.moved = effect.moved.max(distance(worst));
+        effect.moved = effect.moved.max(distance(worst)).max(distance(worst_end));
         let index = if vertices.len() > 1 << 16 { 4 } else { 2 };
         let coordinates = u64::from(kind.bits() / 8) * vertices.len() as u64;
         effect.table = 3 * (coordinates + index * scene.triangles.len() as u64);

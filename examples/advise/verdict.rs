@@ -4,9 +4,12 @@ use std::hint::black_box;
 
 use fixed::types::extra::U0;
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
+use septum::contact::contact;
+use septum::sweep::{Motion, Sweep};
 use septum::{Aabb, Scalar, Triangle};
 
 use crate::kind::Kind;
+use crate::question::Question;
 use crate::scene::{Query, Scene};
 
 /// A scalar that an `f64` can be rounded to. A fixed-point type stands for all types of
@@ -68,16 +71,31 @@ fn overlaps<S: Coordinate>(scene: &Scene, query: Query, frac: u32) -> bool {
     triangle.overlaps(&aabb)
 }
 
-/// A function to time. It asks all queries, and counts the overlaps.
+/// A function to time. It asks all queries, and counts those that meet.
 pub(crate) type Asking = Box<dyn Fn() -> usize>;
 
 fn asking<S: Coordinate>(scene: &Scene, queries: &[Query], frac: u32) -> Asking {
     let pairs: Vec<_> = queries.iter().map(|&q| shapes::<S>(scene, q, frac)).collect();
-    Box::new(move || pairs.iter().filter(|(t, b)| black_box(t).overlaps(black_box(b))).count())
+    match scene.question {
+        Question::Overlap => Box::new(move || count(&pairs, |(t, b)| t.overlaps(b))),
+        Question::Contact => Box::new(move || count(&pairs, |(t, b)| contact(b, t).is_some())),
+        Question::Sweep(_) => {
+            let motion = |&query| {
+                let [from, to] = scene.places(query).map(|p| p.map(|x| S::nearest(x, frac)));
+                Motion::new(from, to).expect("the scene is finite")
+            };
+            let moving: Vec<_> = pairs.into_iter().zip(queries.iter().map(motion)).collect();
+            Box::new(move || count(&moving, |((t, b), m)| b.first_contact(m, t).is_some()))
+        }
+    }
+}
+
+fn count<T>(all: &[T], meet: impl Fn(&T) -> bool) -> usize {
+    all.iter().filter(|one| meet(black_box(one))).count()
 }
 
 impl Kind {
-    /// The exact verdict on the shapes of the query as the type has them.
+    /// Whether they overlap, exactly, on the shapes of the query as the type has them.
     pub(crate) fn overlaps(self, scene: &Scene, query: Query) -> bool {
         match self {
             Self::Fixed { bits: ..=8, frac } => overlaps::<FixedI8<U0>>(scene, query, frac),
@@ -110,9 +128,9 @@ pub(crate) fn changes(
 ) -> Vec<u64> {
     let mut changed = vec![0; kinds.len()];
     for query in queries {
-        let truth = Kind::F64.overlaps(scene, query);
+        let truth = Kind::F64.meets(scene, query);
         for (changed, kind) in changed.iter_mut().zip(kinds) {
-            *changed += u64::from(kind.overlaps(scene, query) != truth);
+            *changed += u64::from(kind.meets(scene, query) != truth);
         }
     }
     changed
