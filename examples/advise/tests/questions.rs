@@ -10,6 +10,7 @@ use septum::contact::contact;
 use septum::sweep::{Motion, Sweep};
 use septum::{Aabb, Scalar, Triangle, Vec3};
 
+use crate::effect::Effect;
 use crate::kind::Kind;
 use crate::options::Options;
 use crate::question::{Off, Question};
@@ -99,9 +100,12 @@ fn both_ends_are_held() {
     let [least, greatest] = of([100.0, 0.0, 0.0]).range();
     assert!(least < -100.0, "a box from there comes to the left end: {least}");
     assert!(greatest > 100.0, "a box at the right end goes there: {greatest}");
-    let advice = Advice::on(teapot(), "--ask sweep --way 0.1,0,0 --bits 16");
-    let row = advice.survey.rows.iter().find(|r| r.kind == Kind::Fixed { bits: 8, frac: 2 });
-    assert!(row.unwrap().effect.moved >= 0.1);
+    // All but the end is on the grid.
+    let corner = vec![[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]];
+    let way = Question::Sweep([0.09375, 0.0, 0.0]);
+    let scene = Scene::new(way, corner, Some(1.0), None).unwrap();
+    let effect = |frac| Effect::of(Kind::Fixed { bits: 16, frac }, &scene);
+    assert_eq!([effect(4), effect(5)].map(|effect| effect.moved), [0.03125, 0.0]);
 }
 
 #[test]
