@@ -63,6 +63,10 @@ pub(crate) struct Options {
 pub(crate) enum Ask {
     /// Whether they overlap
     Overlap,
+    /// Whether the box, turned about its middle, overlaps it: an oriented box
+    Turned,
+    /// Whether the triangle through three corners of the box overlaps it
+    Triangle,
     /// When the box, on its way, first meets the triangle
     Sweep,
     /// How the box gets out of the triangle

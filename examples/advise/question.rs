@@ -2,17 +2,25 @@
 
 use septum::contact::least_translation;
 use septum::sweep::{Motion, Sweep};
-use septum::{Aabb, Triangle};
+use septum::{Aabb, Obb, Scalar, Triangle, Vec3};
 
 use crate::kind::Kind;
 use crate::options::Ask;
 use crate::scene::{Query, Scene};
+
+/// The axes of turned boxes: a rotation about two axes by the angles of the triangle with sides
+/// 3, 4 and 5.
+pub(crate) const TURNED: [[f64; 3]; 3] = [[0.6, 0.8, 0.0], [-0.48, 0.36, 0.8], [0.64, -0.48, 0.6]];
 
 /// The question.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Question {
     /// Whether they overlap.
     Overlap,
+    /// The same of the box turned about its middle.
+    Turned,
+    /// The same of the triangle through three corners of the box.
+    Triangle,
     /// When the box, moving by this, first meets the triangle.
     Sweep([f64; 3]),
     /// How the box gets out of the triangle.
@@ -28,12 +36,27 @@ impl Question {
             }
             (_, Some(_)) => Err("--way is the way of a sweep: add --ask sweep".into()),
             (Ask::Overlap, None) => Ok(Self::Overlap),
+            (Ask::Turned, None) => Ok(Self::Turned),
+            (Ask::Triangle, None) => Ok(Self::Triangle),
             (Ask::Contact, None) => Ok(Self::Contact),
         }
     }
 
     pub(crate) fn way(self) -> [f64; 3] {
         if let Self::Sweep(way) = self { way } else { [0.0; 3] }
+    }
+
+    /// How far a turned box reaches along an axis beyond the one that is not, in boxes.
+    pub(crate) fn overhang(self, axis: usize) -> f64 {
+        if self != Self::Turned {
+            return 0.0;
+        }
+        (TURNED.iter().map(|u| u[axis].abs()).sum::<f64>() - 1.0) / 2.0
+    }
+
+    /// Numbers of the scene that are no places.
+    pub(crate) fn directions(self) -> &'static [f64] {
+        if self == Self::Turned { TURNED.as_flattened() } else { &[] }
     }
 
     /// How far triangle and box may come nearer to each other by rounding, in tolerances: each
@@ -45,7 +68,7 @@ impl Question {
     /// The number in its answer.
     pub(crate) fn number(self) -> Option<&'static str> {
         match self {
-            Self::Overlap => None,
+            Self::Overlap | Self::Turned | Self::Triangle => None,
             Self::Sweep(_) => Some("time"),
             Self::Contact => Some("depth"),
         }
@@ -55,6 +78,8 @@ impl Question {
     pub(crate) fn in_tables(self) -> [&'static str; 3] {
         match self {
             Self::Overlap => ["triangle/box", "exact", "full"],
+            Self::Turned => ["triangle/oriented box", "exact", "full"],
+            Self::Triangle => ["triangle/triangle", "exact", "full"],
             Self::Sweep(_) => ["triangle/box sweep", "when", "hit"],
             Self::Contact => ["triangle/box contact", "points too", "full"],
         }
@@ -63,7 +88,8 @@ impl Question {
     /// The query of those rows, in words.
     pub(crate) fn that_is_tabled(self) -> &'static str {
         match self {
-            Self::Overlap => "of a query on a {core} where all 13 axes are tried",
+            Self::Overlap | Self::Turned => "of a query on a {core} where all 13 axes are tried",
+            Self::Triangle => "of a query on a {core} about triangles that cross",
             Self::Sweep(_) => "of the time of a box that meets the triangle, on a {core}",
             Self::Contact => "of a contact with its points, on a {core}, all axes tried",
         }
@@ -76,7 +102,21 @@ impl Kind {
         match scene.question {
             Question::Overlap => self.overlaps(scene, query),
             Question::Sweep(_) | Question::Contact => self.number(scene, query).is_some(),
+            Question::Turned => turned(scene, query, |x| self.held(x), |x| self.held(x))
+                .overlaps(&self.triangle(scene, query)),
+            Question::Triangle => {
+                across(scene, query, |x| self.held(x)).overlaps(&self.triangle(scene, query))
+            }
         }
+    }
+
+    fn held(self, x: f64) -> f64 {
+        self.nearest(x).expect("a type that holds the scene")
+    }
+
+    fn triangle(self, scene: &Scene, query: Query) -> Triangle<f64> {
+        let [a, b, c, ..] = scene.points(query).map(|p| p.map(|x| self.held(x)));
+        Triangle::new(a, b, c).expect("the scene is finite")
     }
 
     /// The time or the depth, if there is one, as the type says it.
@@ -84,12 +124,12 @@ impl Kind {
     /// What a type holds of a scene `f64` holds too. Its answer is exact but for one rounding,
     /// and rounding it once more, the same way, comes to what the type itself says.
     pub(crate) fn number(self, scene: &Scene, query: Query) -> Option<f64> {
-        let nearest = |p: [f64; 3]| p.map(|x| self.nearest(x).expect("a type that holds it"));
-        let [a, b, c, min, max] = scene.points(query).map(nearest);
-        let triangle = Triangle::new(a, b, c).expect("the scene is finite");
+        let nearest = |p: [f64; 3]| p.map(|x| self.held(x));
+        let triangle = self.triangle(scene, query);
+        let [.., min, max] = scene.points(query).map(nearest);
         let aabb = Aabb::from_min_max(min, max).expect("rounding keeps the order");
         match scene.question {
-            Question::Overlap => None,
+            Question::Overlap | Question::Turned | Question::Triangle => None,
             Question::Sweep(_) => {
                 let [from, to] = scene.places(query).map(nearest);
                 let motion = Motion::new(from, to).expect("the scene is finite");
@@ -127,6 +167,33 @@ impl Kind {
         };
         up.min(self.greatest())
     }
+}
+
+/// The box of a query, turned about its middle, of numbers of a scalar.
+pub(crate) fn turned<S: Scalar>(
+    scene: &Scene,
+    query: Query,
+    near: impl Fn(f64) -> S,
+    direction: impl Fn(f64) -> S,
+) -> Obb<S> {
+    let half = scene.cell / 2.0;
+    let center = query.cell.map(|i| near(scene.face(i) + half));
+    let axes = TURNED.map(|u| Vec3::from(u.map(&direction)));
+    // A coarse type skews them.
+    Obb::from_skewed_axes(center, axes, [near(half), near(half), near(half)])
+        .expect("the scene is finite")
+}
+
+/// The triangle through three corners of the box of a query.
+pub(crate) fn across<S: Scalar>(
+    scene: &Scene,
+    query: Query,
+    near: impl Fn(f64) -> S,
+) -> Triangle<S> {
+    let [.., p, q] = scene.points(query).map(|p| p.map(&near));
+    let corners = [[q[0], p[1], p[2]], [p[0], q[1], p[2]], [p[0], p[1], q[2]]];
+    let [a, b, c] = corners.map(Vec3::from);
+    Triangle::new(a, b, c).expect("the scene is finite")
 }
 
 /// How far the numbers in the answers of a type are from those of `f64` on the scene as it is,

@@ -90,6 +90,8 @@ tolerance {}{}
             Question::Sweep([x, y, z]) => {
                 format!("that move by ({x}, {y}, {z}) and come, box about box, ")
             }
+            Question::Turned => "turned about their middles, and ".into(),
+            Question::Triangle => "or the triangles across them, ".into(),
             Question::Overlap | Question::Contact => String::new(),
         },
         sig(scene.question.slack() * scene.tolerance),
@@ -134,14 +136,18 @@ fn legend(options: &Options, scene: &Scene, survey: &Survey, costs: &Costs) -> S
     if let Some(number) = scene.question.number() {
         let how = match scene.question {
             Question::Sweep(_) => "down: it is the part of the way, early by the rounding alone",
-            Question::Overlap | Question::Contact => "up",
+            _ => "up",
         };
         text += &format!(
             "{number} off: how far the {number} is from that of f64, on the queries asked that \
              have one in both. The type rounds it {how}.\n"
         );
     }
-    text += "exact in: the arithmetic that settles a query, and the share of the queries.\n";
+    text += "exact in: the arithmetic that settles a query, and the share of the queries";
+    text += match scene.question {
+        Question::Turned | Question::Triangle => "; docs/scalars.md has that of fixed point.\n",
+        _ => ".\n",
+    };
     match survey.each {
         Some(each) => {
             let nanoseconds = each.as_secs_f64() * 1e9;

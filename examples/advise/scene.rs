@@ -49,6 +49,7 @@ impl Scene {
         let touched = |t: &[[f64; 3]; 3], i: usize| {
             let [least, greatest] = span(t.iter().map(|p| p[i]));
             let way = question.way()[i];
+            let slack = slack + question.overhang(i) * cell;
             let first = ((least - way.max(0.0) - slack) / cell).ceil() - 1.0;
             let end = ((greatest - way.min(0.0) + slack) / cell).floor() + 1.0;
             let far = first.abs().max(end.abs()) >= (1_u64 << 53) as f64;
@@ -132,9 +133,10 @@ impl Scene {
         span(self.triangles.iter().flatten().map(|p| p[axis]).chain(faces))
     }
 
-    /// The least and the greatest coordinate of all three axes.
+    /// The least and the greatest of the coordinates on all three axes, and of directions.
     pub(crate) fn range(&self) -> [f64; 2] {
-        span([0, 1, 2].into_iter().flat_map(|axis| self.extent(axis)))
+        let places = [0, 1, 2].into_iter().flat_map(|axis| self.extent(axis));
+        span(places.chain(self.question.directions().iter().copied()))
     }
 }
 

@@ -20,6 +20,7 @@ pub(crate) enum Stage {
     Wide,
     ExactSums,
     Sums,
+    Untold,
 }
 
 impl Stage {
@@ -29,6 +30,7 @@ impl Stage {
             Self::Float => "f64/integers",
             Self::Integers => "f64, integers",
             Self::Sums => "f64, exact sums",
+            Self::Untold => "see docs",
             Self::I32 => "i32",
             Self::I64 => "i64",
             Self::I64AndI128 => "i64 + i128",
@@ -44,13 +46,16 @@ impl Stage {
             return Self::of_contact(kind, target, scene, query);
         }
         let Kind::Fixed { bits, frac } = kind else { return Self::Float };
+        if matches!(scene.question, Question::Turned | Question::Triangle) {
+            return Self::Untold;
+        }
         let raw = |x: f64| Kind::raw(x, bits, frac).expect("a type that holds the scene");
         let points = scene.points(query).map(|p| p.map(raw));
         let places = scene.places(query).map(|p| p.map(raw));
         // Where registers are narrow a sweep has no kernel of its own.
         let target = match scene.question {
             Question::Sweep(_) => Target::Host,
-            Question::Overlap | Question::Contact => target,
+            _ => target,
         };
         let below = |most: i32| {
             let end = f64::from(most).exp2();

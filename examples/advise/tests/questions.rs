@@ -13,7 +13,7 @@ use septum::{Aabb, Scalar, Triangle, Vec3};
 use crate::effect::Effect;
 use crate::kind::Kind;
 use crate::options::Options;
-use crate::question::{Off, Question};
+use crate::question::{Off, Question, across, turned};
 use crate::scene::{Query, Scene};
 
 use super::{Advice, Triangles, scaled, teapot};
@@ -67,6 +67,43 @@ fn numbers_are_those_of_the_type() {
     let of_8 = Kind::Fixed { bits: 8, frac: 8 };
     assert_eq!(of_8.rounded_down(1.0), 127.0 / 256.0);
     assert_eq!(Kind::Fixed { bits: 8, frac: 4 }.greatest(), I4F4::MAX.to_num::<f64>());
+}
+
+/// As of a type itself; and what moves too little changes nothing.
+#[test]
+fn turned_boxes_and_triangles() {
+    for (question, least) in [(Question::Turned, 300), (Question::Triangle, 200)] {
+        let scene = Scene::new(question, teapot(), None, None).unwrap();
+        let kind = Kind::Fixed { bits: 16, frac: 10 };
+        let near = FixedI16::<U10>::from_num::<f64>;
+        let mut meet = 0;
+        for query in (0..scene.queries()).step_by(31).map(|n| scene.query(n)) {
+            let [a, b, c, ..] = scene.points(query).map(|p| p.map(near));
+            let triangle = Triangle::new(a, b, c).unwrap();
+            let meets = match question {
+                Question::Turned => triangle.overlaps(&turned(&scene, query, near, near)),
+                _ => triangle.overlaps(&across(&scene, query, near)),
+            };
+            assert_eq!(kind.meets(&scene, query), meets, "{query:?}");
+            meet += usize::from(meets);
+        }
+        assert!(meet > least, "{meet}");
+        // The neighbours of what is asked about are apart from it.
+        let [xs, ..] = scene.cells.clone();
+        for n in (0..scene.queries()).step_by(97) {
+            let query = scene.query(n);
+            let next = Query { cell: [query.cell[0] - 1, query.cell[1], query.cell[2]], ..query };
+            let is_asked = n > 0 && scene.query(n - 1).cell == next.cell;
+            assert!(is_asked || !xs.contains(&next.cell[0]) || !Kind::F64.meets(&scene, next));
+        }
+    }
+    // Axes are numbers too: 16 bits behind the point hold no 0.8.
+    let small = Scene::new(Question::Turned, scaled(1.0 / 128.0), None, None).unwrap();
+    assert!(!Kind::Fixed { bits: 16, frac: 16 }.holds(small.range()));
+    let advice = Advice::on(teapot(), "--ask turned --full");
+    let row = advice.survey.rows.iter().find(|row| row.kind.name() == "I16F16").unwrap();
+    assert!(row.effect.moved > 1e-6 && row.effect.moved < 1e-4, "{}", row.effect.moved);
+    assert!(advice.text.contains("predictions hold"), "{}", advice.text);
 }
 
 /// What moves no farther than the tolerance changes no verdict that is not asked for.
