@@ -4,6 +4,7 @@ use crate::costs::Figure;
 use crate::effect::Effect;
 use crate::kind::{Kind, most_fraction_bits};
 use crate::prediction::Prediction;
+use crate::question::Off;
 use crate::race::Timing;
 use crate::scene::Scene;
 
@@ -12,6 +13,8 @@ use crate::scene::Scene;
 pub(crate) struct Row {
     pub(crate) kind: Kind,
     pub(crate) effect: Effect,
+    /// How far the numbers in its answers are off.
+    pub(crate) off: Option<Off>,
     /// The stages that settle the queries, a line for each.
     pub(crate) stages: String,
     pub(crate) prediction: Prediction,
@@ -24,6 +27,9 @@ pub(crate) struct Row {
     pub(crate) code: Option<Figure>,
 }
 
+/// Times are too far apart for so long a way.
+const COARSE: &str = "coarse times";
+
 /// Costs within this ratio count as the same.
 const SAME: f64 = 1.05;
 
@@ -35,9 +41,23 @@ impl Row {
             Some("flat boxes")
         } else if moved > scene.tolerance {
             Some("moved too far")
+        } else if self.stride(scene) > scene.tolerance {
+            Some(COARSE)
         } else {
             None
         }
+    }
+
+    /// How far a box goes between two times that the type has, or between its last one and 1:
+    /// so far before it meets the time told may leave it.
+    fn stride(&self, scene: &Scene) -> f64 {
+        let [x, y, z] = scene.question.way();
+        let unit = match self.kind {
+            Kind::Fixed { frac, .. } => f64::from(frac).exp2().recip(),
+            Kind::F32 => 2_f64.powi(-24),
+            Kind::F64 => 2_f64.powi(-53),
+        };
+        x.hypot(y).hypot(z) * unit.max(1.0 - self.kind.rounded_down(1.0))
     }
 
     /// The time or the instructions of a query, whichever is known.
@@ -71,6 +91,7 @@ pub(crate) fn what_would_help(bits: u32, rows: &[Row], scene: &Scene) -> Option<
     let best = of_width().min_by(|a, b| a.effect.moved.total_cmp(&b.effect.moved));
     let (why, mut ways) = match best {
         None => too_large(bits, scene),
+        Some(row) if row.refusal(scene) == Some(COARSE) => too_coarse(row, scene),
         Some(row) => too_fine(row, scene),
     };
     ways.extend(about_the_middle(bits, best, scene));
@@ -95,6 +116,21 @@ fn too_large(bits: u32, scene: &Scene) -> (String, Vec<String>) {
         "the scene at 1/2^{halvings} of its size, with a tolerance that is {tolerance} at today's"
     );
     (why, vec![way])
+}
+
+fn too_coarse(row: &Row, scene: &Scene) -> (String, Vec<String>) {
+    let far = row.stride(scene);
+    let frac = row.kind.fraction_bits();
+    let why = format!(
+        "coarse times: with {frac} fraction bits a box goes up to {} between two times, beyond {}",
+        sig(far),
+        sig(scene.tolerance)
+    );
+    let ways = vec![
+        format!("--tolerance {} ({} of a box)", up(far), percent(far / scene.cell)),
+        format!("a way of 1/{} or less at a time, more often", (far / scene.tolerance).ceil()),
+    ];
+    (why, ways)
 }
 
 fn too_fine(row: &Row, scene: &Scene) -> (String, Vec<String>) {
@@ -178,7 +214,7 @@ fn rounded(x: f64, round: fn(f64) -> f64) -> String {
     let digits = 2 - x.abs().log10().floor() as i32;
     let unit = 10_f64.powi(digits);
     let x = round(x * unit) / unit;
-    if !(-3..=8).contains(&digits) {
+    if !(-3..=6).contains(&digits) {
         return format!("{x:.2e}");
     }
     let text = format!("{x:.*}", digits.max(0) as usize);

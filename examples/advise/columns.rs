@@ -1,6 +1,6 @@
 //! The tables that the advisor prints: what rounding does, and what queries cost.
 
-use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
+use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, presets};
 
 use crate::advice::{Row, sig};
 use crate::costs::Figure;
@@ -16,6 +16,9 @@ pub(crate) fn effects(scene: &Scene, survey: &Survey, full: bool) -> String {
     let mut headers = vec!["type", "moved by", "made flat", "changed"];
     headers.extend(is_predicted.then_some("of all, predicted"));
     headers.extend(full.then_some("counted"));
+    let off =
+        scene.question.number().map(|number| [format!("{number} off,\n99 %"), "at most".into()]);
+    headers.extend(off.iter().flatten().map(|header: &String| header.as_str()));
     let line = |row: &Row| {
         let prediction = row.prediction;
         let mut cells = vec![
@@ -29,6 +32,10 @@ pub(crate) fn effects(scene: &Scene, survey: &Survey, full: bool) -> String {
             (least, most) => format!("{} to {}", grouped(least), grouped(most)),
         }));
         cells.extend(row.counted.map(grouped));
+        if off.is_some() {
+            let figures = row.off.map(|off| [sig(off.usual), sig(off.most)]);
+            cells.extend(figures.unwrap_or_else(|| ["?", "?"].map(String::from)));
+        }
         cells
     };
     text(&headers, survey.rows.iter().map(line), 1..headers.len())
@@ -87,6 +94,9 @@ fn text(
     table.set_content_arrangement(ContentArrangement::Dynamic).set_width(WIDTH as u16);
     for (i, column) in table.column_iter_mut().enumerate() {
         column.set_padding((0, 2));
+        if i == 0 {
+            column.set_constraint(ColumnConstraint::ContentWidth);
+        }
         if numbers.contains(&i) {
             column.set_cell_alignment(CellAlignment::Right);
         }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::kind::Kind;
 use crate::options::Target;
+use crate::question::Question;
 use crate::stage::Stage;
 
 /// A figure of a table.
@@ -16,7 +17,7 @@ pub(crate) struct Figure {
     pub(crate) is_estimate: bool,
 }
 
-/// What the exact triangle/box query takes, by scalar and path.
+/// What the query takes, by scalar and path.
 type ByPath = BTreeMap<(String, String), f64>;
 
 /// Cycles in a microsecond at 48 MHz, as fast as most cores without an FPU run.
@@ -24,6 +25,7 @@ const MEGAHERTZ: f64 = 48.0;
 
 /// The tables that are there.
 pub(crate) struct Costs {
+    question: Question,
     instructions: ByPath,
     /// Only of Cortex-M0.
     cycles: ByPath,
@@ -35,8 +37,14 @@ pub(crate) struct Costs {
 
 impl Costs {
     /// Reads the tables in a folder.
-    pub(crate) fn read(folder: &Path, target: Target) -> Result<Self, Box<dyn Error>> {
+    pub(crate) fn read(
+        folder: &Path,
+        target: Target,
+        question: Question,
+    ) -> Result<Self, Box<dyn Error>> {
+        let [asked, how, _] = question.in_tables();
         let mut costs = Self {
+            question,
             instructions: BTreeMap::new(),
             cycles: BTreeMap::new(),
             code: BTreeMap::new(),
@@ -51,21 +59,21 @@ impl Costs {
             "target.csv",
             ["core", "query", "scalar", "mode", "path", "instructions"],
         )? {
-            if core == name && query == "triangle/box" && mode == "exact" {
+            if core == name && query == asked && mode == how {
                 costs.instructions.insert((scalar, path), number(&instructions)?);
             }
         }
         if target == Target::M0 {
             let columns = ["query", "scalar", "mode", "path", "M0"];
             for [query, scalar, mode, path, cycles] in costs.rows(folder, "cycles.csv", columns)? {
-                if query == "triangle/box" && mode == "exact" {
+                if query == asked && mode == how {
                     costs.cycles.insert((scalar, path), number(&cycles)?);
                 }
             }
         }
         for [on, program, text] in costs.rows(folder, "flash.csv", ["target", "program", "text"])? {
             if on == name {
-                if let Some(scalar) = program.strip_prefix("triangle/box exact ") {
+                if let Some(scalar) = program.strip_prefix(&format!("{asked} {how} ")) {
                     costs.code.insert(scalar.into(), number(&text)?);
                 }
             }
@@ -103,9 +111,14 @@ impl Costs {
         Ok(rows)
     }
 
-    /// Instructions of a query that tries all 13 axes.
+    /// Instructions of a query that tries all axes.
     pub(crate) fn instructions(&self, kind: Kind, shares: &BTreeMap<Stage, f64>) -> Option<Figure> {
-        average(&self.instructions, kind, shares)
+        self.average(&self.instructions, kind, shares)
+    }
+
+    /// Whether there is a table of cycles for the query.
+    pub(crate) fn has_cycles(&self) -> bool {
+        !self.cycles.is_empty()
     }
 
     /// Microseconds of the same at 48 MHz, with memory that does not wait. Where there is no
@@ -115,7 +128,7 @@ impl Costs {
             true => (&self.instructions, true),
             false => (&self.cycles, false),
         };
-        let Figure { value, is_estimate } = average(table, kind, shares)?;
+        let Figure { value, is_estimate } = self.average(table, kind, shares)?;
         Some(Figure { value: value / MEGAHERTZ, is_estimate: is_estimate || is_guess })
     }
 
@@ -125,19 +138,22 @@ impl Costs {
         let value = *self.code.get(&scalar)?;
         Some(Figure { value, is_estimate: scalar != kind.name() })
     }
-}
 
-/// The average over the stages, by their shares of the queries.
-fn average(table: &ByPath, kind: Kind, shares: &BTreeMap<Stage, f64>) -> Option<Figure> {
-    let scalar = tabled(kind);
-    let mut value = 0.0;
-    for (stage, share) in shares {
-        // The tables measured the wider stage of 32 bits on shapes as large as the type.
-        let far = kind.bits() == 32 && *stage == Stage::I64;
-        let path = if far { "whole range" } else { "full" };
-        value += share * table.get(&(scalar.clone(), path.into()))?;
+    /// The average over the stages, by their shares of the queries.
+    fn average(&self, table: &ByPath, kind: Kind, shares: &BTreeMap<Stage, f64>) -> Option<Figure> {
+        let scalar = tabled(kind);
+        let [_, _, usual] = self.question.in_tables();
+        let mut value = 0.0;
+        for (stage, share) in shares {
+            // The tables measured the wider stage of 32 bits on shapes as large as the type. Of
+            // other queries they have the first stage alone.
+            let far =
+                self.question == Question::Overlap && kind.bits() == 32 && *stage == Stage::I64;
+            let path = if far { "whole range" } else { usual };
+            value += share * table.get(&(scalar.clone(), path.into()))?;
+        }
+        Some(Figure { value, is_estimate: scalar != kind.name() || shares.len() > 1 })
     }
-    Some(Figure { value, is_estimate: scalar != kind.name() || shares.len() > 1 })
 }
 
 fn number(text: &str) -> Result<f64, String> {

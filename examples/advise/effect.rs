@@ -5,12 +5,13 @@ use std::collections::BTreeSet;
 use septum::Triangle;
 
 use crate::kind::Kind;
+use crate::question::{Question, TURNED};
 use crate::scene::Scene;
 
 /// The effect of rounding to one type.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effect {
-    /// How far a vertex, or a corner of a box, moved at most.
+    /// How far a vertex, a corner of a box, or where its way ends, moved at most.
     pub(crate) moved: f64,
     /// How many triangles became segments or points.
     pub(crate) degenerate: usize,
@@ -37,20 +38,43 @@ impl Effect {
         }
         // The faces of the boxes move along each axis, independently of the others.
         let mut worst = [0.0; 3];
-        for (worst, cells) in worst.iter_mut().zip(&scene.cells) {
+        let mut worst_end = [0.0; 3];
+        let way = scene.question.way();
+        for (axis, (worst, cells)) in worst.iter_mut().zip(&scene.cells).enumerate() {
             let mut last = None;
             for i in cells.start..=cells.end {
                 let (from, to) = (scene.face(i), nearest(scene.face(i)));
                 *worst = f64::max(*worst, (from - to).abs());
+                if i < cells.end {
+                    let end = from + way[axis];
+                    worst_end[axis] = f64::max(worst_end[axis], (end - nearest(end)).abs());
+                }
                 effect.flat |= last.replace(to) == Some(to);
             }
         }
-        effect.moved = effect.moved.max(distance(worst));
+        if scene.question == Question::Turned {
+            worst = of_turned(kind, scene);
+            effect.flat = nearest(scene.cell / 2.0) == 0.0;
+        }
+        effect.moved = effect.moved.max(distance(worst)).max(distance(worst_end));
         let index = if vertices.len() > 1 << 16 { 4 } else { 2 };
         let coordinates = u64::from(kind.bits() / 8) * vertices.len() as u64;
         effect.table = 3 * (coordinates + index * scene.triangles.len() as u64);
         effect
     }
+}
+
+/// How far a corner of a turned box moves along each axis at most: as far as its middle, and as
+/// its half-extents along its axes.
+fn of_turned(kind: Kind, scene: &Scene) -> [f64; 3] {
+    let nearest = |x: f64| kind.nearest(x).expect("a type that holds the scene");
+    let off = |x: f64| (x - nearest(x)).abs();
+    let half = scene.cell / 2.0;
+    [0, 1, 2].map(|axis| {
+        let middles = scene.cells[axis].clone().map(|i| off(scene.face(i) + half));
+        let along = TURNED.map(|u| (half * u[axis] - nearest(half) * nearest(u[axis])).abs());
+        middles.fold(0.0, f64::max) + along.iter().sum::<f64>()
+    })
 }
 
 fn distance([x, y, z]: [f64; 3]) -> f64 {

@@ -77,6 +77,15 @@ impl Kind {
         }
     }
 
+    /// The greatest number; of 64 bits, to the nearest `f64`.
+    pub(crate) fn greatest(self) -> f64 {
+        match self {
+            Fixed { frac, .. } => self.end() - f64::from(frac).exp2().recip(),
+            F32 => f64::from(f32::MAX),
+            F64 => f64::MAX,
+        }
+    }
+
     /// Whether both ends of the range are within the type's range.
     pub(crate) fn holds(self, range: [f64; 2]) -> bool {
         range.iter().all(|&x| self.nearest(x).is_some())

@@ -1,10 +1,12 @@
 //! Says which number type a scene needs. It lists the types that hold the scene, how
 //! many verdicts rounding to each changes, and what a query costs in each. It
-//! recommends the cheapest that is good enough.
+//! recommends the cheapest that is good enough. Queries are overlaps, sweeps or contacts.
 //!
 //! ```text
 //! cargo run --release --example advise
 //! cargo run --release --example advise -- cow.obj --cell 0.01 --tolerance 0.0002 --target m0
+//! cargo run --release --example advise -- --ask sweep --way 0,-2,0
+//! cargo run --release --example advise -- --ask contact --target m0
 //! cargo run --release --example advise -- --help
 //! ```
 
@@ -23,6 +25,7 @@ mod mesh;
 mod options;
 mod paste;
 mod prediction;
+mod question;
 mod race;
 mod report;
 mod scene;
@@ -40,6 +43,7 @@ use std::process::ExitCode;
 use costs::Costs;
 use mesh::Mesh;
 use options::{Options, Up};
+use question::Question;
 use scene::Scene;
 use survey::{Plan, Survey};
 
@@ -55,10 +59,11 @@ fn main() -> ExitCode {
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let tables = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
-    let costs = Costs::read(&tables, options.target)?;
+    let question = Question::new(options.ask, options.way)?;
+    let costs = Costs::read(&tables, options.target, question)?;
     // In the coordinates of the file.
     let mesh = Mesh::load(options.mesh.as_slice(), Some(Up::Y))?;
-    let scene = Scene::new(mesh.triangles, options.cell, options.tolerance)?;
+    let scene = Scene::new(question, mesh.triangles, options.cell, options.tolerance)?;
     let sample = options.sample.get() as usize;
     let plan = Plan { target: options.target, sample, full: options.full, costs: &costs };
     let survey = Survey::of(&scene, &plan);

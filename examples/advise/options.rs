@@ -10,7 +10,8 @@ use crate::cli::{any, valid};
 /// Says which number type a scene needs, and what it costs.
 ///
 /// The scene is a mesh, and boxes on a grid that are asked about: every triangle
-/// against every box around it, as a voxelizer asks.
+/// against every box around it, as a voxelizer asks; or against every box that comes
+/// by it on its way, or that is to get out of it.
 #[derive(Parser)]
 #[command(name = "advise")]
 pub(crate) struct Options {
@@ -24,7 +25,15 @@ pub(crate) struct Options {
         value_parser = valid("a number above zero", |&x: &f64| x.is_finite() && x > 0.0))]
     pub(crate) cell: Option<f64>,
 
-    /// How far rounding may move a vertex or a corner of a box
+    /// What is asked about a triangle and a box
+    #[arg(long, value_enum, ignore_case = true, default_value_t = Ask::Overlap)]
+    pub(crate) ask: Ask,
+
+    /// How far the boxes of a sweep move between two looks, along x, y and z
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = way)]
+    pub(crate) way: Option<[f64; 3]>,
+
+    /// How far rounding may move a vertex, a corner of a box, or an end of its way
     /// [default: a hundredth of the cell]
     #[arg(long, value_name = "T", allow_negative_numbers = true,
         value_parser = valid("a number, zero or above", |&x: &f64| x.is_finite() && x >= 0.0))]
@@ -47,6 +56,30 @@ pub(crate) struct Options {
     /// Compare the verdicts of all queries too, and hold the prediction against them
     #[arg(long)]
     pub(crate) full: bool,
+}
+
+/// The question.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Ask {
+    /// Whether they overlap
+    Overlap,
+    /// Whether the box, turned about its middle, overlaps it: an oriented box
+    Turned,
+    /// Whether the triangle through three corners of the box overlaps it
+    Triangle,
+    /// When the box, on its way, first meets the triangle
+    Sweep,
+    /// How the box gets out of the triangle
+    Contact,
+}
+
+/// Three numbers, one of which is not zero.
+fn way(text: &str) -> Result<[f64; 3], String> {
+    let numbers = text.split(',').map(|x| x.trim().parse().ok().filter(|x: &f64| x.is_finite()));
+    let numbers: Option<Vec<f64>> = numbers.collect();
+    let way = numbers.and_then(|numbers| <[f64; 3]>::try_from(numbers).ok());
+    way.filter(|way| *way != [0.0; 3])
+        .ok_or_else(|| "not three numbers with commas between, such as 0,-2,0, not all zero".into())
 }
 
 /// The machine.

@@ -7,6 +7,7 @@ use crate::kind::Kind;
 use crate::options::{Options, Target};
 use crate::paste;
 use crate::prediction::{CONFIDENCE, Prediction};
+use crate::question::Question;
 use crate::scene::Scene;
 use crate::survey::Survey;
 use septum_kit::jobs::grouped;
@@ -77,7 +78,7 @@ fn heading(name: &str, options: &Options, scene: &Scene, survey: &Survey) -> Str
         "{name} for {}: {} triangles; with the boxes they fill {x} × {y} × {z}
 boxes of {}{}, corners at multiples of it
 tolerance {}{}
-{} queries: each triangle against the boxes within {} of its bounding box; {sample}",
+{} queries: each triangle against the boxes {}within {} of its bounding box; {sample}",
         options.target.name(),
         grouped(scene.triangles.len() as u64),
         scene.cell,
@@ -85,7 +86,15 @@ tolerance {}{}
         sig(scene.tolerance),
         chosen(options.tolerance.is_some(), "a hundredth of a box; --tolerance"),
         grouped(all),
-        sig(2.0 * scene.tolerance),
+        match scene.question {
+            Question::Sweep([x, y, z]) => {
+                format!("that move by ({x}, {y}, {z}) and come, box about box, ")
+            }
+            Question::Turned => "turned about their middles, and ".into(),
+            Question::Triangle => "or the triangles across them, ".into(),
+            Question::Overlap | Question::Contact => String::new(),
+        },
+        sig(scene.question.slack() * scene.tolerance),
     )
 }
 
@@ -124,7 +133,21 @@ fn legend(options: &Options, scene: &Scene, survey: &Survey, costs: &Costs) -> S
             }
         };
     }
-    text += "exact in: the arithmetic that settles a query, and the share of the queries.\n";
+    if let Some(number) = scene.question.number() {
+        let how = match scene.question {
+            Question::Sweep(_) => "down: it is the part of the way, early by the rounding alone",
+            _ => "up",
+        };
+        text += &format!(
+            "{number} off: how far the {number} is from that of f64, on the queries asked that \
+             have one in both. The type rounds it {how}.\n"
+        );
+    }
+    text += "exact in: the arithmetic that settles a query, and the share of the queries";
+    text += match scene.question {
+        Question::Turned | Question::Triangle => "; docs/scalars.md has that of fixed point.\n",
+        _ => ".\n",
+    };
     match survey.each {
         Some(each) => {
             let nanoseconds = each.as_secs_f64() * 1e9;
@@ -134,20 +157,22 @@ fn legend(options: &Options, scene: &Scene, survey: &Survey, costs: &Costs) -> S
             );
         }
         None if options.target == Target::Host => text += "Not timed: f32 cannot hold the scene.\n",
-        None => text += &legend_of_tables(options, survey, costs),
+        None => text += &legend_of_tables(options, scene, survey, costs),
     }
     text + "table: bytes of the mesh, each vertex once.\n"
 }
 
-fn legend_of_tables(options: &Options, survey: &Survey, costs: &Costs) -> String {
+fn legend_of_tables(options: &Options, scene: &Scene, survey: &Survey, costs: &Costs) -> String {
     let mut text = format!(
-        "instructions: of a query on a {} where all 13 axes are tried. µs: the same, {}. code: of a \
+        "instructions: {}. µs: the same, {}. code: of a \
          program that is the query. They come from tables, not from this scene. ≈ is an estimate, \
          from the type with as many bits and as exact.\n",
-        options.target.name(),
+        scene.question.that_is_tabled().replace("{core}", options.target.name()),
         match options.target {
-            Target::M4f => "if each instruction took one cycle, which is a lower bound",
-            _ => "by Arm's table of cycles, multiplying in one, with memory that does not wait",
+            Target::M0 if costs.has_cycles() => {
+                "by Arm's table of cycles, multiplying in one, with memory that does not wait"
+            }
+            _ => "if each instruction took one cycle, which is a lower bound",
         },
     );
     for file in &costs.missing {
@@ -197,8 +222,17 @@ fn recommendation(
             figure(row.time.as_ref())
         ),
     };
+    let off = match (scene.question.number(), row.off) {
+        (Some(number), Some(off)) => format!(
+            "\n  {number} off: 99 % by {} or less, {} at most, measured",
+            sig(off.usual),
+            sig(off.most)
+        ),
+        (Some(number), None) => format!("\n  {number} off: unknown, no query asked has one"),
+        (None, _) => String::new(),
+    };
     format!(
-        "Recommended: {}\n  verdicts changed: {predicted}{counted}\n  cost of a query: {cost}\n  \
+        "Recommended: {}\n  verdicts changed: {predicted}{counted}{off}\n  cost of a query: {cost}\n  \
          moved by: {} at most, measured; {} bytes of table",
         row.kind.name(),
         sig(row.effect.moved),

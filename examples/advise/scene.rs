@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::advice::sig;
+use crate::question::Question;
 
 /// The most boxes along a side.
 const LONGEST_SIDE: f64 = (1_u32 << 24) as f64;
@@ -10,6 +11,7 @@ const LONGEST_SIDE: f64 = (1_u32 << 24) as f64;
 /// A mesh among boxes. Box (i, j, k) has its least corner at (i, j, k) times the size
 /// of a cell.
 pub(crate) struct Scene {
+    pub(crate) question: Question,
     pub(crate) triangles: Vec<[[f64; 3]; 3]>,
     pub(crate) cell: f64,
     pub(crate) tolerance: f64,
@@ -29,10 +31,11 @@ pub(crate) struct Query {
 }
 
 impl Scene {
-    /// Each triangle is asked about the boxes that its bounding box touches, grown by
-    /// twice the tolerance. If neither boxes nor triangles move farther than the
-    /// tolerance, no other verdict can change.
+    /// Each triangle is asked about the boxes that its bounding box touches, at rest or on their
+    /// way, grown by so many tolerances as rounding may bring them nearer. If neither boxes,
+    /// triangles nor ways' ends move farther than the tolerance, no other verdict can change.
     pub(crate) fn new(
+        question: Question,
         triangles: Vec<[[f64; 3]; 3]>,
         cell: Option<f64>,
         tolerance: Option<f64>,
@@ -42,10 +45,13 @@ impl Scene {
             None => usual_cell(&triangles)?,
         };
         let tolerance = tolerance.unwrap_or(cell / 100.0);
+        let slack = question.slack() * tolerance;
         let touched = |t: &[[f64; 3]; 3], i: usize| {
             let [least, greatest] = span(t.iter().map(|p| p[i]));
-            let first = ((least - 2.0 * tolerance) / cell).ceil() - 1.0;
-            let end = ((greatest + 2.0 * tolerance) / cell).floor() + 1.0;
+            let way = question.way()[i];
+            let slack = slack + question.overhang(i) * cell;
+            let first = ((least - way.max(0.0) - slack) / cell).ceil() - 1.0;
+            let end = ((greatest - way.min(0.0) + slack) / cell).floor() + 1.0;
             let far = first.abs().max(end.abs()) >= (1_u64 << 53) as f64;
             if far || end - first > LONGEST_SIDE {
                 return Err(format!(
@@ -79,7 +85,7 @@ impl Scene {
                 sig(cell)
             ));
         }
-        Ok(Self { triangles, cell, tolerance, cells, around, before })
+        Ok(Self { question, triangles, cell, tolerance, cells, around, before })
     }
 
     /// How many queries there are.
@@ -111,16 +117,26 @@ impl Scene {
         [a, b, c, query.cell.map(|i| self.face(i)), query.cell.map(|i| self.face(i + 1))]
     }
 
-    /// The least and the greatest coordinate along an axis, of triangles and boxes.
+    /// Where the least corner of the box is before and after its way.
+    pub(crate) fn places(&self, query: Query) -> [[f64; 3]; 2] {
+        let (from, way) = (query.cell.map(|i| self.face(i)), self.question.way());
+        [from, [0, 1, 2].map(|i| from[i] + way[i])]
+    }
+
+    /// The least and the greatest coordinate along an axis, of triangles and boxes, before and
+    /// after their way.
     pub(crate) fn extent(&self, axis: usize) -> [f64; 2] {
         let Range { start, end } = self.cells[axis];
-        let faces = [self.face(start), self.face(end)];
+        let way = self.question.way()[axis];
+        let faces = [start, end].map(|i| self.face(i));
+        let faces = faces.into_iter().flat_map(|face| [face, face + way]);
         span(self.triangles.iter().flatten().map(|p| p[axis]).chain(faces))
     }
 
-    /// The least and the greatest coordinate of all three axes.
+    /// The least and the greatest of the coordinates on all three axes, and of directions.
     pub(crate) fn range(&self) -> [f64; 2] {
-        span([0, 1, 2].into_iter().flat_map(|axis| self.extent(axis)))
+        let places = [0, 1, 2].into_iter().flat_map(|axis| self.extent(axis));
+        span(places.chain(self.question.directions().iter().copied()))
     }
 }
 

@@ -11,6 +11,7 @@ use crate::effect::Effect;
 use crate::kind::{Candidates, Kind};
 use crate::options::Target;
 use crate::prediction::Prediction;
+use crate::question::Off;
 use crate::race::race;
 use crate::scene::{Query, Scene};
 use crate::stage::Stage;
@@ -66,6 +67,7 @@ impl Survey {
             Row {
                 kind,
                 effect,
+                off: Off::of(kind, scene, &sample),
                 stages: in_words(kind, &shares),
                 prediction,
                 counted: counted.as_ref().map(|counted| counted[k]),

@@ -2,27 +2,41 @@
 
 use std::hint::black_box;
 
-use fixed::types::extra::U0;
-use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
+use fixed::types::{I4F4, I8F8, I16F16, I32F32};
+use septum::contact::contact;
+use septum::sweep::{Motion, Sweep};
 use septum::{Aabb, Scalar, Triangle};
 
 use crate::kind::Kind;
+use crate::question::{Question, across, turned};
 use crate::scene::{Query, Scene};
 
 /// A scalar that an `f64` can be rounded to. A fixed-point type stands for all types of
 /// its width: verdicts, and the way to them, depend on the raw bits alone.
 pub(crate) trait Coordinate: Scalar {
     fn nearest(x: f64, frac: u32) -> Self;
+
+    /// Nearest to a coordinate of a unit vector, which is one however many bits are before the
+    /// point of the type that this one stands for.
+    fn direction(x: f64) -> Self;
 }
 
 impl Coordinate for f32 {
     fn nearest(x: f64, _: u32) -> Self {
         x as Self
     }
+
+    fn direction(x: f64) -> Self {
+        x as Self
+    }
 }
 
 impl Coordinate for f64 {
     fn nearest(x: f64, _: u32) -> Self {
+        x
+    }
+
+    fn direction(x: f64) -> Self {
         x
     }
 }
@@ -32,27 +46,43 @@ fn raw(x: f64, bits: u32, frac: u32) -> i64 {
     Kind::raw(x, bits, frac).expect("a type that holds the scene") as i64
 }
 
-impl Coordinate for FixedI8<U0> {
+impl Coordinate for I4F4 {
     fn nearest(x: f64, frac: u32) -> Self {
         Self::from_bits(raw(x, 8, frac) as i8)
     }
+
+    fn direction(x: f64) -> Self {
+        Self::from_num(x)
+    }
 }
 
-impl Coordinate for FixedI16<U0> {
+impl Coordinate for I8F8 {
     fn nearest(x: f64, frac: u32) -> Self {
         Self::from_bits(raw(x, 16, frac) as i16)
     }
-}
 
-impl Coordinate for FixedI32<U0> {
-    fn nearest(x: f64, frac: u32) -> Self {
-        Self::from_bits(raw(x, 32, frac) as i32)
+    fn direction(x: f64) -> Self {
+        Self::from_num(x)
     }
 }
 
-impl Coordinate for FixedI64<U0> {
+impl Coordinate for I16F16 {
+    fn nearest(x: f64, frac: u32) -> Self {
+        Self::from_bits(raw(x, 32, frac) as i32)
+    }
+
+    fn direction(x: f64) -> Self {
+        Self::from_num(x)
+    }
+}
+
+impl Coordinate for I32F32 {
     fn nearest(x: f64, frac: u32) -> Self {
         Self::from_bits(raw(x, 64, frac))
+    }
+
+    fn direction(x: f64) -> Self {
+        Self::from_num(x)
     }
 }
 
@@ -68,22 +98,47 @@ fn overlaps<S: Coordinate>(scene: &Scene, query: Query, frac: u32) -> bool {
     triangle.overlaps(&aabb)
 }
 
-/// A function to time. It asks all queries, and counts the overlaps.
+/// A function to time. It asks all queries, and counts those that meet.
 pub(crate) type Asking = Box<dyn Fn() -> usize>;
 
 fn asking<S: Coordinate>(scene: &Scene, queries: &[Query], frac: u32) -> Asking {
     let pairs: Vec<_> = queries.iter().map(|&q| shapes::<S>(scene, q, frac)).collect();
-    Box::new(move || pairs.iter().filter(|(t, b)| black_box(t).overlaps(black_box(b))).count())
+    match scene.question {
+        Question::Overlap => Box::new(move || count(&pairs, |(t, b)| t.overlaps(b))),
+        Question::Turned => {
+            let turned = |&query| turned(scene, query, |x| S::nearest(x, frac), S::direction);
+            let turned: Vec<_> = pairs.into_iter().zip(queries.iter().map(turned)).collect();
+            Box::new(move || count(&turned, |((t, _), b)| t.overlaps(b)))
+        }
+        Question::Triangle => {
+            let across = |&query| across(scene, query, |x| S::nearest(x, frac));
+            let across: Vec<_> = pairs.into_iter().zip(queries.iter().map(across)).collect();
+            Box::new(move || count(&across, |((t, _), other)| t.overlaps(other)))
+        }
+        Question::Contact => Box::new(move || count(&pairs, |(t, b)| contact(b, t).is_some())),
+        Question::Sweep(_) => {
+            let motion = |&query| {
+                let [from, to] = scene.places(query).map(|p| p.map(|x| S::nearest(x, frac)));
+                Motion::new(from, to).expect("the scene is finite")
+            };
+            let moving: Vec<_> = pairs.into_iter().zip(queries.iter().map(motion)).collect();
+            Box::new(move || count(&moving, |((t, b), m)| b.first_contact(m, t).is_some()))
+        }
+    }
+}
+
+fn count<T>(all: &[T], meet: impl Fn(&T) -> bool) -> usize {
+    all.iter().filter(|one| meet(black_box(one))).count()
 }
 
 impl Kind {
-    /// The exact verdict on the shapes of the query as the type has them.
+    /// Whether they overlap, exactly, on the shapes of the query as the type has them.
     pub(crate) fn overlaps(self, scene: &Scene, query: Query) -> bool {
         match self {
-            Self::Fixed { bits: ..=8, frac } => overlaps::<FixedI8<U0>>(scene, query, frac),
-            Self::Fixed { bits: ..=16, frac } => overlaps::<FixedI16<U0>>(scene, query, frac),
-            Self::Fixed { bits: ..=32, frac } => overlaps::<FixedI32<U0>>(scene, query, frac),
-            Self::Fixed { frac, .. } => overlaps::<FixedI64<U0>>(scene, query, frac),
+            Self::Fixed { bits: ..=8, frac } => overlaps::<I4F4>(scene, query, frac),
+            Self::Fixed { bits: ..=16, frac } => overlaps::<I8F8>(scene, query, frac),
+            Self::Fixed { bits: ..=32, frac } => overlaps::<I16F16>(scene, query, frac),
+            Self::Fixed { frac, .. } => overlaps::<I32F32>(scene, query, frac),
             Self::F32 => overlaps::<f32>(scene, query, 0),
             Self::F64 => overlaps::<f64>(scene, query, 0),
         }
@@ -92,10 +147,10 @@ impl Kind {
     /// A function that asks all queries. The shapes are rounded beforehand.
     pub(crate) fn asking(self, scene: &Scene, queries: &[Query]) -> Asking {
         match self {
-            Self::Fixed { bits: ..=8, frac } => asking::<FixedI8<U0>>(scene, queries, frac),
-            Self::Fixed { bits: ..=16, frac } => asking::<FixedI16<U0>>(scene, queries, frac),
-            Self::Fixed { bits: ..=32, frac } => asking::<FixedI32<U0>>(scene, queries, frac),
-            Self::Fixed { frac, .. } => asking::<FixedI64<U0>>(scene, queries, frac),
+            Self::Fixed { bits: ..=8, frac } => asking::<I4F4>(scene, queries, frac),
+            Self::Fixed { bits: ..=16, frac } => asking::<I8F8>(scene, queries, frac),
+            Self::Fixed { bits: ..=32, frac } => asking::<I16F16>(scene, queries, frac),
+            Self::Fixed { frac, .. } => asking::<I32F32>(scene, queries, frac),
             Self::F32 => asking::<f32>(scene, queries, 0),
             Self::F64 => asking::<f64>(scene, queries, 0),
         }
@@ -110,9 +165,9 @@ pub(crate) fn changes(
 ) -> Vec<u64> {
     let mut changed = vec![0; kinds.len()];
     for query in queries {
-        let truth = Kind::F64.overlaps(scene, query);
+        let truth = Kind::F64.meets(scene, query);
         for (changed, kind) in changed.iter_mut().zip(kinds) {
-            *changed += u64::from(kind.overlaps(scene, query) != truth);
+            *changed += u64::from(kind.meets(scene, query) != truth);
         }
     }
     changed

@@ -3,6 +3,7 @@
 
 mod predictions;
 mod printing;
+mod questions;
 mod refusals;
 mod tables;
 mod types;
@@ -15,6 +16,7 @@ use crate::advice::{Row, recommend};
 use crate::costs::Costs;
 use crate::mesh::Mesh;
 use crate::options::{Options, Up};
+use crate::question::Question;
 use crate::scene::Scene;
 use crate::survey::{Plan, Survey};
 
@@ -43,8 +45,9 @@ impl Advice {
     fn with_tables(triangles: Triangles, arguments: &str, tables: &Path) -> Self {
         let words = ["advise"].into_iter().chain(arguments.split_whitespace());
         let options = Options::try_parse_from(words).unwrap();
-        let scene = Scene::new(triangles, options.cell, options.tolerance).unwrap();
-        let costs = Costs::read(tables, options.target).unwrap();
+        let question = Question::new(options.ask, options.way).unwrap();
+        let scene = Scene::new(question, triangles, options.cell, options.tolerance).unwrap();
+        let costs = Costs::read(tables, options.target, question).unwrap();
         let sample = options.sample.get() as usize;
         let (target, full) = (options.target, options.full);
         let survey = Survey::of(&scene, &Plan { target, sample, full, costs: &costs });

@@ -3,6 +3,7 @@
 use crate::effect;
 use crate::kind::Kind;
 use crate::prediction::{self, Prediction};
+use crate::question::Question;
 use crate::scene::{Query, Scene};
 
 use super::{Advice, Triangles, teapot};
@@ -58,7 +59,7 @@ fn predictions_hold_as_often_as_they_say() {
 #[test]
 fn all_queries_that_matter_are_asked() {
     let triangles: Triangles = teapot().into_iter().step_by(20).collect();
-    let scene = Scene::new(triangles, Some(1.5), Some(0.2)).unwrap();
+    let scene = Scene::new(Question::Overlap, triangles, Some(1.5), Some(0.2)).unwrap();
     let asked: Vec<_> = (0..scene.queries()).map(|n| scene.query(n)).collect();
     let is_asked = |triangle, cell| asked.iter().any(|q| q.triangle == triangle && q.cell == cell);
     let kind = Kind::Fixed { bits: 8, frac: 2 };

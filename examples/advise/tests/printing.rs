@@ -3,6 +3,7 @@
 use super::{Triangles, scaled, teapot};
 use crate::kind::{Candidates, Kind};
 use crate::paste;
+use crate::question::Question;
 use crate::scene::Scene;
 
 /// The numbers of the vertices `v(x, y, z)`, as they stand. The function itself has
@@ -31,7 +32,7 @@ fn pasted_numbers_read_back() {
     for (triangles, cell) in
         [(teapot(), 0.5), (moved, 0.013), (scaled(1e-9), 1e-10), (scaled(123_456.7), 9999.9)]
     {
-        let scene = Scene::new(triangles, Some(cell), None).unwrap();
+        let scene = Scene::new(Question::Overlap, triangles, Some(cell), None).unwrap();
         let points = scene.points(scene.query(0));
         let kinds = Candidates::of(&scene).held;
         assert!(kinds.len() >= 7, "{kinds:?}");

@@ -4,6 +4,7 @@ use clap::Parser;
 
 use crate::kind::{Kind, most_fraction_bits};
 use crate::options::Options;
+use crate::question::Question;
 use crate::scene::Scene;
 
 use super::{Advice, Triangles, scaled, teapot};
@@ -98,11 +99,15 @@ fn bad_scenes_and_options() {
         let error = parse(&format!("advise {bad}")).err().unwrap().to_string();
         assert!(error.contains(bad.split(' ').next().unwrap()), "{error}");
     }
-    let error = |triangles, cell| Scene::new(triangles, cell, None).err().unwrap();
+    let error =
+        |triangles, cell| Scene::new(Question::Overlap, triangles, cell, None).err().unwrap();
     assert!(error(vec![[[1.0; 3]; 3]], None).contains("single point"));
     assert!(error(teapot(), Some(1e-300)).contains("too small"));
     assert!(error(teapot(), Some(1e-7)).contains("too small"));
     assert!(error(vec![[[1e30; 3]; 3]], Some(1.0)).contains("too far from the origin"));
     // A point among boxes is a scene.
-    assert_eq!(Scene::new(vec![[[1.0; 3]; 3]], Some(1.0), Some(0.0)).unwrap().queries(), 8);
+    assert_eq!(
+        Scene::new(Question::Overlap, vec![[[1.0; 3]; 3]], Some(1.0), Some(0.0)).unwrap().queries(),
+        8
+    );
 }

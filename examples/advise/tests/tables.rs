@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::costs::Costs;
 use crate::kind::Kind;
 use crate::options;
+use crate::question::Question;
 
 use super::{Advice, teapot};
 
@@ -65,10 +66,12 @@ fn costs_of_small_cores_come_from_tables() {
     assert_eq!(advice.recommended().unwrap().kind, fixed(16, 10));
 
     fs::write(tables.join("target.csv"), TARGET.replace("700", "many")).unwrap();
-    let error = Costs::read(&tables, options::Target::M0).err().unwrap().to_string();
+    let error =
+        Costs::read(&tables, options::Target::M0, Question::Overlap).err().unwrap().to_string();
     assert!(error.contains("many"), "{error}");
     fs::write(tables.join("target.csv"), TARGET.replace("path", "way")).unwrap();
-    let error = Costs::read(&tables, options::Target::M0).err().unwrap().to_string();
+    let error =
+        Costs::read(&tables, options::Target::M0, Question::Overlap).err().unwrap().to_string();
     assert!(error.contains("no column path"), "{error}");
 }
 
@@ -77,7 +80,7 @@ fn costs_of_small_cores_come_from_tables() {
 fn the_tables_that_are_there() {
     let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
     for target in [options::Target::M0, options::Target::M4f] {
-        let costs = Costs::read(&docs, target).unwrap();
+        let costs = Costs::read(&docs, target, Question::Overlap).unwrap();
         assert!(costs.code(Kind::Fixed { bits: 32, frac: 16 }).is_some_and(|f| f.value > 500.0));
     }
 }

@@ -7,6 +7,7 @@ use septum::{Aabb, Triangle};
 use septum_kit::Rng;
 
 use crate::kind::{Candidates, Kind, most_fraction_bits};
+use crate::question::Question;
 use crate::scene::{Query, Scene};
 use crate::stage::Stage;
 use crate::{options, paste};
@@ -29,7 +30,7 @@ fn types_are_what_they_are_called() {
         assert_eq!(nearest, of_16.map(|n| n.to_num()), "{x}");
         assert_eq!(Kind::F32.nearest(x), Some(f64::from(x as f32)));
     }
-    let scene = Scene::new(teapot(), None, None).unwrap();
+    let scene = Scene::new(Question::Overlap, teapot(), None, None).unwrap();
     let num = FixedI16::<U10>::from_num::<f64>;
     let mut overlapping = 0;
     for query in (0..scene.queries()).step_by(11).map(|n| scene.query(n)) {
@@ -51,7 +52,7 @@ fn types_are_what_they_are_called() {
 /// One more fraction bit would not do.
 #[test]
 fn the_most_fraction_bits() {
-    let scene = Scene::new(teapot(), None, None).unwrap();
+    let scene = Scene::new(Question::Overlap, teapot(), None, None).unwrap();
     let held = Candidates::of(&scene).held;
     for bits in [8, 16, 32, 64] {
         let most = held.iter().filter(|k| k.bits() == bits).map(|k| k.fraction_bits()).max();
@@ -71,7 +72,8 @@ fn the_most_fraction_bits() {
 #[test]
 fn stages() {
     let stage = |bits, frac, x: f64, target| {
-        let scene = Scene::new(vec![[[x, 0.0, 0.0]; 3]], Some(1.0), Some(0.0)).unwrap();
+        let scene =
+            Scene::new(Question::Overlap, vec![[[x, 0.0, 0.0]; 3]], Some(1.0), Some(0.0)).unwrap();
         let cell = [x as i64 - 1, -1, -1];
         let query = Query { triangle: 0, cell };
         Stage::of(Kind::Fixed { bits, frac }, target, &scene, query)
@@ -104,7 +106,7 @@ mod pasted {
 
 #[test]
 fn lines_to_paste_compile() {
-    let scene = Scene::new(teapot(), None, None).unwrap();
+    let scene = Scene::new(Question::Overlap, teapot(), None, None).unwrap();
     let kind = Kind::Fixed { bits: 16, frac: 10 };
     assert_eq!(paste::lines(kind, &scene), pasted::LINES);
     assert_eq!(pasted::overlap(), kind.overlaps(&scene, scene.query(0)));

@@ -32,6 +32,9 @@ fn all_lines_fit_80_columns() {
         "--target m0 --bits 16 --tolerance 0.0002",
         "tiny.obj --target m0",
         "odd.obj --target m4f --cell 100 --full",
+        "--ask sweep --way 0,-2,0 --target m0 --sample 3000 --full",
+        "--ask contact --cell 2 --target m4f --sample 500 --full",
+        "large.obj --ask sweep --way 1e12,0,-3e11 --cell 1e9 --sample 100",
         "large.obj --target m0",
         "large.obj --cell 1e9 --sample 500",
     ] {

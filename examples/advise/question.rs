@@ -1,0 +1,219 @@
+//! What is asked of a triangle and a box, and its answer in any number type.
+
+use septum::contact::least_translation;
+use septum::sweep::{Motion, Sweep};
+use septum::{Aabb, Obb, Scalar, Triangle, Vec3};
+
+use crate::kind::Kind;
+use crate::options::Ask;
+use crate::scene::{Query, Scene};
+
+/// The axes of turned boxes: a rotation about two axes by the angles of the triangle with sides
+/// 3, 4 and 5.
+pub(crate) const TURNED: [[f64; 3]; 3] = [[0.6, 0.8, 0.0], [-0.48, 0.36, 0.8], [0.64, -0.48, 0.6]];
+
+/// The question.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Question {
+    /// Whether they overlap.
+    Overlap,
+    /// The same of the box turned about its middle.
+    Turned,
+    /// The same of the triangle through three corners of the box.
+    Triangle,
+    /// When the box, moving by this, first meets the triangle.
+    Sweep([f64; 3]),
+    /// How the box gets out of the triangle.
+    Contact,
+}
+
+impl Question {
+    pub(crate) fn new(ask: Ask, way: Option<[f64; 3]>) -> Result<Self, String> {
+        match (ask, way) {
+            (Ask::Sweep, Some(way)) => Ok(Self::Sweep(way)),
+            (Ask::Sweep, None) => {
+                Err("a sweep needs the way of the boxes: --way X,Y,Z (see --help)".into())
+            }
+            (_, Some(_)) => Err("--way is the way of a sweep: add --ask sweep".into()),
+            (Ask::Overlap, None) => Ok(Self::Overlap),
+            (Ask::Turned, None) => Ok(Self::Turned),
+            (Ask::Triangle, None) => Ok(Self::Triangle),
+            (Ask::Contact, None) => Ok(Self::Contact),
+        }
+    }
+
+    pub(crate) fn way(self) -> [f64; 3] {
+        if let Self::Sweep(way) = self { way } else { [0.0; 3] }
+    }
+
+    /// How far a turned box reaches along an axis beyond the one that is not, in boxes.
+    pub(crate) fn overhang(self, axis: usize) -> f64 {
+        if self != Self::Turned {
+            return 0.0;
+        }
+        (TURNED.iter().map(|u| u[axis].abs()).sum::<f64>() - 1.0) / 2.0
+    }
+
+    /// Numbers of the scene that are no places.
+    pub(crate) fn directions(self) -> &'static [f64] {
+        if self == Self::Turned { TURNED.as_flattened() } else { &[] }
+    }
+
+    /// How far triangle and box may come nearer to each other by rounding, in tolerances: each
+    /// moves by one; a box that moves also by one at either end of its way.
+    pub(crate) fn slack(self) -> f64 {
+        if let Self::Sweep(_) = self { 4.0 } else { 2.0 }
+    }
+
+    /// The number in its answer.
+    pub(crate) fn number(self) -> Option<&'static str> {
+        match self {
+            Self::Overlap | Self::Turned | Self::Triangle => None,
+            Self::Sweep(_) => Some("time"),
+            Self::Contact => Some("depth"),
+        }
+    }
+
+    /// The rows of the tables of costs: query, mode and path.
+    pub(crate) fn in_tables(self) -> [&'static str; 3] {
+        match self {
+            Self::Overlap => ["triangle/box", "exact", "full"],
+            Self::Turned => ["triangle/oriented box", "exact", "full"],
+            Self::Triangle => ["triangle/triangle", "exact", "full"],
+            Self::Sweep(_) => ["triangle/box sweep", "when", "hit"],
+            Self::Contact => ["triangle/box contact", "points too", "full"],
+        }
+    }
+
+    /// The query of those rows, in words.
+    pub(crate) fn that_is_tabled(self) -> &'static str {
+        match self {
+            Self::Overlap | Self::Turned => "of a query on a {core} where all 13 axes are tried",
+            Self::Triangle => "of a query on a {core} about triangles that cross",
+            Self::Sweep(_) => "of the time of a box that meets the triangle, on a {core}",
+            Self::Contact => "of a contact with its points, on a {core}, all axes tried",
+        }
+    }
+}
+
+impl Kind {
+    /// Whether there is an answer, on the shapes of the query as the type has them.
+    pub(crate) fn meets(self, scene: &Scene, query: Query) -> bool {
+        match scene.question {
+            Question::Overlap => self.overlaps(scene, query),
+            Question::Sweep(_) | Question::Contact => self.number(scene, query).is_some(),
+            Question::Turned => turned(scene, query, |x| self.held(x), |x| self.held(x))
+                .overlaps(&self.triangle(scene, query)),
+            Question::Triangle => {
+                across(scene, query, |x| self.held(x)).overlaps(&self.triangle(scene, query))
+            }
+        }
+    }
+
+    fn held(self, x: f64) -> f64 {
+        self.nearest(x).expect("a type that holds the scene")
+    }
+
+    fn triangle(self, scene: &Scene, query: Query) -> Triangle<f64> {
+        let [a, b, c, ..] = scene.points(query).map(|p| p.map(|x| self.held(x)));
+        Triangle::new(a, b, c).expect("the scene is finite")
+    }
+
+    /// The time or the depth, if there is one, as the type says it.
+    ///
+    /// What a type holds of a scene `f64` holds too. Its answer is exact but for one rounding,
+    /// and rounding it once more, the same way, comes to what the type itself says.
+    pub(crate) fn number(self, scene: &Scene, query: Query) -> Option<f64> {
+        let nearest = |p: [f64; 3]| p.map(|x| self.held(x));
+        let triangle = self.triangle(scene, query);
+        let [.., min, max] = scene.points(query).map(nearest);
+        let aabb = Aabb::from_min_max(min, max).expect("rounding keeps the order");
+        match scene.question {
+            Question::Overlap | Question::Turned | Question::Triangle => None,
+            Question::Sweep(_) => {
+                let [from, to] = scene.places(query).map(nearest);
+                let motion = Motion::new(from, to).expect("the scene is finite");
+                let first = aabb.first_contact(&motion, &triangle)?;
+                Some(self.rounded_down(first.t))
+            }
+            Question::Contact => Some(self.rounded_up(least_translation(&aabb, &triangle)?.depth)),
+        }
+    }
+
+    /// The greatest number of the type that is not above `x`, which is not negative.
+    pub(crate) fn rounded_down(self, x: f64) -> f64 {
+        let down = match self {
+            Self::Fixed { frac, .. } => {
+                let unit = f64::from(frac).exp2();
+                (x * unit).floor() / unit
+            }
+            Self::F32 if f64::from(x as f32) > x => f64::from((x as f32).next_down()),
+            Self::F32 => f64::from(x as f32),
+            Self::F64 => x,
+        };
+        down.min(self.greatest())
+    }
+
+    /// The least number of the type that is not below `x`, which is not negative.
+    fn rounded_up(self, x: f64) -> f64 {
+        let up = match self {
+            Self::Fixed { frac, .. } => {
+                let unit = f64::from(frac).exp2();
+                (x * unit).ceil() / unit
+            }
+            Self::F32 if f64::from(x as f32) < x => f64::from((x as f32).next_up()),
+            Self::F32 => f64::from(x as f32),
+            Self::F64 => x,
+        };
+        up.min(self.greatest())
+    }
+}
+
+/// The box of a query, turned about its middle, of numbers of a scalar.
+pub(crate) fn turned<S: Scalar>(
+    scene: &Scene,
+    query: Query,
+    near: impl Fn(f64) -> S,
+    direction: impl Fn(f64) -> S,
+) -> Obb<S> {
+    let half = scene.cell / 2.0;
+    let center = query.cell.map(|i| near(scene.face(i) + half));
+    let axes = TURNED.map(|u| Vec3::from(u.map(&direction)));
+    // A coarse type skews them.
+    Obb::from_skewed_axes(center, axes, [near(half), near(half), near(half)])
+        .expect("the scene is finite")
+}
+
+/// The triangle through three corners of the box of a query.
+pub(crate) fn across<S: Scalar>(
+    scene: &Scene,
+    query: Query,
+    near: impl Fn(f64) -> S,
+) -> Triangle<S> {
+    let [.., p, q] = scene.points(query).map(|p| p.map(&near));
+    let corners = [[q[0], p[1], p[2]], [p[0], q[1], p[2]], [p[0], p[1], q[2]]];
+    let [a, b, c] = corners.map(Vec3::from);
+    Triangle::new(a, b, c).expect("the scene is finite")
+}
+
+/// How far the numbers in the answers of a type are from those of `f64` on the scene as it is,
+/// where both have one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Off {
+    /// All but one of a hundred are within this.
+    pub(crate) usual: f64,
+    pub(crate) most: f64,
+}
+
+impl Off {
+    pub(crate) fn of(kind: Kind, scene: &Scene, queries: &[Query]) -> Option<Self> {
+        let difference = |&query: &Query| {
+            let (truth, said) = (Kind::F64.number(scene, query)?, kind.number(scene, query)?);
+            Some((said - truth).abs())
+        };
+        let mut all: Vec<f64> = queries.iter().filter_map(difference).collect();
+        all.sort_by(f64::total_cmp);
+        let most = *all.last()?;
+        Some(Self { usual: all[(all.len() * 99).div_ceil(100) - 1], most })
+    }
+}
