@@ -86,8 +86,8 @@ impl Positive {
         // Its top bit is set: the compiler sees that it is not zero, and links no panic.
         let b = b | 1 << 63;
         let least = (a << 63) / (b + t);
-        // Rounded up, without a remainder: the sum is below 2^127 + 2^96.
-        let most = (((a + s) << 63) + (b - 1)) / b;
+        // Rounded up, without a remainder: what is divided is not zero.
+        let most = (((a + s) << 63) - 1) / b + 1;
         Self::of(least, most - least, self.exponent - other.exponent - 63)
     }
 

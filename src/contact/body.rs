@@ -133,8 +133,7 @@ impl<S: Scalar> Body<'_, S> {
             }
             _ => self.origin(),
         };
-        let both: Vector =
-            three(|i| -> Linear { [p[i].parts(), q[i].parts(), Parts::ZERO] });
+        let both: Vector = three(|i| -> Linear { [p[i].parts(), q[i].parts(), Parts::ZERO] });
         let one = if minus { S::ONE.negated() } else { S::ONE };
         add_scaled_determinant(sum, x, y, &both, one);
     }

@@ -116,12 +116,13 @@ fn all_ways_agree() {
 #[test]
 fn tiny_sides_are_left_to_exact_numbers() {
     let (mut draw, mut contacts) = (Draw(3), 0);
+    let short = 2_f64.powi(-40);
+    let half = [0.25 / short, 0.25 / short, 1.0 / f64::MIN_POSITIVE];
     for n in 0..60 {
-        let mut axes = [(); 3].map(|()| draw.point(30, |x| x * 0.7));
-        axes[2] = draw.point(4, |x| x * 16.0 * f64::from_bits(1));
-        let half = [0.25, 0.25, 1.0 / (32.0 * f64::MIN_POSITIVE) * 2_f64.powi(40)];
-        let obb = Obb::from_skewed_axes([0.0; 3], axes, half.map(|h: f64| h.min(1e300))).unwrap();
-        let reach = axes[2].map(|x| x * half[2].min(1e300));
+        let mut axes = [(); 3].map(|()| draw.point(30, |x| x * 0.7).map(|x| x * short));
+        axes[2] = draw.point(4, |x| x * f64::MIN_POSITIVE);
+        let obb = Obb::from_skewed_axes([0.0; 3], axes, half).unwrap();
+        let reach = axes[2].map(|x| x * half[2]);
         let near = |p: [f64; 3]| {
             [0, 1, 2].map(|i: usize| p[i] + reach[i] * (1.0 + 0.01 * f64::from(n % 7)))
         };
