@@ -147,7 +147,9 @@ impl Kind {
                 let unit = f64::from(frac).exp2();
                 (x * unit).floor() / unit
             }
-            Self::F32 if f64::from(x as f32) > x => f64::from((x as f32).next_down()),
+            Self::F32 if f64::from(x as f32) > x => {
+                f64::from(f32::from_bits((x as f32).to_bits() - 1))
+            }
             Self::F32 => f64::from(x as f32),
             Self::F64 => x,
         };
@@ -161,7 +163,9 @@ impl Kind {
                 let unit = f64::from(frac).exp2();
                 (x * unit).ceil() / unit
             }
-            Self::F32 if f64::from(x as f32) < x => f64::from((x as f32).next_up()),
+            Self::F32 if f64::from(x as f32) < x => {
+                f64::from(f32::from_bits((x as f32).to_bits() + 1))
+            }
             Self::F32 => f64::from(x as f32),
             Self::F64 => x,
         };
