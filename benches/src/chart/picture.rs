@@ -192,7 +192,7 @@ pub(super) const OVERVIEWS: [Overview; 2] = [
     },
     Overview {
         stem: "family",
-        title: "Speed and accuracy: pairs, oriented boxes, and shapes that move",
+        title: "Speed and accuracy: pairs and motion",
         rows: &[
             ("triangle-triangle", 120.0, "exact"),
             ("box-box", 100.0, "exact"),
