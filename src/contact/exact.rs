@@ -12,11 +12,6 @@ use crate::scalar::Scalar;
 /// A number that is above zero, if it is.
 pub(super) type Size = Option<Positive>;
 
-/// The leading bits of a whole number, least limb first; `None` of zero.
-pub(super) fn positive(limbs: &[u64]) -> Size {
-    Positive::of_limbs(limbs)
-}
-
 /// What exact numbers tell of a direction.
 pub(super) trait Given {
     /// Its coordinates, as sign and size; `None` of zero.

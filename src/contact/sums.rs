@@ -4,7 +4,7 @@
 use core::cmp::Ordering;
 
 use super::body::{Body, side_of};
-use super::exact::{Given, Size, positive};
+use super::exact::{Given, Size};
 use crate::arithmetic::{Parts, Positive, pick, turn};
 use crate::robust::{ExactSum, Vector, add_area, add_scaled_determinant};
 use crate::scalar::Scalar;
@@ -17,7 +17,7 @@ pub(super) struct Sums<'a, S> {
 
 /// The size of a sum that is not below zero; `None` of zero.
 fn size<T: ExactSum>(sum: &T) -> Size {
-    positive(sum.limbs())
+    Positive::of_limbs(sum.limbs())
 }
 
 impl<'a, S: Scalar> Sums<'a, S> {

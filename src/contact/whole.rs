@@ -4,7 +4,7 @@
 use core::cmp::Ordering;
 
 use super::body::{Body, Place};
-use super::exact::{Given, Size, positive};
+use super::exact::{Given, Size};
 use crate::arithmetic::{Bits, I256, Positive, REGISTERS_ARE_WIDE, pick, three, turn};
 use crate::scalar::Scalar;
 use crate::shape::AabbForm;
@@ -190,7 +190,7 @@ impl<S: Scalar> Given for Whole<'_, S> {
         three(|i| {
             let x = self.direction[i];
             let size = x.unsigned_abs();
-            let size = positive(&[size as u64, (size >> 64) as u64])?.scaled(self.unit);
+            let size = Positive::of_limbs(&[size as u64, (size >> 64) as u64])?.scaled(self.unit);
             Some((x.cmp(&0), size))
         })
     }
@@ -208,6 +208,10 @@ impl<S: Scalar> Given for Whole<'_, S> {
         let (a, b) = (end(0), end(1));
         let sum = self.dot(|i| I256::of_two(self.direction[i], a[i] + b[i]));
         let (is_negative, limbs) = sum.limbs();
-        if is_negative { None } else { Some(positive(&limbs)?.scaled(self.unit + self.units.ends)) }
+        if is_negative {
+            None
+        } else {
+            Some(Positive::of_limbs(&limbs)?.scaled(self.unit + self.units.ends))
+        }
     }
 }

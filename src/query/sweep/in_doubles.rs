@@ -16,8 +16,11 @@ use crate::scalar::Scalar;
 /// over of products of lengths.
 const RANGE: (f64, f64) = (f64::from_bits((1023 - 150) << 52), f64::from_bits((1023 + 150) << 52));
 
+/// Below every gap, whatever its error.
+const NONE: f64 = f64::NEG_INFINITY;
+
 /// Gaps at the start and speeds on the 13 axes, in the order of [`Axis::ALL`], and how far these
-/// may be from the truth. Where there is certainly no gap it is below zero.
+/// may be from the truth; [`NONE`] where there is certainly no gap.
 struct Gaps {
     gap: [f64; 13],
     error: [f64; 13],
@@ -42,7 +45,7 @@ impl Course<Filtered<f64>> {
         let AtStart { gap: bound, area_speed, volume_speed }: AtStart<Filtered<f64>> =
             at_start(size)?;
         let mut all =
-            Gaps { gap: [-1.0; 13], error: [0.0; 13], speed: [1.0; 13], speed_error: [0.0; 13] };
+            Gaps { gap: [NONE; 13], error: [0.0; 13], speed: [1.0; 13], speed_error: [0.0; 13] };
         for i in 0..3 {
             let is_known = self.frame.gaps_are_exact | (gaps[i] < 0.0);
             if !(is_known & (gaps[i] <= 0.0)) {
@@ -100,7 +103,7 @@ impl Gaps {
             let speed = self.speed[k] - 2.0 * self.speed_error[k];
             self.gap[k] + 2.0 * self.error[k] < t * speed
         };
-        (0..13).fold(true, |so_far, k| so_far & ((k == last) | closes(k) | (self.gap[k] == -1.0)))
+        (0..13).fold(true, |so_far, k| so_far & ((k == last) | closes(k)))
     }
 
     /// Whether there is certainly no gap.
