@@ -4,7 +4,10 @@ use core::cmp::Ordering;
 use core::marker::PhantomData;
 
 use super::float::Float;
+use super::quad::{OfFour, Quad};
 use super::system::{Arithmetic, Embeds, convert};
+
+type Row = <f64 as OfFour>::Quad;
 
 /// The number system of a float type with a bound on its error: an answer is
 /// given only where it stands clear of the bound.
@@ -70,7 +73,8 @@ pub(super) fn compare_quotient<F: Float>(
 }
 
 macro_rules! embeds {
-    ($from:ty => $to:ty, $divides:literal, $clear:expr, |$num:ident, $den:ident| $quotients:expr) => {
+    ($from:ty => $to:ty, $divides:literal, $clear:expr, |$num:ident, $den:ident| $quotients:expr
+     $(, |$row:ident, $errors:ident| $of_row:expr)?) => {
         impl Embeds<$from> for Filtered<$to> {
             const DIVIDES: bool = $divides;
             const HAS_QUOTIENTS: bool = {
@@ -112,6 +116,10 @@ macro_rules! embeds {
                     & is_clear($den, other);
                 ($quotients, are_clear)
             }
+            $(#[inline(always)]
+            fn quotients_of_row($row: [$to; 4], $errors: [$to; 2]) -> ([$from; 3], bool) {
+                $of_row
+            })?
             #[inline(always)]
             fn compare_quotient(
                 num: $to,
@@ -126,9 +134,20 @@ macro_rules! embeds {
 }
 // An `f32` computed in `f32` would be too far from the truth.
 embeds! { f32 => f32, false, None, |_num, _den| [0.0; 3] }
+const CLEAR: f64 = 33_554_432.0;
+
+/// The same for `f32`, with the divisor first.
+#[inline(always)]
+fn quotients_of_row(row @ [den, ..]: [f64; 4], [error, other]: [f64; 2]) -> ([f32; 3], bool) {
+    let row = Row::new(row);
+    let limits = Row::new([other, error, other, other]) * Row::splat(CLEAR);
+    let [_, t, u, v] = (row / Row::splat(den)).to_array();
+    ([t as f32, u as f32, v as f32], limits.exceeds(row.magnitude()) == 0)
+}
+
 // Both numbers within 2^-25 of themselves: with the last rounding less than 2 ulp.
-embeds! { f32 => f64, true, Some(33_554_432.0), |num, den| {
+embeds! { f32 => f64, true, Some(CLEAR), |num, den| {
     [(num[0] / den) as f32, (num[1] / den) as f32, (num[2] / den) as f32]
-}}
+}, |row, errors| quotients_of_row(row, errors) }
 // Both within 2^-53 they never are: better numbers are made for hits alone.
 embeds! { f64 => f64, true, None, |_num, _den| [0.0; 3] }

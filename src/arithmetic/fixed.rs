@@ -10,8 +10,8 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 use super::filtered::{Filtered, compare_quotient};
 use super::integer::{Int8, Int16, Int32, Int64, below_i32, below_i64};
-use super::number::greatest;
-use super::quotient::{Dividend, WHOLE};
+use super::nearest_whole::{nearest_whole, nearest_whole_of_row};
+use super::quotient::Dividend;
 use super::system::{Arithmetic, Embeds, convert};
 use super::words::{InRaw, InWholeWord, InWord, WholeVolume, WholeWord};
 
@@ -218,6 +218,14 @@ macro_rules! doubles {
                 ([of(t), of(u), of(v)], are_good)
             }
             #[inline(always)]
+            fn quotients_of_row(row: [f64; 4], errors: [f64; 2]) -> ([$fixed<Frac>; 3], bool) {
+                let unit = unit(<$fixed<Frac>>::FRAC_NBITS);
+                let ([t, u, v], are_good) =
+                    nearest_whole_of_row(row, errors, unit, <$raw>::MAX.into());
+                let of = |bits: u64| $fixed::from_bits(bits as $raw);
+                ([of(t), of(u), of(v)], are_good)
+            }
+            #[inline(always)]
             fn compare_quotient(
                 num: f64,
                 den: f64,
@@ -240,31 +248,4 @@ doubles! {
 #[inline(always)]
 fn unit(fraction_bits: u32) -> f64 {
     f64::from_bits((1023 + u64::from(fraction_bits)) << 52)
-}
-
-/// The three quotients times `unit`, each to the nearest whole number, in its last
-/// bits; and whether all of them are, which is so if they are below `most` and not so
-/// near a half that they may be wrong.
-#[inline(always)]
-fn nearest_whole(
-    num: [f64; 3],
-    den: f64,
-    errors: [f64; 2],
-    unit: f64,
-    most: f64,
-) -> ([u64; 3], bool) {
-    let inverse = unit / den;
-    let q = [num[0] * inverse, num[1] * inverse, num[2] * inverse];
-    let sums = [q[0] + WHOLE, q[1] + WHOLE, q[2] + WHOLE];
-    let rest = |k: usize| (q[k] - (sums[k] - WHOLE)).abs();
-    let rest = greatest(greatest(rest(0), rest(1)), rest(2));
-    let largest = greatest(greatest(q[0].abs(), q[1].abs()), q[2].abs());
-    // Twice what the numerators may err, twice what the divisor may, and all roundings
-    // from here on.
-    let doubt = inverse.abs()
-        * (2.0 * greatest(errors[0], errors[1]) + largest * (2.0 * errors[1] / unit))
-        + largest * (4.0 * f64::EPSILON);
-    // Ordered so that a NaN is not good.
-    let are_good = (rest + doubt < 0.5) & (largest < most);
-    ([sums[0].to_bits(), sums[1].to_bits(), sums[2].to_bits()], are_good)
 }

@@ -11,6 +11,8 @@ mod integer;
 mod limbs;
 mod long;
 mod multiples;
+#[cfg(feature = "fixed")]
+mod nearest_whole;
 mod number;
 mod parts;
 mod platform;

@@ -113,6 +113,15 @@ pub trait Embeds<S>: Arithmetic {
         errors: [Self::Volume; 2],
     ) -> ([S; 3], bool);
 
+    /// The same of a divisor and three volumes that lie side by side.
+    #[inline(always)]
+    fn quotients_of_row(
+        [den, a, b, c]: [Self::Volume; 4],
+        errors: [Self::Volume; 2],
+    ) -> ([S; 3], bool) {
+        Self::quotients([a, b, c], den, errors)
+    }
+
     /// How num/den compares with `t`, where `num` and `den` err by up to `errors`;
     /// `den` is above zero, whatever its error. `None` in doubt.
     fn compare_quotient(

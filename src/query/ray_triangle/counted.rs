@@ -7,6 +7,7 @@ use super::Facing;
 use super::crossing::{Crossing, Setting, Sizes};
 use super::exact::ExactRay;
 use super::question::Crosses;
+use super::rows;
 use crate::arithmetic::{Embeds, Filtered, Number};
 use crate::robust::{Clue, ExactSum};
 use crate::scalar::Scalar;
@@ -27,11 +28,12 @@ impl<S: Scalar> Crosses<'_, S> {
         if self.ray.t_min() != Some(S::ZERO) || self.ray.t_max().is_some() {
             return Err(Clue::Unasked);
         }
-        let setting = self.setting::<Filtered<f64>>().ok_or(Clue::Doubt)?;
-        let crossing = setting.crossing::<Filtered<f64>>().ok_or(Clue::Doubt)?;
+        let [a, b, c] = self.triangle.points();
+        let (o, d) = (self.ray.origin().to_array(), self.ray.direction().to_array());
+        let [a, b, c, o, d] = Filtered::<f64>::embed(&[a, b, c, o, d]).ok_or(Clue::Doubt)?;
+        let (is_ahead, crossing, sizes) = rows::crossing(&[a, b, c, o], d).ok_or(Clue::Doubt)?;
         let keeps = self.rules.cull.keeps(facing(crossing.is_front()));
-        let is_ahead = crossing.strictly_ahead().ok_or(Clue::Doubt)?;
-        Ok((is_ahead & keeps, crossing, setting.sizes()))
+        Ok((is_ahead & keeps, crossing, sizes))
     }
 
     /// Ray and triangle in `N`, if it holds them.

@@ -22,6 +22,7 @@ pub(super) struct Setting<L> {
 
 /// The greatest components: of the direction, of both edges, and of the edges and the way
 /// to the origin.
+#[derive(Clone, Copy)]
 pub(super) struct Sizes<L> {
     pub(super) direction: L,
     pub(super) edges: L,
@@ -167,9 +168,8 @@ impl<V: Number> Crossing<V> {
         let (positive, negative) = (low > error_bound.sides, high < -error_bound.sides);
         let (ahead, behind) = (t > error_bound.t, t < -error_bound.t);
         let hit = (positive & ahead) | (negative & behind);
-        let miss = ((low < -error_bound.sides) & (high > error_bound.sides))
-            | (positive & behind)
-            | (negative & ahead);
+        // Where there is a hit, no two of the four have opposite signs.
+        let miss = ((low < -error_bound.sides) | behind) & ((high > error_bound.sides) | ahead);
         if hit ^ miss { Some(hit) } else { None }
     }
 
@@ -226,12 +226,20 @@ pub(super) fn error_bound<M: Arithmetic>(
     if !(direction.in_range() & edges.in_range() & size.in_range()) {
         return None;
     }
+    Some(errors::<M>(Sizes { direction, edges, size }))
+}
+
+/// The same of sizes in range.
+#[inline(always)]
+pub(super) fn errors<M: Arithmetic>(
+    Sizes { direction, edges, size }: Sizes<M::Length>,
+) -> ErrorBound<M::Volume> {
     let volume = |a, b, c| M::volume(M::area(a, b), c);
-    Some(ErrorBound {
+    ErrorBound {
         sides: volume(direction, edges, size).error(SIDES),
         side: volume(direction, edges, size).error(VOLUME),
         t: volume(edges, edges, size).error(T),
-    })
+    }
 }
 
 /// The sign of the first component that has one.

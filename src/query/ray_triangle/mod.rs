@@ -21,6 +21,7 @@ mod prepared;
 mod question;
 mod refined;
 mod residual;
+mod rows;
 
 pub(crate) use candidate::Candidate;
 pub(crate) use clear_hit::{clear_hit, clear_refined_hit};

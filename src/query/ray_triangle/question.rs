@@ -160,7 +160,8 @@ fn numbers<S: Scalar, N: Embeds<S>>(
     let Crossing { det, t, sides: [_, u, v], error_bound } = crossing;
     let feature = if N::CERTAIN { crossing.feature() } else { Feature::Interior };
     // Even for a miss: to divide is cheaper than to guess wrong whether it is one.
-    let ([t, u, v], are_good) = N::quotients([t, u, v], det, [error_bound.t, error_bound.side]);
+    let ([t, u, v], are_good) =
+        N::quotients_of_row([det, t, u, v], [error_bound.t, error_bound.side]);
     if counts & !are_good {
         return None;
     }
