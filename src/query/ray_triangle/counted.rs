@@ -7,9 +7,9 @@ use super::Facing;
 use super::crossing::{Crossing, Setting, Sizes};
 use super::exact::ExactRay;
 use super::question::Crosses;
-use super::rows;
-use crate::arithmetic::{Embeds, Filtered, Number};
-use crate::robust::{Clue, ExactSum};
+use super::rows::{First, Found, Rows, begins_elsewhere, first};
+use crate::arithmetic::{Embeds, Filtered, Number, OfFour, largest};
+use crate::robust::{Clue, ExactSum, Stage, note};
 use crate::scalar::Scalar;
 
 #[inline(always)]
@@ -18,6 +18,12 @@ pub(super) fn facing(is_front: bool) -> Facing {
 }
 
 impl<S: Scalar> Crosses<'_, S> {
+    /// t ≥ 0.
+    #[inline(always)]
+    fn has_usual_range(&self) -> bool {
+        self.ray.t_min() == Some(S::ZERO) && self.ray.t_max().is_none()
+    }
+
     /// Whether a crossing ahead of the origin counts, and the crossing, where it is
     /// not a contact and the range is the usual one.
     #[inline(always)]
@@ -25,15 +31,39 @@ impl<S: Scalar> Crosses<'_, S> {
     where
         Filtered<f64>: Embeds<S>,
     {
-        if self.ray.t_min() != Some(S::ZERO) || self.ray.t_max().is_some() {
+        if !self.has_usual_range() {
             return Err(Clue::Unasked);
         }
         let [a, b, c] = self.triangle.points();
         let (o, d) = (self.ray.origin().to_array(), self.ray.direction().to_array());
         let [a, b, c, o, d] = Filtered::<f64>::embed(&[a, b, c, o, d]).ok_or(Clue::Doubt)?;
-        let (is_ahead, crossing, sizes) = rows::crossing(&[a, b, c, o], d).ok_or(Clue::Doubt)?;
+        let rows = Rows::<<f64 as OfFour>::Quad>::new(&[a, b, c, o], d);
+        let Found { is_ahead, crossing, sizes } = rows.found().ok_or(Clue::Doubt)?;
         let keeps = self.rules.cull.keeps(facing(crossing.is_front()));
         Ok((is_ahead & keeps, crossing, sizes))
+    }
+
+    /// Whether a crossing ahead of the origin counts, by the scalar's first float, where
+    /// [`Ray::hit`](crate::Ray::hit) does not begin with that, and clear of contact.
+    #[inline(always)]
+    pub(super) fn counts_in_first(&self) -> Option<bool> {
+        if !begins_elsewhere::<S>() || !self.has_usual_range() {
+            return None;
+        }
+        let [a, b, c] = self.triangle.points();
+        let (o, d) = (self.ray.origin().to_array(), self.ray.direction().to_array());
+        let [a, b, c, o, d] = [first(a), first(b), first(c), first(o), first(d)];
+        if let Some(limit) = S::FIRST_LIMIT {
+            let is_held = |p: &[First<S>; 3]| largest(p) < limit;
+            if !(is_held(&a) & is_held(&b) & is_held(&c) & is_held(&o) & is_held(&d)) {
+                return None;
+            }
+        }
+        let Some(found) = Rows::<<First<S> as OfFour>::Quad>::new(&[a, b, c, o], d).found() else {
+            note(Stage::Filter);
+            return None;
+        };
+        Some(found.is_ahead & self.rules.cull.keeps(facing(found.crossing.is_front())))
     }
 
     /// Ray and triangle in `N`, if it holds them.

@@ -125,14 +125,23 @@ impl<S: Scalar> Ray<S> {
     #[inline]
     #[must_use]
     pub fn hit_with(&self, triangle: &Triangle<S>, rules: HitRules) -> Option<Hit<S>> {
-        S::evaluate_numeric(&Crosses { ray: self, triangle, rules })
+        let question = Crosses { ray: self, triangle, rules };
+        // Where numbers are dear, it is first asked whether there are any.
+        if S::FLOAT.is_none()
+            && size_of::<S>() == size_of::<i64>()
+            && question.counts_in_first() == Some(false)
+        {
+            return None;
+        }
+        S::evaluate_numeric(&question)
     }
 
     /// Whether the ray crosses a triangle: [`hit`](Self::hit) without t, u and v.
     ///
-    /// *Numerics*: exact. *Panics*: never. *Cost*: 24 multiplications, no division. In
-    /// `f32` on a core with an FPU for `f32` alone, a hit costs a sixth of what it
-    /// costs by [`hit`](Self::hit), or less. Choose it for projections and visibility.
+    /// *Numerics*: exact. *Panics*: never. *Cost*: 24 multiplications, no division. On a
+    /// 64-bit machine it takes half the time of [`hit`](Self::hit) in `f32`. On a core with
+    /// an FPU for `f32` alone, a hit costs a sixth of what it costs by `hit`, or less. Choose
+    /// it for projections and visibility, and before `hit` where hits are rare.
     #[inline]
     #[must_use]
     pub fn is_hit(&self, triangle: &Triangle<S>) -> bool {
@@ -143,6 +152,10 @@ impl<S: Scalar> Ray<S> {
     #[inline]
     #[must_use]
     pub fn is_hit_with(&self, triangle: &Triangle<S>, rules: HitRules) -> bool {
-        S::evaluate_numeric(&Hits(Crosses { ray: self, triangle, rules }))
+        let question = Crosses { ray: self, triangle, rules };
+        match question.counts_in_first() {
+            Some(counts) => counts,
+            None => S::evaluate_numeric(&Hits(question)),
+        }
     }
 }
