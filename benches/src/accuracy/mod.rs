@@ -15,7 +15,7 @@ pub(crate) use ray_aabb::sets as ray_box_sets;
 pub(crate) use ray_triangle::{
     ours as ray_triangle, peers as ray_triangle_peers, sets as ray_triangle_sets,
 };
-pub(crate) use sweep::sets as sweep_sets;
+pub(crate) use sweep::{answers as sweeps, sets as sweep_sets};
 pub(crate) use triangle_aabb::{
     ours as triangle_box, peers as triangle_box_peers, sets as triangle_box_sets,
 };

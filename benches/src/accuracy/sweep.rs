@@ -5,7 +5,7 @@ use septum_kit::sweeps::{SweepCase, SweepSet};
 use septum_kit::{BoxNumbers, Sample, Set};
 
 use super::{Exam, as_f32};
-use crate::candidate::Course;
+use crate::candidate::{Candidate, Course};
 use crate::pairs::Pairs;
 use crate::sweep::{Given, Shot, Timed, ours, peers};
 
@@ -23,32 +23,34 @@ const SETS: [(SweepSet, &str); 8] = [
 pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
     let exam = |(set, label): (SweepSet, &'static str)| Exam {
         label,
-        ask: Box::new(move |seed, count| {
-            let cases = set.cases::<S>(seed, count);
-            let truth: Vec<bool> = cases.iter().map(|case| case.truth().is_some()).collect();
-            let (mut pairs, mut shots) = (Pairs::default(), (Pairs::default(), Vec::new()));
-            for (case, &meets) in cases.iter().zip(&truth) {
-                let due = meets.then(|| latest(case));
-                if let Some(given) = as_f32(*case).and_then(|case| shot(&case)) {
-                    shots.0.push(Timed { given, due }, [()]);
-                    shots.1.push(meets);
-                }
-                let (triangle, aabb) = case.case.shapes();
-                let given = Given { aabb, motion: case.motion().reversed(), triangle };
-                pairs.push(Timed { given, due }, [()]);
-            }
-            let mut all = ours(&Course::new((scalar, ""), pairs, truth));
-            if scalar == "f32" {
-                all.extend(peers(&Course::new((scalar, ""), shots.0, shots.1)));
-            }
-            all
-        }),
+        ask: Box::new(move |seed, count| answers(scalar, &set.cases::<S>(seed, count))),
     };
     let is_held = |(set, _): &(SweepSet, &str)| match set {
         SweepSet::Of(set) => set.misfit::<S>().is_none(),
         _ => true,
     };
     SETS.into_iter().filter(is_held).map(exam).collect()
+}
+
+/// Ours, and in `f32` the peers, that have answered these cases.
+pub(crate) fn answers<S: Sample>(scalar: &'static str, cases: &[SweepCase<S>]) -> Vec<Candidate> {
+    let truth: Vec<bool> = cases.iter().map(|case| case.truth().is_some()).collect();
+    let (mut pairs, mut shots) = (Pairs::default(), (Pairs::default(), Vec::new()));
+    for (case, &meets) in cases.iter().zip(&truth) {
+        let due = meets.then(|| latest(case));
+        if let Some(given) = as_f32(*case).and_then(|case| shot(&case)) {
+            shots.0.push(Timed { given, due }, [()]);
+            shots.1.push(meets);
+        }
+        let (triangle, aabb) = case.case.shapes();
+        let given = Given { aabb, motion: case.motion().reversed(), triangle };
+        pairs.push(Timed { given, due }, [()]);
+    }
+    let mut all = ours(&Course::new((scalar, ""), pairs, truth));
+    if scalar == "f32" {
+        all.extend(peers(&Course::new((scalar, ""), shots.0, shots.1)));
+    }
+    all
 }
 
 /// By when they meet: as `f64` has it, rounded down, where it holds the numbers of the scalar and

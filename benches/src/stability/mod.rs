@@ -6,6 +6,7 @@ mod lines;
 mod picture;
 mod rays;
 mod regimes;
+mod sweeps;
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -17,7 +18,8 @@ use crate::accuracy::{Exam, Tally, examine};
 use regimes::Regime;
 
 /// Draws how often each method is wrong as a scene slides into the regime where it
-/// fails: slivers, small triangles, great distances and scales, small angles, contact.
+/// fails: slivers, small triangles, great distances and scales, small angles, contact,
+/// and ways that nearly graze.
 #[derive(Args)]
 pub struct Options {
     /// Cases at each step

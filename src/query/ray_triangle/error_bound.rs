@@ -21,72 +21,6 @@
 //! any two exceeds by far what an operation can lose. `error_bound.g` proves all three
 //! bounds with both.
 
-//!
-//! # In two parts
-//!
-//! In `super::refined`, for signs, a component x of a vector of size s (D, E or R) is cut at a grid:
-//! x = h + l, with h a multiple of g, |h| ≤ (2^25 + 1)·g, and |l| ≤ η·s, η = 2^-25, but for
-//! a trifle of 2^-28 (`arithmetic::split`). l takes the error of the difference along. A
-//! component of an area is (h h − h h) + (h l + l x − h l − l x). The first bracket comes to
-//! less than 2^52 times its unit, so it is exact. It is cut again: at 26 bits, and the rest
-//! is at most η times its size. The three products of its higher part with h come to less
-//! than 3·2^51 + 2^30 units together, so their sum, H, is exact as well. What errs is L, the
-//! rest. In units of u·η·D·E·R, u the unit roundoff:
-//!
-//! * l: 1. h·l + l·x: 2 for l, 1 for x, 2 products, 2 for the sum, of at most 2 η: 7. The
-//!   difference of two, of at most 4 η: 18. With what was cut off, 5 η: m, 23.
-//! * m·x: 23, 5 for x, 5 for the product. h·l, with h ≤ 2: 2 and 2. Their sum, of at most
-//!   7 η: 44. Three of them: 132, and their sums, of at most 14 η and 21 η: 167.
-//! * H + L is X and what its rounding took, without loss if |H| ≥ |L|. If not, X − H may be
-//!   rounded, and 21 is lost: 188. [`REFINED`] = 192. So w errs by at most 3·188 and some
-//!   roundings of u·u, of 3·192.
-//!
-//! `refined.g` proves what L may err.
-//!
-//! Nothing is lost where all l are zero. What was cut off an area is less than 2^25 + 3
-//! units, L a sum of three products of that with h, and like H less than 2^53 units. X is
-//! zero only if H + L is. det is a multiple of g³, taking g of the edges twice, u and v of
-//! no less, for R ≥ E. The roundings that are added for w come to less than
-//! 2^6·u·D·E·R ≤ 2^28·R/E units: while R ≤ 2^20·E their sum is exact too.
-//!
-//! D, E and R are in range: units of volumes are multiples of 2^-1038, which `f64` holds,
-//! and what underflows besides is below 2^-40 of the bound.
-//!
-//! # What is left over
-//!
-//! `super::residual` puts short numbers t', u' and v' into r = s + t'·d − u'·e1 − v'·e2, with
-//! true ways and edges, of which r says how far they are from t, u and v. Below, P(x) is the power
-//! of two below x, and ρ the relative error of the determinant. It is asked for that R ≤ 2^22·E
-//! and ρ·R ≤ 2^-20·E, and known that the ray hits.
-//!
-//! * u' and v' are multiples of 2^-26, and at most 1 + 2^-18: they err by ρ and half a unit. t'
-//!   is a multiple of τ = 2^-24·P(R)/P(D). The hit is no farther than E + R from the origin, so
-//!   |t| ≤ 2·R/D, and |t'| < 1.05·2^26·τ.
-//! * A component of e1, e2 or s is cut at G = 2^-25·P(E), of d at 2^-25·P(D). What is cut off is
-//!   half of that at most, and exact. The lower part has what the rounding of the difference
-//!   took besides.
-//! * The higher parts: one of e1 or e2 is at most 2^26 units of G; times u' that is below 2^53
-//!   units of 2^-26·G, and so is t'·d, below 2^26 + 1 times 1.05·2^26 units of 2^-49·P(R). So
-//!   products are exact. s + t'·d is a way from the first vertex to near the hit: E, but for
-//!   τ·D/2, for 3.2·ρ·R and for the lower parts, at most 2.8·P(E); and what comes after is no
-//!   greater. All are multiples of 2^-51·P(E), for R ≥ E: below 2^53 units. So sums are exact too.
-//! * The lower parts, in units of u·2^-25·R, times 1/u. Of s: 0.54, and errs by that. t'·d: 1.05
-//!   and 1.05; the sum: 1.6. Those of e1 and e2: 0.5, and with u' and v' 0.5 and 0.5 each; the
-//!   sums with them: 2.1 and 2.6. In all 0.54 + 1.05 + 1.6 + 3.1 + 3.6 = 9.9. r is that, and a
-//!   rounding of its own.
-//! * The kernel takes r for s. No difference for s, so the first bound has 6 roundings for each of
-//!   6 terms, t 7. With that of r itself 42 and 48 roundoffs of D·E and E·E times the greatest of
-//!   r; [`LEFT`] = 45 and [`LEFT_T`] = 51. What the lower parts err counts 6 times: 60 of u·2^-25
-//!   times R; [`LOST`] = 64.
-//! * Divided by the determinant: ρ, and 2 roundings, of what is added. ρ is at least
-//!   44·u/6: 2·ρ. Then a rounding of the sum, 1/2 ulp.
-//!
-//! In `f64` numbers are good if the rest comes to u of them, at most 1 ulp. In `f32` they are good
-//! if the error leaves no doubt to which number they round. So it is the number that the
-//! integers would give, and machines to which `f64` is dear need not ask.
-//!
-//! `residual.g` proves the lower parts and the volumes of r, underflow included.
-
 /// Roundoffs in the determinant, u and v.
 pub(super) const VOLUME: u16 = 44;
 
@@ -95,21 +29,6 @@ pub(super) const T: u16 = 50;
 
 /// Roundoffs in w, the difference of the others.
 pub(super) const SIDES: u16 = 160;
-
-/// What [`REFINED`] and [`LOST`] count, in roundoffs: 2^-25.
-pub(super) const CUT: f64 = 1.0 / 33_554_432.0;
-
-/// Roundoffs, times 2^-25, in the volumes in two parts.
-pub(super) const REFINED: u16 = 192;
-
-/// Roundoffs in u and v of what is left over.
-pub(super) const LEFT: u16 = 45;
-
-/// Roundoffs in its t.
-pub(super) const LEFT_T: u16 = 51;
-
-/// Roundoffs, times 2^-25, in its volumes from what it errs itself.
-pub(super) const LOST: u16 = 64;
 
 #[cfg(test)]
 mod tests {

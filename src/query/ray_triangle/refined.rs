@@ -1,11 +1,45 @@
 //! The crossing in `f64` in two parts, for signs in doubt.
+//!
+//! How far it is from the truth, with D, E and R as in `super::error_bound`: a component x of a vector
+//! of size s, one of these, is cut at a grid:
+//! x = h + l, with h a multiple of g, |h| ≤ (2^25 + 1)·g, and |l| ≤ η·s, η = 2^-25, but for
+//! a trifle of 2^-28 (`arithmetic::split`). l takes the error of the difference along. A
+//! component of an area is (h h − h h) + (h l + l x − h l − l x). The first bracket comes to
+//! less than 2^52 times its unit, so it is exact. It is cut again: at 26 bits, and the rest
+//! is at most η times its size. The three products of its higher part with h come to less
+//! than 3·2^51 + 2^30 units together, so their sum, H, is exact as well. What errs is L, the
+//! rest. In units of u·η·D·E·R, u the unit roundoff:
+//!
+//! * l: 1. h·l + l·x: 2 for l, 1 for x, 2 products, 2 for the sum, of at most 2 η: 7. The
+//!   difference of two, of at most 4 η: 18. With what was cut off, 5 η: m, 23.
+//! * m·x: 23, 5 for x, 5 for the product. h·l, with h ≤ 2: 2 and 2. Their sum, of at most
+//!   7 η: 44. Three of them: 132, and their sums, of at most 14 η and 21 η: 167.
+//! * H + L is X and what its rounding took, without loss if |H| ≥ |L|. If not, X − H may be
+//!   rounded, and 21 is lost: 188. [`REFINED`] = 192. So w errs by at most 3·188 and some
+//!   roundings of u·u, of 3·192.
+//!
+//! `refined.g` proves what L may err.
+//!
+//! Nothing is lost where all l are zero. What was cut off an area is less than 2^25 + 3
+//! units, L a sum of three products of that with h, and like H less than 2^53 units. X is
+//! zero only if H + L is. det is a multiple of g³, taking g of the edges twice, u and v of
+//! no less, for R ≥ E. The roundings that are added for w come to less than
+//! 2^6·u·D·E·R ≤ 2^28·R/E units: while R ≤ 2^20·E their sum is exact too.
+//!
+//! D, E and R are in range: units of volumes are multiples of 2^-1038, which `f64` holds,
+//! and what underflows besides is below 2^-40 of the bound.
 
 use super::Feature;
 use super::crossing::{Crossing, ErrorBound, Setting, Sizes};
-use super::error_bound::{CUT, REFINED};
 use super::question::Crosses;
 use crate::arithmetic::{Embeds, FAR, Filtered, Number, Split, Two, short_areas, two_difference};
 use crate::scalar::Scalar;
+
+/// What [`REFINED`] and [`LOST`](super::residual) count, in roundoffs: 2^-25.
+pub(super) const CUT: f64 = 1.0 / 33_554_432.0;
+
+/// Roundoffs, times 2^-25, in the volumes in two parts.
+const REFINED: u16 = 192;
 
 /// Volumes, each as it is rounded, and what the rounding took.
 pub(super) struct Refined {
@@ -33,7 +67,7 @@ pub(super) struct Met {
 }
 
 impl Refined {
-    /// Two volumes at a time: why the parts are what they are, `super::error_bound` tells.
+    /// Two volumes at a time: why the parts are what they are, the module tells.
     /// And whether it is known how far they are from the truth.
     #[inline(always)]
     pub(super) fn new(points: &[[f64; 3]; 4], d: [f64; 3]) -> (Self, bool) {

@@ -3,13 +3,58 @@
 //! Short numbers near t, u and v go into the equation s + t·d = u·e1 + v·e2. What is left of it
 //! is known to many places, for the products that nearly cancel have no error. It is a way to
 //! an origin as s is, so the same kernel says how far t, u and v are from those numbers.
+//!
+//! # How far that is from the truth
+//!
+//! Short numbers t', u' and v' go into r = s + t'·d − u'·e1 − v'·e2, with true ways and edges, of
+//! which r says how far they are from t, u and v. D, E, R and u are those of `super::error_bound`,
+//! P(x) is the power of two below x, and ρ the relative error of the determinant. It is asked for that R ≤ 2^22·E
+//! and ρ·R ≤ 2^-20·E, and known that the ray hits.
+//!
+//! * u' and v' are multiples of 2^-26, and at most 1 + 2^-18: they err by ρ and half a unit. t'
+//!   is a multiple of τ = 2^-24·P(R)/P(D). The hit is no farther than E + R from the origin, so
+//!   |t| ≤ 2·R/D, and |t'| < 1.05·2^26·τ.
+//! * A component of e1, e2 or s is cut at G = 2^-25·P(E), of d at 2^-25·P(D). What is cut off is
+//!   half of that at most, and exact. The lower part has what the rounding of the difference
+//!   took besides.
+//! * The higher parts: one of e1 or e2 is at most 2^26 units of G; times u' that is below 2^53
+//!   units of 2^-26·G, and so is t'·d, below 2^26 + 1 times 1.05·2^26 units of 2^-49·P(R). So
+//!   products are exact. s + t'·d is a way from the first vertex to near the hit: E, but for
+//!   τ·D/2, for 3.2·ρ·R and for the lower parts, at most 2.8·P(E); and what comes after is no
+//!   greater. All are multiples of 2^-51·P(E), for R ≥ E: below 2^53 units. So sums are exact too.
+//! * The lower parts, in units of u·2^-25·R, times 1/u. Of s: 0.54, and errs by that. t'·d: 1.05
+//!   and 1.05; the sum: 1.6. Those of e1 and e2: 0.5, and with u' and v' 0.5 and 0.5 each; the
+//!   sums with them: 2.1 and 2.6. In all 0.54 + 1.05 + 1.6 + 3.1 + 3.6 = 9.9. r is that, and a
+//!   rounding of its own.
+//! * The kernel takes r for s. No difference for s, so the first bound has 6 roundings for each of
+//!   6 terms, t 7. With that of r itself 42 and 48 roundoffs of D·E and E·E times the greatest of
+//!   r; [`LEFT`] = 45 and [`LEFT_T`] = 51. What the lower parts err counts 6 times: 60 of u·2^-25
+//!   times R; [`LOST`] = 64.
+//! * Divided by the determinant: ρ, and 2 roundings, of what is added. ρ is at least
+//!   44·u/6: 2·ρ. Then a rounding of the sum, 1/2 ulp.
+//!
+//! In `f64` numbers are good if the rest comes to u of them, at most 1 ulp. In `f32` they are good
+//! if the error leaves no doubt to which number they round. So it is the number that the
+//! integers would give, and machines to which `f64` is dear need not ask.
+//!
+//! `residual.g` proves the lower parts and the volumes of r, underflow included.
 
 use core::ops::{Add, Mul, Sub};
 
 use super::crossing::{Crossing, Setting, Sizes};
-use super::error_bound::{CUT, LEFT, LEFT_T, LOST, VOLUME};
+use super::error_bound::VOLUME;
+use super::refined::CUT;
 use crate::arithmetic::{Embeds, Filtered, Float, Number, OfFour, Quad, largest, two_difference};
 use crate::scalar::Scalar;
+
+/// Roundoffs in u and v of what is left over.
+const LEFT: u16 = 45;
+
+/// Roundoffs in its t.
+const LEFT_T: u16 = 51;
+
+/// Roundoffs, times 2^-25, in its volumes from what it errs itself.
+const LOST: u16 = 64;
 
 /// 1.5·2^27: adding and subtracting so many times a power of two P leaves multiples of P·2^-25.
 const SHIFTER: f64 = 201_326_592.0;
