@@ -41,13 +41,10 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
     {
         let (counts, crossing, sizes) = self.ahead()?;
         if <Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS {
-            if let Some(hit) = numbers::<S, Filtered<f64>>(counts, crossing) {
-                return Ok(hit);
-            }
-            if S::FLOAT.is_none() {
-                return Err(Clue::NoNumbers);
-            }
-        } else if !counts {
+            // Better ones are looked for out of line: no common path returns what a call does.
+            return numbers::<S, Filtered<f64>>(counts, crossing).ok_or(Clue::NoNumbers);
+        }
+        if !counts {
             return Ok(None);
         }
         let Crossing { det, t, sides: [_, u, v], .. } = crossing;
@@ -61,22 +58,26 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
     where
         Filtered<f64>: Embeds<S>,
     {
-        // If there are no numbers, they were looked for.
-        if clue == Clue::NoNumbers {
-            return None;
-        }
         let (points, d) = doubles(self.ray, self.triangle);
+        let by_rest = |feature| {
+            let setting = Setting::new(&points, d);
+            let Crossing { det, t, sides: [_, u, v], .. } = setting.volumes();
+            let Sizes { direction, edges, size } = setting.sizes();
+            let hit = refined_hit(self.ray, self.triangle, det, t, u, v, direction, edges, size);
+            hit.map(|hit| Some(Hit { feature, ..hit }))
+        };
+        if clue == Clue::NoNumbers {
+            // `f64` has looked for them, and fixed point has integers.
+            let is_f32 = S::FLOAT.is_some() && <Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS;
+            return if is_f32 { by_rest(Feature::Interior) } else { None };
+        }
         let Some(Met { feature, det, quotients }) = self.refined_crossing(&points, d)? else {
             return Some(None);
         };
-        if let Some(quotients) = quotients {
-            return hit(&Numbers::known(quotients), det, feature).map(Some);
+        match quotients {
+            Some(quotients) => hit(&Numbers::known(quotients), det, feature).map(Some),
+            None => by_rest(feature),
         }
-        let setting = Setting::new(&points, d);
-        let Crossing { det, t, sides: [_, u, v], .. } = setting.volumes();
-        let Sizes { direction, edges, size } = setting.sizes();
-        let hit = refined_hit(self.ray, self.triangle, det, t, u, v, direction, edges, size);
-        hit.map(|hit| Some(Hit { feature, ..hit }))
     }
 
     #[inline(always)]
