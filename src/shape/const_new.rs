@@ -8,7 +8,7 @@ use super::Vec3;
 use super::aabb::Form;
 use super::plane::Form as PlaneForm;
 use super::segment::Form as SegmentForm;
-use super::{Aabb, Obb, Plane, Ray, Segment, ShapeError, Triangle};
+use super::{Aabb, Obb, Plane, Polygon, Ray, Segment, ShapeError, Triangle};
 use crate::scalar::axes::{are_orthonormal_f32, are_orthonormal_f64};
 
 /// Whether a float is a number.
@@ -104,6 +104,27 @@ macro_rules! const_new {
                 } else {
                     Err(ShapeError::NotFinite)
                 }
+            }
+        }
+
+        $(#[$attr])*
+        impl<'a, $($generic)*> Polygon<'a, $scalar> {
+            /// [`Polygon::new`] for a `const` or a `static`: see [`Triangle::const_new`].
+            ///
+            /// # Errors
+            /// As [`Polygon::new`].
+            pub const fn const_new(vertices: &'a [Vec3<$scalar>]) -> Result<Self, ShapeError> {
+                if vertices.len() < 3 {
+                    return Err(ShapeError::TooFewVertices);
+                }
+                let mut rest = vertices;
+                while let [v, others @ ..] = rest {
+                    if !(is_finite!($finite, v)) {
+                        return Err(ShapeError::NotFinite);
+                    }
+                    rest = others;
+                }
+                Ok(Self { vertices })
             }
         }
 

@@ -2,6 +2,7 @@
 //! what is just valid.
 
 use fixed::types::{I0F8, I8F8, I16F16, I32F32};
+use septum::polygon::Polygon;
 use septum::{Aabb, Obb, Plane, Ray, Scalar, Segment, ShapeError, Triangle, Vec3};
 use septum_kit::{Sample, for_every_scalar};
 
@@ -45,6 +46,10 @@ fn not_finite() {
     with_each_not_finite(6, |x| Aabb::<f32>::const_new(vec(x, 0), vec(x, 1)).map(drop));
     with_each_not_finite(6, |x| Plane::from_point_normal(row(x, 0), row(x, 1)).map(drop));
     with_each_not_finite(4, |x| Plane::from_equation(row(x, 0), x[3]).map(drop));
+    with_each_not_finite(12, |x| {
+        let vertices = [vec(x, 0), vec(x, 1), vec(x, 2), vec(x, 3)];
+        Polygon::<f32>::const_new(&vertices).map(drop)
+    });
     with_each_not_finite(6, |x| Segment::new(row(x, 0), row(x, 1)).map(drop));
     with_each_not_finite(6, |x| Segment::from_center_half_vector(row(x, 0), row(x, 1)).map(drop));
     with_each_not_finite(6, |x| Segment::<f32>::const_new(vec(x, 0), vec(x, 1)).map(drop));
@@ -174,6 +179,15 @@ macro_rules! in_flash {
             const TRIANGLE: Triangle<$scalar> = valid(Triangle::<$scalar>::const_new(LOW, HIGH, LOW));
             const CELL: Aabb<$scalar> = valid(Aabb::<$scalar>::const_new(LOW, HIGH));
             const FLIPPED: Result<Aabb<$scalar>, ShapeError> = Aabb::<$scalar>::const_new(HIGH, LOW);
+            static VERTICES: [Vec3<$scalar>; 4] = [LOW, HIGH, LOW, LOW];
+            static POLYGON: Polygon<'_, $scalar> =
+                valid(Polygon::<$scalar>::const_new(&VERTICES));
+            assert_eq!(Ok(POLYGON), Polygon::new(&VERTICES));
+            assert!(POLYGON.overlaps(&CELL));
+            for few in 0..3 {
+                let few = Polygon::<$scalar>::const_new(&VERTICES[..few]);
+                assert_eq!(few, Err(ShapeError::TooFewVertices));
+            }
             assert_eq!(Ok(TRIANGLE), Triangle::new(LOW, HIGH, LOW));
             assert_eq!(Ok(CELL), Aabb::from_min_max(LOW, HIGH));
             assert_eq!(FLIPPED, Err(ShapeError::MinAboveMax));
