@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use septum::prepared::Target;
 use septum::{Cull, Facing, Feature, HitRules};
 use septum_kit::rays::{RayCase, RaySet, crossing};
-use septum_kit::{Sample, for_every_scalar};
+use septum_kit::{Rng, Sample, for_every_scalar};
 
 /// All exact questions about one case, against the oracle.
 fn check<S: Sample>(case: &RayCase<S>) {
@@ -53,6 +53,31 @@ fn every_set<S: Sample>() {
 }
 
 for_every_scalar!(every_set);
+
+/// Directions of a few least numbers, at triangles of another size: products of both are rounded
+/// by as much as they are.
+fn tiny_directions<S: Sample>() {
+    let mut rng = Rng::new(44);
+    for _ in 0..10_000 {
+        let mut point = || rng.triple(|rng| S::nearest(rng.whole(-8, 8) as f64 / 8.0));
+        let (origin, vertices) = (point(), [point(), point(), point()]);
+        let direction = rng.triple(|rng| S::from_ordinal(rng.whole(-4, 4)));
+        let case = RayCase::new(origin, direction, vertices);
+        if case.is_valid() {
+            check(&case);
+        }
+    }
+}
+
+#[test]
+fn tiny_directions_in_f32() {
+    tiny_directions::<f32>();
+}
+
+#[test]
+fn tiny_directions_in_f64() {
+    tiny_directions::<f64>();
+}
 
 /// Fifteen numbers and two ends out of four, and of their opposites, so that they
 /// coincide.
