@@ -69,6 +69,32 @@ fn tiny_directions<S: Sample>() {
     }
 }
 
+/// Rays that begin at triangles of a size whose square comes to a few least numbers: on which side of
+/// an edge they pass is all rounding.
+fn tiny_edges<S: Sample>(least: i32) {
+    let mut rng = Rng::new(45);
+    for _ in 0..10_000 {
+        let size = 2_f64.powi((least - rng.whole(2, 12) as i32) / 2);
+        let mut point = |unit: f64| rng.triple(|rng| S::nearest(rng.whole(-4, 4) as f64 * unit));
+        let [a, b, c] = [point(size), point(size), point(size)];
+        let (origin, direction) = (point(size), point(0.125));
+        let case = RayCase::new(origin, direction, [a, b, c]);
+        if case.is_valid() {
+            check(&case);
+        }
+    }
+}
+
+#[test]
+fn tiny_edges_in_f32() {
+    tiny_edges::<f32>(-149);
+}
+
+#[test]
+fn tiny_edges_in_f64() {
+    tiny_edges::<f64>(-1074);
+}
+
 #[test]
 fn tiny_directions_in_f32() {
     tiny_directions::<f32>();
