@@ -54,7 +54,6 @@
 //! | ray, many boxes | [`PreparedRay::overlaps`](prepared::PreparedRay::overlaps) | [`SlabRay::may_overlap`](published::slabs::SlabRay::may_overlap) |
 //! | point, box or triangle | [`Aabb::contains`], [`Obb::contains`], [`Triangle::contains`] | |
 //! | ray, triangle | [`hit`](Ray::hit), [`is_hit`](Ray::is_hit), [`hit_once`](Ray::hit_once), [`hit_with`](Ray::hit_with); [`compare_hits`](Ray::compare_hits) | |
-//! | triangle, many rays | [`Target::hit`](prepared::Target::hit) | |
 //! | ray, many triangles | [`lanes::Triangles::hit`] | |
 //! | a mesh: what a shape overlaps, what a ray hits, other meshes | [`overlapping`](mesh::Tree::overlapping), [`first_hit`](mesh::Tree::first_hit), [`overlapping_pairs`](mesh::Tree::overlapping_pairs) | |
 //! | a closed mesh, point | [`contains`](mesh::Tree::contains), [`winding`](mesh::Tree::winding) | |

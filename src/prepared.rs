@@ -13,4 +13,4 @@
 //! # Ok::<(), septum::ShapeError>(())
 //! ```
 
-pub use crate::query::{PreparedRay, PreparedTriangle, Target};
+pub use crate::query::{PreparedRay, PreparedTriangle};

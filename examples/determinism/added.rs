@@ -1,7 +1,7 @@
 //! Questions that are asked about every fourth case.
 
 use septum::lanes::{Aabbs, Rays};
-use septum::prepared::{PreparedRay, Target};
+use septum::prepared::PreparedRay;
 use septum::published;
 use septum::published::akenine_moller::Order;
 use septum::published::slabs::SlabRay;
@@ -62,9 +62,6 @@ pub(super) fn crossings<S: Draw, A: Answers>(
         answers.to(Query::RayTriangleRules).hit(ray.hit_with(triangle, rules));
         answers.to(Query::RayTriangleIsRules).yes(ray.is_hit_with(triangle, rules));
     }
-    let target = Target::new(triangle);
-    answers.to(Query::RayTrianglePrepared).hit(target.hit(ray));
-    answers.to(Query::RayTrianglePrepared).yes(target.is_hit(ray));
     for cull in [Cull::Nothing, Cull::Front] {
         let t = published::stored_normal::t(
             ray,

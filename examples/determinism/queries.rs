@@ -93,7 +93,6 @@ queries! {
     AabbAabbRelation = "aabb/aabb relation",
     AabbObbRelation = "aabb/obb relation",
     ObbObbRelation = "obb/obb relation",
-    RayTrianglePrepared = "ray/triangle prepared",
     GridAccepted = "grid accepted",
     GridRowsClosed = "grid/triangle closed",
     GridRowsHalfOpen = "grid/triangle half-open",

@@ -8,7 +8,7 @@ use defmt::{Format, Formatter, write};
 
 use crate::contact::{Contact, Point, Translation};
 use crate::lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles};
-use crate::prepared::{PreparedRay, PreparedTriangle, Target};
+use crate::prepared::{PreparedRay, PreparedTriangle};
 use crate::published::projected::ProjectedTriangle;
 use crate::published::slabs::SlabRay;
 use crate::published::slopes::SlopeRay;
@@ -116,7 +116,6 @@ formats! {
     PreparedTriangle: |prepared, to| {
         write!(to, "PreparedTriangle {{ {} }}", prepared.triangle())
     };
-    Target: |target, to| write!(to, "Target {{ {} }}", target.triangle());
     SlabRay: |_r, to| write!(to, "SlabRay {{ .. }}");
     SlopeRay: |_r, to| write!(to, "SlopeRay {{ .. }}");
 }

@@ -47,7 +47,7 @@ pub(crate) use normal::direction;
 pub use plane_aabb::Side;
 pub use ray_aabb::PreparedRay;
 pub(crate) use ray_triangle::{Candidate, clear_hit, clear_refined_hit};
-pub use ray_triangle::{Cull, Facing, Feature, Hit, HitRules, Target};
+pub use ray_triangle::{Cull, Facing, Feature, Hit, HitRules};
 pub use relation::{Relate, Relation};
 pub(crate) use row_triangle::crossing;
 pub use sweep::{FirstContact, Motion, Sweep};

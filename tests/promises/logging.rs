@@ -12,7 +12,7 @@ use septum::contact::{Contact, InteriorEdges, Part, Point, Translation, contact}
 use septum::interop::Bounded;
 use septum::lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles};
 use septum::polygon::Polygon;
-use septum::prepared::{PreparedRay, PreparedTriangle, Target};
+use septum::prepared::{PreparedRay, PreparedTriangle};
 use septum::published::akenine_moller::Order;
 use septum::published::projected::ProjectedTriangle;
 use septum::published::slabs::SlabRay;
@@ -110,7 +110,7 @@ fn every_public_type_can_be_logged() {
     fn every<S: Scalar>() {
         can::<(Vec3<S>, Triangle<S>, Polygon<'_, S>, Aabb<S>, Obb<S>, Plane<S>, Segment<S>)>();
         can::<(Ray<S>, Hit<S>, PreparedRay<S>, SlabRay<S>, SlopeRay<S>, ShearedRay<S>)>();
-        can::<(NormalTriangle<S>, ProjectedTriangle<S>, PreparedTriangle<S>, Target<S>)>();
+        can::<(NormalTriangle<S>, ProjectedTriangle<S>, PreparedTriangle<S>)>();
         can::<(Triangles<S, 4>, NormalTriangles<S, 4>, Rays<S, 4>, Aabbs<S, 4>)>();
         can::<(Hits<S, 4>, Ranges<S, 4>, SlabRays<S, 4>)>();
         can::<(Translation<S>, Point<S>, Contact<S>)>();

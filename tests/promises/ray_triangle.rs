@@ -5,7 +5,6 @@ use core::cmp::Ordering;
 
 use fixed::types::{I1F15, I4F4, I16F0, I33F31};
 use proptest::prelude::*;
-use septum::prepared::Target;
 use septum::{Cull, Facing, Feature, HitRules};
 use septum_kit::rays::{RayCase, RaySet, crossing};
 use septum_kit::{Rng, Sample, for_every_scalar};
@@ -19,22 +18,15 @@ fn check<S: Sample>(case: &RayCase<S>) {
     assert_eq!(hit.as_ref().map(met), expected, "{case:?}");
     assert_eq!(ray.is_hit(&triangle), expected.is_some(), "hits: {case:?}");
 
-    let target = Target::new(&triangle);
-    assert_eq!(target.hit(&ray), hit, "prepared: {case:?}");
-    assert_eq!(target.is_hit(&ray), expected.is_some(), "prepared: {case:?}");
-
     for (cull, kept) in [(Cull::Back, Facing::Front), (Cull::Front, Facing::Back)] {
         let rules = HitRules::new().culling(cull);
         let expected = hit.filter(|hit| hit.facing == kept);
         assert_eq!(ray.hit_with(&triangle, rules), expected, "{cull:?}: {case:?}");
         assert_eq!(ray.is_hit_with(&triangle, rules), expected.is_some(), "{cull:?}: {case:?}");
-        assert_eq!(target.hit_with(&ray, rules), expected, "prepared, {cull:?}: {case:?}");
-        assert_eq!(target.is_hit_with(&ray, rules), expected.is_some(), "prepared: {case:?}");
     }
 
     // What counts once is a hit; a hit that is in contact with nothing counts.
     let once = ray.hit_once(&triangle);
-    assert_eq!(target.hit_with(&ray, HitRules::new().once()), once, "prepared: {case:?}");
     assert_eq!(once.is_some(), ray.is_hit_with(&triangle, HitRules::new().once()), "{case:?}");
     assert!(once.is_none() || once == hit, "once: {case:?}");
     if let Some(truth) = truth {

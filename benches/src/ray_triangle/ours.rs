@@ -1,6 +1,5 @@
 //! Our methods that take a ray and a triangle as they are, in any scalar.
 
-use septum::prepared::Target;
 use septum::published;
 use septum::{Cull, Hit, Ray, Scalar, Triangle};
 
@@ -22,11 +21,6 @@ fn exact_once<S: Scalar>(r: &Ray<S>, t: &Triangle<S>) -> Option<Hit<S>> {
 #[inline(never)]
 fn exact_verdict<S: Scalar>(r: &Ray<S>, t: &Triangle<S>) -> bool {
     r.is_hit(t)
-}
-
-#[inline(never)]
-fn exact_prepared<S: Scalar>(r: &Ray<S>, t: &Target<S>) -> Option<Hit<S>> {
-    t.hit(r)
 }
 
 #[inline(never)]
@@ -53,11 +47,9 @@ pub fn course_by<S: Scalar>(
 
 /// The exact methods, and the one that everyone has, in one scalar.
 pub fn ours<S: Scalar>(course: &Course<Ray<S>, Triangle<S>>) -> Vec<Candidate> {
-    let prepared = course.prepared("triangle prepared", |p| p.map(Ray::clone, Target::new));
     vec![
         course.candidate("exact hit", Promise::Exact, exact),
         course.candidate("exact is_hit", Promise::Exact, exact_verdict),
-        prepared.candidate("exact hit, prepared", Promise::Exact, exact_prepared),
         course.candidate("exact hit_once", Promise::NeverInvents, exact_once),
         course.candidate("Möller–Trumbore", Promise::Nothing, moller_trumbore),
     ]

@@ -1,6 +1,5 @@
 //! Ray against triangle: verdicts, t, u, v, facing and feature, by every rule.
 
-use septum::prepared::Target;
 use septum::published;
 use septum::published::stored_normal::NormalTriangle;
 use septum::{Cull, HitRules};
@@ -30,9 +29,6 @@ impl Check for RayTriangle {
         let (hit, truth) = (ray.hit(&triangle), crossing(&case));
         assert_eq!(hit.is_some(), truth.is_some(), "{}", told("hit"));
         assert_eq!(ray.is_hit(&triangle), truth.is_some(), "{}", told("hits"));
-        let target = Target::new(&triangle);
-        assert_eq!(target.hit(&ray), hit, "{}", told("prepared"));
-        assert_eq!(target.is_hit(&ray), truth.is_some(), "{}", told("prepared"));
         if let (Some(hit), Some(truth)) = (hit, &truth) {
             assert_eq!(hit.facing, truth.facing, "{}", told("facing"));
             assert_eq!(hit.feature, truth.feature, "{}", told("feature"));

@@ -17,7 +17,6 @@ mod narrow;
 #[cfg(feature = "fixed")]
 mod near;
 mod order;
-mod prepared;
 mod question;
 mod refined;
 mod residual;
@@ -26,7 +25,6 @@ mod rows;
 pub(crate) use candidate::Candidate;
 pub(crate) use clear_hit::{clear_hit, clear_refined_hit};
 pub use hit::{Cull, Facing, Feature, Hit, HitRules};
-pub use prepared::Target;
 
 use self::question::{Crosses, Hits};
 use crate::scalar::Scalar;

@@ -45,20 +45,6 @@ impl<F: Float, Q: Quad<Lane = F>> Rows<Q> {
         Self([row(0), row(1), row(2)])
     }
 
-    /// Those of a triangle, for any ray.
-    #[inline(always)]
-    pub(super) fn of_triangle(triangle: &[[F; 3]; 3]) -> Self {
-        let [a, b, c] = *triangle;
-        Self::new(&[a, b, c, [F::ZERO; 3]], [F::ZERO; 3])
-    }
-
-    /// Those of a triangle, and a ray.
-    #[inline(always)]
-    pub(super) fn with_ray(&self, o: [F; 3], d: [F; 3]) -> Self {
-        let row = |i: usize| self.0[i] + Q::new([F::ZERO, F::ZERO, d[i], o[i]]);
-        Self([row(0), row(1), row(2)])
-    }
-
     /// `None` in doubt.
     #[inline(always)]
     pub(super) fn found(&self) -> Option<Found<F>> {
