@@ -74,7 +74,7 @@ pub(super) fn compare_quotient<F: Float>(
 
 macro_rules! embeds {
     ($from:ty => $to:ty, $divides:literal, $clear:expr, |$num:ident, $den:ident| $quotients:expr
-     $(, |$row:ident, $errors:ident| $of_row:expr)?) => {
+     $(, |$row:ident, $errors:ident| $of_row:expr, |$between:ident| $nearest:expr)?) => {
         impl Embeds<$from> for Filtered<$to> {
             const DIVIDES: bool = $divides;
             const HAS_QUOTIENTS: bool = {
@@ -117,6 +117,10 @@ macro_rules! embeds {
                 ($quotients, are_clear)
             }
             $(#[inline(always)]
+            fn nearest($between: [$to; 2]) -> Option<$from> {
+                $nearest
+            }
+            #[inline(always)]
             fn quotients_of_row($row: [$to; 4], $errors: [$to; 2]) -> ([$from; 3], bool) {
                 $of_row
             })?
@@ -145,9 +149,17 @@ fn quotients_of_row(row @ [den, ..]: [f64; 4], [error, other]: [f64; 2]) -> ([f3
     ([t as f32, u as f32, v as f32], limits.exceeds(row.magnitude()) == 0)
 }
 
+/// The `f32` to which all between these two round.
+#[inline(always)]
+fn nearest([low, high]: [f64; 2]) -> Option<f32> {
+    let (nearest, last) = (low as f32, high as f32);
+    let is_normal = (nearest.abs() > f32::MIN_POSITIVE) & (nearest.abs() < f32::MAX);
+    (is_normal & (nearest == last)).then_some(nearest)
+}
+
 // Both numbers within 2^-25 of themselves: with the last rounding less than 2 ulp.
 embeds! { f32 => f64, true, Some(CLEAR), |num, den| {
     [(num[0] / den) as f32, (num[1] / den) as f32, (num[2] / den) as f32]
-}, |row, errors| quotients_of_row(row, errors) }
+}, |row, errors| quotients_of_row(row, errors), |between| nearest(between) }
 // Both within 2^-53 they never are: better numbers are made for hits alone.
 embeds! { f64 => f64, true, None, |_num, _den| [0.0; 3] }

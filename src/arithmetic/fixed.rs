@@ -10,7 +10,7 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 use super::filtered::{Filtered, compare_quotient};
 use super::integer::{Int8, Int16, Int32, Int64, below_i32, below_i64};
-use super::nearest_whole::{nearest_whole, nearest_whole_of_row};
+use super::nearest_whole::{nearest_of_all, nearest_whole, nearest_whole_of_row};
 use super::quotient::Dividend;
 use super::system::{Arithmetic, Embeds, convert};
 use super::words::{InRaw, InWholeWord, InWord, WholeVolume, WholeWord};
@@ -224,6 +224,12 @@ macro_rules! doubles {
                     nearest_whole_of_row(row, errors, unit, <$raw>::MAX.into());
                 let of = |bits: u64| $fixed::from_bits(bits as $raw);
                 ([of(t), of(u), of(v)], are_good)
+            }
+            /// In units of the last place.
+            #[inline(always)]
+            fn nearest(between: [f64; 2]) -> Option<$fixed<Frac>> {
+                let bits = nearest_of_all(between, <$raw>::MAX.into())?;
+                Some($fixed::from_bits(bits as $raw))
             }
             #[inline(always)]
             fn compare_quotient(

@@ -19,8 +19,8 @@ fn is_short(bits: Bits) -> bool {
 }
 
 /// Floats as whole multiples of one power of two, if 60 bits hold them all:
-/// grids, and most scenes that were once in a coarser format. One has no place
-/// among them: the unit is the scene's, not the scalar's.
+/// grids, and most scenes that were once in a coarser format. One is among them only where it
+/// is asked for: the unit is the scene's, not the scalar's.
 impl<F: Float> Embeds<F> for Int64 {
     fn holds<const K: usize>(coordinates: &[[F; 3]; K]) -> bool {
         is_short(bits(coordinates))
@@ -34,6 +34,13 @@ impl<F: Float> Embeds<F> for Int64 {
     fn embed<const K: usize>(coordinates: &[[F; 3]; K]) -> Option<[[i64; 3]; K]> {
         let bits = bits(coordinates);
         is_short(bits).then(|| convert(coordinates, 0, |x| x.parts().in_units(bits.low)))
+    }
+
+    fn embed_with_one<const K: usize>(coordinates: &[[F; 3]; K]) -> Option<([[i64; 3]; K], i128)> {
+        let one = F::from(1).parts();
+        let bits = bits(coordinates).with(one);
+        let all = || convert(coordinates, 0, |x| x.parts().in_units(bits.low));
+        is_short(bits).then(|| (all(), one.in_units(bits.low).into()))
     }
 
     const DIVIDES: bool = true;

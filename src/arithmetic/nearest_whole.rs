@@ -44,6 +44,14 @@ pub(super) fn nearest_whole_of_row(
     ([t.to_bits(), u.to_bits(), v.to_bits()], are_good & 0b1110 == 0b1110)
 }
 
+/// The whole number to which all between these two round, in its last bits, if it is one and they
+/// are below `most`.
+#[inline(always)]
+pub(super) fn nearest_of_all([low, high]: [f64; 2], most: f64) -> Option<u64> {
+    let (bits, last) = ((low + WHOLE).to_bits(), (high + WHOLE).to_bits());
+    ((bits == last) & (low > -most) & (high < most)).then_some(bits)
+}
+
 /// What numerators are multiplied by; how far a quotient may be from the truth, relative to it
 /// and beyond that; and what rounds it.
 #[inline(always)]

@@ -66,6 +66,9 @@ pub(crate) fn of_two<N: Arithmetic, T: Number>(x: T) -> T {
     if N::DOUBLED { x } else { x.half() }
 }
 
+/// Coordinates, and one as an operand in their unit.
+type AndOne<N, const K: usize> = ([[<N as Arithmetic>::Length; 3]; K], <N as Arithmetic>::Product);
+
 /// A number system that the coordinates of a scalar `S` can be brought into.
 pub trait Embeds<S>: Arithmetic {
     /// Whether this system holds the coordinates, and all that is made of them.
@@ -81,6 +84,13 @@ pub trait Embeds<S>: Arithmetic {
     #[inline(always)]
     fn embed<const K: usize>(coordinates: &[[S; 3]; K]) -> Option<[[Self::Length; 3]; K]> {
         if Self::holds(coordinates) { Some(Self::embed_held(coordinates)) } else { None }
+    }
+
+    /// The same, and one as an operand in that unit.
+    #[inline(always)]
+    fn embed_with_one<const K: usize>(coordinates: &[[S; 3]; K]) -> Option<AndOne<Self, K>> {
+        let one = Self::one()?;
+        Some((Self::embed(coordinates)?, one))
     }
 
     /// One as an operand, where operands have the scalar's unit.
@@ -120,6 +130,13 @@ pub trait Embeds<S>: Arithmetic {
         errors: [Self::Volume; 2],
     ) -> ([S; 3], bool) {
         Self::quotients([a, b, c], den, errors)
+    }
+
+    /// The number of the scalar to which all numbers between these two round, if it is one; `None`
+    /// where the system has none, and near the ends of the scalar's range.
+    fn nearest([low, high]: [Self::Volume; 2]) -> Option<S> {
+        let _ = (low, high);
+        None
     }
 
     /// How num/den compares with `t`, where `num` and `den` err by up to `errors`;

@@ -18,6 +18,7 @@ mod aabb_obb;
 mod either_order;
 mod line_obb;
 mod obb_obb;
+mod obb_rows;
 mod plane_aabb;
 mod point_aabb;
 mod point_obb;

@@ -172,13 +172,19 @@ fn by_double<S: Scalar, P: Predicate<S>>(p: &P) -> P::Answer
 where
     Filtered<f64>: Embeds<S>,
 {
-    if REGISTERS_ARE_WIDE { numeric_stage(p, |p, _| whole_cascade(p)) } else { S::evaluate(p) }
+    if !REGISTERS_ARE_WIDE {
+        return S::evaluate(p);
+    }
+    match S::in_quads(p) {
+        Some(answer) => answer,
+        None => numeric_stage(p, |p, _| without_quads(p)),
+    }
 }
 
-/// All stages, out of line.
+/// The stages after vectors, out of line.
 #[inline(never)]
-fn whole_cascade<S: Scalar, P: Predicate<S>>(p: &P) -> P::Answer {
-    S::evaluate(p)
+fn without_quads<S: Scalar, P: Predicate<S>>(p: &P) -> P::Answer {
+    S::without_quads(p)
 }
 
 #[inline(always)]

@@ -116,6 +116,9 @@ impl Backend for f32 {
     }
     #[inline(always)]
     fn evaluate_numeric<P: Predicate<Self>>(p: &P) -> P::Answer {
+        if P::IN_QUADS && REGISTERS_ARE_WIDE {
+            return Self::evaluate(p);
+        }
         // Where `f64` costs no more than `f32`.
         if REGISTERS_ARE_WIDE {
             return numeric_stage(p, refined);
@@ -166,6 +169,9 @@ impl Backend for f64 {
     }
     #[inline(always)]
     fn evaluate_numeric<P: Predicate<Self>>(p: &P) -> P::Answer {
+        if P::IN_QUADS && REGISTERS_ARE_WIDE {
+            return Self::evaluate(p);
+        }
         numeric_stage(p, refined_doubles)
     }
 }

@@ -15,9 +15,9 @@
 
 use core::ops::Mul;
 
-use super::error_bound::ErrorBound;
-use crate::arithmetic::{Number, turn};
-use crate::query::triangle_obb::{cross, dot};
+use super::error_bound::{ErrorBound, Sizes};
+use crate::arithmetic::{Number, greatest, largest, turn};
+use crate::query::triangle_obb::{cross, dot, lie_along_one_axis};
 use crate::robust::Uncertain;
 
 /// A part of a line and a parallelepiped, all as operands of products: from the box's centre to
@@ -30,6 +30,21 @@ pub(super) struct Operands<P> {
     pub(super) u: [[P; 3]; 3],
     pub(super) h: [P; 3],
     pub(super) one: P,
+}
+
+impl<P: Number> Operands<P> {
+    /// How great they are.
+    #[inline(always)]
+    pub(super) fn sizes(&self) -> Sizes<P> {
+        let farthest = |t: &Option<P>| t.map_or(P::ZERO, |t| t.magnitude());
+        Sizes {
+            axes: self.u.iter().fold(self.one, |most, u| greatest(most, largest(u))),
+            way: largest(&self.m),
+            direction: largest(&self.d),
+            ends: greatest(farthest(&self.ends[0]), farthest(&self.ends[1])),
+            half: largest(&self.h),
+        }
+    }
 }
 
 /// Whether one of the six axes separates.
@@ -46,6 +61,10 @@ pub(super) fn any_axis<P: Number + Mul<Output = P>>(
     let across = cross(m, d);
     for i in 0..3 {
         let (i, j, l) = turn(i);
+        // On a zero a rounded gap is never clear of its bound.
+        if lie_along_one_axis(d, &u[i]) {
+            continue;
+        }
         let reach = h[j] * along[l].magnitude() + h[l] * along[j].magnitude();
         let gap = (dot(&across, &u[i]) * *one).magnitude() - reach;
         so_far = so_far.or(exceeds(gap, error.line));

@@ -15,8 +15,9 @@
 //! The three coordinates come first, which any two shapes may be separated on: they take no
 //! products of axes.
 //!
-//! Where axes are parallel their cross product is zero, and then nothing exceeds nothing: no
-//! case of its own. What is flat, or a segment or point, has its separating axis among these
+//! Where axes are parallel their cross product is zero, and then nothing exceeds nothing. Boxes
+//! turned about the same axis of space, or alike, have such axes always; floats leave them out, for
+//! they could not tell nothing from almost nothing. What is flat, or a segment or point, has its separating axis among these
 //! too. Within the span of the extents that there are, it is zero along some of them. The normals
 //! of the faces beside these are zero there too, and span all such axes.
 
@@ -25,7 +26,7 @@ use core::ops::Mul;
 use super::error_bound::ErrorBound;
 use crate::arithmetic::{Number, turn};
 use crate::query::relation::{Nearness, Relation};
-use crate::query::triangle_obb::{cross, dot};
+use crate::query::triangle_obb::{cross, dot, lie_along_one_axis};
 
 /// Two parallelepipeds as operands of products: from centre to centre, axes and half-extents
 /// of both, and one in the unit of an axis.
@@ -41,6 +42,13 @@ pub(super) struct Boxes<P> {
 #[inline(always)]
 fn normals<P: Number + Mul<Output = P>>([u, v, w]: &[[P; 3]; 3]) -> [[P; 3]; 3] {
     [cross(v, w), cross(w, u), cross(u, v)]
+}
+
+/// Whether the cross product of two axes is zero for certain: as those of boxes that are turned
+/// alike, or about the same axis of space.
+#[inline(always)]
+pub(super) fn is_zero<P: Number>(a: &[P; 3], b: &[P; 3]) -> bool {
+    (*a == *b) | (*a == [-b[0], -b[1], -b[2]]) | lie_along_one_axis(a, b)
 }
 
 /// How two parallelepipeds lie to each other; `None` in doubt.
@@ -97,6 +105,10 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>>(
         let n = cross(d, &u[i]);
         for j in 0..3 {
             let (j, p, q) = turn(j);
+            // On a zero a rounded gap is never clear of its bound.
+            if !is_certain && is_zero(&u[i], &v[j]) {
+                continue;
+            }
             let reach =
                 (h[l] * on_v[m][j] + h[m] * on_v[l][j]) + (k[p] * on_u[q][i] + k[q] * on_u[p][i]);
             add(&mut found, dot(&n, &v[j]) * *one, reach);

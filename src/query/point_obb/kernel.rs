@@ -23,11 +23,10 @@ impl<S: Scalar> Predicate<S> for Outside<'_, S> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let one = N::one()?;
         let [u, v, w] = self.obb.axes_as_arrays();
         let all =
             [self.point, self.obb.center().to_array(), u, v, w, self.obb.half_extents().to_array()];
-        let [p, c, u, v, w, h] = N::embed(&all)?;
+        let ([p, c, u, v, w, h], one) = N::embed_with_one(&all)?;
         let operands = |x: [N::Length; 3]| [N::operand(x[0]), N::operand(x[1]), N::operand(x[2])];
         let d = operands([p[0] - c[0], p[1] - c[1], p[2] - c[2]]);
         let (u, v, w, h) = (operands(u), operands(v), operands(w), operands(h));

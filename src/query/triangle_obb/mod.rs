@@ -20,7 +20,7 @@ pub(super) use self::error_bound::error_bound;
 use self::exact::InWords;
 use self::exact::{ExactParallelepiped, InSums};
 use self::kernel::{Parallelepiped, all_axes};
-pub(super) use self::kernel::{cross, dot};
+pub(super) use self::kernel::{cross, dot, lie_along_one_axis};
 #[cfg(feature = "fixed")]
 use self::short::Change;
 use super::Overlaps;
@@ -94,11 +94,11 @@ impl<S: Scalar> Disjoint<'_, S> {
     /// What the axes say in a number system, if it can vouch for it.
     #[inline(always)]
     fn by_axes<N: Embeds<S>, R: Reading>(&self) -> Option<R::Answer> {
-        let one = N::one()?;
         let [a, b, c] = self.triangle.points();
         let ([u, v, w], half) = (self.obb.axes_as_arrays(), self.obb.half_extents().to_array());
         let center = self.obb.center().to_array();
-        let [a, b, c, center, u, v, w, h] = N::embed(&[a, b, c, center, u, v, w, half])?;
+        let ([a, b, c, center, u, v, w, h], one) =
+            N::embed_with_one(&[a, b, c, center, u, v, w, half])?;
 
         let operands = |x: [N::Length; 3]| [x[0], x[1], x[2]].map(N::operand);
         let from = |x: [N::Length; 3], y: [N::Length; 3]| {
@@ -115,7 +115,14 @@ impl<S: Scalar> Disjoint<'_, S> {
         let length = most(most(N::Product::ZERO, &s.t), &s.e);
         let half = largest(&s.h);
         let error = error_bound::<N>(one, axes, length, half)?;
-        all_axes::<_, R>(&s, &error).answer(N::CERTAIN)
+        let mut skips_zeros = false;
+        loop {
+            let answer = all_axes::<_, R>(&s, &error, skips_zeros).answer(N::CERTAIN);
+            if answer.is_some() || N::CERTAIN || skips_zeros {
+                return answer;
+            }
+            skips_zeros = true;
+        }
     }
 
     /// How the shapes lie to each other, by exact sums.

@@ -195,6 +195,15 @@ impl<S: Sample> ContactCase<S> {
         })
     }
 
+    /// How far the shapes are in each other at least, on all axes; `None` if they have no contact.
+    pub fn least_depth(&self) -> Option<f64> {
+        let unit = least_exponent(&[self.first.numbers(), self.second.numbers()].concat()).min(0);
+        let all = depths(&[self.first.hull(unit), self.second.hull(unit)])?;
+        let depth = |d: &Depth| d.overlap.to_f64().value() / d.square.to_f64().value().sqrt();
+        let least = all.iter().map(depth).min_by(f64::total_cmp)?;
+        Some(least * 2_f64.powi(2 * unit - 1))
+    }
+
     /// Checks what the crate says, and returns whether it was a contact whose numbers are in range.
     ///
     /// # Panics

@@ -1,0 +1,159 @@
+//! Where a ray that meets an oriented box enters it and leaves it.
+//!
+//! With the names of the kernel the ray is within slab i from t = (−s·(w_i·m) − r_i)/|w_i·d| to
+//! t = (−s·(w_i·m) + r_i)/|w_i·d|, s being the sign of w_i·d and r_i = h_i·|u_0·w_0|. The greatest of
+//! the first and the least of the second, rounded, are the answer. In `f64` each has bounds; where
+//! both round to the same number of the scalar, that is what exact sums give too.
+
+use super::Disjoint;
+use super::error_bound::{ErrorBound, error_bound};
+use super::kernel::Operands;
+use crate::arithmetic::{Embeds, Filtered, Number, greatest, least, turn};
+use crate::query::triangle_obb::{cross, dot};
+use crate::robust::{Clue, Predicate};
+use crate::scalar::Scalar;
+
+/// The question, of a ray that meets the box.
+pub(super) struct Range<'a, S>(pub(super) Disjoint<'a, S>);
+
+impl<S: Scalar> Predicate<S> for Range<'_, S> {
+    type Answer = Option<(S, S)>;
+
+    /// Integers have no quotients of such volumes: exact sums have.
+    fn filter<N: Embeds<S>>(&self) -> Option<Option<(S, S)>> {
+        if N::CERTAIN { Some(self.exact()) } else { None }
+    }
+
+    #[inline(always)]
+    fn fast_path(&self) -> Result<Option<(S, S)>, Clue>
+    where
+        Filtered<f64>: Embeds<S>,
+    {
+        in_doubles(&self.0).map(Some).ok_or(Clue::NoNumbers)
+    }
+
+    fn exact(&self) -> Option<(S, S)> {
+        let line = self.0.exactly();
+        let crossings = (0..3).filter_map(|i| line.crossing::<S>(i));
+        // Some component of a direction is not zero, and axes span space. Rounding keeps order.
+        crossings.reduce(|a, b| (greatest(a.0, b.0), least(a.1, b.1)))
+    }
+}
+
+#[inline(never)]
+fn in_doubles<S: Scalar>(question: &Disjoint<'_, S>) -> Option<(S, S)>
+where
+    Filtered<f64>: Embeds<S>,
+{
+    if !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS {
+        return None;
+    }
+    let s = question.operands::<Filtered<f64>>()?;
+    let error = error_bound::<Filtered<f64>>(s.one, &s.sizes())?;
+    let (mut enter, mut leave) = ([f64::NEG_INFINITY; 2], [f64::INFINITY; 2]);
+    let [a, b, c] = &s.u;
+    let volume = dot(a, &cross(b, c)).magnitude();
+    for i in 0..3 {
+        let [near, far] = slab(&s, i, volume, &error)?;
+        enter = [greatest(enter[0], near[0]), greatest(enter[1], near[1])];
+        leave = [least(leave[0], far[0]), least(leave[1], far[1])];
+    }
+    let nearest = <Filtered<f64> as Embeds<S>>::nearest;
+    Some((nearest(enter)?, nearest(leave)?))
+}
+
+/// The bounds on where the line enters slab `i` and on where it leaves it; nothing where it may
+/// run along a face.
+#[inline(always)]
+fn slab(
+    s: &Operands<f64>,
+    i: usize,
+    volume: f64,
+    error: &ErrorBound<f64>,
+) -> Option<[[f64; 2]; 2]> {
+    let (i, j, k) = turn(i);
+    let w = cross(&s.u[j], &s.u[k]);
+    let (along, middle, reach) = (dot(&w, &s.d), dot(&w, &s.m) * s.one, s.h[i] * volume);
+    let den = along.magnitude();
+    if den <= error.direction {
+        // Along the slab, or nearly so: it is in it for at least so long.
+        let inside = reach - middle.magnitude() - error.face;
+        let long = 0.5 * inside / error.direction;
+        return (inside > 0.0).then_some([[f64::NEG_INFINITY, -long], [long, f64::INFINITY]]);
+    }
+    let to_middle = if along > 0.0 { -middle } else { middle };
+    let at = |num: f64| {
+        let t = num / den;
+        // For what N and D truly are, |N/D − t| ≤ (|N − num| + |t|·|D − den|)/|D|. Twice that, and
+        // more than the roundings of t and of what is added to it.
+        let from_true = 2.0 * (error.face + t.abs() * error.direction) / (den - error.direction);
+        let error = from_true + 4.0 * f64::EPSILON * t.abs();
+        [t - error, t + error]
+    };
+    Some([at(to_middle - reach), at(to_middle + reach)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Line;
+    use super::*;
+    use crate::shape::{Obb, Ray};
+
+    /// From points on and near the faces of turned boxes, where nearly all of a numerator cancels:
+    /// what `f64` settles, exact sums say too. Returns how many it does.
+    fn check<S: Scalar>(near: impl Fn(f64) -> S) -> [u32; 2]
+    where
+        Filtered<f64>: Embeds<S>,
+    {
+        let row = |p: [f64; 3]| p.map(&near);
+        let axes = [[0.6, 0.8, 0.0], [-0.48, 0.36, 0.8], [0.64, -0.48, 0.6]];
+        let obb =
+            Obb::from_skewed_axes(row([0.125, 1.0, -0.5]), axes.map(row), row([1.3, 0.7, 2.1]));
+        let obb = obb.unwrap();
+        let (mut settled, mut asked) = (0, 0);
+        for n in 0..1_200 {
+            // To a point of a face, and on into the box.
+            let (face, step) = (n % 3, [0.0, 1e-9, 1e-4, 0.3][n / 3 % 4]);
+            let at = |k: usize, times: usize| ((n * times) % 17) as f64 / 17.0 - 0.3 * k as f64;
+            let s = [0, 1, 2].map(|i: usize| if i == face { 1.0 } else { at(i, i + 3) });
+            let half = [1.3, 0.7, 2.1];
+            let point = |s: [f64; 3], step: f64| {
+                let reach =
+                    [0, 1, 2].map(|i: usize| (s[i] + if i == face { step } else { 0.0 }) * half[i]);
+                let sum = |c: usize| (0..3).map(|i| reach[i] * axes[i][c]).sum::<f64>();
+                [0.125 + sum(0), 1.0 + sum(1), -0.5 + sum(2)]
+            };
+            let from = point(s, step);
+            let to = [0.125, 1.0 - at(1, 5) / 4.0, -0.5];
+            let way = [0, 1, 2].map(|c: usize| to[c] - from[c]);
+            let ray = Ray::new(row(from), row(way)).unwrap();
+            if !ray.overlaps(&obb) {
+                continue;
+            }
+            let question = Disjoint { line: Line::Ray(&ray), obb: &obb };
+            asked += 1;
+            if let Some(found) = in_doubles(&question) {
+                settled += 1;
+                assert_eq!(Some(found), Range(question).exact(), "{ray:?}");
+            }
+        }
+        [settled, asked]
+    }
+
+    #[test]
+    fn floats_say_what_exact_sums_say() {
+        let [settled, asked] = check(|x| x as f32);
+        assert!(asked > 800 && settled > asked / 3 && settled < asked, "{settled} of {asked}");
+        assert_eq!(check(|x| x)[0], 0);
+    }
+
+    #[cfg(feature = "fixed")]
+    #[test]
+    fn fixed_point_too() {
+        use fixed::types::{I8F8, I16F16};
+        let [settled, asked] = check(I16F16::from_num);
+        assert!(asked > 800 && settled > asked / 2, "{settled} of {asked}");
+        let [settled, asked] = check(I8F8::from_num);
+        assert!(asked > 400 && settled > asked / 2, "{settled} of {asked}");
+    }
+}

@@ -1,0 +1,141 @@
+//! The kernel in floats: the same axes by the same operations, with the three axes of the box side
+//! by side. So it says what the kernel of single numbers says.
+
+use super::error_bound::{Sizes, error_bound};
+use super::{Disjoint, Line};
+use crate::arithmetic::{Filtered, Float, InFloat, Quad, THREE, greatest, largest};
+use crate::query::obb_rows::{ObbInFloats, Vectors, fits, in_floats, most};
+use crate::query::triangle_obb::{cross, lie_along_one_axis};
+use crate::robust::Uncertain;
+use crate::scalar::Scalar;
+use crate::shape::SegmentForm;
+
+/// Whether one of the six axes separates, if floats can tell.
+#[inline(never)]
+pub(super) fn is_separated<S: Scalar + InFloat<F>, F: Float>(
+    question: &Disjoint<'_, S>,
+) -> Option<bool> {
+    let ObbInFloats { center, axes, half } = ObbInFloats::<F>::new(question.obb);
+    let [p, q, ends] = question.rows();
+    let (p, q, ends): ([F; 3], [F; 3], [F; 3]) = (in_floats(p), in_floats(q), in_floats(ends));
+    if !fits::<S, F::Quad, 5>(&[p, q, ends, center, half]) {
+        return None;
+    }
+    let from = |p: [F; 3], q: [F; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
+    let (zero, one) = (F::ZERO, F::from(1));
+    let (d, ends) = match question.line {
+        Line::Ray(ray) => {
+            let unit = if S::PLACE > zero { S::PLACE } else { one };
+            (q, [ray.t_min().map(|_| ends[0] * unit), ray.t_max().map(|_| ends[1] * unit)])
+        }
+        Line::Segment(segment) => match segment.form() {
+            SegmentForm::Ends(..) => (from(q, p), [Some(zero), Some(one)]),
+            SegmentForm::Center { .. } => (q, [Some(-one), Some(one)]),
+        },
+    };
+    Operands { m: from(p, center), d, ends, axes, half }.is_separated::<S, F::Quad>()
+}
+
+/// A part of a line and a parallelepiped, as the kernel of single numbers has them.
+struct Operands<F> {
+    m: [F; 3],
+    d: [F; 3],
+    ends: [Option<F>; 2],
+    axes: [[F; 3]; 3],
+    half: [F; 3],
+}
+
+impl<F: Float> Operands<F> {
+    #[inline(always)]
+    fn is_separated<S: InFloat<F>, Q: Quad<Lane = F>>(&self) -> Option<bool> {
+        let Self { m, d, ends: [from, to], .. } = *self;
+        let (u, h) = (Vectors::<Q>::new(&self.axes), Q::of_three(self.half));
+        let axes = most(u.largest());
+        if S::LIMIT.is_some_and(|limit| axes >= limit * S::PLACE) {
+            return None;
+        }
+        let (zero, one) = (F::ZERO, F::from(1));
+        let farthest = |t: Option<F>| t.map_or(zero, |t| t.magnitude());
+        let sizes = Sizes {
+            axes: greatest(axes, one),
+            way: largest(&m),
+            direction: largest(&d),
+            ends: greatest(farthest(from), farthest(to)),
+            half: largest(&self.half),
+        };
+        let error = error_bound::<Filtered<F>>(one, &sizes)?;
+
+        let w = u.normals();
+        let along = w.dot(d);
+        let (next, last) = (along.turned().magnitude(), along.turned().turned().magnitude());
+        let reach = h.turned() * last + h.turned().turned() * next;
+        let mut so_far = exceeds(u.dot(cross(&m, &d)).magnitude() - reach, error.line);
+        // On a zero a rounded gap is never clear of its bound.
+        if so_far.possible & !so_far.certain & THREE != 0 {
+            let zeros = self.zeros();
+            so_far = Axes { certain: so_far.certain & !zeros, possible: so_far.possible & !zeros };
+        }
+
+        let (middle, reach) = (w.dot(m), h * Q::splat(u.determinant(&w).magnitude()));
+        let at = |end: Option<F>| end.map(|t| middle + along * Q::splat(t));
+        let (start, end) = (at(from), at(to));
+        for is_upper in [true, false] {
+            let upward = |x: Q| if is_upper { x } else { Q::splat(zero) - x };
+            let beyond = |x: Q| exceeds(upward(x) - reach, error.face);
+            // Where there is no end the line goes on for ever, and away from the box or along it.
+            let first = start
+                .map_or_else(|| reaches(upward(Q::splat(zero) - along), error.direction), beyond);
+            let last = end.map_or_else(|| reaches(upward(along), error.direction), beyond);
+            let mut both = first.and(last);
+            if start.is_none() & end.is_none() {
+                both = both.and(beyond(middle));
+            }
+            so_far = so_far.or(both);
+        }
+        so_far.any().verdict()
+    }
+}
+
+impl<F: Float> Operands<F> {
+    /// Which axes of the box are zero for certain times the direction.
+    #[inline(never)]
+    fn zeros(&self) -> u32 {
+        let bit = |i: usize| u32::from(lie_along_one_axis(&self.d, &self.axes[i])) << i;
+        bit(0) | bit(1) | bit(2)
+    }
+}
+
+/// What is said of three axes, bit by bit.
+#[derive(Clone, Copy)]
+struct Axes {
+    certain: u32,
+    possible: u32,
+}
+
+/// Which are above zero, where they may be off by so much.
+#[inline(always)]
+fn exceeds<Q: Quad<Lane: Float>>(x: Q, error: Q::Lane) -> Axes {
+    Axes { certain: x.exceeds(Q::splat(error)), possible: x.exceeds(Q::splat(-error)) }
+}
+
+/// Which are zero or above.
+#[inline(always)]
+fn reaches<Q: Quad<Lane: Float>>(x: Q, error: Q::Lane) -> Axes {
+    Axes { certain: !Q::splat(error).exceeds(x), possible: !Q::splat(-error).exceeds(x) }
+}
+
+impl Axes {
+    #[inline(always)]
+    fn and(self, other: Self) -> Self {
+        Self { certain: self.certain & other.certain, possible: self.possible & other.possible }
+    }
+    #[inline(always)]
+    fn or(self, other: Self) -> Self {
+        Self { certain: self.certain | other.certain, possible: self.possible | other.possible }
+    }
+    /// Whether one of the three.
+    #[inline(always)]
+    fn any(self) -> Uncertain {
+        Uncertain { certain: self.certain & THREE != 0, possible: self.possible & THREE != 0 }
+    }
+}

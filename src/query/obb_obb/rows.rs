@@ -1,0 +1,141 @@
+//! The kernel in floats: the same axes by the same operations, with the three axes of a box side by
+//! side. So it says what the kernel of single numbers says.
+
+use super::First;
+use super::error_bound::error_bound;
+use super::kernel::is_zero;
+use crate::arithmetic::{Filtered, Float, InFloat, Quad, THREE, greatest};
+use crate::query::obb_rows::{ObbInFloats, Vectors, fits, in_floats, most, transposed};
+use crate::query::relation::Relation;
+use crate::scalar::Scalar;
+use crate::shape::{AabbForm, Obb};
+
+/// Two parallelepipeds: from centre to centre, axes and half-extents.
+struct Boxes<F> {
+    d: [F; 3],
+    u: [[F; 3]; 3],
+    h: [F; 3],
+    v: [[F; 3]; 3],
+    k: [F; 3],
+}
+
+/// How two boxes lie to each other, if floats can tell.
+#[inline(never)]
+pub(super) fn relation<S: Scalar + InFloat<F>, F: Float>(
+    first: First<'_, S>,
+    second: &Obb<S>,
+) -> Option<Relation> {
+    let ObbInFloats { center: b, axes: v, half: k } = ObbInFloats::<F>::new(second);
+    let boxes = match first {
+        First::Obb(first) => {
+            let ObbInFloats { center: a, axes: u, half: h } = ObbInFloats::<F>::new(first);
+            if !fits::<S, F::Quad, 4>(&[a, h, b, k]) {
+                return None;
+            }
+            Boxes { d: each(b, a, |b, a| b - a), u, h, v, k }
+        }
+        First::Aabb(first) => {
+            let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
+                first.form();
+            let (p, q): ([F; 3], [F; 3]) = (in_floats(p.to_array()), in_floats(q.to_array()));
+            if !fits::<S, F::Quad, 4>(&[p, q, b, k]) {
+                return None;
+            }
+            let from = |p| each(b, p, |b: F, p| b - p);
+            let (d, h) = match first.form() {
+                AabbForm::Center { .. } => (from(p), q),
+                AabbForm::Corners { .. } => (
+                    each(from(p), from(q), |x, y| (x + y).half()),
+                    each(q, p, |q, p| (q - p).half()),
+                ),
+            };
+            let (zero, one) = (F::ZERO, F::from(1));
+            Boxes { d, u: [[one, zero, zero], [zero, one, zero], [zero, zero, one]], h, v, k }
+        }
+    };
+    boxes.relation::<S, F::Quad>()
+}
+
+#[inline(always)]
+fn each<F: Copy>(a: [F; 3], b: [F; 3], f: impl Fn(F, F) -> F) -> [F; 3] {
+    [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2])]
+}
+
+impl<F: Float> Boxes<F> {
+    #[inline(always)]
+    fn relation<S: InFloat<F>, Q: Quad<Lane = F>>(&self) -> Option<Relation> {
+        let Self { d, u: [u0, u1, u2], h, v: [v0, v1, v2], k } = *self;
+        let (u, v) = (Vectors::<Q>::new(&self.u), Vectors::new(&self.v));
+        let rows = |x: [F; 3]| Q::of_three(x);
+        let one = F::from(1);
+        let axes = most(u.largest().greatest(v.largest()));
+        if S::LIMIT.is_some_and(|limit| axes >= limit * S::PLACE) {
+            return None;
+        }
+        let (way, half) = (most(rows(d).magnitude()), most(rows(h).greatest(rows(k))));
+        let error = error_bound::<Filtered<F>>(one, greatest(axes, one), way, half)?;
+
+        // What the axes reach, so many times each.
+        let sum = |times: [F; 3], [a, b, c]: [Q; 3]| {
+            Q::splat(times[0]) * a + Q::splat(times[1]) * b + Q::splat(times[2]) * c
+        };
+        // The coordinates, first.
+        let magnitudes = |u: [[F; 3]; 3]| {
+            [rows(u[0]).magnitude(), rows(u[1]).magnitude(), rows(u[2]).magnitude()]
+        };
+        let reach = sum(h, magnitudes([u0, u1, u2])) + sum(k, magnitudes([v0, v1, v2]));
+        let gap = rows(d).magnitude() - reach;
+        if gap.exceeds(Q::splat(error.coordinate)) & THREE != 0 {
+            return Some(Relation::Disjoint);
+        }
+
+        let (w, z) = (u.normals(), v.normals());
+        let volume = Q::splat(u.determinant(&w).magnitude());
+        let on_v = [w.dot(v0).magnitude(), w.dot(v1).magnitude(), w.dot(v2).magnitude()];
+        let of_first = w.dot(d).magnitude() - (rows(h) * volume + sum(k, on_v));
+
+        let volume = Q::splat(v.determinant(&z).magnitude());
+        let [z0, z1, z2] = z.to_arrays();
+        let on_u = [u.dot(z0).magnitude(), u.dot(z1).magnitude(), u.dot(z2).magnitude()];
+        let [s0, s1, s2] = transposed([on_u[0].three(), on_u[1].three(), on_u[2].three()]);
+        let of_second =
+            z.dot(d).magnitude() - (rows(k) * volume + sum(h, [rows(s0), rows(s1), rows(s2)]));
+
+        let limit = Q::splat(error.axis);
+        let faces = of_first.greatest(of_second);
+        if faces.exceeds(limit) & THREE != 0 {
+            return Some(Relation::Disjoint);
+        }
+
+        let n = u.crossed_by(d);
+        let (next, last) = (rows(h).turned(), rows(h).turned().turned());
+        let pair = |v: [F; 3], on_v: Q, [p, q]: [F; 2], on_q: Q, on_p: Q| {
+            let of_first = next * on_v.turned().turned() + last * on_v.turned();
+            n.dot(v).magnitude() - (of_first + (Q::splat(p) * on_q + Q::splat(q) * on_p))
+        };
+        let pairs = [
+            pair(v0, on_v[0], [k[1], k[2]], on_u[2], on_u[1]),
+            pair(v1, on_v[1], [k[2], k[0]], on_u[0], on_u[2]),
+            pair(v2, on_v[2], [k[0], k[1]], on_u[1], on_u[0]),
+        ];
+        let most = pairs[0].greatest(pairs[1]).greatest(pairs[2]);
+        if most.exceeds(limit) & THREE != 0 {
+            return Some(Relation::Disjoint);
+        }
+        let below = Q::splat(-error.axis);
+        let is_clear = |gaps: Q| below.exceeds(gaps) & THREE == THREE;
+        let is_overlap =
+            is_clear(faces) && (is_clear(most) || self.are_zero_where_near(pairs, below));
+        is_overlap.then_some(Relation::Overlapping)
+    }
+
+    /// Whether all axes that are not clear are zero for certain: axes of the one times those of the
+    /// other, in order.
+    #[inline(never)]
+    fn are_zero_where_near<Q: Quad<Lane = F>>(&self, pairs: [Q; 3], below: Q) -> bool {
+        pairs.iter().zip(&self.v).all(|(gaps, v)| {
+            let clear = below.exceeds(*gaps);
+            self.u.iter().enumerate().all(|(i, u)| clear >> i & 1 == 1 || is_zero(u, v))
+        })
+    }
+}
