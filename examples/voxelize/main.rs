@@ -9,6 +9,7 @@
 //! cargo run --release --example voxelize -- --help
 //! ```
 
+mod camera;
 #[allow(dead_code, reason = "shared with other examples")]
 #[path = "../shared/cli.rs"]
 mod cli;

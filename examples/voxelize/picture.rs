@@ -1,27 +1,21 @@
 //! The picture: an isometric view, shaded by sun and sky.
 
-use std::f64::consts::FRAC_1_SQRT_2;
 use std::io::Write;
 use std::sync::Mutex;
 
 use ahash::AHashMap;
 
+use crate::camera::{Camera, HEIGHT, WIDTH};
 use crate::color::{self, Color};
 use crate::grid::Grid;
 use crate::light::{Light, Probe};
 use crate::march::{Hit, Scene};
 use crate::progress::Progress;
 
-const WIDTH: usize = 900;
-const HEIGHT: usize = 700;
 /// Each pixel is the mean of this many samples, squared.
 const SAMPLES: usize = 4;
 /// Rows of pixels that a thread takes at a time.
 const BAND: usize = 35;
-/// The part of the picture that the voxels may fill, and how far left of its middle
-/// they stand.
-const FILL: f64 = 0.68;
-const ASIDE: f64 = 0.06;
 /// The ground, at the corners of the picture and in the middle.
 const PAPER: [[u8; 3]; 2] = [[226, 232, 238], [250, 250, 248]];
 
@@ -59,6 +53,7 @@ fn render(view: &View) -> Vec<u8> {
     let grid = &view.all;
     let scene = Scene::new(grid);
     let (camera, paint) = (Camera::new(grid), Paint::new(view));
+    let near = camera.near_voxels(grid);
     let progress = Progress::new("Drawing", HEIGHT as u64);
     let mut pixels = vec![0; 3 * WIDTH * HEIGHT];
     let bands = Mutex::new(pixels.chunks_mut(3 * WIDTH * BAND).enumerate());
@@ -68,7 +63,8 @@ fn render(view: &View) -> Vec<u8> {
             let mut brush = Brush::new(&scene, &camera, &paint);
             for (j, row) in band.chunks_exact_mut(3 * WIDTH).enumerate() {
                 for (x, pixel) in row.chunks_exact_mut(3).enumerate() {
-                    let color = color::to_srgb(brush.pixel(x, BAND * i + j));
+                    let y = BAND * i + j;
+                    let color = color::to_srgb(brush.pixel(x, y, near[WIDTH * y + x]));
                     // The last bit is invisible noise, and would be a fifth of the file.
                     pixel.copy_from_slice(&color.map(|c| c & !1));
                 }
@@ -84,62 +80,6 @@ fn render(view: &View) -> Vec<u8> {
     });
     progress.finish();
     pixels
-}
-
-/// Parallel rays along the diagonal of a voxel. All visible faces look in one of three
-/// directions, and look equally large.
-struct Camera {
-    /// The length of a voxel's edge in pixels, if it lay in the plane of the picture.
-    scale: f64,
-    /// The point of the scene in the middle of the picture, moved towards the viewer
-    /// until it is in front of all voxels.
-    middle: [f64; 3],
-    /// Voxels along the longest side.
-    longest: f64,
-}
-
-impl Camera {
-    const RIGHT: [f64; 3] = [FRAC_1_SQRT_2, 0.0, -FRAC_1_SQRT_2];
-    const UP: [f64; 3] = [-0.408_248_290_463_863, 0.816_496_580_927_726, -0.408_248_290_463_863];
-    const AWAY: [f64; 3] = [-1.0; 3];
-
-    /// A view in which the voxels that are set fill the picture.
-    fn new(grid: &Grid) -> Self {
-        let (mut least, mut greatest) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for voxel in grid.voxels() {
-            let [x, y, z] = voxel.map(|i| i as f64 + 0.5);
-            let seen = [Self::RIGHT, Self::UP].map(|d| d[0] * x + d[1] * y + d[2] * z);
-            least = [0, 1].map(|i| seen[i].min(least[i]));
-            greatest = [0, 1].map(|i| seen[i].max(greatest[i]));
-        }
-        if least[0] > greatest[0] {
-            // A method that misses voxels may miss all of them.
-            (least, greatest) = ([0.0; 2], [0.0; 2]);
-        }
-        // Room for the voxels around the outermost centres.
-        let [wide, high] = [0, 1].map(|i| greatest[i] - least[i] + 2.0);
-        let scale = FILL * (WIDTH as f64 / wide).min(HEIGHT as f64 / high);
-        // Shadows fall to the right, so that the voxels stand left of the middle.
-        let [right, up] = [0, 1].map(|i| (greatest[i] + least[i]) / 2.0);
-        let right = right + ASIDE * WIDTH as f64 / scale;
-        let size = grid.size().map(|n| n as f64);
-        let longest = size.into_iter().fold(0.0, f64::max);
-        let far = 4.0 * longest;
-        let middle = [0, 1, 2].map(|i| right * Self::RIGHT[i] + up * Self::UP[i] + far);
-        Self { scale, middle, longest }
-    }
-
-    /// Whether voxels are about as small as pixels.
-    fn is_fine(&self) -> bool {
-        self.scale < 2.0
-    }
-
-    /// Where the ray through a point of the picture starts.
-    fn origin(&self, x: f64, y: f64) -> [f64; 3] {
-        let right = (x - WIDTH as f64 / 2.0) / self.scale;
-        let up = (HEIGHT as f64 / 2.0 - y) / self.scale;
-        [0, 1, 2].map(|i| self.middle[i] + right * Self::RIGHT[i] + up * Self::UP[i])
-    }
 }
 
 /// A square of the lattice, and the direction that it faces.
@@ -212,9 +152,9 @@ struct Brush<'a> {
 impl<'a> Brush<'a> {
     fn new(scene: &'a Scene<'a>, camera: &'a Camera, paint: &'a Paint<'a>) -> Self {
         // Where voxels are small on the picture, each needs fewer directions, and not as far.
-        let count = (8.0 * camera.scale * camera.scale).clamp(12.0, 128.0) as usize;
+        let count = (2.0 * camera.scale * camera.scale).clamp(8.0, 64.0) as usize;
         let (count, reach) =
-            if camera.is_fine() { (6, 48.0) } else { (count, 0.5 * camera.longest) };
+            if camera.is_fine() { (4, 40.0) } else { (count, 0.5 * camera.longest) };
         let probe = Probe::new(count, reach);
         let (ground_count, across) = if camera.is_fine() { (64, 80.0) } else { (128, 128.0) };
         let ground_probe = Probe::new(ground_count, 0.5 * camera.longest);
@@ -224,12 +164,13 @@ impl<'a> Brush<'a> {
     }
 
     /// The mean of the samples. If the outermost samples see the same face, or all see
-    /// different ones, only they are taken.
-    fn pixel(&mut self, x: usize, y: usize) -> Color {
+    /// different ones, only they are taken. Of a pixel that is not near voxels all see the ground.
+    fn pixel(&mut self, x: usize, y: usize, is_near: bool) -> Color {
         let part = |i: usize| (i as f64 + 0.5) / SAMPLES as f64;
         let look = |i: usize, j: usize| {
             let origin = self.camera.origin(x as f64 + part(i), y as f64 + part(j));
-            (origin, self.scene.march(origin, Camera::AWAY, f64::INFINITY))
+            let march = || self.scene.march(origin, Camera::AWAY, f64::INFINITY);
+            (origin, if is_near { march() } else { None })
         };
         let last = SAMPLES - 1;
         let outer = [look(0, 0), look(last, 0), look(0, last), look(last, last)];
