@@ -4,6 +4,7 @@
 mod accuracy;
 mod candidate;
 pub mod chart;
+mod contact;
 mod drawing;
 mod geometry;
 pub mod line_obb;

@@ -1,6 +1,7 @@
 //! Counts wrong answers of every candidate, ours and the peers', on cases that are
 //! decided by exact oracles too.
 
+mod contact;
 mod line_obb;
 mod obb_obb;
 mod ray_aabb;
@@ -9,6 +10,7 @@ mod sweep;
 mod triangle_aabb;
 mod triangle_triangle;
 
+pub(crate) use contact::{answers as contacts, sets as contact_sets};
 pub(crate) use line_obb::sets as line_obb_sets;
 pub(crate) use obb_obb::sets as obb_sets;
 pub(crate) use ray_aabb::sets as ray_box_sets;

@@ -46,6 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
         meshes.push((name, read(&bytes)?));
     }
+    meshes.push(("turned cube".into(), turned_cube()));
     meshes.push(("knot of 5,040".into(), torus_knot(210, 12)));
     meshes.push(("knot of 90,000".into(), torus_knot(1500, 30)));
 
@@ -138,6 +139,20 @@ fn row(name: &str, mesh: &[[[f64; 3]; 3]], n: u32, rounds: u32) -> Vec<String> {
         times(4),
         wrong(&exact_whole, &by_meshvox),
     ]
+}
+
+/// Twelve large triangles.
+fn turned_cube() -> Vec<[[f64; 3]; 3]> {
+    let axes = [[0.6, 0.8, 0.0], [-0.48, 0.36, 0.8], [0.64, -0.48, 0.6]];
+    let corner = |n: usize| {
+        let at = |i: usize| if n >> i & 1 == 1 { 1.0 } else { -1.0 };
+        [0, 1, 2].map(|c: usize| (0..3).map(|i| at(i) * axes[i][c]).sum())
+    };
+    let faces =
+        [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]];
+    let of_face =
+        |[a, b, c, d]: [usize; 4]| [[a, b, c], [a, c, d]].map(|triangle| triangle.map(corner));
+    faces.into_iter().flat_map(of_face).collect()
 }
 
 /// Keeps the time that the work takes, if it is the best so far.

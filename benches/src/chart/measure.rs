@@ -9,7 +9,9 @@ use crate::pairs::Pairs;
 use crate::race::{Timing, race};
 use crate::session::Group;
 use crate::unit::{F32, Form};
-use crate::{line_obb, obb_obb, ray_aabb, ray_triangle, sweep, triangle_aabb, triangle_triangle};
+use crate::{
+    contact, line_obb, obb_obb, ray_aabb, ray_triangle, sweep, triangle_aabb, triangle_triangle,
+};
 
 use super::point::Point;
 
@@ -50,6 +52,7 @@ pub(super) fn points(rounds: usize, cases: usize) -> Vec<Point> {
     let triangles = in_every_scalar!("triangle/triangle", accuracy::triangle_pair_sets);
     let obbs = in_every_scalar!("oriented boxes", accuracy::obb_sets);
     let turned = in_every_scalar!("ray/oriented box", accuracy::line_obb_sets);
+    let touching = in_every_scalar!("contacts", accuracy::contact_sets);
     let moving = in_every_scalar!("sweeps", accuracy::sweep_sets);
 
     let mut points = Vec::new();
@@ -97,6 +100,9 @@ pub(super) fn points(rounds: usize, cases: usize) -> Vec<Point> {
     let (groups, yardstick) = (sweep::groups(), sweep::yardstick);
     let timed = time("sweep", sweep::half(), yardstick, &groups, rounds);
     add("sweep", timed, &moving);
+    let (groups, yardstick) = (contact::groups(), contact::yardstick);
+    let timed = time("contact", contact::half(), yardstick, &groups, rounds);
+    add("contact", timed, &touching);
     points
 }
 
@@ -188,6 +194,7 @@ fn alone<'a>(who: &'a str, form: &'a str) -> (&'a str, &'a str) {
         "yardstick: parry3d" => "parry3d",
         "yardstick: parry3d cast_ray" => "parry3d cast_ray",
         "yardstick: parry3d cast_shapes" => "parry3d cast_shapes",
+        "yardstick: parry3d contact" => "parry3d contact",
         _ => who,
     };
     match form {

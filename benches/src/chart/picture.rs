@@ -30,7 +30,7 @@ const PUBLISHED: &str = "the test as published in 2001, in f32";
 const IN_C: &str = "Möller–Trumbore as in C, in f32";
 const SAT: &str = "the SAT test as published (Real-Time Rendering 16.7), in f32";
 
-pub(super) const PICTURES: [Picture; 9] = [
+pub(super) const PICTURES: [Picture; 10] = [
     Picture {
         stem: "triangle-box",
         title: "Triangle and box",
@@ -102,6 +102,15 @@ pub(super) const PICTURES: [Picture; 9] = [
                    box3d-rust stops 5 mm before, by design.",
         yardstick: "parry3d's cast_shapes, in f32",
         sets: "tests/kit/src/sweeps/sets.rs",
+        heights: [130.0, 105.0],
+    },
+    Picture {
+        stem: "contact",
+        title: "Oriented boxes in each other",
+        workload: "Random pairs, half of them in each other. A depth a thousandth off is wrong. \
+                   The peer takes axes as a quaternion, and tells one point.",
+        yardstick: "parry3d's contact, in f32",
+        sets: OBBS,
         heights: [130.0, 105.0],
     },
 ];
@@ -192,12 +201,13 @@ pub(super) const OVERVIEWS: [Overview; 2] = [
     },
     Overview {
         stem: "family",
-        title: "Speed and accuracy: pairs and motion",
+        title: "Speed and accuracy: pairs, motion and contact",
         rows: &[
             ("triangle-triangle", 120.0, "exact"),
             ("box-box", 100.0, "exact"),
             ("ray-oriented-box", 100.0, "exact"),
             ("sweep", 120.0, "exact, when"),
+            ("contact", 100.0, "exact, with points"),
         ],
         note: "I16F16, 18: coordinates of 18 bits. Of what moves a hit that is late is wrong.",
     },

@@ -78,6 +78,7 @@ pub(super) fn label(point: &Point) -> String {
         "yardstick: parry3d" => "parry3d",
         "yardstick: parry3d cast_ray" => "parry3d cast_ray",
         "yardstick: parry3d cast_shapes" => "parry3d cast_shapes",
+        "yardstick: parry3d contact" => "parry3d contact",
         "slabs, rounded" => "slabs",
         "slabs, rounded t_range" => "slabs t_range",
         "slabs, conservative" => "slabs, conservative",

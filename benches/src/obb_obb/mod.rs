@@ -13,7 +13,7 @@ use crate::peer_shapes::parry_vector;
 use crate::session::{Group, Session};
 use crate::unit::{F32, F64, I8F8_15, I16F16_18, Unit};
 
-pub(crate) use scenes::{Scene, Turned, half};
+pub(crate) use scenes::{Scene, Turned, half, turned};
 
 pub(crate) fn obb<S: Scalar>(unit: &Unit<S>, turned: &Turned) -> Obb<S> {
     let axes = turned.axes.map(|u| u.map(|x| (unit.near)(x)));

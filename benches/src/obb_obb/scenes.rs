@@ -50,7 +50,7 @@ pub fn stacked() -> Scene {
 }
 
 /// The frame turned by these angles.
-fn turned(angles: [f64; 3]) -> [Point; 3] {
+pub(crate) fn turned(angles: [f64; 3]) -> [Point; 3] {
     let mut frame = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     for (angle, (i, j)) in angles.into_iter().zip([(0, 1), (1, 2), (2, 0)]) {
         let (sin, cos) = angle.sin_cos();

@@ -30,7 +30,7 @@ const fn line(
     (who[0], who[1], who[2], Style { label, mark, color, dash })
 }
 
-const LINES: [Line; 35] = [
+const LINES: [Line; 39] = [
     line(["as published", "centre", "f32"], "as published, f32", Mark::Square, VERMILION, SOLID),
     line(["as published", "centre", "f64"], "as published, f64", Mark::Square, VERMILION, DASHED),
     line(["as published", "centre", "I16F16"], "as publ., I16F16", Mark::Square, VERMILION, DOTTED),
@@ -112,6 +112,10 @@ const LINES: [Line; 35] = [
     line(["exact, when", "", "f32"], "exact, f32", Mark::Star, BLACK, SOLID),
     line(["exact, when", "", "f64"], "exact, f64", Mark::Star, BLACK, DASHED),
     line(["exact, when", "", "I16F16"], "exact, I16F16", Mark::Star, BLACK, DOTTED),
+    line(["parry3d contact", "", "f32"], "parry3d, f32", Mark::Cross, PURPLE, SOLID),
+    line(["exact, translation", "", "f32"], "exact, f32", Mark::Star, BLACK, SOLID),
+    line(["exact, translation", "", "f64"], "exact, f64", Mark::Star, BLACK, DASHED),
+    line(["exact, translation", "", "I16F16"], "exact, I16F16", Mark::Star, BLACK, DOTTED),
     line(["exact", "centre", "f32"], "exact, f32", Mark::Star, BLACK, SOLID),
     line(["exact", "centre", "f64"], "exact, f64", Mark::Star, BLACK, DASHED),
     line(["exact", "centre", "I16F16"], "exact, I16F16", Mark::Star, BLACK, DOTTED),

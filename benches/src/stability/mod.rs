@@ -2,6 +2,7 @@
 //! fails.
 
 mod boxes;
+mod contacts;
 mod lines;
 mod picture;
 mod rays;
@@ -19,7 +20,7 @@ use regimes::Regime;
 
 /// Draws how often each method is wrong as a scene slides into the regime where it
 /// fails: slivers, small triangles, great distances and scales, small angles, contact,
-/// and ways that nearly graze.
+/// ways that nearly graze, and boxes that are hardly in each other.
 #[derive(Args)]
 pub struct Options {
     /// Cases at each step

@@ -3,13 +3,14 @@
 use fixed::types::{I16F16, I32F32};
 
 use crate::accuracy::{
-    Exam, ray_triangle, ray_triangle_peers, sweeps, triangle_box, triangle_box_peers,
+    Exam, contacts, ray_triangle, ray_triangle_peers, sweeps, triangle_box, triangle_box_peers,
 };
+use septum_kit::boxes::ObbNumbers;
 use septum_kit::rays::RayCase;
 use septum_kit::sweeps::SweepCase;
 use septum_kit::{Case, Rng, Sample};
 
-use super::{Step, boxes, rays, sweeps as ways};
+use super::{Step, boxes, contacts as sunk, rays, sweeps as ways};
 
 /// How what slides is written on the axis.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -39,11 +40,13 @@ pub(super) struct Regime {
 pub(super) const BOX: &str = "triangle and box";
 pub(super) const RAY: &str = "ray and triangle";
 pub(super) const SWEEP: &str = "box that moves past a triangle";
+pub(super) const CONTACT: &str = "oriented boxes in each other";
 pub(super) const BOX_WIDE: &str = "triangle and box, I32F32";
 pub(super) const RAY_WIDE: &str = "ray and triangle, I32F32";
 
 type Boxes<S> = fn(&mut Rng, f64) -> Option<Case<S>>;
 type Sweeps<S> = fn(&mut Rng, f64) -> Option<SweepCase<S>>;
+type Contacts<S> = fn(&mut Rng, f64) -> Option<[ObbNumbers<S>; 2]>;
 type Rays<S> = fn(&mut Rng, f64) -> Option<RayCase<S>>;
 
 impl Regime {
@@ -98,6 +101,19 @@ impl Regime {
                 let rng = &mut seeded(seed, step.at);
                 let cases = std::iter::repeat_with(|| make(rng, step.at)).take(count);
                 sweeps(scalar, &cases.flatten().collect::<Vec<_>>())
+            };
+            self.exams.push(Exam { label: step, ask: Box::new(ask) });
+        }
+        self
+    }
+
+    /// The same about oriented boxes in each other.
+    fn contacts<S: Sample>(mut self, scalar: &'static str, make: Contacts<S>) -> Self {
+        for step in self.steps_in(CONTACT, |rng, at| make(rng, at).is_some()) {
+            let ask = move |seed: u64, count: usize| {
+                let rng = &mut seeded(seed, step.at);
+                let cases = std::iter::repeat_with(|| make(rng, step.at)).take(count);
+                contacts(scalar, &cases.flatten().collect::<Vec<_>>())
             };
             self.exams.push(Exam { label: step, ask: Box::new(ask) });
         }
@@ -232,6 +248,19 @@ pub(super) fn all() -> Vec<Regime> {
         .sweeps(SWEEP, "f32", ways::graze::<f32>)
         .sweeps(SWEEP, "f64", ways::graze::<f64>)
         .sweeps(SWEEP, "I16F16", ways::graze::<I16F16>),
+        regime(
+            "sunk",
+            "Hardly in each other",
+            "how deep a box of a size of about 1 is in another",
+            Ticks::Ten(1),
+            tens(-1, -7, 2),
+            "A box stands on a face of another, less and less deep in it from left to right. A depth that \
+             is off by a thousandth, and more than a place, is wrong. The peer takes axes as a \
+             quaternion, and so turns the boxes by a rounding.",
+        )
+        .contacts("f32", sunk::sunk::<f32>)
+        .contacts("f64", sunk::sunk::<f64>)
+        .contacts("I16F16", sunk::sunk::<I16F16>),
         regime(
             "touch",
             "Contact",

@@ -1,0 +1,52 @@
+//! Two oriented boxes in each other; the oracle tries all axes in whole numbers.
+
+use septum::Obb;
+use septum_kit::boxes::{AnyBox, ObbNumbers};
+use septum_kit::contacts::{ContactCase, Solid};
+use septum_kit::{Rng, Sample};
+
+use super::obb_obb::{SETS, framed};
+use super::{Exam, as_f32};
+use crate::candidate::{Candidate, Course};
+use crate::contact::{Sunk, ours, peer};
+use crate::pairs::Pairs;
+
+pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
+    let exams = SETS.into_iter().map(|(set, label)| Exam {
+        label,
+        ask: Box::new(move |seed: u64, count: usize| {
+            let rng = &mut Rng::new(seed ^ (set as u64 + 224) << 56);
+            let mut cases = Vec::new();
+            while cases.len() < count {
+                let case = set.case::<S>(rng);
+                let AnyBox::Obb(first) = case.first else { continue };
+                if framed(&first).is_some() && framed(&case.second).is_some() {
+                    cases.push([first, case.second]);
+                }
+            }
+            answers(scalar, &cases)
+        }) as super::Ask,
+    });
+    exams.collect()
+}
+
+/// Ours, and in `f32` the peer, that have answered these pairs of boxes whose axes are frames.
+pub(crate) fn answers<S: Sample>(
+    scalar: &'static str,
+    cases: &[[ObbNumbers<S>; 2]],
+) -> Vec<Candidate> {
+    let (mut pairs, mut truth) = (Pairs::default(), Vec::new());
+    for [first, second] in cases {
+        let (Some(a), Some(b)) = (framed(first), framed(second)) else { continue };
+        let solid = |b: &ObbNumbers<S>| Solid::Box(AnyBox::Obb(*b));
+        let depth = ContactCase { first: solid(first), second: solid(second) }.least_depth();
+        truth.push(depth.is_some());
+        pairs.push(Sunk { pair: [a, b], depth }, [()]);
+    }
+    let course = Course::new((scalar, ""), pairs, truth);
+    let mut all = ours(&course);
+    if let Some(course) = as_f32::<_, Course<Sunk<Obb<f32>>, ()>>(course) {
+        all.push(peer(&course, "parry3d contact"));
+    }
+    all
+}

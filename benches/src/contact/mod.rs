@@ -1,0 +1,134 @@
+//! Contacts of oriented boxes; the yardstick is parry3d, in `f32`.
+
+use std::hint::black_box;
+
+use parry3d::query;
+use septum::Obb;
+use septum::contact::{contact, least_translation};
+use septum_kit::Sample;
+use septum_kit::fixed::types::{I8F8, I16F16};
+
+use crate::candidate::{Candidate, Course, Promise};
+use crate::obb_obb::{Placed, Turned, placed};
+use crate::pairs::Pairs;
+use crate::session::Group;
+
+/// Two shapes, and how far they are in each other in truth: nothing if they have no contact.
+pub(crate) struct Sunk<T> {
+    pub(crate) pair: [T; 2],
+    pub(crate) depth: Option<f64>,
+}
+
+impl<T> Sunk<T> {
+    /// Whether the answer is a contact, and its depth right but for a thousandth and the least
+    /// number of the scalar. A contact where there is none is one too.
+    fn is_right(&self, depth: Option<f64>, least: f64) -> bool {
+        depth.is_some_and(|said| {
+            self.depth.is_none_or(|depth| (said - depth).abs() <= depth / 1000.0 + least)
+        })
+    }
+}
+
+impl<S: Sample> Sunk<Obb<S>> {
+    fn is_told(&self, depth: Option<S>) -> bool {
+        self.is_right(depth.map(S::approximate), S::ZERO.moved(1).approximate())
+    }
+}
+
+#[inline(never)]
+fn translation<S: Sample>(sunk: &Sunk<Obb<S>>, _: &()) -> bool {
+    let [first, second] = &sunk.pair;
+    sunk.is_told(least_translation(first, second).map(|t| t.depth))
+}
+
+#[inline(never)]
+fn with_points<S: Sample>(sunk: &Sunk<Obb<S>>, _: &()) -> bool {
+    let [first, second] = &sunk.pair;
+    sunk.is_told(contact(first, second).map(|c| black_box(c).translation.depth))
+}
+
+/// Both our methods in one scalar.
+pub(crate) fn ours<S: Sample>(course: &Course<Sunk<Obb<S>>, ()>) -> Vec<Candidate> {
+    vec![
+        course.candidate("exact, translation", Promise::Exact, translation),
+        course.candidate("exact, with points", Promise::Exact, with_points),
+    ]
+}
+
+/// Touching is no contact here.
+#[inline(never)]
+fn parry(sunk: &Sunk<Placed>, _: &()) -> bool {
+    let [first, second] = &sunk.pair;
+    let found = query::contact(&first.pose, &first.cuboid, &second.pose, &second.cuboid, 0.0);
+    let depth = found.ok().flatten().map(|c| -f64::from(c.dist));
+    sunk.is_right(depth.filter(|depth| *depth > 0.0), 0.0)
+}
+
+pub(crate) fn peer(course: &Course<Sunk<Obb<f32>>, ()>, who: &str) -> Candidate {
+    let sunk =
+        |sunk: &Sunk<Obb<f32>>| Sunk { pair: sunk.pair.each_ref().map(placed), depth: sunk.depth };
+    let parry3d = course.prepared("", |pairs| pairs.map(sunk, |()| ()));
+    parry3d.candidate(who, Promise::Nothing, parry)
+}
+
+/// Pairs of boxes, and nothing on the right.
+pub(crate) type Scene = Pairs<[Turned; 2], ()>;
+
+fn obb<S: Sample>(near: impl Fn(f64) -> S, b: &Turned) -> Obb<S> {
+    let at = |p: [f64; 3]| p.map(&near);
+    Obb::new(at(b.center), b.axes.map(|u| u.map(S::nearest)), at(b.half)).expect("a frame")
+}
+
+/// The numbers as `f64`, which holds them.
+fn wide<S: Sample>(obb: &Obb<S>) -> Obb<f64> {
+    let wide = |p: septum::Vec3<S>| p.to_array().map(S::approximate);
+    Obb::from_skewed_axes(wide(obb.center()), obb.axes().map(wide), wide(obb.half_extents()))
+        .expect("it was a box before")
+}
+
+/// Boxes turned anyhow; half of the pairs are in each other.
+pub(crate) fn half() -> Scene {
+    let rng = &mut fastrand::Rng::with_seed(45);
+    let mut scene = Scene::default();
+    for k in 0..10_000 {
+        loop {
+            let pair = [(); 2].map(|()| Turned::random(rng, std::f64::consts::TAU));
+            let [b, c] = pair.each_ref().map(|b| obb(|x| x, b));
+            if least_translation(&b, &c).is_some() == (k % 2 == 0) {
+                scene.push(pair, [()]);
+                break;
+            }
+        }
+    }
+    scene
+}
+
+/// The scene in a scalar, larger by a factor; the truth is that of `f64`.
+fn course<S: Sample>(name: &'static str, scale: f64, scene: &Scene) -> Course<Sunk<Obb<S>>, ()> {
+    let pairs = scene.map(
+        |pair| {
+            let pair = pair.each_ref().map(|b| obb(|x| S::nearest(x * scale), b));
+            let [first, second] = pair.each_ref().map(wide);
+            Sunk { pair, depth: least_translation(&first, &second).map(|t| t.depth) }
+        },
+        |()| (),
+    );
+    let truth = pairs.answers(|sunk, ()| sunk.depth.is_some());
+    Course::new((name, ""), pairs, truth)
+}
+
+pub(crate) fn yardstick(scene: &Scene) -> Candidate {
+    peer(&course::<f32>("f32", 1.0, scene), "yardstick: parry3d contact")
+}
+
+pub(crate) fn groups() -> Vec<Group<Scene>> {
+    fn group<S: Sample>(name: &'static str, scale: f64) -> Group<Scene> {
+        (name, Box::new(move |scene: &Scene| ours(&course::<S>(name, scale, scene))))
+    }
+    vec![
+        group::<f32>("f32", 1.0),
+        group::<f64>("f64", 1.0),
+        group::<I8F8>("I8F8, 15 bits", 32.0),
+        group::<I16F16>("I16F16, 18 bits", 1.0),
+    ]
+}
