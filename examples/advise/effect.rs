@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use septum::Triangle;
 
 use crate::kind::Kind;
-use crate::question::{Question, TURNED};
+use crate::question::TURNED;
 use crate::scene::Scene;
 
 /// The effect of rounding to one type.
@@ -52,7 +52,7 @@ impl Effect {
                 effect.flat |= last.replace(to) == Some(to);
             }
         }
-        if scene.question == Question::Turned {
+        if scene.question.turns() {
             worst = of_turned(kind, scene);
             effect.flat = nearest(scene.cell / 2.0) == 0.0;
         }

@@ -67,6 +67,10 @@ pub(crate) enum Ask {
     Turned,
     /// Whether the triangle through three corners of the box overlaps it
     Triangle,
+    /// Whether the box overlaps it, asked of a polygon
+    Polygon,
+    /// Whether the box, turned about its middle, overlaps the bounding box of the triangle
+    Boxes,
     /// When the box, on its way, first meets the triangle
     Sweep,
     /// How the box gets out of the triangle

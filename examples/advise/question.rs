@@ -21,6 +21,10 @@ pub(crate) enum Question {
     Turned,
     /// The same of the triangle through three corners of the box.
     Triangle,
+    /// Whether they overlap, the triangle a polygon.
+    Polygon,
+    /// Whether the turned box overlaps the bounding box of the triangle.
+    Boxes,
     /// When the box, moving by this, first meets the triangle.
     Sweep([f64; 3]),
     /// How the box gets out of the triangle.
@@ -38,6 +42,8 @@ impl Question {
             (Ask::Overlap, None) => Ok(Self::Overlap),
             (Ask::Turned, None) => Ok(Self::Turned),
             (Ask::Triangle, None) => Ok(Self::Triangle),
+            (Ask::Polygon, None) => Ok(Self::Polygon),
+            (Ask::Boxes, None) => Ok(Self::Boxes),
             (Ask::Contact, None) => Ok(Self::Contact),
         }
     }
@@ -46,9 +52,19 @@ impl Question {
         if let Self::Sweep(way) = self { way } else { [0.0; 3] }
     }
 
+    /// Whether boxes are turned.
+    pub(crate) fn turns(self) -> bool {
+        matches!(self, Self::Turned | Self::Boxes)
+    }
+
+    /// Whether fixed point goes through other stages than with a triangle and a box at rest.
+    pub(crate) fn is_staged_otherwise(self) -> bool {
+        self.turns() || matches!(self, Self::Triangle | Self::Polygon)
+    }
+
     /// How far a turned box reaches along an axis beyond the one that is not, in boxes.
     pub(crate) fn overhang(self, axis: usize) -> f64 {
-        if self != Self::Turned {
+        if !self.turns() {
             return 0.0;
         }
         (TURNED.iter().map(|u| u[axis].abs()).sum::<f64>() - 1.0) / 2.0
@@ -56,7 +72,7 @@ impl Question {
 
     /// Numbers of the scene that are no places.
     pub(crate) fn directions(self) -> &'static [f64] {
-        if self == Self::Turned { TURNED.as_flattened() } else { &[] }
+        if self.turns() { TURNED.as_flattened() } else { &[] }
     }
 
     /// How far triangle and box may come nearer to each other by rounding, in tolerances: each
@@ -68,7 +84,7 @@ impl Question {
     /// The number in its answer.
     pub(crate) fn number(self) -> Option<&'static str> {
         match self {
-            Self::Overlap | Self::Turned | Self::Triangle => None,
+            Self::Overlap | Self::Turned | Self::Triangle | Self::Polygon | Self::Boxes => None,
             Self::Sweep(_) => Some("time"),
             Self::Contact => Some("depth"),
         }
@@ -80,6 +96,8 @@ impl Question {
             Self::Overlap => ["triangle/box", "exact", "full"],
             Self::Turned => ["triangle/oriented box", "exact", "full"],
             Self::Triangle => ["triangle/triangle", "exact", "full"],
+            Self::Polygon => ["polygon/box", "exact", "pentagons"],
+            Self::Boxes => ["oriented box/oriented box", "exact", "full"],
             Self::Sweep(_) => ["triangle/box sweep", "when", "hit"],
             Self::Contact => ["triangle/box contact", "points too", "full"],
         }
@@ -90,6 +108,8 @@ impl Question {
         match self {
             Self::Overlap | Self::Turned => "of a query on a {core} where all 13 axes are tried",
             Self::Triangle => "of a query on a {core} about triangles that cross",
+            Self::Polygon => "of a query on a {core} about pentagons",
+            Self::Boxes => "of a query on a {core} about two oriented boxes, all 15 axes tried",
             Self::Sweep(_) => "of the time of a box that meets the triangle, on a {core}",
             Self::Contact => "of a contact with its points, on a {core}, all axes tried",
         }
@@ -107,6 +127,10 @@ impl Kind {
             Question::Triangle => {
                 across(scene, query, |x| self.held(x)).overlaps(&self.triangle(scene, query))
             }
+            // The polygon is that triangle.
+            Question::Polygon => self.overlaps(scene, query),
+            Question::Boxes => turned(scene, query, |x| self.held(x), |x| self.held(x))
+                .overlaps(&around(&self.triangle(scene, query))),
         }
     }
 
@@ -129,7 +153,6 @@ impl Kind {
         let [.., min, max] = scene.points(query).map(nearest);
         let aabb = Aabb::from_min_max(min, max).expect("rounding keeps the order");
         match scene.question {
-            Question::Overlap | Question::Turned | Question::Triangle => None,
             Question::Sweep(_) => {
                 let [from, to] = scene.places(query).map(nearest);
                 let motion = Motion::new(from, to).expect("the scene is finite");
@@ -137,6 +160,7 @@ impl Kind {
                 Some(self.rounded_down(first.t))
             }
             Question::Contact => Some(self.rounded_up(least_translation(&aabb, &triangle)?.depth)),
+            _ => None,
         }
     }
 
@@ -198,6 +222,17 @@ pub(crate) fn across<S: Scalar>(
     let corners = [[q[0], p[1], p[2]], [p[0], q[1], p[2]], [p[0], p[1], q[2]]];
     let [a, b, c] = corners.map(Vec3::from);
     Triangle::new(a, b, c).expect("the scene is finite")
+}
+
+/// The bounding box of a triangle.
+pub(crate) fn around<S: Scalar>(triangle: &Triangle<S>) -> Aabb<S> {
+    let [a, b, c] = triangle.vertices().map(|v| v.to_array());
+    let bound = |takes: fn(&S, &S) -> bool| {
+        [0, 1, 2].map(|i: usize| {
+            [b[i], c[i]].into_iter().fold(a[i], |x, y| if takes(&y, &x) { y } else { x })
+        })
+    };
+    Aabb::from_min_max(bound(S::lt), bound(S::gt)).expect("its corners are in order")
 }
 
 /// How far the numbers in the answers of a type are from those of `f64` on the scene as it is,

@@ -90,9 +90,9 @@ tolerance {}{}
             Question::Sweep([x, y, z]) => {
                 format!("that move by ({x}, {y}, {z}) and come, box about box, ")
             }
-            Question::Turned => "turned about their middles, and ".into(),
+            question if question.turns() => "turned about their middles, and ".into(),
             Question::Triangle => "or the triangles across them, ".into(),
-            Question::Overlap | Question::Contact => String::new(),
+            _ => String::new(),
         },
         sig(scene.question.slack() * scene.tolerance),
     )
@@ -144,9 +144,9 @@ fn legend(options: &Options, scene: &Scene, survey: &Survey, costs: &Costs) -> S
         );
     }
     text += "exact in: the arithmetic that settles a query, and the share of the queries";
-    text += match scene.question {
-        Question::Turned | Question::Triangle => "; docs/scalars.md has that of fixed point.\n",
-        _ => ".\n",
+    text += match scene.question.is_staged_otherwise() {
+        true => "; docs/scalars.md has that of fixed point.\n",
+        false => ".\n",
     };
     match survey.each {
         Some(each) => {

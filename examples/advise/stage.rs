@@ -46,7 +46,7 @@ impl Stage {
             return Self::of_contact(kind, target, scene, query);
         }
         let Kind::Fixed { bits, frac } = kind else { return Self::Float };
-        if matches!(scene.question, Question::Turned | Question::Triangle) {
+        if scene.question.is_staged_otherwise() {
             return Self::Untold;
         }
         let raw = |x: f64| Kind::raw(x, bits, frac).expect("a type that holds the scene");

@@ -4,11 +4,12 @@ use std::hint::black_box;
 
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 use septum::contact::contact;
+use septum::polygon::Polygon;
 use septum::sweep::{Motion, Sweep};
-use septum::{Aabb, Scalar, Triangle};
+use septum::{Aabb, Scalar, Triangle, Vec3};
 
 use crate::kind::Kind;
-use crate::question::{Question, across, turned};
+use crate::question::{Question, across, around, turned};
 use crate::scene::{Query, Scene};
 
 /// A scalar that an `f64` can be rounded to. A fixed-point type stands for all types of
@@ -114,6 +115,19 @@ fn asking<S: Coordinate>(scene: &Scene, queries: &[Query], frac: u32) -> Asking 
             let across = |&query| across(scene, query, |x| S::nearest(x, frac));
             let across: Vec<_> = pairs.into_iter().zip(queries.iter().map(across)).collect();
             Box::new(move || count(&across, |((t, _), other)| t.overlaps(other)))
+        }
+        Question::Polygon => {
+            let corners: Vec<_> = pairs.iter().map(|(t, b)| (*t.vertices(), *b)).collect();
+            let meets = |(corners, b): &([Vec3<S>; 3], Aabb<S>)| {
+                Polygon::new(corners).is_ok_and(|polygon| polygon.overlaps(b))
+            };
+            Box::new(move || count(&corners, meets))
+        }
+        Question::Boxes => {
+            let turned = |&query| turned(scene, query, |x| S::nearest(x, frac), S::direction);
+            let boxes = pairs.iter().map(|(t, _)| around(t));
+            let boxes: Vec<_> = boxes.zip(queries.iter().map(turned)).collect();
+            Box::new(move || count(&boxes, |(a, b)| a.overlaps(b)))
         }
         Question::Contact => Box::new(move || count(&pairs, |(t, b)| contact(b, t).is_some())),
         Question::Sweep(_) => {

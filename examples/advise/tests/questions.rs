@@ -7,13 +7,14 @@ use fixed::FixedI16;
 use fixed::types::I4F4;
 use fixed::types::extra::{U10, U16};
 use septum::contact::contact;
+use septum::polygon::Polygon;
 use septum::sweep::{Motion, Sweep};
 use septum::{Aabb, Scalar, Triangle, Vec3};
 
 use crate::effect::Effect;
 use crate::kind::Kind;
 use crate::options::Options;
-use crate::question::{Off, Question, across, turned};
+use crate::question::{Off, Question, across, around, turned};
 use crate::scene::{Query, Scene};
 
 use super::{Advice, Triangles, scaled, teapot};
@@ -72,7 +73,13 @@ fn numbers_are_those_of_the_type() {
 /// As of a type itself; and what moves too little changes nothing.
 #[test]
 fn turned_boxes_and_triangles() {
-    for (question, least) in [(Question::Turned, 300), (Question::Triangle, 200)] {
+    let questions = [
+        (Question::Turned, 300),
+        (Question::Triangle, 200),
+        (Question::Polygon, 200),
+        (Question::Boxes, 300),
+    ];
+    for (question, least) in questions {
         let scene = Scene::new(question, teapot(), None, None).unwrap();
         let kind = Kind::Fixed { bits: 16, frac: 10 };
         let near = FixedI16::<U10>::from_num::<f64>;
@@ -82,6 +89,12 @@ fn turned_boxes_and_triangles() {
             let triangle = Triangle::new(a, b, c).unwrap();
             let meets = match question {
                 Question::Turned => triangle.overlaps(&turned(&scene, query, near, near)),
+                Question::Boxes => around(&triangle).overlaps(&turned(&scene, query, near, near)),
+                Question::Polygon => {
+                    let [.., min, max] = scene.points(query).map(|p| p.map(near));
+                    let aabb = Aabb::from_min_max(min, max).unwrap();
+                    Polygon::new(triangle.vertices()).unwrap().overlaps(&aabb)
+                }
                 _ => triangle.overlaps(&across(&scene, query, near)),
             };
             assert_eq!(kind.meets(&scene, query), meets, "{query:?}");
