@@ -47,9 +47,10 @@ impl<P: Number> Operands<P> {
     }
 }
 
-/// Whether one of the six axes separates.
+/// Whether one of the six axes separates. `SKIPS_ZEROS` leaves out products with the direction that
+/// are zero for certain.
 #[inline(always)]
-pub(super) fn any_axis<P: Number + Mul<Output = P>>(
+pub(super) fn any_axis<P: Number + Mul<Output = P>, const SKIPS_ZEROS: bool>(
     s: &Operands<P>,
     error: &ErrorBound<P>,
 ) -> Uncertain {
@@ -62,7 +63,7 @@ pub(super) fn any_axis<P: Number + Mul<Output = P>>(
     for i in 0..3 {
         let (i, j, l) = turn(i);
         // On a zero a rounded gap is never clear of its bound.
-        if lie_along_one_axis(d, &u[i]) {
+        if SKIPS_ZEROS && lie_along_one_axis(d, &u[i]) {
             continue;
         }
         let reach = h[j] * along[l].magnitude() + h[l] * along[j].magnitude();

@@ -13,6 +13,7 @@ use self::exact::ExactLine;
 use self::kernel::{Operands, any_axis};
 use self::range::Range;
 use super::Overlaps;
+use super::triangle_obb::has_second_look;
 use crate::arithmetic::{Embeds, Float, InFloat, Number, Parts};
 use crate::robust::{Predicate, Vector, difference, single};
 use crate::scalar::Scalar;
@@ -66,6 +67,20 @@ impl<S: Scalar> Disjoint<'_, S> {
         ExactLine::new(self.obb, from(p, c), d, ends)
     }
 
+    #[cold]
+    #[inline(never)]
+    fn by_other_than_zero<N: Embeds<S>>(&self) -> Option<bool> {
+        self.by_these_axes::<N, true>()
+    }
+
+    /// What the axes say in a number system.
+    #[inline(always)]
+    fn by_these_axes<N: Embeds<S>, const SKIPS_ZEROS: bool>(&self) -> Option<bool> {
+        let s = self.operands::<N>()?;
+        let error = error_bound::<N>(s.one, &s.sizes())?;
+        any_axis::<_, SKIPS_ZEROS>(&s, &error).verdict()
+    }
+
     /// The line and the box in a number system.
     #[inline(always)]
     fn operands<N: Embeds<S>>(&self) -> Option<Operands<N::Product>> {
@@ -100,9 +115,10 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
 
     #[inline(never)]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let s = self.operands::<N>()?;
-        let error = error_bound::<N>(s.one, &s.sizes())?;
-        any_axis(&s, &error).verdict()
+        match self.by_these_axes::<N, false>() {
+            None if has_second_look::<N>() => self.by_other_than_zero::<N>(),
+            answer => answer,
+        }
     }
 
     const IN_QUADS: bool = true;

@@ -51,9 +51,10 @@ pub(super) fn is_zero<P: Number>(a: &[P; 3], b: &[P; 3]) -> bool {
     (*a == *b) | (*a == [-b[0], -b[1], -b[2]]) | lie_along_one_axis(a, b)
 }
 
-/// How two parallelepipeds lie to each other; `None` in doubt.
+/// How two parallelepipeds lie to each other; `None` in doubt. `SKIPS_ZEROS` leaves out products of
+/// axes that are zero for certain.
 #[inline(always)]
-pub(super) fn all_axes<P: Number + Mul<Output = P>>(
+pub(super) fn all_axes<P: Number + Mul<Output = P>, const SKIPS_ZEROS: bool>(
     boxes: &Boxes<P>,
     error: &ErrorBound<P>,
     is_certain: bool,
@@ -106,7 +107,7 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>>(
         for j in 0..3 {
             let (j, p, q) = turn(j);
             // On a zero a rounded gap is never clear of its bound.
-            if !is_certain && is_zero(&u[i], &v[j]) {
+            if SKIPS_ZEROS && is_zero(&u[i], &v[j]) {
                 continue;
             }
             let reach =

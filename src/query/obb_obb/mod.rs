@@ -10,6 +10,7 @@ use self::exact::ExactBoxes;
 use self::kernel::{Boxes, all_axes};
 use super::Overlaps;
 use super::relation::{Relate, Relation};
+use super::triangle_obb::has_second_look;
 use crate::arithmetic::{Embeds, Float, InFloat, Number, greatest, largest, of_two, once};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
@@ -28,11 +29,16 @@ pub(super) enum First<'a, S> {
     Obb(&'a Obb<S>),
 }
 
-impl<S: Scalar> Predicate<S> for Lie<'_, S> {
-    type Answer = Relation;
-
+impl<S: Scalar> Lie<'_, S> {
+    #[cold]
     #[inline(never)]
-    fn filter<N: Embeds<S>>(&self) -> Option<Relation> {
+    fn by_other_than_zero<N: Embeds<S>>(&self) -> Option<Relation> {
+        self.by_these_axes::<N, true>()
+    }
+
+    /// What the axes say in a number system.
+    #[inline(always)]
+    fn by_these_axes<N: Embeds<S>, const SKIPS_ZEROS: bool>(&self) -> Option<Relation> {
         let zero = N::Product::ZERO;
         let [v0, v1, v2] = self.second.axes_as_arrays();
         let (b, k) = (self.second.center().to_array(), self.second.half_extents().to_array());
@@ -80,7 +86,19 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
         let axes = greatest(greatest(most(&boxes.u), most(&boxes.v)), boxes.one);
         let half = greatest(largest(&boxes.h), largest(&boxes.k));
         let error = error_bound::<N>(boxes.one, axes, largest(&boxes.d), half)?;
-        all_axes(&boxes, &error, N::CERTAIN)
+        all_axes::<_, SKIPS_ZEROS>(&boxes, &error, N::CERTAIN)
+    }
+}
+
+impl<S: Scalar> Predicate<S> for Lie<'_, S> {
+    type Answer = Relation;
+
+    #[inline(never)]
+    fn filter<N: Embeds<S>>(&self) -> Option<Relation> {
+        match self.by_these_axes::<N, false>() {
+            None if has_second_look::<N>() => self.by_other_than_zero::<N>(),
+            answer => answer,
+        }
     }
 
     const IN_QUADS: bool = true;

@@ -21,7 +21,7 @@ pub(in crate::query) struct ErrorBound<P> {
     pub(super) plane: P,
 }
 
-/// What the 13 axes of a triangle and a parallelepiped say. `skips_zeros` leaves out edge axes that
+/// What the 13 axes of a triangle and a parallelepiped say. `SKIPS_ZEROS` leaves out edge axes that
 /// are zero for certain: on those a rounded gap is never clear of its bound.
 ///
 /// The same test as for an axis-aligned box, in the basis of the box's axes: for
@@ -37,10 +37,9 @@ pub(in crate::query) struct ErrorBound<P> {
 /// Where a product lacks an axis or a half-extent, one stands in for it: in fixed
 /// point it is not 1.
 #[inline(always)]
-pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading>(
+pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading, const SKIPS_ZEROS: bool>(
     s: &Parallelepiped<P>,
     error_bound: &ErrorBound<P>,
-    skips_zeros: bool,
 ) -> R {
     let Parallelepiped { t, e, u, h, one } = s;
     let n = cross(&e[0], &e[1]);
@@ -64,7 +63,7 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading>(
         let along = [dot(&w[0], &e[k]), dot(&w[1], &e[k]), dot(&w[2], &e[k])];
         for i in 0..3 {
             let (i, j, l) = turn(i);
-            if skips_zeros && lie_along_one_axis(&e[k], &u[i]) {
+            if SKIPS_ZEROS && lie_along_one_axis(&e[k], &u[i]) {
                 continue;
             }
             // All doubled: the middle of the interval need not be a whole number.

@@ -25,7 +25,7 @@ pub(super) use self::kernel::{cross, dot, lie_along_one_axis};
 use self::short::Change;
 use super::Overlaps;
 use super::relation::{Reading, Relation};
-use crate::arithmetic::{Embeds, Number, greatest, largest};
+use crate::arithmetic::{Arithmetic, Embeds, Number, SMALL_CODE, greatest, largest};
 #[cfg(feature = "fixed")]
 use crate::arithmetic::{InRaw, InWholeWord, InWord, WholeWord};
 use crate::robust::{Predicate, Uncertain};
@@ -86,6 +86,11 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     }
 }
 
+/// Whether doubt may come of axes that are zero, and code is no matter.
+pub(super) const fn has_second_look<N: Arithmetic>() -> bool {
+    !N::CERTAIN && !SMALL_CODE
+}
+
 fn is_disjoint(relation: Relation) -> bool {
     relation == Relation::Disjoint
 }
@@ -94,6 +99,22 @@ impl<S: Scalar> Disjoint<'_, S> {
     /// What the axes say in a number system, if it can vouch for it.
     #[inline(always)]
     fn by_axes<N: Embeds<S>, R: Reading>(&self) -> Option<R::Answer> {
+        match self.by_these_axes::<N, R, false>() {
+            None if has_second_look::<N>() => self.by_other_than_zero::<N, R>(),
+            answer => answer,
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn by_other_than_zero<N: Embeds<S>, R: Reading>(&self) -> Option<R::Answer> {
+        self.by_these_axes::<N, R, true>()
+    }
+
+    #[inline(always)]
+    fn by_these_axes<N: Embeds<S>, R: Reading, const SKIPS_ZEROS: bool>(
+        &self,
+    ) -> Option<R::Answer> {
         let [a, b, c] = self.triangle.points();
         let ([u, v, w], half) = (self.obb.axes_as_arrays(), self.obb.half_extents().to_array());
         let center = self.obb.center().to_array();
@@ -115,14 +136,7 @@ impl<S: Scalar> Disjoint<'_, S> {
         let length = most(most(N::Product::ZERO, &s.t), &s.e);
         let half = largest(&s.h);
         let error = error_bound::<N>(one, axes, length, half)?;
-        let mut skips_zeros = false;
-        loop {
-            let answer = all_axes::<_, R>(&s, &error, skips_zeros).answer(N::CERTAIN);
-            if answer.is_some() || N::CERTAIN || skips_zeros {
-                return answer;
-            }
-            skips_zeros = true;
-        }
+        all_axes::<_, R, SKIPS_ZEROS>(&s, &error).answer(N::CERTAIN)
     }
 
     /// How the shapes lie to each other, by exact sums.
