@@ -55,11 +55,17 @@ impl Frame {
         let x = Scale { values: self.reach(), pixels: [LEFT, RIGHT] };
         let height = |row: &Row| HEADING + row.height + row.lanes(&x).1 as f64 * LANE + 8.0;
         let total: f64 = self.rows.iter().map(height).sum();
-        let mut canvas = Canvas::new(WIDTH, total + 225.0);
+        let mut canvas = Canvas::new(WIDTH, total + 250.0);
 
         canvas.bold([12.0, 26.0], 18.0, Anchor::Start, BLACK, &self.title);
         let at = 22.0 + width_of(&self.title, 18.0) * 1.12;
-        canvas.text([at, 26.0], 13.0, Anchor::Start, BLACK, &self.subtitle);
+        let fits = at + width_of(&self.subtitle, 13.0) < WIDTH;
+        let legend = if fits {
+            canvas.text([at, 26.0], 13.0, Anchor::Start, BLACK, &self.subtitle);
+            50.0
+        } else {
+            canvas.paragraph([16.0, 47.0], WIDTH - 32.0, 13.0, &self.subtitle) + 2.0
+        };
         let mut families: Vec<Family> = Vec::new();
         for dot in self.rows.iter().flat_map(|row| &row.dots) {
             if !families.contains(&dot.family) {
@@ -67,7 +73,7 @@ impl Frame {
             }
         }
         families.sort_by_key(|family| family.rank());
-        let mut y = legend::draw(&mut canvas, &families, [16.0, RIGHT], 50.0, self.bars);
+        let mut y = legend::draw(&mut canvas, &families, [16.0, RIGHT], legend, self.bars);
         let (top, floor) = (y, self.floor());
         for row in &self.rows {
             let end = y + height(row);

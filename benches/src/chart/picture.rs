@@ -107,8 +107,8 @@ pub(super) const PICTURES: [Picture; 10] = [
     Picture {
         stem: "contact",
         title: "Oriented boxes in each other",
-        workload: "Random pairs, half of them in each other. A depth a thousandth off is wrong. \
-                   The peer takes axes as a quaternion, and tells one point.",
+        workload: "Half of the pairs are in each other. A depth a thousandth off is wrong. The peer \
+                   tells one point.",
         yardstick: "parry3d's contact, in f32",
         sets: OBBS,
         heights: [130.0, 105.0],
@@ -201,7 +201,7 @@ pub(super) const OVERVIEWS: [Overview; 2] = [
     },
     Overview {
         stem: "family",
-        title: "Speed and accuracy: pairs, motion and contact",
+        title: "Pairs, motion and contact",
         rows: &[
             ("triangle-triangle", 120.0, "exact"),
             ("box-box", 100.0, "exact"),

@@ -17,7 +17,7 @@ const BY_PEER: &str = "exact beside peers";
 /// A query: how a table calls it, its picture, the exact test, the form of its boxes.
 type Query = (&'static str, &'static str, &'static str, &'static str);
 
-const QUERIES: [Query; 8] = [
+const QUERIES: [Query; 12] = [
     ("triangle/box, random", "triangle-box", "exact", "centre"),
     ("triangle/box, voxels", "triangle-box-voxel", "exact", "centre"),
     ("ray/triangle, `hit`", "ray-triangle", "exact hit", ""),
@@ -26,6 +26,10 @@ const QUERIES: [Query; 8] = [
     ("the same, eight at once", "ray-triangle-many", "exact", "8 at once"),
     ("ray/box", "ray-box", "exact", "corners"),
     ("ray/box, ray prepared", "ray-box", "exact, ray prepared", "corners"),
+    ("two oriented boxes", "box-box", "exact", ""),
+    ("ray/oriented box", "ray-oriented-box", "exact", ""),
+    ("sweep, when", "sweep", "exact, when", ""),
+    ("contact of oriented boxes", "contact", "exact, translation", ""),
 ];
 /// Those that the shorter table shows.
 const SHORT: [usize; 5] = [0, 1, 2, 4, 7];
@@ -105,7 +109,8 @@ fn by_scalar(cells: &mut [String], names: &[String], points: &[Point]) -> Option
 fn by_peer(cells: &mut [String], points: &[Point]) -> Option<()> {
     let query = QUERIES.iter().find(|(name, ..)| *name == cells[0])?;
     let peer = peer(query, points)?;
-    cells[1] = format!("{} {:.2}", peer.test, peer.time);
+    let name = peer.test.trim_start_matches("yardstick: ");
+    cells[1] = format!("{name} {:.2}", peer.time);
     for (cell, scalar) in cells[2..].iter_mut().zip(["f32", "f64", "I16F16, 18 bits"]) {
         let time = exact(query, scalar, points)?;
         let slower = if time > peer.time { ", **slower**" } else { "" };
