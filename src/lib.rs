@@ -119,7 +119,7 @@
 //! | feature | what it adds | default |
 //! | --- | --- | --- |
 //! | `fixed` | the signed types of the [`fixed`] crate of up to 64 bits as scalars | yes |
-//! | `simd` | triangle and axis-aligned box by the machine's vectors; no answer changes | yes |
+//! | `simd` | triangles, boxes and rays by the machine's vectors; no answer changes | yes |
 //! | `libm` | [`unit_normal`](Triangle#method.unit_normal) in floats, within 0.51 ulp in `f32` and 6 in `f64` | no |
 //! | `micromath` | `unit_normal_fast` in `f32`: a few percent off, cheap without an FPU | no |
 //! | `heapless` | `interop::Bounded` and `interop::touched`: results of bounded size | no |

@@ -74,7 +74,8 @@ pub(super) fn compare_quotient<F: Float>(
 
 macro_rules! embeds {
     ($from:ty => $to:ty, $divides:literal, $clear:expr, |$num:ident, $den:ident| $quotients:expr
-     $(, |$row:ident, $errors:ident| $of_row:expr, |$between:ident| $nearest:expr)?) => {
+     $(, |$row:ident, $errors:ident| $of_row:expr)?
+     $(, nearest: |$between:ident| $nearest:expr)?) => {
         impl Embeds<$from> for Filtered<$to> {
             const DIVIDES: bool = $divides;
             const HAS_QUOTIENTS: bool = {
@@ -119,8 +120,8 @@ macro_rules! embeds {
             $(#[inline(always)]
             fn nearest($between: [$to; 2]) -> Option<$from> {
                 $nearest
-            }
-            #[inline(always)]
+            })?
+            $(#[inline(always)]
             fn quotients_of_row($row: [$to; 4], $errors: [$to; 2]) -> ([$from; 3], bool) {
                 $of_row
             })?
@@ -160,6 +161,10 @@ fn nearest([low, high]: [f64; 2]) -> Option<f32> {
 // Both numbers within 2^-25 of themselves: with the last rounding less than 2 ulp.
 embeds! { f32 => f64, true, Some(CLEAR), |num, den| {
     [(num[0] / den) as f32, (num[1] / den) as f32, (num[2] / den) as f32]
-}, |row, errors| quotients_of_row(row, errors), |between| nearest(between) }
+}, |row, errors| quotients_of_row(row, errors), nearest: |between| nearest(between) }
 // Both within 2^-53 they never are: better numbers are made for hits alone.
-embeds! { f64 => f64, true, None, |_num, _den| [0.0; 3] }
+embeds! { f64 => f64, true, None, |_num, _den| [0.0; 3], nearest: |between| {
+    let [low, high] = between;
+    let is_normal = (low.abs() > f64::MIN_POSITIVE) & (low.abs() < f64::MAX);
+    (is_normal & (low == high)).then_some(low)
+} }

@@ -101,6 +101,14 @@ pub(super) fn in_units<S: InFloat<F>, F: Float>(x: [S; 3]) -> [F; 3] {
     if S::PLACE > F::ZERO { [x * S::PLACE, y * S::PLACE, z * S::PLACE] } else { [x, y, z] }
 }
 
+/// Whether the float holds a vector of length one. Where it does not there is nothing for it to
+/// do, nor has [`Embeds::one`](crate::arithmetic::Embeds::one) of all systems an answer, by which
+/// `may_overlap` would know what it does not know elsewhere.
+#[inline(always)]
+pub(super) fn holds_one<S: InFloat<F>, F: Float>() -> bool {
+    S::LIMIT.is_none_or(|limit| limit * S::PLACE > F::from(1))
+}
+
 /// Whether none of these numbers was rounded when it became a float.
 #[inline(always)]
 pub(super) fn fits<S: InFloat<Q::Lane>, Q: Quad<Lane: Float>, const K: usize>(
@@ -116,4 +124,44 @@ pub(super) fn fits<S: InFloat<Q::Lane>, Q: Quad<Lane: Float>, const K: usize>(
 pub(super) fn most<Q: Quad>(row: Q) -> Q::Lane {
     let [x, y, z] = row.three();
     greatest(greatest(x, y), z)
+}
+
+/// Numbers for tests: the rows say what the kernels of single numbers say, in the same cases.
+#[cfg(all(test, not(feature = "small")))]
+pub(super) mod tests {
+    use crate::shape::Obb;
+
+    /// From −1 to 1, some of them on a coarse grid, and zeros.
+    pub(in crate::query) struct Numbers(pub(in crate::query) u64);
+
+    impl Numbers {
+        pub(in crate::query) fn next(&mut self) -> f32 {
+            self.0 = self
+                .0
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            let x = (self.0 >> 40) as f32 / (1_u32 << 23) as f32 - 1.0;
+            if self.0 >> 36 & 3 == 0 { (x * 4.0) as i32 as f32 / 4.0 } else { x }
+        }
+
+        pub(in crate::query) fn point(&mut self) -> [f32; 3] {
+            [self.next(), self.next(), self.next()]
+        }
+
+        /// Turned about one axis of space, along all of them, or skewed.
+        pub(in crate::query) fn obb(&mut self) -> Obb<f32> {
+            loop {
+                let [u, v, w] = [self.point(), self.point(), self.point()];
+                let axes = match self.0 >> 33 & 3 {
+                    0 => [[0.8, 0.0, 0.6], [0.0, 1.0, 0.0], [-0.6, 0.0, 0.8]],
+                    1 => [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+                    _ => [u, v, w],
+                };
+                let half = self.point().map(f32::abs);
+                if let Ok(obb) = Obb::from_skewed_axes(self.point(), axes, half) {
+                    return obb;
+                }
+            }
+        }
+    }
 }

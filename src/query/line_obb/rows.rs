@@ -4,7 +4,7 @@
 use super::error_bound::{Sizes, error_bound};
 use super::{Disjoint, Line};
 use crate::arithmetic::{Filtered, Float, InFloat, Quad, THREE, greatest, largest};
-use crate::query::obb_rows::{ObbInFloats, Vectors, fits, in_floats, most};
+use crate::query::obb_rows::{ObbInFloats, Vectors, fits, holds_one, in_floats, most};
 use crate::query::triangle_obb::{cross, lie_along_one_axis};
 use crate::robust::Uncertain;
 use crate::scalar::Scalar;
@@ -15,6 +15,9 @@ use crate::shape::SegmentForm;
 pub(super) fn is_separated<S: Scalar + InFloat<F>, F: Float>(
     question: &Disjoint<'_, S>,
 ) -> Option<bool> {
+    if !holds_one::<S, F>() {
+        return None;
+    }
     let ObbInFloats { center, axes, half } = ObbInFloats::<F>::new(question.obb);
     let [p, q, ends] = question.rows();
     let (p, q, ends): ([F; 3], [F; 3], [F; 3]) = (in_floats(p), in_floats(q), in_floats(ends));
@@ -137,5 +140,51 @@ impl Axes {
     #[inline(always)]
     fn any(self) -> Uncertain {
         Uncertain { certain: self.certain & THREE != 0, possible: self.possible & THREE != 0 }
+    }
+}
+
+#[cfg(all(test, not(feature = "small")))]
+mod tests {
+    use super::*;
+    use crate::query::obb_rows::tests::Numbers;
+    use crate::robust::Predicate;
+    use crate::shape::{Ray, Segment};
+
+    #[test]
+    fn rows_say_what_single_numbers_say() {
+        let mut numbers = Numbers(11);
+        let mut counts = [0; 3];
+        for n in 0..6_000 {
+            let obb = numbers.obb();
+            let (mut p, q) = (numbers.point(), numbers.point());
+            if n % 4 == 0 {
+                // Through a corner, or nearly.
+                let (c, [u, v, w], h) = (obb.center(), *obb.axes(), obb.half_extents());
+                let corner = [
+                    c.x + u.x * h.x + v.x * h.y + w.x * h.z,
+                    c.y + u.y * h.x + v.y * h.y + w.y * h.z,
+                    c.z + u.z * h.x + v.z * h.y + w.z * h.z,
+                ];
+                p = [0, 1, 2].map(|i: usize| corner[i] - 0.375 * q[i]);
+            }
+            let ray = Ray::new(p, if q == [0.0; 3] { [1.0; 3] } else { q }).unwrap();
+            let ray =
+                [ray, ray.with_range(None, 0.5).unwrap(), ray.with_range(-0.25, 2.0).unwrap()]
+                    [n % 3];
+            let segment = Segment::new(p, q).unwrap();
+            for line in [Line::Ray(&ray), Line::Segment(&segment)] {
+                let question = Disjoint { line, obb: &obb };
+                let found = is_separated::<f32, f32>(&question);
+                assert_eq!(
+                    found,
+                    question.filter::<Filtered<f32>>(),
+                    "{ray:?} {segment:?} {obb:?}"
+                );
+                let wide = is_separated::<f32, f64>(&question);
+                assert_eq!(wide, question.filter::<Filtered<f64>>(), "{ray:?} {segment:?} {obb:?}");
+                counts[found.map_or(0, |r| 1 + usize::from(r))] += 1;
+            }
+        }
+        assert!(counts[1] > 1_000 && counts[2] > 1_000 && counts[0] > 50, "{counts:?}");
     }
 }

@@ -5,7 +5,7 @@ use super::First;
 use super::error_bound::error_bound;
 use super::kernel::is_zero;
 use crate::arithmetic::{Filtered, Float, InFloat, Quad, THREE, greatest};
-use crate::query::obb_rows::{ObbInFloats, Vectors, fits, in_floats, most, transposed};
+use crate::query::obb_rows::{ObbInFloats, Vectors, fits, holds_one, in_floats, most, transposed};
 use crate::query::relation::Relation;
 use crate::scalar::Scalar;
 use crate::shape::{AabbForm, Obb};
@@ -25,6 +25,9 @@ pub(super) fn relation<S: Scalar + InFloat<F>, F: Float>(
     first: First<'_, S>,
     second: &Obb<S>,
 ) -> Option<Relation> {
+    if !holds_one::<S, F>() {
+        return None;
+    }
     let ObbInFloats { center: b, axes: v, half: k } = ObbInFloats::<F>::new(second);
     let boxes = match first {
         First::Obb(first) => {
@@ -137,5 +140,36 @@ impl<F: Float> Boxes<F> {
             let clear = below.exceeds(*gaps);
             self.u.iter().enumerate().all(|(i, u)| clear >> i & 1 == 1 || is_zero(u, v))
         })
+    }
+}
+
+#[cfg(all(test, not(feature = "small")))]
+mod tests {
+    use super::super::Lie;
+    use super::*;
+    use crate::query::obb_rows::tests::Numbers;
+    use crate::robust::Predicate;
+
+    #[test]
+    fn rows_say_what_single_numbers_say() {
+        let mut numbers = Numbers(7);
+        let mut counts = [0; 3];
+        for n in 0..4_000 {
+            let (mut a, b) = (numbers.obb(), numbers.obb());
+            if n % 3 == 0 {
+                // Face on face, or nearly.
+                let center = a.center();
+                let top = b.center().z + b.half_extents().z + a.half_extents().z;
+                let at = [center.x, center.y, top];
+                a = Obb::from_skewed_axes(at, *b.axes(), a.half_extents()).unwrap();
+            }
+            let question = Lie { first: First::Obb(&a), second: &b };
+            let found = relation::<f32, f32>(question.first, &b);
+            assert_eq!(found, question.filter::<Filtered<f32>>(), "{a:?} {b:?}");
+            let wide = relation::<f32, f64>(question.first, &b);
+            assert_eq!(wide, question.filter::<Filtered<f64>>(), "{a:?} {b:?}");
+            counts[found.map_or(0, |r| 1 + usize::from(r == Relation::Overlapping))] += 1;
+        }
+        assert!(counts.iter().all(|&n| n > 100), "{counts:?}");
     }
 }

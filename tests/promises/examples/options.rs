@@ -56,7 +56,7 @@ fn advise() {
             ("--tolerance -1", "zero or above"),
             ("--tolerance inf", "zero or above"),
             ("--tolerance 1e300", "too small"),
-            ("--ask rest", "overlap, turned, triangle, sweep, contact"),
+            ("--ask rest", "overlap, turned, triangle, polygon, boxes, sweep, contact"),
             ("--ask sweep", "needs the way of the boxes: --way"),
             ("--ask contact --way 1,0,0", "add --ask sweep"),
             ("--ask sweep --way 1,2", "not three numbers"),
