@@ -76,6 +76,30 @@ impl Long {
     }
 
     #[inline(always)]
+    pub(crate) fn magnitude(self) -> Self {
+        if self.high < 0.0 { self.negated() } else { self }
+    }
+
+    /// a × b.
+    #[inline(always)]
+    pub(crate) fn cross(a: &[Self; 3], b: &[Self; 3]) -> [Self; 3] {
+        let minor = |j: usize, k: usize| a[j].times(b[k]).minus(a[k].times(b[j]));
+        [minor(1, 2), minor(2, 0), minor(0, 1)]
+    }
+
+    /// a·b.
+    #[inline(always)]
+    pub(crate) fn dot(a: &[Self; 3], b: &[Self; 3]) -> Self {
+        a[0].times(b[0]).plus(a[1].times(b[1])).plus(a[2].times(b[2]))
+    }
+
+    /// a − b of points, exactly.
+    #[inline(always)]
+    pub(crate) fn way(a: &[f64; 3], b: &[f64; 3]) -> [Self; 3] {
+        [0, 1, 2].map(|i: usize| Self::difference(a[i], b[i]))
+    }
+
+    #[inline(always)]
     pub(crate) fn times(self, other: Self) -> Self {
         let [high, rest] = two_product(self.high, other.high);
         let mixed = self.high * other.low + self.low * other.high;

@@ -135,13 +135,13 @@ where
 
     let of = |v: &[f64; 3]| [Long::of(v[0]), Long::of(v[1]), Long::of(v[2])];
     let (u, d) = ([of(&s.u[0]), of(&s.u[1]), of(&s.u[2])], of(&s.d));
-    let m = [0, 1, 2].map(|i: usize| Long::difference(p[i], c[i]));
-    let volume = magnitude(long_dot(&u[0], &long_cross(&u[1], &u[2])));
+    let m = Long::way(&p, &c);
+    let volume = Long::dot(&u[0], &Long::cross(&u[1], &u[2])).magnitude();
     within_all(|i| {
         let (i, j, k) = turn(i);
-        let w = long_cross(&u[j], &u[k]);
-        let (along, middle) = (long_dot(&w, &d), long_dot(&w, &m));
-        let (den, reach) = (magnitude(along), Long::of(s.h[i]).times(volume));
+        let w = Long::cross(&u[j], &u[k]);
+        let (along, middle) = (Long::dot(&w, &d), Long::dot(&w, &m));
+        let (den, reach) = (along.magnitude(), Long::of(s.h[i]).times(volume));
         if den.high <= direction {
             let inside = reach.high - middle.high.abs() - short.face;
             let long = 0.5 * inside / direction;
@@ -158,19 +158,6 @@ where
         };
         Some([at(to_middle.minus(reach)), at(to_middle.plus(reach))])
     })
-}
-
-fn magnitude(x: Long) -> Long {
-    if x.high < 0.0 { x.negated() } else { x }
-}
-
-fn long_cross(a: &[Long; 3], b: &[Long; 3]) -> [Long; 3] {
-    let minor = |j: usize, k: usize| a[j].times(b[k]).minus(a[k].times(b[j]));
-    [minor(1, 2), minor(2, 0), minor(0, 1)]
-}
-
-fn long_dot(a: &[Long; 3], b: &[Long; 3]) -> Long {
-    a[0].times(b[0]).plus(a[1].times(b[1])).plus(a[2].times(b[2]))
 }
 
 #[cfg(test)]

@@ -230,22 +230,13 @@ fn rounded_down(gap: Long, speed: Long, error: f64) -> Option<f64> {
     None
 }
 
-fn cross(a: &[Long; 3], b: &[Long; 3]) -> [Long; 3] {
-    let minor = |j: usize, k: usize| a[j].times(b[k]).minus(a[k].times(b[j]));
-    [minor(1, 2), minor(2, 0), minor(0, 1)]
-}
-
-fn difference(a: &[f64; 3], b: &[f64; 3]) -> [Long; 3] {
-    [0, 1, 2].map(|i: usize| Long::difference(a[i], b[i]))
-}
-
 impl Given<Filtered<f64>> {
     /// The gap on an axis that has one, and the speed at which it closes.
     fn long(&self, axis: Axis, course: &Course<Filtered<f64>>) -> (Long, Long) {
         let Self { triangle: [a, b, c], way: [from, to], .. } = self;
-        let e = [difference(b, a), difference(c, b), difference(a, c)];
+        let e = [Long::way(b, a), Long::way(c, b), Long::way(a, c)];
         let (zero, one) = (Long::ZERO, Long::of(1.0));
-        let n = || cross(&e[0], &e[1]);
+        let n = || Long::cross(&e[0], &e[1]);
         // The axis, and by how much the vertices are beyond the first that is named.
         let (axis, vertex, beyond) = match axis {
             Axis::Face(i) => {
@@ -277,7 +268,7 @@ impl Given<Filtered<f64>> {
                 nearest(nearest(a, b), c)
             }
         };
-        let d = difference(to, from);
+        let d = Long::way(to, from);
         let (mut gap, mut speed) = (zero, zero);
         for i in 0..3 {
             let to_vertex = self.beyond_corner(i, vertex[i], (axis[i].high > 0.0) == is_above);
