@@ -1,7 +1,7 @@
 use core::fmt;
 
 use super::Rule;
-use super::few::Few;
+use super::block::{Block, ForEach};
 use super::grid::Grid;
 use super::marks::AllClosed;
 use super::pass::{Bounds, Pass};
@@ -9,8 +9,15 @@ use super::placed::Near;
 use super::rows::Row;
 use super::slabs::Span;
 use super::word::Word;
+use super::{few, four_rows};
+use crate::arithmetic::Quad;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
+
+/// Whether the machine computes four floats at once.
+const HAS_VECTORS: bool = <ForEach as Quad>::IS_VECTOR;
+/// How many voxels are few: up to 32.
+const FEW: u32 = if HAS_VECTORS { 16 } else { 32 };
 
 impl<S: Copy> Grid<S> {
     /// How many words a row of voxels takes: each begins with a word of its own.
@@ -125,9 +132,16 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
                     self.set_row([y, z], [x.start, x.end - 1]);
                 }
             }
-        } else if let Some(few) = Few::of(&bounds) {
-            self.set_few(&few, few.met(&near, &grid));
-        } else {
+            return;
+        }
+        let is_done = Block::of(&bounds).is_some_and(|block| {
+            if block.voxels() <= FEW {
+                self.set_few(&block, few::met(&block, &near, &grid));
+                return true;
+            }
+            HAS_VECTORS && four_rows::each(&block, &near, |yz, x| self.set_row(yz, x))
+        });
+        if !is_done {
             let pass = Pass::within(&grid, &near, AllClosed, bounds);
             pass.each(&grid, |[y, z], Span { first, last }| {
                 self.set_row([y as u32, z as u32], [first as u32, last as u32]);
@@ -137,9 +151,9 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
 
     /// Sets the bits of some voxels of a block.
     #[inline(always)]
-    fn set_few(&mut self, few: &Few, mut met: u32) {
-        let [x, y, z] = few.first.map(|first| first as u32);
-        let [width, rows, layers] = few.widths;
+    fn set_few(&mut self, block: &Block, mut met: u32) {
+        let [x, y, z] = block.first.map(|first| first as u32);
+        let [width, rows, layers] = block.widths;
         let (at, shift) = ((x / W::BITS) as usize, x % W::BITS);
         for z in z..z + layers {
             for y in y..y + rows {

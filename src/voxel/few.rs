@@ -36,85 +36,40 @@
 
 use core::cmp::Ordering;
 
+use super::block::{Block, ForEach, Row};
 use super::grid::Grid;
-use super::pass::Bounds;
 use super::placed::Near;
 use super::sign::{side, turn};
-use super::slabs::Span;
-use crate::arithmetic::{OfFour, Quad, THREE, compare};
+use crate::arithmetic::{Quad, THREE, compare};
 use crate::scalar::Scalar;
 
-/// How many voxels are few.
-const FEW: i64 = 32;
-
-/// A block of voxels, each a bit of a word: x first, then y, then z.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Few {
-    pub(super) first: [i32; 3],
-    pub(super) widths: [u32; 3],
-}
-
-impl Few {
-    /// All voxels that the box of a triangle comes to, if they are few and none is beyond the
-    /// grid.
-    #[inline(always)]
-    pub(super) fn of(bounds: &Bounds) -> Option<Self> {
-        let Bounds { bounds: [x, y, z], is_within, .. } = bounds;
-        let width = |span: &Span| i64::from(span.last) - i64::from(span.first) + 1;
-        let (i, j, k) = (width(x), width(y), width(z));
-        // Each is below 2^31. A small program does without, at the price of time.
-        let are_few =
-            !cfg!(feature = "small") && *is_within && i.max(j).max(k) <= FEW && i * j * k <= FEW;
-        let first = [x.first, y.first, z.first];
-        are_few.then_some(Self { first, widths: [i as u32, j as u32, k as u32] })
+/// The voxels of a block that the triangle meets, of 32 at most. Each is a bit of a word: x
+/// first, then y, then z.
+#[inline(always)]
+pub(super) fn met<S: Scalar>(block: &Block, near: &Near<S>, grid: &Grid<S>) -> u32 {
+    let (widths, widest) = (block.widths, block.widest());
+    let error = block.error(near);
+    let error = if error <= 1.0 / 64.0 { error } else { f32::INFINITY };
+    let few = Few {
+        block,
+        strides: [1, widths[0], widths[0] * widths[1]],
+        near,
+        grid,
+        area_error: f32::from(AREA) * error * widest,
+    };
+    let rows = [block.row(near, 0), block.row(near, 1), block.row(near, 2)];
+    let views =
+        [few.view(&rows, [1, 2], 0), few.view(&rows, [2, 0], 1), few.view(&rows, [0, 1], 2)];
+    let mut apart = views[0].apart | views[1].apart | views[2].apart;
+    if widths[0] > 1 && widths[1] > 1 && widths[2] > 1 {
+        apart |= few.beside_plane(&rows, &views, f32::from(VOLUME) * error * widest * widest);
     }
-
-    /// The voxels that the triangle meets.
-    #[inline(always)]
-    pub(super) fn met<S: Scalar>(&self, near: &Near<S>, grid: &Grid<S>) -> u32 {
-        let widths = self.widths;
-        let widest = widths[0].max(widths[1]).max(widths[2]) as f32;
-        let error = near.error as f32 + ROUNDOFF * widest;
-        let error = if error <= 1.0 / 64.0 { error } else { f32::INFINITY };
-        let block = Block {
-            few: self,
-            strides: [1, widths[0], widths[0] * widths[1]],
-            near,
-            grid,
-            area_error: f32::from(AREA) * error * widest,
-        };
-        let rows = [block.row(0), block.row(1), block.row(2)];
-        let views = [
-            block.view(&rows, [1, 2], 0),
-            block.view(&rows, [2, 0], 1),
-            block.view(&rows, [0, 1], 2),
-        ];
-        let mut apart = views[0].apart | views[1].apart | views[2].apart;
-        if widths[0] > 1 && widths[1] > 1 && widths[2] > 1 {
-            apart |= block.beside_plane(&rows, &views, f32::from(VOLUME) * error * widest * widest);
-        }
-        u32::MAX >> (32 - block.strides[2] * widths[2]) & !apart
-    }
+    u32::MAX >> (32 - block.voxels()) & !apart
 }
 
 /// See the error bound above.
-const AREA: u8 = 20;
+pub(super) const AREA: u8 = 20;
 const VOLUME: u8 = 112;
-/// That of `f32`.
-const ROUNDOFF: f32 = f32::EPSILON / 2.0;
-
-/// A number for each vertex, or for the edge that begins there.
-type ForEach = <f32 as OfFour>::Quad;
-
-/// A triangle on an axis.
-struct Row {
-    /// The vertices, from the block's first plane on.
-    at: ForEach,
-    /// The edges.
-    edges: ForEach,
-    /// Which of them rise.
-    rise: u32,
-}
 
 /// What is seen along an axis.
 struct View {
@@ -126,8 +81,8 @@ struct View {
 }
 
 /// A block, and a triangle that it is about.
-struct Block<'a, S> {
-    few: &'a Few,
+struct Few<'a, S> {
+    block: &'a Block,
     /// How far apart the bits are of neighbours on each axis.
     strides: [u32; 3],
     near: &'a Near<S>,
@@ -136,29 +91,18 @@ struct Block<'a, S> {
     area_error: f32,
 }
 
-impl<S: Scalar> Block<'_, S> {
-    #[inline(always)]
-    fn row(&self, i: usize) -> Row {
-        let first = f64::from(self.few.first[i]);
-        let [a, b, c] = &self.near.near;
-        let at = [(a[i] - first) as f32, (b[i] - first) as f32, (c[i] - first) as f32];
-        let at = ForEach::of_three(at);
-        let [a, b, c] = &self.near.points;
-        let rise =
-            u32::from(a[i] < b[i]) | u32::from(b[i] < c[i]) << 1 | u32::from(c[i] < a[i]) << 2;
-        Row { at, edges: at.turned() - at, rise }
-    }
-
+impl<S: Scalar> Few<'_, S> {
     /// What is seen along an axis; nothing, if no planes cross inside of the block.
     #[inline(always)]
     fn view(&self, rows: &[Row; 3], axes: [usize; 2], along: usize) -> View {
         let [u, v] = axes;
         let ([i, j], [x, y]) =
-            ([self.few.widths[u], self.few.widths[v]], [self.strides[u], self.strides[v]]);
+            ([self.block.widths[u], self.block.widths[v]], [self.strides[u], self.strides[v]]);
         if i == 1 || j == 1 {
             return View { area: 0.0, sign: Ordering::Equal, apart: 0 };
         }
         let (d, e) = (rows[u].edges, rows[v].edges);
+        let rises = [self.rise(u), self.rise(v)];
         let area = (d * e.turned() - e * d.turned()).to_array()[0];
         let sign =
             if area.abs() > self.area_error { compare(area, 0.0) } else { self.exact_area(axes) };
@@ -166,11 +110,11 @@ impl<S: Scalar> Block<'_, S> {
         // triangle that is seen as a line both sides are outside; but its edges go both ways.
         let is_turned = sign == Ordering::Less;
         let flip = if is_turned { THREE } else { 0 };
-        let (right, up) = (rows[v].rise ^ flip, !rows[u].rise ^ flip);
+        let (right, up) = (rises[1] ^ flip, !rises[0] ^ flip);
         let (error, minus) = (ForEach::splat(self.area_error), ForEach::splat(-self.area_error));
 
         let mut column = 1;
-        for _ in 1..self.few.widths[along] {
+        for _ in 1..self.block.widths[along] {
             column = column << self.strides[along] | 1;
         }
         let mut apart = 0;
@@ -198,10 +142,17 @@ impl<S: Scalar> Block<'_, S> {
         View { area, sign, apart }
     }
 
+    /// Which edges rise along an axis.
+    #[inline(always)]
+    fn rise(&self, i: usize) -> u32 {
+        let [a, b, c] = self.near.points.map(|p| p[i]);
+        u32::from(a < b) | u32::from(b < c) << 1 | u32::from(c < a) << 2
+    }
+
     /// The voxels that the plane separates.
     #[inline(always)]
     fn beside_plane(&self, rows: &[Row; 3], views: &[View; 3], error: f32) -> u32 {
-        let ([i, j, k], [_, y, z]) = (self.few.widths, self.strides);
+        let ([i, j, k], [_, y, z]) = (self.block.widths, self.strides);
         let first = |row: &Row| row.at.to_array()[0];
         let [a, b, c] = [first(&rows[0]), first(&rows[1]), first(&rows[2])];
         let mut apart = 0;
@@ -258,7 +209,7 @@ impl<S: Scalar> Block<'_, S> {
     }
 
     fn plane(&self, axis: usize, k: u32) -> S {
-        self.grid.plane(axis, self.few.first[axis] as u32 + k)
+        self.grid.plane(axis, self.block.first[axis] as u32 + k)
     }
 }
 

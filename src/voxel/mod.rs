@@ -21,7 +21,10 @@
 //! ```
 
 mod bits;
+mod block;
+mod ends;
 mod few;
+mod four_rows;
 mod grid;
 mod line;
 mod marks;

@@ -48,6 +48,9 @@ fn rows_say_what_pairs_and_the_oracle_say() {
         assert!(met > 8_000, "{scalar:?}: {met}");
         let marked = scalar.marks_agree_with_oracle(3, 60, 6);
         assert!(marked > 3_000, "{scalar:?}: {marked}");
+        // Blocks of up to 30 voxels a side.
+        let met = scalar.rows_agree_with_pairs(4, 12, 30);
+        assert!(met > 2_000, "{scalar:?}: {met}");
         // Rows, layers and slabs of more than one block and more than one word.
         let met = scalar.rows_agree_with_pairs(2, 4, 80);
         assert!(met > 500, "{scalar:?}: {met}");
