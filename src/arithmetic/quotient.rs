@@ -8,12 +8,14 @@ use core::cmp::Ordering;
 #[cfg(feature = "fixed")]
 use core::num::NonZero;
 
+use super::limbs::divided_by_places;
 #[cfg(feature = "fixed")]
-use super::limbs::{Limbs, Wide, divided_by_places};
+use super::limbs::{Limbs, Wide};
 #[cfg(feature = "fixed")]
 use super::number::Number;
 #[cfg(feature = "fixed")]
 use super::platform::REGISTERS_ARE_WIDE;
+use super::platform::SMALL_CODE;
 use super::wide::I256;
 
 /// A whole number that can be divided by another, both times a power of two.
@@ -231,15 +233,21 @@ impl Leading {
         let limb = |k: usize| limbs.get(k).copied().unwrap_or(0);
         let zeros = limb(top).leading_zeros();
         let below = if top == 0 { 0 } else { limb(top - 1) };
-        let two = (u128::from(limb(top)) << 64 | u128::from(below)) << zeros;
-        Self { negative, magnitude: (two >> 64) as u64, exponent: 64 * top as i32 - zeros as i32 }
+        // In two steps: by all of its bits a word cannot be shifted.
+        let magnitude = limb(top) << zeros | below >> 1 >> (63 - zeros);
+        Self { negative, magnitude, exponent: 64 * top as i32 - zeros as i32 }
     }
 
     /// The quotient, its magnitude as m·2^e with m in [2^62, 2^64] or zero, less
     /// than 2^-61 of itself from the truth; the divisor is not zero.
     pub(crate) fn quotient(self, den: Self) -> (bool, u64, i32) {
-        let divisor = u128::from(den.magnitude.max(1));
-        let magnitude = ((u128::from(self.magnitude) << 63) / divisor) as u64;
+        let (num, divisor) = (u128::from(self.magnitude), u128::from(den.magnitude.max(1)));
+        // On most machines a division of that width is a function of a kilobyte.
+        let magnitude = if SMALL_CODE {
+            divided_by_places(num, &divisor, 64).0
+        } else {
+            ((num << 63) / divisor) as u64
+        };
         (self.negative != den.negative, magnitude, self.exponent - den.exponent - 63)
     }
 }

@@ -3,7 +3,7 @@ use core::fmt;
 use super::Rule;
 use super::block::{Block, ForEach};
 use super::grid::Grid;
-use super::marks::AllClosed;
+use super::marks::ALL_CLOSED;
 use super::pass::{Bounds, Pass};
 use super::placed::Near;
 use super::rows::Row;
@@ -123,7 +123,7 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
     fn fill_closed(&mut self, triangle: &Triangle<S>) {
         let grid = self.grid;
         let near = Near::new(triangle, &grid);
-        let bounds = Bounds::new(&near, &grid, AllClosed);
+        let bounds = Bounds::new(&near, &grid, ALL_CLOSED);
         let voxels = |Span { first, last }: Span| first as u32..(last + 1) as u32;
         let [x, y, z] = bounds.bounds.map(voxels);
         if bounds.is_full {
@@ -142,7 +142,7 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
             HAS_VECTORS && four_rows::each(&block, &near, |yz, x| self.set_row(yz, x))
         });
         if !is_done {
-            let pass = Pass::within(&grid, &near, AllClosed, bounds);
+            let pass = Pass::within(&grid, &near, ALL_CLOSED, bounds);
             pass.each(&grid, |[y, z], Span { first, last }| {
                 self.set_row([y as u32, z as u32], [first as u32, last as u32]);
             });

@@ -28,9 +28,19 @@ impl AxisMarks for [Marks; 3] {
 }
 
 /// Closed on every axis: what is asked for most.
+#[cfg(not(feature = "small"))]
+pub(super) const ALL_CLOSED: AllClosed = AllClosed;
+
+/// The same in the type of all others, whose code then serves it too: a kilobyte less beside
+/// solids, for a fiftieth more time.
+#[cfg(feature = "small")]
+pub(super) const ALL_CLOSED: [Marks; 3] = [Marks::Closed; 3];
+
+#[cfg(not(feature = "small"))]
 #[derive(Clone, Copy, Debug)]
 pub(super) struct AllClosed;
 
+#[cfg(not(feature = "small"))]
 impl AxisMarks for AllClosed {
     #[inline(always)]
     fn of(&self, _: usize) -> Marks {
