@@ -3,6 +3,7 @@ import { Camera } from './camera.mjs';
 import { listen } from './drag.mjs';
 import { project } from './exact.mjs';
 import { Fields, isHalfExtent, make, nameOf } from './fields.mjs';
+import { find } from './find.mjs';
 import { listenToKeys } from './keys.mjs';
 import { Septum } from './module.mjs';
 import { report } from './panel.mjs';
@@ -204,9 +205,9 @@ function begin(septum, size) {
     document.body.dataset.ready = 'yes';
 }
 
-const { septum, size, problem } = await Septum.find();
-if (septum) {
-    begin(septum, size);
+const { module, size, problem } = await find('web.wasm', Septum.from);
+if (module) {
+    begin(module, size);
 } else {
     const dialog = at('missing');
     at('refused').textContent = problem;

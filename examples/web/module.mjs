@@ -1,4 +1,4 @@
-// The crate, as a WebAssembly module: see module.rs for what it exports.
+// The module of this view, web.wasm: see module.rs for what it exports.
 import { SCALARS } from './scalar.mjs';
 
 /** The 13 axes in the order of `Axis::ALL`, by the names of the page. */
@@ -11,53 +11,16 @@ export const AXES = [
         }))),
 ];
 
-/** Where the module may lie: beside this file, or where cargo puts it. */
-export const PLACES = ['web.wasm', '../../target/wasm32-unknown-unknown/web/examples/web.wasm'];
-
-/** The exports of a module's bytes. */
-export async function exportsOf(bytes) {
-    const { instance } = await WebAssembly.instantiate(bytes);
-    if (!instance.exports.answers) throw new Error('a module, but not the one of this page');
-    return instance.exports;
-}
-
-/**
- * The bytes from the first of the places where there are any. Else `problem` says what is wrong
- * with what lies there, if anything is.
- */
-export async function find(places = PLACES) {
-    let problem = '';
-    for (const place of places) {
-        try {
-            const response = await fetch(new URL(place, import.meta.url));
-            if (!response.ok) continue;
-            const bytes = await response.arrayBuffer();
-            await WebAssembly.compile(bytes);
-            return { bytes };
-        } catch (error) {
-            problem = `${place}: ${error.message}`;
-        }
-    }
-    return { bytes: null, problem };
-}
-
 export class Septum {
     #exports;
 
-    constructor(exports) {
-        this.#exports = exports;
-    }
-
     /** From the module's bytes. */
     static async from(bytes) {
-        return new Septum(await exportsOf(bytes));
-    }
-
-    /** From where the module is, and its size; else `problem` says what is wrong. */
-    static async find() {
-        const { bytes, problem } = await find();
-        if (!bytes) return { septum: null, problem };
-        return { septum: await Septum.from(bytes), size: bytes.byteLength };
+        const { instance } = await WebAssembly.instantiate(bytes);
+        if (!instance.exports.answers) throw new Error('a module, but not web.wasm');
+        const septum = new Septum();
+        septum.#exports = instance.exports;
+        return septum;
     }
 
     /**

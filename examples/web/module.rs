@@ -1,33 +1,14 @@
-//! What the module exports about a triangle and a box; and the numbers that all of it asks by.
-#![allow(unsafe_code, reason = "exports")]
-
-use core::sync::atomic::{AtomicU32, Ordering};
+//! What the module exports about a triangle and a box.
+#![allow(unsafe_code, reason = "an export")]
 
 use fixed::types::I8F8;
 use septum::published;
 use septum::{Aabb, Axis, Scalar, Triangle};
 
-/// The numbers of a question, as bits: a, b, c, centre, half-extents. Some answers too.
-static NUMBERS: [AtomicU32; 15] = [const { AtomicU32::new(0) }; 15];
+use crate::numbers::ask;
 
-#[unsafe(export_name = "numbers")]
-extern "C" fn numbers() -> *const AtomicU32 {
-    NUMBERS.as_ptr()
-}
-
-/// Number `k`.
-pub(crate) fn ask(k: usize) -> u32 {
-    NUMBERS[k].load(Ordering::Relaxed)
-}
-
-/// Answers by the numbers from `first` on.
-pub(crate) fn say<const N: usize>(first: usize, answer: [u32; N]) {
-    for (number, bits) in NUMBERS[first..].iter().zip(answer) {
-        number.store(bits, Ordering::Relaxed);
-    }
-}
-
-/// All answers about the numbers, read as `f32` (0) or I8F8 (1):
+/// All answers about the numbers, which are a, b, c, centre and half-extents, as `f32` (0) or
+/// I8F8 (1):
 ///
 /// | bits | |
 /// | --- | --- |
@@ -70,9 +51,4 @@ fn about<S: Scalar>(
 /// The first is the lowest.
 fn bits<const N: usize>(all: [bool; N]) -> u32 {
     all.iter().rev().fold(0, |bits, &bit| bits << 1 | u32::from(bit))
-}
-
-#[panic_handler]
-fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
-    core::arch::wasm32::unreachable()
 }

@@ -1,6 +1,6 @@
 // The page: holds a mesh, its voxels and a point, asks the module about them, and shows what it
 // says.
-import { find } from '../module.mjs';
+import { find } from '../find.mjs';
 import { read } from '../read.mjs';
 import { SCALARS } from '../scalar.mjs';
 import { Picture } from './draw.mjs';
@@ -254,10 +254,10 @@ function controls() {
     });
 }
 
-const { bytes, problem } = await find();
-if (bytes) {
-    state.mesh = await Mesh.from(bytes);
-    at('size').textContent = `The crate as WebAssembly: ${bytes.byteLength.toLocaleString('en')} bytes, no imports.`;
+const { module, size, problem } = await find('web_mesh.wasm', Mesh.from);
+if (module) {
+    state.mesh = module;
+    at('size').textContent = `The crate as WebAssembly: ${size.toLocaleString('en')} bytes, no imports.`;
     at('without').hidden = picture.works;
     controls();
     await teapot();

@@ -1,5 +1,5 @@
-// The crate's module, asked about a mesh: see mesh.rs for what it exports.
-import { exportsOf } from '../module.mjs';
+// The module web_mesh.wasm: see module.rs for what it exports. Imports nothing, so that other pages
+// can take this file and the module alone.
 
 /** The most triangles. */
 export const MOST_TRIANGLES = 500_000;
@@ -23,9 +23,12 @@ export class Mesh {
     vertices = 0;
     triangles = 0;
 
+    /** From the module's bytes. */
     static async from(bytes) {
+        const { instance } = await WebAssembly.instantiate(bytes);
+        if (!instance.exports.room) throw new Error('a module, but not web_mesh.wasm');
         const mesh = new Mesh();
-        mesh.#exports = await exportsOf(bytes);
+        mesh.#exports = instance.exports;
         return mesh;
     }
 

@@ -1,7 +1,7 @@
 // The module's answers about meshes, in node: voxels against the golden table that a test in Rust
 // makes by asking each voxel, rays and points against plain loops over all triangles; and files.
 //
-//     node examples/web/test/mesh.mjs <web.wasm>…
+//     node examples/web/test/mesh.mjs <most bytes> <web_mesh.wasm>…
 import { readFileSync } from 'node:fs';
 
 import { readMesh } from '../mesh/file.mjs';
@@ -134,9 +134,14 @@ async function refused(mesh) {
     check('and memory does not grow for a small mesh', mesh.bytes === most && mesh.inside([0.5, 0.5, 0.5]).where === 'inside');
 }
 
-for (const path of process.argv.slice(2)) {
-    console.log(`\n${path}`);
-    const mesh = await Mesh.from(readFileSync(path));
+const [most, ...paths] = process.argv.slice(2);
+check('module.mjs needs no other file', !/^import\b/m.test(readFileSync(new URL('../mesh/module.mjs', import.meta.url), 'utf8')));
+for (const path of paths) {
+    const bytes = readFileSync(path);
+    console.log(`\n${path}: ${bytes.length} bytes`);
+    check(`it has at most ${most} bytes`, bytes.length <= Number(most));
+    check('it imports nothing', WebAssembly.Module.imports(new WebAssembly.Module(bytes)).length === 0);
+    const mesh = await Mesh.from(bytes);
     await voxels(mesh);
     await rays(mesh);
     await cubes(mesh);

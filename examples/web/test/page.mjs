@@ -1,6 +1,6 @@
 // Drives the page in headless Chromium:
 //
-//     node examples/web/test/page.mjs <web.wasm> [--picture <file>] [-- <determinism.wasm>…]
+//     node examples/web/test/page.mjs <web.wasm> <web_mesh.wasm> [--picture <file>] [-- <determinism.wasm>…]
 //
 // Takes `chromium`, or what the variable CHROMIUM says.
 import { writeFileSync } from 'node:fs';
@@ -16,10 +16,10 @@ import { meshInVoxels, pose } from './view.mjs';
 
 const options = process.argv.slice(2);
 const split = options.includes('--') ? options.indexOf('--') : options.length;
-const [module, picture, file] = options.slice(0, split);
+const [module, meshModule, picture, file] = options.slice(0, split);
 const golden = Object.fromEntries(options.slice(split + 1).map((path, k) => [`golden-${k}.wasm`, path]));
 
-const { server, address } = await serve({ 'web.wasm': module, ...golden }, 0);
+const { server, address } = await serve({ 'web.wasm': module, 'web_mesh.wasm': meshModule, ...golden }, 0);
 const browser = new Browser(process.env.CHROMIUM ?? 'chromium');
 
 async function scenes(page) {
@@ -134,6 +134,37 @@ async function hashes(page) {
     }
 }
 
+/** Each view loads what is its own. */
+async function apart() {
+    for (const [view, own, others] of [['', '/web.wasm', /mesh/], ['mesh/', '/web_mesh.wasm', /^\/(web\.wasm|app\.mjs|module\.mjs)$/]]) {
+        const page = await browser.open(`${address}${view}`);
+        await page.until('document.body.dataset.ready');
+        const loaded = await page.evaluate(`performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname)`);
+        check(`/${view} loads ${own}, and nothing of the other view`, loaded.includes(own) && !loaded.some((path) => others.test(path)));
+    }
+}
+
+/** What the page says of a module that is missing, or is not the one that it needs. */
+async function withoutModules() {
+    const { server: empty, address: elsewhere } = await serve({}, 0);
+    const lone = await browser.open(elsewhere);
+    await lone.until(`document.getElementById('missing').open`);
+    check('without a module the page asks for one', await lone.evaluate(`!document.body.dataset.ready`));
+    for (let k = 0; k < 3; k += 1) await lone.press('Escape');
+    check('and goes on asking', await lone.evaluate(`new Promise((later) => setTimeout(later, 200)).then(() => document.getElementById('missing').open)`));
+    empty.closeAllConnections();
+    empty.close();
+    const { server: swapped, address: there } = await serve({ 'web.wasm': meshModule, 'web_mesh.wasm': module }, 0);
+    for (const [view, name, id] of [['', 'web.wasm', 'refused'], ['mesh/', 'web_mesh.wasm', 'problem']]) {
+        const page = await browser.open(`${there}${view}`);
+        await page.until(`document.getElementById('missing').open`);
+        check(`/${view} with another module says that it is not ${name}, and that cargo web builds that`,
+            (await page.text(id)).includes(`not ${name}`) && (await page.text('missing')).includes(`cargo web builds ${name}`));
+    }
+    swapped.closeAllConnections();
+    swapped.close();
+}
+
 try {
     const page = await browser.open(address);
     await page.size(1080, 760);
@@ -168,21 +199,12 @@ try {
         await pose(posed);
         writeFileSync(file.replace('.png', '-mesh.png'), await posed.picture());
     }
-    // No module: the page asks for one.
+    await apart();
     server.closeAllConnections();
-    const { server: empty, address: elsewhere } = await serve({}, 0);
-    const lone = await browser.open(elsewhere);
-    await lone.until(`document.getElementById('missing').open`);
-    check('without a module the page asks for one', await lone.evaluate(`!document.body.dataset.ready`));
-    for (let k = 0; k < 3; k += 1) await lone.press('Escape');
-    check('and goes on asking', await lone.evaluate(`new Promise((later) => setTimeout(later, 200)).then(() => document.getElementById('missing').open)`));
-    const bare = await browser.open(`${elsewhere}mesh/`);
-    await bare.until(`document.getElementById('missing').open`);
+    await withoutModules();
     const local = await browser.open(new URL('../index.html', import.meta.url).href);
     await local.until(`getComputedStyle(document.getElementById('verdict')).visibility === 'visible'`);
     check('opened as a file it says that it needs a server', /server: *cargo web/.test((await local.text('why')).replace(/\s+/g, ' ')));
-    empty.closeAllConnections();
-    empty.close();
     check('no error in the page', browser.errors.length === 0);
     browser.errors.forEach((error) => console.log(`       ${error}`));
 } catch (error) {

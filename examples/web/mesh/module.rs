@@ -8,12 +8,13 @@
 use core::arch::wasm32::{memory_grow, memory_size};
 use core::cell::UnsafeCell;
 use core::ptr::with_exposed_provenance_mut;
+use core::sync::atomic::Ordering;
 
 use septum::mesh::{MeshError, Node};
 use septum::voxel::{Bits, Grid, GridError, Solid};
 use septum::{Facing, Ray, Vec3};
 
-use crate::module::{ask, say};
+use crate::numbers::{NUMBERS, ask};
 use crate::voxels::{self, Mesh};
 
 type Tree = septum::mesh::Tree<'static, f32, u32>;
@@ -25,13 +26,15 @@ const PAGE: usize = 1 << 16;
 struct State {
     /// How many vertices and triangles there is room for.
     room: [usize; 2],
+    /// Where each table begins: vertices, triangles, order, nodes, and the rest.
+    places: [usize; 5],
     tree: Option<Tree>,
     grid: Option<Grid<f32>>,
     solid: Option<Solid<'static, f32, u32>>,
 }
 
 impl State {
-    const EMPTY: Self = Self { room: [0; 2], tree: None, grid: None, solid: None };
+    const EMPTY: Self = Self { room: [0; 2], places: [0; 5], tree: None, grid: None, solid: None };
 }
 
 /// There is one thread, and no export calls another.
@@ -79,6 +82,13 @@ unsafe fn table<T>(place: usize, length: usize) -> &'static mut [T] {
     unsafe { core::slice::from_raw_parts_mut(with_exposed_provenance_mut(place), length) }
 }
 
+/// Answers by the numbers from `first` on.
+fn say(first: usize, answer: &[u32]) {
+    for (number, &bits) in NUMBERS.iter().skip(first).zip(answer) {
+        number.store(bits, Ordering::Relaxed);
+    }
+}
+
 /// Makes room for a mesh, and forgets the one before. Its vertices are to be written at the
 /// address returned, three `f32` each, and behind them its triangles, three `u32` each. Zero
 /// where there is no memory for it.
@@ -91,12 +101,13 @@ extern "C" fn room(vertices: u32, triangles: u32) -> usize {
     if counts.iter().any(|&n| n > MOST / 8) {
         return 0;
     }
-    let [place, .., rest] = places(counts);
+    let places = places(counts);
+    let [place, .., rest] = places;
     let edges = 3 * counts[1] * size_of::<[u32; 2]>();
     if !reaches(rest + edges) {
         return 0;
     }
-    state.room = counts;
+    (state.room, state.places) = (counts, places);
     place
 }
 
@@ -107,7 +118,11 @@ extern "C" fn build() -> u32 {
     let state = state();
     (state.tree, state.grid, state.solid) = (None, None, None);
     let [vertices, triangles] = state.room;
-    let [a, b, c, d, _] = places(state.room);
+    let [a, b, c, d, _] = state.places;
+    // No room was made.
+    if a == 0 {
+        return 0;
+    }
     // SAFETY: `room` has seen to the memory, all bits are numbers, and with the tree of before
     // all references are gone.
     let tree = unsafe {
@@ -126,12 +141,12 @@ extern "C" fn closed() -> u32 {
     let state = state();
     (state.grid, state.solid) = (None, None);
     let Some(tree) = &state.tree else { return 0 };
-    let [.., rest] = places(state.room);
+    let [.., rest] = state.places;
     // SAFETY: `room` has seen to the memory, and nothing refers to it.
     let edges = unsafe { table(rest, 3 * state.room[1]) };
     match tree.mesh().check_closed(edges) {
         Err(MeshError::OpenEdge { vertices }) => {
-            say(0, vertices.map(|i| i as u32));
+            say(0, &vertices.map(|i| i as u32));
             0
         }
         closed => closed.is_ok().into(),
@@ -151,16 +166,16 @@ extern "C" fn grid(resolution: u32) -> u32 {
         Err(GridError::CellTooSmall) => return 3,
         Err(_) => return 4,
     };
-    let [.., rest] = places(state.room);
+    let [.., rest] = state.places;
     let (words, lines) = (grid.words::<u32>(), grid.line_words::<u32>());
     if words > MOST / 8 || !reaches(rest + (2 * words + lines) * size_of::<u32>()) {
         return 5;
     }
     // SAFETY: there is memory for it, and nothing refers to it.
     unsafe { table::<u32>(rest, words) }.fill(0);
-    say(0, grid.resolution());
-    say(3, grid.origin().to_array().map(f32::to_bits));
-    say(6, [grid.cell().x.to_bits()]);
+    say(0, &grid.resolution());
+    say(3, &grid.origin().to_array().map(f32::to_bits));
+    say(6, &[grid.cell().x.to_bits()]);
     state.grid = Some(grid);
     0
 }
@@ -173,7 +188,7 @@ extern "C" fn grid(resolution: u32) -> u32 {
 unsafe fn words(state: &State, which: usize) -> &'static mut [u32] {
     let Some(grid) = &state.grid else { return &mut [] };
     let (words, lines) = (grid.words::<u32>(), grid.line_words::<u32>());
-    let [.., rest] = places(state.room);
+    let [.., rest] = state.places;
     let count = if which == 2 { lines } else { words };
     // SAFETY: `grid` has seen to the memory.
     unsafe { table(rest + which * words * size_of::<u32>(), count) }
@@ -234,9 +249,12 @@ extern "C" fn cross(from: u32, to: u32) {
 /// for the mesh is open there.
 #[unsafe(export_name = "finish")]
 extern "C" fn finish() -> u32 {
-    let Some(mut solid) = state().solid.take() else { return 0 };
+    let state = state();
+    let Some(solid) = &mut state.solid else { return 0 };
     solid.finish();
-    solid.open_rows().count() as u32
+    let open = solid.open_rows().count() as u32;
+    state.solid = None;
+    open
 }
 
 /// Where the words of the grid are.
@@ -258,8 +276,8 @@ fn vector(first: usize) -> [f32; 3] {
 extern "C" fn pick() -> u32 {
     let (Some(tree), Ok(ray)) = (&state().tree, Ray::new(vector(0), vector(3))) else { return 0 };
     tree.first_hit(&ray).map_or(0, |(triangle, hit)| {
-        say(0, [hit.t, hit.u, hit.v].map(f32::to_bits));
-        say(3, [(hit.facing == Facing::Back).into()]);
+        say(0, &[hit.t, hit.u, hit.v].map(f32::to_bits));
+        say(3, &[(hit.facing == Facing::Back).into()]);
         triangle as u32 + 1
     })
 }

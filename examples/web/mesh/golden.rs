@@ -11,11 +11,11 @@ use crate::voxels::{self, Mesh};
 
 /// The table of resolutions: how many voxels along each axis, on the surface, and on it or
 /// inside.
-const GOLDEN: &str = include_str!("test/teapot.csv");
+const GOLDEN: &str = include_str!("../test/teapot.csv");
 
 fn teapot() -> (Vec<Vec3<f32>>, Vec<[u32; 3]>) {
     let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
-    for line in include_str!("../assets/teapot.obj").lines() {
+    for line in include_str!("../../assets/teapot.obj").lines() {
         let words: Vec<&str> = line.split_whitespace().collect();
         match words[..] {
             ["v", x, y, z] => vertices.push([x, y, z].map(|x| x.parse().unwrap()).into()),

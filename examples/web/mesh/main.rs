@@ -1,0 +1,19 @@
+//! The module of the page's second view, which shows a mesh in voxels: see `../main.rs` for how it
+//! is built and served. It knows nothing of the first view, imports nothing, and is of use without
+//! the page: `docs/web.md` says how. What it exports, module.rs says.
+#![cfg_attr(target_family = "wasm", no_std, no_main)]
+
+#[cfg(test)]
+mod golden;
+#[cfg(target_family = "wasm")]
+mod module;
+#[cfg(target_family = "wasm")]
+#[path = "../numbers.rs"]
+mod numbers;
+#[cfg(any(target_family = "wasm", test))]
+mod voxels;
+
+#[cfg(not(target_family = "wasm"))]
+fn main() {
+    println!("This is for a browser: `cargo web` builds it and serves the page.");
+}
