@@ -17,7 +17,7 @@ use crate::shape::Triangle;
 /// Whether the machine computes four floats at once.
 const HAS_VECTORS: bool = <ForEach as Quad>::IS_VECTOR;
 /// How many voxels are few: up to 32.
-const FEW: u32 = if HAS_VECTORS { 16 } else { 32 };
+const FEW: u64 = if HAS_VECTORS { 16 } else { 32 };
 
 impl<S: Copy> Grid<S> {
     /// How many words a row of voxels takes: each begins with a word of its own.
@@ -135,11 +135,12 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
             return;
         }
         let is_done = Block::of(&bounds).is_some_and(|block| {
-            if block.voxels() <= FEW {
+            if bounds.is_within && block.voxels() <= FEW {
                 self.set_few(&block, few::met(&block, &near, &grid));
                 return true;
             }
-            HAS_VECTORS && four_rows::each(&block, &near, |yz, x| self.set_row(yz, x))
+            HAS_VECTORS
+                && four_rows::each(&block, &near, triangle, &grid, |yz, x| self.set_row(yz, x))
         });
         if !is_done {
             let pass = Pass::within(&grid, &near, ALL_CLOSED, bounds);

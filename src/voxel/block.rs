@@ -3,11 +3,12 @@
 use super::pass::Bounds;
 use super::placed::Near;
 use super::slabs::Span;
-use crate::arithmetic::{OfFour, Quad};
+use crate::arithmetic::{OfFour, Quad, greatest, least};
 use crate::scalar::Scalar;
+use crate::shape::Triangle;
 
 /// The most voxels along an axis of a block.
-pub(super) const MOST: u32 = 32;
+const MOST: i64 = 1 << 13;
 
 /// The roundoff of `f32`.
 const ROUNDOFF: f32 = f32::EPSILON / 2.0;
@@ -31,24 +32,67 @@ pub(super) struct Row {
     pub(super) edges: ForEach,
 }
 
+/// A triangle in a block, in `f32`.
+#[derive(Clone, Copy)]
+pub(super) struct InBlock<'a, S> {
+    pub(super) triangle: &'a Triangle<S>,
+    pub(super) block: &'a Block,
+    pub(super) rows: [Row; 3],
+    /// The greatest extent, on any axis, of what the two come to.
+    pub(super) widest: f32,
+    /// How far a vertex or a plane may be from the truth.
+    pub(super) error: f32,
+    /// Along which edges each coordinate is constant.
+    pub(super) level: [u32; 3],
+}
+
+impl<'a, S: Scalar> InBlock<'a, S> {
+    /// `None` where they are so large, or so far away, that floats know nothing.
+    #[inline(always)]
+    pub(super) fn new(block: &'a Block, near: &Near<S>, triangle: &'a Triangle<S>) -> Option<Self> {
+        let rows = [block.row(near, 0), block.row(near, 1), block.row(near, 2)];
+        let [a, b, c] = rows.each_ref().map(|row| row.at);
+        let [x, y, z] = a.least(b).least(c).three();
+        let low = least(least(least(x, y), z), 0.0);
+        let [x, y, z] = a.greatest(b).greatest(c).three();
+        let widest = greatest(greatest(greatest(x, y), z), block.widest()) - low;
+        let error = near.error as f32 + ROUNDOFF * widest;
+        let level = |i: usize| {
+            let [a, b, c] = near.points.map(|p| p[i]);
+            u32::from(a == b) | u32::from(b == c) << 1 | u32::from(c == a) << 2
+        };
+        let level = [level(0), level(1), level(2)];
+        // Not the other way round: of NaN nothing is known.
+        let is_known = error <= 1.0 / 1024.0;
+        is_known.then_some(Self { triangle, block, rows, widest, error, level })
+    }
+
+    /// About where the first vertex is.
+    #[inline(always)]
+    pub(super) fn first_vertex(&self) -> [f32; 3] {
+        self.rows.each_ref().map(|row| row.at.to_array()[0])
+    }
+}
+
 impl Block {
-    /// All voxels that the box of a triangle comes to, if none is beyond the grid, and no axis
-    /// has more than [`MOST`].
+    /// All voxels of the grid that the box of a triangle comes to, if no axis has more than
+    /// [`MOST`].
     #[inline(always)]
     pub(super) fn of(bounds: &Bounds) -> Option<Self> {
-        let Bounds { bounds: [x, y, z], is_within, .. } = bounds;
+        let [x, y, z] = &bounds.bounds;
         let width = |span: &Span| i64::from(span.last) - i64::from(span.first) + 1;
         let (i, j, k) = (width(x), width(y), width(z));
         // A small program does without, at the price of time.
-        let fits = !cfg!(feature = "small") && *is_within && i.max(j).max(k) <= i64::from(MOST);
+        let fits = !cfg!(feature = "small") && i.max(j).max(k) <= MOST;
         let first = [x.first, y.first, z.first];
         fits.then_some(Self { first, widths: [i as u32, j as u32, k as u32] })
     }
 
     /// How many voxels it has.
     #[inline(always)]
-    pub(super) const fn voxels(&self) -> u32 {
-        self.widths[0] * self.widths[1] * self.widths[2]
+    pub(super) const fn voxels(&self) -> u64 {
+        let [x, y, z] = self.widths;
+        x as u64 * y as u64 * z as u64
     }
 
     /// The greatest width.

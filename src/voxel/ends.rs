@@ -31,8 +31,8 @@ impl Ends {
     /// The same, rounded to whole numbers.
     #[inline(always)]
     pub(super) fn rounded(self) -> Self {
-        let round = |ends: [Four; 2]| ends.map(|end| end + Four::splat(SHIFTER));
-        Self { least: round(self.least), greatest: round(self.greatest) }
+        let (Self { least: [a, b], greatest: [c, d] }, shifter) = (self, Four::splat(SHIFTER));
+        Self { least: [a + shifter, b + shifter], greatest: [c + shifter, d + shifter] }
     }
 
     /// The slabs that surely have no voxels.
@@ -41,31 +41,54 @@ impl Ends {
         self.least[0].exceeds(self.greatest[1])
     }
 
-    /// The first and the last voxel of each of these slabs, by rounded ends: `None` where one is
-    /// in doubt.
+    /// The slabs of which an end, rounded, may be either of two.
     #[inline(always)]
-    pub(super) fn voxels(&self, slabs: u32) -> Option<[[f32; 4]; 2]> {
+    pub(super) fn doubt(&self) -> u32 {
         let Self { least: [a, b], greatest: [c, d] } = self;
-        let doubt = (b.exceeds(*a) | d.exceeds(*c)) & slabs;
-        (doubt == 0).then(|| [a.to_array(), c.to_array()])
+        b.exceeds(*a) | d.exceeds(*c)
     }
 
     #[inline(always)]
     pub(super) fn to_arrays(self) -> [[f32; 4]; 4] {
         let Self { least: [a, b], greatest: [c, d] } = self;
-        [a, b, c, d].map(Four::to_array)
+        [a.to_array(), b.to_array(), c.to_array(), d.to_array()]
     }
+}
+
+/// The same numbers for each of four slabs. (`map` may go through memory.)
+#[inline(always)]
+pub(super) fn same([a, b, c, d]: [f32; 4]) -> [Four; 4] {
+    [Four::splat(a), Four::splat(b), Four::splat(c), Four::splat(d)]
+}
+
+/// The n-th of each.
+#[inline(always)]
+pub(super) fn nth([a, b, c, d]: &[[f32; 4]; 4], n: usize) -> [f32; 4] {
+    [a[n], b[n], c[n], d[n]]
 }
 
 /// Four slabs, from one on.
 #[inline(always)]
-pub(super) fn four(first: u32) -> Four {
+pub(super) fn four(first: i32) -> Four {
     let first = first as f32;
     Four::new([first, first + 1.0, first + 2.0, first + 3.0])
 }
 
-/// The whole number that the shifter was added to.
+/// Which of four slabs, from one on, are among those from the first to the last, bit by bit.
 #[inline(always)]
-pub(super) const fn whole(x: f32) -> u32 {
-    x.to_bits() & 0x3f_ffff
+pub(super) fn lanes(from: i32, first: i32, last: i32) -> u32 {
+    let (head, tail) = ((first - from).clamp(0, 4), (from + 3 - last).clamp(0, 4));
+    15 << head & 15 >> tail
+}
+
+/// The whole numbers that the shifter was added to.
+#[inline(always)]
+pub(super) const fn whole([a, b, c, d]: [f32; 4]) -> [i32; 4] {
+    let shifter = SHIFTER.to_bits();
+    [
+        a.to_bits().wrapping_sub(shifter) as i32,
+        b.to_bits().wrapping_sub(shifter) as i32,
+        c.to_bits().wrapping_sub(shifter) as i32,
+        d.to_bits().wrapping_sub(shifter) as i32,
+    ]
 }

@@ -64,7 +64,7 @@ pub(super) fn met<S: Scalar>(block: &Block, near: &Near<S>, grid: &Grid<S>) -> u
     if widths[0] > 1 && widths[1] > 1 && widths[2] > 1 {
         apart |= few.beside_plane(&rows, &views, f32::from(VOLUME) * error * widest * widest);
     }
-    u32::MAX >> (32 - block.voxels()) & !apart
+    u32::MAX >> (32 - block.voxels() as u32) & !apart
 }
 
 /// See the error bound above.

@@ -1,29 +1,14 @@
-# How far from the truth the ends of a row may be where edges and the plane of a triangle cross it.
-# constant: EDGE
+# How far from the truth it may be where the plane of the triangle crosses a row.
 # constant: PLANE
 # only: f32
 #
-# Proved: the side of a plane of the block on which an edge crosses a line, or the triangle's plane
-# a row, is the side that it seems if the distance, as computed, is more than the bound. Distances
-# are times dv for an edge, and times the normal's x for the plane: areas and volumes.
+# Proved: the side of the triangle's plane on which a corner of the block lies is the side that it seems
+# if the distance along x, as computed, is more than the bound. Distances are times the normal's x:
+# volumes.
 #
-# All lengths are divided by L, the block's greatest width, and are at most one. A place errs by E,
-# what is given divided by L: at least U, for the rounding to `f32` is in it, and at most 2^-10.
-# Bounds are computed by some roundings, which 1 - 8*U allows for. h is half a voxel, at most 1/2.
-
-# An edge, and the way from its vertex to where the lines u = k and v = C cross. Lines and vertices
-# as computed are numbers; only the edge is rounded once more.
-Du = dut + o;  du = fl(dut, E*a1);  Dv = dvt + o;  dv = fl(dvt, E*a2);
-Wu = wut + o;  wu = wut + E*a3;     Wv = wvt + o;  wv = wvt + E*a4;
-
-# The slope, times dv; then (1/2 - v0)*s, + u0, - 1/2, the half of |s|, the bound, q*s, and the sum
-# of all: what is left of them is the way to C by the slope.
-slope = du + z1*(U*1.04);
-across = (dv*wu + -(slope*wv)) + ((z2*(U*1.09) + z3*(U*1.09)) +
-         (((z4*(U*2.2) + z5*(U*2.8)) + (z6*(U*3.4) + z7*(U*3.5))) + (z8*(U*1.1) + z9*(U*4.7))));
-Slope = Du + o;
-Across = (Dv*Wu + -(Slope*Wv)) + o;
-edge = EDGE*E*(1 - 8*U);
+# All lengths are divided by L, the greatest extent, and are at most one. A place errs by E, what is
+# given divided by L: at least U, for the rounding to `f32` is in it, and at most 2^-10. The bound is
+# computed by some roundings, which 1 - 8*U allows for.
 
 # The normal, as in few.g, and the way from a vertex to a corner.
 Dx = dxt + o;  dx = fl(dxt, E*b1);  Dy = dyt + o;  dy = fl(dyt, E*b2);  Dz = dzt + o;  dz = fl(dzt, E*b3);
@@ -50,17 +35,14 @@ Off = ((Nx*Fx + Sy*Fy) + Sz*Fz) + o;
 plane = PLANE*E*(1 - 8*U);
 
 { o in [0,0] /\ E in [1b-24, 1b-10]
-/\ |dut| <= 1.016 /\ |dvt| <= 1.016 /\ |wut| <= 1.016 /\ |wvt| <= 1.016
 /\ |dxt| <= 1.016 /\ |dyt| <= 1.016 /\ |dzt| <= 1.016 /\ |ext| <= 1.016 /\ |eyt| <= 1.016 /\ |ezt| <= 1.016
 /\ |fxt| <= 1.016 /\ |fyt| <= 1.016 /\ |fzt| <= 1.016
-/\ |a1| <= 2.00001 /\ |a2| <= 2.00001 /\ |a3| <= 2.00001 /\ |a4| <= 2.00001
 /\ |b1| <= 2.00001 /\ |b2| <= 2.00001 /\ |b3| <= 2.00001 /\ |b4| <= 2.00001 /\ |b5| <= 2.00001
 /\ |b6| <= 2.00001 /\ |b7| <= 2.00001 /\ |b8| <= 2.00001 /\ |b9| <= 2.00001
-/\ |z1| <= 1 /\ |z2| <= 1 /\ |z3| <= 1 /\ |z4| <= 1 /\ |z5| <= 1 /\ |z6| <= 1 /\ |z7| <= 1 /\ |z8| <= 1 /\ |z9| <= 1
 /\ |y3| <= 1 /\ |y4| <= 1 /\ |y5| <= 1 /\ |y6| <= 1 /\ |y7| <= 1 /\ |y8| <= 1
 /\ |r1| <= 1 /\ |r2| <= 1 /\ |r3| <= 1 /\ |r4| <= 1 /\ |r5| <= 1 /\ |r6| <= 1 /\ |r7| <= 1 /\ |r8| <= 1
 /\ |r9| <= 1 /\ |r10| <= 1 /\ |r11| <= 1 /\ |r12| <= 1 /\ |r13| <= 1 /\ |r14| <= 1 /\ |r15| <= 1 /\ |r16| <= 1
--> |across - Across| - edge <= 0 /\ |off - Off| - plane <= 0 }
+-> |off - Off| - plane <= 0 }
 $ E in (6.497e-8, 7.082e-8, 7.719e-8, 8.414e-8, 9.171e-8, 9.996e-8, 1.090e-7, 1.188e-7, 1.295e-7,
   1.411e-7, 1.538e-7, 1.676e-7, 1.827e-7, 1.992e-7, 2.171e-7, 2.366e-7, 2.579e-7, 2.812e-7,
   3.065e-7, 3.340e-7, 3.641e-7, 3.969e-7, 4.326e-7, 4.715e-7, 5.140e-7, 5.602e-7, 6.107e-7,

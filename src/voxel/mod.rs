@@ -36,6 +36,7 @@ mod rows;
 mod sign;
 mod slabs;
 mod solid;
+mod view;
 mod walk;
 mod word;
 
