@@ -8,7 +8,7 @@ use crate::shape::{Aabb, AabbForm, Triangle};
 
 /// All at once in floats, each `apart` with whether that is certain; what is not one by one.
 #[inline(always)]
-fn each<S: Scalar, const N: usize>(
+pub(super) fn each<S: Scalar, const N: usize>(
     apart: impl Fn(usize) -> (bool, bool),
     overlaps: impl Fn(usize) -> bool,
 ) -> [bool; N] {

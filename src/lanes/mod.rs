@@ -7,6 +7,7 @@
 //! | [`NormalTriangles`] | one ray, N triangles with stored normals | | [`hit`](NormalTriangles::hit) |
 //! | [`Triangles`] | one box, N triangles | [`overlaps`](Triangles::overlaps) | |
 //! | [`Aabbs`] | one triangle, N boxes | [`overlaps`](Aabbs::overlaps) | |
+//! | [`Cells`] | one triangle, N boxes of one size | [`overlaps`](Cells::overlaps) | |
 //! | [`Rays`] | N rays, one triangle | | [`hit_moller_trumbore`](Rays::hit_moller_trumbore), [`hit_stored_normal`](Rays::hit_stored_normal), [`hit_volumes`](Rays::hit_volumes) |
 //! | [`Aabbs`] | one prepared ray, N boxes | | [`t_range_rounded`](Aabbs::t_range_rounded) |
 //! | [`SlabRays`] | N prepared rays, one box | | [`t_range_rounded`](SlabRays::t_range_rounded) |
@@ -18,6 +19,7 @@
 //! Nothing here panics.
 
 mod aabbs;
+mod cells;
 mod each_exactly;
 mod each_overlap;
 mod each_ray;
@@ -30,6 +32,7 @@ mod slab_rays;
 mod triangles;
 
 pub use aabbs::Aabbs;
+pub use cells::Cells;
 pub use hits::Hits;
 pub use normal_triangles::NormalTriangles;
 pub use ranges::Ranges;

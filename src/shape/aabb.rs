@@ -107,12 +107,18 @@ impl<S: Copy> Aabb<S> {
         Self { form: Form::Corners { min, max } }
     }
 
+    /// The box around a centre, both of whose parts were checked before.
+    #[inline(always)]
+    pub(crate) const fn around(center: Vec3<S>, half: Vec3<S>) -> Self {
+        Self { form: Form::Center { center, half } }
+    }
+
     /// The box around the origin with half-extents that were checked before.
     pub(crate) fn about_origin(half: Vec3<S>) -> Self
     where
         S: Scalar,
     {
-        Self { form: Form::Center { center: Vec3::splat(S::ZERO), half } }
+        Self::around(Vec3::splat(S::ZERO), half)
     }
 
     #[inline(always)]

@@ -1,10 +1,10 @@
 //! Lanes: the same verdicts and the same bits as one by one.
 
 use fixed::types::I16F16;
-use septum::lanes::{Aabbs, Triangles};
+use septum::lanes::{Aabbs, Cells, Triangles};
 use septum::published;
 use septum::published::stored_normal::NormalTriangle;
-use septum::{Aabb, Cull, Ray, Scalar, Triangle, Vec3};
+use septum::{Aabb, Cull, Overlaps, Ray, Scalar, Triangle, Vec3};
 use septum_kit::{Lanes, Rng, Sample, for_every_scalar};
 
 for_every_scalar!(
@@ -33,7 +33,7 @@ fn same_bits_sixteen<S: Sample>() {
 
 fn same_bits<S: Sample, const N: usize>() {
     let rng = &mut Rng::new(N as u64);
-    let mut hits = 0;
+    let (mut hits, mut met) = (0, 0);
     for round in 0..6_000 / N {
         let cull = [Cull::Nothing, Cull::Back, Cull::Front][round % 3];
         // On a grid edges, vertices and flat triangles are common.
@@ -70,9 +70,19 @@ fn same_bits<S: Sample, const N: usize>() {
         });
         let half = boxes[0].min_max().unwrap().1.to_array().map(S::plain_abs);
         let centered = Aabb::from_center_half_extents(point(), half).ok();
+        let cells = [(); N].map(|()| Aabb::from_center_half_extents(point(), half));
+        if cells.iter().all(Result::is_ok) {
+            let cells = cells.map(Result::unwrap);
+            let lanes = Cells::new(&cells).unwrap();
+            for triangle in &triangles {
+                let expected = cells.each_ref().map(|cell| triangle.overlaps(cell));
+                assert_eq!(lanes.overlaps(triangle), expected, "{triangle:?} {cells:?}");
+                met += expected.iter().filter(|&&met| met).count();
+            }
+        }
         hits += Lanes { triangles, rays, boxes, centered }.check(cull);
     }
-    assert!(hits > 100, "{hits} hits");
+    assert!(hits > 100 && met > 100, "{hits} hits, {met} met");
 }
 
 /// The stored normal and the normal on the way are the same numbers.
@@ -125,6 +135,26 @@ fn slices_fill_lanes() {
     let centred = Aabb::from_center_half_extents([0.0_f32; 3], [1.0; 3]).unwrap();
     assert_eq!(Aabbs::<f32, 4>::from_slice(&[cell(0), centred, cell(1)]), None);
     assert_eq!(TABLE.unwrap().get(3), TABLE.unwrap().get(0));
+}
+
+#[test]
+fn cells_are_of_one_size() {
+    let cell = |k: usize, size: f32| Aabb::from_center_half_extents([k as f32; 3], [size; 3]);
+    let (cell, other) = (|k: usize| cell(k, 0.5).unwrap(), cell(1, 0.25).unwrap());
+    for n in 0..7 {
+        let cells: Vec<_> = (0..n).map(cell).collect();
+        let lanes = Cells::<f32, 5>::from_slice(&cells);
+        assert_eq!(lanes.is_some(), (1..=5).contains(&n));
+        let in_lane = |k: usize| lanes.and_then(|lanes| lanes.get(k));
+        if lanes.is_some() {
+            (0..5).for_each(|k| assert_eq!(in_lane(k), Some(cell(k.min(n - 1)))));
+            assert_eq!(in_lane(5), None);
+        }
+    }
+    let corners = Aabb::from_min_max([0.0; 3], [1.0; 3]).unwrap();
+    assert_eq!(Cells::new(&[cell(0), other]), None);
+    assert_eq!(Cells::new(&[cell(0), corners]), None);
+    assert_eq!(Cells::new(&[corners, cell(0)]), None);
 }
 
 /// Generic code asks for no more than a scalar.

@@ -27,7 +27,10 @@ fn group<S: Scalar>(unit: Unit<S>, form: Form) -> Group<Scene> {
 }
 
 fn lanes_in<S: Scalar>(unit: Unit<S>) -> Group<Scene> {
-    (unit.name, Box::new(move |scene| lanes::lanes(&course(scene, &unit, Form::Corners))))
+    let lanes = move |scene: &Scene| {
+        lanes::lanes(&course(scene, &unit, Form::Corners), &course(scene, &unit, Form::Center))
+    };
+    (unit.name, Box::new(lanes))
 }
 
 /// Every peer, in `f32`.

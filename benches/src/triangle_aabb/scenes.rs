@@ -48,7 +48,7 @@ pub fn many_boxes() -> Scene {
     while scene.len() < PAIRS {
         let triangle = random_triangle(&mut rng);
         let cubes: Vec<_> = cubes_within(&triangle).collect();
-        scene.push(triangle, cubes.as_chunks::<8>().0.as_flattened().to_vec());
+        scene.push(triangle, cubes.as_chunks::<32>().0.as_flattened().to_vec());
     }
     scene
 }
