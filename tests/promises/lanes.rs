@@ -4,7 +4,7 @@ use fixed::types::I16F16;
 use septum::lanes::{Aabbs, Cells, Triangles};
 use septum::published;
 use septum::published::stored_normal::NormalTriangle;
-use septum::{Aabb, Cull, Overlaps, Ray, Scalar, Triangle, Vec3};
+use septum::{Aabb, Cull, Ray, Scalar, Triangle, Vec3};
 use septum_kit::{Lanes, Rng, Sample, for_every_scalar};
 
 for_every_scalar!(
