@@ -121,7 +121,10 @@ impl VoxelScene {
 
     /// Whether a scalar holds the grid and the mesh without a great loss.
     pub fn fits<S: Sample>(&self) -> bool {
-        let holds = |x: f64| (S::nearest(x).approximate() - x).abs() < 0.05 * self.cell[0];
+        let holds = |x: f64| {
+            let is_in_range = x <= S::GREATEST.approximate();
+            is_in_range && (S::nearest(x).approximate() - x).abs() < 0.05 * self.cell[0]
+        };
         let ends = [0, 1, 2].map(|i: usize| {
             [self.origin[i], self.origin[i] + self.cell[i] * f64::from(self.resolution[i])]
         });
