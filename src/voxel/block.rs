@@ -8,7 +8,10 @@ use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
 /// The most voxels along an axis of a block.
-const MOST: i64 = 1 << 13;
+const MOST: i64 = 1 << 10;
+
+/// The most that a place may be from the truth: below, doubts are few. So extents are below 2^11.
+const MOST_ERROR: f32 = 1.0 / 8192.0;
 
 /// The roundoff of `f32`.
 const ROUNDOFF: f32 = f32::EPSILON / 2.0;
@@ -25,7 +28,7 @@ pub(super) struct Block {
 
 /// A triangle on an axis of a block.
 #[derive(Clone, Copy)]
-pub(super) struct Row {
+pub(super) struct OnAxis {
     /// The vertices, from the block's first plane on.
     pub(super) at: ForEach,
     /// The edges.
@@ -37,8 +40,8 @@ pub(super) struct Row {
 pub(super) struct InBlock<'a, S> {
     pub(super) triangle: &'a Triangle<S>,
     pub(super) block: &'a Block,
-    pub(super) rows: [Row; 3],
-    /// The greatest extent, on any axis, of what the two come to.
+    pub(super) rows: [OnAxis; 3],
+    /// The greatest extent, on any axis, of triangle and block together: one at least.
     pub(super) widest: f32,
     /// How far a vertex or a plane may be from the truth.
     pub(super) error: f32,
@@ -47,7 +50,7 @@ pub(super) struct InBlock<'a, S> {
 }
 
 impl<'a, S: Scalar> InBlock<'a, S> {
-    /// `None` where they are so large, or so far away, that floats know nothing.
+    /// `None` where they are so large, or so far away, that floats know little.
     #[inline(always)]
     pub(super) fn new(block: &'a Block, near: &Near<S>, triangle: &'a Triangle<S>) -> Option<Self> {
         let rows = [block.row(near, 0), block.row(near, 1), block.row(near, 2)];
@@ -63,7 +66,7 @@ impl<'a, S: Scalar> InBlock<'a, S> {
         };
         let level = [level(0), level(1), level(2)];
         // Not the other way round: of NaN nothing is known.
-        let is_known = error <= 1.0 / 1024.0;
+        let is_known = error <= MOST_ERROR;
         is_known.then_some(Self { triangle, block, rows, widest, error, level })
     }
 
@@ -103,14 +106,15 @@ impl Block {
     }
 
     /// The triangle on an axis. To measure it from the block is exact: in `f64` a place is at
-    /// least that of the block's plane, which is not negative, or next to it.
+    /// least that of the block's plane, which is not negative, or next to it; of a block that the
+    /// grid cuts there, that plane is number zero.
     #[inline(always)]
-    pub(super) fn row<S: Scalar>(&self, near: &Near<S>, i: usize) -> Row {
+    pub(super) fn row<S: Scalar>(&self, near: &Near<S>, i: usize) -> OnAxis {
         let first = f64::from(self.first[i]);
         let [a, b, c] = &near.near;
         let at = [(a[i] - first) as f32, (b[i] - first) as f32, (c[i] - first) as f32];
         let at = ForEach::of_three(at);
-        Row { at, edges: at.turned() - at }
+        OnAxis { at, edges: at.turned() - at }
     }
 
     /// How far a vertex in a row may be from the truth, or a plane.

@@ -6,11 +6,14 @@ use crate::arithmetic::Quad;
 /// A number for each of four slabs.
 pub(super) type Four = ForEach;
 
-/// With it units are whole, and the last bits those of the number.
+/// With it units are whole, and the last bits those of the number, below 2^22: extents are below
+/// 2^11, and the ends of a row that has any voxels within 16 of these.
 pub(super) const SHIFTER: f32 = (3_u32 << 22) as f32;
 
-/// Where the intervals of four slabs end: first too low, then too high, both by half a voxel
-/// less, so that to round to the nearest gives the voxel.
+/// Where the intervals of four slabs end: the least end, too low and too high, and likewise the
+/// greatest. All are half a voxel less, so that to round to the nearest gives the voxel. Rounded
+/// ties may go either way, for the truth lies strictly between too low and too high; −1/2, where a
+/// block begins, goes to zero, which is even.
 #[derive(Clone, Copy)]
 pub(super) struct Ends {
     pub(super) least: [Four; 2],
@@ -48,6 +51,7 @@ impl Ends {
         b.exceeds(*a) | d.exceeds(*c)
     }
 
+    /// Least, too low and too high; greatest, too low and too high.
     #[inline(always)]
     pub(super) fn to_arrays(self) -> [[f32; 4]; 4] {
         let Self { least: [a, b], greatest: [c, d] } = self;

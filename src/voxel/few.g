@@ -5,7 +5,7 @@
 #
 # Proved: |computed − true| is at most the bound as it is computed.
 #
-# All lengths are divided by L, the block's greatest width, and are at most one. A place errs by E,
+# All lengths are divided by L, the greatest extent, and are at most one. A place errs by E,
 # what is given divided by L: at least U, for the rounding to `f32` is in it, and at most 2^-7. It is
 # computed by three roundings, and each bound by three more, which 1 - 8*U allows for. The true
 # distances between planes and vertices are up to 2·E longer.

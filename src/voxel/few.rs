@@ -36,7 +36,7 @@
 
 use core::cmp::Ordering;
 
-use super::block::{Block, ForEach, Row};
+use super::block::{Block, ForEach, OnAxis};
 use super::grid::Grid;
 use super::placed::Near;
 use super::sign::{side, turn};
@@ -94,7 +94,7 @@ struct Few<'a, S> {
 impl<S: Scalar> Few<'_, S> {
     /// What is seen along an axis; nothing, if no planes cross inside of the block.
     #[inline(always)]
-    fn view(&self, rows: &[Row; 3], axes: [usize; 2], along: usize) -> View {
+    fn view(&self, rows: &[OnAxis; 3], axes: [usize; 2], along: usize) -> View {
         let [u, v] = axes;
         let ([i, j], [x, y]) =
             ([self.block.widths[u], self.block.widths[v]], [self.strides[u], self.strides[v]]);
@@ -151,9 +151,9 @@ impl<S: Scalar> Few<'_, S> {
 
     /// The voxels that the plane separates.
     #[inline(always)]
-    fn beside_plane(&self, rows: &[Row; 3], views: &[View; 3], error: f32) -> u32 {
+    fn beside_plane(&self, rows: &[OnAxis; 3], views: &[View; 3], error: f32) -> u32 {
         let ([i, j, k], [_, y, z]) = (self.block.widths, self.strides);
-        let first = |row: &Row| row.at.to_array()[0];
+        let first = |row: &OnAxis| row.at.to_array()[0];
         let [a, b, c] = [first(&rows[0]), first(&rows[1]), first(&rows[2])];
         let mut apart = 0;
         for r in 1..k {

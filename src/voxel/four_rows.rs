@@ -13,7 +13,7 @@
 //!
 //! Lengths are as in `view`. The way along x from the plane to a corner of the block, times the x of
 //! the normal, is a volume, which errs as in `few`. By the slopes it takes 20 roundings, of 15·L³ at
-//! most. Gappa proves that 152·η·L² is enough. Beyond 20·η·L the normal's x has its true sign.
+//! most. Gappa adds them up, and 152·η·L² is enough. Beyond 20·η·L the normal's x has its true sign.
 
 use core::cmp::Ordering;
 

@@ -83,6 +83,10 @@ impl<S: Scalar> Grid<S> {
             deviation[i] = S::check_planes(from[i], step[i], resolution[i])?;
             if S::HAS_PLACES {
                 per_cell[i] = step[i].reciprocal_in_double();
+                // Of cells so small floats know no places.
+                if per_cell[i] > f64::MAX {
+                    deviation[i] = f64::INFINITY;
+                }
             }
         }
         Ok(Self { origin, cell, first: [0; 3], resolution, per_cell, deviation })
@@ -158,9 +162,10 @@ impl<S: Scalar> Grid<S> {
     /// How far places up to `farthest` from the first plane may be from the truth, for
     /// numbers and planes together, on any axis.
     ///
-    /// A difference, a reciprocal, their product and one more difference err by a roundoff
-    /// of f64 each, of what is at most `farthest + first`: less than 5 in all, of which 8 are
-    /// given.
+    /// Planes are no farther from their places than `deviation`, wherever they are. Of numbers a
+    /// difference, a reciprocal, their product and one more difference err by a roundoff of f64
+    /// each, of what is at most `farthest + first`, and a subnormal reciprocal by four: less than
+    /// 8 in all.
     #[inline(always)]
     pub(super) fn place_error(&self, farthest: f64) -> f64 {
         let [a, b, c] = self.first.map(f64::from);

@@ -34,7 +34,6 @@ impl<S: Scalar> Near<S> {
                 for i in 0..3 {
                     near[k][i] = grid.place(i, points[k][i]);
                     let size = near[k][i].abs();
-                    // Not the other way round: a NaN is kept.
                     farthest = if size <= farthest { farthest } else { size };
                 }
             }

@@ -1,28 +1,35 @@
 //! A triangle in a block, seen along an axis: u and v are the other two.
 //!
-//! In the slab from v = q to q + 1 the triangle comes to an interval of u. Say that it lies at
-//! lesser u than the line of an edge. Then no point of it in the slab is beyond the greater of X(q)
-//! and X(q + 1), where X(v) is u on that line. The interval ends at the least of these and of the
-//! triangle's own greatest u: its last point is a vertex inside of the slab, and so the triangle's
-//! last, or a point where an edge crosses v = q or v = q + 1, at the greater X of that edge. The
-//! other end is found likewise.
+//! In the slab from v = q to q + 1 the triangle has an interval of u. Say that it lies at lesser u
+//! than the line of an edge. Then no point of it in the slab is beyond the greater of X(q) and
+//! X(q + 1), where X(v) is u on that line. The interval ends at the least of these and of the
+//! triangle's own greatest u. For its last point is where two of the bounds meet: two edges, in a
+//! vertex that is the triangle's last; or an edge and v = q or v = q + 1. The other end is found
+//! likewise. Of a triangle that is seen as a line, edges go both ways, and either side will do.
 //!
-//! The block ends where the triangle does, or where the grid does before. So these edges need no
-//! look: those that cross no plane of v, and those along which u or v is constant.
+//! The block ends where the triangle does, or where the grid does before; each of its slabs holds
+//! a point of the triangle. So these edges need no look: those that touch no plane of v, and those
+//! along which u or v is constant.
 //!
 //! # Error bound
 //!
-//! Lengths, η and u are as in `few`, and so is the error of an area, 19·η·L. L is the greatest extent,
-//! on any axis, of what the block and the triangle come to.
+//! Lengths and η are as in `few`, and so is the error of an area, 19·η·L. The roundoff is ε here. L
+//! is the greatest extent, on any axis, of triangle and block together, and at least one: so half
+//! a voxel is at most L/2.
 //!
-//! 1. An edge, du and dv long as computed, crosses v = C at X. For a plane u = k of the block,
+//! 1. An edge touches a plane of v if it does after both its ends are moved apart by 4·η: vertices
+//!    and planes err by 2·η less a roundoff of L, and three roundings here are of L each.
+//! 2. An edge, du and dv long as computed, crosses v = C at X. For a plane u = k of the block,
 //!    k − X times dv is the area of the edge and the way from its vertex to (k, C), which errs as
-//!    areas do. Beyond 64·η dv has its true sign.
-//! 2. X is computed by a slope and eight more roundings. Times dv, they are of 4.7·L² at most, and
-//!    less than 20·u·L² together; the area's own roundings are not among them. So (k, C) is on
+//!    areas do. Beyond 3·η dv has its true sign; beyond 64·η, which is asked, X is no farther than
+//!    the numbers of `ends` go.
+//! 3. X is computed by a slope and eight more roundings. Times dv, they are of 4.7·L² at most, and
+//!    less than 20·ε·L² together; the area's own roundings are not among them. So (k, C) is on
 //!    the side that it seems if X is more than 32·η·L/|dv| from k.
+//! 4. Whether X(q) or X(q + 1) is the greater is said by the computed slope. Any of the two is a
+//!    bound, and by that slope the other is no greater.
 //!
-//! Gappa proves 2.
+//! Gappa adds up 3; how great each rounding is has been put in by hand.
 
 use core::cmp::Ordering;
 
@@ -63,11 +70,11 @@ impl View {
             exact_area(inside, [u, v])
         };
         let (half, shifter) = (Four::splat(0.5), Four::splat(SHIFTER));
-        // Which cross a plane, for all that is known.
+        // Which touch a plane, for all that is known.
         let (low, high) =
             (across.at.least(across.at.turned()), across.at.greatest(across.at.turned()));
-        let error = Four::splat(4.0 * inside.error);
-        let (low, high) = (low - error - half + shifter, high + error - half + shifter);
+        let margin = Four::splat(4.0 * inside.error);
+        let (low, high) = (low - margin - half + shifter, high + margin - half + shifter);
         let edges = high.exceeds(low) & THREE & !inside.level[u] & !inside.level[v];
         let lengths = e.magnitude();
         if edges & !lengths.exceeds(Four::splat(64.0 * inside.error)) != 0 {
@@ -76,6 +83,7 @@ impl View {
         // Of a triangle that is seen as a line either side will do: its edges go both ways.
         let flip = if sign == Ordering::Less { THREE } else { 0 };
         let is_greatest = e.exceeds(Four::splat(0.0)) ^ flip;
+        // Of level edges this is no number, and nobody reads it.
         let slopes = d / e;
         let way = slopes.magnitude() * half;
         let middle = row.at + (half - across.at) * slopes - half;

@@ -178,6 +178,31 @@ fn a_few_voxels_of_two_words() {
 }
 
 /// Whatever the numbers, an answer comes, and soon.
+/// One over the cell is infinite, and places of zero no numbers.
+#[test]
+fn cells_without_a_reciprocal() {
+    let c = 2_f64.powi(-1000) * 2_f64.powi(-30);
+    let grid = Grid::new([0.0_f64; 3], [c, 1.0, 1.0], [8; 3]).unwrap();
+    for points in [
+        [[0.0, 0.5, 0.5], [0.0, 5.5, 0.5], [0.0, 0.5, 5.5]],
+        [[5.5 * c, 0.5, 0.5], [2.0 * c, 6.5, 0.5], [0.0, 0.5, 6.0]],
+    ] {
+        let t = Triangle::new(points[0], points[1], points[2]).unwrap();
+        let mut words = vec![0_u64; grid.words::<u64>()];
+        let mut bits = Bits::new(&grid, &mut words).unwrap();
+        bits.fill(&t, Rule::Closed);
+        let rows: u32 = grid.rows(&t, Rule::Closed).map(|row| row.x.end - row.x.start).sum();
+        let mut met = 0;
+        for voxel in (0..512).map(|n| [n % 8, n / 8 % 8, n / 64]) {
+            let expected = t.overlaps(&grid.voxel(voxel).unwrap());
+            assert_eq!(bits.contains(voxel), expected, "{voxel:?}");
+            met += u32::from(expected);
+        }
+        assert_eq!(rows, met);
+        assert!(met > 10);
+    }
+}
+
 #[test]
 fn extremes() {
     let many = [f32::MAX, -f32::MAX, 1e-45, 0.0, 3.0, 1e30, -1e30, f32::MIN_POSITIVE];
