@@ -123,7 +123,7 @@
 //! | `libm` | [`unit_normal`](Triangle#method.unit_normal) in floats, within 0.51 ulp in `f32` and 6 in `f64` | no |
 //! | `micromath` | `unit_normal_fast` in `f32`: a few percent off, cheap without an FPU | no |
 //! | `heapless` | `interop::Bounded` and `interop::touched`: results of bounded size | no |
-//! | `defmt` | `defmt::Format` for every public type | no |
+//! | `defmt` | `defmt::Format` for every shape, answer and error | no |
 //! | `mint` | conversions from and to the vectors of `mint` | no |
 //! | `serde` | reading and writing; a shape that is read is checked by its constructor | no |
 //! | `small` | less code: a cascade has its first stage and its last; no answer changes | no |

@@ -80,6 +80,15 @@ impl<L, R> Pairs<L, R> {
 }
 
 impl<L: Clone, R: Clone> Pairs<L, R> {
+    /// One shape against all those that are tested against it alone.
+    ///
+    /// # Panics
+    /// Where there is more than one shape on the right.
+    pub fn turned(&self) -> Pairs<R, L> {
+        assert_eq!(self.right.len(), 1, "one shape on the right");
+        Pairs::all_against(self.right.clone(), self.left.clone())
+    }
+
     /// The same with the shapes on the right in blocks of N.
     ///
     /// # Panics
@@ -93,6 +102,22 @@ impl<L: Clone, R: Clone> Pairs<L, R> {
             left: self.left.clone(),
             right: self.right.as_chunks::<N>().0.to_vec(),
             spans: self.spans.iter().map(|s| whole(s.start)..whole(s.end)).collect(),
+        }
+    }
+}
+
+impl<L, R: Clone> Pairs<L, R> {
+    /// The same with what is made of each shape on the left and the first that it is tested
+    /// against.
+    ///
+    /// # Panics
+    /// Where there is none.
+    pub fn map_with_first<M>(&self, make: impl Fn(&L, &R) -> M) -> Pairs<M, R> {
+        let left = self.left.iter().zip(&self.spans);
+        Pairs {
+            left: left.map(|(left, span)| make(left, &self.right[span.start])).collect(),
+            right: self.right.clone(),
+            spans: self.spans.clone(),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! `defmt`: every public type as a log record, its numbers as numbers.
+//! `defmt`: every shape, answer and error as a log record, its numbers as numbers.
 //!
 //! A fixed-point number goes out as a float, and the host writes it down; no
 //! digits are made on the device. Types of up to 32 bits are written exactly,
@@ -7,7 +7,9 @@
 use defmt::{Format, Formatter, write};
 
 use crate::contact::{Contact, Point, Translation};
-use crate::lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles};
+use crate::lanes::{
+    Aabbs, CellTriangle, Cells, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles,
+};
 use crate::prepared::{PreparedRay, PreparedTriangle};
 use crate::published::projected::ProjectedTriangle;
 use crate::published::slabs::SlabRay;
@@ -116,6 +118,7 @@ formats! {
     PreparedTriangle: |prepared, to| {
         write!(to, "PreparedTriangle {{ {} }}", prepared.triangle())
     };
+    CellTriangle: |prepared, to| write!(to, "CellTriangle {{ {} }}", prepared.triangle());
     SlabRay: |_r, to| write!(to, "SlabRay {{ .. }}");
     SlopeRay: |_r, to| write!(to, "SlopeRay {{ .. }}");
 }
@@ -146,6 +149,7 @@ lanes! {
     Rays: "Rays", |all, k| all.get(k);
     SlabRays: "SlabRays", |all, k| all.get(k);
     Aabbs: "Aabbs", |all, k| all.get(k);
+    Cells: "Cells", |all, k| all.get(k);
     Hits: "Hits", |all, k| all.get(k);
     Ranges: "Ranges", |all, k| all.get(k).map(|(enter, leave)| (Number(enter), Number(leave)));
 }

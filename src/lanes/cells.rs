@@ -1,13 +1,13 @@
-use super::each_overlap::each;
+use super::CellTriangle;
 use super::triangles::lane;
-use crate::query::apart_by_center;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
 /// N boxes of one size, by their centres, an array for each coordinate.
 ///
 /// Choose them for cells, blocks and particles: of the test against a triangle all that does not
-/// depend on the place of the box is computed once for all of them.
+/// depend on the place of the box is computed once for all of them; or once for all that a triangle
+/// is ever asked about, by a [`CellTriangle`].
 ///
 /// ```
 /// use septum::lanes::Cells;
@@ -21,8 +21,8 @@ use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cells<S, const N: usize> {
-    centers: [[S; N]; 3],
-    half: [S; 3],
+    pub(super) centers: [[S; N]; 3],
+    pub(super) half: [S; 3],
 }
 
 impl<S: Scalar, const N: usize> Cells<S, N> {
@@ -71,7 +71,7 @@ impl<S: Scalar, const N: usize> Cells<S, N> {
     }
 
     #[inline(always)]
-    fn at(&self, k: usize) -> Aabb<S> {
+    pub(super) fn at(&self, k: usize) -> Aabb<S> {
         Aabb::around(lane(&self.centers, k).into(), Vec3::from(self.half))
     }
 
@@ -79,14 +79,10 @@ impl<S: Scalar, const N: usize> Cells<S, N> {
     ///
     /// *Contact*, *Numerics*, *Range*, *Panics*: as [`Aabbs::overlaps`](super::Aabbs::overlaps).
     ///
-    /// *Cost*: 21 multiplications for a vector of boxes, and 45 once for all.
+    /// *Cost*: that of [`CellTriangle::new`], and of asking it once.
     #[inline]
     #[must_use]
     pub fn overlaps(&self, triangle: &Triangle<S>) -> [bool; N] {
-        let points = triangle.points();
-        each::<S, N>(
-            |k| apart_by_center(points, lane(&self.centers, k), self.half),
-            |k| triangle.overlaps(&self.at(k)),
-        )
+        CellTriangle::new(triangle, self).overlaps(self)
     }
 }

@@ -19,6 +19,7 @@
 //! Nothing here panics.
 
 mod aabbs;
+mod cell_triangle;
 mod cells;
 mod each_exactly;
 mod each_overlap;
@@ -32,6 +33,7 @@ mod slab_rays;
 mod triangles;
 
 pub use aabbs::Aabbs;
+pub use cell_triangle::CellTriangle;
 pub use cells::Cells;
 pub use hits::Hits;
 pub use normal_triangles::NormalTriangles;

@@ -53,7 +53,7 @@ pub use relation::{Relate, Relation};
 pub(crate) use row_triangle::crossing;
 pub use sweep::{FirstContact, Motion, Sweep};
 pub use triangle_aabb::{Axis, PreparedTriangle};
-pub(crate) use triangle_aabb::{apart_by_center, apart_by_corners, disjoint_rounded};
+pub(crate) use triangle_aabb::{OfOneSize, TriangleAxes, disjoint_rounded};
 
 // The trait stands with the shapes, whose methods call it.
 use crate::shape::Overlaps;

@@ -9,6 +9,7 @@ use crate::shape::Triangle;
 
 /// Voxels (x, y, z) of a grid, one beside the other along x.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Row {
     /// The first and the one after the last.
     pub x: Range<u32>,

@@ -1,7 +1,7 @@
 //! Lanes: the same verdicts and the same bits as one by one.
 
 use fixed::types::I16F16;
-use septum::lanes::{Aabbs, Cells, Triangles};
+use septum::lanes::{Aabbs, CellTriangle, Cells, Triangles};
 use septum::published;
 use septum::published::stored_normal::NormalTriangle;
 use septum::{Aabb, Cull, Ray, Scalar, Triangle, Vec3};
@@ -37,11 +37,13 @@ fn same_bits<S: Sample, const N: usize>() {
     for round in 0..6_000 / N {
         let cull = [Cull::Nothing, Cull::Back, Cull::Front][round % 3];
         // On a grid edges, vertices and flat triangles are common.
-        let coordinate = |rng: &mut Rng| match round % 5 {
+        let coordinate = |rng: &mut Rng| match round % 6 {
             0 | 1 => S::nearest(rng.real(-1.5, 1.5)),
             2 => S::nearest(rng.whole(-1, 1) as f64),
             // All products of two are rounded to zero.
             3 => S::from_ordinal(rng.whole(-3, 3)),
+            // Near one another, far from zero.
+            4 => S::from_ordinal(S::GREATEST.ordinal() / 2 + rng.whole(-3, 3)),
             _ => S::from_ordinal(rng.whole(S::LEAST.ordinal(), S::GREATEST.ordinal())),
         };
         let mut point = || rng.triple(coordinate);
@@ -68,7 +70,9 @@ fn same_bits<S: Sample, const N: usize>() {
             let min = ends(|a, b| if a < b { a } else { b });
             Aabb::from_min_max(min, ends(|a, b| if a > b { a } else { b })).unwrap()
         });
-        let half = boxes[0].min_max().unwrap().1.to_array().map(S::plain_abs);
+        let (min, max) = boxes[0].min_max().unwrap();
+        let (min, max) = (min.to_array(), max.to_array());
+        let half = [0, 1, 2].map(|i| max[i].plain_sub(min[i]).plain_abs());
         let centered = Aabb::from_center_half_extents(point(), half).ok();
         let cells = [(); N].map(|()| Aabb::from_center_half_extents(point(), half));
         if cells.iter().all(Result::is_ok) {
@@ -83,6 +87,143 @@ fn same_bits<S: Sample, const N: usize>() {
         hits += Lanes { triangles, rays, boxes, centered }.check(cull);
     }
     assert!(hits > 100 && met > 100, "{hits} hits, {met} met");
+}
+
+/// All at once as one by one: boxes of one size, by their centres and by their corners, against a
+/// triangle, and one of them against that triangle in all lanes. How many it meets.
+fn met_at_once<S: Sample>(triangle: &Triangle<S>, centers: [[S; 3]; 8], half: [S; 3]) -> usize {
+    let cells = centers.map(|c| Aabb::from_center_half_extents(c, half).unwrap());
+    let expected = cells.each_ref().map(|cell| triangle.overlaps(cell));
+    assert_eq!(Cells::new(&cells).unwrap().overlaps(triangle), expected, "{triangle:?} {cells:?}");
+    let lanes = Triangles::new(&[*triangle; 2]);
+    for (cell, met) in cells.iter().zip(expected) {
+        assert_eq!(lanes.overlaps(cell), [met; 2], "{triangle:?} {cell:?}");
+    }
+    let corner = |c: [S; 3], sum: fn(S, S) -> S| [0, 1, 2].map(|i| sum(c[i], half[i]));
+    let between =
+        |c: [S; 3]| Aabb::from_min_max(corner(c, S::plain_sub), corner(c, S::plain_add)).unwrap();
+    let boxes = centers.map(between);
+    let met = boxes.each_ref().map(|aabb| triangle.overlaps(aabb));
+    assert_eq!(Aabbs::new(&boxes).unwrap().overlaps(triangle), met, "{triangle:?} {boxes:?}");
+    for (aabb, met) in boxes.iter().zip(met) {
+        assert_eq!(lanes.overlaps(aabb), [met; 2], "{triangle:?} {aabb:?}");
+    }
+    expected.iter().filter(|&&met| met).count()
+}
+
+/// Far from the origin a vertex and a half-extent have no sum among floats: faces that seem to
+/// touch may lie apart.
+#[test]
+fn cells_far_from_the_origin() {
+    let rng = &mut Rng::new(11);
+    let mut met = 0;
+    for _ in 0..40_000 {
+        let mut point = || rng.triple(|rng| 4_096.0 + rng.whole(-3, 3) as f32 / 2_048.0);
+        let triangle = Triangle::new(point(), point(), point()).unwrap();
+        let centers = [(); 8].map(|()| point());
+        // In eighths of the last place of the coordinates.
+        let half = rng.triple(|rng| rng.whole(0, 24) as f32 / 16_384.0);
+        met += met_at_once(&triangle, centers, half);
+    }
+    assert!((30_000..160_000).contains(&met), "{met} of 320,000");
+}
+
+/// Where the differences of coordinates round, a gap of zero may be a gap: a vertex near the
+/// middle of a face.
+#[test]
+fn differences_that_round() {
+    let rng = &mut Rng::new(12);
+    let mut met = 0;
+    for round in 0..40_000 {
+        let turn = |p: [f32; 3]| [0, 1, 2].map(|i| p[(i + round) % 3]);
+        let mut near = |at: f32, ulp: i64| at + rng.whole(-3, 3) as f32 / (1_i64 << ulp) as f32;
+        let vertex = turn([near(1.0, 23), 0.25, 0.25]);
+        let triangle = Triangle::new(vertex, turn([3.0, 2.0, 0.5]), turn([2.5, 0.5, 2.0])).unwrap();
+        let half = turn([near(1.0, 23), 1.0, 1.0]);
+        let centers = [(); 8].map(|()| turn([near(0.0, 26), 0.0, 0.0]));
+        met += met_at_once(&triangle, centers, half);
+    }
+    assert!((30_000..290_000).contains(&met), "{met} of 320,000");
+}
+
+/// Where coordinates become too long for the floats that all go in at once.
+#[test]
+fn coordinates_that_round() {
+    let rng = &mut Rng::new(13);
+    let mut met = 0;
+    for round in 0..40_000 {
+        let mut point = |from: i64, to: i64| {
+            rng.triple(|rng| I16F16::from_bits((1 << 24) + rng.whole(from, to) as i32))
+        };
+        let end = if round % 2 == 0 { -1 } else { 4 };
+        let triangle = Triangle::new(point(-6, end), point(-6, end), point(-6, end)).unwrap();
+        let centers = [(); 8].map(|()| point(-2, 4));
+        let half = rng.triple(|rng| I16F16::from_bits(rng.whole(0, 3) as i32));
+        met += met_at_once(&triangle, centers, half);
+    }
+    assert!((30_000..290_000).contains(&met), "{met} of 320,000");
+}
+
+/// Boxes that touch a triangle's plane by a corner, or an edge by an edge, or miss by little: what
+/// rounded products would tell wrong.
+#[test]
+fn planes_and_edges_graze() {
+    let mut met = [0; 3];
+    for round in 0..20_000 {
+        met[0] += met_by_grazing::<f32>(round, 40_000);
+        met[1] += met_by_grazing::<f64>(round, 500_000_000);
+        met[2] += met_by_grazing::<I16F16>(round, 2_000);
+    }
+    assert!(met.iter().all(|met| (20_000..280_000).contains(met)), "{met:?} of 320,000");
+}
+
+fn met_by_grazing<S: Sample>(round: u64, span: i64) -> usize {
+    let rng = &mut Rng::new(round);
+    let [a, b, c] = [(); 3].map(|()| rng.triple(|rng| 4 * rng.whole(-span / 4, span / 4)));
+    let half = rng.triple(|rng| rng.whole(1, span / 8));
+    let from_a = |p: [i64; 3]| [0, 1, 2].map(|i| p[i] - a[i]);
+    let (e, f) = (from_a(b), from_a(c));
+    let around = |i: usize| ((i + 1) % 3, (i + 2) % 3);
+    // The corner of the box that is nearest to the plane is a point within the triangle.
+    let on_plane = [0, 1, 2].map(|i| {
+        let (j, l) = around(i);
+        (a[i] + b[i] + 2 * c[i]) / 4 + (e[j] * f[l] - e[l] * f[j]).signum() * half[i]
+    });
+    // The edge of the box that is nearest to the middle of the triangle's goes through it.
+    let i = round as usize % 3;
+    let (j, l) = around(i);
+    let side = (e[j] * f[l] - e[l] * f[j]).signum();
+    let mut on_edge = [0, 1, 2].map(|i| (a[i] + b[i]) / 2);
+    on_edge[j] += side * e[l].signum() * half[j];
+    on_edge[l] -= side * e[j].signum() * half[l];
+
+    let number = |p: [i64; 3]| p.map(|x| S::nearest(x as f64));
+    let triangle = Triangle::new(number(a), number(b), number(c)).unwrap();
+    let near = |p: [i64; 3], axis: usize| {
+        [-4, -3, -2, -1, 0, 1, 2, 3].map(|beside| {
+            let mut center = p;
+            center[axis] += beside;
+            number(center)
+        })
+    };
+    met_at_once(&triangle, near(on_plane, i), number(half))
+        + met_at_once(&triangle, near(on_edge, j), number(half))
+}
+
+/// Prepared for one size, asked about another.
+#[test]
+fn cells_of_another_size() {
+    let cells = |size: f32| {
+        let cell = |k: f32| Aabb::from_center_half_extents([k, 0.0, 0.0], [size; 3]).unwrap();
+        Cells::new(&[cell(0.0), cell(1.0), cell(2.0), cell(3.0)]).unwrap()
+    };
+    let triangle = Triangle::new([1.5, -1.0, 0.0], [1.5, 1.0, 0.0], [1.5, 0.0, 1.0]).unwrap();
+    for prepared in [0.25, 0.5, 1.5].map(|size| CellTriangle::new(&triangle, &cells(size))) {
+        assert_eq!(prepared.overlaps(&cells(0.25)), [false; 4]);
+        assert_eq!(prepared.overlaps(&cells(0.5)), [false, true, true, false]);
+        assert_eq!(prepared.overlaps(&cells(1.5)), [true; 4]);
+        assert_eq!(prepared.triangle(), &triangle);
+    }
 }
 
 /// The stored normal and the normal on the way are the same numbers.

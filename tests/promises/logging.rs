@@ -10,7 +10,9 @@ use fixed::types::extra::U64;
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 use septum::contact::{Contact, InteriorEdges, Part, Point, Translation, contact};
 use septum::interop::Bounded;
-use septum::lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles};
+use septum::lanes::{
+    Aabbs, CellTriangle, Cells, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles,
+};
 use septum::polygon::Polygon;
 use septum::prepared::{PreparedRay, PreparedTriangle};
 use septum::published::akenine_moller::Order;
@@ -105,7 +107,7 @@ fn a_bounded_result_carries_what_it_kept_and_how_much_more() {
 
 /// Nothing to run: it compiles or not.
 #[test]
-fn every_public_type_can_be_logged() {
+fn every_shape_and_answer_can_be_logged() {
     fn can<T: Format>() {}
     fn every<S: Scalar>() {
         can::<(Vec3<S>, Triangle<S>, Polygon<'_, S>, Aabb<S>, Obb<S>, Plane<S>, Segment<S>)>();
@@ -113,6 +115,7 @@ fn every_public_type_can_be_logged() {
         can::<(NormalTriangle<S>, ProjectedTriangle<S>, PreparedTriangle<S>)>();
         can::<(Triangles<S, 4>, NormalTriangles<S, 4>, Rays<S, 4>, Aabbs<S, 4>)>();
         can::<(Hits<S, 4>, Ranges<S, 4>, SlabRays<S, 4>)>();
+        can::<(Cells<S, 4>, CellTriangle<S>)>();
         can::<(Translation<S>, Point<S>, Contact<S>)>();
         can::<(Motion<S>, FirstContact<S>)>();
     }
@@ -121,4 +124,6 @@ fn every_public_type_can_be_logged() {
     can::<(Axis, Side, Order, Facing, Feature, Cull, HitRules, ShapeError)>();
     can::<(septum::contact::Axis, Part, InteriorEdges)>();
     can::<Bounded<u16, 8>>();
+    can::<(septum::relation::Relation, septum::mesh::MeshError, septum::voxel::Row)>();
+    can::<(septum::voxel::Rule, septum::voxel::GridError, septum::voxel::TooFewWords)>();
 }

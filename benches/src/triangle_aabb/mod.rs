@@ -33,6 +33,12 @@ fn lanes_in<S: Scalar>(unit: Unit<S>) -> Group<Scene> {
     (unit.name, Box::new(lanes))
 }
 
+fn lanes_of_triangles_in<S: Scalar>(unit: Unit<S>) -> Group<Scene> {
+    let lanes =
+        move |scene: &Scene| lanes::lanes_of_triangles(&course(scene, &unit, Form::Corners));
+    (unit.name, Box::new(lanes))
+}
+
 /// Every peer, in `f32`.
 pub(crate) fn peers(scene: &Scene) -> Vec<Candidate> {
     peers_on(&course(scene, &F32, Form::Center), &course(scene, &F32, Form::Corners))
@@ -75,6 +81,9 @@ pub fn run(session: &mut Session) {
 
     let lanes = [lanes_in(F32), lanes_in(F64), lanes_in(I16F16_18), lanes_in(I16F16_26)];
     session.measure("triangle/box: Voxel, many boxes", scenes::many_boxes, yardstick, &lanes);
+    let lanes =
+        [lanes_of_triangles_in(F32), lanes_of_triangles_in(F64), lanes_of_triangles_in(I16F16_18)];
+    session.measure("triangle/box: Voorhies, many triangles", scenes::voorhies, yardstick, &lanes);
 
     // The worst case, contact: shapes that touch, where rounding must be outdone.
     let floats = |form| [group(F32, form), group(F64, form)];

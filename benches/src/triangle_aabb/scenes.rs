@@ -41,7 +41,7 @@ fn cubes_within(triangle: &[Point; 3]) -> impl Iterator<Item = Cell> {
     cubes(count, move |i, n| min[i] + side * n as f64, side)
 }
 
-/// The same, whole blocks of eight cubes alone.
+/// The same, whole blocks of thirty-two cubes alone.
 pub fn many_boxes() -> Scene {
     let mut rng = Rng::with_seed(2);
     let mut scene = Scene::default();

@@ -1,64 +1,203 @@
-//! Triangle against axis-aligned box where the answer is clear at once: the kernel in floats
+//! Triangle against axis-aligned boxes where the answer is clear at once: the kernel in floats
 //! without a branch, for many at once.
+//!
+//! All axes are measured from the first vertex, so that a box costs the fewest steps. For edge
+//! axes that is the edge's own vertex, or the one opposite, whose projection differs by the
+//! normal's component: the middle of the triangle's interval is half of that away, on one side or
+//! on the other. The bounds of `error_bound.rs` hold for either.
 
-use super::edges::edges;
 use super::error_bound::bound_of_size;
-use super::faces::faces;
-use super::frame::{BoxForm, Frame};
-use super::plane::{normal, plane};
-use crate::arithmetic::{Filtered, FirstFloat, Number, greatest};
+use super::frame::range;
+use crate::arithmetic::{Filtered, FirstFloat, Float, Number, cross, dot, greatest};
 
 /// The three points of a triangle.
 type Points<S> = [[S; 3]; 3];
 
-/// Whether an axis separates a triangle from the box with these corners, and whether that is
-/// certain.
-#[inline(always)]
-pub(crate) fn apart_by_corners<S: FirstFloat>(
-    points: Points<S>,
-    min: [S; 3],
-    max: [S; 3],
-) -> (bool, bool) {
-    let [min, max] = [min, max].map(|p| p.map(S::first));
-    let form = BoxForm::Corners(min, max, [S::First::ZERO; 3]);
-    apart::<S>(points.map(|p| p.map(S::first)), &form, [min, max])
+/// What of a triangle is the same for every box.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct TriangleAxes<F> {
+    /// The first vertex.
+    pub(super) origin: [F; 3],
+    /// The least and the greatest coordinates of the vertices.
+    pub(super) low: [F; 3],
+    pub(super) high: [F; 3],
+    /// The edges, each from a vertex to the next.
+    pub(super) edges: Points<F>,
+    pub(super) normal: [F; 3],
+    /// Half the normal: how far the middle of the triangle's interval on the axis of an edge is
+    /// from the projection of the first vertex.
+    pub(super) middle: [F; 3],
+    /// For each edge and coordinate axis, half the length of that interval.
+    pub(super) radii: Points<F>,
+    /// To be added to the box's radius on the normal.
+    pub(super) spare: F,
+    /// Whether no coordinate was rounded when it became a float.
+    pub(super) are_held: bool,
 }
 
-/// The same for the box with this centre and these half-extents.
-#[inline(always)]
-pub(crate) fn apart_by_center<S: FirstFloat>(
-    points: Points<S>,
-    center: [S; 3],
-    half: [S; 3],
-) -> (bool, bool) {
-    let [center, half] = [center, half].map(|p| p.map(S::first));
-    let form = BoxForm::Center(center, half);
-    apart::<S>(points.map(|p| p.map(S::first)), &form, [center, half])
+/// How far apart triangle and box are on the axes of edges, the greatest of nine gaps, and on the
+/// normal; and how far these may be from the truth.
+pub(super) struct Gaps<F> {
+    pub(super) edges: F,
+    pub(super) plane: F,
+    pub(super) edges_error: F,
+    pub(super) plane_error: F,
 }
 
-#[inline(always)]
-fn apart<S: FirstFloat>(
-    points: Points<S::First>,
-    form: &BoxForm<S::First>,
-    of_box: [[S::First; 3]; 2],
-) -> (bool, bool) {
-    let frame = Frame::<Filtered<S::First>>::new(&points, form);
-    let faces = faces(&frame);
-    let size = frame.size();
-    let bound = bound_of_size::<Filtered<S::First>>(size);
-    let n = normal(&frame);
-    let edges = edges(&frame, &n, bound.edge);
-    let plane = plane::<Filtered<S::First>>(&n, &frame.v[0], &frame.h, bound.plane);
-    let all = faces.or(edges).or(plane);
-    let mut are_held = true;
-    if let Some(limit) = S::FIRST_LIMIT {
+impl<F: Float> Gaps<F> {
+    /// With whether a face separates, and whether none does: whether an axis separates, and
+    /// whether that is certain. `is_known` says whether the errors are.
+    #[inline(always)]
+    pub(super) fn verdict(&self, face: bool, no_face: bool, is_known: bool) -> (bool, bool) {
+        let apart = (self.edges > self.edges_error) | (self.plane > self.plane_error);
+        let none = (self.edges <= -self.edges_error) & (self.plane <= -self.plane_error);
+        // Faces take no products, so that their certainty does not hang on the size.
+        (face | apart, face | is_known & (apart | none & no_face))
+    }
+}
+
+impl<F: Float> TriangleAxes<F> {
+    #[inline(always)]
+    pub(crate) fn new<S: FirstFloat<First = F>>([a, b, c]: Points<S>) -> Self {
+        let points = &[first(a), first(b), first(c)];
         let [a, b, c] = points;
-        for p in [a, b, c, of_box[0], of_box[1]] {
-            let most = greatest(greatest(p[0].magnitude(), p[1].magnitude()), p[2].magnitude());
-            are_held &= most < limit;
+        let edges = [minus(b, a), minus(c, b), minus(a, c)];
+        let normal = cross::<Filtered<F>>(&edges[0], &edges[1]);
+        let (x, y, z) = (range(points, 0), range(points, 1), range(points, 2));
+        let (low, high) = ([x.0, y.0, z.0], [x.1, y.1, z.1]);
+        // An axis that is along a face normal, or zero, separates only if that face does. So does
+        // the normal of a triangle that lies along a coordinate plane. Their gaps, which are zero
+        // or may be, shall be below zero beyond any error.
+        let beyond_error = F::RANGE.1 * F::RANGE.1;
+        let is_zero = |x: F| x == F::ZERO;
+        let middle = [normal[0].half(), normal[1].half(), normal[2].half()];
+        let mut radii = [[F::ZERO; 3]; 3];
+        for k in 0..3 {
+            for i in 0..3 {
+                let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+                let is_none = is_zero(edges[k][j]) & is_zero(edges[k][l]);
+                radii[k][i] = if is_none { beyond_error } else { middle[i].magnitude() };
+            }
+        }
+        let is_flat = (low[0] == high[0]) | (low[1] == high[1]) | (low[2] == high[2]);
+        let spare = if is_flat { beyond_error * F::RANGE.1 } else { F::ZERO };
+        Self {
+            origin: *a,
+            low,
+            high,
+            edges,
+            normal,
+            middle,
+            radii,
+            spare,
+            are_held: are_held::<S>(points),
         }
     }
-    // Faces take no products, so that their certainty does not hang on the size.
-    let is_certain = faces.certain | size.in_range() & !(all.certain ^ all.possible);
-    (all.certain, is_certain & are_held)
+
+    /// The greatest gap on the axes of edges, the first vertex at `v` in the frame of the box.
+    #[inline(always)]
+    pub(super) fn edges(&self, v: &[F; 3], radius: impl Fn(usize, usize) -> F) -> F {
+        let mut most = None;
+        for k in 0..3 {
+            for i in 0..3 {
+                let (e, j, l) = (&self.edges[k], (i + 1) % 3, (i + 2) % 3);
+                let (p, middle) = (e[j] * v[l] - e[l] * v[j], self.middle[i]);
+                // The second edge's own vertices are ahead of the first vertex.
+                let far = if k == 1 { p - middle } else { p + middle };
+                let gap = far.magnitude() - radius(k, i);
+                most = Some(most.map_or(gap, |most| greatest(most, gap)));
+            }
+        }
+        most.unwrap_or(F::ZERO)
+    }
+
+    #[inline(always)]
+    pub(super) fn edge_radius(&self, half: &[F; 3], k: usize, i: usize) -> F {
+        let (e, j, l) = (&self.edges[k], (i + 1) % 3, (i + 2) % 3);
+        self.radii[k][i] + (e[l].magnitude() * half[j] + e[j].magnitude() * half[l])
+    }
+
+    #[inline(always)]
+    pub(super) fn plane_radius(&self, half: &[F; 3]) -> F {
+        self.spare + dot::<Filtered<F>>(&self.normal.map(F::magnitude), half)
+    }
+
+    /// How far the gaps may be from the truth, and whether that is known.
+    #[inline(always)]
+    pub(super) fn errors(&self, half: &[F; 3]) -> ([F; 2], bool) {
+        let span = |i: usize| half[i] + (self.high[i] - self.low[i]);
+        let size = greatest(greatest(span(0), span(1)), span(2));
+        let bound = bound_of_size::<Filtered<F>>(size);
+        ([bound.edge, bound.plane], size.in_range())
+    }
+
+    #[inline(always)]
+    fn gaps(&self, v: &[F; 3], half: &[F; 3], [edges_error, plane_error]: [F; 2]) -> Gaps<F> {
+        Gaps {
+            edges: self.edges(v, |k, i| self.edge_radius(half, k, i)),
+            plane: dot::<Filtered<F>>(&self.normal, v).magnitude() - self.plane_radius(half),
+            edges_error,
+            plane_error,
+        }
+    }
+
+    /// Whether an axis separates the triangle from the box with these corners, and whether that is
+    /// certain.
+    #[inline(always)]
+    pub(crate) fn apart_by_corners<S>(&self, min: [S; 3], max: [S; 3]) -> (bool, bool)
+    where
+        S: FirstFloat<First = F>,
+    {
+        let (min, max) = (first(min), first(max));
+        let gap = |i: usize| greatest(self.low[i] - max[i], min[i] - self.high[i]);
+        let face = greatest(greatest(gap(0), gap(1)), gap(2)) > F::ZERO;
+        // Not v − (min + max)/2: the sum rounds by the distance from the origin, the differences
+        // only by the distance from the box.
+        let from_middle = |i: usize| ((self.origin[i] - min[i]) + (self.origin[i] - max[i])).half();
+        let v = [from_middle(0), from_middle(1), from_middle(2)];
+        let extent = |i: usize| (max[i] - min[i]).half();
+        let half = [extent(0), extent(1), extent(2)];
+        let (errors, is_known) = self.errors(&half);
+        let (is_apart, is_certain) = self.gaps(&v, &half, errors).verdict(face, !face, is_known);
+        (is_apart, is_certain & self.are_held & are_held::<S>(&[min, max]))
+    }
+
+    /// The same for the box with this centre and these half-extents.
+    #[inline(always)]
+    pub(crate) fn apart_by_center<S>(&self, center: [S; 3], half: [S; 3]) -> (bool, bool)
+    where
+        S: FirstFloat<First = F>,
+    {
+        let (center, half) = (first(center), first(half));
+        // A gap of zero may be a rounded one. The sign of any other is right: rounding keeps order.
+        let gap = |i: usize| greatest(self.low[i] - center[i], center[i] - self.high[i]) - half[i];
+        let gap = greatest(greatest(gap(0), gap(1)), gap(2));
+        let (face, no_face) = (gap > F::ZERO, gap < F::ZERO);
+        let (errors, is_known) = self.errors(&half);
+        let gaps = self.gaps(&minus(&self.origin, &center), &half, errors);
+        let (is_apart, is_certain) = gaps.verdict(face, no_face, is_known);
+        (is_apart, is_certain & self.are_held & are_held::<S>(&[center, half]))
+    }
+}
+
+/// Whether none of the coordinates was rounded when it became a float.
+#[inline(always)]
+pub(super) fn are_held<S: FirstFloat>(points: &[[S::First; 3]]) -> bool {
+    let Some(limit) = S::FIRST_LIMIT else { return true };
+    let mut are_held = true;
+    for p in points {
+        let most = greatest(greatest(p[0].magnitude(), p[1].magnitude()), p[2].magnitude());
+        are_held &= most < limit;
+    }
+    are_held
+}
+
+#[inline(always)]
+pub(super) fn minus<F: Float>(a: &[F; 3], b: &[F; 3]) -> [F; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+#[inline(always)]
+pub(super) fn first<S: FirstFloat>([x, y, z]: [S; 3]) -> [S::First; 3] {
+    [x.first(), y.first(), z.first()]
 }

@@ -21,6 +21,7 @@ pub(super) mod frame;
 mod kernel;
 mod narrow;
 mod one_sided;
+mod one_size;
 pub(super) mod plane;
 mod prepared;
 mod relation;
@@ -28,9 +29,10 @@ pub(super) mod rows;
 mod witness;
 
 pub use axis::Axis;
-pub(crate) use clear::{apart_by_center, apart_by_corners};
+pub(crate) use clear::TriangleAxes;
 #[cfg(feature = "fixed")]
 pub(super) use one_sided::{Projection, one_sided};
+pub(crate) use one_size::OfOneSize;
 pub use prepared::PreparedTriangle;
 
 use super::Overlaps;
