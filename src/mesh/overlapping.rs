@@ -6,6 +6,7 @@ use super::grid::corners;
 use super::node::{Cell, Node};
 use super::walk::Walk;
 use super::{Index, Tree};
+use crate::arithmetic::REGISTERS_ARE_WIDE;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb, Overlaps, Segment, SegmentForm, Triangle, Vec3};
 
@@ -50,7 +51,9 @@ impl<S: Scalar> sealed::Bounded<S> for Aabb<S> {
 }
 
 impl<S: Scalar> sealed::Bounded<S> for Obb<S> {
-    const IS_DEAR: bool = true;
+    // On small cores short words tell an oriented box from most triangles for less than
+    // an axis-aligned box that is far from the origin of its numbers.
+    const IS_DEAR: bool = REGISTERS_ARE_WIDE;
 
     fn corners(&self) -> Option<[[S; 3]; 2]> {
         let (min, max) = self.aabb()?.min_max()?;

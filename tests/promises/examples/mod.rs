@@ -31,6 +31,9 @@ fn built(example: &str, target: &Path) {
     cargo.args(["build", "--quiet", "--manifest-path"]);
     cargo.arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml"));
     cargo.args(["--example", example, "--target-dir"]).arg(target.parent().unwrap());
+    // The folder has the profile's name, but for that of the profile for development.
+    let profile = target.file_name().and_then(|name| name.to_str()).unwrap();
+    cargo.args(["--profile", if profile == "debug" { "dev" } else { profile }]);
     assert!(cargo.status().unwrap().success(), "{example}");
 }
 
