@@ -187,14 +187,15 @@ impl<S: Scalar> Disjoint<'_, S> {
         self.in_words(one).relation::<ARE_TOLD>()
     }
 
-    /// The same in words that hold the shapes if they are near to each other.
+    /// The same in words that hold the shapes if they are near to each other, or far and of few
+    /// digits.
     #[cold]
     #[inline(never)]
     fn in_near_words<W: WholeWord, const ARE_TOLD: bool>(&self, one: W) -> Option<Relation>
     where
         S: InWord<W>,
     {
-        let words = self.in_words(one);
+        let words = self.in_words(one).without_common_zeros();
         let center = self.obb.center().to_array().map(S::in_word);
         (center.iter().all(|x| x.is_central()) && words.is_near())
             .then(|| words.relation::<ARE_TOLD>())

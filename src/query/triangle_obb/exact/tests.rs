@@ -1,0 +1,64 @@
+use fixed::types::{I4F4, I8F8, I16F16};
+
+use crate::arithmetic::{InWholeWord, WholeWord};
+use crate::query::triangle_obb::Disjoint;
+use crate::robust::Predicate;
+use crate::scalar::Scalar;
+use crate::shape::{Obb, Triangle};
+
+/// Words say what exact sums say, of numbers of so many bits, and lengths with so many zeros
+/// after them.
+fn check<S: Scalar + InWholeWord<W>, W: WholeWord>(bits: u32, zeros: u32, of: impl Fn(i64) -> S) {
+    let mut seed = 1_u64;
+    let mut below = |n: u64| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((u128::from(seed) * u128::from(n)) >> 64) as i64
+    };
+    let (mut asked, mut apart) = (0, 0);
+    for case in 0..2_000 {
+        let end = (1 << bits) - 1;
+        let mut number = || match case % 3 {
+            0 => below(2 << bits) - end - 1,
+            1 => [-end - 1, end, 0, 1, -1][below(5) as usize],
+            _ => (below(5) - 2) << (bits - 3),
+        };
+        let mut point = || [number(), number(), number()];
+        let axes = [(); 3].map(|()| point().map(&of));
+        let half = point().map(|x| of((x >> 2).abs() << zeros));
+        let mut vector = || point().map(|x| of(x << zeros));
+        let (center, triangle) = (vector(), Triangle::new(vector(), vector(), vector()));
+        let triangle = triangle.unwrap();
+        let Ok(obb) = Obb::from_skewed_axes(center, axes, half) else { continue };
+        let question = Disjoint { triangle: &triangle, obb: &obb };
+        let expected = question.exact();
+        let found = question.narrow_volumes::<W>();
+        // Differences of those wrap.
+        let is_far = bits + zeros > 30 && found.is_none();
+        assert!(is_far || found == Some(expected), "{found:?} {triangle:?} {obb:?}");
+        asked += 1;
+        apart += u32::from(expected);
+    }
+    assert!(asked > 1_000 && (asked / 20..asked).contains(&apart), "{apart} of {asked}");
+}
+
+#[test]
+fn words_agree_with_exact_sums() {
+    check::<I4F4, i16>(7, 0, |x| I4F4::from_bits(x as i8));
+    check::<I8F8, i32>(15, 0, |x| I8F8::from_bits(x as i16));
+    check::<I16F16, i32>(18, 0, |x| I16F16::from_bits(x as i32));
+    check::<I16F16, i32>(18, 10, |x| I16F16::from_bits(x as i32));
+    check::<I16F16, i32>(3, 28, |x| I16F16::from_bits(x as i32));
+    check::<I16F16, i64>(31, 0, |x| I16F16::from_bits(x as i32));
+}
+
+/// A difference that wraps would be near if all zeros were taken off.
+#[test]
+fn wrapped_differences_stay_far() {
+    let at = |p: [i32; 3]| p.map(|x| I16F16::from_bits(x << 28));
+    let triangle = Triangle::new(at([7, -1, -1]), at([-8, -1, -1]), at([-8, -1, 0])).unwrap();
+    let (zero, one) = (I16F16::ZERO, I16F16::ONE);
+    let axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
+    let obb = Obb::new(at([-1; 3]), axes, at([0; 3])).unwrap();
+    let question = Disjoint { triangle: &triangle, obb: &obb };
+    assert_eq!((question.exact(), question.narrow_volumes::<i32>()), (false, None));
+}
