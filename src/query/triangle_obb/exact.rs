@@ -125,32 +125,37 @@ impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
         }
     }
 
-    /// The same with lengths divided by a power of two that divides them all: whole numbers of a
-    /// unit, as grids are, are near from farther away. Every term has the same number of lengths.
+    /// Divides all lengths by a power of two that divides them all: whole numbers of a unit, as
+    /// grids are, are near from farther away. Every term has the same number of lengths.
     ///
     /// Wrapped differences do not become near. From a word in the middle half they are at least
     /// 2^14, 2^30 or 2^62; what is near after the greatest division here is below 2^13, 2^29 or
     /// 2^55.
     #[inline(always)]
-    pub(super) fn without_common_zeros(mut self) -> Self {
-        let lengths = self.t.iter().chain(&self.e).chain([&self.h]).flatten();
-        let mut all = lengths.fold(W::ZERO, |all, &x| all | x);
+    fn take_off_common_zeros(&mut self) {
+        let Self { t, e, h, .. } = self;
+        let lengths = [t.as_flattened(), e.as_flattened(), h];
+        let mut all = lengths.into_iter().flatten().fold(W::ZERO, |all, &x| all | x);
         let mut zeros = 0;
-        while zeros < size_of::<W>() as u32 * 8 / 3 && (all >> 1).plus(all >> 1) == all {
-            (all, zeros) = (all >> 1, zeros + 1);
+        // As often whatever the numbers are: the worst case is promised.
+        for _ in 0..size_of::<W>() * 8 / 3 {
+            let is_even = u32::from((all >> 1).plus(all >> 1) == all);
+            (all, zeros) = (all >> is_even, zeros + is_even);
         }
-        for x in self.t.iter_mut().chain(&mut self.e).chain([&mut self.h]).flatten() {
+        for x in [t.as_flattened_mut(), e.as_flattened_mut(), h].into_iter().flatten() {
             *x = *x >> zeros;
         }
-        self
     }
 
     /// Whether words have room for all that is made of these lengths, if none of them is
-    /// wrapped.
-    pub(super) fn is_near(&self) -> bool {
+    /// wrapped; perhaps after a division of all of them. Out of line: the axes, which come next,
+    /// take the most stack.
+    #[inline(never)]
+    pub(super) fn becomes_near(&mut self) -> bool {
+        self.take_off_common_zeros();
         let Self { t, e, u, h, .. } = self;
-        let lengths = [t, e, u].into_iter().flatten().chain([h]).flatten();
-        lengths.fold(W::ZERO, |all, x| all | x.folded()).has_volumes()
+        let lengths = [t.as_flattened(), e.as_flattened(), u.as_flattened(), h];
+        lengths.into_iter().flatten().fold(W::ZERO, |all, x| all | x.folded()).has_volumes()
     }
 }
 

@@ -195,9 +195,9 @@ impl<S: Scalar> Disjoint<'_, S> {
     where
         S: InWord<W>,
     {
-        let words = self.in_words(one).without_common_zeros();
+        let mut words = self.in_words(one);
         let center = self.obb.center().to_array().map(S::in_word);
-        (center.iter().all(|x| x.is_central()) && words.is_near())
+        (center.iter().all(|x| x.is_central()) && words.becomes_near())
             .then(|| words.relation::<ARE_TOLD>())
     }
 
