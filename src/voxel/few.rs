@@ -72,7 +72,7 @@ pub(super) const AREA: u8 = 20;
 const VOLUME: u8 = 112;
 
 /// What is seen along an axis.
-struct View {
+struct Outline {
     /// Twice the area of the triangle, nearly, and its exact sign.
     area: f32,
     sign: Ordering,
@@ -94,12 +94,12 @@ struct Few<'a, S> {
 impl<S: Scalar> Few<'_, S> {
     /// What is seen along an axis; nothing, if no planes cross inside of the block.
     #[inline(always)]
-    fn view(&self, rows: &[OnAxis; 3], axes: [usize; 2], along: usize) -> View {
+    fn view(&self, rows: &[OnAxis; 3], axes: [usize; 2], along: usize) -> Outline {
         let [u, v] = axes;
         let ([i, j], [x, y]) =
             ([self.block.widths[u], self.block.widths[v]], [self.strides[u], self.strides[v]]);
         if i == 1 || j == 1 {
-            return View { area: 0.0, sign: Ordering::Equal, apart: 0 };
+            return Outline { area: 0.0, sign: Ordering::Equal, apart: 0 };
         }
         let (d, e) = (rows[u].edges, rows[v].edges);
         let rises = [self.rise(u), self.rise(v)];
@@ -139,7 +139,7 @@ impl<S: Scalar> Few<'_, S> {
                 clear(out & !right & !up, at - x - y);
             }
         }
-        View { area, sign, apart }
+        Outline { area, sign, apart }
     }
 
     /// Which edges rise along an axis.
@@ -151,7 +151,7 @@ impl<S: Scalar> Few<'_, S> {
 
     /// The voxels that the plane separates.
     #[inline(always)]
-    fn beside_plane(&self, rows: &[OnAxis; 3], views: &[View; 3], error: f32) -> u32 {
+    fn beside_plane(&self, rows: &[OnAxis; 3], views: &[Outline; 3], error: f32) -> u32 {
         let ([i, j, k], [_, y, z]) = (self.block.widths, self.strides);
         let first = |row: &OnAxis| row.at.to_array()[0];
         let [a, b, c] = [first(&rows[0]), first(&rows[1]), first(&rows[2])];
@@ -167,7 +167,7 @@ impl<S: Scalar> Few<'_, S> {
                     } else {
                         self.exact_above([p, q, r])
                     };
-                    let less = |view: &View| u32::from(view.sign != above);
+                    let less = |view: &Outline| u32::from(view.sign != above);
                     let [p, q, r] = [p - less(&views[0]), q - less(&views[1]), r - less(&views[2])];
                     apart |= u32::from(above != Ordering::Equal) << (p + q * y + r * z);
                 }

@@ -3,10 +3,11 @@ use core::cmp::Ordering;
 use super::Rule;
 use super::grid::Grid;
 use super::line::{Limit, Line};
-use super::place::Place;
 use crate::arithmetic::Parts;
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Segment, SegmentForm, Vec3};
+
+mod start;
 
 impl<S: Scalar> Grid<S> {
     /// The voxels that a segment meets, in the order in which it meets them, from its first end
@@ -109,105 +110,6 @@ struct Axis {
     /// The next plane, and how many are left.
     plane: i32,
     left: i32,
-}
-
-impl<S: Scalar> Walk<S> {
-    fn new(grid: &Grid<S>, line: Line<S>, limits: [Option<Limit>; 2], rule: Rule) -> Self {
-        let axis = Axis { at: 0, step: 1, plane: 0, left: 0 };
-        let mut walk = Self {
-            grid: *grid,
-            line,
-            rule,
-            axes: [axis; 3],
-            next: 0,
-            around: 0,
-            must: 0,
-            is_over: true,
-        };
-        if let Some(start) = walk.start(limits[0]) {
-            walk.is_over = false;
-            for i in 0..3 {
-                let end = limits[1].map(|limit| walk.line.at_limit(grid, i, limit));
-                // It may end before it comes to the grid.
-                walk.is_over |= end.is_some_and(|end| match walk.line.way(i) {
-                    Ordering::Greater => end.above < start[i].above,
-                    Ordering::Less => end.at > start[i].at,
-                    Ordering::Equal => false,
-                });
-                walk.set_out(i, start[i], end);
-            }
-        }
-        walk
-    }
-
-    /// Where the line first is in the grid, if it ever is.
-    fn start(&self, limit: Option<Limit>) -> Option<[Place; 3]> {
-        let (grid, line) = (&self.grid, &self.line);
-        let last = grid.resolution().map(|n| n as i32);
-        let mut places = [Place::before(0); 3];
-        // The last of the planes by which it enters.
-        let mut entry: Option<(usize, i32)> = None;
-        for i in 0..3 {
-            let way = line.way(i);
-            let limit = if way == Ordering::Equal { Some(Limit::Anchor) } else { limit };
-            places[i] = match limit {
-                Some(limit) => line.at_limit(grid, i, limit),
-                None if way == Ordering::Greater => Place::before(0),
-                None => Place::before(last[i] + 1),
-            };
-            let plane = match (way, is_outside(places[i], last[i])) {
-                (_, false) => continue,
-                (Ordering::Greater, _) if places[i].above == 0 => 0,
-                (Ordering::Less, _) if places[i].above > 0 => last[i],
-                _ => return None,
-            };
-            let is_later = |other| line.order(grid, (i, plane), other) == Ordering::Greater;
-            if entry.is_none_or(is_later) {
-                entry = Some((i, plane));
-            }
-        }
-        if let Some((axis, plane)) = entry {
-            for i in 0..3 {
-                places[i] = if i == axis {
-                    Place::on(plane)
-                } else {
-                    line.at_plane(grid, i, (axis, plane))
-                };
-                if is_outside(places[i], last[i]) {
-                    return None;
-                }
-            }
-        }
-        Some(places)
-    }
-
-    /// Sets out along an axis.
-    fn set_out(&mut self, i: usize, start: Place, end: Option<Place>) {
-        let last = self.grid.resolution()[i] as i32;
-        let is_closed = self.rule == Rule::Closed;
-        let is_on_plane = start.at != start.above;
-        let bit = if is_closed && is_on_plane { 1 << i } else { 0 };
-        let axis = &mut self.axes[i];
-        match self.line.way(i) {
-            Ordering::Equal => axis.at = start.above - 1,
-            Ordering::Greater => {
-                *axis = Axis { at: start.above - 1, step: 1, plane: start.above, left: 0 };
-                let end = end.map_or(last, |end| last.min(end.above - 1));
-                axis.left = end - axis.plane + 1;
-            }
-            Ordering::Less => {
-                let from = if is_closed { start.at } else { start.above };
-                *axis = Axis { at: from - 1, step: -1, plane: from - 1, left: 0 };
-                let end = end.map_or(0, |end| 0.max(if is_closed { end.at } else { end.above }));
-                axis.left = axis.plane - end + 1;
-            }
-        }
-        if bit != 0 {
-            // It begins before the plane that it is on.
-            axis.at -= axis.step;
-            self.around |= bit;
-        }
-    }
 }
 
 impl<S: Scalar> Walk<S> {
@@ -319,9 +221,4 @@ impl<S: Scalar> Iterator for Walk<S> {
         }
         None
     }
-}
-
-/// Whether something is beyond the planes of an axis.
-fn is_outside(place: Place, last: i32) -> bool {
-    place.above <= 0 || place.at > last
 }
