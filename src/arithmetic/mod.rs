@@ -67,7 +67,7 @@ pub(crate) use root::{Square, over_roots};
 pub use rounded::{Rounded, RoundedOps};
 pub use short_multiples::ShortFloat;
 pub(crate) use short_multiples::{Divisor, Leading64};
-pub use span::{Span, Spanned};
+pub use span::{Span, Spanned, Spans};
 pub(crate) use split::{FAR, Split, Two, short_areas, two_difference};
 pub use system::{Arithmetic, Embeds};
 pub(crate) use system::{of_two, once};

@@ -9,6 +9,7 @@ use core::fmt::Debug;
 use core::ops::Div;
 
 use super::float::Float;
+use super::quad::{OfFour, Quad};
 
 /// A float that quotients of lengths are compared in.
 pub trait Span: Float + Div<Output = Self> + Debug {
@@ -50,6 +51,9 @@ impl Span for f64 {
     }
 }
 
+/// Four spans side by side.
+pub type Spans<S> = <<S as Spanned>::Span as OfFour>::Quad;
+
 /// A scalar whose lengths are spans, each rounded once at most.
 pub trait Spanned: Copy {
     /// The float.
@@ -63,6 +67,11 @@ pub trait Spanned: Copy {
     fn anchor(self) -> Self::Anchor;
     /// What is between the anchor and this coordinate.
     fn beyond(self, anchor: Self::Anchor) -> Self::Span;
+    /// What is between the anchors and these coordinates. The fourth is not looked at.
+    #[inline(always)]
+    fn all_beyond([x, y, z, _]: [Self; 4], [a, b, c, _]: [Self::Anchor; 4]) -> Spans<Self> {
+        Quad::of_three([x.beyond(a), y.beyond(b), z.beyond(c)])
+    }
     /// A length, in the unit of differences.
     fn span(self) -> Self::Span;
     /// A quotient of lengths, times the scale; `None` if it was rounded.
@@ -83,6 +92,10 @@ macro_rules! float {
             #[inline(always)]
             fn beyond(self, anchor: $float) -> $float {
                 self - anchor
+            }
+            #[inline(always)]
+            fn all_beyond(p: [$float; 4], anchors: [$float; 4]) -> Spans<$float> {
+                <Spans<$float> as Quad>::new(p) - <Spans<$float> as Quad>::new(anchors)
             }
             #[inline(always)]
             fn span(self) -> $float {

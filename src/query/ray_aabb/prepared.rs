@@ -2,7 +2,7 @@
 //! decide where the two values of t stand clear of each other, and the exact test elsewhere.
 
 use super::error_bound;
-use crate::arithmetic::{Number, Span, greatest, least};
+use crate::arithmetic::{Number, Quad, Span, Spans, greatest, least};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Ray, Vec3};
@@ -40,9 +40,10 @@ use crate::shape::{Aabb, AabbForm, Ray, Vec3};
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedRay<S: Scalar> {
     ray: Ray<S>,
-    origin: [S::Anchor; 3],
-    /// The scale over the direction; zero where that is zero.
-    reciprocal: [S::Span; 3],
+    /// With one that is not looked at.
+    origin: [S::Anchor; 4],
+    /// The scale over the direction; zero where that is zero. With one that is not looked at.
+    reciprocal: [S::Span; 4],
     /// The range of t, times the scale.
     from: S::Span,
     to: S::Span,
@@ -80,8 +81,8 @@ impl<S: Scalar> PreparedRay<S> {
         let zero = S::Span::ZERO;
         let mut this = Self {
             ray: *ray,
-            origin: ray.origin().to_array().map(S::anchor),
-            reciprocal: [zero; 3],
+            origin: four(ray.origin()).map(S::anchor),
+            reciprocal: [zero; 4],
             from: -S::Span::GREATEST,
             to: S::Span::GREATEST,
             course: Course::Exact,
@@ -90,7 +91,7 @@ impl<S: Scalar> PreparedRay<S> {
             return this;
         }
         let mut course = Course::Plain;
-        for (r, d) in this.reciprocal.iter_mut().zip(ray.direction().to_array()) {
+        for (r, d) in this.reciprocal.iter_mut().zip(four(ray.direction())) {
             if d == S::ZERO {
                 course = Course::Slabs;
                 continue;
@@ -177,16 +178,11 @@ impl<S: Scalar> PreparedRay<S> {
     /// Where no component of the direction is zero and t is not below zero.
     #[inline(always)]
     fn between_corners(&self, min: Vec3<S>, max: Vec3<S>) -> (S::Span, S::Span) {
-        let (min, max) = (min.to_array(), max.to_array());
-        let (mut near, mut far) = ([S::Span::ZERO; 3], [S::Span::ZERO; 3]);
-        for i in 0..3 {
-            let r = self.reciprocal[i];
-            let (a, b) = (min[i].beyond(self.origin[i]) * r, max[i].beyond(self.origin[i]) * r);
-            near[i] = least(a, b);
-            far[i] = greatest(a, b);
-        }
-        let enter = greatest(greatest(near[0], near[1]), greatest(near[2], self.from));
-        let leave = least(least(far[0], far[1]), least(far[2], self.to));
+        let (a, b) = (self.reaches([min.x, min.y, min.z, max.x]), self.reaches(four(max)));
+        let [x, y, z] = a.least(b).three();
+        let enter = greatest(greatest(x, y), greatest(z, self.from));
+        let [x, y, z] = a.greatest(b).three();
+        let leave = least(least(x, y), least(z, self.to));
         // −0 has other bits than zero.
         (enter, leave + S::Span::ZERO)
     }
@@ -194,21 +190,21 @@ impl<S: Scalar> PreparedRay<S> {
     /// The same for a box by its centre.
     #[inline(always)]
     fn around_center(&self, center: Vec3<S>, half: Vec3<S>) -> (S::Span, S::Span, S::Span) {
-        let (center, half) = (center.to_array(), half.to_array());
-        let zero = [S::Span::ZERO; 3];
-        let (mut near, mut far, mut size) = (zero, zero, zero);
-        for i in 0..3 {
-            let r = self.reciprocal[i];
-            let (to_center, to_face) =
-                (center[i].beyond(self.origin[i]) * r, half[i].span() * r.magnitude());
-            near[i] = to_center - to_face;
-            far[i] = to_center + to_face;
-            size[i] = to_center.magnitude() + to_face;
-        }
-        let enter = greatest(greatest(near[0], near[1]), greatest(near[2], self.from));
-        let leave = least(least(far[0], far[1]), least(far[2], self.to));
-        let size = greatest(greatest(size[0], size[1]), size[2]);
-        (enter, leave, size)
+        let to_center = self.reaches([center.x, center.y, center.z, half.x]);
+        let reciprocal = <Spans<S> as Quad>::new(self.reciprocal);
+        let to_face = <Spans<S> as Quad>::new(four(half).map(S::span)) * reciprocal.magnitude();
+        let [x, y, z] = (to_center - to_face).three();
+        let enter = greatest(greatest(x, y), greatest(z, self.from));
+        let [x, y, z] = (to_center + to_face).three();
+        let leave = least(least(x, y), least(z, self.to));
+        let [x, y, z] = (to_center.magnitude() + to_face).three();
+        (enter, leave, greatest(greatest(x, y), z))
+    }
+
+    /// The values of t at these coordinates, one of each axis.
+    #[inline(always)]
+    fn reaches(&self, p: [S; 4]) -> Spans<S> {
+        S::all_beyond(p, self.origin) * Quad::new(self.reciprocal)
     }
 
     /// For any direction and any range; and for a second look at what is in doubt, for a ray
@@ -287,4 +283,10 @@ impl<S: Scalar> PreparedRay<S> {
         }
         Some(Slabs { near, far, size, touches })
     }
+}
+
+/// Three coordinates, and one that is not looked at.
+#[inline(always)]
+fn four<S: Copy>(p: Vec3<S>) -> [S; 4] {
+    [p.x, p.y, p.z, p.z]
 }
