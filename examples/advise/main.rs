@@ -58,6 +58,10 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
+    say(&report(options)?)
+}
+
+fn report(options: &Options) -> Result<String, Box<dyn Error>> {
     let tables = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
     let question = Question::new(options.ask, options.way)?;
     let costs = Costs::read(&tables, options.target, question)?;
@@ -67,7 +71,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let sample = options.sample.get() as usize;
     let plan = Plan { target: options.target, sample, full: options.full, costs: &costs };
     let survey = Survey::of(&scene, &plan);
-    say(&report::write(&mesh.name, options, &scene, &survey, &costs))
+    Ok(report::write(&mesh.name, options, &scene, &survey, &costs))
 }
 
 /// Prints. A closed pipe is no error.

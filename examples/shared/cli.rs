@@ -17,7 +17,7 @@ pub(crate) fn read<Options: Parser>() -> Options {
 }
 
 /// What is wrong, and what is valid. Tips and usage are left to `--help`.
-fn one_line(error: &clap::Error) -> String {
+pub(crate) fn one_line(error: &clap::Error) -> String {
     let text = error.to_string();
     let first = text.lines().map(str::trim).take_while(|line| !line.is_empty());
     first.collect::<Vec<_>>().join(" ") + "; --help explains the options"

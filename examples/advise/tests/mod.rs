@@ -1,6 +1,7 @@
 //! What the example predicts comes true, what it refuses would not do, and what it
 //! recommends does.
 
+mod command;
 mod predictions;
 mod printing;
 mod questions;
@@ -8,7 +9,8 @@ mod refusals;
 mod tables;
 mod types;
 
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 use clap::Parser;
 
@@ -21,6 +23,14 @@ use crate::scene::Scene;
 use crate::survey::{Plan, Survey};
 
 type Triangles = Vec<[[f64; 3]; 3]>;
+
+/// A folder for one test, empty at its start.
+fn folder(test: &str) -> PathBuf {
+    let path = std::env::temp_dir().join("septum-advise").join(test);
+    let _ = fs::remove_dir_all(&path);
+    fs::create_dir_all(&path).unwrap();
+    path
+}
 
 fn teapot() -> Triangles {
     let mesh = Mesh::load(&[], Some(Up::Y)).unwrap();

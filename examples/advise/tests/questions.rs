@@ -17,7 +17,7 @@ use crate::options::Options;
 use crate::question::{Off, Question, across, around, turned};
 use crate::scene::{Query, Scene};
 
-use super::{Advice, Triangles, scaled, teapot};
+use super::{Advice, Triangles, folder, scaled, teapot};
 
 const WAY: Question = Question::Sweep([0.75, -2.0, 0.3]);
 
@@ -188,8 +188,7 @@ fn what_is_printed_of_sweeps_and_contacts() {
 
 #[test]
 fn costs_are_those_of_the_query() {
-    let tables = std::env::temp_dir().join("septum-advise").join("questions");
-    fs::create_dir_all(&tables).unwrap();
+    let tables = folder("questions");
     let rows = "\
 core,query,scalar,mode,path,instructions,stack
 Cortex-M0,triangle/box,I8F8,exact,full,700,1

@@ -1,22 +1,14 @@
 //! Costs.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use crate::costs::Costs;
 use crate::kind::Kind;
 use crate::options;
 use crate::question::Question;
 
-use super::{Advice, teapot};
-
-/// A folder for one test, empty at its start.
-fn folder(test: &str) -> PathBuf {
-    let path = std::env::temp_dir().join("septum-advise").join(test);
-    let _ = fs::remove_dir_all(&path);
-    fs::create_dir_all(&path).unwrap();
-    path
-}
+use super::{Advice, folder, teapot};
 
 const TARGET: &str = "\
 core,query,scalar,mode,path,instructions,stack

@@ -1,6 +1,5 @@
 //! The examples, as their users meet them.
 
-mod advise;
 mod keep_out;
 mod options;
 mod printing;

@@ -45,35 +45,6 @@ fn voxelize() {
 }
 
 #[test]
-fn advise() {
-    refused(
-        "advise",
-        &[
-            ("--cell 0", "above zero"),
-            ("--cell nan", "above zero"),
-            ("--cell wide", "above zero"),
-            ("--cell 1e-300", "boxes of 1.00e-300 are too small"),
-            ("--tolerance -1", "zero or above"),
-            ("--tolerance inf", "zero or above"),
-            ("--tolerance 1e300", "too small"),
-            ("--ask rest", "overlap, turned, triangle, polygon, boxes, sweep, contact"),
-            ("--ask sweep", "needs the way of the boxes: --way"),
-            ("--ask contact --way 1,0,0", "add --ask sweep"),
-            ("--ask sweep --way 1,2", "not three numbers"),
-            ("--ask sweep --way 0,0,0", "not all zero"),
-            ("--ask sweep --way 1e300,0,0", "too far from the origin"),
-            ("--target m7", "host, m0, m4f"),
-            ("--bits 7", "from 8 to 64"),
-            ("--bits sixteen", "from 8 to 64"),
-            ("--sample 0", "above zero"),
-            ("--sample -1", "above zero"),
-            ("far.obj", "too far from the origin"),
-            ("none.stl", "none.stl"),
-        ],
-    );
-}
-
-#[test]
 fn quantise() {
     refused(
         "quantise",
@@ -135,14 +106,12 @@ fn names_in_any_case() {
     }
     let arguments = ["-r", "8", "--no-picture", "-m", "EXACT", "--up", "Z"];
     assert!(printed("voxelize", &arguments, &directory)[0].contains("exact"));
-    let text = printed("advise", &["--target", "M4F", "--sample", "9"], &directory)[0].clone();
-    assert!(text.contains("for Cortex-M4F"), "{text}");
 }
 
 /// The text that `--help` prints is no error.
 #[test]
 fn help() {
-    for example in ["voxelize", "advise", "quantise", "accuracy", "rays"] {
+    for example in ["voxelize", "quantise", "accuracy", "rays"] {
         let [help, errors] = printed(example, &["--help"], &directory("help"));
         assert!(help.contains("Usage:") && errors.is_empty(), "{example}: {help}{errors}");
     }

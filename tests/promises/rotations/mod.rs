@@ -1,8 +1,7 @@
 //! Oriented boxes by a rotation, against whole numbers of any size: how far each component is
 //! from the truth, and axes from a frame.
-//!
-//! The oracle rotates by Hamilton's product q·e·q*, and by sines and cosines from Taylor's
-//! series of the whole angle, to 200 bits, one axis after the other.
+
+mod oracle;
 
 use dashu_int::IBig;
 use dashu_int::ops::Abs;
@@ -10,25 +9,7 @@ use fixed::types::{I0F16, I1F7, I1F63, I2F30, I4F4, I5F3, I8F8, I16F0, I16F16, I
 use septum::{Obb, ShapeError, Vec3};
 use septum_kit::{Parts, Rng, Sample};
 
-/// Everything below is in units of 2^-UNIT.
-const UNIT: i32 = 200;
-
-fn one() -> IBig {
-    IBig::ONE << UNIT as usize
-}
-
-fn times(a: &IBig, b: &IBig) -> IBig {
-    (a * b) >> UNIT as usize
-}
-
-fn power_of_two(exponent: i32) -> IBig {
-    IBig::ONE << (UNIT + exponent) as usize
-}
-
-/// The exact value.
-fn value((m, e): Parts) -> IBig {
-    if m == 0 { IBig::ZERO } else { IBig::from(m) << (UNIT + e) as usize }
-}
+use oracle::{Frame, UNIT, by_hamilton, by_steps, one, power_of_two, times, value};
 
 /// How a component may be off: by half a unit of its last place, and by this power of two more.
 #[derive(Clone, Copy)]
@@ -51,8 +32,6 @@ impl Allowed {
         half + self.more.map_or(IBig::ZERO, power_of_two)
     }
 }
-
-type Frame<T> = [[T; 3]; 3];
 
 /// Each component as near as is allowed, and so the dot products of the axes.
 fn check_frame(found: &Frame<Parts>, truth: &Frame<IBig>, allowed: Allowed, told: &str) -> f64 {
@@ -79,71 +58,6 @@ fn check_frame(found: &Frame<Parts>, truth: &Frame<IBig>, allowed: Allowed, told
         }
     }
     most
-}
-
-/// q·e·q*, over the square of q, for each of the axes.
-fn by_hamilton(q: &[IBig; 4]) -> Frame<IBig> {
-    let product = |a: &[IBig; 4], b: &[IBig; 4]| {
-        let ([ax, ay, az, aw], [bx, by, bz, bw]) = (a, b);
-        [
-            aw * bx + ax * bw + ay * bz - az * by,
-            aw * by + ay * bw + az * bx - ax * bz,
-            aw * bz + az * bw + ax * by - ay * bx,
-            aw * bw - ax * bx - ay * by - az * bz,
-        ]
-    };
-    let conjugate = [-&q[0], -&q[1], -&q[2], q[3].clone()];
-    let square: IBig = q.iter().map(|x| x * x).sum();
-    [0, 1, 2].map(|i| {
-        let mut axis = [IBig::ZERO, IBig::ZERO, IBig::ZERO, IBig::ZERO];
-        axis[i] = IBig::ONE;
-        let [x, y, z, _] = product(&product(q, &axis), &conjugate);
-        [x, y, z].map(|n| (n << UNIT as usize) / &square)
-    })
-}
-
-/// π, by Machin's formula (1706).
-fn pi() -> IBig {
-    let arctan = |over: i32| {
-        let over = IBig::from(over);
-        let (mut power, mut sum) = (one() / &over, IBig::ZERO);
-        for k in 0..120 {
-            let term = &power / IBig::from(2 * k + 1);
-            sum += if k % 2 == 0 { term } else { -term };
-            power /= &over * &over;
-        }
-        sum
-    };
-    IBig::from(4) * (IBig::from(4) * arctan(5) - arctan(239))
-}
-
-/// Cosine and sine of a number of turns.
-fn circle(turns: &IBig) -> (IBig, IBig) {
-    let part = turns - ((turns >> UNIT as usize) << UNIT as usize);
-    let angle = times(&part, &(IBig::from(2) * pi()));
-    let (mut term, mut sums) = (one(), [IBig::ZERO, IBig::ZERO]);
-    for k in 0..100_usize {
-        let sign = if k % 4 < 2 { 1 } else { -1 };
-        sums[k % 2] += IBig::from(sign) * &term;
-        term = times(&term, &angle) / IBig::from(k + 1);
-    }
-    let [cos, sin] = sums;
-    (cos, sin)
-}
-
-/// The axes of space, turned about x, then about y, then about z.
-fn by_steps(turns: &[IBig; 3]) -> Frame<IBig> {
-    let mut axes = [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { one() } else { IBig::ZERO }));
-    for (i, turns) in turns.iter().enumerate() {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        let (cos, sin) = circle(turns);
-        for axis in &mut axes {
-            let (from_j, from_k) = (axis[j].clone(), axis[k].clone());
-            axis[j] = times(&cos, &from_j) - times(&sin, &from_k);
-            axis[k] = times(&sin, &from_j) + times(&cos, &from_k);
-        }
-    }
-    axes
 }
 
 /// The numbers that the scalar holds, and the axes that it makes of them.

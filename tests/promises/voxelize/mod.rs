@@ -1,116 +1,16 @@
 //! The example `voxelize` as its user meets it: what it writes and counts, and
 //! what it says when it cannot.
 
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod desk;
+mod refused;
 
-use dot_vox::DotVoxData;
+use std::fs;
+
+use desk::{Desk, TRIANGLE, cuboid, figure};
 
 const SCALARS: [&str; 5] = ["f32", "f64", "i8f8", "i16f16", "i32f32"];
 const METHODS: [&str; 6] =
     ["rows", "per-voxel", "exact-pairs", "conservative", "published", "rounded"];
-
-/// A directory for one test, empty at its start.
-struct Desk(PathBuf);
-
-impl Desk {
-    fn new(test: &str) -> Self {
-        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("voxelize").join(test);
-        let _ = fs::remove_dir_all(&path);
-        fs::create_dir_all(&path).unwrap();
-        Self(path)
-    }
-
-    fn write(&self, name: &str, content: impl AsRef<[u8]>) {
-        fs::write(self.0.join(name), content).unwrap();
-    }
-
-    fn exists(&self, name: &str) -> bool {
-        self.0.join(name).exists()
-    }
-
-    /// Runs the example, which `cargo test` has built beside this test; if it was asked for
-    /// tests alone, builds it.
-    fn run(&self, arguments: &str) -> Output {
-        let test = std::env::current_exe().unwrap();
-        let target = test.parent().and_then(Path::parent).unwrap();
-        let example = target
-            .join("examples")
-            .join("voxelize")
-            .with_extension(std::env::consts::EXE_EXTENSION);
-        if !example.exists() {
-            let mut build = Command::new(env!("CARGO"));
-            build.args(["build", "--quiet", "--example", "voxelize", "--target-dir"]);
-            build.arg(target.parent().unwrap()).current_dir(env!("CARGO_MANIFEST_DIR"));
-            assert!(build.status().unwrap().success());
-        }
-        Command::new(example)
-            .args(arguments.split_whitespace())
-            .current_dir(&self.0)
-            .output()
-            .unwrap()
-    }
-
-    fn succeed(&self, arguments: &str) -> String {
-        let output = self.run(arguments);
-        let errors = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success(), "{arguments}: {errors}");
-        String::from_utf8(output.stdout).unwrap()
-    }
-
-    /// The model that a successful run wrote.
-    fn model(&self, arguments: &str) -> DotVoxData {
-        self.succeed(&format!("{arguments} --no-picture --vox a.vox"));
-        dot_vox::load_bytes(&fs::read(self.0.join("a.vox")).unwrap()).unwrap()
-    }
-
-    /// Voxels of the model, sorted.
-    fn voxels(&self, arguments: &str) -> Vec<[u8; 3]> {
-        let voxels = &self.model(arguments).models[0].voxels;
-        let mut voxels: Vec<_> = voxels.iter().map(|v| [v.x, v.y, v.z]).collect();
-        voxels.sort_unstable();
-        voxels
-    }
-
-    /// Every failure is one line on stderr, and the exit code of an error that
-    /// was foreseen.
-    fn fail(&self, arguments: &str, says: &[&str]) {
-        let output = self.run(arguments);
-        let errors = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(1), "{arguments}: {errors}");
-        assert!(output.stdout.is_empty(), "{arguments}");
-        assert!(errors.starts_with("error: "), "{arguments}: {errors}");
-        assert_eq!(errors.trim_end().lines().count(), 1, "{arguments}: {errors}");
-        for part in says {
-            assert!(errors.contains(part), "{arguments}: `{part}` is not in {errors}");
-        }
-    }
-}
-
-/// The surface of a box as an OBJ file, of quads; vertices after `before` others.
-fn cuboid([x0, y0, z0]: [i32; 3], [x1, y1, z1]: [i32; 3], before: i32) -> String {
-    let mut obj = String::new();
-    for i in 0..8 {
-        let pick = |bit: i32, a, b| if i >> bit & 1 == 0 { a } else { b };
-        obj += &format!("v {} {} {}\n", pick(0, x0, x1), pick(1, y0, y1), pick(2, z0, z1));
-    }
-    for quad in [[1, 2, 4, 3], [5, 6, 8, 7], [1, 2, 6, 5], [3, 4, 8, 7], [1, 3, 7, 5], [2, 4, 8, 6]]
-    {
-        let [a, b, c, d] = quad.map(|i| i + before);
-        obj += &format!("f {a} {b} {c} {d}\n");
-    }
-    obj
-}
-
-const TRIANGLE: &str = "v 0 0 0\nv 4 0 0\nv 0 3 1\nf 1 2 3\n";
-
-/// The number in the line that begins with `name`.
-fn figure(report: &str, name: &str) -> u64 {
-    let line = report.lines().find(|l| l.starts_with(name)).unwrap();
-    let number = line.split_whitespace().nth(1).unwrap();
-    number.replace(',', "").parse().unwrap()
-}
 
 #[test]
 fn teapot_without_arguments_but_a_resolution() {
@@ -306,68 +206,6 @@ fn flat_meshes_have_one_layer() {
     let report = desk.succeed("flat.obj -r 4 --no-picture");
     assert!(report.contains("4 × 4 × 1 voxels"), "{report}");
     assert_eq!(figure(&report, "set"), 13); // the long side touches corners
-}
-
-#[test]
-fn bad_meshes() {
-    let desk = Desk::new("bad-meshes");
-    desk.fail("missing.obj", &["missing.obj", "No such file"]);
-    desk.write("mesh.ply", "ply");
-    desk.fail("mesh.ply", &["mesh.ply", "an .obj, an .stl"]);
-    desk.write("empty.obj", "# nothing\nv 1 2 3\n");
-    desk.fail("empty.obj", &["empty.obj", "no triangles"]);
-    desk.write("empty.stl", [0; 84]);
-    desk.fail("empty.stl", &["empty.stl", "no triangles"]);
-    desk.write("nothing.stl", "");
-    desk.fail("nothing.stl", &["nothing.stl", "too short"]);
-    for x in ["nan", "inf", "-inf", "1e39"] {
-        desk.write("number.obj", TRIANGLE.replace('4', x));
-        desk.fail("number.obj", &["number.obj", "triangle 1", "NaN or infinite"]);
-    }
-    desk.write("words.obj", TRIANGLE.replace('4', "four"));
-    desk.fail("words.obj", &["words.obj", "not a valid OBJ", "position"]);
-    for face in ["f 1 2 4", "f 0 1 2", "f 1 2 -4", "f 1 2 99999999999999999999"] {
-        desk.write("index.obj", TRIANGLE.replace("f 1 2 3", face));
-        desk.fail("index.obj", &["index.obj", "not a valid OBJ", "face"]);
-    }
-    desk.write("point.obj", "v 1 2 3\nf 1 1 1\n");
-    desk.fail("point.obj", &["single point"]);
-
-    let mut cut = [0; 84 + 50];
-    cut[80] = 2;
-    desk.write("cut.stl", cut);
-    desk.fail("cut.stl", &["cut.stl", "ends before its last triangle"]);
-    let mut nan = [0; 84 + 50];
-    nan[80] = 1;
-    nan[84 + 12..84 + 16].copy_from_slice(&f32::NAN.to_le_bytes());
-    desk.write("nan.stl", nan);
-    desk.fail("nan.stl", &["nan.stl", "NaN or infinite"]);
-    desk.write("text.stl", "solid s\nfacet normal 0 0 0\nouter loop\nvertex 0 nan 0\n");
-    desk.fail("text.stl", &["text.stl", "not a valid STL"]);
-    assert!(!desk.exists("out"), "no picture of what could not be read");
-}
-
-#[test]
-fn bad_options() {
-    let desk = Desk::new("bad-options");
-    desk.write("mesh.obj", TRIANGLE);
-    desk.fail("mesh.obj --resolution 0", &["resolution 0"]);
-    desk.fail("mesh.obj -r 65536 -s i16f16", &["i16f16 can hold at most 65535", "i32f32", "f64"]);
-    desk.fail("mesh.obj -r 65537", &["at most 65536"]);
-    desk.fail("mesh.obj -r 20000", &["20000 × 15000 × 5000", "GiB", "lower --resolution"]);
-    desk.fail("mesh.obj -r 257 --vox a.vox", &["256 voxels a side", "257 × 193 × 65"]);
-    desk.fail("mesh.obj -o mesh.obj", &["mesh.obj: is the mesh itself"]);
-    desk.fail("mesh.obj -o .", &["cannot be written"]);
-    desk.fail("mesh.obj -o mesh.obj/a.png", &["mesh.obj/a.png: cannot be written"]);
-    desk.fail("mesh.obj -r 4 -o a.png --vox ./a.png", &["both the picture and the model"]);
-    assert_eq!(fs::read_to_string(desk.0.join("mesh.obj")).unwrap(), TRIANGLE);
-
-    // Usage errors are clap's, with its exit code.
-    for arguments in ["-r -5", "-r many", "-s f16", "-m wrong", "--vox", "--rule wide"] {
-        let output = desk.run(arguments);
-        assert_eq!(output.status.code(), Some(2), "{arguments}");
-        assert!(output.stderr.starts_with(b"error: "), "{arguments}");
-    }
 }
 
 #[test]

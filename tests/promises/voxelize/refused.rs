@@ -1,0 +1,67 @@
+//! What cannot be done: one line says what is wrong.
+
+use std::fs;
+
+use super::desk::{Desk, TRIANGLE};
+
+#[test]
+fn bad_meshes() {
+    let desk = Desk::new("bad-meshes");
+    desk.fail("missing.obj", &["missing.obj", "No such file"]);
+    desk.write("mesh.ply", "ply");
+    desk.fail("mesh.ply", &["mesh.ply", "an .obj, an .stl"]);
+    desk.write("empty.obj", "# nothing\nv 1 2 3\n");
+    desk.fail("empty.obj", &["empty.obj", "no triangles"]);
+    desk.write("empty.stl", [0; 84]);
+    desk.fail("empty.stl", &["empty.stl", "no triangles"]);
+    desk.write("nothing.stl", "");
+    desk.fail("nothing.stl", &["nothing.stl", "too short"]);
+    for x in ["nan", "inf", "-inf", "1e39"] {
+        desk.write("number.obj", TRIANGLE.replace('4', x));
+        desk.fail("number.obj", &["number.obj", "triangle 1", "NaN or infinite"]);
+    }
+    desk.write("words.obj", TRIANGLE.replace('4', "four"));
+    desk.fail("words.obj", &["words.obj", "not a valid OBJ", "position"]);
+    for face in ["f 1 2 4", "f 0 1 2", "f 1 2 -4", "f 1 2 99999999999999999999"] {
+        desk.write("index.obj", TRIANGLE.replace("f 1 2 3", face));
+        desk.fail("index.obj", &["index.obj", "not a valid OBJ", "face"]);
+    }
+    desk.write("point.obj", "v 1 2 3\nf 1 1 1\n");
+    desk.fail("point.obj", &["single point"]);
+
+    let mut cut = [0; 84 + 50];
+    cut[80] = 2;
+    desk.write("cut.stl", cut);
+    desk.fail("cut.stl", &["cut.stl", "ends before its last triangle"]);
+    let mut nan = [0; 84 + 50];
+    nan[80] = 1;
+    nan[84 + 12..84 + 16].copy_from_slice(&f32::NAN.to_le_bytes());
+    desk.write("nan.stl", nan);
+    desk.fail("nan.stl", &["nan.stl", "NaN or infinite"]);
+    desk.write("text.stl", "solid s\nfacet normal 0 0 0\nouter loop\nvertex 0 nan 0\n");
+    desk.fail("text.stl", &["text.stl", "not a valid STL"]);
+    assert!(!desk.exists("out"), "no picture of what could not be read");
+}
+
+#[test]
+fn bad_options() {
+    let desk = Desk::new("bad-options");
+    desk.write("mesh.obj", TRIANGLE);
+    desk.fail("mesh.obj --resolution 0", &["resolution 0"]);
+    desk.fail("mesh.obj -r 65536 -s i16f16", &["i16f16 can hold at most 65535", "i32f32", "f64"]);
+    desk.fail("mesh.obj -r 65537", &["at most 65536"]);
+    desk.fail("mesh.obj -r 20000", &["20000 × 15000 × 5000", "GiB", "lower --resolution"]);
+    desk.fail("mesh.obj -r 257 --vox a.vox", &["256 voxels a side", "257 × 193 × 65"]);
+    desk.fail("mesh.obj -o mesh.obj", &["mesh.obj: is the mesh itself"]);
+    desk.fail("mesh.obj -o .", &["cannot be written"]);
+    desk.fail("mesh.obj -o mesh.obj/a.png", &["mesh.obj/a.png: cannot be written"]);
+    desk.fail("mesh.obj -r 4 -o a.png --vox ./a.png", &["both the picture and the model"]);
+    assert_eq!(fs::read_to_string(desk.0.join("mesh.obj")).unwrap(), TRIANGLE);
+
+    // Usage errors are clap's, with its exit code.
+    for arguments in ["-r -5", "-r many", "-s f16", "-m wrong", "--vox", "--rule wide"] {
+        let output = desk.run(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments}");
+        assert!(output.stderr.starts_with(b"error: "), "{arguments}");
+    }
+}
