@@ -58,10 +58,10 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
-    say(&report(options)?)
+    say(&consult(options)?)
 }
 
-fn report(options: &Options) -> Result<String, Box<dyn Error>> {
+fn consult(options: &Options) -> Result<String, Box<dyn Error>> {
     let tables = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
     let question = Question::new(options.ask, options.way)?;
     let costs = Costs::read(&tables, options.target, question)?;

@@ -1,6 +1,6 @@
 //! Questions that are asked about every fourth case.
 
-use septum::lanes::{Aabbs, Rays};
+use septum::lanes::{Aabbs, CellTriangle, Cells, Rays, Triangles};
 use septum::prepared::PreparedRay;
 use septum::published;
 use septum::published::akenine_moller::Order;
@@ -110,19 +110,26 @@ pub(super) fn lanes<S: Draw, A: Answers>(
     answers
         .to(Query::RaysTriangleStored)
         .hits(&rays.hit_stored_normal(&NormalTriangle::new(triangle), Cull::Back));
-    // Lanes hold boxes of one form.
     let [centered, corners] = aabbs;
+    let [a, b, c] = *triangle.vertices();
+    let over = |p, q| Aabb::from_min_max(least(p, q), greatest(p, q)).unwrap_or(*corners);
+    if let Some(aabbs) = Aabbs::new(&[*corners, over(a, b), over(b, c), over(c, a)]) {
+        answers.to(Query::RayAabbsSlabs).ranges(&aabbs.t_range_rounded(&SlabRay::new(ray)));
+        answers.to(Query::TriangleAabbs).verdicts(aabbs.overlaps(triangle));
+    }
     let half = centered.center_half_extents().map(|(_, half)| half);
     let around = |p: Vec3<S>| {
         half.and_then(|half| Aabb::from_center_half_extents(p, half).ok()).unwrap_or(*centered)
     };
-    let over = |p, q| Aabb::from_min_max(least(p, q), greatest(p, q)).unwrap_or(*corners);
-    let [a, b, c] = *triangle.vertices();
-    for four in [
-        [*centered, around(a), around(b), around(c)],
-        [*corners, over(a, b), over(b, c), over(c, a)],
-    ] {
-        let Some(aabbs) = Aabbs::new(&four) else { continue };
-        answers.to(Query::RayAabbsSlabs).ranges(&aabbs.t_range_rounded(&SlabRay::new(ray)));
+    if let Some(cells) = Cells::new(&[*centered, around(a), around(b), around(c)]) {
+        let prepared = CellTriangle::new(triangle, &cells).overlaps(&cells);
+        answers.to(Query::TriangleCells).verdicts(cells.overlaps(triangle));
+        answers.to(Query::TriangleCells).verdicts(prepared);
+    }
+    let Some((p, q)) = corners.min_max() else { return };
+    let of = |a, b, c| Triangle::new(a, b, c).unwrap_or(*triangle);
+    let triangles = Triangles::new(&[*triangle, of(a, b, p), of(b, c, q), of(p, q, c)]);
+    for aabb in aabbs {
+        answers.to(Query::TrianglesAabb).verdicts(triangles.overlaps(aabb));
     }
 }

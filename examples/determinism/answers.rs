@@ -108,6 +108,10 @@ impl Hash {
         (0..4).for_each(|k| self.hit(hits.get(k)));
     }
 
+    pub(crate) fn verdicts(&mut self, overlaps: [bool; 4]) {
+        overlaps.into_iter().for_each(|overlaps| self.yes(overlaps));
+    }
+
     pub(crate) fn ranges<S: Draw>(&mut self, ranges: &Ranges<S, 4>) {
         (0..4).for_each(|k| self.range(ranges.get(k)));
     }

@@ -117,4 +117,7 @@ queries! {
     PolygonAabb = "polygon/aabb overlaps",
     PolygonAabbPublished = "polygon/aabb published",
     TriangleObbRelation = "triangle/obb relation",
+    TriangleAabbs = "triangle/4 aabbs overlaps",
+    TriangleCells = "triangle/4 cells overlaps",
+    TrianglesAabb = "4 triangles/aabb overlaps",
 }

@@ -4,7 +4,7 @@
 //! with no more than exact scaling, and no library is asked.
 
 use septum::Vec3;
-use septum::lanes::{Aabbs, NormalTriangles, Rays, SlabRays, Triangles};
+use septum::lanes::{NormalTriangles, Rays, SlabRays, Triangles};
 use septum::prepared::PreparedTriangle;
 use septum::published;
 use septum::published::projected::ProjectedTriangle;
@@ -222,11 +222,6 @@ fn lanes<S: Draw, A: Answers>(
     let slabs = SlabRays::new(&by_slabs);
     for aabb in aabbs {
         answers.to(Query::RaysAabbSlabs).ranges(&slabs.t_range_rounded(aabb));
-    }
-    // These two have different forms, and lanes hold one: `added` asks about more boxes.
-    let [p, q] = aabbs;
-    if let Some(aabbs) = Aabbs::new(&[*p, *q, *q, *p]) {
-        answers.to(Query::RayAabbsSlabs).ranges(&aabbs.t_range_rounded(&SlabRay::new(ray)));
     }
 }
 

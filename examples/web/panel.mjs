@@ -41,8 +41,8 @@ function methods(answer, truth) {
     const rows = [
         ['Exact', 'overlaps', answer.overlaps],
         ['Conservative', 'may_overlap', answer.mayOverlap],
-        ['Rounded', 'overlaps_rounded', answer.rounded],
-        ['Published', 'overlaps_as_published', answer.published],
+        ['Rounded', 'shared_normal', answer.rounded],
+        ['Published', 'akenine_moller', answer.published],
         ['Checked in big integers', '', truth],
     ].filter((row) => row[2] !== null);
     at('methods').replaceChildren(...rows.map(([name, call, overlaps]) => {

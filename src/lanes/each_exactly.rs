@@ -95,8 +95,8 @@ impl<S: Scalar, const N: usize> Triangles<S, N> {
     /// [`Ray::hit`] on each of N triangles at once: exact, the same verdicts,
     /// the same bits.
     ///
-    /// *Panics*: never. *Cost*: about a third of the time of one by one (in `f64` half), where
-    /// `f64` has vectors, for scalars of up to 32 bits and `f64`, and rays with the range t ≥ 0.
+    /// *Panics*: never. *Cost*: less than one by one where `f64` has vectors, for scalars of up to
+    /// 32 bits and `f64`, and rays with the range t ≥ 0.
     /// Of others only misses of the whole line are found at once. Triangles whose edges
     /// the ray comes too near, and 64 bits, go one by one.
     #[inline]

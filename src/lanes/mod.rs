@@ -8,6 +8,7 @@
 //! | [`Triangles`] | one box, N triangles | [`overlaps`](Triangles::overlaps) | |
 //! | [`Aabbs`] | one triangle, N boxes | [`overlaps`](Aabbs::overlaps) | |
 //! | [`Cells`] | one triangle, N boxes of one size | [`overlaps`](Cells::overlaps) | |
+//! | [`CellTriangle`] | one prepared triangle, N boxes of one size | [`overlaps`](CellTriangle::overlaps) | |
 //! | [`Rays`] | N rays, one triangle | | [`hit_moller_trumbore`](Rays::hit_moller_trumbore), [`hit_stored_normal`](Rays::hit_stored_normal), [`hit_volumes`](Rays::hit_volumes) |
 //! | [`Aabbs`] | one prepared ray, N boxes | | [`t_range_rounded`](Aabbs::t_range_rounded) |
 //! | [`SlabRays`] | N prepared rays, one box | | [`t_range_rounded`](SlabRays::t_range_rounded) |

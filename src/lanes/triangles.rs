@@ -4,11 +4,10 @@ use crate::shape::{Triangle, Vec3};
 /// N triangles, an array for each coordinate of each vertex, for one ray to meet at
 /// once.
 ///
-/// Choose it for the leaves of a tree, or for any mesh that is met whole. With N = 8 and
-/// AVX-512 [`hit`](Self::hit), which is exact, takes a third of the time of
-/// [`Ray::hit`](crate::Ray::hit) for each triangle in `f32`, `f64` and I16F16; the rounded
-/// methods take about a tenth of theirs in `f32`. That is in the cache: from memory it
-/// takes up to twice as long. N = 4 fits SSE2, NEON and simd128.
+/// Choose it for the leaves of a tree, or for any mesh that is met whole. [`hit`](Self::hit),
+/// which is exact, gains most in `f32`, and the rounded methods more (`docs/speed.md` in the
+/// repository has the figures); from memory that is not in the cache both gain less. N = 8 fits
+/// AVX2 and AVX-512, N = 4 SSE2, NEON and simd128.
 ///
 /// ```
 /// use septum::lanes::Triangles;

@@ -51,9 +51,9 @@ impl<S: Scalar> sealed::Bounded<S> for Aabb<S> {
 }
 
 impl<S: Scalar> sealed::Bounded<S> for Obb<S> {
-    // On small cores short words tell an oriented box from most triangles for less than
-    // an axis-aligned box that is far from the origin of its numbers.
-    const IS_DEAR: bool = REGISTERS_ARE_WIDE;
+    // On small cores short words tell an oriented box in fixed point from most triangles for
+    // less than an axis-aligned box that is far from the origin of its numbers.
+    const IS_DEAR: bool = REGISTERS_ARE_WIDE || S::FLOAT.is_some();
 
     fn corners(&self) -> Option<[[S; 3]; 2]> {
         let (min, max) = self.aabb()?.min_max()?;

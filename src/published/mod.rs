@@ -19,7 +19,7 @@
 //! | [`slabs`] | ray, many boxes | to draw; [`may_overlap`](slabs::SlabRay::may_overlap) loses no box, [`PreparedRay`](crate::prepared::PreparedRay) is exact |
 //! | [`slopes`] | ray, many boxes | for comparison: slabs measure better |
 //! | [`moller_trumbore`] | ray, triangle | to draw triangles that are met once |
-//! | [`stored_normal`] | ray, triangle | to draw triangles that are met often |
+//! | [`stored_normal`] | ray, triangle | for comparison; for t alone |
 //! | [`projected`] | ray, triangle | in fixed point, to draw; in floats others measure better |
 //! | [`volumes`] | ray, triangle | many rays at once; one by one others measure better |
 //! | [`watertight`] | ray, triangle | eight triangles at once, without leaks; one by one the exact [`Ray::hit`](crate::Ray::hit) is faster |

@@ -10,17 +10,14 @@ use crate::shape::{Ray, Triangle};
 /// in the scalar's own arithmetic: fast, and now and then wrong.
 ///
 /// Choose it where triangles are met once, so that nothing can be prepared, and
-/// a ray lost between two triangles does no harm. What measures better (`f32` on a
+/// a ray lost between two triangles does no harm. What measures otherwise (`f32` on a
 /// 64-bit machine; `docs/speed.md` in the repository has the figures):
 ///
-/// * [`Ray::hit`] is exact, faster where half of the rays hit, and about as fast where a
+/// * [`Ray::hit`] is exact, faster where half of the rays hit, and a quarter slower where a
 ///   tenth does.
-/// * [`stored_normal`](super::stored_normal::hit) and
-///   [`projected`](super::projected::hit), on a triangle prepared, take up to a fifth
-///   less; [`stored_normal::t`](super::stored_normal::t), which gives t alone, takes a
-///   third to two thirds.
-/// * [`Triangles`](crate::lanes::Triangles), eight at once, take about a tenth.
-/// * [`volumes`](super::volumes::hit) takes as long, and
+/// * [`Triangles`](crate::lanes::Triangles), eight at once, take about a seventh.
+/// * [`volumes`](super::volumes::hit), and [`stored_normal`](super::stored_normal::hit) and
+///   [`projected`](super::projected::hit) on a triangle prepared, take as long or longer,
 ///   [`watertight`](super::watertight::ShearedRay::hit) half as long again.
 ///
 /// *Geometry*: both sides count, but for `cull`; t in the ray's range. A

@@ -36,12 +36,11 @@ use crate::shape::{Aabb, AabbForm, Ray, Vec3};
 /// Choose it where one ray meets many boxes and the last bit does not matter:
 /// [`overlaps_rounded`](Self::overlaps_rounded). In the traversal of a tree, where no box may
 /// be lost, a [`PreparedRay`](crate::prepared::PreparedRay) is exact at about the price of
-/// [`may_overlap`](Self::may_overlap), in fixed point too.
+/// [`overlaps_rounded`](Self::overlaps_rounded), in fixed point too;
+/// [`may_overlap`](Self::may_overlap), which loses none either, takes half of that.
 ///
-/// In `f32` on a 64-bit machine the rounded test takes a fifth of the time of the exact one
-/// and the conservative test a quarter; eight boxes at once, by
-/// [`Aabbs`](crate::lanes::Aabbs), take a fifth of that again. `docs/speed.md` in the
-/// repository has the figures.
+/// `docs/speed.md` in the repository has the figures, those of eight boxes at once, by
+/// [`Aabbs`](crate::lanes::Aabbs), among them.
 ///
 /// ```
 /// use septum::published::slabs::SlabRay;

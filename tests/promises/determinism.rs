@@ -61,4 +61,7 @@ fn the_page_shows_the_table() {
     rows().for_each(|row| table.push_str(&format!("\n{row}")));
     let page = include_str!("../../DETERMINISM.md");
     assert!(page.contains(&table), "DETERMINISM.md does not show:\n{table}");
+    let counts: Vec<_> = page.matches(" queries, 6 scalars").collect();
+    let right = format!("{} queries, 6 scalars", ROWS.len());
+    assert_eq!(page.matches(&right).count(), counts.len(), "{right}");
 }

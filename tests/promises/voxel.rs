@@ -177,7 +177,6 @@ fn a_few_voxels_of_two_words() {
     }
 }
 
-/// Whatever the numbers, an answer comes, and soon.
 /// One over the cell is infinite, and places of zero no numbers.
 #[test]
 fn cells_without_a_reciprocal() {
@@ -203,6 +202,7 @@ fn cells_without_a_reciprocal() {
     }
 }
 
+/// Whatever the numbers, an answer comes, and soon.
 #[test]
 fn extremes() {
     let many = [f32::MAX, -f32::MAX, 1e-45, 0.0, 3.0, 1e30, -1e30, f32::MIN_POSITIVE];

@@ -99,7 +99,7 @@ pub(super) const PICTURES: [Picture; 10] = [
         stem: "sweep",
         title: "A box that moves past a triangle",
         workload: "A unit cube near triangles, half of the pairs meet. A hit that is late is wrong; \
-                   box3d-rust stops 5 mm before, by design.",
+                   box3d-rust stops 0.005 before, by design.",
         yardstick: "parry3d's cast_shapes, in f32",
         sets: "tests/kit/src/sweeps/sets.rs",
         heights: [130.0, 105.0],

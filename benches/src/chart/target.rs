@@ -94,6 +94,8 @@ fn rows(costs: &[Cost], query: &str, picture: &str, points: &[Point]) -> Vec<Row
         let dot = Dot {
             family: look(&point.test),
             label: match cost.query.strip_prefix(query) {
+                // Its answer is one bit: the others give a hit.
+                Some(" hits") => format!("exact is_hit, {}", cost.scalar),
                 Some(which) if cost.mode == "exact" => format!("exact{which}, {}", cost.scalar),
                 _ => format!("{}, {}", cost.mode, cost.scalar),
             },

@@ -16,18 +16,20 @@ pub(crate) struct Place {
 /// Labels, and what they must keep clear of.
 pub(crate) struct Labels {
     taken: Vec<Area>,
+    marks: Vec<[f64; 2]>,
     bounds: Area,
     size: f64,
 }
 
 impl Labels {
     pub(crate) fn new(bounds: Area, size: f64) -> Self {
-        Self { taken: Vec::new(), bounds, size }
+        Self { taken: Vec::new(), marks: Vec::new(), bounds, size }
     }
 
     /// Keeps clear of a mark.
     pub(crate) fn avoid(&mut self, [x, y]: [f64; 2], r: f64) {
         self.taken.push([x - r, y - r, x + r, y + r]);
+        self.marks.push([x, y]);
     }
 
     pub(crate) fn avoid_area(&mut self, area: Area) {
@@ -52,6 +54,10 @@ impl Labels {
                 let mut cost = gap + 3.0 * (1.0 - dx) + 2.0 * dy.abs();
                 cost += 60.0 * self.taken.iter().map(|a| overlap(a, &area)).sum::<f64>();
                 cost += 1e3 * outside(&self.bounds, &area);
+                // It would seem to belong to what is nearer to it.
+                let own = distance(&area, place.at);
+                let nearer = |mark: &&[f64; 2]| distance(&area, **mark) < own;
+                cost += 12.0 * self.marks.iter().filter(nearer).count().min(3) as f64;
                 if best.is_none_or(|(least, _)| cost < least) {
                     best = Some((cost, area));
                 }
@@ -59,7 +65,7 @@ impl Labels {
         }
         let (_, area) = best.expect("there are places");
         let near = [x.clamp(area[0], area[2]), y.clamp(area[1], area[3])];
-        let distance = (near[0] - x).hypot(near[1] - y);
+        let distance = distance(&area, place.at);
         if distance > 13.0 {
             let part = 5.0 / distance;
             let from = [x + (near[0] - x) * part, y + (near[1] - y) * part];
@@ -75,6 +81,11 @@ impl Labels {
 fn overlap(a: &Area, b: &Area) -> f64 {
     let side = |i: usize| (a[i + 2].min(b[i + 2]) - a[i].max(b[i])).max(0.0);
     (side(0) * side(1)).sqrt()
+}
+
+/// From a point to an area.
+fn distance(area: &Area, [x, y]: [f64; 2]) -> f64 {
+    (x - x.clamp(area[0], area[2])).hypot(y - y.clamp(area[1], area[3]))
 }
 
 /// How far an area sticks out.

@@ -15,7 +15,7 @@ fn printed(arguments: &str, files: &Path) -> Result<String, String> {
     let word = |word: &str| if is_file(word) { files.join(word).into() } else { word.into() };
     let words = ["advise".into()].into_iter().chain(arguments.split(' ').map(word));
     let options = Options::try_parse_from::<_, std::ffi::OsString>(words);
-    crate::report(&options.map_err(|error| one_line(&error))?).map_err(|error| error.to_string())
+    crate::consult(&options.map_err(|error| one_line(&error))?).map_err(|error| error.to_string())
 }
 
 fn is_file(word: &str) -> bool {

@@ -2,7 +2,9 @@
 
 use std::fmt::Debug;
 
-use septum::lanes::{Aabbs, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles};
+use septum::lanes::{
+    Aabbs, CellTriangle, Cells, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles,
+};
 use septum::published;
 use septum::published::slabs::SlabRay;
 use septum::published::stored_normal::NormalTriangle;
@@ -52,6 +54,17 @@ impl<S: Sample, const N: usize> Lanes<S, N> {
             let found = Triangles::new(&self.triangles).overlaps(&aabb);
             assert_eq!(found, self.triangles.map(|t| t.overlaps(&aabb)), "{aabb:?}");
         }
+        // Of one size, about a vertex of each triangle.
+        let Some((_, half)) = self.centered.and_then(|aabb| aabb.center_half_extents()) else {
+            return;
+        };
+        let cells = self.triangles.map(|t| {
+            Aabb::from_center_half_extents(t.vertices()[0], half).expect("half-extents that were")
+        });
+        let (many, expected) = (Cells::new(&cells), cells.map(|cell| triangle.overlaps(&cell)));
+        let many = many.expect("boxes of one size");
+        assert_eq!(many.overlaps(triangle), expected, "{cells:?}");
+        assert_eq!(CellTriangle::new(triangle, &many).overlaps(&many), expected, "{cells:?}");
     }
 
     fn check_slab_rays(&self) {

@@ -22,7 +22,7 @@ fn directory(test: &str) -> PathBuf {
     path
 }
 
-/// Builds an example, once: `cargo test` builds all but those whose own tests it runs.
+/// Builds an example, once: `cargo test` has built it, `cargo test --test promises` has not.
 fn built(example: &str, target: &Path) {
     static BUILDING: Mutex<()> = Mutex::new(());
     let _one_at_a_time = BUILDING.lock();
