@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 /** How long a page may take to answer, in ms. */
-const PATIENCE = 15_000;
+const PATIENCE = 60_000;
 
 /** The codes of the keys that are more than a character. */
 const CODES = {
