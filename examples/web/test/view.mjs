@@ -217,7 +217,7 @@ export async function meshInVoxels(open) {
 
 /** The picture of it for the documentation: a solid, cut, and a triangle that was picked. */
 export async function pose(page) {
-    await page.size(1180, 930, 1.5);
+    await page.size(1180, 960, 1.5);
     await page.theme('light');
     await idle(page);
     await page.click('solid');
