@@ -97,3 +97,10 @@ fn cores_in_any_case() {
     let text = printed("--target M4F --sample 9", Path::new("")).unwrap();
     assert!(text.contains("for Cortex-M4F"), "{text}");
 }
+
+/// The text that `--help` prints is no error.
+#[test]
+fn help() {
+    let help = Options::try_parse_from(["advise", "--help"]).err().unwrap();
+    assert!(!help.use_stderr() && help.to_string().contains("Usage:"), "{help}");
+}
