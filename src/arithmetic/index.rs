@@ -20,6 +20,12 @@ pub(crate) fn three<T>(mut f: impl FnMut(usize) -> T) -> [T; 3] {
     [f(0), f(1), f(2)]
 }
 
+/// What `f` says of each of three, inlined always.
+#[inline(always)]
+pub(crate) fn each<T, U>([a, b, c]: [T; 3], mut f: impl FnMut(T) -> U) -> [U; 3] {
+    [f(a), f(b), f(c)]
+}
+
 /// Component `i`, without a bound to check.
 #[inline(always)]
 pub(crate) fn pick<T>(x: &[T; 3], i: usize) -> &T {

@@ -6,6 +6,7 @@
 //! 2^-53, a sum (their algorithm 6) errs by at most 3·u² + 13·u³ of itself, a product (algorithm
 //! 10) by 5·u², while nothing underflows or overflows.
 
+use super::index::three;
 use super::split::two_difference;
 
 /// A sum of two floats.
@@ -96,7 +97,7 @@ impl Long {
     /// a − b of points, exactly.
     #[inline(always)]
     pub(crate) fn way(a: &[f64; 3], b: &[f64; 3]) -> [Self; 3] {
-        [0, 1, 2].map(|i: usize| Self::difference(a[i], b[i]))
+        three(|i| Self::difference(a[i], b[i]))
     }
 
     #[inline(always)]

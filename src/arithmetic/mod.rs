@@ -40,7 +40,7 @@ pub(crate) use fixed::clamped;
 pub use float::Float;
 pub(crate) use float::quotient;
 pub use in_float::{FirstFloat, InFloat};
-pub(crate) use index::{pick, three, turn};
+pub(crate) use index::{each, pick, three, turn};
 pub(crate) use integer::Int64;
 #[cfg(feature = "fixed")]
 pub(crate) use integer::{Int8, Int16, Int32};

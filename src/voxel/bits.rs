@@ -2,6 +2,8 @@ use core::fmt;
 
 use super::Rule;
 use super::block::{Block, ForEach};
+use super::few;
+use super::four_rows::{self, FourRows};
 use super::grid::Grid;
 use super::marks::ALL_CLOSED;
 use super::pass::{Bounds, Pass};
@@ -9,8 +11,7 @@ use super::placed::Near;
 use super::rows::Row;
 use super::slabs::Span;
 use super::word::Word;
-use super::{few, four_rows};
-use crate::arithmetic::Quad;
+use crate::arithmetic::{Quad, each};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -124,12 +125,11 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
         let grid = self.grid;
         let near = Near::new(triangle, &grid);
         let bounds = Bounds::new(&near, &grid, ALL_CLOSED);
-        let voxels = |Span { first, last }: Span| first as u32..(last + 1) as u32;
-        let [x, y, z] = bounds.bounds.map(voxels);
         if bounds.is_full {
-            for z in z {
-                for y in y.clone() {
-                    self.set_row([y, z], [x.start, x.end - 1]);
+            let [x, y, z] = bounds.bounds;
+            for z in z.first..=z.last {
+                for y in y.first..=y.last {
+                    self.set_row([y as u32, z as u32], [x.first as u32, x.last as u32]);
                 }
             }
             return;
@@ -140,7 +140,7 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
                 return true;
             }
             HAS_VECTORS
-                && four_rows::each(&block, &near, triangle, &grid, |yz, x| self.set_row(yz, x))
+                && four_rows::each(&block, &near, triangle, &grid, |rows| self.set_rows(rows))
         });
         if !is_done {
             let pass = Pass::within(&grid, &near, ALL_CLOSED, bounds);
@@ -153,7 +153,7 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
     /// Sets the bits of some voxels of a block.
     #[inline(always)]
     fn set_few(&mut self, block: &Block, mut met: u32) {
-        let [x, y, z] = block.first.map(|first| first as u32);
+        let [x, y, z] = each(block.first, |first| first as u32);
         let [width, rows, layers] = block.widths;
         let (at, shift) = ((x / W::BITS) as usize, x % W::BITS);
         for z in z..z + layers {
@@ -189,6 +189,34 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
             }
             _ => {}
         }
+    }
+
+    /// Sets the bits of rows side by side.
+    #[inline(always)]
+    fn set_rows(&mut self, rows: &FourRows) {
+        let [y, z] = rows.at;
+        let mut start = self.row_start(y, z);
+        for k in 0..4 {
+            // A row that is not met is one of no bits, and is not branched on.
+            let is_met = 0_u32.wrapping_sub(rows.met >> k & 1);
+            let (first, last) = (rows.x[0][k], rows.x[1][k]);
+            let (count, shift) =
+                (last.wrapping_sub(first).wrapping_add(1) & is_met, first % W::BITS);
+            if count + shift < W::BITS {
+                if let Some(word) = self.words.get_mut(start + (first / W::BITS) as usize) {
+                    *word |= W::first(count) << shift;
+                }
+            } else {
+                self.set_words([y + k as u32, z], [first, last]);
+            }
+            start += self.row_words;
+        }
+    }
+
+    /// Sets the bits of a row that takes more than a word.
+    #[inline(never)]
+    fn set_words(&mut self, at: [u32; 2], x: [u32; 2]) {
+        self.set_row(at, x);
     }
 
     /// Whether the bit of a voxel is set; `false` for one beyond the grid.

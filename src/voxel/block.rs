@@ -3,7 +3,7 @@
 use super::pass::Bounds;
 use super::placed::Near;
 use super::slabs::Span;
-use crate::arithmetic::{OfFour, Quad, greatest, least};
+use crate::arithmetic::{OfFour, Quad, each, greatest, least, three};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -54,14 +54,14 @@ impl<'a, S: Scalar> InBlock<'a, S> {
     #[inline(always)]
     pub(super) fn new(block: &'a Block, near: &Near<S>, triangle: &'a Triangle<S>) -> Option<Self> {
         let rows = [block.row(near, 0), block.row(near, 1), block.row(near, 2)];
-        let [a, b, c] = rows.each_ref().map(|row| row.at);
+        let [a, b, c] = [rows[0].at, rows[1].at, rows[2].at];
         let [x, y, z] = a.least(b).least(c).three();
         let low = least(least(least(x, y), z), 0.0);
         let [x, y, z] = a.greatest(b).greatest(c).three();
         let widest = greatest(greatest(greatest(x, y), z), block.widest()) - low;
         let error = near.error as f32 + ROUNDOFF * widest;
         let level = |i: usize| {
-            let [a, b, c] = near.points.map(|p| p[i]);
+            let [a, b, c] = each(near.points, |p| p[i]);
             u32::from(a == b) | u32::from(b == c) << 1 | u32::from(c == a) << 2
         };
         let level = [level(0), level(1), level(2)];
@@ -73,7 +73,7 @@ impl<'a, S: Scalar> InBlock<'a, S> {
     /// About where the first vertex is.
     #[inline(always)]
     pub(super) fn first_vertex(&self) -> [f32; 3] {
-        self.rows.each_ref().map(|row| row.at.to_array()[0])
+        three(|i| self.rows[i].at.to_array()[0])
     }
 }
 

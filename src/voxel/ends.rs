@@ -78,11 +78,11 @@ pub(super) fn four(first: i32) -> Four {
     Four::new([first, first + 1.0, first + 2.0, first + 3.0])
 }
 
-/// Which of four slabs, from one on, are among those from the first to the last, bit by bit.
+/// The numbers from the first to the last, of those from 0 to 31, bit by bit.
 #[inline(always)]
-pub(super) fn lanes(from: i32, first: i32, last: i32) -> u32 {
-    let (head, tail) = ((first - from).clamp(0, 4), (from + 3 - last).clamp(0, 4));
-    15 << head & 15 >> tail
+pub(super) fn among(first: i32, last: i32) -> u64 {
+    let below = |k: i32| (1_u64 << k.clamp(0, 32)) - 1;
+    below(last + 1) & !below(first)
 }
 
 /// The whole numbers that the shifter was added to.

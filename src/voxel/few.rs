@@ -40,7 +40,7 @@ use super::block::{Block, ForEach, OnAxis};
 use super::grid::Grid;
 use super::placed::Near;
 use super::sign::{side, turn};
-use crate::arithmetic::{Quad, THREE, compare};
+use crate::arithmetic::{Quad, THREE, compare, each};
 use crate::scalar::Scalar;
 
 /// The voxels of a block that the triangle meets, of 32 at most. Each is a bit of a word: x
@@ -145,7 +145,7 @@ impl<S: Scalar> Few<'_, S> {
     /// Which edges rise along an axis.
     #[inline(always)]
     fn rise(&self, i: usize) -> u32 {
-        let [a, b, c] = self.near.points.map(|p| p[i]);
+        let [a, b, c] = each(self.near.points, |p| p[i]);
         u32::from(a < b) | u32::from(b < c) << 1 | u32::from(c < a) << 2
     }
 

@@ -18,7 +18,7 @@
 use core::cmp::Ordering;
 
 use super::block::{Block, InBlock};
-use super::ends::{four, lanes, nth, same, whole};
+use super::ends::{Ends, Four, among, four, nth, same, whole};
 use super::few::AREA;
 use super::grid::Grid;
 use super::placed::Near;
@@ -50,49 +50,69 @@ struct Layers {
     empty: u32,
 }
 
+/// A layer of a block.
+struct Layer {
+    /// Its interval of x, and that of y, rounded: least, too low and too high; greatest, likewise.
+    x: [f32; 4],
+    y: [i32; 4],
+    /// The rows in question, the first and the last, of those from `from_y` on.
+    rows: [i32; 2],
+    from_y: i32,
+    z: i32,
+    /// Where the plane is in row zero of the layer, and what is added for its ends.
+    middle: f32,
+    reach: [f32; 4],
+}
+
 /// A block of a grid, and a triangle in it.
 struct Rows<'a, S> {
     inside: InBlock<'a, S>,
     grid: &'a Grid<S>,
 }
 
-/// Hands on the rows of a block that the triangle meets: of which y and z, and the first and the
-/// last x. Where floats know nothing, it hands on none, and returns `false`.
+/// Rows side by side, y rising.
+pub(super) struct FourRows {
+    /// The y and the z of the first.
+    pub(super) at: [u32; 2],
+    /// Which of them the triangle meets, bit by bit.
+    pub(super) met: u32,
+    /// The first and the last x of each; of a row that is not met, anything.
+    pub(super) x: [[u32; 4]; 2],
+}
+
+/// Hands on the rows of a block that the triangle meets. Where floats know nothing, it hands on
+/// none, and returns `false`.
 #[inline(always)]
 pub(super) fn each<S: Scalar>(
     block: &Block,
     near: &Near<S>,
     triangle: &Triangle<S>,
     grid: &Grid<S>,
-    mut f: impl FnMut([u32; 2], [u32; 2]),
+    f: impl FnMut(&FourRows),
 ) -> bool {
     let Some(inside) = InBlock::new(block, near, triangle) else { return false };
-    let first = block.first.map(|first| first as u32);
-    let from = |i: usize, k: i32| first[i] + k as u32;
-    Rows { inside, grid }
-        .each(|[y, z], [first, last]| f([from(1, y), from(2, z)], [from(0, first), from(0, last)]))
-        .is_some()
+    Rows { inside, grid }.each(f).is_some()
 }
 
 impl<S: Scalar> Rows<'_, S> {
     /// `None` where floats know nothing.
     #[inline(always)]
-    fn each(&self, mut f: impl FnMut([i32; 2], [i32; 2])) -> Option<()> {
+    fn each(&self, mut f: impl FnMut(&FourRows)) -> Option<()> {
         let view = |u: usize, v: usize| View::new(&self.inside, [u, v]);
         let (xy, xz, yz) = (view(0, 1)?, view(0, 2)?, view(1, 2)?);
         let plane = self.plane(&xy, &xz, &yz)?;
-        let [_, height, depth] = self.inside.block.widths.map(|width| width as i32);
-        let reach = same(plane.reach);
+        let [_, height, depth] = self.inside.block.widths;
+        let (height, depth) = (height as i32, depth as i32);
         let [slope, ..] = same([plane.slopes[0]; 4]);
 
         let mut from_y = 0;
         while from_y < height {
             let to_y = height.min(from_y + SLABS);
-            let mut in_xy = [xy.ends(from_y); QUADS];
-            for (q, ends) in in_xy.iter_mut().enumerate().skip(1) {
+            let mut slabs = [(xy.ends(from_y), four(from_y) * slope); QUADS];
+            for (q, slabs) in slabs.iter_mut().enumerate().skip(1) {
                 let y = from_y + 4 * q as i32;
                 if y < to_y {
-                    *ends = xy.ends(y);
+                    *slabs = (xy.ends(y), four(y) * slope);
                 }
             }
             for from_z in (0..depth).step_by(4) {
@@ -106,31 +126,16 @@ impl<S: Scalar> Rows<'_, S> {
                     if layers.empty >> n & 1 == 1 || first > last {
                         continue;
                     }
-                    let layer = same(nth(&layers.x, n));
-                    let [middle, ..] = same([plane.middle + z as f32 * plane.slopes[1]; 4]);
-                    for q in (first - from_y) / 4..(last - from_y) / 4 + 1 {
-                        let from = from_y + 4 * q;
-                        let middle = middle + four(from) * slope;
-                        let [a, b, c, d] = reach;
-                        let plane = [middle + a, middle + b, middle + c, middle + d];
-                        let ends = in_xy.get(q as usize)?.within(layer);
-                        let ends = ends.within(plane).rounded();
-                        let mut met = lanes(from, first, last) & !ends.empty();
-                        let sure = lanes(from, y[1], y[2]) & !ends.doubt();
-                        let x = ends.to_arrays();
-                        while met != 0 {
-                            let k = met.trailing_zeros();
-                            met &= met - 1;
-                            let (at, k) = ([from + k as i32, z], k as usize % 4);
-                            let x = whole(nth(&x, k));
-                            if sure >> k & 1 == 1 {
-                                f(at, [x[0], x[2]]);
-                                continue;
-                            }
-                            let row = self.settled(at, y, x);
-                            row.into_iter().for_each(|row| f(at, row));
-                        }
-                    }
+                    let layer = Layer {
+                        x: nth(&layers.x, n),
+                        middle: plane.middle + z as f32 * plane.slopes[1],
+                        reach: plane.reach,
+                        from_y,
+                        z,
+                        y,
+                        rows: [first, last],
+                    };
+                    self.layer(&layer, &slabs, &mut f);
                 }
             }
             from_y = to_y;
@@ -138,13 +143,57 @@ impl<S: Scalar> Rows<'_, S> {
         Some(())
     }
 
-    /// A row of which an end is in doubt, or whether the triangle comes to it at all.
+    /// The rows of a layer.
+    #[inline(never)]
+    fn layer(&self, layer: &Layer, slabs: &[(Ends, Four); QUADS], f: &mut impl FnMut(&FourRows)) {
+        let Layer { from_y, z, y, rows: [first, last], .. } = *layer;
+        let [x, first_y, first_z] = self.inside.block.first;
+        let within = same(layer.x);
+        let [a, b, c, d] = same(layer.reach);
+        let [middle, ..] = same([layer.middle; 4]);
+        let (rows, sure) =
+            (among(first - from_y, last - from_y), among(y[1] - from_y, y[2] - from_y));
+        for q in (first - from_y) / 4..(last - from_y) / 4 + 1 {
+            let Some((ends, way)) = slabs.get(q as usize) else { return };
+            let middle = middle + *way;
+            let plane = [middle + a, middle + b, middle + c, middle + d];
+            let ends = ends.within(within).within(plane).rounded();
+            let met = (rows >> (4 * q)) as u32 & 15 & !ends.empty();
+            let doubt = met & (!(sure >> (4 * q)) as u32 | ends.doubt());
+            let from = from_y + 4 * q;
+            let [low, _, high, _] = ends.to_arrays();
+            let x = [from_on(x, whole(low)), from_on(x, whole(high))];
+            let at = [(first_y + from) as u32, (first_z + z) as u32];
+            let mut rows = FourRows { at, met, x };
+            if doubt != 0 {
+                self.settle(layer, from, doubt, ends, &mut rows);
+            }
+            f(&rows);
+        }
+    }
+
+    /// The rows of four of which an end is in doubt, or whether the triangle comes to them at all.
     #[cold]
     #[inline(never)]
+    fn settle(&self, layer: &Layer, from: i32, doubt: u32, ends: Ends, rows: &mut FourRows) {
+        let [x, ..] = self.inside.block.first;
+        let ends = ends.to_arrays();
+        for k in (0..4).filter(|k| doubt >> k & 1 == 1) {
+            match self.settled([from + k as i32, layer.z], layer.y, whole(nth(&ends, k))) {
+                Some([first, last]) => {
+                    rows.x[0][k] = (x + first) as u32;
+                    rows.x[1][k] = (x + last) as u32;
+                }
+                None => rows.met &= !(1 << k),
+            }
+        }
+    }
+
+    /// A row of which an end is in doubt, or whether the triangle comes to it at all.
     fn settled(&self, [y, z]: [i32; 2], in_y: [i32; 4], in_x: [i32; 4]) -> Option<[i32; 2]> {
         let meets = |x: i32| {
             let [i, j, k] = self.inside.block.first;
-            let voxel = self.grid.voxel([i + x, j + y, k + z].map(|i| i as u32));
+            let voxel = self.grid.voxel([(i + x) as u32, (j + y) as u32, (k + z) as u32]);
             voxel.is_some_and(|voxel| self.inside.triangle.overlaps(&voxel))
         };
         let [mut first, sure_first, sure_last, mut last] = in_x;
@@ -183,6 +232,18 @@ impl<S: Scalar> Rows<'_, S> {
             reach: [-half - error, -half + error, half - error, half + error],
         })
     }
+}
+
+/// Four numbers, counted from the first on: of a row that is not met, any numbers. (`map` may go
+/// through memory.)
+#[inline(always)]
+const fn from_on(first: i32, [a, b, c, d]: [i32; 4]) -> [u32; 4] {
+    [
+        first.wrapping_add(a) as u32,
+        first.wrapping_add(b) as u32,
+        first.wrapping_add(c) as u32,
+        first.wrapping_add(d) as u32,
+    ]
 }
 
 impl Layers {

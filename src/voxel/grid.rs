@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use super::marks::Line;
 use super::sign::middle;
-use crate::arithmetic::compare;
+use crate::arithmetic::{compare, three};
 use crate::scalar::{PlanesError, Scalar};
 use crate::shape::{Aabb, Vec3};
 
@@ -118,7 +118,7 @@ impl<S: Scalar> Grid<S> {
         if i >= x || j >= y || k >= z {
             return None;
         }
-        let corner = |at: [u32; 3]| [0, 1, 2].map(|axis| self.plane(axis, at[axis]));
+        let corner = |at: [u32; 3]| three(|axis| self.plane(axis, at[axis]));
         Aabb::from_min_max(corner([i, j, k]), corner([i + 1, j + 1, k + 1])).ok()
     }
 

@@ -3,6 +3,7 @@
 //! A triangle and a box are disjoint exactly if one of 13 axes separates them: three are those
 //! of the grid, nine are seen along them, and the last is the normal.
 
+use crate::arithmetic::three;
 use core::cmp::Ordering;
 
 use super::grid::Grid;
@@ -211,7 +212,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         }
         // Of the row's lines along x, the ones nearest to where the normal comes from, and to
         // where it goes.
-        let [along, of_y, of_z] = [0, 1, 2].map(|i| self.placed.marks.of(i));
+        let [along, of_y, of_z] = three(|i| self.placed.marks.of(i));
         let (ends_y, ends_z) = (of_y.ends(y), of_z.ends(self.z));
         let [mut near, mut far] = [0, 1].map(|k: usize| [ends_y[k], ends_z[k]]);
         // Half-open voxels have no point on the second of each pair.

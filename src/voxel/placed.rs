@@ -6,7 +6,7 @@ use super::grid::Grid;
 use super::marks::{AxisMarks, Marks};
 use super::place::{Place, locate};
 use super::sign::turn;
-use crate::arithmetic::{greatest, least};
+use crate::arithmetic::{greatest, least, three};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -91,9 +91,7 @@ impl<S: Scalar, M: AxisMarks> Placed<S, M> {
                 at[k][i] = near.place(grid, i, marks.of(i), near.near[k][i], x);
             }
         }
-        let over = |of: fn(Place, Place) -> Place| {
-            [0, 1, 2].map(|i: usize| of(of(at[0][i], at[1][i]), at[2][i]))
-        };
+        let over = |of: fn(Place, Place) -> Place| three(|i| of(of(at[0][i], at[1][i]), at[2][i]));
         let (least, greatest) = (over(Place::least), over(Place::greatest));
         let Near { points, near, error } = *near;
         Self { marks, points, near, error, at, least, greatest }

@@ -29,7 +29,7 @@ use super::marks::{AxisMarks, Line};
 use super::place::{Place, locate};
 use super::placed::Placed;
 use super::sign::side;
-use crate::arithmetic::turn;
+use crate::arithmetic::{three, turn};
 use crate::scalar::Scalar;
 
 /// The plane of a triangle that is not parallel to x, seen so that its normal points to
@@ -51,7 +51,7 @@ impl Plane {
     #[cfg_attr(feature = "small", inline(never))]
     pub(super) fn new<S: Scalar, M: AxisMarks>(placed: &Placed<S, M>) -> Option<Self> {
         let [a, b, c] = placed.near;
-        let (e, f) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
+        let (e, f) = (three(|i| b[i] - a[i]), three(|i| c[i] - a[i]));
         let mut size = 0.0;
         for i in 0..3 {
             for length in [e[i].abs(), f[i].abs(), (c[i] - b[i]).abs()] {

@@ -6,7 +6,7 @@
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::{Embeds, Number, Parts, compare, cross, dot};
+use crate::arithmetic::{Embeds, Number, Parts, compare, cross, dot, three};
 use crate::robust::{
     ExactSum, Linear, Predicate, Vector, add_area, add_determinant, difference, single,
 };
@@ -98,17 +98,15 @@ impl<S: Scalar> Predicate<S> for Above<'_, S> {
         }
         let [a, b, c] = *self.triangle;
         let [a, b, c, p, q] = N::embed(&[a, b, c, self.p, self.q])?;
-        let (e, f) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
-        let d = [0, 1, 2].map(|i| (p[i] - a[i]) + (q[i] - a[i]));
+        let (e, f) = (three(|i| b[i] - a[i]), three(|i| c[i] - a[i]));
+        let d = three(|i| (p[i] - a[i]) + (q[i] - a[i]));
         Some(sign_of(dot::<N>(&cross::<N>(&e, &f), &d)))
     }
 
     fn exact(&self) -> i8 {
         let [a, b, c] = self.triangle;
-        let edge = |to: &[S; 3]| -> Vector {
-            [0, 1, 2].map(|i: usize| difference(to[i].parts(), a[i].parts()))
-        };
-        let point = [0, 1, 2].map(|i: usize| doubled(self.p[i], self.q[i], a[i]));
+        let edge = |to: &[S; 3]| -> Vector { three(|i| difference(to[i].parts(), a[i].parts())) };
+        let point = three(|i| doubled(self.p[i], self.q[i], a[i]));
         let mut sum = S::Sum::new();
         add_determinant(&mut sum, &edge(b), &edge(c), &point);
         sum.sign() as i8

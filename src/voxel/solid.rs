@@ -6,6 +6,7 @@ use super::placed::{Near, Placed};
 use super::plane::Plane;
 use super::slabs::{Edge, rising};
 use super::word::Word;
+use crate::arithmetic::three;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -153,7 +154,7 @@ fn crossings<S: Scalar>(
     }
     // Parallel to x it crosses nothing.
     let Some(plane) = Plane::new(&placed) else { return };
-    let edges = [0, 1, 2].map(|k| {
+    let edges = three(|k| {
         let ends = rising(&placed, 2, k);
         (ends.map(|k| placed.at[k][2].at), Edge::new(&placed, [1, 2], ends))
     });

@@ -23,6 +23,7 @@ mod sealed {
         const ONE: Self;
         const ALL: Self;
         fn of(bits: u32) -> Self;
+        fn first(count: u32) -> Self;
         fn ones(self) -> u32;
     }
 
@@ -33,6 +34,10 @@ mod sealed {
                 const ZERO: Self = 0;
                 const ONE: Self = 1;
                 const ALL: Self = $word::MAX;
+                #[inline(always)]
+                fn first(count: u32) -> Self {
+                    !(Self::ALL << count)
+                }
                 #[inline(always)]
                 fn of(bits: u32) -> Self {
                     bits.into()

@@ -3,7 +3,7 @@
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::{Parts, pick};
+use crate::arithmetic::{Parts, pick, three};
 use crate::query::exact_aabb::ExactAabb;
 use crate::robust::{ExactSum, Linear, add_area, difference, single};
 use crate::scalar::Scalar;
@@ -27,8 +27,8 @@ impl ExactLine {
     /// The line from `o`, in the direction from `a` to `b`.
     pub(crate) fn between<S: Scalar>(o: [S; 3], a: [S; 3], b: [S; 3], form: &AabbForm<S>) -> Self {
         let direction = |i| difference(pick(&b, i).parts(), pick(&a, i).parts());
-        let falls = [0, 1, 2].map(|i| pick(&b, i) < pick(&a, i));
-        Self::new(o, [0, 1, 2].map(direction), falls, form)
+        let falls = three(|i| pick(&b, i) < pick(&a, i));
+        Self::new(o, three(direction), falls, form)
     }
 
     fn new<S: Scalar>(o: [S; 3], d: [Linear; 3], falls: [bool; 3], form: &AabbForm<S>) -> Self {
@@ -40,9 +40,9 @@ impl ExactLine {
             mirrored(faces.to_face(o, i, toward), falls)
         };
         Self {
-            near: [0, 1, 2].map(|i| face(i, false)),
-            far: [0, 1, 2].map(|i| face(i, true)),
-            m: [0, 1, 2].map(|i| mirrored(*pick(&d, i), *pick(&falls, i))),
+            near: three(|i| face(i, false)),
+            far: three(|i| face(i, true)),
+            m: three(|i| mirrored(*pick(&d, i), *pick(&falls, i))),
         }
     }
 

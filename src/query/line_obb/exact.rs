@@ -3,7 +3,7 @@
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::{Parts, pick, turn};
+use crate::arithmetic::{Parts, pick, three, turn};
 use crate::robust::{ExactSum, Vector, add_scaled_determinant, single};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
@@ -62,7 +62,7 @@ impl ExactLine {
 
     /// Whether one of the six axes separates.
     pub(super) fn is_separated<S: Scalar>(&self) -> bool {
-        let along = [0, 1, 2].map(|i| sign::<S>(&[self.along(i, &self.d, S::ONE)]));
+        let along = three(|i| sign::<S>(&[self.along(i, &self.d, S::ONE)]));
         let volume = sign::<S>(&[self.volume(S::ONE)]);
         [Ordering::Greater, Ordering::Less].into_iter().any(|side| {
             (0..3).any(|i| {

@@ -4,7 +4,7 @@
 use core::cmp::Ordering;
 
 use super::{First, Lie};
-use crate::arithmetic::{Parts, turn};
+use crate::arithmetic::{Parts, three, turn};
 use crate::query::relation::{Relation, of_gaps};
 use crate::robust::{ExactSum, Linear, Vector, add_scaled_determinant, difference, single};
 use crate::scalar::Scalar;
@@ -35,7 +35,7 @@ impl ExactBoxes {
         let [b, k] = [second.center(), second.half_extents()].map(|v| parts(v.to_array()));
         let vector = |of: &dyn Fn(usize) -> Linear| [of(0), of(1), of(2)];
         let axes = |obb: &Obb<S>| obb.axes().map(|u| u.to_array().map(|x| single(x.parts())));
-        let along = [0, 1, 2].map(|i: usize| {
+        let along = three(|i| {
             let zero = single(Parts::ZERO);
             let mut axis = [zero; 3];
             axis[i] = single(S::ONE);
@@ -56,7 +56,7 @@ impl ExactBoxes {
                 AabbForm::Corners { min, max } => {
                     let [p, q] = [min, max].map(|v| parts(v.to_array()));
                     let d = vector(&|i| [twice(b[i]), p[i].negated(), q[i].negated()]);
-                    let h = [0, 1, 2].map(|i: usize| [q[i], p[i].negated()]);
+                    let h = three(|i| [q[i], p[i].negated()]);
                     (d, along, h, pairs(k.map(twice)))
                 }
             },

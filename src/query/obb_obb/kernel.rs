@@ -24,7 +24,7 @@
 use core::ops::Mul;
 
 use super::error_bound::ErrorBound;
-use crate::arithmetic::{Number, turn};
+use crate::arithmetic::{Number, three, turn};
 use crate::query::relation::{Nearness, Relation};
 use crate::query::triangle_obb::{cross, dot, lie_along_one_axis};
 
@@ -83,7 +83,7 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, const SKIPS_ZEROS: bool>(
     let volume = dot(&u[0], &w[0]).magnitude();
     let mut on_v = [[P::ZERO; 3]; 3];
     for i in 0..3 {
-        on_v[i] = [0, 1, 2].map(|j: usize| dot(&w[i], &v[j]).magnitude());
+        on_v[i] = three(|j| dot(&w[i], &v[j]).magnitude());
         add(&mut found, dot(&w[i], d) * *one, h[i] * volume + dot(k, &on_v[i]));
     }
     if found.is_disjoint {
@@ -94,7 +94,7 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, const SKIPS_ZEROS: bool>(
     let volume = dot(&v[0], &z[0]).magnitude();
     let mut on_u = [[P::ZERO; 3]; 3];
     for j in 0..3 {
-        on_u[j] = [0, 1, 2].map(|i: usize| dot(&z[j], &u[i]).magnitude());
+        on_u[j] = three(|i| dot(&z[j], &u[i]).magnitude());
         add(&mut found, dot(&z[j], d) * *one, k[j] * volume + dot(h, &on_u[j]));
     }
     if found.is_disjoint {

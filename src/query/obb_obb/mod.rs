@@ -11,7 +11,9 @@ use self::kernel::{Boxes, all_axes};
 use super::Overlaps;
 use super::relation::{Relate, Relation};
 use super::triangle_obb::has_second_look;
-use crate::arithmetic::{Embeds, Float, InFloat, Number, greatest, largest, of_two, once};
+use crate::arithmetic::{
+    Embeds, Float, InFloat, Number, each, greatest, largest, of_two, once, three,
+};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Obb};
@@ -43,7 +45,7 @@ impl<S: Scalar> Lie<'_, S> {
         let [v0, v1, v2] = self.second.axes_as_arrays();
         let (b, k) = (self.second.center().to_array(), self.second.half_extents().to_array());
 
-        let operands = |x: [N::Length; 3]| [x[0], x[1], x[2]].map(N::operand);
+        let operands = |x: [N::Length; 3]| each(x, N::operand);
         let from = |x: [N::Length; 3], y: [N::Length; 3]| {
             operands([x[0] - y[0], x[1] - y[1], x[2] - y[2]])
         };
@@ -70,11 +72,9 @@ impl<S: Scalar> Lie<'_, S> {
                 let (d, h, k) = match first.form() {
                     AabbForm::Center { .. } => (from(b, p), operands(q), operands(k)),
                     AabbForm::Corners { .. } => (
-                        operands(
-                            [0, 1, 2].map(|i: usize| of_two::<N, _>((b[i] - p[i]) + (b[i] - q[i]))),
-                        ),
-                        operands([0, 1, 2].map(|i: usize| of_two::<N, _>(q[i] - p[i]))),
-                        operands(k.map(|k| once::<N, _>(k))),
+                        operands(three(|i| of_two::<N, _>((b[i] - p[i]) + (b[i] - q[i])))),
+                        operands(three(|i| of_two::<N, _>(q[i] - p[i]))),
+                        operands(each(k, once::<N, _>)),
                     ),
                 };
                 let u = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];

@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 use core::marker::PhantomData;
 
 use super::Points;
-use crate::arithmetic::{Parts, pick, turn};
+use crate::arithmetic::{Parts, each, pick, three, turn};
 use crate::robust::{ExactSum, Linear, Vector, add_area, add_determinant, sign};
 use crate::scalar::Scalar;
 use crate::shape::{Segment, SegmentForm};
@@ -17,12 +17,12 @@ pub(crate) struct ExactPoints<S> {
 
 /// A point as given.
 fn given<S: Scalar>(p: [S; 3]) -> [[Parts; 2]; 3] {
-    p.map(|x| [x.parts(), Parts::ZERO])
+    each(p, |x| [x.parts(), Parts::ZERO])
 }
 
 impl<S: Scalar> ExactPoints<S> {
     pub(crate) fn new(first: &[[S; 3]; 3], second: &[[S; 3]; 3]) -> Self {
-        let ([a, b, c], [d, e, f]) = (first.map(given), second.map(given));
+        let ([a, b, c], [d, e, f]) = (each(*first, given), each(*second, given));
         Self { points: [a, b, c, d, e, f], scalar: PhantomData }
     }
 
@@ -37,7 +37,7 @@ impl<S: Scalar> ExactPoints<S> {
                 [end(true), end(false)]
             }
         };
-        let [c, d, e] = triangle.map(given);
+        let [c, d, e] = each(*triangle, given);
         Self { points: [a, b, b, c, d, e], scalar: PhantomData }
     }
 
@@ -61,7 +61,7 @@ impl<S: Scalar> ExactPoints<S> {
     }
 
     fn vector(&self, a: usize, b: usize) -> Vector {
-        [0, 1, 2].map(|axis| self.difference(a, b, axis))
+        three(|axis| self.difference(a, b, axis))
     }
 }
 

@@ -9,14 +9,14 @@
 use core::cmp::Ordering;
 
 use super::{FIRST, Points, Relation, SECOND, along};
-use crate::arithmetic::{pick, turn};
+use crate::arithmetic::{each, pick, turn};
 
 /// What the three coordinates say at most.
 pub(super) fn boxes(points: &impl Points) -> Relation {
     let mut so_far = Relation::Overlapping;
     for axis in 0..3 {
         // Every point of the one with every point of the other.
-        let rows = FIRST.map(|a| SECOND.map(|b| points.compare(axis, [a, b])));
+        let rows = each(FIRST, |a| each(SECOND, |b| points.compare(axis, [a, b])));
         let all = || rows.as_flattened().iter();
         let (above, below) = (all().any(|x| x.is_gt()), all().any(|x| x.is_lt()));
         if above != below {
@@ -47,7 +47,7 @@ pub(super) fn in_plane(points: &impl Points) -> Relation {
                 let (k, next, opposite) = turn(k);
                 let side = |x: usize| points.area(axis, [*pick(&one, k), *pick(&one, next), x]);
                 let back = side(*pick(&one, opposite));
-                so_far = so_far.min(along(other.map(side), &[back]));
+                so_far = so_far.min(along(each(other, side), &[back]));
                 has_area |= back != Ordering::Equal;
             }
         }

@@ -25,7 +25,7 @@ use self::sides::share_a_point;
 pub(super) use self::sides::{Vector, are_apart, from, larger, sides, sign, size};
 use self::whole::Whole;
 use super::relation::Relation;
-use crate::arithmetic::{Arithmetic, turn};
+use crate::arithmetic::{Arithmetic, each, turn};
 
 /// Six points: the vertices of one shape, and those of the other.
 pub(super) trait Points {
@@ -51,7 +51,7 @@ pub(super) fn relation(points: &impl Points) -> Relation {
     if so_far == Relation::Disjoint {
         return so_far;
     }
-    let sides = |[a, b, c]: [usize; 3], of: [usize; 3]| of.map(|d| points.volume([a, b, c, d]));
+    let sides = |[a, b, c]: [usize; 3], of: [usize; 3]| each(of, |d| points.volume([a, b, c, d]));
     let (first, second) = (sides(SECOND, FIRST), sides(FIRST, SECOND));
     let so_far = so_far.min(along(first, &[])).min(along(second, &[]));
     if so_far == Relation::Disjoint {
@@ -108,8 +108,8 @@ fn along(sides: [Ordering; 3], back: &[Ordering]) -> Relation {
 /// Two triangles in planes that cross, neither beyond that of the other: whether the
 /// intervals meet in which they meet the line that both planes have in common.
 fn crossing(points: &impl Points, first: [Ordering; 3], second: [Ordering; 3]) -> Relation {
-    let (i, is_first_above) = apex(first.map(|sign| sign as i8));
-    let (k, is_second_above) = apex(second.map(|sign| sign as i8));
+    let (i, is_first_above) = apex(each(first, |sign| sign as i8));
+    let (k, is_second_above) = apex(each(second, |sign| sign as i8));
     let order = |of: [usize; 3], k: usize, is_in_order: bool| {
         let (a, b, c) = turn(k);
         if is_in_order { [of[a], of[b], of[c]] } else { [of[a], of[c], of[b]] }
@@ -154,7 +154,7 @@ fn piercing(
 ) -> Relation {
     let k = if signs[0] == signs[1] { 1 } else { 0 };
     let (a, b) = (segment[k], segment[k + 1]);
-    let sides = FIRST.map(|k| {
+    let sides = each(FIRST, |k| {
         let (k, next, _) = turn(k);
         points.volume([a, b, triangle[k], triangle[next]])
     });

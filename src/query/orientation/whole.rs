@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use super::Points;
-use crate::arithmetic::{Arithmetic, Number, compare, cross, dot, pick, turn};
+use crate::arithmetic::{Arithmetic, Number, compare, cross, dot, each, pick, turn};
 
 /// Six points in a number system that is certain.
 pub(crate) struct Whole<N: Arithmetic>(pub(crate) [[N::Length; 3]; 6]);
@@ -27,13 +27,13 @@ fn sign<T: Number>(x: T) -> Ordering {
 
 impl<N: Arithmetic> Points for Whole<N> {
     fn volume(&self, [a, b, c, d]: [usize; 4]) -> Ordering {
-        let [b, c, d] = [b, c, d].map(|x| self.difference(x, a));
+        let [b, c, d] = each([b, c, d], |x| self.difference(x, a));
         sign(dot::<N>(&cross::<N>(&b, &c), &d))
     }
 
     fn area(&self, axis: usize, [a, b, c]: [usize; 3]) -> Ordering {
         let (_, j, k) = turn(axis);
-        let [b, c] = [b, c].map(|x| self.difference(x, a));
+        let (b, c) = (self.difference(b, a), self.difference(c, a));
         sign(N::area(b[j], c[k]) - N::area(b[k], c[j]))
     }
 

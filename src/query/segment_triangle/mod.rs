@@ -5,7 +5,7 @@ use super::orientation::{
     ExactPoints, Vector, error_bound, from, in_doubt, relation, sides, sign, size,
 };
 use super::relation::{Relate, Relation};
-use crate::arithmetic::{Arithmetic, Embeds, cross, dot};
+use crate::arithmetic::{Arithmetic, Embeds, cross, dot, three};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Segment, SegmentForm, Triangle};
@@ -43,7 +43,7 @@ impl<N: Arithmetic> Setting<N> {
 
     #[inline(always)]
     fn by_center([c, h]: [&Vector<N>; 2], triangle: &[Vector<N>; 3]) -> Self {
-        let [p, q, r] = [0, 1, 2].map(|k: usize| from::<N>(&triangle[k], c));
+        let [p, q, r] = three(|k| from::<N>(&triangle[k], c));
         // No sum is greater, nor what it is made of.
         let size = size::<N, 3>(&[p, q, r]) + (size::<N, 1>(&[*h]) + size::<N, 1>(&[*h]));
         let plus = |v: &Vector<N>| [v[0] + h[0], v[1] + h[1], v[2] + h[2]];

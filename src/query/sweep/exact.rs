@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 
 use super::FirstContact;
 use super::latest::Latest;
-use crate::arithmetic::{Parts, pick, turn};
+use crate::arithmetic::{Parts, pick, three, turn};
 use crate::query::Axis;
 use crate::query::exact_aabb::ExactAabb;
 use crate::query::exact_triangle::ExactTriangle;
@@ -40,7 +40,7 @@ fn unit(i: usize) -> Vector {
 impl Cross {
     fn new<S: Scalar>(x: Vector, y: Vector) -> Self {
         let mut cross = Self { x, y, signs: [Ordering::Equal; 3] };
-        cross.signs = [0, 1, 2].map(|i| cross.along::<S>(&unit(i), false).sign());
+        cross.signs = three(|i| cross.along::<S>(&unit(i), false).sign());
         cross
     }
 

@@ -4,7 +4,7 @@
 use core::cmp::Ordering;
 
 use super::Axis;
-use crate::arithmetic::{pick, turn};
+use crate::arithmetic::{pick, three, turn};
 use crate::query::exact_aabb::ExactAabb;
 use crate::query::exact_triangle::ExactTriangle;
 use crate::robust::{ExactSum, add_area, add_determinant, sign};
@@ -18,7 +18,7 @@ pub(super) fn gaps<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>, axis: Axis
     let b = ExactAabb::new(aabb.form());
     match axis {
         Axis::Face(i) => face_gaps::<S>(&b, &t, usize::from(i % 3)),
-        Axis::Normal => normal_gaps::<S>(&b, &t, &[0, 1, 2].map(|i| t.normal_sign::<S>(i))),
+        Axis::Normal => normal_gaps::<S>(&b, &t, &three(|i| t.normal_sign::<S>(i))),
         Axis::Edge { axis, edge } => {
             let (i, k) = (usize::from(axis % 3), usize::from(edge % 3));
             edge_gaps::<S>(&b, &t, i, k, t.normal_sign::<S>(i))
