@@ -25,9 +25,12 @@ use core::cmp::Ordering;
 
 use super::grid::Grid;
 use super::node::{Cell, Node};
-use crate::arithmetic::{greatest, least};
+use crate::arithmetic::{OfFour, Quad, each, greatest, least, three};
 use crate::scalar::Scalar;
 use crate::shape::Ray;
+
+/// A number for each child of a node.
+type Four = <f32 as OfFour>::Quad;
 
 /// A ray on its way down.
 #[derive(Clone, Debug)]
@@ -87,7 +90,7 @@ impl<S: Scalar> Descent<S> {
                 mask ^= 1 << k;
                 continue;
             }
-            sooner[k] = along_octant(&cell, d.map(|d| d.partial_cmp(&S::ZERO)));
+            sooner[k] = along_octant(&cell, each(d, |d| d.partial_cmp(&S::ZERO)));
         }
         Met { mask, sooner }
     }
@@ -166,10 +169,10 @@ impl GridRay {
 
     fn new<S: Scalar>(grid: &Grid<S>, ray: &Ray<S>) -> Self {
         let (direction, origin) = (ray.direction().to_array(), ray.origin().to_array());
-        let o = [0, 1, 2].map(|i| origin[i].place(&grid.0[i]));
-        let d = [0, 1, 2].map(|i| direction[i].length(&grid.0[i]));
+        let o = three(|i| origin[i].place(&grid.0[i]));
+        let d = three(|i| direction[i].length(&grid.0[i]));
         let ends = [ray.t_min(), ray.t_max()].map(|t| t.map(S::in_double));
-        Self::between([o; 2], d, direction.map(|d| d == S::ZERO), ends)
+        Self::between([o; 2], d, each(direction, |d| d == S::ZERO), ends)
     }
 
     /// A box between two corners on its way, in steps of the grid, and which components of that
@@ -220,20 +223,22 @@ impl GridRay {
 
     #[inline(always)]
     pub(super) fn meets(&self, node: &Node) -> Met {
-        let (mut enter, mut leave) = ([self.from; 4], [self.to; 4]);
+        let (mut enter, mut leave) = (Four::splat(self.from), Four::splat(self.to));
+        let planes = |[a, b, c, d]: [u16; 4]| Four::new([a.into(), b.into(), c.into(), d.into()]);
         for i in 0..3 {
             let Axis { low, high, inverse, is_falling } = self.axes[i];
-            let (mut near, mut far) = ((&node.0[i], low), (&node.0[3 + i], high));
+            let (mut near, mut far) = ((node.0[i], low), (node.0[3 + i], high));
             if is_falling {
                 (near, far) = (far, near);
             }
-            for k in 0..4 {
-                enter[k] = greatest((f32::from(near.0[k]) - near.1) * inverse, enter[k]);
-                leave[k] = least((f32::from(far.0[k]) - far.1) * inverse, leave[k]);
-            }
+            let inverse = Four::splat(inverse);
+            let time = |(at, from): ([u16; 4], f32)| (planes(at) - Four::splat(from)) * inverse;
+            enter = time(near).greatest(enter);
+            leave = time(far).least(leave);
         }
-        let [a, b, c, d] = [0, 1, 2, 3].map(|k| u32::from(enter[k] <= leave[k]));
-        Met { mask: a | b << 1 | c << 2 | d << 3, sooner: enter.map(in_order) }
+        let [a, b, c, d] = enter.to_array();
+        let sooner = [in_order(a), in_order(b), in_order(c), in_order(d)];
+        Met { mask: !enter.exceeds(leave) & 15, sooner }
     }
 
     /// Whether it is somewhere.

@@ -6,7 +6,7 @@ use super::grid::corners;
 use super::node::{Cell, Node};
 use super::walk::Walk;
 use super::{Index, Tree};
-use crate::arithmetic::REGISTERS_ARE_WIDE;
+use crate::arithmetic::{REGISTERS_ARE_WIDE, three};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb, Overlaps, Segment, SegmentForm, Triangle, Vec3};
 
@@ -91,7 +91,7 @@ impl<S: Scalar> sealed::Bounded<S> for Segment<S> {
 /// The corners of a box by its centre, rounded outward.
 fn around<S: Scalar>(center: Vec3<S>, half: Vec3<S>) -> [[S; 3]; 2] {
     let (c, h) = (center.to_array(), half.to_array());
-    let ends = [0, 1, 2].map(|i| c[i].reach(h[i]));
+    let ends = three(|i| c[i].reach(h[i]));
     [ends.map(|[low, _]| low), ends.map(|[_, high]| high)]
 }
 

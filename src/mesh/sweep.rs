@@ -5,6 +5,7 @@ use super::grid::Grid;
 use super::node::{Cell, Node};
 use super::overlapping::sealed::Bounded;
 use super::{Index, Tree};
+use crate::arithmetic::three;
 use crate::query::{FirstContact, Motion, Sweep};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Vec3};
@@ -78,8 +79,8 @@ impl<'a, S: Scalar> Moving<'a, S> {
         // Where the choice is known to the compiler it links no floats.
         let fast = match places(grid, aabb) {
             Some(places) if S::IS_FAST => {
-                let d = [0, 1, 2].map(|i| to[i].steps_from(from[i], &grid.0[i]));
-                let is_zero = [0, 1, 2].map(|i| from[i] == to[i]);
+                let d = three(|i| to[i].steps_from(from[i], &grid.0[i]));
+                let is_zero = three(|i| from[i] == to[i]);
                 GridRay::between(places, d, is_zero, [Some(0.0), Some(1.0)])
             }
             _ => GridRay::EVERYWHERE,
@@ -100,7 +101,7 @@ impl<'a, S: Scalar> Moving<'a, S> {
             if first.is_none_or(|first| self.end.is_some_and(|end| first.t > end)) {
                 mask ^= 1 << k;
             }
-            sooner[k] = along_octant(&cell, [0, 1, 2].map(|i| to[i].partial_cmp(&from[i])));
+            sooner[k] = along_octant(&cell, three(|i| to[i].partial_cmp(&from[i])));
         }
         Met { mask, sooner }
     }
@@ -121,14 +122,14 @@ fn places<S: Scalar>(grid: &Grid<S>, aabb: &Aabb<S>) -> Option<[[f64; 3]; 2]> {
     const LONG: f64 = (1_u64 << 40) as f64;
     let place = |p: &Vec3<S>| {
         let p = p.to_array();
-        [0, 1, 2].map(|i| p[i].place(&grid.0[i]))
+        three(|i| p[i].place(&grid.0[i]))
     };
     match aabb.form() {
         AabbForm::Corners { min, max } => Some([place(min), place(max)]),
         AabbForm::Center { center, half } => {
             let (c, h) = (place(center), half.to_array());
-            let h = [0, 1, 2].map(|i| h[i].length(&grid.0[i]));
-            let ends = [-1.0, 1.0].map(|sign| [0, 1, 2].map(|i: usize| c[i] + sign * h[i]));
+            let h = three(|i| h[i].length(&grid.0[i]));
+            let ends = [-1.0, 1.0].map(|sign| three(|i| c[i] + sign * h[i]));
             c.iter().chain(&h).all(|x| x.abs() <= LONG).then_some(ends)
         }
     }

@@ -1,6 +1,7 @@
 use super::grid::{Grid, corners};
 use super::node::{Cell, LEAF, Layout, Node};
 use super::{Index, Mesh, MeshError};
+use crate::arithmetic::three;
 use crate::scalar::Scalar;
 
 /// A mesh and a tree of boxes over it: the same answers as by asking each triangle, sooner.
@@ -194,7 +195,7 @@ fn sort<S: Scalar, I: Index>(
 ) {
     for node in 0..layout.nodes {
         let children = layout.children(node);
-        let ends = [0, 1, 2].map(|k| {
+        let ends = three(|k| {
             let place = children.start + k;
             if place < children.end { layout.below(place).end } else { layout.below(node).end }
         });
@@ -218,7 +219,7 @@ fn cut<S: Scalar, I: Index>(mesh: &Mesh<'_, S, I>, grid: &Grid<S>, order: &mut [
     // Twice the middle of the box around a triangle.
     let middles = |i: &I| {
         let cell = grid.cell(corners(&mesh.known(i.get())));
-        [0, 1, 2].map(|k| u32::from(cell.low[k]) + u32::from(cell.high[k]))
+        three(|k| u32::from(cell.low[k]) + u32::from(cell.high[k]))
     };
     let (mut low, mut high) = ([u32::MAX; 3], [0; 3]);
     for middle in order.iter().map(middles) {
@@ -227,7 +228,7 @@ fn cut<S: Scalar, I: Index>(mesh: &Mesh<'_, S, I>, grid: &Grid<S>, order: &mut [
             high[k] = high[k].max(middle[k]);
         }
     }
-    let spread = [0, 1, 2].map(|k| grid.size(k, high[k] - low[k]));
+    let spread = three(|k| grid.size(k, high[k] - low[k]));
     let axis = if spread[0] >= spread[1] && spread[0] >= spread[2] {
         0
     } else if spread[1] >= spread[2] {
