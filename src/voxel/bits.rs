@@ -1,9 +1,11 @@
+mod set;
+
 use core::fmt;
 
 use super::Rule;
 use super::block::{Block, ForEach};
 use super::few;
-use super::four_rows::{self, FourRows};
+use super::four_rows;
 use super::grid::Grid;
 use super::marks::ALL_CLOSED;
 use super::pass::{Bounds, Pass};
@@ -11,7 +13,7 @@ use super::placed::Near;
 use super::rows::Row;
 use super::slabs::Span;
 use super::word::Word;
-use crate::arithmetic::{Quad, each};
+use crate::arithmetic::Quad;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -148,75 +150,6 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
                 self.set_row([y as u32, z as u32], [first as u32, last as u32]);
             });
         }
-    }
-
-    /// Sets the bits of some voxels of a block.
-    #[inline(always)]
-    fn set_few(&mut self, block: &Block, mut met: u32) {
-        let [x, y, z] = each(block.first, |first| first as u32);
-        let [width, rows, layers] = block.widths;
-        let (at, shift) = ((x / W::BITS) as usize, x % W::BITS);
-        for z in z..z + layers {
-            for y in y..y + rows {
-                let bits = W::of(met & (u32::MAX >> (32 - width)));
-                // The last row may leave none.
-                met = met.checked_shr(width).unwrap_or(0);
-                match self.row_mut(y, z).get_mut(at..) {
-                    Some([word, next, ..]) => {
-                        *word |= bits << shift;
-                        // In two steps: by all of its bits a word cannot be shifted.
-                        *next |= bits >> (W::BITS - 1 - shift) >> 1;
-                    }
-                    Some([word]) => *word |= bits << shift,
-                    _ => {}
-                }
-            }
-        }
-    }
-
-    /// Sets the bits of a row from the first to the last.
-    #[inline(always)]
-    fn set_row(&mut self, [y, z]: [u32; 2], [first, last]: [u32; 2]) {
-        let (from, to) = ((first / W::BITS) as usize, (last / W::BITS) as usize);
-        let head = W::ALL << (first % W::BITS);
-        let tail = W::ALL >> (W::BITS - 1 - last % W::BITS);
-        match self.row_mut(y, z).get_mut(from..=to) {
-            Some([word]) => *word |= head & tail,
-            Some([start, middle @ .., end]) => {
-                *start |= head;
-                middle.fill(W::ALL);
-                *end |= tail;
-            }
-            _ => {}
-        }
-    }
-
-    /// Sets the bits of rows side by side.
-    #[inline(always)]
-    fn set_rows(&mut self, rows: &FourRows) {
-        let [y, z] = rows.at;
-        let mut start = self.row_start(y, z);
-        for k in 0..4 {
-            // A row that is not met is one of no bits, and is not branched on.
-            let is_met = 0_u32.wrapping_sub(rows.met >> k & 1);
-            let (first, last) = (rows.x[0][k], rows.x[1][k]);
-            let (count, shift) =
-                (last.wrapping_sub(first).wrapping_add(1) & is_met, first % W::BITS);
-            if count + shift < W::BITS {
-                if let Some(word) = self.words.get_mut(start + (first / W::BITS) as usize) {
-                    *word |= W::first(count) << shift;
-                }
-            } else {
-                self.set_words([y + k as u32, z], [first, last]);
-            }
-            start += self.row_words;
-        }
-    }
-
-    /// Sets the bits of a row that takes more than a word.
-    #[inline(never)]
-    fn set_words(&mut self, at: [u32; 2], x: [u32; 2]) {
-        self.set_row(at, x);
     }
 
     /// Whether the bit of a voxel is set; `false` for one beyond the grid.
