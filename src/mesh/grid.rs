@@ -2,7 +2,7 @@
 
 use super::node::Cell;
 use super::{Index, Mesh};
-use crate::arithmetic::{greatest, least};
+use crate::arithmetic::{each, greatest, least};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Triangle, Vec3};
 
@@ -84,6 +84,6 @@ fn join<S: Scalar>(a: [S; 3], b: [S; 3], choose: fn(S, S) -> S) -> [S; 3] {
 /// The corners of the least box around a triangle.
 #[inline(always)]
 pub(super) fn corners<S: Scalar>(triangle: &Triangle<S>) -> [[S; 3]; 2] {
-    let [a, b, c] = triangle.vertices().map(Vec3::to_array);
-    [least, greatest].map(|choose| join(join(a, b, choose), c, choose))
+    let [a, b, c] = each(*triangle.vertices(), Vec3::to_array);
+    [join(join(a, b, least), c, least), join(join(a, b, greatest), c, greatest)]
 }

@@ -6,7 +6,7 @@ use super::grid::corners;
 use super::node::{Cell, Node};
 use super::walk::Walk;
 use super::{Index, Tree};
-use crate::arithmetic::{REGISTERS_ARE_WIDE, three};
+use crate::arithmetic::{REGISTERS_ARE_WIDE, each, three};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb, Overlaps, Segment, SegmentForm, Triangle, Vec3};
 
@@ -92,7 +92,7 @@ impl<S: Scalar> sealed::Bounded<S> for Segment<S> {
 fn around<S: Scalar>(center: Vec3<S>, half: Vec3<S>) -> [[S; 3]; 2] {
     let (c, h) = (center.to_array(), half.to_array());
     let ends = three(|i| c[i].reach(h[i]));
-    [ends.map(|[low, _]| low), ends.map(|[_, high]| high)]
+    [each(ends, |[low, _]| low), each(ends, |[_, high]| high)]
 }
 
 impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
@@ -164,7 +164,7 @@ impl<S: Scalar, I: Index, P: Probe<S>> Iterator for Overlapping<'_, '_, S, I, P>
 /// Whether a triangle may meet a shape within the box between these corners.
 #[inline(always)]
 fn is_near<S: Scalar, P: Probe<S>>([min, max]: &[[S; 3]; 2], triangle: &Triangle<S>) -> bool {
-    let [a, b, c] = triangle.vertices().map(Vec3::to_array);
+    let [a, b, c] = each(*triangle.vertices(), Vec3::to_array);
     for i in 0..3 {
         let is_below = (a[i] < min[i]) & (b[i] < min[i]) & (c[i] < min[i]);
         if is_below | (a[i] > max[i]) & (b[i] > max[i]) & (c[i] > max[i]) {

@@ -2,7 +2,7 @@
 //! come out for all three at once, by the operations of [`cross`](super::triangle_obb::cross) and
 //! [`dot`](super::triangle_obb::dot), in their order.
 
-use crate::arithmetic::{Float, InFloat, Number, Quad, greatest};
+use crate::arithmetic::{Float, InFloat, Number, Quad, each, greatest};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
 
@@ -20,8 +20,8 @@ impl<F: Float, Q: Quad<Lane = F>> Vectors<Q> {
     /// Of axes: the cross product of the two others, in order.
     #[inline(always)]
     pub(super) fn normals(&self) -> Self {
-        let next = self.0.map(Q::turned);
-        let last = next.map(Q::turned);
+        let next = each(self.0, Q::turned);
+        let last = each(next, Q::turned);
         let minor = |j: usize, k: usize| next[j] * last[k] - next[k] * last[j];
         Self([minor(1, 2), minor(2, 0), minor(0, 1)])
     }

@@ -3,7 +3,7 @@
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::{Parts, pick, three, turn};
+use crate::arithmetic::{Parts, each, pick, three, turn};
 use crate::robust::{ExactSum, Vector, add_scaled_determinant, single};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
@@ -44,8 +44,8 @@ impl ExactLine {
         d: Vector,
         ends: [Option<Parts>; 2],
     ) -> Self {
-        let u = obb.axes_as_arrays().map(|u| u.map(|x| single(x.parts())));
-        Self { m, d, ends, u, h: obb.half_extents().to_array().map(S::parts) }
+        let u = each(obb.axes_as_arrays(), |u| each(u, |x| single(x.parts())));
+        Self { m, d, ends, u, h: each(obb.half_extents().to_array(), S::parts) }
     }
 
     /// w_i·x as a term.

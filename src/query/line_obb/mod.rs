@@ -14,7 +14,7 @@ use self::kernel::{Operands, any_axis};
 use self::range::Range;
 use super::Overlaps;
 use super::triangle_obb::has_second_look;
-use crate::arithmetic::{Embeds, Float, InFloat, Number, Parts};
+use crate::arithmetic::{Embeds, Float, InFloat, Number, Parts, each};
 use crate::robust::{Predicate, Vector, difference, single};
 use crate::scalar::Scalar;
 use crate::shape::{Obb, Ray, Segment, SegmentForm};
@@ -50,17 +50,19 @@ impl<S: Scalar> Disjoint<'_, S> {
     }
 
     fn exactly(&self) -> ExactLine {
-        let [p, q, _] = self.rows().map(|row| row.map(S::parts));
-        let c = self.obb.center().to_array().map(S::parts);
+        let [p, q, _] = each(self.rows(), |row| each(row, S::parts));
+        let c = each(self.obb.center().to_array(), S::parts);
         let from = |a: [Parts; 3], b: [Parts; 3]| -> Vector {
             core::array::from_fn(|i| difference(a[i], b[i]))
         };
         let (d, ends) = match self.line {
-            Line::Ray(ray) => (q.map(single), [ray.t_min(), ray.t_max()].map(|t| t.map(S::parts))),
+            Line::Ray(ray) => {
+                (each(q, single), [ray.t_min(), ray.t_max()].map(|t| t.map(S::parts)))
+            }
             Line::Segment(segment) => match segment.form() {
                 SegmentForm::Ends(..) => (from(q, p), [Some(Parts::ZERO), Some(S::ONE)]),
                 SegmentForm::Center { .. } => {
-                    (q.map(single), [Some(S::ONE.negated()), Some(S::ONE)])
+                    (each(q, single), [Some(S::ONE.negated()), Some(S::ONE)])
                 }
             },
         };
@@ -91,7 +93,7 @@ impl<S: Scalar> Disjoint<'_, S> {
         let ([p, q, ends, c, u, v, w, h], one) =
             N::embed_with_one(&[p, q, ends, center, u, v, w, half])?;
 
-        let operands = |x: [N::Length; 3]| [x[0], x[1], x[2]].map(N::operand);
+        let operands = |x: [N::Length; 3]| each(x, N::operand);
         let from = |x: [N::Length; 3], y: [N::Length; 3]| {
             operands([x[0] - y[0], x[1] - y[1], x[2] - y[2]])
         };

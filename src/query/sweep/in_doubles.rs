@@ -6,7 +6,7 @@
 use super::error_bound::{AtStart, LONG, at_start};
 use super::kernel::Course;
 use super::{FirstContact, Given, Last, Passing, one_axis};
-use crate::arithmetic::{Embeds, Filtered, Long, Number, Portion, dot, turn};
+use crate::arithmetic::{Embeds, Filtered, Long, Number, Portion, dot, each, turn};
 use crate::query::Axis;
 use crate::query::triangle_aabb::frame::Frame;
 use crate::query::triangle_aabb::plane::normal;
@@ -57,7 +57,7 @@ impl Course<Filtered<f64>> {
         }
         let n = normal(&self.frame);
         let along = dot::<Filtered<f64>>;
-        let reach = along(&n.map(f64::abs), h);
+        let reach = along(&each(n, f64::abs), h);
         all.gap[3] = along(&n, &v[0]).abs() - reach;
         all.speed[3] = along(&n, d).abs();
         (all.error[3], all.speed_error[3]) = (bound.plane, volume_speed);
@@ -254,7 +254,7 @@ impl Given<Filtered<f64>> {
             }
         };
         // Which way the triangle lies, as `f64` is certain.
-        let on_axis = |v: &[f64; 3]| dot::<Filtered<f64>>(&axis.map(|x| x.high), v);
+        let on_axis = |v: &[f64; 3]| dot::<Filtered<f64>>(&each(axis, |x| x.high), v);
         let v = &course.frame.v;
         let is_above = on_axis(&v[0]) + on_axis(&v[1]) + on_axis(&v[2]) > 0.0;
         let all = [a, b, c];
