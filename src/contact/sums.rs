@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 
 use super::body::{Body, side_of};
 use super::exact::{Given, Size};
-use crate::arithmetic::{Parts, Positive, pick, turn};
+use crate::arithmetic::{Parts, Positive, pick, three, turn};
 use crate::robust::{ExactSum, Vector, add_area, add_scaled_determinant};
 use crate::scalar::Scalar;
 
@@ -51,7 +51,7 @@ impl<'a, S: Scalar> Sums<'a, S> {
 
 impl<S: Scalar> Given for Sums<'_, S> {
     fn coordinates(&self) -> [Option<(Ordering, Positive)>; 3] {
-        [0, 1, 2].map(|i: usize| {
+        three(|i| {
             let (_, j, k) = turn(i);
             let [x, y] = &self.sides;
             let of = |minus: bool| {
