@@ -1,4 +1,5 @@
-//! Four floats at once. Queries in space use three lanes, and never look at the fourth.
+//! Four floats at once. Queries of two shapes use three lanes, and never look at the fourth; trees
+//! and voxels use all four.
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Sub};

@@ -232,12 +232,13 @@ impl GridRay {
                 (near, far) = (far, near);
             }
             let inverse = Four::splat(inverse);
-            let time = |(at, from): ([u16; 4], f32)| (planes(at) - Four::splat(from)) * inverse;
+            let time = |(q, o): ([u16; 4], f32)| (planes(q) - Four::splat(o)) * inverse;
             enter = time(near).greatest(enter);
             leave = time(far).least(leave);
         }
         let [a, b, c, d] = enter.to_array();
         let sooner = [in_order(a), in_order(b), in_order(c), in_order(d)];
+        // Neither is NaN: what is infinite is never multiplied by zero.
         Met { mask: !enter.exceeds(leave) & 15, sooner }
     }
 
@@ -261,6 +262,8 @@ impl GridRay {
 /// A number of `f32` that is above this one, unless that is beyond all.
 fn rounded_up(x: f64) -> f32 {
     const ROOM: f64 = 1.0 / (1 << 22) as f64;
+    // Of −∞ the sum would be no number.
+    let x = greatest(x, f64::MIN);
     // What underflows becomes the least normal number. Not −0, which `in_order` tells from 0.
     (x + x.abs() * ROOM + f64::from(f32::MIN_POSITIVE)) as f32 + 0.0
 }
@@ -270,4 +273,17 @@ fn rounded_up(x: f64) -> f32 {
 fn in_order(x: f32) -> i32 {
     let bits = x.to_bits() as i32;
     bits ^ ((bits >> 31) as u32 >> 1) as i32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ends_of_a_range_are_numbers() {
+        for x in [f64::NEG_INFINITY, f64::MIN, -1.0, 0.0, 1.0, f64::MAX, f64::INFINITY] {
+            let up = rounded_up(x);
+            assert!(f64::from(up) >= x && up.to_bits() != (-0.0_f32).to_bits(), "{x}: {up}");
+        }
+    }
 }

@@ -1,11 +1,7 @@
-mod set;
-
 use core::fmt;
 
 use super::Rule;
 use super::block::{Block, ForEach};
-use super::few;
-use super::four_rows;
 use super::grid::Grid;
 use super::marks::ALL_CLOSED;
 use super::pass::{Bounds, Pass};
@@ -13,9 +9,12 @@ use super::placed::Near;
 use super::rows::Row;
 use super::slabs::Span;
 use super::word::Word;
+use super::{few, four_rows};
 use crate::arithmetic::Quad;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
+
+mod set;
 
 /// Whether the machine computes four floats at once.
 const HAS_VECTORS: bool = <ForEach as Quad>::IS_VECTOR;

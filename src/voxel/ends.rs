@@ -80,9 +80,9 @@ pub(super) fn four(first: i32) -> Four {
 
 /// The numbers from the first to the last, of those from 0 to 31, bit by bit.
 #[inline(always)]
-pub(super) fn among(first: i32, last: i32) -> u64 {
+pub(super) fn among(first: i32, last: i32) -> u32 {
     let below = |k: i32| (1_u64 << k.clamp(0, 32)) - 1;
-    below(last + 1) & !below(first)
+    (below(last + 1) & !below(first)) as u32
 }
 
 /// The whole numbers that the shifter was added to.

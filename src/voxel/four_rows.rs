@@ -33,6 +33,8 @@ const PLANE: u8 = 152;
 const FAR: f32 = 1e30;
 /// How many slabs of y are worked out at a time.
 const SLABS: i32 = 32;
+// The bits of a word.
+const _: () = assert!(SLABS <= 32);
 const QUADS: usize = SLABS as usize / 4;
 
 /// Where the plane is, in the row (0, 0).
@@ -70,18 +72,18 @@ struct Rows<'a, S> {
     grid: &'a Grid<S>,
 }
 
-/// Rows side by side, y rising.
+/// Four rows side by side, y rising. The last may be beyond the block.
 pub(super) struct FourRows {
     /// The y and the z of the first.
     pub(super) at: [u32; 2],
-    /// Which of them the triangle meets, bit by bit.
+    /// Which of them the triangle meets, bit by bit: none beyond the block.
     pub(super) met: u32,
     /// The first and the last x of each; of a row that is not met, anything.
     pub(super) x: [[u32; 4]; 2],
 }
 
-/// Hands on the rows of a block that the triangle meets. Where floats know nothing, it hands on
-/// none, and returns `false`.
+/// Hands on the rows of a block, four side by side, and which of these the triangle meets. Where
+/// floats know nothing, it hands on none, and returns `false`.
 #[inline(always)]
 pub(super) fn each<S: Scalar>(
     block: &Block,
@@ -103,7 +105,7 @@ impl<S: Scalar> Rows<'_, S> {
         let plane = self.plane(&xy, &xz, &yz)?;
         let [_, height, depth] = self.inside.block.widths;
         let (height, depth) = (height as i32, depth as i32);
-        let [slope, ..] = same([plane.slopes[0]; 4]);
+        let slope = Four::splat(plane.slopes[0]);
 
         let mut from_y = 0;
         while from_y < height {
@@ -143,23 +145,24 @@ impl<S: Scalar> Rows<'_, S> {
         Some(())
     }
 
-    /// The rows of a layer.
+    /// Hands on the rows of a layer.
     #[inline(never)]
     fn layer(&self, layer: &Layer, slabs: &[(Ends, Four); QUADS], f: &mut impl FnMut(&FourRows)) {
         let Layer { from_y, z, y, rows: [first, last], .. } = *layer;
         let [x, first_y, first_z] = self.inside.block.first;
         let within = same(layer.x);
         let [a, b, c, d] = same(layer.reach);
-        let [middle, ..] = same([layer.middle; 4]);
-        let (rows, sure) =
-            (among(first - from_y, last - from_y), among(y[1] - from_y, y[2] - from_y));
+        let middle = Four::splat(layer.middle);
+        let asked = among(first - from_y, last - from_y);
+        let sure = among(y[1] - from_y, y[2] - from_y);
         for q in (first - from_y) / 4..(last - from_y) / 4 + 1 {
+            // There is always one: of 32 rows at most.
             let Some((ends, way)) = slabs.get(q as usize) else { return };
             let middle = middle + *way;
             let plane = [middle + a, middle + b, middle + c, middle + d];
             let ends = ends.within(within).within(plane).rounded();
-            let met = (rows >> (4 * q)) as u32 & 15 & !ends.empty();
-            let doubt = met & (!(sure >> (4 * q)) as u32 | ends.doubt());
+            let met = asked >> (4 * q) & 15 & !ends.empty();
+            let doubt = met & (!(sure >> (4 * q)) | ends.doubt());
             let from = from_y + 4 * q;
             let [low, _, high, _] = ends.to_arrays();
             let x = [from_on(x, whole(low)), from_on(x, whole(high))];
@@ -172,7 +175,7 @@ impl<S: Scalar> Rows<'_, S> {
         }
     }
 
-    /// The rows of four of which an end is in doubt, or whether the triangle comes to them at all.
+    /// Asks pairs about the rows of which an end is in doubt, or whether the triangle comes to them.
     #[cold]
     #[inline(never)]
     fn settle(&self, layer: &Layer, from: i32, doubt: u32, ends: Ends, rows: &mut FourRows) {
@@ -234,8 +237,8 @@ impl<S: Scalar> Rows<'_, S> {
     }
 }
 
-/// Four numbers, counted from the first on: of a row that is not met, any numbers. (`map` may go
-/// through memory.)
+/// Four numbers, counted from the first on. They wrap: those of a row that is not met may be any.
+/// (`map` may go through memory.)
 #[inline(always)]
 const fn from_on(first: i32, [a, b, c, d]: [i32; 4]) -> [u32; 4] {
     [

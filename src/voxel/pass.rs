@@ -3,7 +3,6 @@
 //! A triangle and a box are disjoint exactly if one of 13 axes separates them: three are those
 //! of the grid, nine are seen along them, and the last is the normal.
 
-use crate::arithmetic::three;
 use core::cmp::Ordering;
 
 use super::grid::Grid;
@@ -13,6 +12,7 @@ use super::placed::{Near, Placed};
 use super::plane::Plane;
 use super::rows::Row;
 use super::slabs::{BLOCK, Span, spans};
+use crate::arithmetic::three;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 

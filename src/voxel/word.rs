@@ -23,6 +23,7 @@ mod sealed {
         const ONE: Self;
         const ALL: Self;
         fn of(bits: u32) -> Self;
+        /// The least bits, so many: fewer than all.
         fn first(count: u32) -> Self;
         fn ones(self) -> u32;
     }
@@ -35,12 +36,12 @@ mod sealed {
                 const ONE: Self = 1;
                 const ALL: Self = $word::MAX;
                 #[inline(always)]
-                fn first(count: u32) -> Self {
-                    !(Self::ALL << count)
-                }
-                #[inline(always)]
                 fn of(bits: u32) -> Self {
                     bits.into()
+                }
+                #[inline(always)]
+                fn first(count: u32) -> Self {
+                    !(Self::ALL << count)
                 }
                 #[inline(always)]
                 fn ones(self) -> u32 {

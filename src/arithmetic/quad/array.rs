@@ -1,5 +1,5 @@
-//! Quads of a machine that has no vectors, or is not asked for them. What is only in the
-//! fourth lane is computed for nobody, and the compiler leaves it out.
+//! Quads of a machine that has no vectors, or is not asked for them. Where nobody looks at the
+//! fourth lane, the compiler leaves it out.
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Sub};

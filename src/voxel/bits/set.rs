@@ -49,7 +49,7 @@ impl<S: Scalar, W: Word> Bits<'_, S, W> {
         }
     }
 
-    /// Sets the bits of rows side by side, which the compiler keeps in vectors.
+    /// Sets the bits of four rows, in steps that the compiler can keep in vectors.
     #[inline(always)]
     pub(super) fn set_rows(&mut self, rows: &FourRows) {
         let ([y, z], [first, last]) = (rows.at, &rows.x);
@@ -61,17 +61,19 @@ impl<S: Scalar, W: Word> Bits<'_, S, W> {
         let (mut start, words) = (self.row_start(y, z), &mut *self.words);
         for k in 0..4 {
             if let Some(word) = words.get_mut(start + at[k] as usize) {
-                // Of a row longer than a word some of its bits.
+                // Of a row that goes on in the next word, only some of its bits.
                 *word |= W::first(count[k] % W::BITS) << shift[k];
             }
             start += self.row_words;
         }
+        // Some row reaches the end of its word: a power of two, so that one of four is as great if
+        // their bits together are.
         if (a | b) | (c | d) >= W::BITS {
             self.set_long_rows(rows);
         }
     }
 
-    /// Sets the bits of rows of which some take more than a word.
+    /// Sets the bits of rows of which some reach the end of a word.
     #[inline(never)]
     fn set_long_rows(&mut self, rows: &FourRows) {
         let [y, z] = rows.at;
@@ -83,6 +85,7 @@ impl<S: Scalar, W: Word> Bits<'_, S, W> {
     }
 }
 
+/// A number for each of four rows. Written out, that it be unrolled.
 #[inline(always)]
 fn lanes(f: impl Fn(usize) -> u32) -> [u32; 4] {
     [f(0), f(1), f(2), f(3)]
