@@ -23,6 +23,7 @@ use super::few::AREA;
 use super::grid::Grid;
 use super::placed::Near;
 use super::view::View;
+use crate::arithmetic::Quad;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -105,7 +106,7 @@ impl<S: Scalar> Rows<'_, S> {
         let plane = self.plane(&xy, &xz, &yz)?;
         let [_, height, depth] = self.inside.block.widths;
         let (height, depth) = (height as i32, depth as i32);
-        let slope = Four::splat(plane.slopes[0]);
+        let slope: Four = Quad::splat(plane.slopes[0]);
 
         let mut from_y = 0;
         while from_y < height {
@@ -152,7 +153,7 @@ impl<S: Scalar> Rows<'_, S> {
         let [x, first_y, first_z] = self.inside.block.first;
         let within = same(layer.x);
         let [a, b, c, d] = same(layer.reach);
-        let middle = Four::splat(layer.middle);
+        let middle: Four = Quad::splat(layer.middle);
         let asked = among(first - from_y, last - from_y);
         let sure = among(y[1] - from_y, y[2] - from_y);
         for q in (first - from_y) / 4..(last - from_y) / 4 + 1 {
