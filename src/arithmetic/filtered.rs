@@ -4,6 +4,7 @@ use core::cmp::Ordering;
 use core::marker::PhantomData;
 
 use super::float::Float;
+use super::multiples::short_multiples;
 use super::quad::{OfFour, Quad};
 use super::system::{Arithmetic, Embeds, convert};
 
@@ -44,6 +45,10 @@ impl<F: Float> Arithmetic for Filtered<F> {
     #[inline(always)]
     fn is_narrow(_: F) -> bool {
         false
+    }
+    #[inline(always)]
+    fn short_multiples<const K: usize>(coordinates: &[[F; 3]; K]) -> Option<[[i64; 3]; K]> {
+        short_multiples(coordinates)
     }
 }
 

@@ -41,9 +41,9 @@ pub use float::Float;
 pub(crate) use float::quotient;
 pub use in_float::{FirstFloat, InFloat};
 pub(crate) use index::{each, pick, three, turn};
-pub(crate) use integer::Int64;
 #[cfg(feature = "fixed")]
 pub(crate) use integer::{Int8, Int16, Int32};
+pub(crate) use integer::{Int64, Int64Narrow};
 pub(crate) use limbs::Limbs;
 #[cfg(feature = "fixed")]
 pub(crate) use limbs::Wide;

@@ -52,6 +52,15 @@ pub trait Arithmetic: Sized + 'static {
     /// Whether the [`Narrow`](Self::Narrow) volumes hold for lengths up to `size`,
     /// and are worth the question.
     fn is_narrow(size: Self::Length) -> bool;
+
+    /// Coordinates as whole numbers of a unit, below 2^40: floats that are short enough.
+    #[inline(always)]
+    fn short_multiples<const K: usize>(
+        coordinates: &[[Self::Length; 3]; K],
+    ) -> Option<[[i64; 3]; K]> {
+        let _ = coordinates;
+        None
+    }
 }
 
 /// A difference or an extent in the frame of a box: integers double it.

@@ -9,28 +9,18 @@
 use core::cmp::Ordering;
 
 use super::{FIRST, Points, Relation, SECOND, along};
-use crate::arithmetic::{each, pick, turn};
-
-/// What the three coordinates say at most.
-pub(super) fn boxes(points: &impl Points) -> Relation {
-    let mut so_far = Relation::Overlapping;
-    for axis in 0..3 {
-        // Every point of the one with every point of the other.
-        let rows = each(FIRST, |a| each(SECOND, |b| points.compare(axis, [a, b])));
-        let all = || rows.as_flattened().iter();
-        let (above, below) = (all().any(|x| x.is_gt()), all().any(|x| x.is_lt()));
-        if above != below {
-            let meets = all().any(|x| x.is_eq());
-            so_far = so_far.min(if meets { Relation::Touching } else { Relation::Disjoint });
-        }
-    }
-    so_far
-}
+use crate::arithmetic::{each, pick, three, turn};
 
 /// Two triangles in one plane, or a segment or point in that of a triangle, or two of those.
 #[inline(never)]
 pub(super) fn in_plane(points: &impl Points) -> Relation {
-    // Two segments need not be in one plane.
+    let has_area = |axis: usize| {
+        points.area(axis, FIRST) != Ordering::Equal || points.area(axis, SECOND) != Ordering::Equal
+    };
+    if let Some(axis) = (0..3).find(|&axis| has_area(axis)) {
+        return seen_along(points, axis);
+    }
+    // Two segments, which need not be in one plane.
     for i in 0..2 {
         for k in 0..2 {
             let (a, b) = (FIRST[i], SECOND[k]);
@@ -39,20 +29,22 @@ pub(super) fn in_plane(points: &impl Points) -> Relation {
             }
         }
     }
+    let [x, y, z] = three(|axis| seen_along(points, axis));
+    x.min(y).min(z)
+}
+
+/// What the normals of edges say at most, seen along an axis.
+fn seen_along(points: &impl Points, axis: usize) -> Relation {
     let mut so_far = Relation::Overlapping;
-    for axis in 0..3 {
-        let mut has_area = false;
-        for (one, other) in [(FIRST, SECOND), (SECOND, FIRST)] {
-            for k in 0..3 {
-                let (k, next, opposite) = turn(k);
-                let side = |x: usize| points.area(axis, [*pick(&one, k), *pick(&one, next), x]);
-                let back = side(*pick(&one, opposite));
-                so_far = so_far.min(along(each(other, side), &[back]));
-                has_area |= back != Ordering::Equal;
+    for (one, other) in [(FIRST, SECOND), (SECOND, FIRST)] {
+        for k in 0..3 {
+            let (k, next, opposite) = turn(k);
+            let [a, b, c] = each([k, next, opposite], |k| *pick(&one, k));
+            let sides = points.sides_of_line(axis, [a, b], other);
+            so_far = so_far.min(along(sides, &[points.area(axis, [a, b, c])]));
+            if so_far == Relation::Disjoint {
+                return so_far;
             }
-        }
-        if has_area || so_far == Relation::Disjoint {
-            break;
         }
     }
     so_far

@@ -20,12 +20,12 @@ use core::cmp::Ordering;
 
 pub(super) use self::error_bound::error_bound;
 pub(super) use self::exact::ExactPoints;
-use self::in_plane::{boxes, in_plane};
+use self::in_plane::in_plane;
 use self::sides::share_a_point;
 pub(super) use self::sides::{Vector, are_apart, from, larger, sides, sign, size};
 use self::whole::Whole;
 use super::relation::Relation;
-use crate::arithmetic::{Arithmetic, each, turn};
+use crate::arithmetic::{Arithmetic, Int64Narrow, REGISTERS_ARE_WIDE, each, three, turn};
 
 /// Six points: the vertices of one shape, and those of the other.
 pub(super) trait Points {
@@ -38,6 +38,31 @@ pub(super) trait Points {
 
     /// How coordinate `axis` of one point compares with that of another.
     fn compare(&self, axis: usize, points: [usize; 2]) -> Ordering;
+
+    /// On which sides of the plane through three points these lie.
+    fn sides(&self, [a, b, c]: [usize; 3], of: [usize; 3]) -> [Ordering; 3] {
+        each(of, |d| self.volume([a, b, c, d]))
+    }
+
+    /// Seen along `axis`, on which sides of the line through two points these lie.
+    fn sides_of_line(&self, axis: usize, [a, b]: [usize; 2], of: [usize; 3]) -> [Ordering; 3] {
+        each(of, |c| self.area(axis, [a, b, c]))
+    }
+
+    /// What coordinate `axis` says at most: nothing if all are one.
+    fn along_axis(&self, axis: usize) -> Relation {
+        // Every point of the one with every point of the other.
+        let rows = each(FIRST, |a| each(SECOND, |b| self.compare(axis, [a, b])));
+        let all = || rows.as_flattened().iter();
+        let (above, below) = (all().any(|x| x.is_gt()), all().any(|x| x.is_lt()));
+        if above == below {
+            Relation::Overlapping
+        } else if all().any(|x| x.is_eq()) {
+            Relation::Touching
+        } else {
+            Relation::Disjoint
+        }
+    }
 }
 
 /// The first shape, and the second.
@@ -47,12 +72,12 @@ const SECOND: [usize; 3] = [3, 4, 5];
 /// How the two shapes lie to each other.
 #[inline(never)]
 pub(super) fn relation(points: &impl Points) -> Relation {
-    let so_far = boxes(points);
+    let [x, y, z] = three(|axis| points.along_axis(axis));
+    let so_far = x.min(y).min(z);
     if so_far == Relation::Disjoint {
         return so_far;
     }
-    let sides = |[a, b, c]: [usize; 3], of: [usize; 3]| each(of, |d| points.volume([a, b, c, d]));
-    let (first, second) = (sides(SECOND, FIRST), sides(FIRST, SECOND));
+    let (first, second) = (points.sides(SECOND, FIRST), points.sides(FIRST, SECOND));
     let so_far = so_far.min(along(first, &[])).min(along(second, &[]));
     if so_far == Relation::Disjoint {
         return so_far;
@@ -84,6 +109,10 @@ pub(super) fn in_doubt<N: Arithmetic>(
         Some(Relation::Touching)
     } else if are_apart(first, second) {
         Some(Relation::Disjoint)
+    } else if REGISTERS_ARE_WIDE {
+        let ([a, b, c], [d, e, f]) = (*first, *second);
+        let points = N::short_multiples(&[a, b, c, d, e, f])?;
+        Some(relation(&Whole::<Int64Narrow>(points)))
     } else {
         None
     }

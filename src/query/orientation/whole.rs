@@ -2,8 +2,10 @@
 
 use core::cmp::Ordering;
 
-use super::Points;
-use crate::arithmetic::{Arithmetic, Number, compare, cross, dot, each, pick, turn};
+use super::{FIRST, Points, Relation, SECOND};
+use crate::arithmetic::{
+    Arithmetic, Number, compare, cross, dot, each, greatest, least, pick, turn,
+};
 
 /// Six points in a number system that is certain.
 pub(crate) struct Whole<N: Arithmetic>(pub(crate) [[N::Length; 3]; 6]);
@@ -35,6 +37,40 @@ impl<N: Arithmetic> Points for Whole<N> {
         let (_, j, k) = turn(axis);
         let (b, c) = (self.difference(b, a), self.difference(c, a));
         sign(N::area(b[j], c[k]) - N::area(b[k], c[j]))
+    }
+
+    fn sides(&self, [a, b, c]: [usize; 3], of: [usize; 3]) -> [Ordering; 3] {
+        let n = cross::<N>(&self.difference(b, a), &self.difference(c, a));
+        each(of, |d| sign(dot::<N>(&n, &self.difference(d, a))))
+    }
+
+    fn sides_of_line(&self, axis: usize, [a, b]: [usize; 2], of: [usize; 3]) -> [Ordering; 3] {
+        let (_, j, k) = turn(axis);
+        let a = self.point(a);
+        let from = |x: usize| {
+            let x = self.point(x);
+            [*pick(x, j) - *pick(a, j), *pick(x, k) - *pick(a, k)]
+        };
+        let e = from(b);
+        each(of, |x| {
+            let v = from(x);
+            sign(N::area(e[0], v[1]) - N::area(e[1], v[0]))
+        })
+    }
+
+    fn along_axis(&self, axis: usize) -> Relation {
+        let ends = |of: [usize; 3]| {
+            let [x, y, z] = each(of, |x| *pick(self.point(x), axis));
+            (least(least(x, y), z), greatest(greatest(x, y), z))
+        };
+        let ((a, b), (c, d)) = (ends(FIRST), ends(SECOND));
+        if (b > c) == (a < d) {
+            Relation::Overlapping
+        } else if a == d || b == c {
+            Relation::Touching
+        } else {
+            Relation::Disjoint
+        }
     }
 
     fn compare(&self, axis: usize, [a, b]: [usize; 2]) -> Ordering {
