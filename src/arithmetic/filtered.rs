@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 use core::marker::PhantomData;
 
 use super::float::Float;
-use super::multiples::short_multiples;
+use super::multiples::in_forty_bits;
 use super::quad::{OfFour, Quad};
 use super::system::{Arithmetic, Embeds, convert};
 
@@ -47,8 +47,8 @@ impl<F: Float> Arithmetic for Filtered<F> {
         false
     }
     #[inline(always)]
-    fn short_multiples<const K: usize>(coordinates: &[[F; 3]; K]) -> Option<[[i64; 3]; K]> {
-        short_multiples(coordinates)
+    fn in_forty_bits<const K: usize>(coordinates: &[[F; 3]; K]) -> Option<[[i64; 3]; K]> {
+        in_forty_bits(coordinates)
     }
 }
 

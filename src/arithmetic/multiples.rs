@@ -22,9 +22,7 @@ fn is_short(bits: Bits) -> bool {
 /// Floats as whole numbers of a power of two that makes 40 bits of the greatest, if these hold
 /// them all: the same at a fraction of the cost.
 #[inline(always)]
-pub(super) fn short_multiples<F: Float, const K: usize>(
-    all: &[[F; 3]; K],
-) -> Option<[[i64; 3]; K]> {
+pub(super) fn in_forty_bits<F: Float, const K: usize>(all: &[[F; 3]; K]) -> Option<[[i64; 3]; K]> {
     // Added to a whole number that is short enough, it leaves that in the last bits.
     const SHIFTER: f64 = 1.5 * (1_u64 << 52) as f64;
     const TWO_TO_39: f64 = (1_u64 << 39) as f64;
@@ -91,17 +89,17 @@ impl<F: Float> Embeds<F> for Int64 {
 
 #[cfg(test)]
 mod tests {
-    use super::short_multiples;
+    use super::in_forty_bits;
 
     fn are_short(x: [f64; 3]) -> bool {
-        short_multiples(&[x]).is_some()
+        in_forty_bits(&[x]).is_some()
     }
 
     #[test]
     fn only_whole_multiples_of_forty_bits_are_short() {
-        assert_eq!(short_multiples(&[[1.0_f32, -0.5, 0.0]]), Some([[1 << 39, -1 << 38, 0]]));
+        assert_eq!(in_forty_bits(&[[1.0_f32, -0.5, 0.0]]), Some([[1 << 39, -1 << 38, 0]]));
         let least = 2.0_f64.powi(-39);
-        assert_eq!(short_multiples(&[[2.0 - least, -least, -0.0]]), Some([[(1 << 40) - 1, -1, 0]]));
+        assert_eq!(in_forty_bits(&[[2.0 - least, -least, -0.0]]), Some([[(1 << 40) - 1, -1, 0]]));
         assert!(!are_short([1.0, 0.0, least / 2.0]) && !are_short([1.0, -1.5 * least, 0.0]));
         assert!(!are_short([2.0_f64.powi(300), f64::from_bits(1), 0.0]));
         // None is a unit of zero, and none of what may overflow or underflow.

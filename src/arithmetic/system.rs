@@ -55,7 +55,7 @@ pub trait Arithmetic: Sized + 'static {
 
     /// Coordinates as whole numbers of a unit, below 2^40: floats that are short enough.
     #[inline(always)]
-    fn short_multiples<const K: usize>(
+    fn in_forty_bits<const K: usize>(
         coordinates: &[[Self::Length; 3]; K],
     ) -> Option<[[i64; 3]; K]> {
         let _ = coordinates;

@@ -111,7 +111,7 @@ pub(super) fn in_doubt<N: Arithmetic>(
         Some(Relation::Disjoint)
     } else if REGISTERS_ARE_WIDE {
         let ([a, b, c], [d, e, f]) = (*first, *second);
-        let points = N::short_multiples(&[a, b, c, d, e, f])?;
+        let points = N::in_forty_bits(&[a, b, c, d, e, f])?;
         Some(relation(&Whole::<Int64Narrow>(points)))
     } else {
         None
