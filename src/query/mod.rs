@@ -4,9 +4,10 @@
 //! their docs. Beside it are the kernel, the error bound with its derivation, and the exact
 //! stage; a pair whose kernel is short has them in fewer files. What two pairs share is
 //! here: `exact_aabb` and `exact_triangle`, shapes taken apart for exact sums; `line_aabb`,
-//! the slabs of rays and segments, and `line_obb`, both against an oriented box; `orientation`, the signs of volumes, for triangles, segments
-//! and points against triangles; `relation`, how axes tell touching from overlapping;
-//! `either_order`, the same questions with the arguments in the other order. `counts`, in unit tests, says how often questions escalate.
+//! the slabs of rays and segments, and `line_obb`, both against an oriented box; `orientation`,
+//! the signs of volumes, for triangles, segments and points against triangles; `relation`, how
+//! axes tell touching from overlapping; `either_order`, the same questions with the arguments in
+//! the other order. `counts`, in unit tests, says how often questions escalate.
 
 // In the order in which the pages of the shapes show them.
 mod triangle_aabb;

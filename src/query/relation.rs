@@ -45,7 +45,8 @@ pub trait Relate<Other> {
     /// *Range*: as of `overlaps`. *Panics*: never.
     ///
     /// *Cost*: that of `overlaps`, but of a triangle or an axis-aligned box with an
-    /// axis-aligned box up to twice. In floats contact takes integers or exact sums.
+    /// axis-aligned box up to twice. In floats contact takes integers or exact sums, but where the
+    /// numbers are short.
     #[must_use]
     fn relation(&self, other: &Other) -> Relation;
 }
