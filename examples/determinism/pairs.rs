@@ -1,5 +1,5 @@
-//! Questions about small pairs: boxes with boxes and points, what moves past a box, a triangle with triangles,
-//! segments and points, and two hits of one ray.
+//! Questions about small pairs: boxes with boxes and points, what moves past a box, a triangle with
+//! triangles, segments and points, and two hits of one ray.
 
 use septum::polygon::Polygon;
 use septum::published;

@@ -136,7 +136,8 @@ impl Line {
                     return Err("the letter is there twice");
                 }
             }
-            // Straight moves; G0 is taken to be one. The plane of arcs, millimetres, absolute, feed.
+            // Straight moves; G0 is taken to be one. The plane of arcs, millimetres, absolute,
+            // feed.
             'G' if matches!(code, Some(0 | 1 | 17 | 21 | 90 | 94)) => {}
             'G' => return Err("this code is not understood: only G0 and G1, in G21 and G90"),
             'M' => self.is_last |= matches!(code, Some(2 | 30)),

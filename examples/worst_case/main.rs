@@ -20,8 +20,8 @@
 //!
 //! Reach is `near` for shapes that were promised to be so (`septum::near`), and `any` for all
 //! others. Floats and 64 bits end in exact sums, whose time does depend on the numbers: there a
-//! line says what was found, and no more. So it does of sweeps and contacts, which end in exact sums
-//! in every scalar.
+//! line says what was found, and no more. So it does of sweeps and contacts, which end in exact
+//! sums in every scalar.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod cases;

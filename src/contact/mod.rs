@@ -155,9 +155,9 @@ impl<S: Scalar> Contact<S> {
 /// fixed point the end of the range.
 ///
 /// *Panics*: never. *Cost*: in `f64` at most 15 cross products, each with two intervals; where
-/// floats leave one direction, as they nearly always do, three exact numbers for its coordinates, six
-/// signs at most and one for the depth: by whole numbers of up to 256 bits, or where 60 bits do not
-/// hold what is given by exact sums; a root and seven quotients of 64 bits.
+/// floats leave one direction, as they nearly always do, three exact numbers for its coordinates,
+/// six signs at most and one for the depth: by whole numbers of up to 256 bits, or where 60 bits do
+/// not hold what is given by exact sums; a root and seven quotients of 64 bits.
 ///
 /// *Source*: separating axes, as for [`Obb::overlaps`]; a vector that suffices as it is rounded,
 /// ours.

@@ -1,5 +1,6 @@
 //! The exact numbers of a direction as whole ones: where few bits hold all that two shapes are
-//! given by, as in most scenes. They are those of [`sums`](super::sums), for a fraction of the time.
+//! given by, as in most scenes. They are those of [`sums`](super::sums), for a fraction of the
+//! time.
 
 use core::cmp::Ordering;
 

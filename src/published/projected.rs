@@ -62,8 +62,8 @@ impl<S: Scalar> ProjectedTriangle<S> {
 /// divide before it can evaluate. In I16F16 its u and
 /// v stay in range the longest, for they are made of areas and not of volumes.
 ///
-/// *Geometry*, *Contact*: as [`moller_trumbore`](super::moller_trumbore::hit). *Numerics*: the error of t moves the point,
-/// and so grows with the distance.
+/// *Geometry*, *Contact*: as [`moller_trumbore`](super::moller_trumbore::hit). *Numerics*: the
+/// error of t moves the point, and so grows with the distance.
 ///
 /// *Panics*: never. *Cost*: 12 multiplications, 3 divisions.
 ///

@@ -115,8 +115,8 @@ macro_rules! quotient {
 
 /// For each type words that hold the squares of its raw bits, and, without sign, the sum of four.
 ///
-/// By quaternion: a component is a quotient of whole numbers, which neither exceeds 5/4 of
-/// 2^2F, F being below the number of bits: twice that fits. So the only error is the rounding of the
+/// By quaternion: a component is a quotient of whole numbers, which neither exceeds 5/4 of 2^2F, F
+/// being below the number of bits: twice that fits. So the only error is the rounding of the
 /// quotient.
 ///
 /// By turns: the error of what is rounded at last, in units of 2^-30 or 2^-62. Cosines and

@@ -4,9 +4,9 @@ use crate::scalar::Scalar;
 
 /// A polygon in the caller's memory: the fan of triangles from its first vertex, a closed set.
 ///
-/// The fan is the union of the triangles of vertices 0, k and k + 1. A convex polygon in one plane is
-/// its fan, whichever vertex comes first. So is a concave one whose first vertex sees all of it; of
-/// others the fan is more than the polygon.
+/// The fan is the union of the triangles of vertices 0, k and k + 1. A convex polygon in one plane
+/// is its fan, whichever vertex comes first. So is a concave one whose first vertex sees all of it;
+/// of others the fan is more than the polygon.
 ///
 /// Points of a plane, rounded, seldom lie in one plane again. Their fan is a surface that is bent a
 /// little along its diagonals. It has the edges of the polygon exactly, so that nothing is lost

@@ -11,9 +11,10 @@
 //!
 //! # Error bound
 //!
-//! Lengths are as in `view`. The way along x from the plane to a corner of the block, times the x of
-//! the normal, is a volume, which errs as in `few`. By the slopes it takes 20 roundings, of 15·L³ at
-//! most. Gappa adds them up, and 152·η·L² is enough. Beyond 20·η·L the normal's x has its true sign.
+//! Lengths are as in `view`. The way along x from the plane to a corner of the block, times the x
+//! of the normal, is a volume, which errs as in `few`. By the slopes it takes 20 roundings, of
+//! 15·L³ at most. Gappa adds them up, and 152·η·L² is enough. Beyond 20·η·L the normal's x has its
+//! true sign.
 
 use core::cmp::Ordering;
 
@@ -176,7 +177,8 @@ impl<S: Scalar> Rows<'_, S> {
         }
     }
 
-    /// Asks pairs about the rows of which an end is in doubt, or whether the triangle comes to them.
+    /// Asks pairs about the rows of which an end is in doubt, or whether the triangle comes to
+    /// them.
     #[cold]
     #[inline(never)]
     fn settle(&self, layer: &Layer, from: i32, doubt: u32, ends: Ends, rows: &mut FourRows) {

@@ -61,8 +61,8 @@ fn tiny_directions<S: Sample>() {
     }
 }
 
-/// Rays that begin at triangles of a size whose square comes to a few least numbers: on which side of
-/// an edge they pass is all rounding.
+/// Rays that begin at triangles of a size whose square comes to a few least numbers: on which side
+/// of an edge they pass is all rounding.
 fn tiny_edges<S: Sample>(least: i32) {
     let mut rng = Rng::new(45);
     for _ in 0..10_000 {

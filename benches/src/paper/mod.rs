@@ -1,7 +1,7 @@
-//! The experiment of the paper's section 3: 100,000 random triangles in a cube of side 4
-//! against the unit cube in its middle, a hundred times over, and how many times as fast
-//! each test is as the polygon/cube test of Green and Hatch; and then that test beside the exact one
-//! for polygons of more vertices.
+//! The experiment of the paper's section 3: 100,000 random triangles in a cube of side 4 against
+//! the unit cube in its middle, a hundred times over, and how many times as fast each test is as
+//! the polygon/cube test of Green and Hatch; and then that test beside the exact one for polygons
+//! of more vertices.
 
 use std::error::Error;
 use std::fmt::Write;

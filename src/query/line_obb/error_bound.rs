@@ -12,12 +12,12 @@
 //! * A face, in A²·T: w·m as above 36; t·(w·d) one product more, 42; their sum, of at most 6 and 6:
 //!   12. The reach h·|u·w|: 6 terms of 2 products, 1 difference, 2 sums, and 1 product for h: 36.
 //!   The difference, of at most 12 and 6: 18. In all 144; [`FACE`] = 160.
-//! * The line, in A²·R·D, for A is at least one: u·(m × d), 6 terms of 2 for m and d, 2 products,
-//!   1 difference, 2 sums: 42. The reach: 12 terms of h·u·u·d, 6 roundings for w·d, 1 product, 1 sum:
+//! * The line, in A²·R·D, for A is at least one: u·(m × d), 6 terms of 2 for m and d, 2 products, 1
+//!   difference, 2 sums: 42. The reach: 12 terms of h·u·u·d, 6 roundings for w·d, 1 product, 1 sum:
 //!   96. The difference, of at most 6 and 12: 18. In all 156; [`LINE`] = 175.
 //!
-//! R, D and T are zero, or within the range of a float: so what underflow takes is far below what is
-//! added to the counts. `error_bound.g` proves all three, second orders and underflow included.
+//! R, D and T are zero, or within the range of a float: so what underflow takes is far below what
+//! is added to the counts. `error_bound.g` proves all three, second orders and underflow included.
 
 use crate::arithmetic::{Arithmetic, Number, greatest};
 

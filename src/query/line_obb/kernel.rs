@@ -9,8 +9,8 @@
 //! * d × u_i separates the whole line: it falls on u_i·(m × d), the box on
 //!   ±(h_j·|w_l·d| + h_l·|w_j·d|).
 //!
-//! A convex set in the plane across d, the box seen along the line, has its edges along the u_i:
-//! so the last three tell every line that misses. What is flat needs no others: a gap between closed
+//! A convex set in the plane across d, the box seen along the line, has its edges along the u_i: so
+//! the last three tell every line that misses. What is flat needs no others: a gap between closed
 //! sets stays open if the box is a little thicker. Where d is zero nothing exceeds nothing.
 
 use core::ops::Mul;

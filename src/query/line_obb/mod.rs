@@ -142,8 +142,8 @@ impl<S: Scalar> Overlaps<Obb<S>> for Ray<S> {
     /// Whether a ray, within its range of t, and an oriented box have a point in common.
     ///
     /// *Geometry*: closed sets in one frame and unit; the ends of the range belong to the ray. The
-    /// box is the parallelepiped that its numbers describe: axes that a rotation left a little short
-    /// or askew are taken as they are.
+    /// box is the parallelepiped that its numbers describe: axes that a rotation left a little
+    /// short or askew are taken as they are.
     ///
     /// *Contact*: touching is overlap.
     ///
@@ -178,8 +178,8 @@ impl<S: Scalar> Overlaps<Obb<S>> for Ray<S> {
 
     /// Whether a ray and an oriented box may have a point in common.
     ///
-    /// *Numerics*: `false` is certain. `true` is right but where the stages before exact sums are in
-    /// doubt: in floats within rounding of contact, and outside their range.
+    /// *Numerics*: `false` is certain. `true` is right but where the stages before exact sums are
+    /// in doubt: in floats within rounding of contact, and outside their range.
     ///
     /// *Panics*: never. *Cost*: bounded: [`overlaps`](Overlaps::overlaps) without exact sums, in
     /// floats its first stage.
@@ -231,13 +231,13 @@ impl<S: Scalar> Ray<S> {
     ///
     /// *Numerics*: whether there is an answer is exact. In fixed point the values are rounded to
     /// the nearest, ties to even, and no farther out than the type goes; in floats they are within
-    /// 0.51 units in the last place. A float may overflow to an infinity, and below the least normal
-    /// number has the error of that.
+    /// 0.51 units in the last place. A float may overflow to an infinity, and below the least
+    /// normal number has the error of that.
     ///
     /// *Range*: all finite floats, all fixed-point values.
     ///
-    /// *Panics*: never. *Cost*: that of [`overlaps`](Overlaps::overlaps) for a miss. A hit takes nine
-    /// divisions in `f64` for `f32` and fixed point of up to 32 bits, and in `f64` some 1,500
+    /// *Panics*: never. *Cost*: that of [`overlaps`](Overlaps::overlaps) for a miss. A hit takes
+    /// nine divisions in `f64` for `f32` and fixed point of up to 32 bits, and in `f64` some 1,500
     /// operations, but for the few whose last place that does not tell. Those, and all hits in 64
     /// bits of fixed point and in fixed point on cores of 32 bits, take exact sums for up to six
     /// quotients, a thousand times as long: choose it for the one box that matters.

@@ -1,10 +1,10 @@
 //! Where a ray that meets an oriented box enters it and leaves it.
 //!
-//! With the names of the kernel the ray is within slab i from t = (−s·(w_i·m) − r_i)/|w_i·d| to
-//! t = (−s·(w_i·m) + r_i)/|w_i·d|, s being the sign of w_i·d and r_i = h_i·|u_0·w_0|. The greatest of
-//! the first and the least of the second, rounded, are the answer. In `f64` each has bounds, and for
-//! `f64` itself in numbers of 106 digits; where both round to the same number of the scalar, that is
-//! what exact sums give too.
+//! With the names of the kernel the ray is within slab i from t = (−s·(w_i·m) − r_i)/|w_i·d| to t =
+//! (−s·(w_i·m) + r_i)/|w_i·d|, s being the sign of w_i·d and r_i = h_i·|u_0·w_0|. The greatest of
+//! the first and the least of the second, rounded, are the answer. In `f64` each has bounds, and
+//! for `f64` itself in numbers of 106 digits; where both round to the same number of the scalar,
+//! that is what exact sums give too.
 
 use super::Disjoint;
 use super::error_bound::{ErrorBound, Sizes, error_bound};

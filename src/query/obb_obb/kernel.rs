@@ -17,9 +17,9 @@
 //!
 //! Where axes are parallel their cross product is zero, and then nothing exceeds nothing. Boxes
 //! turned about the same axis of space, or alike, have such axes always; floats leave them out, for
-//! they could not tell nothing from almost nothing. What is flat, or a segment or point, has its separating axis among these
-//! too. Within the span of the extents that there are, it is zero along some of them. The normals
-//! of the faces beside these are zero there too, and span all such axes.
+//! they could not tell nothing from almost nothing. What is flat, or a segment or point, has its
+//! separating axis among these too. Within the span of the extents that there are, it is zero along
+//! some of them. The normals of the faces beside these are zero there too, and span all such axes.
 
 use core::ops::Mul;
 

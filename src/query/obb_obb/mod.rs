@@ -131,10 +131,11 @@ impl<S: Scalar> Overlaps<Obb<S>> for Obb<S> {
     /// *Range*: as of a triangle and an
     /// [oriented box](crate::Triangle#impl-Overlaps<Obb<S>>-for-Triangle<S>).
     ///
-    /// *Panics*: never. *Cost*: 21 multiplications where a coordinate separates, some 180 where a face
-    /// does, and otherwise 267; where the machine has vectors, four at once. What floats leave in doubt
-    /// takes ten times as long in whole numbers, where these hold all coordinates, and else exact sums;
-    /// on a machine without vectors fixed point of up to 32 bits begins in `f64`, where it has that.
+    /// *Panics*: never. *Cost*: 21 multiplications where a coordinate separates, some 180 where a
+    /// face does, and otherwise 267; where the machine has vectors, four at once. What floats leave
+    /// in doubt takes ten times as long in whole numbers, where these hold all coordinates, and
+    /// else exact sums; on a machine without vectors fixed point of up to 32 bits begins in `f64`,
+    /// where it has that.
     ///
     /// *Source*: S. Gottschalk, M. C. Lin, D. Manocha, SIGGRAPH 1996; for skewed axes, and the
     /// exact stages, ours.

@@ -5,8 +5,8 @@
 //! plane, are asked of all vertices at once (`rows`); then triangles, each exactly, beginning with
 //! the one that the centre of the box lies over.
 //!
-//! There is no relation: touching would have to be told from overlapping where a flat box lies along
-//! a side that two triangles of the fan share, and what is bent has no interior to speak of.
+//! There is no relation: touching would have to be told from overlapping where a flat box lies
+//! along a side that two triangles of the fan share, and what is bent has no interior to speak of.
 
 mod error_bound;
 mod rows;
@@ -20,8 +20,8 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Polygon<'_, S> {
     /// Whether a polygon and an axis-aligned box have a point in common.
     ///
     /// *Geometry*: closed sets in one frame and unit. The polygon is the fan of its
-    /// [`triangles`](Polygon::triangles), which is the polygon itself if it is convex and lies in one
-    /// plane; its vertices may coincide or lie on one line. The box may be flat or a point.
+    /// [`triangles`](Polygon::triangles), which is the polygon itself if it is convex and lies in
+    /// one plane; its vertices may coincide or lie on one line. The box may be flat or a point.
     ///
     /// *Contact*: touching is overlap.
     ///
@@ -33,8 +33,8 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Polygon<'_, S> {
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: with vectors, 6 comparisons a vertex say whether one of them is in the box, or a face
-    /// separates; 9 multiplications and 3 a vertex, whether the plane does; 3 a vertex, which
+    /// *Cost*: with vectors, 6 comparisons a vertex say whether one of them is in the box, or a
+    /// face separates; 9 multiplications and 3 a vertex, whether the plane does; 3 a vertex, which
     /// triangle to ask first. Of those that meet the box it is nearly always the only one. Without
     /// vectors, and of polygons that a slanted axis separates, all are asked.
     ///

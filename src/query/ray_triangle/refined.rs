@@ -1,14 +1,13 @@
 //! The crossing in `f64` in two parts, for signs in doubt.
 //!
-//! How far it is from the truth, with D, E and R as in `super::error_bound`: a component x of a vector
-//! of size s, one of these, is cut at a grid:
-//! x = h + l, with h a multiple of g, |h| ≤ (2^25 + 1)·g, and |l| ≤ η·s, η = 2^-25, but for
-//! a trifle of 2^-28 (`arithmetic::split`). l takes the error of the difference along. A
-//! component of an area is (h h − h h) + (h l + l x − h l − l x). The first bracket comes to
-//! less than 2^52 times its unit, so it is exact. It is cut again: at 26 bits, and the rest
-//! is at most η times its size. The three products of its higher part with h come to less
-//! than 3·2^51 + 2^30 units together, so their sum, H, is exact as well. What errs is L, the
-//! rest. In units of u·η·D·E·R, u the unit roundoff:
+//! How far it is from the truth, with D, E and R as in `super::error_bound`: a component x of a
+//! vector of size s, one of these, is cut at a grid: x = h + l, with h a multiple of g, |h| ≤ (1 +
+//! 2^25)·g, and |l| ≤ η·s, η = 2^-25, but for a trifle of 2^-28 (`arithmetic::split`). l takes the
+//! error of the difference along. A component of an area is (h h − h h) + (h l + l x − h l − l x).
+//! The first bracket comes to less than 2^52 times its unit, so it is exact. It is cut again: at 26
+//! bits, and the rest is at most η times its size. The three products of its higher part with h
+//! come to less than 3·2^51 + 2^30 units together, so their sum, H, is exact as well. What errs is
+//! L, the rest. In units of u·η·D·E·R, u the unit roundoff:
 //!
 //! * l: 1. h·l + l·x: 2 for l, 1 for x, 2 products, 2 for the sum, of at most 2 η: 7. The
 //!   difference of two, of at most 4 η: 18. With what was cut off, 5 η: m, 23.

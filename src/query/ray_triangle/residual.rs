@@ -8,8 +8,8 @@
 //!
 //! Short numbers t', u' and v' go into r = s + t'·d − u'·e1 − v'·e2, with true ways and edges, of
 //! which r says how far they are from t, u and v. D, E, R and u are those of `super::error_bound`,
-//! P(x) is the power of two below x, and ρ the relative error of the determinant. It is asked for that R ≤ 2^22·E
-//! and ρ·R ≤ 2^-20·E, and known that the ray hits.
+//! P(x) is the power of two below x, and ρ the relative error of the determinant. It is asked for
+//! that R ≤ 2^22·E and ρ·R ≤ 2^-20·E, and known that the ray hits.
 //!
 //! * u' and v' are multiples of 2^-26, and at most 1 + 2^-18: they err by ρ and half a unit. t'
 //!   is a multiple of τ = 2^-24·P(R)/P(D). The hit is no farther than E + R from the origin, so

@@ -2,9 +2,9 @@
 //! [`Setting`](super::crossing::Setting) on the same numbers, so the same bits.
 //!
 //! det = (d × e2)·e1, t = (s × e1)·e2, u = (d × e2)·s, v = (s × e1)·d: a row is a component of e2,
-//! e1, d and s. Its first and its second half, twice each, make the cross products; with both halves
-//! swapped it is what these are multiplied by. Vectors of two numbers have nothing to move for that,
-//! vectors of four little.
+//! e1, d and s. Its first and its second half, twice each, make the cross products; with both
+//! halves swapped it is what these are multiplied by. Vectors of two numbers have nothing to move
+//! for that, vectors of four little.
 
 use super::crossing::{Crossing, ErrorBound, Sizes, errors};
 use crate::arithmetic::{Filtered, FirstFloat, Float, Number, Quad, greatest};
@@ -12,8 +12,8 @@ use crate::scalar::Scalar;
 
 pub(super) type First<S> = <S as FirstFloat>::First;
 
-/// Whether the scalar's first float has vectors and is not what [`Ray::hit`](crate::Ray::hit) begins
-/// with.
+/// Whether the scalar's first float has vectors and is not what [`Ray::hit`](crate::Ray::hit)
+/// begins with.
 #[inline(always)]
 pub(super) fn begins_elsewhere<S: Scalar>() -> bool {
     S::IN_QUADS && (S::FLOAT.is_none() || size_of::<First<S>>() < size_of::<f64>())

@@ -30,8 +30,8 @@
 //!   speed. What was w is t·s, once and not on both sides: its terms are touched by 2, 1, 1, the
 //!   product with t, a sum: 6 each of an area, 12 in all. One of p is touched by 9, of m by 6, of r
 //!   by 6, as before or less: 18 + 12 + 12 + 12 = 54, below [`EDGE`]. On the normal an n·v term is
-//!   touched by 10, one of t·n·d by 9, of Σ h·|n| by 9: 60 + 54 + 54 = 168, below [`VOLUME`]. A face
-//!   has a product with t besides, which errs by u·|d|: at most 5·u·(g + h + |d|).
+//!   touched by 10, one of t·n·d by 9, of Σ h·|n| by 9: 60 + 54 + 54 = 168, below [`VOLUME`]. A
+//!   face has a product with t besides, which errs by u·|d|: at most 5·u·(g + h + |d|).
 //!
 //! `edge.g`, `volume.g`, `speed.g` and `face.g` prove these, second orders and underflow included;
 //! `edge_instant.g`, `volume_instant.g` and `face_instant.g` those of a time.

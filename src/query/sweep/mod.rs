@@ -69,10 +69,10 @@ pub trait Sweep<Other> {
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: of a triangle and a box 111 multiplications, unless a face separates all of the
-    /// way, and less and five quotients of four floats at once if they meet; of two boxes 12, and no
-    /// division. Floats within rounding of contact take it again in wider
-    /// numbers, at last in exact sums.
+    /// *Cost*: of a triangle and a box 111 multiplications, unless a face separates all of the way,
+    /// and less and five quotients of four floats at once if they meet; of two boxes 12, and no
+    /// division. Floats within rounding of contact take it again in wider numbers, at last in exact
+    /// sums.
     ///
     /// *Source*: separating axes of sums of convex sets (Gottschalk, Lin and Manocha 1996, for
     /// boxes); that the way is an edge like others, the bounds and the exact stages are ours.
@@ -88,9 +88,9 @@ pub trait Sweep<Other> {
     /// shapes are apart until that time, and then apart still or in touch.
     ///
     /// *Panics*: never. *Cost*: [`meets_along`](Self::meets_along), and for shapes that meet one of
-    /// its axes once more, in `f64`, and two divisions; for an answer in `f64` in 106 digits, and in
-    /// fixed point of 64 bits a division of integers. Where floats are dear, or two axes close at
-    /// about the same time, every axis with a gap.
+    /// its axes once more, in `f64`, and two divisions; for an answer in `f64` in 106 digits, and
+    /// in fixed point of 64 bits a division of integers. Where floats are dear, or two axes close
+    /// at about the same time, every axis with a gap.
     #[must_use]
     fn first_contact(
         &self,

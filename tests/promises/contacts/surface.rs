@@ -67,7 +67,8 @@ fn an_edge_is_known_by_its_ends() {
     assert_eq!(short(9, 9), Ok(()));
 }
 
-/// A floor of cells in a plane z = a·x + b·y, each in two triangles, the inner vertices out of place.
+/// A floor of cells in a plane z = a·x + b·y, each in two triangles, the inner vertices out of
+/// place.
 fn floor(rng: &mut Rng, [a, b]: [f32; 2]) -> (Vec<Triangle<f32>>, Vec<InteriorEdges>) {
     const CELLS: u16 = 6;
     let mut vertices = Vec::new();

@@ -7,10 +7,10 @@ use super::oracle::{Marks, planes};
 use crate::{Rng, Sample, VERTEX_ORDERS};
 
 /// Asks for the rows and the bits of random triangles in random grids, and about each voxel by
-/// [`Triangle::overlaps`](septum::Overlaps::overlaps). Vertices are anywhere in and about the grid or
-/// a few voxels of it, or on its planes; triangles may be segments and points, with their edges
-/// along axes or nearly so. Panics where the two differ, in any order of the vertices. Returns how many voxels are
-/// met.
+/// [`Triangle::overlaps`](septum::Overlaps::overlaps). Vertices are anywhere in and about the grid
+/// or a few voxels of it, or on its planes; triangles may be segments and points, with their edges
+/// along axes or nearly so. Panics where the two differ, in any order of the vertices. Returns how
+/// many voxels are met.
 pub fn rows_agree_with_pairs<S: Sample>(seed: u64, grids: u32, most: i64) -> u64 {
     let rng = &mut Rng::new(seed);
     let mut met = 0;
