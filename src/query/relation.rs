@@ -51,6 +51,17 @@ pub trait Relate<Other> {
     fn relation(&self, other: &Other) -> Relation;
 }
 
+/// What is asked about two shapes, of questions that one predicate answers.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Asked {
+    /// Whether they may have a point in common: by no stage that only some machines have.
+    MayOverlap,
+    /// Whether they have one: touching and overlapping are the same then.
+    Overlaps,
+    /// Which of the three it is.
+    Relation,
+}
+
 /// What an axis says at most, given how the two gaps on it compare with zero: that before the one
 /// shape and that after it.
 pub(super) fn of_gaps(gaps: [Ordering; 2]) -> Relation {
@@ -139,5 +150,28 @@ impl Reading for Nearness {
     #[inline(always)]
     fn answer(&self, is_certain: bool) -> Option<Relation> {
         self.relation(is_certain)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Aabb, Obb, Segment, Triangle};
+
+    /// Where they do not meet, nearly, numbers are short, and some machines have a stage for that.
+    #[test]
+    fn whether_shapes_may_overlap_is_the_same_on_every_machine() {
+        let low = Triangle::new([0.0_f32, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]).unwrap();
+        let high = Triangle::new([4.0, 4.0, 0.0], [4.0, 1.0, 0.0], [1.0, 4.0, 0.0]).unwrap();
+        let side = Segment::new([4.0, 1.0, 0.0], [1.0, 4.0, 0.0]).unwrap();
+        assert!(!high.overlaps(&low) && high.may_overlap(&low));
+        assert!(!side.overlaps(&low) && side.may_overlap(&low));
+
+        let skewed = [[1.0_f32, 1.0, 0.0], [-1.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let obb = |center| Obb::from_skewed_axes(center, skewed, [65_535.0, 1.0, 1.0]).unwrap();
+        let (a, b) = (obb([0.0; 3]), obb([131_071.0, 131_070.0, 0.0]));
+        assert!(!a.overlaps(&b) && a.may_overlap(&b));
+        let cube = Aabb::from_center_half_extents([0.0; 3], [65_535.0, 1.0, 1.0]).unwrap();
+        let b = obb([65_540.0, 1.0, 0.0]);
+        assert!(!cube.overlaps(&b) && cube.may_overlap(&b));
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Overlaps;
 use super::obb_obb::{First, Lie};
-use super::relation::{Relate, Relation};
+use super::relation::{Asked, Relate, Relation};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb};
 
@@ -31,7 +31,8 @@ impl<S: Scalar> Overlaps<Obb<S>> for Aabb<S> {
     /// ```
     #[inline]
     fn overlaps(&self, obb: &Obb<S>) -> bool {
-        S::evaluate_numeric(&Lie { first: First::Aabb(self), second: obb }) != Relation::Disjoint
+        S::evaluate_numeric(&Lie { first: First::Aabb(self), second: obb, asked: Asked::Overlaps })
+            != Relation::Disjoint
     }
 
     /// Whether an axis-aligned box and an oriented box may have a point in common.
@@ -40,13 +41,13 @@ impl<S: Scalar> Overlaps<Obb<S>> for Aabb<S> {
     /// [two oriented boxes](Obb#impl-Overlaps<Obb<S>>-for-Obb<S>).
     #[inline]
     fn may_overlap(&self, obb: &Obb<S>) -> bool {
-        let question = Lie { first: First::Aabb(self), second: obb };
+        let question = Lie { first: First::Aabb(self), second: obb, asked: Asked::MayOverlap };
         S::evaluate_bounded(&question) != Some(Relation::Disjoint)
     }
 }
 
 impl<S: Scalar> Relate<Obb<S>> for Aabb<S> {
     fn relation(&self, obb: &Obb<S>) -> Relation {
-        S::evaluate_numeric(&Lie { first: First::Aabb(self), second: obb })
+        S::evaluate_numeric(&Lie { first: First::Aabb(self), second: obb, asked: Asked::Relation })
     }
 }

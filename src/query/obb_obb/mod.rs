@@ -9,7 +9,7 @@ use self::error_bound::error_bound;
 use self::exact::ExactBoxes;
 use self::kernel::{Boxes, all_axes};
 use super::Overlaps;
-use super::relation::{Relate, Relation};
+use super::relation::{Asked, Relate, Relation};
 use super::triangle_obb::has_second_look;
 use crate::arithmetic::{
     Embeds, Float, InFloat, Number, each, greatest, largest, of_two, once, three,
@@ -22,6 +22,7 @@ use crate::shape::{Aabb, AabbForm, Obb};
 pub(super) struct Lie<'a, S> {
     pub(super) first: First<'a, S>,
     pub(super) second: &'a Obb<S>,
+    pub(super) asked: Asked,
 }
 
 /// A box of either kind.
@@ -108,7 +109,7 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
     where
         S: InFloat<F>,
     {
-        rows::relation::<S, F>(self.first, self.second)
+        rows::relation::<S, F>(self)
     }
 
     fn exact(&self) -> Relation {
@@ -153,7 +154,7 @@ impl<S: Scalar> Overlaps<Obb<S>> for Obb<S> {
     /// ```
     #[inline]
     fn overlaps(&self, other: &Obb<S>) -> bool {
-        let question = Lie { first: First::Obb(self), second: other };
+        let question = Lie { first: First::Obb(self), second: other, asked: Asked::Overlaps };
         S::evaluate_numeric(&question) != Relation::Disjoint
     }
 
@@ -166,13 +167,13 @@ impl<S: Scalar> Overlaps<Obb<S>> for Obb<S> {
     /// [`overlaps`](Overlaps::overlaps).
     #[inline]
     fn may_overlap(&self, other: &Obb<S>) -> bool {
-        let question = Lie { first: First::Obb(self), second: other };
+        let question = Lie { first: First::Obb(self), second: other, asked: Asked::MayOverlap };
         S::evaluate_bounded(&question) != Some(Relation::Disjoint)
     }
 }
 
 impl<S: Scalar> Relate<Obb<S>> for Obb<S> {
     fn relation(&self, other: &Obb<S>) -> Relation {
-        S::evaluate_numeric(&Lie { first: First::Obb(self), second: other })
+        S::evaluate_numeric(&Lie { first: First::Obb(self), second: other, asked: Asked::Relation })
     }
 }

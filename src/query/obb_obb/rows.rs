@@ -1,14 +1,14 @@
 //! The kernel in floats: the same axes by the same operations, with the three axes of a box side by
 //! side. So it says what the kernel of single numbers says.
 
-use super::First;
 use super::error_bound::{ErrorBound, error_bound};
 use super::kernel::{self, all_axes, is_zero};
+use super::{First, Lie};
 use crate::arithmetic::{Filtered, Float, InFloat, Quad, THREE, greatest};
 use crate::query::obb_rows::{ObbInFloats, Vectors, fits, holds_one, in_floats, most, transposed};
-use crate::query::relation::Relation;
+use crate::query::relation::{Asked, Relation};
 use crate::scalar::Scalar;
-use crate::shape::{AabbForm, Obb};
+use crate::shape::AabbForm;
 
 /// Two parallelepipeds: from centre to centre, axes and half-extents.
 struct Boxes<F> {
@@ -22,9 +22,9 @@ struct Boxes<F> {
 /// How two boxes lie to each other, if floats can tell.
 #[inline(never)]
 pub(super) fn relation<S: Scalar + InFloat<F>, F: Float>(
-    first: First<'_, S>,
-    second: &Obb<S>,
+    question: &Lie<'_, S>,
 ) -> Option<Relation> {
+    let Lie { first, second, asked } = *question;
     if !holds_one::<S, F>() {
         return None;
     }
@@ -59,7 +59,7 @@ pub(super) fn relation<S: Scalar + InFloat<F>, F: Float>(
             (Boxes { d, u, h, v, k }, given)
         }
     };
-    boxes.relation::<S, F::Quad>(&given)
+    boxes.relation::<S, F::Quad>((asked != Asked::MayOverlap).then_some(&given))
 }
 
 #[inline(always)]
@@ -69,7 +69,10 @@ fn each<F: Copy>(a: [F; 3], b: [F; 3], f: impl Fn(F, F) -> F) -> [F; 3] {
 
 impl<F: Float> Boxes<F> {
     #[inline(always)]
-    fn relation<S: InFloat<F>, Q: Quad<Lane = F>>(&self, given: &[[F; 3]; 4]) -> Option<Relation> {
+    fn relation<S: InFloat<F>, Q: Quad<Lane = F>>(
+        &self,
+        given: Option<&[[F; 3]; 4]>,
+    ) -> Option<Relation> {
         let Self { d, u: [u0, u1, u2], h, v: [v0, v1, v2], k } = *self;
         let (u, v) = (Vectors::<Q>::new(&self.u), Vectors::new(&self.v));
         let rows = |x: [F; 3]| Q::of_three(x);
@@ -132,7 +135,7 @@ impl<F: Float> Boxes<F> {
         let is_clear = |gaps: Q| below.exceeds(gaps) & THREE == THREE;
         let is_overlap =
             is_clear(faces) && (is_clear(most) || self.are_zero_where_near(pairs, below));
-        if is_overlap { Some(Relation::Overlapping) } else { self.exactly(given) }
+        if is_overlap { Some(Relation::Overlapping) } else { self.exactly(given?) }
     }
 
     /// What boxes that are not turned, or by quarters, are to each other: exact, if the numbers
@@ -143,7 +146,8 @@ impl<F: Float> Boxes<F> {
     /// there are fewer than 2^19 halves, from a corner to half-way fewer than 2^18, whole numbers
     /// both. Axes of components 0, 1 and −1 have normals of components up to 2, and a determinant
     /// of 6 at most; so a reach is up to 24·2^18, a distance up to 12·2^18, and their difference
-    /// below 2^24: nothing is rounded. In `f64` there is 2^29 times as much room.
+    /// below 2^24: nothing is rounded. In `f64` there is 2^29 times as much room. Nothing
+    /// underflows: who comes here knows the bound on the error.
     #[cold]
     #[inline(never)]
     fn exactly(&self, given: &[[F; 3]; 4]) -> Option<Relation> {
@@ -177,11 +181,11 @@ impl<F: Float> Boxes<F> {
 
 #[cfg(all(test, not(feature = "small")))]
 mod tests {
-    use super::super::Lie;
     use super::*;
     use crate::arithmetic::three;
     use crate::query::obb_rows::tests::Numbers;
     use crate::robust::Predicate;
+    use crate::shape::Obb;
 
     #[test]
     fn rows_say_what_single_numbers_say() {
@@ -196,9 +200,9 @@ mod tests {
                 let at = [center.x, center.y, top];
                 a = Obb::from_skewed_axes(at, *b.axes(), a.half_extents()).unwrap();
             }
-            let question = Lie { first: First::Obb(&a), second: &b };
-            let found = relation::<f32, f32>(question.first, &b);
-            let wide = relation::<f32, f64>(question.first, &b);
+            let question = Lie { first: First::Obb(&a), second: &b, asked: Asked::Relation };
+            let found = relation::<f32, f32>(&question);
+            let wide = relation::<f32, f64>(&question);
             let agree = |found: Option<Relation>, single: Option<Relation>| match single {
                 // But for what is short.
                 None => found.is_none_or(|found| found == question.exact()),
@@ -257,10 +261,11 @@ mod tests {
             ];
             let firsts = [First::Obb(&first), First::Aabb(&boxes[0]), First::Aabb(&boxes[1])];
             for (case, first) in firsts.into_iter().enumerate() {
-                let truth = Lie { first, second: &second }.exact();
-                let found = relation::<f32, f32>(first, &second);
+                let question = Lie { first, second: &second, asked: Asked::Relation };
+                let truth = question.exact();
+                let found = relation::<f32, f32>(&question);
                 assert!(found.is_none_or(|found| found == truth), "{case}: {second:?}");
-                let wide = relation::<f32, f64>(first, &second);
+                let wide = relation::<f32, f64>(&question);
                 assert!(wide.is_none_or(|wide| wide == truth), "{case}: {second:?}");
                 if are_whole {
                     assert!(found.is_some() || digits > 1 << 13, "{case}: {second:?}");

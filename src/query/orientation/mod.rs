@@ -24,7 +24,7 @@ use self::in_plane::in_plane;
 use self::sides::share_a_point;
 pub(super) use self::sides::{Vector, are_apart, from, larger, sides, sign, size};
 use self::whole::Whole;
-use super::relation::Relation;
+use super::relation::{Asked, Relation};
 use crate::arithmetic::{Arithmetic, Int64Narrow, REGISTERS_ARE_WIDE, each, three, turn};
 
 /// Six points: the vertices of one shape, and those of the other.
@@ -100,16 +100,16 @@ pub(super) fn relation(points: &impl Points) -> Relation {
 pub(super) fn in_doubt<N: Arithmetic>(
     first: &[Vector<N>; 3],
     second: &[Vector<N>; 3],
-    verdict_only: bool,
+    asked: Asked,
 ) -> Option<Relation> {
     if N::CERTAIN {
         let ([a, b, c], [d, e, f]) = (*first, *second);
         Some(relation(&Whole::<N>([a, b, c, d, e, f])))
-    } else if verdict_only && share_a_point(first, second) {
+    } else if asked != Asked::Relation && share_a_point(first, second) {
         Some(Relation::Touching)
     } else if are_apart(first, second) {
         Some(Relation::Disjoint)
-    } else if REGISTERS_ARE_WIDE {
+    } else if REGISTERS_ARE_WIDE && asked != Asked::MayOverlap {
         let ([a, b, c], [d, e, f]) = (*first, *second);
         let points = N::in_forty_bits(&[a, b, c, d, e, f])?;
         Some(relation(&Whole::<Int64Narrow>(points)))

@@ -1,7 +1,7 @@
 //! Point against triangle.
 
 use super::orientation::{ExactPoints, are_apart, from, in_doubt, relation, sides, size};
-use super::relation::Relation;
+use super::relation::{Asked, Relation};
 use crate::arithmetic::Embeds;
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
@@ -23,7 +23,7 @@ impl<S: Scalar> Predicate<S> for Lies<'_, S> {
         let (e, f) = (from::<N>(&b, &a), from::<N>(&c, &a));
         let to_point = [from::<N>(&point, &a)];
         match sides::<N, 1>([&e, &f], &to_point, size::<N, 1>(&to_point))? {
-            [0] => in_doubt::<N>(&[point; 3], &[a, b, c], true),
+            [0] => in_doubt::<N>(&[point; 3], &[a, b, c], Asked::Overlaps),
             _ => Some(Relation::Disjoint),
         }
     }

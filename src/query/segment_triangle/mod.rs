@@ -4,7 +4,7 @@ use super::Overlaps;
 use super::orientation::{
     ExactPoints, Vector, error_bound, from, in_doubt, relation, sides, sign, size,
 };
-use super::relation::{Relate, Relation};
+use super::relation::{Asked, Relate, Relation};
 use crate::arithmetic::{Arithmetic, Embeds, cross, dot, three};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
@@ -14,8 +14,7 @@ use crate::shape::{Segment, SegmentForm, Triangle};
 struct Lie<'a, S> {
     segment: &'a Segment<S>,
     triangle: &'a Triangle<S>,
-    /// Whether it matters only if they meet: touching and overlapping are one then.
-    verdict_only: bool,
+    asked: Asked,
 }
 
 /// A segment, seen from a triangle.
@@ -111,7 +110,7 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
             }
         };
         let [a, b] = ends;
-        in_doubt::<N>(&[a, b, b], &triangle, self.verdict_only)
+        in_doubt::<N>(&[a, b, b], &triangle, self.asked)
     }
 
     fn exact(&self) -> Relation {
@@ -152,7 +151,7 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Segment<S> {
     /// ```
     #[inline]
     fn overlaps(&self, triangle: &Triangle<S>) -> bool {
-        let question = Lie { segment: self, triangle, verdict_only: true };
+        let question = Lie { segment: self, triangle, asked: Asked::Overlaps };
         S::evaluate(&question) != Relation::Disjoint
     }
 
@@ -168,13 +167,13 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Segment<S> {
     /// [`overlaps`](Overlaps::overlaps) itself.
     #[inline]
     fn may_overlap(&self, triangle: &Triangle<S>) -> bool {
-        let question = Lie { segment: self, triangle, verdict_only: true };
+        let question = Lie { segment: self, triangle, asked: Asked::MayOverlap };
         S::evaluate_bounded(&question) != Some(Relation::Disjoint)
     }
 }
 
 impl<S: Scalar> Relate<Triangle<S>> for Segment<S> {
     fn relation(&self, triangle: &Triangle<S>) -> Relation {
-        S::evaluate(&Lie { segment: self, triangle, verdict_only: false })
+        S::evaluate(&Lie { segment: self, triangle, asked: Asked::Relation })
     }
 }

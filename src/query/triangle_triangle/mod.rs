@@ -8,7 +8,7 @@ mod kernel;
 use self::kernel::{crossing, is_beyond};
 use super::Overlaps;
 use super::orientation::{ExactPoints, in_doubt, relation};
-use super::relation::{Relate, Relation};
+use super::relation::{Asked, Relate, Relation};
 use crate::arithmetic::Embeds;
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
@@ -18,8 +18,7 @@ use crate::shape::Triangle;
 struct Lie<'a, S> {
     first: &'a Triangle<S>,
     second: &'a Triangle<S>,
-    /// Whether it matters only if they meet: touching and overlapping are one then.
-    verdict_only: bool,
+    asked: Asked,
 }
 
 impl<S: Scalar> Predicate<S> for Lie<'_, S> {
@@ -35,7 +34,7 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
             return settled;
         }
         // In floats it is often a vertex that both have, or triangles beside each other in a plane.
-        in_doubt::<N>(&first, &second, self.verdict_only).or_else(|| {
+        in_doubt::<N>(&first, &second, self.asked).or_else(|| {
             let are_apart = is_beyond::<N>(&first, &second) || is_beyond::<N>(&second, &first);
             are_apart.then_some(Relation::Disjoint)
         })
@@ -82,7 +81,7 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Triangle<S> {
     /// ```
     #[inline]
     fn overlaps(&self, other: &Triangle<S>) -> bool {
-        let question = Lie { first: self, second: other, verdict_only: true };
+        let question = Lie { first: self, second: other, asked: Asked::Overlaps };
         S::evaluate(&question) != Relation::Disjoint
     }
 
@@ -98,13 +97,13 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Triangle<S> {
     /// [`overlaps`](Overlaps::overlaps) itself.
     #[inline]
     fn may_overlap(&self, other: &Triangle<S>) -> bool {
-        let question = Lie { first: self, second: other, verdict_only: true };
+        let question = Lie { first: self, second: other, asked: Asked::MayOverlap };
         S::evaluate_bounded(&question) != Some(Relation::Disjoint)
     }
 }
 
 impl<S: Scalar> Relate<Triangle<S>> for Triangle<S> {
     fn relation(&self, other: &Triangle<S>) -> Relation {
-        S::evaluate(&Lie { first: self, second: other, verdict_only: false })
+        S::evaluate(&Lie { first: self, second: other, asked: Asked::Relation })
     }
 }
