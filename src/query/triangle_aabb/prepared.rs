@@ -1,7 +1,7 @@
 //! One triangle against many axis-aligned boxes.
 
 use super::Disjoint;
-use super::rows::{Apart, Rows};
+use super::rows::Rows;
 use crate::arithmetic::{FirstFloat, OfFour, Quad};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
@@ -74,8 +74,8 @@ impl<S: Scalar> PreparedTriangle<S> {
     #[inline]
     #[must_use]
     pub fn overlaps(&self, aabb: &Aabb<S>) -> bool {
-        let apart = match (&self.rows, *aabb.form()) {
-            (None, _) => Apart::Unknown,
+        let clear = match (&self.rows, *aabb.form()) {
+            (None, _) => None,
             (Some(rows), AabbForm::Center { center, half }) => {
                 rows.apart_by_center(S::FIRST_LIMIT, row(center), row(half))
             }
@@ -83,13 +83,10 @@ impl<S: Scalar> PreparedTriangle<S> {
                 rows.apart_by_corners(S::FIRST_LIMIT, row(min), row(max))
             }
         };
-        match apart {
-            Apart::Yes => false,
-            Apart::No => true,
+        match clear {
+            Some(apart) => !apart,
             // Of a copy: a box just made stays in registers.
-            Apart::UnlessByRounding | Apart::UnlessByGap | Apart::Unknown => {
-                ask_the_triangle(&self.triangle, *aabb)
-            }
+            None => ask_the_triangle(&self.triangle, *aabb),
         }
     }
 }

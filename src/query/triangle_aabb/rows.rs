@@ -10,6 +10,7 @@ use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, greatest}
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
+mod doubt;
 mod zeros;
 
 /// What of a triangle is the same for every box.
@@ -47,7 +48,7 @@ pub(super) fn pair<S: Scalar + InFloat<F>, F: Float>(
     triangle: &Triangle<S>,
     aabb: &Aabb<S>,
 ) -> Option<bool> {
-    let apart = match *aabb.form() {
+    let clear = match *aabb.form() {
         AabbForm::Center { center: c, half: h } => {
             by_center::<S, F>(triangle, c.x, c.y, c.z, h.x, h.y, h.z)
         }
@@ -55,26 +56,15 @@ pub(super) fn pair<S: Scalar + InFloat<F>, F: Float>(
             by_corners::<S, F>(triangle, a.x, a.y, a.z, b.x, b.y, b.z)
         }
     };
-    match apart {
-        Apart::Yes => Some(true),
-        Apart::No => Some(false),
-        Apart::Unknown => None,
-        Apart::UnlessByRounding => {
-            // A copy, for the reason that `overlaps` gives.
-            let copy = *aabb;
-            zeros::is_on_grid::<S, F>(triangle, &copy).then_some(false)
-        }
-        Apart::UnlessByGap => match *aabb.form() {
-            AabbForm::Center { center, half } => {
-                zeros::gaps_are_exact::<S, F>(triangle, &center, &half).then_some(false)
-            }
-            AabbForm::Corners { .. } => Some(false),
-        },
+    match clear {
+        Some(apart) => Some(apart),
+        // Of a copy, for the reason that `overlaps` gives.
+        None => doubt::pair::<S, F>(triangle, *aabb),
     }
 }
 
 #[allow(clippy::too_many_arguments)] // each in a register
-#[inline(never)]
+#[inline(always)]
 fn by_center<S: Scalar + InFloat<F>, F: Float>(
     triangle: &Triangle<S>,
     cx: S,
@@ -83,13 +73,13 @@ fn by_center<S: Scalar + InFloat<F>, F: Float>(
     hx: S,
     hy: S,
     hz: S,
-) -> Apart {
+) -> Option<bool> {
     let (center, half) = (row(&Vec3::new(cx, cy, cz)), row(&Vec3::new(hx, hy, hz)));
-    rows::<S, F::Quad>(triangle).apart_by_center(S::LIMIT, center, half)
+    Rows::<F::Quad>::of(triangle).apart_by_center(S::LIMIT, center, half)
 }
 
 #[allow(clippy::too_many_arguments)] // each in a register
-#[inline(never)]
+#[inline(always)]
 fn by_corners<S: Scalar + InFloat<F>, F: Float>(
     triangle: &Triangle<S>,
     ax: S,
@@ -98,9 +88,9 @@ fn by_corners<S: Scalar + InFloat<F>, F: Float>(
     bx: S,
     by: S,
     bz: S,
-) -> Apart {
+) -> Option<bool> {
     let (min, max) = (row(&Vec3::new(ax, ay, az)), row(&Vec3::new(bx, by, bz)));
-    rows::<S, F::Quad>(triangle).apart_by_corners(S::LIMIT, min, max)
+    Rows::<F::Quad>::of(triangle).apart_by_corners(S::LIMIT, min, max)
 }
 
 #[inline(always)]
@@ -108,22 +98,18 @@ pub(in crate::query) fn row<S: InFloat<Q::Lane>, Q: Quad>(v: &Vec3<S>) -> Q {
     Q::of_three([v.x.in_float(), v.y.in_float(), v.z.in_float()])
 }
 
-#[inline(always)]
-fn rows<S: Scalar + InFloat<Q::Lane>, Q: Quad<Lane: Float>>(triangle: &Triangle<S>) -> Rows<Q> {
-    Rows::of(triangle)
-}
-
-/// Whether an axis separates.
-#[derive(Clone, Copy)]
-pub(super) enum Apart {
-    Yes,
-    No,
-    /// No, if nothing was rounded.
-    UnlessByRounding,
-    /// No, if a gap of zero is one indeed and not a rounded one.
-    UnlessByGap,
-    /// Floats cannot say.
-    Unknown,
+/// A triangle in the frame of a box.
+pub(super) struct InFrame<Q> {
+    /// The vertices.
+    pub(super) v: [Q; 3],
+    /// The half-extents.
+    pub(super) half: Q,
+    /// The half-extents and the extents of the triangle, together.
+    pub(super) size: Q,
+    /// On which axes it lies beyond the box, and on which it meets the box, bit by bit. Of an axis of
+    /// neither kind rounding leaves it open.
+    pub(super) apart: u32,
+    pub(super) meets: u32,
 }
 
 impl<Q: Quad<Lane: Float>> Rows<Q> {
@@ -164,101 +150,111 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
         Q::splat(limit).exceeds(most) & THREE == THREE
     }
 
-    /// Whether an axis separates the triangle from the box with this centre and these
-    /// half-extents, if that is certain. From `limit` on a coordinate may have been rounded.
+    /// The triangle in the frame of the box with this centre and these half-extents.
     #[inline(always)]
-    pub(super) fn apart_by_center(&self, limit: Option<Q::Lane>, center: Q, half: Q) -> Apart {
-        if !self.are_within(limit, center, half) {
-            return Apart::Unknown;
-        }
-        let (low, high) = (self.low - center, self.high - center);
-        let minus = Q::splat(Q::Lane::ZERO) - half;
-        if (low.exceeds(half) | minus.exceeds(high)) & THREE != 0 {
-            return Apart::Yes;
-        }
+    pub(super) fn in_frame_of_center(&self, center: Q, half: Q) -> InFrame<Q> {
+        let (above, below) = (self.low - center, center - self.high);
         // A gap of zero may be a rounded one. The sign of any other is right: rounding
         // keeps order.
-        let meets = half.exceeds(low) & high.exceeds(minus) & THREE == THREE;
-        let v = [self.v[0] - center, self.v[1] - center, self.v[2] - center];
-        self.apart_in_frame(v, half, high - low, meets)
+        let gap = above.greatest(below);
+        InFrame {
+            v: [self.v[0] - center, self.v[1] - center, self.v[2] - center],
+            half,
+            size: half - (above + below),
+            apart: gap.exceeds(half) & THREE,
+            meets: half.exceeds(gap) & THREE,
+        }
     }
 
     /// The same for the box with these corners.
     #[inline(always)]
-    pub(super) fn apart_by_corners(&self, limit: Option<Q::Lane>, min: Q, max: Q) -> Apart {
-        if !self.are_within(limit, min, max) {
-            return Apart::Unknown;
-        }
-        if (self.low.exceeds(max) | min.exceeds(self.high)) & THREE != 0 {
-            return Apart::Yes;
-        }
+    pub(super) fn in_frame_of_corners(&self, min: Q, max: Q) -> InFrame<Q> {
+        let apart = (self.low.exceeds(max) | min.exceeds(self.high)) & THREE;
         // Not v − (min + max)/2: the sum rounds by the distance from the origin, the
         // differences only by the distance from the box.
         let [a, b, c] = self.v;
         let from = |v: Q| half_of((v - min) + (v - max));
-        self.apart_in_frame(
-            [from(a), from(b), from(c)],
-            half_of(max - min),
-            self.high - self.low,
-            true,
-        )
+        let half = half_of(max - min);
+        InFrame {
+            v: [from(a), from(b), from(c)],
+            half,
+            size: half + (self.high - self.low),
+            apart,
+            meets: apart ^ THREE,
+        }
     }
 
-    /// Whether the normal or an edge axis separates, in the frame of the box. `meets` says
-    /// that no face does.
+    /// Whether an axis separates the triangle from the box with this centre and these
+    /// half-extents, if that is clear. From `limit` on a coordinate may have been rounded.
     #[inline(always)]
-    fn apart_in_frame(&self, v: [Q; 3], half: Q, extent: Q, meets: bool) -> Apart {
-        let Some(bound) = error_bound::<Filtered<Q::Lane>>(size(half, extent)) else {
-            return Apart::Unknown;
-        };
-
-        // The plane of the triangle first: of most boxes near a triangle it is the plane
-        // that misses them.
-        let distance = sum(self.n * v[0]).magnitude();
-        let beyond_plane = distance - sum(self.n.magnitude() * half);
-        if beyond_plane > bound.plane {
-            return Apart::Yes;
+    pub(super) fn apart_by_center(
+        &self,
+        limit: Option<Q::Lane>,
+        center: Q,
+        half: Q,
+    ) -> Option<bool> {
+        if !self.are_within(limit, center, half) {
+            return None;
         }
+        self.apart(&self.in_frame_of_center(center, half))
+    }
 
-        let (radius, half_turned) = (self.middle.magnitude(), half.turned());
-        let beyond = |k: usize| {
+    /// The same for the box with these corners.
+    #[inline(always)]
+    pub(super) fn apart_by_corners(&self, limit: Option<Q::Lane>, min: Q, max: Q) -> Option<bool> {
+        if !self.are_within(limit, min, max) {
+            return None;
+        }
+        self.apart(&self.in_frame_of_corners(min, max))
+    }
+
+    /// How far apart the two are on the normal.
+    #[inline(always)]
+    pub(super) fn plane(&self, frame: &InFrame<Q>) -> Q::Lane {
+        sum(self.n * frame.v[0]).magnitude() - sum(self.n.magnitude() * frame.half)
+    }
+
+    /// On the axes of the edges.
+    #[inline(always)]
+    pub(super) fn edges(&self, frame: &InFrame<Q>) -> [Q; 3] {
+        let InFrame { v, half, .. } = frame;
+        let (radius, half, half_turned) = (self.middle.magnitude(), *half, half.turned());
+        let gap = |k: usize| {
             let Edge { e, turned } = self.e[k];
             let p = e * v[k].turned() - turned * v[k];
             let r = half * turned.magnitude() + half_turned * e.magnitude();
             (p + self.middle).magnitude() - (radius + r)
         };
-        let beyond = [beyond(0), beyond(1), beyond(2)];
-        let most = beyond[0].greatest(beyond[1]).greatest(beyond[2]);
-        if most.exceeds(Q::splat(bound.edge)) & THREE != 0 {
-            return Apart::Yes;
+        [gap(0), gap(1), gap(2)]
+    }
+
+    /// Whether an axis separates, if that is clear: without a branch but the one on doubt, where
+    /// there are vectors. Which axis it is, if any, is as good as random, and a wrong guess costs
+    /// as much as half of all the axes.
+    #[inline(always)]
+    fn apart(&self, frame: &InFrame<Q>) -> Option<bool> {
+        // Four bits each, three of axes and the last of the plane.
+        let (mut apart, mut meets) = (frame.apart, frame.meets);
+        if !Q::IS_VECTOR && apart != 0 {
+            return Some(true);
+        }
+        let bound = error_bound::<Filtered<Q::Lane>>(largest(frame.size))?;
+
+        // Of most boxes near a triangle it is the plane that misses them.
+        let plane = self.plane(frame);
+        apart |= u32::from(plane > bound.plane) << 3;
+        meets |= u32::from(plane < -bound.plane) << 3;
+        if !Q::IS_VECTOR && apart != 0 {
+            return Some(true);
         }
 
-        // What else may separate? An axis that is along a face normal, or zero, separates only
-        // if that face does: so of a triangle that lies along a coordinate plane, and of an
-        // edge that does. Without this every box-shaped mesh would be in doubt.
-        let mut doubt =
-            beyond_plane >= -bound.plane && self.high.exceeds(self.low) & THREE == THREE;
-        let least = Q::splat(-bound.edge);
-        if most.exceeds(least) & THREE != 0 {
-            let zero = Q::splat(Q::Lane::ZERO);
-            let may_separate = |k: usize| {
-                let Edge { e, turned } = self.e[k];
-                let is_slanted = e.magnitude().exceeds(zero) & turned.magnitude().exceeds(zero);
-                beyond[k].exceeds(least) & is_slanted
-            };
-            doubt |= (may_separate(0) | may_separate(1) | may_separate(2)) & THREE != 0;
-        }
-        if doubt {
-            let seems_apart =
-                most.exceeds(Q::splat(Q::Lane::ZERO)) & THREE != 0 || beyond_plane > Q::Lane::ZERO;
-            // "Yes" would be as sure on a grid, but not every machine has this kernel, and
-            // `may_overlap` is the same on all.
-            if seems_apart { Apart::Unknown } else { Apart::UnlessByRounding }
-        } else if meets {
-            Apart::No
-        } else {
-            Apart::UnlessByGap
-        }
+        let [a, b, c] = self.edges(frame);
+        let most = a.greatest(b).greatest(c);
+        apart |= most.exceeds(Q::splat(bound.edge)) & THREE;
+        meets &= Q::splat(-bound.edge).exceeds(most) | !THREE;
+
+        // One comparison: of a condition that is made of two the compiler makes two branches.
+        if meets + (apart << 4) < 0b1111 { None } else { Some(apart != 0) }
     }
 }
 
@@ -266,7 +262,13 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
 /// edge, nor a half-extent.
 #[inline(always)]
 pub(in crate::query) fn size<Q: Quad>(half: Q, extent: Q) -> Q::Lane {
-    let [x, y, z] = (half + extent).three();
+    largest(half + extent)
+}
+
+/// The greatest of the first three.
+#[inline(always)]
+pub(super) fn largest<Q: Quad>(row: Q) -> Q::Lane {
+    let [x, y, z] = row.three();
     greatest(greatest(x, y), z)
 }
 

@@ -1,0 +1,85 @@
+//! What the kernel in floats leaves in doubt at first: which axes may separate, and whether rounding
+//! has any part in it.
+
+use super::{InFrame, Rows, largest, row, zeros};
+use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE};
+use crate::query::triangle_aabb::error_bound::error_bound;
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, AabbForm, Triangle};
+
+/// Whether an axis separates.
+enum Apart {
+    Yes,
+    No,
+    /// No, if nothing was rounded.
+    UnlessByRounding,
+    /// No, if a gap of zero is one indeed and not a rounded one.
+    UnlessByGap,
+    /// Floats cannot say.
+    Unknown,
+}
+
+/// Whether one of the 13 axes separates, if floats can tell.
+#[inline(never)]
+pub(super) fn pair<S: Scalar + InFloat<F>, F: Float>(
+    triangle: &Triangle<S>,
+    aabb: Aabb<S>,
+) -> Option<bool> {
+    let rows = Rows::<F::Quad>::of(triangle);
+    let (p, q, frame) = match aabb.form() {
+        AabbForm::Center { center, half } => {
+            let (center, half) = (row(center), row(half));
+            (center, half, rows.in_frame_of_center(center, half))
+        }
+        AabbForm::Corners { min, max } => {
+            let (min, max) = (row(min), row(max));
+            (min, max, rows.in_frame_of_corners(min, max))
+        }
+    };
+    if !rows.are_within(S::LIMIT, p, q) {
+        return None;
+    }
+    match apart(&rows, &frame) {
+        Apart::Yes => Some(true),
+        Apart::No => Some(false),
+        Apart::UnlessByRounding => zeros::is_on_grid(&rows, &frame, p, q).then_some(false),
+        Apart::UnlessByGap => zeros::gaps_are_exact(&rows, p, q).then_some(false),
+        Apart::Unknown => None,
+    }
+}
+
+/// An axis that is along a face normal, or zero, separates only if that face does: so of a triangle
+/// that lies along a coordinate plane, and of an edge that does. Without this every box-shaped mesh
+/// would be in doubt.
+#[inline(always)]
+fn apart<Q: Quad<Lane: Float>>(rows: &Rows<Q>, frame: &InFrame<Q>) -> Apart {
+    if frame.apart != 0 {
+        return Apart::Yes;
+    }
+    let Some(bound) = error_bound::<Filtered<Q::Lane>>(largest(frame.size)) else {
+        return Apart::Unknown;
+    };
+    let (plane, edges) = (rows.plane(frame), rows.edges(frame));
+    let most = edges[0].greatest(edges[1]).greatest(edges[2]);
+    if plane > bound.plane || most.exceeds(Q::splat(bound.edge)) & THREE != 0 {
+        return Apart::Yes;
+    }
+
+    let zero = Q::splat(Q::Lane::ZERO);
+    let mut doubt = plane >= -bound.plane && rows.high.exceeds(rows.low) & THREE == THREE;
+    for k in 0..3 {
+        let e = &rows.e[k];
+        let is_slanted = e.e.magnitude().exceeds(zero) & e.turned.magnitude().exceeds(zero);
+        doubt |= edges[k].exceeds(Q::splat(-bound.edge)) & is_slanted & THREE != 0;
+    }
+    if doubt {
+        let seems_apart = most.exceeds(zero) & THREE != 0 || plane > Q::Lane::ZERO;
+        // "Yes" would be as sure on a grid, but not every machine has this kernel, and
+        // `may_overlap` is the same on all.
+        if seems_apart { Apart::Unknown } else { Apart::UnlessByRounding }
+    } else if frame.meets == THREE {
+        Apart::No
+    } else {
+        Apart::UnlessByGap
+    }
+}
