@@ -16,6 +16,10 @@ pub trait InFloat<F>: Copy {
     /// The last place of a fixed-point number, as a number; zero of a float.
     const PLACE: F;
 
+    /// Whether [`Offset`](super::Offset) is asked before this float, and not only beyond the limit,
+    /// where there are vectors.
+    const OFFSETS_FIRST: bool;
+
     /// The coordinate, to the nearest.
     fn in_float(self) -> F;
 }
@@ -52,8 +56,9 @@ impl FirstFloat for f64 {
 }
 
 macro_rules! same {
-    ($($scalar:ty => $float:ty)*) => {$(
+    ($($scalar:ty => $float:ty, $offsets:literal)*) => {$(
         impl InFloat<$float> for $scalar {
+            const OFFSETS_FIRST: bool = $offsets;
             const LIMIT: Option<$float> = None;
             const PLACE: $float = 0.0;
             #[inline(always)]
@@ -63,13 +68,14 @@ macro_rules! same {
         }
     )*};
 }
-same! { f32 => f32  f32 => f64  f64 => f64 }
+same! { f32 => f32, false  f32 => f64, false  f64 => f64, true }
 
 /// By their raw bits.
 #[cfg(feature = "fixed")]
 macro_rules! raw_bits {
     ($($fixed:ident, $bound:ident => $float:ty, $limit:expr;)*) => {$(
         impl<Frac: $bound> InFloat<$float> for $fixed<Frac> {
+            const OFFSETS_FIRST: bool = size_of::<$float>() == size_of::<f64>();
             const LIMIT: Option<$float> = $limit;
             const PLACE: $float = 1.0 / (1_u128 << Self::FRAC_NBITS) as $float;
             #[inline(always)]

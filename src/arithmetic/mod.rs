@@ -14,6 +14,7 @@ mod multiples;
 #[cfg(feature = "fixed")]
 mod nearest_whole;
 mod number;
+mod offset;
 mod parts;
 mod platform;
 mod portion;
@@ -50,6 +51,7 @@ pub(crate) use limbs::Wide;
 pub(crate) use long::Long;
 pub use number::Number;
 pub(crate) use number::{compare, greatest, largest, least};
+pub use offset::Offset;
 pub(crate) use parts::Bits;
 pub use parts::Parts;
 pub(crate) use platform::{REGISTERS_ARE_WIDE, SMALL_CODE};

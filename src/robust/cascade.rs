@@ -18,7 +18,7 @@ where
     match p.fast_path() {
         Ok(answer) => answer,
         Err(clue) => {
-            note(Stage::Numeric);
+            note(Stage::Look);
             next(p, clue)
         }
     }

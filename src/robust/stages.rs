@@ -3,8 +3,9 @@
 /// Where a question escalates, or arrives at the last stage.
 #[derive(Clone, Copy)]
 pub(crate) enum Stage {
-    /// Past the first stage for numbers, or past the slabs of a prepared ray.
-    Numeric,
+    /// Past the first look: past the first stage for numbers, the slabs of a prepared ray, or a kernel
+    /// that leaves it to another to tell its doubts apart.
+    Look,
     /// Past a number system.
     Filter,
     /// Past a stage for narrow registers.

@@ -1,10 +1,10 @@
-use crate::arithmetic::{FirstFloat, Parts, Portion, RoundedOps, Spanned};
+use crate::arithmetic::{FirstFloat, Offset, Parts, Portion, RoundedOps, Spanned};
 use crate::robust::{ExactSum, Predicate};
 
 /// What queries need of a scalar: a few constants, and its cascade.
 ///
 /// Sealed: exactness rests on what is known of each type.
-pub trait Backend: RoundedOps + Spanned + FirstFloat {
+pub trait Backend: RoundedOps + Spanned + FirstFloat + Offset {
     /// One, for offsets and axes. Some fixed-point types cannot hold it.
     const ONE: Parts;
 

@@ -2,6 +2,7 @@
 //! each width of integers hands over to the next before it overflows (overflow
 //! checks are on), and float stages before they underflow.
 
+use septum::prepared::PreparedTriangle;
 use septum_kit::{BoxNumbers, Case, Rng, Sample, for_every_scalar, meets};
 
 /// A point whose coordinates lie up to `size` numbers of the type away from
@@ -47,6 +48,8 @@ fn exact_at_every_size<S: Sample>() {
                 let (triangle, shape) = case.shapes();
                 let expected = meets(&case);
                 assert_eq!(triangle.overlaps(&shape), expected, "{case:?}");
+                let prepared = PreparedTriangle::new(&triangle);
+                assert_eq!(prepared.overlaps(&shape), expected, "{case:?}");
                 assert_eq!(triangle.separating_axis(&shape).is_none(), expected, "{case:?}");
                 assert!(!expected || triangle.may_overlap(&shape), "{case:?}");
             }

@@ -241,7 +241,7 @@ impl<S: Scalar> PreparedRay<S> {
     #[cold]
     #[inline(never)]
     fn overlaps_in_doubt(&self, aabb: &Aabb<S>) -> bool {
-        note(Stage::Numeric);
+        note(Stage::Look);
         self.ray.overlaps(aabb)
     }
 

@@ -50,12 +50,32 @@
 //! is u times a number that is itself near the bound. Underflow is met by the range of
 //! R, see `arithmetic::float`.
 //!
+//! # By offsets
+//!
+//! [`Offset`](crate::arithmetic::Offset) rounds once, or in `f64` twice, the first time by 2⁻²⁹ of the
+//! second.
+//!
+//! * v: one operation, u·X. Of a triangle prepared for many boxes it is the sum of two offsets, from
+//!   vertex to first vertex and from there to the box: 3u·X.
+//! * e: the difference of two of either kind: 3u·X.
+//! * h: u·h.
+//!
+//! In units of u·X_j·X_l p errs by 2·(3 + 3 + 1) + 2 = 16, m by 8, p + m by 27; r by 3·2 for e, and 3:
+//! 9; |m| + r by 19. In all 46. The plane, in units of u·W: n_i by 16, n_i·v_i by 16 + 2·3 + 2 = 24, three
+//! of them and their sums 82; h_i·|n_i| by 16 + 2 + 2 = 20, three and their sums 70; the difference 12: 164.
+//! On a coordinate axis a prepared triangle errs by 3, h by 1, and their difference, at most 2, by 2, in
+//! units of u·X: 6.
+//!
 //! # What is proved
 //!
 //! The sums above take the worst of each term, which never meet. `edges.g` and
-//! `plane.g` prove [`EDGE`] and [`PLANE`], second orders and underflow included.
+//! `plane.g` prove [`EDGE`] and [`PLANE`], second orders and underflow included; `offset_faces.g`,
+//! `offset_edges.g` and `offset_plane.g` those of offsets.
+//!
+//! The last two leave a whole roundoff of R² and R³. So what is certain by offsets is certain in `f64`
+//! too, whose bounds are below 2⁻²³ of one.
 
-use crate::arithmetic::{Arithmetic, Number};
+use crate::arithmetic::{Arithmetic, Filtered, Number};
 
 /// Roundoffs in an edge axis, per R².
 const EDGE: u16 = 24;
@@ -63,7 +83,17 @@ const EDGE: u16 = 24;
 /// Roundoffs in the plane, per R³.
 const PLANE: u16 = 60;
 
+/// Roundoffs by offsets: in a coordinate axis, in an edge axis, in the plane.
+const OFFSET_FACE: u16 = 7;
+const OFFSET_EDGE: u16 = 40;
+const OFFSET_PLANE: u16 = 100;
+
+/// By how much of R, R² and R³ an axis separates that does so when coordinates are cut down:
+/// `conservative.rs`.
+const COARSE: f32 = 1.0 / 512.0;
+
 /// How far computed axes may be from the truth.
+#[derive(Clone, Copy)]
 pub(in crate::query) struct ErrorBound<N: Arithmetic> {
     pub(in crate::query) edge: N::Area,
     pub(in crate::query) plane: N::Volume,
@@ -83,4 +113,24 @@ pub(in crate::query) fn error_bound<N: Arithmetic>(size: N::Length) -> Option<Er
 pub(super) fn bound_of_size<N: Arithmetic>(size: N::Length) -> ErrorBound<N> {
     let square = N::area(size, size);
     ErrorBound { edge: square.error(EDGE), plane: N::volume(square, size).error(PLANE) }
+}
+
+/// By offsets.
+#[inline(always)]
+pub(super) fn offset_bound(size: f32) -> ErrorBound<Filtered<f32>> {
+    let square = size * size;
+    ErrorBound { edge: square.error(OFFSET_EDGE), plane: (square * size).error(OFFSET_PLANE) }
+}
+
+/// Those of a triangle prepared for many boxes on coordinate axes, by offsets.
+#[inline(always)]
+pub(super) fn offset_face(size: f32) -> f32 {
+    size.error(OFFSET_FACE)
+}
+
+/// Which gaps are left when coordinates are cut down: on a coordinate axis, and on the others.
+#[inline(always)]
+pub(super) fn coarse_bound(size: f32) -> (f32, ErrorBound<Filtered<f32>>) {
+    let face = size * COARSE;
+    (face, ErrorBound { edge: face * size, plane: face * size * size })
 }

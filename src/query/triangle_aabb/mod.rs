@@ -5,9 +5,9 @@
 //! nine edge axes share the components of the triangle's normal, faces and plane
 //! come first, and the verdict is exact.
 //!
-//! Three kernels ask these axes: `rows` in floats, four at once; `kernel`, with `frame`,
-//! `faces`, `edges` and `plane`, in any number system; `one_sided` in the words of 32-bit
-//! cores.
+//! Three kernels ask these axes: `rows` in floats, four at once, of coordinates as they are or of
+//! `offsets` from the box; `kernel`, with `frame`, `faces`, `edges` and `plane`, in any number
+//! system; `one_sided` in the words of 32-bit cores.
 
 mod axis;
 mod clear;
@@ -20,6 +20,7 @@ mod faces;
 pub(super) mod frame;
 mod kernel;
 mod narrow;
+mod offsets;
 mod one_sided;
 mod one_size;
 pub(super) mod plane;
@@ -38,7 +39,7 @@ pub use prepared::PreparedTriangle;
 use super::Overlaps;
 #[cfg(feature = "fixed")]
 use crate::arithmetic::InRaw;
-use crate::arithmetic::{Embeds, Float, InFloat, InWord, Rounded, Word};
+use crate::arithmetic::{Embeds, Float, InFloat, InWord, OfFour, Quad, Rounded, Word};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
@@ -125,26 +126,26 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Triangle<S> {
     /// *Numerics*: exact for every valid input, in every scalar; the verdict does
     /// not depend on vertex order, machine or compiler.
     ///
-    /// *Range*: all finite floats, all fixed-point values. The first stage serves
-    /// floats while the two shapes together span between 2⁻³² and 2⁴⁰ (`f32`) or
-    /// 2⁻³²⁰ and 2³²⁰ (`f64`), and fixed point while coordinates are below 2¹⁸ (32
-    /// bits; 2²⁴ with vectors) or 2⁶⁰ (64 bits) units in the last place; 8 and 16 bits
-    /// always. Outside, and for floats within rounding of contact, wider numbers take
-    /// over: 32 bits take wider integers; floats and 64 bits at last take exact sums, up
+    /// *Range*: all finite floats, all fixed-point values. The first look serves floats while
+    /// the two shapes together span between 2⁻³² and 2⁴⁰; `f64` between 2⁻³²⁰ and 2³²⁰ takes
+    /// twice its time. With vectors it serves fixed point while coordinates are below 2²⁹
+    /// (32 bits) or 2⁴⁹ (64 bits) units in the last place, without them below 2¹⁸ or 2⁶⁰;
+    /// 8 and 16 bits always. Outside, and within rounding of contact, wider numbers take
+    /// over: fixed point takes wider integers; floats and 64 bits at last take exact sums, up
     /// to a thousand times slower.
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: 21 comparisons; if no face separates, 48 multiplications and no
-    /// division, with vectors three at a time. Floats that come within rounding of contact
-    /// take it again in wider numbers, but not along a face or on a grid. Many boxes: see
-    /// [`PreparedTriangle`](crate::prepared::PreparedTriangle). Fixed point on 32-bit
+    /// *Cost*: 48 multiplications and no division, with vectors three at a time, whichever
+    /// axis separates; without vectors 21 comparisons if a face does. What comes within
+    /// rounding of contact takes it again in wider numbers, but not along a face or on a grid.
+    /// Many boxes: see [`PreparedTriangle`](crate::prepared::PreparedTriangle). Fixed point on 32-bit
     /// cores has a kernel of its own, with 30 multiplications, for shapes within 2¹⁸ units
     /// of the box (2²⁹ where the core multiplies words in full); `docs/target.csv` in the
     /// repository has its instructions and stack, and `docs/flash.csv` its size.
     ///
-    /// *Source*: Akenine-Möller 2001; the shared normal, the rows, the error bound and the
-    /// exact stages are ours.
+    /// *Source*: Akenine-Möller 2001; the shared normal, the rows, the offsets, the error bounds
+    /// and the exact stages are ours.
     ///
     /// ```
     /// use septum::{Aabb, Triangle};
@@ -202,5 +203,8 @@ fn beyond_quads<S: Scalar>(triangle: &Triangle<S>, aabb: Aabb<S>) -> bool {
 /// The kernel in the scalar's own arithmetic, for [`published`](crate::published).
 #[inline(always)]
 pub(crate) fn disjoint_rounded<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bool {
+    if S::FLOAT.is_some() && <S::First as OfFour>::Quad::IS_VECTOR {
+        return rows::disjoint_rounded(triangle, aabb);
+    }
     Disjoint { triangle, aabb }.filter::<Rounded<S>>() != Some(false)
 }

@@ -1,13 +1,13 @@
 //! One triangle against many axis-aligned boxes.
 
 use super::Disjoint;
-use super::rows::Rows;
-use crate::arithmetic::{FirstFloat, OfFour, Quad};
+use super::error_bound::{offset_bound, offset_face};
+use super::offsets::{ForOffsets, row, size_in_range};
+use super::rows::{InFrame, Rows, half_of, largest};
+use crate::arithmetic::{Quad, THREE};
+use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
-
-type First<S> = <S as FirstFloat>::First;
-type FirstQuad<S> = <First<S> as OfFour>::Quad;
+use crate::shape::{Aabb, AabbForm, Triangle};
 
 /// A triangle prepared for many axis-aligned boxes: exact, and up to twice as fast as the
 /// triangle itself.
@@ -16,12 +16,12 @@ type FirstQuad<S> = <First<S> as OfFour>::Quad;
 /// answers are those of [`Triangle::overlaps`](crate::Overlaps::overlaps).
 ///
 /// *Numerics*: exact. Edges, normal and all else that does not depend on the box are computed
-/// once. Where floats leave a doubt, the triangle itself is asked.
+/// once, in `f32` for every scalar. Where that leaves a doubt, the triangle itself is asked.
 ///
-/// *Range*: all of the scalar. It is fast where the first stage of the triangle is; fixed
-/// point must also be below 2²⁴ units in the last place (32 bits) or 2⁵³ (64 bits), and needs
-/// a machine with vectors and the feature `simd`. Elsewhere the triangle itself is asked about
-/// every box, and preparing gains nothing.
+/// *Range*: all of the scalar. It is fast where triangle and box together span between 2⁻³² and
+/// 2⁴⁰; fixed point must be below 2²⁹ units in the last place (32 bits) or 2⁴⁹ (64 bits), and
+/// needs a machine with vectors and the feature `simd`. Elsewhere the triangle itself is asked
+/// about every box, and preparing gains nothing.
 ///
 /// ```
 /// use septum::prepared::PreparedTriangle;
@@ -39,7 +39,8 @@ type FirstQuad<S> = <First<S> as OfFour>::Quad;
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedTriangle<S: Scalar> {
     triangle: Triangle<S>,
-    rows: Option<Rows<FirstQuad<S>>>,
+    /// Its rows, from its first vertex on.
+    pub(super) rows: Option<Rows<ForOffsets>>,
 }
 
 impl<S: Scalar> PreparedTriangle<S> {
@@ -49,8 +50,11 @@ impl<S: Scalar> PreparedTriangle<S> {
     #[inline]
     #[must_use]
     pub fn new(triangle: &Triangle<S>) -> Self {
-        let points = || triangle.points().map(|p| p.map(S::first));
-        Self { triangle: *triangle, rows: S::IN_QUADS.then(|| Rows::new(points())) }
+        let [a, b, c] = triangle.points();
+        let from_a = |p: [S; 3]| row(|i| p[i].offset(a[i]));
+        let rows = || Rows::of_rows([ForOffsets::splat(0.0), from_a(b), from_a(c)]);
+        let are_held = S::IN_QUADS && S::have_offsets(&[a, b, c]);
+        Self { triangle: *triangle, rows: are_held.then(rows) }
     }
 
     /// The triangle.
@@ -69,35 +73,69 @@ impl<S: Scalar> PreparedTriangle<S> {
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: 6 comparisons; if no face separates, 33 multiplications at most, in three
-    /// lanes.
+    /// *Cost*: 33 multiplications in three lanes.
     #[inline]
     #[must_use]
     pub fn overlaps(&self, aabb: &Aabb<S>) -> bool {
-        let clear = match (&self.rows, *aabb.form()) {
-            (None, _) => None,
-            (Some(rows), AabbForm::Center { center, half }) => {
-                rows.apart_by_center(S::FIRST_LIMIT, row(center), row(half))
-            }
-            (Some(rows), AabbForm::Corners { min, max }) => {
-                rows.apart_by_corners(S::FIRST_LIMIT, row(min), row(max))
-            }
-        };
-        match clear {
+        match self.apart(aabb) {
             Some(apart) => !apart,
             // Of a copy: a box just made stays in registers.
             None => ask_the_triangle(&self.triangle, *aabb),
         }
+    }
+
+    /// Whether an axis separates, if that is clear.
+    #[inline(always)]
+    fn apart(&self, aabb: &Aabb<S>) -> Option<bool> {
+        let rows = self.rows.as_ref()?;
+        let frame = self.in_frame(rows, aabb)?;
+        let bound = offset_bound(size_in_range(&frame)?);
+        rows.apart_by_bounds(&frame, bound, bound).ok()
+    }
+
+    #[inline(always)]
+    pub(super) fn in_frame(
+        &self,
+        rows: &Rows<ForOffsets>,
+        aabb: &Aabb<S>,
+    ) -> Option<InFrame<ForOffsets>> {
+        let a = self.triangle.vertices()[0].to_array();
+        // The first vertex in the frame of the box, and the half-extents.
+        let (at, half) = match aabb.form() {
+            AabbForm::Center { center, half } => {
+                let (center, half) = (center.to_array(), half.to_array());
+                if !S::have_offsets(&[center, half]) {
+                    return None;
+                }
+                (row(|i| a[i].offset(center[i])), row(|i| half[i].offset(S::ZERO)))
+            }
+            AabbForm::Corners { min, max } => {
+                let (min, max) = (min.to_array(), max.to_array());
+                if !S::have_offsets(&[min, max]) {
+                    return None;
+                }
+                let twice = row(|i| a[i].offset_of_two(min[i], max[i]));
+                (half_of(twice), half_of(row(|i| max[i].offset(min[i]))))
+            }
+        };
+        let (low, high) = (rows.low + at, rows.high + at);
+        let size = half + (rows.high - rows.low);
+        // Sums of numbers that were rounded: the order may not be kept.
+        let gap = low.greatest(ForOffsets::splat(0.0) - high) - half;
+        let error = offset_face(largest(size));
+        Some(InFrame {
+            v: [at, rows.v[1] + at, rows.v[2] + at],
+            half,
+            size,
+            apart: gap.exceeds(ForOffsets::splat(error)) & THREE,
+            meets: ForOffsets::splat(-error).exceeds(gap) & THREE,
+        })
     }
 }
 
 #[cold]
 #[inline(never)]
 fn ask_the_triangle<S: Scalar>(triangle: &Triangle<S>, aabb: Aabb<S>) -> bool {
+    note(Stage::Look);
     !S::evaluate(&Disjoint { triangle, aabb: &aabb })
-}
-
-#[inline(always)]
-fn row<S: FirstFloat<First = Q::Lane>, Q: Quad>(v: Vec3<S>) -> Q {
-    Q::of_three([v.x.first(), v.y.first(), v.z.first()])
 }

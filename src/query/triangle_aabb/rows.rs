@@ -5,13 +5,17 @@
 //! edge axes stay as they come out, and nothing is ever transposed: one row is the three
 //! axes of an edge.
 
-use super::error_bound::error_bound;
+use super::error_bound::{ErrorBound, error_bound};
+use super::offsets::{self, ForOffsets};
 use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, greatest};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
 mod doubt;
+mod rounded;
 mod zeros;
+
+pub(super) use rounded::disjoint as disjoint_rounded;
 
 /// What of a triangle is the same for every box.
 #[derive(Clone, Copy, Debug)]
@@ -49,6 +53,7 @@ pub(super) fn pair<S: Scalar + InFloat<F>, F: Float>(
     aabb: &Aabb<S>,
 ) -> Option<bool> {
     let clear = match *aabb.form() {
+        _ if S::OFFSETS_FIRST && ForOffsets::IS_VECTOR => offsets::pair::<S, false>(triangle, aabb),
         AabbForm::Center { center: c, half: h } => {
             by_center::<S, F>(triangle, c.x, c.y, c.z, h.x, h.y, h.z)
         }
@@ -56,15 +61,15 @@ pub(super) fn pair<S: Scalar + InFloat<F>, F: Float>(
             by_corners::<S, F>(triangle, a.x, a.y, a.z, b.x, b.y, b.z)
         }
     };
+    // Of a copy, for the reason that `overlaps` gives.
     match clear {
-        Some(apart) => Some(apart),
-        // Of a copy, for the reason that `overlaps` gives.
-        None => doubt::pair::<S, F>(triangle, *aabb),
+        Ok(apart) => Some(apart),
+        Err(doubt) => doubt::pair::<S, F>(triangle, *aabb, doubt),
     }
 }
 
 #[allow(clippy::too_many_arguments)] // each in a register
-#[inline(always)]
+#[inline(never)]
 fn by_center<S: Scalar + InFloat<F>, F: Float>(
     triangle: &Triangle<S>,
     cx: S,
@@ -73,13 +78,17 @@ fn by_center<S: Scalar + InFloat<F>, F: Float>(
     hx: S,
     hy: S,
     hz: S,
-) -> Option<bool> {
+) -> Clear {
     let (center, half) = (row(&Vec3::new(cx, cy, cz)), row(&Vec3::new(hx, hy, hz)));
-    Rows::<F::Quad>::of(triangle).apart_by_center(S::LIMIT, center, half)
+    let rows = Rows::<F::Quad>::of(triangle);
+    if !rows.are_within(S::LIMIT, center, half) {
+        return offsets::by_center::<S, false>(triangle, cx, cy, cz, hx, hy, hz);
+    }
+    rows.apart(&rows.in_frame_of_center(center, half))
 }
 
 #[allow(clippy::too_many_arguments)] // each in a register
-#[inline(always)]
+#[inline(never)]
 fn by_corners<S: Scalar + InFloat<F>, F: Float>(
     triangle: &Triangle<S>,
     ax: S,
@@ -88,14 +97,29 @@ fn by_corners<S: Scalar + InFloat<F>, F: Float>(
     bx: S,
     by: S,
     bz: S,
-) -> Option<bool> {
+) -> Clear {
     let (min, max) = (row(&Vec3::new(ax, ay, az)), row(&Vec3::new(bx, by, bz)));
-    Rows::<F::Quad>::of(triangle).apart_by_corners(S::LIMIT, min, max)
+    let rows = Rows::<F::Quad>::of(triangle);
+    if !rows.are_within(S::LIMIT, min, max) {
+        return offsets::by_corners::<S, false>(triangle, ax, ay, az, bx, by, bz);
+    }
+    rows.apart(&rows.in_frame_of_corners(min, max))
 }
 
 #[inline(always)]
 pub(in crate::query) fn row<S: InFloat<Q::Lane>, Q: Quad>(v: &Vec3<S>) -> Q {
     Q::of_three([v.x.in_float(), v.y.in_float(), v.z.in_float()])
+}
+
+/// Whether an axis separates, where that is clear at the first look.
+pub(super) type Clear = Result<bool, Doubt>;
+
+/// Why it is not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Doubt {
+    /// None does, by numbers that may have been rounded.
+    SeemsToMeet,
+    Unknown,
 }
 
 /// A triangle in the frame of a box.
@@ -129,6 +153,12 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
             Q::new([qx, qy, qz, rx]),
             Q::new([before[1], before[2], before[3], before[3]]),
         ];
+        Self::of_rows(v)
+    }
+
+    /// Of vertices that are rows.
+    #[inline(always)]
+    pub(super) fn of_rows(v: [Q; 3]) -> Self {
         let e = [Edge::new(v[1] - v[0]), Edge::new(v[2] - v[1]), Edge::new(v[0] - v[2])];
         let product = e[0].e * e[1].turned - e[0].turned * e[1].e;
         Self {
@@ -184,30 +214,6 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
         }
     }
 
-    /// Whether an axis separates the triangle from the box with this centre and these
-    /// half-extents, if that is clear. From `limit` on a coordinate may have been rounded.
-    #[inline(always)]
-    pub(super) fn apart_by_center(
-        &self,
-        limit: Option<Q::Lane>,
-        center: Q,
-        half: Q,
-    ) -> Option<bool> {
-        if !self.are_within(limit, center, half) {
-            return None;
-        }
-        self.apart(&self.in_frame_of_center(center, half))
-    }
-
-    /// The same for the box with these corners.
-    #[inline(always)]
-    pub(super) fn apart_by_corners(&self, limit: Option<Q::Lane>, min: Q, max: Q) -> Option<bool> {
-        if !self.are_within(limit, min, max) {
-            return None;
-        }
-        self.apart(&self.in_frame_of_corners(min, max))
-    }
-
     /// How far apart the two are on the normal.
     #[inline(always)]
     pub(super) fn plane(&self, frame: &InFrame<Q>) -> Q::Lane {
@@ -228,33 +234,50 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
         [gap(0), gap(1), gap(2)]
     }
 
-    /// Whether an axis separates, if that is clear: without a branch but the one on doubt, where
-    /// there are vectors. Which axis it is, if any, is as good as random, and a wrong guess costs
-    /// as much as half of all the axes.
     #[inline(always)]
-    fn apart(&self, frame: &InFrame<Q>) -> Option<bool> {
+    fn apart(&self, frame: &InFrame<Q>) -> Clear {
+        if !Q::IS_VECTOR && frame.apart != 0 {
+            return Ok(true);
+        }
+        match error_bound(largest(frame.size)) {
+            Some(bound) => self.apart_by_bounds(frame, bound, bound),
+            None => Err(Doubt::Unknown),
+        }
+    }
+
+    /// Whether an axis separates, if that is clear: by more than one bound, or none by less than the
+    /// other. Without a branch but the one on doubt, where there are vectors: which axis it is, if
+    /// any, is as good as random, and a wrong guess costs as much as half of all the axes.
+    #[inline(always)]
+    pub(super) fn apart_by_bounds(
+        &self,
+        frame: &InFrame<Q>,
+        beyond: ErrorBound<Filtered<Q::Lane>>,
+        below: ErrorBound<Filtered<Q::Lane>>,
+    ) -> Clear {
         // Four bits each, three of axes and the last of the plane.
         let (mut apart, mut meets) = (frame.apart, frame.meets);
-        if !Q::IS_VECTOR && apart != 0 {
-            return Some(true);
-        }
-        let bound = error_bound::<Filtered<Q::Lane>>(largest(frame.size))?;
-
         // Of most boxes near a triangle it is the plane that misses them.
         let plane = self.plane(frame);
-        apart |= u32::from(plane > bound.plane) << 3;
-        meets |= u32::from(plane < -bound.plane) << 3;
+        apart |= u32::from(plane > beyond.plane) << 3;
+        meets |= u32::from(plane < -below.plane) << 3;
         if !Q::IS_VECTOR && apart != 0 {
-            return Some(true);
+            return Ok(true);
         }
 
         let [a, b, c] = self.edges(frame);
         let most = a.greatest(b).greatest(c);
-        apart |= most.exceeds(Q::splat(bound.edge)) & THREE;
-        meets &= Q::splat(-bound.edge).exceeds(most) | !THREE;
+        apart |= most.exceeds(Q::splat(beyond.edge)) & THREE;
+        meets &= Q::splat(-below.edge).exceeds(most) | !THREE;
 
         // One comparison: of a condition that is made of two the compiler makes two branches.
-        if meets + (apart << 4) < 0b1111 { None } else { Some(apart != 0) }
+        if meets + (apart << 4) < 0b1111 {
+            let zero = Q::Lane::ZERO;
+            let seems_apart = plane > zero || most.exceeds(Q::splat(zero)) & THREE != 0;
+            Err(if seems_apart { Doubt::Unknown } else { Doubt::SeemsToMeet })
+        } else {
+            Ok(apart != 0)
+        }
     }
 }
 

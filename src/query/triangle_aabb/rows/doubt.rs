@@ -1,9 +1,11 @@
 //! What the kernel in floats leaves in doubt at first: which axes may separate, and whether rounding
 //! has any part in it.
 
-use super::{InFrame, Rows, largest, row, zeros};
+use super::{Doubt, InFrame, Rows, largest, row, zeros};
 use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE};
 use crate::query::triangle_aabb::error_bound::error_bound;
+use crate::query::triangle_aabb::offsets;
+use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle};
 
@@ -24,7 +26,12 @@ enum Apart {
 pub(super) fn pair<S: Scalar + InFloat<F>, F: Float>(
     triangle: &Triangle<S>,
     aabb: Aabb<S>,
+    doubt: Doubt,
 ) -> Option<bool> {
+    note(Stage::Look);
+    if doubt == Doubt::SeemsToMeet && offsets::are_exact(triangle, &aabb) {
+        return Some(false);
+    }
     let rows = Rows::<F::Quad>::of(triangle);
     let (p, q, frame) = match aabb.form() {
         AabbForm::Center { center, half } => {

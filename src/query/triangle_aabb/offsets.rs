@@ -1,0 +1,152 @@
+//! The first look at a pair in vectors of `f32`, whatever the scalar: at its coordinates in the frame
+//! of the box, each rounded once.
+//!
+//! Far from the origin it is as good as near to it. `f64` has half the vectors, and integers that are
+//! longer than the digits of `f32` none whose products they hold.
+
+use super::error_bound::{coarse_bound, offset_bound};
+use super::rows::{Clear, Doubt, InFrame, Rows, largest};
+use crate::arithmetic::{Float, OfFour, Quad, THREE};
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, AabbForm, Triangle};
+
+/// What it is done in.
+pub(super) type ForOffsets = <f32 as OfFour>::Quad;
+
+/// Whether one of the 13 axes separates, if that is clear; if `COARSE`, by so much that it does when
+/// coordinates are cut down (`conservative.rs`).
+#[inline(always)]
+pub(super) fn pair<S: Scalar, const COARSE: bool>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> Clear {
+    match *aabb.form() {
+        AabbForm::Center { center: c, half: h } => {
+            by_center::<S, COARSE>(triangle, c.x, c.y, c.z, h.x, h.y, h.z)
+        }
+        AabbForm::Corners { min: a, max: b } => {
+            by_corners::<S, COARSE>(triangle, a.x, a.y, a.z, b.x, b.y, b.z)
+        }
+    }
+}
+
+#[allow(clippy::too_many_arguments)] // each in a register
+#[inline(never)]
+pub(super) fn by_center<S: Scalar, const COARSE: bool>(
+    triangle: &Triangle<S>,
+    cx: S,
+    cy: S,
+    cz: S,
+    hx: S,
+    hy: S,
+    hz: S,
+) -> Clear {
+    let ([a, b, c], center, half) = (triangle.points(), [cx, cy, cz], [hx, hy, hz]);
+    if !S::have_offsets(&[a, b, c, center, half]) {
+        return Err(Doubt::Unknown);
+    }
+    apart::<COARSE>(of_center(triangle, center, half))
+}
+
+#[allow(clippy::too_many_arguments)] // each in a register
+#[inline(never)]
+pub(super) fn by_corners<S: Scalar, const COARSE: bool>(
+    triangle: &Triangle<S>,
+    ax: S,
+    ay: S,
+    az: S,
+    bx: S,
+    by: S,
+    bz: S,
+) -> Clear {
+    let ([a, b, c], min, max) = (triangle.points(), [ax, ay, az], [bx, by, bz]);
+    if !S::have_offsets(&[a, b, c, min, max]) {
+        return Err(Doubt::Unknown);
+    }
+    apart::<COARSE>(of_corners(triangle, min, max))
+}
+
+/// Whether the coordinates are whole multiples of so great a unit that nothing above was rounded.
+///
+/// Lengths are below 2·P with P the power of two below their size. In units of P/32, which
+/// [`Offset::are_multiples`] vouches for, the greatest sum of six products of three of them is below
+/// 48·P³, 2^20.6, and the half of an area needs one bit more.
+#[inline(always)]
+pub(super) fn are_exact<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bool {
+    let [a, b, c] = triangle.points();
+    let (p, q, frame) = match aabb.form() {
+        AabbForm::Center { center, half } => {
+            let (center, half) = (center.to_array(), half.to_array());
+            (center, half, of_center(triangle, center, half))
+        }
+        AabbForm::Corners { min, max } => {
+            let (min, max) = (min.to_array(), max.to_array());
+            (min, max, of_corners(triangle, min, max))
+        }
+    };
+    let size = largest(frame.1.size);
+    S::are_multiples(&[a, b, c, p, q], size.power_of_two_below() * 0.0625)
+}
+
+type InRows = (Rows<ForOffsets>, InFrame<ForOffsets>);
+
+#[inline(always)]
+fn of_center<S: Scalar>(triangle: &Triangle<S>, center: [S; 3], half: [S; 3]) -> InRows {
+    let from = |p: [S; 3]| row(|i| p[i].offset(center[i]));
+    in_frame(triangle.points().map(from), row(|i| half[i].offset(S::ZERO)))
+}
+
+/// All lengths are doubled.
+#[inline(always)]
+fn of_corners<S: Scalar>(triangle: &Triangle<S>, min: [S; 3], max: [S; 3]) -> InRows {
+    let from = |p: [S; 3]| row(|i| p[i].offset_of_two(min[i], max[i]));
+    in_frame(triangle.points().map(from), row(|i| max[i].offset(min[i])))
+}
+
+#[inline(always)]
+pub(super) fn row(component: impl Fn(usize) -> f32) -> ForOffsets {
+    ForOffsets::of_three([component(0), component(1), component(2)])
+}
+
+#[inline(always)]
+fn in_frame(v: [ForOffsets; 3], half: ForOffsets) -> InRows {
+    let rows = Rows::of_rows(v);
+    // Rounding keeps order, so a gap is one, but none may be one that was rounded.
+    let gap = gap(&rows);
+    let frame = InFrame {
+        v,
+        half,
+        size: half + (rows.high - rows.low),
+        apart: gap.exceeds(half) & THREE,
+        meets: half.exceeds(gap) & THREE,
+    };
+    (rows, frame)
+}
+
+/// The size of the shapes, if products of it are numbers of `f32`. An offset that `f32` does not hold
+/// is infinite, and the difference of two no number.
+#[inline(always)]
+pub(super) fn size_in_range(frame: &InFrame<ForOffsets>) -> Option<f32> {
+    let (least, most) = <f32 as Float>::RANGE;
+    let size = largest(frame.size);
+    let are_below = ForOffsets::splat(most).exceeds(frame.size) & THREE == THREE;
+    (are_below & (size > least)).then_some(size)
+}
+
+/// How far a triangle in the frame of a box is beside the middle of it.
+#[inline(always)]
+fn gap(rows: &Rows<ForOffsets>) -> ForOffsets {
+    rows.low.greatest(ForOffsets::splat(0.0) - rows.high)
+}
+
+#[inline(always)]
+fn apart<const COARSE: bool>((rows, mut frame): InRows) -> Clear {
+    let Some(size) = size_in_range(&frame) else { return Err(Doubt::Unknown) };
+    let bound = offset_bound(size);
+    if !COARSE {
+        return rows.apart_by_bounds(&frame, bound, bound);
+    }
+    let (face, beyond) = coarse_bound(size);
+    frame.apart = gap(&rows).exceeds(frame.half + ForOffsets::splat(face)) & THREE;
+    rows.apart_by_bounds(&frame, beyond, bound)
+}
+
+#[cfg(all(test, feature = "fixed"))]
+mod tests;

@@ -1,0 +1,157 @@
+//! What is computed by offsets, beside whole numbers of 128 bits.
+
+use fixed::types::I32F32;
+
+use super::*;
+use crate::query::triangle_aabb::PreparedTriangle;
+
+/// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, "Fast Splittable Pseudorandom Number
+/// Generators", OOPSLA 2014).
+fn random(state: &mut u64) -> u64 {
+    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let z = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
+
+/// Three vertices, centre and half-extents, in units.
+type Pair = [[i64; 3]; 5];
+
+/// Shapes of `bits` bits, about as far from the origin as is allowed, or near it. All coordinates
+/// are even, so that corners by which a box is given have a whole centre.
+fn pair(state: &mut u64, bits: u32, is_far: bool) -> Pair {
+    let far = if is_far { (1_i64 << 48) + 2 * (random(state) % 1_000) as i64 } else { 0 };
+    let mut number = || 2 * ((random(state) >> (65 - bits)) as i64 - (1 << (bits - 2)));
+    let [a, b, c, center, half] = [(); 5].map(|()| [(); 3].map(|()| number()));
+    let placed = |p: [i64; 3]| p.map(|x| x + far);
+    [placed(a), placed(b), placed(c), placed(center), half.map(i64::abs)]
+}
+
+/// The gaps, doubled, of the nine edge axes in the order of the kernel, and of the plane.
+fn truth([a, b, c, center, half]: Pair) -> ([[i128; 3]; 3], i128) {
+    let minus = |p: [i64; 3], q: [i64; 3]| [0, 1, 2].map(|i| i128::from(p[i] - q[i]));
+    let (v, h) = ([a, b, c].map(|p| minus(p, center)), half.map(i128::from));
+    let e = [minus(b, a), minus(c, b), minus(a, c)];
+    let cross = |p: [i128; 3], q: [i128; 3]| {
+        [0, 1, 2].map(|i| p[(i + 1) % 3] * q[(i + 2) % 3] - p[(i + 2) % 3] * q[(i + 1) % 3])
+    };
+    let dot = |p: [i128; 3], q: [i128; 3]| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+    let n = cross(e[0], e[1]);
+    let edges = [0, 1, 2].map(|k| {
+        let p = cross(e[k], v[k]);
+        // A row of the kernel has (z, x, y).
+        [2, 0, 1].map(|i| {
+            let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+            let r = h[j] * e[k][l].abs() + h[l] * e[k][j].abs();
+            (2 * p[i] + n[i]).abs() - n[i].abs() - 2 * r
+        })
+    });
+    (edges, 2 * (dot(n, v[0]).abs() - dot(n.map(i128::abs), h)))
+}
+
+/// What the kernel finds, doubled and in units: rows, frame, and by how much all lengths are greater.
+fn check(pair: Pair, (rows, frame): &InRows, scale: f64, reached: &mut [f64; 2]) {
+    let bound = offset_bound(size_in_range(frame).unwrap());
+    let (edges, plane) = truth(pair);
+    let found = rows.edges(frame).map(Quad::three);
+    for (found, truth) in found.as_flattened().iter().zip(edges.as_flattened()) {
+        let error = f64::from(*found) - *truth as f64 / 2.0 * scale * scale;
+        reached[0] = reached[0].max(error.abs() / f64::from(bound.edge));
+    }
+    let error = f64::from(rows.plane(frame)) - plane as f64 / 2.0 * scale * scale * scale;
+    reached[1] = reached[1].max(error.abs() / f64::from(bound.plane));
+}
+
+fn shapes<S: Scalar>(pair: Pair, scalar: impl Fn(i64) -> S) -> (Triangle<S>, [Aabb<S>; 2]) {
+    let [a, b, c, center, half] = pair;
+    let point = |p: [i64; 3]| p.map(&scalar);
+    let corner = |sign: i64| point([0, 1, 2].map(|i| center[i] + sign * half[i]));
+    let by_center = Aabb::from_center_half_extents(point(center), point(half)).unwrap();
+    let by_corners = Aabb::from_min_max(corner(-1), corner(1)).unwrap();
+    (Triangle::new(point(a), point(b), point(c)).unwrap(), [by_center, by_corners])
+}
+
+/// The greatest errors on an edge axis and on the plane, in bounds. `scale`: what a unit is.
+fn errors<S: Scalar>(bits: u32, is_far: bool, scale: f64, scalar: fn(i64) -> S) -> [f64; 2] {
+    let (state, mut reached) = (&mut u64::from(bits), [0.0; 2]);
+    for _ in 0..4_000 {
+        let pair = pair(state, bits, is_far);
+        let (triangle, [by_center, by_corners]) = shapes(pair, scalar);
+        let (AabbForm::Center { center, half }, AabbForm::Corners { min, max }) =
+            (by_center.form(), by_corners.form())
+        else {
+            unreachable!()
+        };
+        let of_center = of_center(&triangle, center.to_array(), half.to_array());
+        let of_corners = of_corners(&triangle, min.to_array(), max.to_array());
+        // The bounds are about shapes that no face separates.
+        if of_center.1.apart != 0 {
+            continue;
+        }
+        check(pair, &of_center, scale, &mut reached);
+        check(pair, &of_corners, 2.0 * scale, &mut reached);
+        let prepared = PreparedTriangle::new(&triangle);
+        let rows = prepared.rows.unwrap();
+        for aabb in [by_center, by_corners] {
+            let frame = prepared.in_frame(&rows, &aabb).unwrap();
+            check(pair, &(rows, frame), scale, &mut reached);
+        }
+    }
+    reached
+}
+
+#[test]
+fn no_error_exceeds_its_bound() {
+    if !<f64 as crate::scalar::Backend>::IN_QUADS {
+        return;
+    }
+    for bits in [4, 8, 12, 20, 30, 40] {
+        for is_far in [false, true] {
+            let in_doubles = errors(bits, is_far, 1.0 / 16_777_216.0, |x| x as f64 / 16_777_216.0);
+            let in_fixed_point = errors(bits, is_far, 1.0 / 16_777_216.0, I32F32::from_bits);
+            for [edge, plane] in [in_doubles, in_fixed_point] {
+                assert!(edge <= 1.0 && plane <= 1.0, "{bits} {is_far} {edge} {plane}");
+                // Worst cases of all roundings never meet, but something was rounded.
+                assert!(bits < 20 || edge > 0.02 && plane > 0.005, "{bits} {edge} {plane}");
+            }
+        }
+    }
+}
+
+/// On a grid that is coarse enough, nothing was rounded.
+#[test]
+fn what_is_exact_is_exact() {
+    let (state, mut exact) = (&mut 1, 0);
+    for case in 0..40_000 {
+        let mut pair = pair(state, 7, false);
+        // Units of which some are too small.
+        let unit = 1 << (case % 5);
+        pair.as_flattened_mut().iter_mut().for_each(|x| *x = *x / unit * unit);
+        let scale = [1.0, 1.0 / 1024.0][case % 2];
+        let (triangle, boxes) = shapes(pair, |x| x as f64 * scale);
+        let found = boxes.map(|aabb| are_exact(&triangle, &aabb));
+        for (found, aabb) in found.iter().zip(&boxes) {
+            let (rows, frame, scale) = match aabb.form() {
+                AabbForm::Center { center, half } => {
+                    let (rows, frame) = of_center(&triangle, center.to_array(), half.to_array());
+                    (rows, frame, scale)
+                }
+                AabbForm::Corners { min, max } => {
+                    let (rows, frame) = of_corners(&triangle, min.to_array(), max.to_array());
+                    (rows, frame, 2.0 * scale)
+                }
+            };
+            if *found && largest(frame.size) > 0.0 {
+                exact += 1;
+                let (edges, plane) = truth(pair);
+                let found = rows.edges(&frame).map(Quad::three);
+                for (found, truth) in found.as_flattened().iter().zip(edges.as_flattened()) {
+                    assert!(f64::from(*found) == *truth as f64 / 2.0 * scale * scale);
+                }
+                let plane = plane as f64 / 2.0 * scale * scale * scale;
+                assert!(f64::from(rows.plane(&frame)) == plane);
+            }
+        }
+    }
+    assert!((10_000..70_000).contains(&exact), "{exact}");
+}
