@@ -56,7 +56,7 @@ impl FirstFloat for f64 {
 }
 
 macro_rules! same {
-    ($($scalar:ty => $float:ty, $offsets:literal)*) => {$(
+    ($($scalar:ty => $float:ty, $offsets:expr;)*) => {$(
         impl InFloat<$float> for $scalar {
             const OFFSETS_FIRST: bool = $offsets;
             const LIMIT: Option<$float> = None;
@@ -68,7 +68,7 @@ macro_rules! same {
         }
     )*};
 }
-same! { f32 => f32, false  f32 => f64, false  f64 => f64, true }
+same! { f32 => f32, false; f32 => f64, false; f64 => f64, !cfg!(target_feature = "avx"); }
 
 /// By their raw bits.
 #[cfg(feature = "fixed")]
