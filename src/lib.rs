@@ -51,6 +51,7 @@
 //! | ray, box | [`overlaps`][ray-aabb], [`t_range`](Ray::t_range) | [`may_overlap`][ray-aabb] |
 //! | ray or segment, oriented box | [`overlaps`][ray-obb], [`t_range_obb`](Ray::t_range_obb) | [`may_overlap`][ray-obb] |
 //! | triangle, many boxes | [`PreparedTriangle::overlaps`](prepared::PreparedTriangle::overlaps) | |
+//! | many rays, many triangles | [`HitRay::hit`](prepared::HitRay::hit), [`HitRay::is_hit`](prepared::HitRay::is_hit) | |
 //! | ray, many boxes | [`PreparedRay::overlaps`](prepared::PreparedRay::overlaps) | [`SlabRay::may_overlap`](published::slabs::SlabRay::may_overlap) |
 //! | point, box or triangle | [`Aabb::contains`], [`Obb::contains`], [`Triangle::contains`] | |
 //! | ray, triangle | [`hit`](Ray::hit), [`is_hit`](Ray::is_hit), [`hit_once`](Ray::hit_once), [`hit_with`](Ray::hit_with); [`compare_hits`](Ray::compare_hits) | |

@@ -13,4 +13,4 @@
 //! # Ok::<(), septum::ShapeError>(())
 //! ```
 
-pub use crate::query::{PreparedRay, PreparedTriangle};
+pub use crate::query::{HitRay, HitTriangle, PreparedRay, PreparedTriangle};

@@ -1,7 +1,7 @@
 //! Questions that are asked about every fourth case.
 
 use septum::lanes::{Aabbs, CellTriangle, Cells, Rays, Triangles};
-use septum::prepared::PreparedRay;
+use septum::prepared::{HitRay, HitTriangle, PreparedRay};
 use septum::published;
 use septum::published::akenine_moller::Order;
 use septum::published::slabs::SlabRay;
@@ -54,6 +54,8 @@ pub(super) fn crossings<S: Draw, A: Answers>(
     aabbs: [&Aabb<S>; 2],
     answers: &mut A,
 ) {
+    let of_hits = (HitRay::new(ray), HitTriangle::new(triangle));
+    answers.to(Query::RayTrianglePrepared).hit(of_hits.0.hit(&of_hits.1));
     for rules in [
         HitRules::new().culling(Cull::Back),
         HitRules::new().culling(Cull::Front),
@@ -61,6 +63,7 @@ pub(super) fn crossings<S: Draw, A: Answers>(
     ] {
         answers.to(Query::RayTriangleRules).hit(ray.hit_with(triangle, rules));
         answers.to(Query::RayTriangleIsRules).yes(ray.is_hit_with(triangle, rules));
+        answers.to(Query::RayTrianglePrepared).yes(of_hits.0.is_hit_with(&of_hits.1, rules));
     }
     for cull in [Cull::Nothing, Cull::Front] {
         let t = published::stored_normal::t(
@@ -87,6 +90,7 @@ pub(super) fn crossings<S: Draw, A: Answers>(
     for (from, to) in [(None, hit), (Some(min.x), Some(max.x)), (Some(min.y), None)] {
         let Ok(limited) = (*ray).with_range(from, to) else { continue };
         answers.to(Query::RayTriangleLimited).hit(limited.hit(triangle));
+        answers.to(Query::RayTrianglePrepared).yes(HitRay::new(&limited).is_hit(&of_hits.1));
         let prepared = PreparedRay::new(&limited);
         for aabb in aabbs {
             answers.to(Query::RayAabbPrepared).yes(prepared.overlaps(aabb));

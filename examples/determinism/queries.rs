@@ -120,4 +120,5 @@ queries! {
     TriangleAabbs = "triangle/4 aabbs overlaps",
     TriangleCells = "triangle/4 cells overlaps",
     TrianglesAabb = "4 triangles/aabb overlaps",
+    RayTrianglePrepared = "ray/triangle prepared",
 }

@@ -10,7 +10,7 @@ use crate::contact::{Contact, Point, Translation};
 use crate::lanes::{
     Aabbs, CellTriangle, Cells, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles,
 };
-use crate::prepared::{PreparedRay, PreparedTriangle};
+use crate::prepared::{HitRay, HitTriangle, PreparedRay, PreparedTriangle};
 use crate::published::projected::ProjectedTriangle;
 use crate::published::slabs::SlabRay;
 use crate::published::slopes::SlopeRay;
@@ -114,6 +114,8 @@ formats! {
     NormalTriangle: |t, to| write!(to, "NormalTriangle {{ normal: {}, .. }}", t.normal());
     ProjectedTriangle: |_t, to| write!(to, "ProjectedTriangle {{ .. }}");
     ShearedRay: |sheared, to| write!(to, "ShearedRay {{ ray: {}, .. }}", sheared.ray);
+    HitRay: |prepared, to| write!(to, "HitRay {{ {} }}", prepared.ray());
+    HitTriangle: |prepared, to| write!(to, "HitTriangle {{ {} }}", prepared.triangle());
     PreparedRay: |prepared, to| write!(to, "PreparedRay {{ {} }}", prepared.ray());
     PreparedTriangle: |prepared, to| {
         write!(to, "PreparedTriangle {{ {} }}", prepared.triangle())

@@ -2,7 +2,7 @@
 
 use super::{Hits, Triangles};
 use crate::arithmetic::{Embeds, Filtered};
-use crate::query::{Candidate, clear_hit, clear_refined_hit};
+use crate::query::{Candidate, clear_hit, clear_refined_hit, clearly_misses};
 use crate::robust::{Clue, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::Ray;
@@ -56,6 +56,33 @@ impl<S: Scalar, const N: usize> Predicate<S> for CrossesEach<'_, S, N> {
 }
 
 impl<S: Scalar, const N: usize> CrossesEach<'_, S, N> {
+    /// Where all but a few are clear misses by the scalar's first float: those few one by one.
+    /// Of 64 bits, whose numbers are dear: those of shorter ones cost less than to look twice.
+    #[inline(always)]
+    fn few(&self) -> Option<Hits<S, N>> {
+        if !S::IN_QUADS || size_of::<S>() < size_of::<f64>() {
+            return None;
+        }
+        let mut misses = [false; N];
+        for k in 0..N {
+            misses[k] = clearly_misses(self.ray, self.triangles.at(k));
+        }
+        let mut left = 0;
+        for k in 0..N {
+            left += usize::from(!misses[k]);
+        }
+        if 4 * left > N {
+            return None;
+        }
+        let mut hits = Hits::each(|_| Candidate::none());
+        for k in 0..N {
+            if !misses[k] {
+                hits.set(k, self.one(k));
+            }
+        }
+        Some(hits)
+    }
+
     /// What is found on each, and whether that is certain.
     #[inline(always)]
     fn each(&self, find: impl Fn([[S; 3]; 3]) -> (bool, Candidate<S>)) -> (Hits<S, N>, [bool; N]) {
@@ -98,11 +125,14 @@ impl<S: Scalar, const N: usize> Triangles<S, N> {
     /// *Panics*: never. *Cost*: less than one by one where `f64` has vectors, for scalars of up to
     /// 32 bits and `f64`, and rays with the range t ≥ 0.
     /// Of others only misses of the whole line are found at once. Triangles whose edges
-    /// the ray comes too near, and 64 bits, go one by one.
+    /// the ray comes too near, and hits of 64 bits where they are few, go one by one.
     #[inline]
     #[must_use]
     pub fn hit(&self, ray: &Ray<S>) -> Hits<S, N> {
-        S::evaluate_numeric(&CrossesEach { ray, triangles: self })
+        let question = CrossesEach { ray, triangles: self };
+        question
+            .few()
+            .or_else(|| S::evaluate_numeric(&question))
             .unwrap_or_else(|| Hits::each(|_| Candidate::none()))
     }
 }

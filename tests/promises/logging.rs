@@ -14,7 +14,7 @@ use septum::lanes::{
     Aabbs, CellTriangle, Cells, Hits, NormalTriangles, Ranges, Rays, SlabRays, Triangles,
 };
 use septum::polygon::Polygon;
-use septum::prepared::{PreparedRay, PreparedTriangle};
+use septum::prepared::{HitRay, HitTriangle, PreparedRay, PreparedTriangle};
 use septum::published::akenine_moller::Order;
 use septum::published::projected::ProjectedTriangle;
 use septum::published::slabs::SlabRay;
@@ -116,6 +116,7 @@ fn every_shape_and_answer_can_be_logged() {
         can::<(Triangles<S, 4>, NormalTriangles<S, 4>, Rays<S, 4>, Aabbs<S, 4>)>();
         can::<(Hits<S, 4>, Ranges<S, 4>, SlabRays<S, 4>)>();
         can::<(Cells<S, 4>, CellTriangle<S>)>();
+        can::<(HitRay<S>, HitTriangle<S>)>();
         can::<(Translation<S>, Point<S>, Contact<S>)>();
         can::<(Motion<S>, FirstContact<S>)>();
     }

@@ -5,6 +5,7 @@ use core::cmp::Ordering;
 
 use fixed::types::{I1F15, I4F4, I16F0, I33F31};
 use proptest::prelude::*;
+use septum::prepared::{HitRay, HitTriangle};
 use septum::{Cull, Facing, Feature, HitRules};
 use septum_kit::rays::{RayCase, RaySet, crossing};
 use septum_kit::{Rng, Sample, for_every_scalar};
@@ -17,17 +18,27 @@ fn check<S: Sample>(case: &RayCase<S>) {
     let hit = ray.hit(&triangle);
     assert_eq!(hit.as_ref().map(met), expected, "{case:?}");
     assert_eq!(ray.is_hit(&triangle), expected.is_some(), "hits: {case:?}");
+    let prepared = (HitRay::new(&ray), HitTriangle::new(&triangle));
+    assert_eq!(prepared.0.hit(&prepared.1), hit, "prepared: {case:?}");
+    assert_eq!(prepared.0.is_hit(&prepared.1), hit.is_some(), "prepared: {case:?}");
 
     for (cull, kept) in [(Cull::Back, Facing::Front), (Cull::Front, Facing::Back)] {
         let rules = HitRules::new().culling(cull);
         let expected = hit.filter(|hit| hit.facing == kept);
         assert_eq!(ray.hit_with(&triangle, rules), expected, "{cull:?}: {case:?}");
         assert_eq!(ray.is_hit_with(&triangle, rules), expected.is_some(), "{cull:?}: {case:?}");
+        let is_hit = prepared.0.is_hit_with(&prepared.1, rules);
+        assert_eq!(is_hit, expected.is_some(), "prepared, {cull:?}: {case:?}");
+        let hit = prepared.0.hit_with(&prepared.1, rules);
+        assert_eq!(hit, expected, "prepared, {cull:?}: {case:?}");
     }
 
     // What counts once is a hit; a hit that is in contact with nothing counts.
     let once = ray.hit_once(&triangle);
-    assert_eq!(once.is_some(), ray.is_hit_with(&triangle, HitRules::new().once()), "{case:?}");
+    let rules = HitRules::new().once();
+    assert_eq!(once.is_some(), ray.is_hit_with(&triangle, rules), "{case:?}");
+    assert_eq!(once, prepared.0.hit_with(&prepared.1, rules), "prepared, once: {case:?}");
+    assert_eq!(once.is_some(), prepared.0.is_hit_with(&prepared.1, rules), "{case:?}");
     assert!(once.is_none() || once == hit, "once: {case:?}");
     if let Some(truth) = truth {
         let is_end = |end: Option<S>| end.is_some_and(|x| truth.t.compare(x) == Ordering::Equal);

@@ -1,5 +1,6 @@
 //! Our methods that take a ray and a triangle as they are, in any scalar.
 
+use septum::prepared::{HitRay, HitTriangle};
 use septum::published;
 use septum::{Cull, Hit, Ray, Scalar, Triangle};
 
@@ -20,6 +21,16 @@ fn exact_once<S: Scalar>(r: &Ray<S>, t: &Triangle<S>) -> Option<Hit<S>> {
 
 #[inline(never)]
 fn exact_verdict<S: Scalar>(r: &Ray<S>, t: &Triangle<S>) -> bool {
+    r.is_hit(t)
+}
+
+#[inline(never)]
+fn prepared<S: Scalar>(r: &HitRay<S>, t: &HitTriangle<S>) -> Option<Hit<S>> {
+    r.hit(t)
+}
+
+#[inline(never)]
+fn prepared_verdict<S: Scalar>(r: &HitRay<S>, t: &HitTriangle<S>) -> bool {
     r.is_hit(t)
 }
 
@@ -47,10 +58,13 @@ pub fn course_by<S: Scalar>(
 
 /// The exact methods, and the one that everyone has, in one scalar.
 pub fn ours<S: Scalar>(course: &Course<Ray<S>, Triangle<S>>) -> Vec<Candidate> {
+    let ready = course.prepared("both prepared", |p| p.map(HitRay::new, HitTriangle::new));
     vec![
         course.candidate("exact hit", Promise::Exact, exact),
         course.candidate("exact is_hit", Promise::Exact, exact_verdict),
         course.candidate("exact hit_once", Promise::NeverInvents, exact_once),
+        ready.candidate("exact hit, prepared", Promise::Exact, prepared),
+        ready.candidate("exact is_hit, prepared", Promise::Exact, prepared_verdict),
         course.candidate("Möller–Trumbore", Promise::Nothing, moller_trumbore),
     ]
 }

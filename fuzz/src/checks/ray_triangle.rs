@@ -1,5 +1,6 @@
 //! Ray against triangle: verdicts, t, u, v, facing and feature, by every rule.
 
+use septum::prepared::{HitRay, HitTriangle};
 use septum::published;
 use septum::published::stored_normal::NormalTriangle;
 use septum::{Cull, HitRules};
@@ -42,6 +43,7 @@ impl Check for RayTriangle {
 
         // Bits and all: nothing but verdicts depends on the rules.
         let once = counts_once(&case);
+        let prepared = (HitRay::new(&ray), HitTriangle::new(&triangle));
         for cull in [Cull::Nothing, Cull::Back, Cull::Front] {
             let kept = hit.filter(|hit| cull.keeps(hit.facing));
             let rules = HitRules::new().culling(cull);
@@ -49,6 +51,10 @@ impl Check for RayTriangle {
                 assert_eq!(ray.hit_with(&triangle, rules), expected, "{} {rules:?}", told("hit"));
                 let hits = ray.is_hit_with(&triangle, rules);
                 assert_eq!(hits, expected.is_some(), "{} {rules:?}", told("hits"));
+                let hit = prepared.0.hit_with(&prepared.1, rules);
+                assert_eq!(hit, expected, "{} {rules:?}", told("prepared"));
+                let hits = prepared.0.is_hit_with(&prepared.1, rules);
+                assert_eq!(hits, expected.is_some(), "{} {rules:?}", told("prepared"));
             }
         }
         assert_eq!(ray.hit_once(&triangle).is_some(), once, "{}", told("hit_once"));

@@ -16,7 +16,7 @@ use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 
 use crate::arithmetic::{REGISTERS_ARE_WIDE, SMALL_CODE};
 use crate::contact::contact;
-use crate::query::{Motion, PreparedRay, PreparedTriangle, Relate, Sweep};
+use crate::query::{HitRay, HitTriangle, Motion, PreparedRay, PreparedTriangle, Relate, Sweep};
 use crate::robust::escalations;
 use crate::scalar::{Backend, Scalar};
 use crate::shape::{Aabb, Obb, Plane, Ray, Segment, Triangle};
@@ -95,7 +95,7 @@ fixed_point! {
 /// How often each question escalates: past the first look, a filter, a stage for narrow registers; and how often it arrives at the exact sums. Of contacts, how many
 /// directions floats leave to those.
 fn rows<S: Sample>(scalar: &str, to: &mut String) {
-    const QUESTIONS: [&str; 27] = [
+    const QUESTIONS: [&str; 28] = [
         "triangle/aabb",
         "separating axis",
         "triangle/obb",
@@ -123,6 +123,7 @@ fn rows<S: Sample>(scalar: &str, to: &mut String) {
         "contact with a box",
         "contact, turned box",
         "triangle prepared",
+        "both prepared is_hit",
     ];
     let mut counts = [[0; 4]; QUESTIONS.len()];
     let mut rng = Rng(0x5e97_0a11);
@@ -185,6 +186,7 @@ fn rows<S: Sample>(scalar: &str, to: &mut String) {
         if let Ok(ray) = Ray::new(o, d) {
             ask(8, &|| _ = ray.is_hit(&triangle));
             ask(9, &|| _ = ray.hit(&triangle));
+            ask(27, &|| _ = HitRay::new(&ray).is_hit(&HitTriangle::new(&triangle)));
         }
     }
     for (question, [numeric, filter, narrow, exact]) in QUESTIONS.iter().zip(counts) {
@@ -253,6 +255,31 @@ fn a_triangle_and_a_box_are_hardly_ever_in_doubt() {
     // Where there are no vectors, other kernels are asked.
     if REGISTERS_ARE_WIDE && !SMALL_CODE && <I16F16 as Backend>::IN_QUADS {
         assert_eq!(found, [[1, 1, 1, 1], [2, 2, 3, 2]]);
+    }
+}
+
+/// Random rays and triangles, both prepared: likewise. The bound is by the distance from the origin.
+#[test]
+fn a_ray_and_a_triangle_are_seldom_in_doubt() {
+    fn count<S: Sample>() -> u32 {
+        let mut doubts = 0;
+        let mut rng = Rng(0x6a11);
+        let mut point = || [(); 3].map(|()| S::sample(&mut rng, 1));
+        let mut shapes = || {
+            let ray = HitRay::new(&Ray::new(point(), point()).unwrap());
+            let triangle = Triangle::new(point(), point(), point()).unwrap();
+            (ray, HitTriangle::new(&triangle))
+        };
+        for _ in 0..100_000 {
+            let (ray, triangle) = shapes();
+            let [past_the_first, ..] = escalations(|| _ = ray.is_hit(&triangle));
+            doubts += past_the_first;
+        }
+        doubts
+    }
+    let found = [count::<f32>(), count::<f64>(), count::<I16F16>(), count::<I32F32>()];
+    if REGISTERS_ARE_WIDE && !SMALL_CODE {
+        assert_eq!(found, [1; 4]);
     }
 }
 

@@ -4,7 +4,8 @@
 use super::Candidate;
 use super::crossing::{Crossing, Setting};
 use super::residual::Numbers;
-use crate::arithmetic::{Embeds, Filtered, Number};
+use super::rows::{First, first};
+use crate::arithmetic::{Embeds, Filtered, Number, greatest, largest, least};
 use crate::scalar::Scalar;
 use crate::shape::Ray;
 
@@ -61,4 +62,23 @@ where
     let (rounded, are_good) = numbers.rounded::<S>();
     let found = Candidate::new(hit & are_good, rounded, det > 0.0, [false; 3]);
     (is_known & certain & (are_good | !hit), found)
+}
+
+/// Whether the ray misses a triangle for certain, by the scalar's first float.
+#[inline(always)]
+pub(crate) fn clearly_misses<S: Scalar>(ray: &Ray<S>, [a, b, c]: [[S; 3]; 3]) -> bool {
+    let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
+    let [a, b, c, o, d] = [first(a), first(b), first(c), first(o), first(d)];
+    let is_held = S::FIRST_LIMIT.is_none_or(|limit| {
+        let is_held = |p: &[First<S>; 3]| largest(p) < limit;
+        is_held(&a) & is_held(&b) & is_held(&c) & is_held(&o) & is_held(&d)
+    });
+    let (crossing, is_known) =
+        Setting::new(&[a, b, c, o], d).crossing_if_known::<Filtered<First<S>>>();
+    let Crossing { t, sides: [w, u, v], error_bound, .. } = crossing;
+    let (low, high) = (least(least(u, v), w), greatest(greatest(u, v), w));
+    let is_ahead = ray.t_min().is_some_and(|t| t >= S::ZERO);
+    let (ahead, behind) = ((t > error_bound.t) & is_ahead, (t < -error_bound.t) & is_ahead);
+    let miss = ((low < -error_bound.sides) | behind) & ((high > error_bound.sides) | ahead);
+    is_held & is_known & miss
 }

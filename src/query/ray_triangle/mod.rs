@@ -17,14 +17,16 @@ mod narrow;
 #[cfg(feature = "fixed")]
 mod near;
 mod order;
+mod prepared;
 mod question;
 mod refined;
 mod residual;
 mod rows;
 
 pub(crate) use candidate::Candidate;
-pub(crate) use clear_hit::{clear_hit, clear_refined_hit};
+pub(crate) use clear_hit::{clear_hit, clear_refined_hit, clearly_misses};
 pub use hit::{Cull, Facing, Feature, Hit, HitRules};
+pub use prepared::{HitRay, HitTriangle};
 
 use self::question::{Crosses, Hits};
 use crate::scalar::Scalar;

@@ -2,6 +2,7 @@
 //! vertices, the crate for all six orders, in six scalars. Here, where all is optimised.
 
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
+use septum::prepared::{HitRay, HitTriangle};
 use septum::{Facing, Feature, Ray, Triangle};
 
 use super::{RayCase, Truth, crossing};
@@ -50,7 +51,8 @@ fn check<S: Sample>(vertices: &[Point; 3], ray: &Ray<S>, truth: Option<&Truth>) 
         let found = ray.hit(&triangle);
         let expected = truth.map(|truth| reordered(truth, order, n >= 3));
         let is_right = found.map(|hit| (hit.facing, hit.feature)) == expected
-            && ray.is_hit(&triangle) == expected.is_some();
+            && ray.is_hit(&triangle) == expected.is_some()
+            && HitRay::new(ray).is_hit(&HitTriangle::new(&triangle)) == expected.is_some();
         assert!(is_right, "{triangle:?}, {ray:?}: {found:?}, not {expected:?}");
     }
 }
