@@ -1,7 +1,8 @@
 /* A plugin for QEMU: weighs each instruction of a Cortex-M0 or M0+ program by Arm's tables, with
    memory that does not wait. For each call of a function whose name has `ask_all` in it, a line:
    instructions, cycles on M0 with the multiplier of one cycle and that of 32, the same on M0+.
-   A line `log` where the program logs.
+   A line `log` where the program logs. Of another machine's program, which logs by a system call,
+   only the instructions mean anything.
 
    Sources: Cortex-M0 Technical Reference Manual (DDI 0432C), table 3-1; Cortex-M0+ Technical
    Reference Manual (DDI 0484C), table 3-1. */
@@ -25,6 +26,9 @@ extern struct instruction *qemu_plugin_tb_get_insn(const struct block *, size_t)
 extern uint64_t qemu_plugin_insn_vaddr(const struct instruction *);
 extern const void *qemu_plugin_insn_data(const struct instruction *);
 extern const char *qemu_plugin_insn_symbol(const struct instruction *);
+extern void qemu_plugin_register_vcpu_syscall_cb(plugin_id, void (*)(plugin_id, unsigned, int64_t, uint64_t, uint64_t,
+                                                                     uint64_t, uint64_t, uint64_t, uint64_t, uint64_t,
+                                                                     uint64_t));
 extern void qemu_plugin_register_vcpu_insn_exec_cb(struct instruction *, void (*)(unsigned, void *), int, void *);
 
 enum { M0, M0_PLUS, CORES };
@@ -142,9 +146,16 @@ static void translated(plugin_id id, struct block *block) {
     }
 }
 
+static void called(plugin_id id, unsigned core, int64_t number, uint64_t a, uint64_t b, uint64_t c, uint64_t d,
+                   uint64_t e, uint64_t f, uint64_t g, uint64_t h) {
+    (void)id, (void)core, (void)number, (void)a, (void)b, (void)c, (void)d, (void)e, (void)f, (void)g, (void)h;
+    fprintf(stderr, "log\n");
+}
+
 __attribute__((visibility("default"))) int qemu_plugin_install(plugin_id id, const struct machine *machine, int argc,
                                                                char **argv) {
     (void)machine, (void)argc, (void)argv;
     qemu_plugin_register_vcpu_tb_trans_cb(id, translated);
+    qemu_plugin_register_vcpu_syscall_cb(id, called);
     return 0;
 }

@@ -42,7 +42,9 @@ use crate::firmware::{program, say};
 use crate::meter::Meter;
 
 /// The core that this is built for.
-const CORE: &str = if cfg!(target_arch = "riscv32") {
+const CORE: &str = if cfg!(not(target_os = "none")) {
+    "host"
+} else if cfg!(target_arch = "riscv32") {
     "RV32IMC"
 } else if cfg!(target_abi = "eabihf") {
     "Cortex-M4F"

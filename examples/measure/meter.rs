@@ -54,7 +54,8 @@ impl Meter {
         let count = |ask| self.0.count(|| ask_all(pairs, ask)).1.unwrap_or(0);
         taken.instructions += count(ask).saturating_sub(count(nothing));
         taken.queries += pairs.len() as u64;
-        let lowest = |ask| stack::lowest(&mut || ask_all(pairs, ask));
+        // Not the last thing that is done: who counts from outside waits for the way back.
+        let lowest = |ask| stack::lowest(&mut || _ = black_box(ask_all(pairs, ask)));
         taken.stack = taken.stack.max(lowest(nothing).saturating_sub(lowest(ask)));
     }
 }

@@ -4,12 +4,13 @@
 use core::cmp::Ordering;
 
 use super::counted::facing;
-use super::crossing::{Crossing, Setting, Sizes};
+use super::crossing::{Crossing, Sizes};
 use super::narrow::rounded;
 use super::refined::Met;
 use super::residual::Numbers;
+use super::rows::Rows;
 use super::{Feature, Hit, HitRules};
-use crate::arithmetic::{Embeds, Filtered, InWholeWord, ShortFloat, WholeWord};
+use crate::arithmetic::{Embeds, Filtered, InWholeWord, OfFour, ShortFloat, WholeWord};
 use crate::robust::{Clue, ExactSum, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
@@ -60,9 +61,9 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
     {
         let (points, d) = doubles(self.ray, self.triangle);
         let by_rest = |feature| {
-            let setting = Setting::new(&points, d);
-            let Crossing { det, t, sides: [_, u, v], .. } = setting.volumes();
-            let Sizes { direction, edges, size } = setting.sizes();
+            let rows = Rows::<<f64 as OfFour>::Quad>::new(&points, d);
+            let Sizes { direction, edges, size } = rows.sizes()?;
+            let [det, t, u, v] = rows.volumes();
             let hit = refined_hit(self.ray, self.triangle, det, t, u, v, direction, edges, size);
             hit.map(|hit| Some(Hit { feature, ..hit }))
         };

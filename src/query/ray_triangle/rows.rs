@@ -57,7 +57,7 @@ impl<F: Float, Q: Quad<Lane = F>> Rows<Q> {
 
     /// `None` where it is not known how far the volumes are from the truth.
     #[inline(always)]
-    fn sizes(&self) -> Option<Sizes<F>> {
+    pub(super) fn sizes(&self) -> Option<Sizes<F>> {
         let [x, y, z] = self.0;
         let largest = x.magnitude().greatest(y.magnitude()).greatest(z.magnitude());
         let (least, most) = F::RANGE;
@@ -73,7 +73,7 @@ impl<F: Float, Q: Quad<Lane = F>> Rows<Q> {
 
     /// Determinant, t, u and v.
     #[inline(always)]
-    fn volumes(&self) -> [F; 4] {
+    pub(super) fn volumes(&self) -> [F; 4] {
         let ways = |row: Q| {
             let [_, _, d, s] = row.to_array();
             Q::new([d, s, d, s])
