@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use crate::pairs::{Answer, Pairs};
+use crate::pairs::{Answer, Block, Inlined, Pairs};
 
 /// What a test promises of its answers.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -58,20 +58,6 @@ impl<L: 'static, R: 'static> Course<L, R> {
         self.judged(who, promise, self.pairs.answers(test), run)
     }
 
-    /// A test that is inlined, of shapes on the left that are made for it once for all on the
-    /// right, while the clock runs.
-    pub fn candidate_made<P: 'static>(
-        &self,
-        who: &str,
-        promise: Promise,
-        make: impl Fn(&L) -> P + Copy + 'static,
-        test: impl Fn(&P, &R) -> bool + Copy + 'static,
-    ) -> Candidate {
-        let pairs = Rc::clone(&self.pairs);
-        let run = Box::new(move || pairs.count_made(make, test));
-        self.judged(who, promise, self.pairs.answers(|l, r| test(&make(l), r)), run)
-    }
-
     fn judged(
         &self,
         who: &str,
@@ -99,6 +85,21 @@ impl<L: 'static, R: 'static> Course<L, R> {
     }
 }
 
+impl<L: 'static, R: Block + 'static> Course<L, R> {
+    /// A test that is inlined, of shapes that are made while the clock runs.
+    pub fn candidate_inlined<T: Inlined<L, R::Shape>>(
+        &self,
+        who: &str,
+        promise: Promise,
+    ) -> Candidate {
+        let pairs = Rc::clone(&self.pairs);
+        let run = Box::new(move || pairs.count_inlined::<T>());
+        let judged = self.judged(who, promise, self.pairs.answers_inlined::<T>(), run);
+        // Nobody asks for so many.
+        Candidate { answers: Vec::new(), ..judged }
+    }
+}
+
 /// One test on one scene.
 pub struct Candidate {
     pub who: String,
@@ -108,7 +109,7 @@ pub struct Candidate {
     pub overlaps: usize,
     pub false_disjoint: usize,
     pub false_overlap: usize,
-    /// Its answer to each pair.
+    /// Its answer to each pair; none where shapes are made on the way.
     pub answers: Vec<bool>,
     /// Runs through the scene once and counts the overlaps.
     pub run: Box<dyn Fn() -> usize>,

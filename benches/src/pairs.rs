@@ -54,19 +54,6 @@ impl<L, R> Pairs<L, R> {
         count
     }
 
-    /// The number of pairs that the test says yes to, as a program of its own would ask: the
-    /// test inlined, and of each shape on the left first made what the test takes.
-    pub fn count_made<P>(&self, make: impl Fn(&L) -> P, test: impl Fn(&P, &R) -> bool) -> usize {
-        let mut count = 0;
-        for (left, span) in self.left.iter().zip(&self.spans) {
-            let made = make(left);
-            for right in &self.right[span.clone()] {
-                count += usize::from(test(&made, right));
-            }
-        }
-        count
-    }
-
     /// Each answer, in order.
     pub fn answers<A: Answer>(&self, test: impl Fn(&L, &R) -> A) -> Vec<bool> {
         let mut answers = Vec::with_capacity(self.len());
@@ -76,6 +63,32 @@ impl<L, R> Pairs<L, R> {
             }
         }
         answers
+    }
+}
+
+impl<L, R: Block> Pairs<L, R> {
+    /// The number of shapes in all blocks that the test says yes to.
+    pub fn count_inlined<T: Inlined<L, R::Shape>>(&self) -> usize {
+        let mut count = 0;
+        self.each::<T>(|answer| count += usize::from(answer));
+        count
+    }
+
+    /// Each answer of the same, in order.
+    pub fn answers_inlined<T: Inlined<L, R::Shape>>(&self) -> Vec<bool> {
+        let mut answers = Vec::new();
+        self.each::<T>(|answer| answers.push(answer));
+        answers
+    }
+
+    #[inline(always)]
+    fn each<T: Inlined<L, R::Shape>>(&self, mut tell: impl FnMut(bool)) {
+        for (left, span) in self.left.iter().zip(&self.spans) {
+            let made = T::make(left);
+            for block in &self.right[span.clone()] {
+                block.each(|right| tell(T::ask(&made, right)));
+            }
+        }
     }
 }
 
@@ -126,6 +139,25 @@ impl<L, R> Default for Pairs<L, R> {
     fn default() -> Self {
         Self { left: Vec::new(), right: Vec::new(), spans: Vec::new() }
     }
+}
+
+/// Many shapes that are made while the clock runs, and never all at once.
+pub trait Block {
+    type Shape;
+    /// Hands over each of them, in order.
+    fn each(&self, ask: impl FnMut(Self::Shape));
+}
+
+/// A test as a program of its own would ask it, in the loop that makes the shapes. It makes what it
+/// takes of a shape on the left once for all on the right.
+///
+/// It is a trait because the compiler may leave a closure out of line. Then the shapes go
+/// through memory, and the time hangs on whether they did.
+pub trait Inlined<L, R> {
+    type Made;
+    fn make(left: &L) -> Self::Made;
+    /// To be marked as always inlined.
+    fn ask(made: &Self::Made, right: R) -> bool;
 }
 
 /// What a test returns: one verdict, or those on a block of pairs.

@@ -1,11 +1,12 @@
-//! Rays in the types of the peers, and their ways to say that nothing was hit.
+//! Shapes in the types of the peers, and their ways to say that nothing was hit.
 
 use bvh::ray::Ray as BvhRay;
 use nalgebra::{Point3, Vector3};
 use obvhs::ray::Ray as ObvhsRay;
+use obvhs::triangle::Triangle as ObvhsTriangle;
 use parry3d::math::Vector;
 use parry3d::query::Ray as ParryRay;
-use septum::{Ray, Vec3};
+use septum::{Ray, Triangle, Vec3};
 
 use crate::pairs::Answer;
 
@@ -25,6 +26,11 @@ pub fn obvhs_ray(r: &Ray<f32>) -> ObvhsRay {
 /// Its vectors are `glam`'s, of whichever version it was built with.
 pub fn obvhs_vector<V: From<[f32; 3]>>(v: Vec3<f32>) -> V {
     V::from([v.x, v.y, v.z])
+}
+
+pub fn obvhs_triangle(t: &Triangle<f32>) -> ObvhsTriangle {
+    let [v0, v1, v2] = t.vertices().map(obvhs_vector);
+    ObvhsTriangle { v0, v1, v2 }
 }
 
 /// With reciprocals; it makes the direction a unit vector.

@@ -19,6 +19,16 @@ pub struct Timing {
     pub quartiles: [f64; 3],
 }
 
+/// How many questions a candidate is asked in all rounds of a scene, where it has so many.
+const QUESTIONS: usize = 40_000_000;
+/// In how many rounds it is asked all the same.
+const FEWEST: usize = 6;
+
+/// How many of the rounds that are wanted a scene of so many pairs gets.
+pub fn rounds(wanted: usize, pairs: usize) -> usize {
+    wanted.min((QUESTIONS / pairs.max(1)).max(FEWEST))
+}
+
 /// Runs every candidate once in each round, the order turning by one each time,
 /// so that what slows the machine down for a while slows all of them.
 pub fn race<C: Borrow<Candidate>>(
@@ -56,4 +66,18 @@ fn time(candidate: &Candidate) -> f64 {
         seconds
     };
     pass().min(pass())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn large_scenes_get_fewer_rounds() {
+        assert_eq!(rounds(100, 100_000), 100);
+        assert_eq!(rounds(100, 1_000_000), 40);
+        assert_eq!(rounds(100, 100_000_000), 6);
+        assert_eq!(rounds(3, 100_000_000), 3);
+        assert_eq!(rounds(3, 0), 3);
+    }
 }

@@ -1,6 +1,7 @@
 //! A session: scenes one after the other, each with its groups of candidates.
 
 use std::error::Error;
+use std::iter::once;
 use std::path::Path;
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -29,11 +30,12 @@ impl Session {
     }
 
     /// Times the groups on one scene and prints their table. Each group brings its
-    /// own data, races against the yardstick, and is dropped before the next.
+    /// own data, races against the yardstick, and is dropped before the next. Where pairs are
+    /// many, rounds are fewer.
     pub fn measure<L, R>(
         &mut self,
         name: &str,
-        scene: fn() -> Pairs<L, R>,
+        scene: impl FnOnce() -> Pairs<L, R>,
         yardstick: fn(&Pairs<L, R>) -> Candidate,
         groups: &[Group<Pairs<L, R>>],
     ) {
@@ -45,7 +47,9 @@ impl Session {
             return;
         }
         let scene = scene();
-        let bar = ProgressBar::new((self.rounds * groups.len()) as u64);
+        let yardstick = yardstick(&scene);
+        let rounds = race::rounds(self.rounds, yardstick.pairs);
+        let bar = ProgressBar::new((rounds * groups.len()) as u64);
         let style = ProgressStyle::with_template("{prefix} {wide_bar} {msg} {eta}");
         bar.set_style(style.expect("the template is valid"));
         bar.set_prefix(name.to_owned());
@@ -53,9 +57,9 @@ impl Session {
         let mut first = true;
         for (group, make) in groups {
             bar.set_message(*group);
-            let mut candidates = vec![yardstick(&scene)];
-            candidates.extend(make(&scene));
-            let timings = race::race(&candidates, self.rounds, &bar);
+            let made = make(&scene);
+            let candidates: Vec<&Candidate> = once(&yardstick).chain(&made).collect();
+            let timings = race::race(&candidates, rounds, &bar);
             for (candidate, timing) in candidates.iter().zip(&timings).skip(usize::from(!first)) {
                 self.honest &= candidate.kept_its_word();
                 self.report.add(name, candidate, timing);
@@ -63,7 +67,7 @@ impl Session {
             first = false;
         }
         bar.finish_and_clear();
-        println!("{name}, {} pairs\n{}\n", scene.len(), self.report.table(name));
+        println!("{name}, {} pairs\n{}\n", yardstick.pairs, self.report.table(name));
     }
 
     /// Whether no test gave an answer that it promises not to give.

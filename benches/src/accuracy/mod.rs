@@ -5,6 +5,7 @@ mod contact;
 mod line_obb;
 mod obb_obb;
 mod ray_aabb;
+mod ray_tree;
 mod ray_triangle;
 mod sweep;
 mod triangle_aabb;
@@ -14,6 +15,7 @@ pub(crate) use contact::{answers as contacts, sets as contact_sets};
 pub(crate) use line_obb::sets as line_obb_sets;
 pub(crate) use obb_obb::sets as obb_sets;
 pub(crate) use ray_aabb::sets as ray_box_sets;
+pub(crate) use ray_tree::sets as ray_tree_sets;
 pub(crate) use ray_triangle::{
     ours as ray_triangle, peers as ray_triangle_peers, sets as ray_triangle_sets,
 };

@@ -6,17 +6,12 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use clap::Parser;
-use obvhs::BvhBuildParams;
-use obvhs::bvh2::builder::build_bvh2_from_tris;
-use obvhs::cwbvh::builder::build_cwbvh_from_tris;
-use obvhs::ray::{Ray as ObvhsRay, RayHit};
-use obvhs::triangle::Triangle as ObvhsTriangle;
-use parry3d::math::Vector;
+use obvhs::ray::Ray as ObvhsRay;
 use parry3d::query::details::intersection_test_aabb_triangle;
 use parry3d::query::{PointQuery, Ray as ParryRay, RayCast};
-use parry3d::shape::{TriMesh, TriMeshFlags};
-use septum::mesh::{Mesh, Node, Tree};
+use septum::mesh::Mesh;
 use septum::{Aabb, Ray, Vec3};
+use septum_benches::ray_tree::{self, Aim, Obvhs, Point, knot, parry_mesh, rays};
 use septum_kit::Rng;
 
 /// Times trees over a generated mesh, and counts their wrong answers.
@@ -29,44 +24,6 @@ struct Options {
     /// Steps along the knot; each has 100 triangles
     #[arg(long, default_value_t = 900, value_parser = clap::value_parser!(u32).range(3..))]
     steps: u32,
-}
-
-type Point = [f32; 3];
-
-/// A closed tube along a torus knot.
-fn knot(steps: u32) -> (Vec<Point>, Vec<[u32; 3]>) {
-    const AROUND: u32 = 50;
-    let center = |s: f64| {
-        let (r, h) = (2.0 + (3.0 * s).cos(), (3.0 * s).sin());
-        [r * (2.0 * s).cos(), r * (2.0 * s).sin(), h]
-    };
-    let unit = |v: [f64; 3]| {
-        let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
-        v.map(|x| x / length)
-    };
-    let cross = |a: [f64; 3], b: [f64; 3]| {
-        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-    };
-    let mut vertices = Vec::new();
-    for i in 0..steps {
-        let s = f64::from(i) / f64::from(steps) * std::f64::consts::TAU;
-        let (c, ahead) = (center(s), center(s + 1e-5));
-        let along = unit([0, 1, 2].map(|k| ahead[k] - c[k]));
-        let side = unit(cross(along, [0.0, 0.0, 1.0]));
-        let up = cross(along, side);
-        for j in 0..AROUND {
-            let a = f64::from(j) / f64::from(AROUND) * std::f64::consts::TAU;
-            let p = |k: usize| c[k] + 0.4 * (side[k] * a.cos() + up[k] * a.sin());
-            vertices.push([0, 1, 2].map(|k| p(k) as f32));
-        }
-    }
-    let at = |i: u32, j: u32| (i % steps) * AROUND + j % AROUND;
-    let cell = |i, j| {
-        let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
-        [[a, c, b], [a, d, c]]
-    };
-    let faces = (0..steps).flat_map(|i| (0..AROUND).flat_map(move |j| cell(i, j))).collect();
-    (vertices, faces)
 }
 
 /// One way to answer all questions of a scene: by answers in numbers.
@@ -109,47 +66,22 @@ fn main() -> Result<(), Box<dyn Error>> {
     mesh.check_closed(&mut vec![[0; 2]; 3 * faces.len()])?;
     println!("A torus knot of {} triangles in f32; wrong answers per million.", faces.len());
 
-    let mut nodes = vec![Node::EMPTY; Node::count_for(faces.len())];
-    let mut order = vec![0; faces.len()];
-    let start = Instant::now();
-    let tree = Tree::build(mesh, &mut nodes, &mut order)?;
-    println!("built in ms: septum {}", start.elapsed().as_millis());
-    // As the peers are advised to do, and as tables are.
-    let sorted: Vec<_> = tree.order().map(|i| faces[i]).collect();
-    let nodes = tree.nodes();
-    let mesh = Mesh::new(&vertices, &sorted)?;
-    let tree = Tree::new(mesh, nodes)?;
-    let faces = &sorted;
+    // As the peers are advised to have their triangles, and as tables have them.
+    let (tree, took) = ray_tree::tree(vertices, &faces)?;
+    println!("built in ms: septum {}", took.as_millis());
+    let mesh = tree.mesh();
 
-    let flags = TriMeshFlags::ORIENTED;
-    let corners = points.iter().map(|&p| Vector::from(p)).collect();
-    let parry = TriMesh::with_flags(corners, faces.to_vec(), flags)?;
-    let triangles: Vec<_> = faces
-        .iter()
-        .map(|f| f.map(|v| points[v as usize].into()))
-        .map(|[v0, v1, v2]| ObvhsTriangle { v0, v1, v2 })
-        .collect();
-    let mut took = Duration::ZERO;
-    let bvh2 = build_bvh2_from_tris(&triangles, BvhBuildParams::very_slow_build(), &mut took);
-    let cwbvh = build_cwbvh_from_tris(&triangles, BvhBuildParams::very_slow_build(), &mut took);
-    let in_order =
-        |indices: &[u32]| -> Vec<_> { indices.iter().map(|&i| triangles[i as usize]).collect() };
-    let (of_bvh2, of_cwbvh) =
-        (in_order(&bvh2.primitive_indices), in_order(&cwbvh.primitive_indices));
+    let parry = parry_mesh(mesh)?;
+    let (bvh2, cwbvh) = (Obvhs::bvh2(mesh), Obvhs::cwbvh(mesh));
 
     let mut rng = Rng::new(7);
-    let anywhere =
-        |rng: &mut Rng, reach: f64| [3.4, 3.4, 1.4].map(|x| (rng.real(-x, x) * reach) as f32);
-    for (title, aimed) in
-        [("random rays, the first hit", false), ("rays at vertices, the first hit", true)]
-    {
-        let rays: Vec<(Point, Point)> = (0..4000)
-            .map(|_| {
-                let o = anywhere(&mut rng, 2.0);
-                let to =
-                    if aimed { points[rng.below(points.len())] } else { anywhere(&mut rng, 1.0) };
-                (o, [0, 1, 2].map(|i| to[i] - o[i]))
-            })
+    for (title, aim) in [
+        ("random rays, the first hit", Aim::Anywhere),
+        ("rays at vertices, the first hit", Aim::Vertex),
+    ] {
+        let rays: Vec<(Point, Point)> = rays(&points, aim, 4000, &mut rng)
+            .into_iter()
+            .map(|[o, to]| (o, [0, 1, 2].map(|i| to[i] - o[i])))
             .collect();
         let ours: Vec<_> = rays.iter().map(|&(o, d)| Ray::new(o, d)).collect::<Result<_, _>>()?;
         let of_parry: Vec<_> =
@@ -176,20 +108,11 @@ fn main() -> Result<(), Box<dyn Error>> {
             },
             Method {
                 name: "obvhs Bvh2, slowest build",
-                ask: Box::new(|i| {
-                    let mut hit = RayHit::none();
-                    bvh2.ray_traverse(of_obvhs[i], &mut hit, |ray, id| of_bvh2[id].intersect(ray))
-                        .into()
-                }),
+                ask: Box::new(|i| bvh2.is_hit(&of_obvhs[i]).into()),
             },
             Method {
                 name: "obvhs CwBvh, slowest build",
-                ask: Box::new(|i| {
-                    let mut hit = RayHit::none();
-                    cwbvh
-                        .ray_traverse(of_obvhs[i], &mut hit, |ray, id| of_cwbvh[id].intersect(ray))
-                        .into()
-                }),
+                ask: Box::new(|i| cwbvh.is_hit(&of_obvhs[i]).into()),
             },
         ];
         race(title, options.rounds, ours.len(), &truth, &methods);

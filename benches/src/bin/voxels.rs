@@ -3,7 +3,6 @@
 
 use std::collections::HashSet;
 use std::error::Error;
-use std::io::Cursor;
 use std::path::PathBuf;
 
 use clap::Parser;
@@ -14,6 +13,7 @@ use parry3d::transformation::voxelization::{FillMode, VoxelValue, VoxelizedVolum
 use septum::prepared::PreparedTriangle;
 use septum::voxel::{Bits, Grid, Rule};
 use septum::{Aabb, Triangle};
+use septum_benches::obj;
 use septum_kit::voxels::torus_knot;
 
 /// Times voxelization beside its peers, one thread, in one process, taking turns.
@@ -36,15 +36,11 @@ struct Options {
 
 type Mesh = Vec<[[f32; 3]; 3]>;
 
-const TEAPOT: &[u8] = include_bytes!("../../../examples/assets/teapot.obj");
-
 fn main() -> Result<(), Box<dyn Error>> {
     let options = Options::parse();
-    let mut meshes = vec![("teapot".to_string(), read(TEAPOT)?)];
+    let mut meshes = vec![("teapot".to_string(), obj::teapot())];
     for path in &options.meshes {
-        let name = path.file_stem().map_or(String::new(), |s| s.to_string_lossy().into_owned());
-        let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
-        meshes.push((name, read(&bytes)?));
+        meshes.push(obj::open(path)?);
     }
     meshes.push(("turned cube".into(), turned_cube()));
     meshes.push(("knot of 5,040".into(), torus_knot(210, 12)));
@@ -239,29 +235,4 @@ fn of_parry(volume: &VoxelizedVolume) -> HashSet<[i32; 3]> {
         }
     }
     found
-}
-
-fn read(bytes: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, Box<dyn Error>> {
-    let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
-    let no_materials = |_: &std::path::Path| Err(tobj::LoadError::GenericFailure);
-    // Without materials, textures and normals.
-    let text = String::from_utf8_lossy(bytes);
-    let geometry: String = text
-        .lines()
-        .filter(|line| line.starts_with("v ") || line.starts_with("f "))
-        .map(|line| {
-            let words = line.split_whitespace().map(|w| w.split('/').next().unwrap_or_default());
-            words.collect::<Vec<_>>().join(" ") + "\n"
-        })
-        .collect();
-    let (models, _) = tobj::load_obj_buf(&mut Cursor::new(geometry), &options, no_materials)?;
-    let mut mesh = Vec::new();
-    for tobj::Model { mesh: model, .. } in &models {
-        for face in model.indices.as_chunks::<3>().0 {
-            mesh.push(
-                face.map(|v| [0, 1, 2].map(|i| f64::from(model.positions[3 * v as usize + i]))),
-            );
-        }
-    }
-    Ok(mesh)
 }

@@ -10,10 +10,14 @@ use crate::race::{Timing, race};
 use crate::session::Group;
 use crate::unit::{F32, Form};
 use crate::{
-    contact, line_obb, obb_obb, ray_aabb, ray_triangle, sweep, triangle_aabb, triangle_triangle,
+    contact, line_obb, obb_obb, ray_aabb, ray_tree, ray_triangle, sweep, triangle_aabb,
+    triangle_triangle,
 };
 
 use super::point::Point;
+
+/// Rays that are asked about every triangle of a mesh, too.
+const MOST_RAYS: usize = 2_000;
 
 /// Every point of every picture.
 pub(super) fn points(rounds: usize, cases: usize) -> Vec<Point> {
@@ -24,6 +28,8 @@ pub(super) fn points(rounds: usize, cases: usize) -> Vec<Point> {
             .into_iter()
             .chain([sets::<I32F32>("I32F32")])
     });
+    eprintln!("rays down a tree: wrong answers");
+    let down = Accuracy::of(cases.min(MOST_RAYS), accuracy::ray_tree_sets());
     eprintln!("ray/triangle: wrong answers");
     let rays = Accuracy::of(cases, {
         use accuracy::ray_triangle_sets as sets;
@@ -59,6 +65,12 @@ pub(super) fn points(rounds: usize, cases: usize) -> Vec<Point> {
     let mut add = |picture: &str, timed: Vec<(Candidate, Timing)>, accuracy: &Accuracy| {
         points.extend(timed.iter().map(|(c, timing)| accuracy.point(picture, c, timing)));
     };
+    let (groups, yardstick) = (mesh::groups(), mesh::yardstick);
+    let timed = time("teapot in voxels", mesh::teapot(), yardstick, &groups, rounds);
+    add("mesh-voxels", timed, &boxes);
+    let (groups, yardstick) = (ray_tree::groups(), ray_tree::yardstick);
+    let timed = time("rays down a tree", ray_tree::random(), yardstick, &groups, rounds);
+    add("ray-tree", timed, &down);
     let (groups, yardstick) = (triangle_aabb::groups(), triangle_aabb::yardstick);
     let timed = time("triangle/box: Voorhies", voorhies(), yardstick, &groups, rounds);
     add("triangle-box", timed, &boxes);
@@ -106,6 +118,7 @@ pub(super) fn points(rounds: usize, cases: usize) -> Vec<Point> {
     points
 }
 
+use crate::triangle_aabb::mesh;
 use crate::triangle_aabb::scenes::{voorhies, voxel};
 
 /// Each group races against the yardstick, brings its own data, and is dropped before
@@ -185,7 +198,8 @@ fn is_peer(who: &str) -> bool {
 }
 
 /// The test that gives the same bits one at a time, by whose answers those of many at
-/// once are counted; and the yardsticks by their other names.
+/// once are counted, and those of what is made on the way; and the yardsticks by their other
+/// names.
 fn alone<'a>(who: &'a str, form: &'a str) -> (&'a str, &'a str) {
     let who = match who {
         "yardstick: as published" => "as published",
@@ -203,6 +217,8 @@ fn alone<'a>(who: &'a str, form: &'a str) -> (&'a str, &'a str) {
         "8 at once, ray prepared" => (who, "ray prepared"),
         "8 at once, prepared" => (who, "triangle prepared"),
         "corners, 8 at once" => (who, "corners"),
+        "on the way" if who == "exact, prepared" => ("exact", "centre"),
+        "on the way" => (who, "centre"),
         _ => (who, form),
     }
 }

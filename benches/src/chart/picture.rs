@@ -30,7 +30,24 @@ const PUBLISHED: &str = "the test as published in 2001, in f32";
 const IN_C: &str = "Möller–Trumbore as in C, in f32";
 const SAT: &str = "the SAT test as published (Real-Time Rendering 16.7), in f32";
 
-pub(super) const PICTURES: [Picture; 10] = [
+pub(super) const PICTURES: [Picture; 12] = [
+    Picture {
+        stem: "mesh-voxels",
+        title: "A mesh in voxels",
+        workload: "The teapot in 128 voxels, each box made on the way; a fifth of the pairs meet.",
+        yardstick: PUBLISHED,
+        sets: BOXES,
+        heights: [140.0, 105.0],
+    },
+    Picture {
+        stem: "ray-tree",
+        title: "Rays down a tree",
+        workload: "Random rays at a knot of 90,000 triangles: the first hit, by is_hit any. Wrong is \
+                   whether there is one, for rays at vertices too.",
+        yardstick: "parry3d's TriMesh, in f32",
+        sets: "benches/src/accuracy/ray_tree.rs",
+        heights: [110.0, 70.0],
+    },
     Picture {
         stem: "triangle-box",
         title: "Triangle and box",

@@ -53,13 +53,15 @@ impl Family {
 /// Whether a picture shows it. It shows a yardstick under one name, and one form of
 /// boxes where tests are many.
 pub(super) fn is_shown(point: &Point) -> bool {
-    let is_twice = point.test.starts_with("yardstick: as published");
+    let is_twice =
+        point.test.starts_with("yardstick: as published") && point.picture != "mesh-voxels";
     !is_twice && (point.picture != "ray-box" || point.form != "centre")
 }
 
 /// What is written beside a mark.
 pub(super) fn label(point: &Point) -> String {
     let test = match point.test.as_str() {
+        "yardstick: as published" => "as published",
         "yardstick: Möller–Trumbore as in C" => "as in C",
         "Möller–Trumbore as in C, wrapping" => "as in C, wrapping",
         "box3d-rust test_bounds_triangle_overlap" => "box3d-rust",
@@ -79,6 +81,9 @@ pub(super) fn label(point: &Point) -> String {
         "yardstick: parry3d cast_ray" => "parry3d cast_ray",
         "yardstick: parry3d cast_shapes" => "parry3d cast_shapes",
         "yardstick: parry3d contact" => "parry3d contact",
+        "yardstick: parry3d TriMesh" => "parry3d TriMesh",
+        "obvhs Bvh2, slowest build" => "obvhs Bvh2",
+        "obvhs CwBvh, slowest build" => "obvhs CwBvh",
         "slabs, rounded" => "slabs",
         "slabs, rounded t_range" => "slabs t_range",
         "slabs, conservative" => "slabs, conservative",

@@ -17,12 +17,15 @@ const BY_PEER: &str = "exact beside peers";
 /// A query: how a table calls it, its picture, the exact test, the form of its boxes.
 type Query = (&'static str, &'static str, &'static str, &'static str);
 
-const QUERIES: [Query; 12] = [
+const QUERIES: [Query; 15] = [
+    ("triangle, a mesh's voxels", "mesh-voxels", "exact, prepared", "on the way"),
+    ("rays down a tree", "ray-tree", "exact first_hit", ""),
     ("triangle/box, random", "triangle-box", "exact", "centre"),
     ("triangle/box, voxels", "triangle-box-voxel", "exact", "centre"),
     ("ray/triangle, `hit`", "ray-triangle", "exact hit", ""),
     ("ray/triangle, `is_hit`", "ray-triangle", "exact is_hit", ""),
     ("one ray, many triangles", "ray-triangle-many", "exact hit", ""),
+    ("the same, both prepared", "ray-triangle-many", "exact hit, prepared", "both prepared"),
     ("the same, eight at once", "ray-triangle-many", "exact", "8 at once"),
     ("ray/box", "ray-box", "exact", "corners"),
     ("ray/box, ray prepared", "ray-box", "exact, ray prepared", "corners"),
@@ -32,7 +35,7 @@ const QUERIES: [Query; 12] = [
     ("contact of oriented boxes", "contact", "exact, translation", ""),
 ];
 /// Those that the shorter table shows.
-const SHORT: [usize; 5] = [0, 1, 2, 4, 7];
+const SHORT: [usize; 6] = [0, 1, 2, 4, 7, 10];
 
 /// Writes the file anew, with the figures of these points.
 pub(super) fn refresh(path: &Path, points: &[Point]) -> Result<(), Box<dyn Error>> {

@@ -84,7 +84,7 @@ pub(crate) fn groups() -> Vec<Group<Scene>> {
 
 pub fn run(session: &mut Session) {
     let all = groups();
-    let mut race = |name: &str, scene| session.measure(name, scene, yardstick, &all);
+    let mut race = |name: &str, scene: fn() -> Scene| session.measure(name, scene, yardstick, &all);
     race("ray/oriented box: 50 % hits", half_hit);
     race("ray/oriented box: 10 % hits", scenes::tenth_hit);
     // What doubt costs.

@@ -91,7 +91,7 @@ pub(crate) fn yardstick(scene: &Scene) -> Candidate {
 
 pub fn run(session: &mut Session) {
     let all = groups();
-    let mut race = |name: &str, scene| session.measure(name, scene, yardstick, &all);
+    let mut race = |name: &str, scene: fn() -> Scene| session.measure(name, scene, yardstick, &all);
     race("box/box: turned, 50 % overlap", half);
     race("box/box: turned, 10 % overlap", scenes::tenth);
     // What doubt costs.

@@ -75,7 +75,8 @@ pub(crate) fn groups_of_lanes() -> [Group<Scene>; 3] {
 
 pub fn run(session: &mut Session) {
     let mut all = groups();
-    let mut race = |name: &str, scene, all: &[_]| session.measure(name, scene, yardstick, all);
+    let mut race =
+        |name: &str, scene: fn() -> Scene, all: &[_]| session.measure(name, scene, yardstick, all);
     race("ray/triangle: pairs, 50 % hits", scenes::half_hit, &all);
     race("ray/triangle: pairs, 10 % hits", scenes::tenth_hit, &all);
     // What doubt costs.

@@ -13,7 +13,7 @@ use septum::{Cull, HitRules, Ray, Triangle};
 use crate::candidate::{Candidate, Course, Promise};
 use crate::pairs::Answer;
 use crate::peer_shapes::{
-    Distance, bvh_point, bvh_ray, obvhs_ray, obvhs_vector, parry_ray, parry_vector,
+    Distance, bvh_point, bvh_ray, obvhs_ray, obvhs_triangle, parry_ray, parry_vector,
 };
 use crate::unit::F32;
 
@@ -75,11 +75,6 @@ pub fn peers(plain: &Ours, culling: &Ours) -> Vec<Candidate> {
 fn parry_triangle(t: &Triangle<f32>) -> ParryTriangle {
     let [a, b, c] = t.vertices().map(parry_vector);
     ParryTriangle::new(a, b, c)
-}
-
-fn obvhs_triangle(t: &Triangle<f32>) -> ObvhsTriangle {
-    let [v0, v1, v2] = t.vertices().map(obvhs_vector);
-    ObvhsTriangle { v0, v1, v2 }
 }
 
 impl Answer for Intersection<f32> {

@@ -2,47 +2,30 @@
 //! voxel by voxel, each box made on the way.
 
 use std::f64::consts::PI;
-use std::io::Cursor;
 
 use septum::prepared::PreparedTriangle;
-use septum::{Aabb, Scalar, Triangle, published};
+use septum::published::{akenine_moller, akenine_moller::Order, shared_normal};
+use septum::{Aabb, Scalar, Triangle};
 
 use crate::candidate::{Candidate, Course, Promise};
-use crate::geometry::{Cell, Point};
-use crate::session::Group;
-use crate::unit::{F32, F64, I16F16_18, I32F32_34, Unit};
+use crate::obj::{self, Triangles};
+use crate::pairs::Inlined;
+use crate::session::{Group, Session};
+use crate::unit::{F32, F64, I8F8_15, I16F16_18, I16F16_26, I32F32_34, Unit};
 
-use super::scenes::{Scene, bounding_box};
+use super::peers::on_the_way;
+use super::voxels::{self, Scene, Voxel, Voxels};
 
-/// Voxels along the longest side, which is that of the cube that all scalars hold.
-const RESOLUTION: f64 = 128.0;
-const SIDE: f64 = 4.0 / RESOLUTION;
+/// Voxels along the longest side.
+const RESOLUTIONS: [u32; 2] = [128, 512];
 
-/// The Utah teapot in voxels.
+/// The Utah teapot in 128 voxels.
 pub fn teapot() -> Scene {
-    voxels(&teapot_triangles())
+    voxels::scene(&obj::teapot(), RESOLUTIONS[0])
 }
 
-/// The Utah teapot.
-pub(crate) fn teapot_triangles() -> Vec<[Point; 3]> {
-    let file = include_bytes!("../../../examples/assets/teapot.obj");
-    let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
-    let no_materials = |_: &std::path::Path| Err(tobj::LoadError::GenericFailure);
-    let (models, _) = tobj::load_obj_buf(&mut Cursor::new(file), &options, no_materials)
-        .expect("the teapot is a mesh");
-    let mut triangles = Vec::new();
-    for tobj::Model { mesh, .. } in &models {
-        let point =
-            |&i: &u32| std::array::from_fn(|k| f64::from(mesh.positions[3 * i as usize + k]));
-        for corners in mesh.indices.as_chunks::<3>().0 {
-            triangles.push(std::array::from_fn(|k| point(&corners[k])));
-        }
-    }
-    triangles
-}
-
-/// A sphere of 32,000 triangles, most of them smaller than a voxel.
-pub fn sphere() -> Scene {
+/// A sphere of 65,000 triangles, most of them smaller than one of 128 voxels.
+fn sphere() -> Triangles {
     const RINGS: usize = 128;
     let point = |ring: usize, step: usize| {
         let (theta, phi) = (PI * ring as f64, PI * step as f64);
@@ -62,73 +45,65 @@ pub fn sphere() -> Scene {
             }
         }
     }
-    voxels(&triangles)
+    triangles
 }
-
-/// Every triangle against the voxels that its bounding box touches. Coordinates are rounded
-/// as the narrowest scalar rounds them, to 16 places, so that all have the same mesh.
-fn voxels(triangles: &[[Point; 3]]) -> Scene {
-    let all: Vec<Point> = triangles.iter().flatten().copied().collect();
-    let extreme = |i: usize, f: fn(f64, f64) -> f64| all.iter().map(|p| p[i]).reduce(f);
-    let low: Point = std::array::from_fn(|i| extreme(i, f64::min).expect("a mesh has points"));
-    let high: Point = std::array::from_fn(|i| extreme(i, f64::max).expect("a mesh has points"));
-    let longest = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
-    let placed = |p: Point| {
-        std::array::from_fn(|i| {
-            let x = (p[i] - (low[i] + high[i]) / 2.0) * 4.0 / longest;
-            (x * 65_536.0).round() / 65_536.0
-        })
-    };
-    let mut scene = Scene::default();
-    for triangle in triangles {
-        let triangle = triangle.map(placed);
-        let (min, max) = bounding_box(&triangle);
-        // A coordinate on a face touches the voxels on both sides.
-        let first: [i32; 3] = std::array::from_fn(|i| (min[i] / SIDE).ceil() as i32 - 1);
-        let last: [i32; 3] = std::array::from_fn(|i| (max[i] / SIDE).floor() as i32);
-        let center = |n: i32| (f64::from(n) + 0.5) * SIDE;
-        let mut cells = Vec::new();
-        for z in first[2]..=last[2] {
-            for y in first[1]..=last[1] {
-                for x in first[0]..=last[0] {
-                    let center = [x, y, z].map(center);
-                    cells.push(Cell { center, half: [SIDE / 2.0; 3] });
-                }
-            }
-        }
-        scene.push(triangle, cells);
-    }
-    scene
-}
-
-/// What a voxelizer has of a voxel: the centre, and half of its side.
-type Voxel<S> = ([S; 3], S);
 
 #[inline(always)]
-fn aabb<S: Scalar>(&(center, half): &Voxel<S>) -> Aabb<S> {
+fn aabb<S: Scalar>((center, half): Voxel<S>) -> Aabb<S> {
     Aabb::from_center_half_extents(center, [half; 3]).expect("a voxel is a box")
 }
 
-fn course<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Course<Triangle<S>, Voxel<S>> {
-    let pairs = scene.map(|t| unit.triangle(t), |c| (unit.point(c.center), unit.point(c.half)[0]));
-    let wide = pairs.map(|t| unit.wide_triangle(t), |v| unit.wide_aabb(&aabb(v)));
-    Course::new((unit.name, "on the way"), pairs, wide.answers(|t, b| t.overlaps(b)))
+struct Prepared;
+impl<S: Scalar> Inlined<Triangle<S>, Voxel<S>> for Prepared {
+    type Made = PreparedTriangle<S>;
+    fn make(triangle: &Triangle<S>) -> Self::Made {
+        PreparedTriangle::new(triangle)
+    }
+    #[inline(always)]
+    fn ask(triangle: &Self::Made, voxel: Voxel<S>) -> bool {
+        triangle.overlaps(&aabb(voxel))
+    }
+}
+
+/// A test that takes a triangle as it is.
+macro_rules! plain {
+    ($name:ident, $test:expr) => {
+        struct $name;
+        impl<S: Scalar> Inlined<Triangle<S>, Voxel<S>> for $name {
+            type Made = Triangle<S>;
+            fn make(triangle: &Triangle<S>) -> Self::Made {
+                *triangle
+            }
+            #[inline(always)]
+            fn ask(triangle: &Self::Made, voxel: Voxel<S>) -> bool {
+                $test(triangle, &aabb(voxel))
+            }
+        }
+    };
+}
+plain!(Exact, Triangle::overlaps);
+plain!(Rounded, shared_normal::overlaps);
+// `overlaps` is inlined where the compiler likes, this one everywhere.
+plain!(AsPublished, |t, b| akenine_moller::overlaps_in(t, b, Order::default()));
+
+fn course<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Course<Triangle<S>, Voxels<S>> {
+    let pairs = scene.map_voxels(|t| unit.triangle(t), |x| (unit.near)(x * unit.scale));
+    let wide = pairs.map_voxels(|t| unit.wide_triangle(t), unit.value);
+    let truth = wide.answers_inlined::<Exact>();
+    Course::new((unit.name, "on the way"), pairs, truth)
 }
 
 pub fn yardstick(scene: &Scene) -> Candidate {
-    let test = |t: &Triangle<f32>, v: &Voxel<f32>| published::akenine_moller::overlaps(t, &aabb(v));
-    course(scene, &F32).candidate_made("yardstick: as published", Promise::Nothing, |t| *t, test)
+    let course = course(scene, &F32);
+    course.candidate_inlined::<AsPublished>("yardstick: as published", Promise::Nothing)
 }
 
 fn ours<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Vec<Candidate> {
     let course = course(scene, unit);
-    let exact = |t: &Triangle<S>, v: &Voxel<S>| t.overlaps(&aabb(v));
-    let prepared = |t: &PreparedTriangle<S>, v: &Voxel<S>| t.overlaps(&aabb(v));
-    let rounded = |t: &Triangle<S>, v: &Voxel<S>| published::shared_normal::overlaps(t, &aabb(v));
     vec![
-        course.candidate_made("exact, prepared", Promise::Exact, PreparedTriangle::new, prepared),
-        course.candidate_made("exact", Promise::Exact, |t| *t, exact),
-        course.candidate_made("rounded", Promise::Nothing, |t| *t, rounded),
+        course.candidate_inlined::<Prepared>("exact, prepared", Promise::Exact),
+        course.candidate_inlined::<Exact>("exact", Promise::Exact),
+        course.candidate_inlined::<Rounded>("rounded", Promise::Nothing),
     ]
 }
 
@@ -136,5 +111,25 @@ pub fn groups() -> Vec<Group<Scene>> {
     fn group<S: Scalar>(unit: Unit<S>) -> Group<Scene> {
         (unit.name, Box::new(move |scene| ours(scene, &unit)))
     }
-    vec![group(F32), group(F64), group(I16F16_18), group(I32F32_34)]
+    vec![
+        group(F32),
+        group(F64),
+        group(I8F8_15),
+        group(I16F16_18),
+        group(I16F16_26),
+        group(I32F32_34),
+        ("f32 parry3d box3d-rust", Box::new(|scene| on_the_way(&course(scene, &F32)))),
+    ]
+}
+
+/// The teapot, the sphere, and the caller's meshes.
+pub fn run(session: &mut Session, meshes: &[(String, Triangles)]) {
+    let ours = [("teapot".to_owned(), obj::teapot()), ("fine sphere".to_owned(), sphere())];
+    let groups = groups();
+    for (name, triangles) in ours.iter().chain(meshes) {
+        for resolution in RESOLUTIONS {
+            let title = format!("triangle/box: {name} in {resolution} voxels");
+            session.measure(&title, || voxels::scene(triangles, resolution), yardstick, &groups);
+        }
+    }
 }

@@ -5,6 +5,7 @@ pub(crate) mod mesh;
 mod ours;
 mod peers;
 pub(crate) mod scenes;
+mod voxels;
 
 use fixed::types::I16F16;
 use septum::Scalar;
@@ -13,6 +14,7 @@ use crate::candidate::Candidate;
 use crate::session::{Group, Session};
 use crate::unit::{F32, F64, Form, I8F8_15, I16F16_18, I16F16_26, I32F32_34, Unit};
 
+pub use mesh::run as run_meshes;
 pub(crate) use ours::{course, ours, yardstick};
 pub(crate) use peers::peers as peers_on;
 use scenes::Scene;
@@ -62,19 +64,6 @@ pub(crate) fn groups() -> Vec<Group<Scene>> {
 }
 
 pub fn run(session: &mut Session) {
-    session.measure(
-        "triangle/box: teapot in 128 voxels",
-        mesh::teapot,
-        mesh::yardstick,
-        &mesh::groups(),
-    );
-    session.measure(
-        "triangle/box: fine sphere in 128 voxels",
-        mesh::sphere,
-        mesh::yardstick,
-        &mesh::groups(),
-    );
-
     let all = groups();
     session.measure("triangle/box: Voorhies", scenes::voorhies, yardstick, &all);
     session.measure("triangle/box: Voxel", scenes::voxel, yardstick, &all);

@@ -9,6 +9,9 @@ use parry3d::shape::{Cuboid, Triangle as ParryTriangle};
 use septum::{Aabb, Triangle, Vec3};
 
 use crate::candidate::{Candidate, Course, Promise};
+use crate::pairs::Inlined;
+
+use super::voxels::{Voxel, Voxels};
 
 /// A cuboid that has been put somewhere.
 struct Placed {
@@ -77,6 +80,43 @@ pub fn peers(by_center: &Ours, by_corners: &Ours) -> Vec<Candidate> {
         placed.candidate("parry3d intersection_test", none, parry_intersection_test),
         placed.candidate("parry3d …_cuboid_triangle", none, parry_cuboid_triangle),
         aabbs.candidate("parry3d …_aabb_triangle", none, parry_aabb_triangle),
+    ]
+}
+
+struct Box3d;
+impl Inlined<Triangle<f32>, Voxel<f32>> for Box3d {
+    type Made = [box3d::Vec3; 3];
+    fn make(triangle: &Triangle<f32>) -> Self::Made {
+        triangle.vertices().map(box3d_vec3)
+    }
+    #[inline(always)]
+    fn ask(&[a, b, c]: &Self::Made, (center, half): Voxel<f32>) -> bool {
+        let (center, extent) = (box3d_vec3(center.into()), box3d_vec3(Vec3::splat(half)));
+        box3d::test_bounds_triangle_overlap(center, extent, a, b, c)
+    }
+}
+
+struct Parry;
+impl Inlined<Triangle<f32>, Voxel<f32>> for Parry {
+    type Made = ParryTriangle;
+    fn make(triangle: &Triangle<f32>) -> Self::Made {
+        parry_triangle(triangle)
+    }
+    #[inline(always)]
+    fn ask(triangle: &Self::Made, (center, half): Voxel<f32>) -> bool {
+        // The triangle in the frame of the cuboid.
+        let inverse = Pose::from_parts(-vector(center.into()), Rotation::IDENTITY);
+        let cuboid = Cuboid::new(Vector::splat(half));
+        details::intersection_test_cuboid_triangle(&inverse, &cuboid, triangle)
+    }
+}
+
+/// Those who take boxes by their centre, each of which they make when it is asked about.
+pub fn on_the_way(course: &Course<Triangle<f32>, Voxels<f32>>) -> Vec<Candidate> {
+    let (none, box3d) = (Promise::Nothing, "box3d-rust test_bounds_triangle_overlap");
+    vec![
+        course.candidate_inlined::<Box3d>(box3d, none),
+        course.candidate_inlined::<Parry>("parry3d …_cuboid_triangle", none),
     ]
 }
 

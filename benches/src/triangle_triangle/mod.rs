@@ -30,7 +30,7 @@ pub(crate) fn groups() -> Vec<Group<Scene>> {
 
 pub fn run(session: &mut Session) {
     let all = groups();
-    let mut race = |name: &str, scene| session.measure(name, scene, yardstick, &all);
+    let mut race = |name: &str, scene: fn() -> Scene| session.measure(name, scene, yardstick, &all);
     race("triangle/triangle: two teapots", scenes::teapots);
     race("triangle/triangle: pairs, 50 % overlap", half);
     race("triangle/triangle: pairs, 10 % overlap", scenes::tenth);

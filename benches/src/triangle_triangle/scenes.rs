@@ -4,8 +4,8 @@ use fastrand::Rng;
 use septum::Triangle;
 
 use crate::geometry::{Point, random_triangle};
+use crate::obj::teapot;
 use crate::pairs::Pairs;
-use crate::triangle_aabb::mesh::teapot_triangles;
 
 /// Triangles, and those that each is tested against.
 pub type Scene = Pairs<[Point; 3], [Point; 3]>;
@@ -67,7 +67,7 @@ fn rounded(p: Point) -> Point {
 
 /// The teapot in the cube [−1.2, 1.2]³.
 fn placed() -> Vec<[Point; 3]> {
-    let all = teapot_triangles();
+    let all = teapot();
     let most = all.iter().flatten().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
     all.iter().map(|t| t.map(|p| rounded(p.map(|x| x * 1.2 / most)))).collect()
 }

@@ -1,0 +1,92 @@
+//! Trees over a mesh: ours and the peers'.
+
+use std::time::{Duration, Instant};
+
+use obvhs::BvhBuildParams;
+use obvhs::bvh2::Bvh2;
+use obvhs::bvh2::builder::build_bvh2_from_tris;
+use obvhs::cwbvh::CwBvh;
+use obvhs::cwbvh::builder::build_cwbvh_from_tris;
+use obvhs::ray::{Ray as ObvhsRay, RayHit};
+use obvhs::triangle::Triangle as ObvhsTriangle;
+use parry3d::shape::{TriMesh, TriMeshBuilderError, TriMeshFlags};
+use septum::mesh::{Mesh, MeshError, Node, Tree};
+use septum::{Scalar, Vec3};
+
+use crate::peer_shapes::{obvhs_triangle, parry_vector};
+
+/// A tree over triangles in the tree's own order, as tables are, and how long it took to build.
+///
+/// They stay for as long as the program runs: so a tree is a shape like others.
+///
+/// # Errors
+/// Where the faces are no mesh.
+pub fn tree<S: Scalar>(
+    vertices: Vec<Vec3<S>>,
+    faces: &[[u32; 3]],
+) -> Result<(Tree<'static, S, u32>, Duration), MeshError> {
+    let vertices: &'static [Vec3<S>] = vertices.leak();
+    let mesh = Mesh::new(vertices, faces)?;
+    let mut nodes = vec![Node::EMPTY; Node::count_for(faces.len())];
+    let mut order = vec![0; faces.len()];
+    let start = Instant::now();
+    let sorted: Vec<_> =
+        Tree::build(mesh, &mut nodes, &mut order)?.order().map(|i| faces[i]).collect();
+    let took = start.elapsed();
+    let tree = Tree::new(Mesh::new(vertices, sorted.leak())?, nodes.leak())?;
+    Ok((tree, took))
+}
+
+/// The same mesh as parry3d's.
+///
+/// # Errors
+/// Where parry3d does not take it.
+pub fn parry_mesh(mesh: &Mesh<'_, f32, u32>) -> Result<TriMesh, TriMeshBuilderError> {
+    let corners = mesh.vertices().iter().map(|&v| parry_vector(v)).collect();
+    TriMesh::with_flags(corners, mesh.triangles().to_vec(), TriMeshFlags::ORIENTED)
+}
+
+/// One of obvhs' trees from its slowest, best build, and the triangles in its order, as users
+/// are advised to have them.
+pub struct Obvhs<Tree> {
+    tree: Tree,
+    triangles: Vec<ObvhsTriangle>,
+}
+
+impl Obvhs<Bvh2> {
+    pub fn bvh2(mesh: &Mesh<'_, f32, u32>) -> Self {
+        Self::new(mesh, build_bvh2_from_tris, |tree| &tree.primitive_indices)
+    }
+
+    #[inline]
+    pub fn is_hit(&self, ray: &ObvhsRay) -> bool {
+        let mut hit = RayHit::none();
+        self.tree.ray_traverse(*ray, &mut hit, |ray, id| self.triangles[id].intersect(ray))
+    }
+}
+
+impl Obvhs<CwBvh> {
+    pub fn cwbvh(mesh: &Mesh<'_, f32, u32>) -> Self {
+        Self::new(mesh, build_cwbvh_from_tris, |tree| &tree.primitive_indices)
+    }
+
+    #[inline]
+    pub fn is_hit(&self, ray: &ObvhsRay) -> bool {
+        let mut hit = RayHit::none();
+        self.tree.ray_traverse(*ray, &mut hit, |ray, id| self.triangles[id].intersect(ray))
+    }
+}
+
+impl<Tree> Obvhs<Tree> {
+    fn new(
+        mesh: &Mesh<'_, f32, u32>,
+        build: impl Fn(&[ObvhsTriangle], BvhBuildParams, &mut Duration) -> Tree,
+        order: impl Fn(&Tree) -> &[u32],
+    ) -> Self {
+        let triangles: Vec<_> = mesh.iter().map(|t| obvhs_triangle(&t)).collect();
+        let mut took = Duration::ZERO;
+        let tree = build(&triangles, BvhBuildParams::very_slow_build(), &mut took);
+        let triangles = order(&tree).iter().map(|&i| triangles[i as usize]).collect();
+        Self { tree, triangles }
+    }
+}
