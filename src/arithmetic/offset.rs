@@ -16,7 +16,7 @@ pub trait Offset: Copy {
     /// kept.
     fn offset(self, other: Self) -> f32;
 
-    /// How far this is beyond one and another, together: likewise.
+    /// How far this is beyond one and another, together: likewise, but `f32` rounds both and their sum.
     fn offset_of_two(self, one: Self, other: Self) -> f32;
 
     /// Whether all are whole multiples of this power of two, or of its half; some numbers that are

@@ -3,8 +3,8 @@
 
 use fixed::types::extra::{U0, U1, U7, U8, U15, U16, U31, U32, U63, U64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
-use septum::Axis;
-use septum::published;
+use septum::prepared::PreparedTriangle;
+use septum::{Axis, published};
 use septum_kit::rays::{RayCase, crossing};
 use septum_kit::{BoxNumbers, Case, GROUP_ORDERS, Rng, Sample, is_collinear, meets};
 
@@ -13,6 +13,7 @@ fn ask_everything<S: Sample>(case: &Case<S>) {
     let (triangle, aabb) = case.shapes();
     let expected = meets(case);
     assert_eq!(triangle.overlaps(&aabb), expected, "{case:?}");
+    assert_eq!(PreparedTriangle::new(&triangle).overlaps(&aabb), expected, "{case:?}");
     assert!(triangle.may_overlap(&aabb) >= expected, "{case:?}");
     let axis = triangle.separating_axis(&aabb);
     assert_eq!(axis.is_none(), expected, "{case:?}");
@@ -204,5 +205,22 @@ fn determinants_of_every_width() {
     for bits in [17, 18, 19, 20, 27, 28, 29, 30, 31] {
         every_sign(((1_i64 << bits) - 1) as i32);
         every_sign((1_i64 << (bits - 1)) as i32);
+    }
+}
+
+/// A box so great that it leaves the type, and a triangle just beside it: what is prepared in
+/// differences of the type must not take a wrapped one for small.
+#[test]
+fn boxes_beyond_the_range() {
+    use fixed::types::I16F16;
+    let at = |p: [i32; 3]| p.map(I16F16::from_bits);
+    let e = 1 << 28;
+    let aabb = BoxNumbers::Center(at([i32::MAX, 0, 0]), at([i32::MAX; 3]));
+    let beside = [at([1 - 2 * e, -e, -e]), at([-e, e, -e / 2]), at([-e / 3, 0, e])];
+    let within = beside.map(|[x, y, z]| [-x, y, z]);
+    for (vertices, expected) in [(beside, false), (within, true)] {
+        let case = Case { vertices, aabb };
+        assert_eq!(meets(&case), expected);
+        ask_everything(&case);
     }
 }

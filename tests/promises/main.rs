@@ -12,6 +12,7 @@ mod every_size;
 mod exact_oracle;
 mod exhaustive_grid;
 mod extremes;
+mod near_miss;
 mod symmetry;
 mod thirteen_axes;
 

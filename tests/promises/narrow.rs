@@ -10,6 +10,7 @@ mod extremes;
 mod interop;
 mod logging;
 mod mesh;
+mod near_miss;
 mod obb;
 mod ray_rounding;
 mod ray_triangle;

@@ -207,6 +207,27 @@ mod tests {
         clear.is_ok()
     }
 
+    /// Asks of both forms; how often it was clear.
+    fn check_both(mut rows: [[i64; 3]; 5]) -> u32 {
+        let by_center = check(&rows, true);
+        let [.., p, q] = &mut rows;
+        for i in 0..3 {
+            (p[i], q[i]) = (p[i] - q[i], p[i] + q[i]);
+        }
+        u32::from(by_center) + u32::from(check(&rows, false))
+    }
+
+    /// Of any size: half-extents down to a quarter of that of the triangle.
+    fn rows(state: &mut u64, case: usize) -> ([[i64; 3]; 5], i64) {
+        let bits = 3 + random(state) % 44;
+        let mut number = || (random(state) & ((1 << bits) - 1)) as i64 - (1 << (bits - 1));
+        let mut rows = [(); 5].map(|()| [(); 3].map(|()| number()));
+        for half in &mut rows[4] {
+            *half = half.abs() >> (case % 3);
+        }
+        (rows, number())
+    }
+
     #[test]
     fn what_is_clear_is_so_when_all_is_cut_down() {
         if !<I32F32 as crate::scalar::Backend>::IN_QUADS {
@@ -214,15 +235,10 @@ mod tests {
         }
         let (state, mut clear) = (&mut 1, 0);
         for case in 0..200_000 {
-            // Of any size: boxes of that of the triangle, and such as are just apart from it or not.
-            let bits = 3 + random(state) % 44;
-            let mut number = || (random(state) & ((1 << bits) - 1)) as i64 - (1 << (bits - 1));
-            let mut rows = [(); 5].map(|()| [(); 3].map(|()| number()));
-            let nudge = number() >> (7 + case % 8);
+            // Boxes that are just apart from the triangle or not.
+            let (mut rows, number) = rows(state, case);
+            let nudge = number >> (7 + case % 8);
             let [a, b, c, p, q] = &mut rows;
-            for i in 0..3 {
-                q[i] = q[i].abs() >> (case % 3);
-            }
             if case % 2 == 0 {
                 let axis = case % 3;
                 p[axis] = a[axis].max(b[axis]).max(c[axis]) + q[axis] + nudge;
@@ -233,14 +249,56 @@ mod tests {
                 }
                 p[case % 3] += q[0] + q[1] + q[2] + nudge;
             }
-            clear += u32::from(check(&rows, true));
-            let [.., p, q] = &mut rows;
-            for i in 0..3 {
-                (p[i], q[i]) = (p[i] - q[i], p[i] + q[i]);
-            }
-            clear += u32::from(check(&rows, false));
+            clear += check_both(rows);
         }
         // Nearly always, and not always.
         assert!((200_000..398_000).contains(&clear), "{clear}");
+    }
+
+    /// Boxes a little off the plane, or off an edge: by 2^-9 to 2^-17 of the size.
+    #[test]
+    fn what_is_clear_by_a_plane_or_an_edge_is_so_when_all_is_cut_down() {
+        if !<I32F32 as crate::scalar::Backend>::IN_QUADS {
+            return;
+        }
+        type Vector = [f64; 3];
+        let minus = |p: Vector, q: Vector| [0, 1, 2].map(|i| p[i] - q[i]);
+        let dot = |p: Vector, q: Vector| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+        let cross =
+            |p: Vector, q: Vector| [(1, 2), (2, 0), (0, 1)].map(|(j, k)| p[j] * q[k] - p[k] * q[j]);
+        let (state, mut clear) = (&mut 2, 0);
+        for case in 0..200_000 {
+            // Vertices at the corners of a cube: no normal of that size is longer.
+            let side = 1_i64 << (20 + random(state) % 26);
+            let mut corner = || {
+                let signs = random(state);
+                [0, 1, 2]
+                    .map(|i| if signs >> i & 1 == 0 { side } else { -side } - (signs >> 44) as i64)
+            };
+            let vertices = [corner(), corner(), corner()];
+            let half = [(); 3].map(|()| (random(state) as i64 & (side - 1)) >> (case % 5 + 2));
+            let [a, b, c, q] =
+                [vertices[0], vertices[1], vertices[2], half].map(|row| row.map(|x| x as f64));
+            let along = [minus(b, a), minus(c, a)];
+            let (axis, from) = if case % 2 == 0 {
+                (cross(along[0], along[1]), [0, 1, 2].map(|i| (a[i] + b[i] + c[i]) / 3.0))
+            } else {
+                let unit = [0, 1, 2].map(|i| f64::from(i == case % 3));
+                (cross(along[0], unit), [0, 1, 2].map(|i| (a[i] + b[i]) / 2.0))
+            };
+            // Away from the third vertex.
+            let length =
+                if dot(axis, along[1]) > 0.0 { -1.0 } else { 1.0 } * dot(axis, axis).sqrt();
+            if length == 0.0 {
+                continue;
+            }
+            let axis = axis.map(|x| x / length);
+            let gap = side as f64 / (256 + random(state) % (1 << (9 + case % 8))) as f64;
+            let off = dot(axis.map(f64::abs), q) + gap;
+            let center = [0, 1, 2].map(|i| (from[i] + axis[i] * off) as i64);
+            let [a, b, c] = vertices;
+            clear += check_both([a, b, c, center, half]);
+        }
+        assert!((40_000..360_000).contains(&clear), "{clear}");
     }
 }

@@ -53,10 +53,16 @@
 //! # By offsets
 //!
 //! [`Offset`](crate::arithmetic::Offset) rounds once, or in `f64` twice, the first time by 2⁻²⁹ of the
-//! second.
+//! second. But from the two corners of a box `f32` rounds three times, of which only a triangle prepared
+//! for many boxes makes use.
 //!
-//! * v: one operation, u·X. Of a triangle prepared for many boxes it is the sum of two offsets, from
-//!   vertex to first vertex and from there to the box: 3u·X.
+//! * v: one operation, u·X. Of a prepared triangle it is the sum of two offsets, from vertex to first
+//!   vertex and from there to the box: 3u·X. That holds by corners in `f32` too. Let the first vertex lie
+//!   A from the centre on an axis, and another d from the first. The differences from the corners are
+//!   2·max(h, A) together, and their sum 2A: the first vertex errs by u·(max(h, A) + A), the other by
+//!   u·(d + |v|) more, with d ≤ s. Where A ≤ h, |v| ≤ h + s: at most 3h + 2s in all. Else, if the other
+//!   lies farther out, |v| = A + d, and 2A + d + |v| ≤ 3·|v|, for no face separates. If it lies farther
+//!   in, that is at most 3A, or beyond the centre 3d.
 //! * e: the difference of two of either kind: 3u·X.
 //! * h: u·h.
 //!

@@ -3,7 +3,7 @@
 //!
 //! | what | oracle | cases |
 //! | --- | --- | --- |
-//! | triangle and box | [`meets`], [`separates`], [`is_collinear`] | [`Set`], [`Touch`] |
+//! | triangle and box | [`meets`], [`separates`], [`is_collinear`] | [`Set`], [`Touch`], [`NearMiss`] |
 //! | the same: touching or overlapping | [`contact::truth`] | |
 //! | triangle and oriented box | [`Oriented::truth`] | [`Oriented::case`] |
 //! | triangle, segment or point and triangle | [`flat::FlatCase::truth`] | [`flat::FlatSet`] |
@@ -36,6 +36,7 @@ pub mod jobs;
 mod lanes;
 mod lattice;
 pub mod lines;
+mod near_miss;
 mod normal;
 mod oracle;
 mod orders;
@@ -56,6 +57,7 @@ pub use exact::Parts;
 pub use grid::every_triangle_on_the_grid;
 pub use lanes::Lanes;
 pub use lattice::{Lattice, Ring, Shapes, odd_mantissa};
+pub use near_miss::NearMiss;
 pub use normal::{Points, compare_with_unit, is_nearest_to_unit, normal_of};
 pub use oracle::{is_collinear, meets};
 pub use orders::{GROUP_ORDERS, VERTEX_ORDERS};

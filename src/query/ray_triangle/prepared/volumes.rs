@@ -251,5 +251,14 @@ mod tests {
         for (length, size) in [(1.0, 1e-20), (1.0, 1e20), (1e-20, 1.0), (1e20, 1.0), (1.0, 1e300)] {
             assert_eq!(ray(length).verdict(&triangle(size)), Verdict::Doubt, "{length} {size}");
         }
+        // Far from the origin, the one or the other.
+        let far = 2_f64.powi(60);
+        let (side, inside) = (1_048_576.0, 262_144.0);
+        let at = |x: f64| OfRay::new([x, inside, side], [0.0, 0.0, -side], true);
+        let from = |x: f64| OfTriangle::new([[x, 0.0, 0.0], [x + side, 0.0, 0.0], [x, side, 0.0]]);
+        assert_eq!(at(inside).verdict(&from(0.0)), Verdict::Front);
+        assert_eq!(at(far).verdict(&from(0.0)), Verdict::Doubt);
+        assert_eq!(at(inside).verdict(&from(far)), Verdict::Doubt);
+        assert_eq!(at(far).verdict(&from(far)), Verdict::Doubt);
     }
 }

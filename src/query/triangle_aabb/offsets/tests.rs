@@ -109,7 +109,10 @@ fn no_error_exceeds_its_bound() {
         for is_far in [false, true] {
             let in_doubles = errors(bits, is_far, 1.0 / 16_777_216.0, |x| x as f64 / 16_777_216.0);
             let in_fixed_point = errors(bits, is_far, 1.0 / 16_777_216.0, I32F32::from_bits);
-            for [edge, plane] in [in_doubles, in_fixed_point] {
+            // What is longer, or farther out, `f32` does not hold.
+            let is_short = bits <= 20 && !is_far;
+            let in_floats = is_short.then(|| errors(bits, false, 1.0, |x| x as f32));
+            for [edge, plane] in [in_doubles, in_fixed_point].into_iter().chain(in_floats) {
                 assert!(edge <= 1.0 && plane <= 1.0, "{bits} {is_far} {edge} {plane}");
                 // Worst cases of all roundings never meet, but something was rounded.
                 assert!(bits < 20 || edge > 0.02 && plane > 0.005, "{bits} {edge} {plane}");
@@ -154,4 +157,37 @@ fn what_is_exact_is_exact() {
         }
     }
     assert!((10_000..70_000).contains(&exact), "{exact}");
+}
+
+/// Sizes of which `f32` has no unit, or none at all.
+#[test]
+fn what_is_out_of_range_is_not_exact() {
+    let shapes = |scale: [f64; 3], last: i64| {
+        let at = |p: [i64; 3]| [0, 1, 2].map(|i| p[i] as f64 * scale[i]);
+        let triangle = Triangle::new(at([-9, -1, 4]), at([-5, -4, -2]), at([1, -6, last])).unwrap();
+        let aabb = Aabb::from_center_half_extents([0.0; 3], at([3, 9, 6])).unwrap();
+        (triangle, aabb)
+    };
+    let is_exact = |scale, last| {
+        let (triangle, aabb) = shapes(scale, last);
+        are_exact(&triangle, &aabb)
+    };
+    assert!(is_exact([1.0; 3], 16) && !is_exact([1.0; 3], 999));
+    let power = |e: i32| 2_f64.powi(e);
+    for e in [-200, -150, -40, 200] {
+        assert!(!is_exact([power(e); 3], 999), "{e}");
+    }
+    // An axis whose offsets are infinite, and others in which a unit is seen.
+    for far in 0..3 {
+        let mut scale = [1.0; 3];
+        scale[far] = power(140);
+        assert!(!is_exact(scale, 16), "{far}");
+    }
+    let (triangle, aabb) = shapes([power(-149); 3], 999);
+    let floats = |p: [f64; 3]| p.map(|x| x as f32);
+    let [a, b, c] = triangle.points().map(floats);
+    let AabbForm::Center { center, half } = aabb.form() else { unreachable!() };
+    let aabb =
+        Aabb::from_center_half_extents(floats(center.to_array()), floats(half.to_array())).unwrap();
+    assert!(!are_exact(&Triangle::new(a, b, c).unwrap(), &aabb));
 }
