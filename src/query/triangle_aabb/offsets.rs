@@ -142,11 +142,11 @@ fn apart<const COARSE: bool>((rows, mut frame): InRows) -> Clear {
     let Some(size) = size_in_range(&frame) else { return Err(Doubt::Unknown) };
     let bound = offset_bound(size);
     if !COARSE {
-        return rows.apart_by_bounds(&frame, bound, bound);
+        return rows.apart_by_bounds::<false>(&frame, bound, bound);
     }
     let (face, beyond) = coarse_bound(size);
     frame.apart = gap(&rows).exceeds(frame.half + ForOffsets::splat(face)) & THREE;
-    rows.apart_by_bounds(&frame, beyond, bound)
+    rows.apart_by_bounds::<false>(&frame, beyond, bound)
 }
 
 #[cfg(all(test, feature = "fixed"))]

@@ -9,7 +9,7 @@ use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle};
 
-/// A triangle prepared for many axis-aligned boxes: exact, and up to twice as fast as the
+/// A triangle prepared for many axis-aligned boxes: exact, and up to three times as fast as the
 /// triangle itself.
 ///
 /// Choose it to voxelize, or wherever a triangle meets more than two or three boxes. The
@@ -73,7 +73,7 @@ impl<S: Scalar> PreparedTriangle<S> {
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: 33 multiplications in three lanes.
+    /// *Cost*: 33 multiplications in three lanes, or 2 where a face or the plane separates.
     #[inline]
     #[must_use]
     pub fn overlaps(&self, aabb: &Aabb<S>) -> bool {
@@ -90,7 +90,7 @@ impl<S: Scalar> PreparedTriangle<S> {
         let rows = self.rows.as_ref()?;
         let frame = self.in_frame(rows, aabb)?;
         let bound = offset_bound(size_in_range(&frame)?);
-        rows.apart_by_bounds(&frame, bound, bound).ok()
+        rows.apart_by_bounds::<true>(&frame, bound, bound).ok()
     }
 
     #[inline(always)]
