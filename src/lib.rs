@@ -153,6 +153,8 @@ pub mod near;
 pub mod polygon;
 pub mod prepared;
 pub mod published;
+#[cfg(test)]
+mod random;
 pub mod relation;
 mod robust;
 mod scalar;

@@ -210,7 +210,6 @@ fn met_by_grazing<S: Sample>(round: u64, span: i64) -> usize {
         + met_at_once(&triangle, near(on_edge, j), number(half))
 }
 
-/// Prepared for one size, asked about another.
 /// So far out that lanes do not hold them, seven triangles are missed and one is hit.
 #[test]
 fn triangles_that_lanes_do_not_hold() {
@@ -232,6 +231,7 @@ fn triangles_that_lanes_do_not_hold() {
     }
 }
 
+/// Prepared for one size, asked about another.
 #[test]
 fn cells_of_another_size() {
     let cells = |size: f32| {

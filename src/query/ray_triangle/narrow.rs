@@ -184,19 +184,15 @@ mod tests {
 
     use super::*;
     use crate::query::{Cull, HitRules};
+    use crate::random::Random;
     use crate::robust::Predicate;
     use crate::shape::{Ray, Triangle};
 
-    /// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, "Fast Splittable Pseudorandom Number
-    /// Generators", OOPSLA 2014).
-    struct Rng(u64);
+    struct Rng(Random);
 
     impl Rng {
         fn below(&mut self, n: u64) -> i64 {
-            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-            let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-            ((u128::from(z ^ (z >> 31)) * u128::from(n)) >> 64) as i64
+            ((u128::from(self.0.bits()) * u128::from(n)) >> 64) as i64
         }
 
         /// Of so many bits beside the sign: any, an end, or one of a few.
@@ -216,7 +212,7 @@ mod tests {
         length_bits: u32,
         of: impl Fn(i64) -> S,
     ) {
-        let rng = &mut Rng(u64::from(bits));
+        let rng = &mut Rng(Random(u64::from(bits)));
         let (mut hits, mut on_edges) = (0, 0);
         for case in 0..6_000 {
             let kind = case % 3;

@@ -81,7 +81,7 @@ pub(super) fn are_exact<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bo
             (min, max, of_corners(triangle, min, max))
         }
     };
-    // Of a size that `f32` has not, neither the unit would be one.
+    // The unit of a size that underflows is zero, of which every number would be a multiple.
     let Some(size) = size_in_range(&frame.1) else { return false };
     S::are_multiples(&[a, b, c, p, q], size.power_of_two_below() * 0.0625)
 }

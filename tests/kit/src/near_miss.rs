@@ -2,16 +2,19 @@
 //! length can be: one unit of volume along the normal, or of area across two edges.
 
 use super::case::{BoxNumbers, Case};
+use super::lattice::Ring;
 use super::rng::Rng;
 use super::sample::Sample;
+
+type Point = [i128; 3];
 
 /// Whole numbers: those of the type are these times a power of two, one for each axis. No verdict
 /// depends on that.
 #[derive(Clone, Copy, Debug)]
 pub struct NearMiss {
-    vertices: [[i64; 3]; 3],
-    center: [i64; 3],
-    half: [i64; 3],
+    vertices: [Point; 3],
+    center: Point,
+    half: Point,
     /// Whether triangle and box meet.
     pub meets: bool,
 }
@@ -27,7 +30,7 @@ impl NearMiss {
             // Short numbers are exact at an earlier stage than long ones.
             let all = rng.whole(1, most.into());
             let size = rng.triple(|rng| 1 << rng.whole(1, all));
-            let gap = rng.whole(-1, 1);
+            let gap = whole(rng, -1, 1);
             let found =
                 if rng.one_in(2) { Self::face(rng, size, gap) } else { Self::edge(rng, size, gap) };
             if let Some(case) = found {
@@ -38,10 +41,10 @@ impl NearMiss {
 
     /// A corner of the box on the triangle's inside, `gap` units of volume from its plane. `None`
     /// where no whole numbers are so near to it.
-    fn face(rng: &mut Rng, size: [i64; 3], gap: i64) -> Option<Self> {
-        let mut edge = || size.map(|most| rng.whole(-most, most));
+    fn face(rng: &mut Rng, size: Point, gap: i128) -> Option<Self> {
+        let mut edge = || size.map(|most| whole(rng, -most, most));
         let (e1, e2) = (edge(), edge());
-        let n = cross(e1, e2);
+        let n = Ring::cross(&e1, &e2);
         if n.contains(&0) {
             return None;
         }
@@ -51,47 +54,46 @@ impl NearMiss {
         if all.abs() != 1 {
             return None;
         }
-        let s = [x * p, y * p, q].map(|x| x * all * i128::from(gap));
+        let s = [x * p, y * p, q].map(|x| x * all * gap);
         let k = (0..3).max_by_key(|&k| n[k].abs())?;
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        let [along1, along2] = [e1, e2].map(|e| e.map(i128::from));
         // How much of each edge it has, in units of one divided by the area.
         let (area, sign) = (n[k].abs(), n[k].signum());
-        let of1 = sign * (s[i] * along2[j] - s[j] * along2[i]);
-        let of2 = sign * (along1[i] * s[j] - along1[j] * s[i]);
+        let of1 = sign * (s[i] * e2[j] - s[j] * e2[i]);
+        let of2 = sign * (e1[i] * s[j] - e1[j] * s[i]);
         let (whole1, whole2) = (of1.div_euclid(area), of2.div_euclid(area));
-        let s = [0, 1, 2].map(|i| (s[i] - whole1 * along1[i] - whole2 * along2[i]) as i64);
+        let s = [0, 1, 2].map(|i| s[i] - whole1 * e1[i] - whole2 * e2[i]);
 
-        let half = size.map(|most| rng.whole(1, most));
-        let a = [0, 1, 2].map(|i| half[i] * n[i].signum() as i64 + s[i]);
-        let [b, c] = [minus(a, e1), minus(a, e2)];
+        let half = size.map(|most| whole(rng, 1, most));
+        let a = [0, 1, 2].map(|i| half[i] * n[i].signum() + s[i]);
+        let [b, c] = [Ring::difference(&a, &e1), Ring::difference(&a, &e2)];
         // In the parallelogram of the two edges, and in which half of it.
         let is_near = of1 + of2 - (whole1 + whole2) * area <= area;
-        let a = if is_near { a } else { minus(b, e2) };
+        let a = if is_near { a } else { Ring::difference(&b, &e2) };
         Some(Self { vertices: [a, b, c], center: [0; 3], half, meets: gap <= 0 })
     }
 
     /// An edge across an edge of the box, `gap` units of area from it.
-    fn edge(rng: &mut Rng, size: [i64; 3], gap: i64) -> Option<Self> {
+    fn edge(rng: &mut Rng, size: Point, gap: i128) -> Option<Self> {
         let (i, j, k) = [(0, 1, 2), (1, 2, 0), (2, 0, 1)][rng.below(3)];
-        let half = size.map(|most| rng.whole(1, most));
-        let (along, down) = (rng.whole(1, size[i]), rng.whole(1, size[j]));
+        let half = size.map(|most| whole(rng, 1, most));
+        let (along, down) = (whole(rng, 1, size[i]), whole(rng, 1, size[j]));
         // down·x + along·y = gap, with 0 ≤ x < along.
-        let (all, x, _) = bezout(down.into(), along.into());
+        let (all, x, _) = bezout(down, along);
         if all != 1 {
             return None;
         }
-        let x = (x * i128::from(gap)).rem_euclid(along.into()) as i64;
+        let x = (x * gap).rem_euclid(along);
         let y = (gap - down * x) / along;
-        let within = |rng: &mut Rng| rng.whole(-half[k] / 2, half[k] / 2);
-        let point = |x: i64, y: i64, z: i64| {
+        let within = |rng: &mut Rng| whole(rng, -half[k] / 2, half[k] / 2);
+        let point = |x, y, z| {
             let mut point = [z; 3];
             (point[i], point[j]) = (x, y);
             point
         };
         let a = point(half[i] + x, half[j] + y, within(rng));
         let b = point(a[i] - along, a[j] + down, within(rng));
-        let outward = size.map(|most| rng.whole(1, most));
+        let outward = size.map(|most| whole(rng, 1, most));
         let c = [0, 1, 2].map(|i| a[i] + outward[i]);
         Some(Self { vertices: [a, b, c], center: [0; 3], half, meets: gap <= 0 })
     }
@@ -105,9 +107,9 @@ impl NearMiss {
     }
 
     /// Every other one somewhere else.
-    fn moved(mut self, rng: &mut Rng, size: [i64; 3]) -> Self {
+    fn moved(mut self, rng: &mut Rng, size: Point) -> Self {
         if rng.one_in(2) {
-            self.center = size.map(|most| rng.whole(-2 * most, 2 * most));
+            self.center = size.map(|most| whole(rng, -2 * most, 2 * most));
             self.vertices = self.vertices.map(|p| [0, 1, 2].map(|i| p[i] + self.center[i]));
         }
         self
@@ -116,34 +118,38 @@ impl NearMiss {
     /// In numbers of the scalar, the box by its centre or its corners, at any magnitudes that it has.
     pub fn case<S: Sample>(&self, rng: &mut Rng, by_center: bool) -> Case<S> {
         let exponents = self.exponents::<S>(rng);
-        let scaled = |p: [i64; 3]| {
+        let scaled = |p: Point| {
             [0, 1, 2].map(|i| {
                 // In two halves, for either alone is a number.
                 let e = exponents[i];
                 S::nearest(p[i] as f64 * 2_f64.powi(e / 2) * 2_f64.powi(e - e / 2))
             })
         };
-        let corner = |sign: i64| [0, 1, 2].map(|i| self.center[i] + sign * self.half[i]);
         let aabb = if by_center {
             BoxNumbers::Center(scaled(self.center), scaled(self.half))
         } else {
-            BoxNumbers::Corners(scaled(corner(-1)), scaled(corner(1)))
+            BoxNumbers::Corners(scaled(self.corner(-1)), scaled(self.corner(1)))
         };
         Case { vertices: self.vertices.map(scaled), aabb }
+    }
+
+    /// The least corner of the box, or the greatest.
+    fn corner(&self, sign: i128) -> Point {
+        [0, 1, 2].map(|i| self.center[i] + sign * self.half[i])
     }
 
     /// What the axes' numbers are multiplied by: alike, nearly alike, anything, or either end of what
     /// there is.
     fn exponents<S: Sample>(&self, rng: &mut Rng) -> [i32; 3] {
-        let corners = [minus(self.center, self.half), minus(self.half, self.center.map(|x| -x))];
+        let corners = [-1, 1].map(|sign| self.corner(sign));
         let greatest = |i: usize| {
             let all = self.vertices.iter().chain(&corners).map(|p| p[i].abs());
             all.max().expect("five points")
         };
-        let bits = |x: i64| (i64::BITS - x.unsigned_abs().leading_zeros()) as i32;
+        let bits = |x: i128| (i128::BITS - x.leading_zeros()) as i32;
         let least = S::from_ordinal(1).mantissa_exponent().1;
         let (mantissa, exponent) = S::GREATEST.mantissa_exponent();
-        let most = [0, 1, 2].map(|i| bits(mantissa) + exponent - bits(greatest(i)));
+        let most = [0, 1, 2].map(|i| bits(mantissa.into()) + exponent - bits(greatest(i)));
         let one = rng.whole(least.into(), most.into_iter().min().expect("three").into()) as i32;
         let kind = rng.below(4);
         most.map(|most| match kind {
@@ -165,11 +171,7 @@ fn bezout(a: i128, b: i128) -> (i128, i128, i128) {
     (divisor, y, x - a / b * y)
 }
 
-fn minus(a: [i64; 3], b: [i64; 3]) -> [i64; 3] {
-    core::array::from_fn(|i| a[i] - b[i])
-}
-
-fn cross(a: [i64; 3], b: [i64; 3]) -> [i128; 3] {
-    let [a, b] = [a, b].map(|p| p.map(i128::from));
-    [(1, 2), (2, 0), (0, 1)].map(|(j, k)| a[j] * b[k] - a[k] * b[j])
+/// From `low` to `high`, both included, neither of which is longer than a word.
+fn whole(rng: &mut Rng, low: i128, high: i128) -> i128 {
+    rng.whole(low as i64, high as i64).into()
 }

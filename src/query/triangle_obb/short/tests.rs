@@ -3,23 +3,15 @@
 use fixed::types::{I2F30, I4F4, I8F8, I16F16};
 
 use super::*;
+use crate::random::Random;
 use crate::shape::{Obb, Triangle};
 
-/// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, "Fast Splittable Pseudorandom Number
-/// Generators", OOPSLA 2014).
-struct Rng(u64);
+struct Rng(Random);
 
 impl Rng {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
     /// A whole number below 2^`bits`, of either sign.
     fn within(&mut self, bits: u32) -> i64 {
-        (self.next() >> (63 - bits)) as i64 - (1 << bits)
+        (self.0.bits() >> (63 - bits)) as i64 - (1 << bits)
     }
 }
 
@@ -67,7 +59,7 @@ fn found<S: Scalar + InRaw>(question: &Disjoint<'_, S>) -> Option<f64> {
 
 /// Asks about shapes of all sizes, near and far, of the greatest and the least numbers.
 fn most_found<S: Scalar + InRaw>(bits: u32, of: impl Fn(i64) -> S) -> (u32, f64) {
-    let rng = &mut Rng(0x0bb);
+    let rng = &mut Rng(Random(0x0bb));
     let (mut asked, mut most) = (0, 0.0_f64);
     for case in 0..6_000 {
         let mut row = |bits: u32| [(); 3].map(|()| rng.within(bits));
