@@ -1,9 +1,9 @@
 //! Exact overlap and ray queries for triangles and boxes.
 //!
-//! septum answers whether a triangle meets a box, where a ray hits a triangle, and the
-//! questions beside these. Its answers are exact for every valid input, in `f32`, `f64` and
-//! the signed types of the [`fixed`] crate of up to 64 bits. It uses no epsilon, no
-//! allocator and no `std`, and its answers are the same bits on every machine.
+//! septum answers whether a triangle meets a box, where a ray hits a triangle, and related
+//! questions about segments, planes, oriented boxes and whole meshes. Its answers are exact for
+//! every valid input, in `f32`, `f64` and the signed types of the [`fixed`] crate of up to 64 bits.
+//! It uses no epsilon, no allocator and no `std`, and it gives the same bits on every machine.
 //!
 //! ```
 //! use septum::{Aabb, Triangle};
@@ -33,9 +33,9 @@
 //!
 //! # Which query
 //!
-//! Each link in the second column leads to the geometry, numerics, range and cost of that
-//! pair. All shapes are closed sets: touching is overlap. [`Overlaps`] holds `overlaps` and
-//! `may_overlap` for generic code; both take the shapes in either order.
+//! Each link in the second column leads to the geometry, numerics, range and cost of that pair. All
+//! shapes are closed sets: touching is overlap. For generic code, the trait [`Overlaps`] has
+//! `overlaps` and `may_overlap`; both take the shapes in either order.
 //!
 //! | question | exact | never misses |
 //! | --- | --- | --- |
@@ -56,17 +56,20 @@
 //! | point, box or triangle | [`Aabb::contains`], [`Obb::contains`], [`Triangle::contains`] | |
 //! | ray, triangle | [`hit`](Ray::hit), [`is_hit`](Ray::is_hit), [`hit_once`](Ray::hit_once), [`hit_with`](Ray::hit_with); [`compare_hits`](Ray::compare_hits) | |
 //! | ray, many triangles | [`lanes::Triangles::hit`] | |
-//! | a mesh: what a shape overlaps, what a ray hits, other meshes | [`overlapping`](mesh::Tree::overlapping), [`first_hit`](mesh::Tree::first_hit), [`overlapping_pairs`](mesh::Tree::overlapping_pairs) | |
-//! | a closed mesh, point | [`contains`](mesh::Tree::contains), [`winding`](mesh::Tree::winding) | |
-//! | touching or overlapping | [`relation`] | |
-//! | ray or box and triangle, near the origin, in 32-bit words alone | `near` | |
-//! | the least translation that parts two shapes, and where they touch | [`contact`] | |
-//! | a box or a triangle that moves | [`meets_along`](sweep::Sweep::meets_along), [`first_contact`](sweep::Sweep::first_contact); a mesh: [`first_contact`](mesh::Tree::first_contact) | |
-//! | triangle, grid of voxels | [`voxel::Grid::rows`], [`voxel::Bits::fill`]; inside: [`voxel::Solid`] | |
+//! | mesh and shape, ray or second mesh (BVH) | [`overlapping`](mesh::Tree::overlapping), [`first_hit`](mesh::Tree::first_hit), [`overlapping_pairs`](mesh::Tree::overlapping_pairs) | |
+//! | point, closed mesh | [`contains`](mesh::Tree::contains), [`winding`](mesh::Tree::winding) | |
+//! | two shapes: disjoint, touching or overlapping | [`relation`] | |
+#![cfg_attr(
+    feature = "fixed",
+    doc = "| ray or box and triangle near the origin, in 32-bit words alone | [`near`] | |"
+)]
+//! | two shapes: minimum translation (penetration depth), contact points | [`contact`] | |
+//! | moving box or triangle: time of impact | [`meets_along`](sweep::Sweep::meets_along), [`first_contact`](sweep::Sweep::first_contact); on a mesh [`first_contact`](mesh::Tree::first_contact) | |
+//! | triangle, grid of voxels | [`voxel::Grid::rows`], [`voxel::Bits::fill`]; interior of a mesh: [`voxel::Solid`] | |
 //! | segment or ray, grid | [`voxel::Grid::walk_segment`], [`voxel::Grid::walk_ray`] | |
-//! | the axis that separates | [`separating_axis`](Triangle::separating_axis), [`is_separated_by`](Triangle::is_separated_by) | |
-//! | a triangle alone | [`is_degenerate`](Triangle::is_degenerate), [`unit_normal`](Triangle#method.unit_normal) | |
-//! | the box around an oriented box | | [`Obb::aabb`] |
+//! | triangle, box: the separating axis | [`separating_axis`](Triangle::separating_axis), [`is_separated_by`](Triangle::is_separated_by) | |
+//! | one triangle | [`is_degenerate`](Triangle::is_degenerate), [`unit_normal`](Triangle#method.unit_normal) | |
+//! | oriented box: its bounding box | | [`Obb::aabb`] |
 //!
 //! [triangle-aabb]: Triangle#impl-Overlaps<Aabb<S>>-for-Triangle<S>
 //! [triangle-obb]: Triangle#impl-Overlaps<Obb<S>>-for-Triangle<S>
@@ -80,37 +83,38 @@
 //! [ray-aabb]: Ray#impl-Overlaps<Aabb<S>>-for-Ray<S>
 //! [ray-obb]: Ray#impl-Overlaps<Obb<S>>-for-Ray<S>
 //!
-//! [`published`] has the methods of the literature as published, which round and are
-//! sometimes wrong. [`lanes`] asks about many shapes at once, [`mesh`] about whole meshes by a tree.
+//! [`published`] has the methods of the literature as published; these round, and sometimes
+//! give a wrong answer. [`lanes`] holds queries about many shapes at once, and [`mesh`] has a
+//! bounding-volume hierarchy for whole meshes.
 //!
 //! # Scalars and ranges
 //!
-//! An answer is exact over the whole range of a type. How long it takes depends on the
-//! input. These are the bounds within which an axis-aligned box is asked about in the first
-//! stages; an oriented box has other ones, on [its page][triangle-obb].
+//! An answer is exact over the whole range of a type; only the time depends on the input. The
+//! table says which inputs the fast first stages decide, and which arithmetic decides the rest.
+//! It is for axis-aligned boxes; oriented boxes have [their own limits][triangle-obb].
 //!
 //! | scalar | fast | elsewhere |
 //! | --- | --- | --- |
 //! | `f32` | spans of 2⁻³² to 2⁴⁰, not within rounding of contact | `f64`, integers, exact sums |
 //! | `f64` | spans of 2⁻³²⁰ to 2³²⁰, not within rounding of contact | integers, exact sums |
 //! | `FixedI8`, `FixedI16` | always | |
-//! | `FixedI32` | coordinates below 2²⁸ units in the last place | wider integers; on 32-bit cores exact sums, but for a triangle with a box or a ray |
+//! | `FixedI32` | coordinates below 2²⁸ units in the last place | wider integers; on 32-bit cores exact sums, except for triangle/box and ray/triangle |
 //! | `FixedI64` | coordinates below 2⁶⁰ units in the last place | exact sums |
 //!
-//! A narrower fixed-point type is faster and takes less code. For triangles and oriented
-//! boxes of fixed point the first stage is the same for all types, in words of 32 bits.
+//! A narrower fixed-point type is faster and takes less code. Triangles and oriented boxes in
+//! fixed point share one first stage in 32-bit words, whatever the type.
 //!
 //! # Promises and limits
 //!
-//! * A constructor refuses what is not a shape, with a [`ShapeError`]: NaN, infinities, a
-//!   negative half-extent, a least corner above the greatest. A triangle may be a segment or
-//!   a point, and a box may be flat.
+//! * A constructor refuses invalid input with a [`ShapeError`]: NaN, infinities, a negative
+//!   half-extent, a least corner above the greatest. A triangle may be a segment or a point, and
+//!   a box may be flat.
 //! * A query on a shape does not panic, and fixed point does not overflow.
 //! * `may_overlap` may answer `true` for shapes a hair apart, never `false` for shapes that
-//!   meet. In fixed point of up to 32 bits and an axis-aligned box it is the exact test.
-//! * t, u and v are rounded: [`Ray::hit`] says by how much in each scalar.
-//! * The same bits come from every machine, build and optimisation level. Floats must be
-//!   IEEE 754 with subnormals, which excludes x87 and hosts that flush them to zero.
+//!   meet. For axis-aligned boxes in fixed point of up to 32 bits it is the exact test.
+//! * t, u and v are rounded: [`Ray::hit`] gives the error in each scalar.
+//! * Every machine, build and optimisation level gives the same bits. Floats must be IEEE 754
+//!   with subnormals, which excludes x87 and machines that flush subnormals to zero.
 //! * Time depends on the input. Exact sums take up to a thousand times as long as the first
 //!   stage.
 //! * `const_new` makes shapes for tables in flash: see [`Triangle::const_new`].
@@ -120,17 +124,17 @@
 //! | feature | what it adds | default |
 //! | --- | --- | --- |
 //! | `fixed` | the signed types of the [`fixed`] crate of up to 64 bits as scalars | yes |
-//! | `simd` | triangles, boxes and rays by the machine's vectors; no answer changes | yes |
+//! | `simd` | vector instructions for triangles, boxes and rays; no answer changes | yes |
 //! | `libm` | [`unit_normal`](Triangle#method.unit_normal) in floats, within 0.51 ulp in `f32` and 6 in `f64` | no |
 //! | `micromath` | `unit_normal_fast` in `f32`: a few percent off, cheap without an FPU | no |
 //! | `heapless` | `interop::Bounded` and `interop::touched`: results of bounded size | no |
 //! | `defmt` | `defmt::Format` for every shape, answer and error | no |
 //! | `mint` | conversions from and to the vectors of `mint` | no |
-//! | `serde` | reading and writing; a shape that is read is checked by its constructor | no |
-//! | `small` | less code: a cascade has its first stage and its last; no answer changes | no |
+//! | `serde` | serialization; a shape is checked when it is read | no |
+//! | `small` | smaller code: only the first and the last stage of each cascade; no answer changes | no |
 //!
-//! The minimum Rust version is 1.89 with the feature `simd` where the machine has vectors,
-//! 1.87 with `heapless`, and otherwise 1.85.
+//! The minimum Rust version is 1.85; with `heapless` 1.87; with `simd`, on machines with vector
+//! instructions, 1.89.
 //!
 //! [`fixed`]: https://docs.rs/fixed
 #![no_std]
@@ -138,7 +142,8 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
-// The order of the pages of the shapes: constructors, `overlaps`, exact queries, the rest.
+// The order of modules sets the order of methods on the shapes' pages: constructors, `overlaps`,
+// exact queries, the rest.
 mod shape;
 
 mod query;
@@ -165,7 +170,7 @@ pub use query::{Axis, Cull, Facing, Feature, Hit, HitRules, Side};
 pub use scalar::Scalar;
 pub use shape::{Aabb, Obb, Overlaps, Plane, Ray, Segment, ShapeError, Triangle, Vec3};
 
-/// The README's examples, to be tested.
+/// Tests the README's examples.
 #[cfg(all(doctest, feature = "fixed"))]
 #[doc = include_str!("../README.md")]
 struct ReadmeExamples;

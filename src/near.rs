@@ -1,14 +1,15 @@
-//! Shapes near the origin: queries in 32-bit words alone, with no stage for what is far out.
+//! Shapes near the origin: queries in 32-bit words alone, without the code for distant shapes.
 //!
-//! For firmware that has to know its flash and its time. A query on any shape of a 32-bit type has
-//! a second stage, in wider words, for coordinates far out. Who knows that the shapes are near
-//! says so once, when they are made, and is told if they are not. Then that stage is not linked,
-//! and its time cannot occur. `docs/worst-case.md` has the most instructions that each query takes
-//! with it and without it.
+//! Use these in firmware that needs a small program and a known worst case. A query on an ordinary
+//! shape of a 32-bit type links a second stage in wider words, for coordinates far from the origin.
+//! A [`Near`] shape is checked once, when it is made, and its queries link only the first stage, so
+//! the time of the second cannot occur. `docs/worst-case.md` lists the most instructions of each
+//! query, with `near` and without.
 //!
-//! *Near* is within 2¹⁷ units in the last place of zero, on every axis: 2 in `I16F16`, and 131 mm
-//! where a unit is a thousandth of one. What has no place may be longer: directions, axes and
-//! half-extents are below 2¹⁹ units. Types of 8 and 16 bits have no such stage anyway.
+//! *Near* means less than 2¹⁷ units in the last place from zero on every axis: less than 2 in
+//! `I16F16`, or 131 mm where a unit in the last place is a micrometre. Directions, axes and
+//! half-extents may be longer, up to 2¹⁹ units. Types of 8 and 16 bits have no second stage, and
+//! need no `near`.
 //!
 //! ```
 //! use fixed::types::I16F16;
@@ -24,7 +25,7 @@
 //!         I16F16::from_bits(z * unit),
 //!     )
 //! }
-//! // In flash. The compiler says if it is too far out.
+//! // In flash. It does not compile if the triangle is too far out.
 //! static FLOOR: Near<Triangle<I16F16>> = {
 //!     let floor = Triangle::<I16F16>::const_new(at(0, 0, 0), at(16, 0, 0), at(0, 16, 0));
 //!     ShapeError::unwrap(ShapeError::unwrap(floor).near())
@@ -46,7 +47,7 @@
 //! | triangle, axis-aligned box | `overlaps`, `may_overlap` |
 //! | triangle, oriented box | `overlaps`, `may_overlap` |
 //!
-//! Answers are the same bits as those of the shapes as they were.
+//! The answers are bit for bit the answers of the ordinary shapes.
 
 pub use crate::shape::Near;
 
@@ -88,8 +89,8 @@ mod tests {
         assert!(obb(0, 1, LONGEST + 1).is_err());
     }
 
-    /// The same answers as by the kernels for shapes anywhere, which on wide machines are other
-    /// ones; in the widest shapes that are near, and in contact.
+    /// Compares with the kernels for shapes anywhere, which are different code on 64-bit machines.
+    /// The cases are shapes that reach the limit, and shapes in contact.
     #[test]
     fn answers_are_those_of_shapes_anywhere() {
         let mut seed = 7_u32;

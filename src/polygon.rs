@@ -1,4 +1,4 @@
-//! Polygons of three or more vertices, in the caller's memory.
+//! Polygons of three or more vertices, in the caller's memory, against boxes.
 //!
 //! ```
 //! use septum::polygon::Polygon;
@@ -12,8 +12,8 @@
 //! assert!(!polygon.overlaps(&cell(0.0, 1.0, 0.0)));
 //! # Ok::<(), septum::ShapeError>(())
 //! ```
-//!
-//! Exact against axis-aligned boxes. Everything else can be asked about its
+//! The test against an axis-aligned box is exact. For every other query, use the polygon's
+//! [`triangles`](Polygon::triangles).
 //! [`triangles`](Polygon::triangles).
 
 pub use crate::shape::Polygon;

@@ -1,4 +1,7 @@
-//! Shapes prepared for many questions: exact, and faster than the shapes themselves.
+//! Shapes prepared for many queries: the same exact answers, faster.
+//!
+//! [`PreparedRay`] is for one ray and many boxes, [`PreparedTriangle`] for one triangle and many
+//! boxes, [`HitRay`] and [`HitTriangle`] for many rays and many triangles.
 //!
 //! ```
 //! use septum::prepared::PreparedRay;

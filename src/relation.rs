@@ -1,4 +1,7 @@
-//! Touching told apart from overlapping, exactly.
+//! Whether two shapes are disjoint, touch or overlap, exactly.
+//!
+//! [`overlaps`](crate::Overlaps::overlaps) is `true` for shapes that touch. [`Relate::relation`]
+//! also says whether their interiors meet.
 //!
 //! ```
 //! use septum::relation::{Relate, Relation};

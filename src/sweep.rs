@@ -1,8 +1,9 @@
-//! Shapes that move: whether they meet others on their way, exactly, and when first.
+//! Continuous collision: whether a moving shape meets another on its way, exactly, and at what
+//! time.
 //!
-//! A simulation that looks only at where its bodies are at each tick lets a fast one pass through
-//! a thin wall. A sweep looks at all of the way. Its answer is exact, so nothing passes, and the
-//! time that it tells is never late.
+//! A simulation that tests only positions at each tick lets a fast body pass through a thin wall. A
+//! sweep tests all of the motion between two ticks. Its verdict is exact, so no body passes
+//! through, and the time of impact that it returns is never late.
 //!
 //! ```
 //! use septum::sweep::{Motion, Sweep};
@@ -23,7 +24,8 @@
 //! | axis-aligned box | triangle, axis-aligned box, [a mesh](crate::mesh::Tree::first_contact) |
 //! | triangle | axis-aligned box |
 //!
-//! Motion is translation. A body may stand still at t = 1, at its new place, or be stopped at the
-//! time told: then it has not yet met what it would meet, or touches it.
+//! The motion is a translation. If nothing is met, the body may stand at its new place, t = 1.
+//! Otherwise, stop it at the returned time: there it touches the obstacle, or has not reached it
+//! yet.
 
 pub use crate::query::{FirstContact, Motion, Sweep};

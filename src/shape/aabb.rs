@@ -3,11 +3,11 @@ use super::overlaps::overlaps_methods;
 use super::{ShapeError, finite};
 use crate::scalar::Scalar;
 
-/// An axis-aligned box, a closed set; flat boxes and points are boxes too.
+/// An axis-aligned box, a closed set. It may be flat, or a point.
 ///
-/// It can be given by its centre and half-extents, as the papers do, or by its
-/// least and greatest corner. A box remembers which: converting one form to the
-/// other rounds, and a rounded box is another box.
+/// It is given by its centre and half-extents, or by its least and greatest corner, and keeps the
+/// form in which it was given: conversion would round, and the rounded box would be a different
+/// box.
 ///
 /// ```
 /// use septum::{Aabb, ShapeError};
@@ -27,7 +27,7 @@ pub struct Aabb<S> {
     pub(super) form: Form<S>,
 }
 
-/// What the box was given as.
+/// The form in which the box was given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Form<S> {
     /// Centre and half-extents.
@@ -37,14 +37,13 @@ pub(crate) enum Form<S> {
 }
 
 impl<S: Scalar> Aabb<S> {
-    /// The box around `center` that reaches `half_extents` to either side.
+    /// A box around `center` that extends `half_extents` to either side.
     ///
-    /// The corners need not be numbers of the scalar: centre and half-extents
-    /// mean what they say.
+    /// The corners may lie between two numbers of the scalar; queries use the exact corners.
     ///
     /// # Errors
-    /// [`ShapeError::NotFinite`] where a number is NaN or infinite,
-    /// [`ShapeError::NegativeHalfExtent`] where a half-extent is negative.
+    /// [`ShapeError::NotFinite`] if a number is NaN or infinite, [`ShapeError::NegativeHalfExtent`]
+    /// if a half-extent is negative.
     #[inline]
     pub fn from_center_half_extents(
         center: impl Into<Vec3<S>>,
@@ -57,11 +56,11 @@ impl<S: Scalar> Aabb<S> {
         Ok(Self { form: Form::Center { center, half } })
     }
 
-    /// The box from its least to its greatest corner.
+    /// A box from its least to its greatest corner.
     ///
     /// # Errors
-    /// [`ShapeError::NotFinite`] where a number is NaN or infinite,
-    /// [`ShapeError::MinAboveMax`] where `min` exceeds `max` on some axis.
+    /// [`ShapeError::NotFinite`] if a number is NaN or infinite, [`ShapeError::MinAboveMax`] if
+    /// `min` exceeds `max` on some axis.
     #[inline]
     pub fn from_min_max(
         min: impl Into<Vec3<S>>,
@@ -81,7 +80,7 @@ overlaps_methods!(
 );
 
 impl<S: Copy> Aabb<S> {
-    /// Centre and half-extents, if the box was given so.
+    /// Centre and half-extents, if the box was given by these.
     #[inline]
     #[must_use]
     pub const fn center_half_extents(&self) -> Option<(Vec3<S>, Vec3<S>)> {
@@ -91,7 +90,7 @@ impl<S: Copy> Aabb<S> {
         }
     }
 
-    /// Least and greatest corner, if the box was given so.
+    /// Least and greatest corner, if the box was given by these.
     #[inline]
     #[must_use]
     pub const fn min_max(&self) -> Option<(Vec3<S>, Vec3<S>)> {
@@ -101,19 +100,19 @@ impl<S: Copy> Aabb<S> {
         }
     }
 
-    /// The box between two corners that were checked before.
+    /// A box between two corners that were checked before.
     #[inline(always)]
     pub(crate) const fn between(min: Vec3<S>, max: Vec3<S>) -> Self {
         Self { form: Form::Corners { min, max } }
     }
 
-    /// The box around a centre, both of whose parts were checked before.
+    /// A box around a centre; centre and half-extents were checked before.
     #[inline(always)]
     pub(crate) const fn around(center: Vec3<S>, half: Vec3<S>) -> Self {
         Self { form: Form::Center { center, half } }
     }
 
-    /// The box around the origin with half-extents that were checked before.
+    /// A box around the origin with half-extents that were checked before.
     pub(crate) fn about_origin(half: Vec3<S>) -> Self
     where
         S: Scalar,

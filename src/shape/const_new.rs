@@ -1,8 +1,8 @@
 //! Constructors for `const` tables in flash.
 //!
-//! A `const fn` cannot call the methods of a trait, so the generic constructors
-//! cannot be `const`. These are, one for each family of scalars, and check the
-//! same. Only those of `f32` are documented: the others differ in nothing.
+//! A `const fn` cannot call trait methods, so the generic constructors cannot be `const`. These
+//! constructors exist once for each family of scalars, and make the same checks. Only the `f32`
+//! versions appear in the documentation; all are alike.
 
 use super::Vec3;
 use super::aabb::Form;
@@ -11,13 +11,13 @@ use super::segment::Form as SegmentForm;
 use super::{Aabb, Obb, Plane, Polygon, Ray, Segment, ShapeError, Triangle};
 use crate::scalar::axes::{are_orthonormal_f32, are_orthonormal_f64};
 
-/// Whether a float is a number.
+/// Whether a float is finite.
 macro_rules! float_is_finite {
     ($x:expr) => {
         $x.is_finite()
     };
 }
-/// A fixed-point number always is one.
+/// A fixed-point number is always finite.
 #[cfg(feature = "fixed")]
 macro_rules! fixed_is_finite {
     ($x:expr) => {{
@@ -25,7 +25,7 @@ macro_rules! fixed_is_finite {
         true
     }};
 }
-/// What a `const fn` can compare.
+/// A value that a `const fn` can compare.
 macro_rules! float_value {
     ($x:expr) => {
         $x
@@ -53,8 +53,7 @@ macro_rules! is_any_negative {
         $value!($v.x) < $zero || $value!($v.y) < $zero || $value!($v.z) < $zero
     };
 }
-/// The constructors of one family. `$zero` is what [`float_value`] and its sibling
-/// make of zero.
+/// The constructors for one family. `$zero` is zero as [`float_value`] or `fixed_value` returns it.
 macro_rules! const_new {
     ($(#[$attr:meta])* [$($generic:tt)*] $scalar:ty, $finite:ident, $value:ident, $zero:literal,
      $zero_scalar:expr, |$axes:ident| $orthonormal:expr) => {
@@ -62,9 +61,8 @@ macro_rules! const_new {
         impl<$($generic)*> Triangle<$scalar> {
             /// [`Triangle::new`] for a `const` or a `static`, such as a table in flash.
             ///
-            /// It exists for every scalar. Name the scalar:
-            /// `Triangle::<I16F16>::const_new`. [`ShapeError::unwrap`] makes a bad
-            /// shape an error of the compiler.
+            /// It exists for every scalar, which has to be named: `Triangle::<I16F16>::const_new`.
+            /// [`ShapeError::unwrap`] turns a refused shape into a compile error.
             ///
             /// # Errors
             /// As [`Triangle::new`].

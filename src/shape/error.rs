@@ -1,6 +1,6 @@
 use core::fmt;
 
-/// Why no shape could be made of what was given.
+/// The reason why a constructor refused its input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -9,22 +9,20 @@ pub enum ShapeError {
     NotFinite,
     /// A half-extent is negative.
     NegativeHalfExtent,
-    /// On some axis the least corner lies above the greatest.
+    /// The least corner exceeds the greatest on some axis.
     MinAboveMax,
     /// The axes do not span space: one is zero, two are parallel, or all three lie
     /// in one plane.
     DependentAxes,
-    /// The axes are not at right angles, or not of length one, by more than any
-    /// rounding explains. [`Obb::from_skewed_axes`](crate::Obb::from_skewed_axes)
-    /// takes them if that is what they should be.
+    /// The axes are not orthogonal, or not of length one, by more than rounding explains.
+    /// [`Obb::from_skewed_axes`](crate::Obb::from_skewed_axes) accepts them if they are meant so.
     NotOrthonormal,
-    /// The scalar holds no vector of length one: it is a fixed-point type without
-    /// integer bits.
-    /// [`Obb::from_skewed_axes`](crate::Obb::from_skewed_axes) takes axes of any
-    /// length, with half-extents in units of that length.
+    /// The scalar is a fixed-point type without integer bits, and has no vector of length one.
+    /// [`Obb::from_skewed_axes`](crate::Obb::from_skewed_axes) accepts axes of any length, with
+    /// half-extents in units of that length.
     NoUnitLength,
-    /// The squares of a quaternion's components do not add up to one, by more than any
-    /// rounding explains.
+    /// The squares of the quaternion's components do not add up to one, by more than rounding
+    /// explains.
     NotUnitQuaternion,
     /// A plane's normal is zero.
     ZeroNormal,
@@ -32,15 +30,16 @@ pub enum ShapeError {
     ZeroDirection,
     /// A range ends before it begins.
     EmptyRange,
-    /// A coordinate is too far from zero for a shape that is to be `near`.
+    /// A coordinate is too far from zero for a `near` shape.
     NotNear,
     /// A polygon has fewer than three vertices.
     TooFewVertices,
 }
 
 impl ShapeError {
-    /// The shape, for a `const` or a `static`, where a bad shape is an error of the
-    /// compiler. [`Result::unwrap`] is not `const`.
+    /// Returns the shape in a `const` or a `static`; a refused shape is a compile error.
+    ///
+    /// [`Result::unwrap`] is not `const`.
     ///
     /// ```
     /// use septum::{Aabb, ShapeError, Vec3};
@@ -51,7 +50,7 @@ impl ShapeError {
     /// assert_eq!(CELL.min_max(), Some((LOW, HIGH)));
     /// ```
     ///
-    /// The other way round does not compile:
+    /// With the corners exchanged it does not compile:
     ///
     /// ```compile_fail
     /// # use septum::{Aabb, ShapeError, Vec3};
@@ -61,7 +60,7 @@ impl ShapeError {
     /// ```
     ///
     /// # Panics
-    /// If there is an error and it is called at run time. Match on the result there.
+    /// On an error, if called at run time. Match on the result there instead.
     #[must_use]
     #[track_caller]
     pub const fn unwrap<T: Copy>(shape: Result<T, Self>) -> T {

@@ -1,9 +1,7 @@
-//! The shapes: data, what is always true of it, and constructors that check.
+//! The shapes: their data, their invariants, and constructors that check them.
 
 mod aabb;
 mod error;
-#[cfg(feature = "fixed")]
-mod near;
 mod obb;
 mod overlaps;
 mod plane;
@@ -14,8 +12,10 @@ mod segment;
 mod triangle;
 mod vec3;
 
-// Last, as on the pages of the shapes.
+// // Last, so that these methods come last on the pages of the shapes.
 mod const_new;
+#[cfg(feature = "fixed")]
+mod near;
 
 pub use aabb::Aabb;
 pub(crate) use aabb::Form as AabbForm;
@@ -35,7 +35,7 @@ pub use vec3::Vec3;
 
 use crate::scalar::Scalar;
 
-/// The vector, if all its coordinates are numbers.
+/// Returns the vector if all its coordinates are finite.
 pub(crate) fn finite<S: Scalar>(v: impl Into<Vec3<S>>) -> Result<Vec3<S>, ShapeError> {
     let v = v.into();
     if v.is_finite() { Ok(v) } else { Err(ShapeError::NotFinite) }

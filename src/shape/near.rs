@@ -1,4 +1,4 @@
-//! Shapes that were checked to be near the origin.
+//! Shapes that have been checked to be near the origin.
 
 use fixed::FixedI32;
 use fixed::types::extra::LeEqU32;
@@ -9,22 +9,21 @@ use super::{Aabb, Obb, Ray, ShapeError, Triangle, Vec3};
 
 /// A shape near the origin: see [`near`](crate::near).
 ///
-/// Made by [`Triangle::near`], [`Ray::near`], [`Aabb::near`] and [`Obb::near`].
+/// [`Triangle::near`], [`Ray::near`], [`Aabb::near`] and [`Obb::near`] make one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(transparent)]
 pub struct Near<T>(T);
 
 impl<T> Near<T> {
-    /// The shape as it was.
+    /// The ordinary shape.
     #[inline]
     #[must_use]
     pub const fn get(&self) -> &T {
         &self.0
     }
 
-    /// Whether the shape has a point in common with another that is near. Exact; the same
-    /// answer as that of the shapes as they were.
+    /// Whether the two shapes have a point in common. Exact: the answer of the ordinary shapes.
     #[doc(alias = "intersects")]
     #[must_use]
     #[inline]
@@ -35,7 +34,7 @@ impl<T> Near<T> {
         Overlaps::overlaps(self, other)
     }
 
-    /// Whether the two may have a point in common: never `false` if they have.
+    /// Whether the two shapes may have a point in common: never `false` if they have.
     #[doc(alias = "intersects")]
     #[must_use]
     #[inline]
@@ -47,10 +46,11 @@ impl<T> Near<T> {
     }
 }
 
-/// How many bits a coordinate has beside its sign. Two of them are less than 2^18 apart, which is
-/// what the kernel for an axis-aligned box has room for on every core.
+/// The bits of a coordinate without its sign. Two such coordinates differ by less than 2^18, which
+/// the kernel for axis-aligned boxes can take on every core.
 const POSITION: u32 = 17;
-/// The same of a direction, an axis or a half-extent: what volumes have room for.
+/// The bits of a component of a direction, an axis or a half-extent, limited by the width of
+/// volumes.
 const LENGTH: u32 = 19;
 
 const fn fits(bits: i32, most: u32) -> bool {
@@ -61,7 +61,7 @@ const fn all_fit<Frac: LeEqU32>(v: &Vec3<FixedI32<Frac>>, most: u32) -> bool {
     fits(v.x.to_bits(), most) && fits(v.y.to_bits(), most) && fits(v.z.to_bits(), most)
 }
 
-/// Whether c − h and c + h fit.
+/// Whether c − h and c + h fit in `POSITION` bits.
 const fn ends_fit<Frac: LeEqU32>(c: FixedI32<Frac>, h: FixedI32<Frac>) -> bool {
     let (c, h) = (c.to_bits(), h.to_bits());
     fits(c, POSITION) && fits(h, LENGTH) && fits(c - h, POSITION) && fits(c + h, POSITION)
@@ -71,8 +71,8 @@ impl<Frac: LeEqU32> Triangle<FixedI32<Frac>> {
     /// The triangle, for queries in 32-bit words alone: see [`near`](crate::near).
     ///
     /// # Errors
-    /// [`ShapeError::NotNear`] where a vertex is 2¹⁷ units in the last place or more from zero on
-    /// some axis.
+    /// [`ShapeError::NotNear`] if a vertex is 2¹⁷ units in the last place or more from zero on some
+    /// axis.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
         let [a, b, c] = &self.vertices;
         if all_fit(a, POSITION) && all_fit(b, POSITION) && all_fit(c, POSITION) {
@@ -84,12 +84,13 @@ impl<Frac: LeEqU32> Triangle<FixedI32<Frac>> {
 }
 
 impl<Frac: LeEqU32> Ray<FixedI32<Frac>> {
-    /// The ray, for queries in 32-bit words alone: see [`near`](crate::near). Its range may be
-    /// any.
+    /// The ray, for queries in 32-bit words alone: see [`near`](crate::near).
+    ///
+    /// Its range of t is not restricted.
     ///
     /// # Errors
-    /// [`ShapeError::NotNear`] where the origin is 2¹⁷ units in the last place or more from zero
-    /// on some axis, or the direction 2¹⁹.
+    /// [`ShapeError::NotNear`] if the origin is 2¹⁷ units in the last place or more from zero on
+    /// some axis, or the direction 2¹⁹.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
         if all_fit(&self.origin, POSITION) && all_fit(&self.direction, LENGTH) {
             Ok(Near(self))
@@ -103,8 +104,8 @@ impl<Frac: LeEqU32> Aabb<FixedI32<Frac>> {
     /// The box, for queries in 32-bit words alone: see [`near`](crate::near).
     ///
     /// # Errors
-    /// [`ShapeError::NotNear`] where a corner is 2¹⁷ units in the last place or more from zero on
-    /// some axis.
+    /// [`ShapeError::NotNear`] if a corner is 2¹⁷ units in the last place or more from zero on some
+    /// axis.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
         let is_near = match &self.form {
             Form::Center { center: c, half: h } => {
@@ -120,9 +121,9 @@ impl<Frac: LeEqU32> Obb<FixedI32<Frac>> {
     /// The box, for queries in 32-bit words alone: see [`near`](crate::near).
     ///
     /// # Errors
-    /// [`ShapeError::NotNear`] where the centre is 2¹⁷ units in the last place or more from zero
-    /// on some axis, or an axis or a half-extent 2¹⁹: a type of more than 18 fraction bits has no
-    /// unit vectors so short.
+    /// [`ShapeError::NotNear`] if the centre is 2¹⁷ units in the last place or more from zero on
+    /// some axis, or an axis or a half-extent 2¹⁹. In a type of more than 18 fraction bits a unit
+    /// vector is longer than that.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
         let [u, v, w] = &self.axes;
         let is_near = all_fit(&self.center, POSITION)

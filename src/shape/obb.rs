@@ -9,11 +9,10 @@ use crate::scalar::Scalar;
 
 /// An oriented box: a centre, three axes, and a half-extent along each.
 ///
-/// The box is the set of all c + s·u + t·v + w·n, with c the centre, u, v, n the
-/// axes **as given**, and s, t, w each within its half-extent. Axes that came
-/// from a rotation are rounded, and so not quite at right angles nor quite of
-/// length one: what the numbers describe is a parallelepiped very near to a box.
-/// That parallelepiped is what an exact verdict is about.
+/// The box is the set of all points c + s·u + t·v + w·n, with c the centre, u, v, n the axes **as
+/// given**, and s, t, w each within its half-extent. Axes computed from a rotation are rounded, so
+/// they are not exactly orthogonal and not exactly of length one: the numbers describe a
+/// parallelepiped that is very nearly a box. Exact verdicts are about that parallelepiped.
 ///
 /// ```
 /// use septum::{Obb, ShapeError, Triangle};
@@ -23,7 +22,7 @@ use crate::scalar::Scalar;
 /// let axes = [[r, r, 0.0], [-r, r, 0.0], [0.0, 0.0, 1.0]];
 /// let tool = Obb::new([0.0, 0.0, 0.0], axes, [0.5, 0.5, 0.5])?;
 ///
-/// // Past the corner of the cube as it was, met by the edge of the turned one.
+/// // Beyond the faces of the unturned cube, but within reach of the turned one's edge.
 /// let t = Triangle::new([0.7, -1.0, 0.0], [0.7, 1.0, 0.0], [2.0, 0.0, 0.0])?;
 /// assert!(t.overlaps(&tool));
 /// # Ok::<(), ShapeError>(())
@@ -36,24 +35,24 @@ pub struct Obb<S> {
 }
 
 impl<S: Scalar> Obb<S> {
-    /// The box around `center` that reaches `half_extents` to either side along
-    /// its `axes`, which are unit vectors at right angles to one another.
+    /// A box around `center` that extends `half_extents` to either side along its `axes`, three
+    /// unit vectors at right angles to each other.
     ///
-    /// Dot products may be off by one eighth: more than any rounding takes a
-    /// rotation, even in 8 bits, and less than most mistakes do. The check is
-    /// against mistakes; it has no part in a verdict. Floats are checked in their own
-    /// arithmetic, and fixed-point types of more than 14 fraction bits by the upper
-    /// 14, so that dot products within 2⁻¹² of the eighth may pass or not. With fewer
-    /// bits the check is exact.
+    /// The constructor checks the axes to catch mistakes: each dot product of two axes, and of an
+    /// axis with itself, may be off by up to one eighth. Rounding a rotation stays within that,
+    /// even in 8 bits, and most mistakes do not. No verdict depends on this check. Floats are
+    /// checked in their own arithmetic. Fixed-point types of more than 14 fraction bits are checked
+    /// by their upper 14 fraction bits, so dot products within 2⁻¹² of the limit may pass or fail.
+    /// With fewer fraction bits the check is exact.
     ///
-    /// A fixed-point type without integer bits holds no vector of length one. Use
-    /// [`from_skewed_axes`](Self::from_skewed_axes) there, for example with axes of
-    /// half the length and half-extents of twice the size.
+    /// A fixed-point type without integer bits has no vector of length one. Use
+    /// [`from_skewed_axes`](Self::from_skewed_axes) there, for example with axes of half the length
+    /// and half-extents of twice the size.
     ///
     /// # Errors
-    /// [`ShapeError::NotFinite`], [`ShapeError::NegativeHalfExtent`],
-    /// [`ShapeError::NoUnitLength`] where the scalar has no integer bits, and
-    /// [`ShapeError::NotOrthonormal`] where the axes are no frame.
+    /// [`ShapeError::NotFinite`], [`ShapeError::NegativeHalfExtent`], [`ShapeError::NoUnitLength`]
+    /// if the scalar has no integer bits, and [`ShapeError::NotOrthonormal`] if the axes fail the
+    /// check.
     pub fn new(
         center: impl Into<Vec3<S>>,
         axes: [impl Into<Vec3<S>>; 3],
@@ -67,13 +66,12 @@ impl<S: Scalar> Obb<S> {
         }
     }
 
-    /// The same with any three axes that span space: a parallelepiped, whose
-    /// `half_extents` are in units of the length of each axis.
+    /// A parallelepiped around `center`, along any three axes that span space. The `half_extents`
+    /// are in units of the length of each axis.
     ///
     /// # Errors
     /// [`ShapeError::NotFinite`], [`ShapeError::NegativeHalfExtent`], and
-    /// [`ShapeError::DependentAxes`] where the axes do not span space, decided
-    /// exactly.
+    /// [`ShapeError::DependentAxes`] if the axes do not span space, which is decided exactly.
     pub fn from_skewed_axes(
         center: impl Into<Vec3<S>>,
         axes: [impl Into<Vec3<S>>; 3],
@@ -105,21 +103,23 @@ overlaps_methods!(
 );
 
 impl<S: Scalar> Obb<S> {
-    /// The bounding box: the least axis-aligned box, given by its corners, whose
-    /// corners are numbers of the scalar and which encloses the oriented box.
+    /// The bounding box: the smallest axis-aligned box that encloses the oriented box and whose
+    /// corners are numbers of the scalar.
     ///
-    /// *Numerics*: each corner is rounded outward, to the number of the scalar next
-    /// to the truth. So the bounding box is never smaller than the oriented box, and
-    /// each face is less than one unit in the last place outside it.
+    /// *Numerics*: each corner is rounded outward, to the next number of the scalar. The bounding
+    /// box is never smaller than the oriented box, and each face is less than one unit in the last
+    /// place outside it.
     ///
-    /// *Range*: in floats nothing where a corner lies beyond the greatest number.
-    /// Fixed point always has an answer; a box that sticks out of the range of the
-    /// type is cut off there. What is cut off contains no point that the type can
-    /// name, so shapes given by their corners miss nothing.
+    /// *Range*: floats return `None` if a corner lies beyond the greatest number. Fixed point
+    /// always returns a box; where the oriented box extends beyond the range of the type, the
+    /// bounding box ends at the range. The part cut off contains no point of the type, so shapes
+    /// given by their vertices miss nothing.
     ///
-    /// *Panics*: never. *Cost*: 9 multiplications, fixed point in twice its width,
-    /// `f32` in `f64`. Exact sums, which take a hundred times as long, serve `f64`
-    /// always, and `f32` where `f64` cannot tell the last place.
+    /// *Panics*: never.
+    ///
+    /// *Cost*: 9 multiplications, in fixed point of twice the width, and for `f32` in `f64`. `f64`
+    /// always takes exact sums, which cost about a hundred times as much; `f32` takes them where
+    /// `f64` leaves the last place in doubt.
     ///
     /// ```
     /// use septum::{Obb, Vec3};
@@ -143,14 +143,14 @@ impl<S: Scalar> Obb<S> {
         Some(Aabb::between(Vec3::new(x.0, y.0, z.0), Vec3::new(x.1, y.1, z.1)))
     }
 
-    /// The axes, their coordinates in order.
+    /// The axes as arrays of coordinates.
     #[inline(always)]
     pub(crate) fn axes_as_arrays(&self) -> [[S; 3]; 3] {
         let [u, v, w] = self.axes;
         [u.to_array(), v.to_array(), w.to_array()]
     }
 
-    /// Whether [`new`](Self::new) would take the axes.
+    /// Whether [`new`](Self::new) would accept the axes.
     #[cfg(feature = "serde")]
     pub(crate) fn is_orthonormal(&self) -> bool {
         S::are_orthonormal(&self.axes_as_arrays()) == Some(true)
@@ -180,7 +180,7 @@ impl<S: Copy> Obb<S> {
     }
 }
 
-/// Whether u·(v×n) is zero, exactly.
+/// Whether the triple product u·(v×n) is exactly zero.
 fn dependent<S: Scalar>(axes: &[[S; 3]; 3]) -> bool {
     let [u, v, n] = axes;
     let mut sum = S::Sum::new();

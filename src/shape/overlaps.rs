@@ -1,10 +1,9 @@
-//! The question of every pair of shapes.
+//! The trait `Overlaps`, and its methods on the shapes.
 
-/// Whether two shapes have a point in common.
+/// Whether two shapes have a point in common: the trait for generic code.
 ///
-/// There is an implementation for each pair that can be asked about, in both
-/// orders of the arguments. The methods of the same names on the shapes call it,
-/// and need no import; the trait is for generic code:
+/// It is implemented for each supported pair, in both orders. The shapes have inherent methods of
+/// the same names, which need no import.
 ///
 /// ```
 /// use septum::{Aabb, Overlaps, Segment, Triangle};
@@ -19,15 +18,15 @@
 /// # Ok::<(), septum::ShapeError>(())
 /// ```
 pub trait Overlaps<Other> {
-    /// Whether the two shapes, as closed sets, have a point in common. Exact.
+    /// Whether the two closed shapes have a point in common. Exact.
     #[must_use]
     #[doc(alias = "intersects")]
     fn overlaps(&self, other: &Other) -> bool;
 
-    /// Whether the two shapes may have a point in common: never `false` for shapes
-    /// that have one, and never dearer than [`overlaps`](Self::overlaps).
+    /// Whether the two shapes may have a point in common: never `false` if they have.
     ///
-    /// A pair that has no cheaper test than the exact one answers by that.
+    /// It costs no more than [`overlaps`](Self::overlaps). A pair without a cheaper test answers by
+    /// the exact one.
     #[must_use]
     #[doc(alias = "intersects")]
     #[inline]
@@ -36,18 +35,16 @@ pub trait Overlaps<Other> {
     }
 }
 
-/// The two methods on a shape itself.
+/// Inherent `overlaps` and `may_overlap` for a shape.
 ///
-/// A macro, so that each shape's page has them in one form, right after its
-/// constructors.
+/// A macro, so that every shape's page shows them in the same form, right after the constructors.
 macro_rules! overlaps_methods {
     ($shape:ident $(<$life:lifetime>)?, $others:literal) => {
         impl<S> $shape<$($life,)? S> {
             #[doc = concat!("Whether the shape has a point in common with ", $others, ".")]
             ///
-            /// Exact for every valid input; touching is overlap; never panics. The
-            /// implementations of [`Overlaps`](crate::Overlaps) say for each pair what
-            /// there is to know of numerics, range and cost.
+            /// Exact for every valid input; touching is overlap; never panics. Each implementation
+            /// of [`Overlaps`](crate::Overlaps) documents numerics, range and cost of its pair.
             #[doc(alias = "intersects")]
             #[must_use]
             #[inline]
@@ -58,11 +55,11 @@ macro_rules! overlaps_methods {
                 $crate::shape::Overlaps::overlaps(self, other)
             }
 
-            /// Whether the two may have a point in common: never `false` if they have.
+            /// Whether the two shapes may have a point in common: never `false` if they have.
             ///
-            /// Never panics, and is never dearer than [`overlaps`](Self::overlaps). The
-            /// implementations of [`Overlaps`](crate::Overlaps) say for each pair when it
-            /// is `true` without need.
+            /// It never panics, and costs no more than [`overlaps`](Self::overlaps). Each
+            /// implementation of [`Overlaps`](crate::Overlaps) says when its pair answers `true`
+            /// for disjoint shapes.
             #[doc(alias = "intersects")]
             #[must_use]
             #[inline]

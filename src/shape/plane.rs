@@ -5,8 +5,7 @@ use crate::scalar::Scalar;
 
 /// A plane: all points x with n·(x − p) = 0, or with n·x + d = 0.
 ///
-/// Its front is the side that the normal points to. The normal may have any
-/// length but zero.
+/// The normal points to its front. The normal may have any length except zero.
 ///
 /// ```
 /// use septum::{Aabb, Plane, Side};
@@ -23,7 +22,7 @@ pub struct Plane<S> {
     pub(super) form: Form<S>,
 }
 
-/// Where along its normal the plane lies.
+/// The position of the plane along its normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Form<S> {
     /// Through a point.
@@ -33,11 +32,11 @@ pub(crate) enum Form<S> {
 }
 
 impl<S: Scalar> Plane<S> {
-    /// The plane through `point`, at right angles to `normal`.
+    /// A plane through `point`, at right angles to `normal`.
     ///
     /// # Errors
-    /// [`ShapeError::NotFinite`] where a number is NaN or infinite,
-    /// [`ShapeError::ZeroNormal`] where the normal is zero.
+    /// [`ShapeError::NotFinite`] if a number is NaN or infinite, [`ShapeError::ZeroNormal`] if the
+    /// normal is zero.
     #[inline]
     pub fn from_point_normal(
         point: impl Into<Vec3<S>>,
@@ -47,11 +46,11 @@ impl<S: Scalar> Plane<S> {
         Ok(Self { normal: nonzero(normal)?, form: Form::Point(point) })
     }
 
-    /// The plane n·x + d = 0.
+    /// A plane by its equation n·x + d = 0.
     ///
     /// # Errors
-    /// [`ShapeError::NotFinite`] where a number is NaN or infinite,
-    /// [`ShapeError::ZeroNormal`] where the normal is zero.
+    /// [`ShapeError::NotFinite`] if a number is NaN or infinite, [`ShapeError::ZeroNormal`] if the
+    /// normal is zero.
     #[inline]
     pub fn from_equation(normal: impl Into<Vec3<S>>, d: S) -> Result<Self, ShapeError> {
         if !d.is_finite() {
@@ -71,7 +70,7 @@ impl<S: Copy> Plane<S> {
         self.normal
     }
 
-    /// The point that the plane was given by, if it was.
+    /// The point on the plane, if the plane was given by a point.
     #[inline]
     #[must_use]
     pub const fn point(&self) -> Option<Vec3<S>> {

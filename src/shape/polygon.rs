@@ -4,14 +4,14 @@ use crate::scalar::Scalar;
 
 /// A polygon in the caller's memory: the fan of triangles from its first vertex, a closed set.
 ///
-/// The fan is the union of the triangles of vertices 0, k and k + 1. A convex polygon in one plane
-/// is its fan, whichever vertex comes first. So is a concave one whose first vertex sees all of it;
-/// of others the fan is more than the polygon.
+/// The fan is the union of the triangles (0, k, k + 1). A convex polygon in one plane equals its
+/// fan, whichever vertex comes first. A concave polygon equals its fan if the first vertex sees all
+/// of it; otherwise the fan covers more than the polygon.
 ///
-/// Points of a plane, rounded, seldom lie in one plane again. Their fan is a surface that is bent a
-/// little along its diagonals. It has the edges of the polygon exactly, so that nothing is lost
-/// between polygons that share an edge. It is what a renderer draws that splits polygons likewise.
-/// Vertices may coincide or lie on one line.
+/// Rounded vertices seldom lie in exactly one plane. Their fan is a surface slightly bent along its
+/// diagonals. Its boundary is exactly the polygon's edges, so polygons that share an edge leave no
+/// gap. A renderer that splits polygons into fans draws the same surface. Vertices may coincide or
+/// lie on one line.
 ///
 /// ```
 /// use septum::Aabb;
@@ -30,14 +30,15 @@ pub struct Polygon<'a, S> {
 }
 
 impl<'a, S: Scalar> Polygon<'a, S> {
-    /// The polygon with these vertices, in the order in which they go round.
+    /// A polygon with these vertices, in their order around it.
     ///
-    /// Whether it is convex and lies in one plane is not asked: the [fan](Polygon) is a set anyway,
-    /// and rounding would make a refusal of the best of polygons.
+    /// The constructor does not check that the polygon is convex or planar: the [fan](Polygon) is
+    /// well defined in any case, and rounding makes almost every planar polygon slightly
+    /// non-planar.
     ///
     /// # Errors
-    /// [`ShapeError::TooFewVertices`] where there are fewer than three,
-    /// [`ShapeError::NotFinite`] where a coordinate is NaN or infinite.
+    /// [`ShapeError::TooFewVertices`] if there are fewer than three, [`ShapeError::NotFinite`] if a
+    /// coordinate is NaN or infinite.
     #[inline]
     pub fn new(vertices: &'a [Vec3<S>]) -> Result<Self, ShapeError> {
         if vertices.len() < 3 {
@@ -58,13 +59,13 @@ impl<'a, S: Scalar> Polygon<'a, S> {
         self.vertices
     }
 
-    /// The triangles that make up the polygon, of vertices 0, k and k + 1: two fewer than it has
-    /// vertices.
+    /// The triangles (0, k, k + 1) of the fan: two fewer than the polygon has vertices.
     ///
-    /// What can be asked about triangles alone is asked about these.
+    /// Use them for queries that take triangles only.
     #[inline]
     pub fn triangles(&self) -> impl ExactSizeIterator<Item = Triangle<S>> + use<'a, S> {
-        // There is one; without an index there is no panic to link.
+        // // `new` made sure that there is one; `unwrap_or_default` links no panic, as an index
+        // would.
         let first = self.vertices.first().copied().unwrap_or_default();
         let edges = self.vertices.windows(2).skip(1);
         edges.map(move |edge| Triangle::unchecked([first, edge[0], edge[1]]))

@@ -5,9 +5,9 @@ use crate::scalar::Scalar;
 
 /// A ray: the points `origin + t·direction` for all t in a range, a closed set.
 ///
-/// The direction may have any length but zero, and t counts in units of it:
-/// nothing is normalised, for that would round. The range is t ≥ 0 unless
-/// [`with_range`](Self::with_range) says otherwise.
+/// The direction may have any length except zero, and t counts in units of it: the direction is
+/// never normalised, because that would round. The range is t ≥ 0 unless
+/// [`with_range`](Self::with_range) changes it.
 ///
 /// ```
 /// use septum::{Ray, ShapeError, Triangle};
@@ -30,11 +30,11 @@ pub struct Ray<S> {
 }
 
 impl<S: Scalar> Ray<S> {
-    /// The ray from `origin` along `direction`, for t ≥ 0.
+    /// A ray from `origin` along `direction`, for t ≥ 0.
     ///
     /// # Errors
-    /// [`ShapeError::NotFinite`] where a coordinate is NaN or infinite,
-    /// [`ShapeError::ZeroDirection`] where the direction is zero.
+    /// [`ShapeError::NotFinite`] if a coordinate is NaN or infinite, [`ShapeError::ZeroDirection`]
+    /// if the direction is zero.
     #[inline]
     pub fn new(
         origin: impl Into<Vec3<S>>,
@@ -47,12 +47,13 @@ impl<S: Scalar> Ray<S> {
         Ok(Self { origin, direction, t_min: Some(S::ZERO), t_max: None })
     }
 
-    /// The same with t from `t_min` to `t_max`, both included; `None` leaves an end
-    /// open for ever, so that `with_range(None, None)` is the whole line.
+    /// The same ray for t from `t_min` to `t_max`, both included.
+    ///
+    /// `None` leaves an end unbounded: `with_range(None, None)` is the whole line.
     ///
     /// # Errors
-    /// [`ShapeError::NotFinite`] where an end is NaN or infinite,
-    /// [`ShapeError::EmptyRange`] where `t_min` exceeds `t_max`.
+    /// [`ShapeError::NotFinite`] if an end is NaN or infinite, [`ShapeError::EmptyRange`] if
+    /// `t_min` exceeds `t_max`.
     #[inline]
     pub fn with_range(
         self,
@@ -70,7 +71,8 @@ impl<S: Scalar> Ray<S> {
         Ok(Self { t_min, t_max, ..self })
     }
 
-    /// The same up to a number that is no NaN and not below `t_min`, or all but empty.
+    /// The same ray, ending at `t_max`, or at `t_min` if `t_max` lies before it. `t_max` is not
+    /// NaN.
     pub(crate) fn until(self, t_max: S) -> Self {
         let is_after = self.t_min.is_none_or(|t_min| t_min <= t_max);
         Self { t_max: if is_after { Some(t_max) } else { self.t_min }, ..self }
@@ -80,28 +82,28 @@ impl<S: Scalar> Ray<S> {
 overlaps_methods!(Ray, "an [`Aabb`](crate::Aabb) or an [`Obb`](crate::Obb)");
 
 impl<S: Copy> Ray<S> {
-    /// Where t is zero.
+    /// The origin: the point at t = 0.
     #[inline]
     #[must_use]
     pub const fn origin(&self) -> Vec3<S> {
         self.origin
     }
 
-    /// The way that one unit of t goes.
+    /// The direction: the vector that one unit of t spans.
     #[inline]
     #[must_use]
     pub const fn direction(&self) -> Vec3<S> {
         self.direction
     }
 
-    /// The least t, if there is one.
+    /// The least t, or `None` if the ray is unbounded there.
     #[inline]
     #[must_use]
     pub const fn t_min(&self) -> Option<S> {
         self.t_min
     }
 
-    /// The greatest t, if there is one.
+    /// The greatest t, or `None` if the ray is unbounded there.
     #[inline]
     #[must_use]
     pub const fn t_max(&self) -> Option<S> {

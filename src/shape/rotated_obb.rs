@@ -1,39 +1,41 @@
-//! Oriented boxes by a rotation.
+//! Constructors of oriented boxes from a rotation.
 
 use super::{Obb, ShapeError, Vec3, finite};
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Obb<S> {
-    /// The box around `center` whose axes are those of space, rotated by a unit
-    /// quaternion: x, y, z and then w, the scalar part.
+    /// A box around `center`, rotated by a unit quaternion: x, y, z and then w, the scalar part.
+    /// Its axes are the rotated coordinate axes.
     ///
-    /// *Geometry*: only the direction of the quaternion counts. It is a rotation whatever
-    /// rounding did to the length, and the axes are those of that rotation, rounded. So axes
-    /// do not drift out of right angles where a simulation's quaternion drifts in length.
+    /// *Geometry*: only the direction of the quaternion counts. Its length, which rounding changes,
+    /// has no effect: the axes are those of the rotation, rounded. So a quaternion whose length
+    /// drifts in a simulation does not skew the box.
     ///
-    /// *Numerics*: in fixed point each component is the nearest number of the type,
-    /// by integers alone. In `f32` a component is off by half a unit in its last
-    /// place and 2⁻⁵⁰ more, in `f64` by 2⁻⁵⁰. So each axis is within √3·h of length one, and
-    /// dot products of two are within 2√3·h + 3·h² of zero, h being the greatest of these errors:
-    /// 2⁻¹⁷ in I16F16.
+    /// *Numerics*: in fixed point each component is the nearest number of the type, computed in
+    /// integers. In `f32` a component is off by at most half a unit in its last place plus 2⁻⁵⁰, in
+    /// `f64` by at most 2⁻⁵⁰. With h the greatest of these errors, each axis is within √3·h of
+    /// length one, and the dot product of two axes is within 2√3·h + 3·h² of zero. In I16F16 h is
+    /// 2⁻¹⁷.
     ///
-    /// A fixed-point type without a number 1, which has one integer bit, takes its greatest
-    /// number instead.
+    /// A fixed-point type with one integer bit has no number 1, and takes its greatest number
+    /// instead.
     ///
     /// # Errors
-    /// [`ShapeError::NotFinite`], [`ShapeError::NegativeHalfExtent`], and
-    /// [`ShapeError::NotUnitQuaternion`] where x² + y² + z² + w² is farther than a quarter from 1:
-    /// rounding to 4 fraction bits does not take it there. As the length has no part in the axes,
-    /// the check is against mistakes only. In fixed point it is exact.
-    /// [`ShapeError::NoUnitLength`] where the scalar has no integer bits. In types of fewer
-    /// than 4 fraction bits [`ShapeError::NotOrthonormal`] where rounding leaves no frame, as
-    /// [`new`](Self::new) would say.
+    /// * [`ShapeError::NotFinite`], [`ShapeError::NegativeHalfExtent`].
+    /// * [`ShapeError::NotUnitQuaternion`] if x² + y² + z² + w² differs from 1 by more than a
+    ///   quarter, which is more than rounding to 4 fraction bits explains. This check is only
+    ///   against mistakes; in fixed point it is exact.
+    /// * [`ShapeError::NoUnitLength`] if the scalar has no integer bits.
+    /// * [`ShapeError::NotOrthonormal`] in types of fewer than 4 fraction bits, if the rounded axes
+    ///   fail the check of [`new`](Self::new).
     ///
-    /// *Panics*: never. *Cost*: 10 multiplications and 9 quotients; in fixed point these are
-    /// bit by bit, and link no division.
+    /// *Panics*: never.
     ///
-    /// *Source*: the matrix of K. Shoemake, "Animating Rotation with Quaternion Curves",
-    /// *SIGGRAPH* 1985, over the square of the quaternion.
+    /// *Cost*: 10 multiplications and 9 quotients. In fixed point the quotients are computed bit by
+    /// bit, and link no division.
+    ///
+    /// *Source*: the matrix of K. Shoemake, "Animating Rotation with Quaternion Curves", *SIGGRAPH*
+    /// 1985, divided by the square of the quaternion's length.
     ///
     /// ```
     /// use septum::{Obb, ShapeError, Vec3};
@@ -59,28 +61,30 @@ impl<S: Scalar> Obb<S> {
         })
     }
 
-    /// The box around `center` whose axes are those of space, turned about x, then about
-    /// y, then about z: by so many turns each, 360° being one.
+    /// A box around `center`, rotated about the x axis, then about y, then about z. Angles are in
+    /// turns: 1 is 360°.
     ///
-    /// *Geometry*: the axes of rotation stay those of space. A positive turn about z takes x
-    /// to y, about x y to z, about y z to x. For one axis alone the other two turns are zero.
+    /// *Geometry*: all three rotations are about the fixed coordinate axes. A positive turn about z
+    /// takes x to y, about x y to z, about y z to x. To rotate about a single axis, set the other
+    /// two turns to zero.
     ///
-    /// *Numerics*: by integers alone in fixed point, and by operations that IEEE 754 rounds in
-    /// floats: the same bits on every machine. Whole turns and quarters leave no error. Else a
-    /// component is off by half a unit in its last place, and 2⁻²⁵ more in types of up to 16
-    /// fraction bits, 2⁻⁵⁷ in other fixed point, 2⁻⁴⁸ in `f32`; in `f64` by 2⁻⁴⁸ altogether.
-    /// How far axes may be from length one and from right angles follows as with
+    /// *Numerics*: the result is the same bits on every machine: fixed point is computed in
+    /// integers, and floats by operations that IEEE 754 rounds correctly. Quarter and whole turns
+    /// are exact. Elsewhere a component is off by at most half a unit in its last place, plus 2⁻²⁵
+    /// in types of up to 16 fraction bits, 2⁻⁵⁷ in other fixed point, 2⁻⁴⁸ in `f32`; in `f64` by at
+    /// most 2⁻⁴⁸ in all. The error of lengths and right angles follows as for
     /// [`from_quaternion`](Self::from_quaternion).
     ///
-    /// *Range*: any number of turns; whole ones are left out without an error.
+    /// *Range*: any number of turns; whole turns are removed without an error.
     ///
     /// # Errors
-    /// [`ShapeError::NotFinite`], [`ShapeError::NegativeHalfExtent`],
-    /// [`ShapeError::NoUnitLength`] where the scalar has no integer bits, and in types of fewer
-    /// than 4 fraction bits [`ShapeError::NotOrthonormal`] where rounding leaves no frame.
+    /// [`ShapeError::NotFinite`], [`ShapeError::NegativeHalfExtent`], [`ShapeError::NoUnitLength`]
+    /// if the scalar has no integer bits, and in types of fewer than 4 fraction bits
+    /// [`ShapeError::NotOrthonormal`] if the rounded axes fail the check of [`new`](Self::new).
     ///
-    /// *Panics*: never. *Cost*: some 50 multiplications, in words of 32 bits for types of up to
-    /// 16 fraction bits.
+    /// *Panics*: never.
+    ///
+    /// *Cost*: about 50 multiplications, in 32-bit words for types of up to 16 fraction bits.
     ///
     #[cfg_attr(feature = "fixed", doc = "```")]
     #[cfg_attr(not(feature = "fixed"), doc = "```ignore")]

@@ -5,10 +5,9 @@ use crate::scalar::Scalar;
 
 /// A segment: all points between two ends, a closed set.
 ///
-/// It can be given by its ends, or by its centre and the vector from there to
-/// one end, as *Real-Time Rendering* does; a segment remembers which, for
-/// converting one form to the other rounds. The ends may coincide: the segment
-/// is a point then, and still answered exactly.
+/// It is given by its ends, or by its centre and the vector from there to one end, as in *Real-Time
+/// Rendering*. It keeps the form in which it was given, because conversion would round. The ends
+/// may coincide: such a segment is a point, and queries about it are still exact.
 ///
 /// ```
 /// use septum::{Aabb, Segment};
@@ -23,7 +22,7 @@ pub struct Segment<S> {
     pub(super) form: Form<S>,
 }
 
-/// What the segment was given as.
+/// The form in which the segment was given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Form<S> {
     /// Two ends.
@@ -33,22 +32,21 @@ pub(crate) enum Form<S> {
 }
 
 impl<S: Scalar> Segment<S> {
-    /// The segment between two ends.
+    /// A segment between two ends.
     ///
     /// # Errors
-    /// [`ShapeError::NotFinite`] where a coordinate is NaN or infinite.
+    /// [`ShapeError::NotFinite`] if a coordinate is NaN or infinite.
     #[inline]
     pub fn new(a: impl Into<Vec3<S>>, b: impl Into<Vec3<S>>) -> Result<Self, ShapeError> {
         Ok(Self { form: Form::Ends(finite(a)?, finite(b)?) })
     }
 
-    /// The segment from `center − half_vector` to `center + half_vector`.
+    /// A segment from `center − half_vector` to `center + half_vector`.
     ///
-    /// The ends need not be numbers of the scalar: the two vectors mean what they
-    /// say.
+    /// The ends may lie between two numbers of the scalar; queries use the exact ends.
     ///
     /// # Errors
-    /// [`ShapeError::NotFinite`] where a coordinate is NaN or infinite.
+    /// [`ShapeError::NotFinite`] if a coordinate is NaN or infinite.
     #[inline]
     pub fn from_center_half_vector(
         center: impl Into<Vec3<S>>,
@@ -64,7 +62,7 @@ overlaps_methods!(
 );
 
 impl<S: Copy> Segment<S> {
-    /// The two ends, if the segment was given so.
+    /// The two ends, if the segment was given by these.
     #[inline]
     #[must_use]
     pub const fn ends(&self) -> Option<(Vec3<S>, Vec3<S>)> {
@@ -74,7 +72,7 @@ impl<S: Copy> Segment<S> {
         }
     }
 
-    /// Centre and half-vector, if the segment was given so.
+    /// Centre and half-vector, if the segment was given by these.
     #[inline]
     #[must_use]
     pub const fn center_half_vector(&self) -> Option<(Vec3<S>, Vec3<S>)> {

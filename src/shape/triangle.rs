@@ -5,8 +5,8 @@ use crate::scalar::Scalar;
 
 /// A triangle: the convex hull of three points, a closed set.
 ///
-/// Its vertices may coincide or lie on one line. It is a segment or a point
-/// then, and every question about it is still answered exactly.
+/// Its vertices may coincide or lie on one line. Such a triangle is a segment or a point, and every
+/// query about it is still exact.
 ///
 /// ```
 /// use septum::{Aabb, Triangle};
@@ -23,10 +23,10 @@ pub struct Triangle<S> {
 }
 
 impl<S: Scalar> Triangle<S> {
-    /// The triangle with these vertices, in any order.
+    /// A triangle with these vertices, in any order.
     ///
     /// # Errors
-    /// [`ShapeError::NotFinite`] where a coordinate is NaN or infinite.
+    /// [`ShapeError::NotFinite`] if a coordinate is NaN or infinite.
     #[inline]
     pub fn new(
         a: impl Into<Vec3<S>>,
@@ -50,8 +50,8 @@ impl<S: Copy> Triangle<S> {
         &self.vertices
     }
 
-    /// A triangle whose vertices were checked before; or one on its way through a rounded
-    /// method, which bears an infinity where a sum overflowed.
+    /// A triangle whose vertices were checked before. A rounded method may also make one with an
+    /// infinity, where a sum overflowed.
     pub(crate) const fn unchecked(vertices: [Vec3<S>; 3]) -> Self {
         Self { vertices }
     }

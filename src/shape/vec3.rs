@@ -4,9 +4,8 @@ use crate::scalar::Scalar;
 
 /// A point or a direction: three coordinates in one unit.
 ///
-/// Any three numbers make one; what a shape demands of them is checked when the
-/// shape is made. Arrays convert both ways, and constructors of shapes take
-/// either:
+/// Any three numbers make a `Vec3`; the constructor of a shape checks them. Arrays convert both
+/// ways, and constructors accept a `Vec3` or an array:
 ///
 /// ```
 /// use septum::{Triangle, Vec3};
@@ -30,14 +29,14 @@ pub struct Vec3<S> {
 }
 
 impl<S> Vec3<S> {
-    /// The point or direction with these coordinates.
+    /// A point or direction with these coordinates.
     #[inline]
     #[must_use]
     pub const fn new(x: S, y: S, z: S) -> Self {
         Self { x, y, z }
     }
 
-    /// The coordinates in order.
+    /// The coordinates x, y and z.
     #[inline]
     #[must_use]
     pub fn to_array(self) -> [S; 3] {
@@ -46,7 +45,7 @@ impl<S> Vec3<S> {
 }
 
 impl<S: Copy> Vec3<S> {
-    /// The point with the same coordinate on every axis.
+    /// A point with the same coordinate on every axis.
     #[inline]
     #[must_use]
     pub const fn splat(each: S) -> Self {
@@ -55,7 +54,7 @@ impl<S: Copy> Vec3<S> {
 }
 
 impl<S: Scalar> Vec3<S> {
-    /// Whether all coordinates are numbers.
+    /// Whether all coordinates are finite.
     #[inline]
     pub(crate) fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
