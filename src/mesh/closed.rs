@@ -10,19 +10,19 @@ use crate::shape::Vec3;
 impl<S: Scalar, I: Index> Mesh<'_, S, I> {
     /// Checks that the mesh is closed: every edge belongs to an even number of triangles.
     ///
-    /// A closed mesh has an inside, for any ray from a point crosses it an odd number of times
-    /// or any ray an even number. The triangles' orientation does not matter, nor how many
-    /// parts the mesh has.
+    /// A closed mesh has an inside: all rays from a point cross the mesh an odd number of times, or
+    /// all an even number. The mesh may have several parts, and the orientation of its triangles
+    /// does not matter.
     ///
-    /// An edge is known by where its ends are, so that a seam of vertices in the same place
-    /// is closed. An edge between two vertices in one place bounds nothing.
+    /// Edges are compared by the positions of their ends, so a seam of duplicate vertices counts as
+    /// closed. An edge of length zero is ignored.
     ///
-    /// *Numerics*: exact. *Panics*: never. *Cost*: sorts the edges in `scratch`, three for
-    /// each triangle.
+    /// *Numerics*: exact. *Panics*: never. *Cost*: sorts the edges in `scratch`, three for each
+    /// triangle.
     ///
     /// # Errors
-    /// [`MeshError::OpenEdge`] with the first edge that is not closed, in the order of places;
-    /// [`MeshError::Length`] where `scratch` is too short.
+    /// [`MeshError::OpenEdge`] with the first open edge, in the order of positions;
+    /// [`MeshError::Length`] if `scratch` is too short.
     ///
     /// ```
     /// use septum::Vec3;
@@ -45,14 +45,14 @@ impl<S: Scalar, I: Index> Mesh<'_, S, I> {
         let place = |i: I| self.vertices.get(i.get()).copied().unwrap_or(Vec3::splat(S::ZERO));
         let sides = self.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
         for (edge, [a, b]) in edges.iter_mut().zip(sides) {
-            // The lesser place first.
+            // The end that comes first in the order of positions.
             let is_in_order = by_place(&place(a), &place(b)) != Ordering::Greater;
             *edge = if is_in_order { [a, b] } else { [b, a] };
         }
         let by_ends = |&[a, b]: &[I; 2], &[c, d]: &[I; 2]| {
             by_place(&place(a), &place(c)).then_with(|| by_place(&place(b), &place(d)))
         };
-        // By index where places are the same, so that the same edge is named everywhere.
+        // Ties are broken by index, so that every machine reports the same edge.
         sort(edges, |a, b| by_ends(a, b).then_with(|| a.cmp(b)));
         let alike = edges.chunk_by(|a, b| by_ends(a, b) == Ordering::Equal);
         for group in alike.filter(|group| group.len() % 2 == 1) {
@@ -65,15 +65,16 @@ impl<S: Scalar, I: Index> Mesh<'_, S, I> {
     }
 }
 
-/// Sorts; where code is dear by a heap, in a tenth of what the library's sort links.
+/// Sorts. With the feature `small`, by a heap sort that links a tenth of the code of the standard
+/// sort.
 pub(crate) fn sort<T: Copy>(all: &mut [T], compare: impl Fn(&T, &T) -> Ordering) {
     if !SMALL_CODE {
         all.sort_unstable_by(compare);
         return;
     }
     let n = all.len();
-    // First each place that has any below it is brought in order with those, from the last on.
-    // Then the first, which is the greatest, goes to the end, again and again.
+    // Heap sort. The first n/2 steps build the heap, from the last parent to the root; each of
+    // the next n steps moves the root, the greatest, to the end.
     for step in (0..n + n / 2).rev() {
         let (mut top, count) = if step >= n { (step - n, n) } else { (0, step) };
         if step < n {
@@ -97,7 +98,7 @@ pub(crate) fn sort<T: Copy>(all: &mut [T], compare: impl Fn(&T, &T) -> Ordering)
     }
 }
 
-/// Without a panic.
+/// Swaps two elements, and links no panic.
 fn swap<T: Copy>(all: &mut [T], a: usize, b: usize) {
     if let (Some(&x), Some(&y)) = (all.get(a), all.get(b)) {
         all[a] = y;
@@ -105,7 +106,7 @@ fn swap<T: Copy>(all: &mut [T], a: usize, b: usize) {
     }
 }
 
-/// An order of places. All coordinates are numbers; zeros of either sign are alike.
+/// An order of positions. Coordinates are finite, and the two zeros compare equal.
 pub(crate) fn by_place<S: Scalar>(a: &Vec3<S>, b: &Vec3<S>) -> Ordering {
     compare(a.x, b.x).then_with(|| compare(a.y, b.y)).then_with(|| compare(a.z, b.z))
 }

@@ -1,5 +1,5 @@
-//! Constructors for `const` tables in flash, as of the shapes: one for each family of scalars
-//! and each type of indices. Only that of `f32` and `u16` is documented.
+//! Constructors for `const` tables in flash, one for each family of scalars and each index type, as
+//! for the shapes. Only the version for `f32` and `u16` appears in the documentation.
 
 use super::{Mesh, MeshError};
 use crate::shape::Vec3;
@@ -11,9 +11,9 @@ macro_rules! const_new {
         impl<'a, $($generic)*> Mesh<'a, $scalar, $index> {
             /// [`Mesh::new`] for a `const` or a `static`, such as a table in flash.
             ///
-            /// It exists for every scalar and both types of indices. Name them:
-            /// `Mesh::<I16F16, u16>::const_new`. [`MeshError::unwrap`] makes a bad mesh an error
-            /// of the compiler.
+            /// It exists for every scalar and both index types, which have to be named:
+            /// `Mesh::<I16F16, u16>::const_new`. [`MeshError::unwrap`] turns a refused mesh into a
+            /// compile error.
             ///
             /// # Errors
             /// As [`Mesh::new`].

@@ -1,25 +1,26 @@
-//! Which boxes of a tree a ray meets.
+//! The boxes of a tree that a ray meets.
 //!
-//! Where floats are fast the ray is brought to the grid of the tree, once, and then meets boxes
-//! of small whole numbers in `f32`, four at once, whatever the scalar. It never misses a box
-//! that the exact ray meets, and seldom meets another. Elsewhere the exact question is asked.
+//! Where floats are fast, the ray is converted once to the grid of the tree. Its tests against the
+//! boxes, whose corners are small integers, then run in `f32`, four boxes at once, whatever the
+//! scalar. They never miss a box that the exact ray meets, and seldom report another box. On other
+//! machines the exact test runs for each box.
 //!
-//! # Never missing
+//! # Why no box is missed
 //!
-//! On each axis the ray is o + t·d, in steps of the grid. It is at point q where t is
-//! (q − o)/d. Directions are divided by the magnitude m of the greatest component, and t counts
-//! in units of 1/m: then |d| ≤ 1, and d is 1 or −1 on some axis. With u = 2⁻²⁴, what is
-//! computed for a plane is (q − ô)·r̂: ô errs by u·|ô|, the difference, the product and r̂ = 1/d
-//! by u each. So the computed t is (q − ô + η)/d with |η| ≤ u·|ô| + 3u·|q − ô| ≤
-//! 7u·(2¹⁶ + |ô|), to first order. o is moved by 8u·(2¹⁶ + |o|) before it is rounded, up
-//! for the least coordinates and down for the greatest: no computed entry is later than the
-//! true one, and no computed exit sooner. What came before in `f64`, within 2⁻⁵⁰ of itself, and
-//! second orders are far below the eighth u.
+//! On each axis the ray is o + t·d, in steps of the grid. It reaches plane q at t = (q − o)/d. The
+//! direction is divided by m, its greatest component in magnitude, and t counts in units of 1/m:
+//! then |d| ≤ 1, and d is ±1 on some axis. Let u = 2⁻²⁴. For each plane the code computes (q −
+//! ô)·r̂. Here ô errs by u·|ô|; the difference, the product and r̂ = 1/d err by a relative u each.
+//! So the computed t is (q − ô + η)/d with |η| ≤ u·|ô| + 3u·|q − ô| ≤ 7u·(2¹⁶ + |ô|), to first
+//! order. Before it is rounded, o is shifted by 8u·(2¹⁶ + |o|), up for the least coordinates and
+//! down for the greatest. Hence no computed entry is later than the true entry, and no computed exit
+//! earlier than the true exit. The `f64` steps before, within a relative 2⁻⁵⁰, and the terms of
+//! second order are far below the eighth u.
 //!
-//! Nothing overflows and nothing underflows that matters, for |o| ≤ 2⁶⁰ and |d| ≥ 2⁻⁶⁴: a
-//! product is zero, or between 2⁻⁶⁰ and 2¹²⁵. A smaller d leaves its axis out, and a farther
-//! origin the whole grid. Where d is zero r̂ is 2¹⁰⁰: the shift of o is at least 2⁻⁵, so that the
-//! point lies clear of both planes, at t beyond ±2⁹⁴, or outside of them.
+//! For |o| ≤ 2⁶⁰ and |d| ≥ 2⁻⁶⁴ nothing overflows, and underflow does no harm: a product is zero,
+//! or between 2⁻⁶⁰ and 2¹²⁵. An axis with a smaller d excludes no box, and an origin farther out
+//! switches the grid off. If d is zero, r̂ is 2¹⁰⁰. The shift of o is at least 2⁻⁵, so the origin
+//! lies clear of both planes, at t beyond ±2⁹⁴, or outside both.
 
 use core::cmp::Ordering;
 
@@ -29,32 +30,32 @@ use crate::arithmetic::{OfFour, Quad, each, greatest, least, three};
 use crate::scalar::Scalar;
 use crate::shape::Ray;
 
-/// A number for each child of a node.
+/// One number for each child of a node.
 type Four = <f32 as OfFour>::Quad;
 
-/// A ray on its way down.
+/// A ray on its way down the tree.
 #[derive(Clone, Debug)]
 pub(super) struct Descent<S: Scalar> {
     ray: Ray<S>,
     grid: Grid<S>,
     fast: GridRay,
-    /// Where the ray goes, unless it is fast.
+    /// The part of the grid that the ray can reach, for the exact test.
     octant: Cell,
 }
 
-/// The children of a node that the ray meets, and in what order it comes to them.
+/// The children of a node that the ray meets, and the order in which it reaches them.
 pub(super) struct Met {
-    /// Bit k is for child k.
+    /// Bit k stands for child k.
     pub(super) mask: u32,
-    /// The lesser, the sooner; of no child sooner than it is.
+    /// A sort key: lesser means sooner. A child's key is never less than its parent's.
     pub(super) sooner: [i32; 4],
 }
 
-/// What goes down a tree in the order in which it comes to things.
+/// A moving object that descends a tree in the order in which it reaches the boxes.
 pub(super) trait Descend {
-    /// The boxes of a node that it meets.
+    /// The boxes of a node that the object meets.
     fn meets(&self, node: &Node) -> Met;
-    /// Whether a child that is so soon may still be met.
+    /// Whether a child with this key may still be met.
     fn reaches(&self, sooner: i32) -> bool;
 }
 
@@ -72,7 +73,7 @@ impl<S: Scalar> Descend for Descent<S> {
 
 impl<S: Scalar> Descent<S> {
     pub(super) fn new(grid: &Grid<S>, ray: &Ray<S>) -> Self {
-        // Where the choice is known to the compiler it links no floats.
+        // A choice known at compile time, so that machines without floats link none.
         let fast = if S::IS_FAST { GridRay::new(grid, ray) } else { GridRay::EVERYWHERE };
         let octant = if S::IS_FAST { Cell::ALL } else { octant(grid, ray) };
         Self { ray: *ray, grid: *grid, fast, octant }
@@ -95,7 +96,7 @@ impl<S: Scalar> Descent<S> {
         Met { mask, sooner }
     }
 
-    /// Leaves out what is beyond a hit that was rounded to `t`.
+    /// Excludes boxes beyond a hit at t, which was rounded.
     pub(super) fn limit(&mut self, t: S) {
         if S::IS_FAST {
             self.fast.limit(t.farthest());
@@ -106,7 +107,7 @@ impl<S: Scalar> Descent<S> {
     }
 }
 
-/// How far a box is along the octant that a direction with these signs leads to.
+/// How far a box lies along the octant of a direction with these signs.
 pub(super) fn along_octant(cell: &Cell, signs: [Option<Ordering>; 3]) -> i32 {
     (0..3).fold(0, |sum, i| match signs[i] {
         Some(Ordering::Less) => sum - i32::from(cell.high[i]),
@@ -115,7 +116,7 @@ pub(super) fn along_octant(cell: &Cell, signs: [Option<Ordering>; 3]) -> i32 {
     })
 }
 
-/// The part of a grid that a ray comes to, by the signs of its direction.
+/// The part of the grid that a ray can reach, by the signs of its direction.
 fn octant<S: Scalar>(grid: &Grid<S>, ray: &Ray<S>) -> Cell {
     let mut to = Cell::ALL;
     if ray.t_min().is_none_or(|t| t < S::ZERO) {
@@ -134,36 +135,36 @@ fn octant<S: Scalar>(grid: &Grid<S>, ray: &Ray<S>) -> Cell {
     to
 }
 
-/// A ray on a grid, or a box that moves.
+/// A ray, or a moving box, on the grid.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct GridRay {
     axes: [Axis; 3],
     /// The range of t, in units of 1/m.
     from: f32,
     to: f32,
-    /// m; zero where the ray is everywhere.
+    /// m, or zero if the ray is treated as meeting every box.
     scale: f64,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Axis {
-    /// o, moved up for the least coordinates and down for the greatest.
+    /// o, shifted up for the least coordinates and down for the greatest.
     low: f32,
     high: f32,
     /// 1/d.
     inverse: f32,
-    /// Whether the ray comes to the greatest coordinate first.
+    /// Whether the ray reaches the greatest coordinate first.
     is_falling: bool,
 }
 
 impl Axis {
-    /// An axis on which nothing is outside.
+    /// An axis that excludes no box.
     const OPEN: Self =
         Self { low: f32::INFINITY, high: f32::NEG_INFINITY, inverse: 1.0, is_falling: false };
 }
 
 impl GridRay {
-    /// What meets all boxes.
+    /// A ray that meets every box.
     pub(super) const EVERYWHERE: Self =
         Self { axes: [Axis::OPEN; 3], from: f32::NEG_INFINITY, to: f32::INFINITY, scale: 0.0 };
 
@@ -175,9 +176,9 @@ impl GridRay {
         Self::between([o; 2], d, each(direction, |d| d == S::ZERO), ends)
     }
 
-    /// A box between two corners on its way, in steps of the grid, and which components of that
-    /// are zero; and the range of t. It meets what its greatest corner does that is below, and
-    /// what its least corner does that is above.
+    /// A moving box between two corners, in steps of the grid. `is_zero` marks the components of
+    /// the motion d that are zero, and the last argument is the range of t. A grid box is entered
+    /// on its lower side by the greatest corner, and left on its upper side by the least corner.
     pub(super) fn between(
         [min, max]: [[f64; 3]; 2],
         d: [f64; 3],
@@ -189,7 +190,7 @@ impl GridRay {
         const UPRIGHT: f32 = (1_u128 << 100) as f32;
         const SHIFT: f64 = 8.0 / (1 << 24) as f64;
         const POINTS: f64 = (1 << 16) as f64;
-        // A ray with a longer or a shorter direction goes to all boxes: 1/m and t/m might
+        // A longer or shorter direction is treated as meeting every box: 1/m and t/m might
         // overflow.
         const LEAST_SCALE: f64 = f64::from_bits((1023 - 960) << 52);
         const MOST_SCALE: f64 = f64::from_bits((1023 + 960) << 52);
@@ -238,11 +239,11 @@ impl GridRay {
         }
         let [a, b, c, d] = enter.to_array();
         let sooner = [in_order(a), in_order(b), in_order(c), in_order(d)];
-        // Neither is NaN: what is infinite is never multiplied by zero.
+        // Neither is NaN: an infinity is never multiplied by zero.
         Met { mask: !enter.exceeds(leave) & 15, sooner }
     }
 
-    /// Whether it is somewhere.
+    /// Whether the ray is on the grid, rather than treated as meeting every box.
     pub(super) fn is_known(&self) -> bool {
         self.scale > 0.0
     }
@@ -259,16 +260,17 @@ impl GridRay {
     }
 }
 
-/// A number of `f32` that is above this one, unless that is beyond all.
+/// A number of `f32` above `x`, or infinity if there is none.
 fn rounded_up(x: f64) -> f32 {
     const ROOM: f64 = 1.0 / (1 << 22) as f64;
-    // Of −∞ the sum would be no number.
+    // With −∞ the sum would be NaN.
     let x = greatest(x, f64::MIN);
-    // What underflows becomes the least normal number. Not −0, which `in_order` tells from 0.
+    // A result that underflows becomes the least normal number. The last term avoids −0, which
+    // `in_order` places below 0.
     (x + x.abs() * ROOM + f64::from(f32::MIN_POSITIVE)) as f32 + 0.0
 }
 
-/// A float as an integer that compares as it does, but for −0, which is below 0.
+/// A float as an integer that compares in the same order, with −0 below 0.
 #[inline(always)]
 fn in_order(x: f32) -> i32 {
     let bits = x.to_bits() as i32;
@@ -283,7 +285,7 @@ mod tests {
     fn ends_of_a_range_are_numbers() {
         for x in [f64::NEG_INFINITY, f64::MIN, -1.0e30, -1.0, 0.0, 1.0, f64::MAX, f64::INFINITY] {
             let up = rounded_up(x);
-            // No time is below the numbers of `f32`.
+            // Only −∞ itself is a bound for −∞.
             let is_above = up == f32::NEG_INFINITY || f64::from(up) >= x;
             assert!(is_above && up.to_bits() != (-0.0_f32).to_bits(), "{x}: {up}");
         }

@@ -1,29 +1,29 @@
 use core::fmt;
 
-/// Why there is no mesh, no tree, or no closed mesh.
+/// The reason why a mesh or a tree was refused, or a mesh is not closed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum MeshError {
-    /// A coordinate of this vertex is NaN or infinite.
+    /// A coordinate of a vertex is NaN or infinite.
     NotFinite {
-        /// Its index.
+        /// The vertex's index.
         vertex: usize,
     },
-    /// This triangle has a vertex that there is not.
+    /// A triangle refers to a vertex that does not exist.
     NoSuchVertex {
         /// The triangle's index.
         triangle: usize,
     },
-    /// There are more triangles than the type of indices can tell apart.
+    /// The mesh has more triangles than the index type can number.
     TooManyTriangles,
-    /// A slice has another length than it should have.
+    /// A slice has the wrong length.
     Length {
-        /// How long it should be.
+        /// The required length.
         needed: usize,
     },
-    /// A box of a tree does not enclose what is below it: the tree is not that of the mesh,
-    /// or its table is broken.
+    /// A box of a tree does not enclose everything below it: the tree belongs to another mesh, or
+    /// its table is damaged.
     Node {
         /// The index of the node that has the box.
         node: usize,
@@ -36,8 +36,8 @@ pub enum MeshError {
 }
 
 impl MeshError {
-    /// The mesh, for a `const` or a `static`, where a bad mesh is an error of the compiler, as
-    /// by [`ShapeError::unwrap`](crate::ShapeError::unwrap).
+    /// Returns the mesh or tree in a `const` or a `static`; a refused one is a compile error, as
+    /// with [`ShapeError::unwrap`](crate::ShapeError::unwrap).
     ///
     /// # Panics
     /// If there is an error and it is called at run time. Match on the result there.

@@ -1,4 +1,4 @@
-//! The grid of a tree, in space.
+//! The grid of a tree: between coordinates in space and 16-bit steps.
 
 use super::node::Cell;
 use super::{Index, Mesh};
@@ -6,7 +6,7 @@ use crate::arithmetic::{each, greatest, least};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Triangle, Vec3};
 
-/// A grid for each axis.
+/// The steps along each axis.
 pub(super) struct Grid<S: Scalar>(pub(super) [S::Steps; 3]);
 
 impl<S: Scalar> Clone for Grid<S> {
@@ -34,13 +34,13 @@ impl<S: Scalar> Grid<S> {
             }));
         }
         let [min, max] = bounds.unwrap_or([[S::ZERO; 3]; 2]);
-        // Without indices, which where code is small are checked.
+        // By pattern, because indices are checked in builds for small code.
         let ([a, b, c], [d, e, f]) = (min, max);
         Self([S::steps(a, d), S::steps(b, e), S::steps(c, f)])
     }
 
-    /// The least box of the grid around the box between two corners, as far as the grid goes:
-    /// it meets all boxes of the grid that enclose a point of that.
+    /// The smallest grid box around the box between two corners, clamped to the grid. It meets
+    /// every grid box that encloses a point of the given box.
     #[cfg_attr(not(feature = "small"), inline(always))]
     #[cfg_attr(feature = "small", inline(never))]
     pub(super) fn cell(&self, [min, max]: [[S; 3]; 2]) -> Cell {
@@ -51,7 +51,7 @@ impl<S: Scalar> Grid<S> {
         }
     }
 
-    /// A box of the grid, by its corners in space.
+    /// The corners of a grid box, in space.
     #[inline(always)]
     pub(super) fn corners(&self, cell: &Cell) -> [[S; 3]; 2] {
         let [x, y, z] = &self.0;
@@ -59,8 +59,8 @@ impl<S: Scalar> Grid<S> {
         [at(cell.low), at(cell.high)]
     }
 
-    /// A number of steps along an axis, for comparison with those along another: in
-    /// logarithms, to 17 digits.
+    /// The length of a number of steps along an axis, comparable between axes: its logarithm, with
+    /// 17 bits after the exponent.
     pub(super) fn size(&self, axis: usize, steps: u32) -> i64 {
         let Some(log) = steps.checked_ilog2() else { return i64::MIN };
         let digits = (u64::from(steps) << 32 >> log) as u32 >> 15;
@@ -68,7 +68,7 @@ impl<S: Scalar> Grid<S> {
         i64::from(exponent) << 17 | i64::from(digits)
     }
 
-    /// A box of the grid, in space.
+    /// A grid box, in space.
     #[inline(always)]
     pub(super) fn aabb(&self, cell: &Cell) -> Aabb<S> {
         let [min, max] = self.corners(cell);
@@ -81,7 +81,7 @@ fn join<S: Scalar>(a: [S; 3], b: [S; 3], choose: fn(S, S) -> S) -> [S; 3] {
     [choose(a[0], b[0]), choose(a[1], b[1]), choose(a[2], b[2])]
 }
 
-/// The corners of the least box around a triangle.
+/// The corners of the bounding box of a triangle.
 #[inline(always)]
 pub(super) fn corners<S: Scalar>(triangle: &Triangle<S>) -> [[S; 3]; 2] {
     let [a, b, c] = each(*triangle.vertices(), Vec3::to_array);

@@ -1,13 +1,13 @@
-/// An index of a vertex or a triangle: `u16`, which is short for flash, or `u32`.
+/// An index of a vertex or a triangle: `u16`, which saves flash, or `u32`.
 ///
 /// The trait is sealed.
 pub trait Index: sealed::Sealed + Copy + Ord + core::fmt::Debug + Send + Sync + 'static {
-    /// The number of things that can be told apart.
+    /// The number of different indices.
     #[doc(hidden)]
     const COUNT: u64;
     #[doc(hidden)]
     fn get(self) -> usize;
-    /// The index of thing `i`, of which there are no more than [`COUNT`](Self::COUNT).
+    /// The index `i`, which is below [`COUNT`](Self::COUNT).
     #[doc(hidden)]
     fn of(i: usize) -> Self;
 }

@@ -2,12 +2,12 @@ use super::{Index, MeshError};
 use crate::scalar::Scalar;
 use crate::shape::{Triangle, Vec3};
 
-/// Triangles by the indices of their vertices, in the caller's memory.
+/// Indexed triangles in the caller's memory: a slice of vertices and a slice of triangles.
 ///
-/// Every vertex is finite, and every index leads to one: the constructors check it. A
-/// triangle may be a segment or a point, and vertices may coincide or be used by none.
+/// Every vertex is finite and every index is in range; the constructors check this. A triangle may
+/// be a segment or a point. Vertices may coincide, and may belong to no triangle.
 ///
-/// A mesh is two slices, and copied as such.
+/// Copying a `Mesh` copies two references, not the data.
 ///
 /// ```
 /// use septum::Vec3;
@@ -28,11 +28,11 @@ pub struct Mesh<'a, S, I> {
 }
 
 impl<'a, S: Scalar, I: Index> Mesh<'a, S, I> {
-    /// The mesh of these vertices and triangles.
+    /// A mesh of these vertices and triangles.
     ///
     /// # Errors
-    /// [`MeshError::NotFinite`], [`MeshError::NoSuchVertex`], and
-    /// [`MeshError::TooManyTriangles`] where `I` cannot number them.
+    /// [`MeshError::NotFinite`], [`MeshError::NoSuchVertex`], and [`MeshError::TooManyTriangles`]
+    /// if `I` has fewer values than there are triangles.
     pub fn new(vertices: &'a [Vec3<S>], triangles: &'a [[I; 3]]) -> Result<Self, MeshError> {
         if let Some(vertex) = vertices.iter().position(|v| !v.is_finite()) {
             return Err(MeshError::NotFinite { vertex });
@@ -47,14 +47,14 @@ impl<'a, S: Scalar, I: Index> Mesh<'a, S, I> {
         Ok(Self { vertices, triangles })
     }
 
-    /// The triangle of this index, if there is one.
+    /// The triangle with this index, if there is one.
     #[inline]
     #[must_use]
     pub fn triangle(&self, i: usize) -> Option<Triangle<S>> {
         self.triangles.get(i).map(|corners| self.at(corners))
     }
 
-    /// All triangles, in order.
+    /// All triangles, in the order of their indices.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = Triangle<S>> + 'a {
         let this = *self;
         self.triangles.iter().map(move |corners| this.at(corners))
@@ -62,12 +62,12 @@ impl<'a, S: Scalar, I: Index> Mesh<'a, S, I> {
 
     #[inline(always)]
     fn at(&self, corners: &[I; 3]) -> Triangle<S> {
-        // There is always a vertex; to say so links no panic.
+        // `new` made sure of the indices; `unwrap_or` links no panic.
         let vertex = |i: I| self.vertices.get(i.get()).copied().unwrap_or(Vec3::splat(S::ZERO));
         Triangle::unchecked([vertex(corners[0]), vertex(corners[1]), vertex(corners[2])])
     }
 
-    /// The triangle of an index that there is.
+    /// The triangle with an index that is known to be in range.
     #[inline(always)]
     pub(crate) fn known(&self, i: usize) -> Triangle<S> {
         self.triangle(i).unwrap_or(Triangle::unchecked([Vec3::splat(S::ZERO); 3]))
@@ -82,7 +82,7 @@ impl<'a, S, I> Mesh<'a, S, I> {
         self.vertices
     }
 
-    /// The triangles, by the indices of their vertices.
+    /// The triangles, as indices of vertices.
     #[inline]
     #[must_use]
     pub const fn triangles(&self) -> &'a [[I; 3]] {

@@ -8,40 +8,41 @@ use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
 impl<S: Scalar, I: Index> Tree<'_, S, I> {
-    /// Whether a closed mesh contains a point: it lies inside, or on a triangle.
+    /// Whether a closed mesh contains a point: inside it, or on a triangle.
     ///
-    /// *Geometry*: inside is where any way out crosses the mesh an odd number of times. The
-    /// triangles' orientation does not matter. So where two parts of the mesh overlap is
-    /// outside; [`winding`](Self::winding) tells more, if they are oriented alike. Of a mesh
-    /// that is not closed ([`Mesh::check_closed`](super::Mesh::check_closed)) the answer is
-    /// about the way along the first axis.
+    /// *Geometry*: a point is inside if a ray from it crosses the mesh an odd number of times
+    /// (even-odd rule). The orientation of triangles does not matter. Where two parts of the mesh
+    /// overlap is outside by this rule; use [`winding`](Self::winding) there, if the triangles are
+    /// oriented consistently. For a mesh that is not closed
+    /// ([`Mesh::check_closed`](super::Mesh::check_closed)) the answer counts the crossings of the
+    /// ray along the positive x axis.
     ///
-    /// *Contact*: the mesh belongs to its inside. A point with a coordinate that is NaN or
-    /// infinite is not contained.
+    /// *Contact*: the surface belongs to the inside. A point with a NaN or infinite coordinate is
+    /// not contained.
     ///
-    /// *Numerics*: exact for every valid input, in every scalar; on faces, edges and vertices
-    /// too. *Panics*: never.
+    /// *Numerics*: exact for every valid input, in every scalar, also for points or rays on faces,
+    /// edges and vertices. *Panics*: never.
     ///
-    /// *Cost*: for each box in the row of the point 5 comparisons of integers; for a triangle
-    /// there two areas of a plane, and a volume if it reaches from before the point to behind
-    /// it.
+    /// *Cost*: 5 integer comparisons for each box along the ray; for each triangle there two planar
+    /// areas, and a volume if the triangle extends from before the point to behind it.
     ///
-    /// *Source*: crossings are counted as by M. Shimrat, "Algorithm 112: Position of Point
-    /// Relative to Polygon", *Communications of the ACM* 5(8), 1962, seen along the row.
+    /// *Source*: crossings are counted as in M. Shimrat, "Algorithm 112: Position of Point Relative
+    /// to Polygon", *Communications of the ACM* 5(8), 1962, in the projection along the ray.
     #[inline]
     #[must_use]
     pub fn contains(&self, point: impl Into<Vec3<S>>) -> bool {
         self.winding(point).is_none_or(|winding| winding % 2 != 0)
     }
 
-    /// The winding number of a closed mesh about a point, `None` for a point on a triangle:
-    /// how many times the mesh encloses it, turned inside out if negative.
+    /// The winding number of a closed mesh about a point: how many times the mesh encloses it.
+    /// `None` for a point on a triangle.
     ///
-    /// It is of use where triangles are oriented alike, counterclockwise seen from outside: of
-    /// parts that overlap each counts, so that all but zero is inside of one.
+    /// Use it for meshes whose triangles are oriented consistently, counterclockwise seen from
+    /// outside. Overlapping parts each add 1, so every point with a number other than 0 is inside
+    /// some part. A part that is turned inside out adds −1.
     ///
-    /// *Numerics*, *Panics*, *Cost*: as [`contains`](Self::contains). A point with a coordinate
-    /// that is NaN or infinite has winding number 0.
+    /// *Numerics*, *Panics*, *Cost*: as [`contains`](Self::contains). A point with a NaN or
+    /// infinite coordinate has winding number 0.
     #[must_use]
     pub fn winding(&self, point: impl Into<Vec3<S>>) -> Option<i32> {
         let p: Vec3<S> = point.into();

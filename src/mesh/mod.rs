@@ -1,9 +1,11 @@
 //! Whole meshes: triangles in the caller's memory, or in flash, and a tree over them.
 //!
-//! A [`Mesh`] is a slice of vertices and one of triangles, by indices of 16 or 32 bits. A
-//! [`Tree`] answers about all of its triangles, exactly as asking each would: which of them a
-//! box overlaps, where a ray hits first, whether a closed mesh contains a point, which pairs
-//! of two meshes meet. It needs no allocator: 48 bytes for twelve triangles, and an index for
+//! A [`Mesh`] is a slice of vertices and a slice of triangles, with indices of 16 or 32 bits. A
+//! [`Tree`] is a bounding-volume hierarchy (BVH) over a mesh. It finds the triangles that a box
+//! overlaps, the first triangle that a ray hits, whether a closed mesh contains a point, and the
+//! overlapping pairs of two meshes, with the same exact answers as testing every triangle. It needs
+//! no allocator. The nodes take 48 bytes for twelve triangles; a tree built at run time also takes
+//! one index for each triangle.
 //! each, or only the former if the table was made before.
 //!
 //! ```
@@ -28,21 +30,25 @@
 //! # Ok::<(), septum::mesh::MeshError>(())
 //! ```
 
+// The order of modules sets the order of methods on the page of `Tree`: constructors first.
+mod indexed;
+mod tree;
+
 mod closed;
-mod const_new;
 mod descent;
 mod error;
 mod grid;
 mod index;
-mod indexed;
 mod inside;
 mod node;
 mod overlapping;
 mod pairs;
 mod ray;
 mod sweep;
-mod tree;
 mod walk;
+
+// Last, as on the pages of the shapes.
+mod const_new;
 
 pub(crate) use closed::{by_place, sort};
 pub use error::MeshError;

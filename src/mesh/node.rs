@@ -2,16 +2,16 @@
 
 use core::ops::Range;
 
-/// Triangles in a leaf, but for the last.
+/// The number of triangles in each leaf except the last.
 pub(super) const LEAF: usize = 4;
 
-/// How deep a tree can be: 2³² triangles have 2³⁰ leaves, in 15 steps of four.
+/// The maximum depth of a tree: 2³² triangles have 2³⁰ leaves, in 15 levels of four.
 pub(super) const LEVELS: usize = 16;
 
 /// A node of a tree: four boxes, on the tree's grid.
 ///
-/// It is 48 bytes. Where its children are follows from where it is, so that there is no link
-/// in it, and none that could be broken.
+/// A node is 48 bytes. The position of its children follows from its own position, so a node holds
+/// no links that could be damaged.
 ///
 /// ```
 /// use septum::mesh::Node;
@@ -24,24 +24,24 @@ pub(super) const LEVELS: usize = 16;
 pub struct Node(pub(super) [[u16; 4]; 6]);
 
 impl Node {
-    /// A node without children, to fill a slice that a tree is built into.
+    /// A node without children, to initialize the slice for [`Tree::build`](super::Tree::build).
     pub const EMPTY: Self =
         Self([[u16::MAX; 4], [u16::MAX; 4], [u16::MAX; 4], [0; 4], [0; 4], [0; 4]]);
 
-    /// How many nodes the tree over so many triangles has: about one for twelve.
+    /// The number of nodes of a tree over `triangles` triangles: about one for twelve.
     #[must_use]
     pub const fn count_for(triangles: usize) -> usize {
         let leaves = triangles.div_ceil(LEAF);
         match leaves {
             0 => 0,
             1 => 1,
-            // A node more makes three leaves more, for it takes the place of one.
+            // Each further node replaces one leaf by four: three leaves more.
             _ => (leaves - 1).div_ceil(3),
         }
     }
 
-    /// A node from its bits, for a table in flash: for each of x, y and z the least
-    /// coordinates of the four boxes, and then for each the greatest.
+    /// A node from its bits, for a table in flash: the least x of the four boxes, then the least y
+    /// and z, then the greatest x, y and z.
     #[must_use]
     pub const fn from_bits(bits: [[u16; 4]; 6]) -> Self {
         Self(bits)
@@ -69,7 +69,7 @@ impl Node {
         }
     }
 
-    /// The boxes that meet this one: bit k is that of box k.
+    /// The boxes that meet this one: bit k stands for box k.
     #[cfg_attr(not(feature = "small"), inline(always))]
     #[cfg_attr(feature = "small", inline(never))]
     pub(super) fn meeting(&self, cell: &Cell) -> u32 {
@@ -92,12 +92,12 @@ pub(super) struct Cell {
 }
 
 impl Cell {
-    /// No point of the grid.
+    /// A box that contains no grid point.
     pub(super) const NOTHING: Self = Self { low: [u16::MAX; 3], high: [0; 3] };
-    /// All of them.
+    /// The box that contains all grid points.
     pub(super) const ALL: Self = Self { low: [0; 3], high: [u16::MAX; 3] };
 
-    /// The least box around both.
+    /// Grows the box to enclose `other`.
     pub(super) fn join(&mut self, other: &Self) {
         for i in 0..3 {
             self.low[i] = self.low[i].min(other.low[i]);
@@ -105,20 +105,20 @@ impl Cell {
         }
     }
 
-    /// Whether all of the other box is in this one.
+    /// Whether this box encloses `other`.
     pub(super) fn encloses(&self, other: &Self) -> bool {
         (0..3).all(|i| self.low[i] <= other.low[i] && other.high[i] <= self.high[i])
     }
 }
 
-/// The order of nodes and leaves.
+/// The order of nodes and leaves in memory.
 ///
-/// Child k of node i is 4·i + 1 + k, a node if there is one of that number, else a leaf: the
-/// places of a heap with four children for two. So the leaves of the last level come first
-/// from left to right, and triangles are sorted from left to right.
+/// It is the order of a heap with four children to a node: child k of node i is at place 4·i + 1 +
+/// k. A place beyond the last node is a leaf. Leaves from left to right are those of the last
+/// level, followed by those of the level above it, and triangles are sorted in that order.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Layout {
-    /// How many triangles there are, how many nodes, and how many places for either.
+    /// The number of triangles, of nodes, and of nodes and leaves together.
     triangles: usize,
     pub(super) nodes: usize,
     places: usize,
@@ -137,15 +137,16 @@ impl Layout {
         Self { triangles, nodes, places, last_level }
     }
 
-    /// The places below a node.
+    /// The places of a node's children.
     #[inline(always)]
     pub(super) fn children(&self, node: usize) -> Range<usize> {
         let first = 4 * node + 1;
         first..self.places.min(first + 4)
     }
 
-    /// Where the triangles of the leaf at this place are. The last node may have fewer than
-    /// four children; a box that is all of the grid meets those, too, that it has not.
+    /// The positions of the triangles of the leaf at this place. The last node may have fewer than
+    /// four children; a box that covers the whole grid also meets the missing ones, which are
+    /// empty.
     #[inline(always)]
     pub(super) fn leaf(&self, place: usize) -> Range<usize> {
         if place >= self.places {
@@ -160,7 +161,7 @@ impl Layout {
         first.min(self.triangles)..(first + LEAF).min(self.triangles)
     }
 
-    /// The triangles below a place.
+    /// The positions of all triangles below a place.
     pub(super) fn below(&self, place: usize) -> Range<usize> {
         let (mut first, mut last) = (place, place);
         while first < self.nodes {

@@ -1,4 +1,4 @@
-//! The triangles that a shape overlaps.
+//! The triangles of a mesh that a shape overlaps.
 
 use core::ops::Range;
 
@@ -10,7 +10,7 @@ use crate::arithmetic::{REGISTERS_ARE_WIDE, each, three};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb, Overlaps, Segment, SegmentForm, Triangle, Vec3};
 
-/// A shape that a tree can be asked about.
+/// A shape that [`Tree::overlapping`] accepts.
 ///
 /// The trait is sealed.
 pub trait Probe<S: Scalar>: Overlaps<Triangle<S>> + sealed::Bounded<S> {}
@@ -22,20 +22,20 @@ pub(super) mod sealed {
     use crate::shape::Aabb;
 
     pub trait Bounded<S: Scalar> {
-        /// Two corners of a box that encloses the shape, but for what lies beyond the
-        /// numbers of the scalar; `None` where there is none.
+        /// Two corners of a box that encloses the shape, clamped to the range of the scalar; `None`
+        /// if there is no such box.
         fn corners(&self) -> Option<[[S; 3]; 2]>;
 
-        /// Whether it may meet a box that meets those corners' box.
+        /// Whether the shape may meet a box that meets its bounding box.
         fn may_meet(&self, aabb: &Aabb<S>) -> bool {
             let _ = aabb;
             true
         }
 
-        /// Whether [`may_meet`](Self::may_meet) is worth the question.
+        /// Whether [`may_meet`](Self::may_meet) excludes enough boxes to be worth its time.
         const IS_NARROW: bool = false;
 
-        /// Whether a triangle is dearer to ask about than the box between the corners.
+        /// Whether testing a triangle costs more than testing the bounding box first.
         const IS_DEAR: bool = false;
     }
 }
@@ -51,8 +51,8 @@ impl<S: Scalar> sealed::Bounded<S> for Aabb<S> {
 }
 
 impl<S: Scalar> sealed::Bounded<S> for Obb<S> {
-    // On small cores short words tell an oriented box in fixed point from most triangles for
-    // less than an axis-aligned box that is far from the origin of its numbers.
+    // On small cores the short-word test of an oriented box in fixed point rejects most
+    // triangles for less than the test of an axis-aligned box far from the origin.
     const IS_DEAR: bool = REGISTERS_ARE_WIDE || S::FLOAT.is_some();
 
     fn corners(&self) -> Option<[[S; 3]; 2]> {
@@ -88,7 +88,7 @@ impl<S: Scalar> sealed::Bounded<S> for Segment<S> {
     }
 }
 
-/// The corners of a box by its centre, rounded outward.
+/// The corners of a box given by its centre, rounded outward.
 fn around<S: Scalar>(center: Vec3<S>, half: Vec3<S>) -> [[S; 3]; 2] {
     let (c, h) = (center.to_array(), half.to_array());
     let ends = three(|i| c[i].reach(h[i]));
@@ -96,18 +96,20 @@ fn around<S: Scalar>(center: Vec3<S>, half: Vec3<S>) -> [[S; 3]; 2] {
 }
 
 impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
-    /// The triangles that have a point in common with a shape, in the tree's order: an
-    /// [`Aabb`], an [`Obb`], a [`Triangle`] or a [`Segment`].
+    /// The triangles that overlap a shape, in the tree's order. The shape is an [`Aabb`], an
+    /// [`Obb`], a [`Triangle`] or a [`Segment`].
     ///
-    /// *Contact*: touching is overlap. *Numerics*: exact, as the shape's own
-    /// [`overlaps`](Overlaps::overlaps), which is asked about each triangle that is near.
-    /// *Panics*: never.
+    /// *Contact*: touching is overlap.
     ///
-    /// *Cost*: on the way down 6 comparisons of integers for each box; for a triangle or a
-    /// segment its own [`may_overlap`](Overlaps::may_overlap) besides, where these let it pass.
-    /// No stack: the way back is in one word.
+    /// *Numerics*: exact: the shape's own [`overlaps`](Overlaps::overlaps) decides for each
+    /// triangle nearby. *Panics*: never.
+    ///
+    /// *Cost*: 6 integer comparisons for each box on the way down; a triangle or a segment also
+    /// runs [`may_overlap`](Overlaps::may_overlap) on each box that passes these. It needs no
+    /// stack: the path is kept in one word.
     ///
     /// See [`Tree`] for an example.
+    #[doc(alias = "broad phase")]
     pub fn overlapping<'t, P: Probe<S>>(&'t self, shape: &'t P) -> Overlapping<'t, 'a, S, I, P> {
         let corners = shape.corners();
         let cell = corners.map_or(Cell::ALL, |corners| self.grid.cell(corners));
@@ -161,7 +163,7 @@ impl<S: Scalar, I: Index, P: Probe<S>> Iterator for Overlapping<'_, '_, S, I, P>
     }
 }
 
-/// Whether a triangle may meet a shape within the box between these corners.
+/// Whether a triangle may meet a shape whose bounding box has these corners.
 #[inline(always)]
 fn is_near<S: Scalar, P: Probe<S>>([min, max]: &[[S; 3]; 2], triangle: &Triangle<S>) -> bool {
     let [a, b, c] = each(*triangle.vertices(), Vec3::to_array);

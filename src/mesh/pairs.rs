@@ -1,4 +1,4 @@
-//! Which triangles of two meshes meet.
+//! Pairs of triangles of two meshes that overlap.
 
 use core::ops::ControlFlow;
 
@@ -7,27 +7,27 @@ use super::{Index, Tree, grid};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Triangle};
 
-/// Pairs of places still to be visited: each step down, in one tree or in the other, leaves
+/// The greatest number of pairs of places still to be visited: each step down, in either tree, adds
 /// three.
 const STACK: usize = 3 * 2 * LEVELS + 1;
 
 impl<S: Scalar, I: Index> Tree<'_, S, I> {
-    /// Visits the pairs of triangles of two meshes that have a point in common: the index in
-    /// this mesh, and that in the other. It ends early where `visit` breaks.
+    /// Visits every pair of triangles of two meshes that have a point in common, as an index in
+    /// this mesh and an index in `other`. It ends early if `visit` breaks.
     ///
-    /// *Geometry*: surfaces. A mesh that lies inside of another without touching it has no pair
-    /// with it; then [`contains`](Self::contains) any of its vertices tells.
+    /// *Geometry*: meshes are surfaces here. A mesh strictly inside another has no pair with it; to
+    /// find that case, ask [`contains`](Self::contains) about any of its vertices.
     ///
     /// *Contact*: touching is overlap. *Numerics*: exact. *Panics*: never.
     ///
-    /// *Cost*: boxes of the one tree are brought to the grid of the other; where two leaves
-    /// meet a triangle is asked about the other leaf's box, and then about its triangles. A
-    /// stack of 97 pairs, 776 bytes.
+    /// *Cost*: boxes of one tree are converted to the grid of the other. For two leaves that meet,
+    /// each triangle is tested against the other leaf's box, and then against its triangles. The
+    /// stack has room for 97 pairs, 776 bytes.
     ///
-    /// *Source*: S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A Hierarchical Structure for
-    /// Rapid Interference Detection", SIGGRAPH 1996: the descent in two trees. P. Terdiman,
-    /// "Memory-Optimized Bounding-Volume Hierarchies", 2001: no box for each triangle, and a
-    /// triangle against the other's box.
+    /// *Source*: the descent in two trees is S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A
+    /// Hierarchical Structure for Rapid Interference Detection", SIGGRAPH 1996. Leaves without a
+    /// box for each triangle, and the test of a triangle against a box of the other tree, are P.
+    /// Terdiman, "Memory-Optimized Bounding-Volume Hierarchies", 2001.
     ///
     /// ```
     /// use core::ops::ControlFlow;
@@ -48,6 +48,7 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     /// assert_eq!(pairs, 1);
     /// # Ok::<(), septum::mesh::MeshError>(())
     /// ```
+    #[doc(alias = "broad phase")]
     pub fn overlapping_pairs<J: Index, B>(
         &self,
         other: &Tree<'_, S, J>,
@@ -59,7 +60,7 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
             top -= 1;
             let Some(&(a, b)) = stack.get(top) else { break };
             let (a, b) = (a as usize, b as usize);
-            // Down from the one that is nearer to its root.
+            // Descend in the tree whose place is nearer to its root.
             let goes_first = b >= other.nodes.len() || a <= b && a < self.nodes.len();
             let below = if goes_first {
                 self.children_meeting(a, &other.corners_of(b)).map(|mask| (mask, a))
@@ -81,15 +82,14 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
         ControlFlow::Continue(())
     }
 
-    /// The children of a node whose boxes meet the box between these corners; `None` for a
-    /// leaf.
+    /// The children of a node whose boxes meet the box between these corners; `None` for a leaf.
     fn children_meeting(&self, place: usize, corners: &[[S; 3]; 2]) -> Option<u32> {
         self.nodes.get(place).map(|node| node.meeting(&self.grid.cell(*corners)))
     }
 
-    /// The corners of the box of a place in space.
+    /// The corners, in space, of the box at a place.
     fn corners_of(&self, place: usize) -> [[S; 3]; 2] {
-        // The root has none.
+        // The root has no box of its own.
         let Some(parent) = place.checked_sub(1) else { return self.grid.corners(&Cell::ALL) };
         let cell = self.nodes.get(parent / 4).map_or(Cell::ALL, |node| node.cell(parent % 4));
         self.grid.corners(&cell)
@@ -120,7 +120,7 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     }
 }
 
-/// Whether the boxes around two triangles meet: six comparisons, which most pairs fail.
+/// Whether the bounding boxes of two triangles meet: six comparisons, which most pairs fail.
 #[inline(always)]
 fn are_near<S: Scalar>(a: &Triangle<S>, b: &Triangle<S>) -> bool {
     let ([p, q], [r, s]) = (grid::corners(a), grid::corners(b));

@@ -1,4 +1,4 @@
-//! Rays through a tree.
+//! Ray casts through a tree.
 
 use core::cmp::Ordering;
 use core::ops::Range;
@@ -11,30 +11,31 @@ use crate::query::{Feature, Hit, HitRules};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle, Vec3};
 
-/// Places still to be visited: of each node on the way down all children but one.
+/// The greatest number of places still to be visited: all children but one, of each node on the
+/// path.
 const STACK: usize = 3 * LEVELS + 1;
 
 impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
-    /// The first triangle that a ray hits, and where, if it hits one.
+    /// The first triangle that a ray hits, and the hit, if there is one.
     ///
-    /// *Contact*: as [`Ray::hit`]. Of triangles that are hit in one and the same point, as at
-    /// an edge, it is the one of the lowest index.
+    /// *Contact*: as [`Ray::hit`]. If several triangles are hit at the same point, as at a shared
+    /// edge, the lowest index wins.
     ///
-    /// *Numerics*: exact. Which is first is the order of the true t, as by
-    /// [`Ray::compare_hits`]; the hit is that of [`Ray::hit`], whose bits these are.
-    /// *Panics*: never.
+    /// *Numerics*: exact. Hits are ordered by their true t, as by [`Ray::compare_hits`], and the
+    /// hit returned has the bits of [`Ray::hit`]. *Panics*: never.
     ///
-    /// *Cost*: [`Ray::hit`] for each triangle whose box the ray meets before it has hit. On the
-    /// way down four boxes take 24 multiplications of `f32`; in fixed point on 32-bit cores
-    /// [`Ray::overlaps`] is asked about each. A stack of 49 places, 392 bytes.
+    /// *Cost*: [`Ray::hit`] for each triangle in a leaf that the ray meets before its first hit. On
+    /// the way down, four boxes together take 24 multiplications in `f32`; in fixed point on 32-bit
+    /// cores each box takes one [`Ray::overlaps`]. The stack has room for 49 places, 392 bytes.
     ///
     /// See [`Tree`] for an example.
+    #[doc(alias = "raycast")]
     #[must_use]
     pub fn first_hit(&self, ray: &Ray<S>) -> Option<(usize, Hit<S>)> {
         self.first_hit_with(ray, HitRules::new())
     }
 
-    /// [`first_hit`](Self::first_hit) by the rules given.
+    /// [`first_hit`](Self::first_hit) under other rules, such as culling.
     #[must_use]
     pub fn first_hit_with(&self, ray: &Ray<S>, rules: HitRules) -> Option<(usize, Hit<S>)> {
         let mut descent = Descent::new(&self.grid, ray);
@@ -49,7 +50,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
         best
     }
 
-    /// Goes down to the triangles that are near, those first that come soon.
+    /// Visits the triangles near the moving object, roughly in the order in which it reaches them.
     #[inline(always)]
     pub(super) fn descend<D: Descend>(
         &self,
@@ -74,7 +75,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
             let Met { mask, sooner } = descent.meets(node);
             let bottom = top;
             for k in (0..4).filter(|k| mask >> k & 1 == 1) {
-                // The soonest goes on top.
+                // The child reached first goes on top.
                 let entry = ((4 * place + 1 + k) as u32, sooner[k]);
                 let mut at = top;
                 while at > bottom && stack.get(at - 1).is_some_and(|below| below.1 < entry.1) {
@@ -91,10 +92,10 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
         }
     }
 
-    /// Whether the first hit is before the second, on the way or by its index.
+    /// Whether hit `a` comes before hit `b` along the ray, or has the lower index if they tie.
     fn is_before(&self, ray: &Ray<S>, (i, a): (usize, &Hit<S>), (j, b): (usize, &Hit<S>)) -> bool {
         let (of_a, of_b) = (self.mesh.known(i), self.mesh.known(j));
-        // What all exact numbers would say, sooner.
+        // A shortcut to the answer that the exact comparison would give.
         if is_same(&met(&of_a, a.feature), &met(&of_b, b.feature)) {
             return i < j;
         }
@@ -108,24 +109,25 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     /// Whether a ray hits any triangle.
     ///
     /// *Contact*, *Numerics*: exact, as [`Ray::is_hit`]. *Panics*: never. *Cost*: as
-    /// [`first_hit`](Self::first_hit), but it ends with any hit, divides nothing, and needs no
-    /// stack. Choose it for shadows and lines of sight.
+    /// [`first_hit`](Self::first_hit), but it stops at any hit, divides nothing, and needs no
+    /// stack. Use it for shadows and lines of sight.
+    #[doc(alias = "raycast")]
     #[must_use]
     pub fn is_hit(&self, ray: &Ray<S>) -> bool {
         self.is_hit_with(ray, HitRules::new())
     }
 
-    /// [`is_hit`](Self::is_hit) by the rules given.
+    /// [`is_hit`](Self::is_hit) under other rules, such as culling.
     #[must_use]
     pub fn is_hit_with(&self, ray: &Ray<S>, rules: HitRules) -> bool {
         let mut near = Near::new(self, ray);
         core::iter::from_fn(|| near.next(self)).any(|i| ray.is_hit_with(&self.mesh.known(i), rules))
     }
 
-    /// All triangles that a ray hits, and where, in the tree's order.
+    /// All triangles that a ray hits, with their hits, in the tree's order.
     ///
     /// *Contact*, *Numerics*: exact, as [`Ray::hit`]. *Panics*: never. *Cost*: [`Ray::hit`] for
-    /// each triangle whose box the ray meets. No stack.
+    /// each triangle in a leaf that the ray meets. It needs no stack.
     ///
     /// ```
     /// use septum::mesh::{Mesh, Node, Tree};
@@ -145,13 +147,13 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
         self.hits_with(ray, HitRules::new())
     }
 
-    /// [`hits`](Self::hits) by the rules given.
+    /// [`hits`](Self::hits) under other rules, such as culling.
     pub fn hits_with<'t>(&'t self, ray: &Ray<S>, rules: HitRules) -> Hits<'t, 'a, S, I> {
         Hits { tree: self, ray: *ray, rules, near: Near::new(self, ray) }
     }
 }
 
-/// The ends of what is met of a triangle, an edge or twice a vertex.
+/// The ends of the edge that was hit, or the vertex twice; `None` for the interior.
 fn met<S: Scalar>(triangle: &Triangle<S>, feature: Feature) -> Option<[Vec3<S>; 2]> {
     let [a, b, c] = *triangle.vertices();
     match feature {
@@ -165,8 +167,8 @@ fn met<S: Scalar>(triangle: &Triangle<S>, feature: Feature) -> Option<[Vec3<S>; 
     }
 }
 
-/// Whether two triangles are met in the same edge or vertex: there in one point, for a ray
-/// along an edge hits neither.
+/// Whether two triangles were hit at the same edge or vertex. Then they were hit at the same point,
+/// because a ray along an edge hits neither triangle.
 fn is_same<S: Scalar>(a: &Option<[Vec3<S>; 2]>, b: &Option<[Vec3<S>; 2]>) -> bool {
     match (a, b) {
         (Some([a, b]), Some([c, d])) => (a == c) & (b == d) | (a == d) & (b == c),
@@ -174,7 +176,7 @@ fn is_same<S: Scalar>(a: &Option<[Vec3<S>; 2]>, b: &Option<[Vec3<S>; 2]>) -> boo
     }
 }
 
-/// The triangles that a ray comes near.
+/// The triangles in the leaves that a ray meets.
 #[derive(Clone, Debug)]
 struct Near<S: Scalar> {
     descent: Descent<S>,
@@ -189,7 +191,7 @@ impl<S: Scalar> Near<S> {
         Self { descent, walk, leaf: 0..0 }
     }
 
-    /// The index of the next.
+    /// The index of the next triangle.
     #[inline(always)]
     fn next<I: Index>(&mut self, tree: &Tree<'_, S, I>) -> Option<usize> {
         loop {

@@ -11,16 +11,16 @@ use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Vec3};
 
 impl<S: Scalar, I: Index> Tree<'_, S, I> {
-    /// The triangle that a box, as it moves, meets first, if it meets one, and when.
+    /// The first triangle that a moving box meets, and the time of impact, if it meets one.
     ///
-    /// *Contact*: as [`Sweep::first_contact`]. Of triangles whose times are the same number of the
-    /// scalar it is the one of the lowest index.
+    /// *Contact*: as [`Sweep::first_contact`]. If the times of several triangles round to the same
+    /// number of the scalar, the lowest index wins.
     ///
-    /// *Numerics*: exact; the contact is that of [`Sweep::first_contact`], whose bits these are.
-    /// *Panics*: never.
+    /// *Numerics*: exact; the contact returned has the bits of [`Sweep::first_contact`]. *Panics*:
+    /// never.
     ///
-    /// *Cost*: [`Sweep::first_contact`] for each triangle whose box is met before any triangle is.
-    /// The way down is that of [`first_hit`](Self::first_hit).
+    /// *Cost*: [`Sweep::first_contact`] for each triangle in a leaf that the box meets before its
+    /// first contact. The descent costs as much as in [`first_hit`](Self::first_hit).
     ///
     /// ```
     /// use septum::mesh::{Mesh, Node, Tree};
@@ -38,6 +38,7 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     /// assert_eq!((triangle, first.t, first.axis), (0, 0.5, Some(Axis::Face(2))));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "time of impact")]
     #[must_use]
     pub fn first_contact(
         &self,
@@ -59,15 +60,15 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     }
 }
 
-/// A box on its way down.
+/// A moving box on its way down the tree.
 struct Moving<'a, S: Scalar> {
     aabb: &'a Aabb<S>,
     motion: &'a Motion<S>,
     grid: &'a Grid<S>,
     fast: GridRay,
-    /// Where the box goes, unless it is fast.
+    /// The part of the grid that a box at rest meets.
     cell: Cell,
-    /// Nothing later is asked for.
+    /// The time of the best contact so far, if any; later contacts are not needed.
     end: Option<S>,
 }
 
@@ -76,7 +77,7 @@ impl<'a, S: Scalar> Moving<'a, S> {
         let (from, to) = (motion.from().to_array(), motion.to().to_array());
         let at_rest = if from == to { aabb.corners() } else { None };
         let cell = at_rest.map_or(Cell::ALL, |corners| grid.cell(corners));
-        // Where the choice is known to the compiler it links no floats.
+        // A choice known at compile time, so that machines without floats link none.
         let fast = match places(grid, aabb) {
             Some(places) if S::IS_FAST => {
                 let d = three(|i| to[i].steps_from(from[i], &grid.0[i]));
@@ -106,7 +107,7 @@ impl<'a, S: Scalar> Moving<'a, S> {
         Met { mask, sooner }
     }
 
-    /// Leaves out what is later than a contact whose time was rounded down to this.
+    /// Excludes contacts later than `t`, which was rounded down.
     fn limit(&mut self, t: S) {
         self.end = Some(t);
         if S::IS_FAST {
@@ -115,9 +116,9 @@ impl<'a, S: Scalar> Moving<'a, S> {
     }
 }
 
-/// The corners of a box, in steps of a grid, which may be beyond the numbers of the scalar; `None`
-/// of a box by its centre where that or a half-extent is so long that their sum is not known
-/// as well as a number is.
+/// The corners of a box, in steps of a grid. They may lie between the numbers of the scalar, or
+/// beyond them. Returns `None` for a box given by its centre if the centre or a half-extent is so
+/// long that their sum is less accurate than a coordinate.
 fn places<S: Scalar>(grid: &Grid<S>, aabb: &Aabb<S>) -> Option<[[f64; 3]; 2]> {
     const LONG: f64 = (1_u64 << 40) as f64;
     let place = |p: &Vec3<S>| {

@@ -4,14 +4,15 @@ use super::{Index, Mesh, MeshError};
 use crate::arithmetic::three;
 use crate::scalar::Scalar;
 
-/// A mesh and a tree of boxes over it: the same answers as by asking each triangle, sooner.
+/// A mesh and a bounding-volume hierarchy (BVH) over it: the same answers as testing each triangle,
+/// sooner.
 ///
 /// The nodes are in the caller's memory: [`build`](Self::build) fills a slice of them, and
-/// [`new`](Self::new) takes a table, as from flash. Each [`Node`] has four boxes of 16-bit
-/// numbers, rounded outward; up to four triangles are below a box of the last kind, without
-/// boxes of their own.
+/// [`new`](Self::new) takes a finished table, for example from flash. Each [`Node`] has four boxes
+/// with 16-bit coordinates, rounded outward. A leaf is a box with up to four triangles, which have
+/// no boxes of their own.
 ///
-/// A tree never changes an answer. Queries say which triangles, by their indices in the mesh;
+/// The tree never changes an answer. Queries return triangles by their indices in the mesh;
 /// iterators yield them in the tree's order.
 ///
 /// ```
@@ -32,24 +33,26 @@ use crate::scalar::Scalar;
 /// assert!(tree.contains([0.25, 0.25, 0.25]) && !tree.contains([0.5, 0.5, 0.5]));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "BVH")]
+#[doc(alias = "bounding volume hierarchy")]
 #[derive(Clone, Copy, Debug)]
 pub struct Tree<'a, S: Scalar, I> {
     pub(super) mesh: Mesh<'a, S, I>,
     pub(super) nodes: &'a [Node],
-    /// The triangles' indices in the tree's order; empty where the mesh has that order.
+    /// The triangles' indices in the tree's order; empty if the mesh itself has that order.
     order: &'a [I],
     pub(super) grid: Grid<S>,
     pub(super) layout: Layout,
 }
 
 impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
-    /// A tree over a mesh, built into `nodes` and `order`.
+    /// Builds a tree over a mesh, into `nodes` and `order`.
     ///
     /// *Panics*: never. *Cost*: sorts the triangles, n·log n steps.
     ///
     /// # Errors
-    /// [`MeshError::Length`] unless there are [`Node::count_for`] nodes and as many places in
-    /// `order` as there are triangles.
+    /// [`MeshError::Length`] unless `nodes` has [`Node::count_for`] elements and `order` has one
+    /// element for each triangle.
     pub fn build(
         mesh: Mesh<'a, S, I>,
         nodes: &'a mut [Node],
@@ -77,15 +80,15 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
         Ok(Self { mesh, nodes, order, grid, layout })
     }
 
-    /// A tree from a table, such as one in flash, over a mesh whose triangles are in the
-    /// tree's order: the order that [`order`](Self::order) told when the tree was built.
+    /// Takes a finished tree, for example from flash. The mesh must list its triangles in the
+    /// tree's order, which [`order`](Self::order) returns for a tree that was built.
     ///
-    /// *Panics*: never. *Cost*: looks at each node and each triangle, to see that each box
-    /// encloses what is below it. So a table that is broken, or another mesh's, is refused.
+    /// *Panics*: never. *Cost*: checks for each node and each triangle that the boxes enclose it.
+    /// This refuses a damaged table, or a table of another mesh.
     ///
     /// # Errors
-    /// [`MeshError::Length`] unless there are [`Node::count_for`] nodes;
-    /// [`MeshError::Node`] where a box is too small.
+    /// [`MeshError::Length`] unless `nodes` has [`Node::count_for`] elements; [`MeshError::Node`]
+    /// if a box is too small.
     ///
     /// ```
     /// use septum::Vec3;
@@ -121,13 +124,13 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
         Ok(Self { mesh, nodes, order: &[], grid, layout })
     }
 
-    /// The indices of the triangles in the tree's order. A table for [`new`](Self::new) has
-    /// them in this order, and the [nodes](Self::nodes) as they are.
+    /// The indices of the triangles in the tree's order. To make a table for [`new`](Self::new),
+    /// write the triangles in this order, and the [nodes](Self::nodes) unchanged.
     pub fn order(&self) -> impl ExactSizeIterator<Item = usize> + '_ {
         (0..self.mesh.triangles.len()).map(|place| self.index(place))
     }
 
-    /// The index in the mesh of the triangle at a place in the tree's order.
+    /// The index in the mesh of the triangle at position `place` of the tree's order.
     #[inline(always)]
     pub(super) fn index(&self, place: usize) -> usize {
         self.order.get(place).map_or(place, |i| i.get())
@@ -159,8 +162,8 @@ fn layout<S, I>(mesh: &Mesh<'_, S, I>, nodes: &[Node]) -> Result<Layout, MeshErr
     }
 }
 
-/// The least box of the grid around what is below a place: the boxes of a node, or the
-/// triangles of a leaf, of which `index` says which is where in the tree's order.
+/// The smallest grid box around everything below a place: the boxes of a node, or the triangles of
+/// a leaf. `index` maps a position in the tree's order to a triangle's index.
 fn around<S: Scalar, I: Index>(
     mesh: &Mesh<'_, S, I>,
     grid: &Grid<S>,
@@ -185,8 +188,8 @@ fn around<S: Scalar, I: Index>(
     all
 }
 
-/// Brings triangles that are near each other together: at each node they are cut in two
-/// along the axis on which they are spread most, and the halves again.
+/// Sorts the triangles so that neighbours are close in space: each node cuts its triangles in two
+/// along the axis on which they spread most, and each half again.
 fn sort<S: Scalar, I: Index>(
     mesh: &Mesh<'_, S, I>,
     grid: &Grid<S>,
@@ -210,13 +213,13 @@ fn sort<S: Scalar, I: Index>(
     order.chunks_mut(LEAF).for_each(<[I]>::sort_unstable);
 }
 
-/// Brings the `count` triangles to the front that come first along the axis on which all are
-/// spread most. Where they are alike their indices decide.
+/// Moves to the front the `count` triangles that come first along the axis on which all of them
+/// spread most. Ties are broken by index.
 fn cut<S: Scalar, I: Index>(mesh: &Mesh<'_, S, I>, grid: &Grid<S>, order: &mut [I], count: usize) {
     if count == 0 || count >= order.len() {
         return;
     }
-    // Twice the middle of the box around a triangle.
+    // Twice the centre of the box around a triangle.
     let middles = |i: &I| {
         let cell = grid.cell(corners(&mesh.known(i.get())));
         three(|k| u32::from(cell.low[k]) + u32::from(cell.high[k]))

@@ -1,4 +1,4 @@
-//! The way through a tree, without a stack.
+//! The walk through a tree, without a stack.
 
 use core::ops::Range;
 
@@ -6,20 +6,23 @@ use super::node::{LEVELS, Layout, Node};
 
 /// A walk through the leaves of a tree, from left to right.
 ///
-/// Which children of each node are still to be visited are four bits of a word, those of the
-/// deepest node the lowest. The way up follows from a node's number.
+/// A walk through the leaves of a tree, from left to right.
+///
+/// `open` has four bits for each node on the current path, one for each child still to be visited;
+/// the deepest node has the lowest four. The parent's number follows from a node's number, so the
+/// path is not stored.
 #[derive(Clone, Debug)]
 pub(super) struct Walk {
     node: usize,
     open: u64,
-    /// How many nodes are above the deepest, and it.
+    /// The number of nodes on the current path.
     depth: u32,
 }
 
 const _: () = assert!(4 * LEVELS <= u64::BITS as usize);
 
 impl Walk {
-    /// At the root, if there is one, of whose children those are visited that `mask` names.
+    /// Starts at the root, if there is one, and visits its children in `mask`.
     #[inline(always)]
     pub(super) fn new(nodes: &[Node], mask: impl FnOnce(&Node) -> u32) -> Self {
         match nodes.first() {
@@ -28,8 +31,8 @@ impl Walk {
         }
     }
 
-    /// The triangles of the next leaf. `mask` says which children of a node to visit, bit k
-    /// for child k.
+    /// Returns the triangles of the next leaf. `mask` returns the children of a node to visit, bit
+    /// k for child k.
     #[inline(always)]
     pub(super) fn next(
         &mut self,
@@ -53,7 +56,7 @@ impl Walk {
                     self.depth += 1;
                     self.node = place;
                 }
-                // There are no triangles where there is no leaf.
+                // Past the last leaf, `leaf` returns an empty range.
                 None => return Some(layout.leaf(place)),
             }
         }

@@ -12,7 +12,7 @@ mod segment;
 mod triangle;
 mod vec3;
 
-// // Last, so that these methods come last on the pages of the shapes.
+// Last, so that these methods come last on the pages of the shapes.
 mod const_new;
 #[cfg(feature = "fixed")]
 mod near;

@@ -24,6 +24,7 @@ use crate::scalar::Scalar;
 /// assert!(floor.overlaps(&cell)); // its top face touches the floor
 /// # Ok::<(), septum::ShapeError>(())
 /// ```
+#[doc(alias = "convex polygon")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Polygon<'a, S> {
     pub(super) vertices: &'a [Vec3<S>],
@@ -64,7 +65,7 @@ impl<'a, S: Scalar> Polygon<'a, S> {
     /// Use them for queries that take triangles only.
     #[inline]
     pub fn triangles(&self) -> impl ExactSizeIterator<Item = Triangle<S>> + use<'a, S> {
-        // // `new` made sure that there is one; `unwrap_or_default` links no panic, as an index
+        // `new` made sure that there is one; `unwrap_or_default` links no panic, as an index
         // would.
         let first = self.vertices.first().copied().unwrap_or_default();
         let edges = self.vertices.windows(2).skip(1);
