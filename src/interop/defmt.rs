@@ -1,8 +1,7 @@
-//! `defmt`: every shape, answer and error as a log record, its numbers as numbers.
+//! `defmt`: shapes, answers and errors as log records, with numbers rather than text.
 //!
-//! A fixed-point number goes out as a float, and the host writes it down; no
-//! digits are made on the device. Types of up to 32 bits are written exactly,
-//! those of 64 to the nearest `f64`.
+//! A fixed-point number is sent as a float, and the host formats it; the device formats no digits.
+//! Types of up to 32 bits are sent exactly, types of 64 bits as the nearest `f64`.
 
 use defmt::{Format, Formatter, write};
 
@@ -31,12 +30,12 @@ impl<S: Scalar> Format for Number<S> {
     }
 }
 
-/// A number that need not be.
+/// A number, or the absence of one.
 fn optional<S: Scalar>(x: Option<S>) -> Option<Number<S>> {
     x.map(Number)
 }
 
-/// `impl Format` for a shape or an answer, by what it says of itself.
+/// `impl Format` for shapes and answers, from their public parts.
 macro_rules! formats {
     ($($type:ident: |$this:ident, $to:ident| $body:expr;)*) => {$(
         impl<S: Scalar> Format for $type<S> {
@@ -110,7 +109,7 @@ formats! {
     FirstContact: |first, to| {
         write!(to, "FirstContact {{ t: {}, axis: {} }}", Number(first.t), first.axis)
     };
-    // Of what is prepared for a method, what it was prepared from.
+    // Prepared shapes log the shape that they were made from.
     NormalTriangle: |t, to| write!(to, "NormalTriangle {{ normal: {}, .. }}", t.normal());
     ProjectedTriangle: |_t, to| write!(to, "ProjectedTriangle {{ .. }}");
     ShearedRay: |sheared, to| write!(to, "ShearedRay {{ ray: {}, .. }}", sheared.ray);
@@ -131,7 +130,7 @@ impl<S: Scalar> Format for Polygon<'_, S> {
     }
 }
 
-/// The same for what has lanes: each lane in brackets.
+/// `impl Format` for lanes: each lane in brackets.
 macro_rules! lanes {
     ($($type:ident: $name:literal, |$this:ident, $k:ident| $lane:expr;)*) => {$(
         impl<S: Scalar, const N: usize> Format for $type<S, N> {

@@ -1,13 +1,13 @@
-//! `heapless`: results of bounded size, which say what did not fit.
+//! `heapless`: results of bounded size, which count the results that did not fit.
 
 use heapless::Vec;
 
 use crate::shape::Overlaps;
 
-/// Up to N results, and how many there were beyond.
+/// Up to N results, and the number of further ones.
 ///
-/// Collect any iterator into it. The first N are kept, in their order; nothing is
-/// lost without a trace. With the feature `heapless`.
+/// Collect any iterator into it. It keeps the first N results in order, and counts the rest. With
+/// the feature `heapless`.
 ///
 /// ```
 /// use septum::interop::Bounded;
@@ -24,13 +24,13 @@ pub struct Bounded<T, const N: usize> {
 }
 
 impl<T, const N: usize> Bounded<T, N> {
-    /// Nothing yet.
+    /// An empty collection.
     #[must_use]
     pub const fn new() -> Self {
         Self { kept: Vec::new(), missed: 0 }
     }
 
-    /// Takes one more result, or counts it where there is no room.
+    /// Adds a result, or counts it if there is no room.
     pub fn push(&mut self, result: T) {
         if self.kept.push(result).is_err() {
             self.missed = self.missed.saturating_add(1);
@@ -43,28 +43,28 @@ impl<T, const N: usize> Bounded<T, N> {
         &self.kept
     }
 
-    /// How many results there was no room for.
+    /// The number of results that did not fit.
     #[must_use]
     pub fn missed(&self) -> usize {
         self.missed
     }
 
-    /// How many results there were.
+    /// The number of all results.
     #[must_use]
     pub fn total(&self) -> usize {
         self.kept.len().saturating_add(self.missed)
     }
 
-    /// Whether all results are here.
+    /// Whether all results fitted.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         self.missed == 0
     }
 
-    /// The results as a vector of `heapless`, if all of them are here.
+    /// The results as a vector of `heapless`, if all of them fitted.
     ///
     /// # Errors
-    /// This again, where some are missing.
+    /// Returns `self` if results are missing.
     pub fn into_complete(self) -> Result<Vec<T, N>, Self> {
         if self.is_complete() { Ok(self.kept) } else { Err(self) }
     }
@@ -90,14 +90,12 @@ impl<T, const N: usize> FromIterator<T> for Bounded<T, N> {
     }
 }
 
-/// The places in `shapes` of those that meet `other`, the first N of them, and how
-/// many more do.
+/// The indices of the shapes in `shapes` that overlap `other`: the first N, and the number of
+/// further ones.
 ///
-/// *When to choose it*: where there is no allocator, and a bound on what a caller
-/// can use. Exact as the question itself: see the implementations of [`Overlaps`].
-/// With the feature `heapless`.
+/// Exact, as the implementation of [`Overlaps`] for the pair. With the feature `heapless`.
 ///
-/// *Panics*: never. *Cost*: one question for each shape, whether or not it fits.
+/// *Panics*: never. *Cost*: one query for each shape, also for results that do not fit.
 ///
 /// ```
 /// use septum::interop::{Bounded, touched};

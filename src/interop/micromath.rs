@@ -1,28 +1,28 @@
-//! `micromath`: unit normals by its reciprocal root, a shift and a subtraction.
+//! `micromath`: unit normals by its reciprocal square root, a shift and a subtraction.
 
 use micromath::F32Ext;
 
 use crate::shape::{Triangle, Vec3};
 
 impl Triangle<f32> {
-    /// A normal about 1 long, by the reciprocal root of `micromath`; `None` if the
-    /// cross product, as rounded, has no length. With the feature `micromath`.
+    /// A normal of length about 1, by the reciprocal square root of `micromath`; `None` if the
+    /// computed cross product is zero. With the feature `micromath`.
     ///
-    /// *When to choose it*: on a core without an FPU, where a few percent of length
-    /// do not matter: shading, sorting, a push along the normal.
-    /// `unit_normal` is right, and takes many times the instructions there.
+    /// *When to choose it*: on a core without an FPU, if a few percent of length do not matter, as
+    /// in shading, sorting, or a push along the normal. `unit_normal` is accurate, and takes many
+    /// times the instructions there.
     ///
-    /// *Geometry*: the normal points to where the vertices go counterclockwise;
-    /// [`Hit::oriented`](crate::Hit::oriented) turns it to the ray.
+    /// *Geometry*: seen from the side that the normal points to, the vertices go counterclockwise.
+    /// [`Hit::oriented`](crate::Hit::oriented) turns it toward the ray.
     ///
-    /// *Numerics*: rounded. The length is 0.965 to 1.035. The direction is that of
-    /// the cross product in `f32`: within 1e-6 rad where the angle at the first vertex
-    /// has a sine above 0.1; for slivers, whose cross product cancels, it can be any.
+    /// *Numerics*: rounded. The length is 0.965 to 1.035. The direction is the computed cross
+    /// product's in `f32`: accurate to 1e-6 rad if the angle at the first vertex has a sine above
+    /// 0.1, and arbitrary for slivers whose cross product cancels.
     ///
     /// *Range*: |(b − a) × (c − a)| between 2^-62 and 2^63; `None` outside.
     ///
-    /// *Panics*: never. *Cost*: twelve multiplications, eleven additions and
-    /// subtractions; no root, no division.
+    /// *Panics*: never. *Cost*: twelve multiplications, eleven additions and subtractions; no
+    /// square root, no division.
     ///
     /// ```
     /// use septum::Triangle;

@@ -1,4 +1,4 @@
-//! `mint`: the ecosystem's exchange for vectors.
+//! `mint`: conversions from and to its interchange types for vectors.
 
 use mint::{Point3, Vector3};
 

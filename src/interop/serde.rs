@@ -1,5 +1,5 @@
-//! `serde`: every shape is written as it was given, and read through the
-//! constructor that checks it. A field too many or too few is an error.
+//! `serde`: every shape is written in the form in which it was given, and read through its checking
+//! constructor. An extra or missing field is an error.
 
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::{Serialize, Serializer};
@@ -22,9 +22,8 @@ enum Extent<S> {
     MinMax { min: Vec3<S>, max: Vec3<S> },
 }
 
-/// The numbers of an oriented box, unchecked. It is written with `axes` where
-/// [`Obb::new`] would take them, and else with `skewed_axes`; each is read through its
-/// own constructor.
+/// The numbers of an oriented box, unchecked. Boxes that [`Obb::new`] accepts are written with
+/// `axes`, others with `skewed_axes`; each variant is read through its own constructor.
 #[derive(serde::Serialize, serde::Deserialize)]
 #[serde(rename = "Obb", rename_all = "snake_case", deny_unknown_fields)]
 enum Oriented<S> {
@@ -54,7 +53,7 @@ enum Course<S> {
 struct Path<S> {
     origin: Vec3<S>,
     direction: Vec3<S>,
-    // An open end must be written as one, `null`: a derived `Option` may be left out.
+    // An unbounded end must be written as `null`; a derived `Option` could be left out.
     #[serde(deserialize_with = "Option::deserialize")]
     t_min: Option<S>,
     #[serde(deserialize_with = "Option::deserialize")]

@@ -5,7 +5,7 @@ use crate::published::slabs::SlabRay;
 use crate::scalar::Scalar;
 use crate::shape::Aabb;
 
-/// N boxes by their corners, an array for each coordinate.
+/// N boxes by their corners, with an array for each coordinate.
 ///
 /// ```
 /// use septum::lanes::Aabbs;
@@ -27,18 +27,19 @@ pub struct Aabbs<S, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> Aabbs<S, N> {
-    /// The boxes, each in its lane. `None` where one was given by its centre: its
-    /// corners need not be numbers of the scalar.
+    /// One box in each lane. `None` if a box was given by its centre: its corners may lie between
+    /// two numbers of the scalar.
     #[inline]
     #[must_use]
     pub const fn new(aabbs: &[Aabb<S>; N]) -> Option<Self> {
         Self::from_slice(aabbs)
     }
 
-    /// The boxes of a slice, and the last of them in all lanes that are left over. `None` where
-    /// the slice is empty or longer than N, or a box was given by its centre.
+    /// The boxes of a slice; spare lanes repeat the last box. `None` if the slice is empty or
+    /// longer than N, or if a box was given by its centre.
     ///
-    /// So any number of boxes goes by lanes, chunk by chunk; tables in flash too, as it is `const`.
+    /// With it, a list of any length goes through lanes chunk by chunk. It is `const`, for tables
+    /// in flash.
     ///
     /// ```
     /// use septum::lanes::Aabbs;
@@ -64,7 +65,7 @@ impl<S: Scalar, const N: usize> Aabbs<S, N> {
         let (mut left, mut k) = (aabbs, 0);
         let mut last = None;
         while k < N {
-            // No index into the slice: nothing that could panic is linked.
+            // Without an index into the slice no panic is linked.
             if let [first, rest @ ..] = left {
                 (last, left) = (first.min_max(), rest);
             }
@@ -76,7 +77,7 @@ impl<S: Scalar, const N: usize> Aabbs<S, N> {
         if left.is_empty() { Some(all) } else { None }
     }
 
-    /// The box in lane `k`, if there is that lane.
+    /// The box in lane `k`, or `None` if `k` is not below N.
     #[inline]
     #[must_use]
     pub fn get(&self, k: usize) -> Option<Aabb<S>> {
@@ -90,13 +91,13 @@ impl<S: Scalar, const N: usize> Aabbs<S, N> {
 }
 
 impl<S: Scalar, const N: usize> Aabbs<S, N> {
-    /// [`SlabRay::t_range_rounded`] on each of N boxes.
+    /// The rounded entry and exit of a prepared ray on each of N boxes:
+    /// [`SlabRay::t_range_rounded`] at once.
     ///
-    /// *Numerics*: the same bits as one by one.
+    /// *Numerics*: the same bits as for single boxes.
     ///
-    /// *Panics*: never. *Cost*: that of one for a vector of them, in floats and
-    /// narrow fixed point. Where a component of the direction is zero, the boxes
-    /// go one by one.
+    /// *Panics*: never. *Cost*: in floats and narrow fixed point, one vector of boxes costs as much
+    /// as one box. If a component of the direction is zero, the boxes are tested one by one.
     #[inline]
     #[must_use]
     pub fn t_range_rounded(&self, ray: &SlabRay<S>) -> Ranges<S, N> {

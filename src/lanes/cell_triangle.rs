@@ -6,9 +6,9 @@ use crate::query::OfOneSize;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
-/// A triangle prepared for boxes of one size, of which it is asked about many at once.
+/// A triangle prepared for many boxes of one size.
 ///
-/// Choose it where a triangle meets more cells than one set of lanes holds.
+/// Use it for a triangle that is tested against several [`Cells`].
 ///
 /// ```
 /// use septum::lanes::{CellTriangle, Cells};
@@ -31,7 +31,7 @@ pub struct CellTriangle<S: Scalar> {
 }
 
 impl<S: Scalar> CellTriangle<S> {
-    /// The triangle, prepared for boxes of the size of these.
+    /// Prepares a triangle for boxes of the size of `cells`.
     ///
     /// *Panics*: never. *Cost*: 34 multiplications.
     #[inline]
@@ -53,7 +53,7 @@ impl<S: Scalar> CellTriangle<S> {
     /// [`Triangle::overlaps`](crate::Overlaps::overlaps) with each of N boxes at once.
     ///
     /// *Contact*, *Numerics*, *Range*, *Panics*: as [`Aabbs::overlaps`](super::Aabbs::overlaps).
-    /// Boxes of another size have the same answers, one by one.
+    /// Boxes of a size other than the prepared one get the same exact answers, but one by one.
     ///
     /// *Cost*: 21 multiplications for a vector of boxes.
     #[inline]

@@ -3,11 +3,11 @@ use super::triangles::lane;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
-/// N boxes of one size, by their centres, an array for each coordinate.
+/// N boxes of one size by their centres, with an array for each coordinate.
 ///
-/// Choose them for cells, blocks and particles, with a [`CellTriangle`]: what does not depend on
-/// the place of the box is then computed once for all that a triangle is ever asked about. For a
-/// triangle that is asked about N boxes and no more, [`Aabbs`](super::Aabbs) are as fast.
+/// Use them for cells, blocks and particles, with a [`CellTriangle`]: it computes everything that
+/// depends only on triangle and box size once, for all boxes. For a triangle that meets N boxes and
+/// no more, [`Aabbs`](super::Aabbs) are as fast.
 ///
 /// ```
 /// use septum::lanes::Cells;
@@ -26,16 +26,16 @@ pub struct Cells<S, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> Cells<S, N> {
-    /// The boxes, each in its lane. `None` where their half-extents differ, or one was given by
-    /// its corners: its centre need not be a number of the scalar.
+    /// One box in each lane. `None` if half-extents differ, or if a box was given by its corners:
+    /// its centre may lie between two numbers of the scalar.
     #[inline]
     #[must_use]
     pub fn new(aabbs: &[Aabb<S>; N]) -> Option<Self> {
         Self::from_slice(aabbs)
     }
 
-    /// The boxes of a slice, and the last of them in all lanes that are left over. `None` where
-    /// the slice is empty or longer than N, half-extents differ, or a box was given by its corners.
+    /// The boxes of a slice; spare lanes repeat the last box. `None` if the slice is empty or
+    /// longer than N, if half-extents differ, or if a box was given by its corners.
     ///
     /// *Panics*: never.
     #[inline]
@@ -63,7 +63,7 @@ impl<S: Scalar, const N: usize> Cells<S, N> {
         left.next().is_none().then_some(Self { centers, half: half.to_array() })
     }
 
-    /// The box in lane `k`, if there is that lane.
+    /// The box in lane `k`, or `None` if `k` is not below N.
     #[inline]
     #[must_use]
     pub fn get(&self, k: usize) -> Option<Aabb<S>> {
@@ -79,7 +79,7 @@ impl<S: Scalar, const N: usize> Cells<S, N> {
     ///
     /// *Contact*, *Numerics*, *Range*, *Panics*: as [`Aabbs::overlaps`](super::Aabbs::overlaps).
     ///
-    /// *Cost*: that of [`CellTriangle::new`], and of asking it once.
+    /// *Cost*: as [`CellTriangle::new`] plus one [`CellTriangle::overlaps`].
     #[inline]
     #[must_use]
     pub fn overlaps(&self, triangle: &Triangle<S>) -> [bool; N] {

@@ -7,7 +7,7 @@ use crate::robust::{Clue, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::Ray;
 
-/// The question where a ray crosses each of N triangles.
+/// The query for the hit of one ray on each of N triangles.
 struct CrossesEach<'a, S, const N: usize> {
     ray: &'a Ray<S>,
     triangles: &'a Triangles<S, N>,
@@ -20,7 +20,7 @@ impl<S: Scalar, const N: usize> Predicate<S> for CrossesEach<'_, S, N> {
         Some(self.exact())
     }
 
-    /// All at once; those of which floats cannot be certain are asked about one by one.
+    /// All triangles at once; those that floats leave in doubt follow one by one.
     #[inline(always)]
     fn fast_path(&self) -> Result<Option<Hits<S, N>>, Clue>
     where
@@ -38,7 +38,7 @@ impl<S: Scalar, const N: usize> Predicate<S> for CrossesEach<'_, S, N> {
         Ok(Some(self.completed(hits, certain)))
     }
 
-    /// All at once, where the first stage has no numbers.
+    /// All triangles at once, for scalars whose first stage gives no numbers.
     fn refined(&self, clue: Clue) -> Option<Option<Hits<S, N>>>
     where
         Filtered<f64>: Embeds<S>,
@@ -56,8 +56,9 @@ impl<S: Scalar, const N: usize> Predicate<S> for CrossesEach<'_, S, N> {
 }
 
 impl<S: Scalar, const N: usize> CrossesEach<'_, S, N> {
-    /// Where all but a few are clear misses by the scalar's first float: those few one by one.
-    /// Of 64 bits, whose numbers are dear: those of shorter ones cost less than to look twice.
+    /// Rejects clear misses in the scalar's first float, and takes the remaining triangles one by
+    /// one, if these are few. Only for scalars of 64 bits, whose hits are expensive; with narrower
+    /// scalars a second pass costs more than it saves.
     #[inline(always)]
     fn few(&self) -> Option<Hits<S, N>> {
         if !S::IN_QUADS || size_of::<S>() < size_of::<f64>() {
@@ -83,7 +84,7 @@ impl<S: Scalar, const N: usize> CrossesEach<'_, S, N> {
         Some(hits)
     }
 
-    /// What is found on each, and whether that is certain.
+    /// The result on each triangle, and whether it is certain.
     #[inline(always)]
     fn each(&self, find: impl Fn([[S; 3]; 3]) -> (bool, Candidate<S>)) -> (Hits<S, N>, [bool; N]) {
         let mut certain = [false; N];
@@ -95,7 +96,7 @@ impl<S: Scalar, const N: usize> CrossesEach<'_, S, N> {
         (hits, certain)
     }
 
-    /// Those that are not certain one by one.
+    /// Decides the uncertain triangles one by one.
     #[inline(always)]
     fn completed(&self, mut hits: Hits<S, N>, certain: [bool; N]) -> Hits<S, N> {
         let mut all = true;
@@ -119,13 +120,13 @@ impl<S: Scalar, const N: usize> CrossesEach<'_, S, N> {
 }
 
 impl<S: Scalar, const N: usize> Triangles<S, N> {
-    /// [`Ray::hit`] on each of N triangles at once: exact, the same verdicts,
-    /// the same bits.
+    /// [`Ray::hit`] on each of N triangles at once: exact, with the same verdicts and the same
+    /// bits.
     ///
-    /// *Panics*: never. *Cost*: less than one by one where `f64` has vectors, for scalars of up to
-    /// 32 bits and `f64`, and rays with the range t ≥ 0.
-    /// Of others only misses of the whole line are found at once. Triangles whose edges
-    /// the ray comes too near, and hits of 64 bits where they are few, go one by one.
+    /// *Panics*: never. *Cost*: less than one by one if the machine has vectors of `f64`, for
+    /// scalars of up to 32 bits and for `f64`, and for rays with the range t ≥ 0. For other rays
+    /// only misses of the whole line are found at once. Triangles that the ray hits too near an
+    /// edge go one by one, and so do a few hits in 64 bits.
     #[inline]
     #[must_use]
     pub fn hit(&self, ray: &Ray<S>) -> Hits<S, N> {

@@ -6,7 +6,8 @@ use crate::query::TriangleAxes;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle};
 
-/// All at once in floats, each `apart` with whether that is certain; what is not one by one.
+/// Tests all lanes at once in floats; `apart` returns the verdict and whether it is certain.
+/// `overlaps` decides uncertain lanes one by one.
 #[inline(always)]
 pub(super) fn each<S: Scalar, const N: usize>(
     apart: impl Fn(usize) -> (bool, bool),
@@ -37,15 +38,16 @@ pub(super) fn each<S: Scalar, const N: usize>(
 impl<S: Scalar, const N: usize> Aabbs<S, N> {
     /// [`Triangle::overlaps`](crate::Overlaps::overlaps) with each of N boxes at once.
     ///
-    /// *Contact*: touching is overlap. *Numerics*: exact for every valid input, in every
-    /// scalar: the same verdicts as one by one.
+    /// *Contact*: touching is overlap.
     ///
-    /// *Range*: all of the scalar. All at once go floats, and fixed point below 2²⁴ units in the
-    /// last place (32 bits) or 2⁵³ (64 bits) where there are vectors and the feature `simd`. The
-    /// rest goes one by one, as do boxes that the triangle touches.
+    /// *Numerics*: exact for every valid input, in every scalar, with the same verdicts as for
+    /// single boxes.
     ///
-    /// *Panics*: never. *Cost*: 52 multiplications for a vector of boxes, whether a face separates
-    /// or not.
+    /// *Range*: all of the scalar. Floats are tested all at once. With vectors and the feature
+    /// `simd`, so is fixed point below 2²⁴ units in the last place (32 bits) or 2⁵³ (64 bits).
+    /// Other numbers, and boxes that the triangle touches, go one by one.
+    ///
+    /// *Panics*: never. *Cost*: 52 multiplications for a vector of boxes, also if a face separates.
     ///
     /// ```
     /// use septum::lanes::Aabbs;
@@ -72,8 +74,10 @@ impl<S: Scalar, const N: usize> Triangles<S, N> {
     /// [`Triangle::overlaps`](crate::Overlaps::overlaps) of each of N triangles with a box, at
     /// once.
     ///
-    /// *Contact*, *Numerics*, *Range*, *Panics*: as [`Aabbs::overlaps`]. *Cost*: a lane that of
-    /// [`Triangle::overlaps`](crate::Overlaps::overlaps), without its early exits.
+    /// *Contact*, *Numerics*, *Range*, *Panics*: as [`Aabbs::overlaps`].
+    ///
+    /// *Cost*: for each vector of triangles, as one
+    /// [`Triangle::overlaps`](crate::Overlaps::overlaps) without early exits.
     #[inline]
     #[must_use]
     pub fn overlaps(&self, aabb: &Aabb<S>) -> [bool; N] {

@@ -9,10 +9,10 @@ use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
 impl<S: Scalar, const N: usize> Rays<S, N> {
-    /// [`moller_trumbore::hit`](crate::published::moller_trumbore::hit) for N rays at once:
-    /// the same verdicts, the same bits.
+    /// [`moller_trumbore::hit`](crate::published::moller_trumbore::hit) for N rays at once: the
+    /// same verdicts, the same bits.
     ///
-    /// *Panics*: never. *Cost*: that of one for each vector of them.
+    /// *Panics*: never. *Cost*: for each vector of rays, as for one ray.
     #[inline]
     #[must_use]
     pub fn hit_moller_trumbore(&self, triangle: &Triangle<S>, cull: Cull) -> Hits<S, N> {
@@ -28,7 +28,7 @@ impl<S: Scalar, const N: usize> Rays<S, N> {
     /// [`stored_normal::hit`](crate::published::stored_normal::hit) for N rays at once: the
     /// same verdicts, the same bits.
     ///
-    /// *Panics*: never. *Cost*: that of one for each vector of them.
+    /// *Panics*: never. *Cost*: for each vector of rays, as for one ray.
     #[inline]
     #[must_use]
     pub fn hit_stored_normal(&self, triangle: &NormalTriangle<S>, cull: Cull) -> Hits<S, N> {
@@ -38,7 +38,7 @@ impl<S: Scalar, const N: usize> Rays<S, N> {
     /// [`volumes::hit`](crate::published::volumes::hit) for N rays at once: the same
     /// verdicts, the same bits.
     ///
-    /// *Panics*: never. *Cost*: that of one for each vector of them.
+    /// *Panics*: never. *Cost*: for each vector of rays, as for one ray.
     #[inline]
     #[must_use]
     pub fn hit_volumes(&self, triangle: &Triangle<S>, cull: Cull) -> Hits<S, N> {

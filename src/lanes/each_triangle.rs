@@ -13,7 +13,7 @@ impl<S: Scalar, const N: usize> Triangles<S, N> {
     /// [`moller_trumbore::hit`](crate::published::moller_trumbore::hit) on each of N
     /// triangles at once: the same verdicts, the same bits.
     ///
-    /// *Panics*: never. *Cost*: that of one for each vector of them.
+    /// *Panics*: never. *Cost*: for each vector of triangles, as for one triangle.
     #[inline]
     #[must_use]
     pub fn hit_moller_trumbore(&self, ray: &Ray<S>, cull: Cull) -> Hits<S, N> {
@@ -29,7 +29,7 @@ impl<S: Scalar, const N: usize> Triangles<S, N> {
     /// [`volumes::hit`](crate::published::volumes::hit) on each of N triangles at once: the
     /// same verdicts, the same bits.
     ///
-    /// *Panics*: never. *Cost*: that of one for each vector of them.
+    /// *Panics*: never. *Cost*: for each vector of triangles, as for one triangle.
     #[inline]
     #[must_use]
     pub fn hit_volumes(&self, ray: &Ray<S>, cull: Cull) -> Hits<S, N> {
@@ -47,7 +47,7 @@ impl<S: Scalar, const N: usize> NormalTriangles<S, N> {
     /// [`stored_normal::hit`](crate::published::stored_normal::hit) on each of N triangles
     /// at once: the same verdicts, the same bits.
     ///
-    /// *Panics*: never. *Cost*: that of one for each vector of them.
+    /// *Panics*: never. *Cost*: for each vector of triangles, as for one triangle.
     #[inline]
     #[must_use]
     pub fn hit(&self, ray: &Ray<S>, cull: Cull) -> Hits<S, N> {
@@ -61,7 +61,7 @@ impl<S: Scalar, const N: usize> Triangles<S, N> {
     /// [`ShearedRay::hit`] on each of N triangles at once: the same verdicts, the same
     /// bits.
     ///
-    /// *Panics*: never. *Cost*: that of one for each vector of them.
+    /// *Panics*: never. *Cost*: for each vector of triangles, as for one triangle.
     #[inline]
     #[must_use]
     pub fn hit_watertight(&self, ray: &ShearedRay<S>, cull: Cull) -> Hits<S, N> {

@@ -18,8 +18,8 @@ pub struct Hits<S, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> Hits<S, N> {
-    /// Lane by lane, into arrays of their own: filled in place, they would be copied
-    /// out by loads wider than the stores, and wait for them.
+    /// Collects lane by lane, into separate local arrays. Arrays filled in place would be copied
+    /// out by loads wider than the stores, which stalls.
     #[inline(always)]
     pub(super) fn each(mut found: impl FnMut(usize) -> Candidate<S>) -> Self {
         let zero = [S::ZERO; N];
@@ -64,7 +64,7 @@ impl<S: Scalar, const N: usize> Hits<S, N> {
         any
     }
 
-    /// The lane and the hit with the least t; of equal ones the first.
+    /// The lane and the hit with the least t; the first of equal ones.
     #[inline]
     #[must_use]
     pub fn nearest(&self) -> Option<(usize, Hit<S>)> {

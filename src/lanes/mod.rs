@@ -1,7 +1,19 @@
-//! Many at once: structures of arrays, and plain loops over them that the compiler turns
-//! into vector instructions.
+//! Many shapes at once: structures of arrays, with loops that the compiler turns into vector
+//! instructions.
 //!
-//! | type | asks | exactly | rounded |
+//! ```
+//! use septum::lanes::Triangles;
+//! use septum::{Ray, Triangle};
+//!
+//! let floor = |z: f32| Triangle::new([0.0, 0.0, z], [1.0, 0.0, z], [0.0, 1.0, z]);
+//! let four = Triangles::new(&[floor(1.0)?, floor(-1.0)?, floor(0.5)?, floor(9.0)?]);
+//! let hits = four.hit(&Ray::new([0.25, 0.25, 0.0], [0.0, 0.0, 1.0])?);
+//! assert_eq!(hits.mask, [true, false, true, true]);
+//! assert_eq!(hits.nearest().unwrap().0, 2); // the lane of the nearest hit
+//! # Ok::<(), septum::ShapeError>(())
+//! ```
+//!
+//! | type | query | exact | rounded |
 //! | --- | --- | --- | --- |
 //! | [`Triangles`] | one ray, N triangles | [`hit`](Triangles::hit) | [`hit_moller_trumbore`](Triangles::hit_moller_trumbore), [`hit_volumes`](Triangles::hit_volumes), [`hit_watertight`](Triangles::hit_watertight) |
 //! | [`NormalTriangles`] | one ray, N triangles with stored normals | | [`hit`](NormalTriangles::hit) |
@@ -13,9 +25,9 @@
 //! | [`Aabbs`] | one prepared ray, N boxes | | [`t_range_rounded`](Aabbs::t_range_rounded) |
 //! | [`SlabRays`] | N prepared rays, one box | | [`t_range_rounded`](SlabRays::t_range_rounded) |
 //!
-//! Each lane has the bits that the same question has one by one. Any number of lanes works,
-//! in every scalar; 4 fit SSE2, NEON and simd128, and 8 fit AVX2. The speed is that of the
-//! vector unit: without one, as on a microcontroller, lanes gain nothing.
+//! Each lane returns the same bits as the same query on single shapes. N may be any number, in
+//! every scalar; 4 suits SSE2, NEON and simd128, and 8 suits AVX2. Without a vector unit, as on a
+//! microcontroller, lanes gain nothing.
 //!
 //! Nothing here panics.
 

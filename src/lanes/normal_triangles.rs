@@ -3,19 +3,17 @@ use crate::published::rounded;
 use crate::published::stored_normal::{NormalTriangle, Stored};
 use crate::scalar::Scalar;
 
-/// N triangles with their normals, an array for each coordinate, for one ray to meet
-/// at once.
+/// N triangles with their normals, for one ray, with an array for each coordinate.
 ///
-/// Choose them over [`Triangles`](super::Triangles) where they are met often and stay
-/// in the cache: there they are the faster ones. They are a third larger, and from
-/// memory they are the slower ones.
+/// They are faster than [`Triangles`](super::Triangles) if they are queried often and stay in the
+/// cache. They are a third larger, and slower if they come from memory.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NormalTriangles<S, const N: usize> {
     stored: [[[S; N]; 3]; 4],
 }
 
 impl<S: Scalar, const N: usize> NormalTriangles<S, N> {
-    /// The triangles, each in its lane.
+    /// One triangle in each lane.
     #[inline]
     #[must_use]
     pub fn new(triangles: &[NormalTriangle<S>; N]) -> Self {
@@ -26,8 +24,7 @@ impl<S: Scalar, const N: usize> NormalTriangles<S, N> {
         all
     }
 
-    /// Puts a triangle into lane `k`, and says whether there is that lane. Without it nothing
-    /// changes.
+    /// Puts a triangle into lane `k`. Returns `false`, and changes nothing, if `k` is not below N.
     ///
     /// *Panics*: never.
     #[inline]
@@ -44,7 +41,7 @@ impl<S: Scalar, const N: usize> NormalTriangles<S, N> {
         true
     }
 
-    /// The triangle in lane `k`, if there is that lane.
+    /// The triangle in lane `k`, or `None` if `k` is not below N.
     #[inline]
     #[must_use]
     pub fn get(&self, k: usize) -> Option<NormalTriangle<S>> {

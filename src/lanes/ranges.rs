@@ -1,19 +1,20 @@
 use crate::scalar::Scalar;
 
-/// Where one ray enters and leaves each of N boxes, or each of N rays one box; zero
-/// where `mask` is false.
+/// Entries and exits of one ray on N boxes, or of N rays on one box.
+///
+/// Lanes whose `mask` is false hold zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ranges<S, const N: usize> {
-    /// Which lanes meet.
+    /// Lanes whose ray meets its box.
     pub mask: [bool; N],
-    /// Where the ray enters the box.
+    /// The t at which the ray enters the box.
     pub t_enter: [S; N],
-    /// Where it leaves it.
+    /// The t at which the ray leaves the box.
     pub t_leave: [S; N],
 }
 
 impl<S: Scalar, const N: usize> Ranges<S, N> {
-    /// Lane by lane, into arrays of their own: see [`Hits`](super::Hits).
+    /// Collects lane by lane, into separate local arrays: see [`Hits`](super::Hits).
     #[inline(always)]
     pub(super) fn each(mut interval: impl FnMut(usize) -> (S, S)) -> Self {
         let zero = [S::ZERO; N];
@@ -28,7 +29,7 @@ impl<S: Scalar, const N: usize> Ranges<S, N> {
         Self { mask, t_enter, t_leave }
     }
 
-    /// Where ray and box of lane `k` meet, if they do.
+    /// Entry and exit in lane `k`, if its ray meets its box.
     #[inline]
     #[must_use]
     pub fn get(&self, k: usize) -> Option<(S, S)> {

@@ -4,9 +4,9 @@ use crate::query::Cull;
 use crate::scalar::Scalar;
 use crate::shape::Ray;
 
-/// N rays, an array for each coordinate, to meet one triangle at once.
+/// N rays for one triangle, with an array for each coordinate.
 ///
-/// Choose it where many rays go to the same triangles, as those of a camera.
+/// Use them if many rays meet the same triangles, such as the rays of a camera.
 /// [`hit_stored_normal`](Self::hit_stored_normal) is the fastest.
 ///
 /// ```
@@ -25,12 +25,12 @@ pub struct Rays<S, const N: usize> {
     pub(super) direction: [[S; N]; 3],
     t_min: [S; N],
     t_max: [S; N],
-    /// Whether the ends are open.
+    /// Whether the range of t is unbounded below, and above.
     open: [[bool; N]; 2],
 }
 
 impl<S: Scalar, const N: usize> Rays<S, N> {
-    /// The rays, each in its lane.
+    /// One ray in each lane.
     #[inline]
     #[must_use]
     pub fn new(rays: &[Ray<S>; N]) -> Self {
@@ -48,8 +48,7 @@ impl<S: Scalar, const N: usize> Rays<S, N> {
         all
     }
 
-    /// Puts a ray into lane `k`, and says whether there is that lane. Without it nothing
-    /// changes.
+    /// Puts a ray into lane `k`. Returns `false`, and changes nothing, if `k` is not below N.
     ///
     /// *Panics*: never.
     #[inline]
@@ -69,7 +68,7 @@ impl<S: Scalar, const N: usize> Rays<S, N> {
         true
     }
 
-    /// The ray in lane `k`, if there is that lane.
+    /// The ray in lane `k`, or `None` if `k` is not below N.
     #[inline]
     #[must_use]
     pub fn get(&self, k: usize) -> Option<Ray<S>> {
@@ -92,7 +91,7 @@ impl<S: Scalar, const N: usize> Rays<S, N> {
         (rounded(lane(&self.origin, k)), rounded(lane(&self.direction, k)))
     }
 
-    /// The limits of lane `k`, culling as in `all`.
+    /// The limits on t in lane `k`, with culling of front and back faces as in `all`.
     #[inline(always)]
     pub(super) fn limits(&self, k: usize, all: (bool, bool)) -> Limits<S> {
         Limits {

@@ -5,9 +5,9 @@ use crate::published::slabs::{Faces, SlabRay, plain_interval};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm};
 
-/// N rays prepared for boxes, an array for each coordinate, to meet one box at once.
+/// N rays prepared for boxes, with an array for each coordinate.
 ///
-/// Choose it where many rays go down the same tree, as those of a camera.
+/// Use them if many rays descend the same tree, such as the rays of a camera.
 ///
 /// ```
 /// use septum::lanes::SlabRays;
@@ -33,7 +33,7 @@ pub struct SlabRays<S, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> SlabRays<S, N> {
-    /// The rays, each in its lane.
+    /// One ray in each lane.
     #[inline]
     #[must_use]
     pub fn new(rays: &[SlabRay<S>; N]) -> Self {
@@ -51,19 +51,17 @@ impl<S: Scalar, const N: usize> SlabRays<S, N> {
         Self { origin, reciprocal, from, to, is_plain, rays: *rays }
     }
 
-    /// The ray in lane `k`, if there is that lane.
+    /// The ray in lane `k`, or `None` if `k` is not below N.
     #[inline]
     #[must_use]
     pub fn get(&self, k: usize) -> Option<&SlabRay<S>> {
         self.rays.get(k)
     }
 
-    /// [`SlabRay::t_range_rounded`] for N rays at once: the same verdicts, the same
-    /// bits.
+    /// [`SlabRay::t_range_rounded`] for N rays at once: the same verdicts, the same bits.
     ///
-    /// *Panics*: never. *Cost*: that of one for a vector of them, in floats and
-    /// narrow fixed point. Where a component of a direction is zero, the rays go one
-    /// by one.
+    /// *Panics*: never. *Cost*: in floats and narrow fixed point, one vector of rays costs as much
+    /// as one ray. If a component of a direction is zero, the rays are tested one by one.
     #[inline]
     #[must_use]
     pub fn t_range_rounded(&self, aabb: &Aabb<S>) -> Ranges<S, N> {

@@ -1,13 +1,12 @@
 use crate::scalar::Scalar;
 use crate::shape::{Triangle, Vec3};
 
-/// N triangles, an array for each coordinate of each vertex, for one ray to meet at
-/// once.
+/// N triangles for one ray or one box, with an array for each coordinate of each vertex.
 ///
-/// Choose it for the leaves of a tree, or for any mesh that is met whole. [`hit`](Self::hit),
-/// which is exact, gains most in `f32`, and the rounded methods more (`docs/speed.md` in the
-/// repository has the figures); from memory that is not in the cache both gain less. N = 8 fits
-/// AVX2 and AVX-512, N = 4 SSE2, NEON and simd128.
+/// Use them for the leaves of a tree, or for a mesh that is tested whole. The exact
+/// [`hit`](Self::hit) gains most in `f32`, and the rounded methods gain more; `docs/speed.md` in
+/// the repository has the figures. Both gain less on data outside the cache. N = 8 suits AVX2 and
+/// AVX-512, N = 4 suits SSE2, NEON and simd128.
 ///
 /// ```
 /// use septum::lanes::Triangles;
@@ -25,20 +24,20 @@ use crate::shape::{Triangle, Vec3};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Triangles<S, const N: usize> {
-    /// By vertex, coordinate, lane.
+    /// Indexed by vertex, coordinate, lane.
     pub(super) points: [[[S; N]; 3]; 3],
 }
 
 impl<S: Scalar, const N: usize> Triangles<S, N> {
-    /// The triangles, each in its lane.
+    /// One triangle in each lane.
     #[inline]
     #[must_use]
     pub const fn new(triangles: &[Triangle<S>; N]) -> Self {
         Self { points: in_lanes(triangles) }
     }
 
-    /// The triangles of a slice, and the last of them in all lanes that are left over. `None`
-    /// where the slice is empty or longer than N.
+    /// The triangles of a slice; spare lanes repeat the last triangle. `None` if the slice is empty
+    /// or longer than N.
     #[inline]
     #[must_use]
     pub const fn from_slice(triangles: &[Triangle<S>]) -> Option<Self> {
@@ -48,8 +47,7 @@ impl<S: Scalar, const N: usize> Triangles<S, N> {
         Some(Self { points: in_lanes(triangles) })
     }
 
-    /// Puts a triangle into lane `k`, and says whether there is that lane. Without it nothing
-    /// changes.
+    /// Puts a triangle into lane `k`. Returns `false`, and changes nothing, if `k` is not below N.
     ///
     /// *Panics*: never.
     #[inline]
@@ -67,7 +65,7 @@ impl<S: Scalar, const N: usize> Triangles<S, N> {
         true
     }
 
-    /// The triangle in lane `k`, if there is that lane.
+    /// The triangle in lane `k`, or `None` if `k` is not below N.
     #[inline]
     #[must_use]
     pub fn get(&self, k: usize) -> Option<Triangle<S>> {
@@ -86,14 +84,14 @@ impl<S: Scalar, const N: usize> Triangles<S, N> {
     }
 }
 
-/// The vertices of the triangles, and of the last one in all lanes that are left over.
+/// The vertices of the triangles; spare lanes repeat the last triangle.
 #[inline(always)]
 const fn in_lanes<S: Scalar, const N: usize>(triangles: &[Triangle<S>]) -> [[[S; N]; 3]; 3] {
     let mut points = [[[S::ZERO; N]; 3]; 3];
     let (mut left, mut k) = (triangles, 0);
     let mut last = &[Vec3::splat(S::ZERO); 3];
     while k < N {
-        // No index into the slice: nothing that could panic is linked.
+        // Without an index into the slice no panic is linked.
         if let [first, rest @ ..] = left {
             (last, left) = (first.vertices(), rest);
         }

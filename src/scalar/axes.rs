@@ -1,26 +1,26 @@
-//! Three axes of a scalar: whether they are orthonormal, in plain arithmetic, and how far
-//! they reach along a coordinate axis.
+//! The axes of an oriented box: the check that they are orthonormal, and the box's extent along a
+//! coordinate axis.
 
 use super::Scalar;
 use crate::arithmetic::Number;
 use crate::robust::ExactSum;
 
-/// What an oriented box asks when it is made, and when it is enclosed.
+/// Operations for the construction and the bounding box of an oriented box.
 pub trait Axes: Copy {
-    /// Whether the dot products of the axes are those of a frame, within one eighth;
-    /// `None` if the type holds no axis of length one.
+    /// Whether the axes are orthonormal: each dot product within one eighth of 0, or of 1. `None`
+    /// if the type holds no axis of length one.
     fn are_orthonormal(axes: &[[Self; 3]; 3]) -> Option<bool>;
 
-    /// The greatest number not above c − r and the least not below c + r, with r the
-    /// sum of |aᵢ|·hᵢ; a fixed-point type ends where it ends. `None` where a float
-    /// overflows.
+    /// c − r rounded down and c + r rounded up, with r = Σ|aᵢ|·hᵢ. Fixed point clamps to its range;
+    /// floats return `None` on overflow.
     fn enclosed(center: Self, across: [Self; 3], half: [Self; 3]) -> Option<(Self, Self)>;
 }
 
 macro_rules! float {
     ($float:ident, $are_orthonormal:ident, $next_up:ident, |$c:ident, $across:ident, $half:ident| $enclosed:expr) => {
-        /// In the float's own arithmetic. The rounding of a dot product is far below
-        /// an eighth; an overflow is an infinity or a NaN, and refused.
+        /// Whether the axes are orthonormal, in the float's own arithmetic. The rounding of a dot
+        /// product is far below an eighth; an overflow gives an infinity or a NaN, which fails the
+        /// check.
         pub(crate) const fn $are_orthonormal(axes: &[[$float; 3]; 3]) -> Option<bool> {
             const fn is_near(a: &[$float; 3], b: &[$float; 3], target: $float) -> bool {
                 let dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -37,7 +37,7 @@ macro_rules! float {
             )
         }
 
-        /// The next number, for a finite one; the greatest has infinity.
+        /// The next number above a finite one; infinity after the greatest.
         fn $next_up(x: $float) -> $float {
             if x == 0.0 {
                 return $float::from_bits(1);
@@ -53,7 +53,7 @@ macro_rules! float {
 
             fn enclosed($c: Self, $across: [Self; 3], $half: [Self; 3]) -> Option<(Self, Self)> {
                 let (low, high): (Self, Self) = $enclosed;
-                // Zero minus or plus a number, so that no corner is −0.
+                // Zero minus or plus a number is never −0.
                 let (low, high) = (0.0 - low, 0.0 + high);
                 (low.is_finite() && high.is_finite()).then_some((low, high))
             }
@@ -68,17 +68,18 @@ float!(f64, are_orthonormal_f64, next_up_f64, |c, across, half| {
     (face(-c), face(c))
 });
 
-/// Roundoffs in three sums, relative to the sum of all magnitudes. Proved in `axes.g`.
+/// Roundoffs of three sums, relative to the sum of all magnitudes. Proved in `axes.g`.
 const SUMS: u16 = 8;
 
-/// The least `f32` not below −c + r and c + r, with r = Σ|aᵢ|·hᵢ, all of them numbers of
-/// `f32`: by `f64`, unless that leaves two to choose from.
+/// −c + r and c + r rounded up to `f32`, with r = Σ|aᵢ|·hᵢ; all inputs are numbers of `f32`. The
+/// result comes from `f64`, unless its error leaves two candidates.
 ///
-/// The products are exact in `f64`. If the three sums are, so is the result; if not,
-/// each errs by 2⁻⁵³ of itself, which is at most |c| + r: together less than `margin`.
+/// The products are exact in `f64`. If the three sums are exact too, so is the result. Otherwise
+/// each sum errs by a relative 2⁻⁵³, its magnitude is at most |c| + r, and all three together err
+/// by less than `margin`.
 #[inline(never)] // QEMU before 8.0 multiplies two f32 widened for it wrongly on s390x (MDEBR).
 fn faces_in_double(c: f64, across: [f64; 3], half: [f64; 3]) -> (f32, f32) {
-    // Exactly if the greater operand taken from the sum leaves the other.
+    // A sum is exact if subtracting the greater operand returns the other.
     let sum = |(a, was_exact): (f64, bool), b: f64| {
         let s = a + b;
         let (greater, other) = if a.abs() < b.abs() { (b, a) } else { (a, b) };
@@ -107,7 +108,7 @@ fn faces_in_double(c: f64, across: [f64; 3], half: [f64; 3]) -> (f32, f32) {
     (face(-c), face(c))
 }
 
-/// The least float not below c + Σ|aᵢ|·hᵢ, by exact sums.
+/// c + Σ|aᵢ|·hᵢ rounded up, by exact sums.
 #[cold]
 fn face_exactly<S>(c: S, across: [S; 3], half: [S; 3], next_up: fn(S) -> S) -> S
 where
@@ -133,7 +134,7 @@ where
         }
         rest.sign() == core::cmp::Ordering::Greater
     };
-    // The quotient is the nearest number or one beside it.
+    // The quotient is the nearest number or one of its neighbours.
     let mut x = S::quotient(&face, &one);
     while x.is_finite() && is_below(x) {
         x = next_up(x);
@@ -147,10 +148,10 @@ where
     }
 }
 
-/// Axes in units of 2^-14, or of the type's own last place where that is coarser.
+/// Whether the axes are orthonormal, in units of 2^-14, or of the type's last place if that is
+/// coarser.
 ///
-/// Nothing above 9/8 is handed in, which no axis may have: so the sum of three products is
-/// below 2^30.
+/// The caller has refused components above 9/8, so the sum of three products is below 2^30.
 #[cfg(feature = "fixed")]
 pub(crate) const fn are_orthonormal_fixed(axes: &[[i32; 3]; 3], fraction_bits: u32) -> bool {
     const fn is_near(a: &[i32; 3], b: &[i32; 3], target: i32, eighth: i32) -> bool {
@@ -159,7 +160,7 @@ pub(crate) const fn are_orthonormal_fixed(axes: &[[i32; 3]; 3], fraction_bits: u
     }
     let [u, v, w] = axes;
     let one = 1 << (2 * fraction_bits);
-    // Rounded down: a whole number is within an eighth of one if it is within this.
+    // Rounded down: an integer is within one eighth if it is within this integer.
     let eighth = one >> 3;
     is_near(u, u, one, eighth)
         && is_near(v, v, one, eighth)
@@ -169,7 +170,7 @@ pub(crate) const fn are_orthonormal_fixed(axes: &[[i32; 3]; 3], fraction_bits: u
         && is_near(w, u, 0, eighth)
 }
 
-/// The most fraction bits that the check of axes keeps.
+/// The number of fraction bits that the check of axes keeps, at most.
 #[cfg(feature = "fixed")]
 pub(crate) const KEPT_BITS: u32 = 14;
 
@@ -223,8 +224,8 @@ macro_rules! fixed_axes_are_orthonormal {
 #[cfg(feature = "fixed")]
 pub(crate) use fixed_axes_are_orthonormal;
 
-/// For each type, what holds the sum of three products of its raw bits without sign:
-/// 3·2^(2b−2) is below 2^(2b).
+/// For each type, an unsigned word for the sum of three products of its raw magnitudes: 3·2^(2b−2)
+/// is below 2^(2b).
 #[cfg(feature = "fixed")]
 macro_rules! fixed {
     ($($fixed:ident, $bound:ident, $sum:ident;)*) => {$(

@@ -1,14 +1,14 @@
 use crate::arithmetic::{FirstFloat, Offset, Parts, Portion, RoundedOps, Spanned};
 use crate::robust::{ExactSum, Predicate};
 
-/// What queries need of a scalar: a few constants, and its cascade.
+/// The constants and the cascade that queries require of a scalar.
 ///
-/// Sealed: exactness rests on what is known of each type.
+/// Sealed, because exactness depends on properties of each type.
 pub trait Backend: RoundedOps + Spanned + FirstFloat + Offset {
-    /// One, for offsets and axes. Some fixed-point types cannot hold it.
+    /// One, for offsets and axes. Not every fixed-point type can represent it.
     const ONE: Parts;
 
-    /// What is known of rounding, if the scalar is a float.
+    /// The float format, if the scalar is a float.
     const FLOAT: Option<FloatFormat<Self>> = None;
 
     /// An accumulator wide enough for products of four scalars.
@@ -20,31 +20,31 @@ pub trait Backend: RoundedOps + Spanned + FirstFloat + Offset {
     /// The quotient of two sums, to the nearest; the divisor is not zero.
     fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self;
 
-    /// The greatest number that is not above this one; the end of the type where that is below.
+    /// The number rounded down; the greatest number of the type if it lies beyond.
     fn at_most(portion: Portion) -> Self;
 
-    /// The answer to `p`, by the cheapest number system that can vouch for it.
+    /// The answer to `p`, from the cheapest number system that can decide it.
     fn evaluate<P: Predicate<Self>>(p: &P) -> P::Answer;
 
-    /// Whether a kernel for floats, four at once, is the first stage where a question has one.
+    /// Whether the kernel for four floats at once is the first stage, for questions that have one.
     const IN_QUADS: bool;
 
-    /// The answer to `p` by the kernel for floats, four at once, where that is the first
-    /// stage of this scalar and can vouch for it. For who keeps a shape in registers until
-    /// [`without_quads`](Self::without_quads) needs it in memory.
+    /// The answer of the kernel for four floats at once, if it is the first stage and can decide
+    /// `p`. Split from [`without_quads`](Self::without_quads) so that the caller need not spill the
+    /// shape to memory.
     fn in_quads<P: Predicate<Self>>(p: &P) -> Option<P::Answer>;
 
-    /// The answer to `p` by the stages that come after those floats.
+    /// The answer to `p`, from the stages after [`in_quads`](Self::in_quads).
     fn without_quads<P: Predicate<Self>>(p: &P) -> P::Answer;
 
-    /// The same for a `p` whose answer is more often than not a number: no system
-    /// is tried whose numbers would not do.
+    /// The answer to `p`, for questions that usually return numbers, such as a hit. It skips number
+    /// systems that can give only a verdict.
     fn evaluate_numeric<P: Predicate<Self>>(p: &P) -> P::Answer {
         Self::evaluate(p)
     }
 
-    /// The answer to `p` in bounded time, by the same number systems on every machine;
-    /// `None` in doubt.
+    /// The answer to `p` in bounded time, from the same number systems on every machine; `None` if
+    /// it is still in doubt.
     fn evaluate_bounded<P: Predicate<Self>>(p: &P) -> Option<P::Answer>;
 }
 
@@ -55,7 +55,6 @@ pub struct FloatFormat<S> {
     pub roundoff: S,
     /// The least normal number.
     pub least_normal: S,
-    /// Between these a number has a reciprocal that is a normal number, with a wide
-    /// margin.
+    /// The range in which the reciprocal of a number is a normal number, with a wide margin.
     pub invertible: (S, S),
 }

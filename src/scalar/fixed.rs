@@ -29,7 +29,7 @@ macro_rules! scalar {
             const ONE: Parts =
                 Parts { negative: false, magnitude: 1, shift: Self::FRAC_NBITS as u16 };
             const IN_QUADS: bool = REGISTERS_ARE_WIDE && <$float as OfFour>::Quad::IS_VECTOR;
-            // Four products of the raw bits, and room for their number.
+            // Room for the sum of several products of four raw numbers.
             type Sum = Sum<$limbs>;
 
             fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self {
@@ -145,7 +145,7 @@ scalar!(
     p.cut_down().or_else(|| p.filter::<Int64>())
 );
 
-/// The stages of 64 bits.
+/// The stages of 64-bit fixed point.
 #[inline(always)]
 fn beyond_words<Frac: LeEqU64 + Send + Sync + 'static, P: Predicate<FixedI64<Frac>>>(
     p: &P,
@@ -156,7 +156,8 @@ fn beyond_words<Frac: LeEqU64 + Send + Sync + 'static, P: Predicate<FixedI64<Fra
     narrow_stage::<_, i128, _>(p, |p| stage::<_, Int64, _>(p, exact_stage))
 }
 
-/// Where registers are narrow: the answer in words of `W`, with and without volumes.
+/// The stages of cores with narrow registers, in words of `W`: the kernel without volumes, then the
+/// one with volumes.
 #[inline(always)]
 fn in_words<W: WholeWord, S: InWholeWord<W>, P: Predicate<S>>(
     p: &P,
@@ -165,8 +166,8 @@ fn in_words<W: WholeWord, S: InWholeWord<W>, P: Predicate<S>>(
     narrow_stage::<S, W, P>(p, |p| volume_stage::<S, W, P>(p, next))
 }
 
-/// Where floats are cheap, `f64` answers nearly all, and faster than integers. It
-/// changes no answer.
+/// If floats are cheap, asks `f64` first: it decides nearly all questions, faster than integers,
+/// and changes no answer.
 #[inline(always)]
 fn by_double<S: Scalar, P: Predicate<S>>(p: &P) -> P::Answer
 where
@@ -206,8 +207,8 @@ fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
     }
 }
 
-/// Whether integers for 18 bits are worth a stage: not where those for 28 cost no more, nor
-/// after vectors, which leave what is far out or in contact.
+/// Whether 18-bit integers are worth a stage. They are not if 28-bit integers cost no more, nor
+/// after vectors, which leave only contacts and distant coordinates undecided.
 #[inline(always)]
 const fn has_short_stage<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>()
 -> bool {
@@ -221,8 +222,8 @@ fn middling<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>
     stage::<_, Int32, _>(p, integer_stage)
 }
 
-/// The stages of [`by_size`], and at the end 64-bit integers in place of exact sums: they
-/// hold all coordinates, and refuse only products for oriented boxes.
+/// The stages of [`by_size`] without exact sums: the last stage is 64-bit integers, which hold all
+/// coordinates, and can fail only on products for oriented boxes.
 #[inline(always)]
 fn without_sums<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
     p: &P,

@@ -1,4 +1,4 @@
-//! Fixed point, for what no float is asked: unit normals by an integer root.
+//! The public trait `FixedPoint`: unit normals by an integer root.
 
 use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
@@ -6,27 +6,28 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 use super::Scalar;
 use crate::arithmetic::{Limbs, Signed, Square, Wide, over_roots};
 
-/// A signed type of the `fixed` crate of up to 64 bits, for what no float is asked: unit
-/// normals by an integer root ([`unit_normal`](crate::Triangle::unit_normal)).
+/// A signed fixed-point type of up to 64 bits, which has unit normals by an integer root
+/// ([`unit_normal`](crate::Triangle::unit_normal)).
 ///
-/// Sealed, like [`Scalar`], and implemented for `FixedI8`, `FixedI16`, `FixedI32`
-/// and `FixedI64` with any number of fraction bits.
+/// Sealed, like [`Scalar`], and implemented for `FixedI8`, `FixedI16`, `FixedI32` and `FixedI64`
+/// with any number of fraction bits.
 pub trait FixedPoint: Scalar + IntegerRoot {}
 
-/// What a unit normal asks of a fixed-point type. Not exported.
+/// The integer arithmetic of a unit normal. Not exported.
 pub trait IntegerRoot: Sized {
-    /// Magnitudes of the components of a normal, in raw bits.
+    /// The magnitude of a normal's component, in raw bits.
     type Component: Copy + Ord + Default;
 
-    /// (b − a)·(d − c) − (f − e)·(h − g), twice the area of a triangle in the plane.
+    /// (b − a)·(d − c) − (f − e)·(h − g): a component of the normal, twice the area of the
+    /// triangle's projection.
     fn area(ab: [Self; 2], cd: [Self; 2], ef: [Self; 2], gh: [Self; 2]) -> Signed<Self::Component>;
-    /// The unit vector along this one, each component to the nearest.
+    /// The unit vector along `n`, each component rounded to the nearest.
     fn unit(n: [Signed<Self::Component>; 3]) -> [Self; 3];
 }
 
-// With b bits, a difference is below 2^b in magnitude, a component of the
-// normal below 2^2b (the triangle lies in a cube of that side), |n|² below
-// 3·2^4b; and f ≤ b places take it to 5b + 5 bits: 45, 85, 165, 325.
+// With b bits, a difference is below 2^b in magnitude, a component of the normal below 2^2b (the
+// triangle lies in a cube of side 2^b), and |n|² below 3·2^4b. The shift by f ≤ b fraction bits
+// makes it 5b + 5 bits: 45, 85, 165, 325.
 macro_rules! fixed_point {
     ($fixed:ident, $bound:ident, $raw:ty, $area:ty, $wide:ty, |$m:ident| $square:expr) => {
         impl<Frac: $bound + Send + Sync + 'static> FixedPoint for $fixed<Frac> {}

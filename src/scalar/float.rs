@@ -49,7 +49,7 @@ macro_rules! float {
             }
             #[inline(always)]
             fn flip_sign_by(self, other: Self) -> Self {
-                // The signs as bits: two instructions, where a choice takes three.
+                // Exclusive or of the sign bits takes two instructions; a choice takes three.
                 let minus: Self = -0.0;
                 Self::from_bits(self.to_bits() ^ (other.to_bits() & minus.to_bits()))
             }
@@ -63,7 +63,7 @@ macro_rules! float {
 float!(f32);
 float!(f64);
 
-/// What is the same for both.
+/// The methods that `f32` and `f64` share.
 macro_rules! as_any_float {
     ($float:ident) => {
         const IN_QUADS: bool = REGISTERS_ARE_WIDE;
@@ -105,7 +105,7 @@ impl Backend for f32 {
         least_normal: f32::MIN_POSITIVE,
         invertible: (f32::from_bits((127 - 100) << 23), f32::from_bits((127 + 100) << 23)),
     });
-    // Four products of 2^-149 to 2^128: 1108 bits, and room for their number.
+    // Products of four numbers of 2^-149 to 2^128 take 1108 bits; the rest is room to add them.
     type Sum = Sum<18>;
 
     as_any_float!(f32);
@@ -119,11 +119,12 @@ impl Backend for f32 {
         if P::IN_QUADS && REGISTERS_ARE_WIDE {
             return Self::evaluate(p);
         }
-        // Where `f64` costs no more than `f32`.
+        // Here `f64` costs no more than `f32`.
         if REGISTERS_ARE_WIDE {
             return numeric_stage(p, refined);
         }
-        // Numbers come from integers or from f64; f32 can but say that there are none.
+        // A hit's numbers come from integers or from `f64`; `f32` can only decide that there is no
+        // hit.
         match in_floats::<_, f32, _>(p) {
             Some(answer) => answer,
             None if SMALL_CODE => doubled(p),
@@ -143,8 +144,8 @@ fn doubled<P: Predicate<f32>>(p: &P) -> P::Answer {
     }
 }
 
-/// The stages of `f32` for numbers after the first, where `f64` is cheap: what is beyond its
-/// precision gives the numbers that the integers give, and saves time.
+/// The stages of `f32` for hits after the first, if `f64` is cheap. Hits beyond the precision of
+/// `f64` get the same numbers from residuals as from integers, in less time.
 #[cold]
 #[inline(never)]
 fn refined<P: Predicate<f32>>(p: &P, clue: Clue) -> P::Answer {
@@ -158,7 +159,7 @@ impl Backend for f64 {
         least_normal: f64::MIN_POSITIVE,
         invertible: (f64::from_bits((1023 - 1000) << 52), f64::from_bits((1023 + 1000) << 52)),
     });
-    // Four products of 2^-1074 to 2^1024: 8392 bits, and room for their number.
+    // Products of four numbers of 2^-1074 to 2^1024 take 8392 bits; the rest is room to add them.
     type Sum = Sum<132>;
 
     as_any_float!(f64);
@@ -176,7 +177,7 @@ impl Backend for f64 {
     }
 }
 
-/// The stages of `f64` for numbers after the first.
+/// The stages of `f64` for hits after the first.
 #[inline(never)]
 fn refined_doubles<P: Predicate<f64>>(p: &P, clue: Clue) -> P::Answer {
     refined_stage(p, clue, if SMALL_CODE { exact_stage } else { integer_stage })
@@ -186,7 +187,7 @@ fn refined_doubles<P: Predicate<f64>>(p: &P, clue: Clue) -> P::Answer {
 mod tests {
     use super::{Backend, Float, FloatFormat};
 
-    /// 2^e, made without bits.
+    /// 2^e by repeated multiplication, independent of bit patterns.
     fn two_to<F: Float>(e: i32) -> F {
         let factor = if e < 0 { F::HALF } else { F::from(2_u16) };
         (0..e.unsigned_abs()).fold(F::from(1_u16), |x, _| x * factor)

@@ -1,48 +1,49 @@
-//! A grid of 65,536 points along an axis, for boxes of 16-bit numbers. Every point is a number
-//! of the scalar, so that a comparison on the grid is a comparison of numbers.
+//! A grid of 65,536 points along an axis, for boxes with 16-bit coordinates. Every point is a
+//! number of the scalar, so that comparing grid points and comparing numbers agree.
 
 #[cfg(feature = "fixed")]
 mod fixed;
 mod float;
 
-/// What the grid of a mesh asks of a scalar. Sealed, as [`Backend`](super::Backend).
+/// The grid arithmetic that a mesh tree requires of a scalar. Sealed, as
+/// [`Backend`](super::Backend).
 pub trait Gridded: Copy {
-    /// Where point zero is, and how far it is to the next.
+    /// The position of point zero, and the distance between points.
     type Steps: Copy + core::fmt::Debug;
 
     /// A grid whose points enclose the numbers from `min` to `max`.
     fn steps(min: Self, max: Self) -> Self::Steps;
 
-    /// The step as a power of two, whose exponent this is, in a unit of the scalar's own.
+    /// The exponent of the step, which is a power of two, in a unit of the scalar's own.
     fn exponent(steps: &Self::Steps) -> i32;
 
-    /// The greatest point that is not above this number, or the first.
+    /// The greatest point not above this number, or the first point.
     fn point_below(self, steps: &Self::Steps) -> u16;
 
-    /// The least point that is not below this number, or the last.
+    /// The least point not below this number, or the last point.
     fn point_above(self, steps: &Self::Steps) -> u16;
 
-    /// The point, or the end of the scalar if that comes first.
+    /// The number at point `q`, or the greatest number of the scalar if `q` lies beyond.
     fn point(steps: &Self::Steps, q: u16) -> Self;
 
-    /// Two numbers that enclose self − h and self + h, as far as the scalar goes.
+    /// Two numbers that enclose self − h and self + h, clamped to the range of the scalar.
     fn reach(self, h: Self) -> [Self; 2];
 
-    /// How many steps it is from point zero to this number, within 2⁻⁵⁰ of itself; infinite
-    /// where it overflows.
+    /// The distance from point zero to this number in steps, within a relative 2⁻⁵⁰; infinite if it
+    /// overflows.
     fn place(self, steps: &Self::Steps) -> f64;
 
-    /// How many steps a length comes to, within 2⁻⁵⁰ of itself; infinite where it overflows.
+    /// This length in steps, within a relative 2⁻⁵⁰; infinite if it overflows.
     fn length(self, steps: &Self::Steps) -> f64;
 
-    /// How many steps it is from another number to this one, within 2⁻⁵⁰ of itself; infinite
-    /// where it overflows.
+    /// The distance from `other` to this number in steps, within a relative 2⁻⁵⁰; infinite if it
+    /// overflows.
     fn steps_from(self, other: Self, steps: &Self::Steps) -> f64;
 
-    /// A number that the t of a hit is not above, if it was rounded to this one.
+    /// An upper bound on the true t of a hit that was rounded to this number.
     fn farthest(self) -> f64;
 
-    /// The same as a number of the scalar; `None` where there is none.
+    /// The same bound as a number of the scalar, if there is one.
     fn farthest_number(self) -> Option<Self>;
 }
 
@@ -55,8 +56,9 @@ mod tests {
     use super::Gridded;
     use crate::scalar::Scalar;
 
-    /// What boxes on the grid rest on: of numbers within its ends, the points around one
-    /// enclose it, and nothing lies between them; of two numbers, the order is kept.
+    /// The properties that boxes on the grid depend on. For numbers within the ends, the two points
+    /// around a number enclose it, and they are equal or adjacent. For two numbers, their points
+    /// keep their order.
     fn check<S: Gridded + Scalar>(numbers: &[S]) {
         for &min in numbers {
             for &max in numbers.iter().filter(|&&max| max >= min) {

@@ -1,9 +1,9 @@
-//! A scalar as a number in a log. It is a bound of every scalar, so it stands here and not
-//! with the other types' logs.
+//! Logging of a scalar. This is a supertrait of `Scalar`, so it is here rather than with the
+//! logging of shapes.
 
 use defmt::{Formatter, write};
 
-/// A scalar that can be logged: all can.
+/// A scalar that can be logged; every scalar can.
 pub trait Logged: Sized {
     /// Writes the number.
     fn log(self, to: Formatter<'_>);

@@ -1,4 +1,4 @@
-//! The scalars: what is public of them, and for each type its constants and its cascade.
+//! The public trait `Scalar`, and for each type its constants and its cascade.
 
 pub(crate) mod axes;
 mod backend;
@@ -22,7 +22,7 @@ pub use planes::{Planes, PlanesError};
 #[cfg(feature = "defmt")]
 pub use logged::Logged;
 
-/// Asks nothing of a scalar, where there is no logging.
+/// Logging support, required of every scalar if the feature `defmt` is on; empty otherwise.
 #[cfg(not(feature = "defmt"))]
 pub trait Logged {}
 
@@ -31,11 +31,11 @@ impl<S> Logged for S {}
 
 /// A coordinate: `f32`, `f64`, or a signed type of the `fixed` crate of up to 64 bits.
 ///
-/// Those are `FixedI8`, `FixedI16`, `FixedI32` and `FixedI64` with any number of fraction
-/// bits. `FixedI128` is not among them.
+/// The fixed-point types are `FixedI8`, `FixedI16`, `FixedI32` and `FixedI64` with any number of
+/// fraction bits. `FixedI128` is not supported.
 ///
-/// The trait is sealed: exactness rests on what is known of each of its types.
-/// Generic code needs no other bound than `S: Scalar`:
+/// The trait is sealed, because exactness depends on properties of each type. Generic code needs no
+/// bound other than `S: Scalar`:
 ///
 /// ```
 /// use septum::{Aabb, Scalar, Triangle};
@@ -63,7 +63,6 @@ pub trait Scalar:
     /// Zero.
     const ZERO: Self;
 
-    /// Whether this is a number: not NaN, not infinite. Always true of
-    /// fixed-point numbers.
+    /// Whether the number is neither NaN nor infinite. Always `true` for fixed point.
     fn is_finite(self) -> bool;
 }

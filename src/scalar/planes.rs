@@ -4,40 +4,39 @@ use super::Scalar;
 #[cfg(feature = "fixed")]
 use crate::arithmetic::REGISTERS_ARE_WIDE;
 
-/// What a grid of voxels asks of a scalar.
+/// The plane arithmetic that a grid of voxels requires of a scalar.
 pub trait Planes: Copy {
-    /// Whether floats may place a number among the planes: everywhere for floats, and for
-    /// fixed point where they are cheap.
+    /// Whether floats may locate a number among the planes: always for floats, and for fixed point
+    /// on machines where floats are cheap.
     const HAS_PLACES: bool;
 
-    /// `origin + k·step`: exact in fixed point, each of the two operations rounded in
-    /// floats.
+    /// `origin + k·step`: exact in fixed point; in floats product and sum are rounded.
     fn plane(origin: Self, step: Self, k: u32) -> Self;
 
-    /// How far any of the numbers up to `count` steps may be from its place, in steps;
-    /// nothing is above one half. Why there are no such numbers, if there are not.
+    /// The greatest distance, in steps, of a plane from its exact position, for up to `count`
+    /// steps; at most one half. Or the reason why these planes do not exist.
     fn check_planes(origin: Self, step: Self, count: u32) -> Result<f64, PlanesError>;
 
-    /// One over the number, to the nearest.
+    /// The reciprocal, to the nearest.
     fn reciprocal_in_double(self) -> f64;
 
-    /// The number less another, to the nearest.
+    /// self − other, to the nearest.
     fn less_in_double(self, other: Self) -> f64;
 }
 
-/// Why there are no such planes.
+/// The reason why a grid's planes do not exist.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PlanesError {
-    /// The farthest is not a number of the scalar.
+    /// The farthest plane is out of the range of the scalar.
     OutOfRange,
-    /// Rounding might make one of two.
+    /// Rounding might make two planes coincide.
     TooClose,
 }
 
-// The product errs by u of itself, the sum by u of itself: with M = |origin| + count·step a
-// number is off by at most 2·u·M, second orders aside, and the computed M is short of M by as
-// much. Two numbers a step apart are therefore apart if 4·u·M is below the step; 8 are asked
-// for. In steps a number is off by at most 2·u·M/step, of which 3 are given: up to 3/8.
+// Let M = |origin| + count·step. The product and the sum each err by a relative u, so a plane is
+// off by at most 2·u·M to first order, and the computed M is too small by as much. Two planes a
+// step apart are distinct if 4·u·M is below the step; the check requires 8·u·M. In steps a plane is
+// off by at most 2·u·M/step; the function returns 3·u·M/step, which is at most 3/8.
 macro_rules! float {
     ($($float:ident)*) => {$(
         impl Planes for $float {
@@ -78,8 +77,8 @@ macro_rules! float {
 }
 float! { f32 f64 }
 
-/// Whether both numbers are whole multiples of so great a power of two that no multiple up to
-/// `farthest` is rounded; one bit is left for the rounding of `farthest`.
+/// Whether both numbers are multiples of a power of two so great that no plane up to `farthest` is
+/// rounded. One bit is reserved for the rounding of `farthest` itself.
 fn is_on_grid<S: Scalar>(numbers: [S; 2], farthest: S, digits: u32) -> bool {
     let lowest = numbers.map(S::parts).into_iter().filter(|x| x.magnitude != 0);
     let lowest = lowest.map(|x| u32::from(x.shift) + x.magnitude.trailing_zeros()).min();
@@ -96,7 +95,7 @@ macro_rules! fixed {
 
             #[inline(always)]
             fn plane(origin: Self, step: Self, k: u32) -> Self {
-                // Modulo two to the number of bits: the sum fits, the product may not.
+                // Modulo 2^bits: the product may wrap, but the sum fits.
                 let offset = step.to_bits().wrapping_mul(k as $raw);
                 Self::from_bits(origin.to_bits().wrapping_add(offset))
             }

@@ -1,4 +1,4 @@
-//! Axes of a frame that was turned, in each scalar.
+//! The axes of a rotated frame, in each scalar.
 
 use core::ops::{Add, Neg, Sub};
 
@@ -6,24 +6,24 @@ use crate::arithmetic::cos_sin_f64;
 #[cfg(feature = "fixed")]
 use crate::arithmetic::{cos_sin_30, cos_sin_62};
 
-/// What an oriented box asks when it is made by a rotation.
+/// The arithmetic of rotations that an oriented box requires of a scalar.
 pub trait Rotation: Copy {
     /// Whether the type holds vectors of length one.
     const HAS_UNIT_VECTORS: bool;
 
-    /// Whether the rounding of a rotation never takes a dot product of axes farther than an
-    /// eighth.
+    /// Whether rounding a rotation always leaves dot products of axes within one eighth of the
+    /// exact ones.
     const KEEPS_FRAMES: bool;
 
-    /// The axes that the rotation of a quaternion x, y, z, w makes of those of space; `None`
-    /// if its square is farther than a quarter from one.
+    /// The coordinate axes rotated by the quaternion x, y, z, w; `None` if its square differs from
+    /// 1 by more than a quarter.
     fn by_quaternion(quaternion: [Self; 4]) -> Option<[[Self; 3]; 3]>;
 
-    /// The axes after turns about x, y and z, one after the other.
+    /// The coordinate axes rotated about x, then y, then z.
     fn by_turns(turns: [Self; 3]) -> [[Self; 3]; 3];
 }
 
-/// The axes after rotations about x, y and z, given by cosine and sine.
+/// The coordinate axes rotated about x, y and z, given the cosines and sines.
 #[inline(always)]
 fn turned<T>([(cx, sx), (cy, sy), (cz, sz)]: [(T, T); 3], times: fn(T, T) -> T) -> [[T; 3]; 3]
 where
@@ -37,8 +37,7 @@ where
     ]
 }
 
-/// The axes by a quaternion, times its square, and its square: of the squares and the products
-/// of two components.
+/// The axes of a quaternion's rotation, multiplied by the quaternion's square.
 #[inline(always)]
 fn by_products<T>(q: [T; 4], times: impl Fn(T, T) -> T) -> [[T; 3]; 3]
 where
@@ -57,21 +56,25 @@ where
     ]
 }
 
-/// In units of 2^-53, with N the square of the quaternion: N, three additions deep at most, errs
-/// by 3 of itself. A component on the diagonal is a difference of sums that err by 2 each,
-/// together 2·N, and errs by 1 more; one beside it by at most 1·N for products and sum. The
-/// quotient adds 1 and the 3 of N: with |component| ≤ 1 below 7, second orders aside.
+/// The axes of a quaternion's rotation, in `f64`, with errors below 7 roundoffs of 2^-53.
+///
+/// Let N be the square of the quaternion. N is a sum at most three operations deep, and errs by a
+/// relative 3 roundoffs. A diagonal component is a difference of two sums that err by 2 each,
+/// together 2·N, plus its own rounding 1. An off-diagonal component errs by at most 1·N for
+/// products and sum. The quotient adds 1, and the 3 of N: below 7 for |component| ≤ 1, to first
+/// order.
 #[inline(never)] // On s390x: see `axes::faces_in_double`.
 fn by_quaternion_f64(q: [f64; 4]) -> Option<[[f64; 3]; 3]> {
     let [x, y, z, w] = q.map(|x| x * x);
     let square = (x + w) + (y + z);
-    // Zero plus a number, so that none is −0.
+    // Zero plus a number is never −0.
     let over = |row: [f64; 3]| row.map(|n| 0.0 + n / square);
     ((square - 1.0).abs() <= 0.25).then(|| by_products(q, |a, b| a * b).map(over))
 }
 
-/// In units of 2^-53: cosines and sines err by 4, so a product of two by 4 + 4 + 1, one of three
-/// by 9 + 4 + 1, and a sum of both by 14 + 9 + 1 = 24.
+/// The rotated axes in `f64`, with errors of at most 24 roundoffs of 2^-53: cosines and sines err
+/// by 4, a product of two by 4 + 4 + 1, a product of three by 9 + 4 + 1, and the sum of both by 14
+/// + 9 + 1.
 fn by_turns_f64(turns: [f64; 3]) -> [[f64; 3]; 3] {
     turned(turns.map(cos_sin_f64), |a, b| a * b).map(|row| row.map(|x| 0.0 + x))
 }
@@ -95,7 +98,7 @@ macro_rules! float {
 }
 float! { f32 f64 }
 
-/// n/d to the nearest multiple of 2^-`bits`, for n ≤ d. `d` leaves a bit free.
+/// n/d to the nearest multiple of 2^-`bits`, for n ≤ d. The top bit of `d` must be free.
 #[cfg(feature = "fixed")]
 macro_rules! quotient {
     ($uint:ident, $n:expr, $d:expr, $bits:expr) => {{
@@ -113,22 +116,22 @@ macro_rules! quotient {
     }};
 }
 
-/// For each type words that hold the squares of its raw bits, and, without sign, the sum of four.
+/// For each type, words for the squares of its raw bits, and unsigned words for the sum of four.
 ///
-/// By quaternion: a component is a quotient of whole numbers, which neither exceeds 5/4 of 2^2F, F
-/// being below the number of bits: twice that fits. So the only error is the rounding of the
-/// quotient.
+/// Quaternions: a component is a quotient of integers of at most 5/4 · 2^2F, with F fraction bits.
+/// F is below the width of the type, so twice that fits its word, and the only error is the
+/// rounding of the quotient.
 ///
-/// By turns: the error of what is rounded at last, in units of 2^-30 or 2^-62. Cosines and
-/// sines err by 4, so a product of two by 4 + 4 + 1/2, one of three by 8.5 + 4 + 1/2, and a sum
-/// of both by 21.5 units: below 2^-25 or 2^-57.
+/// Turns: errors before the last rounding, in units of 2^-30 or 2^-62. Cosines and sines err by 4,
+/// a product of two by 4 + 4 + 1/2, a product of three by 8.5 + 4 + 1/2, and the sum of both by
+/// 21.5 units: below 2^-25 or 2^-57.
 #[cfg(feature = "fixed")]
 macro_rules! fixed {
     ($($fixed:ident, $bound:ident, $int:ident, $uint:ident;)*) => {$(
         impl<Frac: fixed::types::extra::$bound> Rotation for fixed::$fixed<Frac> {
             const HAS_UNIT_VECTORS: bool = Self::INT_NBITS > 0;
-            // A component is off by h = 2^-(F + 1) and less than 2^-25 more, so a dot product by
-            // 2√3·h + 3·h², which is 0.112 for F = 4.
+            // A component is off by h = 2^-(F + 1), and 2^-25 more at most, so a dot product is off
+            // by 2√3·h + 3·h², which is 0.112 for F = 4.
             const KEEPS_FRAMES: bool = Self::FRAC_NBITS >= 4;
 
             fn by_quaternion(quaternion: [Self; 4]) -> Option<[[Self; 3]; 3]> {
@@ -143,7 +146,7 @@ macro_rules! fixed {
                 for (axis, products) in axes.iter_mut().zip(by_products(q, |a, b| a * b)) {
                     for (to, n) in axis.iter_mut().zip(products) {
                         let size = quotient!($uint, n.unsigned_abs(), square, Self::FRAC_NBITS) as $int;
-                        // One may be just beyond the type.
+                        // The number 1 may lie just beyond the type.
                         *to = clamped!(if n < 0 { -size } else { size });
                     }
                 }
@@ -179,7 +182,7 @@ macro_rules! fixed {
     )*};
 }
 
-/// A number of raw bits, or the end of the type beyond which it is.
+/// A number from its raw bits, clamped to the range of the type.
 #[cfg(feature = "fixed")]
 macro_rules! clamped {
     ($bits:expr) => {{

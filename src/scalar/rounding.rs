@@ -1,29 +1,28 @@
-//! How a scalar becomes a float and numbers become a scalar, for answers that are rounded.
+//! Conversions between scalars and floats, for rounded answers.
 
 #[cfg(feature = "fixed")]
 use super::Planes;
 use crate::arithmetic::whole;
 
-/// What contacts, and times of hits and of contacts, ask of a scalar.
+/// The conversions that contacts, and the times of hits and contacts, require of a scalar.
 pub trait Rounding: Copy {
-    /// Whether `f64` holds each of its numbers.
+    /// Whether `f64` can represent every number of the type.
     const IS_IN_DOUBLE: bool;
 
     /// The number, to the nearest.
     fn in_double(self) -> f64;
 
-    /// The number less another, to the nearest.
+    /// self − other, to the nearest.
     fn beyond_in_double(self, other: Self) -> f64;
 
-    /// The number plus an offset, to the nearest or next to it; a fixed-point type ends where
-    /// it ends.
+    /// self + offset, to the nearest or next to it; clamped in fixed point.
     fn plus_double(self, offset: f64) -> Self;
 
-    /// m·2^exponent least numbers of the type, rounded up, or to the nearest with halves up;
-    /// m is at most 2^65. Beyond the range an infinity, or the end of it.
+    /// m·2^exponent units of the type's least number, rounded up, or to the nearest with halves up.
+    /// m is at most 2^65. Out of range, floats return infinity and fixed point the greatest number.
     fn of_units(m: u128, exponent: i32, is_up: bool) -> Self;
 
-    /// The number with the other sign; of zero zero.
+    /// The number negated; zero for either zero.
     fn opposite(self) -> Self;
 }
 
@@ -48,7 +47,7 @@ macro_rules! float {
                 if places > $float::MAX_EXP - $float::MIN_EXP {
                     return $float::INFINITY;
                 }
-                // Of 2^DIGITS at most, which carries into the exponent as it should.
+                // At most 2^DIGITS; the carry into the exponent is correct.
                 let digits = whole(m, exponent - places, is_up) as $bits;
                 $float::from_bits(((places as $bits) << (DIGITS - 1)) + digits)
             }
@@ -112,7 +111,7 @@ mod fixed_point {
 mod tests {
     use super::Rounding;
 
-    /// Numbers of `f32` from least numbers, and back by counting them.
+    /// Converts numbers of `f32` to units of the least number, and back.
     #[test]
     fn units_become_the_next_number() {
         for bits in [1, 2, 0x7f_ffff, 0x80_0000, 0x80_0001, 0x3f80_0000, 0x3f80_0001, 0x7f7f_ffff] {
@@ -121,7 +120,7 @@ mod tests {
             let (m, e) = (u128::from(parts.magnitude), i32::from(parts.shift));
             assert_eq!(f32::of_units(m, e, true), x);
             assert_eq!(f32::of_units(m << 30, e - 30, false), x);
-            // A little more: the next, or the same.
+            // A little more: the next number if rounded up, the same if rounded to the nearest.
             let more = (m << 30) + 1;
             assert_eq!(f32::of_units(more, e - 30, true), f32::from_bits(bits + 1));
             assert_eq!(f32::of_units(more, e - 30, false), x);

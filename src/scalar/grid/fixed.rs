@@ -10,7 +10,7 @@ use crate::scalar::rounding::Rounding;
 #[derive(Clone, Copy, Debug)]
 pub struct FixedSteps<W> {
     origin: W,
-    /// The step is two to this power.
+    /// The binary logarithm of the step.
     shift: u32,
 }
 
@@ -19,7 +19,7 @@ const fn one_over_two_to(n: u32) -> f64 {
     f64::from_bits((1023 - n as u64) << 52)
 }
 
-// W is a word for sums of raw bits, U the same without a sign, for differences.
+// $w is a signed word for sums of raw bits, $u the same without a sign, for differences.
 macro_rules! fixed_point {
     ($($fixed:ident: $bound:ident, $raw:ty, $w:ty, $u:ty, |$d:ident| $to_f64:expr;)*) => {$(
         impl<Frac: $bound> Gridded for $fixed<Frac> {
@@ -28,7 +28,7 @@ macro_rules! fixed_point {
             fn steps(min: Self, max: Self) -> Self::Steps {
                 let origin = <$w>::from(min.to_bits());
                 let length = <$w>::from(max.to_bits()).wrapping_sub(origin) as $u;
-                // The least with length ≤ 65,535·2^shift.
+                // The least shift with length ≤ 65,535·2^shift.
                 let mut shift = (<$u>::BITS - 16).saturating_sub(length.leading_zeros());
                 if length >> shift == 0xffff && (length >> shift) << shift != length {
                     shift += 1;
@@ -86,7 +86,7 @@ macro_rules! fixed_point {
 
             #[inline]
             fn length(self, steps: &Self::Steps) -> f64 {
-                // In steps, for each unit of t.
+                // Steps for each unit of t.
                 self.to_bits() as f64 * one_over_two_to(steps.shift)
             }
 
@@ -99,7 +99,7 @@ macro_rules! fixed_point {
             #[inline]
             fn farthest(self) -> f64 {
                 self.farthest_number().map_or(f64::INFINITY, |t| {
-                    // What rounding to a float may have taken.
+                    // Allows for the rounding of the conversion to `f64`.
                     let t = t.in_double();
                     t + t.abs() * (2.0 * f64::EPSILON)
                 })
@@ -107,7 +107,7 @@ macro_rules! fixed_point {
 
             #[inline]
             fn farthest_number(self) -> Option<Self> {
-                // At its end the type may stand for anything beyond.
+                // The greatest number may stand for a t beyond the range.
                 self.checked_add(Self::DELTA)
             }
         }

@@ -2,17 +2,17 @@
 
 use super::Gridded;
 
-/// A float's grid.
+/// The grid of a float.
 #[derive(Clone, Copy, Debug)]
 pub struct FloatSteps<F> {
     origin: F,
     step: F,
-    /// One over the step, exactly: both are powers of two.
+    /// The reciprocal of the step, exact because the step is a power of two.
     inverse: F,
 }
 
-/// Out of line for a machine whose emulator, QEMU before 8.0, multiplies two `f32` widened for
-/// it wrongly (MDEBR).
+/// Out of line on s390x, because QEMU before 8.0 miscomputes the product of two `f32` widened to
+/// `f64` (MDEBR).
 #[cfg_attr(not(target_arch = "s390x"), inline(always))]
 #[cfg_attr(target_arch = "s390x", inline(never))]
 fn product(a: f64, b: f64) -> f64 {
@@ -21,18 +21,19 @@ fn product(a: f64, b: f64) -> f64 {
 
 macro_rules! float {
     ($float:ident, $bits:ty, $least_step:expr) => {
-        // The step is a power of two, and at least twice the last place of the greatest number;
-        // the origin is a multiple of it. So a point is a multiple of the step, by a whole number
-        // of the type's digits, and exact. The last points may be infinite.
+        // The step is a power of two, at least two units in the last place of the greatest number,
+        // and the origin is a multiple of it. Hence every point is a multiple of the step with no
+        // more digits than the type has, and exact. The last points may be infinite.
         impl Gridded for $float {
             type Steps = FloatSteps<$float>;
 
             fn steps(min: Self, max: Self) -> Self::Steps {
-                // At most 65,534 steps: one is lost at either end. Halves do not overflow.
+                // At most 65,534 steps: rounding costs one at either end. The halves do not
+                // overflow.
                 let half = max * 0.5 - min * 0.5;
                 let most = if -min > max { -min } else { max };
                 const LEAST: $float = <$float>::from_bits($least_step);
-                // A little more than one of 65,534 steps for the whole.
+                // `half`/32,759 is the length/65,518: a little more than one of 65,534 steps.
                 const PER_STEP: $float = 1.0 / 32_759.0;
                 let power = |x: Self| {
                     let x = if x > LEAST { x } else { LEAST };
@@ -43,12 +44,12 @@ macro_rules! float {
                 let step = if wide > fine { wide } else { fine };
                 let step = power(step);
                 let inverse = 1.0 / step;
-                // Toward zero; and down, also where what underflowed was below zero.
+                // Rounded toward zero, then down if that left it above `min`.
                 let mut origin = (min * inverse) as $bits as Self * step;
                 if origin > min {
                     origin -= step;
                 }
-                // The least number is a multiple of half the finest step, and exact as well.
+                // `MIN` is a multiple of half the finest step, and exact as well.
                 if origin < Self::MIN {
                     origin = Self::MIN;
                 }
@@ -61,7 +62,7 @@ macro_rules! float {
 
             #[inline]
             fn point_below(self, steps: &Self::Steps) -> u16 {
-                // Within 2⁻⁸ of the truth; a conversion ends at the ends of the type.
+                // Within 2⁻⁸ of the true quotient. The conversion saturates at both ends.
                 let q = ((self - steps.origin) * steps.inverse) as u16;
                 let at = |q: u16| steps.origin + Self::from(q) * steps.step;
                 if q > 0 && at(q) > self {
@@ -88,7 +89,7 @@ macro_rules! float {
 
             #[inline]
             fn reach(self, h: Self) -> [Self; 2] {
-                // A rounding of x is at most half of its epsilon.
+                // The rounding error of x is at most half an epsilon of it.
                 let above = |x: Self| {
                     let x = x + (x.abs() * Self::EPSILON + Self::MIN_POSITIVE);
                     if x > Self::MAX { Self::MAX } else { x }
@@ -113,7 +114,8 @@ macro_rules! float {
 
             #[inline]
             fn farthest(self) -> f64 {
-                // It is within 2 ulp, and an ulp at most an epsilon of it or the least number.
+                // The true t is within 2 ulp, and an ulp is at most an epsilon of t, or the least
+                // number.
                 let (t, ulp) = (f64::from(self), f64::from(Self::EPSILON));
                 t + (t.abs() * (4.0 * ulp) + f64::from(Self::from_bits(4)))
             }
@@ -125,6 +127,6 @@ macro_rules! float {
         }
     };
 }
-// The least steps are 2⁻¹⁰⁰ and 2⁻¹⁰⁰⁰: one over them is a number.
+// The finest steps are 2⁻¹⁰⁰ and 2⁻¹⁰⁰⁰, so that their reciprocals are finite.
 float!(f32, i64, (127 - 100) << 23);
 float!(f64, i64, (1023 - 1000) << 52);
