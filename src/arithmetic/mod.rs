@@ -1,6 +1,7 @@
 //! The number systems that kernels run in. Nothing here knows a shape or a query.
 
 mod circle;
+mod double;
 mod filtered;
 #[cfg(feature = "fixed")]
 mod fixed;
@@ -9,7 +10,6 @@ mod in_float;
 mod index;
 mod integer;
 mod limbs;
-mod long;
 mod multiples;
 #[cfg(feature = "fixed")]
 mod nearest_whole;
@@ -26,7 +26,6 @@ mod root;
 mod rounded;
 mod short_multiples;
 mod span;
-mod split;
 mod system;
 mod vector;
 mod wide;
@@ -35,6 +34,7 @@ mod words;
 pub(crate) use circle::cos_sin_f64;
 #[cfg(feature = "fixed")]
 pub(crate) use circle::{cos_sin_30, cos_sin_62};
+pub(crate) use double::{Double, fast_two_sum, two_difference};
 pub use filtered::Filtered;
 #[cfg(feature = "fixed")]
 pub(crate) use fixed::clamped;
@@ -48,7 +48,6 @@ pub(crate) use integer::{Int64, Int64Narrow};
 pub(crate) use limbs::Limbs;
 #[cfg(feature = "fixed")]
 pub(crate) use limbs::Wide;
-pub(crate) use long::Long;
 pub use number::Number;
 pub(crate) use number::{compare, greatest, largest, least};
 pub use offset::Offset;
@@ -70,7 +69,6 @@ pub use rounded::{Rounded, RoundedOps};
 pub use short_multiples::ShortFloat;
 pub(crate) use short_multiples::{Divisor, Leading64};
 pub use span::{Span, Spanned, Spans};
-pub(crate) use split::{FAR, Split, Two, short_areas, two_difference};
 pub use system::{Arithmetic, Embeds};
 pub(crate) use system::{of_two, once};
 pub(crate) use vector::{cross, dot};

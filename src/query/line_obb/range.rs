@@ -9,7 +9,7 @@
 use super::Disjoint;
 use super::error_bound::{ErrorBound, Sizes, error_bound};
 use super::kernel::Operands;
-use crate::arithmetic::{Embeds, Filtered, Float, Long, Number, greatest, least, turn};
+use crate::arithmetic::{Double, Embeds, Filtered, Float, Number, greatest, least, turn};
 use crate::query::triangle_obb::{cross, dot};
 use crate::robust::{Clue, Predicate, exact_stage};
 use crate::scalar::Scalar;
@@ -133,24 +133,24 @@ where
     let part = 8.0 * f64::ROUNDOFF;
     let (direction, face) = (part * short.direction, part * short.face);
 
-    let of = |v: &[f64; 3]| [Long::of(v[0]), Long::of(v[1]), Long::of(v[2])];
+    let of = |v: &[f64; 3]| [Double::of(v[0]), Double::of(v[1]), Double::of(v[2])];
     let (u, d) = ([of(&s.u[0]), of(&s.u[1]), of(&s.u[2])], of(&s.d));
-    let m = Long::way(&p, &c);
-    let volume = Long::dot(&u[0], &Long::cross(&u[1], &u[2])).magnitude();
+    let m = Double::way(&p, &c);
+    let volume = Double::dot(&u[0], &Double::cross(&u[1], &u[2])).magnitude();
     within_all(|i| {
         let (i, j, k) = turn(i);
-        let w = Long::cross(&u[j], &u[k]);
-        let (along, middle) = (Long::dot(&w, &d), Long::dot(&w, &m));
-        let (den, reach) = (along.magnitude(), Long::of(s.h[i]).times(volume));
+        let w = Double::cross(&u[j], &u[k]);
+        let (along, middle) = (Double::dot(&w, &d), Double::dot(&w, &m));
+        let (den, reach) = (along.magnitude(), Double::of(s.h[i]).times(volume));
         if den.high <= direction {
             let inside = reach.high - middle.high.abs() - short.face;
             let long = 0.5 * inside / direction;
             return (inside > 0.0).then_some([[f64::NEG_INFINITY, -long], [long, f64::INFINITY]]);
         }
         let to_middle = if along.high > 0.0 { middle.negated() } else { middle };
-        let at = |num: Long| {
+        let at = |num: Double| {
             let t = num.high / den.high;
-            let more = num.minus(den.times(Long::of(t))).high / den.high;
+            let more = num.minus(den.times(Double::of(t))).high / den.high;
             // As in `slab`. Exact sums may err by 2^-61 of t before they round.
             let from_true = 2.0 * (face + t.abs() * direction) / (den.high - direction);
             let error = from_true + t.abs() * (f64::EPSILON / 64.0);

@@ -1,18 +1,15 @@
 //! The direction of a normal in floats, right however thin the triangle.
 //!
 //! Three stages, the next only where the last is in doubt: the plain cross product,
-//! the same in pairs of floats, and exact sums.
+//! the same in double-word floats, and exact sums.
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::pick;
+use crate::arithmetic::{Double, pick};
 use crate::query::exact_triangle::ExactTriangle;
 use crate::robust::ExactSum;
 use crate::scalar::Backend;
 use crate::shape::Triangle;
-
-/// A number as the unevaluated sum of a float and a much smaller one.
-type DoubleDouble = (f64, f64);
 
 /// Coordinates in this range, or zero, multiply without overflow and without
 /// underflow, the lowest bits of products of their differences included. Every
@@ -59,15 +56,15 @@ fn component([a0, b0, c0]: [f64; 3], [a1, b1, c1]: [f64; 3], enough: f64) -> Opt
     if size == 0.0 || n.abs() * enough >= size {
         return Some(n);
     }
-    let (e, f) = (difference(b0, a0), difference(c1, a1));
-    let (g, h) = (difference(b1, a1), difference(c0, a0));
-    let (p, q) = (product(e, f), product(g, h));
-    let (high, low) = difference(p.0, q.0);
-    let n = high + (low + (p.1 - q.1));
-    // What pairs leave out is below 16 squared roundoffs, 2^-102, of p and q: not
+    let (e, f) = (Double::difference(b0, a0), Double::difference(c1, a1));
+    let (g, h) = (Double::difference(b1, a1), Double::difference(c0, a0));
+    let (p, q) = (e.product(f), g.product(h));
+    let Double { high, low } = Double::difference(p.high, q.high);
+    let n = high + (low + (p.low - q.low));
+    // What double words leave out is below 16 squared roundoffs, 2^-102, of p and q: not
     // 2^-8 roundoffs of n if cancellation took no more than `PLACES`. Zero is zero
     // if nothing is left out, as when the differences needed no second float.
-    let exact = e.1 == 0.0 && f.1 == 0.0 && g.1 == 0.0 && h.1 == 0.0;
+    let exact = [e, f, g, h].iter().all(|x| x.low == 0.0);
     (n.abs() >= size * LEFT || (exact && p == q)).then_some(n)
 }
 
@@ -76,34 +73,6 @@ const PLACES: u64 = 40;
 
 /// What is left then.
 const LEFT: f64 = f64::from_bits((1023 - PLACES) << 52);
-
-/// a − b, exactly (D. E. Knuth, *The Art of Computer Programming* 2, 4.2.2).
-#[inline]
-fn difference(a: f64, b: f64) -> DoubleDouble {
-    let d = a - b;
-    let of_b = a - d;
-    let of_a = d + of_b;
-    (d, (a - of_a) + (of_b - b))
-}
-
-/// The product of two pairs, but for what is far below the last place; exactly if
-/// the smaller parts are zero (T. J. Dekker, "A floating-point technique for
-/// extending the available precision", 1971).
-#[inline]
-fn product(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
-    let p = a.0 * b.0;
-    let ((a1, a2), (b1, b2)) = (halves(a.0), halves(b.0));
-    let rest = ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2;
-    (p, rest + (a.0 * b.1 + a.1 * b.0))
-}
-
-/// The upper and the lower half of the digits.
-#[inline]
-fn halves(x: f64) -> DoubleDouble {
-    let shifted = x * 134_217_729.0; // 2^27 + 1
-    let high = shifted - (shifted - x);
-    (high, x - high)
-}
 
 /// The same by exact sums, for any input: the components over the greatest of them.
 #[cold]

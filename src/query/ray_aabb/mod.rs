@@ -11,7 +11,7 @@ pub use prepared::PreparedRay;
 
 use super::Overlaps;
 use super::line_aabb::{ExactLine, Slabs};
-use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, least};
+use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, least, two_difference};
 use crate::robust::{Predicate, Uncertain};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Ray};
@@ -161,19 +161,11 @@ fn is_finite<L: Number>(x: L) -> bool {
 /// well enough. Proved in `compensated.g`.
 const LEFT: u16 = 128;
 
-/// c − o + h, less than 1.02 roundings from the truth; nothing where so much cancels
-/// that it might be more. In floats.
-///
-/// D. E. Knuth, *The Art of Computer Programming* 2, 4.2.2: the rounding error of a
-/// sum is a float and can be computed.
+/// c − o + h in floats, less than 1.02 roundings from the truth; `None` where cancellation may
+/// make it more.
 fn compensated<N: Arithmetic>(c: N::Length, o: N::Length, h: N::Length) -> Option<N::Length> {
-    let sum = |a: N::Length, b: N::Length| {
-        let s = a + b;
-        let part = s - a;
-        (s, (a - (s - part)) + (b - part))
-    };
-    let (along, error) = sum(c, -o);
-    let (length, second) = sum(along, h);
+    let [along, error] = two_difference(c, o);
+    let [length, second] = two_difference(along, -h);
     let lost = error + second;
     let result = length + lost;
     // All that is unaccounted for is the rounding of what was lost, twice.

@@ -22,6 +22,7 @@ mod question;
 mod refined;
 mod residual;
 mod rows;
+mod split;
 
 pub(crate) use candidate::Candidate;
 pub(crate) use clear_hit::{clear_hit, clear_refined_hit, clearly_misses};

@@ -2,7 +2,7 @@
 //!
 //! How far it is from the truth, with D, E and R as in `super::error_bound`: a component x of a
 //! vector of size s, one of these, is cut at a grid: x = h + l, with h a multiple of g, |h| ≤ (1 +
-//! 2^25)·g, and |l| ≤ η·s, η = 2^-25, but for a trifle of 2^-28 (`arithmetic::split`). l takes the
+//! 2^25)·g, and |l| ≤ η·s, η = 2^-25, but for a trifle of 2^-28 (`super::split`). l takes the
 //! error of the difference along. A component of an area is (h h − h h) + (h l + l x − h l − l x).
 //! The first bracket comes to less than 2^52 times its unit, so it is exact. It is cut again: at 26
 //! bits, and the rest is at most η times its size. The three products of its higher part with h
@@ -31,13 +31,11 @@
 use super::Feature;
 use super::crossing::{Crossing, ErrorBound, Setting, Sizes};
 use super::question::Crosses;
-use crate::arithmetic::{Embeds, FAR, Filtered, Number, Split, Two, short_areas, two_difference};
+use super::split::{CUT, FAR, Split, Two, short_areas};
+use crate::arithmetic::{Embeds, Filtered, Number, two_difference};
 use crate::scalar::Scalar;
 
-/// What [`REFINED`] and [`LOST`](super::residual) count, in roundoffs: 2^-25.
-pub(super) const CUT: f64 = 1.0 / 33_554_432.0;
-
-/// Roundoffs, times 2^-25, in the volumes in two parts.
+/// Roundoffs, times [`CUT`], in the volumes in two parts.
 const REFINED: u16 = 192;
 
 /// Volumes, each as it is rounded, and what the rounding took.
@@ -75,9 +73,7 @@ impl Refined {
         let [a, b, c, o] = points;
         let way = |i: usize| two_difference(Two([d[i], o[i]]), Two([0.0, a[i]]));
         let side = |i: usize| two_difference(Two([c[i], b[i]]), Two([a[i], a[i]]));
-        let split = |[x, y, z]: [[Two; 2]; 3], far: [f64; 2]| {
-            Split::new([x[0], y[0], z[0]], [x[1], y[1], z[1]], Two(far) * Two([FAR; 2]))
-        };
+        let split = |parts, far: [f64; 2]| Split::new(parts, Two(far) * Two([FAR; 2]));
         let ways = split([way(0), way(1), way(2)], [direction, size]);
         let edges = split([side(0), side(1), side(2)], [edge, edge]);
         let areas = Two([direction, size]) * Two([edge; 2]);

@@ -43,7 +43,7 @@ use core::ops::{Add, Mul, Sub};
 
 use super::crossing::{Crossing, Setting, Sizes};
 use super::error_bound::VOLUME;
-use super::refined::CUT;
+use super::split::{CUT, cut};
 use crate::arithmetic::{Embeds, Filtered, Float, Number, OfFour, Quad, largest, two_difference};
 use crate::scalar::Scalar;
 
@@ -190,11 +190,7 @@ fn left_over<T>(
 where
     T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
 {
-    let from_a = |x: T| {
-        let [way, rest] = two_difference(x, a);
-        let high = (way + shifter) - shifter;
-        [high, (way - high) + rest]
-    };
+    let from_a = |x: T| cut(two_difference(x, a), shifter);
     let [e1, e2, s] = [from_a(b), from_a(c), from_a(o)];
     let high = (d + direction_shifter) - direction_shifter;
     let d = [high, d - high];

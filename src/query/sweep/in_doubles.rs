@@ -6,7 +6,7 @@
 use super::error_bound::{AtStart, LONG, at_start};
 use super::kernel::Course;
 use super::{FirstContact, Given, Last, Passing, one_axis};
-use crate::arithmetic::{Embeds, Filtered, Long, Number, Portion, dot, each, turn};
+use crate::arithmetic::{Double, Embeds, Filtered, Number, Portion, dot, each, turn};
 use crate::query::Axis;
 use crate::query::triangle_aabb::frame::Frame;
 use crate::query::triangle_aabb::plane::normal;
@@ -199,8 +199,8 @@ where
 }
 
 /// gap/speed, rounded down, if gap − t·speed is known as well as it must be.
-fn rounded_down(gap: Long, speed: Long, error: f64) -> Option<f64> {
-    let left = |t: f64| gap.minus(speed.times(Long::of(t))).high;
+fn rounded_down(gap: Double, speed: Double, error: f64) -> Option<f64> {
+    let left = |t: f64| gap.minus(speed.times(Double::of(t))).high;
     let is_at_most = |t: f64| {
         let left = left(t);
         (left.abs() > error).then_some(left > 0.0)
@@ -232,11 +232,11 @@ fn rounded_down(gap: Long, speed: Long, error: f64) -> Option<f64> {
 
 impl Given<Filtered<f64>> {
     /// The gap on an axis that has one, and the speed at which it closes.
-    fn long(&self, axis: Axis, course: &Course<Filtered<f64>>) -> (Long, Long) {
+    fn long(&self, axis: Axis, course: &Course<Filtered<f64>>) -> (Double, Double) {
         let Self { triangle: [a, b, c], way: [from, to], .. } = self;
-        let e = [Long::way(b, a), Long::way(c, b), Long::way(a, c)];
-        let (zero, one) = (Long::ZERO, Long::of(1.0));
-        let n = || Long::cross(&e[0], &e[1]);
+        let e = [Double::way(b, a), Double::way(c, b), Double::way(a, c)];
+        let (zero, one) = (Double::ZERO, Double::of(1.0));
+        let n = || Double::cross(&e[0], &e[1]);
         // The axis, and by how much the vertices are beyond the first that is named.
         let (axis, vertex, beyond) = match axis {
             Axis::Face(i) => {
@@ -268,7 +268,7 @@ impl Given<Filtered<f64>> {
                 nearest(nearest(a, b), c)
             }
         };
-        let d = Long::way(to, from);
+        let d = Double::way(to, from);
         let (mut gap, mut speed) = (zero, zero);
         for i in 0..3 {
             let to_vertex = self.beyond_corner(i, vertex[i], (axis[i].high > 0.0) == is_above);
@@ -279,14 +279,14 @@ impl Given<Filtered<f64>> {
     }
 
     /// How far a coordinate is beyond the greatest or the least of the box.
-    fn beyond_corner(&self, i: usize, x: f64, is_greatest: bool) -> Long {
+    fn beyond_corner(&self, i: usize, x: f64, is_greatest: bool) -> Double {
         let Self { p, q, is_by_center, .. } = self;
         if *is_by_center {
-            let half = Long::of(q[i]);
-            let from_center = Long::difference(x, p[i]);
+            let half = Double::of(q[i]);
+            let from_center = Double::difference(x, p[i]);
             if is_greatest { from_center.minus(half) } else { from_center.plus(half) }
         } else {
-            Long::difference(x, if is_greatest { q[i] } else { p[i] })
+            Double::difference(x, if is_greatest { q[i] } else { p[i] })
         }
     }
 }

@@ -1,37 +1,45 @@
-//! Numbers of 106 digits: the sums of two of `f64`, the second less than the last place of the
-//! first.
+//! Double-word floats: sums without loss, and numbers of two `f64`, the second less than the last
+//! place of the first.
 //!
 //! M. Joldes, J.-M. Muller, V. Popescu, "Tight and Rigorous Error Bounds for Basic Building Blocks
 //! of Double-Word Arithmetic", *ACM Transactions on Mathematical Software* 44(2), 2017: with u =
 //! 2^-53, a sum (their algorithm 6) errs by at most 3·u² + 13·u³ of itself, a product (algorithm
 //! 10) by 5·u², while nothing underflows or overflows.
 
+use core::ops::{Add, Sub};
+
 use super::index::three;
-use super::split::two_difference;
 
-/// A sum of two floats.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Long {
-    pub(crate) high: f64,
-    low: f64,
-}
-
-/// a + b and what its rounding took.
+/// a − b without loss: the difference as rounded, and what the rounding took.
+///
+/// D. E. Knuth, *The Art of Computer Programming*, volume 2, 4.2.2, theorem B.
 #[inline(always)]
-fn two_sum(a: f64, b: f64) -> [f64; 2] {
-    two_difference(a, -b)
+pub(crate) fn two_difference<T>(a: T, b: T) -> [T; 2]
+where
+    T: Copy + Add<Output = T> + Sub<Output = T>,
+{
+    let difference = a - b;
+    let of_b = a - difference;
+    [difference, (a - (difference + of_b)) + (of_b - b)]
 }
 
-/// The same where |a| is not less than |b|.
+/// a + b without loss where |a| ≥ |b|: the sum as rounded, and what the rounding took.
+///
+/// T. J. Dekker, "A Floating-Point Technique for Extending the Available Precision",
+/// *Numerische Mathematik* 18, 1971.
 #[inline(always)]
-fn fast_two_sum(a: f64, b: f64) -> Long {
-    let high = a + b;
-    Long { high, low: b - (high - a) }
+pub(crate) fn fast_two_sum<T>(a: T, b: T) -> [T; 2]
+where
+    T: Copy + Add<Output = T> + Sub<Output = T>,
+{
+    let sum = a + b;
+    [sum, (a - sum) + b]
 }
 
-/// a·b and what its rounding took (T. J. Dekker 1971), for numbers below 2^996.
+/// a·b and what its rounding took, for numbers below 2^996 (Dekker 1971).
 #[inline(always)]
 fn two_product(a: f64, b: f64) -> [f64; 2] {
+    /// 2^27 + 1.
     const HALF: f64 = 134_217_729.0;
     let split = |x: f64| {
         let c = HALF * x;
@@ -43,7 +51,14 @@ fn two_product(a: f64, b: f64) -> [f64; 2] {
     [product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2]
 }
 
-impl Long {
+/// high + low, to about 106 binary digits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Double {
+    pub(crate) high: f64,
+    pub(crate) low: f64,
+}
+
+impl Double {
     pub(crate) const ZERO: Self = Self { high: 0.0, low: 0.0 };
 
     #[inline(always)]
@@ -51,19 +66,23 @@ impl Long {
         Self { high: x, low: 0.0 }
     }
 
+    #[inline(always)]
+    fn of_two([high, low]: [f64; 2]) -> Self {
+        Self { high, low }
+    }
+
     /// a − b, exactly.
     #[inline(always)]
     pub(crate) fn difference(a: f64, b: f64) -> Self {
-        let [high, low] = two_difference(a, b);
-        Self { high, low }
+        Self::of_two(two_difference(a, b))
     }
 
     #[inline(always)]
     pub(crate) fn plus(self, other: Self) -> Self {
-        let [high, rest] = two_sum(self.high, other.high);
-        let [low, last] = two_sum(self.low, other.low);
-        let Self { high, low } = fast_two_sum(high, rest + low);
-        fast_two_sum(high, last + low)
+        let [high, rest] = two_difference(self.high, -other.high);
+        let [low, last] = two_difference(self.low, -other.low);
+        let [high, low] = fast_two_sum(high, rest + low);
+        Self::of_two(fast_two_sum(high, last + low))
     }
 
     #[inline(always)]
@@ -100,29 +119,36 @@ impl Long {
         three(|i| Self::difference(a[i], b[i]))
     }
 
+    /// The product, with a `low` that may overlap `high`. Exact if both factors have a `low` of zero.
     #[inline(always)]
-    pub(crate) fn times(self, other: Self) -> Self {
+    pub(crate) fn product(self, other: Self) -> Self {
         let [high, rest] = two_product(self.high, other.high);
         let mixed = self.high * other.low + self.low * other.high;
-        fast_two_sum(high, rest + mixed)
+        Self { high, low: rest + mixed }
+    }
+
+    #[inline(always)]
+    pub(crate) fn times(self, other: Self) -> Self {
+        let Self { high, low } = self.product(other);
+        Self::of_two(fast_two_sum(high, low))
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Long;
+    use super::Double;
 
     #[test]
     fn what_a_double_loses_is_kept() {
         let third = 1.0 / 3.0;
-        let a = Long::difference(third, -1e-20);
+        let a = Double::difference(third, -1e-20);
         assert_eq!((a.high, a.low), (third, 1e-20));
         // (x + y)·(x − y) − x² + y² is zero, to 104 digits.
-        let (x, y) = (Long::of(third), Long::of(1e-9 / 7.0));
+        let (x, y) = (Double::of(third), Double::of(1e-9 / 7.0));
         let product = x.plus(y).times(x.minus(y));
         let rest = product.minus(x.times(x)).plus(y.times(y));
         assert!(rest.high.abs() < 1e-31 && product.low != 0.0, "{rest:?}");
-        assert_eq!(a.minus(a), Long::ZERO);
-        assert_eq!(a.plus(a.negated()), Long::ZERO);
+        assert_eq!(a.minus(a), Double::ZERO);
+        assert_eq!(a.plus(a.negated()), Double::ZERO);
     }
 }
