@@ -1,4 +1,4 @@
-//! The pairs with the arguments in the other order: one forwards to the other.
+//! The pairs with their arguments exchanged: each forwards to the pair in its first order.
 
 use super::relation::{Relate, Relation};
 use crate::scalar::Scalar;

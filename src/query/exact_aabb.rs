@@ -1,4 +1,4 @@
-//! An axis-aligned box, taken apart for exact sums.
+//! An axis-aligned box, split into signed parts for exact sums.
 
 use core::cmp::Ordering;
 
@@ -7,7 +7,7 @@ use crate::robust::Linear;
 use crate::scalar::Scalar;
 use crate::shape::AabbForm;
 
-/// The faces of a box, taken apart: each the sum of two numbers.
+/// The faces of a box, each as the sum of two numbers.
 pub(crate) struct ExactAabb {
     min: [[Parts; 2]; 3],
     max: [[Parts; 2]; 3],
@@ -30,7 +30,7 @@ impl ExactAabb {
         }
     }
 
-    /// From `x` to the face of axis `i` that lies farther along `toward`.
+    /// The distance from `x` to the face on axis `i` that lies farther along `toward`.
     #[inline(never)]
     pub(crate) fn to_face(&self, x: Parts, i: usize, toward: Ordering) -> Linear {
         let face = if toward == Ordering::Less { &self.min } else { &self.max };

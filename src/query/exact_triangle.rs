@@ -1,4 +1,4 @@
-//! A triangle, taken apart for exact sums.
+//! A triangle, split into signed parts for exact sums.
 
 use core::cmp::Ordering;
 
@@ -6,7 +6,7 @@ use crate::arithmetic::{Parts, pick, turn};
 use crate::robust::{ExactSum, Vector, add_area, difference};
 use crate::scalar::Scalar;
 
-/// The coordinates of a triangle, taken apart.
+/// The coordinates of a triangle in signed parts.
 pub(crate) struct ExactTriangle {
     pub(crate) v: [[Parts; 3]; 3],
 }

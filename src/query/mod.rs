@@ -1,15 +1,19 @@
-//! The questions, a folder for each pair of shapes.
+//! The queries, with a folder for each pair of shapes.
 //!
-//! `mod.rs` of a folder is its front: the question as a `Predicate`, the public methods and
-//! their docs. Beside it are the kernel, the error bound with its derivation, and the exact
-//! stage; a pair whose kernel is short has them in fewer files. What two pairs share is
-//! here: `exact_aabb` and `exact_triangle`, shapes taken apart for exact sums; `line_aabb`,
-//! the slabs of rays and segments, and `line_obb`, both against an oriented box; `orientation`,
-//! the signs of volumes, for triangles, segments and points against triangles; `relation`, how
-//! axes tell touching from overlapping; `either_order`, the same questions with the arguments in
-//! the other order. `counts`, in unit tests, says how often questions escalate.
+//! The folder's `mod.rs` defines the question as a `Predicate` and the public methods with their
+//! documentation. The kernel, the error bound with its derivation, and the exact stage are in files
+//! beside it; a pair with a short kernel has fewer files.
+//!
+//! Shared by several pairs:
+//! * `exact_aabb`, `exact_triangle`: shapes split into signed parts for exact sums;
+//! * `line_aabb`: the slabs of rays and segments; `line_obb`: rays and segments against an oriented
+//!   box;
+//! * `orientation`: signs of volumes, for triangles, segments and points against triangles;
+//! * `relation`: disjoint, touching or overlapping, from separating axes;
+//! * `either_order`: the pairs with their arguments exchanged;
+//! * `counts`: unit tests of how often questions escalate.
 
-// In the order in which the pages of the shapes show them.
+// The order of modules sets the order of methods on the pages of the shapes.
 mod triangle_aabb;
 mod triangle_obb;
 mod triangle_triangle;

@@ -1,12 +1,12 @@
-//! Three vectors side by side: a row is a component of all three. So products with another vector
-//! come out for all three at once, by the operations of [`cross`](super::triangle_obb::cross) and
-//! [`dot`](super::triangle_obb::dot), in their order.
+//! Three vectors side by side: each row holds one component of all three, so that a product with
+//! another vector comes out for all three at once. The operations are those of
+//! [`cross`](super::triangle_obb::cross) and [`dot`](super::triangle_obb::dot), in the same order.
 
 use crate::arithmetic::{Float, InFloat, Number, Quad, each, greatest};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
 
-/// Three vectors.
+/// Three vectors, one row for each component.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Vectors<Q>([Q; 3]);
 
@@ -17,7 +17,7 @@ impl<F: Float, Q: Quad<Lane = F>> Vectors<Q> {
         Self([row(0), row(1), row(2)])
     }
 
-    /// Of axes: the cross product of the two others, in order.
+    /// For three axes: the cross product of the two other axes, in order.
     #[inline(always)]
     pub(super) fn normals(&self) -> Self {
         let next = each(self.0, Q::turned);
@@ -68,8 +68,8 @@ pub(super) fn transposed<F: Copy>([a, b, c]: [[F; 3]; 3]) -> [[F; 3]; 3] {
     [[a[0], b[0], c[0]], [a[1], b[1], c[1]], [a[2], b[2], c[2]]]
 }
 
-/// An oriented box in floats. Where they are whole numbers of the last place, its axes are in
-/// units of one.
+/// An oriented box in floats. In fixed point, centre and half-extents are counted in units of the
+/// last place, and axes in units of one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ObbInFloats<F> {
     pub(super) center: [F; 3],
@@ -94,22 +94,22 @@ pub(super) fn in_floats<S: InFloat<F>, F: Float>([x, y, z]: [S; 3]) -> [F; 3] {
     [x.in_float(), y.in_float(), z.in_float()]
 }
 
-/// A vector whose length is in units of one.
+/// A vector in units of one.
 #[inline(always)]
 pub(super) fn in_units<S: InFloat<F>, F: Float>(x: [S; 3]) -> [F; 3] {
     let [x, y, z] = in_floats(x);
     if S::PLACE > F::ZERO { [x * S::PLACE, y * S::PLACE, z * S::PLACE] } else { [x, y, z] }
 }
 
-/// Whether the float holds a vector of length one. Where it does not there is nothing for it to
-/// do, nor has [`Embeds::one`](crate::arithmetic::Embeds::one) of all systems an answer, by which
-/// `may_overlap` would know what it does not know elsewhere.
+/// Whether the float can represent a vector of length one. If it cannot, this stage does not run:
+/// [`Embeds::one`](crate::arithmetic::Embeds::one) fails in every number system there, and
+/// `may_overlap` must not decide more here than elsewhere.
 #[inline(always)]
 pub(super) fn holds_one<S: InFloat<F>, F: Float>() -> bool {
     S::LIMIT.is_none_or(|limit| limit * S::PLACE > F::from(1))
 }
 
-/// Whether none of these numbers was rounded when it became a float.
+/// Whether all these numbers became floats without rounding.
 #[inline(always)]
 pub(super) fn fits<S: InFloat<Q::Lane>, Q: Quad<Lane: Float>, const K: usize>(
     rows: &[[Q::Lane; 3]; K],
@@ -119,19 +119,19 @@ pub(super) fn fits<S: InFloat<Q::Lane>, Q: Quad<Lane: Float>, const K: usize>(
     most(rows.iter().fold(zero, |most, row| most.greatest(Q::of_three(*row).magnitude()))) < limit
 }
 
-/// The greatest of the first three.
+/// The greatest of the first three lanes.
 #[inline(always)]
 pub(super) fn most<Q: Quad>(row: Q) -> Q::Lane {
     let [x, y, z] = row.three();
     greatest(greatest(x, y), z)
 }
 
-/// Numbers for tests: the rows say what the kernels of single numbers say, in the same cases.
+/// Random inputs for tests that compare the rows with the single-number kernels.
 #[cfg(all(test, not(feature = "small")))]
 pub(super) mod tests {
     use crate::shape::Obb;
 
-    /// From −1 to 1, some of them on a coarse grid, and zeros.
+    /// Numbers from −1 to 1, some on a coarse grid, some zero.
     pub(in crate::query) struct Numbers(pub(in crate::query) u64);
 
     impl Numbers {
@@ -148,7 +148,7 @@ pub(super) mod tests {
             [self.next(), self.next(), self.next()]
         }
 
-        /// Turned about one axis of space, along all of them, or skewed.
+        /// A box rotated about one coordinate axis, aligned with the axes, or skewed.
         pub(in crate::query) fn obb(&mut self) -> Obb<f32> {
             loop {
                 let [u, v, w] = [self.point(), self.point(), self.point()];

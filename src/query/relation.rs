@@ -1,24 +1,23 @@
-//! How two shapes lie to each other, and how axes tell.
+//! Whether two shapes are disjoint, touch or overlap, from separating axes.
 
 use core::cmp::Ordering;
 
 use crate::arithmetic::Number;
 use crate::robust::Uncertain;
 
-/// How two closed convex sets lie to each other.
+/// Whether two closed convex sets are disjoint, touch or overlap.
 ///
-/// The *interior* of a shape is what is inside it seen from its own line, plane or space: of a
-/// triangle all but its edges, of a segment all but its ends, of a box all but its faces, of a
-/// flat box all but its edges; a point is its own interior. (In the literature: the relative
-/// interior.)
+/// The *interior* here is the relative interior: the interior of a shape within its own line, plane
+/// or space. A triangle loses its edges, a segment its ends, a box its faces, a flat box its edges;
+/// a point is its own interior.
 ///
-/// Two shapes touch if they have a point in common and their interiors have none. That is so
-/// exactly if some plane has one on its one side and the other on its other, both of them meet
-/// it, and not all of both lies in it (R. T. Rockafellar, *Convex Analysis*, 1970, theorem
-/// 11.3). So a triangle on a face of a box touches it, and two triangles of a mesh that share an
-/// edge touch, in one plane or not; two that lie on each other in one plane overlap.
+/// Two shapes touch if they have a point in common and their interiors have none. Equivalently,
+/// some plane supports both from opposite sides, touches both, and does not contain both (R. T.
+/// Rockafellar, *Convex Analysis*, 1970, theorem 11.3). A triangle on a face of a box touches it.
+/// Two triangles of a mesh that share an edge touch, whether or not they lie in one plane; two
+/// triangles of one plane with a common area overlap.
 ///
-/// The order is that of nearness: disjoint shapes come first.
+/// The variants are ordered by nearness, disjoint shapes first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -26,80 +25,79 @@ pub enum Relation {
     /// They have no point in common.
     #[default]
     Disjoint,
-    /// They have points in common, but their interiors have none.
+    /// They have points in common, but their interiors are disjoint.
     Touching,
     /// Their interiors have a point in common.
     Overlapping,
 }
 
-/// How a shape lies to another: touching told apart from overlapping.
+/// Distinguishes disjoint, touching and overlapping shapes.
 ///
-/// There is an implementation for each pair that can be asked about, in both orders of the
-/// arguments.
+/// It is implemented for each supported pair, in both orders.
 pub trait Relate<Other> {
-    /// How the two shapes lie to each other.
+    /// Whether the two shapes are disjoint, touch or overlap.
     ///
     /// *Numerics*: exact for every valid input, in every scalar: it is
     /// [`Disjoint`](Relation::Disjoint) if and only if `overlaps` is `false`.
     ///
-    /// *Range*: as of `overlaps`. *Panics*: never.
+    /// *Range*: as for `overlaps`. *Panics*: never.
     ///
-    /// *Cost*: that of `overlaps`, but of a triangle or an axis-aligned box with an
-    /// axis-aligned box up to twice. In floats contact takes integers or exact sums, but where the
-    /// numbers are short.
+    /// *Cost*: as for `overlaps`; for a triangle or an axis-aligned box with an axis-aligned box,
+    /// up to twice as much. In floats, contact takes integers or exact sums unless the numbers are
+    /// short.
     #[must_use]
     fn relation(&self, other: &Other) -> Relation;
 }
 
-/// What is asked about two shapes, of questions that one predicate answers.
+/// The questions that one predicate answers about two shapes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Asked {
-    /// Whether they may have a point in common: by no stage that only some machines have.
+    /// Whether they may have a point in common, using only stages that every machine has.
     MayOverlap,
-    /// Whether they have one: touching and overlapping are the same then.
+    /// Whether they have a point in common; touching and overlapping need not be distinguished.
     Overlaps,
-    /// Which of the three it is.
+    /// Which of the three relations holds.
     Relation,
 }
 
-/// What an axis says at most, given how the two gaps on it compare with zero: that before the one
-/// shape and that after it.
+/// The nearest relation that one axis allows, from the signs of the gaps in front of one shape and
+/// behind it.
 pub(super) fn of_gaps(gaps: [Ordering; 2]) -> Relation {
     match gaps {
         [Ordering::Greater, _] | [_, Ordering::Greater] => Relation::Disjoint,
-        // All of both at one place.
+        // Both shapes project to a single point.
         [Ordering::Equal, Ordering::Equal] => Relation::Overlapping,
         [Ordering::Equal, _] | [_, Ordering::Equal] => Relation::Touching,
         [Ordering::Less, Ordering::Less] => Relation::Overlapping,
     }
 }
 
-/// What the axes tried so far say, errors allowed for.
+/// The axes tried so far, with their errors.
 pub(super) struct Nearness {
     pub(super) is_disjoint: bool,
-    /// Whether an axis may separate, or touch.
+    /// Whether an axis may separate or touch.
     is_near: bool,
 }
 
 impl Nearness {
     pub(super) const NONE: Self = Self { is_disjoint: false, is_near: false };
 
-    /// An axis on which the shapes are so far apart (below zero: so far in each other), and
-    /// extend so far together.
+    /// Adds an axis. `gap` is the distance between the two projections (negative if they overlap),
+    /// and `extent` their length together.
     #[inline(always)]
     pub(super) fn add<T: Number>(&mut self, gap: T, extent: T, error: T) {
         self.is_disjoint |= gap > error;
-        // All of both at one place is no touch. It is certain only if nothing is rounded.
+        // Two projections to one point do not touch. That is certain only without rounding.
         self.is_near |= (gap >= -error) & (extent > -error);
     }
 
-    /// An axis on which it is not known.
+    /// Adds an axis whose gap is unknown.
     #[inline(always)]
     pub(super) fn add_doubt(&mut self, is_near: bool) {
         self.is_near |= is_near;
     }
 
-    /// How the shapes lie to each other; `None` in doubt.
+    /// The relation; `None` in doubt.
     #[inline(always)]
     pub(super) fn relation(&self, is_certain: bool) -> Option<Relation> {
         if self.is_disjoint {
@@ -112,12 +110,12 @@ impl Nearness {
     }
 }
 
-/// What axes are read for: whether one separates, or how the shapes lie.
+/// What to collect from the axes: whether one separates, or the relation.
 pub(super) trait Reading {
     type Answer;
     const NONE: Self;
 
-    /// An axis, as of [`Nearness::add`].
+    /// Adds an axis, as [`Nearness::add`].
     fn add<T: Number>(&mut self, gap: T, extent: T, error: T);
 
     /// The answer; `None` in doubt.
@@ -157,7 +155,7 @@ impl Reading for Nearness {
 mod tests {
     use crate::{Aabb, Obb, Segment, Triangle};
 
-    /// Where they do not meet, nearly, numbers are short, and some machines have a stage for that.
+    /// The shapes nearly touch. Their numbers are short, and some machines have a stage for those.
     #[test]
     fn whether_shapes_may_overlap_is_the_same_on_every_machine() {
         let low = Triangle::new([0.0_f32, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]).unwrap();

@@ -7,8 +7,7 @@ use crate::robust::{ExactSum, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::{AabbForm, Vec3};
 
-/// A box in either form as one: on each axis it is the interval from `low` − `grown`
-/// to `high` + `grown`.
+/// A box in either form: on each axis, the interval from `low` − `grown` to `high` + `grown`.
 #[derive(Clone, Copy)]
 pub(in crate::query) struct Grown<S> {
     pub(in crate::query) low: [S; 3],
@@ -27,7 +26,7 @@ impl<S: Scalar> Grown<S> {
     }
 }
 
-/// The question whether two boxes have no point in common.
+/// The question whether two boxes are disjoint.
 pub(in crate::query) struct Apart<S> {
     pub(in crate::query) a: Grown<S>,
     pub(in crate::query) b: Grown<S>,
@@ -42,12 +41,10 @@ impl<S: Scalar> Apart<S> {
 
 /// Roundoffs in a gap, per sum of the magnitudes of its two operands.
 ///
-/// A gap is d − r, where d is the greater of two differences and r the sum of two
-/// half-extents. Each errs by u of itself, and so does the gap, which is at most
-/// |d| + r: two roundoffs of |d| + r. The third is for what this leaves out: the
-/// roundings of |d| + r and of the bound, and terms in u². Sums of floats do not
-/// underflow: below twice the least normal number they are exact, and there the
-/// bound may as well be zero. Proved in `kernel.g`.
+/// A gap is d − r, with d the greater of two differences and r the sum of two half-extents. d, r
+/// and the gap each err by a relative u: two roundoffs of |d| + r. The third covers the roundings
+/// of |d| + r and of the bound, and terms in u². Sums of floats do not underflow: below twice the
+/// least normal number they are exact. Proved in `kernel.g`.
 pub(crate) const GAP: u16 = 3;
 
 impl<S: Scalar> Predicate<S> for Apart<S> {
@@ -65,11 +62,11 @@ impl<S: Scalar> Predicate<S> for Apart<S> {
             let r = a_grown[i] + b_grown[i];
             let (gap, error) = (d - r, (d.magnitude() + r).error(GAP));
             is_apart |= gap > error;
-            // A NaN, of two infinities, is in doubt.
+            // The gap of two infinities is a NaN, and in doubt.
             let is_clear_of_gap = gap <= -error;
             is_in_doubt |= !is_clear_of_gap;
         }
-        // Whatever lies clear of the error lies in doubt too.
+        // A gap within its error bound is in doubt.
         (is_apart == is_in_doubt).then_some(is_apart)
     }
 
@@ -94,7 +91,7 @@ impl<S: Scalar> Predicate<S> for Apart<S> {
 mod tests {
     use super::*;
 
-    /// On one axis, beside contact: each stage says what exact sums say, or nothing.
+    /// Compares all stages with the exact sums, on one axis and close to contact.
     fn check<S: Scalar>(numbers: &[S]) {
         let (mut settled, mut apart) = (0, 0);
         let negative = |x: &S| *x < S::ZERO;

@@ -11,21 +11,22 @@ use crate::shape::{Aabb, Overlaps};
 impl<S: Scalar> Overlaps<Aabb<S>> for Aabb<S> {
     /// Whether two axis-aligned boxes have a point in common.
     ///
-    /// *Geometry*: closed sets in one frame and unit, each as it was given: by its
-    /// corners, or by centre and half-extents, whose corners need not be numbers of
-    /// the scalar. Flat boxes and points are boxes.
+    /// *Geometry*: closed sets in one frame and unit, each in the form in which it was given. The
+    /// corners of a box given by its centre may lie between two numbers of the scalar. Either box
+    /// may be flat, or a point.
     ///
     /// *Contact*: touching is overlap.
     ///
     /// *Numerics*: exact for every valid input, in every scalar.
     ///
-    /// *Range*: all finite floats, all fixed-point values. Floats take exact sums
-    /// where a centre or a half-extent leaves contact in doubt by rounding, and
-    /// 64-bit fixed point beyond 2⁶⁰ units in the last place.
+    /// *Range*: all finite floats, all fixed-point values. Exact sums decide floats given by a
+    /// centre if rounding leaves contact in doubt, and 64-bit fixed point beyond 2⁶⁰ units in the
+    /// last place.
     ///
-    /// *Panics*: never. *Cost*: 6 comparisons for two boxes given by their corners;
-    /// otherwise 12 additions and 9 comparisons, and in floats 3 additions and 3
-    /// multiplications for the error bound.
+    /// *Panics*: never.
+    ///
+    /// *Cost*: 6 comparisons for two boxes given by their corners. Otherwise 12 additions and 9
+    /// comparisons, and in floats 3 additions and 3 multiplications for the error bound.
     ///
     /// *Source*: the three face normals of Gottschalk, Lin and Manocha 1996; the
     /// exact stages are ours.

@@ -1,4 +1,4 @@
-//! Whether two boxes touch or overlap.
+//! Whether two boxes are disjoint, touch or overlap.
 
 use super::kernel::{Apart, GAP};
 use crate::arithmetic::{Embeds, Number, compare, greatest};
@@ -7,7 +7,7 @@ use crate::robust::{ExactSum, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::Aabb;
 
-/// How two boxes lie to each other.
+/// The question for the relation of two boxes.
 struct Lie<S>(Apart<S>);
 
 impl<S: Scalar> Predicate<S> for Lie<S> {
@@ -24,7 +24,7 @@ impl<S: Scalar> Predicate<S> for Lie<S> {
             let (d, r) = (greatest(before, after), a_grown[i] + b_grown[i]);
             let error = (d.magnitude() + r).error(GAP);
             let (gap, extent) = (d - r, r + r - (before + after));
-            // A NaN, of two infinities, is in doubt.
+            // The gap of two infinities is a NaN, and in doubt.
             found.add(gap, extent, error);
             let is_known = gap <= error;
             found.add_doubt(!is_known);

@@ -1,10 +1,9 @@
-//! How many of a fixed stream of questions escalate: as many as ever.
+//! Counts how many of a fixed stream of questions escalate past each stage.
 //!
-//! A bound that is too wide gives no wrong answer, and no hash of answers shows it: it
-//! sends questions to dearer arithmetic. How many go there is a matter of bits, and the
-//! same on every machine. Who changes a bound or a cascade measures its price, and then
-//! writes down the new numbers: `counts.txt`, and `counts_narrow.txt` where registers have
-//! 32 bits (`--cfg septum_narrow`).
+//! An error bound that is too wide gives no wrong answer, so no hash of answers reveals it: it only
+//! sends questions to more expensive arithmetic. The counts do reveal it, and they are the same on
+//! every machine. After a change of a bound or a cascade, measure its price and write down the new
+//! counts: `counts.txt`, and `counts_narrow.txt` for 32-bit registers (`--cfg septum_narrow`).
 
 extern crate std;
 
@@ -25,7 +24,7 @@ use crate::shape::{Aabb, Obb, Plane, Ray, Segment, Triangle};
 struct Rng(Random);
 
 impl Rng {
-    /// A whole number from −n to n.
+    /// An integer from −n to n.
     fn within(&mut self, n: u32) -> i64 {
         let z = self.0.bits() as u32;
         ((u64::from(z) * u64::from(2 * n + 1)) >> 32) as i64 - i64::from(n)
@@ -33,16 +32,15 @@ impl Rng {
 }
 
 trait Sample: Scalar {
-    /// A number of one of three kinds: on a coarse grid, on a fine one, or as fine and far
-    /// from zero, where what is left of the type is contact.
+    /// A number of one of three kinds: on a coarse grid, on a fine grid, or on a fine grid far from
+    /// zero, where the last digits of the type decide contact.
     fn sample(rng: &mut Rng, kind: u32) -> Self;
 
-    /// Axes at right angles, of length one or near.
+    /// Orthogonal axes, of length one or nearly.
     fn turned() -> [[Self; 3]; 3];
 }
 
-/// Those of a rotation about two axes, by the angles of the triangle with sides 3, 4 and 5,
-/// in hundredths.
+/// The axes after two rotations by the angles of the 3-4-5 triangle, in hundredths.
 const TURNED: [[i64; 3]; 3] = [[60, 80, 0], [-48, 36, 80], [64, -48, 60]];
 
 macro_rules! floats {
@@ -88,8 +86,9 @@ fixed_point! {
     I32F32: 30, 20, 62;
 }
 
-/// How often each question escalates: past the first look, a filter, a stage for narrow registers; and how often it arrives at the exact sums. Of contacts, how many
-/// directions floats leave to those.
+/// Writes how often each question escalates: past the first look, past a filter, past a stage for
+/// narrow registers, and how often it reaches exact sums. For contacts, the number of directions
+/// that floats leave to exact sums.
 fn rows<S: Sample>(scalar: &str, to: &mut String) {
     const QUESTIONS: [&str; 28] = [
         "triangle/aabb",
@@ -192,7 +191,7 @@ fn rows<S: Sample>(scalar: &str, to: &mut String) {
 
 #[test]
 fn questions_escalate_as_often_as_they_did() {
-    // Short cascades have other stages, and so has fixed point without vectors.
+    // Builds with short cascades have other stages, and so has fixed point without vectors.
     if SMALL_CODE || (REGISTERS_ARE_WIDE && !<I16F16 as Backend>::IN_QUADS) {
         return;
     }
@@ -214,7 +213,7 @@ fn questions_escalate_as_often_as_they_did() {
     assert!(counts == kept, "the counts are now\n{counts}");
 }
 
-/// Random triangles and boxes: how many of 100,000 pairs are not clear at the first look.
+/// How many of 100,000 pairs of random triangles and boxes the first stage leaves in doubt.
 #[test]
 fn a_triangle_and_a_box_are_hardly_ever_in_doubt() {
     fn count<S: Sample>(is_prepared: bool) -> u32 {
@@ -248,13 +247,14 @@ fn a_triangle_and_a_box_are_hardly_ever_in_doubt() {
             count::<I32F32>(is_prepared),
         ]
     });
-    // Where there are no vectors, other kernels are asked.
+    // Without vectors other kernels run.
     if REGISTERS_ARE_WIDE && !SMALL_CODE && <I16F16 as Backend>::IN_QUADS {
         assert_eq!(found, [[1, 1, 1, 1], [2, 2, 3, 2]]);
     }
 }
 
-/// Random rays and triangles, both prepared: likewise. The bound is by the distance from the origin.
+/// How many of 100,000 pairs of prepared random rays and triangles the first stage leaves in doubt.
+/// The error bound depends on the distance from the origin.
 #[test]
 fn a_ray_and_a_triangle_are_seldom_in_doubt() {
     fn count<S: Sample>() -> u32 {
@@ -279,7 +279,7 @@ fn a_ray_and_a_triangle_are_seldom_in_doubt() {
     }
 }
 
-/// The box with these corners, or with a corner of them for its centre.
+/// A box with opposite corners p and q, or with centre p and half-extents from q.
 fn random_box<S: Scalar>(by_corners: bool, p: [S; 3], q: [S; 3]) -> Aabb<S> {
     if by_corners {
         let ordered = |i: usize| if p[i] < q[i] { (p[i], q[i]) } else { (q[i], p[i]) };
@@ -291,8 +291,8 @@ fn random_box<S: Scalar>(by_corners: bool, p: [S; 3], q: [S; 3]) -> Aabb<S> {
     }
 }
 
-/// Random rays and boxes, as where a tree is walked: how many of 100,000 pairs a prepared
-/// ray cannot settle by itself.
+/// How many of 100,000 pairs of random boxes and prepared rays, as in a tree, the prepared ray
+/// leaves in doubt.
 #[test]
 fn a_prepared_ray_is_hardly_ever_in_doubt() {
     fn count<S: Sample>(by_corners: bool) -> u32 {

@@ -1,22 +1,17 @@
-//! How far a computed volume (a × b)·c may be from the truth.
+//! The error of a computed volume (a × b)·c.
 //!
-//! To first order in u, the unit roundoff. a, b and c are differences of points. A, B and C
-//! are sizes: no component of the vector is greater. A segment given by its centre takes two
-//! roundings for a difference, (p − q) ± h, and its size is that of p − q plus that of h; all
-//! else takes one.
-//!
-//! The volume is a sum of 6 terms, each within A·B·C. At most 11 roundings touch a term: 2 for
-//! each of the three vectors, 2 products, 1 difference of products, 2 sums. 6·11 = 66;
-//! [`VOLUME`] = 70.
-//!
-//! `error_bound.g` proves it, second orders and underflow included.
+//! a, b and c are differences of points, and A, B and C bound the magnitudes of their components. A
+//! difference takes one rounding. For a segment given by its centre it takes two, (p − q) ± h, and
+//! its size is the size of p − q plus the size of h. The volume is a sum of 6 terms, each within
+//! A·B·C, and at most 11 roundings touch a term. `error_bound.g` proves [`VOLUME`] roundoffs of
+//! A·B·C, second orders and underflow included.
 
 use crate::arithmetic::{Arithmetic, Number};
 
 /// Roundoffs in a volume.
 const VOLUME: u16 = 70;
 
-/// The bound for vectors of these sizes; `None` where it is not known.
+/// The bound for vectors of these sizes; `None` if a size is out of range.
 #[inline(always)]
 pub(in crate::query) fn error_bound<N: Arithmetic>([a, b, c]: [N::Length; 3]) -> Option<N::Volume> {
     if N::CERTAIN {

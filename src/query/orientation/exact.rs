@@ -1,4 +1,4 @@
-//! The last stage: the same signs by exact sums of products of the coordinates as given.
+//! The last stage: the same signs from exact sums of products of the original coordinates.
 
 use core::cmp::Ordering;
 use core::marker::PhantomData;
@@ -9,13 +9,13 @@ use crate::robust::{ExactSum, Linear, Vector, add_area, add_determinant, sign};
 use crate::scalar::Scalar;
 use crate::shape::{Segment, SegmentForm};
 
-/// Six points, taken apart: each coordinate the sum of two numbers.
+/// Six points, each coordinate as the sum of two signed parts.
 pub(crate) struct ExactPoints<S> {
     points: [[[Parts; 2]; 3]; 6],
     scalar: PhantomData<S>,
 }
 
-/// A point as given.
+/// A point with its original coordinates.
 fn given<S: Scalar>(p: [S; 3]) -> [[Parts; 2]; 3] {
     each(p, |x| [x.parts(), Parts::ZERO])
 }
@@ -41,7 +41,7 @@ impl<S: Scalar> ExactPoints<S> {
         Self { points: [a, b, b, c, d, e], scalar: PhantomData }
     }
 
-    /// A coordinate of a point. There is one; to say so links no panic.
+    /// A coordinate of a point. The index is in range; `unwrap_or` links no panic.
     fn coordinate(&self, point: usize, axis: usize) -> [Parts; 2] {
         let [first, ..] = &self.points;
         *pick(self.points.get(point).unwrap_or(first), axis)
@@ -49,7 +49,7 @@ impl<S: Scalar> ExactPoints<S> {
 
     fn difference(&self, a: usize, b: usize, axis: usize) -> Linear {
         let ([a, b], [c, d]) = (self.coordinate(a, axis), self.coordinate(b, axis));
-        // Only the ends of a segment are sums, and of the same centre.
+        // Only the ends of a segment are sums, and they share one centre.
         if a == c {
             [b, d.negated(), Parts::ZERO]
         } else if d == Parts::ZERO {

@@ -1,17 +1,17 @@
-//! What lies in one plane, or on one line: separating axes in the planes of two coordinates.
+//! Shapes in one plane, or on one line: separating axes in the coordinate planes.
 //!
-//! Two sets in one plane meet exactly if what they leave in each plane of two coordinates
-//! meets: on one of these the plane is left as it is, and where sets meet, what they leave
-//! does. One on which a triangle has an area is such a one, and enough. In a plane of two
-//! coordinates the axes are the normals of all edges, and for what is on one line the
-//! coordinates themselves.
+//! If two sets of one plane meet, so do their projections onto each coordinate plane. The converse
+//! holds for a coordinate plane onto which the plane projects one-to-one, such as any in which one
+//! of the triangles has an area. In a coordinate plane the candidate axes are the normals of all
+//! edges; on a line they are the coordinates themselves.
 
 use core::cmp::Ordering;
 
 use super::{FIRST, Points, Relation, SECOND, along};
 use crate::arithmetic::{each, pick, three, turn};
 
-/// Two triangles in one plane, or a segment or point in that of a triangle, or two of those.
+/// The relation of two triangles in one plane, of a triangle and a segment or point in its plane,
+/// or of two segments or points.
 #[inline(never)]
 pub(super) fn in_plane(points: &impl Points) -> Relation {
     let has_area = |axis: usize| {
@@ -20,7 +20,7 @@ pub(super) fn in_plane(points: &impl Points) -> Relation {
     if let Some(axis) = (0..3).find(|&axis| has_area(axis)) {
         return seen_along(points, axis);
     }
-    // Two segments, which need not be in one plane.
+    // Two segments, not necessarily in one plane.
     for i in 0..2 {
         for k in 0..2 {
             let (a, b) = (FIRST[i], SECOND[k]);
@@ -33,7 +33,7 @@ pub(super) fn in_plane(points: &impl Points) -> Relation {
     x.min(y).min(z)
 }
 
-/// What the normals of edges say at most, seen along an axis.
+/// The nearest relation that the normals of the edges allow, in the projection along an axis.
 fn seen_along(points: &impl Points, axis: usize) -> Relation {
     let mut so_far = Relation::Overlapping;
     for (one, other) in [(FIRST, SECOND), (SECOND, FIRST)] {

@@ -1,14 +1,14 @@
 //! Triangles, segments and points against triangles, by the signs of volumes.
 //!
-//! O. Devillers, P. Guigue, "Faster Triangle-Triangle Intersection Tests", INRIA RR-4488,
-//! 2002: everything is decided by the sides on which points lie of planes through three
-//! others. No sign is of a degree above three, and no point or line is constructed. Here
-//! triangles may be segments or points too, and what lies in one plane is decided by
-//! separating axes in the planes of two coordinates.
+//! O. Devillers, P. Guigue, "Faster Triangle-Triangle Intersection Tests", INRIA RR-4488, 2002:
+//! every decision is the side of a plane through three points on which a fourth point lies. No sign
+//! has a degree above three, and no point or line is constructed. Here triangles may also be
+//! segments or points, and shapes in one plane are decided by separating axes in the coordinate
+//! planes.
 //!
-//! A segment is a triangle two of whose vertices are one, a point one of which all three are.
-//! So [`relation`] serves all these pairs. The number systems have kernels of their own for
-//! the common case, beside each pair; they come here with what is in one plane, or degenerate.
+//! A segment is a triangle with two equal vertices, and a point a triangle with three, so
+//! [`relation`] serves all these pairs. The common case has a faster kernel beside each pair;
+//! shapes in one plane and degenerate shapes come here.
 
 mod error_bound;
 mod exact;
@@ -27,31 +27,32 @@ use self::whole::Whole;
 use super::relation::{Asked, Relation};
 use crate::arithmetic::{Arithmetic, Int64Narrow, REGISTERS_ARE_WIDE, each, three, turn};
 
-/// Six points: the vertices of one shape, and those of the other.
+/// Six points: the vertices of the first shape and of the second.
 pub(super) trait Points {
-    /// On which side of the plane through a, b and c the point d lies: the sign of
-    /// ((b − a) × (c − a))·(d − a).
+    /// The side of the plane through a, b and c on which d lies: the sign of ((b − a) × (c − a))·(d
+    /// − a).
     fn volume(&self, points: [usize; 4]) -> Ordering;
 
     /// The sign of component `axis` of (b − a) × (c − a).
     fn area(&self, axis: usize, points: [usize; 3]) -> Ordering;
 
-    /// How coordinate `axis` of one point compares with that of another.
+    /// Compares coordinate `axis` of two points.
     fn compare(&self, axis: usize, points: [usize; 2]) -> Ordering;
 
-    /// On which sides of the plane through three points these lie.
+    /// The sides of the plane through a, b and c on which the points `of` lie.
     fn sides(&self, [a, b, c]: [usize; 3], of: [usize; 3]) -> [Ordering; 3] {
         each(of, |d| self.volume([a, b, c, d]))
     }
 
-    /// Seen along `axis`, on which sides of the line through two points these lie.
+    /// The sides of the line through a and b on which the points `of` lie, in the projection along
+    /// `axis`.
     fn sides_of_line(&self, axis: usize, [a, b]: [usize; 2], of: [usize; 3]) -> [Ordering; 3] {
         each(of, |c| self.area(axis, [a, b, c]))
     }
 
-    /// What coordinate `axis` says at most: nothing if all are one.
+    /// The nearest relation that coordinate `axis` allows.
     fn along_axis(&self, axis: usize) -> Relation {
-        // Every point of the one with every point of the other.
+        // Every vertex of the first shape against every vertex of the second.
         let rows = each(FIRST, |a| each(SECOND, |b| self.compare(axis, [a, b])));
         let all = || rows.as_flattened().iter();
         let (above, below) = (all().any(|x| x.is_gt()), all().any(|x| x.is_lt()));
@@ -65,11 +66,11 @@ pub(super) trait Points {
     }
 }
 
-/// The first shape, and the second.
+/// The vertices of the first shape, and of the second.
 const FIRST: [usize; 3] = [0, 1, 2];
 const SECOND: [usize; 3] = [3, 4, 5];
 
-/// How the two shapes lie to each other.
+/// The relation of the two shapes.
 #[inline(never)]
 pub(super) fn relation(points: &impl Points) -> Relation {
     let [x, y, z] = three(|axis| points.along_axis(axis));
@@ -82,8 +83,8 @@ pub(super) fn relation(points: &impl Points) -> Relation {
     if so_far == Relation::Disjoint {
         return so_far;
     }
-    // Where all signs are zero, the one shape is in the plane of the other, or the other has
-    // none.
+    // If all signs are zero, the shape lies in the plane of the other shape, or the other shape is
+    // degenerate and has no plane.
     let is_zero = |signs: [Ordering; 3]| signs == [Ordering::Equal; 3];
     so_far.min(match (is_zero(first), is_zero(second)) {
         (false, false) => crossing(points, first, second),
@@ -93,9 +94,9 @@ pub(super) fn relation(points: &impl Points) -> Relation {
     })
 }
 
-/// How two shapes lie to each other of which a kernel leaves in doubt what is in one plane, or
-/// degenerate. Where that is not certain: whether they have a vertex in common or a coordinate
-/// tells them apart.
+/// The relation of two shapes that a kernel left in doubt because they lie in one plane, or are
+/// degenerate. In a number system with errors, decides only two cases: a common vertex, and a
+/// coordinate that separates.
 #[inline(never)]
 pub(super) fn in_doubt<N: Arithmetic>(
     first: &[Vector<N>; 3],
@@ -118,10 +119,10 @@ pub(super) fn in_doubt<N: Arithmetic>(
     }
 }
 
-/// What an axis says at most, on which one shape lies on these sides of a point, and the
-/// other, but for that point, on the other sides of `back`: disjoint if all of the one are
-/// beyond the point and none of the other is, touching if none is but some of either are
-/// not at it.
+/// The nearest relation that one axis allows. `sides` are the signs of one shape's vertices
+/// relative to a point of the axis; `back` are the signs of the other shape's vertices that are not
+/// at the point. Overlapping if the point does not separate, or if all vertices are at it;
+/// otherwise touching if a vertex in `sides` is at the point, else disjoint.
 fn along(sides: [Ordering; 3], back: &[Ordering]) -> Relation {
     let all = || sides.into_iter().chain(back.iter().map(|side| side.reverse()));
     let (above, below) = (all().any(Ordering::is_gt), all().any(Ordering::is_lt));
@@ -134,8 +135,8 @@ fn along(sides: [Ordering; 3], back: &[Ordering]) -> Relation {
     }
 }
 
-/// Two triangles in planes that cross, neither beyond that of the other: whether the
-/// intervals meet in which they meet the line that both planes have in common.
+/// The relation of two triangles whose planes cross, neither triangle beyond the plane of the
+/// other: whether the intervals meet that the triangles cut out of the common line of both planes.
 fn crossing(points: &impl Points, first: [Ordering; 3], second: [Ordering; 3]) -> Relation {
     let (i, is_first_above) = apex(each(first, |sign| sign as i8));
     let (k, is_second_above) = apex(each(second, |sign| sign as i8));
@@ -143,7 +144,7 @@ fn crossing(points: &impl Points, first: [Ordering; 3], second: [Ordering; 3]) -
         let (a, b, c) = turn(k);
         if is_in_order { [of[a], of[b], of[c]] } else { [of[a], of[c], of[b]] }
     };
-    // Each in such an order that the apex of the other is above its plane.
+    // Each triangle in the order that puts the apex of the other above its plane.
     let [a, b, c] = order(FIRST, i, is_second_above);
     let [d, e, f] = order(SECOND, k, is_first_above);
     let at = |sign: Ordering| match sign {
@@ -154,8 +155,9 @@ fn crossing(points: &impl Points, first: [Ordering; 3], second: [Ordering; 3]) -
     at(points.volume([a, b, d, e])).min(at(points.volume([a, c, f, d])))
 }
 
-/// Of three signs that are not all zero, nor all above or all below, the one that stands
-/// alone, or is zero with the others on one side; and whether it is above the others.
+/// The apex of a triangle that straddles or touches a plane, from the signs of its vertices: the
+/// vertex alone on its side, or the vertex on the plane if the rest lie on one side. Also returns
+/// whether the apex is above the rest. The signs are not all equal.
 #[inline(always)]
 pub(super) fn apex([a, b, c]: [i8; 3]) -> (usize, bool) {
     if a > b && a > c {
@@ -173,8 +175,8 @@ pub(super) fn apex([a, b, c]: [i8; 3]) -> (usize, bool) {
     }
 }
 
-/// A segment that meets the plane of a triangle in one point, given the signs of its
-/// vertices: whether that is in the triangle. Its line passes all edges on one side.
+/// The relation of a triangle and a segment that meets its plane in one point, given the signs of
+/// the segment's vertices. They meet if the line passes all edges on one side.
 fn piercing(
     points: &impl Points,
     segment: [usize; 3],
@@ -190,7 +192,8 @@ fn piercing(
     passing(sides)
 }
 
-/// A line that crosses a plane passes the edges of a triangle there on these sides.
+/// The relation of a triangle and a line across its plane, from the sides on which the line passes
+/// the edges.
 fn passing(sides: [Ordering; 3]) -> Relation {
     if sides.contains(&Ordering::Less) && sides.contains(&Ordering::Greater) {
         Relation::Disjoint

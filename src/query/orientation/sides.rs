@@ -1,4 +1,4 @@
-//! Sides of planes in a number system, errors allowed for.
+//! Sides of planes in a number system, with error bounds.
 
 use super::error_bound;
 use crate::arithmetic::{Arithmetic, Number, cross, dot, greatest, largest};
@@ -18,14 +18,14 @@ pub(crate) fn larger<N: Arithmetic>(a: &Vector<N>, b: &Vector<N>) -> N::Length {
     greatest(largest(a), largest(b))
 }
 
-/// The sign of a number that errs by up to `error`: zero in doubt.
+/// The sign of a number with an error of up to `error`: zero in doubt.
 #[inline(always)]
 pub(crate) fn sign<T: Number>(x: T, error: T) -> i8 {
     i8::from(x > error) - i8::from(x < -error)
 }
 
-/// On which sides of the plane spanned by two edges these vectors lead: zero in doubt, and
-/// where the number system is certain on the plane. `None` where the error is not known.
+/// The sides of the plane spanned by two edges to which these vectors point: zero in doubt, and in
+/// an exact number system on the plane. `None` if the error is unknown.
 #[inline(always)]
 pub(crate) fn sides<N: Arithmetic, const K: usize>(
     [e, f]: [&Vector<N>; 2],
@@ -42,7 +42,7 @@ pub(crate) fn sides<N: Arithmetic, const K: usize>(
     Some(signs)
 }
 
-/// The greatest magnitude in these vectors, where the number system has errors.
+/// The greatest magnitude in these vectors; zero in an exact number system, which needs none.
 #[inline(always)]
 pub(crate) fn size<N: Arithmetic, const K: usize>(vectors: &[Vector<N>; K]) -> N::Length {
     let mut size = N::Length::ZERO;
@@ -54,7 +54,7 @@ pub(crate) fn size<N: Arithmetic, const K: usize>(vectors: &[Vector<N>; K]) -> N
     size
 }
 
-/// Whether a coordinate separates these points from those.
+/// Whether a coordinate separates the points `some` from `others`.
 #[inline(never)]
 pub(crate) fn are_apart<T: PartialOrd>(some: &[[T; 3]], others: &[[T; 3]]) -> bool {
     let all_below = |i: usize, some: &[[T; 3]], others: &[[T; 3]]| {
@@ -63,7 +63,7 @@ pub(crate) fn are_apart<T: PartialOrd>(some: &[[T; 3]], others: &[[T; 3]]) -> bo
     (0..3).any(|i| all_below(i, some, others) || all_below(i, others, some))
 }
 
-/// Whether one of these points is one of those.
+/// Whether `some` and `others` share a point.
 #[inline(never)]
 pub(crate) fn share_a_point<T: PartialEq>(some: &[[T; 3]], others: &[[T; 3]]) -> bool {
     some.iter().any(|p| others.contains(p))

@@ -1,4 +1,4 @@
-//! Points in whole numbers, whose signs are certain.
+//! Points in an exact number system.
 
 use core::cmp::Ordering;
 
@@ -7,11 +7,11 @@ use crate::arithmetic::{
     Arithmetic, Number, compare, cross, dot, each, greatest, least, pick, turn,
 };
 
-/// Six points in a number system that is certain.
+/// Six points in an exact number system.
 pub(crate) struct Whole<N: Arithmetic>(pub(crate) [[N::Length; 3]; 6]);
 
 impl<N: Arithmetic> Whole<N> {
-    /// A point. There is one; to say so links no panic.
+    /// A point. The index is in range; `unwrap_or` links no panic.
     fn point(&self, a: usize) -> &[N::Length; 3] {
         let [first, ..] = &self.0;
         self.0.get(a).unwrap_or(first)

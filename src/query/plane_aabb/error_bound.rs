@@ -1,27 +1,23 @@
-//! How far the distance between a plane and a corner of a box may be from the truth, in
-//! units of u·(N·R + |d|), with u the unit roundoff.
+//! The error of the computed distance between a plane and a corner of a box, in units of u·(N·R +
+//! |d|), with u the unit roundoff.
 //!
-//! Let N be the greatest magnitude among the components of the normal n. Let v be the
-//! plane's point and h the half-extents, both in the box's frame, and R their greatest
-//! magnitude.
+//! N is the greatest magnitude among the components of the normal n. v is the plane's point and h
+//! the half-extents, both in the box's frame, and R is their greatest magnitude. The kernel
+//! computes n·v and Σ h·|n| and subtracts them. Each v errs by up to 3 (see
+//! `triangle_aabb::error_bound`). The count to first order is 36.
 //!
-//! * n·v: v errs by up to 3 (see `triangle_aabb::error_bound`). 3 terms of 3 + 1 + 2 = 6: 18.
-//! * Σ h·|n|: 3 terms of 1 + 1 + 2 = 4: 12.
-//! * Their difference, of at most 3 and 3: 6. In all 36; [`PLANE`] = 40.
+//! For a plane given by its offset d, v is the world's origin in the box's frame and errs by 1.
+//! Adding d adds 1 rounding, and the count is 33, plus 2 for |d|.
 //!
-//! A plane given by its offset d has no point. v is the world's origin then. Differences
-//! from zero are exact, so v errs by 1: 3 terms of 1 + 1 + 2 = 4: 12. To take d from n·v adds
-//! 3 and 1 for d, and the last difference 1 more for d. In all 33, and 2 for d.
-//!
-//! `error_bound.g` proves the bound, second orders and underflow included.
+//! `error_bound.g` proves [`PLANE`], second orders and underflow included.
 
 use crate::arithmetic::{Arithmetic, Number};
 
 /// Roundoffs in the distance.
 const PLANE: u16 = 40;
 
-/// The bound, for normals up to `normal`, lengths up to `size` and an offset times one
-/// of up to `offset`; `None` where it is not known.
+/// The bound for normals up to `normal`, lengths up to `size`, and an offset times one of up to
+/// `offset`. `None` if a size is out of range.
 #[inline(always)]
 pub(super) fn error_bound<N: Arithmetic>(
     normal: N::Length,

@@ -1,4 +1,4 @@
-//! The last stage of a plane and a box: exact sums.
+//! The last stage for a plane and a box: exact sums.
 
 use core::cmp::Ordering;
 
@@ -8,8 +8,8 @@ use crate::robust::{ExactSum, add_area, single};
 use crate::scalar::Scalar;
 use crate::shape::PlaneForm;
 
-/// The sign of n·(x − p), or of n·x + d, at the corner x of the box that lies
-/// farthest along n, or least far.
+/// The sign of n·(x − p), or of n·x + d, at the corner x of the box that lies farthest, or least
+/// far, along n.
 pub(super) fn corner_side<S: Scalar>(
     b: &ExactAabb,
     normal: [S; 3],

@@ -1,9 +1,8 @@
 //! Plane against axis-aligned box.
 //!
-//! E. Haines and J. Wallace, "Shaft Culling for Efficient Ray-Traced Radiosity",
-//! 1991: of the box's eight corners only two matter, the one farthest along the
-//! plane's normal and the one least far. Here both at once, as centre and radius
-//! of the box along the normal.
+//! E. Haines and J. Wallace, "Shaft Culling for Efficient Ray-Traced Radiosity", 1991: only two of
+//! the box's eight corners matter, the farthest and the least far along the plane's normal. Here
+//! both are tested at once, from the centre of the box and its radius along the normal.
 
 mod error_bound;
 mod exact;
@@ -18,20 +17,20 @@ use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Plane, PlaneForm};
 
-/// On which side of a plane a shape lies.
+/// The side of a plane on which a shape lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Side {
-    /// All of it before the plane, where the normal points to, and none on it.
+    /// The whole shape is in front of the plane, on the side of the normal, and does not touch it.
     Front,
-    /// All of it behind the plane, and none on it.
+    /// The whole shape is behind the plane, and does not touch it.
     Back,
-    /// On both sides, or touching the plane.
+    /// The shape has points on both sides, or touches the plane.
     Both,
 }
 
-/// The question whether all of the box lies on one side.
+/// The question whether the whole box lies on one side.
 struct Beyond<'a, S> {
     plane: &'a Plane<S>,
     aabb: &'a Aabb<S>,
@@ -66,7 +65,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S> {
             };
         }
 
-        // From the plane to the centre along n, and from the centre to a corner.
+        // The distances, along n, from the plane to the centre and from the centre to a corner.
         let d_area = match self.plane.form() {
             PlaneForm::Point(_) => N::Area::ZERO,
             PlaneForm::Offset(_) => N::times_one(d)?,
@@ -97,18 +96,18 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S> {
 }
 
 impl<S: Scalar> Plane<S> {
-    /// On which side of the plane an axis-aligned box lies.
+    /// The side of the plane on which an axis-aligned box lies.
     ///
-    /// *Geometry*: a closed box; flat boxes and points are boxes.
+    /// *Geometry*: the box is a closed set, and may be flat or a point.
     ///
     /// *Contact*: a box that touches the plane is [`Side::Both`].
     ///
     /// *Numerics*: exact for every valid input, in every scalar.
     ///
-    /// *Range*: all finite floats, all fixed-point values; 64-bit fixed point
-    /// beyond 2⁶⁰ units in its last place takes exact sums.
+    /// *Range*: all finite floats, all fixed-point values; 64-bit fixed point beyond 2⁶⁰ units in
+    /// the last place takes exact sums.
     ///
-    /// *Panics*: never. *Cost*: 6 or 12 multiplications.
+    /// *Panics*: never. *Cost*: 6 multiplications for a box in front, otherwise 12.
     ///
     /// *Source*: Haines and Wallace 1991; the exact stages are ours.
     ///

@@ -7,17 +7,17 @@ use crate::shape::{Aabb, AabbForm, Vec3};
 impl<S: Scalar> Aabb<S> {
     /// Whether the box contains a point.
     ///
-    /// *Geometry*: a closed box as it was given, by its corners or by centre and
-    /// half-extents. A point with a coordinate that is NaN or infinite is in no box.
+    /// *Geometry*: a closed box, in the form in which it was given. No box contains a point with a
+    /// NaN or infinite coordinate.
     ///
     /// *Contact*: a point on a face is in the box.
     ///
     /// *Numerics*: exact for every valid input, in every scalar.
     ///
-    /// *Range*: all finite floats, all fixed-point values; the same stages as for two boxes.
+    /// *Range*: all finite floats, all fixed-point values, in the same stages as for two boxes.
     ///
-    /// *Panics*: never. *Cost*: 6 comparisons for a box given by its corners; of one
-    /// given by its centre, that of two boxes.
+    /// *Panics*: never. *Cost*: 6 comparisons for a box given by its corners; for a box given by
+    /// its centre, as for two boxes.
     ///
     /// ```
     /// use septum::Aabb;
@@ -39,7 +39,7 @@ impl<S: Scalar> Aabb<S> {
                 holds(min.x, p.x, max.x) & holds(min.y, p.y, max.y) & holds(min.z, p.z, max.z)
             }
             form @ AabbForm::Center { .. } => {
-                // A point is a box, too.
+                // A point is a box of no extent.
                 p.is_finite()
                     && !S::evaluate(&Apart::new(form, &AabbForm::Corners { min: p, max: p }))
             }

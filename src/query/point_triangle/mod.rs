@@ -7,7 +7,7 @@ use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Triangle, Vec3};
 
-/// The question, for the number systems to answer.
+/// The question for the relation of point and triangle.
 struct Lies<'a, S> {
     point: [S; 3],
     triangle: &'a Triangle<S>,
@@ -36,15 +36,15 @@ impl<S: Scalar> Predicate<S> for Lies<'_, S> {
 impl<S: Scalar> Triangle<S> {
     /// Whether the triangle contains a point.
     ///
-    /// *Geometry*: a closed set, which may be a segment or a point. A point with a coordinate
-    /// that is NaN or infinite is in no triangle.
+    /// *Geometry*: a closed set, which may be a segment or a point. No triangle contains a point
+    /// with a NaN or infinite coordinate.
     ///
     /// *Contact*: a point on an edge is in the triangle.
     ///
-    /// *Numerics*: exact for every valid input, in every scalar. So most points that were
-    /// computed to lie in a triangle do not: they are rounded off its plane.
+    /// *Numerics*: exact for every valid input, in every scalar. Note that a point computed to lie
+    /// in a triangle is rounded, and usually lies off its plane.
     ///
-    /// *Range*: as of [two triangles](Triangle#impl-Overlaps<Triangle<S>>-for-Triangle<S>). In
+    /// *Range*: as for [two triangles](Triangle#impl-Overlaps<Triangle<S>>-for-Triangle<S>). In
     /// floats a point in the plane takes integers or exact sums.
     ///
     /// *Panics*: never. *Cost*: 9 multiplications for a point off the plane.

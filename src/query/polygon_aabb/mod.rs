@@ -1,12 +1,12 @@
-//! Polygon against axis-aligned box: the fan of its triangles, and what saves asking all of them.
+//! Polygon against axis-aligned box: the triangles of the fan, and tests that avoid most of them.
 //!
-//! D. Green, D. Hatch, "Fast Polygon-Cube Intersection Testing", *Graphics Gems V*, 1995: outcodes,
-//! edges, and a diagonal of the box against the inside. Here the outcodes of the faces, and the
-//! plane, are asked of all vertices at once (`rows`); then triangles, each exactly, beginning with
-//! the one that the centre of the box lies over.
+//! D. Green, D. Hatch, "Fast Polygon-Cube Intersection Testing", *Graphics Gems V*, 1995, test
+//! outcodes, then edges, then a diagonal of the box against the polygon. Here the outcodes of the
+//! faces and the plane are tested for all vertices at once (`rows`). The triangles follow, each
+//! exactly, beginning with the triangle onto which the centre of the box projects.
 //!
-//! There is no relation: touching would have to be told from overlapping where a flat box lies
-//! along a side that two triangles of the fan share, and what is bent has no interior to speak of.
+//! There is no `Relate` for this pair. A flat box may lie along a diagonal that two triangles of
+//! the fan share, and a bent fan has no clear interior.
 
 mod error_bound;
 mod rows;
@@ -20,26 +20,26 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Polygon<'_, S> {
     /// Whether a polygon and an axis-aligned box have a point in common.
     ///
     /// *Geometry*: closed sets in one frame and unit. The polygon is the fan of its
-    /// [`triangles`](Polygon::triangles), which is the polygon itself if it is convex and lies in
-    /// one plane; its vertices may coincide or lie on one line. The box may be flat or a point.
+    /// [`triangles`](Polygon::triangles), which equals the polygon if it is convex and planar. Its
+    /// vertices may coincide or lie on one line. The box may be flat or a point.
     ///
     /// *Contact*: touching is overlap.
     ///
-    /// *Numerics*: exact for every valid input, in every scalar; of three vertices it is the answer
-    /// for the triangle.
+    /// *Numerics*: exact for every valid input, in every scalar. A polygon of three vertices gets
+    /// the answer of the triangle.
     ///
-    /// *Range*: as of
-    /// [triangle and box](crate::Triangle#impl-Overlaps<Aabb<S>>-for-Triangle<S>).
+    /// *Range*: as for [triangle and box](crate::Triangle#impl-Overlaps<Aabb<S>>-for-Triangle<S>).
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: with vectors, 6 comparisons a vertex say whether one of them is in the box, or a
-    /// face separates; 9 multiplications and 3 a vertex, whether the plane does; 3 a vertex, which
-    /// triangle to ask first. Of those that meet the box it is nearly always the only one. Without
-    /// vectors, and of polygons that a slanted axis separates, all are asked.
+    /// *Cost*: on machines with vectors, 6 comparisons a vertex find a vertex in the box or a
+    /// separating face; 9 multiplications and 3 a vertex test the plane; 3 a vertex choose the
+    /// triangle to test first. If the polygon meets the box, usually no further triangle is tested.
+    /// Without vectors, and for polygons that only a slanted axis separates, every triangle is
+    /// tested.
     ///
-    /// *Source*: outcodes by Voorhies 1992, before the rest, by Green and Hatch 1995; the fan and
-    /// its order are ours. As published it is
+    /// *Source*: outcodes are by Voorhies 1992; Green and Hatch 1995 test them first. The fan and
+    /// its order are ours. The method as published is
     /// [`green_hatch`](crate::published::green_hatch::overlaps).
     ///
     /// ```
@@ -57,7 +57,7 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Polygon<'_, S> {
     /// ```
     fn overlaps(&self, aabb: &Aabb<S>) -> bool {
         let mut first = 1;
-        // A triangle knows best itself.
+        // A triangle has a faster test of its own.
         if S::IN_QUADS && self.vertices().len() > 3 {
             match survey(self.vertices(), aabb) {
                 Survey::Meets => return true,

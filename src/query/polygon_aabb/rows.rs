@@ -1,4 +1,4 @@
-//! What floats say of all vertices together: x, y and z of a vertex side by side.
+//! A first look at all vertices in floats, with x, y and z of a vertex side by side.
 
 use super::error_bound::error_bound;
 use crate::arithmetic::{Filtered, FirstFloat, Float, Number, OfFour, Quad, THREE};
@@ -9,22 +9,22 @@ use crate::shape::{Aabb, AabbForm, Vec3};
 type First<S> = <S as FirstFloat>::First;
 type Row<S> = <First<S> as OfFour>::Quad;
 
-/// What is known before a triangle is asked.
+/// The result of the first look.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Survey {
     /// A vertex lies in the box.
     Meets,
     /// A face of the box separates, or the plane of the polygon.
     Apart,
-    /// Nothing for certain. If any triangle meets the box, it is apt to be the one of the first
-    /// vertex, this one and the next.
+    /// No certain answer. If any triangle meets the box, it is probably the triangle of vertices 0,
+    /// k and k + 1.
     AskFirst(usize),
 }
 
-/// What the vertices say, which are four or more.
+/// Looks at all vertices; there are four or more.
 #[inline(never)]
 pub(super) fn survey<S: Scalar>(vertices: &[Vec3<S>], aabb: &Aabb<S>) -> Survey {
-    // Rounding keeps order: what a rounded difference says is right, but where it is equal.
+    // Rounding is monotonic: the sign of a rounded difference is right, unless it is zero.
     match aabb.form() {
         AabbForm::Center { center, half } => {
             let (center, half) = (row::<S>(center), row::<S>(half));
@@ -55,15 +55,15 @@ pub(super) fn survey<S: Scalar>(vertices: &[Vec3<S>], aabb: &Aabb<S>) -> Survey 
     }
 }
 
-/// A box in one of its forms.
+/// The tests of a box in one of its forms.
 struct Codes<Q, I, B, F> {
-    /// The numbers that it is given by.
+    /// The two vectors that the box is given by.
     of_box: [Q; 2],
-    /// Whether a point is certainly in it.
+    /// Whether a point is certainly in the box.
     is_inside: I,
-    /// Whether what lies from one row to another is certainly beyond a face.
+    /// Whether everything between two corners is certainly beyond a face.
     is_beyond: B,
-    /// A point in its frame.
+    /// Moves a point to the box's frame.
     from_center: F,
     half: Q,
 }
@@ -103,8 +103,8 @@ where
         self.by_plane::<S>(vertices, size(self.half, high - low))
     }
 
-    /// Whether the plane of three vertices separates; if not, over which triangle of the fan the
-    /// centre of the box lies.
+    /// Whether the plane of three vertices separates. If not, finds the triangle of the fan nearest
+    /// to the centre of the box.
     #[inline(always)]
     fn by_plane<S: Scalar<First = Q::Lane>>(&self, vertices: &[Vec3<S>], size: First<S>) -> Survey
     where
@@ -115,7 +115,7 @@ where
         };
         let (zero, count) = (First::<S>::ZERO, vertices.len());
         let at = |k: usize| row::<S>(&vertices[k]);
-        // Far from each other: the first three may lie on one line.
+        // Three vertices far from each other, because the first three may lie on one line.
         let (a, b, c) = (at(0), at(count / 3), at(2 * count / 3));
         let n = cross(b - a, c - b);
         let radius = sum(n.magnitude() * self.half);
@@ -129,8 +129,8 @@ where
             }
         }
 
-        // Seen along n the way from vertex 0 to vertex k + 1 passes the centre on its right:
-        // n·(e × o) = e·(o × n), with o the way to the centre. No verdict hangs on this.
+        // Seen along n, the line from vertex 0 to vertex k + 1 passes the centre on its right: n·(e
+        // × o) = e·(o × n), with o the vector to the centre. No verdict depends on this.
         let across = cross(n, a_from_center);
         let start = sum(across * a);
         let passes = |&k: &usize| sum(across * at(k + 1)) <= start;
@@ -153,7 +153,8 @@ mod tests {
     use super::{Survey, survey};
     use crate::shape::{Aabb, Polygon, Vec3};
 
-    /// No answer shows a survey that tells less than it could, or names the wrong triangle.
+    /// No answer changes if a survey decides less than it could, or names the wrong triangle. These
+    /// counts do.
     #[test]
     fn most_hexagons_take_one_triangle_at_most() {
         const CORNERS: [[f32; 2]; 6] = [[2., 1.], [1., 2.], [0., 2.], [0., 1.], [1., 0.], [2., 0.]];

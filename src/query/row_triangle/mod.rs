@@ -1,11 +1,11 @@
-//! Row against triangle: whether the half-line from a point along the first axis goes through
-//! the triangle, each crossing of a closed mesh counted once.
+//! Half-line against triangle: whether the half-line from a point along the first axis crosses the
+//! triangle, such that each crossing of a closed mesh counts once.
 //!
-//! The half-line is seen from its end: there the triangle lies in the plane of the other
-//! two axes, and the point is in it or not. A point on an edge or a vertex belongs to one of
-//! the triangles there, as if it were moved by (·, ε, ε²): one displacement for all
-//! triangles, hence consistent. What is in doubt is the sign of an area. The sign of a volume
-//! is asked for only where the triangle reaches from before the point to behind it.
+//! Project along the half-line: the triangle lies in the plane of the other two axes, and contains
+//! the point or not. A point on an edge or a vertex belongs to exactly one of the triangles there,
+//! as if it were displaced by (·, ε, ε²) (symbolic perturbation); the same displacement for all
+//! triangles makes the counts consistent. The only sign that can be in doubt is a planar area's.
+//! The sign of a volume is needed only if the triangle extends from before the point to behind it.
 
 use super::orientation::{ExactPoints, Points, from, sides, sign, size};
 use crate::arithmetic::{Arithmetic, Embeds, Number};
@@ -13,16 +13,16 @@ use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
-/// How the half-line from `p` along the first axis crosses a triangle that does not contain
-/// `p`: 1 against the triangle's normal turned round, which is from inside a mesh with normals
-/// outward, −1 along with it, 0 not at all.
+/// How the half-line from `p` along the first axis crosses a triangle that does not contain `p`: 1
+/// if it leaves through the triangle, along its normal, −1 if it enters, against the normal, 0 if
+/// it does not cross. The sign assumes normals that point outward.
 #[inline]
 pub(crate) fn crossing<S: Scalar>(p: [S; 3], triangle: &Triangle<S>) -> i32 {
     let points = triangle.points();
     let [a, b, c] = &points;
     let [px, py, pz] = p;
     let above = |q: &[S; 3]| q[2] > pz;
-    // Nearly all triangles of a column are left out here.
+    // Most triangles along the half-line are rejected here.
     if (above(a) == above(b)) & (above(b) == above(c)) {
         return 0;
     }
@@ -45,13 +45,13 @@ pub(crate) fn crossing<S: Scalar>(p: [S; 3], triangle: &Triangle<S>) -> i32 {
     if turns == 0 || is_ahead {
         return turns;
     }
-    // The plane is met ahead if the volume has the sign of the normal's first component.
+    // The half-line crosses the plane if the volume has the sign of the normal's first component.
     let volume = S::evaluate(&Volume { p, points });
     if (volume > 0) == (turns > 0) { turns } else { 0 }
 }
 
-/// Whether the point lies before the edge from `u` to `v`, along the second axis and on the
-/// point's level of the third, which the edge crosses.
+/// Whether the point lies before the edge from `u` to `v` along the second axis, at its own level
+/// of the third axis, which the edge crosses.
 #[inline(always)]
 fn is_before<S: Scalar>(py: S, p: [S; 3], u: &[S; 3], v: &[S; 3]) -> bool {
     if (u[1] <= py) & (v[1] <= py) {
@@ -64,16 +64,16 @@ fn is_before<S: Scalar>(py: S, p: [S; 3], u: &[S; 3], v: &[S; 3]) -> bool {
     turn == if v[2] > u[2] { 1 } else { -1 }
 }
 
-/// Roundoffs in the area, per sum of the sizes of its two products.
+/// Roundoffs in the area, per sum of the sizes of its two products a and b.
 ///
-/// Each is the product of two differences: 2 roundings for these, 1 for the product, and 1 for
-/// the last difference, of at most |a| + |b|. In all 4; the others are for second orders and
-/// for the roundings of the bound. What underflow takes is below the least normal number, which
-/// is added. Proved in `area.g`.
+/// Each product has two differences as factors: 2 roundings for these, 1 for the product, and 1 for
+/// the last difference, of at most |a| + |b|: 4. Two more cover second orders and the roundings of
+/// the bound. The loss by underflow is below the least normal number, which is added. Proved in
+/// `area.g`.
 const TURN: u16 = 6;
 
-/// The question on which side of the edge from `u` to `v` the point is, by the second and the
-/// third coordinate: the sign of (v − u) × (p − u).
+/// The question on which side of the edge from `u` to `v` the point is, in the second and third
+/// coordinates: the sign of (v − u) × (p − u).
 struct Turn<S> {
     p: [S; 3],
     u: [S; 3],
@@ -99,8 +99,8 @@ impl<S: Scalar> Predicate<S> for Turn<S> {
     }
 }
 
-/// The question on which side of a triangle the point is: the sign of n·(a − p), with n the
-/// normal of a, b and c.
+/// The question on which side of a triangle the point is: the sign of n·(a − p), with n the normal
+/// of the triangle a, b, c.
 struct Volume<S> {
     p: [S; 3],
     points: [[S; 3]; 3],
@@ -123,7 +123,7 @@ impl<S: Scalar> Predicate<S> for Volume<S> {
     }
 }
 
-/// The sign, unless it is zero by doubt.
+/// The sign, or `None` if it is zero because of doubt.
 #[inline(always)]
 fn settled<N: Arithmetic>(sign: i8) -> Option<i8> {
     if sign != 0 || N::CERTAIN { Some(sign) } else { None }

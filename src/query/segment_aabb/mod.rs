@@ -1,8 +1,8 @@
 //! Segment against axis-aligned box: the exact verdict.
 //!
-//! T. Akenine-Möller, E. Haines, N. Hoffman et al., *Real-Time Rendering*, section
-//! 16.7: three face normals and three cross products. Here both kinds of axes are
-//! comparisons of the ends of slabs; see `line_aabb`.
+//! T. Akenine-Möller, E. Haines, N. Hoffman et al., *Real-Time Rendering*, section 16.7: three face
+//! normals and three cross products. Here both kinds of axes compare the ends of slabs; see
+//! `line_aabb`.
 
 use super::Overlaps;
 use super::line_aabb::{ExactLine, Slabs};
@@ -11,7 +11,7 @@ use crate::robust::{Predicate, Uncertain};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Segment, SegmentForm};
 
-/// The question, for the number systems to answer.
+/// The question whether segment and box are disjoint.
 struct Disjoint<'a, S> {
     segment: &'a Segment<S>,
     aabb: &'a Aabb<S>,
@@ -67,7 +67,7 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
 
 #[inline(always)]
 fn verdict<N: Arithmetic>(faces: Uncertain, line: &Slabs<N>) -> Option<bool> {
-    // Half of a scene's boxes or more lie off to one side; a face needs no product.
+    // In most scenes a face separates half of the pairs or more, and needs no product.
     if faces.certain {
         return Some(true);
     }
@@ -77,25 +77,22 @@ fn verdict<N: Arithmetic>(faces: Uncertain, line: &Slabs<N>) -> Option<bool> {
 impl<S: Scalar> Overlaps<Aabb<S>> for Segment<S> {
     /// Whether a segment and an axis-aligned box have a point in common.
     ///
-    /// *Geometry*: closed sets in one frame and unit, each as it was given: by ends
-    /// or by centre and half-vector, by corners or by centre and half-extents.
-    /// Segments that are points and boxes that are flat are what they are.
+    /// *Geometry*: closed sets in one frame and unit, each in the form in which it was given: ends
+    /// or centre and half-vector, corners or centre and half-extents. The segment may be a point,
+    /// and the box may be flat.
     ///
     /// *Contact*: touching is overlap.
     ///
     /// *Numerics*: exact for every valid input, in every scalar.
     ///
-    /// *Range*: all finite floats, all fixed-point values. The fast stage serves
-    /// floats while coordinate differences are zero or between 2⁻³² and 2⁴⁰ (`f32`)
-    /// or 2⁻³²⁰ and 2³²⁰ (`f64`), and fixed point while coordinates are below 2²⁸
-    /// (32 bits) or 2⁶⁰ (64 bits) units in the last place; 8 and 16 bits always.
-    /// Outside, and for floats within rounding of contact, wider numbers take over
-    /// and at last exact sums, up to a thousand times slower.
+    /// *Range*: all finite floats, all fixed-point values. The fast stage decides floats whose
+    /// coordinate differences are zero or between 2⁻³² and 2⁴⁰ (`f32`) or 2⁻³²⁰ and 2³²⁰ (`f64`),
+    /// and fixed point below 2²⁸ (32 bits) or 2⁶⁰ (64 bits) units in the last place; with 8 and 16
+    /// bits it always decides. Other inputs, and floats within rounding of contact, take wider
+    /// numbers and last exact sums, up to a thousand times slower.
     ///
-    /// *Panics*: never. *Cost*: 12 multiplications, 9 or 12 differences. Choose it
-    /// wherever a wrong answer would be seen; as published, in
-    /// [`separating_axes`](crate::published::separating_axes), it takes about half the
-    /// time in `f32`.
+    /// *Panics*: never. *Cost*: 12 multiplications, 9 or 12 differences. The rounded method,
+    /// [`separating_axes`](crate::published::separating_axes), takes about half the time in `f32`.
     ///
     /// *Source*: *Real-Time Rendering* 16.7; the exact stages are ours.
     ///
@@ -116,13 +113,12 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Segment<S> {
 
     /// Whether a segment and an axis-aligned box may have a point in common.
     ///
-    /// *Numerics*: `false` is certain. Fixed point is exact, but 64 bits answer `true`
-    /// beyond 2⁶⁰ units in the last place. Floats answer `true` within a few roundings
-    /// of contact, and outside the range of the first stage of
-    /// [`overlaps`](Overlaps::overlaps).
+    /// *Numerics*: `false` is certain. Fixed point is exact, except that 64 bits return `true`
+    /// beyond 2⁶⁰ units in the last place. Floats return `true` within a few roundings of contact,
+    /// and outside the range of the first stage of [`overlaps`](Overlaps::overlaps).
     ///
-    /// *Panics*: never. *Cost*: bounded; in floats the first stage of
-    /// [`overlaps`](Overlaps::overlaps), and in fixed point of up to 32 bits
+    /// *Panics*: never. *Cost*: bounded. In floats it is the first stage of
+    /// [`overlaps`](Overlaps::overlaps); in fixed point of up to 32 bits it is
     /// [`overlaps`](Overlaps::overlaps) itself.
     #[inline]
     fn may_overlap(&self, aabb: &Aabb<S>) -> bool {

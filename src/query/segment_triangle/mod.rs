@@ -10,22 +10,22 @@ use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Segment, SegmentForm, Triangle};
 
-/// The question, for the number systems to answer.
+/// The question for the relation of segment and triangle.
 struct Lie<'a, S> {
     segment: &'a Segment<S>,
     triangle: &'a Triangle<S>,
     asked: Asked,
 }
 
-/// A segment, seen from a triangle.
+/// A segment and a triangle as the vectors between them.
 struct Setting<N: Arithmetic> {
     /// From the first vertex to both ends.
     ends: [Vector<N>; 2],
     /// From one end to all vertices.
     vertices: [Vector<N>; 3],
-    /// From that end to the other.
+    /// From the first end to the second.
     d: Vector<N>,
-    /// The greatest magnitude in all of these.
+    /// The greatest magnitude among the components of these vectors.
     size: N::Length,
 }
 
@@ -43,7 +43,7 @@ impl<N: Arithmetic> Setting<N> {
     #[inline(always)]
     fn by_center([c, h]: [&Vector<N>; 2], triangle: &[Vector<N>; 3]) -> Self {
         let [p, q, r] = three(|k| from::<N>(&triangle[k], c));
-        // No sum is greater, nor what it is made of.
+        // No sum, and no operand of a sum, is greater.
         let size = size::<N, 3>(&[p, q, r]) + (size::<N, 1>(&[*h]) + size::<N, 1>(&[*h]));
         let plus = |v: &Vector<N>| [v[0] + h[0], v[1] + h[1], v[2] + h[2]];
         let to_center = from::<N>(c, &triangle[0]);
@@ -51,8 +51,7 @@ impl<N: Arithmetic> Setting<N> {
         Self { ends, vertices: [plus(&p), plus(&q), plus(&r)], d: plus(h), size }
     }
 
-    /// How the two lie to each other, if that does not hang on a sign in doubt, and not all
-    /// lies in one plane.
+    /// The relation, unless a sign is in doubt or both shapes lie in one plane.
     #[inline(always)]
     fn relation(&self, [p, q, r]: &[Vector<N>; 3]) -> Option<Relation> {
         let Self { ends, vertices: [u, v, w], d, size } = self;
@@ -62,7 +61,7 @@ impl<N: Arithmetic> Setting<N> {
             return Some(Relation::Disjoint);
         }
         let error = error_bound::<N>([*size; 3])?;
-        // The line passes the edges of the triangle.
+        // The signs of the three volumes say on which side the line passes each edge.
         let [dv, dw] = [cross::<N>(d, v), cross::<N>(d, w)];
         let passes = [
             sign(-dot::<N>(&dv, u), error),
@@ -103,7 +102,7 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
         }
         let ends = match self.segment.form() {
             SegmentForm::Ends(..) => [a, b],
-            // In floats these are rounded.
+            // In floats these ends are rounded.
             SegmentForm::Center { .. } if !N::CERTAIN => return None,
             SegmentForm::Center { .. } => {
                 [from::<N>(&a, &b), [a[0] + b[0], a[1] + b[1], a[2] + b[2]]]
@@ -121,23 +120,23 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
 impl<S: Scalar> Overlaps<Triangle<S>> for Segment<S> {
     /// Whether a segment and a triangle have a point in common.
     ///
-    /// *Geometry*: closed sets in one frame and unit, the segment as it was given: by ends or
-    /// by centre and half-vector. The segment may be a point, the triangle a segment or a
-    /// point.
+    /// *Geometry*: closed sets in one frame and unit, the segment in the form in which it was
+    /// given: ends or centre and half-vector. The segment may be a point, the triangle a segment or
+    /// a point.
     ///
-    /// *Contact*: touching is overlap, in one plane too: a segment in the plane of a triangle
-    /// overlaps it if it meets an edge or lies inside. (A ray in that plane has no hit:
-    /// [`Ray::hit`](crate::Ray::hit) has another answer, for it gives a t.)
+    /// *Contact*: touching is overlap. A segment in the plane of a triangle overlaps it if it meets
+    /// an edge or lies inside. [`Ray::hit`](crate::Ray::hit) differs: a ray in the plane has no
+    /// hit, because a hit needs a single t.
     ///
     /// *Numerics*: exact for every valid input, in every scalar.
     ///
-    /// *Range*: as of [two triangles](Triangle#impl-Overlaps<Triangle<S>>-for-Triangle<S>).
+    /// *Range*: as for [two triangles](Triangle#impl-Overlaps<Triangle<S>>-for-Triangle<S>).
     ///
-    /// *Panics*: never. *Cost*: 12 or 33 multiplications: after 12 it may be known that the
-    /// segment lies on one side of the triangle's plane.
+    /// *Panics*: never. *Cost*: 33 multiplications, or 12 if the segment lies on one side of the
+    /// triangle's plane.
     ///
-    /// *Source*: the signs are those of O. Devillers and P. Guigue, INRIA RR-4488, 2002; the
-    /// exact stages are ours.
+    /// *Source*: the signs are by O. Devillers and P. Guigue, INRIA RR-4488, 2002; the exact stages
+    /// are ours.
     ///
     /// ```
     /// use septum::{Segment, Triangle};
@@ -157,13 +156,12 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Segment<S> {
 
     /// Whether a segment and a triangle may have a point in common.
     ///
-    /// *Numerics*: `false` is certain. Fixed point is exact, but 64 bits answer `true`
-    /// beyond 2⁶⁰ units in the last place. Floats answer `true` within a few roundings
-    /// of contact, and outside the range of the first stage of
-    /// [`overlaps`](Overlaps::overlaps).
+    /// *Numerics*: `false` is certain. Fixed point is exact, except that 64 bits return `true`
+    /// beyond 2⁶⁰ units in the last place. Floats return `true` within a few roundings of contact,
+    /// and outside the range of the first stage of [`overlaps`](Overlaps::overlaps).
     ///
-    /// *Panics*: never. *Cost*: bounded; in floats the first stage of
-    /// [`overlaps`](Overlaps::overlaps), and in fixed point of up to 32 bits
+    /// *Panics*: never. *Cost*: bounded. In floats it is the first stage of
+    /// [`overlaps`](Overlaps::overlaps); in fixed point of up to 32 bits it is
     /// [`overlaps`](Overlaps::overlaps) itself.
     #[inline]
     fn may_overlap(&self, triangle: &Triangle<S>) -> bool {

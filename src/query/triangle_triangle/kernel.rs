@@ -5,12 +5,13 @@ use crate::query::relation::Relation;
 /// Three points.
 type Points<N> = [[<N as Arithmetic>::Length; 3]; 3];
 
-/// How two triangles lie to each other, if their planes cross and all signs are certain.
+/// The relation of two triangles, if their planes cross and all signs are certain.
 ///
-/// Unless all vertices of the one are on one side of the other's plane, either has an apex
-/// that lies alone. The planes meet in a line, and on it two edges from the apex cut out an
-/// interval. Two signs say whether both intervals meet: of the volumes of edge and edge.
-/// Volumes have their origin in the apex of the first, so they share differences.
+/// Unless one triangle lies on one side of the other's plane, each has an apex: a vertex alone on
+/// its side. The two planes meet in a line, and on that line the two edges from each apex cut out
+/// an interval. The signs of two volumes, each spanned by an edge of either triangle, say whether
+/// the intervals meet. All volumes have the first triangle's apex as origin, and share its
+/// differences.
 #[inline(always)]
 pub(super) fn crossing<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> Option<Relation> {
     let [p, q] = [first, second];
@@ -38,7 +39,7 @@ pub(super) fn crossing<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> 
         return None;
     }
 
-    // Each in such an order that the apex of the other is above its plane.
+    // Each triangle in the order that puts the apex of the other above its plane.
     let (i, is_second_above) = apex(second);
     let (i, j, k) = turn(i);
     let (e, f) = if is_second_above { (e, f) } else { (f, e) };
@@ -59,7 +60,7 @@ pub(super) fn crossing<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> 
     if N::CERTAIN { Some(Relation::Touching) } else { None }
 }
 
-/// Whether the first shape is certain to lie on one side of the plane of the second.
+/// Whether the first triangle certainly lies on one side of the plane of the second.
 #[inline(always)]
 pub(super) fn is_beyond<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> bool {
     let [a, b, c] = second;

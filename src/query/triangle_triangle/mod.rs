@@ -1,7 +1,7 @@
 //! Triangle against triangle.
 //!
-//! O. Devillers, P. Guigue, "Faster Triangle-Triangle Intersection Tests", INRIA RR-4488,
-//! 2002. Which side of a plane a point lies on is asked eight times at most.
+//! O. Devillers, P. Guigue, "Faster Triangle-Triangle Intersection Tests", INRIA RR-4488, 2002. At
+//! most eight signs of volumes decide.
 
 mod kernel;
 
@@ -14,7 +14,7 @@ use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
-/// The question, for the number systems to answer.
+/// The question for the relation of two triangles.
 struct Lie<'a, S> {
     first: &'a Triangle<S>,
     second: &'a Triangle<S>,
@@ -33,7 +33,7 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
         if settled.is_some() {
             return settled;
         }
-        // In floats it is often a vertex that both have, or triangles beside each other in a plane.
+        // In floats, most doubts are shared vertices, or triangles side by side in one plane.
         in_doubt::<N>(&first, &second, self.asked).or_else(|| {
             let are_apart = is_beyond::<N>(&first, &second) || is_beyond::<N>(&second, &first);
             are_apart.then_some(Relation::Disjoint)
@@ -50,24 +50,23 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Triangle<S> {
     ///
     /// *Geometry*: closed sets in one frame and unit. Either may be a segment or a point.
     ///
-    /// *Contact*: touching is overlap, in one plane too: triangles that share a vertex or a
-    /// part of an edge, or one of which lies in the other, overlap.
+    /// *Contact*: touching is overlap. Triangles that share a vertex or part of an edge overlap,
+    /// and so does a triangle that lies in the other, in one plane too.
     ///
     /// *Numerics*: exact for every valid input, in every scalar. Either order of the
     /// triangles and of their vertices gives the same answer.
     ///
-    /// *Range*: all finite floats, all fixed-point values. The fast stage serves
-    /// floats while spans are between 2⁻³² and 2⁴⁰ (`f32`) or 2⁻³²⁰ and 2³²⁰ (`f64`),
-    /// and fixed point while coordinates are below 2²⁸ (32 bits) or 2⁶⁰ (64 bits)
-    /// units in the last place; 8 and 16 bits always. Outside, and for floats within rounding
-    /// of contact, wider numbers take over and at last exact sums, up to a thousand times
-    /// slower.
+    /// *Range*: all finite floats, all fixed-point values. The fast stage decides floats with spans
+    /// between 2⁻³² and 2⁴⁰ (`f32`) or 2⁻³²⁰ and 2³²⁰ (`f64`), and fixed point below 2²⁸ (32 bits)
+    /// or 2⁶⁰ (64 bits) units in the last place; with 8 and 16 bits it always decides. Other
+    /// inputs, and floats within rounding of contact, take wider numbers and last exact sums, up to
+    /// a thousand times slower.
     ///
-    /// *Panics*: never. *Cost*: 15, 30 or 48 multiplications: after 15 and after 30 it may be
-    /// known that one lies on one side of the other's plane.
+    /// *Panics*: never. *Cost*: 48 multiplications, or 15 or 30 if a triangle lies on one side of
+    /// the other's plane.
     ///
-    /// *Source*: O. Devillers, P. Guigue, INRIA RR-4488, 2002. Ours are the error bound, the
-    /// exact stages, and what is done about segments, points and triangles in one plane.
+    /// *Source*: O. Devillers, P. Guigue, INRIA RR-4488, 2002. The error bound, the exact stages,
+    /// and the treatment of segments, points and triangles in one plane are ours.
     ///
     /// ```
     /// use septum::Triangle;
@@ -87,13 +86,12 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Triangle<S> {
 
     /// Whether two triangles may have a point in common.
     ///
-    /// *Numerics*: `false` is certain. Fixed point is exact, but 64 bits answer `true`
-    /// beyond 2⁶⁰ units in the last place. Floats answer `true` within a few roundings
-    /// of contact, and outside the range of the first stage of
-    /// [`overlaps`](Overlaps::overlaps).
+    /// *Numerics*: `false` is certain. Fixed point is exact, except that 64 bits return `true`
+    /// beyond 2⁶⁰ units in the last place. Floats return `true` within a few roundings of contact,
+    /// and outside the range of the first stage of [`overlaps`](Overlaps::overlaps).
     ///
-    /// *Panics*: never. *Cost*: bounded; in floats the first stage of
-    /// [`overlaps`](Overlaps::overlaps), and in fixed point of up to 32 bits
+    /// *Panics*: never. *Cost*: bounded. In floats it is the first stage of
+    /// [`overlaps`](Overlaps::overlaps); in fixed point of up to 32 bits it is
     /// [`overlaps`](Overlaps::overlaps) itself.
     #[inline]
     fn may_overlap(&self, other: &Triangle<S>) -> bool {
