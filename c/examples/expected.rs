@@ -1,4 +1,5 @@
-//! What examples/check.c prints, by the crate itself; with the argument `mesh` examples/mesh.h.
+//! Prints the expected output of examples/check.c, computed by the crate itself; with the argument
+//! `mesh` prints examples/mesh.h.
 
 use std::fmt::Debug;
 
@@ -9,7 +10,7 @@ use septum::{Aabb, Facing, Feature, Hit, Obb, Ray, Scalar, Triangle, Vec3};
 const ROUNDS: usize = 256;
 const HASH: u32 = 2_166_136_261;
 
-/// xorshift, by Marsaglia (2003).
+/// xorshift (G. Marsaglia, 2003).
 struct Stream(u32);
 
 impl Stream {
@@ -30,7 +31,7 @@ fn add(hash: u32, word: u32) -> u32 {
     word.to_le_bytes().iter().fold(hash, |h, &b| (h ^ u32::from(b)).wrapping_mul(16_777_619))
 }
 
-/// A torus of four sides, of four sides each: vertices in 65,536ths, and faces.
+/// A torus with four sides in both directions: vertices in 65,536ths, and faces.
 fn torus() -> ([[i32; 3]; 16], [[u16; 3]; 32]) {
     const QUARTERS: [[i32; 2]; 4] = [[1, 0], [0, 1], [-1, 0], [0, -1]];
     let (mut vertices, mut faces) = ([[0; 3]; 16], [[0; 3]; 32]);
@@ -48,7 +49,7 @@ fn torus() -> ([[i32; 3]; 16], [[u16; 3]; 32]) {
     (vertices, faces)
 }
 
-/// The torus with its faces in the order of a tree, and the tree's nodes.
+/// The faces of the torus in the tree's order, and the tree's nodes.
 fn sorted<S: Scalar>(vertices: &[Vec3<S>]) -> ([[u16; 3]; 32], [Node; 3]) {
     let (_, faces) = torus();
     let (mut nodes, mut order) = ([Node::EMPTY; 3], [0; 32]);

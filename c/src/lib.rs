@@ -1,10 +1,10 @@
 //! septum for C: exact overlap and ray queries for triangles and boxes.
 //!
-//! Each function has the numbers it takes in its name: `i8f8` and `i16f16` are fixed point as
-//! raw bits (a number times 2⁸ or 2¹⁶), `f32` is `float`. Shapes are plain structures of
-//! numbers, checked at each call: a bad one, or a null pointer, is an error and never a
-//! crash. A mesh is in the caller's memory, and looked through once. All shapes are closed sets:
-//! touching is overlap. Nothing allocates, keeps a state or panics.
+//! The name of each function ends in the type of its numbers: `i8f8` and `i16f16` are fixed point
+//! as raw bits (a number times 2⁸ or 2¹⁶), `f32` is `float`. Shapes are plain structures of
+//! numbers, checked at each call: an invalid shape or a null pointer returns an error, and never
+//! crashes. A mesh stays in the caller's memory, and is checked once, when it is opened. All shapes
+//! are closed sets: touching is overlap. Nothing allocates, keeps state or panics.
 
 #![cfg_attr(target_os = "none", no_std)]
 
@@ -17,7 +17,7 @@ pub use mesh::*;
 pub use queries::*;
 pub use shapes::{Aabb, Answer, Hit, Obb, Ray, Triangle};
 
-/// A linked program has none of it, if it does not panic.
+/// The linker drops it from a program that cannot panic.
 #[cfg(target_os = "none")]
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {

@@ -1,4 +1,4 @@
-//! A mesh and its tree in the caller's memory, and what is asked about them.
+//! A mesh and its tree in the caller's memory, and queries on them.
 
 use core::marker::PhantomData;
 use core::mem::{align_of, size_of};
@@ -10,8 +10,8 @@ use septum::mesh::{self, MeshError, Node};
 use crate::number::{I8F8, I16F16, Number};
 use crate::shapes::Answer;
 
-/// A closed mesh and the nodes of its tree, in flash for example: triangles are indices of
-/// vertices, in the tree's order. septum's example `quantise` makes such tables.
+/// A closed mesh and the nodes of its tree, for example in flash. Triangles are indices of
+/// vertices, and are listed in the tree's order. septum's example `quantise` writes such tables.
 #[repr(C)]
 pub struct Mesh<T> {
     pub vertices: *const [T; 3],
@@ -22,18 +22,18 @@ pub struct Mesh<T> {
     pub node_count: usize,
 }
 
-/// A mesh that was looked through and is sound. Only `septum_tree_open` writes one; it may be
-/// copied. The mesh must stay where it is.
+/// A mesh that has been checked. Only `septum_tree_open` writes one. It may be copied, but the mesh
+/// must stay where it is.
 #[repr(C)]
 pub struct Tree<T> {
-    /// What the library keeps there.
+    /// Private to the library.
     pub opaque: [u64; 24],
     pub numbers: PhantomData<T>,
 }
 
 type Opened<T> = mesh::Tree<'static, <T as Number>::Scalar, u16>;
 
-/// What is in a [`Tree`]: a mark first, so that zeros are none.
+/// The contents of a [`Tree`]: first a mark that is not zero, so that a tree of zeros is not open.
 #[repr(C)]
 struct Kept<T: Number> {
     mark: u64,
@@ -60,7 +60,8 @@ impl From<MeshError> for Answer {
 }
 
 /// # Safety
-/// The pointers of the mesh lead to as many elements as it says, for as long as the tree is used.
+/// Each pointer of the mesh leads to as many elements as the mesh says, for as long as the tree is
+/// used.
 unsafe fn open<T: Number>(mesh: Option<&Mesh<T>>, tree: *mut Tree<T>) -> Answer {
     let () = Kept::<T>::FITS;
     let Some(mesh) = mesh else { return Answer::NullPointer };
@@ -68,8 +69,8 @@ unsafe fn open<T: Number>(mesh: Option<&Mesh<T>>, tree: *mut Tree<T>) -> Answer 
     {
         return Answer::NullPointer;
     }
-    // SAFETY: none is null, and each is as long as the caller says. A `Vec3` is three numbers in
-    // C's order, a scalar the bits that `Number` says, and a node its bits.
+    // SAFETY: no pointer is null, and each slice is as long as the caller says. A `Vec3` is three
+    // numbers in C's order, a scalar has the bits that `Number` says, and a node is its bits.
     let (vertices, triangles, nodes) = unsafe {
         (
             slice::from_raw_parts(mesh.vertices.cast::<Vec3<T::Scalar>>(), mesh.vertex_count),
@@ -80,7 +81,7 @@ unsafe fn open<T: Number>(mesh: Option<&Mesh<T>>, tree: *mut Tree<T>) -> Answer 
     let opened = mesh::Mesh::new(vertices, triangles).and_then(|mesh| mesh::Tree::new(mesh, nodes));
     match opened {
         Ok(opened) => {
-            // SAFETY: not null, and of the size and alignment that `FITS` compared.
+            // SAFETY: the pointer is not null, and `FITS` compared size and alignment.
             unsafe { tree.cast::<Kept<T>>().write(Kept { mark: Kept::<T>::MARK, tree: opened }) };
             Answer::Yes
         }
@@ -89,13 +90,13 @@ unsafe fn open<T: Number>(mesh: Option<&Mesh<T>>, tree: *mut Tree<T>) -> Answer 
 }
 
 /// # Safety
-/// The tree is zero, or from [`open`].
+/// The tree is zero, or was written by [`open`].
 unsafe fn contains<T: Number>(tree: Option<&Tree<T>>, point: Option<&[T; 3]>) -> Answer {
     let (Some(tree), Some(point)) = (tree, point) else { return Answer::NullPointer };
     if tree.opaque[0] != Kept::<T>::MARK {
         return Answer::NotOpen;
     }
-    // SAFETY: by the mark it is from `open`.
+    // SAFETY: the mark says that `open` wrote it.
     let kept = unsafe { &*core::ptr::from_ref(tree).cast::<Kept<T>>() };
     let point = point.map(T::scalar);
     if !point.iter().all(|x| septum::Scalar::is_finite(*x)) {
@@ -104,11 +105,12 @@ unsafe fn contains<T: Number>(tree: Option<&Tree<T>>, point: Option<&[T; 3]>) ->
     kept.tree.contains(point).into()
 }
 
-/// Looks through a mesh and its tree, once: yes, or what is wrong with them. `tree` is written
-/// only where the answer is yes.
+/// Checks a mesh and its tree, once: yes, or the error. `tree` is written only if the answer is
+/// yes.
 ///
 /// # Safety
-/// The pointers of the mesh lead to as many elements as it says, for as long as the tree is used.
+/// Each pointer of the mesh leads to as many elements as the mesh says, for as long as the tree is
+/// used.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn septum_tree_open_i8f8(
     mesh: Option<&Mesh<I8F8>>,
@@ -118,11 +120,12 @@ pub unsafe extern "C" fn septum_tree_open_i8f8(
     unsafe { open(mesh, tree) }
 }
 
-/// Looks through a mesh and its tree, once: yes, or what is wrong with them. `tree` is written
-/// only where the answer is yes.
+/// Checks a mesh and its tree, once: yes, or the error. `tree` is written only if the answer is
+/// yes.
 ///
 /// # Safety
-/// The pointers of the mesh lead to as many elements as it says, for as long as the tree is used.
+/// Each pointer of the mesh leads to as many elements as the mesh says, for as long as the tree is
+/// used.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn septum_tree_open_i16f16(
     mesh: Option<&Mesh<I16F16>>,
@@ -132,11 +135,12 @@ pub unsafe extern "C" fn septum_tree_open_i16f16(
     unsafe { open(mesh, tree) }
 }
 
-/// Looks through a mesh and its tree, once: yes, or what is wrong with them. `tree` is written
-/// only where the answer is yes.
+/// Checks a mesh and its tree, once: yes, or the error. `tree` is written only if the answer is
+/// yes.
 ///
 /// # Safety
-/// The pointers of the mesh lead to as many elements as it says, for as long as the tree is used.
+/// Each pointer of the mesh leads to as many elements as the mesh says, for as long as the tree is
+/// used.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn septum_tree_open_f32(
     mesh: Option<&Mesh<f32>>,
@@ -149,7 +153,7 @@ pub unsafe extern "C" fn septum_tree_open_f32(
 /// Whether a closed mesh contains a point, exactly: inside, or on a triangle.
 ///
 /// # Safety
-/// The tree is zero, or from `septum_tree_open_i8f8`, and its mesh where it was.
+/// The tree is zero, or was written by `septum_tree_open_i8f8`, and its mesh has not moved.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn septum_contains_i8f8(
     tree: Option<&Tree<I8F8>>,
@@ -162,7 +166,7 @@ pub unsafe extern "C" fn septum_contains_i8f8(
 /// Whether a closed mesh contains a point, exactly: inside, or on a triangle.
 ///
 /// # Safety
-/// The tree is zero, or from `septum_tree_open_i16f16`, and its mesh where it was.
+/// The tree is zero, or was written by `septum_tree_open_i16f16`, and its mesh has not moved.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn septum_contains_i16f16(
     tree: Option<&Tree<I16F16>>,
@@ -175,7 +179,7 @@ pub unsafe extern "C" fn septum_contains_i16f16(
 /// Whether a closed mesh contains a point, exactly: inside, or on a triangle.
 ///
 /// # Safety
-/// The tree is zero, or from `septum_tree_open_f32`, and its mesh where it was.
+/// The tree is zero, or was written by `septum_tree_open_f32`, and its mesh has not moved.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn septum_contains_f32(
     tree: Option<&Tree<f32>>,

@@ -1,4 +1,4 @@
-//! The numbers of C, and what they are in Rust.
+//! The numbers of C, and their types in Rust.
 
 use fixed::types;
 use septum::Scalar;
@@ -8,13 +8,13 @@ pub type I8F8 = i16;
 /// Fixed point of 16 fraction bits: a number times 65,536.
 pub type I16F16 = i32;
 
-/// A number as C has it.
+/// A number in C.
 pub trait Number: Copy {
     type Scalar: Scalar;
 
     fn scalar(self) -> Self::Scalar;
     fn raw(scalar: Self::Scalar) -> Self;
-    /// The end of a range, or `None` where there is no end.
+    /// The end of a range, or `None` if the range is unbounded.
     fn end(self) -> Option<Self::Scalar>;
 }
 

@@ -1,4 +1,5 @@
-//! The functions that C calls. cbindgen reads the source as it stands, so each is written out.
+//! The functions for C. Each is written out, because cbindgen reads the source before macros are
+//! expanded.
 
 use septum::ShapeError;
 
@@ -45,7 +46,7 @@ fn ask<A, B>(
     question(a, b).map_or_else(Answer::from, Answer::from)
 }
 
-/// Whether a triangle meets a box with sides along the axes, exactly.
+/// Whether a triangle overlaps an axis-aligned box, exactly.
 #[unsafe(no_mangle)]
 pub extern "C" fn septum_triangle_aabb_i8f8(
     triangle: Option<&Triangle<I8F8>>,
@@ -54,7 +55,7 @@ pub extern "C" fn septum_triangle_aabb_i8f8(
     triangle_aabb(triangle, aabb)
 }
 
-/// Whether a triangle meets a box with sides along the axes, exactly.
+/// Whether a triangle overlaps an axis-aligned box, exactly.
 #[unsafe(no_mangle)]
 pub extern "C" fn septum_triangle_aabb_i16f16(
     triangle: Option<&Triangle<I16F16>>,
@@ -63,7 +64,7 @@ pub extern "C" fn septum_triangle_aabb_i16f16(
     triangle_aabb(triangle, aabb)
 }
 
-/// Whether a triangle meets a box with sides along the axes, exactly.
+/// Whether a triangle overlaps an axis-aligned box, exactly.
 #[unsafe(no_mangle)]
 pub extern "C" fn septum_triangle_aabb_f32(
     triangle: Option<&Triangle<f32>>,
@@ -72,7 +73,7 @@ pub extern "C" fn septum_triangle_aabb_f32(
     triangle_aabb(triangle, aabb)
 }
 
-/// Whether a triangle meets the box that the numbers of an oriented box describe, exactly.
+/// Whether a triangle overlaps an oriented box, exactly for the numbers given.
 #[unsafe(no_mangle)]
 pub extern "C" fn septum_triangle_obb_i8f8(
     triangle: Option<&Triangle<I8F8>>,
@@ -81,7 +82,7 @@ pub extern "C" fn septum_triangle_obb_i8f8(
     triangle_obb(triangle, obb)
 }
 
-/// Whether a triangle meets the box that the numbers of an oriented box describe, exactly.
+/// Whether a triangle overlaps an oriented box, exactly for the numbers given.
 #[unsafe(no_mangle)]
 pub extern "C" fn septum_triangle_obb_i16f16(
     triangle: Option<&Triangle<I16F16>>,
@@ -90,7 +91,7 @@ pub extern "C" fn septum_triangle_obb_i16f16(
     triangle_obb(triangle, obb)
 }
 
-/// Whether a triangle meets the box that the numbers of an oriented box describe, exactly.
+/// Whether a triangle overlaps an oriented box, exactly for the numbers given.
 #[unsafe(no_mangle)]
 pub extern "C" fn septum_triangle_obb_f32(
     triangle: Option<&Triangle<f32>>,
@@ -99,7 +100,7 @@ pub extern "C" fn septum_triangle_obb_f32(
     triangle_obb(triangle, obb)
 }
 
-/// Whether a ray meets a box with sides along the axes, exactly.
+/// Whether a ray meets an axis-aligned box, exactly.
 #[unsafe(no_mangle)]
 pub extern "C" fn septum_ray_aabb_i8f8(
     ray: Option<&Ray<I8F8>>,
@@ -108,7 +109,7 @@ pub extern "C" fn septum_ray_aabb_i8f8(
     ray_aabb(ray, aabb)
 }
 
-/// Whether a ray meets a box with sides along the axes, exactly.
+/// Whether a ray meets an axis-aligned box, exactly.
 #[unsafe(no_mangle)]
 pub extern "C" fn septum_ray_aabb_i16f16(
     ray: Option<&Ray<I16F16>>,
@@ -117,13 +118,13 @@ pub extern "C" fn septum_ray_aabb_i16f16(
     ray_aabb(ray, aabb)
 }
 
-/// Whether a ray meets a box with sides along the axes, exactly.
+/// Whether a ray meets an axis-aligned box, exactly.
 #[unsafe(no_mangle)]
 pub extern "C" fn septum_ray_aabb_f32(ray: Option<&Ray<f32>>, aabb: Option<&Aabb<f32>>) -> Answer {
     ray_aabb(ray, aabb)
 }
 
-/// Whether a ray meets a triangle, exactly. A degenerate triangle is never hit.
+/// Whether a ray hits a triangle, exactly. A degenerate triangle is never hit.
 #[unsafe(no_mangle)]
 pub extern "C" fn septum_ray_triangle_i8f8(
     ray: Option<&Ray<I8F8>>,
@@ -132,7 +133,7 @@ pub extern "C" fn septum_ray_triangle_i8f8(
     ray_triangle(ray, triangle)
 }
 
-/// Whether a ray meets a triangle, exactly. A degenerate triangle is never hit.
+/// Whether a ray hits a triangle, exactly. A degenerate triangle is never hit.
 #[unsafe(no_mangle)]
 pub extern "C" fn septum_ray_triangle_i16f16(
     ray: Option<&Ray<I16F16>>,
@@ -141,7 +142,7 @@ pub extern "C" fn septum_ray_triangle_i16f16(
     ray_triangle(ray, triangle)
 }
 
-/// Whether a ray meets a triangle, exactly. A degenerate triangle is never hit.
+/// Whether a ray hits a triangle, exactly. A degenerate triangle is never hit.
 #[unsafe(no_mangle)]
 pub extern "C" fn septum_ray_triangle_f32(
     ray: Option<&Ray<f32>>,
@@ -150,8 +151,8 @@ pub extern "C" fn septum_ray_triangle_f32(
     ray_triangle(ray, triangle)
 }
 
-/// Where a ray hits a triangle. `hit` is written only where the answer is yes. The verdict is
-/// exact; t, u and v are rounded to the nearest in fixed point, within 2 ulp in `float`.
+/// Finds where a ray hits a triangle, and writes `hit` only if the answer is yes. The verdict is
+/// exact; t, u and v are rounded to the nearest in fixed point, and within 2 ulp in `float`.
 #[unsafe(no_mangle)]
 pub extern "C" fn septum_ray_triangle_hit_i8f8(
     ray: Option<&Ray<I8F8>>,
@@ -161,8 +162,8 @@ pub extern "C" fn septum_ray_triangle_hit_i8f8(
     ray_triangle_hit(ray, triangle, hit)
 }
 
-/// Where a ray hits a triangle. `hit` is written only where the answer is yes. The verdict is
-/// exact; t, u and v are rounded to the nearest in fixed point, within 2 ulp in `float`.
+/// Finds where a ray hits a triangle, and writes `hit` only if the answer is yes. The verdict is
+/// exact; t, u and v are rounded to the nearest in fixed point, and within 2 ulp in `float`.
 #[unsafe(no_mangle)]
 pub extern "C" fn septum_ray_triangle_hit_i16f16(
     ray: Option<&Ray<I16F16>>,
@@ -172,8 +173,8 @@ pub extern "C" fn septum_ray_triangle_hit_i16f16(
     ray_triangle_hit(ray, triangle, hit)
 }
 
-/// Where a ray hits a triangle. `hit` is written only where the answer is yes. The verdict is
-/// exact; t, u and v are rounded to the nearest in fixed point, within 2 ulp in `float`.
+/// Finds where a ray hits a triangle, and writes `hit` only if the answer is yes. The verdict is
+/// exact; t, u and v are rounded to the nearest in fixed point, and within 2 ulp in `float`.
 #[unsafe(no_mangle)]
 pub extern "C" fn septum_ray_triangle_hit_f32(
     ray: Option<&Ray<f32>>,

@@ -1,4 +1,4 @@
-//! Shapes and answers as C has them.
+//! Shapes and answers for C.
 
 use septum::{Facing, Feature, ShapeError};
 
@@ -12,14 +12,14 @@ pub struct Triangle<T> {
     pub c: [T; 3],
 }
 
-/// A box with sides along the axes, by its least and greatest corner. It may be flat.
+/// An axis-aligned box by its least and greatest corner. It may be flat.
 #[repr(C)]
 pub struct Aabb<T> {
     pub min: [T; 3],
     pub max: [T; 3],
 }
 
-/// A box along three unit vectors at right angles to one another.
+/// An oriented box: axes are three unit vectors at right angles to each other.
 #[repr(C)]
 pub struct Obb<T> {
     pub center: [T; 3],
@@ -27,9 +27,9 @@ pub struct Obb<T> {
     pub half_extents: [T; 3],
 }
 
-/// A ray, from origin + t_min · direction to origin + t_max · direction. The direction
-/// need not be of length one. The greatest number of the type as t_max, and the least
-/// as t_min, mean that there is no end; in `float` infinities do.
+/// A ray, from origin + t_min · direction to origin + t_max · direction. The direction may have any
+/// length except zero. The least number of the type as t_min, and the greatest as t_max, mean an
+/// unbounded end; in `float` these are the infinities.
 #[repr(C)]
 pub struct Ray<T> {
     pub origin: [T; 3],
@@ -38,10 +38,10 @@ pub struct Ray<T> {
     pub t_max: T,
 }
 
-/// Where a ray hits a triangle: how far along the ray, in units of its direction; the
-/// barycentric coordinates of b and c; 1 in `is_front` where a, b, c go counterclockwise,
-/// seen from the ray's origin; in `feature` 0 for the interior, 1, 2, 3 for the edges ab,
-/// bc, ca, and 4, 5, 6 for the vertices a, b, c.
+/// A hit of a ray on a triangle. `t` is the distance along the ray in units of its direction; `u`
+/// and `v` are the barycentric coordinates of b and c. `is_front` is 1 if a, b, c go
+/// counterclockwise seen from the ray's origin. `feature` is 0 for the interior, 1, 2, 3 for the
+/// edges ab, bc, ca, and 4, 5, 6 for the vertices a, b, c.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit<T> {
@@ -52,7 +52,7 @@ pub struct Hit<T> {
     pub feature: u8,
 }
 
-/// An answer, or what is wrong with a question: then it is negative.
+/// An answer, or an error, which is negative.
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Answer {
@@ -66,21 +66,21 @@ pub enum Answer {
     NegativeHalfExtent = -3,
     /// The least corner of a box lies above its greatest.
     MinAboveMax = -4,
-    /// The axes of a box are no unit vectors at right angles.
+    /// The axes of a box are not unit vectors at right angles.
     NotOrthonormal = -5,
     /// A ray's direction is zero.
     ZeroDirection = -6,
     /// A range ends before it begins.
     EmptyRange = -7,
-    /// A triangle of a mesh has a vertex that there is not.
+    /// A triangle of a mesh refers to a vertex that does not exist.
     NoSuchVertex = -8,
-    /// A mesh has another number of nodes than its tree should have.
+    /// A mesh has the wrong number of nodes for its tree.
     WrongNodeCount = -9,
-    /// A box of a tree does not enclose what is below it.
+    /// A box of a tree does not enclose everything below it.
     BrokenTree = -10,
     /// A tree was not opened.
     NotOpen = -11,
-    /// A mesh has more triangles than 16-bit indices can tell apart.
+    /// A mesh has more triangles than 16-bit indices can number.
     TooManyTriangles = -12,
 }
 

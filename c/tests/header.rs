@@ -1,4 +1,4 @@
-//! The header says what the library has.
+//! The header matches the library.
 
 /// `UPDATE=1 cargo test` writes it.
 #[test]

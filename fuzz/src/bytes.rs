@@ -1,7 +1,7 @@
-//! Bytes as choices. Where they end, all that follows is zero: every input means
-//! something, and a longer one begins as the shorter one did.
+//! Bytes as choices. After the last byte every choice is zero, so that every input means something,
+//! and a longer input begins like a shorter one.
 
-/// What is left of the input.
+/// The rest of the input.
 pub(crate) struct Bytes<'a>(&'a [u8]);
 
 impl<'a> Bytes<'a> {
@@ -15,7 +15,7 @@ impl<'a> Bytes<'a> {
         first
     }
 
-    /// One of 0 to n − 1.
+    /// A number from 0 to n − 1.
     pub(crate) fn below(&mut self, n: usize) -> usize {
         usize::from(self.byte()) % n
     }
@@ -25,7 +25,7 @@ impl<'a> Bytes<'a> {
         self.below(n) == n - 1
     }
 
-    /// From −n to n.
+    /// An integer from −n to n.
     pub(crate) fn about_zero(&mut self, n: i64) -> i64 {
         i64::from(self.byte()) % (2 * n + 1) - n
     }

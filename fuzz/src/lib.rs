@@ -1,6 +1,6 @@
-//! What the fuzz targets check. Each function takes raw bytes, makes shapes of them in
-//! the scalar that the first byte names, asks the crate, and panics where the answer
-//! is not that of the oracle: the one that the crate's tests have.
+//! The checks of the fuzz targets. Each function takes raw bytes, makes shapes from them in the
+//! scalar that the first byte selects, queries the crate, and panics if the answer differs from the
+//! oracle's. The oracles are those of the crate's tests.
 
 mod bytes;
 mod checks;

@@ -1,5 +1,5 @@
-//! Without a fuzzer: every target on random bytes, and whether what the bytes mean is
-//! worth asking about.
+//! Runs every target on random bytes, without a fuzzer, and checks that the inputs are varied
+//! enough.
 
 use std::str::FromStr;
 
@@ -104,7 +104,7 @@ fn rays_miss_and_hit_everything() {
     assert!(seen.iter().all(|&n| n > 1_000), "{seen:?}");
 }
 
-/// So that a message can be made a test.
+/// Numbers in messages can be copied into a test.
 #[test]
 fn what_is_printed_is_read_back() {
     use fixed::types::{I1F63, I8F8, I33F31};
@@ -119,7 +119,7 @@ fn what_is_printed_is_read_back() {
     }
 }
 
-/// The number that `told` tells of.
+/// Parses a number as `told` prints it.
 fn read_back<S: Sample + FromStr>(x: S) -> Result<S, S::Err> {
     let told = told::<S>(&x);
     told.split(": ").nth(1).expect("a number").parse()

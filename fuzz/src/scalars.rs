@@ -1,4 +1,4 @@
-//! Which scalar an input is about.
+//! The choice of the scalar.
 
 use fixed::types::extra::{U0, U1, U4, U7, U8, U15, U16, U30, U31, U32, U63, U64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
@@ -18,10 +18,10 @@ pub(crate) trait FixedCheck {
     fn check<S: Sample + FixedPoint>(shapes: &mut Shapes<'_, S>);
 }
 
-/// Runs the check in the scalar that the first byte names.
+/// Runs the check in the scalar that the first byte selects.
 pub(crate) fn run<C: Check>(data: &[u8]) {
     let mut bytes = Bytes::new(data);
-    // Floats, which have most stages to get wrong, come twice.
+    // Floats have more stages, so they are chosen twice as often.
     match bytes.below(20) {
         0 | 1 => C::check(&mut Shapes::<f32>::new(bytes)),
         2 | 3 => C::check(&mut Shapes::<f64>::new(bytes)),
@@ -29,8 +29,8 @@ pub(crate) fn run<C: Check>(data: &[u8]) {
     }
 }
 
-/// Runs the check in fixed-point type `n`: the usual ones, and those of which all bits,
-/// all but one, or none are fraction.
+/// Runs the check in fixed-point type `n`: the usual types, and types whose bits are all, all but
+/// one, or not at all fraction bits.
 pub(crate) fn run_fixed<C: FixedCheck>(n: usize, bytes: Bytes<'_>) {
     match n % FIXED {
         0 => C::check(&mut Shapes::<FixedI8<U4>>::new(bytes)),
@@ -54,7 +54,7 @@ pub(crate) fn run_fixed<C: FixedCheck>(n: usize, bytes: Bytes<'_>) {
 
 const FIXED: usize = 16;
 
-/// A check in any scalar is one in fixed point.
+/// Makes a check in any scalar a check in fixed point.
 struct InFixedPoint<C>(core::marker::PhantomData<C>);
 
 impl<C: Check> FixedCheck for InFixedPoint<C> {

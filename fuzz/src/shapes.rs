@@ -1,7 +1,6 @@
-//! Shapes out of bytes, of the kinds that go wrong: numbers of a small lattice, near
-//! the origin or far from it, of any magnitude, at the ends of the type; numbers and
-//! points that were there before, the same or an ulp beside; points on a line or a
-//! plane through earlier ones.
+//! Shapes from bytes, of kinds that are likely to fail: numbers of a small lattice, near the origin
+//! or far from it; numbers of any magnitude, or at the ends of the type; earlier numbers and points
+//! again, or an ulp away; points on a line or a plane through earlier points.
 
 use septum::Ray;
 
@@ -14,7 +13,7 @@ use septum_kit::{BoxNumbers, Sample};
 /// A point or a vector.
 pub(crate) type Point<S> = [S; 3];
 
-/// The input, and what was made of it so far.
+/// The input, and the shapes made so far.
 pub(crate) struct Shapes<'a, S> {
     pub(crate) bytes: Bytes<'a>,
     lattice: Lattice<S>,
@@ -24,7 +23,7 @@ pub(crate) struct Shapes<'a, S> {
 /// Whole multiples of a power of two, from some number on.
 struct Lattice<S> {
     from: S,
-    /// The power; in fixed point, of the least unit.
+    /// The exponent of the power; in fixed point, of the least unit.
     exponent: i32,
 }
 
@@ -50,7 +49,7 @@ impl<S: Sample> Lattice<S> {
 
     fn at(&self, n: i64) -> S {
         if is_float::<S>() {
-            // In halves: a power of two alone might overflow or underflow.
+            // As two factors, because the power alone might overflow or underflow.
             let half = self.exponent / 2;
             let offset = n as f64 * 2_f64.powi(half) * 2_f64.powi(self.exponent - half);
             return S::nearest(self.from.approximate() + offset);
@@ -59,7 +58,7 @@ impl<S: Sample> Lattice<S> {
     }
 }
 
-/// The value of that number, or the end of the type.
+/// The value of number `n`, or the end of the type.
 fn ordinal<S: Sample>(n: i128) -> S {
     S::from_ordinal(n.clamp(i64::MIN.into(), i64::MAX.into()) as i64)
 }
@@ -75,7 +74,7 @@ fn beyond<S: Sample>(x: S, y: S, z: S, (n, m): (i64, i64)) -> S {
     ordinal(x + (y - z) * i128::from(n) / i128::from(m))
 }
 
-/// The number without its sign, or the greatest.
+/// The number without its sign, or the greatest number.
 pub(crate) fn magnitude<S: Sample>(x: S) -> S {
     if x < S::ZERO { S::from_ordinal(x.ordinal().saturating_neg()) } else { x }
 }
@@ -128,7 +127,7 @@ impl<'a, S: Sample> Shapes<'a, S> {
         ((byte >> 2) % 9 - 4, [1, 1, 2, 3][(byte & 3) as usize])
     }
 
-    /// A point: three numbers, or one that has to do with earlier ones.
+    /// A point: three numbers, or a point related to earlier ones.
     pub(crate) fn point(&mut self) -> Point<S> {
         let choice = self.bytes.byte();
         let axis = usize::from(choice >> 4) % 3;
@@ -145,7 +144,7 @@ impl<'a, S: Sample> Shapes<'a, S> {
                     (self.earlier(), self.earlier(), self.earlier(), self.fraction());
                 [0, 1, 2].map(|i| beyond(p[i], q[i], r[i], part))
             }
-            // Somewhere in the plane of three.
+            // A point in the plane of three earlier points.
             6 => {
                 let (p, q, r) = (self.earlier(), self.earlier(), self.earlier());
                 let (u, v) = (self.fraction(), self.fraction());
@@ -157,7 +156,7 @@ impl<'a, S: Sample> Shapes<'a, S> {
                 point
             }
         };
-        // Now and then an ulp beside.
+        // Sometimes moved by an ulp.
         if choice & 8 != 0 {
             point[axis] = point[axis].moved(self.bytes.about_zero(2));
         }
@@ -184,8 +183,8 @@ impl<'a, S: Sample> Shapes<'a, S> {
         BoxNumbers::Corners([0, 1, 2].map(|i| sorted(i)[0]), [0, 1, 2].map(|i| sorted(i)[1]))
     }
 
-    /// A direction from `origin`: any, or to a point, or to one between two or three of
-    /// `marks`. Nothing if it is zero.
+    /// A direction from `origin`: any direction, or to a point, or to a point between two or three
+    /// of `marks`. `None` if it is zero.
     pub(crate) fn direction(&mut self, origin: Point<S>, marks: &[Point<S>]) -> Option<Point<S>> {
         let choice = self.bytes.below(8);
         let mut target = if choice < 3 { self.point() } else { self.between(marks) };
@@ -198,8 +197,8 @@ impl<'a, S: Sample> Shapes<'a, S> {
         (direction != [S::ZERO; 3]).then_some(direction)
     }
 
-    /// A point between three of these: halves, thirds and eighths of the way, often one of
-    /// them or between two.
+    /// A point between three of `marks` (by halves, thirds and eighths), often a mark itself or
+    /// between two.
     fn between(&mut self, marks: &[Point<S>]) -> Point<S> {
         let [p, q, r] = [(); 3].map(|()| marks[self.bytes.below(marks.len())]);
         let byte = i64::from(self.bytes.byte());
@@ -209,8 +208,8 @@ impl<'a, S: Sample> Shapes<'a, S> {
         [0, 1, 2].map(|i| beyond(beyond(p[i], q[i], p[i], (u, parts)), r[i], p[i], (v, parts)))
     }
 
-    /// A range of t. `meeting` asks where something is met on the whole line: there a
-    /// range is apt to end.
+    /// A range of t, which often ends where the whole line meets the shape; `meeting` returns that
+    /// t.
     pub(crate) fn range(&mut self, meeting: impl Fn() -> Option<S>) -> [Option<S>; 2] {
         let choice = self.bytes.below(9);
         if choice < 3 {
@@ -230,7 +229,7 @@ impl<'a, S: Sample> Shapes<'a, S> {
         }
     }
 
-    /// A ray and a triangle. Nothing where there is no direction.
+    /// A ray and a triangle. `None` if the direction is zero.
     pub(crate) fn ray_case(&mut self) -> Option<RayCase<S>> {
         let vertices = self.triangle();
         let origin = self.point();
@@ -241,7 +240,7 @@ impl<'a, S: Sample> Shapes<'a, S> {
         Some(case)
     }
 
-    /// A ray and a box. Nothing where there is no direction.
+    /// A ray and a box. `None` if the direction is zero.
     pub(crate) fn ray_box(&mut self) -> Option<LineBox<S>> {
         let (aabb, first) = (self.aabb(), self.points.len());
         let corners = self.points[first - 2..].to_vec();

@@ -1,11 +1,11 @@
-//! How a case is told.
+//! Messages about a failed case.
 
 use std::fmt::Debug;
 
 use septum_kit::Sample;
 
-/// The scalar and the case, with all digits: so a message can be made a test. Floats print
-/// as many as they need, fixed-point numbers only if told so.
+/// The scalar and the case, with all digits, so that the message can be copied into a test. Floats
+/// print as many digits as they need; fixed point needs a precision.
 pub(crate) fn told<S: Sample>(case: &impl Debug) -> String {
     if is_float::<S>() {
         format!("{}: {case:?}", S::name())

@@ -8,9 +8,9 @@ use crate::shapes::{Point, Shapes};
 use crate::told::told;
 use septum_kit::{Ring, Sample};
 
-/// `hit_once` on the faces of a tetrahedron or an octahedron, however flat or crossed:
-/// a line leaves as often as it enters. A convex one is entered once at most, and a ray
-/// that starts inside leaves it once.
+/// `hit_once` on the faces of a tetrahedron or an octahedron, however flat or crossed: a line
+/// leaves as often as it enters. It enters a convex mesh at most once, and a ray that starts inside
+/// leaves it once.
 pub fn closed_mesh(data: &[u8]) {
     run::<ClosedMesh>(data);
 }
@@ -57,7 +57,7 @@ impl Check for ClosedMesh {
     }
 }
 
-/// A tetrahedron whose inside is known: the ray starts in it, or does not.
+/// A tetrahedron, for which the inside is known: checks whether the ray starts inside.
 fn check_inside<S: Sample>(
     vertices: &[Point<S>],
     origin: Point<S>,
@@ -73,13 +73,13 @@ fn check_inside<S: Sample>(
         return;
     }
     let is_inside = signs.iter().all(|&sign| sign == volume);
-    // Turned inside out, entries are exits.
+    // In a mesh turned inside out, entries are exits.
     let expected = if is_inside { -volume } else { 0 };
     assert_eq!(exits - entries, expected, "inside is {is_inside}, {}", case());
 }
 
-/// On which side of the plane of a, b, c the point lies: 1 where the vertices go
-/// counterclockwise.
+/// The side of the plane of a, b, c on which the point lies: 1 if the vertices go counterclockwise
+/// seen from there.
 fn side<S: Sample>(a: Point<S>, b: Point<S>, c: Point<S>, p: Point<S>) -> i32 {
     let parts = [a, b, c, p].map(|row| row.map(S::mantissa_exponent));
     let unit = parts.iter().flatten().filter(|x| x.0 != 0).map(|x| x.1).min().unwrap_or(0);

@@ -1,5 +1,5 @@
-//! Constructors: what is a shape is made, what is none is refused for the right reason,
-//! in a `const` too, and nothing panics.
+//! Constructors make valid shapes, refuse invalid ones for the right reason, also in a `const`, and
+//! never panic.
 
 use dashu_int::IBig;
 use septum::interop::FixedPoint;
@@ -12,7 +12,7 @@ use crate::shapes::{Point, Shapes};
 use crate::told::told;
 use septum_kit::{Ring, Sample};
 
-/// Every constructor, by numbers that need not be finite.
+/// Every constructor, on numbers that may be NaN or infinite.
 pub fn constructors(data: &[u8]) {
     let mut bytes = Bytes::new(data);
     match bytes.below(20) {
@@ -30,7 +30,7 @@ pub fn constructors(data: &[u8]) {
     }
 }
 
-/// Rows of numbers: three axes and what else there is.
+/// Rows of numbers: three axes and other vectors.
 type Rows<S> = [Point<S>; 6];
 
 struct Fixed;
@@ -46,7 +46,7 @@ fn rows<S: Sample>(shapes: &mut Shapes<'_, S>) -> Rows<S> {
     [u, v, w, shapes.point(), shapes.point(), shapes.point()]
 }
 
-/// The same with a number or two replaced by one that is not finite.
+/// The same rows with one or two numbers replaced by NaN or an infinity.
 fn floats<S: Sample>(shapes: &mut Shapes<'_, S>, nan: S, infinity: S) -> Rows<S> {
     let mut rows = rows(shapes);
     for _ in 0..shapes.bytes.below(3) {
@@ -56,7 +56,7 @@ fn floats<S: Sample>(shapes: &mut Shapes<'_, S>, nan: S, infinity: S) -> Rows<S>
     rows
 }
 
-/// The first of the errors whose condition holds.
+/// The first error whose condition holds.
 fn first_of(reasons: &[(bool, ShapeError)]) -> Option<ShapeError> {
     reasons.iter().find(|(holds, _)| *holds).map(|(_, error)| *error)
 }
@@ -105,23 +105,22 @@ fn check<S: Sample>(rows: &Rows<S>) {
     assert_eq!(made, first_of(&[bad, negative, dependent]), "{}", told());
     let made = Obb::new(p, vectors, q).err();
     let no_unit = (!holds_unit_vectors::<S>(), ShapeError::NoUnitLength);
-    // In doubt, as the crate has it.
+    // If the oracle is in doubt, the crate's answer counts.
     let is_askew = is_orthonormal.map_or(made == Some(ShapeError::NotOrthonormal), |is| !is);
     let askew = (is_askew, ShapeError::NotOrthonormal);
     assert_eq!(made, first_of(&[bad, negative, no_unit, askew]), "{}", told());
 }
 
-/// Whether the numbers reach from one to minus one, or one of the two: the greatest is a
-/// half or more.
+/// Whether the type holds 1 and −1, or one of them: its greatest number is at least a half.
 fn holds_unit_vectors<S: Sample>() -> bool {
     let (mantissa, exponent) = S::GREATEST.mantissa_exponent();
     exponent >= 0
         || IBig::from(mantissa) * IBig::from(2) >= IBig::ONE << exponent.unsigned_abs() as usize
 }
 
-/// Whether the axes span space, and whether their dot products are within an eighth of
-/// those of a frame. Nothing where one is within 2^-20 of the eighth: not all types are
-/// checked exactly there.
+/// Whether the axes span space, and whether their dot products are within an eighth of an
+/// orthonormal frame's. `None` if a dot product is within 2^-20 of the limit, where not every type
+/// is checked exactly.
 fn frame<S: Sample>(axes: [Point<S>; 3]) -> (bool, Option<bool>) {
     let parts = axes.map(|u| u.map(S::mantissa_exponent));
     let exponents = parts.iter().flatten().filter(|x| x.0 != 0).map(|x| x.1);
@@ -145,7 +144,7 @@ fn frame<S: Sample>(axes: [Point<S>; 3]) -> (bool, Option<bool>) {
     (spans, (surely == maybe).then_some(surely))
 }
 
-/// In a `const` as elsewhere. No generic code can call them.
+/// Compares the `const` constructors, which generic code cannot call.
 macro_rules! check_constants {
     ($name:ident, $scalar:ty) => {
         fn $name(rows: &Rows<$scalar>) {

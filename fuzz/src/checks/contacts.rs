@@ -1,4 +1,4 @@
-//! Shapes in each other: the least translation.
+//! Overlapping shapes: the minimum translation.
 
 use super::oriented_pairs::obb;
 use crate::scalars::{Check, run};
@@ -7,7 +7,7 @@ use septum_kit::Sample;
 use septum_kit::boxes::AnyBox;
 use septum_kit::contacts::{ContactCase, Solid};
 
-/// Whether there is a contact, and by all axes how far the shapes are in each other at least.
+/// Checks whether there is a contact, and the minimum depth over all axes.
 pub fn contacts(data: &[u8]) {
     run::<Contacts>(data);
 }
@@ -25,7 +25,7 @@ fn solid<S: Sample>(shapes: &mut Shapes<'_, S>) -> Solid<S> {
 impl Check for Contacts {
     fn check<S: Sample>(shapes: &mut Shapes<'_, S>) {
         let (first, second) = (solid(shapes), solid(shapes));
-        // Not by linear programming: numbers are of any size.
+        // Without linear programming, because numbers may have any size.
         let _ = ContactCase { first, second }.check(false);
     }
 }

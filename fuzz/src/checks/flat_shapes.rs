@@ -6,7 +6,7 @@ use crate::told::told;
 use septum_kit::Sample;
 use septum_kit::flat::{Flat, FlatCase, Truth};
 
-/// `overlaps`, in either order, and `may_overlap`; of a point `contains`.
+/// `overlaps`, in either order, and `may_overlap`; for points `contains`.
 pub fn flat_shapes(data: &[u8]) {
     run::<FlatShapes>(data);
 }

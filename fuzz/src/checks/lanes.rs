@@ -1,4 +1,4 @@
-//! Many at once: the same bits as one by one.
+//! Lanes: the same bits as single shapes.
 
 use septum::{Aabb, Cull, Ray, Triangle};
 
@@ -7,8 +7,8 @@ use crate::shapes::{Shapes, magnitude};
 use crate::told::told;
 use septum_kit::{Lanes, Sample};
 
-/// Every method on lanes, in one lane, three and eight. With `SHOW` in the environment the
-/// shapes are printed first: the messages would be too long with them.
+/// Every method on lanes, with one, three and eight lanes. With `SHOW` in the environment it prints
+/// the shapes first, because they would make the messages too long.
 pub fn lanes(data: &[u8]) {
     run::<AllLanes>(data);
 }

@@ -8,7 +8,7 @@ use septum_kit::Sample;
 use septum_kit::boxes::ObbNumbers;
 use septum_kit::lines::{Line, LineObb};
 
-/// `overlaps`, in either order, and `may_overlap`; of rays `t_range_obb`.
+/// `overlaps`, in either order, and `may_overlap`; for rays `t_range_obb`.
 pub fn line_obb(data: &[u8]) {
     run::<LineWithObb>(data);
 }
@@ -18,7 +18,7 @@ struct LineWithObb;
 impl Check for LineWithObb {
     fn check<S: Sample>(shapes: &mut Shapes<'_, S>) {
         let obb = obb(shapes);
-        // Axes that do not span space make no box: see `constructors`.
+        // Axes that do not span space are refused: see `constructors`.
         let Ok(shape) = obb.shape() else { return };
         let corners = [-1.0, 0.0, 1.0].map(|sign| corner(&obb, sign));
         let origin = shapes.point();
@@ -55,7 +55,7 @@ impl Check for LineWithObb {
     }
 }
 
-/// A corner, or the centre, as near as rounding allows; zero where that is no number.
+/// A corner, or the centre, as near as rounding allows; zero if that is not a number.
 fn corner<S: Sample>(obb: &ObbNumbers<S>, sign: f64) -> Point<S> {
     [0, 1, 2].map(|i: usize| {
         let along = |k: usize| sign * obb.half[k].approximate() * obb.axes[k][i].approximate();

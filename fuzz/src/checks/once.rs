@@ -1,7 +1,7 @@
-//! The oracle of hits that count once: the ray's origin moved by (ε, ε², ε³), with ε
-//! smaller than any number. What depends on the origin is linear in it, so that its sign
-//! is that of its value, or of the first derivative that is not zero. The derivatives
-//! are differences here, of the same formula at neighbouring origins.
+//! The oracle for hits that count once: the ray's origin is moved by (ε, ε², ε³), with ε smaller
+//! than any number. All quantities are linear in the origin, so a sign is the sign of the value, or
+//! of the first nonzero derivative. The derivatives are differences of the formula between
+//! neighbouring origins.
 
 use dashu_int::IBig;
 
@@ -10,8 +10,8 @@ use septum_kit::{Ring, Sample, odd_mantissa};
 
 type Big3 = [IBig; 3];
 
-/// Whether a hit on the triangle counts, if rays that meet several triangles in one
-/// point count once.
+/// Whether a hit on the triangle counts, if a ray that meets several triangles at one point counts
+/// only one of them.
 pub(super) fn counts_once<S: Sample>(case: &RayCase<S>) -> bool {
     let [a, b, c] = case.vertices;
     let ends = [case.t_min, case.t_max].map(|end| end.unwrap_or(S::ZERO));
@@ -31,7 +31,8 @@ pub(super) fn counts_once<S: Sample>(case: &RayCase<S>) -> bool {
     if det == IBig::ZERO {
         return false;
     }
-    // Twice the area of edge and origin as seen along the ray, times its length.
+    // Twice the area of the triangle of edge and origin, seen along the ray, times the ray's
+    // length.
     let side = |p: &Big3, q: &Big3, o: &Big3| {
         let (p, q) = (Ring::difference(p, o), Ring::difference(q, o));
         Ring::dot(&d, &Ring::cross(&p, &q))

@@ -26,11 +26,11 @@ impl Check for OrientedPairs {
         let first = match shapes.bytes.below(3) {
             0 => AnyBox::Aabb(shapes.aabb()),
             1 => AnyBox::Obb(obb(shapes)),
-            // Parallel to the other.
+            // Parallel to the second box.
             _ => AnyBox::Obb(ObbNumbers { axes: second.axes, ..obb(shapes) }),
         };
         let case = BoxCase { first, second };
-        // Axes that do not span space make no box: see `constructors`.
+        // Axes that do not span space are refused: see `constructors`.
         let Some((answers, may)) = case.answers() else { return };
         let meets = case.meets();
         assert_eq!(answers, [meets; 2], "{}", told::<S>(&case));

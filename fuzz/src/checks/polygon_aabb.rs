@@ -10,7 +10,7 @@ use crate::told::told;
 use septum_kit::Sample;
 use septum_kit::polygons::PolygonCase;
 
-/// `overlaps` and `may_overlap`, in either order; and that the rounded method comes to an end.
+/// `overlaps` and `may_overlap`, in either order; and that the rounded method terminates.
 pub fn polygon_aabb(data: &[u8]) {
     run::<PolygonAabb>(data);
 }

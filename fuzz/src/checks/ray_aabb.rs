@@ -11,8 +11,8 @@ use septum::published::slopes::SlopeRay;
 use septum_kit::Sample;
 use septum_kit::lines::{Fraction, LineBox};
 
-/// `overlaps`, `may_overlap`, `t_range`; `overlaps` of a `PreparedRay`, and `may_overlap` of
-/// a `SlabRay`; that the rounded methods come to an end and agree with themselves.
+/// `overlaps`, `may_overlap`, `t_range`; `overlaps` of a `PreparedRay`, and `may_overlap` of a
+/// `SlabRay`; and that the rounded methods terminate and agree with each other.
 pub fn ray_aabb(data: &[u8]) {
     run::<RayAabb>(data);
 }
@@ -59,7 +59,7 @@ fn check_ends<S: Sample>(case: &LineBox<S>, ends: [(S, Fraction); 2]) {
             let bound = if S::name() == "f32" { 51 } else { 160 };
             assert!(truth.is_within(t, (bound, 100)), "{}", told());
         } else {
-            // Overflow: no farther from the greatest number than the bound.
+            // Overflow: the true t is within the bound of the greatest number, or beyond it.
             let end = if t > S::ZERO { S::GREATEST } else { S::LEAST };
             let beyond = truth.exceeds_number(end) == (t > S::ZERO);
             assert!(beyond || truth.is_within(end, (160, 100)), "{}", told());

@@ -13,8 +13,7 @@ use crate::told::told;
 use septum_kit::Sample;
 use septum_kit::rays::{Fraction, Method, RayCase, crossing};
 
-/// `hit`, `hits`, `hit_once`, and both with culling; that the rounded methods come to an
-/// end.
+/// `hit`, `hits`, `hit_once`, and both with culling; and that the rounded methods terminate.
 pub fn ray_triangle(data: &[u8]) {
     run::<RayTriangle>(data);
 }
@@ -41,7 +40,7 @@ impl Check for RayTriangle {
             let _ = (hit.w(), hit.point(&ray));
         }
 
-        // Bits and all: nothing but verdicts depends on the rules.
+        // The numbers are the same bits under all rules; only verdicts differ.
         let once = counts_once(&case);
         let prepared = (HitRay::new(&ray), HitTriangle::new(&triangle));
         for cull in [Cull::Nothing, Cull::Back, Cull::Front] {
@@ -63,20 +62,20 @@ impl Check for RayTriangle {
     }
 }
 
-/// Whether a number of a hit is what is promised of it.
+/// Whether a number of a hit is as accurate as promised.
 fn is_rounded<S: Sample>(x: S, truth: &Fraction) -> bool {
     if !is_float::<S>() {
         return truth.is_nearest(x);
     }
     if truth.is_beyond::<S>() {
-        // Past the greatest float there are no ulp.
+        // Beyond the greatest float there is no ulp.
         let end = if truth.approximate() > 0.0 { S::GREATEST } else { S::LEAST };
         return !x.is_finite() || (x > S::ZERO) == (end > S::ZERO);
     }
     x.is_finite() && truth.error_in_ulp(x) <= 2.0 || is_last::<S>(x, truth)
 }
 
-/// Whether an infinity stands for a number within the bound of the greatest.
+/// Whether an infinity stands for a number within the error bound of the greatest.
 fn is_last<S: Sample>(x: S, truth: &Fraction) -> bool {
     let end = if truth.approximate() > 0.0 { S::GREATEST } else { S::LEAST };
     let steps = if S::name() == "f32" { 2 } else { 1 << 22 };
@@ -85,7 +84,7 @@ fn is_last<S: Sample>(x: S, truth: &Fraction) -> bool {
     !x.is_finite() && past && (x > S::ZERO) == (end > S::ZERO)
 }
 
-/// They may answer anything, but must answer.
+/// The rounded methods may give any answer, but must return.
 fn check_rounded<S: Sample>(case: &RayCase<S>) {
     let (ray, triangle) = (case.ray(), case.triangle());
     for method in Method::ALL {

@@ -7,7 +7,7 @@ use septum::published;
 use septum_kit::Sample;
 use septum_kit::lines::{Line, LineBox};
 
-/// `overlaps` and `may_overlap`; and that the rounded method comes to an end.
+/// `overlaps` and `may_overlap`; and that the rounded method terminates.
 pub fn segment_aabb(data: &[u8]) {
     run::<SegmentAabb>(data);
 }

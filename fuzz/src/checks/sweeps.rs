@@ -1,4 +1,4 @@
-//! A triangle that moves past a box, and a box that moves past another.
+//! A triangle moving past a box, and a box moving past a box.
 
 use crate::scalars::{Check, run};
 use crate::shapes::Shapes;

@@ -10,8 +10,8 @@ use crate::shapes::Shapes;
 use crate::told::told;
 use septum_kit::{Case, GROUP_ORDERS, Sample, is_collinear, meets, separates};
 
-/// `overlaps`, `may_overlap`, `separating_axis`, `is_separated_by`, `is_degenerate`; and
-/// that the rounded methods come to an end.
+/// `overlaps`, `may_overlap`, `separating_axis`, `is_separated_by`, `is_degenerate`; and that the
+/// rounded methods terminate.
 pub fn triangle_aabb(data: &[u8]) {
     run::<TriangleAabb>(data);
 }

@@ -7,7 +7,7 @@ use crate::scalars::{Check, run};
 use crate::shapes::{Point, Shapes, magnitude};
 use septum_kit::{Oriented, Sample};
 
-/// `overlaps`, `may_overlap` and `relation`; and that the rounded method comes to an end.
+/// `overlaps`, `may_overlap` and `relation`; and that the rounded method terminates.
 pub fn triangle_obb(data: &[u8]) {
     run::<TriangleObb>(data);
 }
@@ -19,7 +19,7 @@ impl Check for TriangleObb {
         let axes = axes(shapes);
         let (center, half) = (shapes.point(), shapes.point().map(magnitude));
         let case = Oriented { t: shapes.triangle(), center, axes, half };
-        // Axes that do not span space make no box: see `constructors`.
+        // Axes that do not span space are refused: see `constructors`.
         if case.check().is_none() {
             return;
         }
@@ -37,7 +37,7 @@ pub(super) fn axes<S: Sample>(shapes: &mut Shapes<'_, S>) -> [Point<S>; 3] {
     match shapes.bytes.below(4) {
         0 => return [(); 3].map(|()| shapes.point()),
         1 => {
-            // Half of them with an axis at an angle.
+            // In half of the cases one axis is slanted.
             frame.rotate_left(shapes.bytes.below(3));
             if shapes.bytes.one_in(2) {
                 frame[0][shapes.bytes.below(3)] += 1.0;

@@ -1,4 +1,4 @@
-//! Unit normals: correctly rounded in fixed point, near in floats.
+//! Unit normals: correctly rounded in fixed point, accurate within the bound in floats.
 
 use dashu_int::IBig;
 use septum::interop::FixedPoint;
@@ -49,7 +49,7 @@ impl FixedCheck for Integer {
     }
 }
 
-/// Each component within so many hundredths of its last place.
+/// Each component is within `hundredths` hundredths of its last place.
 fn check_float<S: Sample>(
     points: &Points<S>,
     hundredths: i32,
@@ -71,7 +71,7 @@ fn check_float<S: Sample>(
     }
 }
 
-/// About 1 long, or nothing.
+/// About 1 long, or `None`.
 fn check_micromath(points: &Points<f32>) {
     if let Some(n) = triangle(points).unit_normal_fast() {
         let square: f64 = n.to_array().iter().map(|&x| f64::from(x).powi(2)).sum();
