@@ -1,21 +1,21 @@
-//! Who runs: a test on its data, with its answers checked.
+//! Candidates: a test on its data, with its answers checked.
 
 use std::rc::Rc;
 
 use crate::pairs::{Answer, Block, Inlined, Pairs};
 
-/// What a test promises of its answers.
+/// The promise that a test makes about its answers.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Promise {
     Exact,
-    /// No overlap is missed.
+    /// Misses no overlap.
     NeverMisses,
-    /// No overlap is invented.
+    /// Reports no false overlap.
     NeverInvents,
     Nothing,
 }
 
-/// What tests run on: pairs of shapes, and what is true of them.
+/// The input of tests: pairs of shapes, and the true answers.
 pub struct Course<L, R> {
     pub scalar: &'static str,
     pub form: &'static str,
@@ -46,7 +46,7 @@ impl<L: 'static, R: 'static> Course<L, R> {
         }
     }
 
-    /// A test as a candidate. It should be a function that is called, not inlined.
+    /// Makes a candidate of a test. The test should be a function that is called, not inlined.
     pub fn candidate<A: Answer + 'static>(
         &self,
         who: &str,
@@ -86,7 +86,7 @@ impl<L: 'static, R: 'static> Course<L, R> {
 }
 
 impl<L: 'static, R: Block + 'static> Course<L, R> {
-    /// A test that is inlined, of shapes that are made while the clock runs.
+    /// Makes a candidate of an inlined test, on shapes made while the clock runs.
     pub fn candidate_inlined<T: Inlined<L, R::Shape>>(
         &self,
         who: &str,
@@ -95,7 +95,7 @@ impl<L: 'static, R: Block + 'static> Course<L, R> {
         let pairs = Rc::clone(&self.pairs);
         let run = Box::new(move || pairs.count_inlined::<T>());
         let judged = self.judged(who, promise, self.pairs.answers_inlined::<T>(), run);
-        // Nobody asks for so many.
+        // These answers are too many to keep, and not needed.
         Candidate { answers: Vec::new(), ..judged }
     }
 }
@@ -109,7 +109,7 @@ pub struct Candidate {
     pub overlaps: usize,
     pub false_disjoint: usize,
     pub false_overlap: usize,
-    /// Its answer to each pair; none where shapes are made on the way.
+    /// The answer to each pair; empty if the shapes are made while the clock runs.
     pub answers: Vec<bool>,
     /// Runs through the scene once and counts the overlaps.
     pub run: Box<dyn Fn() -> usize>,
@@ -122,7 +122,7 @@ impl Candidate {
         Self { who: who.into(), ..self }
     }
 
-    /// Whether it kept what it promises on this scene.
+    /// Whether the test kept its promise on this scene.
     pub fn kept_its_word(&self) -> bool {
         let (misses, inventions) = (self.false_disjoint, self.false_overlap);
         match self.promise {

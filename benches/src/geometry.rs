@@ -1,4 +1,4 @@
-//! Shapes before they are brought into a scalar.
+//! Shapes before their conversion to a scalar.
 
 use fastrand::Rng;
 
@@ -19,8 +19,8 @@ pub struct Line {
 }
 
 impl Line {
-    /// The ray that is at `target` when t is 2, so that no coordinate of the
-    /// direction is greater than those of the points.
+    /// The ray that reaches `target` at t = 2, so that no coordinate of the direction exceeds the
+    /// points' coordinates.
     pub fn towards(origin: Point, target: Point) -> Self {
         Self { origin, direction: std::array::from_fn(|i| (target[i] - origin[i]) / 2.0) }
     }

@@ -1,5 +1,5 @@
-//! The speed and the accuracy of septum's tests beside their peers: what the
-//! programs of this package have in common.
+//! Speed and accuracy of septum's tests beside their peers: the common parts of the programs in
+//! this package.
 
 mod accuracy;
 mod candidate;

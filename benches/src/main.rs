@@ -1,4 +1,4 @@
-//! How fast our tests are, in every mode and scalar, beside their peers.
+//! The speed of our tests, in every mode and scalar, beside their peers.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -33,7 +33,7 @@ struct Options {
     /// Only scalars and peers whose name contains this, as f32, I16F16 or parry3d
     #[arg(long, value_name = "NAME")]
     only: Option<String>,
-    /// Only scenes whose name contains this, as Voxel, or ray/box for all of those
+    /// Only scenes whose name contains this, as Voxel, or ray/box for all ray/box scenes
     #[arg(long, value_name = "NAME")]
     scene: Option<String>,
     /// The voxels of this mesh too, an OBJ file; may be given more than once

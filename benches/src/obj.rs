@@ -15,10 +15,10 @@ pub fn teapot() -> Triangles {
     parse(file).expect("the teapot is a mesh")
 }
 
-/// The triangles of a file, and what it is called.
+/// The triangles of a file, and the file's name.
 ///
 /// # Errors
-/// A text that names the file, where it cannot be read, is no OBJ, or has no triangles.
+/// A text that names the file, if it cannot be read, is not an OBJ file, or has no triangles.
 pub fn open(path: &Path) -> Result<(String, Triangles), String> {
     let named = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
     let file = std::fs::read(path).map_err(|error| named(&error))?;

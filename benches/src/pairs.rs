@@ -1,18 +1,18 @@
-//! Pairs of shapes: a scene, or a scene in the types that one candidate takes.
+//! Pairs of shapes: a scene, or a scene converted to one candidate's types.
 
 use std::hint::black_box;
 use std::ops::Range;
 
-/// Shapes of one type, each against some of another.
+/// Shapes of one type, each paired with some shapes of another.
 pub struct Pairs<L, R> {
     left: Vec<L>,
     right: Vec<R>,
-    /// For each shape on the left, those on the right that it is tested against.
+    /// For each shape on the left, its partners on the right.
     spans: Vec<Range<usize>>,
 }
 
 impl<L, R> Pairs<L, R> {
-    /// Every shape on the left against the same ones on the right.
+    /// Every shape on the left paired with all shapes on the right.
     pub fn all_against(left: Vec<L>, right: Vec<R>) -> Self {
         let spans = vec![0..right.len(); left.len()];
         Self { left, right, spans }
@@ -29,7 +29,7 @@ impl<L, R> Pairs<L, R> {
         self.spans.iter().map(ExactSizeIterator::len).sum()
     }
 
-    /// The same in other types.
+    /// The same pairs in other types.
     pub fn map<M, S>(&self, left: impl Fn(&L) -> M, right: impl Fn(&R) -> S) -> Pairs<M, S> {
         Pairs {
             left: self.left.iter().map(left).collect(),
@@ -38,11 +38,10 @@ impl<L, R> Pairs<L, R> {
         }
     }
 
-    /// The number of pairs that the test says yes to.
+    /// The number of pairs for which the test returns yes.
     ///
-    /// The test is called through a pointer that the compiler cannot see
-    /// through, so every candidate pays for one call, makes its whole answer,
-    /// and no loop is merged.
+    /// The test is called through a pointer that is opaque to the compiler, so that every candidate
+    /// pays for one call and computes its whole answer, and loops are not merged.
     pub fn count<A: Answer>(&self, test: fn(&L, &R) -> A) -> usize {
         let test = black_box(test);
         let mut count = 0;
@@ -67,14 +66,14 @@ impl<L, R> Pairs<L, R> {
 }
 
 impl<L, R: Block> Pairs<L, R> {
-    /// The number of shapes in all blocks that the test says yes to.
+    /// The number of shapes in all blocks for which the test returns yes.
     pub fn count_inlined<T: Inlined<L, R::Shape>>(&self) -> usize {
         let mut count = 0;
         self.each::<T>(|answer| count += usize::from(answer));
         count
     }
 
-    /// Each answer of the same, in order.
+    /// Each of these answers, in order.
     pub fn answers_inlined<T: Inlined<L, R::Shape>>(&self) -> Vec<bool> {
         let mut answers = Vec::new();
         self.each::<T>(|answer| answers.push(answer));
@@ -93,19 +92,19 @@ impl<L, R: Block> Pairs<L, R> {
 }
 
 impl<L: Clone, R: Clone> Pairs<L, R> {
-    /// One shape against all those that are tested against it alone.
+    /// The pairs with left and right exchanged, for a single shape on the right.
     ///
     /// # Panics
-    /// Where there is more than one shape on the right.
+    /// If there is more than one shape on the right.
     pub fn turned(&self) -> Pairs<R, L> {
         assert_eq!(self.right.len(), 1, "one shape on the right");
         Pairs::all_against(self.right.clone(), self.left.clone())
     }
 
-    /// The same with the shapes on the right in blocks of N.
+    /// The same pairs with the shapes on the right in blocks of N.
     ///
     /// # Panics
-    /// Where a shape on the left has a number of them that N does not divide.
+    /// If N does not divide the number of partners of a shape on the left.
     pub fn blocks<const N: usize>(&self) -> Pairs<L, [R; N]> {
         let whole = |n: usize| {
             assert!(n.is_multiple_of(N), "a scene for blocks consists of whole ones");
@@ -120,11 +119,11 @@ impl<L: Clone, R: Clone> Pairs<L, R> {
 }
 
 impl<L, R: Clone> Pairs<L, R> {
-    /// The same with what is made of each shape on the left and the first that it is tested
-    /// against.
+    /// The same pairs, with each shape on the left replaced by a value made from it and its first
+    /// partner.
     ///
     /// # Panics
-    /// Where there is none.
+    /// If a shape has no partner.
     pub fn map_with_first<M>(&self, make: impl Fn(&L, &R) -> M) -> Pairs<M, R> {
         let left = self.left.iter().zip(&self.spans);
         Pairs {
@@ -144,27 +143,27 @@ impl<L, R> Default for Pairs<L, R> {
 /// Many shapes that are made while the clock runs, and never all at once.
 pub trait Block {
     type Shape;
-    /// Hands over each of them, in order.
+    /// Passes each shape to `ask`, in order.
     fn each(&self, ask: impl FnMut(Self::Shape));
 }
 
-/// A test as a program of its own would ask it, in the loop that makes the shapes. It makes what it
-/// takes of a shape on the left once for all on the right.
+/// A test inlined into the loop that makes the shapes, as in a user's program. It prepares each
+/// shape on the left once for all partners.
 ///
-/// It is a trait because the compiler may leave a closure out of line. Then the shapes go
-/// through memory, and the time hangs on whether they did.
+/// It is a trait, because the compiler may leave a closure out of line. Then the shapes go through
+/// memory, and the time depends on it.
 pub trait Inlined<L, R> {
     type Made;
     fn make(left: &L) -> Self::Made;
-    /// To be marked as always inlined.
+    /// Must be marked `inline(always)`.
     fn ask(made: &Self::Made, right: R) -> bool;
 }
 
-/// What a test returns: one verdict, or those on a block of pairs.
+/// The return type of a test: one verdict, or the verdicts on a block of pairs.
 pub trait Answer {
-    /// How often it says yes.
+    /// The number of verdicts that are yes.
     fn count(&self) -> usize;
-    /// Adds the verdicts to those given.
+    /// Appends the verdicts.
     fn tell(&self, verdicts: &mut Vec<bool>);
 }
 

@@ -1,4 +1,4 @@
-//! Shapes in the types of the peers, and their ways to say that nothing was hit.
+//! Shapes in the peers' types, and conversions of their results.
 
 use bvh::ray::Ray as BvhRay;
 use nalgebra::{Point3, Vector3};
@@ -23,7 +23,7 @@ pub fn obvhs_ray(r: &Ray<f32>) -> ObvhsRay {
     ObvhsRay::new_inf(obvhs_vector(r.origin()), obvhs_vector(r.direction()))
 }
 
-/// Its vectors are `glam`'s, of whichever version it was built with.
+/// Its vectors are `glam`'s, in the version that it was built with.
 pub fn obvhs_vector<V: From<[f32; 3]>>(v: Vec3<f32>) -> V {
     V::from([v.x, v.y, v.z])
 }
@@ -33,7 +33,7 @@ pub fn obvhs_triangle(t: &Triangle<f32>) -> ObvhsTriangle {
     ObvhsTriangle { v0, v1, v2 }
 }
 
-/// With reciprocals; it makes the direction a unit vector.
+/// With reciprocals. It normalizes the direction.
 pub fn bvh_ray(r: &Ray<f32>) -> BvhRay<f32, 3> {
     let d = r.direction();
     BvhRay::new(bvh_point(r.origin()), Vector3::new(d.x, d.y, d.z))

@@ -7,30 +7,31 @@ use std::hint::black_box;
 use crate::candidate::Candidate;
 use std::borrow::Borrow;
 
-/// How long a candidate took, and how that compares with the first one.
+/// The time of a candidate, and its ratio to the first candidate.
 pub struct Timing {
     /// Least time for the whole scene, in seconds.
     pub best: f64,
-    /// How many times as fast as the first candidate: by the best times.
+    /// The speed relative to the first candidate, by the best times.
     pub ratio: f64,
-    /// The same within each round: least, median, greatest.
+    /// The same ratio within each round: least, median, greatest.
     pub spread: [f64; 3],
-    /// The same: the lower quartile, the median, the upper quartile.
+    /// The same ratio: lower quartile, median, upper quartile.
     pub quartiles: [f64; 3],
 }
 
-/// How many questions a candidate is asked in all rounds of a scene, where it has so many.
+/// The number of questions that a candidate is asked in all rounds of a scene, unless the scene is
+/// too small.
 const QUESTIONS: usize = 40_000_000;
-/// In how many rounds it is asked all the same.
+/// The least number of rounds.
 const FEWEST: usize = 6;
 
-/// How many of the rounds that are wanted a scene of so many pairs gets.
+/// The number of rounds for a scene of so many pairs.
 pub fn rounds(wanted: usize, pairs: usize) -> usize {
     wanted.min((QUESTIONS / pairs.max(1)).max(FEWEST))
 }
 
-/// Runs every candidate once in each round, the order turning by one each time,
-/// so that what slows the machine down for a while slows all of them.
+/// Runs every candidate once in each round. The order rotates by one each round, so that a
+/// temporary slowdown of the machine affects all candidates.
 pub fn race<C: Borrow<Candidate>>(
     candidates: &[C],
     rounds: usize,
@@ -55,8 +56,8 @@ pub fn race<C: Borrow<Candidate>>(
     (0..candidates.len()).map(timing).collect()
 }
 
-/// The faster of two passes: the first one brings the data into the cache. In time of
-/// this thread alone, so that what else runs on the machine counts for less.
+/// The faster of two passes, because the first brings the data into the cache. Measured in this
+/// thread's own time, so that other load on the machine matters less.
 fn time(candidate: &Candidate) -> f64 {
     let pass = || {
         let start = ThreadTime::now();

@@ -23,15 +23,15 @@ pub struct Session {
 }
 
 impl Session {
-    /// With so many rounds, and only those groups and scenes whose names contain
-    /// what is given.
+    /// A session with `rounds` rounds, restricted to groups and scenes whose names contain the
+    /// given texts.
     pub fn new(rounds: usize, only: Option<String>, scene: Option<String>) -> Self {
         Self { rounds, only, scene, report: Report::default(), honest: true }
     }
 
-    /// Times the groups on one scene and prints their table. Each group brings its
-    /// own data, races against the yardstick, and is dropped before the next. Where pairs are
-    /// many, rounds are fewer.
+    /// Times the groups on one scene and prints their table. Each group brings its own data, races
+    /// against the yardstick, and is dropped before the next. Scenes with many pairs get fewer
+    /// rounds.
     pub fn measure<L, R>(
         &mut self,
         name: &str,
@@ -70,7 +70,7 @@ impl Session {
         println!("{name}, {} pairs\n{}\n", yardstick.pairs, self.report.table(name));
     }
 
-    /// Whether no test gave an answer that it promises not to give.
+    /// Whether every test kept its promise.
     pub fn is_honest(&self) -> bool {
         self.honest
     }

@@ -1,5 +1,5 @@
-//! The near-degenerate normal, seen: the verdicts of every method over a family of
-//! slivers, a pixel for each.
+//! Pictures of the near-degenerate normal: the verdicts of every method on a family of slivers,
+//! with a pixel for each.
 
 use std::error::Error;
 use std::fmt::Write;
@@ -12,8 +12,8 @@ use crate::candidate::Candidate;
 use crate::drawing::{Anchor, BLACK, Canvas, GREY, WIDTH, grouped};
 use septum_kit::{BoxNumbers, Case, Sample, meets};
 
-/// Draws the verdict of every method on slivers of which one vertex is moved by single
-/// units in the last place.
+/// Draws the verdicts of every method on slivers whose one vertex moves by single units in the last
+/// place.
 #[derive(Args)]
 pub struct Options {
     /// The picture, without its extension
@@ -26,7 +26,7 @@ const SIDE: i64 = 128;
 const CELL: f64 = 1.6;
 const GAP: f64 = 12.0;
 
-// Different in lightness: the right verdicts pale, the wrong ones dark.
+// The classes differ in lightness: right verdicts are pale, wrong ones dark.
 const CLASSES: [(&str, &str); 4] = [
     ("right: they meet", "#BBDDEE"),
     ("right: they are apart", "#FFFFEE"),
@@ -34,7 +34,7 @@ const CLASSES: [(&str, &str); 4] = [
     ("wrong: said to meet", "#D55E00"),
 ];
 
-/// Asks, and draws.
+/// Runs all methods, and draws.
 pub fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     eprintln!("{} slivers, every method", SIDE * SIDE);
     let cases: Vec<Case<f32>> = (0..SIDE * SIDE).map(sliver).collect();
@@ -95,8 +95,8 @@ fn sliver(pixel: i64) -> Case<f32> {
     let along = |t: f32| [0, 1, 2].map(|i| a[i] + t * (b[i] - a[i]));
     let [x, y, z] = along(1.45);
     let c = [x, y.moved(across), z.moved(up)];
-    // A small box far along the line, with its corner nearly on the line, on the side
-    // where the line does not enter it.
+    // A small box far along the line. Its corner lies nearly on the line, on the side where the
+    // line does not enter the box.
     let (corner, half) = (along(1.2), [0.003_f32; 3]);
     let nearer = 1.5e-6;
     let center = [corner[0] + half[0], corner[1] - half[1] + nearer, corner[2] + half[2] - nearer];

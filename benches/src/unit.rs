@@ -10,16 +10,16 @@ use crate::geometry::{Cell, Line, Point};
 pub struct Unit<S> {
     pub name: &'static str,
     pub scale: f64,
-    /// The scalar nearest to a number.
+    /// Converts a number to the nearest scalar.
     pub near: fn(f64) -> S,
-    /// The scalar as an `f64`, which holds all those used here without rounding.
+    /// Converts a scalar to `f64`, without rounding for all scalars used here.
     pub value: fn(S) -> f64,
 }
 
 pub const F32: Unit<f32> = Unit { name: "f32", scale: 1.0, near: |x| x as f32, value: f64::from };
 pub const F64: Unit<f64> = Unit { name: "f64", scale: 1.0, near: |x| x, value: |x| x };
 
-// Bits for scenes that reach to 2.
+// The bits used by scenes that extend to 2.
 
 pub const I8F8_15: Unit<I8F8> =
     Unit { name: "I8F8, 15 bits", scale: 32.0, near: I8F8::strict_from_num, value: I8F8::to_num };
@@ -55,7 +55,7 @@ impl Form {
     }
 }
 
-/// Coordinates are rounded here, before anything is asked or timed.
+/// Rounding happens here, before any test or timing.
 impl<S: Scalar> Unit<S> {
     pub fn point(&self, p: Point) -> [S; 3] {
         p.map(|x| (self.near)(x * self.scale))

@@ -1,4 +1,4 @@
-//! Two oriented boxes in each other; the oracle tries all axes in whole numbers.
+//! Overlapping oriented boxes; the oracle tries all axes in integers.
 
 use septum::Obb;
 use septum_kit::boxes::{AnyBox, ObbNumbers};
@@ -30,7 +30,7 @@ pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
     exams.collect()
 }
 
-/// Ours, and in `f32` the peer, that have answered these pairs of boxes whose axes are frames.
+/// Our answers, and in `f32` the peer's, for pairs of boxes with orthonormal axes.
 pub(crate) fn answers<S: Sample>(
     scalar: &'static str,
     cases: &[[ObbNumbers<S>; 2]],

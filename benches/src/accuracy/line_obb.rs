@@ -11,7 +11,7 @@ use crate::candidate::Course;
 use crate::line_obb::{ours, peer};
 use crate::pairs::Pairs;
 
-/// Boxes that are turned, not skewed, and rays with t ≥ 0: the peer has no others.
+/// Rotated, not skewed, boxes, and rays with t ≥ 0: the peer supports no others.
 pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
     let exam = |(set, label): (BoxSet, &'static str)| Exam {
         label,

@@ -1,5 +1,5 @@
-//! Counts wrong answers of every candidate, ours and the peers', on cases that are
-//! decided by exact oracles too.
+//! Counts wrong answers of every candidate, ours and the peers', on cases that exact oracles
+//! decide.
 
 mod contact;
 mod line_obb;
@@ -30,7 +30,7 @@ use std::any::Any;
 use crate::candidate::Candidate;
 use septum_kit::jobs::{on_all_cores, pieces};
 
-/// Cases from a seed, as candidates that have answered them.
+/// Makes cases from a seed, and returns candidates that have answered them.
 pub(crate) type Ask = Box<dyn Fn(u64, usize) -> Vec<Candidate> + Send + Sync>;
 
 /// A set of cases for some candidates.
@@ -39,7 +39,7 @@ pub(crate) struct Exam<Label> {
     pub(crate) ask: Ask,
 }
 
-/// What one candidate did on one set.
+/// The answers of one candidate on one set.
 #[derive(Clone, Debug)]
 pub(crate) struct Tally {
     pub(crate) who: String,
@@ -67,10 +67,10 @@ impl Tally {
     }
 }
 
-/// Cases in one piece of work. Part of what makes a seed's cases what they are.
+/// Cases in one piece of work. A seed's cases depend on it.
 const PIECE: usize = 5_000;
 
-/// Each exam's tallies, in order, each from so many cases and the same seeds.
+/// The tallies of each exam, in order; every exam has the same number of cases and the same seeds.
 pub(crate) fn examine<Label: Sync>(exams: &[Exam<Label>], cases: usize) -> Vec<Vec<Tally>> {
     let jobs: Vec<(usize, u64, usize)> = (0..exams.len())
         .flat_map(|exam| pieces(0, cases, PIECE).map(move |(seed, count)| (exam, seed, count)))
@@ -100,7 +100,7 @@ fn add(sums: &mut Vec<Tally>, found: Vec<Tally>) {
     }
 }
 
-/// What is in `f32` anyway, for the peers.
+/// The course, if it is in `f32`, for the peers.
 fn as_f32<T: 'static, In: 'static>(course: T) -> Option<In> {
     (Box::new(course) as Box<dyn Any>).downcast().ok().map(|course| *course)
 }

@@ -9,14 +9,14 @@ use crate::candidate::Course;
 use crate::obb_obb::{ours, peer};
 use crate::pairs::Pairs;
 
-/// The sets of boxes that are turned, not skewed: the peer has no others.
+/// The sets of rotated, not skewed, boxes: the peer supports no others.
 pub(crate) const SETS: [(BoxSet, &str); 3] = [
     (BoxSet::Turned, "turned"),
     (BoxSet::NearlyParallel, "nearly parallel"),
     (BoxSet::Grid, "grid"),
 ];
 
-/// The box, if its axes are a frame.
+/// The box, if its axes are orthonormal.
 pub(crate) fn framed<S: Sample>(numbers: &ObbNumbers<S>) -> Option<Obb<S>> {
     let obb = numbers.shape().ok()?;
     Obb::new(obb.center(), *obb.axes(), obb.half_extents()).ok()

@@ -13,7 +13,7 @@ use septum_kit::{BoxNumbers, Rng, Sample};
 
 use super::Exam;
 
-/// Every set that the scalar holds.
+/// Every set for which the scalar has the range.
 pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
     let exam = |set: LineSet| Exam {
         label: name(set),
@@ -60,7 +60,7 @@ pub(crate) fn ours<S: Sample>(scalar: &'static str, cases: &[LineBox<S>]) -> Vec
     Form::ALL.into_iter().flat_map(in_form).collect()
 }
 
-/// The peers, if the scalar is theirs: rays with t ≥ 0 and boxes by their corners.
+/// The peers, for scalars that they support: rays with t ≥ 0 and boxes by their corners.
 pub(crate) fn peers<S: Sample>(scalar: &'static str, cases: &[LineBox<S>]) -> Vec<Candidate> {
     let plain: Vec<_> = cases
         .iter()

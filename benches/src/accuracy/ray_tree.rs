@@ -1,4 +1,4 @@
-//! Rays down a tree; every triangle is asked, without it.
+//! Rays through a tree; the oracle tests every triangle.
 
 use septum::Scalar;
 
@@ -35,7 +35,7 @@ fn of_all() -> Vec<Exam<&'static str>> {
 }
 
 fn of_ours<S: Scalar>(unit: Unit<S>) -> Vec<Exam<&'static str>> {
-    // What is counted for a scalar is counted for all numbers of its bits.
+    // A unit's name may list several numbers; the counts are for all numbers of the scalar.
     let unit = Unit { name: unit.name.split(',').next().expect("a name"), ..unit };
     exams(move |aim, seed, count| ours(&course(&scene(aim, seed, count), &unit)))
 }

@@ -1,4 +1,4 @@
-//! Rays and triangles; the oracle solves for the point.
+//! Rays and triangles; the oracle solves for the intersection.
 
 use std::any::Any;
 
@@ -12,8 +12,8 @@ use septum_kit::rays::{RayCase, RaySet, Truth, crossing};
 
 use super::Exam;
 
-/// Every set that the scalar holds. Peers, which are asked for t ≥ 0 alone, sit out
-/// the two sets on other ranges.
+/// Every set for which the scalar has the range. Peers, which support only t ≥ 0, skip the two sets
+/// with other ranges.
 pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
     let exam = |set: RaySet| Exam {
         label: set.name(),
@@ -36,7 +36,7 @@ type Solved<'a, S> = (&'a RayCase<S>, Option<Truth>);
 pub(crate) fn ours<S: Sample>(scalar: &'static str, cases: &[RayCase<S>]) -> Vec<Candidate> {
     let solved = solve(cases);
     let all = course((scalar, ""), solved.iter(), |_| true);
-    // In contact `hit_once` may answer either way: it is not asked.
+    // In contact both answers of `hit_once` are right, so contacts are left out.
     let clear = course((scalar, ""), solved.iter().filter(|case| !is_contact(case)), |_| true);
     let is_once = |candidate: &Candidate| candidate.who.contains("once");
     let mut candidates = tests::ours(&all);
@@ -46,8 +46,8 @@ pub(crate) fn ours<S: Sample>(scalar: &'static str, cases: &[RayCase<S>]) -> Vec
     candidates
 }
 
-/// Those who can only be asked for t ≥ 0, if the scalar is theirs: the peers, and
-/// what a user would have typed in.
+/// Methods that support only t ≥ 0, for the scalars that they support: the peers, and a naive
+/// implementation.
 pub(crate) fn peers<S: Sample>(scalar: &'static str, cases: &[RayCase<S>]) -> Vec<Candidate> {
     let solved = solve(cases);
     let asked = || solved.iter().filter(|(case, _)| case.is_plain());
@@ -99,7 +99,7 @@ fn course<'a, S: Sample>(
 }
 
 trait Plain {
-    /// Whether the question is on t ≥ 0.
+    /// Whether the range is t ≥ 0.
     fn is_plain(&self) -> bool;
 }
 

@@ -1,4 +1,4 @@
-//! A box that moves past a triangle; the oracle cuts the prism of triangle and time.
+//! A box that moves past a triangle; the oracle clips the prism of triangle and time.
 
 use septum::sweep::Sweep;
 use septum_kit::sweeps::{SweepCase, SweepSet};
@@ -32,7 +32,7 @@ pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
     SETS.into_iter().filter(is_held).map(exam).collect()
 }
 
-/// Ours, and in `f32` the peers, that have answered these cases.
+/// Our answers, and in `f32` the peers', for these cases.
 pub(crate) fn answers<S: Sample>(scalar: &'static str, cases: &[SweepCase<S>]) -> Vec<Candidate> {
     let truth: Vec<bool> = cases.iter().map(|case| case.truth().is_some()).collect();
     let (mut pairs, mut shots) = (Pairs::default(), (Pairs::default(), Vec::new()));
@@ -53,8 +53,8 @@ pub(crate) fn answers<S: Sample>(scalar: &'static str, cases: &[SweepCase<S>]) -
     all
 }
 
-/// By when they meet: as `f64` has it, rounded down, where it holds the numbers of the scalar and
-/// more. Elsewhere only whether they meet is counted.
+/// The true time of impact in `f64`, rounded down, for scalars that `f64` holds with digits to
+/// spare. For other scalars only the verdict is checked.
 fn latest<S: Sample>(case: &SweepCase<S>) -> f64 {
     if matches!(S::name().as_str(), "f64" | "I32F32") {
         return f64::INFINITY;
@@ -69,7 +69,8 @@ fn latest<S: Sample>(case: &SweepCase<S>) -> f64 {
     triangle.first_contact(&case.motion(), &aabb).map_or(f64::INFINITY, |first| first.t)
 }
 
-/// As the peers take it: the box by its centre, and the way as a difference, if `f32` holds that.
+/// The case in the peers' form, with the box by its centre and the motion as a difference, if `f32`
+/// holds that.
 fn shot(case: &SweepCase<f32>) -> Option<Shot> {
     let BoxNumbers::Center(center, half) = case.case.aabb else { return None };
     let [to, from] = case.way;

@@ -12,7 +12,7 @@ use septum_kit::{BoxNumbers, Case, Sample, Set, meets};
 
 use super::{Exam, as_f32};
 
-/// Every set that the scalar holds, for our modes.
+/// Every set for which the scalar has the range, for our modes.
 pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
     let exam = |set: Set| Exam {
         label: set.name(),
@@ -31,7 +31,7 @@ pub(crate) fn ours<S: Sample>(scalar: &'static str, cases: &[Case<S>]) -> Vec<Ca
     Form::ALL.into_iter().flat_map(|form| tests::ours(&course(scalar, cases, form))).collect()
 }
 
-/// The peers, if the scalar is theirs.
+/// The peers, for scalars that they support.
 pub(crate) fn peers<S: Sample>(scalar: &'static str, cases: &[Case<S>]) -> Vec<Candidate> {
     if TypeId::of::<S>() != TypeId::of::<f32>() {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! Two triangles; the oracle is of whole numbers.
+//! Two triangles; the oracle computes in integers.
 
 use septum::Triangle;
 use septum_kit::flat::{Flat, FlatCase, FlatSet, Truth};
@@ -9,7 +9,7 @@ use crate::candidate::Course;
 use crate::pairs::Pairs;
 use crate::triangle_triangle::{by_axes, ours, peers};
 
-/// Every set that the scalar holds.
+/// Every set for which the scalar has the range.
 pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
     let exam = |set: FlatSet| Exam {
         label: name(set),

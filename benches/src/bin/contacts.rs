@@ -1,4 +1,4 @@
-//! Contacts beside the peer's, in `f32` and other scalars: time, and how many it gets wrong.
+//! Contacts in `f32` and other scalars, beside the peer's in `f32`: time and wrong answers.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -13,7 +13,7 @@ use septum::{Aabb, Obb, Triangle};
 use septum_kit::fixed::types::I16F16;
 use septum_kit::{Rng, Sample};
 
-/// Times contacts of shapes that are in each other.
+/// Times contacts of overlapping shapes.
 #[derive(Parser)]
 #[command(version)]
 struct Options {
@@ -35,14 +35,14 @@ struct Turned {
     half: Point,
 }
 
-/// What the first shape is, which a box is in.
+/// The first shape, which the box overlaps.
 #[derive(Clone, Copy)]
 enum First {
     Triangle([Point; 3]),
     Box(Turned),
 }
 
-/// The frame turned by these angles.
+/// The coordinate axes rotated by these angles.
 fn turned(angles: Point) -> [Point; 3] {
     let mut frame = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     for (angle, (i, j)) in angles.into_iter().zip([(0, 1), (1, 2), (2, 0)]) {
@@ -64,7 +64,7 @@ fn any(rng: &mut Rng) -> Point {
     rng.triple(|rng| rng.real(0.0, std::f64::consts::TAU))
 }
 
-/// A triangle of the floor, and a box that sank into it a little.
+/// A triangle of the floor, and a box that has sunk into it a little.
 fn on_floor(rng: &mut Rng, angles: Point) -> (First, Turned) {
     let mut b = cube(rng, angles);
     let reach: f64 = (0..3).map(|k| b.half[k] * b.axes[k][2].abs()).sum();

@@ -1,5 +1,5 @@
-//! A mesh of 90,000 triangles and its tree beside the peers' trees: rays, boxes and points, in
-//! `f32`. Every answer is compared with the exact one, which comes from asking without a tree.
+//! A mesh of 90,000 triangles and its tree beside the peers' trees, in `f32`: rays, boxes and
+//! points. Every answer is compared with the exact one, computed without a tree.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -26,7 +26,7 @@ struct Options {
     steps: u32,
 }
 
-/// One way to answer all questions of a scene: by answers in numbers.
+/// A method that answers all questions of a scene, with a number for each.
 struct Method<'a> {
     name: &'static str,
     ask: Box<dyn Fn(usize) -> u64 + 'a>,
@@ -66,7 +66,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     mesh.check_closed(&mut vec![[0; 2]; 3 * faces.len()])?;
     println!("A torus knot of {} triangles in f32; wrong answers per million.", faces.len());
 
-    // As the peers are advised to have their triangles, and as tables have them.
+    // In the tree's order, as peers advise for their trees, and as tables are.
     let (tree, took) = ray_tree::tree(vertices, &faces)?;
     println!("built in ms: septum {}", took.as_millis());
     let mesh = tree.mesh();
@@ -88,7 +88,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             rays.iter().map(|&(o, d)| ParryRay::new(o.into(), d.into())).collect();
         let of_obvhs: Vec<_> =
             rays.iter().map(|&(o, d)| ObvhsRay::new_inf(o.into(), d.into())).collect();
-        // Whether there is a hit; the triangle may be another of the same vertex.
+        // Compares only whether there is a hit: at a vertex, methods may choose different
+        // triangles.
         let truth: Vec<_> = ours
             .iter()
             .take(400)
@@ -132,7 +133,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             .iter()
             .map(|&(a, b)| parry3d::bounding_volume::Aabb::new(a.into(), b.into()))
             .collect();
-        // How many, and which, by a sum that is the same in any order.
+        // A checksum of the indices, independent of their order.
         let tell = |found: &mut dyn Iterator<Item = u64>| {
             found
                 .fold(0_u64, |sum, i| sum.wrapping_add((i + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15)))
@@ -171,7 +172,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let places: Vec<Point> = (0..2000)
         .map(|k| {
             let p = points[rng.below(points.len())];
-            // On a vertex, and beside it.
+            // At a vertex, and near it.
             let by = [0.0, 1e-6, 0.1, 1.0][k % 4];
             p.map(|x| x + (rng.real(-1.0, 1.0) * by) as f32)
         })

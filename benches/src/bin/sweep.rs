@@ -1,5 +1,5 @@
-//! A box that moves past triangles, beside the peers' casts of shapes: wrong answers, late times,
-//! and how long it takes.
+//! A box that moves past triangles, beside the peers' shape casts: wrong answers, late times, and
+//! speed.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -23,7 +23,7 @@ struct Options {
     rounds: u32,
 }
 
-/// When a shot first meets its triangle, by somebody's method.
+/// A method for the time at which a shot first meets its triangle.
 type Cast = fn(&Shot) -> Option<f32>;
 
 fn ours(shot: &Shot) -> Option<f32> {
@@ -31,7 +31,7 @@ fn ours(shot: &Shot) -> Option<f32> {
     aabb.first_contact(&motion, &triangle).map(|first| first.t)
 }
 
-/// Answers beside the true ones, which `f64` has to its last bit.
+/// Compares answers with the true ones, which `f64` computes exactly enough.
 fn count(title: &str, shots: &[Shot]) {
     let truth: Vec<Option<f64>> = shots
         .iter()
@@ -56,7 +56,7 @@ fn count(title: &str, shots: &[Shot]) {
                 (None, Some(_)) => misses += 1,
                 (Some(_), None) => inventions += 1,
                 (Some(t), Some(truth)) => {
-                    // Rounding to the nearest would not be late.
+                    // A time rounded to the nearest is not counted as late.
                     late += usize::from(f64::from(t.next_down()) > *truth);
                     let t = f64::from(t);
                     most_late = most_late.max(t - truth);
@@ -76,7 +76,7 @@ struct Method<'a> {
     run: Box<dyn Fn() -> usize + 'a>,
 }
 
-/// In turns, and how many times as long as the first.
+/// Races the methods in turns, and prints times relative to the first.
 fn race(title: &str, rounds: u32, pairs: usize, methods: &[Method<'_>]) {
     let mut best = vec![Duration::MAX; methods.len()];
     for _ in 0..rounds {

@@ -1,5 +1,5 @@
-//! How long whole meshes in voxels take: ours beside one test for each voxel, the peers, and
-//! merely clearing the grid and writing its words.
+//! Times voxelization of whole meshes: ours, one test for each voxel, the peers, and as a lower
+//! limit clearing the grid and writing its words.
 
 use std::collections::HashSet;
 use std::error::Error;
@@ -18,9 +18,9 @@ use septum_kit::voxels::torus_knot;
 
 /// Times voxelization beside its peers, one thread, in one process, taking turns.
 ///
-/// All in f32 and voxels of size one. parry3d has a grid of its own, half a voxel aside; for it
-/// and for ours beside it the mesh is moved there, and so each is compared with the exact
-/// voxels of the very mesh that it got. Times are the best of all rounds, of the processor.
+/// All in f32, with voxels of size one. parry3d's grid is shifted by half a voxel; for it, and for
+/// our run beside it, the mesh is shifted too. Each result is compared with the exact voxels of the
+/// mesh that the method was given. Times are the best of all rounds, in processor time.
 #[derive(Parser)]
 #[command(version)]
 struct Options {
@@ -99,7 +99,7 @@ fn row(name: &str, mesh: &[[[f64; 3]; 3]], n: u32, rounds: u32) -> Vec<String> {
             written.iter().for_each(|&(at, word)| words[at] = word);
         });
         time(&mut best[2], || per_voxel(&whole, &triangles, &mut words));
-        // The slow ones not as often where they take seconds.
+        // Slow methods run in fewer rounds if they take seconds.
         if round < 2 || best[3] < 0.5 {
             let mut volume = None;
             time(&mut best[3], || {
@@ -151,14 +151,14 @@ fn turned_cube() -> Vec<[[f64; 3]; 3]> {
     faces.into_iter().flat_map(of_face).collect()
 }
 
-/// Keeps the time that the work takes, if it is the best so far.
+/// Keeps the best time of the work.
 fn time(best: &mut f64, work: impl FnOnce()) {
     let start = ThreadTime::now();
     work();
     *best = best.min(start.elapsed().as_secs_f64());
 }
 
-/// From zero on, with a longest side of this length.
+/// Moves and scales a mesh to begin at zero and have this longest side.
 fn placed(mesh: &[[[f64; 3]; 3]], longest: f64) -> Mesh {
     let points = || mesh.as_flattened().iter();
     let low = [0, 1, 2].map(|i| points().map(|p| p[i]).fold(f64::INFINITY, f64::min));
@@ -174,7 +174,7 @@ fn fill(grid: &Grid<f32>, triangles: &[Triangle<f32>], words: &mut [u64]) {
     triangles.iter().for_each(|triangle| bits.fill(triangle, Rule::Closed));
 }
 
-/// As the fastest test for each voxel does it.
+/// One test for each voxel, with the fastest such test.
 fn per_voxel(grid: &Grid<f32>, triangles: &[Triangle<f32>], words: &mut [u64]) {
     words.fill(0);
     let (size, row_words) = (grid.resolution(), grid.row_words::<u64>());
@@ -203,7 +203,7 @@ fn per_voxel(grid: &Grid<f32>, triangles: &[Triangle<f32>], words: &mut [u64]) {
     }
 }
 
-/// The voxels that are set, numbered by the coordinates of their least corners, rounded up.
+/// The voxels that are set, by the coordinates of their least corners, rounded up.
 fn voxels(grid: &Grid<f32>, triangles: &[Triangle<f32>], words: &mut [u64]) -> HashSet<[i32; 3]> {
     fill(grid, triangles, words);
     voxels_of(grid, words)

@@ -1,4 +1,4 @@
-//! Draws rows of marks: what a test costs across, how often it is wrong up.
+//! Draws rows of marks, with cost on the horizontal axis and error rate on the vertical.
 
 use std::error::Error;
 use std::path::Path;
@@ -11,7 +11,7 @@ use crate::drawing::{
 use super::legend;
 use super::style::Family;
 
-/// One mark, or two: for the worst set and for the mean.
+/// One mark, or two: the rate on the worst set and on the mean of all sets.
 pub(super) struct Dot {
     pub(super) family: Family,
     pub(super) label: String,
@@ -26,7 +26,7 @@ pub(super) struct Row {
     pub(super) dots: Vec<Dot>,
     /// Pixels of the part above the band of zero.
     pub(super) height: f64,
-    /// An upright line: where the fastest peer is.
+    /// A vertical line at the fastest peer.
     pub(super) line: Option<(f64, String)>,
 }
 
@@ -35,7 +35,7 @@ pub(super) struct Frame {
     pub(super) title: String,
     pub(super) subtitle: String,
     pub(super) rows: Vec<Row>,
-    /// What is across, and how its ticks are written.
+    /// The quantity on the horizontal axis, and the format of its ticks.
     pub(super) axis: String,
     pub(super) tick: fn(f64) -> String,
     pub(super) base: f64,
@@ -94,10 +94,11 @@ impl Frame {
         self.rows.iter().flat_map(|row| &row.dots)
     }
 
-    /// From below the least to above the greatest cost, with room for a label there.
+    /// A range from below the least cost to above the greatest, with room for a label.
     fn reach(&self) -> [f64; 2] {
         let lines = self.rows.iter().filter_map(|row| row.line.as_ref()).map(|(x, _)| *x);
-        // A path is where it is; a round that was disturbed is not.
+        // The extremes of paths count. The extremes of times come from disturbed rounds, so only
+        // the median counts.
         let from = if self.bars { 1 } else { 0 };
         let dots = self.dots().flat_map(|dot| [dot.cost[from], dot.cost[1]]);
         let costs: Vec<f64> = dots.chain(lines).collect();
@@ -106,7 +107,7 @@ impl Frame {
         let room = (high / low).ln() * 0.1;
         let left = low * (-0.4 * room).exp() * 0.9;
         let right = high * (1.2 * room).exp() * 1.1;
-        // In the band of zero a label stands to the right of its mark, whatever else.
+        // In the band of zero a label always stands to the right of its mark.
         let needed = self.dots().filter(|dot| dot.worst == 0.0).map(|dot| {
             let width = RIGHT - LEFT;
             let share = width / (width - 20.0 - width_of(&dot.label, SMALL));
@@ -115,7 +116,7 @@ impl Frame {
         [left, needed.fold(right, f64::max)]
     }
 
-    /// The power of ten below all rates but zero.
+    /// The power of ten below all rates except zero.
     fn floor(&self) -> f64 {
         let rates = self.dots().map(|dot| dot.mean).filter(|rate| *rate > 0.0);
         let least = rates.fold(1e4, f64::min);
@@ -124,8 +125,8 @@ impl Frame {
 }
 
 impl Row {
-    /// For each dot that was never wrong the line that it stands on, so that labels
-    /// keep clear of each other; and the number of lines.
+    /// The line for each dot with no wrong answer, so that labels keep clear of each other, and the
+    /// number of lines.
     fn lanes(&self, x: &Scale) -> (Vec<Option<usize>>, usize) {
         let dots = &self.dots;
         let mut order: Vec<usize> = (0..dots.len()).filter(|&k| dots[k].worst == 0.0).collect();
@@ -187,7 +188,7 @@ impl Row {
         places.iter().for_each(|place| labels.write(canvas, place));
     }
 
-    /// The Pareto front by the worst set: a stair that nothing lies below and left of.
+    /// The Pareto front by the worst set: a staircase with no mark below it on the left.
     fn front(&self, canvas: &mut Canvas, x: &Scale, y: &Zeroed) {
         let mut order: Vec<&Dot> = self.dots.iter().collect();
         order.sort_by(|a, b| a.cost[1].total_cmp(&b.cost[1]).then(a.worst.total_cmp(&b.worst)));
@@ -220,7 +221,7 @@ fn grid(canvas: &mut Canvas, x: &Scale, y: &Zeroed, base: f64) {
     canvas.bold([LEFT - 5.0, y.zero() + 4.5], 13.0, Anchor::End, BLACK, "0");
 }
 
-/// The middle half of the rounds.
+/// A bar over the middle half of the rounds.
 fn bar(canvas: &mut Canvas, [low, high]: [f64; 2], y: f64, color: &str) {
     canvas.line([low, y], [high, y], color, 1.2, "");
     for end in [low, high] {

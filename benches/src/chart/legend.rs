@@ -1,16 +1,16 @@
-//! The legend: marks of all families, and what full, hollow and the bar mean.
+//! The legend: the marks of all families, and the meaning of full marks, hollow marks and bars.
 
 use crate::drawing::{Anchor, BLACK, Canvas, GREY, Mark, width_of};
 
 use super::style::Family;
 
-/// A text, and what draws its sign.
+/// A text, and a function that draws its symbol.
 type Key = (&'static str, fn(&mut Canvas, f64, f64));
 
 const SIZE: f64 = 12.0;
 const LINE: f64 = 20.0;
 
-/// Draws it from a height on; returns where it ends.
+/// Draws the legend from a height on; returns the height where it ends.
 pub(super) fn draw(
     canvas: &mut Canvas,
     families: &[Family],

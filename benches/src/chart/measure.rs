@@ -1,4 +1,4 @@
-//! Both measurements, and what belongs together in them.
+//! Both measurements, joined into points.
 
 use fixed::types::{I8F8, I16F16, I32F32};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -16,7 +16,7 @@ use crate::{
 
 use super::point::Point;
 
-/// Rays that are asked about every triangle of a mesh, too.
+/// The number of rays that are also tested against every triangle of a mesh.
 const MOST_RAYS: usize = 2_000;
 
 /// Every point of every picture.
@@ -45,7 +45,7 @@ pub(super) fn points(rounds: usize, cases: usize) -> Vec<Point> {
             .chain([sets::<I32F32>("I32F32")])
     });
 
-    // Whole numbers of any size take long.
+    // Big-integer oracles are slow.
     let fewer = cases.div_ceil(10);
     macro_rules! in_every_scalar {
         ($what:literal, $sets:path) => {{
@@ -140,17 +140,17 @@ fn time<L, R>(
         let mut candidates = vec![yardstick(&scene)];
         candidates.extend(make(&scene));
         let timings = race(&candidates, rounds, &bar);
-        // The yardstick stands for itself once.
+        // The yardstick appears in every group; keep it once.
         let skipped = usize::from(!timed.is_empty());
         timed.extend(candidates.into_iter().zip(timings).skip(skipped));
-        // The data are not needed any more.
+        // The data are no longer needed.
         timed.iter_mut().for_each(|(candidate, _)| candidate.run = Box::new(|| 0));
     }
     bar.finish_and_clear();
     timed
 }
 
-/// What was counted: a tally for each set and candidate.
+/// The counts: a tally for each set and candidate.
 struct Accuracy(Vec<(&'static str, Tally)>);
 
 impl Accuracy {
@@ -197,9 +197,8 @@ fn is_peer(who: &str) -> bool {
     ["parry3d", "box3d", "obvhs", "bvh"].iter().any(|peer| who.contains(peer))
 }
 
-/// The test that gives the same bits one at a time, by whose answers those of many at
-/// once are counted, and those of what is made on the way; and the yardsticks by their other
-/// names.
+/// The test whose accuracy counts for this one because it gives the same bits: single shapes for
+/// lanes, and prepared data for shapes made on the way; and the yardsticks by their other names.
 fn alone<'a>(who: &'a str, form: &'a str) -> (&'a str, &'a str) {
     let who = match who {
         "yardstick: as published" => "as published",

@@ -1,5 +1,5 @@
-//! The speed–accuracy chart: every method on every scalar a point, its time across
-//! and its wrong answers up.
+//! The speed–accuracy chart: a point for every method in every scalar, with time on the horizontal
+//! axis and wrong answers on the vertical.
 
 mod frame;
 mod legend;
@@ -33,10 +33,10 @@ pub struct Options {
     /// Instructions on small cores, drawn too if there is such a table
     #[arg(long, value_name = "FILE", default_value = "docs/target.csv")]
     target: PathBuf,
-    /// Documents whose tables of times are made anew
+    /// Documents whose tables of times are updated
     #[arg(long, value_name = "FILE", default_values = ["docs/speed.md", "README.md"])]
     tables: Vec<PathBuf>,
-    /// Measure nothing: draw what chart.csv says
+    /// Draw from chart.csv without measuring
     #[arg(long)]
     redraw: bool,
 }

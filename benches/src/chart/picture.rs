@@ -1,5 +1,5 @@
-//! What pictures there are: a query on a workload with a row for each scalar, and an
-//! overview of three of them.
+//! The pictures: a query on a workload with a row for each scalar, and an overview of three
+//! queries.
 
 use std::error::Error;
 use std::path::Path;
@@ -10,7 +10,7 @@ use super::frame::{Dot, Frame, Row};
 use super::point::Point;
 use super::style::{is_shown, label, look};
 
-/// What it is called, and what it shows.
+/// A picture's name and contents.
 pub(super) struct Picture {
     pub(super) stem: &'static str,
     title: &'static str,
@@ -150,7 +150,7 @@ impl Picture {
                     heading: point.scalar.clone(),
                     dots: vec![dot],
                     height: self.heights[usize::from(!rows.is_empty())],
-                    // It is named once.
+                    // Named only once.
                     line: line
                         .clone()
                         .map(|(at, text)| (at, if rows.is_empty() { text } else { String::new() })),
@@ -181,7 +181,7 @@ impl Picture {
         points.iter().filter(|p| p.picture == self.stem && is_shown(p)).collect()
     }
 
-    /// Where our exact tests lie beside the fastest peer, in words.
+    /// A sentence that compares our exact tests with the fastest peer.
     pub(super) fn verdict(&self, points: &[Point]) -> String {
         let points = self.shown(points);
         let Some(peer) = fastest_peer(&points) else { return String::new() };
@@ -195,8 +195,8 @@ impl Picture {
     }
 }
 
-/// All methods in `f32` with the peers, and the exact ones in the other scalars: a few queries in
-/// one picture.
+/// An overview of a few queries: all methods in `f32` with the peers, and the exact methods in the
+/// other scalars.
 pub(super) struct Overview {
     stem: &'static str,
     title: &'static str,

@@ -1,4 +1,4 @@
-//! A point of the chart, and the table of them.
+//! Points of the chart, and their table.
 
 use std::error::Error;
 use std::path::Path;

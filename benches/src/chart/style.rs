@@ -1,4 +1,4 @@
-//! How each test looks, and what it is called in a picture.
+//! The look of each test, and its name in a picture.
 
 use crate::drawing::{BLACK, BLUE, GREEN, Mark, ORANGE, PURPLE, VERMILION};
 
@@ -16,7 +16,7 @@ const fn family(name: &'static str, mark: Mark, color: &'static str) -> Family {
     Family { name, mark, color }
 }
 
-/// In the order of a legend; the first whose part of a name fits is meant.
+/// In the order of the legend. A test belongs to the first family whose text occurs in its name.
 const FAMILIES: [(&str, Family); 17] = [
     ("parry3d", family("parry3d", Mark::Cross, PURPLE)),
     ("box3d", family("box3d-rust", Mark::Plus, PURPLE)),
@@ -50,15 +50,15 @@ impl Family {
     }
 }
 
-/// Whether a picture shows it. It shows a yardstick under one name, and one form of
-/// boxes where tests are many.
+/// Whether a picture shows the point. A yardstick is shown under one name, and pictures with many
+/// tests show one form of boxes.
 pub(super) fn is_shown(point: &Point) -> bool {
     let is_twice =
         point.test.starts_with("yardstick: as published") && point.picture != "mesh-voxels";
     !is_twice && (point.picture != "ray-box" || point.form != "centre")
 }
 
-/// What is written beside a mark.
+/// The label beside a mark.
 pub(super) fn label(point: &Point) -> String {
     let test = match point.test.as_str() {
         "yardstick: as published" => "as published",

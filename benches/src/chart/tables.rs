@@ -1,7 +1,7 @@
 //! The tables of times in the documents, from the points of the chart.
 //!
-//! A table stands below a comment that says of what it is. Rows with names are the
-//! document's own: which methods it shows, and in which order. Their figures are made anew.
+//! Each table stands below a comment that identifies it. The document chooses the rows, and their
+//! order, by names; only the figures are updated.
 
 use std::error::Error;
 use std::path::Path;
@@ -10,11 +10,11 @@ use crate::drawing::grouped;
 
 use super::point::Point;
 
-/// The comment above a table of methods names its pictures; above the others, these.
+/// The comment above a table by scalar. Other tables name their pictures in the comment.
 const BY_SCALAR: &str = "exact by scalar";
 const BY_PEER: &str = "exact beside peers";
 
-/// A query: how a table calls it, its picture, the exact test, the form of its boxes.
+/// A query: its name in a table, its picture, the exact test, the form of its boxes.
 type Query = (&'static str, &'static str, &'static str, &'static str);
 
 const QUERIES: [Query; 15] = [
@@ -34,10 +34,10 @@ const QUERIES: [Query; 15] = [
     ("sweep, when", "sweep", "exact, when", ""),
     ("contact of oriented boxes", "contact", "exact, translation", ""),
 ];
-/// Those that the shorter table shows.
+/// The queries of the shorter table.
 const SHORT: [usize; 6] = [0, 1, 2, 4, 7, 10];
 
-/// Writes the file anew, with the figures of these points.
+/// Updates the figures in a file.
 pub(super) fn refresh(path: &Path, points: &[Point]) -> Result<(), Box<dyn Error>> {
     let at = |error| format!("{}: {error}", path.display());
     let text = std::fs::read_to_string(path).map_err(at)?;
@@ -58,7 +58,7 @@ pub(super) fn refresh(path: &Path, points: &[Point]) -> Result<(), Box<dyn Error
     Ok(())
 }
 
-/// A row of a table with the figures of today; as it was where there are none.
+/// A row with updated figures; unchanged if there are none.
 fn row(line: &str, kind: &str, points: &[Point]) -> String {
     let mut cells: Vec<String> =
         line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect();
@@ -94,7 +94,7 @@ fn by_method(cells: &mut [String], names: &[String], kind: &str, points: &[Point
     Some(())
 }
 
-/// Bold where it was.
+/// Writes a figure, in bold if the cell was bold.
 fn put(cell: &mut String, figure: String) {
     *cell = if cell.starts_with("**") { format!("**{figure}**") } else { figure };
 }

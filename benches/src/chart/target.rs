@@ -1,4 +1,4 @@
-//! Small cores: the same picture with instructions across, from a committed table.
+//! Small cores: the same picture with instructions on the horizontal axis, from a committed table.
 
 use std::error::Error;
 use std::path::Path;
@@ -22,13 +22,13 @@ struct Cost {
 }
 
 impl Cost {
-    /// What has one mark, whatever the path.
+    /// The fields that identify a mark; all paths share one mark.
     fn key(&self) -> [&str; 4] {
         [&self.core, &self.query, &self.scalar, &self.mode]
     }
 }
 
-/// Draws a picture for each query in the table; none where there is no table.
+/// Draws a picture for each query in the table, if there is a table.
 pub(super) fn draw(table: &Path, points: &[Point], out: &Path) -> Result<(), Box<dyn Error>> {
     if !table.exists() {
         println!("{}: not there, so no picture of small cores", table.display());
@@ -94,7 +94,7 @@ fn rows(costs: &[Cost], query: &str, picture: &str, points: &[Point]) -> Vec<Row
         let dot = Dot {
             family: look(&point.test),
             label: match cost.query.strip_prefix(query) {
-                // Its answer is one bit: the others give a hit.
+                // `is_hit` returns one bit, the other methods a hit.
                 Some(" hits") => format!("exact is_hit, {}", cost.scalar),
                 Some(which) if cost.mode == "exact" => format!("exact{which}, {}", cost.scalar),
                 _ => format!("{}, {}", cost.mode, cost.scalar),
@@ -119,7 +119,7 @@ fn rows(costs: &[Cost], query: &str, picture: &str, points: &[Point]) -> Vec<Row
     rows
 }
 
-/// The same test on the host, by its name there.
+/// The same test on the host, under its name there.
 fn twin<'a>(points: &'a [Point], picture: &str, cost: &Cost) -> Option<&'a Point> {
     let test = match (cost.query.as_str(), cost.mode.as_str()) {
         ("ray/triangle hit", "exact") => "exact hit",

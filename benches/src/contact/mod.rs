@@ -13,15 +13,15 @@ use crate::obb_obb::{Placed, Turned, placed};
 use crate::pairs::Pairs;
 use crate::session::Group;
 
-/// Two shapes, and how far they are in each other in truth: nothing if they have no contact.
+/// Two shapes and their true depth; `None` if they have no contact.
 pub(crate) struct Sunk<T> {
     pub(crate) pair: [T; 2],
     pub(crate) depth: Option<f64>,
 }
 
 impl<T> Sunk<T> {
-    /// Whether the answer is a contact, and its depth right but for a thousandth and the least
-    /// number of the scalar. A contact where there is none is one too.
+    /// Whether the answer is a contact, with a depth right within a thousandth and the scalar's
+    /// least number. A contact where there is none also returns `true`.
     fn is_right(&self, depth: Option<f64>, least: f64) -> bool {
         depth.is_some_and(|said| {
             self.depth.is_none_or(|depth| (said - depth).abs() <= depth / 1000.0 + least)
@@ -86,7 +86,7 @@ fn wide<S: Sample>(obb: &Obb<S>) -> Obb<f64> {
         .expect("it was a box before")
 }
 
-/// Boxes turned anyhow; half of the pairs are in each other.
+/// Randomly rotated boxes; half of the pairs overlap.
 pub(crate) fn half() -> Scene {
     let rng = &mut fastrand::Rng::with_seed(45);
     let mut scene = Scene::default();

@@ -5,7 +5,7 @@ use super::{Canvas, GREY, width_of};
 /// A rectangle: least x and y, greatest x and y.
 type Area = [f64; 4];
 
-/// Where a label belongs.
+/// The position of a label.
 #[derive(Clone, Debug)]
 pub(crate) struct Place {
     pub(crate) at: [f64; 2],
@@ -13,7 +13,7 @@ pub(crate) struct Place {
     pub(crate) color: &'static str,
 }
 
-/// Labels, and what they must keep clear of.
+/// Labels, and the areas that they must avoid.
 pub(crate) struct Labels {
     taken: Vec<Area>,
     marks: Vec<[f64; 2]>,
@@ -36,8 +36,8 @@ impl Labels {
         self.taken.push(area);
     }
 
-    /// Writes a label where it hides least, near its mark; with a thread to it where
-    /// it is not next to it.
+    /// Writes a label near its mark where it hides least, with a leader line if it is not next to
+    /// the mark.
     pub(crate) fn write(&mut self, canvas: &mut Canvas, place: &Place) {
         let (w, h) = (width_of(&place.text, self.size), self.size);
         let [x, y] = place.at;
@@ -54,7 +54,7 @@ impl Labels {
                 let mut cost = gap + 3.0 * (1.0 - dx) + 2.0 * dy.abs();
                 cost += 60.0 * self.taken.iter().map(|a| overlap(a, &area)).sum::<f64>();
                 cost += 1e3 * outside(&self.bounds, &area);
-                // It would seem to belong to what is nearer to it.
+                // A label nearer to another mark would seem to belong to it.
                 let own = distance(&area, place.at);
                 let nearer = |mark: &&[f64; 2]| distance(&area, **mark) < own;
                 cost += 12.0 * self.marks.iter().filter(nearer).count().min(3) as f64;
@@ -77,18 +77,18 @@ impl Labels {
     }
 }
 
-/// How much two areas have in common, as a length.
+/// The overlap of two areas, as a length.
 fn overlap(a: &Area, b: &Area) -> f64 {
     let side = |i: usize| (a[i + 2].min(b[i + 2]) - a[i].max(b[i])).max(0.0);
     (side(0) * side(1)).sqrt()
 }
 
-/// From a point to an area.
+/// The distance from a point to an area.
 fn distance(area: &Area, [x, y]: [f64; 2]) -> f64 {
     (x - x.clamp(area[0], area[2])).hypot(y - y.clamp(area[1], area[3]))
 }
 
-/// How far an area sticks out.
+/// The extent of an area outside the bounds.
 fn outside(bounds: &Area, area: &Area) -> f64 {
     let low = (0..2).map(|i| (bounds[i] - area[i]).max(0.0));
     let high = (2..4).map(|i| (area[i] - bounds[i]).max(0.0));

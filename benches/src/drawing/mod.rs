@@ -1,5 +1,4 @@
-//! Pictures: SVG for people who look closely, and PNG made of it, with a font that
-//! comes along.
+//! Pictures: SVG, and PNG rendered from it with an embedded font.
 
 mod labels;
 mod marks;
@@ -19,15 +18,14 @@ pub(crate) use labels::{Labels, Place};
 pub(crate) use marks::Mark;
 pub(crate) use scale::{Scale, Zeroed, grouped, power_of, short};
 
-/// A README's width, in pixels of a picture that is not scaled.
+/// The width of a README, in pixels of an unscaled picture.
 pub(crate) const WIDTH: f64 = 900.0;
-/// Pixels of the PNG for each.
+/// PNG pixels for each of these pixels.
 const DENSITY: f32 = 2.0;
 
 const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
 
-// Colours that differ in lightness too, after M. Okabe and K. Ito, "Color Universal
-// Design", 2008.
+// Colours that also differ in lightness, after M. Okabe and K. Ito, "Color Universal Design", 2008.
 pub(crate) const BLACK: &str = "#000000";
 pub(crate) const BLUE: &str = "#0072B2";
 pub(crate) const GREEN: &str = "#009E73";
@@ -38,7 +36,7 @@ pub(crate) const GREY: &str = "#767676";
 pub(crate) const LIGHT: &str = "#DDDDDD";
 pub(crate) const PALE: &str = "#F0F0F0";
 
-/// Where a text stands to its point.
+/// The position of a text relative to its point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Anchor {
     Start,
@@ -174,7 +172,7 @@ impl Canvas {
         self.add(words(at, size, anchor, color, text).set("font-weight", "bold"));
     }
 
-    /// A text that is set off from what it stands on.
+    /// A text with a halo.
     pub(crate) fn haloed(&mut self, at: [f64; 2], size: f64, halo: &str, color: &str, text: &str) {
         let halo = words(at, size, Anchor::Start, color, text)
             .set("stroke", halo)
@@ -189,13 +187,13 @@ impl Canvas {
         self.height = height;
     }
 
-    /// A text that reads from below.
+    /// A text that reads upward.
     pub(crate) fn upright(&mut self, [x, y]: [f64; 2], size: f64, color: &str, text: &str) {
         let turn = format!("rotate(-90 {} {})", round(x), round(y));
         self.add(words([x, y], size, Anchor::Middle, color, text).set("transform", turn));
     }
 
-    /// Lines of text, broken to a width; returns where the next one would stand.
+    /// Lines of text, broken to a width; returns the position of the next line.
     pub(crate) fn paragraph(&mut self, at: [f64; 2], width: f64, size: f64, text: &str) -> f64 {
         let [x, mut y] = at;
         for line in broken(text, size, width) {

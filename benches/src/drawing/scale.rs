@@ -23,8 +23,7 @@ impl Scale {
     }
 }
 
-/// A logarithmic scale of rates per million, upwards, with a band for zero apart
-/// from it.
+/// A logarithmic scale of rates per million, upward, with a separate band for zero.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Zeroed {
     pub(crate) rates: Scale,
@@ -33,8 +32,8 @@ pub(crate) struct Zeroed {
 }
 
 impl Zeroed {
-    /// From `top` to `bottom`, with the band lowest. What lies between zero and the
-    /// scale is drawn at its lower end.
+    /// A scale from `top` to `bottom`, with the band lowest. Rates between zero and the scale are
+    /// drawn at its lower end.
     pub(crate) fn new(values: [f64; 2], [top, bottom]: [f64; 2], band: f64) -> Self {
         let rates = Scale { values, pixels: [bottom - band - 8.0, top] };
         Self { rates, band: [bottom - band, bottom] }

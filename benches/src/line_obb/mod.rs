@@ -13,7 +13,7 @@ use crate::unit::{F32, F64, I8F8_15, I16F16_18, Unit};
 
 pub(crate) use scenes::{Scene, half_hit};
 
-/// The scene in a scalar; the truth is the exact test's in `f64`.
+/// The scene in a scalar; the truth is the exact test in `f64`.
 fn course<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Course<Ray<S>, Obb<S>> {
     let pairs = scene.map(|l| unit.ray(l), |b| obb(unit, b));
     let truth = pairs.map(|r| unit.wide_ray(r), |b| wide(unit, b)).answers(|r, b| r.overlaps(b));
@@ -87,6 +87,6 @@ pub fn run(session: &mut Session) {
     let mut race = |name: &str, scene: fn() -> Scene| session.measure(name, scene, yardstick, &all);
     race("ray/oriented box: 50 % hits", half_hit);
     race("ray/oriented box: 10 % hits", scenes::tenth_hit);
-    // What doubt costs.
+    // The cost of doubt.
     race("ray/oriented box: along faces", scenes::along_faces);
 }

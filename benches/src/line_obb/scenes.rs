@@ -1,4 +1,4 @@
-//! The workloads: a ray, and the box that it is asked about.
+//! The workloads: rays, each with a box to test.
 
 use fastrand::Rng;
 use septum::Obb;
@@ -23,7 +23,7 @@ pub fn tenth_hit() -> Scene {
     random(&mut Rng::with_seed(52), 0.1)
 }
 
-/// Rays in the plane of a face of a box along the axes of space: contact.
+/// Rays in the plane of a face of an axis-parallel box: contact.
 pub fn along_faces() -> Scene {
     let mut rng = Rng::with_seed(53);
     let mut scene = Scene::default();
@@ -49,7 +49,7 @@ fn random(rng: &mut Rng, rate: f64) -> Scene {
             let b = Turned::random(rng, std::f64::consts::TAU);
             let shape = Obb::new(b.center, b.axes, b.half).expect("a frame");
             let (ray, segment) = (F64.ray(&line), F64.segment(&line));
-            // Where the segment agrees with the ray, both have the same rate of hits.
+            // Segment and ray must agree, so that both have the same rate of hits.
             if [ray.overlaps(&shape), segment.overlaps(&shape)] == [wanted; 2] {
                 scene.push(line, [b]);
                 break;

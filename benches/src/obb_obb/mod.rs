@@ -26,7 +26,7 @@ pub(crate) fn wide<S: Scalar>(unit: &Unit<S>, obb: &Obb<S>) -> Obb<f64> {
         .expect("it was a box before")
 }
 
-/// The scene in a scalar; the truth is the exact test's in `f64`.
+/// The scene in a scalar; the truth is the exact test in `f64`.
 fn course<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Course<Obb<S>, Obb<S>> {
     let pairs = scene.map(|b| obb(unit, b), |b| obb(unit, b));
     let truth = pairs.map(|b| wide(unit, b), |b| wide(unit, b)).answers(|b, c| b.overlaps(c));
@@ -59,7 +59,7 @@ pub(crate) fn groups() -> Vec<Group<Scene>> {
     vec![group(F32), group(F64), group(I8F8_15), group(I16F16_18)]
 }
 
-/// A box as the peer has it.
+/// A box in the peer's form.
 pub(crate) struct Placed {
     pub(crate) pose: Pose,
     pub(crate) cuboid: Cuboid,
@@ -94,7 +94,7 @@ pub fn run(session: &mut Session) {
     let mut race = |name: &str, scene: fn() -> Scene| session.measure(name, scene, yardstick, &all);
     race("box/box: turned, 50 % overlap", half);
     race("box/box: turned, 10 % overlap", scenes::tenth);
-    // What doubt costs.
+    // The cost of doubt.
     race("box/box: nearly parallel", scenes::nearly_parallel);
     race("box/box: stacked", scenes::stacked);
 }

@@ -1,4 +1,4 @@
-//! The workloads: boxes, and those that each of them is asked about.
+//! The workloads: boxes, each with boxes to test.
 
 use fastrand::Rng;
 use septum::Obb;
@@ -14,7 +14,7 @@ pub struct Turned {
     pub half: Point,
 }
 
-/// Boxes, and those that each is tested against.
+/// Boxes, each with the boxes that it is tested against.
 pub type Scene = Pairs<Turned, Turned>;
 
 const PAIRS: usize = 50_000;
@@ -29,12 +29,12 @@ pub fn tenth() -> Scene {
     pairs(&mut Rng::with_seed(42), 0.1, std::f64::consts::TAU)
 }
 
-/// Boxes turned by a ten-millionth at most.
+/// Boxes rotated by a ten-millionth at most.
 pub fn nearly_parallel() -> Scene {
     pairs(&mut Rng::with_seed(43), 0.5, 1e-7)
 }
 
-/// Boxes along the axes of space, face on face: contact.
+/// Axis-parallel boxes, face on face: contact.
 pub fn stacked() -> Scene {
     let mut rng = Rng::with_seed(44);
     let mut scene = Scene::default();
@@ -49,7 +49,7 @@ pub fn stacked() -> Scene {
     scene
 }
 
-/// The frame turned by these angles.
+/// The coordinate axes rotated by these angles.
 pub(crate) fn turned(angles: [f64; 3]) -> [Point; 3] {
     let mut frame = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     for (angle, (i, j)) in angles.into_iter().zip([(0, 1), (1, 2), (2, 0)]) {
@@ -62,7 +62,7 @@ pub(crate) fn turned(angles: [f64; 3]) -> [Point; 3] {
 }
 
 impl Turned {
-    /// In [−1, 1]³, turned about each axis by that angle at most.
+    /// A box in [−1, 1]³, rotated about each axis by at most `angle`.
     pub fn random(rng: &mut Rng, angle: f64) -> Self {
         Self {
             center: random_point(rng).map(|x| x / 2.0),

@@ -1,5 +1,4 @@
-//! In which order the axes are best tried: the three groups, and the nine cross
-//! products among themselves.
+//! The best order of the axes: of the three groups, and of the nine cross products.
 
 mod nine;
 mod small_cores;
@@ -34,8 +33,8 @@ pub struct Options {
     target: PathBuf,
 }
 
-/// The orders by the paper's numbers: 1, the faces; 2, the normal; 3, the cross products.
-/// Its own comes first, to which all times are relative.
+/// The orders, in the paper's numbers: 1, the faces; 2, the normal; 3, the cross products. Times
+/// are relative to the paper's own order, which comes first.
 const ORDERS: [(&str, Order); 6] = [
     ("3-1-2", Order::EdgesFacesNormal),
     ("3-2-1", Order::EdgesNormalFaces),
@@ -48,7 +47,7 @@ const ORDERS: [(&str, Order); 6] = [
 type Test<S> = fn(&Triangle<S>, &Aabb<S>) -> bool;
 type Workload = (&'static str, fn() -> Scene);
 
-/// Workloads: how many of the pairs meet makes the difference.
+/// Workloads with different rates of overlap.
 const WORKLOADS: [Workload; 4] =
     [("Voorhies", voorhies), ("Voxel", voxel), ("Grid", grid), ("Walls", walls)];
 

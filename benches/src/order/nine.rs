@@ -1,5 +1,5 @@
-//! The nine cross products in different orders, in the paper's arithmetic: after the
-//! faces, before the plane, as in the order of groups that is the fastest.
+//! The nine cross products in different orders, in the paper's arithmetic: after the faces and
+//! before the plane, as in the fastest order of groups.
 
 use std::cell::RefCell;
 
@@ -104,15 +104,15 @@ pub(super) fn candidates(course: &Course<Triangle<f32>, Aabb<f32>>) -> Vec<Candi
     named.map(|((name, _), test)| course.candidate(name, Promise::Nothing, test)).collect()
 }
 
-/// What the axes do on a workload, whatever the machine.
+/// The counts of separating axes on a workload, the same on every machine.
 #[derive(Default)]
 pub(super) struct Counts {
     pub(super) pairs: usize,
     pub(super) apart: usize,
     /// Pairs that each group separates: the faces, the normal, the cross products.
     pub(super) groups: [usize; 3],
-    /// Of those that no face separates, those that some cross product does; and how many
-    /// cross products are looked at for them in all, in each order.
+    /// Of the pairs that no face separates: the pairs that a cross product separates, and the total
+    /// number of cross products computed for them, in each order.
     pub(super) by_edges: usize,
     pub(super) looked_at: [usize; 6],
 }
@@ -155,7 +155,7 @@ mod tests {
     use crate::triangle_aabb::{course, scenes::grid};
     use crate::unit::{F32, Form};
 
-    /// Small whole numbers are not rounded: every order must find the truth.
+    /// Small integers are not rounded, so every order must find the truth.
     #[test]
     fn every_order_has_all_nine_axes_and_finds_the_truth() {
         for (name, mut order) in ORDERS {

@@ -6,7 +6,7 @@ use super::nine::{self, Counts};
 use super::small_cores::Row;
 use super::{ORDERS, Race};
 
-/// Everything that was measured, with what follows from it.
+/// The tables, and the conclusions from them.
 pub(super) fn text(
     groups: &[Race],
     nine: &[Race],

@@ -1,7 +1,7 @@
 //! The experiment of the paper's section 3: 100,000 random triangles in a cube of side 4 against
-//! the unit cube in its middle, a hundred times over, and how many times as fast each test is as
-//! the polygon/cube test of Green and Hatch; and then that test beside the exact one for polygons
-//! of more vertices.
+//! the unit cube in its middle, a hundred times over. The table shows the speed of each test
+//! relative to the polygon/cube test of Green and Hatch, and compares that test with the exact one
+//! for polygons of more vertices.
 
 use std::error::Error;
 use std::fmt::Write;
@@ -45,7 +45,7 @@ pub fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     candidates.extend(ours(&course(&scene, &I16F16_18, Form::Center)));
     candidates.extend(peers(&scene));
 
-    // Of polygons there are half as many.
+    // There are half as many polygons.
     let few = rounds / 2;
     let by_count = polygons::VERTICES.count();
     let bar = ProgressBar::new((rounds + 3 * few * by_count) as u64);
@@ -74,7 +74,7 @@ and how often this one is wrong.
 | --- | --- | --- | --- | --- | --- | --- |
 ";
 
-/// Ours and the published one.
+/// Our test and the published one.
 fn polygon_tests<S: Scalar>(scene: &polygons::Scene, unit: &Unit<S>) -> [Candidate; 2] {
     let course = polygons::course(scene, unit, Form::Center);
     [polygons::exact_on(&course), polygons::as_published_on(&course)]
@@ -106,7 +106,7 @@ fn polygon_row(vertices: usize, rounds: usize, bar: &ProgressBar) -> String {
     )
 }
 
-/// What the processor calls itself, where the system tells.
+/// The processor's name, if the system reports it.
 fn machine() -> String {
     let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let name = text.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": "));

@@ -16,7 +16,7 @@ pub(crate) use scenes::of_vertices;
 /// Polygons, and the cells that each is tested against.
 pub type Scene = Pairs<Vec<Point>, Cell>;
 
-/// How many vertices the polygons of the scenes have.
+/// The numbers of vertices of the scenes' polygons.
 pub(crate) const VERTICES: std::ops::RangeInclusive<usize> = 3..=8;
 
 #[inline(never)]
@@ -34,7 +34,7 @@ fn each_triangle<S: Scalar>(p: &Polygon<'_, S>, b: &Aabb<S>) -> bool {
     p.triangles().any(|triangle| triangle.overlaps(b))
 }
 
-/// The scene in a scalar; the truth is that of the triangles, in `f64`.
+/// The scene in a scalar; the truth is computed from the triangles, in `f64`.
 pub(crate) fn course<S: Scalar>(
     scene: &Scene,
     unit: &Unit<S>,
@@ -42,7 +42,7 @@ pub(crate) fn course<S: Scalar>(
 ) -> Course<Polygon<'static, S>, Aabb<S>> {
     let polygon = |points: &Vec<Point>| {
         let vertices: Vec<_> = points.iter().map(|&p| Vec3::from(unit.point(p))).collect();
-        // A program has them anyway, and this one ends when they have been asked about.
+        // Leaked: a user's program keeps its vertices anyway, and this one ends soon.
         Polygon::new(vertices.leak()).expect("three vertices or more")
     };
     let pairs = scene.map(polygon, |cell| unit.aabb(cell, form));
@@ -54,7 +54,7 @@ pub(crate) fn course<S: Scalar>(
     Course::new((unit.name, form.name()), pairs, truth)
 }
 
-/// The test that the ratios are to.
+/// The test that ratios refer to.
 fn yardstick(scene: &Scene) -> Candidate {
     let course = course(scene, &F32, Form::Center);
     course.candidate("yardstick: as published", Promise::Nothing, as_published)

@@ -9,9 +9,9 @@ use crate::geometry::{Cell, random_triangle};
 
 const PAIRS: usize = 50_000;
 
-/// Polygons of so many vertices on the ellipse through the vertices of a random triangle in
-/// [−2, 2]³ that has its centre in theirs, against the unit cube around the origin. Three vertices
-/// are the triangle's.
+/// Polygons against the unit cube around the origin. Their `count` vertices lie on the ellipse
+/// through the vertices of a random triangle in [−2, 2]³, with the triangle's centroid as centre.
+/// Three vertices are the triangle's own.
 pub fn of_vertices(count: usize) -> Scene {
     let mut rng = Rng::with_seed(41);
     let polygon = |rng: &mut Rng| {

@@ -14,7 +14,7 @@ fn slabs_t_range<S: Scalar>(r: &SlabRay<S>, b: &Aabbs<S, N>) -> Ranges<S, N> {
     b.t_range_rounded(r)
 }
 
-/// The method that there is for many at once, in one scalar.
+/// The methods for many boxes at once, in one scalar.
 pub fn lanes<S: Scalar>(by_corners: &Course<Ray<S>, Aabb<S>>) -> Vec<Candidate> {
     let block = |boxes: &[Aabb<S>; N]| Aabbs::new(boxes).expect("made of corners");
     let slabs = by_corners.prepared("corners, 8 at once", |p| p.blocks().map(SlabRay::new, block));

@@ -78,7 +78,7 @@ pub fn course<S: Scalar>(scene: &Scene, unit: &Unit<S>, form: Form) -> Course<Ra
     Course::new((unit.name, form.name()), pairs, wide.answers(|r, b| r.overlaps(b)))
 }
 
-/// The same with segments, which have a truth of their own.
+/// The same scene with segments, which have their own truth.
 pub fn segments<S: Scalar>(
     scene: &Scene,
     unit: &Unit<S>,
@@ -89,7 +89,7 @@ pub fn segments<S: Scalar>(
     Course::new((unit.name, form.name()), pairs, wide.answers(|s, b| s.overlaps(b)))
 }
 
-/// The same test as the yardstick of pictures.
+/// The test that the pictures use as yardstick.
 pub fn yardstick(scene: &Scene) -> Candidate {
     let course = course(scene, &F32, Form::Corners);
     course.candidate("yardstick: as published (SAT)", Promise::Nothing, as_published)

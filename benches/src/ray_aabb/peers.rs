@@ -1,5 +1,5 @@
-//! The peers, each by the routes that its users have, on shapes in its own types
-//! that are made before the clock starts, with all that they prepare.
+//! The peers, each through the functions that its users call, on shapes in its own types. Shapes
+//! are made, and prepared, before the clock starts.
 
 use bvh::aabb::Aabb as BvhAabb;
 use bvh::ray::Ray as BvhRay;
@@ -51,13 +51,13 @@ fn in_parry(ours: &Course<Ray<f32>, Aabb<f32>>) -> Course<ParryRay, ParryAabb> {
     ours.prepared(Form::Corners.name(), |p| p.map(parry_ray, aabb))
 }
 
-/// The test that all ratios are to.
+/// The test that all ratios refer to.
 pub fn yardstick(scene: &Scene) -> Candidate {
     let course = course(scene, &F32, Form::Corners);
     parry_cast(&course, "yardstick: parry3d cast_local_ray")
 }
 
-/// The same by a name of its own.
+/// The same test under its own name.
 pub fn parry_cast(ours: &Course<Ray<f32>, Aabb<f32>>, who: &str) -> Candidate {
     in_parry(ours).candidate(who, Promise::Nothing, parry)
 }

@@ -1,4 +1,4 @@
-//! The workloads: rays, and the boxes each of them is asked about.
+//! The workloads: rays, each with boxes to test.
 
 use fastrand::Rng;
 use septum::{Aabb, Ray, Segment};
@@ -7,25 +7,25 @@ use crate::geometry::{Cell, Line, random_point};
 use crate::pairs::Pairs;
 use crate::unit::{F64, Form};
 
-/// Rays, and the boxes that each is tested against.
+/// Rays, each with the boxes that it is tested against.
 pub type Scene = Pairs<Line, Cell>;
 
 const PAIRS: usize = 100_000;
-/// How many boxes one ray meets, as on the way through a tree.
+/// The number of boxes for each ray, as in a tree.
 const MANY: usize = 1_000;
 
-/// Random boxes, half of which the ray meets.
+/// Random boxes; the ray meets half of them.
 pub fn half_hit() -> Scene {
     random(&mut Rng::with_seed(21), 0.5)
 }
 
-/// The same, and it meets one in ten.
+/// The same with one in ten.
 pub fn tenth_hit() -> Scene {
     random(&mut Rng::with_seed(22), 0.1)
 }
 
-/// Rays along the grid lines of unit cubes, and through their corners: zero in
-/// some component of the direction, and contacts of every kind.
+/// Rays along the grid lines of unit cubes, and through their corners: zero components of the
+/// direction, and contacts of every kind.
 pub fn grid() -> Scene {
     let mut rng = Rng::with_seed(23);
     let mut scene = Scene::default();
@@ -69,8 +69,8 @@ fn random_cell(rng: &mut Rng) -> Cell {
     Cell { center, half }
 }
 
-/// Whether they meet, if the segment with t from 0 to 1 agrees with the ray, so
-/// that both have the same rate of hits.
+/// Whether ray and box meet; `None` if the segment with t from 0 to 1 disagrees, so that ray and
+/// segment have the same rate of hits.
 fn meets(line: &Line, cell: &Cell) -> Option<bool> {
     let aabb: Aabb<f64> = F64.aabb(cell, Form::Center);
     let (ray, segment): (Ray<f64>, Segment<f64>) = (F64.ray(line), F64.segment(line));

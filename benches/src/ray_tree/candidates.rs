@@ -1,4 +1,4 @@
-//! Who goes down a tree: ours in any scalar, and the peers in `f32`.
+//! Candidates for ray queries on a tree: ours in any scalar, and the peers in `f32`.
 
 use obvhs::bvh2::Bvh2;
 use obvhs::cwbvh::CwBvh;
@@ -41,11 +41,12 @@ fn cwbvh(r: &ObvhsRay, tree: &Obvhs<CwBvh>) -> bool {
     tree.is_hit(r)
 }
 
-/// Rays in a scalar, and the tree that all of them go down.
+/// Rays in a scalar, and the tree that all of them descend.
 type In<S> = Course<Ray<S>, Tree<'static, S, u32>>;
 
-/// The scene in a scalar. The truth is whether there is a hit: every triangle is asked, exactly,
-/// in `f64`. Which one is hit at a vertex that six share, no peer promises.
+/// The scene in a scalar. The truth is whether there is a hit, found by testing every triangle
+/// exactly in `f64`. At a vertex that six triangles share, no peer promises which triangle it
+/// returns.
 pub fn course<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> In<S> {
     let pairs = scene.map(|line| unit.ray(line), |mesh| mesh.tree(unit));
     let all = |tree: &Tree<'static, S, u32>| -> Vec<_> {
@@ -56,12 +57,12 @@ pub fn course<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> In<S> {
     Course::new((unit.name, ""), pairs, truth)
 }
 
-/// The tree that all ratios are to.
+/// The tree that all ratios refer to.
 pub fn yardstick(scene: &Scene) -> Candidate {
     yardstick_on(&course(scene, &F32))
 }
 
-/// The same on any course.
+/// The same tree on any course.
 pub fn yardstick_on(course: &In<f32>) -> Candidate {
     let mesh = |tree: &Tree<'_, f32, u32>| parry_mesh(tree.mesh()).expect("ours is a mesh, too");
     let course = course.prepared("", |p| p.map(parry_ray, mesh));

@@ -1,8 +1,8 @@
-//! A mesh of any size, and rays at it.
+//! A mesh of any size, and rays toward it.
 
 use septum_kit::Rng;
 
-/// A point of the mesh, before it is brought into a scalar.
+/// A point of the mesh before its conversion to a scalar.
 pub type Point = [f32; 3];
 
 /// A closed tube along a torus knot; each step along it has 100 triangles.
@@ -41,7 +41,7 @@ pub fn knot(steps: u32) -> (Vec<Point>, Vec<[u32; 3]>) {
     (vertices, faces)
 }
 
-/// Where a ray is aimed.
+/// The target of a ray.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Aim {
     /// At any point of the box around the knot.
@@ -50,7 +50,7 @@ pub enum Aim {
     Vertex,
 }
 
-/// Where rays begin, twice as far out as the knot, and the points that they go through.
+/// Rays as their origins, twice as far out as the knot, and the points that they pass through.
 pub fn rays(points: &[Point], aim: Aim, count: usize, rng: &mut Rng) -> Vec<[Point; 2]> {
     let anywhere =
         |rng: &mut Rng, reach: f64| [3.4, 3.4, 1.4].map(|x| (rng.real(-x, x) * reach) as f32);

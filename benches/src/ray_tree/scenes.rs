@@ -11,27 +11,27 @@ use crate::unit::Unit;
 use super::knot::{Aim, knot, rays};
 use super::trees::tree;
 
-/// What is small enough for all scalars to hold where rays begin. It rounds nothing in floats.
+/// A scale that keeps the rays' origins in the range of every scalar. It rounds nothing in floats.
 const SCALE: f64 = 0.25;
 
 /// Rays, all against one mesh.
 pub type Scene = Pairs<Line, Mesh>;
 
-/// A mesh before it is brought into a scalar.
+/// A mesh before its conversion to a scalar.
 pub struct Mesh {
     points: Vec<Point>,
     faces: Vec<[u32; 3]>,
 }
 
 impl Mesh {
-    /// The same in a scalar, with a tree over it.
+    /// The mesh in a scalar, with a tree over it.
     pub fn tree<S: Scalar>(&self, unit: &Unit<S>) -> Tree<'static, S, u32> {
         let vertices = self.points.iter().map(|&p| unit.point(p).into()).collect();
         tree(vertices, &self.faces).expect("the knot is a mesh").0
     }
 }
 
-/// So many rays from a seed.
+/// `count` rays from a seed.
 pub fn scene(aim: Aim, seed: u64, count: usize) -> Scene {
     let (points, faces) = knot(900);
     let placed = |p: [f32; 3]| p.map(|x| f64::from(x) * SCALE);

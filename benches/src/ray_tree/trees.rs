@@ -15,12 +15,12 @@ use septum::{Scalar, Vec3};
 
 use crate::peer_shapes::{obvhs_triangle, parry_vector};
 
-/// A tree over triangles in the tree's own order, as tables are, and how long it took to build.
+/// A tree over triangles in the tree's own order, as in a table, and the time to build it.
 ///
-/// They stay for as long as the program runs: so a tree is a shape like others.
+/// The memory is leaked, so that a tree can be used like any other shape.
 ///
 /// # Errors
-/// Where the faces are no mesh.
+/// If the faces form no mesh.
 pub fn tree<S: Scalar>(
     vertices: Vec<Vec3<S>>,
     faces: &[[u32; 3]],
@@ -37,17 +37,16 @@ pub fn tree<S: Scalar>(
     Ok((tree, took))
 }
 
-/// The same mesh as parry3d's.
+/// The mesh in parry3d's type.
 ///
 /// # Errors
-/// Where parry3d does not take it.
+/// If parry3d refuses it.
 pub fn parry_mesh(mesh: &Mesh<'_, f32, u32>) -> Result<TriMesh, TriMeshBuilderError> {
     let corners = mesh.vertices().iter().map(|&v| parry_vector(v)).collect();
     TriMesh::with_flags(corners, mesh.triangles().to_vec(), TriMeshFlags::ORIENTED)
 }
 
-/// One of obvhs' trees from its slowest, best build, and the triangles in its order, as users
-/// are advised to have them.
+/// A tree of obvhs from its slowest and best build, with the triangles in its order, as it advises.
 pub struct Obvhs<Tree> {
     tree: Tree,
     triangles: Vec<ObvhsTriangle>,

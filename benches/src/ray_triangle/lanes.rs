@@ -1,4 +1,4 @@
-//! One ray against eight triangles at once, in the scenes where it meets many.
+//! One ray against eight triangles at once, in the scenes with many triangles for each ray.
 
 use septum::lanes::{Hits, NormalTriangles, Triangles};
 use septum::published::stored_normal::NormalTriangle;
@@ -35,7 +35,7 @@ fn exact<S: Scalar>(r: &Ray<S>, t: &Triangles<S, N>) -> Hits<S, N> {
     t.hit(r)
 }
 
-/// The methods that there are for many at once, in one scalar.
+/// The methods for many triangles at once, in one scalar.
 pub fn lanes<S: Scalar>(course: &Course<Ray<S>, Triangle<S>>) -> Vec<Candidate> {
     let plain = course.prepared("8 at once", |p| p.blocks().map(Ray::clone, Triangles::new));
     let sheared = course

@@ -30,7 +30,7 @@ fn group<S: Scalar>(unit: Unit<S>) -> Group<Scene> {
     (unit.name, Box::new(all))
 }
 
-/// The same, and what a user would have typed in.
+/// The same methods, and the naive implementation.
 fn with_naive(unit: Unit<I16F16>) -> Group<Scene> {
     let (name, all) = group(unit);
     let with = move |scene: &Scene| {
@@ -68,7 +68,7 @@ pub(crate) fn groups() -> Vec<Group<Scene>> {
     ]
 }
 
-/// Those that take eight.
+/// The candidates that take eight triangles.
 pub(crate) fn groups_of_lanes() -> [Group<Scene>; 3] {
     [lanes(F32), lanes(F64), lanes(I16F16_18)]
 }
@@ -79,7 +79,7 @@ pub fn run(session: &mut Session) {
         |name: &str, scene: fn() -> Scene, all: &[_]| session.measure(name, scene, yardstick, all);
     race("ray/triangle: pairs, 50 % hits", scenes::half_hit, &all);
     race("ray/triangle: pairs, 10 % hits", scenes::tenth_hit, &all);
-    // What doubt costs.
+    // The cost of doubt.
     race("ray/triangle: aimed at edges", scenes::edges, &all);
     race("ray/triangle: integer grid", scenes::grid, &all);
     race("ray/triangle: nearly parallel", scenes::near_parallel, &all);

@@ -1,5 +1,5 @@
-//! Möller–Trumbore as it stands in the paper, by early returns: what a user would
-//! have typed in. In fixed point it wraps.
+//! Möller–Trumbore as in the paper, with early returns: the naive implementation of a user. In
+//! fixed point it wraps.
 
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -13,7 +13,7 @@ use crate::unit::F32;
 use super::ours::course;
 use super::scenes::Scene;
 
-/// What the paper's code does to numbers.
+/// The operations that the paper's code needs.
 pub trait Real:
     Copy
     + PartialOrd
@@ -25,7 +25,7 @@ pub trait Real:
 {
     const ZERO: Self;
     const ONE: Self;
-    /// Rays of which the determinant is less miss: the paper's, or none but zero.
+    /// A smaller determinant is a miss: the paper's epsilon, or zero.
     const EPSILON: Self;
 }
 
@@ -41,17 +41,17 @@ impl Real for Wrapping<I16F16> {
     const EPSILON: Self = Wrapping(I16F16::DELTA);
 }
 
-/// The test that all ratios are to.
+/// The test that all ratios refer to.
 pub fn yardstick(scene: &Scene) -> Candidate {
     in_floats(&course(scene, &F32))
 }
 
-/// The same on any course.
+/// The same test on any course.
 pub fn in_floats(course: &Course<Ray<f32>, Triangle<f32>>) -> Candidate {
     in_c(course, "yardstick: Möller–Trumbore as in C", |x| x)
 }
 
-/// The same in wrapping fixed point.
+/// The same test in wrapping fixed point.
 pub fn wrapping(course: &Course<Ray<I16F16>, Triangle<I16F16>>) -> Candidate {
     in_c(course, "Möller–Trumbore as in C, wrapping", Wrapping)
 }

@@ -44,7 +44,7 @@ pub fn course<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Course<Ray<S>, Triang
     course_by(scene, unit, "", Ray::is_hit)
 }
 
-/// The same with a truth of its own.
+/// The same scene with a truth of its own.
 pub fn course_by<S: Scalar>(
     scene: &Scene,
     unit: &Unit<S>,
@@ -56,7 +56,7 @@ pub fn course_by<S: Scalar>(
     Course::new((unit.name, form), pairs, wide.answers(truth))
 }
 
-/// The exact methods, and the one that everyone has, in one scalar.
+/// The exact methods, and the common rounded one, in one scalar.
 pub fn ours<S: Scalar>(course: &Course<Ray<S>, Triangle<S>>) -> Vec<Candidate> {
     let ready = course.prepared("both prepared", |p| p.map(HitRay::new, HitTriangle::new));
     vec![

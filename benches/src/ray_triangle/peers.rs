@@ -1,5 +1,5 @@
-//! The peers, each by the routes that its users have, on shapes in its own types
-//! that are made before the clock starts.
+//! The peers, each through the functions that its users call, on shapes in its own types, made
+//! before the clock starts.
 
 use bvh::ray::{Intersection, Ray as BvhRay};
 use nalgebra::Point3;
@@ -45,17 +45,17 @@ fn bvh(r: &BvhRay<f32, 3>, [a, b, c]: &[Point3<f32>; 3]) -> Intersection<f32> {
     r.intersects_triangle(a, b, c)
 }
 
-/// What the peers are asked in our types.
+/// The peers' questions in our types.
 type Ours = Course<Ray<f32>, Triangle<f32>>;
 
-/// The course for the peer that does not see back faces.
+/// The course for the peer that culls back faces.
 pub fn culling(scene: &Scene) -> Ours {
     let from_before =
         |r: &Ray<f64>, t: &Triangle<f64>| r.is_hit_with(t, HitRules::new().culling(Cull::Back));
     course_by(scene, &F32, "culls", from_before)
 }
 
-/// Every peer, in `f32`; the one that culls with a truth of its own.
+/// Every peer, in `f32`; the peer that culls has a truth of its own.
 pub fn peers(plain: &Ours, culling: &Ours) -> Vec<Candidate> {
     let parry3d = plain.prepared("", |p| p.map(parry_ray, parry_triangle));
     let obvh = plain.prepared("ray prepared", |p| p.map(obvhs_ray, obvhs_triangle));

@@ -55,7 +55,7 @@ pub fn rounded<S: Scalar>(plain: &Course<Ray<S>, Triangle<S>>) -> Vec<Candidate>
     ]
 }
 
-/// What is there in `f32` alone, to return no more than the peers do.
+/// A test in `f32` that returns only t, as the peers do.
 pub fn distance_only(plain: &Course<Ray<f32>, Triangle<f32>>) -> Candidate {
     let normal = plain.prepared("triangle prepared", |p| p.map(Ray::clone, NormalTriangle::new));
     normal.candidate("stored normal, t alone", Promise::Nothing, stored_normal_t)

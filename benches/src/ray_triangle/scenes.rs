@@ -1,15 +1,15 @@
-//! The workloads: rays, and the triangles each of them is asked about.
+//! The workloads: rays, each with triangles to test.
 
 use fastrand::Rng;
 
 use crate::geometry::{Line, Point, blend, random_point, random_triangle};
 use crate::pairs::Pairs;
 
-/// Rays, and the triangles that each is tested against.
+/// Rays, each with the triangles that it is tested against.
 pub type Scene = Pairs<Line, [Point; 3]>;
 
 const PAIRS: usize = 100_000;
-/// How many triangles one ray meets where it meets many.
+/// The number of triangles for each ray in scenes with many.
 const MANY: usize = 1_000;
 
 /// Each ray against a triangle of its own; half of them hit.
@@ -32,7 +32,7 @@ pub fn many_tenth_hit() -> Scene {
     many(&mut Rng::with_seed(14), 0.1)
 }
 
-/// Rays at points of an edge, as near as numbers go: every one is in doubt.
+/// Rays toward points of an edge, as near as rounding allows: every pair is in doubt.
 pub fn edges() -> Scene {
     let mut rng = Rng::with_seed(15);
     let mut aim = |triangle: &[Point; 3], rng: &mut Rng| {
@@ -58,8 +58,8 @@ pub fn grid() -> Scene {
     aimed(&mut Rng::with_seed(16), triangle, aim)
 }
 
-/// Rays that cross the plane of the triangle at an angle of about 1 in 10,000,
-/// about half of them inside.
+/// Rays at an angle of about 1 in 10,000 to the plane of the triangle; about half of them cross it
+/// inside.
 pub fn near_parallel() -> Scene {
     let aim = |triangle: &[Point; 3], rng: &mut Rng| {
         let mut in_plane = || loop {
@@ -126,7 +126,7 @@ fn random_line(rng: &mut Rng) -> Line {
     Line::towards(random_point(rng), random_point(rng))
 }
 
-/// Whether they cross, well enough to mix hits and misses.
+/// Whether ray and triangle cross, accurately enough to mix hits and misses.
 fn crosses(line: &Line, triangle: &[Point; 3]) -> bool {
     let ray = septum::Ray::new(line.origin, line.direction);
     let [a, b, c] = *triangle;

@@ -1,4 +1,4 @@
-//! Triangles and boxes on the way into each regime.
+//! Triangles and boxes that approach each regime.
 
 use septum_kit::{BoxNumbers, Case, Rng, Sample, Touch};
 
@@ -16,7 +16,7 @@ pub(super) fn along(from: Point, to: Point, part: f64) -> Point {
     [0, 1, 2].map(|i| from[i] + part * (to[i] - from[i]))
 }
 
-/// At right angles to the line through two points, as long as their distance.
+/// A vector at right angles to the line through two points, of the length of their distance.
 pub(super) fn across(rng: &mut Rng, a: Point, b: Point) -> Point {
     let (d, r) = ([0, 1, 2].map(|i| b[i] - a[i]), point(rng, 1.0));
     let n = [(1, 2), (2, 0), (0, 1)].map(|(j, k)| d[j] * r[k] - d[k] * r[j]);
@@ -30,7 +30,7 @@ fn case<S: Sample>(vertices: [Point; 3], center: Point, half: Point) -> Case<S> 
     Case { vertices: vertices.map(near), aabb: BoxNumbers::Center(near(center), near(half)) }
 }
 
-/// Whether the scalar holds numbers as great as this.
+/// Whether the range of the scalar includes this size.
 fn holds<S: Sample>(size: f64) -> bool {
     S::GREATEST.approximate() > size
 }
@@ -47,10 +47,10 @@ pub(super) fn sliver<S: Sample>(rng: &mut Rng, aspect: f64) -> Option<Case<S>> {
     Some(case(vertices, center, rng.triple(|rng| rng.real(0.0, 0.25))))
 }
 
-/// A triangle of that size at the surface of a box of size 1.
+/// A triangle of size `size` at the surface of a box of size 1.
 pub(super) fn small<S: Sample>(rng: &mut Rng, size: f64) -> Option<Case<S>> {
     let (center, half) = (point(rng, 1.0), rng.triple(|rng| rng.real(0.25, 0.5)));
-    // On the surface of the box that the scalar will hold.
+    // On the surface of the box as the scalar represents it.
     let held = |x: f64| S::nearest(x).approximate();
     let (center, half) = (center.map(held), half.map(held));
     let face = rng.below(3);
@@ -64,7 +64,7 @@ pub(super) fn small<S: Sample>(rng: &mut Rng, size: f64) -> Option<Case<S>> {
     Some(case(vertices, center, half))
 }
 
-/// A random triangle and box, so far from the origin.
+/// A random triangle and box at `distance` from the origin.
 pub(super) fn far<S: Sample>(rng: &mut Rng, distance: f64) -> Option<Case<S>> {
     let sign = |rng: &mut Rng| if rng.one_in(2) { -distance } else { distance };
     let origin = rng.triple(sign);
@@ -81,8 +81,8 @@ pub(super) fn scaled<S: Sample>(rng: &mut Rng, scale: f64) -> Option<Case<S>> {
     (holds::<S>(4.0 * scale) && some_bits).then(|| case(vertices, center, half))
 }
 
-/// In exact contact, then the box moved so many units in the last place of the greatest
-/// coordinates: into the triangle, or away from it.
+/// A pair in exact contact; then the box is moved by `steps` units in the last place of the
+/// greatest coordinates, into the triangle or away from it.
 pub(super) fn touch<S: Sample>(rng: &mut Rng, steps: f64) -> Option<Case<S>> {
     let bits = S::WHOLE_BITS.min(40);
     let mut touch = match rng.below(3) {
@@ -97,7 +97,7 @@ pub(super) fn touch<S: Sample>(rng: &mut Rng, steps: f64) -> Option<Case<S>> {
     Some(touch.case(true))
 }
 
-/// Coordinates of so many bits, the sign not counted: whole units in the last place.
+/// Integer coordinates of `bits` bits without the sign, in units of the last place.
 pub(super) fn bits<S: Sample>(rng: &mut Rng, bits: f64) -> Option<Case<S>> {
     let most = most::<S>(bits)?;
     let mut number = |rng: &mut Rng| S::from_ordinal(rng.whole(-most, most));
@@ -108,7 +108,7 @@ pub(super) fn bits<S: Sample>(rng: &mut Rng, bits: f64) -> Option<Case<S>> {
     Some(Case { vertices, aabb: BoxNumbers::Center(center, half) })
 }
 
-/// The greatest whole number of so many bits, if the type has them.
+/// The greatest integer of `bits` bits, if the type has it.
 pub(super) fn most<S: Sample>(bits: f64) -> Option<i64> {
     let bits = bits as u32;
     (bits <= S::WHOLE_BITS).then(|| (u64::MAX >> (64 - bits)) as i64)

@@ -1,4 +1,4 @@
-//! Oriented boxes that are in each other, on the way to the surface.
+//! Oriented boxes whose overlap shrinks to contact.
 
 use septum_kit::boxes::ObbNumbers;
 use septum_kit::{Rng, Sample};
@@ -6,7 +6,7 @@ use septum_kit::{Rng, Sample};
 use super::boxes::{Point, plus};
 use crate::obb_obb::turned;
 
-/// A box of a size of about 1 on a face of another, in it by about that much.
+/// A box of size about 1 on a face of another box, overlapping it by about `depth`.
 pub(super) fn sunk<S: Sample>(rng: &mut Rng, depth: f64) -> Option<[ObbNumbers<S>; 2]> {
     let boxes = [(); 2].map(|()| {
         let half: Point = rng.triple(|rng| rng.real(0.2, 0.6));

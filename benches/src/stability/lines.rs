@@ -1,5 +1,4 @@
-//! Who gets a line, and how it looks: colour and mark by the method, dashes by the
-//! scalar.
+//! The methods that get a line, and its look: colour and mark by method, dashes by scalar.
 
 use crate::accuracy::Tally;
 use crate::drawing::{BLACK, BLUE, GREEN, Mark, ORANGE, PURPLE, VERMILION};

@@ -18,9 +18,9 @@ use crate::accuracy::{Exam, Tally, examine};
 
 use regimes::Regime;
 
-/// Draws how often each method is wrong as a scene slides into the regime where it
-/// fails: slivers, small triangles, great distances and scales, small angles, contact,
-/// ways that nearly graze, and boxes that are hardly in each other.
+/// Draws how often each method is wrong as a scene slides into the regime where it fails: slivers,
+/// small triangles, great distances and scales, small angles, contact, grazing motions, and slight
+/// overlaps.
 #[derive(Args)]
 pub struct Options {
     /// Cases at each step
@@ -34,7 +34,7 @@ pub struct Options {
     only: Option<String>,
 }
 
-/// Where an exam belongs: a panel of a picture, and a step across.
+/// The position of an exam: a panel of a picture, and a step on its horizontal axis.
 #[derive(Clone, Copy)]
 struct Step {
     picture: &'static str,

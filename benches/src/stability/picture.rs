@@ -1,4 +1,4 @@
-//! A picture of one regime: panels one above the other, a line for each method.
+//! A picture of one regime: panels above each other, with a line for each method.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -18,7 +18,7 @@ const PANEL: f64 = 215.0;
 const BAND: f64 = 44.0;
 const HEADING: f64 = 26.0;
 
-/// What a line goes through: the place of a step among the panel's, and a rate.
+/// The points of a line: the index of a step in its panel, and a rate.
 type Points = Vec<(usize, f64)>;
 
 pub(super) fn draw(
@@ -53,7 +53,7 @@ pub(super) fn draw(
     canvas.save(&options.out.join(regime.stem))
 }
 
-/// The steps that a panel has, and its lines, by their places in the order of styles.
+/// The steps of a panel and its lines, in the order of styles.
 fn gather(
     regime: &Regime,
     panel: &str,
@@ -109,7 +109,7 @@ fn panel(
             |&(place, rate): &(usize, f64)| [x(place), if rate == 0.0 { zero } else { y.at(rate) }];
         let path: Vec<[f64; 2]> = points.iter().map(at).collect();
         canvas.polyline(&path, style.color, 1.6, style.dash);
-        // Not all in the same places.
+        // Different steps for different lines.
         let every = (points.len() / 7).max(1);
         for point in path.iter().skip(rank % every).step_by(every) {
             style.mark.draw(canvas, *point, 3.6, style.color, true);
@@ -121,7 +121,7 @@ fn panel(
     label(canvas, ends, [top + HEADING - 4.0, y.band[1]]);
 }
 
-/// Names at the right, as near to the ends of their lines as they can stand.
+/// Names on the right, as near to the ends of their lines as possible.
 fn label(canvas: &mut Canvas, mut ends: Vec<([f64; 2], &str, &'static str)>, [top, end]: [f64; 2]) {
     const APART: f64 = 12.5;
     ends.sort_by(|a, b| a.0[1].total_cmp(&b.0[1]));
@@ -130,7 +130,7 @@ fn label(canvas: &mut Canvas, mut ends: Vec<([f64; 2], &str, &'static str)>, [to
         let least = places.last().map_or(top + 8.0, |last| last + APART);
         places.push((at[1] + 4.0).max(least));
     }
-    // What stands too low moves up, and pushes what is above.
+    // A name that is too low moves up, and pushes up the names above it.
     let mut most = end + 2.0;
     for place in places.iter_mut().rev() {
         *place = place.min(most);
@@ -145,7 +145,7 @@ fn label(canvas: &mut Canvas, mut ends: Vec<([f64; 2], &str, &'static str)>, [to
 }
 
 impl Ticks {
-    /// What is written at a step, if anything is.
+    /// The text at a step, if it has one.
     fn text(self, at: f64) -> Option<String> {
         let power = |base: u32, every: usize| {
             let exponent = at.log(f64::from(base));

@@ -1,18 +1,18 @@
-//! Rays and triangles on the way into each regime.
+//! Rays and triangles that approach each regime.
 
 use septum_kit::rays::RayCase;
 use septum_kit::{Rng, Sample};
 
 use super::boxes::{Point, across, along, most, plus, point};
 
-/// A point of the triangle's plane; in the triangle about every other time.
+/// A point of the triangle's plane, in about half of the cases inside the triangle.
 fn on_plane(rng: &mut Rng, [a, b, c]: [Point; 3]) -> Point {
     let (u, v) = (rng.real(-0.2, 1.0), rng.real(-0.2, 1.0));
     [0, 1, 2].map(|i| a[i] + u * (b[i] - a[i]) + v * (c[i] - a[i]))
 }
 
-/// A ray that is at the target where t is 2, so that the direction is no longer than the
-/// points are apart.
+/// A ray that reaches the target at t = 2, so that the direction is no longer than the distance of
+/// the points.
 fn aimed<S: Sample>(origin: Point, target: Point, vertices: [Point; 3]) -> Option<RayCase<S>> {
     let near = |p: Point| p.map(S::nearest);
     let direction = [0, 1, 2].map(|i| (target[i] - origin[i]) / 2.0);
@@ -34,14 +34,14 @@ pub(super) fn sliver<S: Sample>(rng: &mut Rng, aspect: f64) -> Option<RayCase<S>
     aimed(point(rng, 2.0), on_plane(rng, vertices), vertices)
 }
 
-/// A triangle of that size, at a distance of about 1.
+/// A triangle of size `size`, at a distance of about 1.
 pub(super) fn small<S: Sample>(rng: &mut Rng, size: f64) -> Option<RayCase<S>> {
     let at = point(rng, 1.0);
     let vertices = [(); 3].map(|()| plus(at, point(rng, size)));
     aimed(point(rng, 2.0), on_plane(rng, vertices), vertices)
 }
 
-/// A random ray and triangle, so far from the origin.
+/// A random ray and triangle at `distance` from the origin.
 pub(super) fn far<S: Sample>(rng: &mut Rng, distance: f64) -> Option<RayCase<S>> {
     let sign = |rng: &mut Rng| if rng.one_in(2) { -distance } else { distance };
     let center = rng.triple(sign);
@@ -58,7 +58,7 @@ pub(super) fn scaled<S: Sample>(rng: &mut Rng, scale: f64) -> Option<RayCase<S>>
     case.filter(|_| holds::<S>(4.0 * scale) && some_bits)
 }
 
-/// A ray at that angle to the plane of the triangle, as its sine.
+/// A ray at an angle to the plane of the triangle, given by its sine.
 pub(super) fn parallel<S: Sample>(rng: &mut Rng, sine: f64) -> Option<RayCase<S>> {
     let vertices = [(); 3].map(|()| point(rng, 2.0).map(|x| S::nearest(x).approximate()));
     let [a, b, c] = vertices;
@@ -77,10 +77,10 @@ pub(super) fn parallel<S: Sample>(rng: &mut Rng, sine: f64) -> Option<RayCase<S>
     (length(normal) > 0.0 && case.is_valid()).then_some(case)
 }
 
-/// Aimed at a point of an edge; that vertex is then moved so many units in the last
+/// A ray toward a point of an edge; then a vertex of the edge is moved by `steps` units in the last
 /// place.
 pub(super) fn edge<S: Sample>(rng: &mut Rng, steps: f64) -> Option<RayCase<S>> {
-    // Whole numbers of which the middle of the edge is one, and the ray's step.
+    // Integers such that the midpoint of the edge and the ray's direction are integers too.
     let bits = S::WHOLE_BITS.min(40);
     let most = 1_i64 << (bits - 3);
     let whole = |rng: &mut Rng| rng.triple(|rng| rng.whole(-most, most));
@@ -98,12 +98,12 @@ pub(super) fn edge<S: Sample>(rng: &mut Rng, steps: f64) -> Option<RayCase<S>> {
     case.is_valid().then_some(case)
 }
 
-/// Coordinates of so many bits, the sign not counted: whole units in the last place.
+/// Integer coordinates of `bits` bits without the sign, in units of the last place.
 pub(super) fn bits<S: Sample>(rng: &mut Rng, bits: f64) -> Option<RayCase<S>> {
     let most = most::<S>(bits)?;
     let point = |rng: &mut Rng| rng.triple(|rng| rng.whole(-most, most));
     let (vertices, origin) = ([point(rng), point(rng), point(rng)], point(rng));
-    // Towards a mean of the vertices by random weights, or past them.
+    // Toward a weighted mean of the vertices with random weights, inside or outside.
     let (u, v) = (rng.real(-0.2, 0.8), rng.real(-0.2, 0.8));
     let mean = |i: usize| {
         let [a, b, c] = vertices.map(|p| p[i] as f64);

@@ -1,4 +1,4 @@
-//! The regimes: what slides, from where to where, and who is asked on the way.
+//! The regimes: the quantity that varies, its range, and the methods that are tested.
 
 use fixed::types::{I16F16, I32F32};
 
@@ -12,14 +12,14 @@ use septum_kit::{Case, Rng, Sample};
 
 use super::{Step, boxes, contacts as sunk, rays, sweeps as ways};
 
-/// How what slides is written on the axis.
+/// The format of the varying quantity on the axis.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Ticks {
-    /// Powers of ten whose exponents this divides.
+    /// Powers of ten with exponents divisible by this number.
     Ten(usize),
-    /// The same of two.
+    /// Powers of two with exponents divisible by this number.
     Two(usize),
-    /// Whole numbers that it divides.
+    /// Integers divisible by this number.
     Whole(usize),
     /// Zero and powers of four.
     Units,
@@ -50,7 +50,7 @@ type Contacts<S> = fn(&mut Rng, f64) -> Option<[ObbNumbers<S>; 2]>;
 type Rays<S> = fn(&mut Rng, f64) -> Option<RayCase<S>>;
 
 impl Regime {
-    /// Asks about triangles and boxes at every step that the scalar holds.
+    /// Tests triangles and boxes at every step in the range of the scalar.
     fn boxes<S: Sample>(
         mut self,
         panel: &'static str,
@@ -72,7 +72,7 @@ impl Regime {
         self
     }
 
-    /// The same about rays and triangles.
+    /// The same for rays and triangles.
     fn rays<S: Sample>(mut self, panel: &'static str, scalar: &'static str, make: Rays<S>) -> Self {
         for step in self.steps_in(panel, |rng, at| make(rng, at).is_some()) {
             let ask = move |seed: u64, count: usize| {
@@ -89,7 +89,7 @@ impl Regime {
         self
     }
 
-    /// The same about boxes that move past triangles.
+    /// The same for boxes that move past triangles.
     fn sweeps<S: Sample>(
         mut self,
         panel: &'static str,
@@ -107,7 +107,7 @@ impl Regime {
         self
     }
 
-    /// The same about oriented boxes in each other.
+    /// The same for overlapping oriented boxes.
     fn contacts<S: Sample>(mut self, scalar: &'static str, make: Contacts<S>) -> Self {
         for step in self.steps_in(CONTACT, |rng, at| make(rng, at).is_some()) {
             let ask = move |seed: u64, count: usize| {
@@ -120,7 +120,7 @@ impl Regime {
         self
     }
 
-    /// The steps at which there are cases.
+    /// The steps that have cases.
     fn steps_in(
         &mut self,
         panel: &'static str,
@@ -135,7 +135,7 @@ impl Regime {
     }
 }
 
-/// The same cases at a step for the same seed, and others at another.
+/// A generator whose cases depend on the seed and the step.
 fn seeded(seed: u64, at: f64) -> Rng {
     Rng::new(seed ^ at.to_bits().rotate_left(17))
 }

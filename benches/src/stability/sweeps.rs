@@ -1,12 +1,12 @@
-//! Boxes on their way past triangles, on the way into grazing.
+//! Boxes that move past triangles ever closer to grazing.
 
 use septum_kit::sweeps::SweepCase;
 use septum_kit::{BoxNumbers, Case, Rng, Sample};
 
 use super::boxes::{Point, across, along, plus, point};
 
-/// A box that moves by about its size, at that sine to a wall: half of the time it would reach
-/// the plane on its way.
+/// A box that moves by about its size, at an angle to a wall with this sine. In half of the cases
+/// it would reach the plane.
 pub(super) fn graze<S: Sample>(rng: &mut Rng, sine: f64) -> Option<SweepCase<S>> {
     let length = |v: Point| v.iter().map(|x| x * x).sum::<f64>().sqrt();
     let (a, b) = (point(rng, 1.5), point(rng, 1.5));
@@ -18,7 +18,7 @@ pub(super) fn graze<S: Sample>(rng: &mut Rng, sine: f64) -> Option<SweepCase<S>>
     let within: Point = [0, 1, 2].map(|i| p * e[i] + q * f[i]);
     let flat = (1.0 - sine * sine).sqrt() / length(within).max(1e-9);
     let way: Point = [0, 1, 2].map(|i| flat * within[i] - sine * normal[i]);
-    // How far the box reaches towards the wall, and where it meets the plane.
+    // The extent of the box toward the wall, and the point where it meets the plane.
     let half = rng.triple(|rng| rng.real(0.1, 0.5));
     let reach: f64 = (0..3).map(|i| half[i] * normal[i].abs()).sum();
     let (u, v) = (rng.real(0.0, 1.0), rng.real(0.0, 1.0));

@@ -1,4 +1,4 @@
-//! A box that moves past a triangle, beside the peers' casts of shapes.
+//! A box that moves past a triangle, beside the peers' shape casts.
 
 mod peers;
 mod scenes;
@@ -43,14 +43,14 @@ impl Shot {
     }
 }
 
-/// What is asked, and when they first meet in truth: never, or at that time at the latest.
+/// A question, and the true time of impact: never, or at that time at the latest.
 pub(crate) struct Timed<T> {
     pub(crate) given: T,
     pub(crate) due: Option<f64>,
 }
 
 impl<T> Timed<T> {
-    /// Whether the answer is a hit, and not late. A hit that is none is one too.
+    /// Whether the answer is a hit that is not late. A hit where none is due also returns `true`.
     fn in_time(&self, t: Option<f64>) -> bool {
         t.is_some_and(|t| self.due.is_none_or(|due| t <= due))
     }
@@ -76,7 +76,7 @@ pub(crate) fn ours<S: Sample>(course: &Course<Timed<Given<S>>, ()>) -> Vec<Candi
     ]
 }
 
-/// Rounding to the nearest is not late.
+/// A time rounded to the nearest is not late.
 fn rounded_down(t: f32) -> f64 {
     t.next_down().into()
 }

@@ -1,4 +1,4 @@
-//! The peers' casts of shapes.
+//! The peers' shape casts.
 
 use box3d_rust::distance::{ShapeCastPairInput, make_proxy, shape_cast};
 use box3d_rust::math_functions as box3d;
@@ -26,7 +26,7 @@ pub fn parry(shot: &Shot) -> Option<f32> {
         .map(|hit| hit.time_of_impact)
 }
 
-/// box3d-rust's, which stops a linear slop of 5 mm before.
+/// box3d-rust's time. It stops a linear slop of 5 mm earlier.
 #[inline(never)]
 pub fn box3d_cast(shot: &Shot) -> Option<f32> {
     let point = |[x, y, z]: [f32; 3]| box3d::Vec3 { x, y, z };

@@ -11,7 +11,7 @@ pub fn voorhies(rng: &mut Rng) -> Shot {
     Shot { center, half: [0.5; 3], way, triangle }
 }
 
-/// What a body meets in a scene: small triangles about its way.
+/// A typical scene: small triangles around the path of a body.
 pub fn scene(rng: &mut Rng) -> Shot {
     let way = rng.triple(|rng| rng.real(-1.0, 1.0) as f32);
     let t = rng.real(0.0, 1.0);
@@ -21,12 +21,12 @@ pub fn scene(rng: &mut Rng) -> Shot {
     Shot { center: [0.0; 3], half: [0.5; 3], way, triangle }
 }
 
-/// From one side of a wall of one triangle to the other, at any angle, at any speed.
+/// From one side of a wall, a single triangle, to the other, at any angle and speed.
 pub fn wall(rng: &mut Rng) -> Shot {
     let normal = rng.triple(|rng| rng.real(-1.0, 1.0));
     let size = 0.001 + rng.real(0.0, 1.0).powi(4);
     let far = 2_f64.powf(rng.real(-3.0, 10.0));
-    // Two ways along it.
+    // Two directions along the wall.
     let u = rng.triple(|rng| rng.real(-1.0, 1.0));
     let cross = |a: [f64; 3], b: [f64; 3]| {
         [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
@@ -36,7 +36,7 @@ pub fn wall(rng: &mut Rng) -> Shot {
     let wide = 4096.0;
     let triangle = [at(-wide, -wide, 0.0), at(wide, -wide, 0.0), at(0.0, wide, 0.0)];
     let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt().max(1e-3);
-    // Far enough to be wholly on one side.
+    // Far enough to be entirely on one side.
     let off = (far + 2.0 * size) / length(normal);
     let slant = |rng: &mut Rng| rng.real(-0.5, 0.5) * far;
     let start = at(slant(rng), slant(rng), off);

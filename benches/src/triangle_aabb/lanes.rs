@@ -35,7 +35,7 @@ fn prepared<S: Scalar, const M: usize>(t: &CellTriangle<S>, b: &Cells<S, M>) -> 
     t.overlaps(b)
 }
 
-/// The exact test for many at once, in one scalar.
+/// The exact test for many boxes at once, in one scalar.
 pub fn lanes<S: Scalar>(
     by_corners: &Course<Triangle<S>, Aabb<S>>,
     by_center: &Course<Triangle<S>, Aabb<S>>,

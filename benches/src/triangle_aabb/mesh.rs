@@ -1,5 +1,5 @@
-//! The main job: a mesh in voxels, asked as a voxelizer asks, triangle by triangle and
-//! voxel by voxel, each box made on the way.
+//! The main job: voxelizing a mesh triangle by triangle and voxel by voxel, with each box made just
+//! before its test.
 
 use std::f64::consts::PI;
 
@@ -65,7 +65,7 @@ impl<S: Scalar> Inlined<Triangle<S>, Voxel<S>> for Prepared {
     }
 }
 
-/// A test that takes a triangle as it is.
+/// A test that needs no preparation of the triangle.
 macro_rules! plain {
     ($name:ident, $test:expr) => {
         struct $name;
@@ -83,7 +83,7 @@ macro_rules! plain {
 }
 plain!(Exact, Triangle::overlaps);
 plain!(Rounded, shared_normal::overlaps);
-// `overlaps` is inlined where the compiler likes, this one everywhere.
+// The compiler decides whether to inline `overlaps`; this form is always inlined.
 plain!(AsPublished, |t, b| akenine_moller::overlaps_in(t, b, Order::default()));
 
 fn course<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Course<Triangle<S>, Voxels<S>> {

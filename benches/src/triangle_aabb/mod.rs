@@ -19,7 +19,7 @@ pub(crate) use ours::{course, ours, yardstick};
 pub(crate) use peers::peers as peers_on;
 use scenes::Scene;
 
-/// The scenes of contact reach to 16 rather than to 2.
+/// The scenes of contact extend to 16 rather than 2.
 const I16F16_22: Unit<I16F16> = Unit { name: "I16F16, 22 bits", ..I16F16_18 };
 /// Beyond the range of the first stage.
 const I16F16_FULL: Unit<I16F16> = Unit { name: "I16F16, 32 bits", scale: 1024.0, ..I16F16_18 };
@@ -74,7 +74,7 @@ pub fn run(session: &mut Session) {
         [lanes_of_triangles_in(F32), lanes_of_triangles_in(F64), lanes_of_triangles_in(I16F16_18)];
     session.measure("triangle/box: Voorhies, many triangles", scenes::voorhies, yardstick, &lanes);
 
-    // The worst case, contact: shapes that touch, where rounding must be outdone.
+    // The worst case: contact, which rounding cannot decide.
     let floats = |form| [group(F32, form), group(F64, form)];
     let fixed = |form| [group(I16F16_22, form), group(I16F16_FULL, form)];
     let mut contact: Vec<_> = Form::ALL.into_iter().flat_map(floats).collect();

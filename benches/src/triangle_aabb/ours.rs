@@ -31,7 +31,7 @@ fn exact<S: Scalar>(t: &Triangle<S>, b: &Aabb<S>) -> bool {
     t.overlaps(b)
 }
 
-/// The scene in a scalar; the truth is the exact test's in `f64`.
+/// The scene in a scalar; the truth is the exact test in `f64`.
 pub fn course<S: Scalar>(
     scene: &Scene,
     unit: &Unit<S>,
@@ -42,7 +42,7 @@ pub fn course<S: Scalar>(
     Course::new((unit.name, form.name()), pairs, wide.answers(|t, b| t.overlaps(b)))
 }
 
-/// The test that all ratios are to.
+/// The test that all ratios refer to.
 pub fn yardstick(scene: &Scene) -> Candidate {
     let course = course(scene, &F32, Form::Center);
     course.candidate("yardstick: as published", Promise::Nothing, as_published)

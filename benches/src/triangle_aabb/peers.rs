@@ -1,5 +1,5 @@
-//! The peers, each by the routes that its users have, on shapes in its own types
-//! that are made before the clock starts.
+//! The peers, each through the functions that its users call, on shapes in its own types, made
+//! before the clock starts.
 
 use box3d_rust::math_functions as box3d;
 use parry3d::bounding_volume::Aabb as ParryAabb;
@@ -13,7 +13,7 @@ use crate::pairs::Inlined;
 
 use super::voxels::{Voxel, Voxels};
 
-/// A cuboid that has been put somewhere.
+/// A cuboid with a pose.
 struct Placed {
     cuboid: Cuboid,
     /// The cuboid in the world.
@@ -111,7 +111,7 @@ impl Inlined<Triangle<f32>, Voxel<f32>> for Parry {
     }
 }
 
-/// Those who take boxes by their centre, each of which they make when it is asked about.
+/// The peers that take boxes by their centre, with each box made just before its test.
 pub fn on_the_way(course: &Course<Triangle<f32>, Voxels<f32>>) -> Vec<Candidate> {
     let (none, box3d) = (Promise::Nothing, "box3d-rust test_bounds_triangle_overlap");
     vec![

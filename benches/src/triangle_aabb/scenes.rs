@@ -1,16 +1,16 @@
-//! The workloads: triangles, and the boxes each of them is asked about.
+//! The workloads: triangles, each with boxes to test.
 
 use fastrand::Rng;
 
 use crate::geometry::{Cell, Point, random_triangle};
 use crate::pairs::Pairs;
 
-/// How many pairs of a triangle and a box a scene has, or a few more.
+/// The number of pairs in a scene, at least.
 const PAIRS: usize = 100_000;
 
 const UNIT_CUBE: Cell = Cell { center: [0.0; 3], half: [0.5; 3] };
 
-/// Triangles, and the cells that each is tested against.
+/// Triangles, each with the cells that it is tested against.
 pub type Scene = Pairs<[Point; 3], Cell>;
 
 /// Triangles with vertices uniform in [−2, 2]³ against the unit cube around the
@@ -41,7 +41,7 @@ fn cubes_within(triangle: &[Point; 3]) -> impl Iterator<Item = Cell> {
     cubes(count, move |i, n| min[i] + side * n as f64, side)
 }
 
-/// The same, whole blocks of thirty-two cubes alone.
+/// The same, in whole blocks of thirty-two cubes.
 pub fn many_boxes() -> Scene {
     let mut rng = Rng::with_seed(2);
     let mut scene = Scene::default();
@@ -66,9 +66,8 @@ pub fn grid() -> Scene {
     scene
 }
 
-/// Walls and floors whose vertices are voxel corners, as in scenes built of
-/// blocks, against the voxels on either side: every plane axis touches, and so
-/// do many edges.
+/// Walls and floors with vertices at voxel corners, as in scenes built of blocks, against the
+/// voxels on either side: every plane axis touches, and so do many edges.
 pub fn walls() -> Scene {
     let mut rng = Rng::with_seed(4);
     let mut scene = Scene::default();
@@ -86,9 +85,9 @@ pub fn walls() -> Scene {
     scene
 }
 
-/// Triangles in the plane of a face of the box, their coordinates spread over 80
-/// powers of two: every one touches the plane of that face, and no integer type
-/// holds all its coordinates. Exact sums must decide.
+/// Triangles in the plane of a face of the box, with coordinates spread over 80 powers of two.
+/// Every one touches the plane of that face, and no integer type holds all its coordinates, so
+/// exact sums must decide.
 pub fn spread() -> Scene {
     let mut rng = Rng::with_seed(5);
     let mut coordinate = || (rng.f64() - 0.5).signum() * 2_f64.powf(1.0 - 80.0 * rng.f64());

@@ -1,4 +1,4 @@
-//! The voxels that a voxelizer asks about, made on the way.
+//! The voxels that a voxelizer tests, made just before each test.
 
 use std::cell::OnceCell;
 use std::ops::Range;
@@ -9,7 +9,7 @@ use crate::pairs::{Block, Pairs};
 
 use super::scenes::bounding_box;
 
-/// What a voxelizer has of a voxel: the centre, and half of its side.
+/// A voxel by its centre and half its side.
 pub type Voxel<S> = ([S; 3], S);
 
 /// The voxels that a bounding box touches.
@@ -18,22 +18,22 @@ pub struct Voxels<S> {
     /// blocks of a grid.
     centers: Rc<[S]>,
     half: S,
-    /// Which of them, along x, y and z.
+    /// The ranges of the voxels along x, y and z.
     ranges: [Range<usize>; 3],
 }
 
-/// Triangles, each against the voxels that its bounding box touches.
+/// Triangles, each with the voxels that its bounding box touches.
 pub type Scene = Pairs<[Point; 3], Voxels<f64>>;
 
-/// A mesh in voxels, so many along the longest side, which is that of the cube that all scalars
-/// hold. Coordinates are rounded as I16F16 rounds them, to 16 places.
+/// A mesh with `resolution` voxels along the longest side, scaled to a cube in the range of every
+/// scalar. Coordinates are rounded to 16 fraction bits, as in I16F16.
 pub fn scene(triangles: &[[Point; 3]], resolution: u32) -> Scene {
     let side = 4.0 / f64::from(resolution);
     let points = || triangles.as_flattened().iter();
     let low: Point = [0, 1, 2].map(|i| points().map(|p| p[i]).fold(f64::INFINITY, f64::min));
     let high: Point = [0, 1, 2].map(|i| points().map(|p| p[i]).fold(f64::NEG_INFINITY, f64::max));
     let longest = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
-    // All of it may be one point.
+    // The mesh may be a single point.
     let scale = if longest > 0.0 { 4.0 / longest } else { 0.0 };
     let placed = |p: Point| {
         std::array::from_fn(|i| {
@@ -50,14 +50,14 @@ pub fn scene(triangles: &[[Point; 3]], resolution: u32) -> Scene {
     scene
 }
 
-/// From −2 to 2, and a voxel on either side.
+/// Centres from −2 to 2, and one voxel beyond either end.
 fn centers(resolution: u32) -> Rc<[f64]> {
     let (side, end) = (4.0 / f64::from(resolution), resolution.div_ceil(2) as i32 + 1);
     (-end..end).map(|n| (f64::from(n) + 0.5) * side).collect()
 }
 
 impl Voxels<f64> {
-    /// Those that the bounding box of a triangle touches.
+    /// The voxels that the bounding box of a triangle touches.
     fn around(triangle: &[Point; 3], centers: &Rc<[f64]>, side: f64) -> Self {
         let (min, max) = bounding_box(triangle);
         let end = centers.len() as i32 / 2;

@@ -1,4 +1,4 @@
-//! Who runs: ours in any scalar, the yardstick, and the peer.
+//! The candidates: ours in any scalar, the yardstick, and the peer.
 
 use std::sync::Once;
 
@@ -13,7 +13,7 @@ use crate::unit::{F32, Unit};
 
 use super::scenes::Scene;
 
-/// The scene in a scalar; the truth is the exact test's in `f64`.
+/// The scene in a scalar; the truth is the exact test in `f64`.
 pub fn course<S: Scalar>(scene: &Scene, unit: &Unit<S>) -> Course<Triangle<S>, Triangle<S>> {
     let pairs = scene.map(|t| unit.triangle(t), |t| unit.triangle(t));
     let wide = pairs.map(|t| unit.wide_triangle(t), |t| unit.wide_triangle(t));
@@ -46,8 +46,8 @@ pub fn by_axes(course: &Course<Triangle<f32>, Triangle<f32>>, who: &str) -> Cand
     course.candidate(who, Promise::Nothing, eleven_axes)
 }
 
-/// Separating axes as one would type them in, in `f32`: both normals, and each edge with
-/// each. It takes triangles in one plane for overlapping.
+/// The separating-axis test of textbooks, in `f32`: both normals, and the cross product of every
+/// two edges. It reports coplanar triangles as overlapping.
 #[inline(never)]
 fn eleven_axes(t: &Triangle<f32>, u: &Triangle<f32>) -> bool {
     let points = |t: &Triangle<f32>| t.vertices().map(|p| p.to_array());
@@ -71,14 +71,15 @@ fn eleven_axes(t: &Triangle<f32>, u: &Triangle<f32>) -> bool {
     !e.iter().any(|&e| f.iter().any(|&f| separates(cross(e, f))))
 }
 
-/// Far out it asserts that its bounds are finite, and panics: then it has found nothing.
+/// Far from the origin it asserts that its bounds are finite, and panics; that counts as no
+/// overlap.
 #[inline(never)]
 fn parry(t: &ParryTriangle, u: &ParryTriangle) -> bool {
     let meet = || intersection_test_support_map_support_map(&Pose::IDENTITY, t, u);
     std::panic::catch_unwind(meet).unwrap_or(false)
 }
 
-/// The peer's panics are caught, so they are not news; all others are told.
+/// Silences the peer's panics, which are caught; all others are printed.
 fn hush_parry() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {

@@ -34,7 +34,7 @@ pub fn run(session: &mut Session) {
     race("triangle/triangle: two teapots", scenes::teapots);
     race("triangle/triangle: pairs, 50 % overlap", half);
     race("triangle/triangle: pairs, 10 % overlap", scenes::tenth);
-    // What doubt costs.
+    // The cost of doubt.
     race("triangle/triangle: neighbours in the teapot", scenes::neighbours);
     race("triangle/triangle: integer grid", scenes::grid);
     race("triangle/triangle: in one plane", scenes::plane);

@@ -1,4 +1,4 @@
-//! The workloads: triangles, and those that each of them is asked about.
+//! The workloads: triangles, each with triangles to test.
 
 use fastrand::Rng;
 use septum::Triangle;
@@ -7,22 +7,22 @@ use crate::geometry::{Point, random_triangle};
 use crate::obj::teapot;
 use crate::pairs::Pairs;
 
-/// Triangles, and those that each is tested against.
+/// Triangles, each with the triangles that it is tested against.
 pub type Scene = Pairs<[Point; 3], [Point; 3]>;
 
 const PAIRS: usize = 100_000;
 
-/// A teapot and another, turned and moved: the pairs whose bounding boxes meet, as a tree
-/// of boxes leaves them.
+/// A teapot and a rotated, shifted copy: the pairs whose bounding boxes meet, as after a tree of
+/// boxes.
 pub fn teapots() -> Scene {
     let one = placed();
-    // By an angle whose sine is 3/5, and two fifths of the way.
+    // Rotated by the angle with sine 3/5, and shifted by two fifths.
     let turned = |[x, y, z]: Point| [0.8 * x - 0.6 * y + 0.4, 0.6 * x + 0.8 * y, z - 0.3];
     let other: Vec<_> = one.iter().map(|t| t.map(turned).map(rounded)).collect();
     candidates(&one, &other, |_, _| true)
 }
 
-/// Triangles of a teapot that share a vertex, and those whose bounding boxes meet besides.
+/// Triangles of a teapot that share a vertex, and others whose bounding boxes meet.
 pub fn neighbours() -> Scene {
     let one = placed();
     candidates(&one, &one, |i, k| i < k)
@@ -45,7 +45,7 @@ pub fn grid() -> Scene {
     by_pairs(|| [triangle(), triangle()])
 }
 
-/// Triangles in planes of three coordinates.
+/// Pairs of triangles in one axis-parallel plane.
 pub fn plane() -> Scene {
     let mut rng = Rng::with_seed(34);
     by_pairs(|| {
@@ -60,7 +60,7 @@ pub fn plane() -> Scene {
     })
 }
 
-/// To 16 places after the point, as the narrowest scalar of the teapot rounds.
+/// Rounds to 16 fraction bits, as the narrowest scalar of the teapot does.
 fn rounded(p: Point) -> Point {
     p.map(|x| (x * 65_536.0).round() / 65_536.0)
 }
