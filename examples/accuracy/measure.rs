@@ -1,4 +1,4 @@
-//! Asks every mode about every case, and counts who was wrong.
+//! Runs every mode on every case, and counts wrong answers.
 
 use std::ops::AddAssign;
 
@@ -7,7 +7,7 @@ use septum::{Aabb, Triangle};
 
 use septum_kit::{Sample, Set, meets};
 
-/// The ways to ask.
+/// The modes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Mode {
     /// `overlaps`
@@ -50,7 +50,7 @@ pub(crate) struct Wrong {
     pub(crate) false_overlap: u64,
 }
 
-/// What was counted.
+/// The counts of one set.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tally {
     pub(crate) cases: u64,

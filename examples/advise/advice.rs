@@ -1,4 +1,4 @@
-//! Which type to take, and why not another.
+//! The choice of the type, and the reasons against other types.
 
 use crate::costs::Figure;
 use crate::effect::Effect;
@@ -8,14 +8,14 @@ use crate::question::Off;
 use crate::race::Timing;
 use crate::scene::Scene;
 
-/// What is known of a type that holds the scene.
+/// The findings about a type that holds the scene.
 #[derive(Clone, Debug)]
 pub(crate) struct Row {
     pub(crate) kind: Kind,
     pub(crate) effect: Effect,
-    /// How far the numbers in its answers are off.
+    /// The error of the numbers in its answers.
     pub(crate) off: Option<Off>,
-    /// The stages that settle the queries, a line for each.
+    /// The stages that decide the queries, a line for each.
     pub(crate) stages: String,
     pub(crate) prediction: Prediction,
     /// Verdicts that changed in the full run.
@@ -27,14 +27,14 @@ pub(crate) struct Row {
     pub(crate) code: Option<Figure>,
 }
 
-/// Times are too far apart for so long a way.
+/// The times of the type are too coarse for the length of the motion.
 const COARSE: &str = "coarse times";
 
 /// Costs within this ratio count as the same.
 const SAME: f64 = 1.05;
 
 impl Row {
-    /// Why it is not good enough, if it is not.
+    /// The reason against the type, if there is one.
     pub(crate) fn refusal(&self, scene: &Scene) -> Option<&'static str> {
         let Effect { moved, flat, .. } = self.effect;
         if flat {
@@ -48,8 +48,8 @@ impl Row {
         }
     }
 
-    /// How far a box goes between two times that the type has, or between its last one and 1:
-    /// so far before it meets the time told may leave it.
+    /// The distance that a box moves between two consecutive times of the type, or between its last
+    /// time and 1. A rounded time of impact may stop the box that far before the contact.
     fn stride(&self, scene: &Scene) -> f64 {
         let [x, y, z] = scene.question.way();
         let unit = match self.kind {
@@ -66,9 +66,9 @@ impl Row {
     }
 }
 
-/// The cheapest type of at most `bits` bits that moves nothing too far. Of those that
-/// cost about the same it is the one with the smallest table, then the finest. If no
-/// cost is known, it is the narrowest, and fixed point comes before floats.
+/// The cheapest type of at most `bits` bits that moves nothing too far. Among types of about the
+/// same cost it prefers the smallest table, then the finest unit. Without known costs it takes the
+/// narrowest type, and fixed point before floats.
 pub(crate) fn recommend<'a>(rows: &'a [Row], scene: &Scene, bits: u32) -> Option<&'a Row> {
     let good = || rows.iter().filter(|row| row.refusal(scene).is_none() && row.kind.bits() <= bits);
     let least = good().filter_map(Row::cost).min_by(f64::total_cmp);
@@ -82,7 +82,7 @@ pub(crate) fn recommend<'a>(rows: &'a [Row], scene: &Scene, bits: u32) -> Option
     })
 }
 
-/// Why no type of so many bits is good enough, and what would help.
+/// The reason why no type of `bits` bits is good enough, and possible remedies.
 pub(crate) fn what_would_help(bits: u32, rows: &[Row], scene: &Scene) -> Option<String> {
     let of_width = || rows.iter().filter(|r| r.kind.bits() == bits && !r.kind.is_float());
     if of_width().any(|row| row.refusal(scene).is_none()) {
@@ -160,13 +160,13 @@ fn too_fine(row: &Row, scene: &Scene) -> (String, Vec<String>) {
     (why, ways)
 }
 
-/// How many fraction bits there would be with the origin in the middle of the scene.
+/// The number of fraction bits with the origin in the middle of the scene.
 fn about_the_middle(bits: u32, best: Option<&Row>, scene: &Scene) -> Option<String> {
     let mut offset = [0.0; 3];
     let mut range = [0.0_f64; 2];
     for (axis, offset) in offset.iter_mut().enumerate() {
         let [least, greatest] = scene.extent(axis);
-        // The scene moves by whole boxes, so that the grid stays where it is.
+        // The scene moves by whole boxes, so that the grid of boxes stays the same.
         *offset = 0.0 - ((least + greatest) / 2.0 / scene.cell).round() * scene.cell;
         range = [range[0].min(least + *offset), range[1].max(greatest + *offset)];
     }
@@ -183,12 +183,12 @@ fn is_enough(moved: f64, scene: &Scene) -> &'static str {
     if moved <= scene.tolerance { ", which is enough" } else { ", not enough alone" }
 }
 
-/// How far rounding moves a point at most.
+/// The greatest distance by which rounding moves a point.
 fn worst(frac: u32) -> f64 {
     3_f64.sqrt() / 2.0 / f64::from(frac).exp2()
 }
 
-/// How often a scene could be doubled in size.
+/// The number of times that the scene could be doubled in size.
 fn spare_doublings(bits: u32, range: [f64; 2]) -> u32 {
     let fits = |k: u32| {
         let grown = range.map(|x| x * f64::from(k).exp2());

@@ -10,7 +10,7 @@ use crate::scene::Scene;
 use crate::survey::Survey;
 use septum_kit::jobs::grouped;
 
-/// What rounding to each type does to the scene.
+/// The effects of rounding to each type on the scene.
 pub(crate) fn effects(scene: &Scene, survey: &Survey, full: bool) -> String {
     let is_predicted = survey.asked < scene.queries();
     let mut headers = vec!["type", "moved by", "made flat", "changed"];
@@ -41,7 +41,7 @@ pub(crate) fn effects(scene: &Scene, survey: &Survey, full: bool) -> String {
     text(&headers, survey.rows.iter().map(line), 1..headers.len())
 }
 
-/// What a query costs in each type, and whether the type will do.
+/// The cost of a query in each type, and whether the type is good enough.
 pub(crate) fn costs(options: &Options, scene: &Scene, survey: &Survey) -> String {
     let headers = if options.target == Target::Host {
         vec!["type", "exact in", "time, f32 = 1", "table,\nbytes", "good enough?"]

@@ -1,4 +1,4 @@
-//! What a query costs on a small core, from committed tables.
+//! The cost of a query on a small core, from committed tables.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -13,11 +13,11 @@ use crate::stage::Stage;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Figure {
     pub(crate) value: f64,
-    /// Whether it is the figure of another type.
+    /// Whether the figure comes from a similar type.
     pub(crate) is_estimate: bool,
 }
 
-/// What the query takes, by scalar and path.
+/// The cost of a query, by scalar and path.
 type ByPath = BTreeMap<(String, String), f64>;
 
 /// Cycles in a microsecond at 48 MHz, as fast as most cores without an FPU run.
@@ -27,9 +27,9 @@ const MEGAHERTZ: f64 = 48.0;
 pub(crate) struct Costs {
     question: Question,
     instructions: ByPath,
-    /// Only of Cortex-M0.
+    /// For Cortex-M0 only.
     cycles: ByPath,
-    /// Bytes of a program that is that query, by scalar.
+    /// Code size of a program with that query alone, by scalar.
     code: BTreeMap<String, f64>,
     /// The names of the tables that are missing.
     pub(crate) missing: Vec<String>,
@@ -111,7 +111,7 @@ impl Costs {
         Ok(rows)
     }
 
-    /// Instructions of a query that tries all axes.
+    /// Instructions of a query that tests all axes.
     pub(crate) fn instructions(&self, kind: Kind, shares: &BTreeMap<Stage, f64>) -> Option<Figure> {
         self.average(&self.instructions, kind, shares)
     }
@@ -121,8 +121,8 @@ impl Costs {
         !self.cycles.is_empty()
     }
 
-    /// Microseconds of the same at 48 MHz, with memory that does not wait. Where there is no
-    /// table of cycles an estimate: an instruction takes a cycle or more.
+    /// Microseconds of that query at 48 MHz, with memory without wait states. Without a table of
+    /// cycles it is an estimate of a cycle for each instruction; real cores take more.
     pub(crate) fn time(&self, kind: Kind, shares: &BTreeMap<Stage, f64>) -> Option<Figure> {
         let (table, is_guess) = match self.cycles.is_empty() {
             true => (&self.instructions, true),
@@ -132,7 +132,7 @@ impl Costs {
         Some(Figure { value: value / MEGAHERTZ, is_estimate: is_estimate || is_guess })
     }
 
-    /// Bytes of code of a program that is the query.
+    /// Bytes of code of a program with that query alone.
     pub(crate) fn code(&self, kind: Kind) -> Option<Figure> {
         let scalar = tabled(kind);
         let value = *self.code.get(&scalar)?;
@@ -145,8 +145,8 @@ impl Costs {
         let [_, _, usual] = self.question.in_tables();
         let mut value = 0.0;
         for (stage, share) in shares {
-            // The tables measured the wider stage of 32 bits on shapes as large as the type. Of
-            // other queries they have the first stage alone.
+            // The tables measure the wider stage of 32 bits on shapes as large as the type; for
+            // other queries they have only the first stage.
             let far =
                 self.question == Question::Overlap && kind.bits() == 32 && *stage == Stage::I64;
             let path = if far { "whole range" } else { usual };
@@ -160,7 +160,7 @@ fn number(text: &str) -> Result<f64, String> {
     text.parse().map_err(|_| format!("a table of costs has {text:?} for a number"))
 }
 
-/// The type in the tables that has as many bits.
+/// The type in the tables with the same number of bits.
 fn tabled(kind: Kind) -> String {
     match kind {
         Kind::Fixed { bits, .. } => Kind::Fixed { bits, frac: bits / 2 }.name(),

@@ -1,4 +1,4 @@
-//! What rounding does to a scene.
+//! The effect of rounding on a scene.
 
 use std::collections::BTreeSet;
 
@@ -11,18 +11,18 @@ use crate::scene::Scene;
 /// The effect of rounding to one type.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effect {
-    /// How far a vertex, a corner of a box, or where its way ends, moved at most.
+    /// The greatest distance by which a vertex, a corner of a box, or the end of its path moved.
     pub(crate) moved: f64,
     /// How many triangles became segments or points.
     pub(crate) degenerate: usize,
-    /// Whether a box lost its inside.
+    /// Whether a box became flat.
     pub(crate) flat: bool,
-    /// Bytes of a table that holds each vertex once, and faces as indices.
+    /// The size in bytes of a table with each vertex once, and faces as indices.
     pub(crate) table: u64,
 }
 
 impl Effect {
-    /// The effect of `kind` on the scene, which it holds.
+    /// The effect of rounding to `kind`, which can represent the scene.
     pub(crate) fn of(kind: Kind, scene: &Scene) -> Self {
         let nearest = |x: f64| kind.nearest(x).expect("a type that holds the scene");
         let mut effect = Self { moved: 0.0, degenerate: 0, flat: false, table: 0 };
@@ -36,7 +36,7 @@ impl Effect {
             let became = is_degenerate(&rounded) && !is_degenerate(triangle);
             effect.degenerate += usize::from(became);
         }
-        // The faces of the boxes move along each axis, independently of the others.
+        // The faces of the boxes move independently along each axis.
         let mut worst = [0.0; 3];
         let mut worst_end = [0.0; 3];
         let way = scene.question.way();
@@ -64,8 +64,8 @@ impl Effect {
     }
 }
 
-/// How far a corner of a turned box moves along each axis at most: as far as its middle, and as
-/// its half-extents along its axes.
+/// The greatest distance by which a corner of a rotated box moves along each axis: the error of its
+/// centre, plus the errors of its half-extents along its axes.
 fn of_turned(kind: Kind, scene: &Scene) -> [f64; 3] {
     let nearest = |x: f64| kind.nearest(x).expect("a type that holds the scene");
     let off = |x: f64| (x - nearest(x)).abs();

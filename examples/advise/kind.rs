@@ -1,4 +1,4 @@
-//! The number types that a scene may be brought to.
+//! The number types that a scene may be converted to.
 
 use crate::scene::Scene;
 
@@ -68,7 +68,7 @@ impl Kind {
         }
     }
 
-    /// The power of two that all numbers lie below, and none of them reaches.
+    /// The power of two that is the least strict upper bound of all numbers.
     pub(crate) fn end(self) -> f64 {
         match self {
             Fixed { bits, frac } => (f64::from(bits) - 1.0 - f64::from(frac)).exp2(),
@@ -77,7 +77,7 @@ impl Kind {
         }
     }
 
-    /// The greatest number; of 64 bits, to the nearest `f64`.
+    /// The greatest number; for 64 bits, to the nearest `f64`.
     pub(crate) fn greatest(self) -> f64 {
         match self {
             Fixed { frac, .. } => self.end() - f64::from(frac).exp2().recip(),
@@ -92,22 +92,22 @@ impl Kind {
     }
 }
 
-/// The most fraction bits with which the range fits `below` of the type's `bits` bits.
-/// Numbers that fit fewer bits are settled by a faster stage.
+/// The most fraction bits with which the range fits in `below` of the type's `bits` bits. A faster
+/// stage decides numbers that fit in fewer bits.
 pub(crate) fn most_fraction_bits(bits: u32, below: u32, range: [f64; 2]) -> Option<u32> {
     (0..=bits).rev().find(|&frac| range.iter().all(|&x| Kind::raw(x, below, frac).is_some()))
 }
 
-/// The types that are considered: those that hold the scene, and the others.
+/// The types that are considered: types that hold the scene, and types that do not.
 pub(crate) struct Candidates {
     pub(crate) held: Vec<Kind>,
     pub(crate) too_large: Vec<Kind>,
 }
 
 impl Candidates {
-    /// For each width the type with the most fraction bits that holds the scene, and for
-    /// each stage of its cascade the one with the most that this stage can settle. Also
-    /// the types with as many bits before the point as after it, and the floats.
+    /// For each width, the type with the most fraction bits that holds the scene; for each stage of
+    /// its cascade, the type with the most fraction bits that the stage can decide. Also the types
+    /// with the point in the middle, and the floats.
     pub(crate) fn of(scene: &Scene) -> Self {
         let range = scene.range();
         let mut all = Vec::new();

@@ -1,6 +1,6 @@
-//! Says which number type a scene needs. It lists the types that hold the scene, how
-//! many verdicts rounding to each changes, and what a query costs in each. It
-//! recommends the cheapest that is good enough. Queries are overlaps, sweeps or contacts.
+//! Recommends a number type for a scene. It lists the types that hold the scene, the number of
+//! verdicts that rounding to each changes, and the cost of a query in each, and recommends the
+//! cheapest type that is good enough. Queries are overlaps, sweeps or contacts.
 //!
 //! ```text
 //! cargo run --release --example advise

@@ -7,11 +7,10 @@ use clap::{Parser, ValueEnum};
 
 use crate::cli::{any, valid};
 
-/// Says which number type a scene needs, and what it costs.
+/// Recommends a number type for a scene, and shows what each type costs.
 ///
-/// The scene is a mesh, and boxes on a grid that are asked about: every triangle
-/// against every box around it, as a voxelizer asks; or against every box that comes
-/// by it on its way, or that is to get out of it.
+/// The scene is a mesh, and boxes on a grid: every triangle is tested against every box around it,
+/// as in a voxelizer, or against every box that passes it, or that overlaps it.
 #[derive(Parser)]
 #[command(name = "advise")]
 pub(crate) struct Options {
@@ -25,7 +24,7 @@ pub(crate) struct Options {
         value_parser = valid("a number above zero", |&x: &f64| x.is_finite() && x > 0.0))]
     pub(crate) cell: Option<f64>,
 
-    /// What is asked about a triangle and a box
+    /// The question about a triangle and a box
     #[arg(long, value_enum, ignore_case = true, default_value_t = Ask::Overlap)]
     pub(crate) ask: Ask,
 
@@ -77,7 +76,7 @@ pub(crate) enum Ask {
     Contact,
 }
 
-/// Three numbers, one of which is not zero.
+/// Three numbers, not all zero.
 fn way(text: &str) -> Result<[f64; 3], String> {
     let numbers = text.split(',').map(|x| x.trim().parse().ok().filter(|x: &f64| x.is_finite()));
     let numbers: Option<Vec<f64>> = numbers.collect();

@@ -1,4 +1,4 @@
-//! Lines to paste: the type, and tables in flash.
+//! Code to paste: the type, and tables in flash.
 
 use crate::kind::Kind;
 use crate::scene::Scene;
@@ -8,7 +8,7 @@ pub(crate) fn lines(kind: Kind, scene: &Scene) -> String {
     let points = scene.points(scene.query(0));
     let [a, b, c, min, max] = points.map(|p| vertex(kind, p));
     let (number, vector) = match kind {
-        // Raw bits read back as they are; decimal digits need not.
+        // Raw bits read back unchanged; decimal digits might not.
         Kind::Fixed { bits, .. } => {
             let of = |x: &str| format!("\n        Scalar::from_bits({x}),");
             (format!("i{bits}"), ["x", "y", "z"].map(of).concat() + "\n    ")
@@ -23,7 +23,7 @@ const fn v(x: {number}, y: {number}, z: {number}) -> septum::Vec3<Scalar> {{
     septum::Vec3::new({vector})
 }}
 
-// The first triangle, and the first box that it is asked about.
+// The first triangle, and the first box that it is tested against.
 const TRIANGLE: septum::Triangle<Scalar> = match septum::Triangle::<Scalar>::const_new(
     {a},
     {b},

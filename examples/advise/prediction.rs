@@ -1,9 +1,9 @@
-//! From a sample of the queries to all of them.
+//! Predicts the count over all queries from a sample.
 
-/// How sure a prediction is, for all types at once.
+/// The confidence of all predictions of a survey together.
 pub(crate) const CONFIDENCE: f64 = 0.95;
 
-/// How many verdicts rounding changes.
+/// A number of verdicts that rounding changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Prediction {
     /// Counted in the sample.
@@ -13,15 +13,15 @@ pub(crate) struct Prediction {
 }
 
 impl Prediction {
-    /// The prediction for `all` queries, from `changed` verdicts of `asked`. The sample
-    /// is drawn with replacement. All of `at_once` predictions together hold with the
-    /// stated confidence.
+    /// The prediction for `all` queries, from `changed` verdicts out of `asked`. The sample is
+    /// drawn with replacement. All of `at_once` predictions together hold with the stated
+    /// confidence.
     ///
-    /// If a share of p has changed in truth, a sample in which k of n have, or a still
-    /// less likely one, comes up with a probability of at most exp(−n·d), where d is
-    /// the divergence k/n·ln(k/n / p) + (1 − k/n)·ln((1 − k/n) / (1 − p)). No share for
-    /// which that is above half of the risk is left out (H. Chernoff, 1952). Unlike the
-    /// normal approximation that holds for every n and p.
+    /// If a share p of all verdicts changes, a sample of n with k changed verdicts, or a less
+    /// likely one, has a probability of at most exp(−n·d), where d is the divergence k/n·ln(k/n /
+    /// p) + (1 − k/n)·ln((1 − k/n) / (1 − p)) (H. Chernoff, 1952). The prediction includes every
+    /// share for which that is above half of the risk. Unlike the normal approximation this holds
+    /// for every n and p.
     pub(crate) fn new(changed: u64, asked: u64, all: u64, at_once: usize) -> Self {
         if asked == all {
             return Self::counted(changed);
@@ -36,7 +36,7 @@ impl Prediction {
         Self { changed, least: (low * all).floor() as u64, most: (high * all).ceil() as u64 }
     }
 
-    /// The count itself, where all queries were asked.
+    /// The count itself, if all queries were tested.
     pub(crate) fn counted(changed: u64) -> Self {
         Self { changed, least: changed, most: changed }
     }
@@ -51,8 +51,8 @@ fn divergence(q: f64, p: f64) -> f64 {
     term(q, p) + term(1.0 - q, 1.0 - p)
 }
 
-/// Where the possible shares end, between `inside`, which is possible, and `outside`.
-/// The result is on the side of `outside`.
+/// The boundary of the possible shares, between `inside`, which is possible, and `outside`. The
+/// result is on the side of `outside`.
 fn boundary(possible: impl Fn(f64) -> bool, mut outside: f64, mut inside: f64) -> f64 {
     for _ in 0..100 {
         let middle = (inside + outside) / 2.0;

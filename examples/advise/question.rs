@@ -1,4 +1,4 @@
-//! What is asked of a triangle and a box, and its answer in any number type.
+//! The question about a triangle and a box, and its answer in any number type.
 
 use septum::contact::least_translation;
 use septum::sweep::{Motion, Sweep};
@@ -8,8 +8,7 @@ use crate::kind::Kind;
 use crate::options::Ask;
 use crate::scene::{Query, Scene};
 
-/// The axes of turned boxes: a rotation about two axes by the angles of the triangle with sides
-/// 3, 4 and 5.
+/// The axes of rotated boxes: a rotation about two axes by the angles of the 3-4-5 triangle.
 pub(crate) const TURNED: [[f64; 3]; 3] = [[0.6, 0.8, 0.0], [-0.48, 0.36, 0.8], [0.64, -0.48, 0.6]];
 
 /// The question.
@@ -17,17 +16,17 @@ pub(crate) const TURNED: [[f64; 3]; 3] = [[0.6, 0.8, 0.0], [-0.48, 0.36, 0.8], [
 pub(crate) enum Question {
     /// Whether they overlap.
     Overlap,
-    /// The same of the box turned about its middle.
+    /// The same for the box rotated about its centre.
     Turned,
-    /// The same of the triangle through three corners of the box.
+    /// The same for the triangle through three corners of the box.
     Triangle,
-    /// Whether they overlap, the triangle a polygon.
+    /// Whether they overlap, with the triangle as a polygon.
     Polygon,
-    /// Whether the turned box overlaps the bounding box of the triangle.
+    /// Whether the rotated box overlaps the bounding box of the triangle.
     Boxes,
-    /// When the box, moving by this, first meets the triangle.
+    /// When the box, moving by this vector, first meets the triangle.
     Sweep([f64; 3]),
-    /// How the box gets out of the triangle.
+    /// The minimum translation of the box out of the triangle.
     Contact,
 }
 
@@ -52,17 +51,17 @@ impl Question {
         if let Self::Sweep(way) = self { way } else { [0.0; 3] }
     }
 
-    /// Whether boxes are turned.
+    /// Whether boxes are rotated.
     pub(crate) fn turns(self) -> bool {
         matches!(self, Self::Turned | Self::Boxes)
     }
 
-    /// Whether fixed point goes through other stages than with a triangle and a box at rest.
+    /// Whether the stages of fixed point differ from those for a triangle and a box at rest.
     pub(crate) fn is_staged_otherwise(self) -> bool {
         self.turns() || matches!(self, Self::Triangle | Self::Polygon)
     }
 
-    /// How far a turned box reaches along an axis beyond the one that is not, in boxes.
+    /// The overhang of a rotated box along an axis, beyond the unrotated box, in boxes.
     pub(crate) fn overhang(self, axis: usize) -> f64 {
         if !self.turns() {
             return 0.0;
@@ -70,18 +69,18 @@ impl Question {
         (TURNED.iter().map(|u| u[axis].abs()).sum::<f64>() - 1.0) / 2.0
     }
 
-    /// Numbers of the scene that are no places.
+    /// Numbers of the scene that are directions rather than positions.
     pub(crate) fn directions(self) -> &'static [f64] {
         if self.turns() { TURNED.as_flattened() } else { &[] }
     }
 
-    /// How far triangle and box may come nearer to each other by rounding, in tolerances: each
-    /// moves by one; a box that moves also by one at either end of its way.
+    /// How much nearer rounding may bring triangle and box, in tolerances: each moves by one, and a
+    /// moving box by one more at either end of its path.
     pub(crate) fn slack(self) -> f64 {
         if let Self::Sweep(_) = self { 4.0 } else { 2.0 }
     }
 
-    /// The number in its answer.
+    /// The number in the answer.
     pub(crate) fn number(self) -> Option<&'static str> {
         match self {
             Self::Overlap | Self::Turned | Self::Triangle | Self::Polygon | Self::Boxes => None,
@@ -90,7 +89,7 @@ impl Question {
         }
     }
 
-    /// The rows of the tables of costs: query, mode and path.
+    /// The rows in the tables of costs: query, mode and path.
     pub(crate) fn in_tables(self) -> [&'static str; 3] {
         match self {
             Self::Overlap => ["triangle/box", "exact", "full"],
@@ -103,7 +102,7 @@ impl Question {
         }
     }
 
-    /// The query of those rows, in words.
+    /// The query of these rows, in words.
     pub(crate) fn that_is_tabled(self) -> &'static str {
         match self {
             Self::Overlap | Self::Turned => "of a query on a {core} where all 13 axes are tried",
@@ -117,7 +116,7 @@ impl Question {
 }
 
 impl Kind {
-    /// Whether there is an answer, on the shapes of the query as the type has them.
+    /// Whether the answer is yes for the shapes of the query, as the type represents them.
     pub(crate) fn meets(self, scene: &Scene, query: Query) -> bool {
         match scene.question {
             Question::Overlap => self.overlaps(scene, query),
@@ -127,7 +126,7 @@ impl Kind {
             Question::Triangle => {
                 across(scene, query, |x| self.held(x)).overlaps(&self.triangle(scene, query))
             }
-            // The polygon is that triangle.
+            // The polygon is the triangle itself.
             Question::Polygon => self.overlaps(scene, query),
             Question::Boxes => turned(scene, query, |x| self.held(x), |x| self.held(x))
                 .overlaps(&around(&self.triangle(scene, query))),
@@ -143,10 +142,10 @@ impl Kind {
         Triangle::new(a, b, c).expect("the scene is finite")
     }
 
-    /// The time or the depth, if there is one, as the type says it.
+    /// The time or the depth, if there is one, in the type.
     ///
-    /// What a type holds of a scene `f64` holds too. Its answer is exact but for one rounding,
-    /// and rounding it once more, the same way, comes to what the type itself says.
+    /// `f64` holds every scene that a type holds. The answer in `f64` is exact except for one
+    /// rounding, and rounding it again in the same direction gives the answer of the type itself.
     pub(crate) fn number(self, scene: &Scene, query: Query) -> Option<f64> {
         let nearest = |p: [f64; 3]| p.map(|x| self.held(x));
         let triangle = self.triangle(scene, query);
@@ -197,7 +196,7 @@ impl Kind {
     }
 }
 
-/// The box of a query, turned about its middle, of numbers of a scalar.
+/// The box of a query, rotated about its centre, in a scalar.
 pub(crate) fn turned<S: Scalar>(
     scene: &Scene,
     query: Query,
@@ -207,7 +206,7 @@ pub(crate) fn turned<S: Scalar>(
     let half = scene.cell / 2.0;
     let center = query.cell.map(|i| near(scene.face(i) + half));
     let axes = TURNED.map(|u| Vec3::from(u.map(&direction)));
-    // A coarse type skews them.
+    // Rounding to a coarse type skews the axes.
     Obb::from_skewed_axes(center, axes, [near(half), near(half), near(half)])
         .expect("the scene is finite")
 }
@@ -235,11 +234,11 @@ pub(crate) fn around<S: Scalar>(triangle: &Triangle<S>) -> Aabb<S> {
     Aabb::from_min_max(bound(S::lt), bound(S::gt)).expect("its corners are in order")
 }
 
-/// How far the numbers in the answers of a type are from those of `f64` on the scene as it is,
-/// where both have one.
+/// The differences between the numbers in a type's answers and in `f64`'s answers on the unrounded
+/// scene, for queries with both.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Off {
-    /// All but one of a hundred are within this.
+    /// Ninety-nine of a hundred differences are within this.
     pub(crate) usual: f64,
     pub(crate) most: f64,
 }

@@ -11,8 +11,8 @@ use crate::verdict::Asking;
 
 const ROUNDS: usize = 60;
 
-/// The number of rounds for types that take more than `AGES` times as long. Exact sums
-/// do, where they settle every query.
+/// The number of rounds for types that take more than `AGES` times as long, as exact sums do if
+/// they decide every query.
 const FEW: usize = 3;
 const AGES: f64 = 20.0;
 
@@ -20,7 +20,7 @@ const AGES: f64 = 20.0;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Timing {
     pub(crate) median: f64,
-    /// All rounds but the upper and lower tenth lie between these.
+    /// The range of the rounds without the upper and the lower tenth.
     pub(crate) usual: [f64; 2],
 }
 

@@ -98,7 +98,7 @@ tolerance {}{}
     )
 }
 
-/// The types that were looked at and cannot hold the scene.
+/// The types that cannot hold the scene.
 fn too_large(survey: &Survey) -> String {
     let name = |kind: &Kind| format!("{} (below {})", kind.name(), kind.end());
     let names: Vec<_> = survey.too_large.iter().map(name).collect();
@@ -185,7 +185,7 @@ fn legend_of_tables(options: &Options, scene: &Scene, survey: &Survey, costs: &C
     text
 }
 
-/// Why no type of a width is good enough, for each such width.
+/// The reasons why no type of a width is good enough, for each such width.
 fn refusals(options: &Options, scene: &Scene, survey: &Survey) -> String {
     let widths = [8, 16, 32, 64].into_iter().filter(|&bits| bits <= options.bits);
     widths.filter_map(|bits| Some(what_would_help(bits, &survey.rows, scene)? + "\n")).collect()

@@ -1,4 +1,4 @@
-//! The scene: a mesh, and the boxes that are asked about.
+//! The scene: a mesh, and the boxes that it is tested against.
 
 use std::ops::Range;
 
@@ -15,11 +15,11 @@ pub(crate) struct Scene {
     pub(crate) triangles: Vec<[[f64; 3]; 3]>,
     pub(crate) cell: f64,
     pub(crate) tolerance: f64,
-    /// The boxes that are asked about, along each axis.
+    /// The boxes in the scene, along each axis.
     pub(crate) cells: [Range<i64>; 3],
-    /// The boxes that are asked about with each triangle.
+    /// The boxes for each triangle.
     around: Vec<[Range<i64>; 3]>,
-    /// How many queries there are about the triangles before each, and in all.
+    /// The number of queries before each triangle, and in all.
     before: Vec<u64>,
 }
 
@@ -31,9 +31,9 @@ pub(crate) struct Query {
 }
 
 impl Scene {
-    /// Each triangle is asked about the boxes that its bounding box touches, at rest or on their
-    /// way, grown by so many tolerances as rounding may bring them nearer. If neither boxes,
-    /// triangles nor ways' ends move farther than the tolerance, no other verdict can change.
+    /// Each triangle is tested against the boxes that its bounding box touches, at rest or on their
+    /// path, grown by the tolerances by which rounding may bring them nearer. If no box, triangle
+    /// or path end moves farther than the tolerance, no other verdict can change.
     pub(crate) fn new(
         question: Question,
         triangles: Vec<[[f64; 3]; 3]>,
@@ -88,14 +88,14 @@ impl Scene {
         Ok(Self { question, triangles, cell, tolerance, cells, around, before })
     }
 
-    /// How many queries there are.
+    /// The number of queries.
     pub(crate) fn queries(&self) -> u64 {
         self.before.last().copied().unwrap_or(0)
     }
 
     /// The query with index `n`.
     pub(crate) fn query(&self, n: u64) -> Query {
-        // Every triangle has queries, so that `before` grows at each.
+        // Every triangle has queries, so `before` increases strictly.
         let triangle = self.before.partition_point(|&before| before <= n) - 1;
         let [x, y, z] = &self.around[triangle];
         let n = n - self.before[triangle];
@@ -105,7 +105,7 @@ impl Scene {
         Query { triangle, cell }
     }
 
-    /// The coordinate at which box `i` begins, and the one before it ends.
+    /// The coordinate at which box `i` begins and box `i` − 1 ends.
     pub(crate) fn face(&self, i: i64) -> f64 {
         i as f64 * self.cell
     }
@@ -117,14 +117,14 @@ impl Scene {
         [a, b, c, query.cell.map(|i| self.face(i)), query.cell.map(|i| self.face(i + 1))]
     }
 
-    /// Where the least corner of the box is before and after its way.
+    /// The position of the box's least corner before and after its motion.
     pub(crate) fn places(&self, query: Query) -> [[f64; 3]; 2] {
         let (from, way) = (query.cell.map(|i| self.face(i)), self.question.way());
         [from, [0, 1, 2].map(|i| from[i] + way[i])]
     }
 
     /// The least and the greatest coordinate along an axis, of triangles and boxes, before and
-    /// after their way.
+    /// after their motion.
     pub(crate) fn extent(&self, axis: usize) -> [f64; 2] {
         let Range { start, end } = self.cells[axis];
         let way = self.question.way()[axis];

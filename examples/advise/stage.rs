@@ -1,5 +1,5 @@
-//! Which stage of a scalar's cascade settles a query: ARCHITECTURE.md, "How a question
-//! is answered".
+//! The stage of a scalar's cascade that decides a query: ARCHITECTURE.md, "How a question is
+//! answered".
 
 use std::collections::BTreeMap;
 
@@ -40,7 +40,7 @@ impl Stage {
         }
     }
 
-    /// The stage that settles one query.
+    /// The stage that decides one query.
     pub(crate) fn of(kind: Kind, target: Target, scene: &Scene, query: Query) -> Self {
         if scene.question == Question::Contact {
             return Self::of_contact(kind, target, scene, query);
@@ -52,7 +52,7 @@ impl Stage {
         let raw = |x: f64| Kind::raw(x, bits, frac).expect("a type that holds the scene");
         let points = scene.points(query).map(|p| p.map(raw));
         let places = scene.places(query).map(|p| p.map(raw));
-        // Where registers are narrow a sweep has no kernel of its own.
+        // On narrow registers a sweep has no kernel of its own.
         let target = match scene.question {
             Question::Sweep(_) => Target::Host,
             _ => target,
@@ -77,8 +77,8 @@ impl Stage {
         }
     }
 
-    /// The same of a contact, which begins in `f64` and takes its numbers from integers, if the
-    /// machine has long words and those hold what is given.
+    /// The stage of a contact, which begins in `f64` and takes its numbers from integers, if the
+    /// machine has long words and these hold the input.
     fn of_contact(kind: Kind, target: Target, scene: &Scene, query: Query) -> Self {
         let nearest = |x: f64| kind.nearest(x).expect("a type that holds the scene");
         let points = scene.points(query).map(|p| p.map(nearest));
@@ -88,7 +88,7 @@ impl Stage {
         }
     }
 
-    /// The share of the queries that each stage settles.
+    /// The share of the queries that each stage decides.
     pub(crate) fn shares(
         kind: Kind,
         target: Target,
@@ -104,7 +104,7 @@ impl Stage {
     }
 }
 
-/// How many bits the numbers of a query take, between the highest and the lowest that is set.
+/// The number of bits between the highest and the lowest set bit of a query's numbers.
 fn width<'a>(numbers: impl Iterator<Item = &'a f64>) -> i64 {
     let ends = |x: f64| {
         let exponent = ((x.to_bits() >> 52) & 0x7ff) as i64;
@@ -116,8 +116,8 @@ fn width<'a>(numbers: impl Iterator<Item = &'a f64>) -> i64 {
     span.map_or(0, |(low, high)| high - low)
 }
 
-/// The greatest magnitude in the doubled frame of the box: of a coordinate, of an extent of the
-/// box, or of its way.
+/// The greatest magnitude in the doubled frame of the box: a coordinate, the box's extent, or its
+/// motion.
 fn reach([a, b, c, min, max]: &[[f64; 3]; 5], [from, to]: &[[f64; 3]; 2]) -> f64 {
     let on_axis = |i: usize| {
         let from_middle = |v: &[f64; 3]| ((v[i] - min[i]) + (v[i] - max[i])).abs();

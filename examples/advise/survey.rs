@@ -1,4 +1,4 @@
-//! The survey of a scene: what each type does to it, and what a query costs.
+//! The survey of a scene: the effect of each type on it, and the cost of a query.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -28,13 +28,13 @@ const TIMED: usize = 8192;
 pub(crate) struct Survey {
     pub(crate) rows: Vec<Row>,
     pub(crate) too_large: Vec<Kind>,
-    /// How many queries the sample has, and whether it is all of them.
+    /// The size of the sample, and whether it contains all queries.
     pub(crate) asked: u64,
     /// The time of a query in `f32`, if it was measured.
     pub(crate) each: Option<Duration>,
 }
 
-/// How the survey is made.
+/// The plan of a survey.
 pub(crate) struct Plan<'a> {
     pub(crate) target: Target,
     pub(crate) sample: usize,
@@ -59,7 +59,7 @@ impl Survey {
         let row = |(k, &kind): (usize, &Kind)| {
             let (effect, shares) = (effects[k], Stage::shares(kind, plan.target, scene, &sample));
             let prediction = if effect.moved == 0.0 {
-                // The shapes are the same, and so are their exact verdicts.
+                // Without rounding the exact verdicts are the same.
                 Prediction::counted(changed[k])
             } else {
                 Prediction::new(changed[k], asked, all, predicted)
@@ -82,7 +82,7 @@ impl Survey {
     }
 }
 
-/// Queries drawn by chance from all of them, or all if there are no more than `most`.
+/// A random sample of queries, or all queries if there are no more than `most`.
 fn sample(scene: &Scene, most: usize) -> Vec<Query> {
     let all = scene.queries();
     if all <= most as u64 {
@@ -92,7 +92,7 @@ fn sample(scene: &Scene, most: usize) -> Vec<Query> {
     (0..most).map(|_| scene.query(rng.whole(0, all as i64 - 1) as u64)).collect()
 }
 
-/// In how many of so many queries each type changes the verdict, on all cores.
+/// The number of queries for which each type changes the verdict, computed on all cores.
 fn changes(
     scene: &Scene,
     kinds: &[Kind],
@@ -114,7 +114,7 @@ fn changes(
     sum
 }
 
-/// The stages, and how often each is taken if there are several.
+/// The stages, with their shares if there are several.
 fn in_words(kind: Kind, shares: &BTreeMap<Stage, f64>) -> String {
     let one = |(stage, share): (&Stage, &f64)| {
         let name = stage.name(kind);

@@ -1,4 +1,4 @@
-//! The queries, asked in any number type.
+//! The queries in any number type.
 
 use std::hint::black_box;
 
@@ -12,13 +12,13 @@ use crate::kind::Kind;
 use crate::question::{Question, across, around, turned};
 use crate::scene::{Query, Scene};
 
-/// A scalar that an `f64` can be rounded to. A fixed-point type stands for all types of
-/// its width: verdicts, and the way to them, depend on the raw bits alone.
+/// A scalar with rounding from `f64`. A fixed-point type stands for all types of its width, because
+/// verdicts and stages depend on the raw bits alone.
 pub(crate) trait Coordinate: Scalar {
     fn nearest(x: f64, frac: u32) -> Self;
 
-    /// Nearest to a coordinate of a unit vector, which is one however many bits are before the
-    /// point of the type that this one stands for.
+    /// The nearest number to a component of a unit vector, in units of one, whatever the number of
+    /// fraction bits of the type that this one stands for.
     fn direction(x: f64) -> Self;
 }
 
@@ -99,7 +99,7 @@ fn overlaps<S: Coordinate>(scene: &Scene, query: Query, frac: u32) -> bool {
     triangle.overlaps(&aabb)
 }
 
-/// A function to time. It asks all queries, and counts those that meet.
+/// A function to time: it runs all queries, and counts the pairs that meet.
 pub(crate) type Asking = Box<dyn Fn() -> usize>;
 
 fn asking<S: Coordinate>(scene: &Scene, queries: &[Query], frac: u32) -> Asking {
@@ -158,7 +158,7 @@ impl Kind {
         }
     }
 
-    /// A function that asks all queries. The shapes are rounded beforehand.
+    /// A function that runs all queries, on shapes rounded beforehand.
     pub(crate) fn asking(self, scene: &Scene, queries: &[Query]) -> Asking {
         match self {
             Self::Fixed { bits: ..=8, frac } => asking::<I4F4>(scene, queries, frac),
@@ -171,7 +171,7 @@ impl Kind {
     }
 }
 
-/// In how many of the queries each type's verdict is not that of `f64`.
+/// The number of queries for which each type's verdict differs from `f64`'s.
 pub(crate) fn changes(
     scene: &Scene,
     kinds: &[Kind],

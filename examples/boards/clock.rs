@@ -94,8 +94,8 @@ impl Clock {
     }
 }
 
-/// A host counts no instructions. An emulator of one may, outside: then its count here is zero, and
-/// the variable `COUNTED_OUTSIDE` says so.
+/// A host counts no instructions. If an emulator counts them from outside, the variable
+/// `COUNTED_OUTSIDE` says so, and the count here is zero.
 #[cfg(not(target_os = "none"))]
 pub(crate) struct Clock {
     counted: Option<u64>,

@@ -1,4 +1,4 @@
-//! Questions that are asked about every fourth case.
+//! Questions about every fourth case.
 
 use septum::lanes::{Aabbs, CellTriangle, Cells, Rays, Triangles};
 use septum::prepared::{HitRay, HitTriangle, PreparedRay};
@@ -14,7 +14,7 @@ use super::answers::Answers;
 use super::queries::Query;
 use super::{Four, greatest, least};
 
-/// The orders of the groups of axes, but for the default one.
+/// The orders of the groups of axes, without the default order.
 const ORDERS: [Order; 5] = [
     Order::EdgesNormalFaces,
     Order::FacesEdgesNormal,
@@ -84,7 +84,7 @@ pub(super) fn crossings<S: Draw, A: Answers>(
         answers.to(Query::RayAabbSlabs).yes(slabs.overlaps_rounded(aabb));
         answers.to(Query::RayAabbSlopesEnter).maybe(slopes.t_enter_rounded(aabb));
     }
-    // From and up to numbers that the case has anyway, and up to the hit itself.
+    // Ranges between numbers that the case already has, and a range that ends at the hit.
     let Some((min, max)) = aabbs[1].min_max() else { return };
     let hit = ray.hit(triangle).map(|hit| hit.t);
     for (from, to) in [(None, hit), (Some(min.x), Some(max.x)), (Some(min.y), None)] {

@@ -8,9 +8,9 @@ use septum::{Axis, Facing, Feature, Hit, Vec3};
 use super::super::draw::Draw;
 use super::queries::Query;
 
-/// Where answers go.
+/// The destination of answers.
 pub(crate) trait Answers {
-    /// The hash that the answers to a query go into.
+    /// The hash for the answers to a query.
     fn to(&mut self, query: Query) -> &mut Hash;
 }
 
@@ -70,7 +70,7 @@ impl Hash {
         }
     }
 
-    /// A set of things of which there are no more than 32.
+    /// Hashes a set of numbers below 32.
     pub(crate) fn set(&mut self, of: impl Iterator<Item = usize>) {
         let mask = of.fold(0_u32, |mask, i| mask ^ 1 << (i % 32));
         mask.to_le_bytes().into_iter().for_each(|byte| self.byte(byte));

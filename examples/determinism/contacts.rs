@@ -1,4 +1,4 @@
-//! Questions about shapes in each other: the least translation, and the points.
+//! Questions about overlapping shapes: the minimum translation, and the contact points.
 
 use septum::contact::{Axis, Contact, InteriorEdges, Part, contact, contact_in_mesh};
 use septum::{Aabb, Obb, Triangle};
@@ -57,7 +57,7 @@ pub(super) fn all<S: Draw, A: Answers>(
     let of_boxes = [Query::BoxBoxTranslation, Query::BoxBoxPoints];
     for aabb in aabbs {
         tell(answers, of_triangle, contact(triangle, aabb));
-        // About a vertex, where nearly all are in each other.
+        // Around a vertex, so that nearly all pairs overlap.
         let (a, half) = (triangle.vertices()[0], aabb.center_half_extents());
         let Some((_, half)) = half else { continue };
         let Ok(around) = Aabb::from_center_half_extents(a, half) else { continue };

@@ -19,7 +19,7 @@ impl Rng {
         z ^ (z >> 31)
     }
 
-    /// One of 0 to n − 1.
+    /// A number from 0 to n − 1.
     pub(crate) fn below(&mut self, n: u32) -> u32 {
         ((u64::from(self.bits() as u32) * u64::from(n)) >> 32) as u32
     }
@@ -32,18 +32,17 @@ impl Rng {
 
 /// A scalar that can be drawn and hashed.
 pub(crate) trait Draw: Scalar {
-    /// A number of one of six kinds: on a coarse grid; on a fine one; as fine, with
-    /// a small grid here and there; of any magnitude; at the ends of the range; at
-    /// its least steps.
+    /// A number of one of six kinds: on a coarse grid; on a fine grid; on a mix of a fine and a
+    /// small grid; of any magnitude; at the ends of the range; at its least steps.
     fn draw(rng: &mut Rng, kind: u8) -> Self;
 
-    /// All of it, NaNs being all one.
+    /// All bits of the number; every NaN gives the same bits.
     fn bits(self) -> u64;
 
-    /// The magnitude, or the greatest number where that does not exist.
+    /// The magnitude, or the greatest number if the magnitude overflows.
     fn size(self) -> Self;
 
-    /// Half of each, added.
+    /// The sum of the halves of both numbers.
     fn middle(self, other: Self) -> Self;
 
     /// The difference, kept within the range.
@@ -86,7 +85,7 @@ macro_rules! float {
                 if rng.below(2) == 0 { positive } else { -positive }
             }
             fn bits(self) -> u64 {
-                // Machines differ in the NaN that they make.
+                // NaNs differ between machines.
                 if self.is_nan() { $float::NAN.to_bits().into() } else { self.to_bits().into() }
             }
             fn size(self) -> Self {
@@ -108,7 +107,7 @@ macro_rules! fixed {
     ($($fixed:ident: $int:ident;)*) => {$(
         impl Draw for $fixed {
             fn draw(rng: &mut Rng, kind: u8) -> Self {
-                // Half the bits: products of the other half are lost in the fraction.
+                // Half the bits, because the fraction loses the products of the other half.
                 let half = 1 << ($int::BITS / 2);
                 let ends = [$int::MAX, $int::MIN, $int::MAX / 2, $int::MIN / 2, 0, 1, -1];
                 $fixed::from_bits(match kind {

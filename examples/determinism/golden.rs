@@ -1,4 +1,4 @@
-//! The tables that are kept: the same on every machine, and in every later version.
+//! The golden tables: the same on every machine, and in every later version.
 
 use core::fmt;
 
@@ -7,8 +7,8 @@ pub(crate) mod table;
 
 use table::{Cell, SCALARS};
 
-/// What each version added, oldest first. The table of a version is all rows down to its
-/// own; a row of a released version is never changed and never removed.
+/// The rows that each version added, oldest first. The table of a version has all rows down to its
+/// own. A row of a released version never changes and is never removed.
 const VERSIONS: [&str; 1] = [include_str!("golden/0.1.csv")];
 
 /// The hashes of one query.
@@ -19,8 +19,8 @@ pub(crate) struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
-    /// A line of a kept table: the query, and a hash in hexadecimal digits for each scalar,
-    /// or a dash. A number that cannot be read equals none that is computed.
+    /// A line of a golden table: the query, and for each scalar a hash in hexadecimal digits, or a
+    /// dash. An unreadable number equals no computed one.
     fn read(line: &'a str) -> Self {
         let mut columns = line.trim_end().split(',');
         let query = columns.next().unwrap_or_default();
@@ -32,12 +32,12 @@ impl<'a> Row<'a> {
         Self { query, cells }
     }
 
-    /// Whether the cell of a scalar is as it was kept.
+    /// Whether the cell of a scalar matches the golden table.
     fn is_kept(&self, scalar: usize) -> bool {
         kept().any(|kept| kept.query == self.query && kept.cells[scalar] == self.cells[scalar])
     }
 
-    /// Whether the row is as it was kept.
+    /// Whether the row matches the golden table.
     pub(crate) fn is_as_everywhere(&self) -> bool {
         (0..SCALARS.len()).all(|scalar| self.is_kept(scalar))
     }
@@ -48,8 +48,7 @@ pub(crate) fn kept() -> impl Iterator<Item = Row<'static>> {
     VERSIONS.iter().flat_map(|table| table.lines().skip(1)).map(Row::read)
 }
 
-/// As the table is printed. What differs from the kept table is followed by an exclamation
-/// mark.
+/// Prints the row, with an exclamation mark after each hash that differs from the golden table.
 impl fmt::Display for Row<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:31}", self.query)?;

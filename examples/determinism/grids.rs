@@ -9,7 +9,7 @@ use super::queries::Query;
 
 const RESOLUTION: [u32; 3] = [4, 3, 2];
 
-/// A small grid, so that small cores have their answers within a minute.
+/// A small grid, so that small cores answer within a minute.
 #[inline(never)]
 pub(super) fn grids<S: Draw, A: Answers>(
     origin: Vec3<S>,
@@ -27,7 +27,7 @@ pub(super) fn grids<S: Draw, A: Answers>(
         (Rule::HalfOpen, Query::GridRowsHalfOpen),
         (Rule::Thin, Query::GridRowsThin),
     ] {
-        // A bit for each voxel: the order of rows is not promised.
+        // A bit for each voxel, because the order of rows is not guaranteed.
         let mut marked = [[0_u8; 3]; 2];
         for row in grid.rows(triangle, rule) {
             row.x.for_each(|x| marked[row.z as usize][row.y as usize] |= 1 << x);

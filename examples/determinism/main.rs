@@ -1,5 +1,5 @@
-//! Hashes of the answers to a fixed stream of questions, one for each query and scalar:
-//! the same on every machine that there is, or it says which is not.
+//! Hashes of the answers to a fixed stream of questions, one for each query and scalar. They are
+//! the same on every machine; a hash that differs is marked.
 //!
 //! ```text
 //! cargo run --release --example determinism
@@ -23,10 +23,10 @@ use golden::{Header, Row, kept};
 use program::{Line, program};
 use stream::queries::ROWS;
 
-/// How many lines the program prints: a header, the rows, a verdict.
+/// The number of lines that the program prints: a header, the rows, a verdict.
 const LINES: usize = ROWS.len() + 2;
 
-/// The hashes, once they are computed: a line is asked for at a time.
+/// The hashes, kept because lines are requested one at a time.
 static HASHES: [[AtomicU32; SCALARS.len()]; ROWS.len()] =
     [const { [const { AtomicU32::new(0) }; SCALARS.len()] }; ROWS.len()];
 static ARE_COMPUTED: AtomicBool = AtomicBool::new(false);
@@ -44,10 +44,10 @@ fn row(k: usize) -> Row<'static> {
     Row { query: ROWS[k], cells }
 }
 
-/// Line `k`, and whether it is what it should be.
+/// Line `k`, and whether it is right.
 fn line(k: usize) -> Line {
     let mut text = heapless::String::new();
-    // There is room for all of it.
+    // The line has room for all of this text.
     let is_right = match k.checked_sub(1) {
         None => {
             let _ = write!(text, "{Header}");

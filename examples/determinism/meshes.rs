@@ -1,4 +1,4 @@
-//! Questions about a mesh and its tree: three closed surfaces, which go through one another.
+//! Questions about a mesh and its tree: three closed surfaces that intersect each other.
 
 use core::ops::ControlFlow;
 
@@ -38,7 +38,7 @@ const FACES: [[u16; 3]; 24] = [
     [1, 6, 7],
 ];
 
-/// The shapes that a mesh is asked about.
+/// The shapes in the questions about a mesh.
 pub(super) struct Shapes<'a, S> {
     pub(super) aabbs: [&'a Aabb<S>; 2],
     pub(super) obb: Option<&'a Obb<S>>,

@@ -1,5 +1,5 @@
-//! Questions about small pairs: boxes with boxes and points, what moves past a box, a triangle with
-//! triangles, segments and points, and two hits of one ray.
+//! Questions about pairs of shapes: boxes with boxes and points, shapes that move past a box, a
+//! triangle with triangles, segments and points, and two hits of one ray.
 
 use septum::polygon::Polygon;
 use septum::published;
@@ -34,7 +34,7 @@ pub(super) fn boxes<S: Draw, A: Answers>(
     }
     if let Some(obb) = obb {
         answers.to(Query::TriangleObbRelation).relation(triangle.relation(obb));
-        // Elsewhere, and with the axes in another order.
+        // The same box at another place, with its axes in another order.
         let [u, v, w] = *obb.axes();
         for (center, axes) in [(a, [u, v, w]), (b, [w, u, v]), (c, [v, b, u])] {
             let Ok(other) = Obb::from_skewed_axes(center, axes, obb.half_extents()) else {
@@ -53,7 +53,7 @@ pub(super) fn boxes<S: Draw, A: Answers>(
         for point in [a, b, c, obb.center()] {
             answers.to(Query::ObbContains).yes(obb.contains(point));
         }
-        // By corners: a point where there is none.
+        // By corners; a point if there are none.
         let corners = obb.aabb().and_then(|aabb| aabb.min_max());
         for corner in corners.map_or([None; 2], |(min, max)| [Some(min), Some(max)]) {
             answers.to(Query::ObbAabb).vector(corner);
@@ -64,7 +64,7 @@ pub(super) fn boxes<S: Draw, A: Answers>(
     }
 }
 
-/// Boxes that are turned: their axes, and those of a quaternion that is their first axis.
+/// Rotated boxes: their axes, and the axes from a quaternion equal to the first axis.
 #[inline(never)]
 pub(super) fn turned<S: Draw, A: Answers>(turns: [Vec3<S>; 2], half: Vec3<S>, answers: &mut A) {
     for turns in turns {
@@ -83,7 +83,7 @@ pub(super) fn turned<S: Draw, A: Answers>(turns: [Vec3<S>; 2], half: Vec3<S>, an
     }
 }
 
-/// A ray, and what is left of it between two numbers, and segments with an oriented box.
+/// A ray, a range of it between two numbers, and segments, with an oriented box.
 #[inline(never)]
 pub(super) fn lines<S: Draw, A: Answers>(
     obb: &Obb<S>,
@@ -106,8 +106,8 @@ pub(super) fn lines<S: Draw, A: Answers>(
     }
 }
 
-/// Polygons of the triangle's vertices, those between them, and another: flat but for rounding, and
-/// bent.
+/// Polygons of the triangle's vertices, the midpoints between them, and another point: flat except
+/// for rounding, and bent.
 #[inline(never)]
 pub(super) fn polygons<S: Draw, A: Answers>(
     triangle: &Triangle<S>,
@@ -132,8 +132,8 @@ fn middle<S: Draw>(a: Vec3<S>, b: Vec3<S>) -> Vec3<S> {
     Vec3::new(a.x.middle(b.x), a.y.middle(b.y), a.z.middle(b.z))
 }
 
-/// The triangle past the boxes, by ways that lead to them or elsewhere, and a box around an edge of
-/// it.
+/// The triangle past the boxes, with motions that lead to them or elsewhere, and a box around an
+/// edge of the triangle.
 #[inline(never)]
 pub(super) fn sweeps<S: Draw, A: Answers>(
     triangle: &Triangle<S>,
@@ -157,8 +157,8 @@ pub(super) fn sweeps<S: Draw, A: Answers>(
     }
 }
 
-/// The triangle with others, some of which share a vertex or an edge with it; with segments,
-/// one of which lies in its plane; and with points.
+/// The triangle with other triangles, some with a common vertex or edge; with segments, one in its
+/// plane; and with points.
 #[inline(never)]
 pub(super) fn flats<S: Draw, A: Answers>(
     triangle: &Triangle<S>,
@@ -184,7 +184,7 @@ pub(super) fn flats<S: Draw, A: Answers>(
     }
 }
 
-/// The triangle, and itself with one vertex elsewhere: equal distances, and others.
+/// The triangle, and a copy with one vertex moved: equal and different distances.
 #[inline(never)]
 pub(super) fn hits<S: Draw, A: Answers>(
     ray: &Ray<S>,

@@ -8,8 +8,8 @@ macro_rules! queries {
             $($query,)*
         }
 
-        /// The names of the rows, in the order of the queries. A name stays when the method
-        /// that it stands for is renamed.
+        /// The names of the rows, in the order of the queries. A row keeps its name if its method
+        /// is renamed.
         pub(crate) const ROWS: [&str; [$($row),*].len()] = [$($row),*];
     };
 }

@@ -1,7 +1,7 @@
 //! A fixed stream of questions, and a hash of all their answers.
 //!
-//! Nothing here may depend on the machine: numbers are made from bits, floats
-//! with no more than exact scaling, and no library is asked.
+//! Nothing here may depend on the machine: numbers are made from bits, floats use no more than
+//! exact scaling, and no library functions are called.
 
 use septum::Vec3;
 use septum::lanes::{NormalTriangles, Rays, SlabRays, Triangles};
@@ -16,7 +16,7 @@ use septum::{Aabb, Axis, Cull, Obb, Plane, Ray, Scalar, Segment, Side, Triangle}
 
 use super::draw::{Draw, Rng};
 
-// By path: a test in another folder includes this file too.
+// By path, because a test in another folder includes this file too.
 #[path = "added.rs"]
 mod added;
 #[path = "answers.rs"]
@@ -35,12 +35,12 @@ pub(crate) mod queries;
 use answers::Answers;
 use queries::Query;
 
-/// How many cases there are for a scalar.
+/// The number of cases for a scalar.
 pub(crate) const CASES: u32 = 1000;
 
-/// Asks all questions about `cases` cases in this scalar; those of `added` about every
-/// fourth, and those about meshes and grids about every sixteenth, for a small core takes a
-/// minute for the others already.
+/// Asks all questions about `cases` cases in this scalar. The questions of `added` run on every
+/// fourth case, and those about meshes and grids on every sixteenth, because a small core already
+/// takes a minute for the rest.
 pub(crate) fn ask<S: Draw, A: Answers>(cases: u32, answers: &mut A) {
     let mut rng = Rng::new(0x5e97_0a11);
     for k in 0..cases {
@@ -48,8 +48,8 @@ pub(crate) fn ask<S: Draw, A: Answers>(cases: u32, answers: &mut A) {
     }
 }
 
-/// One triangle against a box of each kind, the boxes against a plane, a segment
-/// and a ray; and where there is more to ask, that too.
+/// One triangle against a box of each kind, the boxes against a plane, a segment and a ray; and the
+/// remaining questions, in the cases that have them.
 #[inline(never)]
 fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, k: u32) {
     let kind = rng.below(6) as u8;
@@ -58,7 +58,7 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, k: u32) {
     let triangle = Triangle::new(a, b, if rng.below(8) == 0 { a } else { c });
     let half = Vec3::new(q.x.size(), q.y.size(), q.z.size());
     let corners = Aabb::from_min_max(least(p, q), greatest(p, q));
-    // What is drawn is finite, and there are no negative half-extents.
+    // Drawn numbers are finite, and half-extents are not negative.
     let (Ok(triangle), Ok(centered), Ok(corners)) =
         (triangle, Aabb::from_center_half_extents(p, half), corners)
     else {
@@ -84,7 +84,7 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, k: u32) {
             .to(Query::TriangleObbTransform)
             .yes(published::akenine_moller::overlaps_obb(&triangle, obb));
     }
-    // At the triangle, or anywhere.
+    // Toward the triangle, or anywhere.
     let direction = if rng.below(3) == 0 { d } else { towards(o, &triangle) };
     let ray = Ray::new(o, direction).ok();
     if let Some(ray) = &ray {
@@ -193,8 +193,8 @@ fn crossings<S: Draw, A: Answers>(
     }
 }
 
-/// Four at once: the triangle and itself with its vertices moved on, the ray and itself
-/// with its ends exchanged. These are the loops that become vector instructions.
+/// Four lanes: the triangle and its copies with rotated vertices, the ray and its copies with
+/// exchanged ends. These loops become vector instructions.
 #[inline(never)]
 fn lanes<S: Draw, A: Answers>(
     ray: &Ray<S>,
@@ -225,7 +225,7 @@ fn lanes<S: Draw, A: Answers>(
     }
 }
 
-/// What lanes are asked about.
+/// The shapes of the questions about lanes.
 struct Four<S> {
     rays: [Ray<S>; 4],
     triangles: [Triangle<S>; 4],
@@ -242,7 +242,7 @@ impl<S: Draw> Four<S> {
     }
 }
 
-/// From a point to the middle of the triangle, or not far from it.
+/// From a point to the middle of the triangle, or near it.
 fn towards<S: Draw>(p: Vec3<S>, triangle: &Triangle<S>) -> Vec3<S> {
     let [a, b, c] = *triangle.vertices();
     let to = |p: S, a: S, b: S, c: S| a.middle(b).middle(c).minus(p);

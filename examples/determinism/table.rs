@@ -1,4 +1,4 @@
-//! The table: a hash for each query and scalar, over the answers to that query alone.
+//! The table: for each query and scalar, a hash over the answers to that query alone.
 
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 
@@ -23,7 +23,7 @@ pub(crate) const SCALARS: [Scalar; 6] = [
     ("I32F32", column::<I32F32>),
 ];
 
-/// A hash of 32 bits; zero where a scalar does not have the query.
+/// A hash of 32 bits; zero if the scalar does not have the query.
 pub(crate) type Cell = u32;
 
 struct Hashes([Hash; ROWS.len()]);
@@ -34,13 +34,13 @@ impl Answers for Hashes {
     }
 }
 
-/// The column of one scalar: all questions are asked once.
+/// The column of one scalar, from one run of all questions.
 fn column<S: Draw>() -> Column {
     let mut hashes = Hashes([Hash::EMPTY; ROWS.len()]);
     ask::<S, _>(CASES, &mut hashes);
     hashes.0.map(|hash| match hash {
         Hash::EMPTY => 0,
-        // Folded, as its authors do for fewer bits.
+        // Folded, as the authors of the hash do for fewer bits.
         Hash(bits) => ((bits >> 32) ^ bits) as u32,
     })
 }

@@ -1,4 +1,4 @@
-//! The check: where is the tool, seen from the clamps?
+//! The check: the position of the tool relative to the clamps.
 
 use fixed::types::I16F16;
 use septum::Obb;
@@ -6,14 +6,14 @@ use septum::mesh::{Mesh, Tree};
 
 use super::clamps::{FACES, NODES, VERTICES};
 
-/// Where the tool is.
+/// The position of the tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Place {
     /// It has no point in common with the clamps.
     Outside,
-    /// It has a point in common with this face, and perhaps with others.
+    /// It has a point in common with this face, and perhaps with other faces.
     Touches(usize),
-    /// It touches no face, and all of it is inside.
+    /// It touches no face, and lies entirely inside a clamp.
     Inside,
 }
 
@@ -21,17 +21,17 @@ pub(crate) enum Place {
 pub(crate) struct Zone(Tree<'static, I16F16, u16>);
 
 impl Zone {
-    /// The zone of the table in flash, if that is sound.
+    /// The zone from the table in flash, if the table is valid.
     pub(crate) fn new() -> Option<Self> {
         let mesh = Mesh::new(&VERTICES, &FACES).ok()?;
         Some(Self(Tree::new(mesh, &NODES).ok()?))
     }
 
-    /// Where the tool is.
+    /// The position of the tool.
     ///
-    /// A tool that touches no face lies on one side of them all, so that one of its points
-    /// decides whether it is inside: its centre. The clamps are closed parts, all oriented
-    /// outward, and stand in one another: whatever is in at least one of them has a winding number
+    /// A tool that touches no face lies on one side of every face, so its centre alone decides
+    /// whether it is inside. The clamps are closed parts, all oriented outward, and overlap each
+    /// other: a point inside at least one of them has a winding number other than zero.
     /// that is not zero.
     pub(crate) fn place(&self, tool: &Obb<I16F16>) -> Place {
         match self.0.overlapping(tool).next() {

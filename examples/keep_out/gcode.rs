@@ -1,12 +1,13 @@
-//! G-code, as far as a tool's moves need it: G0 and G1 to X, Y, Z, tilted by A and B.
+//! G-code for tool moves: G0 and G1 to X, Y, Z, tilted by A and B.
 //!
-//! Millimetres and degrees, absolute (G21, G90). A word that says nothing about where the tool
-//! goes (feed, spindle, coolant) is read and left alone. What is not understood is an error, with
-//! the number of its line: a check that passes over lines would be none.
+//! Millimetres and degrees, absolute (G21, G90). Words that do not move the tool (feed, spindle,
+//! coolant) are parsed and ignored. Anything unknown is an error with its line number, because a
+//! check that skipped lines would be worthless.
 
 use fixed::types::I16F16;
 
-/// Where the tool's tip is, in millimetres, and how the tool is tilted about x and y, in degrees.
+/// The position of the tool's tip in millimetres, and the tilt of the tool about x and y in
+/// degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Position {
     pub(crate) tip: [I16F16; 3],
@@ -21,7 +22,7 @@ pub(crate) struct Move {
     pub(crate) to: Position,
 }
 
-/// What is wrong with a line, and the letter at which it was seen.
+/// The error in a line, and its letter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Fault {
     pub(crate) line: u32,
@@ -29,7 +30,7 @@ pub(crate) struct Fault {
     pub(crate) what: &'static str,
 }
 
-/// The moves of a program. After a fault there are no more.
+/// The moves of a program. It ends at the first error.
 pub(crate) struct Program<'a> {
     lines: core::str::Lines<'a>,
     line: u32,
@@ -38,7 +39,7 @@ pub(crate) struct Program<'a> {
 }
 
 impl<'a> Program<'a> {
-    /// The program, with the tool at a position.
+    /// A program, with the tool at its first position.
     pub(crate) fn new(text: &'a str, start: Position) -> Self {
         Self { lines: text.lines(), line: 0, at: start, is_over: false }
     }
@@ -78,7 +79,7 @@ impl Iterator for Program<'_> {
     }
 }
 
-/// A line: where it goes to, in X, Y, Z, A and B, and whether it ends the program.
+/// A line: its target in X, Y, Z, A and B, and whether it ends the program.
 #[derive(Default)]
 struct Line {
     to: [Option<I16F16>; 5],
@@ -88,7 +89,7 @@ struct Line {
 impl Line {
     fn read(text: &str) -> Result<Self, (char, &'static str)> {
         let mut line = Self::default();
-        // `%` alone stands before and after a program.
+        // `%` alone marks the beginning and the end of a program.
         let mut rest = if text.trim() == "%" { "" } else { text };
         while let Some(letter) = rest.chars().next() {
             rest = &rest[letter.len_utf8()..];
@@ -136,8 +137,7 @@ impl Line {
                     return Err("the letter is there twice");
                 }
             }
-            // Straight moves; G0 is taken to be one. The plane of arcs, millimetres, absolute,
-            // feed.
+            // Straight moves, and G0 counts as one. The plane of arcs, millimetres, absolute, feed.
             'G' if matches!(code, Some(0 | 1 | 17 | 21 | 90 | 94)) => {}
             'G' => return Err("this code is not understood: only G0 and G1, in G21 and G90"),
             'M' => self.is_last |= matches!(code, Some(2 | 30)),

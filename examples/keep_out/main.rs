@@ -1,11 +1,10 @@
-//! A mill's tool must keep out of the clamps: does a program take it into one, and where?
+//! A mill's tool must keep out of the clamps. Does a program move it into one, and where?
 //!
-//! G-code goes in, and out comes each move on which the tool first touches a clamp, with the
-//! number of its line. The tool is an oriented box that moves and tilts; the clamps are closed
-//! meshes in flash, in I16F16, with a tree over them. Every verdict is exact, and the same on
-//! every machine.
+//! The input is G-code. The output is each move on which the tool first touches a clamp, with its
+//! line number. The tool is an oriented box that moves and tilts; the clamps are closed meshes in
+//! flash, in I16F16, with a tree over them. Every verdict is exact, and the same on every machine.
 //!
-//! No contact is not yet outside: a tool may be inside a clamp, wholly. The check tells.
+//! A tool without contact may still be entirely inside a clamp; the check detects this too.
 //!
 //! ```text
 //! cargo run --release --example keep_out --target thumbv6m-none-eabi
@@ -13,7 +12,7 @@
 //! cargo run --release --example keep_out -- PROGRAM.nc
 //! ```
 //!
-//! Without a file it checks the two programs that are bundled. This made the table:
+//! Without a file it checks the two bundled programs. The table was made by:
 //!
 //! ```text
 //! cargo run --release --example quantise -- examples/keep_out/clamps.obj --whole \
@@ -38,7 +37,7 @@ use gcode::{Fault, Move, Position, Program};
 
 use crate::firmware::{program, say};
 
-/// The programs that are bundled, and what becomes of them.
+/// The bundled programs, and their expected results.
 const BUNDLED: [(&str, &str); 2] = [
     ("facing.nc", include_str!("programs/facing.nc")),
     ("plunge.nc", include_str!("programs/plunge.nc")),
@@ -50,7 +49,8 @@ struct Taken {
     checks: u64,
     sum: u64,
     most: u64,
-    /// How many took longer than a millisecond at 16 MHz, an instruction a cycle.
+    /// The number of checks that took longer than a millisecond at 16 MHz, with one cycle for each
+    /// instruction.
     late: u64,
 }
 
@@ -79,7 +79,7 @@ fn run() -> bool {
     is_done
 }
 
-/// Checks the bundled programs, or that of the file which is named.
+/// Checks the bundled programs, or the given file.
 fn each_program(mut check: impl FnMut(&str, &str) -> bool) -> bool {
     #[cfg(not(target_os = "none"))]
     if let Some(path) = std::env::args().nth(1) {
@@ -98,7 +98,7 @@ fn each_program(mut check: impl FnMut(&str, &str) -> bool) -> bool {
     is_done
 }
 
-/// Checks the moves of a program, and tells where contact begins and ends.
+/// Checks the moves of a program, and prints where contact begins and ends.
 fn check(
     zone: &Zone,
     clock: &Clock,
@@ -134,7 +134,7 @@ fn check(
     Ok(())
 }
 
-/// Tells of a change, with the tip in micrometres.
+/// Prints a change, with the tip in micrometres.
 fn tell(name: &str, line: u32, pose: u32, at: Position, [before, now]: [Place; 2]) {
     let tip = at.tip.map(|x| ((i64::from(x.to_bits()) * 1000) >> 16) as i32);
     match (before, now) {

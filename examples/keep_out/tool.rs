@@ -7,12 +7,12 @@ use super::gcode::{Move, Position};
 
 /// Half-extents of the box: a cutter of 6 mm, 40 mm long, and a clearance of 2 mm.
 ///
-/// From one pose to the next the tip goes up to √3 mm, and the tool turns by up to 1° about two
-/// axes, which takes its far end 1.1 mm farther. No point of the tool is ever farther from a
-/// pose than half of that, which is within the clearance: what lies between poses is covered.
+/// From one pose to the next the tip moves by up to √3 mm, and the tool turns by up to 1° about two
+/// axes, which moves its far end by another 1.1 mm. Every point of the tool stays within half of
+/// that from a pose, and the clearance is larger, so the motion between poses is covered.
 pub(crate) const HALF: [I16F16; 3] = [I16F16::lit("5"), I16F16::lit("5"), I16F16::lit("22")];
 
-/// Where the tool waits for a program.
+/// The position of the tool before a program.
 pub(crate) const HOME: Position =
     Position { tip: [I16F16::ZERO, I16F16::ZERO, I16F16::lit("120")], tilt: [I16F16::ZERO; 2] };
 
@@ -27,7 +27,7 @@ pub(crate) fn poses(line: Move) -> impl Iterator<Item = Position> {
     let steps = farthest.div_ceil(1 << I16F16::FRAC_NBITS) as i64;
     (0..=steps).map(move |step| {
         let [x, y, z, a, b] = [0, 1, 2, 3, 4].map(|i| {
-            // Between two numbers of 32 bits there is one of 32 bits.
+            // A number between two 32-bit numbers fits in 32 bits.
             let way = (to[i] - from[i]) * step;
             I16F16::from_bits((from[i] + way.checked_div(steps).unwrap_or(0)) as i32)
         });
@@ -35,12 +35,12 @@ pub(crate) fn poses(line: Move) -> impl Iterator<Item = Position> {
     })
 }
 
-/// The box of a tool: its lower end stands around the tip, and its long axis is tilted, about x
-/// and then about y. `None` where a number is beyond the type.
+/// The box of a tool: its lower end surrounds the tip, and its long axis is tilted about x and then
+/// about y. `None` if a number is out of the type's range.
 pub(crate) fn obb(at: Position) -> Option<Obb<I16F16>> {
     let [a, b] = at.tilt.map(|degrees| degrees / 360);
     let upright = Obb::from_turns([I16F16::ZERO; 3], [a, b, I16F16::ZERO], HALF).ok()?;
-    // From the tip to the middle, but for the clearance below.
+    // From the tip to the centre, without the clearance below.
     let up = HALF[2] - I16F16::lit("2");
     let [tip, axis] = [at.tip, upright.axes()[2].to_array()];
     let mut center = tip;

@@ -1,4 +1,4 @@
-//! A box, where it is and how it moves.
+//! A box with its pose and its motion.
 
 use septum::sweep::Motion;
 use septum::{Aabb, Obb};
@@ -6,7 +6,7 @@ use septum::{Aabb, Obb};
 use crate::terrain::Ground;
 use crate::vector::{Vector, cross, dot, plus, root, times};
 
-/// Ticks in which a body has to be calm before it rests.
+/// The number of calm ticks after which a body rests.
 const CALM: u8 = 30;
 
 /// A cube. Lengths are in metres, and time is in ticks, 60 a second.
@@ -19,15 +19,15 @@ pub(crate) struct Body {
     /// In radians for each tick.
     pub(crate) spin: Vector,
     pub(crate) half: f32,
-    /// For how long it has hardly moved.
+    /// The number of ticks for which it has been calm.
     calm: u8,
 }
 
-/// A pose, as the crate takes it.
+/// A pose, in the crate's types.
 #[derive(Clone, Copy)]
 pub(crate) struct Pose {
     pub(crate) obb: Obb<f32>,
-    /// The box around it.
+    /// The bounding box.
     pub(crate) min: Vector,
     pub(crate) max: Vector,
 }
@@ -42,7 +42,7 @@ impl Body {
         1.0 / (self.half * self.half * self.half)
     }
 
-    /// That of a cube is the same about every axis.
+    /// The inverse moment of inertia; a cube has the same about every axis.
     pub(crate) fn inverse_inertia(&self) -> f32 {
         1.5 * self.inverse_mass() / (self.half * self.half)
     }
@@ -53,12 +53,12 @@ impl Body {
         Some(Pose { obb, min: min.to_array(), max: max.to_array() })
     }
 
-    /// The velocity of a point of the body, that far from its centre.
+    /// The velocity of the point at this offset from the centre.
     pub(crate) fn velocity_at(&self, from_center: Vector) -> Vector {
         plus(self.velocity, cross(self.spin, from_center))
     }
 
-    /// Takes an impulse at a point that far from its centre.
+    /// Applies an impulse at this offset from the centre.
     pub(crate) fn push(&mut self, impulse: Vector, from_center: Vector) {
         self.velocity = plus(self.velocity, times(impulse, self.inverse_mass()));
         let turn = cross(from_center, impulse);
@@ -73,12 +73,12 @@ impl Body {
         self.calm = 0;
     }
 
-    /// The square of the speed of its corners, about.
+    /// The square of the speed of its corners, approximately.
     pub(crate) fn speed_squared(&self) -> f32 {
         dot(self.velocity, self.velocity) + 3.0 * self.half * self.half * dot(self.spin, self.spin)
     }
 
-    /// Moves for a tick. What is in the way of its core stops it there: nothing tunnels.
+    /// Moves for a tick. An obstacle in the path of the core stops the body there: nothing tunnels.
     pub(crate) fn advance(&mut self, ground: &Ground<'_>) {
         const STILL: f32 = 1e-5;
         self.calm = if self.speed_squared() < STILL { (self.calm + 1).min(CALM) } else { 0 };
@@ -100,9 +100,9 @@ impl Body {
         self.rotation = turned.map(|x| x / root(square));
     }
 
-    /// Where the tick takes it: no farther than to where its core, a cube along the axes of space
-    /// inside of the body, first meets the ground. If that is where it is, there is a contact
-    /// which pushes it out, and it goes slowly.
+    /// The end of the tick's motion: the new place, or the place where the core, an axis-aligned
+    /// cube inside the body, first meets the ground. If the core meets the ground at the start, a
+    /// contact pushes the body out, and it moves slowly.
     fn end_of_way(&self, ground: &Ground<'_>) -> Vector {
         let to = |part: f32| plus(self.position, times(self.velocity, part));
         let (square, slow) = (dot(self.velocity, self.velocity), 0.25 * self.half);

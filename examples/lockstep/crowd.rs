@@ -1,4 +1,4 @@
-//! Many boxes, and the time of a frame that goes back and runs its ticks again.
+//! Many boxes, and the time of a frame with a rollback.
 
 use std::collections::VecDeque;
 use std::fmt::Write;
@@ -11,7 +11,7 @@ use crate::{LINES, input};
 
 const BODIES: usize = 200;
 const TICKS: usize = 600;
-/// How many ticks each frame goes back.
+/// The number of ticks that each frame rolls back.
 const BACK: usize = 8;
 
 type Crowd = World<BODIES>;
@@ -20,7 +20,7 @@ pub(crate) fn is_asked_for() -> bool {
     std::env::args().nth(1).is_some_and(|word| word == "crowd")
 }
 
-/// Each frame runs the last ticks again, from the world before them, and then one more.
+/// Each frame replays the last ticks from an earlier world, and then runs one more.
 pub(crate) fn line(k: usize) -> Line {
     let mut text = heapless::String::new();
     if k + 1 < LINES {
@@ -40,7 +40,8 @@ pub(crate) fn line(k: usize) -> Line {
                 before.pop_front();
             }
             step(&mut straight, tick);
-            // The better of two: the worst frame is to be one of the game, not of the machine.
+            // The better of two runs: the worst frame should be due to the game, not to the
+            // machine.
             let taken = [(); 2].map(|()| {
                 let start = Instant::now();
                 let mut again = before[0];

@@ -1,11 +1,11 @@
 //! Lockstep: two peers run the same world from the same inputs. They send each other
 //! inputs and hashes, never the world.
 //!
-//! Boxes fall, turn, stack and rest on a terrain of triangles, by septum's contacts and
-//! sweeps in `f32`. Each peer knows its own input at once, and the other's five ticks
-//! later. Until then it predicts that input. If the prediction was wrong, it rolls back
-//! and runs those ticks again. The hash of each tick is the same in both peers, on every
-//! machine. If one bit of one input is changed, the hashes differ from that tick on.
+//! Boxes fall, turn, stack and rest on a terrain of triangles, using septum's contacts and sweeps
+//! in `f32`. Each peer knows its own input at once, and the remote input five ticks later. Until
+//! then it predicts the remote input. If the prediction was wrong, it rolls back and runs those
+//! ticks again. The hash of each tick is the same in both peers, on every machine. If one bit of
+//! one input is changed, the hashes differ from that tick on.
 //!
 //! ```text
 //! cargo run --release --example lockstep
@@ -32,11 +32,11 @@ use program::{Line, program};
 use terrain::{Ground, with_ground};
 use world::{POINTS, World};
 
-/// How many bodies the peers have.
+/// The number of bodies in the world.
 const BODIES: usize = 6;
-/// How many ticks the world runs.
+/// The number of ticks.
 const TICKS: usize = 120;
-/// The tick whose input is corrupted on the way.
+/// The tick whose input is corrupted in transit.
 const BAD_TICK: usize = 57;
 /// The hash of the last tick, the same on every machine.
 const LAST: u64 = 0x1cb2_8f4c_d9cb_cd30;
@@ -57,7 +57,7 @@ fn step(game: &mut Game, ground: &Ground<'_>, inputs: [u8; 2]) {
     game.step::<{ POINTS * BODIES }>(ground, inputs);
 }
 
-/// The hashes of a run in which every input is known at once, and its end.
+/// The hashes of a run with all inputs known at once, and its last world.
 fn straight(ground: &Ground<'_>) -> (Hashes, Game) {
     let (mut world, mut hashes) = (Game::new(), [0; TICKS]);
     for (tick, hash) in hashes.iter_mut().enumerate() {
@@ -67,8 +67,8 @@ fn straight(ground: &Ground<'_>) -> (Hashes, Game) {
     (hashes, world)
 }
 
-/// The hashes of a peer that gets the other's inputs late. The bits `changed` of one
-/// of these inputs are flipped on the way. Also how many ticks it ran again.
+/// The hashes of a peer that receives remote inputs late, and the number of ticks that it replayed.
+/// The bits `changed` of one of these inputs are flipped in transit.
 fn late(ground: &Ground<'_>, own: usize, changed: u8) -> (Hashes, usize) {
     let mut peer = Peer::new(own, ground);
     let mut hashes = [0; TICKS];

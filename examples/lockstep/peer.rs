@@ -1,17 +1,17 @@
-//! A peer: it predicts the other's input, and rolls back if the prediction was wrong.
+//! A peer: it predicts the remote input, and rolls back if the prediction was wrong.
 
 use crate::terrain::Ground;
 use crate::{Game, step};
 
-/// How many ticks an input takes from one peer to the other.
+/// The delay of an input between the peers, in ticks.
 pub(crate) const DELAY: usize = 5;
 
-/// A tick whose inputs are not all known yet.
+/// A tick with inputs that are not all confirmed.
 struct Tick {
     /// The world before the tick. A rollback starts here.
     before: Game,
     own: u8,
-    /// The other's input as predicted.
+    /// The predicted remote input.
     other: u8,
 }
 
@@ -19,9 +19,9 @@ struct Tick {
 pub(crate) struct Peer<'a> {
     player: usize,
     ground: &'a Ground<'a>,
-    /// The world after all ticks, some of them with predicted inputs.
+    /// The world after all ticks, some with predicted inputs.
     shown: Game,
-    /// The ticks whose inputs are not all known yet, the oldest first.
+    /// The unconfirmed ticks, oldest first.
     open: heapless::Deque<Tick, { DELAY + 1 }>,
     last_known: u8,
     replayed: usize,
@@ -33,17 +33,17 @@ impl<'a> Peer<'a> {
         Self { player, ground, shown: Game::new(), open, last_known: 0, replayed: 0 }
     }
 
-    /// Runs one tick. The prediction is that the other's input has not changed.
+    /// Runs one tick. It predicts that the remote input has not changed.
     pub(crate) fn play(&mut self, own: u8) {
         let tick = Tick { before: self.shown, own, other: self.last_known };
         let inputs = self.inputs(&tick);
         step(&mut self.shown, self.ground, inputs);
-        // There is room: for each tick that comes, one is confirmed.
+        // There is room: each new tick confirms one.
         let _ = self.open.push_back(tick);
     }
 
-    /// Takes the other's input of the oldest open tick. Returns the hash of the world
-    /// after that tick, which is run again if the prediction was wrong.
+    /// Takes the remote input for the oldest unconfirmed tick. Returns the hash of the world after
+    /// that tick, which is replayed if the prediction was wrong.
     pub(crate) fn confirm(&mut self, other: u8) -> u64 {
         let guess = self.open.front().map(|tick| tick.other);
         self.last_known = other;
@@ -54,7 +54,7 @@ impl<'a> Peer<'a> {
         self.open.front().map_or(&self.shown, |next| &next.before).hash()
     }
 
-    /// Goes back to before the oldest open tick, and runs all open ticks again.
+    /// Restores the world before the oldest unconfirmed tick, and replays all later ticks.
     fn roll_back(&mut self) {
         let Some(oldest) = self.open.front() else { return };
         self.shown = oldest.before;
@@ -65,7 +65,7 @@ impl<'a> Peer<'a> {
         }
     }
 
-    /// How many ticks were run again.
+    /// The number of replayed ticks.
     pub(crate) fn replayed(&self) -> usize {
         self.replayed
     }

@@ -1,42 +1,42 @@
-//! What bodies do to each other: impulses at the points where they are in each other, one after
-//! the other and again, until all agree (E. Catto, "Iterative Dynamics with Temporal Coherence",
-//! Game Developers Conference 2005).
+//! Collision response: impulses at the points where bodies overlap, one after the other, repeated
+//! until they converge (E. Catto, "Iterative Dynamics with Temporal Coherence", Game Developers
+//! Conference 2005).
 
 use septum::contact::Contact;
 
 use crate::body::Body;
 use crate::vector::{Vector, cross, dot, minus, plus, root, times};
 
-/// How often each impulse is corrected.
+/// The number of corrections of each impulse.
 const ROUNDS: usize = 8;
-/// How deep a contact may stay, so that it is one in the next tick too.
+/// The depth that a contact may keep, so that it persists in the next tick.
 const SLOP: f32 = 0.004;
-/// The part of a deeper one that is undone in a tick, and how much at most.
+/// The part of a greater depth that is corrected in a tick, and the greatest correction.
 const UNDONE: f32 = 0.2;
 const UNDONE_AT_MOST: f32 = 0.01;
 const FRICTION: f32 = 0.6;
 
-/// A point where two bodies, or a body and the ground, are in each other.
+/// A point where two bodies, or a body and the ground, overlap.
 #[derive(Clone, Copy)]
 pub(crate) struct Touch {
     first: u16,
-    /// The other body; nothing for the ground.
+    /// The second body; `None` for the ground.
     second: Option<u16>,
-    /// Out of the second.
+    /// The unit normal out of the second body.
     normal: Vector,
-    /// From the centres.
+    /// The offsets from the centres.
     arms: [Vector; 2],
-    /// One over the mass that an impulse along the normal moves, and along any direction at
-    /// most.
+    /// The inverse of the effective mass along the normal, and of the least effective mass along
+    /// any direction.
     masses: [f32; 2],
-    /// The speed at which they are to part.
+    /// The target speed of separation.
     parting: f32,
-    /// Impulses so far: along the normal, and across it.
+    /// The accumulated impulses: along the normal, and across it.
     pressed: f32,
     rubbed: Vector,
 }
 
-/// The bodies that a touch is between: the second may be the ground.
+/// The two bodies of a touch; the second may be the ground.
 #[derive(Clone, Copy)]
 pub(crate) struct Pair {
     pub(crate) first: usize,
@@ -123,7 +123,7 @@ impl Touch {
     }
 }
 
-/// Makes velocities such that nothing goes deeper.
+/// Changes velocities so that no depth increases.
 pub(crate) fn solve(bodies: &mut [Body], touches: &mut [Touch]) {
     for _ in 0..ROUNDS {
         for touch in &mut *touches {

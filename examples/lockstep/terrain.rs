@@ -1,11 +1,11 @@
-//! The ground: hills of triangles on a grid, walls around them and a ceiling, with a tree over
-//! all.
+//! The ground: hills of triangles on a grid, walls around them and a ceiling, with a tree over all
+//! triangles.
 
 use septum::Vec3;
 use septum::contact::{InteriorEdges, interior_edges};
 use septum::mesh::{Mesh, Node, Tree};
 
-/// How many cells the ground has along each side, of a metre each.
+/// The number of cells along each side of the ground; a cell is one metre.
 pub(crate) const SIDE: usize = 10;
 
 const CORNERS: usize = SIDE + 1;
@@ -16,7 +16,7 @@ const TRIANGLES: usize = 2 * SIDE * SIDE + 10;
 const HEIGHTS: [[u8; 5]; 5] =
     [[24, 14, 9, 3, 12], [15, 6, 0, 5, 13], [8, 2, 5, 11, 6], [3, 7, 14, 8, 1], [16, 9, 4, 0, 10]];
 
-/// How high the walls reach.
+/// The height of the walls.
 const WALL: f32 = 16.0;
 
 static POINTS: [Vec3<f32>; VERTICES] = {
@@ -65,15 +65,14 @@ static FACES: [[u16; 3]; TRIANGLES] = {
     all
 };
 
-/// What stands still.
+/// The static geometry.
 pub(crate) struct Ground<'a> {
     pub(crate) tree: Tree<'a, f32, u16>,
-    /// The edges that no box is caught by.
+    /// The interior edges, which must not catch a box.
     pub(crate) interior: [InteriorEdges; TRIANGLES],
 }
 
-/// Does something with the ground, which needs a place for its tree. Nothing if the ground
-/// is broken.
+/// Calls `f` with the ground, which needs memory for its tree. `None` if the ground is invalid.
 pub(crate) fn with_ground<T>(f: impl FnOnce(&Ground<'_>) -> T) -> Option<T> {
     let mesh = Mesh::new(&POINTS, &FACES).ok()?;
     let mut interior = [InteriorEdges::NONE; TRIANGLES];
@@ -84,7 +83,7 @@ pub(crate) fn with_ground<T>(f: impl FnOnce(&Ground<'_>) -> T) -> Option<T> {
     Some(f(&Ground { tree, interior }))
 }
 
-/// How far a point is above the ground, or below it; nothing beyond the walls.
+/// The signed height of a point above the ground; `None` beyond the walls.
 pub(crate) fn height_above(point: [f32; 3]) -> Option<f32> {
     let [x, y, z] = point;
     let inside = |x: f32| (0.0..SIDE as f32).contains(&x);

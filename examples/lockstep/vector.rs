@@ -1,5 +1,5 @@
-//! Vectors of three floats. Sums and products alone, in a stated order: the same bits on every
-//! machine.
+//! Vectors of three floats. Only sums and products, in a fixed order, so that every machine gives
+//! the same bits.
 
 pub(crate) type Vector = [f32; 3];
 
@@ -23,7 +23,7 @@ pub(crate) fn cross(a: Vector, b: Vector) -> Vector {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// The square root, by Newton's method: `core` has none. Of what is not above zero, zero.
+/// The square root, by Newton's method, because `core` has none. Zero if `x` is not positive.
 pub(crate) fn root(x: f32) -> f32 {
     if x <= 0.0 {
         return 0.0;

@@ -1,6 +1,6 @@
-//! Boxes that fall, turn, stack and rest. Players steer two of them. Queries are exact, and all
-//! else is sums, products and quotients of floats in one order, so that every machine computes
-//! the same.
+//! Boxes that fall, turn, stack and rest; players steer two of them. Queries are exact, and
+//! everything else is sums, products and quotients of floats in a fixed order, so that every
+//! machine computes the same bits.
 
 use heapless::Vec;
 use septum::contact::{contact, contact_in_mesh};
@@ -13,7 +13,7 @@ use crate::terrain::{Ground, SIDE, height_above};
 const GRAVITY: f32 = 9.81 / 3600.0;
 const THRUST: f32 = 0.004;
 const DRAG: f32 = 0.995;
-/// A body faster than this wakes what it touches.
+/// A body faster than this wakes the bodies that it touches.
 const WAKES: f32 = 0.0004;
 
 /// The whole state: N bodies.
@@ -22,7 +22,8 @@ pub(crate) struct World<const N: usize> {
     bodies: [Body; N],
 }
 
-/// How many points a tick may have for each body. More are left out, the same everywhere.
+/// The number of points that a tick may have for each body. Further points are dropped, on every
+/// machine alike.
 pub(crate) const POINTS: usize = 16;
 
 impl<const N: usize> World<N> {
@@ -38,7 +39,7 @@ impl<const N: usize> World<N> {
             *body = Body::new(position, 0.25 - (k % 5) as f32 / 64.0);
             body.spin = [aside / 64.0, 0.01, (k % 3) as f32 / 128.0];
             if k % 4 == 3 {
-                // A shot: in one tick it goes ten times its own length.
+                // A bullet: it moves ten times its own length in one tick.
                 body.velocity = [3.0, -4.0, 1.0];
             }
         }
@@ -68,7 +69,7 @@ impl<const N: usize> World<N> {
         }
     }
 
-    /// Where bodies are in each other, or in the ground.
+    /// Finds the points where bodies overlap each other, or the ground.
     fn find<const TOUCHES: usize>(&mut self, ground: &Ground<'_>, found: &mut Vec<Touch, TOUCHES>) {
         let poses = self.bodies.each_ref().map(Body::pose);
         for i in 0..N {
@@ -108,7 +109,7 @@ impl<const N: usize> World<N> {
             else {
                 continue;
             };
-            // The triangle is moved out of the box: the box goes the other way.
+            // The contact moves the triangle out of the box, so the box moves the opposite way.
             if let Some(contact) = contact_in_mesh(&triangle, interior, &pose.obb) {
                 for touch in touches(&self.bodies, Pair { first: i, second: None }, &contact, -1.0)
                 {

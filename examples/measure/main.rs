@@ -1,5 +1,5 @@
-//! What a query costs on a small core: how many instructions, and how deep the stack
-//! gets, for every scalar and mode.
+//! The cost of a query on a small core: instructions, and depth of the stack, for every scalar and
+//! mode.
 //!
 //! ```text
 //! cargo run --release --example measure --target thumbv6m-none-eabi
@@ -7,14 +7,13 @@
 //! bash .ci/target-table > docs/target.csv     # all boards
 //! ```
 //!
-//! Instructions are the average over the cases of a path, without the call. The
-//! board's timer counts them, as if each took the same time. They are not cycles.
-//! The stack is the most that any of the cases took. It is measured by painting the
-//! stack and looking where the paint is left. Paths:
+//! Instructions are the average over the cases of a path, without the call. The board's timer
+//! counts them, with equal time for each; they are not cycles. The stack is the greatest depth over
+//! all cases, measured by painting the stack and finding the end of the paint. Paths:
 //!
-//! - `voorhies`: triangles with vertices in [−2, 2]³ against the unit cube around the
-//!   origin, or one that is turned: the experiment of 2001
-//! - `full`: those of them that meet it, so that no axis of the 13 ends the search
+//! - `voorhies`: triangles with vertices in [−2, 2]³ against the unit cube around the origin, or a
+//!   rotated one: the experiment of 2001
+//! - `full`: the pairs among these that overlap, so that all 13 axes are tested
 //! - `grid`: vertices and boxes on a grid of integers, contacts of every kind
 //! - `whole range`: `full`, as wide as the numbers of the scalar
 //! - `made`: a box from axes

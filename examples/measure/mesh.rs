@@ -1,7 +1,7 @@
-//! A whole mesh: the teapot of `keep_out`, whose 1,044 triangles lie in flash, by a tree and one
-//! by one. The tree is built here, into RAM; in flash it is as large. Boxes are about vertices, a
-//! thirtieth of the mesh wide or a quarter of that; rays go to vertices, and half of the points
-//! are on the mesh.
+//! A whole mesh: the teapot of `keep_out`, with 1,044 triangles in flash, by a tree and one by one.
+//! The tree is built here, in RAM; in flash it has the same size. Boxes surround vertices, and are
+//! a thirtieth or a 120th of the mesh wide; rays point at vertices, and half of the points are on
+//! the mesh.
 
 use core::hint::black_box;
 
@@ -21,13 +21,13 @@ mod teapot;
 
 use teapot::{FACES, VERTICES};
 
-/// How many questions of a kind there are.
+/// The number of questions of each kind.
 const CASES: usize = 16;
 const TRIANGLES: usize = FACES.len();
 
 type Teapot<'a> = Tree<'a, I16F16, u16>;
 
-/// Measures all queries about the mesh; false if it cannot be.
+/// Measures all queries about the mesh; `false` on failure.
 pub(crate) fn all(meter: &Meter) -> bool {
     let mut nodes = [Node::EMPTY; Node::count_for(TRIANGLES)];
     let mut order = [0; TRIANGLES];

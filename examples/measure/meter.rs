@@ -1,4 +1,4 @@
-//! The measuring of one query.
+//! The measurement of one query.
 
 use core::hint::black_box;
 
@@ -22,13 +22,13 @@ impl Taken {
         self.instructions
     }
 
-    /// The instructions of one query: the average, rounded to the nearest.
+    /// The instructions of one query: the rounded average.
     #[allow(dead_code, reason = "not of every example that measures")]
     pub(crate) fn instructions(&self) -> u64 {
         (self.instructions + self.queries / 2).checked_div(self.queries).unwrap_or(0)
     }
 
-    /// The most bytes of stack that a query took.
+    /// The greatest number of bytes of stack of a query.
     pub(crate) fn stack(&self) -> usize {
         self.stack
     }
@@ -47,14 +47,13 @@ impl Meter {
         self.0.count(|| ()).1.is_some()
     }
 
-    /// Adds the cost of a query about each of the pairs. The cost of an empty query is
-    /// taken off.
+    /// Adds the cost of a query on each of the pairs, minus the cost of an empty query.
     pub(crate) fn add<A, B>(&self, taken: &mut Taken, pairs: &[(A, B)], ask: Ask<A, B>) {
         let nothing: Ask<A, B> = |_, _| false;
         let count = |ask| self.0.count(|| ask_all(pairs, ask)).1.unwrap_or(0);
         taken.instructions += count(ask).saturating_sub(count(nothing));
         taken.queries += pairs.len() as u64;
-        // Not the last thing that is done: who counts from outside waits for the way back.
+        // Not the last statement, because an external counter waits for the return.
         let run = |ask| {
             ask_all(pairs, ask);
             black_box(());

@@ -5,13 +5,13 @@ use septum::{Aabb, Triangle};
 
 use crate::workload::{Coordinate, HALF, Point, Rng, first, vector, voorhies};
 
-/// A shape at the start, and its way.
+/// A shape at the start, and its motion.
 pub(crate) struct Moving<S, Shape> {
     pub(crate) shape: Shape,
     pub(crate) motion: Motion<S>,
 }
 
-/// What moves, and the box.
+/// A moving shape, and the box.
 type Scene<S, Shape> = Option<(Moving<S, Shape>, Aabb<S>)>;
 
 /// From the origin to a point within half of [−2, 2]³.

@@ -1,4 +1,4 @@
-//! The queries, and the lines about them.
+//! The queries, and their lines of output.
 
 use core::hint::black_box;
 
@@ -19,11 +19,10 @@ use crate::meter::{Ask, Meter, Taken};
 use crate::moving::{self, Moving};
 use crate::workload::{self, Coordinate, Draw, Rng};
 
-/// How many pairs of shapes there are in a path, and how many at once.
+/// The number of pairs of shapes in a path, and in a batch.
 const CASES: usize = 256;
 const BATCH: usize = 32;
-/// No more cases follow after so many instructions. Queries that take so long vary
-/// little.
+/// No further cases run after this many instructions. Such long queries vary little.
 const ENOUGH: u64 = 10_000_000;
 
 /// Measures all queries in a scalar.
@@ -40,7 +39,7 @@ pub(crate) fn all<S: Coordinate>(meter: &Meter) {
     ray_aabb::<S>(meter);
 }
 
-/// A query: what it is called, its mode, and how to ask it.
+/// A query: its name, its mode, and a function that runs it.
 type Query<A, B> = (&'static str, &'static str, Ask<A, B>);
 
 fn triangle_aabb<S: Coordinate>(meter: &Meter) {
@@ -126,7 +125,7 @@ fn pairs<S: Coordinate>(meter: &Meter) {
     lines::<S, _, _>(meter, "random", workload::obbs, &obbs);
 }
 
-/// Touching told apart from overlapping.
+/// Whether shapes are disjoint, touch or overlap.
 fn relations<S: Coordinate>(meter: &Meter) {
     let aabb: [Query<Triangle<S>, Aabb<S>>; 1] =
         [("triangle/box relation", "exact", |t, b| t.relation(b) != Relation::Disjoint)];
@@ -173,7 +172,7 @@ fn sweeps<S: Coordinate>(meter: &Meter) {
     lines::<S, _, _>(meter, "miss", moving::cube_misses, &boxes);
 }
 
-/// How to get shapes out of each other, and where they touch.
+/// The minimum translation, and the contact points.
 fn contacts<S: Coordinate>(meter: &Meter) {
     let aabb: [Query<Triangle<S>, Aabb<S>>; 2] = [
         ("triangle/box contact", "translation", |t, b| {
@@ -196,7 +195,7 @@ fn contacts<S: Coordinate>(meter: &Meter) {
 }
 
 fn ray_triangle<S: Coordinate>(meter: &Meter) {
-    // `black_box` asks for all of the hit, not only whether there is one.
+    // `black_box` uses the whole hit, not only whether there is one.
     let queries: [Query<Ray<S>, Triangle<S>>; 4] = [
         ("ray/triangle hits", "exact", |r, t| r.is_hit(t)),
         ("ray/triangle hit", "exact", |r, t| black_box(r.hit(t)).is_some()),
@@ -219,7 +218,7 @@ fn ray_aabb<S: Coordinate>(meter: &Meter) {
     lines::<S, _, _>(meter, "hit", workload::box_hit, &queries);
     lines::<S, _, _>(meter, "miss", workload::box_miss, &queries);
 
-    // Rays that are prepared for a method.
+    // Rays prepared for a method.
     let slabs: [Query<SlabRay<S>, Aabb<S>>; 1] = [(NAME, "slabs", |r, b| r.overlaps_rounded(b))];
     lines::<S, _, _>(meter, "hit", |r| prepared(r, true, SlabRay::new), &slabs);
     lines::<S, _, _>(meter, "miss", |r| prepared(r, false, SlabRay::new), &slabs);
@@ -249,7 +248,7 @@ fn lines<S: Coordinate, A, B>(
     for _ in 0..CASES / BATCH {
         let mut pairs = Vec::<_, BATCH>::new();
         while let (false, Some(pair)) = (pairs.is_full(), draw(&mut rng)) {
-            // There is room: the loop has just asked.
+            // There is room: the loop has just checked.
             let _ = pairs.push(pair);
         }
         if pairs.is_empty() {

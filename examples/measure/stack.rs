@@ -1,4 +1,4 @@
-//! How deep the stack gets, by painting it.
+//! Measures the depth of the stack, by painting it.
 
 /// The lowest byte of the stack that `run` writes to.
 #[cfg(target_os = "none")]
@@ -21,10 +21,10 @@ mod painted {
     use core::mem::MaybeUninit;
 
     const PAINT: u32 = 0x5e97_0a11;
-    /// How many bytes are painted.
+    /// The number of painted bytes.
     const DEPTH: usize = 16 << 10;
-    /// How many bytes of stack `paint` and `find` may take themselves. `from_below`
-    /// leaves as many unused.
+    /// The bytes of stack that `paint` and `find` may take themselves. `from_below` leaves as many
+    /// unused.
     const OWN: usize = 256;
 
     pub(super) fn lowest(run: &mut dyn FnMut()) -> usize {
@@ -42,7 +42,7 @@ mod painted {
         lowest
     }
 
-    /// Runs it below the part of the stack that is not painted.
+    /// Runs a function below the unpainted part of the stack.
     #[inline(never)]
     fn from_below(run: &mut dyn FnMut()) {
         let mut unused = MaybeUninit::<[u8; OWN]>::uninit();
@@ -73,7 +73,7 @@ mod painted {
         bottom
     }
 
-    /// The first word from below that is not painted any more.
+    /// The lowest word that is no longer painted.
     #[inline(never)]
     fn find(bottom: usize) -> usize {
         let mut address = bottom;

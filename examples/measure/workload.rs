@@ -104,7 +104,7 @@ impl Rng {
     }
 }
 
-/// A way to make a pair of shapes; `None` where the scalar has no such pair.
+/// Makes a pair of shapes; `None` if the scalar has no such pair.
 pub(crate) type Draw<A, B> = fn(&mut Rng) -> Option<(A, B)>;
 
 /// A point in a scalar.
@@ -171,15 +171,14 @@ pub(crate) fn whole_range<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, 
     }
 }
 
-/// A triangle and a cube turned about two axes. The angles are those of the triangle
-/// with sides 3, 4 and 5.
+/// A triangle and a cube rotated about two axes, by the angles of the 3-4-5 triangle.
 pub(crate) fn turned_voorhies<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Obb<S>)> {
     let triangle = triangle([(); 3].map(|()| rng.point())).ok()?;
     let (axes, half) = turned_axes(rng)?;
     Some((triangle, Obb::from_skewed_axes(vector([0; 3]), axes, half).ok()?))
 }
 
-/// The axes and the half-extents of that cube.
+/// The axes and the half-extents of this cube.
 pub(crate) fn turned_axes<S: Coordinate>(_: &mut Rng) -> Option<([Vec3<S>; 3], Vec3<S>)> {
     let axes = [[60, 80, 0], [-48, 36, 80], [64, -48, 60]].map(|a| a.map(|x| x * 65536 / 100));
     Some((axes.map(vector), vector([HALF; 3])))
@@ -201,7 +200,7 @@ pub(crate) fn meeting_triangles<S: Coordinate>(
     first(rng, triangles, true, |one, other| one.overlaps(other))
 }
 
-/// A box along the axes of space, as an oriented one, and one turned about two axes.
+/// An axis-parallel box, as an oriented box, and a box rotated about two axes.
 pub(crate) fn obbs<S: Coordinate>(rng: &mut Rng) -> Option<(Obb<S>, Obb<S>)> {
     let along = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(|a| a.map(|x| x << 16));
     let turned = [[60, 80, 0], [-48, 36, 80], [64, -48, 60]].map(|a| a.map(|x| x * 65536 / 100));
@@ -262,7 +261,7 @@ pub(crate) fn box_miss<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Aabb<S>)
     first(rng, ray_and_box, false, |ray, aabb| ray.overlaps(aabb))
 }
 
-/// The cube that is turned.
+/// The rotated cube.
 fn turned_box<S: Coordinate>(rng: &mut Rng) -> Option<Obb<S>> {
     let (axes, half) = turned_axes(rng)?;
     Obb::from_skewed_axes(vector([0; 3]), axes, half).ok()

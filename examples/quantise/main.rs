@@ -4,10 +4,10 @@
 //! cargo run --release --example quantise -- MESH --scalar i16f16 > table.rs
 //! ```
 //!
-//! The table holds each vertex once, in raw bits; the faces are indices, and the nodes of a tree
-//! stand beside them. A closed mesh also gets a table of its parts, each with a tree of its own,
-//! for only a closed mesh has an inside; or, with `--whole`, one tree for all. What rounding did to
-//! the mesh, and whether it is closed, goes to the error stream.
+//! The table holds each vertex once, in raw bits, then the faces as indices, and the nodes of a
+//! tree. A closed mesh also gets a table of its parts, each with a tree of its own, or one tree
+//! over all parts with `--whole`; only a closed mesh has an inside. A report on rounding, and on
+//! whether the mesh is closed, goes to the error stream.
 
 #[allow(dead_code, reason = "shared with other examples")]
 #[path = "../shared/cli.rs"]

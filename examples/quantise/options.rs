@@ -17,7 +17,7 @@ pub(crate) struct Options {
     /// The mesh, an .obj or .stl file; without it, the bundled teapot
     pub(crate) mesh: Option<PathBuf>,
 
-    /// What is up in the file
+    /// The axis that points up in the file
     #[arg(long, value_name = "AXIS", ignore_case = true)]
     pub(crate) up: Option<Up>,
 
@@ -35,7 +35,7 @@ pub(crate) struct Options {
     #[arg(long)]
     pub(crate) close: bool,
 
-    /// One tree over all parts: winding numbers then tell inside from outside
+    /// One tree over all parts: winding numbers then separate inside from outside
     #[arg(long)]
     pub(crate) whole: bool,
 }

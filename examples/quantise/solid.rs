@@ -1,7 +1,7 @@
-//! Whether a mesh has an inside, and how an open one gets one.
+//! Whether a mesh has an inside, and how to close an open one.
 //!
-//! A mesh is closed if every edge belongs to an even number of its faces. Then the
-//! parity of a ray's crossings says what is inside.
+//! A mesh is closed if every edge belongs to an even number of its faces. Then the parity of a
+//! ray's crossings decides whether a point is inside (even-odd rule).
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -12,8 +12,8 @@ pub(crate) type Face = [usize; 3];
 /// An edge, from one vertex to another.
 type Edge = [usize; 2];
 
-/// The edges of a face, in its direction. A face with a vertex twice has fewer: an
-/// edge from a vertex to itself bounds nothing.
+/// The edges of a face, in its direction. A face that repeats a vertex has fewer: an edge from a
+/// vertex to itself bounds nothing.
 fn edges(&[a, b, c]: &Face) -> impl Iterator<Item = Edge> {
     [[a, b], [b, c], [c, a]].into_iter().filter(|[a, b]| a != b)
 }
@@ -23,8 +23,8 @@ fn undirected([a, b]: Edge) -> Edge {
     [a.min(b), a.max(b)]
 }
 
-/// The edges that belong to an odd number of faces, each in the direction of the
-/// last of them. A closed mesh has none.
+/// The edges that belong to an odd number of faces, each in the direction of its last face. A
+/// closed mesh has none.
 pub(crate) fn open_edges(faces: &[Face]) -> Vec<Edge> {
     let mut open = BTreeMap::new();
     for edge in faces.iter().flat_map(edges) {
@@ -35,9 +35,9 @@ pub(crate) fn open_edges(faces: &[Face]) -> Vec<Edge> {
     open.into_values().collect()
 }
 
-/// Faces that close the mesh: for each hole a fan of triangles around one vertex of
-/// its rim. They add no vertex. Where the faces around the hole are oriented alike,
-/// its fan is oriented as they are.
+/// Faces that close the mesh: for each hole a fan of triangles around one vertex of its rim. They
+/// add no vertex. If the faces around a hole are oriented consistently, its fan has the same
+/// orientation.
 pub(crate) fn caps(faces: &[Face]) -> Vec<Face> {
     let open = open_edges(faces);
     let mut rims = Rims::new(&open);
@@ -59,7 +59,7 @@ pub(crate) fn caps(faces: &[Face]) -> Vec<Face> {
     caps
 }
 
-/// Open edges that no rim has taken yet: the neighbours of each vertex.
+/// Open edges that no rim has taken yet, as the neighbours of each vertex.
 struct Rims(BTreeMap<usize, BTreeSet<usize>>);
 
 impl Rims {
@@ -78,15 +78,15 @@ impl Rims {
         remove(a, b) && remove(b, a)
     }
 
-    /// Takes an edge from a vertex, and says where it leads.
+    /// Takes an edge at a vertex, and returns its end.
     fn step(&mut self, from: usize) -> Option<usize> {
         let to = *self.0.get(&from)?.first()?;
         self.take([from, to]).then_some(to)
     }
 }
 
-/// The parts of a mesh: faces that share an edge are in the same part. Each part's
-/// faces follow one another afterwards, in their old order.
+/// Sorts the faces into parts: faces that share an edge belong to one part. Within a part the faces
+/// keep their order.
 pub(crate) fn sort_into_parts(faces: &mut Vec<Face>) -> Vec<Range<usize>> {
     // A tree for each part; the root is its first face.
     let mut parent: Vec<usize> = (0..faces.len()).collect();
@@ -111,7 +111,7 @@ pub(crate) fn sort_into_parts(faces: &mut Vec<Face>) -> Vec<Range<usize>> {
     ranges
 }
 
-/// The root of a face's tree. Halves the path to it on the way.
+/// The root of a face's tree. It halves the path to the root on the way.
 fn root(parent: &mut [usize], mut face: usize) -> usize {
     while parent[face] != face {
         parent[face] = parent[parent[face]];

@@ -13,11 +13,11 @@ use crate::mesh::Mesh;
 use crate::options::Options;
 use crate::solid::{Face, caps, open_edges, sort_into_parts};
 
-/// A mesh whose vertices are rounded. Each vertex is there once.
+/// A mesh with rounded vertices, each once.
 struct Rounded<S> {
     vertices: Vec<[S; 3]>,
     faces: Vec<Face>,
-    /// How far a coordinate moved at most.
+    /// The greatest change of a coordinate.
     moved: f64,
 }
 
@@ -83,7 +83,8 @@ pub(crate) fn write<S: Fixed<Bits: std::fmt::Display> + Scalar>(
     text(&mesh.name, &scalar, &vertices, &faces, &nodes, &parts)
 }
 
-/// A tree over each of these ranges of faces: its nodes, and the faces sorted into its order.
+/// Builds a tree over each of these ranges of faces: returns the nodes, and sorts the faces into
+/// its order.
 fn sort_into_trees<S: Scalar>(
     vertices: &[[S; 3]],
     faces: &mut [Face],

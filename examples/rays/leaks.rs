@@ -1,5 +1,5 @@
-//! Shoots rays through closed meshes. Counts those that meet no triangle at a wall, and
-//! those that meet two.
+//! Shoots rays through closed meshes. Counts rays that meet no triangle at a wall, and rays that
+//! meet two.
 
 use std::ops::AddAssign;
 
@@ -7,13 +7,13 @@ use super::measure::Instance;
 use septum_kit::Sample;
 use septum_kit::rays::{Aim, Method, Scene};
 
-/// What was counted.
+/// The counts of one row.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tally {
     pub(crate) rays: u64,
-    /// Rays that got through a wall unseen, in the order of [`Method::ALL`].
+    /// Rays that passed a wall without a hit, in the order of [`Method::ALL`].
     pub(crate) leaks: [u64; Method::ALL.len()],
-    /// Rays that met two triangles or more on the way in or on the way out.
+    /// Rays that hit two triangles or more on entering or on leaving.
     pub(crate) doubles: [u64; Method::ALL.len()],
 }
 

@@ -1,13 +1,13 @@
-//! Counts wrong answers about rays and triangles: every method, on every scalar, on
-//! every set of cases, against a point solved for in exact fractions. Also counts the
-//! rays that get through closed meshes, and measures the error of t.
+//! Counts wrong answers about rays and triangles: every method, in every scalar, on every set of
+//! cases, compared with the intersection in exact fractions. Also counts the rays that leak through
+//! closed meshes, and measures the error of t.
 //!
 //! ```text
 //! cargo run --release --example rays
 //! ```
 //!
-//! Fails if an exact method is ever wrong, lets a ray through, or finds a t with a
-//! larger error than its docstring says. Also fails if `hit_once` counts a wall twice.
+//! Fails if an exact method is ever wrong, lets a ray through, or returns a t with a larger error
+//! than documented. Also fails if `hit_once` counts a wall twice.
 
 #[allow(dead_code, reason = "shared with other examples")]
 #[path = "../shared/cli.rs"]

@@ -1,4 +1,4 @@
-//! Asks every method about every case, and counts who was wrong.
+//! Runs every method on every case, and counts wrong answers.
 
 use std::ops::AddAssign;
 
@@ -13,11 +13,11 @@ use septum_kit::rays::{Aim, Method, RaySet, Scene, Truth, crossing};
 pub(crate) struct Wrong {
     pub(crate) false_miss: u64,
     pub(crate) false_hit: u64,
-    /// The largest error of t where there is a hit, in ulp.
+    /// The largest error of t over all hits, in ulp.
     pub(crate) worst_t: f64,
 }
 
-/// What was counted.
+/// The counts of one set.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tally {
     pub(crate) cases: u64,
@@ -41,7 +41,7 @@ impl AddAssign for Tally {
 /// The measurements, made for one scalar.
 pub(crate) struct Instance {
     pub(crate) name: String,
-    /// The largest error that the exact methods' t may have, in ulp.
+    /// The largest permitted error of an exact method's t, in ulp.
     pub(crate) bound: f64,
     pub(crate) set_misfit: fn(RaySet) -> Option<&'static str>,
     pub(crate) measure: fn(RaySet, u64, usize) -> Tally,
@@ -98,7 +98,7 @@ fn measure<S: Sample>(set: RaySet, seed: u64, count: usize) -> Tally {
                 (Some(truth), None) => {
                     wrong.false_miss += u64::from(must_hit(method, truth, &case.t_min, &case.t_max))
                 }
-                // Beyond the type's range there is no last place, and zero has none.
+                // Beyond the type's range, and for zero, there is no last place.
                 (Some(truth), Some(_)) if truth.t.is_beyond::<S>() || truth.t.is_zero() => {}
                 (Some(truth), Some(hit)) if !hit.t.is_finite() => wrong.worst_t = f64::INFINITY,
                 (Some(truth), Some(hit)) => {
@@ -110,8 +110,8 @@ fn measure<S: Sample>(set: RaySet, seed: u64, count: usize) -> Tally {
     tally
 }
 
-/// Whether the method must report a hit where the truth is one. `hit_once` may leave a
-/// contact to a neighbouring triangle.
+/// Whether the method must report a hit if there is one. `hit_once` may leave a contact to a
+/// neighbouring triangle.
 fn must_hit<S: Sample>(
     method: Method,
     truth: &Truth,

@@ -123,7 +123,7 @@ pub(crate) fn broken_promises(sets: &[SetRow<'_>], leaks: &[LeakRow<'_>]) -> Vec
             if count > 0 {
                 broken.push(format!("{method} was wrong {count} times on {set}, {name}"));
             }
-            // The error itself is a quotient in floats, and a little off.
+            // The measured error is itself a rounded quotient.
             if wrong.worst_t > row.scalar.bound * (1.0 + 1e-12) {
                 let worst = wrong.worst_t;
                 broken.push(format!("{method}: t was {worst} ulp off on {set}, {name}"));

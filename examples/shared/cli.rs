@@ -1,10 +1,10 @@
-//! The command line, where each mistake costs one line.
+//! The command line, with one line for each error.
 
 use std::str::FromStr;
 
 use clap::Parser;
 
-/// Reads the command line. On a mistake it says which, and ends the program.
+/// Parses the command line. On an error it prints the error and exits.
 pub(crate) fn read<Options: Parser>() -> Options {
     Options::try_parse().unwrap_or_else(|error| {
         // A request for help is no mistake.
@@ -16,14 +16,14 @@ pub(crate) fn read<Options: Parser>() -> Options {
     })
 }
 
-/// What is wrong, and what is valid. Tips and usage are left to `--help`.
+/// The error, and the valid values. Tips and usage are left to `--help`.
 pub(crate) fn one_line(error: &clap::Error) -> String {
     let text = error.to_string();
     let first = text.lines().map(str::trim).take_while(|line| !line.is_empty());
     first.collect::<Vec<_>>().join(" ") + "; --help explains the options"
 }
 
-/// A parser of values. `what` says which are valid, for the message.
+/// A parser of values. `what` describes the valid ones, for the message.
 pub(crate) fn valid<T: FromStr>(
     what: &'static str,
     is_valid: fn(&T) -> bool,
@@ -31,7 +31,7 @@ pub(crate) fn valid<T: FromStr>(
     move |text| text.parse().ok().filter(is_valid).ok_or_else(|| format!("not {what}"))
 }
 
-/// [`valid`] for a type all of whose values are.
+/// [`valid`] for a type without invalid values.
 pub(crate) fn any<T: FromStr>(what: &'static str) -> impl Fn(&str) -> Result<T, String> + Clone {
     valid(what, |_| true)
 }

@@ -1,4 +1,4 @@
-//! Where the voxels are seen from: an isometric view.
+//! The camera: an isometric view of the voxels.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -7,15 +7,14 @@ use crate::grid::Grid;
 /// Of the picture, in pixels.
 pub(crate) const WIDTH: usize = 900;
 pub(crate) const HEIGHT: usize = 700;
-/// The part of the picture that the voxels may fill, and how far left of its middle
-/// they stand.
+/// The part of the picture that the voxels may fill, and their offset to the left of its middle.
 const FILL: f64 = 0.68;
 const ASIDE: f64 = 0.06;
 
 /// Parallel rays along the diagonal of a voxel. All visible faces look in one of three
 /// directions, and look equally large.
 pub(crate) struct Camera {
-    /// The length of a voxel's edge in pixels, if it lay in the plane of the picture.
+    /// The length of a voxel's edge in the plane of the picture, in pixels.
     pub(crate) scale: f64,
     /// The point of the scene in the middle of the picture, moved towards the viewer
     /// until it is in front of all voxels.
@@ -39,7 +38,7 @@ impl Camera {
             greatest = [0, 1].map(|i| seen[i].max(greatest[i]));
         }
         if least[0] > greatest[0] {
-            // A method that misses voxels may miss all of them.
+            // A method that misses voxels may miss every one.
             (least, greatest) = ([0.0; 2], [0.0; 2]);
         }
         // Room for the voxels around the outermost centres.
@@ -60,11 +59,11 @@ impl Camera {
         self.scale < 3.0
     }
 
-    /// For each pixel whether a voxel may be seen there. Most of a picture is ground, whose rays go
-    /// all the way through the grid.
+    /// For each pixel, whether a voxel may be visible there. Most of a picture is ground, whose
+    /// rays would cross the whole grid.
     pub(crate) fn near_voxels(&self, grid: &Grid) -> Vec<bool> {
         let mut near = vec![false; WIDTH * HEIGHT];
-        // From its middle a voxel is seen as far as a corner: the root of 2/3 of its edge.
+        // A voxel extends from its centre to a corner: √(2/3) of its edge, seen along the diagonal.
         let reach = 0.82 * self.scale + 1.0;
         let span = |middle: f64, end: usize| {
             let clamped = |x: f64| x.clamp(0.0, end as f64) as usize;

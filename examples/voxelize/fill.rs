@@ -1,5 +1,5 @@
-//! Voxelization: which voxels does the mesh meet? Slab by slab, so that threads share the work,
-//! and a large grid of which nobody needs the voxels takes little memory.
+//! Voxelization: finds the voxels that the mesh meets. It works slab by slab, so that threads share
+//! the work, and a large grid takes little memory if only the count is needed.
 
 use std::error::Error;
 use std::ops::Range;
@@ -21,33 +21,33 @@ use crate::progress::Progress;
 /// The most memory of a slab for each thread, in words of 64 bits: 4 MiB.
 const SLAB_WORDS: usize = 1 << 19;
 
-/// What is asked of the mesh.
+/// The task.
 #[derive(Clone, Copy)]
 pub(crate) struct Task {
     pub(crate) scalar: ScalarType,
     pub(crate) method: Method,
     pub(crate) rule: Rule,
-    /// Whether the voxels inside are wanted too.
+    /// Whether the voxels inside are set too.
     pub(crate) solid: bool,
-    /// Threads; none stands for one for each core.
+    /// The number of threads; `None` for one on each core.
     pub(crate) threads: usize,
-    /// Whether the voxels are wanted, or their number alone.
+    /// Whether to keep the voxels, or only their number.
     pub(crate) keep: bool,
 }
 
 /// The voxels that the mesh meets, and the cost of finding them.
 pub(crate) struct Filled {
-    /// The voxels, if they are wanted.
+    /// The voxels, if they are kept.
     pub(crate) grid: Option<Grid>,
-    /// How many are set.
+    /// The number of set voxels.
     pub(crate) set: u64,
-    /// Overlap tests made, if there is one for each voxel.
+    /// The number of overlap tests, for methods that test each voxel.
     pub(crate) tests: Option<u64>,
-    /// Rows in which the mesh is not closed, if the inside was asked for.
+    /// The number of rows in which the mesh is not closed, if the inside was requested.
     pub(crate) open_rows: Option<u64>,
     /// The time of finding them.
     pub(crate) time: Duration,
-    /// How far a coordinate moved at most when rounded to the scalar, in voxels.
+    /// The greatest change of a coordinate by rounding to the scalar, in voxels.
     pub(crate) moved: f64,
 }
 
@@ -82,7 +82,7 @@ fn in_scalar<S: Scalar>(
 
     let layer_words = grid.row_words::<u64>() * mesh.size[1];
     let threads = rayon::ThreadPoolBuilder::new().num_threads(task.threads).build()?;
-    // Several slabs for each thread, for meshes are thicker here than there.
+    // Several slabs for each thread, because the mesh is not evenly distributed.
     let few = mesh.size[2].div_ceil(4 * threads.current_num_threads());
     let layers = if threads.current_num_threads() == 1 { mesh.size[2] } else { few };
     let layers = layers.min((SLAB_WORDS / layer_words.max(1)).max(1));
@@ -138,7 +138,7 @@ fn rounded<S: Scalar>(
     Ok((parts, moved))
 }
 
-/// What slabs add up to.
+/// The sums over slabs.
 #[derive(Default)]
 struct Sums {
     set: u64,
@@ -155,12 +155,12 @@ struct Work<'a, S> {
     grid: voxel::Grid<S>,
     parts: Vec<Part<S>>,
     task: &'a Task,
-    /// For methods that ask about one voxel at a time.
+    /// For methods that test one voxel at a time.
     per_voxel: Option<PerVoxel<S>>,
 }
 
 impl<S: Scalar> Work<'_, S> {
-    /// Fills the words of a slab; how many voxels are set then.
+    /// Fills the words of a slab, and counts the set voxels.
     fn slab(&self, layers: Range<u32>, words: &mut [u64]) -> Sums {
         let [nx, ny, _] = self.grid.resolution();
         let slab = self.grid.part([0..nx, 0..ny, layers.clone()]).expect("a slab of the grid");
@@ -190,7 +190,7 @@ impl<S: Scalar> Work<'_, S> {
         Sums { set: grid::count(words), open_rows }
     }
 
-    /// How many tests there are, of one for each voxel.
+    /// The number of tests, with one for each voxel.
     fn tests(&self) -> u64 {
         let tests = AtomicU64::new(0);
         if let Some(per_voxel) = &self.per_voxel {

@@ -1,4 +1,4 @@
-//! glTF 2.0: the triangles of the scene, each node where it stands.
+//! glTF 2.0: the triangles of the scene, with each node in its place.
 
 use std::error::Error;
 use std::path::Path;
@@ -15,7 +15,7 @@ type Matrix = [[f64; 4]; 4];
 const IDENTITY: Matrix =
     [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
 
-/// Nodes deeper than this make a file that means no good.
+/// Deeper nodes are taken for an attack.
 const DEEPEST: usize = 256;
 
 /// Reads a .glb, or a .gltf with its buffers in files beside it.
@@ -57,7 +57,7 @@ fn collect(
         return Err("its nodes are nested too deep".into());
     }
     let own = node.transform().matrix().map(|column| column.map(f64::from));
-    // By columns: the node's axes and place, seen by the parent.
+    // By columns: the node's axes and position in the parent's frame.
     let placed = own.map(|c| [0, 1, 2, 3].map(|r| (0..4).map(|k| parent[k][r] * c[k]).sum()));
     for primitive in node.mesh().iter().flat_map(|mesh| mesh.primitives()) {
         let points = positions(&primitive, &placed, buffers)?;

@@ -39,13 +39,13 @@ impl Grid {
         count(&self.words)
     }
 
-    /// Those that are set here or there, or as `of` says of two words.
+    /// Combines the words of two grids with `of`.
     pub(crate) fn with(&self, other: &Self, of: impl Fn(u64, u64) -> u64) -> Self {
         let words = self.words.iter().zip(&other.words).map(|(&a, &b)| of(a, b)).collect();
         Self { size: self.size, words }
     }
 
-    /// Without the half that is nearer to who looks along z.
+    /// Removes the half that is nearer to a viewer looking along z.
     pub(crate) fn cut(mut self) -> Self {
         let [nx, ny, nz] = self.size;
         self.words[nx.div_ceil(64) * ny * nz.div_ceil(2)..].fill(0);

@@ -1,4 +1,4 @@
-//! Light at a corner of a voxel's face: how much sun and how much sky it sees.
+//! The light at a corner of a voxel's face: the visible part of sun and sky.
 
 use crate::color::{Color, mix, plus, scaled};
 use crate::march::Scene;
@@ -24,7 +24,7 @@ pub(crate) struct Light {
 }
 
 impl Light {
-    /// The light at a point with nothing in the way.
+    /// The light at a point without obstacles.
     pub(crate) fn open(axis: usize) -> Self {
         let probe = Probe::new(64, 0.0);
         let mean = probe.hemisphere(axis).map(sky).fold([0.0; 3], plus);
@@ -43,8 +43,7 @@ impl Light {
     }
 }
 
-/// The directions to look in. They are the same at every point, so that there is no
-/// noise.
+/// The directions to probe. They are the same at every point, to avoid noise.
 pub(crate) struct Probe {
     /// Directions around +y, distributed by the cosine.
     directions: Vec<[f64; 3]>,
@@ -80,10 +79,9 @@ impl Probe {
         })
     }
 
-    /// The light at a point of the lattice, for a surface that faces along `axis`. It
-    /// is the mean over the four faces of size `step` that meet there. Each is looked
-    /// at from a little inside, so that a wall beside the corner counts and the shading
-    /// has no seams.
+    /// The light at a point of the lattice, for a surface that faces along `axis`. It is the mean
+    /// over the four faces of size `step` that meet there. Each is probed from a little inside, so
+    /// that a wall beside the corner counts and the shading has no seams.
     pub(crate) fn look(
         &self,
         scene: &Scene<'_>,

@@ -1,4 +1,4 @@
-//! Voxelizes triangle meshes, the surface or the inside too, and draws the result.
+//! Voxelizes triangle meshes, the surface or also the inside, and draws the result.
 //!
 //! ```text
 //! cargo run --release --example voxelize
@@ -62,7 +62,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     if options.vox.is_some() {
         vox::check_size(placed.size)?;
     }
-    // Whether the results can be written is known before the work is done.
+    // Opens the output files before the work begins.
     let place = || options.output.clone().unwrap_or_else(|| default(&mesh));
     let picture = (!options.no_picture).then(|| Output::open(options, place())).transpose()?;
     let model = options.vox.clone().map(|path| Output::open(options, path)).transpose()?;
@@ -113,7 +113,8 @@ fn task(options: &Options, keep: bool) -> Result<Task, String> {
     })
 }
 
-/// What to draw: the voxels, and beside them those of another method, wrong ones marked.
+/// The views to draw: the voxels, and beside them the voxels of another method, with wrong ones
+/// marked.
 fn views(options: &Options, grid: &Grid, other: Option<&Grid>) -> Vec<View> {
     let shown = |grid: Grid| if options.cut { grid.cut() } else { grid };
     let view = |all: Grid, missed: Grid, extra: Grid| View {

@@ -1,5 +1,5 @@
-//! Rays through the grid. They go from voxel to voxel, and cross empty blocks, and empty
-//! blocks of blocks, in one step.
+//! Rays through the grid. They step from voxel to voxel, and cross an empty block, or an empty
+//! block of blocks, in one step.
 //!
 //! J. Amanatides and A. Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing",
 //! *Eurographics* 1987, on three levels.
@@ -16,24 +16,24 @@ pub(crate) struct Scene<'a> {
     size: [i32; 3],
 }
 
-/// Where a ray first meets a voxel.
+/// The first voxel on a ray.
 pub(crate) struct Hit {
     pub(crate) voxel: [i32; 3],
-    /// The axis of the face that the ray came in by.
+    /// The axis of the face through which the ray entered.
     pub(crate) axis: usize,
-    /// How far along the ray, in units of its direction.
+    /// The distance along the ray, in units of its direction.
     pub(crate) t: f64,
 }
 
 impl Hit {
-    /// Which face of which voxel.
+    /// The voxel and the axis of the face that was hit.
     pub(crate) fn face(&self) -> ([i32; 3], usize) {
         (self.voxel, self.axis)
     }
 }
 
 impl<'a> Scene<'a> {
-    /// Finds the blocks that hold anything.
+    /// Finds the blocks that are not empty.
     pub(crate) fn new(grid: &'a Grid) -> Self {
         let mut blocks = BLOCKS.map(|n| Grid::new(grid.size().map(|m| m.div_ceil(n as usize))));
         for voxel in grid.voxels() {
@@ -61,7 +61,7 @@ impl<'a> Scene<'a> {
             let is_empty = |level: usize| {
                 !self.blocks[level].get(each(|i| (voxel[i] / BLOCKS[level]) as usize))
             };
-            // The greatest empty block here, or one that is not empty.
+            // The largest empty block here, or a block that is not empty.
             let (is_empty, n) =
                 if is_empty(1) { (true, BLOCKS[1]) } else { (is_empty(0), BLOCKS[0]) };
             let first = each(|i| voxel[i] & -n);

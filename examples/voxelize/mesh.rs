@@ -8,14 +8,14 @@ use std::path::{Path, PathBuf};
 use crate::gltf;
 use crate::options::Up;
 
-/// The bundled mesh, in the program, so that it runs from any directory.
+/// The bundled mesh, embedded so that the program runs from any directory.
 const TEAPOT: &[u8] = include_bytes!("../assets/teapot.obj");
 
 /// Triangles as read, every coordinate finite, y up.
 pub(crate) struct Mesh {
     pub(crate) name: String,
     pub(crate) triangles: Vec<[[f64; 3]; 3]>,
-    /// What was up in the file.
+    /// The axis that pointed up in the file.
     pub(crate) up: Up,
 }
 
@@ -64,7 +64,7 @@ impl Mesh {
 }
 
 pub(crate) type Triangles = Vec<[[f64; 3]; 3]>;
-/// From the bytes of a file, which is there.
+/// Reads the contents of a file.
 type Reader = fn(&[u8], &Path) -> Result<Triangles, Box<dyn Error>>;
 
 fn extension(path: &Path) -> String {
@@ -109,8 +109,8 @@ fn read_obj(bytes: &[u8]) -> Result<Triangles, Box<dyn Error>> {
     Ok(triangles)
 }
 
-/// The vertex and face lines of an OBJ file. Faces lose their texture and normal
-/// indices: an error in data that is not used is no reason to refuse the file.
+/// The vertex and face lines of an OBJ file. Faces lose their texture and normal indices, so that
+/// an error in unused data does not refuse the file.
 fn geometry_of_obj(bytes: &[u8]) -> String {
     let text = String::from_utf8_lossy(bytes).replace("\\\r\n", " ").replace("\\\n", " ");
     let mut geometry = String::with_capacity(text.len());
@@ -145,10 +145,10 @@ fn read_stl(bytes: &[u8]) -> Result<Triangles, Box<dyn Error>> {
     Ok(triangles)
 }
 
-/// The file in a form that `stl_io` recognises by its first word.
+/// The file in a form that `stl_io` recognizes by its first word.
 ///
-/// Binary files may begin with "solid" too. Their length tells them apart. Text files
-/// may have several solids, and solids without a name.
+/// Binary files may begin with "solid" too, and are recognized by their length. Text files may have
+/// several solids, and solids without a name.
 fn unambiguous_stl(bytes: &[u8]) -> Result<Vec<u8>, Box<dyn Error>> {
     const HEADER: usize = 84;
     const TRIANGLE: usize = 50;

@@ -45,8 +45,8 @@ pub(crate) struct Options {
         value_parser = any::<usize>("a whole number"), allow_negative_numbers = true)]
     pub(crate) threads: usize,
 
-    /// Find the voxels by this method too, and draw both side by side: what the
-    /// other misses in red, what it sets beyond the first in orange
+    /// Find the voxels by this method too, and draw both side by side: voxels that only the first
+    /// method sets in red, voxels that only this one sets in orange
     #[arg(
         long,
         value_enum,
@@ -56,7 +56,7 @@ pub(crate) struct Options {
     )]
     pub(crate) compare: Option<Method>,
 
-    /// Draw what is left when the front half is cut away
+    /// Draw the rest after cutting away the front half
     #[arg(long, conflicts_with = "no_picture")]
     pub(crate) cut: bool,
 
@@ -142,7 +142,7 @@ pub(crate) enum Method {
 }
 
 impl Method {
-    /// What the method is, and the function that does it.
+    /// A description of the method, and its function.
     pub(crate) fn description(self) -> &'static str {
         match self {
             Self::Rows => "exact, in rows (voxel::Bits::fill)",

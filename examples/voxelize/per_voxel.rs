@@ -1,4 +1,5 @@
-//! One overlap test for each voxel that the bounding box of a triangle touches: what rows save.
+//! One overlap test for each voxel that the bounding box of a triangle touches, which the method by
+//! rows avoids.
 
 use std::ops::Range;
 
@@ -16,7 +17,7 @@ pub(crate) struct PerVoxel<S> {
 }
 
 impl<S: Scalar> PerVoxel<S> {
-    /// `None` for the method that asks for rows.
+    /// `None` for the method by rows.
     pub(crate) fn new(grid: &Grid<S>, method: Method) -> Option<Self> {
         if method == Method::Rows {
             return None;
@@ -45,12 +46,12 @@ impl<S: Scalar> PerVoxel<S> {
         from as u32..to as u32
     }
 
-    /// How many voxels the triangle is asked about.
+    /// The number of voxels that the triangle is tested against.
     pub(crate) fn candidates(&self, triangle: &Triangle<S>) -> u64 {
         [0, 1, 2].map(|axis| self.touched(axis, triangle).len() as u64).iter().product()
     }
 
-    /// Sets the bits of those that it meets, in the layers that the words are of.
+    /// Sets the bits of the voxels that the triangle meets, in the layers of `words`.
     pub(crate) fn fill(&self, triangle: &Triangle<S>, layers: Range<u32>, words: &mut [u64]) {
         match self.method {
             Method::Rows | Method::PerVoxel => {

@@ -12,18 +12,18 @@ use crate::light::{Light, Probe};
 use crate::march::{Hit, Scene};
 use crate::progress::Progress;
 
-/// Each pixel is the mean of this many samples, squared.
+/// The square root of the number of samples in each pixel.
 const SAMPLES: usize = 4;
 /// Rows of pixels that a thread takes at a time.
 const BAND: usize = 35;
-/// The ground, at the corners of the picture and in the middle.
+/// The colour of the ground, at the corners of the picture and in the middle.
 const PAPER: [[u8; 3]; 2] = [[226, 232, 238], [250, 250, 248]];
 
-/// Voxels that a method missed, and those that it set too many.
+/// Voxels that a method missed, and voxels that it set wrongly.
 const MISSED: [u8; 3] = [214, 24, 32];
 const EXTRA: [u8; 3] = [255, 150, 20];
 
-/// Voxels to draw, and which of them a method missed or set too many.
+/// Voxels to draw, and the voxels that a method missed or set wrongly.
 pub(crate) struct View {
     pub(crate) all: Grid,
     pub(crate) missed: Grid,
@@ -90,10 +90,10 @@ struct Patch {
     corner: [i32; 3],
 }
 
-/// Where a ray of the view starts, and what it meets.
+/// The origin of a view ray, and its hit.
 type Sample = ([f64; 3], Option<Hit>);
 
-/// Colours that are the same all over the picture.
+/// Colours that are constant over the picture.
 struct Paint<'a> {
     /// The voxels with a colour of their own.
     view: &'a View,
@@ -101,7 +101,7 @@ struct Paint<'a> {
     layers: Vec<Color>,
     /// The ground at the edge of the picture and in the middle.
     paper: [Color; 2],
-    /// What the ground sends back with nothing in the way.
+    /// The light that unobstructed ground reflects.
     open_ground: Color,
 }
 
@@ -151,7 +151,7 @@ struct Brush<'a> {
 
 impl<'a> Brush<'a> {
     fn new(scene: &'a Scene<'a>, camera: &'a Camera, paint: &'a Paint<'a>) -> Self {
-        // Where voxels are small on the picture, each needs fewer directions, and not as far.
+        // Small voxels on the picture need fewer directions, and a shorter reach.
         let count = (2.0 * camera.scale * camera.scale).clamp(8.0, 64.0) as usize;
         let (count, reach) =
             if camera.is_fine() { (4, 40.0) } else { (count, 0.5 * camera.longest) };
@@ -163,8 +163,8 @@ impl<'a> Brush<'a> {
         Self { scene, camera, paint, probe, ground_probe, ground_step, seen, last }
     }
 
-    /// The mean of the samples. If the outermost samples see the same face, or all see
-    /// different ones, only they are taken. Of a pixel that is not near voxels all see the ground.
+    /// The mean of the samples. If the outermost samples all see the same face, or all different
+    /// ones, only these are taken. In a pixel far from voxels every sample sees the ground.
     fn pixel(&mut self, x: usize, y: usize, is_near: bool) -> Color {
         let part = |i: usize| (i as f64 + 0.5) / SAMPLES as f64;
         let look = |i: usize, j: usize| {

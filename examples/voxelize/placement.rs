@@ -18,11 +18,11 @@ pub(crate) struct Placed {
     pub(crate) triangles: Vec<[[f64; 3]; 3]>,
 }
 
-/// Scales the mesh so that its longest side spans `resolution` voxels, and
-/// centres it in the least grid that holds it.
+/// Scales the mesh so that its longest side spans `resolution` voxels, and centres it in the
+/// smallest grid that holds it.
 ///
-/// Multiplication comes before division, so that a coordinate that is a whole number
-/// of voxels becomes exactly that number.
+/// Multiplication comes before division, so that a coordinate that is a whole number of voxels
+/// becomes exactly that number.
 pub(crate) fn place(
     triangles: &[[[f64; 3]; 3]],
     resolution: u32,
@@ -64,8 +64,8 @@ pub(crate) fn place(
 }
 
 impl Placed {
-    /// The voxels along an axis that the interval of these coordinates touches. Both are
-    /// closed sets, so that a coordinate on a whole number touches both neighbours.
+    /// The voxels along an axis that the interval of these coordinates touches. Both are closed
+    /// sets, so a coordinate on an integer touches both neighbours.
     pub(crate) fn touched(&self, axis: usize, [a, b, c]: [f64; 3]) -> RangeInclusive<usize> {
         let last = (self.size[axis] - 1) as f64;
         let first_touched = a.min(b).min(c).ceil() - 1.0 - self.start(axis);
@@ -74,7 +74,7 @@ impl Placed {
         index(first_touched)..=index(last_touched)
     }
 
-    /// The whole number that the least corner of the grid has on this axis.
+    /// The coordinate of the grid's least corner on this axis, an integer.
     pub(crate) fn start(&self, axis: usize) -> f64 {
         -(self.size[axis].div_ceil(2) as f64)
     }

@@ -1,4 +1,4 @@
-//! A progress bar for work that takes long.
+//! A progress bar for long work.
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};

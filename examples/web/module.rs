@@ -1,4 +1,4 @@
-//! What the module exports about a triangle and a box.
+//! The export of the module for a triangle and a box.
 #![allow(unsafe_code, reason = "an export")]
 
 use fixed::types::I8F8;
@@ -7,8 +7,8 @@ use septum::{Aabb, Axis, Scalar, Triangle};
 
 use crate::numbers::ask;
 
-/// All answers about the numbers, which are a, b, c, centre and half-extents, as `f32` (0) or
-/// I8F8 (1):
+/// All answers about the numbers, which are a, b, c, centre and half-extents, as `f32` (0) or I8F8
+/// (1):
 ///
 /// | bits | |
 /// | --- | --- |

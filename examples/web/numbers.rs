@@ -1,4 +1,4 @@
-//! The numbers that a module is asked by, and answers by. Each of the two modules has its own.
+//! The numbers of questions and answers. Each of the two modules has its own.
 #![allow(unsafe_code, reason = "an export")]
 
 use core::sync::atomic::{AtomicU32, Ordering};

@@ -1,4 +1,4 @@
-//! Shapes that meet in every way, from the numbers of a path.
+//! Pairs of shapes that meet in every way, from the numbers of a path.
 
 use septum::sweep::Motion;
 use septum::{Aabb, Obb, Ray, Triangle};
@@ -17,17 +17,17 @@ pub(crate) fn triangle_aabb<S: Raw>(draw: &mut Draw) -> Option<(Triangle<S>, Aab
     let aabb = if draw.rng.below(2) == 0 {
         Aabb::from_min_max(draw.vector::<S>(low), draw.vector::<S>(high))
     } else {
-        // A quarter, so that one that is near stays so.
+        // A quarter of the size, so that a near box stays near.
         let (center, half) = (low.map(|x| x >> 1), less(high, low).map(|x| x >> 2));
         Aabb::from_center_half_extents(draw.vector::<S>(center), draw.vector::<S>(half))
     };
     Some((triangle, aabb.ok()?))
 }
 
-/// A triangle at the start, and its way.
+/// A triangle at the start, and its motion.
 type Moving<S> = (Triangle<S>, Motion<S>);
 
-/// The same, and a way of the triangle.
+/// The same, with a motion of the triangle.
 pub(crate) fn sweep<S: Raw>(draw: &mut Draw) -> Option<(Moving<S>, Aabb<S>)> {
     let (triangle, aabb) = triangle_aabb(draw)?;
     let (from, to) = (draw.point(), draw.point());
@@ -35,7 +35,7 @@ pub(crate) fn sweep<S: Raw>(draw: &mut Draw) -> Option<(Moving<S>, Aabb<S>)> {
     Some(((triangle, motion), aabb))
 }
 
-/// Boxes along the axes, turned by the angles of the triangle with sides 3, 4 and 5, and any.
+/// Axis-parallel boxes, boxes rotated by the angles of the 3-4-5 triangle, and skewed ones.
 pub(crate) fn triangle_obb<S: Raw>(draw: &mut Draw) -> Option<(Triangle<S>, Obb<S>)> {
     let [a, b, c, center, half] = [(); 5].map(|()| draw.point());
     let of_one = |axes: [[i64; 3]; 3]| axes.map(|u| u.map(|x| x * S::one() / 100));
@@ -51,8 +51,8 @@ pub(crate) fn triangle_obb<S: Raw>(draw: &mut Draw) -> Option<(Triangle<S>, Obb<
     Some((triangle, obb))
 }
 
-/// Three of four rays go to a point of the triangle: its interior, an edge or a vertex. The range
-/// of half of them ends there.
+/// Three of four rays go to a point of the triangle: its interior, an edge or a vertex. In half of
+/// these the range ends there.
 pub(crate) fn ray_triangle<S: Raw>(draw: &mut Draw) -> Option<(Ray<S>, Triangle<S>)> {
     let [a, b, c, o, d] = [(); 5].map(|()| draw.point());
     let triangle = Triangle::new(draw.vector(a), draw.vector(b), draw.vector(c)).ok()?;

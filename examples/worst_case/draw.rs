@@ -3,15 +3,15 @@
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 use septum::{Scalar, Vec3};
 
-/// A scalar made of whole numbers.
+/// A scalar made from integers.
 pub(crate) trait Raw: Scalar {
     const NAME: &'static str;
-    /// How many bits a number has, the sign included.
+    /// The number of bits of a number, with the sign.
     const BITS: u32;
 
-    /// The number with these bits; in floats so many units of 2⁻¹⁶.
+    /// The number with these bits; in floats, a number of units of 2⁻¹⁶.
     fn of(bits: i64) -> Self;
-    /// One, or what is nearest.
+    /// One, or the nearest number.
     fn one() -> i64;
     /// Any number, from its bits.
     fn any(bits: i64) -> Self {
@@ -57,7 +57,7 @@ impl Raw for f32 {
     }
 }
 
-/// How coordinates are drawn.
+/// The ways to draw coordinates.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Path {
     Random,
@@ -102,13 +102,13 @@ impl Rng {
         (((self.bits() >> 32) * u64::from(n)) >> 32) as i64
     }
 
-    /// An integer of so many bits, beside its sign.
+    /// An integer of `bits` bits without its sign.
     fn within(&mut self, bits: u32) -> i64 {
         (self.bits() as i64) >> (63 - bits)
     }
 }
 
-/// Draws coordinates of one path, no number of which has more than some bits beside its sign.
+/// Draws coordinates of one path, with a limit on the bits of each number.
 pub(crate) struct Draw {
     pub(crate) rng: Rng,
     pub(crate) path: Path,

@@ -1,4 +1,4 @@
-//! The most instructions that a query takes on a small core, whatever it is asked.
+//! The most instructions that a query takes on a small core, over all inputs.
 //!
 //! ```text
 //! cargo run --release --example worst_case --target thumbv6m-none-eabi
@@ -6,22 +6,21 @@
 //! .ci/worst-case --write    # all cores, written there
 //! ```
 //!
-//! In fixed point of up to 32 bits no loop's length depends on the numbers, and neither does the
-//! time of an operation: how long a query takes depends on which way its branches go, and those
-//! ask for signs. So shapes are drawn that meet in every way: in the interior, along edges and
-//! at vertices, off by one unit, at the ends of the range, with rays whose range ends at the hit.
-//! Each way to draw them is a path, and has a line with the most that it took:
+//! In fixed point of up to 32 bits no loop's length and no operation's time depends on the numbers,
+//! so the time of a query depends only on its branches, and these depend on signs. So the shapes
+//! meet in every way: in the interior, along edges and at vertices, off by one unit, at the ends of
+//! the range, with rays whose range ends at the hit. Each way to draw them is a path, with a line
+//! for the most instructions:
 //!
 //! - `random`: near each other, at random
 //! - `contact`: on a grid of five numbers
-//! - `off by one`: the same, each coordinate moved by one unit or not
+//! - `off by one`: the same, with each coordinate moved by one unit or not
 //! - `ends`: numbers from the ends of the range, and about zero
 //! - `far`: at random over the whole range of the type
 //!
-//! Reach is `near` for shapes that were promised to be so (`septum::near`), and `any` for all
-//! others. Floats and 64 bits end in exact sums, whose time does depend on the numbers: there a
-//! line says what was found, and no more. So it does of sweeps and contacts, which end in exact
-//! sums in every scalar.
+//! Reach is `near` for shapes checked to be near the origin (`septum::near`), and `any` for all
+//! shapes. Floats, 64 bits, sweeps and contacts end in exact sums, whose time does depend on the
+//! numbers: their lines show the most that was found, which is not a bound.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod cases;

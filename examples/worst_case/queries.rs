@@ -1,4 +1,4 @@
-//! The queries, and the lines about them.
+//! The queries, and their lines of output.
 
 use core::hint::black_box;
 
@@ -14,21 +14,21 @@ use crate::draw::{Draw, Path, Raw, Rng};
 use crate::firmware::say;
 use crate::meter::{Ask, Meter, Taken};
 
-/// How many pairs of shapes a path has.
+/// The number of pairs of shapes in a path.
 const CASES: usize = 4096;
-/// No more follow after so many instructions.
+/// No further cases run after this many instructions.
 const ENOUGH: u64 = 30_000_000;
-/// How many bits coordinates have, beside the sign, of shapes that are near.
+/// The number of bits of coordinates, without the sign, for near shapes.
 const NEAR: u32 = 17;
 
 const AABB: &str = "triangle/box";
 const OBB: &str = "triangle/oriented box";
 const IS_HIT: &str = "ray/triangle is_hit";
 const HIT: &str = "ray/triangle hit";
-/// With rules, of which this is the longest: an edge asks on.
+/// The slowest rules: a hit on an edge takes further tests.
 const ONCE: HitRules = HitRules::new().once();
 
-/// Shapes that were promised to be near.
+/// Shapes that were checked to be near.
 pub(crate) fn near(meter: &Meter) {
     type S = I16F16;
     let aabb = |draw: &mut Draw| {
@@ -59,7 +59,7 @@ pub(crate) fn any<S: Raw>(meter: &Meter) {
     lines.say(HIT, ray_triangle::<S>, |r, t| black_box(r.hit_with(t, ONCE)).is_some());
 }
 
-/// Queries that are longer, in one scalar.
+/// Longer queries, in one scalar.
 pub(crate) fn longer(meter: &Meter) {
     type S = I16F16;
     let lines = Lines { meter, scalar: S::NAME, reach: "any", most: S::BITS - 1 };
@@ -82,7 +82,7 @@ struct Lines<'a> {
 }
 
 impl Lines<'_> {
-    /// Says for each path the most that the query took.
+    /// Prints, for each path, the most instructions of the query.
     fn say<A, B>(&self, query: &str, shapes: fn(&mut Draw) -> Option<(A, B)>, ask: Ask<A, B>) {
         let Self { meter, scalar, reach, most } = *self;
         for path in Path::ALL {

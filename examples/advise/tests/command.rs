@@ -1,4 +1,4 @@
-//! What the command line gets: lines that fit a terminal, or one that says what is wrong.
+//! The output of the command line: lines that fit a terminal, or one line with the error.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,7 @@ use crate::options::Options;
 
 use super::{folder, scaled};
 
-/// What the program prints for these arguments, or says is wrong. Files are in the folder.
+/// The output of the program for these arguments, or its error. Files are in the folder.
 fn printed(arguments: &str, files: &Path) -> Result<String, String> {
     let word = |word: &str| if is_file(word) { files.join(word).into() } else { word.into() };
     let words = ["advise".into()].into_iter().chain(arguments.split(' ').map(word));
@@ -22,7 +22,7 @@ fn is_file(word: &str) -> bool {
     word.ends_with(".obj") || word.ends_with(".stl")
 }
 
-/// No line has more than 80 columns, whatever the tables hold. Code to paste may.
+/// No line has more than 80 columns, whatever the tables contain; only code to paste may.
 #[test]
 fn all_lines_fit_80_columns() {
     let files = folder("columns");
@@ -58,7 +58,7 @@ fn all_lines_fit_80_columns() {
     }
 }
 
-/// Each of these is refused by one line with these words in it.
+/// Each of these is refused with one line that contains these words.
 #[test]
 fn what_is_typed_wrong_costs_one_line() {
     let files = folder("refused");

@@ -1,5 +1,4 @@
-//! What the example predicts comes true, what it refuses would not do, and what it
-//! recommends does.
+//! The example's predictions are right, refused types fail, and recommended types succeed.
 
 mod command;
 mod predictions;
@@ -42,7 +41,7 @@ fn scaled(by: f64) -> Triangles {
     teapot().into_iter().map(|t| t.map(|p| p.map(|x| x * by))).collect()
 }
 
-/// A consultation, with what it was about and what it said.
+/// A run of the advisor, with its input and its text.
 struct Advice {
     options: Options,
     scene: Scene,
@@ -61,13 +60,13 @@ impl Advice {
         let sample = options.sample.get() as usize;
         let (target, full) = (options.target, options.full);
         let survey = Survey::of(&scene, &Plan { target, sample, full, costs: &costs });
-        // Broken lines are one line again.
+        // Joins broken lines.
         let text = crate::report::write("mesh", &options, &scene, &survey, &costs);
         let text = text.replace("\n    ", " ");
         Self { options, scene, survey, text }
     }
 
-    /// For a small core, so that no clock has a say, and without tables.
+    /// For a small core, so that the result does not depend on a clock, and without tables.
     fn on(triangles: Triangles, arguments: &str) -> Self {
         let arguments = format!("--target m0 {arguments}");
         Self::with_tables(triangles, &arguments, Path::new("no such folder"))
@@ -77,7 +76,7 @@ impl Advice {
         recommend(&self.survey.rows, &self.scene, self.options.bits)
     }
 
-    /// What follows these words in the text, up to a space.
+    /// The text that follows these words, up to a space.
     fn figure_after(&self, words: &str) -> f64 {
         let (_, rest) = self.text.split_once(words).unwrap_or_else(|| panic!("{}", self.text));
         rest.split([' ', ',', '\n']).next().unwrap().parse().unwrap()

@@ -1,4 +1,4 @@
-//! What is predicted.
+//! Tests of the predictions.
 
 use crate::effect;
 use crate::kind::Kind;
@@ -30,14 +30,14 @@ fn full_runs_count_what_was_predicted() {
     }
 }
 
-/// By the probability of every outcome.
+/// Sums the probabilities of all outcomes.
 #[test]
 fn predictions_hold_as_often_as_they_say() {
     const ALL: u64 = 1_000_000;
     for asked in [1, 20, 400] {
         for share in [0.000001, 0.0004, 0.003, 0.02, 0.31, 0.5, 0.97, 0.999999] {
             let truth = (share * ALL as f64) as u64;
-            // By logarithms: some of the outcomes are very unlikely.
+            // In logarithms, because some outcomes are very unlikely.
             let (mut held, mut probability) = (0.0, f64::ln(1.0 - share) * f64::from(asked));
             for k in 0..=asked {
                 let prediction = Prediction::new(k as u64, asked as u64, ALL, 1);
@@ -48,14 +48,14 @@ fn predictions_hold_as_often_as_they_say() {
             assert!(held >= prediction::CONFIDENCE, "{held} for {share} of {asked}");
         }
     }
-    // And they say something: nothing seen is nearly nothing, most is most.
+    // The predictions are also tight: no change seen predicts almost none, most predicts most.
     let of = |k| Prediction::new(k, 20_000, ALL, 1);
     assert!(of(0).least == 0 && (150..190).contains(&of(0).most), "{:?}", of(0));
     assert!(of(10_000).least > 485_000 && of(10_000).most < 515_000, "{:?}", of(10_000));
     assert!(of(20_000).most == ALL && of(20_000).least > ALL - 190, "{:?}", of(20_000));
 }
 
-/// What moves no farther than the tolerance changes no verdict that is not asked for.
+/// Rounding within the tolerance changes no verdict of a pair that is not tested.
 #[test]
 fn all_queries_that_matter_are_asked() {
     let triangles: Triangles = teapot().into_iter().step_by(20).collect();

@@ -21,7 +21,7 @@ use super::{Advice, Triangles, folder, scaled, teapot};
 
 const WAY: Question = Question::Sweep([0.75, -2.0, 0.3]);
 
-/// The number in the answer, by the type itself.
+/// The number in the answer, computed in the type itself.
 fn said<S: Scalar>(scene: &Scene, query: Query, near: fn(f64) -> S) -> Option<S> {
     let held = |p: [f64; 3]| Vec3::from(p.map(near));
     let [a, b, c, min, max] = scene.points(query).map(held);
@@ -35,7 +35,7 @@ fn said<S: Scalar>(scene: &Scene, query: Query, near: fn(f64) -> S) -> Option<S>
     first.map(|first| first.t)
 }
 
-/// Rounded from the answer in `f64`, times and depths are those of the type; also where it ends
+/// Times and depths rounded from `f64` are those that the type computes, also for types that end
 /// below 1.
 #[test]
 fn numbers_are_those_of_the_type() {
@@ -70,7 +70,7 @@ fn numbers_are_those_of_the_type() {
     assert_eq!(Kind::Fixed { bits: 8, frac: 4 }.greatest(), I4F4::MAX.to_num::<f64>());
 }
 
-/// As of a type itself; and what moves too little changes nothing.
+/// As computed in the type itself; and motions below the tolerance change nothing.
 #[test]
 fn turned_boxes_and_triangles() {
     let questions = [
@@ -101,7 +101,7 @@ fn turned_boxes_and_triangles() {
             meet += usize::from(meets);
         }
         assert!(meet > least, "{meet}");
-        // The neighbours of what is asked about are apart from it.
+        // The boxes next to the tested ones are disjoint from it.
         let [xs, ..] = scene.cells.clone();
         for n in (0..scene.queries()).step_by(97) {
             let query = scene.query(n);
@@ -110,7 +110,7 @@ fn turned_boxes_and_triangles() {
             assert!(is_asked || !xs.contains(&next.cell[0]) || !Kind::F64.meets(&scene, next));
         }
     }
-    // Axes are numbers too: 16 bits behind the point hold no 0.8.
+    // Axes are numbers too: a 16-bit type with 16 fraction bits has no 0.8.
     let small = Scene::new(Question::Turned, scaled(1.0 / 128.0), None, None).unwrap();
     assert!(!Kind::Fixed { bits: 16, frac: 16 }.holds(small.range()));
     let advice = Advice::on(teapot(), "--ask turned --full");
@@ -119,7 +119,7 @@ fn turned_boxes_and_triangles() {
     assert!(advice.text.contains("predictions hold"), "{}", advice.text);
 }
 
-/// What moves no farther than the tolerance changes no verdict that is not asked for.
+/// Rounding within the tolerance changes no verdict of a pair that is not tested.
 #[test]
 fn all_boxes_on_their_way_are_asked() {
     let triangles: Triangles = teapot().into_iter().step_by(40).collect();
@@ -143,14 +143,14 @@ fn all_boxes_on_their_way_are_asked() {
     assert!(changed > 20, "{changed}");
 }
 
-/// Both ends of the way are in the range, and counted as moved.
+/// Both ends of the motion are in the range, and rounding moves them too.
 #[test]
 fn both_ends_are_held() {
     let of = |way| Scene::new(Question::Sweep(way), teapot(), None, None).unwrap();
     let [least, greatest] = of([100.0, 0.0, 0.0]).range();
     assert!(least < -100.0, "a box from there comes to the left end: {least}");
     assert!(greatest > 100.0, "a box at the right end goes there: {greatest}");
-    // All but the end is on the grid.
+    // Everything except the end is on the grid.
     let corner = vec![[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]];
     let way = Question::Sweep([0.09375, 0.0, 0.0]);
     let scene = Scene::new(way, corner, Some(1.0), None).unwrap();
@@ -164,7 +164,7 @@ fn times_may_be_too_coarse() {
     assert!(advice.recommended().is_none(), "{}", advice.text);
     let says = "16 bits: coarse times: with 10 fraction bits a box goes up to 0.0156 between two";
     assert!(advice.text.contains(says), "{}", advice.text);
-    // What it says would help does.
+    // The suggested remedy works.
     let parts = advice.figure_after("a way of 1/");
     let arguments = format!("--ask sweep --way 0,-{},0 --bits 16", 16.0 / parts);
     let advice = Advice::on(teapot(), &arguments);

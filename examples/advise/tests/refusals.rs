@@ -1,4 +1,4 @@
-//! What is refused, and what is recommended in its place.
+//! Refusals, and the recommendations in their place.
 
 use clap::Parser;
 
@@ -24,7 +24,7 @@ fn too_large_for_16_bits() {
     let range = |k: f64| advice.scene.range().map(|x| x / k.exp2());
     assert!(most_fraction_bits(16, 16, range(halvings)).is_some(), "enough");
     assert!(most_fraction_bits(16, 16, range(halvings - 1.0)).is_none(), "and not too much");
-    // In 32 bits there is room.
+    // 32 bits have room.
     let advice = Advice::on(scaled(4000.0), "");
     assert_eq!(advice.recommended().unwrap().kind.bits(), 32, "{}", advice.text);
     assert!(advice.text.contains("16 bits: too large"), "{}", advice.text);

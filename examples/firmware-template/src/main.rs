@@ -26,7 +26,7 @@ fn main() -> ! {
     semihosting::process::exit(i32::from(!is_done))
 }
 
-/// The zone, with a tree over it, so that a question is about few of its triangles.
+/// The zone, with a tree over it, so that a query tests few of its triangles.
 fn zone<'a>(
     nodes: &'a mut [Node],
     order: &'a mut [u16],

@@ -1,5 +1,5 @@
-//! The voxels of the teapot, which the page must find too: by asking each voxel near each
-//! triangle, and each centre.
+//! The voxels of the teapot, which the page must also find: each voxel near each triangle is
+//! tested, and each centre.
 
 use std::collections::HashSet;
 
@@ -9,7 +9,7 @@ use septum::voxel::{Bits, Grid, Solid};
 
 use crate::voxels::{self, Mesh};
 
-/// The table of resolutions: how many voxels along each axis, on the surface, and on it or
+/// For each resolution, the number of voxels along each axis, on the surface, and on the surface or
 /// inside.
 const GOLDEN: &str = include_str!("../test/teapot.csv");
 
@@ -28,7 +28,7 @@ fn teapot() -> (Vec<Vec3<f32>>, Vec<[u32; 3]>) {
     (vertices, triangles)
 }
 
-/// The voxels on the surface, each triangle asked about each voxel of its box.
+/// The voxels on the surface, by testing each triangle against each voxel of its box.
 fn surface(mesh: &Mesh<'_>, grid: &Grid<f32>) -> HashSet<[u32; 3]> {
     let (origin, cell) = (grid.origin().to_array(), grid.cell().to_array());
     let mut set = HashSet::new();
@@ -38,7 +38,7 @@ fn surface(mesh: &Mesh<'_>, grid: &Grid<f32>) -> HashSet<[u32; 3]> {
             let places = corners.map(|corner| (corner[i] - origin[i]) / cell[i]);
             let least = places.into_iter().fold(f32::INFINITY, f32::min);
             let greatest = places.into_iter().fold(f32::NEG_INFINITY, f32::max);
-            // A voxel more on both sides.
+            // One more voxel on both sides.
             (least - 2.0).max(0.0) as u32..((greatest + 2.0) as u32).min(grid.resolution()[i])
         });
         let [xs, ys, zs] = range;
@@ -55,7 +55,8 @@ fn surface(mesh: &Mesh<'_>, grid: &Grid<f32>) -> HashSet<[u32; 3]> {
     set
 }
 
-/// What the page counts: the voxels on the surface, on it or inside; and the rows that are open.
+/// The page's counts: the voxels on the surface, the voxels on the surface or inside, and the open
+/// rows.
 fn counts(mesh: &Mesh<'_>, grid: &Grid<f32>) -> (u64, u64, HashSet<[u32; 2]>) {
     let all = 0..mesh.triangles().len();
     let mut words = vec![0_u32; grid.words::<u32>()];
@@ -104,7 +105,7 @@ fn the_voxels_of_the_teapot_are_those_of_each_question() {
     assert_eq!(table.join("\n"), GOLDEN.trim_end(), "test/teapot.csv");
 }
 
-/// The planes enclose the mesh, wherever it is; and what no grid holds is refused.
+/// The planes enclose the mesh, wherever it is; and meshes that no grid holds are refused.
 #[test]
 fn a_grid_encloses_its_mesh() {
     let mut refused = 0;

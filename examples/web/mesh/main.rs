@@ -1,6 +1,6 @@
-//! The module of the page's second view, which shows a mesh in voxels: see `../main.rs` for how it
-//! is built and served. It knows nothing of the first view, imports nothing, and is of use without
-//! the page: `docs/web.md` says how. What it exports, module.rs says.
+//! The module of the page's second view, which shows a mesh in voxels; `../main.rs` says how to
+//! build and serve it. It is independent of the first view, imports nothing, and is useful without
+//! the page: see `docs/web.md`. `module.rs` documents its exports.
 #![cfg_attr(target_family = "wasm", no_std, no_main)]
 
 #[cfg(test)]

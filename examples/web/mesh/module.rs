@@ -1,8 +1,8 @@
-//! What the module exports about meshes: voxels, picking, and inside or outside.
+//! The exports of the module for meshes: voxels, picking, and inside or outside.
 //!
-//! The memory behind the module's own is a row of tables: vertices, triangles, the tree's
-//! order and its nodes, and then either edges, to be sorted, or the bits of two grids. It grows
-//! as a mesh needs it, up to [`MOST`] bytes.
+//! The memory behind the module's own is a row of tables: vertices, triangles, the tree's order and
+//! its nodes, and then either edges to be sorted, or the bits of two grids. It grows as a mesh
+//! needs it, up to [`MOST`] bytes.
 #![allow(unsafe_code, reason = "memory of its own, and exports")]
 
 use core::arch::wasm32::{memory_grow, memory_size};
@@ -24,9 +24,9 @@ const MOST: usize = 96 << 20;
 const PAGE: usize = 1 << 16;
 
 struct State {
-    /// How many vertices and triangles there is room for.
+    /// The numbers of vertices and triangles that there is room for.
     room: [usize; 2],
-    /// Where each table begins: vertices, triangles, order, nodes, and the rest.
+    /// The address of each table: vertices, triangles, order, nodes, and the rest.
     places: [usize; 5],
     tree: Option<Tree>,
     grid: Option<Grid<f32>>,
@@ -37,17 +37,17 @@ impl State {
     const EMPTY: Self = Self { room: [0; 2], places: [0; 5], tree: None, grid: None, solid: None };
 }
 
-/// There is one thread, and no export calls another.
+/// A cell for a single thread; no export calls another.
 struct OneThread(UnsafeCell<State>);
 unsafe impl Sync for OneThread {}
 static STATE: OneThread = OneThread(UnsafeCell::new(State::EMPTY));
 
 fn state() -> &'static mut State {
-    // SAFETY: of one thread, and each export calls this once.
+    // SAFETY: there is one thread, and each export calls this once.
     unsafe { &mut *STATE.0.get() }
 }
 
-/// Where the tables begin: at the end of the module's own memory.
+/// The address of the first table: the end of the module's own memory.
 fn start() -> usize {
     unsafe extern "C" {
         static __heap_base: u8;
@@ -55,7 +55,7 @@ fn start() -> usize {
     (&raw const __heap_base).addr().next_multiple_of(16)
 }
 
-/// Where each table begins: vertices, triangles, order, nodes, and the rest.
+/// The address of each table: vertices, triangles, order, nodes, and the rest.
 fn places([vertices, triangles]: [usize; 2]) -> [usize; 5] {
     let sizes = [
         vertices * size_of::<Vec3<f32>>(),
@@ -70,7 +70,7 @@ fn places([vertices, triangles]: [usize; 2]) -> [usize; 5] {
     places
 }
 
-/// Whether there is memory up to here, which may have to be asked for.
+/// Whether there is memory up to `end`; requests more if needed.
 fn reaches(end: usize) -> bool {
     let more = end.div_ceil(PAGE).saturating_sub(memory_size(0));
     end <= MOST && (more == 0 || memory_grow(0, more) != usize::MAX)
@@ -82,22 +82,22 @@ unsafe fn table<T>(place: usize, length: usize) -> &'static mut [T] {
     unsafe { core::slice::from_raw_parts_mut(with_exposed_provenance_mut(place), length) }
 }
 
-/// Answers by the numbers from `first` on.
+/// Writes an answer to the numbers from `first` on.
 fn say(first: usize, answer: &[u32]) {
     for (number, &bits) in NUMBERS.iter().skip(first).zip(answer) {
         number.store(bits, Ordering::Relaxed);
     }
 }
 
-/// Makes room for a mesh, and forgets the one before. Its vertices are to be written at the
-/// address returned, three `f32` each, and behind them its triangles, three `u32` each. Zero
-/// where there is no memory for it.
+/// Makes room for a mesh, and forgets the previous one. The caller writes its vertices at the
+/// address returned, three `f32` each, and behind them its triangles, three `u32` each. Zero if
+/// there is not enough memory.
 #[unsafe(export_name = "room")]
 extern "C" fn room(vertices: u32, triangles: u32) -> usize {
     let state = state();
     *state = State::EMPTY;
     let counts = [vertices as usize, triangles as usize];
-    // So many fit no memory, and sizes of fewer do not overflow.
+    // More than this fits no memory, and sizes of fewer do not overflow.
     if counts.iter().any(|&n| n > MOST / 8) {
         return 0;
     }
@@ -111,8 +111,7 @@ extern "C" fn room(vertices: u32, triangles: u32) -> usize {
     place
 }
 
-/// Takes the mesh that was written, and builds the tree over it. Zero if there is no such
-/// mesh.
+/// Takes the mesh that was written, and builds the tree over it. Zero if the mesh is invalid.
 #[unsafe(export_name = "build")]
 extern "C" fn build() -> u32 {
     let state = state();
@@ -123,8 +122,8 @@ extern "C" fn build() -> u32 {
     if a == 0 {
         return 0;
     }
-    // SAFETY: `room` has seen to the memory, all bits are numbers, and with the tree of before
-    // all references are gone.
+    // SAFETY: `room` has reserved the memory, all bits are valid numbers, and all references ended
+    // with the previous tree.
     let tree = unsafe {
         Mesh::new(table(a, vertices), table(b, triangles)).and_then(|mesh| {
             Tree::build(mesh, table(d, Node::count_for(triangles)), table(c, triangles))
@@ -134,15 +133,15 @@ extern "C" fn build() -> u32 {
     state.tree.is_some().into()
 }
 
-/// One if the mesh is closed; if not, zero, and numbers 0 and 1 are the vertices of an edge
-/// that is open. The grid is forgotten: its bits lie where edges are sorted.
+/// One if the mesh is closed; otherwise zero, and numbers 0 and 1 are the vertices of an open edge.
+/// The grid is lost, because its memory is used for sorting edges.
 #[unsafe(export_name = "closed")]
 extern "C" fn closed() -> u32 {
     let state = state();
     (state.grid, state.solid) = (None, None);
     let Some(tree) = &state.tree else { return 0 };
     let [.., rest] = state.places;
-    // SAFETY: `room` has seen to the memory, and nothing refers to it.
+    // SAFETY: `room` has reserved the memory, and nothing refers to it.
     let edges = unsafe { table(rest, 3 * state.room[1]) };
     match tree.mesh().check_closed(edges) {
         Err(MeshError::OpenEdge { vertices }) => {
@@ -153,8 +152,8 @@ extern "C" fn closed() -> u32 {
     }
 }
 
-/// Begins anew with a grid around the mesh, all of its bits unset. Numbers 0 to 2 are its
-/// size, 3 to 5 its least corner, 6 the size of a voxel. Returns 0, or why there is no such grid.
+/// Starts a new grid around the mesh, with all bits unset. Numbers 0 to 2 are its size, 3 to 5 its
+/// least corner, 6 the size of a voxel. Returns 0, or the reason why there is no such grid.
 #[unsafe(export_name = "grid")]
 extern "C" fn grid(resolution: u32) -> u32 {
     let state = state();
@@ -171,7 +170,7 @@ extern "C" fn grid(resolution: u32) -> u32 {
     if words > MOST / 8 || !reaches(rest + (2 * words + lines) * size_of::<u32>()) {
         return 5;
     }
-    // SAFETY: there is memory for it, and nothing refers to it.
+    // SAFETY: the memory has been reserved, and nothing refers to it.
     unsafe { table::<u32>(rest, words) }.fill(0);
     say(0, &grid.resolution());
     say(3, &grid.origin().to_array().map(f32::to_bits));
@@ -180,26 +179,25 @@ extern "C" fn grid(resolution: u32) -> u32 {
     0
 }
 
-/// The words of the grid's bits (0), those of the bits of one triangle (1), or those of a bit
-/// for each row (2).
+/// The words of the grid's bits (0), of the bits of one triangle (1), or of a bit for each row (2).
 ///
 /// # Safety
-/// No reference to them is left.
+/// No reference to them may be alive.
 unsafe fn words(state: &State, which: usize) -> &'static mut [u32] {
     let Some(grid) = &state.grid else { return &mut [] };
     let (words, lines) = (grid.words::<u32>(), grid.line_words::<u32>());
     let [.., rest] = state.places;
     let count = if which == 2 { lines } else { words };
-    // SAFETY: `grid` has seen to the memory.
+    // SAFETY: `grid` has reserved the memory.
     unsafe { table(rest + which * words * size_of::<u32>(), count) }
 }
 
-/// Sets the voxels that triangles meet, and counts all that are set, where it is to.
+/// Sets the voxels that triangles meet, and counts all set voxels if requested.
 fn fill_in(which: usize, from: u32, to: u32, is_to_count: bool) -> u32 {
     let state = state();
     state.solid = None;
     let (Some(tree), Some(grid)) = (&state.tree, &state.grid) else { return 0 };
-    // SAFETY: the solid is gone, and no other reference is kept.
+    // SAFETY: the solid has been dropped, and no other reference is kept.
     let words = unsafe { words(state, which) };
     if which == 1 {
         words.fill(0);
@@ -209,34 +207,34 @@ fn fill_in(which: usize, from: u32, to: u32, is_to_count: bool) -> u32 {
     if is_to_count { bits.count() as u32 } else { 0 }
 }
 
-/// Sets the voxels that the triangles from one index to another meet. A solid is finished before.
+/// Sets the voxels that the triangles from one index to another meet. It first finishes a solid.
 #[unsafe(export_name = "fill")]
 extern "C" fn fill(from: u32, to: u32) {
     fill_in(0, from, to, false);
 }
 
-/// How many voxels are set.
+/// The number of set voxels.
 #[unsafe(export_name = "count")]
 extern "C" fn count() -> u32 {
     fill_in(0, 0, 0, true)
 }
 
-/// Sets the voxels of one triangle in a grid of its own, whose words follow those of the grid.
-/// Returns how many there are.
+/// Sets the voxels of one triangle in a grid of its own, whose words follow the words of the grid.
+/// Returns the number of its voxels.
 #[unsafe(export_name = "mark")]
 extern "C" fn mark(triangle: u32) -> u32 {
     fill_in(1, triangle, triangle.saturating_add(1), true)
 }
 
-/// Notes where the triangles from one index to another cross the rows of a solid, which begins
-/// with triangle 0.
+/// Marks where the triangles from one index to another cross the rows of a solid; triangle 0 begins
+/// a new solid.
 #[unsafe(export_name = "cross")]
 extern "C" fn cross(from: u32, to: u32) {
     let state = state();
     let (Some(tree), Some(grid)) = (&state.tree, &state.grid) else { return };
     if from == 0 {
         state.solid = None;
-        // SAFETY: the solid of before is gone, and no other reference is kept.
+        // SAFETY: the previous solid has been dropped, and no other reference is kept.
         let (bits, lines) = unsafe { (words(state, 0), words(state, 2)) };
         state.solid = Solid::new(grid, bits, lines).ok();
     }
@@ -245,8 +243,8 @@ extern "C" fn cross(from: u32, to: u32) {
     }
 }
 
-/// Sets the voxels of the solid whose centres are inside. Returns how many rows have no inside,
-/// for the mesh is open there.
+/// Sets the voxels of the solid whose centres are inside. Returns the number of rows without an
+/// inside, where the mesh is open.
 #[unsafe(export_name = "finish")]
 extern "C" fn finish() -> u32 {
     let state = state();
@@ -257,12 +255,12 @@ extern "C" fn finish() -> u32 {
     open
 }
 
-/// Where the words of the grid are.
+/// The address of the grid's words.
 #[unsafe(export_name = "words")]
 extern "C" fn words_at() -> *const u32 {
     let state = state();
     state.solid = None;
-    // SAFETY: the solid is gone, and no other reference is kept.
+    // SAFETY: the solid has been dropped, and no other reference is kept.
     unsafe { words(state, 0) }.as_ptr()
 }
 
@@ -270,8 +268,8 @@ fn vector(first: usize) -> [f32; 3] {
     [0, 1, 2].map(|i| f32::from_bits(ask(first + i)))
 }
 
-/// One more than the index of the first triangle on the ray from numbers 0 to 2 along 3 to 5,
-/// or zero. Numbers 0 to 2 are then t, u and v, number 3 is one if its back is hit.
+/// The index plus one of the first triangle on the ray from numbers 0 to 2 along 3 to 5, or zero.
+/// Numbers 0 to 2 are then t, u and v, and number 3 is one if the ray hits the back face.
 #[unsafe(export_name = "pick")]
 extern "C" fn pick() -> u32 {
     let (Some(tree), Ok(ray)) = (&state().tree, Ray::new(vector(0), vector(3))) else { return 0 };

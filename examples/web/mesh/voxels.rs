@@ -6,15 +6,15 @@ use septum::voxel::{Bits, Grid, GridError, Rule, Solid};
 
 pub(crate) type Mesh<'a> = septum::mesh::Mesh<'a, f32, u32>;
 
-/// The grid around a mesh, with about `resolution` voxels along its longest side, all of them
-/// cubes. It is as small as rounding lets it be: its planes enclose every triangle.
+/// The grid of cubes around a mesh, with about `resolution` voxels along its longest side. It is as
+/// small as rounding permits: its planes enclose every triangle.
 pub(crate) fn grid_around(mesh: &Mesh<'_>, resolution: u32) -> Result<Grid<f32>, GridError> {
     let (mut least, mut greatest) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
     for triangle in mesh.iter() {
         for vertex in triangle.vertices() {
             let x = vertex.to_array();
             for i in 0..3 {
-                // All are numbers.
+                // All coordinates are finite.
                 least[i] = if x[i] < least[i] { x[i] } else { least[i] };
                 greatest[i] = if x[i] > greatest[i] { x[i] } else { greatest[i] };
             }
@@ -28,10 +28,10 @@ pub(crate) fn grid_around(mesh: &Mesh<'_>, resolution: u32) -> Result<Grid<f32>,
             longest = extent[i];
         }
     }
-    // A little larger, for the planes to enclose what has just this size.
+    // Slightly larger, so that the planes enclose a mesh of exactly this size.
     let cell = (longest / f64::from(resolution) * (1.0 + 1.0 / f64::from(1 << 20))) as f32;
-    // Planes round, and rounding keeps order: what is not above a vertex before is not above it
-    // then. Where it moves the origin there is as much room on the other side.
+    // The planes are rounded, and rounding keeps the order: a plane not above a vertex stays not
+    // above it. If rounding moves the origin, there is as much room on the opposite side.
     let (mut size, mut origin) = ([0; 3], [0.0; 3]);
     for i in 0..3 {
         size[i] = above(extent[i] / f64::from(cell)).max(1);
@@ -40,7 +40,7 @@ pub(crate) fn grid_around(mesh: &Mesh<'_>, resolution: u32) -> Result<Grid<f32>,
     Grid::new(origin, [cell; 3], size)
 }
 
-/// The least whole number that is not below.
+/// The least integer that is not below `x`.
 fn above(x: f64) -> u32 {
     let whole = x as u32;
     if f64::from(whole) < x { whole + 1 } else { whole }
@@ -53,7 +53,7 @@ pub(crate) fn fill(bits: &mut Bits<'_, f32, u32>, mesh: &Mesh<'_>, triangles: Ra
     }
 }
 
-/// Notes where these triangles cross the rows of a solid.
+/// Marks where these triangles cross the rows of a solid.
 pub(crate) fn cross(solid: &mut Solid<'_, f32, u32>, mesh: &Mesh<'_>, triangles: Range<usize>) {
     for triangle in triangles.map_while(|i| mesh.triangle(i)) {
         solid.cross(&triangle);
