@@ -17,7 +17,7 @@ use septum_kit::{BoxNumbers, Case, Sample, meets};
 #[derive(Args)]
 pub struct Options {
     /// The picture, without its extension
-    #[arg(long, value_name = "STEM", default_value = "docs/slivers")]
+    #[arg(long, value_name = "STEM", default_value = "docs/experiments/slivers")]
     out: PathBuf,
 }
 

@@ -7,7 +7,7 @@
 //! rounding error: a direction at random. The plane test of the 2001 paper then asks
 //! whether the box lies to one side of a plane that has nothing to do with the triangle,
 //! and often it does. The triangle is dropped although it pierces the box. In `f32` this
-//! happens to 3 slivers in 100 (`docs/accuracy.md`).
+//! happens to 3 slivers in 100 (`docs/experiments/accuracy.txt`).
 //!
 //! # What a normal of zero means
 //!

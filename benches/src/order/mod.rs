@@ -26,7 +26,7 @@ pub struct Options {
     #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(u32).range(4..))]
     rounds: u32,
     /// Where the tables go
-    #[arg(long, value_name = "FILE", default_value = "docs/order.md")]
+    #[arg(long, value_name = "FILE", default_value = "docs/experiments/order.md")]
     out: PathBuf,
     /// Instructions on small cores
     #[arg(long, value_name = "FILE", default_value = "docs/target.csv")]

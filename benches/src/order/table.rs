@@ -100,7 +100,7 @@ const SMALL_CORES: &str = "
 ## On small cores
 
 The three groups again: instructions relative to the paper's order, from
-[target.csv](target.csv). Pairs of the example `measure`: random triangles, of which half meet the
+[target.csv](../target.csv). Pairs of the example `measure`: random triangles, of which half meet the
 box, and vertices on a grid of integers.
 
 ";

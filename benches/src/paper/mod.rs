@@ -26,7 +26,7 @@ pub struct Options {
     #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u32).range(4..))]
     rounds: u32,
     /// Where the table goes
-    #[arg(long, value_name = "FILE", default_value = "docs/paper.md")]
+    #[arg(long, value_name = "FILE", default_value = "docs/experiments/paper.md")]
     out: PathBuf,
 }
 

@@ -27,7 +27,7 @@ pub struct Options {
     #[arg(long, default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(1..))]
     cases: u32,
     /// Where the pictures go, and stability.csv
-    #[arg(long, value_name = "FOLDER", default_value = "docs/stability")]
+    #[arg(long, value_name = "FOLDER", default_value = "docs/experiments/stability")]
     out: PathBuf,
     /// Only the picture of this name
     #[arg(long, value_name = "NAME")]

@@ -119,3 +119,16 @@ macro_rules! with_every_scalar {
         $call::<$crate::fixed::types::I32F32>();
     };
 }
+
+/// Tests the examples of docs/ in the repository, which the published crate does not contain.
+#[cfg(doctest)]
+mod pages {
+    #[doc = include_str!("../../../docs/getting-started.md")]
+    struct GettingStarted;
+    #[doc = include_str!("../../../docs/motion-and-contact.md")]
+    struct MotionAndContact;
+    #[doc = include_str!("../../../docs/speed.md")]
+    struct Speed;
+    #[doc = include_str!("../../../docs/voxels.md")]
+    struct Voxels;
+}
