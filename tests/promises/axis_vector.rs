@@ -1,4 +1,4 @@
-//! The vector of an axis separates what the axis separates, as anyone can check.
+//! The vector of an axis separates the shapes that the axis separates, checked by projection.
 
 use septum::{Aabb, Axis, Triangle};
 use septum_kit::Rng;
@@ -8,7 +8,7 @@ fn vectors_separate() {
     let mut rng = Rng::new(0xa715);
     let mut seen = std::collections::HashSet::new();
     for _ in 0..60_000 {
-        // Small whole numbers: nothing rounds.
+        // Small integers, so that nothing is rounded.
         let mut point = || rng.triple(|rng| rng.whole(-6, 6) as f64);
         let ([a, b, c], p) = ([point(), point(), point()], point());
         let t = Triangle::new(a, b, c).unwrap();

@@ -1,4 +1,4 @@
-//! A bounded result never loses anything without saying so.
+//! A bounded result reports every result that it drops.
 #![cfg(feature = "heapless")]
 
 use fixed::types::I16F16;
@@ -10,7 +10,7 @@ fn wall(x: i32) -> Triangle<I16F16> {
     Triangle::new(p(0, 0), p(1, 0), p(0, 1)).unwrap()
 }
 
-/// The same question to a list without a bound.
+/// Compares with an unbounded list of the same query.
 fn agrees<Shape: Overlaps<Other>, Other, const N: usize>(shapes: &[Shape], other: &Other) {
     let all: Vec<usize> = (0..shapes.len()).filter(|&i| shapes[i].overlaps(other)).collect();
     let some: Bounded<usize, N> = touched(shapes, other);

@@ -1,4 +1,4 @@
-//! `may_overlap` never misses: not one `false` for shapes that meet.
+//! `may_overlap` never misses: it never returns `false` for shapes that meet.
 
 use septum_kit::{Rng, Sample, Set, Touch, for_every_scalar, meets};
 
@@ -11,7 +11,7 @@ fn never_false_where_sets_meet<S: Sample>() {
     }
 }
 
-/// Contacts in one point, where there is nothing to spare.
+/// Contacts in one point, without any margin.
 fn never_false_on_contact<S: Sample>() {
     let mut rng = Rng::new(32);
     for _ in 0..50_000 {
@@ -23,7 +23,7 @@ fn never_false_on_contact<S: Sample>() {
     }
 }
 
-/// It would be easy never to miss by always saying yes.
+/// Always answering `true` would never miss, so most disjoint pairs must give `false`.
 fn says_no_to_most_that_are_apart<S: Sample>() {
     for set in [Set::Random, Set::Grid, Set::Slivers, Set::Far] {
         let cases = set.cases::<S>(33, 20_000);

@@ -1,5 +1,5 @@
-//! What makes a shape and what does not: every error of every constructor, and
-//! what is just valid.
+//! Valid and invalid input of constructors: every error of every constructor, and input at the edge
+//! of validity.
 
 use fixed::types::{I0F8, I8F8, I16F16, I32F32};
 use septum::polygon::Polygon;
@@ -15,8 +15,7 @@ fn axes(axes: [[f32; 3]; 3]) -> [Vec3<f32>; 3] {
     axes.map(Vec3::from)
 }
 
-/// Calls `make` with each of `n` numbers in turn replaced by one that is not
-/// finite, the others being 1.
+/// Calls `make` with each of `n` numbers in turn replaced by NaN or an infinity, and the rest 1.
 fn with_each_not_finite(n: usize, make: impl Fn(&[f32]) -> Result<(), ShapeError>) {
     for bad in NOT_FINITE {
         for i in 0..n {
@@ -73,7 +72,7 @@ fn not_finite_in_f64() {
     }
 }
 
-/// Of two faults the same is named, in a `const` and elsewhere.
+/// If two errors apply, `const` and ordinary constructors report the same one.
 #[test]
 fn not_finite_comes_first() {
     let (below, nan) = (Vec3::new(-1.0, 1.0, 1.0), Vec3::new(0.0, 0.0, f32::NAN));
@@ -110,7 +109,7 @@ fn min_above_max<S: Sample>() {
     }
 }
 
-/// Shapes give back what they were given.
+/// Shapes return the numbers that they were given.
 fn shapes_keep_their_numbers<S: Sample>() {
     let number = |n: i64| S::whole(n);
     let [a, b, c] = [[1, 2, 3], [4, 5, 6], [7, 8, 9]].map(|v| Vec3::from(v.map(number)));
@@ -204,7 +203,7 @@ in_flash! {
     i64_in_flash, I32F32, I32F32::MIN, I32F32::MAX;
 }
 
-/// Errors say what is wrong, each in words of its own.
+/// Each error has a message of its own.
 #[test]
 fn errors_are_told() {
     let errors = [
@@ -220,7 +219,7 @@ fn errors_are_told() {
     assert!(told.len() == errors.len() && told.iter().all(|text| text.len() > 10), "{told:?}");
 }
 
-/// Generic code needs no other bound than `Scalar`.
+/// Generic code needs no bound other than `Scalar`.
 fn unit_cell<S: Scalar>(size: S) -> Result<Aabb<S>, ShapeError> {
     Aabb::from_min_max([S::ZERO; 3], [size; 3])
 }
@@ -271,7 +270,7 @@ fn zero_direction() {
     let still = Vec3::splat(I8F8::ZERO);
     assert_eq!(Ray::new(still, still), Err(ShapeError::ZeroDirection));
     assert_eq!(Ray::<I8F8>::const_new(still, still), Err(ShapeError::ZeroDirection));
-    // The least number of the type is a direction, and a segment may be a point.
+    // The type's least positive number is a valid direction, and a segment may be a point.
     assert!(Ray::new([0.0_f32; 3], [0.0, 0.0, f32::from_bits(1)]).is_ok());
     assert!(Ray::<f32>::const_new(Vec3::splat(0.0), Vec3::new(0.0, -1e-45, 0.0)).is_ok());
     assert!(Segment::new(still, still).is_ok());

@@ -1,5 +1,5 @@
-//! Touching is overlap; one place in the last digit further off is not. The
-//! contacts are exact by construction, so no oracle is asked.
+//! Touching is overlap; shapes one unit in the last place apart do not overlap. The contacts are
+//! exact by construction, so no oracle is needed.
 
 use septum_kit::{BoxNumbers, Case, Rng, Sample, Touch, for_every_scalar};
 
@@ -11,18 +11,18 @@ fn assert_overlap<S: Sample>(case: &Case<S>, expected: bool) {
     assert_eq!(triangle.overlaps(&aabb), expected, "{case:?}");
 }
 
-/// −1, 0 or 1 for each axis: towards the triangle.
+/// −1, 0 or 1 for each axis: toward the triangle.
 fn outward(touch: &Touch) -> [i64; 3] {
     touch.normal.map(i64::signum)
 }
 
-/// What must hold for every kind of contact.
+/// The properties of every kind of contact.
 fn check<S: Sample>(touch: &Touch) {
     let [by_corners, by_center] = [false, true].map(|center| touch.case::<S>(center));
     assert_overlap(&by_corners, true);
     assert_overlap(&by_center, true);
 
-    // The triangle one place away, as a whole.
+    // The whole triangle, moved by one unit in the last place.
     let outward = outward(touch);
     let mut away = by_corners;
     for v in &mut away.vertices {
@@ -36,18 +36,18 @@ fn check<S: Sample>(touch: &Touch) {
     }
 }
 
-/// The face that touches, one place in or out.
+/// Moves the touching face by one unit in the last place, inward or outward.
 fn box_by_corners<S: Sample>(case: &Case<S>, i: usize, outward: i64) {
     let face = if outward > 0 { 12 + i } else { 9 + i };
     let moved = |steps: i64| case.with_number(face, case.numbers()[face].moved(steps));
     assert_overlap(&moved(outward).expect("a larger box"), true);
-    // A flat box has no room to shrink.
+    // A flat box cannot shrink.
     if let Some(smaller) = moved(-outward) {
         assert_overlap(&smaller, false);
     }
 }
 
-/// The centre one place away; the half-extent one place more or less.
+/// Moves the centre by one unit in the last place; changes the half-extent by one.
 fn box_by_center<S: Sample>(case: &Case<S>, i: usize, outward: i64) {
     let BoxNumbers::Center(center, half) = case.aabb else { panic!("a box by its corners") };
     let with = |number: usize, x: S| case.with_number(number, x);

@@ -1,5 +1,5 @@
-//! Triangles that are segments or points, boxes that are flat or points; and
-//! what users of other libraries reported as bugs, one test each.
+//! Triangles that are segments or points, boxes that are flat or points; and bugs reported by users
+//! of other libraries, with a test for each.
 
 use septum::published;
 use septum::{Aabb, Scalar, Triangle};
@@ -15,7 +15,7 @@ fn span<S: Scalar>(min: Point<S>, max: Point<S>) -> Aabb<S> {
     Aabb::from_min_max(min, max).expect("min below max")
 }
 
-/// Whole numbers in the scalar.
+/// Integers in the scalar.
 fn at<S: Sample>(v: [i8; 3]) -> Point<S> {
     v.map(|x| S::nearest(x.into()))
 }
@@ -32,8 +32,8 @@ fn is_degenerate_is_exact<S: Sample>() {
     assert!(both[0] > 3_000 && both[1] > 3_000, "{both:?}");
 }
 
-/// A triangle with two equal vertices is the segment between two, in any order;
-/// one with three is the point.
+/// A triangle with two equal vertices is the segment between them, in any order; a triangle with
+/// three equal vertices is the point.
 fn a_segment_is_a_segment<S: Sample>() {
     for set in [Set::Random, Set::Grid, Set::Touch, Set::Huge] {
         for mut case in set.cases::<S>(92, 3_000) {
@@ -50,7 +50,7 @@ fn a_segment_is_a_segment<S: Sample>() {
     }
 }
 
-/// A box that is a point is met exactly by triangles that hold the point.
+/// A box that is a point meets exactly the triangles that contain the point.
 fn a_box_may_be_a_point<S: Sample>() {
     let mut rng = Rng::new(93);
     for _ in 0..3_000 {
@@ -68,7 +68,7 @@ fn a_box_may_be_a_point<S: Sample>() {
 
 /// cuda_voxelizer #7: faces that lie on the grid vanish.
 fn faces_on_the_grid<S: Sample>() {
-    // A square of two triangles in z = 1, over cells below and above.
+    // A square of two triangles in z = 1, with cells below and above.
     let [a, b, c, d] = [[0, 0, 1], [2, 0, 1], [2, 2, 1], [0, 2, 1]].map(at::<S>);
     let halves = [triangle(a, b, c), triangle(a, c, d)];
     for x in 0..2 {
@@ -91,7 +91,7 @@ fn a_triangle_inside_a_box<S: Sample>() {
     assert!(t.overlaps(&span(at::<S>([0; 3]), at::<S>([1, 2, 3])))); // fits it exactly
 }
 
-/// The box pierces the middle of a triangle whose vertices are all far off.
+/// The box pierces the middle of a triangle with distant vertices.
 fn a_box_inside_a_big_triangle<S: Sample>() {
     let t = triangle(at::<S>([-7, -7, 0]), at::<S>([7, -7, 0]), at::<S>([0, 7, 0]));
     assert!(t.overlaps(&span(at::<S>([0, -1, -1]), at::<S>([1, 0, 1]))));
@@ -99,8 +99,8 @@ fn a_box_inside_a_big_triangle<S: Sample>() {
     assert!(!t.overlaps(&span(at::<S>([0, -1, 1]), at::<S>([1, 0, 2]))));
 }
 
-/// CGAL #6808: an exact kernel without the three axes of the box. Here the plane
-/// and all edges' planes cut the box, and the triangle is beside it.
+/// CGAL #6808: an exact kernel without the three axes of the box. Here the plane and all planes
+/// through edges cut the box, and the triangle is beside it.
 fn beside_the_box_in_its_plane<S: Sample>() {
     let aabb = span(at::<S>([-1; 3]), at::<S>([1; 3]));
     for i in 0..3 {
@@ -112,8 +112,8 @@ fn beside_the_box_in_its_plane<S: Sample>() {
     }
 }
 
-/// voxelize-rs: one sign wrong in a test on the second axis. Only cross products
-/// with that axis separate these, on either side.
+/// voxelize-rs: a wrong sign in a test on the second axis. Only cross products with that axis
+/// separate these shapes, on either side.
 fn the_signs_of_each_edge_axis<S: Sample>() {
     let aabb = span(at::<S>([-1; 3]), at::<S>([1; 3]));
     for i in 0..3 {
@@ -122,7 +122,7 @@ fn the_signs_of_each_edge_axis<S: Sample>() {
                 let v = [v[i], v[(i + 1) % 3], v[(i + 2) % 3]];
                 at::<S>([0, 1, 2].map(|k| if mirror >> k & 1 == 0 { v[k] } else { -v[k] }))
             };
-            // An edge past an edge of the cube, by one, and through it.
+            // An edge beside an edge of the cube, at a distance of one, and through it.
             let past = triangle(place([3, 0, 0]), place([0, 3, 0]), place([4, 4, 1]));
             assert!(!past.overlaps(&aabb), "{past:?}");
             let across = triangle(place([2, 0, 0]), place([0, 2, 0]), place([4, 4, 1]));
@@ -131,8 +131,8 @@ fn the_signs_of_each_edge_axis<S: Sample>() {
     }
 }
 
-/// tinybvh #168: meshes on an integer grid are hit on edges and vertices. Every
-/// cell that a vertex or an edge's middle belongs to is met: eight for a vertex.
+/// tinybvh #168: meshes on an integer grid are hit on edges and vertices. Every cell that contains
+/// a vertex or an edge's midpoint is met: eight for a vertex.
 fn cells_about_a_grid_vertex<S: Sample>() {
     let t = triangle(at::<S>([0; 3]), at::<S>([3, 1, 2]), at::<S>([1, 3, 2]));
     for octant in 0..8_u8 {
@@ -155,8 +155,8 @@ for_every_scalar!(
     cells_about_a_grid_vertex,
 );
 
-/// Absolute epsilons: small scenes overlap everything (parry), real triangles are
-/// dropped (cesium-unreal #1465), tolerances scale with edge² (tinybvh #283).
+/// Absolute epsilons: in small scenes everything overlaps (parry), valid triangles are dropped
+/// (cesium-unreal #1465), tolerances scale with edge² (tinybvh #283).
 #[test]
 fn no_scale_is_too_small() {
     for power in [0, -14, -40, -100, -400, -1000] {
@@ -179,8 +179,7 @@ fn upright_triangles() {
     assert!(!upright(1.5).overlaps(&cell));
 }
 
-/// bvh #149 and others: −0.0 taken for a direction. It is zero, also as a
-/// half-extent.
+/// bvh #149 and others: −0.0 was accepted as a direction. It is zero, also as a half-extent.
 #[test]
 fn minus_zero_is_zero() {
     for case in Set::Grid.cases::<f32>(94, 20_000) {
@@ -194,8 +193,7 @@ fn minus_zero_is_zero() {
     }
 }
 
-/// Slivers, of which the test as published loses some: it must be seen to, or
-/// the set shows nothing.
+/// Slivers. The published test must be wrong on some of them, or the set would show nothing.
 #[test]
 fn slivers_are_not_lost() {
     let mut lost = 0;

@@ -1,8 +1,8 @@
-//! The answers to a fixed stream of questions, hashed for each query and scalar: the same
-//! bits on every machine, in every build, in every version.
+//! The answers to a fixed stream of questions, hashed for each query and scalar: the same bits on
+//! every machine, in every build, in every version.
 //!
-//! `cargo run --release --example determinism` computes the same hashes, and does
-//! so on machines where tests cannot run.
+//! `cargo run --release --example determinism` computes the same hashes, also on machines that
+//! cannot run tests.
 
 use std::fmt::Write;
 use std::sync::OnceLock;
@@ -26,7 +26,7 @@ fn rows() -> impl Iterator<Item = Row<'static>> {
     ROWS.iter().enumerate().map(move |(k, query)| Row { query, cells: cells(k) })
 }
 
-/// The name that a row has in a table that is kept, and its hashes.
+/// The row's name in a golden table, and its hashes.
 fn csv(row: &Row<'_>) -> String {
     let mut line = row.query.to_string();
     for cell in row.cells {

@@ -1,13 +1,12 @@
-//! Verdicts are exact at every size of shape and every distance from the origin:
-//! each width of integers hands over to the next before it overflows (overflow
-//! checks are on), and float stages before they underflow.
+//! Verdicts are exact at every size of shape and every distance from the origin: each integer width
+//! escalates to the next before it overflows (overflow checks are on), and float stages escalate
+//! before they underflow.
 
 use septum::prepared::PreparedTriangle;
 use septum_kit::{BoxNumbers, Case, Rng, Sample, for_every_scalar, meets};
 
-/// A point whose coordinates lie up to `size` numbers of the type away from
-/// those of `from`; every other point at the very ends of that, where products
-/// are largest.
+/// A point with coordinates up to `size` numbers of the type away from those of `from`. In half of
+/// the cases it is at the very ends, where products are largest.
 fn near<S: Sample>(rng: &mut Rng, from: [S; 3], size: i64) -> [S; 3] {
     let at_the_ends = rng.one_in(2);
     from.map(|x| {
@@ -25,7 +24,7 @@ fn exact_at_every_size<S: Sample>() {
     let range = S::GREATEST.ordinal();
     let bits = 64 - range.leading_zeros();
     for _ in 0..400 {
-        // Powers of two, and what lies just below.
+        // Powers of two, and the numbers just below them.
         for size in (0..bits).flat_map(|k| [1_i64 << k, (1 << k) - 1]) {
             // Around the origin, and around a point anywhere in the range.
             let origin = if rng.one_in(2) {

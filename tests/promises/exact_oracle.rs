@@ -1,5 +1,5 @@
-//! `overlaps` gives the exact answer: on every set, in every scalar, and on
-//! numbers of any magnitude, against exact clipping.
+//! `overlaps` gives the exact answer: on every set, in every scalar, and on numbers of any
+//! magnitude, compared with exact clipping.
 
 use fixed::types::{I1F15, I16F0, I33F31};
 use proptest::prelude::*;
@@ -20,7 +20,7 @@ fn every_set<S: Sample>() {
 
 for_every_scalar!(every_set);
 
-/// Fifteen numbers out of three, and of their opposites, so that they coincide.
+/// Fifteen numbers chosen from three and their negatives, so that many coincide.
 fn case_of<S: Sample>(number: impl Strategy<Value = S>) -> impl Strategy<Value = Case<S>> {
     let pool = proptest::collection::vec(number, 3);
     (pool, proptest::array::uniform15(0..6_usize), any::<bool>()).prop_map(

@@ -1,12 +1,12 @@
-//! Every triangle on the grid {−2, …, 2}³, degenerate ones included, against a
-//! family of boxes: 125³ triples of vertices for each box, in every scalar. The
-//! oracle is asked once for three vertices, the crate for all six orders.
+//! Every triangle on the grid {−2, …, 2}³, degenerate ones included, against a family of boxes:
+//! 125³ triples of vertices for each box, in every scalar. The oracle runs once for three vertices,
+//! the crate for all six orders.
 
 use septum_kit::{BoxNumbers, every_triangle_on_the_grid};
 
 fn every_triangle(aabb: BoxNumbers<f64>) {
     let met = every_triangle_on_the_grid(aabb);
-    // 333,375 triples; a box that all or none of them meet would show little.
+    // 333,375 triples. A box met by all or by none would show little.
     assert!(met > 0 && met < 333_375, "{met}");
 }
 

@@ -14,7 +14,7 @@ fn the_smallest_grid() {
     assert!(inside > 10_000 && contacts > 100_000, "{inside}, {contacts}");
 }
 
-/// All triangles of {−2, …, 2}³, against a few rays from the quarters.
+/// All triangles of {−2, …, 2}³, against a few rays from quarter positions.
 #[test]
 fn a_larger_grid() {
     let mut rng = Rng::new(61);

@@ -1,5 +1,5 @@
-//! The ends of every scalar's range: right, without panic or overflow (which
-//! would panic here: tests are built with overflow checks).
+//! The ends of every scalar's range: right answers, without panic or overflow (tests are built with
+//! overflow checks).
 
 use fixed::types::extra::{U0, U1, U7, U8, U15, U16, U31, U32, U63, U64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
@@ -8,7 +8,7 @@ use septum::{Axis, published};
 use septum_kit::rays::{RayCase, crossing};
 use septum_kit::{BoxNumbers, Case, GROUP_ORDERS, Rng, Sample, is_collinear, meets};
 
-/// Asks all there is to ask; what must be right is compared with the oracle.
+/// Runs every query; exact answers are compared with the oracle.
 fn ask_everything<S: Sample>(case: &Case<S>) {
     let (triangle, aabb) = case.shapes();
     let expected = meets(case);
@@ -20,9 +20,9 @@ fn ask_everything<S: Sample>(case: &Case<S>) {
     let separates = |axis: &Axis| triangle.is_separated_by(&aabb, *axis);
     assert_eq!(Axis::ALL.iter().find(|axis| separates(axis)), axis.as_ref(), "{case:?}");
     assert_eq!(triangle.is_degenerate(), is_collinear(case), "{case:?}");
-    // These may be wrong, but must come back.
+    // These may be wrong, but must return.
     let _ = published::shared_normal::overlaps(&triangle, &aabb);
-    // In any order of its groups the published test is right or wrong the same way.
+    // The published test gives the same answer, right or wrong, in every order of its groups.
     let published = published::akenine_moller::overlaps(&triangle, &aabb);
     for order in GROUP_ORDERS {
         assert_eq!(
@@ -48,7 +48,7 @@ fn from_pool<S: Sample>(rng: &mut Rng, pool: &[S]) -> Case<S> {
     Case { vertices, aabb }
 }
 
-/// The extremes, what is next to them, and what is about zero.
+/// The extremes, their neighbours, and numbers around zero.
 fn ends<S: Sample>() -> Vec<S> {
     let near = |x: S| [x.moved(-2), x.moved(-1), x, x.moved(1), x.moved(2)];
     let half = |x: S| S::nearest(x.approximate() / 2.0);
@@ -63,7 +63,7 @@ fn at_the_ends<S: Sample>() {
     }
 }
 
-/// Every triangle and every box between the corners of the range.
+/// Every triangle and every box with vertices at the corners of the range.
 fn between_the_corners_of_the_range<S: Sample>() {
     let ends = [S::LEAST, S::GREATEST];
     let corner = |n: usize| [ends[n & 1], ends[n >> 1 & 1], ends[n >> 2 & 1]];
@@ -156,7 +156,7 @@ fn subnormal_f64() {
     subnormals(f64::MIN_POSITIVE);
 }
 
-/// Where integer systems hand over to wider ones: about every power of two.
+/// The thresholds between integer systems: around every power of two.
 fn about_powers_of_two<S: Sample>() {
     let mut rng = Rng::new(83);
     for power in 2..S::WHOLE_BITS {
@@ -180,8 +180,8 @@ fn about_powers_of_two_in_fixed_point() {
     about_powers_of_two::<FixedI64<U32>>();
 }
 
-/// Rays and triangles at the ends of each width that the integers have: every choice of
-/// signs, so that determinants are as great as they can be.
+/// Rays and triangles at the ends of each integer width, with every choice of signs, so that
+/// determinants reach their greatest value.
 fn every_sign(end: i32) {
     let number = |bits: i32| FixedI32::<U16>::from_bits(bits);
     let point =
@@ -208,8 +208,8 @@ fn determinants_of_every_width() {
     }
 }
 
-/// A box so great that it leaves the type, and a triangle just beside it: what is prepared in
-/// differences of the type must not take a wrapped one for small.
+/// A box so large that its faces are out of the type's range, and a triangle just beside it: a
+/// kernel that prepares differences in the type must not take a wrapped one for small.
 #[test]
 fn boxes_beyond_the_range() {
     use fixed::types::I16F16;

@@ -4,10 +4,10 @@ use septum::Triangle;
 use septum_kit::flat::{Flat, FlatCase, FlatSet, Truth, every_pair_on_the_grid};
 use septum_kit::{Rng, Sample, VERTEX_ORDERS, for_every_scalar, with_every_scalar};
 
-/// So many cases of each set.
+/// The number of cases of each set.
 const CASES: usize = 1_500;
 
-/// All of the sets, and how many are apart, touch and overlap in each.
+/// All sets; counts the disjoint, touching and overlapping cases of each.
 fn agrees_with_the_oracle<S: Sample>() {
     for set in FlatSet::ALL {
         let mut rng = Rng::new(0xf1a7);
@@ -15,7 +15,7 @@ fn agrees_with_the_oracle<S: Sample>() {
         for _ in 0..CASES {
             seen[set.case::<S>(&mut rng).check() as usize] += 1;
         }
-        // Contact is what these sets aim at.
+        // These sets aim at contact.
         if matches!(set, FlatSet::Grid | FlatSet::Plane | FlatSet::Touch) {
             assert!(seen.iter().all(|&n| n > CASES / 100), "{set:?}: {seen:?}");
         }
@@ -23,7 +23,7 @@ fn agrees_with_the_oracle<S: Sample>() {
 }
 for_every_scalar!(agrees_with_the_oracle);
 
-/// Of a hundred times as many: `cargo test --release --test promises flat_shapes -- --ignored`.
+/// A hundred times as many cases: `cargo test --release --test promises flat_shapes -- --ignored`.
 #[test]
 #[ignore = "takes minutes"]
 fn agrees_with_the_oracle_on_many() {
@@ -43,7 +43,7 @@ fn agrees_with_the_oracle_on_many() {
 mod every_pair_on_a_grid {
     use super::*;
 
-    /// Triangles, segments and points; 136 of 3,654 are enough on one side, by symmetry.
+    /// Triangles, segments and points. By symmetry 136 of 3,654 suffice on one side.
     #[test]
     fn f32() {
         println!("{:?}", every_pair_on_the_grid::<f32>(false));
@@ -65,7 +65,7 @@ mod every_pair_on_a_grid {
     }
 }
 
-/// The vertices in any order, and the triangles.
+/// With vertices in any order, and with the triangles exchanged.
 fn orders_do_not_matter<S: Sample>() {
     let mut rng = Rng::new(0x0def);
     for n in 0..300 {
@@ -98,7 +98,7 @@ fn a_point_that_is_not_finite_is_in_no_triangle() {
     }
 }
 
-/// The oracle against cases that are plain to see.
+/// The oracle on cases with obvious answers.
 #[test]
 fn the_oracle_knows_what_is_plain() {
     let triangle = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];

@@ -1,4 +1,4 @@
-//! Hits in their true order, against fractions of whole numbers of any size.
+//! Hits in their true order, compared with fractions of integers of any size.
 
 use std::cmp::Ordering;
 
@@ -43,7 +43,7 @@ fn order<S: Sample>() {
         let (o, d) = (rng.triple(number), rng.triple(number));
         let Ok(ray) = Ray::new(o, d) else { continue };
         let a = rng.triple(|rng| rng.triple(number));
-        // The same, turned or mirrored; or moved by a unit or so; or any other.
+        // The same triangle, rotated or mirrored; or moved by a unit or so; or any other.
         let mut b = a;
         b.rotate_left(rng.below(3));
         if rng.one_in(2) {
@@ -59,7 +59,7 @@ fn order<S: Sample>() {
         }
         let shape = |[a, b, c]: [Point<S>; 3]| Triangle::new(a, b, c).unwrap();
         let (p, q) = (shape(a), shape(b));
-        // The line, so that half of the triangles are not behind.
+        // The whole line, so that half of the triangles are not behind it.
         let line = ray.with_range(None, None).unwrap();
         let hits = line.hit(&p).zip(line.hit(&q));
         let told = || format!("{} {ray:?} {p:?} {q:?}", S::name());

@@ -1,5 +1,4 @@
-//! Shapes survive a round trip through `serde` and `mint`, and what is read is
-//! checked as what is made.
+//! Shapes survive a round trip through `serde` and `mint`, and constructors check what is read.
 #![cfg(all(feature = "serde", feature = "mint"))]
 
 use std::fmt::Debug;
@@ -67,7 +66,7 @@ fn boxes_with_axes_say_which_they_are() {
     assert!(skewed.starts_with(r#"{"skewed_axes":{"#), "{skewed}");
 }
 
-/// Every field must be there under its name, and no other.
+/// Every field must be present under its name, and no other.
 #[test]
 fn fields_are_neither_left_out_nor_misspelt() {
     fn refuses<T: DeserializeOwned + Debug>(text: &str, why: &str) {

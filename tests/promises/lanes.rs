@@ -1,4 +1,4 @@
-//! Lanes: the same verdicts and the same bits as one by one.
+//! Lanes: the same verdicts and the same bits as single shapes.
 
 use fixed::types::I16F16;
 use septum::lanes::{Aabbs, CellTriangle, Cells, Triangles};
@@ -36,13 +36,13 @@ fn same_bits<S: Sample, const N: usize>() {
     let (mut hits, mut met) = (0, 0);
     for round in 0..6_000 / N {
         let cull = [Cull::Nothing, Cull::Back, Cull::Front][round % 3];
-        // On a grid edges, vertices and flat triangles are common.
+        // Grids make edges, vertices and flat triangles common.
         let coordinate = |rng: &mut Rng| match round % 6 {
             0 | 1 => S::nearest(rng.real(-1.5, 1.5)),
             2 => S::nearest(rng.whole(-1, 1) as f64),
             // All products of two are rounded to zero.
             3 => S::from_ordinal(rng.whole(-3, 3)),
-            // Near one another, far from zero.
+            // Close together, far from zero.
             4 => S::from_ordinal(S::GREATEST.ordinal() / 2 + rng.whole(-3, 3)),
             _ => S::from_ordinal(rng.whole(S::LEAST.ordinal(), S::GREATEST.ordinal())),
         };
@@ -89,8 +89,9 @@ fn same_bits<S: Sample, const N: usize>() {
     assert!(hits > 100 && met > 100, "{hits} hits, {met} met");
 }
 
-/// All at once as one by one: boxes of one size, by their centres and by their corners, against a
-/// triangle, and one of them against that triangle in all lanes. How many it meets.
+/// Compares lanes with single shapes: boxes of one size, by their centres and by their corners,
+/// against a triangle, and one of the boxes against that triangle in all lanes. Returns the number
+/// of overlaps.
 fn met_at_once<S: Sample>(triangle: &Triangle<S>, centers: [[S; 3]; 8], half: [S; 3]) -> usize {
     let cells = centers.map(|c| Aabb::from_center_half_extents(c, half).unwrap());
     let expected = cells.each_ref().map(|cell| triangle.overlaps(cell));
@@ -111,8 +112,8 @@ fn met_at_once<S: Sample>(triangle: &Triangle<S>, centers: [[S; 3]; 8], half: [S
     expected.iter().filter(|&&met| met).count()
 }
 
-/// Far from the origin a vertex and a half-extent have no sum among floats: faces that seem to
-/// touch may lie apart.
+/// Far from the origin the sum of a vertex and a half-extent is not a float: faces that seem to
+/// touch may be disjoint.
 #[test]
 fn cells_far_from_the_origin() {
     let rng = &mut Rng::new(11);
@@ -128,8 +129,8 @@ fn cells_far_from_the_origin() {
     assert!((30_000..160_000).contains(&met), "{met} of 320,000");
 }
 
-/// Where the differences of coordinates round, a gap of zero may be a gap: a vertex near the
-/// middle of a face.
+/// If differences of coordinates are rounded, a computed gap of zero may be a true gap: a vertex
+/// near the middle of a face.
 #[test]
 fn differences_that_round() {
     let rng = &mut Rng::new(12);
@@ -146,7 +147,7 @@ fn differences_that_round() {
     assert!((30_000..290_000).contains(&met), "{met} of 320,000");
 }
 
-/// Where coordinates become too long for the floats that all go in at once.
+/// Coordinates too long for the floats of the all-at-once stage.
 #[test]
 fn coordinates_that_round() {
     let rng = &mut Rng::new(13);
@@ -164,8 +165,8 @@ fn coordinates_that_round() {
     assert!((30_000..290_000).contains(&met), "{met} of 320,000");
 }
 
-/// Boxes that touch a triangle's plane by a corner, or an edge by an edge, or miss by little: what
-/// rounded products would tell wrong.
+/// Boxes that touch a triangle's plane at a corner, or an edge with an edge, or miss it by little,
+/// which rounded products get wrong.
 #[test]
 fn planes_and_edges_graze() {
     let mut met = [0; 3];
@@ -184,12 +185,12 @@ fn met_by_grazing<S: Sample>(round: u64, span: i64) -> usize {
     let from_a = |p: [i64; 3]| [0, 1, 2].map(|i| p[i] - a[i]);
     let (e, f) = (from_a(b), from_a(c));
     let around = |i: usize| ((i + 1) % 3, (i + 2) % 3);
-    // The corner of the box that is nearest to the plane is a point within the triangle.
+    // The corner of the box nearest to the plane is a point of the triangle.
     let on_plane = [0, 1, 2].map(|i| {
         let (j, l) = around(i);
         (a[i] + b[i] + 2 * c[i]) / 4 + (e[j] * f[l] - e[l] * f[j]).signum() * half[i]
     });
-    // The edge of the box that is nearest to the middle of the triangle's goes through it.
+    // The edge of the box nearest to the middle of the triangle's edge passes through it.
     let i = round as usize % 3;
     let (j, l) = around(i);
     let side = (e[j] * f[l] - e[l] * f[j]).signum();
@@ -210,7 +211,8 @@ fn met_by_grazing<S: Sample>(round: u64, span: i64) -> usize {
         + met_at_once(&triangle, near(on_edge, j), number(half))
 }
 
-/// So far out that lanes do not hold them, seven triangles are missed and one is hit.
+/// So far from the origin that lanes cannot hold the coordinates, seven triangles are missed and
+/// one is hit.
 #[test]
 fn triangles_that_lanes_do_not_hold() {
     use fixed::types::I32F32;
@@ -231,7 +233,7 @@ fn triangles_that_lanes_do_not_hold() {
     }
 }
 
-/// Prepared for one size, asked about another.
+/// Prepared for one size, queried with another.
 #[test]
 fn cells_of_another_size() {
     let cells = |size: f32| {
@@ -247,7 +249,7 @@ fn cells_of_another_size() {
     }
 }
 
-/// The stored normal and the normal on the way are the same numbers.
+/// The stored normal and the normal computed on the fly have the same bits.
 #[test]
 fn volumes_are_the_stored_normal() {
     let rng = &mut Rng::new(9);
@@ -263,7 +265,7 @@ fn volumes_are_the_stored_normal() {
     }
 }
 
-/// A table in flash, of which the last lanes repeat the last box.
+/// A table in flash whose last lanes repeat the last box.
 const TABLE: Option<Aabbs<I16F16, 4>> = {
     let low = Vec3::splat(I16F16::ZERO);
     let high = Vec3::splat(I16F16::ONE);
@@ -319,7 +321,7 @@ fn cells_are_of_one_size() {
     assert_eq!(Cells::new(&[corners, cell(0)]), None);
 }
 
-/// Generic code asks for no more than a scalar.
+/// Generic code needs only `Scalar`.
 #[allow(dead_code)]
 fn generic<S: Scalar>(ray: &Ray<S>, triangles: &[Triangles<S, 8>]) -> usize {
     triangles.iter().filter(|t| t.hit_moller_trumbore(ray, Cull::Nothing).any()).count()

@@ -11,7 +11,7 @@ fn exact_on_every_set<S: Sample>() {
 }
 for_every_scalar!(exact_on_every_set);
 
-/// Where all sums are as long as they get.
+/// Inputs for which all sums are as long as they can be.
 #[test]
 fn exact_at_the_ends_of_64_bits() {
     check_sets::<I1F63>(1_000);
@@ -52,11 +52,11 @@ fn is_rounded<S: Sample>(t: S, expected: &Fraction) -> bool {
     if !is_float {
         return t == expected.nearest_fixed();
     }
-    // Beyond the range, or far below it.
+    // Out of range, or far below it.
     !t.is_finite() || t.approximate().abs() < 1e-30 || expected.is_within(t, (51, 100))
 }
 
-/// An oriented box along the axes is the axis-aligned one.
+/// An oriented box with axes along the coordinate axes is the axis-aligned box.
 fn as_an_aabb<S: Sample>() {
     let one = S::nearest(1.0);
     let along = [0, 1, 2].map(|i: usize| {
@@ -89,7 +89,7 @@ fn as_an_aabb<S: Sample>() {
 }
 for_every_scalar!(as_an_aabb);
 
-/// Every line from one point of a small grid to another, past a skewed box: all of contact.
+/// Every line from one point of a small grid to another, past a skewed box: every kind of contact.
 #[test]
 fn every_line_on_a_grid() {
     let axes = [[1.0, 1.0, 0.0], [-1.0, 1.0, 0.0], [0.0, 1.0, 1.0]];
@@ -112,7 +112,7 @@ fn ends_of_a_range_count() {
     let aabb: Aabb<f64> = obb.aabb().unwrap();
     assert!(!Segment::new([9.0, 0.0, 0.0], [9.0; 3]).unwrap().overlaps(&obb));
     assert!(aabb.contains([0.0; 3]));
-    // From the centre nothing is missed, whatever way it goes.
+    // From the centre every direction hits.
     for d in [[1.0, 0.0, 0.0], [1e-300, 0.0, -1e-300], [0.0, 1e300, 1e300]] {
         let ray = Ray::new([0.0; 3], d).unwrap();
         assert!(ray.overlaps(&obb) && ray.t_range_obb(&obb).unwrap().0 == 0.0);

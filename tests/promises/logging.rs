@@ -1,7 +1,7 @@
-//! Every public type can be logged by `defmt`, and its numbers go out as numbers.
+//! Every public type can be logged by `defmt`, and its numbers are sent as numbers.
 //!
-//! How a log reads is seen on the targets: `.ci/firmware` compares the decoded
-//! log of an example with what it should be.
+//! `.ci/firmware` checks the text of a log on the targets: it compares the decoded log of an
+//! example with the expected one.
 #![cfg(all(feature = "defmt", feature = "heapless"))]
 
 use defmt::Format;
@@ -27,14 +27,14 @@ use septum::{
     Side, Triangle, Vec3,
 };
 
-/// What goes over the wire; strings are one mocked index each.
+/// The bytes of a log record; strings are one mocked index each.
 fn record(x: &impl Format) -> Vec<u8> {
     defmt::export::fetch_bytes();
     defmt::export::fmt(x);
     defmt::export::fetch_bytes()
 }
 
-/// Whether the record has these numbers, in this order.
+/// Whether the record contains these numbers, in this order.
 fn carries<const L: usize>(x: &impl Format, numbers: impl IntoIterator<Item = [u8; L]>) {
     let record = record(x);
     let mut rest = record.as_slice();
@@ -105,7 +105,7 @@ fn a_bounded_result_carries_what_it_kept_and_how_much_more() {
     carries(&bounded, [3_u32.to_le_bytes()]);
 }
 
-/// Nothing to run: it compiles or not.
+/// Only compiled, not run.
 #[test]
 fn every_shape_and_answer_can_be_logged() {
     fn can<T: Format>() {}

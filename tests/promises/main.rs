@@ -1,7 +1,7 @@
-//! What the crate promises: a module for each promise. Oracles and sets of cases are in
-//! the package `septum-kit`, `tests/kit/`.
+//! The promises of the crate, with a module for each. Oracles and sets of cases are in the package
+//! `septum-kit`, `tests/kit/`.
 
-// Shapes: what makes one and what does not.
+// Shapes: valid and invalid input.
 mod construction;
 mod rotations;
 
@@ -16,7 +16,7 @@ mod near_miss;
 mod symmetry;
 mod thirteen_axes;
 
-// The same: the conservative verdict, and the axis that separates.
+// The same: the conservative verdict, and the separating axis.
 mod axis_vector;
 mod conservative;
 mod witness;
@@ -46,17 +46,17 @@ mod ray_triangle;
 mod rounded_rays;
 mod watertight;
 
-// Whole meshes: as all of their triangles, one by one.
+// Whole meshes: the answers of their triangles, one by one.
 mod mesh;
 
-// What other libraries' users met.
+// Cases from users of other libraries.
 mod published_cases;
 mod published_pairs;
 
 // Unit normals.
 mod unit_normal;
 
-// Many at once.
+// Lanes.
 mod lanes;
 
 // The same bits on every machine.
@@ -67,7 +67,7 @@ mod bounded;
 mod interop;
 mod logging;
 
-// The main job and the other examples, as their users meet them.
+// The main job and the other examples, run as a user runs them.
 mod examples;
 mod voxel;
 mod voxel_lines;

@@ -1,5 +1,5 @@
-//! Those of the promises in which features and kernels for 32-bit registers have a part, as a crate
-//! of their own: `.ci/run` asks them once more so built, and most of the time goes into compiling.
+//! The promises that depend on features and on kernels for 32-bit registers, as a separate crate.
+//! `.ci/run` tests them in such a build too, where compiling takes most of the time.
 //!
 //!     RUSTC_WORKSPACE_WRAPPER=$PWD/.ci/narrow cargo test --test narrow
 
@@ -16,7 +16,7 @@ mod ray_rounding;
 mod ray_triangle;
 mod unit_normal;
 
-/// What a module above needs.
+/// A dependency of a module above.
 mod examples {
     #[rustfmt::skip]
     #[allow(dead_code, reason = "its tree is for others")]

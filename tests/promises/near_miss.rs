@@ -1,5 +1,5 @@
-//! Verdicts are exact where a triangle and a box are one unit apart, touch, or are one unit in each
-//! other, at every magnitude: the nearer to contact, the later the stage that answers.
+//! Verdicts are exact if a triangle and a box are one unit apart, touch, or overlap by one unit, at
+//! every magnitude. The nearer to contact, the later the stage that decides.
 
 use septum::prepared::PreparedTriangle;
 use septum_kit::{NearMiss, Rng, Sample, for_every_scalar, meets};

@@ -1,12 +1,11 @@
-//! A triangle against an oriented box: exact for the parallelepiped that the
-//! numbers describe.
+//! A triangle against an oriented box: exact for the parallelepiped that the numbers describe.
 
 use fixed::types::{I1F31, I2F30, I2F62, I4F4, I8F8, I16F16, I32F32};
 use septum::published;
 use septum::{Aabb, Obb, ShapeError, Triangle, Vec3};
 use septum_kit::{Oriented, Rng, Sample, for_every_scalar};
 
-/// A random rotation, rounded, with now and then a skewed or a plain frame.
+/// A rounded random rotation, sometimes a skewed or an axis-parallel frame.
 fn axes<S: Sample>(rng: &mut Rng) -> [[S; 3]; 3] {
     let mut frame = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     match rng.below(4) {
@@ -28,8 +27,8 @@ fn axes<S: Sample>(rng: &mut Rng) -> [[S; 3]; 3] {
     frame.map(|row| row.map(S::nearest))
 }
 
-/// Shapes of about `size`; every third time on a coarse grid, where contact is
-/// common, and then the axes are plain or diagonal.
+/// Shapes of about `size`. Every third case is on a coarse grid, where contact is common; there the
+/// axes are parallel to the coordinate axes or diagonal.
 fn question<S: Sample>(rng: &mut Rng, size: f64) -> Oriented<S> {
     let coarse = rng.one_in(3);
     let number = |rng: &mut Rng, low: f64| {
@@ -52,7 +51,7 @@ fn question<S: Sample>(rng: &mut Rng, size: f64) -> Oriented<S> {
     }
 }
 
-/// A size that suits the type: products of axes and lengths, and a few units.
+/// Sizes for the type: products of axes and lengths, and a few units.
 fn sizes<S: Sample>() -> [f64; 3] {
     let greatest = S::GREATEST.approximate();
     [2.0, (greatest / 2.0).min(1e3), (greatest / 2.0).min(1.0)]
@@ -73,8 +72,8 @@ fn exact<S: Sample>() {
 }
 for_every_scalar!(exact);
 
-/// Both sides of a flip of the true verdict, and what is a step or two from there: nearer to
-/// contact than the error that the first stage allows for.
+/// Both sides of a flip of the true verdict, and cases a step or two away: nearer to contact than
+/// the error bound of the first stage.
 fn exact_beside_contact<S: Sample>() {
     let mut rng = Rng::new(0xf11b);
     let (mut flips, mut loose) = (0, 0);
@@ -176,7 +175,7 @@ fn the_transform_is_right_away_from_contact() {
             );
         }
     }
-    // Contact on the coarse grid it may get wrong; little else.
+    // The rounded method may fail on contacts of the coarse grid, but on little else.
     assert!(wrong < 600, "{wrong}");
 }
 
@@ -206,7 +205,7 @@ fn a_frame_is_checked() {
     assert_eq!(far.unwrap_err(), ShapeError::NotFinite);
 }
 
-/// Of random pairs, half of which are disjoint, fewer than one in a thousand.
+/// Of random pairs, half of them disjoint, fewer than one in a thousand.
 #[test]
 fn a_false_yes_is_rare_in_every_number_of_fraction_bits() {
     fn count<S: Sample>(size: f64) -> (u32, u32) {

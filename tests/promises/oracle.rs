@@ -1,5 +1,4 @@
-//! The oracle itself: on cases that anyone can see, and against a second
-//! theorem.
+//! The oracle itself: on cases with obvious answers, and compared with a second theorem.
 
 use fixed::types::I8F8;
 use septum::Axis;
@@ -23,12 +22,12 @@ fn assert_meets(vertices: [[f64; 3]; 3], expected: bool) {
 
 #[test]
 fn what_anyone_can_see() {
-    // A vertex inside; all inside; the cube pierced by an edge, by the middle.
+    // A vertex inside; all inside; the cube pierced by an edge, and by the middle.
     assert_meets([[0.0; 3], [5.0, 0.0, 0.0], [0.0, 5.0, 0.0]], true);
     assert_meets([[0.1, 0.0, 0.0], [0.0, 0.2, 0.0], [0.0, 0.0, 0.3]], true);
     assert_meets([[-5.0, 0.0, 0.0], [5.0, 0.0, 0.0], [5.0, 9.0, 0.0]], true);
     assert_meets([[-9.0, -9.0, 0.5], [9.0, -9.0, 0.5], [0.0, 9.0, 0.5]], true);
-    // Beside a face, past an edge, past a corner.
+    // Beside a face, beyond an edge, beyond a corner.
     assert_meets([[2.0, 0.0, 0.0], [5.0, 0.0, 0.0], [5.0, 9.0, 0.0]], false);
     assert_meets([[2.5, 0.0, 0.0], [0.0, 2.5, 0.0], [3.0, 3.0, 1.0]], false);
     assert_meets([[3.5, 0.0, 0.0], [0.0, 3.5, 0.0], [0.0, 0.0, 3.5]], false);
@@ -43,7 +42,7 @@ fn contact_counts() {
     assert_meets([[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [3.0, 3.0, 1.0]], true);
     assert_meets([[3.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 3.0]], true);
     assert_meets([[-9.0, -9.0, 1.0], [9.0, -9.0, 1.0], [0.0, 9.0, 1.0]], true);
-    // The last place of a double away.
+    // One unit in the last place of a double away.
     let off = 3.0 + 2_f64.powi(-51);
     assert_meets([[off, 0.0, 0.0], [0.0, off, 0.0], [0.0, 0.0, off]], false);
     assert_meets([[off, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 3.0]], false);
@@ -77,8 +76,8 @@ fn flat_boxes_and_points() {
     assert!(at([2.5, 2.5, 0.0], [0.5, 0.5, 9.0]) && !at([2.5, 2.5, 0.0], [0.4, 0.5, 0.0]));
 }
 
-/// Everything rests on the numbers being what the bits say, so the bits are
-/// compared with what the types themselves say.
+/// All tests depend on the decomposition of numbers into bits, so it is compared with the types'
+/// own conversions.
 #[test]
 fn numbers_are_taken_apart_rightly() {
     let mut rng = Rng::new(13);
@@ -100,7 +99,7 @@ fn numbers_are_taken_apart_rightly() {
     }
 }
 
-/// Steps lead to the next value and no further: none lies between.
+/// A step leads to the next value; no value lies between.
 #[test]
 fn neighbours_are_adjacent() {
     let mut rng = Rng::new(14);
@@ -117,8 +116,7 @@ fn neighbours_are_adjacent() {
     assert_eq!(I8F8::ZERO.moved(-1), -I8F8::DELTA);
 }
 
-/// Clipping and the 13 axes are different theorems and must agree; so must the
-/// two widths of integers.
+/// Clipping and the 13 axes are different theorems and must agree; so must both integer widths.
 fn agrees_with_projections<S: Sample>() {
     for set in Set::ALL {
         for case in set.cases::<S>(11, 3_000) {
@@ -130,7 +128,7 @@ fn agrees_with_projections<S: Sample>() {
     }
 }
 
-/// No set is all of one verdict, or it would show little.
+/// Every set contains both verdicts, or it would show little.
 fn every_set_has_both_verdicts<S: Sample>() {
     for set in Set::ALL {
         let cases = set.cases::<S>(12, 2_000);

@@ -1,5 +1,5 @@
-//! Oriented boxes: which axes make one, which points they contain, and the boxes
-//! around them, against whole numbers of any size.
+//! Oriented boxes: valid axes, the points that they contain, and their bounding boxes, compared
+//! with integers of any size.
 
 use dashu_int::IBig;
 use fixed::types::{I0F8, I0F16, I0F32, I0F64, I1F31, I2F30, I4F60};
@@ -41,7 +41,7 @@ impl<S: Sample> Given<S> {
         (given, IBig::ONE << unit.unsigned_abs() as usize)
     }
 
-    /// Whether the point is in the box, by elimination after Gauss and Jordan.
+    /// Whether the point is in the box, by Gauss–Jordan elimination.
     fn contains(&self) -> bool {
         let (Given { center, axes: [u, v, w], half, point }, one) = self.whole();
         let mut rows = [0, 1, 2].map(|r: usize| {
@@ -67,7 +67,7 @@ fn magnitude<S: Sample>(x: S) -> S {
     S::from_ordinal(x.ordinal().saturating_abs())
 }
 
-/// A rotation, rounded; lengths as they come.
+/// A rounded rotation.
 fn rotation<S: Sample>(rng: &mut Rng) -> [Point<S>; 3] {
     let [a, b, c] = rng.triple(|rng| rng.real(-3.2, 3.2));
     let ((s, c0), (t, d), (r, e)) = (a.sin_cos(), b.sin_cos(), c.sin_cos());
@@ -95,14 +95,14 @@ fn given<S: Sample>(rng: &mut Rng, kind: usize) -> Given<S> {
     };
     let rows = rng.triple(|rng| rng.triple(number));
     let [center, half, mut point] = rows;
-    // On the grid, whole multiples of the axes: contact is frequent.
+    // On the grid, integer multiples of the axes, so that contact is frequent.
     let half = match kind {
         2 => rng.triple(|rng| S::nearest(rng.below(3) as f64)),
         _ => half.map(magnitude),
     };
     let axes = if kind < 2 { rotation(rng) } else { rng.triple(|rng| rng.triple(number)) };
     if kind == 1 {
-        // A corner, or a point of a face, as nearly as the scalar has it.
+        // A corner, or a point of a face, as nearly as the scalar allows.
         let s = [0, 1, 2].map(|i: usize| {
             let side = [-1.0, 1.0, rng.real(-1.0, 1.0)][rng.below(3)];
             half[i].approximate() * side
@@ -128,12 +128,12 @@ fn contains<S: Sample>() {
             asked += 1;
         }
         let mixed = inside > 20 && inside < asked - 20;
-        // Of numbers with random exponents next to none lies inside.
+        // With random exponents almost no point lies inside.
         assert!(mixed || kind > 2, "{} {kind}: {inside} of {asked}", S::name());
     }
 }
 
-/// The box around eight corners: no number of the scalar lies between it and them.
+/// The bounding box of the eight corners: no number of the scalar lies between it and them.
 fn aabb<S: Sample>() {
     let mut rng = Rng::new(0xaabb);
     for kind in 0..5 {
@@ -154,7 +154,7 @@ fn aabb<S: Sample>() {
 }
 
 fn check_ends<S: Sample>(given: &Given<S>, i: usize, ends: Option<[S; 2]>, is_none: bool) {
-    // In units of the square of the least exponent that occurs anywhere.
+    // In units of the square of the least exponent.
     let extremes = [S::ZERO.moved(1), S::GREATEST, S::LEAST];
     let (whole, one) = Given { point: extremes, ..*given }.whole();
     let reach: IBig = (0..3)
@@ -192,8 +192,8 @@ fn check_ends<S: Sample>(given: &Given<S>, i: usize, ends: Option<[S; 2]>, is_no
     }
 }
 
-/// How far dot products are from those of a frame at most, in eighths of one: the
-/// product with 8/one², which is to be one at most, and one² itself.
+/// The greatest deviation of dot products from an orthonormal frame's, in eighths of one: the
+/// deviation times 8, and one², which it must not exceed.
 fn off_frame<S: Sample>(axes: &[Point<S>; 3]) -> (IBig, IBig) {
     let given =
         Given { center: [S::ZERO; 3], axes: *axes, half: [S::ZERO; 3], point: [S::ZERO; 3] };
@@ -210,8 +210,8 @@ fn off_frame<S: Sample>(axes: &[Point<S>; 3]) -> (IBig, IBig) {
     (most, square)
 }
 
-/// Axes near the tolerance are taken or refused as they should be, but for those
-/// within 2^-12 of it in scalars that the check cuts.
+/// Axes near the tolerance are accepted or refused correctly, except within 2^-12 of it in scalars
+/// that the check truncates.
 fn check_frames<S: Sample>() {
     let mut rng = Rng::new(0xf2a3e);
     let exact = S::ZERO.moved(1).mantissa_exponent().1;

@@ -3,7 +3,7 @@
 use septum_kit::boxes::{AnyBox, BoxCase, BoxSet, ObbNumbers};
 use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar, with_every_scalar};
 
-/// So many cases of each set.
+/// The number of cases of each set.
 const CASES: usize = 800;
 
 fn agrees_with_the_oracle<S: Sample>() {
@@ -22,7 +22,8 @@ fn agrees_with_the_oracle<S: Sample>() {
 }
 for_every_scalar!(agrees_with_the_oracle);
 
-/// Of a hundred times as many: `cargo test --release --test promises oriented_pairs -- --ignored`.
+/// A hundred times as many cases: `cargo test --release --test promises oriented_pairs --
+/// --ignored`.
 #[test]
 #[ignore = "takes minutes"]
 fn agrees_with_the_oracle_on_many() {
@@ -40,7 +41,7 @@ fn agrees_with_the_oracle_on_many() {
     with_every_scalar!(many);
 }
 
-/// Cases that are plain to see, the oracle among those asked.
+/// Cases with obvious answers, also for the oracle.
 #[test]
 fn contact_is_overlap() {
     let along = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -51,7 +52,7 @@ fn contact_is_overlap() {
     let after = 2.000_000_000_000_000_4;
     for first in [unit, corners] {
         for (second, expected) in [
-            // Face on face, edge on edge, corner on corner; and one place beside.
+            // Face on face, edge on edge, corner on corner; and one unit in the last place apart.
             (obb([2.0, 0.0, 0.0], along, [1.0; 3]), true),
             (obb([after, 0.0, 0.0], along, [1.0; 3]), false),
             (obb([2.0, 2.0, 0.0], along, [1.0; 3]), true),
@@ -61,7 +62,7 @@ fn contact_is_overlap() {
             // An edge on a face.
             (obb([2.0, 0.0, 0.0], turned, [0.0, 0.0, 3.0]), false),
             (obb([1.0, 0.0, 0.0], turned, [0.0, 0.0, 3.0]), true),
-            // One in the other, and a point.
+            // One inside the other, and a point.
             (obb([0.0; 3], turned, [0.5; 3]), true),
             (obb([0.0; 3], turned, [9.0; 3]), true),
             (obb([1.0; 3], turned, [0.0; 3]), true),

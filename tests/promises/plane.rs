@@ -36,7 +36,7 @@ fn exact_on_random_and_on_grid<S: Sample>() {
     let size = (S::GREATEST.approximate() / 4.0).min(4.0);
     let seen = sample::<S>(40_000, |rng| S::nearest(rng.real(-size, size)));
     assert!(seen.iter().all(|&n| n > 1_000), "{seen:?}");
-    // Whole numbers, where contact is common.
+    // Integers, with which contact is common.
     let seen = sample::<S>(40_000, |rng| S::nearest(rng.whole(-3, 3) as f64));
     assert!(seen.iter().all(|&n| n > 1_000), "{seen:?}");
 }
@@ -50,7 +50,7 @@ mod extremes {
             let end = [S::LEAST, S::GREATEST, S::ZERO, S::nearest(1.0)][rng.below(4)];
             end.moved(rng.whole(-2, 2))
         });
-        // Everything from the least to the greatest magnitude, evenly by bits.
+        // All magnitudes, distributed evenly by bits.
         sample::<S>(20_000, |rng| S::from_ordinal(rng.bits() as i64 >> rng.below(64)));
     }
     for_every_scalar!(exact_at_the_extremes);

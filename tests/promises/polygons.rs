@@ -6,7 +6,7 @@ use septum::{Aabb, Segment, ShapeError, Triangle, Vec3};
 use septum_kit::polygons::{PlanePolygon, PolygonCase, PolygonSet};
 use septum_kit::{Rng, Sample, for_every_scalar};
 
-/// All of the sets: how many meet of each.
+/// All sets; counts the overlaps of each.
 fn agrees_on_every_set<S: Sample>(count: usize) {
     for set in PolygonSet::all() {
         let cases = set.cases::<S>(0x9017, count);
@@ -37,7 +37,8 @@ fn agrees_with_clipping_on_many() {
     agrees_on_every_set::<I32F32>(COUNT);
 }
 
-/// A convex polygon in one plane is its fan, whichever vertex comes first: clipped as a whole.
+/// A convex planar polygon equals its fan, whichever vertex comes first: compared with clipping it
+/// as a whole.
 fn a_plane_convex_polygon_is_its_fan<S: Sample>() {
     let mut rng = Rng::new(0xfa2);
     let mut met = 0;
@@ -57,7 +58,7 @@ fn a_plane_convex_polygon_is_its_fan<S: Sample>() {
 }
 for_every_scalar!(a_plane_convex_polygon_is_its_fan);
 
-/// The answer is that for the triangle, where there are three vertices.
+/// With three vertices the answer is the triangle's.
 #[test]
 fn three_vertices_are_a_triangle() {
     for set in PolygonSet::all() {
@@ -92,14 +93,14 @@ fn what_is_no_polygon_is_refused() {
     }
 }
 
-/// Nothing of a surface is lost between two polygons that share an edge, bent or not.
+/// Two polygons that share an edge leave no gap, bent or not.
 #[test]
 fn polygons_that_share_an_edge_leave_no_gap() {
     let mut rng = Rng::new(0x9a9);
     for _ in 0..2_000 {
         let mut point = || Vec3::from(rng.triple(|rng| rng.real(-1.0, 1.0) as f32));
         let v = [(); 6].map(|()| point());
-        // Both go through vertices 0 and 3.
+        // Both contain vertices 0 and 3.
         let one = Polygon::new(&v[..4]).unwrap();
         let other = [v[3], v[4], v[5], v[0]];
         let other = Polygon::new(&other).unwrap();
@@ -112,8 +113,8 @@ fn polygons_that_share_an_edge_leave_no_gap() {
     }
 }
 
-/// Vertices in eighths, where `f32` holds every sum and product: only a mistake could make a
-/// difference. The diagonal's division does round, so contact is left out.
+/// Vertices in eighths, for which `f32` computes every sum and product exactly. The diagonal's
+/// division does round, so contact is left out.
 #[test]
 fn the_published_test_is_right_where_nothing_is_rounded() {
     let mut rng = Rng::new(0x6ee);

@@ -1,10 +1,10 @@
-//! A prepared ray against boxes: the answers of the oracle, and of the ray itself.
+//! A prepared ray against boxes: the answers of the oracle, and of the unprepared ray.
 
 use septum::prepared::PreparedRay;
 use septum_kit::lines::{Line, LineBox, LineSet};
 use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar};
 
-/// The oracle, the ray and the prepared ray; whether they meet.
+/// Compares the oracle, the ray and the prepared ray.
 fn check<S: Sample>(case: &LineBox<S>, meets: bool) {
     let (ray, aabb) = (case.ray().unwrap(), case.aabb());
     let prepared = PreparedRay::new(&ray);
@@ -32,9 +32,9 @@ fn exact_on_every_set<S: Sample>() {
 }
 for_every_scalar!(exact_on_every_set);
 
-/// All origins and directions of {−1, 0, 1}³ against all boxes of {−1, 0, 1}³, flat ones and
-/// points included, by corners and by centre, from 0 and up to 1/2: 600,000 cases, most of
-/// them in contact. Half-extents of 1/2 need a number with places.
+/// All origins and directions of {−1, 0, 1}³ against all boxes of {−1, 0, 1}³, including flat boxes
+/// and points, by corners and by centre, with ranges from 0 and up to 1/2: 600,000 cases, most of
+/// them in contact. Half-extents of 1/2 need a type with fraction bits.
 #[test]
 fn the_smallest_grid() {
     use fixed::types::{I4F4, I16F16, I32F32};
@@ -97,21 +97,21 @@ impl Numbers {
     }
 }
 
-/// Numbers of all magnitudes that there are, with ranges of all kinds: t that overflows, t
-/// that would underflow, directions without a reciprocal.
+/// Numbers of all magnitudes, with ranges of all kinds: t that overflows or underflows, directions
+/// without a reciprocal.
 fn exact_at_every_magnitude<S: Sample>(exponents: [i64; 2]) {
     let rng = &mut Rng::new(0xed6e);
     let power = |rng: &mut Rng, [low, high]: [i64; 2]| {
         let mut x = rng.real(1.0, 2.0);
         let e = rng.whole(low, high);
-        // In two steps, for either may be subnormal.
+        // As two factors, because either may be subnormal.
         x *= 2_f64.powi((e / 2) as i32) * 2_f64.powi((e - e / 2) as i32);
         S::nearest([x, -x, 0.0][rng.below(3)])
     };
     let narrow = exponents.map(|e| e / 8);
     let mut met = 0;
     for k in 0..120_000 {
-        // Now and then a direction that can be inverted, against anything.
+        // Sometimes an invertible direction, against any box.
         let along = if k % 2 == 0 { narrow } else { exponents };
         let mut row = |ends: [i64; 2]| rng.triple(|rng| power(rng, ends));
         let (o, d, p, q, t) =
@@ -154,15 +154,14 @@ fn exact_at_every_magnitude_of_f64() {
     exact_at_every_magnitude::<f64>([-1074, 1023]);
 }
 
-/// Small whole numbers times the least number there is, or nearly the greatest, along
-/// directions of every size: contact of every kind where t would underflow or overflow. The
-/// range begins at zero or at −0.
+/// Small integers times the least number, or nearly the greatest, along directions of every size:
+/// contact of every kind where t would underflow or overflow. The range begins at 0 or at −0.
 fn exact_in_contact_at_the_ends<S: Sample>(coordinates: [i32; 3], directions: [i32; 5]) {
     let rng = &mut Rng::new(0x0e4d);
     let mut met = 0;
     for k in 0..120_000 {
         let (a, b) = (coordinates[k % 3], directions[k / 3 % 5]);
-        // In two steps, for either may be subnormal.
+        // As two factors, because either may be subnormal.
         let times =
             |x: i64, e: i32| S::nearest(x as f64 * 2_f64.powi(e / 2) * 2_f64.powi(e - e / 2));
         let (o, p, q) = (
@@ -200,15 +199,16 @@ fn exact_in_contact_at_the_ends_of_f64() {
     exact_in_contact_at_the_ends::<f64>([-1074, -1022, 1020], [-402, -390, 0, 390, 400]);
 }
 
-/// A ray from the world's origin through the corner of a box, and the same corner moved one
-/// place: where the two values of t are nearest to each other.
+/// A ray from the world's origin through the corner of a box, and the corner moved by one unit in
+/// the last place: the two values of t are as close as possible.
 fn exact_next_to_corners<S: Sample>() {
     let rng = &mut Rng::new(0xc042);
     let mut met = 0;
     for k in 0..20_000 {
         let size = S::GREATEST.approximate().min(16.0);
         let corner = rng.triple(|rng| S::nearest(rng.real(size / 16.0, size / 4.0)));
-        // Once the direction is the corner itself: t = 1 on all axes. Else it is rounded.
+        // In half of the cases the direction is the corner itself, with t = 1 on all axes;
+        // otherwise it is rounded.
         let scale = if k % 2 == 0 { 1.0 } else { rng.real(0.5, 1.0) };
         let d = corner.map(|x| S::nearest(x.approximate() * scale));
         let side = rng.triple(|rng| rng.one_in(2));

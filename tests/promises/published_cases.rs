@@ -1,9 +1,8 @@
-//! Hard cases that others published: bug reports and tests of other libraries. The numbers are
-//! theirs. The answers are exact, and each is checked by the oracle too; where a published
-//! answer is another one, the reason is beside it.
+//! Hard cases from bug reports and tests of other libraries, with their numbers. The answers are
+//! exact, and the oracle checks each. If a published answer differs, the reason is beside it.
 //!
-//! A segment is asked about as a ray too, with t from 0 to 1 along the difference of its ends,
-//! rounded in `f64`. Pairs of triangles are in `published_pairs`.
+//! A segment is also tested as a ray, with t from 0 to 1 along the difference of its ends, rounded
+//! in `f64`. Pairs of triangles are in `published_pairs`.
 
 use septum_kit::flat::{Flat, FlatCase, Truth};
 use septum_kit::rays::{RayCase, crossing};
@@ -12,10 +11,10 @@ use septum_kit::{BoxNumbers, Case, Sample, meets};
 /// The answer to a case.
 #[derive(Clone, Copy)]
 enum Answer {
-    /// As it was published.
+    /// As published.
     Yes,
     No,
-    /// Not as it was published, and why.
+    /// Not as published, with the reason.
     Differs(bool, &'static str),
 }
 use Answer::{Differs, No, Yes};
@@ -28,7 +27,7 @@ impl Answer {
         }
     }
 
-    /// That a case with an answer of its own says why.
+    /// Panics if an answer that differs has no reason.
     fn check(self, source: &str) {
         assert!(!matches!(self, Differs(_, why) if why.is_empty()), "{source}");
     }
@@ -36,7 +35,7 @@ impl Answer {
 
 type Point<S> = [S; 3];
 type Corners<S> = [Point<S>; 3];
-/// A source, a triangle, a box from its least to its greatest corner.
+/// A source, a triangle, a box by its least and greatest corner.
 type InBox<S> = (&'static str, Corners<S>, [Point<S>; 2], Answer);
 /// A source, a triangle, an origin, a direction.
 type OfRay<S> = (&'static str, Corners<S>, [Point<S>; 2], Answer);
@@ -55,7 +54,7 @@ fn check_boxes<S: Sample>(table: &[InBox<S>]) {
     }
 }
 
-/// Of the oracle and of the crate, which must agree.
+/// The answer of the oracle and of the crate, which must agree.
 fn is_hit<S: Sample>(case: &RayCase<S>, source: &str) -> bool {
     let truth = crossing(case).is_some();
     assert_eq!(case.ray().is_hit(&case.triangle()), truth, "{source}: {case:?}");
@@ -76,8 +75,8 @@ fn segment([a, b]: [Point<f64>; 2], vertices: Corners<f64>) -> RayCase<f64> {
     RayCase { t_max: Some(1.0), ..RayCase::new(a, direction, vertices) }
 }
 
-// LLNL/axom, `src/axom/primal/tests/primal_intersect.cpp`: its triangles, and the point that its
-// rays start from. A source "axom" names the test there.
+// LLNL/axom, `src/axom/primal/tests/primal_intersect.cpp`: its triangles, and the origin of its
+// rays. A source "axom" names a test there.
 const UNIT: Corners<f64> = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 const FAR: Point<f64> = [5.0; 3];
 const WIDE: Corners<f64> = [[10.0, 0.0, 0.0], [-10.0, 0.0, 0.0], [0.0, 100.0, 0.0]];
@@ -120,12 +119,12 @@ const BOXES: [InBox<f64>; 25] = [
 #[rustfmt::skip]
 const BOXES_F32: [InBox<f32>; 2] = [
     ("juj/MathGeoLib#51", [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [[-2.0; 3], [2.0; 3]], Yes),
-    // A point beside a triangle: a box without extent.
+    // A point beside a triangle, as a box without extent.
     ("libgdx/libgdx#6882", [[50.008057, 22.20586, 124.62208], [62.282288, 22.205864, 109.665924], [70.92052, 7.205861, 115.437805]],
         [[-5120.8345, 8946.126, -3270.5813], [-5120.8345, 8946.126, -3270.5813]], No),
 ];
 
-/// 2·10⁻⁴, the side of a triangle whose determinant is small.
+/// 2·10⁻⁴, the side of a triangle with a small determinant.
 const SMALL: f32 = 2e-4;
 /// A quad of two triangles, and a ray through its diagonal.
 const QUAD_RAY: [Point<f32>; 2] = [[0.0, 0.0, 10.0], [0.30458447, 0.30458447, -0.9024725]];
@@ -148,7 +147,7 @@ const RAYS_F32: [OfRay<f32>; 9] = [
     ("Selinux24/Skirmish#5, second", [[-61.77698, 0.0, -58.68813], [-58.68813, 9.74461e-7, -58.68813], [-61.77698, 0.0, -61.77698]], DOWN, Yes),
 ];
 
-/// A triangle whose lower edge a level ray crosses.
+/// A triangle whose lower edge a horizontal ray crosses.
 const LEVEL: Corners<f64> = [
     [-1.3836679458618164, -4.480311870574951, 10.0],
     [3.9273109436035156, 5.897944450378418, 8.0],
@@ -164,7 +163,7 @@ const RAYS: [OfRay<f64>; 2] = [
 
 const CENTRE: Point<f64> = [1.0 / 3.0; 3];
 
-/// Rays of axom's `triangle_ray_intersection`, towards a point.
+/// Rays of axom's `triangle_ray_intersection`, toward a point.
 #[rustfmt::skip]
 const TOWARDS: [OfRay<f64>; 20] = [
     ("clear miss", UNIT, [FAR, [6.0, 5.0, 5.0]], No),
@@ -184,7 +183,7 @@ const TOWARDS: [OfRay<f64>; 20] = [
     ("hit 2", UNIT, [FAR, [0.0; 3]], Yes),
     ("hit 3", UNIT, [FAR, [0.1, 0.6, 0.0]], Yes),
     ("coplanar miss", UNIT, [[-0.1, 1.1, 0.0], [-0.1, 0.0, 1.1]], No),
-    // Rays in the plane of the triangle miss it here as there.
+    // Rays in the plane of the triangle miss it in both libraries.
     ("coplanar intersection", FLAT, [[1.0, 0.5, 0.0], [-1.0, 0.5, 0.0]], No),
     ("coplanar interior ray origin", UNIT, [CENTRE, [0.5, 0.0, 0.5]],
         Differs(true, "a third is rounded: the ray is not in the plane, and comes to it on an edge")),
@@ -192,7 +191,7 @@ const TOWARDS: [OfRay<f64>; 20] = [
         Differs(true, "a miss by design there; here the origin belongs to the ray")),
 ];
 
-/// Segments of axom's `triangle_segment_intersection`, each also the other way.
+/// Segments of axom's `triangle_segment_intersection`, each in both directions.
 #[rustfmt::skip]
 const SEGMENTS: [OfEnds; 18] = [
     ("clear miss", [FAR, [6.0, 5.0, 5.0]], No),

@@ -1,6 +1,5 @@
-//! Hard pairs of triangles that others published: bug reports of other libraries. The numbers
-//! are theirs. The answers are exact, and each is checked by the oracle too, in all orders of
-//! vertices and triangles.
+//! Hard pairs of triangles from bug reports of other libraries, with their numbers. The answers are
+//! exact, and the oracle checks each, in all orders of vertices and triangles.
 
 use septum_kit::VERTEX_ORDERS;
 use septum_kit::flat::{Flat, FlatCase, Truth};
@@ -67,8 +66,7 @@ const CSG_O: [f64; 3] = [0.0, -0.5, 0.0];
 const CSG_P: [f64; 3] = [-1.2246468525851679e-16, -0.5, 0.5];
 const CSG_Q: [f64; 3] = [-0.4755282700061798, -0.5, 0.15450850129127502];
 
-/// libigl/libigl#2381: a triangle divided twice, the numbers rounded. Of its faces only
-/// neighbours meet.
+/// libigl/libigl#2381: a triangle subdivided twice, with rounded numbers. Only adjacent faces meet.
 #[rustfmt::skip]
 const DIVIDED: [[f64; 3]; 15] = [
     [0.280039012432098, 0.827663004398346, 0.463775008916855],
@@ -106,7 +104,7 @@ const FACES: [[usize; 3]; 16] = [
     [14, 13, 12],
 ];
 
-/// What the crate and the oracle say, in every order.
+/// The answers of the crate and the oracle, in every order.
 fn meet([t, u]: [Corners; 2]) -> bool {
     let answer = FlatCase { flat: Flat::Triangle(t), triangle: u }.truth() != Truth::Apart;
     for i in VERTEX_ORDERS {

@@ -21,7 +21,7 @@ fn exact_on_every_set<S: Sample>() {
     }
 }
 
-/// Correctly rounded in fixed point, near in floats.
+/// Correctly rounded in fixed point, within the bound in floats.
 fn t_range_on_every_set<S: Sample>() {
     for set in LineSet::ALL {
         let rng = &mut Rng::new(0x7a9e);
@@ -57,8 +57,8 @@ fn is_rounded<S: Sample>(t: S, expected: &Fraction) -> bool {
     expected.is_within(t, bound)
 }
 
-/// Every coordinate that an 8-bit type has, for an origin and a direction on one axis;
-/// and every pair of directions on two.
+/// Every coordinate of an 8-bit type, for an origin and a direction on one axis; and every pair of
+/// directions on two axes.
 #[test]
 fn t_is_rounded_to_the_nearest_for_all_of_i4f4() {
     use fixed::types::I4F4;
@@ -104,7 +104,7 @@ fn ranges_end_where_they_say() {
     assert_eq!(ray.with_range(5.0, 9.0).unwrap().t_range(&cell), None);
 }
 
-/// From one end of the range to the other is farther than the range goes, yet t is 2.
+/// The distance from one end of the range to the other exceeds the range, yet t is 2.
 #[test]
 fn a_difference_may_overflow_where_t_does_not() {
     fn check<S: Sample>() {
@@ -121,7 +121,7 @@ fn a_difference_may_overflow_where_t_does_not() {
     check::<f64>();
 }
 
-/// No number is above this t: what it is off by is counted in the last place below.
+/// No number is above this t, so its error is measured in the last place below.
 #[test]
 fn t_may_be_the_greatest_number() {
     fn check<S: Sample>() {
@@ -141,7 +141,7 @@ fn t_may_be_the_greatest_number() {
     check::<f64>();
 }
 
-/// A range in fixed point counts in the scalar's own unit, at every place of the point.
+/// A range in fixed point counts in the scalar's own unit, for every position of the point.
 #[test]
 fn ranges_have_the_scalars_unit() {
     use fixed::types::{I0F8, I0F32, I0F64, I1F7, I8F0, I16F16, I32F0, I64F0};

@@ -1,6 +1,5 @@
-//! The rounded and the conservative methods of rays and segments against boxes: right
-//! wherever components are zero and the numbers are small and whole, and never a box
-//! lost that the conservative ones should keep.
+//! The rounded and the conservative methods of rays and segments against boxes: right if components
+//! are zero and the numbers are small integers, and the conservative ones never lose a box.
 
 use fixed::types::{I8F8, I16F16, I32F32};
 use septum::prepared::PreparedRay;
@@ -10,9 +9,8 @@ use septum::published::slopes::SlopeRay;
 use septum_kit::lines::{Line, LineBox, LineSet};
 use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar};
 
-/// 60 directions with one component of zero or two, 125 origins, 9 boxes in two forms:
-/// 135,000 cases, a good part of them with the origin on the plane of a slab. Then the
-/// same with zeros below zero, in floats.
+/// 60 directions with one or two zero components, 125 origins, 9 boxes in two forms: 135,000 cases,
+/// many with the origin in the plane of a face. Floats repeat them with negative zeros.
 fn components_of_zero<S: Sample>(zero: S) {
     let number = |n: i64| if n == 0 { zero } else { S::nearest(n as f64) };
     let plain = |n: f64| S::nearest(n);
@@ -129,8 +127,8 @@ fn never_false_where_they_meet<S: Sample>() {
     }
 }
 
-/// It would be easy never to miss by always saying yes; and the rounded methods err
-/// where there is contact, not at random.
+/// Always answering `true` would never miss, so most random misses must be found; and the rounded
+/// methods may fail in contact, but not on random input.
 fn right_on_nearly_all_that_is_random<S: Sample>() {
     let is_float = S::ZERO.moved(1).approximate() < 1e-30;
     let rng = &mut Rng::new(0x4a11);
@@ -157,8 +155,8 @@ fn right_on_nearly_all_that_is_random<S: Sample>() {
 
 for_every_scalar!(never_false_where_they_meet, right_on_nearly_all_that_is_random);
 
-/// Rays from within rounding of a corner of a box given by its centre, where both ends
-/// of the interval are next to zero and centre and half-extent cancel.
+/// Rays from within rounding of a corner of a box given by its centre: both ends of the interval
+/// are near zero, and centre and half-extent cancel.
 fn no_box_is_lost_at_its_corners<S: Sample>() {
     let rng = &mut Rng::new(0xc042);
     let mut met = 0;
@@ -183,7 +181,7 @@ fn no_box_is_lost_at_its_corners<S: Sample>() {
 }
 for_every_scalar!(no_box_is_lost_at_its_corners);
 
-/// Where t overflows, underflows or has no reciprocal.
+/// Inputs for which t overflows, underflows or has no reciprocal.
 #[test]
 fn no_box_is_lost_at_the_ends_of_the_range() {
     let rng = &mut Rng::new(0xed6e);

@@ -1,5 +1,5 @@
-//! The oracle of rays itself: on cases that anyone can see, against the point
-//! that it claims, and in both widths of integers.
+//! The oracle of rays itself: on cases with obvious answers, at the point that it returns, and in
+//! both integer widths.
 
 use core::cmp::Ordering;
 
@@ -46,7 +46,7 @@ fn ranges_have_ends() {
     let behind = RayCase { direction: [0.0, 0.0, 2.0], ..ray };
     assert!(crossing(&behind).is_none() && crossing(&behind.line()).is_some());
     assert!(crossing(&RayCase { t_min: Some(-1.5), ..behind }).is_some());
-    // From the triangle itself.
+    // An origin on the triangle itself.
     assert!(crossing(&RayCase { origin: [1.0, 1.0, 0.0], ..ray }).is_some());
 }
 
@@ -60,7 +60,7 @@ fn what_is_parallel_crosses_nowhere() {
 
 #[test]
 fn fractions_know_their_neighbours() {
-    // t is 1/3: not a number of any of the types.
+    // t is 1/3, which no type can represent.
     let third = RayCase::new([0.5, 0.5, 1.0], [0.0, 0.0, -3.0], CORNER);
     let t = crossing(&third).expect("a hit").t;
     assert!(t.is_nearest(1.0_f64 / 3.0) && t.is_nearest(1.0_f32 / 3.0));
@@ -68,7 +68,7 @@ fn fractions_know_their_neighbours() {
     assert!(t.is_nearest(I8F8::from_bits(85)) && !t.is_nearest(I8F8::from_bits(86)));
     assert!((t.error_in_ulp(I8F8::from_bits(85)) - 1.0 / 3.0).abs() < 1e-12);
     assert!((t.error_in_ulp(I8F8::from_bits(88)) - 8.0 / 3.0).abs() < 1e-12);
-    // Half a unit: of two, the even one.
+    // Half a unit: a tie, which goes to the even number.
     let tie = RayCase::new([0.5, 0.5, 1.0], [0.0, 0.0, -512.0], CORNER);
     let t = crossing(&tie).expect("a hit").t;
     assert!(t.is_nearest(I8F8::ZERO) && !t.is_nearest(I8F8::DELTA));
@@ -77,7 +77,7 @@ fn fractions_know_their_neighbours() {
     assert!(crossing(&far).expect("a hit").t.is_beyond::<I8F8>());
 }
 
-/// Ray and triangle have the point that the fractions say.
+/// Ray and triangle meet at the point of the fractions.
 fn points_agree<S: Sample>() {
     for set in RaySet::ALL {
         if matches!(set, RaySet::Huge) {
@@ -111,7 +111,7 @@ fn widths_agree<S: Sample>() {
     }
 }
 
-/// No set is all of one verdict, or it would show little.
+/// Every set contains both verdicts, or it would show little.
 fn every_set_has_both_verdicts<S: Sample>() {
     for set in RaySet::ALL {
         let cases = set.cases::<S>(33, 2_000);

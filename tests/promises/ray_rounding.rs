@@ -1,5 +1,4 @@
-//! t, u and v of `ray.hit`: the nearest numbers there are in fixed point, within
-//! 2 ulp in floats.
+//! t, u and v of `ray.hit`: the nearest numbers in fixed point, and within 2 ulp in floats.
 
 use fixed::FixedI8;
 use fixed::types::extra::{LeEqU8, U0, U4, U7};
@@ -8,7 +7,7 @@ use septum::{Ray, Triangle};
 use septum_kit::rays::{RayCase, RaySet, crossing};
 use septum_kit::{Rng, Sample};
 
-/// num / den to the nearest, of two the even one, no farther than 8 bits go.
+/// num / den to the nearest, ties to even, clamped to 8 bits.
 fn nearest(num: i32, den: i32) -> i32 {
     let (num, den) = if den < 0 { (-num, -den) } else { (num, den) };
     let (q, r) = (num.div_euclid(den), num.rem_euclid(den));
@@ -20,8 +19,7 @@ fn fixed<Frac: LeEqU8>(bits: i32) -> FixedI8<Frac> {
     FixedI8::from_bits(bits as i8)
 }
 
-/// All t of an 8-bit type: the plane at every height, the ray from every height
-/// with every step.
+/// All t of an 8-bit type: the plane at every height, the ray from every height with every step.
 fn every_t<Frac: LeEqU8 + Send + Sync + 'static>() {
     let at = fixed::<Frac>;
     let mut ends = 0;
@@ -41,8 +39,8 @@ fn every_t<Frac: LeEqU8 + Send + Sync + 'static>() {
     assert!(ends > 1_000);
 }
 
-/// All u and v of an 8-bit type on the edges of right triangles with every place
-/// and length, or at a middle height.
+/// All u and v of an 8-bit type on the edges of right triangles of every position and length, or at
+/// half height.
 fn every_u_and_v<Frac: LeEqU8 + Send + Sync + 'static>() {
     let at = fixed::<Frac>;
     for a in -128..128 {
@@ -116,13 +114,13 @@ fn nearest_in_i32f32() {
     is_nearest_on_every_set::<I32F32>();
 }
 
-/// That the numbers of a hit are within 2 ulp; and whether it is one.
+/// Checks that the numbers of a hit are within 2 ulp; returns whether there is a hit.
 fn check<S: Sample>(case: &RayCase<S>, told: &str) -> bool {
     let Some(truth) = crossing(case) else { return false };
     let hit = case.ray().hit(&case.triangle()).expect("a hit");
     for (name, x, truth) in [("t", hit.t, &truth.t), ("u", hit.u, &truth.u), ("v", hit.v, &truth.v)]
     {
-        // Past the greatest float there are no ulp.
+        // Beyond the greatest float there is no ulp.
         if !truth.is_beyond::<S>() {
             let error = truth.error_in_ulp(x);
             assert!(error <= 2.0, "{told}: {name} is {error} ulp off: {case:?}");
@@ -149,9 +147,9 @@ fn within_2_ulp_in_f64() {
     within_2_ulp_on_every_set::<f64>();
 }
 
-/// Coordinates of which no power of two is a common unit that 60 bits would do for, so that
-/// differences round and integers do not hold: products of two, some of them tiny. Aimed at
-/// the interior, at an edge, or nearly within the plane; near the triangle, or far away.
+/// Coordinates without a common unit that 60 bits can hold, so that differences are rounded and
+/// integers overflow: products of two numbers, some of them tiny. The ray aims at the interior, at
+/// an edge, or nearly within the plane, from near the triangle or far away.
 #[test]
 fn within_2_ulp_of_long_numbers_in_f64() {
     let mut rng = Rng::new(53);

@@ -1,5 +1,5 @@
-//! `ray.hit` gives the exact answer: on every set, in every scalar, and on
-//! numbers of any magnitude, against a point solved for in fractions.
+//! `ray.hit` gives the exact answer: on every set, in every scalar, and on numbers of any
+//! magnitude, compared with the intersection in fractions.
 
 use core::cmp::Ordering;
 
@@ -10,7 +10,7 @@ use septum::{Cull, Facing, Feature, HitRules};
 use septum_kit::rays::{RayCase, RaySet, crossing};
 use septum_kit::{Rng, Sample, for_every_scalar};
 
-/// All exact questions about one case, against the oracle.
+/// All exact queries about one case, compared with the oracle.
 fn check<S: Sample>(case: &RayCase<S>) {
     let (ray, triangle, truth) = (case.ray(), case.triangle(), crossing(case));
     let met = |hit: &septum::Hit<S>| (hit.facing, hit.feature);
@@ -33,7 +33,7 @@ fn check<S: Sample>(case: &RayCase<S>) {
         assert_eq!(hit, expected, "prepared, {cull:?}: {case:?}");
     }
 
-    // What counts once is a hit; a hit that is in contact with nothing counts.
+    // A hit that counts once is a hit, and a hit in the interior always counts.
     let once = ray.hit_once(&triangle);
     let rules = HitRules::new().once();
     assert_eq!(once.is_some(), ray.is_hit_with(&triangle, rules), "{case:?}");
@@ -57,8 +57,8 @@ fn every_set<S: Sample>() {
 
 for_every_scalar!(every_set);
 
-/// Directions of a few least numbers, at triangles of another size: products of both are rounded
-/// by as much as they are.
+/// Directions of a few least numbers, toward triangles of another size: rounding changes their
+/// products by as much as the products themselves.
 fn tiny_directions<S: Sample>() {
     let mut rng = Rng::new(44);
     for _ in 0..10_000 {
@@ -72,8 +72,8 @@ fn tiny_directions<S: Sample>() {
     }
 }
 
-/// Rays that begin at triangles of a size whose square comes to a few least numbers: on which side
-/// of an edge they pass is all rounding.
+/// Rays that begin at triangles so small that products of two lengths are a few least numbers:
+/// rounding alone determines the side of an edge on which they pass.
 fn tiny_edges<S: Sample>(least: i32) {
     let mut rng = Rng::new(45);
     for _ in 0..10_000 {
@@ -108,8 +108,7 @@ fn tiny_directions_in_f64() {
     tiny_directions::<f64>();
 }
 
-/// Fifteen numbers and two ends out of four, and of their opposites, so that they
-/// coincide.
+/// Fifteen numbers and two ends chosen from four and their negatives, so that many coincide.
 fn case_of<S: Sample>(number: impl Strategy<Value = S>) -> impl Strategy<Value = RayCase<S>> {
     let pool = proptest::collection::vec(number, 4);
     let picks = proptest::array::uniform15(0..9_usize);

@@ -1,5 +1,5 @@
-//! Touching told apart from overlapping: exact. Triangles, segments and points against triangles
-//! are in `flat_shapes`.
+//! Disjoint, touching or overlapping: exact. Triangles, segments and points against triangles are
+//! in `flat_shapes`.
 
 use septum::relation::{Relate, Relation};
 use septum::{Aabb, Triangle};
@@ -8,7 +8,7 @@ use septum_kit::contact::truth;
 use septum_kit::fixed::types::{I4F4, I8F8, I16F16, I32F32};
 use septum_kit::{BoxNumbers, Oriented, Rng, Sample, Set, Touch, for_every_scalar};
 
-/// So many cases of each set.
+/// The number of cases of each set.
 const TURNED: usize = 400;
 
 fn boxes_with_oriented_boxes<S: Sample>() {
@@ -46,8 +46,8 @@ fn triangles_with_oriented_boxes<S: Sample>() {
 }
 for_every_scalar!(triangles_with_oriented_boxes);
 
-/// Of 500 times as many:
-/// `cargo test --release --test promises oriented_boxes_on_many -- --ignored --nocapture`.
+/// 500 times as many cases: `cargo test --release --test promises oriented_boxes_on_many --
+/// --ignored --nocapture`.
 #[test]
 #[ignore = "takes minutes"]
 fn triangles_with_oriented_boxes_on_many() {
@@ -95,8 +95,8 @@ fn triangles_with_boxes<S: Sample>() {
 }
 for_every_scalar!(triangles_with_boxes);
 
-/// Any numbers whatever: disjoint exactly if they do not overlap, and of the rest the axes of
-/// exact sums say what those of integers do.
+/// Arbitrary numbers: disjoint exactly if they do not overlap, and otherwise exact sums and
+/// integers agree.
 fn disjoint_is_not_overlapping<S: Sample>() {
     for set in [Set::Random, Set::Slivers, Set::Far, Set::Degenerate, Set::Huge] {
         for case in set.cases::<S>(0x7e3, 500) {
@@ -108,7 +108,7 @@ fn disjoint_is_not_overlapping<S: Sample>() {
 }
 for_every_scalar!(disjoint_is_not_overlapping);
 
-/// Whether two intervals meet, and whether what is inside of them does.
+/// Whether two intervals meet, and whether their interiors do.
 fn intervals([a, b]: [i64; 2], [c, d]: [i64; 2]) -> (bool, bool) {
     let inside = |p: i64, [a, b]: [i64; 2]| a < p && p < b || a == b && p == a;
     let do_meet = a.max(c) <= b.min(d);
@@ -164,7 +164,7 @@ fn what_lies_on_a_face_touches() {
     let on_floor = Triangle::new(at([0.25, 0.25, 0.0]), at([0.5, 0.25, 0.0]), at([0.25, 0.5, 0.0]));
     let on_floor = on_floor.unwrap();
     assert_eq!(on_floor.relation(&cell), Relation::Touching);
-    // A flat box has its inside in its own plane.
+    // The interior of a flat box is within its own plane.
     assert_eq!(on_floor.relation(&floor), Relation::Overlapping);
     assert_eq!(floor.relation(&cell), Relation::Touching);
     assert_eq!(floor.relation(&floor), Relation::Overlapping);

@@ -1,5 +1,5 @@
-//! The rounded methods of ray against triangle: right where the case is easy,
-//! closed, quiet where it is hopeless; and the watertight one leaves no gap.
+//! The rounded methods of ray against triangle: right in easy cases, closed, and free of panics in
+//! hopeless ones; and the watertight method leaves no gap.
 
 use septum::published;
 use septum::published::projected::ProjectedTriangle;
@@ -45,8 +45,8 @@ fn ray<S: Sample>(origin: [f64; 3], direction: [f64; 3]) -> Ray<S> {
     Ray::new(at(origin), at(direction)).unwrap()
 }
 
-/// How wrong a quotient may be, for numbers of about one: a few hundred units of
-/// the last place. In an eighth of eight bits nothing is left to compare.
+/// The permitted error of a quotient of numbers of about one: a few hundred units of the last
+/// place. An eighth in 8 bits leaves nothing to compare.
 fn tolerance<S: Sample>() -> f64 {
     let one = S::nearest(1.0);
     500.0 * (one.moved(1).approximate() - one.approximate())
@@ -92,7 +92,7 @@ fn all_agree_with_the_exact_hit<S: Sample>() {
         let (ray, triangle) = (ray::<S>(origin, direction), triangle::<S>(points));
         let exact = ray.hit(&triangle);
         for (name, method) in methods::<S>() {
-            // Four bits of fraction are too few for anything to be well inside.
+            // Four fraction bits are too few for any point to be well inside.
             if S::name() == "I4F4" {
                 method(&ray, &triangle, Cull::Nothing);
                 continue;
@@ -141,7 +141,7 @@ fn culling_and_range<S: Sample>() {
     }
 }
 
-/// Every point of a grid on a triangle, where all of it is exact.
+/// Every point of a grid on a triangle, where all arithmetic is exact.
 fn touching_is_a_hit<S: Sample>() {
     let points = [[0.0; 3], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]];
     for turn in 0..3 {
@@ -187,8 +187,8 @@ fn flat_triangles_have_none<S: Sample>() {
     }
 }
 
-/// Coordinates at the ends of the range and next to zero: no panic, and a hit
-/// bears numbers, with t in the range.
+/// Coordinates at the ends of the range and near zero: no panic, and a hit has finite numbers, with
+/// t in the range.
 fn extremes_are_quiet<S: Sample>() {
     let zero = S::ZERO;
     let values = [
@@ -219,10 +219,10 @@ fn extremes_are_quiet<S: Sample>() {
     }
 }
 
-/// Rays aimed at the edge that two triangles share, which close up around it as
-/// the ray sees them: one of them is hit, however thin, small or far they are.
+/// Rays toward the edge that two triangles share, seen closed by the ray: one triangle is hit,
+/// however thin, small or far away.
 fn no_gap_along_an_edge<S: Sample>() {
-    // With four bits of fraction the rounded ray may pass beside both.
+    // With four fraction bits the rounded ray may pass both triangles.
     if S::name() == "I4F4" {
         return;
     }
@@ -235,7 +235,7 @@ fn no_gap_along_an_edge<S: Sample>() {
         let target =
             [0, 1, 2].map(|i| p[i].approximate() * (1.0 - share) + q[i].approximate() * share);
         let d = [0, 1, 2].map(|i| target[i] - o[i].approximate());
-        // Sideways of the edge, on either side of the plane of ray and edge.
+        // Sideways from the edge, on either side of the plane of ray and edge.
         let edge = [0, 1, 2].map(|i| q[i].approximate() - p[i].approximate());
         let side = normal([[0.0; 3], edge, d]);
         let length = dot(side, side).sqrt();
@@ -258,8 +258,8 @@ fn no_gap_along_an_edge<S: Sample>() {
     }
 }
 
-/// The extent of a scene and its distance from the origin. In the smallest all
-/// products of two coordinates are rounded to zero.
+/// The extent of a scene and its distance from the origin. In the smallest scenes all products of
+/// two coordinates are rounded to zero.
 fn scene<S: Sample>(case: usize) -> (f64, f64) {
     match S::name().as_str() {
         "I4F4" => (1.0, 0.0),
@@ -270,7 +270,7 @@ fn scene<S: Sample>(case: usize) -> (f64, f64) {
     }
 }
 
-/// Rays aimed at the middle of a fan that goes all the way round.
+/// Rays toward the middle of a closed fan.
 fn no_gap_around_a_vertex<S: Sample>() {
     let rng = &mut Rng::new(5);
     for case in 0..20_000 {

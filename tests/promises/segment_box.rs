@@ -1,5 +1,5 @@
-//! A segment against an axis-aligned box: contact by hand, and forms that must agree.
-//! The sets of `ray_box` hold segments too.
+//! A segment against an axis-aligned box: contacts by hand, and agreement of the forms. The sets of
+//! `ray_box` contain segments too.
 
 use septum::published;
 use septum::{Aabb, Segment, ShapeError};
@@ -59,8 +59,8 @@ fn points_are_segments() {
     assert_eq!(Segment::new([f64::NAN; 3], [0.0; 3]), Err(ShapeError::NotFinite));
 }
 
-/// Ends and centre, corners and half-extents: the same sets in whole numbers, and the
-/// same verdict; a mirror image has it too.
+/// Ends and centre, corners and half-extents: the same shapes in integers have the same verdict,
+/// and so has their mirror image.
 fn forms_agree<S: Sample>() {
     let rng = &mut Rng::new(0x5e6);
     for _ in 0..40_000 {

@@ -1,5 +1,4 @@
-//! Boxes against boxes and points, and boxes around boxes, against whole numbers
-//! of any size.
+//! Boxes against boxes and points, and bounding boxes, compared with integers of any size.
 
 use dashu_int::IBig;
 use septum::{Aabb, Obb, Overlaps};
@@ -7,7 +6,7 @@ use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar};
 
 type Point<S> = [S; 3];
 
-/// Every number as a multiple of one power of two, which divides one.
+/// The exponent of a power of two that divides every number, and one.
 struct Unit(i32);
 
 impl Unit {
@@ -35,8 +34,8 @@ fn ends<S: Sample>(b: &BoxNumbers<S>, unit: &Unit, i: usize) -> [IBig; 2] {
     }
 }
 
-/// Whether something is left of one box in the other: on each axis from the greater
-/// of the lower ends to the less of the upper.
+/// Whether clipping one box by the other leaves a point: on each axis, from the greater lower end
+/// to the lesser upper end.
 fn boxes_meet<S: Sample>(a: &BoxNumbers<S>, b: &BoxNumbers<S>) -> bool {
     let unit = Unit::of(&[rows(a), rows(b)].concat());
     (0..3).all(|i| {
@@ -45,7 +44,7 @@ fn boxes_meet<S: Sample>(a: &BoxNumbers<S>, b: &BoxNumbers<S>) -> bool {
     })
 }
 
-/// How numbers lie.
+/// The distribution of numbers.
 #[derive(Clone, Copy, Debug)]
 enum Regime {
     Grid,
@@ -85,7 +84,7 @@ fn a_box<S: Sample>(rng: &mut Rng, regime: Regime) -> BoxNumbers<S> {
     let p = rng.triple(|rng| number::<S>(rng, regime));
     let q = rng.triple(|rng| number::<S>(rng, regime));
     if rng.one_in(2) {
-        // Half-extents of far boxes are near.
+        // Half-extents of far boxes are near zero.
         let small = if matches!(regime, Regime::Far) { Regime::Near } else { regime };
         let half = rng.triple(|rng| magnitude(number::<S>(rng, small)));
         return BoxNumbers::Center(p, half);
@@ -104,7 +103,7 @@ fn check_boxes<S: Sample>(a: &BoxNumbers<S>, b: &BoxNumbers<S>) -> bool {
     meet
 }
 
-/// Two boxes of each regime, and the two sides of where one number makes them touch.
+/// Two boxes of each kind, and both sides of the place where one number makes them touch.
 fn boxes<S: Sample>() {
     let mut rng = Rng::new(0xb0b0);
     for regime in REGIMES {
@@ -123,8 +122,8 @@ fn boxes<S: Sample>() {
     }
 }
 
-/// Moves one number of `b` to where the verdict flips, and checks both sides; whether
-/// there is such a place.
+/// Moves one number of `b` until the verdict flips, and checks both sides; returns whether it
+/// flips.
 fn touch<S: Sample>(rng: &mut Rng, a: &BoxNumbers<S>, b: &BoxNumbers<S>) -> bool {
     let i = rng.below(3);
     let with = |n: i64| {
@@ -180,7 +179,7 @@ fn points<S: Sample>() {
         for _ in 0..8_000 {
             let b = a_box::<S>(&mut rng, regime);
             let p = match rng.below(3) {
-                // Next to a face, as far as the scalar can tell.
+                // Next to a face, as near as the scalar allows.
                 0 => {
                     let unit = Unit::of(&rows(&b));
                     let mut p = rows(&b)[0];
@@ -217,7 +216,7 @@ fn no_point_is_where_a_coordinate_is_no_number() {
     }
 }
 
-/// A generic function needs the trait; the methods do not.
+/// Generic functions need the trait; the inherent methods do not.
 fn count<S: Sample, T: Overlaps<Aabb<S>>>(shapes: &[T], cell: &Aabb<S>) -> usize {
     shapes.iter().filter(|shape| shape.overlaps(cell)).count()
 }

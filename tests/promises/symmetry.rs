@@ -1,5 +1,5 @@
-//! What must not change a verdict: the order of the vertices, that of the published test's
-//! groups, the 48 symmetries of the box, powers of two, translation by amounts that round nothing.
+//! Changes that must not change a verdict: the order of vertices, the order of the published test's
+//! groups, the 48 symmetries of the box, powers of two, and translations without rounding.
 
 use septum::published;
 use septum_kit::{
@@ -41,7 +41,7 @@ fn order_of_the_published_tests_groups<S: Sample>() {
 
 fn symmetries_of_the_box<S: Sample>() {
     for set in Set::ALL {
-        // The least fixed-point number has no opposite.
+        // The least fixed-point number cannot be negated.
         let can_turn = |case: &Case<S>| case.numbers().into_iter().all(|x| opposite(x).is_some());
         for case in set.cases::<S>(72, COUNT).into_iter().filter(can_turn) {
             let expected = overlaps(&case);
@@ -59,7 +59,7 @@ fn opposite<S: Sample>(x: S) -> Option<S> {
     (y.ordinal() == -x.ordinal()).then_some(y)
 }
 
-/// The axes in another order, those in the bits of `mirrored` turned about.
+/// The case with its axes permuted, and the axes in the bits of `mirrored` reversed.
 fn turned<S: Sample>(case: &Case<S>, order: [usize; 3], mirrored: usize) -> Case<S> {
     let is_mirrored = |i: usize| mirrored >> i & 1 != 0;
     let length = |v: [S; 3]| order.map(|k| v[k]);
@@ -72,7 +72,7 @@ fn turned<S: Sample>(case: &Case<S>, order: [usize; 3], mirrored: usize) -> Case
     let aabb = match case.aabb {
         BoxNumbers::Center(c, h) => BoxNumbers::Center(place(c), length(h)),
         BoxNumbers::Corners(min, max) => {
-            // In a mirror the least is the greatest.
+            // Reversal exchanges least and greatest.
             let (p, q) = (place(min), place(max));
             let pick = |i, p: [S; 3], q: [S; 3]| if is_mirrored(i) { q[i] } else { p[i] };
             let (min, max) = ([0, 1, 2].map(|i| pick(i, p, q)), [0, 1, 2].map(|i| pick(i, q, p)));
@@ -95,7 +95,7 @@ fn powers_of_two<S: Sample>() {
             }
         }
     }
-    // What rounds is left out; that must not be nearly all.
+    // Scalings that round are left out; they must not be nearly all.
     assert!(scalings > COUNT * 3, "{scalings}");
 }
 
@@ -122,7 +122,7 @@ fn scaled<S: Sample>(case: &Case<S>, power: i32) -> Option<Case<S>> {
     })
 }
 
-/// Contacts and near misses, moved about in whole numbers.
+/// Contacts and near misses, translated by integers.
 fn translation<S: Sample>() {
     let mut rng = Rng::new(74);
     let most = (1 << Touch::bits::<S>()) - 1;

@@ -1,6 +1,5 @@
-//! Each of the 13 axes alone: cases that only this one separates. A kernel that
-//! forgets an axis, or has a wrong sign in it, is wrong on these and perhaps on
-//! nothing else.
+//! Each of the 13 axes alone: cases that only one axis separates. A kernel that forgets an axis, or
+//! has a wrong sign in it, fails on these and perhaps on nothing else.
 
 use septum::Axis;
 use septum_kit::{BoxNumbers, Case, Rng, Sample, for_every_scalar, meets, separates};
@@ -22,7 +21,7 @@ fn small<S: Sample>(rng: &mut Rng) -> Case<S> {
     Case { vertices, aabb }
 }
 
-/// The axis that separates, if just one does.
+/// The axis that separates, if exactly one does.
 fn only_axis<S: Sample>(case: &Case<S>) -> Option<Axis> {
     let mut axes = Axis::ALL.into_iter().filter(|&axis| separates(case, axis));
     axes.next().filter(|_| axes.next().is_none())
@@ -49,7 +48,7 @@ fn each_alone<S: Sample>() {
 
 for_every_scalar!(each_alone);
 
-/// Both sides of the box: the axis separates whichever way the triangle lies.
+/// Both sides of the box: the axis separates on whichever side the triangle lies.
 #[test]
 fn from_either_side() {
     let mut rng = Rng::new(62);
@@ -58,7 +57,7 @@ fn from_either_side() {
         let case = small::<f32>(&mut rng);
         let Some(only) = only_axis(&case) else { continue };
         let number = Axis::ALL.iter().position(|&axis| axis == only).expect("one of the 13");
-        // Through the origin the side changes, and nothing else does.
+        // Reflection through the origin changes the side, and nothing else.
         let opposite = |v: [f32; 3]| v.map(|x| -x);
         let mirrored = Case {
             vertices: case.vertices.map(opposite),

@@ -1,4 +1,4 @@
-//! Unit normals against whole numbers of any size.
+//! Unit normals, compared with integers of any size.
 
 use dashu_int::IBig;
 use fixed::types::{
@@ -28,7 +28,7 @@ fn check_integer<S: Sample + FixedPoint>(points: &Points<S>) {
     }
 }
 
-/// Every triangle on a small grid, in every corner of the type.
+/// Every triangle on a small grid, at every corner of the type's range.
 fn every_small<S: Sample + FixedPoint>() {
     for corner in [S::LEAST, S::GREATEST.moved(-3), S::ZERO] {
         for n in 0..4_i64.pow(6) {
@@ -61,8 +61,8 @@ fn coordinate<S: Sample>() -> impl Strategy<Value = S> {
     ]
 }
 
-/// A triangle, large or small, half of the time a sliver: a vertex beside the middle
-/// of the others.
+/// A triangle, large or small, in half of the cases a sliver: a vertex near the midpoint of the
+/// other two.
 fn points<S: Sample>() -> impl Strategy<Value = Points<S>> {
     let point = || proptest::array::uniform3(coordinate::<S>());
     let aside = proptest::option::of(proptest::array::uniform3(-2_i64..=2));
@@ -236,7 +236,7 @@ fn libm_in_f64_is_within_6_of_the_last_place() {
     assert!(error <= 6 * 256, "{error}");
 }
 
-/// Twice the area is 2^-160: pairs of floats find zero, and may not believe it.
+/// Twice the area is 2^-160: pairs of floats compute zero, and must not trust it.
 #[cfg(feature = "libm")]
 #[test]
 fn libm_in_f64_knows_what_pairs_of_floats_do_not() {
@@ -257,7 +257,7 @@ fn micromath_is_some_per_cent_too_long_or_too_short() {
         let (e, f) = (edge(b), edge(c));
         let n = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
         let length = |v: &[f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
-        // Slivers are not for this method.
+        // This method is not meant for slivers.
         if length(&n) < 0.1 * length(&e) * length(&f) {
             continue;
         }
@@ -269,7 +269,7 @@ fn micromath_is_some_per_cent_too_long_or_too_short() {
         angle = angle.max(length(&off));
     }
     println!("length {short} to {long}, angle {angle}");
-    // As the docstring says, on either side.
+    // As documented, on either side.
     assert!((0.965..0.967).contains(&short) && (1.033..1.035).contains(&long), "{short} {long}");
     assert!(angle < 1e-5, "{angle}");
 }

@@ -1,5 +1,5 @@
-//! Grids of voxels: planes are where they are said to be, and the voxels that a triangle marks
-//! are those of an oracle that clips it, and those of one test for each voxel.
+//! Grids of voxels: planes are exactly where documented, and the voxels that a triangle marks agree
+//! with an oracle that clips it, and with one test for each voxel.
 
 use septum::voxel::{Bits, Grid, GridError, Rule, TooFewWords};
 use septum::{Triangle, Vec3};
@@ -8,7 +8,7 @@ use septum_kit::voxels::{InScalar, VoxelScene};
 
 const RULES: [Rule; 3] = [Rule::Closed, Rule::HalfOpen, Rule::Thin];
 
-/// Asks about every scene that the scalar holds, by every rule. How many that are.
+/// Checks every scene in the scalar's range, under every rule. Returns their number.
 fn is_exact(scalar: InScalar, n: u32) -> u32 {
     let mut held = 0;
     for scene in VoxelScene::all(n) {
@@ -35,7 +35,7 @@ fn in_every_scalar() {
     }
 }
 
-/// Every scene at 32 to 128, in every scalar that holds it: minutes.
+/// Every scene at 32 to 128, in every scalar: takes minutes.
 #[test]
 #[ignore = "takes minutes"]
 fn at_high_resolution() {
@@ -56,7 +56,7 @@ fn rows_say_what_pairs_and_the_oracle_say() {
         // Blocks of up to 30 voxels a side.
         let met = scalar.rows_agree_with_pairs(4, 12, 30);
         assert!(met > 2_000, "{scalar:?}: {met}");
-        // Rows, layers and slabs of more than one block and more than one word.
+        // Rows, layers and slabs of several blocks and several words.
         let met = scalar.rows_agree_with_pairs(2, 4, 80);
         assert!(met > 500, "{scalar:?}: {met}");
     }
@@ -80,7 +80,7 @@ fn faces_on_planes() {
         ..VoxelScene::all(32)[3].clone()
     };
     let set = |rule| InScalar::F64.check(&cube, rule).unwrap().set;
-    // Closed: two layers of 32 and 30 a side, but what is within. Half-open: from 1 to 31.
+    // Closed: two layers of 32 and 30 a side, without the inside. Half-open: from 1 to 31.
     assert_eq!(set(Rule::Closed), 32_u64.pow(3) - 28_u64.pow(3));
     assert_eq!(set(Rule::HalfOpen), 31_u64.pow(3) - 29_u64.pow(3));
 }
@@ -116,7 +116,7 @@ fn bad_grids() {
     assert_eq!(grid(0.0, 1.0, 0), Some(GridError::NoVoxels));
     assert_eq!(grid(0.0, 1.0, u32::MAX), Some(GridError::TooManyVoxels));
     assert_eq!(grid(0.0, f32::MAX, 2), Some(GridError::OutOfRange));
-    // 8 roundoffs of 2^24 are 8, a cell then; two of its planes are two numbers apart.
+    // 8 roundoffs of 2^24 are 8, the size of a cell here; two of its planes are two numbers apart.
     let far = 2_f32.powi(24);
     assert_eq!(grid(far, 7.0, 1), Some(GridError::CellTooSmall));
     assert_eq!(grid(far - 9.0, 9.0, 1), None);
@@ -139,7 +139,7 @@ fn bad_grids() {
 fn words_of_either_width() {
     let grid = Grid::new([0.0_f32; 3], [1.0; 3], [150, 20, 9]).unwrap();
     let t = Triangle::new([-5.0, 1.0, 1.0], [160.0, 3.0, 2.0], [80.0, 19.0, 8.0]).unwrap();
-    // What is beyond the grid in a row's last word stays.
+    // Bits beyond the grid in a row's last word are unchanged.
     let mut wide = vec![0_u64; grid.words::<u64>()];
     wide[2] = 1 << 22;
     let mut narrow = vec![0_u32; grid.words::<u32>()];
@@ -157,7 +157,7 @@ fn words_of_either_width() {
     assert!(!wide.contains([150, 0, 0]) && !wide.contains([0, 20, 0]) && !wide.contains([0, 0, 9]));
 }
 
-/// A few voxels on both sides of where a word ends.
+/// A few voxels on both sides of a word's end.
 #[test]
 fn a_few_voxels_of_two_words() {
     let grid = Grid::new([0.0_f32; 3], [1.0; 3], [70, 4, 4]).unwrap();
@@ -177,7 +177,7 @@ fn a_few_voxels_of_two_words() {
     }
 }
 
-/// One over the cell is infinite, and places of zero no numbers.
+/// The reciprocal of the cell size is infinite, and the positions of zero are NaN.
 #[test]
 fn cells_without_a_reciprocal() {
     let c = 2_f64.powi(-1000) * 2_f64.powi(-30);
@@ -202,7 +202,7 @@ fn cells_without_a_reciprocal() {
     }
 }
 
-/// Whatever the numbers, an answer comes, and soon.
+/// For any numbers, an answer comes, and soon.
 #[test]
 fn extremes() {
     let many = [f32::MAX, -f32::MAX, 1e-45, 0.0, 3.0, 1e30, -1e30, f32::MIN_POSITIVE];

@@ -1,4 +1,4 @@
-//! Solids by crossings along rows, and walks along lines: beside oracles that go by other ways.
+//! Solids by crossings along rows, and walks along lines, compared with oracles of other methods.
 
 use septum::voxel::{Grid, Rule, Solid, TooFewWords};
 use septum::{Ray, Segment, Triangle};
@@ -15,7 +15,7 @@ fn centres_inside_are_those_of_the_oracle() {
     }
 }
 
-/// A cube that lacks a triangle of the face at x = 5: the lines that it would cross are open.
+/// A cube without a triangle of the face at x = 5: the lines through that triangle are open.
 #[test]
 fn open_rows_are_named() {
     let scenes = VoxelScene::solids(8);
@@ -71,7 +71,7 @@ fn long_walks_end() {
     let away = Ray::new([f32::MAX, 1e-45, -1.0], [f32::MAX, 0.0, 1e-45]).unwrap();
     assert_eq!(grid.walk_ray(&away, Rule::Closed).next(), None);
 
-    // A corner to a corner: each closed voxel around each corner on the way.
+    // From corner to corner: every closed voxel around each corner on the way.
     let grid = Grid::new([0.0; 3], [0.25; 3], [300; 3]).unwrap();
     let diagonal = Segment::new([0.0; 3], [75.0; 3]).unwrap();
     assert_eq!(grid.walk_segment(&diagonal, Rule::HalfOpen).count(), 300);

@@ -1,11 +1,11 @@
-//! No ray gets through a closed mesh unseen, and by `hit_once` each wall counts
-//! exactly once.
+//! No ray passes through a closed mesh without a hit, and by `hit_once` each wall counts exactly
+//! once.
 
 use septum::{Facing, Ray};
 use septum_kit::rays::{Aim, Count, Mesh, Method, Scene, Shot};
 use septum_kit::{Rng, Sample, for_every_scalar};
 
-/// In all scenes, aimed at everything.
+/// In all scenes, toward all targets.
 fn every_shot<S: Sample>(check: impl Fn(&Mesh<S>, &Shot<S>, Scene)) {
     for scene in Scene::ALL.into_iter().filter(|scene| scene.misfit::<S>().is_none()) {
         let mesh = scene.mesh::<S>();
@@ -38,8 +38,8 @@ fn nothing_leaks_when_sheared_in_floats() {
     nothing_leaks_when_sheared::<f64>();
 }
 
-/// One entry and one exit. No scene is so far from convex by rounding that a ray
-/// deep through it crosses a wall again.
+/// One entry and one exit. Rounding leaves every scene convex enough that a ray deep through it
+/// crosses no wall again.
 fn each_wall_counts_once<S: Sample>() {
     every_shot::<S>(|mesh, shot, scene| {
         let [count] = shot.counts(mesh, [Method::Once]);
@@ -48,7 +48,7 @@ fn each_wall_counts_once<S: Sample>() {
     });
 }
 
-/// The same without leaving out the triangles that the ray does not come near.
+/// The same with all triangles, including those that the ray does not come near.
 fn the_whole_mesh_counts_once<S: Sample>() {
     for scene in Scene::ALL.into_iter().filter(|scene| scene.misfit::<S>().is_none()) {
         let mesh = scene.mesh::<S>();
@@ -70,8 +70,8 @@ fn count_once<S: Sample>(mesh: &Mesh<S>, ray: &Ray<S>) -> Count {
     count
 }
 
-/// What grazes a mesh enters as often as it leaves, along its edges and in the
-/// plane of its faces too; and what starts on it is inside or outside.
+/// A ray that grazes a mesh enters as often as it leaves, also along its edges and in the plane of
+/// its faces; and a ray that starts on it starts inside or outside.
 fn entries_are_exits<S: Sample>() {
     let mut rng = Rng::new(73);
     let mut grazed = 0;
@@ -79,7 +79,7 @@ fn entries_are_exits<S: Sample>() {
         let mesh = scene.mesh::<S>();
         for _ in 0..5_000 {
             let face = mesh.faces[rng.below(mesh.faces.len())].map(|v| mesh.vertices[v]);
-            // Along an edge, or in the plane of two, or from one vertex to another.
+            // Along an edge, or in the plane of two edges, or from one vertex to another.
             let other = mesh.vertices[rng.below(mesh.vertices.len())];
             let (from, to) = if rng.one_in(4) { (face[0], other) } else { (face[0], face[1]) };
             let difference = |p: [S; 3], q: [S; 3]| {
@@ -107,12 +107,12 @@ fn entries_are_exits<S: Sample>() {
                 }
             }
             assert_eq!(count.front, count.back, "{scene:?}: {line:?}");
-            // Ahead of it one exit more than entries: it starts inside.
+            // Ahead of the origin one exit more than entries: it starts inside.
             assert!(ahead == 0 || ahead == 1, "{scene:?}: {ahead}, {ray:?}");
             grazed += u32::from(count.front == 0);
         }
     }
-    // Some of them miss; not all of them do.
+    // Some rays miss, but not all.
     assert!(grazed > 100, "{grazed}");
 }
 

@@ -1,6 +1,6 @@
-//! The witness: `separating_axis` names an axis exactly if there is no overlap,
-//! the first that separates, and each of the 13 says truly whether it does.
-//! Checked by projecting on the axes as vectors, in whole numbers.
+//! The witness: `separating_axis` returns an axis exactly if there is no overlap, namely the first
+//! that separates, and `is_separated_by` is right for each of the 13. Checked by projection on the
+//! axes, in integers.
 
 use septum::Axis;
 use septum_kit::{Sample, Set, for_every_scalar, separates};
@@ -25,7 +25,7 @@ fn first_of_those_that_separate<S: Sample>() {
     }
 }
 
-/// Indices count modulo 3: a stored axis can be anything.
+/// Indices count modulo 3, because a stored axis may have any index.
 fn indices_wrap<S: Sample>() {
     for case in Set::Random.cases::<S>(52, 2_000) {
         let (triangle, aabb) = case.shapes();

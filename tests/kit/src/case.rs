@@ -1,10 +1,10 @@
-//! One question: a triangle and a box, as plain numbers.
+//! A case: a triangle and a box, as plain numbers.
 
 use septum::{Aabb, ShapeError, Triangle};
 
 use super::sample::Sample;
 
-/// The numbers that a box is given by.
+/// The numbers of a box, in one of its forms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BoxNumbers<S> {
     /// Centre and half-extents.
@@ -24,7 +24,7 @@ impl<S: Copy> BoxNumbers<S> {
 }
 
 impl<S: Sample> BoxNumbers<S> {
-    /// The box, if it is one.
+    /// The box, if it is valid.
     pub fn shape(&self) -> Result<Aabb<S>, ShapeError> {
         match *self {
             Self::Center(c, h) => Aabb::from_center_half_extents(c, h),
@@ -64,7 +64,7 @@ impl<S: Sample> Case<S> {
         }
     }
 
-    /// All fifteen numbers: nine of the triangle, six of the box.
+    /// All fifteen numbers: nine for the triangle, six for the box.
     pub fn numbers(&self) -> [S; 15] {
         let [a, b, c] = self.vertices;
         let [p, q] = self.box_numbers();
@@ -72,7 +72,7 @@ impl<S: Sample> Case<S> {
         core::array::from_fn(|i| rows[i / 3][i % 3])
     }
 
-    /// The same with number `i` of the fifteen replaced, if that makes a box.
+    /// The same case with number `i` of the fifteen replaced, if the box stays valid.
     pub fn with_number(mut self, i: usize, x: S) -> Option<Self> {
         let (row, column) = (i / 3, i % 3);
         match (row, &mut self.aabb) {

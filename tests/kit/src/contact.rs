@@ -1,4 +1,4 @@
-//! Whether a triangle and a box touch or overlap: by drawing both together a little.
+//! Whether a triangle and a box touch or overlap: an oracle that shrinks both a little.
 
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
@@ -8,7 +8,7 @@ use super::flat::Truth;
 use super::lattice::{Lattice, Shapes};
 use super::sample::Sample;
 
-/// How the two lie to each other.
+/// The relation of the two shapes.
 pub fn truth<S: Sample>(case: &Case<S>) -> Truth {
     match Lattice::new(case) {
         Lattice::Narrow(shapes) => truth_of(shapes.big()),
@@ -16,9 +16,9 @@ pub fn truth<S: Sample>(case: &Case<S>) -> Truth {
     }
 }
 
-/// The same of a triangle and a box in whole numbers: their interiors meet if both may shrink a
-/// little and still meet. Whether they meet is a matter of signs of whole numbers of degree 3,
-/// which shrinking by one in 2^bits changes by less than one half.
+/// The relation of a triangle and a box in integers: their interiors meet if both still meet after
+/// shrinking a little. The verdict depends on signs of integers of degree 3, which a relative
+/// change of 2^−bits changes by less than one half.
 pub(crate) fn truth_of(shapes: Shapes<IBig>) -> Truth {
     let longest = shapes.all().map(BitTest::bit_len).max().unwrap_or(0);
     let shrunk = Lattice::Wide(shrunk(&shapes, 3 * longest + 32));
@@ -31,8 +31,8 @@ pub(crate) fn truth_of(shapes: Shapes<IBig>) -> Truth {
     }
 }
 
-/// Each drawn together about its middle by one in 2^`bits`. All in units of a sixth of that, from
-/// the least corner of the box as it is then.
+/// Both shapes, shrunk about their centres by a factor of 1 − 2^−`bits`, in units of a sixth of
+/// 2^−`bits`, from the least corner of the shrunk box.
 fn shrunk(shapes: &Shapes<IBig>, bits: usize) -> Shapes<IBig> {
     let less = ((IBig::ONE << bits) - IBig::ONE) * IBig::from(6);
     let x = &shapes.extent;

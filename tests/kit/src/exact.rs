@@ -1,5 +1,5 @@
-//! Numbers taken apart. Oracles work on these: what is not generic over the scalar is
-//! compiled once for all of them.
+//! Numbers as mantissa and exponent. Oracles work on these, because code that is not generic over
+//! the scalar is compiled only once.
 
 use dashu_int::IBig;
 

@@ -5,8 +5,8 @@ use super::oracle::meets;
 use super::rng::Rng;
 use super::sample::Sample;
 
-/// Moves one coordinate of one vertex until the verdict flips, then closes in on
-/// two adjacent values with different verdicts. Nothing if it never flips.
+/// Moves one coordinate of one vertex until the verdict flips, then bisects to two adjacent values
+/// with different verdicts. `None` if it never flips.
 pub fn flip<S: Sample>(rng: &mut Rng, base: Case<S>) -> Option<[Case<S>; 2]> {
     let number = rng.below(9);
     let other = S::nearest(rng.real(-3.0, 3.0));

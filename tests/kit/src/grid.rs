@@ -1,6 +1,5 @@
-//! Every triangle on a small grid, asked about in every scalar: here and not in the test,
-//! for it is asked so often that it pays to compile the crate's part of it with all
-//! optimisation, as this package is.
+//! Every triangle on a small grid, in every scalar. The check is in this package rather than in the
+//! test, so that the crate's part of it is compiled with full optimization.
 
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 use septum::prepared::PreparedTriangle;
@@ -13,7 +12,7 @@ use super::sample::Sample;
 
 type Point = [f64; 3];
 
-/// All triples of grid points without regard to order, repetitions included.
+/// All triples of grid points regardless of order, repetitions included.
 fn triples() -> impl Iterator<Item = [Point; 3]> {
     let point = |n: usize| [n / 25, n / 5 % 5, n % 5].map(|x| x as f64 - 2.0);
     (0..125).flat_map(move |a| {
@@ -21,7 +20,7 @@ fn triples() -> impl Iterator<Item = [Point; 3]> {
     })
 }
 
-/// Asks the crate, in every order of the vertices.
+/// Checks the crate, in every order of the vertices.
 fn check<S: Sample>(vertices: &[Point; 3], aabb: &Aabb<S>, expected: bool) {
     let vertices = vertices.map(|v| v.map(S::nearest));
     for order in VERTEX_ORDERS {
@@ -43,9 +42,9 @@ fn in_scalar<S: Sample>(numbers: BoxNumbers<f64>) -> Aabb<S> {
     .expect("a box")
 }
 
-/// Asks about the box and every triangle on the grid {−2, …, 2}³, degenerate ones included:
-/// 333,375 triples of vertices, each in six orders and six scalars. The oracle is asked once
-/// for three vertices. Panics at the first wrong answer; returns how many triples meet the box.
+/// Checks the box against every triangle on the grid {−2, …, 2}³, degenerate ones included: 333,375
+/// triples of vertices, each in six orders and six scalars. The oracle runs once for three
+/// vertices. Panics at the first wrong answer; returns the number of triples that meet the box.
 pub fn every_triangle_on_the_grid(aabb: BoxNumbers<f64>) -> u32 {
     let single: Aabb<f32> = in_scalar(aabb);
     let double: Aabb<f64> = in_scalar(aabb);

@@ -1,4 +1,4 @@
-//! Counting over many cases: on all cores, with a bar, and figures that can be read.
+//! Counting over many cases: on all cores, with a progress bar, and readable figures.
 
 use std::num::NonZeroUsize;
 use std::sync::Mutex;
@@ -6,8 +6,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Does all jobs on all cores, with a bar that counts `size` for each, and hands
-/// over what comes of them, in any order.
+/// Runs all jobs on all cores, with a bar that advances by `size` for each, and passes their
+/// outcomes on in any order.
 pub fn on_all_cores<Job: Sync, Outcome: Send>(
     jobs: &[Job],
     size: impl Fn(&Job) -> usize + Sync,
@@ -55,7 +55,7 @@ pub fn grouped(n: u64) -> String {
     out
 }
 
-/// How many that is of a million cases.
+/// The rate per million cases.
 pub fn per_million(wrong: u64, cases: u64) -> String {
     let rate = (wrong as f64 * 1e6 / cases as f64).round() as u64;
     if rate == 0 && wrong > 0 { "<1".into() } else { grouped(rate) }

@@ -1,4 +1,4 @@
-//! Lanes: the same verdicts and the same bits as one by one.
+//! Lanes: the same verdicts and the same bits as single shapes.
 
 use std::fmt::Debug;
 
@@ -24,8 +24,7 @@ pub struct Lanes<S, const N: usize> {
 }
 
 impl<S: Sample, const N: usize> Lanes<S, N> {
-    /// Compares every method on lanes with the same one by one; returns how many lanes
-    /// were hit.
+    /// Compares every method on lanes with the method on single shapes; returns the number of hits.
     pub fn check(&self, cull: Cull) -> usize {
         self.check_overlaps();
         self.check_boxes();
@@ -68,7 +67,7 @@ impl<S: Sample, const N: usize> Lanes<S, N> {
     }
 
     fn check_slab_rays(&self) {
-        // Directions without a zero too, lest one lane send all the slow way.
+        // Also directions without zeros, because a single zero sends all lanes the slow way.
         let steep = |ray: &Ray<S>| {
             let has_zero = ray.direction().to_array().contains(&S::ZERO);
             let one = [S::nearest(1.0); 3];
@@ -133,12 +132,12 @@ impl<S: Sample, const N: usize> Lanes<S, N> {
     }
 }
 
-/// Equal, or the same when written out: rounded methods may overflow to a NaN.
+/// Equal, or equal when printed: rounded methods may overflow to a NaN.
 fn is_same<T: PartialEq + Debug>(a: &T, b: &T) -> bool {
     a == b || format!("{a:?}") == format!("{b:?}")
 }
 
-/// The signs of zeros are bits too: written out they differ.
+/// Signs of zeros count too: they differ when printed.
 fn check<S: Sample, const N: usize>(
     method: &str,
     hits: &Hits<S, N>,
@@ -153,7 +152,7 @@ fn check<S: Sample, const N: usize>(
     assert_eq!(hits.get(N), None);
 }
 
-/// What a lane holds: its mask, its hit, and t, u, v.
+/// The contents of a lane: its mask, its hit, and t, u, v.
 type Lane<S> = (bool, Option<Hit<S>>, (S, S, S));
 
 /// For any number of lanes, so that it is compiled once for each scalar.

@@ -1,5 +1,5 @@
-//! A case in whole numbers: every coordinate as a multiple of one power of two,
-//! counted from the box's least corner.
+//! A case in integers: every coordinate as a multiple of one power of two, relative to the box's
+//! least corner.
 
 use dashu_int::IBig;
 
@@ -28,7 +28,7 @@ pub trait Ring: Clone {
     }
 }
 
-/// For magnitudes below 2^125; whoever uses it proves them so.
+/// For magnitudes below 2^125, which the callers guarantee.
 impl Ring for i128 {
     fn from_bit(bit: bool) -> Self {
         bit.into()
@@ -75,17 +75,16 @@ impl Ring for IBig {
     }
 }
 
-/// The two shapes, from the box's least corner.
+/// The two shapes, relative to the box's least corner.
 pub struct Shapes<I> {
     pub vertices: [[I; 3]; 3],
     pub extent: [I; 3],
 }
 
-/// The two shapes in the narrowest integers that serve.
+/// The two shapes in the narrowest integers that suffice.
 pub enum Lattice {
-    /// All below 2^40. Differences are below 2^41 then, products of two
-    /// differences and their differences below 2^83, and a sum of three
-    /// products of those with a difference below 3·2^124 < 2^126.
+    /// All below 2^40. Then differences are below 2^41, differences of products of two differences
+    /// below 2^83, and a sum of three products of those with a difference below 3·2^124 < 2^126.
     Narrow(Shapes<i128>),
     /// Of any size.
     Wide(Shapes<IBig>),
@@ -137,7 +136,7 @@ pub fn odd_mantissa<S: Sample>(x: S) -> Option<Parts> {
     (mantissa != 0).then(|| (mantissa >> zeros, exponent + zeros as i32))
 }
 
-/// Whole numbers in the order of [`Case::numbers`], and what they mean.
+/// Integers in the order of [`Case::numbers`], and the form of the box.
 fn from_least_corner<I: Ring>(numbers: &[I; 15], is_by_center: bool) -> Shapes<I> {
     let row = |r: usize| -> [I; 3] { core::array::from_fn(|i| numbers[3 * r + i].clone()) };
     let sum = |a: &[I; 3], b: &[I; 3]| core::array::from_fn(|i| a[i].plus(&b[i]));

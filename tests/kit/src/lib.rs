@@ -1,5 +1,5 @@
-//! What tests, fuzz targets and benches share: oracles that reach their verdicts by
-//! other theorems than the crate, and sets of cases, each from a seed.
+//! The common parts of tests, fuzz targets and benches: oracles that reach their verdicts by other
+//! theorems than the crate, and sets of cases from a seed.
 //!
 //! | what | oracle | cases |
 //! | --- | --- | --- |
@@ -20,8 +20,9 @@
 //! | unit normals | [`is_nearest_to_unit`] | |
 //! | lanes | [`Lanes::check`]: one by one | |
 //!
-//! [`Sample`] is what all of these must know of a scalar, [`Rng`] the one random generator.
-//! Oracles take numbers apart first ([`Parts`]): what is not generic is compiled once.
+//! [`Sample`] is the trait of scalars in tests, and [`Rng`] the only random generator. Oracles
+//! first split numbers into mantissa and exponent ([`Parts`]), because code that is not generic is
+//! compiled once.
 
 pub mod boxes;
 mod case;
@@ -69,7 +70,7 @@ pub use sample::Sample;
 pub use sets::Set;
 pub use touch::Touch;
 
-/// For the names of its types in [`for_every_scalar`] and [`with_every_scalar`].
+/// Names the fixed-point types in [`for_every_scalar`] and [`with_every_scalar`].
 #[doc(hidden)]
 pub use fixed;
 

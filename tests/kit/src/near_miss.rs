@@ -1,5 +1,5 @@
-//! Triangles and boxes that are apart, or in each other, by the least that whole numbers of their
-//! length can be: one unit of volume along the normal, or of area across two edges.
+//! Triangles and boxes whose gap or overlap is the least possible for integers of their length: one
+//! unit of volume along the normal, or of area across two edges.
 
 use super::case::{BoxNumbers, Case};
 use super::lattice::Ring;
@@ -8,8 +8,8 @@ use super::sample::Sample;
 
 type Point = [i128; 3];
 
-/// Whole numbers: those of the type are these times a power of two, one for each axis. No verdict
-/// depends on that.
+/// Integers; the numbers of the type are these times a power of two for each axis, which changes no
+/// verdict.
 #[derive(Clone, Copy, Debug)]
 pub struct NearMiss {
     vertices: [Point; 3],
@@ -20,10 +20,10 @@ pub struct NearMiss {
 }
 
 impl NearMiss {
-    /// Bits that the numbers of a case may have in the scalar, at most.
+    /// The most bits that the numbers of a case may have in the scalar.
     const MOST_BITS: u32 = 26;
 
-    /// Any of them, with a gap of one, of nothing or of less than nothing.
+    /// Any kind of case, with a gap of 1, 0 or −1.
     pub fn any<S: Sample>(rng: &mut Rng) -> Self {
         let most = S::WHOLE_BITS.min(Self::MOST_BITS) - 4;
         loop {
@@ -39,8 +39,8 @@ impl NearMiss {
         }
     }
 
-    /// A corner of the box on the triangle's inside, `gap` units of volume from its plane. `None`
-    /// where no whole numbers are so near to it.
+    /// A corner of the box near the triangle's interior, `gap` units of volume from its plane.
+    /// `None` if no integers are that near.
     fn face(rng: &mut Rng, size: Point, gap: i128) -> Option<Self> {
         let mut edge = || size.map(|most| whole(rng, -most, most));
         let (e1, e2) = (edge(), edge());
@@ -48,7 +48,7 @@ impl NearMiss {
         if n.contains(&0) {
             return None;
         }
-        // n·s = gap, with s no longer than both edges.
+        // n·s = gap, with s no longer than both edges together.
         let (first, x, y) = bezout(n[0], n[1]);
         let (all, p, q) = bezout(first, n[2]);
         if all.abs() != 1 {
@@ -57,7 +57,7 @@ impl NearMiss {
         let s = [x * p, y * p, q].map(|x| x * all * gap);
         let k = (0..3).max_by_key(|&k| n[k].abs())?;
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        // How much of each edge it has, in units of one divided by the area.
+        // The coordinates of s along both edges, times the area.
         let (area, sign) = (n[k].abs(), n[k].signum());
         let of1 = sign * (s[i] * e2[j] - s[j] * e2[i]);
         let of2 = sign * (e1[i] * s[j] - e1[j] * s[i]);
@@ -67,7 +67,7 @@ impl NearMiss {
         let half = size.map(|most| whole(rng, 1, most));
         let a = [0, 1, 2].map(|i| half[i] * n[i].signum() + s[i]);
         let [b, c] = [Ring::difference(&a, &e1), Ring::difference(&a, &e2)];
-        // In the parallelogram of the two edges, and in which half of it.
+        // Whether s is in the triangle's half of the parallelogram of both edges.
         let is_near = of1 + of2 - (whole1 + whole2) * area <= area;
         let a = if is_near { a } else { Ring::difference(&b, &e2) };
         Some(Self { vertices: [a, b, c], center: [0; 3], half, meets: gap <= 0 })
@@ -98,7 +98,7 @@ impl NearMiss {
         Some(Self { vertices: [a, b, c], center: [0; 3], half, meets: gap <= 0 })
     }
 
-    /// Turned over along some axes.
+    /// Reflected along some axes.
     fn reflected(mut self, rng: &mut Rng) -> Self {
         for i in (0..3).filter(|_| rng.one_in(2)) {
             self.vertices.iter_mut().for_each(|p| p[i] = -p[i]);
@@ -106,7 +106,7 @@ impl NearMiss {
         self
     }
 
-    /// Every other one somewhere else.
+    /// Every second case is moved to another place.
     fn moved(mut self, rng: &mut Rng, size: Point) -> Self {
         if rng.one_in(2) {
             self.center = size.map(|most| whole(rng, -2 * most, 2 * most));
@@ -115,12 +115,13 @@ impl NearMiss {
         self
     }
 
-    /// In numbers of the scalar, the box by its centre or its corners, at any magnitudes that it has.
+    /// The case in the scalar, with the box by its centre or its corners, at any magnitude of the
+    /// scalar.
     pub fn case<S: Sample>(&self, rng: &mut Rng, by_center: bool) -> Case<S> {
         let exponents = self.exponents::<S>(rng);
         let scaled = |p: Point| {
             [0, 1, 2].map(|i| {
-                // In two halves, for either alone is a number.
+                // As two factors, because the power alone may be out of range.
                 let e = exponents[i];
                 S::nearest(p[i] as f64 * 2_f64.powi(e / 2) * 2_f64.powi(e - e / 2))
             })
@@ -133,13 +134,12 @@ impl NearMiss {
         Case { vertices: self.vertices.map(scaled), aabb }
     }
 
-    /// The least corner of the box, or the greatest.
+    /// The least corner of the box (sign −1), or the greatest (1).
     fn corner(&self, sign: i128) -> Point {
         [0, 1, 2].map(|i| self.center[i] + sign * self.half[i])
     }
 
-    /// What the axes' numbers are multiplied by: alike, nearly alike, anything, or either end of what
-    /// there is.
+    /// The exponents of the axes: equal, nearly equal, arbitrary, or at either end of the range.
     fn exponents<S: Sample>(&self, rng: &mut Rng) -> [i32; 3] {
         let corners = [-1, 1].map(|sign| self.corner(sign));
         let greatest = |i: usize| {
@@ -162,7 +162,7 @@ impl NearMiss {
     }
 }
 
-/// The greatest common divisor, but for its sign, as a sum of multiples of both.
+/// The greatest common divisor, up to its sign, as a sum of multiples of both.
 fn bezout(a: i128, b: i128) -> (i128, i128, i128) {
     if b == 0 {
         return (a, 1, 0);
@@ -171,7 +171,7 @@ fn bezout(a: i128, b: i128) -> (i128, i128, i128) {
     (divisor, y, x - a / b * y)
 }
 
-/// From `low` to `high`, both included, neither of which is longer than a word.
+/// A number from `low` to `high`, both included and at most 64 bits long.
 fn whole(rng: &mut Rng, low: i128, high: i128) -> i128 {
     rng.whole(low as i64, high as i64).into()
 }

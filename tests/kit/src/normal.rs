@@ -1,5 +1,4 @@
-//! Unit normals: an oracle in whole numbers of any size. No root is drawn, squares
-//! are compared.
+//! Unit normals: an oracle in integers of any size. It compares squares, and computes no root.
 
 use std::cmp::Ordering;
 
@@ -25,7 +24,7 @@ fn normal_of_parts(points: [[Parts; 3]; 3]) -> ([IBig; 3], IBig) {
     (n, square)
 }
 
-/// How x·2^e compares with n / √square.
+/// Compares x·2^e with n / √square.
 pub fn compare_with_unit(x: &IBig, e: i32, n: &IBig, square: &IBig) -> Ordering {
     let signed_square = |y: &IBig| if *y < IBig::ZERO { -(y * y) } else { y * y };
     let (left, right) = (signed_square(x) * square, signed_square(n));

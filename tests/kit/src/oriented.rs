@@ -1,5 +1,5 @@
-//! Triangles against oriented boxes: an oracle that takes the vertices into the
-//! box's own coordinates, in whole numbers, and clips there.
+//! Triangles against oriented boxes. The oracle transforms the vertices into the box's own
+//! coordinates, in integers, and clips there.
 
 use dashu_int::IBig;
 use septum::relation::Relate;
@@ -34,8 +34,8 @@ impl<S: Sample> Oriented<S> {
         Obb::from_skewed_axes(self.center, self.axes.map(Vec3::from), self.half).ok()
     }
 
-    /// A box of the set, and a triangle: a vertex lies in a corner of the box, in the middle of an
-    /// edge or of a face, or in its centre, as near as rounding allows, or anywhere.
+    /// A box of the set, and a triangle with a vertex at a corner of the box, at the midpoint of an
+    /// edge or of a face, or at its centre, as near as rounding allows, or anywhere.
     pub fn case(set: BoxSet, rng: &mut Rng) -> Self {
         let ObbNumbers { center, axes, half } = set.obb::<S>(rng);
         let vertex = |rng: &mut Rng| {
@@ -60,16 +60,16 @@ impl<S: Sample> Oriented<S> {
         Lattice::Wide(self.in_parts().in_box()).meets()
     }
 
-    /// How they lie to each other.
+    /// The relation of the two shapes.
     pub fn truth(&self) -> Truth {
         truth_of(self.in_parts().in_box())
     }
 
     /// Checks verdicts and relation against the oracle, in either order, and returns its answer;
-    /// nothing where the numbers are no shapes.
+    /// `None` if the numbers are invalid.
     ///
     /// # Panics
-    /// Where one is wrong.
+    /// If an answer is wrong.
     pub fn check(&self) -> Option<Truth> {
         let [a, b, c] = self.t;
         let (triangle, obb) = (Triangle::new(a, b, c).ok()?, self.obb()?);
@@ -94,7 +94,7 @@ impl<S: Sample> Oriented<S> {
 }
 
 impl Oriented<Parts> {
-    /// The triangle in the coordinates of the box, in units of the least exponent, with one in that
+    /// The triangle in the coordinates of the box, in units of the least exponent, and one in that
     /// unit.
     fn in_box(&self) -> Shapes<IBig> {
         let rows = [self.t, self.axes].concat();

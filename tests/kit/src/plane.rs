@@ -1,5 +1,5 @@
-//! Planes against boxes: an oracle that evaluates the plane at all eight corners,
-//! in whole numbers; the crate looks at two.
+//! Planes against boxes. The oracle evaluates the plane at all eight corners, in integers; the
+//! crate evaluates two.
 
 use dashu_int::IBig;
 use septum::{Plane, ShapeError, Side};
@@ -9,7 +9,7 @@ use super::exact::{Parts, least_exponent, whole};
 use super::lattice::Ring;
 use super::sample::Sample;
 
-/// How the plane was given.
+/// The form in which the plane was given.
 #[derive(Clone, Copy, Debug)]
 pub enum Given<S> {
     Point([S; 3]),

@@ -1,5 +1,5 @@
-//! Whether one axis separates, by the definition: the triangle's vertices and
-//! all eight corners of the box, projected on the axis as a vector.
+//! Whether one axis separates, by the definition: project the triangle's vertices and all eight
+//! corners of the box on the axis.
 
 use septum::Axis;
 

@@ -1,5 +1,5 @@
-//! Random numbers that are the same for ever, whatever the version of any
-//! dependency: published figures depend on them.
+//! Random numbers that never change, whatever the versions of dependencies, because published
+//! figures depend on them.
 
 /// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, "Fast Splittable Pseudorandom
 /// Number Generators", OOPSLA 2014).
@@ -18,7 +18,7 @@ impl Rng {
         z ^ (z >> 31)
     }
 
-    /// One of 0 to n − 1.
+    /// A number from 0 to n − 1.
     pub fn below(&mut self, n: usize) -> usize {
         ((u128::from(self.bits()) * n as u128) >> 64) as usize
     }

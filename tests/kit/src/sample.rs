@@ -1,11 +1,11 @@
-//! What a test must know of a scalar: its exact value and its neighbours. All
-//! of it from the bits, nothing from the crate under test.
+//! The properties of a scalar that tests need: its exact value and its neighbours. They come from
+//! the bits, not from the crate under test.
 
 use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 use septum::Scalar;
 
-/// A scalar whose values can be taken apart and counted through.
+/// A scalar whose values can be decomposed and enumerated.
 pub trait Sample: Scalar {
     /// The least finite value.
     const LEAST: Self;
@@ -14,7 +14,7 @@ pub trait Sample: Scalar {
     /// Integers of this many bits are exact in [`whole`](Self::whole).
     const WHOLE_BITS: u32;
 
-    /// What the type is called.
+    /// The name of the type.
     fn name() -> String;
 
     /// Mantissa and exponent: the value is exactly m·2^e.
@@ -23,7 +23,7 @@ pub trait Sample: Scalar {
     /// The value nearest to `x`, or the extreme if `x` lies beyond it.
     fn nearest(x: f64) -> Self;
 
-    /// `n` units, the unit being one power of two for the type.
+    /// The value of `n` units; the unit is a fixed power of two for each type.
     fn whole(n: i64) -> Self;
 
     /// A number for each value, in order, adjacent values numbered adjacently.
@@ -37,10 +37,10 @@ pub trait Sample: Scalar {
         Self::from_ordinal(self.ordinal().saturating_add(steps))
     }
 
-    /// About this value.
+    /// An approximation of the value.
     fn approximate(self) -> f64 {
         let (mantissa, exponent) = self.mantissa_exponent();
-        // In two halves: 2^-1074 alone would underflow on the way.
+        // As two factors, because 2^-1074 alone would underflow.
         let (half, rest) = (exponent / 2, exponent - exponent / 2);
         mantissa as f64 * 2_f64.powi(half) * 2_f64.powi(rest)
     }
@@ -80,7 +80,7 @@ macro_rules! float_sample {
                 (x as $float).clamp(Self::LEAST, Self::GREATEST)
             }
             fn whole(n: i64) -> Self {
-                // Sixty-fourths, so that some numbers have a fraction and some not.
+                // In sixty-fourths, so that some numbers have a fraction.
                 n as $float / 64.0
             }
             fn ordinal(self) -> i64 {

@@ -1,6 +1,5 @@
-//! The sets of cases on which accuracy is measured, each from a seed. Boxes are
-//! given by centre and half-extents in one half of the cases, by their corners
-//! in the other.
+//! The sets of cases on which accuracy is measured, each from a seed. Half of the cases give the
+//! box by centre and half-extents, and half by its corners.
 
 use super::case::{BoxNumbers, Case};
 use super::flip::flip;
@@ -13,22 +12,22 @@ use super::touch::nudged_touch;
 pub enum Set {
     /// Vertices uniform in a cube of side 4, boxes of any size up to 2.
     Random,
-    /// Whole numbers from −4 to 4.
+    /// Integers from −4 to 4.
     Grid,
-    /// One vertex within three units in the last place of the line through the
-    /// other two; the box near that line.
+    /// One vertex within three units in the last place of the line through the other two; the box
+    /// is near that line.
     Slivers,
     /// As random, 10⁴ to 10⁶ from the origin.
     Far,
     /// Segments and points; some boxes are flat or points too.
     Degenerate,
-    /// In exact contact, then one number moved one place up, down or not at all.
+    /// In exact contact, then one number is moved by one unit in the last place, or not.
     Touch,
     /// As random, times 2⁻¹⁴.
     Small,
     /// At the ends of the scalar's range, the extremes themselves included.
     Huge,
-    /// One coordinate at either side of where the exact verdict flips.
+    /// One coordinate on either side of the point where the exact verdict flips.
     Flip,
 }
 
@@ -46,7 +45,7 @@ impl Set {
         Self::Flip,
     ];
 
-    /// What it is called.
+    /// The name of the set.
     pub fn name(self) -> &'static str {
         match self {
             Self::Random => "random",
@@ -61,7 +60,7 @@ impl Set {
         }
     }
 
-    /// Why the scalar cannot hold this set, if it cannot.
+    /// The reason why the scalar cannot hold this set, if it cannot.
     pub fn misfit<S: Sample>(self) -> Option<&'static str> {
         match self {
             Self::Far if S::nearest(2e4).approximate() != 2e4 => Some("ends before 10⁴"),
@@ -172,7 +171,7 @@ fn degenerate<S: Sample>(rng: &mut Rng) -> Case<S> {
                 let times = rng.whole(-4, 4);
                 core::array::from_fn(|i| S::whole(start[i] + times * step[i]))
             });
-            // A box about one of its points, or it would hardly ever be met.
+            // A box around one of the points, because others would seldom meet it.
             let (at, size) = (rng.below(3), rng.whole(0, 1 << (bits - 2)));
             let center = vertices[at].map(|x| x.moved(rng.whole(-size, size)));
             let half = rng.triple(|rng| S::whole(rng.whole(0, size)));
@@ -197,7 +196,7 @@ fn degenerate<S: Sample>(rng: &mut Rng) -> Case<S> {
 }
 
 fn huge<S: Sample>(rng: &mut Rng) -> Case<S> {
-    // Either all over the range, or together in one of its corners.
+    // Over the whole range, or close together in one of its corners.
     let corner = rng.one_in(4).then(|| rng.triple(|rng| rng.one_in(2)));
     let number = |rng: &mut Rng, i: usize| {
         let up = corner.map_or_else(|| rng.one_in(2), |corner| corner[i]);

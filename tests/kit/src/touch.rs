@@ -1,11 +1,11 @@
-//! Set (f): exact contact by construction, in whole numbers.
+//! Set (f): exact contact by construction, in integers.
 
 use super::case::{BoxNumbers, Case};
 use super::rng::Rng;
 use super::sample::Sample;
 
-/// A triangle and a box that touch and do not cross: some plane has the one on
-/// its upper side, the other on its lower, and both have a point in it.
+/// A triangle and a box that touch and do not cross: a plane has one shape on its upper side and
+/// the other on its lower side, and both have a point in it.
 #[derive(Clone, Copy, Debug)]
 pub struct Touch {
     pub vertices: [[i64; 3]; 3],
@@ -52,8 +52,8 @@ impl Touch {
         point[j] = if up_j { greatest[j] } else { least[j] };
         point[l] = if up_l { greatest[l] } else { least[l] };
 
-        // Along the edge one of the two coordinates leaves the box, the other
-        // enters its range.
+        // Along the edge one of the two coordinates leaves the range of the box, and the other
+        // enters it.
         let small = 1 << (bits - 4);
         let (dj, dl) = (rng.whole(1, small), rng.whole(1, small));
         let mut step = [0; 3];
@@ -79,7 +79,7 @@ impl Touch {
         let up = rng.triple(|rng| rng.one_in(2));
         let point = core::array::from_fn(|i| if up[i] { greatest[i] } else { least[i] });
         let normal = up.map(|up| rng.whole(1, small) * if up { 1 } else { -1 });
-        // Two directions in the plane; with them the corner is the centroid.
+        // Two directions in the plane, chosen so that the corner is the centroid.
         let mut within = || cross(normal, rng.triple(|rng| rng.whole(-small / 2, small / 2)));
         let (u, v) = (within(), within());
         let back = core::array::from_fn(|i| -u[i] - v[i]);
@@ -87,12 +87,12 @@ impl Touch {
         Self { vertices, least, greatest, normal }
     }
 
-    /// Bits that a touch may have in the scalar: all coordinates stay below.
+    /// The number of bits of a touch in the scalar; all coordinates stay below.
     pub fn bits<S: Sample>() -> u32 {
         S::WHOLE_BITS.min(40)
     }
 
-    /// Any of the three, in few bits or many.
+    /// Any of the three kinds, with few bits or many.
     pub fn of_any_size<S: Sample>(rng: &mut Rng) -> Self {
         let bits = rng.whole(7, Self::bits::<S>().into()) as u32;
         match rng.below(3) {
@@ -102,7 +102,7 @@ impl Touch {
         }
     }
 
-    /// The same in numbers of the scalar, the box by its centre or its corners.
+    /// The same case in the scalar, with the box by its centre or its corners.
     pub fn case<S: Sample>(&self, by_center: bool) -> Case<S> {
         let each = |of: fn(i64, i64) -> i64| {
             core::array::from_fn(|i| S::whole(of(self.least[i], self.greatest[i])))
@@ -116,18 +116,18 @@ impl Touch {
     }
 }
 
-/// A touch with one of its fifteen numbers moved one place, or none.
+/// A touch with one of its fifteen numbers moved by a unit in the last place, or not.
 pub fn nudged_touch<S: Sample>(rng: &mut Rng) -> Case<S> {
     let touch = Touch::of_any_size::<S>(rng);
     let case: Case<S> = touch.case(rng.one_in(2));
-    // Every other time along an axis on which it matters.
+    // In half of the cases along an axis on which it matters.
     let along = (0..3).find(|&i| touch.normal[i] != 0).expect("a normal");
     let number = if rng.one_in(2) { rng.below(15) } else { 3 * rng.below(5) + along };
     let steps = rng.whole(-1, 1);
     case.with_number(number, case.numbers()[number].moved(steps)).unwrap_or(case)
 }
 
-/// Least and greatest corner, with a centre in whole numbers.
+/// The least and the greatest corner, with an integer centre.
 fn sides(rng: &mut Rng, bits: u32) -> ([i64; 3], [i64; 3]) {
     let most = 1 << (bits - 2);
     let (mut least, mut greatest) = ([0; 3], [0; 3]);

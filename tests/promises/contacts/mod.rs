@@ -1,4 +1,4 @@
-//! Shapes in each other: the least translation takes them apart, and is least.
+//! Overlapping shapes: the minimum translation separates them, and is minimal.
 
 mod points;
 mod surface;
@@ -9,13 +9,13 @@ use septum_kit::boxes::BoxSet;
 use septum_kit::contacts::ContactSet;
 use septum_kit::{Rng, Sample, for_every_scalar, with_every_scalar};
 
-/// Cases of each set; so many of them by linear programming too.
+/// The number of cases of each set, and the number also checked by linear programming.
 const CASES: usize = 120;
 const PROGRAMMED: usize = 20;
 
-/// Whether each case is a contact: yes and no.
+/// Counts the cases with and without a contact.
 fn check<S: Sample>(set: ContactSet, seed: u64, cases: usize, programmed: usize) -> [usize; 2] {
-    // What numbers of any size are drawn together by is not known to be too little.
+    // For numbers of any size, the amount of shrinking is not known to be small enough.
     let any_bits = matches!(set, ContactSet::Like(BoxSet::Bits | BoxSet::Huge));
     let (mut rng, mut seen) = (Rng::new(seed), [0; 2]);
     for n in 0..cases {
@@ -34,7 +34,8 @@ fn agrees_with_the_oracles<S: Sample>() {
 }
 for_every_scalar!(agrees_with_the_oracles);
 
-/// A million and more: `cargo test --release --test promises contacts -- --ignored --nocapture`.
+/// A million cases or more: `cargo test --release --test promises contacts -- --ignored
+/// --nocapture`.
 #[test]
 #[ignore = "takes half an hour"]
 fn agrees_with_the_oracles_on_a_million() {
@@ -47,19 +48,20 @@ fn agrees_with_the_oracles_on_a_million() {
     with_every_scalar!(many);
 }
 
-/// Of equal ones the first: a triangle's face, faces of the first shape, of the second, edges.
+/// Of equal depths the first axis wins: a triangle's face, faces of the first shape, of the second,
+/// edges.
 #[test]
 fn equal_ways_have_an_order() {
     let unit = Aabb::from_min_max([-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]).unwrap();
     let same = contact(&unit, &unit).unwrap().translation;
-    // Against x, by the upper face of the first; depth is exact.
+    // Against x, by the upper face of the first box; the depth is exact.
     assert_eq!((same.axis, same.depth), (Axis::First(1), 2.0));
     assert_eq!(same.vector.to_array(), [-2.0, 0.0, 0.0]);
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let obb = Obb::new([0.0; 3], axes, [1.0; 3]).unwrap();
     assert_eq!(contact(&obb, &unit).unwrap().translation, same);
     assert_eq!(contact(&unit, &obb).unwrap().translation, same);
-    // A triangle that is big enough, in the middle: its face, though it comes second.
+    // A large triangle, in the middle: its face wins, though it is the second shape.
     let big = Triangle::new([-9.0, -9.0, 0.0], [9.0, -9.0, 0.0], [0.0, 9.0, 0.0]).unwrap();
     let out = contact(&unit, &big).unwrap().translation;
     assert_eq!((out.axis, out.depth), (Axis::Second(0), 1.0));
@@ -68,7 +70,7 @@ fn equal_ways_have_an_order() {
     assert_eq!((out.axis, out.vector.to_array()), (Axis::First(0), [0.0, 0.0, -1.0]));
 }
 
-/// Axes that are the same, and directions that came before, are left out: none is missed by it.
+/// Equal axes, and directions that were tested before, are skipped, without missing an axis.
 #[test]
 fn boxes_that_share_axes_part_by_the_rest() {
     let axes = [[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0], [0.0, 0.0, 1.0]];
@@ -86,8 +88,8 @@ fn boxes_that_share_axes_part_by_the_rest() {
     }
 }
 
-/// The same box by axes twice as long and half-extents half as great shares no axis, and parts
-/// likewise.
+/// The same box, given by axes twice as long and half-extents half as great, shares no axis, but
+/// has the same contact.
 #[test]
 fn shared_axes_are_no_case_of_their_own() {
     let mut rng = Rng::new(0x54a6);
@@ -96,7 +98,7 @@ fn shared_axes_are_no_case_of_their_own() {
         let (s, c) = rng.real(0.0, 6.3).sin_cos();
         let axes = [[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]];
         let aligned = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        // All three, or one of them.
+        // All three axes are equal, or one is.
         let others = [[axes[1], axes[2], axes[0]], aligned, axes][n % 3];
         let mut numbers = || rng.triple(|rng| rng.real(0.2, 1.0));
         let (center, half, other_half) = (numbers(), numbers(), numbers());
@@ -112,8 +114,8 @@ fn shared_axes_are_no_case_of_their_own() {
     assert!(contacts > 100 && of_second > 10, "{contacts} {of_second}");
 }
 
-/// One axis that is the same, or the opposite, of boxes that are skewed: what it is paired with
-/// is no direction of its own, and all other pairs are.
+/// Skewed boxes with one axis equal or opposite: the cross products with it that repeat another
+/// direction are skipped, and all other pairs are tested.
 #[test]
 fn one_shared_axis_leaves_the_other_pairs() {
     let mut rng = Rng::new(0x54a7);
@@ -138,7 +140,7 @@ fn one_shared_axis_leaves_the_other_pairs() {
     assert!(contacts > 100 && by_edges > 30, "{contacts} {by_edges}");
 }
 
-/// What is documented of the ends of a type: no panic, and the end of the range.
+/// At the ends of a type, as documented: no panic, and the result is clamped.
 #[test]
 fn beyond_the_range_is_its_end() {
     use septum_kit::fixed::types::I8F8;

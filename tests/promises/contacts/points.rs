@@ -1,4 +1,4 @@
-//! The points of a contact lie on both shapes, on the parts that are named.
+//! The points of a contact lie on both shapes, on the parts that they name.
 
 use septum::contact::{Axis, Contact, Part, Point, contact};
 use septum::{Aabb, Obb, Triangle, Vec3};
@@ -48,7 +48,7 @@ impl Shape {
         }
     }
 
-    /// Which ends of the axes a part of a box is on, by its number.
+    /// The ends of the axes on which a part of a box lies, from its number.
     fn ends(part: Part) -> [Option<bool>; 3] {
         let mut ends = [None; 3];
         match part {
@@ -63,7 +63,7 @@ impl Shape {
         ends
     }
 
-    /// How far a point is from a part, and beyond its ends.
+    /// The distance of a point from a part and its ends.
     fn distance(&self, part: Part, at: P) -> f64 {
         match self {
             Self::Triangle(t) => match part {
@@ -98,13 +98,13 @@ fn check_points(shapes: [&Shape; 2], found: &Contact<f64>) {
     let mut deepest = 0.0_f64;
     for point in found.points() {
         let both = [point.on_first, point.on_second].map(Vec3::to_array);
-        // From the first to the second along the way out.
+        // From the first point to the second along the translation.
         let between = minus(both[1], both[0]);
         let along = normal.map(|n| n * point.depth);
         assert!(length(minus(between, along)) < 1e-9, "{found:?}");
         for k in 0..2 {
             let off = shapes[k].distance(point.parts[k], both[k]);
-            // Where axes and edges are nearly parallel a point is known less well.
+            // Nearly parallel axes and edges leave a point less accurate.
             assert!(off < 1e-6, "{off} off {:?}: {found:?}", point.parts[k]);
         }
         assert!(point.depth > -1e-6, "a point that is not within: {found:?}");
@@ -141,7 +141,7 @@ fn parts(found: &Contact<f32>) -> Vec<[Part; 2]> {
     all
 }
 
-/// A crate that tilts, slides and sinks a little from frame to frame keeps its parts.
+/// A box that tilts, slides and sinks a little from frame to frame keeps its parts.
 #[test]
 fn parts_are_the_same_from_frame_to_frame() {
     let floor = Triangle::new([-8.0_f32, -8.0, 0.0], [8.0, -8.0, 0.0], [0.0, 9.0, 0.0]).unwrap();
@@ -160,7 +160,7 @@ fn parts_are_the_same_from_frame_to_frame() {
     }
 }
 
-/// One rectangle across another: eight corners, each of an edge and an edge.
+/// One rectangle across another: eight corners, each from two edges.
 #[test]
 fn a_square_on_a_square_has_eight_points() {
     let below = Aabb::from_min_max([-1.0, -1.0, -2.0], [1.0, 1.0, 0.0]).unwrap();
@@ -174,7 +174,7 @@ fn a_square_on_a_square_has_eight_points() {
     let all = parts(&found);
     assert!(all.iter().all(|p| matches!(p, [Part::Edge(_), Part::Edge(_)])));
     assert!(all.windows(2).all(|two| two[0] != two[1]));
-    // Of a small one on a large one the corners.
+    // A small rectangle on a large one: the corners of the small one.
     let small = Aabb::from_min_max([-0.25, -0.25, -0.5], [0.25, 0.25, 0.5]).unwrap();
     let small = contact(&small, &below).unwrap();
     assert_eq!(parts(&small), [0, 1, 2, 3].map(|k| [Part::Vertex(k), Part::Face(5)]));

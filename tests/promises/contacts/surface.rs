@@ -1,4 +1,4 @@
-//! Surfaces of triangles: which edges are interior, and nothing is caught by one.
+//! Surfaces of triangles: the interior edges, which catch no sliding box.
 
 use septum::contact::{Contact, InteriorEdges, contact, contact_in_mesh, interior_edges};
 use septum::mesh::{Mesh, MeshError};
@@ -17,7 +17,7 @@ fn edges(vertices: &[Point], triangles: &[[u16; 3]]) -> Vec<InteriorEdges> {
 
 const NONE: InteriorEdges = InteriorEdges::NONE;
 
-/// The edge from vertex 0 to vertex 1 of a first triangle, and a second one on it.
+/// Whether the first edge of two triangles that share it is interior, for each of the two.
 fn on_first_edge(apex: Point, second: [u16; 3]) -> [bool; 2] {
     let vertices = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], apex];
     let all = edges(&vertices, &[[0, 1, 2], second]);
@@ -28,18 +28,18 @@ fn on_first_edge(apex: Point, second: [u16; 3]) -> [bool; 2] {
 
 #[test]
 fn flat_and_concave_edges_are_interior() {
-    // Turned alike: level, above and below.
+    // Consistently oriented: level, above and below.
     for turn in [[1, 0, 3], [0, 3, 1], [3, 1, 0]] {
         assert_eq!(on_first_edge([0.3, -1.0, 0.0], turn), [true; 2]);
         assert_eq!(on_first_edge([0.3, -1.0, 1e-30], turn), [true; 2]);
         assert_eq!(on_first_edge([0.3, 0.5, 1e-30], turn), [true; 2]);
         assert_eq!(on_first_edge([0.3, -1.0, -1e-30], turn), [false; 2]);
-        // Folded back on the first.
+        // Folded back onto the first triangle.
         assert_eq!(on_first_edge([0.3, 1.0, 0.0], turn), [false; 2]);
-        // Of no area.
+        // Of zero area.
         assert_eq!(on_first_edge([0.5, 0.0, 0.0], turn), [false; 2]);
     }
-    // Turned against each other: no side is the upper, but level is level.
+    // Opposite orientations: neither side is up, but level triangles are still level.
     assert_eq!(on_first_edge([0.3, -1.0, 0.0], [0, 1, 3]), [true; 2]);
     assert_eq!(on_first_edge([0.3, -1.0, 1.0], [0, 1, 3]), [false; 2]);
     assert_eq!(on_first_edge([0.3, -1.0, -1.0], [0, 1, 3]), [false; 2]);
@@ -54,7 +54,7 @@ fn an_edge_is_known_by_its_ends() {
     assert_eq!(edges(&square, &[[0, 1, 2], [0, 2, 3]]), diagonal);
     let seam = [square.as_slice(), &[[-0.0; 3], [1.0, 1.0, 0.0]]].concat();
     assert_eq!(edges(&seam, &[[0, 1, 2], [4, 5, 3]]), diagonal);
-    // Three on one edge are no surface; nor are two that are one.
+    // Three triangles at an edge are no surface, and two equal triangles are not either.
     assert_eq!(edges(&square, &[[0, 1, 2], [0, 2, 3], [0, 2, 3]])[0], NONE);
     assert_eq!(edges(&square, &[[0, 1, 2], [0, 1, 2]]), [NONE; 2]);
     let vertices = square.map(Vec3::from);
@@ -67,8 +67,7 @@ fn an_edge_is_known_by_its_ends() {
     assert_eq!(short(9, 9), Ok(()));
 }
 
-/// A floor of cells in a plane z = a·x + b·y, each in two triangles, the inner vertices out of
-/// place.
+/// A floor of cells in a plane z = a·x + b·y, each of two triangles, with displaced inner vertices.
 fn floor(rng: &mut Rng, [a, b]: [f32; 2]) -> (Vec<Triangle<f32>>, Vec<InteriorEdges>) {
     const CELLS: u16 = 6;
     let mut vertices = Vec::new();
@@ -76,7 +75,7 @@ fn floor(rng: &mut Rng, [a, b]: [f32; 2]) -> (Vec<Triangle<f32>>, Vec<InteriorEd
         for j in 0..=CELLS {
             let mut place = |n: u16| {
                 let is_inner = i % CELLS != 0 && j % CELLS != 0;
-                // Less than a quarter of a cell: all triangles face up.
+                // Less than a quarter of a cell, so that all triangles face up.
                 let off = if is_inner { rng.whole(-3, 3) } else { 0 };
                 f32::from(n) - 3.0 + off as f32 / 16.0
             };
@@ -105,12 +104,12 @@ fn floor(rng: &mut Rng, [a, b]: [f32; 2]) -> (Vec<Triangle<f32>>, Vec<InteriorEd
     (triangles.into_iter().map(shape).collect(), interior)
 }
 
-/// Slides boxes over floors, and returns how often one that knows no mesh would be caught.
+/// Slides boxes over floors, and returns how often a box without the mesh's edges would be caught.
 fn slide(starts: usize, seed: u64) -> usize {
     let mut rng = Rng::new(seed);
     let (mut caught, mut rests) = (0, 0);
     for n in 0..starts {
-        // In quarters, so that the floor is level to the last bit.
+        // In quarters, so that the floor is exactly planar.
         let slope = [0, 1].map(|_| if n % 2 == 0 { 0.0 } else { rng.whole(-3, 3) as f32 / 4.0 });
         let (triangles, interior) = floor(&mut rng, slope);
         let size = (slope[0] * slope[0] + slope[1] * slope[1] + 1.0).sqrt();
@@ -145,7 +144,7 @@ fn slide(starts: usize, seed: u64) -> usize {
                 };
                 let is_up = |c: &Contact<f32>| {
                     let n = c.translation.normal.to_array();
-                    // The triangle goes down.
+                    // The triangle is moved down.
                     (0..3).map(|i| n[i] * up[i]).sum::<f32>() < -0.999_999
                 };
                 let Some(found) = ask(Some(edges)) else { continue };
@@ -174,7 +173,7 @@ fn nothing_is_caught_on_ten_thousand_floors() {
     println!("held to the normal: {}", slide(10_000, 0x51df));
 }
 
-/// Without an edge that is interior nothing is held, and a triangle of no area holds nothing.
+/// Without interior edges no contact is held, and a triangle of zero area holds none.
 #[test]
 fn only_interior_edges_hold() {
     let t = Triangle::new([0.0_f32, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]).unwrap();
@@ -190,7 +189,7 @@ fn only_interior_edges_hold() {
         // At the first vertex, sideways: across the third edge, and along the first.
         let beside = contact_in_mesh(&t, edges, &across(-0.875, 1.0)).unwrap();
         assert_eq!(beside.is_held, edges.contains(2));
-        // Off the second vertex: out across the first edge, and inward from the second.
+        // At the second vertex: outward across the first edge, and inward from the second.
         let axes = [[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]];
         let turned = Obb::new([4.225, -0.3, 0.0], axes, [0.5; 3]).unwrap();
         let off = contact_in_mesh(&t, edges, &turned).unwrap();

@@ -1,5 +1,5 @@
-//! The example `keep_out`: it reads G-code or says where it cannot, tells outside, contact and
-//! inside apart, and lets nothing pass between two poses.
+//! The example `keep_out`: it parses G-code or reports the error, distinguishes outside, contact
+//! and inside, and misses nothing between two poses.
 
 #[path = "../../../examples/keep_out/check.rs"]
 mod check;
@@ -42,9 +42,9 @@ fn cross(a: Point, b: Point) -> Point {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// How often the clamps wind around a point: the sum of the solid angles of their faces, in
-/// units of the sphere. A. Van Oosterom, J. Strackee, 1983. It asks no row, and so shares
-/// nothing with the check.
+/// The winding number of the clamps about a point: the sum of the solid angles of their faces,
+/// divided by the sphere's (A. Van Oosterom, J. Strackee, 1983). It is independent of the method of
+/// the check.
 fn winding_number(p: Point) -> f64 {
     let solid_angle = |face: &[u16; 3]| {
         let [a, b, c] = face.map(|i| minus(point(VERTICES[usize::from(i)]), p));
@@ -69,14 +69,14 @@ fn the_clamps_in_flash_are_closed() {
                 if from < to { 1 } else { -1 };
         }
     }
-    // As often in either direction: closed, and oriented alike.
+    // Equally often in either direction: closed, and consistently oriented.
     assert!(faces_of.values().all(|&sum| sum == 0));
-    // Within a jaw, and in a stud that stands in its nut and in its clamp.
+    // Inside a jaw, and inside a stud that stands in its nut and in its clamp.
     assert_eq!(winding_number([1.0, 60.0, 30.0]).round(), 1.0);
     assert_eq!(winding_number([74.0, 0.5, 35.0]).round(), 2.0);
 }
 
-/// Each verdict as that of all faces, one by one, and of the winding number.
+/// Compares each verdict with a test of all faces, one by one, and the winding number.
 #[test]
 fn the_place_is_that_of_all_faces() {
     let zone = Zone::new().unwrap();
@@ -115,7 +115,7 @@ fn moves(text: &str) -> Vec<Move> {
     Program::new(text, tool::HOME).map(Result::unwrap).collect()
 }
 
-/// Wherever the tool is on a move, each of its corners is within the box of the nearer pose.
+/// At each point of a move, every corner of the tool is within the box of the nearer pose.
 #[test]
 fn nothing_passes_between_two_poses() {
     let program = "G0 X3.7 Y-12.3 Z50\nG1 X4.3 Y9.9 A13.5 B-7.25\nG1 Z49.4 A-20 B30\nG1 X-30 B-30\n\
@@ -134,7 +134,7 @@ fn nothing_passes_between_two_poses() {
                 let [(sa, ca), (sb, cb)] = [0, 1]
                     .map(|i| between(pair[0].tilt[i], pair[1].tilt[i]).to_radians().sin_cos());
                 for k in 0..8 {
-                    // The tool itself, 6 mm by 40.
+                    // The tool without clearance, 6 mm by 40.
                     let (x, y) = (corner(k & 1 == 0, 3.0), corner(k & 2 == 0, 3.0));
                     let z = if k & 4 == 0 { 0.0 } else { 40.0 };
                     let (y, z) = (ca * y - sa * z, sa * y + ca * z);
@@ -149,7 +149,7 @@ fn nothing_passes_between_two_poses() {
     assert!(asked > 1_000, "{asked}");
 }
 
-/// The tip is at the middle of the tool's lower end, however it is tilted.
+/// The tip is at the middle of the tool's lower end for every tilt.
 #[test]
 fn the_tool_stands_on_its_tip() {
     let at = |p: Point, a: f64, b: f64| tool::obb(position(p, [a, b])).unwrap();
@@ -167,7 +167,7 @@ fn words_in_any_form() {
     assert_eq!(moves.len(), 1);
     assert_eq!((moves[0].line, moves[0].from), (2, tool::HOME));
     assert_eq!(moves[0].to, position([1.5, -2.0, 120.0], [0.0; 2]));
-    // What is not named stays, and nothing is read after the end.
+    // Axes that are not named keep their value, and nothing is read after the end.
     let moves = self::moves("G1 Z+.25 A45 ; deep\nM30\nrubbish\n");
     assert_eq!(moves[0].to, position([0.0, 0.0, 0.25], [45.0, 0.0]));
     assert_eq!(moves.len(), 1);
@@ -192,7 +192,7 @@ fn rubbish_is_told_with_its_line() {
         let fault = Program::new(text, tool::HOME).find_map(Result::err).expect(text);
         assert_eq!((fault.line, fault.at), (line, at), "{text}");
         assert!(fault.what.contains(what), "{text}: {}", fault.what);
-        // Nothing comes after it.
+        // The error is the last item.
         assert!(Program::new(text, tool::HOME).last().unwrap().is_err(), "{text}");
     }
 }
@@ -209,7 +209,7 @@ proptest! {
     }
 }
 
-/// The bundled programs: one touches and gets away, one ends inside.
+/// The bundled programs: one touches a clamp and recovers, one ends inside.
 #[test]
 fn the_log_names_line_and_pose() {
     let [log, _] = printed("keep_out", &[], &directory("log"));
@@ -247,7 +247,7 @@ fn a_file_of_ones_own() {
     }
 }
 
-/// A tool may be a box of any kind: the check asks no more of it.
+/// A tool may be any box; the check makes no assumption about its size.
 #[test]
 fn tools_of_other_sizes() {
     let zone = Zone::new().unwrap();
@@ -256,7 +256,7 @@ fn tools_of_other_sizes() {
         zone.place(&Obb::from_turns(center, [I16F16::ZERO; 3], half).unwrap())
     };
     assert!(matches!(place([0.0; 3], 200.0), Place::Touches(_)));
-    // In a stud, where that stands in its nut: inside of both.
+    // Inside a stud, where it stands in its nut: inside both.
     assert_eq!(place([74.0, 0.5, 35.5], 0.25), Place::Inside);
     assert_eq!(place([74.0, 0.5, 50.5], 0.25), Place::Outside);
 }

@@ -1,4 +1,4 @@
-//! The examples, as their users meet them.
+//! The examples, run as a user runs them.
 
 mod keep_out;
 mod options;
@@ -22,7 +22,7 @@ fn directory(test: &str) -> PathBuf {
     path
 }
 
-/// Builds an example, once: `cargo test` has built it, `cargo test --test promises` has not.
+/// Builds an example, once: `cargo test` builds examples, `cargo test --test promises` does not.
 fn built(example: &str, target: &Path) {
     static BUILDING: Mutex<()> = Mutex::new(());
     let _one_at_a_time = BUILDING.lock();
@@ -30,7 +30,7 @@ fn built(example: &str, target: &Path) {
     cargo.args(["build", "--quiet", "--manifest-path"]);
     cargo.arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml"));
     cargo.args(["--example", example, "--target-dir"]).arg(target.parent().unwrap());
-    // The folder has the profile's name, but for that of the profile for development.
+    // The folder is named after the profile, except for the development profile.
     let profile = target.file_name().and_then(|name| name.to_str()).unwrap();
     cargo.args(["--profile", if profile == "debug" { "dev" } else { profile }]);
     assert!(cargo.status().unwrap().success(), "{example}");
@@ -48,7 +48,7 @@ fn run(example: &str, arguments: &[&str], directory: &Path) -> Output {
     Command::new(program).args(arguments).current_dir(directory).output().unwrap()
 }
 
-/// What a successful run printed, and what it wrote to the error stream.
+/// The output of a successful run, and its error stream.
 fn printed(example: &str, arguments: &[&str], directory: &Path) -> [String; 2] {
     let output = run(example, arguments, directory);
     let [out, errors] = [output.stdout, output.stderr].map(|s| String::from_utf8(s).unwrap());

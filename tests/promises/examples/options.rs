@@ -1,10 +1,10 @@
-//! What users type wrong costs one line, and says what is right.
+//! A user's mistake is reported in one line, with the valid values.
 
 use std::fs;
 
 use super::{directory, printed, run};
 
-/// Each of these is refused by one line with these words in it.
+/// Each of these is refused with one line that contains these words.
 fn refused(example: &str, cases: &[(&str, &str)]) {
     let directory = directory(&format!("refused-{example}"));
     fs::write(directory.join("far.obj"), "v 1e30 1 1\nv 1e30 1 2\nv 1e30 4 2\nf 1 2 3\n").unwrap();
@@ -68,11 +68,11 @@ fn accuracy_and_rays() {
             &[
                 ("--cases 0", "from 1 to 10^9"),
                 ("--cases -1", "from 1 to 10^9"),
-                // More would not fit the memory.
+                // More would not fit in memory.
                 ("--cases 1000000000000", "from 1 to 10^9"),
                 ("--seed -1", "not a whole number"),
                 ("--seed 1e5", "not a whole number"),
-                // Known at once, and not after minutes of work.
+                // Reported at once, and not after minutes of work.
                 ("--csv none/counts.csv", "none/counts.csv: cannot be written"),
                 ("all", "all"),
             ],

@@ -1,4 +1,4 @@
-//! The example `quantise`: it knows whether a mesh is closed, and closes it.
+//! The example `quantise`: it detects whether a mesh is closed, and closes it.
 
 #[path = "../../../examples/quantise/solid.rs"]
 mod solid;
@@ -9,7 +9,7 @@ use solid::{Face, caps, open_edges, sort_into_parts};
 
 use super::{directory, printed};
 
-/// The faces of a cuboid with corners 0 to 7, seen from outside counterclockwise.
+/// The faces of a cuboid with corners 0 to 7, counterclockwise seen from outside.
 const CUBOID: [Face; 12] = [
     [0, 2, 1],
     [1, 2, 3],
@@ -25,7 +25,7 @@ const CUBOID: [Face; 12] = [
     [3, 7, 5],
 ];
 
-/// Whether each edge is there once in either direction.
+/// Whether each edge occurs once in each direction.
 fn is_oriented(faces: &[Face]) -> bool {
     let edges = || faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     edges().all(|[a, b]| {
@@ -45,8 +45,8 @@ fn the_table_in_flash_is_what_quantise_makes() {
     assert!(report.contains("1308 faces") && report.contains("closed, parts: 24"), "{report}");
 }
 
-/// Without `--close` the teapot is open. There is no table of parts that a check of
-/// what is inside could use by mistake.
+/// Without `--close` the teapot is open. Then there is no table of parts, which a test for inside
+/// could use by mistake.
 #[test]
 fn an_open_mesh_has_no_parts() {
     let [table, report] = printed("quantise", &[], &directory("open"));
@@ -54,7 +54,7 @@ fn an_open_mesh_has_no_parts() {
     assert!(table.contains("FACES: [[u16; 3]; 992]") && !table.contains("PARTS"));
 }
 
-/// Each subset of the faces of a cuboid is closed again, and oriented as before.
+/// Each subset of the faces of a cuboid is closed again, with the same orientation.
 #[test]
 fn holes_of_every_shape_are_closed() {
     assert!(open_edges(&CUBOID).is_empty() && caps(&CUBOID).is_empty());
@@ -67,7 +67,7 @@ fn holes_of_every_shape_are_closed() {
         faces.extend(caps);
         assert!(open_edges(&faces).is_empty(), "{kept:b}");
     }
-    // A hole of one face gets that face back; one of four edges gets two.
+    // A hole of one face gets that face back; a hole of four edges gets two faces.
     for hole in 0..CUBOID.len() {
         let mut faces = CUBOID.to_vec();
         faces.remove(hole);
@@ -83,7 +83,7 @@ fn holes_of_every_shape_are_closed() {
 
 #[test]
 fn parts_share_no_edge() {
-    // Two cuboids that share a vertex, their faces in turn, and a face on its own.
+    // Two cuboids that share a vertex, with interleaved faces, and a separate face.
     let second = CUBOID.map(|face| face.map(|i| i + 7));
     let mut faces: Vec<Face> = CUBOID.into_iter().zip(second).flat_map(<[_; 2]>::from).collect();
     faces.push([20, 21, 22]);
@@ -92,7 +92,7 @@ fn parts_share_no_edge() {
     assert_eq!(faces[12..24], second);
 }
 
-/// Rounding may merge vertices. A face that then has one of them twice bounds nothing.
+/// Rounding may merge vertices. A face that then repeats a vertex bounds nothing.
 #[test]
 fn degenerate_faces_leave_a_mesh_closed() {
     let merged = |i: usize| if i == 7 { 3 } else { i };
@@ -101,7 +101,7 @@ fn degenerate_faces_leave_a_mesh_closed() {
     assert!(faces.iter().any(|&[a, b, c]| a == b || b == c || c == a));
 }
 
-/// The whole way, from a file with a hole to a table.
+/// The whole process, from a file with a hole to a table.
 #[test]
 fn a_box_without_a_lid() {
     let directory = directory("box");

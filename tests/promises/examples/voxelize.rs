@@ -1,5 +1,5 @@
-//! The example `voxelize`: what it says of its time, and the picture that it need not
-//! draw. `voxelize` beside this folder has the rest.
+//! The example `voxelize`: the times that it reports, and the option to draw no picture. The folder
+//! `voxelize` beside this one tests the rest.
 
 use std::fs;
 

@@ -1,4 +1,4 @@
-//! Which meshes are closed, and which edge it is that is open.
+//! Which meshes are closed, and which open edge is reported.
 
 use fixed::types::I16F16;
 use septum::Vec3;
@@ -23,7 +23,7 @@ fn closed_meshes_are_whatever_their_orientation() {
     }
 }
 
-/// Without one face its three edges are open, and the one is named that comes first.
+/// Without one face its three edges are open, and the first of them is reported.
 #[test]
 fn an_open_edge_is_named() {
     for scene in scenes::closed::<I16F16>() {
@@ -45,7 +45,7 @@ fn an_open_edge_is_named() {
     }
 }
 
-/// Vertices in one place are one: the faces of a cube by themselves are closed.
+/// Vertices at one position are the same: the separate faces of a cube are closed.
 #[test]
 fn seams_are_closed() {
     let corner =
@@ -53,12 +53,12 @@ fn seams_are_closed() {
     let sides =
         [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]];
     let mut vertices: Vec<Vec3<f32>> = sides.as_flattened().iter().map(|&k| corner(k)).collect();
-    // Zeros of either sign are one place.
+    // Zeros of either sign are the same position.
     vertices[0] = Vec3::splat(0.0);
     let mut faces: Vec<_> = (0..6_u32)
         .flat_map(|s| [[4 * s, 4 * s + 1, 4 * s + 2], [4 * s, 4 * s + 2, 4 * s + 3]])
         .collect();
-    // A face without area, whose edges cancel.
+    // A face of zero area, whose edges cancel.
     faces.push([0, 1, 1]);
     let mut scratch = vec![[0; 2]; 39];
     let check = |vertices: &[Vec3<f32>], scratch: &mut [[u32; 2]]| {
@@ -72,7 +72,7 @@ fn seams_are_closed() {
     assert!(matches!(check(&vertices, &mut scratch), Err(MeshError::OpenEdge { .. })));
 }
 
-/// Of vertices in one place the first are named, whatever the order of the faces.
+/// Of vertices at one position the first are reported, in any order of the faces.
 #[test]
 fn an_open_seam_is_named_by_the_first() {
     let ends = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]];

@@ -1,4 +1,5 @@
-//! A tree answers as all triangles do, one by one; a closed mesh contains what it winds about.
+//! A tree gives the answers of all triangles, one by one; a closed mesh contains the points that it
+//! winds about.
 
 mod closedness;
 mod scenes;
@@ -20,12 +21,12 @@ fn sorted(found: impl Iterator<Item = usize>) -> Vec<usize> {
     found
 }
 
-/// The triangles of which it is true, asked one by one.
+/// The triangles that satisfy `is`, tested one by one.
 fn those<S: Sample>(mesh: Mesh<'_, S, u16>, is: impl Fn(&Triangle<S>) -> bool) -> Vec<usize> {
     mesh.iter().enumerate().filter(|(_, triangle)| is(triangle)).map(|(i, _)| i).collect()
 }
 
-/// Boxes about points of the scene, by corners and by centre, oriented too.
+/// Boxes around points of the scene, by corners and by centre, and oriented.
 fn boxes<S: Sample>(scene: &Scene<S>, rng: &mut Rng) -> (Vec<Aabb<S>>, Vec<Obb<S>>) {
     let (mut aabbs, mut obbs) = (Vec::new(), Vec::new());
     for _ in 0..30 {
@@ -97,7 +98,7 @@ fn triangles_and_segments_overlap_as_one_by_one<S: Sample>() {
     assert!(count.iter().all(|&n| n > 1_000), "{count:?}");
 }
 
-/// Two scenes, each pair of triangles once.
+/// Two scenes; each pair of triangles is visited once.
 fn meshes_overlap_as_pair_by_pair<S: Sample>() {
     let mut count = 0;
     let mut scenes = scenes::all::<S>();
@@ -120,7 +121,7 @@ fn meshes_overlap_as_pair_by_pair<S: Sample>() {
             });
             assert_eq!(found, pairs.collect::<Vec<_>>(), "{name}");
             count += found.len();
-            // It ends where it is told to.
+            // It ends when the visitor breaks.
             let first = tree.overlapping_pairs(&other, |i, k| ControlFlow::Break((i, k)));
             assert_eq!(first.is_break(), !found.is_empty());
         }
@@ -128,7 +129,7 @@ fn meshes_overlap_as_pair_by_pair<S: Sample>() {
     assert!(count > 1_000, "{count}");
 }
 
-/// Rays between points of the scene, along axes, and from far away, some of them limited.
+/// Rays between points of the scene, along axes, and from far away, some with a limited range.
 fn rays_of<S: Sample>(scene: &Scene<S>, rng: &mut Rng) -> Vec<Ray<S>> {
     let mut rays = Vec::new();
     for k in 0..150 {
@@ -172,7 +173,7 @@ fn rays_hit_as_one_by_one<S: Sample>() {
             found.sort_by_key(|(i, _)| *i);
             assert_eq!(found, expected, "{name}: {ray:?}");
             assert_eq!(tree.is_hit_with(ray, rules), !expected.is_empty(), "{name}: {ray:?}");
-            // The first in true order, and of those in one point the first in the mesh.
+            // The first in true order; at one point, the lowest index in the mesh.
             let of = |i: usize| mesh.triangle(i).expect("it was hit");
             let first = expected.iter().copied().reduce(|a, b| {
                 let order = ray.compare_hits(&of(a.0), &of(b.0)).expect("both are hit");
@@ -186,7 +187,7 @@ fn rays_hit_as_one_by_one<S: Sample>() {
     assert!(count[0] > 1_000 && count[1] > 200, "{count:?}");
 }
 
-/// What a tree's answer should be, by the oracle.
+/// Compares a tree's answer with the oracle.
 fn check_winding<S: Sample>(
     tree: &Tree<'_, S, u16>,
     name: &str,
@@ -230,7 +231,7 @@ fn nothing_contains_a_point_that_is_none() {
     }
 }
 
-// Not in all scalars: compiling takes longer than asking.
+// Not in all scalars, because compiling takes longer than testing.
 for_scalars!(
     [
         f32: f32,

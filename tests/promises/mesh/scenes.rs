@@ -1,4 +1,4 @@
-//! Meshes to ask about.
+//! Meshes for the tests.
 
 use septum::Vec3;
 use septum::mesh::{Mesh, Node, Tree};
@@ -13,7 +13,7 @@ pub(super) struct Scene<S> {
     pub(super) faces: Vec<[u16; 3]>,
     nodes: Vec<Node>,
     order: Vec<u16>,
-    /// About where it is, and how large.
+    /// Its approximate position and size.
     pub(super) middle: [f64; 3],
     pub(super) size: f64,
 }
@@ -51,8 +51,8 @@ impl<S: Sample> Scene<S> {
         Tree::build(Mesh::new(vertices, faces).expect("a mesh"), nodes, order).expect("room")
     }
 
-    /// A point near the mesh: a vertex, the middle of an edge or of a face as nearly as the
-    /// type has it, or anywhere; seldom far off.
+    /// A point near the mesh: a vertex, the midpoint of an edge or of a face as nearly as the type
+    /// allows, or a random point, seldom far away.
     pub(super) fn point(&self, rng: &mut Rng) -> [S; 3] {
         let at = |v: u16| self.vertices[usize::from(v)].to_array().map(S::approximate);
         let mean = |points: &[[f64; 3]]| {
@@ -65,7 +65,7 @@ impl<S: Sample> Scene<S> {
                 0 => face[0],
                 1 => mean(&face[..2]),
                 2 => mean(&face),
-                // A vertex's coordinate on one axis alone.
+                // A vertex's coordinate on a single axis.
                 _ => {
                     let mut p = self.anywhere(rng, 1.0);
                     let i = rng.below(3);
@@ -84,7 +84,7 @@ impl<S: Sample> Scene<S> {
     }
 }
 
-/// Scenes whose every vertex the type has, closed but for some: see [`closed`].
+/// Scenes whose vertices the type can represent: the [`closed`] meshes, and open ones.
 pub(super) fn all<S: Sample>() -> Vec<Scene<S>> {
     let mut scenes = closed::<S>();
     let mut rng = Rng::new(91);
@@ -100,7 +100,7 @@ pub(super) fn all<S: Sample>() -> Vec<Scene<S>> {
     soup("one point", 40, &mut |_, _| [unit; 3]);
     soup("anywhere", 150, &mut |rng, _| rng.triple(|rng| rng.real(-unit, unit)));
     soup("on a grid", 150, &mut |rng, _| rng.triple(|rng| rng.whole(-4, 4) as f64 * unit / 4.0));
-    // Long and thin, some of them segments or points.
+    // Long and thin triangles, some of them segments or points.
     let mut from = [0.0; 3];
     soup("slivers", 150, &mut |rng, k| {
         if k % 3 != 1 {
@@ -115,7 +115,7 @@ pub(super) fn all<S: Sample>() -> Vec<Scene<S>> {
         from = rng.triple(|rng| rng.real(-unit, unit));
         from
     });
-    // Flat as a floor, on the greatest and the least numbers, and small beside zero.
+    // Flat as a floor, at the greatest and the least numbers, and small beside zero.
     soup("floor", 150, &mut |rng, _| [rng.real(-unit, unit), unit / 2.0, rng.real(-unit, unit)]);
     let (least, greatest) = (S::LEAST.approximate(), S::GREATEST.approximate());
     soup("whole range", 60, &mut |rng, _| {
@@ -132,7 +132,7 @@ pub(super) fn all<S: Sample>() -> Vec<Scene<S>> {
     scenes
 }
 
-/// Closed meshes. One has faces of its parts beside each other, one a grid of whole numbers.
+/// Closed meshes. One has parts with adjacent faces, one lies on an integer grid.
 pub(super) fn closed<S: Sample>() -> Vec<Scene<S>> {
     let narrow = |faces: &[[usize; 3]]| -> Vec<[u16; 3]> {
         faces.iter().map(|face| face.map(|v| v as u16)).collect()

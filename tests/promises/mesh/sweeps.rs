@@ -6,7 +6,8 @@ use septum_kit::{Rng, Sample};
 
 use super::{boxes, scenes};
 
-/// Boxes of all sizes between points of the scene, some of which move along an axis, or not.
+/// Boxes of all sizes that move between points of the scene; some move along an axis, and some not
+/// at all.
 pub(super) fn boxes_meet_first_as_one_by_one<S: Sample>() {
     let (mut rng, mut count) = (Rng::new(95), [0; 3]);
     for mut scene in scenes::all::<S>() {

@@ -1,4 +1,4 @@
-//! Trees from tables: sound ones answer as they did, and broken ones are refused.
+//! Trees from tables: valid tables give the same answers, and damaged tables are refused.
 
 use fixed::types::I16F16;
 use septum::mesh::{Mesh, MeshError, Node, Tree};
@@ -7,7 +7,7 @@ use septum_kit::Rng;
 
 use super::{scenes, sorted};
 
-/// Nodes and triangles of a tree that was built, both in its order.
+/// Nodes and triangles of a built tree, both in its order.
 fn table<'a>(tree: &Tree<'a, I16F16, u16>) -> (Vec<Node>, Vec<[u16; 3]>) {
     let faces = tree.order().map(|i| tree.mesh().triangles()[i]).collect();
     (tree.nodes().to_vec(), faces)
@@ -33,7 +33,7 @@ fn a_table_answers_as_the_tree_did() {
     }
 }
 
-/// Any bit of a table turned, and more than one: it is refused, or answers the same.
+/// With one or more flipped bits, a table is refused or gives the same answers.
 #[test]
 fn a_broken_table_is_refused() {
     let mut rng = Rng::new(86);
@@ -94,7 +94,7 @@ fn a_table_of_another_length_is_refused() {
     assert!(matches!(Tree::new(other, &nodes), Err(MeshError::Node { .. })));
 }
 
-/// One tree, whatever the machine: 16-bit numbers and an order that ties do not change.
+/// One tree on every machine: 16-bit coordinates, and an order with defined ties.
 #[test]
 fn a_tree_fits_a_small_core() {
     let mut scene = scenes::closed::<I16F16>().swap_remove(1);

@@ -1,5 +1,5 @@
-//! Oriented boxes by a rotation, against whole numbers of any size: how far each component is
-//! from the truth, and axes from a frame.
+//! Oriented boxes from rotations, compared with integers of any size: the error of each component,
+//! and of the frame.
 
 mod oracle;
 
@@ -11,7 +11,7 @@ use septum_kit::{Parts, Rng, Sample};
 
 use oracle::{Frame, UNIT, by_hamilton, by_steps, one, power_of_two, times, value};
 
-/// How a component may be off: by half a unit of its last place, and by this power of two more.
+/// The permitted error of a component: half a unit of its last place, plus this power of two.
 #[derive(Clone, Copy)]
 struct Allowed {
     /// The fraction bits of a fixed-point type.
@@ -33,14 +33,14 @@ impl Allowed {
     }
 }
 
-/// Each component as near as is allowed, and so the dot products of the axes.
+/// Each component is within the permitted error, and so are the dot products of the axes.
 fn check_frame(found: &Frame<Parts>, truth: &Frame<IBig>, allowed: Allowed, told: &str) -> f64 {
     let (mut greatest, mut most) = (IBig::ZERO, 0.0_f64);
     let one = one();
     for (found, truth) in found.as_flattened().iter().zip(truth.as_flattened()) {
         let may = allowed.for_component(*found);
         let off = (value(*found) - truth).abs();
-        // The greatest number stands for one where there is no one.
+        // Types without a number 1 use the greatest number.
         let is_cut = *found == allowed.greatest && value(*found) < one && *truth > value(*found);
         assert!(off <= may || is_cut, "{told}: {found:?} of {truth:?}");
         let share = (&off >> 100).to_f64().value() / (&may >> 100).to_f64().value();
@@ -60,7 +60,7 @@ fn check_frame(found: &Frame<Parts>, truth: &Frame<IBig>, allowed: Allowed, told
     most
 }
 
-/// The numbers that the scalar holds, and the axes that it makes of them.
+/// The input numbers in the scalar, and the axes computed from them.
 type Made<const K: usize> = ([Parts; K], Frame<Parts>);
 
 /// A type, as functions that are not generic.
@@ -111,7 +111,8 @@ impl Type {
     }
 }
 
-/// Numbers of one quaternion: of any direction, along an axis or nearly, with two alike.
+/// The numbers of a quaternion: of any direction, along an axis or nearly, with two equal
+/// components.
 fn quaternion(rng: &mut Rng, round: usize) -> [f64; 4] {
     let mut q = [(); 4].map(|()| rng.real(-1.0, 1.0));
     match round % 4 {
@@ -125,7 +126,7 @@ fn quaternion(rng: &mut Rng, round: usize) -> [f64; 4] {
         _ => {}
     }
     let length = q.iter().map(|x| x * x).sum::<f64>().sqrt();
-    // Not quite of length one: within the quarter, it does not matter.
+    // Not quite of length one, which makes no difference within the tolerance.
     let length = length * if round % 3 == 0 { rng.real(0.93, 1.07) } else { 1.0 };
     q.map(|x| x / length)
 }
@@ -147,7 +148,7 @@ fn a_quaternion_makes_the_nearest_frame() {
         }
     }
     assert!(asked > 10_000, "{asked}");
-    // The bounds are about what is found, but for f64, whose is of the worst case.
+    // The bounds are nearly reached, except in f64, whose bound is for the worst case.
     assert!(most.iter().enumerate().all(|(i, &m)| m > if i == 1 { 0.1 } else { 0.9 }), "{most:?}");
 }
 
@@ -169,12 +170,12 @@ fn turns_make_a_frame_within_the_bound() {
             *most = most.max(check_frame(&found, &truth, kind.turns, &told));
         }
     }
-    // The bounds are about what is found, but where they are of the worst case alone.
+    // The bounds are nearly reached, except where they are for the worst case.
     let least = |i| if matches!(i, 1 | 7) { 0.04 } else { 0.9 };
     assert!(most.iter().enumerate().all(|(i, &m)| m > least(i)), "{most:?}");
 }
 
-/// Every quaternion of I4F4: the nearest component.
+/// Every quaternion of I4F4 gives the nearest components.
 #[test]
 fn every_quaternion_of_four_bits() {
     let (mut taken, mut refused) = (0, 0);
@@ -193,14 +194,14 @@ fn every_quaternion_of_four_bits() {
                     continue;
                 };
                 taken += 1;
-                // It is a frame that `new` would take, too.
+                // `new` accepts the frame too.
                 assert_eq!(Obb::new(made.center(), *made.axes(), made.half_extents()), Ok(made));
                 let truth = by_hamilton(&q.map(IBig::from));
                 for (axis, truth) in made.axes().iter().zip(truth) {
                     for (found, truth) in axis.to_array().into_iter().zip(truth) {
                         let off: IBig = IBig::from(found.to_bits()) * (one() / 16) - &truth;
-                        // No component lies in the middle of two numbers: the denominator of
-                        // a rotation's, reduced, is no multiple of 8.
+                        // No component is a midpoint of two numbers: the reduced denominator of a
+                        // rotation's component is no multiple of 8.
                         assert!(off.abs() < one() / 32, "{q:?}: {made:?}");
                     }
                 }
@@ -210,7 +211,7 @@ fn every_quaternion_of_four_bits() {
     assert!(taken > 1_000 && refused > 1_000, "{taken} {refused}");
 }
 
-/// Quarters leave no error, however many, in any order.
+/// Quarter turns are exact, in any number and order.
 fn quarters<S: Sample>() {
     let [zero, one] = [0.0, 1.0].map(S::nearest);
     for n in 0..512_i32 {
@@ -265,7 +266,7 @@ fn what_is_no_rotation_is_refused() {
     }
     let negative = Obb::from_turns([0.0_f32; 3], [0.0; 3], [1.0, -1.0, 1.0]);
     assert_eq!(negative, Err(ShapeError::NegativeHalfExtent));
-    // All at the ends of a type.
+    // All numbers at the ends of a type.
     for ends in [[I1F63::MIN; 4], [I1F63::MAX; 4]] {
         let made = Obb::from_quaternion([I1F63::ZERO; 3], ends, [I1F63::MAX; 3]);
         assert_eq!(made, Err(ShapeError::NotUnitQuaternion));
@@ -274,7 +275,7 @@ fn what_is_no_rotation_is_refused() {
     assert_eq!(Obb::from_turns(none, none, none), Err(ShapeError::NoUnitLength));
     let q = [I0F16::MIN; 4];
     assert_eq!(Obb::from_quaternion(none, q, none), Err(ShapeError::NoUnitLength));
-    // Eighths do not hold every frame.
+    // Eighths cannot represent every frame.
     let mut no_frames = 0;
     for n in 0..17_i32.pow(4) {
         let q = [n % 17, n / 17 % 17, n / 289 % 17, n / 4913].map(|x| I5F3::from_bits(x as i8 - 8));
@@ -286,7 +287,7 @@ fn what_is_no_rotation_is_refused() {
         }
     }
     assert!(no_frames > 100, "{no_frames}");
-    // Whole numbers hold the quarters.
+    // Integers can represent quarter turns.
     let made = Obb::from_turns([I16F0::ZERO; 3], [I16F0::ONE; 3], [I16F0::ONE; 3]).unwrap();
     assert_eq!(made.axes()[2].z, I16F0::ONE);
     assert!(Obb::from_turns([I8F8::ZERO; 3], [I8F8::MIN; 3], [I8F8::ONE; 3]).is_ok());

@@ -1,5 +1,5 @@
-//! Frames in whole numbers: by Hamilton's product q·e·q*, and by sines and cosines from Taylor's
-//! series of the whole angle, to 200 bits, one axis after the other.
+//! Frames in integers: by Hamilton's product q·e·q*, and by sines and cosines from Taylor series of
+//! the whole angle, to 200 bits, one axis after the other.
 
 use dashu_int::IBig;
 use septum_kit::Parts;
@@ -26,7 +26,7 @@ pub(super) fn value((m, e): Parts) -> IBig {
 
 pub(super) type Frame<T> = [[T; 3]; 3];
 
-/// q·e·q*, over the square of q, for each of the axes.
+/// q·e·q*, divided by the square of q, for each of the axes.
 pub(super) fn by_hamilton(q: &[IBig; 4]) -> Frame<IBig> {
     let product = |a: &[IBig; 4], b: &[IBig; 4]| {
         let ([ax, ay, az, aw], [bx, by, bz, bw]) = (a, b);
@@ -76,7 +76,7 @@ pub(super) fn circle(turns: &IBig) -> (IBig, IBig) {
     (cos, sin)
 }
 
-/// The axes of space, turned about x, then about y, then about z.
+/// The coordinate axes rotated about x, then about y, then about z.
 pub(super) fn by_steps(turns: &[IBig; 3]) -> Frame<IBig> {
     let mut axes = [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { one() } else { IBig::ZERO }));
     for (i, turns) in turns.iter().enumerate() {

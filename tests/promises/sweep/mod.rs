@@ -1,5 +1,5 @@
-//! Shapes that move: whether they meet is exact, and the time is the greatest number that is not
-//! above the true one. A mesh's tree is in `mesh`.
+//! Moving shapes: the verdict is exact, and the time is the greatest number not above the true one.
+//! A mesh's tree is in `mesh`.
 
 use septum::relation::{Relate, Relation};
 use septum::sweep::{FirstContact, Motion, Sweep};
@@ -9,8 +9,8 @@ use septum_kit::fixed::{FixedI8, FixedI64};
 use septum_kit::sweeps::SweepSet;
 use septum_kit::{Rng, Sample, Set, for_every_scalar, with_every_scalar};
 
-/// All of the sets, triangles with boxes and boxes with boxes; and how many miss, meet at the
-/// start and meet on their way.
+/// All sets, triangles with boxes and boxes with boxes; counts the misses, contacts at the start,
+/// and contacts during the motion.
 fn check<S: Sample>(cases: usize) -> [[usize; 3]; 2] {
     let mut seen = [[0; 3]; 2];
     let kind = |found: Option<FirstContact<S>>| {
@@ -37,7 +37,7 @@ fn agrees_with_the_oracle<S: Sample>() {
 }
 for_every_scalar!(agrees_with_the_oracle);
 
-/// Types that cannot hold one: the time ends where they end.
+/// Types without a number 1: the time is clamped to the range.
 #[test]
 fn agrees_where_there_is_no_one() {
     for seen in [check::<FixedI8<U7>>(200), check::<FixedI8<U8>>(200), check::<FixedI64<U64>>(200)]
@@ -52,7 +52,7 @@ fn agrees_where_there_is_no_one() {
     assert_eq!(first, FirstContact { t: FixedI8::MAX, axis: Some(Axis::Face(0)) });
 }
 
-/// Of a hundred times as many: `cargo test --release --test promises sweep -- --ignored`.
+/// A hundred times as many cases: `cargo test --release --test promises sweep -- --ignored`.
 #[test]
 #[ignore = "takes minutes"]
 fn agrees_with_the_oracle_on_many() {
@@ -62,7 +62,7 @@ fn agrees_with_the_oracle_on_many() {
     with_every_scalar!(many);
 }
 
-/// Without a way it is the question at rest, and what meets meets at the start.
+/// Without motion the answer is that at rest, and contacts are at the start.
 fn no_way_is_rest<S: Sample>() {
     for set in [Set::Grid, Set::Touch, Set::Degenerate] {
         for case in set.cases::<S>(0x5eed, 300) {
@@ -78,7 +78,7 @@ fn no_way_is_rest<S: Sample>() {
 }
 for_every_scalar!(no_way_is_rest);
 
-/// Boxes of any size, from one side of a thin wall to the other, by any way.
+/// Boxes of any size, from one side of a thin wall to the other, by any motion.
 fn nothing_passes_a_wall<S: Sample>() {
     let mut rng = Rng::new(0x3a11);
     let near = |p: [f64; 3]| p.map(S::nearest);
@@ -93,7 +93,7 @@ fn nothing_passes_a_wall<S: Sample>() {
         let shot = Motion::new(from, to).unwrap();
         let first = bullet.first_contact(&shot, &wall);
         assert!(first.is_some_and(|first| first.t > S::ZERO), "{bullet:?} {shot:?}");
-        // And on this side nothing.
+        // On this side of the wall they meet nothing.
         let along = Motion::new(from, [to[0], to[1], from[2]]).unwrap();
         assert!(!bullet.meets_along(&along, &wall), "{bullet:?} {along:?}");
     }

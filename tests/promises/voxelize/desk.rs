@@ -1,4 +1,4 @@
-//! Where a test runs the example: a directory, files in it, and what came of a run.
+//! Runs the example in a directory with files, and checks the results.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -25,8 +25,8 @@ impl Desk {
         self.0.join(name).exists()
     }
 
-    /// Runs the example, which `cargo test` has built beside this test; if it was asked for
-    /// tests alone, builds it.
+    /// Runs the example, which `cargo test` has built beside this test; builds it if only tests
+    /// were built.
     pub(super) fn run(&self, arguments: &str) -> Output {
         let test = std::env::current_exe().unwrap();
         let target = test.parent().and_then(Path::parent).unwrap();
@@ -68,8 +68,7 @@ impl Desk {
         voxels
     }
 
-    /// Every failure is one line on stderr, and the exit code of an error that
-    /// was foreseen.
+    /// Every failure is one line on stderr, with the exit code of an expected error.
     pub(super) fn fail(&self, arguments: &str, says: &[&str]) {
         let output = self.run(arguments);
         let errors = String::from_utf8(output.stderr).unwrap();

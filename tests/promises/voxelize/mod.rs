@@ -1,5 +1,4 @@
-//! The example `voxelize` as its user meets it: what it writes and counts, and
-//! what it says when it cannot.
+//! The example `voxelize`, run as a user runs it: its files, its counts, and its errors.
 
 mod desk;
 mod refused;
@@ -28,7 +27,7 @@ fn teapot_without_arguments_but_a_resolution() {
     let mut pixels = vec![0; picture.output_buffer_size().unwrap()];
     let info = picture.next_frame(&mut pixels).unwrap();
     assert_eq!((info.width, info.height), (900, 700));
-    // Paper in the corner; somewhere the blue of the foot and the red of the lid.
+    // The background in the corner; somewhere the blue of the foot and the red of the lid.
     assert!(pixels[..3].iter().all(|&c| c > 200));
     let any = |what: fn(&[u8]) -> bool| pixels.chunks_exact(3).any(what);
     assert!(any(|c| c[0] < c[2] / 2) && any(|c| c[2] < c[0] / 2));
@@ -51,18 +50,18 @@ fn scalars_agree_on_the_teapot() {
     for scalar in ["f32", "i16f16", "i32f32"] {
         assert_eq!(desk.voxels(&format!("-r 32 -s {scalar}")), reference, "{scalar}");
     }
-    // Conservative: all of those, and hardly more.
+    // Conservative: all of these, and few more.
     let conservative = desk.voxels("-r 32 -s f32 -m conservative");
     assert!(reference.iter().all(|v| conservative.binary_search(v).is_ok()));
     assert!(conservative.len() < reference.len() * 101 / 100);
 }
 
-/// Every face of both boxes lies between two layers of voxels: closed sets touch
-/// both, and rounding would drop one of them.
+/// Every face of both boxes lies between two layers of voxels: closed sets touch both, and rounding
+/// would drop one of them.
 #[test]
 fn faces_on_the_grid_touch_both_sides() {
     let desk = Desk::new("on-grid");
-    // Both 8 and 32 are among those k for which k / 49 * 49 is not k in f64.
+    // For both k = 8 and k = 32, k / 49 * 49 is not k in f64.
     desk.write("boxes.obj", cuboid([0; 3], [49; 3], 0) + &cuboid([8; 3], [32; 3], 8));
     let outer = 49_u64.pow(3) - 47_u64.pow(3);
     let inner = 26_u64.pow(3) - 22_u64.pow(3);
@@ -186,7 +185,7 @@ fn several_meshes_and_gltf() {
     desk.fail("no.glb", &["no.glb", "not a valid glTF"]);
 }
 
-/// The colours of wrong voxels, in the right half alone.
+/// The colours of wrong voxels, in the right half only.
 #[test]
 fn two_methods_side_by_side() {
     let desk = Desk::new("compare");

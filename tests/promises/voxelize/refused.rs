@@ -1,4 +1,4 @@
-//! What cannot be done: one line says what is wrong.
+//! Impossible requests: one line reports the error.
 
 use std::fs;
 

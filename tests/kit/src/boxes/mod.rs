@@ -1,5 +1,5 @@
-//! A box and an oriented box: an oracle that clips the surface of the one by the other, in its
-//! own coordinates and in whole numbers.
+//! A box and an oriented box: an oracle that clips the surface of one box by the other, in that
+//! box's own coordinates and in integers.
 
 mod sets;
 
@@ -56,13 +56,13 @@ pub struct BoxCase<S> {
     pub second: ObbNumbers<S>,
 }
 
-/// The same, made.
+/// The shapes made from these numbers.
 enum Shape<S> {
     Aabb(Aabb<S>),
     Obb(Obb<S>),
 }
 
-/// A box in whole numbers: centre, axes and half-extents, of points times one.
+/// A box in integers: centre, axes and half-extents. Positions are multiplied by one.
 struct Whole {
     center: [IBig; 3],
     axes: [[IBig; 3]; 3],
@@ -70,11 +70,11 @@ struct Whole {
 }
 
 impl Whole {
-    /// In `unit`, of which there are `one` in one; both times `scale`.
+    /// The box in units of 2^`unit`, with `one` as the number of units in one; both times `scale`.
     fn new(any: AnyBox<Parts>, unit: i32, scale: &IBig) -> Self {
         let number = |x: Parts| whole(x, unit);
         let one = IBig::ONE << (-unit) as usize;
-        // All twice, for the centre between corners need not be a number.
+        // All numbers are doubled, because the centre between two corners need not be an integer.
         let times = |x: IBig, n: u8| x * IBig::from(n) * scale;
         let along = || {
             let zero = || IBig::ZERO;
@@ -96,8 +96,8 @@ impl Whole {
         Self { center: center.map(|x| x * &one), axes, half }
     }
 
-    /// w_i·x + h_i·|det| for the normals w_i of the faces, and twice h_i·|det|: x is inside
-    /// if it is between zero and that.
+    /// w_i·x + h_i·|det| for the normals w_i of the faces, and twice h_i·|det|: x is inside if each
+    /// value is between zero and that.
     fn coordinates(&self) -> (impl Fn(&[IBig; 3]) -> [IBig; 3] + '_, [IBig; 3]) {
         let [u, v, n] = &self.axes;
         let w = [IBig::cross(v, n), IBig::cross(n, u), IBig::cross(u, v)];
@@ -123,8 +123,8 @@ impl Whole {
         corner
     }
 
-    /// Whether this box and the other have a point in common: a triangle of the surface of the
-    /// other meets this one, or all of this one is inside of the other.
+    /// Whether the two boxes have a point in common: a triangle of one's surface meets the other
+    /// box, or one box is inside the other.
     fn meets(&self, other: &Self) -> bool {
         let (of, extent) = other.coordinates();
         let center = of(&self.center);
@@ -144,7 +144,7 @@ impl Whole {
         })
     }
 
-    /// Drawn together by one in 2^`bits`, about its centre.
+    /// The box, shrunk about its centre by a factor of 1 − 2^−`bits`.
     fn shrunk(&self, bits: usize) -> Self {
         let whole = IBig::ONE << bits;
         let less = &whole - IBig::ONE;
@@ -185,9 +185,9 @@ impl<S: Sample> BoxCase<S> {
         first.meets(&second)
     }
 
-    /// How they lie to each other, for numbers of a few bits: their interiors meet if both may
-    /// shrink a little and still meet. The least of all numbers of degree 8 that are not zero is
-    /// beyond what they shrink by.
+    /// The relation, for numbers of a few bits. The interiors meet if both boxes still meet after
+    /// shrinking a little: the least nonzero value of degree 8 is greater than the change by
+    /// shrinking.
     pub fn truth(&self) -> Truth {
         let [first, second] = self.whole();
         if !first.meets(&second) {
@@ -199,7 +199,7 @@ impl<S: Sample> BoxCase<S> {
         }
     }
 
-    /// The shapes, if they are any.
+    /// The shapes, if the numbers are valid.
     fn shapes(&self) -> Option<(Shape<S>, Obb<S>)> {
         let first = match self.first {
             AnyBox::Aabb(aabb) => Shape::Aabb(aabb.shape().ok()?),
@@ -208,8 +208,8 @@ impl<S: Sample> BoxCase<S> {
         Some((first, self.second.shape().ok()?))
     }
 
-    /// What the crate says in either order, and what `may_overlap` says; nothing where the
-    /// numbers are no shapes.
+    /// The crate's answers in either order, and the answer of `may_overlap`; `None` if the numbers
+    /// are invalid.
     pub fn answers(&self) -> Option<([bool; 2], bool)> {
         let (first, second) = self.shapes()?;
         Some(match first {
@@ -222,7 +222,7 @@ impl<S: Sample> BoxCase<S> {
         })
     }
 
-    /// How the crate says that they lie to each other, in either order.
+    /// The relation according to the crate, in either order.
     pub fn relations(&self) -> Option<[Relation; 2]> {
         let (first, second) = self.shapes()?;
         Some(match first {
@@ -234,7 +234,7 @@ impl<S: Sample> BoxCase<S> {
     /// Checks the answers against the oracle, and returns its answer.
     ///
     /// # Panics
-    /// Where one is wrong.
+    /// If an answer is wrong.
     pub fn check(&self) -> Option<bool> {
         let (answers, may) = self.answers()?;
         let meets = self.meets();

@@ -7,11 +7,11 @@ use crate::sample::Sample;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BoxSet {
-    /// Turned anyhow.
+    /// Random rotations.
     Turned,
-    /// Turned by a hair: axes that are nearly parallel.
+    /// Slight rotations, for nearly parallel axes.
     NearlyParallel,
-    /// Whole numbers, axes along those of space or across: contact of every kind.
+    /// Integers, with axes parallel to the coordinate axes or diagonal: contact of every kind.
     Grid,
     /// Any bits.
     Bits,
@@ -84,7 +84,7 @@ impl BoxSet {
             Self::NearlyParallel => {
                 turned(rng.triple(|rng| if rng.one_in(2) { 0.0 } else { rng.real(-1e-7, 1e-7) }))
             }
-            // Along, or skewed by whole numbers.
+            // Parallel, or skewed by integers.
             Self::Grid => {
                 let skew = if rng.one_in(2) { 0 } else { 1 };
                 let mut axes = [[0; 3]; 3];

@@ -1,5 +1,4 @@
-//! Convex hulls in whole numbers: whether two share an interior point, and how far they overlap on
-//! every axis.
+//! Convex hulls in integers: whether two share an interior point, and their overlap on every axis.
 
 use dashu_int::IBig;
 
@@ -8,8 +7,8 @@ use crate::lattice::Ring;
 
 pub(super) type Point = [IBig; 3];
 
-/// The convex hull of points, with the vectors along its sides and how many faces have normals of
-/// their own.
+/// The convex hull of points, with the vectors along its sides and the number of faces that have
+/// separate normals.
 pub(super) struct Hull {
     pub(super) points: Vec<Point>,
     pub(super) sides: [Point; 3],
@@ -43,14 +42,14 @@ impl Hull {
     }
 }
 
-/// Whether two hulls have a point in common that stays one if both are drawn together by one in
-/// 2^128 about their centres.
+/// Whether two hulls still have a point in common after both shrink by a factor of 1 − 2^−128 about
+/// their centres.
 pub(super) fn share_an_interior_point(first: &[Point], second: &[Point]) -> bool {
     let shrunk = |points: &[Point], other: usize| -> Vec<Point> {
         let count = IBig::from(points.len());
         let center = points.iter().fold([IBig::ZERO, IBig::ZERO, IBig::ZERO], |s, p| sum(&s, p));
         let less = ((IBig::ONE << 128) - IBig::ONE) * count;
-        // In units that both have: by the number of points of either.
+        // In a common unit, divided by the number of points of either hull.
         let shrink = |p: &Point| scaled(&sum(&scaled(p, &less), &center), &IBig::from(other));
         points.iter().map(shrink).collect()
     };
@@ -60,13 +59,13 @@ pub(super) fn share_an_interior_point(first: &[Point], second: &[Point]) -> bool
     holds_zero(&differences)
 }
 
-/// A direction, by how much the shapes overlap on it: |a|·depth, and a.
+/// The overlap of the shapes along a direction: |a|·depth, and a.
 pub(super) struct Depth {
     pub(super) overlap: IBig,
     pub(super) square: IBig,
 }
 
-/// Whether both lie in one plane, or in parallel ones.
+/// Whether both hulls lie in one plane, or in parallel planes.
 pub(super) fn is_flat(hulls: &[Hull; 2]) -> bool {
     let sides: Vec<&Point> = hulls
         .iter()
@@ -76,7 +75,7 @@ pub(super) fn is_flat(hulls: &[Hull; 2]) -> bool {
     !normals().any(|n| sides.iter().any(|c| IBig::dot(&n, c) != IBig::ZERO))
 }
 
-/// How far the shapes overlap on all axes, either way; `None` if they do not overlap on one.
+/// The overlaps of the shapes on all axes, in both directions; `None` if an axis separates.
 pub(super) fn depths(hulls: &[Hull; 2]) -> Option<Vec<Depth>> {
     let [first, second] = hulls;
     let mut axes = [first.normals(), second.normals()].concat();

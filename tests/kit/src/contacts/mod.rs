@@ -1,5 +1,5 @@
-//! Shapes in each other: two oracles in whole numbers. By linear programming whether they are, and
-//! whether a translation takes them apart; by all axes how far they are in each other at least.
+//! Overlapping shapes: two oracles in integers. Linear programming decides whether shapes overlap,
+//! and whether a translation separates them; the minimum over all axes gives the depth.
 
 mod hull;
 mod sets;
@@ -26,7 +26,7 @@ pub enum Solid<S> {
     Box(AnyBox<S>),
 }
 
-/// The same, made.
+/// The shapes made from these numbers.
 enum Made<S> {
     Triangle(Triangle<S>),
     Aabb(Aabb<S>),
@@ -106,7 +106,7 @@ impl<S: Sample> Solid<S> {
 }
 
 impl<S: Sample> ContactCase<S> {
-    /// What the crate says.
+    /// The crate's answer.
     pub fn contact(&self) -> Option<Option<Contact<S>>> {
         let both = (self.first.made()?, self.second.made()?);
         macro_rules! each {
@@ -127,7 +127,7 @@ impl<S: Sample> ContactCase<S> {
         ))
     }
 
-    /// What the crate says of the first shape as a triangle of a mesh.
+    /// The crate's answer for the first shape as a triangle of a mesh.
     pub fn contact_in_mesh(&self, interior: InteriorEdges) -> Option<Option<Contact<S>>> {
         let Made::Triangle(t) = self.first.made()? else { return None };
         Some(match self.second.made()? {
@@ -137,7 +137,7 @@ impl<S: Sample> ContactCase<S> {
         })
     }
 
-    /// How far the shapes are in each other at least, on all axes; `None` if they have no contact.
+    /// The minimum depth over all axes; `None` if there is no contact.
     pub fn least_depth(&self) -> Option<f64> {
         let unit = least_exponent(&[self.first.numbers(), self.second.numbers()].concat()).min(0);
         let all = depths(&[self.first.hull(unit), self.second.hull(unit)])?;
@@ -146,10 +146,10 @@ impl<S: Sample> ContactCase<S> {
         Some(least * 2_f64.powi(2 * unit - 1))
     }
 
-    /// Checks what the crate says, and returns whether it was a contact whose numbers are in range.
+    /// Checks the crate's answer, and returns whether it was a contact with numbers in range.
     ///
     /// # Panics
-    /// Where something is wrong.
+    /// If something is wrong.
     pub fn check(&self, with_programming: bool) -> Option<bool> {
         let found = self.contact()?;
         let extra: Vec<S> = found
@@ -199,7 +199,8 @@ impl<S: Sample> ContactCase<S> {
         Some(true)
     }
 
-    /// Not below the least, and no number is between but for 2^-55 of it.
+    /// The depth is not below the minimum, and no number lies between them, except within 2^-55 of
+    /// it.
     fn check_depth(&self, depth: S, least: &Depth, length: &dyn Fn(S) -> IBig) {
         let square = |x: IBig| &x * &x * &least.square;
         let of_overlap = &least.overlap * &least.overlap;
@@ -209,8 +210,8 @@ impl<S: Sample> ContactCase<S> {
         assert!(square(before) < of_overlap * &near * &near, "depth {depth:?} too great: {self:?}");
     }
 
-    /// Each coordinate is |aᵢ|·o/(a·a) for the axis that is named, rounded away from zero, and the
-    /// vector parts the shapes on that axis.
+    /// Each coordinate is |aᵢ|·o/(a·a) for the axis named, rounded away from zero, and the vector
+    /// separates the shapes on that axis.
     fn check_vector(
         &self,
         numbers: &[S; 3],
@@ -249,7 +250,7 @@ impl<S: Sample> ContactCase<S> {
     }
 }
 
-/// The number next to it toward zero.
+/// The next number toward zero.
 fn inward<S: Sample>(x: S) -> S {
     x.moved(if x > S::ZERO { -1 } else { 1 })
 }

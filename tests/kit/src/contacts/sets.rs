@@ -1,20 +1,21 @@
-//! Sets of shapes in each other.
+//! Sets of overlapping shapes.
 
 use super::{ContactCase, Solid};
 use crate::boxes::{AnyBox, BoxSet};
 use crate::rng::Rng;
 use crate::sample::Sample;
 
-/// A kind of case: numbers as in the sets of boxes.
+/// A kind of case, with numbers as in the sets of boxes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ContactSet {
-    /// As this set of boxes.
+    /// The numbers of this set of boxes.
     Like(BoxSet),
-    /// Triangles that are slivers, or nearly.
+    /// Slivers, exact or nearly.
     Slivers,
-    /// Two shapes moved apart by what the crate says, rounded, and then moved a place or none.
+    /// Two shapes separated by the crate's translation, rounded, and then moved by at most a unit
+    /// in the last place.
     Parted,
-    /// An edge of a triangle across one of a box, in whole numbers.
+    /// An edge of a triangle across an edge of a box, in integers.
     EdgeOnEdge,
 }
 
@@ -52,7 +53,8 @@ impl ContactSet {
                 let step = rng.triple(|rng| rng.whole(-1, 1));
                 let moved = |p: [S; 3]| {
                     [0, 1, 2].map(|i: usize| {
-                        // Not from zero to the least number: oracles draw shapes together by more.
+                        // Not from zero to the least number, because the oracles shrink shapes by
+                        // more than that.
                         let x = at(p[i], i);
                         if x == S::ZERO { x } else { x.moved(step[i]) }
                     })

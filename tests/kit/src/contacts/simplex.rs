@@ -1,18 +1,17 @@
-//! Whether zero is among the convex combinations of some points: linear programming, in whole
-//! numbers.
+//! Whether zero is a convex combination of some points: linear programming in integers.
 
 use dashu_int::IBig;
 
-/// Whether there are weights, none below zero and with a sum of one, that take the points to zero.
+/// Whether there are weights, not negative and with a sum of one, for which the points sum to zero.
 ///
-/// The first phase of the simplex method, with pivots in whole numbers (J. Edmonds, J.-F. Maurras,
-/// "Note sur les Q-matrices d'Edmonds", *RAIRO* 31, 1997), and entering and leaving by the rule of
+/// The first phase of the simplex method, with integer pivots (J. Edmonds, J.-F. Maurras, "Note sur
+/// les Q-matrices d'Edmonds", *RAIRO* 31, 1997). Entering and leaving variables follow the rule of
 /// R. G. Bland ("New Finite Pivoting Rules for the Simplex Method", *Mathematics of Operations
-/// Research* 2, 1977), so that it ends.
+/// Research* 2, 1977), so that it terminates.
 pub fn holds_zero(points: &[[IBig; 3]]) -> bool {
     let n = points.len();
-    // Three sums of coordinates are zero and that of the weights is one. In the last row what is
-    // missing, to be brought to zero; in the last column the right-hand sides.
+    // Three sums of coordinates are zero, and the sum of the weights is one. The last row is the
+    // infeasibility, to be brought to zero; the last column holds the right-hand sides.
     let mut rows: Vec<Vec<IBig>> = (0..3)
         .map(|i| points.iter().map(|p| p[i].clone()).chain([IBig::ZERO]).collect())
         .chain([vec![IBig::ONE; n + 1]])
@@ -30,7 +29,7 @@ pub fn holds_zero(points: &[[IBig; 3]]) -> bool {
             let (a, b) = (&rows[r][n] * &rows[s][enters], &rows[s][n] * &rows[r][enters]);
             a.cmp(&b).then(basis[r].cmp(&basis[s]))
         });
-        // A sum above zero has a summand above zero; artificial weights only leave.
+        // A positive sum has a positive summand; artificial weights only leave.
         let Some(leaves) = leaves else { return false };
         let by = rows[leaves].clone();
         for (r, row) in rows.iter_mut().enumerate().filter(|(r, _)| *r != leaves) {
@@ -59,7 +58,7 @@ mod tests {
         let simplex = [[3, -1, -1], [-1, 3, -1], [-1, -1, 3], [-1, -1, -1]];
         assert!(holds_zero(&points(&simplex)));
         assert!(!holds_zero(&points(&simplex.map(|p| [p[0] + 2, p[1], p[2]]))));
-        // On a face, on an edge, at a vertex, and one beside.
+        // On a face, on an edge, at a vertex, and beside them.
         assert!(holds_zero(&points(&simplex.map(|p| [p[0] + 1, p[1], p[2]]))));
         assert!(holds_zero(&points(&simplex.map(|p| [p[0] + 1, p[1] + 1, p[2]]))));
         assert!(holds_zero(&points(&simplex.map(|p| [p[0] + 1, p[1] + 1, p[2] + 1]))));

@@ -1,11 +1,11 @@
-//! The second oracle, of triangles that are no segments: the 11 axes, and where all lies in one
-//! plane the edges' normals in it.
+//! The second oracle, for triangles that are not segments: the 11 axes, and for coplanar triangles
+//! the edges' normals in their plane.
 
 use crate::lattice::Ring;
 
 use super::oracle::Corners;
 
-/// Whether an axis separates two triangles; `None` where one is a segment or a point.
+/// Whether an axis separates two triangles; `None` if either is a segment or a point.
 pub(super) fn separate<I: Ring>(first: &Corners<I>, second: &Corners<I>) -> Option<bool> {
     let edges = |t: &Corners<I>| [0, 1, 2].map(|k: usize| I::difference(&t[(k + 1) % 3], &t[k]));
     let (e, f) = (edges(first), edges(second));

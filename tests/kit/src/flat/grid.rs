@@ -10,7 +10,7 @@ use crate::sample::Sample;
 
 type Corners = [[i128; 3]; 3];
 
-/// All triples of grid points without regard to order, repetitions included.
+/// All triples of grid points regardless of order, repetitions included.
 fn triples() -> Vec<Corners> {
     let point = |n: usize| [n / 9, n / 3 % 3, n % 3].map(|x| x as i128);
     let mut all = Vec::new();
@@ -22,7 +22,7 @@ fn triples() -> Vec<Corners> {
     all
 }
 
-/// The least of its images under the 48 symmetries of the grid.
+/// The least of the images under the 48 symmetries of the grid.
 fn least_image(corners: &Corners) -> Corners {
     let image = |order: [usize; 3], mirrored: usize| {
         let mut image = corners.map(|p| {
@@ -41,9 +41,9 @@ fn least_image(corners: &Corners) -> Corners {
         .expect("48 images")
 }
 
-/// Asks about every pair, the first up to symmetry; in every order of vertices and triangles,
-/// or only as it stands. Panics at the first wrong answer; returns how many are apart, touch
-/// and overlap.
+/// Checks every pair, the first triangle up to symmetry; in every order of vertices and triangles,
+/// or only in one. Panics at the first wrong answer; returns how many pairs are disjoint, touch and
+/// overlap.
 pub fn every_pair_on_the_grid<S: Sample>(in_all_orders: bool) -> [u32; 3] {
     let all = triples();
     let first: HashSet<Corners> = all.iter().map(least_image).collect();

@@ -17,7 +17,7 @@ use super::sample::Sample;
 
 pub type Point<S> = [S; 3];
 
-/// The shape that a triangle is asked about.
+/// The shape that is tested against a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Flat<S> {
     Triangle([Point<S>; 3]),
@@ -47,15 +47,15 @@ pub struct FlatCase<S> {
 }
 
 impl<S: Sample> FlatCase<S> {
-    /// How the two lie to each other.
+    /// The relation of the two shapes.
     pub fn truth(&self) -> Truth {
         let parts = S::mantissa_exponent;
         let flat: Flat<Parts> = self.flat.map(parts);
         oracle::truth(flat, self.triangle.map(|p| p.map(parts)))
     }
 
-    /// What the crate says, to each question there is about the pair, which all have one
-    /// answer, in either order; and what `may_overlap` says.
+    /// The crate's answers to every query about the pair, in either order, which must all agree;
+    /// and the answer of `may_overlap`.
     pub fn answers(&self) -> (Vec<bool>, bool) {
         let [a, b, c] = self.triangle;
         let triangle = Triangle::new(a, b, c).expect("finite vertices");
@@ -78,7 +78,7 @@ impl<S: Sample> FlatCase<S> {
         }
     }
 
-    /// How the crate says that they lie to each other, which a point is not asked about.
+    /// The relation according to the crate; `None` for points, which have none.
     pub fn relation(&self) -> Option<Relation> {
         let [a, b, c] = self.triangle;
         let triangle = Triangle::new(a, b, c).expect("finite vertices");
@@ -102,10 +102,10 @@ impl<S: Sample> FlatCase<S> {
         (answers, segment.may_overlap(triangle))
     }
 
-    /// Checks all answers against the oracle, which it returns.
+    /// Checks all answers against the oracle, and returns its relation.
     ///
     /// # Panics
-    /// Where one is wrong.
+    /// If an answer is wrong.
     pub fn check(&self) -> Truth {
         let truth = self.truth();
         let (answers, may) = self.answers();

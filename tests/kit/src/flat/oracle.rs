@@ -1,10 +1,10 @@
-//! The oracle: by clipping, where the crate looks at the signs of volumes.
+//! The oracle. It clips, where the crate computes signs of volumes.
 //!
-//! A triangle is what some half-spaces have in common: both sides of its plane, and one for
-//! each edge. A segment: both sides of its line in three directions, and one for each end. The
-//! other shape is cut by these, in barycentric coordinates: see `crate::oracle`. Their
-//! interiors meet if no coordinate and no half-space of an edge or end is zero in all corners
-//! of what is left: where none is, the middle of the corners is inside of both.
+//! A triangle is the intersection of half-spaces: both sides of its plane, and one for each edge. A
+//! segment is the intersection of both sides of its line in three directions, and one half-space
+//! for each end. The oracle clips the other shape by these, in barycentric coordinates: see
+//! `crate::oracle`. The interiors meet if no barycentric coordinate and no half-space of an edge or
+//! end is zero at all corners of the result; then the mean of the corners is inside both shapes.
 
 use dashu_int::IBig;
 use septum::relation::Relation;
@@ -15,18 +15,17 @@ use crate::oracle::{clip, uncut};
 
 use super::{Flat, axes};
 
-/// How two shapes lie to each other.
+/// The relation of two shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Truth {
     Apart,
-    /// They have points in common, but what is inside of both, seen from their own plane or
-    /// line, has none.
+    /// They have points in common, but their relative interiors are disjoint.
     Touching,
     Overlapping,
 }
 
 impl Truth {
-    /// As the crate calls it.
+    /// The crate's name for it.
     pub fn relation(self) -> Relation {
         match self {
             Self::Apart => Relation::Disjoint,
@@ -36,20 +35,20 @@ impl Truth {
     }
 }
 
-/// Three points, some of which may be one.
+/// Three points, which may coincide.
 pub(super) type Corners<I> = [[I; 3]; 3];
 
 /// All x with normal·(x − point) ≥ 0.
 struct HalfSpace<I> {
     normal: [I; 3],
     point: [I; 3],
-    /// Whether only one side of it is part of the shape: not if it bounds a plane or line.
+    /// Whether its boundary bounds the shape within the shape's plane or line.
     is_edge: bool,
 }
 
-/// Coordinates of at most so many bits leave 128 room: differences have one more, normals
-/// below 2^(2b+3), those of edges 2^(3b+5), a form's values 2^(4b+7.6), corners 2^(8b+16.2),
-/// and the value of a form at one is below 2^(12b+25.4).
+/// With coordinates of at most this many bits the results fit in 128 bits: differences have one
+/// more, normals are below 2^(2b+3), normals of edges below 2^(3b+5), values of a form below
+/// 2^(4b+7.6), corners below 2^(8b+16.2), and the value of a form at a corner below 2^(12b+25.4).
 const NARROW: u32 = 8;
 
 pub(super) fn truth(flat: Flat<Parts>, triangle: [[Parts; 3]; 3]) -> Truth {
@@ -69,7 +68,7 @@ pub(super) fn truth(flat: Flat<Parts>, triangle: [[Parts; 3]; 3]) -> Truth {
         first = [IBig::difference(&c, &h), sum.clone(), sum];
     }
     let second = triangle.map(|p| p.map(number));
-    // From one of the points, which is often near to all.
+    // From one of the points, because most are near it.
     let origin = second[0].clone();
     let from = |p: &[IBig; 3]| IBig::difference(p, &origin);
     let (first, second) = (first.each_ref().map(from), second.each_ref().map(from));
@@ -87,10 +86,10 @@ pub(super) fn truth(flat: Flat<Parts>, triangle: [[Parts; 3]; 3]) -> Truth {
     }
 }
 
-/// How two triangles in whole numbers lie to each other: in `i128` they must be below 2^8.
+/// The relation of two triangles in integers; for `i128` these must be below 2^8.
 ///
 /// # Panics
-/// Where the other oracle, separating axes, does not agree.
+/// If the other oracle, separating axes, disagrees.
 pub fn truth_of_whole<I: Ring>(first: &Corners<I>, second: &Corners<I>) -> Truth {
     let truth = by_clipping(first, second);
     if let Some(are_apart) = axes::separate(first, second) {
@@ -105,7 +104,7 @@ fn by_clipping<I: Ring>(first: &Corners<I>, second: &Corners<I>) -> Truth {
         first.each_ref().map(|p| I::dot(&space.normal, &I::difference(p, &space.point)))
     };
     let forms: Vec<[I; 3]> = spaces.iter().map(form).collect();
-    // An early answer: a half-space that holds no vertex.
+    // An early exit: a half-space without a vertex.
     if forms.iter().any(|form| form.iter().all(|x| x.sign() < 0)) {
         return Truth::Apart;
     }

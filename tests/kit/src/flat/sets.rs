@@ -1,4 +1,4 @@
-//! Sets of cases for a triangle and a flat shape, most of which aim at contact.
+//! Sets of cases for a triangle and a flat shape, mostly near contact.
 
 use super::{Flat, FlatCase, Point};
 use crate::rng::Rng;
@@ -8,12 +8,12 @@ use crate::sample::Sample;
 pub enum FlatSet {
     /// Anywhere.
     Random,
-    /// Whole numbers from −2 to 2.
+    /// Integers from −2 to 2.
     Grid,
-    /// All in one plane, or one place beside.
+    /// All in one plane, or off by one unit in the last place.
     Plane,
-    /// In contact, or one place beside: a corner or an edge of the one on an edge of the other,
-    /// or in it.
+    /// In contact, or off by one unit in the last place: a corner or an edge of one triangle on an
+    /// edge of the other, or in it.
     Touch,
     /// Slivers that nearly meet.
     Slivers,
@@ -40,7 +40,7 @@ impl FlatSet {
         Self::Huge,
     ];
 
-    /// A case of this set: the triangle, and one of the four kinds of shapes.
+    /// A case of this set: a triangle, and one of the four kinds of shapes.
     pub fn case<S: Sample>(self, rng: &mut Rng) -> FlatCase<S> {
         let [a, b, c, d, e, f] = self.points(rng);
         let flat = match rng.below(8) {
@@ -79,7 +79,7 @@ impl FlatSet {
     }
 }
 
-/// Half of the way from one point to another, or near it.
+/// The midpoint of two points, or a number near it.
 fn half<S: Sample>(a: Point<S>, b: Point<S>) -> Point<S> {
     [0, 1, 2].map(|i: usize| S::nearest(b[i].approximate() / 2.0 - a[i].approximate() / 2.0))
 }
@@ -91,7 +91,7 @@ fn sum(o: Whole, terms: &[(i64, Whole)]) -> Whole {
     terms.iter().fold(o, |sum, (n, v)| [0, 1, 2].map(|i: usize| sum[i] + n * v[i]))
 }
 
-/// Points of whole numbers, one of which is moved one place at times.
+/// Integer points, with one sometimes moved by a unit in the last place.
 fn nudged<S: Sample>(rng: &mut Rng, points: [Whole; 6]) -> [Point<S>; 6] {
     let mut points = points.map(|p| p.map(S::whole));
     if rng.one_in(2) {
@@ -101,12 +101,12 @@ fn nudged<S: Sample>(rng: &mut Rng, points: [Whole; 6]) -> [Point<S>; 6] {
     points
 }
 
-/// A whole vector with components up to 2^bits.
+/// An integer vector with components up to 2^bits.
 fn vector(rng: &mut Rng, bits: u32) -> Whole {
     rng.triple(|rng| rng.whole(-1 << bits, 1 << bits))
 }
 
-/// Few bits or as many as fit, in sums of ten.
+/// A few bits, or as many as fit in sums of ten.
 fn some_bits<S: Sample>(rng: &mut Rng) -> u32 {
     rng.whole(1, i64::from(S::WHOLE_BITS.min(40) - 5)) as u32
 }
@@ -121,7 +121,7 @@ fn in_plane<S: Sample>(rng: &mut Rng) -> [Point<S>; 6] {
     nudged(rng, points)
 }
 
-/// The origin is a point of both: of the first triangle a corner, on an edge, or inside.
+/// The origin belongs to both shapes: it is a corner of the first triangle, on an edge, or inside.
 fn touch<S: Sample>(rng: &mut Rng) -> [Point<S>; 6] {
     let bits = some_bits::<S>(rng);
     let o = vector(rng, bits);
@@ -140,7 +140,7 @@ fn touch<S: Sample>(rng: &mut Rng) -> [Point<S>; 6] {
     nudged(rng, [a, b, c, d, e, f])
 }
 
-/// Three points near a line each, whose lines nearly meet.
+/// Two sets of three points near a line, such that the lines nearly meet.
 fn slivers<S: Sample>(rng: &mut Rng) -> [Point<S>; 6] {
     let o = rng.triple(|rng| rng.real(-0.5, 0.5));
     let mut three = || {

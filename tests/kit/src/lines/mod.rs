@@ -1,6 +1,6 @@
-//! Lines against boxes: an oracle that clips the range of t, slab by slab, in fractions
-//! of whole numbers (Y. Liang, B. Barsky, *ACM TOG* 3(1), 1984), where the crate compares
-//! slabs in pairs and forms no fraction.
+//! Lines against boxes. The oracle clips the range of t slab by slab, in fractions of integers (Y.
+//! Liang, B. Barsky, *ACM TOG* 3(1), 1984); the crate compares slabs in pairs and forms no
+//! fraction.
 
 mod oriented;
 mod sets;
@@ -50,8 +50,7 @@ impl Fraction {
         let (up, down) = (e.max(0) as usize, (-e).max(0) as usize);
         (&self.0 << down) > ((IBig::from(m) * &self.1) << up)
     }
-    /// Whether `x` is within n/d units in the last place, on the side where the truth
-    /// lies.
+    /// Whether `x` is within n/d units in the last place, measured on the side of the true value.
     pub fn is_within<S: Sample>(&self, x: S, bound: (i64, i64)) -> bool {
         self.is_within_parts([-1, 0, 1].map(|steps| x.moved(steps).mantissa_exponent()), bound)
     }
@@ -60,7 +59,7 @@ impl Fraction {
         let gap = (&self.0 << 1100) - &x * &self.1;
         let beside = [(below - &x).abs(), (above - &x).abs()];
         let towards = usize::from(gap >= IBig::ZERO);
-        // Beyond the last of all numbers there is none.
+        // Beyond the greatest number there is no neighbour.
         let at_the_end = beside[towards] == IBig::ZERO;
         let unit = &beside[if at_the_end { 1 - towards } else { towards }];
         gap.abs() * IBig::from(d) <= unit * &self.1 * IBig::from(n)
@@ -86,13 +85,13 @@ impl Fraction {
 }
 
 impl<S: Sample> Line<S> {
-    /// The ray, if it is one and valid.
+    /// The ray, if the line is a valid ray.
     pub fn ray(&self) -> Option<Ray<S>> {
         let Self::Ray(o, d, [from, to]) = *self else { return None };
         Ray::new(o, d).ok()?.with_range(from, to).ok()
     }
 
-    /// The segment, if it is one and valid.
+    /// The segment, if the line is a valid segment.
     pub fn segment(&self) -> Option<Segment<S>> {
         match *self {
             Self::Ray(..) => None,
@@ -169,8 +168,8 @@ impl<S: Sample> LineBox<S> {
             .map_or_else(|| self.segment().unwrap().may_overlap(&aabb), |r| r.may_overlap(&aabb))
     }
 
-    /// Both ends of what the box leaves of the line, if it leaves anything; an end is
-    /// missing where neither bounds it.
+    /// Both ends of the part of the line inside the box, if there is one; an end is `None` if it is
+    /// unbounded.
     pub fn clip(&self) -> Option<[Option<Fraction>; 2]> {
         LineBox { line: self.line.parts(), aabb: self.aabb.map(S::mantissa_exponent) }
             .clip_in_parts()
@@ -196,7 +195,7 @@ impl LineBox<Parts> {
     }
 }
 
-/// Both ends of what the slabs between pairs of faces leave of a line's range.
+/// Both ends of the part of a line's range between all pairs of faces.
 fn clip(
     origin: &[IBig; 3],
     d: &[IBig; 3],

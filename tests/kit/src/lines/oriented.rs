@@ -1,5 +1,5 @@
-//! Lines against oriented boxes: the line is taken into the box's own coordinates, by Cramer's
-//! rule in whole numbers, and clipped there.
+//! Lines against oriented boxes. The oracle transforms the line into the box's own coordinates, by
+//! Cramer's rule in integers, and clips it there.
 
 use dashu_int::IBig;
 use septum::{Obb, Overlaps};
@@ -18,8 +18,8 @@ pub struct LineObb<S> {
 }
 
 impl<S: Sample> LineObb<S> {
-    /// A box of the set, and a line that leads through a corner of it, the middle of an edge or
-    /// of a face, or its centre, as near as rounding allows, if not from anywhere to anywhere.
+    /// A box of the set, and a line: through a corner of the box, the midpoint of an edge or of a
+    /// face, or its centre, as near as rounding allows, or a random line.
     pub fn case(set: BoxSet, rng: &mut Rng) -> Self {
         let case = set.case::<S>(rng);
         let obb = case.second;
@@ -59,17 +59,17 @@ impl<S: Sample> LineObb<S> {
         Self { line, obb }
     }
 
-    /// Both ends of what the box leaves of the line, if it leaves anything; an end is missing
-    /// where neither bounds it.
+    /// Both ends of the part of the line inside the box, if there is one; an end is `None` if it is
+    /// unbounded.
     pub fn clip(&self) -> Option<[Option<Fraction>; 2]> {
         LineObb { line: self.line.parts(), obb: self.obb.map(S::mantissa_exponent) }.clip_in_parts()
     }
 
-    /// Checks verdicts against the oracle, in either order, and returns its answer; nothing where
-    /// the numbers are no shapes.
+    /// Checks verdicts against the oracle, in either order, and returns its answer; `None` if the
+    /// numbers are invalid.
     ///
     /// # Panics
-    /// Where one is wrong.
+    /// If a verdict is wrong.
     pub fn check(&self) -> Option<bool> {
         fn asked<S: Sample, L: Overlaps<Obb<S>>>(line: &L, obb: &Obb<S>) -> [bool; 3]
         where

@@ -9,19 +9,19 @@ use crate::{BoxNumbers, Rng, Sample};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineSet {
     Random,
-    /// Whole numbers from −3 to 3: contact, zeros, flat boxes, all the time.
+    /// Integers from −3 to 3: contact, zeros and flat boxes are frequent.
     Grid,
-    /// Through a point of a face, an edge or a corner, in whole numbers, then one
-    /// number moved one place up, down or not at all.
+    /// Through a point of a face, an edge or a corner, in integers; then one number is moved by one
+    /// unit in the last place, or not.
     Grazing,
     /// As random, 10⁴ to 10⁶ from the origin.
     Far,
     Small,
     /// At the ends of the scalar's range.
     Huge,
-    /// Every magnitude that there is, evenly by bits.
+    /// Every magnitude, distributed evenly by bits.
     Bits,
-    /// A component or two of the direction zero or next to it.
+    /// One or two components of the direction are zero or nearly zero.
     Axial,
 }
 
@@ -79,7 +79,7 @@ fn is_ray_or_segment<S: Sample>(case: &LineBox<S>) -> bool {
     }
 }
 
-/// A line and a box of numbers from `pick`; nothing where they make none.
+/// A line and a box of numbers from `pick`; `None` if they are invalid.
 fn made<S: Sample>(rng: &mut Rng, pick: &dyn Fn(&mut Rng) -> S) -> Option<LineBox<S>> {
     let row = |rng: &mut Rng| rng.triple(pick);
     let (a, b, p, q, t) = (row(rng), row(rng), row(rng), row(rng), row(rng));
@@ -138,7 +138,7 @@ fn axial<S: Sample>(mut case: LineBox<S>, rng: &mut Rng) -> LineBox<S> {
             Line::Ray(o, d, _) | Line::Center(o, d) => (o, d, true),
             Line::Ends(a, b) => (a, b, false),
         };
-        // Often on the plane of a slab.
+        // Often in the plane of a face.
         if rng.one_in(2) {
             from[i] = p[i];
         }
@@ -147,7 +147,7 @@ fn axial<S: Sample>(mut case: LineBox<S>, rng: &mut Rng) -> LineBox<S> {
     case
 }
 
-/// A line through a point of the surface of a box, in whole numbers.
+/// A line through a point of the surface of a box, in integers.
 fn grazing<S: Sample>(rng: &mut Rng) -> Option<LineBox<S>> {
     let bits = S::WHOLE_BITS.min(rng.whole(7, 24) as u32);
     let most = 1_i64 << (bits - 3);
@@ -157,8 +157,8 @@ fn grazing<S: Sample>(rng: &mut Rng) -> Option<LineBox<S>> {
     for i in 0..3 {
         point[i] = center[i] + [-half[i], half[i], rng.whole(-half[i], half[i])][rng.below(3)];
     }
-    // The origin is a whole number of steps away; where ends are beyond the type, the
-    // case will be one of no contact.
+    // The origin is an integer number of steps away. If an end is out of range, the case is not a
+    // contact.
     let step = rng.triple(|rng| rng.whole(-most / 2, most / 2) * i64::from(!rng.one_in(4)));
     let (back, on) = (rng.whole(0, 2), rng.whole(0, 2));
     let at = |times: i64| [0, 1, 2].map(|i| S::whole_clamped(point[i] + times * step[i]));
@@ -185,7 +185,7 @@ fn grazing<S: Sample>(rng: &mut Rng) -> Option<LineBox<S>> {
     Some(case)
 }
 
-/// Whole numbers that may lie beyond the type.
+/// Integers clamped to the range of the type.
 trait WholeClamped: Sample {
     fn whole_clamped(n: i64) -> Self {
         let most = (1_i64 << Self::WHOLE_BITS.min(60)) - 1;

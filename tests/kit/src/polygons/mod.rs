@@ -1,5 +1,5 @@
-//! Polygons and boxes: is anything left of the polygon's triangles after clipping; and for those
-//! that are convex and lie in one plane, is anything left of the polygon itself.
+//! Polygons and boxes: an oracle that clips the polygon's triangles; and for convex planar polygons
+//! one that clips the polygon itself.
 
 mod plane;
 mod sets;
@@ -29,7 +29,7 @@ impl<S: Sample> PolygonCase<S> {
         rest.windows(2).any(|edge| meets(&Case { vertices: triangle(edge), aabb: self.aabb }))
     }
 
-    /// What the crate says, in either order and in both modes.
+    /// The crate's answers, in either order and in both modes.
     pub fn answers(&self) -> [bool; 4] {
         let vertices: Vec<_> = self.vertices.iter().map(|v| Vec3::from(*v)).collect();
         let polygon = Polygon::new(&vertices).expect("three finite vertices or more");
@@ -42,7 +42,7 @@ impl<S: Sample> PolygonCase<S> {
         ]
     }
 
-    /// Whether they meet. Panics where the crate says otherwise.
+    /// Whether they meet. Panics if the crate's answer differs.
     pub fn check(&self) -> bool {
         let truth = self.meets();
         assert_eq!(self.answers(), [truth; 4], "{}: {self:?}", S::name());

@@ -1,4 +1,4 @@
-//! Convex polygons that lie in one plane exactly, and clipping them as a whole.
+//! Exactly planar convex polygons, clipped as a whole.
 
 use dashu_int::IBig;
 
@@ -22,27 +22,27 @@ pub struct PlanePolygon {
 }
 
 impl PlanePolygon {
-    /// All numbers in as many bits as the scalar has, or in fewer.
+    /// All numbers with as many bits as the scalar has, or fewer.
     pub fn random<S: Sample>(rng: &mut Rng) -> Self {
-        // Three products of 3 bits with others, and a sum of two.
+        // Three products of a 3-bit number and another number, and a sum of two.
         let bits = rng.whole(1, i64::from(S::WHOLE_BITS.min(40)) - 6) as u32;
         let mut vector = |bits: u32| rng.triple(|rng| rng.whole(-1 << bits, 1 << bits));
         let (mut o, u, v, mut w) = (vector(bits), vector(bits), vector(bits), vector(bits));
-        // In one plane with a face of the box, now and then.
+        // Sometimes in one plane with a face of the box.
         if rng.one_in(4) {
             w[rng.below(3)] = 0;
         }
         let corners = corners(rng);
-        // The box lies about a point of the plane, or about a corner.
+        // The box lies around a point of the plane, or around a corner.
         let [a, b] = if rng.one_in(2) { corners[0] } else { [rng.whole(0, 7), rng.whole(0, 7)] };
         let half = w.map(i64::abs);
         let center = if rng.one_in(2) {
             [0, 1, 2].map(|i: usize| o[i] + a * u[i] + b * v[i])
         } else {
-            // That point is on one of its faces, edges or corners.
+            // This point is on one of the box's faces, edges or corners.
             [0, 1, 2].map(|i: usize| o[i] + a * u[i] + b * v[i] + rng.whole(-1, 1) * half[i])
         };
-        // About the origin, so that it fits.
+        // Around the origin, so that all numbers fit.
         for i in 0..3 {
             o[i] -= center[i];
         }
@@ -51,7 +51,7 @@ impl PlanePolygon {
         Self { corners, o, u, v, center: offset, half }
     }
 
-    /// The same in numbers of the scalar.
+    /// The same case in the scalar.
     pub fn case<S: Sample>(&self, by_center: bool) -> PolygonCase<S> {
         let Self { o, u, v, center, half, .. } = self;
         let at = |&[a, b]: &[i64; 2]| [0, 1, 2].map(|i| S::whole(o[i] + a * u[i] + b * v[i]));
@@ -64,7 +64,7 @@ impl PlanePolygon {
         PolygonCase { vertices: self.corners.iter().map(at).collect(), aabb }
     }
 
-    /// Whether the six half-spaces of the box leave anything of the polygon.
+    /// Whether clipping the polygon by the six half-spaces of the box leaves a point.
     pub fn meets(&self) -> bool {
         let big = |x: [i64; 3]| x.map(IBig::from);
         let mut cycle = closed(self.corners.iter().map(|&[a, b]| big([a, b, 1])).collect());
@@ -79,7 +79,8 @@ impl PlanePolygon {
     }
 }
 
-/// The corners of a convex polygon with coordinates from 0 to 7, in either sense, from any on.
+/// The corners of a convex polygon with coordinates from 0 to 7, in either orientation, starting
+/// anywhere.
 fn corners(rng: &mut Rng) -> Vec<[i64; 2]> {
     loop {
         let mut points: Vec<_> =
@@ -87,11 +88,11 @@ fn corners(rng: &mut Rng) -> Vec<[i64; 2]> {
         points.sort_unstable();
         points.dedup();
         // Both chains (A. M. Andrew, "Another efficient algorithm for convex hulls in two
-        // dimensions", *Information Processing Letters* 9(5), 1979); what lies on a side stays.
+        // dimensions", *Information Processing Letters* 9(5), 1979). Points on a side stay.
         let mut cycle = chain(points.iter());
         cycle.pop();
         let upper = chain(points.iter().rev());
-        // All on one line: the way back is the way there.
+        // All points on one line: the upper chain repeats the lower one.
         if upper.len() == points.len() && cycle.len() + 1 == points.len() {
             continue;
         }

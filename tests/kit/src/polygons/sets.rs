@@ -1,4 +1,4 @@
-//! Sets of polygons and boxes, most of which aim at contact.
+//! Sets of polygons and boxes, mostly near contact.
 
 use super::{PlanePolygon, PolygonCase};
 use crate::case::{BoxNumbers, Case};
@@ -9,12 +9,12 @@ use crate::sets::Set;
 /// A kind of case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PolygonSet {
-    /// A set of triangles, with more vertices: the same, on an edge or nearly, across from one,
-    /// of another triangle.
+    /// A set of triangles with additional vertices: duplicates, on an edge or nearly, opposite one,
+    /// or from another triangle.
     More(Set),
-    /// Vertices on an ellipse, rounded; a box about one of its points or not.
+    /// Rounded vertices on an ellipse; the box is around one of its points, or not.
     Round,
-    /// Convex and in one plane exactly, or with one number one place beside.
+    /// Convex and exactly planar, or with one number moved by a unit in the last place.
     Plane,
     /// Any bits.
     Bits,
@@ -70,7 +70,7 @@ fn round<S: Sample>(rng: &mut Rng) -> PolygonCase<S> {
         [0, 1, 2].map(|i: usize| o[i] + part * (cos * u[i] + sin * v[i]))
     };
     let vertices = (0..count).map(|k| at(k as f64, 1.0).map(S::nearest)).collect();
-    // Seldom far off, or most would not meet it.
+    // Seldom far away, because most boxes would miss it.
     let (k, part) = (rng.real(0.0, count as f64), rng.real(0.0, 1.2));
     let near = at(k, part);
     let off = if rng.one_in(2) { 0.3 } else { 0.0 };

@@ -1,4 +1,4 @@
-//! One question: a ray and a triangle, as plain numbers.
+//! A case: a ray and a triangle, as plain numbers.
 
 use septum::{Ray, Triangle};
 
@@ -25,7 +25,7 @@ impl<S: Sample> RayCase<S> {
         Self { t_min: None, t_max: None, ..self }
     }
 
-    /// Whether there is such a ray: the direction is not zero, the range not empty.
+    /// Whether the ray is valid: its direction is not zero, its range not empty.
     pub fn is_valid(&self) -> bool {
         self.direction != [S::ZERO; 3]
             && !self.t_min.zip(self.t_max).is_some_and(|(min, max)| min > max)

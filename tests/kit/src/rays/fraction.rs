@@ -1,4 +1,4 @@
-//! Exact fractions, and how far a scalar is from one.
+//! Exact fractions, and the distance of a scalar from one.
 
 use core::cmp::Ordering;
 
@@ -23,8 +23,8 @@ impl Fraction {
         }
     }
 
-    /// Numerators over one denominator, den times a power of two, of the fraction
-    /// and of a scalar.
+    /// The numerators of the fraction and of a scalar over a common denominator, den times a power
+    /// of two.
     fn beside(&self, (mantissa, exponent): Parts) -> (IBig, IBig, i32) {
         let other = IBig::from(mantissa) * &self.den;
         // Zero has no exponent of its own.
@@ -34,7 +34,7 @@ impl Fraction {
         (mine, other << (exponent - unit) as usize, unit)
     }
 
-    /// How the fraction compares with the scalar.
+    /// Compares the fraction with the scalar.
     pub fn compare<S: Sample>(&self, x: S) -> Ordering {
         self.compare_parts(x.mantissa_exponent())
     }
@@ -48,20 +48,20 @@ impl Fraction {
         self.num == IBig::ZERO
     }
 
-    /// About this value.
+    /// An approximation of the value.
     pub fn approximate(&self) -> f64 {
         ratio(&self.num, &self.den, self.exponent)
     }
 
-    /// How far the scalar is from the fraction, in units in the last place of the
-    /// scalar nearest to the fraction.
+    /// The distance of the scalar from the fraction, in units in the last place of the scalar
+    /// nearest to the fraction.
     pub fn error_in_ulp<S: Sample>(&self, x: S) -> f64 {
         let (mine, other, unit) = self.beside(x.mantissa_exponent());
         let (_, last_place) = S::nearest(self.approximate()).mantissa_exponent();
         ratio(&(mine - other), &self.den, unit - last_place).abs()
     }
 
-    /// Whether the scalar is the nearest of its type, of two the even one.
+    /// Whether the scalar is the nearest of its type, or the even one of two.
     pub fn is_nearest<S: Sample>(&self, x: S) -> bool {
         let neighbours = [-1, 0, 1].map(|steps| x.moved(steps).mantissa_exponent());
         self.is_nearest_of(neighbours, x.ordinal() % 2 == 0)
@@ -69,7 +69,7 @@ impl Fraction {
 
     fn is_nearest_of(&self, [down, x, up]: [Parts; 3], is_even: bool) -> bool {
         let on_the_side = |neighbour: Parts, farther: Ordering| {
-            // The fraction against the middle between the scalar and its neighbour.
+            // Compares the fraction with the midpoint of the scalar and its neighbour.
             let doubled = Self { exponent: self.exponent + 1, ..self.clone() };
             let (p, q, unit) = doubled.beside(x);
             let (r, s, other) = doubled.beside(neighbour);
@@ -104,7 +104,7 @@ fn ratio(num: &IBig, den: &IBig, exponent: i32) -> f64 {
         num / (den.clone() << -shift as usize)
     };
     let exponent = exponent - shift;
-    // In three parts, lest a power of two overflow or underflow alone.
+    // As three factors, because a single power of two might overflow or underflow.
     let (a, b) = (exponent / 3, exponent / 3);
     let parts = [a, b, exponent - a - b].map(|e| 2_f64.powi(e));
     i128::try_from(quotient).expect("65 bits") as f64 * parts[0] * parts[1] * parts[2]

@@ -1,5 +1,6 @@
-//! Every triangle of some points against some rays: the oracle is asked once for three
-//! vertices, the crate for all six orders, in six scalars. Here, where all is optimised.
+//! Every triangle of some points against some rays. The oracle runs once for three vertices, the
+//! crate for all six orders, in six scalars. The check is in this package so that it is compiled
+//! with full optimization.
 
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 use septum::prepared::{HitRay, HitTriangle};
@@ -17,7 +18,7 @@ pub fn grid(most: i64) -> Vec<[f64; 3]> {
     side().flat_map(|x| side().flat_map(move |y| row(x, y))).collect()
 }
 
-/// All triples of grid points without regard to order, repetitions included.
+/// All triples of grid points regardless of order, repetitions included.
 fn triples(points: &[Point]) -> impl Iterator<Item = [Point; 3]> {
     let n = points.len();
     (0..n).flat_map(move |a| {
@@ -25,7 +26,7 @@ fn triples(points: &[Point]) -> impl Iterator<Item = [Point; 3]> {
     })
 }
 
-/// What is met of the triangle with its vertices in that order.
+/// The facing and feature of the hit after reordering the vertices.
 fn reordered(truth: &Truth, order: [usize; 3], is_odd: bool) -> (Facing, Feature) {
     let facing = match (truth.facing, is_odd) {
         (facing, false) => facing,
@@ -42,7 +43,7 @@ fn reordered(truth: &Truth, order: [usize; 3], is_odd: bool) -> (Facing, Feature
     (facing, feature)
 }
 
-/// Asks the crate, in every order of the vertices.
+/// Checks the crate, in every order of the vertices.
 fn check<S: Sample>(vertices: &[Point; 3], ray: &Ray<S>, truth: Option<&Truth>) {
     let vertices = vertices.map(|v| v.map(S::nearest));
     for (n, order) in VERTEX_ORDERS.into_iter().enumerate() {
@@ -62,7 +63,7 @@ fn rays_in<S: Sample>(rays: &[(Point, Point)]) -> Vec<Ray<S>> {
     rays.iter().map(ray).collect()
 }
 
-/// How many of the crossings are in the interior, and how many are contacts.
+/// The numbers of crossings in the interior, and of contacts.
 pub fn every_triangle(points: &[[f64; 3]], rays: &[([f64; 3], [f64; 3])]) -> [u32; 2] {
     let (single, double) = (rays_in::<f32>(rays), rays_in::<f64>(rays));
     let (i4f4, i8f8) = (rays_in::<I4F4>(rays), rays_in::<I8F8>(rays));

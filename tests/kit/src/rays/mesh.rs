@@ -17,12 +17,12 @@ pub struct Mesh<S> {
     balls: Vec<(Point, f64)>,
 }
 
-/// Faces that stem from one face two subdivisions before.
+/// The number of faces that come from one face two subdivisions earlier.
 const PATCH: usize = 16;
 
 impl<S: Sample> Mesh<S> {
-    /// A regular icosahedron, each face cut into four four times over, and all
-    /// vertices brought to the sphere: 5,120 faces.
+    /// A regular icosahedron, each face cut into four four times over, with all vertices moved to
+    /// the sphere: 5,120 faces.
     pub fn sphere(place: impl Fn(Point) -> [S; 3]) -> Self {
         let golden = (1.0 + 5_f64.sqrt()) / 2.0;
         let mut points = Vec::new();
@@ -33,7 +33,7 @@ impl<S: Sample> Mesh<S> {
                 points.push(point);
             }
         }
-        // Faces are the triples of vertices at the edge's length from each other.
+        // The faces are the triples of vertices at a distance of the edge's length.
         let square = |a: Point, b: Point| -> f64 {
             [0, 1, 2].iter().map(|&i| (a[i] - b[i]) * (a[i] - b[i])).sum()
         };
@@ -86,8 +86,8 @@ impl<S: Sample> Mesh<S> {
         Self { vertices, faces, triangles, balls }
     }
 
-    /// All triangles that the line might come near: none is left out that it comes
-    /// within a hundredth of a patch's size of.
+    /// All triangles that the line might come near, including every triangle within a hundredth of
+    /// a patch's size.
     pub fn near(&self, origin: [S; 3], direction: [S; 3]) -> impl Iterator<Item = &Triangle<S>> {
         let (o, d) = (origin.map(S::approximate), direction.map(S::approximate));
         let dot = |a: Point, b: Point| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -102,7 +102,7 @@ impl<S: Sample> Mesh<S> {
     }
 }
 
-/// The face turned so that its normal points away from the origin.
+/// The face, oriented so that its normal points away from the origin.
 fn outward(points: &[Point], [a, b, c]: [usize; 3]) -> [usize; 3] {
     let [p, q, r] = [a, b, c].map(|k| points[k]);
     let volume = p[0] * (q[1] * r[2] - q[2] * r[1])
@@ -134,7 +134,7 @@ fn subdivide(
     }
 }
 
-/// A ball about the faces, a hundredth larger than need be.
+/// A ball around the faces, a hundredth larger than necessary.
 fn ball<S: Sample>(patch: &[[usize; 3]], vertices: &[[S; 3]]) -> (Point, f64) {
     let corners = || patch.iter().flatten().map(|&v| vertices[v].map(S::approximate));
     let count = 3.0 * patch.len() as f64;

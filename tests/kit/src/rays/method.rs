@@ -1,4 +1,4 @@
-//! The ways to ask where a ray hits a triangle.
+//! The methods of testing a ray against a triangle.
 
 use septum::published;
 use septum::published::projected::ProjectedTriangle;
@@ -39,7 +39,7 @@ impl Method {
         Self::Once,
     ];
 
-    /// What it is called.
+    /// The name of the method.
     pub fn name(self) -> &'static str {
         match self {
             Self::MollerTrumbore => "Möller–Trumb.",

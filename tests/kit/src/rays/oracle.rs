@@ -1,13 +1,12 @@
-//! The oracle: where does a ray cross a triangle? By solving for the point,
-//! where the crate looks at the signs of volumes.
+//! The oracle for ray and triangle. It solves for the intersection, where the crate computes signs
+//! of volumes.
 //!
-//! The plane of the triangle has one point P in common with the line of the ray,
-//! unless they are parallel. P is found as a fraction, in whole numbers over one
-//! denominator. It is then dropped along an axis, the one nearest to the normal,
-//! together with the triangle, and lies in the triangle if it lies on the inner
-//! side of each edge in that plane (E. Haines' survey of point in polygon, in
-//! *Graphics Gems IV*, 1994). The areas that it makes with the edges there are to
-//! the triangle's as the barycentric coordinates.
+//! Unless they are parallel, the plane of the triangle and the line of the ray meet in one point P.
+//! The oracle computes P as a fraction, in integers over one denominator. It then projects P and
+//! the triangle along the axis nearest to the normal; P lies in the triangle if it lies on the
+//! inner side of each edge in that plane (E. Haines' survey of point in polygon, in *Graphics Gems
+//! IV*, 1994). The areas of P with the edges, divided by the triangle's area, are the barycentric
+//! coordinates.
 
 use core::cmp::Ordering;
 
@@ -17,7 +16,7 @@ use septum::{Facing, Feature};
 use super::{Fraction, RayCase};
 use crate::{Parts, Ring, Sample, odd_mantissa};
 
-/// What there is to know of a crossing.
+/// The complete answer about a crossing.
 #[derive(Clone, Debug)]
 pub struct Truth {
     pub t: Fraction,
@@ -41,17 +40,16 @@ pub fn crossing_wide<S: Sample>(case: &RayCase<S>) -> Option<Truth> {
     Taken::of(case).crossing_wide()
 }
 
-/// The case in whole numbers, from the ray's origin. Lengths of the ray's
-/// direction are counted in a unit of their own.
+/// The case in integers, relative to the ray's origin. The ray's direction has a unit of its own.
 struct Whole<I> {
     vertices: [[I; 3]; 3],
     direction: [I; 3],
-    /// t is counted in two to this power.
+    /// The exponent of the unit of t.
     exponent: i32,
 }
 
-/// Origin and vertices, and the direction, each number taken apart; the least
-/// exponents of the two; and the range of t.
+/// Origin and vertices, and the direction, as mantissas and exponents; the least exponents of the
+/// two; and the range of t.
 struct Taken {
     points: [[Option<Parts>; 3]; 4],
     direction: [Option<Parts>; 3],
@@ -80,7 +78,7 @@ impl Taken {
         Whole::new(self, whole).solve(self.range)
     }
 
-    /// Bits of the longest point and of the direction, in whole numbers.
+    /// The bits of the longest point and of the direction, in integers.
     fn bits(&self) -> [u32; 2] {
         let [unit, step] = self.units;
         let bits = |&(m, e): &Parts, unit| {
@@ -93,11 +91,10 @@ impl Taken {
 }
 
 impl Whole<i128> {
-    /// The case in 128 bits, where they suffice. With points below 2^(p−1) and a
-    /// direction below 2^d, vertices from the origin are below 2^p, areas below
-    /// 2^(2p+3), their products with the direction below 2^(2p+d+5), with a vertex
-    /// below 2^(3p+5). A coordinate of P − v is below 2^(3p+d+6), and the product
-    /// with an edge's, twice, is below 2^(4p+d+8).
+    /// The case in 128 bits, if they suffice. With points below 2^(p−1) and a direction below 2^d,
+    /// vertices relative to the origin are below 2^p, areas below 2^(2p+3), their products with the
+    /// direction below 2^(2p+d+5), with a vertex below 2^(3p+5). A coordinate of P − v is below
+    /// 2^(3p+d+6), and its product with an edge's, twice, is below 2^(4p+d+8).
     fn narrow(parts: &Taken) -> Option<Self> {
         let [points, d] = parts.bits();
         let p = points + 1;
@@ -125,8 +122,8 @@ impl<I: Ring> Whole<I> {
         if den.sign() == 0 {
             return None;
         }
-        // The triangle as seen along the axis of the greatest area, and P − v there
-        // for a vertex v, times den.
+        // The projection along the axis of the greatest area, and P − v in it for a vertex v, times
+        // den.
         let i = longest(&normal);
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         let seen_from = |v: &[I; 3], axis: usize| d[axis].times(&num).minus(&v[axis].times(&den));
@@ -134,7 +131,7 @@ impl<I: Ring> Whole<I> {
             let edge = I::difference(to, from);
             edge[j].times(&seen_from(from, k)).minus(&edge[k].times(&seen_from(from, j)))
         };
-        // The whole is normal[i]·den: inside, all areas have its sign.
+        // The total is normal[i]·den: inside, all areas have its sign.
         let areas = [area(b, c), area(c, a), area(a, b)];
         let sign = normal[i].sign() * den.sign();
         if areas.iter().any(|x| x.sign() * sign < 0) {
@@ -164,15 +161,15 @@ impl<I: Ring> Whole<I> {
     }
 }
 
-/// The component of greatest magnitude.
+/// The index of the component with the greatest magnitude.
 fn longest<I: Ring>(v: &[I; 3]) -> usize {
     let exceeds = |a: &I, b: &I| a.minus(b).times(&a.plus(b)).sign() > 0;
     let i = usize::from(exceeds(&v[1], &v[0]));
     if exceeds(&v[2], &v[i]) { 2 } else { i }
 }
 
-/// What the point lies on: coordinate k is zero on the edge opposite vertex k,
-/// and two are zero at the vertex of the third.
+/// The feature on which the point lies: coordinate k is zero on the edge opposite vertex k, and two
+/// are zero at the vertex of the third.
 fn feature(zero: [bool; 3]) -> Feature {
     match zero.iter().filter(|&&zero| zero).count() {
         0 => Feature::Interior,

@@ -12,8 +12,8 @@ pub enum RaySet {
     Edges,
     /// Nearly in the plane of the triangle, down to an angle of one last place.
     Parallel,
-    /// One vertex within three units in the last place of the line through the
-    /// other two; the ray aimed at that line.
+    /// One vertex within three units in the last place of the line through the other two; the ray
+    /// aims at that line.
     Slivers,
     /// As random or at edges, 10⁴ from the origin.
     Far,
@@ -25,7 +25,7 @@ pub enum RaySet {
     Huge,
     /// As random or at edges, times 2⁻¹⁴.
     Small,
-    /// The range of t ends at the hit or one place before or after it.
+    /// The range of t ends at the hit, or one number before or after it.
     Ranges,
     /// The crossing lies behind the origin, and t may be negative or not.
     Behind,
@@ -47,7 +47,7 @@ impl RaySet {
         Self::Behind,
     ];
 
-    /// What it is called.
+    /// The name of the set.
     pub fn name(self) -> &'static str {
         match self {
             Self::Random => "random",
@@ -75,8 +75,7 @@ impl RaySet {
         }
     }
 
-    /// `count` cases, the same for the same seed; none where the scalar cannot
-    /// hold them.
+    /// `count` cases, the same for the same seed; none if the scalar has too small a range.
     pub fn cases<S: Sample>(self, seed: u64, count: usize) -> Vec<RayCase<S>> {
         if self.misfit::<S>().is_some() {
             return Vec::new();
@@ -126,7 +125,7 @@ fn near(rng: &mut Rng, center: Point, radius: f64) -> Point {
     [0, 1, 2].map(|i| center[i] + offset[i])
 }
 
-/// From the origin towards the target, so far that t is `1 / length` there.
+/// A ray from the origin toward the target, with t = `1 / length` there.
 fn aimed<S: Sample>(
     origin: Point,
     target: Point,
@@ -143,14 +142,14 @@ fn triangle<S: Sample>(rng: &mut Rng, center: Point, scale: f64) -> [[S; 3]; 3] 
     [(); 3].map(|()| nearest(near(rng, center, 2.0 * scale)))
 }
 
-/// A point of the triangle's plane; in the triangle about every other time.
+/// A point of the triangle's plane, in about half of the cases inside the triangle.
 fn on_plane<S: Sample>(rng: &mut Rng, vertices: &[[S; 3]; 3]) -> Point {
     let [a, b, c] = vertices.map(approximate);
     let (u, v) = (rng.real(-0.2, 1.0), rng.real(-0.2, 1.0));
     [0, 1, 2].map(|i| a[i] + u * (b[i] - a[i]) + v * (c[i] - a[i]))
 }
 
-/// About a point of an edge, or a vertex.
+/// Approximately a point of an edge, or a vertex.
 fn on_edge<S: Sample>(rng: &mut Rng, vertices: &[[S; 3]; 3]) -> Point {
     let k = rng.below(3);
     let part = if rng.one_in(4) { 0.0 } else { rng.real(0.0, 1.0) };
@@ -169,7 +168,7 @@ fn at_edge<S: Sample>(rng: &mut Rng, center: Point, scale: f64) -> RayCase<S> {
     aimed(origin, target, rng.real(0.25, 1.5), vertices)
 }
 
-/// Either of the two, somewhere else.
+/// A case of either set, at another place and scale.
 fn elsewhere<S: Sample>(rng: &mut Rng, distance: f64, scale: f64) -> RayCase<S> {
     let center = rng.triple(|rng| {
         let far = distance * rng.real(1.0, 1.5);
@@ -252,7 +251,7 @@ fn huge<S: Sample>(rng: &mut Rng) -> RayCase<S> {
     if !rng.one_in(3) {
         let [a, b, c] = vertices.map(approximate);
         let (u, v) = (rng.real(0.0, 0.55), rng.real(0.0, 0.55));
-        // Half way, for the whole way may be longer than the scalar's range.
+        // Half the distance, because the whole may exceed the scalar's range.
         let half = |i: usize| ((1.0 - u - v) * a[i] + u * b[i] + v * c[i]) / 2.0;
         direction = [0, 1, 2].map(|i| S::nearest(half(i) - origin[i].approximate() / 2.0));
     }
@@ -271,7 +270,7 @@ fn range<S: Sample>(rng: &mut Rng) -> RayCase<S> {
     }
 }
 
-/// A crossing at a whole t, in the middle of the triangle.
+/// A crossing at an integer t, in the middle of the triangle.
 fn exactly_at<S: Sample>(rng: &mut Rng) -> RayCase<S> {
     let bits = S::WHOLE_BITS.min(30);
     let most = 1 << (bits - 4);

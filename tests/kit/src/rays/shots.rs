@@ -1,11 +1,11 @@
-//! Shots through closed meshes, and what a method makes of them.
+//! Shots through closed meshes, and the hits that a method finds.
 
 use septum::{Facing, Ray};
 
 use super::{Mesh, Method};
 use crate::{Rng, Sample};
 
-/// A mesh, and where it is.
+/// A mesh, and its position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scene {
     /// A sphere of radius 8 about the origin.
@@ -14,20 +14,19 @@ pub enum Scene {
     Far,
     /// The sphere times 2⁻²⁰.
     Tiny,
-    /// A sphere with even whole coordinates: exact middles of edges.
+    /// A sphere with even integer coordinates: exact midpoints of edges.
     Whole,
-    /// An octahedron with even whole coordinates, most of its faces coplanar with
-    /// their neighbours.
+    /// An octahedron with even integer coordinates; most faces are coplanar with their neighbours.
     Octahedron,
 }
 
-/// What of the mesh the rays are aimed at.
+/// The targets of the rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Aim {
     Interiors,
-    /// At random points of edges; in whole coordinates, exactly at their middles.
+    /// Random points of edges; in integer coordinates, exactly their midpoints.
     Edges,
-    /// In whole coordinates exactly.
+    /// Vertices; in integer coordinates, exactly.
     Vertices,
 }
 
@@ -58,8 +57,8 @@ pub struct Count {
     pub back: u32,
 }
 
-/// Radius of a mesh in whole coordinates. Shots start within three times that,
-/// which the scalar holds.
+/// The radius of a mesh in integer coordinates. Shots start within three times the radius, which
+/// the scalar's range includes.
 fn whole_radius<S: Sample>() -> f64 {
     if S::WHOLE_BITS < 15 { 32.0 } else { 4096.0 }
 }
@@ -77,7 +76,7 @@ impl Scene {
         }
     }
 
-    /// Why the scalar cannot hold this scene, if it cannot.
+    /// The reason why the scalar cannot hold this scene, if it cannot.
     pub fn misfit<S: Sample>(self) -> Option<&'static str> {
         match self {
             Self::Octahedron => None,
@@ -94,7 +93,7 @@ impl Scene {
         matches!(self, Self::Whole | Self::Octahedron)
     }
 
-    /// Centre and radius, in whole numbers for those in whole numbers.
+    /// Centre and radius; integers for meshes with integer coordinates.
     fn size<S: Sample>(self) -> (f64, f64) {
         match self {
             Self::Sphere => (0.0, 8.0),
@@ -108,7 +107,7 @@ impl Scene {
     fn place<S: Sample>(self, x: f64) -> S {
         let (center, radius) = self.size::<S>();
         if self.is_whole() {
-            // Even, and halved it is still whole.
+            // An even integer, so that half of it is an integer too.
             return S::whole(2 * (x * radius / 2.0).round() as i64);
         }
         S::nearest(center + radius * x)
@@ -120,9 +119,8 @@ impl Scene {
         if self == Self::Octahedron { Mesh::octahedron(place) } else { Mesh::sphere(place) }
     }
 
-    /// `count` shots through the mesh, the same for the same seed: one half from
-    /// outside, and every fourth by way of the centre. All of them go through
-    /// points deep inside.
+    /// `count` shots through the mesh, the same for the same seed: half of them from outside, and
+    /// every fourth through the centre. All pass through points deep inside.
     pub fn shots<S: Sample>(
         self,
         mesh: &Mesh<S>,
@@ -135,7 +133,7 @@ impl Scene {
     }
 
     fn shot<S: Sample>(self, mesh: &Mesh<S>, aim: Aim, rng: &mut Rng) -> Shot<S> {
-        // A ball of a third of the radius, which the octahedron holds too.
+        // A ball of a third of the radius, which is inside the octahedron too.
         let to_center = if rng.one_in(4) { 0.0 } else { 0.33 };
         let inside: [S; 3] = rng.triple(|rng| self.place(rng.real(-1.0, 1.0) * to_center));
         let face = mesh.faces[rng.below(mesh.faces.len())];
@@ -182,12 +180,12 @@ impl<S: Sample> Shot<S> {
         counts
     }
 
-    /// Whether it got through a wall unseen.
+    /// Whether the shot passed a wall without a hit.
     pub fn leaks(&self, count: Count) -> bool {
         count.back == 0 || self.from_outside && count.front == 0
     }
 
-    /// Whether it met more than one triangle on the way in or the way out.
+    /// Whether the shot hit more than one triangle on entering or leaving.
     pub fn doubles(&self, count: Count) -> bool {
         count.back > 1 || count.front > u32::from(self.from_outside)
     }

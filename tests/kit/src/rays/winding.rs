@@ -1,5 +1,5 @@
-//! The oracle of inside and outside: how often do triangles wind about a point? By a ray in a
-//! direction that meets no edge, where the crate looks along an axis and moves the point.
+//! The oracle for inside and outside: the winding number of triangles about a point. It uses a ray
+//! that meets no edge; the crate looks along an axis and perturbs the point.
 
 use septum::{Facing, Feature};
 

@@ -12,11 +12,11 @@ use septum::sweep::{FirstContact, Motion, Sweep};
 use super::case::{BoxNumbers, Case};
 use super::sample::Sample;
 
-/// A triangle and a box, one of which moves from one place to another.
+/// A triangle and a box; one of them moves from one place to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SweepCase<S> {
     pub case: Case<S>,
-    /// Of the triangle.
+    /// The motion of the triangle.
     pub way: [[S; 3]; 2],
 }
 
@@ -34,11 +34,11 @@ impl<S: Sample> SweepCase<S> {
         Motion::new(from, to).expect("finite places")
     }
 
-    /// Checks what the crate says, of the triangle that moves and of the box that moves the other
-    /// way; and returns it.
+    /// Checks the crate's answer, for the moving triangle and for the box moving the opposite way,
+    /// and returns it.
     ///
     /// # Panics
-    /// Where it is wrong.
+    /// If it is wrong.
     pub fn check(&self) -> Option<FirstContact<S>> {
         let (triangle, aabb) = self.case.shapes();
         let (motion, truth) = (self.motion(), self.truth());
@@ -55,7 +55,7 @@ impl<S: Sample> SweepCase<S> {
     }
 }
 
-/// Two boxes, the first of which moves.
+/// Two boxes, of which the first moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoxSweep<S> {
     pub boxes: [BoxNumbers<S>; 2],
@@ -63,10 +63,10 @@ pub struct BoxSweep<S> {
 }
 
 impl<S: Sample> BoxSweep<S> {
-    /// Checks what the crate says, and returns it.
+    /// Checks the crate's answer, and returns it.
     ///
     /// # Panics
-    /// Where it is wrong.
+    /// If it is wrong.
     pub fn check(&self) -> Option<FirstContact<S>> {
         let [from, to] = self.way;
         let motion = Motion::new(from, to).expect("finite places");

@@ -1,11 +1,11 @@
-//! The oracle: by clipping, where the crate looks for separating axes.
+//! The oracle for sweeps. It clips, where the crate looks for separating axes.
 //!
-//! A point of the triangle at some time is u·a + v·b + w·c + s·d, with u, v, w ≥ 0 and
-//! 0 ≤ s ≤ u + v + w, up to a positive factor: a cone in four dimensions, over a prism. It is cut
-//! by the six half-spaces of the box, with its extreme rays (the double description of T. S.
-//! Motzkin, H. Raiffa, G. L. Thompson, R. M. Thrall, 1953): two rays on either side of a
-//! half-space make a new one where they are adjacent, which they are if no other ray is in all
-//! of the planes that both are in. The least s/(u + v + w) of those left is the first time.
+//! A point of the triangle at some time is u·a + v·b + w·c + s·d, with u, v, w ≥ 0 and 0 ≤ s ≤ u +
+//! v + w, up to a positive factor: a cone in four dimensions over a prism. The oracle clips it by
+//! the six half-spaces of the box, as a list of extreme rays (the double description of T. S.
+//! Motzkin, H. Raiffa, G. L. Thompson, R. M. Thrall, 1953). Two rays on opposite sides of a
+//! half-space make a new ray if they are adjacent; they are adjacent if no other ray lies in all
+//! planes that contain both. The least s/(u + v + w) of the remaining rays is the time of impact.
 
 use dashu_int::IBig;
 use dashu_int::ops::Gcd;
@@ -40,7 +40,7 @@ impl Quotient {
         up(IBig::from(m) * &self.den, e) <= up(self.num.clone(), -e)
     }
 
-    /// Whether it is at least this number, and less than the next.
+    /// Whether the quotient, rounded down, is `t`.
     pub fn rounds_down_to<S: Sample>(&self, t: S) -> bool {
         let next = t.moved(1);
         self.is_at_least(t) && (next == t || !self.is_at_least(next))
@@ -51,18 +51,18 @@ impl Quotient {
 #[derive(Clone, Debug)]
 pub struct Contact {
     pub time: Quotient,
-    /// The axes that separate at the start, each with the time at which it ceases to.
+    /// The axes that separate at the start, each with the time at which it stops separating.
     pub axes: Vec<(Axis, Quotient)>,
 }
 
 impl Contact {
-    /// The first of the axes whose time rounds down to this number.
+    /// The first axis whose time rounds down to this number.
     pub fn witness<S: Sample>(&self, t: S) -> Option<Axis> {
         self.axes.iter().find(|(_, time)| time.rounds_down_to(t)).map(|&(axis, _)| axis)
     }
 }
 
-/// The triangle, the box from its least to its greatest corner, and the way, in whole numbers.
+/// The triangle, the box by its least and greatest corner, and the motion, in integers.
 pub(super) struct Shapes {
     vertices: [Point; 3],
     corners: [Point; 2],
@@ -139,7 +139,7 @@ impl Shapes {
         times.reduce(|a, b| if b.is_below(&a) { b } else { a })
     }
 
-    /// By the definition: vertices and corners projected on the axis.
+    /// By the definition: projects vertices and corners on the axis.
     fn time_on(&self, axis: Axis) -> Option<Quotient> {
         let unit = |k: u8| [0, 1, 2].map(|i: u8| IBig::from(i == k));
         let edge = |k: usize| IBig::difference(&self.vertices[(k + 1) % 3], &self.vertices[k]);
@@ -176,15 +176,15 @@ impl Shapes {
     }
 }
 
-/// An extreme ray of a cone, and in which of the planes it is, bit by bit.
+/// An extreme ray of a cone, and a bit for each plane that contains it.
 #[derive(Clone)]
 struct Ray {
     x: [IBig; 4],
     planes: u32,
 }
 
-/// All of the triangle, at all times: planes 0 to 2 are u, v, w = 0, plane 3 is the start, plane
-/// 4 the end.
+/// The whole triangle at all times. Planes 0 to 2 are u, v, w = 0, plane 3 is the start, plane 4
+/// the end.
 fn prism() -> Vec<Ray> {
     let ray = |k: usize, is_end: bool| {
         let x = [0, 1, 2, 3].map(|i: usize| IBig::from(i == k || i == 3 && is_end));
@@ -221,7 +221,7 @@ fn cut(mut rays: Vec<Ray>, form: &[IBig; 4], plane: usize) -> Vec<Ray> {
     rays
 }
 
-/// The same ray in the least whole numbers.
+/// The same ray in the least integers.
 fn reduced(x: [IBig; 4]) -> [IBig; 4] {
     let factor = x.iter().fold(IBig::ZERO, |g, x| match (&g, x) {
         (g, x) if *g == IBig::ZERO => x.clone(),
@@ -232,8 +232,8 @@ fn reduced(x: [IBig; 4]) -> [IBig; 4] {
     x.map(|x| x / &factor)
 }
 
-/// The first contact of two boxes, the first of which moves: the times at which they meet on each
-/// coordinate axis are intervals.
+/// The first contact of two boxes, of which the first moves: on each coordinate axis they meet
+/// during an interval of time.
 pub(super) fn boxes(boxes: [BoxNumbers<Parts>; 2], way: [[Parts; 3]; 2]) -> Option<Contact> {
     let [a, b] = &boxes;
     let all = [&rows(a)[..], &rows(b), &way].concat();

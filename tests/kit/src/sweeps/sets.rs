@@ -1,4 +1,4 @@
-//! Sets of cases, each of which is a set of triangles and boxes with a way.
+//! Sets of cases: triangles and boxes with a motion.
 
 use super::{BoxSweep, SweepCase};
 use crate::case::{BoxNumbers, Case};
@@ -9,15 +9,15 @@ use crate::touch::Touch;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SweepSet {
-    /// A triangle and a box of the set, and a way between two points like theirs; at times along an
-    /// axis, and at times none.
+    /// A triangle and a box of the set, and a motion between two similar points; sometimes along an
+    /// axis, and sometimes none.
     Of(Set),
-    /// In exact contact at some time, or one number one place beside.
+    /// In exact contact at some time, or with one number moved by a unit in the last place.
     Touch,
-    /// In touch on the way alone: a vertex along an edge of the box, or an edge across a corner; or
-    /// one number one place beside.
+    /// Grazing contact during the motion: a vertex along an edge of the box, or an edge across a
+    /// corner; or with one number moved by a unit in the last place.
     Graze,
-    /// A box that comes down on a plane of triangles, or moves along it.
+    /// A box that falls on a plane of triangles, or slides along it.
     Floor,
 }
 
@@ -41,7 +41,7 @@ impl SweepSet {
     pub fn cases<S: Sample>(self, seed: u64, count: usize) -> Vec<SweepCase<S>> {
         let rng = &mut Rng::new(seed ^ 0x5eeb);
         match self {
-            // Another case of the set is where the way leads from and to.
+            // Another case of the set gives the ends of the motion.
             Self::Of(set) => {
                 let shapes = set.cases::<S>(seed, count);
                 let places = set.cases::<S>(seed ^ 0x77a7, count);
@@ -76,7 +76,7 @@ fn of_set<S: Sample>(rng: &mut Rng, case: Case<S>, other: Case<S>) -> SweepCase<
     let [a, b, _] = case.vertices;
     let [from, mut to, _] = other.vertices;
     let way = match rng.below(8) {
-        // From itself to what is near.
+        // From its own place to a nearby one.
         0..=2 => [a, case.box_numbers()[0]],
         3 => [a, b],
         4 => {
@@ -116,7 +116,7 @@ fn touch<S: Sample>(rng: &mut Rng) -> SweepCase<S> {
     nudged(rng, SweepCase { case, way: [from, to] })
 }
 
-/// One number one place up, down or not at all, in half of the cases.
+/// In half of the cases moves one number by a unit in the last place, or by none.
 fn nudged<S: Sample>(rng: &mut Rng, mut sweep: SweepCase<S>) -> SweepCase<S> {
     if rng.one_in(2) {
         let i = if rng.one_in(2) { rng.below(9) } else { rng.below(21) };
@@ -132,15 +132,16 @@ fn nudged<S: Sample>(rng: &mut Rng, mut sweep: SweepCase<S>) -> SweepCase<S> {
     sweep
 }
 
-/// A triangle in touch: of what is in the plane that separates it from the box all but an end
-/// becomes the way, and the rest of the triangle is above the plane.
+/// A grazing triangle. During the motion a vertex or an edge of it sweeps out the part of a
+/// touching triangle that lies in the separating plane; the rest of the triangle is above the
+/// plane.
 fn graze<S: Sample>(rng: &mut Rng) -> SweepCase<S> {
     let bits = (Touch::bits::<S>() - 1).min(12);
     let by_edge = rng.one_in(2);
     let mut touch = if by_edge { Touch::edge(rng, bits) } else { Touch::corner(rng, bits) };
     let dot = |v: &[i64; 3]| (0..3).map(|i| v[i] * touch.normal[i]).sum::<i64>();
     let mut vertices = touch.vertices;
-    // Those in the plane come first.
+    // The vertices in the plane come first.
     vertices.sort_by_key(dot);
     let up = (0..3).max_by_key(|&i| touch.normal[i].abs()).unwrap_or(0);
     let above = |rng: &mut Rng, mut p: [i64; 3]| {
@@ -152,7 +153,7 @@ fn graze<S: Sample>(rng: &mut Rng) -> SweepCase<S> {
     vertices = if by_edge { [a, above(rng, a), c] } else { [a, b, above(rng, a)] };
     vertices.rotate_left(rng.below(3));
     touch.vertices = vertices;
-    // At times about zero, so that what is one place beside is far smaller than the rest.
+    // Sometimes around zero, so that the last place is far smaller than the rest.
     if rng.one_in(2) {
         let [x, y, z] = &mut touch.vertices;
         for p in [x, y, z, &mut touch.least, &mut touch.greatest] {
@@ -176,6 +177,6 @@ fn floor<S: Sample>(rng: &mut Rng) -> SweepCase<S> {
     if rng.one_in(2) {
         to[up] = center[up];
     }
-    // The box moves, so the triangle moves the other way.
+    // The box moves, so relative to it the triangle moves the opposite way.
     SweepCase { case: Case { vertices, aabb: BoxNumbers::Center(center, half) }, way: [to, center] }
 }

@@ -1,5 +1,5 @@
-//! Voxelization, checked: here and not in the test, for it is asked so often that it pays to
-//! compile the crate's part of it with all optimisation, as this package is.
+//! Checks of voxelization. They are in this package rather than in the test, so that the crate's
+//! part of it is compiled with full optimization.
 
 mod oracle;
 mod random;
@@ -19,7 +19,7 @@ use random::{marks_agree_with_oracle, rows_agree_with_pairs};
 use solid::check_solid;
 use walk::walks_are_right;
 
-/// A scalar to check in, named: the checks are compiled here.
+/// The scalar of a check, by name, because the checks are compiled here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]
 pub enum InScalar {
@@ -30,7 +30,7 @@ pub enum InScalar {
     I32F32,
 }
 
-/// A generic function for a scalar that is known by its name.
+/// Calls a generic function with a scalar given by name.
 macro_rules! in_scalar {
     ($scalar:expr, $function:ident($($argument:expr),*)) => {
         match $scalar {
@@ -47,7 +47,8 @@ impl InScalar {
     /// All of them.
     pub const ALL: [Self; 5] = [Self::F32, Self::F64, Self::I8F8, Self::I16F16, Self::I32F32];
 
-    /// The scene voxelized, beside the oracle; `None` where the scalar does not hold it.
+    /// Voxelizes the scene and compares with the oracle; `None` if the scene exceeds the scalar's
+    /// range.
     pub fn check(self, scene: &VoxelScene, rule: Rule) -> Option<Voxelized> {
         let fits = match self {
             Self::F32 => scene.fits::<f32>(),
@@ -69,31 +70,31 @@ impl InScalar {
         in_scalar!(self, marks_agree_with_oracle(seed, grids, most))
     }
 
-    /// The inside of the scene, beside the oracle; the mesh is closed.
+    /// Fills the inside of the scene's closed mesh, and compares with the oracle.
     pub fn check_solid(self, scene: &VoxelScene) -> Insides {
         in_scalar!(self, check_solid(scene))
     }
 
-    /// Walks along random lines, beside the oracle; how many voxels they meet.
+    /// Walks along random lines, and compares with the oracle; returns the number of voxels met.
     pub fn walks_are_right(self, seed: u64, grids: u32) -> u64 {
         in_scalar!(self, walks_are_right(seed, grids))
     }
 
-    /// The words of the scene, its triangles in another order and their vertices too, are those
-    /// of the scene as it is, and those of its slabs along each axis.
+    /// The words of the scene stay the same with triangles and vertices in another order, and when
+    /// filled slab by slab along each axis.
     pub fn keeps_order_and_slabs(self, scene: &VoxelScene, rule: Rule) {
         in_scalar!(self, keeps_order_and_slabs(scene, rule));
     }
 }
 
-/// What came of a check.
+/// The result of a check.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Voxelized {
     /// Voxels that are set.
     pub set: u64,
-    /// Those that the oracle marks and the crate does not.
+    /// Voxels that only the oracle marks.
     pub missed: u64,
-    /// Those that the crate sets and the oracle does not.
+    /// Voxels that only the crate sets.
     pub extra: u64,
 }
 
@@ -114,9 +115,9 @@ fn filled<S: Sample>(grid: &Grid<S>, triangles: &[Triangle<S>], rule: Rule) -> V
     words
 }
 
-/// Fills the scene's triangles in, and asks the oracle about every voxel that the bounding box of
-/// a triangle comes within a voxel of. Triangle by triangle: what one marks too much, another may
-/// mark by right.
+/// Fills the scene's triangles, and asks the oracle about every voxel within a voxel of each
+/// triangle's bounding box. It compares triangle by triangle, because a voxel that one triangle
+/// marks wrongly may be marked rightly by another.
 fn check<S: Sample>(scene: &VoxelScene, rule: Rule) -> Voxelized {
     let (grid, triangles) = rounded::<S>(scene);
     let planes = planes(&grid);
@@ -149,7 +150,7 @@ fn check<S: Sample>(scene: &VoxelScene, rule: Rule) -> Voxelized {
                 }
             }
         }
-        // Nothing set elsewhere.
+        // Nothing is set elsewhere.
         found.extra += bits.count() - seen;
         for (all, word) in union.iter_mut().zip(&mut one) {
             *all |= std::mem::take(word);

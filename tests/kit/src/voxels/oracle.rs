@@ -1,4 +1,5 @@
-//! Which voxels a triangle marks: by clipping it, where the crate takes ends of intervals.
+//! The voxels that a triangle marks. The oracle clips the triangle, where the crate computes ends
+//! of intervals.
 
 use dashu_int::IBig;
 use septum::voxel::{Grid, Rule};
@@ -16,7 +17,7 @@ pub(super) enum Marks {
     Wide(Whole<IBig>),
 }
 
-/// In whole numbers, counted from the least planes.
+/// In integers, relative to the least planes.
 pub(super) struct Whole<I> {
     vertices: [[I; 3]; 3],
     planes: [Vec<I>; 3],
@@ -94,7 +95,7 @@ impl<I: Ring> Whole<I> {
         match rule {
             Rule::Closed => remains(&[least, greatest].concat(), &[]),
             Rule::HalfOpen => remains(&least, &greatest),
-            // Between two planes, twice what is above the middle: above both together.
+            // Between two planes the middle is half their sum; all numbers are doubled.
             Rule::Thin => (0..3).any(|axis| {
                 let across = [(axis + 1) % 3, (axis + 2) % 3];
                 let sides = across.map(|i: usize| {

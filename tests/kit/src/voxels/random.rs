@@ -1,4 +1,4 @@
-//! Any triangle in any grid: what rows say, and what the pair says.
+//! Random triangles in random grids: rows against the test of each pair.
 
 use septum::Triangle;
 use septum::voxel::{Bits, Grid, Rule};
@@ -6,11 +6,11 @@ use septum::voxel::{Bits, Grid, Rule};
 use super::oracle::{Marks, planes};
 use crate::{Rng, Sample, VERTEX_ORDERS};
 
-/// Asks for the rows and the bits of random triangles in random grids, and about each voxel by
-/// [`Triangle::overlaps`](septum::Overlaps::overlaps). Vertices are anywhere in and about the grid
-/// or a few voxels of it, or on its planes; triangles may be segments and points, with their edges
-/// along axes or nearly so. Panics where the two differ, in any order of the vertices. Returns how
-/// many voxels are met.
+/// Compares the rows and the bits of random triangles in random grids with
+/// [`Triangle::overlaps`](septum::Overlaps::overlaps) on each voxel. Vertices are anywhere in the
+/// grid or near it, within a few voxels of it, or on its planes; triangles may be segments and
+/// points, with edges parallel to axes or nearly so. Panics if they differ, in any order of the
+/// vertices. Returns the number of voxels met.
 pub fn rows_agree_with_pairs<S: Sample>(seed: u64, grids: u32, most: i64) -> u64 {
     let rng = &mut Rng::new(seed);
     let mut met = 0;
@@ -27,8 +27,8 @@ pub fn rows_agree_with_pairs<S: Sample>(seed: u64, grids: u32, most: i64) -> u64
     met
 }
 
-/// Asks for the rows of such triangles by every rule, and the oracle about each voxel. Panics
-/// where they differ; returns how many voxels are marked.
+/// Compares the rows of such triangles under every rule with the oracle on each voxel. Panics if
+/// they differ; returns the number of voxels marked.
 pub fn marks_agree_with_oracle<S: Sample>(seed: u64, grids: u32, most: i64) -> u64 {
     let rng = &mut Rng::new(seed);
     let mut marked = 0;
@@ -56,7 +56,7 @@ pub fn marks_agree_with_oracle<S: Sample>(seed: u64, grids: u32, most: i64) -> u
     marked
 }
 
-/// A grid of up to `most` voxels a side, now and then a part of one.
+/// A grid of up to `most` voxels a side, sometimes a part of one.
 pub(super) fn grid<S: Sample>(rng: &mut Rng, most: i64) -> Option<Grid<S>> {
     let size = rng.triple(|rng| rng.whole(1, most) as f64).map(|n| n as u32);
     let (origin, cell) = match rng.whole(0, 3) {

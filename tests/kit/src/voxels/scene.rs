@@ -5,10 +5,10 @@ use crate::{Rng, Sample};
 
 type Point = [f64; 3];
 
-/// Triangles in a grid, in `f64`: for a scalar to round.
+/// Triangles in a grid, in `f64`, which each scalar rounds.
 #[derive(Clone)]
 pub struct VoxelScene {
-    /// What it is called.
+    /// The name of the scene.
     pub name: &'static str,
     /// The triangles.
     pub triangles: Vec<[Point; 3]>,
@@ -36,8 +36,8 @@ impl VoxelScene {
         ]
     }
 
-    /// Closed meshes, small enough to ask an oracle about each centre; their vertices are
-    /// multiples of 1/64, and of a half in some, so that lines meet edges and centres faces.
+    /// Closed meshes, small enough for an oracle on each centre. Their vertices are multiples of
+    /// 1/64, in some scenes of a half, so that lines meet edges and centres lie on faces.
     pub fn solids(n: u32) -> Vec<Self> {
         let rounded = |t: [Point; 3], per: f64| t.map(|p| p.map(|x| (x * per).round() / per));
         let end = f64::from(n);
@@ -94,7 +94,7 @@ impl VoxelScene {
         Self { name: "snapped", triangles, ..Self::whole(n) }
     }
 
-    /// Long triangles with next to no area, some with none.
+    /// Long triangles with almost no area, some with none.
     fn slivers(n: u32) -> Self {
         let (rng, end) = (&mut Rng::new(7), f64::from(n));
         let sliver = |_| {
@@ -119,7 +119,7 @@ impl VoxelScene {
         Self { name: "", triangles: Vec::new(), origin, cell, resolution: [n; 3] }
     }
 
-    /// Whether a scalar holds the grid and the mesh without a great loss.
+    /// Whether the scalar has the range and the precision for grid and mesh.
     pub fn fits<S: Sample>(&self) -> bool {
         let holds = |x: f64| {
             let is_in_range = x <= S::GREATEST.approximate();

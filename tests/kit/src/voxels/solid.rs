@@ -1,5 +1,5 @@
-//! The inside of closed meshes: by how often an oblique ray crosses, each crossing by three
-//! volumes, where the crate goes along rows.
+//! The inside of closed meshes. The oracle counts the crossings of an oblique ray, each by three
+//! volumes; the crate works along rows.
 
 use dashu_int::IBig;
 use septum::Triangle;
@@ -12,18 +12,18 @@ use crate::{Sample, odd_mantissa};
 
 type Point = [IBig; 3];
 
-/// What came of a check.
+/// The result of a check.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Insides {
     /// Centres that are inside.
     pub inside: u64,
     /// Centres on which the oracle and the crate differ.
     pub wrong: u64,
-    /// Rows that the crate says are open.
+    /// Rows that the crate reports as open.
     pub open: u64,
 }
 
-/// Fills the scene's mesh, and asks the oracle about every centre. The mesh is closed.
+/// Fills the scene's closed mesh, and asks the oracle about every centre.
 pub(super) fn check_solid<S: Sample>(scene: &VoxelScene) -> Insides {
     let (grid, triangles) = super::rounded::<S>(scene);
     let (words, open) = filled(&grid, &triangles);
@@ -40,8 +40,8 @@ pub(super) fn check_solid<S: Sample>(scene: &VoxelScene) -> Insides {
         triangles.iter().map(|t| t.vertices().map(|v| v.to_array().map(parts))).collect();
     let limits = planes.map(|p| p.into_iter().map(parts).collect::<Vec<_>>());
     let unit = least_exponent(corners.iter().flatten().flatten().chain(limits.iter().flatten()));
-    // Doubled, for the centres, and so far apart that a move by what follows changes no sign
-    // but a zero: with B bits, volumes have 3·B, and normals 2·B.
+    // Doubled, so that centres are integers, and scaled so that the following displacement changes
+    // only signs that are zero: with B bits, volumes have 3·B bits, and normals 2·B.
     let largest = corners.iter().flatten().flatten().chain(limits.iter().flatten());
     let bits = largest.map(|&(m, e)| 65 - m.unsigned_abs().leading_zeros() as i32 + e - unit).max();
     let bits = bits.unwrap_or(0) as usize + 2;
@@ -71,7 +71,7 @@ pub(super) fn check_solid<S: Sample>(scene: &VoxelScene) -> Insides {
     found
 }
 
-/// The words of the inside, and how many rows are open.
+/// The words of the inside, and the number of open rows.
 fn filled<S: Sample>(grid: &Grid<S>, triangles: &[Triangle<S>]) -> (Vec<u64>, u64) {
     let mut words = vec![u64::MAX; grid.words::<u64>()];
     let mut lines = vec![u64::MAX; grid.line_words::<u64>()];
@@ -87,8 +87,8 @@ fn turned<S: Sample>(triangle: Triangle<S>) -> Triangle<S> {
     Triangle::new(c, b, a).expect("a triangle")
 }
 
-/// Whether a ray from the point crosses an odd number of faces. If it meets an edge, another ray
-/// is taken.
+/// Whether a ray from the point crosses an odd number of faces. If it meets an edge, another ray is
+/// chosen.
 fn is_inside(mesh: &[[Point; 3]], point: &Point) -> bool {
     const RAYS: [[i32; 3]; 4] =
         [[1009, 757, 389], [-523, 1201, 307], [401, -211, 1511], [-907, -613, 1301]];
@@ -104,7 +104,7 @@ fn crossings(mesh: &[[Point; 3]], point: &Point, ray: &Point) -> Option<usize> {
         let sign = |x: &IBig| x.cmp(&IBig::ZERO) as i32;
         let signs = along.each_ref().map(sign);
         if signs.iter().all(|&s| s == signs[0]) && signs[0] != 0 {
-            // Before it, if the tetrahedron with the point has that orientation.
+            // The crossing is ahead if the tetrahedron with the point has this orientation.
             count += usize::from(sign(&volume(&v[0], &v[1], &v[2])) == signs[0]);
         } else if signs.contains(&0) && !(signs.contains(&1) && signs.contains(&-1)) {
             return None;

@@ -1,5 +1,5 @@
-//! Walks along lines: beside every voxel of the grid, each with the t from which to which the
-//! line is in it, as fractions.
+//! Walks along lines. The oracle tests every voxel of the grid, and computes the interval of t
+//! inside it in fractions.
 
 use dashu_int::IBig;
 use septum::voxel::{Grid, Rule};
@@ -10,7 +10,7 @@ use super::random::grid;
 use crate::exact::{Parts, least_exponent, whole};
 use crate::{Rng, Sample, odd_mantissa};
 
-/// A quotient whose divisor is above zero.
+/// A quotient with a positive divisor.
 #[derive(Clone)]
 struct Fraction(IBig, IBig);
 
@@ -20,14 +20,14 @@ impl Fraction {
     }
 }
 
-/// From when to when a line is in a voxel, and whether at the ends too.
+/// The interval of t in a voxel, and whether its ends belong to it.
 struct Stay {
     from: (Fraction, bool),
     to: (Fraction, bool),
 }
 
-/// Walks along random segments and rays in random grids, through corners and along faces among
-/// them. Panics where a walk is not what its rule says; returns how many voxels are met.
+/// Walks along random segments and rays in random grids, also through corners and along faces.
+/// Panics if a walk violates its rule; returns the number of voxels met.
 pub(super) fn walks_are_right<S: Sample>(seed: u64, grids: u32) -> u64 {
     let rng = &mut Rng::new(seed);
     let mut met = 0;
@@ -59,7 +59,7 @@ fn one<S: Sample>(rng: &mut Rng, grid: &Grid<S>) -> u64 {
         0 => (a, b) = (c, d),
         1 => a = c,
         2 => b = d,
-        // Along an axis, on a plane or not; along a face; a point.
+        // Along an axis, in a plane or not; along a face; a point.
         3 => (a[0], a[1], b[0], b[1]) = (c[0], d[1], c[0], d[1]),
         4 => (a[1], b[1]) = (c[1], c[1]),
         5 => (a[0], b[0]) = (b[0], b[0]),
@@ -81,7 +81,7 @@ fn one<S: Sample>(rng: &mut Rng, grid: &Grid<S>) -> u64 {
         let walk: Vec<_> = grid.walk_ray(ray, rule).collect();
         let what = format!("{rule:?} {ray:?} in {grid:?}");
         met += check(&limits, parts(a), [[(0, 0); 3], parts(b)], false, rule, &walk, &what);
-        // All of the line backward, and both ends of a segment about its centre.
+        // The whole line backward, and both ends of a segment about its centre.
         let line = ray.with_range(None, S::ZERO).expect("a range");
         let back: Vec<_> = grid.walk_ray(&line, rule).collect();
         let middle = Segment::from_center_half_vector(a, b).expect("finite");
@@ -167,7 +167,7 @@ fn check(
     let every = || (0..nx * ny * nz).map(|n| [n % nx, n / nx % ny, n / nx / ny]);
     let kind = if rule == Rule::Closed { Rule::Closed } else { Rule::HalfOpen };
     let mut stays: Vec<_> = every().filter_map(|v| Some((v, stay(v, kind)?))).collect();
-    // In order of points; a point alone before what begins behind it.
+    // In order of entry; a single point comes before an interval that begins there.
     stays.sort_by(|(_, a), (_, b)| a.from.0.cmp(&b.from.0).then(b.from.1.cmp(&a.from.1)));
     match rule {
         Rule::HalfOpen => {
@@ -192,7 +192,7 @@ fn check(
             assert!(walk.iter().all(|&v| stay(v, Rule::Closed).is_some()), "{what}: {walk:?}");
             for pair in walk.windows(2) {
                 let apart: u32 = (0..3).map(|i| pair[0][i].abs_diff(pair[1][i])).sum();
-                // It may leave the grid in a corner and come back.
+                // It may leave the grid at a corner and return.
                 let leaves = apart == 2 && !stays.is_empty();
                 assert!(apart == 1 || leaves, "{what}: {walk:?}");
             }
