@@ -104,6 +104,8 @@ macro_rules! shapes {
 shapes! { Triangle Aabb Obb }
 
 /// The least translation of the first shape that takes it out of the second.
+#[doc(alias = "MTV")]
+#[doc(alias = "penetration")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
@@ -121,6 +123,7 @@ pub struct Translation<S> {
 }
 
 /// The least translation, and the points where the shapes are in each other.
+#[doc(alias = "manifold")]
 #[derive(Clone, Copy, Debug)]
 pub struct Contact<S> {
     /// The least translation.
@@ -161,6 +164,9 @@ impl<S: Scalar> Contact<S> {
 ///
 /// *Source*: separating axes, as for [`Obb::overlaps`]; a vector that suffices as it is rounded,
 /// ours.
+#[doc(alias = "MTV")]
+#[doc(alias = "minimum translation vector")]
+#[doc(alias = "penetration")]
 #[must_use]
 pub fn least_translation<S: Scalar>(
     first: &impl Shape<S>,
@@ -179,6 +185,8 @@ pub fn least_translation<S: Scalar>(
 /// *Panics*: never.
 ///
 /// *Source* of the points: I. E. Sutherland, G. W. Hodgman, *Communications of the ACM* 17, 1974.
+#[doc(alias = "penetration")]
+#[doc(alias = "manifold")]
 #[must_use]
 pub fn contact<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> Option<Contact<S>> {
     of_bodies(&[first.body(), second.body()], InteriorEdges::NONE)

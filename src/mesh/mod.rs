@@ -34,17 +34,19 @@
 mod indexed;
 mod tree;
 
+mod overlapping;
+mod ray;
+
+mod inside;
+mod pairs;
+mod sweep;
+
 mod closed;
 mod descent;
 mod error;
 mod grid;
 mod index;
-mod inside;
 mod node;
-mod overlapping;
-mod pairs;
-mod ray;
-mod sweep;
 mod walk;
 
 // Last, as on the pages of the shapes.

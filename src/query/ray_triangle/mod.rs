@@ -82,6 +82,7 @@ impl<S: Scalar> Ray<S> {
     /// # Ok::<(), septum::ShapeError>(())
     /// ```
     #[inline]
+    #[doc(alias = "raycast")]
     pub fn hit(&self, triangle: &Triangle<S>) -> Option<Hit<S>> {
         self.hit_with(triangle, HitRules::new())
     }
@@ -144,6 +145,7 @@ impl<S: Scalar> Ray<S> {
     /// an FPU for `f32` alone, a hit costs a sixth of what it costs by `hit`, or less. Choose
     /// it for projections and visibility, and before `hit` where hits are rare.
     #[inline]
+    #[doc(alias = "raycast")]
     #[must_use]
     pub fn is_hit(&self, triangle: &Triangle<S>) -> bool {
         self.is_hit_with(triangle, HitRules::new())

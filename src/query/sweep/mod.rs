@@ -25,6 +25,7 @@ use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
 /// When a shape that moves first meets another, and how.
+#[doc(alias = "time of impact")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
@@ -91,6 +92,8 @@ pub trait Sweep<Other> {
     /// its axes once more, in `f64`, and two divisions; for an answer in `f64` in 106 digits, and
     /// in fixed point of 64 bits a division of integers. Where floats are dear, or two axes close
     /// at about the same time, every axis with a gap.
+    #[doc(alias = "time of impact")]
+    #[doc(alias = "continuous collision")]
     #[must_use]
     fn first_contact(
         &self,
