@@ -168,24 +168,28 @@ impl Way {
         })
     }
 
-    /// A vector along the way: for each coordinate its size, in real units, and the rounding.
-    fn vector<S: Scalar>(&self, units: i32, is_up: bool, sizes: [Size; 3]) -> Vec3<S> {
+    /// A vector along the way, from the sizes of its coordinates in real units; and whether the
+    /// scalar holds all of them.
+    fn vector<S: Scalar>(&self, units: i32, is_up: bool, sizes: [Size; 3]) -> (Vec3<S>, bool) {
+        let mut fits = true;
         let [x, y, z] = three(|i| match (self.coordinates[i], sizes[i]) {
             (Some((sign, _)), Some(size)) => {
                 let (m, exponent) = size.scaled(units).upper();
-                let x = S::of_units(m, exponent, is_up);
-                if sign.is_gt() == self.is_along { x } else { x.opposite() }
+                let is_negative = sign.is_gt() != self.is_along;
+                let (x, is_held) = S::of_units(m, exponent, is_up, is_negative);
+                fits &= is_held;
+                x
             }
             _ => S::ZERO,
         });
-        Vec3::new(x, y, z)
+        (Vec3::new(x, y, z), fits)
     }
 
     /// The translation: each coordinate rounded away from zero, so that none is too short.
     ///
     /// With a the direction and o the overlap on it, |tᵢ| ≥ |aᵢ|·o/(a·a), and tᵢ has the sign of
     /// aᵢ. So a·t = Σ|aᵢ|·|tᵢ| ≥ o: on this direction the shapes overlap no more.
-    pub(super) fn translation<S: Scalar>(&self) -> Vec3<S> {
+    pub(super) fn translation<S: Scalar>(&self) -> (Vec3<S>, bool) {
         let is_single = self.coordinates.iter().flatten().count() == 1;
         let of = |size: Positive| {
             if is_single { self.depth } else { size.times(self.overlap).over(self.square) }
@@ -195,11 +199,11 @@ impl Way {
     }
 
     pub(super) fn normal<S: Scalar>(&self, ratios: [Size; 3]) -> Vec3<S> {
-        self.vector(i32::from(S::ONE.shift), false, ratios)
+        self.vector(i32::from(S::ONE.shift), false, ratios).0
     }
 
     pub(super) fn depth<S: Scalar>(&self) -> S {
         let (m, exponent) = self.depth.scaled(-i32::from(S::ONE.shift)).upper();
-        S::of_units(m, exponent, true)
+        S::of_units(m, exponent, true, false).0
     }
 }

@@ -69,6 +69,8 @@ mod sums;
 mod tests;
 mod whole;
 
+use core::fmt;
+
 use self::body::{Body, Place, Rough};
 use self::exact::Size;
 pub use self::feature::{Axis, Part};
@@ -110,21 +112,24 @@ shapes! { Triangle Aabb Obb }
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Translation<S> {
-    /// The translation. Each coordinate is rounded away from zero; beyond the range of the scalar
-    /// it is infinite, or the end of the range, and does not take the shape out.
+    /// The translation. Each coordinate is rounded away from zero. A coordinate beyond the range of
+    /// the scalar is infinite, in fixed point the end of the range.
     pub vector: Vec3<S>,
-    /// Its length, rounded up, likewise.
+    /// The length of the translation, rounded up; beyond the range infinite or the end of the range.
     pub depth: S,
     /// The unit vector along it, each coordinate to the nearest or next to it; a fixed-point type
     /// that cannot hold one has the greatest number for it.
     pub normal: Vec3<S>,
     /// What of the shapes the direction comes from.
     pub axis: Axis,
+    /// Whether moving the first shape by `vector` takes it out of the second: `false` if and only
+    /// if a coordinate lies beyond the range of the scalar.
+    pub is_sufficient: bool,
 }
 
 /// The least translation, and the points where the shapes are in each other.
 #[doc(alias = "manifold")]
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Contact<S> {
     /// The least translation.
     pub translation: Translation<S>,
@@ -146,6 +151,16 @@ impl<S: Scalar> Contact<S> {
     }
 }
 
+impl<S: Scalar> fmt::Debug for Contact<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Contact")
+            .field("translation", &self.translation)
+            .field("is_held", &self.is_held)
+            .field("points", &self.points())
+            .finish()
+    }
+}
+
 /// The least translation of the first shape that takes it out of the second; `None` if they are
 /// disjoint or touch.
 ///
@@ -155,7 +170,7 @@ impl<S: Scalar> Contact<S> {
 /// *Numerics*: see [the module](self): whether there is one is exact, and it suffices for certain.
 ///
 /// *Range*: all of the scalar's. A coordinate of the result beyond it is infinite in floats, and in
-/// fixed point the end of the range.
+/// fixed point the end of the range; then [`Translation::is_sufficient`] is `false`.
 ///
 /// *Panics*: never. *Cost*: in `f64` at most 15 cross products, each with two intervals; where
 /// floats leave one direction, as they nearly always do, three exact numbers for its coordinates,
@@ -195,8 +210,9 @@ pub fn contact<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> Opti
 /// The same for a triangle of a mesh: where the least translation leads across an interior edge,
 /// that along the triangle's normal.
 ///
-/// A translation leads across an edge if what of the triangle is farthest along it is the edge, or
-/// a vertex at its end and the direction does not point back from the edge. Then `is_held` is
+/// A translation leads across an edge if what of the triangle lies farthest toward the other shape,
+/// against the translation, is the edge, or a vertex at its end and that direction does not point
+/// back from the edge. Then `is_held` is
 /// `true`, and the depth is that along the normal, on the side where it is less.
 ///
 /// `None` also where the triangle is a segment or a point, which has no normal to hold it to.
@@ -247,6 +263,7 @@ fn translation<S: Scalar>(
     way: &Way,
     ratios: [Size; 3],
 ) -> Translation<S> {
-    let (vector, normal, axis) = (way.translation(), way.normal(ratios), axis(bodies, way));
-    Translation { vector, depth: way.depth(), normal, axis }
+    let (vector, is_sufficient) = way.translation();
+    let (depth, normal, axis) = (way.depth(), way.normal(ratios), axis(bodies, way));
+    Translation { vector, depth, normal, axis, is_sufficient }
 }

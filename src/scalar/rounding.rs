@@ -18,12 +18,10 @@ pub trait Rounding: Copy {
     /// self + offset, to the nearest or next to it; clamped in fixed point.
     fn plus_double(self, offset: f64) -> Self;
 
-    /// m·2^exponent units of the type's least number, rounded up, or to the nearest with halves up.
-    /// m is at most 2^65. Out of range, floats return infinity and fixed point the greatest number.
-    fn of_units(m: u128, exponent: i32, is_up: bool) -> Self;
-
-    /// The number negated; zero for either zero.
-    fn opposite(self) -> Self;
+    /// ±m·2^exponent units of the type's least number, rounded away from zero, or to the nearest
+    /// with halves away from zero. m is at most 2^65. Out of range, returns infinity or the end of
+    /// the range, and `false`.
+    fn of_units(m: u128, exponent: i32, is_up: bool, is_negative: bool) -> (Self, bool);
 }
 
 macro_rules! float {
@@ -40,19 +38,18 @@ macro_rules! float {
             fn plus_double(self, offset: f64) -> Self {
                 (f64::from(self) + offset) as $float
             }
-            fn of_units(m: u128, exponent: i32, is_up: bool) -> Self {
+            fn of_units(m: u128, exponent: i32, is_up: bool, is_negative: bool) -> (Self, bool) {
                 const DIGITS: i32 = $float::MANTISSA_DIGITS as i32;
                 let bits = 128 - m.leading_zeros() as i32;
                 let places = (bits + exponent - DIGITS).max(0);
-                if places > $float::MAX_EXP - $float::MIN_EXP {
-                    return $float::INFINITY;
-                }
-                // At most 2^DIGITS; the carry into the exponent is correct.
-                let digits = whole(m, exponent - places, is_up) as $bits;
-                $float::from_bits(((places as $bits) << (DIGITS - 1)) + digits)
-            }
-            fn opposite(self) -> Self {
-                0.0 - self
+                let size = if places > $float::MAX_EXP - $float::MIN_EXP {
+                    $float::INFINITY
+                } else {
+                    // At most 2^DIGITS; the carry into the exponent is correct.
+                    let digits = whole(m, exponent - places, is_up) as $bits;
+                    $float::from_bits(((places as $bits) << (DIGITS - 1)) + digits)
+                };
+                (if is_negative { 0.0 - size } else { size }, size < $float::INFINITY)
             }
         }
     };
@@ -73,7 +70,7 @@ mod fixed_point {
     }
 
     macro_rules! fixed_point {
-        ($($fixed:ident, $bound:ident, $raw:ident, $is_in_double:literal;)*) => {$(
+        ($($fixed:ident, $bound:ident, $raw:ident, $wide:ident, $is_in_double:literal;)*) => {$(
             impl<Frac: $bound> Rounding for $fixed<Frac> {
                 const IS_IN_DOUBLE: bool = $is_in_double;
 
@@ -85,25 +82,24 @@ mod fixed_point {
                 }
                 fn plus_double(self, offset: f64) -> Self {
                     let units = offset * two_to(Self::FRAC_NBITS as i32);
-                    let nearest = (units + if units < 0.0 { -0.5 } else { 0.5 }) as i64;
-                    let sum = i64::from(self.to_bits()).saturating_add(nearest);
+                    let nearest = (units + if units < 0.0 { -0.5 } else { 0.5 }) as $wide;
+                    let sum = $wide::from(self.to_bits()).saturating_add(nearest);
                     Self::from_bits(sum.clamp($raw::MIN.into(), $raw::MAX.into()) as $raw)
                 }
-                fn of_units(m: u128, exponent: i32, is_up: bool) -> Self {
-                    let units = whole(m, exponent, is_up);
-                    Self::from_bits($raw::try_from(units).unwrap_or($raw::MAX))
-                }
-                fn opposite(self) -> Self {
-                    self.saturating_neg()
+                fn of_units(m: u128, exponent: i32, is_up: bool, is_negative: bool) -> (Self, bool) {
+                    let size = i128::try_from(whole(m, exponent, is_up)).unwrap_or(i128::MAX);
+                    let (units, end) = if is_negative { (-size, $raw::MIN) } else { (size, $raw::MAX) };
+                    let held = $raw::try_from(units);
+                    (Self::from_bits(held.unwrap_or(end)), held.is_ok())
                 }
             }
         )*};
     }
     fixed_point! {
-        FixedI8, LeEqU8, i8, true;
-        FixedI16, LeEqU16, i16, true;
-        FixedI32, LeEqU32, i32, true;
-        FixedI64, LeEqU64, i64, false;
+        FixedI8, LeEqU8, i8, i64, true;
+        FixedI16, LeEqU16, i16, i64, true;
+        FixedI32, LeEqU32, i32, i64, true;
+        FixedI64, LeEqU64, i64, i128, false;
     }
 }
 
@@ -118,15 +114,15 @@ mod tests {
             let x = f32::from_bits(bits);
             let parts = <f32 as crate::arithmetic::Float>::parts(x);
             let (m, e) = (u128::from(parts.magnitude), i32::from(parts.shift));
-            assert_eq!(f32::of_units(m, e, true), x);
-            assert_eq!(f32::of_units(m << 30, e - 30, false), x);
+            assert_eq!(f32::of_units(m, e, true, false), (x, true));
+            assert_eq!(f32::of_units(m << 30, e - 30, false, true), (-x, true));
             // A little more: the next number if rounded up, the same if rounded to the nearest.
-            let more = (m << 30) + 1;
-            assert_eq!(f32::of_units(more, e - 30, true), f32::from_bits(bits + 1));
-            assert_eq!(f32::of_units(more, e - 30, false), x);
+            let (more, next) = ((m << 30) + 1, f32::from_bits(bits + 1));
+            assert_eq!(f32::of_units(more, e - 30, true, false), (next, next.is_finite()));
+            assert_eq!(f32::of_units(more, e - 30, false, false), (x, true));
         }
-        assert_eq!(f32::of_units(1, 500, true), f32::INFINITY);
-        assert_eq!(f64::of_units(1, -500, true), f64::from_bits(1));
-        assert_eq!(f64::of_units(1, -500, false), 0.0);
+        assert_eq!(f32::of_units(1, 500, true, true), (f32::NEG_INFINITY, false));
+        assert_eq!(f64::of_units(1, -500, true, false), (f64::from_bits(1), true));
+        assert_eq!(f64::of_units(1, -500, false, false), (0.0, true));
     }
 }

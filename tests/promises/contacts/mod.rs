@@ -140,16 +140,41 @@ fn one_shared_axis_leaves_the_other_pairs() {
     assert!(contacts > 100 && by_edges > 30, "{contacts} {by_edges}");
 }
 
-/// At the ends of a type, as documented: no panic, and the result is clamped.
+/// Beyond the range of the scalar the vector is clamped, and `is_sufficient` is `false`.
 #[test]
 fn beyond_the_range_is_its_end() {
     use septum_kit::fixed::types::I8F8;
     let all = Aabb::from_min_max([I8F8::MIN; 3], [I8F8::MAX; 3]).unwrap();
     let out = contact(&all, &all).unwrap().translation;
-    assert_eq!(out.depth, I8F8::MAX);
-    assert_eq!(out.vector.to_array(), [-I8F8::MAX, I8F8::ZERO, I8F8::ZERO]);
+    assert_eq!((out.depth, out.is_sufficient), (I8F8::MAX, false));
+    assert_eq!(out.vector.to_array(), [I8F8::MIN, I8F8::ZERO, I8F8::ZERO]);
     let all = Aabb::from_min_max([f32::MIN; 3], [f32::MAX; 3]).unwrap();
     let out = contact(&all, &all).unwrap().translation;
-    assert_eq!(out.depth, f32::INFINITY);
+    assert_eq!((out.depth, out.is_sufficient), (f32::INFINITY, false));
     assert!(contact(&all, &all).unwrap().points().iter().all(|p| !p.depth.is_nan()));
+}
+
+/// The least number of a fixed-point type has no counterpart above zero, and is returned where it
+/// suffices.
+#[test]
+fn the_least_number_is_a_way_out() {
+    use septum_kit::fixed::types::I4F4;
+    let aabb = |min: [f64; 3], max: [f64; 3]| {
+        Aabb::from_min_max(min.map(I4F4::from_num), max.map(I4F4::from_num)).unwrap()
+    };
+    let lower = aabb([-8.0; 3], [0.0, 7.5, 7.5]);
+    let out = contact(&lower, &aabb([-8.0; 3], [7.5; 3])).unwrap().translation;
+    assert_eq!(out.vector.to_array(), [I4F4::MIN, I4F4::ZERO, I4F4::ZERO]);
+    assert_eq!((out.depth, out.is_sufficient), (I4F4::MAX, true));
+    // The other way it takes 8, which is no number of the type.
+    let out = contact(&aabb([-8.0; 3], [7.5; 3]), &lower).unwrap().translation;
+    assert_eq!((out.vector.x, out.is_sufficient), (I4F4::MAX, false));
+}
+
+#[test]
+fn debug_shows_the_points_found() {
+    let floor = Triangle::new([-8.0_f32, -8.0, 0.0], [8.0, -8.0, 0.0], [0.0, 8.0, 0.0]).unwrap();
+    let sunk = Aabb::from_min_max([0.0, 0.0, -0.5], [1.0, 1.0, 8.0]).unwrap();
+    let found = contact(&sunk, &floor).unwrap();
+    assert_eq!(format!("{found:?}").matches("on_first").count(), found.points().len());
 }
