@@ -4,9 +4,9 @@ use core::ops::Mul;
 
 use super::number::Number;
 use super::parts::Parts;
-use super::portion::{Portion, enclosing};
+use super::portion::enclosing;
 use super::quad::OfFour;
-use super::quotient::Leading;
+use super::soft::Soft;
 
 /// A binary floating-point type of IEEE 754.
 pub trait Float: Number + OfFour + Mul<Output = Self> + From<u16> + Into<f64> + 'static {
@@ -66,7 +66,7 @@ macro_rules! number {
                 (self > Self::RANGE.0) & (self < Self::RANGE.1)
             }
             #[inline(always)]
-            fn portion(self, den: Self, [error, other]: [Self; 2]) -> [Portion; 2] {
+            fn portion(self, den: Self, [error, other]: [Self; 2]) -> [Soft; 2] {
                 enclosing(self.into(), den.into(), [error.into(), other.into()])
             }
         }
@@ -145,11 +145,16 @@ impl Float for f64 {
     }
 }
 
-/// The quotient of two whole numbers, to the nearest or next to it.
-pub(crate) fn quotient<F: Float>(num: Leading, den: Leading) -> F {
-    let (negative, magnitude, exponent) = num.quotient(den);
+/// The quotient of two whole numbers, each as its sign and the limbs of its magnitude, least first:
+/// to the nearest float, or next to it. The divisor is not zero.
+pub(crate) fn quotient<F: Float, const L: usize>(
+    (is_negative, num): (bool, [u64; L]),
+    (is_other_negative, den): (bool, [u64; L]),
+) -> F {
+    let soft = |limbs: [u64; L]| Soft::of_limbs(&limbs).unwrap_or(Soft::ZERO);
+    let (magnitude, exponent) = soft(num).quotient(soft(den));
     let x = F::scaled(magnitude, exponent);
-    if negative { -x } else { x }
+    if is_negative != is_other_negative { -x } else { x }
 }
 
 #[cfg(test)]

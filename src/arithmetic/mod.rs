@@ -18,13 +18,14 @@ mod offset;
 mod parts;
 mod platform;
 mod portion;
-mod positive;
 mod quad;
+#[cfg(feature = "fixed")]
 mod quotient;
 #[cfg(feature = "fixed")]
 mod root;
 mod rounded;
 mod short_multiples;
+mod soft;
 mod span;
 mod system;
 mod vector;
@@ -54,11 +55,8 @@ pub use offset::Offset;
 pub(crate) use parts::Bits;
 pub use parts::Parts;
 pub(crate) use platform::{REGISTERS_ARE_WIDE, SMALL_CODE};
-pub use portion::Portion;
 pub(crate) use portion::divided_limbs;
-pub(crate) use positive::{Positive, whole};
 pub(crate) use quad::{OfFour, Quad, THREE};
-pub(crate) use quotient::Leading;
 #[cfg(feature = "fixed")]
 pub(crate) use quotient::{Dividend, quotient_of_limbs};
 #[cfg(feature = "fixed")]
@@ -68,6 +66,8 @@ pub(crate) use root::{Square, over_roots};
 pub use rounded::{Rounded, RoundedOps};
 pub use short_multiples::ShortFloat;
 pub(crate) use short_multiples::{Divisor, Leading64};
+pub use soft::Soft;
+pub(crate) use soft::whole;
 pub use span::{Span, Spanned, Spans};
 pub use system::{Arithmetic, Embeds};
 pub(crate) use system::{of_two, once};

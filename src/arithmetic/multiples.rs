@@ -73,11 +73,11 @@ impl<F: Float> Embeds<F> for Int64 {
     const DIVIDES: bool = true;
 
     fn quotient_of_lengths(num: i64, den: i64) -> F {
-        quotient(I256::from(i128::from(num)).into(), I256::from(i128::from(den)).into())
+        quotient(I256::from(i128::from(num)).limbs(), I256::from(i128::from(den)).limbs())
     }
 
     fn quotients([a, b, c]: [I256; 3], den: I256, _: [I256; 2]) -> ([F; 3], bool) {
-        let of = |num: I256| quotient(num.into(), den.into());
+        let of = |num: I256| quotient(num.limbs(), den.limbs());
         ([of(a), of(b), of(c)], true)
     }
 

@@ -4,7 +4,8 @@
 use core::cmp::Ordering;
 use core::ops::{Add, Neg, Sub};
 
-use super::portion::{Portion, divided, divided_short};
+use super::portion::{divided, divided_short};
+use super::soft::Soft;
 
 /// A number that a geometric quantity is held in.
 pub trait Number:
@@ -41,9 +42,9 @@ pub trait Number:
     /// Two numbers that enclose self/den, given how far from the truth the two may be. Where
     /// nothing is rounded, 0 < self ≤ den is asked for, and both are that quotient rounded down.
     #[inline(always)]
-    fn portion(self, den: Self, errors: [Self; 2]) -> [Portion; 2] {
+    fn portion(self, den: Self, errors: [Self; 2]) -> [Soft; 2] {
         let _ = (den, errors);
-        [Portion::ZERO, Portion::ONE]
+        [Soft::ZERO, Soft::ONE]
     }
 }
 
@@ -65,7 +66,7 @@ macro_rules! integer {
                 $in_range
             }
             #[inline(always)]
-            fn portion(self, den: Self, _: [Self; 2]) -> [Portion; 2] {
+            fn portion(self, den: Self, _: [Self; 2]) -> [Soft; 2] {
                 debug_assert!(self > 0 && self <= den);
                 [$divided(self.unsigned_abs().into(), den.unsigned_abs().into()); 2]
             }

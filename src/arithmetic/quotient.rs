@@ -3,23 +3,15 @@
 //! Every number here is a volume, or a length, of some system in `integer`: far
 //! enough from the end of its type that a remainder can be doubled.
 
-#[cfg(feature = "fixed")]
 use core::cmp::Ordering;
-#[cfg(feature = "fixed")]
 use core::num::NonZero;
 
-use super::limbs::divided_by_places;
-#[cfg(feature = "fixed")]
-use super::limbs::{Limbs, Wide};
-#[cfg(feature = "fixed")]
+use super::limbs::{Limbs, Wide, divided_by_places};
 use super::number::Number;
-#[cfg(feature = "fixed")]
 use super::platform::REGISTERS_ARE_WIDE;
-use super::platform::SMALL_CODE;
 use super::wide::I256;
 
 /// A whole number that can be divided by another, both times a power of two.
-#[cfg(feature = "fixed")]
 pub trait Dividend: Number {
     /// self·2^shift / den to the nearest, of two the even one, no farther out than
     /// `i64` goes; `den` is not zero.
@@ -30,7 +22,6 @@ pub trait Dividend: Number {
 }
 
 /// With the sign that the quotient of two numbers has.
-#[cfg(feature = "fixed")]
 #[inline(always)]
 fn signed(magnitude: u64, negative: bool) -> i64 {
     if negative {
@@ -41,7 +32,6 @@ fn signed(magnitude: u64, negative: bool) -> i64 {
 }
 
 /// Long division, as many binary places at a time as the remainder has room for.
-#[cfg(feature = "fixed")]
 macro_rules! long_division {
     ($name:ident: $unsigned:ty) => {
         fn $name(num: $unsigned, den: $unsigned, shift: u32) -> u64 {
@@ -74,13 +64,10 @@ macro_rules! long_division {
         }
     };
 }
-#[cfg(feature = "fixed")]
 long_division! { divide: u64 }
-#[cfg(feature = "fixed")]
 long_division! { divide_wide: u128 }
 
 /// The quotient, given how its remainder compares with half the divisor.
-#[cfg(feature = "fixed")]
 #[inline(always)]
 fn nearest(q: u64, remainder: Ordering) -> u64 {
     let up = match remainder {
@@ -93,7 +80,6 @@ fn nearest(q: u64, remainder: Ordering) -> u64 {
 
 /// num·2^shift / den of magnitudes, place by place: where hardware ends. The divisor is not zero;
 /// both can be doubled.
-#[cfg(feature = "fixed")]
 #[cold]
 #[inline(never)]
 fn divide_widest<const L: usize>(mut num: Limbs<L>, mut den: Limbs<L>, shift: u32) -> u64 {
@@ -111,7 +97,6 @@ fn divide_widest<const L: usize>(mut num: Limbs<L>, mut den: Limbs<L>, shift: u3
 
 /// num·2^shift / den, both in two's complement, the least limb first. The divisor is not zero, and
 /// leaves a bit free.
-#[cfg(feature = "fixed")]
 pub(crate) fn quotient_of_limbs<const L: usize>(num: &[u64; L], den: &[u64; L], shift: u32) -> i64 {
     let ((is_negative, num), (is_other_negative, den)) =
         (Limbs::magnitude(*num), Limbs::magnitude(*den));
@@ -119,12 +104,10 @@ pub(crate) fn quotient_of_limbs<const L: usize>(num: &[u64; L], den: &[u64; L], 
 }
 
 /// Adding this rounds to a whole number, in the last bits of the sum: 1.5·2^52.
-#[cfg(feature = "fixed")]
 pub(super) const WHOLE: f64 = 6_755_399_441_055_744.0;
 
 /// About num·2^shift / den, if that is below 2^40: no farther from the truth than a
 /// half and a little.
-#[cfg(feature = "fixed")]
 #[inline(always)]
 fn guess(num: i64, den: i64, shift: u32) -> Option<i64> {
     let unit = f64::from_bits((1023 + u64::from(shift)) << 52);
@@ -135,7 +118,6 @@ fn guess(num: i64, den: i64, shift: u32) -> Option<i64> {
 
 /// The quotient by a guess, put right by the remainder, which is exact though the
 /// product may wrap. Where floats are cheap; the answer is the same anywhere.
-#[cfg(feature = "fixed")]
 macro_rules! by_guess {
     ($num:ident, $den:ident, $shift:ident, $leading:expr) => {
         if REGISTERS_ARE_WIDE {
@@ -152,7 +134,6 @@ macro_rules! by_guess {
     };
 }
 
-#[cfg(feature = "fixed")]
 impl Dividend for i32 {
     #[inline(always)]
     fn quotient(self, den: Self, shift: u32) -> i64 {
@@ -164,7 +145,6 @@ impl Dividend for i32 {
     }
 }
 
-#[cfg(feature = "fixed")]
 impl Dividend for i64 {
     #[inline(always)]
     fn quotient(self, den: Self, shift: u32) -> i64 {
@@ -178,7 +158,6 @@ impl Dividend for i64 {
     }
 }
 
-#[cfg(feature = "fixed")]
 impl Dividend for i128 {
     #[inline(always)]
     fn quotient(self, den: Self, shift: u32) -> i64 {
@@ -200,7 +179,6 @@ impl Dividend for i128 {
     }
 }
 
-#[cfg(feature = "fixed")]
 impl Dividend for I256 {
     fn quotient(self, den: Self, shift: u32) -> i64 {
         if let (Some(num), Some(den)) = (self.narrowed(), den.narrowed()) {
@@ -215,49 +193,5 @@ impl Dividend for I256 {
     }
 }
 
-/// The leading 64 bits of a whole number: sign, magnitude with its top bit set
-/// (or zero), and the power of two that it is to be multiplied by.
-#[derive(Clone, Copy, Debug)]
-pub struct Leading {
-    pub(crate) negative: bool,
-    pub(crate) magnitude: u64,
-    pub(crate) exponent: i32,
-}
-
-impl Leading {
-    /// Sign and magnitude, the latter in limbs, least first.
-    pub(crate) fn new(negative: bool, limbs: &[u64]) -> Self {
-        let Some(top) = limbs.iter().rposition(|&limb| limb != 0) else {
-            return Self { negative: false, magnitude: 0, exponent: 0 };
-        };
-        let limb = |k: usize| limbs.get(k).copied().unwrap_or(0);
-        let zeros = limb(top).leading_zeros();
-        let below = if top == 0 { 0 } else { limb(top - 1) };
-        // In two steps: by all of its bits a word cannot be shifted.
-        let magnitude = limb(top) << zeros | below >> 1 >> (63 - zeros);
-        Self { negative, magnitude, exponent: 64 * top as i32 - zeros as i32 }
-    }
-
-    /// The quotient, its magnitude as m·2^e with m in [2^62, 2^64] or zero, less
-    /// than 2^-61 of itself from the truth; the divisor is not zero.
-    pub(crate) fn quotient(self, den: Self) -> (bool, u64, i32) {
-        let (num, divisor) = (u128::from(self.magnitude), u128::from(den.magnitude.max(1)));
-        // On most machines a division of that width is a function of a kilobyte.
-        let magnitude = if SMALL_CODE {
-            divided_by_places(num, &divisor, 64).0
-        } else {
-            ((num << 63) / divisor) as u64
-        };
-        (self.negative != den.negative, magnitude, self.exponent - den.exponent - 63)
-    }
-}
-
-impl From<I256> for Leading {
-    fn from(x: I256) -> Self {
-        let (negative, limbs) = x.limbs();
-        Self::new(negative, &limbs)
-    }
-}
-
-#[cfg(all(test, feature = "fixed"))]
+#[cfg(test)]
 mod tests;

@@ -5,7 +5,8 @@ use core::ops::{Add, Neg, Sub};
 use super::limbs::Limbs;
 use super::number::Number;
 use super::platform::REGISTERS_ARE_WIDE;
-use super::portion::{Portion, divided_limbs};
+use super::portion::divided_limbs;
+use super::soft::Soft;
 
 /// A signed integer of 256 bits in two's complement. `high` comes first, so
 /// that the derived order is the order of numbers.
@@ -133,7 +134,7 @@ impl Number for I256 {
     fn magnitude(self) -> Self {
         if self.high < 0 { -self } else { self }
     }
-    fn portion(self, den: Self, _: [Self; 2]) -> [Portion; 2] {
+    fn portion(self, den: Self, _: [Self; 2]) -> [Soft; 2] {
         [divided_limbs(Limbs(self.limbs().1), &Limbs(den.limbs().1)); 2]
     }
     fn half(self) -> Self {

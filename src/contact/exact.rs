@@ -6,16 +6,16 @@ use super::body::Body;
 use super::directions::Direction;
 use super::sums::Sums;
 use super::whole::{Units, Whole};
-use crate::arithmetic::{Positive, pick, three, turn};
+use crate::arithmetic::{Soft, pick, three, turn};
 use crate::scalar::Scalar;
 
 /// A number that is above zero, if it is.
-pub(super) type Size = Option<Positive>;
+pub(super) type Size = Option<Soft>;
 
 /// What exact numbers tell of a direction.
 pub(super) trait Given {
     /// Its coordinates, as sign and size; `None` of zero.
-    fn coordinates(&self) -> [Option<(Ordering, Positive)>; 3];
+    fn coordinates(&self) -> [Option<(Ordering, Soft)>; 3];
     /// How a side of a shape lies to it.
     fn side(&self, shape: usize, k: usize) -> Ordering;
     /// Twice how far the shape that lies lower reaches beyond where the other begins, by how
@@ -26,7 +26,7 @@ pub(super) trait Given {
 /// A direction that is not zero.
 #[derive(Debug, PartialEq)]
 pub(super) struct Exact {
-    pub(super) coordinates: [Option<(Ordering, Positive)>; 3],
+    pub(super) coordinates: [Option<(Ordering, Soft)>; 3],
     /// How the three sides of each shape lie to it.
     pub(super) along: [[Ordering; 3]; 2],
     /// How far the shapes overlap, in units of its length, where it was asked for: by how far the
@@ -92,7 +92,7 @@ impl Exact {
     }
 
     /// The length of the direction, and its square.
-    pub(super) fn length(&self) -> Option<(Positive, Positive)> {
+    pub(super) fn length(&self) -> Option<(Soft, Soft)> {
         let (mut sum, mut count, mut last): (Size, _, Size) = (None, 0, None);
         for &(_, size) in self.coordinates.iter().flatten() {
             let square = size.times(size);

@@ -7,7 +7,7 @@ use super::directions::{Direction, Filter, Finding, all, cross, dot};
 use super::exact::{Exact, Size, farthest};
 use super::interior::InteriorEdges;
 use super::whole::Units;
-use crate::arithmetic::{Positive, pick, three, turn};
+use crate::arithmetic::{Soft, pick, three, turn};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
@@ -18,12 +18,12 @@ pub(super) struct Way {
     /// Whether the first shape goes along the direction, or against it.
     pub(super) is_along: bool,
     /// How far the shapes overlap, in units of the direction.
-    overlap: Positive,
-    length: Positive,
-    square: Positive,
+    overlap: Soft,
+    length: Soft,
+    square: Soft,
     /// The overlap as a length.
-    pub(super) depth: Positive,
-    coordinates: [Option<(Ordering, Positive)>; 3],
+    pub(super) depth: Soft,
+    coordinates: [Option<(Ordering, Soft)>; 3],
     /// How the sides of the shapes lie to the direction.
     pub(super) along: [[Ordering; 3]; 2],
     pub(super) is_held: bool,
@@ -191,7 +191,7 @@ impl Way {
     /// aᵢ. So a·t = Σ|aᵢ|·|tᵢ| ≥ o: on this direction the shapes overlap no more.
     pub(super) fn translation<S: Scalar>(&self) -> (Vec3<S>, bool) {
         let is_single = self.coordinates.iter().flatten().count() == 1;
-        let of = |size: Positive| {
+        let of = |size: Soft| {
             if is_single { self.depth } else { size.times(self.overlap).over(self.square) }
         };
         let sizes = three(|i| self.coordinates[i].map(|(_, size)| of(size)));

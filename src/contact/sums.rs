@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 
 use super::body::{Body, side_of};
 use super::exact::{Given, Size};
-use crate::arithmetic::{Parts, Positive, pick, three, turn};
+use crate::arithmetic::{Parts, Soft, pick, three, turn};
 use crate::robust::{ExactSum, Vector, add_area, add_scaled_determinant};
 use crate::scalar::Scalar;
 
@@ -17,7 +17,7 @@ pub(super) struct Sums<'a, S> {
 
 /// The size of a sum that is not below zero; `None` of zero.
 fn size<T: ExactSum>(sum: &T) -> Size {
-    Positive::of_limbs(sum.limbs())
+    Soft::of_limbs(sum.limbs())
 }
 
 impl<'a, S: Scalar> Sums<'a, S> {
@@ -50,7 +50,7 @@ impl<'a, S: Scalar> Sums<'a, S> {
 }
 
 impl<S: Scalar> Given for Sums<'_, S> {
-    fn coordinates(&self) -> [Option<(Ordering, Positive)>; 3] {
+    fn coordinates(&self) -> [Option<(Ordering, Soft)>; 3] {
         three(|i| {
             let (_, j, k) = turn(i);
             let [x, y] = &self.sides;

@@ -6,7 +6,7 @@ use core::cmp::Ordering;
 
 use super::body::{Body, Place};
 use super::exact::{Given, Size};
-use crate::arithmetic::{Bits, I256, Positive, REGISTERS_ARE_WIDE, pick, three, turn};
+use crate::arithmetic::{Bits, I256, REGISTERS_ARE_WIDE, Soft, pick, three, turn};
 use crate::scalar::Scalar;
 use crate::shape::AabbForm;
 
@@ -187,11 +187,11 @@ fn sign_of(x: I256) -> Ordering {
 }
 
 impl<S: Scalar> Given for Whole<'_, S> {
-    fn coordinates(&self) -> [Option<(Ordering, Positive)>; 3] {
+    fn coordinates(&self) -> [Option<(Ordering, Soft)>; 3] {
         three(|i| {
             let x = self.direction[i];
             let size = x.unsigned_abs();
-            let size = Positive::of_limbs(&[size as u64, (size >> 64) as u64])?.scaled(self.unit);
+            let size = Soft::of_limbs(&[size as u64, (size >> 64) as u64])?.scaled(self.unit);
             Some((x.cmp(&0), size))
         })
     }
@@ -212,7 +212,7 @@ impl<S: Scalar> Given for Whole<'_, S> {
         if is_negative {
             None
         } else {
-            Some(Positive::of_limbs(&limbs)?.scaled(self.unit + self.units.ends))
+            Some(Soft::of_limbs(&limbs)?.scaled(self.unit + self.units.ends))
         }
     }
 }

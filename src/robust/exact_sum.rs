@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 #[cfg(feature = "fixed")]
 use crate::arithmetic::{Dividend, I256, quotient_of_limbs};
-use crate::arithmetic::{Leading, Limbs, Parts, Portion, divided_limbs};
+use crate::arithmetic::{Limbs, Parts, Soft, divided_limbs};
 
 /// A sum of products of up to four numbers that loses nothing.
 pub trait ExactSum {
@@ -19,7 +19,7 @@ pub trait ExactSum {
     /// many least numbers as a term has factors.
     fn limbs(&self) -> &[u64];
     /// The quotient of two sums above zero, this not the greater, rounded down.
-    fn portion(&self, den: &Self) -> Portion;
+    fn portion(&self, den: &Self) -> Soft;
 }
 
 /// A sum in two's complement, least limb first. Kulisch's long accumulator,
@@ -69,16 +69,16 @@ impl<const LIMBS: usize> ExactSum for Sum<LIMBS> {
         &self.0
     }
 
-    fn portion(&self, den: &Self) -> Portion {
+    fn portion(&self, den: &Self) -> Soft {
         divided_limbs(Limbs(self.0), &Limbs(den.0))
     }
 }
 
 impl<const LIMBS: usize> Sum<LIMBS> {
-    /// The leading bits.
-    pub(crate) fn leading(&self) -> Leading {
-        let (negative, Limbs(magnitude)) = Limbs::magnitude(self.0);
-        Leading::new(negative, &magnitude)
+    /// Whether the sum is below zero, and its magnitude in limbs, least first.
+    pub(crate) fn magnitude(&self) -> (bool, [u64; LIMBS]) {
+        let (is_negative, Limbs(magnitude)) = Limbs::magnitude(self.0);
+        (is_negative, magnitude)
     }
 
     /// num·2^shift / den to the nearest, of two the even one, no farther out than `i64` goes; the

@@ -1,4 +1,4 @@
-use crate::arithmetic::{FirstFloat, Offset, Parts, Portion, RoundedOps, Spanned};
+use crate::arithmetic::{FirstFloat, Offset, Parts, RoundedOps, Soft, Spanned};
 use crate::robust::{ExactSum, Predicate};
 
 /// The constants and the cascade that queries require of a scalar.
@@ -21,7 +21,7 @@ pub trait Backend: RoundedOps + Spanned + FirstFloat + Offset {
     fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self;
 
     /// The number rounded down; the greatest number of the type if it lies beyond.
-    fn at_most(portion: Portion) -> Self;
+    fn at_most(x: Soft) -> Self;
 
     /// The answer to `p`, from the cheapest number system that can decide it.
     fn evaluate<P: Predicate<Self>>(p: &P) -> P::Answer;

@@ -5,8 +5,8 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 use super::{Backend, Scalar};
 use crate::arithmetic::{
-    Embeds, Filtered, InWholeWord, Int8, Int16, Int32, Int64, OfFour, Parts, Portion, Quad,
-    REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, WholeWord, clamped,
+    Embeds, Filtered, InWholeWord, Int8, Int16, Int32, Int64, OfFour, Parts, Quad,
+    REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, Soft, WholeWord, clamped,
 };
 use crate::robust::{
     Predicate, Sum, exact_stage, in_quads, integer_stage, narrow_stage, numeric_stage, only_stage,
@@ -36,9 +36,9 @@ macro_rules! scalar {
                 clamped!($fixed, num.quotient(den, Self::FRAC_NBITS))
             }
             #[inline(always)]
-            fn at_most(portion: Portion) -> Self {
+            fn at_most(x: Soft) -> Self {
                 let unit = -(Self::FRAC_NBITS as i32);
-                match portion.whole(64, unit) {
+                match x.floor(64, unit) {
                     (whole, exponent) if exponent == unit => {
                         i64::try_from(whole).map_or(Self::MAX, |whole| clamped!($fixed, whole))
                     }

@@ -1,9 +1,7 @@
 //! `f32` and `f64` as scalars.
 
 use super::{Backend, FloatFormat, Scalar};
-use crate::arithmetic::{
-    Float, Parts, Portion, REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, quotient,
-};
+use crate::arithmetic::{Float, Parts, REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, Soft, quotient};
 use crate::robust::{
     Clue, Predicate, Sum, exact_stage, in_floats, in_quads, integer_stage, multiples_stage,
     numeric_stage, refined_stage,
@@ -72,12 +70,12 @@ macro_rules! as_any_float {
             Float::parts(self)
         }
         fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self {
-            quotient(num.leading(), den.leading())
+            quotient(num.magnitude(), den.magnitude())
         }
         #[inline(always)]
-        fn at_most(portion: Portion) -> Self {
+        fn at_most(x: Soft) -> Self {
             let least = -i32::from(Self::ONE.shift);
-            let (whole, exponent) = portion.whole(Self::MANTISSA_DIGITS, least);
+            let (whole, exponent) = x.floor(Self::MANTISSA_DIGITS, least);
             Float::scaled(whole, exponent)
         }
         #[inline(always)]

@@ -92,23 +92,3 @@ fn a_quotient_compares_as_a_fraction_does() {
         }
     }
 }
-
-/// Whether by one division or place by place.
-#[test]
-fn leading_bits_are_divided_as_whole_numbers() {
-    let limbs = [1, 3, 0x2a5c_93d1, u64::MAX / 3, 1 << 63, u64::MAX];
-    let numbers = limbs.map(|low| [0, 1, 0x7b1e_4f27, u64::MAX].map(|high| [low, high]));
-    for num in numbers.as_flattened() {
-        let whole = u128::from(num[1]) << 64 | u128::from(num[0]);
-        let zeros = whole.leading_zeros();
-        let n = Leading::new(false, num);
-        assert_eq!(n.magnitude, ((whole << zeros) >> 64) as u64);
-        assert_eq!(n.exponent, 64 - zeros as i32);
-        for den in numbers.as_flattened() {
-            let d = Leading::new(true, den);
-            let expected = (u128::from(n.magnitude) << 63) / u128::from(d.magnitude);
-            let exponent = n.exponent - d.exponent - 63;
-            assert_eq!(n.quotient(d), (true, expected as u64, exponent), "{num:?} / {den:?}");
-        }
-    }
-}

@@ -6,7 +6,7 @@
 use super::error_bound::{AtStart, LONG, at_start};
 use super::kernel::Course;
 use super::{FirstContact, Given, Last, Passing, one_axis};
-use crate::arithmetic::{Double, Embeds, Filtered, Number, Portion, dot, each, turn};
+use crate::arithmetic::{Double, Embeds, Filtered, Number, Soft, dot, each, turn};
 use crate::query::Axis;
 use crate::query::triangle_aabb::frame::Frame;
 use crate::query::triangle_aabb::plane::normal;
@@ -159,7 +159,7 @@ where
     let course = passing.course::<Filtered<f64>>()?;
     let on_axis = |last: Last| {
         let t = time_on::<S>(passing, &course, last.axis)?;
-        last.at(S::at_most(Portion::of(t)))
+        last.at(S::at_most(Soft::of_normal(t)))
     };
     if let Some(found) = last.and_then(on_axis) {
         return Some(found);
@@ -171,7 +171,7 @@ where
     }
     let axis = *Axis::ALL.get(last)?;
     let t = time_on::<S>(passing, &course, axis)?;
-    let found = || FirstContact { t: S::at_most(Portion::of(t)), axis: Some(axis) };
+    let found = || FirstContact { t: S::at_most(Soft::of_normal(t)), axis: Some(axis) };
     gaps.others_close_before(last, t).then(found)
 }
 

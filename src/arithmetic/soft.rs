@@ -1,20 +1,48 @@
-//! Positive numbers to 64 bits, with what is not known of them: for quotients and roots of sums
-//! that were exact. By whole numbers alone, so that neither range nor machine matters.
+//! Software floats: numbers that are not negative, as a mantissa of 64 bits, an exponent, and a bound
+//! on what is missing. By whole numbers alone, so that neither range nor machine matters.
+//!
+//! Quotients of exact sums are rounded from them, times of contact are rounded down from them
+//! ([`portion`](super::portion)), and the lengths, quotients and roots of a least translation are
+//! computed in them.
 
-/// A number of which is known that low·2^exponent ≤ x ≤ (low + slack)·2^exponent.
+use super::limbs::divided_by_places;
+use super::platform::SMALL_CODE;
+
+/// A number x with mantissa·2^exponent ≤ x ≤ (mantissa + slack)·2^exponent.
 ///
-/// The top bit of `low` is set. A slack of zero says that the number is known exactly. No
-/// operation makes more of two slacks than four times their sum and four, so that after a few a
-/// number is still known to 2^-55 of itself.
+/// The top bit of the mantissa is set, except in [`ZERO`](Self::ZERO). A slack of zero says that the
+/// number is exact. No operation makes more of two slacks than four times their sum and four, so
+/// after a few operations a number is still known to 2^-55 of itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Positive {
-    low: u64,
-    slack: u32,
+pub struct Soft {
     exponent: i32,
+    mantissa: u64,
+    slack: u32,
 }
 
-impl Positive {
-    /// The whole number of these limbs, least first, with no sign; `None` of zero.
+impl Soft {
+    /// Zero, with an exponent below those of all numbers of any scalar.
+    pub(crate) const ZERO: Self = Self { exponent: i32::MIN / 2, mantissa: 0, slack: 0 };
+    /// One.
+    pub(crate) const ONE: Self = Self { exponent: -63, mantissa: 1 << 63, slack: 0 };
+
+    /// A number rounded down: less than one unit is missing.
+    #[inline(always)]
+    pub(super) fn rounded_down(mantissa: u64, exponent: i32) -> Self {
+        Self { exponent, mantissa, slack: 1 }
+    }
+
+    /// A float that is normal and above zero.
+    #[inline(always)]
+    pub(crate) fn of_normal(x: f64) -> Self {
+        const DIGITS: u32 = f64::MANTISSA_DIGITS;
+        let bits = x.to_bits();
+        // The sign and the exponent are shifted out, the leading bit becomes the highest.
+        let mantissa = (bits | 1 << (DIGITS - 1)) << (64 - DIGITS);
+        Self { exponent: (bits >> (DIGITS - 1)) as i32 - 1086, mantissa, slack: 0 }
+    }
+
+    /// The whole number of these limbs, least first, without a sign; `None` if it is zero.
     pub(crate) fn of_limbs(limbs: &[u64]) -> Option<Self> {
         let top = limbs.iter().rposition(|&limb| limb != 0)?;
         let limb = |k: usize| u128::from(limbs.get(k).copied().unwrap_or(0));
@@ -28,14 +56,14 @@ impl Positive {
         let zeros = value.leading_zeros();
         if zeros > 64 {
             let up = zeros - 64;
-            let (low, slack) = ((value << up) as u64, (slack << up) as u32);
-            return Self { low, slack, exponent: exponent - up as i32 };
+            let (mantissa, slack) = ((value << up) as u64, (slack << up) as u32);
+            return Self { exponent: exponent - up as i32, mantissa, slack };
         }
         let down = 64 - zeros;
         let mask = (1_u128 << down) - 1;
         let slack = ((value & mask) + slack + mask) >> down;
-        let low = (value >> down) as u64;
-        Self { low, slack: slack as u32, exponent: exponent + down as i32 }
+        let mantissa = (value >> down) as u64;
+        Self { exponent: exponent + down as i32, mantissa, slack: slack as u32 }
     }
 
     /// The number times 2^n.
@@ -43,24 +71,24 @@ impl Positive {
         Self { exponent: self.exponent + n, ..self }
     }
 
-    /// What the number is not above: m·2^exponent, with m at most 2^65.
+    /// An upper bound of the number: m·2^exponent, with m at most 2^65.
     pub(crate) fn upper(self) -> (u128, i32) {
-        (u128::from(self.low) + u128::from(self.slack), self.exponent)
+        (u128::from(self.mantissa) + u128::from(self.slack), self.exponent)
     }
 
     /// Whether the number is less for certain.
     pub(crate) fn is_less_than(self, other: Self) -> bool {
         let by = other.exponent.saturating_sub(self.exponent);
-        by > 1 || by >= 0 && self.upper().0 < u128::from(other.low) << by
+        by > 1 || by >= 0 && self.upper().0 < u128::from(other.mantissa) << by
     }
 
-    /// About the number, as a float.
+    /// The number as a float, to a few roundings.
     pub(crate) fn in_double(self) -> f64 {
-        <f64 as super::Float>::scaled(self.low, self.exponent)
+        <f64 as super::Float>::scaled(self.mantissa, self.exponent)
     }
 
     fn parts(self) -> (u128, u128) {
-        (self.low.into(), self.slack.into())
+        (self.mantissa.into(), self.slack.into())
     }
 
     // Called from many places, and sixteen products where words have 32 bits.
@@ -100,6 +128,30 @@ impl Positive {
         let slack = s + u128::from(root * root != square);
         Self::of(root, slack, (self.exponent - up as i32) / 2)
     }
+
+    /// The quotient of the two mantissas, rounded down, as m·2^e with m in [2^62, 2^64) or zero: less
+    /// than 2^-61 of itself from the quotient of the numbers, if their slack is at most one. The
+    /// divisor is not zero.
+    pub(crate) fn quotient(self, den: Self) -> (u64, i32) {
+        let (num, divisor) = (u128::from(self.mantissa), u128::from(den.mantissa.max(1)));
+        // On most machines a division of that width is a function of a kilobyte.
+        let quotient = if SMALL_CODE {
+            divided_by_places(num, &divisor, 64).0
+        } else {
+            ((num << 63) / divisor) as u64
+        };
+        (quotient, self.exponent - den.exponent - 63)
+    }
+
+    /// The mantissa in whole multiples of a unit 2^e, rounded down, and e: the greatest unit of which
+    /// `digits` bits hold the mantissa, or 2^`least` if that is greater. A fixed-point number, and a
+    /// float below its least normal number, have the second; any other float has the first.
+    #[inline(always)]
+    pub(crate) fn floor(self, digits: u32, least: i32) -> (u64, i32) {
+        let unit = self.exponent + 64 - digits as i32;
+        let unit = if unit > least { unit } else { least };
+        (self.mantissa.checked_shr((unit - self.exponent) as u32).unwrap_or(0), unit)
+    }
 }
 
 /// m·2^exponent as a whole number, rounded up or to the nearest; at most what `u128` holds.
@@ -125,14 +177,14 @@ pub(crate) fn whole(m: u128, exponent: i32, is_up: bool) -> u128 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Positive, whole};
+    use super::{Soft, whole};
 
-    fn number(x: u64) -> Positive {
-        Positive::of_limbs(&[x]).unwrap()
+    fn number(x: u64) -> Soft {
+        Soft::of_limbs(&[x]).unwrap()
     }
 
     /// Whether it is known exactly, and is x.
-    fn is(number: Positive, x: u64) -> bool {
+    fn is(number: Soft, x: u64) -> bool {
         let (m, exponent) = number.upper();
         number.slack == 0 && whole(m, exponent, true) == u128::from(x)
     }
@@ -152,20 +204,41 @@ mod tests {
 
     #[test]
     fn bounds_hold_where_bits_are_lost() {
-        let long = Positive::of_limbs(&[1, 0, 7]).unwrap();
+        let long = Soft::of_limbs(&[1, 0, 7]).unwrap();
         assert!(long.slack == 1);
-        let near = Positive::of_limbs(&[0, 0, 7]).unwrap();
+        let near = Soft::of_limbs(&[0, 0, 7]).unwrap();
         assert!(!near.is_less_than(long) && !long.is_less_than(near));
         let sum = near.plus(number(1));
-        assert!(sum.slack > 0 && sum.low == near.low);
+        assert!(sum.slack > 0 && sum.mantissa == near.mantissa);
         assert!(number(6).is_less_than(number(7)) && !number(7).is_less_than(number(7)));
         assert!(number(1).is_less_than(near) && !near.is_less_than(number(1)));
-        assert!(number(u64::MAX).is_less_than(Positive::of_limbs(&[0, 1]).unwrap()));
+        assert!(number(u64::MAX).is_less_than(Soft::of_limbs(&[0, 1]).unwrap()));
         // Three thirds are one, for all that is known.
         let third = number(1).over(number(3));
         let one = third.plus(third).plus(third);
         assert!(!one.is_less_than(number(1)) && !number(1).is_less_than(one) && one.slack < 64);
         let (square, two) = (number(2).root().times(number(2).root()), number(2));
         assert!(!square.is_less_than(two) && !two.is_less_than(square));
+    }
+
+    /// Whether by one division or place by place.
+    #[test]
+    fn leading_bits_are_divided_as_whole_numbers() {
+        let limbs = [1, 3, 0x2a5c_93d1, u64::MAX / 3, 1 << 63, u64::MAX];
+        let numbers = limbs.map(|low| [0, 1, 0x7b1e_4f27, u64::MAX].map(|high| [low, high]));
+        for num in numbers.as_flattened() {
+            let whole = u128::from(num[1]) << 64 | u128::from(num[0]);
+            let zeros = whole.leading_zeros();
+            let n = Soft::of_limbs(num).unwrap();
+            assert_eq!(n.mantissa, ((whole << zeros) >> 64) as u64);
+            assert_eq!(n.exponent, 64 - zeros as i32);
+            for den in numbers.as_flattened() {
+                let d = Soft::of_limbs(den).unwrap();
+                let expected = (u128::from(n.mantissa) << 63) / u128::from(d.mantissa);
+                let exponent = n.exponent - d.exponent - 63;
+                assert_eq!(n.quotient(d), (expected as u64, exponent), "{num:?} / {den:?}");
+            }
+        }
+        assert_eq!(Soft::ZERO.quotient(Soft::ONE).0, 0);
     }
 }
