@@ -3,18 +3,20 @@
 
 use core::cmp::Ordering;
 
-use super::Facing;
 use super::crossing::{Crossing, Setting, Sizes};
 use super::exact::ExactRay;
-use super::question::Crosses;
 use super::rows::{First, Found, Rows, begins_elsewhere, first};
+use super::{Facing, HitRules};
 use crate::arithmetic::{Embeds, Filtered, Number, OfFour, largest};
 use crate::robust::{Clue, ExactSum, Stage, note};
 use crate::scalar::Scalar;
+use crate::shape::{Ray, Triangle};
 
-#[inline(always)]
-pub(super) fn facing(is_front: bool) -> Facing {
-    if is_front { Facing::Front } else { Facing::Back }
+/// The question where a ray crosses a triangle.
+pub(super) struct Crosses<'a, S> {
+    pub(super) ray: &'a Ray<S>,
+    pub(super) triangle: &'a Triangle<S>,
+    pub(super) rules: HitRules,
 }
 
 impl<S: Scalar> Crosses<'_, S> {
@@ -39,7 +41,7 @@ impl<S: Scalar> Crosses<'_, S> {
         let [a, b, c, o, d] = Filtered::<f64>::embed(&[a, b, c, o, d]).ok_or(Clue::Doubt)?;
         let rows = Rows::<<f64 as OfFour>::Quad>::new(&[a, b, c, o], d);
         let Found { is_ahead, crossing, sizes } = rows.found().ok_or(Clue::Doubt)?;
-        let keeps = self.rules.cull.keeps(facing(crossing.is_front()));
+        let keeps = self.rules.cull.keeps(Facing::of(crossing.is_front()));
         Ok((is_ahead & keeps, crossing, sizes))
     }
 
@@ -63,7 +65,7 @@ impl<S: Scalar> Crosses<'_, S> {
             note(Stage::Filter);
             return None;
         };
-        Some(found.is_ahead & self.rules.cull.keeps(facing(found.crossing.is_front())))
+        Some(found.is_ahead & self.rules.cull.keeps(Facing::of(found.crossing.is_front())))
     }
 
     /// Ray and triangle in `N`, if it holds them.
@@ -103,7 +105,7 @@ impl<S: Scalar> Crosses<'_, S> {
     ) -> Option<bool> {
         let zero = N::Volume::ZERO;
         let is_front = crossing.is_front();
-        if !self.rules.cull.keeps(facing(is_front)) {
+        if !self.rules.cull.keeps(Facing::of(is_front)) {
             return Some(false);
         }
         if is_certain && self.rules.once {
@@ -156,7 +158,7 @@ impl<S: Scalar> Crosses<'_, S> {
     ) -> Option<bool> {
         let det = det.sign();
         let is_front = det == Ordering::Greater;
-        if det == Ordering::Equal || !self.rules.cull.keeps(facing(is_front)) {
+        if det == Ordering::Equal || !self.rules.cull.keeps(Facing::of(is_front)) {
             return None;
         }
         for (k, side) in sides.iter().enumerate() {

@@ -41,6 +41,13 @@ pub enum Facing {
     Back,
 }
 
+impl Facing {
+    #[inline(always)]
+    pub(super) fn of(is_front: bool) -> Self {
+        if is_front { Self::Front } else { Self::Back }
+    }
+}
+
 /// The part of a triangle that a ray goes through.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -29,7 +29,8 @@ pub(crate) use clear_hit::{clear_hit, clear_refined_hit, clearly_misses};
 pub use hit::{Cull, Facing, Feature, Hit, HitRules};
 pub use prepared::{HitRay, HitTriangle};
 
-use self::question::{Crosses, Hits};
+use self::counted::Crosses;
+use self::question::Hits;
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
 

@@ -14,9 +14,8 @@
 //! it to 2^-50, and speaks only where nothing within 2^(k-46) rounds to another float. A volume of
 //! zero has a quotient of zero, with the sign of the determinant, whoever divides.
 
-use super::counted::facing;
-use super::question::Crosses;
-use super::{Feature, Hit};
+use super::counted::Crosses;
+use super::{Facing, Feature, Hit};
 use crate::arithmetic::{Divisor, Leading64, ProductSum, ShortFloat};
 use crate::scalar::Scalar;
 
@@ -43,7 +42,7 @@ impl<S: Scalar + ShortFloat> Crosses<'_, S> {
         let p = cross(&d, &e2);
         let (det, u) = (dot(&p, &e1), dot(&p, &s));
         let is_front = det > 0;
-        if det == 0 || !self.rules.cull.keeps(facing(is_front)) {
+        if det == 0 || !self.rules.cull.keeps(Facing::of(is_front)) {
             return Some(None);
         }
         let q = cross(&s, &e1);
@@ -73,7 +72,7 @@ impl<S: Scalar + ShortFloat> Crosses<'_, S> {
             t: quotient(t, edges + edges + size, unit - unit_of_d)?,
             u: quotient(u, full, 0)?,
             v: quotient(v, full, 0)?,
-            facing: facing(is_front),
+            facing: Facing::of(is_front),
             feature: Feature::from_zeros(w == 0, u == 0, v == 0),
         }))
     }

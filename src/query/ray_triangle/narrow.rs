@@ -3,9 +3,8 @@
 
 use core::cmp::Ordering;
 
-use super::counted::facing;
-use super::question::Crosses;
-use super::{Feature, Hit};
+use super::counted::Crosses;
+use super::{Facing, Feature, Hit};
 use crate::arithmetic::{InWholeWord, InWord, Number, WholeWord, Word};
 use crate::arithmetic::{cross_words, dot_words, first_sign};
 use crate::scalar::Scalar;
@@ -108,7 +107,7 @@ impl<S: Scalar> Crosses<'_, S> {
         let p = cross_words(d, e2);
         let det = dot_words(&p, e1);
         let is_front = det > zero;
-        if det == zero || !self.rules.cull.keeps(facing(is_front)) {
+        if det == zero || !self.rules.cull.keeps(Facing::of(is_front)) {
             return None;
         }
         let oriented = |x: W::Whole| if is_front { x } else { -x };
@@ -162,7 +161,7 @@ pub(super) fn rounded<S: Scalar + InWholeWord<W>, W: WholeWord>(
         t: S::divided(t, det),
         u: S::share(u, det),
         v: S::share(v, det),
-        facing: facing(is_front),
+        facing: Facing::of(is_front),
         feature: Feature::from_zeros(w == zero, u == zero, v == zero),
     }
 }

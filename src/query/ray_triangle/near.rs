@@ -1,7 +1,7 @@
 //! Rays and triangles near the origin: the kernel in words, and no other.
 
+use super::counted::Crosses;
 use super::narrow::rounded;
-use super::question::Crosses;
 use super::{Hit, HitRules};
 use crate::arithmetic::InWholeWord;
 use crate::scalar::Scalar;

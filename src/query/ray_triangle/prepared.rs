@@ -4,8 +4,7 @@
 mod volumes;
 
 use self::volumes::{OfRay, OfTriangle, Verdict};
-use super::counted::facing;
-use super::{Hit, HitRules};
+use super::{Facing, Hit, HitRules};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
@@ -142,7 +141,7 @@ impl<S: Scalar> HitRay<S> {
         if self.doubts >> verdict as u8 & 1 == 1 {
             return self.is_hit_in_doubt(triangle, rules);
         }
-        verdict != Verdict::Miss && rules.cull.keeps(facing(verdict == Verdict::Front))
+        verdict != Verdict::Miss && rules.cull.keeps(Facing::of(verdict == Verdict::Front))
     }
 
     #[cold]

@@ -1,26 +1,18 @@
-//! The question where a ray crosses a triangle, and whether it does, for number systems and
-//! exact sums to answer.
+//! Where a ray crosses a triangle, and whether it does, as predicates: what each stage answers.
 
 use core::cmp::Ordering;
 
-use super::counted::facing;
+use super::counted::Crosses;
 use super::crossing::{Crossing, Sizes};
 use super::narrow::rounded;
 use super::refined::Met;
 use super::residual::Numbers;
 use super::rows::Rows;
-use super::{Feature, Hit, HitRules};
+use super::{Facing, Feature, Hit};
 use crate::arithmetic::{Embeds, Filtered, InWholeWord, OfFour, ShortFloat, WholeWord};
 use crate::robust::{Clue, ExactSum, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
-
-/// The question where a ray crosses a triangle.
-pub(super) struct Crosses<'a, S> {
-    pub(super) ray: &'a Ray<S>,
-    pub(super) triangle: &'a Triangle<S>,
-    pub(super) rules: HitRules,
-}
 
 /// The question whether it does.
 pub(super) struct Hits<'a, S>(pub(super) Crosses<'a, S>);
@@ -108,7 +100,7 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
             t: quotient(&crossing.t),
             u: quotient(u),
             v: quotient(v),
-            facing: facing(is_front),
+            facing: Facing::of(is_front),
             feature: Feature::from_zeros(is_zero(w), is_zero(u), is_zero(v)),
         })
     }
@@ -158,7 +150,7 @@ fn numbers<S: Scalar, N: Embeds<S>>(
     counts: bool,
     crossing: Crossing<N::Volume>,
 ) -> Option<Option<Hit<S>>> {
-    let facing = facing(crossing.is_front());
+    let facing = Facing::of(crossing.is_front());
     let Crossing { det, t, sides: [_, u, v], error_bound } = crossing;
     let feature = if N::CERTAIN { crossing.feature() } else { Feature::Interior };
     // Even for a miss: to divide is cheaper than to guess wrong whether it is one.
@@ -200,7 +192,7 @@ where
     Filtered<f64>: Embeds<S>,
 {
     let ([t, u, v], are_good) = numbers.rounded::<S>();
-    are_good.then_some(Hit { t, u, v, facing: facing(det > 0.0), feature })
+    are_good.then_some(Hit { t, u, v, facing: Facing::of(det > 0.0), feature })
 }
 
 /// The triangle and the origin, and the direction.

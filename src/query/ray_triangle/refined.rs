@@ -29,8 +29,8 @@
 //! and what underflows besides is below 2^-40 of the bound.
 
 use super::Feature;
+use super::counted::Crosses;
 use super::crossing::{Crossing, ErrorBound, Setting, Sizes};
-use super::question::Crosses;
 use super::split::{CUT, FAR, Split, Two, short_areas};
 use crate::arithmetic::{Embeds, Filtered, Number, two_difference};
 use crate::scalar::Scalar;

@@ -6,15 +6,15 @@
 //! axes of an edge.
 
 use super::error_bound::{ErrorBound, error_bound};
-use super::offsets::{self, ForOffsets};
 use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, greatest};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
+use crate::shape::{Triangle, Vec3};
 
-mod doubt;
+mod pair;
 mod rounded;
 mod zeros;
 
+pub(super) use pair::pair;
 pub(super) use rounded::disjoint as disjoint_rounded;
 
 /// What of a triangle is the same for every box.
@@ -44,66 +44,6 @@ impl<Q: Quad> Edge<Q> {
     pub(in crate::query) fn new(e: Q) -> Self {
         Self { e, turned: e.turned() }
     }
-}
-
-/// Whether one of the 13 axes separates, if floats can tell.
-#[inline(always)]
-pub(super) fn pair<S: Scalar + InFloat<F>, F: Float>(
-    triangle: &Triangle<S>,
-    aabb: &Aabb<S>,
-) -> Option<bool> {
-    let clear = match *aabb.form() {
-        _ if S::OFFSETS_FIRST && ForOffsets::IS_VECTOR => offsets::pair::<S, false>(triangle, aabb),
-        AabbForm::Center { center: c, half: h } => {
-            by_center::<S, F>(triangle, c.x, c.y, c.z, h.x, h.y, h.z)
-        }
-        AabbForm::Corners { min: a, max: b } => {
-            by_corners::<S, F>(triangle, a.x, a.y, a.z, b.x, b.y, b.z)
-        }
-    };
-    // Of a copy, for the reason that `overlaps` gives.
-    match clear {
-        Ok(apart) => Some(apart),
-        Err(doubt) => doubt::pair::<S, F>(triangle, *aabb, doubt),
-    }
-}
-
-#[allow(clippy::too_many_arguments)] // each in a register
-#[inline(never)]
-fn by_center<S: Scalar + InFloat<F>, F: Float>(
-    triangle: &Triangle<S>,
-    cx: S,
-    cy: S,
-    cz: S,
-    hx: S,
-    hy: S,
-    hz: S,
-) -> Clear {
-    let (center, half) = (row(&Vec3::new(cx, cy, cz)), row(&Vec3::new(hx, hy, hz)));
-    let rows = Rows::<F::Quad>::of(triangle);
-    if !rows.are_within(S::LIMIT, center, half) {
-        return offsets::by_center::<S, false>(triangle, cx, cy, cz, hx, hy, hz);
-    }
-    rows.apart(&rows.in_frame_of_center(center, half))
-}
-
-#[allow(clippy::too_many_arguments)] // each in a register
-#[inline(never)]
-fn by_corners<S: Scalar + InFloat<F>, F: Float>(
-    triangle: &Triangle<S>,
-    ax: S,
-    ay: S,
-    az: S,
-    bx: S,
-    by: S,
-    bz: S,
-) -> Clear {
-    let (min, max) = (row(&Vec3::new(ax, ay, az)), row(&Vec3::new(bx, by, bz)));
-    let rows = Rows::<F::Quad>::of(triangle);
-    if !rows.are_within(S::LIMIT, min, max) {
-        return offsets::by_corners::<S, false>(triangle, ax, ay, az, bx, by, bz);
-    }
-    rows.apart(&rows.in_frame_of_corners(min, max))
 }
 
 #[inline(always)]
@@ -235,7 +175,7 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
     }
 
     #[inline(always)]
-    fn apart(&self, frame: &InFrame<Q>) -> Clear {
+    pub(super) fn apart(&self, frame: &InFrame<Q>) -> Clear {
         if !Q::IS_VECTOR && frame.apart != 0 {
             return Ok(true);
         }

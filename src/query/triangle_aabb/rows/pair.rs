@@ -1,13 +1,73 @@
-//! What the kernel in floats leaves in doubt at first: which axes may separate, and whether rounding
-//! has any part in it.
+//! A pair in floats: the first look, in registers, and out of line what that leaves in doubt: which
+//! axes may separate, and whether rounding has any part in it.
 
-use super::{Doubt, InFrame, Rows, largest, row, zeros};
+use super::{Clear, Doubt, InFrame, Rows, largest, row, zeros};
 use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE};
 use crate::query::triangle_aabb::error_bound::error_bound;
-use crate::query::triangle_aabb::offsets;
+use crate::query::triangle_aabb::offsets::{self, ForOffsets};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Triangle};
+use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
+
+/// Whether one of the 13 axes separates, if floats can tell.
+#[inline(always)]
+pub(in crate::query::triangle_aabb) fn pair<S: Scalar + InFloat<F>, F: Float>(
+    triangle: &Triangle<S>,
+    aabb: &Aabb<S>,
+) -> Option<bool> {
+    let clear = match *aabb.form() {
+        _ if S::OFFSETS_FIRST && ForOffsets::IS_VECTOR => offsets::pair::<S, false>(triangle, aabb),
+        AabbForm::Center { center: c, half: h } => {
+            by_center::<S, F>(triangle, c.x, c.y, c.z, h.x, h.y, h.z)
+        }
+        AabbForm::Corners { min: a, max: b } => {
+            by_corners::<S, F>(triangle, a.x, a.y, a.z, b.x, b.y, b.z)
+        }
+    };
+    // Of a copy, for the reason that `overlaps` gives.
+    match clear {
+        Ok(apart) => Some(apart),
+        Err(doubt) => pair_in_doubt::<S, F>(triangle, *aabb, doubt),
+    }
+}
+
+#[allow(clippy::too_many_arguments)] // each in a register
+#[inline(never)]
+fn by_center<S: Scalar + InFloat<F>, F: Float>(
+    triangle: &Triangle<S>,
+    cx: S,
+    cy: S,
+    cz: S,
+    hx: S,
+    hy: S,
+    hz: S,
+) -> Clear {
+    let (center, half) = (row(&Vec3::new(cx, cy, cz)), row(&Vec3::new(hx, hy, hz)));
+    let rows = Rows::<F::Quad>::of(triangle);
+    if !rows.are_within(S::LIMIT, center, half) {
+        return offsets::by_center::<S, false>(triangle, cx, cy, cz, hx, hy, hz);
+    }
+    rows.apart(&rows.in_frame_of_center(center, half))
+}
+
+#[allow(clippy::too_many_arguments)] // each in a register
+#[inline(never)]
+fn by_corners<S: Scalar + InFloat<F>, F: Float>(
+    triangle: &Triangle<S>,
+    ax: S,
+    ay: S,
+    az: S,
+    bx: S,
+    by: S,
+    bz: S,
+) -> Clear {
+    let (min, max) = (row(&Vec3::new(ax, ay, az)), row(&Vec3::new(bx, by, bz)));
+    let rows = Rows::<F::Quad>::of(triangle);
+    if !rows.are_within(S::LIMIT, min, max) {
+        return offsets::by_corners::<S, false>(triangle, ax, ay, az, bx, by, bz);
+    }
+    rows.apart(&rows.in_frame_of_corners(min, max))
+}
 
 /// Whether an axis separates.
 enum Apart {
@@ -21,9 +81,9 @@ enum Apart {
     Unknown,
 }
 
-/// Whether one of the 13 axes separates, if floats can tell.
+/// [`pair`] where the first look leaves a doubt.
 #[inline(never)]
-pub(super) fn pair<S: Scalar + InFloat<F>, F: Float>(
+fn pair_in_doubt<S: Scalar + InFloat<F>, F: Float>(
     triangle: &Triangle<S>,
     aabb: Aabb<S>,
     doubt: Doubt,
