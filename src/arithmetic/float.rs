@@ -4,6 +4,7 @@ use core::ops::Mul;
 
 use super::number::Number;
 use super::parts::Parts;
+use super::platform::REGISTERS_ARE_WIDE;
 use super::portion::enclosing;
 use super::quad::OfFour;
 use super::soft::Soft;
@@ -59,6 +60,17 @@ macro_rules! number {
             #[inline(always)]
             fn error(self, roundoffs: u16) -> Self {
                 Self::from(roundoffs) * Self::ROUNDOFF * self
+            }
+            // `self <= -error` alone would hold for two infinities. Their sum is NaN, and the sign
+            // of any other sum is right. Where sums of floats are dear, the bits tell.
+            #[inline(always)]
+            fn is_not_above(self, error: Self) -> bool {
+                if REGISTERS_ARE_WIDE {
+                    self + error <= 0.0
+                } else {
+                    let is_finite = error.to_bits() << 1 < Self::INFINITY.to_bits() << 1;
+                    (self <= -error) & is_finite
+                }
             }
             // A NaN is in no range.
             #[inline(always)]

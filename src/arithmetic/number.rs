@@ -32,6 +32,14 @@ pub trait Number:
         Self::ZERO
     }
 
+    /// Whether the true number is certainly not above zero, if this one is within `error` of it.
+    /// The default is for numbers without error.
+    #[inline(always)]
+    fn is_not_above(self, error: Self) -> bool {
+        let _ = error;
+        self <= Self::ZERO
+    }
+
     /// Whether products of numbers of this size keep to their type and to their
     /// [`error`](Self::error): nothing overflows, and underflow does not matter.
     #[inline(always)]

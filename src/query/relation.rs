@@ -86,9 +86,10 @@ impl Nearness {
     /// and `extent` their length together.
     #[inline(always)]
     pub(super) fn add<T: Number>(&mut self, gap: T, extent: T, error: T) {
-        self.is_disjoint |= gap > error;
+        self.is_disjoint |= Uncertain::above(gap, error).certain;
         // Two projections to one point do not touch. That is certain only without rounding.
-        self.is_near |= (gap >= -error) & (extent > -error);
+        self.is_near |=
+            Uncertain::not_below(gap, error).possible & Uncertain::above(extent, error).possible;
     }
 
     /// Adds an axis whose gap is unknown.
@@ -129,7 +130,7 @@ impl Reading for Uncertain {
 
     #[inline(always)]
     fn add<T: Number>(&mut self, gap: T, _: T, error: T) {
-        *self = self.or(Self { certain: gap > error, possible: gap > -error });
+        *self = self.or(Self::above(gap, error));
     }
     #[inline(always)]
     fn answer(&self, _: bool) -> Option<bool> {

@@ -36,4 +36,4 @@ pub use predicate::{Clue, Predicate};
 #[cfg(all(test, feature = "fixed"))]
 pub(crate) use stages::escalations;
 pub(crate) use stages::{Stage, note};
-pub(crate) use uncertain::Uncertain;
+pub(crate) use uncertain::{Uncertain, certain_sign};

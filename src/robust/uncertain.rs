@@ -1,3 +1,5 @@
+use crate::arithmetic::Number;
+
 /// What the axes tried so far say, errors allowed for.
 ///
 /// Neither flag is branched on until both are final: which way a test goes is
@@ -14,9 +16,38 @@ impl Uncertain {
     /// No axis tried yet.
     pub(crate) const NONE: Self = Self { certain: false, possible: false };
 
+    /// Whether a gap is above zero, given a computed one that is within `error` of it.
+    ///
+    /// Where the computation overflowed, both are infinite or NaN, for a bound grows with every
+    /// number that the gap is made of. Then the answer is in doubt. This and [`certain_sign`] are the
+    /// only places that compare a gap with its bound; floats side by side have
+    /// [`Quad::may_be_above`](crate::arithmetic::Quad::may_be_above).
+    #[inline(always)]
+    pub(crate) fn above<T: Number>(gap: T, error: T) -> Self {
+        Self { certain: gap > error, possible: !gap.is_not_above(error) }
+    }
+
+    /// Whether a gap is zero or above, likewise.
+    #[inline(always)]
+    pub(crate) fn not_below<T: Number>(gap: T, error: T) -> Self {
+        let below = Self::above(-gap, error);
+        Self { certain: !below.possible, possible: !below.certain }
+    }
+
+    /// What is known without doubt.
+    #[inline(always)]
+    pub(crate) fn known(answer: bool) -> Self {
+        Self { certain: answer, possible: answer }
+    }
+
     #[inline(always)]
     pub(crate) fn or(self, other: Self) -> Self {
         Self { certain: self.certain | other.certain, possible: self.possible | other.possible }
+    }
+
+    #[inline(always)]
+    pub(crate) fn and(self, other: Self) -> Self {
+        Self { certain: self.certain & other.certain, possible: self.possible & other.possible }
     }
 
     /// Whether an axis separates; `None` in doubt.
@@ -24,5 +55,46 @@ impl Uncertain {
     pub(crate) fn verdict(self) -> Option<bool> {
         // One comparison that is nearly always false, not two that are random.
         if self.certain ^ self.possible { None } else { Some(self.certain) }
+    }
+}
+
+/// The sign of a number, given a computed one that is within `error` of it: zero in doubt, which
+/// includes every infinity and NaN whose bound is no better.
+#[inline(always)]
+pub(crate) fn certain_sign<T: Number>(x: T, error: T) -> i8 {
+    i8::from(x > error) - i8::from(x < -error)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Uncertain, certain_sign};
+
+    /// Neither an infinity nor a NaN settles anything, whichever of the two it is in.
+    #[test]
+    fn overflow_is_in_doubt() {
+        let beyond = [f32::INFINITY, f32::NAN];
+        for gap in [f32::NEG_INFINITY, -1.0, 0.0, 1.0, f32::INFINITY, f32::NAN] {
+            for error in beyond {
+                assert_eq!(Uncertain::above(gap, error).verdict(), None, "{gap} {error}");
+                assert_eq!(Uncertain::not_below(gap, error).verdict(), None, "{gap} {error}");
+                assert_eq!(certain_sign(gap, error), 0, "{gap} {error}");
+            }
+        }
+        assert_eq!(Uncertain::above(f64::NAN, 1.0).verdict(), None);
+        assert_eq!(Uncertain::not_below(f64::NAN, 1.0).verdict(), None);
+        assert_eq!(certain_sign(f64::NAN, 1.0), 0);
+    }
+
+    #[test]
+    fn a_gap_is_compared_with_its_bound() {
+        for (gap, above) in [(-2.0, Some(false)), (-0.5, None), (0.5, None), (2.0, Some(true))] {
+            assert_eq!(Uncertain::above(gap, 1.0_f64).verdict(), above);
+            assert_eq!(Uncertain::not_below(gap, 1.0_f64).verdict(), above);
+        }
+        // Nothing is rounded: zero is not above zero, and not below it.
+        for gap in -1..=1_i64 {
+            assert_eq!(Uncertain::above(gap, 0).verdict(), Some(gap > 0));
+            assert_eq!(Uncertain::not_below(gap, 0).verdict(), Some(gap >= 0));
+        }
     }
 }

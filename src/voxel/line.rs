@@ -15,6 +15,7 @@ use super::marks::{Line as Limits, Marks};
 use super::place::{Place, locate};
 use super::sign::{against_point, line_turn};
 use crate::arithmetic::{Parts, compare};
+use crate::robust::certain_sign;
 use crate::scalar::Scalar;
 
 /// The ends of a line.
@@ -75,13 +76,10 @@ impl<S: Scalar> Line<S> {
     pub(super) fn order(&self, grid: &Grid<S>, a: (usize, i32), b: (usize, i32)) -> Ordering {
         let gap = self.time(a.0, a.1) - self.time(b.0, b.1);
         let error = self.error[a.0] + self.error[b.0];
-        if gap > error {
-            return Ordering::Greater;
+        match certain_sign(gap, error) {
+            0 => self.exact_order(grid, a, b),
+            sign => sign.cmp(&0),
         }
-        if gap < -error {
-            return Ordering::Less;
-        }
-        self.exact_order(grid, a, b)
     }
 
     #[cold]

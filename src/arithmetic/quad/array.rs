@@ -86,4 +86,9 @@ impl<F: Number + Debug + Mul<Output = F> + Div<Output = F>> Quad for Four<F> {
         let bit = |k: usize| u32::from(self.0[k] > other.0[k]) << k;
         bit(0) | bit(1) | bit(2) | bit(3)
     }
+    #[inline(always)]
+    fn is_at_most(self, other: Self) -> u32 {
+        let bit = |k: usize| u32::from(self.0[k] <= other.0[k]) << k;
+        bit(0) | bit(1) | bit(2) | bit(3)
+    }
 }

@@ -36,6 +36,10 @@ macro_rules! quad {
             fn exceeds(self, other: Self) -> u32 {
                 self.simd_gt(other).to_bitmask()
             }
+            #[inline(always)]
+            fn is_at_most(self, other: Self) -> u32 {
+                self.simd_le(other).to_bitmask()
+            }
         }
     };
 }

@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use crate::arithmetic::{Embeds, Number, greatest};
-use crate::robust::{ExactSum, Predicate};
+use crate::robust::{ExactSum, Predicate, Uncertain};
 use crate::scalar::Scalar;
 use crate::shape::{AabbForm, Vec3};
 
@@ -56,18 +56,13 @@ impl<S: Scalar> Predicate<S> for Apart<S> {
         let Self { a, b } = self;
         let all = [a.low, a.high, a.grown, b.low, b.high, b.grown];
         let [a_low, a_high, a_grown, b_low, b_high, b_grown] = N::embed(&all)?;
-        let (mut is_apart, mut is_in_doubt) = (false, false);
+        let mut so_far = Uncertain::NONE;
         for i in 0..3 {
             let d = greatest(a_low[i] - b_high[i], b_low[i] - a_high[i]);
             let r = a_grown[i] + b_grown[i];
-            let (gap, error) = (d - r, (d.magnitude() + r).error(GAP));
-            is_apart |= gap > error;
-            // The gap of two infinities is a NaN, and in doubt.
-            let is_clear_of_gap = gap <= -error;
-            is_in_doubt |= !is_clear_of_gap;
+            so_far = so_far.or(Uncertain::above(d - r, (d.magnitude() + r).error(GAP)));
         }
-        // A gap within its error bound is in doubt.
-        (is_apart == is_in_doubt).then_some(is_apart)
+        so_far.verdict()
     }
 
     fn exact(&self) -> bool {

@@ -22,12 +22,8 @@ impl<S: Scalar> Predicate<S> for Lie<S> {
         for i in 0..3 {
             let (before, after) = (a_low[i] - b_high[i], b_low[i] - a_high[i]);
             let (d, r) = (greatest(before, after), a_grown[i] + b_grown[i]);
-            let error = (d.magnitude() + r).error(GAP);
-            let (gap, extent) = (d - r, r + r - (before + after));
-            // The gap of two infinities is a NaN, and in doubt.
-            found.add(gap, extent, error);
-            let is_known = gap <= error;
-            found.add_doubt(!is_known);
+            let extent = r + r - (before + after);
+            found.add(d - r, extent, (d.magnitude() + r).error(GAP));
         }
         found.relation(N::CERTAIN)
     }

@@ -196,17 +196,10 @@ impl<N: Arithmetic> Slabs<N> {
         let mut so_far = Uncertain::NONE;
         for i in 0..3 {
             let gap = greatest(self.near[i], -self.far[i]) - self.m[i];
-            if N::CERTAIN {
-                let certain = gap > N::Length::ZERO;
-                so_far = so_far.or(Uncertain { certain, possible: certain });
-                continue;
-            }
             let own = greatest(self.near[i].magnitude(), self.far[i].magnitude());
             let own = self.spread.as_ref().map_or(own, |spread| spread[i]);
             let error = (own + self.m[i]).error(ROUNDOFFS);
-            #[allow(clippy::neg_cmp_op_on_partial_ord)]
-            let possible = !(gap < -error);
-            so_far = so_far.or(Uncertain { certain: gap > error, possible });
+            so_far = so_far.or(Uncertain::above(gap, error));
         }
         so_far
     }
@@ -217,11 +210,8 @@ impl<N: Arithmetic> Slabs<N> {
 #[inline(always)]
 fn above<N: Arithmetic>(a: N::Area, b: N::Area, is_zero: bool, size: N::Area) -> Uncertain {
     if N::CERTAIN {
-        return Uncertain { certain: a > b, possible: a > b };
+        return Uncertain::known(a > b);
     }
-    let (gap, error) = (a - b, size.error(ROUNDOFFS) + N::Area::UNDERFLOW);
-    // Where something overflowed, an infinity or a NaN must leave it in doubt.
-    #[allow(clippy::neg_cmp_op_on_partial_ord)]
-    let possible = !(gap < -error) & !is_zero;
-    Uncertain { certain: gap > error, possible }
+    let found = Uncertain::above(a - b, size.error(ROUNDOFFS) + N::Area::UNDERFLOW);
+    Uncertain { possible: found.possible & !is_zero, ..found }
 }

@@ -68,7 +68,7 @@ pub(super) fn any_axis<P: Number + Mul<Output = P>, const SKIPS_ZEROS: bool>(
         }
         let reach = h[j] * along[l].magnitude() + h[l] * along[j].magnitude();
         let gap = (dot(&across, &u[i]) * *one).magnitude() - reach;
-        so_far = so_far.or(exceeds(gap, error.line));
+        so_far = so_far.or(Uncertain::above(gap, error.line));
     }
 
     let volume = dot(&u[0], &w[0]).magnitude();
@@ -79,31 +79,19 @@ pub(super) fn any_axis<P: Number + Mul<Output = P>, const SKIPS_ZEROS: bool>(
         for is_upper in [true, false] {
             let beyond = |x: P| {
                 let gap = if is_upper { x - reach } else { -x - reach };
-                exceeds(gap, error.face)
+                Uncertain::above(gap, error.face)
             };
             // Where there is no end the line goes on for ever, and away from the box or along it.
-            let leaves =
-                |x: P| Uncertain { certain: x >= error.direction, possible: x >= -error.direction };
+            let leaves = |x: P| Uncertain::not_below(x, error.direction);
             let upward = if is_upper { along[i] } else { -along[i] };
             let first = start.map_or_else(|| leaves(-upward), beyond);
             let last = end.map_or_else(|| leaves(upward), beyond);
-            let mut both = and(first, last);
+            let mut both = first.and(last);
             if start.is_none() & end.is_none() {
-                both = and(both, beyond(middle));
+                both = both.and(beyond(middle));
             }
             so_far = so_far.or(both);
         }
     }
     so_far
-}
-
-/// Whether a number is above zero, which may be off by so much.
-#[inline(always)]
-fn exceeds<P: Number>(x: P, error: P) -> Uncertain {
-    Uncertain { certain: x > error, possible: x > -error }
-}
-
-#[inline(always)]
-fn and(a: Uncertain, b: Uncertain) -> Uncertain {
-    Uncertain { certain: a.certain & b.certain, possible: a.possible & b.possible }
 }

@@ -3,7 +3,7 @@
 
 use super::error_bound::{Sizes, error_bound};
 use super::{Disjoint, Line};
-use crate::arithmetic::{Filtered, Float, InFloat, Quad, THREE, greatest, largest};
+use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, greatest, largest};
 use crate::query::obb_rows::{ObbInFloats, Vectors, fits, holds_one, in_floats, most};
 use crate::query::triangle_obb::{cross, lie_along_one_axis};
 use crate::robust::Uncertain;
@@ -118,13 +118,14 @@ struct Axes {
 /// Which are above zero, where they may be off by so much.
 #[inline(always)]
 fn exceeds<Q: Quad<Lane: Float>>(x: Q, error: Q::Lane) -> Axes {
-    Axes { certain: x.exceeds(Q::splat(error)), possible: x.exceeds(Q::splat(-error)) }
+    Axes { certain: x.exceeds(Q::splat(error)), possible: x.may_be_above(Q::splat(error)) }
 }
 
 /// Which are zero or above.
 #[inline(always)]
 fn reaches<Q: Quad<Lane: Float>>(x: Q, error: Q::Lane) -> Axes {
-    Axes { certain: !Q::splat(error).exceeds(x), possible: !Q::splat(-error).exceeds(x) }
+    let below = exceeds(Q::splat(Q::Lane::ZERO) - x, error);
+    Axes { certain: !below.possible, possible: !below.certain }
 }
 
 impl Axes {

@@ -22,7 +22,7 @@ pub(super) use self::error_bound::error_bound;
 pub(super) use self::exact::ExactPoints;
 use self::in_plane::in_plane;
 use self::sides::share_a_point;
-pub(super) use self::sides::{Vector, are_apart, from, larger, sides, sign, size};
+pub(super) use self::sides::{Vector, are_apart, from, larger, sides, size};
 use self::whole::Whole;
 use super::relation::{Asked, Relation};
 use crate::arithmetic::{Arithmetic, Int64Narrow, REGISTERS_ARE_WIDE, each, three, turn};

@@ -2,6 +2,7 @@
 
 use super::error_bound;
 use crate::arithmetic::{Arithmetic, Number, cross, dot, greatest, largest};
+use crate::robust::certain_sign;
 
 /// Three lengths.
 pub(crate) type Vector<N> = [<N as Arithmetic>::Length; 3];
@@ -18,12 +19,6 @@ pub(crate) fn larger<N: Arithmetic>(a: &Vector<N>, b: &Vector<N>) -> N::Length {
     greatest(largest(a), largest(b))
 }
 
-/// The sign of a number with an error of up to `error`: zero in doubt.
-#[inline(always)]
-pub(crate) fn sign<T: Number>(x: T, error: T) -> i8 {
-    i8::from(x > error) - i8::from(x < -error)
-}
-
 /// The sides of the plane spanned by two edges to which these vectors point: zero in doubt, and in
 /// an exact number system on the plane. `None` if the error is unknown.
 #[inline(always)]
@@ -37,7 +32,7 @@ pub(crate) fn sides<N: Arithmetic, const K: usize>(
     let n = cross::<N>(e, f);
     let mut signs = [0; K];
     for k in 0..K {
-        signs[k] = sign(dot::<N>(&n, &vectors[k]), error);
+        signs[k] = certain_sign(dot::<N>(&n, &vectors[k]), error);
     }
     Some(signs)
 }

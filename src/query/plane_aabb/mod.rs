@@ -13,7 +13,7 @@ use self::error_bound::error_bound;
 use super::Overlaps;
 use super::exact_aabb::ExactAabb;
 use crate::arithmetic::{Embeds, Number, greatest, largest, of_two, once};
-use crate::robust::Predicate;
+use crate::robust::{Predicate, Uncertain};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Plane, PlaneForm};
 
@@ -78,13 +78,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S> {
 
         let size = greatest(largest(&v), largest(&h));
         let error_bound = error_bound::<N>(largest(&n), size, d_area.magnitude())?;
-        if gap > error_bound {
-            Some(true)
-        } else if gap <= -error_bound {
-            Some(false)
-        } else {
-            None
-        }
+        Uncertain::above(gap, error_bound).verdict()
     }
 
     fn exact(&self) -> bool {

@@ -8,7 +8,7 @@ use core::cmp::Ordering;
 
 use crate::arithmetic::{Embeds, Number, Parts, greatest, largest, pick};
 use crate::query::triangle_obb::{cross, dot, error_bound};
-use crate::robust::{ExactSum, Predicate, Vector, add_scaled_determinant, single};
+use crate::robust::{ExactSum, Predicate, Uncertain, Vector, add_scaled_determinant, single};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
 
@@ -38,14 +38,12 @@ impl<S: Scalar> Predicate<S> for Outside<'_, S> {
         let vw = cross(&v, &w);
         let volume = dot(&vw, &u).magnitude();
         let faces = [(vw, h[0]), (cross(&w, &u), h[1]), (cross(&u, &v), h[2])];
-        let (mut is_outside, mut is_in_doubt) = (false, false);
+        let mut so_far = Uncertain::NONE;
         for (w, h) in faces {
             let gap = (dot(&w, &d) * one).magnitude() - h * volume;
-            is_outside |= gap > bound;
-            is_in_doubt |= gap > -bound;
+            so_far = so_far.or(Uncertain::above(gap, bound));
         }
-        // Whatever lies clear of the error lies in doubt too.
-        (is_outside == is_in_doubt).then_some(is_outside)
+        so_far.verdict()
     }
 
     fn exact(&self) -> bool {

@@ -7,9 +7,9 @@
 //! triangles makes the counts consistent. The only sign that can be in doubt is a planar area's.
 //! The sign of a volume is needed only if the triangle extends from before the point to behind it.
 
-use super::orientation::{ExactPoints, Points, from, sides, sign, size};
+use super::orientation::{ExactPoints, Points, from, sides, size};
 use crate::arithmetic::{Arithmetic, Embeds, Number};
-use crate::robust::Predicate;
+use crate::robust::{Predicate, certain_sign};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -90,7 +90,7 @@ impl<S: Scalar> Predicate<S> for Turn<S> {
         let a = N::area(v[1] - u[1], p[2] - u[2]);
         let b = N::area(v[2] - u[2], p[1] - u[1]);
         let error = (a.magnitude() + b.magnitude()).error(TURN) + N::Area::UNDERFLOW;
-        settled::<N>(sign(a - b, error))
+        settled::<N>(certain_sign(a - b, error))
     }
 
     fn exact(&self) -> i8 {

@@ -1,12 +1,10 @@
 //! Segment against triangle.
 
 use super::Overlaps;
-use super::orientation::{
-    ExactPoints, Vector, error_bound, from, in_doubt, relation, sides, sign, size,
-};
+use super::orientation::{ExactPoints, Vector, error_bound, from, in_doubt, relation, sides, size};
 use super::relation::{Asked, Relate, Relation};
 use crate::arithmetic::{Arithmetic, Embeds, cross, dot, three};
-use crate::robust::Predicate;
+use crate::robust::{Predicate, certain_sign};
 use crate::scalar::Scalar;
 use crate::shape::{Segment, SegmentForm, Triangle};
 
@@ -64,9 +62,9 @@ impl<N: Arithmetic> Setting<N> {
         // The signs of the three volumes say on which side the line passes each edge.
         let [dv, dw] = [cross::<N>(d, v), cross::<N>(d, w)];
         let passes = [
-            sign(-dot::<N>(&dv, u), error),
-            sign(dot::<N>(&dv, w), error),
-            sign(dot::<N>(&dw, u), error),
+            certain_sign(-dot::<N>(&dv, u), error),
+            certain_sign(dot::<N>(&dv, w), error),
+            certain_sign(dot::<N>(&dw, u), error),
         ];
         if passes.contains(&1) && passes.contains(&-1) {
             return Some(Relation::Disjoint);

@@ -10,6 +10,7 @@ use crate::arithmetic::{Double, Embeds, Filtered, Number, Soft, dot, each, turn}
 use crate::query::Axis;
 use crate::query::triangle_aabb::frame::Frame;
 use crate::query::triangle_aabb::plane::normal;
+use crate::robust::certain_sign;
 use crate::scalar::Scalar;
 
 /// Sizes within which products of two volumes neither overflow nor underflow, nor what is left
@@ -108,7 +109,7 @@ impl Gaps {
 
     /// Whether there is certainly no gap.
     fn are_none(&self) -> bool {
-        (0..13).all(|k| self.gap[k] < -self.error[k])
+        (0..13).all(|k| self.gap[k].is_not_above(self.error[k]))
     }
 }
 
@@ -138,7 +139,7 @@ where
     let Some(last) = gaps.last() else { return at_start_of(&gaps) };
     let errors = [gaps.error[last], gaps.speed_error[last]];
     let [low, high] = gaps.gap[last].portion(gaps.speed[last], errors).map(S::at_most);
-    let is_known = (low == high) & (gaps.gap[last] > gaps.error[last]);
+    let is_known = (low == high) & (certain_sign(gaps.gap[last], gaps.error[last]) > 0);
     let is_last = is_known && gaps.others_close_before(last, low.in_double());
     is_last.then(|| FirstContact { t: low, axis: Axis::ALL.get(last).copied() })
 }
@@ -166,7 +167,7 @@ where
     }
     let gaps = course.gaps()?;
     let Some(last) = gaps.last() else { return at_start_of(&gaps) };
-    if gaps.gap[last] <= gaps.error[last] {
+    if certain_sign(gaps.gap[last], gaps.error[last]) <= 0 {
         return None;
     }
     let axis = *Axis::ALL.get(last)?;

@@ -86,12 +86,12 @@ impl<Q: Quad<Lane: Float>> Instants<Q> {
     /// Whether no axis separates at a time, for certain.
     #[inline(always)]
     pub(super) fn overlap_at(self, t: Q::Lane) -> bool {
-        let (zero, at) = (Q::splat(Q::Lane::ZERO), Q::splat(t));
+        let at = Q::splat(t);
         let [a, b, c] = self.edges;
         let most = a.gap(at).greatest(b.gap(at)).greatest(c.gap(at));
-        let near = most.exceeds(zero - a.error)
-            | self.faces.gap(at).exceeds(zero - self.faces.error)
-            | self.plane.gap(at).exceeds(zero - self.plane.error);
+        let near = most.may_be_above(a.error)
+            | self.faces.gap(at).may_be_above(self.faces.error)
+            | self.plane.gap(at).may_be_above(self.plane.error);
         near & THREE == 0 || self.near(t) & own(self.e, self.extent) == 0
     }
 
@@ -115,8 +115,8 @@ impl<Q: Quad<Lane: Float>> Instants<Q> {
     /// The axes that may separate at a time, bit by bit: edges, faces, plane.
     #[inline(always)]
     fn near(self, t: Q::Lane) -> u32 {
-        let (zero, t) = (Q::splat(Q::Lane::ZERO), Q::splat(t));
-        self.bits(|moving| moving.gap(t).exceeds(zero - moving.error))
+        let t = Q::splat(t);
+        self.bits(|moving| moving.gap(t).may_be_above(moving.error))
     }
 
     /// The axes that do for certain.

@@ -32,8 +32,7 @@ pub(super) struct Course<N: Arithmetic> {
 /// Whether an axis separates that has its middle there, and such a radius in all.
 #[inline(always)]
 fn axis<T: Number>(middle: T, radius: T, error: T) -> Uncertain {
-    let beyond = middle.magnitude() - radius;
-    Uncertain { certain: beyond > error, possible: beyond > -error }
+    Uncertain::above(middle.magnitude() - radius, error)
 }
 
 /// What is certain, and what is possible if this is so.
@@ -72,18 +71,18 @@ impl<N: Arithmetic> Course<N> {
         let (low, high) = range(v, i);
         if N::CERTAIN {
             let is_beyond = (low + least(d, zero) > h[i]) | (high + greatest(d, zero) < -h[i]);
-            return Uncertain { certain: is_beyond, possible: is_beyond };
+            return Uncertain::known(is_beyond);
         }
         // Which side it is on is certain where there is a gap, and so is whether there is one,
         // unless it is zero: see `Frame`.
         let gap = gaps[i];
         let (is_gap, is_rounded) = (gap > zero, !self.frame.gaps_are_exact & (gap == zero));
         let toward = if low > zero { -d } else { d };
-        let (left, error) = (gap - toward, self.face_error(i));
+        let left = Uncertain::above(gap - toward, self.face_error(i));
         let is_open = toward <= zero;
         Uncertain {
-            certain: is_gap & (is_open | (left > error)),
-            possible: (is_gap & (is_open | (left > -error))) | is_rounded,
+            certain: is_gap & (is_open | left.certain),
+            possible: (is_gap & (is_open | left.possible)) | is_rounded,
         }
     }
 
@@ -150,7 +149,7 @@ impl<N: Arithmetic> Course<N> {
         let r = N::area(d[l].magnitude(), h[j]) + N::area(d[j].magnitude(), h[l]);
         let (low, high) = (least(least(a, b), c), greatest(greatest(a, b), c));
         let beyond = greatest(low, -high) - r;
-        let found = Uncertain { certain: beyond > error, possible: beyond > -error };
+        let found = Uncertain::above(beyond, error);
         let zero = N::Length::ZERO;
         possible_if(found, (d[j] != zero) & (d[l] != zero))
     }

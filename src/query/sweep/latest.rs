@@ -1,6 +1,7 @@
 use super::FirstContact;
 use crate::arithmetic::Number;
 use crate::query::Axis;
+use crate::robust::Uncertain;
 use crate::scalar::Scalar;
 
 /// The latest of the times at which axes cease to separate, errors allowed for.
@@ -22,12 +23,12 @@ impl<S: Scalar> Latest<S> {
     #[inline(always)]
     pub(super) fn add<T: Number>(&mut self, axis: Axis, gap: [T; 2], speed: [T; 2]) {
         let [gap, error] = gap;
-        // It is no gap. A NaN is in doubt.
-        if gap <= -error {
+        let is_gap = Uncertain::above(gap, error);
+        if !is_gap.possible {
             return;
         }
         let [low, high] = gap.portion(speed[0], [error, speed[1]]).map(S::at_most);
-        if low == high && gap > error {
+        if low == high && is_gap.certain {
             self.set(axis, low);
         } else if self.in_doubt.is_none_or(|t| high > t) {
             self.in_doubt = Some(high);

@@ -6,6 +6,7 @@ use super::instants::{Instants, Moving};
 use super::{Instant, Last, Passing};
 use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, greatest};
 use crate::query::triangle_aabb::rows::{Edge, Rows, half_of, row, sum};
+use crate::robust::Uncertain;
 use crate::scalar::Scalar;
 use crate::shape::AabbForm;
 
@@ -98,7 +99,7 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
             return None;
         }
         let is_gap = if BY_CENTER { !zero.exceeds(gap) } else { gap.exceeds(zero) };
-        let open_faces = is_gap & left.exceeds(zero - error) & THREE;
+        let open_faces = is_gap & left.may_be_above(error) & THREE;
         let v = rows.v;
         let in_frame = |v: Q| if BY_CENTER { v - p } else { half_of((v - p) + (v - q)) };
         let v = [in_frame(v[0]), in_frame(v[1]), in_frame(v[2])];
@@ -232,9 +233,9 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         }
 
         // Nothing separates for certain. What else may?
-        let least = Q::splat(-error.area);
-        let is_near = (most.greatest(across).exceeds(least) & THREE != 0)
-            | (greatest(plane, furthest) >= -error.volume)
+        let area = Q::splat(error.area);
+        let is_near = (most.greatest(across).may_be_above(area) & THREE != 0)
+            | Uncertain::above(greatest(plane, furthest), error.volume).possible
             | (self.open_faces != 0);
         if is_near && self.may_miss(&error, plane, &edges, across, crosses) {
             return None;
@@ -254,20 +255,23 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         crosses: [Q::Lane; 3],
     ) -> bool {
         let (Self { rows, d, .. }, zero) = (self, Q::splat(Q::Lane::ZERO));
-        let least = Q::splat(-error.area);
+        let area = Q::splat(error.area);
         let is_nonzero = |x: Q| x.magnitude().exceeds(zero) & THREE;
         let has_extent = rows.high.exceeds(rows.low) & THREE == THREE;
-        let mut doubt = (self.open_faces != 0) | ((plane >= -error.volume) & has_extent);
+        let mut doubt =
+            (self.open_faces != 0) | (Uncertain::above(plane, error.volume).possible & has_extent);
         let moves = is_nonzero(*d);
         let slanted = |e: Q| is_nonzero(e) & is_nonzero(e.turned());
-        doubt |= across.exceeds(least) & slanted(*d) != 0;
+        doubt |= across.may_be_above(area) & slanted(*d) != 0;
         for k in 0..3 {
             let e = rows.e[k].e;
-            doubt |= edges[k].exceeds(least) & slanted(e) != 0;
+            doubt |= edges[k].may_be_above(area) & slanted(e) != 0;
             let has_two = |bits: u32| bits & (bits - 1) != 0;
             let leads = is_nonzero(e);
             let is_own = leads != 0 && moves != 0 && has_two(leads) && has_two(moves);
-            doubt |= (crosses[k] >= -error.volume) & is_own & (leads | moves == THREE);
+            doubt |= Uncertain::above(crosses[k], error.volume).possible
+                & is_own
+                & (leads | moves == THREE);
         }
         doubt
     }

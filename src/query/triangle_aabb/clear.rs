@@ -50,7 +50,8 @@ impl<F: Float> Gaps<F> {
     #[inline(always)]
     pub(super) fn verdict(&self, face: bool, no_face: bool, is_known: bool) -> (bool, bool) {
         let apart = (self.edges > self.edges_error) | (self.plane > self.plane_error);
-        let none = (self.edges <= -self.edges_error) & (self.plane <= -self.plane_error);
+        let none =
+            self.edges.is_not_above(self.edges_error) & self.plane.is_not_above(self.plane_error);
         // Faces take no products, so that their certainty does not hang on the size.
         (face | apart, face | is_known & (apart | none & no_face))
     }

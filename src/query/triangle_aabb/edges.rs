@@ -45,13 +45,13 @@ pub(super) fn one_edge<N: Arithmetic>(
     let radius = middle.magnitude();
 
     if N::CERTAIN {
-        let certain = far > radius + r;
-        return Uncertain { certain, possible: certain };
+        return Uncertain::known(far > radius + r);
     }
     // As `rows` rounds it: what is certain is the same on every machine.
     let beyond = far - (radius + r);
     // An edge along x_i has e_j = e_l = 0, known exactly: the axis is zero and
     // separates nothing. Without this, every box-shaped mesh would be in doubt.
     let is_axis = (e[j] != N::Length::ZERO) | (e[l] != N::Length::ZERO);
-    Uncertain { certain: beyond > error_bound, possible: (beyond > -error_bound) & is_axis }
+    let found = Uncertain::above(beyond, error_bound);
+    Uncertain { possible: found.possible & is_axis, ..found }
 }

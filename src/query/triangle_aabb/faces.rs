@@ -19,8 +19,7 @@ pub(super) fn faces<N: Arithmetic>(frame: &Frame<N>) -> Uncertain {
 pub(super) fn one_face<N: Arithmetic>(frame: &Frame<N>, i: usize) -> Uncertain {
     if N::CERTAIN {
         let (low, high) = range(&frame.v, i);
-        let certain = (low > frame.h[i]) | (high < -frame.h[i]);
-        return Uncertain { certain, possible: certain };
+        return Uncertain::known((low > frame.h[i]) | (high < -frame.h[i]));
     }
     across(frame, frame.gaps[i])
 }

@@ -59,7 +59,7 @@ impl<F: Float> OfOneSize<F> {
             edges_error: self.errors[0],
             plane_error: self.errors[1],
         };
-        let (face, no_face) = (gap > self.reach_error, gap <= -self.reach_error);
+        let (face, no_face) = (gap > self.reach_error, gap.is_not_above(self.reach_error));
         let (is_apart, is_certain) = gaps.verdict(face, no_face, true);
         (is_apart, is_certain & are_held::<S>(&[center]))
     }

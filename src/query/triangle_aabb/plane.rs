@@ -26,5 +26,5 @@ pub(in crate::query) fn plane<N: Arithmetic>(
         + N::volume(n[1].magnitude(), h[1])
         + N::volume(n[2].magnitude(), h[2]);
     let beyond = distance.magnitude() - radius;
-    Uncertain { certain: beyond > error_bound, possible: beyond > -error_bound }
+    Uncertain::above(beyond, error_bound)
 }

@@ -1,6 +1,7 @@
 use crate::arithmetic::{Arithmetic, Number, cross, dot, pick, turn};
-use crate::query::orientation::{apex, error_bound, from, larger, sides, sign, size};
+use crate::query::orientation::{apex, error_bound, from, larger, sides, size};
 use crate::query::relation::Relation;
+use crate::robust::certain_sign;
 
 /// Three points.
 type Points<N> = [[<N as Arithmetic>::Length; 3]; 3];
@@ -48,8 +49,8 @@ pub(super) fn crossing<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> 
     let edges = if N::CERTAIN { N::Length::ZERO } else { larger::<N>(&e, &f) };
     let error = error_bound::<N>([edges, reach, reach])?;
     let ends = [
-        sign(dot::<N>(&cross::<N>(&e, u), v), error),
-        sign(dot::<N>(&cross::<N>(&f, w), u), error),
+        certain_sign(dot::<N>(&cross::<N>(&e, u), v), error),
+        certain_sign(dot::<N>(&cross::<N>(&f, w), u), error),
     ];
     if ends[0] > 0 || ends[1] > 0 {
         return Some(Relation::Disjoint);

@@ -5,7 +5,7 @@ use super::{Clear, Doubt, InFrame, Rows, largest, row, zeros};
 use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE};
 use crate::query::triangle_aabb::error_bound::error_bound;
 use crate::query::triangle_aabb::offsets::{self, ForOffsets};
-use crate::robust::{Stage, note};
+use crate::robust::{Stage, Uncertain, note};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
@@ -133,11 +133,12 @@ fn apart<Q: Quad<Lane: Float>>(rows: &Rows<Q>, frame: &InFrame<Q>) -> Apart {
     }
 
     let zero = Q::splat(Q::Lane::ZERO);
-    let mut doubt = plane >= -bound.plane && rows.high.exceeds(rows.low) & THREE == THREE;
+    let mut doubt = Uncertain::above(plane, bound.plane).possible
+        && rows.high.exceeds(rows.low) & THREE == THREE;
     for k in 0..3 {
         let e = &rows.e[k];
         let is_slanted = e.e.magnitude().exceeds(zero) & e.turned.magnitude().exceeds(zero);
-        doubt |= edges[k].exceeds(Q::splat(-bound.edge)) & is_slanted & THREE != 0;
+        doubt |= edges[k].may_be_above(Q::splat(bound.edge)) & is_slanted & THREE != 0;
     }
     if doubt {
         let seems_apart = most.exceeds(zero) & THREE != 0 || plane > Q::Lane::ZERO;
