@@ -61,8 +61,8 @@ macro_rules! number {
             fn error(self, roundoffs: u16) -> Self {
                 Self::from(roundoffs) * Self::ROUNDOFF * self
             }
-            // `self <= -error` alone would hold for two infinities. Their sum is NaN, and the sign
-            // of any other sum is right. Where sums of floats are dear, the bits tell.
+            // Not `self <= -error` alone, which holds for two infinities. Their sum is NaN, and the
+            // sign of any other sum is exact. Where a sum is slow, a test of the bits replaces it.
             #[inline(always)]
             fn is_not_above(self, error: Self) -> bool {
                 if REGISTERS_ARE_WIDE {

@@ -32,8 +32,8 @@ pub trait Number:
         Self::ZERO
     }
 
-    /// Whether the true number is certainly not above zero, if this one is within `error` of it.
-    /// The default is for numbers without error.
+    /// Whether the true number is certainly zero or below, if it differs from this one by at most
+    /// `error`. The default is for numbers without rounding.
     #[inline(always)]
     fn is_not_above(self, error: Self) -> bool {
         let _ = error;

@@ -40,11 +40,11 @@ pub trait Quad:
     fn greatest(self, other: Self) -> Self;
     /// In which lanes this is the greater: bit by bit, the first lane first.
     fn exceeds(self, other: Self) -> u32;
-    /// In which lanes this is not the greater, likewise; in none where either is NaN.
+    /// The lanes in which this is at most the other, likewise; false if either is NaN.
     fn is_at_most(self, other: Self) -> u32;
 
-    /// In which lanes the true number may be above zero, if that of the lane is within `error` of
-    /// it. It may be where either is infinite or a NaN.
+    /// The lanes in which the true number may be above zero, if it differs from this one by at most
+    /// `error`. An infinite or NaN error leaves it possible.
     #[inline(always)]
     fn may_be_above(self, error: Self) -> u32 {
         !(self + error).is_at_most(Self::splat(Self::Lane::ZERO))

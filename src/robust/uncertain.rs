@@ -16,25 +16,25 @@ impl Uncertain {
     /// No axis tried yet.
     pub(crate) const NONE: Self = Self { certain: false, possible: false };
 
-    /// Whether a gap is above zero, given a computed one that is within `error` of it.
+    /// Whether a true gap is above zero. The computed one differs from it by at most `error`.
     ///
-    /// Where the computation overflowed, both are infinite or NaN, for a bound grows with every
-    /// number that the gap is made of. Then the answer is in doubt. This and [`certain_sign`] are the
-    /// only places that compare a gap with its bound; floats side by side have
+    /// The answer is in doubt if the computation overflowed: then `error` is infinite or NaN, because
+    /// it grows with every number in the gap. Kernels compare a gap with its error bound only by this
+    /// function and by [`certain_sign`]; for vectors there is
     /// [`Quad::may_be_above`](crate::arithmetic::Quad::may_be_above).
     #[inline(always)]
     pub(crate) fn above<T: Number>(gap: T, error: T) -> Self {
         Self { certain: gap > error, possible: !gap.is_not_above(error) }
     }
 
-    /// Whether a gap is zero or above, likewise.
+    /// Whether a true gap is zero or above.
     #[inline(always)]
     pub(crate) fn not_below<T: Number>(gap: T, error: T) -> Self {
         let below = Self::above(-gap, error);
         Self { certain: !below.possible, possible: !below.certain }
     }
 
-    /// What is known without doubt.
+    /// An answer without doubt.
     #[inline(always)]
     pub(crate) fn known(answer: bool) -> Self {
         Self { certain: answer, possible: answer }
@@ -58,8 +58,8 @@ impl Uncertain {
     }
 }
 
-/// The sign of a number, given a computed one that is within `error` of it: zero in doubt, which
-/// includes every infinity and NaN whose bound is no better.
+/// The sign of a true number. The computed one differs from it by at most `error`. Zero in doubt, and
+/// if the computation overflowed.
 #[inline(always)]
 pub(crate) fn certain_sign<T: Number>(x: T, error: T) -> i8 {
     i8::from(x > error) - i8::from(x < -error)
@@ -69,7 +69,6 @@ pub(crate) fn certain_sign<T: Number>(x: T, error: T) -> i8 {
 mod tests {
     use super::{Uncertain, certain_sign};
 
-    /// Neither an infinity nor a NaN settles anything, whichever of the two it is in.
     #[test]
     fn overflow_is_in_doubt() {
         let beyond = [f32::INFINITY, f32::NAN];

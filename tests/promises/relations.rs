@@ -1,12 +1,12 @@
 //! Disjoint, touching or overlapping: exact. Triangles, segments and points against triangles are
-//! in `flat_shapes`.
+//! in `flat_shapes`, two axis-aligned boxes in `small_pairs`.
 
 use septum::relation::{Relate, Relation};
 use septum::{Aabb, Triangle};
 use septum_kit::boxes::BoxSet;
 use septum_kit::contact::truth;
 use septum_kit::fixed::types::{I4F4, I8F8, I16F16, I32F32};
-use septum_kit::{BoxNumbers, Oriented, Rng, Sample, Set, Touch, for_every_scalar};
+use septum_kit::{Oriented, Rng, Sample, Set, Touch, for_every_scalar};
 
 /// The number of cases of each set.
 const TURNED: usize = 400;
@@ -107,54 +107,6 @@ fn disjoint_is_not_overlapping<S: Sample>() {
     }
 }
 for_every_scalar!(disjoint_is_not_overlapping);
-
-/// Whether two intervals meet, and whether their interiors do.
-fn intervals([a, b]: [i64; 2], [c, d]: [i64; 2]) -> (bool, bool) {
-    let inside = |p: i64, [a, b]: [i64; 2]| a < p && p < b || a == b && p == a;
-    let do_meet = a.max(c) <= b.min(d);
-    let interiors = match (a == b, c == d) {
-        (true, _) => inside(a, [c, d]),
-        (_, true) => inside(c, [a, b]),
-        _ => a.max(c) < b.min(d),
-    };
-    (do_meet, interiors)
-}
-
-fn boxes_with_boxes<S: Sample>() {
-    let mut rng = Rng::new(0x7e4);
-    let mut seen = [0; 3];
-    for n in 0..1_500 {
-        // In halves, for centres.
-        let mut one = |by_center: bool| {
-            let rows = [(); 3].map(|()| {
-                let (p, q) = (2 * rng.whole(-2, 2), 2 * rng.whole(0, 2));
-                [p - q, p + q]
-            });
-            let at = |k: usize| rows.map(|r| S::nearest(r[k] as f64 / 4.0));
-            let middle = rows.map(|r| S::nearest((r[0] + r[1]) as f64 / 8.0));
-            let half = rows.map(|r| S::nearest((r[1] - r[0]) as f64 / 8.0));
-            let numbers = if by_center {
-                BoxNumbers::Center(middle, half)
-            } else {
-                BoxNumbers::Corners(at(0), at(1))
-            };
-            (rows, numbers.shape().expect("a box"))
-        };
-        let ((a, b), (c, d)) = (one(n % 2 == 0), one(n % 4 < 2));
-        let axes = [0, 1, 2].map(|i: usize| intervals(a[i], c[i]));
-        let expected = if !axes.iter().all(|x| x.0) {
-            Relation::Disjoint
-        } else if axes.iter().all(|x| x.1) {
-            Relation::Overlapping
-        } else {
-            Relation::Touching
-        };
-        assert_eq!([b.relation(&d), d.relation(&b)], [expected; 2], "{b:?} {d:?}");
-        seen[expected as usize] += 1;
-    }
-    assert!(seen.iter().all(|&n| n > 100), "{seen:?}");
-}
-for_every_scalar!(boxes_with_boxes);
 
 #[test]
 fn what_lies_on_a_face_touches() {

@@ -1,156 +1,64 @@
 //! Boxes against boxes and points, and bounding boxes, compared with integers of any size.
 
-use dashu_int::IBig;
 use septum::{Aabb, Obb, Overlaps};
+use septum_kit::aabbs::{AabbPair, AabbSet, ends_of};
+use septum_kit::flat::Truth;
 use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar};
 
-type Point<S> = [S; 3];
-
-/// The exponent of a power of two that divides every number, and one.
-struct Unit(i32);
-
-impl Unit {
-    fn of<S: Sample>(rows: &[Point<S>]) -> Self {
-        let parts = rows.iter().flatten().map(|x| x.mantissa_exponent());
-        Self(parts.filter(|x| x.0 != 0).map(|x| x.1).min().unwrap_or(0).min(0))
-    }
-    fn whole<S: Sample>(&self, x: S) -> IBig {
-        let (m, e) = x.mantissa_exponent();
-        if m == 0 { IBig::ZERO } else { IBig::from(m) << (e - self.0) as usize }
-    }
+/// The centre or the least corner, by the form of the box.
+fn start<S: Copy>(aabb: &BoxNumbers<S>) -> [S; 3] {
+    let (BoxNumbers::Center(p, _) | BoxNumbers::Corners(p, _)) = *aabb;
+    p
 }
 
-fn rows<S: Sample>(b: &BoxNumbers<S>) -> [Point<S>; 2] {
-    let (BoxNumbers::Center(p, q) | BoxNumbers::Corners(p, q)) = *b;
-    [p, q]
-}
-
-/// The two ends of a box on axis `i`.
-fn ends<S: Sample>(b: &BoxNumbers<S>, unit: &Unit, i: usize) -> [IBig; 2] {
-    let [p, q] = rows(b).map(|row| unit.whole(row[i]));
-    match b {
-        BoxNumbers::Center(..) => [&p - &q, p + q],
-        BoxNumbers::Corners(..) => [p, q],
-    }
-}
-
-/// Whether clipping one box by the other leaves a point: on each axis, from the greater lower end
-/// to the lesser upper end.
-fn boxes_meet<S: Sample>(a: &BoxNumbers<S>, b: &BoxNumbers<S>) -> bool {
-    let unit = Unit::of(&[rows(a), rows(b)].concat());
-    (0..3).all(|i| {
-        let ([a, b], [c, d]) = (ends(a, &unit, i), ends(b, &unit, i));
-        a.max(c) <= b.min(d)
-    })
-}
-
-/// The distribution of numbers.
-#[derive(Clone, Copy, Debug)]
-enum Regime {
-    Grid,
-    Near,
-    Far,
-    Tiny,
-    Extreme,
-    Any,
-}
-
-const REGIMES: [Regime; 6] =
-    [Regime::Grid, Regime::Near, Regime::Far, Regime::Tiny, Regime::Extreme, Regime::Any];
-
-fn number<S: Sample>(rng: &mut Rng, regime: Regime) -> S {
-    match regime {
-        Regime::Grid => S::whole(rng.whole(-4, 4)),
-        Regime::Near => S::nearest(rng.real(-2.0, 2.0)),
-        Regime::Far => S::nearest(1e5 + rng.real(-2.0, 2.0)).moved(rng.whole(-9, 9)),
-        Regime::Tiny => S::from_ordinal(rng.whole(-9, 9)),
-        Regime::Extreme => match rng.below(3) {
-            0 => S::LEAST.moved(rng.whole(0, 3)),
-            1 => S::GREATEST.moved(-rng.whole(0, 3)),
-            _ => S::nearest(rng.real(-1.0, 1.0) * S::GREATEST.approximate()),
-        },
-        Regime::Any => {
-            let greatest = S::GREATEST.ordinal();
-            S::from_ordinal(rng.whole(-greatest, greatest))
-        }
-    }
-}
-
-fn magnitude<S: Sample>(x: S) -> S {
-    S::from_ordinal(x.ordinal().saturating_abs())
-}
-
-fn a_box<S: Sample>(rng: &mut Rng, regime: Regime) -> BoxNumbers<S> {
-    let p = rng.triple(|rng| number::<S>(rng, regime));
-    let q = rng.triple(|rng| number::<S>(rng, regime));
-    if rng.one_in(2) {
-        // Half-extents of far boxes are near zero.
-        let small = if matches!(regime, Regime::Far) { Regime::Near } else { regime };
-        let half = rng.triple(|rng| magnitude(number::<S>(rng, small)));
-        return BoxNumbers::Center(p, half);
-    }
-    let ordered = |i: usize| if p[i] <= q[i] { (p[i], q[i]) } else { (q[i], p[i]) };
-    let all = [0, 1, 2].map(ordered);
-    BoxNumbers::Corners(all.map(|x| x.0), all.map(|x| x.1))
-}
-
-fn check_boxes<S: Sample>(a: &BoxNumbers<S>, b: &BoxNumbers<S>) -> bool {
-    let (p, q) = (a.shape().unwrap(), b.shape().unwrap());
-    let meet = boxes_meet(a, b);
-    assert_eq!(p.overlaps(&q), meet, "{} {a:?} {b:?}", S::name());
-    assert_eq!(q.overlaps(&p), meet, "{} {b:?} {a:?}", S::name());
-    assert!(!meet || p.may_overlap(&q), "{} {a:?} {b:?}", S::name());
-    meet
-}
-
-/// Two boxes of each kind, and both sides of the place where one number makes them touch.
+/// Two boxes of each set, and both sides of the place where one number makes them touch.
 fn boxes<S: Sample>() {
     let mut rng = Rng::new(0xb0b0);
-    for regime in REGIMES {
+    let mut seen = [0; 3];
+    for set in AabbSet::ALL {
         let (mut met, mut flips) = (0, 0);
         for _ in 0..20_000 {
-            let (a, b) = (a_box::<S>(&mut rng, regime), a_box::<S>(&mut rng, regime));
-            met += usize::from(check_boxes(&a, &b));
-            flips += usize::from(rng.one_in(8) && touch(&mut rng, &a, &b));
+            let pair = set.case::<S>(&mut rng);
+            let truth = pair.check();
+            seen[truth as usize] += 1;
+            met += usize::from(truth != Truth::Apart);
+            flips += usize::from(rng.one_in(8) && touch(&mut rng, &pair));
         }
-        assert!(met > 100, "{} {regime:?}: {met} met", S::name());
-        assert!(
-            flips > 20 || matches!(regime, Regime::Extreme),
-            "{} {regime:?}: {flips}",
-            S::name()
-        );
+        assert!(met > 100, "{} {set:?}: {met} met", S::name());
+        assert!(flips > 20 || set == AabbSet::Extreme, "{} {set:?}: {flips}", S::name());
     }
+    assert!(seen.iter().all(|&n| n > 1_000), "{}: {seen:?}", S::name());
 }
 
-/// Moves one number of `b` until the verdict flips, and checks both sides; returns whether it
-/// flips.
-fn touch<S: Sample>(rng: &mut Rng, a: &BoxNumbers<S>, b: &BoxNumbers<S>) -> bool {
-    let i = rng.below(3);
+/// Moves one number of the second box until the verdict flips, and checks both sides; returns
+/// whether it flips.
+fn touch<S: Sample>(rng: &mut Rng, pair: &AabbPair<S>) -> bool {
+    let (i, [a, b]) = (rng.below(3), pair.boxes);
     let with = |n: i64| {
-        let mut b = *b;
+        let mut b = b;
         let is_center = matches!(b, BoxNumbers::Center(..));
         let (BoxNumbers::Center(p, q) | BoxNumbers::Corners(p, q)) = &mut b;
         p[i] = S::from_ordinal(n);
         let is_box = is_center || p[i] <= q[i];
-        is_box.then_some(b)
+        is_box.then_some(AabbPair { boxes: [a, b] })
     };
-    let start = rows(b)[0][i].ordinal();
+    let first = start(&b)[i].ordinal();
     let end = match b {
-        BoxNumbers::Center(..) => rows(a)[0][i].ordinal(),
-        BoxNumbers::Corners(..) => rows(b)[1][i].ordinal(),
+        BoxNumbers::Center(..) => start(&a)[i].ordinal(),
+        BoxNumbers::Corners(_, greatest) => greatest[i].ordinal(),
     };
-    let verdict = |n: i64| with(n).map(|b| boxes_meet(a, &b));
-    let (Some(first), Some(last)) = (verdict(start), verdict(end)) else { return false };
+    let verdict = |n: i64| with(n).map(|pair| pair.truth() != Truth::Apart);
+    let (mut from, mut to) = (i128::from(first), i128::from(end));
+    let (Some(first), Some(last)) = (verdict(first), verdict(end)) else { return false };
     if first == last {
         return false;
     }
-    let (mut from, mut to) = (i128::from(start), i128::from(end));
     while (to - from).abs() > 1 {
         let middle = (from + to) >> 1;
         if verdict(middle as i64) == Some(first) { from = middle } else { to = middle }
     }
     for n in [from, to] {
-        check_boxes(a, &with(n as i64).unwrap());
+        with(n as i64).unwrap().check();
     }
     true
 }
@@ -167,38 +75,54 @@ fn intervals<S: Sample>() {
             }
         }
     }
-    let met = all.iter().flat_map(|a| all.iter().map(move |b| check_boxes(a, b)));
-    let met = met.filter(|met| *met).count();
-    assert!(met > 100 && met < all.len() * all.len() - 100);
+    let mut seen = [0; 3];
+    for &a in &all {
+        for &b in &all {
+            seen[AabbPair { boxes: [a, b] }.check() as usize] += 1;
+        }
+    }
+    assert!(seen.iter().all(|&n| n > 100), "{seen:?}");
 }
 
 fn points<S: Sample>() {
     let mut rng = Rng::new(0x9017);
-    for regime in REGIMES {
+    for set in AabbSet::ALL {
         let mut inside = 0;
         for _ in 0..8_000 {
-            let b = a_box::<S>(&mut rng, regime);
+            let b = set.aabb::<S>(&mut rng);
             let p = match rng.below(3) {
                 // Next to a face, as near as the scalar allows.
                 0 => {
-                    let unit = Unit::of(&rows(&b));
-                    let mut p = rows(&b)[0];
-                    let i = rng.below(3);
-                    let x = ends(&b, &unit, i)[rng.below(2)].to_f64().value();
-                    p[i] = S::nearest(x * 2_f64.powi(unit.0)).moved(rng.whole(-2, 2));
+                    let (mut p, i) = (start(&b), rng.below(3));
+                    let x = ends_of(&b, i)[rng.below(2)];
+                    p[i] = S::nearest(x).moved(rng.whole(-2, 2));
                     p
                 }
-                _ => rng.triple(|rng| number::<S>(rng, regime)),
+                _ => rng.triple(|rng| set.number::<S>(rng)),
             };
-            let expected = boxes_meet(&b, &BoxNumbers::Corners(p, p));
+            let pair = AabbPair { boxes: [b, BoxNumbers::Corners(p, p)] };
+            let expected = pair.truth() != Truth::Apart;
             assert_eq!(b.shape().unwrap().contains(p), expected, "{} {b:?} {p:?}", S::name());
             inside += usize::from(expected);
         }
-        assert!(inside > 50, "{} {regime:?}: {inside} inside", S::name());
+        assert!(inside > 50, "{} {set:?}: {inside} inside", S::name());
     }
 }
 
 for_every_scalar!(boxes, intervals, points);
+
+/// The distance is beyond the numbers of the scalar: the gap and its error bound are infinite.
+#[test]
+fn boxes_a_range_apart_are_disjoint() {
+    fn check<S: Sample>(far: f64) {
+        let at = |p: [f64; 3]| p.map(S::nearest);
+        let corners = BoxNumbers::Corners(at([far, 0.0, 0.0]), at([1.067 * far, 1.0, 1.0]));
+        let center = BoxNumbers::Center(at([-far, 0.5, 0.5]), at([0.0, 0.5, 0.5]));
+        assert_eq!(AabbPair { boxes: [corners, center] }.check(), Truth::Apart);
+    }
+    check::<f32>(3e38);
+    check::<f64>(1e308);
+}
 
 #[test]
 fn no_point_is_where_a_coordinate_is_no_number() {

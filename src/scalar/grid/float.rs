@@ -115,8 +115,9 @@ macro_rules! float {
             #[inline]
             fn farthest(self) -> f64 {
                 // The true t is within 2 ulp, and an ulp is at most an epsilon of t, or the least
-                // number.
-                let (t, ulp) = (f64::from(self), f64::from(Self::EPSILON));
+                // number. A t of −∞ is below the numbers of the type, or within 2 ulp of the least.
+                let t = if self == Self::NEG_INFINITY { Self::MIN } else { self };
+                let (t, ulp) = (f64::from(t), f64::from(Self::EPSILON));
                 t + (t.abs() * (4.0 * ulp) + f64::from(Self::from_bits(4)))
             }
 

@@ -8,6 +8,7 @@
 //! | triangle and oriented box | [`Oriented::truth`] | [`Oriented::case`] |
 //! | triangle, segment or point and triangle | [`flat::FlatCase::truth`] | [`flat::FlatSet`] |
 //! | box and oriented box | [`boxes::BoxCase::meets`] | [`boxes::BoxSet`] |
+//! | two axis-aligned boxes, a box and a point | [`aabbs::AabbPair::truth`] | [`aabbs::AabbSet`] |
 //! | shapes in each other | [`contacts::ContactCase::check`] | [`contacts::ContactSet`] |
 //! | plane and box | [`side`] | |
 //! | polygon and box | [`polygons::PolygonCase::meets`], [`polygons::PlanePolygon::meets`] | [`polygons::PolygonSet`] |
@@ -17,6 +18,7 @@
 //! | triangles in a grid | [`voxels::check`] | [`voxels::VoxelScene`] |
 //! | triangle or box that moves past a box | [`sweeps::SweepCase::truth`] | [`sweeps::SweepSet`] |
 //! | point and mesh | [`rays::winding`] | |
+//! | ray and mesh, box that moves past a mesh | [`meshes::MeshRay::truth`] | [`meshes::MeshSet`] |
 //! | unit normals | [`is_nearest_to_unit`] | |
 //! | lanes | [`Lanes::check`]: one by one | |
 //!
@@ -24,6 +26,7 @@
 //! first split numbers into mantissa and exponent ([`Parts`]), because code that is not generic is
 //! compiled once.
 
+pub mod aabbs;
 pub mod boxes;
 mod case;
 pub mod contact;
@@ -37,6 +40,7 @@ pub mod jobs;
 mod lanes;
 mod lattice;
 pub mod lines;
+pub mod meshes;
 mod near_miss;
 mod normal;
 mod oracle;

@@ -2,6 +2,7 @@
 //! winds about.
 
 mod closedness;
+mod edges;
 mod scenes;
 mod sweeps;
 mod tables;
@@ -12,6 +13,7 @@ use septum::mesh::{Mesh, Tree};
 use septum::{Aabb, Cull, HitRules, Obb, Ray, Segment, Triangle};
 use septum_kit::{Rng, Sample, for_scalars, rays};
 
+use self::edges::{contacts_are_the_first, hits_are_in_true_order};
 use self::scenes::Scene;
 use self::sweeps::boxes_meet_first_as_one_by_one;
 
@@ -246,4 +248,6 @@ for_scalars!(
     rays_hit_as_one_by_one,
     closed_meshes_contain_what_they_wind_about,
     boxes_meet_first_as_one_by_one,
+    hits_are_in_true_order,
+    contacts_are_the_first,
 );

@@ -44,6 +44,13 @@ impl Fraction {
         mine.cmp(&other)
     }
 
+    /// How the fraction compares with another.
+    pub fn compare_with(&self, other: &Self) -> Ordering {
+        let unit = self.exponent.min(other.exponent);
+        let shifted = |x: &Self| x.num.clone() << (x.exponent - unit) as usize;
+        (shifted(self) * &other.den).cmp(&(shifted(other) * &self.den))
+    }
+
     pub fn is_zero(&self) -> bool {
         self.num == IBig::ZERO
     }
