@@ -9,7 +9,7 @@ use super::float::Float;
 
 /// A scalar whose coordinates are numbers of the float `F`, up to a limit, or multiples of
 /// such by one power of two.
-pub trait InFloat<F>: Copy {
+pub(crate) trait InFloat<F>: Copy {
     /// Below this magnitude nothing is rounded; `None` if nothing ever is.
     const LIMIT: Option<F>;
 
@@ -25,7 +25,7 @@ pub trait InFloat<F>: Copy {
 }
 
 /// The float that is asked first, four at once, in a query that has a kernel for that.
-pub trait FirstFloat: Copy {
+pub(crate) trait FirstFloat: Copy {
     /// That float.
     type First: Float;
 

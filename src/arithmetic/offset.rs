@@ -8,7 +8,7 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 /// A scalar whose coordinates can be told by how far they are from others, in `f32`. In fixed
 /// point that is so many units in the last place, of 64 bits in 2^24 units: cubes of sizes are
 /// numbers of `f32`.
-pub trait Offset: Copy {
+pub(crate) trait Offset: Copy {
     /// Whether differences of these are what the others say.
     fn have_offsets<const K: usize>(points: &[[Self; 3]; K]) -> bool;
 

@@ -7,7 +7,7 @@ use super::number::Number;
 use super::system::{Arithmetic, Embeds, convert};
 
 /// A scalar's own operations: they round, and wrap where a fixed-point type overflows.
-pub trait RoundedOps: Copy + PartialOrd + 'static {
+pub(crate) trait RoundedOps: Copy + PartialOrd + 'static {
     /// Zero.
     const PLAIN_ZERO: Self;
     /// One, or what of it the type holds.

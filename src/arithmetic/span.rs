@@ -12,7 +12,7 @@ use super::float::Float;
 use super::quad::{OfFour, Quad};
 
 /// A float that quotients of lengths are compared in.
-pub trait Span: Float + Div<Output = Self> + Debug {
+pub(crate) trait Span: Float + Div<Output = Self> + Debug {
     /// One, where quotients count. The product of a length that is not zero with the scale
     /// over an [`INVERTIBLE`](Self::INVERTIBLE) number is a normal number, and so is its
     /// error; if it overflows, the quotient is greater than any of finite computed value.
@@ -55,7 +55,7 @@ impl Span for f64 {
 pub type Spans<S> = <<S as Spanned>::Span as OfFour>::Quad;
 
 /// A scalar whose lengths are spans, each rounded once at most.
-pub trait Spanned: Copy {
+pub(crate) trait Spanned: Copy {
     /// The float.
     type Span: Span;
     /// A coordinate that others are measured from.

@@ -6,7 +6,7 @@ use crate::arithmetic::Number;
 use crate::robust::ExactSum;
 
 /// Operations for the construction and the bounding box of an oriented box.
-pub trait Axes: Copy {
+pub(crate) trait Axes: Copy {
     /// Whether the axes are orthonormal: each dot product within one eighth of 0, or of 1. `None`
     /// if the type holds no axis of length one.
     fn are_orthonormal(axes: &[[Self; 3]; 3]) -> Option<bool>;

@@ -4,7 +4,7 @@ use crate::robust::{ExactSum, Predicate};
 /// The constants and the cascade that queries require of a scalar.
 ///
 /// Sealed, because exactness depends on properties of each type.
-pub trait Backend: RoundedOps + Spanned + FirstFloat + Offset {
+pub(crate) trait Backend: RoundedOps + Spanned + FirstFloat + Offset {
     /// One, for offsets and axes. Not every fixed-point type can represent it.
     const ONE: Parts;
 

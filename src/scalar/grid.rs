@@ -7,7 +7,7 @@ mod float;
 
 /// The grid arithmetic that a mesh tree requires of a scalar. Sealed, as
 /// [`Backend`](super::Backend).
-pub trait Gridded: Copy {
+pub(crate) trait Gridded: Copy {
     /// The position of point zero, and the distance between points.
     type Steps: Copy + core::fmt::Debug;
 

@@ -4,7 +4,7 @@
 use defmt::{Formatter, write};
 
 /// A scalar that can be logged; every scalar can.
-pub trait Logged: Sized {
+pub(crate) trait Logged: Sized {
     /// Writes the number.
     fn log(self, to: Formatter<'_>);
 }

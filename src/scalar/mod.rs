@@ -14,17 +14,17 @@ mod planes;
 mod rotation;
 mod rounding;
 
-pub use backend::{Backend, FloatFormat};
+pub(crate) use backend::{Backend, FloatFormat};
 #[cfg(feature = "fixed")]
 pub use fixed_point::FixedPoint;
-pub use planes::{Planes, PlanesError};
+pub(crate) use planes::{Planes, PlanesError};
 
 #[cfg(feature = "defmt")]
-pub use logged::Logged;
+pub(crate) use logged::Logged;
 
 /// Logging support, required of every scalar if the feature `defmt` is on; empty otherwise.
 #[cfg(not(feature = "defmt"))]
-pub trait Logged {}
+pub(crate) trait Logged {}
 
 #[cfg(not(feature = "defmt"))]
 impl<S> Logged for S {}
@@ -44,6 +44,9 @@ impl<S> Logged for S {}
 ///     mesh.iter().filter(|t| t.overlaps(cell)).count()
 /// }
 /// ```
+// Their items are invisible in generic code of other crates, which may have traits of its own with
+// items of the same names.
+#[allow(private_bounds)]
 pub trait Scalar:
     Backend
     + axes::Axes

@@ -5,7 +5,7 @@ use super::Scalar;
 use crate::arithmetic::REGISTERS_ARE_WIDE;
 
 /// The plane arithmetic that a grid of voxels requires of a scalar.
-pub trait Planes: Copy {
+pub(crate) trait Planes: Copy {
     /// Whether floats may locate a number among the planes: always for floats, and for fixed point
     /// on machines where floats are cheap.
     const HAS_PLACES: bool;

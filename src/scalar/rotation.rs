@@ -7,7 +7,7 @@ use crate::arithmetic::cos_sin_f64;
 use crate::arithmetic::{cos_sin_30, cos_sin_62};
 
 /// The arithmetic of rotations that an oriented box requires of a scalar.
-pub trait Rotation: Copy {
+pub(crate) trait Rotation: Copy {
     /// Whether the type holds vectors of length one.
     const HAS_UNIT_VECTORS: bool;
 

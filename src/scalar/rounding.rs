@@ -5,7 +5,7 @@ use super::Planes;
 use crate::arithmetic::whole;
 
 /// The conversions that contacts, and the times of hits and contacts, require of a scalar.
-pub trait Rounding: Copy {
+pub(crate) trait Rounding: Copy {
     /// Whether `f64` can represent every number of the type.
     const IS_IN_DOUBLE: bool;
 

@@ -3,6 +3,7 @@
 
 // Shapes: valid and invalid input.
 mod construction;
+mod generic;
 mod rotations;
 
 // Triangle against axis-aligned box: the exact verdict.
