@@ -58,7 +58,8 @@ fn mine<S: Scalar + Mine>(x: S) -> Vec<u8> {
     let constants = [S::FLOAT, S::ONE, S::IN_QUADS, S::IS_FAST, S::HAS_PLACES, S::KEEPS_FRAMES];
     let more = [S::IS_IN_DOUBLE, S::FIRST_LIMIT];
     let methods = [x.parts(), x.offset(), x.span(), x.first(), x.length(), x.opposite()];
-    let functions = [x.plain_half(), S::plane(), S::evaluate(), S::by_turns(), S::are_orthonormal()];
+    let functions =
+        [x.plain_half(), S::plane(), S::evaluate(), S::by_turns(), S::are_orthonormal()];
     [&constants[..], &more, &methods, &functions].concat()
 }
 
