@@ -56,11 +56,15 @@ fn every_query_has_one_row_that_is_kept() {
 }
 
 #[test]
-fn the_page_shows_the_table() {
-    let mut table = Header.to_string();
-    rows().for_each(|row| table.push_str(&format!("\n{row}")));
+fn the_page_shows_rows_of_the_table() {
     let page = include_str!("../../DETERMINISM.md");
-    assert!(page.contains(&table), "DETERMINISM.md does not show:\n{table}");
+    let printed: Vec<String> = rows().map(|row| row.to_string()).collect();
+    let (_, below) = page.split_once(&format!("{Header}\n")).expect("the page has the header");
+    let shown: Vec<&str> = below.lines().take_while(|line| *line != "...").collect();
+    assert!(shown.len() > 10);
+    for line in shown {
+        assert!(printed.iter().any(|row| row == line), "DETERMINISM.md shows: {line}");
+    }
     let counts: Vec<_> = page.matches(" queries, 6 scalars").collect();
     let right = format!("{} queries, 6 scalars", ROWS.len());
     assert_eq!(page.matches(&right).count(), counts.len(), "{right}");

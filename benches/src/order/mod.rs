@@ -17,7 +17,7 @@ use crate::candidate::{Candidate, Course, Promise};
 use crate::race::race;
 use crate::triangle_aabb::course;
 use crate::triangle_aabb::scenes::{Scene, grid, voorhies, voxel, walls};
-use crate::unit::{F32, F64, Form, I16F16_18, Unit};
+use crate::unit::{F32, Form, I16F16_18, Unit};
 
 /// Times the test as published with its axes in every order.
 #[derive(Args)]
@@ -62,7 +62,7 @@ struct Race {
 /// Times, prints and writes the tables.
 pub fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let rounds = options.rounds as usize;
-    let bar = ProgressBar::new((rounds * WORKLOADS.len() * 4) as u64);
+    let bar = ProgressBar::new((rounds * WORKLOADS.len() * 3) as u64);
     let style = ProgressStyle::with_template("{wide_bar} {msg} {eta}");
     bar.set_style(style.expect("the template is valid"));
     let (mut groups, mut nine, mut counts) = (Vec::new(), Vec::new(), Vec::new());
@@ -76,7 +76,6 @@ pub fn run(options: &Options) -> Result<(), Box<dyn Error>> {
             into.push(Race { workload, scalar, hits, times });
         };
         time("f32", &in_orders(&scene, &F32), &mut groups);
-        time("f64", &in_orders(&scene, &F64), &mut groups);
         time("I16F16", &in_orders(&scene, &I16F16_18), &mut groups);
         let course = course(&scene, &F32, Form::Center);
         time("f32", &nine::candidates(&course), &mut nine);

@@ -105,48 +105,27 @@ pub(super) fn candidates(course: &Course<Triangle<f32>, Aabb<f32>>) -> Vec<Candi
 }
 
 /// The counts of separating axes on a workload, the same on every machine.
-#[derive(Default)]
 pub(super) struct Counts {
     pub(super) pairs: usize,
     pub(super) apart: usize,
     /// Pairs that each group separates: the faces, the normal, the cross products.
     pub(super) groups: [usize; 3],
-    /// Of the pairs that no face separates: the pairs that a cross product separates, and the total
-    /// number of cross products computed for them, in each order.
-    pub(super) by_edges: usize,
-    pub(super) looked_at: [usize; 6],
 }
 
 pub(super) fn counts(scene: &Scene) -> Counts {
-    let counts = RefCell::new(Counts::default());
+    let groups = RefCell::new([0; 3]);
     let pairs = scene.map(|t| F32.triangle(t), |c| F32.aabb(c, Form::Center));
     let answers = pairs.answers(|t, b| {
         let s = Shapes::new(t, b);
         let edges = ORDERS[0].1.into_iter().any(|axis| s.edge(axis));
         let found = [s.faces(), s.normal(), edges];
-        counts.borrow_mut().add(&s, found);
-        found.contains(&true)
-    });
-    let mut counts = counts.into_inner();
-    counts.pairs = answers.len();
-    counts.apart = answers.iter().filter(|apart| **apart).count();
-    counts
-}
-
-impl Counts {
-    fn add(&mut self, s: &Shapes, found: [bool; 3]) {
-        for (sum, found) in self.groups.iter_mut().zip(found) {
+        for (sum, found) in groups.borrow_mut().iter_mut().zip(found) {
             *sum += usize::from(found);
         }
-        let [faces, _, edges] = found;
-        if edges && !faces {
-            self.by_edges += 1;
-            for (sum, (_, order)) in self.looked_at.iter_mut().zip(&ORDERS) {
-                let first = order.iter().position(|&axis| s.edge(axis));
-                *sum += first.expect("one separates") + 1;
-            }
-        }
-    }
+        found.contains(&true)
+    });
+    let apart = answers.iter().filter(|apart| **apart).count();
+    Counts { pairs: answers.len(), apart, groups: groups.into_inner() }
 }
 
 #[cfg(test)]

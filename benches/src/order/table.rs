@@ -15,11 +15,6 @@ pub(super) fn text(
 ) -> String {
     let mut text = String::from(INTRODUCTION);
     races(&mut text, groups, &ORDERS.map(|(name, _)| name));
-    text += BEST;
-    for race in groups {
-        let (name, time) = best(race, &ORDERS.map(|(name, _)| name));
-        writeln!(text, "* {}, {}: {name}, {time:.2}", race.workload, race.scalar).expect(FITS);
-    }
     text += WHY;
     text += "| workload | pairs | apart | by a face | by the normal | by a cross product |\n";
     text += "| --- | --- | --- | --- | --- | --- |\n";
@@ -36,23 +31,20 @@ pub(super) fn text(
     }
     text += NINE;
     races(&mut text, nine, &nine::ORDERS.map(|(name, _)| name));
-    text += LOOKED_AT;
-    header(&mut text, &["workload"], &nine::ORDERS.map(|(name, _)| name));
-    for (workload, c) in counts {
-        write!(text, "| {workload} |").expect(FITS);
-        for sum in c.looked_at {
-            write!(text, " {:.2} |", sum as f64 / c.by_edges.max(1) as f64).expect(FITS);
-        }
-        text += "\n";
-    }
     text += SMALL_CORES;
-    header(&mut text, &["core", "scalar", "workload"], &ORDERS.map(|(name, _)| name));
-    for Row { core, scalar, workload, instructions } in small_cores {
-        write!(text, "| {core} | {scalar} | {workload} |").expect(FITS);
-        let best = instructions.iter().copied().fold(f64::INFINITY, f64::min);
-        for &each in instructions {
-            let strong = if each == best { "**" } else { "" };
-            write!(text, " {strong}{:.2}{strong} |", each / instructions[0]).expect(FITS);
+    header(&mut text, &["core", "scalar"], &["random: best", "relative", "grid: best", "relative"]);
+    for (k, row) in small_cores.iter().enumerate() {
+        let is_same = |other: &Row| (&row.core, &row.scalar) == (&other.core, &other.scalar);
+        if small_cores[..k].iter().any(is_same) {
+            continue;
+        }
+        write!(text, "| {} | {} |", row.core, row.scalar).expect(FITS);
+        for workload in ["voorhies", "grid"] {
+            let mut same = small_cores.iter().filter(|r| is_same(r) && r.workload == workload);
+            let times = &same.next().expect("each core has both workloads").instructions;
+            let best = ORDERS.iter().zip(times).min_by(|a, b| a.1.total_cmp(b.1));
+            let ((name, _), least) = best.expect("there are orders");
+            write!(text, " {name} | {:.2} |", least / times[0]).expect(FITS);
         }
         text += "\n";
     }
@@ -66,18 +58,16 @@ const INTRODUCTION: &str = "\
 # The order of the tests
 
 Written by `cargo order`: the test as published in 2001 with its axes in every order. Time
-relative to the paper's order, medians of rounds in one process, in turns; in brackets the
-middle half of the rounds. Below 1 is faster. The paper's numbers: 1, the three faces of the
-box; 2, the normal of the triangle; 3, the nine cross products.
+relative to the paper's order, medians of rounds in one process, in turns. Below 1 is faster. The
+paper's numbers: 1, the three faces of the box; 2, the normal of the triangle; 3, the nine cross
+products.
 
 ## The three groups
 
 ";
 
-const BEST: &str = "\nThe best, and its time:\n\n";
-
 const WHY: &str = "
-Which of the groups could have told, of the pairs that are apart:
+Disjoint pairs, and the groups that separate them:
 
 ";
 
@@ -90,37 +80,45 @@ with one axis of the box. *Diagonals*: no two neighbours share an edge or an axi
 
 ";
 
-const LOOKED_AT: &str = "
-How many of the nine are looked at until one tells, on average over the pairs that no face
-separates and a cross product does; the same on every machine:
-
-";
-
 const SMALL_CORES: &str = "
 ## On small cores
 
-The three groups again: instructions relative to the paper's order, from
-[target.csv](../target.csv). Pairs of the example `measure`: random triangles, of which half meet the
-box, and vertices on a grid of integers.
+The three groups again: the order of fewest instructions, relative to the paper's order, from
+[target.csv](../target.csv). Pairs of the example `measure`: random triangles, half of the pairs meeting, and
+vertices on a grid of integers.
 
 ";
 
-const CONCLUSION: &str = include_str!("conclusion.md");
+const CONCLUSION: &str = "
+## What follows
+
+Measured on an AMD EPYC of the fourth generation:
+
+* All orders are close. The paper's own, 3-1-2, is the best in floats over all workloads, within 3 % of
+  the best in I16F16, and the default. `published::akenine_moller::overlaps_in` takes any.
+* Where faces separate often, 1-3-2 gains up to a tenth in floats and a seventh in I16F16. For boxes in
+  the bounding box of the triangle, as in voxelization, no face separates, and 2-3-1 gains 3 % and an
+  eighth.
+* Among the nine cross products the order is worth a few percent, and backwards costs up to a fifth.
+* On Cortex-M0, M3 and RV32 fixed point gains a tenth to a fifth by 1-2-3, because faces and normal take
+  few multiplications. On an M4F `f32` keeps the paper's order.
+* The exact test computes all axes without a branch where the machine has vectors, so that no order
+  matters there.
+";
 
 fn races(text: &mut String, races: &[Race], names: &[&str]) {
     header(text, &["workload", "scalar", "meet"], names);
     for race in races {
         let hits = race.hits * 100.0;
         write!(text, "| {} | {} | {hits:.0} % |", race.workload, race.scalar).expect(FITS);
-        let (best, _) = best(race, names);
-        for ([slow, median, fast], name) in race.times.iter().zip(names) {
-            let [low, high] = [slow.min(*fast), slow.max(*fast)];
+        let best = best(race, names);
+        for ([_, median, _], name) in race.times.iter().zip(names) {
             let strong = if *name == best { "**" } else { "" };
-            write!(text, " {strong}{median:.2}{strong} ({low:.2}–{high:.2}) |").expect(FITS);
+            write!(text, " {strong}{median:.2}{strong} |").expect(FITS);
         }
         *text += "\n";
     }
-    for scalar in ["f32", "f64", "I16F16"] {
+    for scalar in ["f32", "I16F16"] {
         let same: Vec<&Race> = races.iter().filter(|race| race.scalar == scalar).collect();
         if same.is_empty() {
             continue;
@@ -140,9 +138,9 @@ fn header(text: &mut String, first: &[&str], names: &[&str]) {
     writeln!(text, "|{}", " --- |".repeat(cells.len())).expect(FITS);
 }
 
-/// The fastest order, and its median time.
-fn best<'a>(race: &Race, names: &[&'a str]) -> (&'a str, f64) {
+/// The fastest order.
+fn best<'a>(race: &Race, names: &[&'a str]) -> &'a str {
     let times = race.times.iter().map(|t| t[1]);
     let named = names.iter().copied().zip(times);
-    named.min_by(|a, b| a.1.total_cmp(&b.1)).expect("there are orders")
+    named.min_by(|a, b| a.1.total_cmp(&b.1)).expect("there are orders").0
 }

@@ -37,8 +37,7 @@ impl<S: FixedPoint> Triangle<S> {
     ///
     /// *Panics*: never. *Cost*: nine multiplications, no division, and about four
     /// additions for each fraction bit of each component, in the narrowest of 64, 128,
-    /// 192 and 384 bits that will do. `docs/scalars.md` in the repository has a table
-    /// of instructions.
+    /// 192 and 384 bits that will do.
     ///
     /// *Source*: the schoolbook root, place by place, of a quotient that is not
     /// formed.

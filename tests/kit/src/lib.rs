@@ -132,8 +132,6 @@ mod pages {
     struct GettingStarted;
     #[doc = include_str!("../../../docs/motion-and-contact.md")]
     struct MotionAndContact;
-    #[doc = include_str!("../../../docs/speed.md")]
-    struct Speed;
     #[doc = include_str!("../../../docs/voxels.md")]
     struct Voxels;
 }
