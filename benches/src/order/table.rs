@@ -95,15 +95,13 @@ const CONCLUSION: &str = "
 Measured on an AMD EPYC of the fourth generation:
 
 * All orders are close. The paper's own, 3-1-2, is the best in floats over all workloads, within 3 % of
-  the best in I16F16, and the default. `published::akenine_moller::overlaps_in` takes any.
+  the best in I16F16, and the default.
 * Where faces separate often, 1-3-2 gains up to a tenth in floats and a seventh in I16F16. For boxes in
   the bounding box of the triangle, as in voxelization, no face separates, and 2-3-1 gains 3 % and an
   eighth.
 * Among the nine cross products the order is worth a few percent, and backwards costs up to a fifth.
 * On Cortex-M0, M3 and RV32 fixed point gains a tenth to a fifth by 1-2-3, because faces and normal take
   few multiplications. On an M4F `f32` keeps the paper's order.
-* The exact test computes all axes without a branch where the machine has vectors, so that no order
-  matters there.
 ";
 
 fn races(text: &mut String, races: &[Race], names: &[&str]) {
