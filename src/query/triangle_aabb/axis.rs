@@ -3,9 +3,9 @@ use crate::shape::{Triangle, Vec3};
 
 /// One of the 13 axes that can separate a triangle from an axis-aligned box.
 ///
-/// For a triangle abc, edge 0 is b − a, edge 1 is c − b, edge 2 is a − c. The
-/// names follow Akenine-Möller: bullet 1 of his paper is [`Face`](Self::Face),
-/// bullet 2 [`Normal`](Self::Normal), bullet 3 [`Edge`](Self::Edge).
+/// For a triangle abc, edge 0 is b − a, edge 1 is c − b, edge 2 is a − c. In Akenine-Möller's
+/// paper, bullet 1 is [`Face`](Self::Face), bullet 2 [`Normal`](Self::Normal), bullet 3
+/// [`Edge`](Self::Edge).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -24,17 +24,15 @@ pub enum Axis {
 }
 
 impl Axis {
-    /// The vector of the axis, for this triangle and any axis-aligned box: the unit
-    /// vector of a [`Face`](Self::Face), (b − a) × (c − a) for the
-    /// [`Normal`](Self::Normal), and the cross product of unit vector and edge for an
-    /// [`Edge`](Self::Edge). Its length is as it comes.
+    /// The vector of the axis, for this triangle and any axis-aligned box: the unit vector of a
+    /// [`Face`](Self::Face), (b − a) × (c − a) for the [`Normal`](Self::Normal), and the cross
+    /// product of unit vector and edge for an [`Edge`](Self::Edge). It is not normalised.
     ///
-    /// *Numerics*: in the scalar's own arithmetic, to look at or to push apart along,
-    /// not to decide by: [`Triangle::is_separated_by`] does that. A face is exact. An
-    /// edge has differences, each rounded once; in fixed point they wrap where they
-    /// leave the type. A normal has products too, which in fixed point lose their last
-    /// bits. Where all of it is lost the vector is zero, as it is for an axis of a
-    /// degenerate triangle. Indices count modulo 3.
+    /// *Numerics*: rounded in the scalar's own arithmetic. Use it for display or for a push, but
+    /// not for a decision: [`Triangle::is_separated_by`] decides exactly. A face is exact. An edge
+    /// consists of differences, each rounded once; in fixed point they wrap if they overflow. A
+    /// normal also has products, which in fixed point lose their last bits. The vector is zero if
+    /// all of its bits are lost, and for the axes of a degenerate triangle. Indices count modulo 3.
     ///
     /// *Panics*: never. *Cost*: at most 6 multiplications.
     ///
@@ -83,7 +81,7 @@ impl Axis {
         }
     }
 
-    /// All 13, in the order in which a witness is looked for.
+    /// All 13 axes, in the order in which [`Triangle::separating_axis`] tests them.
     pub const ALL: [Self; 13] = [
         Self::Face(0),
         Self::Face(1),

@@ -1,10 +1,10 @@
-//! Triangle against axis-aligned boxes where the answer is clear at once: the kernel in floats
-//! without a branch, for many at once.
+//! The first look at triangle and axis-aligned box, for lanes: the float kernel without branches,
+//! for many pairs at once.
 //!
-//! All axes are measured from the first vertex, so that a box costs the fewest steps. For edge
-//! axes that is the edge's own vertex, or the one opposite, whose projection differs by the
-//! normal's component: the middle of the triangle's interval is half of that away, on one side or
-//! on the other. The bounds of `error_bound.rs` hold for either.
+//! All axes are measured from the first vertex, which takes the fewest steps for each box. On an
+//! edge axis the first vertex either belongs to the edge, or is opposite to it and projects one
+//! component of the normal away. The middle of the triangle's interval is half that component away,
+//! on one side or the other. The bounds of `error_bound.rs` hold for either.
 
 use super::error_bound::bound_of_size;
 use super::frame::range;
@@ -13,7 +13,7 @@ use crate::arithmetic::{Filtered, FirstFloat, Float, Number, cross, dot, greates
 /// The three points of a triangle.
 type Points<S> = [[S; 3]; 3];
 
-/// What of a triangle is the same for every box.
+/// The values of a triangle that are the same for every box.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TriangleAxes<F> {
     /// The first vertex.
@@ -24,19 +24,19 @@ pub(crate) struct TriangleAxes<F> {
     /// The edges, each from a vertex to the next.
     pub(super) edges: Points<F>,
     pub(super) normal: [F; 3],
-    /// Half the normal: how far the middle of the triangle's interval on the axis of an edge is
-    /// from the projection of the first vertex.
+    /// Half the normal: on the axis of an edge, the distance from the first vertex's projection to
+    /// the middle of the triangle's interval.
     pub(super) middle: [F; 3],
-    /// For each edge and coordinate axis, half the length of that interval.
+    /// For each edge and coordinate axis, half the length of the triangle's interval.
     pub(super) radii: Points<F>,
-    /// To be added to the box's radius on the normal.
+    /// Added to the box's radius on the normal.
     pub(super) spare: F,
     /// Whether no coordinate was rounded when it became a float.
     pub(super) are_held: bool,
 }
 
-/// How far apart triangle and box are on the axes of edges, the greatest of nine gaps, and on the
-/// normal; and how far these may be from the truth.
+/// The gaps between triangle and box: the greatest of the nine on edge axes, and the gap on the
+/// normal; and the error bounds of both.
 pub(super) struct Gaps<F> {
     pub(super) edges: F,
     pub(super) plane: F,
@@ -45,14 +45,14 @@ pub(super) struct Gaps<F> {
 }
 
 impl<F: Float> Gaps<F> {
-    /// With whether a face separates, and whether none does: whether an axis separates, and
-    /// whether that is certain. `is_known` says whether the errors are.
+    /// Whether an axis separates, and whether that is certain. `face` says that a face separates,
+    /// `no_face` that none does, and `is_known` that the error bounds are valid.
     #[inline(always)]
     pub(super) fn verdict(&self, face: bool, no_face: bool, is_known: bool) -> (bool, bool) {
         let apart = (self.edges > self.edges_error) | (self.plane > self.plane_error);
         let none =
             self.edges.is_not_above(self.edges_error) & self.plane.is_not_above(self.plane_error);
-        // Faces take no products, so that their certainty does not hang on the size.
+        // The test of a face has no products, so its certainty does not depend on the size.
         (face | apart, face | is_known & (apart | none & no_face))
     }
 }
@@ -66,9 +66,9 @@ impl<F: Float> TriangleAxes<F> {
         let normal = cross::<Filtered<F>>(&edges[0], &edges[1]);
         let (x, y, z) = (range(points, 0), range(points, 1), range(points, 2));
         let (low, high) = ([x.0, y.0, z.0], [x.1, y.1, z.1]);
-        // An axis that is along a face normal, or zero, separates only if that face does. So does
-        // the normal of a triangle that lies along a coordinate plane. Their gaps, which are zero
-        // or may be, shall be below zero beyond any error.
+        // An axis parallel to a face normal, or zero, separates only if that face does, and so does
+        // the normal of a triangle parallel to a coordinate plane. Their gaps are zero or nearly,
+        // so a large radius moves them below zero beyond any error.
         let beyond_error = F::RANGE.1 * F::RANGE.1;
         let is_zero = |x: F| x == F::ZERO;
         let middle = [normal[0].half(), normal[1].half(), normal[2].half()];
@@ -95,7 +95,7 @@ impl<F: Float> TriangleAxes<F> {
         }
     }
 
-    /// The greatest gap on the axes of edges, the first vertex at `v` in the frame of the box.
+    /// The greatest gap on the edge axes, with the first vertex at `v` in the frame of the box.
     #[inline(always)]
     pub(super) fn edges(&self, v: &[F; 3], radius: impl Fn(usize, usize) -> F) -> F {
         let mut most = None;
@@ -103,7 +103,7 @@ impl<F: Float> TriangleAxes<F> {
             for i in 0..3 {
                 let (e, j, l) = (&self.edges[k], (i + 1) % 3, (i + 2) % 3);
                 let (p, middle) = (e[j] * v[l] - e[l] * v[j], self.middle[i]);
-                // The second edge's own vertices are ahead of the first vertex.
+                // The second edge is the one that the first vertex does not belong to.
                 let far = if k == 1 { p - middle } else { p + middle };
                 let gap = far.magnitude() - radius(k, i);
                 most = Some(most.map_or(gap, |most| greatest(most, gap)));
@@ -123,7 +123,7 @@ impl<F: Float> TriangleAxes<F> {
         self.spare + dot::<Filtered<F>>(&self.normal.map(F::magnitude), half)
     }
 
-    /// How far the gaps may be from the truth, and whether that is known.
+    /// The error bounds of the gaps, and whether they are valid.
     #[inline(always)]
     pub(super) fn errors(&self, half: &[F; 3]) -> ([F; 2], bool) {
         let span = |i: usize| half[i] + (self.high[i] - self.low[i]);
@@ -152,8 +152,8 @@ impl<F: Float> TriangleAxes<F> {
         let (min, max) = (first(min), first(max));
         let gap = |i: usize| greatest(self.low[i] - max[i], min[i] - self.high[i]);
         let face = greatest(greatest(gap(0), gap(1)), gap(2)) > F::ZERO;
-        // Not v − (min + max)/2: the sum rounds by the distance from the origin, the differences
-        // only by the distance from the box.
+        // Not v − (min + max)/2: rounding the sum errs by the distance from the origin, rounding
+        // the differences only by the distance from the box.
         let from_middle = |i: usize| ((self.origin[i] - min[i]) + (self.origin[i] - max[i])).half();
         let v = [from_middle(0), from_middle(1), from_middle(2)];
         let extent = |i: usize| (max[i] - min[i]).half();
@@ -163,14 +163,15 @@ impl<F: Float> TriangleAxes<F> {
         (is_apart, is_certain & self.are_held & are_held::<S>(&[min, max]))
     }
 
-    /// The same for the box with this centre and these half-extents.
+    /// The same for a box with this centre and these half-extents.
     #[inline(always)]
     pub(crate) fn apart_by_center<S>(&self, center: [S; 3], half: [S; 3]) -> (bool, bool)
     where
         S: FirstFloat<First = F>,
     {
         let (center, half) = (first(center), first(half));
-        // A gap of zero may be a rounded one. The sign of any other is right: rounding keeps order.
+        // A computed gap of zero may be rounded. The sign of any other is right, because rounding
+        // is monotonic.
         let gap = |i: usize| greatest(self.low[i] - center[i], center[i] - self.high[i]) - half[i];
         let gap = greatest(greatest(gap(0), gap(1)), gap(2));
         let (face, no_face) = (gap > F::ZERO, gap < F::ZERO);
@@ -181,7 +182,7 @@ impl<F: Float> TriangleAxes<F> {
     }
 }
 
-/// Whether none of the coordinates was rounded when it became a float.
+/// Whether all coordinates became floats without rounding.
 #[inline(always)]
 pub(super) fn are_held<S: FirstFloat>(points: &[[S::First; 3]]) -> bool {
     let Some(limit) = S::FIRST_LIMIT else { return true };

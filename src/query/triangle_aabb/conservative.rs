@@ -1,28 +1,29 @@
-//! The conservative test for 64-bit scalars: coordinates cut down to 18 bits, and the box
-//! grown by what that may have cost. Its "disjoint" can be trusted.
+//! The conservative test for 64-bit scalars: coordinates are truncated to 18 bits, and the box
+//! grows by the possible loss. Its "disjoint" is certain.
 //!
-//! All coordinates are taken relative to the first vertex and shifted down until they lie
-//! below 2^18; that keeps volumes below 2^61 (see `arithmetic::integer`).
+//! All coordinates are taken relative to the first vertex and shifted right until they are below
+//! 2^18, which keeps volumes below 2^61 (see `arithmetic::integer`).
 //!
-//! A shift takes a coordinate v to w with v − 1 < w <= v, in units of the shift, so a
-//! point of the triangle moves by less than one; the corners of a box move likewise, and
-//! a half-extent loses less than one. What met, meets still in a box that is two units
-//! larger each way. That holds of half-extents only: an extent would have to grow by four.
-//!
+//! In units of the shift, a coordinate v becomes w with v − 1 < w <= v. So a point of the triangle
+//! moves by less than one unit, the corners of a box likewise, and a half-extent loses less than
+//! one. Shapes that met still meet if the box is two units larger on each side. (This is for
+//! half-extents; a full extent would have to grow by four.)
 //! # Which gaps are left
+//! # The shortcut by vectors
 //!
-//! Where there are vectors, most pairs take no shift: shapes that meet for certain met in a box that
-//! is larger too, and of gaps that are wide enough something is left. In the size R of the two, the
-//! greatest half-extent and extent of the triangle together:
+//! With vectors, most pairs need no truncation. Shapes that certainly meet also meet in the larger
+//! box, and a gap that is wide enough survives the truncation. Let R be the size of the pair: the
+//! greatest sum of half-extent and extent of the triangle on an axis.
 //!
-//! * Where no face separates by R/512, what is cut down is below 2.01·R, so a unit is at most
-//!   2⁻¹⁸·2·2.01·R = 2^-15.99·R. Where one does, by G, it is below 2.01·R + G, and a unit at most
-//!   2^-15.99·R + 2⁻¹⁷·G; G shrinks by less than four units, and is more.
-//! * In the frame of the box a vertex moves by one unit at most, an edge likewise, and a half-extent
-//!   grows by 2.5. |v|, |e| and h are at most 1.01·R. On an edge axis p changes by 4, half the normal
-//!   by 2 and its magnitude by 2, the radius by 2.5·2 + 2 = 7: 15 units of R, and their squares.
-//! * On the normal n·v changes by 3·(4 + 2) = 18 units of R², Σ h·|n| by 3·(2.5·2 + 4) = 27: 45, and
-//!   their squares. That is 2^-10.4·R³ at most, and R³/512 is more by a factor of 2.6.
+//! * If no face separates by R/512, the truncated lengths are below 2.01·R, so a unit is at most
+//!   2⁻¹⁸·2·2.01·R = 2^-15.99·R. If a face separates by G, they are below 2.01·R + G, and a unit is
+//!   at most 2^-15.99·R + 2⁻¹⁷·G. G shrinks by less than four units, which is less than G.
+//! * In the frame of the box a vertex and an edge change by at most one unit, and a half-extent
+//!   grows by 2.5. |v|, |e| and h are at most 1.01·R. On an edge axis p changes by 4 units of R,
+//!   half the normal by 2 and its magnitude by 2, the radius by 2.5·2 + 2 = 7: 15, and their
+//!   squares.
+//! * On the normal, n·v changes by 3·(4 + 2) = 18 units of R², and Σ h·|n| by 3·(2.5·2 + 4) = 27:
+//!   45, and their squares. That is at most 2^-10.4·R³, and R³/512 is greater by a factor of 2.6.
 
 use super::frame::{BoxForm, Frame};
 use super::kernel::any_axis;
@@ -31,7 +32,7 @@ use crate::arithmetic::{InRaw, Int16, REGISTERS_ARE_WIDE};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
-/// In how many bits a coordinate is left, beside its sign.
+/// The bits of a truncated coordinate, without its sign.
 const BITS: u32 = 18;
 
 /// `true` only if the shapes are disjoint.
@@ -40,7 +41,7 @@ pub(super) fn disjoint<S: Scalar + InRaw>(triangle: &Triangle<S>, aabb: &Aabb<S>
     if S::IN_QUADS {
         return match offsets::pair::<S, true>(triangle, aabb) {
             Ok(apart) => apart,
-            // Of a copy, as in `overlaps`.
+            // By value, for the reason given in `overlaps`.
             Err(_) => disjoint_when_cut_down(triangle, *aabb),
         };
     }
@@ -58,8 +59,8 @@ fn cut_down_disjoint<S: Scalar + InRaw>(triangle: &Triangle<S>, aabb: &Aabb<S>) 
     let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
         aabb.form();
     let by_center = matches!(aabb.form(), AabbForm::Center { .. });
-    // Each form apart: what depends on it would be kept in memory. Where registers are
-    // narrow, all is, and once is less code.
+    // A separate call for each form, because values that depend on the form would be kept in
+    // memory. On narrow registers all values are, and one call is less code.
     match by_center {
         true if REGISTERS_ARE_WIDE => of_form(triangle, p, q, true),
         false if REGISTERS_ARE_WIDE => of_form(triangle, p, q, false),
@@ -84,7 +85,7 @@ fn of_form<S: Scalar + InRaw>(
     is_disjoint(short, by_center)
 }
 
-/// Whether an axis separates what is left of the shapes, with the box grown.
+/// Whether an axis separates the truncated shapes, with the box grown.
 #[inline(always)]
 fn is_disjoint(([b, c, p, q], grown): ([[i32; 3]; 4], i32), by_center: bool) -> bool {
     let form = if by_center {
@@ -95,32 +96,31 @@ fn is_disjoint(([b, c, p, q], grown): ([[i32; 3]; 4], i32), by_center: bool) -> 
     any_axis(&Frame::<Int16>::new(&[[0; 3], b, c], &form)) == Some(true)
 }
 
-/// Whether all coordinates lie within 2^60: then words hold their differences, and sums
-/// of a few.
+/// Whether all coordinates are within 2^60, so that words hold their differences and sums of a few.
 #[inline(always)]
 fn are_near(rows: &[[i64; 3]; 5]) -> bool {
     let beyond = rows.as_flattened().iter().fold(0, |beyond, x| beyond | x.wrapping_add(1 << 60));
     beyond as u64 >> 61 == 0
 }
 
-/// What each of the others is away from the first vertex; a half-extent is no position.
+/// The offsets of the points from the first vertex. A half-extent stays as it is.
 #[inline(always)]
 fn differences([a, b, c, p, q]: &[[i64; 3]; 5], by_center: bool) -> [[i64; 3]; 4] {
     let from = |x: &[i64; 3]| [x[0] - a[0], x[1] - a[1], x[2] - a[2]];
     [from(b), from(c), from(p), if by_center { *q } else { from(q) }]
 }
 
-/// How far lengths of this many bits are shifted, and by how much that makes a box grow.
+/// The shift for lengths of `bits` bits, and the growth of the box.
 #[inline(always)]
 fn shift(bits: u32) -> (u32, i32) {
     let shift = bits.saturating_sub(BITS);
     (shift, if shift > 0 { 2 } else { 0 })
 }
 
-/// Lengths shifted down until 18 bits hold them, and by how much a box must grow.
+/// Truncates lengths to 18 bits, and returns the growth of the box.
 #[inline(always)]
 fn cut_down(lengths: &[[i64; 3]; 4]) -> ([[i32; 3]; 4], i32) {
-    // For d below zero, !d: one less than the magnitude.
+    // For negative d, !d is one less than the magnitude.
     let size = lengths.as_flattened().iter().fold(0, |size, d| size | (d ^ (d >> 63)));
     let (shift, grown) = shift(i64::BITS - size.leading_zeros());
     let mut short = [[0; 3]; 4];
@@ -132,9 +132,9 @@ fn cut_down(lengths: &[[i64; 3]; 4]) -> ([[i32; 3]; 4], i32) {
     (short, grown)
 }
 
-/// The same of shapes whose differences may need 65 bits; where registers are narrow, of
-/// all, for that is less code.
-// It takes the shapes again: rows taken by reference would be kept in memory for it.
+/// The same for shapes whose differences may need 65 bits; on narrow registers for all shapes,
+/// which is less code.
+// It loads the shapes again, because rows passed by reference would be kept in memory for it.
 #[inline(never)]
 fn cut_down_anywhere<S: Scalar + InRaw>(
     triangle: &Triangle<S>,
@@ -149,7 +149,7 @@ fn cut_down_anywhere<S: Scalar + InRaw>(
     for k in 0..4 {
         for i in 0..3 {
             let from = if by_center && k == 3 { 0 } else { a[i] };
-            // 64 bits of the difference, and its sign: all ones below zero.
+            // The low 64 bits of the difference, and its sign: all ones if negative.
             falls[k][i] = -i64::from(rows[k][i] < from);
             rows[k][i] = rows[k][i].wrapping_sub(from);
             size |= rows[k][i] ^ falls[k][i];
@@ -166,7 +166,7 @@ fn cut_down_anywhere<S: Scalar + InRaw>(
     (short, grown)
 }
 
-/// The raw bits.
+/// The raw bits of a vector.
 #[inline(always)]
 fn raw<S: InRaw + Copy>(v: &Vec3<S>) -> [i64; 3] {
     let bits = |x: S| x.raw().into();

@@ -4,7 +4,7 @@ use crate::robust::Uncertain;
 
 /// Whether one of the box's three face normals separates.
 ///
-/// They are the coordinate axes, and the projections on them the coordinates.
+/// They are the coordinate axes, and the projections are the coordinates.
 #[inline(always)]
 pub(super) fn faces<N: Arithmetic>(frame: &Frame<N>) -> Uncertain {
     if N::CERTAIN {

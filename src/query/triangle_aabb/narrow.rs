@@ -1,4 +1,4 @@
-//! The question in machine words, where registers are narrow.
+//! The question in machine words, for narrow registers.
 
 use super::Disjoint;
 use super::one_sided::{Projection, one_sided};
@@ -9,7 +9,7 @@ use crate::shape::{Aabb, Near, Overlaps, Triangle};
 use crate::shape::{AabbForm, Vec3};
 
 impl<S: Scalar> Disjoint<'_, S> {
-    /// The answer in words that hold the shapes wherever they are.
+    /// The answer in words wide enough for shapes anywhere.
     #[inline(never)]
     pub(super) fn in_any_words<W: Word>(&self) -> bool
     where
@@ -19,7 +19,7 @@ impl<S: Scalar> Disjoint<'_, S> {
         Projection::are_apart(&projections) || one_sided(&projections)
     }
 
-    /// The answer in words that hold the shapes if they are near to each other.
+    /// The answer in words wide enough for shapes near each other; `None` if they are not.
     #[inline(never)]
     pub(super) fn in_near_words<W: Word>(&self) -> Option<bool>
     where
@@ -34,7 +34,7 @@ impl<S: Scalar> Disjoint<'_, S> {
         .then(|| Projection::are_apart(&projections) || one_sided(&projections))
     }
 
-    /// The shapes on the coordinate axes, as seen from the least corner of the box.
+    /// The shapes projected on the coordinate axes, relative to the least corner of the box.
     #[inline(always)]
     fn projections<W: Word>(&self) -> [Projection<W>; 3]
     where
@@ -49,7 +49,7 @@ impl<S: Scalar> Disjoint<'_, S> {
         })
     }
 
-    /// The least corner of the box, and how far it is to the greatest.
+    /// The least corner of the box, and its extents.
     #[inline(always)]
     fn extents<W: Word>(&self) -> ([W; 3], [W; 3])
     where

@@ -1,8 +1,8 @@
-//! The first look at a pair in vectors of `f32`, whatever the scalar: at its coordinates in the frame
-//! of the box, each rounded once.
+//! The first look at a pair, in vectors of `f32` for every scalar: coordinates in the frame of the
+//! box, each rounded once.
 //!
-//! Far from the origin it is as good as near to it. `f64` has half the vectors, and integers that are
-//! longer than the digits of `f32` none whose products they hold.
+//! It is as accurate far from the origin as near it. `f64` would fill half as many lanes, and
+//! integers longer than the digits of `f32` have no vectors wide enough for their products.
 
 use super::error_bound::{coarse_bound, offset_bound};
 use super::rows::{Clear, Doubt, InFrame, Rows, largest};
@@ -10,11 +10,11 @@ use crate::arithmetic::{Float, OfFour, Quad, THREE};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle};
 
-/// What it is done in.
+/// The number type of this stage.
 pub(super) type ForOffsets = <f32 as OfFour>::Quad;
 
-/// Whether one of the 13 axes separates, if that is clear; if `COARSE`, by so much that it does when
-/// coordinates are cut down (`conservative.rs`).
+/// Whether one of the 13 axes separates, if that is clear. With `COARSE`, only an axis that still
+/// separates after the truncation of coordinates counts (`conservative.rs`).
 #[inline(always)]
 pub(super) fn pair<S: Scalar, const COARSE: bool>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> Clear {
     match *aabb.form() {
@@ -63,11 +63,11 @@ pub(super) fn by_corners<S: Scalar, const COARSE: bool>(
     apart::<COARSE>(of_corners(triangle, min, max))
 }
 
-/// Whether the coordinates are whole multiples of so great a unit that nothing above was rounded.
+/// Whether the coordinates are multiples of a unit so great that nothing above was rounded.
 ///
-/// Lengths are below 2·P with P the power of two below their size. In units of P/32, which
-/// [`Offset::are_multiples`] vouches for, the greatest sum of six products of three of them is below
-/// 48·P³, 2^20.6, and the half of an area needs one bit more.
+/// Lengths are below 2·P, with P the power of two below their size. In units of P/32, which
+/// [`Offset::are_multiples`] checks, the greatest sum of six products of three lengths is below
+/// 48·P³, 2^20.6 units, and half of an area needs one more bit.
 #[inline(always)]
 pub(super) fn are_exact<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bool {
     let [a, b, c] = triangle.points();
@@ -81,7 +81,7 @@ pub(super) fn are_exact<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bo
             (min, max, of_corners(triangle, min, max))
         }
     };
-    // The unit of a size that underflows is zero, of which every number would be a multiple.
+    // If the size underflows, the unit would be zero, and every number a multiple of it.
     let Some(size) = size_in_range(&frame.1) else { return false };
     S::are_multiples(&[a, b, c, p, q], size.power_of_two_below() * 0.0625)
 }
@@ -109,7 +109,7 @@ pub(super) fn row(component: impl Fn(usize) -> f32) -> ForOffsets {
 #[inline(always)]
 fn in_frame(v: [ForOffsets; 3], half: ForOffsets) -> InRows {
     let rows = Rows::of_rows(v);
-    // Rounding keeps order, so a gap is one, but none may be one that was rounded.
+    // Rounding is monotonic, so a computed gap is a gap, but zero may be rounded.
     let gap = gap(&rows);
     let frame = InFrame {
         v,
@@ -121,8 +121,8 @@ fn in_frame(v: [ForOffsets; 3], half: ForOffsets) -> InRows {
     (rows, frame)
 }
 
-/// The size of the shapes, if products of it are numbers of `f32`. An offset that `f32` does not hold
-/// is infinite, and the difference of two no number.
+/// The size of the shapes, if `f32` can represent products of it. An offset out of range is
+/// infinite, and the difference of two is a NaN.
 #[inline(always)]
 pub(super) fn size_in_range(frame: &InFrame<ForOffsets>) -> Option<f32> {
     let (least, most) = <f32 as Float>::RANGE;
@@ -131,7 +131,7 @@ pub(super) fn size_in_range(frame: &InFrame<ForOffsets>) -> Option<f32> {
     (are_below & (size > least)).then_some(size)
 }
 
-/// How far a triangle in the frame of a box is beside the middle of it.
+/// The distance of a triangle in the frame of a box from the box's centre, on each axis.
 #[inline(always)]
 fn gap(rows: &Rows<ForOffsets>) -> ForOffsets {
     rows.low.greatest(ForOffsets::splat(0.0) - rows.high)

@@ -1,18 +1,18 @@
 use crate::arithmetic::{ProductSum, Word, out_of_line_if_wide};
 
-/// Whether one of the other 10 axes separates a triangle from a box, where no face of the box
-/// does ([`Projection::are_apart`]). For cores on which a product of words is cheap and a wider
-/// one is not.
+/// Whether one of the other 10 axes separates a triangle from a box, if no face of the box does
+/// ([`Projection::are_apart`]). For cores on which a product of words is cheap and a wider one is
+/// not.
 ///
-/// Each edge axis is looked at from one side only. On x_i × e_k the vertices of
-/// edge k fall on zero and the vertex opposite on n_i, the component of the
-/// normal. Along x_i we see a triangle and a rectangle in a plane. If they are
-/// apart, a side of the rectangle keeps them apart, which is a face of the box, or
-/// a side of the triangle with the whole rectangle on its outer side; and n_i
-/// tells which side is the outer one. (If n_i is zero the three edges lie on one
-/// line, and not all of them run the same way: between them they see both sides.)
+/// Each edge axis is tested on one side only. On x_i × e_k the vertices of edge k project to zero,
+/// and the opposite vertex to n_i, a component of the normal. Along x_i we see a triangle and a
+/// rectangle in a plane. If they are disjoint, a line along one of their sides separates them: a
+/// side of the rectangle, which is a face of the box, or a side of the triangle with the whole
+/// rectangle on its outer side; the sign of n_i tells which side that is. (If n_i is zero, the
+/// three edges lie on one line. They do not all point the same way, so together they test both
+/// sides.)
 ///
-/// Areas and volumes are only asked for their sign, see [`ProductSum`].
+/// Only the signs of areas and volumes are needed: see [`ProductSum`].
 #[inline(never)]
 pub(in crate::query) fn one_sided<W: Word>(shapes: &[Projection<W>; 3]) -> bool {
     in_areas::<W, W::Sum>(shapes)
@@ -27,25 +27,24 @@ fn in_areas<W: Word, A: ProductSum<W>>(shapes: &[Projection<W>; 3]) -> bool {
         || [false, true].iter().any(|&in_mirror| is_behind(shapes, &n, in_mirror))
 }
 
-/// A triangle and a box, projected on one coordinate axis, and measured from the least
-/// corner of the box.
+/// A triangle and a box, projected on one coordinate axis, relative to the least corner of the box.
 #[derive(Clone, Copy)]
 pub(in crate::query) struct Projection<W> {
     /// The vertices.
     t: [W; 3],
-    /// The greatest corner of the box.
+    /// The extent of the box.
     size: W,
 }
 
 impl<W: Word> Projection<W> {
-    /// Of these vertices, and the box that reaches `size` from `min`.
+    /// The projection of these vertices, and of the box from `min` with extent `size`.
     #[inline(always)]
     pub(in crate::query) fn new(min: W, size: W, [a, b, c]: [W; 3]) -> Self {
         Self { t: [a.minus(min), b.minus(min), c.minus(min)], size }
     }
 
-    /// Whether words have room for all that is made of these lengths, if none of them
-    /// is wrapped.
+    /// Whether words have room for every result computed from these lengths. The lengths themselves
+    /// must not have wrapped.
     #[inline(always)]
     pub(in crate::query) fn are_near([x, y, z]: &[Self; 3]) -> bool {
         (x.lengths() | y.lengths() | z.lengths()).is_near()
@@ -57,7 +56,7 @@ impl<W: Word> Projection<W> {
         shapes.iter().any(Self::is_apart)
     }
 
-    /// The same with the box grown to either side.
+    /// The same with the box grown on either side.
     #[cfg(feature = "fixed")]
     #[inline(always)]
     pub(in crate::query) fn grown(self, by: W) -> Self {
@@ -71,14 +70,15 @@ impl<W: Word> Projection<W> {
         (self.t, self.size)
     }
 
-    /// Whether a box has been shrunk to nothing.
+    /// Whether a box has shrunk to nothing.
     #[cfg(feature = "fixed")]
     #[inline(always)]
     pub(in crate::query) fn is_void([x, y, z]: &[Self; 3]) -> bool {
         x.size | y.size | z.size < W::ZERO
     }
 
-    /// At least as long as each of the lengths, and less than twice as long as one.
+    /// A number at least as long as each of the lengths, and less than twice as long as the
+    /// longest.
     #[inline(always)]
     fn lengths(&self) -> W {
         let [a, b, c] = self.t;
@@ -93,7 +93,7 @@ impl<W: Word> Projection<W> {
     }
 }
 
-/// The component of the normal along the axis on which j and l follow.
+/// The component of the normal along the axis that precedes j and l.
 #[inline(always)]
 fn normal<W: Word, A: ProductSum<W>>(j: &Projection<W>, l: &Projection<W>) -> A {
     out_of_line_if_wide!(W, {
@@ -102,8 +102,8 @@ fn normal<W: Word, A: ProductSum<W>>(j: &Projection<W>, l: &Projection<W>) -> A 
     })
 }
 
-/// The two axes in the order in which the triangle turns from the first to the
-/// second: in a mirror it turns the other way.
+/// The two axes in the order in which the triangle turns from the first to the second; a clockwise
+/// triangle exchanges them.
 #[inline(always)]
 fn turned<'a, W: Word, A: ProductSum<W>>(
     n: A,
@@ -113,14 +113,14 @@ fn turned<'a, W: Word, A: ProductSum<W>>(
     if n.sign() < W::ZERO { (l, j) } else { (j, l) }
 }
 
-/// Whether an edge of a triangle, which turns from `j` to `l`, has the whole box on its
-/// outer side: all x with e_j·(x_l − v_l) < e_l·(x_j − v_j).
+/// Whether an edge of a triangle that turns from `j` to `l` has the whole box on its outer side:
+/// all x with e_j·(x_l − v_l) < e_l·(x_j − v_j).
 #[inline(always)]
 fn an_edge_misses<W: Word, A: ProductSum<W>>(j: &Projection<W>, l: &Projection<W>) -> bool {
     out_of_line_if_wide!(W, {
         let (mut vj, mut vl) = (j.t[2], l.t[2]);
         for (&next_j, &next_l) in j.t.iter().zip(&l.t) {
-            // As a sum, which takes one instruction less; of zero each end will do.
+            // As a sum, which takes one instruction less. For a zero component either end will do.
             let (ej, el) = (vj - next_j, next_l - vl);
             let (xj, xl) = (j.size.where_negative(el), l.size.where_negative(ej));
             if A::new(vl - xl, ej, vj - xj, el).sign() < W::ZERO {
@@ -132,9 +132,9 @@ fn an_edge_misses<W: Word, A: ProductSum<W>>(j: &Projection<W>, l: &Projection<W
     })
 }
 
-/// Whether the whole box lies behind the plane of the triangle: its corner farthest
-/// along the normal, one of the two critical corners of Haines and Wallace. Or, in
-/// a mirror, ahead of it.
+/// Whether the whole box lies behind the plane of the triangle, tested at the corner farthest along
+/// the normal, one of the two critical corners of Haines and Wallace. With `in_mirror`, whether it
+/// lies in front.
 #[inline(always)]
 fn is_behind<W: Word, A: ProductSum<W>>(
     shapes: &[Projection<W>; 3],
@@ -161,8 +161,8 @@ mod tests {
     use super::*;
     use crate::arithmetic::SplitSum;
 
-    /// Each way to hold an area says the same, in the widest shapes that a word is for
-    /// and where they touch; `tests/` asks whether it is right.
+    /// All ways to hold an area agree, on the widest shapes that a word permits and in contact.
+    /// `tests/` checks that they are right.
     #[test]
     fn areas_agree() {
         let mut seed = 1_u32;

@@ -1,5 +1,5 @@
-//! One triangle against axis-aligned boxes of one size: what does not depend on their place is
-//! computed once.
+//! One triangle against axis-aligned boxes of one size: values that do not depend on the box's
+//! place are computed once.
 
 use super::clear::{Gaps, TriangleAxes, are_held, first, minus};
 use crate::arithmetic::{Filtered, FirstFloat, Float, dot, greatest, two_difference};
@@ -11,14 +11,13 @@ pub(crate) struct OfOneSize<F> {
     radii: [[F; 3]; 3],
     plane_radius: F,
     errors: [F; 2],
-    /// Between which planes the centre of a box lies that no face separates, and how far they may
-    /// be from the truth.
+    /// The planes between which the centre lies if no face separates, and their error.
     reach: [[F; 3]; 2],
     reach_error: F,
 }
 
 impl<F: Float> OfOneSize<F> {
-    /// `None` where floats have no bound on their errors.
+    /// `None` if the error bounds of floats do not apply.
     #[inline(always)]
     pub(crate) fn new<S: FirstFloat<First = F>>(points: [[S; 3]; 3], half: [S; 3]) -> Option<Self> {
         let (axes, half) = (TriangleAxes::new(points), first(half));
@@ -39,7 +38,7 @@ impl<F: Float> OfOneSize<F> {
             reach_error = greatest(reach_error, lost);
         }
         let plane_radius = axes.plane_radius(&half);
-        // Twice, for the rounding of what is compared with it.
+        // Doubled, to allow for the rounding of the number that is compared with it.
         let reach_error = reach_error + reach_error;
         Some(Self { axes, radii, plane_radius, errors, reach, reach_error })
     }

@@ -12,16 +12,16 @@ use crate::shape::{Aabb, AabbForm, Triangle};
 /// A triangle prepared for many axis-aligned boxes: exact, and up to three times as fast as the
 /// triangle itself.
 ///
-/// Choose it to voxelize, or wherever a triangle meets more than two or three boxes. The
-/// answers are those of [`Triangle::overlaps`](crate::Overlaps::overlaps).
+/// Use it to voxelize, or if a triangle meets more than two or three boxes. The answers are those
+/// of [`Triangle::overlaps`](crate::Overlaps::overlaps).
 ///
-/// *Numerics*: exact. Edges, normal and all else that does not depend on the box are computed
-/// once, in `f32` for every scalar. Where that leaves a doubt, the triangle itself is asked.
+/// *Numerics*: exact. Edges, normal and other values independent of the box are computed once, in
+/// `f32` for every scalar. If that leaves a doubt, the unprepared test decides.
 ///
-/// *Range*: all of the scalar. It is fast where triangle and box together span between 2⁻³² and
-/// 2⁴⁰; fixed point must be below 2²⁹ units in the last place (32 bits) or 2⁴⁹ (64 bits), and
-/// needs a machine with vectors and the feature `simd`. Elsewhere the triangle itself is asked
-/// about every box, and preparing gains nothing.
+/// *Range*: all of the scalar. It is fast if triangle and box together span between 2⁻³² and 2⁴⁰;
+/// fixed point must be below 2²⁹ units in the last place (32 bits) or 2⁴⁹ (64 bits), and needs a
+/// machine with vectors and the feature `simd`. For other inputs the unprepared test decides every
+/// box, and preparing gains nothing.
 ///
 /// ```
 /// use septum::prepared::PreparedTriangle;
@@ -39,12 +39,12 @@ use crate::shape::{Aabb, AabbForm, Triangle};
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedTriangle<S: Scalar> {
     triangle: Triangle<S>,
-    /// Its rows, from its first vertex on.
+    /// The triangle's rows, relative to its first vertex; `None` if `f32` offsets cannot hold it.
     pub(super) rows: Option<Rows<ForOffsets>>,
 }
 
 impl<S: Scalar> PreparedTriangle<S> {
-    /// The triangle, prepared for many boxes.
+    /// Prepares a triangle for many boxes.
     ///
     /// *Panics*: never. *Cost*: 7 multiplications in each of three lanes.
     #[inline]
@@ -64,8 +64,8 @@ impl<S: Scalar> PreparedTriangle<S> {
         &self.triangle
     }
 
-    /// Whether the triangle and an axis-aligned box have a point in common: what
-    /// [`Triangle::overlaps`](crate::Overlaps::overlaps) answers.
+    /// Whether the triangle and an axis-aligned box have a point in common: the answer of
+    /// [`Triangle::overlaps`](crate::Overlaps::overlaps).
     ///
     /// *Contact*: touching is overlap.
     ///
@@ -73,13 +73,13 @@ impl<S: Scalar> PreparedTriangle<S> {
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: 33 multiplications in three lanes, or 2 where a face or the plane separates.
+    /// *Cost*: 33 multiplications in three lanes, or 2 if a face or the plane separates.
     #[inline]
     #[must_use]
     pub fn overlaps(&self, aabb: &Aabb<S>) -> bool {
         match self.apart(aabb) {
             Some(apart) => !apart,
-            // Of a copy: a box just made stays in registers.
+            // By value, because a box just made stays in registers.
             None => ask_the_triangle(&self.triangle, *aabb),
         }
     }
@@ -120,7 +120,7 @@ impl<S: Scalar> PreparedTriangle<S> {
         };
         let (low, high) = (rows.low + at, rows.high + at);
         let size = half + (rows.high - rows.low);
-        // Sums of numbers that were rounded: the order may not be kept.
+        // Sums of rounded numbers need not keep their order.
         let gap = low.greatest(ForOffsets::splat(0.0) - high) - half;
         let error = offset_face(largest(size));
         Some(InFrame {

@@ -1,8 +1,8 @@
 //! The kernel in floats: the same 13 axes, with x, y and z of a point side by side.
 //!
-//! The cross product of two rows takes one turn of each, a × b = turned(a·turned(b) −
-//! turned(a)·b), and comes out as (z, x, y) before the last turn. So do radii. All nine
-//! edge axes stay as they come out, and nothing is ever transposed: one row is the three
+//! The cross product of two rows turns (rotates the lanes of) each row once, a × b =
+//! turned(a·turned(b) − turned(a)·b), and before the last turn it comes out as (z, x, y). So do the
+//! radii. All nine edge axes stay in this order, and nothing is transposed: one row holds the three
 //! axes of an edge.
 
 use super::error_bound::{ErrorBound, error_bound};
@@ -17,19 +17,19 @@ mod zeros;
 pub(super) use pair::pair;
 pub(super) use rounded::disjoint as disjoint_rounded;
 
-/// What of a triangle is the same for every box.
+/// The values of a triangle that are the same for every box.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::query) struct Rows<Q> {
     /// The vertices.
     pub(in crate::query) v: [Q; 3],
-    /// The least and the greatest of their coordinates.
+    /// The least and the greatest coordinates of the vertices.
     pub(in crate::query) low: Q,
     pub(in crate::query) high: Q,
     /// The edges, each from a vertex to the next.
     pub(in crate::query) e: [Edge<Q>; 3],
     /// The normal.
     pub(in crate::query) n: Q,
-    /// Half the normal, as products come out.
+    /// Half the normal, in the lane order of products.
     pub(in crate::query) middle: Q,
 }
 
@@ -51,13 +51,13 @@ pub(in crate::query) fn row<S: InFloat<Q::Lane>, Q: Quad>(v: &Vec3<S>) -> Q {
     Q::of_three([v.x.in_float(), v.y.in_float(), v.z.in_float()])
 }
 
-/// Whether an axis separates, where that is clear at the first look.
+/// Whether an axis separates, or the reason why the first look cannot tell.
 pub(super) type Clear = Result<bool, Doubt>;
 
-/// Why it is not.
+/// The reason for a doubt.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Doubt {
-    /// None does, by numbers that may have been rounded.
+    /// No axis separates, but numbers may have been rounded.
     SeemsToMeet,
     Unknown,
 }
@@ -68,10 +68,10 @@ pub(super) struct InFrame<Q> {
     pub(super) v: [Q; 3],
     /// The half-extents.
     pub(super) half: Q,
-    /// The half-extents and the extents of the triangle, together.
+    /// The sum of the half-extents and the extents of the triangle.
     pub(super) size: Q,
-    /// On which axes it lies beyond the box, and on which it meets the box, bit by bit. Of an axis of
-    /// neither kind rounding leaves it open.
+    /// The axes on which the triangle lies beyond the box, and those on which it meets the box, as
+    /// bits. On an axis with neither bit, rounding leaves it open.
     pub(super) apart: u32,
     pub(super) meets: u32,
 }
@@ -86,7 +86,7 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
 
     #[inline(always)]
     pub(super) fn new([[px, py, pz], [qx, qy, qz], [rx, ry, rz]]: [[Q::Lane; 3]; 3]) -> Self {
-        // Four at a time, as they lie in memory; the last has no one behind it.
+        // Four at a time, as they lie in memory; nothing follows the last vertex.
         let before = Q::new([qz, rx, ry, rz]).to_array();
         let v = [
             Q::new([px, py, pz, qx]),
@@ -96,7 +96,7 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
         Self::of_rows(v)
     }
 
-    /// Of vertices that are rows.
+    /// From vertices that are rows already.
     #[inline(always)]
     pub(super) fn of_rows(v: [Q; 3]) -> Self {
         let e = [Edge::new(v[1] - v[0]), Edge::new(v[2] - v[1]), Edge::new(v[0] - v[2])];
@@ -111,7 +111,7 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
         }
     }
 
-    /// Whether none of the coordinates was rounded when it became a float.
+    /// Whether all coordinates became floats without rounding.
     #[inline(always)]
     pub(in crate::query) fn are_within(&self, limit: Option<Q::Lane>, p: Q, q: Q) -> bool {
         let Some(limit) = limit else { return true };
@@ -124,8 +124,8 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
     #[inline(always)]
     pub(super) fn in_frame_of_center(&self, center: Q, half: Q) -> InFrame<Q> {
         let (above, below) = (self.low - center, center - self.high);
-        // A gap of zero may be a rounded one. The sign of any other is right: rounding
-        // keeps order.
+        // A computed gap of zero may be rounded. The sign of any other is right, because rounding
+        // is monotonic.
         let gap = above.greatest(below);
         InFrame {
             v: [self.v[0] - center, self.v[1] - center, self.v[2] - center],
@@ -140,8 +140,8 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
     #[inline(always)]
     pub(super) fn in_frame_of_corners(&self, min: Q, max: Q) -> InFrame<Q> {
         let apart = (self.low.exceeds(max) | min.exceeds(self.high)) & THREE;
-        // Not v − (min + max)/2: the sum rounds by the distance from the origin, the
-        // differences only by the distance from the box.
+        // Not v − (min + max)/2: rounding the sum errs by the distance from the origin, rounding
+        // the differences only by the distance from the box.
         let [a, b, c] = self.v;
         let from = |v: Q| half_of((v - min) + (v - max));
         let half = half_of(max - min);
@@ -154,13 +154,13 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
         }
     }
 
-    /// How far apart the two are on the normal.
+    /// The gap on the normal.
     #[inline(always)]
     pub(super) fn plane(&self, frame: &InFrame<Q>) -> Q::Lane {
         sum(self.n * frame.v[0]).magnitude() - sum(self.n.magnitude() * frame.half)
     }
 
-    /// On the axes of the edges.
+    /// The gaps on the edge axes.
     #[inline(always)]
     pub(super) fn edges(&self, frame: &InFrame<Q>) -> [Q; 3] {
         let InFrame { v, half, .. } = frame;
@@ -185,10 +185,13 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
         }
     }
 
-    /// Whether an axis separates, if that is clear: by more than one bound, or none by less than the
-    /// other. Without a branch but the one on doubt, where there are vectors: which axis it is, if
-    /// any, is as good as random, and a wrong guess costs as much as half of all the axes. Who asks
-    /// about one box after the other along a row is `FORESEEABLE`: the plane misses long runs of them.
+    /// `Ok(true)` if some axis exceeds `beyond`, `Ok(false)` if every axis is below −`below`, else
+    /// `Err`.
+    ///
+    /// With vectors there is no branch except the one on doubt: which axis separates is almost
+    /// random, and a mispredicted branch costs as much as half of all axes. `FORESEEABLE` is for
+    /// callers that test one box after another along a row, where the plane misses long runs of
+    /// boxes.
     #[inline(always)]
     pub(super) fn apart_by_bounds<const FORESEEABLE: bool>(
         &self,
@@ -196,9 +199,9 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
         beyond: ErrorBound<Filtered<Q::Lane>>,
         below: ErrorBound<Filtered<Q::Lane>>,
     ) -> Clear {
-        // Four bits each, three of axes and the last of the plane.
+        // Four bits each: three for axes, and the last for the plane.
         let (mut apart, mut meets) = (frame.apart, frame.meets);
-        // Of most boxes near a triangle it is the plane that misses them.
+        // Most boxes near a triangle are missed by its plane.
         let plane = self.plane(frame);
         apart |= u32::from(plane > beyond.plane) << 3;
         meets |= u32::from(plane < -below.plane) << 3;
@@ -211,7 +214,7 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
         apart |= most.exceeds(Q::splat(beyond.edge)) & THREE;
         meets &= Q::splat(-below.edge).exceeds(most) | !THREE;
 
-        // One comparison: of a condition that is made of two the compiler makes two branches.
+        // One comparison, because the compiler turns a condition with two into two branches.
         if meets + (apart << 4) < 0b1111 {
             let zero = Q::Lane::ZERO;
             let seems_apart = plane > zero || most.exceeds(Q::splat(zero)) & THREE != 0;
@@ -222,14 +225,14 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
     }
 }
 
-/// No coordinate in the frame of the box exceeds this, if no face separates; nor does an
-/// edge, nor a half-extent.
+/// An upper bound of every coordinate in the frame of the box, if no face separates, and of every
+/// edge and half-extent.
 #[inline(always)]
 pub(in crate::query) fn size<Q: Quad>(half: Q, extent: Q) -> Q::Lane {
     largest(half + extent)
 }
 
-/// The greatest of the first three.
+/// The greatest of the first three lanes.
 #[inline(always)]
 pub(super) fn largest<Q: Quad>(row: Q) -> Q::Lane {
     let [x, y, z] = row.three();
@@ -241,7 +244,7 @@ pub(in crate::query) fn half_of<Q: Quad<Lane: Float>>(x: Q) -> Q {
     x * Q::splat(Q::Lane::HALF)
 }
 
-/// The sum of the first three, in order.
+/// The sum of the first three lanes, in order.
 #[inline(always)]
 pub(in crate::query) fn sum<Q: Quad>(row: Q) -> Q::Lane {
     let [x, y, z] = row.three();

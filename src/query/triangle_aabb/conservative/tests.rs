@@ -1,11 +1,11 @@
-//! What is clear at the first look, beside what is left when all is cut down.
+//! Compares the first look by vectors with the truncated test.
 
 use fixed::types::I32F32;
 
 use super::*;
 use crate::random::Random;
 
-/// Whether it was clear at the first look.
+/// Whether the first look decided; checks its answer against the truncated test.
 fn check(rows: &[[i64; 3]; 5], by_center: bool) -> bool {
     let [a, b, c, p, q] = rows.map(|row| row.map(I32F32::from_bits));
     let triangle = Triangle::new(a, b, c).unwrap();
@@ -24,7 +24,7 @@ fn check(rows: &[[i64; 3]; 5], by_center: bool) -> bool {
     clear.is_ok()
 }
 
-/// Asks of both forms; how often it was clear.
+/// Checks the box in both forms; returns how often the first look decided.
 fn check_both(mut rows: [[i64; 3]; 5]) -> u32 {
     let by_center = check(&rows, true);
     let [.., p, q] = &mut rows;
@@ -34,7 +34,7 @@ fn check_both(mut rows: [[i64; 3]; 5]) -> u32 {
     u32::from(by_center) + u32::from(check(&rows, false))
 }
 
-/// Of any size: half-extents down to a quarter of that of the triangle.
+/// Shapes of any size, with half-extents down to a quarter of the triangle's size.
 fn rows(state: &mut Random, case: usize) -> ([[i64; 3]; 5], i64) {
     let bits = 3 + state.bits() % 44;
     let mut number = || (state.bits() & ((1 << bits) - 1)) as i64 - (1 << (bits - 1));
@@ -52,7 +52,7 @@ fn what_is_clear_is_so_when_all_is_cut_down() {
     }
     let (state, mut clear) = (&mut Random(1), 0);
     for case in 0..200_000 {
-        // Boxes that are just apart from the triangle or not.
+        // Boxes that are just apart from the triangle, or not.
         let (mut rows, number) = rows(state, case);
         let nudge = number >> (7 + case % 8);
         let [a, b, c, p, q] = &mut rows;
@@ -60,7 +60,7 @@ fn what_is_clear_is_so_when_all_is_cut_down() {
             let axis = case % 3;
             p[axis] = a[axis].max(b[axis]).max(c[axis]) + q[axis] + nudge;
         } else {
-            // Where the middle of the triangle comes out, moved along one axis.
+            // From the triangle's centroid, along one axis by all half-extents and a nudge.
             for i in 0..3 {
                 p[i] = (a[i] + b[i] + c[i]) / 3;
             }
@@ -68,11 +68,11 @@ fn what_is_clear_is_so_when_all_is_cut_down() {
         }
         clear += check_both(rows);
     }
-    // Nearly always, and not always.
+    // The first look decides nearly always, but not always.
     assert!((200_000..398_000).contains(&clear), "{clear}");
 }
 
-/// Boxes a little off the plane, or off an edge: by 2^-9 to 2^-17 of the size.
+/// Boxes at a small distance from the plane, or from an edge: 2^-9 to 2^-17 of the size.
 #[test]
 fn what_is_clear_by_a_plane_or_an_edge_is_so_when_all_is_cut_down() {
     if !<I32F32 as crate::scalar::Backend>::IN_QUADS {
@@ -85,7 +85,7 @@ fn what_is_clear_by_a_plane_or_an_edge_is_so_when_all_is_cut_down() {
         |p: Vector, q: Vector| [(1, 2), (2, 0), (0, 1)].map(|(j, k)| p[j] * q[k] - p[k] * q[j]);
     let (state, mut clear) = (&mut Random(2), 0);
     for case in 0..200_000 {
-        // Vertices at the corners of a cube: no normal of that size is longer.
+        // Vertices at the corners of a cube have the longest normal for their size.
         let side = 1_i64 << (20 + state.bits() % 26);
         let mut corner = || {
             let signs = state.bits();

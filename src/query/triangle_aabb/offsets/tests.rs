@@ -1,4 +1,4 @@
-//! What is computed by offsets, beside whole numbers of 128 bits.
+//! Compares the computation by offsets with 128-bit integers.
 
 use fixed::types::I32F32;
 
@@ -9,8 +9,8 @@ use crate::random::Random;
 /// Three vertices, centre and half-extents, in units.
 type Pair = [[i64; 3]; 5];
 
-/// Shapes of `bits` bits, about as far from the origin as is allowed, or near it. All coordinates
-/// are even, so that corners by which a box is given have a whole centre.
+/// Shapes of `bits` bits, as far from the origin as permitted, or near it. All coordinates are
+/// even, so that a box given by its corners has an integer centre.
 fn pair(state: &mut Random, bits: u32, is_far: bool) -> Pair {
     let far = if is_far { (1_i64 << 48) + 2 * (state.bits() % 1_000) as i64 } else { 0 };
     let mut number = || 2 * ((state.bits() >> (65 - bits)) as i64 - (1 << (bits - 2)));
@@ -19,7 +19,7 @@ fn pair(state: &mut Random, bits: u32, is_far: bool) -> Pair {
     [placed(a), placed(b), placed(c), placed(center), half.map(i64::abs)]
 }
 
-/// The gaps, doubled, of the nine edge axes in the order of the kernel, and of the plane.
+/// The doubled gaps: nine edge axes in the kernel's order, and the plane.
 fn truth([a, b, c, center, half]: Pair) -> ([[i128; 3]; 3], i128) {
     let minus = |p: [i64; 3], q: [i64; 3]| [0, 1, 2].map(|i| i128::from(p[i] - q[i]));
     let (v, h) = ([a, b, c].map(|p| minus(p, center)), half.map(i128::from));
@@ -41,7 +41,8 @@ fn truth([a, b, c, center, half]: Pair) -> ([[i128; 3]; 3], i128) {
     (edges, 2 * (dot(n, v[0]).abs() - dot(n.map(i128::abs), h)))
 }
 
-/// What the kernel finds, doubled and in units: rows, frame, and by how much all lengths are greater.
+/// The kernel's result, doubled and in units: rows, frame, and the factor by which all lengths are
+/// greater.
 fn check(pair: Pair, (rows, frame): &InRows, scale: f64, reached: &mut [f64; 2]) {
     let bound = offset_bound(size_in_range(frame).unwrap());
     let (edges, plane) = truth(pair);
@@ -63,7 +64,8 @@ fn shapes<S: Scalar>(pair: Pair, scalar: impl Fn(i64) -> S) -> (Triangle<S>, [Aa
     (Triangle::new(point(a), point(b), point(c)).unwrap(), [by_center, by_corners])
 }
 
-/// The greatest errors on an edge axis and on the plane, in bounds. `scale`: what a unit is.
+/// The greatest errors on an edge axis and on the plane, relative to their bounds. `scale` is the
+/// size of a unit.
 fn errors<S: Scalar>(bits: u32, is_far: bool, scale: f64, scalar: fn(i64) -> S) -> [f64; 2] {
     let (state, mut reached) = (&mut Random(u64::from(bits)), [0.0; 2]);
     for _ in 0..4_000 {
@@ -76,7 +78,7 @@ fn errors<S: Scalar>(bits: u32, is_far: bool, scale: f64, scalar: fn(i64) -> S) 
         };
         let of_center = of_center(&triangle, center.to_array(), half.to_array());
         let of_corners = of_corners(&triangle, min.to_array(), max.to_array());
-        // The bounds are about shapes that no face separates.
+        // The bounds assume that no face separates.
         if of_center.1.apart != 0 {
             continue;
         }
@@ -101,25 +103,25 @@ fn no_error_exceeds_its_bound() {
         for is_far in [false, true] {
             let in_doubles = errors(bits, is_far, 1.0 / 16_777_216.0, |x| x as f64 / 16_777_216.0);
             let in_fixed_point = errors(bits, is_far, 1.0 / 16_777_216.0, I32F32::from_bits);
-            // What is longer, or farther out, `f32` does not hold.
+            // `f32` cannot hold longer or more distant coordinates.
             let is_short = bits <= 25 && !is_far;
             let in_floats = is_short.then(|| errors(bits, false, 1.0, |x| x as f32));
             for [edge, plane] in [in_doubles, in_fixed_point].into_iter().chain(in_floats) {
                 assert!(edge <= 1.0 && plane <= 1.0, "{bits} {is_far} {edge} {plane}");
-                // Worst cases of all roundings never meet, but something was rounded.
+                // The worst cases of all roundings never coincide, but something was rounded.
                 assert!(bits < 20 || edge > 0.02 && plane > 0.005, "{bits} {edge} {plane}");
             }
         }
     }
 }
 
-/// On a grid that is coarse enough, nothing was rounded.
+/// On a grid that is coarse enough, nothing is rounded.
 #[test]
 fn what_is_exact_is_exact() {
     let (state, mut exact) = (&mut Random(1), 0);
     for case in 0..40_000 {
         let mut pair = pair(state, 7, false);
-        // Units of which some are too small.
+        // Some of the units are too small.
         let unit = 1 << (case % 5);
         pair.as_flattened_mut().iter_mut().for_each(|x| *x = *x / unit * unit);
         let scale = [1.0, 1.0 / 1024.0][case % 2];
@@ -151,7 +153,7 @@ fn what_is_exact_is_exact() {
     assert!((10_000..70_000).contains(&exact), "{exact}");
 }
 
-/// Sizes of which `f32` has no unit, or none at all.
+/// Sizes for which `f32` has no unit, or none in range.
 #[test]
 fn what_is_out_of_range_is_not_exact() {
     let shapes = |scale: [f64; 3], last: i64| {
@@ -169,7 +171,7 @@ fn what_is_out_of_range_is_not_exact() {
     for e in [-200, -150, -40, 200] {
         assert!(!is_exact([power(e); 3], 999), "{e}");
     }
-    // An axis whose offsets are infinite, and others in which a unit is seen.
+    // An axis with infinite offsets, and other axes that reveal a unit.
     for far in 0..3 {
         let mut scale = [1.0; 3];
         scale[far] = power(140);

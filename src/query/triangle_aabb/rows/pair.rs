@@ -24,7 +24,7 @@ pub(in crate::query::triangle_aabb) fn pair<S: Scalar + InFloat<F>, F: Float>(
             by_corners::<S, F>(triangle, a.x, a.y, a.z, b.x, b.y, b.z)
         }
     };
-    // Of a copy, for the reason that `overlaps` gives.
+    // By value, for the reason given in `overlaps`.
     match clear {
         Ok(apart) => Some(apart),
         Err(doubt) => pair_in_doubt::<S, F>(triangle, *aabb, doubt),
@@ -73,9 +73,9 @@ fn by_corners<S: Scalar + InFloat<F>, F: Float>(
 enum Apart {
     Yes,
     No,
-    /// No, if nothing was rounded.
+    /// No, unless a number was rounded.
     UnlessByRounding,
-    /// No, if a gap of zero is one indeed and not a rounded one.
+    /// No, unless a computed gap of zero was rounded.
     UnlessByGap,
     /// Floats cannot say.
     Unknown,
@@ -115,9 +115,9 @@ fn pair_in_doubt<S: Scalar + InFloat<F>, F: Float>(
     }
 }
 
-/// An axis that is along a face normal, or zero, separates only if that face does: so of a triangle
-/// that lies along a coordinate plane, and of an edge that does. Without this every box-shaped mesh
-/// would be in doubt.
+/// An axis parallel to a face normal, or zero, separates only if that face does. That includes the
+/// normal of a triangle parallel to a coordinate plane, and the axes of an edge parallel to a
+/// coordinate axis. Without this rule every box-shaped mesh would be in doubt.
 #[inline(always)]
 fn apart<Q: Quad<Lane: Float>>(rows: &Rows<Q>, frame: &InFrame<Q>) -> Apart {
     if frame.apart != 0 {
@@ -142,8 +142,8 @@ fn apart<Q: Quad<Lane: Float>>(rows: &Rows<Q>, frame: &InFrame<Q>) -> Apart {
     }
     if doubt {
         let seems_apart = most.exceeds(zero) & THREE != 0 || plane > Q::Lane::ZERO;
-        // "Yes" would be as sure on a grid, but not every machine has this kernel, and
-        // `may_overlap` is the same on all.
+        // On a grid "yes" would be certain too, but not every machine has this kernel, and
+        // `may_overlap` must be the same on all.
         if seems_apart { Apart::Unknown } else { Apart::UnlessByRounding }
     } else if frame.meets == THREE {
         Apart::No

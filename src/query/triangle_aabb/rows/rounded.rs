@@ -1,4 +1,4 @@
-//! The kernel in floats as they round: the operations of `kernel.rs`, so the same answers.
+//! The kernel in rounded floats: the operations of `kernel.rs`, and so the same answers.
 
 use super::{InFrame, Rows};
 use crate::arithmetic::{FirstFloat, Float, Number, OfFour, Quad, THREE};
@@ -36,7 +36,7 @@ fn by_corners<S: Scalar>(triangle: &Triangle<S>, ax: S, ay: S, az: S, bx: S, by:
     let (min, max) = (First::<S>::of_three(first([ax, ay, az])), first([bx, by, bz]));
     let rows = Rows::new(triangle.points().map(first));
     let frame = rows.in_frame_of_corners(min, First::<S>::of_three(max));
-    // Of the vertices in the frame, as the kernel has it, and not of those given.
+    // Of the vertices in the frame, as in `kernel.rs`, and not of the given vertices.
     let InFrame { v: [a, b, c], half, .. } = frame;
     let (low, high) = (a.least(b).least(c), a.greatest(b).greatest(c));
     let gap = low.greatest(First::<S>::splat(S::First::ZERO) - high);
@@ -48,7 +48,7 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
     fn seem_apart(&self, frame: &InFrame<Q>) -> bool {
         let zero = Q::splat(Q::Lane::ZERO);
         let [a, b, c] = self.edges(frame);
-        // Not the greatest of the three: beyond all numbers it may be none.
+        // Not the greatest of the three, which may be a NaN after an overflow.
         let edges = (a.exceeds(zero) | b.exceeds(zero) | c.exceeds(zero)) & THREE;
         let plane = u32::from(self.plane(frame) > Q::Lane::ZERO);
         frame.apart | edges | plane != 0

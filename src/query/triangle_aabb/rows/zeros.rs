@@ -1,10 +1,10 @@
-//! Zeros that the kernel in floats found, of which rounding may have made some.
+//! Computed zeros in the float kernel: whether rounding made them.
 
 use super::{InFrame, Rows, largest};
 use crate::arithmetic::{Float, Number, Quad, THREE, two_difference};
 
-/// Whether each gap of zero between a triangle and a box given by its centre is one indeed:
-/// whether the difference that says so was not rounded.
+/// Whether every gap of zero between a triangle and a box given by its centre is exact: the
+/// difference that gave it was not rounded.
 pub(super) fn gaps_are_exact<Q: Quad<Lane: Float>>(rows: &Rows<Q>, center: Q, half: Q) -> bool {
     let zero = Q::splat(Q::Lane::ZERO);
     let ([low, low_lost], [high, high_lost]) =
@@ -14,9 +14,8 @@ pub(super) fn gaps_are_exact<Q: Quad<Lane: Float>>(rows: &Rows<Q>, center: Q, ha
     (is_rounded(low_lost) & !above | is_rounded(high_lost) & !below) & THREE == 0
 }
 
-/// Whether the coordinates of a triangle and of a box, as `p` and `q` give it, are whole multiples of
-/// so great a unit that no sum of products of three of their differences is rounded, for differences
-/// up to the size that they have.
+/// Whether the coordinates of a triangle and of a box, given by `p` and `q`, are multiples of a
+/// unit so great that no sum of products of three differences up to the pair's size is rounded.
 pub(super) fn is_on_grid<Q: Quad<Lane: Float>>(
     rows: &Rows<Q>,
     frame: &InFrame<Q>,
