@@ -1,7 +1,7 @@
 use super::{Facing, Feature, Hit};
 use crate::scalar::Scalar;
 
-/// A hit before it is one: nothing here is read where `hit` is false.
+/// A possible hit. The other fields are valid only if `hit` is true.
 #[derive(Clone, Copy)]
 pub(crate) struct Candidate<S> {
     pub hit: bool,
@@ -12,7 +12,7 @@ pub(crate) struct Candidate<S> {
 }
 
 impl<S: Scalar> Candidate<S> {
-    /// `zeros` are those of w, u and v.
+    /// `zeros` says which of w, u and v are zero.
     #[inline(always)]
     pub(crate) fn new(hit: bool, [t, u, v]: [S; 3], front: bool, zeros: [bool; 3]) -> Self {
         let [w_is_zero, u_is_zero, v_is_zero] = zeros.map(u8::from);

@@ -1,5 +1,4 @@
-//! Ray against triangle where the answer is clear at once: the first stage of the
-//! exact query, without a branch, for many at once.
+//! The first stage of ray against triangle without a branch, for many pairs at once.
 
 use super::Candidate;
 use super::crossing::{Crossing, Setting};
@@ -9,11 +8,10 @@ use crate::arithmetic::{Embeds, Filtered, Number, greatest, largest, least};
 use crate::scalar::Scalar;
 use crate::shape::Ray;
 
-/// What [`Ray::hit`] says of a triangle, bit by bit, and whether that is certain: a
-/// hit clear of edges and of the ray's ends, or a clear miss.
+/// The bits of [`Ray::hit`] for a triangle, and whether they are certain: a hit clear of edges and
+/// of the ray's ends, or a clear miss.
 ///
-/// `is_plain`: the ray has the range t ≥ 0. It is for the caller to tell apart, as a
-/// constant.
+/// `is_plain` says that the ray has the range t ≥ 0. The caller passes it as a constant.
 #[inline(always)]
 pub(crate) fn clear_hit<S: Scalar, N: Embeds<S>>(
     ray: &Ray<S>,
@@ -39,7 +37,7 @@ pub(crate) fn clear_hit<S: Scalar, N: Embeds<S>>(
     (is_known & certain & (are_good | !hit), found)
 }
 
-/// The same with numbers by what is left over, of a ray with the range t ≥ 0.
+/// The same with numbers from the residual, for a ray with the range t ≥ 0.
 #[inline(always)]
 pub(crate) fn clear_refined_hit<S: Scalar>(
     ray: &Ray<S>,
@@ -64,7 +62,7 @@ where
     (is_known & certain & (are_good | !hit), found)
 }
 
-/// Whether the ray misses a triangle for certain, by the scalar's first float.
+/// Whether the ray certainly misses a triangle, in the scalar's first float.
 #[inline(always)]
 pub(crate) fn clearly_misses<S: Scalar>(ray: &Ray<S>, [a, b, c]: [[S; 3]; 3]) -> bool {
     let (o, d) = (ray.origin().to_array(), ray.direction().to_array());

@@ -20,14 +20,14 @@ pub(super) struct Crosses<'a, S> {
 }
 
 impl<S: Scalar> Crosses<'_, S> {
-    /// t ≥ 0.
+    /// Whether the range is t ≥ 0.
     #[inline(always)]
     fn has_usual_range(&self) -> bool {
         self.ray.t_min() == Some(S::ZERO) && self.ray.t_max().is_none()
     }
 
-    /// Whether a crossing ahead of the origin counts, and the crossing, where it is
-    /// not a contact and the range is the usual one.
+    /// Whether a crossing ahead of the origin counts, and the crossing. `Err` if it is a contact,
+    /// or the range is not t ≥ 0.
     #[inline(always)]
     pub(super) fn ahead(&self) -> Result<(bool, Crossing<f64>, Sizes<f64>), Clue>
     where
@@ -45,8 +45,8 @@ impl<S: Scalar> Crosses<'_, S> {
         Ok((is_ahead & keeps, crossing, sizes))
     }
 
-    /// Whether a crossing ahead of the origin counts, by the scalar's first float, where
-    /// [`Ray::hit`](crate::Ray::hit) does not begin with that, and clear of contact.
+    /// Whether a crossing ahead of the origin counts, in the scalar's first float, for scalars
+    /// whose [`Ray::hit`](crate::Ray::hit) begins with another stage. `None` near contact.
     #[inline(always)]
     pub(super) fn counts_in_first(&self) -> Option<bool> {
         if !begins_elsewhere::<S>() || !self.has_usual_range() {
@@ -68,7 +68,7 @@ impl<S: Scalar> Crosses<'_, S> {
         Some(found.is_ahead & self.rules.cull.keeps(Facing::of(found.crossing.is_front())))
     }
 
-    /// Ray and triangle in `N`, if it holds them.
+    /// Ray and triangle in `N`, if `N` can hold them.
     #[inline(always)]
     pub(super) fn setting<N: Embeds<S>>(&self) -> Option<Setting<N::Length>> {
         let [a, b, c] = self.triangle.points();
@@ -77,11 +77,11 @@ impl<S: Scalar> Crosses<'_, S> {
         Some(Setting::new(&[a, b, c, o], d))
     }
 
-    /// The crossing, if it counts, contacts and any range included; `None` in doubt.
+    /// The crossing, if it counts, in any range and including contacts; `None` in doubt.
     #[inline]
     pub(super) fn crossing<N: Embeds<S>>(&self) -> Option<Option<Crossing<N::Volume>>> {
         let setting = self.setting::<N>()?;
-        // w is a difference of three determinants: twice what a box's plane comes to.
+        // w is a difference of three determinants: twice the volume of a box's plane axis.
         let size = setting.size();
         let crossing = if N::is_narrow(size + size) {
             let crossing = setting.crossing::<N::Narrow>()?;
@@ -94,8 +94,8 @@ impl<S: Scalar> Crosses<'_, S> {
         Some(self.counts::<N>(&setting, &crossing, N::CERTAIN)?.then_some(crossing))
     }
 
-    /// Whether the crossing of a line that meets the triangle counts; `None` in doubt.
-    /// `is_certain` says that all signs are.
+    /// Whether the crossing of a line that meets the triangle counts; `None` in doubt. `is_certain`
+    /// says that all signs are certain.
     #[inline(always)]
     pub(super) fn counts<N: Embeds<S>>(
         &self,
@@ -136,7 +136,7 @@ impl<S: Scalar> Crosses<'_, S> {
         Some(true)
     }
 
-    /// The ends of the range, and on which side of each it lies.
+    /// The ends of the range, and the side of each end on which the range lies.
     #[inline(always)]
     pub(super) fn ends(&self) -> [(Option<S>, Ordering); 2] {
         [(self.ray.t_min(), Ordering::Greater), (self.ray.t_max(), Ordering::Less)]
@@ -147,8 +147,8 @@ impl<S: Scalar> Crosses<'_, S> {
         ExactRay::new(&self.triangle.points(), &o, &d)
     }
 
-    /// Whether a crossing counts, by exact sums, and if so whether the line runs
-    /// against the normal.
+    /// Whether a crossing counts, by exact sums, and if so whether the line runs against the
+    /// normal.
     pub(super) fn passes(
         &self,
         exact: &ExactRay,
@@ -178,7 +178,7 @@ impl<S: Scalar> Crosses<'_, S> {
         Some(is_front)
     }
 
-    /// Whether what lies on this side of an end counts, if only `inside` does.
+    /// Whether a value on this side of an end counts, if only values `inside` do.
     #[inline(always)]
     pub(super) fn admits(
         &self,
@@ -194,7 +194,7 @@ impl<S: Scalar> Crosses<'_, S> {
     }
 }
 
-/// A sign, for a determinant above zero.
+/// The sign, as it is for a positive determinant.
 #[inline(always)]
 fn oriented(sign: Ordering, is_front: bool) -> Ordering {
     if is_front { sign } else { sign.reverse() }

@@ -1,5 +1,5 @@
-//! Where a line crosses the plane of a triangle, as volumes: the kernel of the
-//! exact ray/triangle query, in any number system.
+//! The crossing of a line and the plane of a triangle, as volumes: the kernel of the exact
+//! ray/triangle query, in any number system.
 
 use core::cmp::Ordering;
 
@@ -20,8 +20,8 @@ pub(super) struct Setting<L> {
     s: [L; 3],
 }
 
-/// The greatest components: of the direction, of both edges, and of the edges and the way
-/// to the origin.
+/// The greatest components: of the direction, of both edges, and of the edges and the vector to the
+/// origin.
 #[derive(Clone, Copy)]
 pub(super) struct Sizes<L> {
     pub(super) direction: L,
@@ -29,8 +29,7 @@ pub(super) struct Sizes<L> {
     pub(super) size: L,
 }
 
-/// Volumes whose signs and quotients are the answer: t is t/det, w is w/det, u and
-/// v likewise.
+/// Volumes whose signs and quotients are the answer: t is `t`/det, and w, u, v are `sides`/det.
 #[derive(Clone, Copy)]
 pub(super) struct Crossing<V> {
     /// The determinant: w + u + v.
@@ -39,18 +38,18 @@ pub(super) struct Crossing<V> {
     pub(super) t: V,
     /// The numerators of the barycentric coordinates of the three vertices.
     pub(super) sides: [V; 3],
-    /// How far they may be from the truth.
+    /// The error bounds of the volumes.
     pub(super) error_bound: ErrorBound<V>,
 }
 
-/// How far volumes may be from the truth.
+/// Error bounds of volumes.
 #[derive(Clone, Copy)]
 pub(super) struct ErrorBound<V> {
-    /// The determinant, u and v.
+    /// For the determinant, u and v.
     pub(super) side: V,
-    /// w, a difference of those.
+    /// For w, a difference of the three.
     pub(super) sides: V,
-    /// t.
+    /// For t.
     pub(super) t: V,
 }
 
@@ -61,7 +60,7 @@ impl<L: Number> Setting<L> {
         Self { d, e: [from_a(b), from_a(c)], s: from_a(o) }
     }
 
-    /// The greatest component of all.
+    /// The greatest component of all vectors.
     #[inline(always)]
     pub(super) fn size(&self) -> L {
         let Self { d, e: [e1, e2], s } = self;
@@ -75,7 +74,7 @@ impl<L: Number> Setting<L> {
         Sizes { direction: largest(d), edges, size: greatest(edges, largest(s)) }
     }
 
-    /// How far the volumes may be from the truth.
+    /// The error bounds of the volumes.
     #[inline(always)]
     fn error_bound<M: Arithmetic<Length = L>>(&self) -> Option<ErrorBound<M::Volume>> {
         if M::CERTAIN {
@@ -85,7 +84,7 @@ impl<L: Number> Setting<L> {
         error_bound::<M>(self.sizes())
     }
 
-    /// The volumes; `None` where `M` does not know how far they are from the truth.
+    /// The volumes; `None` if `M` has no error bound for them.
     ///
     /// T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection",
     /// *Journal of Graphics Tools* 2(1), 1997.
@@ -94,7 +93,7 @@ impl<L: Number> Setting<L> {
         Some(self.crossing_within::<M>(self.error_bound::<M>()?))
     }
 
-    /// The same, and whether that is known; without a branch.
+    /// The volumes, and whether the error bounds are valid; without a branch.
     #[inline(always)]
     pub(super) fn crossing_if_known<M: Arithmetic<Length = L>>(
         &self,
@@ -107,7 +106,7 @@ impl<L: Number> Setting<L> {
         (self.crossing_within::<M>(error_bound), is_known)
     }
 
-    /// The same direction and edges with another way to the origin.
+    /// The same direction and edges with another vector to the origin.
     #[inline(always)]
     pub(super) fn seen_along(self, s: [L; 3]) -> Self {
         Self { s, ..self }
@@ -125,10 +124,9 @@ impl<L: Number> Setting<L> {
         Crossing { det, t: dot::<M>(&q, e2), sides: [det - u - v, u, v], error_bound }
     }
 
-    /// On which side of barycentric coordinate `k` the crossing falls if the origin
-    /// moves by an infinitesimal amount along the first axis, by one infinitely
-    /// smaller along the second, and again along the third; for a determinant above
-    /// zero. Each is the derivative with respect to the origin.
+    /// The sign of barycentric coordinate `k` if the origin moves by an infinitesimal amount along
+    /// the first axis, by one infinitely smaller along the second, and again along the third. For a
+    /// positive determinant. Each sign is a derivative with respect to the origin.
     pub(super) fn perturbed_side<M: Arithmetic<Length = L>>(&self, k: usize) -> Ordering {
         let Self { d, e: [e1, e2], .. } = self;
         match k {
@@ -138,7 +136,7 @@ impl<L: Number> Setting<L> {
         }
     }
 
-    /// The same of t.
+    /// The same for t.
     pub(super) fn perturbed_t<M: Arithmetic<Length = L>>(&self) -> Ordering {
         let [e1, e2] = &self.e;
         sign::<M>(&cross::<M>(e1, e2))
@@ -146,7 +144,7 @@ impl<L: Number> Setting<L> {
 }
 
 impl Setting<f64> {
-    /// The volumes, whatever they err.
+    /// The volumes without error bounds.
     #[inline(always)]
     pub(super) fn volumes(&self) -> Crossing<f64> {
         let error_bound = ErrorBound { side: 0.0, sides: 0.0, t: 0.0 };
@@ -155,12 +153,12 @@ impl Setting<f64> {
 }
 
 impl<V: Number> Crossing<V> {
-    /// Whether the half-line from t = 0 crosses the triangle, if that is certain and
-    /// it touches nothing on the way.
+    /// Whether the half-line from t = 0 crosses the triangle, if that is certain and it touches no
+    /// boundary.
     ///
-    /// The line crosses if w, u and v are of one sign, and that is the determinant's
-    /// too, whose own sign need not be asked for. All is computed before anything is
-    /// branched on: a branch that is as good as random costs more.
+    /// The line crosses if w, u and v have the same sign, which is then also the determinant's, so
+    /// the determinant needs no test. Everything is computed before the first branch, because a
+    /// branch that is almost random costs more.
     #[inline(always)]
     pub(super) fn strictly_ahead(&self) -> Option<bool> {
         let Self { t, sides: [w, u, v], error_bound, .. } = *self;
@@ -168,13 +166,13 @@ impl<V: Number> Crossing<V> {
         let (positive, negative) = (low > error_bound.sides, high < -error_bound.sides);
         let (ahead, behind) = (t > error_bound.t, t < -error_bound.t);
         let hit = (positive & ahead) | (negative & behind);
-        // Where there is a hit, no two of the four have opposite signs.
+        // If there is a hit, no two of the four have opposite signs.
         let miss = ((low < -error_bound.sides) | behind) & ((high > error_bound.sides) | ahead);
         if hit ^ miss { Some(hit) } else { None }
     }
 
-    /// Whether the line crosses the triangle or touches it; `None` in doubt. One that
-    /// is parallel to its plane does not. `is_certain` says that there is no doubt.
+    /// Whether the line crosses the triangle or touches it; `None` in doubt. A line parallel to the
+    /// plane does not. `is_certain` says that all signs are certain.
     #[inline]
     pub(super) fn meets(&self, is_certain: bool) -> Option<bool> {
         let Self { det, sides: [w, u, v], error_bound, .. } = *self;
@@ -204,7 +202,7 @@ impl<V: Number> Crossing<V> {
         }
     }
 
-    /// What of the triangle is met, where no sign is in doubt.
+    /// The part of the triangle that is hit, if no sign is in doubt.
     #[inline(always)]
     pub(super) fn feature(&self) -> Feature {
         let [w, u, v] = self.sides;
@@ -218,7 +216,7 @@ impl<V: Number> Crossing<V> {
     }
 }
 
-/// How far the volumes may be from the truth, given the sizes of what they are made of.
+/// The error bounds of the volumes, given the sizes of their operands.
 #[inline(always)]
 pub(super) fn error_bound<M: Arithmetic>(
     Sizes { direction, edges, size }: Sizes<M::Length>,
@@ -229,7 +227,7 @@ pub(super) fn error_bound<M: Arithmetic>(
     Some(errors::<M>(Sizes { direction, edges, size }))
 }
 
-/// The same of sizes in range.
+/// The same for sizes in range.
 #[inline(always)]
 pub(super) fn errors<M: Arithmetic>(
     Sizes { direction, edges, size }: Sizes<M::Length>,
@@ -242,7 +240,7 @@ pub(super) fn errors<M: Arithmetic>(
     }
 }
 
-/// The sign of the first component that has one.
+/// The sign of the first component that is not zero.
 fn sign<M: Arithmetic>(x: &[M::Area; 3]) -> Ordering {
     let first = if x[0] != M::Area::ZERO {
         x[0]

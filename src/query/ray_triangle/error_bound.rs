@@ -1,25 +1,15 @@
-//! How far the volumes of a ray and a triangle may be from the truth.
+//! The errors of the volumes of a ray and a triangle.
 //!
-//! All to first order in u, the unit roundoff. D is the greatest magnitude among the
-//! components of the direction, E that of both edges, and R that of the edges and the way
-//! to the origin. Edges and that way are differences and carry one rounding each, the
-//! direction none.
+//! D is the greatest magnitude among the components of the direction, E among those of both edges,
+//! and R among those of the edges and the vector to the origin. Edges and that vector are
+//! differences with one rounding each; the direction is exact. D, E and R are within
+//! [`Float::RANGE`](crate::arithmetic::Float::RANGE).
 //!
-//! * det, u and v, in units of u·D·E·R: 6 terms each, every one a product of three
-//!   components and so at most D·E·R. At most 7 roundings touch a term: 2 differences, 2
-//!   products, 1 difference of products, 2 sums. 6·7 = 42; [`VOLUME`] = 44.
-//! * t, in units of u·E·E·R: the same with 3 differences. 6·8 = 48; [`T`] = 50.
-//! * w = det − u − v: 3·42, and the two differences, of at most 12 and 18: 156; [`SIDES`]
-//!   = 160.
+//! `error_bound.g` proves, second orders and underflow included:
 //!
-//! # What the first order leaves out
-//!
-//! Terms in u² are below 156·u of the bounds. D, E and R are greatest ones of computed
-//! components, which may fall short by u of themselves, and a bound is computed with 3
-//! roundings: 6·u together. 2 of 42 is enough for all of it. Underflow: each of D, E and R
-//! is within [`Float::RANGE`](crate::arithmetic::Float::RANGE), so u times the product of
-//! any two exceeds by far what an operation can lose. `error_bound.g` proves all three
-//! bounds with both.
+//! * det, u and v err by at most [`VOLUME`] roundoffs of D·E·R,
+//! * t by at most [`T`] roundoffs of E·E·R,
+//! * w = det − u − v by at most [`SIDES`] roundoffs of D·E·R.
 
 /// Roundoffs in the determinant, u and v.
 pub(super) const VOLUME: u16 = 44;
@@ -27,7 +17,7 @@ pub(super) const VOLUME: u16 = 44;
 /// Roundoffs in the numerator of t.
 pub(super) const T: u16 = 50;
 
-/// Roundoffs in w, the difference of the others.
+/// Roundoffs in w, the difference of the three.
 pub(super) const SIDES: u16 = 160;
 
 #[cfg(test)]
@@ -54,7 +44,7 @@ mod tests {
         exceeds_sum(exact, [computed, 0.0], bound)
     }
 
-    /// The same of a sum of two.
+    /// The same for a sum of two numbers.
     fn exceeds_sum(exact: &Sum<132>, computed: [f64; 2], bound: f64) -> bool {
         let beyond = |bound: f64| {
             let mut sum = *exact;
@@ -67,8 +57,7 @@ mod tests {
         beyond(-bound) == Ordering::Greater || beyond(bound) == Ordering::Less
     }
 
-    /// That no volume is farther from the truth than its bound; and whether u is by
-    /// `roundoffs` or more.
+    /// Checks that every volume is within its bound; returns whether u errs by `roundoffs` or more.
     fn check([a, b, c, o, d]: Case, roundoffs: f64) -> bool {
         let crossing = Setting::new(&[a, b, c, o], d).crossing::<Filtered<f64>>().unwrap();
         let exact = ExactRay::new::<f64>(&[a, b, c], &o, &d).crossing::<f64>();
@@ -86,8 +75,8 @@ mod tests {
         exceeds(&exact.sides[1], u, bound.side / f64::from(super::VOLUME) * roundoffs)
     }
 
-    /// That no volume in two parts is farther from the truth than its bound and a rounding, and
-    /// exact where it says so; and whether u is by `share` of the bound or more.
+    /// Checks that every volume in two parts is within its bound and a rounding, and exact where it
+    /// claims to be; returns whether u errs by `share` of the bound or more.
     fn check_refined([a, b, c, o, d]: Case, share: f64) -> bool {
         let refined = Refined::new(&[a, b, c, o], d).0;
         let exact = ExactRay::new::<f64>(&[a, b, c], &o, &d).crossing::<f64>();
@@ -104,7 +93,7 @@ mod tests {
             let bound = if is_exact && computed[1] != 0.0 { 0.0 } else { bound };
             assert!(!exceeds_sum(exact, computed, bound), "{}", told());
         }
-        // What w is rounded by last changes no sign.
+        // The last rounding of w changes no sign.
         let bound = crossing.error_bound.sides + rounding(w);
         assert!(!exceeds(&exact.sides[0], w, bound), "{}", told());
         if is_exact {
@@ -113,8 +102,8 @@ mod tests {
         exceeds_sum(&exact.sides[1], [u, refined.low_u], crossing.error_bound.side * share)
     }
 
-    /// That t, u and v are no farther from the truth than they say, and half an ulp; and whether
-    /// one of them is by some part of it. Of a ray that hits.
+    /// For a ray that hits: checks that t, u and v are within their error bounds and half an ulp;
+    /// returns whether one of them errs by a notable part of its bound.
     fn check_numbers([a, b, c, o, d]: Case) -> bool {
         let (points, setting) = ([a, b, c, o], Setting::new(&[a, b, c, o], d));
         let Crossing { det, t, sides: [_, u, v], .. } = setting.volumes();
@@ -136,8 +125,8 @@ mod tests {
         is_of_some_size
     }
 
-    /// Found by a search uphill: one vertex far from all else, so that
-    /// differences round, and all components alike.
+    /// Found by a hill-climbing search: one vertex far from the rest, so that differences round,
+    /// and all components of similar size.
     const KEPT: Case = [
         [1.0117888875055894, 1.008604519000462, 1.015084121972458],
         [5.655298613440178e-14, -1.5578537489051503e-14, 1.7660217965650408e-14],
@@ -161,7 +150,7 @@ mod tests {
         };
         let (mut of_some_size, mut of_some_size_refined) = (0, 0);
         for case in 0..20_000 {
-            // From all alike to all small beside one vertex.
+            // From vectors of equal size to all small except one vertex.
             let small = Float::scaled(1, -(case % 50));
             let mut vector = |size: f64| [(); 3].map(|()| random() * size);
             let case = [vector(1.0), vector(small), vector(small), vector(small), vector(1.0)];
@@ -181,7 +170,7 @@ mod tests {
         };
         let mut of_some_size = 0;
         for case in 0..30_000_i32 {
-            // Slivers, far origins and all far from zero; a third at edges.
+            // Slivers, far origins and positions far from zero; a third of the rays at edges.
             let [thin, far, away] = [case % 20, case % 7 * 3, case % 11 * 3];
             let mut vector = |size: f64| [(); 3].map(|()| random() * size);
             let (a, ab) = (vector(Float::scaled(1, away)), vector(1.0));
@@ -202,7 +191,7 @@ mod tests {
         assert!(of_some_size > 100, "{of_some_size} errors are of some size");
     }
 
-    /// Whole numbers of up to 24 bits, and far fewer, some in the plane or on an edge.
+    /// Integers of up to 24 bits, and of far fewer, some rays in the plane or through an edge.
     #[test]
     fn short_numbers_lose_nothing() {
         let mut seed = 2_u64;
@@ -216,7 +205,7 @@ mod tests {
             let mut vector = || [(); 3].map(|()| whole(most));
             let (a, b, c, o, mut d) = (vector(), vector(), vector(), vector(), vector());
             if case % 4 == 3 {
-                // At the middle of an edge.
+                // Toward the midpoint of an edge.
                 d = [0, 1, 2].map(|i| (b[i] + c[i]) / 2.0 - o[i]);
             }
             let (refined, is_known) = Refined::new(&[a, b, c, o], d);

@@ -1,30 +1,30 @@
-//! What a ray finds on a triangle.
+//! The hit of a ray on a triangle, and the rules for counting hits.
 
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Vec3};
 
-/// Where a ray crosses a triangle.
+/// A hit of a ray on a triangle.
 ///
-/// The point is `origin + t·direction` on the ray and w·a + u·b + v·c on the
-/// triangle, with w = 1 − u − v.
+/// The hit point is `origin + t·direction` on the ray and w·a + u·b + v·c on the triangle, with w =
+/// 1 − u − v.
 ///
-/// In floats, t, u and v may be −0.0, which equals 0.0: they are quotients, and the
-/// divisor is negative where the [back](Facing::Back) is hit. So compare numbers, not
-/// bits. A t may be infinite, where the hit is farther along the ray than the greatest
-/// number; fixed point ends at the end of its range.
+/// In floats, t, u and v may be −0.0, which equals 0.0: they are quotients, and the divisor is
+/// negative if the [back](Facing::Back) is hit. So compare numbers, not bits. If the hit lies
+/// farther along the ray than the greatest number, a float t is infinite, and a fixed-point t is
+/// the greatest number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Hit<S> {
-    /// How far along the ray, in units of its direction.
+    /// The distance along the ray, in units of its direction.
     pub t: S,
     /// The barycentric coordinate of the second vertex.
     pub u: S,
     /// The barycentric coordinate of the third vertex.
     pub v: S,
-    /// Which side of the triangle was hit.
+    /// The side of the triangle that was hit.
     pub facing: Facing,
-    /// What of the triangle was hit.
+    /// The part of the triangle that was hit.
     pub feature: Feature,
 }
 
@@ -33,11 +33,10 @@ pub struct Hit<S> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Facing {
-    /// The side from which the vertices go counterclockwise: the ray runs
-    /// against the normal (b − a) × (c − a). On a closed mesh with normals
-    /// outward, an entry.
+    /// The side from which the vertices appear counterclockwise: the ray runs against the normal (b
+    /// − a) × (c − a). On a closed mesh with outward normals, the ray enters.
     Front,
-    /// The other side; an exit.
+    /// The other side; on such a mesh, the ray leaves.
     Back,
 }
 
@@ -55,23 +54,23 @@ impl Facing {
 pub enum Feature {
     /// The interior.
     Interior,
-    /// Edge k, from vertex k to the next, but none of its ends.
+    /// Edge k, from vertex k to the next, without its ends.
     Edge(u8),
     /// Vertex k.
     Vertex(u8),
 }
 
-/// Which hits do not count.
+/// The hits that do not count: culling by the side of the triangle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Cull {
-    /// All count.
+    /// All hits count.
     #[default]
     Nothing,
-    /// Those from behind do not.
+    /// Hits on the back do not count.
     Back,
-    /// Those from before do not.
+    /// Hits on the front do not count.
     Front,
 }
 
@@ -88,7 +87,7 @@ impl Cull {
     }
 }
 
-/// What counts as a hit. The default: everything, contact included.
+/// The rules for counting hits. By default every hit counts, contacts included.
 ///
 /// ```
 /// use septum::{Cull, HitRules, Ray, Triangle};
@@ -107,20 +106,20 @@ pub struct HitRules {
 }
 
 impl HitRules {
-    /// Everything counts, contact included.
+    /// All hits count, contacts included.
     #[must_use]
     pub const fn new() -> Self {
         Self { cull: Cull::Nothing, once: false }
     }
 
-    /// The same, but hits on one side do not count.
+    /// The same rules, with hits on one side culled.
     #[must_use]
     pub const fn culling(self, cull: Cull) -> Self {
         Self { cull, ..self }
     }
 
-    /// The same, but what lies on an edge or a vertex counts for one of the triangles
-    /// there: see [`Ray::hit_once`].
+    /// The same rules, but a hit on an edge or a vertex counts for only one of the triangles there:
+    /// see [`Ray::hit_once`].
     #[must_use]
     pub const fn once(self) -> Self {
         Self { once: true, ..self }
@@ -128,8 +127,8 @@ impl HitRules {
 }
 
 impl Feature {
-    /// What lies where these barycentric coordinates, of the first, second and
-    /// third vertex, are zero.
+    /// The feature at a point, from the barycentric coordinates of the first, second and third
+    /// vertex that are zero.
     #[inline]
     pub(crate) fn from_zeros(w: bool, u: bool, v: bool) -> Self {
         match (w, u, v) {
@@ -154,8 +153,8 @@ impl<S: Scalar> Hit<S> {
         S::plain_one().plain_sub(self.u).plain_sub(self.v)
     }
 
-    /// The point of the ray at t, rounded: one multiplication and one addition
-    /// for each coordinate. In fixed point it wraps where it leaves the type.
+    /// The hit point, rounded: one multiplication and one addition for each coordinate. In fixed
+    /// point it wraps if it is out of range.
     ///
     /// *Panics*: never.
     #[inline]

@@ -1,9 +1,8 @@
 //! Ray against triangle, exactly.
 //!
-//! T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection",
-//! *Journal of Graphics Tools* 2(1), 1997; T. Akenine-Möller, E. Haines, N. Hoffman,
-//! *Real-Time Rendering*, 16.8. The volumes are theirs. What differs: signs are
-//! decided without a division, and exactly.
+//! T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", *Journal of Graphics
+//! Tools* 2(1), 1997; T. Akenine-Möller, E. Haines, N. Hoffman, *Real-Time Rendering*, 16.8. The
+//! volumes are theirs. Here signs are decided exactly, and without a division.
 
 mod candidate;
 mod clear_hit;
@@ -35,42 +34,39 @@ use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
 
 impl<S: Scalar> Ray<S> {
-    /// Where the ray crosses a triangle, if it does.
+    /// Where the ray hits a triangle, if it does.
     ///
-    /// *Geometry*: one frame and unit for both. A ray that is parallel to the plane
-    /// of the triangle, or lies in it, misses. A triangle that is a segment or a point
-    /// is never hit. Both sides of the triangle count.
+    /// *Geometry*: both are in one frame and unit. A ray that is parallel to the plane of the
+    /// triangle, or lies in it, misses. A triangle that is a segment or a point is never hit. Both
+    /// sides of the triangle count.
     ///
-    /// *Contact*: edges, vertices, and the ends of the ray's range belong to it.
-    /// [`Hit::feature`] says which was met.
+    /// *Contact*: edges, vertices, and the ends of the ray's range count. [`Hit::feature`] says
+    /// which part was hit.
     ///
-    /// *Numerics*: whether there is a hit, its side and its feature are exact for
-    /// every valid input, in every scalar, so that a closed mesh has no leak. t, u and
-    /// v in fixed point are the nearest numbers of the type (of two, the even one),
-    /// or the end of the type where it does not reach; in floats they are within 2 ulp.
-    /// A t beyond the greatest float is infinite, and still a hit. They are the same
-    /// bits on every machine. [`compare_hits`](Self::compare_hits) orders hits exactly.
+    /// *Numerics*: the verdict, the side and the feature are exact for every valid input, in every
+    /// scalar, so a closed mesh has no leak. t, u and v are rounded. In fixed point they are the
+    /// nearest numbers of the type, ties to even, clamped to its range. In floats they are within 2
+    /// ulp, and a t beyond the greatest float is infinite, and still a hit. Every machine gives the
+    /// same bits. [`compare_hits`](Self::compare_hits) orders hits exactly.
     ///
-    /// *Range*: all finite floats, all fixed-point values. As with
-    /// [`Triangle::overlaps`], what the fast stage cannot resolve goes to wider
-    /// numbers, and at last to exact sums, up to a thousand times slower. On 32-bit cores
-    /// fixed point of up to 32 bits needs none: its time is bounded
-    /// (`docs/worst-case.md`), and that of shapes that are `near` by less.
+    /// *Range*: all finite floats, all fixed-point values. As with [`Triangle::overlaps`], inputs
+    /// that the fast stage leaves in doubt take wider numbers, and last exact sums, up to a
+    /// thousand times slower. On 32-bit cores fixed point of up to 32 bits needs no exact sums: its
+    /// time is bounded (`docs/worst-case.md`), and for `near` shapes the bound is lower.
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: 24 multiplications and 3 divisions. On a 64-bit machine a hit costs
-    /// what a miss costs in scalars of up to 32 bits. In `f64` it takes 42 further
-    /// multiplications: a hit has better numbers than products of `f64` have. On
-    /// 32-bit cores a hit costs more than a miss: on a Cortex-M4F 8 times as much in
-    /// `f32`, whose t, u and v need integers (`docs/target.csv`), and 50 times where a
-    /// coordinate is no multiple of 2⁻²⁸ of the greatest. A ray through an edge,
-    /// exactly, goes to integers unless the coordinates are short. Choose it unless you
-    /// measured that you cannot pay for it; [`is_hit`](Self::is_hit) saves the divisions, and
-    /// [`lanes::Triangles`](crate::lanes::Triangles) asks about several triangles at once.
+    /// *Cost*: 24 multiplications and 3 divisions. On a 64-bit machine a hit costs the same as a
+    /// miss in scalars of up to 32 bits. In `f64` a hit takes 42 more multiplications, because
+    /// products of `f64` are not accurate enough for its numbers. On 32-bit cores a hit costs more
+    /// than a miss: on a Cortex-M4F 8 times as much in `f32`, whose t, u and v need integers
+    /// (`docs/target.csv`), and 50 times as much if a coordinate is no multiple of 2⁻²⁸ of the
+    /// greatest. A ray exactly through an edge takes integers, unless the coordinates are short.
+    /// [`is_hit`](Self::is_hit) saves the divisions, and
+    /// [`lanes::Triangles`](crate::lanes::Triangles) tests several triangles at once.
     ///
-    /// *Source*: Möller and Trumbore 1997; the sign test, the error bound and the
-    /// exact stages are ours.
+    /// *Source*: Möller and Trumbore 1997; the sign test, the error bound and the exact stages are
+    /// ours.
     ///
     /// ```
     /// use septum::{Facing, Feature, Ray, Triangle};
@@ -88,24 +84,22 @@ impl<S: Scalar> Ray<S> {
         self.hit_with(triangle, HitRules::new())
     }
 
-    /// [`hit`](Self::hit), but for a closed mesh each crossing counts once.
+    /// [`hit`](Self::hit), counting each crossing of a closed mesh once.
     ///
-    /// A ray through an edge or a vertex meets every triangle there. Here it meets
-    /// one of them: the one that it would meet had its origin moved by an
-    /// infinitesimal amount, the same for every triangle. So through a consistently
-    /// oriented closed mesh hits from outside and from inside alternate, and a point
-    /// is inside exactly if a ray from it hits an odd number of triangles.
+    /// A ray through an edge or a vertex hits every triangle there. Here it hits one of them: the
+    /// triangle that it would hit after moving its origin by an infinitesimal amount, the same for
+    /// every triangle. So hits on a consistently oriented closed mesh alternate between outside and
+    /// inside, and a point is inside exactly if a ray from it hits an odd number of triangles
+    /// (even-odd rule).
     ///
-    /// *Contact*: a ray that touches the mesh without entering it hits two triangles
-    /// or none. One that starts on a triangle hits it or does not, as the moved
-    /// origin says.
+    /// *Contact*: a ray that touches the mesh without entering it hits two triangles or none. A ray
+    /// that starts on a triangle hits it or not, depending on the moved origin.
     ///
-    /// *Numerics*, *Range*, *Panics*: as [`hit`](Self::hit). *Cost*: the same, and a
-    /// few comparisons where the ray goes through an edge, exactly.
+    /// *Numerics*, *Range*, *Panics*: as [`hit`](Self::hit). *Cost*: as `hit`, and a few
+    /// comparisons if the ray goes exactly through an edge.
     ///
-    /// *Source*: symbolic perturbation: H. Edelsbrunner, E. P. Mücke, "Simulation of
-    /// Simplicity", *ACM Transactions on Graphics* 9(1), 1990. The origin moves by
-    /// (ε, ε², ε³).
+    /// *Source*: symbolic perturbation: H. Edelsbrunner, E. P. Mücke, "Simulation of Simplicity",
+    /// *ACM Transactions on Graphics* 9(1), 1990. The origin moves by (ε, ε², ε³).
     ///
     /// ```
     /// use septum::{Ray, Triangle};
@@ -124,12 +118,12 @@ impl<S: Scalar> Ray<S> {
         self.hit_with(triangle, HitRules::new().once())
     }
 
-    /// [`hit`](Self::hit) by the rules given.
+    /// [`hit`](Self::hit) under other rules, such as culling.
     #[inline]
     #[must_use]
     pub fn hit_with(&self, triangle: &Triangle<S>, rules: HitRules) -> Option<Hit<S>> {
         let question = Crosses { ray: self, triangle, rules };
-        // Where numbers are dear, it is first asked whether there are any.
+        // Hits are expensive here, so a fast test for a miss comes first.
         if S::FLOAT.is_none()
             && size_of::<S>() == size_of::<i64>()
             && question.counts_in_first() == Some(false)
@@ -139,12 +133,14 @@ impl<S: Scalar> Ray<S> {
         S::evaluate_numeric(&question)
     }
 
-    /// Whether the ray crosses a triangle: [`hit`](Self::hit) without t, u and v.
+    /// Whether the ray hits a triangle: [`hit`](Self::hit) without t, u and v.
     ///
-    /// *Numerics*: exact. *Panics*: never. *Cost*: 24 multiplications, no division. On a
-    /// 64-bit machine it takes half the time of [`hit`](Self::hit) in `f32`. On a core with
-    /// an FPU for `f32` alone, a hit costs a sixth of what it costs by `hit`, or less. Choose
-    /// it for projections and visibility, and before `hit` where hits are rare.
+    /// *Numerics*: exact. *Panics*: never.
+    ///
+    /// *Cost*: 24 multiplications, no division. On a 64-bit machine it takes half the time of
+    /// [`hit`](Self::hit) in `f32`. On a core with an FPU for `f32` only, a hit costs at most a
+    /// sixth of its cost by `hit`. Use it for projections and visibility, and before `hit` if hits
+    /// are rare.
     #[inline]
     #[doc(alias = "raycast")]
     #[must_use]
@@ -152,7 +148,7 @@ impl<S: Scalar> Ray<S> {
         self.is_hit_with(triangle, HitRules::new())
     }
 
-    /// [`is_hit`](Self::is_hit) by the rules given.
+    /// [`is_hit`](Self::is_hit) under other rules, such as culling.
     #[inline]
     #[must_use]
     pub fn is_hit_with(&self, triangle: &Triangle<S>, rules: HitRules) -> bool {

@@ -1,31 +1,31 @@
 //! The question in short multiples of a power of two, for `f32` on cores without `f64`.
 //!
-//! All volumes are exact, so verdict, side and feature are. t, u and v must be the bits that `f64`
-//! gives, or what comes after it (`super::question`). That stage knows the lengths exactly too:
-//! they have 30 bits. Of lengths below 2^a, 2^b and 2^c, and with u = 2^-53,
+//! All volumes are exact, so verdict, side and feature are too. t, u and v must have the bits that
+//! `f64`, or a stage after it, gives (`super::question`). That stage also has the exact lengths,
+//! which have 30 bits. For lengths below 2^a, 2^b and 2^c, and with u = 2^-53,
 //!
 //! * an area is two products and their difference, off by 2u + 2u of 2^(a+b);
-//! * a volume is three products of that and a length, off by 4u each, rounded by 2u each and
+//! * a volume is three products of an area and a length, off by 4u each, rounded by 2u each and
 //!   added, 4u + 6u: 28u of 2^(a+b+c), and less than 2^-48 of it with the second order.
 //!
-//! A volume that is k bits shorter than that, at least 2^(a+b+c-k), is known to 2^(k-48) of itself.
-//! So what `f64` says of the quotient of two that are no shorter is within 2·2^(k-48) + 2^-53 of
-//! it, and second orders; stages after `f64` know it to 2^-61. `ShortFloat::rounded_quotient` finds
-//! it to 2^-50, and speaks only where nothing within 2^(k-46) rounds to another float. A volume of
-//! zero has a quotient of zero, with the sign of the determinant, whoever divides.
+//! A volume that is k bits shorter, at least 2^(a+b+c-k), has a relative error of 2^(k-48). So the
+//! quotient in `f64` of two volumes that are no shorter is within a relative 2·2^(k-48) + 2^-53,
+//! and second orders; stages after `f64` are within 2^-61. `ShortFloat::rounded_quotient` computes
+//! the quotient to 2^-50, and answers only if no number within 2^(k-46) rounds to another float. A
+//! zero volume has a quotient of zero with the sign of the determinant, in every stage.
 
 use super::counted::Crosses;
 use super::{Facing, Feature, Hit};
 use crate::arithmetic::{Divisor, Leading64, ProductSum, ShortFloat};
 use crate::scalar::Scalar;
 
-/// By how many bits a volume may be shorter than its lengths. For k = 0 nothing within 2^-46 of a
-/// quotient is to round to another float.
+/// The number of bits by which a volume may be shorter than its lengths. For k = 0, no number
+/// within 2^-46 of a quotient may round to another float.
 const SHORTER: i32 = 19;
 const CLEAR: i32 = 46;
 
 impl<S: Scalar + ShortFloat> Crosses<'_, S> {
-    /// The hit of a ray with the usual range; `None` where another stage must answer.
+    /// The hit of a ray with the range t ≥ 0; `None` if another stage must answer.
     #[cold]
     #[inline(never)]
     pub(super) fn in_multiples(&self) -> Option<Option<Hit<S>>> {
@@ -78,7 +78,7 @@ impl<S: Scalar + ShortFloat> Crosses<'_, S> {
     }
 }
 
-/// How many bits hold each of the lengths, without its sign.
+/// The number of bits of the longest component, without its sign.
 fn bits(x: &[i32; 3]) -> i32 {
     let all = x[0].unsigned_abs() | x[1].unsigned_abs() | x[2].unsigned_abs();
     32 - all.leading_zeros() as i32
@@ -90,8 +90,7 @@ fn cross(a: &[i32; 3], b: &[i32; 3]) -> [i64; 3] {
     [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
-/// With lengths below 2^30 areas are below 2^61 and fit, and so do the two sums that a volume is
-/// made of.
+/// With lengths below 2^30, areas are below 2^61 and fit, and so do the two sums of a volume.
 #[inline(always)]
 fn dot(a: &[i64; 3], b: &[i32; 3]) -> i128 {
     let mut volume = <i64 as ProductSum<i32>>::ZERO;
@@ -108,7 +107,7 @@ mod tests {
     use crate::robust::Predicate;
     use crate::shape::{Ray, Triangle};
 
-    /// Bit by bit what `f64` and the stages after it say, and seldom nothing.
+    /// The bits are those of `f64` and the stages after it, and there is usually an answer.
     #[test]
     fn hits_are_the_same_bits() {
         let mut seed = 3_u64;
@@ -151,7 +150,7 @@ mod tests {
             }
         }
         assert!(hits.iter().all(|&hits| hits > 500), "{hits:?}");
-        // The rest are contacts by the rule that counts a crossing once, and zero.
+        // The rest are contacts under the rule that counts a crossing once, and zeros.
         let are_most = said.iter().zip(hits).all(|(said, hits)| *said > hits / 4 * 3);
         assert!(are_most, "{said:?} of {hits:?}");
     }

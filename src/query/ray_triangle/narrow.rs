@@ -1,5 +1,5 @@
-//! The question in machine words, where registers are narrow: the kernel of `super::crossing`
-//! with a way out after each volume, and quotients place by place.
+//! The question in machine words, for narrow registers: the kernel of `super::crossing` with an
+//! early exit after each volume, and quotients place by place.
 
 use core::cmp::Ordering;
 
@@ -20,8 +20,8 @@ pub(super) struct Lines<W> {
     s: [W; 3],
 }
 
-/// Volumes of a crossing that counts: t is t/det, u is u/det, and so on; all but t are zero or
-/// above.
+/// Volumes of a crossing that counts: t is `t`/det, and w, u, v are `sides`/det. All volumes except
+/// t are nonnegative.
 pub(super) struct Counted<V> {
     is_front: bool,
     det: V,
@@ -30,8 +30,7 @@ pub(super) struct Counted<V> {
 }
 
 impl<W: Word> Lines<W> {
-    /// The sign of the derivative of side `k` with respect to the origin; see
-    /// `super::crossing`.
+    /// The sign of the derivative of side `k` with respect to the origin; see `super::crossing`.
     fn perturbed_side(&self, k: usize) -> Ordering {
         let Self { d, e: [e1, e2], .. } = self;
         match k {
@@ -41,14 +40,14 @@ impl<W: Word> Lines<W> {
         }
     }
 
-    /// The same of the numerator of t.
+    /// The same for the numerator of t.
     fn perturbed_t(&self) -> Ordering {
         first_sign(&self.e[0], &self.e[1])
     }
 }
 
 impl<S: Scalar> Crosses<'_, S> {
-    /// What counts, in words that hold ray and triangle wherever they are.
+    /// The crossing, if it counts, in words wide enough for shapes anywhere.
     #[inline(never)]
     pub(super) fn in_any_words<W: WholeWord>(&self) -> Option<Counted<W::Whole>>
     where
@@ -57,7 +56,8 @@ impl<S: Scalar> Crosses<'_, S> {
         self.counted(&self.lines())
     }
 
-    /// What counts, in words that hold them if they are near to each other.
+    /// The crossing, if it counts, in words wide enough for shapes near each other; `None` if they
+    /// are not.
     #[inline(never)]
     pub(super) fn in_near_words<W: WholeWord>(&self) -> Option<Option<Counted<W::Whole>>>
     where
@@ -74,7 +74,7 @@ impl<S: Scalar> Crosses<'_, S> {
         .then(|| self.counted(&lines))
     }
 
-    /// What `f` makes of what counts, in words that hold ray and triangle.
+    /// Applies `f` to the crossing that counts, in words wide enough for ray and triangle.
     #[inline(always)]
     pub(super) fn in_words<W: WholeWord, T>(
         &self,
@@ -150,7 +150,7 @@ impl<S: Scalar> Crosses<'_, S> {
     }
 }
 
-/// The hit, its numbers rounded once.
+/// The hit, with each number rounded once.
 #[inline(always)]
 pub(super) fn rounded<S: Scalar + InWholeWord<W>, W: WholeWord>(
     counted: &Counted<W::Whole>,
@@ -194,7 +194,8 @@ mod tests {
             ((u128::from(self.0.bits()) * u128::from(n)) >> 64) as i64
         }
 
-        /// Of so many bits beside the sign: any, an end, or one of a few.
+        /// A number of `bits` bits without its sign: any, at the end of the range, or from a small
+        /// set.
         fn number(&mut self, kind: i64, bits: u32) -> i64 {
             let end = (1 << bits) - 1;
             match kind {
@@ -205,7 +206,7 @@ mod tests {
         }
     }
 
-    /// Words say what exact sums say, of numbers that have so many bits; counts what hits.
+    /// Words agree with exact sums, for numbers of these bits. The number of hits is checked too.
     fn check<S: Scalar + InWholeWord<W>, W: WholeWord>(
         bits: u32,
         length_bits: u32,
@@ -217,7 +218,7 @@ mod tests {
             let kind = case % 3;
             let mut point = || [(); 3].map(|()| rng.number(kind, bits));
             let [a, b, c, o, aside] = [point(), point(), point(), point(), point()];
-            // To a point of the triangle.
+            // Toward a point of the triangle.
             let (i, j) = (rng.below(5), rng.below(5));
             let (i, j) = (i.min(4 - j), j);
             let end = (1 << length_bits) - 1;
@@ -260,7 +261,7 @@ mod tests {
         check::<I0F32, i64>(31, 31, |x| I0F32::from_bits(bits(x)));
     }
 
-    /// What a word does not hold it does not answer.
+    /// There is no answer for shapes that a word cannot hold.
     #[test]
     fn words_leave_what_is_far() {
         let ray = |o: i32, d: i32| {
@@ -277,7 +278,7 @@ mod tests {
         let most = (1 << 19) - 1;
         assert!(answers(most, most) && answers(-most - 1, -most - 1));
         assert!(!answers(most + 1, 0) && !answers(0, most + 1) && !answers(0, -most - 2));
-        // A difference that is wrapped to a short one.
+        // A difference that wraps to a short one.
         assert!(!answers(i32::MIN, 0));
         let far = [i32::MAX, 0, 0].map(I16F16::from_bits);
         let rules = HitRules::new();

@@ -1,4 +1,4 @@
-//! Rays and triangles near the origin: the kernel in words, and no other.
+//! Rays and triangles near the origin, in the word kernel only.
 
 use super::counted::Crosses;
 use super::narrow::rounded;

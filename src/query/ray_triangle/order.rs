@@ -8,17 +8,15 @@ use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
 
 impl<S: Scalar> Ray<S> {
-    /// Which of two triangles the ray hits first: the order of their true t, for
-    /// sorting. Nothing unless it hits both.
+    /// Orders two triangles by the true t of their hits, for sorting. `None` unless the ray hits
+    /// both.
     ///
-    /// *Numerics*: exact for every valid input, in every scalar, where the t of two
-    /// [hits](Self::hit) may be equal by rounding or even out of order. `Equal` means
-    /// one and the same point. So the order is transitive, and the same on every
-    /// machine.
+    /// *Numerics*: exact for every valid input, in every scalar, even if the t of two
+    /// [hits](Self::hit) are equal or in the wrong order because of rounding. `Equal` means the
+    /// same point. So the order is transitive, and the same on every machine.
     ///
-    /// *Panics*: never. *Cost*: two [hits](Self::hit); and exact sums, up to a
-    /// thousand times slower, where the two t are equal as rounded, or in floats
-    /// within 2⁻²⁰ of themselves.
+    /// *Panics*: never. *Cost*: two [hits](Self::hit); and exact sums, up to a thousand times
+    /// slower, if the two rounded t are equal, or in floats within a relative 2⁻²⁰.
     ///
     /// *Source*: t is a quotient of two determinants. Quotients are compared by
     /// cross-multiplication.
@@ -31,7 +29,7 @@ impl<S: Scalar> Ray<S> {
     /// let mut floors = [at(-2.0)?, at(1e-9)?, at(3.0)?, at(0.0)?];
     /// floors.sort_by(|a, b| ray.compare_hits(a, b).unwrap());
     /// assert_eq!(floors, [at(3.0)?, at(1e-9)?, at(0.0)?, at(-2.0)?]);
-    /// // As rounded, the two in the middle are at one distance.
+    /// The two in the middle have the same rounded t.
     /// assert_eq!(ray.hit(&floors[1]).unwrap().t, ray.hit(&floors[2]).unwrap().t);
     /// # Ok::<(), septum::ShapeError>(())
     /// ```
@@ -40,7 +38,7 @@ impl<S: Scalar> Ray<S> {
         Some(self.compare_found((a, self.hit(a)?.t), (b, self.hit(b)?.t)))
     }
 
-    /// The same of two triangles that it hits, with the t of each hit.
+    /// The same for two triangles that the ray hits, given the t of each hit.
     #[inline]
     pub(crate) fn compare_found(
         &self,
@@ -59,28 +57,28 @@ impl<S: Scalar> Ray<S> {
     }
 }
 
-/// The order of two numbers that `hit` rounded, if their true order is the same.
+/// The order of two numbers rounded by `hit`, if their true order is certainly the same.
 ///
-/// In fixed point the rounding keeps order. Floats are within 2⁻²² of the truth,
-/// `f64` far nearer, or of what underflow left of it: 2⁻²⁰ is clear of that.
+/// In fixed point rounding keeps the order. Floats are within 2⁻²² of the truth, or of its
+/// underflowed value, and `f64` is far closer: a difference of 2⁻²⁰ is clear.
 fn in_clear_order<S: Scalar>(t: S, s: S) -> Option<Ordering> {
     let is_clear = match S::FLOAT {
         None => t != s,
         Some(format) => {
             let size = t.plain_abs().plain_add(s.plain_abs());
             let margin = (0..20).fold(size, |x, _| x.plain_half()).plain_add(format.least_normal);
-            // Not so where an infinity is on both sides.
+            // A NaN, if both are infinite, is not clear.
             t.plain_sub(s).plain_abs() > margin
         }
     };
     if is_clear { t.partial_cmp(&s) } else { None }
 }
 
-/// A whole number in two's complement, by the limbs of its magnitude.
+/// An integer in two's complement, read as the limbs of its magnitude.
 struct Magnitude<'a> {
     limbs: &'a [u64],
     sign: Ordering,
-    /// How many of the lowest limbs are zero.
+    /// The number of lowest limbs that are zero.
     zeros: usize,
 }
 
@@ -100,7 +98,7 @@ impl<'a> Magnitude<'a> {
     fn limb(&self, k: usize) -> u64 {
         let limb = self.limbs.get(k).copied().unwrap_or(0);
         match k.cmp(&self.zeros) {
-            // The complement, and one; the carry ends at the first limb that is not zero.
+            // The complement plus one; the carry ends at the first limb that is not zero.
             Ordering::Greater if self.sign == Ordering::Less && k < self.limbs.len() => !limb,
             Ordering::Equal if self.sign == Ordering::Less => limb.wrapping_neg(),
             _ => limb,
@@ -108,7 +106,7 @@ impl<'a> Magnitude<'a> {
     }
 }
 
-/// The limbs of a product, from the least on.
+/// The limbs of a product, from the lowest.
 struct Product<'a> {
     a: &'a Magnitude<'a>,
     b: &'a Magnitude<'a>,
@@ -140,7 +138,7 @@ impl<'a> Product<'a> {
     }
 }
 
-/// How one quotient compares with another; no divisor is zero.
+/// Compares two quotients; no divisor is zero.
 fn compare_quotients([a, b]: [&[u64]; 2], [c, d]: [&[u64]; 2]) -> Ordering {
     let [a, b, c, d] = [a, b, c, d].map(Magnitude::new);
     let sign = |num: &Magnitude<'_>, den: &Magnitude<'_>| match den.sign {
@@ -154,7 +152,7 @@ fn compare_quotients([a, b]: [&[u64]; 2], [c, d]: [&[u64]; 2]) -> Ordering {
     let (mut ad, mut cb) = (Product::new(&a, &d), Product::new(&c, &b));
     let mut order = Ordering::Equal;
     for _ in 0..2 * a.limbs.len() {
-        // A higher limb outweighs all below it.
+        // A higher limb outweighs all lower ones.
         order = ad.next_limb().cmp(&cb.next_limb()).then(order);
     }
     if left == Ordering::Less { order.reverse() } else { order }
@@ -164,7 +162,7 @@ fn compare_quotients([a, b]: [&[u64]; 2], [c, d]: [&[u64]; 2]) -> Ordering {
 mod tests {
     use super::compare_quotients;
 
-    /// In two's complement of three limbs.
+    /// Three limbs in two's complement.
     fn limbs(x: i128) -> [u64; 3] {
         [x as u64, (x >> 64) as u64, (x >> 127) as u64]
     }
@@ -184,7 +182,7 @@ mod tests {
         }
     }
 
-    /// Beyond one limb, by a factor that both have.
+    /// Numbers longer than a limb, with a common factor.
     #[test]
     fn carries_go_through_limbs() {
         let (m, one) = (i128::from(u64::MAX), 1);

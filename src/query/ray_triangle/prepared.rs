@@ -1,5 +1,5 @@
-//! Ray against triangle where both are prepared: four volumes in `f32` say at once whether there is a
-//! hit, unless one of them is nearly zero.
+//! Ray against triangle, both prepared: four volumes in `f32` decide at once, unless one of them is
+//! nearly zero.
 
 mod volumes;
 
@@ -9,7 +9,7 @@ use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
 
-/// A triangle prepared for many rays, each of them prepared too: see [`HitRay`].
+/// A triangle prepared for many prepared rays: see [`HitRay`].
 ///
 /// *Size*: the triangle and 80 bytes.
 #[derive(Clone, Copy, Debug)]
@@ -18,21 +18,18 @@ pub struct HitTriangle<S: Scalar> {
     volumes: OfTriangle,
 }
 
-/// A ray prepared for many triangles that are prepared too: exact, and much faster where hits
-/// are rare.
+/// A ray prepared for many prepared triangles: exact, and much faster if hits are rare.
 ///
-/// Choose the two where triangles are met by many rays, and most of them are missed: in the
-/// leaves of a tree. Where every second one is hit [`Ray::hit`] is faster, but not
-/// [`Ray::is_hit`]. The answers are those of [`Ray::hit`] and [`Ray::is_hit`].
+/// Use both if triangles meet many rays and most pairs miss, as in the leaves of a tree. If half of
+/// the pairs hit, [`Ray::hit`] is faster than `HitRay::hit`, but [`Ray::is_hit`] is not faster than
+/// `HitRay::is_hit`. The answers are those of [`Ray::hit`] and [`Ray::is_hit`].
 ///
-/// *Numerics*: exact. The first look is by `f32` with a bound on its error, in every scalar.
-/// Where it leaves a doubt the ray itself is asked about the triangle, and so it is for t, u
-/// and v.
+/// *Numerics*: exact. The first look uses `f32` with an error bound, in every scalar. If it is in
+/// doubt, and for t, u and v, the unprepared query answers.
 ///
-/// *Range*: all of the scalar. Coordinates, edges and the direction should be between 2⁻³² and
-/// 2⁴⁰: with others the ray itself is asked about every triangle, and preparing gains nothing.
-/// On cores with 32-bit registers the same is true of fixed point, where integers are faster
-/// than floats.
+/// *Range*: all of the scalar. Coordinates, edges and the direction should be between 2⁻³² and 2⁴⁰;
+/// with others the unprepared query answers every time, and preparing gains nothing. The same holds
+/// for fixed point on cores with 32-bit registers, where integers are faster than floats.
 ///
 /// ```
 /// use septum::prepared::{HitRay, HitTriangle};
@@ -49,17 +46,17 @@ pub struct HitTriangle<S: Scalar> {
 pub struct HitRay<S: Scalar> {
     ray: Ray<S>,
     volumes: OfRay,
-    /// Which [`Verdict`]s leave a doubt, bit by bit.
+    /// A bit for each [`Verdict`] that leaves a doubt.
     doubts: u8,
 }
 
 impl<S: Scalar> HitTriangle<S> {
-    /// The triangle, prepared for many rays.
+    /// Prepares a triangle for many rays.
     ///
     /// *Panics*: never. *Cost*: 6 multiplications of `f64`.
     #[must_use]
     pub fn new(triangle: &Triangle<S>) -> Self {
-        // Where the choice is known to the compiler it links no floats.
+        // A choice known at compile time, so that machines without floats link none.
         let volumes =
             if S::IS_FAST { OfTriangle::new(triangle.points()) } else { OfTriangle::UNKNOWN };
         Self { triangle: *triangle, volumes }
@@ -74,7 +71,7 @@ impl<S: Scalar> HitTriangle<S> {
 }
 
 impl<S: Scalar> HitRay<S> {
-    /// The ray, prepared for many triangles.
+    /// Prepares a ray for many triangles.
     ///
     /// *Panics*: never. *Cost*: comparisons; no division.
     #[must_use]
@@ -98,19 +95,19 @@ impl<S: Scalar> HitRay<S> {
         &self.ray
     }
 
-    /// Where the ray crosses a triangle, if it does: [`Ray::hit`].
+    /// Where the ray hits a triangle, if it does: [`Ray::hit`].
     ///
-    /// *Contact*, *Numerics*: those of [`Ray::hit`], whose bits these are. *Panics*: never.
+    /// *Contact*, *Numerics*: as [`Ray::hit`], with the same bits. *Panics*: never.
     ///
-    /// *Cost*: 6 multiplications of four numbers at once; then, unless the triangle is missed
-    /// for certain, [`Ray::hit`].
+    /// *Cost*: 6 multiplications of four numbers at once; then, unless the ray certainly misses,
+    /// [`Ray::hit`].
     #[inline]
     #[must_use]
     pub fn hit(&self, triangle: &HitTriangle<S>) -> Option<Hit<S>> {
         self.hit_with(triangle, HitRules::new())
     }
 
-    /// [`hit`](Self::hit) by the rules given.
+    /// [`hit`](Self::hit) under other rules, such as culling.
     #[inline]
     #[must_use]
     pub fn hit_with(&self, triangle: &HitTriangle<S>, rules: HitRules) -> Option<Hit<S>> {
@@ -120,17 +117,17 @@ impl<S: Scalar> HitRay<S> {
         self.ray.hit_with(&triangle.triangle, rules)
     }
 
-    /// Whether the ray crosses a triangle: [`Ray::is_hit`].
+    /// Whether the ray hits a triangle: [`Ray::is_hit`].
     ///
-    /// *Numerics*: exact. *Panics*: never. *Cost*: as [`hit`](Self::hit), and for a clear hit no
-    /// more.
+    /// *Numerics*: exact. *Panics*: never. *Cost*: 6 multiplications of four numbers at once for a
+    /// clear hit or a clear miss; otherwise also [`Ray::is_hit`].
     #[inline]
     #[must_use]
     pub fn is_hit(&self, triangle: &HitTriangle<S>) -> bool {
         self.is_hit_with(triangle, HitRules::new())
     }
 
-    /// [`is_hit`](Self::is_hit) by the rules given.
+    /// [`is_hit`](Self::is_hit) under other rules, such as culling.
     #[inline]
     #[must_use]
     pub fn is_hit_with(&self, triangle: &HitTriangle<S>, rules: HitRules) -> bool {

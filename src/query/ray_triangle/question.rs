@@ -14,7 +14,7 @@ use crate::robust::{Clue, ExactSum, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
 
-/// The question whether it does.
+/// The question whether a ray hits a triangle.
 pub(super) struct Hits<'a, S>(pub(super) Crosses<'a, S>);
 
 impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
@@ -34,7 +34,8 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
     {
         let (counts, crossing, sizes) = self.ahead()?;
         if <Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS {
-            // Better ones are looked for out of line: no common path returns what a call does.
+            // More accurate numbers are computed out of line, so that the common path returns no
+            // result of a call.
             return numbers::<S, Filtered<f64>>(counts, crossing).ok_or(Clue::NoNumbers);
         }
         if !counts {
@@ -60,7 +61,7 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
             hit.map(|hit| Some(Hit { feature, ..hit }))
         };
         if clue == Clue::NoNumbers {
-            // `f64` has looked for them, and fixed point has integers.
+            // `f64` has already tried this, and fixed point uses integers.
             let is_f32 = S::FLOAT.is_some() && <Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS;
             return if is_f32 { by_rest(Feature::Interior) } else { None };
         }
@@ -144,7 +145,7 @@ impl<S: Scalar> Predicate<S> for Hits<'_, S> {
     }
 }
 
-/// The hit, if it counts; `None` where `N` has no good numbers for it.
+/// The hit, if it counts; `None` if the numbers in `N` are not accurate enough.
 #[inline(always)]
 fn numbers<S: Scalar, N: Embeds<S>>(
     counts: bool,
@@ -153,7 +154,7 @@ fn numbers<S: Scalar, N: Embeds<S>>(
     let facing = Facing::of(crossing.is_front());
     let Crossing { det, t, sides: [_, u, v], error_bound } = crossing;
     let feature = if N::CERTAIN { crossing.feature() } else { Feature::Interior };
-    // Even for a miss: to divide is cheaper than to guess wrong whether it is one.
+    // Divides even for a miss, because that costs less than a mispredicted branch.
     let ([t, u, v], are_good) =
         N::quotients_of_row([det, t, u, v], [error_bound.t, error_bound.side]);
     if counts & !are_good {
@@ -163,7 +164,7 @@ fn numbers<S: Scalar, N: Embeds<S>>(
     Some(if counts { Some(hit) } else { None })
 }
 
-/// The hit, where there is one for certain, of these volumes and sizes: each in a register.
+/// The hit, if there certainly is one, from these volumes and sizes, each in a register.
 #[allow(clippy::too_many_arguments)]
 #[inline(never)]
 fn refined_hit<S: Scalar>(
@@ -185,7 +186,7 @@ where
     hit(&Numbers::new::<true>(&points, d, [det, t, u, v], sizes), det, Feature::Interior)
 }
 
-/// The hit, if its numbers are good.
+/// The hit, if its numbers are accurate enough.
 #[inline(always)]
 fn hit<S: Scalar>(numbers: &Numbers, det: f64, feature: Feature) -> Option<Hit<S>>
 where
@@ -195,7 +196,7 @@ where
     are_good.then_some(Hit { t, u, v, facing: Facing::of(det > 0.0), feature })
 }
 
-/// The triangle and the origin, and the direction.
+/// The triangle and the origin, and the direction, in `f64`.
 #[inline(always)]
 fn doubles<S: Scalar>(ray: &Ray<S>, triangle: &Triangle<S>) -> ([[f64; 3]; 4], [f64; 3])
 where

@@ -1,32 +1,25 @@
 //! The crossing in `f64` in two parts, for signs in doubt.
 //!
-//! How far it is from the truth, with D, E and R as in `super::error_bound`: a component x of a
-//! vector of size s, one of these, is cut at a grid: x = h + l, with h a multiple of g, |h| ≤ (1 +
-//! 2^25)·g, and |l| ≤ η·s, η = 2^-25, but for a trifle of 2^-28 (`super::split`). l takes the
-//! error of the difference along. A component of an area is (h h − h h) + (h l + l x − h l − l x).
-//! The first bracket comes to less than 2^52 times its unit, so it is exact. It is cut again: at 26
-//! bits, and the rest is at most η times its size. The three products of its higher part with h
-//! come to less than 3·2^51 + 2^30 units together, so their sum, H, is exact as well. What errs is
-//! L, the rest. In units of u·η·D·E·R, u the unit roundoff:
+//! D, E and R are those of `super::error_bound`. A component x of a vector of size s (D, E or R) is
+//! cut at a grid: x = h + l, with h a multiple of g, |h| ≤ (1 + 2^25)·g, and |l| ≤ η·s, η = 2^-25,
+//! up to a relative 2^-28 (`super::split`). l also takes the rounding error of the difference. A
+//! component of an area is (h h − h h) + (h l + l x − h l − l x). The first bracket is less than
+//! 2^52 times its unit, so it is exact. It is cut again, at 26 bits, and the rest is at most η
+//! times its size. The three products of its higher part with h sum to less than 3·2^51 + 2^30
+//! units, so their sum H is exact as well. Only the rest, L, errs. `refined.g` proves its error.
 //!
-//! * l: 1. h·l + l·x: 2 for l, 1 for x, 2 products, 2 for the sum, of at most 2 η: 7. The
-//!   difference of two, of at most 4 η: 18. With what was cut off, 5 η: m, 23.
-//! * m·x: 23, 5 for x, 5 for the product. h·l, with h ≤ 2: 2 and 2. Their sum, of at most
-//!   7 η: 44. Three of them: 132, and their sums, of at most 14 η and 21 η: 167.
-//! * H + L is X and what its rounding took, without loss if |H| ≥ |L|. If not, X − H may be
-//!   rounded, and 21 is lost: 188. [`REFINED`] = 192. So w errs by at most 3·188 and some
-//!   roundings of u·u, of 3·192.
+//! H + L is the number X plus its rounding error, without loss if |H| ≥ |L|. Otherwise X − H may be
+//! rounded too. In all a volume errs by at most [`REFINED`]·u·η·D·E·R, with u the unit roundoff,
+//! and w by at most 3·[`REFINED`].
 //!
-//! `refined.g` proves what L may err.
+//! If all l are zero, nothing is lost. The part cut off an area is less than 2^25 + 3 units; L is a
+//! sum of three products of that with h, and like H less than 2^53 units. X is zero only if H + L
+//! is. det is a multiple of g³, with g of the edges twice, and u and v have no smaller unit,
+//! because R ≥ E. The rounding errors added for w sum to less than 2^6·u·D·E·R ≤ 2^28·R/E units:
+//! while R ≤ 2^20·E their sum is exact too.
 //!
-//! Nothing is lost where all l are zero. What was cut off an area is less than 2^25 + 3
-//! units, L a sum of three products of that with h, and like H less than 2^53 units. X is
-//! zero only if H + L is. det is a multiple of g³, taking g of the edges twice, u and v of
-//! no less, for R ≥ E. The roundings that are added for w come to less than
-//! 2^6·u·D·E·R ≤ 2^28·R/E units: while R ≤ 2^20·E their sum is exact too.
-//!
-//! D, E and R are in range: units of volumes are multiples of 2^-1038, which `f64` holds,
-//! and what underflows besides is below 2^-40 of the bound.
+//! D, E and R are in range, so units of volumes are multiples of 2^-1038, which `f64` can
+//! represent, and other underflow is below 2^-40 of the bound.
 
 use super::Feature;
 use super::counted::Crosses;
@@ -38,7 +31,7 @@ use crate::scalar::Scalar;
 /// Roundoffs, times [`CUT`], in the volumes in two parts.
 const REFINED: u16 = 192;
 
-/// Volumes, each as it is rounded, and what the rounding took.
+/// Volumes, each as a rounded number and its rounding error.
 pub(super) struct Refined {
     det: f64,
     t: f64,
@@ -48,10 +41,10 @@ pub(super) struct Refined {
     low_t: f64,
     pub(super) low_u: f64,
     pub(super) low_v: f64,
-    /// How far t, and the others may be from the truth.
+    /// The error bounds of t, and of the other volumes.
     t_error: f64,
     side_error: f64,
-    /// Whether nothing was lost, neither in a determinant nor in a sum of three.
+    /// Whether nothing was lost, in a determinant or in a sum of three.
     is_exact: bool,
 }
 
@@ -64,8 +57,8 @@ pub(super) struct Met {
 }
 
 impl Refined {
-    /// Two volumes at a time: why the parts are what they are, the module tells.
-    /// And whether it is known how far they are from the truth.
+    /// Computes two volumes at a time; the module's documentation explains the parts. Also returns
+    /// whether the error bounds are valid.
     #[inline(always)]
     pub(super) fn new(points: &[[f64; 3]; 4], d: [f64; 3]) -> (Self, bool) {
         let Sizes { direction, edges: edge, size } = Setting::new(points, d).sizes();
@@ -90,7 +83,7 @@ impl Refined {
         (refined, is_known)
     }
 
-    /// What signs are taken from, and whether it is exact.
+    /// The crossing for the test of signs, and whether it is exact.
     #[inline(always)]
     pub(super) fn crossing(&self) -> (Crossing<f64>, bool) {
         let Self { det, t, u, v, .. } = *self;
@@ -102,7 +95,7 @@ impl Refined {
         (Crossing { det, t, sides: [w, u, v], error_bound }, self.is_exact)
     }
 
-    /// t, u and v where nothing was lost, but for 1.1 roundings.
+    /// t, u and v within 1.1 roundings, if nothing was lost.
     #[inline(always)]
     fn quotients(&self) -> [f64; 3] {
         let inverse = 1.0 / self.det;
@@ -115,7 +108,7 @@ impl Refined {
 }
 
 impl<S: Scalar> Crosses<'_, S> {
-    /// What is met, if the crossing counts; `None` in doubt.
+    /// The hit, if the crossing counts; `None` in doubt.
     #[inline(always)]
     pub(super) fn refined_crossing(
         &self,

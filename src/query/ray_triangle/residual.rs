@@ -1,43 +1,38 @@
-//! t, u and v good to the last place, by what is left over.
+//! t, u and v accurate to the last place, from a residual.
 //!
-//! Short numbers near t, u and v go into the equation s + t·d = u·e1 + v·e2. What is left of it
-//! is known to many places, for the products that nearly cancel have no error. It is a way to
-//! an origin as s is, so the same kernel says how far t, u and v are from those numbers.
+//! Short numbers near t, u and v are inserted in the equation s + t·d = u·e1 + v·e2. The residual
+//! is accurate, because the products that nearly cancel are exact. It is a vector to an origin,
+//! like s, so the same kernel computes the corrections to t, u and v from it.
 //!
-//! # How far that is from the truth
+//! # Errors
 //!
-//! Short numbers t', u' and v' go into r = s + t'·d − u'·e1 − v'·e2, with true ways and edges, of
-//! which r says how far they are from t, u and v. D, E, R and u are those of `super::error_bound`,
-//! P(x) is the power of two below x, and ρ the relative error of the determinant. It is asked for
-//! that R ≤ 2^22·E and ρ·R ≤ 2^-20·E, and known that the ray hits.
+//! Short numbers t', u' and v' give r = s + t'·d − u'·e1 − v'·e2, with exact vectors and edges, and
+//! r determines their distance from t, u and v. D, E, R and u are those of `super::error_bound`,
+//! P(x) is the power of two below x, and ρ the relative error of the determinant. The code requires
+//! R ≤ 2^22·E and ρ·R ≤ 2^-20·E, and that the ray hits.
 //!
-//! * u' and v' are multiples of 2^-26, and at most 1 + 2^-18: they err by ρ and half a unit. t'
-//!   is a multiple of τ = 2^-24·P(R)/P(D). The hit is no farther than E + R from the origin, so
-//!   |t| ≤ 2·R/D, and |t'| < 1.05·2^26·τ.
-//! * A component of e1, e2 or s is cut at G = 2^-25·P(E), of d at 2^-25·P(D). What is cut off is
-//!   half of that at most, and exact. The lower part has what the rounding of the difference
-//!   took besides.
-//! * The higher parts: one of e1 or e2 is at most 2^26 units of G; times u' that is below 2^53
-//!   units of 2^-26·G, and so is t'·d, below 2^26 + 1 times 1.05·2^26 units of 2^-49·P(R). So
-//!   products are exact. s + t'·d is a way from the first vertex to near the hit: E, but for
-//!   τ·D/2, for 3.2·ρ·R and for the lower parts, at most 2.8·P(E); and what comes after is no
-//!   greater. All are multiples of 2^-51·P(E), for R ≥ E: below 2^53 units. So sums are exact too.
-//! * The lower parts, in units of u·2^-25·R, times 1/u. Of s: 0.54, and errs by that. t'·d: 1.05
-//!   and 1.05; the sum: 1.6. Those of e1 and e2: 0.5, and with u' and v' 0.5 and 0.5 each; the
-//!   sums with them: 2.1 and 2.6. In all 0.54 + 1.05 + 1.6 + 3.1 + 3.6 = 9.9. r is that, and a
-//!   rounding of its own.
-//! * The kernel takes r for s. No difference for s, so the first bound has 6 roundings for each of
-//!   6 terms, t 7. With that of r itself 42 and 48 roundoffs of D·E and E·E times the greatest of
-//!   r; [`LEFT`] = 45 and [`LEFT_T`] = 51. What the lower parts err counts 6 times: 60 of u·2^-25
-//!   times R; [`LOST`] = 64.
-//! * Divided by the determinant: ρ, and 2 roundings, of what is added. ρ is at least
-//!   44·u/6: 2·ρ. Then a rounding of the sum, 1/2 ulp.
+//! * u' and v' are multiples of 2^-26, and at most 1 + 2^-18: they err by ρ and half a unit. t' is
+//!   a multiple of τ = 2^-24·P(R)/P(D). The hit is no farther than E + R from the origin, so |t| ≤
+//!   2·R/D, and |t'| < 1.05·2^26·τ.
+//! * A component of e1, e2 or s is cut at G = 2^-25·P(E), of d at 2^-25·P(D). The lower part is at
+//!   most half of that, and exact; it also takes the rounding error of the difference.
+//! * The higher parts: a component of e1 or e2 is at most 2^26 units of G, and times u' it is below
+//!   2^53 units of 2^-26·G. So is t'·d, below 2^26 + 1 times 1.05·2^26 units of 2^-49·P(R). Hence
+//!   these products are exact. s + t'·d is the vector from the first vertex to a point near the
+//!   hit: at most E, apart from τ·D/2, 3.2·ρ·R and the lower parts, together at most 2.8·P(E), and
+//!   the later sums are no greater. All are multiples of 2^-51·P(E), because R ≥ E: below 2^53
+//!   units. Hence the sums are exact too.
+//! * The lower parts err, and r has a rounding of its own. `residual.g` proves that their errors
+//!   add at most [`LOST`] roundoffs of 2^-25·R to a volume.
+//! * The kernel takes r in place of s. `residual.g` proves that its volumes err by at most [`LEFT`]
+//!   and [`LEFT_T`] roundoffs of D·E and E·E times the greatest component of r, underflow included.
+//! * Dividing by the determinant adds ρ and 2 roundings of the correction. ρ is at least 44·u/6:
+//!   2·ρ in all. The last sum is rounded by 1/2 ulp.
 //!
-//! In `f64` numbers are good if the rest comes to u of them, at most 1 ulp. In `f32` they are good
-//! if the error leaves no doubt to which number they round. So it is the number that the
-//! integers would give, and machines to which `f64` is dear need not ask.
-//!
-//! `residual.g` proves the lower parts and the volumes of r, underflow included.
+//! In `f64` the numbers are accurate enough if the remaining error is at most u of them, together
+//! at most 1 ulp. In `f32` they are accurate enough if the error leaves no doubt about the number
+//! that they round to. Then it is the number that the integers give, so machines on which `f64` is
+//! expensive need not use it.
 
 use core::ops::{Add, Mul, Sub};
 
@@ -47,42 +42,42 @@ use super::split::{CUT, cut};
 use crate::arithmetic::{Embeds, Filtered, Float, Number, OfFour, Quad, largest, two_difference};
 use crate::scalar::Scalar;
 
-/// Roundoffs in u and v of what is left over.
+/// Roundoffs in u and v of the residual.
 const LEFT: u16 = 45;
 
-/// Roundoffs in its t.
+/// Roundoffs in t of the residual.
 const LEFT_T: u16 = 51;
 
-/// Roundoffs, times 2^-25, in its volumes from what it errs itself.
+/// Roundoffs, times 2^-25, that the residual's own error adds to its volumes.
 const LOST: u16 = 64;
 
-/// 1.5·2^27: adding and subtracting so many times a power of two P leaves multiples of P·2^-25.
+/// 1.5·2^27. Adding and subtracting this multiple of a power of two P rounds to multiples of
+/// P·2^-25.
 const SHIFTER: f64 = 201_326_592.0;
 
-/// 1.5·2^26, for u and v: leaves multiples of 2^-26.
+/// 1.5·2^26, for u and v: rounds to multiples of 2^-26.
 const SIDE_SHIFTER: f64 = 100_663_296.0;
 
 /// 1.5·2^28, for t.
 const T_SHIFTER: f64 = 402_653_184.0;
 
-/// The way to the origin is no longer than so many edges.
+/// The greatest R, in units of E.
 const FARTHEST: f64 = 4_194_304.0;
 
-/// The greatest error of u and v at first, where the way is no longer than an edge.
+/// The greatest first error of u and v, for R ≤ E.
 const MOST_ERROR: f64 = 1.0 / 1_048_576.0;
 
 type Row = <f64 as OfFour>::Quad;
 
-/// t, u and v where a ray hits for certain, but for a rounding each, and how far those are
-/// from the truth at most.
+/// t, u and v of a ray that certainly hits, each before its last rounding, and their error bounds.
 pub(super) struct Numbers {
     pub(super) numbers: [(f64, f64); 3],
-    /// Whether it is known how far.
+    /// Whether the error bounds are valid.
     pub(super) is_known: bool,
 }
 
 impl Numbers {
-    /// Of volumes that tell that it does.
+    /// From the volumes of a ray that hits.
     #[inline(always)]
     pub(super) fn new<const IN_ROWS: bool>(
         points: &[[f64; 3]; 4],
@@ -122,21 +117,21 @@ impl Numbers {
         Self { numbers, is_known }
     }
 
-    /// Of numbers that are good.
+    /// From numbers that are accurate already.
     #[inline(always)]
     pub(super) fn known(numbers: [f64; 3]) -> Self {
         Self { numbers: numbers.map(|x| (x, 0.0)), is_known: true }
     }
 
-    /// t, u and v, each within 2 ulp in `f64`, and as the last stages would round it in
-    /// `f32`, if the second says so.
+    /// t, u and v: within 2 ulp in `f64`, and in `f32` with the rounding of the last stages; and
+    /// whether they are accurate enough.
     #[inline(always)]
     pub(super) fn rounded<S: Scalar>(&self) -> ([S; 3], bool)
     where
         Filtered<f64>: Embeds<S>,
     {
         let rounded = |x: f64| Filtered::<f64>::quotient_of_lengths(x, 1.0);
-        // Seen at compile time.
+        // Known at compile time.
         let is_f64 = S::FLOAT.is_some_and(|format| {
             let [[roundoff, ..]] = Filtered::<f64>::embed_held(&[[format.roundoff; 3]]);
             roundoff == f64::EPSILON / 2.0
@@ -145,7 +140,7 @@ impl Numbers {
             if is_f64 {
                 return error <= x.magnitude() * (f64::EPSILON / 2.0);
             }
-            // 2^-50 for the roundings, and for those of the last stages.
+            // 2^-50 for the roundings here and in the last stages.
             let doubt = 1.25 * error + x.magnitude() * (4.0 * f64::EPSILON);
             rounded(x - doubt) == rounded(x + doubt)
         };
@@ -167,7 +162,7 @@ fn in_rows(
     left_over(rows, short.map(Row::splat), shifters.map(Row::splat)).three()
 }
 
-/// The same one after the other, for who asks about several triangles at once.
+/// The same, one component after the other, for callers that process several triangles at once.
 #[inline(always)]
 fn one_by_one(
     [a, b, c, o]: &[[f64; 3]; 4],
@@ -179,8 +174,8 @@ fn one_by_one(
     [left(0), left(1), left(2)]
 }
 
-/// What is left of s + t·d − u·e1 − v·e2: each component in two parts, the higher so short that
-/// what they come to has no error, the lower with what the rounding of a difference took.
+/// s + t·d − u·e1 − v·e2, with each component in two parts: the higher so short that its products
+/// and sums are exact, the lower with the rounding error of a difference.
 #[inline(always)]
 fn left_over<T>(
     [a, b, c, o, d]: [T; 5],

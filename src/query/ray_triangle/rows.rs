@@ -1,10 +1,11 @@
 //! The crossing with determinant, t, u and v side by side: the operations of
-//! [`Setting`](super::crossing::Setting) on the same numbers, so the same bits.
+//! [`Setting`](super::crossing::Setting) on the same numbers, and so the same bits.
 //!
-//! det = (d × e2)·e1, t = (s × e1)·e2, u = (d × e2)·s, v = (s × e1)·d: a row is a component of e2,
-//! e1, d and s. Its first and its second half, twice each, make the cross products; with both
-//! halves swapped it is what these are multiplied by. Vectors of two numbers have nothing to move
-//! for that, vectors of four little.
+//! det = (d × e2)·e1, t = (s × e1)·e2, u = (d × e2)·s, v = (s × e1)·d. A row holds a component of
+//! e2, e1, d and s. The cross products combine its second half (d, s, repeated) with its first half
+//! (e2, e1, repeated); the dot products multiply them by the row with the two numbers in each half
+//! swapped. In vectors of two numbers none of this moves data between vectors, and in vectors of
+//! four little.
 
 use super::crossing::{Crossing, ErrorBound, Sizes, errors};
 use crate::arithmetic::{Filtered, FirstFloat, Float, Number, Quad, greatest};
@@ -12,8 +13,8 @@ use crate::scalar::Scalar;
 
 pub(super) type First<S> = <S as FirstFloat>::First;
 
-/// Whether the scalar's first float has vectors and is not what [`Ray::hit`](crate::Ray::hit)
-/// begins with.
+/// Whether the scalar's first float has vectors, and [`Ray::hit`](crate::Ray::hit) begins with
+/// another stage.
 #[inline(always)]
 pub(super) fn begins_elsewhere<S: Scalar>() -> bool {
     S::IN_QUADS && (S::FLOAT.is_none() || size_of::<First<S>>() < size_of::<f64>())
@@ -29,7 +30,7 @@ pub(super) fn first<S: FirstFloat>([x, y, z]: [S; 3]) -> [First<S>; 3] {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rows<Q>([Q; 3]);
 
-/// What they tell.
+/// The crossing from the rows.
 pub(super) struct Found<F> {
     /// Whether the half-line from t = 0 crosses the triangle.
     pub(super) is_ahead: bool,
@@ -45,7 +46,7 @@ impl<F: Float, Q: Quad<Lane = F>> Rows<Q> {
         Self([row(0), row(1), row(2)])
     }
 
-    /// `None` in doubt.
+    /// The crossing; `None` in doubt.
     #[inline(always)]
     pub(super) fn found(&self) -> Option<Found<F>> {
         let sizes = self.sizes()?;
@@ -55,14 +56,14 @@ impl<F: Float, Q: Quad<Lane = F>> Rows<Q> {
         Some(Found { is_ahead: strictly_ahead::<Q>(&crossing)?, crossing, sizes })
     }
 
-    /// `None` where it is not known how far the volumes are from the truth.
+    /// The sizes; `None` if one of them is out of range.
     #[inline(always)]
     pub(super) fn sizes(&self) -> Option<Sizes<F>> {
         let [x, y, z] = self.0;
         let largest = x.magnitude().greatest(y.magnitude()).greatest(z.magnitude());
         let (least, most) = F::RANGE;
         let (above, below) = (largest.exceeds(Q::splat(least)), Q::splat(most).exceeds(largest));
-        // One of both edges is long enough, and so is the direction; nothing is too long.
+        // At least one edge and the direction are long enough, and nothing is too long.
         if !((above & 0b0011 != 0) & (above & 0b0100 != 0) & (below == 0b1111)) {
             return None;
         }
@@ -92,7 +93,7 @@ impl<F: Float, Q: Quad<Lane = F>> Rows<Q> {
     }
 }
 
-/// [`Crossing::strictly_ahead`], of w, t, u and v at once.
+/// [`Crossing::strictly_ahead`], for w, t, u and v at once.
 #[inline(always)]
 fn strictly_ahead<Q: Quad<Lane: Float>>(crossing: &Crossing<Q::Lane>) -> Option<bool> {
     let &Crossing { t, sides: [w, u, v], error_bound, .. } = crossing;

@@ -1,4 +1,5 @@
-//! Vectors of `f64` cut in two at a grid: the higher part is so short that its products are exact.
+//! Vectors of `f64` cut in two parts at a grid: the higher part is so short that its products are
+//! exact.
 
 use core::ops::{Add, Mul, Sub};
 
@@ -10,7 +11,7 @@ pub(super) const CUT: f64 = 1.0 / 33_554_432.0;
 /// 2^28: `far` of [`cut`] for the 25 bits of a [`Split`].
 pub(super) const FAR: f64 = 268_435_456.0;
 
-/// Two numbers on which the same is done: every vector unit has room for two.
+/// Two numbers that undergo the same operations: every vector unit has room for two.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Two(pub(super) [f64; 2]);
 
@@ -39,14 +40,14 @@ impl Two {
     }
 }
 
-/// x + `rest` in two parts, the higher on a coarse grid of which `far` is a point: 2^k times a
+/// x + `rest` in two parts, the higher on a coarse grid that contains `far`, which is 2^k times a
 /// bound s on |x|, 2 ≤ k ≤ 51.
 ///
-/// far + x lies in [far − s, far + s]. Its last place g is at least that of far − s, so the
-/// sum is a multiple of g, far is one too, and their difference is exact. So the
-/// higher part is a multiple of g no greater than s + g, where
-/// 2^53·g > far − s, hence s/g < 2^53/(2^k − 1) < 2^(53−k) + 1; and it is no farther from
-/// x than half the last place of far + s, hence than 2^(k−53)·s and a trifle.
+/// far + x lies in [far − s, far + s]. The last place g of the sum is at least that of far − s. So
+/// the sum is a multiple of g, far is too, and their difference is exact. Hence the higher part is
+/// a multiple of g no greater than s + g. With 2^53·g > far − s this gives s/g < 2^53/(2^k − 1) <
+/// 2^(53−k) + 1. The higher part differs from x by at most half the last place of far + s, which is
+/// little more than 2^(k−53)·s.
 #[inline(always)]
 pub(super) fn cut<T>([x, rest]: [T; 2], far: T) -> [T; 2]
 where
@@ -56,7 +57,7 @@ where
     [high, (x - high) + rest]
 }
 
-/// A vector of [`Two`], each component as given, and in two parts.
+/// A vector of [`Two`], with each component as given, and in two parts.
 #[derive(Clone, Copy)]
 pub(super) struct Split {
     whole: [Two; 3],
@@ -65,7 +66,7 @@ pub(super) struct Split {
 }
 
 impl Split {
-    /// Each component with the rest of its rounding, in two parts; see [`cut`].
+    /// Each component and its rounding error, in two parts; see [`cut`].
     #[inline(always)]
     pub(super) fn new([x, y, z]: [[Two; 2]; 3], far: Two) -> Self {
         let whole = [x[0], y[0], z[0]];
@@ -81,7 +82,7 @@ impl Split {
         a + b
     }
 
-    /// The cross product in two parts, the higher without loss.
+    /// The cross product in two parts; the higher part is exact.
     #[inline(always)]
     pub(super) fn cross(&self, other: &Self) -> [[Two; 2]; 3] {
         let (a, b) = (self, other);
@@ -91,8 +92,8 @@ impl Split {
         [minor(1, 2), minor(2, 0), minor(0, 1)]
     }
 
-    /// The dot product with areas in two parts, the higher short: first the exact product of the
-    /// higher parts, then the rest.
+    /// The dot product with areas whose higher parts are short, in two parts: the exact product of
+    /// the higher parts, and the rest.
     #[inline(always)]
     pub(super) fn dot(&self, areas: &[[Two; 2]; 3]) -> [Two; 2] {
         let exact = |i: usize| areas[i][0] * self.high[i];
@@ -101,7 +102,7 @@ impl Split {
     }
 }
 
-/// Areas in two parts, the higher made short by [`cut`], and the two numbers swapped.
+/// Areas in two parts, the higher part shortened by [`cut`], and the two numbers swapped.
 #[inline(always)]
 pub(super) fn short_areas([x, y, z]: [[Two; 2]; 3], far: Two) -> [[Two; 2]; 3] {
     let short = |area: [Two; 2]| cut(area, far).map(Two::swapped);

@@ -1,34 +1,31 @@
-//! u, v, t and w of a ray and a triangle, both prepared: side by side in `f32`, whatever the scalar.
+//! u, v, t and w of a prepared ray and a prepared triangle, side by side in `f32` for every scalar.
 //!
-//! With s from the first vertex to the origin, d the direction, edges e1 and e2 and the normal
-//! n = e1 × e2:
+//! With s from the first vertex to the origin, d the direction, edges e1 and e2 and the normal n =
+//! e1 × e2:
 //!
 //! r = s × d, u = r·e2, v = −r·e1, t = s·n, det = −d·n, w = det − u − v.
 //!
-//! They are those of Möller and Trumbore 1997, who have the normal in no triangle.
+//! These are the volumes of Möller and Trumbore 1997, with the normal stored in the triangle.
 //!
 //! # Error bounds
 //!
-//! E is the greatest component of both edges, D that of the direction, and M that of all
-//! vertices plus that of the origin: no component of s exceeds M. u is the unit roundoff of
-//! `f32`. Edges and normal are computed in `f64` and rounded once: e and d err by u of
-//! themselves, n by u·2E², and what `f64` rounds is below a thousandth of that. Vertex and
-//! origin are rounded too, by u·M each at most, and so is their difference: s errs by 3u·M, and
-//! so does not depend on how near they are to each other.
+//! E is the greatest component of both edges, and D of the direction. M is the greatest component
+//! of all vertices plus the greatest of the origin: no component of s exceeds M. u is the unit
+//! roundoff of `f32`. Edges and normal are computed in `f64` and rounded once: e and d err by a
+//! relative u, n by u·2E², and the roundings in `f64` are below a thousandth of that. Vertex and
+//! origin are rounded too, by at most u·M each, and so is their difference: s errs by 3u·M, however
+//! near they are to each other.
 //!
-//! * r: two products of s and d. 2·3 for s, 2 for d, 2 products, and 2 for their difference:
-//!   12u·M·D.
-//! * u and v, in units of u·M·D·E: three terms of 2 at most. 3·12 for r, 6 for e, 6 for the
-//!   products, 4 + 6 for the sums: 58; [`SIDE`] = 60.
-//! * t, in units of u·M·E²: 3·2·3 for s, 6 for n, 6 and 10: 40; [`T`] = 42.
-//! * det: the same without s, 28u·D·E². E is at most 2M: 56u·M·D·E. w is that, twice 58, and its
-//!   differences, of at most 18 and 24: 214; [`SIDES`] = 220.
+//! `volumes.g` proves, with the roundings of the bounds themselves:
 //!
-//! `volumes.g` proves them, with the roundings of the bounds themselves. E, D and the greatest
-//! component of the vertices are in the range of `f32` that products of three lengths are safe
-//! in ([`Float::RANGE`](crate::arithmetic::Float::RANGE)), and that of the origin below its
-//! upper end; else the bounds are infinite, and all is in doubt. E, D and M are taken 2⁻²⁰ of
-//! themselves too great, for what is lost where they become `f32`.
+//! * u and v err by at most [`SIDE`] roundoffs of M·D·E,
+//! * t by at most [`T`] roundoffs of M·E²,
+//! * w by at most [`SIDES`] roundoffs of M·D·E.
+//!
+//! E, D and the greatest component of the vertices must be in the range of `f32` in which products
+//! of three lengths are safe ([`Float::RANGE`](crate::arithmetic::Float::RANGE)), and the origin
+//! below its upper end. Otherwise the bounds are infinite, and every pair is in doubt. E, D and M
+//! are increased by a relative 2⁻²⁰, to allow for their conversion to `f32`.
 
 use crate::arithmetic::{Filtered, Float, OfFour, Quad, cross, each, greatest, largest, three};
 use crate::scalar::Scalar;
@@ -44,30 +41,30 @@ const T: u16 = 42;
 /// Roundoffs in w.
 const SIDES: u16 = 220;
 
-/// What of a triangle the volumes take.
+/// The part of the volumes that depends on the triangle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct OfTriangle {
-    /// Of e2, −e1, n and −n one component each.
+    /// One component each of e2, −e1, n and −n.
     rows: [[f32; 4]; 3],
-    /// The first vertex, and what the vertices add to M with the other sign.
+    /// The first vertex, and the vertices' part of M, negated.
     corner: [f32; 4],
-    /// What the triangle contributes to the bounds of u, v, t and w.
+    /// The triangle's factor in the bounds of u, v, t and w.
     error: [f32; 4],
 }
 
-/// What of a ray they take.
+/// The part of the volumes that depends on the ray.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct OfRay {
-    /// The origin, and what it adds to M.
+    /// The origin, and its part of M.
     origin: [f32; 4],
     /// (x, y, z), and (y, z, x).
     direction: [f32; 4],
     turned: [f32; 4],
-    /// What the ray contributes to the bounds of u, v, t and w.
+    /// The ray's factor in the bounds of u, v, t and w.
     error: [f32; 4],
 }
 
-/// What the volumes say of the line of a ray, and of its part ahead of the origin.
+/// The verdict on the line of a ray, and on its part ahead of the origin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub(super) enum Verdict {
@@ -77,8 +74,8 @@ pub(super) enum Verdict {
     Back,
 }
 
-/// By which volumes are clear above zero, and which below: no chain of branches that nothing
-/// could foresee.
+/// The verdict for each set of clearly positive and clearly negative volumes: a table in place of
+/// branches that no processor could predict.
 const VERDICTS: [Verdict; 256] = {
     let mut verdicts = [Verdict::Doubt; 256];
     let mut signs = 0;
@@ -95,7 +92,7 @@ const VERDICTS: [Verdict; 256] = {
 };
 
 impl OfTriangle {
-    /// All is in doubt.
+    /// Every pair is in doubt.
     pub(super) const UNKNOWN: Self =
         Self { rows: [[0.0; 4]; 3], corner: [0.0; 4], error: [f32::INFINITY; 4] };
 
@@ -120,11 +117,11 @@ impl OfTriangle {
 }
 
 impl OfRay {
-    /// All is in doubt.
+    /// Every pair is in doubt.
     pub(super) const UNKNOWN: Self =
         Self { origin: [0.0; 4], direction: [0.0; 4], turned: [0.0; 4], error: [f32::INFINITY; 4] };
 
-    /// `is_ahead`: nothing behind the origin counts.
+    /// `is_ahead` says that hits behind the origin do not count.
     #[inline(always)]
     pub(super) fn new<S: Scalar>(origin: [S; 3], direction: [S; 3], is_ahead: bool) -> Self {
         let (o, d) = (each(origin, S::in_double), each(direction, S::in_double));
@@ -141,7 +138,7 @@ impl OfRay {
         }
     }
 
-    /// What is clear of a triangle.
+    /// The clear verdict on a triangle, or doubt.
     #[inline(always)]
     pub(super) fn verdict(&self, triangle: &OfTriangle) -> Verdict {
         let (volumes, error) = self.volumes(triangle);
@@ -150,7 +147,7 @@ impl OfRay {
         VERDICTS[usize::from((above | below << 4) as u8)]
     }
 
-    /// u, v, t and w, and how far they may be from the truth.
+    /// u, v, t and w, and their error bounds.
     #[inline(always)]
     fn volumes(&self, triangle: &OfTriangle) -> ([f32; 4], [f32; 4]) {
         let row = <Four as Quad>::new;
@@ -169,14 +166,15 @@ impl OfRay {
     }
 }
 
-/// The greatest magnitude, and a little more.
+/// The greatest magnitude, increased a little.
 #[inline]
 fn size(points: &[[f64; 3]]) -> f64 {
     let most = points.iter().fold(0.0, |most, p| greatest(most, largest(p)));
     most * (1.0 + 1.0 / (1 << 20) as f64)
 }
 
-/// What is below the upper end of the range of `f32`, and if `from` is above its lower end.
+/// Whether a number is below the upper end of the range of `f32`, and, with `from`, above its lower
+/// end.
 #[inline]
 fn is_in_range(x: f64, from: bool) -> bool {
     let (least, most) = <f32 as Float>::RANGE;
@@ -201,7 +199,7 @@ mod tests {
     use crate::robust::{ExactSum, Sum};
     use crate::scalar::Backend;
 
-    /// Whether an exact sum is farther from a number than `bound`.
+    /// Whether an exact sum differs from a number by more than `bound`.
     fn exceeds(exact: &Sum<132>, computed: f64, bound: f64) -> bool {
         let beyond = |bound: f64| {
             let mut sum = *exact;
@@ -222,7 +220,7 @@ mod tests {
         };
         let mut of_some_size = [0; 4];
         for case in 0..20_000_i32 {
-            // Near to each other and far from the origin; small triangles; long directions.
+            // Close together and far from the origin; small triangles; long directions.
             let [small, far, long] = [case % 5 * 4, case % 7 * 3, case % 3 * 9];
             let mut vector = |size: f64| [(); 3].map(|()| random() * size);
             let away = vector(Float::scaled(1, far));
@@ -251,7 +249,7 @@ mod tests {
         for (length, size) in [(1.0, 1e-20), (1.0, 1e20), (1e-20, 1.0), (1e20, 1.0), (1.0, 1e300)] {
             assert_eq!(ray(length).verdict(&triangle(size)), Verdict::Doubt, "{length} {size}");
         }
-        // Far from the origin, the one or the other.
+        // The ray, the triangle, or both far from the origin.
         let far = 2_f64.powi(60);
         let (side, inside) = (1_048_576.0, 262_144.0);
         let at = |x: f64| OfRay::new([x, inside, side], [0.0, 0.0, -side], true);
