@@ -1,5 +1,5 @@
-//! A box that moves past another: in its three slabs the way is a line, and between boxes a slab
-//! is an interval of sums of up to four numbers.
+//! A box that moves past another. Each slab bounds the motion as it does a line, and the slab's
+//! ends are sums of up to four numbers.
 
 use core::cmp::Ordering;
 
@@ -13,7 +13,7 @@ use crate::robust::{ExactSum, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::Aabb;
 
-/// The first box, and the second, which moves.
+/// The box that stands, and the one that moves.
 struct Passing<S> {
     boxes: Apart<S>,
     way: [[S; 3]; 2],
@@ -26,7 +26,7 @@ impl<S: Scalar> Passing<S> {
         Self { boxes: Apart::new(other.form(), moving.form()), way }
     }
 
-    /// How far the second is to move to meet the first, and no longer to meet it.
+    /// The slabs within which the moving box meets the other.
     #[inline(always)]
     fn slabs<N: Embeds<S>>(&self) -> Option<Slabs<N>> {
         let Self { boxes: Apart { a, b }, way: [from, to] } = self;
@@ -39,7 +39,7 @@ impl<S: Scalar> Passing<S> {
     }
 }
 
-/// The question whether it misses it.
+/// Does the moving box miss the other?
 struct Misses<S>(Passing<S>);
 
 impl<S: Scalar> Predicate<S> for Misses<S> {
@@ -71,7 +71,7 @@ impl<S: Scalar> Predicate<S> for Misses<S> {
     }
 }
 
-/// The question when it meets it, of boxes that do.
+/// When do these boxes meet, given that they do?
 struct Meets<S>(Passing<S>);
 
 impl<S: Scalar> Predicate<S> for Meets<S> {
@@ -105,7 +105,7 @@ impl<S: Scalar> Predicate<S> for Meets<S> {
     }
 }
 
-/// A slab, mirrored where the way falls: sums of numbers.
+/// A slab as sums of numbers, mirrored where the motion goes down.
 struct Slab {
     near: [Parts; 4],
     far: [Parts; 4],
@@ -131,7 +131,7 @@ impl<S: Scalar> Passing<S> {
     }
 }
 
-/// Adds the product of two sums of numbers, or takes it away.
+/// Adds or subtracts the product of two sums of numbers.
 fn add<T: ExactSum>(sum: &mut T, x: &[Parts], y: &[Parts], minus: bool) {
     for &x in x {
         let x = if minus { x.negated() } else { x };

@@ -1,53 +1,41 @@
-//! How far the numbers of a triangle that moves past a box may be from the truth, to first order
-//! in u, the unit roundoff.
+//! The errors of the computed numbers of a triangle that moves past a box. u is the unit roundoff.
 //!
-//! No face separates all of the way, so on each coordinate axis the box, the triangle at the
-//! start and the way together span no more than X_i = h_i + s_i + |d_i|, with h the half-extent,
-//! s the triangle's extent and d the displacement; no vertex is farther from the centre of the
-//! box, and no edge longer. The size R is the greatest of the X_i. Every number is a sum of
-//! terms, each a product of two or three of these and so within R² or R³: its error is the number
-//! of roundings that touch a term, summed over the terms. A vertex v in the frame of the box
-//! carries up to three roundings, all else one.
+//! No face separates all the way. On each coordinate axis the box, the triangle at the start and
+//! the motion together therefore span at most X_i = h_i + s_i + |d_i|, with h the half-extent, s
+//! the triangle's extent and d the displacement. No vertex is farther from the box's centre, and no
+//! edge is longer. The size R is the greatest of the X_i. Vertices in the box's frame carry up to
+//! three roundings, all other operands one.
 //!
-//! * An axis x_i × e_k, |p + m + w| − (|m| + |w| + r), with p = e_j·v_l − e_l·v_j, m half of n_i,
-//!   w half of (e_k × d)_i and r = h_j·|e_l| + h_l·|e_j|. A term of p is touched by 4 (e, v),
-//!   1 product, 1 difference, 2 sums and the last difference: 9. One of m or w by 2, 1, 1, 2 and
-//!   1: 7; on the right likewise. One of r by 2, 1, 1, 2 and 1: 7. There are 2 of p, and, halves
-//!   of two each, 1 of m, 1 of w, the same on the right, and 2 of r: 18 + 28 + 14 = 60.
-//!   An axis x_i × d, the same with d for e and without m and w: below that. [`EDGE`] = 64.
-//! * The plane, |n·v + w| − (|w| + Σ h·|n|), with w half of n·d. A term of n·v is touched by 5 (e,
-//!   e', v), 2 products, 1 difference, 2 sums, 1 sum with w and the last difference: 11. One of w
-//!   by 3, 2, 1, 2, 1 and 1: 10; on the right likewise. One of Σ h·|n| by 3, 2, 1, 2, 1 and 1: 10.
-//!   There are 6, 3, 3 and 6: 66 + 60 + 60 = 186. An axis e_k × d, |q·v − w| − (|w| + Σ h·|q|) with
-//!   q = e_k × d, has the same terms. [`VOLUME`] = 200.
-//! * A speed, (e_k × d)_i: 2 terms, touched by 2, 1 product and 1 difference: 8. [`AREA_SPEED`] =
-//!   10. n·d: 6 terms, touched by 3, 2, 1 and 2: 48. [`VOLUME_SPEED`] = 52.
-//! * A face. The gap g at the start errs by one rounding, or with a box given by its centre by
-//!   two, the first of which is relative to at most g + h. d errs by one, and so does the
-//!   difference of the two: at most 4·u·(g + h + |d|). [`FACE`] = 6.
+//! * On an axis x_i × e_k the kernel computes |p + m + w| − (|m| + |w| + r), with p = e_j·v_l −
+//!   e_l·v_j, m half of n_i, w half of (e_k × d)_i, and r = h_j·|e_l| + h_l·|e_j|. `edge.g` proves
+//!   that this errs by at most [`EDGE`] roundoffs of R². An axis x_i × d has the same terms with d
+//!   for e, without m and w.
+//! * On the normal it computes |n·v + w| − (|w| + Σ h·|n|), with w half of n·d. `volume.g` proves
+//!   at most [`VOLUME`] roundoffs of R³. An axis e_k × d has the same terms with q = e_k × d: |q·v
+//!   − w| − (|w| + Σ h·|q|).
+//! * The speed along an axis is (e_k × d)_i or n·d. `speed.g` proves at most [`AREA_SPEED`]
+//!   roundoffs of R² and [`VOLUME_SPEED`] of R³.
+//! * On a face the gap g at the start loses |d|. `face.g` proves that the rest errs by at most
+//!   [`FACE`] roundoffs of g + h + |d|.
+//! * At a time t (`instants`) the gap is |p + m| − (|m| + r), or its like, moved by t·s, with s the
+//!   speed. `edge_instant.g`, `volume_instant.g` and `face_instant.g` prove the same bounds there.
 //!
-//! * At a time t on the way (`instants`), |p + m| − (|m| + r) and its like move by t·s, with s the
-//!   speed. What was w is t·s, once and not on both sides: its terms are touched by 2, 1, 1, the
-//!   product with t, a sum: 6 each of an area, 12 in all. One of p is touched by 9, of m by 6, of r
-//!   by 6, as before or less: 18 + 12 + 12 + 12 = 54, below [`EDGE`]. On the normal an n·v term is
-//!   touched by 10, one of t·n·d by 9, of Σ h·|n| by 9: 60 + 54 + 54 = 168, below [`VOLUME`]. A
-//!   face has a product with t besides, which errs by u·|d|: at most 5·u·(g + h + |d|).
+//! The proofs include second orders. They include underflow too, except that a face at a time t
+//! needs the least normal number besides.
 //!
-//! `edge.g`, `volume.g`, `speed.g` and `face.g` prove these, second orders and underflow included;
-//! `edge_instant.g`, `volume_instant.g` and `face_instant.g` those of a time.
+//! Numbers of 106 digits (`arithmetic::long`) have errors in units of u², here to first order.
+//! Edges and d are exact. A component n_i is a difference of two products within R²: each product
+//! errs by 5, and the difference by 3 of itself, together 16. The vector from vertex to corner is
+//! at most 2·R and errs by 3 of itself. Its product with n_i is at most 4·R³ and errs by 16·2 + 6·2
+//! + 5·4 = 64; three products err by 192, and their sums by 3·(8 + 12) = 60. If a component of n
+//! has the wrong sign, it lies within its error and selects the wrong corner: 2·16·R³ each,
+//! together 96. In n·d each product errs by 16 + 5·2, together 78, and the sums by 3·(4 + 6),
+//! together 108. With t ≤ 1 and a product of speed and t of at most 6·R³, gap − t·speed errs by 252
+//! + 96 + 108 + 5·6 + 3·18 = 540. An axis x_i × e_k, whose components are exact, errs by less, and
+//! so does a face. [`LONG`] = 2^-96 is 1,024·u².
 //!
-//! In numbers of 106 digits (`arithmetic::long`), in units of u² and to first order: edges and d
-//! are exact. n_i is a difference of two products within R², of which each errs by 5 and the
-//! difference by 3 of itself: 16. From vertex to corner is at most 2·R, and errs by 3 of itself.
-//! Its product with n_i, at most 4·R³, errs by 16·2 + 6·2 + 5·4 = 64; three of them 192, and their
-//! sums 3·(8 + 12) = 60. A component of n of the wrong sign, which is within its error, takes
-//! the wrong corner: 2·16·R³ each, 96. n·d: 16 + 5·2 for each product, 78, and sums 3·(4 + 6): 108.
-//! So gap − t·speed, with t ≤ 1 and the product of speed and t at most 6·R³, errs by 252 + 96 +
-//! 108 + 5·6 + 3·18 = 540. An axis x_i × e_k, whose components are exact, and a face have less.
-//! [`LONG`] = 2^-96 is 1,024·u².
-//!
-//! The gaps at the start, on the axes that do not move, have the bounds of
-//! `triangle_aabb::error_bound`, whose sizes are within these.
+//! The gaps at the start, on axes without d, have the bounds of `triangle_aabb::error_bound`, whose
+//! sizes are within these.
 
 use crate::arithmetic::{Arithmetic, Number};
 use crate::query::triangle_aabb::error_bound::{ErrorBound, error_bound};
@@ -56,24 +44,24 @@ use crate::query::triangle_aabb::error_bound::{ErrorBound, error_bound};
 pub(super) const FACE: u16 = 6;
 /// Roundoffs on an axis with areas, per R².
 const EDGE: u16 = 64;
-/// Roundoffs on one with volumes, per R³.
+/// Roundoffs on an axis with volumes, per R³.
 const VOLUME: u16 = 200;
 /// Roundoffs in a speed that is an area, per R².
 const AREA_SPEED: u16 = 10;
-/// Roundoffs in one that is a volume, per R³.
+/// Roundoffs in a speed that is a volume, per R³.
 const VOLUME_SPEED: u16 = 52;
 
-/// How far what is left of a gap in numbers of 106 digits may be from the truth, per R, R² or R³.
+/// How far gap − t·speed in 106 digits may be from the truth, per R, R² or R³.
 pub(super) const LONG: f64 = f64::from_bits((1023 - 96) << 52);
 
-/// How far computed axes may be from the truth, all along the way.
+/// How far computed axes may be from the truth at any time of the motion.
 #[derive(Clone, Copy)]
 pub(super) struct Along<N: Arithmetic> {
     pub(super) area: N::Area,
     pub(super) volume: N::Volume,
 }
 
-/// The bounds for shapes and a way of this size; `None` where they are not known.
+/// The bounds for shapes and a motion of this size; `None` outside the range where they hold.
 #[inline(always)]
 pub(super) fn along<N: Arithmetic>(size: N::Length) -> Option<Along<N>> {
     if N::CERTAIN {
@@ -84,14 +72,14 @@ pub(super) fn along<N: Arithmetic>(size: N::Length) -> Option<Along<N>> {
     size.in_range().then(|| Along { area: square.error(EDGE), volume: volume.error(VOLUME) })
 }
 
-/// The same of gaps at the start, and of speeds.
+/// The bounds for gaps at the start, and for speeds.
 pub(super) struct AtStart<N: Arithmetic> {
     pub(super) gap: ErrorBound<N>,
     pub(super) area_speed: N::Area,
     pub(super) volume_speed: N::Volume,
 }
 
-/// The bounds for shapes and a way of this size; `None` where they are not known.
+/// The bounds for shapes and a motion of this size; `None` outside the range where they hold.
 #[inline(always)]
 pub(super) fn at_start<N: Arithmetic>(size: N::Length) -> Option<AtStart<N>> {
     let square = N::area(size, size);

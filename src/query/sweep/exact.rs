@@ -1,5 +1,5 @@
-//! The last stage: the 19 axes, and the times of 13 of them, by exact sums of products of the
-//! coordinates as given.
+//! The last stage: the 19 axes, and the times on 13 of them, from exact sums of products of the
+//! given coordinates.
 
 use core::cmp::Ordering;
 
@@ -13,14 +13,14 @@ use crate::robust::{ExactSum, Vector, add_determinant, difference, single};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Triangle, Vec3};
 
-/// A triangle that moves and a box, taken apart.
+/// A moving triangle and a box, in exact parts.
 pub(super) struct ExactCourse {
     triangle: ExactTriangle,
     aabb: ExactAabb,
     d: Vector,
 }
 
-/// The axis that is the cross product of two vectors, and the signs of its components.
+/// An axis as the cross product of two vectors, and the signs of its components.
 struct Cross {
     x: Vector,
     y: Vector,
@@ -44,7 +44,7 @@ impl Cross {
         cross
     }
 
-    /// How far a vector leads along the axis, or against it.
+    /// The component of a vector along the axis, or against it.
     fn along<S: Scalar>(&self, z: &Vector, is_against: bool) -> S::Sum {
         let mut sum = S::Sum::new();
         self.add(&mut sum, z, is_against);
@@ -85,10 +85,11 @@ impl ExactCourse {
         }
     }
 
-    /// The gap at the start from the box to the triangle beyond it along the axis, or against it.
+    /// The gap at the start between the box and the triangle beyond it, along the axis or against
+    /// it.
     fn gap<S: Scalar>(&self, cross: &Cross, is_against: bool) -> S::Sum {
         let nearer = if is_against { Ordering::Greater } else { Ordering::Less };
-        // The vertex that comes first.
+        // The vertex nearest to the box.
         let leads = |k: usize| cross.along::<S>(&self.triangle.edge(k), false).sign();
         let first = if leads(0) == nearer { 1 } else { 0 };
         let is_third = if first == 1 { leads(1) == nearer } else { leads(2) == nearer.reverse() };
@@ -101,7 +102,7 @@ impl ExactCourse {
         cross.along::<S>(&to_corner, !is_against)
     }
 
-    /// Whether the triangle misses the box all of the way.
+    /// Whether the triangle misses the box all the way.
     pub(super) fn misses<S: Scalar>(&self) -> bool {
         let fixed = Axis::ALL.iter().map(|&axis| self.cross::<S>(axis));
         let of_way = (0..6).map(|k: usize| {
@@ -121,7 +122,7 @@ impl ExactCourse {
         })
     }
 
-    /// When and on which axis a triangle that does not miss the box meets it.
+    /// When and on which axis the triangle meets the box, given that it does.
     pub(super) fn first_contact<S: Scalar>(&self) -> FirstContact<S> {
         let mut latest = Latest::<S>::NONE;
         for axis in Axis::ALL {

@@ -1,7 +1,7 @@
-//! The time of the first contact in `f64`: of the axes with a gap the one that closes last is
-//! found without a division. Where it closes at a time that `f64` is sure of, to the last place
-//! of the scalar, that is it. For a scalar of as many digits the gap and the speed on that axis
-//! are computed again in 106 digits.
+//! The time of the first contact in `f64`. The axis whose gap closes last is found without a
+//! division. If `f64` knows its time to the last place of the scalar, that is the answer. For a
+//! scalar with as many digits as `f64`, the gap and the speed on that axis are computed again in
+//! 106 digits.
 
 use super::error_bound::{AtStart, LONG, at_start};
 use super::kernel::Course;
@@ -13,15 +13,15 @@ use crate::query::triangle_aabb::plane::normal;
 use crate::robust::certain_sign;
 use crate::scalar::Scalar;
 
-/// Sizes within which products of two volumes neither overflow nor underflow, nor what is left
-/// over of products of lengths.
+/// Sizes within which neither products of two volumes nor the remainders of products of lengths
+/// overflow or underflow.
 const RANGE: (f64, f64) = (f64::from_bits((1023 - 150) << 52), f64::from_bits((1023 + 150) << 52));
 
 /// Below every gap, whatever its error.
 const NONE: f64 = f64::NEG_INFINITY;
 
-/// Gaps at the start and speeds on the 13 axes, in the order of [`Axis::ALL`], and how far these
-/// may be from the truth; [`NONE`] where there is certainly no gap.
+/// Gaps at the start and speeds on the 13 axes, in the order of [`Axis::ALL`], with their errors;
+/// [`NONE`] where there is certainly no gap.
 struct Gaps {
     gap: [f64; 13],
     error: [f64; 13],
@@ -35,7 +35,7 @@ const fn place(axis: usize, edge: usize) -> usize {
 }
 
 impl Course<Filtered<f64>> {
-    /// Nothing where the bounds are not known.
+    /// `None` outside the range of the bounds.
     #[inline(always)]
     fn gaps(&self) -> Option<Gaps> {
         let (Frame { v, e, h, gaps, .. }, d) = (&self.frame, &self.d);
@@ -67,7 +67,7 @@ impl Course<Filtered<f64>> {
             let middle = n[i].half();
             for k in 0..3 {
                 let (e, v) = (&e[k], &v[k]);
-                // Else it is a face, which comes first.
+                // Otherwise the axis is a face normal, and the face comes first in the order.
                 if (e[j] == 0.0) | (e[l] == 0.0) {
                     continue;
                 }
@@ -84,7 +84,7 @@ impl Course<Filtered<f64>> {
 }
 
 impl Gaps {
-    /// The axis whose gap closes last, or seems to; nothing if there seems to be none.
+    /// The axis whose gap closes last by the computed numbers; `None` if no axis has a gap by them.
     #[inline(always)]
     fn last(&self) -> Option<usize> {
         let (mut last, mut gap, mut speed) = (None, 0.0, 1.0);
@@ -96,8 +96,8 @@ impl Gaps {
         last
     }
 
-    /// Whether all axes but that one have certainly closed before a time. Twice the errors, for
-    /// the roundings here.
+    /// Whether all axes but `last` have certainly closed before a time. Twice the errors cover the
+    /// roundings here.
     #[inline(always)]
     fn others_close_before(&self, last: usize, t: f64) -> bool {
         let closes = |k: usize| {
@@ -113,7 +113,7 @@ impl Gaps {
     }
 }
 
-/// The answer, where `f64` has digits enough.
+/// The first contact, if `f64` has digits enough.
 #[inline(always)]
 pub(super) fn first_contact<S: Scalar>(
     passing: &Passing<'_, S>,
@@ -129,7 +129,7 @@ where
     known.or_else(|| of_all(passing))
 }
 
-/// The same if no axis is known.
+/// The first contact if no axis is known to close last.
 #[inline(never)]
 fn of_all<S: Scalar>(passing: &Passing<'_, S>) -> Option<FirstContact<S>>
 where
@@ -148,7 +148,7 @@ fn at_start_of<S: Scalar>(gaps: &Gaps) -> Option<FirstContact<S>> {
     gaps.are_none().then(FirstContact::default)
 }
 
-/// The answer, where the scalar has as many digits as `f64`.
+/// The first contact for a scalar with as many digits as `f64`.
 #[inline(never)]
 pub(super) fn first_contact_of_long<S: Scalar>(
     passing: &Passing<'_, S>,
@@ -199,7 +199,7 @@ where
     rounded_down(gap, speed, error)
 }
 
-/// gap/speed, rounded down, if gap − t·speed is known as well as it must be.
+/// gap/speed rounded down, if the error allows to tell on which side of it the nearby floats lie.
 fn rounded_down(gap: Double, speed: Double, error: f64) -> Option<f64> {
     let left = |t: f64| gap.minus(speed.times(Double::of(t))).high;
     let is_at_most = |t: f64| {
@@ -211,7 +211,7 @@ fn rounded_down(gap: Double, speed: Double, error: f64) -> Option<f64> {
     if !(t > f64::MIN_POSITIVE && t <= 1.0) {
         return None;
     }
-    // Within two units in the last place.
+    // The quotient is within two units in the last place.
     if is_at_most(t)? {
         for _ in 0..3 {
             let above = next(t);
@@ -238,7 +238,7 @@ impl Given<Filtered<f64>> {
         let e = [Double::way(b, a), Double::way(c, b), Double::way(a, c)];
         let (zero, one) = (Double::ZERO, Double::of(1.0));
         let n = || Double::cross(&e[0], &e[1]);
-        // The axis, and by how much the vertices are beyond the first that is named.
+        // The axis, and how far the vertices lie beyond the named one.
         let (axis, vertex, beyond) = match axis {
             Axis::Face(i) => {
                 let mut unit = [zero; 3];
@@ -254,7 +254,7 @@ impl Given<Filtered<f64>> {
                 (axis, Some(k), n()[i])
             }
         };
-        // Which way the triangle lies, as `f64` is certain.
+        // On which side of the box the triangle lies; `f64` is certain of it.
         let on_axis = |v: &[f64; 3]| dot::<Filtered<f64>>(&each(axis, |x| x.high), v);
         let v = &course.frame.v;
         let is_above = on_axis(&v[0]) + on_axis(&v[1]) + on_axis(&v[2]) > 0.0;
@@ -263,7 +263,7 @@ impl Given<Filtered<f64>> {
         let vertex = match vertex {
             Some(k) if nearer(beyond.high, 0.0) => all[(k + 2) % 3],
             Some(k) => all[k % 3],
-            // On a coordinate they are as given.
+            // Along a coordinate axis the vertices are as given.
             None => {
                 let nearest = |a, b| if nearer(on_axis(a), on_axis(b)) { a } else { b };
                 nearest(nearest(a, b), c)
@@ -279,7 +279,7 @@ impl Given<Filtered<f64>> {
         if is_above { (gap, speed) } else { (gap.negated(), speed.negated()) }
     }
 
-    /// How far a coordinate is beyond the greatest or the least of the box.
+    /// How far a coordinate lies beyond the greatest or the least one of the box.
     fn beyond_corner(&self, i: usize, x: f64, is_greatest: bool) -> Double {
         let Self { p, q, is_by_center, .. } = self;
         if *is_by_center {

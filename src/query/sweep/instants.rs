@@ -1,15 +1,15 @@
-//! The 13 axes of triangle and box at one time of the way, four at once.
+//! The 13 axes of triangle and box at one time of the motion, four at once.
 //!
-//! A time at which no axis separates for certain says that the shapes meet. One at which a single
-//! axis does for certain, and no other may, says more of shapes that meet: the others have closed
-//! before, so that this is the axis that closes last. About where such times are quotients tell,
-//! which need no bound: what they lead to is looked at.
+//! If no axis separates for certain at some time, the shapes meet. If exactly one axis separates
+//! for certain at some time, and no other may, the others have closed before, so this is the axis
+//! that closes last for shapes that meet. Quotients without error bounds propose such times; the
+//! axes are then evaluated there with bounds.
 
 use crate::arithmetic::{Float, Number, Quad, THREE, greatest, least};
 use crate::query::Axis;
 
-/// An axis in each lane. Along it the triangle moves by `way`. At the start it is above the box by
-/// `above`, or below it by `below`; these are below zero where it is not.
+/// Four axes, one in each lane. Along each the triangle moves by `way`. At the start it lies above
+/// the box by `above` or below it by `below`; both are below zero where the shapes overlap.
 #[derive(Clone, Copy)]
 pub(super) struct Moving<Q> {
     pub(super) above: Q,
@@ -18,19 +18,19 @@ pub(super) struct Moving<Q> {
     pub(super) error: Q,
 }
 
-/// All of them: three edges, each across the coordinate axes; the faces; and the plane, in all
-/// lanes alike. Those across the coordinate axes come out as products do, as (z, x, y).
+/// All 13 axes: three edges, each with the coordinate axes; the faces; and the plane, in all lanes
+/// alike. The lanes of an edge are in the order (z, x, y), as the products come out.
 #[derive(Clone, Copy)]
 pub(super) struct Instants<Q> {
     pub(super) edges: [Moving<Q>; 3],
     pub(super) faces: Moving<Q>,
     pub(super) plane: Moving<Q>,
-    /// The edges as vectors, and as products come out.
+    /// The edges as vectors, and in the order of the products.
     pub(super) e: [[Q; 2]; 3],
     pub(super) extent: Q,
 }
 
-/// What part of a bound keeps a quotient finite.
+/// The part 1/`PART` of a bound, added to a divisor, keeps the quotient finite.
 const PART: u16 = 1 << 12;
 
 impl<Q: Quad<Lane: Float>> Moving<Q> {
@@ -40,21 +40,21 @@ impl<Q: Quad<Lane: Float>> Moving<Q> {
         Self { above: middle - radius, below: zero - middle - radius, way, error }
     }
 
-    /// How far the shapes are apart at a time, below zero if they are not.
+    /// The gap at a time, below zero where the shapes overlap.
     #[inline(always)]
     fn gap(self, t: Q) -> Q {
         let way = self.way * t;
         (self.above + way).greatest(self.below - way)
     }
 
-    /// The same all of the way, at the least.
+    /// The least gap over the whole motion.
     #[inline(always)]
     pub(super) fn least_gap(self) -> Q {
         let zero = Q::splat(Q::Lane::ZERO);
         (self.above + self.way.least(zero)).greatest(self.below - self.way.greatest(zero))
     }
 
-    /// About when they begin to be in doubt, and cease to be.
+    /// About when the axis starts to be in doubt, and when it stops.
     #[inline(always)]
     fn times(self) -> [Q; 2] {
         let (zero, one) = (Q::splat(Q::Lane::ZERO), Q::splat(Q::Lane::from(1)));
@@ -66,7 +66,8 @@ impl<Q: Quad<Lane: Float>> Moving<Q> {
 }
 
 impl<Q: Quad<Lane: Float>> Instants<Q> {
-    /// About when the triangle meets the box and leaves it, within the way; in disorder if never.
+    /// About when the triangle meets the box and leaves it within the motion; in reverse order if
+    /// it never does.
     #[inline(always)]
     pub(super) fn times(self) -> [Q::Lane; 2] {
         let (mut first, mut last) = (Q::splat(Q::Lane::ZERO), Q::splat(Q::Lane::from(1)));
@@ -83,7 +84,7 @@ impl<Q: Quad<Lane: Float>> Instants<Q> {
         [greatest(greatest(a, b), c), least(least(x, y), z)]
     }
 
-    /// Whether no axis separates at a time, for certain.
+    /// Whether it is certain that no axis separates at a time.
     #[inline(always)]
     pub(super) fn overlap_at(self, t: Q::Lane) -> bool {
         let at = Q::splat(t);
@@ -95,7 +96,7 @@ impl<Q: Quad<Lane: Float>> Instants<Q> {
         near & THREE == 0 || self.near(t) & own(self.e, self.extent) == 0
     }
 
-    /// The only axis that may separate at a time, and does so.
+    /// The only axis that may separate at a time, if it separates for certain.
     #[inline(always)]
     pub(super) fn only_axis_at(self, t: Q::Lane) -> Option<Axis> {
         let mut near = self.near(t);
@@ -112,14 +113,14 @@ impl<Q: Quad<Lane: Float>> Instants<Q> {
         })
     }
 
-    /// The axes that may separate at a time, bit by bit: edges, faces, plane.
+    /// The axes that may separate at a time, one bit each: edges, faces, plane.
     #[inline(always)]
     fn near(self, t: Q::Lane) -> u32 {
         let t = Q::splat(t);
         self.bits(|moving| moving.gap(t).may_be_above(moving.error))
     }
 
-    /// The axes that do for certain.
+    /// The axes that separate at a time for certain.
     #[inline(always)]
     fn beyond(self, t: Q::Lane) -> u32 {
         let t = Q::splat(t);
@@ -134,7 +135,7 @@ impl<Q: Quad<Lane: Float>> Instants<Q> {
     }
 }
 
-/// Which axes are their own: others are along the normal of a face, or zero.
+/// The axes with a direction of their own; the others are zero or along a face normal.
 ///
 /// By value, and out of line: see `rows`.
 #[inline(never)]

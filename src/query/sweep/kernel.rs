@@ -1,17 +1,19 @@
-//! A triangle that moves past a box, in any number system: the frame is that of the box, which
+//! A triangle that moves past a box, in any number system. The frame is that of the box, which
 //! stands still.
 //!
-//! What the triangle sweeps is convex: it is the sum of the triangle and the way d. So is that
-//! less the box, and whether it contains the origin its faces say. They are spanned by two of
-//! the edges of box and triangle and of d, so there are 19 axes: the 13 of triangle and box, the
-//! cross products of d with the three coordinate axes, and those with the three edges. With flat
-//! boxes, triangles and ways these are enough, too: a box grown by a hair does not meet either,
-//! has a separating axis among them, and encloses the flat one.
+//! The triangle sweeps a convex set: the sum of the triangle and the segment d of its motion. That
+//! set minus the box is convex too, and its faces decide whether it contains the origin. Two edges
+//! of box, triangle and d span each face, so there are 19 axes: the 13 of triangle and box, the
+//! cross products of d with the three coordinate axes, and those with the three edges. These axes
+//! also suffice for flat boxes, triangles and motions. If a flat box does not meet the triangle,
+//! neither does a box that is thicker by a hair; one of the axes separates the thicker box, and
+//! with it the flat one.
 //!
-//! On an axis that the triangle moves along by s, what it covers grows by s: the middle moves by
-//! s/2, and the radius grows by |s|/2. The times at which the triangle meets the box are an
-//! interval, that in which none of the 13 axes separates. An axis with a gap g at the start ceases
-//! to separate at g/|s|, if any, and the latest of these is the first time, if there is one.
+//! Along an axis the triangle moves by s. Over the whole motion it covers s more: its middle moves
+//! by s/2, and its radius grows by |s|/2. The triangle meets the box at the times when none of the
+//! 13 axes separates, and these times are an interval. An axis with a gap g at the start stops
+//! separating at g/|s|, if ever. The latest of these times is that of the first contact, if there
+//! is a contact.
 
 use super::FirstContact;
 use super::error_bound::{Along, AtStart, FACE, along, at_start};
@@ -23,26 +25,26 @@ use crate::query::triangle_aabb::plane::normal;
 use crate::robust::Uncertain;
 use crate::scalar::Scalar;
 
-/// A triangle in the frame of a box, and its way, which is not doubled.
+/// A triangle in the frame of a box, and its motion d, which is not doubled.
 pub(super) struct Course<N: Arithmetic> {
     pub(super) frame: Frame<N>,
     pub(super) d: [N::Length; 3],
 }
 
-/// Whether an axis separates that has its middle there, and such a radius in all.
+/// Does an axis with this middle and this total radius separate?
 #[inline(always)]
 fn axis<T: Number>(middle: T, radius: T, error: T) -> Uncertain {
     Uncertain::above(middle.magnitude() - radius, error)
 }
 
-/// What is certain, and what is possible if this is so.
+/// Keeps what is certain, and what is possible only if `is_so`.
 #[inline(always)]
 fn possible_if(found: Uncertain, is_so: bool) -> Uncertain {
     Uncertain { possible: found.possible & (found.certain | is_so), ..found }
 }
 
 impl<N: Arithmetic> Course<N> {
-    /// Whether the triangle misses the box all of the way, if `N` can tell.
+    /// Whether the triangle misses the box all the way, if `N` can tell.
     #[inline(always)]
     pub(super) fn misses(&self) -> Option<bool> {
         let Self { frame, d } = self;
@@ -73,8 +75,8 @@ impl<N: Arithmetic> Course<N> {
             let is_beyond = (low + least(d, zero) > h[i]) | (high + greatest(d, zero) < -h[i]);
             return Uncertain::known(is_beyond);
         }
-        // Which side it is on is certain where there is a gap, and so is whether there is one,
-        // unless it is zero: see `Frame`.
+        // The gap's sign is certain except at zero (see `Frame`): where there is a gap, its side is
+        // known.
         let gap = gaps[i];
         let (is_gap, is_rounded) = (gap > zero, !self.frame.gaps_are_exact & (gap == zero));
         let toward = if low > zero { -d } else { d };
@@ -98,27 +100,27 @@ impl<N: Arithmetic> Course<N> {
         let Frame { v, e, h, .. } = &self.frame;
         let radius = half_way.magnitude() + reach::<N>(n, h);
         let found = axis(dot::<N>(n, &v[0]) + half_way, radius, error);
-        // In a coordinate plane it is a face.
+        // A triangle in a coordinate plane has a face normal here.
         let zero = N::Length::ZERO;
         let is_flat = |i: usize| (e[0][i] == zero) & (e[1][i] == zero);
         possible_if(found, !(is_flat(0) | is_flat(1) | is_flat(2)))
     }
 
-    /// The cross products of an edge with coordinate axes, and with the way.
+    /// The cross products of an edge with the coordinate axes and with the motion.
     #[inline(always)]
     fn edge(&self, k: usize, n: &[N::Area; 3], half_way: N::Volume, error: &Along<N>) -> Uncertain {
         let (Frame { h, .. }, d, zero) = (&self.frame, &self.d, N::Length::ZERO);
         let (e, v) = (&self.frame.e[k], &self.frame.v[k]);
         let q = cross::<N>(e, d);
-        // Of the edge the axis sees a point, of the way nothing, and the vertex opposite is off by
-        // what the plane moves.
+        // The axis is perpendicular to the edge and to the motion. It sees the edge as a point and
+        // the motion as nothing, and the opposite vertex at the distance that the plane moves.
         let found = axis(
             dot::<N>(&q, v) - half_way,
             half_way.magnitude() + reach::<N>(&q, h),
             error.volume,
         );
-        // Along a face normal, or across an edge or a way that is along one: there are others
-        // that say the same.
+        // If the edge or the motion lies along a coordinate axis, or if both lie in one coordinate
+        // plane, another axis has the same direction.
         let along = |x: &[N::Length; 3]| {
             let zeros = x.map(|x| x == zero);
             (zeros[0] & (zeros[1] | zeros[2])) | (zeros[1] & zeros[2])
@@ -139,7 +141,7 @@ impl<N: Arithmetic> Course<N> {
         so_far
     }
 
-    /// The cross product of a coordinate axis and the way.
+    /// The cross product of a coordinate axis and the motion.
     #[inline(always)]
     fn across(&self, i: usize, error: N::Area) -> Uncertain {
         let (j, l) = ((i + 1) % 3, (i + 2) % 3);
@@ -154,8 +156,8 @@ impl<N: Arithmetic> Course<N> {
         possible_if(found, (d[j] != zero) & (d[l] != zero))
     }
 
-    /// When and on which axis a triangle that does not miss the box meets it, if `N` can tell. Of
-    /// an axis that is known to be the last no other is looked at.
+    /// When and on which axis the triangle meets the box, if it does and `N` can tell. If an axis
+    /// is known to close last, only that axis is computed.
     #[inline(always)]
     pub(super) fn first_contact<S: Scalar>(&self, last: Option<Axis>) -> Option<FirstContact<S>>
     where
@@ -176,7 +178,7 @@ impl<N: Arithmetic> Course<N> {
             } else {
                 gaps[i]
             };
-            // The sign of one that is not zero is right.
+            // The sign of a gap that is not zero is right.
             let is_known = N::CERTAIN | self.frame.gaps_are_exact | (gap < N::Length::ZERO);
             if !(is_known & (gap <= N::Length::ZERO)) {
                 let errors = [self.face_error(i), speed.error(2)];
@@ -193,7 +195,7 @@ impl<N: Arithmetic> Course<N> {
             let (j, l) = ((i + 1) % 3, (i + 2) % 3);
             for k in 0..3 {
                 let (e, v) = (&e[k], &v[k]);
-                // Else it is a face, which comes first.
+                // Otherwise the axis is a face normal, and the face comes first in the order.
                 let axis = Axis::Edge { axis: i as u8, edge: k as u8 };
                 let is_face = (e[j] == N::Length::ZERO) | (e[l] == N::Length::ZERO);
                 if is_face || !is_asked(axis) {

@@ -24,74 +24,75 @@ use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
-/// When a shape that moves first meets another, and how.
+/// When and how a moving shape first meets another.
 #[doc(alias = "time of impact")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct FirstContact<S> {
-    /// The part of the motion before it, from zero to one: the greatest number of the scalar that
-    /// is not above the true time.
+    /// The time of the first contact, as a part of the motion from zero to one: the greatest number
+    /// of the scalar that is not above the true time.
     ///
-    /// So it is never late, and a float is less than one unit in the last place early. A
-    /// fixed-point type that ends below one says its end for what is beyond.
+    /// The time is therefore never late, and a float is early by less than one unit in the last
+    /// place. In a fixed-point type that ends below one, a later time is the greatest value of the
+    /// type.
     pub t: S,
-    /// The axis on which the shapes are apart until then; none if they meet at the start.
+    /// The axis on which the shapes are apart until that time; `None` if they meet at the start.
     ///
-    /// Of several axes, whose times are one number of the scalar, it is the first in the order of
-    /// [`Axis::ALL`]. Axes are those of the triangle, or of two boxes the three
-    /// [`Axis::Face`].
+    /// If several axes close at the same number of the scalar, this is the first of them in the
+    /// order of [`Axis::ALL`]. The axes are those of the triangle; between two boxes they are the
+    /// three [`Axis::Face`].
     pub axis: Option<Axis>,
 }
 
 /// A shape that can be moved past another.
 ///
-/// There is an implementation for each pair that can be asked about. A triangle that moves past a
-/// box is the box that moves past the triangle by [`Motion::reversed`].
+/// Each pair of shapes has an implementation. To move a triangle past a box is to move the box past
+/// the triangle by [`Motion::reversed`].
 pub trait Sweep<Other> {
     /// The scalar of both shapes.
     type Scalar;
 
     /// Whether this shape, as it moves, has a point in common with the other at any time.
     ///
-    /// *Geometry*: closed sets in one frame and unit. This one is given as it lies at the start,
-    /// and every point of it moves by `to` − `from` of the motion. That is a translation: bodies
-    /// that turn need another way, such as a sweep of what encloses them as they turn.
+    /// *Geometry*: closed sets in one frame and one unit. This shape is given at the start of the
+    /// motion, and each of its points moves by `to` − `from`. The motion is a translation; for a
+    /// body that turns, sweep a shape that encloses it in all its orientations.
     ///
-    /// *Contact*: touching is contact, at the start and at the end too. No motion is
-    /// [`overlaps`](crate::Overlaps::overlaps).
+    /// *Contact*: touching counts as contact, also at the start and at the end. Without motion the
+    /// answer is that of [`overlaps`](crate::Overlaps::overlaps).
     ///
-    /// *Numerics*: exact for every valid input, in every scalar: no difference of the motion and
-    /// no sum of it and a coordinate is rounded.
+    /// *Numerics*: exact for every valid input, in every scalar. No difference within the motion is
+    /// rounded, nor a sum of it and a coordinate.
     ///
-    /// *Range*: all finite floats, all fixed-point values. The fast stage serves what
-    /// [`overlaps`](crate::Triangle#impl-Overlaps<Aabb<S>>-for-Triangle<S>) says of the two shapes
-    /// and the way together.
+    /// *Range*: all finite floats and all fixed-point values. The fast stage serves the range that
+    /// [`overlaps`](crate::Triangle#impl-Overlaps<Aabb<S>>-for-Triangle<S>) names, here of the two
+    /// shapes and the motion together.
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: of a triangle and a box 111 multiplications, unless a face separates all of the way,
-    /// and less and five quotients of four floats at once if they meet; of two boxes 12, and no
-    /// division. Floats within rounding of contact take it again in wider numbers, at last in exact
-    /// sums.
+    /// *Cost*: a triangle and a box take 111 multiplications, unless a face separates them all the
+    /// way. If they meet, the query takes fewer, and five quotients of four floats at once. Two
+    /// boxes take 12 multiplications and no division. Floats within rounding of contact are decided
+    /// in wider numbers, at last in exact sums.
     ///
     /// *Source*: separating axes of sums of convex sets (Gottschalk, Lin and Manocha 1996, for
-    /// boxes); that the way is an edge like others, the bounds and the exact stages are ours.
+    /// boxes). Ours: the motion as one more edge, the error bounds and the exact stages.
     #[must_use]
     fn meets_along(&self, motion: &Motion<Self::Scalar>, other: &Other) -> bool;
 
-    /// When this shape, as it moves, first has a point in common with the other; nothing if it
-    /// [misses](Self::meets_along) it.
+    /// When does this shape, as it moves, first have a point in common with the other? `None` if it
+    /// [misses](Self::meets_along) the other.
     ///
     /// *Contact*: shapes that touch at the start meet at time zero.
     ///
-    /// *Numerics*: exact but for one rounding, down: see [`FirstContact`]. If an axis is told, the
-    /// shapes are apart until that time, and then apart still or in touch.
+    /// *Numerics*: exact but for one rounding, downwards: see [`FirstContact`]. If the result names
+    /// an axis, the shapes are apart before that time; at that time they touch or are still apart.
     ///
-    /// *Panics*: never. *Cost*: [`meets_along`](Self::meets_along), and for shapes that meet one of
-    /// its axes once more, in `f64`, and two divisions; for an answer in `f64` in 106 digits, and
-    /// in fixed point of 64 bits a division of integers. Where floats are dear, or two axes close
-    /// at about the same time, every axis with a gap.
+    /// *Panics*: never. *Cost*: that of [`meets_along`](Self::meets_along). Shapes that meet also
+    /// take one of its axes again in `f64`, and two divisions. A result in `f64` takes that axis in
+    /// 106 digits, and one in fixed point of 64 bits a division of integers. On 32-bit cores, and
+    /// where two axes close at about the same time, every axis with a gap is computed.
     #[doc(alias = "time of impact")]
     #[doc(alias = "continuous collision")]
     #[must_use]
@@ -106,10 +107,10 @@ pub trait Sweep<Other> {
 struct Passing<'a, S> {
     triangle: &'a Triangle<S>,
     aabb: &'a Aabb<S>,
-    /// By reference, as it lies: a copy just made would not be in memory yet when it is loaded as
-    /// a vector.
+    /// Borrowed in place. A fresh copy would not have reached memory when it is loaded as a vector,
+    /// and the load would wait.
     motion: &'a Motion<S>,
-    /// Whether the triangle goes back.
+    /// Whether the triangle moves backwards, because the box is what moves.
     is_reversed: bool,
 }
 
@@ -119,13 +120,13 @@ impl<'a, S: Scalar> Passing<'a, S> {
         Self { triangle, aabb, motion, is_reversed: false }
     }
 
-    /// The box moves.
+    /// The box moves, so in its frame the triangle goes back.
     #[inline(always)]
     fn reversed(triangle: &'a Triangle<S>, aabb: &'a Aabb<S>, motion: &'a Motion<S>) -> Self {
         Self { triangle, aabb, motion, is_reversed: true }
     }
 
-    /// From where to where the triangle moves.
+    /// Where the triangle's motion begins and ends.
     #[inline(always)]
     fn ends(&self) -> [Vec3<S>; 2] {
         let (from, to) = (self.motion.from(), self.motion.to());
@@ -161,17 +162,17 @@ impl<'a, S: Scalar> Passing<'a, S> {
     }
 }
 
-/// The numbers of shapes and way in a number system.
+/// The coordinates of the shapes and the motion in a number system.
 struct Given<N: Arithmetic> {
     triangle: [[N::Length; 3]; 3],
     p: [N::Length; 3],
     q: [N::Length; 3],
-    /// Whether p and q are centre and half-extents, or corners.
+    /// Whether p and q are centre and half-extents; otherwise they are corners.
     is_by_center: bool,
     way: [[N::Length; 3]; 2],
 }
 
-/// The question whether it misses it.
+/// Does the triangle miss the box?
 struct Misses<'a, S>(Passing<'a, S>);
 
 impl<S: Scalar> Predicate<S> for Misses<'_, S> {

@@ -1,13 +1,14 @@
 use crate::scalar::Scalar;
 use crate::shape::{ShapeError, Vec3, finite};
 
-/// A translation: what is at `from` before is at `to` after.
+/// A translation from one place to another.
 ///
-/// A motion is given by two places of one point, say of a body's centre in the last frame and in
-/// this one. Every other point p goes to p + (`to` − `from`), and that is not rounded: it need not
-/// be a number of the scalar. At time t, from zero to one, it is at p + t·(`to` − `from`).
+/// A motion is given by two places of one point, for example a body's centre in the last frame and
+/// in this one. Every other point p goes to p + (`to` − `from`). That sum is not rounded and need
+/// not be a number of the scalar. At time t, from zero to one, the point is at p + t·(`to` −
+/// `from`).
 ///
-/// Bodies that turn are not described by it.
+/// A motion does not turn bodies.
 ///
 /// ```
 /// use septum::sweep::Motion;
@@ -23,7 +24,7 @@ pub struct Motion<S> {
 }
 
 impl<S: Scalar> Motion<S> {
-    /// The motion from one place to another; no motion if they are the same.
+    /// The motion from one place to another; no motion if the places are equal.
     ///
     /// # Errors
     /// [`ShapeError::NotFinite`] where a coordinate is NaN or infinite.
@@ -34,21 +35,21 @@ impl<S: Scalar> Motion<S> {
 }
 
 impl<S: Copy> Motion<S> {
-    /// Where it begins.
+    /// Where the motion begins.
     #[inline]
     #[must_use]
     pub const fn from(&self) -> Vec3<S> {
         self.from
     }
 
-    /// Where it ends.
+    /// Where the motion ends.
     #[inline]
     #[must_use]
     pub const fn to(&self) -> Vec3<S> {
         self.to
     }
 
-    /// The motion back. Seen from a body that moves, everything else moves so.
+    /// The motion back. Seen from the moving body, everything else moves like this.
     #[inline]
     #[must_use]
     pub const fn reversed(&self) -> Self {

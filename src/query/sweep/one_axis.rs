@@ -1,5 +1,5 @@
-//! The time at which an axis closes that is known to be the last, in `f64`: of that axis alone, the
-//! numbers and bounds of `in_doubles`.
+//! The time in `f64` at which an axis closes, given that it closes last. Only this axis is
+//! computed, with the numbers and bounds of `in_doubles`.
 
 use super::error_bound::{AtStart, FACE, at_start};
 use super::{FirstContact, Given, Last};
@@ -7,25 +7,25 @@ use crate::arithmetic::{Filtered, Number, greatest, least};
 use crate::query::Axis;
 use crate::scalar::Scalar;
 
-/// A number of a row. By its address: which axis it is nobody can guess.
+/// A number of a row, by its address: a branch on the axis would be unpredictable.
 #[inline(always)]
 fn at<T: Copy>(x: &[T; 3], i: usize) -> T {
     x.get(i).copied().unwrap_or(x[0])
 }
 
-/// The axis that follows in turn.
+/// The next axis in cyclic order.
 #[inline(always)]
 fn after(i: usize) -> usize {
     at(&[1, 2, 0], i)
 }
 
-/// How far apart the shapes are at the start, and how far the triangle moves; with bounds.
+/// The gap at the start and the triangle's motion along the axis, each with its error.
 struct Gap {
     gap: [f64; 2],
     way: [f64; 2],
 }
 
-/// The answer, if `f64` has digits enough.
+/// The first contact, if `f64` has digits enough.
 #[inline(always)]
 pub(super) fn first_contact<S: Scalar>(
     given: &Given<Filtered<f64>>,
@@ -71,7 +71,7 @@ impl Given<Filtered<f64>> {
         self.edge(0, j) * self.edge(1, l) - self.edge(0, l) * self.edge(1, j)
     }
 
-    /// An axis on which there may be a gap, whatever the sign of it.
+    /// An axis with a possible gap, of either sign.
     #[inline(always)]
     fn on_axis(&self, Last { axis, size, .. }: Last) -> Option<Gap> {
         let AtStart { gap: bound, area_speed, volume_speed }: AtStart<Filtered<f64>> =

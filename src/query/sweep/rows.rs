@@ -1,4 +1,4 @@
-//! The kernel in floats: the same 19 axes, with x, y and z of a point side by side, as in
+//! The kernel in floats. It has the same 19 axes, with x, y and z of a point side by side as in
 //! `triangle_aabb::rows`.
 
 use super::error_bound::{Along, FACE, along};
@@ -10,7 +10,7 @@ use crate::robust::Uncertain;
 use crate::scalar::Scalar;
 use crate::shape::AabbForm;
 
-/// A triangle in the frame of a box, and its way.
+/// A triangle in the frame of a box, and its motion.
 #[derive(Clone, Copy)]
 struct Course<Q> {
     rows: Rows<Q>,
@@ -19,11 +19,11 @@ struct Course<Q> {
     half: Q,
     d: Q,
     faces: Moving<Q>,
-    /// The axes on which a face may separate all of the way.
+    /// The axes on which a face may separate all the way.
     open_faces: u32,
 }
 
-/// Whether the triangle misses the box all of the way, if floats can tell.
+/// Whether the triangle misses the box all the way, if floats can tell.
 #[inline(always)]
 pub(super) fn misses<S: Scalar + InFloat<F>, F: Float>(passing: &Passing<'_, S>) -> Option<bool> {
     match passing.aabb.form() {
@@ -32,7 +32,7 @@ pub(super) fn misses<S: Scalar + InFloat<F>, F: Float>(passing: &Passing<'_, S>)
     }
 }
 
-/// What floats know of when.
+/// What floats know of the time of contact.
 #[inline(always)]
 pub(super) fn when<S: Scalar + InFloat<F>, F: Float>(passing: &Passing<'_, S>) -> Option<Instant> {
     match passing.aabb.form() {
@@ -62,7 +62,7 @@ fn when_in<S: Scalar + InFloat<F>, F: Float, const BY_CENTER: bool>(
 }
 
 impl<Q: Quad<Lane: Float>> Course<Q> {
-    /// Nothing where a face separates all of the way, or where coordinates were rounded.
+    /// `None` where coordinates were rounded; `Some(None)` where a face separates all the way.
     #[inline(always)]
     fn of<S: Scalar + InFloat<Q::Lane>, const BY_CENTER: bool>(
         passing: &Passing<'_, S>,
@@ -77,12 +77,12 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         are_exact.then(|| Self::new::<BY_CENTER>(rows, p, q, to - from))
     }
 
-    /// Nothing where a face separates all of the way.
+    /// `None` where a face separates all the way.
     #[inline(always)]
     fn new<const BY_CENTER: bool>(rows: Rows<Q>, p: Q, q: Q, d: Q) -> Option<Self> {
         let zero = Q::splat(Q::Lane::ZERO);
-        // To either side of the box, below zero where they overlap. See `Frame`: the sign of what
-        // is not zero is right, and that of zero with two corners.
+        // The gaps on both sides of the box, below zero where the shapes overlap. The sign of a gap
+        // that is not zero is right, and with two corners that of zero too: see `Frame`.
         let (above, below, half) = if BY_CENTER {
             let (low, high) = (rows.low - p, rows.high - p);
             (low - q, zero - high - q, q)
@@ -93,7 +93,7 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         let left = (above + d.least(zero)).greatest(below - d.greatest(zero));
         let size = above.magnitude() + below.magnitude() + half + d.magnitude();
         let error = size * Q::splat(Q::Lane::from(FACE) * Q::Lane::ROUNDOFF);
-        // A gap that the way does not lead across stays.
+        // A gap stays open if the motion does not lead across it.
         let stays = above.exceeds(zero) & !zero.exceeds(d) | below.exceeds(zero) & !d.exceeds(zero);
         if (left.exceeds(error) | stays) & THREE != 0 {
             return None;
@@ -103,7 +103,7 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         let v = rows.v;
         let in_frame = |v: Q| if BY_CENTER { v - p } else { half_of((v - p) + (v - q)) };
         let v = [in_frame(v[0]), in_frame(v[1]), in_frame(v[2])];
-        // What a part of the way loses to underflow is more than a part of a tiny size.
+        // Underflow in a part of the motion can lose more than a roundoff of a tiny size.
         let error = error + Q::splat(Q::Lane::UNDERFLOW);
         let faces = Moving { above, below, way: d, error };
         Some(Self { rows, v, half, d, faces, open_faces })
@@ -117,7 +117,7 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         greatest(greatest(x, y), z)
     }
 
-    /// The axes of triangle and box. Nothing where the plane separates all of the way.
+    /// The axes of triangle and box. `None` where the plane separates all the way.
     #[inline(always)]
     fn instants(self, error: &Along<Filtered<Q::Lane>>) -> Option<Instants<Q>> {
         let Self { rows, v, half, d, faces, .. } = &self;
@@ -149,7 +149,7 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         })
     }
 
-    /// Whether it misses the box all of the way.
+    /// Whether the triangle misses the box all the way, if floats can tell.
     #[inline(always)]
     fn misses(self) -> Option<bool> {
         let error = along(self.size())?;
@@ -161,8 +161,9 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         self.misses_on_axes(error, instants)
     }
 
-    /// What is known of when it meets it. So far before that axes are to be closed which count as
-    /// closed earlier.
+    /// When the triangle meets the box, as far as floats can tell. `place` is how much earlier than
+    /// the first contact the other axes must have closed, so that they also close earlier in the
+    /// scalar.
     #[inline(always)]
     fn when(self, place: Q::Lane) -> Option<Instant> {
         let size = self.size();
@@ -175,13 +176,13 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
                     return Some(Instant::AtStart);
                 }
             } else if instants.overlap_at((first + last).half()) {
-                // And by more than what a number of the scalar loses in `f64`: see `Last`.
+                // By more than a number of the scalar loses in `f64` too: see `Last`.
                 let after = greatest(first - first.error(256) - place, Q::Lane::ZERO);
                 let last = instants.only_axis_at(after);
                 return Some(Instant::Meets(last.map(|axis| Last {
                     axis,
                     after: after.into(),
-                    // As `f64` would have it, with all roundings.
+                    // The size that `f64` would compute, with all its roundings.
                     size: size.into() * 1.001,
                 })));
             }
@@ -190,10 +191,10 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         Some(if misses { Instant::Misses } else { Instant::Meets(None) })
     }
 
-    /// Whether one of the 19 axes separates all of the way. The plane does not for certain.
+    /// Whether one of the 19 axes separates all the way. The plane is known not to.
     ///
-    /// By value: what others have a reference to stays in memory, and whoever loads it as a vector
-    /// waits for its parts to be stored.
+    /// By value. An argument behind a reference stays in memory, and a vector load of it waits
+    /// until its parts are stored.
     #[inline(never)]
     fn misses_on_axes(
         self,
@@ -232,7 +233,7 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
             return Some(true);
         }
 
-        // Nothing separates for certain. What else may?
+        // Nothing separates for certain. Which axes still may?
         let area = Q::splat(error.area);
         let is_near = (most.greatest(across).may_be_above(area) & THREE != 0)
             | Uncertain::above(greatest(plane, furthest), error.volume).possible
@@ -243,8 +244,8 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         Some(false)
     }
 
-    /// Whether an axis of those near contact is one that is not along a face normal or another
-    /// axis.
+    /// Whether an axis near contact differs in direction from every face normal and from the other
+    /// axes.
     #[inline(never)]
     fn may_miss(
         &self,

@@ -1,4 +1,4 @@
-//! The questions when shapes meet: what floats know of it, and the time.
+//! When do the shapes meet? First what floats know, then the time.
 
 use super::{FirstContact, Passing, in_doubles, rows};
 use crate::arithmetic::{Embeds, Filtered, Float, InFloat};
@@ -6,10 +6,10 @@ use crate::query::Axis;
 use crate::robust::{Clue, Predicate};
 use crate::scalar::Scalar;
 
-/// More than what a number of a scalar loses where it is told in `f64`, of itself.
+/// A relative bound, above the relative loss of a scalar's number in `f64`.
 const NEAR: f64 = 64.0 * f64::EPSILON;
 
-/// What floats know of a way.
+/// What floats know of a motion.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) enum Instant {
     /// Nothing.
@@ -19,7 +19,7 @@ pub(super) enum Instant {
     Misses,
     /// They meet at the start.
     AtStart,
-    /// They meet, and perhaps on this axis.
+    /// They meet; the axis that closes last, if floats know it.
     Meets(Option<Last>),
 }
 
@@ -27,13 +27,13 @@ pub(super) enum Instant {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Last {
     pub(super) axis: Axis,
-    /// When it has not closed yet, but all others have.
+    /// A time at which all other axes have closed, and this one has not.
     pub(super) after: f64,
-    /// Of shapes and way, at least: see `error_bound`.
+    /// A lower bound on the size of shapes and motion: see `error_bound`.
     pub(super) size: f64,
 }
 
-/// The question what floats know.
+/// What do floats know of the motion?
 pub(super) struct When<'a, 'b, S>(pub(super) &'b Passing<'a, S>);
 
 impl<S: Scalar> Predicate<S> for When<'_, '_, S> {
@@ -58,15 +58,15 @@ impl<S: Scalar> Predicate<S> for When<'_, '_, S> {
     }
 }
 
-/// The question when it meets it, of shapes that do, and what is known of that.
+/// When do these shapes meet, given that they do, and given what floats know?
 pub(super) struct Meets<'a, S> {
     pub(super) passing: Passing<'a, S>,
     pub(super) last: Option<Last>,
 }
 
 impl Last {
-    /// The answer, if all other axes have closed before also as the scalar tells times: else one of
-    /// them may come first in the order.
+    /// The answer, if all other axes have closed before it also in the scalar's rounding. Otherwise
+    /// an axis that comes first in the order may close at the same number.
     pub(super) fn at<S: Scalar>(self, t: S) -> Option<FirstContact<S>> {
         let is_after = t.in_double() > self.after * (1.0 + NEAR);
         is_after.then_some(FirstContact { t, axis: Some(self.axis) })
