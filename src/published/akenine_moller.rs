@@ -1,20 +1,20 @@
-//! Triangle against axis-aligned box as published in 2001: its arithmetic, its
-//! 13 axes, its interval tests.
+//! Triangle against axis-aligned box as published in 2001: its arithmetic, its 13 axes, its
+//! interval tests.
 //!
-//! T. Akenine-Möller, "Fast 3D Triangle-Box Overlap Testing", *Journal of
-//! Graphics Tools* 6(1), 2001. Written from the paper; it is the yardstick for
-//! speed and the example of what rounding does.
+//! T. Akenine-Möller, "Fast 3D Triangle-Box Overlap Testing", *Journal of Graphics Tools* 6(1),
+//! 2001. Written from the paper. Other tests measure their speed against it, and it shows what
+//! rounding does.
 
 use super::vector::rounded;
 use crate::arithmetic::{Arithmetic, Number, Rounded, greatest, least};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Obb, Triangle, Vec3};
 
-/// In which order the three groups of axes are tried.
+/// The order in which the three groups of axes are tested.
 ///
-/// The paper names them bullets: 1, the box's face normals; 2, the triangle's
-/// normal; 3, the nine cross products. It found 3-1-2 the fastest on one
-/// machine, and no difference on another.
+/// The paper calls the groups bullets: 1, the box's face normals; 2, the triangle's normal; 3, the
+/// nine cross products. It found the order 3-1-2 fastest on one machine, and no difference on
+/// another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Order {
@@ -33,12 +33,12 @@ pub enum Order {
     NormalFacesEdges,
 }
 
-/// The overlap test as published in 2001, in the scalar's own arithmetic and
-/// the paper's order: sometimes wrong.
+/// Does the triangle overlap the box, by the test of 2001? In the scalar's own arithmetic and the
+/// paper's order of axes, and sometimes wrong.
 ///
-/// *Numerics*: in `f32` it misses some 3 in 100 slivers. In fixed point
-/// products lose their last bits and wrap beyond the range. A box given by
-/// its corners is first brought to centre and half-extents, rounded.
+/// *Numerics*: in `f32` it misses about 3 of 100 slivers. In fixed point, products lose their last
+/// bits and wrap around outside the range. A box given by its corners is first converted to centre
+/// and half-extents, rounded.
 ///
 /// *Panics*: never. *Cost*: up to 66 multiplications, 13 early exits.
 ///
@@ -48,9 +48,9 @@ pub fn overlaps<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bool {
     overlaps_in(triangle, aabb, Order::default())
 }
 
-/// [`overlaps`] with the groups of axes in another order.
-// A constant order must be known inside, whoever else calls it: a quarter of the time
-// goes into asking for it otherwise.
+/// Does the triangle overlap the box, by [`overlaps`] with the groups of axes in another order?
+// Always inlined, so that the order is a constant: deciding it at run time costs a quarter of the
+// time.
 #[inline(always)]
 #[must_use]
 pub fn overlaps_in<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>, order: Order) -> bool {
@@ -76,14 +76,16 @@ pub fn overlaps_in<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>, order: Ord
     }
 }
 
-/// The overlap test with an oriented box as published in 2001, in the
-/// scalar's own arithmetic: the triangle is taken into the box's frame and
-/// tested against an axis-aligned box, rounded at every step.
+/// Does the triangle overlap the oriented box, by the test of 2001? In the scalar's own arithmetic,
+/// and sometimes wrong.
 ///
-/// *Geometry*: the inverse of a rotation is its transpose, so the axes must be
-/// orthonormal. What they lack adds to the rounding.
+/// The triangle is transformed into the box's frame and tested there against an axis-aligned box.
+/// Every step is rounded.
 ///
-/// *Numerics*: sometimes wrong; see [`overlaps`].
+/// *Geometry*: the inverse of a rotation is its transpose, so the axes must be orthonormal. Their
+/// deviation adds to the rounding.
+///
+/// *Numerics*: see [`overlaps`].
 ///
 /// *Panics*: never. *Cost*: 27 multiplications and the test.
 ///
@@ -102,8 +104,8 @@ pub fn overlaps_obb<S: Scalar>(triangle: &Triangle<S>, obb: &Obb<S>) -> bool {
     overlaps(&Triangle::unchecked([a, b, c]), &aabb)
 }
 
-/// The triangle with the box's centre at the origin; each method is one bullet
-/// of the paper and says whether an axis of it separates.
+/// The triangle with the box's centre at the origin. Each method is one bullet of the paper and
+/// tells whether one of its axes separates.
 struct Published<S> {
     v: [[Rounded<S>; 3]; 3],
     e: [[Rounded<S>; 3]; 3],
@@ -130,8 +132,8 @@ impl<S: Scalar> Published<S> {
         })
     }
 
-    /// Bullet 2: the plane of the triangle against the diagonal of the box that
-    /// lies closest to its normal.
+    /// Bullet 2: the triangle's plane against the diagonal of the box that is closest to its
+    /// normal.
     #[inline(always)]
     fn normal(&self) -> bool {
         let [e0, e1, _] = &self.e;
@@ -143,7 +145,7 @@ impl<S: Scalar> Published<S> {
         ];
         let dot = |x: [Rounded<S>; 3]| mul(n[0], x[0]) + mul(n[1], x[1]) + mul(n[2], x[2]);
         let zero = Rounded::ZERO;
-        // From the plane, at vertex 0, to the corner against n and along n.
+        // From vertex 0, which lies in the plane, to the corner against n or along n.
         let corner = |along: bool| {
             let from_vertex = |i: usize| {
                 let side = if (n[i] > zero) == along { self.h[i] } else { -self.h[i] };
@@ -154,12 +156,12 @@ impl<S: Scalar> Published<S> {
         dot(corner(false)) > zero || dot(corner(true)) < zero
     }
 
-    /// Bullet 3: nine cross products. Two of the three vertices project to the
-    /// same point, so two projections make the interval.
+    /// Bullet 3: nine cross products. Two of the three vertices project to the same point, so two
+    /// projections give the interval.
     #[inline(always)]
     fn edges(&self) -> bool {
-        // No closures: what becomes of those depends on what else the program calls, and
-        // that was worth a quarter of the time.
+        // No closures here: whether the compiler inlines them depends on the rest of the program,
+        // and that was worth a quarter of the time.
         for k in 0..3 {
             if self.edge(0, k) || self.edge(1, k) || self.edge(2, k) {
                 return true;

@@ -1,4 +1,4 @@
-//! The watertight test where all three edge functions came out zero.
+//! The watertight test if all three edge functions are zero.
 
 use core::cmp::Ordering;
 
@@ -9,11 +9,10 @@ use crate::query::Candidate;
 use crate::robust::ExactSum;
 use crate::scalar::Scalar;
 
-/// The verdict on a triangle of which the ray sees so little that its area was
-/// rounded away.
+/// The verdict on a triangle that the ray sees so nearly edge on that rounding erased its area.
 ///
-/// The signs of the edge functions are found exactly. If they agree, the triangle
-/// is, within rounding, its longest side, and the ray goes through that.
+/// The signs of the edge functions are computed exactly. If they agree, the triangle seen from the
+/// ray is its longest side, within rounding, and the ray crosses that side.
 #[cold]
 #[inline(never)]
 pub(super) fn degenerate_view<S: Scalar>(
@@ -39,8 +38,8 @@ fn edge<S: Scalar>(p: Triple<S>, q: Triple<S>) -> Ordering {
     sum.sign()
 }
 
-/// Where the z axis comes nearest to the longest side as seen: the weights of the
-/// three corners, and the height.
+/// The point of the longest side, as seen, that is nearest to the z axis: its weights of the three
+/// corners, and its height.
 fn along_longest<S: Scalar>(corners: [Triple<S>; 3]) -> (Triple<S>, Rounded<S>) {
     let (mut from, mut to, mut axis) = (0, 1, 0);
     let mut longest = Rounded::ZERO;

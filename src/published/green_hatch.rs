@@ -1,9 +1,9 @@
-//! Polygon against axis-aligned box as published in 1995: outcodes, each edge, and one diagonal
-//! of the box.
+//! Polygon against axis-aligned box as published in 1995: outcodes, each edge, and one diagonal of
+//! the box.
 //!
-//! D. Green, D. Hatch, "Fast Polygon-Cube Intersection Testing", *Graphics Gems V*, 1995, with
-//! the outcodes of D. Voorhies, "Triangle-Cube Intersection", *Graphics Gems III*, 1992. Written
-//! from the descriptions. The paper of 2001 measures itself against this test.
+//! D. Green, D. Hatch, "Fast Polygon-Cube Intersection Testing", *Graphics Gems V*, 1995, with the
+//! outcodes of D. Voorhies, "Triangle-Cube Intersection", *Graphics Gems III*, 1992. Written from
+//! the descriptions. Akenine-Möller's paper of 2001 compares itself with this test.
 
 use super::separating_axes::{center_half, row, segment_misses};
 use super::vector::{Triple, cross, dot, minus};
@@ -11,21 +11,22 @@ use crate::arithmetic::{Number, Rounded, turn};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Polygon};
 
-/// The overlap test of Green and Hatch, in the scalar's own arithmetic: sometimes wrong.
+/// Does the polygon overlap the box, by the test of Green and Hatch? In the scalar's own
+/// arithmetic, and sometimes wrong.
 ///
-/// *Geometry*: a convex polygon in one plane. Of one that is bent it sees the edges, and the
-/// plane through the first vertex that is nearest to it.
+/// *Geometry*: a convex polygon in one plane. Of a bent polygon it sees the edges, and the plane
+/// through the first vertex that is nearest to the polygon.
 ///
-/// *Numerics*: within rounding of contact it errs either way. In fixed point products lose their
-/// last bits and wrap beyond the range. A box given by its corners is first brought to centre and
-/// half-extents, rounded.
+/// *Numerics*: within rounding of contact it errs in both directions. In fixed point, products lose
+/// their last bits and wrap around outside the range. A box given by its corners is first converted
+/// to centre and half-extents, rounded.
 ///
-/// *Panics*: never. *Cost*: if outcodes do not tell, 12 multiplications an edge, six a vertex, and
-/// a division. Here for comparison; [`Polygon::overlaps`] is exact.
+/// *Panics*: never. *Cost*: where outcodes do not decide, 12 multiplications an edge, six a vertex,
+/// and a division. It is here for comparison; [`Polygon::overlaps`] is exact.
 ///
-/// *Source*: Green and Hatch 1995; outcodes of faces, edges and corners by Voorhies 1992. There
-/// the box is the unit cube; here any box around the origin, whose outcodes and diagonals have its
-/// half-extents in place of halves.
+/// *Source*: Green and Hatch 1995; outcodes of faces, edges and corners by Voorhies 1992. Their box
+/// is the unit cube. Ours is any box around the origin, and its half-extents replace the halves in
+/// outcodes and diagonals.
 #[inline]
 #[must_use]
 pub fn overlaps<S: Scalar>(polygon: &Polygon<'_, S>, aabb: &Aabb<S>) -> bool {
@@ -58,7 +59,7 @@ pub fn overlaps<S: Scalar>(polygon: &Polygon<'_, S>, aabb: &Aabb<S>) -> bool {
     is_crossed_by_diagonal(vertices.len(), vertex, h)
 }
 
-/// Beyond which faces of the box a point lies.
+/// The faces of the box that a point lies beyond.
 #[inline(always)]
 fn face_code<S: Scalar>(p: &Triple<S>, h: &Triple<S>) -> u32 {
     let mut code = 0;
@@ -68,7 +69,7 @@ fn face_code<S: Scalar>(p: &Triple<S>, h: &Triple<S>) -> u32 {
     code
 }
 
-/// Beyond which of the planes through the twelve edges and the eight corners.
+/// The planes through the twelve edges and the eight corners that a point lies beyond.
 #[inline(always)]
 fn bevel_code<S: Scalar>(&[x, y, z]: &Triple<S>, h: &Triple<S>) -> u32 {
     let mut code = 0;
@@ -89,7 +90,7 @@ fn bevel_code<S: Scalar>(&[x, y, z]: &Triple<S>, h: &Triple<S>) -> u32 {
     code
 }
 
-/// Whether the diagonal of the box that is nearest to the normal crosses the polygon.
+/// Does the diagonal of the box that is nearest to the normal cross the polygon?
 #[inline(always)]
 fn is_crossed_by_diagonal<S: Scalar>(
     count: usize,
@@ -112,8 +113,8 @@ fn is_crossed_by_diagonal<S: Scalar>(
         return false;
     }
     let t = Rounded(offset.0.plain_div(most.0));
-    // Inside, seen where the polygon is largest. Not a number where the normal is zero: then
-    // there is nothing but edges.
+    // Is the point inside, in the coordinate plane in which the polygon looks largest? If the
+    // normal is zero, the point is NaN, and only the edges decide.
     let size = n.map(Rounded::magnitude);
     let largest = if size[0] > size[1] { 0 } else { 1 };
     let (_, j, k) = turn(if size[2] > size[largest] { 2 } else { largest });

@@ -1,14 +1,26 @@
-//! Methods as published, and others in the scalar's own arithmetic: fast, rounded, and
-//! sometimes wrong.
+//! Published methods, and others in the scalar's own arithmetic: fast, rounded, and sometimes
+//! wrong.
 //!
-//! They are yardsticks: for speed, and for what rounding does. Some also serve those who
-//! only draw. Each module names its source, its cost, and what measures better. The exact
-//! queries are methods of the shapes: [`Triangle::overlaps`](crate::Triangle::overlaps),
-//! [`Ray::hit`](crate::Ray::hit). One method here never loses a box:
-//! [`slabs::SlabRay::may_overlap`]. To walk a tree see [`prepared`](crate::prepared).
+//! They are for comparison: how fast a query can be, and what rounding does to it. Some are also
+//! good enough for drawing. Each module names its source, its cost, and the method that measures
+//! better. The exact queries are methods of the shapes, such as
+//! [`Triangle::overlaps`](crate::Triangle::overlaps) and [`Ray::hit`](crate::Ray::hit). Of the
+//! methods here, [`slabs::SlabRay::may_overlap`] never loses a box. To traverse a tree, see
+//! [`prepared`](crate::prepared).
 //!
-//! Nothing here panics. In fixed point, products lose their last bits and sums wrap beyond
-//! the range; the exact queries do neither.
+//! ```
+//! use septum::published::moller_trumbore;
+//! use septum::{Cull, Ray, Triangle};
+//!
+//! let floor = Triangle::new([0.0_f32; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0])?;
+//! let ray = Ray::new([0.25, 0.5, 9.0], [0.0, 0.0, -2.0])?;
+//! let rounded = moller_trumbore::hit(&ray, &floor, Cull::Nothing).unwrap();
+//! assert_eq!(rounded.t, ray.hit(&floor, Cull::Nothing).unwrap().t);
+//! # Ok::<(), septum::ShapeError>(())
+//! ```
+//!
+//! Nothing here panics. In fixed point, products lose their last bits, and sums wrap around outside
+//! the range. The exact queries do neither.
 //!
 //! | module | question | choose it |
 //! | --- | --- | --- |

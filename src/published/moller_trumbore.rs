@@ -6,36 +6,36 @@ use crate::query::{Cull, Hit};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
 
-/// Where the ray crosses the triangle, by the determinants of Möller and Trumbore
-/// in the scalar's own arithmetic: fast, and now and then wrong.
+/// Where does the ray cross the triangle, by the determinants of Möller and Trumbore? In the
+/// scalar's own arithmetic: fast, and occasionally wrong.
 ///
-/// Choose it where triangles are met once, so that nothing can be prepared, and
-/// a ray lost between two triangles does no harm. What measures otherwise (`f32` on a
-/// 64-bit machine; `docs/speed.md` in the repository has the figures):
+/// Choose it if each triangle is met once, so that preparing it does not pay, and if a ray lost
+/// between two triangles does no harm. The others compare as follows in `f32` on a 64-bit machine
+/// (`docs/speed.md` in the repository has the figures):
 ///
-/// * [`Ray::hit`] is exact, faster where half of the rays hit, and a quarter slower where a
-///   tenth does.
-/// * [`Triangles`](crate::lanes::Triangles), eight at once, take about a seventh.
-/// * [`volumes`](super::volumes::hit), and [`stored_normal`](super::stored_normal::hit) and
-///   [`projected`](super::projected::hit) on a triangle prepared, take as long or longer,
-///   [`watertight`](super::watertight::ShearedRay::hit) half as long again.
+/// * [`Ray::hit`] is exact, faster if half of the rays hit, and a quarter slower if a tenth does.
+/// * [`Triangles`](crate::lanes::Triangles), eight at once, take about a seventh of the time.
+/// * [`volumes`](super::volumes::hit) takes as long or longer. So do
+///   [`stored_normal`](super::stored_normal::hit) and [`projected`](super::projected::hit) on a
+///   prepared triangle. [`watertight`](super::watertight::ShearedRay::hit) takes half as long
+///   again.
 ///
-/// *Geometry*: both sides count, but for `cull`; t in the ray's range. A
-/// determinant of zero, of a flat triangle or a ray along the plane, is no hit.
+/// *Geometry*: both sides count unless `cull` excludes one; t is in the ray's range. A determinant
+/// of zero is no hit: the triangle is flat, or the ray lies along its plane.
 ///
-/// *Contact*: an edge or vertex is a hit, as far as rounding lets it.
+/// *Contact*: an edge or vertex is a hit, as far as rounding allows.
 ///
-/// *Numerics*: wrong near edges and near the plane's own directions. In fixed
-/// point products lose their last bits and wrap beyond the range: there it is
-/// for coordinates between about 1 and the cube root of the type's end.
+/// *Numerics*: wrong near edges, and for rays nearly parallel to the plane. In fixed point,
+/// products lose their last bits and wrap around outside the range: coordinates should lie between
+/// about 1 and the cube root of the type's greatest value.
 ///
-/// *Panics*: never. *Cost*: 24 multiplications, 3 divisions, no early exit. The
-/// published early exits, which the processor cannot foresee, win where half of the rays
-/// hit and lose where a tenth does.
+/// *Panics*: never. *Cost*: 24 multiplications, 3 divisions, no early exit. The published early
+/// exits are hard for the processor to predict. They are faster if half of the rays hit and slower
+/// if a tenth does.
 ///
-/// *Source*: T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle
-/// Intersection", *Journal of Graphics Tools* 2(1), 1997; *Real-Time Rendering*,
-/// section 16.8. Ours divides last, and by the determinant itself.
+/// *Source*: T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", *Journal of
+/// Graphics Tools* 2(1), 1997; *Real-Time Rendering*, section 16.8. Ours divides last, and by the
+/// determinant itself.
 ///
 /// ```
 /// use septum::published::moller_trumbore;

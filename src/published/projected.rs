@@ -8,16 +8,16 @@ use crate::query::{Candidate, Cull, Hit};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
 
-/// A triangle prepared for [`hit`]: its plane, and its edges in the coordinate plane in
-/// which it looks largest, all as rounded.
+/// A triangle prepared for [`hit`]: its plane, and its edges in the coordinate plane in which it
+/// looks largest, all rounded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProjectedTriangle<S> {
     a: [S; 3],
     normal: [S; 3],
-    // Turned so that the area is above zero.
+    // Oriented so that the area is above zero.
     edges: [[S; 2]; 2],
     area: S,
-    /// The coordinates that are left.
+    /// The two coordinates of the projection.
     left: [u8; 2],
 }
 
@@ -52,24 +52,22 @@ impl<S: Scalar> ProjectedTriangle<S> {
     }
 }
 
-/// Where the ray crosses the triangle: the plane first, then the point in it in
-/// two dimensions, in the scalar's own arithmetic; now and then wrong.
+/// Where does the ray cross the triangle? The plane first, then the point in it in two dimensions,
+/// in the scalar's own arithmetic; occasionally wrong.
 ///
-/// Choose it where few multiplications count, as on a core without a
-/// floating-point unit, or where most planes are missed and divisions are cheap.
-/// In floats it gains little on
-/// [`moller_trumbore`](super::moller_trumbore::hit), where the table is: it must
-/// divide before it can evaluate. In I16F16 its u and
-/// v stay in range the longest, for they are made of areas and not of volumes.
+/// Choose it where multiplications are expensive, as on a core without a floating-point unit, or
+/// where most rays miss the plane and divisions are cheap. In floats it gains little on
+/// [`moller_trumbore`](super::moller_trumbore::hit), whose page compares the methods: it must
+/// divide before it can evaluate the point. In I16F16 its u and v stay in range the longest,
+/// because they come from areas and not from volumes.
 ///
-/// *Geometry*, *Contact*: as [`moller_trumbore`](super::moller_trumbore::hit). *Numerics*: the
-/// error of t moves the point, and so grows with the distance.
+/// *Geometry*, *Contact*: as for [`moller_trumbore`](super::moller_trumbore::hit). *Numerics*: the
+/// error of t moves the point, so it grows with the distance.
 ///
 /// *Panics*: never. *Cost*: 12 multiplications, 3 divisions.
 ///
-/// *Source*: D. Badouel, "An Efficient Ray-Polygon Intersection", *Graphics Gems*,
-/// 1990; E. Haines's survey of such methods. Ours keeps the area and divides last
-/// for u and v.
+/// *Source*: D. Badouel, "An Efficient Ray-Polygon Intersection", *Graphics Gems*, 1990; E.
+/// Haines's survey of such methods. Ours keeps the area and divides last for u and v.
 #[inline]
 #[must_use]
 pub fn hit<S: Scalar>(ray: &Ray<S>, triangle: &ProjectedTriangle<S>, cull: Cull) -> Option<Hit<S>> {

@@ -5,10 +5,10 @@ use crate::query::{Candidate, Cull, Facing};
 use crate::scalar::Scalar;
 use crate::shape::Ray;
 
-/// Which hits count: the range of t, and the culling.
+/// Which hits count: the range of t, and the sides.
 #[derive(Clone, Copy)]
 pub(crate) struct Limits<S> {
-    /// The ends of the range, and whether each is open for ever.
+    /// The ends of the range, and whether each is open.
     pub t_min: S,
     pub t_max: S,
     pub open: [bool; 2],
@@ -41,8 +41,8 @@ impl<S: Scalar> Limits<S> {
     }
 }
 
-/// A determinant, above zero where the ray comes from before, and t, u and v
-/// times it.
+/// A determinant, above zero if the ray comes from the front, and the products of t, u and v with
+/// it.
 #[derive(Clone, Copy)]
 pub(crate) struct Fractions<S> {
     pub det: Rounded<S>,
@@ -53,8 +53,7 @@ pub(crate) struct Fractions<S> {
 
 /// The verdict from the signs, and the three quotients.
 ///
-/// A miss divides by zero, which in fixed point is no division at all; what
-/// comes of it is not read.
+/// A miss divides by zero, which costs no division in fixed point; its quotients are not read.
 #[inline(always)]
 pub(crate) fn resolve<S: Scalar>(f: Fractions<S>, limits: &Limits<S>) -> Candidate<S> {
     let zero = Rounded::ZERO;
@@ -73,8 +72,8 @@ pub(crate) fn resolve<S: Scalar>(f: Fractions<S>, limits: &Limits<S>) -> Candida
     )
 }
 
-/// Whether none of three is below zero. A NaN in `w` is no; one in u or v must
-/// show there.
+/// Whether none of three numbers is below zero. A NaN in `w` gives no; a NaN in u or v must make w
+/// a NaN too.
 #[inline(always)]
 pub(super) fn none_below_zero<S: Scalar>(u: Rounded<S>, v: Rounded<S>, w: Rounded<S>) -> bool {
     least(least(u, v), w) >= Rounded::ZERO

@@ -1,26 +1,25 @@
-//! Segments and rays against an axis-aligned box as published: separating axes, in
-//! the scalar's own arithmetic.
+//! Segments and rays against an axis-aligned box as published: separating axes, in the scalar's own
+//! arithmetic.
 //!
-//! T. Akenine-Möller, E. Haines, N. Hoffman et al., *Real-Time Rendering*, section
-//! 16.7: centre c, half-vector w and half-extents h, three face normals and three
-//! cross products, the absolute value of w taken once. The book adds a small number to
-//! it against zeros in w; the comparisons here are right without, and there is no
-//! such number.
+//! T. Akenine-Möller, E. Haines, N. Hoffman et al., *Real-Time Rendering*, section 16.7. It takes
+//! the centre c, the half-vector w and the half-extents h, and tests three face normals and three
+//! cross products with the absolute value of w. Against zeros in w, the book adds a small number.
+//! The comparisons here are right without it.
 
 use super::vector::{Triple, minus};
 use crate::arithmetic::{Arithmetic, Number, Rounded};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Ray, Segment, SegmentForm, Vec3};
 
-/// The overlap test of *Real-Time Rendering*, in the scalar's own arithmetic:
-/// sometimes wrong.
+/// Does the segment overlap the box, by the test of *Real-Time Rendering*? In the scalar's own
+/// arithmetic, and sometimes wrong.
 ///
-/// *Numerics*: within rounding of contact it errs either way. In fixed point
-/// products lose their last bits and wrap beyond the range. A segment given by its
-/// ends and a box given by its corners are first brought to their centres, rounded.
+/// *Numerics*: within rounding of contact it errs in both directions. In fixed point, products lose
+/// their last bits and wrap around outside the range. A segment given by its ends and a box given
+/// by its corners are first converted to their centres, rounded.
 ///
-/// *Panics*: never. *Cost*: up to 12 multiplications, 6 early exits. Here for
-/// comparison; [`Segment::overlaps`] is exact.
+/// *Panics*: never. *Cost*: up to 12 multiplications, 6 early exits. It is here for comparison;
+/// [`Segment::overlaps`] is exact.
 ///
 /// *Source*: *Real-Time Rendering* 16.7, without its epsilon.
 #[inline]
@@ -32,16 +31,16 @@ pub fn segment_overlaps<S: Scalar>(segment: &Segment<S>, aabb: &Aabb<S>) -> bool
     centered_overlaps(c, w, aabb)
 }
 
-/// The overlap test of *Real-Time Rendering* for a half-infinite ray, in the
-/// scalar's own arithmetic: sometimes wrong.
+/// Does the half-infinite ray overlap the box, by the test of *Real-Time Rendering*? In the
+/// scalar's own arithmetic, and sometimes wrong.
 ///
-/// *Geometry*: a range with one end moves the origin there; one with two makes the
-/// ray a segment.
+/// *Geometry*: a range with one end moves the origin there; a range with two ends makes the ray a
+/// segment.
 ///
 /// *Numerics*: see [`segment_overlaps`].
 ///
-/// *Panics*: never. *Cost*: up to 12 multiplications, 6 early exits. Here for
-/// comparison; [`Ray::overlaps`] is exact.
+/// *Panics*: never. *Cost*: up to 12 multiplications, 6 early exits. It is here for comparison;
+/// [`Ray::overlaps`] is exact.
 ///
 /// *Source*: *Real-Time Rendering* 16.7, without its epsilon.
 #[inline]

@@ -1,19 +1,18 @@
-//! Triangle and box by the kernel of the exact test, whose nine edge axes share the normal,
-//! in the scalar's own arithmetic.
+//! Triangle and box by the kernel of the exact test, in the scalar's own arithmetic. Its nine edge
+//! axes share the normal.
 
 use crate::query::disjoint_rounded;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Triangle};
 
-/// The overlap test in the scalar's own arithmetic, every result rounded:
-/// fast, and sometimes wrong.
+/// Does the triangle overlap the box? In the scalar's own arithmetic, every result rounded: fast,
+/// and sometimes wrong.
 ///
-/// The same kernel as [`Triangle::overlaps`] without its error bound.
+/// It is the kernel of [`Triangle::overlaps`] without its error bound.
 ///
-/// *Numerics*: on slivers, far from the origin, and within rounding of
-/// contact it errs either way; in fixed point products lose their last bits
-/// and wrap beyond the range, and then it errs often. Here for comparison,
-/// and for those who draw with it.
+/// *Numerics*: it errs in both directions on slivers, far from the origin, and within rounding of
+/// contact. In fixed point, products lose their last bits and wrap around outside the range, and
+/// then it errs often. It is here for comparison, and for drawing.
 ///
 /// *Panics*: never. *Cost*: 21 comparisons, 48 multiplications.
 ///

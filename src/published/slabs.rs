@@ -1,46 +1,43 @@
 //! Ray against axis-aligned boxes by slabs, prepared for many boxes.
 //!
-//! T. Kay, J. Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986; with reciprocals
-//! prepared as by A. Williams, S. Barrus, R. Morley, P. Shirley, "An Efficient and
-//! Robust Ray-Box Intersection Algorithm", *Journal of Graphics Tools* 10(1), 2005.
-//! Components of zero are told apart beforehand, where those authors rely on
-//! infinities: 0·∞ cannot occur, and zeros of either sign are alike.
+//! T. Kay, J. Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986. The reciprocals are prepared as
+//! by A. Williams, S. Barrus, R. Morley, P. Shirley, "An Efficient and Robust Ray-Box Intersection
+//! Algorithm", *Journal of Graphics Tools* 10(1), 2005. Those authors leave components of zero to
+//! infinities. Here they are found in advance, so 0·∞ cannot occur, and zeros of both signs are
+//! alike.
 //!
 //! # Never missing
 //!
-//! T. Ize, "Robust BVH Ray Traversal", *JCGT* 2(2), 2013, pads the reciprocals for
-//! the far planes. Here the two ends are padded, once they are found, for t may be
-//! negative too. A computed t is t·(1 + δ)³ with |δ| ≤ u, the unit roundoff: a
-//! difference, a reciprocal, a product. Those of the planes that matter are the
-//! greatest t of entry, n, and the least of exit, f; rounding keeps order, so n ≤ f
-//! becomes n̂ − f̂ ≤ 3u·(|n| + |f|), to first order. The padding has 8u, for that,
-//! for the rounding of the padded sum, and for second orders. An underflow costs at
-//! most half the least number, and the least normal number is added for two. An
-//! overflow makes n or f infinite, and then the comparison says "may overlap".
+//! T. Ize, "Robust BVH Ray Traversal", *JCGT* 2(2), 2013, pads the reciprocals for the far planes.
+//! Here both ends are padded after they are found, because t may be negative. A computed t has
+//! three roundings: a difference, a reciprocal, a product. Two planes decide: that with the
+//! greatest t of entry, n, and that with the least t of exit, f. Rounding keeps order, and
+//! `slabs.g` proves that the errors of n and f and of the padded sum are within 8 roundoffs of |n|
+//! + |f|, plus the least normal number against underflow. An overflow makes n or f infinite, and
+//! then the comparison says "may overlap".
 //!
-//! A reciprocal has that relative error if it is a normal number: a component of the
-//! direction that is too large or too small for that with a wide margin constrains
-//! nothing.
+//! The reciprocal has its relative error only if it is a normal number. A component of the
+//! direction near the limits for that therefore excludes no box.
 //!
-//! A box given by its centre: with p = c − o rounded, the half-extent h is grown by
-//! 4u·(|p| + h), against u·|p| for p, and u·(|p| + h) each for the grown h and for
-//! p ± h. So neither difference lies within the truth.
+//! For a box given by its centre, p = c − o is rounded, and the half-extent h is grown by half the
+//! padding, relative to |p| + h. `slabs.g` proves that then neither face lies within the true box.
 
 use crate::arithmetic::{greatest, least};
 use crate::scalar::{FloatFormat, Scalar};
 use crate::shape::{Aabb, AabbForm, Ray, Vec3};
 
 /// A ray prepared for many boxes: the reciprocals of its direction, and which
-/// components of it are zero.
+/// A ray prepared for many boxes: the reciprocals of its direction, and which of its components are
+/// zero.
 ///
 /// Choose it where one ray meets many boxes and the last bit does not matter:
-/// [`overlaps_rounded`](Self::overlaps_rounded). In the traversal of a tree, where no box may
-/// be lost, a [`PreparedRay`](crate::prepared::PreparedRay) is exact at about the price of
-/// [`overlaps_rounded`](Self::overlaps_rounded), in fixed point too;
-/// [`may_overlap`](Self::may_overlap), which loses none either, takes half of that.
+/// [`overlaps_rounded`](Self::overlaps_rounded). In the traversal of a tree no box may be lost.
+/// There a [`PreparedRay`](crate::prepared::PreparedRay) is exact, in fixed point too, and takes
+/// about as long as [`overlaps_rounded`](Self::overlaps_rounded).
+/// [`may_overlap`](Self::may_overlap) loses no box either and takes half of that.
 ///
-/// `docs/speed.md` in the repository has the figures, those of eight boxes at once, by
-/// [`Aabbs`](crate::lanes::Aabbs), among them.
+/// `docs/speed.md` in the repository has the figures, also for eight boxes at once by
+/// [`Aabbs`](crate::lanes::Aabbs).
 ///
 /// ```
 /// use septum::published::slabs::SlabRay;
@@ -60,19 +57,19 @@ pub struct SlabRay<S> {
     /// The range of t; an open end is the end of the scalar.
     pub(crate) from: S,
     pub(crate) to: S,
-    /// Components without a reciprocal, which are zero or nearly, and those whose
-    /// reciprocal is not to be relied on.
+    /// Components without a reciprocal, because they are zero or nearly, and components whose
+    /// reciprocal is not reliable.
     flat: [bool; 3],
     loose: [bool; 3],
     pub(crate) is_plain: bool,
     is_tight: bool,
 }
 
-/// What is between the ray's origin and the two faces on each axis.
+/// The differences between the ray's origin and the two faces, on each axis.
 pub(crate) type Faces<S> = ([S; 3], [S; 3]);
 
 impl<S: Scalar> SlabRay<S> {
-    /// The ray prepared for many boxes.
+    /// Prepares the ray for many boxes.
     ///
     /// *Panics*: never. *Cost*: three divisions.
     #[inline]
@@ -102,16 +99,14 @@ impl<S: Scalar> SlabRay<S> {
         }
     }
 
-    /// Whether the ray meets the box, in the scalar's own arithmetic: fast, and now
-    /// and then wrong.
+    /// Does the ray overlap the box? In the scalar's own arithmetic: fast, and occasionally wrong.
     ///
-    /// *Contact*: touching is overlap, as far as rounding lets it.
+    /// *Contact*: touching counts as overlap, as far as rounding allows.
     ///
-    /// *Numerics*: every t is within 2 units in the last place for a box given by
-    /// its corners, so that a box is lost or found only where it is touched that
-    /// closely. With a direction of which components are zero there is no other
-    /// error: origins on the planes of slabs and flat boxes are answered rightly. In
-    /// fixed point a reciprocal has few bits and products wrap.
+    /// *Numerics*: for a box given by its corners every t is within 2 units in the last place, so
+    /// the verdict can be wrong only if the ray touches the box that closely. Zero components of
+    /// the direction add no error: a ray that starts in a face's plane is answered correctly, and
+    /// so are flat boxes. In fixed point a reciprocal has few bits, and products wrap around.
     ///
     /// *Panics*: never. *Cost*: 6 differences, 6 multiplications, 13 comparisons.
     ///
@@ -123,12 +118,12 @@ impl<S: Scalar> SlabRay<S> {
         enter <= leave
     }
 
-    /// Where the ray enters the box and where it leaves it, in the scalar's own
+    /// Where does the ray enter the box, and where does it leave it? In the scalar's own
     /// arithmetic.
     ///
-    /// *Numerics*: see [`overlaps_rounded`](Self::overlaps_rounded); the exact
-    /// question is [`Ray::t_range`]. Where the ray is open and a box does not bound
-    /// it, as in a slab of zero times zero, the end is the end of the scalar.
+    /// *Numerics*: see [`overlaps_rounded`](Self::overlaps_rounded); the exact query is
+    /// [`Ray::t_range`]. If neither the ray's range nor the box bounds t at an end, that end is the
+    /// end of the scalar.
     ///
     /// *Panics*: never. *Cost*: that of [`overlaps_rounded`](Self::overlaps_rounded).
     #[inline]
@@ -138,15 +133,15 @@ impl<S: Scalar> SlabRay<S> {
         (enter <= leave).then_some((enter, leave))
     }
 
-    /// Whether the ray may meet the box: never `false` if it does.
+    /// May the ray overlap the box? Never `false` if it does.
     ///
-    /// *Numerics*: `false` is certain. Floats answer `true` where the two values of t
-    /// come within 8 roundings of each other; a component of the direction below
-    /// 2⁻¹⁰⁰ or above 2¹⁰⁰ (`f32`; 2⁻¹⁰⁰⁰ and 2¹⁰⁰⁰ in `f64`) excludes no box. In fixed
-    /// point this is [`Ray::overlaps`]: exact.
+    /// *Numerics*: `false` is certain. Floats answer `true` if the two values of t come within 8
+    /// roundings of each other. A component of the direction below 2⁻¹⁰⁰ or above 2¹⁰⁰ (`f32`;
+    /// 2⁻¹⁰⁰⁰ and 2¹⁰⁰⁰ in `f64`) excludes no box. In fixed point this is [`Ray::overlaps`], which
+    /// is exact.
     ///
-    /// *Panics*: never. *Cost*: that of [`overlaps_rounded`](Self::overlaps_rounded)
-    /// and 2 multiplications.
+    /// *Panics*: never. *Cost*: that of [`overlaps_rounded`](Self::overlaps_rounded) and 2
+    /// multiplications.
     ///
     /// *Source*: after Ize 2013; the padding is ours.
     #[inline]
@@ -158,7 +153,7 @@ impl<S: Scalar> SlabRay<S> {
         let (enter, leave) = self.interval_in(aabb, Some(&padding));
         let sizes = enter.plain_abs().plain_add(leave.plain_abs());
         let margin = sizes.plain_mul(ratio(&padding)).plain_add(padding.least_normal);
-        // A NaN, of infinities, must not lose the box.
+        // An infinite t gives NaN, which must not lose the box.
         #[allow(clippy::neg_cmp_op_on_partial_ord)]
         !(enter > leave.plain_add(margin))
     }
@@ -175,8 +170,7 @@ impl<S: Scalar> SlabRay<S> {
         to
     }
 
-    /// The faces of a box by its centre; no nearer than the truth, where there is a
-    /// ratio to grow it by.
+    /// The faces of a box by its centre, padded outwards if a ratio is given.
     #[inline(always)]
     fn of_center(&self, center: Vec3<S>, half: Vec3<S>, ratio: Option<S>) -> Faces<S> {
         let (center, half, o) = (center.to_array(), half.to_array(), &self.origin);
@@ -193,8 +187,8 @@ impl<S: Scalar> SlabRay<S> {
         to
     }
 
-    /// The interval of t in a box: each form to its end apart, for where they mix the
-    /// compiler shuffles, and with the unusual out of line.
+    /// The interval of t in a box. Each form has its own path to the end, because the compiler
+    /// shuffles where paths merge. Unusual rays are out of line.
     #[inline(always)]
     fn interval_in(&self, aabb: &Aabb<S>, padding: Option<&FloatFormat<S>>) -> (S, S) {
         let is_usual = if padding.is_some() { self.is_tight } else { self.is_plain };
@@ -219,8 +213,8 @@ impl<S: Scalar> SlabRay<S> {
         self.interval_within(&faces, ignored)
     }
 
-    /// From the greatest t of entry to the least of exit; where a slab that the ray
-    /// runs along is missed, an empty interval.
+    /// From the greatest t of entry to the least t of exit. The interval is empty if the ray runs
+    /// parallel to a slab outside it.
     #[inline(always)]
     pub(crate) fn interval(&self, faces: &Faces<S>) -> (S, S) {
         if self.is_plain {
@@ -235,7 +229,7 @@ impl<S: Scalar> SlabRay<S> {
         plain_interval(self.reciprocal, [self.from, self.to], faces)
     }
 
-    /// The same with some slabs that the ray runs along, and some ignored.
+    /// The interval of t if the ray runs parallel to some slabs; some others are ignored.
     fn interval_within(&self, (low, high): &Faces<S>, ignored: &[bool; 3]) -> (S, S) {
         let (mut enter, mut leave, mut outside) = (self.from, self.to, false);
         for i in 0..3 {
@@ -256,8 +250,8 @@ impl<S: Scalar> SlabRay<S> {
     }
 }
 
-/// Roundoffs in the padding of two values of t; half of them in that of a half-extent. Proved
-/// in `slabs.g`.
+/// Roundoffs in the padding of two values of t; a half-extent has half of them. `slabs.g` proves
+/// both.
 const PADDING: u16 = 8;
 
 /// The padding, relative to what is padded.
@@ -268,7 +262,7 @@ fn ratio<S: Scalar>(format: &FloatFormat<S>) -> S {
     twice(twice(twice(format.roundoff)))
 }
 
-/// The interval of t in a box, where no component of the direction is zero.
+/// The interval of t in a box, if no component of the direction is zero.
 #[inline(always)]
 pub(crate) fn plain_interval<S: Scalar>(
     reciprocal: [S; 3],

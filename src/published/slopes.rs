@@ -1,12 +1,11 @@
 //! Ray against axis-aligned boxes by slopes, prepared for many boxes.
 //!
-//! M. Eisemann, M. Magnor, T. Grosch, S. Müller, "Fast Ray/Axis-Aligned Bounding Box
-//! Overlap Tests using Ray Slopes", *Journal of Graphics Tools* 12(4), 2007; Real-Time
-//! Rendering 16.7.3. Seen along each coordinate axis, the ray is a line with a slope;
-//! it misses the box if it runs past one of the two corners that its slope points to.
-//! The paper has a function for each of 26 classes of direction. Here every axis is
-//! mirrored on which the ray falls, and one class is left; zeros are told apart
-//! beforehand. A range of t other than t ≥ 0 is ours.
+//! M. Eisemann, M. Magnor, T. Grosch, S. Müller, "Fast Ray/Axis-Aligned Bounding Box Overlap Tests
+//! using Ray Slopes", *Journal of Graphics Tools* 12(4), 2007; Real-Time Rendering 16.7.3. Seen
+//! along a coordinate axis, the ray is a line with a slope. It misses the box if it passes outside
+//! one of the two corners that its slope points to. The paper has a function for each of 26 classes
+//! of direction. Here each axis on which the ray falls is mirrored, which leaves one class; zeros
+//! are found in advance. A range of t other than t ≥ 0 is ours.
 
 use crate::arithmetic::{Number, Rounded, greatest};
 use crate::scalar::Scalar;
@@ -14,10 +13,9 @@ use crate::shape::{Aabb, AabbForm, Ray};
 
 /// A ray prepared for many boxes: the slopes of its three projections.
 ///
-/// It decides by multiplications with slopes, without t, and without the origin but in
-/// constants. On processors that do several operations at once
-/// [`SlabRay`](super::slabs::SlabRay) is faster and gives t as well; choose this where
-/// slopes are the point, as with rays that share them.
+/// It decides by multiplications with slopes, without t; the origin occurs only in constants. On
+/// processors that do several operations at once [`SlabRay`](super::slabs::SlabRay) is faster and
+/// also gives t. Choose slopes for comparison, or for rays that share them.
 ///
 /// ```
 /// use septum::published::slopes::SlopeRay;
@@ -31,11 +29,11 @@ use crate::shape::{Aabb, AabbForm, Ray};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct SlopeRay<S> {
-    /// On which axes the ray falls; on those everything else here is mirrored.
+    /// The axes on which the ray falls; on these, everything else here is mirrored.
     falls: [bool; 3],
     origin: [Rounded<S>; 3],
-    /// By how much coordinate i + 1 and i + 2 rise while coordinate i rises by one, and
-    /// where they are when that is zero.
+    /// How far coordinates i + 1 and i + 2 rise while coordinate i rises by one, and their values
+    /// where coordinate i is zero.
     slope: [[Rounded<S>; 2]; 3],
     offset: [[Rounded<S>; 2]; 3],
     /// Where the ray begins and ends; an open end is the end of the scalar.
@@ -43,13 +41,13 @@ pub struct SlopeRay<S> {
     last: [Rounded<S>; 3],
     reciprocal: [Rounded<S>; 3],
     from: S,
-    /// Axes along which the ray does not rise, or too little for a slope.
+    /// Axes along which the ray does not rise, or not enough for a slope.
     flat: [bool; 3],
     is_plain: bool,
 }
 
 impl<S: Scalar> SlopeRay<S> {
-    /// The ray prepared for many boxes.
+    /// Prepares the ray for many boxes.
     ///
     /// *Panics*: never. *Cost*: nine divisions.
     #[inline]
@@ -97,15 +95,13 @@ impl<S: Scalar> SlopeRay<S> {
         this
     }
 
-    /// Whether the ray meets the box, in the scalar's own arithmetic: now and then
-    /// wrong.
+    /// Does the ray overlap the box? In the scalar's own arithmetic, and occasionally wrong.
     ///
-    /// *Contact*: touching is overlap, as far as rounding lets it.
+    /// *Contact*: touching counts as overlap, as far as rounding allows.
     ///
-    /// *Numerics*: the constants hold the ray's distance from the world's origin, and
-    /// with it the error grows; where that is large, slabs are far better. With a
-    /// direction of which components are zero there is no other error. In fixed
-    /// point slopes have few bits and products wrap.
+    /// *Numerics*: the constants contain the ray's distance from the world's origin, and the error
+    /// grows with it; for large distances slabs are far better. Zero components of the direction
+    /// add no error. In fixed point slopes have few bits, and products wrap around.
     ///
     /// *Panics*: never. *Cost*: 6 multiplications, 6 sums, 12 comparisons.
     ///
@@ -117,13 +113,12 @@ impl<S: Scalar> SlopeRay<S> {
         !self.misses(&near, &far)
     }
 
-    /// Where the ray enters the box, in the scalar's own arithmetic; nothing if it
-    /// misses it.
+    /// Where does the ray enter the box? In the scalar's own arithmetic; `None` if it misses the
+    /// box.
     ///
-    /// *Numerics*: whether there is an answer is as in
-    /// [`overlaps_rounded`](Self::overlaps_rounded); t is within 2 units in the last
-    /// place for a box given by its corners. A ray that starts in the box enters it
-    /// where its range begins.
+    /// *Numerics*: the verdict is that of [`overlaps_rounded`](Self::overlaps_rounded). For a box
+    /// given by its corners t is within 2 units in the last place. A ray that starts in the box
+    /// enters it where its range begins.
     ///
     /// *Panics*: never. *Cost*: 9 multiplications, 9 sums, 15 comparisons.
     #[inline]
@@ -141,7 +136,7 @@ impl<S: Scalar> SlopeRay<S> {
         Some(t.0)
     }
 
-    /// The coordinates at which the ray comes to the box and leaves it, mirrored.
+    /// The coordinates at which the ray enters and leaves the box, mirrored.
     #[inline(always)]
     fn faces(&self, aabb: &Aabb<S>) -> ([Rounded<S>; 3], [Rounded<S>; 3]) {
         let mut to = ([Rounded::ZERO; 3], [Rounded::ZERO; 3]);
@@ -185,7 +180,7 @@ impl<S: Scalar> SlopeRay<S> {
         out
     }
 
-    /// Whether the ray leaves slab i before it comes to one of the other two.
+    /// Whether the ray leaves slab i before it enters one of the other two.
     #[inline(always)]
     fn passes(&self, i: usize, near: &[Rounded<S>; 3], far: &[Rounded<S>; 3]) -> bool {
         let at = |k: usize| self.slope[i][k] * far[i] + self.offset[i][k];

@@ -7,14 +7,14 @@ use crate::query::{Cull, Hit};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle, Vec3};
 
-/// A triangle prepared for [`hit`]: its first vertex, its edges from there, and its normal,
-/// all as rounded. Twelve scalars instead of nine.
+/// A triangle prepared for [`hit`]: its first vertex, its edges from there, and its normal, all
+/// rounded. Twelve scalars instead of nine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NormalTriangle<S> {
     pub(crate) stored: [[S; 3]; 4],
 }
 
-/// The first vertex, the edges to the second and the third, and their product.
+/// The first vertex, the edges from it to the second and the third, and their cross product.
 pub(crate) type Stored<S> = [Triple<S>; 4];
 
 #[inline(always)]
@@ -36,7 +36,7 @@ impl<S: Scalar> NormalTriangle<S> {
         Self { stored: [plain(stored[0]), plain(stored[1]), plain(stored[2]), plain(stored[3])] }
     }
 
-    /// The normal, (b − a) × (c − a), as rounded. Its length is twice the area.
+    /// The normal, (b − a) × (c − a), rounded. Its length is twice the area.
     #[inline]
     #[must_use]
     pub fn normal(&self) -> Vec3<S> {
@@ -50,15 +50,14 @@ impl<S: Scalar> NormalTriangle<S> {
     }
 }
 
-/// Where the ray crosses a triangle whose normal is stored, in the scalar's own
-/// arithmetic: the fastest method, and now and then wrong.
+/// Where does the ray cross a triangle whose normal is stored? In the scalar's own arithmetic: the
+/// fastest method, and occasionally wrong.
 ///
-/// Choose it where triangles are met often and memory allows a third more: it
-/// takes a little less time than [`moller_trumbore`](super::moller_trumbore::hit),
-/// where all are compared. If t is all that is asked for, or all at first,
-/// [`t`] takes half of it.
+/// Choose it if triangles are met often and memory has room for a third more. It takes a little
+/// less time than [`moller_trumbore`](super::moller_trumbore::hit), whose page compares the
+/// methods. If t is enough, or enough at first, [`t`] takes half of the time.
 ///
-/// *Geometry*, *Contact*, *Numerics*: as [`moller_trumbore`](super::moller_trumbore::hit).
+/// *Geometry*, *Contact*, *Numerics*: as for [`moller_trumbore`](super::moller_trumbore::hit).
 ///
 /// *Panics*: never. *Cost*: 18 multiplications, 3 divisions, no early exit.
 ///
@@ -83,16 +82,16 @@ pub fn hit<S: Scalar>(ray: &Ray<S>, triangle: &NormalTriangle<S>, cull: Cull) ->
 
 /// The t of [`hit`], or `miss`.
 ///
-/// Choose it where a loop keeps the least t: an `Option` makes the caller branch
-/// on what cannot be foreseen, a number it can choose without. Half the time of
-/// Möller–Trumbore where half of the rays hit.
+/// Choose it if a loop keeps the least t. An `Option` makes the caller branch on something
+/// unpredictable; a number can be selected without a branch. It takes half the time of
+/// Möller–Trumbore if half of the rays hit.
 ///
 /// *Panics*: never. *Cost*: 18 multiplications, 1 division, no branch.
 #[inline]
 #[must_use]
 pub fn t<S: Scalar>(ray: &Ray<S>, triangle: &NormalTriangle<S>, cull: Cull, miss: S) -> S {
     let found = resolve(by_normal(ray, triangle), &Limits::new(ray, cull));
-    // By its address: a choice may become a branch.
+    // Selected by its address, because an `if` may become a branch.
     [miss, found.t][usize::from(found.hit)]
 }
 

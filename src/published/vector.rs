@@ -1,4 +1,4 @@
-//! What the kernels do with three rounded numbers.
+//! Operations on three rounded numbers.
 
 use crate::arithmetic::Rounded;
 use crate::scalar::Scalar;
@@ -26,8 +26,7 @@ pub(super) fn cross<S: Scalar>(a: Triple<S>, b: Triple<S>) -> Triple<S> {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// Component `i` of three, by its address: for an index that no branch could
-/// foresee.
+/// Component `i` of three, by its address, because a branch on the index would be unpredictable.
 #[inline(always)]
 pub(super) fn by_index<T>(x: &[T; 3], i: u8) -> &T {
     &x[if i < 3 { usize::from(i) } else { 0 }]

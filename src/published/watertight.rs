@@ -1,4 +1,4 @@
-//! Ray and triangle so that no ray slips between two triangles.
+//! Ray and triangle, so that no ray slips between two triangles.
 
 use super::degenerate_view::degenerate_view;
 use super::resolve::Limits;
@@ -8,14 +8,13 @@ use crate::query::{Candidate, Cull, Hit};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
 
-/// A ray prepared for the watertight test: with the shear that stands it upright
-/// along its longest coordinate.
+/// A ray prepared for the watertight test, with a shear that aligns it with its longest coordinate.
 ///
 /// ```
 /// use septum::published::watertight::ShearedRay;
 /// use septum::{Cull, Ray, Triangle};
 ///
-/// // The ray goes through the edge that the two share: both are hit, never none.
+/// // The ray goes through the edge that the two triangles share: it hits at least one.
 /// let (p, q) = ([0.1_f32, 0.3, 0.7], [0.9, 0.8, 0.2]);
 /// let left = Triangle::new(p, q, [0.0, 1.0, 0.0])?;
 /// let right = Triangle::new(q, p, [1.0, 0.0, 1.0])?;
@@ -29,7 +28,7 @@ pub struct ShearedRay<S> {
     /// Which coordinates become x, y and z.
     pub(crate) axes: [u8; 3],
     shear: [S; 2],
-    /// The direction along z.
+    /// The direction's z component.
     height: S,
 }
 
@@ -41,13 +40,13 @@ impl<S: Scalar> ShearedRay<S> {
     #[must_use]
     pub fn new(ray: &Ray<S>) -> Self {
         let d = ray.direction().to_array();
-        // Negative magnitudes: the positive one of the least number does not exist.
+        // Negative magnitudes, because the least number has no positive one.
         let below = |x: S| if x > S::ZERO { S::ZERO.plain_sub(x) } else { x };
         let [x, y, z] = [below(d[0]), below(d[1]), below(d[2])];
         let longest = if z <= x && z <= y { 2 } else { usize::from(y <= x) };
         let (kz, mut kx, mut ky) = turn(longest);
         let height = *pick(&d, kz);
-        // From the other end left is right.
+        // Seen from the other end, left is right.
         if height < S::ZERO {
             (kx, ky) = (ky, kx);
         }
@@ -62,37 +61,33 @@ impl<S: Scalar> ShearedRay<S> {
         &self.ray
     }
 
-    /// Where the ray crosses the triangle, in the scalar's own arithmetic and so that
-    /// no ray slips between two triangles: watertight, but not exact.
+    /// Where does the ray cross the triangle? In the scalar's own arithmetic, and so that no ray
+    /// slips between two triangles: watertight, but not exact.
     ///
-    /// Choose it where a closed mesh must not leak and a verdict that is off by a
-    /// rounding does no harm, and above all eight at once, by
-    /// [`Triangles`](crate::lanes::Triangles). One by one [`Ray::hit`], which is exact
-    /// and watertight too, takes less time.
+    /// Choose it where a closed mesh must not leak and a verdict that is wrong by a rounding does
+    /// no harm, above all for eight triangles at once, by [`Triangles`](crate::lanes::Triangles).
+    /// One by one, [`Ray::hit`] takes less time; it is exact and watertight too.
     ///
-    /// *Geometry*: both sides count, but for `cull`; t in the ray's range. It is the
-    /// crossing of a ray and a triangle that are moved by a rounding, a corner by as
-    /// much in all triangles that share it. A triangle seen edge on has no hit: its
-    /// neighbours have.
+    /// *Geometry*: both sides count unless `cull` excludes one; t is in the ray's range. The test
+    /// decides for a ray and corners that are moved by a rounding, and a corner moves alike in all
+    /// triangles that share it. A triangle seen edge on has no hit; its neighbours have.
     ///
     /// *Contact*: an edge or vertex is a hit of all triangles around it.
     ///
-    /// *Numerics*: the sign of an edge function is right for the moved corners or
-    /// zero, and zero counts as inside. Where all three are zero they are found
-    /// exactly. In fixed point the shear has as many bits as a fraction has, so that
-    /// the ray is moved sideways by up to a unit in the last place for each unit of
-    /// distance.
+    /// *Numerics*: the sign of an edge function is right for the moved corners, or the function is
+    /// zero, which counts as inside. If all three are zero, their signs are computed exactly. In
+    /// fixed point the shear has the bits of a fraction, so the ray moves sideways by up to a unit
+    /// in the last place for each unit of distance.
     ///
-    /// *Range*: while products of two coordinates, from the origin of the ray, stay in
-    /// the type: 2⁶³ in `f32`, 128 in I16F16. Beyond it may leak.
+    /// *Range*: coordinates relative to the ray's origin whose products stay within the type, so up
+    /// to 2⁶³ in `f32` and 128 in I16F16. Outside it may leak.
     ///
     /// *Panics*: never. *Cost*: 15 multiplications, 4 divisions.
     ///
-    /// *Source*: S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection",
-    /// *JCGT* 2(1), 2013. They turn to double precision where an edge function is
-    /// zero, to tell the sides apart; that is not needed to be watertight, only where
-    /// all are. t is a mean of the corners' heights, which neither overflows nor leaves
-    /// the triangle.
+    /// *Source*: S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", *JCGT* 2(1),
+    /// 2013. They turn to double precision when an edge function is zero, to decide the side.
+    /// Watertightness does not need that, unless all three are zero. Our t is a mean of the
+    /// corners' heights, which neither overflows nor leaves the triangle.
     #[inline]
     #[must_use]
     pub fn hit(&self, triangle: &Triangle<S>, cull: Cull) -> Option<Hit<S>> {
@@ -107,8 +102,8 @@ impl<S: Scalar> ShearedRay<S> {
         Limits::new(&self.ray, cull)
     }
 
-    /// The coordinates in the order of the frame. By index: which it is, no
-    /// branch could foresee.
+    /// The coordinates in the order of the frame, by index, because a branch on the order would be
+    /// unpredictable.
     #[inline(always)]
     pub(crate) fn turned<T: Copy>(&self, v: &[T; 3]) -> [T; 3] {
         let [x, y, z] = self.turned_lanes(v);
@@ -121,7 +116,7 @@ impl<S: Scalar> ShearedRay<S> {
         [by_index(v, x), by_index(v, y), by_index(v, z)]
     }
 
-    /// The verdict on one triangle, its coordinates turned.
+    /// The verdict on one triangle, with its coordinates in the order of the frame.
     #[inline(always)]
     pub(crate) fn seen(
         &self,
@@ -137,8 +132,8 @@ impl<S: Scalar> ShearedRay<S> {
         self.resolve(corners, edges, limits)
     }
 
-    /// The corners in the frame in which the ray is the z axis. One that two
-    /// triangles share has the same coordinates in both.
+    /// The corners in the frame whose z axis is the ray. A corner that two triangles share has the
+    /// same coordinates in both.
     #[inline(always)]
     pub(crate) fn corners(&self, origin: [S; 3], [a, b, c]: [[S; 3]; 3]) -> [Triple<S>; 3] {
         let corner = |p: [S; 3]| {
@@ -165,7 +160,7 @@ impl<S: Scalar> ShearedRay<S> {
         let inside = (w >= zero) & (u >= zero) & (v >= zero) & (det > zero) & limits.keep(front);
         let part = |x: Rounded<S>| x.0.plain_div(if inside { det.0 } else { S::ZERO });
         let weights = [part(w), part(u), part(v)];
-        // A mean of heights: it can leave neither the triangle nor the type.
+        // A mean of heights stays within the triangle and the type.
         let z = dot(rounded(weights), [a[2], b[2], c[2]]);
         let t = z.0.plain_div(if inside { self.height } else { S::ZERO });
         let zeros = [w == zero, u == zero, v == zero];
@@ -175,11 +170,10 @@ impl<S: Scalar> ShearedRay<S> {
 
 /// Twice the areas that the ray spans with the edges bc, ca and ab.
 ///
-/// The two triangles along an edge get numbers that are exact negatives of each
-/// other: the same two products, rounded alike, in a difference the other way
-/// round. Rounding never changes the order of two products, so the sign is right
-/// or zero, and zero is inside. Contraction to a fused multiplication would
-/// undo both.
+/// The two triangles along an edge get exact negatives of each other, from the same two rounded
+/// products in a difference the other way round. Rounding keeps the order of two products, so the
+/// sign is right or zero, and zero is inside. Contraction to a fused multiplication would destroy
+/// both properties.
 #[inline(always)]
 pub(crate) fn edge_functions<S: Scalar>([a, b, c]: [Triple<S>; 3]) -> Triple<S> {
     [c[0] * b[1] - c[1] * b[0], a[0] * c[1] - a[1] * c[0], b[0] * a[1] - b[1] * a[0]]
