@@ -15,7 +15,7 @@
 //! let floor = Triangle::new([0.0_f32; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0])?;
 //! let ray = Ray::new([0.25, 0.5, 9.0], [0.0, 0.0, -2.0])?;
 //! let rounded = moller_trumbore::hit(&ray, &floor, Cull::Nothing).unwrap();
-//! assert_eq!(rounded.t, ray.hit(&floor, Cull::Nothing).unwrap().t);
+//! assert_eq!(rounded.t, ray.hit(&floor).unwrap().t);
 //! # Ok::<(), septum::ShapeError>(())
 //! ```
 //!
