@@ -1,4 +1,4 @@
-//! What rays and segments share against an axis-aligned box: a line in three slabs.
+//! A line in the three slabs of an axis-aligned box, for rays and segments.
 
 mod exact;
 
@@ -9,29 +9,28 @@ use crate::robust::Uncertain;
 
 /// Roundoffs in a comparison of two products, per sum of their sizes.
 ///
-/// Each is the product of a length, which carries up to two roundings, and of a magnitude,
-/// which carries one: 2 + 1, and 1 for the product. Their difference takes 1 more. In all
-/// 5; the sixth is for second orders. Proved in `roundoffs.g`, underflow included.
+/// Each product is of a length, which carries up to two roundings, and a magnitude, which carries
+/// one. `roundoffs.g` proves the bound, with second orders and underflow.
 const ROUNDOFFS: u16 = 6;
 
-/// A line o + t·d in the three slabs of a box, every axis mirrored on which the
-/// line falls, so that it rises on all of them.
+/// A line o + t·d in the three slabs of a box. Axes on which the line falls are mirrored, so that
+/// it rises on all.
 ///
-/// On axis i the line is in the slab for m_i·t from near_i to far_i, with m = |d|.
-/// Intervals have a point in common exactly if every two of them have (Helly's
-/// theorem on a line), so the line meets the box exactly if for no i ≠ j
-/// near_i/m_i > far_j/m_j: six comparisons of products. Where m_j is zero they
-/// say that the line runs within slab j; where both are, nothing. Two at a time
-/// they are the separating axes x_k × d of *Real-Time Rendering* 16.7.
+/// On axis i the line is in the slab for m_i·t from near_i to far_i, with m = |d|. Intervals have a
+/// point in common exactly if every two of them have one (Helly's theorem on a line). So the line
+/// meets the box exactly if there are no i ≠ j with near_i/m_i > far_j/m_j: six comparisons of
+/// products. If m_j is zero, they decide whether the line runs within slab j; if m_i is zero too,
+/// the comparison is of zeros. In pairs they are the separating axes x_k × d of *Real-Time
+/// Rendering* 16.7.
 pub(super) struct Slabs<N: Arithmetic> {
-    /// From the line's origin to the face it comes to first.
+    /// From the line's origin to the face that it meets first.
     pub(super) near: [N::Length; 3],
-    /// To the face it comes to last.
+    /// From the origin to the face that it meets last.
     pub(super) far: [N::Length; 3],
     /// The magnitudes of the direction.
     pub(super) m: [N::Length; 3],
-    /// Where both are rounded sums of three numbers, what they cannot exceed;
-    /// differences of two err only by their own size, and their sign is right.
+    /// A bound of the rounded sums, if near and far are sums of three numbers. Differences of two
+    /// numbers err relative to themselves, and their sign is right.
     pub(super) spread: Option<[N::Length; 3]>,
 }
 
@@ -78,8 +77,8 @@ impl<N: Arithmetic> Slabs<N> {
         Self { near, far, m, spread: Some(spread) }
     }
 
-    /// The line from the origin, and intervals from `low` − `grown` to `high` + `grown`: of each
-    /// axis `low`, `high`, `grown` and the direction, which are rounded once at most.
+    /// The line from the origin, and intervals from `low` − `grown` to `high` + `grown`. `axis`
+    /// returns `low`, `high`, `grown` and the direction on an axis, each rounded at most once.
     #[inline(always)]
     pub(super) fn of_intervals(
         axis: impl Fn(usize) -> (N::Length, N::Length, N::Length, N::Length),
@@ -102,7 +101,7 @@ impl<N: Arithmetic> Slabs<N> {
     /// Whether the whole line misses the box, unless its direction is zero.
     #[inline(always)]
     pub(super) fn line_misses(&self) -> Uncertain {
-        // Zeros that are known exactly matter only in doubt.
+        // Exact zeros matter only in doubt.
         let so_far = self.pairs_miss::<false>();
         if so_far.certain == so_far.possible { so_far } else { self.pairs_miss::<true>() }
     }
@@ -148,7 +147,7 @@ impl<N: Arithmetic> Slabs<N> {
         self.side(greatest(greatest(x, y), z))
     }
 
-    /// Rounding keeps order: only zero may have been another sign.
+    /// Rounding keeps order, so only the sign of zero is in doubt.
     #[inline(always)]
     fn side(&self, gap: N::Length) -> Uncertain {
         let certain = gap > N::Length::ZERO;
@@ -168,7 +167,7 @@ impl<N: Arithmetic> Slabs<N> {
     {
         let (mut so_far, zero) = (Uncertain::NONE, N::Length::ZERO);
         for i in 0..3 {
-            // In the frame, as `times_one` is: integers double.
+            // In the frame integers are doubled, as `times_one` is.
             let m = once::<N, _>(self.m[i]);
             let compared = |t: N::Length, face: N::Length, is_lower: bool| {
                 let (at, face_area) = (N::area(t, m), N::times_one(face)?);
@@ -205,8 +204,8 @@ impl<N: Arithmetic> Slabs<N> {
     }
 }
 
-/// Whether a > b, where both together are of some size. Both are zero, known
-/// exactly, or some error must be allowed for.
+/// Whether a > b, where their sizes together bound the error. It is certain if both are known to be
+/// zero.
 #[inline(always)]
 fn above<N: Arithmetic>(a: N::Area, b: N::Area, is_zero: bool, size: N::Area) -> Uncertain {
     if N::CERTAIN {

@@ -7,14 +7,14 @@ use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
 impl<S: Scalar> Triangle<S> {
-    /// Whether the three vertices lie on one line, or in one point.
+    /// Do the three vertices lie on one line, or in one point?
     ///
-    /// *Numerics*: exact for every input; a sliver of any proportions is none.
+    /// *Numerics*: exact for every input. The thinnest sliver is not degenerate.
     ///
-    /// *Range*: all finite floats, all fixed-point values.
+    /// *Range*: all finite floats and all fixed-point values.
     ///
-    /// *Contact*: no query needs this to be asked first. Degenerate triangles
-    /// are segments and points, and are answered exactly as such.
+    /// *Contact*: no query requires this check. To every query a degenerate triangle is a segment
+    /// or a point, and its answer is exact too.
     ///
     /// *Panics*: never. *Cost*: three sums of eight products, by long
     /// accumulation; meant for checking a mesh, not for an inner loop.

@@ -1,4 +1,4 @@
-//! The direction of a normal in floats, right however thin the triangle.
+//! The direction of a normal in floats, right for the thinnest triangles too.
 //!
 //! Three stages, the next only where the last is in doubt: the plain cross product,
 //! the same in double-word floats, and exact sums.
@@ -11,18 +11,16 @@ use crate::robust::ExactSum;
 use crate::scalar::Backend;
 use crate::shape::Triangle;
 
-/// Coordinates in this range, or zero, multiply without overflow and without
-/// underflow, the lowest bits of products of their differences included. Every
-/// `f32` is in it.
+/// Coordinates that are zero or in this range multiply without overflow and without underflow; so
+/// do their differences, including the lowest bits of the products. Every `f32` is in the range.
 const RANGE: (f64, f64) = (f64::from_bits((1023 - 400) << 52), f64::from_bits((1023 + 250) << 52));
 
 /// A vector along the normal; `None` if the triangle is degenerate.
 ///
-/// Each component is within 1.01 roundoffs of the truth, relative to itself. Where
-/// cancellation makes the plain cross product smaller than its terms by no more than the
-/// factor `enough`, it is taken instead, and is within 5·`enough` roundoffs; with `enough`
-/// zero it never is. The squares of the components do not overflow, and underflow only where
-/// they do not matter.
+/// Each component is within 1.01 roundoffs of the truth, relative to itself. If cancellation makes
+/// a plain cross product smaller than its terms by at most the factor `enough`, the plain one is
+/// returned and is within 5·`enough` roundoffs; with `enough` zero it never is. The squares of the
+/// components do not overflow, and they underflow only if they do not matter.
 pub(crate) fn direction(t: &Triangle<f64>, enough: f64) -> Option<[f64; 3]> {
     let points = t.points();
     if points.as_flattened().iter().all(|&x| is_in_range(x)) {
@@ -45,14 +43,14 @@ fn is_in_range(x: f64) -> bool {
     x == 0.0 || (x.abs() > RANGE.0 && x.abs() < RANGE.1)
 }
 
-/// (b₀ − a₀)·(c₁ − a₁) − (b₁ − a₁)·(c₀ − a₀), if floats can vouch for it.
+/// (b₀ − a₀)·(c₁ − a₁) − (b₁ − a₁)·(c₀ − a₀), if floats are certain of it.
 #[inline]
 fn component([a0, b0, c0]: [f64; 3], [a1, b1, c1]: [f64; 3], enough: f64) -> Option<f64> {
     let (p, q) = ((b0 - a0) * (c1 - a1), (b1 - a1) * (c0 - a0));
     let size = p.abs() + q.abs();
     let n = p - q;
-    // Nothing underflows: a product of zero is zero. Otherwise each product is
-    // off by up to 3 roundoffs, and the difference by one.
+    // Nothing underflows: a product of zero is zero. In all other cases each product is off by up
+    // to 3 roundoffs, and the difference by one.
     if size == 0.0 || n.abs() * enough >= size {
         return Some(n);
     }
@@ -61,17 +59,17 @@ fn component([a0, b0, c0]: [f64; 3], [a1, b1, c1]: [f64; 3], enough: f64) -> Opt
     let (p, q) = (e.product(f), g.product(h));
     let Double { high, low } = Double::difference(p.high, q.high);
     let n = high + (low + (p.low - q.low));
-    // What double words leave out is below 16 squared roundoffs, 2^-102, of p and q: not
-    // 2^-8 roundoffs of n if cancellation took no more than `PLACES`. Zero is zero
-    // if nothing is left out, as when the differences needed no second float.
+    // Double words leave out less than 16 squared roundoffs, 2^-102, of p and q. If cancellation
+    // takes at most `PLACES`, that is below 2^-8 roundoffs of n. A zero is certain if nothing is
+    // left out, which is so if the differences needed no second float.
     let exact = [e, f, g, h].iter().all(|x| x.low == 0.0);
     (n.abs() >= size * LEFT || (exact && p == q)).then_some(n)
 }
 
-/// How many places cancellation may take. Proved in `direction.g`.
+/// The places that cancellation may take. `direction.g` proves it.
 const PLACES: u64 = 40;
 
-/// What is left then.
+/// The relative size that then remains.
 const LEFT: f64 = f64::from_bits((1023 - PLACES) << 52);
 
 /// The same by exact sums, for any input: the components over the greatest of them.
@@ -104,7 +102,7 @@ mod tests {
         (0..e.unsigned_abs()).fold(1.0, |x, _| if e < 0 { x / 2.0 } else { x * 2.0 })
     }
 
-    // What floats will not vouch for goes to exact sums: as right, and slow.
+    // A doubt of floats goes to the last stage: as right, and slow.
 
     #[test]
     fn floats_take_what_is_neither_vast_nor_tiny() {
@@ -116,7 +114,7 @@ mod tests {
         }
     }
 
-    /// Of the points (0, 0), (x, y) and (1, s).
+    /// The component for the points (0, 0), (x, y) and (1, s).
     fn of(x: f64, y: f64, s: f64) -> Option<f64> {
         component([0.0, x, 1.0], [0.0, y, s], 0.0)
     }
@@ -126,9 +124,9 @@ mod tests {
         let slope = 1.0 / 3.0;
         assert_eq!(of(1.0, slope, slope + two_to(-30)), Some(two_to(-30)));
         assert_eq!(of(1.0, slope, slope + two_to(-45)), None);
-        // Zero where nothing was left out: whole numbers on a line.
+        // Zero is certain if nothing was left out: whole numbers on a line.
         assert_eq!(of(3.0, 6.0, 2.0), Some(0.0));
-        // Each of the four differences in turn is no float: it may not be zero.
+        // Each of the four differences in turn does not fit a float, so a zero is in doubt.
         for k in 0..4 {
             let (mut a, mut b, mut c) = ([0.0; 2], [1.0; 2], [1.0; 2]);
             let tiny = two_to(-80);

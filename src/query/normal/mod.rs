@@ -1,7 +1,5 @@
-//! Unit normals, on request: they need a root, and nothing else here does. Which
-//! root is the caller's choice; `unit_normal` for fixed point is here.
-//!
-//! Those of `libm` and `micromath` are in `interop`.
+//! Unit normals. They need a square root, which nothing else here does, and the caller chooses the
+//! root. `unit_normal` for fixed point is here; those of `libm` and `micromath` are in `interop`.
 
 mod degenerate;
 #[cfg(feature = "libm")]
@@ -18,29 +16,27 @@ use crate::{scalar::FixedPoint, shape::Triangle};
 
 #[cfg(feature = "fixed")]
 impl<S: FixedPoint> Triangle<S> {
-    /// The unit normal (b − a) × (c − a) / |(b − a) × (c − a)| in fixed point, by an
-    /// integer root; `None` if the triangle is degenerate.
+    /// The unit normal (b − a) × (c − a) / |(b − a) × (c − a)| in fixed point, by an integer root;
+    /// `None` if the triangle is degenerate.
     ///
-    /// *When to choose it*: in fixed point, always. It needs no float, no division
-    /// and no feature but `fixed`, and its bits are the same everywhere. Narrow types are
-    /// faster.
+    /// *When to choose it*: in fixed point, always. It needs no float, no division and no feature
+    /// except `fixed`, and its bits are the same on every machine. Narrow types are faster.
     ///
-    /// *Geometry*: the normal points to where the vertices go counterclockwise.
+    /// *Geometry*: seen from the side that the normal points to, the vertices go counterclockwise.
     /// [`Hit::oriented`] turns it to the side that a ray comes from.
     ///
-    /// *Numerics*: each component is the representable number nearest to the truth,
-    /// slivers included; a tie cannot occur. So the length is off by rounding alone,
-    /// at most 0.87 units in the last place.
+    /// *Numerics*: each component is the representable number nearest to the true one, for slivers
+    /// too; a tie cannot occur. The length is therefore off by rounding alone, at most by 0.87
+    /// units in the last place.
     ///
-    /// *Range*: all of the type. A component beyond the end of a type that holds no
-    /// 1 is the end: 1 in I1F15 is `MAX`, and −1 is itself.
+    /// *Range*: all of the type. In a type that cannot hold 1, a component of 1 becomes `MAX`, as
+    /// in I1F15; −1 is representable there.
     ///
     /// *Panics*: never. *Cost*: nine multiplications, no division, and about four
     /// additions for each fraction bit of each component, in the narrowest of 64, 128,
     /// 192 and 384 bits that will do.
     ///
-    /// *Source*: the schoolbook root, place by place, of a quotient that is not
-    /// formed.
+    /// *Source*: the digit-by-digit square root, here of a quotient that is never divided out.
     ///
     /// ```
     /// use fixed::types::I16F16;
@@ -67,15 +63,15 @@ impl<S: FixedPoint> Triangle<S> {
 }
 
 impl<S: Scalar> Hit<S> {
-    /// The normal on the side that the ray came from: as given for a hit from the
-    /// front, negated for one from the back.
+    /// The normal on the side that the ray came from: unchanged for a hit from the front, negated
+    /// for a hit from the back.
     ///
-    /// *When to choose it*: for shading, contact and bouncing, where a normal must
-    /// face the ray. Any normal of the triangle that was hit will do, of unit length
-    /// or not, so long as it points to where the vertices go counterclockwise.
+    /// *When to choose it*: for shading, contact and bouncing, where a normal must face the ray. It
+    /// takes any normal of the triangle that was hit, of unit length or not, on the side from which
+    /// the vertices go counterclockwise.
     ///
-    /// *Numerics*: exact, but that `MIN` of a fixed-point type, which is −1 where the
-    /// type has one integer bit, turns to `MAX`. *Panics*: never.
+    /// *Numerics*: exact, with one exception. `MIN` of a fixed-point type, which is −1 in a type
+    /// with one integer bit, becomes `MAX`. *Panics*: never.
     ///
     /// ```
     /// use septum::{Facing, Feature, Hit, Vec3};
@@ -100,7 +96,7 @@ impl<S: Scalar> Hit<S> {
 fn opposite<S: Scalar>(x: S) -> S {
     let minus = S::ZERO.plain_sub(x);
     if x < S::ZERO && minus < S::ZERO {
-        // Wrapped. Division by zero is how a scalar names its end.
+        // It wrapped around. A division by zero gives the scalar's end.
         S::plain_one().plain_div(S::ZERO)
     } else {
         minus

@@ -1,8 +1,7 @@
-//! Ray against axis-aligned box: the exact verdict, and where the ray enters and
-//! leaves.
+//! Ray against axis-aligned box: the exact verdict, and where the ray enters and leaves.
 //!
-//! Slabs, with cross-multiplied comparisons in place of divisions; see
-//! `line_aabb`. For one ray and many boxes see `prepared`.
+//! Slabs, with cross-multiplied comparisons in place of divisions; see `line_aabb`. For one ray and
+//! many boxes see `prepared`.
 
 mod error_bound;
 mod prepared;
@@ -16,15 +15,14 @@ use crate::robust::{Predicate, Uncertain};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Ray};
 
-/// The question, for the number systems to answer.
+/// Does the ray miss the box?
 struct Disjoint<'a, S> {
     ray: &'a Ray<S>,
     aabb: &'a Aabb<S>,
 }
 
 impl<S: Scalar> Disjoint<'_, S> {
-    /// The slabs, and whether the ray misses the box; nothing if the numbers do not
-    /// fit.
+    /// The slabs, and whether the ray misses the box; `None` if the numbers do not fit.
     #[inline(always)]
     fn slabs<N: Embeds<S>>(&self) -> Option<(Slabs<N>, Option<bool>)> {
         let Self { ray, aabb } = self;
@@ -40,7 +38,7 @@ impl<S: Scalar> Disjoint<'_, S> {
             AabbForm::Corners { .. } => Slabs::<N>::in_corners(&o, &d, &p, &q),
         };
 
-        // From zero, as most rays begin, a sign will do.
+        // If the range begins at zero, as for most rays, a sign suffices.
         let from_zero = from == Some(S::ZERO);
         let mut faces = if from_zero { line.lies_before() } else { Uncertain::NONE };
         let (from, to) = (from.filter(|_| !from_zero).map(|_| t0), to.map(|_| t1));
@@ -77,18 +75,18 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     }
 }
 
-/// The question where the ray enters and leaves.
+/// Where does the ray enter and leave the box?
 struct Range<'a, S>(Disjoint<'a, S>);
 
 impl<S: Scalar> Ray<S> {
-    /// What is left of the ray's own range.
+    /// The part of the ray's own range between two values of t.
     pub(super) fn clipped(&self, enter: S, leave: S) -> (S, S) {
         let within = |mut t: S| {
             t = self.t_min().map_or(t, |min| greatest(min, t));
             self.t_max().map_or(t, |max| least(max, t))
         };
         let enter = within(enter);
-        // Floats may round the one up and the other down.
+        // In floats one value may be rounded up and the other down.
         (enter, greatest(enter, within(leave)))
     }
 }
@@ -102,7 +100,7 @@ impl<S: Scalar> Predicate<S> for Range<'_, S> {
         if misses? {
             return Some(None);
         }
-        // Quotients are not for every system: the answer must not depend on which.
+        // Not every system has quotients, and the answer must not depend on the system.
         if !N::DIVIDES {
             return None;
         }
@@ -135,7 +133,7 @@ impl<S: Scalar> Predicate<S> for Range<'_, S> {
                     (greatest(from, enter), least(to, leave))
                 }));
         }
-        // Some component of a direction is not zero.
+        // Some component of the direction is not zero.
         Some(range.map(|(enter, leave)| ray.clipped(enter, leave)))
     }
 
@@ -150,57 +148,53 @@ impl<S: Scalar> Predicate<S> for Range<'_, S> {
     }
 }
 
-/// Not an infinity, nor a NaN. Integers have neither.
+/// Whether a number is neither infinite nor NaN. Integers always are neither.
 #[allow(clippy::eq_op)] // an infinity minus itself is a NaN
 #[inline(always)]
 fn is_finite<L: Number>(x: L) -> bool {
     x - x == L::ZERO
 }
 
-/// Roundoffs that a sum must exceed, relative to its terms, for what was lost in it to be known
-/// well enough. Proved in `compensated.g`.
+/// Roundoffs of its terms that a sum must exceed, so that the correction for its roundings is known
+/// well enough. `compensated.g` proves it.
 const LEFT: u16 = 128;
 
-/// c − o + h in floats, less than 1.02 roundings from the truth; `None` where cancellation may
-/// make it more.
+/// c − o + h in floats, less than 1.02 roundings from the truth; `None` if cancellation may make it
+/// more.
 fn compensated<N: Arithmetic>(c: N::Length, o: N::Length, h: N::Length) -> Option<N::Length> {
     let [along, error] = two_difference(c, o);
     let [length, second] = two_difference(along, -h);
     let lost = error + second;
     let result = length + lost;
-    // All that is unaccounted for is the rounding of what was lost, twice.
+    // The rounding of the correction, twice, is all that remains.
     let error_bound = (along.magnitude() + h.magnitude()).error(LEFT);
     (lost == N::Length::ZERO || result.magnitude() >= error_bound).then_some(result)
 }
 
 impl<S: Scalar> Overlaps<Aabb<S>> for Ray<S> {
-    /// Whether a ray, within its range of t, and an axis-aligned box have a point in
-    /// common.
+    /// Does the ray, within its range of t, have a point in common with the axis-aligned box?
     ///
-    /// *Geometry*: closed sets in one frame and unit; the ends of the range belong to
-    /// the ray. A ray that runs within a face or along an edge meets the box, and so
-    /// does one that starts there and leaves. Zeros of either sign are alike.
+    /// *Geometry*: closed sets in one frame and one unit; the ends of the range belong to the ray.
+    /// A ray within a face or along an edge meets the box. So does a ray that starts there and
+    /// leads away. Zeros of both signs are alike.
     ///
-    /// *Contact*: touching is overlap.
+    /// *Contact*: touching counts as overlap.
     ///
-    /// *Numerics*: exact for every valid input, in every scalar, whatever the range.
+    /// *Numerics*: exact for every valid input, in every scalar and for every range.
     ///
-    /// *Range*: all finite floats, all fixed-point values. The fast stage serves
-    /// floats while coordinate differences, the direction and the ends of the range
-    /// are zero or between 2⁻³² and 2⁴⁰ (`f32`) or 2⁻³²⁰ and 2³²⁰ (`f64`), and fixed
-    /// point while coordinates are below 2²⁸ (32 bits) or 2⁶⁰ (64 bits) units of the
-    /// last place; 8 and 16 bits always. Outside, and for floats within rounding of
-    /// contact, wider numbers take over and at last exact sums, up to a thousand
-    /// times slower.
+    /// *Range*: all finite floats and all fixed-point values. The fast stage serves floats if
+    /// coordinate differences, the direction and the ends of the range are zero or between 2⁻³² and
+    /// 2⁴⁰ (`f32`) or 2⁻³²⁰ and 2³²⁰ (`f64`). It serves fixed point if coordinates are below 2²⁸
+    /// (32 bits) or 2⁶⁰ (64 bits) units in the last place, and 8 and 16 bits always. Outside, and
+    /// for floats within rounding of contact, wider numbers decide, up to a thousand times slower.
     ///
-    /// *Panics*: never. *Cost*: 12 multiplications, 6 differences, no division; up to
-    /// 6 multiplications more for a range other than t ≥ 0.
+    /// *Panics*: never. *Cost*: 12 multiplications, 6 differences, no division; up to 6
+    /// multiplications more for a range other than t ≥ 0.
     ///
-    /// For many boxes on one ray a [`PreparedRay`] takes a fraction of the time, and is as
-    /// exact.
+    /// For many boxes on one ray a [`PreparedRay`] takes a fraction of the time and is as exact.
     ///
-    /// *Source*: slabs after Kay and Kajiya 1986; cross-multiplied, they are the
-    /// separating axes of *Real-Time Rendering* 16.7. The exact stages are ours.
+    /// *Source*: slabs after Kay and Kajiya 1986; cross-multiplied, they are the separating axes of
+    /// *Real-Time Rendering* 16.7. The exact stages are ours.
     ///
     /// ```
     /// use septum::{Aabb, Ray};
@@ -216,17 +210,15 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Ray<S> {
         !S::evaluate(&Disjoint { ray: self, aabb })
     }
 
-    /// Whether a ray and an axis-aligned box may have a point in common.
+    /// May the ray and the axis-aligned box have a point in common?
     ///
-    /// *Numerics*: `false` is certain. Fixed point is exact, but 64 bits answer `true`
-    /// beyond 2⁶⁰ units in the last place. Floats answer `true` within a few roundings
-    /// of contact, and outside the range of the first stage of
-    /// [`overlaps`](Overlaps::overlaps).
+    /// *Numerics*: `false` is certain. Fixed point is exact, except that 64 bits answer `true`
+    /// beyond 2⁶⁰ units in the last place. Floats answer `true` within a few roundings of contact,
+    /// and outside the range of the first stage of [`overlaps`](Overlaps::overlaps).
     ///
-    /// *Panics*: never. *Cost*: bounded; in floats the first stage of
+    /// *Panics*: never. *Cost*: bounded. In floats it is the first stage of
     /// [`overlaps`](Overlaps::overlaps), and in fixed point of up to 32 bits
-    /// [`overlaps`](Overlaps::overlaps) itself. For many boxes on one ray see
-    /// [`PreparedRay`].
+    /// [`overlaps`](Overlaps::overlaps) itself. For many boxes on one ray see [`PreparedRay`].
     #[inline]
     fn may_overlap(&self, aabb: &Aabb<S>) -> bool {
         S::evaluate_bounded(&Disjoint { ray: self, aabb }) != Some(true)
@@ -234,23 +226,22 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Ray<S> {
 }
 
 impl<S: Scalar> Ray<S> {
-    /// Where the ray enters an axis-aligned box and where it leaves it, as values of
-    /// t; nothing if it misses the box.
+    /// Where does the ray enter the axis-aligned box, and where does it leave it? As values of t;
+    /// `None` if it misses the box.
     ///
-    /// *Geometry*: what the box leaves of the ray's range, in units of the direction.
-    /// A ray that starts in the box enters it where its range begins.
+    /// *Geometry*: the part of the ray's range that lies in the box, in units of the direction. A
+    /// ray that starts in the box enters it where its range begins.
     ///
-    /// *Contact*: touching is overlap; the two values may be equal.
+    /// *Contact*: touching counts as overlap; the two values may be equal.
     ///
-    /// *Numerics*: whether there is an answer is exact, as in
-    /// [`overlaps`](Ray::overlaps). The values are rounded to the nearest, ties to
-    /// even, in fixed point, and no farther out than the type goes; `f32` is within
-    /// 0.51 units in the last place, `f64` within 1.6. A float may overflow to an
-    /// infinity, and below the least normal number has the error of that.
+    /// *Numerics*: the verdict is exact, as in [`overlaps`](Ray::overlaps). In fixed point the
+    /// values are rounded to the nearest, ties to even, and values beyond the type are its end.
+    /// `f32` is within 0.51 units in the last place, `f64` within 1.6. A float may overflow to an
+    /// infinity, and below the least normal number it errs by the spacing there.
     ///
     /// *Range*: that of [`overlaps`](Ray::overlaps).
     ///
-    /// *Panics*: never. *Cost*: [`overlaps`](Ray::overlaps), and up to six divisions.
+    /// *Panics*: never. *Cost*: that of [`overlaps`](Ray::overlaps), and up to six divisions.
     /// Choose it for the one box that matters, after a traversal by a [`PreparedRay`].
     ///
     /// ```

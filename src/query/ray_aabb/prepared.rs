@@ -1,5 +1,5 @@
-//! Ray against axis-aligned box where one ray meets many boxes: slabs by reciprocals, which
-//! decide where the two values of t stand clear of each other, and the exact test elsewhere.
+//! Ray against axis-aligned box where one ray meets many boxes. Slabs by reciprocals decide if the
+//! two values of t are clearly apart; otherwise the exact test does.
 
 use super::error_bound;
 use crate::arithmetic::{Number, Quad, Span, Spans, greatest, least};
@@ -7,21 +7,19 @@ use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Ray, Vec3};
 
-/// A ray prepared for many axis-aligned boxes: exact, and nearly as fast as slabs that
-/// round.
+/// A ray prepared for many axis-aligned boxes: exact, and nearly as fast as slabs that round.
 ///
-/// Choose it to walk a tree, or wherever a ray meets more than a few boxes. The answers are
+/// Choose it to traverse a tree, or wherever a ray meets more than a few boxes. The answers are
 /// those of [`Ray::overlaps`] and [`Ray::t_range`].
 ///
-/// *Numerics*: exact. The slabs of [`SlabRay`](crate::published::slabs::SlabRay) are computed
-/// with a bound on their error, in fixed point by `f64`. Where it leaves a doubt, which is
-/// where the ray passes within a few roundings of an edge of the box, the ray itself is
-/// asked.
+/// *Numerics*: exact. The slabs are those of [`SlabRay`](crate::published::slabs::SlabRay) with an
+/// error bound, in fixed point by `f64`. If the ray passes within a few roundings of an edge of the
+/// box, the bound leaves a doubt, and the exact test of the ray itself decides.
 ///
-/// *Range*: all of the scalar. Components of the direction that are not zero should be
-/// between 2⁻⁴⁰ and 2⁴⁰ (`f32`) or 2⁻⁴⁰⁰ and 2⁴⁰⁰ (`f64`): with others the ray itself is
-/// asked about every box, and preparing gains nothing. On cores with 32-bit registers the
-/// same is true of fixed point, where exact integers are faster than floats.
+/// *Range*: all of the scalar. Components of the direction should be zero or between 2⁻⁴⁰ and 2⁴⁰
+/// (`f32`) or 2⁻⁴⁰⁰ and 2⁴⁰⁰ (`f64`). With other components every box takes the exact test, and
+/// preparing gains nothing. The same holds for fixed point on cores with 32-bit registers, where
+/// exact integers are faster than floats.
 ///
 /// ```
 /// use septum::prepared::PreparedRay;
@@ -40,9 +38,9 @@ use crate::shape::{Aabb, AabbForm, Ray, Vec3};
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedRay<S: Scalar> {
     ray: Ray<S>,
-    /// With one that is not looked at.
+    /// The fourth lane is not used.
     origin: [S::Anchor; 4],
-    /// The scale over the direction; zero where that is zero. With one that is not looked at.
+    /// The scale over the direction; zero where the direction is zero. The fourth lane is not used.
     reciprocal: [S::Span; 4],
     /// The range of t, times the scale.
     from: S::Span,
@@ -50,29 +48,29 @@ pub struct PreparedRay<S: Scalar> {
     course: Course,
 }
 
-/// By what a prepared ray is served.
+/// What answers for a prepared ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Course {
-    /// No component of the direction is zero, and t is not below zero.
+    /// Slabs, if no component of the direction is zero and t is not below zero.
     Plain,
-    /// The rest of what has reciprocals.
+    /// Slabs, in all other cases with reciprocals.
     Slabs,
     /// The ray itself.
     Exact,
 }
 
-/// What the slabs of a box leave of a ray's range, each by itself.
+/// The parts of a ray's range that each slab of a box leaves.
 struct Slabs<F> {
     near: [F; 3],
     far: [F; 3],
-    /// For a box by its centre: what the errors are relative to.
+    /// For a box by its centre: the size to which the errors are relative.
     size: F,
     /// Whether the ray may run within a face.
     touches: bool,
 }
 
 impl<S: Scalar> PreparedRay<S> {
-    /// The ray, prepared for many boxes.
+    /// Prepares the ray for many boxes.
     ///
     /// *Panics*: never. *Cost*: three divisions.
     #[inline]
@@ -122,27 +120,27 @@ impl<S: Scalar> PreparedRay<S> {
         &self.ray
     }
 
-    /// Whether the ray, within its range of t, and the box have a point in common:
+    /// Does the ray, within its range of t, have a point in common with the box? As
     /// [`Ray::overlaps`].
     ///
-    /// *Contact*: touching is overlap. *Numerics*: exact. *Panics*: never.
+    /// *Contact*: touching counts as overlap. *Numerics*: exact. *Panics*: never.
     ///
     /// *Cost*: by corners 6 differences, 6 multiplications and 14 comparisons; by centre 3
-    /// differences, 7 multiplications, 11 sums and 10 comparisons. In doubt that of
+    /// differences, 7 multiplications, 11 sums and 10 comparisons. In doubt, that of
     /// [`Ray::overlaps`] besides.
     ///
     /// *Source*: slabs after Kay and Kajiya 1986; the bound is ours.
     #[inline]
     #[must_use]
     pub fn overlaps(&self, aabb: &Aabb<S>) -> bool {
-        // Where the course is known to the compiler it links no floats.
+        // A constant condition, so that such a scalar links no floats.
         if !S::IS_FAST {
             return self.ray.overlaps(aabb);
         }
         if self.course != Course::Plain {
             return self.overlaps_in_general(aabb);
         }
-        // Each form to its end apart: where they mix the compiler shuffles.
+        // Each form has its own path to the end, because the compiler shuffles where paths merge.
         match aabb.form() {
             AabbForm::Corners { min, max } => {
                 let (enter, leave) = self.between_corners(*min, *max);
@@ -158,27 +156,28 @@ impl<S: Scalar> PreparedRay<S> {
         }
     }
 
-    /// Where the ray enters the box and where it leaves it; nothing if it misses it:
-    /// [`Ray::t_range`].
+    /// Where does the ray enter the box, and where does it leave it? `None` if it misses the box.
+    /// As [`Ray::t_range`].
     ///
-    /// *Numerics*: those of [`Ray::t_range`], whose bits these are. *Panics*: never.
+    /// *Numerics*: the same bits as [`Ray::t_range`]. *Panics*: never.
     ///
-    /// *Cost*: [`overlaps`](Self::overlaps); for a box that is met [`Ray::t_range`] besides.
+    /// *Cost*: that of [`overlaps`](Self::overlaps), and for a box that the ray meets that of
+    /// [`Ray::t_range`] besides.
     #[inline]
     #[must_use]
     pub fn t_range(&self, aabb: &Aabb<S>) -> Option<(S, S)> {
         if self.overlaps(aabb) { self.ray.t_range(aabb) } else { None }
     }
 
-    /// Whether it overlaps and whether it misses, if one of them is certain.
+    /// The verdict, if the first look is certain of one of the two.
     #[inline(always)]
     fn verdict(&self, (overlaps, misses): (bool, bool), aabb: &Aabb<S>) -> bool {
         if overlaps == misses { self.overlaps_in_general(aabb) } else { overlaps }
     }
 
-    /// Where no component of the direction is zero and t is not below zero.
+    /// The interval of t if no component of the direction is zero and t is not below zero.
     ///
-    /// Beside a vector is the number that is behind it in memory, so that both are one load.
+    /// The fourth lane is the number that follows the vector in memory, so that both are one load.
     #[inline(always)]
     fn between_corners(&self, min: Vec3<S>, max: Vec3<S>) -> (S::Span, S::Span) {
         let (a, b) = (self.reaches([min.x, min.y, min.z, max.x]), self.reaches(four(max)));
@@ -186,11 +185,11 @@ impl<S: Scalar> PreparedRay<S> {
         let enter = greatest(greatest(x, y), greatest(z, self.from));
         let [x, y, z] = a.greatest(b).three();
         let leave = least(least(x, y), least(z, self.to));
-        // −0 has other bits than zero.
+        // −0 and zero have different bits.
         (enter, leave + S::Span::ZERO)
     }
 
-    /// The same for a box by its centre.
+    /// The interval of t for a box by its centre, and the size of its errors.
     #[inline(always)]
     fn around_center(&self, center: Vec3<S>, half: Vec3<S>) -> (S::Span, S::Span, S::Span) {
         let to_center = self.reaches([center.x, center.y, center.z, half.x]);
@@ -204,14 +203,14 @@ impl<S: Scalar> PreparedRay<S> {
         (enter, leave, greatest(greatest(x, y), z))
     }
 
-    /// The values of t at these coordinates, one of each axis.
+    /// The values of t at these coordinates, one on each axis.
     #[inline(always)]
     fn reaches(&self, p: [S; 4]) -> Spans<S> {
         S::all_beyond(p, self.origin) * Quad::new(self.reciprocal)
     }
 
-    /// For any direction and any range; and for a second look at what is in doubt, for a ray
-    /// enters and leaves a flat box at the same t.
+    /// For any direction and range. It also takes a second look at a doubt, because a ray enters
+    /// and leaves a flat box at the same t.
     #[inline(never)]
     fn overlaps_in_general(&self, aabb: &Aabb<S>) -> bool {
         if self.course == Course::Exact {
@@ -230,7 +229,7 @@ impl<S: Scalar> PreparedRay<S> {
         if is_below(leave, greatest(greatest(near[0], near[1]), near[2])) {
             return false;
         }
-        // Every two of the intervals of t, but none with itself: see `line_aabb::Slabs`.
+        // Each interval of t with each other one, but none with itself: see `line_aabb::Slabs`.
         let overlaps = is_below(self.from, leave)
             & is_below(near[0], least(y, z))
             & is_below(near[1], least(z, x))
@@ -245,7 +244,7 @@ impl<S: Scalar> PreparedRay<S> {
         self.ray.overlaps(aabb)
     }
 
-    /// The slabs of a box; nothing if the ray runs along one of them outside of it.
+    /// The slabs of a box; `None` if the ray runs parallel to a slab outside it.
     #[inline(always)]
     fn slabs(&self, aabb: &Aabb<S>) -> Option<Slabs<S::Span>> {
         let zero = S::Span::ZERO;
@@ -256,7 +255,7 @@ impl<S: Scalar> PreparedRay<S> {
             match aabb.form() {
                 AabbForm::Corners { min, max } => {
                     let (min, max) = (min.to_array()[i].beyond(o), max.to_array()[i].beyond(o));
-                    // The ray runs along the slab: rounding keeps the sign.
+                    // The ray runs parallel to the slab. Rounding keeps the sign.
                     if r == zero {
                         if min > zero || max < zero {
                             return None;
@@ -288,7 +287,7 @@ impl<S: Scalar> PreparedRay<S> {
     }
 }
 
-/// Three coordinates, and one that is not looked at.
+/// Three coordinates, and a fourth that is not used.
 #[inline(always)]
 fn four<S: Copy>(p: Vec3<S>) -> [S; 4] {
     [p.x, p.y, p.z, p.z]
