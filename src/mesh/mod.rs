@@ -6,7 +6,6 @@
 //! overlapping pairs of two meshes, with the same exact answers as testing every triangle. It needs
 //! no allocator. The nodes take 48 bytes for twelve triangles; a tree built at run time also takes
 //! one index for each triangle.
-//! each, or only the former if the table was made before.
 //!
 //! ```
 //! use septum::Vec3;
