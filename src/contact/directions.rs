@@ -1,4 +1,5 @@
-//! The directions that shapes may be moved apart along, and what floats say of each.
+//! The directions along which shapes may be separated, and bounds in floats on the overlap along
+//! each.
 
 use core::cmp::Ordering;
 
@@ -6,7 +7,7 @@ use super::body::{Body, Rough, Vec64};
 use crate::arithmetic::{self, Filtered, compare, greatest, largest, pick, three, turn};
 use crate::scalar::Scalar;
 
-/// An axis: a cross product of two sides of the shapes.
+/// An axis: the cross product of two sides of the shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Direction {
     /// The normal of a face, of the first shape or of the second.
@@ -15,8 +16,8 @@ pub(super) enum Direction {
     Sides(usize, usize),
 }
 
-/// All of them, in the order in which the first of equals is taken: faces of the first shape,
-/// faces of the second, pairs of sides. A triangle's face comes before those of a box.
+/// All directions, in the order that decides between equal depths: faces of the first shape, faces
+/// of the second, pairs of sides. A triangle's face comes before those of a box.
 pub(super) fn all<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> impl Iterator<Item = Direction> {
     let [first, second] = bodies.each_ref().map(Body::normals);
     let faces = move |is_second: bool| {
@@ -29,7 +30,7 @@ pub(super) fn all<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> impl Iterator<Item = 
 }
 
 impl Direction {
-    /// The two sides that it is the cross product of, each as a shape and a side of it.
+    /// The two sides of the cross product, each as a shape and the number of its side.
     pub(super) fn sides(self, is_triangle: [bool; 2]) -> [(usize, usize); 2] {
         match self {
             Self::Face { is_second, k } => {
@@ -42,8 +43,8 @@ impl Direction {
     }
 }
 
-/// How far two shapes overlap along a direction that need not be of length one: between two
-/// bounds. Squares of true lengths, with nothing below zero.
+/// Two bounds on the overlap of two shapes along a direction, as squares of true lengths and not
+/// below zero. The direction need not have length one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Overlap {
     pub(super) least: f64,
@@ -51,17 +52,17 @@ pub(super) struct Overlap {
 }
 
 impl Overlap {
-    /// Where floats say nothing.
+    /// The bounds if floats do not know the overlap.
     pub(super) const UNKNOWN: Self = Self { least: 0.0, most: f64::INFINITY };
 }
 
-/// What floats say of a direction.
+/// What floats know of a direction.
 pub(super) enum Finding {
-    /// The direction is zero for certain, or one that came before.
+    /// The direction is certainly zero, or equal to an earlier one.
     Nothing,
     /// The shapes are apart.
     Apart,
-    /// How far the first must go against the direction, and how far along it.
+    /// The overlap that the first shape must undo against the direction, and along it.
     Overlaps([Overlap; 2]),
 }
 
@@ -69,14 +70,14 @@ pub(super) enum Finding {
 const ROUNDOFFS: u16 = 256;
 const ERROR: f64 = ROUNDOFFS as f64 * (f64::EPSILON / 2.0);
 
-/// Below this part of the squares of the sides the square of their cross product may be off by
-/// more than [`SPREAD`].
+/// If the square of a cross product is below this part of the squares of its sides, it may be off
+/// by more than [`SPREAD`].
 const NOISE: f64 = f64::from_bits((1023 - 54) << 52);
 
-/// What the square of a cross product may be off by, of itself.
+/// The relative error of the square of a cross product.
 const SPREAD: f64 = f64::from_bits((1023 - 20) << 52);
 
-/// Between these a number may be squared, cubed, and squared again.
+/// A number between these may be squared, cubed, and squared again.
 const RANGE: (f64, f64) = (f64::from_bits((1023 - 100) << 52), f64::from_bits((1023 + 100) << 52));
 
 fn in_range(x: f64) -> bool {
@@ -91,7 +92,7 @@ pub(super) fn dot(x: &Vec64, y: &Vec64) -> f64 {
     arithmetic::dot::<Filtered<f64>>(x, y)
 }
 
-/// Where a shape begins along a direction, and where it ends.
+/// Where a shape begins and ends along a direction.
 #[inline(always)]
 fn ends(shape: &Rough, a: &Vec64) -> [f64; 2] {
     if shape.is_triangle {
@@ -106,14 +107,14 @@ fn ends(shape: &Rough, a: &Vec64) -> [f64; 2] {
     [at - reach, at + reach]
 }
 
-/// Two shapes in floats, and what is known of them beforehand.
+/// Two shapes in floats, and facts about their axes that are known in advance.
 pub(super) struct Filter<'a> {
     shapes: &'a [Rough; 2],
-    /// No number of either shape is greater.
+    /// An upper bound of every number of both shapes.
     size: f64,
-    /// Coordinate axes that came before, as one that is not zero.
+    /// Coordinate axes that have occurred, as directions that are not zero.
     seen: [bool; 3],
-    /// Which axes of the first box are the same as each axis of the second, if any.
+    /// The axis of the first box that equals each axis of the second, if there is one.
     same: [Option<usize>; 3],
 }
 
@@ -124,14 +125,15 @@ impl<'a> Filter<'a> {
             for k in 0..3 {
                 let (side, half) = (largest(pick(&shape.sides, k)), *pick(&shape.half, k));
                 size += largest(pick(&shape.at, k)) + half * side;
-                // The half-extent would make much of what a tiny side loses to underflow.
+                // A tiny side can lose to underflow, and a large half-extent would multiply the
+                // loss.
                 if side > RANGE.1 || (side < RANGE.0 && half * side > 0.0) {
                     size = f64::INFINITY;
                 }
             }
         }
         let mut same = [None; 3];
-        // A float that is rounded may be the same where the number is another.
+        // Two different numbers may round to the same float.
         if S::IS_IN_DOUBLE && !shapes[0].is_triangle && !shapes[1].is_triangle {
             for (same, v) in same.iter_mut().zip(&shapes[1].sides) {
                 let is_along = |u: &Vec64| (0..3).all(|i| u[i] == v[i]);
@@ -148,9 +150,11 @@ impl<'a> Filter<'a> {
         [*pick(&shapes[a % 2].sides, i), *pick(&shapes[b % 2].sides, j)]
     }
 
-    /// How the sides of the shapes lie to a direction, where floats are certain.
+    /// The signs of the sides of the shapes along a direction, where floats are certain.
     ///
-    /// a·s errs like the product with a position, but that s errs by u of itself: by
+    /// a·s errs like the product with a position, except that s errs only by u of itself.
+    /// `directions.g` proves a bound of a quarter of [`ROUNDOFFS`] times u·X·Y·S, with S the
+    /// greatest coordinate of s.
     /// (8 + 2 + 2)·3 + 12 = 48 times u·X·Y·S, with S the greatest coordinate of s.
     pub(super) fn along(&self, direction: Direction) -> [[Option<Ordering>; 3]; 2] {
         let [x, y] = &self.sides(direction);
@@ -166,7 +170,8 @@ impl<'a> Filter<'a> {
         [of(&self.shapes[0]), of(&self.shapes[1])]
     }
 
-    /// Whether a direction of two boxes came before, or is zero, because of axes that they share.
+    /// Whether a direction of two boxes is zero, or equal to an earlier one, because of axes that
+    /// the boxes share.
     fn is_shared(&self, direction: Direction) -> bool {
         match direction {
             Direction::Face { is_second: false, .. } => false,
@@ -174,46 +179,35 @@ impl<'a> Filter<'a> {
                 let (_, i, j) = turn(k);
                 pick(&self.same, i).is_some() && pick(&self.same, j).is_some()
             }
-            // u_i × v_j is zero or a normal of the first box if v_j is one of its axes, and of the
-            // second if u_i is one of that.
+            // If v_j equals an axis of the first box, u_i × v_j is zero or a face normal of that
+            // box; if u_i equals an axis of the second, of that one.
             Direction::Sides(i, j) => pick(&self.same, j).is_some() || self.same.contains(&Some(i)),
         }
     }
 
-    /// What floats say of the direction.
+    /// What floats know of the direction.
     ///
     /// # The error
     ///
-    /// To first order in the unit roundoff u. Sides and half-extents have one rounding at most:
-    /// they err by u of themselves. Positions from the origin are means of two differences. These
-    /// may cancel, but neither is greater than `size` R: they err by 3·u·R. Let X and Y be the
-    /// greatest coordinates of the two sides x and y.
+    /// u is the unit roundoff; X and Y are the greatest coordinates of the two sides x and y. Sides
+    /// and half-extents have one rounding at most. Positions relative to the origin are means of
+    /// two differences. The differences may cancel, but neither exceeds `size` R, so a position
+    /// errs by 3·u·R.
     ///
-    /// * A coordinate of a = x × y is two products, each with three roundings, and their difference
-    ///   at most 2·X·Y: it errs by 2·3·u·X·Y + u·2·X·Y = 8·u·X·Y.
-    /// * a·p for a position p: three products, each off by 8·u·X·Y·R for a, 3·u·R·2·X·Y for p, and
-    ///   u·2·X·Y·R; two sums of at most 6·X·Y·R: (8 + 6 + 2)·3 + 12 = 60 times u·X·Y·R.
-    /// * h·|a·s| for a half-extent and an axis with h·|s| ≤ H: likewise, with u for s in place of
-    ///   3·u, (8 + 2 + 2)·3 + 12 = 48, and 12 for h and the product: 60 times u·X·Y·H. The sum of
-    ///   three adds 2·u·6·X·Y·H, with H the sum over the three: 72 times u·X·Y·H.
-    /// * The overlap is the sum of two of the former and two of the latter, over all at most
-    ///   (2·60 + 72) times u·X·Y·R, and its sums at most 3·u·6·X·Y·R: 210 times u·X·Y·R.
+    /// The overlap is a sum of two terms a·p, for a position p, and of six terms h·|a·s|, for a
+    /// half-extent and an axis, with a = x × y. `directions.g` proves that it errs by at most
+    /// [`ROUNDOFFS`] times u·X·Y·R, with second orders and underflow. [`RANGE`] keeps X·Y·R normal,
+    /// and so the sides that have half-extents.
     ///
-    /// [`ROUNDOFFS`] is more, by a fifth of it: enough for the second orders and for the roundings of
-    /// R and of the bound. Underflow matters nowhere: if X·Y·R is a normal number, and so are sides
-    /// that have half-extents, what it costs is far below u·X·Y·R, and [`RANGE`] sees to that.
-    /// `directions.g` proves it.
-    ///
-    /// The square of a errs by no more than 2·√3·8·u·X·Y·|a| and roundings, which is below
-    /// [`SPREAD`] of it where it exceeds [`NOISE`]·X²·Y²: 28·2^-53 / 2^-27 = 2^-21.2.
+    /// The square of a errs by 2·√3·8·u·X·Y·|a| and roundings. If it exceeds [`NOISE`]·X²·Y², that
+    /// is less than [`SPREAD`] of it: 28·2^-53 / 2^-27 = 2^-21.2.
     pub(super) fn finding(&mut self, direction: Direction) -> Finding {
         if self.is_shared(direction) {
             return Finding::Nothing;
         }
         let shapes = self.shapes;
         let [x, y] = &self.sides(direction);
-        // Which coordinates are zero for certain, and not because a product underflows; and which
-        // for certain are not.
+        // Counts the products in each coordinate that are certainly not zero, apart from underflow.
         let products = three(|i| {
             let (_, j, k) = turn(i);
             let is_product = |a: usize, b: usize| *pick(x, a) != 0.0 && *pick(y, b) != 0.0;
@@ -237,7 +231,7 @@ impl<'a> Filter<'a> {
         let scale = largest(x) * largest(y);
         let square = dot(&a, &a);
         if !in_range(scale) || !in_range(self.size) || square < NOISE * scale * scale {
-            // It may be zero, or point anywhere.
+            // The direction may be zero, or point anywhere.
             return Finding::Overlaps([Overlap::UNKNOWN; 2]);
         }
         let ([a0, a1], [b0, b1]) = (ends(&shapes[0], &a), ends(&shapes[1], &a));

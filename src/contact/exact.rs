@@ -1,4 +1,4 @@
-//! A direction as it is, by exact numbers.
+//! A direction in exact numbers.
 
 use core::cmp::Ordering;
 
@@ -9,17 +9,18 @@ use super::whole::{Units, Whole};
 use crate::arithmetic::{Soft, pick, three, turn};
 use crate::scalar::Scalar;
 
-/// A number that is above zero, if it is.
+/// A number that is above zero, or none.
 pub(super) type Size = Option<Soft>;
 
-/// What exact numbers tell of a direction.
+/// The exact numbers of a direction.
 pub(super) trait Given {
-    /// Its coordinates, as sign and size; `None` of zero.
+    /// The coordinates, as sign and size; `None` for zero.
     fn coordinates(&self) -> [Option<(Ordering, Soft)>; 3];
-    /// How a side of a shape lies to it.
+    /// The sign of a side of a shape along the direction.
     fn side(&self, shape: usize, k: usize) -> Ordering;
-    /// Twice how far the shape that lies lower reaches beyond where the other begins, by how
-    /// their sides lie and by the vertices that come last and first; `None` if it does not.
+    /// Twice the overlap, from the signs of the sides and the vertices that come last and first:
+    /// the end of the shape that lies lower, less the beginning of the other. `None` if it is not
+    /// above zero.
     fn overlap(&self, along: &[[Ordering; 3]; 2], vertices: [usize; 2], lower: usize) -> Size;
 }
 
@@ -27,15 +28,15 @@ pub(super) trait Given {
 #[derive(Debug, PartialEq)]
 pub(super) struct Exact {
     pub(super) coordinates: [Option<(Ordering, Soft)>; 3],
-    /// How the three sides of each shape lie to it.
+    /// The signs of the three sides of each shape along the direction.
     pub(super) along: [[Ordering; 3]; 2],
-    /// How far the shapes overlap, in units of its length, where it was asked for: by how far the
-    /// first must go against it, and along it. Not above zero if there is nothing.
+    /// The overlaps, in units of the direction's length: the one that the first shape must undo
+    /// against the direction, and the one along it. `None` if not wanted or not above zero.
     pub(super) overlaps: [Size; 2],
 }
 
 impl Exact {
-    /// The direction, if it is not zero; some of the signs are known.
+    /// The exact direction, if it is not zero. Some of the signs are known already.
     pub(super) fn new<S: Scalar>(
         bodies: &[Body<'_, S>; 2],
         units: Option<&Units>,
@@ -65,7 +66,7 @@ impl Exact {
             return None;
         }
         let along_shape = |shape: usize| {
-            // The third edge of a triangle is the sum of the other two.
+            // The third edge of a triangle is minus the sum of the other two.
             let is_normal = own == [(shape, 0), (shape, 1)] && are_triangles[shape % 2];
             three(|k| {
                 if is_normal || own.contains(&(shape, k)) {
@@ -79,7 +80,7 @@ impl Exact {
             if !wanted[usize::from(is_along)] {
                 return None;
             }
-            // The end of the one that lies lower, less the beginning of the other.
+            // The end of the shape that lies lower, less the beginning of the other.
             let lower = usize::from(is_along);
             let vertex = |shape: usize| {
                 let toward = if shape == lower { Ordering::Greater } else { Ordering::Less };
@@ -100,17 +101,19 @@ impl Exact {
             (count, last) = (count + 1, Some(size));
         }
         let square = sum?;
-        // Along a coordinate axis nothing is lost.
+        // Along a coordinate axis the length is exact.
         let length = if count == 1 { last? } else { square.root() };
         Some((length, square))
     }
 }
 
-/// The vertices of a triangle that lie farthest in a direction, by how its edges lie to it.
+/// The vertices of a triangle that lie farthest in a direction, from the signs of its edges along
+/// it.
 pub(super) fn farthest(along: &[Ordering; 3], toward: Ordering) -> [bool; 3] {
     three(|k| {
         let (_, _, before) = turn(k);
-        // The edge from here does not go farther, and that to here not back.
+        // The edge that leaves this vertex does not lead farther, and the edge that arrives does
+        // not lead back.
         *pick(along, k) != toward && *pick(along, before) != toward.reverse()
     })
 }

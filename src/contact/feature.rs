@@ -2,8 +2,8 @@
 
 /// A part of a triangle or of a box.
 ///
-/// Numbers depend on nothing but the order in which a shape's numbers were given. So a part has
-/// the same one in each frame of a simulation, and a solver finds what it knew of a point by the
+/// A part's number depends only on the order in which the shape's numbers were given. It is
+/// therefore the same in each frame of a simulation, and a solver recognises a point by the two
 /// parts that meet there.
 ///
 /// | | triangle | box |
@@ -23,7 +23,7 @@ pub enum Part {
     Vertex(u8),
 }
 
-/// The direction of a translation, by the parts of the shapes that it comes from.
+/// The direction of a translation, by the parts of the shapes that determine it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -32,6 +32,6 @@ pub enum Axis {
     First(u8),
     /// The normal of this face of the second shape.
     Second(u8),
-    /// Across an edge of the first shape and one of the second.
+    /// The cross product of an edge of the first shape and one of the second.
     Edges(u8, u8),
 }

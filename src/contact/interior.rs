@@ -1,4 +1,4 @@
-//! Edges that are inside of a surface: where nothing may be caught.
+//! Interior edges of a surface, on which nothing may catch.
 
 use core::cmp::Ordering;
 
@@ -9,10 +9,10 @@ use crate::robust::{ExactSum, add_area, difference};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
-/// Which edges of a triangle are inside of the surface of a mesh, one bit each.
+/// The edges of a triangle that are interior to the surface of a mesh, one bit each.
 ///
-/// An edge is interior if the surface goes on beyond it, level or upward: what lies on the triangle
-/// there lies on its neighbour too, and no direction across the edge leads out.
+/// An edge is interior if the surface continues beyond it, level or upward. A body that rests on
+/// the triangle there rests on its neighbour too, so no direction across the edge leads out.
 ///
 /// ```
 /// use septum::contact::InteriorEdges;
@@ -25,12 +25,12 @@ use crate::shape::Triangle;
 pub struct InteriorEdges(u8);
 
 impl InteriorEdges {
-    /// No edge: the triangle stands alone.
+    /// No edge is interior: the triangle stands alone.
     pub const NONE: Self = Self(0);
-    /// All three.
+    /// All three edges are interior.
     pub const ALL: Self = Self(7);
 
-    /// The edges that are interior: edge k goes from vertex k to the next.
+    /// The set of interior edges; edge k goes from vertex k to the next.
     #[must_use]
     pub const fn new(edges: [bool; 3]) -> Self {
         Self(edges[0] as u8 | (edges[1] as u8) << 1 | (edges[2] as u8) << 2)
@@ -47,28 +47,29 @@ impl InteriorEdges {
     }
 }
 
-/// Tells for each triangle of a mesh which of its edges are interior, into `edges`.
+/// Which edges of each triangle of a mesh are interior? The answer goes into `edges`.
 ///
-/// *Geometry*: an edge that exactly two triangles share is interior if they lie in one plane, side
-/// by side, or if each lies above the plane of the other: on the side from which its vertices go
-/// counterclockwise. Edges at the border are not, nor those of more than two triangles. Of two
-/// triangles that are turned against each other no side is the upper: their edge is interior only
-/// if they lie in one plane. An edge of a triangle that is a segment or a point is not interior. An
-/// edge is known by where its ends are, not by their indices.
+/// *Geometry*: an edge that exactly two triangles share is interior in two cases. Either the
+/// triangles lie in one plane, side by side, or each lies above the plane of the other; above is
+/// the side from which its vertices go counterclockwise. Edges at the border are not interior, and
+/// neither are edges of three triangles or more. If two neighbours are oriented oppositely, they
+/// have no common upper side, and their edge is interior only if they lie in one plane. An edge of
+/// a triangle that is a segment or a point is not interior. Edges are compared by the positions of
+/// their ends, not by indices.
 ///
 /// *Numerics*: exact. *Panics*: never. *Cost*: sorts the edges in `scratch`, three for each
-/// triangle, and takes a determinant or two for each pair.
+/// triangle, and evaluates a determinant or two for each pair.
 ///
 /// # Errors
-/// [`MeshError::Length`] where `scratch` has not three entries for each triangle, or `edges` not
-/// one.
+/// [`MeshError::Length`] if `scratch` has fewer than three entries for each triangle, or `edges`
+/// fewer than one.
 ///
 /// ```
 /// use septum::Vec3;
 /// use septum::contact::{InteriorEdges, interior_edges};
 /// use septum::mesh::{Mesh, MeshError};
 ///
-/// // A square in two triangles, and a wall that stands on its first edge.
+/// A square in two triangles, and a wall on its first edge.
 /// let vertices = [
 ///     [0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0, 2.0, 0.0], [1.0, 0.0, 2.0],
 /// ].map(Vec3::from);
@@ -93,7 +94,7 @@ pub fn interior_edges<S: Scalar, I: Index>(
     for (side, number) in sides.iter_mut().zip(numbers) {
         *side = number;
     }
-    // The lesser end first, and whether that is where the edge begins.
+    // The lesser end first, and whether the edge begins there.
     let ends = |&(t, k): &(I, u8)| {
         let t = mesh.known(t.get());
         let (k, next, _) = turn(k.into());
@@ -125,7 +126,7 @@ pub fn interior_edges<S: Scalar, I: Index>(
     Ok(())
 }
 
-/// Whether the edge between two triangles is, given the vertices that are not on it.
+/// Whether the edge between two triangles is interior, given the vertices opposite to it.
 fn is_interior<S: Scalar>(
     triangles: &[Triangle<S>; 2],
     apexes: [usize; 2],
@@ -136,13 +137,15 @@ fn is_interior<S: Scalar>(
     if normals.contains(&[Ordering::Equal; 3]) {
         return false;
     }
-    // If the apex of the second lies above the first, so does that of the first above the second.
+    // If the apex of the second triangle lies above the first, the apex of the first lies above the
+    // second.
     let (base, apex) = (first.points()[0], *pick(&second.points(), apexes[1]));
     let height = three(|i| difference(apex[i].parts(), base[i].parts()));
     match side_of::<S>([&edges.side(0), &edges.side(1)], &height) {
         Ordering::Greater => are_turned_alike,
         Ordering::Less => false,
-        // In one plane: side by side, and not folded, if the normals agree as the edges say.
+        // In one plane they lie side by side, and are not folded, if the normals agree with the
+        // orientation.
         Ordering::Equal => (normals[0] == normals[1]) == are_turned_alike,
     }
 }

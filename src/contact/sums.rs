@@ -1,5 +1,6 @@
-//! The exact numbers of a direction as sums of products of the numbers as given, for any numbers.
-//! Every term of a length along it has four factors, and of a coordinate of it two.
+//! The exact numbers of a direction as sums of products of the given numbers. They serve all
+//! inputs. Each term of a length along the direction has four factors, and each term of a
+//! coordinate two.
 
 use core::cmp::Ordering;
 
@@ -9,13 +10,13 @@ use crate::arithmetic::{Parts, Soft, pick, three, turn};
 use crate::robust::{ExactSum, Vector, add_area, add_scaled_determinant};
 use crate::scalar::Scalar;
 
-/// A direction by the sides that it is the cross product of.
+/// A direction, by the two sides of its cross product.
 pub(super) struct Sums<'a, S> {
     bodies: &'a [Body<'a, S>; 2],
     sides: [Vector; 2],
 }
 
-/// The size of a sum that is not below zero; `None` of zero.
+/// The size of a sum that is not below zero; `None` for zero.
 fn size<T: ExactSum>(sum: &T) -> Size {
     Soft::of_limbs(sum.limbs())
 }
@@ -25,7 +26,7 @@ impl<'a, S: Scalar> Sums<'a, S> {
         Self { bodies, sides: own.map(|(shape, k)| bodies[shape % 2].side(k)) }
     }
 
-    /// Adds how far the shape reaches along the direction, twice, or takes away where it begins.
+    /// Adds twice the shape's end along the direction, or subtracts its beginning.
     fn add_end(
         &self,
         sum: &mut S::Sum,

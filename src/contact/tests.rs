@@ -1,4 +1,4 @@
-//! Floats exclude only what is not the least, and whole numbers are what the sums are.
+//! Floats exclude only directions that are not the least, and integers equal the sums.
 
 use super::Shape;
 use super::body::Body;
@@ -34,7 +34,7 @@ impl Draw {
 
 const NOTHING_IS_KNOWN: [[Option<core::cmp::Ordering>; 3]; 2] = [[None; 3]; 2];
 
-/// The least way by exact sums alone: its direction, whether along it, and its depth.
+/// The least way from exact sums alone: its direction, whether it goes along it, and its depth.
 fn by_sums<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<(Direction, bool, Size)> {
     let mut best: Option<(Direction, bool, Size)> = None;
     for direction in all(bodies) {
@@ -52,7 +52,7 @@ fn by_sums<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<(Direction, bool, Siz
     best
 }
 
-/// Whether there is a contact, and whether it was found by whole numbers.
+/// Whether there is a contact, and whether integers found it.
 fn check<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [bool; 2] {
     let bodies = [first.body(), second.body()];
     let (_, rough) = in_floats(&bodies);
@@ -70,7 +70,7 @@ fn check<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [bool; 2] 
     [found.is_some(), units.is_some()]
 }
 
-/// All pairs, of numbers that come from such as have so many bits.
+/// All pairs, with numbers that come from numbers of so many bits.
 fn check_all<S: Scalar>(bits: u32, of: fn(f64) -> S, axis: fn(f64) -> S) -> [usize; 3] {
     let (mut draw, mut seen) = (Draw(7 + u64::from(bits)), [0; 3]);
     for _ in 0..12 {
@@ -106,13 +106,13 @@ fn all_ways_agree() {
     if REGISTERS_ARE_WIDE {
         assert!(wholes.as_flattened().iter().all(|&whole| whole > 30), "{wholes:?}");
     }
-    // Places far finer than axes, and numbers of which 60 bits hold few.
+    // Places far finer than axes, and numbers that 60 bits seldom hold.
     check_all::<f64>(24, |x| x / 3.0 * 2_f64.powi(-90), |x| x);
     let any = check_all::<f64>(20, |x| x * x * x * x * x / 7.0, |x| x * x * x * x / 3.0);
     assert!(any[2] < 60, "{any:?}");
 }
 
-/// A side so short that its products underflow, and a half-extent that makes it as long as others.
+/// A side so short that its products underflow, with a half-extent that makes it as long as others.
 #[test]
 fn tiny_sides_are_left_to_exact_numbers() {
     let (mut draw, mut contacts) = (Draw(3), 0);

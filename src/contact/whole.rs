@@ -1,6 +1,5 @@
-//! The exact numbers of a direction as whole ones: where few bits hold all that two shapes are
-//! given by, as in most scenes. They are those of [`sums`](super::sums), for a fraction of the
-//! time.
+//! The exact numbers of a direction as integers, if few bits hold the numbers of both shapes, as in
+//! most scenes. They equal those of [`sums`](super::sums) and take a fraction of the time.
 
 use core::cmp::Ordering;
 
@@ -12,27 +11,27 @@ use crate::shape::AabbForm;
 
 /// Powers of two that divide the numbers of two shapes, in units of the least number.
 pub(super) struct Units {
-    /// Of points, and of half-extents of axis-aligned boxes.
+    /// The unit of points, and of half-extents of axis-aligned boxes.
     places: i32,
-    /// Of the axes of oriented boxes.
+    /// The unit of the axes of oriented boxes.
     axes: i32,
-    /// Of their half-extents.
+    /// The unit of their half-extents.
     halves: i32,
-    /// Of products of the former with one, and of the two latter with each other.
+    /// The unit of positions along a direction: of places, and of axes times half-extents.
     ends: i32,
-    /// By how much the former are to be shifted up, and the latter.
+    /// How far the two kinds of terms are shifted up to that unit.
     up: [u32; 2],
 }
 
-/// The widths that [`Units`] allows: of a number, and of how far a shape reaches beyond another.
+/// The widths that [`Units`] allows: of a number, and of the reach of a shape beyond another.
 ///
-/// A side has 61 bits at most, that is, it is below 2^61, a coordinate of a cross product below
-/// 2^123, and its product with the second below 2^249; so is no sum of three below 2^251.
+/// A side is below 2^61 and a coordinate of a cross product below 2^123. Its product with a reach
+/// is below 2^249, and a sum of three such products below 2^251.
 const WIDTH: i32 = 60;
 const REACH: i32 = 126;
 
 impl Units {
-    /// The units, if numbers are that short, and the machine multiplies long words.
+    /// The units, if the numbers are short enough, and the machine multiplies long words.
     pub(super) fn new<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<Self> {
         if !REGISTERS_ARE_WIDE {
             return None;
@@ -60,14 +59,14 @@ impl Units {
         if places.width() > WIDTH || axes.width() > WIDTH || halves.width() > WIDTH {
             return None;
         }
-        // Of nothing but zero any power of two is a unit.
+        // If all numbers are zero, every power of two is a unit.
         let low = |bits: Bits| if bits.width() > 0 { bits.low } else { 0 };
         let one = i32::from(S::ONE.shift);
         let (of_places, of_reach) = (low(places) + one, low(axes) + low(halves));
         let has_reach = axes.width() > 0 && halves.width() > 0;
         let ends = if has_reach { of_places.min(of_reach) } else { of_places };
         let up = [of_places - ends, if has_reach { of_reach - ends } else { 0 }];
-        // Of each shape twice a place, and twice a half-extent or three products; and the sum.
+        // Each shape has twice a place, and twice a half-extent or three products; then their sum.
         let widths = [places.width() + 3 + up[0], axes.width() + halves.width() + 4 + up[1]];
         let fits = widths.into_iter().all(|width| width < REACH);
         fits.then(|| Self {
@@ -101,8 +100,8 @@ impl Units {
         }
     }
 
-    /// Twice the place of a shape that lies farthest toward somewhere, from its centre or with a
-    /// vertex there.
+    /// Twice the farthest place of a shape along the direction, from its centre or from one of its
+    /// vertices.
     fn end<S: Scalar>(
         &self,
         body: &Body<'_, S>,

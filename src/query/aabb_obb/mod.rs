@@ -7,18 +7,18 @@ use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb};
 
 impl<S: Scalar> Overlaps<Obb<S>> for Aabb<S> {
-    /// Whether an axis-aligned box and an oriented box have a point in common.
+    /// Do an axis-aligned box and an oriented box have a point in common?
     ///
-    /// *Geometry*: closed sets in one frame and unit, the axis-aligned box as it was given: by
-    /// its corners, or by centre and half-extents. The oriented one is the parallelepiped that
-    /// its numbers describe. Flat boxes, segments and points are boxes.
+    /// *Geometry*: closed sets in one frame and one unit. The axis-aligned box is given by its
+    /// corners, or by centre and half-extents. The oriented box is the parallelepiped that its
+    /// numbers describe. Flat boxes, segments and points are boxes.
     ///
-    /// *Contact*: touching is overlap.
+    /// *Contact*: touching counts as overlap.
     ///
     /// *Numerics*: exact for every valid input, in every scalar.
     ///
-    /// *Range*, *panics*, *cost* and *source*: as of
-    /// [two oriented boxes](Obb#impl-Overlaps<Obb<S>>-for-Obb<S>).
+    /// *Range*, *Panics*, *Cost* and *Source*: as for [two oriented
+    /// boxes](Obb#impl-Overlaps<Obb<S>>-for-Obb<S>).
     ///
     /// ```
     /// use septum::{Aabb, Obb};
@@ -35,10 +35,10 @@ impl<S: Scalar> Overlaps<Obb<S>> for Aabb<S> {
             != Relation::Disjoint
     }
 
-    /// Whether an axis-aligned box and an oriented box may have a point in common.
+    /// May an axis-aligned box and an oriented box have a point in common?
     ///
-    /// *Numerics*, *panics* and *cost*: as of
-    /// [two oriented boxes](Obb#impl-Overlaps<Obb<S>>-for-Obb<S>).
+    /// *Numerics*, *Panics* and *Cost*: as for [two oriented
+    /// boxes](Obb#impl-Overlaps<Obb<S>>-for-Obb<S>).
     #[inline]
     fn may_overlap(&self, obb: &Obb<S>) -> bool {
         let question = Lie { first: First::Aabb(self), second: obb, asked: Asked::MayOverlap };

@@ -1,5 +1,5 @@
-//! The last stage of a line and an oriented box: exact sums of products of the numbers as given.
-//! The axes are those of the kernel; every term has four factors.
+//! The last stage of a line and an oriented box: exact sums of products of the given numbers. The
+//! axes are those of the kernel; each term has four factors.
 
 use core::cmp::Ordering;
 
@@ -8,9 +8,9 @@ use crate::robust::{ExactSum, Vector, add_scaled_determinant, single};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
 
-/// A part of a line and a parallelepiped, taken apart.
+/// A part of a line and a parallelepiped in exact parts.
 pub(super) struct ExactLine {
-    /// From the centre of the box to the origin.
+    /// The vector from the box's centre to the origin.
     pub(super) m: Vector,
     pub(super) d: Vector,
     pub(super) ends: [Option<Parts>; 2],
@@ -81,7 +81,7 @@ impl ExactLine {
         sign::<S>(&[line, reach(j, l), reach(l, j)]) == side
     }
 
-    /// Whether all of the part lies beyond the box on this side of w_i.
+    /// Whether the whole part lies beyond the box on this side of w_i.
     fn face<S: Scalar>(&self, i: usize, side: Ordering, along: Ordering, volume: Ordering) -> bool {
         let beyond = |t: Parts| {
             let reach = self.volume(signed(*pick(&self.h, i), volume == side));
@@ -94,8 +94,8 @@ impl ExactLine {
         first && last && (from.is_some() || to.is_some() || beyond(Parts::ZERO))
     }
 
-    /// Where the line enters slab `i` and where it leaves it, to the nearest; nothing if it runs
-    /// along it.
+    /// Where the line enters slab `i` and where it leaves it, rounded to the nearest; `None` if it
+    /// runs parallel to the slab.
     pub(super) fn crossing<S: Scalar>(&self, i: usize) -> Option<(S, S)> {
         let falls = match sign::<S>(&[self.along(i, &self.d, S::ONE)]) {
             Ordering::Equal => return None,

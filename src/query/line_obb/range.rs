@@ -1,10 +1,10 @@
 //! Where a ray that meets an oriented box enters it and leaves it.
 //!
-//! With the names of the kernel the ray is within slab i from t = (−s·(w_i·m) − r_i)/|w_i·d| to t =
-//! (−s·(w_i·m) + r_i)/|w_i·d|, s being the sign of w_i·d and r_i = h_i·|u_0·w_0|. The greatest of
-//! the first and the least of the second, rounded, are the answer. In `f64` each has bounds, and
-//! for `f64` itself in numbers of 106 digits; where both round to the same number of the scalar,
-//! that is what exact sums give too.
+//! With the names of the kernel, the ray is within slab i from t = (−s·(w_i·m) − r_i)/|w_i·d| to t
+//! = (−s·(w_i·m) + r_i)/|w_i·d|, with s the sign of w_i·d and r_i = h_i·|u_0·w_0|. The answer is
+//! the greatest first value and the least second value, rounded. `f64` computes bounds on each; for
+//! `f64` itself, numbers of 106 digits do. If both bounds round to the same number of the scalar,
+//! exact sums would give the same.
 
 use super::Disjoint;
 use super::error_bound::{ErrorBound, Sizes, error_bound};
@@ -14,13 +14,13 @@ use crate::query::triangle_obb::{cross, dot};
 use crate::robust::{Clue, Predicate, exact_stage};
 use crate::scalar::Scalar;
 
-/// The question, of a ray that meets the box.
+/// Where does the ray, which meets the box, enter and leave it?
 pub(super) struct Range<'a, S>(pub(super) Disjoint<'a, S>);
 
 impl<S: Scalar> Predicate<S> for Range<'_, S> {
     type Answer = Option<(S, S)>;
 
-    /// Integers have no quotients of such volumes: exact sums have.
+    /// Integers have no quotients of such volumes; exact sums do.
     fn filter<N: Embeds<S>>(&self) -> Option<Option<(S, S)>> {
         if N::CERTAIN { Some(exact_stage(self)) } else { None }
     }
@@ -44,7 +44,8 @@ impl<S: Scalar> Predicate<S> for Range<'_, S> {
     fn exact(&self) -> Option<(S, S)> {
         let line = self.0.exactly();
         let crossings = (0..3).filter_map(|i| line.crossing::<S>(i));
-        // Some component of a direction is not zero, and axes span space. Rounding keeps order.
+        // Some component of the direction is not zero, and the axes span space. Rounding keeps
+        // order.
         crossings.reduce(|a, b| (greatest(a.0, b.0), least(a.1, b.1)))
     }
 }
@@ -64,14 +65,13 @@ where
     within_all(|i| slab(&s, i, volume, &error))
 }
 
-/// The bounds of the kernel, at t = 0: the ray's range has no part in numerators and divisors.
+/// The bounds of the kernel at t = 0: numerators and divisors do not contain the ray's range.
 #[inline(always)]
 fn error_of_crossings(s: &Operands<f64>) -> Option<ErrorBound<f64>> {
     error_bound::<Filtered<f64>>(s.one, &Sizes { ends: 0.0, ..s.sizes() })
 }
 
-/// Where the line enters the last slab and where it leaves the first, given the bounds on where it
-/// enters each and where it leaves it.
+/// Where the line enters the last slab and leaves the first, from the bounds for each slab.
 #[inline(always)]
 fn within_all<S>(slab: impl Fn(usize) -> Option<[[f64; 2]; 2]>) -> Option<(S, S)>
 where
@@ -87,8 +87,8 @@ where
     Some((nearest(enter)?, nearest(leave)?))
 }
 
-/// The bounds on where the line enters slab `i` and on where it leaves it; nothing where it may
-/// run along a face.
+/// Bounds on where the line enters slab `i` and on where it leaves it; `None` if it may run along a
+/// face.
 #[inline(always)]
 fn slab(
     s: &Operands<f64>,
@@ -101,7 +101,7 @@ fn slab(
     let (along, middle, reach) = (dot(&w, &s.d), dot(&w, &s.m) * s.one, s.h[i] * volume);
     let den = along.magnitude();
     if den <= error.direction {
-        // Along the slab, or nearly so: it is in it for at least so long.
+        // Parallel to the slab, or nearly: the line is within the slab for at least this long.
         let inside = reach - middle.magnitude() - error.face;
         let long = 0.5 * inside / error.direction;
         return (inside > 0.0).then_some([[f64::NEG_INFINITY, -long], [long, f64::INFINITY]]);
@@ -110,8 +110,8 @@ fn slab(
     let twice = 2.0 / (den - error.direction);
     let at = |num: f64| {
         let t = num / den;
-        // For what N and D truly are, |N/D − t| ≤ (|N − num| + |t|·|D − den|)/|D|. Twice that, and
-        // more than the roundings of t and of what is added to it.
+        // With N and D the true values, |N/D − t| ≤ (|N − num| + |t|·|D − den|)/|D|. Twice that
+        // exceeds the roundings of t and of the sum too.
         let from_true = (error.face + t.abs() * error.direction) * twice;
         let error = from_true + 4.0 * f64::EPSILON * t.abs();
         [t - error, t + error]
@@ -119,8 +119,8 @@ fn slab(
     Some([at(to_middle - reach), at(to_middle + reach)])
 }
 
-/// The same for `f64`, in numbers of 106 digits. Each of their operations errs by less than 6·u² of
-/// itself, one of `f64` by u: so the bounds of `f64` hold times 8·u.
+/// The bounds for `f64`, in numbers of 106 digits. Each of their operations errs by less than 6·u²
+/// of itself, and one of `f64` by u, so the bounds of `f64` hold times 8·u.
 #[inline(never)]
 fn in_longs<S: Scalar>(question: &Disjoint<'_, S>) -> Option<(S, S)>
 where
@@ -166,8 +166,9 @@ mod tests {
     use super::*;
     use crate::shape::{Obb, Ray};
 
-    /// From points on and near the faces of turned boxes, where nearly all of a numerator cancels:
-    /// what `f64` settles, exact sums say too. Returns how many it does.
+    /// Rays from points on and near the faces of rotated boxes, where nearly all of a numerator
+    /// cancels: exact sums agree with everything that `f64` decides. Returns the number of
+    /// decisions.
     fn check<S: Scalar>(near: impl Fn(f64) -> S) -> [u32; 2]
     where
         Filtered<f64>: Embeds<S>,

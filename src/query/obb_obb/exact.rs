@@ -1,5 +1,5 @@
-//! The last stage of two boxes, at least one of them oriented: exact sums of products of the
-//! numbers as given. Every term has four factors.
+//! The last stage of two boxes, at least one of them oriented: exact sums of products of the given
+//! numbers. Each term has four factors.
 
 use core::cmp::Ordering;
 
@@ -10,15 +10,15 @@ use crate::robust::{ExactSum, Linear, Vector, add_scaled_determinant, difference
 use crate::scalar::Scalar;
 use crate::shape::{AabbForm, Obb};
 
-/// An axis of a box and the half-extent along it, which is the sum of two numbers.
+/// An axis of a box and its half-extent, as the sum of two numbers.
 struct Extent {
     axis: Vector,
     half: [Parts; 2],
 }
 
-/// Two boxes, taken apart.
+/// Two boxes in exact parts.
 pub(super) struct ExactBoxes {
-    /// From centre to centre.
+    /// The difference of the centres.
     d: Vector,
     extents: [Extent; 6],
 }
@@ -52,7 +52,7 @@ impl ExactBoxes {
                     let [a, h] = [center, half].map(|v| parts(v.to_array()));
                     (vector(&|i| difference(b[i], a[i])), along, pairs(h), pairs(k))
                 }
-                // All doubled: the centre need not be a number of the scalar.
+                // Everything is doubled, because the centre need not be a number of the scalar.
                 AabbForm::Corners { min, max } => {
                     let [p, q] = [min, max].map(|v| parts(v.to_array()));
                     let d = vector(&|i| [twice(b[i]), p[i].negated(), q[i].negated()]);
@@ -70,7 +70,7 @@ impl ExactBoxes {
         Self { d, extents: [a, b, c, e, f, g] }
     }
 
-    /// What the 15 axes say.
+    /// The relation of the boxes from the 15 axes.
     pub(super) fn relation<S: Scalar>(&self) -> Relation {
         let mut so_far = Relation::Overlapping;
         for i in 0..3 {
@@ -86,13 +86,13 @@ impl ExactBoxes {
         so_far
     }
 
-    /// What the cross product of two of the axes says.
+    /// The relation on the cross product of two axes.
     fn axis<S: Scalar>(&self, a: usize, b: usize) -> Relation {
         let (a, b) = (&self.extents[a].axis, &self.extents[b].axis);
         let determinant = |sum: &mut S::Sum, x: &Vector, factor: Parts| {
             add_scaled_determinant(sum, a, b, x, factor);
         };
-        // How far the second box stays beyond the first, on either side.
+        // The distance by which the second box stays beyond the first, on both sides.
         of_gaps([Ordering::Greater, Ordering::Less].map(|side| {
             let mut sum = S::Sum::new();
             determinant(&mut sum, &self.d, S::ONE);

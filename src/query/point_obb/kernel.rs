@@ -1,8 +1,8 @@
 //! The three pairs of faces of a parallelepiped, against a point.
 //!
-//! With u_i the axes, d the way from the centre, and w_i = u_j × u_k, Cramer's rule
-//! has d = Σ s_i·u_i with s_i = (w_i·d)/(w_0·u_0). So |s_i| exceeds h_i exactly if
-//! |w_i·d| exceeds h_i·|w_0·u_0|.
+//! u_i are the axes, d is the vector from the centre, and w_i = u_j × u_k. By Cramer's rule d = Σ
+//! s_i·u_i with s_i = (w_i·d)/(w_0·u_0). So |s_i| exceeds h_i exactly if |w_i·d| exceeds
+//! h_i·|w_0·u_0|.
 
 use core::cmp::Ordering;
 
@@ -12,7 +12,7 @@ use crate::robust::{ExactSum, Predicate, Uncertain, Vector, add_scaled_determina
 use crate::scalar::Scalar;
 use crate::shape::Obb;
 
-/// The question whether a point lies outside an oriented box.
+/// Does a point lie outside an oriented box?
 pub(super) struct Outside<'a, S> {
     pub(super) point: [S; 3],
     pub(super) obb: &'a Obb<S>,
@@ -88,8 +88,8 @@ fn add_volume<T: ExactSum>(sum: &mut T, [a, b, c]: &[Vector; 3], factor: Parts) 
 mod tests {
     use super::*;
 
-    /// Points in and about a corner of a parallelepiped: each stage says what exact sums
-    /// say, or nothing.
+    /// Points in and around a corner of a parallelepiped: each stage agrees with exact sums, or has
+    /// no answer.
     fn check<S: Scalar>(of: impl Fn(i8) -> S, one_up: impl Fn(S) -> S) {
         let row = |p: [i8; 3]| p.map(&of);
         let axes = [row([2, 1, 0]), row([-1, 2, 0]), row([0, 1, 2])];
@@ -111,7 +111,7 @@ mod tests {
                 }
             }
         }
-        // Of 49 points on the grid of its plane some lie in the flat box.
+        // Some of the 49 points on the grid of its plane lie in the flat box.
         assert!(settled > 1_000 && outside < 3 * 2 * 343, "{settled} settled, {outside} outside");
     }
 

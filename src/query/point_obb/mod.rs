@@ -8,21 +8,21 @@ use crate::scalar::Scalar;
 use crate::shape::{Obb, Vec3};
 
 impl<S: Scalar> Obb<S> {
-    /// Whether the box contains a point.
+    /// Does the box contain the point?
     ///
-    /// *Geometry*: a closed box, namely the parallelepiped that its numbers
-    /// describe: axes that a rotation left a little short or askew are taken as they
-    /// are. A point with a coordinate that is NaN or infinite is in no box.
+    /// *Geometry*: a closed box, namely the parallelepiped that its numbers describe, also if
+    /// rounding left its axes slightly short or skewed. No box contains a point with a coordinate
+    /// that is NaN or infinite.
     ///
     /// *Contact*: a point on a face is in the box.
     ///
     /// *Numerics*: exact for every valid input, in every scalar.
     ///
-    /// *Range*: all finite floats, all fixed-point values. The fast stage serves the
-    /// same range as that of a triangle and an oriented box; elsewhere, and for floats
-    /// within rounding of a face, exact sums take over, a hundred times slower.
+    /// *Range*: all finite floats and all fixed-point values. The fast stage serves the same range
+    /// as that of a triangle and an oriented box. Outside, and for floats within rounding of a
+    /// face, exact sums decide, a hundred times slower.
     ///
-    /// *Panics*: never. *Cost*: some 36 multiplications; fixed point in 128 bits.
+    /// *Panics*: never. *Cost*: about 36 multiplications; fixed point in 128 bits.
     ///
     /// *Source*: Cramer's rule, without its division.
     ///

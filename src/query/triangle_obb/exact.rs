@@ -1,6 +1,6 @@
-//! The last stage for an oriented box: exact signs of sums of products of the numbers as given,
-//! as for an axis-aligned box. The axes are those of the kernel; every term has four factors.
-//! Sums are long accumulators, or words where the shapes are short enough for that.
+//! The last stage for an oriented box: exact signs of sums of products of the given numbers, as for
+//! an axis-aligned box. The axes are those of the kernel; each term has four factors. Sums are long
+//! accumulators, or words if the shapes are short enough.
 
 use core::cmp::Ordering;
 use core::marker::PhantomData;
@@ -12,7 +12,7 @@ use crate::query::relation::{Relation, of_gaps};
 use crate::robust::{ExactSum, Vector, add_scaled_determinant, difference, single};
 use crate::scalar::Scalar;
 
-/// How factors are held, and the sign of a sum of them.
+/// The representation of factors, and the sign of a sum of their products.
 pub(super) trait Signs: Sized {
     type Factor: Copy;
     type Vector;
@@ -44,7 +44,7 @@ impl<S: Scalar> Signs for InSums<S> {
     }
 }
 
-/// Words that hold the lengths of the shapes, and one.
+/// Words that hold the lengths of the shapes and one.
 #[cfg(feature = "fixed")]
 pub(super) struct InWords<W>(PhantomData<W>);
 
@@ -68,7 +68,7 @@ impl<W: WholeWord> Signs for InWords<W> {
 
 /// A triangle and a parallelepiped.
 pub(super) struct ExactParallelepiped<N: Signs> {
-    /// The vertices from the centre.
+    /// The vertices, relative to the centre.
     t: [N::Vector; 3],
     /// The edges.
     e: [N::Vector; 3],
@@ -101,7 +101,7 @@ impl<S: Scalar> ExactParallelepiped<InSums<S>> {
 
 #[cfg(feature = "fixed")]
 impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
-    /// In words; differences that do not fit are wrapped.
+    /// In words; differences that do not fit wrap around.
     #[inline(always)]
     pub(super) fn in_words<S: Scalar + InWord<W>>(
         points: &[[S; 3]; 3],
@@ -125,11 +125,13 @@ impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
         }
     }
 
-    /// Divides all lengths by a power of two that divides them all: whole numbers of a unit, as
-    /// grids are, are near from farther away. Every term has the same number of lengths.
+    /// Divides all lengths by a common power of two. Shapes whose coordinates are multiples of a
+    /// larger unit, as on a grid, then fit words from farther away. Each term has the same number
+    /// of lengths.
     ///
-    /// Wrapped differences do not become near. From a word in the middle half they are at least
-    /// 2^14, 2^30 or 2^62; what is near after the greatest division here is below 2^13, 2^29 or
+    /// A wrapped difference does not pass as a short one. From a word in the middle half it is at
+    /// least 2^14, 2^30 or 2^62. After the greatest division here, what counts as short is below
+    /// 2^13, 2^29 or 2^55.
     /// 2^55.
     #[inline(always)]
     fn take_off_common_zeros(&mut self) {
@@ -137,7 +139,7 @@ impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
         let lengths = [t.as_flattened(), e.as_flattened(), h];
         let mut all = lengths.into_iter().flatten().fold(W::ZERO, |all, &x| all | x);
         let mut zeros = 0;
-        // As often whatever the numbers are: the worst case is promised.
+        // The same number of passes for all numbers, because the worst case is promised.
         for _ in 0..size_of::<W>() * 8 / 3 {
             let is_even = u32::from((all >> 1).plus(all >> 1) == all);
             (all, zeros) = (all >> is_even, zeros + is_even);
@@ -147,9 +149,8 @@ impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
         }
     }
 
-    /// Whether words have room for all that is made of these lengths, if none of them is
-    /// wrapped; perhaps after a division of all of them. Out of line: the axes, which come next,
-    /// take the most stack.
+    /// Whether words can hold all products of these lengths, if no length is wrapped, perhaps after
+    /// a common division. Out of line, because the axes, which follow, take the most stack.
     #[inline(never)]
     pub(super) fn becomes_near(&mut self) -> bool {
         self.take_off_common_zeros();
@@ -160,8 +161,8 @@ impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
 }
 
 impl<N: Signs> ExactParallelepiped<N> {
-    /// What the 13 axes say. Unless touching and overlapping are told apart, both are overlapping,
-    /// and an axis is left as soon as it does not separate.
+    /// The relation from the 13 axes. Unless `ARE_TOLD`, touching counts as overlapping, and an
+    /// axis ends as soon as it does not separate.
     pub(super) fn relation<const ARE_TOLD: bool>(&self) -> Relation {
         let [u0, u1, u2] = &self.u;
         let volume = N::sign(&[Term(self.one, u0, u1, u2)]);
@@ -186,7 +187,7 @@ impl<N: Signs> ExactParallelepiped<N> {
         so_far
     }
 
-    /// All vertices beyond h_i·|det u|, on either side.
+    /// Whether all vertices lie beyond h_i·|det u|, on each side.
     #[inline(never)]
     fn face<const ARE_TOLD: bool>(&self, i: usize, volume: Ordering) -> Relation {
         let (i, j, k) = turn(i);
@@ -198,7 +199,7 @@ impl<N: Signs> ExactParallelepiped<N> {
             for t in &self.t {
                 let sign = N::sign(&[Term(self.one, u, v, t), Term(h, u0, u1, u2)]);
                 gap = gap.min(toward(side, sign));
-                // No vertex makes it less, or none is enough.
+                // No vertex can make the gap less, or it is closed already.
                 if gap == Ordering::Less || !ARE_TOLD && gap == Ordering::Equal {
                     break;
                 }
@@ -207,7 +208,7 @@ impl<N: Signs> ExactParallelepiped<N> {
         })
     }
 
-    /// n·t_0 beyond Σ h_i·|u_i·n|, on either side.
+    /// Whether n·t_0 lies beyond Σ h_i·|u_i·n|, on each side.
     #[inline(never)]
     fn normal<const ARE_TOLD: bool>(&self, un: &[Ordering; 3]) -> Relation {
         let [e0, e1, _] = &self.e;
@@ -221,7 +222,7 @@ impl<N: Signs> ExactParallelepiped<N> {
         })
     }
 
-    /// The interval of the triangle on e_k × u_i beyond the box's, on either side.
+    /// Whether the triangle's interval on e_k × u_i lies beyond the box's, on each side.
     #[inline(never)]
     fn edge<const ARE_TOLD: bool>(&self, i: usize, k: usize, un: Ordering) -> Relation {
         let (i, j, l) = turn(i);
@@ -232,8 +233,8 @@ impl<N: Signs> ExactParallelepiped<N> {
         let along_l = N::sign(&[Term(self.one, ui, uj, e)]);
         let along_j = N::sign(&[Term(self.one, ul, ui, e)]);
         on_either_side::<ARE_TOLD>(|side| {
-            // The end of the interval nearer to the box: p, or that of the vertex
-            // opposite, p + u·n.
+            // The end of the interval that is nearer to the box: p, or p + u·n of the opposite
+            // vertex.
             let nearer = if un == side.reverse() { opposite } else { k };
             let sign = N::sign(&[
                 Term(self.one, ui, e, pick(&self.t, nearer)),
@@ -245,7 +246,7 @@ impl<N: Signs> ExactParallelepiped<N> {
     }
 }
 
-/// What an axis says by the gaps on its two sides.
+/// The relation on an axis, from the gaps on its two sides.
 #[inline(always)]
 fn on_either_side<const ARE_TOLD: bool>(gap: impl Fn(Ordering) -> Ordering) -> Relation {
     if ARE_TOLD {
@@ -257,7 +258,7 @@ fn on_either_side<const ARE_TOLD: bool>(gap: impl Fn(Ordering) -> Ordering) -> R
     }
 }
 
-/// How far that is on the side, by the sign of it along the axis.
+/// The sign toward a side, from the sign along the axis.
 fn toward(side: Ordering, sign: Ordering) -> Ordering {
     if side.is_gt() { sign } else { sign.reverse() }
 }

@@ -1,4 +1,4 @@
-//! Whether a triangle and an oriented box touch or overlap: the same axes, read twice.
+//! Whether a triangle and an oriented box touch or overlap: the same axes, evaluated twice.
 
 use super::Disjoint;
 use crate::arithmetic::Embeds;
@@ -9,7 +9,7 @@ use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Obb, Triangle};
 
-/// How the two lie to each other.
+/// How do the two lie to each other?
 struct Lie<'a, S>(Disjoint<'a, S>);
 
 impl<S: Scalar> Predicate<S> for Lie<'_, S> {
@@ -23,9 +23,9 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
     #[cfg(feature = "fixed")]
     const IN_SHORT: bool = true;
 
-    /// Whoever meets the shrunk box has a point within the true one, not on its faces: the bound
-    /// on the error is greater than the error. The triangle's interior is as near to that point as
-    /// may be, so it has points there too.
+    /// If the triangle meets the shrunk box, it has a point in the interior of the true box,
+    /// because the bound exceeds the error. The triangle's interior has points arbitrarily near
+    /// that point, so some of them are in the interior of the box too.
     #[cfg(feature = "fixed")]
     #[inline(always)]
     fn in_short(&self) -> Option<Relation>

@@ -1,20 +1,20 @@
-//! The first stage of fixed point: the triangle in the frame of the box, in words of 32 bits,
-//! with a bound on how far it may be from the truth.
+//! The first stage of fixed point: the triangle in the frame of the box, in words of 32 bits, with
+//! a bound on the error.
 //!
-//! As in the published method the triangle is taken into the frame of the box, where the box is
-//! axis-aligned. Vertices and extents arrive there a little off: together by no more than an
-//! error g along each axis. If the true shapes have a point in common, then the triangle has a
-//! point within g of it, in the box grown by g. So whoever misses the grown box misses the true
-//! one. Turned around, whoever meets the box shrunk by g meets the true one. Both are exact
-//! questions about an axis-aligned box. What lies between is doubt, for later stages.
+//! As in the published method, the triangle is transformed into the frame of the box, where the box
+//! is axis-aligned. Vertices and extents arrive there with errors, together at most g along each
+//! axis. If the true shapes have a point in common, the computed triangle has a point in the box
+//! grown by g. A triangle that misses the grown box therefore misses the true one. Conversely, a
+//! triangle that meets the box shrunk by g meets the true one. Both are exact queries about an
+//! axis-aligned box. Triangles between the two are in doubt and go to later stages.
 //!
 //! # Numbers
 //!
-//! In raw bits, F of them after the point, let d be a vertex from the centre, h_i a half-extent
-//! and u_i an axis. With w_i = u_j × u_l Cramer's rule has the point in the box exactly if
-//! |w_i·d|·2^F ≤ h_i·|u_0·w_0| for all i. Powers of two bring the axes to 19 bits, the greatest
-//! component first, and lengths to 18; half-extents take what the axes were longer than one.
-//! What is then computed is off by less than
+//! F is the number of fraction bits. In raw bits, d is a vertex relative to the centre, h_i a
+//! half-extent, u_i an axis, and w_i = u_j × u_l. By Cramer's rule the point is in the box exactly
+//! if |w_i·d|·2^F ≤ h_i·|u_0·w_0| for all i. Powers of two scale the greatest component of the axes
+//! to 19 bits and lengths to 18; half-extents absorb the scale of the axes. The computed quantities
+//! are then off by less than
 //!
 //! | quantity | magnitude | nothing cut | axes cut | lengths cut |
 //! | --- | --- | --- | --- | --- |
@@ -26,24 +26,23 @@
 //! | vertex = w_i·d/2^10, rounded down | 3·2^28 | 1 + 768 | 1 + 2304 | and 1537 |
 //! | extent = h_i·volume/2^10, rounded down | 2^29 | 1 + 1024 | 1 + 3328 | and 1024 |
 //!
-//! * w_i: a product of two components up to 2^19, each off by 1/2, errs by 2^19. There are two.
-//! * volume: three products of w_i, off by 1 or 3, and a component of u_0, up to 2^19; and of
-//!   w_i, up to 2^20, and u_0, off by 1/2. No determinant of numbers up to 1 exceeds 4.
-//! * vertex: three products of w_i, off by 1 or 3, and a length, up to 2^18; and of w_i, up to
-//!   2^20, and a length, off by 1/2 + 2^-12.
-//! * extent: the volume, off by 4 or 13, and h, up to 2^18; and the volume, and h, off by 1/2.
+//! * w_i: two products of components up to 2^19, each off by 1/2; each product errs by 2^19.
+//! * volume: three products of w_i, off by 1 or 3, with a component of u_0, up to 2^19; and of w_i,
+//!   up to 2^20, with u_0, off by 1/2. No determinant of numbers up to 1 exceeds 4.
+//! * vertex: three products of w_i, off by 1 or 3, with a length, up to 2^18; and of w_i, up to
+//!   2^20, with a length, off by 1/2 + 2^-12.
+//! * extent: the volume, off by 4 or 13, with h, up to 2^18; and the volume with h, off by 1/2.
 //!
-//! The last two columns add up to [`ERROR`], [`OF_AXES`] and [`OF_LENGTHS`]. `short.g` proves
-//! the sums. A difference that does not fit its word is made of halves, each off by up to 1/2
-//! together; it is cut by 13 bits or more, so that this becomes 2^-12 at most.
+//! The last two columns add up to [`ERROR`], [`OF_AXES`] and [`OF_LENGTHS`]; `short.g` proves the
+//! sums. A difference that does not fit its word is computed from halves, together off by up to
+//! 1/2. It is cut by 13 bits or more, so this becomes at most 2^-12.
 //!
-//! Sums of products take words of 32 bits, in two parts: with an operand of 20 bits split in
-//! the middle, three products are below 3·2^29.
+//! Sums of products take words of 32 bits in two parts. With one operand of 20 bits split in the
+//! middle, three products are below 3·2^29.
 //!
-//! At the end everything is shifted down to 17 bits, e of them lost. Vertices and extents are
-//! rounded down, and the error up, so that g = error/2^e + 3 is enough, and a box that is
-//! shrunk by it lies inside. With the room that is left for g, which is below 2^8, the
-//! kernel's lengths are below 2^18.
+//! At the end everything is shifted down to 17 bits, by e bits. Vertices and extents are rounded
+//! down and the error up, so g = error/2^e + 3 suffices, and a box shrunk by it lies inside. g is
+//! below 2^8, so the kernel's lengths are below 2^18.
 
 use super::Disjoint;
 use crate::arithmetic::{InRaw, ProductSum, Raw, Word, greatest, turn};
@@ -51,41 +50,41 @@ use crate::query::triangle_aabb::{Projection, one_sided};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
-/// In how many bits an axis is left, beside its sign.
+/// The bits of an axis, without its sign.
 const AXIS: i32 = 19;
-/// In how many bits a length is left.
+/// The bits of a length.
 const LENGTH: i32 = 18;
-/// In how many bits all is left in the end.
+/// The bits of all numbers at the end.
 const FINAL: i32 = 17;
-/// How far a vertex and an extent may be off together, where nothing is cut.
+/// The error of a vertex and an extent together, if nothing is cut.
 const ERROR: i32 = 1794;
-/// What axes that are cut add to that.
+/// The error that cut axes add.
 const OF_AXES: i32 = 3840;
-/// What lengths that are cut add.
+/// The error that cut lengths add.
 const OF_LENGTHS: i32 = 2561;
 
 /// A sum of products.
 type Sum = <i32 as Word>::Sum;
 
-/// A triangle in the frame of a box that is grown or shrunk by what both may be off.
+/// A triangle in the frame of a box, and the box grown or shrunk by their errors.
 pub(super) struct Framed {
-    /// All within 2^18.
+    /// All numbers are within 2^18.
     shapes: [Projection<i32>; 3],
-    /// By how much the box is grown or shrunk to either side.
+    /// How far the box is grown or shrunk on each side.
     by: i32,
 }
 
-/// What becomes of the box.
+/// Whether the box is grown or shrunk.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Change {
-    /// What misses it misses the true box.
+    /// A triangle that misses this box misses the true one.
     Grown,
-    /// What meets it meets the true box.
+    /// A triangle that meets this box meets the true one.
     Shrunk,
 }
 
 impl<S: Scalar + InRaw> Disjoint<'_, S> {
-    /// The answer, if cut coordinates can vouch for it.
+    /// The answer, if the cut coordinates are certain of it.
     #[inline(always)]
     pub(super) fn in_short_words<const ARE_NEAR: bool>(&self) -> Option<bool> {
         match self.framed::<ARE_NEAR>(Change::Shrunk) {
@@ -94,8 +93,8 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
         }
     }
 
-    /// The triangle in the frame of the box; `None` if a face of the box separates them for
-    /// certain. `ARE_NEAR` says that no difference of coordinates overflows.
+    /// The triangle in the frame of the box; `None` if a face of the box certainly separates them.
+    /// `ARE_NEAR` promises that no difference of coordinates overflows.
     #[inline(never)]
     pub(super) fn framed<const ARE_NEAR: bool>(&self, change: Change) -> Option<Framed> {
         let mut error = ERROR;
@@ -145,7 +144,7 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
         Some(Framed { shapes: [on(t[0], half[0]), on(t[1], half[1]), on(t[2], half[2])], by })
     }
 
-    /// The vertices from the centre, over 2 to the power that is given.
+    /// The vertices relative to the centre, divided by a power of two.
     #[inline(always)]
     fn vertices_from_center<const ARE_NEAR: bool>(&self) -> ([[S::Raw; 3]; 3], i32) {
         let [a, b, c] = self.triangle.vertices();
@@ -162,7 +161,7 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
         }
     }
 
-    /// The same where differences may not fit: then of halves.
+    /// The vertices if differences may not fit, from differences of halves.
     #[cold]
     #[inline(never)]
     fn vertices_from_far(&self) -> ([[S::Raw; 3]; 3], i32) {
@@ -191,7 +190,7 @@ impl Framed {
         if !Projection::is_void(shrunk) && !Projection::are_apart(shrunk) && !one_sided(shrunk) {
             return Some(false);
         }
-        // In place, for the stack.
+        // In place, to save stack.
         for shape in &mut self.shapes {
             *shape = shape.grown(2 * self.by);
         }
@@ -210,7 +209,7 @@ fn raw<S: InRaw>(v: &Vec3<S>) -> [S::Raw; 3] {
     [v.x.raw(), v.y.raw(), v.z.raw()]
 }
 
-/// At least as long as each of the numbers, and less than twice as long as one.
+/// A number at least as great as each of the numbers, and less than twice the greatest.
 #[inline(always)]
 fn size<R: Raw, const K: usize>(x: &[[R; 3]; K]) -> R {
     let mut size = R::ZERO;

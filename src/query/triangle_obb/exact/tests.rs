@@ -6,8 +6,8 @@ use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Obb, Triangle};
 
-/// Words say what exact sums say, of numbers of so many bits, and lengths with so many zeros
-/// after them. How often they say something: always, unless differences wrap.
+/// Words agree with exact sums, for numbers of so many bits and lengths with so many zeros below
+/// them. Returns how often words answer: always, unless differences wrap around.
 fn check<S: Scalar + InWholeWord<W>, W: WholeWord>(
     bits: u32,
     zeros: u32,
@@ -36,7 +36,7 @@ fn check<S: Scalar + InWholeWord<W>, W: WholeWord>(
         let question = Disjoint { triangle: &triangle, obb: &obb };
         let expected = question.exact();
         let found = question.narrow_volumes::<W>();
-        // Differences of those wrap.
+        // Differences of these wrap around.
         let is_far = bits + zeros > 30 && found.is_none();
         assert!(is_far || found == Some(expected), "{found:?} {triangle:?} {obb:?}");
         asked += 1;
@@ -58,7 +58,7 @@ fn words_agree_with_exact_sums() {
     check::<I16F16, i64>(31, 0, |x| I16F16::from_bits(x as i32));
 }
 
-/// A difference that wraps would be near if all zeros were taken off.
+/// A wrapped difference would pass as a short one if all zeros were removed.
 #[test]
 fn wrapped_differences_stay_far() {
     let at = |p: [i32; 3]| p.map(|x| I16F16::from_bits(x << 28));

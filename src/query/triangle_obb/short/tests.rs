@@ -1,4 +1,4 @@
-//! How far what is computed may be from the truth, against whole numbers of 128 bits.
+//! The errors of the computed numbers, measured against integers of 128 bits.
 
 use fixed::types::{I2F30, I4F4, I8F8, I16F16};
 
@@ -9,7 +9,7 @@ use crate::shape::{Obb, Triangle};
 struct Rng(Random);
 
 impl Rng {
-    /// A whole number below 2^`bits`, of either sign.
+    /// An integer below 2^`bits`, of either sign.
     fn within(&mut self, bits: u32) -> i64 {
         (self.0.bits() >> (63 - bits)) as i64 - (1 << bits)
     }
@@ -27,7 +27,7 @@ fn cross(a: [i128; 3], b: [i128; 3]) -> [i128; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// How much of the error that is allowed for was found, at most; `None` where a face separates.
+/// The greatest part of the allowed error that occurred; `None` if a face separates.
 fn found<S: Scalar + InRaw>(question: &Disjoint<'_, S>) -> Option<f64> {
     let framed = question.framed::<false>(Change::Grown)?;
     assert!(Projection::are_near(&framed.shapes), "{:?} {:?}", question.triangle, question.obb);
@@ -50,14 +50,14 @@ fn found<S: Scalar + InRaw>(question: &Disjoint<'_, S>) -> Option<f64> {
         }
         most
     };
-    // What is computed are the true numbers over a power of two: over that which fits best.
+    // The computed numbers are the true ones over a power of two; the best-fitting power is taken.
     let found = (0..160).map(|k| errors_over(f64::from_bits((1023 - 40 + k) << 52)));
     let found = found.fold(f64::INFINITY, f64::min) / f64::from(framed.by);
     assert!(found <= 1.0, "{:?} {:?}", question.triangle, question.obb);
     Some(found)
 }
 
-/// Asks about shapes of all sizes, near and far, of the greatest and the least numbers.
+/// Tests shapes of all sizes, near and far, with the greatest and the least numbers.
 fn most_found<S: Scalar + InRaw>(bits: u32, of: impl Fn(i64) -> S) -> (u32, f64) {
     let rng = &mut Rng(Random(0x0bb));
     let (mut asked, mut most) = (0, 0.0_f64);
@@ -82,7 +82,7 @@ fn most_found<S: Scalar + InRaw>(bits: u32, of: impl Fn(i64) -> S) -> (u32, f64)
     (asked, most)
 }
 
-/// The bound holds, and is not much wider than what is found.
+/// The bound holds, and is not much wider than the errors that occur.
 #[test]
 fn no_error_exceeds_its_bound() {
     for (asked, most) in [
