@@ -12,11 +12,15 @@
 //! A convex set in the plane across d, the box seen along the line, has its edges along the u_i: so
 //! the last three tell every line that misses. What is flat needs no others: a gap between closed
 //! sets stays open if the box is a little thicker. Where d is zero nothing exceeds nothing.
+//!
+//! A direction that is parallel to u_i but for rounding leaves d × u_i in doubt. The two others
+//! settle it, as with two boxes (`obb_obb::kernel`): if d × u_j and d × u_l do not separate the line
+//! from the box flattened by h_i = 0, a parallelogram seen along d, the line meets the box.
 
 use core::ops::Mul;
 
 use super::error_bound::{ErrorBound, Sizes};
-use crate::arithmetic::{Number, greatest, largest, turn};
+use crate::arithmetic::{Number, greatest, largest, three, turn};
 use crate::query::triangle_obb::{cross, dot, lie_along_one_axis};
 use crate::robust::Uncertain;
 
@@ -47,10 +51,10 @@ impl<P: Number> Operands<P> {
     }
 }
 
-/// Whether one of the six axes separates. `SKIPS_ZEROS` leaves out products with the direction that
-/// are zero for certain.
+/// Whether one of the six axes separates. `LOOKS_TWICE` leaves out products with the direction that
+/// are zero for certain, or settled by the two others.
 #[inline(always)]
-pub(super) fn any_axis<P: Number + Mul<Output = P>, const SKIPS_ZEROS: bool>(
+pub(super) fn any_axis<P: Number + Mul<Output = P>, const LOOKS_TWICE: bool>(
     s: &Operands<P>,
     error: &ErrorBound<P>,
 ) -> Uncertain {
@@ -60,14 +64,22 @@ pub(super) fn any_axis<P: Number + Mul<Output = P>, const SKIPS_ZEROS: bool>(
     let mut so_far = Uncertain::NONE;
 
     let across = cross(m, d);
-    for i in 0..3 {
+    let on_line = |i: usize, h: &[P; 3]| {
         let (i, j, l) = turn(i);
-        // On a zero a rounded gap is never clear of its bound.
-        if SKIPS_ZEROS && lie_along_one_axis(d, &u[i]) {
-            continue;
-        }
         let reach = h[j] * along[l].magnitude() + h[l] * along[j].magnitude();
-        let gap = (dot(&across, &u[i]) * *one).magnitude() - reach;
+        (dot(&across, &u[i]) * *one).magnitude() - reach
+    };
+    for i in 0..3 {
+        let gap = on_line(i, h);
+        // On a zero, or nearly one, a rounded gap is never clear of its bound.
+        if LOOKS_TWICE && gap >= -error.line {
+            let (i, j, l) = turn(i);
+            let flattened = three(|j| if j == i { P::ZERO } else { h[j] });
+            let overlaps = |i: usize| on_line(i, &flattened) < -error.line;
+            if lie_along_one_axis(d, &u[i]) || (overlaps(j) && overlaps(l)) {
+                continue;
+            }
+        }
         so_far = so_far.or(Uncertain::above(gap, error.line));
     }
 

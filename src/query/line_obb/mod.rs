@@ -71,16 +71,16 @@ impl<S: Scalar> Disjoint<'_, S> {
 
     #[cold]
     #[inline(never)]
-    fn by_other_than_zero<N: Embeds<S>>(&self) -> Option<bool> {
+    fn by_second_look<N: Embeds<S>>(&self) -> Option<bool> {
         self.by_these_axes::<N, true>()
     }
 
     /// What the axes say in a number system.
     #[inline(always)]
-    fn by_these_axes<N: Embeds<S>, const SKIPS_ZEROS: bool>(&self) -> Option<bool> {
+    fn by_these_axes<N: Embeds<S>, const LOOKS_TWICE: bool>(&self) -> Option<bool> {
         let s = self.operands::<N>()?;
         let error = error_bound::<N>(s.one, &s.sizes())?;
-        any_axis::<_, SKIPS_ZEROS>(&s, &error).verdict()
+        any_axis::<_, LOOKS_TWICE>(&s, &error).verdict()
     }
 
     /// The line and the box in a number system.
@@ -118,7 +118,7 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     #[inline(never)]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
         match self.by_these_axes::<N, false>() {
-            None if has_second_look::<N>() => self.by_other_than_zero::<N>(),
+            None if has_second_look::<N>() => self.by_second_look::<N>(),
             answer => answer,
         }
     }

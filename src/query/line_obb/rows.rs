@@ -1,7 +1,8 @@
 //! The kernel in floats: the same axes by the same operations, with the three axes of the box side
 //! by side. So it says what the kernel of single numbers says.
 
-use super::error_bound::{Sizes, error_bound};
+use super::error_bound::{ErrorBound, Sizes, error_bound};
+use super::kernel::{self, any_axis};
 use super::{Disjoint, Line};
 use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, greatest, largest};
 use crate::query::obb_rows::{ObbInFloats, Vectors, fits, holds_one, in_floats, most};
@@ -75,8 +76,11 @@ impl<F: Float> Operands<F> {
         let mut so_far = exceeds(u.dot(cross(&m, &d)).magnitude() - reach, error.line);
         // On a zero a rounded gap is never clear of its bound.
         if so_far.possible & !so_far.certain & THREE != 0 {
-            let zeros = self.zeros();
-            so_far = Axes { certain: so_far.certain & !zeros, possible: so_far.possible & !zeros };
+            let others = !self.zeros();
+            so_far = Axes { certain: so_far.certain & others, possible: so_far.possible & others };
+            if so_far.possible & !so_far.certain & THREE != 0 {
+                return self.by_second_look(&error);
+            }
         }
 
         let (middle, reach) = (w.dot(m), h * Q::splat(u.determinant(&w).magnitude()));
@@ -100,6 +104,15 @@ impl<F: Float> Operands<F> {
 }
 
 impl<F: Float> Operands<F> {
+    /// The answer where the direction may be nearly parallel to an axis.
+    #[cold]
+    #[inline(never)]
+    fn by_second_look(&self, error: &ErrorBound<F>) -> Option<bool> {
+        let Self { m, d, ends, axes: u, half: h } = *self;
+        let s = kernel::Operands { m, d, ends, u, h, one: F::from(1) };
+        any_axis::<F, true>(&s, error).verdict()
+    }
+
     /// Which axes of the box are zero for certain times the direction.
     #[inline(never)]
     fn zeros(&self) -> u32 {

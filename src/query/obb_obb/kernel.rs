@@ -20,6 +20,20 @@
 //! they could not tell nothing from almost nothing. What is flat, or a segment or point, has its
 //! separating axis among these too. Within the span of the extents that there are, it is zero along
 //! some of them. The normals of the faces beside these are zero there too, and span all such axes.
+//!
+//! # Nearly parallel axes
+//!
+//! If u_i and v_j are parallel but for rounding, u_i × v_j is a short vector, and its gap is smaller
+//! than the error bound. Four other axes settle it. Look along u_i: the first box is then a
+//! parallelogram with sides along u_l and u_m. Flatten the second box, k_j = 0, which removes
+//! almost nothing of it: it is a parallelogram with sides along v_p and v_q. The normals of these
+//! sides are w_l, w_m, u_i × v_p and u_i × v_q. If none of the four separates the first box from
+//! the flattened one, the two projections have a point in common, so no axis across u_i separates
+//! the boxes, and u_i × v_j is one of these axes. If all four gaps are below zero, the projections
+//! overlap in their interiors, so the gap on u_i × v_j is below zero too, unless that is zero.
+//!
+//! This holds for any two axes: no threshold says which are nearly parallel. The bound on the error
+//! is that of the axes, as it holds for all half-extents up to R/A, zero included.
 
 use core::ops::Mul;
 
@@ -51,10 +65,10 @@ pub(super) fn is_zero<P: Number>(a: &[P; 3], b: &[P; 3]) -> bool {
     (*a == *b) | (*a == [-b[0], -b[1], -b[2]]) | lie_along_one_axis(a, b)
 }
 
-/// How two parallelepipeds lie to each other; `None` in doubt. `SKIPS_ZEROS` leaves out products of
-/// axes that are zero for certain.
+/// How two parallelepipeds lie to each other; `None` in doubt. `LOOKS_TWICE` leaves out products of
+/// axes that are zero for certain, and those that other axes settle.
 #[inline(always)]
-pub(super) fn all_axes<P: Number + Mul<Output = P>, const SKIPS_ZEROS: bool>(
+pub(super) fn all_axes<P: Number + Mul<Output = P>, const LOOKS_TWICE: bool>(
     boxes: &Boxes<P>,
     error: &ErrorBound<P>,
     is_certain: bool,
@@ -82,9 +96,13 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, const SKIPS_ZEROS: bool>(
     let w = normals(u);
     let volume = dot(&u[0], &w[0]).magnitude();
     let mut on_v = [[P::ZERO; 3]; 3];
+    // Where the second box reaches half as far as `k` along its axes.
+    let on_face =
+        |i: usize, on_v: &[P; 3], k: &[P; 3]| (dot(&w[i], d) * *one, h[i] * volume + dot(k, on_v));
     for i in 0..3 {
         on_v[i] = three(|j| dot(&w[i], &v[j]).magnitude());
-        add(&mut found, dot(&w[i], d) * *one, h[i] * volume + dot(k, &on_v[i]));
+        let (distance, reach) = on_face(i, &on_v[i], k);
+        add(&mut found, distance, reach);
     }
     if found.is_disjoint {
         return Some(Relation::Disjoint);
@@ -104,15 +122,32 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, const SKIPS_ZEROS: bool>(
     for i in 0..3 {
         let (i, l, m) = turn(i);
         let n = cross(d, &u[i]);
-        for j in 0..3 {
+        let on_pair = |j: usize, k: &[P; 3]| {
             let (j, p, q) = turn(j);
-            // On a zero a rounded gap is never clear of its bound.
-            if SKIPS_ZEROS && is_zero(&u[i], &v[j]) {
-                continue;
-            }
             let reach =
                 (h[l] * on_v[m][j] + h[m] * on_v[l][j]) + (k[p] * on_u[q][i] + k[q] * on_u[p][i]);
-            add(&mut found, dot(&n, &v[j]) * *one, reach);
+            (dot(&n, &v[j]) * *one, reach)
+        };
+        for j in 0..3 {
+            let (distance, reach) = on_pair(j, k);
+            // On a zero, or nearly one, a rounded gap is never clear of its bound.
+            if LOOKS_TWICE {
+                let overlaps =
+                    |(distance, reach): (P, P)| distance.magnitude() - reach < -error.axis;
+                let (j, p, q) = turn(j);
+                let flattened = || three(|p| if p == j { P::ZERO } else { k[p] });
+                let is_settled = |k: &[P; 3]| {
+                    overlaps(on_face(l, &on_v[l], k))
+                        && overlaps(on_face(m, &on_v[m], k))
+                        && overlaps(on_pair(p, k))
+                        && overlaps(on_pair(q, k))
+                };
+                let is_clear = overlaps((distance, reach));
+                if !is_clear && (is_zero(&u[i], &v[j]) || is_settled(&flattened())) {
+                    continue;
+                }
+            }
+            add(&mut found, distance, reach);
         }
     }
     found.relation(is_certain)

@@ -35,13 +35,13 @@ pub(super) enum First<'a, S> {
 impl<S: Scalar> Lie<'_, S> {
     #[cold]
     #[inline(never)]
-    fn by_other_than_zero<N: Embeds<S>>(&self) -> Option<Relation> {
+    fn by_second_look<N: Embeds<S>>(&self) -> Option<Relation> {
         self.by_these_axes::<N, true>()
     }
 
     /// What the axes say in a number system.
     #[inline(always)]
-    fn by_these_axes<N: Embeds<S>, const SKIPS_ZEROS: bool>(&self) -> Option<Relation> {
+    fn by_these_axes<N: Embeds<S>, const LOOKS_TWICE: bool>(&self) -> Option<Relation> {
         let zero = N::Product::ZERO;
         let [v0, v1, v2] = self.second.axes_as_arrays();
         let (b, k) = (self.second.center().to_array(), self.second.half_extents().to_array());
@@ -87,7 +87,7 @@ impl<S: Scalar> Lie<'_, S> {
         let axes = greatest(greatest(most(&boxes.u), most(&boxes.v)), boxes.one);
         let half = greatest(largest(&boxes.h), largest(&boxes.k));
         let error = error_bound::<N>(boxes.one, axes, largest(&boxes.d), half)?;
-        all_axes::<_, SKIPS_ZEROS>(&boxes, &error, N::CERTAIN)
+        all_axes::<_, LOOKS_TWICE>(&boxes, &error, N::CERTAIN)
     }
 }
 
@@ -97,7 +97,7 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
     #[inline(never)]
     fn filter<N: Embeds<S>>(&self) -> Option<Relation> {
         match self.by_these_axes::<N, false>() {
-            None if has_second_look::<N>() => self.by_other_than_zero::<N>(),
+            None if has_second_look::<N>() => self.by_second_look::<N>(),
             answer => answer,
         }
     }

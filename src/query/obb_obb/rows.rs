@@ -133,9 +133,27 @@ impl<F: Float> Boxes<F> {
         }
         let below = Q::splat(-error.axis);
         let is_clear = |gaps: Q| below.exceeds(gaps) & THREE == THREE;
-        let is_overlap =
-            is_clear(faces) && (is_clear(most) || self.are_zero_where_near(pairs, below));
-        if is_overlap { Some(Relation::Overlapping) } else { self.exactly(given?) }
+        if is_clear(faces) && (is_clear(most) || self.are_zero_where_near(pairs, below)) {
+            return Some(Relation::Overlapping);
+        }
+        let given = given?;
+        if is_clear(faces) && self.overlap_beside_near_axes(&error) {
+            return Some(Relation::Overlapping);
+        }
+        self.exactly(given)
+    }
+
+    /// Whether the boxes overlap, where the faces are clear and pairs of axes are in doubt that may
+    /// be nearly parallel.
+    #[cold]
+    #[inline(never)]
+    fn overlap_beside_near_axes(&self, error: &ErrorBound<F>) -> bool {
+        all_axes::<F, true>(&self.as_single_numbers(), error, false) == Some(Relation::Overlapping)
+    }
+
+    fn as_single_numbers(&self) -> kernel::Boxes<F> {
+        let Self { d, u, h, v, k } = *self;
+        kernel::Boxes { d, u, h, v, k, one: F::from(1) }
     }
 
     /// What boxes that are not turned, or by quarters, are to each other: exact, if the numbers
@@ -151,10 +169,10 @@ impl<F: Float> Boxes<F> {
     #[cold]
     #[inline(never)]
     fn exactly(&self, given: &[[F; 3]; 4]) -> Option<Relation> {
-        let Self { d, u, h, v, k } = *self;
+        let Self { u, v, .. } = self;
         let (zero, one) = (F::ZERO, F::from(1));
         let is_whole = |x: &F| *x == zero || x.magnitude() == one;
-        if !u.iter().chain(&v).flatten().all(is_whole) {
+        if !u.iter().chain(v).flatten().all(is_whole) {
             return None;
         }
         let numbers = given.as_flattened();
@@ -165,7 +183,7 @@ impl<F: Float> Boxes<F> {
             return None;
         }
         let nothing = ErrorBound { coordinate: zero, axis: zero };
-        all_axes::<F, false>(&kernel::Boxes { d, u, h, v, k, one }, &nothing, true)
+        all_axes::<F, false>(&self.as_single_numbers(), &nothing, true)
     }
 
     /// Whether all axes that are not clear are zero for certain: axes of the one times those of the

@@ -1,6 +1,6 @@
 use core::ops::Mul;
 
-use crate::arithmetic::{Number, greatest, least, turn};
+use crate::arithmetic::{Number, greatest, least, three, turn};
 use crate::query::relation::Reading;
 
 /// A triangle and a parallelepiped, all as operands of products: the vertices
@@ -21,8 +21,9 @@ pub(in crate::query) struct ErrorBound<P> {
     pub(super) plane: P,
 }
 
-/// What the 13 axes of a triangle and a parallelepiped say. `SKIPS_ZEROS` leaves out edge axes that
-/// are zero for certain: on those a rounded gap is never clear of its bound.
+/// What the 13 axes of a triangle and a parallelepiped say. `LOOKS_TWICE` leaves out edge axes that
+/// are zero for certain, and those that other axes settle: on zeros, or nearly so, a rounded gap is
+/// never clear of its bound.
 ///
 /// The same test as for an axis-aligned box, in the basis of the box's axes: for
 /// vectors x, the components u_i·x take the place of coordinates on normals, and
@@ -36,8 +37,13 @@ pub(in crate::query) struct ErrorBound<P> {
 ///
 /// Where a product lacks an axis or a half-extent, one stands in for it: in fixed
 /// point it is not 1.
+///
+/// An edge that is parallel to an axis but for rounding is settled as that of two boxes is (see
+/// `obb_obb::kernel`): along e_k the triangle is a segment, whose normal is n, and the box flattened
+/// by h_i = 0 a parallelogram with sides along u_j and u_l. If n, e_k × u_j and e_k × u_l do not
+/// separate the two, nor does e_k × u_i separate the shapes.
 #[inline(always)]
-pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading, const SKIPS_ZEROS: bool>(
+pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading, const LOOKS_TWICE: bool>(
     s: &Parallelepiped<P>,
     error_bound: &ErrorBound<P>,
 ) -> R {
@@ -55,23 +61,42 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading, const SKIPS_ZERO
         so_far.add(greatest(low, -high) - r, (high - low) + r, error_bound.face);
     }
 
-    let r = un[0].magnitude() * h[0] + un[1].magnitude() * h[1] + un[2].magnitude() * h[2];
-    so_far.add((dot(&n, &t[0]) * *one).magnitude() - r, r, error_bound.plane);
+    // On the plane, where the box reaches half as far as `h` along its axes.
+    let on_plane = |h: &[P; 3]| {
+        let r = un[0].magnitude() * h[0] + un[1].magnitude() * h[1] + un[2].magnitude() * h[2];
+        ((dot(&n, &t[0]) * *one).magnitude() - r, r)
+    };
+    let (gap, reach) = on_plane(h);
+    so_far.add(gap, reach, error_bound.plane);
 
     for k in 0..3 {
         let m = cross(&e[k], &t[k]);
         let along = [dot(&w[0], &e[k]), dot(&w[1], &e[k]), dot(&w[2], &e[k])];
-        for i in 0..3 {
+        // On e_k × u_i, likewise.
+        let on_edge = |i: usize, h: &[P; 3]| {
             let (i, j, l) = turn(i);
-            if SKIPS_ZEROS && lie_along_one_axis(&e[k], &u[i]) {
-                continue;
-            }
             // All doubled: the middle of the interval need not be a whole number.
             let p = dot(&u[i], &m) * *one;
             let q = un[i] * *one;
             let r = along[l].magnitude() * h[j] + along[j].magnitude() * h[l];
             let reach = q.magnitude() + (r + r);
-            so_far.add((p + p + q).magnitude() - reach, reach, error_bound.edge);
+            ((p + p + q).magnitude() - reach, reach)
+        };
+        for i in 0..3 {
+            let (gap, reach) = on_edge(i, h);
+            if LOOKS_TWICE && gap >= -error_bound.edge {
+                let (i, j, l) = turn(i);
+                let is_settled = |h: &[P; 3]| {
+                    on_plane(h).0 < -error_bound.plane
+                        && on_edge(j, h).0 < -error_bound.edge
+                        && on_edge(l, h).0 < -error_bound.edge
+                };
+                let flattened = || three(|j| if j == i { P::ZERO } else { h[j] });
+                if lie_along_one_axis(&e[k], &u[i]) || is_settled(&flattened()) {
+                    continue;
+                }
+            }
+            so_far.add(gap, reach, error_bound.edge);
         }
     }
     so_far

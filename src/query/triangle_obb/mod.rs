@@ -100,19 +100,19 @@ impl<S: Scalar> Disjoint<'_, S> {
     #[inline(always)]
     fn by_axes<N: Embeds<S>, R: Reading>(&self) -> Option<R::Answer> {
         match self.by_these_axes::<N, R, false>() {
-            None if has_second_look::<N>() => self.by_other_than_zero::<N, R>(),
+            None if has_second_look::<N>() => self.by_second_look::<N, R>(),
             answer => answer,
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn by_other_than_zero<N: Embeds<S>, R: Reading>(&self) -> Option<R::Answer> {
+    fn by_second_look<N: Embeds<S>, R: Reading>(&self) -> Option<R::Answer> {
         self.by_these_axes::<N, R, true>()
     }
 
     #[inline(always)]
-    fn by_these_axes<N: Embeds<S>, R: Reading, const SKIPS_ZEROS: bool>(
+    fn by_these_axes<N: Embeds<S>, R: Reading, const LOOKS_TWICE: bool>(
         &self,
     ) -> Option<R::Answer> {
         let [a, b, c] = self.triangle.points();
@@ -136,7 +136,7 @@ impl<S: Scalar> Disjoint<'_, S> {
         let length = most(most(N::Product::ZERO, &s.t), &s.e);
         let half = largest(&s.h);
         let error = error_bound::<N>(one, axes, length, half)?;
-        all_axes::<_, R, SKIPS_ZEROS>(&s, &error).answer(N::CERTAIN)
+        all_axes::<_, R, LOOKS_TWICE>(&s, &error).answer(N::CERTAIN)
     }
 
     /// How the shapes lie to each other, by exact sums.
