@@ -35,6 +35,7 @@ mod prepared_rays;
 mod ray_box;
 mod ray_box_rounded;
 mod relations;
+mod residues;
 mod segment_box;
 mod small_pairs;
 mod sweep;

@@ -17,6 +17,9 @@ pub enum BoxSet {
     Bits,
     /// At the ends of the type.
     Huge,
+    /// Turned about an axis of space, often by quarter turns in floats, and tilted by 1e-3 to
+    /// 1e-31: axes parallel but for a residue. Boxes overlap, or stand on each other as rounded.
+    Residue,
 }
 
 impl BoxSet {
@@ -24,15 +27,26 @@ impl BoxSet {
         [Self::Turned, Self::NearlyParallel, Self::Grid, Self::Bits, Self::Huge];
 
     pub fn case<S: Sample>(self, rng: &mut Rng) -> BoxCase<S> {
-        let second = self.obb(rng);
+        let mut second: ObbNumbers<S> = self.obb(rng);
         let first = match rng.below(3) {
             0 => AnyBox::Aabb(self.aabb(rng)),
             _ => AnyBox::Obb(self.obb(rng)),
         };
+        if self == Self::Residue && rng.one_in(2) {
+            // Next to each other along an axis of space.
+            let (i, sum) =
+                (rng.below(3), |x: S, y: S| S::nearest(x.approximate() + y.approximate()));
+            let top = match first {
+                AnyBox::Aabb(BoxNumbers::Center(p, q)) => sum(p[i], q[i]),
+                AnyBox::Aabb(BoxNumbers::Corners(_, q)) => q[i],
+                AnyBox::Obb(obb) => sum(obb.center[i], obb.half[i]),
+            };
+            second.center[i] = sum(top, second.half[i]).moved(rng.whole(-1, 1));
+        }
         BoxCase { first, second }
     }
 
-    pub(crate) fn aabb<S: Sample>(self, rng: &mut Rng) -> BoxNumbers<S> {
+    pub fn aabb<S: Sample>(self, rng: &mut Rng) -> BoxNumbers<S> {
         let (p, q) = (self.point(rng), self.half(rng));
         if rng.one_in(2) {
             return BoxNumbers::Center(p, q);
@@ -47,6 +61,8 @@ impl BoxSet {
         match self {
             Self::Turned | Self::NearlyParallel => S::nearest(rng.real(-1.5, 1.5)),
             Self::Grid => S::nearest(rng.whole(-3, 3) as f64 / 2.0),
+            Self::Residue if rng.one_in(2) => S::nearest(rng.whole(-6, 6) as f64 / 4.0),
+            Self::Residue => S::nearest(rng.real(-1.5, 1.5)),
             Self::Bits => S::from_ordinal(rng.bits() as i64 >> rng.below(64)),
             Self::Huge => {
                 let end = [S::LEAST, S::GREATEST, S::ZERO, S::nearest(1.0)][rng.below(4)];
@@ -83,6 +99,19 @@ impl BoxSet {
             Self::Turned => turned(rng.triple(|rng| rng.real(0.0, 6.3))),
             Self::NearlyParallel => {
                 turned(rng.triple(|rng| if rng.one_in(2) { 0.0 } else { rng.real(-1e-7, 1e-7) }))
+            }
+            Self::Residue => {
+                let (i, quarters) = (rng.below(3), rng.whole(-2, 2) as f64);
+                let mut angles = [0.0; 3];
+                angles[i] = if rng.one_in(2) {
+                    quarters * std::f64::consts::FRAC_PI_2
+                } else {
+                    rng.real(0.0, 6.3)
+                };
+                if rng.one_in(2) {
+                    angles[(i + 1) % 3] = 10_f64.powf(rng.real(-31.0, -3.0));
+                }
+                turned(angles)
             }
             // Parallel, or skewed by integers.
             Self::Grid => {
