@@ -1,7 +1,7 @@
 //! A pair in floats: the first look, in registers, and out of line what that leaves in doubt: which
 //! axes may separate, and whether rounding has any part in it.
 
-use super::{Clear, Doubt, InFrame, Rows, largest, row, zeros};
+use super::{Clear, Doubt, Edge, InFrame, Rows, largest, row, zeros};
 use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE};
 use crate::query::triangle_aabb::error_bound::error_bound;
 use crate::query::triangle_aabb::offsets::{self, ForOffsets};
@@ -133,12 +133,15 @@ fn apart<Q: Quad<Lane: Float>>(rows: &Rows<Q>, frame: &InFrame<Q>) -> Apart {
     }
 
     let zero = Q::splat(Q::Lane::ZERO);
-    let mut doubt = Uncertain::above(plane, bound.plane).possible
+    let in_plane = Uncertain::above(plane, bound.plane).possible
         && rows.high.exceeds(rows.low) & THREE == THREE;
+    let mut doubt = in_plane;
     for k in 0..3 {
-        let e = &rows.e[k];
-        let is_slanted = e.e.magnitude().exceeds(zero) & e.turned.magnitude().exceeds(zero);
-        doubt |= edges[k].may_be_above(Q::splat(bound.edge)) & is_slanted & THREE != 0;
+        doubt |= edges[k].may_be_above(Q::splat(bound.edge)) & slanted(&rows.e[k]) != 0;
+    }
+    // Of copies: a reference would keep the numbers above in memory.
+    if doubt && !in_plane && are_settled(*rows, InFrame { ..*frame }) {
+        doubt = false;
     }
     if doubt {
         let seems_apart = most.exceeds(zero) & THREE != 0 || plane > Q::Lane::ZERO;
@@ -150,4 +153,41 @@ fn apart<Q: Quad<Lane: Float>>(rows: &Rows<Q>, frame: &InFrame<Q>) -> Apart {
     } else {
         Apart::UnlessByGap
     }
+}
+
+/// Which products of an edge with coordinate axes, as they come out, have no zero for a component.
+#[inline(always)]
+fn slanted<Q: Quad<Lane: Float>>(edge: &Edge<Q>) -> u32 {
+    let zero = Q::splat(Q::Lane::ZERO);
+    edge.e.magnitude().exceeds(zero) & edge.turned.magnitude().exceeds(zero) & THREE
+}
+
+/// Whether all edge axes in doubt are settled by the two others of the same edge.
+///
+/// An edge that is parallel to a coordinate axis x_i but for rounding, as after a quarter turn, makes
+/// e × x_i so short that its gap is never clear of the bound. Along e the triangle is a segment, whose
+/// normal is n. Flatten the box, h_i = 0: if neither n nor the products of e with the two other axes
+/// separate the segment from it, the two projections meet, and so do those of the whole box: e × x_i
+/// does not separate. The bounds hold for smaller half-extents too.
+#[cold]
+#[inline(never)]
+fn are_settled<Q: Quad<Lane: Float>>(rows: Rows<Q>, frame: InFrame<Q>) -> bool {
+    let Some(bound) = error_bound::<Filtered<Q::Lane>>(largest(frame.size)) else {
+        return false;
+    };
+    let below = Q::splat(-bound.edge);
+    let edges = rows.edges(&frame);
+    (0..3).all(|k| {
+        let near = !below.exceeds(edges[k]) & slanted(&rows.e[k]);
+        (0..3).filter(|q| near >> q & 1 == 1).all(|q| {
+            // Products come out as (z, x, y).
+            let mut half = frame.half.three();
+            if let Some(h) = half.get_mut((q + 2) % 3) {
+                *h = Q::Lane::ZERO;
+            }
+            let flattened = InFrame { half: Q::of_three(half), ..frame };
+            let clear = below.exceeds(rows.edges(&flattened)[k]) | 1 << q;
+            rows.plane(&flattened) < -bound.plane && clear & THREE == THREE
+        })
+    })
 }
