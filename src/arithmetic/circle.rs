@@ -1,8 +1,8 @@
 //! Cosine and sine of a part of a turn, by the same few operations on every machine.
 //!
-//! An angle is counted in turns, so that it is brought to within an eighth of the nearest
-//! quarter without an error. There it becomes y = 2π·r, |y| ≤ π/4, and Taylor's series of sine
-//! and cosine are summed from their ends, in z = y² ≤ 0.617.
+//! An angle is counted in turns, so subtracting the nearest quarter is exact and leaves at most an
+//! eighth. There it becomes y = 2π·r, |y| ≤ π/4. The Taylor series of sine and cosine are summed
+//! from their ends in z = y² ≤ 0.617.
 //!
 //! # Error, of integers
 //!
@@ -29,7 +29,7 @@
 //! sum before, is off by its own rounding, by that of its coefficient, and by less than a quarter
 //! of itself more: 2.5/6 and 2.5/2.) Both are within 4u.
 
-/// The last terms that are summed are y^(2·`TERMS` − 1) and y^(2·`TERMS` − 2).
+/// The last terms of the sums are y^(2·`TERMS` − 1) and y^(2·`TERMS` − 2).
 #[cfg(feature = "fixed")]
 macro_rules! cos_sin {
     ($(#[$doc:meta])* $cos_sin:ident, $raw:ident, $turn:ident, $wide:ident, $bits:literal,
@@ -70,7 +70,7 @@ macro_rules! cos_sin {
                 series.iter().rev().fold(0, |sum: $raw, &term| times(sum, z) + term)
             };
             let (cos, sin) = (sum(&COSINE), times(sum(&SINE), y));
-            // No more than rounding exceeds one.
+            // Only rounding can exceed one.
             let (cos, sin) = (cos.clamp(-ONE, ONE), sin.clamp(-ONE, ONE));
             turned(cos, sin, quarters as u32)
         }
@@ -125,7 +125,7 @@ pub(crate) fn cos_sin_f64(turns: f64) -> (f64, f64) {
         term(17),
         term(19),
     ];
-    // All of this is exact. Beyond 2^52 a float is a whole number.
+    // All of this is exact. Beyond 2^52 a float is an integer.
     let part = if turns.abs() < (1_i64 << 52) as f64 { turns - (turns as i64) as f64 } else { 0.0 };
     let quarters = (4.0 * part + if part < 0.0 { -0.5 } else { 0.5 }) as i32;
     let rest = part - f64::from(quarters) * 0.25;
@@ -136,7 +136,7 @@ pub(crate) fn cos_sin_f64(turns: f64) -> (f64, f64) {
     turned(sum(&COSINE), sum(&SINE) * y, quarters as u32)
 }
 
-/// (cos, sin), turned by so many quarters.
+/// (cos, sin), rotated by this number of quarters.
 fn turned<T: Copy + core::ops::Neg<Output = T>>(cos: T, sin: T, quarters: u32) -> (T, T) {
     match quarters % 4 {
         0 => (cos, sin),
@@ -150,8 +150,8 @@ fn turned<T: Copy + core::ops::Neg<Output = T>>(cos: T, sin: T, quarters: u32) -
 mod tests {
     use super::{cos_sin_30, cos_sin_62, cos_sin_f64};
 
-    /// Each against the next more accurate one, by the sums above and what that one is off by: 3.09
-    /// and 3.27 units.
+    /// Each against the next more accurate one, within the bounds above and the error of that one:
+    /// 3.09 and 3.27 units.
     #[test]
     fn no_error_exceeds_its_bound() {
         let (mut most_30, mut most_f64) = (0.0_f64, 0.0_f64);

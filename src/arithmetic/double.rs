@@ -1,16 +1,16 @@
-//! Double-word floats: sums without loss, and numbers of two `f64`, the second less than the last
-//! place of the first.
+//! Double-word floats: sums without loss, and numbers of two `f64`, the second below the last place
+//! of the first.
 //!
 //! M. Joldes, J.-M. Muller, V. Popescu, "Tight and Rigorous Error Bounds for Basic Building Blocks
-//! of Double-Word Arithmetic", *ACM Transactions on Mathematical Software* 44(2), 2017: with u =
-//! 2^-53, a sum (their algorithm 6) errs by at most 3·u² + 13·u³ of itself, a product (algorithm
-//! 10) by 5·u², while nothing underflows or overflows.
+//! of Double-Word Arithmetic", *ACM Transactions on Mathematical Software* 44(2), 2017. With u =
+//! 2^-53, a sum (their algorithm 6) errs by at most 3·u² + 13·u³ of itself, and a product
+//! (algorithm 10) by 5·u², if nothing underflows or overflows.
 
 use core::ops::{Add, Sub};
 
 use super::index::three;
 
-/// a − b without loss: the difference as rounded, and what the rounding took.
+/// a − b without loss: the rounded difference, and its rounding error.
 ///
 /// D. E. Knuth, *The Art of Computer Programming*, volume 2, 4.2.2, theorem B.
 #[inline(always)]
@@ -23,7 +23,7 @@ where
     [difference, (a - (difference + of_b)) + (of_b - b)]
 }
 
-/// a + b without loss where |a| ≥ |b|: the sum as rounded, and what the rounding took.
+/// a + b without loss for |a| ≥ |b|: the rounded sum, and its rounding error.
 ///
 /// T. J. Dekker, "A Floating-Point Technique for Extending the Available Precision",
 /// *Numerische Mathematik* 18, 1971.
@@ -36,7 +36,7 @@ where
     [sum, (a - sum) + b]
 }
 
-/// a·b and what its rounding took, for numbers below 2^996 (Dekker 1971).
+/// a·b and its rounding error, for numbers below 2^996 (Dekker 1971).
 #[inline(always)]
 fn two_product(a: f64, b: f64) -> [f64; 2] {
     /// 2^27 + 1.
@@ -119,7 +119,8 @@ impl Double {
         three(|i| Self::difference(a[i], b[i]))
     }
 
-    /// The product, with a `low` that may overlap `high`. Exact if both factors have a `low` of zero.
+    /// The product, with a `low` that may overlap `high`. Exact if both factors have a `low` of
+    /// zero.
     #[inline(always)]
     pub(crate) fn product(self, other: Self) -> Self {
         let [high, rest] = two_product(self.high, other.high);

@@ -1,4 +1,4 @@
-//! Floats as they are, with a bound on their error.
+//! Floats with a bound on their error.
 
 use core::cmp::Ordering;
 use core::marker::PhantomData;
@@ -10,8 +10,8 @@ use super::system::{Arithmetic, Embeds, convert};
 
 type Row = <f64 as OfFour>::Quad;
 
-/// The number system of a float type with a bound on its error: an answer is
-/// given only where it stands clear of the bound.
+/// The number system of a float type with a bound on its error. It answers only if the result
+/// exceeds the bound.
 #[derive(Clone, Copy, Debug)]
 pub struct Filtered<F>(PhantomData<F>);
 
@@ -52,11 +52,11 @@ impl<F: Float> Arithmetic for Filtered<F> {
     }
 }
 
-/// By what factor the gap between a numerator and a product exceeds what the two may err:
-/// for the roundings of that. Proved in `filtered.g`.
+/// The factor by which the gap between a numerator and a product must exceed their errors, to cover
+/// its own roundings. `filtered.g` proves it.
 const CLEARANCE: u16 = 2;
 
-/// How the quotient of two numbers that err compares with `t`.
+/// How the quotient of two numbers with errors compares with `t`.
 #[inline(always)]
 pub(super) fn compare_quotient<F: Float>(
     num: F,
@@ -142,7 +142,7 @@ macro_rules! embeds {
         }
     };
 }
-// An `f32` computed in `f32` would be too far from the truth.
+// An `f32` quotient computed in `f32` would be too inaccurate.
 embeds! { f32 => f32, false, None, |_num, _den| [0.0; 3] }
 const CLEAR: f64 = 33_554_432.0;
 
@@ -155,7 +155,7 @@ fn quotients_of_row(row @ [den, ..]: [f64; 4], [error, other]: [f64; 2]) -> ([f3
     ([t as f32, u as f32, v as f32], limits.exceeds(row.magnitude()) == 0)
 }
 
-/// The `f32` to which all between these two round.
+/// The `f32` to which all numbers between these two round.
 #[inline(always)]
 fn nearest([low, high]: [f64; 2]) -> Option<f32> {
     let (nearest, last) = (low as f32, high as f32);
@@ -163,11 +163,11 @@ fn nearest([low, high]: [f64; 2]) -> Option<f32> {
     (is_normal & (nearest == last)).then_some(nearest)
 }
 
-// Both numbers within 2^-25 of themselves: with the last rounding less than 2 ulp.
+// Both numbers are within 2^-25 of themselves: with the last rounding less than 2 ulp.
 embeds! { f32 => f64, true, Some(CLEAR), |num, den| {
     [(num[0] / den) as f32, (num[1] / den) as f32, (num[2] / den) as f32]
 }, |row, errors| quotients_of_row(row, errors), nearest: |between| nearest(between) }
-// Both within 2^-53 they never are: better numbers are made for hits alone.
+// They are never both within 2^-53; more accurate numbers are computed only for hits.
 embeds! { f64 => f64, true, None, |_num, _den| [0.0; 3], nearest: |between| {
     let [low, high] = between;
     let is_normal = (low.abs() > f64::MIN_POSITIVE) & (low.abs() < f64::MAX);

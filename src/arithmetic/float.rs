@@ -15,30 +15,28 @@ pub trait Float: Number + OfFour + Mul<Output = Self> + From<u16> + Into<f64> + 
     const HALF: Self;
     /// u: half the distance from 1 to the next number.
     const ROUNDOFF: Self;
-    /// Products of three lengths, the greatest of them in this range, and of those
-    /// with axes between one and four long, neither overflow nor lose more to
-    /// underflow than the bounds have to spare.
+    /// If the greatest of three lengths is in this range, their products, and products with axes
+    /// between one and four long, do not overflow. Underflow loses less than the error bounds have
+    /// to spare.
     const RANGE: (Self, Self);
-    /// Times a power of two P this is 1.5·2^k units, with k the digits after the first, and
-    /// a unit of P/16 for `f32`, P/2^14 for `f64`. Adding it and taking it away again
-    /// leaves multiples of the unit as they are, and else only numbers so great that they
-    /// are multiples of half a unit: no others.
+    /// P times this number is 1.5·2^k units, with k the digits after the first and a unit of P/16
+    /// for `f32` and P/2^14 for `f64`. Adding it and subtracting it again leaves multiples of the
+    /// unit unchanged. It also leaves numbers unchanged that are so great that they are multiples
+    /// of half a unit, but no others.
     ///
-    /// Lengths below 2·P, made of such numbers and at most halved, have sums of products
-    /// without rounding: the greatest, of six products of three of them, two of which are
-    /// not halved, is below 48·P³ in sixteenths of a cubed unit, 2^21.6 for `f32` and
+    /// Lengths below 2·P, made of such numbers and halved at most once, have sums of products
+    /// without rounding. The greatest sum is of six products of three lengths, two of them not
+    /// halved. It is below 48·P³ in sixteenths of a cubed unit, which is 2^21.6 for `f32` and
     /// 2^51.6 for `f64`.
     const GRID_SHIFTER: Self;
 
-    /// The greatest power of two that is not above this number, which is normal and above
-    /// zero.
+    /// The greatest power of two that is not above this number, which is normal and above zero.
     fn power_of_two_below(self) -> Self;
 
     /// Sign, magnitude and exponent.
     fn parts(self) -> Parts;
 
-    /// m·2^e to the nearest, but for a second rounding where the result is tiny or
-    /// an `f32`.
+    /// m·2^e to the nearest; tiny results and `f32` are rounded twice.
     fn scaled(magnitude: u64, exponent: i32) -> Self;
 }
 
@@ -46,7 +44,7 @@ macro_rules! number {
     ($float:ty) => {
         impl Number for $float {
             const ZERO: Self = 0.0;
-            /// The least normal number: more than what a few underflows cost.
+            /// The least normal number, which exceeds the loss of a few underflows.
             const UNDERFLOW: Self = <$float>::MIN_POSITIVE;
 
             #[inline(always)]
@@ -87,10 +85,10 @@ macro_rules! number {
 number!(f32);
 number!(f64);
 
-// f32: an underflow costs at most 2^-150 an operation. The bounds have 1 (areas)
-// and 4 (volumes) times u·r² and u·r³ to spare (query::triangle_aabb::error_bound),
-// against about 10 and 12·r + 6 underflows: enough from r = 2^-40 on. Above, r³·24
-// stays below 2^128 up to r = 2^41.
+// f32: an underflow loses at most 2^-150 in each operation. Beyond the roundings, the bounds have
+// 1·u·r² (areas) and 4·u·r³ (volumes) to spare (query::triangle_aabb::error_bound), against about
+// 10 and 12·r + 6 underflows. That suffices from r = 2^-40 on. Above, r³·24 stays below 2^128 up to
+// r = 2^41.
 impl Float for f32 {
     const HALF: f32 = 0.5;
     const ROUNDOFF: f32 = f32::EPSILON / 2.0;
@@ -119,8 +117,8 @@ impl Float for f32 {
     }
 }
 
-// f64: likewise 2^-53·r² and 4·2^-53·r³ against 2^-1075, and r³·24 below 2^1024. A
-// nonzero number that was an f32 is always inside.
+// f64: likewise 2^-53·r² and 4·2^-53·r³ against 2^-1075, and r³·24 below 2^1024. A nonzero number
+// that was an f32 is always in the range.
 impl Float for f64 {
     const HALF: f64 = 0.5;
     const ROUNDOFF: f64 = f64::EPSILON / 2.0;
@@ -157,8 +155,8 @@ impl Float for f64 {
     }
 }
 
-/// The quotient of two whole numbers, each as its sign and the limbs of its magnitude, least first:
-/// to the nearest float, or next to it. The divisor is not zero.
+/// The quotient of two integers, to the nearest float or the one next to it. Each is given as its
+/// sign and the limbs of its magnitude, least first. The divisor is not zero.
 pub(crate) fn quotient<F: Float, const L: usize>(
     (is_negative, num): (bool, [u64; L]),
     (is_other_negative, den): (bool, [u64; L]),
@@ -173,13 +171,13 @@ pub(crate) fn quotient<F: Float, const L: usize>(
 mod tests {
     use super::Float;
 
-    /// 2^e, made without bits.
+    /// 2^e, computed without bits.
     fn two_to<F: Float>(e: i32) -> F {
         let factor = if e < 0 { F::HALF } else { F::from(2_u16) };
         (0..e.unsigned_abs()).fold(F::from(1_u16), |x, _| x * factor)
     }
 
-    /// What the bounds and the docs say of a type, whatever its constants are made of.
+    /// The constants of a type agree with the numbers that bounds and docs state.
     fn check<F: Float>(digits: i32, range: [i32; 2], least_normal: i32) {
         let one = F::from(1_u16);
         assert!(F::ROUNDOFF == two_to(-digits));

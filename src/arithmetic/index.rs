@@ -1,9 +1,8 @@
 //! The three coordinate axes by number.
 
-/// Coordinate axis `i` and the two that follow it in turn; there is none beyond
-/// 2. No remainder: a small core divides by calling a function, and an index is
-/// plainly in bounds this way. Kernels whose loops unroll do better with the
-/// remainder: it folds.
+/// Coordinate axis `i` and the next two in cyclic order; `i` is at most 2. A remainder is avoided,
+/// because a small core divides by calling a function, and because indices are visibly in bounds
+/// this way. Kernels with unrolled loops do better with the remainder, which folds.
 #[inline(always)]
 pub(crate) const fn turn(i: usize) -> (usize, usize, usize) {
     match i {
@@ -13,20 +12,20 @@ pub(crate) const fn turn(i: usize) -> (usize, usize, usize) {
     }
 }
 
-/// What `f` says of each coordinate axis. Inlined always: `array::map` often is not, and what
-/// goes through memory then costs more than what is computed.
+/// Applies `f` to each coordinate axis. Always inlined: `array::map` often is not, and then goes
+/// through memory, which costs more than the computation.
 #[inline(always)]
 pub(crate) fn three<T>(mut f: impl FnMut(usize) -> T) -> [T; 3] {
     [f(0), f(1), f(2)]
 }
 
-/// What `f` says of each of three, inlined always.
+/// Applies `f` to each of three, always inlined.
 #[inline(always)]
 pub(crate) fn each<T, U>([a, b, c]: [T; 3], mut f: impl FnMut(T) -> U) -> [U; 3] {
     [f(a), f(b), f(c)]
 }
 
-/// Component `i`, without a bound to check.
+/// Component `i`, without a bounds check.
 #[inline(always)]
 pub(crate) fn pick<T>(x: &[T; 3], i: usize) -> &T {
     match i {

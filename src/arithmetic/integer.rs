@@ -1,8 +1,7 @@
-//! Exact integers: for each width of coordinates a system with the narrowest
-//! types that hold.
+//! Exact integers: a system for each width of coordinates, with the narrowest types that suffice.
 //!
-//! With positions and extents below 2^k, in the doubled frame of [`Arithmetic`],
-//! and with sizes below 2^m (no coordinate in the frame exceeds the size):
+//! Positions and extents are below 2^k, in the doubled frame of [`Arithmetic`]; sizes are below
+//! 2^m, and no coordinate in the frame exceeds the size:
 //!
 //! | quantity | magnitude | k = 7 | k = 18 | k = 28 | k = 60 |
 //! | --- | --- | --- | --- | --- | --- |
@@ -19,7 +18,7 @@
 //! | 2·near·one, with F fraction bits | 3·2^(k+1+F) | 2^17.6 | 2^52.6 | 2^62.6 | 2^126.6 |
 //!
 //! A type of b bits holds magnitudes below 2^(b−1). Products of four for oriented boxes take 37
-//! bits for k = 7 and F up to 8: 30 of them, of two differences up to 2^8 and two numbers up to
+//! bits for k = 7 and F up to 8: 30 products of two differences up to 2^8 and two numbers up to
 //! 2^8.
 
 use super::platform::REGISTERS_ARE_WIDE;
@@ -102,7 +101,7 @@ macro_rules! below {
     ($name:ident: $raw:ty) => {
         #[inline(always)]
         pub(super) fn $name(coordinates: impl Iterator<Item = $raw>, most: u32) -> bool {
-            // For x below zero, !x: one less than the magnitude.
+            // !x for x below zero: one less than the magnitude.
             coordinates.fold(0, |size, x| size | (x ^ (x >> (<$raw>::BITS - 1)))) >> most == 0
         }
     };

@@ -2,9 +2,9 @@
 
 use core::cmp::Ordering;
 
-/// An unsigned integer that a long division, or a root, is taken of.
+/// An unsigned integer for long division and roots.
 pub trait Wide: Copy + Ord {
-    /// Less another, which is not greater.
+    /// Subtracts another number, which is not greater.
     fn subtract(&mut self, other: &Self);
     /// Twice the number, which fits.
     fn double(&mut self);
@@ -106,9 +106,8 @@ impl<const L: usize> Wide for Limbs<L> {
     }
 }
 
-/// The first `count` binary places of num/den, the first of them the ones: long division. And what
-/// is left over, doubled, in units of the last place. `num` is below twice `den`, which can be
-/// doubled.
+/// The first `count` binary places of num/den, beginning with the ones, by long division; and the
+/// doubled remainder in units of the last place. `num` is below twice `den`, which can be doubled.
 #[inline(always)]
 pub(super) fn divided_by_places<W: Wide>(num: W, den: &W, count: u32) -> (u64, W) {
     let (mut quotient, mut rest) = (0, num);

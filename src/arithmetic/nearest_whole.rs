@@ -1,4 +1,4 @@
-//! Quotients in `f64` as whole numbers, where it is clear to which they round.
+//! Quotients in `f64` as integers, if it is certain to which integer they round.
 
 use core::ops::{Add, Mul, Sub};
 
@@ -8,9 +8,9 @@ use super::quotient::WHOLE;
 
 type Row = <f64 as OfFour>::Quad;
 
-/// The three quotients times `unit`, each to the nearest whole number, in its last
-/// bits; and whether all of them are, which is so if they are below `most` and not so
-/// near a half that they may be wrong.
+/// The three quotients times `unit`, each rounded to the nearest integer, in its last bits, and
+/// whether all are certain. They are if they are below `most` and not so close to a half that they
+/// may be wrong.
 #[inline(always)]
 pub(super) fn nearest_whole(
     num: [f64; 3],
@@ -22,14 +22,14 @@ pub(super) fn nearest_whole(
     let factors = factors(den, errors, unit);
     let of = |k: usize| {
         let [sum, rest, size] = whole_near(num[k], factors, f64::abs);
-        // Ordered so that a NaN is not good.
+        // Ordered so that a NaN is not certain.
         (sum.to_bits(), (rest < 0.5) & (size < most))
     };
     let [(t, t_is_good), (u, u_is_good), (v, v_is_good)] = [of(0), of(1), of(2)];
     ([t, u, v], t_is_good & u_is_good & v_is_good)
 }
 
-/// The same with the divisor first.
+/// The same quotients, with the divisor first.
 #[inline(always)]
 pub(super) fn nearest_whole_of_row(
     row @ [den, ..]: [f64; 4],
@@ -44,26 +44,26 @@ pub(super) fn nearest_whole_of_row(
     ([t.to_bits(), u.to_bits(), v.to_bits()], are_good & 0b1110 == 0b1110)
 }
 
-/// The whole number to which all between these two round, in its last bits, if it is one and they
-/// are below `most`.
+/// The integer to which all numbers between these two round, in its last bits, if it exists and
+/// they are below `most`.
 #[inline(always)]
 pub(super) fn nearest_of_all([low, high]: [f64; 2], most: f64) -> Option<u64> {
     let (bits, last) = ((low + WHOLE).to_bits(), (high + WHOLE).to_bits());
     ((bits == last) & (low > -most) & (high < most)).then_some(bits)
 }
 
-/// What numerators are multiplied by; how far a quotient may be from the truth, relative to it
-/// and beyond that; and what rounds it.
+/// The factor of the numerators, the error of a quotient, relative and absolute, and the number
+/// that rounds it.
 #[inline(always)]
 fn factors(den: f64, errors: [f64; 2], unit: f64) -> [f64; 4] {
     let inverse = unit / den;
-    // Twice what the numerators may err, twice what the divisor may, and all roundings
-    // from here on.
+    // Twice the errors of the numerators, twice that of the divisor, and all roundings from here
+    // on.
     let relative = inverse.abs() * (2.0 * errors[1] / unit) + 4.0 * f64::EPSILON;
     [inverse, relative, inverse.abs() * (2.0 * greatest(errors[0], errors[1])), WHOLE]
 }
 
-/// The quotient rounded, plus the last factor; how far it may be from that; and its magnitude.
+/// The rounded quotient plus the last factor, its distance from the quotient, and its magnitude.
 #[inline(always)]
 fn whole_near<T>(
     num: T,

@@ -1,26 +1,26 @@
-//! Differences of coordinates in `f32`, whatever the scalar: what a kernel in vectors takes them for.
+//! Differences of coordinates in `f32`, for kernels in vectors, in every scalar.
 
 #[cfg(feature = "fixed")]
 use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
 #[cfg(feature = "fixed")]
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
-/// A scalar whose coordinates can be told by how far they are from others, in `f32`. In fixed
-/// point that is so many units in the last place, of 64 bits in 2^24 units: cubes of sizes are
-/// numbers of `f32`.
+/// A scalar whose coordinates have differences in `f32`. In fixed point the unit of a difference is
+/// the last place, and for 64 bits 2^24 of it, so that cubes of sizes are numbers of `f32`.
 pub(crate) trait Offset: Copy {
-    /// Whether differences of these are what the others say.
+    /// Whether the other functions are valid for all these coordinates.
     fn have_offsets<const K: usize>(points: &[[Self; 3]; K]) -> bool;
 
-    /// How far this is beyond another: to the nearest, of `f64` but for a second rounding. Order is
-    /// kept.
+    /// The difference to another coordinate, rounded to the nearest; `f64` rounds twice. Rounding
+    /// keeps order.
     fn offset(self, other: Self) -> f32;
 
-    /// How far this is beyond one and another, together: likewise, but `f32` rounds both and their sum.
+    /// The sum of the differences to two coordinates, rounded like one; `f32` rounds both and their
+    /// sum.
     fn offset_of_two(self, one: Self, other: Self) -> f32;
 
-    /// Whether all are whole multiples of this power of two, or of its half; some numbers that are
-    /// so great that they are all multiples may be taken for others.
+    /// Whether all are integer multiples of this power of two, or of its half. Numbers so great
+    /// that they always are may count as if they were not.
     fn are_multiples<const K: usize>(points: &[[Self; 3]; K], unit: f32) -> bool;
 }
 
@@ -66,14 +66,14 @@ impl Offset for f64 {
     }
 }
 
-/// By their raw bits in a word of so many bits, of which a coordinate takes less than the limit; and
-/// how many of them are a unit.
+/// From the raw bits, in a word with this number of bits, for coordinates below the limit; and the
+/// number of last places in a unit.
 #[cfg(feature = "fixed")]
 macro_rules! by_raw_bits {
     ($($fixed:ident, $bound:ident: $word:ident, $limit:expr, $units:expr,
        |$x:ident| $in_float:expr;)*) => {$(
         impl<Frac: $bound> Offset for $fixed<Frac> {
-            // One comparison of all: x + limit is below zero or has a high bit where x is out.
+            // One comparison for all: if x is outside, x + limit is below zero or has a high bit.
             #[inline(always)]
             fn have_offsets<const K: usize>(points: &[[Self; 3]; K]) -> bool {
                 let limit: Option<$word> = $limit;
@@ -107,16 +107,16 @@ by_raw_bits! {
     FixedI8, LeEqU8: i32, None, 1.0, |x| x as f32;
     FixedI16, LeEqU16: i32, None, 1.0, |x| x as f32;
     FixedI32, LeEqU32: i32, Some(1 << 29), 1.0, |x| x as f32;
-    // Below 2^51 a vector of `f64` is made by adding two numbers; the processor's conversion is
-    // one for each number.
+    // Below 2^51, adding two numbers converts a whole vector to `f64`; the processor's conversion
+    // takes one number at a time.
     FixedI64, LeEqU64: i64, Some(1 << 49), (1_u32 << 24) as f32, |x| in_double(x) as f32;
 }
 
-/// A number of less than 2^51 in magnitude, divided by 2^24.
+/// A number below 2^51 in magnitude, divided by 2^24.
 #[cfg(feature = "fixed")]
 #[inline(always)]
 fn in_double(x: i64) -> f64 {
-    // 1.5·2^52 by 2^24: the last place is one by 2^24.
+    // 1.5·2^52 over 2^24: the last place is 2^-24.
     const SHIFTER: f64 = (3_u64 << (51 - 24)) as f64;
     f64::from_bits(SHIFTER.to_bits().wrapping_add(x as u64)) - SHIFTER
 }
@@ -127,7 +127,8 @@ mod tests {
 
     use super::Offset;
 
-    /// At both ends of what has offsets, the next number being out, and near to zero.
+    /// Coordinates at both ends of the valid range, where the next number is outside, and near
+    /// zero.
     fn check<S: Offset>(bits: u32, units: f32, from_bits: fn(i64) -> S) {
         let end = 1_i64 << (bits - 1);
         let held = |x: i64| S::have_offsets(&[[from_bits(0), from_bits(x), from_bits(0)]]);

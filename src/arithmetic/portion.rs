@@ -1,16 +1,16 @@
 //! Quotients between zero and one, rounded down to 64 digits.
 //!
-//! Each number of a scalar from zero to one has at most 64 digits. So a quotient that is rounded down
-//! again, to the scalar, is what it would be if it had been rounded once. And rounding keeps order:
-//! the greatest of rounded quotients is the greatest quotient, rounded.
+//! Each number of a scalar from zero to one has at most 64 digits. A quotient that is rounded down
+//! again, to the scalar, therefore equals one that was rounded once. Rounding also keeps order: the
+//! greatest rounded quotient is the greatest quotient, rounded.
 
 use super::limbs::{Limbs, Wide, divided_by_places};
 use super::soft::Soft;
 
-/// Two numbers that enclose num/den, given how far from the truth the two may be.
+/// Two numbers that enclose num/den, given the errors of num and den.
 ///
-/// Either carries the roundings of a difference, a sum and a quotient: 3u of itself, to first
-/// order. 8u are allowed for; so 5 are left for the roundings of that and for second orders.
+/// Each bound carries the roundings of a difference, a sum and a quotient: 3u of itself, to first
+/// order. 8u are allowed, so 5 remain for the roundings of the bounds and for second orders.
 #[inline(always)]
 pub(super) fn enclosing(num: f64, den: f64, [num_error, den_error]: [f64; 2]) -> [Soft; 2] {
     const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
@@ -18,13 +18,13 @@ pub(super) fn enclosing(num: f64, den: f64, [num_error, den_error]: [f64; 2]) ->
     let least = den - den_error;
     let upper = (num + num_error) / least * (1.0 + ROUNDINGS);
     let lower = if lower > f64::MIN_POSITIVE { Soft::of_normal(lower) } else { Soft::ZERO };
-    // A NaN is beyond.
+    // A NaN counts as outside.
     let is_known = (least > 0.0) & (upper < 1.0);
     let upper = if upper < f64::MIN_POSITIVE { f64::MIN_POSITIVE } else { upper };
     [lower, if is_known { Soft::of_normal(upper) } else { Soft::ONE }]
 }
 
-/// The quotient of two numbers above zero, the first not the greater, that a register holds.
+/// The quotient of two numbers above zero in a register. The first is not the greater.
 #[inline(always)]
 pub(super) fn divided_short(num: u64, den: u64) -> Soft {
     let places = num.leading_zeros() - den.leading_zeros();
@@ -36,7 +36,7 @@ pub(super) fn divided_short(num: u64, den: u64) -> Soft {
     Soft::rounded_down(mantissa, -63 - i32::from(is_less) - places as i32)
 }
 
-/// The same of longer ones.
+/// The quotient for longer numbers.
 #[inline(never)]
 pub(super) fn divided(num: u128, den: u128) -> Soft {
     if let (Ok(num), Ok(den)) = (u64::try_from(num), u64::try_from(den)) {
@@ -45,18 +45,18 @@ pub(super) fn divided(num: u128, den: u128) -> Soft {
     by_places(num, &den)
 }
 
-/// The quotient of two numbers above zero, the first not the greater. Both can be doubled.
+/// The quotient of two numbers above zero that can be doubled. The first is not the greater.
 #[inline(always)]
 fn by_places<W: Wide>(mut num: W, den: &W) -> Soft {
     let places = den.width().saturating_sub(num.width());
     num.shift_up(places);
-    // Where the first place is zero there are 65, of which the word drops the first.
+    // If the first place is zero, there are 65 places, and the word drops that one.
     let is_less = num < *den;
     let (mantissa, _) = divided_by_places(num, den, 64 + u32::from(is_less));
     Soft::rounded_down(mantissa, -63 - i32::from(is_less) - places as i32)
 }
 
-/// The same of numbers in limbs.
+/// The quotient of numbers in limbs.
 #[cold]
 #[inline(never)]
 pub(crate) fn divided_limbs<const L: usize>(num: Limbs<L>, den: &Limbs<L>) -> Soft {
@@ -70,7 +70,7 @@ mod tests {
 
     const ZERO: [i64; 2] = [0; 2];
 
-    /// All widths divide alike, and as long division on paper does.
+    /// All widths divide alike, and like long division on paper.
     #[test]
     fn all_widths_agree() {
         let numbers = [1_i64, 2, 3, 5, 7, 11, 1 << 20, (1 << 20) + 1, 0x1234_5678_9abc, 1 << 55];

@@ -1,5 +1,5 @@
-//! Four floats at once. Queries of two shapes use three lanes, and never look at the fourth; trees
-//! and voxels use all four.
+//! Four floats at once. Queries of two shapes use three lanes and ignore the fourth; trees and
+//! voxels use all four.
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Sub};
@@ -17,28 +17,28 @@ mod array;
 ))]
 mod vector;
 
-/// Four floats side by side. Each lane of a result is what the float's own operation
-/// gives, so that an answer does not depend on what a quad is made of.
+/// Four floats side by side. Each lane of a result equals the result of the float's own operation,
+/// so an answer does not depend on the representation of a quad.
 pub trait Quad:
     Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
-    /// What is in a lane.
+    /// The type of a lane.
     type Lane: Number;
 
-    /// Whether it is a vector of the machine, or a handful of numbers.
+    /// Whether it is a vector of the machine; otherwise it is four numbers.
     const IS_VECTOR: bool;
 
-    /// Of its lanes.
+    /// A quad of these lanes.
     fn new(lanes: [Self::Lane; 4]) -> Self;
     /// The lanes.
     fn to_array(self) -> [Self::Lane; 4];
     /// The absolute values.
     fn magnitude(self) -> Self;
-    /// The smaller of each two, neither of which is NaN.
+    /// The smaller of each two lanes, neither of them NaN.
     fn least(self, other: Self) -> Self;
-    /// The greater of each two, neither of which is NaN.
+    /// The greater of each two lanes, neither of them NaN.
     fn greatest(self, other: Self) -> Self;
-    /// In which lanes this is the greater: bit by bit, the first lane first.
+    /// The lanes in which this is the greater, as bits, the first lane lowest.
     fn exceeds(self, other: Self) -> u32;
     /// The lanes in which this is at most the other, likewise; false if either is NaN.
     fn is_at_most(self, other: Self) -> u32;
@@ -56,13 +56,13 @@ pub trait Quad:
         Self::new([x; 4])
     }
 
-    /// Three numbers, and one that is not looked at.
+    /// Three numbers and an unused fourth.
     #[inline(always)]
     fn of_three([x, y, z]: [Self::Lane; 3]) -> Self {
         Self::new([x, y, z, z])
     }
 
-    /// The first three.
+    /// The first three lanes.
     #[inline(always)]
     fn three(self) -> [Self::Lane; 3] {
         let [x, y, z, _] = self.to_array();
@@ -77,11 +77,11 @@ pub trait Quad:
     }
 }
 
-/// In which of the first three lanes a comparison held.
+/// The first three lanes, as a mask of comparisons.
 pub(crate) const THREE: u32 = 0b111;
 
-/// A float that quads are made of.
+/// A float with a quad.
 pub trait OfFour: Copy + Debug {
-    /// Four of it.
+    /// Four of the float.
     type Quad: Quad<Lane = Self>;
 }

@@ -1,7 +1,7 @@
-//! Quotients of whole numbers, rounded once.
+//! Quotients of integers, rounded once.
 //!
-//! Every number here is a volume, or a length, of some system in `integer`: far
-//! enough from the end of its type that a remainder can be doubled.
+//! Each number here is a volume or a length of some system in `integer`, and is far enough from the
+//! end of its type that a remainder can be doubled.
 
 use core::cmp::Ordering;
 use core::num::NonZero;
@@ -11,17 +11,17 @@ use super::number::Number;
 use super::platform::REGISTERS_ARE_WIDE;
 use super::wide::I256;
 
-/// A whole number that can be divided by another, both times a power of two.
+/// An integer that can be divided by another, with a power of two.
 pub trait Dividend: Number {
-    /// self·2^shift / den to the nearest, of two the even one, no farther out than
-    /// `i64` goes; `den` is not zero.
+    /// self·2^shift / den to the nearest, ties to even, and at the ends of `i64` if it is beyond;
+    /// `den` is not zero.
     fn quotient(self, den: Self, shift: u32) -> i64;
 
     /// How self·2^shift / den compares with `t`; `den` is above zero.
     fn compare(self, den: Self, shift: u32, t: i64) -> Ordering;
 }
 
-/// With the sign that the quotient of two numbers has.
+/// Applies the sign that the quotient of two numbers has.
 #[inline(always)]
 fn signed(magnitude: u64, negative: bool) -> i64 {
     if negative {
@@ -31,16 +31,15 @@ fn signed(magnitude: u64, negative: bool) -> i64 {
     }
 }
 
-/// Long division, as many binary places at a time as the remainder has room for.
+/// Long division, with as many binary places at a time as the remainder has room for.
 macro_rules! long_division {
     ($name:ident: $unsigned:ty) => {
         fn $name(num: $unsigned, den: $unsigned, shift: u32) -> u64 {
             const END: u64 = 1 << 63;
-            // So that the compiler sees that no division is one by zero.
+            // The compiler then sees that there is no division by zero.
             let Some(divisor) = NonZero::<$unsigned>::new(den) else { return END };
             if num >> (<$unsigned>::BITS - 1 - shift.min(<$unsigned>::BITS - 1)) == 0 {
-                // The whole of it fits.
-                // A shift by all bits can only be one of zero.
+                // The whole quotient fits. A shift by all bits occurs only for zero.
                 let num = num.wrapping_shl(shift);
                 let (q, r) = (num / divisor, num % divisor);
                 return u64::try_from(q).map_or(END, |q| nearest(q, r.cmp(&(den - r))));
@@ -78,8 +77,8 @@ fn nearest(q: u64, remainder: Ordering) -> u64 {
     q.saturating_add(up.into())
 }
 
-/// num·2^shift / den of magnitudes, place by place: where hardware ends. The divisor is not zero;
-/// both can be doubled.
+/// num·2^shift / den of magnitudes, place by place, for numbers too wide for hardware. The divisor
+/// is not zero, and both can be doubled.
 #[cold]
 #[inline(never)]
 fn divide_widest<const L: usize>(mut num: Limbs<L>, mut den: Limbs<L>, shift: u32) -> u64 {
@@ -95,19 +94,19 @@ fn divide_widest<const L: usize>(mut num: Limbs<L>, mut den: Limbs<L>, shift: u3
     nearest(q, rest.cmp(&den))
 }
 
-/// num·2^shift / den, both in two's complement, the least limb first. The divisor is not zero, and
-/// leaves a bit free.
+/// num·2^shift / den, both in two's complement, least limb first. The divisor is not zero and
+/// leaves one bit free.
 pub(crate) fn quotient_of_limbs<const L: usize>(num: &[u64; L], den: &[u64; L], shift: u32) -> i64 {
     let ((is_negative, num), (is_other_negative, den)) =
         (Limbs::magnitude(*num), Limbs::magnitude(*den));
     signed(divide_widest(num, den, shift), is_negative != is_other_negative)
 }
 
-/// Adding this rounds to a whole number, in the last bits of the sum: 1.5·2^52.
+/// Adding this rounds to an integer in the last bits of the sum: 1.5·2^52.
 pub(super) const WHOLE: f64 = 6_755_399_441_055_744.0;
 
-/// About num·2^shift / den, if that is below 2^40: no farther from the truth than a
-/// half and a little.
+/// Approximately num·2^shift / den, if that is below 2^40: within slightly more than a half of the
+/// true quotient.
 #[inline(always)]
 fn guess(num: i64, den: i64, shift: u32) -> Option<i64> {
     let unit = f64::from_bits((1023 + u64::from(shift)) << 52);
@@ -116,8 +115,8 @@ fn guess(num: i64, den: i64, shift: u32) -> Option<i64> {
     (guess.abs() < 1_099_511_627_776.0).then_some(whole)
 }
 
-/// The quotient by a guess, put right by the remainder, which is exact though the
-/// product may wrap. Where floats are cheap; the answer is the same anywhere.
+/// The quotient from a guess that the remainder corrects. The remainder is exact although the
+/// product may wrap around. This is for machines with fast floats; the answer is the same on all.
 macro_rules! by_guess {
     ($num:ident, $den:ident, $shift:ident, $leading:expr) => {
         if REGISTERS_ARE_WIDE {
@@ -126,7 +125,7 @@ macro_rules! by_guess {
                 let r =
                     $num.checked_shl($shift).unwrap_or(0).wrapping_sub($den.wrapping_mul(q.into()));
                 let (r, d) = if $den < 0 { (-r, -$den) } else { (r, $den) };
-                // From an odd number even a tie leads away.
+                // From an odd number, a tie leads away too.
                 let d = d - Self::from(q as i8 & 1);
                 return q + i64::from(2 * r > d) - i64::from(-2 * r > d);
             }
@@ -163,12 +162,12 @@ impl Dividend for i128 {
     fn quotient(self, den: Self, shift: u32) -> i64 {
         let (num, d) = (self.unsigned_abs(), den.unsigned_abs());
         let excess = 66_u32.saturating_sub((num | d).leading_zeros());
-        // A guess must keep the bits that it needs.
+        // A guess must keep enough bits.
         if excess == 0 || (num >> excess >> 42 != 0 && d >> excess >> 42 != 0) {
             by_guess!(self, den, shift, ((self >> excess) as i64, (den >> excess) as i64));
         }
         let magnitude = match (u64::try_from(num), u64::try_from(d)) {
-            // A divisor above 2^62 leaves the remainder no room.
+            // A divisor above 2^62 leaves no room for the remainder.
             (Ok(num), Ok(d)) if d >> 62 == 0 => divide(num, d, shift),
             _ => divide_wide(num, d, shift),
         };

@@ -1,17 +1,17 @@
-//! The quotient of a whole number and a root, digit by digit: no float, no
-//! division, and right to the last place.
+//! The quotient of an integer and a root, digit by digit: no float, no division, and correct to the
+//! last place.
 
 use super::limbs::{Limbs, Wide};
 
 /// An unsigned integer for [`over_root`].
 pub trait Square: Wide {
-    /// A narrower type, for what is small; or the type itself.
+    /// A narrower type for small numbers, or the type itself.
     type Narrow: Square;
     /// Zero.
     const ZERO: Self;
     /// The sum, which fits.
     fn plus(self, other: Self) -> Self;
-    /// The number in a narrower type, if that has `room` more bits than it needs.
+    /// The number in a narrower type, if it leaves `room` bits there.
     fn narrowed(self, room: u32) -> Option<Self::Narrow>;
 }
 
@@ -71,9 +71,9 @@ impl<const L: usize> Square for Limbs<L> {
     }
 }
 
-/// √(x / sum)·2^`places` to the nearest whole number, no farther out than `u64` goes,
-/// for each x of `squares` and the sum of them, which is not zero; `W` has room for
-/// the sum times 2^(`places` + 3).
+/// √(x / sum)·2^`places` for each x of `squares` and their sum, which is not zero. The result is
+/// the nearest integer, at most the greatest `u64`. `W` has room for the sum times 2^(`places` +
+/// 3).
 pub(crate) fn over_roots<W: Square>(squares: [W; 3], places: u32) -> [u64; 3] {
     let [x, y, z] = squares;
     let norm = x.plus(y).plus(z);
@@ -89,12 +89,11 @@ pub(crate) fn over_roots<W: Square>(squares: [W; 3], places: u32) -> [u64; 3] {
     roots
 }
 
-/// √(`square` / `norm`)·2^`places` to the nearest whole number, for one of them.
+/// √(`square` / `norm`)·2^`places` to the nearest integer.
 ///
-/// The schoolbook root, taken of a quotient that is never formed. After j places,
-/// p = ⌊√(square/norm)·2^j⌋ is held as `root` = 2·p·norm, with what is left over,
-/// `rest` = square·4^j − p²·norm. The next place is 1 where
-/// 4·rest ≥ (2p + 1)²·norm − (2p)²·norm = 2·root + norm.
+/// The digit-by-digit square root of a quotient that is never divided out. After j places, p =
+/// ⌊√(square/norm)·2^j⌋ is stored as `root` = 2·p·norm, with the remainder `rest` = square·4^j −
+/// p²·norm. The next place is 1 if 4·rest ≥ (2p + 1)²·norm − (2p)²·norm = 2·root + norm.
 #[inline(always)]
 fn over_root<W: Square>(square: W, norm: W, places: u32) -> u64 {
     if square == norm {
@@ -113,10 +112,9 @@ fn over_root<W: Square>(square: W, norm: W, places: u32) -> u64 {
             p |= 1;
         }
     }
-    // The place after the last rounds. Nothing lies halfway between two numbers,
-    // so there is no tie to break: a root that is a fraction at all is one of odd
-    // denominator, for in a² + b² + c² = d² without a common factor d is odd, or
-    // all four squares would be divisible by 4.
+    // The place after the last decides the rounding. There are no ties: if the root is a fraction,
+    // its denominator is odd. In a² + b² + c² = d² without a common factor d is odd, because
+    // otherwise all four squares would be divisible by 4.
     rest.double();
     rest.double();
     root.double();
@@ -124,8 +122,8 @@ fn over_root<W: Square>(square: W, norm: W, places: u32) -> u64 {
     p.saturating_add(up.into())
 }
 
-/// A whole number as sign and magnitude: one bit more than the magnitude's type
-/// has in two's complement, and that bit is what normals need.
+/// An integer as sign and magnitude. It has one bit more than two's complement of the same width,
+/// and normals need that bit.
 #[derive(Clone, Copy, Debug)]
 pub struct Signed<M> {
     pub(crate) negative: bool,
@@ -145,7 +143,7 @@ mod tests {
                     // (2p − 1)²·norm < 4·square·4^places < (2p + 1)²·norm
                     let four = square << (2 * places + 2);
                     let odd = |x: u64| x * x * norm;
-                    // Squares of rationals are all that may lie halfway, and upward.
+                    // Only squares of rationals may lie halfway, and they round up.
                     assert!(four < odd(2 * p + 1), "{square} {norm} {places}");
                     assert!(p == 0 || four >= odd(2 * p - 1), "{square} {norm} {places}");
                     let wide = |x: u64| Limbs::<6>::new(u128::from(x) << 40, 2);

@@ -1,4 +1,4 @@
-//! A scalar's own arithmetic, taken at its word.
+//! A scalar's own arithmetic.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
@@ -10,7 +10,7 @@ use super::system::{Arithmetic, Embeds, convert};
 pub(crate) trait RoundedOps: Copy + PartialOrd + 'static {
     /// Zero.
     const PLAIN_ZERO: Self;
-    /// One, or what of it the type holds.
+    /// One, or the nearest number that the type holds.
     fn plain_one() -> Self;
     /// The sum.
     fn plain_add(self, other: Self) -> Self;
@@ -23,15 +23,15 @@ pub(crate) trait RoundedOps: Copy + PartialOrd + 'static {
     fn plain_div(self, other: Self) -> Self;
     /// The magnitude.
     fn plain_abs(self) -> Self;
-    /// This, negated where `other` bears a minus.
+    /// This number, negated if `other` has a minus sign.
     fn flip_sign_by(self, other: Self) -> Self;
     /// One half.
     fn plain_half(self) -> Self;
 }
 
-/// The number system of the rounded methods: length, area and volume are all
-/// the scalar itself, every result is rounded as the scalar rounds, and a
-/// fixed-point overflow wraps. Nothing here is exact.
+/// The number system of the rounded methods. Length, area and volume are the scalar itself, every
+/// result is rounded as the scalar rounds, and fixed-point overflow wraps around. Nothing here is
+/// exact.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Rounded<S>(pub S);
 

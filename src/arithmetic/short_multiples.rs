@@ -1,12 +1,12 @@
-//! Floats as short multiples of a power of two, and quotients of what is made of them: for cores
-//! that have integers of 32 bits and no `f64`.
+//! Floats as short multiples of a power of two, and quotients of their products, for cores with
+//! 32-bit integers and no `f64`.
 //!
 //! Numbers that are multiples of 2^-28 of the greatest are exact in `i32`. Volumes are then exact,
-//! and their quotient is computed to 2^-50 of itself. It is given only where the next wider
-//! stages round to the same float, see [`ShortFloat::quotient`].
+//! and their quotient is computed to 2^-50 of itself. It is returned only if the next wider stages
+//! would round to the same float; see [`ShortFloat::quotient`].
 
-/// A number in its leading 64 bits: magnitude·2^exponent, the top bit of the magnitude set. Less
-/// than one unit of that is missing.
+/// The leading 64 bits of a number: magnitude·2^exponent, with the top bit of the magnitude set.
+/// Less than one unit is missing.
 #[derive(Clone, Copy)]
 pub struct Leading64 {
     is_negative: bool,
@@ -17,7 +17,7 @@ pub struct Leading64 {
 impl Leading64 {
     /// The leading bits of a number below 2^96, if it is not zero.
     pub(crate) fn new(x: i128) -> Option<Self> {
-        // By words of 32 bits: shifts of more by less are long there.
+        // In words of 32 bits, because shifts by a variable are long there.
         let magnitude = x.unsigned_abs();
         let (upper, lower) = ((magnitude >> 32) as u64, magnitude as u32);
         let (upper, lower, exponent) = if upper >> 32 != 0 {
@@ -40,20 +40,20 @@ impl Leading64 {
         })
     }
 
-    /// How many bits hold the whole number.
+    /// The number of bits that hold the integer.
     pub(crate) fn bits(self) -> i32 {
         self.exponent + 64
     }
 }
 
-/// A divisor, and about one over it.
+/// A divisor, and approximately its reciprocal.
 ///
 /// Let y = magnitude/2^64, in [1/2, 1), and D its upper word.
 pub struct Divisor {
     den: Leading64,
-    /// 2^31/y, less up to 2^-27 of itself: of 2^32 over the upper half of D, made greater by one,
-    /// at most 2^-14 is missing; one step of Newton's method leaves the square of that, and what
-    /// it rounds down.
+    /// 2^31/y, less up to 2^-27 of itself. The start is 2^32 over the upper half of D plus one,
+    /// with at most 2^-14 missing. One step of Newton's method leaves the square of that, and its
+    /// own rounding.
     inverse: u32,
     /// 2^63·(1 − y·inverse/2^31): up to 2^36, and off by up to 2.
     missing: i64,
@@ -79,14 +79,14 @@ impl Divisor {
 
 /// A float that may be a short multiple.
 pub trait ShortFloat: Copy {
-    /// The coordinates over a power of two, and its exponent, if all are whole then and 29 bits
-    /// hold their magnitudes.
+    /// The coordinates over a power of two, and its exponent, if all are then integers with
+    /// magnitudes of at most 29 bits.
     fn short<const K: usize>(all: &[[Self; 3]; K]) -> Option<([[i32; 3]; K], i32)>;
 
-    /// num/den times 2^`exponent`, to the nearest; `None` where the middle of two floats is nearer
-    /// to what was found of it than 2^-`clear` of that, or it is no normal float. So who knows the
-    /// quotient to that, less 2^-50 for what was found, rounds it to the same. `clear` is from 26
-    /// to 48.
+    /// num/den times 2^`exponent`, to the nearest. `None` if the middle of two floats is within
+    /// 2^-`clear` of the computed value, relatively, or if the result is not a normal float. A
+    /// computation with an error below 2^-`clear`, less 2^-50 for this one, therefore rounds to the
+    /// same float. `clear` is from 26 to 48.
     fn rounded_quotient(num: Leading64, den: &Divisor, exponent: i32, clear: i32) -> Option<Self>;
 
     /// Zero, or less zero.
@@ -97,7 +97,7 @@ impl ShortFloat for f32 {
     fn short<const K: usize>(all: &[[f32; 3]; K]) -> Option<([[i32; 3]; K], i32)> {
         let largest = all.as_flattened().iter().fold(0, |most, x| most.max(x.to_bits() << 1 >> 1));
         let exponent = largest >> 23;
-        // Of the scale and of its inverse too.
+        // The scale and its inverse must be normal too.
         if !(29..=250).contains(&exponent) {
             return None;
         }
@@ -106,7 +106,7 @@ impl ShortFloat for f32 {
         let (mut short, mut is_exact) = ([[0; 3]; K], true);
         for (to, &x) in short.as_flattened_mut().iter_mut().zip(all.as_flattened()) {
             *to = (x * scale) as i32;
-            // By the inverse: a small number times the scale may be zero.
+            // Compared by the inverse, because a small number times the scale may be zero.
             is_exact &= *to as f32 * inverse == x;
         }
         is_exact.then_some((short, exponent as i32 - 155))
@@ -118,12 +118,12 @@ impl ShortFloat for f32 {
         exponent: i32,
         clear: i32,
     ) -> Option<f32> {
-        // 2^63·num/den, off by less than 2^-50 of itself: up to 2^-54 is the square of what is
-        // missing, and what is rounded down is less than 2^-53.
+        // 2^63·num/den, off by less than 2^-50 of itself: the square of the missing part is up to
+        // 2^-54, and rounding down loses less than 2^-53.
         let first = times(num.magnitude, divisor.inverse);
         let more = ((first >> 32) as i64 * (divisor.missing >> 8)) >> 23;
         let q = first.checked_add_signed(more)?;
-        // The top bit, or the next.
+        // The top bit is this one or the next.
         let (q, zeros) = if q >> 63 == 0 { (q << 1, 1) } else { (q, 0) };
         // 24 bits stay. q is below 2^64.
         let (kept, rest) = ((q >> 40) as u32, q & ((1 << 40) - 1));
@@ -135,7 +135,7 @@ impl ShortFloat for f32 {
         if !(1..=253).contains(&biased) {
             return None;
         }
-        // The leading bit adds one to the exponent, and so does a carry.
+        // The leading bit adds one to the exponent; so does a carry.
         let bits = ((biased as u32 - 1) << 23) + kept + u32::from(rest >> 39 != 0);
         let is_negative = num.is_negative != den.is_negative;
         Some(f32::from_bits(bits | u32::from(is_negative) << 31))
@@ -150,7 +150,7 @@ impl ShortFloat for f32 {
 mod tests {
     use super::*;
 
-    /// Against quotients of `f64` of numbers that it holds, which round once more.
+    /// Against quotients of `f64`, which holds these numbers and rounds once more.
     #[test]
     fn quotients_are_the_nearest() {
         let mut seed = 3_u64;
@@ -179,7 +179,7 @@ mod tests {
         };
         assert_eq!(of(3, 2, 0), Some(1.5));
         assert_eq!(of(-3, 1 << 91, 90), Some(-1.5));
-        // The middle of two floats, no normal float, none.
+        // The middle of two floats, and no normal float: `None`.
         assert_eq!(of((1 << 24) + 1, 1, 0), None);
         assert_eq!((of(1, 1, 128), of(1, 1, -127), of(0, 1, 0)), (None, None, None));
     }

@@ -1,18 +1,18 @@
-//! Software floats: numbers that are not negative, as a mantissa of 64 bits, an exponent, and a bound
-//! on what is missing. By whole numbers alone, so that neither range nor machine matters.
+//! Software floats above or equal to zero: a mantissa of 64 bits, an exponent, and a bound on the
+//! missing part. They use only integers, so that neither range nor machine matters.
 //!
-//! Quotients of exact sums are rounded from them, times of contact are rounded down from them
-//! ([`portion`](super::portion)), and the lengths, quotients and roots of a least translation are
-//! computed in them.
+//! They serve to round quotients of exact sums, to round times of contact down
+//! ([`portion`](super::portion)), and to compute the lengths, quotients and roots of a least
+//! translation.
 
 use super::limbs::divided_by_places;
 use super::platform::SMALL_CODE;
 
 /// A number x with mantissa·2^exponent ≤ x ≤ (mantissa + slack)·2^exponent.
 ///
-/// The top bit of the mantissa is set, except in [`ZERO`](Self::ZERO). A slack of zero says that the
-/// number is exact. No operation makes more of two slacks than four times their sum and four, so
-/// after a few operations a number is still known to 2^-55 of itself.
+/// The top bit of the mantissa is set, except in [`ZERO`](Self::ZERO). The number is exact if the
+/// slack is zero. An operation on two numbers has a slack of at most four times their sum and four,
+/// so after a few operations a number is still known to 2^-55 of itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Soft {
     exponent: i32,
@@ -26,23 +26,23 @@ impl Soft {
     /// One.
     pub(crate) const ONE: Self = Self { exponent: -63, mantissa: 1 << 63, slack: 0 };
 
-    /// A number rounded down: less than one unit is missing.
+    /// A number rounded down, with less than one unit missing.
     #[inline(always)]
     pub(super) fn rounded_down(mantissa: u64, exponent: i32) -> Self {
         Self { exponent, mantissa, slack: 1 }
     }
 
-    /// A float that is normal and above zero.
+    /// From a float that is normal and above zero.
     #[inline(always)]
     pub(crate) fn of_normal(x: f64) -> Self {
         const DIGITS: u32 = f64::MANTISSA_DIGITS;
         let bits = x.to_bits();
-        // The sign and the exponent are shifted out, the leading bit becomes the highest.
+        // The sign and the exponent are shifted out, and the leading bit becomes the highest.
         let mantissa = (bits | 1 << (DIGITS - 1)) << (64 - DIGITS);
         Self { exponent: (bits >> (DIGITS - 1)) as i32 - 1086, mantissa, slack: 0 }
     }
 
-    /// The whole number of these limbs, least first, without a sign; `None` if it is zero.
+    /// The unsigned integer with these limbs, least first; `None` for zero.
     pub(crate) fn of_limbs(limbs: &[u64]) -> Option<Self> {
         let top = limbs.iter().rposition(|&limb| limb != 0)?;
         let limb = |k: usize| u128::from(limbs.get(k).copied().unwrap_or(0));
@@ -76,7 +76,7 @@ impl Soft {
         (u128::from(self.mantissa) + u128::from(self.slack), self.exponent)
     }
 
-    /// Whether the number is less for certain.
+    /// Whether the number is certainly less.
     pub(crate) fn is_less_than(self, other: Self) -> bool {
         let by = other.exponent.saturating_sub(self.exponent);
         by > 1 || by >= 0 && self.upper().0 < u128::from(other.mantissa) << by
@@ -91,7 +91,7 @@ impl Soft {
         (self.mantissa.into(), self.slack.into())
     }
 
-    // Called from many places, and sixteen products where words have 32 bits.
+    // Out of line: called from many places, with sixteen products where words have 32 bits.
     #[inline(never)]
     pub(crate) fn times(self, other: Self) -> Self {
         let ((a, s), (b, t)) = (self.parts(), other.parts());
@@ -103,7 +103,7 @@ impl Soft {
         let down = (a.exponent - b.exponent) as u32;
         let ((low, slack), (less, loss)) = (a.parts(), b.parts());
         let shifted = (less << 63).checked_shr(down).unwrap_or(0);
-        // One for what is cut off the lesser number, and one for what is cut off its slack.
+        // One for the bits cut off the lesser number, and one for those cut off its slack.
         let is_whole = shifted.checked_shl(down) == Some(less << 63) && loss == 0;
         let loss = (loss << 63).checked_shr(down).unwrap_or(0) + if is_whole { 0 } else { 2 };
         Self::of((low << 63) + shifted, (slack << 63) + loss, a.exponent - 63)
@@ -111,10 +111,10 @@ impl Soft {
 
     pub(crate) fn over(self, other: Self) -> Self {
         let ((a, s), (b, t)) = (self.parts(), other.parts());
-        // Its top bit is set: the compiler sees that it is not zero, and links no panic.
+        // Its top bit is set, so the compiler sees that it is not zero and links no panic.
         let b = b | 1 << 63;
         let least = (a << 63) / (b + t);
-        // Rounded up, without a remainder: what is divided is not zero.
+        // Rounded up, without a remainder; the dividend is not zero.
         let most = (((a + s) << 63) - 1) / b + 1;
         Self::of(least, most - least, self.exponent - other.exponent - 63)
     }
@@ -124,14 +124,14 @@ impl Soft {
         let up = 64 - (self.exponent & 1) as u32;
         let square = a << up;
         let root = square.isqrt();
-        // The root is at least 2^63: what is added to the square, s·2^up, adds less than s to it.
+        // The root is at least 2^63, so the term s·2^up in the square adds less than s to it.
         let slack = s + u128::from(root * root != square);
         Self::of(root, slack, (self.exponent - up as i32) / 2)
     }
 
-    /// The quotient of the two mantissas, rounded down, as m·2^e with m in [2^62, 2^64) or zero: less
-    /// than 2^-61 of itself from the quotient of the numbers, if their slack is at most one. The
-    /// divisor is not zero.
+    /// The quotient of the two mantissas, rounded down, as m·2^e with m in [2^62, 2^64) or zero. If
+    /// the slacks are at most one, it is less than 2^-61 of itself from the quotient of the
+    /// numbers. The divisor is not zero.
     pub(crate) fn quotient(self, den: Self) -> (u64, i32) {
         let (num, divisor) = (u128::from(self.mantissa), u128::from(den.mantissa.max(1)));
         // On most machines a division of that width is a function of a kilobyte.
@@ -143,9 +143,10 @@ impl Soft {
         (quotient, self.exponent - den.exponent - 63)
     }
 
-    /// The mantissa in whole multiples of a unit 2^e, rounded down, and e: the greatest unit of which
-    /// `digits` bits hold the mantissa, or 2^`least` if that is greater. A fixed-point number, and a
-    /// float below its least normal number, have the second; any other float has the first.
+    /// The mantissa in integer multiples of a unit 2^e, rounded down, and e. The unit is the
+    /// greatest for which `digits` bits hold the mantissa, or 2^`least` if that is greater. The
+    /// second applies to fixed-point numbers, and to floats below the least normal number; the
+    /// first to all other floats.
     #[inline(always)]
     pub(crate) fn floor(self, digits: u32, least: i32) -> (u64, i32) {
         let unit = self.exponent + 64 - digits as i32;
@@ -154,7 +155,7 @@ impl Soft {
     }
 }
 
-/// m·2^exponent as a whole number, rounded up or to the nearest; at most what `u128` holds.
+/// m·2^exponent as an integer, rounded up or to the nearest, and at most the greatest `u128`.
 pub(crate) fn whole(m: u128, exponent: i32, is_up: bool) -> u128 {
     if exponent >= 0 {
         let fits = m.leading_zeros() >= exponent.unsigned_abs();
@@ -171,7 +172,7 @@ pub(crate) fn whole(m: u128, exponent: i32, is_up: bool) -> u128 {
         return u128::from(is_up && m != 0);
     }
     let add = if is_up { (1 << down) - 1 } else { 1 << (down - 1) };
-    // Without overflow: m is far below the greatest number wherever this is called.
+    // No overflow: all callers pass an m far below the greatest number.
     m.saturating_add(add) >> down
 }
 
@@ -183,7 +184,7 @@ mod tests {
         Soft::of_limbs(&[x]).unwrap()
     }
 
-    /// Whether it is known exactly, and is x.
+    /// Whether it is exactly x.
     fn is(number: Soft, x: u64) -> bool {
         let (m, exponent) = number.upper();
         number.slack == 0 && whole(m, exponent, true) == u128::from(x)
@@ -213,7 +214,7 @@ mod tests {
         assert!(number(6).is_less_than(number(7)) && !number(7).is_less_than(number(7)));
         assert!(number(1).is_less_than(near) && !near.is_less_than(number(1)));
         assert!(number(u64::MAX).is_less_than(Soft::of_limbs(&[0, 1]).unwrap()));
-        // Three thirds are one, for all that is known.
+        // As far as is known, three thirds are one.
         let third = number(1).over(number(3));
         let one = third.plus(third).plus(third);
         assert!(!one.is_less_than(number(1)) && !number(1).is_less_than(one) && one.slack < 64);
@@ -221,7 +222,7 @@ mod tests {
         assert!(!square.is_less_than(two) && !two.is_less_than(square));
     }
 
-    /// Whether by one division or place by place.
+    /// Both by one division and place by place.
     #[test]
     fn leading_bits_are_divided_as_whole_numbers() {
         let limbs = [1, 3, 0x2a5c_93d1, u64::MAX / 3, 1 << 63, u64::MAX];

@@ -1,9 +1,9 @@
-//! Lengths as floats of a scale, for quotients that are only compared.
+//! Lengths as scaled floats, for quotients that are only compared.
 //!
-//! A filter by quotients needs each of its terms within a few roundings of itself, and
-//! then no term for underflow and no check for overflow. Differences of coordinates are:
-//! floats subtract with one rounding, and integers that an `f64` holds with none. Quotients
-//! are, in units of 1/[`Span::SCALE`]: see `query::ray_aabb::error_bound`.
+//! A filter by quotients needs each term within a few roundings of itself. Then it needs no term
+//! for underflow and no check for overflow. Differences of coordinates qualify: floats subtract
+//! with one rounding, and integers that an `f64` holds with none. Quotients qualify in units of
+//! 1/[`Span::SCALE`]: see `query::ray_aabb::error_bound`.
 
 use core::fmt::Debug;
 use core::ops::Div;
@@ -11,19 +11,19 @@ use core::ops::Div;
 use super::float::Float;
 use super::quad::{OfFour, Quad};
 
-/// A float that quotients of lengths are compared in.
+/// A float in which quotients of lengths are compared.
 pub(crate) trait Span: Float + Div<Output = Self> + Debug {
-    /// One, where quotients count. The product of a length that is not zero with the scale
-    /// over an [`INVERTIBLE`](Self::INVERTIBLE) number is a normal number, and so is its
-    /// error; if it overflows, the quotient is greater than any of finite computed value.
+    /// One, in the unit of quotients. Multiply a nonzero length by the scale over an
+    /// [`INVERTIBLE`](Self::INVERTIBLE) number: the product is a normal number, and so is its
+    /// error. If it overflows, the quotient exceeds every finite computed quotient.
     const SCALE: Self;
-    /// Between these a number may be a divisor.
+    /// A number between these may be a divisor.
     const INVERTIBLE: (Self, Self);
     /// The greatest number, where an open range ends.
     const GREATEST: Self;
 
-    /// Whether the other number is more than so many units in the last place greater. Of
-    /// numbers that are not −0, of which one is not negative.
+    /// Whether the other number exceeds this one by more than these units in the last place.
+    /// Neither number is −0, and at least one is not negative.
     fn is_below(self, other: Self, units: u16) -> bool;
 }
 
@@ -54,20 +54,20 @@ impl Span for f64 {
 /// Four spans side by side.
 pub type Spans<S> = <<S as Spanned>::Span as OfFour>::Quad;
 
-/// A scalar whose lengths are spans, each rounded once at most.
+/// A scalar whose lengths are spans, each rounded at most once.
 pub(crate) trait Spanned: Copy {
     /// The float.
     type Span: Span;
-    /// A coordinate that others are measured from.
+    /// A coordinate from which others are measured.
     type Anchor: Copy + Debug;
     /// Whether this machine has fast operations on the float.
     const IS_FAST: bool;
 
-    /// The coordinate, to measure from.
+    /// The coordinate as an anchor.
     fn anchor(self) -> Self::Anchor;
-    /// What is between the anchor and this coordinate.
+    /// The difference from the anchor to this coordinate.
     fn beyond(self, anchor: Self::Anchor) -> Self::Span;
-    /// What is between the anchors and these coordinates. The fourth is not looked at.
+    /// The differences from the anchors to these coordinates. The fourth lane is ignored.
     #[inline(always)]
     fn all_beyond([x, y, z, _]: [Self; 4], [a, b, c, _]: [Self::Anchor; 4]) -> Spans<Self> {
         Quad::of_three([x.beyond(a), y.beyond(b), z.beyond(c)])
@@ -127,8 +127,8 @@ mod fixed_point {
 
     /// The number and 2^52 + 2^31, exactly: the number is in the last bits of the float.
     ///
-    /// On x86-64 the instruction that converts waits for whatever was in its register, which
-    /// took as long as all of a query against one box of many.
+    /// On x86-64 the conversion instruction waits for the previous value of its register. That wait
+    /// took as long as a whole query against one of many boxes.
     #[inline(always)]
     const fn above(x: i32) -> f64 {
         f64::from_bits(1075 << 52 | (x as u32 ^ 1 << 31) as u64)
@@ -145,7 +145,7 @@ mod fixed_point {
                 fn anchor(self) -> f64 {
                     above(self.to_bits().into())
                 }
-                // 33 bits at most: not rounded.
+                // At most 33 bits, so not rounded.
                 #[inline(always)]
                 fn beyond(self, anchor: f64) -> f64 {
                     above(self.to_bits().into()) - anchor
@@ -163,8 +163,8 @@ mod fixed_point {
     }
     fixed_point! { FixedI8: LeEqU8; FixedI16: LeEqU16; FixedI32: LeEqU32; }
 
-    /// From the anchor to a coordinate on the other side of zero. The difference has 65 bits,
-    /// its magnitude 64, whose conversion takes three times as long.
+    /// From the anchor to a coordinate on the other side of zero. The difference has 65 bits and
+    /// its magnitude 64; converting 64 bits takes three times as long.
     #[cold]
     #[inline(never)]
     fn far(x: i64, anchor: i64) -> f64 {
@@ -204,13 +204,13 @@ mod fixed_point {
 mod tests {
     use super::{Float, Span};
 
-    /// 2^e, made without bits.
+    /// 2^e, computed without bits.
     fn two_to<F: Float>(e: i32) -> F {
         let factor = if e < 0 { F::HALF } else { F::from(2_u16) };
         (0..e.unsigned_abs()).fold(F::from(1_u16), |x, _| x * factor)
     }
 
-    /// What the derivation of the bounds says of them.
+    /// The constants agree with the numbers that the derivation of the bounds states.
     fn check<F: Span>(scale: i32, invertible: [i32; 2], [least, least_normal, past]: [i32; 3]) {
         assert!(F::SCALE == two_to(scale));
         assert!(F::INVERTIBLE == (two_to(invertible[0]), two_to(invertible[1])));

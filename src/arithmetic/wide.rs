@@ -1,4 +1,4 @@
-//! A 256-bit integer: what volumes of 64-bit scalars need, and no more.
+//! A 256-bit integer, for volumes of 64-bit scalars.
 
 use core::ops::{Add, Neg, Sub};
 
@@ -8,8 +8,8 @@ use super::platform::REGISTERS_ARE_WIDE;
 use super::portion::divided_limbs;
 use super::soft::Soft;
 
-/// A signed integer of 256 bits in two's complement. `high` comes first, so
-/// that the derived order is the order of numbers.
+/// A signed integer of 256 bits in two's complement. `high` comes first, so that the derived order
+/// is numeric.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct I256 {
     high: i128,
@@ -23,7 +23,7 @@ impl I256 {
         if REGISTERS_ARE_WIDE { Self::halves(a, b) } else { Self::halves_out_of_line(a, b) }
     }
 
-    /// The same in one place: where registers are narrow it takes hundreds of bytes.
+    /// The product, in one function: with narrow registers it takes hundreds of bytes.
     #[inline(never)]
     fn halves_out_of_line(a: i128, b: i64) -> Self {
         Self::halves(a, b)
@@ -37,7 +37,7 @@ impl I256 {
         Self { high: (upper >> 64) + (lower >> 127) + i128::from(carry), low }
     }
 
-    /// The product of 128 and 128 bits, neither of which is the least number of its type.
+    /// The product of two 128-bit numbers, neither of them the least of its type.
     pub(crate) fn of_two(a: i128, b: i128) -> Self {
         let halves = |x: i128| {
             let x = x.unsigned_abs();
@@ -59,7 +59,7 @@ impl I256 {
     }
 }
 
-/// What quotients need besides.
+/// Further operations for quotients.
 #[cfg(feature = "fixed")]
 impl I256 {
     /// The number these limbs make in two's complement, the least first.
@@ -68,7 +68,7 @@ impl I256 {
         Self { high: two(c, d) as i128, low: two(a, b) }
     }
 
-    /// The same in 128 bits, if they hold it and leave a bit to spare.
+    /// The number in 128 bits, if they hold it and leave one bit to spare.
     pub(crate) fn narrowed(self) -> Option<i128> {
         let sign = self.high >> 127;
         (self.high == sign && (self.low as i128) >> 126 == sign).then_some(self.low as i128)
@@ -168,7 +168,7 @@ mod tests {
             for b in [i64::MIN, -12345, -1, 0, 1, 77, i64::MAX] {
                 let (b, by_half) = (i128::from(b), I256::product(a, b));
                 assert_eq!((I256::of_two(a, b), I256::of_two(b, a)), (by_half, by_half));
-                // a·(b·2^60), as 2^60·(a·b): where that is no longer than 256 bits.
+                // a·(b·2^60) as 2^60·(a·b), if 256 bits hold that.
                 let shifted = (0..60).fold(by_half, |x, _| x + x);
                 assert_eq!(I256::of_two(a, b << 60), shifted);
             }

@@ -1,5 +1,5 @@
-//! Quads of a machine that has no vectors, or is not asked for them. Where nobody looks at the
-//! fourth lane, the compiler leaves it out.
+//! Quads for machines without vectors, or builds without the feature. The compiler leaves out the
+//! fourth lane if nothing uses it.
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Sub};
@@ -11,7 +11,7 @@ use crate::arithmetic::{Number, greatest, least};
 #[derive(Clone, Copy, Debug)]
 pub struct Four<F>([F; 4]);
 
-/// Lane by lane. Written out: what is not unrolled goes through memory.
+/// Lane by lane. Written out, because a loop that is not unrolled goes through memory.
 #[inline(always)]
 fn each<F: Copy>(Four(a): Four<F>, Four(b): Four<F>, f: impl Fn(F, F) -> F) -> Four<F> {
     Four([f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])])

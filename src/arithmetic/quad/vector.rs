@@ -1,4 +1,4 @@
-//! Quads of a machine that has vectors, by the crate `wide`.
+//! Quads for machines with vectors, by the crate `wide`.
 
 use super::{OfFour, Quad};
 

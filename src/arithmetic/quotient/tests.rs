@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// The definition: within half a unit, and even where two are as near.
+/// The definition: within half a unit, and even if two integers are equally near.
 fn check(num: i128, den: i128, shift: u32, q: i64) {
     let (n, d) = (num << shift, den);
     let (error, half) = ((n - i128::from(q) * d).abs() * 2, d.abs());
@@ -26,7 +26,7 @@ fn every_type_agrees_with_the_definition() {
     }
 }
 
-/// Where a double rounds what it divides, the guess may be the odd one.
+/// If a double rounds its operands, the guess may be the odd neighbour.
 #[test]
 fn ties_of_large_numbers_are_even() {
     for k in 0..2000_i64 {
@@ -38,7 +38,7 @@ fn ties_of_large_numbers_are_even() {
     }
 }
 
-/// A guess is made of the leading bits of both, or not at all.
+/// A guess uses the leading bits of both numbers, or is not made.
 #[test]
 fn quotients_of_numbers_beyond_a_word() {
     for den_bits in 20..100 {

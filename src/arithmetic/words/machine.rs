@@ -1,5 +1,5 @@
-//! The words of the machines, and sums of products where one multiplication gives the whole product:
-//! of `i16` on every core, of `i32` on some.
+//! The words of the machines, and sums of products where one multiplication gives the full product:
+//! for `i16` on every core, for `i32` on some.
 
 use core::ops::{Add, Shl};
 
@@ -49,9 +49,9 @@ macro_rules! word {
     )*};
 }
 
-// ARMv6-M has neither long products nor atomics, ARMv7-M both. Only the latter can be
-// asked for in stable Rust. RISC-V has long products where it has any.
-// Where registers hold 64 bits there is nothing to choose, but for tests of the other way.
+// ARMv6-M has neither long products nor atomics, and ARMv7-M has both; stable Rust can query only
+// atomics. RISC-V has long products if it has a multiplication. With 64-bit registers there is no
+// choice, except in tests of the other path.
 #[cfg(any(
     all(target_arch = "arm", target_has_atomic = "32"),
     all(target_arch = "riscv32", target_feature = "m"),
@@ -64,7 +64,7 @@ word! { i32, u32, i64: 29, 10; }
     all(any(target_pointer_width = "64", target_arch = "wasm32"), not(septum_narrow)),
 )))]
 word! { i32, u32, SplitSum<i32>: 18, 10; }
-/// The range of lengths, and how a sum becomes one number.
+/// The range of lengths, and the conversion of a sum to one number.
 macro_rules! whole_word {
     ($($word:ident, $unsigned:ident, $whole:ident: $range:literal;)*) => {$(
         impl WholeWord for $word {
@@ -132,7 +132,7 @@ impl ProductSum<i16> for i32 {
     }
 }
 
-/// Where one or two instructions multiply words in full.
+/// For cores that multiply words in full in one or two instructions.
 impl ProductSum<i32> for i64 {
     #[inline(always)]
     fn new(a: i32, b: i32, c: i32, d: i32) -> Self {
@@ -151,7 +151,7 @@ impl ProductSum<i32> for i64 {
         (self >> i32::SPLIT) as i32
     }
 
-    /// By the upper word of an area, rounded to the nearest, and by what is left of it.
+    /// From the upper word of an area, rounded to the nearest, and the remainder.
     type Volume = (i64, i64);
     const ZERO: (i64, i64) = (0, 0);
     #[inline(always)]

@@ -1,36 +1,36 @@
-//! Quotients place by place, for cores on which a division of more than a register is a call:
-//! a loop of a fixed number of steps takes fewer bytes and no more instructions.
+//! Quotients place by place, for cores on which a wide division is a call: a loop with a fixed
+//! number of steps takes fewer bytes and no more instructions.
 
 use core::cmp::Ordering;
 
 use crate::arithmetic::number::Number;
 
-/// A whole number that can be divided by another, place by place.
+/// An integer that can be divided by another, place by place.
 pub trait WholeVolume: Number {
-    /// self·2^`fraction` / `den` rounded down, and what is left of it over 2^`fraction`; `None`
-    /// where it has more than `places` places. Neither is negative, `den` is below half of what
-    /// the type holds, and `fraction` ≤ `places` ≤ 32.
+    /// self·2^`fraction` / `den` rounded down, and the remainder over 2^`fraction`; `None` if the
+    /// quotient has more than `places` places. Neither number is negative, `den` is below half of
+    /// the greatest number, and `fraction` ≤ `places` ≤ 32.
     fn places(self, den: Self, fraction: u32, places: u32) -> Option<(u32, Self)>;
 
-    /// The same to the nearest, of two the even one; the greatest number of 32 places where it
-    /// has too many.
+    /// The quotient to the nearest, ties to even; the greatest number of 32 places if it has too
+    /// many.
     fn nearest(self, den: Self, fraction: u32, places: u32) -> u32 {
         let Some((q, rest)) = self.places(den, fraction, places) else { return u32::MAX };
         let other = den - rest;
         q.saturating_add((rest > other || rest == other && q & 1 == 1).into())
     }
 
-    /// The product with `factor` added to a sum, which is the upper number times 2^32, or what
-    /// half of the type has, and the lower: see [`sign_of`](Self::sign_of).
+    /// Adds the product with `factor` to a sum. The sum is the upper number times 2^32, or times 2
+    /// to half the type's bits, plus the lower number: see [`sign_of`](Self::sign_of).
     ///
-    /// In `i64` a factor up to 2^30 makes a lower number below 2^62, and three up to 2^19 another
-    /// 3·2^51. Volumes up to 2^59 have upper numbers below 2^58. `i128` has more room.
+    /// In `i64` a factor up to 2^30 makes a lower number below 2^62, and three factors up to 2^19
+    /// add 3·2^51. Volumes up to 2^59 have upper numbers below 2^58. `i128` has more room.
     fn product_onto(self, sum: (Self, Self), factor: impl Into<Self>) -> (Self, Self);
 
     /// How such a sum compares with zero.
     fn sign_of(sum: (Self, Self)) -> Ordering;
 
-    /// How self/den compares with t/2^`fraction`, where `places` hold the magnitude of t.
+    /// How self/den compares with t/2^`fraction`, if `places` hold the magnitude of t.
     fn compare_quotient(self, den: Self, fraction: u32, places: u32, t: i64) -> Ordering {
         let is_negative = self < Self::ZERO;
         if is_negative != (t < 0) {
@@ -57,11 +57,11 @@ macro_rules! whole {
                 if rest >= den {
                     return None;
                 }
-                // The bits of the dividend go out at the top, those of the quotient come in
-                // below.
+                // The bits of the dividend leave at the top, and those of the quotient enter at the
+                // bottom.
                 let mut bits = if down == 0 { 0 } else { (self as u32) << (32 - down) };
                 for _ in 0..places {
-                    // By a mask, not by a branch: all quotients take the same time.
+                    // By a mask instead of a branch, so that all quotients take the same time.
                     rest = rest + rest + (bits >> 31) as Self - den;
                     let is_negative = rest >> (Self::BITS - 1);
                     rest += den & is_negative;

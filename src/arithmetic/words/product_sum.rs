@@ -1,4 +1,4 @@
-//! Sums of products of two words, asked only for their sign.
+//! Sums of products of two words, of which only the sign is used.
 
 use core::ops::{Add, Shl};
 
@@ -13,20 +13,20 @@ pub trait ProductSum<W>: Copy {
     /// A word that is negative exactly if the area is.
     fn sign(self) -> W;
 
-    /// The sum over 2^[`SPLIT`](super::Word::SPLIT), rounded down, where a word holds that.
+    /// The sum over 2^[`SPLIT`](super::Word::SPLIT), rounded down, if a word holds it.
     fn scaled(self) -> W;
 
     /// A sum of products of an area and a length.
     type Volume: Copy;
-    /// Nothing yet.
+    /// The empty sum.
     const ZERO: Self::Volume;
     /// The sum with one more product.
     fn sum(volume: Self::Volume, area: Self, length: W) -> Self::Volume;
     /// Whether the sum is negative.
     fn is_negative(volume: Self::Volume) -> bool;
-    /// What the sum is kept in.
+    /// The type of the parts of a sum.
     type Part;
-    /// The sum as one number, for a `T` that holds it.
+    /// The sum as one number, for a `T` that can hold it.
     fn whole<T>(volume: Self::Volume) -> T
     where
         T: From<Self::Part> + Add<Output = T> + Shl<u32, Output = T>;

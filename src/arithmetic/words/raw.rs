@@ -1,17 +1,17 @@
-//! Raw bits of fixed point, cut down to few.
+//! Raw bits of fixed point, cut to few bits.
 
 use super::word::Word;
 
 /// The raw bits of a fixed-point number, in a word.
 pub trait Raw: Word + Into<i64> {
-    /// How many bits it has, the sign included.
+    /// The number of bits, including the sign.
     const BITS: i32;
 
-    /// How many bits hold the number, which is not below zero.
+    /// The number of bits that hold the number, which is not below zero.
     fn bits(self) -> i32;
 
-    /// Each number over 2^`down`, to the nearest. Those that are far below half of that
-    /// are zero; otherwise 30 bits hold what is left.
+    /// Each number over 2^`down`, to the nearest. Numbers far below half of that become zero; 30
+    /// bits hold the results.
     fn cut<const K: usize>(numbers: [[Self; 3]; K], down: i32) -> [[i32; 3]; K];
 }
 
@@ -43,13 +43,13 @@ raw! { i32 i64 }
 
 /// A fixed-point scalar, by its raw bits.
 pub trait InRaw: Copy {
-    /// What holds the raw bits.
+    /// The type of the raw bits.
     type Raw: Raw;
 
     /// Whether it always holds the difference of two of them.
     const ALWAYS_NEAR: bool;
 
-    /// How many of them come after the point.
+    /// The number of fraction bits.
     const FRACTION_BITS: i32;
 
     /// The raw bits.

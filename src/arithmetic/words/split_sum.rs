@@ -1,14 +1,14 @@
-//! A sum of products in two words, for cores whose products have no more bits than a word.
+//! A sum of products in two words, for cores whose products have the width of a word.
 
 use core::ops::{Add, Shl};
 
 use super::product_sum::ProductSum;
 use super::word::{Word, out_of_line_if_wide};
 
-/// The sum upper·2^SPLIT + lower, where a product has no more bits than a word.
+/// The sum upper·2^SPLIT + lower, for products of the width of a word.
 ///
-/// A word x is its upper part x >> SPLIT times 2^SPLIT and its lower part
-/// x & LOWER, which is never negative.
+/// A word x is its upper part x >> SPLIT times 2^SPLIT plus its lower part x & LOWER, which is
+/// never negative.
 #[derive(Clone, Copy, Debug)]
 pub struct SplitSum<W> {
     upper: W,
@@ -32,7 +32,7 @@ impl<W: Word> ProductSum<W> for SplitSum<W> {
         Self { upper: self.upper + (a >> W::SPLIT) * b, lower: self.lower + (a & W::LOWER) * b }
     }
 
-    /// The sum without its lower part, so rounded down.
+    /// The sum without its lower part, and so rounded down.
     #[inline(always)]
     fn sign(self) -> W {
         self.scaled()
@@ -42,7 +42,7 @@ impl<W: Word> ProductSum<W> for SplitSum<W> {
         self.upper + (self.lower >> W::SPLIT)
     }
 
-    /// In four words, of which the two in the middle have the same weight.
+    /// In four words; the two in the middle have the same weight.
     type Volume = [W; 4];
     const ZERO: [W; 4] = [W::ZERO; 4];
     #[inline(always)]

@@ -1,4 +1,5 @@
-//! Products of vectors of words. Out of line: code is dearer than a call where words are for.
+//! Products of vectors of words. Out of line, because small code is more important than a call
+//! where words are used.
 
 use core::cmp::Ordering;
 
@@ -21,7 +22,7 @@ pub(crate) fn dot_words<W: WholeWord>(a: &[W::Sum; 3], b: &[W; 3]) -> W::Whole {
     W::whole(volume)
 }
 
-/// The sign of the first component of a × b that has one.
+/// The sign of the first nonzero component of a × b.
 #[inline(never)]
 pub(crate) fn first_sign<W: Word>(a: &[W; 3], b: &[W; 3]) -> Ordering {
     for (there, back) in cross_words(a, b).into_iter().zip(cross_words(b, a)) {

@@ -1,4 +1,4 @@
-//! What a kernel asks of a machine word.
+//! The operations of a machine word in a kernel.
 
 use core::cmp::Ordering;
 use core::fmt::Debug;
@@ -7,10 +7,10 @@ use core::ops::{Add, BitAnd, BitOr, BitXor, Mul, Shr, Sub};
 use super::WholeVolume;
 use super::product_sum::ProductSum;
 
-/// A signed machine word, in which a kernel keeps lengths.
+/// A signed machine word in which a kernel stores lengths.
 ///
-/// Lengths are measured from the least corner of the box. With lengths up to 2^R, the
-/// range, and S for SPLIT, where [`SplitSum`](super::SplitSum) cuts a word in two,
+/// Lengths are measured from the least corner of the box. With lengths up to 2^R, the range, and S
+/// for SPLIT, where [`SplitSum`](super::SplitSum) cuts a word in two,
 ///
 /// | quantity | magnitude | `i32` | `i64` | `i128` |
 /// | --- | --- | --- | --- | --- |
@@ -23,10 +23,10 @@ use super::product_sum::ProductSum;
 /// | a·(lower part of a length), three | 3·2^(2R+3−S) | 2^30.6 | 2^52.6 | 2^96.6 |
 /// | (lower part of a normal)·length, three | 3·2^(R+1+S) | 2^30.6 | 2^56.6 | 2^108.6 |
 ///
-/// and the carries add less than 2^-8 of that. Where `i64` holds the areas of `i32`,
-/// the range is 29: a normal is up to 2^61, its upper word up to 2^29, three products of
-/// that and a length up to 3·2^59, and of its lower word and a length up to 3·2^61. `i16` is for
-/// lengths of up to 2^6, whose normals are up to 2^15.
+/// and the carries add less than 2^-8 of that. If `i64` holds the areas of `i32`, the range is 29.
+/// A normal is then up to 2^61 and its upper word up to 2^29. Three products of that with a length
+/// are up to 3·2^59, and three of its lower word with a length up to 3·2^61. `i16` is for lengths
+/// up to 2^6, whose normals are up to 2^15.
 pub trait Word:
     Copy
     + Ord
@@ -39,18 +39,18 @@ pub trait Word:
     + BitOr<Output = Self>
     + BitXor<Output = Self>
 {
-    /// What holds a sum of products on the core at hand.
+    /// The type of a sum of products on this core.
     type Sum: ProductSum<Self>;
 
     /// Zero.
     const ZERO: Self;
-    /// How many bits the lower part has.
+    /// The number of bits of the lower part.
     const SPLIT: u32;
     /// A mask for the lower part.
     const LOWER: Self;
 
-    /// Whether a word is wider than a narrow register: an operation takes many
-    /// instructions then, or a call.
+    /// Whether a word is wider than a narrow register. An operation then takes many instructions,
+    /// or a call.
     const IS_WIDE: bool;
 
     /// The sum, wrapped.
@@ -58,24 +58,23 @@ pub trait Word:
     /// The difference, wrapped.
     fn minus(self, other: Self) -> Self;
 
-    /// The word where `other` is negative, and otherwise zero.
+    /// The word if `other` is negative, and otherwise zero.
     fn where_negative(self, other: Self) -> Self;
-    /// The word where `other` is not negative, and otherwise zero.
+    /// The word if `other` is not negative, and otherwise zero.
     fn unless_negative(self, other: Self) -> Self;
 
-    /// The word, or if it is negative all its bits flipped.
+    /// The word; if it is negative, with all its bits flipped.
     fn folded(self) -> Self;
     /// Whether a length lies within the range.
     fn is_near(self) -> bool;
-    /// Whether a difference from this word that is within the range cannot be wrapped:
-    /// in the middle half of the range, wrapped differences are long.
+    /// Whether no difference from this word within the range can be wrapped. From the middle half
+    /// of the range, wrapped differences are long.
     fn is_central(self) -> bool;
 }
 
-/// A word for which a wider one holds sums of products of three lengths, whole.
+/// A word with a wider one that holds whole sums of products of three lengths.
 ///
-/// With lengths up to 2^R, and SPLIT as at [`Word`], the operand of an area that is not split up
-/// to 2^(R+1),
+/// With lengths up to 2^R, SPLIT as in [`Word`], and an unsplit operand of an area up to 2^(R+1),
 ///
 /// | quantity | magnitude | `i32` | `i64` |
 /// | --- | --- | --- | --- |
@@ -88,7 +87,7 @@ pub trait Word:
 ///
 /// For `i16` the range is 8, nothing is split, and three products of areas are below 3·2^25.
 pub trait WholeWord: Word {
-    /// What holds them.
+    /// The type of the whole sums.
     type Whole: WholeVolume + From<Self>;
 
     /// Whether a length lies within the range.
@@ -100,13 +99,13 @@ pub trait WholeWord: Word {
 
 /// A scalar whose raw bits fit such a word.
 pub trait InWholeWord<W: WholeWord>: InWord<W> {
-    /// One, if the word holds it and leaves a bit to spare.
+    /// One, if the word holds it and leaves one bit to spare.
     fn one() -> Option<W>;
 
-    /// num/den to the nearest, of two the even one, or the end of the type; `den` is above zero.
+    /// num/den to the nearest, ties to even, or the end of the type; `den` is above zero.
     fn divided(num: W::Whole, den: W::Whole) -> Self;
 
-    /// The same where num/den is from zero to one.
+    /// num/den likewise, if it is from zero to one.
     fn share(num: W::Whole, den: W::Whole) -> Self;
 
     /// How num/den compares with `t`; `den` is above zero.
@@ -115,23 +114,21 @@ pub trait InWholeWord<W: WholeWord>: InWord<W> {
 
 /// A scalar whose raw bits fit a word.
 pub trait InWord<W: Word> {
-    /// Whether two points and a box around a third are always within the range of each
-    /// other.
+    /// Whether two points and a box around a third are always within the range of each other.
     const ALWAYS_NEAR: bool;
 
     /// The raw bits.
     fn in_word(self) -> W;
 }
 
-/// What `f` says, by a call.
+/// Calls `f` out of line.
 #[inline(never)]
 pub(crate) fn out_of_line<T>(f: impl FnOnce() -> T) -> T {
     f()
 }
 
-/// The expression, and in wide words a call of it, so that there is one copy.
-/// A closure alone will not do: where it is used twice it is not inlined for narrow
-/// words either.
+/// The expression, and in wide words a call of it, so that there is one copy. A closure alone does
+/// not suffice: used twice, it is not inlined for narrow words either.
 macro_rules! out_of_line_if_wide {
     ($word:ident, $value:expr) => {
         if $word::IS_WIDE { $crate::arithmetic::out_of_line(move || $value) } else { $value }

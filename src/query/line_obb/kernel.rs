@@ -1,21 +1,22 @@
 //! The six axes of a part of a line and a parallelepiped.
 //!
-//! Let u_i be the axes of the box, w_i = u_j × u_k, h_i the half-extents, m the way from the
-//! centre to the line's origin and d its direction. The point at t is inside if for all i
-//! |w_i·m + t·(w_i·d)| ≤ h_i·|u_0·w_0| (Cramer's rule). So
+//! u_i are the axes of the box, w_i = u_j × u_k, h_i the half-extents, m the vector from the centre
+//! to the line's origin, and d the line's direction. By Cramer's rule the point at t is inside if
+//! |w_i·m + t·(w_i·d)| ≤ h_i·|u_0·w_0| for all i. This gives two kinds of axes:
 //!
-//! * w_i separates if the part of the line lies beyond that on one side: both its ends do. Where
-//!   there is no end, the line must not come back that way.
-//! * d × u_i separates the whole line: it falls on u_i·(m × d), the box on
-//!   ±(h_j·|w_l·d| + h_l·|w_j·d|).
+//! * w_i separates if both ends of the part of the line lie beyond the box on the same side. If the
+//!   part has no end there, the line must not come back from that side.
+//! * d × u_i separates the whole line. The line projects to u_i·(m × d), the box to ±(h_j·|w_l·d| +
+//!   h_l·|w_j·d|).
 //!
-//! A convex set in the plane across d, the box seen along the line, has its edges along the u_i: so
-//! the last three tell every line that misses. What is flat needs no others: a gap between closed
-//! sets stays open if the box is a little thicker. Where d is zero nothing exceeds nothing.
+//! Seen along the line, the box is a convex set whose edges are parallel to the u_i, so the last
+//! three axes find every line that misses. Flat boxes need no other axes: a gap between closed sets
+//! stays open if the box is made slightly thicker. If d is zero, no axis separates.
 //!
-//! A direction that is parallel to u_i but for rounding leaves d × u_i in doubt. The two others
-//! settle it, as with two boxes (`obb_obb::kernel`): if d × u_j and d × u_l do not separate the line
-//! from the box flattened by h_i = 0, a parallelogram seen along d, the line meets the box.
+//! If the direction is parallel to u_i up to rounding, d × u_i is in doubt. The two other axes
+//! decide, as with two boxes (`obb_obb::kernel`). Flatten the box by h_i = 0, which gives a
+//! parallelogram seen along d. If neither d × u_j nor d × u_l separates the line from it, the line
+//! meets the box.
 
 use core::ops::Mul;
 
@@ -24,9 +25,9 @@ use crate::arithmetic::{Number, greatest, largest, three, turn};
 use crate::query::triangle_obb::{cross, dot, lie_along_one_axis};
 use crate::robust::Uncertain;
 
-/// A part of a line and a parallelepiped, all as operands of products: from the box's centre to
-/// the origin of the line, its direction and the ends of t, the axes and half-extents, and one in
-/// the unit of an axis.
+/// A part of a line and a parallelepiped as operands of products: the vector from the box's centre
+/// to the line's origin, its direction, the ends of t, the axes and half-extents, and one in the
+/// unit of an axis.
 pub(super) struct Operands<P> {
     pub(super) m: [P; 3],
     pub(super) d: [P; 3],
@@ -37,7 +38,7 @@ pub(super) struct Operands<P> {
 }
 
 impl<P: Number> Operands<P> {
-    /// How great they are.
+    /// The greatest magnitudes of the operands.
     #[inline(always)]
     pub(super) fn sizes(&self) -> Sizes<P> {
         let farthest = |t: &Option<P>| t.map_or(P::ZERO, |t| t.magnitude());
@@ -52,7 +53,7 @@ impl<P: Number> Operands<P> {
 }
 
 /// Whether one of the six axes separates. `LOOKS_TWICE` leaves out products with the direction that
-/// are zero for certain, or settled by the two others.
+/// are certainly zero or that the two others decide.
 #[inline(always)]
 pub(super) fn any_axis<P: Number + Mul<Output = P>, const LOOKS_TWICE: bool>(
     s: &Operands<P>,
@@ -71,7 +72,7 @@ pub(super) fn any_axis<P: Number + Mul<Output = P>, const LOOKS_TWICE: bool>(
     };
     for i in 0..3 {
         let gap = on_line(i, h);
-        // On a zero, or nearly one, a rounded gap is never clear of its bound.
+        // On a vector that is zero or nearly, a rounded gap never exceeds its bound.
         if LOOKS_TWICE && gap >= -error.line {
             let (i, j, l) = turn(i);
             let flattened = three(|j| if j == i { P::ZERO } else { h[j] });
@@ -93,7 +94,7 @@ pub(super) fn any_axis<P: Number + Mul<Output = P>, const LOOKS_TWICE: bool>(
                 let gap = if is_upper { x - reach } else { -x - reach };
                 Uncertain::above(gap, error.face)
             };
-            // Where there is no end the line goes on for ever, and away from the box or along it.
+            // A line without an end separates only if it leads away from the box or parallel to it.
             let leaves = |x: P| Uncertain::not_below(x, error.direction);
             let upward = if is_upper { along[i] } else { -along[i] };
             let first = start.map_or_else(|| leaves(-upward), beyond);

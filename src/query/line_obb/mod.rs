@@ -1,6 +1,6 @@
 //! Rays and segments against oriented box: the exact verdict, and where a ray enters and leaves.
 //!
-//! Both are parts of lines, and asked in the same way. For axis-aligned boxes see `line_aabb`.
+//! Both are parts of lines and have the same test. For axis-aligned boxes see `line_aabb`.
 
 mod error_bound;
 mod exact;
@@ -26,7 +26,7 @@ enum Line<'a, S> {
     Segment(&'a Segment<S>),
 }
 
-/// The question, for the number systems to answer.
+/// Does the part of the line miss the box?
 struct Disjoint<'a, S> {
     line: Line<'a, S>,
     obb: &'a Obb<S>,
@@ -75,7 +75,7 @@ impl<S: Scalar> Disjoint<'_, S> {
         self.by_these_axes::<N, true>()
     }
 
-    /// What the axes say in a number system.
+    /// The verdict of the axes in a number system.
     #[inline(always)]
     fn by_these_axes<N: Embeds<S>, const LOOKS_TWICE: bool>(&self) -> Option<bool> {
         let s = self.operands::<N>()?;
@@ -139,25 +139,25 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
 }
 
 impl<S: Scalar> Overlaps<Obb<S>> for Ray<S> {
-    /// Whether a ray, within its range of t, and an oriented box have a point in common.
+    /// Does the ray, within its range of t, have a point in common with the oriented box?
     ///
-    /// *Geometry*: closed sets in one frame and unit; the ends of the range belong to the ray. The
-    /// box is the parallelepiped that its numbers describe: axes that a rotation left a little
-    /// short or askew are taken as they are.
+    /// *Geometry*: closed sets in one frame and one unit; the ends of the range belong to the ray.
+    /// The box is the parallelepiped that its numbers describe, also if rounding left its axes
+    /// slightly short or skewed.
     ///
-    /// *Contact*: touching is overlap.
+    /// *Contact*: touching counts as overlap.
     ///
-    /// *Numerics*: exact for every valid input, in every scalar, whatever the range.
+    /// *Numerics*: exact for every valid input, in every scalar and for every range.
     ///
-    /// *Range*: all finite floats, all fixed-point values. The first stage serves the same range as
-    /// that of two oriented boxes, and floats while the direction, and its product with the ends of
-    /// the range, are within that of the coordinates. Elsewhere, and for floats within rounding of
-    /// contact, wider numbers take over and at last exact sums, up to a thousand times slower.
+    /// *Range*: all finite floats and all fixed-point values. The first stage serves the range of
+    /// two oriented boxes. In floats the direction, and its product with the ends of the range,
+    /// must also be within that of the coordinates. Outside, and for floats within rounding of
+    /// contact, wider numbers decide, up to a thousand times slower.
     ///
-    /// *Panics*: never. *Cost*: some 75 multiplications, no division.
+    /// *Panics*: never. *Cost*: about 75 multiplications, no division.
     ///
-    /// *Source*: separating axes, as of segment and axis-aligned box in *Real-Time Rendering* 16.7,
-    /// for axes that need not be orthonormal. The bound and the exact stages are ours.
+    /// *Source*: separating axes as for a segment and an axis-aligned box in *Real-Time Rendering*
+    /// 16.7. Axes that need not be orthonormal, the bound and the exact stages are ours.
     ///
     /// ```
     /// use septum::{Obb, Ray};
@@ -176,10 +176,10 @@ impl<S: Scalar> Overlaps<Obb<S>> for Ray<S> {
         !S::evaluate(&Disjoint { line: Line::Ray(self), obb })
     }
 
-    /// Whether a ray and an oriented box may have a point in common.
+    /// May the ray and the oriented box have a point in common?
     ///
-    /// *Numerics*: `false` is certain. `true` is right but where the stages before exact sums are
-    /// in doubt: in floats within rounding of contact, and outside their range.
+    /// *Numerics*: `false` is certain. `true` may be wrong where the first stages are in doubt: in
+    /// floats within rounding of contact, and outside their range.
     ///
     /// *Panics*: never. *Cost*: bounded: [`overlaps`](Overlaps::overlaps) without exact sums, in
     /// floats its first stage.
@@ -190,15 +190,16 @@ impl<S: Scalar> Overlaps<Obb<S>> for Ray<S> {
 }
 
 impl<S: Scalar> Overlaps<Obb<S>> for Segment<S> {
-    /// Whether a segment and an oriented box have a point in common.
+    /// Does the segment have a point in common with the oriented box?
     ///
-    /// *Geometry*: closed sets in one frame and unit, the segment as it was given, by ends or by
-    /// centre and half-vector; it may be a point. The box is the parallelepiped that its numbers
+    /// *Geometry*: closed sets in one frame and one unit. The segment is given by its ends or by
+    /// centre and half-vector, and may be a point. The box is the parallelepiped that its numbers
     /// describe.
     ///
-    /// *Contact*: touching is overlap. *Numerics*: exact for every valid input, in every scalar.
+    /// *Contact*: touching counts as overlap. *Numerics*: exact for every valid input, in every
+    /// scalar.
     ///
-    /// *Range*, *Panics*, *Cost*, *Source*: as of a [`Ray`].
+    /// *Range*, *Panics*, *Cost*, *Source*: as for a [`Ray`].
     ///
     /// ```
     /// use septum::{Obb, Segment};
@@ -213,9 +214,9 @@ impl<S: Scalar> Overlaps<Obb<S>> for Segment<S> {
         !S::evaluate(&Disjoint { line: Line::Segment(self), obb })
     }
 
-    /// Whether a segment and an oriented box may have a point in common.
+    /// May the segment and the oriented box have a point in common?
     ///
-    /// *Numerics*: `false` is certain. *Panics*: never. *Cost*: bounded; as of a [`Ray`].
+    /// *Numerics*: `false` is certain. *Panics*: never. *Cost*: bounded; as for a [`Ray`].
     #[inline]
     fn may_overlap(&self, obb: &Obb<S>) -> bool {
         S::evaluate_bounded(&Disjoint { line: Line::Segment(self), obb }) != Some(true)
@@ -223,24 +224,24 @@ impl<S: Scalar> Overlaps<Obb<S>> for Segment<S> {
 }
 
 impl<S: Scalar> Ray<S> {
-    /// Where the ray enters an oriented box and where it leaves it, as values of t; nothing if it
-    /// misses the box.
+    /// Where does the ray enter the oriented box, and where does it leave it? As values of t;
+    /// `None` if it misses the box.
     ///
-    /// *Geometry*, *Contact*: as [`t_range`](Self::t_range) of an axis-aligned box, for the
-    /// parallelepiped that the numbers of the box describe.
+    /// *Geometry*, *Contact*: as [`t_range`](Self::t_range) for an axis-aligned box. The box is the
+    /// parallelepiped that its numbers describe.
     ///
-    /// *Numerics*: whether there is an answer is exact. In fixed point the values are rounded to
-    /// the nearest, ties to even, and no farther out than the type goes; in floats they are within
-    /// 0.51 units in the last place. A float may overflow to an infinity, and below the least
-    /// normal number has the error of that.
+    /// *Numerics*: the verdict is exact. In fixed point the values are rounded to the nearest, ties
+    /// to even, and values beyond the type are its end. In floats they are within 0.51 units in the
+    /// last place. A float may overflow to an infinity, and below the least normal number it errs
+    /// by the spacing there.
     ///
-    /// *Range*: all finite floats, all fixed-point values.
+    /// *Range*: all finite floats and all fixed-point values.
     ///
-    /// *Panics*: never. *Cost*: that of [`overlaps`](Overlaps::overlaps) for a miss. A hit takes
-    /// nine divisions in `f64` for `f32` and fixed point of up to 32 bits, and in `f64` some 1,500
-    /// operations, but for the few whose last place that does not tell. Those, and all hits in 64
-    /// bits of fixed point and in fixed point on cores of 32 bits, take exact sums for up to six
-    /// quotients, a thousand times as long: choose it for the one box that matters.
+    /// *Panics*: never. *Cost*: a miss costs what [`overlaps`](Overlaps::overlaps) does. A hit
+    /// takes nine divisions in `f64`, for `f32` and for fixed point of up to 32 bits, and about
+    /// 1,500 operations for `f64`. A few hits whose last place stays in doubt take exact sums for
+    /// up to six quotients, a thousand times as long. So do all hits in fixed point of 64 bits, and
+    /// in fixed point on 32-bit cores. Choose this query for the one box that matters.
     ///
     /// ```
     /// use septum::{Obb, Ray};

@@ -1,5 +1,5 @@
-//! The kernel in floats: the same axes by the same operations, with the three axes of the box side
-//! by side. So it says what the kernel of single numbers says.
+//! The kernel in floats, with the three axes of the box side by side. It has the same axes and
+//! operations as the kernel of single numbers, so its answers are the same.
 
 use super::error_bound::{ErrorBound, Sizes, error_bound};
 use super::kernel::{self, any_axis};
@@ -40,7 +40,7 @@ pub(super) fn is_separated<S: Scalar + InFloat<F>, F: Float>(
     Operands { m: from(p, center), d, ends, axes, half }.is_separated::<S, F::Quad>()
 }
 
-/// A part of a line and a parallelepiped, as the kernel of single numbers has them.
+/// A part of a line and a parallelepiped, as in the kernel of single numbers.
 struct Operands<F> {
     m: [F; 3],
     d: [F; 3],
@@ -74,7 +74,7 @@ impl<F: Float> Operands<F> {
         let (next, last) = (along.turned().magnitude(), along.turned().turned().magnitude());
         let reach = h.turned() * last + h.turned().turned() * next;
         let mut so_far = exceeds(u.dot(cross(&m, &d)).magnitude() - reach, error.line);
-        // On a zero a rounded gap is never clear of its bound.
+        // On a zero vector a rounded gap never exceeds its bound.
         if so_far.possible & !so_far.certain & THREE != 0 {
             let others = !self.zeros();
             so_far = Axes { certain: so_far.certain & others, possible: so_far.possible & others };
@@ -89,7 +89,7 @@ impl<F: Float> Operands<F> {
         for is_upper in [true, false] {
             let upward = |x: Q| if is_upper { x } else { Q::splat(zero) - x };
             let beyond = |x: Q| exceeds(upward(x) - reach, error.face);
-            // Where there is no end the line goes on for ever, and away from the box or along it.
+            // A line without an end separates only if it leads away from the box or parallel to it.
             let first = start
                 .map_or_else(|| reaches(upward(Q::splat(zero) - along), error.direction), beyond);
             let last = end.map_or_else(|| reaches(upward(along), error.direction), beyond);
@@ -104,7 +104,7 @@ impl<F: Float> Operands<F> {
 }
 
 impl<F: Float> Operands<F> {
-    /// The answer where the direction may be nearly parallel to an axis.
+    /// The answer if the direction may be nearly parallel to an axis.
     #[cold]
     #[inline(never)]
     fn by_second_look(&self, error: &ErrorBound<F>) -> Option<bool> {
@@ -113,7 +113,7 @@ impl<F: Float> Operands<F> {
         any_axis::<F, true>(&s, error).verdict()
     }
 
-    /// Which axes of the box are zero for certain times the direction.
+    /// The axes of the box whose product with the direction is certainly zero.
     #[inline(never)]
     fn zeros(&self) -> u32 {
         let bit = |i: usize| u32::from(lie_along_one_axis(&self.d, &self.axes[i])) << i;
@@ -121,20 +121,20 @@ impl<F: Float> Operands<F> {
     }
 }
 
-/// What is said of three axes, bit by bit.
+/// The verdicts on three axes, as bits.
 #[derive(Clone, Copy)]
 struct Axes {
     certain: u32,
     possible: u32,
 }
 
-/// Which are above zero, where they may be off by so much.
+/// The numbers that are above zero, given their errors.
 #[inline(always)]
 fn exceeds<Q: Quad<Lane: Float>>(x: Q, error: Q::Lane) -> Axes {
     Axes { certain: x.exceeds(Q::splat(error)), possible: x.may_be_above(Q::splat(error)) }
 }
 
-/// Which are zero or above.
+/// The numbers that are zero or above.
 #[inline(always)]
 fn reaches<Q: Quad<Lane: Float>>(x: Q, error: Q::Lane) -> Axes {
     let below = exceeds(Q::splat(Q::Lane::ZERO) - x, error);
@@ -150,7 +150,7 @@ impl Axes {
     fn or(self, other: Self) -> Self {
         Self { certain: self.certain | other.certain, possible: self.possible | other.possible }
     }
-    /// Whether one of the three.
+    /// Whether any of the three is.
     #[inline(always)]
     fn any(self) -> Uncertain {
         Uncertain { certain: self.certain & THREE != 0, possible: self.possible & THREE != 0 }

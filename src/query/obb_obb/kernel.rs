@@ -1,39 +1,41 @@
 //! The 15 axes of two parallelepipeds.
 //!
-//! S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A Hierarchical Structure for Rapid
-//! Interference Detection", SIGGRAPH 1996: the normals of three faces of each, and the nine
-//! cross products of an axis of the one with one of the other. Theirs are orthonormal; here
-//! nothing is assumed of them but that they span space. Let u_i and v_j be the axes, h and k
-//! the half-extents, d the way from centre to centre, w_i = u_j × u_k and z_j likewise of v.
-//! On every axis x separates if |x·d| exceeds the sum of h_i·|x·u_i| and k_j·|x·v_j|:
+//! S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A Hierarchical Structure for Rapid Interference
+//! Detection", SIGGRAPH 1996, test the normals of three faces of each box, and the nine cross
+//! products of an axis of one box and an axis of the other. Their axes are orthonormal; here they
+//! need only span space. u_i and v_j are the axes, h and k the half-extents, d the difference of
+//! the centres, w_i = u_j × u_k, and z_j likewise from v. An axis x separates if |x·d| exceeds the
+//! sum of h_i·|x·u_i| and k_j·|x·v_j|. These products are
 //!
-//! * w_i: h_i·|det u| and k_j·|w_i·v_j|;
-//! * z_j: k_j·|det v| and h_i·|z_j·u_i|;
-//! * u_i × v_j: the products with u_l and v_p are, but for signs, w_m·v_j and z_q·u_i, which
-//!   are there already.
+//! * on w_i: h_i·|det u| and k_j·|w_i·v_j|;
+//! * on z_j: k_j·|det v| and h_i·|z_j·u_i|;
+//! * on u_i × v_j: the products with u_l and v_p are ±w_m·v_j and ±z_q·u_i, which are known from
+//!   the faces.
 //!
-//! The three coordinates come first, which any two shapes may be separated on: they take no
-//! products of axes.
+//! The three coordinate axes come first. They take no products of axes, and any axis may separate
+//! two shapes.
 //!
-//! Where axes are parallel their cross product is zero, and then nothing exceeds nothing. Boxes
-//! turned about the same axis of space, or alike, have such axes always; floats leave them out, for
-//! they could not tell nothing from almost nothing. What is flat, or a segment or point, has its
-//! separating axis among these too. Within the span of the extents that there are, it is zero along
-//! some of them. The normals of the faces beside these are zero there too, and span all such axes.
+//! If axes are parallel, their cross product is zero and never separates. Boxes with the same
+//! orientation, or rotated about one coordinate axis, always have such pairs. Floats cannot tell a
+//! zero from an almost-zero there, so they leave these pairs out.
+//!
+//! For a flat box, a segment or a point these axes also suffice. A separating axis may be chosen
+//! within the span of the extents that are not zero. It is then zero along some of them, and so are
+//! the normals of the faces beside these; the normals span all such axes.
 //!
 //! # Nearly parallel axes
 //!
-//! If u_i and v_j are parallel but for rounding, u_i × v_j is a short vector, and its gap is smaller
-//! than the error bound. Four other axes settle it. Look along u_i: the first box is then a
-//! parallelogram with sides along u_l and u_m. Flatten the second box, k_j = 0, which removes
-//! almost nothing of it: it is a parallelogram with sides along v_p and v_q. The normals of these
-//! sides are w_l, w_m, u_i × v_p and u_i × v_q. If none of the four separates the first box from
-//! the flattened one, the two projections have a point in common, so no axis across u_i separates
-//! the boxes, and u_i × v_j is one of these axes. If all four gaps are below zero, the projections
-//! overlap in their interiors, so the gap on u_i × v_j is below zero too, unless that is zero.
+//! If u_i and v_j are parallel up to rounding, u_i × v_j is a short vector, and its gap is smaller
+//! than the error bound. Four other axes decide. Seen along u_i the first box is a parallelogram
+//! with sides along u_l and u_m. Flatten the second box by k_j = 0, which removes almost nothing of
+//! it; it becomes a parallelogram with sides along v_p and v_q. The normals of these sides are w_l,
+//! w_m, u_i × v_p and u_i × v_q. If none of the four separates the first box from the flattened
+//! one, the two projections have a point in common. Then no axis perpendicular to u_i separates the
+//! boxes, and u_i × v_j is such an axis. If all four gaps are below zero, the projections overlap
+//! in their interiors, so the gap on u_i × v_j is below zero too, unless the vector is zero.
 //!
-//! This holds for any two axes: no threshold says which are nearly parallel. The bound on the error
-//! is that of the axes, as it holds for all half-extents up to R/A, zero included.
+//! This holds for any two axes, so there is no threshold for nearly parallel ones. The error bound
+//! is that of the axes, which holds for all half-extents up to R/A, including zero.
 
 use core::ops::Mul;
 
@@ -42,8 +44,8 @@ use crate::arithmetic::{Number, three, turn};
 use crate::query::relation::{Nearness, Relation};
 use crate::query::triangle_obb::{cross, dot, lie_along_one_axis};
 
-/// Two parallelepipeds as operands of products: from centre to centre, axes and half-extents
-/// of both, and one in the unit of an axis.
+/// Two parallelepipeds as operands of products: the difference of the centres, axes and
+/// half-extents of both, and one in the unit of an axis.
 pub(super) struct Boxes<P> {
     pub(super) d: [P; 3],
     pub(super) u: [[P; 3]; 3],
@@ -58,15 +60,15 @@ fn normals<P: Number + Mul<Output = P>>([u, v, w]: &[[P; 3]; 3]) -> [[P; 3]; 3] 
     [cross(v, w), cross(w, u), cross(u, v)]
 }
 
-/// Whether the cross product of two axes is zero for certain: as those of boxes that are turned
-/// alike, or about the same axis of space.
+/// Whether the cross product of two axes is certainly zero, as for boxes with the same orientation,
+/// or rotated about one coordinate axis.
 #[inline(always)]
 pub(super) fn is_zero<P: Number>(a: &[P; 3], b: &[P; 3]) -> bool {
     (*a == *b) | (*a == [-b[0], -b[1], -b[2]]) | lie_along_one_axis(a, b)
 }
 
-/// How two parallelepipeds lie to each other; `None` in doubt. `LOOKS_TWICE` leaves out products of
-/// axes that are zero for certain, and those that other axes settle.
+/// The relation of two parallelepipeds; `None` in doubt. `LOOKS_TWICE` leaves out products of axes
+/// that are certainly zero or that other axes decide.
 #[inline(always)]
 pub(super) fn all_axes<P: Number + Mul<Output = P>, const LOOKS_TWICE: bool>(
     boxes: &Boxes<P>,
@@ -74,7 +76,7 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, const LOOKS_TWICE: bool>(
     is_certain: bool,
 ) -> Option<Relation> {
     let Boxes { d, u, h, v, k, one } = boxes;
-    // The coordinates, first: three axes for the price of one.
+    // The coordinates first, because three of them cost as much as one other axis.
     let mut is_disjoint = false;
     for c in 0..3 {
         let reach = |h: &[P; 3], u: &[[P; 3]; 3]| {
@@ -88,7 +90,7 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, const LOOKS_TWICE: bool>(
     }
 
     let mut found = Nearness::NONE;
-    // Centres so far apart, and boxes that reach so far.
+    // Adds the gap between the distance of the centres and the reach of the boxes.
     let add = |found: &mut Nearness, distance: P, reach: P| {
         found.add(distance.magnitude() - reach, reach, error.axis);
     };
@@ -96,7 +98,7 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, const LOOKS_TWICE: bool>(
     let w = normals(u);
     let volume = dot(&u[0], &w[0]).magnitude();
     let mut on_v = [[P::ZERO; 3]; 3];
-    // Where the second box reaches half as far as `k` along its axes.
+    // The axis of a face of the first box, for a second box with half-extents of half of `k`.
     let on_face =
         |i: usize, on_v: &[P; 3], k: &[P; 3]| (dot(&w[i], d) * *one, h[i] * volume + dot(k, on_v));
     for i in 0..3 {
@@ -130,7 +132,7 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, const LOOKS_TWICE: bool>(
         };
         for j in 0..3 {
             let (distance, reach) = on_pair(j, k);
-            // On a zero, or nearly one, a rounded gap is never clear of its bound.
+            // On a vector that is zero or nearly, a rounded gap never exceeds its bound.
             if LOOKS_TWICE {
                 let overlaps =
                     |(distance, reach): (P, P)| distance.magnitude() - reach < -error.axis;

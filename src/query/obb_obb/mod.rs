@@ -1,4 +1,4 @@
-//! Oriented box against oriented box, and what an axis-aligned box shares with it.
+//! Oriented box against oriented box, and code shared with axis-aligned boxes.
 
 mod error_bound;
 mod exact;
@@ -18,7 +18,7 @@ use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Obb};
 
-/// How a box and an oriented box lie to each other, for the number systems to answer.
+/// The question how a box and an oriented box lie to each other.
 pub(super) struct Lie<'a, S> {
     pub(super) first: First<'a, S>,
     pub(super) second: &'a Obb<S>,
@@ -39,7 +39,7 @@ impl<S: Scalar> Lie<'_, S> {
         self.by_these_axes::<N, true>()
     }
 
-    /// What the axes say in a number system.
+    /// The relation by the axes in a number system.
     #[inline(always)]
     fn by_these_axes<N: Embeds<S>, const LOOKS_TWICE: bool>(&self) -> Option<Relation> {
         let zero = N::Product::ZERO;
@@ -118,28 +118,27 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
 }
 
 impl<S: Scalar> Overlaps<Obb<S>> for Obb<S> {
-    /// Whether two oriented boxes have a point in common.
+    /// Do two oriented boxes have a point in common?
     ///
-    /// *Geometry*: closed sets in one frame and unit. Each is the parallelepiped that its
-    /// numbers describe: axes that a rotation left a little short or askew are taken as they
-    /// are. Flat boxes, segments and points are boxes.
+    /// *Geometry*: closed sets in one frame and one unit. Each box is the parallelepiped that its
+    /// numbers describe, also if rounding left its axes slightly short or skewed. Flat boxes,
+    /// segments and points are boxes.
     ///
-    /// *Contact*: touching is overlap.
+    /// *Contact*: touching counts as overlap.
     ///
-    /// *Numerics*: exact for every valid input, in every scalar. Axes of the two that are
-    /// parallel, or nearly so, are no case of their own: there is no threshold.
+    /// *Numerics*: exact for every valid input, in every scalar. Parallel and nearly parallel axes
+    /// need no threshold.
     ///
-    /// *Range*: as of a triangle and an
-    /// [oriented box](crate::Triangle#impl-Overlaps<Obb<S>>-for-Triangle<S>).
+    /// *Range*: as for a triangle and an [oriented
+    /// box](crate::Triangle#impl-Overlaps<Obb<S>>-for-Triangle<S>).
     ///
-    /// *Panics*: never. *Cost*: 21 multiplications where a coordinate separates, some 180 where a
-    /// face does, and otherwise 267; where the machine has vectors, four at once. What floats leave
-    /// in doubt takes ten times as long in whole numbers, where these hold all coordinates, and
-    /// else exact sums; on a machine without vectors fixed point of up to 32 bits begins in `f64`,
-    /// where it has that.
+    /// *Panics*: never. *Cost*: 21 multiplications if a coordinate separates, about 180 if a face
+    /// does, and otherwise 267; with vectors, four at once. Where floats are in doubt, integers
+    /// take ten times as long if they hold all coordinates, and exact sums longer. Without vectors,
+    /// fixed point of up to 32 bits begins in `f64` on a machine that has it.
     ///
-    /// *Source*: S. Gottschalk, M. C. Lin, D. Manocha, SIGGRAPH 1996; for skewed axes, and the
-    /// exact stages, ours.
+    /// *Source*: S. Gottschalk, M. C. Lin, D. Manocha, SIGGRAPH 1996; skewed axes and the exact
+    /// stages are ours.
     ///
     /// ```
     /// use septum::Obb;
@@ -158,10 +157,10 @@ impl<S: Scalar> Overlaps<Obb<S>> for Obb<S> {
         S::evaluate_numeric(&question) != Relation::Disjoint
     }
 
-    /// Whether two oriented boxes may have a point in common.
+    /// May two oriented boxes have a point in common?
     ///
-    /// *Numerics*: `false` is certain. `true` is not where rounding leaves doubt, or numbers
-    /// are beyond the range of the fast stage of [`overlaps`](Overlaps::overlaps).
+    /// *Numerics*: `false` is certain. `true` may be wrong within rounding of contact, and outside
+    /// the range of the fast stage of [`overlaps`](Overlaps::overlaps).
     ///
     /// *Panics*: never. *Cost*: bounded; that of the first stage of
     /// [`overlaps`](Overlaps::overlaps).

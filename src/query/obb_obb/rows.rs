@@ -1,5 +1,5 @@
-//! The kernel in floats: the same axes by the same operations, with the three axes of a box side by
-//! side. So it says what the kernel of single numbers says.
+//! The kernel in floats, with the three axes of a box side by side. It has the same axes and
+//! operations as the kernel of single numbers, so its answers are the same.
 
 use super::error_bound::{ErrorBound, error_bound};
 use super::kernel::{self, all_axes, is_zero};
@@ -10,7 +10,7 @@ use crate::query::relation::{Asked, Relation};
 use crate::scalar::Scalar;
 use crate::shape::AabbForm;
 
-/// Two parallelepipeds: from centre to centre, axes and half-extents.
+/// Two parallelepipeds: the difference of the centres, axes and half-extents.
 struct Boxes<F> {
     d: [F; 3],
     u: [[F; 3]; 3],
@@ -19,7 +19,7 @@ struct Boxes<F> {
     k: [F; 3],
 }
 
-/// How two boxes lie to each other, if floats can tell.
+/// The relation of the boxes, if floats can tell.
 #[inline(never)]
 pub(super) fn relation<S: Scalar + InFloat<F>, F: Float>(
     question: &Lie<'_, S>,
@@ -84,7 +84,7 @@ impl<F: Float> Boxes<F> {
         let (way, half) = (most(rows(d).magnitude()), most(rows(h).greatest(rows(k))));
         let error = error_bound::<Filtered<F>>(one, greatest(axes, one), way, half)?;
 
-        // What the axes reach, so many times each.
+        // The sum of three rows, each times a number.
         let sum = |times: [F; 3], [a, b, c]: [Q; 3]| {
             Q::splat(times[0]) * a + Q::splat(times[1]) * b + Q::splat(times[2]) * c
         };
@@ -143,8 +143,8 @@ impl<F: Float> Boxes<F> {
         self.exactly(given)
     }
 
-    /// Whether the boxes overlap, where the faces are clear and pairs of axes are in doubt that may
-    /// be nearly parallel.
+    /// Whether the boxes overlap, if the faces are clear and only pairs of axes that may be nearly
+    /// parallel are in doubt.
     #[cold]
     #[inline(never)]
     fn overlap_beside_near_axes(&self, error: &ErrorBound<F>) -> bool {
@@ -156,15 +156,16 @@ impl<F: Float> Boxes<F> {
         kernel::Boxes { d, u, h, v, k, one: F::from(1) }
     }
 
-    /// What boxes that are not turned, or by quarters, are to each other: exact, if the numbers
-    /// `given`, centres and half-extents or corners, are short.
+    /// The relation of boxes that are rotated by no angle or by quarter turns. It is exact if the
+    /// `given` numbers, centres and half-extents or corners, are short.
     ///
-    /// Let P be the power of two that is not above the greatest of them. All are multiples of the
-    /// last place of 192·P, in `f32` P/2^16, so below 2^18 of its halves. From centre to centre
-    /// there are fewer than 2^19 halves, from a corner to half-way fewer than 2^18, whole numbers
-    /// both. Axes of components 0, 1 and −1 have normals of components up to 2, and a determinant
-    /// of 6 at most; so a reach is up to 24·2^18, a distance up to 12·2^18, and their difference
-    /// below 2^24: nothing is rounded. In `f64` there is 2^29 times as much room. Nothing
+    /// P is the power of two that is not above the greatest of them. All are multiples of the last
+    /// place of 192·P, which is P/2^16 in `f32`, so they are below 2^18 of its halves. The
+    /// difference of the centres is below 2^19 halves, and that from a corner to the middle below
+    /// 2^18; both are integers. Axes of components 0, 1 and −1 have normals of components up to 2
+    /// and a determinant of at most 6. A reach is therefore up to 24·2^18, a distance up to
+    /// 12·2^18, and their difference below 2^24, so nothing is rounded. `f64` has 2^29 times as
+    /// much room. Nothing underflows, because the size is within the range of the error bound.
     /// underflows: who comes here knows the bound on the error.
     #[cold]
     #[inline(never)]
@@ -186,8 +187,8 @@ impl<F: Float> Boxes<F> {
         all_axes::<F, false>(&self.as_single_numbers(), &nothing, true)
     }
 
-    /// Whether all axes that are not clear are zero for certain: axes of the one times those of the
-    /// other, in order.
+    /// Whether all axes that are not clear are certainly zero: products of each axis of one box
+    /// with each of the other, in order.
     #[inline(never)]
     fn are_zero_where_near<Q: Quad<Lane = F>>(&self, pairs: [Q; 3], below: Q) -> bool {
         pairs.iter().zip(&self.v).all(|(gaps, v)| {
@@ -222,7 +223,7 @@ mod tests {
             let found = relation::<f32, f32>(&question);
             let wide = relation::<f32, f64>(&question);
             let agree = |found: Option<Relation>, single: Option<Relation>| match single {
-                // But for what is short.
+                // Unless the numbers are short.
                 None => found.is_none_or(|found| found == question.exact()),
                 _ => found == single,
             };
@@ -233,7 +234,7 @@ mod tests {
         assert!(counts.iter().all(|&n| n > 100), "{counts:?}");
     }
 
-    /// The last ones are not whole.
+    /// The components of the last ones are not integers.
     const AXES: [[[f32; 3]; 3]; 5] = [
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         [[0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]],
@@ -255,7 +256,7 @@ mod tests {
         let mut numbers = Numbers(11);
         let mut answered = [0; 3];
         for n in 0..30_000 {
-            // Up to 23 digits, where 17 or more are asked for.
+            // Up to 23 digits; 17 or more are requested.
             let digits = 1 << (8 + n % 16);
             let mut whole = || (numbers.next() * digits as f32).round();
             let mut point = || [whole(), whole(), whole()];
@@ -263,7 +264,7 @@ mod tests {
             let (i, j) = (n % 5, n / 5 % 5);
             let (u, v, are_whole) = (AXES[i], AXES[j], i < 4 && j < 4);
             let (h, k) = (h.map(f32::abs), k.map(f32::abs));
-            // They touch along z, or along a normal of the first, as nearly as numbers go.
+            // They touch along z or along a normal of the first, as closely as the numbers allow.
             let axis = if n & 256 == 0 { [0.0, 0.0, 1.0] } else { crossed(u[1], u[2]) };
             let along = (0..3).find(|&i| axis[i] != 0.0).unwrap();
             let reach: f32 =

@@ -3,9 +3,8 @@ use core::ops::Mul;
 use crate::arithmetic::{Number, greatest, least, three, turn};
 use crate::query::relation::Reading;
 
-/// A triangle and a parallelepiped, all as operands of products: the vertices
-/// from its centre, the triangle's edges, the axes u_i, the half-extents along
-/// them, and one in the unit of an axis.
+/// A triangle and a parallelepiped as operands of products: the vertices relative to the centre,
+/// the triangle's edges, the axes u_i, the half-extents along them, and one in the unit of an axis.
 pub(super) struct Parallelepiped<P> {
     pub(super) t: [[P; 3]; 3],
     pub(super) e: [[P; 3]; 3],
@@ -21,26 +20,27 @@ pub(in crate::query) struct ErrorBound<P> {
     pub(super) plane: P,
 }
 
-/// What the 13 axes of a triangle and a parallelepiped say. `LOOKS_TWICE` leaves out edge axes that
-/// are zero for certain, and those that other axes settle: on zeros, or nearly so, a rounded gap is
-/// never clear of its bound.
+/// The relation of a triangle and a parallelepiped from the 13 axes. `LOOKS_TWICE` leaves out edge
+/// axes that are certainly zero or that other axes decide. On vectors that are zero or nearly, a
+/// rounded gap never exceeds its bound.
 ///
-/// The same test as for an axis-aligned box, in the basis of the box's axes: for
-/// vectors x, the components u_i·x take the place of coordinates on normals, and
-/// the components w_i·x with w_i = u_j × u_k that of coordinates on edges. So
-/// with n the triangle's normal and t_k its vertices from the centre,
+/// It is the test for an axis-aligned box in the basis of the box's axes. For a vector x, the
+/// components u_i·x replace coordinates on normals, and the components w_i·x with w_i = u_j × u_k
+/// replace coordinates on edges. With n the triangle's normal and t_k its vertices relative to the
+/// centre, the projections are
 ///
-/// * faces: the vertices project to w_i·t_k, the box to ±h_i·|u_0·w_0|;
-/// * normal: the triangle projects to n·t_0, the box to ±Σ h_i·|u_i·n|;
-/// * edges: on e_k × u_i the edge falls on p = u_i·(e_k × t_k), the vertex
-///   opposite on p + u_i·n, the box on ±(h_j·|w_l·e_k| + h_l·|w_j·e_k|).
+/// * on a face, w_i·t_k of the vertices and ±h_i·|u_0·w_0| of the box;
+/// * on the normal, n·t_0 of the triangle and ±Σ h_i·|u_i·n| of the box;
+/// * on e_k × u_i, p = u_i·(e_k × t_k) of the edge, p + u_i·n of the opposite vertex, and
+///   ±(h_j·|w_l·e_k| + h_l·|w_j·e_k|) of the box.
 ///
-/// Where a product lacks an axis or a half-extent, one stands in for it: in fixed
-/// point it is not 1.
+/// A product with fewer axes or half-extents than the others has one as a factor instead, which is
+/// not 1 in fixed point.
 ///
-/// An edge that is parallel to an axis but for rounding is settled as that of two boxes is (see
-/// `obb_obb::kernel`): along e_k the triangle is a segment, whose normal is n, and the box flattened
-/// by h_i = 0 a parallelogram with sides along u_j and u_l. If n, e_k × u_j and e_k × u_l do not
+/// An edge that is parallel to an axis up to rounding is decided as with two boxes (see
+/// `obb_obb::kernel`). Seen along e_k the triangle is a segment with normal n. Flattened by h_i =
+/// 0, the box is a parallelogram with sides along u_j and u_l. If n, e_k × u_j and e_k × u_l do not
+/// separate these two, e_k × u_i does not separate the shapes.
 /// separate the two, nor does e_k × u_i separate the shapes.
 #[inline(always)]
 pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading, const LOOKS_TWICE: bool>(
@@ -61,7 +61,7 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading, const LOOKS_TWIC
         so_far.add(greatest(low, -high) - r, (high - low) + r, error_bound.face);
     }
 
-    // On the plane, where the box reaches half as far as `h` along its axes.
+    // On the plane, for a box with half-extents of half of `h`.
     let on_plane = |h: &[P; 3]| {
         let r = un[0].magnitude() * h[0] + un[1].magnitude() * h[1] + un[2].magnitude() * h[2];
         ((dot(&n, &t[0]) * *one).magnitude() - r, r)
@@ -72,10 +72,10 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading, const LOOKS_TWIC
     for k in 0..3 {
         let m = cross(&e[k], &t[k]);
         let along = [dot(&w[0], &e[k]), dot(&w[1], &e[k]), dot(&w[2], &e[k])];
-        // On e_k × u_i, likewise.
+        // On e_k × u_i, for the same box.
         let on_edge = |i: usize, h: &[P; 3]| {
             let (i, j, l) = turn(i);
-            // All doubled: the middle of the interval need not be a whole number.
+            // Everything is doubled, because the middle of the interval need not be an integer.
             let p = dot(&u[i], &m) * *one;
             let q = un[i] * *one;
             let r = along[l].magnitude() * h[j] + along[j].magnitude() * h[l];
@@ -112,8 +112,8 @@ pub(in crate::query) fn dot<P: Number + Mul<Output = P>>(a: &[P; 3], b: &[P; 3])
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Whether the cross product of two vectors is zero for certain: both lie along the same axis of
-/// space, or one of them is zero.
+/// Whether the cross product of two vectors is certainly zero: both lie along one coordinate axis,
+/// or one of them is zero.
 #[inline(always)]
 pub(in crate::query) fn lie_along_one_axis<P: Number>(a: &[P; 3], b: &[P; 3]) -> bool {
     let is_zero = |x: P, y: P| (x == P::ZERO) | (y == P::ZERO);

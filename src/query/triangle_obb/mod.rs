@@ -1,12 +1,11 @@
 //! Triangle against oriented box.
 //!
-//! T. Akenine-Möller, "Fast 3D Triangle-Box Overlap Testing", *Journal of
-//! Graphics Tools* 6(1), 2001: transform the triangle by the inverse of the box's
-//! transform, then test against an axis-aligned box. That is
-//! [`overlaps_obb`](crate::published::akenine_moller::overlaps_obb) in `published`. Its
-//! rounding moves the triangle, so the exact verdict takes another way: the 13 axes of the
-//! two shapes as given (`kernel`). Fixed point first goes the published way in short words,
-//! and knows how far that is from the truth (`short`).
+//! T. Akenine-Möller, "Fast 3D Triangle-Box Overlap Testing", *Journal of Graphics Tools* 6(1),
+//! 2001, transforms the triangle by the inverse of the box's transform and tests it against an
+//! axis-aligned box. That is [`overlaps_obb`](crate::published::akenine_moller::overlaps_obb) in
+//! `published`. Its rounding moves the triangle, so the exact verdict uses the 13 axes of the two
+//! shapes as given (`kernel`). Fixed point first transforms the triangle in short words, with a
+//! bound on the error (`short`).
 
 mod error_bound;
 mod exact;
@@ -34,7 +33,7 @@ use crate::scalar::Scalar;
 use crate::shape::Near;
 use crate::shape::{Obb, Triangle};
 
-/// The question, for the number systems to answer.
+/// Are the triangle and the oriented box disjoint?
 struct Disjoint<'a, S> {
     triangle: &'a Triangle<S>,
     obb: &'a Obb<S>,
@@ -86,7 +85,7 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     }
 }
 
-/// Whether doubt may come of axes that are zero, and code is no matter.
+/// Whether zero axes can cause doubt, and code size does not matter.
 pub(super) const fn has_second_look<N: Arithmetic>() -> bool {
     !N::CERTAIN && !SMALL_CODE
 }
@@ -96,7 +95,7 @@ fn is_disjoint(relation: Relation) -> bool {
 }
 
 impl<S: Scalar> Disjoint<'_, S> {
-    /// What the axes say in a number system, if it can vouch for it.
+    /// The relation by the axes in a number system, if it is certain.
     #[inline(always)]
     fn by_axes<N: Embeds<S>, R: Reading>(&self) -> Option<R::Answer> {
         match self.by_these_axes::<N, R, false>() {
@@ -139,7 +138,7 @@ impl<S: Scalar> Disjoint<'_, S> {
         all_axes::<_, R, LOOKS_TWICE>(&s, &error).answer(N::CERTAIN)
     }
 
-    /// How the shapes lie to each other, by exact sums.
+    /// The relation of the shapes, from exact sums.
     fn in_exact_sums<const ARE_TOLD: bool>(&self) -> Relation {
         ExactParallelepiped::<InSums<S>>::new(
             &self.triangle.points(),
@@ -151,10 +150,10 @@ impl<S: Scalar> Disjoint<'_, S> {
     }
 }
 
-/// The last stage in words, where registers are narrow.
+/// The last stage in words, for narrow registers.
 #[cfg(feature = "fixed")]
 impl<S: Scalar> Disjoint<'_, S> {
-    /// The first stage of shapes that are near, its stack given back before the last.
+    /// The first stage for shapes that are near. Its stack is free again before the last stage.
     #[inline(never)]
     fn first_near_stage(&self) -> Option<bool>
     where
@@ -163,7 +162,7 @@ impl<S: Scalar> Disjoint<'_, S> {
         self.in_short_words::<true>()
     }
 
-    /// How the shapes lie to each other, if words hold them.
+    /// The relation of the shapes, if words hold them.
     #[inline(always)]
     fn in_narrow_words<W: WholeWord, const ARE_TOLD: bool>(&self) -> Option<Relation>
     where
@@ -177,7 +176,7 @@ impl<S: Scalar> Disjoint<'_, S> {
         }
     }
 
-    /// The same in words that hold the shapes wherever they are.
+    /// The relation in words that hold the shapes wherever they are.
     #[cold]
     #[inline(never)]
     fn in_any_words<W: WholeWord, const ARE_TOLD: bool>(&self, one: W) -> Relation
@@ -187,8 +186,8 @@ impl<S: Scalar> Disjoint<'_, S> {
         self.in_words(one).relation::<ARE_TOLD>()
     }
 
-    /// The same in words that hold the shapes if they are near to each other, or far and of few
-    /// digits.
+    /// The relation in words that hold the shapes if they are near each other, or far apart and of
+    /// few digits.
     #[cold]
     #[inline(never)]
     fn in_near_words<W: WholeWord, const ARE_TOLD: bool>(&self, one: W) -> Option<Relation>
@@ -219,13 +218,13 @@ impl<S: Scalar> Disjoint<'_, S> {
 
 #[cfg(feature = "fixed")]
 impl<S: Scalar + InRaw + InWholeWord<i32>> Overlaps<Near<Obb<S>>> for Near<Triangle<S>> {
-    /// Whether a triangle and an oriented box near the origin have a point in common.
+    /// Do a triangle and an oriented box near the origin have a point in common?
     ///
     /// *Numerics*: exact, in 32-bit words alone. *Panics*: never.
     #[inline]
     fn overlaps(&self, obb: &Near<Obb<S>>) -> bool {
         let question = Disjoint { triangle: self.get(), obb: obb.get() };
-        // A box that is near belongs to a type of which a word holds one.
+        // A box is near only if a word of its type can hold one.
         let Some(one) = S::one() else { return self.get().overlaps(obb.get()) };
         !question
             .first_near_stage()
@@ -241,52 +240,50 @@ impl<S: Scalar + InRaw + InWholeWord<i32>> Overlaps<Near<Obb<S>>> for Near<Trian
     }
 }
 
-/// The greatest magnitude among the coordinates, and `least` at least.
+/// The greatest magnitude among the coordinates, and at least `least`.
 fn most<P: Number, const K: usize>(least: P, x: &[[P; 3]; K]) -> P {
     x.as_flattened().iter().fold(least, |most, x| greatest(most, x.magnitude()))
 }
 
 impl<S: Scalar> Overlaps<Obb<S>> for Triangle<S> {
-    /// Whether a triangle and an oriented box have a point in common.
+    /// Do a triangle and an oriented box have a point in common?
     ///
-    /// *Geometry*: closed sets. The box is the parallelepiped that its numbers
-    /// describe: axes that a rotation left a little short or askew are taken as
-    /// they are.
+    /// *Geometry*: closed sets. The box is the parallelepiped that its numbers describe, also if
+    /// rounding left its axes slightly short or skewed.
     ///
-    /// *Contact*: touching is overlap.
+    /// *Contact*: touching counts as overlap.
     ///
     /// *Numerics*: exact for every valid input, in every scalar.
     ///
-    /// *Range*: all finite floats, all fixed-point values. The first stage serves
-    /// floats whose axes have components below 4, with spans as for an
-    /// axis-aligned box, and fixed point wherever the shapes are. It leaves in doubt what
-    /// comes within rounding of contact; in fixed point that is within some 2⁻¹⁴ of the
-    /// shapes' size, and a box as thin as that which is met. Axes of very different
-    /// lengths, or nearly in one plane, leave more. Then wider numbers take over: floats as
-    /// usual, fixed point of up to 30 fraction bits 128 bits, within 2³⁰ units in the last
-    /// place, and at last exact sums, up to a thousand times slower. Where registers have 32
-    /// bits, fixed point of up to 32 bits takes words instead, and no sums.
+    /// *Range*: all finite floats and all fixed-point values. The first stage serves floats if the
+    /// axes have components below 4 and the spans are those for an axis-aligned box. It serves
+    /// fixed point wherever the shapes are. It leaves a doubt within rounding of contact. In fixed
+    /// point that is about 2⁻¹⁴ of the shapes' size, and boxes thinner than that are in doubt if
+    /// they are met; axes of very different lengths, or nearly in one plane, leave more. Then wider
+    /// numbers decide: in fixed point of up to 30 fraction bits first 128 bits, for coordinates
+    /// within 2³⁰ units in the last place. At last exact sums decide, up to a thousand times
+    /// slower. Where registers have 32 bits, fixed point of up to 32 bits takes words instead, and
+    /// no sums.
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: in floats some 190 multiplications. In fixed point of every width 51 of 32 bits
-    /// and a test against an axis-aligned box; fewer if a face separates.
+    /// *Cost*: in floats about 190 multiplications. In fixed point of every width 51 of 32 bits and
+    /// a test against an axis-aligned box; fewer if a face separates.
     ///
-    /// *Source*: separating axes after Gottschalk, Lin and Manocha 1996 and
-    /// Akenine-Möller 2001, for axes that need not be orthonormal. The first stage of fixed
-    /// point is the transform of Akenine-Möller 2001, with a bound on its error that is ours.
+    /// *Source*: separating axes after Gottschalk, Lin and Manocha 1996 and Akenine-Möller 2001,
+    /// for axes that need not be orthonormal. The first stage of fixed point is the transform of
+    /// Akenine-Möller 2001, with an error bound that is ours.
     #[inline]
     fn overlaps(&self, obb: &Obb<S>) -> bool {
         !S::evaluate(&Disjoint { triangle: self, obb })
     }
 
-    /// Whether a triangle and an oriented box may have a point in common.
+    /// May a triangle and an oriented box have a point in common?
     ///
-    /// *Numerics*: `false` is certain. Floats answer `true` within rounding of
-    /// contact, and outside the range of the first stage (see
-    /// [`overlaps`](Overlaps::overlaps)). Fixed point of every width answers `true` within
-    /// some 2⁻¹⁴ of the shapes' size of contact: for less than one in a thousand pairs of
-    /// random shapes.
+    /// *Numerics*: `false` is certain. Floats answer `true` within rounding of contact, and outside
+    /// the range of the first stage (see [`overlaps`](Overlaps::overlaps)). Fixed point of every
+    /// width answers `true` if the shapes come within about 2⁻¹⁴ of their size: for less than one
+    /// in a thousand pairs of random shapes.
     ///
     /// *Panics*: never.
     ///
