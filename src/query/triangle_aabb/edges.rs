@@ -2,15 +2,13 @@ use super::frame::Frame;
 use crate::arithmetic::{Arithmetic, Number, of_two};
 use crate::robust::Uncertain;
 
-/// Whether one of the nine cross products of a coordinate axis x_i and an edge
-/// e_k separates.
+/// Whether one of the nine cross products of a coordinate axis x_i and an edge e_k separates.
 ///
-/// Project on x_i × e_k from the vertex v_k where the edge begins. The whole
-/// edge falls on p = (e_k × v_k)_i, and the vertex opposite on p + n_i: the
-/// component of the triangle's normal, the same for all three edges. So the
-/// triangle covers the interval from p to p + n_i, whose middle is p + n_i/2 and
-/// whose radius is |n_i|/2, and the box covers ±r with r = h_j·|e_l| + h_l·|e_j|.
-/// The axis separates if |p + n_i/2| > |n_i|/2 + r.
+/// Project on x_i × e_k from the vertex v_k where the edge begins. The whole edge projects to p =
+/// (e_k × v_k)_i, and the opposite vertex to p + n_i. The component n_i of the triangle's normal is
+/// the same for all three edges. So the triangle covers the interval from p to p + n_i, with middle
+/// p + n_i/2 and radius |n_i|/2. The box covers ±r with r = h_j·|e_l| + h_l·|e_j|. The axis
+/// separates if |p + n_i/2| > |n_i|/2 + r.
 #[inline(always)]
 pub(super) fn edges<N: Arithmetic>(
     frame: &Frame<N>,
@@ -47,10 +45,10 @@ pub(super) fn one_edge<N: Arithmetic>(
     if N::CERTAIN {
         return Uncertain::known(far > radius + r);
     }
-    // As `rows` rounds it: what is certain is the same on every machine.
+    // Rounded as in `rows`, so that the same is certain on every machine.
     let beyond = far - (radius + r);
-    // An edge along x_i has e_j = e_l = 0, known exactly: the axis is zero and
-    // separates nothing. Without this, every box-shaped mesh would be in doubt.
+    // An edge along x_i has e_j = e_l = 0, exactly: the axis is zero and separates nothing. Without
+    // this rule every box-shaped mesh would be in doubt.
     let is_axis = (e[j] != N::Length::ZERO) | (e[l] != N::Length::ZERO);
     let found = Uncertain::above(beyond, error_bound);
     Uncertain { possible: found.possible & is_axis, ..found }

@@ -1,16 +1,16 @@
 use crate::arithmetic::{Arithmetic, Number, greatest, least, of_two, once};
 
-/// How a box was given, in a number system's own lengths.
+/// The form in which a box is given, in lengths of a number system.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::query) enum BoxForm<L> {
     /// Centre and half-extents.
     Center([L; 3], [L; 3]),
-    /// Least and greatest corner, and by how much to grow the box on each side;
-    /// in floats, which always have a centre's form of their own, by zero.
+    /// Least and greatest corner, and how far to grow the box on each side. In floats that is zero,
+    /// because they treat a box by its centre separately.
     Corners([L; 3], [L; 3], [L; 3]),
 }
 
-/// A triangle in the frame of a box: see [`Arithmetic`] on it.
+/// A triangle in the frame of a box: see [`Arithmetic`].
 pub(in crate::query) struct Frame<N: Arithmetic> {
     /// The vertices.
     pub(in crate::query) v: [[N::Length; 3]; 3],
@@ -21,12 +21,11 @@ pub(in crate::query) struct Frame<N: Arithmetic> {
     /// The gap between box and triangle along each coordinate axis, below zero
     /// where they overlap; floats only.
     pub(in crate::query) gaps: [N::Length; 3],
-    /// Whether a gap of zero is one indeed, and not a rounded one. The sign of
-    /// any other is right: a difference of two numbers rounds to zero only if
-    /// it is zero, and rounding keeps order.
+    /// Whether a gap of zero is certain and not rounded. The sign of any other gap is right: a
+    /// difference of two numbers rounds to zero only if it is zero, and rounding keeps order.
     pub(in crate::query) gaps_are_exact: bool,
-    /// The triangle's extent along each coordinate axis and the half-extent of the
-    /// box, together; floats only.
+    /// The sum of the triangle's extent along each coordinate axis and the box's half-extent;
+    /// floats only.
     spans: [N::Length; 3],
 }
 
@@ -56,8 +55,8 @@ impl<N: Arithmetic> Frame<N> {
                 v
             }
             BoxForm::Corners(min, max, grown) => {
-                // Not v − (min + max)/2: the sum rounds by the distance from the origin,
-                // the differences only by the distance from the box.
+                // Not v − (min + max)/2: rounding the sum errs by the distance from the origin,
+                // rounding the differences only by the distance from the box.
                 let from = |p: [N::Length; 3]| {
                     [
                         of_two::<N, _>((p[0] - min[0]) + (p[0] - max[0])),
@@ -93,8 +92,8 @@ impl<N: Arithmetic> Frame<N> {
 }
 
 impl<N: Arithmetic> Frame<N> {
-    /// No coordinate in the frame exceeds this, if there is no gap; nor does an
-    /// edge, nor a half-extent.
+    /// An upper bound of every coordinate in the frame if there is no gap, and of every edge and
+    /// half-extent.
     #[inline(always)]
     pub(in crate::query) fn size(&self) -> N::Length {
         if N::CERTAIN {
@@ -104,7 +103,7 @@ impl<N: Arithmetic> Frame<N> {
         greatest(greatest(x, y), z)
     }
 
-    /// The same with a way of the triangle, if there is no gap all along it.
+    /// The bound for a triangle that moves, if no face separates all the way.
     #[inline(always)]
     pub(in crate::query) fn size_along(&self, d: &[N::Length; 3]) -> N::Length {
         let [x, y, z] = self.spans;
@@ -112,7 +111,7 @@ impl<N: Arithmetic> Frame<N> {
         greatest(greatest(along(x, d[0]), along(y, d[1])), along(z, d[2]))
     }
 
-    /// The same, gap or no gap.
+    /// The bound with or without a gap.
     pub(in crate::query) fn size_across_gap(&self) -> N::Length {
         if N::CERTAIN {
             return self.largest();
@@ -121,7 +120,7 @@ impl<N: Arithmetic> Frame<N> {
         self.size() + greatest(greatest(greatest(x, y), z), N::Length::ZERO)
     }
 
-    /// The greatest coordinate or half-extent. A sum of the two might not fit.
+    /// The greatest coordinate or half-extent. Their sum might not fit.
     #[inline(always)]
     fn largest(&self) -> N::Length {
         let [a, b, c] = &self.v;

@@ -15,8 +15,8 @@ use crate::robust::Uncertain;
 use crate::scalar::Scalar;
 use crate::shape::{Triangle, Vec3};
 
-// Out of line, each form apart: the compiler turns either into vector code that
-// stays the same wherever it is called from, and gathers loads where they mix.
+// Out of line, and each form apart. The compiler turns each into vector code that is the same for
+// all callers; where the forms mix, it gathers loads.
 #[inline(never)]
 pub(super) fn by_center<S: Scalar, N: Embeds<S>>(
     triangle: &Triangle<S>,
@@ -57,7 +57,7 @@ pub(super) fn in_frame_of_corners<S: Scalar, N: Embeds<S>>(
     let [a, b, c] = triangle.points();
     let (min, max) = (min.to_array(), max.to_array());
     if !N::CORNER_FORM_ONLY {
-        // Nothing is grown, and zeros need not be looked at.
+        // Nothing is grown, and zeros need no check.
         let [a, b, c, min, max] = N::embed_held(&[a, b, c, min, max]);
         let form = BoxForm::Corners(min, max, [N::Length::ZERO; 3]);
         return Frame::new(&[a, b, c], &form);

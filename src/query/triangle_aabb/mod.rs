@@ -1,13 +1,12 @@
 //! Triangle against axis-aligned box.
 //!
-//! T. Akenine-Möller, "Fast 3D Triangle-Box Overlap Testing", *Journal of
-//! Graphics Tools* 6(1), 2001. The 13 axes are the paper's. What differs: the
-//! nine edge axes share the components of the triangle's normal, faces and plane
-//! come first, and the verdict is exact.
+//! T. Akenine-Möller, "Fast 3D Triangle-Box Overlap Testing", *Journal of Graphics Tools* 6(1),
+//! 2001. The 13 axes are the paper's. Three things differ: the nine edge axes share the components
+//! of the triangle's normal, faces and plane come first, and the verdict is exact.
 //!
-//! Three kernels ask these axes: `rows` in floats, four at once, of coordinates as they are or of
-//! `offsets` from the box; `kernel`, with `frame`, `faces`, `edges` and `plane`, in any number
-//! system; `one_sided` in the words of 32-bit cores.
+//! Three kernels evaluate these axes. `rows` uses floats, four at once, with coordinates as given
+//! or as `offsets` from the box. `kernel`, with `frame`, `faces`, `edges` and `plane`, runs in any
+//! number system. `one_sided` uses the words of 32-bit cores.
 
 mod axis;
 mod clear;
@@ -44,7 +43,7 @@ use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
-/// The question, for the number systems to answer.
+/// Are the triangle and the box disjoint?
 struct Disjoint<'a, S> {
     triangle: &'a Triangle<S>,
     aabb: &'a Aabb<S>,
@@ -66,7 +65,7 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
 
     #[inline(always)]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        // Here, where a shape just made is in registers.
+        // Here, where a fresh shape is still in registers.
         if !self.is_held::<N>() {
             return None;
         }
@@ -116,33 +115,32 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
 }
 
 impl<S: Scalar> Overlaps<Aabb<S>> for Triangle<S> {
-    /// Whether a triangle and an axis-aligned box have a point in common.
+    /// Do a triangle and an axis-aligned box have a point in common?
     ///
-    /// *Geometry*: closed sets in one frame and unit; triangles that are
-    /// segments or points, boxes that are flat or points, are what they are.
+    /// *Geometry*: closed sets in one frame and one unit. A triangle may be a segment or a point,
+    /// and a box may be flat or a point.
     ///
-    /// *Contact*: touching is overlap.
+    /// *Contact*: touching counts as overlap.
     ///
-    /// *Numerics*: exact for every valid input, in every scalar; the verdict does
-    /// not depend on vertex order, machine or compiler.
+    /// *Numerics*: exact for every valid input, in every scalar. The verdict does not depend on
+    /// vertex order, machine or compiler.
     ///
-    /// *Range*: all finite floats, all fixed-point values. The first look serves floats while
-    /// the two shapes together span between 2⁻³² and 2⁴⁰; `f64` between 2⁻³²⁰ and 2³²⁰ takes
-    /// twice its time. With vectors it serves fixed point while coordinates are below 2²⁹
-    /// (32 bits) or 2⁴⁹ (64 bits) units in the last place, without them below 2¹⁸ or 2⁶⁰;
-    /// 8 and 16 bits always. Outside, and within rounding of contact, wider numbers take
-    /// over: fixed point takes wider integers; floats and 64 bits at last take exact sums, up
-    /// to a thousand times slower.
+    /// *Range*: all finite floats and all fixed-point values. The first stage serves floats if the
+    /// two shapes together span between 2⁻³² and 2⁴⁰. For spans between 2⁻³²⁰ and 2³²⁰, `f64` takes
+    /// twice as long. In fixed point with vectors it serves coordinates below 2²⁹ (32 bits) or 2⁴⁹
+    /// (64 bits) units in the last place, without vectors below 2¹⁸ or 2⁶⁰, and 8 and 16 bits
+    /// always. Outside, and within rounding of contact, wider numbers decide, up to a thousand
+    /// times slower.
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: 48 multiplications and no division, with vectors three at a time, whichever
-    /// axis separates; without vectors 21 comparisons if a face does. What comes within
-    /// rounding of contact takes it again in wider numbers, but not along a face or on a grid.
-    /// Many boxes: see [`PreparedTriangle`](crate::prepared::PreparedTriangle). Fixed point on 32-bit
-    /// cores has a kernel of its own, with 30 multiplications, for shapes within 2¹⁸ units
-    /// of the box (2²⁹ where the core multiplies words in full); `docs/target.csv` in the
-    /// repository has its instructions and stack, and `docs/flash.csv` its size.
+    /// *Cost*: 48 multiplications and no division, with vectors three at a time, whichever axis
+    /// separates. Without vectors it is 21 comparisons if a face separates. Pairs within rounding
+    /// of contact are evaluated again in wider numbers, except along a face or on a grid. For many
+    /// boxes see [`PreparedTriangle`](crate::prepared::PreparedTriangle). Fixed point on 32-bit
+    /// cores has its own kernel with 30 multiplications, for shapes within 2¹⁸ units of the box
+    /// (2²⁹ if the core multiplies words in full). In the repository, `docs/target.csv` lists its
+    /// instructions and stack, and `docs/flash.csv` its size.
     ///
     /// *Source*: Akenine-Möller 2001; the shared normal, the rows, the offsets, the error bounds
     /// and the exact stages are ours.
@@ -160,9 +158,9 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Triangle<S> {
         if !S::IN_QUADS {
             return !S::evaluate(&Disjoint { triangle: self, aabb });
         }
-        // A box that was just made stays in registers: only a copy of it, made when it comes to
-        // that, goes to later stages through memory. Loading as a whole what was stored in
-        // parts waits for the stores, as long as the test takes.
+        // A fresh box stays in registers, and later stages get a copy of it through memory. A
+        // vector load of a box that was stored in parts waits for the stores, as long as the test
+        // takes.
         let near = *aabb;
         match S::in_quads(&Disjoint { triangle: self, aabb: &near }) {
             Some(disjoint) => !disjoint,
@@ -170,24 +168,22 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Triangle<S> {
         }
     }
 
-    /// Whether a triangle and an axis-aligned box may have a point in common.
+    /// May a triangle and an axis-aligned box have a point in common?
     ///
-    /// *Numerics*: `false` is certain, `true` may be wrong. Fixed point of up to 32
-    /// bits is exact. In 64 bits coordinates are cut down to 18 bits, and the box is
-    /// grown by two of the units that are left. Floats answer `true` within 24·u·R² of
-    /// an edge axis and 60·u·R³ of the plane, with u the unit roundoff and R the span
-    /// of the two shapes; a box given by its centre is also in doubt where a vertex
-    /// lies within rounding of a face.
+    /// *Numerics*: `false` is certain, `true` may be wrong. Fixed point of up to 32 bits is exact.
+    /// In 64 bits the shapes are rounded to 18 bits, and the box is grown by two units of the last
+    /// of these. Floats answer `true` within 24·u·R² of an edge axis and 60·u·R³ of the plane, with
+    /// u the unit roundoff and R the span of the two shapes. For a box given by its centre they
+    /// also do if a vertex lies within rounding of a face.
     ///
-    /// *Range*: floats whose span is outside 2⁻³² to 2⁴⁰ (`f32`) or 2⁻³²⁰ to 2³²⁰
-    /// (`f64`) get `true` unless a face separates.
+    /// *Range*: floats whose span is outside 2⁻³² to 2⁴⁰ (`f32`) or 2⁻³²⁰ to 2³²⁰ (`f64`) get
+    /// `true` unless a face separates.
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: bounded. In floats it is the first stage of
-    /// [`overlaps`](Overlaps::overlaps), and in fixed point of up to 32 bits
-    /// [`overlaps`](Overlaps::overlaps) itself. Choose it where a bounded time matters
-    /// more than the last touch, or before a finer test.
+    /// *Cost*: bounded. In floats it is the first stage of [`overlaps`](Overlaps::overlaps), and in
+    /// fixed point of up to 32 bits [`overlaps`](Overlaps::overlaps) itself. Choose it if a bounded
+    /// time matters more than the last touch, or before a finer test.
     #[inline]
     fn may_overlap(&self, aabb: &Aabb<S>) -> bool {
         S::evaluate_bounded(&Disjoint { triangle: self, aabb }) != Some(true)

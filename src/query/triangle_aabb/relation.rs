@@ -1,5 +1,5 @@
-//! Whether a triangle and a box touch or overlap: the 13 axes again, to see where contact is
-//! all that there is.
+//! Whether a triangle and a box touch or overlap: the 13 axes again, to find the axes on which they
+//! only touch.
 
 use super::error_bound::error_bound;
 use super::frame::{Frame, range};
@@ -12,7 +12,7 @@ use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
-/// The question, of shapes that are not disjoint.
+/// Do shapes that are not disjoint only touch?
 struct Lie<'a, S>(Disjoint<'a, S>);
 
 impl<S: Scalar> Predicate<S> for Lie<'_, S> {
@@ -51,7 +51,7 @@ fn all_axes<N: Arithmetic>(frame: &Frame<N>) -> Option<Relation> {
             let (low, high) = range(&frame.v, i);
             found.add(greatest(low, -high) - h, (high - low) + h, N::Length::ZERO);
         } else {
-            // The sign of a gap is right, unless it is zero.
+            // The sign of a gap is right unless it is zero.
             found.add_doubt(frame.gaps[i] >= N::Length::ZERO);
         }
 
@@ -63,7 +63,7 @@ fn all_axes<N: Arithmetic>(frame: &Frame<N>) -> Option<Relation> {
             let p = N::area(e[j], v[l]) - N::area(e[l], v[j]);
             let r = N::area(e[l].magnitude(), frame.h[j]) + N::area(e[j].magnitude(), frame.h[l]);
             let reach = middle.magnitude() + r;
-            // An edge along the axis makes none.
+            // An edge along the axis gives no axis.
             if e[j] != N::Length::ZERO || e[l] != N::Length::ZERO {
                 found.add((p + middle).magnitude() - reach, reach, bound.edge);
             }
@@ -73,7 +73,7 @@ fn all_axes<N: Arithmetic>(frame: &Frame<N>) -> Option<Relation> {
     // See `plane`.
     let distance = dot::<N>(&n, &frame.v[0]);
     let reach = dot::<N>(&n.map(N::Area::magnitude), &frame.h);
-    // A box that is a point in the plane of the triangle does not reach off it.
+    // A box that is a point in the triangle's plane has no reach off it.
     found.add(distance.magnitude() - reach, reach, bound.plane);
     found.relation(N::CERTAIN)
 }

@@ -1,5 +1,5 @@
-//! The witness: which axis separates. It is looked for apart from the verdict, axis by axis
-//! in a fixed order and each exactly, so that it is the same on every machine.
+//! The witness: which axis separates. It is computed apart from the verdict. The axes are tested in
+//! a fixed order, each exactly, so the answer is the same on every machine.
 
 use super::edges::one_edge;
 use super::error_bound::error_bound;
@@ -12,7 +12,7 @@ use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
-/// The question whether one axis separates.
+/// Does one axis separate the triangle and the box?
 struct SeparatedBy<'a, S> {
     shapes: Disjoint<'a, S>,
     axis: Axis,
@@ -52,19 +52,19 @@ impl<S: Scalar> Predicate<S> for SeparatedBy<'_, S> {
 }
 
 impl<S: Scalar> Triangle<S> {
-    /// An axis on which the projections of triangle and box are disjoint, or
-    /// `None` if the two overlap: a witness that anyone can check.
+    /// An axis on which the projections of triangle and box are disjoint, or `None` if the two
+    /// overlap. It is a witness that a caller can verify.
     ///
     /// *Contact*: projections that touch are not disjoint.
     ///
-    /// *Numerics*: exact for every valid input. It is the first such axis in the order of
+    /// *Numerics*: exact for every valid input. The axis is the first in the order of
     /// [`Axis::ALL`], so it is the same on every machine.
     ///
-    /// *Panics*: never. *Cost*: [`overlaps`](Self::overlaps), and if that is
-    /// `false` up to 13 tests of one axis.
+    /// *Panics*: never. *Cost*: that of [`overlaps`](Self::overlaps), and if that is `false` up to
+    /// 13 tests of one axis.
     ///
-    /// Bodies that move little between frames are kept apart by the same axis:
-    /// ask for it first with [`is_separated_by`](Self::is_separated_by).
+    /// If the bodies move little between frames, the same axis usually separates them again. Test
+    /// it first with [`is_separated_by`](Self::is_separated_by).
     ///
     /// ```
     /// use septum::{Aabb, Axis, Triangle};
@@ -83,13 +83,12 @@ impl<S: Scalar> Triangle<S> {
         Axis::ALL.into_iter().find(|&axis| self.is_separated_by(aabb, axis))
     }
 
-    /// Whether the projections of triangle and box on one axis are disjoint.
+    /// Are the projections of triangle and box on one axis disjoint?
     ///
     /// *Contact*: projections that touch are not disjoint.
     ///
-    /// *Numerics*: exact for every valid input. An axis that is zero, of an edge along a
-    /// coordinate axis or of a degenerate triangle, separates nothing. Indices count
-    /// modulo 3.
+    /// *Numerics*: exact for every valid input. An edge along a coordinate axis and a degenerate
+    /// triangle can make an axis zero; a zero axis separates nothing. Indices count modulo 3.
     ///
     /// *Panics*: never. *Cost*: at most that of [`overlaps`](Self::overlaps).
     #[must_use]
