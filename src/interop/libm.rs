@@ -12,7 +12,7 @@ fn unit([x, y, z]: [f64; 3]) -> [f64; 3] {
 
 impl Triangle<f32> {
     /// The unit normal (b − a) × (c − a) / |(b − a) × (c − a)|; `None` if the triangle is
-    /// degenerate. With the feature `libm`, for its square root.
+    /// degenerate. Needs the feature `libm`.
     ///
     /// *When to choose it*: on machines with an FPU for `f64`, and if the normal must be accurate.
     /// On a core without one, `unit_normal_fast` costs about a fifth.
@@ -22,12 +22,12 @@ impl Triangle<f32> {
     ///
     /// *Numerics*: each component is within 0.51 units in its own last place of the true one, for
     /// every triangle. It is computed in `f64`; if the cross product cancels, in pairs of `f64`,
-    /// and last in exact sums. Every machine gives the same bits.
+    /// and at last in exact numbers. Every machine gives the same bits.
     ///
     /// *Range*: all finite coordinates. *Panics*: never.
     ///
     /// *Cost*: in `f64`, nine multiplications, a square root and three divisions. A few slivers
-    /// take exact sums, a hundred times as long and with 7 KB of stack.
+    /// take exact numbers, a hundred times as long and with 7 KB of stack.
     ///
     /// ```
     /// use septum::{Triangle, Vec3};
@@ -50,20 +50,20 @@ impl Triangle<f32> {
 
 impl Triangle<f64> {
     /// The unit normal (b − a) × (c − a) / |(b − a) × (c − a)|; `None` if the triangle is
-    /// degenerate. With the feature `libm`, for its square root.
+    /// degenerate. Needs the feature `libm`.
     ///
     /// *Geometry*: seen from the side that the normal points to, the vertices go counterclockwise.
     /// [`Hit::oriented`](crate::Hit::oriented) turns it toward the ray.
     ///
     /// *Numerics*: each component is within 6 units in its own last place of the true one, for
     /// every triangle; the largest error seen is 2.8. The cross product is computed in pairs of
-    /// floats, or in exact sums if these cannot bound its error. Every machine gives the same bits.
+    /// floats, or in exact numbers if these cannot bound its error. Every machine gives the same bits.
     ///
     /// *Range*: all finite coordinates. *Panics*: never.
     ///
     /// *Cost*: about 250 additions and multiplications, a square root and three divisions. Slivers
-    /// that lose 40 bits to cancellation, and coordinates beyond 2⁻⁴⁰⁰ or 2²⁵⁰, take exact sums:
-    /// eighty times as long, with about 7 KB of stack.
+    /// that lose 40 bits to cancellation, and coordinates below 2⁻⁴⁰⁰ or above 2²⁵⁰, take exact
+    /// numbers: eighty times as long, with about 7 KB of stack.
     ///
     /// ```
     /// use septum::{Triangle, Vec3};
