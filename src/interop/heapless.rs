@@ -55,7 +55,7 @@ impl<T, const N: usize> Bounded<T, N> {
         self.kept.len().saturating_add(self.missed)
     }
 
-    /// Whether all results fitted.
+    /// Did all results fit?
     #[must_use]
     pub fn is_complete(&self) -> bool {
         self.missed == 0
@@ -93,7 +93,7 @@ impl<T, const N: usize> FromIterator<T> for Bounded<T, N> {
 /// The indices of the shapes in `shapes` that overlap `other`: the first N, and the number of
 /// further ones.
 ///
-/// Exact, as the implementation of [`Overlaps`] for the pair. With the feature `heapless`.
+/// Exact, as the implementation of [`Overlaps`] for the pair. Needs the feature `heapless`.
 ///
 /// *Panics*: never. *Cost*: one query for each shape, also for results that do not fit.
 ///

@@ -57,7 +57,8 @@ impl Triangle<f64> {
     ///
     /// *Numerics*: each component is within 6 units in its own last place of the true one, for
     /// every triangle; the largest error seen is 2.8. The cross product is computed in pairs of
-    /// floats, or in exact numbers if these cannot bound its error. Every machine gives the same bits.
+    /// floats, or in exact numbers if these cannot bound its error. Every machine gives the same
+    /// bits.
     ///
     /// *Range*: all finite coordinates. *Panics*: never.
     ///

@@ -53,7 +53,7 @@ impl<S: Scalar, const N: usize> Hits<S, N> {
         Candidate { hit, t, u, v, marks: self.marks[k] }.into_hit()
     }
 
-    /// Whether any lane has a hit.
+    /// Does any lane have a hit?
     #[inline]
     #[must_use]
     pub fn any(&self) -> bool {

@@ -8,7 +8,7 @@ use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
 impl<S: Scalar, I: Index> Tree<'_, S, I> {
-    /// Whether a closed mesh contains a point: inside it, or on a triangle.
+    /// Does the closed mesh contain a point, inside it or on a triangle?
     ///
     /// *Geometry*: a point is inside if a ray from it crosses the mesh an odd number of times
     /// (even-odd rule). The orientation of triangles does not matter. Where two parts of the mesh

@@ -106,7 +106,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
         }
     }
 
-    /// Whether a ray hits any triangle.
+    /// Does a ray hit any triangle?
     ///
     /// *Contact*, *Numerics*: exact, as [`Ray::is_hit`]. *Panics*: never. *Cost*: as
     /// [`first_hit`](Self::first_hit), but it stops at any hit, divides nothing, and needs no

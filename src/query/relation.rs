@@ -35,7 +35,7 @@ pub enum Relation {
 ///
 /// It is implemented for each supported pair, in both orders.
 pub trait Relate<Other> {
-    /// Whether the two shapes are disjoint, touch or overlap.
+    /// Are the two shapes disjoint, touching or overlapping?
     ///
     /// *Numerics*: exact for every valid input, in every scalar: it is
     /// [`Disjoint`](Relation::Disjoint) if and only if `overlaps` is `false`.

@@ -23,7 +23,7 @@ impl<T> Near<T> {
         &self.0
     }
 
-    /// Whether the two shapes have a point in common. Exact: the answer of the ordinary shapes.
+    /// Do the two shapes have a point in common? Exact: the answer of the ordinary shapes.
     #[doc(alias = "intersects")]
     #[must_use]
     #[inline]
@@ -34,7 +34,7 @@ impl<T> Near<T> {
         Overlaps::overlaps(self, other)
     }
 
-    /// Whether the two shapes may have a point in common: never `false` if they have.
+    /// May the two shapes have a point in common? Never `false` if they have.
     #[doc(alias = "intersects")]
     #[must_use]
     #[inline]

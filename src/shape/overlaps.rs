@@ -18,12 +18,12 @@
 /// # Ok::<(), septum::ShapeError>(())
 /// ```
 pub trait Overlaps<Other> {
-    /// Whether the two closed shapes have a point in common. Exact.
+    /// Do the two closed shapes have a point in common? Exact.
     #[must_use]
     #[doc(alias = "intersects")]
     fn overlaps(&self, other: &Other) -> bool;
 
-    /// Whether the two shapes may have a point in common: never `false` if they have.
+    /// May the two shapes have a point in common? Never `false` if they have.
     ///
     /// It costs no more than [`overlaps`](Self::overlaps). A pair without a cheaper test answers by
     /// the exact one.
@@ -41,7 +41,7 @@ pub trait Overlaps<Other> {
 macro_rules! overlaps_methods {
     ($shape:ident $(<$life:lifetime>)?, $others:literal) => {
         impl<S> $shape<$($life,)? S> {
-            #[doc = concat!("Whether the shape has a point in common with ", $others, ".")]
+            #[doc = concat!("Does the shape have a point in common with ", $others, "?")]
             ///
             /// Exact for every valid input; touching is overlap; never panics. Each implementation
             /// of [`Overlaps`](crate::Overlaps) documents numerics, range and cost of its pair.
@@ -55,7 +55,7 @@ macro_rules! overlaps_methods {
                 $crate::shape::Overlaps::overlaps(self, other)
             }
 
-            /// Whether the two shapes may have a point in common: never `false` if they have.
+            /// May the two shapes have a point in common? Never `false` if they have.
             ///
             /// It never panics, and costs no more than [`overlaps`](Self::overlaps). Each
             /// implementation of [`Overlaps`](crate::Overlaps) says when its pair answers `true`

@@ -9,7 +9,7 @@ use crate::scalar::Scalar;
 use crate::shape::{Aabb, Overlaps};
 
 impl<S: Scalar> Overlaps<Aabb<S>> for Aabb<S> {
-    /// Whether two axis-aligned boxes have a point in common.
+    /// Do two axis-aligned boxes have a point in common?
     ///
     /// *Geometry*: closed sets in one frame and unit, each in the form in which it was given. The
     /// corners of a box given by its centre may lie between two numbers of the scalar. Either box

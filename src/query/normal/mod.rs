@@ -32,9 +32,9 @@ impl<S: FixedPoint> Triangle<S> {
     /// *Range*: all of the type. In a type that cannot hold 1, a component of 1 becomes `MAX`, as
     /// in I1F15; −1 is representable there.
     ///
-    /// *Panics*: never. *Cost*: nine multiplications, no division, and about four
-    /// additions for each fraction bit of each component, in the narrowest of 64, 128,
-    /// 192 and 384 bits that will do.
+    /// *Panics*: never. *Cost*: nine multiplications, no division, and about four additions for
+    /// each fraction bit of each component. The width is the narrowest of 64, 128, 192 and 384 bits
+    /// that suffices.
     ///
     /// *Source*: the digit-by-digit square root, here of a quotient that is never divided out.
     ///

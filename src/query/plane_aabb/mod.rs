@@ -129,7 +129,7 @@ impl<S: Scalar> Plane<S> {
 }
 
 impl<S: Scalar> Overlaps<Aabb<S>> for Plane<S> {
-    /// Whether a plane and an axis-aligned box have a point in common.
+    /// Do a plane and an axis-aligned box have a point in common?
     ///
     /// Exact, closed, and never panics; see [`Plane::side_of`].
     #[inline]

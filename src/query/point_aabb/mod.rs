@@ -5,7 +5,7 @@ use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Vec3};
 
 impl<S: Scalar> Aabb<S> {
-    /// Whether the box contains a point.
+    /// Does the box contain a point?
     ///
     /// *Geometry*: a closed box, in the form in which it was given. No box contains a point with a
     /// NaN or infinite coordinate.

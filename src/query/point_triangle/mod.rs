@@ -34,7 +34,7 @@ impl<S: Scalar> Predicate<S> for Lies<'_, S> {
 }
 
 impl<S: Scalar> Triangle<S> {
-    /// Whether the triangle contains a point.
+    /// Does the triangle contain a point?
     ///
     /// *Geometry*: a closed set, which may be a segment or a point. No triangle contains a point
     /// with a NaN or infinite coordinate.

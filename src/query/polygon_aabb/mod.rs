@@ -17,7 +17,7 @@ use crate::scalar::Scalar;
 use crate::shape::{Aabb, Polygon};
 
 impl<S: Scalar> Overlaps<Aabb<S>> for Polygon<'_, S> {
-    /// Whether a polygon and an axis-aligned box have a point in common.
+    /// Do a polygon and an axis-aligned box have a point in common?
     ///
     /// *Geometry*: closed sets in one frame and unit. The polygon is the fan of its
     /// [`triangles`](Polygon::triangles), which equals the polygon if it is convex and planar. Its

@@ -75,7 +75,7 @@ pub enum Cull {
 }
 
 impl Cull {
-    /// Whether a hit on this side counts.
+    /// Does a hit on this side count?
     #[inline]
     #[must_use]
     pub fn keeps(self, facing: Facing) -> bool {

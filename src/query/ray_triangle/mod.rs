@@ -133,7 +133,7 @@ impl<S: Scalar> Ray<S> {
         S::evaluate_numeric(&question)
     }
 
-    /// Whether the ray hits a triangle: [`hit`](Self::hit) without t, u and v.
+    /// Does the ray hit a triangle? As [`hit`](Self::hit), without t, u and v.
     ///
     /// *Numerics*: exact. *Panics*: never.
     ///

@@ -117,7 +117,7 @@ impl<S: Scalar> HitRay<S> {
         self.ray.hit_with(&triangle.triangle, rules)
     }
 
-    /// Whether the ray hits a triangle: [`Ray::is_hit`].
+    /// Does the ray hit a triangle? As [`Ray::is_hit`].
     ///
     /// *Numerics*: exact. *Panics*: never. *Cost*: 6 multiplications of four numbers at once for a
     /// clear hit or a clear miss; otherwise also [`Ray::is_hit`].

@@ -75,7 +75,7 @@ fn verdict<N: Arithmetic>(faces: Uncertain, line: &Slabs<N>) -> Option<bool> {
 }
 
 impl<S: Scalar> Overlaps<Aabb<S>> for Segment<S> {
-    /// Whether a segment and an axis-aligned box have a point in common.
+    /// Do a segment and an axis-aligned box have a point in common?
     ///
     /// *Geometry*: closed sets in one frame and unit, each in the form in which it was given: ends
     /// or centre and half-vector, corners or centre and half-extents. The segment may be a point,
@@ -111,7 +111,7 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Segment<S> {
         !S::evaluate(&Disjoint { segment: self, aabb })
     }
 
-    /// Whether a segment and an axis-aligned box may have a point in common.
+    /// May a segment and an axis-aligned box have a point in common?
     ///
     /// *Numerics*: `false` is certain. Fixed point is exact, except that 64 bits return `true`
     /// beyond 2⁶⁰ units in the last place. Floats return `true` within a few roundings of contact,

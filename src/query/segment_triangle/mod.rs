@@ -116,7 +116,7 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
 }
 
 impl<S: Scalar> Overlaps<Triangle<S>> for Segment<S> {
-    /// Whether a segment and a triangle have a point in common.
+    /// Do a segment and a triangle have a point in common?
     ///
     /// *Geometry*: closed sets in one frame and unit, the segment in the form in which it was
     /// given: ends or centre and half-vector. The segment may be a point, the triangle a segment or
@@ -152,7 +152,7 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Segment<S> {
         S::evaluate(&question) != Relation::Disjoint
     }
 
-    /// Whether a segment and a triangle may have a point in common.
+    /// May a segment and a triangle have a point in common?
     ///
     /// *Numerics*: `false` is certain. Fixed point is exact, except that 64 bits return `true`
     /// beyond 2⁶⁰ units in the last place. Floats return `true` within a few roundings of contact,

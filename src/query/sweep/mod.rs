@@ -53,7 +53,7 @@ pub trait Sweep<Other> {
     /// The scalar of both shapes.
     type Scalar;
 
-    /// Whether this shape, as it moves, has a point in common with the other at any time.
+    /// Does this shape, as it moves, have a point in common with the other at any time?
     ///
     /// *Geometry*: closed sets in one frame and one unit. This shape is given at the start of the
     /// motion, and each of its points moves by `to` − `from`. The motion is a translation; for a

@@ -70,7 +70,7 @@ impl<S: Scalar> Disjoint<'_, S> {
 
 #[cfg(feature = "fixed")]
 impl<S: Scalar + InWord<i32>> Overlaps<Near<Aabb<S>>> for Near<Triangle<S>> {
-    /// Whether a triangle and an axis-aligned box near the origin have a point in common.
+    /// Do a triangle and an axis-aligned box near the origin have a point in common?
     ///
     /// *Numerics*: exact, in 32-bit words alone. *Panics*: never.
     #[inline]

@@ -64,7 +64,7 @@ impl<S: Scalar> PreparedTriangle<S> {
         &self.triangle
     }
 
-    /// Whether the triangle and an axis-aligned box have a point in common: the answer of
+    /// Do the triangle and an axis-aligned box have a point in common? As
     /// [`Triangle::overlaps`](crate::Overlaps::overlaps).
     ///
     /// *Contact*: touching is overlap.

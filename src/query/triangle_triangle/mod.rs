@@ -46,7 +46,7 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
 }
 
 impl<S: Scalar> Overlaps<Triangle<S>> for Triangle<S> {
-    /// Whether two triangles have a point in common.
+    /// Do two triangles have a point in common?
     ///
     /// *Geometry*: closed sets in one frame and unit. Either may be a segment or a point.
     ///
@@ -84,7 +84,7 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Triangle<S> {
         S::evaluate(&question) != Relation::Disjoint
     }
 
-    /// Whether two triangles may have a point in common.
+    /// May two triangles have a point in common?
     ///
     /// *Numerics*: `false` is certain. Fixed point is exact, except that 64 bits return `true`
     /// beyond 2⁶⁰ units in the last place. Floats return `true` within a few roundings of contact,
