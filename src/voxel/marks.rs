@@ -87,19 +87,22 @@ impl Marks {
         (if is_open { place.at } else { place.above }) - 1
     }
 
+    /// The intervals that a number, or a bound that `is_open`, is at.
+    #[inline(always)]
+    pub(super) fn at(self, place: Place, is_open: bool) -> Span {
+        Span { first: self.first(place, is_open), last: self.last(place, is_open) }
+    }
+
     /// The intervals of a closed set between two numbers, as far as there are any.
     #[inline(always)]
     pub(super) fn span(self, least: Place, greatest: Place) -> Span {
         Span { first: self.first(least, false), last: self.last(greatest, false) }
     }
 
-    /// The two ends of interval k, as lines of the grid.
+    /// The two ends of some intervals together, as lines of the grid.
     #[inline(always)]
-    pub(super) fn ends(self, k: i32) -> [Line; 2] {
-        match self {
-            Self::Center => [self.limit(k); 2],
-            _ => [self.limit(k), self.limit(k + 1)],
-        }
+    pub(super) fn ends(self, Span { first, last }: Span) -> [Line; 2] {
+        [self.limit(first), self.limit(last + i32::from(self.are_cells()))]
     }
 }
 
@@ -120,6 +123,7 @@ impl Line {
     /// About where it is.
     #[inline(always)]
     pub(super) fn middle(self) -> f64 {
-        0.5 * f64::from(self.from + self.to)
+        // Not of the sum: two planes at 2^30 are beyond `i32`.
+        0.5 * f64::from(self.from) + 0.5 * f64::from(self.to)
     }
 }

@@ -11,7 +11,7 @@ use super::place::Place;
 use super::placed::{Near, Placed};
 use super::plane::Plane;
 use super::rows::Row;
-use super::slabs::{BLOCK, Span, spans};
+use super::slabs::{BLOCK, Span, span, spans};
 use crate::arithmetic::three;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
@@ -59,17 +59,26 @@ pub(super) struct Pass<S, M> {
     bounds: [Span; 3],
     /// Whether all of them are marked.
     is_full: bool,
+    /// Whether rows within the outline along x may be empty: the grid cuts the triangle, or some
+    /// marks are middles.
+    has_gaps: bool,
     /// The slabs of a block: those of y seen along z, and those of z seen along y and x.
     xy: [Span; BLOCK],
     xz: [Span; BLOCK],
     yz: [Span; BLOCK],
     /// The first y and the first z of the block.
     block: [i32; 2],
+    /// The last y of the blocks at this z.
+    y_last: i32,
+    /// Whether the block had a row, and whether any block at its z had one.
+    had_rows: [bool; 2],
     /// The next row of the present layer, the end of the layer, and the layer.
     y: i32,
     y_end: i32,
     z: i32,
 }
+
+const STEP: i32 = BLOCK as i32;
 
 impl<S: Scalar, M: AxisMarks> Pass<S, M> {
     #[cfg_attr(not(feature = "small"), inline(always))]
@@ -85,29 +94,27 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         grid: &Grid<S>,
         near: &Near<S>,
         marks: M,
-        Bounds { bounds, is_full, .. }: Bounds,
+        Bounds { bounds, is_full, is_within }: Bounds,
     ) -> Self {
         let placed = Placed::new(near, grid, marks);
-        let [_, y, z] = bounds;
-        let mut pass = Self {
+        let z = bounds[2].first;
+        Self {
+            plane: if is_full { None } else { Plane::new(&placed) },
             placed,
-            plane: None,
             bounds,
             is_full,
+            has_gaps: !is_within || (0..3).any(|i| !marks.of(i).are_cells()),
             xy: [Span::EMPTY; BLOCK],
             xz: [Span::EMPTY; BLOCK],
             yz: [Span::EMPTY; BLOCK],
-            block: [y.first, z.first],
+            // The block before the first.
+            block: [0, z - STEP],
+            y_last: -1,
+            had_rows: [true; 2],
             y: 0,
             y_end: 0,
-            z: z.first - 1,
-        };
-        if !is_full {
-            pass.plane = Plane::new(&pass.placed);
-            pass.see_along_z(grid);
-            pass.see_layers(grid);
+            z: z - 1,
         }
-        pass
     }
 
     /// The next row that has any voxels.
@@ -119,6 +126,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
                 self.y += 1;
                 let Span { first, last } = self.row(grid, y);
                 if first <= last {
+                    self.had_rows = [true; 2];
                     let x = first as u32..last as u32 + 1;
                     return Some(Row { x, y: y as u32, z: self.z as u32 });
                 }
@@ -136,6 +144,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
             for y in self.y..self.y_end {
                 let span = self.row(grid, y);
                 if span.first <= span.last {
+                    self.had_rows = [true; 2];
                     f([y, self.z], span);
                 }
             }
@@ -146,74 +155,130 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
     #[cfg_attr(not(feature = "small"), inline(always))]
     #[cfg_attr(feature = "small", inline(never))]
     fn see_along_z(&mut self, grid: &Grid<S>) {
-        let [_, y, _] = self.bounds;
         let first = self.block[0];
-        let slabs = slabs(&mut self.xy, first, y.last);
+        let slabs = slabs(&mut self.xy, first, self.y_last);
         spans(&self.placed, grid, [0, 1], first, slabs);
     }
 
-    /// Works out the slabs of z of the present block.
+    /// Works out the slabs of z of the present block, and from which y to which they go.
     #[cfg_attr(not(feature = "small"), inline(always))]
     #[cfg_attr(feature = "small", inline(never))]
     fn see_layers(&mut self, grid: &Grid<S>) {
-        let [_, _, z] = self.bounds;
+        let [_, y, z] = self.bounds;
         let first = self.block[1];
         let xz = slabs(&mut self.xz, first, z.last);
         spans(&self.placed, grid, [0, 2], first, xz);
         let yz = slabs(&mut self.yz, first, z.last);
         spans(&self.placed, grid, [1, 2], first, yz);
+        let all = yz.iter().fold(Span::EMPTY, |all, span| all.joined(*span));
+        (self.block[0], self.y_last) = (all.first.max(y.first), all.last.min(y.last));
     }
 
     /// Goes on to the next layer of the block, or to the next block.
     #[inline(always)]
     fn next_layer(&mut self, grid: &Grid<S>) -> bool {
-        const STEP: i32 = BLOCK as i32;
         let [_, y, z] = self.bounds;
         self.z += 1;
-        if self.z > z.last.min(self.block[1] + STEP - 1) {
-            self.block[0] += STEP;
-            if self.block[0] > y.last {
-                if z.last - self.block[1] < STEP {
-                    // The end, and still the end if asked again.
-                    (self.block[0], self.z) = (y.last, z.last);
-                    return false;
-                }
-                self.block = [y.first, self.block[1] + STEP];
-                if !self.is_full {
-                    self.see_layers(grid);
-                }
-            }
-            if !self.is_full {
-                self.see_along_z(grid);
-            }
-            self.z = self.block[1];
+        if self.z > z.last.min(self.block[1] + STEP - 1) && !self.next_block(grid) {
+            // Still the end if asked again.
+            (self.block, self.z) = ([self.y_last, z.last], z.last);
+            return false;
         }
         let span =
             if self.is_full { y } else { self.yz[(self.z - self.block[1]) as usize % BLOCK] };
         self.y = span.first.max(self.block[0]);
-        self.y_end = span.last.min(y.last).min(self.block[0] + STEP - 1) + 1;
+        self.y_end = span.last.min(self.y_last).min(self.block[0] + STEP - 1) + 1;
         true
+    }
+
+    /// Goes on to the next block along y, or to the first at the next z. After a block without
+    /// rows it passes over all that have none.
+    #[inline(always)]
+    fn next_block(&mut self, grid: &Grid<S>) -> bool {
+        let [_, y, z] = self.bounds;
+        self.block[0] += STEP;
+        if self.has_gaps && !self.had_rows[0] && self.block[0] <= self.y_last {
+            let layers = Span { first: self.block[1], last: z.last.min(self.block[1] + STEP - 1) };
+            let rest = Span { first: self.block[0], last: self.y_last };
+            self.block[0] = self.first_met(grid, rest, |y| [y, layers]);
+        }
+        while self.block[0] > self.y_last {
+            self.block[1] += STEP;
+            if self.has_gaps && !self.had_rows[1] && self.block[1] <= z.last {
+                let rest = Span { first: self.block[1], last: z.last };
+                self.block[1] = self.first_met(grid, rest, |z| [y, z]);
+            }
+            if self.block[1] > z.last {
+                return false;
+            }
+            (self.block[0], self.y_last) = (y.first, y.last);
+            if !self.is_full {
+                self.see_layers(grid);
+            }
+            self.had_rows[1] = false;
+        }
+        if !self.is_full {
+            self.see_along_z(grid);
+        }
+        self.had_rows[0] = false;
+        self.z = self.block[1];
+        true
+    }
+
+    /// The first of these slabs, of y or of z, that has a row, or the one after the last: by
+    /// bisection, for the triangle is convex. Where marks are middles, the slab may have none.
+    #[cold]
+    #[inline(never)]
+    fn first_met(&self, grid: &Grid<S>, rest: Span, rows: impl Fn(Span) -> [Span; 2]) -> i32 {
+        let meets_up_to = |last: i32| self.meets(grid, rows(Span { first: rest.first, last }));
+        if !meets_up_to(rest.last) {
+            return rest.last + 1;
+        }
+        let Span { mut first, mut last } = rest;
+        while first < last {
+            let middle = first + (last - first) / 2;
+            if meets_up_to(middle) { last = middle } else { first = middle + 1 }
+        }
+        first
+    }
+
+    /// Whether the triangle meets the box of many rows; where marks are middles, all that is
+    /// between them.
+    fn meets(&self, grid: &Grid<S>, [y, z]: [Span; 2]) -> bool {
+        let seen = |axes, slab| span(&self.placed, grid, axes, slab);
+        let Span { first, last } = seen([1, 2], z).common(y);
+        if first > last {
+            return false;
+        }
+        let x = self.bounds[0].common(seen([0, 1], y)).common(seen([0, 2], z));
+        let Span { first, last } = self.beside_plane(grid, x, [y, z]);
+        first <= last
     }
 
     /// The voxels of a row in the present block.
     #[inline(always)]
     fn row(&self, grid: &Grid<S>, y: i32) -> Span {
-        let Span { mut first, mut last } = self.bounds[0];
         if self.is_full {
-            return Span { first, last };
+            return self.bounds[0];
         }
         let xy = self.xy[(y - self.block[0]) as usize % BLOCK];
         let xz = self.xz[(self.z - self.block[1]) as usize % BLOCK];
-        first = first.max(xy.first).max(xz.first);
-        last = last.min(xy.last).min(xz.last);
-        let Some(plane) = &self.plane else { return Span { first, last } };
+        let x = self.bounds[0].common(xy).common(xz);
+        self.beside_plane(grid, x, [y, self.z].map(Span::one))
+    }
+
+    /// What the plane leaves of the voxels from the first x to the last, in some rows together.
+    #[inline(always)]
+    fn beside_plane(&self, grid: &Grid<S>, x: Span, [y, z]: [Span; 2]) -> Span {
+        let Span { first, last } = x;
         if first > last {
             return Span::EMPTY;
         }
-        // Of the row's lines along x, the ones nearest to where the normal comes from, and to
+        let Some(plane) = &self.plane else { return x };
+        // Of the rows' edges along x, the ones nearest to where the normal comes from, and to
         // where it goes.
         let [along, of_y, of_z] = three(|i| self.placed.marks.of(i));
-        let (ends_y, ends_z) = (of_y.ends(y), of_z.ends(self.z));
+        let (ends_y, ends_z) = (of_y.ends(y), of_z.ends(z));
         let [mut near, mut far] = [0, 1].map(|k: usize| [ends_y[k], ends_z[k]]);
         // Half-open voxels have no point on the second of each pair.
         let (mut lacks_near, mut lacks_far) = (false, false);

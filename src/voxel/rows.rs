@@ -49,7 +49,11 @@ impl<S: Scalar> Grid<S> {
     ///
     /// *Cost*: a row takes two multiplications and additions, an end of a slab one. Ends that
     /// come within rounding of a plane take an exact sign each. Fixed point on 32-bit cores has
-    /// exact signs alone, and finds each end by bisection.
+    /// exact signs alone, and finds each end by bisection. With `Closed` and `HalfOpen` the work
+    /// of a call of `next` is bounded, however large triangle and grid are: rows without voxels
+    /// are passed over by bisection, after a few blocks of 64. With `Thin` the rows that `Closed`
+    /// has are visited, up to three times each: a triangle that marks no voxel may pass through
+    /// many of them between the middles of voxels.
     ///
     /// *Source*: the conditions are those of M. Schwarz and H.-P. Seidel, "Fast Parallel Surface
     /// and Solid Voxelization on GPUs", *ACM Transactions on Graphics* 29(6), 2010; here they

@@ -41,6 +41,24 @@ pub(super) struct Span {
 
 impl Span {
     pub(super) const EMPTY: Self = Self { first: i32::MAX, last: i32::MIN };
+
+    /// One cell.
+    #[inline(always)]
+    pub(super) const fn one(k: i32) -> Self {
+        Self { first: k, last: k }
+    }
+
+    /// The cells of both.
+    #[inline(always)]
+    pub(super) fn common(self, other: Self) -> Self {
+        Self { first: self.first.max(other.first), last: self.last.min(other.last) }
+    }
+
+    /// The cells of either and those between.
+    #[inline(always)]
+    pub(super) fn joined(self, other: Self) -> Self {
+        Self { first: self.first.min(other.first), last: self.last.max(other.last) }
+    }
 }
 
 /// For each interval of the axis `v`, from `first` on, the intervals of the axis `u` that the
@@ -60,9 +78,7 @@ pub(super) fn spans<S: Scalar, M: AxisMarks>(
     let end = first + out.len() as i32;
     let mut include = |slab: i32, place: Place, is_open: bool| {
         if let Some(span) = out.get_mut((slab - first) as usize) {
-            let (from, to) = (along.first(place, is_open), along.last(place, is_open));
-            span.first = span.first.min(from);
-            span.last = span.last.max(to);
+            *span = span.joined(along.at(place, is_open));
         }
     };
     // What lies on the greatest plane of a half-open slab is a limit of points in it.
@@ -96,6 +112,40 @@ pub(super) fn spans<S: Scalar, M: AxisMarks>(
             }
         }
     }
+}
+
+/// The same for the intervals of `v` from the first to the last together, seen as one slab: where
+/// marks are middles, all that is between them.
+pub(super) fn span<S: Scalar, M: AxisMarks>(
+    placed: &Placed<S, M>,
+    grid: &Grid<S>,
+    axes: [usize; 2],
+    slab: Span,
+) -> Span {
+    let [u, v] = axes;
+    let [along, across] = [placed.marks.of(u), placed.marks.of(v)];
+    let [first, last] = across.ends(slab).map(|limit| limit.from);
+    let mut span = Span::EMPTY;
+    let mut include = |place: Place, is_open| span = span.joined(along.at(place, is_open));
+    // What lies on the greatest plane of a half-open slab is a limit of points in it.
+    let is_open = |limit: i32| across == Marks::HalfOpen && limit == last;
+    for vertex in &placed.at {
+        let Place { at, above } = vertex[v];
+        if above > first && at <= last {
+            include(vertex[u], at < above && is_open(at));
+        }
+    }
+    for k in 0..3 {
+        let ends = rising(placed, v, k);
+        let (from, to) = (placed.at[ends[0]][v].above, placed.at[ends[1]][v].at);
+        for limit in [first, last] {
+            if (from..to).contains(&limit) {
+                let edge = Edge::new(placed, axes, ends);
+                include(edge.place(placed, grid, axes, limit), is_open(limit));
+            }
+        }
+    }
+    span
 }
 
 /// The ends of edge k, the lower along v first.

@@ -87,7 +87,8 @@ impl<'a, S: Scalar, W: Word> Solid<'a, S, W> {
 
     /// Notes where the lines of rows cross a triangle.
     ///
-    /// *Panics*: never. *Cost*: two multiplications and additions for each line that crosses it.
+    /// *Panics*: never. *Cost*: two multiplications and additions for each line that crosses it, and
+    /// for each layer of z that it comes to.
     pub fn cross(&mut self, triangle: &Triangle<S>) {
         let grid = *self.bits.grid();
         let line_words = grid.resolution()[1].div_ceil(W::BITS) as usize;
@@ -116,7 +117,7 @@ impl<'a, S: Scalar, W: Word> Solid<'a, S, W> {
     }
 
     /// The rows (y, z) whose lines cross the mesh an odd number of times, so that nothing is said
-    /// to be inside there. None, if the mesh is closed.
+    /// to be inside there. None, if the mesh is closed. *Cost*: a look at one bit of each row.
     pub fn open_rows(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         let [_, ny, nz] = self.bits.grid().resolution();
         (0..nz).flat_map(move |z| (0..ny).map(move |y| [y, z])).filter(|&[y, z]| self.is_open(y, z))

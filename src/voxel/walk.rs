@@ -20,14 +20,25 @@ impl<S: Scalar> Grid<S> {
     /// | --- | --- | --- |
     /// | [`Closed`](Rule::Closed) | all that it has a point in common with, those beside a face, an edge or a corner that it touches too: each once | all around that point, those that differ from the one before in x first, then y, x and y, z, and so on |
     /// | [`HalfOpen`](Rule::HalfOpen) | those that its points are in | in the order of its points: at the point itself the voxel above all planes, thereafter the one that it goes on into |
-    /// | [`Thin`](Rule::Thin) | the same, and more, so that each shares a face with the next | one plane after the other: where it rises x, y, z, then where it falls z, y, x |
+    /// | [`Thin`](Rule::Thin) | those of `HalfOpen`, and voxels that join them, so that each shares a face with the next | one plane after the other: where the segment rises x, y, z, then where it falls z, y, x |
+    ///
+    /// *Ends*: a walk goes along its segment through a grid without end, and returns the voxels of
+    /// this grid. So the walk in a [`part`](Grid::part) is the walk in the whole grid, restricted
+    /// to the part, in the same order. By `HalfOpen` and `Thin` it begins in the voxel that holds
+    /// the first point and ends in the voxel that holds the last, if these are in the grid, and
+    /// the walk from the second end to the first has the same voxels in the reverse order; by
+    /// `Closed` it has the same voxels. Where the segment enters or leaves the grid through an
+    /// edge or a corner, a thin walk may begin or end with a voxel that has only that edge or
+    /// corner in common with the segment: it joins the next voxel to one beyond the grid. It may
+    /// be the only voxel of the walk.
     ///
     /// *Numerics*: exact in every scalar.
     ///
     /// *Panics*: never.
     ///
     /// *Cost*: two comparisons and a multiplication for each voxel, and an exact sign where the
-    /// line comes within rounding of an edge.
+    /// line comes within rounding of an edge. The first voxel takes a few exact signs, wherever
+    /// the segment begins.
     ///
     /// *Source*: J. Amanatides and A. Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing",
     /// *Eurographics* 1987; the order of planes is an exact sign here, and nothing adds up.

@@ -71,6 +71,46 @@ fn order_and_slabs_change_nothing() {
     }
 }
 
+/// Rows, bits and the inside: of every part of small grids those of the whole.
+#[test]
+fn marks_in_parts_are_those_of_the_whole() {
+    marks_in_parts(4_000);
+}
+
+/// `cargo test --release --test promises -- --ignored --nocapture a_million_marks_in_parts`
+#[test]
+#[ignore = "a million for each scalar"]
+fn a_million_marks_in_parts() {
+    marks_in_parts(1_000_000);
+}
+
+fn marks_in_parts(cases: u64) {
+    for scalar in InScalar::ALL {
+        let found = scalar.marks_in_parts(1, cases);
+        println!("{scalar:?}: {found:?}");
+        assert!(found.wrong == 0 && found.cases >= cases, "{scalar:?}: {found:?}");
+    }
+}
+
+/// Grids of up to 2^90 voxels: a call that visits the rows that it does not return does not end.
+#[test]
+fn rows_of_the_largest_grids() {
+    for scalar in InScalar::ALL {
+        assert_eq!(scalar.rows_under_nothing(), 0, "{scalar:?}");
+        let found = scalar.first_rows(1, 2_000);
+        assert!(found.wrong == 0 && found.cases >= 2_000, "{scalar:?}: {found:?}");
+    }
+    // The last plane of the largest grid.
+    let grid = Grid::new([0.0; 3], [1.0; 3], [Grid::<f64>::MOST; 3]).unwrap();
+    let m = f64::from(Grid::<f64>::MOST);
+    let last = Triangle::new([m - 0.5; 3], [m, m - 1.5, m], [m - 0.25, m, m - 1.5]).unwrap();
+    let rows: u32 = grid.rows(&last, Rule::Closed).map(|row| row.x.end - row.x.start).sum();
+    let end = Grid::<f64>::MOST - 1;
+    let voxels = (0..8).map(|n| [0, 1, 2].map(|i| end - (n >> i & 1)));
+    let met = voxels.filter(|&v| last.overlaps(&grid.voxel(v).unwrap())).count();
+    assert!(met > 2 && rows == met as u32);
+}
+
 /// A grid-aligned cube of 30 voxels a side.
 #[test]
 fn faces_on_planes() {

@@ -2,7 +2,7 @@
 
 use septum::voxel::{Grid, Rule, Solid, TooFewWords};
 use septum::{Ray, Segment, Triangle};
-use septum_kit::voxels::{InScalar, VoxelScene};
+use septum_kit::voxels::{InScalar, LineKind, VoxelScene};
 
 #[test]
 fn centres_inside_are_those_of_the_oracle() {
@@ -61,6 +61,66 @@ fn walks_are_those_of_the_oracle() {
         let met = scalar.walks_are_right(1, 60);
         assert!(met > 5_000, "{scalar:?}: {met}");
     }
+}
+
+/// Every part of small grids, and the walk backwards: so all ways to cut a grid in parts.
+#[test]
+fn walks_in_parts_are_those_of_the_whole() {
+    walk_in_parts(20_000);
+}
+
+/// `cargo test --release --test promises -- --ignored --nocapture a_million_walks_in_parts`
+#[test]
+#[ignore = "a million for each scalar and kind of line"]
+fn a_million_walks_in_parts() {
+    walk_in_parts(1_000_000);
+}
+
+fn walk_in_parts(cases: u64) {
+    for scalar in InScalar::ALL {
+        for kind in LineKind::ALL {
+            let found = scalar.walks_in_parts(kind, 1, cases);
+            println!("{scalar:?}, {kind:?}: {found:?}");
+            assert!(found.wrong == 0 && found.cases >= cases, "{scalar:?} {kind:?}: {found:?}");
+        }
+    }
+}
+
+/// What parts of walks were wrong by, before a thin walk was that of a grid without end.
+#[test]
+fn thin_walks_through_corners() {
+    let thin = |grid: &Grid<f64>, segment: &Segment<f64>| -> Vec<[u32; 3]> {
+        grid.walk_segment(segment, Rule::Thin).collect()
+    };
+    let grid = Grid::new([0.0; 3], [1.0; 3], [2, 2, 1]).unwrap();
+    let (a, b) = ([0.5, 0.5, 0.5], [1.5, 1.5, 0.5]);
+    let segments = [Segment::new(a, b).unwrap(), Segment::new(b, a).unwrap()];
+    let right = grid.part([1..2, 0..2, 0..1]).unwrap();
+    assert_eq!(thin(&right, &segments[0]), [[0, 0, 0], [0, 1, 0]]);
+    assert_eq!(thin(&right, &segments[1]), [[0, 1, 0], [0, 0, 0]]);
+    // Only a corner, in which no point is by the half-open rule.
+    let lower = grid.part([1..2, 0..1, 0..1]).unwrap();
+    assert_eq!(thin(&lower, &segments[0]), [[0, 0, 0]]);
+    assert_eq!(lower.walk_segment(&segments[0], Rule::HalfOpen).next(), None);
+
+    // Through corners of the grid on its way in and on its way out.
+    let grid = Grid::new([0.0; 3], [1.0; 3], [1, 3, 3]).unwrap();
+    let down = Ray::new([0.5, 2.0, 3.0], [0.0, -1.0, -1.0]).unwrap();
+    let voxels = [[0, 2, 2], [0, 1, 2], [0, 1, 1], [0, 0, 1], [0, 0, 0]];
+    assert!(grid.walk_ray(&down, Rule::Thin).eq(voxels));
+    let up = Ray::new([0.5, -1.0, 0.0], [0.0, 1.0, 1.0]).unwrap();
+    assert!(grid.walk_ray(&up, Rule::Thin).eq(voxels.into_iter().rev()));
+}
+
+/// A walk beside the greatest faces of a grid, where half-open voxels have no point.
+#[test]
+fn walks_that_meet_nothing_end() {
+    let grid = Grid::new([0.0; 3], [1.0; 3], [1 << 30, 8, 8]).unwrap();
+    let beside = Segment::new([-1.0, 8.0, 4.0], [2e9, 8.0, 4.0]).unwrap();
+    for rule in [Rule::HalfOpen, Rule::Thin] {
+        assert_eq!(grid.walk_segment(&beside, rule).next(), None);
+    }
+    assert_eq!(grid.walk_segment(&beside, Rule::Closed).next(), Some([0, 7, 4]));
 }
 
 #[test]

@@ -27,24 +27,25 @@ impl<S: Scalar> Walk<S> {
             must: 0,
             is_over: true,
         };
-        if let Some(start) = walk.start(limits[0]) {
+        if let Some((start, is_entry)) = walk.start(limits[0]) {
             walk.is_over = false;
             for i in 0..3 {
                 let end = limits[1].map(|limit| walk.line.at_limit(grid, i, limit));
-                // It may end before it comes to the grid.
+                // The line may end before it comes to the grid.
                 walk.is_over |= end.is_some_and(|end| match walk.line.way(i) {
                     Ordering::Greater => end.above < start[i].above,
                     Ordering::Less => end.at > start[i].at,
                     Ordering::Equal => false,
                 });
-                walk.set_out(i, start[i], end);
+                walk.set_out(i, start[i], end, is_entry);
             }
         }
         walk
     }
 
-    /// Where the line first is in the grid, if it ever is.
-    fn start(&self, limit: Option<Limit>) -> Option<[Place; 3]> {
+    /// Where the line first is in the closed box of the grid, and whether it comes there from
+    /// outside; `None` if it never is there.
+    fn start(&self, limit: Option<Limit>) -> Option<([Place; 3], bool)> {
         let (grid, line) = (&self.grid, &self.line);
         let last = grid.resolution().map(|n| n as i32);
         let mut places = [Place::before(0); 3];
@@ -81,20 +82,29 @@ impl<S: Scalar> Walk<S> {
                 }
             }
         }
-        Some(places)
+        Some((places, entry.is_some()))
     }
 
     /// Sets out along an axis.
-    fn set_out(&mut self, i: usize, start: Place, end: Option<Place>) {
+    fn set_out(&mut self, i: usize, start: Place, end: Option<Place>, is_entry: bool) {
         let last = self.grid.resolution()[i] as i32;
         let is_closed = self.rule == Rule::Closed;
         let is_on_plane = start.at != start.above;
         let bit = if is_closed && is_on_plane { 1 << i } else { 0 };
         let axis = &mut self.axes[i];
         match self.line.way(i) {
-            Ordering::Equal => axis.at = start.above - 1,
+            Ordering::Equal => {
+                axis.at = start.above - 1;
+                // All of the line may be in the layer beyond the last, of which closed voxels
+                // alone have a point in the grid.
+                self.is_over |= !is_closed && axis.at >= last;
+            }
             Ordering::Greater => {
-                *axis = Axis { at: start.above - 1, step: 1, plane: start.above, left: 0 };
+                // A thin walk from outside has yet to cross the planes that it enters by, one
+                // after the other: between two of them there may be a voxel of the grid.
+                let crosses = self.rule == Rule::Thin && is_entry;
+                let from = if crosses { start.at } else { start.above };
+                *axis = Axis { at: from - 1, step: 1, plane: from, left: 0 };
                 let end = end.map_or(last, |end| last.min(end.above - 1));
                 axis.left = end - axis.plane + 1;
             }

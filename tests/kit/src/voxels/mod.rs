@@ -1,7 +1,9 @@
 //! Checks of voxelization. They are in this package rather than in the test, so that the crate's
 //! part of it is compiled with full optimization.
 
+mod large;
 mod oracle;
+mod parts;
 mod random;
 mod scene;
 mod solid;
@@ -14,7 +16,9 @@ pub use scene::{VoxelScene, torus_knot};
 pub use solid::Insides;
 
 use crate::Sample;
+use large::{first_rows, rows_under_nothing};
 use oracle::{Marks, planes};
+use parts::{marks_in_parts, walks_in_parts};
 use random::{marks_agree_with_oracle, rows_agree_with_pairs};
 use solid::check_solid;
 use walk::walks_are_right;
@@ -80,10 +84,69 @@ impl InScalar {
         in_scalar!(self, walks_are_right(seed, grids))
     }
 
+    /// Walks in every part of small grids, beside the walk in the whole grid.
+    pub fn walks_in_parts(self, kind: LineKind, seed: u64, cases: u64) -> Tally {
+        in_scalar!(self, walks_in_parts(kind, seed, cases))
+    }
+
+    /// Rows, bits and solids in every part of small grids, beside those of the whole grid.
+    pub fn marks_in_parts(self, seed: u64, cases: u64) -> Tally {
+        in_scalar!(self, marks_in_parts(seed, cases))
+    }
+
+    /// The first rows of large triangles in the largest grids, beside the pair.
+    pub fn first_rows(self, seed: u64, cases: u64) -> Tally {
+        in_scalar!(self, first_rows(seed, cases))
+    }
+
+    /// The rows of a large triangle that passes beside the largest grid: by every rule none.
+    pub fn rows_under_nothing(self) -> usize {
+        in_scalar!(self, rows_under_nothing())
+    }
+
     /// The words of the scene stay the same with triangles and vertices in another order, and when
     /// filled slab by slab along each axis.
     pub fn keeps_order_and_slabs(self, scene: &VoxelScene, rule: Rule) {
         in_scalar!(self, keeps_order_and_slabs(scene, rule));
+    }
+}
+
+/// Lines to walk along.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LineKind {
+    /// Between halves of whole numbers, in unit cells: through corners and along faces.
+    HalfIntegerSegments,
+    /// From and along halves of whole numbers.
+    HalfIntegerRays,
+    /// Any segments in any grid.
+    RandomSegments,
+    /// Any rays in any grid.
+    RandomRays,
+}
+
+impl LineKind {
+    /// All of them.
+    pub const ALL: [Self; 4] =
+        [Self::HalfIntegerSegments, Self::HalfIntegerRays, Self::RandomSegments, Self::RandomRays];
+
+    const fn is_segments(self) -> bool {
+        matches!(self, Self::HalfIntegerSegments | Self::RandomSegments)
+    }
+}
+
+/// How many cases there were, and how many came out wrong.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// Cases.
+    pub cases: u64,
+    /// Wrong ones.
+    pub wrong: u64,
+}
+
+impl Tally {
+    fn count(&mut self, is_right: bool) {
+        self.cases += 1;
+        self.wrong += u64::from(!is_right);
     }
 }
 

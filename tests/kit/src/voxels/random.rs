@@ -85,7 +85,8 @@ fn block<S: Sample>(rng: &mut Rng, grid: &Grid<S>) -> Grid<S> {
     grid.part(range).expect("a part")
 }
 
-fn triangle<S: Sample>(rng: &mut Rng, grid: &Grid<S>) -> [[S; 3]; 3] {
+/// Vertices in and about a grid, on its planes or not.
+pub(super) fn triangle<S: Sample>(rng: &mut Rng, grid: &Grid<S>) -> [[S; 3]; 3] {
     let last = grid.resolution().map(|n| n - 1);
     let (least, _) = grid.voxel([0; 3]).and_then(|v| v.min_max()).expect("a voxel");
     let (_, greatest) = grid.voxel(last).and_then(|v| v.min_max()).expect("a voxel");
