@@ -3,11 +3,10 @@ use core::fmt;
 use super::Rule;
 use super::block::{Block, ForEach};
 use super::grid::Grid;
-use super::marks::ALL_CLOSED;
-use super::pass::{Bounds, Pass};
-use super::placed::Near;
-use super::rows::Row;
-use super::slabs::Span;
+use super::marks::{ALL_CLOSED, Marks};
+use super::pass::Pass;
+use super::placed::{Bounds, Near};
+use super::rows::passes;
 use super::word::Word;
 use super::{few, four_rows};
 use crate::arithmetic::Quad;
@@ -16,20 +15,20 @@ use crate::shape::Triangle;
 
 mod set;
 
-/// Whether the machine computes four floats at once.
+/// Whether the machine computes with vectors of four floats.
 const HAS_VECTORS: bool = <ForEach as Quad>::IS_VECTOR;
-/// How many voxels are few: up to 32.
+/// The largest block for [`few`]: 32 at most, the bits of its word.
 const FEW: u64 = if HAS_VECTORS { 16 } else { 32 };
 
 impl<S: Copy> Grid<S> {
-    /// How many words a row of voxels takes: each begins with a word of its own.
+    /// Returns the number of words of a row of voxels. Each row begins with a new word.
     #[must_use]
     pub const fn row_words<W: Word>(&self) -> usize {
         self.resolution()[0].div_ceil(W::BITS) as usize
     }
 
-    /// How many words the grid takes: those of a row, for each y, for each z. A number too
-    /// great for the machine is the greatest number, which no slice has.
+    /// Returns the number of words of the grid, [`row_words`](Self::row_words) for each y and z. If
+    /// `usize` overflows, returns `usize::MAX`, which is the length of no slice.
     #[must_use]
     pub const fn words<W: Word>(&self) -> usize {
         let [_, y, z] = self.resolution();
@@ -37,15 +36,15 @@ impl<S: Copy> Grid<S> {
     }
 }
 
-/// A bit for each voxel of a grid, in the caller's memory.
+/// A bit for each voxel of a grid, in the caller's memory: surface voxelization of a mesh.
 ///
-/// The bits of a row lie side by side, x rising, from the least bit of a word of their own on;
-/// rows follow each other, y rising, then z. Bits of the last word of a row beyond the grid stay
-/// as they are. So the words of two slabs are the words of the one after those of the other, and
-/// no two slabs share a word.
+/// A row begins with the least bit of a new word and has a bit for each voxel, x rising. Rows
+/// follow each other, y rising, then z. Bits beyond the grid in the last word of a row are left
+/// unchanged. Slabs of a grid along z share no word, and their words, one slab after the other,
+/// are the words of the grid.
 ///
-/// The order in which triangles are filled in, the order of their vertices, and how a grid is
-/// parted change no bit.
+/// The order of triangles, the order of their vertices, and the cut of a grid into parts change
+/// no bit.
 ///
 /// ```
 /// use septum::voxel::{Bits, Grid, Rule};
@@ -54,7 +53,7 @@ impl<S: Copy> Grid<S> {
 /// let grid = Grid::new([0.0_f32; 3], [0.25; 3], [64, 64, 64])?;
 /// let triangle = Triangle::new([1.0, 1.0, 1.0], [15.0, 2.0, 3.0], [4.0, 14.0, 12.0])?;
 ///
-/// // All at once, and slab by slab in a sixteenth of the memory.
+/// // The whole grid at once, then slab by slab in a sixteenth of the memory.
 /// let mut words = vec![0_u64; grid.words::<u64>()];
 /// let mut all = Bits::new(&grid, &mut words)?;
 /// all.fill(&triangle, Rule::Closed);
@@ -78,11 +77,11 @@ pub struct Bits<'a, S, W> {
     words: &'a mut [W],
 }
 
-/// A slice has fewer words than a grid needs.
+/// Error: a slice has fewer words than a grid needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TooFewWords {
-    /// How many words the grid needs.
+    /// The number of words that the grid needs.
     pub needed: usize,
 }
 
@@ -95,10 +94,10 @@ impl fmt::Display for TooFewWords {
 impl core::error::Error for TooFewWords {}
 
 impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
-    /// The bits of a grid in the first of these words, which stay as they are.
+    /// Makes the bits of a grid from the first of these words. Bits that are set stay set.
     ///
     /// # Errors
-    /// [`TooFewWords`] where the slice has fewer than [`Grid::words`].
+    /// [`TooFewWords`] if the slice has fewer than [`Grid::words`].
     ///
     /// *Panics*: never.
     pub fn new(grid: &Grid<S>, words: &'a mut [W]) -> Result<Self, TooFewWords> {
@@ -109,7 +108,7 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
         }
     }
 
-    /// Sets the bits of all voxels that a triangle marks: those of [`Grid::rows`].
+    /// Sets the bits of the voxels that a triangle marks, the voxels of [`Grid::rows`].
     ///
     /// *Panics*: never.
     #[inline]
@@ -117,9 +116,15 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
         if rule == Rule::Closed {
             return self.fill_closed(triangle);
         }
-        for Row { x, y, z } in self.grid.rows(triangle, rule) {
-            self.set_row([y, z], [x.start, x.end - 1]);
-        }
+        let (first, next) = passes(rule);
+        self.fill_pass(triangle, first);
+        next.iter().for_each(|&marks| self.fill_pass(triangle, marks));
+    }
+
+    #[inline(never)]
+    fn fill_pass(&mut self, triangle: &Triangle<S>, marks: [Marks; 3]) {
+        let grid = self.grid;
+        Pass::new(&grid, triangle, marks).each(&grid, |row, span| self.set_span(row, span));
     }
 
     fn fill_closed(&mut self, triangle: &Triangle<S>) {
@@ -130,7 +135,7 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
             let [x, y, z] = bounds.bounds;
             for z in z.first..=z.last {
                 for y in y.first..=y.last {
-                    self.set_row([y as u32, z as u32], [x.first as u32, x.last as u32]);
+                    self.set_span([y, z], x);
                 }
             }
             return;
@@ -145,13 +150,11 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
         });
         if !is_done {
             let pass = Pass::within(&grid, &near, ALL_CLOSED, bounds);
-            pass.each(&grid, |[y, z], Span { first, last }| {
-                self.set_row([y as u32, z as u32], [first as u32, last as u32]);
-            });
+            pass.each(&grid, |row, span| self.set_span(row, span));
         }
     }
 
-    /// Whether the bit of a voxel is set; `false` for one beyond the grid.
+    /// Is the bit of a voxel set? `false` if the grid has no such voxel.
     #[inline]
     #[must_use]
     pub fn contains(&self, [x, y, z]: [u32; 3]) -> bool {
@@ -163,7 +166,7 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
         self.words.get(at).is_some_and(|&word| word >> (x % W::BITS) & W::ONE == W::ONE)
     }
 
-    /// How many bits are set.
+    /// How many bits of the grid are set?
     #[must_use]
     pub fn count(&self) -> u64 {
         let beyond = self.row_words as u32 * W::BITS - self.grid.resolution()[0];
@@ -178,7 +181,7 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
         self.words.chunks_exact(self.row_words).map(row).sum()
     }
 
-    /// The grid.
+    /// Returns the grid.
     #[must_use]
     pub const fn grid(&self) -> &Grid<S> {
         &self.grid
@@ -189,7 +192,7 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
         self.words.fill(W::ZERO);
     }
 
-    /// Changes the bit of a voxel that the grid has.
+    /// Flips the bit of a voxel of the grid.
     #[inline(always)]
     pub(super) fn flip(&mut self, [x, y, z]: [u32; 3]) {
         let at = self.row_start(y, z) + (x / W::BITS) as usize;
@@ -198,17 +201,16 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
         }
     }
 
-    /// Sets the bits of a row from each bit that is set up to before the next one; or, if
-    /// `to_none`, no bit.
-    pub(super) fn fill_between(&mut self, y: u32, z: u32, to_none: bool) {
+    /// Replaces each bit of a row by the parity of the bits up to it; clears the row if `is_open`.
+    pub(super) fn fill_between(&mut self, y: u32, z: u32, is_open: bool) {
         let beyond = self.row_words as u32 * W::BITS - self.grid.resolution()[0];
         let row = self.row_mut(y, z);
-        if to_none {
+        if is_open {
             return row.fill(W::ZERO);
         }
         let mut is_inside = false;
         for word in &mut *row {
-            // Each bit becomes the parity of all up to it.
+            // A parallel prefix: each bit becomes the parity of the bits up to it in this word.
             let mut shift = 1;
             while shift < W::BITS {
                 *word ^= *word << shift;

@@ -1,8 +1,7 @@
-//! A block of voxels: all that the box of a triangle comes to, and the triangle in it.
+//! A block of voxels: the voxels of a triangle's bounding box, and the triangle in `f32`.
 
-use super::pass::Bounds;
-use super::placed::Near;
-use super::slabs::Span;
+use super::place::Span;
+use super::placed::{Bounds, Near};
 use crate::arithmetic::{OfFour, Quad, each, greatest, least, three};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
@@ -10,13 +9,13 @@ use crate::shape::Triangle;
 /// The most voxels along an axis of a block.
 const MOST: i64 = 1 << 10;
 
-/// The most that a place may be from the truth: below, doubts are few. So extents are below 2^11.
+/// The greatest error of a place. Below it doubts are rare, and extents are below 2^11.
 const MOST_ERROR: f32 = 1.0 / 8192.0;
 
 /// The roundoff of `f32`.
 const ROUNDOFF: f32 = f32::EPSILON / 2.0;
 
-/// A number for each vertex, or for the edge that begins there.
+/// A number for each vertex, or for each edge, by its first vertex.
 pub(super) type ForEach = <f32 as OfFour>::Quad;
 
 /// A block of voxels.
@@ -29,7 +28,7 @@ pub(super) struct Block {
 /// A triangle on an axis of a block.
 #[derive(Clone, Copy)]
 pub(super) struct OnAxis {
-    /// The vertices, from the block's first plane on.
+    /// The vertices, measured from the block's first plane.
     pub(super) at: ForEach,
     /// The edges.
     pub(super) edges: ForEach,
@@ -43,14 +42,15 @@ pub(super) struct InBlock<'a, S> {
     pub(super) rows: [OnAxis; 3],
     /// The greatest extent, on any axis, of triangle and block together: one at least.
     pub(super) widest: f32,
-    /// How far a vertex or a plane may be from the truth.
+    /// The error bound of a vertex or a plane.
     pub(super) error: f32,
-    /// Along which edges each coordinate is constant.
+    /// For each axis, the edges along which its coordinate is constant.
     pub(super) level: [u32; 3],
 }
 
 impl<'a, S: Scalar> InBlock<'a, S> {
-    /// `None` where they are so large, or so far away, that floats know little.
+    /// `None` if the block is so large or so far from the origin that the error exceeds
+    /// [`MOST_ERROR`].
     #[inline(always)]
     pub(super) fn new(block: &'a Block, near: &Near<S>, triangle: &'a Triangle<S>) -> Option<Self> {
         let rows = [block.row(near, 0), block.row(near, 1), block.row(near, 2)];
@@ -65,12 +65,12 @@ impl<'a, S: Scalar> InBlock<'a, S> {
             u32::from(a == b) | u32::from(b == c) << 1 | u32::from(c == a) << 2
         };
         let level = [level(0), level(1), level(2)];
-        // Not the other way round: of NaN nothing is known.
+        // `<=`, so that a NaN fails.
         let is_known = error <= MOST_ERROR;
         is_known.then_some(Self { triangle, block, rows, widest, error, level })
     }
 
-    /// About where the first vertex is.
+    /// The first vertex, approximately.
     #[inline(always)]
     pub(super) fn first_vertex(&self) -> [f32; 3] {
         three(|i| self.rows[i].at.to_array()[0])
@@ -78,20 +78,20 @@ impl<'a, S: Scalar> InBlock<'a, S> {
 }
 
 impl Block {
-    /// All voxels of the grid that the box of a triangle comes to, if no axis has more than
+    /// The voxels of the grid in a triangle's bounding box; `None` if an axis has more than
     /// [`MOST`].
     #[inline(always)]
     pub(super) fn of(bounds: &Bounds) -> Option<Self> {
         let [x, y, z] = &bounds.bounds;
         let width = |span: &Span| i64::from(span.last) - i64::from(span.first) + 1;
         let (i, j, k) = (width(x), width(y), width(z));
-        // A small program does without, at the price of time.
+        // The feature `small` does without blocks: less code, more time.
         let fits = !cfg!(feature = "small") && i.max(j).max(k) <= MOST;
         let first = [x.first, y.first, z.first];
         fits.then_some(Self { first, widths: [i as u32, j as u32, k as u32] })
     }
 
-    /// How many voxels it has.
+    /// The number of voxels.
     #[inline(always)]
     pub(super) const fn voxels(&self) -> u64 {
         let [x, y, z] = self.widths;
@@ -105,9 +105,9 @@ impl Block {
         x.max(y).max(z) as f32
     }
 
-    /// The triangle on an axis. To measure it from the block is exact: in `f64` a place is at
-    /// least that of the block's plane, which is not negative, or next to it; of a block that the
-    /// grid cuts there, that plane is number zero.
+    /// The triangle on an axis. The subtraction of the block's first plane is exact in `f64`: if
+    /// the plane is not number zero, a place is at least the plane's place, which is not
+    /// negative, or next to it.
     #[inline(always)]
     pub(super) fn row<S: Scalar>(&self, near: &Near<S>, i: usize) -> OnAxis {
         let first = f64::from(self.first[i]);
@@ -117,7 +117,7 @@ impl Block {
         OnAxis { at, edges: at.turned() - at }
     }
 
-    /// How far a vertex in a row may be from the truth, or a plane.
+    /// The error bound of a vertex in a row, or of a plane.
     #[inline(always)]
     pub(super) fn error<S: Scalar>(&self, near: &Near<S>) -> f32 {
         near.error as f32 + ROUNDOFF * self.widest()

@@ -1,29 +1,32 @@
-//! Rows of a block, four at a time.
+//! Rows of a block, four at a time, in vectors of `f32`.
 //!
-//! What is seen along an axis leaves an interval of each slab (`view`). What is left is the plane.
-//! The plane of the triangle comes in a row of voxels to an interval of x: about its place at the
-//! middle of the row, half of its slopes in y and z to either side. Where it is parallel to x, it
-//! separates nothing that is not separated in the view along x.
+//! Whole meshes take 0.37 to 0.75 of the time with this file and `view`, with the closed rule:
+//! the teapot 0.72 at 32 voxels along its longest side, 0.53 at 64, 0.43 at 128, 0.38 at 256; Spot
+//! (5,856 triangles) 0.75 at 64, 0.40 at 256; `f32`, `f64` and I16F16 alike, on x86-64.
 //!
-//! Each end is taken a little too low and a little too high. Where both lie between the same two
-//! planes, so does the end. Where they do not, the pairs of the triangle and the voxels between
-//! tell: what the triangle meets of a row is in one piece.
+//! The view along an axis gives an interval of each slab (`view`). In a row of voxels the plane of
+//! the triangle covers an interval of x: half of its slopes in y and z on both sides of its place
+//! at the middle of the row. If the plane is parallel to x, it separates only what the view along
+//! x separates.
+//!
+//! Each end is known between a lower and an upper bound. If both lie between the same two planes
+//! of the grid, so does the end. Otherwise the exact test of triangle and voxel decides about the
+//! voxels between, for the voxels of a row that the triangle meets are contiguous.
 //!
 //! # Error bound
 //!
-//! Lengths are as in `view`. The way along x from the plane to a corner of the block, times the x
-//! of the normal, is a volume, which errs as in `few`. By the slopes it takes 20 roundings, of
-//! 15·L³ at most. Gappa adds them up, and 152·η·L² is enough. Beyond 20·η·L the normal's x has its
-//! true sign.
+//! Lengths are as in `view`. The distance along x from the plane to a corner of the block, times
+//! the x of the normal, is a volume and errs as in `few`. By the slopes it takes 20 roundings of
+//! at most 15·L³ each. Gappa adds them up: 152·η·L² is enough. Beyond 20·η·L the normal's x has
+//! its true sign.
 
 use core::cmp::Ordering;
 
 use super::block::{Block, InBlock};
-use super::ends::{Ends, Four, among, four, nth, same, whole};
 use super::few::AREA;
 use super::grid::Grid;
 use super::placed::Near;
-use super::view::View;
+use super::view::{Ends, Four, View, among, four, nth, same, whole};
 use crate::arithmetic::Quad;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
@@ -33,21 +36,21 @@ const PLANE: u8 = 152;
 
 /// Farther than anything in a block.
 const FAR: f32 = 1e30;
-/// How many slabs of y are worked out at a time.
+/// The number of slabs of y that are computed together: at most the bits of a word.
 const SLABS: i32 = 32;
-// The bits of a word.
 const _: () = assert!(SLABS <= 32);
 const QUADS: usize = SLABS as usize / 4;
 
-/// Where the plane is, in the row (0, 0).
+/// The plane in row (0, 0).
 struct Plane {
     middle: f32,
     slopes: [f32; 2],
-    /// From the middle to the least end, too low and too high, and to the greatest.
+    /// The offsets from the middle: lower and upper bound of the least end, then of the greatest.
     reach: [f32; 4],
 }
 
-/// Four layers: their intervals of x and of y, the latter rounded, and which have none.
+/// Four layers: their intervals of x, their intervals of y, rounded, and a bit for each layer that
+/// has none.
 struct Layers {
     x: [[f32; 4]; 4],
     y: [[f32; 4]; 4],
@@ -56,14 +59,15 @@ struct Layers {
 
 /// A layer of a block.
 struct Layer {
-    /// Its interval of x, and that of y, rounded: least, too low and too high; greatest, likewise.
+    /// The intervals of x and of y, the latter rounded: lower and upper bound of the least end, then
+    /// of the greatest.
     x: [f32; 4],
     y: [i32; 4],
-    /// The rows in question, the first and the last, of those from `from_y` on.
+    /// The first and the last row in question, not before `from_y`.
     rows: [i32; 2],
     from_y: i32,
     z: i32,
-    /// Where the plane is in row zero of the layer, and what is added for its ends.
+    /// The plane in row zero of the layer, and the offsets of its ends.
     middle: f32,
     reach: [f32; 4],
 }
@@ -78,14 +82,14 @@ struct Rows<'a, S> {
 pub(super) struct FourRows {
     /// The y and the z of the first.
     pub(super) at: [u32; 2],
-    /// Which of them the triangle meets, bit by bit: none beyond the block.
+    /// A bit for each row that the triangle meets; none beyond the block.
     pub(super) met: u32,
-    /// The first and the last x of each; of a row that is not met, anything.
+    /// The first and the last x of each row; meaningless if the row is not met.
     pub(super) x: [[u32; 4]; 2],
 }
 
-/// Hands on the rows of a block, four side by side, and which of these the triangle meets. Where
-/// floats know nothing, it hands on none, and returns `false`.
+/// Calls `f` with the rows of a block that the triangle meets, four side by side. Returns `false`,
+/// and makes no call, if the error bound is too large for floats.
 #[inline(always)]
 pub(super) fn each<S: Scalar>(
     block: &Block,
@@ -99,7 +103,7 @@ pub(super) fn each<S: Scalar>(
 }
 
 impl<S: Scalar> Rows<'_, S> {
-    /// `None` where floats know nothing.
+    /// `None` if the error bound is too large for floats.
     #[inline(always)]
     fn each(&self, mut f: impl FnMut(&FourRows)) -> Option<()> {
         let view = |u: usize, v: usize| View::new(&self.inside, [u, v]);
@@ -123,8 +127,8 @@ impl<S: Scalar> Rows<'_, S> {
                 let layers = Layers::new(&xz, &yz, from_z);
                 for z in from_z..depth.min(from_z + 4) {
                     let n = (z - from_z) as usize % 4;
-                    // Of these y the triangle may come to the first and the last, and surely does
-                    // to those from the second to the third.
+                    // The triangle surely meets the rows from the second y to the third, and
+                    // possibly those from the first to the last.
                     let y = whole(nth(&layers.y, n));
                     let (first, last) = (y[0].max(from_y), y[3].min(to_y - 1));
                     if layers.empty >> n & 1 == 1 || first > last {
@@ -147,7 +151,7 @@ impl<S: Scalar> Rows<'_, S> {
         Some(())
     }
 
-    /// Hands on the rows of a layer.
+    /// Calls `f` with the rows of a layer.
     #[inline(never)]
     fn layer(&self, layer: &Layer, slabs: &[(Ends, Four); QUADS], f: &mut impl FnMut(&FourRows)) {
         let Layer { from_y, z, y, rows: [first, last], .. } = *layer;
@@ -158,7 +162,7 @@ impl<S: Scalar> Rows<'_, S> {
         let asked = among(first - from_y, last - from_y);
         let sure = among(y[1] - from_y, y[2] - from_y);
         for q in (first - from_y) / 4..(last - from_y) / 4 + 1 {
-            // There is always one: of 32 rows at most.
+            // Always `Some`: a layer has at most 32 rows here.
             let Some((ends, way)) = slabs.get(q as usize) else { return };
             let middle = middle + *way;
             let plane = [middle + a, middle + b, middle + c, middle + d];
@@ -177,8 +181,7 @@ impl<S: Scalar> Rows<'_, S> {
         }
     }
 
-    /// Asks pairs about the rows of which an end is in doubt, or whether the triangle comes to
-    /// them.
+    /// Settles doubtful rows by the exact test of triangle and voxel.
     #[cold]
     #[inline(never)]
     fn settle(&self, layer: &Layer, from: i32, doubt: u32, ends: Ends, rows: &mut FourRows) {
@@ -195,7 +198,7 @@ impl<S: Scalar> Rows<'_, S> {
         }
     }
 
-    /// A row of which an end is in doubt, or whether the triangle comes to it at all.
+    /// The first and the last x of a doubtful row; `None` if the triangle does not meet it.
     fn settled(&self, [y, z]: [i32; 2], in_y: [i32; 4], in_x: [i32; 4]) -> Option<[i32; 2]> {
         let meets = |x: i32| {
             let [i, j, k] = self.inside.block.first;
@@ -216,7 +219,7 @@ impl<S: Scalar> Rows<'_, S> {
         (first <= last).then_some([first, last])
     }
 
-    /// Where the plane is: `None` where rounding cannot say how it is turned.
+    /// The plane; `None` if the sign of its normal's x is in doubt.
     #[inline(always)]
     fn plane(&self, xy: &View, xz: &View, yz: &View) -> Option<Plane> {
         let InBlock { widest, error, .. } = &self.inside;
@@ -240,7 +243,7 @@ impl<S: Scalar> Rows<'_, S> {
     }
 }
 
-/// Four numbers, counted from the first on. They wrap: those of a row that is not met may be any.
+/// Adds `first` to four numbers. The sums may wrap, for a row that is not met has any number.
 /// (`map` may go through memory.)
 #[inline(always)]
 const fn from_on(first: i32, [a, b, c, d]: [i32; 4]) -> [u32; 4] {
@@ -253,7 +256,7 @@ const fn from_on(first: i32, [a, b, c, d]: [i32; 4]) -> [u32; 4] {
 }
 
 impl Layers {
-    /// From one on.
+    /// Four layers, beginning with `first`.
     #[inline(always)]
     fn new(xz: &View, yz: &View, first: i32) -> Self {
         let y = yz.ends(first).rounded();

@@ -2,21 +2,21 @@ use core::cmp::Ordering;
 use core::fmt;
 use core::ops::Range;
 
-use super::marks::Line;
+use super::place::Level;
 use super::sign::middle;
 use crate::arithmetic::{compare, three};
 use crate::scalar::{PlanesError, Scalar};
 use crate::shape::{Aabb, Vec3};
 
-/// A grid of voxels, all of one size.
+/// A grid of voxels of one size: the frame of every voxelization.
 ///
 /// *Geometry*: the planes of the grid are numbers of the scalar. On each axis plane k is
 /// `origin + k·cell`, where floats round the product and the sum, and fixed point rounds
-/// nothing. Voxel (i, j, k) is the box between its planes i and i + 1, j and j + 1, k and
-/// k + 1: what [`voxel`](Self::voxel) returns. Every answer of this module is about these
-/// boxes.
+/// nothing. Voxel (i, j, k) is the box between planes i and i + 1, j and j + 1, k and k + 1;
+/// [`voxel`](Self::voxel) returns it. Every answer of this module is about these boxes.
 ///
-/// A [`part`](Self::part) of a grid is a grid. Its planes are those of the whole.
+/// A [`part`](Self::part) of a grid is a grid and keeps the planes of the whole. Every answer
+/// about a part is the answer about the whole, restricted to the part.
 ///
 /// ```
 /// use septum::voxel::{Grid, GridError};
@@ -38,8 +38,8 @@ pub struct Grid<S> {
     /// The number of the first plane on each axis.
     first: [u32; 3],
     resolution: [u32; 3],
-    /// What places numbers among the planes: one over the cell, and how far a plane may be
-    /// from its place.
+    /// The reciprocal of the cell, and the greatest distance between a plane and its place, in
+    /// cells.
     per_cell: [f64; 3],
     deviation: [f64; 3],
 }
@@ -48,16 +48,16 @@ impl<S: Scalar> Grid<S> {
     /// The most voxels along an axis.
     pub const MOST: u32 = 1 << 30;
 
-    /// The grid with its least corner at `origin`, voxels of size `cell`, and `resolution`
-    /// of them along each axis.
+    /// Makes the grid with its least corner at `origin`, voxels of size `cell`, and `resolution`
+    /// voxels along each axis.
     ///
     /// # Errors
-    /// [`GridError::NotFinite`] where a number is NaN or infinite,
-    /// [`GridError::CellNotPositive`], [`GridError::NoVoxels`] where an axis has none,
-    /// [`GridError::TooManyVoxels`] where it has more than [`MOST`](Self::MOST),
-    /// [`GridError::OutOfRange`] where the scalar does not hold the greatest corner, and in
-    /// floats [`GridError::CellTooSmall`] where a cell is less than 8 roundoffs of the
-    /// distance |origin| + resolution·cell: two planes might round to one.
+    /// [`GridError::NotFinite`] if a number is NaN or infinite,
+    /// [`GridError::CellNotPositive`], [`GridError::NoVoxels`] if an axis has none,
+    /// [`GridError::TooManyVoxels`] if an axis has more than [`MOST`](Self::MOST),
+    /// [`GridError::OutOfRange`] if the scalar does not hold the greatest corner, and in
+    /// floats [`GridError::CellTooSmall`] if a cell is less than 8 roundoffs of the distance
+    /// |origin| + resolution·cell, for then two planes might round to one number.
     ///
     /// *Panics*: never.
     pub fn new(
@@ -83,7 +83,7 @@ impl<S: Scalar> Grid<S> {
             deviation[i] = S::check_planes(from[i], step[i], resolution[i])?;
             if S::HAS_PLACES {
                 per_cell[i] = step[i].reciprocal_in_double();
-                // Of cells so small floats know no places.
+                // The reciprocal of a subnormal cell overflows: floats know no places.
                 if per_cell[i] > f64::MAX {
                     deviation[i] = f64::INFINITY;
                 }
@@ -92,11 +92,11 @@ impl<S: Scalar> Grid<S> {
         Ok(Self { origin, cell, first: [0; 3], resolution, per_cell, deviation })
     }
 
-    /// The part of the grid with the voxels in these ranges, numbered from zero; `None` where
-    /// a range is empty or reaches beyond the grid.
+    /// Returns the part of the grid with the voxels in these ranges, numbered from zero; `None`
+    /// if a range is empty or reaches beyond the grid.
     ///
-    /// Work on a large grid goes slab by slab this way: parts that hold all x and y, and a
-    /// range of z. Each fits in little memory, and threads can share them out.
+    /// Use parts to work on a large grid slab by slab, each with all x and y and a range of z:
+    /// a slab fits in little memory, and threads can share the slabs.
     #[must_use]
     pub fn part(&self, ranges: [Range<u32>; 3]) -> Option<Self> {
         let mut part = *self;
@@ -110,8 +110,8 @@ impl<S: Scalar> Grid<S> {
         Some(part)
     }
 
-    /// The box of a voxel, the set that every answer is about; `None` where there is no such
-    /// voxel.
+    /// Returns the box of a voxel, the set that every answer is about; `None` if the grid has no
+    /// such voxel.
     #[must_use]
     pub fn voxel(&self, [i, j, k]: [u32; 3]) -> Option<Aabb<S>> {
         let [x, y, z] = self.resolution;
@@ -122,50 +122,49 @@ impl<S: Scalar> Grid<S> {
         Aabb::from_min_max(corner([i, j, k]), corner([i + 1, j + 1, k + 1])).ok()
     }
 
-    /// Plane k of the grid on an axis.
+    /// Returns plane k of an axis.
     #[inline]
     pub(super) fn plane(&self, axis: usize, k: u32) -> S {
         let (origin, cell) = (self.origin.to_array(), self.cell.to_array());
         S::plane(origin[axis], cell[axis], self.first[axis] + k)
     }
 
-    /// The two planes that a line is the middle of.
+    /// Returns the two planes whose middle a level is.
     #[inline]
-    pub(super) fn planes(&self, axis: usize, line: Line) -> [S; 2] {
-        [self.plane(axis, line.from as u32), self.plane(axis, line.to as u32)]
+    pub(super) fn planes(&self, axis: usize, level: Level) -> [S; 2] {
+        [self.plane(axis, level.from as u32), self.plane(axis, level.to as u32)]
     }
 
-    /// How a line of the grid compares with a number.
+    /// Compares a level with a number, exactly.
     #[inline]
-    pub(super) fn compare(&self, axis: usize, line: Line, x: S) -> Ordering {
-        let [p, q] = self.planes(axis, line);
-        if line.from != line.to {
+    pub(super) fn compare(&self, axis: usize, level: Level, x: S) -> Ordering {
+        let [p, q] = self.planes(axis, level);
+        if level.from != level.to {
             return middle(p, q, x, self.cell.x);
         }
         compare(p, x)
     }
 
-    /// The way from one number to another, in cells, with an error of less than four roundoffs
-    /// of itself.
+    /// Returns to − from in cells, with a relative error of less than four roundoffs.
     pub(super) fn length(&self, axis: usize, from: S, to: S) -> f64 {
         to.less_in_double(from) * self.per_cell[axis]
     }
 
-    /// A number's place among the planes on an axis, up to the error that
-    /// [`place_error`](Self::place_error) says.
+    /// Returns the place of a number among the planes of an axis, in cells from the first plane,
+    /// within [`place_error`](Self::place_error).
     #[inline(always)]
     pub(super) fn place(&self, axis: usize, x: S) -> f64 {
         let origin = self.origin.to_array()[axis];
         x.less_in_double(origin) * self.per_cell[axis] - f64::from(self.first[axis])
     }
 
-    /// How far places up to `farthest` from the first plane may be from the truth, for
-    /// numbers and planes together, on any axis.
+    /// Bounds the error of a place up to `farthest` cells from the first plane, that of a plane
+    /// included, on any axis.
     ///
-    /// Planes are no farther from their places than `deviation`, wherever they are. Of numbers a
-    /// difference, a reciprocal, their product and one more difference err by a roundoff of f64
-    /// each, of what is at most `farthest + first`, and a subnormal reciprocal by four: less than
-    /// 8 in all.
+    /// Planes are no farther from their places than `deviation`. The place of a number is
+    /// computed by a difference, a reciprocal, a product and another difference. Each errs by one
+    /// roundoff of `f64`, times at most `farthest + first`, and a subnormal reciprocal by four:
+    /// less than 8 roundoffs in all.
     #[inline(always)]
     pub(super) fn place_error(&self, farthest: f64) -> f64 {
         let [a, b, c] = self.first.map(f64::from);
@@ -179,32 +178,32 @@ impl<S: Scalar> Grid<S> {
 }
 
 impl<S: Copy> Grid<S> {
-    /// The least corner of the voxel (0, 0, 0) of the grid that this one is a part of.
+    /// Returns the least corner of voxel (0, 0, 0) of the whole grid.
     #[must_use]
     pub const fn origin(&self) -> Vec3<S> {
         self.origin
     }
 
-    /// The size of a voxel.
+    /// Returns the size of a voxel.
     #[must_use]
     pub const fn cell(&self) -> Vec3<S> {
         self.cell
     }
 
-    /// How many voxels there are along each axis.
+    /// Returns the number of voxels along each axis.
     #[must_use]
     pub const fn resolution(&self) -> [u32; 3] {
         self.resolution
     }
 
-    /// Where in the whole grid the voxel (0, 0, 0) of this part is.
+    /// Returns the index, in the whole grid, of voxel (0, 0, 0) of this part.
     #[must_use]
     pub const fn offset(&self) -> [u32; 3] {
         self.first
     }
 }
 
-/// Why there is no such grid.
+/// The reason why [`Grid::new`] fails.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -1,4 +1,4 @@
-//! A line among the planes of a grid: when it meets which.
+//! A line among the planes of a grid: in which order it meets them.
 //!
 //! # Error bound
 //!
@@ -11,8 +11,8 @@
 use core::cmp::Ordering;
 
 use super::grid::Grid;
-use super::marks::{Line as Limits, Marks};
-use super::place::{Place, locate};
+use super::marks::Marks;
+use super::place::{Level, Place, locate};
 use super::sign::{against_point, line_turn};
 use crate::arithmetic::{Parts, compare};
 use crate::robust::certain_sign;
@@ -29,15 +29,15 @@ pub(super) enum Limit {
     Times(Parts),
 }
 
-/// A line a + t·(to − from).
+/// The line anchor + t·(to − from).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Line<S> {
     pub(super) anchor: [S; 3],
     pub(super) from: [S; 3],
     pub(super) to: [S; 3],
+    /// The anchor in cells, 1/(to − from) in cells, and the error bound of a t.
     near: [f64; 3],
     per_step: [f64; 3],
-    /// Of a t.
     error: [f64; 3],
 }
 
@@ -60,18 +60,18 @@ impl<S: Scalar> Line<S> {
         Self { anchor, from, to, near, per_step, error }
     }
 
-    /// Which way the line goes along an axis.
+    /// Returns the direction of the line along an axis: `Greater` if it rises.
     pub(super) fn way(&self, axis: usize) -> Ordering {
         compare(self.to[axis], self.from[axis])
     }
 
-    /// About the t at which it meets plane k of an axis.
+    /// Returns approximately the t at which the line meets plane k of an axis.
     #[inline(always)]
     fn time(&self, axis: usize, k: i32) -> f64 {
         (f64::from(k) - self.near[axis]) * self.per_step[axis]
     }
 
-    /// How the t of two planes of different axes compare. The line runs along neither.
+    /// Compares the t of two planes of different axes, exactly. The line is parallel to neither.
     #[inline(always)]
     pub(super) fn order(&self, grid: &Grid<S>, a: (usize, i32), b: (usize, i32)) -> Ordering {
         let gap = self.time(a.0, a.1) - self.time(b.0, b.1);
@@ -88,16 +88,16 @@ impl<S: Scalar> Line<S> {
         let pick = |p: &[S; 3]| [p[i], p[j]];
         let point = [grid.plane(i, k as u32), grid.plane(j, l as u32)];
         let order = line_turn(pick(&self.anchor), [pick(&self.from), pick(&self.to)], point);
-        // Left of the line where both rise: t of the first is less.
+        // If both axes rise, a point left of the line has the lesser t on the first axis.
         if self.way(i) == self.way(j) { order.reverse() } else { order }
     }
 
-    /// Where the line is on an axis at a limit.
+    /// Returns the place of one end of the line on an axis.
     pub(super) fn at_limit(&self, grid: &Grid<S>, axis: usize, limit: Limit) -> Place {
         let place = |compare: &dyn Fn(i32) -> Ordering| search(grid, axis, compare);
         match limit {
-            Limit::Anchor => place(&|k| grid.compare(axis, Limits::plane(k), self.anchor[axis])),
-            Limit::To => place(&|k| grid.compare(axis, Limits::plane(k), self.to[axis])),
+            Limit::Anchor => place(&|k| grid.compare(axis, Level::plane(k), self.anchor[axis])),
+            Limit::To => place(&|k| grid.compare(axis, Level::plane(k), self.to[axis])),
             Limit::Times(t) => place(&|k| {
                 let way = [self.from[axis], self.to[axis]];
                 against_point(grid.plane(axis, k as u32), self.anchor[axis], way, t)
@@ -105,17 +105,17 @@ impl<S: Scalar> Line<S> {
         }
     }
 
-    /// Where it is on an axis when it meets plane k of another.
+    /// Returns the place of the line on an axis at the point where it meets a plane of another.
     pub(super) fn at_plane(&self, grid: &Grid<S>, axis: usize, plane: (usize, i32)) -> Place {
         search(grid, axis, &|k| match self.way(axis) {
-            Ordering::Equal => grid.compare(axis, Limits::plane(k), self.anchor[axis]),
+            Ordering::Equal => grid.compare(axis, Level::plane(k), self.anchor[axis]),
             Ordering::Greater => self.order(grid, (axis, k), plane),
             Ordering::Less => self.order(grid, (axis, k), plane).reverse(),
         })
     }
 }
 
-/// Where among the planes of an axis something is that they compare so with.
+/// Finds a place by bisection; `plane(k)` compares plane k with the point.
 fn search<S: Scalar>(grid: &Grid<S>, axis: usize, plane: &dyn Fn(i32) -> Ordering) -> Place {
     let end = Place::before(Marks::Closed.limits(grid.resolution()[axis]));
     locate(0.0, f64::INFINITY, Place::before(0), end, plane)

@@ -1,7 +1,6 @@
 //! What of an axis the boxes are that a triangle is asked about, one for each index.
 
-use super::place::Place;
-use super::slabs::Span;
+use super::place::{Level, Place, Span};
 
 /// The intervals of an axis, numbered as the voxels are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,8 +68,8 @@ impl Marks {
 
     /// Limit k, a plane or a middle.
     #[inline(always)]
-    pub(super) fn limit(self, k: i32) -> Line {
-        Line { from: k, to: k + i32::from(!self.are_cells()) }
+    pub(super) fn limit(self, k: i32) -> Level {
+        Level { from: k, to: k + i32::from(!self.are_cells()) }
     }
 
     /// The first interval that a set comes to whose least number has this place, or greatest
@@ -101,29 +100,7 @@ impl Marks {
 
     /// The two ends of some intervals together, as lines of the grid.
     #[inline(always)]
-    pub(super) fn ends(self, Span { first, last }: Span) -> [Line; 2] {
+    pub(super) fn ends(self, Span { first, last }: Span) -> [Level; 2] {
         [self.limit(first), self.limit(last + i32::from(self.are_cells()))]
-    }
-}
-
-/// The middle between two planes of the grid, or a plane and itself.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Line {
-    pub(super) from: i32,
-    pub(super) to: i32,
-}
-
-impl Line {
-    /// Plane k.
-    #[inline(always)]
-    pub(super) const fn plane(k: i32) -> Self {
-        Self { from: k, to: k }
-    }
-
-    /// About where it is.
-    #[inline(always)]
-    pub(super) fn middle(self) -> f64 {
-        // Not of the sum: two planes at 2^30 are beyond `i32`.
-        0.5 * f64::from(self.from) + 0.5 * f64::from(self.to)
     }
 }

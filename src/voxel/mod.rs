@@ -1,8 +1,13 @@
-//! Grids of voxels: which voxels a triangle meets, row by row, exactly.
+//! Voxelization: which voxels of a grid a triangle, a closed mesh or a line meets, exactly.
 //!
-//! A [`Grid`] is a box of voxels. [`Grid::rows`] names the voxels that a triangle meets, as
-//! ranges along x, without a test for each voxel. [`Bits`] fills a grid of bits in the caller's
-//! memory with them, a word at a time.
+//! A [`Grid`] is a box of voxels.
+//!
+//! * [`Grid::rows`] returns the voxels that a triangle meets, as ranges along x, without a test
+//!   for each voxel (surface voxelization). [`Bits`] sets their bits in the caller's memory. The
+//!   [`Rule`] says which voxels count: closed (conservative), half-open or thin (6-separating).
+//! * [`Solid`] fills closed meshes by the even-odd rule (solid voxelization).
+//! * [`Grid::walk_segment`] and [`Grid::walk_ray`] return the voxels along a line in order, as a
+//!   3D digital differential analyzer (DDA) does.
 //!
 //! ```
 //! use septum::voxel::{Bits, Grid, Rule};
@@ -22,7 +27,6 @@
 
 mod bits;
 mod block;
-mod ends;
 mod few;
 mod four_rows;
 mod grid;
@@ -47,23 +51,24 @@ pub use solid::Solid;
 pub use walk::Walk;
 pub use word::Word;
 
-/// Which voxels a triangle marks.
+/// Which voxels does a triangle or a line mark?
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Rule {
-    /// Those that it meets as closed boxes: what [`overlaps`](crate::Overlaps::overlaps) says of
-    /// [`Grid::voxel`]. A face on a plane of the grid marks both layers beside it. No path
-    /// through voxels left free, by faces, edges or corners, crosses the triangle
-    /// (26-separating).
+    /// The voxels that it meets as closed boxes: those for which
+    /// [`overlaps`](crate::Overlaps::overlaps) holds with [`Grid::voxel`] (conservative
+    /// voxelization). A face on a plane of the grid marks the layers on both sides. No path
+    /// through free voxels, by faces, edges or corners, crosses the triangle (26-separating).
     #[default]
     Closed,
-    /// Those that hold a point of it, where each point of space is in one voxel: the voxel from
-    /// its least planes, included, to its greatest, not included.
+    /// The voxels that hold a point of it, where each point of space is in exactly one voxel. A
+    /// voxel includes its least planes and excludes its greatest planes.
     HalfOpen,
-    /// Those whose cross it meets: the three segments through the middle of a voxel, from face
-    /// to face, each with its lesser end and without its greater one. No path from face to face
-    /// of voxels left free crosses the triangle (6-separating).
+    /// The voxels whose cross it meets. The cross is three segments through the centre of the
+    /// voxel, from face to face, each with its lesser end and without its greater end. No path
+    /// through free voxels, by faces, crosses the triangle (6-separating). For walks see
+    /// [`Grid::walk_segment`].
     ///
     /// For planes these are the thin voxels of Schwarz and Seidel 2010, and of Huang and others
     /// 1998; the cross as the target is S. Laine's, "A Topological Approach to Voxelization",

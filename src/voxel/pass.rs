@@ -6,50 +6,14 @@
 use core::cmp::Ordering;
 
 use super::grid::Grid;
-use super::marks::{AxisMarks, Line, Marks};
-use super::place::Place;
-use super::placed::{Near, Placed};
+use super::marks::{AxisMarks, Marks};
+use super::place::{Level, Place, Span};
+use super::placed::{Bounds, Near, Placed};
 use super::plane::Plane;
-use super::rows::Row;
-use super::slabs::{BLOCK, Span, span, spans};
+use super::slabs::{BLOCK, span, spans};
 use crate::arithmetic::three;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
-
-/// The voxels in question.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Bounds {
-    /// On each axis; on none, if there are none.
-    pub(super) bounds: [Span; 3],
-    /// Whether all of them are marked.
-    pub(super) is_full: bool,
-    /// Whether the triangle ends where the grid ends, or before.
-    pub(super) is_within: bool,
-}
-
-impl Bounds {
-    #[cfg_attr(not(feature = "small"), inline(always))]
-    #[cfg_attr(feature = "small", inline(never))]
-    pub(super) fn new<S: Scalar, M: AxisMarks>(near: &Near<S>, grid: &Grid<S>, marks: M) -> Self {
-        let size = grid.resolution();
-        let mut bounds = [Span::EMPTY; 3];
-        let (mut narrow, mut is_within) = (0, true);
-        for i in 0..3 {
-            let marks = marks.of(i);
-            let [least, greatest] = near.ends(grid, i, marks);
-            let Span { first, last } = marks.span(least, greatest);
-            narrow += u32::from(first == last && marks.are_cells());
-            let end = size[i] as i32 - 1;
-            is_within &= first >= 0 && last <= end;
-            bounds[i] = Span { first: first.max(0), last: last.min(end) };
-        }
-        if bounds.iter().any(|span| span.first > span.last) {
-            bounds = [Span { first: 0, last: -1 }; 3];
-        }
-        // A triangle whose box is one voxel wide on two axes: all of it is in their row.
-        Self { bounds, is_full: narrow >= 2, is_within }
-    }
-}
 
 #[derive(Clone, Debug)]
 pub(super) struct Pass<S, M> {
@@ -97,9 +61,9 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         Bounds { bounds, is_full, is_within }: Bounds,
     ) -> Self {
         let placed = Placed::new(near, grid, marks);
-        let z = bounds[2].first;
-        Self {
-            plane: if is_full { None } else { Plane::new(&placed) },
+        let [_, y, z] = bounds;
+        let mut pass = Self {
+            plane: None,
             placed,
             bounds,
             is_full,
@@ -107,28 +71,32 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
             xy: [Span::EMPTY; BLOCK],
             xz: [Span::EMPTY; BLOCK],
             yz: [Span::EMPTY; BLOCK],
-            // The block before the first.
-            block: [0, z - STEP],
-            y_last: -1,
-            had_rows: [true; 2],
+            block: [y.first, z.first],
+            y_last: y.last,
+            had_rows: [false; 2],
             y: 0,
             y_end: 0,
-            z: z - 1,
+            z: z.first - 1,
+        };
+        if !is_full {
+            pass.plane = Plane::new(&pass.placed);
+            pass.see_layers(grid);
+            pass.see_along_z(grid);
         }
+        pass
     }
 
     /// The next row that has any voxels.
     #[inline(always)]
-    pub(super) fn next(&mut self, grid: &Grid<S>) -> Option<Row> {
+    pub(super) fn next(&mut self, grid: &Grid<S>) -> Option<([i32; 2], Span)> {
         loop {
             while self.y < self.y_end {
                 let y = self.y;
                 self.y += 1;
-                let Span { first, last } = self.row(grid, y);
-                if first <= last {
+                let span = self.row(grid, y);
+                if !span.is_empty() {
                     self.had_rows = [true; 2];
-                    let x = first as u32..last as u32 + 1;
-                    return Some(Row { x, y: y as u32, z: self.z as u32 });
+                    return Some(([y, self.z], span));
                 }
             }
             if !self.next_layer(grid) {
@@ -143,7 +111,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         while self.next_layer(grid) {
             for y in self.y..self.y_end {
                 let span = self.row(grid, y);
-                if span.first <= span.last {
+                if !span.is_empty() {
                     self.had_rows = [true; 2];
                     f([y, self.z], span);
                 }
@@ -171,7 +139,8 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         let yz = slabs(&mut self.yz, first, z.last);
         spans(&self.placed, grid, [1, 2], first, yz);
         let all = yz.iter().fold(Span::EMPTY, |all, span| all.joined(*span));
-        (self.block[0], self.y_last) = (all.first.max(y.first), all.last.min(y.last));
+        self.y_last = all.last.clamp(y.first - 1, y.last);
+        self.block[0] = all.first.clamp(y.first, y.last + 1);
     }
 
     /// Goes on to the next layer of the block, or to the next block.
@@ -179,10 +148,13 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
     fn next_layer(&mut self, grid: &Grid<S>) -> bool {
         let [_, y, z] = self.bounds;
         self.z += 1;
-        if self.z > z.last.min(self.block[1] + STEP - 1) && !self.next_block(grid) {
-            // Still the end if asked again.
-            (self.block, self.z) = ([self.y_last, z.last], z.last);
-            return false;
+        if self.z > z.last.min(self.block[1] + STEP - 1) {
+            let is_last = self.block[0] + STEP > self.y_last && z.last - self.block[1] < STEP;
+            if is_last || !self.next_block(grid) {
+                // Still the end if asked again.
+                (self.block, self.z) = ([self.y_last, z.last], z.last);
+                return false;
+            }
         }
         let span =
             if self.is_full { y } else { self.yz[(self.z - self.block[1]) as usize % BLOCK] };
@@ -193,7 +165,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
 
     /// Goes on to the next block along y, or to the first at the next z. After a block without
     /// rows it passes over all that have none.
-    #[inline(always)]
+    #[inline(never)]
     fn next_block(&mut self, grid: &Grid<S>) -> bool {
         let [_, y, z] = self.bounds;
         self.block[0] += STEP;
@@ -246,13 +218,11 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
     /// between them.
     fn meets(&self, grid: &Grid<S>, [y, z]: [Span; 2]) -> bool {
         let seen = |axes, slab| span(&self.placed, grid, axes, slab);
-        let Span { first, last } = seen([1, 2], z).common(y);
-        if first > last {
+        if seen([1, 2], z).common(y).is_empty() {
             return false;
         }
         let x = self.bounds[0].common(seen([0, 1], y)).common(seen([0, 2], z));
-        let Span { first, last } = self.beside_plane(grid, x, [y, z]);
-        first <= last
+        !self.beside_plane(grid, x, [y, z]).is_empty()
     }
 
     /// The voxels of a row in the present block.
@@ -270,8 +240,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
     /// What the plane leaves of the voxels from the first x to the last, in some rows together.
     #[inline(always)]
     fn beside_plane(&self, grid: &Grid<S>, x: Span, [y, z]: [Span; 2]) -> Span {
-        let Span { first, last } = x;
-        if first > last {
+        if x.is_empty() {
             return Span::EMPTY;
         }
         let Some(plane) = &self.plane else { return x };
@@ -293,13 +262,13 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
                 Ordering::Equal => {}
             }
         }
-        let place = |lines: [Line; 2], low: i32, high: i32| {
+        let place = |lines: [Level; 2], low: i32, high: i32| {
             let (low, high) = (Place::before(low), Place::before(high));
             plane.place(&self.placed, grid, lines, low, high)
         };
-        let end = place(near, first, last + 1);
+        let end = place(near, x.first, x.last + 1);
         let limit = i32::from(along.are_cells());
-        let start = place(far, first + limit, last + 1 + limit);
+        let start = place(far, x.first + limit, x.last + 1 + limit);
         Span { first: along.first(start, lacks_far), last: along.last(end, lacks_near) }
     }
 }

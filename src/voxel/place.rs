@@ -34,6 +34,62 @@ impl Place {
     }
 }
 
+/// A range of cells, both ends included; empty where the first is above the last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Span {
+    pub(super) first: i32,
+    pub(super) last: i32,
+}
+
+impl Span {
+    pub(super) const EMPTY: Self = Self { first: i32::MAX, last: i32::MIN };
+
+    #[inline(always)]
+    pub(super) const fn is_empty(self) -> bool {
+        self.first > self.last
+    }
+
+    /// One cell.
+    #[inline(always)]
+    pub(super) const fn one(k: i32) -> Self {
+        Self { first: k, last: k }
+    }
+
+    /// The cells of both.
+    #[inline(always)]
+    pub(super) fn common(self, other: Self) -> Self {
+        Self { first: self.first.max(other.first), last: self.last.min(other.last) }
+    }
+
+    /// The cells of either and those between.
+    #[inline(always)]
+    pub(super) fn joined(self, other: Self) -> Self {
+        Self { first: self.first.min(other.first), last: self.last.max(other.last) }
+    }
+}
+
+/// The middle between two planes of a grid, or one plane, given twice.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Level {
+    pub(super) from: i32,
+    pub(super) to: i32,
+}
+
+impl Level {
+    /// Plane k.
+    #[inline(always)]
+    pub(super) const fn plane(k: i32) -> Self {
+        Self { from: k, to: k }
+    }
+
+    /// About where it is.
+    #[inline(always)]
+    pub(super) fn middle(self) -> f64 {
+        // Halves first: the sum of two planes at 2^30 overflows `i32`.
+        0.5 * f64::from(self.from) + 0.5 * f64::from(self.to)
+    }
+}
+
 /// Where a number X lies, given that it is not before `low` and not behind `high`, that it
 /// is about `x`, with an error of less than `error`, and how plane k compares with it.
 #[inline(always)]

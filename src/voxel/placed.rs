@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::grid::Grid;
 use super::marks::{AxisMarks, Marks};
-use super::place::{Place, locate};
+use super::place::{Place, Span, locate};
 use super::sign::turn;
 use crate::arithmetic::{greatest, least, three};
 use crate::scalar::Scalar;
@@ -63,6 +63,41 @@ impl<S: Scalar> Near<S> {
             self.place(grid, i, marks, low, || least(least(a[i], b[i]), c[i])),
             self.place(grid, i, marks, high, || greatest(greatest(a[i], b[i]), c[i])),
         ]
+    }
+}
+
+/// The voxels in question.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    /// On each axis; on none, if there are none.
+    pub(super) bounds: [Span; 3],
+    /// Whether all of them are marked.
+    pub(super) is_full: bool,
+    /// Whether the triangle ends where the grid ends, or before.
+    pub(super) is_within: bool,
+}
+
+impl Bounds {
+    #[cfg_attr(not(feature = "small"), inline(always))]
+    #[cfg_attr(feature = "small", inline(never))]
+    pub(super) fn new<S: Scalar, M: AxisMarks>(near: &Near<S>, grid: &Grid<S>, marks: M) -> Self {
+        let size = grid.resolution();
+        let mut bounds = [Span::EMPTY; 3];
+        let (mut narrow, mut is_within) = (0, true);
+        for i in 0..3 {
+            let marks = marks.of(i);
+            let [least, greatest] = near.ends(grid, i, marks);
+            let Span { first, last } = marks.span(least, greatest);
+            narrow += u32::from(first == last && marks.are_cells());
+            let end = size[i] as i32 - 1;
+            is_within &= first >= 0 && last <= end;
+            bounds[i] = Span { first: first.max(0), last: last.min(end) };
+        }
+        if bounds.iter().any(|span| span.is_empty()) {
+            bounds = [Span { first: 0, last: -1 }; 3];
+        }
+        // A triangle whose box is one voxel wide on two axes: all of it is in their row.
+        Self { bounds, is_full: narrow >= 2, is_within }
     }
 }
 

@@ -25,8 +25,8 @@
 use core::cmp::Ordering;
 
 use super::grid::Grid;
-use super::marks::{AxisMarks, Line};
-use super::place::{Place, locate};
+use super::marks::AxisMarks;
+use super::place::{Level, Place, locate};
 use super::placed::Placed;
 use super::sign::side;
 use crate::arithmetic::{three, turn};
@@ -96,7 +96,7 @@ impl Plane {
         &self,
         placed: &Placed<S, M>,
         grid: &Grid<S>,
-        [y, z]: [Line; 2],
+        [y, z]: [Level; 2],
         low: Place,
         high: Place,
     ) -> Place {

@@ -4,60 +4,64 @@ use super::Rule;
 use super::grid::Grid;
 use super::marks::Marks;
 use super::pass::Pass;
+use super::place::Span;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
-/// Voxels (x, y, z) of a grid, one beside the other along x.
+/// A run of voxels along x.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Row {
-    /// The first and the one after the last.
+    /// The x of its voxels.
     pub x: Range<u32>,
-    /// Where the row is.
+    /// The y of the row.
     pub y: u32,
-    /// Where the row is.
+    /// The z of the row.
     pub z: u32,
 }
 
-/// The voxels that a triangle marks, row by row: what [`Grid::rows`] returns.
+/// Iterator over the voxels that a triangle marks, row by row; [`Grid::rows`] makes it.
 #[derive(Clone, Debug)]
 pub struct Rows<S> {
     grid: Grid<S>,
     triangle: Triangle<S>,
     pass: Pass<S, [Marks; 3]>,
-    /// What is asked after this pass.
+    /// The marks of the passes after this one.
     next: &'static [[Marks; 3]],
 }
 
 impl<S: Scalar> Grid<S> {
-    /// The voxels that a triangle marks, as rows along x; each voxel once, but with
-    /// [`Rule::Thin`] up to three times.
+    /// Which voxels does a triangle mark? Returns them as rows along x (surface voxelization).
+    ///
+    /// Each voxel comes once; with [`Rule::Thin`] it may come up to three times. The order of
+    /// rows is not promised.
     ///
     /// *Geometry*: the part of the triangle outside the grid marks nothing.
     ///
-    /// A triangle and a box are disjoint exactly if one of 13 axes separates them. Three of these
-    /// are the axes of the grid. Nine are seen in the three views along an axis, where the
-    /// triangle meets an interval of each slab. The last is the normal: the plane leaves an
-    /// interval of each row. The voxels of a row are what all of these have in common.
+    /// A triangle and a box are disjoint exactly if one of 13 axes separates them. Three of them
+    /// are the axes of the grid. Nine appear in the three views along an axis, in which the
+    /// triangle meets an interval of each slab. The last axis is the normal: the plane meets an
+    /// interval of each row. A row has the voxels that lie in all of these intervals.
     ///
-    /// *Contact*: as the rule says.
+    /// *Contact*: see [`Rule`].
     ///
-    /// *Numerics*: exact for every triangle and grid, in every scalar. For [`Rule::Closed`] the
-    /// voxels are those for which `triangle.overlaps(&grid.voxel(index))` holds.
+    /// *Numerics*: exact for every triangle and grid, in every scalar. For [`Rule::Closed`] a
+    /// voxel is marked exactly if `triangle.overlaps(&grid.voxel(index))` holds.
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: a row takes two multiplications and additions, an end of a slab one. Ends that
-    /// come within rounding of a plane take an exact sign each. Fixed point on 32-bit cores has
-    /// exact signs alone, and finds each end by bisection. With `Closed` and `HalfOpen` the work
-    /// of a call of `next` is bounded, however large triangle and grid are: rows without voxels
-    /// are passed over by bisection, after a few blocks of 64. With `Thin` the rows that `Closed`
-    /// has are visited, up to three times each: a triangle that marks no voxel may pass through
-    /// many of them between the middles of voxels.
+    /// *Cost*: a row takes two multiplications and two additions, an end of a slab one each. An
+    /// end that comes within rounding of a plane takes an exact sign. Fixed point on 32-bit cores
+    /// takes exact signs only, and finds each end by bisection.
     ///
-    /// *Source*: the conditions are those of M. Schwarz and H.-P. Seidel, "Fast Parallel Surface
-    /// and Solid Voxelization on GPUs", *ACM Transactions on Graphics* 29(6), 2010; here they
-    /// give the ends of intervals, and exact ones.
+    /// With `Closed` and `HalfOpen` the work of a call of `next` is bounded, however large the
+    /// triangle and the grid are: after a block of 64 empty rows, bisection finds the next row.
+    /// With `Thin` the iterator visits the rows of `Closed`, up to three times each, and a call
+    /// may visit many rows of a triangle that passes between the centres of voxels.
+    ///
+    /// *Source*: M. Schwarz and H.-P. Seidel, "Fast Parallel Surface and Solid Voxelization on
+    /// GPUs", *ACM Transactions on Graphics* 29(6), 2010. Here their conditions give the ends of
+    /// intervals, and are exact.
     ///
     /// ```
     /// use septum::voxel::{Grid, Rule};
@@ -71,25 +75,22 @@ impl<S: Scalar> Grid<S> {
     /// ```
     #[must_use]
     pub fn rows(&self, triangle: &Triangle<S>, rule: Rule) -> Rows<S> {
-        Rows::new(self, triangle, rule)
+        let (first, next) = passes(rule);
+        let pass = Pass::new(self, triangle, first);
+        Rows { grid: *self, triangle: *triangle, pass, next }
     }
 }
 
-impl<S: Scalar> Rows<S> {
-    #[inline(always)]
-    fn new(grid: &Grid<S>, triangle: &Triangle<S>, rule: Rule) -> Self {
-        use Marks::{Center, Closed, HalfOpen};
-        let (first, next): ([Marks; 3], &[[Marks; 3]]) = match rule {
-            Rule::Closed => ([Closed; 3], &[]),
-            Rule::HalfOpen => ([HalfOpen; 3], &[]),
-            // The three arms of the cross.
-            Rule::Thin => (
-                [HalfOpen, Center, Center],
-                &[[Center, HalfOpen, Center], [Center, Center, HalfOpen]],
-            ),
-        };
-        let pass = Pass::new(grid, triangle, first);
-        Self { grid: *grid, triangle: *triangle, pass, next }
+/// The marks of the first pass for a rule, and those of the passes after it.
+pub(super) const fn passes(rule: Rule) -> ([Marks; 3], &'static [[Marks; 3]]) {
+    use Marks::{Center, Closed, HalfOpen};
+    match rule {
+        Rule::Closed => ([Closed; 3], &[]),
+        Rule::HalfOpen => ([HalfOpen; 3], &[]),
+        // The three arms of the cross.
+        Rule::Thin => {
+            ([HalfOpen, Center, Center], &[[Center, HalfOpen, Center], [Center, Center, HalfOpen]])
+        }
     }
 }
 
@@ -99,8 +100,9 @@ impl<S: Scalar> Iterator for Rows<S> {
     #[inline]
     fn next(&mut self) -> Option<Row> {
         loop {
-            if let Some(row) = self.pass.next(&self.grid) {
-                return Some(row);
+            if let Some(([y, z], Span { first, last })) = self.pass.next(&self.grid) {
+                let x = first as u32..last as u32 + 1;
+                return Some(Row { x, y: y as u32, z: z as u32 });
             }
             let (&marks, next) = self.next.split_first()?;
             self.next = next;

@@ -24,42 +24,13 @@
 
 use super::grid::Grid;
 use super::marks::{AxisMarks, Marks};
-use super::place::{Place, locate};
+use super::place::{Place, Span, locate};
 use super::placed::Placed;
 use super::sign::turn;
 use crate::scalar::Scalar;
 
 /// How many slabs are worked out at a time.
 pub(super) const BLOCK: usize = 8;
-
-/// A range of cells, both ends included; empty where the first is above the last.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Span {
-    pub(super) first: i32,
-    pub(super) last: i32,
-}
-
-impl Span {
-    pub(super) const EMPTY: Self = Self { first: i32::MAX, last: i32::MIN };
-
-    /// One cell.
-    #[inline(always)]
-    pub(super) const fn one(k: i32) -> Self {
-        Self { first: k, last: k }
-    }
-
-    /// The cells of both.
-    #[inline(always)]
-    pub(super) fn common(self, other: Self) -> Self {
-        Self { first: self.first.max(other.first), last: self.last.min(other.last) }
-    }
-
-    /// The cells of either and those between.
-    #[inline(always)]
-    pub(super) fn joined(self, other: Self) -> Self {
-        Self { first: self.first.min(other.first), last: self.last.max(other.last) }
-    }
-}
 
 /// For each interval of the axis `v`, from `first` on, the intervals of the axis `u` that the
 /// triangle comes to in it, seen along the third axis.

@@ -10,22 +10,22 @@ use crate::arithmetic::three;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
-/// The inside of closed meshes: the voxels whose centres are inside.
+/// Solid voxelization: which voxels have their centres inside a closed mesh, by the even-odd rule.
 ///
-/// *Geometry*: along each row of voxels runs the line through their centres. A centre is inside if
-/// an odd number of triangles crosses the line before it. So the inside of a mesh that is closed
-/// is what it encloses, its orientation does not matter, and what two closed meshes both enclose
-/// is outside of both together.
+/// *Geometry*: each row of voxels has a line through their centres. A centre is inside if an odd
+/// number of triangles crosses the line before it (even-odd rule, parity). The orientation of
+/// triangles does not matter. The space that two closed meshes both enclose is outside of their
+/// union.
 ///
-/// *Contact*: a centre on a triangle, or a line through an edge or a vertex, counts as moved by
-/// (ε, ε², ε³). All lines and centres are moved alike, so that each line crosses a closed mesh an
-/// even number of times, and each centre is in one of two solids that share a face.
+/// *Contact*: a centre on a triangle, or a line through an edge or a vertex, is treated as if moved
+/// by (ε, ε², ε³). All lines and centres are moved alike. Therefore each line crosses a closed mesh
+/// an even number of times, and each centre is in exactly one of two solids that share a face.
 ///
-/// *Numerics*: exact for every mesh and grid, in every scalar. Each triangle crosses on its own:
-/// the order of triangles and vertices, and how a grid is parted, change no bit.
+/// *Numerics*: exact for every mesh and grid, in every scalar. The order of triangles and vertices
+/// and the cut of a grid into parts change no bit.
 ///
-/// A line that crosses the mesh an odd number of times shows that the mesh is open there. Its row
-/// has no inside, and [`open_rows`](Self::open_rows) names it.
+/// If a line crosses the mesh an odd number of times, the mesh is open there. The row then has no
+/// inside, and [`open_rows`](Self::open_rows) returns it.
 ///
 /// ```
 /// use septum::voxel::{Grid, Solid};
@@ -51,12 +51,12 @@ use crate::shape::Triangle;
 #[derive(Debug)]
 pub struct Solid<'a, S, W> {
     bits: Bits<'a, S, W>,
-    /// For each z, in words of its own, a bit for each y.
+    /// A bit for each row: y rises within the words of a layer.
     lines: &'a mut [W],
 }
 
 impl<S: Copy> Grid<S> {
-    /// How many words a bit for each row of the grid takes, for [`Solid`].
+    /// Returns the number of words for one bit per row of the grid, which [`Solid`] needs.
     #[must_use]
     pub const fn line_words<W: Word>(&self) -> usize {
         let [_, y, z] = self.resolution();
@@ -65,10 +65,10 @@ impl<S: Copy> Grid<S> {
 }
 
 impl<'a, S: Scalar, W: Word> Solid<'a, S, W> {
-    /// An empty solid, in the first of these words, which are cleared.
+    /// Makes an empty solid in the first of these words, and clears these words.
     ///
     /// # Errors
-    /// [`TooFewWords`] where there are fewer words than [`Grid::words`], or fewer lines than
+    /// [`TooFewWords`] if there are fewer words than [`Grid::words`], or fewer lines than
     /// [`Grid::line_words`].
     ///
     /// *Panics*: never.
@@ -85,10 +85,10 @@ impl<'a, S: Scalar, W: Word> Solid<'a, S, W> {
         Ok(Self { bits, lines })
     }
 
-    /// Notes where the lines of rows cross a triangle.
+    /// Adds a triangle: marks where the lines of rows cross it.
     ///
-    /// *Panics*: never. *Cost*: two multiplications and additions for each line that crosses it, and
-    /// for each layer of z that it comes to.
+    /// *Panics*: never. *Cost*: two multiplications and two additions for each line that crosses
+    /// the triangle, and for each of its layers.
     pub fn cross(&mut self, triangle: &Triangle<S>) {
         let grid = *self.bits.grid();
         let line_words = grid.resolution()[1].div_ceil(W::BITS) as usize;
@@ -104,8 +104,8 @@ impl<'a, S: Scalar, W: Word> Solid<'a, S, W> {
         });
     }
 
-    /// Makes the inside of the crossings, once all triangles are in. Crossing more triangles
-    /// afterwards makes no sense.
+    /// Turns the crossings into the inside, once all triangles are added. Add no triangle after
+    /// that.
     pub fn finish(&mut self) {
         let [_, ny, nz] = self.bits.grid().resolution();
         for z in 0..nz {
@@ -116,14 +116,16 @@ impl<'a, S: Scalar, W: Word> Solid<'a, S, W> {
         }
     }
 
-    /// The rows (y, z) whose lines cross the mesh an odd number of times, so that nothing is said
-    /// to be inside there. None, if the mesh is closed. *Cost*: a look at one bit of each row.
+    /// Where is the mesh open? Returns the rows (y, z) whose lines cross it an odd number of times;
+    /// these rows have no inside. A closed mesh has none.
+    ///
+    /// *Cost*: one bit is read for each row of the grid.
     pub fn open_rows(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         let [_, ny, nz] = self.bits.grid().resolution();
         (0..nz).flat_map(move |z| (0..ny).map(move |y| [y, z])).filter(|&[y, z]| self.is_open(y, z))
     }
 
-    /// The voxels that are inside, after [`finish`](Self::finish).
+    /// Returns the voxels inside the mesh, after [`finish`](Self::finish).
     #[must_use]
     pub const fn bits(&self) -> &Bits<'a, S, W> {
         &self.bits
@@ -136,11 +138,12 @@ impl<'a, S: Scalar, W: Word> Solid<'a, S, W> {
     }
 }
 
-/// For each row whose line crosses the triangle, the first voxel whose centre is behind it.
+/// For each row whose line crosses the triangle, calls `cross` with the first voxel whose centre is
+/// behind the crossing.
 ///
-/// Of a line moved by (ε², ε³) in y and z: an edge crosses it in z exactly if one end has z at
-/// most as great as the line's and the other a greater one, and a crossing at the line's own y is
-/// before it. A centre moved by ε in x is behind a crossing at its own x.
+/// A line is moved by (ε², ε³) in y and z. An edge crosses it in z exactly if one end has z ≤ the
+/// line's z and the other end a greater z; a crossing at the line's own y counts as before the
+/// line. A centre moved by ε in x is behind a crossing at its own x.
 #[inline(always)]
 fn crossings<S: Scalar>(
     grid: &Grid<S>,
@@ -153,7 +156,7 @@ fn crossings<S: Scalar>(
     if first >= last || placed.least[1].at >= ny || placed.greatest[1].at <= 0 {
         return;
     }
-    // Parallel to x it crosses nothing.
+    // A triangle parallel to x crosses no line.
     let Some(plane) = Plane::new(&placed) else { return };
     let edges = three(|k| {
         let ends = rising(&placed, 2, k);

@@ -10,38 +10,40 @@ use crate::shape::{Ray, Segment, SegmentForm, Vec3};
 mod start;
 
 impl<S: Scalar> Grid<S> {
-    /// The voxels that a segment meets, in the order in which it meets them, from its first end
-    /// to its second.
+    /// Which voxels does a segment meet, in order from its first end to its second? (Voxel
+    /// traversal, 3D DDA.)
     ///
-    /// *Geometry*: the part of the segment outside the grid meets nothing. What is met depends on
-    /// the rule:
+    /// *Geometry*: the part of the segment outside the grid meets nothing. The rule says which
+    /// voxels the walk visits:
     ///
-    /// | rule | voxels | where several planes are met at once |
+    /// | rule | voxels | order where the segment meets several planes at one point |
     /// | --- | --- | --- |
-    /// | [`Closed`](Rule::Closed) | all that it has a point in common with, those beside a face, an edge or a corner that it touches too: each once | all around that point, those that differ from the one before in x first, then y, x and y, z, and so on |
-    /// | [`HalfOpen`](Rule::HalfOpen) | those that its points are in | in the order of its points: at the point itself the voxel above all planes, thereafter the one that it goes on into |
-    /// | [`Thin`](Rule::Thin) | those of `HalfOpen`, and voxels that join them, so that each shares a face with the next | one plane after the other: where the segment rises x, y, z, then where it falls z, y, x |
+    /// | [`Closed`](Rule::Closed) | every closed voxel that has a point of the segment, once each; a face, an edge or a corner is enough | all voxels around the point: steps in x, y, x and y, z, and so on |
+    /// | [`HalfOpen`](Rule::HalfOpen) | every voxel that holds a point of the segment | the voxel that holds the point, then the voxel behind it |
+    /// | [`Thin`](Rule::Thin) | the voxels of `HalfOpen`, and voxels that join them: consecutive voxels share a face | one plane after the other: rising x, y, z, then falling z, y, x |
     ///
-    /// *Ends*: a walk goes along its segment through a grid without end, and returns the voxels of
-    /// this grid. So the walk in a [`part`](Grid::part) is the walk in the whole grid, restricted
-    /// to the part, in the same order. By `HalfOpen` and `Thin` it begins in the voxel that holds
-    /// the first point and ends in the voxel that holds the last, if these are in the grid, and
-    /// the walk from the second end to the first has the same voxels in the reverse order; by
-    /// `Closed` it has the same voxels. Where the segment enters or leaves the grid through an
-    /// edge or a corner, a thin walk may begin or end with a voxel that has only that edge or
-    /// corner in common with the segment: it joins the next voxel to one beyond the grid. It may
-    /// be the only voxel of the walk.
+    /// *Ends*: the walk is the walk through an endless grid with the same planes, restricted to
+    /// the voxels of this grid. Therefore the walk in a [`part`](Grid::part) is the walk in the
+    /// whole grid, restricted to the part, in the same order.
+    ///
+    /// With `HalfOpen` and `Thin` the walk begins in the voxel of the first end and ends in the
+    /// voxel of the second end, if the grid has them, and the walk backwards visits the same
+    /// voxels in reverse order. With `Closed` the walk backwards visits the same voxels.
+    ///
+    /// If the segment enters or leaves the grid through an edge or a corner, a thin walk may begin
+    /// or end with a voxel that touches the segment only there. This voxel joins its neighbour to
+    /// a voxel outside the grid. It may be the only voxel of the walk.
     ///
     /// *Numerics*: exact in every scalar.
     ///
     /// *Panics*: never.
     ///
     /// *Cost*: two comparisons and a multiplication for each voxel, and an exact sign where the
-    /// line comes within rounding of an edge. The first voxel takes a few exact signs, wherever
-    /// the segment begins.
+    /// segment comes within rounding of an edge. The first voxel takes a bisection on each axis,
+    /// wherever the segment begins.
     ///
     /// *Source*: J. Amanatides and A. Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing",
-    /// *Eurographics* 1987; the order of planes is an exact sign here, and nothing adds up.
+    /// *Eurographics* 1987. Here exact signs order the planes, so that no error accumulates.
     ///
     /// ```
     /// use septum::Segment;
@@ -68,10 +70,11 @@ impl<S: Scalar> Grid<S> {
         Walk::new(self, line, limits.map(Some), rule)
     }
 
-    /// The voxels that a ray meets, in the order in which it meets them: as
-    /// [`walk_segment`](Self::walk_segment) for all of the ray's range.
+    /// Which voxels does a ray meet in its range, in order? See
+    /// [`walk_segment`](Self::walk_segment) for the rules, the ends and the source.
     ///
-    /// A range that neither begins at zero nor is open takes exact sums at its ends.
+    /// *Cost*: as of `walk_segment`. An end of the range takes exact sums, unless it is zero or
+    /// infinite.
     ///
     /// ```
     /// use septum::Ray;
@@ -95,36 +98,37 @@ impl<S: Scalar> Grid<S> {
     }
 }
 
-/// The voxels along a line: what [`Grid::walk_segment`] and [`Grid::walk_ray`] return.
+/// Iterator over the voxels along a segment or a ray; [`Grid::walk_segment`] and
+/// [`Grid::walk_ray`] make it.
 #[derive(Clone, Debug)]
 pub struct Walk<S> {
     grid: Grid<S>,
     line: Line<S>,
     rule: Rule,
     axes: [Axis; 3],
-    /// The voxels beside the present one that are met together with it: each bit of a number is
-    /// an axis to go one step along. The next such number; the axes there are; of these, at least
-    /// one must be gone along.
+    /// The closed voxels around the present point. A set of bits is a set of axes to step along:
+    /// `next` is the next such set, `around` has the axes whose planes hold the point, and every
+    /// set must have an axis of `must`.
     next: u8,
     around: u8,
     must: u8,
     is_over: bool,
 }
 
-/// What the walk does along an axis.
+/// The state of the walk on one axis.
 #[derive(Clone, Copy, Debug)]
 struct Axis {
     at: i32,
-    /// 1 or −1. Where the line runs along two layers, it goes from the lower to the upper one
-    /// and back.
+    /// 1 or −1. If the line lies in a plane of the axis, the step leads from the lower layer to the
+    /// upper layer.
     step: i32,
-    /// The next plane, and how many are left.
+    /// The next plane, and the number of planes left.
     plane: i32,
     left: i32,
 }
 
 impl<S: Scalar> Walk<S> {
-    /// The axes whose next planes are met next, a bit for each.
+    /// Returns the axes whose next planes the line meets first, a bit for each.
     #[inline(always)]
     fn meets(&self) -> u8 {
         let mut met = 0;
@@ -145,7 +149,7 @@ impl<S: Scalar> Walk<S> {
         met
     }
 
-    /// Goes on to where the next planes are met; whether there are any.
+    /// Advances to the point where the line meets the next planes; `false` at the end.
     #[inline(always)]
     fn go_on(&mut self) -> bool {
         let last = self.grid.resolution().map(|n| n as i32 - 1);
@@ -169,8 +173,8 @@ impl<S: Scalar> Walk<S> {
             return false;
         }
         if self.rule != Rule::Closed && met & rising != 0 {
-            // A point on a plane is above it: so it has crossed those that it rises to, and not
-            // yet those that it falls to.
+            // A point on a plane belongs to the voxel above it: at the point the line has crossed
+            // rising planes, and falling planes behind it.
             met &= rising;
         }
         if self.rule == Rule::Thin {
@@ -195,14 +199,14 @@ impl<S: Scalar> Walk<S> {
         true
     }
 
-    /// The voxel one step along each of these axes, if it is in the grid.
+    /// Returns the voxel one step along each of these axes, if the grid has it.
     #[inline(always)]
     fn voxel(&self, steps: u8) -> Option<[u32; 3]> {
         let mut voxel = [0; 3];
         for i in 0..3 {
             let Axis { at, step, .. } = self.axes[i];
             let at = if steps & 1 << i != 0 { at + step } else { at };
-            // Below zero it is far beyond the grid.
+            // A negative index becomes one far beyond the grid.
             voxel[i] = at as u32;
             if voxel[i] >= self.grid.resolution()[i] {
                 return None;

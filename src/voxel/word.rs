@@ -1,4 +1,4 @@
-//! The words that bits of a grid lie in.
+//! The words that hold the bits of a grid.
 
 /// A word of a grid of bits: `u32` or `u64`.
 pub trait Word: sealed::Word {}
@@ -23,7 +23,7 @@ mod sealed {
         const ONE: Self;
         const ALL: Self;
         fn of(bits: u32) -> Self;
-        /// The least bits, so many: fewer than all.
+        /// A word with the `count` least bits set, `count` below `BITS`.
         fn first(count: u32) -> Self;
         fn ones(self) -> u32;
     }

@@ -116,7 +116,7 @@ fn thin_walks_through_corners() {
 #[test]
 fn walks_that_meet_nothing_end() {
     let grid = Grid::new([0.0; 3], [1.0; 3], [1 << 30, 8, 8]).unwrap();
-    let beside = Segment::new([-1.0, 8.0, 4.0], [2e9, 8.0, 4.0]).unwrap();
+    let beside = Segment::new([-1.0, 8.0, 4.5], [2e9, 8.0, 4.5]).unwrap();
     for rule in [Rule::HalfOpen, Rule::Thin] {
         assert_eq!(grid.walk_segment(&beside, rule).next(), None);
     }

@@ -1,10 +1,11 @@
-//! How bits are set: of the voxels of a row, of a few voxels, of four rows side by side.
+//! Sets bits: of a row, of a few voxels, of four rows side by side.
 
 use super::Bits;
 use crate::arithmetic::each;
 use crate::scalar::Scalar;
 use crate::voxel::block::Block;
 use crate::voxel::four_rows::FourRows;
+use crate::voxel::place::Span;
 use crate::voxel::word::Word;
 
 impl<S: Scalar, W: Word> Bits<'_, S, W> {
@@ -17,12 +18,12 @@ impl<S: Scalar, W: Word> Bits<'_, S, W> {
         for z in z..z + layers {
             for y in y..y + rows {
                 let bits = W::of(met & (u32::MAX >> (32 - width)));
-                // The last row may leave none.
+                // After the last row the shift may be 32.
                 met = met.checked_shr(width).unwrap_or(0);
                 match self.row_mut(y, z).get_mut(at..) {
                     Some([word, next, ..]) => {
                         *word |= bits << shift;
-                        // In two steps: by all of its bits a word cannot be shifted.
+                        // In two steps, for a shift by all bits of a word overflows.
                         *next |= bits >> (W::BITS - 1 - shift) >> 1;
                     }
                     Some([word]) => *word |= bits << shift,
@@ -32,9 +33,15 @@ impl<S: Scalar, W: Word> Bits<'_, S, W> {
         }
     }
 
+    /// Sets the bits of a row of the grid.
+    #[inline(always)]
+    pub(super) fn set_span(&mut self, [y, z]: [i32; 2], Span { first, last }: Span) {
+        self.set_row([y as u32, z as u32], [first as u32, last as u32]);
+    }
+
     /// Sets the bits of a row from the first to the last.
     #[inline(always)]
-    pub(super) fn set_row(&mut self, [y, z]: [u32; 2], [first, last]: [u32; 2]) {
+    fn set_row(&mut self, [y, z]: [u32; 2], [first, last]: [u32; 2]) {
         let (from, to) = ((first / W::BITS) as usize, (last / W::BITS) as usize);
         let head = W::ALL << (first % W::BITS);
         let tail = W::ALL >> (W::BITS - 1 - last % W::BITS);
@@ -53,7 +60,7 @@ impl<S: Scalar, W: Word> Bits<'_, S, W> {
     #[inline(always)]
     pub(super) fn set_rows(&mut self, rows: &FourRows) {
         let ([y, z], [first, last]) = (rows.at, &rows.x);
-        // A row that is not met is one of no bits, and is not branched on.
+        // A row that is not met has no bits: no branch.
         let is_met = lanes(|k| if rows.met & 1 << k == 0 { 0 } else { u32::MAX });
         let count = lanes(|k| last[k].wrapping_sub(first[k]).wrapping_add(1) & is_met[k]);
         let (shift, at) = (lanes(|k| first[k] % W::BITS), lanes(|k| first[k] / W::BITS));
@@ -61,19 +68,19 @@ impl<S: Scalar, W: Word> Bits<'_, S, W> {
         let (mut start, words) = (self.row_start(y, z), &mut *self.words);
         for k in 0..4 {
             if let Some(word) = words.get_mut(start + at[k] as usize) {
-                // Of a row that goes on in the next word, only some of its bits.
+                // A row that continues in the next word gets only some of its bits here.
                 *word |= W::first(count[k] % W::BITS) << shift[k];
             }
             start += self.row_words;
         }
-        // Some row reaches the end of its word: a power of two, so that one of four is as great if
-        // their bits together are.
+        // Some row reaches the end of its word. `W::BITS` is a power of two, so that some of four
+        // numbers reaches it exactly if their bits together do.
         if (a | b) | (c | d) >= W::BITS {
             self.set_long_rows(rows);
         }
     }
 
-    /// Sets the bits of rows of which some reach the end of a word.
+    /// Sets the bits of rows, one by one, if some row reaches the end of a word.
     #[inline(never)]
     fn set_long_rows(&mut self, rows: &FourRows) {
         let [y, z] = rows.at;
@@ -85,7 +92,7 @@ impl<S: Scalar, W: Word> Bits<'_, S, W> {
     }
 }
 
-/// A number for each of four rows. Written out, that it be unrolled.
+/// A number for each of four rows, written out because the compiler does not unroll a loop.
 #[inline(always)]
 fn lanes(f: impl Fn(usize) -> u32) -> [u32; 4] {
     [f(0), f(1), f(2), f(3)]

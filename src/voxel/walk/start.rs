@@ -1,4 +1,4 @@
-//! Where a walk begins: the first point of the line in the grid, and what is left on each axis.
+//! The start of a walk: the first point of the line in the grid, and the planes left on each axis.
 
 use core::cmp::Ordering;
 
@@ -43,13 +43,13 @@ impl<S: Scalar> Walk<S> {
         walk
     }
 
-    /// Where the line first is in the closed box of the grid, and whether it comes there from
-    /// outside; `None` if it never is there.
+    /// Returns the first point of the line in the closed box of the grid, and whether the line
+    /// enters the box there; `None` if it has no point in the box.
     fn start(&self, limit: Option<Limit>) -> Option<([Place; 3], bool)> {
         let (grid, line) = (&self.grid, &self.line);
         let last = grid.resolution().map(|n| n as i32);
         let mut places = [Place::before(0); 3];
-        // The last of the planes by which it enters.
+        // The last plane that the line crosses on its way in.
         let mut entry: Option<(usize, i32)> = None;
         for i in 0..3 {
             let way = line.way(i);
@@ -85,7 +85,7 @@ impl<S: Scalar> Walk<S> {
         Some((places, entry.is_some()))
     }
 
-    /// Sets out along an axis.
+    /// Sets an axis to the start.
     fn set_out(&mut self, i: usize, start: Place, end: Option<Place>, is_entry: bool) {
         let last = self.grid.resolution()[i] as i32;
         let is_closed = self.rule == Rule::Closed;
@@ -95,13 +95,13 @@ impl<S: Scalar> Walk<S> {
         match self.line.way(i) {
             Ordering::Equal => {
                 axis.at = start.above - 1;
-                // All of the line may be in the layer beyond the last, of which closed voxels
-                // alone have a point in the grid.
+                // A line in the greatest plane lies in the layer beyond the grid, except for
+                // closed voxels.
                 self.is_over |= !is_closed && axis.at >= last;
             }
             Ordering::Greater => {
-                // A thin walk from outside has yet to cross the planes that it enters by, one
-                // after the other: between two of them there may be a voxel of the grid.
+                // A thin walk crosses the planes of its entry one after the other, and between two
+                // of them may be in a voxel of the grid.
                 let crosses = self.rule == Rule::Thin && is_entry;
                 let from = if crosses { start.at } else { start.above };
                 *axis = Axis { at: from - 1, step: 1, plane: from, left: 0 };
@@ -116,14 +116,14 @@ impl<S: Scalar> Walk<S> {
             }
         }
         if bit != 0 {
-            // It begins before the plane that it is on.
+            // The voxel before the plane comes first.
             axis.at -= axis.step;
             self.around |= bit;
         }
     }
 }
 
-/// Whether something is beyond the planes of an axis.
+/// Returns whether a place is outside the closed range of an axis.
 fn is_outside(place: Place, last: i32) -> bool {
     place.above <= 0 || place.at > last
 }
