@@ -3,7 +3,7 @@ use core::fmt;
 use super::Rule;
 use super::block::{Block, ForEach};
 use super::grid::Grid;
-use super::marks::{ALL_CLOSED, Marks};
+use super::marks::{ALL_CLOSED, AxisMarks, Marks};
 use super::pass::Pass;
 use super::placed::{Bounds, Near};
 use super::rows::passes;
@@ -123,24 +123,17 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
 
     #[inline(never)]
     fn fill_pass(&mut self, triangle: &Triangle<S>, marks: [Marks; 3]) {
-        let grid = self.grid;
-        Pass::new(&grid, triangle, marks).each(&grid, |row, span| self.set_span(row, span));
+        let near = Near::new(triangle, &self.grid);
+        let bounds = Bounds::new(&near, &self.grid, marks);
+        self.fill_rows(&near, bounds, marks);
     }
 
     fn fill_closed(&mut self, triangle: &Triangle<S>) {
         let grid = self.grid;
         let near = Near::new(triangle, &grid);
         let bounds = Bounds::new(&near, &grid, ALL_CLOSED);
-        if bounds.is_full {
-            let [x, y, z] = bounds.bounds;
-            for z in z.first..=z.last {
-                for y in y.first..=y.last {
-                    self.set_span([y, z], x);
-                }
-            }
-            return;
-        }
-        let is_done = Block::of(&bounds).is_some_and(|block| {
+        let block = if bounds.is_full { None } else { Block::of(&bounds) };
+        let is_done = block.is_some_and(|block| {
             if bounds.is_within && block.voxels() <= FEW {
                 self.set_few(&block, few::met(&block, &near, &grid));
                 return true;
@@ -149,9 +142,23 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
                 && four_rows::each(&block, &near, triangle, &grid, |rows| self.set_rows(rows))
         });
         if !is_done {
-            let pass = Pass::within(&grid, &near, ALL_CLOSED, bounds);
-            pass.each(&grid, |row, span| self.set_span(row, span));
+            self.fill_rows(&near, bounds, ALL_CLOSED);
         }
+    }
+
+    /// Sets the bits of the rows within the bounds of a triangle.
+    #[inline(always)]
+    fn fill_rows<M: AxisMarks>(&mut self, near: &Near<S>, bounds: Bounds, marks: M) {
+        let grid = self.grid;
+        if bounds.is_full {
+            let [x, y, z] = bounds.bounds;
+            for z in z.first..=z.last {
+                (y.first..=y.last).for_each(|y| self.set_span([y, z], x));
+            }
+            return;
+        }
+        let pass = Pass::within(&grid, near, marks, bounds);
+        pass.each(&grid, |row, span| self.set_span(row, span));
     }
 
     /// Is the bit of a voxel set? `false` if the grid has no such voxel.

@@ -138,9 +138,13 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         spans(&self.placed, grid, [0, 2], first, xz);
         let yz = slabs(&mut self.yz, first, z.last);
         spans(&self.placed, grid, [1, 2], first, yz);
-        let all = yz.iter().fold(Span::EMPTY, |all, span| all.joined(*span));
-        self.y_last = all.last.clamp(y.first - 1, y.last);
-        self.block[0] = all.first.clamp(y.first, y.last + 1);
+        (self.block[0], self.y_last) = (y.first, y.last);
+        // The layers of a single block come to all of y.
+        if z.last - z.first >= STEP {
+            let all = yz.iter().fold(Span::EMPTY, |all, span| all.joined(*span));
+            self.y_last = all.last.clamp(y.first - 1, y.last);
+            self.block[0] = all.first.clamp(y.first, y.last + 1);
+        }
     }
 
     /// Goes on to the next layer of the block, or to the next block.
