@@ -188,8 +188,8 @@ impl<S: Scalar> Few<'_, S> {
         exact_turn(a, b, c)
     }
 
-    /// The edges that have a crossing of planes strictly on their outer side, and those that have
-    /// it strictly on their inner side, seen along an axis.
+    /// The edges with a crossing of planes strictly on their outer side, then the edges with the
+    /// crossing strictly on their inner side, seen along an axis.
     #[cold]
     #[inline(never)]
     fn exact_sides(&self, [u, v]: [usize; 2], [p, q]: [u32; 2]) -> (u32, u32) {

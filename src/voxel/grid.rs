@@ -158,8 +158,8 @@ impl<S: Scalar> Grid<S> {
         x.less_in_double(origin) * self.per_cell[axis] - f64::from(self.first[axis])
     }
 
-    /// Bounds the error of a place up to `farthest` cells from the first plane, that of a plane
-    /// included, on any axis.
+    /// Bounds the error of a place up to `farthest` cells from the first plane, plus the error of
+    /// a plane, on any axis.
     ///
     /// Planes are no farther from their places than `deviation`. The place of a number is
     /// computed by a difference, a reciprocal, a product and another difference. Each errs by one

@@ -1,21 +1,21 @@
-//! What of an axis the boxes are that a triangle is asked about, one for each index.
+//! The intervals of an axis that a rule tests, one for each index: cells or their middles.
 
 use super::place::{Level, Place, Span};
 
-/// The intervals of an axis, numbered as the voxels are.
+/// The intervals of an axis, numbered like the voxels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Marks {
     /// From plane to plane, both included.
     Closed,
     /// From a plane, included, to the next, not included.
     HalfOpen,
-    /// The middle between two planes alone.
+    /// The middle between two planes, a single number.
     Center,
 }
 
-/// The marks of each axis: known to the compiler, or not.
+/// The marks of the three axes, known at compile time or not.
 pub(super) trait AxisMarks: Copy {
-    /// Those of an axis.
+    /// The marks of an axis.
     fn of(&self, axis: usize) -> Marks;
 }
 
@@ -26,12 +26,12 @@ impl AxisMarks for [Marks; 3] {
     }
 }
 
-/// Closed on every axis: what is asked for most.
+/// Closed on every axis, known at compile time: the most frequent rule.
 #[cfg(not(feature = "small"))]
 pub(super) const ALL_CLOSED: AllClosed = AllClosed;
 
-/// The same in the type of all others, whose code then serves it too: a kilobyte less beside
-/// solids, for a fiftieth more time.
+/// Closed on every axis, in the type of the other rules, so that their code serves it too: one
+/// kilobyte less beside solids, 2 % more time.
 #[cfg(feature = "small")]
 pub(super) const ALL_CLOSED: [Marks; 3] = [Marks::Closed; 3];
 
@@ -48,19 +48,19 @@ impl AxisMarks for AllClosed {
 }
 
 impl Marks {
-    /// Whether the limits of the intervals are planes; if not, they are middles.
+    /// Whether the limits of the intervals are planes and not middles.
     #[inline(always)]
     pub(super) fn are_cells(self) -> bool {
         self != Self::Center
     }
 
-    /// How many limits an axis of so many voxels has.
+    /// The number of limits of an axis with `voxels` voxels.
     #[inline(always)]
     pub(super) fn limits(self, voxels: u32) -> i32 {
         voxels as i32 + i32::from(self.are_cells())
     }
 
-    /// How far limit k is from k.
+    /// The distance of limit k from k, in cells.
     #[inline(always)]
     pub(super) fn shift(self) -> f64 {
         if self.are_cells() { 0.0 } else { 0.5 }
@@ -72,33 +72,33 @@ impl Marks {
         Level { from: k, to: k + i32::from(!self.are_cells()) }
     }
 
-    /// The first interval that a set comes to whose least number has this place, or greatest
-    /// lower bound, if it `is_open` there.
+    /// The first interval that a set meets, by the place of its least number or, if the set
+    /// `is_open` there, of its greatest lower bound.
     #[inline(always)]
     pub(super) fn first(self, place: Place, is_open: bool) -> i32 {
         let from = if is_open || self == Self::HalfOpen { place.above } else { place.at };
         from - i32::from(self.are_cells())
     }
 
-    /// The last interval that it comes to, by its greatest number or least upper bound.
+    /// The last interval that a set meets, by its greatest number or least upper bound.
     #[inline(always)]
     pub(super) fn last(self, place: Place, is_open: bool) -> i32 {
         (if is_open { place.at } else { place.above }) - 1
     }
 
-    /// The intervals that a number, or a bound that `is_open`, is at.
+    /// The intervals of a number, or of a bound that `is_open`.
     #[inline(always)]
     pub(super) fn at(self, place: Place, is_open: bool) -> Span {
         Span { first: self.first(place, is_open), last: self.last(place, is_open) }
     }
 
-    /// The intervals of a closed set between two numbers, as far as there are any.
+    /// The intervals of a closed set between two numbers; it may be empty.
     #[inline(always)]
     pub(super) fn span(self, least: Place, greatest: Place) -> Span {
         Span { first: self.first(least, false), last: self.last(greatest, false) }
     }
 
-    /// The two ends of some intervals together, as lines of the grid.
+    /// The two ends of consecutive intervals taken together.
     #[inline(always)]
     pub(super) fn ends(self, Span { first, last }: Span) -> [Level; 2] {
         [self.limit(first), self.limit(last + i32::from(self.are_cells()))]

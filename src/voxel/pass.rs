@@ -1,7 +1,16 @@
-//! One way through the voxels that a triangle may mark: those of one kind of marks.
+//! One pass over the voxels of a triangle's bounding box, for one kind of marks on each axis.
 //!
-//! A triangle and a box are disjoint exactly if one of 13 axes separates them: three are those
-//! of the grid, nine are seen along them, and the last is the normal.
+//! A triangle and a box are disjoint exactly if one of 13 axes separates them: the three axes of
+//! the grid, nine that appear in the views along them, and the normal.
+//!
+//! # Work
+//!
+//! The marked rows of a layer are consecutive, and so are the layers, for the triangle is convex
+//! and cells side by side make a box. If the grid cuts the triangle, rows within its outline may
+//! be empty. After a block of 64 rows without voxels, `first_met` finds the next row by
+//! bisection: it tests the triangle against the box of many rows with the same 13 axes. Middles
+//! side by side make no box. The test then takes all numbers between them and may pass for rows
+//! without voxels.
 
 use core::cmp::Ordering;
 
@@ -19,14 +28,14 @@ use crate::shape::Triangle;
 pub(super) struct Pass<S, M> {
     placed: Placed<S, M>,
     plane: Option<Plane>,
-    /// The voxels in question on each axis.
+    /// The range of voxels on each axis.
     bounds: [Span; 3],
-    /// Whether all of them are marked.
+    /// Whether every voxel in range is marked.
     is_full: bool,
-    /// Whether rows within the outline along x may be empty: the grid cuts the triangle, or some
+    /// Whether rows within the view along x may be empty: the grid cuts the triangle, or some
     /// marks are middles.
     has_gaps: bool,
-    /// The slabs of a block: those of y seen along z, and those of z seen along y and x.
+    /// The intervals of the slabs of a block: x by y, x by z, y by z.
     xy: [Span; BLOCK],
     xz: [Span; BLOCK],
     yz: [Span; BLOCK],
@@ -52,7 +61,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         Self::within(grid, &near, marks, Bounds::new(&near, grid, marks))
     }
 
-    /// The voxels within the bounds of a triangle.
+    /// A pass within the bounds of a triangle.
     #[inline(always)]
     pub(super) fn within(
         grid: &Grid<S>,
@@ -86,7 +95,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         pass
     }
 
-    /// The next row that has any voxels.
+    /// Returns the next row that has voxels.
     #[inline(always)]
     pub(super) fn next(&mut self, grid: &Grid<S>) -> Option<([i32; 2], Span)> {
         loop {
@@ -105,7 +114,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         }
     }
 
-    /// All rows at once: [`next`](Self::next) until there are no more.
+    /// Calls `f` with every row that has voxels.
     #[inline(always)]
     pub(super) fn each(mut self, grid: &Grid<S>, mut f: impl FnMut([i32; 2], Span)) {
         while self.next_layer(grid) {
@@ -119,7 +128,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         }
     }
 
-    /// Works out the slabs of y of the present block.
+    /// Computes the slabs of y of the present block.
     #[cfg_attr(not(feature = "small"), inline(always))]
     #[cfg_attr(feature = "small", inline(never))]
     fn see_along_z(&mut self, grid: &Grid<S>) {
@@ -128,7 +137,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         spans(&self.placed, grid, [0, 1], first, slabs);
     }
 
-    /// Works out the slabs of z of the present block, and from which y to which they go.
+    /// Computes the slabs of z of the present block and their range of y.
     #[cfg_attr(not(feature = "small"), inline(always))]
     #[cfg_attr(feature = "small", inline(never))]
     fn see_layers(&mut self, grid: &Grid<S>) {
@@ -139,7 +148,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         let yz = slabs(&mut self.yz, first, z.last);
         spans(&self.placed, grid, [1, 2], first, yz);
         (self.block[0], self.y_last) = (y.first, y.last);
-        // The layers of a single block come to all of y.
+        // The layers of a single block cover all of y.
         if z.last - z.first >= STEP {
             let all = yz.iter().fold(Span::EMPTY, |all, span| all.joined(*span));
             self.y_last = all.last.clamp(y.first - 1, y.last);
@@ -147,7 +156,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         }
     }
 
-    /// Goes on to the next layer of the block, or to the next block.
+    /// Advances to the next layer of the block, or to the next block.
     #[inline(always)]
     fn next_layer(&mut self, grid: &Grid<S>) -> bool {
         let [_, y, z] = self.bounds;
@@ -155,7 +164,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         if self.z > z.last.min(self.block[1] + STEP - 1) {
             let is_last = self.block[0] + STEP > self.y_last && z.last - self.block[1] < STEP;
             if is_last || !self.next_block(grid) {
-                // Still the end if asked again.
+                // A further call ends here again.
                 (self.block, self.z) = ([self.y_last, z.last], z.last);
                 return false;
             }
@@ -167,8 +176,8 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         true
     }
 
-    /// Goes on to the next block along y, or to the first at the next z. After a block without
-    /// rows it passes over all that have none.
+    /// Advances to the next block along y, or to the first block at the next z. After a block
+    /// without rows it skips to the next block with rows.
     #[inline(never)]
     fn next_block(&mut self, grid: &Grid<S>) -> bool {
         let [_, y, z] = self.bounds;
@@ -201,8 +210,8 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         true
     }
 
-    /// The first of these slabs, of y or of z, that has a row, or the one after the last: by
-    /// bisection, for the triangle is convex. Where marks are middles, the slab may have none.
+    /// Finds the first slab of `rest` that has a row, by bisection; `rest.last + 1` if none has.
+    /// `rows` makes rows of slabs.
     #[cold]
     #[inline(never)]
     fn first_met(&self, grid: &Grid<S>, rest: Span, rows: impl Fn(Span) -> [Span; 2]) -> i32 {
@@ -218,8 +227,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         first
     }
 
-    /// Whether the triangle meets the box of many rows; where marks are middles, all that is
-    /// between them.
+    /// Whether the triangle meets the box of many rows.
     fn meets(&self, grid: &Grid<S>, [y, z]: [Span; 2]) -> bool {
         let seen = |axes, slab| span(&self.placed, grid, axes, slab);
         if seen([1, 2], z).common(y).is_empty() {
@@ -229,7 +237,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         !self.beside_plane(grid, x, [y, z]).is_empty()
     }
 
-    /// The voxels of a row in the present block.
+    /// Returns the voxels of a row in the present block.
     #[inline(always)]
     fn row(&self, grid: &Grid<S>, y: i32) -> Span {
         if self.is_full {
@@ -241,19 +249,19 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         self.beside_plane(grid, x, [y, self.z].map(Span::one))
     }
 
-    /// What the plane leaves of the voxels from the first x to the last, in some rows together.
+    /// Restricts a range of x to the voxels that the plane does not separate, in the box of some
+    /// rows.
     #[inline(always)]
     fn beside_plane(&self, grid: &Grid<S>, x: Span, [y, z]: [Span; 2]) -> Span {
         if x.is_empty() {
             return Span::EMPTY;
         }
         let Some(plane) = &self.plane else { return x };
-        // Of the rows' edges along x, the ones nearest to where the normal comes from, and to
-        // where it goes.
+        // `near` and `far`: the edges of the rows along x that come first and last along the normal.
         let [along, of_y, of_z] = three(|i| self.placed.marks.of(i));
         let (ends_y, ends_z) = (of_y.ends(y), of_z.ends(z));
         let [mut near, mut far] = [0, 1].map(|k: usize| [ends_y[k], ends_z[k]]);
-        // Half-open voxels have no point on the second of each pair.
+        // Half-open voxels do not have the second line of each pair.
         let (mut lacks_near, mut lacks_far) = (false, false);
         for i in 0..2 {
             let is_half_open = [of_y, of_z][i] == Marks::HalfOpen;

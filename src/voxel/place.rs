@@ -1,10 +1,10 @@
-//! Where a coordinate lies among the planes of a grid: by floats where they are sure, and
-//! else by an exact comparison.
+//! The place of a coordinate among the planes of a grid: by floats if their error bound permits,
+//! otherwise by exact comparisons.
 
 use core::cmp::Ordering;
 
-/// Where a number lies among planes in rising order: the first plane not below it and the
-/// first plane above it. They differ where it lies on a plane.
+/// The place of a number among planes in rising order: the first plane not below it and the first
+/// plane above it. They differ if the number lies on a plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Place {
     pub(super) at: i32,
@@ -55,13 +55,13 @@ impl Span {
         Self { first: k, last: k }
     }
 
-    /// The cells of both.
+    /// The intersection of two spans.
     #[inline(always)]
     pub(super) fn common(self, other: Self) -> Self {
         Self { first: self.first.max(other.first), last: self.last.min(other.last) }
     }
 
-    /// The cells of either and those between.
+    /// The least span that holds two spans.
     #[inline(always)]
     pub(super) fn joined(self, other: Self) -> Self {
         Self { first: self.first.min(other.first), last: self.last.max(other.last) }
@@ -82,7 +82,7 @@ impl Level {
         Self { from: k, to: k }
     }
 
-    /// About where it is.
+    /// The place of the level, in cells.
     #[inline(always)]
     pub(super) fn middle(self) -> f64 {
         // Halves first: the sum of two planes at 2^30 overflows `i32`.
@@ -90,8 +90,8 @@ impl Level {
     }
 }
 
-/// Where a number X lies, given that it is not before `low` and not behind `high`, that it
-/// is about `x`, with an error of less than `error`, and how plane k compares with it.
+/// Finds the place of a number X that is not before `low` and not behind `high`. |X − x| < `error`,
+/// and `plane(k)` compares plane k with X exactly.
 #[inline(always)]
 pub(super) fn locate(
     x: f64,
@@ -103,25 +103,25 @@ pub(super) fn locate(
     if low == high {
         return low;
     }
-    // Half a cell beyond the planes in question, which keeps clear of the next ones.
+    // Clamp to half a cell beyond the planes in question, clear of the next planes.
     let (least, greatest) = (f64::from(low.at) - 0.5, f64::from(high.above) - 0.5);
     let x = if x < least { least } else { x };
     let x = if x > greatest { greatest } else { x };
     let (nearest, k) = nearest_whole(x);
     let rest = x - nearest;
-    // A NaN is in doubt.
+    // A NaN fails this comparison and is in doubt.
     if rest.abs() > error {
         return Place::before(k + i32::from(rest > 0.0));
     }
     search(if error < 0.5 { Some(k) } else { None }, low, high, plane)
 }
 
-/// The same where floats are no help.
+/// Finds the place by exact comparisons: with plane k = `doubt` only, or by bisection.
 #[cold]
 #[inline(never)]
 fn search(doubt: Option<i32>, low: Place, high: Place, plane: impl Fn(i32) -> Ordering) -> Place {
     let (mut from, mut to) = doubt.map_or((low.at, high.above), |k| (k, k + 1));
-    // The planes before `from` are below X, those from `to` on are above it.
+    // Planes before `from` are below X, planes from `to` on are above X.
     while from < to {
         let middle = from + (to - from) / 2;
         match plane(middle) {
@@ -133,10 +133,10 @@ fn search(doubt: Option<i32>, low: Place, high: Place, plane: impl Fn(i32) -> Or
     Place::before(from)
 }
 
-/// The nearest whole number of one whose magnitude is below 2³¹.
+/// Rounds a number with a magnitude below 2³¹ to the nearest whole number.
 #[inline(always)]
 fn nearest_whole(x: f64) -> (f64, i32) {
-    // With 1.5·2^52 units are whole, and the last bits those of the number.
+    // Beside 1.5·2^52 the last place is 1, and the last bits are the whole number.
     const SHIFTER: f64 = (3_u64 << 51) as f64;
     let shifted = x + SHIFTER;
     (shifted - SHIFTER, shifted.to_bits() as i32)

@@ -1,4 +1,4 @@
-//! A triangle in a grid: where its vertices are.
+//! A triangle in a grid: the places of its vertices and the voxels of its bounding box.
 
 use core::cmp::Ordering;
 
@@ -10,14 +10,13 @@ use crate::arithmetic::{greatest, least, three};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
-/// A triangle in units of a grid, nearly.
+/// A triangle in cells of a grid, approximately.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Near<S> {
     pub(super) points: [[S; 3]; 3],
-    /// The vertices in units of the grid.
+    /// The vertices in cells, from the first planes.
     pub(super) near: [[f64; 3]; 3],
-    /// No number of `near` is farther from the truth, and no plane; an infinity where floats
-    /// cannot say.
+    /// The error bound of a number of `near` and of a plane; infinite if floats have no bound.
     pub(super) error: f64,
 }
 
@@ -42,7 +41,7 @@ impl<S: Scalar> Near<S> {
         Self { points, near, error }
     }
 
-    /// Where a number, of which about the place is known, is among the limits of an axis.
+    /// Finds the place of `x` among the limits of an axis, given its approximate place `near`.
     #[inline(always)]
     fn place(&self, grid: &Grid<S>, i: usize, marks: Marks, near: f64, x: impl Fn() -> S) -> Place {
         let end = Place::before(marks.limits(grid.resolution()[i]));
@@ -51,10 +50,10 @@ impl<S: Scalar> Near<S> {
         })
     }
 
-    /// Where the least and the greatest coordinate on an axis are.
+    /// Finds the places of the least and of the greatest coordinate on an axis.
     #[inline(always)]
     pub(super) fn ends(&self, grid: &Grid<S>, i: usize, marks: Marks) -> [Place; 2] {
-        // Rounding keeps order, so that the least place is that of the least coordinate.
+        // Rounding is monotone: the least coordinate has the least place.
         let [a, b, c] = &self.near;
         let low = least(least(a[i], b[i]), c[i]);
         let high = greatest(greatest(a[i], b[i]), c[i]);
@@ -66,14 +65,14 @@ impl<S: Scalar> Near<S> {
     }
 }
 
-/// The voxels in question.
+/// The voxels of a triangle's bounding box in the grid.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds {
-    /// On each axis; on none, if there are none.
+    /// Their range on each axis; empty on every axis if there are none.
     pub(super) bounds: [Span; 3],
-    /// Whether all of them are marked.
+    /// Whether every one is marked.
     pub(super) is_full: bool,
-    /// Whether the triangle ends where the grid ends, or before.
+    /// Whether the grid holds the whole bounding box.
     pub(super) is_within: bool,
 }
 
@@ -96,21 +95,21 @@ impl Bounds {
         if bounds.iter().any(|span| span.is_empty()) {
             bounds = [Span { first: 0, last: -1 }; 3];
         }
-        // A triangle whose box is one voxel wide on two axes: all of it is in their row.
+        // A bounding box one voxel wide on two axes: the triangle meets every voxel of the row.
         Self { bounds, is_full: narrow >= 2, is_within }
     }
 }
 
-/// A triangle in a grid, to be asked about the marks of each axis.
+/// A triangle in a grid, with the exact places of its vertices for the marks of each axis.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placed<S, M> {
     pub(super) marks: M,
     pub(super) points: [[S; 3]; 3],
     pub(super) near: [[f64; 3]; 3],
     pub(super) error: f64,
-    /// Where the vertices are among the limits of the marks, exactly.
+    /// The exact places of the vertices among the limits of the marks.
     pub(super) at: [[Place; 3]; 3],
-    /// The least and the greatest of them, on each axis.
+    /// The least and the greatest place on each axis.
     pub(super) least: [Place; 3],
     pub(super) greatest: [Place; 3],
 }
@@ -132,7 +131,7 @@ impl<S: Scalar, M: AxisMarks> Placed<S, M> {
         Self { marks, points, near, error, at, least, greatest }
     }
 
-    /// The sign of the component of (b − a) × (c − a) that comes before axes j and k in turn.
+    /// The sign of component i of (b − a) × (c − a), where i, j, k is a rotation of the axes.
     #[cold]
     #[inline(never)]
     pub(super) fn sign_of_normal(&self, j: usize, k: usize) -> Ordering {

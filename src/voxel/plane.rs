@@ -1,11 +1,11 @@
-//! The plane of a triangle along rows of voxels: where a line along x meets it.
+//! The plane of a triangle: the point where a line along x meets it.
 //!
 //! # Error bound
 //!
-//! Lengths are in cells. u is the roundoff of `f64`, η the error of `Placed`, which bounds that
-//! of a vertex, that of a plane of the grid, and 8·u times any coordinate. D is the greatest
-//! extent of the triangle, R = D + 2 more than any distance between a vertex and a corner of a
-//! voxel that its bounding box touches.
+//! Lengths are in cells. u is the roundoff of `f64`. η is the error of `Placed`, which bounds the
+//! errors of vertices and planes and 8·u times any coordinate. D is the greatest extent of the
+//! triangle. R = D + 2 exceeds any distance between a vertex and a corner of a voxel of its
+//! bounding box.
 //!
 //! 1. A difference of two vertices errs by 2η and by its rounding, u·D ≤ η/4: by less than 3η.
 //!    A component of the normal is a difference of two products of such. It errs by
@@ -15,10 +15,9 @@
 //! 2. f(P) = n·(P − a) at a corner P of the grid errs by Σ|δn|·R = 48·η·D·R, by
 //!    Σ|n|·2η ≤ 12·η·D² for a and for P, and by the roundings of x̂ below, together less than
 //!    64·η·D·R.
-//! 3. x̂ = a_x + (−n_z/n_x)·(z − a_z) + (−n_y/n_x)·(y − a_y), as computed, is where f without
-//!    that error is zero, but for 8 roundings of at most |x̂'s terms| ≤ R·(|n_y| + |n_z|)/|n_x|
-//!    and two of u·|a_x| ≤ η/8. Times |n_x| they are less than 8·u·R·4·D² + 0.5·η·D², which is
-//!    less than 9·η·D·R.
+//! 3. x̂ = a_x + (−n_z/n_x)·(z − a_z) + (−n_y/n_x)·(y − a_y) is a zero of f without that error,
+//!    up to 8 roundings of terms of at most R·(|n_y| + |n_z|)/|n_x| and two roundings of
+//!    u·|a_x| ≤ η/8. Times |n_x| they are less than 8·u·R·4·D² + 0.5·η·D² < 9·η·D·R.
 //! 4. So |f| at x̂ ± 128·η·D·R/|n_x| is more than its error: X, where f is zero, is within.
 //!    If that is half a cell or more, floats say nothing.
 
@@ -32,7 +31,7 @@ use super::sign::side;
 use crate::arithmetic::{three, turn};
 use crate::scalar::Scalar;
 
-/// The plane of a triangle that is not parallel to x, seen so that its normal points to
+/// The plane of a triangle that is not parallel to x, oriented so that its normal points to
 /// greater x.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plane {
@@ -46,7 +45,7 @@ pub(super) struct Plane {
 }
 
 impl Plane {
-    /// `None` where the plane is parallel to x, or the triangle has none.
+    /// `None` if the plane is parallel to x or the triangle is degenerate.
     #[cfg_attr(not(feature = "small"), inline(always))]
     #[cfg_attr(feature = "small", inline(never))]
     pub(super) fn new<S: Scalar, M: AxisMarks>(placed: &Placed<S, M>) -> Option<Self> {
@@ -88,8 +87,8 @@ impl Plane {
         })
     }
 
-    /// Where the line along x through (y, z) meets the plane, given that it is not before
-    /// `low` and not behind `high`. The line is the middle of two lines of the grid.
+    /// Finds the place where the line along x through (y, z) meets the plane. It is not before
+    /// `low` and not behind `high`.
     #[cfg_attr(not(feature = "small"), inline(always))]
     #[cfg_attr(feature = "small", inline(never))]
     pub(super) fn place<S: Scalar, M: AxisMarks>(

@@ -81,7 +81,7 @@ impl<S: Scalar> Grid<S> {
     }
 }
 
-/// The marks of the first pass for a rule, and those of the passes after it.
+/// The marks of the first pass for a rule, and of the passes after it.
 pub(super) const fn passes(rule: Rule) -> ([Marks; 3], &'static [[Marks; 3]]) {
     use Marks::{Center, Closed, HalfOpen};
     match rule {

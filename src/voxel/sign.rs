@@ -1,8 +1,8 @@
-//! The two signs that all of this module rests on, exactly: on which side of an edge a
-//! point lies, seen along an axis, and on which side of a plane.
+//! The two exact signs behind every answer of this module: the side of an edge on which a point
+//! lies, seen along an axis, and the side of a plane.
 //!
-//! A point is given twice, p and q, and is the middle of the two: a corner of the grid is a
-//! corner and itself, the centre of a voxel lies between two corners.
+//! A point is the middle of p and q: p = q for a corner of the grid, and p and q are opposite
+//! corners for the centre of a voxel.
 
 use core::cmp::Ordering;
 
@@ -12,8 +12,8 @@ use crate::robust::{
 };
 use crate::scalar::Scalar;
 
-/// The sign of (b − a) × (p + q − 2a) in a plane: how b lies to the right of the way from a
-/// to the point, if the first axis points right and the second up.
+/// The sign of (b − a) × (p + q − 2a) in a plane: positive if the point lies left of the edge from
+/// a to b, where the first axis points right and the second up.
 #[inline(never)]
 pub(super) fn turn<S: Scalar>(a: [S; 2], b: [S; 2], p: [S; 2], q: [S; 2]) -> Ordering {
     S::evaluate(&Turn { from: a, to: b, a, p, q }).cmp(&0)
@@ -25,7 +25,7 @@ pub(super) fn line_turn<S: Scalar>(a: [S; 2], [from, to]: [[S; 2]; 2], p: [S; 2]
     S::evaluate(&Turn { from, to, a, p, q: p }).cmp(&0)
 }
 
-/// How p compares with a + t·(to − from).
+/// Compares p with a + t·(to − from).
 #[cold]
 #[inline(never)]
 pub(super) fn against_point<S: Scalar>(p: S, a: S, [from, to]: [S; 2], t: Parts) -> Ordering {
@@ -35,7 +35,7 @@ pub(super) fn against_point<S: Scalar>(p: S, a: S, [from, to]: [S; 2], t: Parts)
     sum.sign()
 }
 
-/// How the middle of p and q compares with x, given any number above zero.
+/// Compares the middle of p and q with x; `positive` is any number above zero.
 #[cold]
 #[inline(never)]
 pub(super) fn middle<S: Scalar>(p: S, q: S, x: S, positive: S) -> Ordering {
@@ -62,7 +62,7 @@ impl<S: Scalar> Predicate<S> for Turn<S> {
     const HAS_VOLUMES: bool = false;
 
     fn filter<N: Embeds<S>>(&self) -> Option<i8> {
-        // Whoever asks has asked floats.
+        // The caller has tried floats.
         if !N::CERTAIN {
             return None;
         }

@@ -1,9 +1,9 @@
-//! A triangle seen along an axis, slab by slab: which cells it meets between two neighbouring
-//! planes of the grid.
+//! The view of a triangle along an axis, slab by slab: the cells that it meets between two
+//! neighbouring planes of the grid.
 //!
-//! A cell of the plane is met exactly if the part of the triangle in its slab has a point in
-//! its width: both are convex. The ends of that part are vertices in the slab, and points where
-//! an edge crosses one of the slab's two lines.
+//! A slab of v is cut into cells by planes of u. The triangle meets a cell exactly if its part in
+//! the slab, which is convex, has a point in the cell's width. The ends of that part are vertices
+//! in the slab, and points where an edge crosses one of the slab's two planes.
 //!
 //! # Error bound
 //!
@@ -11,16 +11,16 @@
 //! with dv = v₁ − v₀ ≥ 8e, as computed, crosses the line v = q at U, and
 //! û = u₀ + (q − v₀)·ŝ with ŝ = du/dv.
 //!
-//! 1. Move the ends to where they were computed, by η at most in u and in v: the point of the
-//!    moved edge at height q is within η, in u and in v, of a point of the edge itself, for the
-//!    same share of the way. (The share may leave the edge by 2η/dv ≤ 1/16: 9/8·η then.) The
-//!    plane of the grid is moved by η too. So the moved edge crosses within 9/8·η + (17/8)·η·|s|
-//!    of U, with s the true slope.
+//! 1. Move the ends to their computed places, by at most η in u and in v. The point of the moved
+//!    edge at height q is within η, in u and in v, of the point of the exact edge with the same
+//!    parameter. (The parameter may leave the edge by 2η/dv ≤ 1/16: 9/8·η then.) The plane of the
+//!    grid moves by η too. Therefore the moved edge crosses within 9/8·η + (17/8)·η·|s| of U,
+//!    where s is the exact slope.
 //! 2. |s| ≤ (|du| + 2η)/(dv − 2η) ≤ 1.07·|ŝ| + 0.07 for the computed du and dv.
-//! 3. The roundings of û are those of two differences, a quotient, a product and a sum, each of
-//!    at most u·(|u₀| + |u₁|) ≤ η/4: less than 1.5·η.
-//! 4. The plane that U is compared with errs by η. Together less than 4·η + 2.4·η·|ŝ|, and
-//!    8·η·(1 + |ŝ|) is given.
+//! 3. û takes two differences, a quotient, a product and a sum. Each rounding is at most
+//!    u·(|u₀| + |u₁|) ≤ η/4: less than 1.5·η together.
+//! 4. The plane to compare with U errs by η. The sum is less than 4·η + 2.4·η·|ŝ|; the code
+//!    takes 8·η·(1 + |ŝ|).
 
 use super::grid::Grid;
 use super::marks::{AxisMarks, Marks};
@@ -29,11 +29,11 @@ use super::placed::Placed;
 use super::sign::turn;
 use crate::scalar::Scalar;
 
-/// How many slabs are worked out at a time.
+/// The number of slabs that are computed together.
 pub(super) const BLOCK: usize = 8;
 
-/// For each interval of the axis `v`, from `first` on, the intervals of the axis `u` that the
-/// triangle comes to in it, seen along the third axis.
+/// For each interval of axis `v`, beginning with `first`: the intervals of axis `u` that the
+/// triangle meets in it, seen along the third axis.
 #[cfg_attr(not(feature = "small"), inline(always))]
 #[cfg_attr(feature = "small", inline(never))]
 pub(super) fn spans<S: Scalar, M: AxisMarks>(
@@ -52,7 +52,7 @@ pub(super) fn spans<S: Scalar, M: AxisMarks>(
             *span = span.joined(along.at(place, is_open));
         }
     };
-    // What lies on the greatest plane of a half-open slab is a limit of points in it.
+    // A point on the greatest plane of a half-open slab is a limit of points of the slab.
     let is_open = across == Marks::HalfOpen;
 
     for vertex in &placed.at {
@@ -68,7 +68,7 @@ pub(super) fn spans<S: Scalar, M: AxisMarks>(
     }
     for k in 0..3 {
         let ends = rising(placed, v, k);
-        // The limits between the ends, and those of them that belong to these slabs.
+        // The limits of these slabs that lie between the ends.
         let (from, to) = (placed.at[ends[0]][v].above, placed.at[ends[1]][v].at);
         let (from, to) = (from.max(first), to.min(end + 1));
         if from >= to {
@@ -85,8 +85,8 @@ pub(super) fn spans<S: Scalar, M: AxisMarks>(
     }
 }
 
-/// The same for the intervals of `v` from the first to the last together, seen as one slab: where
-/// marks are middles, all that is between them.
+/// The same for consecutive intervals of `v` as one slab. If the marks are middles, the slab has
+/// all numbers between the first and the last.
 pub(super) fn span<S: Scalar, M: AxisMarks>(
     placed: &Placed<S, M>,
     grid: &Grid<S>,
@@ -98,7 +98,7 @@ pub(super) fn span<S: Scalar, M: AxisMarks>(
     let [first, last] = across.ends(slab).map(|limit| limit.from);
     let mut span = Span::EMPTY;
     let mut include = |place: Place, is_open| span = span.joined(along.at(place, is_open));
-    // What lies on the greatest plane of a half-open slab is a limit of points in it.
+    // A point on the greatest plane of a half-open slab is a limit of points of the slab.
     let is_open = |limit: i32| across == Marks::HalfOpen && limit == last;
     for vertex in &placed.at {
         let Place { at, above } = vertex[v];
@@ -162,7 +162,7 @@ impl<S: Scalar> Edge<S> {
         }
     }
 
-    /// Where the edge crosses a limit of v, which is not above its higher end.
+    /// Finds the place where the edge crosses a limit of v, not above its higher end.
     #[cfg_attr(not(feature = "small"), inline(always))]
     #[cfg_attr(feature = "small", inline(never))]
     pub(super) fn place<M: AxisMarks>(
@@ -178,7 +178,7 @@ impl<S: Scalar> Edge<S> {
         locate(x, self.error, self.low, self.high, |k| {
             let [p, q] = [grid.planes(u, along.limit(k)), grid.planes(v, across.limit(limit))];
             let [a, b] = self.ends;
-            // Left of the edge, seen along it, is before it.
+            // A point left of the rising edge is before it on u.
             turn(a, b, [p[0], q[0]], [p[1], q[1]]).reverse()
         })
     }

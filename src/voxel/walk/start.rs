@@ -100,8 +100,8 @@ impl<S: Scalar> Walk<S> {
                 self.is_over |= !is_closed && axis.at >= last;
             }
             Ordering::Greater => {
-                // A thin walk crosses the planes of its entry one after the other, and between two
-                // of them may be in a voxel of the grid.
+                // A thin walk crosses the planes of its entry one by one, and a step between them
+                // may be in the grid.
                 let crosses = self.rule == Rule::Thin && is_entry;
                 let from = if crosses { start.at } else { start.above };
                 *axis = Axis { at: from - 1, step: 1, plane: from, left: 0 };
