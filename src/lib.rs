@@ -95,11 +95,11 @@
 //!
 //! | scalar | fast | elsewhere |
 //! | --- | --- | --- |
-//! | `f32` | spans of 2⁻³² to 2⁴⁰, not within rounding of contact | `f64`, integers, exact sums |
-//! | `f64` | spans of 2⁻³²⁰ to 2³²⁰, not within rounding of contact | integers, exact sums |
+//! | `f32` | spans of 2⁻³² to 2⁴⁰, not within rounding of contact | `f64`, integers |
+//! | `f64` | spans of 2⁻³²⁰ to 2³²⁰, not within rounding of contact | integers |
 //! | `FixedI8`, `FixedI16` | always | |
 //! | `FixedI32` | coordinates below 2²⁸ units in the last place | wider integers; on 32-bit cores exact sums, except for triangle/box and ray/triangle |
-//! | `FixedI64` | coordinates below 2⁶⁰ units in the last place | exact sums |
+//! | `FixedI64` | coordinates below 2⁶⁰ units in the last place | wider integers |
 //!
 //! A narrower fixed-point type is faster and takes less code. Triangles and oriented boxes in
 //! fixed point share one first stage in 32-bit words, whatever the type.

@@ -8,11 +8,13 @@ use core::cmp::Ordering;
 use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
+use super::big_int::BigInt;
 use super::filtered::{Filtered, compare_quotient};
 use super::integer::{Int8, Int16, Int32, Int64, below_i32, below_i64};
 use super::nearest_whole::{nearest_of_all, nearest_whole, nearest_whole_of_row};
 use super::quotient::Dividend;
 use super::system::{Arithmetic, Embeds, convert};
+use super::window::Window;
 use super::words::{InRaw, InWholeWord, InWord, WholeVolume, WholeWord};
 
 /// The number with these raw bits, or the end of the type.
@@ -91,6 +93,59 @@ embeds!(FixedI32, LeEqU32, Int64, i64, |_all| true);
 embeds!(FixedI64, LeEqU64, Int64, i64, |all| {
     below_i64(all.as_flattened().iter().map(|x| x.to_bits()), 60)
 });
+
+/// Every type in a window.
+macro_rules! in_window {
+    ($($fixed:ident, $bound:ident;)*) => {$(
+        impl<Frac: $bound> Embeds<$fixed<Frac>> for Window {
+            #[inline(always)]
+            fn holds<const K: usize>(_: &[[$fixed<Frac>; 3]; K]) -> bool {
+                true
+            }
+            fn embed_held<const K: usize>(all: &[[$fixed<Frac>; 3]; K]) -> [[i128; 3]; K] {
+                convert(all, 0, |x| x.to_bits().into())
+            }
+            fn one() -> Option<BigInt<8>> {
+                Some((1_i128 << <$fixed<Frac>>::FRAC_NBITS).into())
+            }
+            fn times_one(d: i128) -> Option<BigInt<4>> {
+                Some(Self::area(2 * d, 1 << <$fixed<Frac>>::FRAC_NBITS))
+            }
+
+            const DIVIDES: bool = true;
+
+            fn quotient_of_lengths(num: i128, den: i128) -> $fixed<Frac> {
+                clamped!($fixed, num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
+            }
+            fn quotients(
+                num: [BigInt<6>; 3],
+                den: BigInt<6>,
+                _: [BigInt<6>; 2],
+            ) -> ([$fixed<Frac>; 3], bool) {
+                let of = |num: BigInt<6>| {
+                    clamped!($fixed, num.quotient(&den, <$fixed<Frac>>::FRAC_NBITS))
+                };
+                (num.map(of), true)
+            }
+            fn compare_quotient(
+                num: BigInt<6>,
+                den: BigInt<6>,
+                _: [BigInt<6>; 2],
+                t: $fixed<Frac>,
+            ) -> Option<Ordering> {
+                let one = 1_i128 << <$fixed<Frac>>::FRAC_NBITS;
+                let num: BigInt<8> = num.times(&BigInt::<2>::from(one));
+                num.partial_cmp(&den.times(&BigInt::<2>::from(i128::from(t.to_bits()))))
+            }
+        }
+    )*};
+}
+in_window! {
+    FixedI8, LeEqU8;
+    FixedI16, LeEqU16;
+    FixedI32, LeEqU32;
+    FixedI64, LeEqU64;
+}
 
 /// The word of a type, and whether it holds whatever is asked of the type.
 macro_rules! in_word {

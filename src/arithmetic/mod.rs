@@ -1,11 +1,13 @@
 //! The number systems that kernels run in. Nothing here knows a shape or a query.
 
+mod big_int;
 mod circle;
 mod double;
 mod filtered;
 #[cfg(feature = "fixed")]
 mod fixed;
 mod float;
+mod full;
 mod in_float;
 mod index;
 mod integer;
@@ -30,8 +32,10 @@ mod span;
 mod system;
 mod vector;
 mod wide;
+mod window;
 mod words;
 
+pub use big_int::BigInt;
 pub(crate) use circle::cos_sin_f64;
 #[cfg(feature = "fixed")]
 pub(crate) use circle::{cos_sin_30, cos_sin_62};
@@ -41,6 +45,7 @@ pub use filtered::Filtered;
 pub(crate) use fixed::clamped;
 pub use float::Float;
 pub(crate) use float::quotient;
+pub use full::{FullF32, FullF64};
 pub(crate) use in_float::{FirstFloat, InFloat};
 pub(crate) use index::{each, pick, three, turn};
 #[cfg(feature = "fixed")]
@@ -49,7 +54,7 @@ pub(crate) use integer::{Int64, Int64Narrow};
 pub(crate) use limbs::Limbs;
 #[cfg(feature = "fixed")]
 pub(crate) use limbs::Wide;
-pub use number::Number;
+pub use number::{Limbed, Number};
 pub(crate) use number::{compare, greatest, largest, least};
 pub(crate) use offset::Offset;
 pub(crate) use parts::Bits;
@@ -57,8 +62,6 @@ pub use parts::Parts;
 pub(crate) use platform::{REGISTERS_ARE_WIDE, SMALL_CODE};
 pub(crate) use portion::divided_limbs;
 pub(crate) use quad::{OfFour, Quad, THREE};
-#[cfg(feature = "fixed")]
-pub(crate) use quotient::{Dividend, quotient_of_limbs};
 #[cfg(feature = "fixed")]
 pub use root::Signed;
 #[cfg(feature = "fixed")]
@@ -73,6 +76,7 @@ pub use system::{Arithmetic, Embeds};
 pub(crate) use system::{of_two, once};
 pub(crate) use vector::{cross, dot};
 pub(crate) use wide::I256;
+pub use window::Window;
 #[cfg(test)]
 pub(crate) use words::SplitSum;
 #[cfg(feature = "fixed")]

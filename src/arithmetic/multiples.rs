@@ -10,7 +10,7 @@ use super::system::{Embeds, convert};
 use super::wide::I256;
 
 /// The bits of all coordinates.
-fn bits<F: Float>(all: &[[F; 3]]) -> Bits {
+pub(super) fn bits<F: Float>(all: &[[F; 3]]) -> Bits {
     all.as_flattened().iter().fold(Bits::NONE, |bits, x| bits.with(x.parts()))
 }
 

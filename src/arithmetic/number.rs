@@ -56,6 +56,12 @@ pub trait Number:
     }
 }
 
+/// A number of several limbs.
+pub trait Limbed {
+    /// The number in two's complement, the least limb first.
+    fn limbs(&self) -> &[u64];
+}
+
 macro_rules! integer {
     ($($t:ty: $divided:ident, |$x:ident| $in_range:expr;)*) => {$(
         impl Number for $t {

@@ -30,6 +30,14 @@ impl Parts {
         let whole = self.magnitude.rotate_left(up) as i64;
         if self.negative { -whole } else { whole }
     }
+
+    /// The same where 127 bits hold the number.
+    #[inline]
+    pub(crate) fn in_wide_units(self, low: i32) -> i128 {
+        let up = i32::from(self.shift).wrapping_sub(low) as u32;
+        let whole = u128::from(self.magnitude).rotate_left(up) as i128;
+        if self.negative { -whole } else { whole }
+    }
 }
 
 /// The exponents of the lowest and of the highest bit of some numbers, as powers of two in units

@@ -33,6 +33,10 @@ pub trait Arithmetic: Sized + 'static {
 
     /// Whether a result is final as it stands, with no error to allow for.
     const CERTAIN: bool;
+    /// Whether a number takes several words. Then kernels stop at the first axis that separates, and
+    /// the steps of each loop are one piece of code: a short stack and little code matter more than
+    /// branches.
+    const LARGE: bool = false;
     /// Whether lengths in the frame of a box are doubled.
     const DOUBLED: bool;
     /// Whether a box given by its centre goes the way of one given by its corners,
@@ -44,6 +48,16 @@ pub trait Arithmetic: Sized + 'static {
     fn area(a: Self::Length, b: Self::Length) -> Self::Area;
     /// The product of an area and a length.
     fn volume(a: Self::Area, b: Self::Length) -> Self::Volume;
+    /// a·b − c·d.
+    #[inline(always)]
+    fn minor([a, b]: [Self::Length; 2], [c, d]: [Self::Length; 2]) -> Self::Area {
+        Self::area(a, b) - Self::area(c, d)
+    }
+    /// The sum of three volumes, a·b.
+    #[inline(always)]
+    fn dot(a: &[Self::Area; 3], b: &[Self::Length; 3]) -> Self::Volume {
+        Self::volume(a[0], b[0]) + Self::volume(a[1], b[1]) + Self::volume(a[2], b[2])
+    }
     /// A length as an operand of products.
     fn operand(a: Self::Length) -> Self::Product;
 

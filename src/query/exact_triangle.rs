@@ -25,16 +25,11 @@ impl ExactTriangle {
 
     /// The sign of component `i` of the normal, e0 × e1.
     pub(crate) fn normal_sign<S: Scalar>(&self, i: usize) -> Ordering {
-        self.normal_sum::<S>(i).sign()
-    }
-
-    /// Component `i` of the normal, e0 × e1.
-    pub(crate) fn normal_sum<S: Scalar>(&self, i: usize) -> S::Sum {
         let (_, j, k) = turn(i);
         let (e0, e1) = (self.edge(0), self.edge(1));
         let mut sum = S::Sum::new();
         add_area(&mut sum, pick(&e0, j), pick(&e1, k), false);
         add_area(&mut sum, pick(&e0, k), pick(&e1, j), true);
-        sum
+        sum.sign()
     }
 }

@@ -1,7 +1,7 @@
 //! The queries, with a folder for each pair of shapes.
 //!
 //! The folder's `mod.rs` defines the question as a `Predicate` and the public methods with their
-//! documentation. The kernel, the error bound with its derivation, and the exact stage are in files
+//! documentation. The kernel and the error bound with its derivation are in files
 //! beside it; a pair with a short kernel has fewer files.
 //!
 //! Shared by several pairs:

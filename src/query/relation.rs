@@ -43,7 +43,7 @@ pub trait Relate<Other> {
     /// *Range*: as for `overlaps`. *Panics*: never.
     ///
     /// *Cost*: as for `overlaps`; for a triangle or an axis-aligned box with an axis-aligned box,
-    /// up to twice as much. In floats, contact takes integers or exact sums unless the numbers are
+    /// up to twice as much. In floats, contact takes wider integers unless the numbers are
     /// short.
     #[must_use]
     fn relation(&self, other: &Other) -> Relation;

@@ -8,6 +8,7 @@ use super::stages::{Stage, note};
 use crate::arithmetic::{Embeds, Filtered, Float, InFloat, Int64, REGISTERS_ARE_WIDE, ShortFloat};
 #[cfg(feature = "fixed")]
 use crate::arithmetic::{InRaw, InWholeWord, InWord, WholeWord, Word};
+use crate::scalar::Backend;
 
 /// The first stage for questions with a number for an answer.
 #[inline(always)]
@@ -167,20 +168,38 @@ pub(crate) fn only_stage<S, N: Embeds<S>, P: Predicate<S>>(p: &P) -> P::Answer {
     answer.unwrap_or_default()
 }
 
-/// Exact integers if the input fits them, else exact sums.
+/// Exact integers if the input fits them, else the last stage.
 #[cold]
 #[inline(never)]
-pub(crate) fn integer_stage<S, P: Predicate<S>>(p: &P) -> P::Answer
+pub(crate) fn integer_stage<S: Backend, P: Predicate<S>>(p: &P) -> P::Answer
 where
     Int64: Embeds<S>,
 {
     stage::<S, Int64, P>(p, exact_stage::<S, P>)
 }
 
-/// The last stage: exact sums.
+/// The last stage.
 #[cold]
 #[inline(never)]
-pub(crate) fn exact_stage<S, P: Predicate<S>>(p: &P) -> P::Answer {
+pub(crate) fn exact_stage<S: Backend, P: Predicate<S>>(p: &P) -> P::Answer {
     note(Stage::Exact);
     p.exact()
+}
+
+/// The answer in exact numbers: in a window if that holds the coordinates, else at full width.
+#[inline(always)]
+pub(crate) fn in_exact_numbers<S: Backend, P: Predicate<S>>(p: &P) -> P::Answer {
+    // On a small core one kernel is enough: the last stage is rare, and flash is short.
+    let in_window = if REGISTERS_ARE_WIDE { p.filter::<S::Window>() } else { None };
+    match in_window {
+        Some(answer) => answer,
+        None => at_full_width(p),
+    }
+}
+
+#[inline(never)]
+fn at_full_width<S: Backend, P: Predicate<S>>(p: &P) -> P::Answer {
+    let answer = p.filter::<S::Full>();
+    debug_assert!(answer.is_some());
+    answer.unwrap_or_default()
 }

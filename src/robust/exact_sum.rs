@@ -1,13 +1,11 @@
-//! Exact sums of products: the last resort, for any input whatever.
+//! Exact sums of products.
 
 use core::cmp::Ordering;
 
-#[cfg(feature = "fixed")]
-use crate::arithmetic::{Dividend, I256, quotient_of_limbs};
-use crate::arithmetic::{Limbs, Parts, Soft, divided_limbs};
+use crate::arithmetic::{BigInt, Limbed, Limbs, Parts, Soft, divided_limbs};
 
 /// A sum of products of up to four numbers that loses nothing.
-pub trait ExactSum {
+pub trait ExactSum: Limbed {
     /// The empty sum.
     fn new() -> Self;
     /// Adds the product of at most four `factors`, all of one type; all terms
@@ -15,21 +13,16 @@ pub trait ExactSum {
     fn add(&mut self, factors: &[Parts]);
     /// How the sum compares with zero.
     fn sign(&self) -> Ordering;
-    /// The sum in two's complement, least limb first, in units of the product of as
-    /// many least numbers as a term has factors.
-    fn limbs(&self) -> &[u64];
     /// The quotient of two sums above zero, this not the greater, rounded down.
     fn portion(&self, den: &Self) -> Soft;
 }
 
-/// A sum in two's complement, least limb first. Kulisch's long accumulator,
-/// as long as the scalar asks for.
-#[derive(Clone, Copy, Debug)]
-pub struct Sum<const LIMBS: usize>([u64; LIMBS]);
+/// A sum in two's complement: Kulisch's long accumulator, as long as the scalar asks for.
+pub(crate) type Sum<const LIMBS: usize> = BigInt<LIMBS>;
 
 impl<const LIMBS: usize> ExactSum for Sum<LIMBS> {
     fn new() -> Self {
-        Self([0; LIMBS])
+        BigInt([0; LIMBS])
     }
 
     fn add(&mut self, factors: &[Parts]) {
@@ -49,84 +42,19 @@ impl<const LIMBS: usize> ExactSum for Sum<LIMBS> {
         match pairs.map(u64::try_from) {
             [Ok(a), Ok(b)] => {
                 let product = u128::from(a) * u128::from(b);
-                self.accumulate(&[product as u64, (product >> 64) as u64], shift, negative);
+                let words = [product as u64, (product >> 64) as u64];
+                self.accumulate(words.into_iter(), shift, negative);
             }
-            _ => self.accumulate(&product(pairs), shift, negative),
+            _ => self.accumulate(product(pairs).into_iter(), shift, negative),
         }
     }
 
     fn sign(&self) -> Ordering {
-        if self.0.last().is_some_and(|top| top >> 63 != 0) {
-            Ordering::Less
-        } else if self.0.iter().any(|&limb| limb != 0) {
-            Ordering::Greater
-        } else {
-            Ordering::Equal
-        }
-    }
-
-    fn limbs(&self) -> &[u64] {
-        &self.0
+        BigInt::sign(self)
     }
 
     fn portion(&self, den: &Self) -> Soft {
         divided_limbs(Limbs(self.0), &Limbs(den.0))
-    }
-}
-
-impl<const LIMBS: usize> Sum<LIMBS> {
-    /// Whether the sum is below zero, and its magnitude in limbs, least first.
-    pub(crate) fn magnitude(&self) -> (bool, [u64; LIMBS]) {
-        let (is_negative, Limbs(magnitude)) = Limbs::magnitude(self.0);
-        (is_negative, magnitude)
-    }
-
-    /// num·2^shift / den to the nearest, of two the even one, no farther out than `i64` goes; the
-    /// divisor is not zero.
-    #[cfg(feature = "fixed")]
-    pub(crate) fn quotient(&self, den: &Self, shift: u32) -> i64 {
-        match (self.as_i256(), den.as_i256()) {
-            (Some(num), Some(den)) => num.quotient(den, shift),
-            _ => quotient_of_limbs(&self.0, &den.0, shift),
-        }
-    }
-
-    /// The sum in 256 bits, if these leave a few to spare: always but for products of four
-    /// numbers of 64 bits.
-    #[cfg(feature = "fixed")]
-    fn as_i256(&self) -> Option<I256> {
-        let fill = if self.sign() == Ordering::Less { u64::MAX } else { 0 };
-        let mut limbs = [fill; 4];
-        for (to, &limb) in limbs.iter_mut().zip(&self.0) {
-            *to = limb;
-        }
-        let is_spare = self.0.iter().skip(4).all(|&limb| limb == fill);
-        let has_room = self.0.get(4).is_none() || (limbs[3] ^ fill) >> 58 == 0;
-        (is_spare && has_room).then_some(I256::from_limbs(limbs))
-    }
-
-    /// Adds or subtracts `product` shifted up by `shift` bits.
-    #[inline(always)]
-    fn accumulate(&mut self, product: &[u64], shift: usize, negative: bool) {
-        let bit = (shift % 64) as u32;
-        let mut words = product.iter();
-        let mut below = 0_u64;
-        let mut carry = negative; // subtracting is adding the complement, and one
-        for limb in self.0.iter_mut().skip(shift / 64) {
-            let next = words.next();
-            // All has arrived, and what is left would be added nothing, or taken nothing.
-            if next.is_none() && (bit == 0 || below == 0) && carry == negative {
-                break;
-            }
-            let word = next.copied().unwrap_or(0);
-            let shifted = word.wrapping_shl(bit) | if bit == 0 { 0 } else { below >> (64 - bit) };
-            below = word;
-            let addend = if negative { !shifted } else { shifted };
-            let (sum, over) = limb.overflowing_add(addend);
-            let (sum, over_too) = sum.overflowing_add(carry.into());
-            *limb = sum;
-            carry = over | over_too;
-        }
     }
 }
 

@@ -6,9 +6,12 @@
 //! Integers are certain wherever they hold the input. Floats compute each axis with a bound
 //! on its error, and gather two flags over all axes ([`Uncertain`]): some axis separates
 //! for certain, and some axis may separate. Where the flags agree they are the answer;
-//! where they differ the question escalates. The last stage adds signed products of the
-//! coordinates as given in one long accumulator ([`ExactSum`]), so it is right for every
-//! finite input.
+//! where they differ the question escalates. The last stage runs the same kernel
+//! in exact integers, so it is right for every finite input: in [`Window`] where that holds
+//! the coordinates, and in the scalar's `Full` numbers elsewhere. Some pairs add signed products
+//! of the coordinates as given in one long accumulator instead ([`ExactSum`]).
+//!
+//! [`Window`]: crate::arithmetic::Window
 //!
 //! An answer is given only where it is the exact one. So the order and the number of the
 //! stages change its time and never its value. How often questions escalate is counted in
@@ -23,7 +26,8 @@ mod stages;
 mod uncertain;
 
 pub(crate) use cascade::{
-    exact_stage, in_floats, in_quads, integer_stage, multiples_stage, numeric_stage, refined_stage,
+    exact_stage, in_exact_numbers, in_floats, in_quads, integer_stage, multiples_stage,
+    numeric_stage, refined_stage,
 };
 #[cfg(feature = "fixed")]
 pub(crate) use cascade::{narrow_stage, only_stage, short_stage, stage, volume_stage};

@@ -30,5 +30,5 @@
 //! The plane test is believed only where its value exceeds the error that the
 //! operands allow (`query/triangle_aabb/error_bound.rs`). That error does not shrink with
 //! n, so a noisy normal is never believed. A doubtful sign escalates ([`super::cascade`])
-//! to wider numbers and at last to exact sums, where n is what it is, zero included.
+//! to wider numbers and at last to exact integers, where n is what it is, zero included.
 //! There is no third case.

@@ -1,8 +1,10 @@
+use super::cascade::in_exact_numbers;
 #[cfg(feature = "fixed")]
 use crate::arithmetic::InRaw;
 use crate::arithmetic::{
     Embeds, Filtered, Float, InFloat, InWholeWord, InWord, ShortFloat, WholeWord, Word,
 };
+use crate::scalar::Backend;
 
 /// Why a fast path has no answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -118,6 +120,12 @@ pub trait Predicate<S> {
         None
     }
 
-    /// The answer for every input, by exact sums of products.
-    fn exact(&self) -> Self::Answer;
+    /// The answer for every input.
+    fn exact(&self) -> Self::Answer
+    where
+        S: Backend,
+        Self: Sized,
+    {
+        in_exact_numbers(self)
+    }
 }

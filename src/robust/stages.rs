@@ -11,7 +11,7 @@ pub(crate) enum Stage {
     /// Past a stage for narrow registers.
     #[cfg(feature = "fixed")]
     Narrow,
-    /// Arrived at the exact sums.
+    /// Arrived at the last stage.
     Exact,
 }
 

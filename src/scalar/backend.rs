@@ -1,4 +1,4 @@
-use crate::arithmetic::{FirstFloat, Offset, Parts, RoundedOps, Soft, Spanned};
+use crate::arithmetic::{Embeds, FirstFloat, Limbed, Offset, Parts, RoundedOps, Soft, Spanned};
 use crate::robust::{ExactSum, Predicate};
 
 /// The constants and the cascade that queries require of a scalar.
@@ -10,6 +10,12 @@ pub(crate) trait Backend: RoundedOps + Spanned + FirstFloat + Offset {
 
     /// The float format, if the scalar is a float.
     const FLOAT: Option<FloatFormat<Self>> = None;
+
+    /// Exact numbers for nearly every input.
+    type Window: Embeds<Self, Volume: Limbed>;
+
+    /// Exact numbers for every input: those of the last stage.
+    type Full: Embeds<Self, Volume: Limbed>;
 
     /// An accumulator wide enough for products of four scalars.
     type Sum: ExactSum;

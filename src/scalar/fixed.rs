@@ -6,7 +6,7 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 use super::{Backend, Scalar};
 use crate::arithmetic::{
     Embeds, Filtered, InWholeWord, Int8, Int16, Int32, Int64, OfFour, Parts, Quad,
-    REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, Soft, WholeWord, clamped,
+    REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, Soft, WholeWord, Window, clamped,
 };
 use crate::robust::{
     Predicate, Sum, exact_stage, in_quads, integer_stage, narrow_stage, numeric_stage, only_stage,
@@ -29,6 +29,8 @@ macro_rules! scalar {
             const ONE: Parts =
                 Parts { negative: false, magnitude: 1, shift: Self::FRAC_NBITS as u16 };
             const IN_QUADS: bool = REGISTERS_ARE_WIDE && <$float as OfFour>::Quad::IS_VECTOR;
+            type Window = Window;
+            type Full = Window;
             // Room for the sum of several products of four raw numbers.
             type Sum = Sum<$limbs>;
 

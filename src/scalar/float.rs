@@ -1,7 +1,10 @@
 //! `f32` and `f64` as scalars.
 
 use super::{Backend, FloatFormat, Scalar};
-use crate::arithmetic::{Float, Parts, REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, Soft, quotient};
+use crate::arithmetic::{
+    Float, FullF32, FullF64, Parts, REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, Soft, Window,
+    quotient,
+};
 use crate::robust::{
     Clue, Predicate, Sum, exact_stage, in_floats, in_quads, integer_stage, multiples_stage,
     numeric_stage, refined_stage,
@@ -70,7 +73,7 @@ macro_rules! as_any_float {
             Float::parts(self)
         }
         fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self {
-            quotient(num.magnitude(), den.magnitude())
+            quotient(num.sign_magnitude(), den.sign_magnitude())
         }
         #[inline(always)]
         fn at_most(x: Soft) -> Self {
@@ -103,6 +106,8 @@ impl Backend for f32 {
         least_normal: f32::MIN_POSITIVE,
         invertible: (f32::from_bits((127 - 100) << 23), f32::from_bits((127 + 100) << 23)),
     });
+    type Window = Window;
+    type Full = FullF32;
     // Products of four numbers of 2^-149 to 2^128 take 1108 bits; the rest is room to add them.
     type Sum = Sum<18>;
 
@@ -157,6 +162,8 @@ impl Backend for f64 {
         least_normal: f64::MIN_POSITIVE,
         invertible: (f64::from_bits((1023 - 1000) << 52), f64::from_bits((1023 + 1000) << 52)),
     });
+    type Window = Window;
+    type Full = FullF64;
     // Products of four numbers of 2^-1074 to 2^1024 take 8392 bits; the rest is room to add them.
     type Sum = Sum<132>;
 

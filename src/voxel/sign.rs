@@ -7,9 +7,7 @@
 use core::cmp::Ordering;
 
 use crate::arithmetic::{Embeds, Number, Parts, compare, cross, dot, three};
-use crate::robust::{
-    ExactSum, Linear, Predicate, Vector, add_area, add_determinant, difference, single,
-};
+use crate::robust::{ExactSum, Predicate, add_area, difference, single};
 use crate::scalar::Scalar;
 
 /// The sign of (b − a) × (p + q − 2a) in a plane: positive if the point lies left of the edge from
@@ -72,15 +70,6 @@ impl<S: Scalar> Predicate<S> for Turn<S> {
         let [u, v] = [0, 1].map(|i| (to[i] - from[i], (p[i] - a[i]) + (q[i] - a[i])));
         Some(sign_of(N::area(u.0, v.1) - N::area(v.0, u.1)))
     }
-
-    fn exact(&self) -> i8 {
-        let way = |i: usize| difference(self.to[i].parts(), self.from[i].parts());
-        let point = |i: usize| doubled(self.p[i], self.q[i], self.a[i]);
-        let mut sum = S::Sum::new();
-        add_area(&mut sum, &way(0), &point(1), false);
-        add_area(&mut sum, &way(1), &point(0), true);
-        sum.sign() as i8
-    }
 }
 
 struct Above<'a, S> {
@@ -102,23 +91,8 @@ impl<S: Scalar> Predicate<S> for Above<'_, S> {
         let d = three(|i| (p[i] - a[i]) + (q[i] - a[i]));
         Some(sign_of(dot::<N>(&cross::<N>(&e, &f), &d)))
     }
-
-    fn exact(&self) -> i8 {
-        let [a, b, c] = self.triangle;
-        let edge = |to: &[S; 3]| -> Vector { three(|i| difference(to[i].parts(), a[i].parts())) };
-        let point = three(|i| doubled(self.p[i], self.q[i], a[i]));
-        let mut sum = S::Sum::new();
-        add_determinant(&mut sum, &edge(b), &edge(c), &point);
-        sum.sign() as i8
-    }
 }
 
 fn sign_of<T: Number>(x: T) -> i8 {
     compare(x, T::ZERO) as i8
-}
-
-/// p + q − 2a.
-fn doubled<S: Scalar>(p: S, q: S, a: S) -> Linear {
-    let a = a.parts();
-    [p.parts(), q.parts(), Parts { shift: a.shift + 1, ..a }.negated()]
 }

@@ -1,9 +1,5 @@
 //! A line in the three slabs of an axis-aligned box, for rays and segments.
 
-mod exact;
-
-pub(super) use exact::ExactLine;
-
 use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, least, once};
 use crate::robust::Uncertain;
 
@@ -120,6 +116,10 @@ impl<N: Arithmetic> Slabs<N> {
     #[inline(always)]
     fn pair_misses<const HEED_ZEROS: bool>(&self, i: usize, j: usize) -> Uncertain {
         let (near, far, m) = (&self.near, &self.far, &self.m);
+        if N::LARGE {
+            let certain = N::minor([near[i], m[j]], [far[j], m[i]]) > N::Area::ZERO;
+            return Uncertain { certain, possible: certain };
+        }
         let (enter, leave) = (N::area(near[i], m[j]), N::area(far[j], m[i]));
         let size = match &self.spread {
             Some(spread) => N::area(spread[i], m[j]) + N::area(spread[j], m[i]),

@@ -1,8 +1,7 @@
 //! Whether a triangle has a normal at all.
 
-use core::cmp::Ordering;
-
-use crate::query::exact_triangle::ExactTriangle;
+use crate::arithmetic::{Embeds, Number, cross, three};
+use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -16,8 +15,8 @@ impl<S: Scalar> Triangle<S> {
     /// *Contact*: no query requires this check. To every query a degenerate triangle is a segment
     /// or a point, and its answer is exact too.
     ///
-    /// *Panics*: never. *Cost*: three sums of eight products, by long
-    /// accumulation; meant for checking a mesh, not for an inner loop.
+    /// *Panics*: never. *Cost*: six products of integers; meant for checking a mesh, not for an
+    /// inner loop.
     ///
     /// ```
     /// use septum::Triangle;
@@ -32,7 +31,23 @@ impl<S: Scalar> Triangle<S> {
     /// ```
     #[must_use]
     pub fn is_degenerate(&self) -> bool {
-        let exact = ExactTriangle::new(&self.points());
-        (0..3).all(|i| exact.normal_sign::<S>(i) == Ordering::Equal)
+        S::evaluate(&IsDegenerate(self.points()))
+    }
+}
+
+/// The question whether three points lie on one line.
+struct IsDegenerate<S>([[S; 3]; 3]);
+
+impl<S: Scalar> Predicate<S> for IsDegenerate<S> {
+    type Answer = bool;
+    const HAS_VOLUMES: bool = false;
+
+    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        if !N::CERTAIN {
+            return None;
+        }
+        let [a, b, c] = N::embed(&self.0)?;
+        let (e, f) = (three(|i| b[i] - a[i]), three(|i| c[i] - a[i]));
+        Some(cross::<N>(&e, &f).iter().all(|&x| x == N::Area::ZERO))
     }
 }

@@ -1,14 +1,11 @@
 //! The direction of a normal in floats, right for the thinnest triangles too.
 //!
 //! Three stages, the next only where the last is in doubt: the plain cross product,
-//! the same in double-word floats, and exact sums.
+//! the same in double-word floats, and integers.
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::{Double, pick};
-use crate::query::exact_triangle::ExactTriangle;
-use crate::robust::ExactSum;
-use crate::scalar::Backend;
+use crate::arithmetic::{Double, Embeds, FullF64, cross, pick, quotient, three};
 use crate::shape::Triangle;
 
 /// Coordinates that are zero or in this range multiply without overflow and without underflow; so
@@ -36,7 +33,7 @@ pub(crate) fn direction(t: &Triangle<f64>, enough: f64) -> Option<[f64; 3]> {
             }
         }
     }
-    by_sums(t)
+    by_integers(t)
 }
 
 fn is_in_range(x: f64) -> bool {
@@ -72,14 +69,17 @@ const PLACES: u64 = 40;
 /// The relative size that then remains.
 const LEFT: f64 = f64::from_bits((1023 - PLACES) << 52);
 
-/// The same by exact sums, for any input: the components over the greatest of them.
+/// The same by integers, for any input: the components over the greatest of them.
 #[cold]
 #[inline(never)]
-fn by_sums(t: &Triangle<f64>) -> Option<[f64; 3]> {
-    let exact = ExactTriangle::new(&t.points());
-    let sums = [0, 1, 2].map(|i| exact.normal_sum::<f64>(i));
-    let sign = |i: usize| pick(&sums, i).sign();
-    let ratio = |i: usize, k: usize| f64::quotient(pick(&sums, i), pick(&sums, k));
+fn by_integers(t: &Triangle<f64>) -> Option<[f64; 3]> {
+    let [a, b, c] = FullF64::embed_held(&t.points());
+    let (e, f) = (three(|i| b[i] - a[i]), three(|i| c[i] - a[i]));
+    let components = cross::<FullF64>(&e, &f);
+    let sign = |i: usize| pick(&components, i).sign();
+    let ratio = |i: usize, k: usize| -> f64 {
+        quotient(pick(&components, i).sign_magnitude(), pick(&components, k).sign_magnitude())
+    };
     let mut greatest = (0..3).find(|&i| sign(i) != Ordering::Equal)?;
     for i in greatest + 1..3 {
         if ratio(i, greatest).abs() > 1.0 {

@@ -11,7 +11,6 @@
 //! shapes in one plane and degenerate shapes come here.
 
 mod error_bound;
-mod exact;
 mod in_plane;
 mod sides;
 mod whole;
@@ -19,7 +18,6 @@ mod whole;
 use core::cmp::Ordering;
 
 pub(super) use self::error_bound::error_bound;
-pub(super) use self::exact::ExactPoints;
 use self::in_plane::in_plane;
 use self::sides::share_a_point;
 pub(super) use self::sides::{Vector, are_apart, from, larger, sides, size};

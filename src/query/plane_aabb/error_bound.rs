@@ -24,9 +24,6 @@ pub(super) fn error_bound<N: Arithmetic>(
     size: N::Length,
     offset: N::Area,
 ) -> Option<N::Area> {
-    if N::CERTAIN {
-        return Some(N::Area::ZERO);
-    }
     let sum = N::area(normal, size) + offset;
     (normal.in_range() && size.in_range()).then(|| sum.error(PLANE))
 }

@@ -5,13 +5,9 @@
 //! both are tested at once, from the centre of the box and its radius along the normal.
 
 mod error_bound;
-mod exact;
-
-use core::cmp::Ordering;
 
 use self::error_bound::error_bound;
 use super::Overlaps;
-use super::exact_aabb::ExactAabb;
 use crate::arithmetic::{Embeds, Number, greatest, largest, of_two, once};
 use crate::robust::{Predicate, Uncertain};
 use crate::scalar::Scalar;
@@ -76,16 +72,12 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S> {
             + N::area(n[2].magnitude(), h[2]);
         let gap = if self.front { -from_center } else { from_center } - radius;
 
+        if N::CERTAIN {
+            return Some(gap > N::Area::ZERO);
+        }
         let size = greatest(largest(&v), largest(&h));
         let error_bound = error_bound::<N>(largest(&n), size, d_area.magnitude())?;
         Uncertain::above(gap, error_bound).verdict()
-    }
-
-    fn exact(&self) -> bool {
-        let corners = ExactAabb::new(self.aabb.form());
-        let normal = self.plane.normal().to_array();
-        let side = exact::corner_side(&corners, normal, self.plane.form(), !self.front);
-        side == if self.front { Ordering::Greater } else { Ordering::Less }
     }
 }
 
@@ -99,7 +91,7 @@ impl<S: Scalar> Plane<S> {
     /// *Numerics*: exact for every valid input, in every scalar.
     ///
     /// *Range*: all finite floats, all fixed-point values; 64-bit fixed point beyond 2⁶⁰ units in
-    /// the last place takes exact sums.
+    /// the last place takes wider integers.
     ///
     /// *Panics*: never. *Cost*: 6 multiplications for a box in front, otherwise 12.
     ///

@@ -1,6 +1,6 @@
 //! Point against triangle.
 
-use super::orientation::{ExactPoints, are_apart, from, in_doubt, relation, sides, size};
+use super::orientation::{are_apart, from, in_doubt, sides, size};
 use super::relation::{Asked, Relation};
 use crate::arithmetic::Embeds;
 use crate::robust::Predicate;
@@ -27,10 +27,6 @@ impl<S: Scalar> Predicate<S> for Lies<'_, S> {
             _ => Some(Relation::Disjoint),
         }
     }
-
-    fn exact(&self) -> Relation {
-        relation(&ExactPoints::new(&[self.point; 3], &self.triangle.points()))
-    }
 }
 
 impl<S: Scalar> Triangle<S> {
@@ -45,7 +41,7 @@ impl<S: Scalar> Triangle<S> {
     /// in a triangle is rounded, and usually lies off its plane.
     ///
     /// *Range*: as for [two triangles](Triangle#impl-Overlaps<Triangle<S>>-for-Triangle<S>). In
-    /// floats a point in the plane takes integers or exact sums.
+    /// floats a point in the plane takes exact integers.
     ///
     /// *Panics*: never. *Cost*: 9 multiplications for a point off the plane.
     ///

@@ -9,7 +9,7 @@ mod prepared;
 pub use prepared::PreparedRay;
 
 use super::Overlaps;
-use super::line_aabb::{ExactLine, Slabs};
+use super::line_aabb::Slabs;
 use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, least, two_difference};
 use crate::robust::{Predicate, Uncertain};
 use crate::scalar::Scalar;
@@ -51,14 +51,6 @@ impl<S: Scalar> Disjoint<'_, S> {
         let verdict = faces.or(line.line_misses()).verdict();
         Some((line, verdict))
     }
-
-    fn exactly(&self) -> (ExactLine, bool) {
-        let Self { ray, aabb } = self;
-        let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
-        let line = ExactLine::along(o, d, aabb.form());
-        let misses = line.line_misses::<S>() || line.lies_outside(ray.t_min(), ray.t_max());
-        (line, misses)
-    }
 }
 
 impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
@@ -68,10 +60,6 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     #[inline(always)]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
         self.slabs::<N>()?.1
-    }
-
-    fn exact(&self) -> bool {
-        self.exactly().1
     }
 }
 
@@ -135,16 +123,6 @@ impl<S: Scalar> Predicate<S> for Range<'_, S> {
         }
         // Some component of the direction is not zero.
         Some(range.map(|(enter, leave)| ray.clipped(enter, leave)))
-    }
-
-    fn exact(&self) -> Option<(S, S)> {
-        let (line, misses) = self.0.exactly();
-        if misses {
-            return None;
-        }
-        let crossings = (0..3).filter_map(|i| line.crossing::<S>(i));
-        let (enter, leave) = crossings.reduce(|a, b| (greatest(a.0, b.0), least(a.1, b.1)))?;
-        Some(self.0.ray.clipped(enter, leave))
     }
 }
 

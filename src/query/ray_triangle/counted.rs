@@ -1,5 +1,4 @@
-//! Which crossings count, by the rules and the range of the ray, in number systems and in exact
-//! sums.
+//! Which crossings count, by the rules and the range of the ray, in number systems.
 
 use core::cmp::Ordering;
 
@@ -82,8 +81,11 @@ impl<S: Scalar> Crosses<'_, S> {
     pub(super) fn crossing<N: Embeds<S>>(&self) -> Option<Option<Crossing<N::Volume>>> {
         let setting = self.setting::<N>()?;
         // w is a difference of three determinants: twice the volume of a box's plane axis.
-        let size = setting.size();
-        let crossing = if N::is_narrow(size + size) {
+        let is_narrow = || {
+            let size = setting.size();
+            N::is_narrow(size + size)
+        };
+        let crossing = if !N::LARGE && is_narrow() {
             let crossing = setting.crossing::<N::Narrow>()?;
             crossing.meets(N::CERTAIN)?.then(|| crossing.widened(N::widened))
         } else {

@@ -8,6 +8,8 @@ use super::error_bound::{SIDES, T, VOLUME};
 use crate::arithmetic::{
     Arithmetic, Filtered, Number, compare, cross, dot, greatest, largest, least,
 };
+#[cfg(test)]
+use crate::arithmetic::{BigInt, Embeds, FullF64};
 
 /// A line and a triangle, relative to the triangle's first vertex.
 #[derive(Clone, Copy)]
@@ -150,6 +152,15 @@ impl Setting<f64> {
         let error_bound = ErrorBound { side: 0.0, sides: 0.0, t: 0.0 };
         self.crossing_within::<Filtered<f64>>(error_bound)
     }
+}
+
+/// The volumes of the triangle and the origin, exactly, for unit tests.
+#[cfg(test)]
+pub(super) fn exact_crossing(points: &[[f64; 3]; 4], d: [f64; 3]) -> Crossing<BigInt<132>> {
+    let [a, b, c, o] = *points;
+    let [a, b, c, o, d] = FullF64::embed_held(&[a, b, c, o, d]);
+    let crossing = Setting::new(&[a, b, c, o], d).crossing::<FullF64>().unwrap();
+    crossing.widened(|volume| volume.resized())
 }
 
 impl<V: Number> Crossing<V> {

@@ -27,8 +27,7 @@ mod tests {
     use core::cmp::Ordering;
     use std::format;
 
-    use super::super::crossing::{Crossing, Setting};
-    use super::super::exact::ExactRay;
+    use super::super::crossing::{Crossing, Setting, exact_crossing};
     use super::super::refined::Refined;
     use super::super::residual::Numbers;
     use crate::arithmetic::{Filtered, Float};
@@ -60,7 +59,7 @@ mod tests {
     /// Checks that every volume is within its bound; returns whether u errs by `roundoffs` or more.
     fn check([a, b, c, o, d]: Case, roundoffs: f64) -> bool {
         let crossing = Setting::new(&[a, b, c, o], d).crossing::<Filtered<f64>>().unwrap();
-        let exact = ExactRay::new::<f64>(&[a, b, c], &o, &d).crossing::<f64>();
+        let exact = exact_crossing(&[a, b, c, o], d);
         let bound = &crossing.error_bound;
         let [w, u, v] = crossing.sides;
         for (exact, computed, bound) in [
@@ -79,7 +78,7 @@ mod tests {
     /// claims to be; returns whether u errs by `share` of the bound or more.
     fn check_refined([a, b, c, o, d]: Case, share: f64) -> bool {
         let refined = Refined::new(&[a, b, c, o], d).0;
-        let exact = ExactRay::new::<f64>(&[a, b, c], &o, &d).crossing::<f64>();
+        let exact = exact_crossing(&[a, b, c, o], d);
         let (crossing, is_exact) = refined.crossing();
         let [w, u, v] = crossing.sides;
         let rounding = |x: f64| x.abs() * f64::EPSILON / 2.0;
@@ -112,7 +111,7 @@ mod tests {
         if !numbers.is_known {
             return false;
         }
-        let exact = ExactRay::new::<f64>(&[a, b, c], &o, &d).crossing::<f64>();
+        let exact = exact_crossing(&[a, b, c, o], d);
         let truths =
             [&exact.t, &exact.sides[1], &exact.sides[2]].map(|x| f64::quotient(x, &exact.det));
         let mut is_of_some_size = false;

@@ -50,8 +50,8 @@ impl<S: Scalar> Ray<S> {
     /// same bits. [`compare_hits`](Self::compare_hits) orders hits exactly.
     ///
     /// *Range*: all finite floats, all fixed-point values. As with [`Triangle::overlaps`], inputs
-    /// that the fast stage leaves in doubt take wider numbers, and last exact sums, up to a
-    /// thousand times slower. On 32-bit cores fixed point of up to 32 bits needs no exact sums: its
+    /// that the fast stage leaves in doubt take wider numbers, and last exact integers, up to a
+    /// thousand times slower. On 32-bit cores fixed point of up to 32 bits needs none: its
     /// time is bounded (`docs/worst-case.md`), and for `near` shapes the bound is lower.
     ///
     /// *Panics*: never.

@@ -2,8 +2,9 @@
 
 use core::cmp::Ordering;
 
-use super::exact::ExactRay;
-use crate::robust::ExactSum;
+use super::HitRules;
+use super::counted::Crosses;
+use crate::arithmetic::{Embeds, Limbed};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
 
@@ -15,7 +16,7 @@ impl<S: Scalar> Ray<S> {
     /// [hits](Self::hit) are equal or in the wrong order because of rounding. `Equal` means the
     /// same point. So the order is transitive, and the same on every machine.
     ///
-    /// *Panics*: never. *Cost*: two [hits](Self::hit); and exact sums, up to a thousand times
+    /// *Panics*: never. *Cost*: two [hits](Self::hit); and exact integers, up to a thousand times
     /// slower, if the two rounded t are equal, or in floats within a relative 2⁻²⁰.
     ///
     /// *Source*: t is a quotient of two determinants. Quotients are compared by
@@ -50,10 +51,23 @@ impl<S: Scalar> Ray<S> {
 
     #[cold]
     fn compare_exactly(&self, a: &Triangle<S>, b: &Triangle<S>) -> Ordering {
-        let (o, d) = (self.origin().to_array(), self.direction().to_array());
-        let a = ExactRay::new(&a.points(), &o, &d).crossing::<S>();
-        let b = ExactRay::new(&b.points(), &o, &d).crossing::<S>();
-        compare_quotients([a.t.limbs(), a.det.limbs()], [b.t.limbs(), b.det.limbs()])
+        self.compare_in::<S::Window>(a, b)
+            .or_else(|| self.compare_in::<S::Full>(a, b))
+            .unwrap_or(Ordering::Equal)
+    }
+
+    /// The order in `N`, if it holds the coordinates.
+    fn compare_in<N: Embeds<S, Volume: Limbed>>(
+        &self,
+        a: &Triangle<S>,
+        b: &Triangle<S>,
+    ) -> Option<Ordering> {
+        let crossing = |triangle| {
+            let crosses = Crosses { ray: self, triangle, rules: HitRules::default() };
+            crosses.setting::<N>()?.crossing::<N>()
+        };
+        let (a, b) = (crossing(a)?, crossing(b)?);
+        Some(compare_quotients([a.t.limbs(), a.det.limbs()], [b.t.limbs(), b.det.limbs()]))
     }
 }
 

@@ -9,8 +9,10 @@ use super::refined::Met;
 use super::residual::Numbers;
 use super::rows::Rows;
 use super::{Facing, Feature, Hit};
-use crate::arithmetic::{Embeds, Filtered, InWholeWord, OfFour, ShortFloat, WholeWord};
-use crate::robust::{Clue, ExactSum, Predicate};
+use crate::arithmetic::{
+    Embeds, Filtered, InWholeWord, OfFour, REGISTERS_ARE_WIDE, ShortFloat, WholeWord,
+};
+use crate::robust::{Clue, ExactSum, Predicate, in_exact_numbers};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
 
@@ -91,6 +93,9 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
     }
 
     fn exact(&self) -> Option<Hit<S>> {
+        if REGISTERS_ARE_WIDE {
+            return in_exact_numbers(self);
+        }
         let exact = self.taken_apart();
         let crossing = exact.crossing::<S>();
         let is_front = self.passes(&exact, &crossing.det, &crossing.sides, &crossing.t)?;
@@ -139,6 +144,9 @@ impl<S: Scalar> Predicate<S> for Hits<'_, S> {
     }
 
     fn exact(&self) -> bool {
+        if REGISTERS_ARE_WIDE {
+            return in_exact_numbers(self);
+        }
         let exact = self.0.taken_apart();
         let crossing = exact.crossing::<S>();
         self.0.passes(&exact, &crossing.det, &crossing.sides, &crossing.t).is_some()

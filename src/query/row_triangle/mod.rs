@@ -7,7 +7,7 @@
 //! triangles makes the counts consistent. The only sign that can be in doubt is a planar area's.
 //! The sign of a volume is needed only if the triangle extends from before the point to behind it.
 
-use super::orientation::{ExactPoints, Points, from, sides, size};
+use super::orientation::{from, sides, size};
 use crate::arithmetic::{Arithmetic, Embeds, Number};
 use crate::robust::{Predicate, certain_sign};
 use crate::scalar::Scalar;
@@ -92,11 +92,6 @@ impl<S: Scalar> Predicate<S> for Turn<S> {
         let error = (a.magnitude() + b.magnitude()).error(TURN) + N::Area::UNDERFLOW;
         settled::<N>(certain_sign(a - b, error))
     }
-
-    fn exact(&self) -> i8 {
-        let points = [self.u, self.v, self.p];
-        ExactPoints::new(&points, &points).area(0, [0, 1, 2]) as i8
-    }
 }
 
 /// The question on which side of a triangle the point is: the sign of n·(a − p), with n the normal
@@ -116,10 +111,6 @@ impl<S: Scalar> Predicate<S> for Volume<S> {
         let (e, f, to_a) = (from::<N>(&b, &a), from::<N>(&c, &a), [from::<N>(&a, &p)]);
         let [sign] = sides::<N, 1>([&e, &f], &to_a, size::<N, 1>(&to_a))?;
         settled::<N>(sign)
-    }
-
-    fn exact(&self) -> i8 {
-        ExactPoints::new(&[self.p; 3], &self.points).volume([3, 4, 5, 0]).reverse() as i8
     }
 }
 

@@ -5,7 +5,7 @@
 //! `line_aabb`.
 
 use super::Overlaps;
-use super::line_aabb::{ExactLine, Slabs};
+use super::line_aabb::Slabs;
 use crate::arithmetic::{Arithmetic, Embeds};
 use crate::robust::{Predicate, Uncertain};
 use crate::scalar::Scalar;
@@ -46,23 +46,6 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
             }
         }
     }
-
-    fn exact(&self) -> bool {
-        let form = self.aabb.form();
-        match self.segment.form() {
-            SegmentForm::Ends(a, b) => {
-                let (a, b) = (a.to_array(), b.to_array());
-                let line = ExactLine::between(a, a, b, form);
-                line.lies_before::<S>()
-                    || ExactLine::between(b, a, b, form).lies_beyond::<S>()
-                    || line.line_misses::<S>()
-            }
-            SegmentForm::Center { center, half } => {
-                let line = ExactLine::along(center.to_array(), half.to_array(), form);
-                line.lies_beyond_one::<S>() || line.line_misses::<S>()
-            }
-        }
-    }
 }
 
 #[inline(always)]
@@ -89,7 +72,7 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Segment<S> {
     /// coordinate differences are zero or between 2⁻³² and 2⁴⁰ (`f32`) or 2⁻³²⁰ and 2³²⁰ (`f64`),
     /// and fixed point below 2²⁸ (32 bits) or 2⁶⁰ (64 bits) units in the last place; with 8 and 16
     /// bits it always decides. Other inputs, and floats within rounding of contact, take wider
-    /// numbers and last exact sums, up to a thousand times slower.
+    /// numbers and last exact integers, up to a thousand times slower.
     ///
     /// *Panics*: never. *Cost*: 12 multiplications, 9 or 12 differences. The rounded method,
     /// [`separating_axes`](crate::published::separating_axes), takes about half the time in `f32`.

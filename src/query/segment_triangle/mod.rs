@@ -1,7 +1,7 @@
 //! Segment against triangle.
 
 use super::Overlaps;
-use super::orientation::{ExactPoints, Vector, error_bound, from, in_doubt, relation, sides, size};
+use super::orientation::{Vector, error_bound, from, in_doubt, sides, size};
 use super::relation::{Asked, Relate, Relation};
 use crate::arithmetic::{Arithmetic, Embeds, cross, dot, three};
 use crate::robust::{Predicate, certain_sign};
@@ -108,10 +108,6 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
         };
         let [a, b] = ends;
         in_doubt::<N>(&[a, b, b], &triangle, self.asked)
-    }
-
-    fn exact(&self) -> Relation {
-        relation(&ExactPoints::of_segment(self.segment, &self.triangle.points()))
     }
 }
 

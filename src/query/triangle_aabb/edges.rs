@@ -36,7 +36,7 @@ pub(super) fn one_edge<N: Arithmetic>(
     let (j, l) = ((i + 1) % 3, (i + 2) % 3);
     let (e, v, h) = (&frame.e[k], &frame.v[k], &frame.h);
 
-    let p = N::area(e[j], v[l]) - N::area(e[l], v[j]);
+    let p = N::minor([e[j], v[l]], [e[l], v[j]]);
     let r = N::area(e[l].magnitude(), h[j]) + N::area(e[j].magnitude(), h[l]);
     let middle = of_two::<N, _>(n[i]);
     let far = (p + middle).magnitude();

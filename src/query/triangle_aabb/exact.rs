@@ -1,5 +1,6 @@
-//! The last stage: the 13 axes by exact sums of products of the coordinates as they were
-//! given. Slow, short, and right for every finite input, the extremes of `f64` included.
+//! The last stage where registers have 32 bits: the 13 axes by exact sums of products of the
+//! coordinates as given. It takes 10 KB less code and 3.5 KB less stack there than the kernel in
+//! exact integers.
 
 use core::cmp::Ordering;
 
@@ -13,7 +14,7 @@ use crate::shape::{Aabb, Triangle};
 
 /// How the gaps on one axis compare with zero: from the triangle to the box beyond it, on
 /// either side.
-pub(super) fn gaps<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>, axis: Axis) -> [Ordering; 2] {
+fn gaps<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>, axis: Axis) -> [Ordering; 2] {
     let t = ExactTriangle::new(&triangle.points());
     let b = ExactAabb::new(aabb.form());
     match axis {

@@ -5,7 +5,7 @@
 //! ([`faces`](super::faces)), the triangle's normal ([`plane`](super::plane)), and the nine
 //! cross products of an edge of each ([`edges`](super::edges)).
 
-use super::edges::edges;
+use super::edges::{edges, one_edge};
 use super::error_bound::error_bound;
 use super::faces::faces;
 use super::frame::{BoxForm, Frame};
@@ -75,6 +75,9 @@ pub(super) fn any_axis<N: Arithmetic>(frame: &Frame<N>) -> Option<bool> {
     if faces.certain {
         return Some(true);
     }
+    if N::LARGE {
+        return Some(any_large_axis(frame));
+    }
 
     let size = frame.size();
     let bound = error_bound::<N>(size)?;
@@ -86,6 +89,18 @@ pub(super) fn any_axis<N: Arithmetic>(frame: &Frame<N>) -> Option<bool> {
         plane::<N>(&n, &frame.v[0], &frame.h, bound.plane)
     };
     faces.or(edges).or(plane).verdict()
+}
+
+/// The same of large numbers, after the faces: one axis after another, until one separates.
+fn any_large_axis<N: Arithmetic>(frame: &Frame<N>) -> bool {
+    let n = normal(frame);
+    plane::<N>(&n, &frame.v[0], &frame.h, Number::ZERO).certain
+        || (0..9).any(|axis| one_large_edge(frame, &n, axis % 3, axis / 3))
+}
+
+#[inline(never)]
+fn one_large_edge<N: Arithmetic>(frame: &Frame<N>, n: &[N::Area; 3], i: usize, k: usize) -> bool {
+    one_edge(frame, n, Number::ZERO, i % 3, k % 3).certain
 }
 
 /// The plane test in narrower volumes. Integers only: they have no error to

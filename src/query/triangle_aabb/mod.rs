@@ -38,8 +38,10 @@ pub use prepared::PreparedTriangle;
 use super::Overlaps;
 #[cfg(feature = "fixed")]
 use crate::arithmetic::InRaw;
-use crate::arithmetic::{Embeds, Float, InFloat, InWord, OfFour, Quad, Rounded, Word};
-use crate::robust::Predicate;
+use crate::arithmetic::{
+    Embeds, Float, InFloat, InWord, OfFour, Quad, REGISTERS_ARE_WIDE, Rounded, Word,
+};
+use crate::robust::{Predicate, in_exact_numbers};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
@@ -110,6 +112,9 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     }
 
     fn exact(&self) -> bool {
+        if REGISTERS_ARE_WIDE {
+            return in_exact_numbers(self);
+        }
         Axis::ALL.iter().any(|&axis| exact::separates(self.triangle, self.aabb, axis))
     }
 }

@@ -1,5 +1,5 @@
 use super::frame::Frame;
-use crate::arithmetic::{Arithmetic, Number, cross, dot};
+use crate::arithmetic::{Arithmetic, Number, cross, dot, three};
 use crate::robust::Uncertain;
 
 /// The triangle's normal, e0 × e1.
@@ -22,6 +22,12 @@ pub(in crate::query) fn plane<N: Arithmetic>(
     error_bound: N::Volume,
 ) -> Uncertain {
     let distance = dot::<N>(n, v);
+    if N::LARGE {
+        // A short number changes its sign more easily than a long one.
+        let h = three(|i| if n[i] < N::Area::ZERO { -h[i] } else { h[i] });
+        let certain = distance.magnitude() > dot::<N>(n, &h);
+        return Uncertain { certain, possible: certain };
+    }
     let radius = N::volume(n[0].magnitude(), h[0])
         + N::volume(n[1].magnitude(), h[1])
         + N::volume(n[2].magnitude(), h[2]);

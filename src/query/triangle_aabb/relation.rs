@@ -1,13 +1,13 @@
 //! Whether a triangle and a box touch or overlap: the 13 axes again, to find the axes on which they
 //! only touch.
 
+use super::Disjoint;
 use super::error_bound::error_bound;
 use super::frame::{Frame, range};
 use super::kernel::{in_frame_of_center, in_frame_of_corners};
 use super::plane::normal;
-use super::{Axis, Disjoint, exact};
 use crate::arithmetic::{Arithmetic, Embeds, Number, dot, greatest, of_two};
-use crate::query::relation::{Nearness, Relate, Relation, of_gaps};
+use crate::query::relation::{Nearness, Relate, Relation};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
@@ -30,13 +30,6 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
             }
         };
         all_axes(&frame)
-    }
-
-    fn exact(&self) -> Relation {
-        let Disjoint { triangle, aabb } = self.0;
-        Axis::ALL.iter().fold(Relation::Overlapping, |so_far, &axis| {
-            so_far.min(of_gaps(exact::gaps(triangle, aabb, axis)))
-        })
     }
 }
 

@@ -6,7 +6,7 @@ use super::error_bound::error_bound;
 use super::faces::one_face;
 use super::kernel::{in_frame_of_center, in_frame_of_corners, narrow_plane};
 use super::plane::{normal, plane};
-use super::{Axis, Disjoint, exact};
+use super::{Axis, Disjoint};
 use crate::arithmetic::Embeds;
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
@@ -44,10 +44,6 @@ impl<S: Scalar> Predicate<S> for SeparatedBy<'_, S> {
             }
         }
         .verdict()
-    }
-
-    fn exact(&self) -> bool {
-        exact::separates(self.shapes.triangle, self.shapes.aabb, self.axis)
     }
 }
 

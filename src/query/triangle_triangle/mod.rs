@@ -7,7 +7,7 @@ mod kernel;
 
 use self::kernel::{crossing, is_beyond};
 use super::Overlaps;
-use super::orientation::{ExactPoints, in_doubt, relation};
+use super::orientation::in_doubt;
 use super::relation::{Asked, Relate, Relation};
 use crate::arithmetic::Embeds;
 use crate::robust::Predicate;
@@ -39,10 +39,6 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
             are_apart.then_some(Relation::Disjoint)
         })
     }
-
-    fn exact(&self) -> Relation {
-        relation(&ExactPoints::new(&self.first.points(), &self.second.points()))
-    }
 }
 
 impl<S: Scalar> Overlaps<Triangle<S>> for Triangle<S> {
@@ -59,7 +55,7 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Triangle<S> {
     /// *Range*: all finite floats, all fixed-point values. The fast stage decides floats with spans
     /// between 2⁻³² and 2⁴⁰ (`f32`) or 2⁻³²⁰ and 2³²⁰ (`f64`), and fixed point below 2²⁸ (32 bits)
     /// or 2⁶⁰ (64 bits) units in the last place; with 8 and 16 bits it always decides. Other
-    /// inputs, and floats within rounding of contact, take wider numbers and last exact sums, up to
+    /// inputs, and floats within rounding of contact, take wider numbers and last exact integers, up to
     /// a thousand times slower.
     ///
     /// *Panics*: never. *Cost*: 48 multiplications, or 15 or 30 if a triangle lies on one side of

@@ -195,7 +195,7 @@ mod tests {
     use std::format;
 
     use super::*;
-    use crate::query::ray_triangle::exact::ExactRay;
+    use crate::query::ray_triangle::crossing::exact_crossing;
     use crate::robust::{ExactSum, Sum};
     use crate::scalar::Backend;
 
@@ -229,7 +229,10 @@ mod tests {
             let points = [near(vector(1.0)), near(vector(size)), near(vector(size))];
             let (o, d) = (near(vector(1.0)), vector(Float::scaled(1, long)));
             let (volumes, errors) = OfRay::new(o, d, true).volumes(&OfTriangle::new(points));
-            let exact = ExactRay::new::<f64>(&points, &o, &d).crossing::<f64>();
+            let exact = {
+                let [a, b, c] = points;
+                exact_crossing(&[a, b, c, o], d)
+            };
             let [w, u, v] = exact.sides;
             for (k, exact) in [u, v, exact.t, w].into_iter().enumerate() {
                 let (found, error) = (f64::from(volumes[k]), f64::from(errors[k]));

@@ -1,0 +1,353 @@
+//! Whole numbers of a fixed number of limbs.
+
+use core::cmp::Ordering;
+use core::ops::{Add, Mul, Neg, Sub};
+
+use super::limbs::Limbs;
+use super::number::{Limbed, Number};
+use super::portion::divided_limbs;
+#[cfg(feature = "fixed")]
+use super::quotient::{Dividend, quotient_of_limbs};
+use super::soft::Soft;
+#[cfg(feature = "fixed")]
+use super::wide::I256;
+
+/// A whole number in two's complement, the least limb first. The types are chosen so that no
+/// result overflows; see [`Window`](super::Window) and [`Full`](super::Full).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BigInt<const L: usize>(pub(crate) [u64; L]);
+
+impl<const L: usize> BigInt<L> {
+    #[inline(always)]
+    pub(crate) fn is_negative(&self) -> bool {
+        self.0.last().is_some_and(|top| top >> 63 != 0)
+    }
+
+    /// How the number compares with zero.
+    pub(crate) fn sign(&self) -> Ordering {
+        if self.is_negative() {
+            Ordering::Less
+        } else if self.0.iter().any(|&limb| limb != 0) {
+            Ordering::Greater
+        } else {
+            Ordering::Equal
+        }
+    }
+
+    /// Whether the number is below zero, and the limbs of its magnitude.
+    pub(crate) fn sign_magnitude(&self) -> (bool, [u64; L]) {
+        let (is_negative, Limbs(magnitude)) = Limbs::magnitude(self.0);
+        (is_negative, magnitude)
+    }
+
+    /// num·2^`shift` / `den` to the nearest, of two the even one, no farther out than `i64` goes; the
+    /// divisor is not zero.
+    #[cfg(feature = "fixed")]
+    pub(crate) fn quotient(&self, den: &Self, shift: u32) -> i64 {
+        match (self.as_i256(), den.as_i256()) {
+            (Some(num), Some(den)) => num.quotient(den, shift),
+            _ => quotient_of_limbs(&self.0, &den.0, shift),
+        }
+    }
+
+    /// The number in 256 bits, if these leave a few to spare: always but for products of four numbers
+    /// of 64 bits.
+    #[cfg(feature = "fixed")]
+    fn as_i256(&self) -> Option<I256> {
+        let narrow = self.resized::<4>();
+        let has_room = L < 5 || {
+            let fill = if self.is_negative() { u64::MAX } else { 0 };
+            self.0.iter().skip(4).all(|&limb| limb == fill) && (narrow.0[3] ^ fill) >> 58 == 0
+        };
+        has_room.then_some(I256::from_limbs(narrow.0))
+    }
+
+    /// The first limbs of the number, and copies of its sign where there are fewer.
+    #[inline(always)]
+    pub(crate) fn resized<const R: usize>(&self) -> BigInt<R> {
+        let fill = if self.is_negative() { u64::MAX } else { 0 };
+        let mut limbs = [fill; R];
+        for (to, &limb) in limbs.iter_mut().zip(&self.0) {
+            *to = limb;
+        }
+        BigInt(limbs)
+    }
+
+    /// Adds `words`, the least first, shifted up by `shift` bits, or subtracts them.
+    #[inline(always)]
+    pub(crate) fn accumulate(
+        &mut self,
+        words: impl Iterator<Item = u64>,
+        shift: usize,
+        negative: bool,
+    ) {
+        let bit = (shift % 64) as u32;
+        let mut words = words.fuse();
+        let mut below = 0_u64;
+        let mut carry = negative; // To subtract is to add the complement, and one.
+        for limb in self.0.iter_mut().skip(shift / 64) {
+            let next = words.next();
+            // Every word has been added, and the rest of the sum would be given zero, or all ones
+            // and a carry.
+            if next.is_none() && (bit == 0 || below == 0) && carry == negative {
+                break;
+            }
+            let word = next.unwrap_or(0);
+            let shifted = word.wrapping_shl(bit) | if bit == 0 { 0 } else { below >> (64 - bit) };
+            below = word;
+            let addend = if negative { !shifted } else { shifted };
+            let (sum, over) = limb.overflowing_add(addend);
+            let (sum, over_too) = sum.overflowing_add(carry.into());
+            *limb = sum;
+            carry = over | over_too;
+        }
+    }
+
+    /// Adds `x`·`factor`·2^`shift`, or subtracts it.
+    #[inline(never)]
+    pub(crate) fn add_multiple<const M: usize>(
+        &mut self,
+        x: &BigInt<M>,
+        factor: u64,
+        shift: usize,
+        negative: bool,
+    ) {
+        let is_negative = x.is_negative();
+        let (first, end) = x.occupied();
+        let (mut carry, mut borrow) = (0_u64, is_negative);
+        let limbs = x.0.iter().skip(first).take(end.saturating_sub(first)).copied();
+        // One more, for the carry.
+        let words = limbs.chain([if is_negative { u64::MAX } else { 0 }]).map(|limb| {
+            let limb = if is_negative {
+                let (limb, over) = (!limb).overflowing_add(borrow.into());
+                borrow = over;
+                limb
+            } else {
+                limb
+            };
+            let wide = u128::from(limb) * u128::from(factor) + u128::from(carry);
+            carry = (wide >> 64) as u64;
+            wide as u64
+        });
+        self.accumulate(words, 64 * first + shift, negative != is_negative);
+    }
+
+    /// All limbs below the first index are zero, and all from the second on repeat the sign.
+    #[inline(always)]
+    fn occupied(&self) -> (usize, usize) {
+        let fill = if self.is_negative() { u64::MAX } else { 0 };
+        let first = self.0.iter().position(|&limb| limb != 0).unwrap_or(L);
+        let end = self.0.iter().rposition(|&limb| limb != fill).map_or(0, |k| k + 1);
+        // The magnitude of a negative power of 2^64 has a limb that the number does not have.
+        (first, if end > first { end } else { (first + 1).min(L) })
+    }
+
+    /// The product, whose limbs beyond `R` are of no account.
+    pub(crate) fn times<const M: usize, const R: usize>(&self, other: &BigInt<M>) -> BigInt<R> {
+        let ((is_negative, Limbs(a)), (is_other_negative, Limbs(b))) =
+            (Limbs::magnitude(self.0), Limbs::magnitude(other.0));
+        let mut product = [0_u64; R];
+        for (i, &a) in a.iter().enumerate() {
+            if L > 4 && a == 0 {
+                continue;
+            }
+            let mut carry = 0_u64;
+            // A limb of the product follows those of the other factor, for the carry.
+            for (to, j) in product.iter_mut().skip(i).zip(0..=M) {
+                let b = b.get(j).copied().unwrap_or(0);
+                let wide = u128::from(a) * u128::from(b) + u128::from(*to) + u128::from(carry);
+                *to = wide as u64;
+                carry = (wide >> 64) as u64;
+            }
+        }
+        let product = BigInt(product);
+        if is_negative == is_other_negative { product } else { -product }
+    }
+}
+
+impl<const L: usize> From<i128> for BigInt<L> {
+    #[inline(always)]
+    fn from(x: i128) -> Self {
+        BigInt([x as u64, (x >> 64) as u64]).resized()
+    }
+}
+
+impl<const L: usize> PartialOrd for BigInt<L> {
+    #[inline(always)]
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<const L: usize> Ord for BigInt<L> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        // Of numbers of one sign the limbs compare as those of magnitudes do.
+        other
+            .is_negative()
+            .cmp(&self.is_negative())
+            .then_with(|| self.0.iter().rev().cmp(other.0.iter().rev()))
+    }
+}
+
+// Loops over indices, and in place; see `limbs`.
+impl<const L: usize> Add for BigInt<L> {
+    type Output = Self;
+    fn add(mut self, other: Self) -> Self {
+        let mut carry = false;
+        for k in 0..L {
+            let (sum, over) = self.0[k].overflowing_add(other.0[k]);
+            let (sum, over_too) = sum.overflowing_add(carry.into());
+            (self.0[k], carry) = (sum, over | over_too);
+        }
+        self
+    }
+}
+
+impl<const L: usize> Sub for BigInt<L> {
+    type Output = Self;
+    fn sub(mut self, other: Self) -> Self {
+        let mut borrow = false;
+        for k in 0..L {
+            let (rest, under) = self.0[k].overflowing_sub(other.0[k]);
+            let (rest, under_too) = rest.overflowing_sub(borrow.into());
+            (self.0[k], borrow) = (rest, under | under_too);
+        }
+        self
+    }
+}
+
+impl<const L: usize> Neg for BigInt<L> {
+    type Output = Self;
+    fn neg(mut self) -> Self {
+        let mut carry = true;
+        for limb in &mut self.0 {
+            (*limb, carry) = (!*limb).overflowing_add(carry.into());
+        }
+        self
+    }
+}
+
+impl<const L: usize> Mul for BigInt<L> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        self.times(&other)
+    }
+}
+
+impl<const L: usize> Limbed for BigInt<L> {
+    fn limbs(&self) -> &[u64] {
+        &self.0
+    }
+}
+
+impl<const L: usize> Number for BigInt<L> {
+    const ZERO: Self = Self([0; L]);
+    fn magnitude(self) -> Self {
+        if self.is_negative() { -self } else { self }
+    }
+    fn half(mut self) -> Self {
+        let mut above = self.0.last().map_or(0, |top| top & 1 << 63);
+        for limb in self.0.iter_mut().rev() {
+            (*limb, above) = (*limb >> 1 | above, *limb << 63);
+        }
+        self
+    }
+    fn portion(self, den: Self, _: [Self; 2]) -> [Soft; 2] {
+        [divided_limbs(Limbs(self.0), &Limbs(den.0)); 2]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use core::iter;
+
+    use dashu_int::IBig;
+    use std::vec::Vec;
+
+    use super::*;
+
+    /// The number by arithmetic of any size.
+    pub(crate) fn any_size<const L: usize>(x: BigInt<L>) -> IBig {
+        let fold = |sum: IBig, limb: &u64| (sum << 64) + IBig::from(*limb);
+        let unsigned = x.0.iter().rev().fold(IBig::ZERO, fold);
+        if x.is_negative() { unsigned - (IBig::ONE << (64 * L)) } else { unsigned }
+    }
+
+    /// All numbers of limbs where carries begin, end and pass.
+    fn all<const L: usize>() -> impl Iterator<Item = BigInt<L>> {
+        const LIMBS: [u64; 6] = [0, 1, u64::MAX, 1 << 63, u64::MAX >> 1, 0x9e37_79b9_7f4a_7c15];
+        (0..LIMBS.len().pow(L as u32)).map(|mut k| {
+            BigInt([0; L].map(|_| {
+                let limb = LIMBS[k % LIMBS.len()];
+                k /= LIMBS.len();
+                limb
+            }))
+        })
+    }
+
+    fn sums_agree<const L: usize>() {
+        let numbers: Vec<_> = all::<L>().map(|x| (x.half().half(), any_size(x) >> 2)).collect();
+        for (a, big_a) in &numbers {
+            assert_eq!(any_size(*a), *big_a);
+            assert_eq!((any_size(-*a), a.sign()), (-big_a, big_a.cmp(&IBig::ZERO)));
+            for (b, big_b) in &numbers {
+                assert_eq!((any_size(*a + *b), any_size(*a - *b)), (big_a + big_b, big_a - big_b));
+                assert_eq!((a.cmp(b), a == b), (big_a.cmp(big_b), big_a == big_b));
+            }
+        }
+    }
+
+    #[test]
+    fn sums_are_those_of_any_size() {
+        sums_agree::<1>();
+        sums_agree::<2>();
+        sums_agree::<3>();
+    }
+
+    fn products_agree<const L: usize, const M: usize, const R: usize>() {
+        for a in all::<L>() {
+            for b in all::<M>() {
+                assert_eq!(any_size(a.times::<M, R>(&b)), any_size(a) * any_size(b), "{a:?} {b:?}");
+            }
+        }
+    }
+
+    /// In the lengths that [`Window`](super::super::Window) takes, and in others.
+    #[test]
+    fn products_are_those_of_any_size() {
+        products_agree::<1, 1, 2>();
+        products_agree::<2, 2, 4>();
+        products_agree::<4, 2, 6>();
+        products_agree::<2, 3, 9>();
+    }
+
+    #[test]
+    fn multiples_are_added_at_every_shift() {
+        for x in all::<2>() {
+            for (factor, start) in [(1, 0), (u64::MAX, -1), (3 << 50, i128::MAX)] {
+                for shift in (0..130).chain([191, 192]) {
+                    for is_minus in [false, true] {
+                        let mut sum = BigInt::<7>::from(start);
+                        sum.add_multiple(&x, factor, shift, is_minus);
+                        let product = (any_size(x) * IBig::from(factor)) << shift;
+                        let product = if is_minus { -product } else { product };
+                        assert_eq!(any_size(sum), IBig::from(start) + product, "{x:?} {shift}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn resized_numbers_are_equal() {
+        for x in all::<2>() {
+            assert_eq!(any_size(x.resized::<5>()), any_size(x));
+            assert_eq!(x.resized::<5>().resized::<2>(), x);
+        }
+        for x in iter::successors(Some(1_i128), |x| x.checked_mul(-3)) {
+            assert_eq!(any_size(BigInt::<3>::from(x)), IBig::from(x));
+        }
+    }
+}
