@@ -50,8 +50,8 @@ impl<const L: usize> BigInt<L> {
         }
     }
 
-    /// The number in 256 bits, if these leave a few to spare: always but for products of four numbers
-    /// of 64 bits.
+    /// The number in 256 bits, if a few of these are left over. Only products of four numbers of 64 bits
+    /// may take more.
     #[cfg(feature = "fixed")]
     fn as_i256(&self) -> Option<I256> {
         let narrow = self.resized::<4>();
@@ -152,7 +152,7 @@ impl<const L: usize> BigInt<L> {
                 continue;
             }
             let mut carry = 0_u64;
-            // A limb of the product follows those of the other factor, for the carry.
+            // One limb more, for the carry.
             for (to, j) in product.iter_mut().skip(i).zip(0..=M) {
                 let b = b.get(j).copied().unwrap_or(0);
                 let wide = u128::from(a) * u128::from(b) + u128::from(*to) + u128::from(carry);
@@ -181,7 +181,7 @@ impl<const L: usize> PartialOrd for BigInt<L> {
 
 impl<const L: usize> Ord for BigInt<L> {
     fn cmp(&self, other: &Self) -> Ordering {
-        // Of numbers of one sign the limbs compare as those of magnitudes do.
+        // If the signs are equal, the limbs compare as unsigned integers.
         other
             .is_negative()
             .cmp(&self.is_negative())

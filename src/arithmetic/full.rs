@@ -8,13 +8,13 @@ use super::float::{Float, quotient};
 use super::number::Number;
 use super::system::{Arithmetic, Embeds, convert};
 
-/// Exact numbers for all finite floats: a length is a sum of a few floats, not added up; an area
-/// is a whole number of `B` limbs, a volume one of `C`, a product of four one of `D`. A length as a
-/// whole number takes `A` limbs. The unit is the least float above zero; `f64` has 2^`UNIT` times
-/// fewer of them.
+/// Exact numbers for all finite floats. A length is a sum of a few floats, not added up. An area is
+/// an integer of `B` limbs, a volume one of `C`, a product of four lengths one of `D`. Added up, a
+/// length takes `A` limbs. The unit of length is the least float above zero, which is 2^`UNIT` times
+/// that of `f64`.
 ///
-/// An area is the sum of the products of all terms. So no length of 33 limbs is ever stored where
-/// it has two bits that are far apart, and the stack holds short frames.
+/// Lengths stay short, so frames take little stack: two floats whose exponents are far apart take two
+/// words, where their sum takes up to 33 limbs. An area is the sum of the products of all terms.
 #[derive(Clone, Copy, Debug)]
 pub struct Full<const UNIT: u16, const A: usize, const B: usize, const C: usize, const D: usize>;
 
@@ -186,8 +186,8 @@ impl<const UNIT: u16, const A: usize> Number for Terms<UNIT, A> {
     fn magnitude(self) -> Self {
         if self.sign() == Ordering::Less { -self } else { self }
     }
-    /// Exact but for odd multiples of the least float, which round toward zero. Kernels do not ask:
-    /// the frame of a box is doubled.
+    /// Odd multiples of the least float round toward zero. No kernel halves these numbers, because the
+    /// frame of a box is doubled.
     fn half(mut self) -> Self {
         for bits in &mut self.0 {
             let magnitude = *bits & !SIGN;

@@ -11,9 +11,10 @@ use super::system::{Arithmetic, Embeds, convert};
 /// products of four in 8.
 ///
 /// It holds fixed point of every type. It holds floats if the highest and the lowest bit of all
-/// coordinates lie so near each other: nearly every scene. The unit is then that of the lowest bit,
-/// so it is another one for each call of [`embed`](Embeds::embed): embed all coordinates of a
-/// question at once.
+/// coordinates are at most 120 places apart, as in nearly every scene. The unit of floats is the place of
+/// the lowest bit, so each call of [`embed`](Embeds::embed) has its own: embed all coordinates of a
+/// question in one call. One as an operand, [`embed_with_one`](Embeds::embed_with_one), is in the same
+/// unit; without it, axes of an oriented box cannot be compared with lengths.
 ///
 /// With coordinates below 2^120 the table in `integer` gives frames below 2^122, areas below
 /// 2^245, volumes below 2^368 and, for oriented boxes, sums of 30 products of four below 2^489.
@@ -35,7 +36,7 @@ impl Arithmetic for Window {
     const DOUBLED: bool = true;
     const CORNER_FORM_ONLY: bool = true;
 
-    // Out of line, all of them: one copy of each serves all kernels.
+    // Products are out of line, so that all kernels share one copy of each.
     #[inline(never)]
     fn area(a: i128, b: i128) -> BigInt<4> {
         BigInt::<2>::from(a).times(&BigInt::<2>::from(b))
