@@ -77,12 +77,11 @@ impl<const L: usize> BigInt<L> {
     #[inline(always)]
     pub(crate) fn accumulate(
         &mut self,
-        words: impl Iterator<Item = u64>,
+        mut words: impl Iterator<Item = u64>,
         shift: usize,
         negative: bool,
     ) {
         let bit = (shift % 64) as u32;
-        let mut words = words.fuse();
         let mut below = 0_u64;
         let mut carry = negative; // To subtract is to add the complement, and one.
         for limb in self.0.iter_mut().skip(shift / 64) {

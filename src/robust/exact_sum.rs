@@ -43,9 +43,9 @@ impl<const LIMBS: usize> ExactSum for Sum<LIMBS> {
             [Ok(a), Ok(b)] => {
                 let product = u128::from(a) * u128::from(b);
                 let words = [product as u64, (product >> 64) as u64];
-                self.accumulate(words.into_iter(), shift, negative);
+                self.accumulate(words.iter().copied(), shift, negative);
             }
-            _ => self.accumulate(product(pairs).into_iter(), shift, negative),
+            _ => self.accumulate(product(pairs).iter().copied(), shift, negative),
         }
     }
 
