@@ -1,29 +1,27 @@
-//! The normal that is nearly zero.
+//! The nearly zero normal.
 //!
 //! # What goes wrong
 //!
-//! The normal of a triangle is n = e0 × e1, and each component a difference of
-//! two products. In a sliver the two are nearly equal, and their difference is mostly
-//! rounding error: a direction at random. The plane test of the 2001 paper then asks
-//! whether the box lies to one side of a plane that has nothing to do with the triangle,
-//! and often it does. The triangle is dropped although it pierces the box. In `f32` this
-//! happens to 3 slivers in 100 (`docs/experiments/accuracy.txt`).
+//! The normal of a triangle is n = e0 × e1, and each component is a difference of two products. In
+//! a sliver the two are nearly equal, and their difference is mostly rounding error: the normal has
+//! a random direction. The plane test of the 2001 paper then asks whether the box lies to one side
+//! of an unrelated plane, and often it does. The triangle is dropped although it pierces the box.
+//! In `f32` this happens to 3 slivers in 100 (`docs/experiments/accuracy.txt`).
 //!
 //! # What a normal of zero means
 //!
-//! The three vertices lie on one line: the triangle is a segment or a point. Everything
-//! projects to zero on a normal of zero, so that axis never separates. The other twelve
-//! are enough then. For a segment the axes are the box's face normals and their cross
-//! products with the segment; for a point they are the face normals.
+//! The three vertices lie on one line: the triangle is a segment or a point. Everything projects to
+//! zero on a zero normal, so that axis never separates, and the other twelve suffice. For a segment
+//! the axes are the box's face normals and their cross products with the segment; for a point they
+//! are the face normals.
 //!
 //! # Why no epsilon
 //!
-//! A threshold on |n| must be an area, and there is no area below which a
-//! triangle is a segment: the same mesh in millimetres and in kilometres must
-//! get the same answer. A threshold relative to the edges is no better. A sliver
-//! whose sides are all but parallel still has one plane, and a box can lie just
-//! off it, on either side. To skip the plane test there finds overlaps that are
-//! none; to keep it loses overlaps that are.
+//! A threshold on |n| would have to be an area, and there is no area below which a triangle is a
+//! segment: the same mesh must get the same answers in millimetres and in kilometres. A threshold
+//! relative to the edges fails too. A sliver with almost parallel sides still has one plane, and a
+//! box can lie just off it on either side. Skipping the plane test there finds overlaps that do not
+//! exist, and keeping it loses overlaps that do.
 //!
 //! # What is done instead
 //!

@@ -1,10 +1,10 @@
-//! How often a cascade escalates: counted in unit tests, and nowhere else.
+//! How often a cascade escalates; counted only in unit tests.
 
-/// Where a question escalates, or arrives at the last stage.
+/// A step of a question: an escalation, or the arrival at the last stage.
 #[derive(Clone, Copy)]
 pub(crate) enum Stage {
-    /// Past the first look: past the first stage for numbers, the slabs of a prepared ray, or a kernel
-    /// that leaves it to another to tell its doubts apart.
+    /// Past the first look: past the first stage for numbers, the slabs of a prepared ray, or a
+    /// kernel that leaves its doubts to another.
     Look,
     /// Past a number system.
     Filter,
@@ -15,7 +15,7 @@ pub(crate) enum Stage {
     Exact,
 }
 
-/// Notes a step, in unit tests.
+/// Records a step, in unit tests.
 #[inline(always)]
 pub(crate) fn note(stage: Stage) {
     #[cfg(all(test, feature = "fixed"))]
@@ -42,7 +42,7 @@ mod counter {
         COUNTS.set(counts);
     }
 
-    /// How often the question took each step.
+    /// How often the question takes each step.
     pub(crate) fn escalations(question: impl FnOnce()) -> [u32; 4] {
         COUNTS.set([0; 4]);
         question();

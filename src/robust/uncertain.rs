@@ -1,19 +1,19 @@
 use crate::arithmetic::Number;
 
-/// What the axes tried so far say, errors allowed for.
+/// The verdict of the axes tested so far, with their errors.
 ///
-/// Neither flag is branched on until both are final: which way a test goes is
-/// as good as random, and a wrong guess costs more than all nine edge axes.
+/// No branch depends on either flag until both are final. The result of a single test is almost
+/// random, and a mispredicted branch costs more than all nine edge axes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Uncertain {
     /// Some axis separates, beyond the error bound.
     pub(crate) certain: bool,
-    /// Some axis may separate, for all that the error bound can tell.
+    /// Some axis may separate, within the error bound.
     pub(crate) possible: bool,
 }
 
 impl Uncertain {
-    /// No axis tried yet.
+    /// No axis has been tested.
     pub(crate) const NONE: Self = Self { certain: false, possible: false };
 
     /// Whether a true gap is above zero. The computed one differs from it by at most `error`.
@@ -53,7 +53,7 @@ impl Uncertain {
     /// Whether an axis separates; `None` in doubt.
     #[inline(always)]
     pub(crate) fn verdict(self) -> Option<bool> {
-        // One comparison that is nearly always false, not two that are random.
+        // One comparison that is nearly always false, instead of two random ones.
         if self.certain ^ self.possible { None } else { Some(self.certain) }
     }
 }
