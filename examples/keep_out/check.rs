@@ -32,7 +32,6 @@ impl Zone {
     /// A tool that touches no face lies on one side of every face, so its centre alone decides
     /// whether it is inside. The clamps are closed parts, all oriented outward, and overlap each
     /// other: a point inside at least one of them has a winding number other than zero.
-    /// that is not zero.
     pub(crate) fn place(&self, tool: &Obb<I16F16>) -> Place {
         match self.0.overlapping(tool).next() {
             Some(face) => Place::Touches(face),

@@ -155,7 +155,6 @@ impl<'a> Filter<'a> {
     /// a·s errs like the product with a position, except that s errs only by u of itself.
     /// `directions.g` proves a bound of a quarter of [`ROUNDOFFS`] times u·X·Y·S, with S the
     /// greatest coordinate of s.
-    /// (8 + 2 + 2)·3 + 12 = 48 times u·X·Y·S, with S the greatest coordinate of s.
     pub(super) fn along(&self, direction: Direction) -> [[Option<Ordering>; 3]; 2] {
         let [x, y] = &self.sides(direction);
         let (a, scale) = (cross(x, y), largest(x) * largest(y));

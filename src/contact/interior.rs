@@ -69,7 +69,7 @@ impl InteriorEdges {
 /// use septum::contact::{InteriorEdges, interior_edges};
 /// use septum::mesh::{Mesh, MeshError};
 ///
-/// A square in two triangles, and a wall on its first edge.
+/// // A square in two triangles, and a wall on its first edge.
 /// let vertices = [
 ///     [0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0, 2.0, 0.0], [1.0, 0.0, 2.0],
 /// ].map(Vec3::from);

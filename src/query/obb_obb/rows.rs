@@ -166,7 +166,6 @@ impl<F: Float> Boxes<F> {
     /// and a determinant of at most 6. A reach is therefore up to 24·2^18, a distance up to
     /// 12·2^18, and their difference below 2^24, so nothing is rounded. `f64` has 2^29 times as
     /// much room. Nothing underflows, because the size is within the range of the error bound.
-    /// underflows: who comes here knows the bound on the error.
     #[cold]
     #[inline(never)]
     fn exactly(&self, given: &[[F; 3]; 4]) -> Option<Relation> {

@@ -30,7 +30,7 @@ impl<S: Scalar> Ray<S> {
     /// let mut floors = [at(-2.0)?, at(1e-9)?, at(3.0)?, at(0.0)?];
     /// floors.sort_by(|a, b| ray.compare_hits(a, b).unwrap());
     /// assert_eq!(floors, [at(3.0)?, at(1e-9)?, at(0.0)?, at(-2.0)?]);
-    /// The two in the middle have the same rounded t.
+    /// // The two in the middle have the same rounded t.
     /// assert_eq!(ray.hit(&floors[1]).unwrap().t, ray.hit(&floors[2]).unwrap().t);
     /// # Ok::<(), septum::ShapeError>(())
     /// ```

@@ -132,7 +132,6 @@ impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
     /// A wrapped difference does not pass as a short one. From a word in the middle half it is at
     /// least 2^14, 2^30 or 2^62. After the greatest division here, what counts as short is below
     /// 2^13, 2^29 or 2^55.
-    /// 2^55.
     #[inline(always)]
     fn take_off_common_zeros(&mut self) {
         let Self { t, e, h, .. } = self;

@@ -41,7 +41,6 @@ pub(in crate::query) struct ErrorBound<P> {
 /// `obb_obb::kernel`). Seen along e_k the triangle is a segment with normal n. Flattened by h_i =
 /// 0, the box is a parallelogram with sides along u_j and u_l. If n, e_k × u_j and e_k × u_l do not
 /// separate these two, e_k × u_i does not separate the shapes.
-/// separate the two, nor does e_k × u_i separate the shapes.
 #[inline(always)]
 pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading, const LOOKS_TWICE: bool>(
     s: &Parallelepiped<P>,
