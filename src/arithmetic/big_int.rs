@@ -1,4 +1,4 @@
-//! Whole numbers of a fixed number of limbs.
+//! Integers with a fixed number of limbs.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
@@ -12,8 +12,8 @@ use super::soft::Soft;
 #[cfg(feature = "fixed")]
 use super::wide::I256;
 
-/// A whole number in two's complement, the least limb first. The types are chosen so that no
-/// result overflows; see [`Window`](super::Window) and [`Full`](super::Full).
+/// An integer in two's complement, least limb first. Its types are chosen so that no result
+/// overflows; see [`Window`](super::Window) and [`Full`](super::Full).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BigInt<const L: usize>(pub(crate) [u64; L]);
 
@@ -40,8 +40,8 @@ impl<const L: usize> BigInt<L> {
         (is_negative, magnitude)
     }
 
-    /// num·2^`shift` / `den` to the nearest, of two the even one, no farther out than `i64` goes; the
-    /// divisor is not zero.
+    /// num·2^`shift` / `den` to the nearest, ties to even, and at the ends of `i64` if it is
+    /// beyond; the divisor is not zero.
     #[cfg(feature = "fixed")]
     pub(crate) fn quotient(&self, den: &Self, shift: u32) -> i64 {
         match (self.as_i256(), den.as_i256()) {
@@ -50,8 +50,8 @@ impl<const L: usize> BigInt<L> {
         }
     }
 
-    /// The number in 256 bits, if a few of these are left over. Only products of four numbers of 64 bits
-    /// may take more.
+    /// The number in 256 bits, if a few of these are left over. Only products of four numbers of 64
+    /// bits may take more.
     #[cfg(feature = "fixed")]
     fn as_i256(&self) -> Option<I256> {
         let narrow = self.resized::<4>();
@@ -62,7 +62,7 @@ impl<const L: usize> BigInt<L> {
         has_room.then_some(I256::from_limbs(narrow.0))
     }
 
-    /// The first limbs of the number, and copies of its sign where there are fewer.
+    /// The first limbs of the number, filled up with copies of its sign.
     #[inline(always)]
     pub(crate) fn resized<const R: usize>(&self) -> BigInt<R> {
         let fill = if self.is_negative() { u64::MAX } else { 0 };
@@ -86,8 +86,8 @@ impl<const L: usize> BigInt<L> {
         let mut carry = negative; // To subtract is to add the complement, and one.
         for limb in self.0.iter_mut().skip(shift / 64) {
             let next = words.next();
-            // Every word has been added, and the rest of the sum would be given zero, or all ones
-            // and a carry.
+            // Every word has been added. The rest of the sum would only be given zeros, or ones and
+            // a carry.
             if next.is_none() && (bit == 0 || below == 0) && carry == negative {
                 break;
             }
@@ -115,7 +115,7 @@ impl<const L: usize> BigInt<L> {
         let (first, end) = x.occupied();
         let (mut carry, mut borrow) = (0_u64, is_negative);
         let limbs = x.0.iter().skip(first).take(end.saturating_sub(first)).copied();
-        // One more, for the carry.
+        // One more word, for the carry.
         let words = limbs.chain([if is_negative { u64::MAX } else { 0 }]).map(|limb| {
             let limb = if is_negative {
                 let (limb, over) = (!limb).overflowing_add(borrow.into());
@@ -141,7 +141,7 @@ impl<const L: usize> BigInt<L> {
         (first, if end > first { end } else { (first + 1).min(L) })
     }
 
-    /// The product, whose limbs beyond `R` are of no account.
+    /// The product, of which limbs beyond `R` do not matter.
     pub(crate) fn times<const M: usize, const R: usize>(&self, other: &BigInt<M>) -> BigInt<R> {
         let ((is_negative, Limbs(a)), (is_other_negative, Limbs(b))) =
             (Limbs::magnitude(self.0), Limbs::magnitude(other.0));
@@ -267,14 +267,14 @@ mod tests {
 
     use super::*;
 
-    /// The number by arithmetic of any size.
+    /// The number in arithmetic of any size.
     pub(crate) fn any_size<const L: usize>(x: BigInt<L>) -> IBig {
         let fold = |sum: IBig, limb: &u64| (sum << 64) + IBig::from(*limb);
         let unsigned = x.0.iter().rev().fold(IBig::ZERO, fold);
         if x.is_negative() { unsigned - (IBig::ONE << (64 * L)) } else { unsigned }
     }
 
-    /// All numbers of limbs where carries begin, end and pass.
+    /// Numbers whose limbs begin, end and pass carries, in all combinations.
     fn all<const L: usize>() -> impl Iterator<Item = BigInt<L>> {
         const LIMBS: [u64; 6] = [0, 1, u64::MAX, 1 << 63, u64::MAX >> 1, 0x9e37_79b9_7f4a_7c15];
         (0..LIMBS.len().pow(L as u32)).map(|mut k| {
@@ -313,7 +313,7 @@ mod tests {
         }
     }
 
-    /// In the lengths that [`Window`](super::super::Window) takes, and in others.
+    /// In the lengths of a [`Window`](super::super::Window), and in others.
     #[test]
     fn products_are_those_of_any_size() {
         products_agree::<1, 1, 2>();

@@ -1,7 +1,7 @@
 //! Fixed-point numbers in number systems, by their raw bits.
 //!
-//! A fixed-point number is an integer with a name for its unit. A verdict does
-//! not depend on the unit; a quotient, an offset and an axis do.
+//! A fixed-point number is an integer with a unit. A verdict does not depend on the unit; a
+//! quotient, an offset and an axis do.
 
 use core::cmp::Ordering;
 
@@ -29,7 +29,7 @@ macro_rules! clamped {
 }
 pub(crate) use clamped;
 
-/// A type, the integers for it, and which coordinates they hold.
+/// A type, its integers, and the coordinates that they hold.
 macro_rules! embeds {
     ($fixed:ident, $bound:ident, $system:ty, $length:ty, |$coordinates:ident| $fits:expr) => {
         impl<Frac: $bound> Embeds<$fixed<Frac>> for $system {
@@ -43,7 +43,7 @@ macro_rules! embeds {
             }
 
             fn one() -> Option<<$system as Arithmetic>::Product> {
-                // A unit above 2^30 would not leave the products room.
+                // A unit above 2^30 would leave no room for the products.
                 (<$fixed<Frac>>::FRAC_NBITS <= 30).then(|| 1 << <$fixed<Frac>>::FRAC_NBITS)
             }
 
@@ -147,7 +147,7 @@ in_window! {
     FixedI64, LeEqU64;
 }
 
-/// The word of a type, and whether it holds whatever is asked of the type.
+/// The word of a type, and whether it always holds the coordinates.
 macro_rules! in_word {
     ($($fixed:ident, $bound:ident: $word:ty, $always_near:literal;)*) => {$(
         impl<Frac: $bound> InWord<$word> for $fixed<Frac> {
@@ -190,7 +190,7 @@ macro_rules! in_whole_word {
                 num: <$word as WholeWord>::Whole,
                 den: <$word as WholeWord>::Whole,
             ) -> Self {
-                // One takes a place more than what is below it.
+                // One takes one place more than the numbers below it.
                 let places = if Self::FRAC_NBITS < $bits { Self::FRAC_NBITS + 1 } else { $bits };
                 clamped!($fixed, num.nearest(den, Self::FRAC_NBITS, places).into())
             }
@@ -212,7 +212,7 @@ in_whole_word! {
     FixedI32, LeEqU32: i64, 32;
 }
 
-/// The raw bits of a type, in a word that the machine has.
+/// The raw bits of a type, in a word of the machine.
 macro_rules! in_raw {
     ($($fixed:ident, $bound:ident: $raw:ty;)*) => {$(
         impl<Frac: $bound> InRaw for $fixed<Frac> {
@@ -235,8 +235,8 @@ in_raw! {
     FixedI64, LeEqU64: i64;
 }
 
-/// Whole numbers that `f64` holds: verdicts where they are clear, and quotients
-/// where it is clear to which side they round.
+/// Integers in `f64`: verdicts if they exceed the error, and quotients if it is certain how they
+/// round.
 macro_rules! doubles {
     ($($fixed:ident, $bound:ident, $raw:ty;)*) => {$(
         impl<Frac: $bound> Embeds<$fixed<Frac>> for Filtered<f64> {
@@ -305,7 +305,7 @@ doubles! {
     FixedI32, LeEqU32, i32;
 }
 
-/// How many units in the last place make one.
+/// The number of last places in one.
 #[inline(always)]
 fn unit(fraction_bits: u32) -> f64 {
     f64::from_bits((1023 + u64::from(fraction_bits)) << 52)

@@ -10,11 +10,12 @@ use super::system::{Arithmetic, Embeds, convert};
 
 /// Exact numbers for all finite floats. A length is a sum of a few floats, not added up. An area is
 /// an integer of `B` limbs, a volume one of `C`, a product of four lengths one of `D`. Added up, a
-/// length takes `A` limbs. The unit of length is the least float above zero, which is 2^`UNIT` times
-/// that of `f64`.
+/// length takes `A` limbs. The unit of length is the least float above zero, which is 2^`UNIT`
+/// times that of `f64`.
 ///
-/// Lengths stay short, so frames take little stack: two floats whose exponents are far apart take two
-/// words, where their sum takes up to 33 limbs. An area is the sum of the products of all terms.
+/// Lengths stay short, so frames take little stack: two floats whose exponents are far apart take
+/// two words, where their sum takes up to 33 limbs. An area is the sum of the products of all
+/// terms.
 #[derive(Clone, Copy, Debug)]
 pub struct Full<const UNIT: u16, const A: usize, const B: usize, const C: usize, const D: usize>;
 
@@ -23,8 +24,8 @@ pub type FullF32 = Full<925, 5, 9, 14, 18>;
 /// For `f64`: coordinates below 2^2098 units.
 pub type FullF64 = Full<0, 33, 66, 99, 132>;
 
-/// A sum of up to six floats, each as the bits of an `f64`, or zero. Their exponents may be one
-/// above the greatest of a finite number, so that every number can be doubled.
+/// A sum of up to six floats, each as the bits of an `f64`, or zero. Their exponents may exceed the
+/// greatest of a finite number by one, so that every number can be doubled.
 #[derive(Clone, Copy, Debug)]
 pub struct Terms<const UNIT: u16, const A: usize>([u64; 6]);
 
@@ -43,7 +44,7 @@ struct Term {
 fn doubled(bits: u64) -> Option<u64> {
     let magnitude = bits & !SIGN;
     if magnitude < HIDDEN {
-        // Of a subnormal number the carry makes the exponent.
+        // In a subnormal number the carry becomes the exponent.
         Some(bits & SIGN | magnitude << 1)
     } else {
         (bits.wrapping_add(HIDDEN) & SIGN == bits & SIGN).then_some(bits.wrapping_add(HIDDEN))
@@ -56,8 +57,9 @@ impl<const UNIT: u16, const A: usize> Terms<UNIT, A> {
         Self([if bits == SIGN { 0 } else { bits }, 0, 0, 0, 0, 0])
     }
 
-    /// Adds a float by its bits. Its negative leaves, and equal ones are doubled, so that the sums
-    /// of all kernels have room: twice a vertex less both corners of a box, for instance.
+    /// Adds a float by its bits. Opposite terms cancel, and equal terms become one doubled term, so
+    /// that the sums of all kernels have room. An example is twice a vertex minus both corners of a
+    /// box.
     fn push(&mut self, mut term: u64) {
         while let Some(same) = self.0.iter_mut().find(|x| **x << 1 == term << 1) {
             if *same != term {
@@ -103,7 +105,7 @@ impl<const UNIT: u16, const A: usize> Terms<UNIT, A> {
         match (first, second, third) {
             (None, ..) => Ordering::Equal,
             (Some(a), None, _) => sign(a),
-            // The bits of magnitudes compare as these do, and are not equal.
+            // The bits of magnitudes compare like the magnitudes, and they are not equal.
             (Some(a), Some(b), None) => sign(if a << 1 > b << 1 { a } else { b }),
             _ => self.added_up::<A>().sign(),
         }
@@ -186,8 +188,8 @@ impl<const UNIT: u16, const A: usize> Number for Terms<UNIT, A> {
     fn magnitude(self) -> Self {
         if self.sign() == Ordering::Less { -self } else { self }
     }
-    /// Odd multiples of the least float round toward zero. No kernel halves these numbers, because the
-    /// frame of a box is doubled.
+    /// Odd multiples of the least float round toward zero. No kernel halves these numbers, because
+    /// the frame of a box is doubled.
     fn half(mut self) -> Self {
         for bits in &mut self.0 {
             let magnitude = *bits & !SIGN;
@@ -223,7 +225,7 @@ impl<const UNIT: u16, const A: usize, const B: usize, const C: usize, const D: u
         b.add_multiple(&a, &mut sum);
         sum
     }
-    // In one sum: numbers of a kilobyte are not copied.
+    // In one sum, so that numbers of a kilobyte are not copied.
     #[inline(never)]
     fn minor([a, b]: [Self::Length; 2], [c, d]: [Self::Length; 2]) -> BigInt<B> {
         let mut sum = BigInt([0; B]);
@@ -289,7 +291,7 @@ where
         _: [BigInt<C>; 2],
         t: F,
     ) -> Option<Ordering> {
-        // num − t·den, in units of a product of four.
+        // num − t·den, in the unit of a product of four.
         let mut difference = BigInt([0; D]);
         for one in Terms::<UNIT, A>::of(1.0).terms() {
             difference.add_multiple(&num, one.magnitude, one.shift, false);

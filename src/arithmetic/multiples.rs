@@ -1,4 +1,4 @@
-//! Floats as whole multiples of one power of two.
+//! Floats as integer multiples of one power of two.
 
 use core::cmp::Ordering;
 
@@ -19,11 +19,11 @@ fn is_short(bits: Bits) -> bool {
     bits.width() <= 60
 }
 
-/// Floats as whole numbers of a power of two that makes 40 bits of the greatest, if these hold
-/// them all: the same at a fraction of the cost.
+/// Floats as integer multiples of a power of two for which the greatest has 40 bits, if it divides
+/// all of them. The result is the same at a fraction of the cost.
 #[inline(always)]
 pub(super) fn in_forty_bits<F: Float, const K: usize>(all: &[[F; 3]; K]) -> Option<[[i64; 3]; K]> {
-    // Added to a whole number that is short enough, it leaves that in the last bits.
+    // Added to a short integer, it leaves the integer in the last bits.
     const SHIFTER: f64 = 1.5 * (1_u64 << 52) as f64;
     const TWO_TO_39: f64 = (1_u64 << 39) as f64;
 
@@ -39,15 +39,15 @@ pub(super) fn in_forty_bits<F: Float, const K: usize>(all: &[[F; 3]; K]) -> Opti
         let x: f64 = x.into();
         let shifted = x * inverse + SHIFTER;
         *to = shifted.to_bits().wrapping_sub(SHIFTER.to_bits()) as i64;
-        // By the unit: a small number times the inverse may be zero.
+        // Compared in the unit, because a small number times the inverse may be zero.
         is_exact &= (shifted - SHIFTER) * unit == x;
     }
     is_exact.then_some(whole)
 }
 
-/// Floats as whole multiples of one power of two, if 60 bits hold them all:
-/// grids, and most scenes that were once in a coarser format. One is among them only where it
-/// is asked for: the unit is the scene's, not the scalar's.
+/// Floats as integer multiples of one power of two, if 60 bits hold all of them. That covers grids,
+/// and most scenes that were once in a coarser format. One is among them only on request, because
+/// the unit is the scene's and not the scalar's.
 impl<F: Float> Embeds<F> for Int64 {
     fn holds<const K: usize>(coordinates: &[[F; 3]; K]) -> bool {
         is_short(bits(coordinates))
@@ -102,7 +102,7 @@ mod tests {
         assert_eq!(in_forty_bits(&[[2.0 - least, -least, -0.0]]), Some([[(1 << 40) - 1, -1, 0]]));
         assert!(!are_short([1.0, 0.0, least / 2.0]) && !are_short([1.0, -1.5 * least, 0.0]));
         assert!(!are_short([2.0_f64.powi(300), f64::from_bits(1), 0.0]));
-        // None is a unit of zero, and none of what may overflow or underflow.
+        // Zeros have no unit, and neither have numbers that may overflow or underflow.
         assert!(!are_short([0.0; 3]) && !are_short([f64::MAX, 0.0, 0.0]));
         assert!(!are_short([f64::MIN_POSITIVE, 0.0, 0.0]));
     }

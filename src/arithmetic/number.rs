@@ -1,5 +1,5 @@
-//! What every number of a kernel can do. Products are not here: they belong to
-//! [`Arithmetic`](super::Arithmetic), which knows in what type a product fits.
+//! The operations of all numbers in a kernel. Products are not among them:
+//! [`Arithmetic`](super::Arithmetic) knows which type holds a product.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Neg, Sub};
@@ -7,14 +7,14 @@ use core::ops::{Add, Neg, Sub};
 use super::portion::{divided, divided_short};
 use super::soft::Soft;
 
-/// A number that a geometric quantity is held in.
+/// A number that holds a geometric quantity.
 pub trait Number:
     Copy + PartialOrd + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self>
 {
     /// Zero.
     const ZERO: Self;
 
-    /// What the underflows of a few operations may cost, beside [`error`](Self::error).
+    /// The most that underflow in a few operations can lose, beside [`error`](Self::error).
     const UNDERFLOW: Self = Self::ZERO;
 
     /// The absolute value.
@@ -23,9 +23,8 @@ pub trait Number:
     /// One half of the number; an odd integer rounds down.
     fn half(self) -> Self;
 
-    /// How far a computed number of this size may be from the truth: `roundoffs` times
-    /// the unit roundoff times the size. Zero where nothing is rounded, or where the
-    /// rounding is taken as it comes.
+    /// The error of a computed number of this size: `roundoffs` times the unit roundoff times the
+    /// size. Zero if nothing is rounded, or if the method accepts rounding.
     #[inline(always)]
     fn error(self, roundoffs: u16) -> Self {
         let _ = roundoffs;
@@ -40,15 +39,15 @@ pub trait Number:
         self <= Self::ZERO
     }
 
-    /// Whether products of numbers of this size keep to their type and to their
+    /// Whether products of numbers of this size stay in their type and within their
     /// [`error`](Self::error): nothing overflows, and underflow does not matter.
     #[inline(always)]
     fn in_range(self) -> bool {
         true
     }
 
-    /// Two numbers that enclose self/den, given how far from the truth the two may be. Where
-    /// nothing is rounded, 0 < self ≤ den is asked for, and both are that quotient rounded down.
+    /// Two numbers that enclose self/den, given the errors of the two. If nothing is rounded, the
+    /// caller promises 0 < self ≤ den, and both are the quotient rounded down.
     #[inline(always)]
     fn portion(self, den: Self, errors: [Self; 2]) -> [Soft; 2] {
         let _ = (den, errors);
@@ -106,8 +105,8 @@ pub(crate) fn compare<T: PartialOrd>(a: T, b: T) -> Ordering {
     }
 }
 
-/// The smaller of two numbers. On x86-64 this form is one instruction, where
-/// `f32::min`, which must think of NaN, is several.
+/// The smaller of two numbers. On x86-64 this form is one instruction; `f32::min`, which must treat
+/// NaN, takes several.
 #[inline(always)]
 pub(crate) fn least<T: PartialOrd>(a: T, b: T) -> T {
     if a < b { a } else { b }

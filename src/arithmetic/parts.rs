@@ -1,5 +1,4 @@
-/// A number as sign, whole magnitude and power of two, in units of the least
-/// number of its type.
+/// A number as sign, integer magnitude and power of two, in units of the least number of its type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Parts {
     /// Whether it is below zero.
@@ -14,7 +13,7 @@ impl Parts {
     /// Zero.
     pub(crate) const ZERO: Self = Self { negative: false, magnitude: 0, shift: 0 };
 
-    /// The number one, in no unit: a factor that changes nothing.
+    /// The number one, in no unit, as a neutral factor.
     pub(crate) const UNIT: Self = Self { negative: false, magnitude: 1, shift: 0 };
 
     /// The number with the other sign.
@@ -22,16 +21,16 @@ impl Parts {
         Self { negative: !self.negative, ..self }
     }
 
-    /// The number in units of two to the power `low`; the unit divides it, and 63 bits hold it.
+    /// The number in units of two to the power `low`. The unit divides it, and 63 bits hold it.
     #[inline]
     pub(crate) fn in_units(self, low: i32) -> i64 {
-        // Up or down by less than 64, and no bit goes over the end.
+        // Up or down by less than 64, and no bit is lost.
         let up = i32::from(self.shift).wrapping_sub(low) as u32;
         let whole = self.magnitude.rotate_left(up) as i64;
         if self.negative { -whole } else { whole }
     }
 
-    /// The same where 127 bits hold the number.
+    /// The number in such units, if 127 bits hold it.
     #[inline]
     pub(crate) fn in_wide_units(self, low: i32) -> i128 {
         let up = i32::from(self.shift).wrapping_sub(low) as u32;
@@ -49,10 +48,11 @@ pub(crate) struct Bits {
 }
 
 impl Bits {
-    /// Of no number, or of zero.
+    /// The exponents of no number, or of zero.
     pub(crate) const NONE: Self = Self { low: i32::MAX, high: 0 };
 
-    /// Those of one more number: without a branch, for whether one is zero is hard to guess.
+    /// The exponents with one more number. No branch, because whether a number is zero is hard to
+    /// predict.
     #[inline(always)]
     pub(crate) fn with(self, x: Parts) -> Self {
         let low = i32::from(x.shift) + x.magnitude.trailing_zeros() as i32;
@@ -64,7 +64,7 @@ impl Bits {
         }
     }
 
-    /// How many bits hold all, in units of the lowest.
+    /// The number of bits that hold all, in units of the lowest.
     pub(crate) fn width(self) -> i32 {
         let width = self.high.saturating_sub(self.low);
         if width > 0 { width } else { 0 }

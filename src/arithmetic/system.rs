@@ -1,4 +1,4 @@
-//! Number systems: in what types a length, an area and a volume are held.
+//! Number systems: the types of a length, an area and a volume.
 
 use core::cmp::Ordering;
 use core::ops::Mul;
@@ -31,17 +31,17 @@ pub trait Arithmetic: Sized + 'static {
     /// small enough.
     type Narrow: Arithmetic<Length = Self::Length, Area = Self::Area>;
 
-    /// Whether a result is final as it stands, with no error to allow for.
+    /// Whether results are exact, without an error to allow for.
     const CERTAIN: bool;
-    /// Whether a number takes several words. Then kernels stop at the first axis that separates, and
-    /// the steps of each loop are one piece of code: a short stack and little code matter more than
-    /// branches.
+    /// Whether a number takes several words. Kernels then stop at the first axis that separates,
+    /// and the steps of each loop share one piece of code: a short stack and small code matter more
+    /// than branches.
     const LARGE: bool = false;
     /// Whether lengths in the frame of a box are doubled.
     const DOUBLED: bool;
-    /// Whether a box given by its centre goes the way of one given by its corners,
-    /// both at the centre and grown by the half-extents: as exact, a little
-    /// slower, half the code.
+    /// Whether a box given by its centre takes the path of one given by its corners, with both
+    /// corners at the centre, grown by the half-extents. That is as exact, a little slower, and
+    /// half the code.
     const CORNER_FORM_ONLY: bool;
 
     /// The product of two lengths.
@@ -61,13 +61,13 @@ pub trait Arithmetic: Sized + 'static {
     /// A length as an operand of products.
     fn operand(a: Self::Length) -> Self::Product;
 
-    /// A narrow volume as one of this system.
+    /// A narrow volume as a volume of this system.
     fn widened(narrow: <Self::Narrow as Arithmetic>::Volume) -> Self::Volume;
-    /// Whether the [`Narrow`](Self::Narrow) volumes hold for lengths up to `size`,
-    /// and are worth the question.
+    /// Whether the [`Narrow`](Self::Narrow) volumes hold for lengths up to `size`, and whether they
+    /// are worth the check.
     fn is_narrow(size: Self::Length) -> bool;
 
-    /// Coordinates as whole numbers of a unit, below 2^40: floats that are short enough.
+    /// Coordinates as integer multiples of a unit, below 2^40, for floats that are short enough.
     #[inline(always)]
     fn in_forty_bits<const K: usize>(
         coordinates: &[[Self::Length; 3]; K],
@@ -94,7 +94,7 @@ type AndOne<N, const K: usize> = ([[<N as Arithmetic>::Length; 3]; K], <N as Ari
 
 /// A number system that the coordinates of a scalar `S` can be brought into.
 pub trait Embeds<S>: Arithmetic {
-    /// Whether this system holds the coordinates, and all that is made of them.
+    /// Whether this system holds the coordinates, and everything that kernels compute from them.
     fn holds<const K: usize>(coordinates: &[[S; 3]; K]) -> bool;
 
     /// Coordinates that this system holds, all in one unit.
@@ -102,14 +102,14 @@ pub trait Embeds<S>: Arithmetic {
 
     /// The coordinates in this system, all in one unit; `None` if it does not hold them.
     ///
-    /// The two steps apart are for who asks before it calls a kernel out of line: that
-    /// was worth a tenth of the time where a shape was just made.
+    /// Two steps, for callers that check first and then call a kernel out of line. That was worth a
+    /// tenth of the time for a fresh shape.
     #[inline(always)]
     fn embed<const K: usize>(coordinates: &[[S; 3]; K]) -> Option<[[Self::Length; 3]; K]> {
         if Self::holds(coordinates) { Some(Self::embed_held(coordinates)) } else { None }
     }
 
-    /// The same, and one as an operand in that unit.
+    /// The coordinates, and one as an operand in their unit.
     #[inline(always)]
     fn embed_with_one<const K: usize>(coordinates: &[[S; 3]; K]) -> Option<AndOne<Self, K>> {
         let one = Self::one()?;
@@ -128,25 +128,25 @@ pub trait Embeds<S>: Arithmetic {
         None
     }
 
-    /// Whether quotients of lengths are as good as the scalar promises.
+    /// Whether quotients of lengths are as accurate as the scalar promises.
     const DIVIDES: bool;
 
-    /// num/den to the nearest number of the scalar, or the end of its range; floats
-    /// divide, and overflow to an infinity. The divisor is not zero.
+    /// num/den to the nearest number of the scalar, or the end of its range; floats divide, and
+    /// overflow to an infinity. The divisor is not zero.
     fn quotient_of_lengths(num: Self::Length, den: Self::Length) -> S;
 
-    /// Whether those of volumes ever are.
+    /// Whether quotients of volumes can be as accurate as the scalar promises.
     const HAS_QUOTIENTS: bool = true;
 
-    /// The same of three volumes, and whether they are as good as the scalar
-    /// promises, given how far from the truth the first may be, and the others.
+    /// The quotients of three volumes and a divisor, given their errors, and whether they are as
+    /// accurate as the scalar promises.
     fn quotients(
         num: [Self::Volume; 3],
         den: Self::Volume,
         errors: [Self::Volume; 2],
     ) -> ([S; 3], bool);
 
-    /// The same of a divisor and three volumes that lie side by side.
+    /// The quotients of three volumes and a divisor that lie side by side.
     #[inline(always)]
     fn quotients_of_row(
         [den, a, b, c]: [Self::Volume; 4],
@@ -155,15 +155,15 @@ pub trait Embeds<S>: Arithmetic {
         Self::quotients([a, b, c], den, errors)
     }
 
-    /// The number of the scalar to which all numbers between these two round, if it is one; `None`
-    /// where the system has none, and near the ends of the scalar's range.
+    /// The number of the scalar to which all numbers between these two round, if they round to one.
+    /// `None` if the system has none, and near the ends of the scalar's range.
     fn nearest([low, high]: [Self::Volume; 2]) -> Option<S> {
         let _ = (low, high);
         None
     }
 
-    /// How num/den compares with `t`, where `num` and `den` err by up to `errors`;
-    /// `den` is above zero, whatever its error. `None` in doubt.
+    /// How num/den compares with `t`, if `num` and `den` err by up to `errors` and `den` is
+    /// certainly above zero. `None` in doubt.
     fn compare_quotient(
         num: Self::Volume,
         den: Self::Volume,
@@ -172,10 +172,10 @@ pub trait Embeds<S>: Arithmetic {
     ) -> Option<Ordering>;
 }
 
-/// Every coordinate by `f`.
+/// Applies `f` to each coordinate.
 ///
-/// A loop into a filled array: `array::map` is often not inlined, and then its
-/// round trip through memory costs more than a whole query.
+/// A loop into a filled array, because `array::map` is often not inlined, and its way through
+/// memory then costs more than a whole query.
 #[inline(always)]
 pub(super) fn convert<A: Copy, B: Copy, const K: usize>(
     from: &[[A; 3]; K],

@@ -11,17 +11,18 @@ use super::system::{Arithmetic, Embeds, convert};
 /// products of four in 8.
 ///
 /// It holds fixed point of every type. It holds floats if the highest and the lowest bit of all
-/// coordinates are at most 120 places apart, as in nearly every scene. The unit of floats is the place of
-/// the lowest bit, so each call of [`embed`](Embeds::embed) has its own: embed all coordinates of a
-/// question in one call. One as an operand, [`embed_with_one`](Embeds::embed_with_one), is in the same
-/// unit; without it, axes of an oriented box cannot be compared with lengths.
+/// coordinates are at most 120 places apart, as in nearly every scene. The unit of floats is the
+/// place of the lowest bit, so each call of [`embed`](Embeds::embed) has its own: embed all
+/// coordinates of a question in one call. One as an operand,
+/// [`embed_with_one`](Embeds::embed_with_one), is in the same unit; without it, axes of an oriented
+/// box cannot be compared with lengths.
 ///
 /// With coordinates below 2^120 the table in `integer` gives frames below 2^122, areas below
 /// 2^245, volumes below 2^368 and, for oriented boxes, sums of 30 products of four below 2^489.
 #[derive(Clone, Copy, Debug)]
 pub struct Window;
 
-/// How many bits hold the coordinates of a [`Window`].
+/// The number of bits for the coordinates of a [`Window`].
 const BITS: i32 = 120;
 
 impl Arithmetic for Window {
@@ -95,7 +96,7 @@ impl<F: Float> Embeds<F> for Window {
         ([a, b, c].map(|x| quotient(x.sign_magnitude(), den)), true)
     }
 
-    // The unit of `t` is one, which coordinates may be too far from.
+    // The unit of `t` is one, and coordinates may be too far from it.
     fn compare_quotient(_: BigInt<6>, _: BigInt<6>, _: [BigInt<6>; 2], _: F) -> Option<Ordering> {
         None
     }

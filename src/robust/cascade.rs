@@ -1,7 +1,7 @@
-//! The stages that a scalar puts together to a cascade: each asks one number system, and
-//! escalates to the next where that cannot vouch for the answer.
+//! The stages of a scalar's cascade. Each stage asks one number system and escalates to the next if
+//! that system is not certain.
 //!
-//! Only the first stage is inlined: the common path stays small.
+//! Only the first stage is inlined, so that the common path stays small.
 
 use super::predicate::{Clue, Predicate};
 use super::stages::{Stage, note};
@@ -10,7 +10,7 @@ use crate::arithmetic::{Embeds, Filtered, Float, InFloat, Int64, REGISTERS_ARE_W
 use crate::arithmetic::{InRaw, InWholeWord, InWord, WholeWord, Word};
 use crate::scalar::Backend;
 
-/// The first stage for questions with a number for an answer.
+/// The first stage for questions whose answer is a number.
 #[inline(always)]
 pub(crate) fn numeric_stage<S, P: Predicate<S>>(p: &P, next: fn(&P, Clue) -> P::Answer) -> P::Answer
 where
@@ -25,8 +25,8 @@ where
     }
 }
 
-/// The stages for numbers after the first: `f64`, if it was not asked, and what is beyond
-/// its precision.
+/// The stages for numbers after the first: `f64`, if it was not the first, and numbers beyond its
+/// precision.
 #[inline(always)]
 pub(crate) fn refined_stage<S, P: Predicate<S>>(
     p: &P,
@@ -51,7 +51,7 @@ where
     }
 }
 
-/// The answer in `N`, or else what `next` says.
+/// The answer in `N`, or else the result of `next`.
 #[inline(always)]
 pub(crate) fn stage<S, N: Embeds<S>, P: Predicate<S>>(
     p: &P,
@@ -66,7 +66,7 @@ pub(crate) fn stage<S, N: Embeds<S>, P: Predicate<S>>(
     }
 }
 
-/// Where `f64` is dear: the numbers by short multiples, or else what `next` says.
+/// For machines with slow `f64`: the numbers by short multiples, or else the result of `next`.
 #[inline(always)]
 pub(crate) fn multiples_stage<S: ShortFloat, P: Predicate<S>>(
     p: &P,
@@ -78,7 +78,7 @@ pub(crate) fn multiples_stage<S: ShortFloat, P: Predicate<S>>(
     }
 }
 
-/// The answer in `F` with a bound on its error, if that can vouch for it.
+/// The answer in `F` with a bound on its error, if that is certain.
 #[inline(always)]
 pub(crate) fn in_floats<S: InFloat<F>, F: Float, P: Predicate<S>>(p: &P) -> Option<P::Answer>
 where
@@ -94,7 +94,7 @@ where
     answer
 }
 
-/// The answer in `F`, four at once, where the question has a kernel for that.
+/// The answer in `F`, four at once, if the question has a kernel for that.
 #[inline(always)]
 pub(crate) fn in_quads<S: InFloat<F>, F: Float, P: Predicate<S>>(p: &P) -> Option<P::Answer> {
     let answer = p.in_quads::<F>();
@@ -104,7 +104,7 @@ pub(crate) fn in_quads<S: InFloat<F>, F: Float, P: Predicate<S>>(p: &P) -> Optio
     answer
 }
 
-/// Where registers are narrow: the answer in words of `W`, or else what `next` says.
+/// For narrow registers: the answer in words of `W`, or else the result of `next`.
 #[cfg(feature = "fixed")]
 #[inline(always)]
 pub(crate) fn narrow_stage<S: InWord<W>, W: Word, P: Predicate<S>>(
@@ -123,7 +123,7 @@ pub(crate) fn narrow_stage<S: InWord<W>, W: Word, P: Predicate<S>>(
     }
 }
 
-/// Where registers are narrow: the answer to a question about volumes in words of `W`.
+/// For narrow registers: the answer to a question about volumes in words of `W`.
 #[cfg(feature = "fixed")]
 #[inline(always)]
 pub(crate) fn volume_stage<S: InWholeWord<W>, W: WholeWord, P: Predicate<S>>(
@@ -139,8 +139,8 @@ pub(crate) fn volume_stage<S: InWholeWord<W>, W: WholeWord, P: Predicate<S>>(
     }
 }
 
-/// The answer by coordinates cut down where the question has a kernel for that, or else what
-/// `next` says.
+/// The answer from cut coordinates, if the question has a kernel for that, or else the result of
+/// `next`.
 #[cfg(feature = "fixed")]
 #[inline(always)]
 pub(crate) fn short_stage<S: InRaw, P: Predicate<S>>(
@@ -159,7 +159,7 @@ pub(crate) fn short_stage<S: InRaw, P: Predicate<S>>(
     }
 }
 
-/// The only stage, for a scalar all of whose questions `N` can answer.
+/// The only stage, for a scalar for which `N` can answer every question.
 #[cfg(feature = "fixed")]
 #[inline(always)]
 pub(crate) fn only_stage<S, N: Embeds<S>, P: Predicate<S>>(p: &P) -> P::Answer {
@@ -186,7 +186,7 @@ pub(crate) fn exact_stage<S: Backend, P: Predicate<S>>(p: &P) -> P::Answer {
     p.exact()
 }
 
-/// The answer in exact numbers: in a window if that holds the coordinates, else at full width.
+/// The answer in exact numbers: in a window if it holds the coordinates, or else at full width.
 #[inline(always)]
 pub(crate) fn in_exact_numbers<S: Backend, P: Predicate<S>>(p: &P) -> P::Answer {
     // On a small core one kernel is enough: the last stage is rare, and flash is short.

@@ -1,8 +1,8 @@
 //! Areas and determinants of differences, as exact sums of products.
 //!
-//! No difference is formed, for it might round. A difference is a list of signed
-//! coordinates, a product of differences the sum of all products of one from each list,
-//! and only the sum's sign is asked for.
+//! No difference is computed, because it might round. A difference is a list of signed coordinates,
+//! and a product of differences is the sum of all products with one coordinate of each list. Only
+//! the sum's sign is used.
 
 use core::cmp::Ordering;
 
@@ -12,7 +12,7 @@ use crate::arithmetic::{Parts, pick, turn};
 /// A sum of up to three signed coordinates.
 pub(crate) type Linear = [Parts; 3];
 
-/// Three of them.
+/// A vector of three such sums.
 pub(crate) type Vector = [Linear; 3];
 
 /// A coordinate alone.
@@ -27,7 +27,7 @@ pub(crate) fn difference(a: Parts, b: Parts) -> Linear {
 
 const UNIT: Linear = [Parts::UNIT, Parts::ZERO, Parts::ZERO];
 
-/// Adds a·b·c to the sum, or takes it away. Out of line: code this cold should be small.
+/// Adds a·b·c to the sum or subtracts it. Out of line, because rare code should be small.
 #[inline(never)]
 fn add_product<T: ExactSum>(sum: &mut T, [a, b, c]: [&Linear; 3], minus: bool) {
     let nonzero = |x: &&Parts| x.magnitude != 0;
@@ -62,7 +62,7 @@ pub(crate) fn sign<T: ExactSum>(x: &Linear) -> Ordering {
     sum.sign()
 }
 
-/// Adds a·b to the sum, or takes it away.
+/// Adds a·b to the sum or subtracts it.
 pub(crate) fn add_area<T: ExactSum>(sum: &mut T, a: &Linear, b: &Linear, minus: bool) {
     add_product(sum, [a, b, &UNIT], minus);
 }

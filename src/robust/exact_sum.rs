@@ -4,20 +4,20 @@ use core::cmp::Ordering;
 
 use crate::arithmetic::{BigInt, Limbed, Limbs, Parts, Soft, divided_limbs};
 
-/// A sum of products of up to four numbers that loses nothing.
+/// A sum of products of up to four numbers without loss.
 pub trait ExactSum: Limbed {
     /// The empty sum.
     fn new() -> Self;
-    /// Adds the product of at most four `factors`, all of one type; all terms
-    /// of a sum have equally many, besides whole ones of shift zero.
+    /// Adds the product of at most four `factors`, all of one type. All terms of a sum have the
+    /// same number of factors, apart from integers with shift zero.
     fn add(&mut self, factors: &[Parts]);
     /// How the sum compares with zero.
     fn sign(&self) -> Ordering;
-    /// The quotient of two sums above zero, this not the greater, rounded down.
+    /// The quotient of two sums above zero, rounded down. This sum is not the greater.
     fn portion(&self, den: &Self) -> Soft;
 }
 
-/// A sum in two's complement: Kulisch's long accumulator, as long as the scalar asks for.
+/// A sum in two's complement: Kulisch's long accumulator, with a length that depends on the scalar.
 pub(crate) type Sum<const LIMBS: usize> = BigInt<LIMBS>;
 
 impl<const LIMBS: usize> ExactSum for Sum<LIMBS> {
@@ -27,14 +27,14 @@ impl<const LIMBS: usize> ExactSum for Sum<LIMBS> {
 
     fn add(&mut self, factors: &[Parts]) {
         debug_assert!(factors.len() <= 4);
-        // Two and two: most magnitudes are so short that their products need no more than a word.
+        // In pairs: most magnitudes are so short that the product of two fits a word.
         let mut pairs = [1_u128; 2];
         let (mut shift, mut negative) = (0, false);
         for (k, f) in factors.iter().enumerate() {
             if f.magnitude == 0 {
                 return;
             }
-            // The first factor of a pair meets one.
+            // The first factor of a pair is multiplied by one.
             pairs[k / 2 % 2] *= u128::from(f.magnitude);
             shift += usize::from(f.shift);
             negative ^= f.negative;
@@ -58,7 +58,7 @@ impl<const LIMBS: usize> ExactSum for Sum<LIMBS> {
     }
 }
 
-/// The product of two numbers, in limbs, least first.
+/// The product of two numbers in limbs, least first.
 fn product([a, b]: [u128; 2]) -> [u64; 4] {
     let halves = |x: u128| [u128::from(x as u64), x >> 64];
     let ([a, c], [b, d]) = (halves(a), halves(b));

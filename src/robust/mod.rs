@@ -1,21 +1,20 @@
-//! How a doubtful sign is settled, and what becomes of a normal that is nearly zero.
+//! How a doubtful sign is decided, and how a nearly zero normal is treated.
 //!
-//! A question is a [`Predicate`]: it can answer itself in any number system that its
-//! coordinates can be brought into. A scalar lists the systems to ask, the cheapest first:
-//! its cascade ([`cascade`]). Each stage returns an answer only where it is certain of it.
-//! Integers are certain wherever they hold the input. Floats compute each axis with a bound
-//! on its error, and gather two flags over all axes ([`Uncertain`]): some axis separates
-//! for certain, and some axis may separate. Where the flags agree they are the answer;
-//! where they differ the question escalates. The last stage runs the same kernel
-//! in exact integers, so it is right for every finite input: in [`Window`] where that holds
-//! the coordinates, and in the scalar's `Full` numbers elsewhere. Some pairs add signed products
-//! of the coordinates as given in one long accumulator instead ([`ExactSum`]).
+//! A question is a [`Predicate`]: it can be evaluated in every number system that can hold its
+//! coordinates. A scalar lists the systems to ask, the cheapest first, as its cascade ([`cascade`]).
+//! Each stage returns an answer only if it is certain. Integers are certain if they hold the input.
+//! Floats compute each axis with a bound on its error, and gather two flags over all axes
+//! ([`Uncertain`]): some axis certainly separates, and some axis may separate. If the flags agree,
+//! they are the answer; if they differ, the question escalates.
+//!
+//! The last stage is right for every finite input. It runs the same kernel in exact integers: in
+//! [`Window`] if that holds the coordinates, and otherwise in the scalar's `Full` numbers. For some
+//! pairs it adds signed products of the given coordinates in one long accumulator ([`ExactSum`]).
 //!
 //! [`Window`]: crate::arithmetic::Window
 //!
-//! An answer is given only where it is the exact one. So the order and the number of the
-//! stages change its time and never its value. How often questions escalate is counted in
-//! unit tests (`stages`).
+//! Each answer is the exact one, so the order and the number of the stages change its time and never
+//! its value. Unit tests count how often questions escalate (`stages`).
 
 mod cascade;
 mod determinant;

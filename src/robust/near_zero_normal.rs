@@ -25,8 +25,7 @@
 //!
 //! # What is done instead
 //!
-//! The plane test is believed only where its value exceeds the error that the
-//! operands allow (`query/triangle_aabb/error_bound.rs`). That error does not shrink with
-//! n, so a noisy normal is never believed. A doubtful sign escalates ([`super::cascade`])
-//! to wider numbers and at last to exact integers, where n is what it is, zero included.
-//! There is no third case.
+//! The plane test counts only if its value exceeds the error that its operands allow
+//! (`query/triangle_aabb/error_bound.rs`). That error does not shrink with n, so a noisy normal
+//! never decides. A doubtful sign escalates ([`super::cascade`]) to wider numbers and at last to
+//! exact integers, in which n is exact, zero included. There is no third case.

@@ -6,33 +6,32 @@ use crate::arithmetic::{
 };
 use crate::scalar::Backend;
 
-/// Why a fast path has no answer.
+/// The reason why a fast path has no answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Clue {
-    /// It is not for such a question.
+    /// It does not serve this question.
     Unasked,
     /// The answer is in doubt.
     Doubt,
-    /// It is yes for certain, but the numbers are not good.
+    /// The answer is certainly yes, but the numbers are not accurate enough.
     NoNumbers,
 }
 
 /// A question about coordinates of the scalar `S`.
 ///
-/// It knows how to answer itself in any number system; the scalar knows which
-/// systems to try, the cheapest first.
+/// It can be evaluated in any number system; the scalar chooses the systems, the cheapest first.
 pub trait Predicate<S> {
-    /// Yes or no, or what was found.
+    /// Yes or no, or the result.
     type Answer: Default;
 
-    /// Whether it takes products of three lengths. If not, integers for 28 bits cost no more
-    /// than those for 18.
+    /// Whether it takes products of three lengths. If not, integers for 28 bits cost no more than
+    /// those for 18.
     const HAS_VOLUMES: bool = true;
 
-    /// The answer, if `N` can vouch for it.
+    /// The answer, if `N` is certain of it.
     fn filter<N: Embeds<S>>(&self) -> Option<Self::Answer>;
 
-    /// The same in `f64`, where it takes but one pass without branches.
+    /// The answer in `f64`, in a single pass without branches.
     #[inline(always)]
     fn fast_path(&self) -> Result<Self::Answer, Clue>
     where
@@ -41,8 +40,8 @@ pub trait Predicate<S> {
         self.filter::<Filtered<f64>>().ok_or(Clue::Doubt)
     }
 
-    /// The answer by more than the precision of `f64`, if that can vouch for it; `None` where the
-    /// question has none.
+    /// The answer from more than the precision of `f64`, if that is certain; `None` if the question
+    /// has no such stage.
     #[inline(always)]
     fn refined(&self, clue: Clue) -> Option<Self::Answer>
     where
@@ -52,11 +51,11 @@ pub trait Predicate<S> {
         None
     }
 
-    /// Whether the question has a kernel of its own for floats, four at once. Then that is
-    /// asked in place of [`filter`](Self::filter).
+    /// Whether the question has its own kernel for floats, four at once, which then replaces
+    /// [`filter`](Self::filter).
     const IN_QUADS: bool = false;
 
-    /// The answer by floats, four at once, if they can vouch for it.
+    /// The answer from floats, four at once, if they are certain of it.
     #[inline(always)]
     fn in_quads<F: Float>(&self) -> Option<Self::Answer>
     where
@@ -65,8 +64,8 @@ pub trait Predicate<S> {
         None
     }
 
-    /// The answer in words of `W`, for a question that has a kernel of its own for
-    /// narrow registers, if the shapes are near enough to each other.
+    /// The answer in words of `W`, for a question with its own kernel for narrow registers, if the
+    /// shapes are close enough to each other.
     #[inline(always)]
     fn narrow<W: Word>(&self) -> Option<Self::Answer>
     where
@@ -75,7 +74,7 @@ pub trait Predicate<S> {
         None
     }
 
-    /// The same for a question about volumes.
+    /// The answer in words of `W` to a question about volumes.
     #[inline(always)]
     fn narrow_volumes<W: WholeWord>(&self) -> Option<Self::Answer>
     where
@@ -84,8 +83,8 @@ pub trait Predicate<S> {
         None
     }
 
-    /// The answer to a question with a number for an answer, by short multiples of a power of two,
-    /// for cores that have no `f64`; the same bits as by `f64` and what comes after it.
+    /// The answer to a question about numbers, by short multiples of a power of two, for cores
+    /// without `f64`. It has the same bits as the answer by `f64` and later stages.
     #[inline(always)]
     fn in_short_multiples(&self) -> Option<Self::Answer>
     where
@@ -94,12 +93,12 @@ pub trait Predicate<S> {
         None
     }
 
-    /// Whether the question has a kernel of its own for fixed point cut down to words of 32
-    /// bits, with a bound on the error. Then that is asked first.
+    /// Whether the question has its own kernel for fixed point cut to words of 32 bits, with an
+    /// error bound. It is then the first stage.
     #[cfg(feature = "fixed")]
     const IN_SHORT: bool = false;
 
-    /// The answer by coordinates cut down to words of 32 bits, if they can vouch for it.
+    /// The answer from coordinates cut to words of 32 bits, if it is certain.
     #[cfg(feature = "fixed")]
     #[inline(always)]
     fn in_short(&self) -> Option<Self::Answer>
@@ -109,8 +108,8 @@ pub trait Predicate<S> {
         None
     }
 
-    /// A conservative answer by coordinates cut down, for scalars so wide or questions so
-    /// long that an exact one is dear; `None` where the question has none.
+    /// A conservative answer from cut coordinates, if an exact one is expensive because the scalar
+    /// is wide or the question long; `None` if the question has none.
     #[cfg(feature = "fixed")]
     #[inline(always)]
     fn cut_down(&self) -> Option<Self::Answer>

@@ -17,14 +17,14 @@ fn of_limbs(limbs: &[u64]) -> IBig {
     if is_negative { unsigned - (IBig::ONE << (64 * limbs.len())) } else { unsigned }
 }
 
-/// A float in units of the least of its type.
+/// A float in units of the least number of its type.
 fn whole<F: Float>(x: F) -> IBig {
     let Parts { negative, magnitude, shift } = x.parts();
     let magnitude = IBig::from(magnitude) << usize::from(shift);
     if negative { -magnitude } else { magnitude }
 }
 
-/// The lengths that kernels make of coordinates, of up to six of them.
+/// The lengths that kernels compute from up to six coordinates.
 fn lengths<L: Copy + Number>([[a, b, c], [d, e, f]]: [[L; 3]; 2]) -> [[L; 3]; 3] {
     [
         [a, b - a, (d - b) + (d - c)],
@@ -33,7 +33,7 @@ fn lengths<L: Copy + Number>([[a, b, c], [d, e, f]]: [[L; 3]; 2]) -> [[L; 3]; 3]
     ]
 }
 
-/// Numbers of any size, as far as `lengths` asks.
+/// Integers of any size, with the operations of `lengths`.
 macro_rules! big_lengths {
     ($x:expr) => {{
         let [[a, b, c], [d, e, f]] = $x;
@@ -46,7 +46,7 @@ macro_rules! big_lengths {
     }};
 }
 
-/// Whether `N` holds these coordinates; if so, it must agree with numbers of any size.
+/// Whether `N` holds these coordinates; if it does, it must agree with integers of any size.
 fn agrees<F: Float, N: Embeds<F, Area: Limbed, Volume: Limbed, Product: Limbed>>(
     x: &[[F; 3]; 2],
     is_windowed: bool,
@@ -85,7 +85,7 @@ fn agrees<F: Float, N: Embeds<F, Area: Limbed, Volume: Limbed, Product: Limbed>>
     true
 }
 
-/// Coordinates of exponents in a range, some of them equal, opposite or at an end of the type.
+/// Coordinates with exponents in a range; some are equal, opposite, or at an end of the type.
 fn some<F: Float>(
     random: &mut Random,
     ends: &[F],
@@ -115,7 +115,7 @@ where
     let (mut held, cases) = (0, 2000);
     for case in 0..cases {
         let span = if case % 2 == 0 { 60 } else { widest };
-        // The ends of the type take a window apart.
+        // A window cannot hold both ends of the type.
         let ends = if case % 2 == 0 { &ends[..2] } else { ends };
         let x = some(random, ends, of, span);
         assert!(agrees::<F, N>(&x, false));
@@ -145,7 +145,7 @@ fn f32_agrees_with_integers_of_any_size() {
     all_agree::<f32, FullF32>(&ends, of, 128);
 }
 
-/// Both ends of the range in every place of a length at once.
+/// Both ends of the range, in all places of a length at once.
 #[test]
 fn the_ends_of_the_range_do_not_overflow() {
     let ends = [f64::MAX, f64::MIN, f64::from_bits(1), -f64::from_bits(1)];
@@ -164,7 +164,7 @@ fn the_ends_of_the_range_do_not_overflow() {
     }
 }
 
-/// t as it is compared with a quotient.
+/// t, in the form that is compared with a quotient.
 #[test]
 fn quotients_compare_as_products_do() {
     let random = &mut Random(3);
