@@ -25,34 +25,26 @@ pub(crate) trait InFloat<F>: Copy {
 }
 
 /// The float that is asked first, four at once, in a query that has a kernel for that.
-pub(crate) trait FirstFloat: Copy {
+pub(crate) trait FirstFloat: InFloat<<Self as FirstFloat>::First> {
     /// That float.
     type First: Float;
 
     /// [`InFloat::LIMIT`].
-    const FIRST_LIMIT: Option<Self::First>;
+    const FIRST_LIMIT: Option<Self::First> = <Self as InFloat<Self::First>>::LIMIT;
 
     /// [`InFloat::in_float`].
-    fn first(self) -> Self::First;
-}
-
-macro_rules! first {
-    ($float:ty) => {
-        type First = $float;
-        const FIRST_LIMIT: Option<$float> = <Self as InFloat<$float>>::LIMIT;
-        #[inline(always)]
-        fn first(self) -> $float {
-            self.in_float()
-        }
-    };
+    #[inline(always)]
+    fn first(self) -> Self::First {
+        self.in_float()
+    }
 }
 
 impl FirstFloat for f32 {
-    first!(f32);
+    type First = f32;
 }
 
 impl FirstFloat for f64 {
-    first!(f64);
+    type First = f64;
 }
 
 macro_rules! same {
@@ -85,7 +77,7 @@ macro_rules! raw_bits {
         }
 
         impl<Frac: $bound> FirstFloat for $fixed<Frac> {
-            first!($float);
+            type First = $float;
         }
     )*};
 }

@@ -5,9 +5,11 @@
 mod fixed;
 mod float;
 
+use super::in_double::InDouble;
+
 /// The grid arithmetic that a mesh tree requires of a scalar. Sealed, as
 /// [`Backend`](super::Backend).
-pub(crate) trait Gridded: Copy {
+pub(crate) trait Gridded: InDouble {
     /// The position of point zero, and the distance between points.
     type Steps: Copy + core::fmt::Debug;
 
@@ -29,22 +31,45 @@ pub(crate) trait Gridded: Copy {
     /// Two numbers that enclose self − h and self + h, clamped to the range of the scalar.
     fn reach(self, h: Self) -> [Self; 2];
 
+    /// The position of point zero.
+    fn origin(steps: &Self::Steps) -> Self;
+
+    /// How many steps a [unit](InDouble::UNIT) has.
+    fn steps_per_unit(steps: &Self::Steps) -> f64;
+
     /// The distance from point zero to this number in steps, within a relative 2⁻⁵⁰; infinite if it
     /// overflows.
-    fn place(self, steps: &Self::Steps) -> f64;
+    #[inline]
+    fn place(self, steps: &Self::Steps) -> f64 {
+        self.steps_from(Self::origin(steps), steps)
+    }
 
     /// This length in steps, within a relative 2⁻⁵⁰; infinite if it overflows.
-    fn length(self, steps: &Self::Steps) -> f64;
+    #[inline]
+    fn length(self, steps: &Self::Steps) -> f64 {
+        product(self.units(), Self::steps_per_unit(steps))
+    }
 
     /// The distance from `other` to this number in steps, within a relative 2⁻⁵⁰; infinite if it
     /// overflows.
-    fn steps_from(self, other: Self, steps: &Self::Steps) -> f64;
+    #[inline]
+    fn steps_from(self, other: Self, steps: &Self::Steps) -> f64 {
+        product(self.units_beyond(other), Self::steps_per_unit(steps))
+    }
 
     /// An upper bound on the true t of a hit that was rounded to this number.
     fn farthest(self) -> f64;
 
     /// The same bound as a number of the scalar, if there is one.
     fn farthest_number(self) -> Option<Self>;
+}
+
+/// Out of line on s390x, because QEMU before 8.0 miscomputes the product of two `f32` widened to
+/// `f64` (MDEBR).
+#[cfg_attr(not(target_arch = "s390x"), inline(always))]
+#[cfg_attr(target_arch = "s390x", inline(never))]
+fn product(a: f64, b: f64) -> f64 {
+    a * b
 }
 
 #[cfg(test)]

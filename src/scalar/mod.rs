@@ -8,11 +8,11 @@ mod fixed;
 mod fixed_point;
 mod float;
 mod grid;
+mod in_double;
 #[cfg(feature = "defmt")]
 mod logged;
 mod planes;
 mod rotation;
-mod rounding;
 
 pub(crate) use backend::{Backend, FloatFormat};
 #[cfg(feature = "fixed")]
@@ -53,7 +53,7 @@ pub trait Scalar:
     + Planes
     + rotation::Rotation
     + grid::Gridded
-    + rounding::Rounding
+    + in_double::InDouble
     + Logged
     + Copy
     + PartialOrd

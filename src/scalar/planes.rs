@@ -16,12 +16,6 @@ pub(crate) trait Planes: Copy {
     /// The greatest distance, in steps, of a plane from its exact position, for up to `count`
     /// steps; at most one half. Or the reason why these planes do not exist.
     fn check_planes(origin: Self, step: Self, count: u32) -> Result<f64, PlanesError>;
-
-    /// The reciprocal, to the nearest.
-    fn reciprocal_in_double(self) -> f64;
-
-    /// self − other, to the nearest.
-    fn less_in_double(self, other: Self) -> f64;
 }
 
 /// The reason why a grid's planes do not exist.
@@ -62,16 +56,6 @@ macro_rules! float {
                 }
                 Ok((3.0 * ROUNDOFF * farthest / step).into())
             }
-
-            #[inline(always)]
-            fn reciprocal_in_double(self) -> f64 {
-                1.0 / f64::from(self)
-            }
-
-            #[inline(always)]
-            fn less_in_double(self, other: Self) -> f64 {
-                f64::from(self) - f64::from(other)
-            }
         }
     )*};
 }
@@ -105,20 +89,6 @@ macro_rules! fixed {
                 match $raw::try_from(i128::from(origin.to_bits()) + offset) {
                     Ok(_) => Ok(0.0),
                     Err(_) => Err(PlanesError::OutOfRange),
-                }
-            }
-
-            #[inline(always)]
-            fn reciprocal_in_double(self) -> f64 {
-                1.0 / self.to_bits() as f64
-            }
-
-            #[inline(always)]
-            fn less_in_double(self, other: Self) -> f64 {
-                let (a, b) = (i64::from(self.to_bits()), i64::from(other.to_bits()));
-                match a.checked_sub(b) {
-                    Some(d) => d as f64,
-                    None => (i128::from(a) - i128::from(b)) as f64,
                 }
             }
         }

@@ -82,7 +82,7 @@ impl<S: Scalar> Grid<S> {
             }
             deviation[i] = S::check_planes(from[i], step[i], resolution[i])?;
             if S::HAS_PLACES {
-                per_cell[i] = step[i].reciprocal_in_double();
+                per_cell[i] = 1.0 / step[i].units();
                 // The reciprocal of a subnormal cell overflows: floats know no places.
                 if per_cell[i] > f64::MAX {
                     deviation[i] = f64::INFINITY;
@@ -147,7 +147,7 @@ impl<S: Scalar> Grid<S> {
 
     /// Returns to − from in cells, with a relative error of less than four roundoffs.
     pub(super) fn length(&self, axis: usize, from: S, to: S) -> f64 {
-        to.less_in_double(from) * self.per_cell[axis]
+        to.units_beyond(from) * self.per_cell[axis]
     }
 
     /// Returns the place of a number among the planes of an axis, in cells from the first plane,
@@ -155,7 +155,7 @@ impl<S: Scalar> Grid<S> {
     #[inline(always)]
     pub(super) fn place(&self, axis: usize, x: S) -> f64 {
         let origin = self.origin.to_array()[axis];
-        x.less_in_double(origin) * self.per_cell[axis] - f64::from(self.first[axis])
+        x.units_beyond(origin) * self.per_cell[axis] - f64::from(self.first[axis])
     }
 
     /// Bounds the error of a place up to `farthest` cells from the first plane, plus the error of

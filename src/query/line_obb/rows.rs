@@ -29,7 +29,8 @@ pub(super) fn is_separated<S: Scalar + InFloat<F>, F: Float>(
     let (zero, one) = (F::ZERO, F::from(1));
     let (d, ends) = match question.line {
         Line::Ray(ray) => {
-            let unit = if S::PLACE > zero { S::PLACE } else { one };
+            let place = <S as InFloat<F>>::PLACE;
+            let unit = if place > zero { place } else { one };
             (q, [ray.t_min().map(|_| ends[0] * unit), ray.t_max().map(|_| ends[1] * unit)])
         }
         Line::Segment(segment) => match segment.form() {

@@ -4,7 +4,7 @@ use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 use super::Gridded;
-use crate::scalar::rounding::Rounding;
+use crate::scalar::in_double::InDouble;
 
 /// The grid of a fixed-point type, in raw bits.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +21,7 @@ const fn one_over_two_to(n: u32) -> f64 {
 
 // $w is a signed word for sums of raw bits, $u the same without a sign, for differences.
 macro_rules! fixed_point {
-    ($($fixed:ident: $bound:ident, $raw:ty, $w:ty, $u:ty, |$d:ident| $to_f64:expr;)*) => {$(
+    ($($fixed:ident: $bound:ident, $raw:ty, $w:ty, $u:ty;)*) => {$(
         impl<Frac: $bound> Gridded for $fixed<Frac> {
             type Steps = FixedSteps<$w>;
 
@@ -79,21 +79,13 @@ macro_rules! fixed_point {
             }
 
             #[inline]
-            fn place(self, steps: &Self::Steps) -> f64 {
-                let $d = (self.to_bits(), steps.origin);
-                $to_f64 * one_over_two_to(steps.shift)
+            fn origin(steps: &Self::Steps) -> Self {
+                Self::from_bits(steps.origin as $raw)
             }
 
             #[inline]
-            fn length(self, steps: &Self::Steps) -> f64 {
-                // Steps for each unit of t.
-                self.to_bits() as f64 * one_over_two_to(steps.shift)
-            }
-
-            #[inline]
-            fn steps_from(self, other: Self, steps: &Self::Steps) -> f64 {
-                let $d = (self.to_bits(), <$w>::from(other.to_bits()));
-                $to_f64 * one_over_two_to(steps.shift)
+            fn steps_per_unit(steps: &Self::Steps) -> f64 {
+                one_over_two_to(steps.shift)
             }
 
             #[inline]
@@ -114,8 +106,8 @@ macro_rules! fixed_point {
     )*};
 }
 fixed_point! {
-    FixedI8: LeEqU8, i8, i32, u32, |d| f64::from(i32::from(d.0) - d.1);
-    FixedI16: LeEqU16, i16, i32, u32, |d| f64::from(i32::from(d.0) - d.1);
-    FixedI32: LeEqU32, i32, i32, u32, |d| f64::from(d.0) - f64::from(d.1);
-    FixedI64: LeEqU64, i64, i64, u64, |d| (i128::from(d.0) - i128::from(d.1)) as f64;
+    FixedI8: LeEqU8, i8, i32, u32;
+    FixedI16: LeEqU16, i16, i32, u32;
+    FixedI32: LeEqU32, i32, i32, u32;
+    FixedI64: LeEqU64, i64, i64, u64;
 }

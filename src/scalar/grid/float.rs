@@ -11,14 +11,6 @@ pub struct FloatSteps<F> {
     inverse: F,
 }
 
-/// Out of line on s390x, because QEMU before 8.0 miscomputes the product of two `f32` widened to
-/// `f64` (MDEBR).
-#[cfg_attr(not(target_arch = "s390x"), inline(always))]
-#[cfg_attr(target_arch = "s390x", inline(never))]
-fn product(a: f64, b: f64) -> f64 {
-    a * b
-}
-
 macro_rules! float {
     ($float:ident, $bits:ty, $least_step:expr) => {
         // The step is a power of two, at least two units in the last place of the greatest number,
@@ -98,18 +90,13 @@ macro_rules! float {
             }
 
             #[inline]
-            fn place(self, steps: &Self::Steps) -> f64 {
-                (f64::from(self) - f64::from(steps.origin)) * f64::from(steps.inverse)
+            fn origin(steps: &Self::Steps) -> Self {
+                steps.origin
             }
 
             #[inline]
-            fn length(self, steps: &Self::Steps) -> f64 {
-                product(self.into(), steps.inverse.into())
-            }
-
-            #[inline]
-            fn steps_from(self, other: Self, steps: &Self::Steps) -> f64 {
-                product(f64::from(self) - f64::from(other), steps.inverse.into())
+            fn steps_per_unit(steps: &Self::Steps) -> f64 {
+                steps.inverse.into()
             }
 
             #[inline]

@@ -16,7 +16,9 @@ pub(in crate::query::triangle_aabb) fn pair<S: Scalar + InFloat<F>, F: Float>(
     aabb: &Aabb<S>,
 ) -> Option<bool> {
     let clear = match *aabb.form() {
-        _ if S::OFFSETS_FIRST && ForOffsets::IS_VECTOR => offsets::pair::<S, false>(triangle, aabb),
+        _ if <S as InFloat<F>>::OFFSETS_FIRST && ForOffsets::IS_VECTOR => {
+            offsets::pair::<S, false>(triangle, aabb)
+        }
         AabbForm::Center { center: c, half: h } => {
             by_center::<S, F>(triangle, c.x, c.y, c.z, h.x, h.y, h.z)
         }

@@ -1,19 +1,32 @@
-//! Conversions between scalars and floats, for rounded answers.
+//! Coordinates in `f64`, and back.
 
-#[cfg(feature = "fixed")]
-use super::Planes;
 use crate::arithmetic::whole;
 
-/// The conversions that contacts, and the times of hits and contacts, require of a scalar.
-pub(crate) trait Rounding: Copy {
+/// Conversions between a scalar and `f64`: grids, contacts and times compute in it.
+pub(crate) trait InDouble: Copy {
     /// Whether `f64` can represent every number of the type.
     const IS_IN_DOUBLE: bool;
 
+    /// The unit of [`units`](Self::units): the last place of fixed point, and one of floats.
+    const UNIT: f64;
+
+    /// The number in units, to the nearest.
+    fn units(self) -> f64;
+
+    /// self − other in units, to the nearest.
+    fn units_beyond(self, other: Self) -> f64;
+
     /// The number, to the nearest.
-    fn in_double(self) -> f64;
+    #[inline]
+    fn in_double(self) -> f64 {
+        self.units() * Self::UNIT
+    }
 
     /// self − other, to the nearest.
-    fn beyond_in_double(self, other: Self) -> f64;
+    #[inline]
+    fn beyond_in_double(self, other: Self) -> f64 {
+        self.units_beyond(other) * Self::UNIT
+    }
 
     /// self + offset, to the nearest or next to it; clamped in fixed point.
     fn plus_double(self, offset: f64) -> Self;
@@ -26,13 +39,16 @@ pub(crate) trait Rounding: Copy {
 
 macro_rules! float {
     ($float:ident, $bits:ident) => {
-        impl Rounding for $float {
+        impl InDouble for $float {
             const IS_IN_DOUBLE: bool = true;
+            const UNIT: f64 = 1.0;
 
-            fn in_double(self) -> f64 {
+            #[inline(always)]
+            fn units(self) -> f64 {
                 self.into()
             }
-            fn beyond_in_double(self, other: Self) -> f64 {
+            #[inline(always)]
+            fn units_beyond(self, other: Self) -> f64 {
                 f64::from(self) - f64::from(other)
             }
             fn plus_double(self, offset: f64) -> Self {
@@ -62,7 +78,7 @@ mod fixed_point {
     use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
     use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
-    use super::{Planes, Rounding, whole};
+    use super::{InDouble, whole};
 
     /// 2^n, for n from −64 to 64.
     const fn two_to(n: i32) -> f64 {
@@ -71,14 +87,21 @@ mod fixed_point {
 
     macro_rules! fixed_point {
         ($($fixed:ident, $bound:ident, $raw:ident, $wide:ident, $is_in_double:literal;)*) => {$(
-            impl<Frac: $bound> Rounding for $fixed<Frac> {
+            impl<Frac: $bound> InDouble for $fixed<Frac> {
                 const IS_IN_DOUBLE: bool = $is_in_double;
+                const UNIT: f64 = two_to(-(Self::FRAC_NBITS as i32));
 
-                fn in_double(self) -> f64 {
-                    self.to_bits() as f64 * two_to(-(Self::FRAC_NBITS as i32))
+                #[inline(always)]
+                fn units(self) -> f64 {
+                    self.to_bits() as f64
                 }
-                fn beyond_in_double(self, other: Self) -> f64 {
-                    self.less_in_double(other) * two_to(-(Self::FRAC_NBITS as i32))
+                #[inline(always)]
+                fn units_beyond(self, other: Self) -> f64 {
+                    let (a, b) = (i64::from(self.to_bits()), i64::from(other.to_bits()));
+                    match a.checked_sub(b) {
+                        Some(d) => d as f64,
+                        None => (i128::from(a) - i128::from(b)) as f64,
+                    }
                 }
                 fn plus_double(self, offset: f64) -> Self {
                     let units = offset * two_to(Self::FRAC_NBITS as i32);
@@ -105,7 +128,7 @@ mod fixed_point {
 
 #[cfg(test)]
 mod tests {
-    use super::Rounding;
+    use super::InDouble;
 
     /// Converts numbers of `f32` to units of the least number, and back.
     #[test]
