@@ -138,7 +138,7 @@ fn octant<S: Scalar>(grid: &Grid<S>, ray: &Ray<S>) -> Cell {
 /// A ray, or a moving box, on the grid.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct GridRay {
-    axes: [Axis; 3],
+    axes: [GridAxis; 3],
     /// The range of t, in units of 1/m.
     from: f32,
     to: f32,
@@ -147,7 +147,7 @@ pub(super) struct GridRay {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Axis {
+struct GridAxis {
     /// o, shifted up for the least coordinates and down for the greatest.
     low: f32,
     high: f32,
@@ -157,7 +157,7 @@ struct Axis {
     is_falling: bool,
 }
 
-impl Axis {
+impl GridAxis {
     /// An axis that excludes no box.
     const OPEN: Self =
         Self { low: f32::INFINITY, high: f32::NEG_INFINITY, inverse: 1.0, is_falling: false };
@@ -166,7 +166,7 @@ impl Axis {
 impl GridRay {
     /// A ray that meets every box.
     pub(super) const EVERYWHERE: Self =
-        Self { axes: [Axis::OPEN; 3], from: f32::NEG_INFINITY, to: f32::INFINITY, scale: 0.0 };
+        Self { axes: [GridAxis::OPEN; 3], from: f32::NEG_INFINITY, to: f32::INFINITY, scale: 0.0 };
 
     fn new<S: Scalar>(grid: &Grid<S>, ray: &Ray<S>) -> Self {
         let (direction, origin) = (ray.direction().to_array(), ray.origin().to_array());
@@ -206,11 +206,11 @@ impl GridRay {
             let inverse = if is_zero[i] {
                 UPRIGHT
             } else if unit.abs() < SHORT {
-                return Axis::OPEN;
+                return GridAxis::OPEN;
             } else {
                 (1.0 / unit) as f32
             };
-            Axis {
+            GridAxis {
                 low: (max[i] + shift(max[i])) as f32,
                 high: (min[i] - shift(min[i])) as f32,
                 inverse,
@@ -227,7 +227,7 @@ impl GridRay {
         let (mut enter, mut leave) = (Four::splat(self.from), Four::splat(self.to));
         let planes = |[a, b, c, d]: [u16; 4]| Four::new([a.into(), b.into(), c.into(), d.into()]);
         for i in 0..3 {
-            let Axis { low, high, inverse, is_falling } = self.axes[i];
+            let GridAxis { low, high, inverse, is_falling } = self.axes[i];
             let (mut near, mut far) = ((node.0[i], low), (node.0[3 + i], high));
             if is_falling {
                 (near, far) = (far, near);

@@ -120,7 +120,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     /// [`is_hit`](Self::is_hit) under other rules, such as culling.
     #[must_use]
     pub fn is_hit_with(&self, ray: &Ray<S>, rules: HitRules) -> bool {
-        let mut near = Near::new(self, ray);
+        let mut near = LeafTriangles::new(self, ray);
         core::iter::from_fn(|| near.next(self)).any(|i| ray.is_hit_with(&self.mesh.known(i), rules))
     }
 
@@ -149,7 +149,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
 
     /// [`hits`](Self::hits) under other rules, such as culling.
     pub fn hits_with<'t>(&'t self, ray: &Ray<S>, rules: HitRules) -> Hits<'t, 'a, S, I> {
-        Hits { tree: self, ray: *ray, rules, near: Near::new(self, ray) }
+        Hits { tree: self, ray: *ray, rules, near: LeafTriangles::new(self, ray) }
     }
 }
 
@@ -178,13 +178,13 @@ fn is_same<S: Scalar>(a: &Option<[Vec3<S>; 2]>, b: &Option<[Vec3<S>; 2]>) -> boo
 
 /// The triangles in the leaves that a ray meets.
 #[derive(Clone, Debug)]
-struct Near<S: Scalar> {
+struct LeafTriangles<S: Scalar> {
     descent: Descent<S>,
     walk: Walk,
     leaf: Range<usize>,
 }
 
-impl<S: Scalar> Near<S> {
+impl<S: Scalar> LeafTriangles<S> {
     fn new<I: Index>(tree: &Tree<'_, S, I>, ray: &Ray<S>) -> Self {
         let descent = Descent::new(&tree.grid, ray);
         let walk = Walk::new(tree.nodes, |root| descent.meets(root).mask);
@@ -210,7 +210,7 @@ pub struct Hits<'t, 'a, S: Scalar, I> {
     tree: &'t Tree<'a, S, I>,
     ray: Ray<S>,
     rules: HitRules,
-    near: Near<S>,
+    near: LeafTriangles<S>,
 }
 
 impl<S: Scalar, I: Index> Iterator for Hits<'_, '_, S, I> {

@@ -98,23 +98,23 @@ impl<N: Arithmetic> Slabs<N> {
     #[inline(always)]
     pub(super) fn line_misses(&self) -> Uncertain {
         // Exact zeros matter only in doubt.
-        let so_far = self.pairs_miss::<false>();
-        if so_far.certain == so_far.possible { so_far } else { self.pairs_miss::<true>() }
+        let so_far = self.pairs_miss(false);
+        if so_far.certain == so_far.possible { so_far } else { self.pairs_miss(true) }
     }
 
     #[inline(always)]
-    fn pairs_miss<const HEED_ZEROS: bool>(&self) -> Uncertain {
+    fn pairs_miss(&self, heeds_zeros: bool) -> Uncertain {
         let mut so_far = Uncertain::NONE;
         for i in 0..3 {
-            so_far = so_far.or(self.pair_misses::<HEED_ZEROS>(i, (i + 1) % 3));
-            so_far = so_far.or(self.pair_misses::<HEED_ZEROS>((i + 1) % 3, i));
+            so_far = so_far.or(self.pair_misses(i, (i + 1) % 3, heeds_zeros));
+            so_far = so_far.or(self.pair_misses((i + 1) % 3, i, heeds_zeros));
         }
         so_far
     }
 
     /// Whether the line leaves slab j before it enters slab i.
     #[inline(always)]
-    fn pair_misses<const HEED_ZEROS: bool>(&self, i: usize, j: usize) -> Uncertain {
+    fn pair_misses(&self, i: usize, j: usize, heeds_zeros: bool) -> Uncertain {
         let (near, far, m) = (&self.near, &self.far, &self.m);
         if N::LARGE {
             let certain = N::minor([near[i], m[j]], [far[j], m[i]]) > N::Area::ZERO;
@@ -127,7 +127,7 @@ impl<N: Arithmetic> Slabs<N> {
         };
         let zero = N::Length::ZERO;
         let is_exact = self.spread.is_none();
-        let is_zero = HEED_ZEROS
+        let is_zero = heeds_zeros
             & ((m[j] == zero) | (is_exact & (near[i] == zero)))
             & ((m[i] == zero) | (is_exact & (far[j] == zero)));
         above::<N>(enter, leave, is_zero, size)

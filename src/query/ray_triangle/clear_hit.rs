@@ -56,7 +56,7 @@ where
         None => (false, false),
     };
     let Crossing { det, t, sides: [_, u, v], .. } = crossing;
-    let numbers = Numbers::new::<false>(&points, d, [det, t, u, v], setting.sizes());
+    let numbers = Numbers::new(false, &points, d, [det, t, u, v], setting.sizes());
     let (rounded, are_good) = numbers.rounded::<S>();
     let found = Candidate::new(hit & are_good, rounded, det > 0.0, [false; 3]);
     (is_known & certain & (are_good | !hit), found)

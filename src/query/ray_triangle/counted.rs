@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::crossing::{Crossing, Setting, Sizes};
 use super::exact::ExactRay;
-use super::rows::{First, Found, Rows, begins_elsewhere, first};
+use super::rows::{First, Found, VolumeRows, begins_elsewhere, first};
 use super::{Facing, HitRules};
 use crate::arithmetic::{Embeds, Filtered, Number, OfFour, largest};
 use crate::robust::{Clue, ExactSum, Stage, note};
@@ -38,7 +38,7 @@ impl<S: Scalar> Crosses<'_, S> {
         let [a, b, c] = self.triangle.points();
         let (o, d) = (self.ray.origin().to_array(), self.ray.direction().to_array());
         let [a, b, c, o, d] = Filtered::<f64>::embed(&[a, b, c, o, d]).ok_or(Clue::Doubt)?;
-        let rows = Rows::<<f64 as OfFour>::Quad>::new(&[a, b, c, o], d);
+        let rows = VolumeRows::<<f64 as OfFour>::Quad>::new(&[a, b, c, o], d);
         let Found { is_ahead, crossing, sizes } = rows.found().ok_or(Clue::Doubt)?;
         let keeps = self.rules.cull.keeps(Facing::of(crossing.is_front()));
         Ok((is_ahead & keeps, crossing, sizes))
@@ -60,7 +60,8 @@ impl<S: Scalar> Crosses<'_, S> {
                 return None;
             }
         }
-        let Some(found) = Rows::<<First<S> as OfFour>::Quad>::new(&[a, b, c, o], d).found() else {
+        let Some(found) = VolumeRows::<<First<S> as OfFour>::Quad>::new(&[a, b, c, o], d).found()
+        else {
             note(Stage::Filter);
             return None;
         };

@@ -41,12 +41,12 @@ pub(super) struct Crossing<V> {
     /// The numerators of the barycentric coordinates of the three vertices.
     pub(super) sides: [V; 3],
     /// The error bounds of the volumes.
-    pub(super) error_bound: ErrorBound<V>,
+    pub(super) error_bound: VolumeErrors<V>,
 }
 
 /// Error bounds of volumes.
 #[derive(Clone, Copy)]
-pub(super) struct ErrorBound<V> {
+pub(super) struct VolumeErrors<V> {
     /// For the determinant, u and v.
     pub(super) side: V,
     /// For w, a difference of the three.
@@ -78,10 +78,10 @@ impl<L: Number> Setting<L> {
 
     /// The error bounds of the volumes.
     #[inline(always)]
-    fn error_bound<M: Arithmetic<Length = L>>(&self) -> Option<ErrorBound<M::Volume>> {
+    fn error_bound<M: Arithmetic<Length = L>>(&self) -> Option<VolumeErrors<M::Volume>> {
         if M::CERTAIN {
             let none = M::Volume::ZERO;
-            return Some(ErrorBound { sides: none, side: none, t: none });
+            return Some(VolumeErrors { sides: none, side: none, t: none });
         }
         error_bound::<M>(self.sizes())
     }
@@ -103,7 +103,7 @@ impl<L: Number> Setting<L> {
         let none = M::Volume::ZERO;
         let (error_bound, is_known) = match self.error_bound::<M>() {
             Some(error_bound) => (error_bound, true),
-            None => (ErrorBound { side: none, sides: none, t: none }, false),
+            None => (VolumeErrors { side: none, sides: none, t: none }, false),
         };
         (self.crossing_within::<M>(error_bound), is_known)
     }
@@ -117,7 +117,7 @@ impl<L: Number> Setting<L> {
     #[inline(always)]
     fn crossing_within<M: Arithmetic<Length = L>>(
         &self,
-        error_bound: ErrorBound<M::Volume>,
+        error_bound: VolumeErrors<M::Volume>,
     ) -> Crossing<M::Volume> {
         let Self { d, e: [e1, e2], s } = self;
         let p = cross::<M>(d, e2);
@@ -149,7 +149,7 @@ impl Setting<f64> {
     /// The volumes without error bounds.
     #[inline(always)]
     pub(super) fn volumes(&self) -> Crossing<f64> {
-        let error_bound = ErrorBound { side: 0.0, sides: 0.0, t: 0.0 };
+        let error_bound = VolumeErrors { side: 0.0, sides: 0.0, t: 0.0 };
         self.crossing_within::<Filtered<f64>>(error_bound)
     }
 }
@@ -205,7 +205,7 @@ impl<V: Number> Crossing<V> {
             det: widen(self.det),
             t: widen(self.t),
             sides: [widen(w), widen(u), widen(v)],
-            error_bound: ErrorBound {
+            error_bound: VolumeErrors {
                 side: widen(error_bound.side),
                 sides: widen(error_bound.sides),
                 t: widen(error_bound.t),
@@ -231,7 +231,7 @@ impl<V: Number> Crossing<V> {
 #[inline(always)]
 pub(super) fn error_bound<M: Arithmetic>(
     Sizes { direction, edges, size }: Sizes<M::Length>,
-) -> Option<ErrorBound<M::Volume>> {
+) -> Option<VolumeErrors<M::Volume>> {
     if !(direction.in_range() & edges.in_range() & size.in_range()) {
         return None;
     }
@@ -242,9 +242,9 @@ pub(super) fn error_bound<M: Arithmetic>(
 #[inline(always)]
 pub(super) fn errors<M: Arithmetic>(
     Sizes { direction, edges, size }: Sizes<M::Length>,
-) -> ErrorBound<M::Volume> {
+) -> VolumeErrors<M::Volume> {
     let volume = |a, b, c| M::volume(M::area(a, b), c);
-    ErrorBound {
+    VolumeErrors {
         sides: volume(direction, edges, size).error(SIDES),
         side: volume(direction, edges, size).error(VOLUME),
         t: volume(edges, edges, size).error(T),

@@ -107,7 +107,7 @@ mod tests {
         let (points, setting) = ([a, b, c, o], Setting::new(&[a, b, c, o], d));
         let Crossing { det, t, sides: [_, u, v], .. } = setting.volumes();
         let volumes = [det, t, u, v];
-        let numbers = Numbers::new::<true>(&points, d, volumes, setting.sizes());
+        let numbers = Numbers::new(true, &points, d, volumes, setting.sizes());
         if !numbers.is_known {
             return false;
         }

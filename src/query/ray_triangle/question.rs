@@ -7,7 +7,7 @@ use super::crossing::{Crossing, Sizes};
 use super::narrow::rounded;
 use super::refined::Met;
 use super::residual::Numbers;
-use super::rows::Rows;
+use super::rows::VolumeRows;
 use super::{Facing, Feature, Hit};
 use crate::arithmetic::{
     Embeds, Filtered, InWholeWord, OfFour, REGISTERS_ARE_WIDE, ShortFloat, WholeWord,
@@ -56,7 +56,7 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
     {
         let (points, d) = doubles(self.ray, self.triangle);
         let by_rest = |feature| {
-            let rows = Rows::<<f64 as OfFour>::Quad>::new(&points, d);
+            let rows = VolumeRows::<<f64 as OfFour>::Quad>::new(&points, d);
             let Sizes { direction, edges, size } = rows.sizes()?;
             let [det, t, u, v] = rows.volumes();
             let hit = refined_hit(self.ray, self.triangle, det, t, u, v, direction, edges, size);
@@ -191,7 +191,7 @@ where
 {
     let (points, d) = doubles(ray, triangle);
     let sizes = Sizes { direction, edges, size };
-    hit(&Numbers::new::<true>(&points, d, [det, t, u, v], sizes), det, Feature::Interior)
+    hit(&Numbers::new(true, &points, d, [det, t, u, v], sizes), det, Feature::Interior)
 }
 
 /// The hit, if its numbers are accurate enough.

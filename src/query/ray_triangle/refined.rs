@@ -23,7 +23,7 @@
 
 use super::Feature;
 use super::counted::Crosses;
-use super::crossing::{Crossing, ErrorBound, Setting, Sizes};
+use super::crossing::{Crossing, Setting, Sizes, VolumeErrors};
 use super::split::{CUT, FAR, Split, Two, short_areas};
 use crate::arithmetic::{Embeds, Filtered, Number, two_difference};
 use crate::scalar::Scalar;
@@ -91,7 +91,7 @@ impl Refined {
         let [rest, second] = two_difference(rest, v);
         let w = rest + (first + second + (self.low_det - self.low_u - self.low_v));
         let error_bound =
-            ErrorBound { side: self.side_error, sides: 3.0 * self.side_error, t: self.t_error };
+            VolumeErrors { side: self.side_error, sides: 3.0 * self.side_error, t: self.t_error };
         (Crossing { det, t, sides: [w, u, v], error_bound }, self.is_exact)
     }
 

@@ -79,7 +79,8 @@ pub(super) struct Numbers {
 impl Numbers {
     /// From the volumes of a ray that hits.
     #[inline(always)]
-    pub(super) fn new<const IN_ROWS: bool>(
+    pub(super) fn new(
+        in_rows: bool,
         points: &[[f64; 3]; 4],
         d: [f64; 3],
         [det, t, u, v]: [f64; 4],
@@ -97,8 +98,8 @@ impl Numbers {
         let near = |x: f64, shifter: f64| (x * inverse + shifter) - shifter;
         let short = [near(t, longest * T_SHIFTER), near(u, SIDE_SHIFTER), near(v, SIDE_SHIFTER)];
         let shifters = [edges, direction].map(|x| x.power_of_two_below() * SHIFTER);
-        let left = if IN_ROWS {
-            in_rows(points, d, short, shifters)
+        let left = if in_rows {
+            all_at_once(points, d, short, shifters)
         } else {
             one_by_one(points, d, short, shifters)
         };
@@ -152,7 +153,7 @@ impl Numbers {
 
 /// [`left_over`], three components at once.
 #[inline(always)]
-fn in_rows(
+fn all_at_once(
     [a, b, c, o]: &[[f64; 3]; 4],
     d: [f64; 3],
     short: [f64; 3],

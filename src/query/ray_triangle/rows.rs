@@ -7,7 +7,7 @@
 //! swapped. In vectors of two numbers none of this moves data between vectors, and in vectors of
 //! four little.
 
-use super::crossing::{Crossing, ErrorBound, Sizes, errors};
+use super::crossing::{Crossing, Sizes, VolumeErrors, errors};
 use crate::arithmetic::{Filtered, FirstFloat, Float, Number, Quad, greatest};
 use crate::scalar::Scalar;
 
@@ -26,9 +26,9 @@ pub(super) fn first<S: FirstFloat>([x, y, z]: [S; 3]) -> [First<S>; 3] {
     [x.first(), y.first(), z.first()]
 }
 
-/// Rows of a triangle and a ray.
+/// VolumeRows of a triangle and a ray.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Rows<Q>([Q; 3]);
+pub(super) struct VolumeRows<Q>([Q; 3]);
 
 /// The crossing from the rows.
 pub(super) struct Found<F> {
@@ -39,7 +39,7 @@ pub(super) struct Found<F> {
     pub(super) sizes: Sizes<F>,
 }
 
-impl<F: Float, Q: Quad<Lane = F>> Rows<Q> {
+impl<F: Float, Q: Quad<Lane = F>> VolumeRows<Q> {
     #[inline(always)]
     pub(super) fn new([a, b, c, o]: &[[F; 3]; 4], d: [F; 3]) -> Self {
         let row = |i: usize| Q::new([c[i], b[i], d[i], o[i]]) - Q::new([a[i], a[i], F::ZERO, a[i]]);
@@ -97,7 +97,7 @@ impl<F: Float, Q: Quad<Lane = F>> Rows<Q> {
 #[inline(always)]
 fn strictly_ahead<Q: Quad<Lane: Float>>(crossing: &Crossing<Q::Lane>) -> Option<bool> {
     let &Crossing { t, sides: [w, u, v], error_bound, .. } = crossing;
-    let ErrorBound { sides, t: error, .. } = error_bound;
+    let VolumeErrors { sides, t: error, .. } = error_bound;
     let (volumes, error) = (Q::new([w, t, u, v]), Q::new([sides, error, sides, sides]));
     let (positive, negative) =
         (volumes.exceeds(error), (Q::splat(Q::Lane::ZERO) - error).exceeds(volumes));

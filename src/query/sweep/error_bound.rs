@@ -23,7 +23,7 @@
 //! The proofs include second orders. They include underflow too, except that a face at a time t
 //! needs the least normal number besides.
 //!
-//! Numbers of 106 digits (`arithmetic::long`) have errors in units of u², here to first order.
+//! Double-word floats (`arithmetic::double`) have errors in units of u², here to first order.
 //! Edges and d are exact. A component n_i is a difference of two products within R²: each product
 //! errs by 5, and the difference by 3 of itself, together 16. The vector from vertex to corner is
 //! at most 2·R and errs by 3 of itself. Its product with n_i is at most 4·R³ and errs by 16·2 + 6·2

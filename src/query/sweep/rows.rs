@@ -45,7 +45,7 @@ pub(super) fn when<S: Scalar + InFloat<F>, F: Float>(passing: &Passing<'_, S>) -
 fn misses_in<S: Scalar + InFloat<F>, F: Float, const BY_CENTER: bool>(
     passing: &Passing<'_, S>,
 ) -> Option<bool> {
-    match Course::<F::Quad>::of::<S, BY_CENTER>(passing)? {
+    match Course::<F::Quad>::of(passing, BY_CENTER)? {
         Some(course) => course.misses(),
         None => Some(true),
     }
@@ -55,7 +55,7 @@ fn misses_in<S: Scalar + InFloat<F>, F: Float, const BY_CENTER: bool>(
 fn when_in<S: Scalar + InFloat<F>, F: Float, const BY_CENTER: bool>(
     passing: &Passing<'_, S>,
 ) -> Option<Instant> {
-    match Course::<F::Quad>::of::<S, BY_CENTER>(passing)? {
+    match Course::<F::Quad>::of(passing, BY_CENTER)? {
         Some(course) => course.when(S::PLACE),
         None => Some(Instant::Misses),
     }
@@ -64,8 +64,9 @@ fn when_in<S: Scalar + InFloat<F>, F: Float, const BY_CENTER: bool>(
 impl<Q: Quad<Lane: Float>> Course<Q> {
     /// `None` where coordinates were rounded; `Some(None)` where a face separates all the way.
     #[inline(always)]
-    fn of<S: Scalar + InFloat<Q::Lane>, const BY_CENTER: bool>(
+    fn of<S: Scalar + InFloat<Q::Lane>>(
         passing: &Passing<'_, S>,
+        by_center: bool,
     ) -> Option<Option<Self>> {
         let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
             passing.aabb.form();
@@ -74,16 +75,16 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         let (from, to) = (row::<S, Q>(&from), row::<S, Q>(&to));
         let rows = Rows::of::<S>(passing.triangle);
         let are_exact = rows.are_within(S::LIMIT, p, q) && rows.are_within(S::LIMIT, from, to);
-        are_exact.then(|| Self::new::<BY_CENTER>(rows, p, q, to - from))
+        are_exact.then(|| Self::new(rows, p, q, to - from, by_center))
     }
 
     /// `None` where a face separates all the way.
     #[inline(always)]
-    fn new<const BY_CENTER: bool>(rows: Rows<Q>, p: Q, q: Q, d: Q) -> Option<Self> {
+    fn new(rows: Rows<Q>, p: Q, q: Q, d: Q, by_center: bool) -> Option<Self> {
         let zero = Q::splat(Q::Lane::ZERO);
         // The gaps on both sides of the box, below zero where the shapes overlap. The sign of a gap
         // that is not zero is right, and with two corners that of zero too: see `Frame`.
-        let (above, below, half) = if BY_CENTER {
+        let (above, below, half) = if by_center {
             let (low, high) = (rows.low - p, rows.high - p);
             (low - q, zero - high - q, q)
         } else {
@@ -98,10 +99,10 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         if (left.exceeds(error) | stays) & THREE != 0 {
             return None;
         }
-        let is_gap = if BY_CENTER { !zero.exceeds(gap) } else { gap.exceeds(zero) };
+        let is_gap = if by_center { !zero.exceeds(gap) } else { gap.exceeds(zero) };
         let open_faces = is_gap & left.may_be_above(error) & THREE;
         let v = rows.v;
-        let in_frame = |v: Q| if BY_CENTER { v - p } else { half_of((v - p) + (v - q)) };
+        let in_frame = |v: Q| if by_center { v - p } else { half_of((v - p) + (v - q)) };
         let v = [in_frame(v[0]), in_frame(v[1]), in_frame(v[2])];
         // Underflow in a part of the motion can lose more than a roundoff of a tiny size.
         let error = error + Q::splat(Q::Lane::UNDERFLOW);

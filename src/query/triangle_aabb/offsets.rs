@@ -42,7 +42,7 @@ pub(super) fn by_center<S: Scalar, const COARSE: bool>(
     if !S::have_offsets(&[a, b, c, center, half]) {
         return Err(Doubt::Unknown);
     }
-    apart::<COARSE>(of_center(triangle, center, half))
+    apart(of_center(triangle, center, half), COARSE)
 }
 
 #[allow(clippy::too_many_arguments)] // each in a register
@@ -60,7 +60,7 @@ pub(super) fn by_corners<S: Scalar, const COARSE: bool>(
     if !S::have_offsets(&[a, b, c, min, max]) {
         return Err(Doubt::Unknown);
     }
-    apart::<COARSE>(of_corners(triangle, min, max))
+    apart(of_corners(triangle, min, max), COARSE)
 }
 
 /// Whether the coordinates are multiples of a unit so great that nothing above was rounded.
@@ -138,15 +138,15 @@ fn gap(rows: &Rows<ForOffsets>) -> ForOffsets {
 }
 
 #[inline(always)]
-fn apart<const COARSE: bool>((rows, mut frame): InRows) -> Clear {
+fn apart((rows, mut frame): InRows, is_coarse: bool) -> Clear {
     let Some(size) = size_in_range(&frame) else { return Err(Doubt::Unknown) };
     let bound = offset_bound(size);
-    if !COARSE {
-        return rows.apart_by_bounds::<false>(&frame, bound, bound);
+    if !is_coarse {
+        return rows.apart_by_bounds(&frame, bound, bound, false);
     }
     let (face, beyond) = coarse_bound(size);
     frame.apart = gap(&rows).exceeds(frame.half + ForOffsets::splat(face)) & THREE;
-    rows.apart_by_bounds::<false>(&frame, beyond, bound)
+    rows.apart_by_bounds(&frame, beyond, bound, false)
 }
 
 #[cfg(all(test, feature = "fixed"))]

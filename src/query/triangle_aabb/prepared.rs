@@ -90,7 +90,7 @@ impl<S: Scalar> PreparedTriangle<S> {
         let rows = self.rows.as_ref()?;
         let frame = self.in_frame(rows, aabb)?;
         let bound = offset_bound(size_in_range(&frame)?);
-        rows.apart_by_bounds::<true>(&frame, bound, bound).ok()
+        rows.apart_by_bounds(&frame, bound, bound, true).ok()
     }
 
     #[inline(always)]

@@ -180,7 +180,7 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
             return Ok(true);
         }
         match error_bound(largest(frame.size)) {
-            Some(bound) => self.apart_by_bounds::<false>(frame, bound, bound),
+            Some(bound) => self.apart_by_bounds(frame, bound, bound, false),
             None => Err(Doubt::Unknown),
         }
     }
@@ -189,15 +189,16 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
     /// `Err`.
     ///
     /// With vectors there is no branch except the one on doubt: which axis separates is almost
-    /// random, and a mispredicted branch costs as much as half of all axes. `FORESEEABLE` is for
+    /// random, and a mispredicted branch costs as much as half of all axes. `is_foreseeable` is for
     /// callers that test one box after another along a row, where the plane misses long runs of
     /// boxes.
     #[inline(always)]
-    pub(super) fn apart_by_bounds<const FORESEEABLE: bool>(
+    pub(super) fn apart_by_bounds(
         &self,
         frame: &InFrame<Q>,
         beyond: ErrorBound<Filtered<Q::Lane>>,
         below: ErrorBound<Filtered<Q::Lane>>,
+        is_foreseeable: bool,
     ) -> Clear {
         // Four bits each: three for axes, and the last for the plane.
         let (mut apart, mut meets) = (frame.apart, frame.meets);
@@ -205,7 +206,7 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
         let plane = self.plane(frame);
         apart |= u32::from(plane > beyond.plane) << 3;
         meets |= u32::from(plane < -below.plane) << 3;
-        if (FORESEEABLE || !Q::IS_VECTOR) && apart != 0 {
+        if (is_foreseeable || !Q::IS_VECTOR) && apart != 0 {
             return Ok(true);
         }
 
