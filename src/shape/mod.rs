@@ -1,5 +1,8 @@
 //! The shapes: their data, their invariants, and constructors that check them.
 
+// Before `obb`, so that all constructors come first on the page of `Obb`.
+mod rotated_obb;
+
 mod aabb;
 mod error;
 mod obb;
@@ -7,7 +10,6 @@ mod overlaps;
 mod plane;
 mod polygon;
 mod ray;
-mod rotated_obb;
 mod segment;
 mod triangle;
 mod vec3;

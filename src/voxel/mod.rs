@@ -25,11 +25,13 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+// The page of `Grid` shows methods in the order of modules: its constructors come first.
+mod grid;
+
 mod bits;
 mod block;
 mod few;
 mod four_rows;
-mod grid;
 mod line;
 mod marks;
 mod pass;
