@@ -13,9 +13,9 @@
 //! ô)·r̂. Here ô errs by u·|ô|; the difference, the product and r̂ = 1/d err by a relative u each.
 //! So the computed t is (q − ô + η)/d with |η| ≤ u·|ô| + 3u·|q − ô| ≤ 7u·(2¹⁶ + |ô|), to first
 //! order. Before it is rounded, o is shifted by 8u·(2¹⁶ + |o|), up for the least coordinates and
-//! down for the greatest. Hence no computed entry is later than the true entry, and no computed exit
-//! earlier than the true exit. The `f64` steps before, within a relative 2⁻⁵⁰, and the terms of
-//! second order are far below the eighth u.
+//! down for the greatest. Hence no computed entry is later than the true entry, and no computed
+//! exit earlier than the true exit. The `f64` steps before, within a relative 2⁻⁵⁰, and the terms
+//! of second order are far below the eighth u.
 //!
 //! For |o| ≤ 2⁶⁰ and |d| ≥ 2⁻⁶⁴ nothing overflows, and underflow does no harm: a product is zero,
 //! or between 2⁻⁶⁰ and 2¹²⁵. An axis with a smaller d excludes no box, and an origin farther out

@@ -1,11 +1,11 @@
 //! How a doubtful sign is decided, and how a nearly zero normal is treated.
 //!
 //! A question is a [`Predicate`]: it can be evaluated in every number system that can hold its
-//! coordinates. A scalar lists the systems to ask, the cheapest first, as its cascade ([`cascade`]).
-//! Each stage returns an answer only if it is certain. Integers are certain if they hold the input.
-//! Floats compute each axis with a bound on its error, and gather two flags over all axes
-//! ([`Uncertain`]): some axis certainly separates, and some axis may separate. If the flags agree,
-//! they are the answer; if they differ, the question escalates.
+//! coordinates. A scalar lists the systems to ask, the cheapest first, as its cascade
+//! ([`cascade`]). Each stage returns an answer only if it is certain. Integers are certain if they
+//! hold the input. Floats compute each axis with a bound on its error, and gather two flags over
+//! all axes ([`Uncertain`]): some axis certainly separates, and some axis may separate. If the
+//! flags agree, they are the answer; if they differ, the question escalates.
 //!
 //! The last stage is right for every finite input. It runs the same kernel in exact integers: in
 //! [`Window`] if that holds the coordinates, and otherwise in the scalar's `Full` numbers. For some
@@ -13,8 +13,8 @@
 //!
 //! [`Window`]: crate::arithmetic::Window
 //!
-//! Each answer is the exact one, so the order and the number of the stages change its time and never
-//! its value. Unit tests count how often questions escalate (`stages`).
+//! Each answer is the exact one, so the order and the number of the stages change its time and
+//! never its value. Unit tests count how often questions escalate (`stages`).
 
 mod cascade;
 mod determinant;

@@ -18,9 +18,9 @@ impl Uncertain {
 
     /// Whether a true gap is above zero. The computed one differs from it by at most `error`.
     ///
-    /// The answer is in doubt if the computation overflowed: then `error` is infinite or NaN, because
-    /// it grows with every number in the gap. Kernels compare a gap with its error bound only by this
-    /// function and by [`certain_sign`]; for vectors there is
+    /// The answer is in doubt if the computation overflowed: then `error` is infinite or NaN,
+    /// because it grows with every number in the gap. Kernels compare a gap with its error bound
+    /// only by this function and by [`certain_sign`]; for vectors there is
     /// [`Quad::may_be_above`](crate::arithmetic::Quad::may_be_above).
     #[inline(always)]
     pub(crate) fn above<T: Number>(gap: T, error: T) -> Self {
@@ -58,8 +58,8 @@ impl Uncertain {
     }
 }
 
-/// The sign of a true number. The computed one differs from it by at most `error`. Zero in doubt, and
-/// if the computation overflowed.
+/// The sign of a true number. The computed one differs from it by at most `error`. Zero in doubt,
+/// and if the computation overflowed.
 #[inline(always)]
 pub(crate) fn certain_sign<T: Number>(x: T, error: T) -> i8 {
     i8::from(x > error) - i8::from(x < -error)

@@ -59,8 +59,8 @@ struct Layers {
 
 /// A layer of a block.
 struct Layer {
-    /// The intervals of x and of y, the latter rounded: lower and upper bound of the least end, then
-    /// of the greatest.
+    /// The intervals of x and of y, the latter rounded: lower and upper bound of the least end,
+    /// then of the greatest.
     x: [f32; 4],
     y: [i32; 4],
     /// The first and the last row in question, not before `from_y`.

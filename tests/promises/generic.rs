@@ -1,5 +1,5 @@
-//! Generic code sees the public items of a scalar alone: a trait of the user's own may have an item of
-//! any other name.
+//! Generic code sees the public items of a scalar alone: a trait of the user's own may have an item
+//! of any other name.
 
 use septum::{Aabb, Scalar};
 

@@ -55,8 +55,8 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Triangle<S> {
     /// *Range*: all finite floats, all fixed-point values. The fast stage decides floats with spans
     /// between 2⁻³² and 2⁴⁰ (`f32`) or 2⁻³²⁰ and 2³²⁰ (`f64`), and fixed point below 2²⁸ (32 bits)
     /// or 2⁶⁰ (64 bits) units in the last place; with 8 and 16 bits it always decides. Other
-    /// inputs, and floats within rounding of contact, take wider numbers and last exact integers, up to
-    /// a thousand times slower.
+    /// inputs, and floats within rounding of contact, take wider numbers and last exact integers,
+    /// up to a thousand times slower.
     ///
     /// *Panics*: never. *Cost*: 48 multiplications, or 15 or 30 if a triangle lies on one side of
     /// the other's plane.

@@ -164,13 +164,13 @@ fn slanted<Q: Quad<Lane: Float>>(edge: &Edge<Q>) -> u32 {
     edge.e.magnitude().exceeds(zero) & edge.turned.magnitude().exceeds(zero) & THREE
 }
 
-/// Whether all edge axes in doubt are settled by the two others of the same edge.
+/// Whether the two other axes of the same edge decide each edge axis in doubt.
 ///
-/// An edge that is parallel to a coordinate axis x_i but for rounding, as after a quarter turn, makes
-/// e × x_i so short that its gap is never clear of the bound. Along e the triangle is a segment, whose
-/// normal is n. Flatten the box, h_i = 0: if neither n nor the products of e with the two other axes
-/// separate the segment from it, the two projections meet, and so do those of the whole box: e × x_i
-/// does not separate. The bounds hold for smaller half-extents too.
+/// An edge that is parallel to a coordinate axis x_i up to rounding, as after a quarter turn, makes
+/// e × x_i so short that its gap never exceeds the bound. Seen along e the triangle is a segment
+/// with normal n. Flatten the box by h_i = 0. If neither n nor the products of e with the two other
+/// axes separate the segment from it, the two projections meet. So does the projection of the whole
+/// box, and e × x_i does not separate. The bounds also hold for smaller half-extents.
 #[cold]
 #[inline(never)]
 fn are_settled<Q: Quad<Lane: Float>>(rows: Rows<Q>, frame: InFrame<Q>) -> bool {
