@@ -11,8 +11,8 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     /// Does the closed mesh contain a point, inside it or on a triangle?
     ///
     /// *Geometry*: a point is inside if a ray from it crosses the mesh an odd number of times
-    /// (even-odd rule). The orientation of triangles does not matter. Where two parts of the mesh
-    /// overlap is outside by this rule; use [`winding`](Self::winding) there, if the triangles are
+    /// (even-odd rule). The orientation of triangles does not matter. By this rule the overlap of
+    /// two parts of the mesh is outside; use [`winding`](Self::winding) there, if the triangles are
     /// oriented consistently. For a mesh that is not closed
     /// ([`Mesh::check_closed`](super::Mesh::check_closed)) the answer counts the crossings of the
     /// ray along the positive x axis.

@@ -24,10 +24,10 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     /// each triangle is tested against the other leaf's box, and then against its triangles. The
     /// stack has room for 97 pairs, 776 bytes.
     ///
-    /// *Source*: the descent in two trees is S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A
+    /// *Source*: the descent in two trees is by S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A
     /// Hierarchical Structure for Rapid Interference Detection", SIGGRAPH 1996. Leaves without a
-    /// box for each triangle, and the test of a triangle against a box of the other tree, are P.
-    /// Terdiman, "Memory-Optimized Bounding-Volume Hierarchies", 2001.
+    /// box for each triangle, and the test of a triangle against a box of the other tree, are by
+    /// P. Terdiman, "Memory-Optimized Bounding-Volume Hierarchies", 2001.
     ///
     /// ```
     /// use core::ops::ControlFlow;
