@@ -61,7 +61,7 @@ fn the_page_shows_rows_of_the_table() {
     let printed: Vec<String> = rows().map(|row| row.to_string()).collect();
     let (_, below) = page.split_once(&format!("{Header}\n")).expect("the page has the header");
     let shown: Vec<&str> = below.lines().take_while(|line| *line != "...").collect();
-    assert!(shown.len() > 10);
+    assert!(shown.len() >= 5);
     for line in shown {
         assert!(printed.iter().any(|row| row == line), "DETERMINISM.md shows: {line}");
     }
