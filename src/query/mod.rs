@@ -9,6 +9,7 @@
 //! * `line_aabb`: the slabs of rays and segments; `line_obb`: rays and segments against an oriented
 //!   box;
 //! * `orientation`: signs of volumes, for triangles, segments and points against triangles;
+//! * `obb_rows`, `obb_short`: oriented boxes in vectors of floats, and in short integers;
 //! * `relation`: disjoint, touching or overlapping, from separating axes;
 //! * `either_order`: the pairs with their arguments exchanged;
 //! * `counts`: unit tests of how often questions escalate.
@@ -24,6 +25,8 @@ mod either_order;
 mod line_obb;
 mod obb_obb;
 mod obb_rows;
+#[cfg(feature = "fixed")]
+mod obb_short;
 mod plane_aabb;
 mod point_aabb;
 mod point_obb;

@@ -94,7 +94,7 @@ pub trait Predicate<S> {
     }
 
     /// Whether the question has its own kernel for fixed point cut to words of 32 bits, with an
-    /// error bound. It is then the first stage.
+    /// error bound. It then comes before all other integers.
     #[cfg(feature = "fixed")]
     const IN_SHORT: bool = false;
 

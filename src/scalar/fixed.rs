@@ -72,7 +72,8 @@ macro_rules! scalar {
             }
             #[inline(always)]
             fn evaluate_bounded<P: Predicate<Self>>($p: &P) -> Option<P::Answer> {
-                if P::IN_SHORT { $p.cut_down() } else { $bounded }
+                let short = if P::IN_SHORT { $p.cut_down() } else { None };
+                short.or_else(|| $bounded)
             }
         }
 
@@ -144,7 +145,7 @@ scalar!(
     f64,
     |p| beyond_words(p),
     Self::evaluate(p),
-    p.cut_down().or_else(|| p.filter::<Int64>())
+    p.cut_down().or_else(|| p.in_short()).or_else(|| p.filter::<Int64>())
 );
 
 /// The stages of 64-bit fixed point.
@@ -233,11 +234,13 @@ fn without_sums<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Fra
     if REGISTERS_ARE_WIDE {
         let near = FixedI32::<Frac>::in_quads(p);
         let is_short = has_short_stage::<Frac, P>();
+        let near = near.or_else(|| p.in_short());
         let near =
             near.or_else(|| if is_short { p.filter::<Int16>() } else { p.filter::<Int32>() });
         return near.or_else(|| far_without_sums(p));
     }
-    let near = if SMALL_CODE { None } else { p.narrow::<i32>() };
+    let near = p.in_short();
+    let near = near.or_else(|| if SMALL_CODE { None } else { p.narrow::<i32>() });
     near.or_else(|| p.narrow::<i64>())
         .or_else(|| p.filter::<Int32>())
         .or_else(|| p.filter::<Int64>())

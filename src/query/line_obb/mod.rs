@@ -13,8 +13,12 @@ use self::exact::ExactLine;
 use self::kernel::{Operands, any_axis};
 use self::range::Range;
 use super::Overlaps;
+#[cfg(feature = "fixed")]
+use super::obb_short;
 use super::triangle_obb::has_second_look;
 use crate::arithmetic::{Embeds, Float, InFloat, Number, Parts, each};
+#[cfg(feature = "fixed")]
+use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE};
 use crate::robust::{Predicate, Vector, difference, single};
 use crate::scalar::Scalar;
 use crate::shape::{Obb, Ray, Segment, SegmentForm};
@@ -133,6 +137,25 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
         rows::is_separated::<S, F>(self)
     }
 
+    #[cfg(feature = "fixed")]
+    const IN_SHORT: bool = true;
+
+    #[cfg(feature = "fixed")]
+    #[inline(never)]
+    fn in_short(&self) -> Option<bool>
+    where
+        S: InRaw,
+    {
+        // Vectors hold 16 bits, and leave to other stages only what is near contact.
+        if REGISTERS_ARE_WIDE && S::ALWAYS_NEAR {
+            return None;
+        }
+        match self.line {
+            Line::Ray(ray) => obb_short::ray(ray, self.obb),
+            Line::Segment(segment) => obb_short::segment(segment, self.obb),
+        }
+    }
+
     fn exact(&self) -> bool {
         self.exactly().is_separated::<S>()
     }
@@ -178,8 +201,10 @@ impl<S: Scalar> Overlaps<Obb<S>> for Ray<S> {
 
     /// May the ray and the oriented box have a point in common?
     ///
-    /// *Numerics*: `false` is certain. `true` may be wrong where the first stages are in doubt: in
-    /// floats within rounding of contact, and outside their range.
+    /// *Numerics*: `false` is certain. In floats `true` may be wrong within rounding of contact, and
+    /// outside the range of the first stage. Fixed point is exact in up to 16 bits; in more, `true` may
+    /// be wrong within some 2⁻¹³ of the distance and size of the box: for less than one in a thousand
+    /// random pairs.
     ///
     /// *Panics*: never. *Cost*: bounded: [`overlaps`](Overlaps::overlaps) without exact sums, in
     /// floats its first stage.
