@@ -6,7 +6,7 @@ use super::crossing::{Crossing, Setting, Sizes};
 use super::exact::ExactRay;
 use super::rows::{First, Found, VolumeRows, begins_elsewhere, first};
 use super::{Facing, HitRules};
-use crate::arithmetic::{Embeds, Filtered, Number, OfFour, largest};
+use crate::arithmetic::{Embeds, Filtered, Number, OfFour, compare, largest};
 use crate::robust::{Clue, ExactSum, Stage, note};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
@@ -82,11 +82,8 @@ impl<S: Scalar> Crosses<'_, S> {
     pub(super) fn crossing<N: Embeds<S>>(&self) -> Option<Option<Crossing<N::Volume>>> {
         let setting = self.setting::<N>()?;
         // w is a difference of three determinants: twice the volume of a box's plane axis.
-        let is_narrow = || {
-            let size = setting.size();
-            N::is_narrow(size + size)
-        };
-        let crossing = if !N::LARGE && is_narrow() {
+        let size = setting.size();
+        let crossing = if N::is_narrow(size + size) {
             let crossing = setting.crossing::<N::Narrow>()?;
             crossing.meets(N::CERTAIN)?.then(|| crossing.widened(N::widened))
         } else {
@@ -95,6 +92,29 @@ impl<S: Scalar> Crosses<'_, S> {
         };
         let Some(crossing) = crossing else { return Some(None) };
         Some(self.counts::<N>(&setting, &crossing, N::CERTAIN)?.then_some(crossing))
+    }
+
+    /// The same where numbers are large, and what `found` makes of the crossing. By reference, because
+    /// the volumes of a crossing take up to 6 KB.
+    #[inline(never)]
+    pub(super) fn large_crossing<N: Embeds<S>, T>(
+        &self,
+        found: impl FnOnce(&Crossing<N::Volume>) -> T,
+    ) -> Option<Option<T>> {
+        let setting = self.setting::<N>()?;
+        let crossing = setting.large_crossing::<N>();
+        let counts = crossing.meets_for_certain() && self.large_counts::<N>(&setting, &crossing)?;
+        Some(if counts { Some(found(&crossing)) } else { None })
+    }
+
+    /// [`counts`](Self::counts), out of line: a range takes copies of volumes.
+    #[inline(never)]
+    fn large_counts<N: Embeds<S>>(
+        &self,
+        setting: &Setting<N::Length>,
+        crossing: &Crossing<N::Volume>,
+    ) -> Option<bool> {
+        self.counts::<N>(setting, crossing, true)
     }
 
     /// Whether the crossing of a line that meets the triangle counts; `None` in doubt. `is_certain`
@@ -118,6 +138,11 @@ impl<S: Scalar> Crosses<'_, S> {
                     return Some(false);
                 }
             }
+        }
+        if N::LARGE && self.has_usual_range() {
+            let side = oriented(compare(crossing.t, zero), is_front);
+            let perturbed = || oriented(setting.perturbed_t::<N>(), is_front);
+            return Some(self.admits(side, Ordering::Greater, perturbed));
         }
         let Crossing { det, t, error_bound, .. } = *crossing;
         let (det, t) = if is_front { (det, t) } else { (-det, -t) };

@@ -108,6 +108,14 @@ impl<L: Number> Setting<L> {
         (self.crossing_within::<M>(error_bound), is_known)
     }
 
+    /// The volumes in large numbers, which are certain. Out of line, so that what they need of the stack is
+    /// free again afterwards.
+    #[inline(never)]
+    pub(super) fn large_crossing<M: Arithmetic<Length = L>>(&self) -> Crossing<M::Volume> {
+        let none = M::Volume::ZERO;
+        self.crossing_within::<M>(VolumeErrors { side: none, sides: none, t: none })
+    }
+
     /// The same direction and edges with another vector to the origin.
     #[inline(always)]
     pub(super) fn seen_along(self, s: [L; 3]) -> Self {
@@ -195,6 +203,13 @@ impl<V: Number> Crossing<V> {
         } else {
             (low > error_bound.sides || high < -error_bound.sides).then_some(true)
         }
+    }
+
+    /// Whether the line crosses the triangle or touches it, where all signs are certain.
+    pub(super) fn meets_for_certain(&self) -> bool {
+        let sides = || self.sides.iter();
+        let is_between = sides().any(|x| *x < V::ZERO) && sides().any(|x| *x > V::ZERO);
+        self.det != V::ZERO && !is_between
     }
 
     /// The same in wider volumes.

@@ -10,7 +10,7 @@ use super::residual::Numbers;
 use super::rows::VolumeRows;
 use super::{Facing, Feature, Hit};
 use crate::arithmetic::{
-    Embeds, Filtered, InWholeWord, OfFour, REGISTERS_ARE_WIDE, ShortFloat, WholeWord,
+    Embeds, Filtered, InWholeWord, Number, OfFour, REGISTERS_ARE_WIDE, ShortFloat, WholeWord,
 };
 use crate::robust::{Clue, ExactSum, Predicate, in_exact_numbers};
 use crate::scalar::Scalar;
@@ -23,6 +23,9 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
     type Answer = Option<Hit<S>>;
 
     fn filter<N: Embeds<S>>(&self) -> Option<Option<Hit<S>>> {
+        if N::LARGE {
+            return self.large_crossing::<N, _>(large_numbers::<S, N>);
+        }
         match self.crossing::<N>()? {
             Some(crossing) => numbers::<S, N>(true, crossing),
             None => Some(None),
@@ -116,6 +119,9 @@ impl<S: Scalar> Predicate<S> for Hits<'_, S> {
     type Answer = bool;
 
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        if N::LARGE {
+            return self.0.large_crossing::<N, _>(|_| ()).map(|found| found.is_some());
+        }
         self.0.crossing::<N>().map(|crossing| crossing.is_some())
     }
 
@@ -151,6 +157,15 @@ impl<S: Scalar> Predicate<S> for Hits<'_, S> {
         let crossing = exact.crossing::<S>();
         self.0.passes(&exact, &crossing.det, &crossing.sides, &crossing.t).is_some()
     }
+}
+
+/// The hit at a crossing in large numbers.
+#[inline(never)]
+fn large_numbers<S: Scalar, N: Embeds<S>>(crossing: &Crossing<N::Volume>) -> Hit<S> {
+    let Crossing { det, t, sides: [_, u, v], .. } = crossing;
+    let ([t, u, v], _) = N::quotients([*t, *u, *v], *det, [Number::ZERO; 2]);
+    let (facing, feature) = (Facing::of(crossing.is_front()), crossing.feature());
+    Hit { t, u, v, facing, feature }
 }
 
 /// The hit, if it counts; `None` if the numbers in `N` are not accurate enough.
