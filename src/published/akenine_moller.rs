@@ -105,7 +105,7 @@ pub fn overlaps_obb<S: Scalar>(triangle: &Triangle<S>, obb: &Obb<S>) -> bool {
 }
 
 /// The triangle with the box's centre at the origin. Each method is one bullet of the paper and
-/// tells whether one of its axes separates.
+/// returns whether one of its axes separates.
 struct Published<S> {
     v: [[Rounded<S>; 3]; 3],
     e: [[Rounded<S>; 3]; 3],

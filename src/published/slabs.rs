@@ -26,7 +26,6 @@ use crate::arithmetic::{greatest, least};
 use crate::scalar::{FloatFormat, Scalar};
 use crate::shape::{Aabb, AabbForm, Ray, Vec3};
 
-/// A ray prepared for many boxes: the reciprocals of its direction, and which
 /// A ray prepared for many boxes: the reciprocals of its direction, and which of its components are
 /// zero.
 ///
@@ -125,7 +124,7 @@ impl<S: Scalar> SlabRay<S> {
     /// [`Ray::t_range`]. If neither the ray's range nor the box bounds t at an end, that end is the
     /// end of the scalar.
     ///
-    /// *Panics*: never. *Cost*: that of [`overlaps_rounded`](Self::overlaps_rounded).
+    /// *Panics*: never. *Cost*: as of [`overlaps_rounded`](Self::overlaps_rounded).
     #[inline]
     #[must_use]
     pub fn t_range_rounded(&self, aabb: &Aabb<S>) -> Option<(S, S)> {
@@ -140,7 +139,7 @@ impl<S: Scalar> SlabRay<S> {
     /// 2⁻¹⁰⁰⁰ and 2¹⁰⁰⁰ in `f64`) excludes no box. In fixed point this is [`Ray::overlaps`], which
     /// is exact.
     ///
-    /// *Panics*: never. *Cost*: that of [`overlaps_rounded`](Self::overlaps_rounded) and 2
+    /// *Panics*: never. *Cost*: as of [`overlaps_rounded`](Self::overlaps_rounded), plus 2
     /// multiplications.
     ///
     /// *Source*: after Ize 2013; the padding is ours.
@@ -254,7 +253,7 @@ impl<S: Scalar> SlabRay<S> {
 /// both.
 const PADDING: u16 = 8;
 
-/// The padding, relative to what is padded.
+/// The padding, relative to the padded number.
 #[inline(always)]
 fn ratio<S: Scalar>(format: &FloatFormat<S>) -> S {
     const { assert!(PADDING == 8) }

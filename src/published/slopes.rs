@@ -116,7 +116,7 @@ impl<S: Scalar> SlopeRay<S> {
     /// Where does the ray enter the box? In the scalar's own arithmetic; `None` if it misses the
     /// box.
     ///
-    /// *Numerics*: the verdict is that of [`overlaps_rounded`](Self::overlaps_rounded). For a box
+    /// *Numerics*: the verdict of [`overlaps_rounded`](Self::overlaps_rounded). For a box
     /// given by its corners t is within 2 units in the last place. A ray that starts in the box
     /// enters it where its range begins.
     ///
