@@ -55,37 +55,39 @@ impl<S: Scalar> Body<'_, S> {
         }
     }
 
-    /// The shape in floats. Every number of it has been rounded once or twice.
+    /// The shape in floats. Every number of it has been rounded once or twice. Lengths are
+    /// multiplied by a power of two.
     #[cfg_attr(target_arch = "s390x", inline(never))] // QEMU before 8.0 multiplies two f32 widened for it wrongly on s390x (MDEBR).
-    pub(super) fn rough(&self, origin: &Place<S>) -> Rough {
-        let from = |x: &Place<S>| {
-            three(|i| {
-                (x.0[i].beyond_in_double(origin.0[i]) + x.1[i].beyond_in_double(origin.1[i])) * 0.5
-            })
-        };
-        let doubles = |x: [S; 3]| three(|i| x[i].in_double());
+    pub(super) fn rough(&self, origin: &Place<S>, scale: f64) -> Rough {
+        let less = |x: S, other: S| difference_in_double(x, other, scale);
+        let from =
+            |x: &Place<S>| three(|i| (less(x.0[i], origin.0[i]) + less(x.1[i], origin.1[i])) * 0.5);
+        let lengths = |x: [S; 3]| three(|i| x[i].in_double() * scale);
         let aligned = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let (sides, half) = match self {
             Self::Triangle(t) => {
                 let v = t.points();
                 let edge = |k: usize| {
                     let (from, to) = (pick(&v, k), pick(&v, turn(k).1));
-                    three(|i| to[i].beyond_in_double(from[i]))
+                    three(|i| less(to[i], from[i]))
                 };
                 let sides = [edge(0), edge(1), edge(2)];
                 let at = three(|k| from(&Place(v[k], v[k])));
                 return Rough { is_triangle: true, at, sides, half: [0.0; 3] };
             }
             Self::Aabb(aabb) => match aabb.form() {
-                AabbForm::Center { half, .. } => (aligned, doubles(half.to_array())),
+                AabbForm::Center { half, .. } => (aligned, lengths(half.to_array())),
                 AabbForm::Corners { min, max } => {
                     let (p, q) = (min.to_array(), max.to_array());
-                    (aligned, three(|i| q[i].beyond_in_double(p[i]) * 0.5))
+                    (aligned, three(|i| less(q[i], p[i]) * 0.5))
                 }
             },
             Self::Obb(obb) => (
-                three(|k| doubles(obb.axes()[k].to_array())),
-                doubles(obb.half_extents().to_array()),
+                three(|k| {
+                    let axis = obb.axes()[k].to_array();
+                    three(|i| axis[i].in_double())
+                }),
+                lengths(obb.half_extents().to_array()),
             ),
         };
         let center = from(&self.origin());
@@ -136,6 +138,15 @@ impl<S: Scalar> Body<'_, S> {
         let both: Vector = three(|i| -> Linear { [p[i].parts(), q[i].parts(), Parts::ZERO] });
         let one = if minus { S::ONE.negated() } else { S::ONE };
         add_scaled_determinant(sum, x, y, &both, one);
+    }
+}
+
+/// (x − other)·scale. A power of two below one keeps the difference within the range of `f64`.
+pub(super) fn difference_in_double<S: Scalar>(x: S, other: S, scale: f64) -> f64 {
+    if scale == 1.0 {
+        x.beyond_in_double(other)
+    } else {
+        x.in_double() * scale - other.in_double() * scale
     }
 }
 

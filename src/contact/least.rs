@@ -131,7 +131,7 @@ pub(super) fn least_way<S: Scalar>(
 /// Whether the way out leads across an interior edge of the triangle, which is the first shape;
 /// `None` if no vertex is farther along it than another.
 fn across(way: &Way, edges: &[Vec64; 3], interior: InteriorEdges) -> Option<bool> {
-    let farthest = farthest(&way.along[0], way.toward(0));
+    let farthest = way.farthest(0);
     match farthest.iter().filter(|&&is| is).count() {
         3 => None,
         2 => Some((0..3).any(|k| farthest[k] && farthest[turn(k).1] && interior.contains(k))),
@@ -150,6 +150,11 @@ impl Way {
     /// Where along the direction the other shape lies, seen from this one.
     pub(super) fn toward(&self, shape: usize) -> Ordering {
         if self.is_along == (shape == 0) { Ordering::Less } else { Ordering::Greater }
+    }
+
+    /// The vertices of a triangle that lie farthest toward the other shape.
+    pub(super) fn farthest(&self, shape: usize) -> [bool; 3] {
+        farthest(&self.along[shape % 2], self.toward(shape))
     }
 
     /// The sizes of the coordinates of the unit vector that the first shape goes along.

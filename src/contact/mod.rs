@@ -36,16 +36,35 @@
 //! rounds p + t moves each coordinate by up to half a unit in the last place of p + t beside, and
 //! the shapes may be as far in each other still. Fixed point does not round a sum.
 //!
+//! Where a coordinate of the vector lies beyond the range of the scalar no vector is enough, and
+//! [`Translation::is_sufficient`] is `false`.
+//!
 //! The direction is that of the least depth, but for differences of less than 2^-55 of it. Of equal
 //! ones it is the first in this order: the faces of triangles, faces of the first shape, of the
 //! second, and edges across edges, those of the first shape in turn; against the direction of the
-//! cross product before along it. The depth is the least number of the scalar that is not below the
-//! true depth, or, if that is within 2^-55 of itself below a number, the one after. It is exact
-//! where the direction is along a coordinate axis and numbers are not long.
+//! cross product before along it. With d the true depth, `depth` is at least d and less than
+//! (1 + 2^-55)·d plus one unit in the last place. Each coordinate of the vector is rounded likewise,
+//! away from zero. In up to 53 bits that is the next number, or the one after. In fixed point of 64
+//! bits 2^-55 of a large number is up to 256 units. A coordinate of the normal is off by up to 2^-55 of
+//! itself and half a unit. All three are exact where the direction is along a coordinate axis and
+//! numbers are not long.
 //!
-//! Points are rounded: computed in `f64` from the second shape's centre or first vertex, and
-//! rounded to the scalar. Where numbers go beyond 2^300 they may be infinite or NaN. Their parts
-//! say which vertex, edge or face of either shape meets there.
+//! # Points
+//!
+//! Points are computed in `f64` from the second shape's centre or first vertex, and rounded to the
+//! scalar. Let R be the greatest difference in a coordinate between any two corners of the shapes, and
+//! let a unit be one unit in the last place of the number in question.
+//!
+//! * Each coordinate of `on_first` and of `on_second` is within 2^-47·R and one unit of a point of the
+//!   part named in `parts`.
+//! * `on_second` − `on_first` is `depth` times the normal, within 2^-42·R and a unit of each number.
+//! * The points span what touches. Draw one of the shapes in by 2^-42·R and four units, and translate
+//!   the first: what touches then is within as much of the convex hull of the deepest points.
+//!
+//! In `f32` and in fixed point of up to 32 bits 2^-47·R is below a unit, unless R is thousands of times
+//! as great as the coordinate. A coordinate beyond the range of the scalar is infinite, or the end of
+//! the range. In `f64` a coordinate may be NaN where an axis of an oriented box is longer than 2^600 or
+//! shorter than 2^-600.
 //!
 //! All of it is the same on every machine.
 //!
@@ -59,11 +78,11 @@
 mod body;
 mod directions;
 mod exact;
+mod faces;
 mod feature;
 mod interior;
 mod least;
 mod points;
-mod polygon;
 mod sums;
 #[cfg(test)]
 mod tests;
@@ -140,11 +159,14 @@ pub struct Contact<S> {
 }
 
 impl<S: Scalar> Contact<S> {
-    /// Between one and eight points.
+    /// Between one and eight points, in no order.
     ///
-    /// If the axis is a face: what that face, taken along its normal, leaves of the face of the
-    /// other shape that is turned to it most, as far as it lies below. If it is two edges: where
-    /// they come nearest.
+    /// If the axis is a face, they are corners of the overlap of that face and a face of the other
+    /// shape, both seen along the normal, as far as the latter lies below the former. The other face is
+    /// one that has the part of its shape which lies deepest, and of those the one that is turned most
+    /// against the normal. If the axis is two edges, the point is where they cross.
+    ///
+    /// [The module](self#points) tells how far a point may be off.
     #[must_use]
     pub fn points(&self) -> &[Point<S>] {
         self.points.as_slice()
@@ -212,10 +234,13 @@ pub fn contact<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> Opti
 ///
 /// A translation leads across an edge if what of the triangle lies farthest toward the other shape,
 /// against the translation, is the edge, or a vertex at its end and that direction does not point
-/// back from the edge. Then `is_held` is
-/// `true`, and the depth is that along the normal, on the side where it is less.
+/// back from the edge. Then `is_held` is `true`, and the depth is that along the normal, on the side where it is less.
 ///
 /// `None` also where the triangle is a segment or a point, which has no normal to hold it to.
+///
+/// Points lie on the triangle, as for [`contact`]: if `is_held`, where that face of the other shape
+/// lies over the triangle which is deepest there. The deepest part of the other shape may lie beyond
+/// the triangle's edges, and then no point is as deep as the translation.
 ///
 /// *Numerics*: as of [`contact`]; whether a direction points back is computed in `f64`.
 ///
@@ -248,14 +273,14 @@ fn of_bodies<S: Scalar>(bodies: &[Body<'_, S>; 2], interior: InteriorEdges) -> O
     let way = least_way(bodies, &rough, interior)?;
     let ratios = way.ratios();
     let translation = translation(bodies, &way, ratios);
-    let points = points(origin, &rough, &way, way.unit(&ratios), translation.axis);
+    let points = points(bodies, &origin, &rough, &way, way.unit(&ratios), translation.axis);
     Some(Contact { translation, is_held: way.is_held, points })
 }
 
 /// The shapes in floats, and from which place.
 fn in_floats<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> (Place<S>, [Rough; 2]) {
     let origin = bodies[1].origin();
-    (origin, [bodies[0].rough(&origin), bodies[1].rough(&origin)])
+    (origin, [bodies[0].rough(&origin, 1.0), bodies[1].rough(&origin, 1.0)])
 }
 
 fn translation<S: Scalar>(

@@ -1,15 +1,22 @@
-//! Where shapes touch after the least translation, by clipping.
+//! Where shapes touch after the least translation.
 
-use super::body::{Body, Place, Rough, Vec64};
-use super::directions::{Direction, cross, dot};
+use core::cmp::Ordering;
+
+use super::body::{Body, Place, Rough, Vec64, difference_in_double};
+use super::directions::{Direction, dot};
+use super::faces::{Corner, Edge, Face, Solid, View, distance, edge_of_box, minus, support_edges};
 use super::feature::{Axis, Part};
 use super::least::Way;
-use super::polygon::{Face, MOST, along, corner_of_box, edge_of_box, facing, minus};
-use crate::arithmetic::{pick, three, turn};
+use crate::arithmetic::{greatest, largest, pick, three};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
+/// Two quadrilaterals have at most so many corners in common.
+const MOST: usize = 8;
+
 /// A place where two shapes are in each other.
+///
+/// How far the numbers may be off is told in [the module](super#points).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
@@ -18,14 +25,14 @@ pub struct Point<S> {
     pub on_first: Vec3<S>,
     /// On the second shape.
     pub on_second: Vec3<S>,
-    /// How far they are in each other here, along the normal.
+    /// How far they are in each other here, along the normal: at least zero.
     pub depth: S,
-    /// What of the first shape and of the second meets here.
+    /// The part of the first shape and the part of the second that meet here.
     pub parts: [Part; 2],
 }
 
 /// Up to eight points.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(super) struct Points<S> {
     points: [Point<S>; MOST],
     count: usize,
@@ -37,43 +44,43 @@ impl<S: Scalar> Points<S> {
     }
 }
 
-/// Finds points, in floats from an origin.
-struct Finder<S> {
-    origin: Place<S>,
-    /// From the origin's first place to the origin.
-    offset: Vec64,
-    points: Points<S>,
+/// A pair of points in floats from an origin: on the reference face, on the incident face.
+#[derive(Clone, Copy)]
+struct Pair {
+    at: [Vec64; 2],
+    depth: f64,
+    parts: [Part; 2],
 }
 
-impl<S: Scalar> Finder<S> {
-    fn at(&self, x: &Vec64) -> Vec3<S> {
-        let at = |i: usize| self.origin.0[i].plus_double(x[i] + self.offset[i]);
-        Vec3::new(at(0), at(1), at(2))
+/// Pairs, each farther than the tolerance from those before it.
+struct Pairs {
+    pairs: [Pair; MOST],
+    count: usize,
+}
+
+impl Pairs {
+    fn new() -> Self {
+        let none = Pair { at: [[0.0; 3]; 2], depth: 0.0, parts: [Part::Face(0); 2] };
+        Self { pairs: [none; MOST], count: 0 }
     }
 
-    /// A point of the shape whose face is not the axis.
-    fn add_turned(
-        &mut self,
-        at: Vec64,
-        depth: f64,
-        outward: &Vec64,
-        mut parts: [Part; 2],
-        is_second: bool,
-    ) {
-        let mut both = [along(&at, depth, outward), at];
-        if is_second {
-            both.reverse();
-            parts.reverse();
-        }
-        self.add(both, depth, parts);
+    fn iter(&self) -> impl Iterator<Item = &Pair> {
+        self.pairs.iter().take(self.count)
     }
 
-    fn add(&mut self, [first, second]: [Vec64; 2], depth: f64, parts: [Part; 2]) {
-        let (on_first, on_second) = (self.at(&first), self.at(&second));
-        if let Some(point) = self.points.points.get_mut(self.points.count) {
-            *point = Point { on_first, on_second, depth: S::ZERO.plus_double(depth), parts };
-            self.points.count += 1;
+    fn add(&mut self, pair: Pair, tolerance: f64) {
+        let is_near = |other: &Pair| largest(&minus(&pair.at[1], &other.at[1])) <= 2.0 * tolerance;
+        if self.iter().any(is_near) {
+            return;
         }
+        if let Some(place) = self.pairs.get_mut(self.count) {
+            *place = pair;
+            self.count += 1;
+        }
+    }
+
+    fn deepest(&self) -> f64 {
+        self.iter().fold(f64::NEG_INFINITY, |deepest, pair| greatest(deepest, pair.depth))
     }
 }
 
@@ -99,76 +106,173 @@ pub(super) fn axis<S: Scalar>(bodies: &[Body<'_, S>; 2], way: &Way) -> Axis {
     }
 }
 
-/// An edge: where it begins, what it runs along, and between which ends.
-fn edge(shape: &Rough, k: usize, upper: [bool; 3]) -> (Vec64, Vec64, [f64; 2]) {
-    let side = *pick(&shape.sides, k);
-    if shape.is_triangle {
-        return (*pick(&shape.at, k), side, [0.0, 1.0]);
-    }
-    let (mut flat, h) = (*shape, *pick(&shape.half, k));
-    flat.half[turn(k).0] = 0.0;
-    (corner_of_box(&flat, upper), side, [-h, h])
-}
+/// Sizes of shapes whose numbers may be squared twice; others are scaled into them.
+const RANGE: (f64, f64) = (f64::from_bits((1023 - 400) << 52), f64::from_bits((1023 + 400) << 52));
+const UP: f64 = f64::from_bits((1023 + 800) << 52);
+const DOWN: f64 = f64::from_bits((1023 - 600) << 52);
 
 /// The points of a way out along an axis, which the first shape goes along the normal.
 pub(super) fn points<S: Scalar>(
-    origin: Place<S>,
-    [first, second]: &[Rough; 2],
+    bodies: &[Body<'_, S>; 2],
+    origin: &Place<S>,
+    rough: &[Rough; 2],
     way: &Way,
     normal: Vec64,
     axis: Axis,
 ) -> Points<S> {
-    let zero = Vec3::splat(S::ZERO);
-    let empty =
-        Point { on_first: zero, on_second: zero, depth: S::ZERO, parts: [Part::Face(0); 2] };
-    let offset = three(|i| origin.1[i].beyond_in_double(origin.0[i]) * 0.5);
-    let points = Points { points: [empty; MOST], count: 0 };
-    let mut finder = Finder { origin, offset, points };
-    match (axis, way.direction) {
-        (Axis::First(face), _) => {
-            clip(&mut finder, [first, second], face, &three(|i| -normal[i]), false);
-        }
-        (Axis::Second(face), _) => clip(&mut finder, [second, first], face, &normal, true),
-        (Axis::Edges(a, b), Direction::Sides(i, j)) => {
-            let (p, x, x_ends) = edge(first, i, upper(way, 0));
-            let (q, y, y_ends) = edge(second, j, upper(way, 1));
-            // The lines are nearest to each other where what is between them is across both.
-            let (d, n) = (minus(&q, &p), cross(&x, &y));
-            let square = dot(&n, &n);
-            let within = |t: f64, [least, most]: [f64; 2]| {
-                if t > least { if t < most { t } else { most } } else { least }
-            };
-            let s = within(dot(&cross(&d, &y), &n) / square, x_ends);
-            let t = within(dot(&cross(&d, &x), &n) / square, y_ends);
-            let both = [along(&p, s, &x), along(&q, t, &y)];
-            let depth = dot(&minus(&both[1], &both[0]), &normal);
-            finder.add(both, depth, [Part::Edge(a), Part::Edge(b)]);
-        }
-        (Axis::Edges(..), Direction::Face { .. }) => {}
+    let mut solids = rough.each_ref().map(Solid::new);
+    let size = greatest(solids[0].size, solids[1].size);
+    let mut scale = 1.0;
+    // NaN and infinity are too great.
+    if !(size > RANGE.0 && size < RANGE.1) {
+        scale = if size < 1.0 { UP } else { DOWN };
+        solids = bodies.each_ref().map(|body| Solid::new(&body.rough(origin, scale)));
     }
-    finder.points
+    let view = View::new(&normal, greatest(solids[0].size, solids[1].size));
+    let [first, second] = &solids;
+    let found = match (axis, way.direction) {
+        (Axis::First(face), _) => {
+            let outward = three(|i| -normal[i]);
+            by_face(&view, way, [first, second], face, &outward, 1)
+        }
+        (Axis::Second(face), _) => by_face(&view, way, [second, first], face, &normal, 0),
+        (Axis::Edges(..), Direction::Sides(i, j)) => {
+            let edges = |n: usize, k: usize| {
+                let is_across = way.along[n % 2].map(Ordering::is_eq);
+                let is_end =
+                    if bodies[n % 2].is_triangle() { way.farthest(n) } else { upper(way, n) };
+                support_edges(&view, &solids[n % 2], k, is_across, is_end)
+            };
+            by_edges(edges(0, i), || edges(1, j), &normal)
+        }
+        (Axis::Edges(..), Direction::Face { .. }) => Pairs::new(),
+    };
+    let is_second = matches!(axis, Axis::Second(_));
+    rounded(&found, origin, scale, is_second)
 }
 
-/// Points where the face of one shape, and what the other turns to it, are in each other.
-fn clip<S: Scalar>(
-    finder: &mut Finder<S>,
-    [reference, incident]: [&Rough; 2],
+/// The points of a face of one shape and of a face of the other, which is number `incident`.
+///
+/// After the least translation the support of the other shape meets the face, so a face that has
+/// this support is enough. A way that is held to the normal is no least one: then nothing of that
+/// face may lie over the triangle, and the deepest points of the rest are taken.
+fn by_face(
+    view: &View,
+    way: &Way,
+    [shape, other]: [&Solid; 2],
     number: u8,
     outward: &Vec64,
-    is_second: bool,
-) {
-    let theirs = facing(incident, outward);
-    let (face, other) = (Face::new(reference, number), Face::new(incident, theirs));
-    let depth = |at: &Vec64| -dot(&minus(at, &face.corners[0]), outward);
-    face.cut(&other, [number, theirs], outward, |at, parts| {
-        let depth = depth(&at);
-        if depth >= 0.0 {
-            finder.add_turned(at, depth, outward, parts, is_second);
+    incident: usize,
+) -> Pairs {
+    let reference = Face::new(view, shape, number);
+    let upper = upper(way, incident);
+    let is_support = |number: u8| {
+        let k = usize::from(number / 2);
+        way.along[incident % 2][k % 3].is_ne() && *pick(&upper, k) == (number % 2 == 1)
+    };
+    let mut found = Pairs::new();
+    for number in other.faces_against(outward, is_support) {
+        let here = clip(view, [&reference, &Face::new(view, other, number)], outward);
+        if here.deepest() > found.deepest() {
+            found = here;
         }
-    });
-    if finder.points.count == 0 {
-        // The corner that lies deepest, where rounding left nothing.
-        let (at, part) = other.lowest(outward);
-        finder.add_turned(at, depth(&at), outward, [Part::Face(number), part], is_second);
+        if found.count > 0 && !way.is_held {
+            break;
+        }
     }
+    if found.count == 0 {
+        // Numbers that f64 does not hold: the lowest corner, and the plane below it.
+        let face = Face::new(view, other, number);
+        let (corner, base) = (face.lowest(outward), reference.lowest(outward));
+        let depth = dot(&minus(&base.at, &corner.at), outward);
+        let parts = [Part::Face(number), Part::Vertex(corner.vertex)];
+        found.add(Pair { at: [base.at, corner.at], depth, parts }, 0.0);
+    }
+    found
+}
+
+/// The points where a face of one shape and a face of the other meet, seen along the normal: corners
+/// of each that lie over the other, and edges that cross. All but those that lie above the first.
+fn clip(view: &View, [reference, incident]: [&Face; 2], outward: &Vec64) -> Pairs {
+    let mut found = Pairs::new();
+    let mut add = |[below, at]: [&Corner; 2], parts: [Part; 2]| {
+        let depth = dot(&minus(&below.at, &at.at), outward);
+        if depth >= -view.tolerance {
+            let depth = greatest(depth, 0.0);
+            found.add(Pair { at: [below.at, at.at], depth, parts }, view.tolerance);
+        }
+    };
+    for at in incident.corners() {
+        if let Some(below) = reference.meets(at, view, outward) {
+            add([&below, at], [Part::Face(reference.number), Part::Vertex(at.vertex)]);
+        }
+    }
+    for below in reference.corners() {
+        if let Some(at) = incident.meets(below, view, outward) {
+            add([below, &at], [Part::Vertex(below.vertex), Part::Face(incident.number)]);
+        }
+    }
+    for below in reference.edges() {
+        for at in incident.edges() {
+            if let Some([x, y]) = below.crossing(&at, view) {
+                add([&x, &y], [Part::Edge(below.number), Part::Edge(at.number)]);
+            }
+        }
+    }
+    found
+}
+
+/// The point where an edge of the one shape meets an edge of the other: of those that are nearest to
+/// each other across the normal.
+fn by_edges<T: Iterator<Item = Edge>>(
+    edges: impl Iterator<Item = Edge>,
+    others: impl Fn() -> T,
+    normal: &Vec64,
+) -> Pairs {
+    let (mut found, mut nearest) = (Pairs::new(), f64::INFINITY);
+    for edge in edges {
+        for other in others() {
+            let [x, y] = edge.meet(&other);
+            let apart = distance(&x, &y);
+            if found.count == 0 || apart < nearest {
+                let depth = greatest(dot(&minus(&y.at, &x.at), normal), 0.0);
+                let parts = [Part::Edge(edge.number), Part::Edge(other.number)];
+                found.pairs[0] = Pair { at: [x.at, y.at], depth, parts };
+                (found.count, nearest) = (1, apart);
+            }
+        }
+    }
+    found
+}
+
+/// The points in the numbers of the scalar, of the first shape and of the second.
+fn rounded<S: Scalar>(found: &Pairs, origin: &Place<S>, scale: f64, is_second: bool) -> Points<S> {
+    let zero = Vec3::splat(S::ZERO);
+    let none = Point { on_first: zero, on_second: zero, depth: S::ZERO, parts: [Part::Face(0); 2] };
+    let mut points = Points { points: [none; MOST], count: found.count };
+    // From the first place of the origin to the origin.
+    let offset = three(|i| difference_in_double(origin.1[i], origin.0[i], scale) * 0.5);
+    // An offset that was scaled down may be beyond the range where the sum is not.
+    let plus = |x: S, offset: f64| {
+        if scale < 1.0 {
+            let half = offset * 0.5 / scale;
+            x.plus_double(half).plus_double(half)
+        } else {
+            x.plus_double(offset / scale)
+        }
+    };
+    let place = |at: &Vec64| {
+        let [x, y, z] = three(|i| plus(origin.0[i], at[i] + offset[i]));
+        Vec3::new(x, y, z)
+    };
+    for (point, pair) in points.points.iter_mut().zip(found.iter()) {
+        let (mut at, mut parts) = (pair.at.each_ref().map(place), pair.parts);
+        if is_second {
+            at.reverse();
+            parts.reverse();
+        }
+        let [on_first, on_second] = at;
+        *point = Point { on_first, on_second, depth: plus(S::ZERO, pair.depth), parts };
+    }
+    points
 }

@@ -1,138 +1,179 @@
-//! The points of a contact lie on both shapes, on the parts that they name.
+//! The points of a contact lie on both shapes, on the parts named, and span what touches.
 
-use septum::contact::{Axis, Contact, Part, Point, contact};
-use septum::{Aabb, Obb, Triangle, Vec3};
-use septum_kit::boxes::{AnyBox, BoxSet};
-use septum_kit::contacts::{ContactSet, Solid};
-use septum_kit::{BoxNumbers, Rng};
+use std::env;
 
-type P = [f64; 3];
+use septum::contact::{Axis, Contact, InteriorEdges, Part, Point, contact, contact_in_mesh};
+use septum::{Aabb, Obb, Triangle};
+use septum_kit::boxes::{AnyBox, ObbNumbers};
+use septum_kit::contacts::{ContactCase, ContactSet, PointErrors, Solid};
+use septum_kit::fixed::types::I32F32;
+use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar, with_every_scalar};
 
-fn dot(a: P, b: P) -> f64 {
-    (0..3).map(|i| a[i] * b[i]).sum()
+/// The kinds of a pair: triangle, box and oriented box, each with each.
+const PAIRS: [&str; 6] =
+    ["triangle triangle", "triangle aabb", "aabb aabb", "triangle obb", "aabb obb", "obb obb"];
+
+fn pair<S>(case: &ContactCase<S>) -> usize {
+    let kind = |solid: &Solid<S>| match solid {
+        Solid::Triangle(_) => 0,
+        Solid::Box(AnyBox::Aabb(_)) => 1,
+        Solid::Box(AnyBox::Obb(_)) => 2,
+    };
+    let (a, b) = (kind(&case.first), kind(&case.second));
+    let (least, most) = (a.min(b), a.max(b));
+    least + most * (most + 1) / 2
 }
 
-fn minus(a: P, b: P) -> P {
-    [0, 1, 2].map(|i: usize| a[i] - b[i])
-}
-
-fn cross(a: P, b: P) -> P {
-    [(1, 2), (2, 0), (0, 1)].map(|(j, k)| a[j] * b[k] - a[k] * b[j])
-}
-
-fn length(a: P) -> f64 {
-    dot(a, a).sqrt()
-}
-
-/// A shape in floats.
-enum Shape {
-    Triangle([P; 3]),
-    Box { center: P, axes: [P; 3], half: P },
-}
-
-impl Shape {
-    fn new(solid: &Solid<f64>) -> Self {
-        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        match *solid {
-            Solid::Triangle(t) => Self::Triangle(t),
-            Solid::Box(AnyBox::Obb(b)) => {
-                Self::Box { center: b.center, axes: b.axes, half: b.half }
-            }
-            Solid::Box(AnyBox::Aabb(BoxNumbers::Center(center, half))) => {
-                Self::Box { center, axes, half }
-            }
-            Solid::Box(AnyBox::Aabb(BoxNumbers::Corners(p, q))) => {
-                let of = |f: fn(f64, f64) -> f64| [0, 1, 2].map(|i: usize| f(p[i], q[i]) / 2.0);
-                Self::Box { center: of(|p, q| p + q), axes, half: of(|p, q| q - p) }
-            }
-        }
-    }
-
-    /// The ends of the axes on which a part of a box lies, from its number.
-    fn ends(part: Part) -> [Option<bool>; 3] {
-        let mut ends = [None; 3];
-        match part {
-            Part::Face(n) => ends[usize::from(n / 2)] = Some(n % 2 == 1),
-            Part::Edge(n) => {
-                let i = usize::from(n / 4);
-                ends[(i + 1) % 3] = Some(n & 1 == 1);
-                ends[(i + 2) % 3] = Some(n & 2 == 2);
-            }
-            Part::Vertex(n) => ends = [n & 1, n & 2, n & 4].map(|bit| Some(bit != 0)),
-        }
-        ends
-    }
-
-    /// The distance of a point from a part and its ends.
-    fn distance(&self, part: Part, at: P) -> f64 {
-        match self {
-            Self::Triangle(t) => match part {
-                Part::Vertex(k) => length(minus(at, t[usize::from(k)])),
-                Part::Edge(k) => {
-                    let (a, b) = (t[usize::from(k)], t[usize::from(k + 1) % 3]);
-                    length(cross(minus(at, a), minus(b, a))) / length(minus(b, a))
-                }
-                Part::Face(_) => {
-                    let n = cross(minus(t[1], t[0]), minus(t[2], t[0]));
-                    dot(n, minus(at, t[0])).abs() / length(n)
-                }
-            },
-            Self::Box { center, axes, half } => {
-                let off = |i: usize| {
-                    let x = dot(minus(at, *center), axes[i]);
-                    match Self::ends(part)[i] {
-                        Some(upper) => (x - if upper { half[i] } else { -half[i] }).abs(),
-                        None => (x.abs() - half[i]).max(0.0),
-                    }
-                };
-                off(0).max(off(1)).max(off(2))
-            }
+/// Checks the points of a contact, and of the same triangle in a mesh where they are held.
+fn check<S: Sample>(
+    case: &ContactCase<S>,
+    edges: InteriorEdges,
+    mut seen: impl FnMut(usize, PointErrors),
+) {
+    let in_mesh = case.contact_in_mesh(edges).flatten().filter(|found| found.is_held);
+    for found in case.contact().flatten().into_iter().chain(in_mesh) {
+        match case.check_points(&found) {
+            Some(Ok(errors)) => seen(pair(case), errors),
+            Some(Err(what)) => panic!("{what}: {case:?} {found:?}"),
+            None => {}
         }
     }
 }
 
-fn check_points(shapes: [&Shape; 2], found: &Contact<f64>) {
-    let t = found.translation;
-    let normal = t.normal.to_array();
-    assert!((length(normal) - 1.0).abs() < 1e-12);
-    let mut deepest = 0.0_f64;
-    for point in found.points() {
-        let both = [point.on_first, point.on_second].map(Vec3::to_array);
-        // From the first point to the second along the translation.
-        let between = minus(both[1], both[0]);
-        let along = normal.map(|n| n * point.depth);
-        assert!(length(minus(between, along)) < 1e-9, "{found:?}");
-        for k in 0..2 {
-            let off = shapes[k].distance(point.parts[k], both[k]);
-            // Nearly parallel axes and edges leave a point less accurate.
-            assert!(off < 1e-6, "{off} off {:?}: {found:?}", point.parts[k]);
-        }
-        assert!(point.depth > -1e-6, "a point that is not within: {found:?}");
-        deepest = deepest.max(point.depth);
+/// The greatest errors of each pair, in parts of those allowed, and how many contacts there were.
+fn of_set<S: Sample>(set: ContactSet, seed: u64, cases: usize) -> [(usize, PointErrors); 6] {
+    let (mut rng, mut all) = (Rng::new(seed), [(0, PointErrors::default()); 6]);
+    for _ in 0..cases {
+        let case = set.case::<S>(&mut rng);
+        let edges = InteriorEdges::new(rng.triple(|rng| rng.one_in(2)));
+        check(&case, edges, |pair, errors| {
+            all[pair] = (all[pair].0 + 1, all[pair].1.or(errors));
+        });
     }
-    assert!((deepest - t.depth).abs() < 1e-6, "{deepest}: {found:?}");
+    all
 }
 
+fn points_lie_on_both_shapes<S: Sample>() {
+    for set in ContactSet::ALL {
+        let count: usize = of_set::<S>(set, 0x9017, 250).iter().map(|(count, _)| count).sum();
+        assert!(count > 0, "{} {set:?}", S::name());
+    }
+}
+for_every_scalar!(points_lie_on_both_shapes);
+
+/// `CASES=1000000 cargo test --release --test promises points_of_many -- --ignored --nocapture`:
+/// so many cases of each set and scalar, and the greatest errors in parts of those stated.
 #[test]
-fn points_lie_on_both_shapes() {
-    let mut rng = Rng::new(0x9017);
-    let (mut faces, mut edges, mut most) = (0, 0, 0);
-    for _ in 0..6_000 {
-        let case = ContactSet::Like(BoxSet::Turned).case::<f64>(&mut rng);
-        let Some(Some(found)) = case.contact() else { continue };
-        let shapes = [Shape::new(&case.first), Shape::new(&case.second)];
-        let is_flat = |s: &Shape| matches!(s, Shape::Box { half, .. } if half.contains(&0.0));
-        if shapes.iter().any(is_flat) {
-            continue;
+#[ignore = "as long as you like"]
+fn points_of_many() {
+    fn many<S: Sample>() {
+        let cases = env::var("CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(10_000);
+        for set in ContactSet::ALL {
+            for (name, (count, e)) in PAIRS.into_iter().zip(of_set::<S>(set, 78, cases)) {
+                let (name, set) = (format!("{} {name}", S::name()), format!("{set:?}"));
+                let [part, pair, span] = [e.part, e.pair, e.span];
+                println!("{name:24} {set:22} {count:8} {part:.4} {pair:.4} {span:.4}");
+            }
         }
-        check_points([&shapes[0], &shapes[1]], &found);
-        match found.translation.axis {
-            Axis::Edges(..) => edges += 1,
-            _ => faces += 1,
-        }
-        most = most.max(found.points().len());
     }
-    assert!(faces > 300 && edges > 100 && most > 4, "{faces} {edges} {most}");
+    with_every_scalar!(many);
+}
+
+fn aabb<S: Sample>(min: [f64; 3], max: [f64; 3]) -> Solid<S> {
+    Solid::Box(AnyBox::Aabb(BoxNumbers::Corners(min.map(S::nearest), max.map(S::nearest))))
+}
+
+/// The contact of two shapes, whose points are checked.
+fn checked<S: Sample>(first: Solid<S>, second: Solid<S>) -> Contact<S> {
+    let case = ContactCase { first, second };
+    check(&case, InteriorEdges::NONE, |_, _| {});
+    case.contact().flatten().expect("a contact")
+}
+
+/// A box without thickness is as long as one with it.
+fn flat_boxes_end<S: Sample>() {
+    for y in [0.0, 0.0625] {
+        let found = checked::<S>(
+            aabb([-1.0, -y, -1.0], [1.0, y, 1.0]),
+            aabb([0.75, -4.0, -7.0], [4.0, 4.0, 7.0]),
+        );
+        let z = |p: &Point<S>| p.on_second.z;
+        let ends = [-1.0, 1.0].map(S::nearest);
+        assert!(found.points().iter().all(|p| ends[0] <= z(p) && z(p) <= ends[1]), "{found:?}");
+        assert!(ends.iter().all(|&end| found.points().iter().any(|p| z(p) == end)), "{found:?}");
+    }
+}
+for_every_scalar!(flat_boxes_end);
+
+/// Shapes as long as the range of 64-bit fixed point.
+#[test]
+fn half_the_range_away() {
+    let far = 2e9;
+    let t = [[-far, -far, 1.9e9], [far, -far, 1.9e9], [-far, far, 1.9e9]];
+    let t = Solid::Triangle(t.map(|p| p.map(I32F32::from_num)));
+    let found = checked::<I32F32>(aabb([-far; 3], [far; 3]), t);
+    let xs = found.points().iter().map(|p| p.on_first.x);
+    assert_eq!(xs.max(), Some(I32F32::from_num(far)));
+}
+
+/// The lowest face of the box lies beyond the triangle; a lower point of another face lies over it.
+#[test]
+fn a_point_held_to_a_face_lies_on_it() {
+    let t = Triangle::new([0.0_f64, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]).unwrap();
+    let axes = [[1.0, 0.0, 0.0], [0.0, 0.6, 0.8], [0.0, -0.8, 0.6]];
+    let (center, half) = ([1.5, -1.95, 0.4], [0.5, 1.0, 2.0]);
+    let other = Obb::new(center, axes, half).unwrap();
+    let found = contact_in_mesh(&t, InteriorEdges::new([true, false, false]), &other).unwrap();
+    assert!(found.is_held);
+    for point in found.points() {
+        let [x, y, z] = point.on_first.to_array();
+        assert!(x >= 0.0 && y >= -1e-12 && x + y <= 4.0 && z.abs() < 1e-12, "{point:?}");
+        assert!(point.depth > 0.0, "{point:?}");
+    }
+    let first = Solid::Triangle(t.vertices().map(|v| v.to_array()));
+    let second = Solid::Box(AnyBox::Obb(ObbNumbers { center, axes, half }));
+    let edges = InteriorEdges::new([true, false, false]);
+    let mut count = 0;
+    check(&ContactCase { first, second }, edges, |_, _| count += 1);
+    assert_eq!(count, 2);
+}
+
+/// Two boxes that overlap by 1.6e-17, where their numbers are about one.
+#[test]
+fn a_depth_below_rounding_keeps_the_points() {
+    let at = |bits: [u64; 3]| bits.map(f64::from_bits);
+    let first = BoxNumbers::Corners(
+        at([0xbf84_0779_05a9_f3cf, 0xbfd8_da75_d7ff_61be, 0x3f74_d2ae_ef5b_0bae]),
+        at([0x3ff6_487e_171b_bf7c, 0x3fcd_578c_6671_4c1d, 0x4004_53cd_a11a_8a3e]),
+    );
+    let second = BoxNumbers::Center(
+        at([0xbfec_61bb_1e85_8b0d, 0x3fc8_b2c2_07e3_44b1, 0xbfd6_9307_fb97_0e05]),
+        at([0x3fec_119d_3a6e_e33e, 0x3fa2_9329_7a38_1db0, 0x3fd6_e652_b754_7a34]),
+    );
+    let [first, second] = [first, second].map(|b| Solid::Box(AnyBox::Aabb(b)));
+    let found = checked(first, second);
+    assert!(found.points().iter().all(|p| p.on_first.x > -0.01 && p.depth >= 0.0), "{found:?}");
+}
+
+/// The face of a skewed box that has its lowest corner need not be the one that faces down most.
+fn skewed_boxes_meet_where_they_are<S: Sample>() {
+    let at = |p: [f64; 3]| p.map(S::nearest);
+    let axes = [[0.5, 0.0, 0.5], [0.25, 0.25, 0.0], [0.25, 0.5, 0.5]].map(at);
+    let obb = ObbNumbers { center: at([0.0, 1.5, 2.75]), axes, half: at([3.75, 0.5, 3.0]) };
+    let other = aabb([-1.5, -3.0, -3.0], [-1.25, 0.75, 2.25]);
+    let found = checked(Solid::Box(AnyBox::Obb(obb)), other);
+    assert!(found.points().iter().all(|p| p.on_second.x <= S::nearest(-1.25)), "{found:?}");
+}
+for_every_scalar!(skewed_boxes_meet_where_they_are);
+
+/// A triangle that is a line, met on its second edge.
+#[test]
+fn the_edge_of_a_line_that_is_met_is_named() {
+    let line = Solid::Triangle([[0.0_f32, 0.0, 0.0], [2.0, 2.0, 0.0], [8.0, 8.0, 0.0]]);
+    let found = checked(line, aabb([4.0, -9.0, -1.0], [9.0, 4.25, 1.0]));
+    for point in found.points() {
+        assert!(point.on_first.x >= 4.0 && point.parts[0] != Part::Edge(0), "{found:?}");
+    }
 }
 
 fn parts(found: &Contact<f32>) -> Vec<[Part; 2]> {

@@ -61,6 +61,8 @@ pub(super) fn share_an_interior_point(first: &[Point], second: &[Point]) -> bool
 
 /// The overlap of the shapes along a direction: |a|·depth, and a.
 pub(super) struct Depth {
+    /// The direction that the first shape moves along.
+    pub(super) axis: Point,
     pub(super) overlap: IBig,
     pub(super) square: IBig,
 }
@@ -75,10 +77,15 @@ pub(super) fn is_flat(hulls: &[Hull; 2]) -> bool {
     !normals().any(|n| sides.iter().any(|c| IBig::dot(&n, c) != IBig::ZERO))
 }
 
-/// The overlaps of the shapes on all axes, in both directions; `None` if an axis separates.
+/// The overlaps of the shapes on all axes, in both directions, in the order in which the first of equal
+/// ones counts; `None` if an axis separates.
 pub(super) fn depths(hulls: &[Hull; 2]) -> Option<Vec<Depth>> {
     let [first, second] = hulls;
-    let mut axes = [first.normals(), second.normals()].concat();
+    let mut normals = [first.normals(), second.normals()];
+    if second.is_triangle && !first.is_triangle {
+        normals.reverse();
+    }
+    let mut axes = normals.concat();
     for x in &first.sides {
         axes.extend(second.sides.iter().map(|y| IBig::cross(x, y)));
     }
@@ -89,11 +96,12 @@ pub(super) fn depths(hulls: &[Hull; 2]) -> Option<Vec<Depth>> {
             continue;
         }
         let ([b, e], [c, f]) = (first.ends(&a), second.ends(&a));
-        for overlap in [e - c, f - b] {
+        let against = a.each_ref().map(|x| -x);
+        for (axis, overlap) in [(against, e - c), (a, f - b)] {
             if overlap <= IBig::ZERO {
                 return None;
             }
-            all.push(Depth { overlap, square: square.clone() });
+            all.push(Depth { axis, overlap, square: square.clone() });
         }
     }
     (!all.is_empty()).then_some(all)

@@ -2,14 +2,19 @@
 //! and whether a translation separates them; the minimum over all axes gives the depth.
 
 mod hull;
+mod plane;
+mod points;
 mod sets;
 mod simplex;
 
+pub use points::PointErrors;
 pub use sets::ContactSet;
 pub use simplex::holds_zero;
 
 use dashu_int::IBig;
-use septum::contact::{Axis, Contact, InteriorEdges, contact, contact_in_mesh, least_translation};
+use septum::contact::{
+    Axis, Contact, InteriorEdges, Translation, contact, contact_in_mesh, least_translation,
+};
 use septum::{Aabb, Obb, Triangle};
 
 use crate::boxes::AnyBox;
@@ -152,20 +157,11 @@ impl<S: Sample> ContactCase<S> {
     /// If something is wrong.
     pub fn check(&self, with_programming: bool) -> Option<bool> {
         let found = self.contact()?;
-        let extra: Vec<S> = found
-            .iter()
-            .flat_map(|c| {
-                let t = c.translation;
-                [t.vector.to_array().as_slice(), &[t.depth]].concat()
-            })
-            .collect();
-        let is_in_range = |x: &S| *x > S::LEAST.moved(1) && *x < S::GREATEST;
-        let in_range = extra.iter().all(is_in_range);
         let mut numbers = [self.first.numbers(), self.second.numbers()].concat();
-        if in_range {
-            numbers.extend(extra.iter().map(|x| x.mantissa_exponent()));
-            let nonzero = extra.iter().filter(|x| **x != S::ZERO);
-            numbers.extend(nonzero.map(|x| inward(*x).mantissa_exponent()));
+        if let Some(Contact { translation: t, .. }) = &found {
+            let all = [t.vector.to_array().as_slice(), &[t.depth]].concat();
+            let nonzero = all.iter().filter(|x| x.is_finite() && **x != S::ZERO);
+            numbers.extend(nonzero.flat_map(|x| [*x, inward(*x)].map(|x| x.mantissa_exponent())));
         }
         let unit = least_exponent(&numbers).min(0);
         let hulls = [self.first.hull(unit), self.second.hull(unit)];
@@ -183,69 +179,122 @@ impl<S: Sample> ContactCase<S> {
         }
         let (Some(found), Some(least)) = (found, least) else { return Some(false) };
         assert!(!found.is_held && !found.points().is_empty(), "{self:?}");
-        if !in_range {
-            return Some(false);
-        }
         // In units of positions.
         let length = |x: S| whole(x.mantissa_exponent(), unit) << (1 - unit) as usize;
         let t = found.translation;
-        let vector = t.vector.to_array().map(length);
         self.check_depth(t.depth, least, &length);
-        self.check_vector(&t.vector.to_array(), &vector, t.axis, &hulls, &length);
-        if with_programming {
+        let sign = |x: S| IBig::from(if x < S::ZERO { -1 } else { i8::from(x > S::ZERO) });
+        let a = self.direction(t.axis, &hulls);
+        let along = IBig::dot(&a, &t.vector.to_array().map(sign));
+        let a = if along < IBig::ZERO { a.map(|x| -x) } else { a };
+        let is_before = depths.iter().flatten().take_while(|d| !core::ptr::eq(*d, least));
+        let is_same = |d: &Depth| {
+            IBig::cross(&d.axis, &a) == [IBig::ZERO, IBig::ZERO, IBig::ZERO]
+                && IBig::dot(&d.axis, &a) > IBig::ZERO
+        };
+        let is_first = is_same(least) || is_before.into_iter().any(is_same);
+        assert!(is_first, "not the first of equals: {self:?} {t:?}");
+        self.check_vector(&t, &a, &hulls, &length);
+        self.check_normal(&t.normal.to_array(), &a);
+        if with_programming && t.is_sufficient {
+            let vector = t.vector.to_array().map(length);
             let still = share_an_interior_point(&hulls[0].moved(&vector), &hulls[1].points);
             assert!(!still, "not parted: {self:?} {t:?}");
         }
-        Some(true)
+        if let Some(points) = self.check_points(&found) {
+            assert!(points.is_ok(), "{points:?} {self:?} {found:?}");
+        }
+        Some(t.is_sufficient)
     }
 
-    /// The depth is not below the minimum, and no number lies between them, except within 2^-55 of
-    /// it.
+    /// The cross product that an axis names.
+    fn direction(&self, axis: Axis, hulls: &[Hull; 2]) -> Point {
+        match axis {
+            Axis::First(k) => hulls[0].normals()[usize::from(k / 2)].clone(),
+            Axis::Second(k) => hulls[1].normals()[usize::from(k / 2)].clone(),
+            Axis::Edges(i, j) => IBig::cross(hulls[0].side(i), hulls[1].side(j)),
+        }
+    }
+
+    /// The depth is not below the minimum, and the number before it is less than 2^-55 of the
+    /// minimum above it. Beyond the range it is clamped.
     fn check_depth(&self, depth: S, least: &Depth, length: &dyn Fn(S) -> IBig) {
         let square = |x: IBig| &x * &x * &least.square;
         let of_overlap = &least.overlap * &least.overlap;
-        assert!(square(length(depth)) >= of_overlap, "depth {depth:?} too small: {self:?}");
+        if square(length(S::GREATEST)) < of_overlap {
+            assert!(depth >= S::GREATEST, "depth {depth:?} within range: {self:?}");
+            return;
+        }
         let near = (IBig::ONE << 55) + IBig::ONE;
-        let before = length(inward(depth)) << 55;
+        if depth.is_finite() {
+            assert!(square(length(depth)) >= of_overlap, "depth {depth:?} too small: {self:?}");
+        }
+        let before = if depth.is_finite() { inward(depth) } else { S::GREATEST };
+        let before = length(before) << 55;
         assert!(square(before) < of_overlap * &near * &near, "depth {depth:?} too great: {self:?}");
     }
 
-    /// Each coordinate is |aᵢ|·o/(a·a) for the axis named, rounded away from zero, and the vector
-    /// separates the shapes on that axis.
+    /// Each coordinate is |aᵢ|·o/(a·a) for the direction `a`, rounded away from zero like the depth,
+    /// and the vector separates the shapes along `a`, unless a coordinate is beyond the range.
     fn check_vector(
         &self,
-        numbers: &[S; 3],
-        vector: &Point,
-        axis: Axis,
+        t: &Translation<S>,
+        a: &Point,
         hulls: &[Hull; 2],
         length: &dyn Fn(S) -> IBig,
     ) {
-        let edge = |shape: usize, k: u8| {
-            let hull = &hulls[shape];
-            &hull.sides[usize::from(if hull.is_triangle { k } else { k / 4 })]
-        };
-        let a = match axis {
-            Axis::First(k) => hulls[0].normals()[usize::from(k / 2)].clone(),
-            Axis::Second(k) => hulls[1].normals()[usize::from(k / 2)].clone(),
-            Axis::Edges(i, j) => IBig::cross(edge(0, i), edge(1, j)),
-        };
-        let along = IBig::dot(&a, vector);
-        let a = if along < IBig::ZERO { a.map(|x| -x) } else { a };
-        let ([_, top], [bottom, _]) = (hulls[1].ends(&a), hulls[0].ends(&a));
+        let ([_, top], [bottom, _]) = (hulls[1].ends(a), hulls[0].ends(a));
         let overlap = top - bottom;
-        assert!(IBig::dot(&a, vector) >= overlap, "not parted on its axis: {self:?}");
-        let square = IBig::dot(&a, &a);
+        let square = IBig::dot(a, a);
         let near = (IBig::ONE << 55) + IBig::ONE;
-        for (i, &x) in numbers.iter().enumerate() {
+        let (mut is_held, mut may_be_held) = (true, true);
+        for (i, x) in t.vector.to_array().into_iter().enumerate() {
             let sign = IBig::from(Ring::sign(&a[i]));
             let size = &a[i] * &sign * &overlap;
-            assert!(&vector[i] * &sign * &square >= size, "coordinate {i} too short: {self:?}");
             if x == S::ZERO {
                 assert!(sign == IBig::ZERO, "coordinate {i} is zero: {self:?}");
                 continue;
             }
-            let before = length(inward(x)) * &sign * (&square << 55);
-            assert!(before < size * &near, "coordinate {i} too long: {self:?}");
+            let end = if sign > IBig::ZERO { S::GREATEST } else { S::LEAST };
+            let most = length(end) * &sign * &square;
+            is_held &= &most << 55 >= &size * &near;
+            may_be_held &= most >= size;
+            if most < size {
+                assert!(x == end || !x.is_finite(), "coordinate {i} within range: {self:?}");
+                continue;
+            }
+            if x.is_finite() {
+                let long = length(x) * &sign * &square;
+                assert!(long >= size || x == end, "coordinate {i} too short: {self:?}");
+            }
+            let before = length(if x.is_finite() { inward(x) } else { end }) * &sign;
+            assert!(before * (&square << 55) < size * &near, "coordinate {i} too long: {self:?}");
+        }
+        let is_told = if t.is_sufficient { may_be_held } else { !is_held };
+        assert!(is_told, "sufficient or not: {self:?} {t:?}");
+        if t.is_sufficient {
+            let along = IBig::dot(a, &t.vector.to_array().map(length));
+            assert!(along >= overlap, "not parted on its axis: {self:?}");
+        }
+    }
+
+    /// Each coordinate is that of the unit vector along `a`, off by 2^-55 of itself and half a unit in
+    /// the last place at most.
+    fn check_normal(&self, normal: &[S; 3], a: &Point) {
+        let square: IBig = IBig::dot(a, a) << 110;
+        for (i, &x) in normal.iter().enumerate() {
+            let (m, e) = x.mantissa_exponent();
+            let sign = IBig::from(Ring::sign(&a[i]));
+            let m = IBig::from(m) * &sign * IBig::from(2);
+            let doubled = |x: IBig| if x > IBig::ZERO { &x * &x * &square } else { IBig::ZERO };
+            let (below, above) = (doubled(&m - IBig::ONE), doubled(&m + IBig::ONE));
+            let scaled = |by: i8| {
+                let near = (IBig::ONE << 55) + IBig::from(by);
+                (&a[i] * &a[i] * &near * &near) << (2 - 2 * e) as usize
+            };
+            let is_end = x >= S::GREATEST || x <= S::LEAST;
+            assert!(below <= scaled(1), "normal {i} too long: {self:?}");
+            assert!(above >= scaled(-1) || is_end, "normal {i} too short: {self:?}");
         }
     }
 }

@@ -1,0 +1,346 @@
+//! Faces of two shapes, seen along the normal of their contact.
+//!
+//! A corner has two coordinates across the normal beside its place. Points of two shapes meet where
+//! these coordinates agree to a [`View::tolerance`]. Each point is computed as a mean of the corners
+//! of its part with weights from zero to one, so it lies on that part whatever the coordinates say.
+
+use super::body::{Rough, Vec64};
+use super::directions::{cross, dot};
+use crate::arithmetic::{greatest, largest, pick, three, turn};
+
+/// The most corners that a face has.
+const CORNERS: usize = 4;
+
+pub(super) fn minus(a: &Vec64, b: &Vec64) -> Vec64 {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// a + t·b.
+fn along(a: &Vec64, t: f64, b: &Vec64) -> Vec64 {
+    [a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]]
+}
+
+/// The number of a vertex of a box.
+fn vertex_of_box(upper: [bool; 3]) -> u8 {
+    u8::from(upper[0]) + 2 * u8::from(upper[1]) + 4 * u8::from(upper[2])
+}
+
+/// The number of the edge of a box along axis i.
+pub(super) fn edge_of_box(i: usize, upper: [bool; 3]) -> u8 {
+    let (i, j, k) = turn(i);
+    4 * i as u8 + u8::from(upper[j]) + 2 * u8::from(upper[k])
+}
+
+/// A shape in floats: its centre or its vertices, and what its half-extents reach along its axes.
+pub(super) struct Solid {
+    is_triangle: bool,
+    at: [Vec64; 3],
+    /// The axes divided by their greatest coordinates.
+    axes: [Vec64; 3],
+    reach: [Vec64; 3],
+    /// No coordinate of a corner is greater.
+    pub(super) size: f64,
+}
+
+impl Solid {
+    pub(super) fn new(rough: &Rough) -> Self {
+        let axes = rough.sides.map(|side| side.map(|x| x / largest(&side)));
+        let reach = three(|k| pick(&rough.sides, k).map(|x| pick(&rough.half, k) * x));
+        let [a, b, c] = rough.at.each_ref().map(largest);
+        let farthest = greatest(a, greatest(b, c));
+        let size = reach.iter().fold(farthest, |size, reach| size + largest(reach));
+        Self { is_triangle: rough.is_triangle, at: rough.at, axes, reach, size }
+    }
+
+    fn corner(&self, upper: [bool; 3]) -> Vec64 {
+        let sign = |k: usize| if upper[k] { 1.0 } else { -1.0 };
+        (0..3).fold(self.at[0], |at, k| along(&at, sign(k), &self.reach[k]))
+    }
+
+    /// How much a face of a box faces against a direction: the signed square of the cosine.
+    fn facing(&self, number: u8, outward: &Vec64) -> f64 {
+        let (k, i, j) = turn(usize::from(number / 2));
+        let w = cross(pick(&self.axes, i), pick(&self.axes, j));
+        let cosine = dot(&w, outward);
+        let square = cosine * cosine / dot(&w, &w);
+        let is_outward = (dot(&w, pick(&self.axes, k)) > 0.0) == (number % 2 == 1);
+        if is_outward == (cosine < 0.0) { square } else { -square }
+    }
+
+    /// The faces that may meet a plane which faces outward from another shape; of a triangle the
+    /// triangle. First the one that faces it most of those that `is_first` allows.
+    pub(super) fn faces_against(
+        &self,
+        outward: &Vec64,
+        is_first: impl Fn(u8) -> bool,
+    ) -> impl Iterator<Item = u8> {
+        let facing = |number: u8| if self.is_triangle { 1.0 } else { self.facing(number, outward) };
+        let count = if self.is_triangle { 1 } else { 6 };
+        let mut first = 0;
+        let mut best = f64::NEG_INFINITY;
+        let mut is_turned = [false; 6];
+        for number in 0..count {
+            let value = facing(number);
+            is_turned[usize::from(number)] = value > 0.0;
+            if is_first(number) && value > best {
+                (first, best) = (number, value);
+            }
+        }
+        let rest = (0..count).filter(move |&n| n != first && is_turned[usize::from(n % 6)]);
+        core::iter::once(first).chain(rest)
+    }
+}
+
+/// The two coordinates across a normal, and how far they may be off where points meet.
+pub(super) struct View {
+    across: [Vec64; 2],
+    pub(super) tolerance: f64,
+}
+
+/// In parts of the size of the shapes.
+///
+/// # The error
+///
+/// To first order in the unit roundoff u, with S the size of the shapes. No coordinate from the
+/// origin is greater than S, nor a sum on the way to it.
+///
+/// * A place is a mean of two differences of at most 2·S: 3·u·S. Half-extent, axis and product have
+///   a rounding each, and a corner takes three sums: 3·u·S + 3·u·S + 3·u·S = 9·u·S.
+/// * The normal errs by u in each coordinate. The first vector across has two of them, so a
+///   coordinate along it errs by √2·(9 + 3)·u·S = 17·u·S. The second is a cross product of the
+///   two, off by 3·u, with three coordinates: √3·(9 + 6)·u·S = 26·u·S.
+/// * Points of two shapes that meet in truth differ by twice as much, and by as much as a mean of
+///   corners errs, 6·u·S for each of them: √((2·23)² + (2·32)²) = 79 times u·S.
+///
+/// The tolerance is 2^-45, that is 256·u.
+const TOLERANCE: f64 = f64::from_bits((1023 - 45) << 52);
+
+impl View {
+    pub(super) fn new(normal: &Vec64, size: f64) -> Self {
+        let sizes = normal.map(f64::abs);
+        let least = usize::from(sizes[1] < sizes[0]);
+        let (k, i, j) = turn(if sizes[2] < sizes[least] { 2 } else { least });
+        // n × e_k has no rounding of its own.
+        let mut first = [0.0; 3];
+        (first[k], first[i], first[j]) = (0.0, normal[j], -normal[i]);
+        Self { across: [first, cross(normal, &first)], tolerance: TOLERANCE * size }
+    }
+
+    fn corner(&self, at: Vec64, vertex: u8) -> Corner {
+        Corner { at, flat: self.across.each_ref().map(|b| dot(b, &at)), vertex }
+    }
+
+    fn allows(&self, a: &Corner, b: &Corner) -> bool {
+        let d = flat(a, b);
+        d[0] * d[0] + d[1] * d[1] <= self.tolerance * self.tolerance
+    }
+}
+
+/// A point of a shape, and the vertex that it is, if it is one.
+#[derive(Clone, Copy)]
+pub(super) struct Corner {
+    pub(super) at: Vec64,
+    flat: [f64; 2],
+    pub(super) vertex: u8,
+}
+
+/// From b to a, across the normal.
+fn flat(a: &Corner, b: &Corner) -> [f64; 2] {
+    [a.flat[0] - b.flat[0], a.flat[1] - b.flat[1]]
+}
+
+fn across([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
+    a * d - b * c
+}
+
+/// An edge, from one vertex to the next.
+pub(super) struct Edge {
+    pub(super) ends: [Corner; 2],
+    pub(super) number: u8,
+}
+
+impl Edge {
+    /// The point at a part of the way, which is cut off to the ends.
+    fn point(&self, t: f64) -> Corner {
+        let [p, q] = &self.ends;
+        // NaN is the first end.
+        let t = if t > 0.0 { if t < 1.0 { t } else { 1.0 } } else { 0.0 };
+        let [dx, dy] = flat(q, p);
+        let flat = [p.flat[0] + t * dx, p.flat[1] + t * dy];
+        Corner { at: along(&p.at, t, &minus(&q.at, &p.at)), flat, vertex: p.vertex }
+    }
+
+    /// The point nearest to another across the normal.
+    fn nearest(&self, to: &Corner) -> Corner {
+        let (d, e) = (flat(to, &self.ends[0]), flat(&self.ends[1], &self.ends[0]));
+        let square = e[0] * e[0] + e[1] * e[1];
+        self.point((d[0] * e[0] + d[1] * e[1]) / square)
+    }
+
+    /// On which sides of this edge the ends of another lie, by how far times the length.
+    fn sides(&self, other: &Self) -> [f64; 2] {
+        let [p, q] = &self.ends;
+        other.ends.each_ref().map(|end| across(flat(q, p), flat(end, p)))
+    }
+
+    /// The points where two edges cross, or nearly; on each of them.
+    pub(super) fn meet(&self, other: &Self) -> [Corner; 2] {
+        let [a, b] = self.sides(other);
+        let here = self.nearest(&other.point(a / (a - b)));
+        [here, other.nearest(&here)]
+    }
+
+    /// The points where two edges cross, if they do.
+    pub(super) fn crossing(&self, other: &Self, view: &View) -> Option<[Corner; 2]> {
+        let is_crossed = |[a, b]: [f64; 2]| (a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0);
+        if !is_crossed(self.sides(other)) || !is_crossed(other.sides(self)) {
+            return None;
+        }
+        let [a, b] = self.meet(other);
+        view.allows(&a, &b).then_some([a, b])
+    }
+}
+
+/// How far apart two points are across the normal, squared.
+pub(super) fn distance(a: &Corner, b: &Corner) -> f64 {
+    let [x, y] = flat(a, b);
+    x * x + y * y
+}
+
+/// A triangle, or a face of a box.
+pub(super) struct Face {
+    corners: [Corner; CORNERS],
+    edges: [u8; CORNERS],
+    count: usize,
+    pub(super) number: u8,
+}
+
+impl Face {
+    /// The triangle, or face `number` of the box.
+    pub(super) fn new(view: &View, shape: &Solid, number: u8) -> Self {
+        if shape.is_triangle {
+            let corner = |k: u8| view.corner(*pick(&shape.at, k.into()), k);
+            return Self {
+                corners: [0, 1, 2, 2].map(corner),
+                edges: [0, 1, 2, 2],
+                count: 3,
+                number,
+            };
+        }
+        let (i, j, k) = turn(usize::from(number / 2));
+        let mut edges = [0; CORNERS];
+        let mut n = 0;
+        let corners = [[false, false], [true, false], [true, true], [false, true]].map(|[a, b]| {
+            let mut upper = [false; 3];
+            (upper[i], upper[j], upper[k]) = (number % 2 == 1, a, b);
+            // Along j where this corner and the next differ in it.
+            edges[n % CORNERS] = edge_of_box(if n % 2 == 0 { j } else { k }, upper);
+            n += 1;
+            view.corner(shape.corner(upper), vertex_of_box(upper))
+        });
+        Self { corners, edges, count: CORNERS, number }
+    }
+
+    pub(super) fn corners(&self) -> impl Iterator<Item = &Corner> {
+        self.corners.iter().take(self.count)
+    }
+
+    pub(super) fn edges(&self) -> impl Iterator<Item = Edge> {
+        (0..self.count).map(|n| {
+            let next = if n + 1 < self.count { n + 1 } else { 0 };
+            let ends = [self.corners[n % CORNERS], self.corners[next % CORNERS]];
+            Edge { ends, number: self.edges[n % CORNERS] }
+        })
+    }
+
+    /// The point of the face that meets another across the normal, if one does: of the edges the
+    /// lowest, for a face that is seen from its side.
+    pub(super) fn meets(&self, to: &Corner, view: &View, outward: &Vec64) -> Option<Corner> {
+        let mut lowest: Option<Corner> = None;
+        for edge in self.edges() {
+            let at = edge.nearest(to);
+            let is_lower = |other: &Corner| dot(&at.at, outward) < dot(&other.at, outward);
+            if view.allows(&at, to) && lowest.as_ref().is_none_or(is_lower) {
+                lowest = Some(at);
+            }
+        }
+        if lowest.is_some() {
+            return lowest;
+        }
+        let [a, b] = [&self.corners[1], &self.corners[(self.count - 1) % CORNERS]];
+        let base = &self.corners[0];
+        let [s, t] = parts(flat(a, base), flat(b, base), flat(to, base))?;
+        let is_within = s >= 0.0 && t >= 0.0;
+        let is_within =
+            is_within && if self.count == 3 { s + t <= 1.0 } else { s <= 1.0 && t <= 1.0 };
+        if !is_within {
+            return None;
+        }
+        let at = along(&base.at, s, &minus(&a.at, &base.at));
+        let at = view.corner(along(&at, t, &minus(&b.at, &base.at)), base.vertex);
+        view.allows(&at, to).then_some(at)
+    }
+
+    /// The corner that lies farthest against a direction.
+    pub(super) fn lowest(&self, outward: &Vec64) -> Corner {
+        let mut lowest = self.corners[0];
+        for corner in self.corners() {
+            if dot(outward, &corner.at) < dot(outward, &lowest.at) {
+                lowest = *corner;
+            }
+        }
+        lowest
+    }
+}
+
+/// The numbers s and t with s·a + t·b = c, by elimination with the greatest coefficient as pivot, so
+/// that what is left over is small; `None` where a and b are parallel.
+fn parts(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Option<[f64; 2]> {
+    let top = |v: [f64; 2]| greatest(v[0].abs(), v[1].abs());
+    if top(a) < top(b) {
+        return parts(b, a, c).map(|[t, s]| [s, t]);
+    }
+    if a[0].abs() < a[1].abs() {
+        return parts([a[1], a[0]], [b[1], b[0]], [c[1], c[0]]);
+    }
+    let factor = a[1] / a[0];
+    let t = (c[1] - factor * c[0]) / (b[1] - factor * b[0]);
+    let s = (c[0] - t * b[0]) / a[0];
+    (s.is_finite() && t.is_finite()).then_some([s, t])
+}
+
+/// The edges of a shape that lie farthest in a direction, among those along side i of a box, or
+/// across the direction of a triangle. `is_end` tells which vertices of a triangle lie farthest, or on
+/// which ends of its axes a box does.
+///
+/// Of two ways that differ by less than numbers tell the first is taken, though it need not be one
+/// along which an edge of the triangle lies farthest. Then it is an edge with one end there.
+pub(super) fn support_edges(
+    view: &View,
+    shape: &Solid,
+    i: usize,
+    is_across: [bool; 3],
+    is_end: [bool; 3],
+) -> impl Iterator<Item = Edge> {
+    let (i, j, k) = turn(i);
+    let end = move |k: usize| *pick(&is_end, k);
+    let is_all = move |k: usize| *pick(&is_across, k) && end(k) && end(turn(k).1);
+    let has_all = (0..3).any(is_all);
+    (0..4_u8).filter_map(move |n| {
+        if shape.is_triangle {
+            let (from, to, _) = turn(n.into());
+            let is_edge = if has_all { is_all(from) } else { end(from) || end(to) };
+            let corner = |k: usize| view.corner(*pick(&shape.at, k), k as u8);
+            let edge = || Edge { ends: [corner(from), corner(to)], number: n };
+            return (n < 3 && is_edge).then(edge);
+        }
+        let mut upper = [false; 3];
+        (upper[j], upper[k]) = (n & 1 == 1, n & 2 == 2);
+        let is_edge = [j, k].into_iter().all(|k| is_across[k] || upper[k] == is_end[k]);
+        let mut corner = |is_upper: bool| {
+            upper[i] = is_upper;
+            view.corner(shape.corner(upper), vertex_of_box(upper))
+        };
+        is_edge.then(|| Edge { ends: [corner(false), corner(true)], number: 4 * i as u8 + n })
+    })
+}
