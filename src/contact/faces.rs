@@ -1,8 +1,8 @@
 //! Faces of two shapes, seen along the normal of their contact.
 //!
-//! A corner has two coordinates across the normal beside its place. Points of two shapes meet where
-//! these coordinates agree to a [`View::tolerance`]. Each point is computed as a mean of the corners
-//! of its part with weights from zero to one, so it lies on that part whatever the coordinates say.
+//! Each corner has two more coordinates, across the normal. Points of two shapes meet if these
+//! coordinates agree within [`View::tolerance`]. Each point is computed as a convex combination of the
+//! corners of its part. So it lies on that part even if its coordinates across the normal are off.
 
 use super::body::{Rough, Vec64};
 use super::directions::{cross, dot};
@@ -31,14 +31,14 @@ pub(super) fn edge_of_box(i: usize, upper: [bool; 3]) -> u8 {
     4 * i as u8 + u8::from(upper[j]) + 2 * u8::from(upper[k])
 }
 
-/// A shape in floats: its centre or its vertices, and what its half-extents reach along its axes.
+/// A shape in floats: its centre or its vertices, and its half-edges.
 pub(super) struct Solid {
     is_triangle: bool,
     at: [Vec64; 3],
     /// The axes divided by their greatest coordinates.
     axes: [Vec64; 3],
     reach: [Vec64; 3],
-    /// No coordinate of a corner is greater.
+    /// An upper bound of the coordinates of all corners.
     pub(super) size: f64,
 }
 
@@ -52,12 +52,24 @@ impl Solid {
         Self { is_triangle: rough.is_triangle, at: rough.at, axes, reach, size }
     }
 
+    /// The numbers of its faces.
+    pub(super) fn faces(&self) -> core::ops::Range<u8> {
+        0..if self.is_triangle { 1 } else { 6 }
+    }
+
+    /// How far the shape extends in a direction, from the origin.
+    pub(super) fn reach_along(&self, direction: &Vec64) -> f64 {
+        let at = self.at.each_ref().map(|at| dot(at, direction));
+        let reach = self.reach.each_ref().map(|reach| dot(reach, direction).abs());
+        greatest(greatest(at[0], at[1]), at[2]) + (reach[0] + reach[1] + reach[2])
+    }
+
     fn corner(&self, upper: [bool; 3]) -> Vec64 {
         let sign = |k: usize| if upper[k] { 1.0 } else { -1.0 };
         (0..3).fold(self.at[0], |at, k| along(&at, sign(k), &self.reach[k]))
     }
 
-    /// How much a face of a box faces against a direction: the signed square of the cosine.
+    /// The signed square of the cosine between the outward normal of a face and −`outward`.
     fn facing(&self, number: u8, outward: &Vec64) -> f64 {
         let (k, i, j) = turn(usize::from(number / 2));
         let w = cross(pick(&self.axes, i), pick(&self.axes, j));
@@ -67,52 +79,58 @@ impl Solid {
         if is_outward == (cosine < 0.0) { square } else { -square }
     }
 
-    /// The faces that may meet a plane which faces outward from another shape; of a triangle the
-    /// triangle. First the one that faces it most of those that `is_first` allows.
+    /// The faces turned against `outward`, the normal of another shape's face. The first is the one most
+    /// nearly antiparallel to it, of those for which `is_first` holds. A triangle is its only face.
     pub(super) fn faces_against(
         &self,
         outward: &Vec64,
         is_first: impl Fn(u8) -> bool,
     ) -> impl Iterator<Item = u8> {
         let facing = |number: u8| if self.is_triangle { 1.0 } else { self.facing(number, outward) };
-        let count = if self.is_triangle { 1 } else { 6 };
         let mut first = 0;
         let mut best = f64::NEG_INFINITY;
         let mut is_turned = [false; 6];
-        for number in 0..count {
+        for number in self.faces() {
             let value = facing(number);
-            is_turned[usize::from(number)] = value > 0.0;
+            is_turned[usize::from(number % 6)] = value > 0.0;
             if is_first(number) && value > best {
                 (first, best) = (number, value);
             }
         }
-        let rest = (0..count).filter(move |&n| n != first && is_turned[usize::from(n % 6)]);
+        let rest = self.faces().filter(move |&n| n != first && is_turned[usize::from(n % 6)]);
         core::iter::once(first).chain(rest)
     }
 }
 
-/// The two coordinates across a normal, and how far they may be off where points meet.
+/// Two directions across a normal, and the tolerance of coordinates along them.
 pub(super) struct View {
     across: [Vec64; 2],
     pub(super) tolerance: f64,
 }
 
-/// In parts of the size of the shapes.
+/// The tolerance relative to the size of the shapes.
 ///
 /// # The error
 ///
-/// To first order in the unit roundoff u, with S the size of the shapes. No coordinate from the
-/// origin is greater than S, nor a sum on the way to it.
+/// To first order in the unit roundoff u. Let S be the size of the shapes: an upper bound of all
+/// coordinates from the origin, and of the partial sums that lead to them.
 ///
 /// * A place is a mean of two differences of at most 2·S: 3·u·S. Half-extent, axis and product have
 ///   a rounding each, and a corner takes three sums: 3·u·S + 3·u·S + 3·u·S = 9·u·S.
 /// * The normal errs by u in each coordinate. The first vector across has two of them, so a
 ///   coordinate along it errs by √2·(9 + 3)·u·S = 17·u·S. The second is a cross product of the
 ///   two, off by 3·u, with three coordinates: √3·(9 + 6)·u·S = 26·u·S.
-/// * Points of two shapes that meet in truth differ by twice as much, and by as much as a mean of
-///   corners errs, 6·u·S for each of them: √((2·23)² + (2·32)²) = 79 times u·S.
+/// * A convex combination of corners adds 6·u·S. If points of two shapes meet exactly, their
+///   computed coordinates differ by up to √((2·23)² + (2·32)²)·u·S = 79·u·S.
 ///
 /// The tolerance is 2^-45, that is 256·u.
+///
+/// S is at most 2.5·R, with R the greatest difference in a coordinate between two corners: R for the
+/// centre, and half of R for each half-edge. A point is off its part by 9·u·S for the corners and
+/// 6·u·S for the combination: 37.5·u·R, below 2^-47·R. Two points that meet are off the normal by
+/// the tolerance divided by the length of the directions, at least √(2/3), and by 79·u·S:
+/// (1.23·256 + 79)·2.5·u·R = 985·u·R. The depth is clamped at zero from −256·u·S = −640·u·R. Together:
+/// √(985² + 640²)·u·R = 1175·u·R, below 2^-42·R = 2048·u·R.
 const TOLERANCE: f64 = f64::from_bits((1023 - 45) << 52);
 
 impl View {
@@ -136,7 +154,7 @@ impl View {
     }
 }
 
-/// A point of a shape, and the vertex that it is, if it is one.
+/// A point of a shape with its coordinates across the normal. `vertex` counts only for vertices.
 #[derive(Clone, Copy)]
 pub(super) struct Corner {
     pub(super) at: Vec64,
@@ -160,37 +178,37 @@ pub(super) struct Edge {
 }
 
 impl Edge {
-    /// The point at a part of the way, which is cut off to the ends.
+    /// The point at parameter t, clamped to the ends.
     fn point(&self, t: f64) -> Corner {
         let [p, q] = &self.ends;
-        // NaN is the first end.
+        // NaN becomes the first end.
         let t = if t > 0.0 { if t < 1.0 { t } else { 1.0 } } else { 0.0 };
         let [dx, dy] = flat(q, p);
         let flat = [p.flat[0] + t * dx, p.flat[1] + t * dy];
         Corner { at: along(&p.at, t, &minus(&q.at, &p.at)), flat, vertex: p.vertex }
     }
 
-    /// The point nearest to another across the normal.
+    /// The point of the edge nearest to `to` across the normal.
     fn nearest(&self, to: &Corner) -> Corner {
         let (d, e) = (flat(to, &self.ends[0]), flat(&self.ends[1], &self.ends[0]));
         let square = e[0] * e[0] + e[1] * e[1];
         self.point((d[0] * e[0] + d[1] * e[1]) / square)
     }
 
-    /// On which sides of this edge the ends of another lie, by how far times the length.
+    /// The signed distances of the ends of another edge from this one, times this edge's length.
     fn sides(&self, other: &Self) -> [f64; 2] {
         let [p, q] = &self.ends;
         other.ends.each_ref().map(|end| across(flat(q, p), flat(end, p)))
     }
 
-    /// The points where two edges cross, or nearly; on each of them.
+    /// The points of both edges at their crossing; if they do not cross, points near each other.
     pub(super) fn meet(&self, other: &Self) -> [Corner; 2] {
         let [a, b] = self.sides(other);
         let here = self.nearest(&other.point(a / (a - b)));
         [here, other.nearest(&here)]
     }
 
-    /// The points where two edges cross, if they do.
+    /// The points of both edges at their crossing, if they cross.
     pub(super) fn crossing(&self, other: &Self, view: &View) -> Option<[Corner; 2]> {
         let is_crossed = |[a, b]: [f64; 2]| (a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0);
         if !is_crossed(self.sides(other)) || !is_crossed(other.sides(self)) {
@@ -201,7 +219,7 @@ impl Edge {
     }
 }
 
-/// How far apart two points are across the normal, squared.
+/// The squared distance of two points across the normal.
 pub(super) fn distance(a: &Corner, b: &Corner) -> f64 {
     let [x, y] = flat(a, b);
     x * x + y * y
@@ -233,7 +251,7 @@ impl Face {
         let corners = [[false, false], [true, false], [true, true], [false, true]].map(|[a, b]| {
             let mut upper = [false; 3];
             (upper[i], upper[j], upper[k]) = (number % 2 == 1, a, b);
-            // Along j where this corner and the next differ in it.
+            // The edge runs along j if this corner and the next differ in j.
             edges[n % CORNERS] = edge_of_box(if n % 2 == 0 { j } else { k }, upper);
             n += 1;
             view.corner(shape.corner(upper), vertex_of_box(upper))
@@ -253,8 +271,8 @@ impl Face {
         })
     }
 
-    /// The point of the face that meets another across the normal, if one does: of the edges the
-    /// lowest, for a face that is seen from its side.
+    /// The point of the face that meets `to` across the normal, if there is one. Edges come first, and of
+    /// those the edge farthest against `outward`: a face seen edge-on has several such points.
     pub(super) fn meets(&self, to: &Corner, view: &View, outward: &Vec64) -> Option<Corner> {
         let mut lowest: Option<Corner> = None;
         for edge in self.edges() {
@@ -281,7 +299,7 @@ impl Face {
         view.allows(&at, to).then_some(at)
     }
 
-    /// The corner that lies farthest against a direction.
+    /// The corner farthest against a direction.
     pub(super) fn lowest(&self, outward: &Vec64) -> Corner {
         let mut lowest = self.corners[0];
         for corner in self.corners() {
@@ -293,8 +311,8 @@ impl Face {
     }
 }
 
-/// The numbers s and t with s·a + t·b = c, by elimination with the greatest coefficient as pivot, so
-/// that what is left over is small; `None` where a and b are parallel.
+/// Solves s·a + t·b = c for s and t; `None` if a and b are parallel. The greatest coefficient is the
+/// pivot, so that the residual is small even if a and b are nearly parallel.
 fn parts(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Option<[f64; 2]> {
     let top = |v: [f64; 2]| greatest(v[0].abs(), v[1].abs());
     if top(a) < top(b) {
@@ -309,12 +327,8 @@ fn parts(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Option<[f64; 2]> {
     (s.is_finite() && t.is_finite()).then_some([s, t])
 }
 
-/// The edges of a shape that lie farthest in a direction, among those along side i of a box, or
-/// across the direction of a triangle. `is_end` tells which vertices of a triangle lie farthest, or on
-/// which ends of its axes a box does.
-///
-/// Of two ways that differ by less than numbers tell the first is taken, though it need not be one
-/// along which an edge of the triangle lies farthest. Then it is an edge with one end there.
+/// The edges of a shape farthest in a direction and perpendicular to it; for a box, those along axis i.
+/// `is_end` marks the farthest vertices of a triangle, or the farthest ends of a box's axes.
 pub(super) fn support_edges(
     view: &View,
     shape: &Solid,
@@ -323,13 +337,10 @@ pub(super) fn support_edges(
     is_end: [bool; 3],
 ) -> impl Iterator<Item = Edge> {
     let (i, j, k) = turn(i);
-    let end = move |k: usize| *pick(&is_end, k);
-    let is_all = move |k: usize| *pick(&is_across, k) && end(k) && end(turn(k).1);
-    let has_all = (0..3).any(is_all);
     (0..4_u8).filter_map(move |n| {
         if shape.is_triangle {
             let (from, to, _) = turn(n.into());
-            let is_edge = if has_all { is_all(from) } else { end(from) || end(to) };
+            let is_edge = *pick(&is_across, from) && *pick(&is_end, from) && *pick(&is_end, to);
             let corner = |k: usize| view.corner(*pick(&shape.at, k), k as u8);
             let edge = || Edge { ends: [corner(from), corner(to)], number: n };
             return (n < 3 && is_edge).then(edge);

@@ -25,29 +25,28 @@
 //! A [`Triangle`], an [`Aabb`] and an [`Obb`], each with each, in every scalar. An oriented box is
 //! the parallelepiped that its numbers describe.
 //!
-//! # What is exact
+//! # Exactness
 //!
-//! Whether there is a translation at all is exact: there is one if and only if no plane has one of
-//! the shapes on its one side and the other on its other. Shapes that touch have none, nor have two
-//! that lie in one plane, which any step off the plane takes apart.
+//! Whether there is a translation is decided exactly: there is none if and only if a plane separates
+//! the interiors of the shapes. Shapes that only touch have none. Nor have two shapes in one plane,
+//! because any step off the plane separates them.
 //!
-//! The first shape moved by the vector as returned has no interior point in common with the second,
-//! for certain: each coordinate is rounded away from zero. Moved means p + t without rounding. Who
-//! rounds p + t moves each coordinate by up to half a unit in the last place of p + t beside, and
-//! the shapes may be as far in each other still. Fixed point does not round a sum.
+//! Moving the first shape by the returned vector is guaranteed to separate the interiors, because each
+//! coordinate is rounded away from zero. The guarantee is for p + t without rounding. If the sum is
+//! rounded, each coordinate moves by up to half a unit in the last place of p + t, and the shapes may
+//! overlap by that much. Fixed point does not round a sum. If a coordinate of the vector lies beyond
+//! the range of the scalar, no vector is enough, and [`Translation::is_sufficient`] is `false`.
 //!
-//! Where a coordinate of the vector lies beyond the range of the scalar no vector is enough, and
-//! [`Translation::is_sufficient`] is `false`.
+//! The direction is the one of minimum depth, except for differences below 2^-55 of the depth. Of equal
+//! depths the first direction wins: faces of triangles, faces of the first shape, faces of the second
+//! shape, then pairs of edges, the edges of the first shape in turn; for each, the direction against
+//! the cross product before the direction along it.
 //!
-//! The direction is that of the least depth, but for differences of less than 2^-55 of it. Of equal
-//! ones it is the first in this order: the faces of triangles, faces of the first shape, of the
-//! second, and edges across edges, those of the first shape in turn; against the direction of the
-//! cross product before along it. With d the true depth, `depth` is at least d and less than
-//! (1 + 2^-55)·d plus one unit in the last place. Each coordinate of the vector is rounded likewise,
-//! away from zero. In up to 53 bits that is the next number, or the one after. In fixed point of 64
-//! bits 2^-55 of a large number is up to 256 units. A coordinate of the normal is off by up to 2^-55 of
-//! itself and half a unit. All three are exact where the direction is along a coordinate axis and
-//! numbers are not long.
+//! Let d be the true depth. Then `depth` is at least d and less than (1 + 2^-55)·d plus one unit in the
+//! last place. The coordinates of the vector are rounded in the same way. In 64-bit fixed point 2^-55 of
+//! a large number is up to 256 units. A coordinate of the normal is off by up to 2^-55 of itself and
+//! half a unit in the last place. All three are exact if the direction is a coordinate axis and the
+//! coordinates have few bits.
 //!
 //! # Points
 //!
@@ -58,21 +57,22 @@
 //! * Each coordinate of `on_first` and of `on_second` is within 2^-47·R and one unit of a point of the
 //!   part named in `parts`.
 //! * `on_second` − `on_first` is `depth` times the normal, within 2^-42·R and a unit of each number.
-//! * The points span what touches. Draw one of the shapes in by 2^-42·R and four units, and translate
-//!   the first: what touches then is within as much of the convex hull of the deepest points.
+//! * The points span the contact. Shrink one of the shapes by 2^-42·R and four units, and translate the
+//!   first: the set where the shapes then touch is within as much of the convex hull of the deepest
+//!   points.
 //!
-//! In `f32` and in fixed point of up to 32 bits 2^-47·R is below a unit, unless R is thousands of times
-//! as great as the coordinate. A coordinate beyond the range of the scalar is infinite, or the end of
-//! the range. In `f64` a coordinate may be NaN where an axis of an oriented box is longer than 2^600 or
-//! shorter than 2^-600.
+//! In `f32` and in fixed point of up to 32 bits, 2^-47·R is less than a unit unless the coordinate is
+//! thousands of times smaller than R. A coordinate beyond the range of the scalar is infinite, in fixed
+//! point the end of the range. In `f64` a coordinate may be NaN if an axis of an oriented box is longer
+//! than 2^600 or shorter than 2^-600.
 //!
-//! All of it is the same on every machine.
+//! All results are the same on every machine.
 //!
 //! # On meshes
 //!
-//! A box that slides over a floor of triangles is now and then caught by an edge between two: seen
-//! alone, a triangle that it has just entered is left soonest sideways. [`contact_in_mesh`] takes
-//! three bits for a triangle that say which of its edges are interior; [`interior_edges`] computes
+//! A box that slides over a floor of triangles sometimes catches on an edge between two of them: for a
+//! triangle alone that the box has just entered, the minimum translation points sideways.
+//! [`contact_in_mesh`] takes three bits for each triangle: its interior edges. [`interior_edges`] computes
 //! them.
 
 mod body;
@@ -136,10 +136,10 @@ pub struct Translation<S> {
     pub vector: Vec3<S>,
     /// The length of the translation, rounded up; beyond the range infinite or the end of the range.
     pub depth: S,
-    /// The unit vector along it, each coordinate to the nearest or next to it; a fixed-point type
-    /// that cannot hold one has the greatest number for it.
+    /// The unit vector along the translation. A fixed-point type that does not hold 1 has its greatest
+    /// number instead.
     pub normal: Vec3<S>,
-    /// What of the shapes the direction comes from.
+    /// The faces or edges that the direction comes from.
     pub axis: Axis,
     /// Whether moving the first shape by `vector` takes it out of the second: `false` if and only
     /// if a coordinate lies beyond the range of the scalar.
@@ -152,21 +152,21 @@ pub struct Translation<S> {
 pub struct Contact<S> {
     /// The least translation.
     pub translation: Translation<S>,
-    /// Whether the least translation of all leads across an interior edge, so that this is the one
-    /// along the triangle's normal. Always `false` without a mesh.
+    /// Whether the translation is held to the triangle's normal because the minimum translation leads
+    /// across an interior edge. Always `false` without a mesh.
     pub is_held: bool,
     points: Points<S>,
 }
 
 impl<S: Scalar> Contact<S> {
-    /// Between one and eight points, in no order.
+    /// The contact points: between one and eight, in no particular order.
     ///
-    /// If the axis is a face, they are corners of the overlap of that face and a face of the other
-    /// shape, both seen along the normal, as far as the latter lies below the former. The other face is
-    /// one that has the part of its shape which lies deepest, and of those the one that is turned most
-    /// against the normal. If the axis is two edges, the point is where they cross.
+    /// If the axis is a face, the points are the corners of its overlap with a face of the other shape.
+    /// Both are seen along the normal, and only points at or below the first face count. The face of the
+    /// other shape contains the deepest vertex or edge; of several such faces, it is the one most nearly
+    /// antiparallel to the normal. If the axis is two edges, the point is their crossing.
     ///
-    /// [The module](self#points) tells how far a point may be off.
+    /// The error is stated in [the module](self#points).
     #[must_use]
     pub fn points(&self) -> &[Point<S>] {
         self.points.as_slice()
@@ -186,21 +186,21 @@ impl<S: Scalar> fmt::Debug for Contact<S> {
 /// The least translation of the first shape that takes it out of the second; `None` if they are
 /// disjoint or touch.
 ///
-/// *Geometry*: interiors have no point in common after it. See [the module](self) for shapes that
-/// lie in one plane.
+/// *Geometry*: the translated interiors have no common point. See [the module](self) for shapes in one
+/// plane.
 ///
-/// *Numerics*: see [the module](self): whether there is one is exact, and it suffices for certain.
+/// *Numerics*: the verdict is exact, and the vector is guaranteed to separate the shapes; see
+/// [the module](self).
 ///
 /// *Range*: all of the scalar's. A coordinate of the result beyond it is infinite in floats, and in
 /// fixed point the end of the range; then [`Translation::is_sufficient`] is `false`.
 ///
-/// *Panics*: never. *Cost*: in `f64` at most 15 cross products, each with two intervals; where
-/// floats leave one direction, as they nearly always do, three exact numbers for its coordinates,
-/// six signs at most and one for the depth: by whole numbers of up to 256 bits, or where 60 bits do
-/// not hold what is given by exact sums; a root and seven quotients of 64 bits.
+/// *Panics*: never. *Cost*: in `f64` at most 15 cross products, each with two intervals. These nearly
+/// always leave one direction. It takes three exact coordinates, at most six signs and one exact
+/// depth, in integers of up to 256 bits, or in exact sums if 60 bits do not hold the coordinates; and a
+/// root and seven quotients of 64 bits.
 ///
-/// *Source*: separating axes, as for [`Obb::overlaps`]; a vector that suffices as it is rounded,
-/// ours.
+/// *Source*: separating axes, as for [`Obb::overlaps`]. The rounding that guarantees separation is ours.
 #[doc(alias = "MTV")]
 #[doc(alias = "minimum translation vector")]
 #[doc(alias = "penetration")]
@@ -218,10 +218,8 @@ pub fn least_translation<S: Scalar>(
 /// The least translation of the first shape that takes it out of the second, and the points where
 /// they are in each other; `None` if they are disjoint or touch.
 ///
-/// *Geometry*, *numerics*, *range*, *cost*: as of [`least_translation`]; points are rounded.
-/// *Panics*: never.
-///
-/// *Source* of the points: I. E. Sutherland, G. W. Hodgman, *Communications of the ACM* 17, 1974.
+/// *Geometry*, *numerics*, *range*, *cost*: as of [`least_translation`]. The points are rounded; their
+/// error is stated in [the module](self#points). *Panics*: never.
 #[doc(alias = "penetration")]
 #[doc(alias = "manifold")]
 #[must_use]
@@ -229,18 +227,19 @@ pub fn contact<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> Opti
     of_bodies(&[first.body(), second.body()], InteriorEdges::NONE)
 }
 
-/// The same for a triangle of a mesh: where the least translation leads across an interior edge,
-/// that along the triangle's normal.
+/// [`contact`] for a triangle of a mesh: if the least translation leads across an interior edge, returns
+/// the translation along the triangle's normal instead.
 ///
-/// A translation leads across an edge if what of the triangle lies farthest toward the other shape,
-/// against the translation, is the edge, or a vertex at its end and that direction does not point
-/// back from the edge. Then `is_held` is `true`, and the depth is that along the normal, on the side where it is less.
+/// Take the part of the triangle farthest toward the other shape, that is, against the translation. The
+/// translation leads across an edge if this part is the edge, or if it is an end of the edge and the
+/// direction does not point back over the edge. Then `is_held` is `true`, and the translation goes to the
+/// side of the triangle where the depth is less.
 ///
-/// `None` also where the triangle is a segment or a point, which has no normal to hold it to.
+/// `None` also if the triangle is a segment or a point, which has no normal.
 ///
-/// Points lie on the triangle, as for [`contact`]: if `is_held`, where that face of the other shape
-/// lies over the triangle which is deepest there. The deepest part of the other shape may lie beyond
-/// the triangle's edges, and then no point is as deep as the translation.
+/// The points lie on the triangle, as for [`contact`]. If `is_held`, they are those of the face of the
+/// other shape that is deepest over the triangle. The deepest part of the other shape may lie beyond
+/// the triangle's edges; then all points are less deep than the translation.
 ///
 /// *Numerics*: as of [`contact`]; whether a direction points back is computed in `f64`.
 ///

@@ -1,4 +1,4 @@
-//! Where shapes touch after the least translation.
+//! Contact points: where shapes touch after the least translation.
 
 use core::cmp::Ordering;
 
@@ -11,12 +11,13 @@ use crate::arithmetic::{greatest, largest, pick, three};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
-/// Two quadrilaterals have at most so many corners in common.
+/// The intersection of two convex quadrilaterals has at most this many corners.
 const MOST: usize = 8;
 
-/// A place where two shapes are in each other.
+/// A contact point: a point of the first shape and a point of the second, which coincide after the least
+/// translation or overlap before it.
 ///
-/// How far the numbers may be off is told in [the module](super#points).
+/// The error is stated in [the module](super#points).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
@@ -25,7 +26,7 @@ pub struct Point<S> {
     pub on_first: Vec3<S>,
     /// On the second shape.
     pub on_second: Vec3<S>,
-    /// How far they are in each other here, along the normal: at least zero.
+    /// The distance of the two points along the normal; never negative.
     pub depth: S,
     /// The part of the first shape and the part of the second that meet here.
     pub parts: [Part; 2],
@@ -52,7 +53,7 @@ struct Pair {
     parts: [Part; 2],
 }
 
-/// Pairs, each farther than the tolerance from those before it.
+/// Pairs of points. No two pairs are within twice the tolerance of each other.
 struct Pairs {
     pairs: [Pair; MOST],
     count: usize,
@@ -69,7 +70,10 @@ impl Pairs {
     }
 
     fn add(&mut self, pair: Pair, tolerance: f64) {
-        let is_near = |other: &Pair| largest(&minus(&pair.at[1], &other.at[1])) <= 2.0 * tolerance;
+        let is_near = |other: &Pair| {
+            let apart = |n: usize| largest(&minus(&pair.at[n], &other.at[n]));
+            apart(0) <= 2.0 * tolerance && apart(1) <= 2.0 * tolerance
+        };
         if self.iter().any(is_near) {
             return;
         }
@@ -84,12 +88,13 @@ impl Pairs {
     }
 }
 
-/// Whether a shape lies farthest on the upper side of each axis; of what lies across, the upper.
+/// The end of each axis, upper or not, on which a shape is farthest toward the other shape; the upper end
+/// if the axis is perpendicular to the direction.
 fn upper(way: &Way, shape: usize) -> [bool; 3] {
     three(|k| way.along[shape % 2][k] != way.toward(shape).reverse())
 }
 
-/// The direction of a way out, by the parts of the shapes that it comes from.
+/// The direction of a translation, named by the faces or edges that it comes from.
 pub(super) fn axis<S: Scalar>(bodies: &[Body<'_, S>; 2], way: &Way) -> Axis {
     let face = |shape: usize, k: usize| {
         let is_triangle = bodies[shape % 2].is_triangle();
@@ -106,12 +111,12 @@ pub(super) fn axis<S: Scalar>(bodies: &[Body<'_, S>; 2], way: &Way) -> Axis {
     }
 }
 
-/// Sizes of shapes whose numbers may be squared twice; others are scaled into them.
+/// Shapes outside of these sizes are scaled, so that fourth powers of lengths stay within range.
 const RANGE: (f64, f64) = (f64::from_bits((1023 - 400) << 52), f64::from_bits((1023 + 400) << 52));
 const UP: f64 = f64::from_bits((1023 + 800) << 52);
 const DOWN: f64 = f64::from_bits((1023 - 600) << 52);
 
-/// The points of a way out along an axis, which the first shape goes along the normal.
+/// The contact points of a translation along an axis. The first shape moves along `normal`.
 pub(super) fn points<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     origin: &Place<S>,
@@ -130,12 +135,11 @@ pub(super) fn points<S: Scalar>(
     }
     let view = View::new(&normal, greatest(solids[0].size, solids[1].size));
     let [first, second] = &solids;
-    let found = match (axis, way.direction) {
-        (Axis::First(face), _) => {
-            let outward = three(|i| -normal[i]);
-            by_face(&view, way, [first, second], face, &outward, 1)
-        }
-        (Axis::Second(face), _) => by_face(&view, way, [second, first], face, &normal, 0),
+    let is_second = matches!(axis, Axis::Second(_));
+    let shapes = if is_second { [second, first] } else { [first, second] };
+    let outward = three(|i| if is_second { normal[i] } else { -normal[i] });
+    let mut found = match (axis, way.direction) {
+        (Axis::First(face) | Axis::Second(face), _) => by_face(&view, way, shapes, face, &outward),
         (Axis::Edges(..), Direction::Sides(i, j)) => {
             let edges = |n: usize, k: usize| {
                 let is_across = way.along[n % 2].map(Ordering::is_eq);
@@ -143,27 +147,32 @@ pub(super) fn points<S: Scalar>(
                     if bodies[n % 2].is_triangle() { way.farthest(n) } else { upper(way, n) };
                 support_edges(&view, &solids[n % 2], k, is_across, is_end)
             };
-            by_edges(edges(0, i), || edges(1, j), &normal)
+            by_edges(&view, edges(0, i), || edges(1, j), &normal)
         }
         (Axis::Edges(..), Direction::Face { .. }) => Pairs::new(),
     };
-    let is_second = matches!(axis, Axis::Second(_));
+    let back = outward.map(|x| -x);
+    let overlap = shapes[0].reach_along(&outward) + shapes[1].reach_along(&back);
+    let is_deep = found.deepest() >= overlap - 4.0 * view.tolerance;
+    if found.count == 0 || (!is_deep && !way.is_held) {
+        found = by_any_faces(&view, shapes, &outward, found);
+    }
     rounded(&found, origin, scale, is_second)
 }
 
-/// The points of a face of one shape and of a face of the other, which is number `incident`.
+/// The contact points of face `number` of `shape` and a face of `other`.
 ///
-/// After the least translation the support of the other shape meets the face, so a face that has
-/// this support is enough. A way that is held to the normal is no least one: then nothing of that
-/// face may lie over the triangle, and the deepest points of the rest are taken.
+/// After the least translation the deepest vertices of `other` touch the face. So one face that contains
+/// them is enough. A translation held to a triangle's normal need not be the least: that face may lie
+/// beyond the triangle. Then the face that is deepest over the triangle is used.
 fn by_face(
     view: &View,
     way: &Way,
     [shape, other]: [&Solid; 2],
     number: u8,
     outward: &Vec64,
-    incident: usize,
 ) -> Pairs {
+    let incident = usize::from(matches!(way.direction, Direction::Face { is_second: false, .. }));
     let reference = Face::new(view, shape, number);
     let upper = upper(way, incident);
     let is_support = |number: u8| {
@@ -180,21 +189,42 @@ fn by_face(
             break;
         }
     }
+    found
+}
+
+/// The deepest contact points of any two faces.
+///
+/// If two depths differ by less than 2^-55, the first direction is used. The parts that it comes from need
+/// not touch if the second is the true minimum. Then other parts do.
+fn by_any_faces(
+    view: &View,
+    [shape, other]: [&Solid; 2],
+    outward: &Vec64,
+    mut found: Pairs,
+) -> Pairs {
+    for face in shape.faces() {
+        let face = Face::new(view, shape, face);
+        for incident in other.faces() {
+            let here = clip(view, [&face, &Face::new(view, other, incident)], outward);
+            if here.deepest() > found.deepest() {
+                found = here;
+            }
+        }
+    }
     if found.count == 0 {
-        // Numbers that f64 does not hold: the lowest corner, and the plane below it.
-        let face = Face::new(view, other, number);
-        let (corner, base) = (face.lowest(outward), reference.lowest(outward));
-        let depth = dot(&minus(&base.at, &corner.at), outward);
-        let parts = [Part::Face(number), Part::Vertex(corner.vertex)];
-        found.add(Pair { at: [base.at, corner.at], depth, parts }, 0.0);
+        // The coordinates overflow f64.
+        let [below, at] = [shape, other].map(|solid| Face::new(view, solid, 0).lowest(outward));
+        let parts = [below.vertex, at.vertex].map(Part::Vertex);
+        let depth = dot(&minus(&below.at, &at.at), outward);
+        found.add(Pair { at: [below.at, at.at], depth, parts }, 0.0);
     }
     found
 }
 
-/// The points where a face of one shape and a face of the other meet, seen along the normal: corners
-/// of each that lie over the other, and edges that cross. All but those that lie above the first.
+/// The corners of the overlap of two faces seen along the normal: corners of one face within the other,
+/// and crossings of edges. Points above the reference face are dropped.
 fn clip(view: &View, [reference, incident]: [&Face; 2], outward: &Vec64) -> Pairs {
-    let mut found = Pairs::new();
+    let (mut found, back) = (Pairs::new(), outward.map(|x| -x));
     let mut add = |[below, at]: [&Corner; 2], parts: [Part; 2]| {
         let depth = dot(&minus(&below.at, &at.at), outward);
         if depth >= -view.tolerance {
@@ -203,7 +233,7 @@ fn clip(view: &View, [reference, incident]: [&Face; 2], outward: &Vec64) -> Pair
         }
     };
     for at in incident.corners() {
-        if let Some(below) = reference.meets(at, view, outward) {
+        if let Some(below) = reference.meets(at, view, &back) {
             add([&below, at], [Part::Face(reference.number), Part::Vertex(at.vertex)]);
         }
     }
@@ -222,19 +252,20 @@ fn clip(view: &View, [reference, incident]: [&Face; 2], outward: &Vec64) -> Pair
     found
 }
 
-/// The point where an edge of the one shape meets an edge of the other: of those that are nearest to
-/// each other across the normal.
+/// The crossing of an edge of one shape and an edge of the other, seen along the normal. Of several pairs
+/// of edges, the pair with the least distance across the normal is used.
 fn by_edges<T: Iterator<Item = Edge>>(
+    view: &View,
     edges: impl Iterator<Item = Edge>,
     others: impl Fn() -> T,
     normal: &Vec64,
 ) -> Pairs {
-    let (mut found, mut nearest) = (Pairs::new(), f64::INFINITY);
+    let (mut found, mut nearest) = (Pairs::new(), view.tolerance * view.tolerance);
     for edge in edges {
         for other in others() {
             let [x, y] = edge.meet(&other);
             let apart = distance(&x, &y);
-            if found.count == 0 || apart < nearest {
+            if apart <= nearest {
                 let depth = greatest(dot(&minus(&y.at, &x.at), normal), 0.0);
                 let parts = [Part::Edge(edge.number), Part::Edge(other.number)];
                 found.pairs[0] = Pair { at: [x.at, y.at], depth, parts };
@@ -245,14 +276,14 @@ fn by_edges<T: Iterator<Item = Edge>>(
     found
 }
 
-/// The points in the numbers of the scalar, of the first shape and of the second.
+/// Rounds the points to the scalar, those of the first shape first.
 fn rounded<S: Scalar>(found: &Pairs, origin: &Place<S>, scale: f64, is_second: bool) -> Points<S> {
     let zero = Vec3::splat(S::ZERO);
     let none = Point { on_first: zero, on_second: zero, depth: S::ZERO, parts: [Part::Face(0); 2] };
     let mut points = Points { points: [none; MOST], count: found.count };
-    // From the first place of the origin to the origin.
+    // The origin is the mean of two places; this is the offset from the first.
     let offset = three(|i| difference_in_double(origin.1[i], origin.0[i], scale) * 0.5);
-    // An offset that was scaled down may be beyond the range where the sum is not.
+    // A large offset may overflow where the sum does not: add its half twice.
     let plus = |x: S, offset: f64| {
         if scale < 1.0 {
             let half = offset * 0.5 / scale;

@@ -128,8 +128,8 @@ fn a_point_held_to_a_face_lies_on_it() {
     for point in found.points() {
         let [x, y, z] = point.on_first.to_array();
         assert!(x >= 0.0 && y >= -1e-12 && x + y <= 4.0 && z.abs() < 1e-12, "{point:?}");
-        assert!(point.depth > 0.0, "{point:?}");
     }
+    assert!(found.points().iter().any(|p| p.depth > 0.1), "{found:?}");
     let first = Solid::Triangle(t.vertices().map(|v| v.to_array()));
     let second = Solid::Box(AnyBox::Obb(ObbNumbers { center, axes, half }));
     let edges = InteriorEdges::new([true, false, false]);

@@ -185,8 +185,12 @@ impl ContactSet {
             Self::Barely => {
                 // The upper face of the one where the lower face of the other is, or next to it.
                 let axis = rng.below(3);
-                let (mut center, half) = (BoxSet::Turned.point::<S>(rng), nonzero::<S>(rng));
+                let (mut center, half) = ([S::ZERO; 3], nonzero::<S>(rng));
                 let BoxNumbers::Corners(p, q) = corners::<S>(rng) else { unreachable!() };
+                for i in 0..3 {
+                    let [p, q] = [p[i], q[i]].map(S::approximate);
+                    center[i] = S::nearest(rng.real(p - 0.1, q + 0.1));
+                }
                 let top = q[axis].approximate() + half[axis].approximate();
                 center[axis] = S::nearest(top).moved(rng.whole(-1, 1));
                 let upper = if rng.one_in(2) {
