@@ -1,4 +1,4 @@
-//! The shapes that have contacts, as one: taken apart for floats and for exact sums.
+//! The shapes that have contacts as one type, in floats and in exact numbers.
 
 use crate::arithmetic::{Parts, pick, three, turn};
 use crate::robust::{ExactSum, Linear, Vector, add_scaled_determinant, difference, single};
@@ -7,7 +7,7 @@ use crate::shape::{Aabb, AabbForm, Obb, Triangle};
 
 pub(super) type Vec64 = [f64; 3];
 
-/// A shape, as it was given.
+/// A shape with its given numbers.
 #[derive(Clone, Copy, Debug)]
 pub enum Body<'a, S> {
     Triangle(&'a Triangle<S>),
@@ -15,11 +15,12 @@ pub enum Body<'a, S> {
     Obb(&'a Obb<S>),
 }
 
-/// A place half way between two points, which are one if it is a number of the scalar.
+/// A place half way between two points; the points are equal if the place is a number of the
+/// scalar.
 #[derive(Clone, Copy)]
 pub(super) struct Place<S>(pub(super) [S; 3], pub(super) [S; 3]);
 
-/// A shape in floats, from some origin: its centre or its vertices, its axes or its edges, its
+/// A shape in floats relative to an origin: its centre or vertices, its axes or edges, and its
 /// half-extents or zero.
 #[derive(Clone, Copy)]
 pub(super) struct Rough {
@@ -35,12 +36,12 @@ impl<S: Scalar> Body<'_, S> {
         matches!(self, Self::Triangle(_))
     }
 
-    /// How many faces have normals of their own.
+    /// The number of faces with different normals.
     pub(super) fn normals(&self) -> usize {
         if self.is_triangle() { 1 } else { 3 }
     }
 
-    /// The centre of a box, the first vertex of a triangle.
+    /// The centre of a box, or the first vertex of a triangle.
     pub(super) fn origin(&self) -> Place<S> {
         match self {
             Self::Triangle(t) => {
@@ -55,8 +56,8 @@ impl<S: Scalar> Body<'_, S> {
         }
     }
 
-    /// The shape in floats. Every number of it has been rounded once or twice. Lengths are
-    /// multiplied by a power of two.
+    /// The shape in floats. Each number is rounded once or twice. Lengths are multiplied by a power
+    /// of two.
     #[cfg_attr(target_arch = "s390x", inline(never))] // QEMU before 8.0 multiplies two f32 widened for it wrongly on s390x (MDEBR).
     pub(super) fn rough(&self, origin: &Place<S>, scale: f64) -> Rough {
         let less = |x: S, other: S| difference_in_double(x, other, scale);
@@ -111,7 +112,7 @@ impl<S: Scalar> Body<'_, S> {
         }
     }
 
-    /// The half-extent along axis k, twice, as the sum of two numbers; of a triangle zero.
+    /// Twice the half-extent along axis k, as the sum of two numbers; zero for a triangle.
     pub(super) fn extent(&self, k: usize) -> [Parts; 2] {
         let k = k % 3;
         match self {
@@ -126,7 +127,7 @@ impl<S: Scalar> Body<'_, S> {
         }
     }
 
-    /// Adds (x × y)·p to the sum, with p twice the centre, or twice vertex k; or takes it away.
+    /// Adds (x × y)·p to the sum or subtracts it, with p twice the centre or twice vertex k.
     pub(super) fn add_place(&self, sum: &mut S::Sum, [x, y]: [&Vector; 2], k: usize, minus: bool) {
         let Place(p, q) = match self {
             Self::Triangle(t) => {

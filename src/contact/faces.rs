@@ -1,8 +1,9 @@
 //! Faces of two shapes, seen along the normal of their contact.
 //!
 //! Each corner has two more coordinates, across the normal. Points of two shapes meet if these
-//! coordinates agree within [`View::tolerance`]. Each point is computed as a convex combination of the
-//! corners of its part. So it lies on that part even if its coordinates across the normal are off.
+//! coordinates agree within [`View::tolerance`]. Each point is computed as a convex combination of
+//! the corners of its part. So it lies on that part even if its coordinates across the normal are
+//! off.
 
 use super::body::{Rough, Vec64};
 use super::directions::{cross, dot};
@@ -79,8 +80,9 @@ impl Solid {
         if is_outward == (cosine < 0.0) { square } else { -square }
     }
 
-    /// The faces turned against `outward`, the normal of another shape's face. The first is the one most
-    /// nearly antiparallel to it, of those for which `is_first` holds. A triangle is its only face.
+    /// The faces turned against `outward`, the normal of another shape's face. The first is the one
+    /// most nearly antiparallel to it, of those for which `is_first` holds. A triangle is its only
+    /// face.
     pub(super) fn faces_against(
         &self,
         outward: &Vec64,
@@ -125,12 +127,12 @@ pub(super) struct View {
 ///
 /// The tolerance is 2^-45, that is 256·u.
 ///
-/// S is at most 2.5·R, with R the greatest difference in a coordinate between two corners: R for the
-/// centre, and half of R for each half-edge. A point is off its part by 9·u·S for the corners and
-/// 6·u·S for the combination: 37.5·u·R, below 2^-47·R. Two points that meet are off the normal by
-/// the tolerance divided by the length of the directions, at least √(2/3), and by 79·u·S:
-/// (1.23·256 + 79)·2.5·u·R = 985·u·R. The depth is clamped at zero from −256·u·S = −640·u·R. Together:
-/// √(985² + 640²)·u·R = 1175·u·R, below 2^-42·R = 2048·u·R.
+/// S is at most 2.5·R, with R the greatest difference in a coordinate between two corners: R for
+/// the centre, and half of R for each half-edge. A point is off its part by 9·u·S for the corners
+/// and 6·u·S for the combination: 37.5·u·R, below 2^-47·R. Two points that meet are off the normal
+/// by the tolerance divided by the length of the directions, at least √(2/3), and by 79·u·S:
+/// (1.23·256 + 79)·2.5·u·R = 985·u·R. The depth is clamped at zero from −256·u·S = −640·u·R.
+/// Together: √(985² + 640²)·u·R = 1175·u·R, below 2^-42·R = 2048·u·R.
 const TOLERANCE: f64 = f64::from_bits((1023 - 45) << 52);
 
 impl View {
@@ -271,8 +273,9 @@ impl Face {
         })
     }
 
-    /// The point of the face that meets `to` across the normal, if there is one. Edges come first, and of
-    /// those the edge farthest against `outward`: a face seen edge-on has several such points.
+    /// The point of the face that meets `to` across the normal, if there is one. Edges come first,
+    /// and of those the edge farthest against `outward`: a face seen edge-on has several such
+    /// points.
     pub(super) fn meets(&self, to: &Corner, view: &View, outward: &Vec64) -> Option<Corner> {
         let mut lowest: Option<Corner> = None;
         for edge in self.edges() {
@@ -311,8 +314,8 @@ impl Face {
     }
 }
 
-/// Solves s·a + t·b = c for s and t; `None` if a and b are parallel. The greatest coefficient is the
-/// pivot, so that the residual is small even if a and b are nearly parallel.
+/// Solves s·a + t·b = c for s and t; `None` if a and b are parallel. The greatest coefficient is
+/// the pivot, so that the residual is small even if a and b are nearly parallel.
 fn parts(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Option<[f64; 2]> {
     let top = |v: [f64; 2]| greatest(v[0].abs(), v[1].abs());
     if top(a) < top(b) {
@@ -327,8 +330,9 @@ fn parts(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Option<[f64; 2]> {
     (s.is_finite() && t.is_finite()).then_some([s, t])
 }
 
-/// The edges of a shape farthest in a direction and perpendicular to it; for a box, those along axis i.
-/// `is_end` marks the farthest vertices of a triangle, or the farthest ends of a box's axes.
+/// The edges of a shape farthest in a direction and perpendicular to it; for a box, those along
+/// axis i. `is_end` marks the farthest vertices of a triangle, or the farthest ends of a box's
+/// axes.
 pub(super) fn support_edges(
     view: &View,
     shape: &Solid,

@@ -1,4 +1,4 @@
-//! The least translation: the direction that overlaps least, and its numbers.
+//! The minimum translation: the direction with the least overlap, and the numbers along it.
 
 use core::cmp::Ordering;
 
@@ -12,28 +12,28 @@ use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
-/// The way out along one direction.
+/// The translation along one direction.
 pub(super) struct Way {
     pub(super) direction: Direction,
     /// Whether the first shape goes along the direction, or against it.
     pub(super) is_along: bool,
-    /// How far the shapes overlap, in units of the direction.
+    /// The overlap, in units of the direction's length.
     overlap: Soft,
     length: Soft,
     square: Soft,
     /// The overlap as a length.
     pub(super) depth: Soft,
     coordinates: [Option<(Ordering, Soft)>; 3],
-    /// How the sides of the shapes lie to the direction.
+    /// The signs of the sides of the shapes along the direction.
     pub(super) along: [[Ordering; 3]; 2],
     pub(super) is_held: bool,
 }
 
-/// There is a plane between the shapes.
+/// A plane separates the shapes.
 struct Apart;
 
-/// The least of the best way so far and of those along a direction, both or one of them; of equals
-/// the first. `Err` if the shapes are apart or touch.
+/// Updates the best way with one or both ways along a direction; of equal depths the first stays.
+/// `Err` if the shapes are apart or touch.
 fn least<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     units: Option<&Units>,
@@ -73,10 +73,10 @@ fn least<S: Scalar>(
     Ok(())
 }
 
-/// The least way out; `None` if there is a plane between the shapes.
+/// The least way out; `None` if a plane separates the shapes.
 ///
-/// Floats tell which of up to 30 ways may be the least: nearly always one is left. Exact sums tell
-/// which of those is, and whether the shapes are in each other at all.
+/// Floats select which of up to 30 ways may be the least, nearly always a single one. Exact numbers
+/// decide between the selected ways, and whether the shapes overlap at all.
 pub(super) fn least_way<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     rough: &[Rough; 2],
@@ -114,7 +114,7 @@ pub(super) fn least_way<S: Scalar>(
     let face = Direction::Face { is_second: false, k: 0 };
     let is_held = match across(&best, &rough[0].sides, interior) {
         Some(is_held) => is_held,
-        // All of the triangle lies across. Then it is its normal, or the triangle has none.
+        // The whole triangle lies across: the direction is its normal, or the triangle has none.
         None => {
             let none = [[None; 3]; 2];
             best.direction != face && Exact::new(bodies, units, face, &none, [false; 2]).is_none()
@@ -129,7 +129,7 @@ pub(super) fn least_way<S: Scalar>(
 }
 
 /// Whether the way out leads across an interior edge of the triangle, which is the first shape;
-/// `None` if no vertex is farther along it than another.
+/// `None` if all its vertices are equally far along it.
 fn across(way: &Way, edges: &[Vec64; 3], interior: InteriorEdges) -> Option<bool> {
     let farthest = way.farthest(0);
     match farthest.iter().filter(|&&is| is).count() {
@@ -147,7 +147,7 @@ fn across(way: &Way, edges: &[Vec64; 3], interior: InteriorEdges) -> Option<bool
 }
 
 impl Way {
-    /// Where along the direction the other shape lies, seen from this one.
+    /// The side on which the other shape lies along the direction.
     pub(super) fn toward(&self, shape: usize) -> Ordering {
         if self.is_along == (shape == 0) { Ordering::Less } else { Ordering::Greater }
     }
@@ -157,12 +157,12 @@ impl Way {
         farthest(&self.along[shape % 2], self.toward(shape))
     }
 
-    /// The sizes of the coordinates of the unit vector that the first shape goes along.
+    /// The sizes of the coordinates of the unit vector along which the first shape moves.
     pub(super) fn ratios(&self) -> [Size; 3] {
         three(|i| self.coordinates[i].map(|(_, size)| size.over(self.length)))
     }
 
-    /// The unit vector, as it is to be rounded.
+    /// The unit vector, before it is rounded.
     pub(super) fn unit(&self, ratios: &[Size; 3]) -> Vec64 {
         three(|i| match (self.coordinates[i], ratios[i]) {
             (Some((sign, _)), Some(ratio)) => {
@@ -173,8 +173,8 @@ impl Way {
         })
     }
 
-    /// A vector along the way, from the sizes of its coordinates in real units; and whether the
-    /// scalar holds all of them.
+    /// A vector along the way, from the sizes of its coordinates in real units, and whether the
+    /// scalar can hold it.
     fn vector<S: Scalar>(&self, units: i32, is_up: bool, sizes: [Size; 3]) -> (Vec3<S>, bool) {
         let mut fits = true;
         let [x, y, z] = three(|i| match (self.coordinates[i], sizes[i]) {
@@ -190,10 +190,10 @@ impl Way {
         (Vec3::new(x, y, z), fits)
     }
 
-    /// The translation: each coordinate rounded away from zero, so that none is too short.
+    /// The translation, with each coordinate rounded away from zero, so that it is never too short.
     ///
-    /// With a the direction and o the overlap on it, |tᵢ| ≥ |aᵢ|·o/(a·a), and tᵢ has the sign of
-    /// aᵢ. So a·t = Σ|aᵢ|·|tᵢ| ≥ o: on this direction the shapes overlap no more.
+    /// With a the direction and o the overlap along it, |tᵢ| ≥ |aᵢ|·o/(a·a), and tᵢ has the sign of
+    /// aᵢ. Therefore a·t = Σ|aᵢ|·|tᵢ| ≥ o, and the shapes no longer overlap along this direction.
     pub(super) fn translation<S: Scalar>(&self) -> (Vec3<S>, bool) {
         let is_single = self.coordinates.iter().flatten().count() == 1;
         let of = |size: Soft| {

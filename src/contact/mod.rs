@@ -1,4 +1,5 @@
-//! How to get two shapes out of each other: the least translation, and where they touch then.
+//! Contact between two shapes: the minimum translation that separates them (MTV), and the points
+//! where they then touch.
 //!
 //! ```
 //! use septum::contact::{Axis, Part, contact};
@@ -20,60 +21,62 @@
 //! # Ok::<(), septum::ShapeError>(())
 //! ```
 //!
-//! # Which pairs
+//! # Pairs
 //!
-//! A [`Triangle`], an [`Aabb`] and an [`Obb`], each with each, in every scalar. An oriented box is
+//! [`Triangle`], [`Aabb`] and [`Obb`] in every combination, and in every scalar. An oriented box is
 //! the parallelepiped that its numbers describe.
 //!
 //! # Exactness
-//!
-//! Whether there is a translation is decided exactly: there is none if and only if a plane separates
-//! the interiors of the shapes. Shapes that only touch have none. Nor have two shapes in one plane,
+//! The verdict is exact: there is no translation if and only if a plane separates the interiors of
+//! the shapes. Shapes that only touch have none. Two shapes in one plane have none either, because
+//! any step off the plane separates them.
 //! because any step off the plane separates them.
 //!
-//! Moving the first shape by the returned vector is guaranteed to separate the interiors, because each
-//! coordinate is rounded away from zero. The guarantee is for p + t without rounding. If the sum is
-//! rounded, each coordinate moves by up to half a unit in the last place of p + t, and the shapes may
-//! overlap by that much. Fixed point does not round a sum. If a coordinate of the vector lies beyond
-//! the range of the scalar, no vector is enough, and [`Translation::is_sufficient`] is `false`.
+//! Moving the first shape by the returned vector is guaranteed to separate the interiors, because
+//! each coordinate is rounded away from zero. The guarantee is for p + t without rounding. If the
+//! sum is rounded, each coordinate moves by up to half a unit in the last place of p + t, and the
+//! shapes may overlap by that much. Fixed point does not round a sum. If a coordinate of the vector
+//! lies beyond the range of the scalar, no vector is enough, and [`Translation::is_sufficient`] is
+//! `false`.
 //!
-//! The direction is the one of minimum depth, except for differences below 2^-55 of the depth. Of equal
-//! depths the first direction wins: faces of triangles, faces of the first shape, faces of the second
-//! shape, then pairs of edges, the edges of the first shape in turn; for each, the direction against
-//! the cross product before the direction along it.
+//! The direction is the one of minimum depth, except for differences below 2^-55 of the depth. Of
+//! equal depths the first direction wins: faces of triangles, faces of the first shape, faces of
+//! the second shape, then pairs of edges, the edges of the first shape in turn; for each, the
+//! direction against the cross product before the direction along it.
 //!
-//! Let d be the true depth. Then `depth` is at least d and less than (1 + 2^-55)·d plus one unit in the
-//! last place. The coordinates of the vector are rounded in the same way. In 64-bit fixed point 2^-55 of
-//! a large number is up to 256 units. A coordinate of the normal is off by up to 2^-55 of itself and
-//! half a unit in the last place. All three are exact if the direction is a coordinate axis and the
-//! coordinates have few bits.
+//! Let d be the true depth. Then `depth` is at least d and less than (1 + 2^-55)·d plus one unit in
+//! the last place. The coordinates of the vector are rounded in the same way. In 64-bit fixed point
+//! 2^-55 of a large number is up to 256 units. A coordinate of the normal is off by up to 2^-55 of
+//! itself and half a unit in the last place. All three are exact if the direction is a coordinate
+//! axis and the coordinates have few bits.
 //!
 //! # Points
 //!
 //! Points are computed in `f64` from the second shape's centre or first vertex, and rounded to the
-//! scalar. Let R be the greatest difference in a coordinate between any two corners of the shapes, and
-//! let a unit be one unit in the last place of the number in question.
+//! scalar. Let R be the greatest difference in a coordinate between any two corners of the shapes,
+//! and let a unit be one unit in the last place of the number in question.
 //!
-//! * Each coordinate of `on_first` and of `on_second` is within 2^-47·R and one unit of a point of the
-//!   part named in `parts`.
-//! * `on_second` − `on_first` is `depth` times the normal, within 2^-42·R and a unit of each number.
-//! * The points span the contact. Shrink one of the shapes by 2^-42·R and four units, and translate the
-//!   first: the set where the shapes then touch is within as much of the convex hull of the deepest
-//!   points.
+//! * Each coordinate of `on_first` and of `on_second` is within 2^-47·R and one unit of a point of
+//!   the part named in `parts`.
+//! * `on_second` − `on_first` is `depth` times the normal, within 2^-42·R and a unit of each
+//!   number.
+//! * The points span the contact. Shrink one of the shapes by 2^-42·R and four units, and translate
+//!   the first: the set where the shapes then touch is within as much of the convex hull of the
+//!   deepest points.
 //!
-//! In `f32` and in fixed point of up to 32 bits, 2^-47·R is less than a unit unless the coordinate is
-//! thousands of times smaller than R. A coordinate beyond the range of the scalar is infinite, in fixed
-//! point the end of the range. In `f64` a coordinate may be NaN if an axis of an oriented box is longer
-//! than 2^600 or shorter than 2^-600.
+//! In `f32` and in fixed point of up to 32 bits, 2^-47·R is less than a unit unless the coordinate
+//! is thousands of times smaller than R. A coordinate beyond the range of the scalar is infinite,
+//! in fixed point the end of the range. In `f64` a coordinate may be NaN if an axis of an oriented
+//! box is longer than 2^600 or shorter than 2^-600.
 //!
 //! All results are the same on every machine.
 //!
-//! # On meshes
+//! # Meshes
 //!
-//! A box that slides over a floor of triangles sometimes catches on an edge between two of them: for a
-//! triangle alone that the box has just entered, the minimum translation points sideways.
-//! [`contact_in_mesh`] takes three bits for each triangle: its interior edges. [`interior_edges`] computes
-//! them.
+//! A box that slides over a floor of triangles sometimes catches on an edge between two of them:
+//! for a single triangle that the box has just entered, the minimum translation points sideways.
+//! [`contact_in_mesh`] prevents this. It takes three bits for each triangle that tell which of its
+//! edges are interior; [`interior_edges`] computes them.
 
 mod body;
 mod directions;
@@ -124,7 +127,7 @@ macro_rules! shapes {
 }
 shapes! { Triangle Aabb Obb }
 
-/// The least translation of the first shape that takes it out of the second.
+/// The minimum translation that moves the first shape out of the second.
 #[doc(alias = "MTV")]
 #[doc(alias = "penetration")]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -132,28 +135,29 @@ shapes! { Triangle Aabb Obb }
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Translation<S> {
     /// The translation. Each coordinate is rounded away from zero. A coordinate beyond the range of
-    /// the scalar is infinite, in fixed point the end of the range.
+    /// the scalar is infinite in floats, and the end of the range in fixed point.
     pub vector: Vec3<S>,
-    /// The length of the translation, rounded up; beyond the range infinite or the end of the range.
+    /// The length of the translation, rounded up. Beyond the range it is infinite, or the end of
+    /// the range.
     pub depth: S,
-    /// The unit vector along the translation. A fixed-point type that does not hold 1 has its greatest
-    /// number instead.
+    /// The unit vector along the translation. A fixed-point type that does not hold 1 has its
+    /// greatest number instead.
     pub normal: Vec3<S>,
     /// The faces or edges that the direction comes from.
     pub axis: Axis,
-    /// Whether moving the first shape by `vector` takes it out of the second: `false` if and only
-    /// if a coordinate lies beyond the range of the scalar.
+    /// Whether `vector` moves the first shape out of the second. It is `false` if and only if a
+    /// coordinate lies beyond the range of the scalar.
     pub is_sufficient: bool,
 }
 
-/// The least translation, and the points where the shapes are in each other.
+/// The minimum translation, and the points where the shapes overlap.
 #[doc(alias = "manifold")]
 #[derive(Clone, Copy)]
 pub struct Contact<S> {
-    /// The least translation.
+    /// The minimum translation.
     pub translation: Translation<S>,
-    /// Whether the translation is held to the triangle's normal because the minimum translation leads
-    /// across an interior edge. Always `false` without a mesh.
+    /// Whether the translation is held to the triangle's normal because the minimum translation
+    /// leads across an interior edge. Always `false` without a mesh.
     pub is_held: bool,
     points: Points<S>,
 }
@@ -161,10 +165,11 @@ pub struct Contact<S> {
 impl<S: Scalar> Contact<S> {
     /// The contact points: between one and eight, in no particular order.
     ///
-    /// If the axis is a face, the points are the corners of its overlap with a face of the other shape.
-    /// Both are seen along the normal, and only points at or below the first face count. The face of the
-    /// other shape contains the deepest vertex or edge; of several such faces, it is the one most nearly
-    /// antiparallel to the normal. If the axis is two edges, the point is their crossing.
+    /// If the axis is a face, the points are the corners of its overlap with a face of the other
+    /// shape. Both are seen along the normal, and only points at or below the first face count. The
+    /// face of the other shape contains the deepest vertex or edge; of several such faces, it is
+    /// the one most nearly antiparallel to the normal. If the axis is two edges, the point is their
+    /// crossing.
     ///
     /// The error is stated in [the module](self#points).
     #[must_use]
@@ -183,24 +188,25 @@ impl<S: Scalar> fmt::Debug for Contact<S> {
     }
 }
 
-/// The least translation of the first shape that takes it out of the second; `None` if they are
+/// What is the minimum translation that moves the first shape out of the second? `None` if they are
 /// disjoint or touch.
 ///
-/// *Geometry*: the translated interiors have no common point. See [the module](self) for shapes in one
-/// plane.
+/// *Geometry*: the translated interiors have no common point. See [the module](self) for shapes in
+/// one plane.
 ///
 /// *Numerics*: the verdict is exact, and the vector is guaranteed to separate the shapes; see
 /// [the module](self).
 ///
-/// *Range*: all of the scalar's. A coordinate of the result beyond it is infinite in floats, and in
-/// fixed point the end of the range; then [`Translation::is_sufficient`] is `false`.
+/// *Range*: all of the scalar. A coordinate of the result beyond it is infinite in floats, and the
+/// end of the range in fixed point; then [`Translation::is_sufficient`] is `false`.
 ///
-/// *Panics*: never. *Cost*: in `f64` at most 15 cross products, each with two intervals. These nearly
-/// always leave one direction. It takes three exact coordinates, at most six signs and one exact
-/// depth, in integers of up to 256 bits, or in exact sums if 60 bits do not hold the coordinates; and a
-/// root and seven quotients of 64 bits.
+/// *Panics*: never. *Cost*: in `f64` at most 15 cross products, each with two intervals. These
+/// nearly always leave one direction. It takes three exact coordinates, at most six signs and one
+/// exact depth, in integers of up to 256 bits, or in exact sums if 60 bits do not hold the
+/// coordinates; and a root and seven quotients of 64 bits.
 ///
-/// *Source*: separating axes, as for [`Obb::overlaps`]. The rounding that guarantees separation is ours.
+/// *Source*: separating axes, as for [`Obb::overlaps`]. The rounding that guarantees separation is
+/// ours.
 #[doc(alias = "MTV")]
 #[doc(alias = "minimum translation vector")]
 #[doc(alias = "penetration")]
@@ -215,11 +221,11 @@ pub fn least_translation<S: Scalar>(
     Some(translation(&bodies, &way, way.ratios()))
 }
 
-/// The least translation of the first shape that takes it out of the second, and the points where
-/// they are in each other; `None` if they are disjoint or touch.
+/// What is the minimum translation that moves the first shape out of the second, and where do they
+/// overlap? `None` if they are disjoint or touch.
 ///
-/// *Geometry*, *numerics*, *range*, *cost*: as of [`least_translation`]. The points are rounded; their
-/// error is stated in [the module](self#points). *Panics*: never.
+/// *Geometry*, *Numerics*, *Range*, *Cost*: as for [`least_translation`]. The points are rounded;
+/// [the module](self#points) states their error. *Panics*: never.
 #[doc(alias = "penetration")]
 #[doc(alias = "manifold")]
 #[must_use]
@@ -227,21 +233,21 @@ pub fn contact<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> Opti
     of_bodies(&[first.body(), second.body()], InteriorEdges::NONE)
 }
 
-/// [`contact`] for a triangle of a mesh: if the least translation leads across an interior edge, returns
-/// the translation along the triangle's normal instead.
+/// What is the [`contact`] of a triangle of a mesh? If the minimum translation leads across an
+/// interior edge, the one along the triangle's normal replaces it.
 ///
-/// Take the part of the triangle farthest toward the other shape, that is, against the translation. The
-/// translation leads across an edge if this part is the edge, or if it is an end of the edge and the
-/// direction does not point back over the edge. Then `is_held` is `true`, and the translation goes to the
-/// side of the triangle where the depth is less.
+/// Take the part of the triangle farthest toward the other shape, that is, against the translation.
+/// The translation leads across an edge if this part is the edge, or if it is an end of the edge
+/// and the direction does not point back over the edge. Then `is_held` is `true`, and the
+/// translation goes to the side of the triangle where the depth is less.
 ///
 /// `None` also if the triangle is a segment or a point, which has no normal.
 ///
-/// The points lie on the triangle, as for [`contact`]. If `is_held`, they are those of the face of the
-/// other shape that is deepest over the triangle. The deepest part of the other shape may lie beyond
-/// the triangle's edges; then all points are less deep than the translation.
+/// The points lie on the triangle, as for [`contact`]. If `is_held`, they are those of the face of
+/// the other shape that is deepest over the triangle. The deepest part of the other shape may lie
+/// beyond the triangle's edges; then all points are less deep than the translation.
 ///
-/// *Numerics*: as of [`contact`]; whether a direction points back is computed in `f64`.
+/// *Numerics*: as for [`contact`]; whether a direction points back is computed in `f64`.
 ///
 /// ```
 /// use septum::contact::{InteriorEdges, contact, contact_in_mesh};
@@ -276,7 +282,7 @@ fn of_bodies<S: Scalar>(bodies: &[Body<'_, S>; 2], interior: InteriorEdges) -> O
     Some(Contact { translation, is_held: way.is_held, points })
 }
 
-/// The shapes in floats, and from which place.
+/// The shapes in floats, relative to an origin, and the origin.
 fn in_floats<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> (Place<S>, [Rough; 2]) {
     let origin = bodies[1].origin();
     (origin, [bodies[0].rough(&origin, 1.0), bodies[1].rough(&origin, 1.0)])

@@ -14,8 +14,8 @@ use crate::shape::Vec3;
 /// The intersection of two convex quadrilaterals has at most this many corners.
 const MOST: usize = 8;
 
-/// A contact point: a point of the first shape and a point of the second, which coincide after the least
-/// translation or overlap before it.
+/// A contact point: a point of the first shape and a point of the second, which coincide after the
+/// least translation or overlap before it.
 ///
 /// The error is stated in [the module](super#points).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,8 +88,8 @@ impl Pairs {
     }
 }
 
-/// The end of each axis, upper or not, on which a shape is farthest toward the other shape; the upper end
-/// if the axis is perpendicular to the direction.
+/// The end of each axis, upper or not, on which a shape is farthest toward the other shape; the
+/// upper end if the axis is perpendicular to the direction.
 fn upper(way: &Way, shape: usize) -> [bool; 3] {
     three(|k| way.along[shape % 2][k] != way.toward(shape).reverse())
 }
@@ -162,9 +162,9 @@ pub(super) fn points<S: Scalar>(
 
 /// The contact points of face `number` of `shape` and a face of `other`.
 ///
-/// After the least translation the deepest vertices of `other` touch the face. So one face that contains
-/// them is enough. A translation held to a triangle's normal need not be the least: that face may lie
-/// beyond the triangle. Then the face that is deepest over the triangle is used.
+/// After the least translation the deepest vertices of `other` touch the face. So one face that
+/// contains them is enough. A translation held to a triangle's normal need not be the least: that
+/// face may lie beyond the triangle. Then the face that is deepest over the triangle is used.
 fn by_face(
     view: &View,
     way: &Way,
@@ -194,8 +194,8 @@ fn by_face(
 
 /// The deepest contact points of any two faces.
 ///
-/// If two depths differ by less than 2^-55, the first direction is used. The parts that it comes from need
-/// not touch if the second is the true minimum. Then other parts do.
+/// If two depths differ by less than 2^-55, the first direction is used. The parts that it comes
+/// from need not touch if the second is the true minimum. Then other parts do.
 fn by_any_faces(
     view: &View,
     [shape, other]: [&Solid; 2],
@@ -221,8 +221,8 @@ fn by_any_faces(
     found
 }
 
-/// The corners of the overlap of two faces seen along the normal: corners of one face within the other,
-/// and crossings of edges. Points above the reference face are dropped.
+/// The corners of the overlap of two faces seen along the normal: corners of one face within the
+/// other, and crossings of edges. Points above the reference face are dropped.
 fn clip(view: &View, [reference, incident]: [&Face; 2], outward: &Vec64) -> Pairs {
     let (mut found, back) = (Pairs::new(), outward.map(|x| -x));
     let mut add = |[below, at]: [&Corner; 2], parts: [Part; 2]| {
@@ -252,8 +252,8 @@ fn clip(view: &View, [reference, incident]: [&Face; 2], outward: &Vec64) -> Pair
     found
 }
 
-/// The crossing of an edge of one shape and an edge of the other, seen along the normal. Of several pairs
-/// of edges, the pair with the least distance across the normal is used.
+/// The crossing of an edge of one shape and an edge of the other, seen along the normal. Of several
+/// pairs of edges, the pair with the least distance across the normal is used.
 fn by_edges<T: Iterator<Item = Edge>>(
     view: &View,
     edges: impl Iterator<Item = Edge>,
