@@ -196,7 +196,7 @@ impl<const L: usize> Add for BigInt<L> {
         for k in 0..L {
             let (sum, over) = self.0[k].overflowing_add(other.0[k]);
             let (sum, over_too) = sum.overflowing_add(carry.into());
-            (self.0[k], carry) = (sum, over | over_too);
+            (self.0[k], carry) = (sum, over != over_too);
         }
         self
     }
@@ -209,7 +209,7 @@ impl<const L: usize> Sub for BigInt<L> {
         for k in 0..L {
             let (rest, under) = self.0[k].overflowing_sub(other.0[k]);
             let (rest, under_too) = rest.overflowing_sub(borrow.into());
-            (self.0[k], borrow) = (rest, under | under_too);
+            (self.0[k], borrow) = (rest, under != under_too);
         }
         self
     }

@@ -12,9 +12,9 @@
 //! Here both ends are padded after they are found, because t may be negative. A computed t has
 //! three roundings: a difference, a reciprocal, a product. Two planes decide: that with the
 //! greatest t of entry, n, and that with the least t of exit, f. Rounding keeps order, and
-//! `slabs.g` proves that the errors of n and f and of the padded sum are within 8 roundoffs of |n|
-//! + |f|, plus the least normal number against underflow. An overflow makes n or f infinite, and
-//! then the comparison says "may overlap".
+//! `slabs.g` proves that the errors of n and f and of the padded sum are within 8 roundoffs of
+//! |n| + |f|, plus the least normal number against underflow. An overflow makes n or f infinite,
+//! and then the comparison says "may overlap".
 //!
 //! The reciprocal has its relative error only if it is a normal number. A component of the
 //! direction near the limits for that therefore excludes no box.

@@ -26,13 +26,13 @@
 //! Double-word floats (`arithmetic::double`) have errors in units of u², here to first order.
 //! Edges and d are exact. A component n_i is a difference of two products within R²: each product
 //! errs by 5, and the difference by 3 of itself, together 16. The vector from vertex to corner is
-//! at most 2·R and errs by 3 of itself. Its product with n_i is at most 4·R³ and errs by 16·2 + 6·2
-//! + 5·4 = 64; three products err by 192, and their sums by 3·(8 + 12) = 60. If a component of n
-//! has the wrong sign, it lies within its error and selects the wrong corner: 2·16·R³ each,
+//! at most 2·R and errs by 3 of itself. Its product with n_i is at most 4·R³ and errs by 16·2 +
+//! 6·2 + 5·4 = 64; three products err by 192, and their sums by 3·(8 + 12) = 60. If a component of
+//! n has the wrong sign, it lies within its error and selects the wrong corner: 2·16·R³ each,
 //! together 96. In n·d each product errs by 16 + 5·2, together 78, and the sums by 3·(4 + 6),
-//! together 108. With t ≤ 1 and a product of speed and t of at most 6·R³, gap − t·speed errs by 252
-//! + 96 + 108 + 5·6 + 3·18 = 540. An axis x_i × e_k, whose components are exact, errs by less, and
-//! so does a face. [`LONG`] = 2^-96 is 1,024·u².
+//! together 108. With t ≤ 1 and a product of speed and t of at most 6·R³, gap − t·speed errs by
+//! 252 + 96 + 108 + 5·6 + 3·18 = 540. An axis x_i × e_k, whose components are exact, errs by less,
+//! and so does a face. [`LONG`] = 2^-96 is 1,024·u².
 //!
 //! The gaps at the start, on axes without d, have the bounds of `triangle_aabb::error_bound`, whose
 //! sizes are within these.

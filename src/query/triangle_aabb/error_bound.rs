@@ -35,9 +35,9 @@
 //!   vertex at d from the first. The magnitudes of the first vertex's differences from the corners
 //!   sum to 2·max(h, A), and the differences sum to 2A. So the first vertex errs by u·(max(h, A) +
 //!   A), and the other by u·(d + |v|) more, with d ≤ s. If A ≤ h, then |v| ≤ h + s, and the error
-//!   is at most 3h + 2s in all. Otherwise, if the other vertex lies farther out, |v| = A + d and 2A
-//!   + d + |v| ≤ 3·|v|, because no face separates. If it lies farther in, the error is at most 3A,
-//!   or 3d if it lies beyond the centre.
+//!   is at most 3h + 2s in all. Otherwise, if the other vertex lies farther out, |v| = A + d, and
+//!   the sum 2A + d + |v| is at most 3·|v|, because no face separates. If it lies farther in, the
+//!   error is at most 3A, or 3d if it lies beyond the centre.
 //! * e: the difference of two offsets of either kind: 3u·X.
 //! * h: u·h.
 //!
