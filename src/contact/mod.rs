@@ -27,10 +27,10 @@
 //! the parallelepiped that its numbers describe.
 //!
 //! # Exactness
+//!
 //! The verdict is exact: there is no translation if and only if a plane separates the interiors of
 //! the shapes. Shapes that only touch have none. Two shapes in one plane have none either, because
 //! any step off the plane separates them.
-//! because any step off the plane separates them.
 //!
 //! Moving the first shape by the returned vector is guaranteed to separate the interiors, because
 //! each coordinate is rounded away from zero. The guarantee is for p + t without rounding. If the
