@@ -72,7 +72,10 @@ fn same_bits<S: Sample, const N: usize>() {
         });
         let (min, max) = boxes[0].min_max().unwrap();
         let (min, max) = (min.to_array(), max.to_array());
-        let half = [0, 1, 2].map(|i| max[i].plain_sub(min[i]).plain_abs());
+        let half = [0, 1, 2].map(|i| {
+            let size = max[i].minus(min[i]);
+            if size < S::ZERO { S::ZERO.minus(size) } else { size }
+        });
         let centered = Aabb::from_center_half_extents(point(), half).ok();
         let cells = [(); N].map(|()| Aabb::from_center_half_extents(point(), half));
         if cells.iter().all(Result::is_ok) {
@@ -101,8 +104,7 @@ fn met_at_once<S: Sample>(triangle: &Triangle<S>, centers: [[S; 3]; 8], half: [S
         assert_eq!(lanes.overlaps(cell), [met; 2], "{triangle:?} {cell:?}");
     }
     let corner = |c: [S; 3], sum: fn(S, S) -> S| [0, 1, 2].map(|i| sum(c[i], half[i]));
-    let between =
-        |c: [S; 3]| Aabb::from_min_max(corner(c, S::plain_sub), corner(c, S::plain_add)).unwrap();
+    let between = |c: [S; 3]| Aabb::from_min_max(corner(c, S::minus), corner(c, S::plus)).unwrap();
     let boxes = centers.map(between);
     let met = boxes.each_ref().map(|aabb| triangle.overlaps(aabb));
     assert_eq!(Aabbs::new(&boxes).unwrap().overlaps(triangle), met, "{triangle:?} {boxes:?}");

@@ -50,7 +50,7 @@ fn rows<S: Sample>(shapes: &mut Shapes<'_, S>) -> Rows<S> {
 fn floats<S: Sample>(shapes: &mut Shapes<'_, S>, nan: S, infinity: S) -> Rows<S> {
     let mut rows = rows(shapes);
     for _ in 0..shapes.bytes.below(3) {
-        let bad = [nan, infinity, S::ZERO.plain_sub(infinity)][shapes.bytes.below(3)];
+        let bad = [nan, infinity, S::ZERO.minus(infinity)][shapes.bytes.below(3)];
         rows[shapes.bytes.below(6)][shapes.bytes.below(3)] = bad;
     }
     rows

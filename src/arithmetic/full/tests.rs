@@ -29,7 +29,7 @@ fn lengths<L: Copy + Number>([[a, b, c], [d, e, f]]: [[L; 3]; 2]) -> [[L; 3]; 3]
     [
         [a, b - a, (d - b) + (d - c)],
         [((a - c) + (a - d)) + (c - d), (e + e) - (f + f) - (d + d), e - (d - f) + (c - b)],
-        [-((e - f) - d) - (b - a), (a - a) + (c - c), (f + f) + (f + f) - e],
+        [-((e - f) - d) - (b - a), (a - b) + (b - a), (f + f) + (f + f) - e],
     ]
 }
 

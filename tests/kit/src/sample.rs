@@ -23,6 +23,12 @@ pub trait Sample: Scalar {
     /// The value nearest to `x`, or the extreme if `x` lies beyond it.
     fn nearest(x: f64) -> Self;
 
+    /// self + other, rounded in floats; fixed point wraps around.
+    fn plus(self, other: Self) -> Self;
+
+    /// self − other, rounded in floats; fixed point wraps around.
+    fn minus(self, other: Self) -> Self;
+
     /// The value of `n` units; the unit is a fixed power of two for each type.
     fn whole(n: i64) -> Self;
 
@@ -79,6 +85,12 @@ macro_rules! float_sample {
             fn nearest(x: f64) -> Self {
                 (x as $float).clamp(Self::LEAST, Self::GREATEST)
             }
+            fn plus(self, other: Self) -> Self {
+                self + other
+            }
+            fn minus(self, other: Self) -> Self {
+                self - other
+            }
             fn whole(n: i64) -> Self {
                 // In sixty-fourths, so that some numbers have a fraction.
                 n as $float / 64.0
@@ -115,6 +127,12 @@ macro_rules! fixed_sample {
             }
             fn nearest(x: f64) -> Self {
                 Self::saturating_from_num(x)
+            }
+            fn plus(self, other: Self) -> Self {
+                self.wrapping_add(other)
+            }
+            fn minus(self, other: Self) -> Self {
+                self.wrapping_sub(other)
             }
             fn whole(n: i64) -> Self {
                 Self::from_bits($raw::try_from(n).expect("more bits than the type has"))
