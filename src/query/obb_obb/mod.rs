@@ -4,6 +4,7 @@ mod error_bound;
 mod exact;
 mod kernel;
 mod rows;
+mod window;
 
 use self::error_bound::error_bound;
 use self::exact::ExactBoxes;

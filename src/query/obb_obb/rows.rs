@@ -3,8 +3,8 @@
 
 use super::error_bound::{ErrorBound, error_bound};
 use super::kernel::{self, all_axes, is_zero};
-use super::{First, Lie};
-use crate::arithmetic::{Filtered, Float, InFloat, Quad, THREE, greatest};
+use super::{First, Lie, window};
+use crate::arithmetic::{Filtered, Float, InFloat, Quad, SMALL_CODE, THREE, greatest};
 use crate::query::obb_rows::{ObbInFloats, Vectors, fits, holds_one, in_floats, most, transposed};
 use crate::query::relation::{Asked, Relation};
 use crate::scalar::Scalar;
@@ -19,6 +19,15 @@ struct Boxes<F> {
     k: [F; 3],
 }
 
+/// The boxes as they are given: centres and half-extents, or corners of the first, and the axes.
+pub(super) struct Given<F> {
+    pub(super) first: [[F; 3]; 2],
+    pub(super) second: [[F; 3]; 2],
+    pub(super) u: [[F; 3]; 3],
+    pub(super) v: [[F; 3]; 3],
+    pub(super) by_corners: bool,
+}
+
 /// The relation of the boxes, if floats can tell.
 #[inline(never)]
 pub(super) fn relation<S: Scalar + InFloat<F>, F: Float>(
@@ -29,6 +38,8 @@ pub(super) fn relation<S: Scalar + InFloat<F>, F: Float>(
         return None;
     }
     let ObbInFloats { center: b, axes: v, half: k } = ObbInFloats::<F>::new(second);
+    let by_corners =
+        matches!(first, First::Aabb(aabb) if matches!(aabb.form(), AabbForm::Corners { .. }));
     let (boxes, given) = match first {
         First::Obb(first) => {
             let ObbInFloats { center: a, axes: u, half: h } = ObbInFloats::<F>::new(first);
@@ -59,6 +70,9 @@ pub(super) fn relation<S: Scalar + InFloat<F>, F: Float>(
             (Boxes { d, u, h, v, k }, given)
         }
     };
+    let [p, q, b, k] = given;
+    let Boxes { u, v, .. } = boxes;
+    let given = Given { first: [p, q], second: [b, k], u, v, by_corners };
     boxes.relation::<S, F::Quad>((asked != Asked::MayOverlap).then_some(&given))
 }
 
@@ -71,7 +85,7 @@ impl<F: Float> Boxes<F> {
     #[inline(always)]
     fn relation<S: InFloat<F>, Q: Quad<Lane = F>>(
         &self,
-        given: Option<&[[F; 3]; 4]>,
+        given: Option<&Given<F>>,
     ) -> Option<Relation> {
         let Self { d, u: [u0, u1, u2], h, v: [v0, v1, v2], k } = *self;
         let (u, v) = (Vectors::<Q>::new(&self.u), Vectors::new(&self.v));
@@ -140,7 +154,14 @@ impl<F: Float> Boxes<F> {
         if is_clear(faces) && self.overlap_beside_near_axes(&error) {
             return Some(Relation::Overlapping);
         }
-        self.exactly(given)
+        let open = |gaps: Q| !below.exceeds(gaps) & THREE;
+        let open = [of_first, of_second, pairs[0], pairs[1], pairs[2]].map(open);
+        self.exactly(given).or_else(|| {
+            // `f32` goes on in `f64`.
+            let is_last = size_of::<F>() == size_of::<f64>() && !SMALL_CODE;
+            let open = open.iter().rev().fold(0, |all, three| all << 3 | three);
+            if is_last { window::relation(given, open) } else { None }
+        })
     }
 
     /// Whether the boxes overlap, if the faces are clear and only pairs of axes that may be nearly
@@ -168,18 +189,18 @@ impl<F: Float> Boxes<F> {
     /// much room. Nothing underflows, because the size is within the range of the error bound.
     #[cold]
     #[inline(never)]
-    fn exactly(&self, given: &[[F; 3]; 4]) -> Option<Relation> {
+    fn exactly(&self, given: &Given<F>) -> Option<Relation> {
         let Self { u, v, .. } = self;
         let (zero, one) = (F::ZERO, F::from(1));
         let is_whole = |x: &F| *x == zero || x.magnitude() == one;
         if !u.iter().chain(v).flatten().all(is_whole) {
             return None;
         }
-        let numbers = given.as_flattened();
-        let most = numbers.iter().fold(zero, |most, x| greatest(most, x.magnitude()));
+        let numbers = || given.first.iter().chain(&given.second).flatten();
+        let most = numbers().fold(zero, |most, x| greatest(most, x.magnitude()));
         let shifter = F::from(192) * most.power_of_two_below();
         let is_short = |x: &F| *x + shifter - shifter == *x;
-        if !numbers.iter().all(is_short) {
+        if !numbers().all(is_short) {
             return None;
         }
         let nothing = ErrorBound { coordinate: zero, axis: zero };
