@@ -258,7 +258,7 @@ impl<S: Scalar> Ray<S> {
     /// *Numerics*: the verdict is exact. In fixed point the values are rounded to the nearest, ties
     /// to even, and values beyond the type are its end. In floats they are within 0.51 units in the
     /// last place. A float may overflow to an infinity, and below the least normal number it errs
-    /// by the spacing there.
+    /// by up to 0.76 of the spacing there.
     ///
     /// *Range*: all finite floats and all fixed-point values.
     ///

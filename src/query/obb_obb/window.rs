@@ -1,11 +1,12 @@
-//! Two boxes in doubt, by exact integers in a window of 120 bits: only the axes that floats leave open.
+//! Two boxes in doubt, by exact integers in a window of 120 bits. Only the axes that floats leave
+//! open are computed.
 
 use super::rows::Given;
 use crate::arithmetic::{BigInt, Embeds, Float, Number, Window, cross, dot};
 use crate::query::relation::{Nearness, Relation};
 
-/// The pairs of vectors of u_0, u_1, u_2, v_0, v_1, v_2 whose cross products are the 15 axes: the faces
-/// of the first box and of the second, and then for each v_j all products with the u_i.
+/// The 15 axes, each the cross product of two of the vectors u_0, u_1, u_2, v_0, v_1, v_2: the face
+/// normals of the first box and of the second, and then for each v_j its products with all u_i.
 const AXES: [[usize; 2]; 15] = [
     [1, 2],
     [2, 0],
@@ -24,8 +25,8 @@ const AXES: [[usize; 2]; 15] = [
     [2, 5],
 ];
 
-/// How two boxes lie to each other by those of the [`AXES`] that `open` marks, bit by bit; on all others
-/// they overlap for certain. `None` if the window does not hold the numbers.
+/// Returns the relation of two boxes. Bit k of `open` marks entry k of [`AXES`] for the test; on all
+/// other axes the boxes overlap for certain. Returns `None` if the window does not hold the numbers.
 #[cold]
 #[inline(never)]
 pub(super) fn relation<F: Float>(boxes: &Given<F>, open: u32) -> Option<Relation> {
