@@ -366,7 +366,8 @@ fn nearly_parallel_axes_are_hardly_ever_in_doubt() {
         }
         at_the_end
     }
-    if !SMALL_CODE {
+    // Without rows the generic kernels have no second look at axes that are nearly parallel.
+    if !SMALL_CODE && REGISTERS_ARE_WIDE {
         assert_eq!([count(|x| x as f32), count(|x| x)], [0; 2]);
     }
 }
