@@ -207,5 +207,6 @@ pub(crate) fn disjoint_rounded<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>
     if S::FLOAT.is_some() && <S::First as OfFour>::Quad::IS_VECTOR {
         return rows::disjoint_rounded(triangle, aabb);
     }
-    Disjoint { triangle, aabb }.filter::<Rounded<S>>() != Some(false)
+    // An axis whose numbers overflowed to NaN does not separate.
+    Disjoint { triangle, aabb }.filter::<Rounded<S>>() == Some(true)
 }
