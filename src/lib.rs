@@ -141,6 +141,8 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
+// Without `fixed` no scalar uses the kernels in machine words.
+#![cfg_attr(not(feature = "fixed"), allow(dead_code))]
 
 // The order of modules sets the order of methods on the shapes' pages: constructors, `overlaps`,
 // exact queries, the rest.
