@@ -351,7 +351,9 @@ pub(super) fn support_edges(
         }
         let mut upper = [false; 3];
         (upper[j], upper[k]) = (n & 1 == 1, n & 2 == 2);
-        let is_edge = [j, k].into_iter().all(|k| is_across[k] || upper[k] == is_end[k]);
+        // No loop over j and k: for size, compilers check their bounds.
+        let fits = |k| *pick(&is_across, k) || pick(&upper, k) == pick(&is_end, k);
+        let is_edge = fits(j) && fits(k);
         let mut corner = |is_upper: bool| {
             upper[i] = is_upper;
             view.corner(shape.corner(upper), vertex_of_box(upper))
