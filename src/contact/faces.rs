@@ -340,8 +340,9 @@ pub(super) fn support_edges(
     is_across: [bool; 3],
     is_end: [bool; 3],
 ) -> impl Iterator<Item = Edge> {
-    let (i, j, k) = turn(i);
     (0..4_u8).filter_map(move |n| {
+        // Within the closure, where a compiler sees that they are below three.
+        let (i, j, k) = turn(i);
         if shape.is_triangle {
             let (from, to, _) = turn(n.into());
             let is_edge = *pick(&is_across, from) && *pick(&is_end, from) && *pick(&is_end, to);
