@@ -1,6 +1,6 @@
 //! A line in the three slabs of an axis-aligned box, for rays and segments.
 
-use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, least, once};
+use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, least, once, pick};
 use crate::robust::Uncertain;
 
 /// Roundoffs in a comparison of two products, per sum of their sizes.
@@ -172,7 +172,7 @@ impl<N: Arithmetic> Slabs<N> {
             let compared = |t: N::Length, face: N::Length, is_lower: bool| {
                 let (at, face_area) = (N::area(t, m), N::times_one(face)?);
                 let (own, is_zero) = match &self.spread {
-                    Some(spread) => (spread[i], false),
+                    Some(spread) => (*pick(spread, i), false),
                     None => (face.magnitude(), (m == zero) & (face == zero)),
                 };
                 let size = at.magnitude() + N::times_one(own)?;
