@@ -36,7 +36,10 @@ fn the_first_hit_may_be_at_minus_infinity() {
         [0x7e7f_fff8, 0xfdff_fff8, 0xfe7f_fff8],
     ];
     let at = |p: [u32; 3]| p.map(f32::from_bits);
-    for faces in [vec![[3, 0, 1], [1, 3, 0]], vec![[1, 3, 0], [2, 3, 4], [3, 0, 1], [0, 2, 4]]] {
+    // The second mesh needs two leaves: the hit in the first one must not hide the hit in the other.
+    let pair = vec![[3, 0, 1], [1, 3, 0]];
+    let leaves = vec![[3, 4, 2], [2, 3, 4], [2, 1, 3], [2, 3, 2], [2, 2, 0]];
+    for faces in [pair, leaves] {
         let case = MeshRay {
             mesh: Faces { vertices: points.map(at).to_vec(), faces },
             origin: at([0x7dbf_fffa, 0xfcff_fff8, 0xfe5f_fff9]),
