@@ -17,7 +17,7 @@ pub(super) enum Direction {
 }
 
 /// All directions, in the order that decides between equal depths: faces of the first shape, faces
-/// of the second, pairs of sides. A triangle's face comes before those of a box.
+/// of the second, pairs of sides. A triangle's face comes before the faces of a box.
 pub(super) fn all<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> impl Iterator<Item = Direction> {
     let [first, second] = bodies.each_ref().map(Body::normals);
     let faces = move |is_second: bool| {
@@ -56,7 +56,7 @@ impl Overlap {
     pub(super) const UNKNOWN: Self = Self { least: 0.0, most: f64::INFINITY };
 }
 
-/// What floats know of a direction.
+/// The result of the float filter for a direction.
 pub(super) enum Finding {
     /// The direction is certainly zero, or equal to an earlier one.
     Nothing,
@@ -110,7 +110,7 @@ fn ends(shape: &Rough, a: &Vec64) -> [f64; 2] {
 /// Two shapes in floats, and facts about their axes that are known in advance.
 pub(super) struct Filter<'a> {
     shapes: &'a [Rough; 2],
-    /// An upper bound of every number of both shapes.
+    /// An upper bound of the numbers of the two shapes.
     size: f64,
     /// Coordinate axes that have occurred, as directions that are not zero.
     seen: [bool; 3],
@@ -178,13 +178,14 @@ impl<'a> Filter<'a> {
                 let (_, i, j) = turn(k);
                 pick(&self.same, i).is_some() && pick(&self.same, j).is_some()
             }
-            // If v_j equals an axis of the first box, u_i × v_j is zero or a face normal of that
-            // box; if u_i equals an axis of the second, of that one.
+            // If v_j equals an axis of the first box, u_i × v_j is zero or a face normal of the
+            // first box. If u_i equals an axis of the second box, it is zero or a face normal of
+            // the second box.
             Direction::Sides(i, j) => pick(&self.same, j).is_some() || self.same.contains(&Some(i)),
         }
     }
 
-    /// What floats know of the direction.
+    /// The result of the float filter for the direction.
     ///
     /// # The error
     ///
@@ -198,8 +199,8 @@ impl<'a> Filter<'a> {
     /// [`ROUNDOFFS`] times u·X·Y·R, with second orders and underflow. [`RANGE`] keeps X·Y·R normal,
     /// and so the sides that have half-extents.
     ///
-    /// The square of a errs by 2·√3·8·u·X·Y·|a| and roundings. If it exceeds [`NOISE`]·X²·Y², that
-    /// is less than [`SPREAD`] of it: 28·2^-53 / 2^-27 = 2^-21.2.
+    /// The square of a errs by 2·√3·8·u·X·Y·|a| and roundings. If it exceeds [`NOISE`]·X²·Y², the
+    /// relative error is less than [`SPREAD`]: 28·2^-53 / 2^-27 = 2^-21.2.
     pub(super) fn finding(&mut self, direction: Direction) -> Finding {
         if self.is_shared(direction) {
             return Finding::Nothing;

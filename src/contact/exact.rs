@@ -18,9 +18,9 @@ pub(super) trait Given {
     fn coordinates(&self) -> [Option<(Ordering, Soft)>; 3];
     /// The sign of a side of a shape along the direction.
     fn side(&self, shape: usize, k: usize) -> Ordering;
-    /// Twice the overlap, from the signs of the sides and the vertices that come last and first:
-    /// the end of the shape that lies lower, less the beginning of the other. `None` if it is not
-    /// above zero.
+    /// Twice the overlap: the last vertex of shape `lower` minus the first vertex of the opposite
+    /// shape, both along the direction. `along` has the signs of the sides. `None` if the overlap
+    /// is not above zero.
     fn overlap(&self, along: &[[Ordering; 3]; 2], vertices: [usize; 2], lower: usize) -> Size;
 }
 
@@ -30,8 +30,8 @@ pub(super) struct Exact {
     pub(super) coordinates: [Option<(Ordering, Soft)>; 3],
     /// The signs of the three sides of each shape along the direction.
     pub(super) along: [[Ordering; 3]; 2],
-    /// The overlaps, in units of the direction's length: the one that the first shape must undo
-    /// against the direction, and the one along it. `None` if not wanted or not above zero.
+    /// The overlaps, in units of the direction's length, for a translation of the first shape
+    /// against the direction and along it. `None` if not wanted or not above zero.
     pub(super) overlaps: [Size; 2],
 }
 
@@ -66,7 +66,7 @@ impl Exact {
             return None;
         }
         let along_shape = |shape: usize| {
-            // The third edge of a triangle is minus the sum of the other two.
+            // The third edge of a triangle is minus the sum of the first two.
             let is_normal = own == [(shape, 0), (shape, 1)] && are_triangles[shape % 2];
             three(|k| {
                 if is_normal || own.contains(&(shape, k)) {
@@ -80,7 +80,7 @@ impl Exact {
             if !wanted[usize::from(is_along)] {
                 return None;
             }
-            // The end of the shape that lies lower, less the beginning of the other.
+            // The last vertex of the lower shape minus the first vertex of the upper shape.
             let lower = usize::from(is_along);
             let vertex = |shape: usize| {
                 let toward = if shape == lower { Ordering::Greater } else { Ordering::Less };

@@ -2,8 +2,8 @@
 //!
 //! Each corner has two more coordinates, across the normal. Points of two shapes meet if these
 //! coordinates agree within [`View::tolerance`]. Each point is computed as a convex combination of
-//! the corners of its part. So it lies on that part even if its coordinates across the normal are
-//! off.
+//! the corners of its part, and therefore lies on that part even if its coordinates across the
+//! normal have an error.
 
 use super::body::{Rough, Vec64};
 use super::directions::{cross, dot};
@@ -80,8 +80,8 @@ impl Solid {
         if is_outward == (cosine < 0.0) { square } else { -square }
     }
 
-    /// The faces turned against `outward`, the normal of another shape's face. The first is the one
-    /// most nearly antiparallel to it, of those for which `is_first` holds. A triangle is its only
+    /// The faces turned against `outward`, the normal of another shape's face. The first returned
+    /// face is the most nearly antiparallel face that satisfies `is_first`. A triangle is its only
     /// face.
     pub(super) fn faces_against(
         &self,
@@ -119,7 +119,7 @@ pub(super) struct View {
 ///
 /// * A place is a mean of two differences of at most 2·S: 3·u·S. Half-extent, axis and product have
 ///   a rounding each, and a corner takes three sums: 3·u·S + 3·u·S + 3·u·S = 9·u·S.
-/// * The normal errs by u in each coordinate. The first vector across has two of them, so a
+/// * The normal errs by u in each coordinate. The first vector across has two coordinates, so a
 ///   coordinate along it errs by √2·(9 + 3)·u·S = 17·u·S. The second is a cross product of the
 ///   two, off by 3·u, with three coordinates: √3·(9 + 6)·u·S = 26·u·S.
 /// * A convex combination of corners adds 6·u·S. If points of two shapes meet exactly, their
@@ -203,14 +203,14 @@ impl Edge {
         other.ends.each_ref().map(|end| across(flat(q, p), flat(end, p)))
     }
 
-    /// The points of both edges at their crossing; if they do not cross, points near each other.
+    /// A point on each edge, at their crossing; if they do not cross, two points near each other.
     pub(super) fn meet(&self, other: &Self) -> [Corner; 2] {
         let [a, b] = self.sides(other);
         let here = self.nearest(&other.point(a / (a - b)));
         [here, other.nearest(&here)]
     }
 
-    /// The points of both edges at their crossing, if they cross.
+    /// A point on each edge, at their crossing, if they cross.
     pub(super) fn crossing(&self, other: &Self, view: &View) -> Option<[Corner; 2]> {
         let is_crossed = |[a, b]: [f64; 2]| (a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0);
         if !is_crossed(self.sides(other)) || !is_crossed(other.sides(self)) {

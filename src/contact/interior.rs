@@ -50,12 +50,12 @@ impl InteriorEdges {
 /// Which edges of each triangle of a mesh are interior? The answer goes into `edges`.
 ///
 /// *Geometry*: an edge that exactly two triangles share is interior in two cases. Either the
-/// triangles lie in one plane, side by side, or each lies above the plane of the other; above is
-/// the side from which its vertices go counterclockwise. Edges at the border are not interior, and
-/// neither are edges of three triangles or more. If two neighbours are oriented oppositely, they
-/// have no common upper side, and their edge is interior only if they lie in one plane. An edge of
-/// a triangle that is a segment or a point is not interior. Edges are compared by the positions of
-/// their ends, not by indices.
+/// triangles lie in one plane, side by side, or each triangle lies above its neighbour's plane;
+/// above is the side from which the neighbour's vertices go counterclockwise. Border edges and
+/// edges of three or more triangles are not interior. If two neighbours are oriented oppositely,
+/// they have no common upper side, and their edge is interior only if they lie in one plane. An
+/// edge of a triangle that is a segment or a point is not interior. Edges are compared by the
+/// positions of their ends, not by indices.
 ///
 /// *Numerics*: exact. *Panics*: never. *Cost*: sorts the edges in `scratch`, three for each
 /// triangle, and evaluates a determinant or two for each pair.

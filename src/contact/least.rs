@@ -147,12 +147,12 @@ fn across(way: &Way, edges: &[Vec64; 3], interior: InteriorEdges) -> Option<bool
 }
 
 impl Way {
-    /// The side on which the other shape lies along the direction.
+    /// The side on which the opposite shape lies along the direction.
     pub(super) fn toward(&self, shape: usize) -> Ordering {
         if self.is_along == (shape == 0) { Ordering::Less } else { Ordering::Greater }
     }
 
-    /// The vertices of a triangle that lie farthest toward the other shape.
+    /// The vertices of a triangle that lie farthest toward the opposite shape.
     pub(super) fn farthest(&self, shape: usize) -> [bool; 3] {
         farthest(&self.along[shape % 2], self.toward(shape))
     }

@@ -39,10 +39,10 @@
 //! lies beyond the range of the scalar, no vector is enough, and [`Translation::is_sufficient`] is
 //! `false`.
 //!
-//! The direction is the one of minimum depth, except for differences below 2^-55 of the depth. Of
-//! equal depths the first direction wins: faces of triangles, faces of the first shape, faces of
-//! the second shape, then pairs of edges, the edges of the first shape in turn; for each, the
-//! direction against the cross product before the direction along it.
+//! The direction has minimum depth, except for differences below 2^-55 of the depth. Ties go to the
+//! first candidate in this order: faces of triangles, faces of the first shape, faces of the second
+//! shape, then pairs of edges, sorted by the edge of the first shape. Each candidate is a cross
+//! product n of two edges; −n comes before n.
 //!
 //! Let d be the true depth. Then `depth` is at least d and less than (1 + 2^-55)·d plus one unit in
 //! the last place. The coordinates of the vector are rounded in the same way. In 64-bit fixed point
@@ -60,9 +60,9 @@
 //!   the part named in `parts`.
 //! * `on_second` − `on_first` is `depth` times the normal, within 2^-42·R and a unit of each
 //!   number.
-//! * The points span the contact. Shrink one of the shapes by 2^-42·R and four units, and translate
-//!   the first: the set where the shapes then touch is within as much of the convex hull of the
-//!   deepest points.
+//! * The points span the contact, within ε = 2^-42·R plus four units. Shrink one of the shapes by ε
+//!   and translate the first shape by `vector`. Every point where the shapes then touch is at most
+//!   ε from the convex hull of the deepest points.
 //!
 //! In `f32` and in fixed point of up to 32 bits, 2^-47·R is less than a unit unless the coordinate
 //! is thousands of times smaller than R. A coordinate beyond the range of the scalar is infinite,
@@ -73,10 +73,10 @@
 //!
 //! # Meshes
 //!
-//! A box that slides over a floor of triangles sometimes catches on an edge between two of them:
+//! A box that slides over a floor of triangles sometimes catches on an edge between two triangles:
 //! for a single triangle that the box has just entered, the minimum translation points sideways.
-//! [`contact_in_mesh`] prevents this. It takes three bits for each triangle that tell which of its
-//! edges are interior; [`interior_edges`] computes them.
+//! [`contact_in_mesh`] prevents this. It takes three bits for each triangle, one for each edge: set
+//! if the edge is interior. [`interior_edges`] computes them.
 
 mod body;
 mod directions;
@@ -165,11 +165,11 @@ pub struct Contact<S> {
 impl<S: Scalar> Contact<S> {
     /// The contact points: between one and eight, in no particular order.
     ///
-    /// If the axis is a face, the points are the corners of its overlap with a face of the other
-    /// shape. Both are seen along the normal, and only points at or below the first face count. The
-    /// face of the other shape contains the deepest vertex or edge; of several such faces, it is
-    /// the one most nearly antiparallel to the normal. If the axis is two edges, the point is their
-    /// crossing.
+    /// If the axis is a face, this face and a face of the opposite shape are projected along the
+    /// normal, and the points are the corners of the overlap that lie at or below the first face.
+    /// The second face contains the deepest vertex or edge of its shape; among several such faces,
+    /// the most nearly antiparallel to the normal is used. If the axis is two edges, the point is
+    /// their crossing.
     ///
     /// The error is stated in [the module](self#points).
     #[must_use]
@@ -188,8 +188,8 @@ impl<S: Scalar> fmt::Debug for Contact<S> {
     }
 }
 
-/// What is the minimum translation that moves the first shape out of the second? `None` if they are
-/// disjoint or touch.
+/// Returns the minimum translation that moves the first shape out of the second, or `None` if they
+/// are disjoint or touch.
 ///
 /// *Geometry*: the translated interiors have no common point. See [the module](self) for shapes in
 /// one plane.
@@ -221,8 +221,8 @@ pub fn least_translation<S: Scalar>(
     Some(translation(&bodies, &way, way.ratios()))
 }
 
-/// What is the minimum translation that moves the first shape out of the second, and where do they
-/// overlap? `None` if they are disjoint or touch.
+/// Returns the minimum translation that moves the first shape out of the second, and the contact
+/// points, or `None` if the shapes are disjoint or touch.
 ///
 /// *Geometry*, *Numerics*, *Range*, *Cost*: as for [`least_translation`]. The points are rounded;
 /// [the module](self#points) states their error. *Panics*: never.
@@ -233,19 +233,19 @@ pub fn contact<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> Opti
     of_bodies(&[first.body(), second.body()], InteriorEdges::NONE)
 }
 
-/// What is the [`contact`] of a triangle of a mesh? If the minimum translation leads across an
-/// interior edge, the one along the triangle's normal replaces it.
+/// Returns the [`contact`] of a triangle of a mesh. If the minimum translation leads across an
+/// interior edge, a translation along the triangle's normal replaces it.
 ///
-/// Take the part of the triangle farthest toward the other shape, that is, against the translation.
-/// The translation leads across an edge if this part is the edge, or if it is an end of the edge
-/// and the direction does not point back over the edge. Then `is_held` is `true`, and the
+/// Take the part of the triangle that is farthest in the direction opposite to the translation. The
+/// translation leads across an edge if this part is the edge, or if it is an end of the edge and
+/// the direction does not point back over the edge. Then `is_held` is `true`, and the
 /// translation goes to the side of the triangle where the depth is less.
 ///
 /// `None` also if the triangle is a segment or a point, which has no normal.
 ///
-/// The points lie on the triangle, as for [`contact`]. If `is_held`, they are those of the face of
-/// the other shape that is deepest over the triangle. The deepest part of the other shape may lie
-/// beyond the triangle's edges; then all points are less deep than the translation.
+/// The points lie on the triangle, as for [`contact`]. If `is_held`, they come from the face of
+/// `other` that is deepest over the triangle. The deepest part of `other` may lie beyond the
+/// triangle's edges; then all points are less deep than the translation.
 ///
 /// *Numerics*: as for [`contact`]; whether a direction points back is computed in `f64`.
 ///

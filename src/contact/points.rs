@@ -88,8 +88,8 @@ impl Pairs {
     }
 }
 
-/// The end of each axis, upper or not, on which a shape is farthest toward the other shape; the
-/// upper end if the axis is perpendicular to the direction.
+/// For each axis, whether the shape's upper end is nearer to the opposite shape than its lower end;
+/// also `true` if the axis is perpendicular to the direction.
 fn upper(way: &Way, shape: usize) -> [bool; 3] {
     three(|k| way.along[shape % 2][k] != way.toward(shape).reverse())
 }
@@ -162,9 +162,10 @@ pub(super) fn points<S: Scalar>(
 
 /// The contact points of face `number` of `shape` and a face of `other`.
 ///
-/// After the least translation the deepest vertices of `other` touch the face. So one face that
-/// contains them is enough. A translation held to a triangle's normal need not be the least: that
-/// face may lie beyond the triangle. Then the face that is deepest over the triangle is used.
+/// After the least translation the deepest vertices of `other` touch the face, so a single face
+/// that contains these vertices is enough. A translation held to a triangle's normal need not be
+/// the least, and the face with the deepest vertices may lie beyond the triangle. Then the face
+/// that is deepest over the triangle is used.
 fn by_face(
     view: &View,
     way: &Way,
@@ -194,8 +195,9 @@ fn by_face(
 
 /// The deepest contact points of any two faces.
 ///
-/// If two depths differ by less than 2^-55, the first direction is used. The parts that it comes
-/// from need not touch if the second is the true minimum. Then other parts do.
+/// If the relative difference of two depths is below 2^-55, the first direction is used, although
+/// the second may be the true minimum. Then the parts that name the first direction need not touch
+/// after the translation, but two other faces do.
 fn by_any_faces(
     view: &View,
     [shape, other]: [&Solid; 2],
@@ -252,8 +254,8 @@ fn clip(view: &View, [reference, incident]: [&Face; 2], outward: &Vec64) -> Pair
     found
 }
 
-/// The crossing of an edge of one shape and an edge of the other, seen along the normal. Of several
-/// pairs of edges, the pair with the least distance across the normal is used.
+/// The crossing of an edge of each shape, projected along the normal. Among several pairs of edges,
+/// the pair with the least distance across the normal is used.
 fn by_edges<T: Iterator<Item = Edge>>(
     view: &View,
     edges: impl Iterator<Item = Edge>,
@@ -276,7 +278,7 @@ fn by_edges<T: Iterator<Item = Edge>>(
     found
 }
 
-/// Rounds the points to the scalar, those of the first shape first.
+/// Rounds the points to the scalar. In each pair, the point on the first shape comes first.
 fn rounded<S: Scalar>(found: &Pairs, origin: &Place<S>, scale: f64, is_second: bool) -> Points<S> {
     let zero = Vec3::splat(S::ZERO);
     let none = Point { on_first: zero, on_second: zero, depth: S::ZERO, parts: [Part::Face(0); 2] };

@@ -1,5 +1,5 @@
-//! The exact numbers of a direction as integers, if few bits hold the numbers of both shapes, as in
-//! most scenes. They equal those of [`sums`](super::sums) and take a fraction of the time.
+//! The exact numbers of a direction as integers. Every number of the shapes must fit in few bits,
+//! as in most scenes. The results equal [`sums`](super::sums) and take a fraction of the time.
 
 use core::cmp::Ordering;
 
