@@ -45,7 +45,7 @@ pub(super) fn in_forty_bits<F: Float, const K: usize>(all: &[[F; 3]; K]) -> Opti
     is_exact.then_some(whole)
 }
 
-/// Floats as integer multiples of one power of two, if 60 bits hold all of them. That covers grids,
+/// Floats as integer multiples of one power of two, if 60 bits hold each. That covers grids,
 /// and most scenes that were once in a coarser format. One is among them only on request, because
 /// the unit is the scene's and not the scalar's.
 impl<F: Float> Embeds<F> for Int64 {

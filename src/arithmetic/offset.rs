@@ -8,7 +8,7 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 /// A scalar whose coordinates have differences in `f32`. In fixed point the unit of a difference is
 /// the last place, and for 64 bits 2^24 of it, so that cubes of sizes are numbers of `f32`.
 pub(crate) trait Offset: Copy {
-    /// Whether the other functions are valid for all these coordinates.
+    /// Whether the functions below are valid for all these coordinates.
     fn have_offsets<const K: usize>(points: &[[Self; 3]; K]) -> bool;
 
     /// The difference to another coordinate, rounded to the nearest; `f64` rounds twice. Rounding

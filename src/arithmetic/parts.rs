@@ -16,7 +16,7 @@ impl Parts {
     /// The number one, in no unit, as a neutral factor.
     pub(crate) const UNIT: Self = Self { negative: false, magnitude: 1, shift: 0 };
 
-    /// The number with the other sign.
+    /// The number with its sign reversed.
     pub fn negated(self) -> Self {
         Self { negative: !self.negative, ..self }
     }

@@ -34,13 +34,13 @@ pub trait Quad:
     fn to_array(self) -> [Self::Lane; 4];
     /// The absolute values.
     fn magnitude(self) -> Self;
-    /// The smaller of each two lanes, neither of them NaN.
+    /// The smaller of each two lanes. No lane is NaN.
     fn least(self, other: Self) -> Self;
-    /// The greater of each two lanes, neither of them NaN.
+    /// The greater of each two lanes. No lane is NaN.
     fn greatest(self, other: Self) -> Self;
     /// The lanes in which this is the greater, as bits, the first lane lowest.
     fn exceeds(self, other: Self) -> u32;
-    /// The lanes in which this is at most the other, likewise; false if either is NaN.
+    /// The lanes in which this is at most `other`, likewise; false if either is NaN.
     fn is_at_most(self, other: Self) -> u32;
 
     /// The lanes in which the true number may be above zero, if it differs from this one by at most

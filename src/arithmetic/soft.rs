@@ -21,7 +21,7 @@ pub struct Soft {
 }
 
 impl Soft {
-    /// Zero, with an exponent below those of all numbers of any scalar.
+    /// Zero, with an exponent below the exponents of all numbers of any scalar.
     pub(crate) const ZERO: Self = Self { exponent: i32::MIN / 2, mantissa: 0, slack: 0 };
     /// One.
     pub(crate) const ONE: Self = Self { exponent: -63, mantissa: 1 << 63, slack: 0 };

@@ -22,7 +22,7 @@ pub(crate) trait Span: Float + Div<Output = Self> + Debug {
     /// The greatest number, where an open range ends.
     const GREATEST: Self;
 
-    /// Whether the other number exceeds this one by more than these units in the last place.
+    /// Whether `other` exceeds this number by more than these units in the last place.
     /// Neither number is −0, and at least one is not negative.
     fn is_below(self, other: Self, units: u16) -> bool;
 }
@@ -163,7 +163,7 @@ mod fixed_point {
     }
     fixed_point! { FixedI8: LeEqU8; FixedI16: LeEqU16; FixedI32: LeEqU32; }
 
-    /// From the anchor to a coordinate on the other side of zero. The difference has 65 bits and
+    /// From the anchor to a coordinate across zero. The difference has 65 bits and
     /// its magnitude 64; converting 64 bits takes three times as long.
     #[cold]
     #[inline(never)]

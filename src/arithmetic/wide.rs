@@ -37,7 +37,7 @@ impl I256 {
         Self { high: (upper >> 64) + (lower >> 127) + i128::from(carry), low }
     }
 
-    /// The product of two 128-bit numbers, neither of them the least of its type.
+    /// The product of two 128-bit numbers that are not the least of the type.
     pub(crate) fn of_two(a: i128, b: i128) -> Self {
         let halves = |x: i128| {
             let x = x.unsigned_abs();

@@ -61,7 +61,7 @@ impl<T, const N: usize> Bounded<T, N> {
         self.missed == 0
     }
 
-    /// The results as a vector of `heapless`, if all of them fitted.
+    /// The results as a vector of `heapless`, if all results fitted.
     ///
     /// # Errors
     /// Returns `self` if results are missing.

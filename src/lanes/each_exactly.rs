@@ -20,7 +20,7 @@ impl<S: Scalar, const N: usize> Predicate<S> for CrossesEach<'_, S, N> {
         Some(self.exact())
     }
 
-    /// All triangles at once; those that floats leave in doubt follow one by one.
+    /// All triangles at once; triangles that floats leave in doubt follow one by one.
     #[inline(always)]
     fn fast_path(&self) -> Result<Option<Hits<S, N>>, Clue>
     where

@@ -114,8 +114,8 @@ impl Cell {
 /// The order of nodes and leaves in memory.
 ///
 /// It is the order of a heap with four children to a node: child k of node i is at place 4·i + 1 +
-/// k. A place beyond the last node is a leaf. Leaves from left to right are those of the last
-/// level, followed by those of the level above it, and triangles are sorted in that order.
+/// k. A place beyond the last node is a leaf. Leaves from left to right are the leaves of the last
+/// level, followed by the leaves of the level above it, and triangles are sorted in that order.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Layout {
     /// The number of triangles, of nodes, and of nodes and leaves together.

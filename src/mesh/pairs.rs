@@ -20,13 +20,13 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     ///
     /// *Contact*: touching is overlap. *Numerics*: exact. *Panics*: never.
     ///
-    /// *Cost*: boxes of one tree are converted to the grid of the other. For two leaves that meet,
-    /// each triangle is tested against the other leaf's box, and then against its triangles. The
+    /// *Cost*: boxes of one tree are converted to the second tree's grid. For two leaves that meet,
+    /// each triangle is tested against the opposite leaf's box, and then against its triangles. The
     /// stack has room for 97 pairs, 776 bytes.
     ///
     /// *Source*: the descent in two trees is by S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A
     /// Hierarchical Structure for Rapid Interference Detection", SIGGRAPH 1996. Leaves without a
-    /// box for each triangle, and the test of a triangle against a box of the other tree, are by
+    /// box for each triangle, and the test of a triangle against a box of the opposite tree, are by
     /// P. Terdiman, "Memory-Optimized Bounding-Volume Hierarchies", 2001.
     ///
     /// ```

@@ -249,7 +249,7 @@ impl<S: Scalar> SlabRay<S> {
     }
 }
 
-/// Roundoffs in the padding of two values of t; a half-extent has half of them. `slabs.g` proves
+/// Roundoffs in the padding of two values of t; a half-extent takes half as many. `slabs.g` proves
 /// both.
 const PADDING: u16 = 8;
 

@@ -180,7 +180,7 @@ impl<S: Scalar> SlopeRay<S> {
         out
     }
 
-    /// Whether the ray leaves slab i before it enters one of the other two.
+    /// Whether the ray leaves slab i before it enters one of the two remaining slabs.
     #[inline(always)]
     fn passes(&self, i: usize, near: &[Rounded<S>; 3], far: &[Rounded<S>; 3]) -> bool {
         let at = |k: usize| self.slope[i][k] * far[i] + self.offset[i][k];

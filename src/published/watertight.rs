@@ -46,7 +46,7 @@ impl<S: Scalar> ShearedRay<S> {
         let longest = if z <= x && z <= y { 2 } else { usize::from(y <= x) };
         let (kz, mut kx, mut ky) = turn(longest);
         let height = *pick(&d, kz);
-        // Seen from the other end, left is right.
+        // Seen from the opposite end, left is right.
         if height < S::ZERO {
             (kx, ky) = (ky, kx);
         }

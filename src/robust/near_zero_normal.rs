@@ -8,10 +8,10 @@
 //! of an unrelated plane, and often it does. The triangle is dropped although it pierces the box.
 //! In `f32` this happens to 3 slivers in 100 (`docs/experiments/accuracy.txt`).
 //!
-//! # What a normal of zero means
+//! # The meaning of a normal of zero
 //!
 //! The three vertices lie on one line: the triangle is a segment or a point. Everything projects to
-//! zero on a zero normal, so that axis never separates, and the other twelve suffice. For a segment
+//! zero on a zero normal, so that axis never separates; the remaining twelve suffice. For a segment
 //! the axes are the box's face normals and their cross products with the segment; for a point they
 //! are the face normals.
 //!
@@ -23,7 +23,7 @@
 //! box can lie just off it on either side. Skipping the plane test there finds overlaps that do not
 //! exist, and keeping it loses overlaps that do.
 //!
-//! # What is done instead
+//! # The remedy
 //!
 //! The plane test counts only if its value exceeds the error that its operands allow
 //! (`query/triangle_aabb/error_bound.rs`). That error does not shrink with n, so a noisy normal

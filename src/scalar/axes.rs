@@ -79,7 +79,7 @@ const SUMS: u16 = 8;
 /// by less than `margin`.
 #[inline(never)] // QEMU before 8.0 multiplies two f32 widened for it wrongly on s390x (MDEBR).
 fn faces_in_double(c: f64, across: [f64; 3], half: [f64; 3]) -> (f32, f32) {
-    // A sum is exact if subtracting the greater operand returns the other.
+    // A sum is exact if subtracting the greater operand returns the smaller operand.
     let sum = |(a, was_exact): (f64, bool), b: f64| {
         let s = a + b;
         let (greater, other) = if a.abs() < b.abs() { (b, a) } else { (a, b) };

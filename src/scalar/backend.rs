@@ -14,7 +14,7 @@ pub(crate) trait Backend: RoundedOps + Spanned + FirstFloat + Offset {
     /// Exact numbers for nearly every input.
     type Window: Embeds<Self, Volume: Limbed>;
 
-    /// Exact numbers for every input: those of the last stage.
+    /// Exact numbers for every input: the numbers of the last stage.
     type Full: Embeds<Self, Volume: Limbed>;
 
     /// An accumulator wide enough for products of four scalars.

@@ -66,6 +66,6 @@ pub trait Scalar:
     /// Zero.
     const ZERO: Self;
 
-    /// Whether the number is neither NaN nor infinite. Always `true` for fixed point.
+    /// Whether the number is finite: not NaN and not infinite. Always `true` for fixed point.
     fn is_finite(self) -> bool;
 }

@@ -8,7 +8,7 @@ impl<S: Scalar> Obb<S> {
     /// Its axes are the rotated coordinate axes.
     ///
     /// *Geometry*: only the direction of the quaternion counts. Its length, which rounding changes,
-    /// has no effect: the axes are those of the rotation, rounded. So a quaternion whose length
+    /// has no effect: the axes are the axes of the rotation, rounded. A quaternion whose length
     /// drifts in a simulation does not skew the box.
     ///
     /// *Numerics*: in fixed point each component is the nearest number of the type, computed in

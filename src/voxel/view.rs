@@ -1,4 +1,4 @@
-//! The view of a triangle in a block along an axis; u and v are the other two axes.
+//! The view of a triangle in a block along an axis; u and v are the two remaining axes.
 //!
 //! In the slab from v = q to q + 1 the triangle covers an interval of u. If the triangle lies at
 //! lesser u than the line of an edge, no point of it in the slab is beyond the greater of X(q) and

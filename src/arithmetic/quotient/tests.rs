@@ -1,4 +1,4 @@
-//! Quotients against their definition, and every type against the others.
+//! Quotients against their definition, and all types against each other.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! Sums of products of two words, of which only the sign is used.
+//! Sums of products of two words; only their signs are used.
 
 use core::ops::{Add, Shl};
 

@@ -46,7 +46,7 @@ pub trait InRaw: Copy {
     /// The type of the raw bits.
     type Raw: Raw;
 
-    /// Whether it always holds the difference of two of them.
+    /// Whether the type always holds the difference of two of its numbers.
     const ALWAYS_NEAR: bool;
 
     /// The number of fraction bits.

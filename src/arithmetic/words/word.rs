@@ -72,7 +72,7 @@ pub trait Word:
     fn is_central(self) -> bool;
 }
 
-/// A word with a wider one that holds whole sums of products of three lengths.
+/// A word with a wider type for whole sums of products of three lengths.
 ///
 /// With lengths up to 2^R, SPLIT as in [`Word`], and an unsplit operand of an area up to 2^(R+1),
 ///
