@@ -1,21 +1,22 @@
 //! The first integer stage of oriented boxes with boxes, segments and rays, in fixed point: every
 //! vector cut to 19 bits, with a bound on the error.
 //!
-//! A box, as a segment, is symmetric about a centre. Let d be the vector from centre to centre and g_r
-//! the half-vectors that span the two: h_i·u_i of a box, half the way of a segment. The shapes have a
-//! point in common exactly if d lies in the zonotope of all g_r, the sums of s_r·g_r with |s_r| ≤ 1.
-//! On an axis x the gap is |x·d| − Σ |x·g_r|, and x separates if that is above zero.
+//! A box, as a segment, is symmetric about a centre. Let d be the vector from centre to centre and
+//! g_r the half-vectors that span the two: h_i·u_i of a box, half the way of a segment. The shapes
+//! have a point in common exactly if d lies in the zonotope of all g_r, the sums of s_r·g_r with
+//! |s_r| ≤ 1. On an axis x the gap is |x·d| − Σ |x·g_r|, and x separates if that is above zero.
 //!
 //! Vectors here are integers, d' and g'_r, whose components are off by up to e_d and e_r. So on any
 //! axis the gap is off by at most E·|x|_1, where E = e_d + Σ e_r and |x|_1 is the sum of the
 //! magnitudes of the components.
 //!
-//! * If the gap on any axis exceeds E·|x|_1, the shapes are disjoint. The axis itself may be rounded.
-//! * The facets of the integer zonotope have normals g'_p × g'_q. If the gap on each of these is below
-//!   −E·|x|_1, the zonotope about d' contains the cube of half-width E about zero. So on *every* axis
-//!   the gap is at most −E·|x|_1, and that of the true vectors at most zero: the shapes meet. As it is
-//!   below zero, their interiors meet. At least one normal must not be zero. (If all g' lie in a plane,
-//!   its normal has a gap of zero or more.)
+//! * If the gap on any axis exceeds E·|x|_1, the shapes are disjoint. The axis itself may be
+//! rounded.
+//! * The facets of the integer zonotope have normals g'_p × g'_q. If the gap on each of these is
+//!   below −E·|x|_1, the zonotope about d' contains the cube of half-width E about zero. So on
+//!   *every* axis the gap is at most −E·|x|_1, and that of the true vectors at most zero: the
+//!   shapes meet. As it is below zero, their interiors meet. At least one normal must not be zero.
+//!   (If all g' lie in a plane, its normal has a gap of zero or more.)
 //!
 //! # Numbers
 //!
@@ -33,8 +34,8 @@
 //! | x·g, of three products | 3·2^58 | |
 //! | sum of four of these, less x·d, and E·\|x\|_1 | 2^61.9 | |
 //!
-//! Two boxes: E = 1/2 + 6·1/2 = 7/2 and less than 2^-6. A ray and a box: E = 3/2 + 1 + 3·1/2 = 4 and
-//! less than 2^-6. [`ERROR`] is above both. `obb_short.g` proves the sums.
+//! Two boxes: E = 1/2 + 6·1/2 = 7/2 and less than 2^-6. A ray and a box: E = 3/2 + 1 + 3·1/2 = 4
+//! and less than 2^-6. [`ERROR`] is above both. `obb_short.g` proves the sums.
 
 use crate::arithmetic::{InRaw, Raw, Word, greatest, three, turn};
 use crate::query::relation::Relation;
@@ -77,14 +78,14 @@ fn raw<S: InRaw>(v: &Vec3<S>) -> [i64; 3] {
 fn sum(of: impl Fn(usize) -> i128, halved: i32) -> Scaled<1> {
     let whole = three(of);
     let is_long = whole.iter().any(|&x| i64::try_from(x).is_err());
-    // What the shift takes is far below the last place that is left of numbers so long.
+    // The shift loses far less than the last place that is left of numbers so long.
     let down = if is_long { 3 } else { 0 };
     let numbers = [three(|i| (whole[i] >> down) as i64)];
     let exponent = down - halved;
     Scaled { numbers, exponent, end: bits(&numbers) + exponent }
 }
 
-/// Each vector times a number, with the fraction bits of both in the raw bits.
+/// Each vector times a number, with the fraction bits of the two factors in the raw bits.
 fn products<const K: usize>(times: [i64; K], vectors: [[i64; 3]; K], fraction: i32) -> Scaled<K> {
     let mut factors = [[0; 3]; K];
     for (to, x) in factors.iter_mut().zip(times) {
@@ -165,8 +166,8 @@ pub(super) fn segment<S: Scalar + InRaw>(segment: &Segment<S>, obb: &Obb<S>) -> 
 
 /// Whether a ray and an oriented box are disjoint; `None` in doubt.
 ///
-/// Let the box and the way to it reach less than 2^n from the origin of the ray. Where the ray has no
-/// end, or one beyond that, it is cut where it is beyond that for certain.
+/// Let the box and the way to it reach less than 2^n from the origin of the ray. Where the ray has
+/// no end, or one beyond that, it is cut where it is beyond that for certain.
 pub(super) fn ray<S: Scalar + InRaw>(ray: &Ray<S>, obb: &Obb<S>) -> Option<bool> {
     let (c, p, d) = (raw(&obb.center()), raw(&ray.origin()), [raw(&ray.direction())]);
     let (spans, way) = (spans(obb), sum(|i| i128::from(p[i]) - i128::from(c[i]), 0));
@@ -210,7 +211,7 @@ fn middle_and_half(p: &[i32; 3], q: &[i32; 3]) -> ([i32; 3], [i32; 3]) {
 }
 
 /// How two symmetric shapes lie to each other, given the way between their centres and the
-/// half-vectors of both; `None` in doubt.
+/// half-vectors of the two boxes; `None` in doubt.
 fn relation<const K: usize>(way: &[i32; 3], spans: &[[i32; 3]; K]) -> Option<Relation> {
     let is_beyond = |i: usize| {
         let reach: i64 = spans.iter().map(|g| i64::from(g[i]).abs()).sum();

@@ -1,5 +1,5 @@
 //! The last stage of a line and an oriented box: exact sums of products of the given numbers. The
-//! axes are those of the kernel; each term has four factors.
+//! axes are the kernel's; each term has four factors.
 
 use core::cmp::Ordering;
 

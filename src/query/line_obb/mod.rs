@@ -37,7 +37,7 @@ struct Disjoint<'a, S> {
 }
 
 impl<S: Scalar> Disjoint<'_, S> {
-    /// The origin, the direction or the other end, and the ends of a ray's t.
+    /// The origin, the direction or the far end, and the ends of a ray's t.
     fn rows(&self) -> [[S; 3]; 3] {
         let none = [S::ZERO; 3];
         match self.line {
@@ -146,7 +146,7 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     where
         S: InRaw,
     {
-        // Vectors hold 16 bits, and leave to other stages only what is near contact.
+        // Vectors hold 16 bits, and leave only near contacts to other stages.
         if REGISTERS_ARE_WIDE && S::ALWAYS_NEAR {
             return None;
         }
@@ -201,10 +201,10 @@ impl<S: Scalar> Overlaps<Obb<S>> for Ray<S> {
 
     /// May the ray and the oriented box have a point in common?
     ///
-    /// *Numerics*: `false` is certain. In floats `true` may be wrong within rounding of contact, and
-    /// outside the range of the first stage. Fixed point is exact in up to 16 bits; in more, `true` may
-    /// be wrong within some 2⁻¹³ of the distance and size of the box: for less than one in a thousand
-    /// random pairs.
+    /// *Numerics*: `false` is certain. In floats `true` may be wrong within rounding of contact,
+    /// and outside the range of the first stage. Fixed point is exact in up to 16 bits; in more,
+    /// `true` may be wrong within some 2⁻¹³ of the distance and size of the box: for less than one
+    /// in a thousand random pairs.
     ///
     /// *Panics*: never. *Cost*: bounded: [`overlaps`](Overlaps::overlaps) without exact sums, in
     /// floats its first stage.
@@ -266,7 +266,7 @@ impl<S: Scalar> Ray<S> {
     /// takes nine divisions in `f64`, for `f32` and for fixed point of up to 32 bits, and about
     /// 1,500 operations for `f64`. A few hits whose last place stays in doubt take exact sums for
     /// up to six quotients, a thousand times as long. So do all hits in fixed point of 64 bits, and
-    /// in fixed point on 32-bit cores. Choose this query for the one box that matters.
+    /// in fixed point on 32-bit cores. Use this query for a single box that matters.
     ///
     /// ```
     /// use septum::{Obb, Ray};

@@ -11,7 +11,7 @@ use crate::robust::Uncertain;
 use crate::scalar::Scalar;
 use crate::shape::SegmentForm;
 
-/// Whether one of the six axes separates, if floats can tell.
+/// Whether one of the six axes separates, if floats decide it.
 #[inline(never)]
 pub(super) fn is_separated<S: Scalar + InFloat<F>, F: Float>(
     question: &Disjoint<'_, S>,

@@ -91,7 +91,7 @@ impl<S: Scalar> Hit<S> {
     }
 }
 
-/// The number with the other sign, or the end of the type.
+/// The number with its sign reversed, or the end of the type.
 #[inline(always)]
 fn opposite<S: Scalar>(x: S) -> S {
     let minus = S::ZERO.plain_sub(x);

@@ -1,5 +1,5 @@
-//! The last stage of two boxes, at least one of them oriented: exact sums of products of the given
-//! numbers. Each term has four factors.
+//! The last stage of two boxes, of which at least one is oriented: exact sums of products of the
+//! given numbers. Each term has four factors.
 
 use core::cmp::Ordering;
 

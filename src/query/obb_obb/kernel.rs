@@ -45,7 +45,7 @@ use crate::query::relation::{Nearness, Relation};
 use crate::query::triangle_obb::{cross, dot, lie_along_one_axis};
 
 /// Two parallelepipeds as operands of products: the difference of the centres, axes and
-/// half-extents of both, and one in the unit of an axis.
+/// half-extents of both boxes, and one in the unit of an axis.
 pub(super) struct Boxes<P> {
     pub(super) d: [P; 3],
     pub(super) u: [[P; 3]; 3],
@@ -76,7 +76,7 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, const LOOKS_TWICE: bool>(
     is_certain: bool,
 ) -> Option<Relation> {
     let Boxes { d, u, h, v, k, one } = boxes;
-    // The coordinates first, because three of them cost as much as one other axis.
+    // The coordinates first, because three coordinates cost as much as one other axis.
     let mut is_disjoint = false;
     for c in 0..3 {
         let reach = |h: &[P; 3], u: &[[P; 3]; 3]| {

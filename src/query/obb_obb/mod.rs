@@ -30,7 +30,7 @@ pub(super) struct Lie<'a, S> {
     pub(super) asked: Asked,
 }
 
-/// A box of either kind.
+/// An axis-aligned or an oriented box.
 #[derive(Clone, Copy)]
 pub(super) enum First<'a, S> {
     Aabb(&'a Aabb<S>),
@@ -126,7 +126,7 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
     where
         S: InRaw,
     {
-        // `f64` holds 32 bits, and leaves to other stages only what is near contact. `may_overlap` has
+        // `f64` holds 32 bits, and leaves only near contacts to other stages. `may_overlap` has
         // no stage that some machines lack.
         if REGISTERS_ARE_WIDE && S::Raw::BITS < 64 && self.asked != Asked::MayOverlap {
             return None;
@@ -184,12 +184,12 @@ impl<S: Scalar> Overlaps<Obb<S>> for Obb<S> {
 
     /// May two oriented boxes have a point in common?
     ///
-    /// *Numerics*: `false` is certain. In floats `true` may be wrong within rounding of contact, and
-    /// beyond the range of the first stage of [`overlaps`](Overlaps::overlaps). Fixed point is exact in
-    /// up to 16 bits; in more, `true` may be wrong within some 2⁻¹⁵ of the shapes' size of contact,
-    /// wherever the shapes are: for less than one in a thousand pairs of random shapes.
+    /// *Numerics*: `false` is certain. In floats `true` may be wrong within rounding of contact,
+    /// and beyond the range of the first stage of [`overlaps`](Overlaps::overlaps). Fixed point is
+    /// exact in up to 16 bits; in more, `true` may be wrong within some 2⁻¹⁵ of the shapes' size of
+    /// contact, wherever the shapes are: for less than one in a thousand pairs of random shapes.
     ///
-    /// *Panics*: never. *Cost*: bounded; that of the first stages of
+    /// *Panics*: never. *Cost*: bounded; as for the first stages of
     /// [`overlaps`](Overlaps::overlaps).
     #[inline]
     fn may_overlap(&self, other: &Obb<S>) -> bool {

@@ -28,7 +28,7 @@ pub(super) struct Given<F> {
     pub(super) by_corners: bool,
 }
 
-/// The relation of the boxes, if floats can tell.
+/// The relation of the boxes, if floats decide it.
 #[inline(never)]
 pub(super) fn relation<S: Scalar + InFloat<F>, F: Float>(
     question: &Lie<'_, S>,
@@ -208,7 +208,7 @@ impl<F: Float> Boxes<F> {
     }
 
     /// Whether all axes that are not clear are certainly zero: products of each axis of one box
-    /// with each of the other, in order.
+    /// with each axis of the second box, in order.
     #[inline(never)]
     fn are_zero_where_near<Q: Quad<Lane = F>>(&self, pairs: [Q; 3], below: Q) -> bool {
         pairs.iter().zip(&self.v).all(|(gaps, v)| {

@@ -142,7 +142,7 @@ fn crossing(points: &impl Points, first: [Ordering; 3], second: [Ordering; 3]) -
         let (a, b, c) = turn(k);
         if is_in_order { [of[a], of[b], of[c]] } else { [of[a], of[c], of[b]] }
     };
-    // Each triangle in the order that puts the apex of the other above its plane.
+    // Each triangle in the order that puts its partner's apex above its plane.
     let [a, b, c] = order(FIRST, i, is_second_above);
     let [d, e, f] = order(SECOND, k, is_first_above);
     let at = |sign: Ordering| match sign {

@@ -1,4 +1,4 @@
-//! Polygon against axis-aligned box: the triangles of the fan, and tests that avoid most of them.
+//! Polygon against axis-aligned box: the triangles of the fan, and tests that avoid most triangles.
 //!
 //! D. Green, D. Hatch, "Fast Polygon-Cube Intersection Testing", *Graphics Gems V*, 1995, test
 //! outcodes, then edges, then a diagonal of the box against the polygon. Here the outcodes of the

@@ -22,12 +22,12 @@
 //! # By corners
 //!
 //! A t is the product of a difference and a reciprocal. In floats a difference, a division and a
-//! product round: 3u of itself. Integers of up to 32 bits have an exact difference; those of 64
-//! bits round it and the direction: 4u. `error_bound.g` proves that f > n·(1 + 9u) is certain for n
-//! ≥ 0. A unit in the last place of n is more than u·n, so [`CORNERS`] units suffice. The same
-//! holds with f and n exchanged, and a negative f is certainly less.
+//! product round: 3u of itself. Integers of up to 32 bits have an exact difference; differences of
+//! 64 bits round it and the direction: 4u. `error_bound.g` proves that f > n·(1 + 9u) is certain
+//! for n ≥ 0. A unit in the last place of n is more than u·n, so [`CORNERS`] units suffice. The
+//! same holds with f and n exchanged, and a negative f is certainly less.
 //!
-//! For n of either sign the bound is added, as n + [`CORNERS`]·u·|n|. The sum errs by u of itself.
+//! For any sign of n the bound is added, as n + [`CORNERS`]·u·|n|. The sum errs by u of itself.
 //! In `f32` the bound may be subnormal; it is then at least 10·2⁻¹⁴⁹ and errs by 2⁻¹⁵⁰, which is
 //! half of one u. So 8.5u of the bound remain, and the errors with second orders are less.
 //!

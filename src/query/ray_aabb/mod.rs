@@ -74,7 +74,7 @@ impl<S: Scalar> Ray<S> {
             self.t_max().map_or(t, |max| least(max, t))
         };
         let enter = within(enter);
-        // In floats one value may be rounded up and the other down.
+        // In floats one value may be rounded up and the second down.
         (enter, greatest(enter, within(leave)))
     }
 }
@@ -126,7 +126,7 @@ impl<S: Scalar> Predicate<S> for Range<'_, S> {
     }
 }
 
-/// Whether a number is neither infinite nor NaN. Integers always are neither.
+/// Whether a number is finite. Integers always are.
 #[allow(clippy::eq_op)] // an infinity minus itself is a NaN
 #[inline(always)]
 fn is_finite<L: Number>(x: L) -> bool {
@@ -154,7 +154,7 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Ray<S> {
     ///
     /// *Geometry*: closed sets in one frame and one unit; the ends of the range belong to the ray.
     /// A ray within a face or along an edge meets the box. So does a ray that starts there and
-    /// leads away. Zeros of both signs are alike.
+    /// leads away. +0 and −0 are alike.
     ///
     /// *Contact*: touching counts as overlap.
     ///
@@ -217,10 +217,10 @@ impl<S: Scalar> Ray<S> {
     /// `f32` is within 0.51 units in the last place, `f64` within 1.6. A float may overflow to an
     /// infinity, and below the least normal number it errs by the spacing there.
     ///
-    /// *Range*: that of [`overlaps`](Ray::overlaps).
+    /// *Range*: as for [`overlaps`](Ray::overlaps).
     ///
-    /// *Panics*: never. *Cost*: that of [`overlaps`](Ray::overlaps), and up to six divisions.
-    /// Choose it for the one box that matters, after a traversal by a [`PreparedRay`].
+    /// *Panics*: never. *Cost*: as for [`overlaps`](Ray::overlaps), and up to six divisions.
+    /// Use it for a single box, after a traversal by a [`PreparedRay`].
     ///
     /// ```
     /// use septum::{Aabb, Ray};

@@ -161,7 +161,7 @@ impl<S: Scalar> PreparedRay<S> {
     ///
     /// *Numerics*: the same bits as [`Ray::t_range`]. *Panics*: never.
     ///
-    /// *Cost*: that of [`overlaps`](Self::overlaps), and for a box that the ray meets that of
+    /// *Cost*: as for [`overlaps`](Self::overlaps), and for a box that the ray meets also
     /// [`Ray::t_range`] besides.
     #[inline]
     #[must_use]

@@ -108,7 +108,7 @@ impl<L: Number> Setting<L> {
         (self.crossing_within::<M>(error_bound), is_known)
     }
 
-    /// The volumes in large numbers, which are certain. Out of line, so that what they need of the stack is
+    /// The volumes in large numbers, which are certain. Out of line, so that their stack is
     /// free again afterwards.
     #[inline(never)]
     pub(super) fn large_crossing<M: Arithmetic<Length = L>>(&self) -> Crossing<M::Volume> {

@@ -102,7 +102,7 @@ mod tests {
     }
 
     /// For a ray that hits: checks that t, u and v are within their error bounds and half an ulp;
-    /// returns whether one of them errs by a notable part of its bound.
+    /// returns whether a number errs by a notable part of its bound.
     fn check_numbers([a, b, c, o, d]: Case) -> bool {
         let (points, setting) = ([a, b, c, o], Setting::new(&[a, b, c, o], d));
         let Crossing { det, t, sides: [_, u, v], .. } = setting.volumes();

@@ -118,8 +118,8 @@ impl HitRules {
         Self { cull, ..self }
     }
 
-    /// The same rules, but a hit on an edge or a vertex counts for only one of the triangles there:
-    /// see [`Ray::hit_once`].
+    /// The same rules, except that a hit on an edge or a vertex counts for only one of the
+    /// triangles there: see [`Ray::hit_once`].
     #[must_use]
     pub const fn once(self) -> Self {
         Self { once: true, ..self }

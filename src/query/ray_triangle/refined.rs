@@ -41,7 +41,7 @@ pub(super) struct Refined {
     low_t: f64,
     pub(super) low_u: f64,
     pub(super) low_v: f64,
-    /// The error bounds of t, and of the other volumes.
+    /// The error bounds of t, and of the remaining volumes.
     t_error: f64,
     side_error: f64,
     /// Whether nothing was lost, in a determinant or in a sum of three.

@@ -56,7 +56,7 @@ impl<F: Float, Q: Quad<Lane = F>> VolumeRows<Q> {
         Some(Found { is_ahead: strictly_ahead::<Q>(&crossing)?, crossing, sizes })
     }
 
-    /// The sizes; `None` if one of them is out of range.
+    /// The sizes; `None` if a size is out of range.
     #[inline(always)]
     pub(super) fn sizes(&self) -> Option<Sizes<F>> {
         let [x, y, z] = self.0;

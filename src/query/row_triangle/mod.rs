@@ -1,11 +1,12 @@
 //! Half-line against triangle: whether the half-line from a point along the first axis crosses the
 //! triangle, such that each crossing of a closed mesh counts once.
 //!
-//! Project along the half-line: the triangle lies in the plane of the other two axes, and contains
-//! the point or not. A point on an edge or a vertex belongs to exactly one of the triangles there,
-//! as if it were displaced by (·, ε, ε²) (symbolic perturbation); the same displacement for all
-//! triangles makes the counts consistent. The only sign that can be in doubt is a planar area's.
-//! The sign of a volume is needed only if the triangle extends from before the point to behind it.
+//! Project along the half-line: the triangle lies in the plane of the two remaining axes, and
+//! contains the point or not. A point on an edge or a vertex belongs to exactly one of the
+//! triangles there, as if it were displaced by (·, ε, ε²) (symbolic perturbation); the same
+//! displacement for all triangles makes the counts consistent. The only sign that can be in doubt
+//! is a planar area's. The sign of a volume is needed only if the triangle extends from before the
+//! point to behind it.
 
 use super::orientation::{from, sides, size};
 use crate::arithmetic::{Arithmetic, Embeds, Number};

@@ -13,7 +13,7 @@ use crate::robust::{ExactSum, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::Aabb;
 
-/// The box that stands, and the one that moves.
+/// The box that stands, and the box that moves.
 struct Passing<S> {
     boxes: Apart<S>,
     way: [[S; 3]; 2],
@@ -26,7 +26,7 @@ impl<S: Scalar> Passing<S> {
         Self { boxes: Apart::new(other.form(), moving.form()), way }
     }
 
-    /// The slabs within which the moving box meets the other.
+    /// The slabs within which the moving box meets the standing box.
     #[inline(always)]
     fn slabs<N: Embeds<S>>(&self) -> Option<Slabs<N>> {
         let Self { boxes: Apart { a, b }, way: [from, to] } = self;
@@ -39,7 +39,7 @@ impl<S: Scalar> Passing<S> {
     }
 }
 
-/// Does the moving box miss the other?
+/// Does the moving box miss the standing box?
 struct Misses<S>(Passing<S>);
 
 impl<S: Scalar> Predicate<S> for Misses<S> {

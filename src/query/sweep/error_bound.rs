@@ -21,7 +21,7 @@
 //!   speed. `edge_instant.g`, `volume_instant.g` and `face_instant.g` prove the same bounds there.
 //!
 //! The proofs include second orders. They include underflow too, except that a face at a time t
-//! needs the least normal number besides.
+//! also needs the least normal number.
 //!
 //! Double-word floats (`arithmetic::double`) have errors in units of u², here to first order.
 //! Edges and d are exact. A component n_i is a difference of two products within R²: each product

@@ -199,7 +199,7 @@ where
     rounded_down(gap, speed, error)
 }
 
-/// gap/speed rounded down, if the error allows to tell on which side of it the nearby floats lie.
+/// gap/speed rounded down, if the error decides on which side of it the nearby floats lie.
 fn rounded_down(gap: Double, speed: Double, error: f64) -> Option<f64> {
     let left = |t: f64| gap.minus(speed.times(Double::of(t))).high;
     let is_at_most = |t: f64| {
@@ -254,7 +254,7 @@ impl Given<Filtered<f64>> {
                 (axis, Some(k), n()[i])
             }
         };
-        // On which side of the box the triangle lies; `f64` is certain of it.
+        // The side of the box on which the triangle lies; `f64` is certain of it.
         let on_axis = |v: &[f64; 3]| dot::<Filtered<f64>>(&each(axis, |x| x.high), v);
         let v = &course.frame.v;
         let is_above = on_axis(&v[0]) + on_axis(&v[1]) + on_axis(&v[2]) > 0.0;

@@ -135,7 +135,7 @@ impl<Q: Quad<Lane: Float>> Instants<Q> {
     }
 }
 
-/// The axes with a direction of their own; the others are zero or along a face normal.
+/// The axes with a direction of their own; all remaining axes are zero or along a face normal.
 ///
 /// By value, and out of line: see `rows`.
 #[inline(never)]

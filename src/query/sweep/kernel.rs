@@ -1,4 +1,4 @@
-//! A triangle that moves past a box, in any number system. The frame is that of the box, which
+//! A triangle that moves past a box, in any number system. The frame is the box's, which
 //! stands still.
 //!
 //! The triangle sweeps a convex set: the sum of the triangle and the segment d of its motion. That
@@ -37,14 +37,14 @@ fn axis<T: Number>(middle: T, radius: T, error: T) -> Uncertain {
     Uncertain::above(middle.magnitude() - radius, error)
 }
 
-/// Keeps what is certain, and what is possible only if `is_so`.
+/// Keeps certain axes, and possible axes only if `is_so`.
 #[inline(always)]
 fn possible_if(found: Uncertain, is_so: bool) -> Uncertain {
     Uncertain { possible: found.possible & (found.certain | is_so), ..found }
 }
 
 impl<N: Arithmetic> Course<N> {
-    /// Whether the triangle misses the box all the way, if `N` can tell.
+    /// Whether the triangle misses the box all the way, if `N` decides it.
     #[inline(always)]
     pub(super) fn misses(&self) -> Option<bool> {
         let Self { frame, d } = self;
@@ -156,7 +156,7 @@ impl<N: Arithmetic> Course<N> {
         possible_if(found, (d[j] != zero) & (d[l] != zero))
     }
 
-    /// When and on which axis the triangle meets the box, if it does and `N` can tell. If an axis
+    /// When and on which axis the triangle meets the box, if it does and `N` decides it. If an axis
     /// is known to close last, only that axis is computed.
     #[inline(always)]
     pub(super) fn first_contact<S: Scalar>(&self, last: Option<Axis>) -> Option<FirstContact<S>>

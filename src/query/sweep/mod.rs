@@ -39,8 +39,8 @@ pub struct FirstContact<S> {
     pub t: S,
     /// The axis on which the shapes are apart until that time; `None` if they meet at the start.
     ///
-    /// If several axes close at the same number of the scalar, this is the first of them in the
-    /// order of [`Axis::ALL`]. The axes are those of the triangle; between two boxes they are the
+    /// If several axes close at the same number of the scalar, this is the first in the
+    /// order of [`Axis::ALL`]. They are the triangle's axes; between two boxes they are the
     /// three [`Axis::Face`].
     pub axis: Option<Axis>,
 }
@@ -50,10 +50,10 @@ pub struct FirstContact<S> {
 /// Each pair of shapes has an implementation. To move a triangle past a box is to move the box past
 /// the triangle by [`Motion::reversed`].
 pub trait Sweep<Other> {
-    /// The scalar of both shapes.
+    /// The scalar of the two shapes.
     type Scalar;
 
-    /// Does this shape, as it moves, have a point in common with the other at any time?
+    /// Does this shape, as it moves, have a point in common with `other` at any time?
     ///
     /// *Geometry*: closed sets in one frame and one unit. This shape is given at the start of the
     /// motion, and each of its points moves by `to` − `from`. The motion is a translation; for a
@@ -86,10 +86,11 @@ pub trait Sweep<Other> {
     ///
     /// *Contact*: shapes that touch at the start meet at time zero.
     ///
-    /// *Numerics*: exact but for one rounding, downwards: see [`FirstContact`]. If the result names
-    /// an axis, the shapes are apart before that time; at that time they touch or are still apart.
+    /// *Numerics*: exact except for one rounding, downwards: see [`FirstContact`]. If the result
+    /// names an axis, the shapes are apart before that time; at that time they touch or are still
+    /// apart.
     ///
-    /// *Panics*: never. *Cost*: that of [`meets_along`](Self::meets_along). Shapes that meet also
+    /// *Panics*: never. *Cost*: as for [`meets_along`](Self::meets_along). Shapes that meet also
     /// take one of its axes again in `f64`, and two divisions. A result in `f64` takes that axis in
     /// 106 digits, and one in fixed point of 64 bits a division of integers. On 32-bit cores, and
     /// where two axes close at about the same time, every axis with a gap is computed.

@@ -71,7 +71,7 @@ impl Given<Filtered<f64>> {
         self.edge(0, j) * self.edge(1, l) - self.edge(0, l) * self.edge(1, j)
     }
 
-    /// An axis with a possible gap, of either sign.
+    /// An axis with a possible gap, positive or negative.
     #[inline(always)]
     fn on_axis(&self, Last { axis, size, .. }: Last) -> Option<Gap> {
         let AtStart { gap: bound, area_speed, volume_speed }: AtStart<Filtered<f64>> =

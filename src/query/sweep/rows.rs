@@ -23,7 +23,7 @@ struct Course<Q> {
     open_faces: u32,
 }
 
-/// Whether the triangle misses the box all the way, if floats can tell.
+/// Whether the triangle misses the box all the way, if floats decide it.
 #[inline(always)]
 pub(super) fn misses<S: Scalar + InFloat<F>, F: Float>(passing: &Passing<'_, S>) -> Option<bool> {
     match passing.aabb.form() {
@@ -32,7 +32,7 @@ pub(super) fn misses<S: Scalar + InFloat<F>, F: Float>(passing: &Passing<'_, S>)
     }
 }
 
-/// What floats know of the time of contact.
+/// The knowledge of floats about the time of contact.
 #[inline(always)]
 pub(super) fn when<S: Scalar + InFloat<F>, F: Float>(passing: &Passing<'_, S>) -> Option<Instant> {
     match passing.aabb.form() {
@@ -150,7 +150,7 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         })
     }
 
-    /// Whether the triangle misses the box all the way, if floats can tell.
+    /// Whether the triangle misses the box all the way, if floats decide it.
     #[inline(always)]
     fn misses(self) -> Option<bool> {
         let error = along(self.size())?;
@@ -162,9 +162,9 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         self.misses_on_axes(error, instants)
     }
 
-    /// When the triangle meets the box, as far as floats can tell. `place` is how much earlier than
-    /// the first contact the other axes must have closed, so that they also close earlier in the
-    /// scalar.
+    /// When the triangle meets the box, as far as floats decide it. `place` is how much earlier
+    /// than the first contact the other axes must have closed, so that they also close earlier in
+    /// the scalar.
     #[inline(always)]
     fn when(self, place: Q::Lane) -> Option<Instant> {
         let size = self.size();

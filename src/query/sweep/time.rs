@@ -1,4 +1,4 @@
-//! When do the shapes meet? First what floats know, then the time.
+//! When do the shapes meet? First the bounds from floats, then the time.
 
 use super::{FirstContact, Passing, in_doubles, rows};
 use crate::arithmetic::{Embeds, Filtered, Float, InFloat};
@@ -9,7 +9,7 @@ use crate::scalar::Scalar;
 /// A relative bound, above the relative loss of a scalar's number in `f64`.
 const NEAR: f64 = 64.0 * f64::EPSILON;
 
-/// What floats know of a motion.
+/// The bounds from floats on a motion.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) enum Instant {
     /// Nothing.
@@ -58,7 +58,7 @@ impl<S: Scalar> Predicate<S> for When<'_, '_, S> {
     }
 }
 
-/// When do these shapes meet, given that they do, and given what floats know?
+/// When do these shapes meet, given that they do, and given the bounds from floats?
 pub(super) struct Meets<'a, S> {
     pub(super) passing: Passing<'a, S>,
     pub(super) last: Option<Last>,

@@ -4,7 +4,7 @@
 //! All axes are measured from the first vertex, which takes the fewest steps for each box. On an
 //! edge axis the first vertex either belongs to the edge, or is opposite to it and projects one
 //! component of the normal away. The middle of the triangle's interval is half that component away,
-//! on one side or the other. The bounds of `error_bound.rs` hold for either.
+//! on one of two sides. The bounds of `error_bound.rs` hold for either.
 
 use super::error_bound::bound_of_size;
 use super::frame::range;
@@ -36,7 +36,7 @@ pub(crate) struct TriangleAxes<F> {
 }
 
 /// The gaps between triangle and box: the greatest of the nine on edge axes, and the gap on the
-/// normal; and the error bounds of both.
+/// normal; and their error bounds.
 pub(super) struct Gaps<F> {
     pub(super) edges: F,
     pub(super) plane: F,
@@ -103,7 +103,7 @@ impl<F: Float> TriangleAxes<F> {
             for i in 0..3 {
                 let (e, j, l) = (&self.edges[k], (i + 1) % 3, (i + 2) % 3);
                 let (p, middle) = (e[j] * v[l] - e[l] * v[j], self.middle[i]);
-                // The second edge is the one that the first vertex does not belong to.
+                // The second edge does not contain the first vertex.
                 let far = if k == 1 { p - middle } else { p + middle };
                 let gap = far.magnitude() - radius(k, i);
                 most = Some(most.map_or(gap, |most| greatest(most, gap)));

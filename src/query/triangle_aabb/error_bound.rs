@@ -31,14 +31,14 @@
 //!
 //! * v: one operation, u·X. In a prepared triangle it is the sum of two offsets, from the vertex to
 //!   the first vertex and from there to the box: 3u·X. That also holds in `f32` for a box given by
-//!   its corners. Let the first vertex lie at a distance A from the centre on an axis, and another
+//!   its corners. Let the first vertex lie at a distance A from the centre on an axis, and a second
 //!   vertex at d from the first. The magnitudes of the first vertex's differences from the corners
 //!   sum to 2·max(h, A), and the differences sum to 2A. So the first vertex errs by u·(max(h, A) +
-//!   A), and the other by u·(d + |v|) more, with d ≤ s. If A ≤ h, then |v| ≤ h + s, and the error
-//!   is at most 3h + 2s in all. Otherwise, if the other vertex lies farther out, |v| = A + d, and
+//!   A), and the second by u·(d + |v|) more, with d ≤ s. If A ≤ h, then |v| ≤ h + s, and the error
+//!   is at most 3h + 2s in all. Otherwise, if the second vertex lies farther out, |v| = A + d, and
 //!   the sum 2A + d + |v| is at most 3·|v|, because no face separates. If it lies farther in, the
 //!   error is at most 3A, or 3d if it lies beyond the centre.
-//! * e: the difference of two offsets of either kind: 3u·X.
+//! * e: the difference of any two offsets: 3u·X.
 //! * h: u·h.
 //!
 //! On a coordinate axis a prepared triangle errs by 3, h by 1, and their difference, at most 2, by

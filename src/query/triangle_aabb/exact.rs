@@ -82,7 +82,7 @@ fn edge_gaps<S: Scalar>(
     let (ej, el) = (sign::<S::Sum>(pick(&e, j)), sign::<S::Sum>(pick(&e, l)));
     // (e × (z − v))_i is greatest over the box for z_l along e_j and z_j
     // against e_l. The triangle covers the interval from 0 to n_i: from the
-    // edge's own vertex to the one opposite.
+    // edge's own vertex to the opposite vertex.
     let gap = |along: bool| {
         let base = if (normal == Ordering::Greater) == along {
             // Beyond the far end: measure from the vertex opposite.

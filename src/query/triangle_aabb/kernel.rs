@@ -67,7 +67,7 @@ pub(super) fn in_frame_of_corners<S: Scalar, N: Embeds<S>>(
     Frame::new(&[a, b, c], &BoxForm::Corners(min, max, grown))
 }
 
-/// Whether one of the 13 axes separates, if `N` can tell.
+/// Whether one of the 13 axes separates, if `N` decides it.
 #[inline(always)]
 pub(super) fn any_axis<N: Arithmetic>(frame: &Frame<N>) -> Option<bool> {
     // A quarter to all of a scene's boxes lie off to one side.

@@ -1,6 +1,6 @@
 use crate::arithmetic::{ProductSum, Word, out_of_line_if_wide};
 
-/// Whether one of the other 10 axes separates a triangle from a box, if no face of the box does
+/// Whether one of the remaining 10 axes separates a triangle from a box, if no face of the box does
 /// ([`Projection::are_apart`]). For cores on which a product of words is cheap and a wider one is
 /// not.
 ///
@@ -8,7 +8,7 @@ use crate::arithmetic::{ProductSum, Word, out_of_line_if_wide};
 /// and the opposite vertex to n_i, a component of the normal. Along x_i we see a triangle and a
 /// rectangle in a plane. If they are disjoint, a line along one of their sides separates them: a
 /// side of the rectangle, which is a face of the box, or a side of the triangle with the whole
-/// rectangle on its outer side; the sign of n_i tells which side that is. (If n_i is zero, the
+/// rectangle on its outer side; the sign of n_i says which side that is. (If n_i is zero, the
 /// three edges lie on one line. They do not all point the same way, so together they test both
 /// sides.)
 ///

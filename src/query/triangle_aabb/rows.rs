@@ -51,7 +51,7 @@ pub(in crate::query) fn row<S: InFloat<Q::Lane>, Q: Quad>(v: &Vec3<S>) -> Q {
     Q::of_three([v.x.in_float(), v.y.in_float(), v.z.in_float()])
 }
 
-/// Whether an axis separates, or the reason why the first look cannot tell.
+/// Whether an axis separates, or the reason why the first look cannot decide.
 pub(super) type Clear = Result<bool, Doubt>;
 
 /// The reason for a doubt.

@@ -56,7 +56,7 @@ impl<S: Scalar> Triangle<S> {
     /// *Numerics*: exact for every valid input. The axis is the first in the order of
     /// [`Axis::ALL`], so it is the same on every machine.
     ///
-    /// *Panics*: never. *Cost*: that of [`overlaps`](Self::overlaps), and if that is `false` up to
+    /// *Panics*: never. *Cost*: as for [`overlaps`](Self::overlaps), and if that is `false` up to
     /// 13 tests of one axis.
     ///
     /// If the bodies move little between frames, the same axis usually separates them again. Test
@@ -86,7 +86,7 @@ impl<S: Scalar> Triangle<S> {
     /// *Numerics*: exact for every valid input. An edge along a coordinate axis and a degenerate
     /// triangle can make an axis zero; a zero axis separates nothing. Indices count modulo 3.
     ///
-    /// *Panics*: never. *Cost*: at most that of [`overlaps`](Self::overlaps).
+    /// *Panics*: never. *Cost*: at most as for [`overlaps`](Self::overlaps).
     #[must_use]
     pub fn is_separated_by(&self, aabb: &Aabb<S>, axis: Axis) -> bool {
         S::evaluate(&SeparatedBy { shapes: Disjoint { triangle: self, aabb }, axis })

@@ -1,5 +1,5 @@
 //! The last stage for an oriented box: exact signs of sums of products of the given numbers, as for
-//! an axis-aligned box. The axes are those of the kernel; each term has four factors. Sums are long
+//! an axis-aligned box. The axes are the kernel's; each term has four factors. Sums are long
 //! accumulators, or words if the shapes are short enough.
 
 use core::cmp::Ordering;

@@ -34,7 +34,7 @@ pub(in crate::query) struct ErrorBound<P> {
 /// * on e_k × u_i, p = u_i·(e_k × t_k) of the edge, p + u_i·n of the opposite vertex, and
 ///   ±(h_j·|w_l·e_k| + h_l·|w_j·e_k|) of the box.
 ///
-/// A product with fewer axes or half-extents than the others has one as a factor instead, which is
+/// A product with too few axes or half-extents has one as a factor instead, which is
 /// not 1 in fixed point.
 ///
 /// An edge that is parallel to an axis up to rounding is decided as with two boxes (see
@@ -112,7 +112,7 @@ pub(in crate::query) fn dot<P: Number + Mul<Output = P>>(a: &[P; 3], b: &[P; 3])
 }
 
 /// Whether the cross product of two vectors is certainly zero: both lie along one coordinate axis,
-/// or one of them is zero.
+/// or one product is zero.
 #[inline(always)]
 pub(in crate::query) fn lie_along_one_axis<P: Number>(a: &[P; 3], b: &[P; 3]) -> bool {
     let is_zero = |x: P, y: P| (x == P::ZERO) | (y == P::ZERO);

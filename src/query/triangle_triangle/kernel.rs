@@ -40,7 +40,7 @@ pub(super) fn crossing<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> 
         return None;
     }
 
-    // Each triangle in the order that puts the apex of the other above its plane.
+    // Each triangle in the order that puts its partner's apex above its plane.
     let (i, is_second_above) = apex(second);
     let (i, j, k) = turn(i);
     let (e, f) = if is_second_above { (e, f) } else { (f, e) };

@@ -47,7 +47,7 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Triangle<S> {
     /// *Geometry*: closed sets in one frame and unit. Either may be a segment or a point.
     ///
     /// *Contact*: touching is overlap. Triangles that share a vertex or part of an edge overlap,
-    /// and so does a triangle that lies in the other, in one plane too.
+    /// and so does a triangle that lies within its partner, in one plane too.
     ///
     /// *Numerics*: exact for every valid input, in every scalar. Either order of the
     /// triangles and of their vertices gives the same answer.

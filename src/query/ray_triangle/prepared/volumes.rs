@@ -9,7 +9,7 @@
 //!
 //! # Error bounds
 //!
-//! E is the greatest component of both edges, and D of the direction. M is the greatest component
+//! E is the greatest component of the edges, and D of the direction. M is the greatest component
 //! of all vertices plus the greatest of the origin: no component of s exceeds M. u is the unit
 //! roundoff of `f32`. Edges and normal are computed in `f64` and rounded once: e and d err by a
 //! relative u, n by u·2E², and the roundings in `f64` are below a thousandth of that. Vertex and

@@ -9,7 +9,7 @@ use crate::robust::{Stage, Uncertain, note};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
-/// Whether one of the 13 axes separates, if floats can tell.
+/// Whether one of the 13 axes separates, if floats decide it.
 #[inline(always)]
 pub(in crate::query::triangle_aabb) fn pair<S: Scalar + InFloat<F>, F: Float>(
     triangle: &Triangle<S>,

@@ -9,7 +9,7 @@ use crate::shape::{Obb, Triangle};
 struct Rng(Random);
 
 impl Rng {
-    /// An integer below 2^`bits`, of either sign.
+    /// An integer below 2^`bits`, positive or negative.
     fn within(&mut self, bits: u32) -> i64 {
         (self.0.bits() >> (63 - bits)) as i64 - (1 << bits)
     }
