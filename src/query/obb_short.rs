@@ -11,7 +11,7 @@
 //! magnitudes of the components.
 //!
 //! * If the gap on any axis exceeds E·|x|_1, the shapes are disjoint. The axis itself may be
-//! rounded.
+//!   rounded.
 //! * The facets of the integer zonotope have normals g'_p × g'_q. If the gap on each of these is
 //!   below −E·|x|_1, the zonotope about d' contains the cube of half-width E about zero. So on
 //!   *every* axis the gap is at most −E·|x|_1, and that of the true vectors at most zero: the
