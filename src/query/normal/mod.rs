@@ -1,5 +1,6 @@
 //! Unit normals. They need a square root, which nothing else here does, and the caller chooses the
-//! root. `unit_normal` for fixed point is here; those of `libm` and `micromath` are in `interop`.
+//! root. `unit_normal` for fixed point is here; the functions for `libm` and
+//! `micromath` are in `interop`.
 
 mod degenerate;
 #[cfg(feature = "libm")]

@@ -9,10 +9,10 @@ use crate::shape::{Aabb, AabbForm, Ray, Vec3};
 
 /// A ray prepared for many axis-aligned boxes: exact, and nearly as fast as slabs that round.
 ///
-/// Choose it to traverse a tree, or wherever a ray meets more than a few boxes. The answers are
-/// those of [`Ray::overlaps`] and [`Ray::t_range`].
+/// Choose it to traverse a tree, or wherever a ray meets more than a few boxes. The answers
+/// equal [`Ray::overlaps`] and [`Ray::t_range`].
 ///
-/// *Numerics*: exact. The slabs are those of [`SlabRay`](crate::published::slabs::SlabRay) with an
+/// *Numerics*: exact. The slabs follow [`SlabRay`](crate::published::slabs::SlabRay), with an
 /// error bound, in fixed point by `f64`. If the ray passes within a few roundings of an edge of the
 /// box, the bound leaves a doubt, and the exact test of the ray itself decides.
 ///
@@ -126,8 +126,8 @@ impl<S: Scalar> PreparedRay<S> {
     /// *Contact*: touching counts as overlap. *Numerics*: exact. *Panics*: never.
     ///
     /// *Cost*: by corners 6 differences, 6 multiplications and 14 comparisons; by centre 3
-    /// differences, 7 multiplications, 11 sums and 10 comparisons. In doubt, that of
-    /// [`Ray::overlaps`] besides.
+    /// differences, 7 multiplications, 11 sums and 10 comparisons. In doubt, the cost of
+    /// [`Ray::overlaps`] is added.
     ///
     /// *Source*: slabs after Kay and Kajiya 1986; the bound is ours.
     #[inline]

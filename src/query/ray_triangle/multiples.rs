@@ -107,7 +107,7 @@ mod tests {
     use crate::robust::Predicate;
     use crate::shape::{Ray, Triangle};
 
-    /// The bits are those of `f64` and the stages after it, and there is usually an answer.
+    /// The bits equal the result of `f64` and the stages after it, and there is usually an answer.
     #[test]
     fn hits_are_the_same_bits() {
         let mut seed = 3_u64;

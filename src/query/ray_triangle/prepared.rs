@@ -22,7 +22,7 @@ pub struct HitTriangle<S: Scalar> {
 ///
 /// Use both if triangles meet many rays and most pairs miss, as in the leaves of a tree. If half of
 /// the pairs hit, [`Ray::hit`] is faster than `HitRay::hit`, but [`Ray::is_hit`] is not faster than
-/// `HitRay::is_hit`. The answers are those of [`Ray::hit`] and [`Ray::is_hit`].
+/// `HitRay::is_hit`. The answers equal [`Ray::hit`] and [`Ray::is_hit`].
 ///
 /// *Numerics*: exact. The first look uses `f32` with an error bound, in every scalar. If it is in
 /// doubt, and for t, u and v, the unprepared query answers.

@@ -1,6 +1,6 @@
 //! The crossing in `f64` in two parts, for signs in doubt.
 //!
-//! D, E and R are those of `super::error_bound`. A component x of a vector of size s (D, E or R) is
+//! D, E and R are as in `super::error_bound`. A component x of a vector of size s (D, E or R) is
 //! cut at a grid: x = h + l, with h a multiple of g, |h| ≤ (1 + 2^25)·g, and |l| ≤ η·s, η = 2^-25,
 //! up to a relative 2^-28 (`super::split`). l also takes the rounding error of the difference. A
 //! component of an area is (h h − h h) + (h l + l x − h l − l x). The first bracket is less than

@@ -163,7 +163,7 @@ fn all_at_once(
     left_over(rows, short.map(Row::splat), shifters.map(Row::splat)).three()
 }
 
-/// The same, one component after the other, for callers that process several triangles at once.
+/// The same, component by component, for callers that process several triangles at once.
 #[inline(always)]
 fn one_by_one(
     [a, b, c, o]: &[[f64; 3]; 4],

@@ -60,10 +60,10 @@ pub trait Sweep<Other> {
     /// body that turns, sweep a shape that encloses it in all its orientations.
     ///
     /// *Contact*: touching counts as contact, also at the start and at the end. Without motion the
-    /// answer is that of [`overlaps`](crate::Overlaps::overlaps).
+    /// answer equals [`overlaps`](crate::Overlaps::overlaps).
     ///
-    /// *Numerics*: exact for every valid input, in every scalar. No difference within the motion is
-    /// rounded, nor a sum of it and a coordinate.
+    /// *Numerics*: exact for every valid input, in every scalar. The differences within the motion,
+    /// and their sums with coordinates, are not rounded.
     ///
     /// *Range*: all finite floats and all fixed-point values. The fast stage serves the range that
     /// [`overlaps`](crate::Triangle#impl-Overlaps<Aabb<S>>-for-Triangle<S>) names, here of the two
@@ -81,8 +81,8 @@ pub trait Sweep<Other> {
     #[must_use]
     fn meets_along(&self, motion: &Motion<Self::Scalar>, other: &Other) -> bool;
 
-    /// When does this shape, as it moves, first have a point in common with the other? `None` if it
-    /// [misses](Self::meets_along) the other.
+    /// When does this shape, as it moves, first have a point in common with `other`? `None` if it
+    /// [misses](Self::meets_along) `other`.
     ///
     /// *Contact*: shapes that touch at the start meet at time zero.
     ///
