@@ -69,7 +69,7 @@ const PLACES: u64 = 40;
 /// The relative size that then remains.
 const LEFT: f64 = f64::from_bits((1023 - PLACES) << 52);
 
-/// The same by integers, for any input: the components over the greatest of them.
+/// The same by integers, for any input: the components over the greatest component.
 #[cold]
 #[inline(never)]
 fn by_integers(t: &Triangle<f64>) -> Option<[f64; 3]> {

@@ -162,7 +162,7 @@ impl<S: Scalar> PreparedRay<S> {
     /// *Numerics*: the same bits as [`Ray::t_range`]. *Panics*: never.
     ///
     /// *Cost*: as for [`overlaps`](Self::overlaps), and for a box that the ray meets also
-    /// [`Ray::t_range`] besides.
+    /// [`Ray::t_range`].
     #[inline]
     #[must_use]
     pub fn t_range(&self, aabb: &Aabb<S>) -> Option<(S, S)> {

@@ -14,7 +14,7 @@ impl<S: Scalar> Ray<S> {
     ///
     /// *Numerics*: exact for every valid input, in every scalar, even if the t of two
     /// [hits](Self::hit) are equal or in the wrong order because of rounding. `Equal` means the
-    /// same point. So the order is transitive, and the same on every machine.
+    /// same point. The order is therefore transitive, and the same on every machine.
     ///
     /// *Panics*: never. *Cost*: two [hits](Self::hit); and exact integers, up to a thousand times
     /// slower, if the two rounded t are equal, or in floats within a relative 2⁻²⁰.

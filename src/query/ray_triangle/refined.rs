@@ -52,7 +52,7 @@ pub(super) struct Refined {
 pub(super) struct Met {
     pub(super) feature: Feature,
     pub(super) det: f64,
-    /// t, u and v, if one of them is zero.
+    /// t, u and v, if any is zero.
     pub(super) quotients: Option<[f64; 3]>,
 }
 

@@ -7,7 +7,7 @@
 //! # Errors
 //!
 //! Short numbers t', u' and v' give r = s + t'·d − u'·e1 − v'·e2, with exact vectors and edges, and
-//! r determines their distance from t, u and v. D, E, R and u are those of `super::error_bound`,
+//! r determines their distance from t, u and v. D, E, R and u are as in `super::error_bound`,
 //! P(x) is the power of two below x, and ρ the relative error of the determinant. The code requires
 //! R ≤ 2^22·E and ρ·R ≤ 2^-20·E, and that the ray hits.
 //!

@@ -1,4 +1,4 @@
-//! The last stage: the 19 axes, and the times on 13 of them, from exact sums of products of the
+//! The last stage: the 19 axes, and the times on 13 of those, from exact sums of products of the
 //! given coordinates.
 
 use core::cmp::Ordering;

@@ -13,7 +13,7 @@ use crate::query::triangle_aabb::plane::normal;
 use crate::robust::certain_sign;
 use crate::scalar::Scalar;
 
-/// Sizes within which neither products of two volumes nor the remainders of products of lengths
+/// Sizes within which products of two volumes, and the remainders of products of lengths, do not
 /// overflow or underflow.
 const RANGE: (f64, f64) = (f64::from_bits((1023 - 150) << 52), f64::from_bits((1023 + 150) << 52));
 

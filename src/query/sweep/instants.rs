@@ -1,7 +1,7 @@
 //! The 13 axes of triangle and box at one time of the motion, four at once.
 //!
 //! If no axis separates for certain at some time, the shapes meet. If exactly one axis separates
-//! for certain at some time, and no other may, the others have closed before, so this is the axis
+//! for certain at some time, and no second may, the rest have closed before, so this is the axis
 //! that closes last for shapes that meet. Quotients without error bounds propose such times; the
 //! axes are then evaluated there with bounds.
 

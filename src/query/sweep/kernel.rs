@@ -12,7 +12,7 @@
 //! Along an axis the triangle moves by s. Over the whole motion it covers s more: its middle moves
 //! by s/2, and its radius grows by |s|/2. The triangle meets the box at the times when none of the
 //! 13 axes separates, and these times are an interval. An axis with a gap g at the start stops
-//! separating at g/|s|, if ever. The latest of these times is that of the first contact, if there
+//! separating at g/|s|, if ever. The latest of these times is the time of first contact, if there
 //! is a contact.
 
 use super::FirstContact;

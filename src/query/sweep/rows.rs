@@ -83,7 +83,7 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
     fn new(rows: Rows<Q>, p: Q, q: Q, d: Q, by_center: bool) -> Option<Self> {
         let zero = Q::splat(Q::Lane::ZERO);
         // The gaps on both sides of the box, below zero where the shapes overlap. The sign of a gap
-        // that is not zero is right, and with two corners that of zero too: see `Frame`.
+        // that is not zero is right, and with two corners a zero is too: see `Frame`.
         let (above, below, half) = if by_center {
             let (low, high) = (rows.low - p, rows.high - p);
             (low - q, zero - high - q, q)
