@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::HitRules;
 use super::counted::Crosses;
-use crate::arithmetic::{Embeds, Limbed};
+use crate::arithmetic::{Embeds, Limbed, REGISTERS_ARE_WIDE};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
 
@@ -51,9 +51,9 @@ impl<S: Scalar> Ray<S> {
 
     #[cold]
     fn compare_exactly(&self, a: &Triangle<S>, b: &Triangle<S>) -> Ordering {
-        self.compare_in::<S::Window>(a, b)
-            .or_else(|| self.compare_in::<S::Full>(a, b))
-            .unwrap_or(Ordering::Equal)
+        // On a small core one width is enough, as in `in_exact_numbers`.
+        let in_window = if REGISTERS_ARE_WIDE { self.compare_in::<S::Window>(a, b) } else { None };
+        in_window.or_else(|| self.compare_in::<S::Full>(a, b)).unwrap_or(Ordering::Equal)
     }
 
     /// The order in `N`, if it holds the coordinates.
