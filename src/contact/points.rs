@@ -128,8 +128,8 @@ pub(super) fn points<S: Scalar>(
     let mut solids = rough.each_ref().map(Solid::new);
     let size = greatest(solids[0].size, solids[1].size);
     let mut scale = 1.0;
-    // NaN and infinity are too great.
-    if !(size > RANGE.0 && size < RANGE.1) {
+    // NaN and infinity are too great; `greatest` may pass over a NaN.
+    if !(size > RANGE.0 && solids.iter().all(|solid| solid.size < RANGE.1)) {
         scale = if size < 1.0 { UP } else { DOWN };
         solids = bodies.each_ref().map(|body| Solid::new(&body.rough(origin, scale)));
     }

@@ -220,3 +220,13 @@ fn a_square_on_a_square_has_eight_points() {
     let small = contact(&small, &below).unwrap();
     assert_eq!(parts(&small), [0, 1, 2, 3].map(|k| [Part::Vertex(k), Part::Face(5)]));
 }
+
+/// The size of the first shape is no number, and yet it is too great for the floats of its points.
+#[test]
+fn shapes_as_large_as_the_range_have_points() {
+    let (most, next, least) = (f64::MAX, f64::MAX.next_down(), f64::from_bits(1));
+    let vertices = [[1.0, -least, -most], [least, most, least], [-least, -next, most]];
+    let half = [1.0_f64.next_down(), 0.0, 0.0];
+    let line = AnyBox::Aabb(BoxNumbers::Center([0.0, next, -least], half));
+    checked(Solid::Triangle(vertices), Solid::Box(line));
+}
