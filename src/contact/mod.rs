@@ -42,7 +42,8 @@
 //! The direction has minimum depth, except for differences below 2^-55 of the depth. Ties go to the
 //! first candidate in this order: faces of triangles, faces of the first shape, faces of the second
 //! shape, then pairs of edges, sorted by the edge of the first shape. Each candidate is a cross
-//! product n of two edges; −n comes before n.
+//! product n of two edges; −n comes before n. Where a third depth differs from the tied ones by less
+//! than 2^-55, a later candidate of the tie may be taken. All machines take the same candidate.
 //!
 //! Let d be the true depth. Then `depth` is at least d and less than (1 + 2^-55)·d plus one unit in
 //! the last place. The coordinates of the vector are rounded in the same way. In 64-bit fixed point

@@ -7,6 +7,7 @@ use septum::contact::{Axis, contact};
 use septum::{Aabb, Obb, Triangle};
 use septum_kit::boxes::BoxSet;
 use septum_kit::contacts::ContactSet;
+use septum_kit::fixed::types::{I0F64, I32F32};
 use septum_kit::{Rng, Sample, for_every_scalar, with_every_scalar};
 
 /// The number of cases of each set, and the number also checked by linear programming.
@@ -68,6 +69,18 @@ fn equal_ways_have_an_order() {
     assert_eq!(out.vector.to_array(), [0.0, 0.0, -1.0]);
     let out = contact(&big, &unit).unwrap().translation;
     assert_eq!((out.axis, out.vector.to_array()), (Axis::First(0), [0.0, 0.0, -1.0]));
+}
+
+/// Two candidates are equal, and a third is too near to them for a comparison.
+#[test]
+fn a_third_candidate_may_come_between_equals() {
+    fn check<S: Sample>(place: usize) {
+        let mut rng = Rng::new(4242);
+        let cases = (0..=place).map(|_| ContactSet::Like(BoxSet::Huge).case::<S>(&mut rng));
+        assert!(cases.last().unwrap().check(false).is_some());
+    }
+    check::<I0F64>(7_703);
+    check::<I32F32>(13_902);
 }
 
 /// Equal axes, and directions that were tested before, are skipped, without missing an axis.

@@ -193,7 +193,20 @@ impl<S: Sample> ContactCase<S> {
                 && IBig::dot(&d.axis, &a) > IBig::ZERO
         };
         let is_first = is_same(least) || is_before.into_iter().any(is_same);
-        assert!(is_first, "not the first of equals: {self:?} {t:?}");
+        // A third candidate, too near for a comparison, may come between two that are equal.
+        let is_near = |d: &Depth| {
+            let square = |x: &Depth, other: &Depth| &x.overlap * &x.overlap * &other.square;
+            let (a, b) = (square(d, least), square(least, d));
+            a != b && (a - &b) << 54 <= b
+        };
+        let all = || depths.iter().flatten();
+        let is_tie = all().any(is_near)
+            && all().filter(|d| is_same(d)).all(|d| {
+                is_near(d)
+                    || &d.overlap * &d.overlap * &least.square
+                        == &least.overlap * &least.overlap * &d.square
+            });
+        assert!(is_first || is_tie, "not the first of equals: {self:?} {t:?}");
         self.check_vector(&t, &a, &hulls, &length);
         self.check_normal(&t.normal.to_array(), &a);
         if with_programming && t.is_sufficient {
