@@ -7,9 +7,9 @@
 //!
 //! // A crate that sank a sixteenth into the floor.
 //! let floor = Triangle::new([-8.0_f32, -8.0, 0.0], [8.0, -8.0, 0.0], [0.0, 8.0, 0.0])?;
-//! let crate_ = Aabb::from_min_max([0.0, 0.0, -0.0625], [1.0, 1.0, 0.9375])?;
+//! let chest = Aabb::from_min_max([0.0, 0.0, -0.0625], [1.0, 1.0, 0.9375])?;
 //!
-//! let found = contact(&crate_, &floor).unwrap();
+//! let found = contact(&chest, &floor).unwrap();
 //! let out = found.translation;
 //! assert_eq!(out.vector.to_array(), [0.0, 0.0, 0.0625]); // the crate goes up
 //! assert_eq!((out.depth, out.axis), (0.0625, Axis::Second(0))); // by the floor's face
@@ -39,15 +39,15 @@
 //! lies beyond the range of the scalar, no vector is enough, and [`Translation::is_sufficient`] is
 //! `false`.
 //!
-//! The direction has minimum depth, except for differences below 2^-55 of the depth. Ties go to the
+//! The direction has minimum depth, except for differences below 2⁻⁵⁵ of the depth. Ties go to the
 //! first candidate in this order: faces of triangles, faces of the first shape, faces of the second
 //! shape, then pairs of edges, sorted by the edge of the first shape. Each candidate is a cross
 //! product n of two edges; −n comes before n. Where a third depth differs from the tied ones by less
-//! than 2^-55, a later candidate of the tie may be taken. All machines take the same candidate.
+//! than 2⁻⁵⁵, a later candidate of the tie may be taken. All machines take the same candidate.
 //!
-//! Let d be the true depth. Then `depth` is at least d and less than (1 + 2^-55)·d plus one unit in
+//! Let d be the true depth. Then `depth` is at least d and less than (1 + 2⁻⁵⁵)·d plus one unit in
 //! the last place. The coordinates of the vector are rounded in the same way. In 64-bit fixed point
-//! 2^-55 of a large number is up to 256 units. A coordinate of the normal is off by up to 2^-55 of
+//! 2⁻⁵⁵ of a large number is up to 256 units. A coordinate of the normal is off by up to 2⁻⁵⁵ of
 //! itself and half a unit in the last place. All three are exact if the direction is a coordinate
 //! axis and the coordinates have few bits.
 //!
@@ -57,18 +57,18 @@
 //! scalar. Let R be the greatest difference in a coordinate between any two corners of the shapes,
 //! and let a unit be one unit in the last place of the number in question.
 //!
-//! * Each coordinate of `on_first` and of `on_second` is within 2^-47·R and one unit of a point of
+//! * Each coordinate of `on_first` and of `on_second` is within 2⁻⁴⁷·R and one unit of a point of
 //!   the part named in `parts`.
-//! * `on_second` − `on_first` is `depth` times the normal, within 2^-42·R and a unit of each
+//! * `on_second` − `on_first` is `depth` times the normal, within 2⁻⁴²·R and a unit of each
 //!   number.
-//! * The points span the contact, within ε = 2^-42·R plus four units. Shrink one of the shapes by ε
+//! * The points span the contact, within ε = 2⁻⁴²·R plus four units. Shrink one of the shapes by ε
 //!   and translate the first shape by `vector`. Every point where the shapes then touch is at most
 //!   ε from the convex hull of the deepest points.
 //!
-//! In `f32` and in fixed point of up to 32 bits, 2^-47·R is less than a unit unless the coordinate
+//! In `f32` and in fixed point of up to 32 bits, 2⁻⁴⁷·R is less than a unit unless the coordinate
 //! is thousands of times smaller than R. A coordinate beyond the range of the scalar is infinite,
 //! in fixed point the end of the range. In `f64` a coordinate may be NaN if an axis of an oriented
-//! box is longer than 2^600 or shorter than 2^-600.
+//! box is longer than 2⁶⁰⁰ or shorter than 2⁻⁶⁰⁰.
 //!
 //! All results are the same on every machine.
 //!
