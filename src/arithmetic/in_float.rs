@@ -25,26 +25,26 @@ pub(crate) trait InFloat<F>: Copy {
 }
 
 /// The float that is asked first, four at once, in a query that has a kernel for that.
-pub(crate) trait FirstFloat: InFloat<<Self as FirstFloat>::First> {
+pub(crate) trait FirstFloat: InFloat<<Self as FirstFloat>::SeptumFirst> {
     /// That float.
-    type First: Float;
+    type SeptumFirst: Float;
 
     /// [`InFloat::LIMIT`].
-    const FIRST_LIMIT: Option<Self::First> = <Self as InFloat<Self::First>>::LIMIT;
+    const FIRST_LIMIT: Option<Self::SeptumFirst> = <Self as InFloat<Self::SeptumFirst>>::LIMIT;
 
     /// [`InFloat::in_float`].
     #[inline(always)]
-    fn first(self) -> Self::First {
+    fn first(self) -> Self::SeptumFirst {
         self.in_float()
     }
 }
 
 impl FirstFloat for f32 {
-    type First = f32;
+    type SeptumFirst = f32;
 }
 
 impl FirstFloat for f64 {
-    type First = f64;
+    type SeptumFirst = f64;
 }
 
 macro_rules! same {
@@ -77,7 +77,7 @@ macro_rules! raw_bits {
         }
 
         impl<Frac: $bound> FirstFloat for $fixed<Frac> {
-            type First = $float;
+            type SeptumFirst = $float;
         }
     )*};
 }

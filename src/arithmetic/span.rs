@@ -52,37 +52,37 @@ impl Span for f64 {
 }
 
 /// Four spans side by side.
-pub type Spans<S> = <<S as Spanned>::Span as OfFour>::Quad;
+pub type Spans<S> = <<S as Spanned>::SeptumSpan as OfFour>::Quad;
 
 /// A scalar whose lengths are spans, each rounded at most once.
 pub(crate) trait Spanned: Copy {
     /// The float.
-    type Span: Span;
+    type SeptumSpan: Span;
     /// A coordinate from which others are measured.
-    type Anchor: Copy + Debug;
+    type SeptumAnchor: Copy + Debug;
     /// Whether this machine has fast operations on the float.
     const IS_FAST: bool;
 
     /// The coordinate as an anchor.
-    fn anchor(self) -> Self::Anchor;
+    fn anchor(self) -> Self::SeptumAnchor;
     /// The difference from the anchor to this coordinate.
-    fn beyond(self, anchor: Self::Anchor) -> Self::Span;
+    fn beyond(self, anchor: Self::SeptumAnchor) -> Self::SeptumSpan;
     /// The differences from the anchors to these coordinates. The fourth lane is ignored.
     #[inline(always)]
-    fn all_beyond([x, y, z, _]: [Self; 4], [a, b, c, _]: [Self::Anchor; 4]) -> Spans<Self> {
+    fn all_beyond([x, y, z, _]: [Self; 4], [a, b, c, _]: [Self::SeptumAnchor; 4]) -> Spans<Self> {
         Quad::of_three([x.beyond(a), y.beyond(b), z.beyond(c)])
     }
     /// A length, in the unit of differences.
-    fn span(self) -> Self::Span;
+    fn span(self) -> Self::SeptumSpan;
     /// A quotient of lengths, times the scale; `None` if it was rounded.
-    fn scaled(self) -> Option<Self::Span>;
+    fn scaled(self) -> Option<Self::SeptumSpan>;
 }
 
 macro_rules! float {
     ($float:ident) => {
         impl Spanned for $float {
-            type Span = $float;
-            type Anchor = $float;
+            type SeptumSpan = $float;
+            type SeptumAnchor = $float;
             const IS_FAST: bool = true;
 
             #[inline(always)]
@@ -137,8 +137,8 @@ mod fixed_point {
     macro_rules! fixed_point {
         ($($fixed:ident: $bound:ident;)*) => {$(
             impl<Frac: $bound> Spanned for $fixed<Frac> {
-                type Span = f64;
-                type Anchor = f64;
+                type SeptumSpan = f64;
+                type SeptumAnchor = f64;
                 const IS_FAST: bool = REGISTERS_ARE_WIDE;
 
                 #[inline(always)]
@@ -173,8 +173,8 @@ mod fixed_point {
     }
 
     impl<Frac: LeEqU64> Spanned for FixedI64<Frac> {
-        type Span = f64;
-        type Anchor = i64;
+        type SeptumSpan = f64;
+        type SeptumAnchor = i64;
         const IS_FAST: bool = REGISTERS_ARE_WIDE;
 
         #[inline(always)]

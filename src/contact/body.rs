@@ -128,7 +128,13 @@ impl<S: Scalar> Body<'_, S> {
     }
 
     /// Adds (x × y)·p to the sum or subtracts it, with p twice the centre or twice vertex k.
-    pub(super) fn add_place(&self, sum: &mut S::Sum, [x, y]: [&Vector; 2], k: usize, minus: bool) {
+    pub(super) fn add_place(
+        &self,
+        sum: &mut S::SeptumSum,
+        [x, y]: [&Vector; 2],
+        k: usize,
+        minus: bool,
+    ) {
         let Place(p, q) = match self {
             Self::Triangle(t) => {
                 let v = *pick(&t.points(), k);
@@ -153,7 +159,7 @@ pub(super) fn difference_in_double<S: Scalar>(x: S, other: S, scale: f64) -> f64
 
 /// The sign of (x × y)·z.
 pub(super) fn side_of<S: Scalar>([x, y]: [&Vector; 2], z: &Vector) -> core::cmp::Ordering {
-    let mut sum = S::Sum::new();
+    let mut sum = S::SeptumSum::new();
     add_scaled_determinant(&mut sum, x, y, z, S::ONE);
     sum.sign()
 }

@@ -156,7 +156,7 @@ fn normal_signs<S: Scalar>(triangle: &Triangle<S>) -> [Ordering; 3] {
     let (x, y) = (body.side(0), body.side(1));
     [0, 1, 2].map(|i: usize| {
         let (_, j, k) = turn(i);
-        let mut sum = S::Sum::new();
+        let mut sum = S::SeptumSum::new();
         add_area(&mut sum, pick(&x, j), pick(&y, k), false);
         add_area(&mut sum, pick(&x, k), pick(&y, j), true);
         sum.sign()

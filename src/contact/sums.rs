@@ -29,7 +29,7 @@ impl<'a, S: Scalar> Sums<'a, S> {
     /// Adds twice the shape's end along the direction, or subtracts its beginning.
     fn add_end(
         &self,
-        sum: &mut S::Sum,
+        sum: &mut S::SeptumSum,
         body: &Body<'_, S>,
         vertex: usize,
         along: &[Ordering; 3],
@@ -56,7 +56,7 @@ impl<S: Scalar> Given for Sums<'_, S> {
             let (_, j, k) = turn(i);
             let [x, y] = &self.sides;
             let of = |minus: bool| {
-                let mut sum = S::Sum::new();
+                let mut sum = S::SeptumSum::new();
                 add_area(&mut sum, pick(x, j), pick(y, k), minus);
                 add_area(&mut sum, pick(x, k), pick(y, j), !minus);
                 sum
@@ -73,7 +73,7 @@ impl<S: Scalar> Given for Sums<'_, S> {
     }
 
     fn overlap(&self, along: &[[Ordering; 3]; 2], vertices: [usize; 2], lower: usize) -> Size {
-        let mut sum = S::Sum::new();
+        let mut sum = S::SeptumSum::new();
         for shape in 0..2 {
             let (body, is_upper) = (&self.bodies[shape], shape != lower);
             self.add_end(&mut sum, body, vertices[shape], &along[shape], is_upper);

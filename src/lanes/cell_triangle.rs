@@ -27,7 +27,7 @@ use crate::shape::Triangle;
 pub struct CellTriangle<S: Scalar> {
     triangle: Triangle<S>,
     half: [S; 3],
-    prepared: Option<OfOneSize<<S as FirstFloat>::First>>,
+    prepared: Option<OfOneSize<<S as FirstFloat>::SeptumFirst>>,
 }
 
 impl<S: Scalar> CellTriangle<S> {

@@ -7,7 +7,7 @@ use crate::scalar::Scalar;
 use crate::shape::{Aabb, Triangle, Vec3};
 
 /// The steps along each axis.
-pub(super) struct Grid<S: Scalar>(pub(super) [S::Steps; 3]);
+pub(super) struct Grid<S: Scalar>(pub(super) [S::SeptumSteps; 3]);
 
 impl<S: Scalar> Clone for Grid<S> {
     fn clone(&self) -> Self {

@@ -32,7 +32,7 @@ pub(super) fn degenerate_view<S: Scalar>(
 
 /// The sign of p.x·q.y − p.y·q.x.
 fn edge<S: Scalar>(p: Triple<S>, q: Triple<S>) -> Ordering {
-    let mut sum = S::Sum::new();
+    let mut sum = S::SeptumSum::new();
     sum.add(&[p[0].0.parts(), q[1].0.parts()]);
     sum.add(&[p[1].0.parts().negated(), q[0].0.parts()]);
     sum.sign()

@@ -27,7 +27,7 @@ impl ExactTriangle {
     pub(crate) fn normal_sign<S: Scalar>(&self, i: usize) -> Ordering {
         let (_, j, k) = turn(i);
         let (e0, e1) = (self.edge(0), self.edge(1));
-        let mut sum = S::Sum::new();
+        let mut sum = S::SeptumSum::new();
         add_area(&mut sum, pick(&e0, j), pick(&e1, k), false);
         add_area(&mut sum, pick(&e0, k), pick(&e1, j), true);
         sum.sign()

@@ -190,7 +190,7 @@ pub(crate) fn exact_stage<S: Backend, P: Predicate<S>>(p: &P) -> P::Answer {
 #[inline(always)]
 pub(crate) fn in_exact_numbers<S: Backend, P: Predicate<S>>(p: &P) -> P::Answer {
     // On a small core one kernel is enough: the last stage is rare, and flash is short.
-    let in_window = if REGISTERS_ARE_WIDE { p.filter::<S::Window>() } else { None };
+    let in_window = if REGISTERS_ARE_WIDE { p.filter::<S::SeptumWindow>() } else { None };
     match in_window {
         Some(answer) => answer,
         None => at_full_width(p),
@@ -199,7 +199,7 @@ pub(crate) fn in_exact_numbers<S: Backend, P: Predicate<S>>(p: &P) -> P::Answer 
 
 #[inline(never)]
 fn at_full_width<S: Backend, P: Predicate<S>>(p: &P) -> P::Answer {
-    let answer = p.filter::<S::Full>();
+    let answer = p.filter::<S::SeptumFull>();
     debug_assert!(answer.is_some());
     answer.unwrap_or_default()
 }

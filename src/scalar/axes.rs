@@ -114,17 +114,17 @@ fn face_exactly<S>(c: S, across: [S; 3], half: [S; 3], next_up: fn(S) -> S) -> S
 where
     S: Scalar + core::ops::Neg<Output = S>,
 {
-    let mut face = S::Sum::new();
+    let mut face = S::SeptumSum::new();
     face.add(&[c.parts(), S::ONE]);
     for (a, h) in across.into_iter().zip(half) {
         let mut a = a.parts();
         a.negative = false;
         face.add(&[a, h.parts()]);
     }
-    let mut one = S::Sum::new();
+    let mut one = S::SeptumSum::new();
     one.add(&[S::ONE, S::ONE]);
     let is_below = |x: S| {
-        let mut rest = S::Sum::new();
+        let mut rest = S::SeptumSum::new();
         rest.add(&[c.parts(), S::ONE]);
         rest.add(&[x.parts().negated(), S::ONE]);
         for (a, h) in across.into_iter().zip(half) {

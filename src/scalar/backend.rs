@@ -4,6 +4,10 @@ use crate::robust::{ExactSum, Predicate};
 /// The constants and the cascade that queries require of a scalar.
 ///
 /// Sealed, because exactness depends on properties of each type.
+///
+/// Generic code of other crates does not see the constants and functions of a private supertrait.
+/// It does see the names of associated types: a type of the same name in a user's trait would be
+/// ambiguous. Hence the prefix of all associated types that are reached through `S: Scalar`.
 pub(crate) trait Backend: RoundedOps + Spanned + FirstFloat + Offset {
     /// One, for offsets and axes. Not every fixed-point type can represent it.
     const ONE: Parts;
@@ -12,19 +16,19 @@ pub(crate) trait Backend: RoundedOps + Spanned + FirstFloat + Offset {
     const FLOAT: Option<FloatFormat<Self>> = None;
 
     /// Exact numbers for nearly every input.
-    type Window: Embeds<Self, Volume: Limbed>;
+    type SeptumWindow: Embeds<Self, Volume: Limbed>;
 
     /// Exact numbers for every input: the numbers of the last stage.
-    type Full: Embeds<Self, Volume: Limbed>;
+    type SeptumFull: Embeds<Self, Volume: Limbed>;
 
     /// An accumulator wide enough for products of four scalars.
-    type Sum: ExactSum;
+    type SeptumSum: ExactSum;
 
     /// Sign, magnitude and exponent.
     fn parts(self) -> Parts;
 
     /// The quotient of two sums, to the nearest; the divisor is not zero.
-    fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self;
+    fn quotient(num: &Self::SeptumSum, den: &Self::SeptumSum) -> Self;
 
     /// The number rounded down; the greatest number of the type if it lies beyond.
     fn at_most(x: Soft) -> Self;

@@ -29,12 +29,12 @@ macro_rules! scalar {
             const ONE: Parts =
                 Parts { negative: false, magnitude: 1, shift: Self::FRAC_NBITS as u16 };
             const IN_QUADS: bool = REGISTERS_ARE_WIDE && <$float as OfFour>::Quad::IS_VECTOR;
-            type Window = Window;
-            type Full = Window;
+            type SeptumWindow = Window;
+            type SeptumFull = Window;
             // Room for the sum of several products of four raw numbers.
-            type Sum = Sum<$limbs>;
+            type SeptumSum = Sum<$limbs>;
 
-            fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self {
+            fn quotient(num: &Self::SeptumSum, den: &Self::SeptumSum) -> Self {
                 clamped!($fixed, num.quotient(den, Self::FRAC_NBITS))
             }
             #[inline(always)]

@@ -72,7 +72,7 @@ macro_rules! as_any_float {
         fn parts(self) -> Parts {
             Float::parts(self)
         }
-        fn quotient(num: &Self::Sum, den: &Self::Sum) -> Self {
+        fn quotient(num: &Self::SeptumSum, den: &Self::SeptumSum) -> Self {
             quotient(num.sign_magnitude(), den.sign_magnitude())
         }
         #[inline(always)]
@@ -106,10 +106,10 @@ impl Backend for f32 {
         least_normal: f32::MIN_POSITIVE,
         invertible: (f32::from_bits((127 - 100) << 23), f32::from_bits((127 + 100) << 23)),
     });
-    type Window = Window;
-    type Full = FullF32;
+    type SeptumWindow = Window;
+    type SeptumFull = FullF32;
     // Products of four numbers of 2^-149 to 2^128 take 1108 bits; the rest is room to add them.
-    type Sum = Sum<18>;
+    type SeptumSum = Sum<18>;
 
     as_any_float!(f32);
 
@@ -162,10 +162,10 @@ impl Backend for f64 {
         least_normal: f64::MIN_POSITIVE,
         invertible: (f64::from_bits((1023 - 1000) << 52), f64::from_bits((1023 + 1000) << 52)),
     });
-    type Window = Window;
-    type Full = FullF64;
+    type SeptumWindow = Window;
+    type SeptumFull = FullF64;
     // Products of four numbers of 2^-1074 to 2^1024 take 8392 bits; the rest is room to add them.
-    type Sum = Sum<132>;
+    type SeptumSum = Sum<132>;
 
     as_any_float!(f64);
 

@@ -11,49 +11,49 @@ use super::in_double::InDouble;
 /// [`Backend`](super::Backend).
 pub(crate) trait Gridded: InDouble {
     /// The position of point zero, and the distance between points.
-    type Steps: Copy + core::fmt::Debug;
+    type SeptumSteps: Copy + core::fmt::Debug;
 
     /// A grid whose points enclose the numbers from `min` to `max`.
-    fn steps(min: Self, max: Self) -> Self::Steps;
+    fn steps(min: Self, max: Self) -> Self::SeptumSteps;
 
     /// The exponent of the step, which is a power of two, in a unit of the scalar's own.
-    fn exponent(steps: &Self::Steps) -> i32;
+    fn exponent(steps: &Self::SeptumSteps) -> i32;
 
     /// The greatest point not above this number, or the first point.
-    fn point_below(self, steps: &Self::Steps) -> u16;
+    fn point_below(self, steps: &Self::SeptumSteps) -> u16;
 
     /// The least point not below this number, or the last point.
-    fn point_above(self, steps: &Self::Steps) -> u16;
+    fn point_above(self, steps: &Self::SeptumSteps) -> u16;
 
     /// The number at point `q`, or the greatest number of the scalar if `q` lies beyond.
-    fn point(steps: &Self::Steps, q: u16) -> Self;
+    fn point(steps: &Self::SeptumSteps, q: u16) -> Self;
 
     /// Two numbers that enclose self − h and self + h, clamped to the range of the scalar.
     fn reach(self, h: Self) -> [Self; 2];
 
     /// The position of point zero.
-    fn origin(steps: &Self::Steps) -> Self;
+    fn origin(steps: &Self::SeptumSteps) -> Self;
 
     /// How many steps a [unit](InDouble::UNIT) has.
-    fn steps_per_unit(steps: &Self::Steps) -> f64;
+    fn steps_per_unit(steps: &Self::SeptumSteps) -> f64;
 
     /// The distance from point zero to this number in steps, within a relative 2⁻⁵⁰; infinite if it
     /// overflows.
     #[inline]
-    fn place(self, steps: &Self::Steps) -> f64 {
+    fn place(self, steps: &Self::SeptumSteps) -> f64 {
         self.steps_from(Self::origin(steps), steps)
     }
 
     /// This length in steps, within a relative 2⁻⁵⁰; infinite if it overflows.
     #[inline]
-    fn length(self, steps: &Self::Steps) -> f64 {
+    fn length(self, steps: &Self::SeptumSteps) -> f64 {
         product(self.units(), Self::steps_per_unit(steps))
     }
 
     /// The distance from `other` to this number in steps, within a relative 2⁻⁵⁰; infinite if it
     /// overflows.
     #[inline]
-    fn steps_from(self, other: Self, steps: &Self::Steps) -> f64 {
+    fn steps_from(self, other: Self, steps: &Self::SeptumSteps) -> f64 {
         product(self.units_beyond(other), Self::steps_per_unit(steps))
     }
 

@@ -44,8 +44,8 @@ impl<S> Logged for S {}
 ///     mesh.iter().filter(|t| t.overlaps(cell)).count()
 /// }
 /// ```
-// Their items are invisible in generic code of other crates, which may have traits of its own with
-// items of the same names.
+// Generic code of other crates, which may have traits of its own with items of the same names, does
+// not see the items of these traits: see `Backend`.
 #[allow(private_bounds)]
 pub trait Scalar:
     Backend

@@ -183,7 +183,7 @@ impl<S: Copy> Obb<S> {
 /// Whether the triple product u·(v×n) is exactly zero.
 fn dependent<S: Scalar>(axes: &[[S; 3]; 3]) -> bool {
     let [u, v, n] = axes;
-    let mut sum = S::Sum::new();
+    let mut sum = S::SeptumSum::new();
     for i in 0..3 {
         let (i, j, k) = turn(i);
         let [u, vj, vk] = [pick(u, i), pick(v, j), pick(v, k)].map(|x| x.parts());

@@ -27,7 +27,7 @@ pub(super) fn line_turn<S: Scalar>(a: [S; 2], [from, to]: [[S; 2]; 2], p: [S; 2]
 #[cold]
 #[inline(never)]
 pub(super) fn against_point<S: Scalar>(p: S, a: S, [from, to]: [S; 2], t: Parts) -> Ordering {
-    let mut sum = S::Sum::new();
+    let mut sum = S::SeptumSum::new();
     add_area(&mut sum, &difference(p.parts(), a.parts()), &single(S::ONE), false);
     add_area(&mut sum, &difference(to.parts(), from.parts()), &single(t), true);
     sum.sign()

@@ -5,6 +5,14 @@ use septum::{Aabb, Scalar};
 
 /// Named like items that the kernels need of a scalar.
 trait Mine {
+    type Sum: Default + Into<u8>;
+    type Span: Default + Into<u8>;
+    type Anchor: Default + Into<u8>;
+    type First: Default + Into<u8>;
+    type Steps: Default + Into<u8>;
+    type Window: Default + Into<u8>;
+    type Full: Default + Into<u8>;
+
     const FLOAT: u8 = 1;
     const ONE: u8 = 2;
     const IN_QUADS: u8 = 3;
@@ -49,7 +57,15 @@ trait Mine {
     }
 }
 
-impl Mine for f32 {}
+impl Mine for f32 {
+    type Sum = u8;
+    type Span = u8;
+    type Anchor = u8;
+    type First = u8;
+    type Steps = u8;
+    type Window = u8;
+    type Full = u8;
+}
 
 fn mine<S: Scalar + Mine>(x: S) -> Vec<u8> {
     // The crate's own questions are asked as ever.
@@ -63,7 +79,21 @@ fn mine<S: Scalar + Mine>(x: S) -> Vec<u8> {
     [&constants[..], &more, &methods, &functions].concat()
 }
 
+/// Names the associated types alone, with no path to the trait.
+fn types_of_mine<S: Scalar + Mine>() -> [u8; 7] {
+    [
+        S::Sum::default().into(),
+        S::Span::default().into(),
+        S::Anchor::default().into(),
+        S::First::default().into(),
+        S::Steps::default().into(),
+        S::Window::default().into(),
+        S::Full::default().into(),
+    ]
+}
+
 #[test]
 fn items_of_the_back_end_are_invisible() {
     assert_eq!(mine(1.0_f32), (1..=19).collect::<Vec<u8>>());
+    assert_eq!(types_of_mine::<f32>(), [0; 7]);
 }

@@ -68,7 +68,7 @@ impl<S: Scalar> Predicate<S> for Apart<S> {
     fn exact(&self) -> bool {
         let Self { a, b } = self;
         let is_beyond = |low: S, high: S, r: S, s: S| {
-            let mut gap = S::Sum::new();
+            let mut gap = S::SeptumSum::new();
             gap.add(&[low.parts()]);
             gap.add(&[high.parts().negated()]);
             gap.add(&[r.parts().negated()]);

@@ -31,7 +31,7 @@ impl<S: Scalar> Predicate<S> for Lie<S> {
     fn exact(&self) -> Relation {
         let Apart { a, b } = &self.0;
         let gap = |low: S, high: S, r: S, s: S| {
-            let mut gap = S::Sum::new();
+            let mut gap = S::SeptumSum::new();
             gap.add(&[low.parts()]);
             for x in [high, r, s] {
                 gap.add(&[x.parts().negated()]);

@@ -21,8 +21,8 @@ pub(super) struct ExactLine {
 /// A factor times the determinant of three vectors.
 struct Term<'a>(Parts, [&'a Vector; 3]);
 
-fn sum<S: Scalar>(terms: &[Term<'_>]) -> S::Sum {
-    let mut sum = S::Sum::new();
+fn sum<S: Scalar>(terms: &[Term<'_>]) -> S::SeptumSum {
+    let mut sum = S::SeptumSum::new();
     for Term(factor, [a, b, c]) in terms {
         add_scaled_determinant(&mut sum, a, b, c, *factor);
     }

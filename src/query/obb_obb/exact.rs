@@ -89,15 +89,15 @@ impl ExactBoxes {
     /// The relation on the cross product of two axes.
     fn axis<S: Scalar>(&self, a: usize, b: usize) -> Relation {
         let (a, b) = (&self.extents[a].axis, &self.extents[b].axis);
-        let determinant = |sum: &mut S::Sum, x: &Vector, factor: Parts| {
+        let determinant = |sum: &mut S::SeptumSum, x: &Vector, factor: Parts| {
             add_scaled_determinant(sum, a, b, x, factor);
         };
         // The distance by which the second box stays beyond the first, on both sides.
         of_gaps([Ordering::Greater, Ordering::Less].map(|side| {
-            let mut sum = S::Sum::new();
+            let mut sum = S::SeptumSum::new();
             determinant(&mut sum, &self.d, S::ONE);
             for Extent { axis, half } in &self.extents {
-                let mut product = S::Sum::new();
+                let mut product = S::SeptumSum::new();
                 determinant(&mut product, axis, S::ONE);
                 let is_against = product.sign() == side;
                 for h in half {

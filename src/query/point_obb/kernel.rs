@@ -51,7 +51,7 @@ impl<S: Scalar> Predicate<S> for Outside<'_, S> {
         let half = self.obb.half_extents().to_array();
         let (point, center) = (self.point, self.obb.center().to_array());
         let volume = {
-            let mut sum = S::Sum::new();
+            let mut sum = S::SeptumSum::new();
             add_volume(&mut sum, &axes, S::ONE);
             sum.sign()
         };
@@ -70,7 +70,7 @@ impl<S: Scalar> Predicate<S> for Outside<'_, S> {
             let (to, from) = (replaced(&point), replaced(&center));
             let h = pick(&half, i).parts();
             [Ordering::Greater, Ordering::Less].into_iter().any(|side| {
-                let mut gap = S::Sum::new();
+                let mut gap = S::SeptumSum::new();
                 add_volume(&mut gap, &to, S::ONE);
                 add_volume(&mut gap, &from, S::ONE.negated());
                 add_volume(&mut gap, &axes, if volume == side { h.negated() } else { h });

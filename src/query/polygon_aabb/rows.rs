@@ -6,7 +6,7 @@ use crate::query::triangle_aabb::rows::{half_of, size, sum};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Vec3};
 
-type First<S> = <S as FirstFloat>::First;
+type First<S> = <S as FirstFloat>::SeptumFirst;
 type Row<S> = <First<S> as OfFour>::Quad;
 
 /// The result of the first look.
@@ -76,7 +76,7 @@ where
     F: Fn(Q) -> Q,
 {
     #[inline(always)]
-    fn survey<S: Scalar<First = Q::Lane>>(&self, vertices: &[Vec3<S>]) -> Survey
+    fn survey<S: Scalar<SeptumFirst = Q::Lane>>(&self, vertices: &[Vec3<S>]) -> Survey
     where
         First<S>: OfFour<Quad = Q>,
     {
@@ -106,7 +106,11 @@ where
     /// Whether the plane of three vertices separates. If not, finds the triangle of the fan nearest
     /// to the centre of the box.
     #[inline(always)]
-    fn by_plane<S: Scalar<First = Q::Lane>>(&self, vertices: &[Vec3<S>], size: First<S>) -> Survey
+    fn by_plane<S: Scalar<SeptumFirst = Q::Lane>>(
+        &self,
+        vertices: &[Vec3<S>],
+        size: First<S>,
+    ) -> Survey
     where
         First<S>: OfFour<Quad = Q>,
     {
@@ -139,7 +143,7 @@ where
 }
 
 #[inline(always)]
-fn row<S: FirstFloat<First: OfFour>>(v: &Vec3<S>) -> Row<S> {
+fn row<S: FirstFloat<SeptumFirst: OfFour>>(v: &Vec3<S>) -> Row<S> {
     Quad::of_three([v.x.first(), v.y.first(), v.z.first()])
 }
 

@@ -39,12 +39,12 @@ use crate::shape::{Aabb, AabbForm, Ray, Vec3};
 pub struct PreparedRay<S: Scalar> {
     ray: Ray<S>,
     /// The fourth lane is not used.
-    origin: [S::Anchor; 4],
+    origin: [S::SeptumAnchor; 4],
     /// The scale over the direction; zero where the direction is zero. The fourth lane is not used.
-    reciprocal: [S::Span; 4],
+    reciprocal: [S::SeptumSpan; 4],
     /// The range of t, times the scale.
-    from: S::Span,
-    to: S::Span,
+    from: S::SeptumSpan,
+    to: S::SeptumSpan,
     course: Course,
 }
 
@@ -76,13 +76,13 @@ impl<S: Scalar> PreparedRay<S> {
     #[inline]
     #[must_use]
     pub fn new(ray: &Ray<S>) -> Self {
-        let zero = S::Span::ZERO;
+        let zero = S::SeptumSpan::ZERO;
         let mut this = Self {
             ray: *ray,
             origin: four(ray.origin()).map(S::anchor),
             reciprocal: [zero; 4],
-            from: -S::Span::GREATEST,
-            to: S::Span::GREATEST,
+            from: -S::SeptumSpan::GREATEST,
+            to: S::SeptumSpan::GREATEST,
             course: Course::Exact,
         };
         if !S::IS_FAST {
@@ -94,13 +94,13 @@ impl<S: Scalar> PreparedRay<S> {
                 course = Course::Slabs;
                 continue;
             }
-            let (d, (small, large)) = (d.span(), S::Span::INVERTIBLE);
+            let (d, (small, large)) = (d.span(), S::SeptumSpan::INVERTIBLE);
             if d.magnitude() < small || d.magnitude() > large {
                 return this;
             }
-            *r = S::Span::SCALE / d;
+            *r = S::SeptumSpan::SCALE / d;
         }
-        let scaled = |t: Option<S>, open: S::Span| t.map_or(Some(open), S::scaled);
+        let scaled = |t: Option<S>, open: S::SeptumSpan| t.map_or(Some(open), S::scaled);
         let (Some(from), Some(to)) = (scaled(ray.t_min(), this.from), scaled(ray.t_max(), this.to))
         else {
             return this;
@@ -179,19 +179,23 @@ impl<S: Scalar> PreparedRay<S> {
     ///
     /// The fourth lane is the number that follows the vector in memory, so that both are one load.
     #[inline(always)]
-    fn between_corners(&self, min: Vec3<S>, max: Vec3<S>) -> (S::Span, S::Span) {
+    fn between_corners(&self, min: Vec3<S>, max: Vec3<S>) -> (S::SeptumSpan, S::SeptumSpan) {
         let (a, b) = (self.reaches([min.x, min.y, min.z, max.x]), self.reaches(four(max)));
         let [x, y, z] = a.least(b).three();
         let enter = greatest(greatest(x, y), greatest(z, self.from));
         let [x, y, z] = a.greatest(b).three();
         let leave = least(least(x, y), least(z, self.to));
         // −0 and zero have different bits.
-        (enter, leave + S::Span::ZERO)
+        (enter, leave + S::SeptumSpan::ZERO)
     }
 
     /// The interval of t for a box by its centre, and the size of its errors.
     #[inline(always)]
-    fn around_center(&self, center: Vec3<S>, half: Vec3<S>) -> (S::Span, S::Span, S::Span) {
+    fn around_center(
+        &self,
+        center: Vec3<S>,
+        half: Vec3<S>,
+    ) -> (S::SeptumSpan, S::SeptumSpan, S::SeptumSpan) {
         let to_center = self.reaches([center.x, center.y, center.z, half.x]);
         let reciprocal = <Spans<S> as Quad>::new(self.reciprocal);
         let to_face = <Spans<S> as Quad>::new(four(half).map(S::span)) * reciprocal.magnitude();
@@ -217,7 +221,7 @@ impl<S: Scalar> PreparedRay<S> {
             return self.ray.overlaps(aabb);
         }
         let Some(Slabs { near, far, size, touches }) = self.slabs(aabb) else { return false };
-        let is_below = |a: S::Span, b: S::Span| {
+        let is_below = |a: S::SeptumSpan, b: S::SeptumSpan| {
             let error = match aabb.form() {
                 AabbForm::Corners { .. } => error_bound::by_corners(a.magnitude()),
                 AabbForm::Center { .. } => error_bound::by_center(size),
@@ -246,8 +250,8 @@ impl<S: Scalar> PreparedRay<S> {
 
     /// The slabs of a box; `None` if the ray runs parallel to a slab outside it.
     #[inline(always)]
-    fn slabs(&self, aabb: &Aabb<S>) -> Option<Slabs<S::Span>> {
-        let zero = S::Span::ZERO;
+    fn slabs(&self, aabb: &Aabb<S>) -> Option<Slabs<S::SeptumSpan>> {
+        let zero = S::SeptumSpan::ZERO;
         let (mut near, mut far) = ([self.from; 3], [self.to; 3]);
         let (mut size, mut touches) = (zero, false);
         for i in 0..3 {

@@ -180,9 +180,9 @@ impl<S: Scalar> Crosses<'_, S> {
     pub(super) fn passes(
         &self,
         exact: &ExactRay,
-        det: &S::Sum,
-        sides: &[S::Sum; 3],
-        t: &S::Sum,
+        det: &S::SeptumSum,
+        sides: &[S::SeptumSum; 3],
+        t: &S::SeptumSum,
     ) -> Option<bool> {
         let det = det.sign();
         let is_front = det == Ordering::Greater;

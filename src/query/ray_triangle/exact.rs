@@ -37,10 +37,10 @@ impl ExactRay {
     }
 
     /// All volumes of the crossing.
-    pub(crate) fn crossing<S: Scalar>(&self) -> ExactCrossing<S::Sum> {
+    pub(crate) fn crossing<S: Scalar>(&self) -> ExactCrossing<S::SeptumSum> {
         let Self { d, e: [e1, e2], s, .. } = self;
         let volume = |a: &Vector, b: &Vector, c: &Vector| {
-            let mut sum = S::Sum::new();
+            let mut sum = S::SeptumSum::new();
             add_determinant(&mut sum, a, b, c);
             sum
         };
@@ -57,7 +57,7 @@ impl ExactRay {
     /// How the numerator of t compares with `t` times the determinant.
     pub(crate) fn compare<S: Scalar>(&self, t: S) -> Ordering {
         let Self { d, e: [e1, e2], s, .. } = self;
-        let mut sum = S::Sum::new();
+        let mut sum = S::SeptumSum::new();
         add_scaled_determinant(&mut sum, s, e1, e2, S::ONE);
         add_scaled_determinant(&mut sum, e2, d, e1, t.parts());
         sum.sign()
@@ -85,7 +85,7 @@ fn first_sign<S: Scalar>(a: &Vector, b: &Vector) -> Ordering {
     (0..3).fold(Ordering::Equal, |first, i| {
         first.then_with(|| {
             let (_, j, k) = turn(i);
-            let mut sum = S::Sum::new();
+            let mut sum = S::SeptumSum::new();
             add_area(&mut sum, pick(a, j), pick(b, k), false);
             add_area(&mut sum, pick(a, k), pick(b, j), true);
             sum.sign()

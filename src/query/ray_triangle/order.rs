@@ -52,8 +52,9 @@ impl<S: Scalar> Ray<S> {
     #[cold]
     fn compare_exactly(&self, a: &Triangle<S>, b: &Triangle<S>) -> Ordering {
         // On a small core one width is enough, as in `in_exact_numbers`.
-        let in_window = if REGISTERS_ARE_WIDE { self.compare_in::<S::Window>(a, b) } else { None };
-        in_window.or_else(|| self.compare_in::<S::Full>(a, b)).unwrap_or(Ordering::Equal)
+        let in_window =
+            if REGISTERS_ARE_WIDE { self.compare_in::<S::SeptumWindow>(a, b) } else { None };
+        in_window.or_else(|| self.compare_in::<S::SeptumFull>(a, b)).unwrap_or(Ordering::Equal)
     }
 
     /// The order in `N`, if it holds the coordinates.

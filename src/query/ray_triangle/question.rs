@@ -104,7 +104,7 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
         let is_front = self.passes(&exact, &crossing.det, &crossing.sides, &crossing.t)?;
         let quotient = |x| S::quotient(x, &crossing.det);
         let [w, u, v] = &crossing.sides;
-        let is_zero = |x: &S::Sum| x.sign() == Ordering::Equal;
+        let is_zero = |x: &S::SeptumSum| x.sign() == Ordering::Equal;
         Some(Hit {
             t: quotient(&crossing.t),
             u: quotient(u),

@@ -11,7 +11,7 @@ use super::crossing::{Crossing, Sizes, VolumeErrors, errors};
 use crate::arithmetic::{Filtered, FirstFloat, Float, Number, Quad, greatest};
 use crate::scalar::Scalar;
 
-pub(super) type First<S> = <S as FirstFloat>::First;
+pub(super) type First<S> = <S as FirstFloat>::SeptumFirst;
 
 /// Whether the scalar's first float has vectors, and [`Ray::hit`](crate::Ray::hit) begins with
 /// another stage.

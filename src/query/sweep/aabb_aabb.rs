@@ -54,7 +54,7 @@ impl<S: Scalar> Predicate<S> for Misses<S> {
     fn exact(&self) -> bool {
         let slabs = self.0.exactly();
         let is_below = |x: &[Parts], y: &[Parts]| {
-            let mut sum = S::Sum::new();
+            let mut sum = S::SeptumSum::new();
             add(&mut sum, x, &[Parts::UNIT], true);
             add(&mut sum, y, &[Parts::UNIT], false);
             sum.sign() == Ordering::Greater
@@ -63,7 +63,7 @@ impl<S: Scalar> Predicate<S> for Misses<S> {
         slabs.iter().any(beside)
             || [(0, 1), (1, 2), (2, 0), (1, 0), (2, 1), (0, 2)].into_iter().any(|(i, j)| {
                 let (a, b): (&Slab, &Slab) = (pick(&slabs, i), pick(&slabs, j));
-                let mut sum = S::Sum::new();
+                let mut sum = S::SeptumSum::new();
                 add(&mut sum, &a.near, &b.speed, false);
                 add(&mut sum, &b.far, &a.speed, true);
                 sum.sign() == Ordering::Greater
@@ -94,7 +94,7 @@ impl<S: Scalar> Predicate<S> for Meets<S> {
     fn exact(&self) -> FirstContact<S> {
         let mut latest = Latest::NONE;
         for (i, slab) in self.0.exactly().iter().enumerate() {
-            let [mut near, mut speed] = [S::Sum::new(), S::Sum::new()];
+            let [mut near, mut speed] = [S::SeptumSum::new(), S::SeptumSum::new()];
             add(&mut near, &slab.near, &[Parts::UNIT], false);
             add(&mut speed, &slab.speed, &[Parts::UNIT], false);
             if near.sign() == Ordering::Greater {

@@ -45,8 +45,8 @@ impl Cross {
     }
 
     /// The component of a vector along the axis, or against it.
-    fn along<S: Scalar>(&self, z: &Vector, is_against: bool) -> S::Sum {
-        let mut sum = S::Sum::new();
+    fn along<S: Scalar>(&self, z: &Vector, is_against: bool) -> S::SeptumSum {
+        let mut sum = S::SeptumSum::new();
         self.add(&mut sum, z, is_against);
         sum
     }
@@ -87,7 +87,7 @@ impl ExactCourse {
 
     /// The gap at the start between the box and the triangle beyond it, along the axis or against
     /// it.
-    fn gap<S: Scalar>(&self, cross: &Cross, is_against: bool) -> S::Sum {
+    fn gap<S: Scalar>(&self, cross: &Cross, is_against: bool) -> S::SeptumSum {
         let nearer = if is_against { Ordering::Greater } else { Ordering::Less };
         // The vertex nearest to the box.
         let leads = |k: usize| cross.along::<S>(&self.triangle.edge(k), false).sign();

@@ -59,7 +59,7 @@ impl<F: Float> Gaps<F> {
 
 impl<F: Float> TriangleAxes<F> {
     #[inline(always)]
-    pub(crate) fn new<S: FirstFloat<First = F>>([a, b, c]: Points<S>) -> Self {
+    pub(crate) fn new<S: FirstFloat<SeptumFirst = F>>([a, b, c]: Points<S>) -> Self {
         let points = &[first(a), first(b), first(c)];
         let [a, b, c] = points;
         let edges = [minus(b, a), minus(c, b), minus(a, c)];
@@ -147,7 +147,7 @@ impl<F: Float> TriangleAxes<F> {
     #[inline(always)]
     pub(crate) fn apart_by_corners<S>(&self, min: [S; 3], max: [S; 3]) -> (bool, bool)
     where
-        S: FirstFloat<First = F>,
+        S: FirstFloat<SeptumFirst = F>,
     {
         let (min, max) = (first(min), first(max));
         let gap = |i: usize| greatest(self.low[i] - max[i], min[i] - self.high[i]);
@@ -167,7 +167,7 @@ impl<F: Float> TriangleAxes<F> {
     #[inline(always)]
     pub(crate) fn apart_by_center<S>(&self, center: [S; 3], half: [S; 3]) -> (bool, bool)
     where
-        S: FirstFloat<First = F>,
+        S: FirstFloat<SeptumFirst = F>,
     {
         let (center, half) = (first(center), first(half));
         // A computed gap of zero may be rounded. The sign of any other is right, because rounding
@@ -184,7 +184,7 @@ impl<F: Float> TriangleAxes<F> {
 
 /// Whether all coordinates became floats without rounding.
 #[inline(always)]
-pub(super) fn are_held<S: FirstFloat>(points: &[[S::First; 3]]) -> bool {
+pub(super) fn are_held<S: FirstFloat>(points: &[[S::SeptumFirst; 3]]) -> bool {
     let Some(limit) = S::FIRST_LIMIT else { return true };
     let mut are_held = true;
     for p in points {
@@ -200,6 +200,6 @@ pub(super) fn minus<F: Float>(a: &[F; 3], b: &[F; 3]) -> [F; 3] {
 }
 
 #[inline(always)]
-pub(super) fn first<S: FirstFloat>([x, y, z]: [S; 3]) -> [S::First; 3] {
+pub(super) fn first<S: FirstFloat>([x, y, z]: [S; 3]) -> [S::SeptumFirst; 3] {
     [x.first(), y.first(), z.first()]
 }

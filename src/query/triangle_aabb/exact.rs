@@ -35,7 +35,7 @@ pub(super) fn separates<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>, axis:
 /// Face axis `i`.
 fn face_gaps<S: Scalar>(b: &ExactAabb, t: &ExactTriangle, i: usize) -> [Ordering; 2] {
     let gap = |toward: Ordering| {
-        let side = |v| sign::<S::Sum>(&b.to_face(*pick(v, i), i, toward));
+        let side = |v| sign::<S::SeptumSum>(&b.to_face(*pick(v, i), i, toward));
         let gaps = t.v.iter().map(side).map(|side| match toward {
             Ordering::Greater => side.reverse(),
             _ => side,
@@ -59,7 +59,7 @@ fn normal_gaps<S: Scalar>(
             let toward = if along { toward } else { toward.reverse() };
             b.to_face(*pick(&t.v[0], i), i, toward)
         };
-        let mut sum = S::Sum::new();
+        let mut sum = S::SeptumSum::new();
         let to_corner = [to_corner(0), to_corner(1), to_corner(2)];
         add_determinant(&mut sum, &e0, &e1, &to_corner);
         sum.sign()
@@ -79,7 +79,7 @@ fn edge_gaps<S: Scalar>(
     let (_, j, l) = turn(i);
     let (k, _, opposite) = turn(k);
     let e = t.edge(k);
-    let (ej, el) = (sign::<S::Sum>(pick(&e, j)), sign::<S::Sum>(pick(&e, l)));
+    let (ej, el) = (sign::<S::SeptumSum>(pick(&e, j)), sign::<S::SeptumSum>(pick(&e, l)));
     // (e × (z − v))_i is greatest over the box for z_l along e_j and z_j
     // against e_l. The triangle covers the interval from 0 to n_i: from the
     // edge's own vertex to the opposite vertex.
@@ -91,7 +91,7 @@ fn edge_gaps<S: Scalar>(
             pick(&t.v, k)
         };
         let turn = |o: Ordering| if along { o } else { o.reverse() };
-        let mut sum = S::Sum::new();
+        let mut sum = S::SeptumSum::new();
         let z_l = b.to_face(*pick(base, l), l, turn(ej).reverse());
         let z_j = b.to_face(*pick(base, j), j, turn(el));
         add_area(&mut sum, pick(&e, j), &z_l, false);

@@ -204,7 +204,7 @@ fn beyond_quads<S: Scalar>(triangle: &Triangle<S>, aabb: Aabb<S>) -> bool {
 /// The kernel in the scalar's own arithmetic, for [`published`](crate::published).
 #[inline(always)]
 pub(crate) fn disjoint_rounded<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bool {
-    if S::FLOAT.is_some() && <S::First as OfFour>::Quad::IS_VECTOR {
+    if S::FLOAT.is_some() && <S::SeptumFirst as OfFour>::Quad::IS_VECTOR {
         return rows::disjoint_rounded(triangle, aabb);
     }
     // An axis whose numbers overflowed to NaN does not separate.

@@ -19,7 +19,10 @@ pub(crate) struct OfOneSize<F> {
 impl<F: Float> OfOneSize<F> {
     /// `None` if the error bounds of floats do not apply.
     #[inline(always)]
-    pub(crate) fn new<S: FirstFloat<First = F>>(points: [[S; 3]; 3], half: [S; 3]) -> Option<Self> {
+    pub(crate) fn new<S: FirstFloat<SeptumFirst = F>>(
+        points: [[S; 3]; 3],
+        half: [S; 3],
+    ) -> Option<Self> {
         let (axes, half) = (TriangleAxes::new(points), first(half));
         let (errors, is_known) = axes.errors(&half);
         if !is_known | !axes.are_held | !are_held::<S>(&[half]) {
@@ -46,7 +49,7 @@ impl<F: Float> OfOneSize<F> {
     /// Whether an axis separates the triangle from the box with this centre, and whether that is
     /// certain.
     #[inline(always)]
-    pub(crate) fn apart<S: FirstFloat<First = F>>(&self, center: [S; 3]) -> (bool, bool) {
+    pub(crate) fn apart<S: FirstFloat<SeptumFirst = F>>(&self, center: [S; 3]) -> (bool, bool) {
         let center = first(center);
         let [low, high] = &self.reach;
         let gap = |i: usize| greatest(low[i] - center[i], center[i] - high[i]);

@@ -36,7 +36,7 @@ impl<S: Scalar> Signs for InSums<S> {
     }
     #[inline(never)]
     fn sign(terms: &[Term<'_, Self>]) -> Ordering {
-        let mut sum = S::Sum::new();
+        let mut sum = S::SeptumSum::new();
         for Term(factor, a, b, c) in terms {
             add_scaled_determinant(&mut sum, a, b, c, *factor);
         }

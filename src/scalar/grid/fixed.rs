@@ -23,9 +23,9 @@ const fn one_over_two_to(n: u32) -> f64 {
 macro_rules! fixed_point {
     ($($fixed:ident: $bound:ident, $raw:ty, $w:ty, $u:ty;)*) => {$(
         impl<Frac: $bound> Gridded for $fixed<Frac> {
-            type Steps = FixedSteps<$w>;
+            type SeptumSteps = FixedSteps<$w>;
 
-            fn steps(min: Self, max: Self) -> Self::Steps {
+            fn steps(min: Self, max: Self) -> Self::SeptumSteps {
                 let origin = <$w>::from(min.to_bits());
                 let length = <$w>::from(max.to_bits()).wrapping_sub(origin) as $u;
                 // The least shift with length ≤ 65,535·2^shift.
@@ -36,12 +36,12 @@ macro_rules! fixed_point {
                 FixedSteps { origin, shift }
             }
 
-            fn exponent(steps: &Self::Steps) -> i32 {
+            fn exponent(steps: &Self::SeptumSteps) -> i32 {
                 steps.shift as i32
             }
 
             #[inline]
-            fn point_below(self, steps: &Self::Steps) -> u16 {
+            fn point_below(self, steps: &Self::SeptumSteps) -> u16 {
                 let x = <$w>::from(self.to_bits());
                 if x < steps.origin {
                     return 0;
@@ -51,7 +51,7 @@ macro_rules! fixed_point {
             }
 
             #[inline]
-            fn point_above(self, steps: &Self::Steps) -> u16 {
+            fn point_above(self, steps: &Self::SeptumSteps) -> u16 {
                 let x = <$w>::from(self.to_bits());
                 if x < steps.origin {
                     return 0;
@@ -63,7 +63,7 @@ macro_rules! fixed_point {
             }
 
             #[inline]
-            fn point(steps: &Self::Steps, q: u16) -> Self {
+            fn point(steps: &Self::SeptumSteps, q: u16) -> Self {
                 let q = <$u>::from(q);
                 if q > <$u>::MAX >> steps.shift {
                     return Self::MAX;
@@ -79,12 +79,12 @@ macro_rules! fixed_point {
             }
 
             #[inline]
-            fn origin(steps: &Self::Steps) -> Self {
+            fn origin(steps: &Self::SeptumSteps) -> Self {
                 Self::from_bits(steps.origin as $raw)
             }
 
             #[inline]
-            fn steps_per_unit(steps: &Self::Steps) -> f64 {
+            fn steps_per_unit(steps: &Self::SeptumSteps) -> f64 {
                 one_over_two_to(steps.shift)
             }
 

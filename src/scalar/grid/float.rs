@@ -17,9 +17,9 @@ macro_rules! float {
         // and the origin is a multiple of it. Hence every point is a multiple of the step with no
         // more digits than the type has, and exact. The last points may be infinite.
         impl Gridded for $float {
-            type Steps = FloatSteps<$float>;
+            type SeptumSteps = FloatSteps<$float>;
 
-            fn steps(min: Self, max: Self) -> Self::Steps {
+            fn steps(min: Self, max: Self) -> Self::SeptumSteps {
                 // At most 65,534 steps: rounding costs one at either end. The halves do not
                 // overflow.
                 let half = max * 0.5 - min * 0.5;
@@ -48,12 +48,12 @@ macro_rules! float {
                 FloatSteps { origin, step, inverse }
             }
 
-            fn exponent(steps: &Self::Steps) -> i32 {
+            fn exponent(steps: &Self::SeptumSteps) -> i32 {
                 (steps.step.to_bits() >> (Self::MANTISSA_DIGITS - 1)) as i32
             }
 
             #[inline]
-            fn point_below(self, steps: &Self::Steps) -> u16 {
+            fn point_below(self, steps: &Self::SeptumSteps) -> u16 {
                 // Within 2⁻⁸ of the true quotient. The conversion saturates at both ends.
                 let q = ((self - steps.origin) * steps.inverse) as u16;
                 let at = |q: u16| steps.origin + Self::from(q) * steps.step;
@@ -67,14 +67,14 @@ macro_rules! float {
             }
 
             #[inline]
-            fn point_above(self, steps: &Self::Steps) -> u16 {
+            fn point_above(self, steps: &Self::SeptumSteps) -> u16 {
                 let q = self.point_below(steps);
                 let at = steps.origin + Self::from(q) * steps.step;
                 if q < u16::MAX && at < self { q + 1 } else { q }
             }
 
             #[inline]
-            fn point(steps: &Self::Steps, q: u16) -> Self {
+            fn point(steps: &Self::SeptumSteps, q: u16) -> Self {
                 let at = steps.origin + Self::from(q) * steps.step;
                 if at > Self::MAX { Self::MAX } else { at }
             }
@@ -90,12 +90,12 @@ macro_rules! float {
             }
 
             #[inline]
-            fn origin(steps: &Self::Steps) -> Self {
+            fn origin(steps: &Self::SeptumSteps) -> Self {
                 steps.origin
             }
 
             #[inline]
-            fn steps_per_unit(steps: &Self::Steps) -> f64 {
+            fn steps_per_unit(steps: &Self::SeptumSteps) -> f64 {
                 steps.inverse.into()
             }
 

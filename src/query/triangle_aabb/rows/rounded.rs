@@ -6,7 +6,7 @@ use crate::query::triangle_aabb::clear::first;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle};
 
-type First<S> = <<S as FirstFloat>::First as OfFour>::Quad;
+type First<S> = <<S as FirstFloat>::SeptumFirst as OfFour>::Quad;
 
 /// Whether one of the 13 axes separates, as the scalar's first float rounds.
 #[inline(always)]
@@ -39,7 +39,7 @@ fn by_corners<S: Scalar>(triangle: &Triangle<S>, ax: S, ay: S, az: S, bx: S, by:
     // Of the vertices in the frame, as in `kernel.rs`, and not of the given vertices.
     let InFrame { v: [a, b, c], half, .. } = frame;
     let (low, high) = (a.least(b).least(c), a.greatest(b).greatest(c));
-    let gap = low.greatest(First::<S>::splat(S::First::ZERO) - high);
+    let gap = low.greatest(First::<S>::splat(S::SeptumFirst::ZERO) - high);
     rows.seem_apart(&InFrame { apart: gap.exceeds(half) & THREE, ..frame })
 }
 
