@@ -67,7 +67,7 @@ impl<S: Scalar, const N: usize> Aabbs<S, N> {
         while k < N {
             // Without an index into the slice no panic is linked.
             if let [first, rest @ ..] = left {
-                (last, left) = (first.min_max(), rest);
+                (last, left) = (first.given_corners(), rest);
             }
             let Some((min, max)) = last else { return None };
             (all.min[0][k], all.min[1][k], all.min[2][k]) = (min.x, min.y, min.z);

@@ -2,9 +2,8 @@
 
 use super::node::Cell;
 use super::{Index, Mesh};
-use crate::arithmetic::{each, greatest, least};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Triangle, Vec3};
+use crate::shape::{Aabb, Triangle, joined};
 
 /// The steps along each axis.
 pub(super) struct Grid<S: Scalar>(pub(super) [S::SeptumSteps; 3]);
@@ -28,10 +27,8 @@ impl<S: Scalar> Grid<S> {
     pub(super) fn around<I: Index>(mesh: &Mesh<'_, S, I>) -> Self {
         let mut bounds: Option<[[S; 3]; 2]> = None;
         for triangle in mesh.iter() {
-            let [min, max] = corners(&triangle);
-            bounds = Some(bounds.map_or([min, max], |[low, high]| {
-                [join(low, min, least), join(high, max, greatest)]
-            }));
+            let ends = corners(&triangle);
+            bounds = Some(bounds.map_or(ends, |bounds| joined(bounds, ends)));
         }
         let [min, max] = bounds.unwrap_or([[S::ZERO; 3]; 2]);
         // By pattern, because indices are checked in builds for small code.
@@ -76,14 +73,8 @@ impl<S: Scalar> Grid<S> {
     }
 }
 
-#[inline(always)]
-fn join<S: Scalar>(a: [S; 3], b: [S; 3], choose: fn(S, S) -> S) -> [S; 3] {
-    [choose(a[0], b[0]), choose(a[1], b[1]), choose(a[2], b[2])]
-}
-
 /// The corners of the bounding box of a triangle.
 #[inline(always)]
 pub(super) fn corners<S: Scalar>(triangle: &Triangle<S>) -> [[S; 3]; 2] {
-    let [a, b, c] = each(*triangle.vertices(), Vec3::to_array);
-    [join(join(a, b, least), c, least), join(join(a, b, greatest), c, greatest)]
+    triangle.corners()
 }

@@ -1,6 +1,6 @@
 use super::{Index, MeshError};
 use crate::scalar::Scalar;
-use crate::shape::{Triangle, Vec3};
+use crate::shape::{Aabb, Triangle, Vec3, joined};
 
 /// Indexed triangles in the caller's memory: a slice of vertices and a slice of triangles.
 ///
@@ -16,6 +16,7 @@ use crate::shape::{Triangle, Vec3};
 /// let vertices = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Vec3::from);
 /// let mesh = Mesh::new(&vertices, &[[0_u16, 1, 2]])?;
 /// assert_eq!(mesh.triangle(0).unwrap().vertices(), &vertices);
+/// assert_eq!(mesh.aabb(), Some(mesh.triangle(0).unwrap().aabb()));
 ///
 /// let bad = Mesh::new(&vertices, &[[0_u16, 1, 2], [0, 1, 3]]);
 /// assert_eq!(bad, Err(MeshError::NoSuchVertex { triangle: 1 }));
@@ -58,6 +59,17 @@ impl<'a, S: Scalar, I: Index> Mesh<'a, S, I> {
     pub fn iter(&self) -> impl ExactSizeIterator<Item = Triangle<S>> + 'a {
         let this = *self;
         self.triangles.iter().map(move |corners| this.at(corners))
+    }
+
+    /// The bounding box of all triangles: the smallest axis-aligned box that contains them. Exact.
+    /// `None` if there are no triangles.
+    ///
+    /// Vertices that belong to no triangle do not count.
+    #[doc(alias = "bounding box")]
+    #[must_use]
+    pub fn aabb(&self) -> Option<Aabb<S>> {
+        let [min, max] = self.iter().map(|t| t.corners()).reduce(joined)?;
+        Some(Aabb::between(min.into(), max.into()))
     }
 
     #[inline(always)]

@@ -2,13 +2,12 @@
 
 use core::ops::Range;
 
-use super::grid::corners;
 use super::node::{Cell, Node};
 use super::walk::Walk;
 use super::{Index, Tree};
-use crate::arithmetic::{REGISTERS_ARE_WIDE, each, three};
+use crate::arithmetic::{REGISTERS_ARE_WIDE, each};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Obb, Overlaps, Segment, SegmentForm, Triangle, Vec3};
+use crate::shape::{Aabb, Obb, Overlaps, Segment, Triangle, Vec3};
 
 /// A shape that [`Tree::overlapping`] accepts.
 ///
@@ -22,8 +21,8 @@ pub(super) mod sealed {
     use crate::shape::Aabb;
 
     pub trait Bounded<S: Scalar> {
-        /// Two corners of a box that encloses the shape, clamped to the range of the scalar; `None`
-        /// if there is no such box.
+        /// Two corners of a box that encloses the shape, clamped to the range of fixed point; `None`
+        /// if floats have no such box.
         fn corners(&self) -> Option<[[S; 3]; 2]>;
 
         /// Whether the shape may meet a box that meets its bounding box.
@@ -42,11 +41,8 @@ pub(super) mod sealed {
 
 impl<S: Scalar> sealed::Bounded<S> for Aabb<S> {
     fn corners(&self) -> Option<[[S; 3]; 2]> {
-        Some(match (self.min_max(), self.center_half_extents()) {
-            (Some((min, max)), _) => [min.to_array(), max.to_array()],
-            (None, Some((center, half))) => around(center, half),
-            (None, None) => return None,
-        })
+        let (min, max) = self.min_max()?;
+        Some([min.to_array(), max.to_array()])
     }
 }
 
@@ -65,7 +61,7 @@ impl<S: Scalar> sealed::Bounded<S> for Triangle<S> {
     const IS_NARROW: bool = true;
 
     fn corners(&self) -> Option<[[S; 3]; 2]> {
-        Some(corners(self))
+        Some(Self::corners(self))
     }
 
     fn may_meet(&self, aabb: &Aabb<S>) -> bool {
@@ -77,22 +73,12 @@ impl<S: Scalar> sealed::Bounded<S> for Segment<S> {
     const IS_NARROW: bool = true;
 
     fn corners(&self) -> Option<[[S; 3]; 2]> {
-        Some(match *self.form() {
-            SegmentForm::Ends(a, b) => corners(&Triangle::unchecked([a, b, b])),
-            SegmentForm::Center { center, half } => around(center, half),
-        })
+        Self::corners(self)
     }
 
     fn may_meet(&self, aabb: &Aabb<S>) -> bool {
         self.may_overlap(aabb)
     }
-}
-
-/// The corners of a box given by its centre, rounded outward.
-fn around<S: Scalar>(center: Vec3<S>, half: Vec3<S>) -> [[S; 3]; 2] {
-    let (c, h) = (center.to_array(), half.to_array());
-    let ends = three(|i| c[i].reach(h[i]));
-    [each(ends, |[low, _]| low), each(ends, |[_, high]| high)]
 }
 
 impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {

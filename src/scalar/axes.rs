@@ -1,7 +1,7 @@
 //! The axes of an oriented box: the check that they are orthonormal, and the box's extent along a
 //! coordinate axis.
 
-use super::Scalar;
+use super::{Ordinal, Scalar};
 use crate::arithmetic::Number;
 use crate::robust::ExactSum;
 
@@ -17,7 +17,7 @@ pub(crate) trait Axes: Copy {
 }
 
 macro_rules! float {
-    ($float:ident, $are_orthonormal:ident, $next_up:ident, |$c:ident, $across:ident, $half:ident| $enclosed:expr) => {
+    ($float:ident, $are_orthonormal:ident, |$c:ident, $across:ident, $half:ident| $enclosed:expr) => {
         /// Whether the axes are orthonormal, in the float's own arithmetic. The rounding of a dot
         /// product is far below an eighth; an overflow gives an infinity or a NaN, which fails the
         /// check.
@@ -37,15 +37,6 @@ macro_rules! float {
             )
         }
 
-        /// The next number above a finite one; infinity after the greatest.
-        fn $next_up(x: $float) -> $float {
-            if x == 0.0 {
-                return $float::from_bits(1);
-            }
-            let bits = x.to_bits();
-            $float::from_bits(if x > 0.0 { bits + 1 } else { bits - 1 })
-        }
-
         impl Axes for $float {
             fn are_orthonormal(axes: &[[Self; 3]; 3]) -> Option<bool> {
                 $are_orthonormal(axes)
@@ -60,13 +51,18 @@ macro_rules! float {
         }
     };
 }
-float!(f32, are_orthonormal_f32, next_up_f32, |c, across, half| {
+float!(f32, are_orthonormal_f32, |c, across, half| {
     faces_in_double(c.into(), across.map(f64::from), half.map(f64::from))
 });
-float!(f64, are_orthonormal_f64, next_up_f64, |c, across, half| {
-    let face = |c| face_exactly(c, across, half, next_up_f64);
+float!(f64, are_orthonormal_f64, |c, across, half| {
+    let face = |c| face_exactly(c, across, half);
     (face(-c), face(c))
 });
+
+/// The next number above a finite one; infinity after the greatest.
+fn next_up<S: Ordinal>(x: S) -> S {
+    S::of_ordinal(x.ordinal() + 1)
+}
 
 /// Roundoffs of three sums, relative to the sum of all magnitudes. Proved in `axes.g`.
 const SUMS: u16 = 8;
@@ -90,7 +86,7 @@ fn faces_in_double(c: f64, across: [f64; 3], half: [f64; 3]) -> (f32, f32) {
     let extent = sum(sum((product(a, h), true), product(b, k)), product(d, l));
     let up = |x: f64| {
         let near = x as f32;
-        if near.is_finite() && f64::from(near) < x { next_up_f32(near) } else { near }
+        if near.is_finite() && f64::from(near) < x { next_up(near) } else { near }
     };
     let face = |c: f64| {
         let (middle, is_exact) = sum(extent, c);
@@ -103,14 +99,14 @@ fn faces_in_double(c: f64, across: [f64; 3], half: [f64; 3]) -> (f32, f32) {
             return greatest;
         }
         let short = |x: f64| x as f32;
-        face_exactly(short(c), across.map(short), half.map(short), next_up_f32)
+        face_exactly(short(c), across.map(short), half.map(short))
     };
     (face(-c), face(c))
 }
 
 /// c + Σ|aᵢ|·hᵢ rounded up, by exact sums.
 #[cold]
-fn face_exactly<S>(c: S, across: [S; 3], half: [S; 3], next_up: fn(S) -> S) -> S
+fn face_exactly<S>(c: S, across: [S; 3], half: [S; 3]) -> S
 where
     S: Scalar + core::ops::Neg<Output = S>,
 {

@@ -28,7 +28,8 @@ pub(crate) trait Gridded: InDouble {
     /// The number at point `q`, or the greatest number of the scalar if `q` lies beyond.
     fn point(steps: &Self::SeptumSteps, q: u16) -> Self;
 
-    /// Two numbers that enclose self − h and self + h, clamped to the range of the scalar.
+    /// The greatest number not above self − |h|, and the least not below self + |h|. Fixed point
+    /// clamps to its range; floats overflow to an infinity.
     fn reach(self, h: Self) -> [Self; 2];
 
     /// The position of point zero.

@@ -11,12 +11,14 @@ mod grid;
 mod in_double;
 #[cfg(feature = "defmt")]
 mod logged;
+mod ordinal;
 mod planes;
 mod rotation;
 
 pub(crate) use backend::{Backend, FloatFormat};
 #[cfg(feature = "fixed")]
 pub use fixed_point::FixedPoint;
+pub(crate) use ordinal::Ordinal;
 pub(crate) use planes::{Planes, PlanesError};
 
 #[cfg(feature = "defmt")]
@@ -53,6 +55,7 @@ pub trait Scalar:
     + Planes
     + rotation::Rotation
     + grid::Gridded
+    + ordinal::Ordinal
     + in_double::InDouble
     + Logged
     + Copy

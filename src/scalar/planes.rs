@@ -1,6 +1,6 @@
 //! The planes of a grid of voxels: numbers at equal steps.
 
-use super::Scalar;
+use super::{Ordinal, Scalar};
 #[cfg(feature = "fixed")]
 use crate::arithmetic::REGISTERS_ARE_WIDE;
 
@@ -12,6 +12,18 @@ pub(crate) trait Planes: Copy {
 
     /// `origin + k·step`: exact in fixed point; in floats product and sum are rounded.
     fn plane(origin: Self, step: Self, k: u32) -> Self;
+
+    /// The distance from one number to another in `count` steps, rounded up in fixed point. `None`
+    /// if `count` is zero, or the scalar has no such step.
+    fn step(from: Self, to: Self, count: u32) -> Option<Self>;
+
+    /// An origin of which plane k is not above this number, and not farther below it than rounding
+    /// needs. `None` if it is out of range.
+    fn origin_before(self, step: Self, k: u32) -> Option<Self>;
+
+    /// The number of the first plane not below `to`, or close to it where rounding makes planes
+    /// coincide.
+    fn first_plane_above(origin: Self, step: Self, to: Self) -> u32;
 
     /// The greatest distance, in steps, of a plane from its exact position, for up to `count`
     /// steps; at most one half. Or the reason why these planes do not exist.
@@ -39,6 +51,32 @@ macro_rules! float {
             #[inline(always)]
             fn plane(origin: Self, step: Self, k: u32) -> Self {
                 origin + k as Self * step
+            }
+
+            fn step(from: Self, to: Self, count: u32) -> Option<Self> {
+                let step = (to - from) / count as Self;
+                step.is_finite().then_some(step)
+            }
+
+            fn origin_before(self, step: Self, k: u32) -> Option<Self> {
+                let origin = self - k as Self * step;
+                // Rounded by half a unit of the origin at most.
+                let is_above = Self::plane(origin, step, k) > self;
+                let origin = if is_above { Self::of_ordinal(origin.ordinal() - 1) } else { origin };
+                origin.is_finite().then_some(origin)
+            }
+
+            fn first_plane_above(origin: Self, step: Self, to: Self) -> u32 {
+                // Rounded down, and off by less than one.
+                let k = ((to - origin) / step) as u32;
+                let is_below = |k: u32| Self::plane(origin, step, k) < to;
+                if !is_below(k.saturating_sub(1)) {
+                    k.saturating_sub(1)
+                } else if is_below(k) {
+                    k.saturating_add(1 + u32::from(is_below(k.saturating_add(1))))
+                } else {
+                    k
+                }
             }
 
             fn check_planes(origin: Self, step: Self, count: u32) -> Result<f64, PlanesError> {
@@ -82,6 +120,25 @@ macro_rules! fixed {
                 // Modulo 2^bits: the product may wrap, but the sum fits.
                 let offset = step.to_bits().wrapping_mul(k as $raw);
                 Self::from_bits(origin.to_bits().wrapping_add(offset))
+            }
+
+            fn step(from: Self, to: Self, count: u32) -> Option<Self> {
+                let length = i128::from(to.to_bits()) - i128::from(from.to_bits());
+                let count = i128::from(count);
+                let step = (length + count - 1).checked_div(count)?;
+                $raw::try_from(step).ok().map(Self::from_bits)
+            }
+
+            fn origin_before(self, step: Self, k: u32) -> Option<Self> {
+                let offset = i128::from(step.to_bits()) * i128::from(k);
+                $raw::try_from(i128::from(self.to_bits()) - offset).ok().map(Self::from_bits)
+            }
+
+            fn first_plane_above(origin: Self, step: Self, to: Self) -> u32 {
+                let length = i128::from(to.to_bits()) - i128::from(origin.to_bits());
+                let step = i128::from(step.to_bits());
+                let planes = (length + step - 1).checked_div(step);
+                planes.and_then(|k| u32::try_from(k).ok()).unwrap_or(u32::MAX)
             }
 
             fn check_planes(origin: Self, step: Self, count: u32) -> Result<f64, PlanesError> {

@@ -1,4 +1,5 @@
 use super::Vec3;
+use super::bounds::joined;
 use super::overlaps::overlaps_methods;
 use super::{ShapeError, finite};
 use crate::scalar::Scalar;
@@ -16,7 +17,7 @@ use crate::scalar::Scalar;
 /// let b = Aabb::from_min_max([0.0, 0.0, 0.0], [1.0, 1.0, 1.0])?;
 /// assert!(a.overlaps(&b) && b.contains([1.0, 0.5, 0.5]));
 /// let (min, max) = b.min_max().unwrap();
-/// assert!(min.x <= max.x && a.min_max().is_none());
+/// assert!(a.min_max() == Some((min, max)) && b.center_half_extents().is_none());
 ///
 /// let flipped = Aabb::from_min_max([1.0, 0.0, 0.0], [0.0, 1.0, 1.0]);
 /// assert_eq!(flipped, Err(ShapeError::MinAboveMax));
@@ -72,6 +73,33 @@ impl<S: Scalar> Aabb<S> {
         }
         Ok(Self { form: Form::Corners { min, max } })
     }
+
+    /// The smallest box that contains all of these points.
+    ///
+    /// # Errors
+    /// [`ShapeError::NotFinite`] if a coordinate is NaN or infinite, [`ShapeError::NoPoints`] if
+    /// there are no points.
+    ///
+    /// ```
+    /// use septum::{Aabb, ShapeError, Vec3};
+    ///
+    /// let cloud = Aabb::from_points([[1.0, 0.0, 2.0], [0.0, 3.0, 0.5]])?;
+    /// assert_eq!(cloud.min_max(), Some((Vec3::new(0.0, 0.0, 0.5), Vec3::new(1.0, 3.0, 2.0))));
+    /// assert_eq!(Aabb::from_points([[0.0; 3]; 0]), Err(ShapeError::NoPoints));
+    /// # Ok::<(), ShapeError>(())
+    /// ```
+    #[doc(alias = "bounding box")]
+    pub fn from_points(
+        points: impl IntoIterator<Item = impl Into<Vec3<S>>>,
+    ) -> Result<Self, ShapeError> {
+        let mut ends = None;
+        for point in points {
+            let p = finite(point)?.to_array();
+            ends = Some(ends.map_or([p, p], |ends| joined(ends, [p, p])));
+        }
+        let [min, max] = ends.ok_or(ShapeError::NoPoints)?;
+        Ok(Self::between(min.into(), max.into()))
+    }
 }
 
 overlaps_methods!(
@@ -90,10 +118,9 @@ impl<S: Copy> Aabb<S> {
         }
     }
 
-    /// Least and greatest corner, if the box was given by these.
+    /// The corners, if the box was given by these.
     #[inline]
-    #[must_use]
-    pub const fn min_max(&self) -> Option<(Vec3<S>, Vec3<S>)> {
+    pub(crate) const fn given_corners(&self) -> Option<(Vec3<S>, Vec3<S>)> {
         match self.form {
             Form::Corners { min, max } => Some((min, max)),
             Form::Center { .. } => None,

@@ -34,6 +34,8 @@ pub enum ShapeError {
     NotNear,
     /// A polygon has fewer than three vertices.
     TooFewVertices,
+    /// A box around no points.
+    NoPoints,
 }
 
 impl ShapeError {
@@ -84,6 +86,7 @@ impl ShapeError {
             Self::EmptyRange => "the range ends before it begins",
             Self::NotNear => "a coordinate is too far from zero",
             Self::TooFewVertices => "a polygon has fewer than three vertices",
+            Self::NoPoints => "there are no points to enclose",
         }
     }
 }

@@ -14,6 +14,9 @@ mod segment;
 mod triangle;
 mod vec3;
 
+// After the constructors of all shapes.
+mod bounds;
+
 // Last, so that these methods come last on the pages of the shapes.
 mod const_new;
 #[cfg(feature = "fixed")]
@@ -21,6 +24,7 @@ mod near;
 
 pub use aabb::Aabb;
 pub(crate) use aabb::Form as AabbForm;
+pub(crate) use bounds::joined;
 pub use error::ShapeError;
 #[cfg(feature = "fixed")]
 pub use near::Near;

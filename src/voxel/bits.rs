@@ -14,6 +14,9 @@ use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
 mod set;
+mod sets;
+
+pub use sets::{DifferentGrids, Voxels};
 
 /// Whether the machine computes with vectors of four floats.
 const HAS_VECTORS: bool = <ForEach as Quad>::IS_VECTOR;
@@ -162,21 +165,33 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
     }
 
     /// Is the bit of a voxel set? `false` if the grid has no such voxel.
+    #[doc(alias = "get")]
     #[inline]
     #[must_use]
     pub fn contains(&self, [x, y, z]: [u32; 3]) -> bool {
-        let [nx, ny, nz] = self.grid.resolution();
-        if x >= nx || y >= ny || z >= nz {
+        if !self.has([x, y, z]) {
             return false;
         }
         let at = self.row_start(y, z) + (x / W::BITS) as usize;
         self.words.get(at).is_some_and(|&word| word >> (x % W::BITS) & W::ONE == W::ONE)
     }
 
+    #[inline]
+    fn has(&self, [x, y, z]: [u32; 3]) -> bool {
+        let [nx, ny, nz] = self.grid.resolution();
+        x < nx && y < ny && z < nz
+    }
+
+    /// The number of bits beyond the grid in the last word of a row.
+    #[inline]
+    fn beyond(&self) -> u32 {
+        self.row_words as u32 * W::BITS - self.grid.resolution()[0]
+    }
+
     /// How many bits of the grid are set?
     #[must_use]
     pub fn count(&self) -> u64 {
-        let beyond = self.row_words as u32 * W::BITS - self.grid.resolution()[0];
+        let beyond = self.beyond();
         let row = |row: &[W]| {
             let all: u32 = row.iter().map(|word| word.ones()).sum();
             let tail = row.last().map_or(0, |&word| match beyond {
@@ -194,11 +209,6 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
         &self.grid
     }
 
-    /// Clears all bits.
-    pub(super) fn clear(&mut self) {
-        self.words.fill(W::ZERO);
-    }
-
     /// Flips the bit of a voxel of the grid.
     #[inline(always)]
     pub(super) fn flip(&mut self, [x, y, z]: [u32; 3]) {
@@ -210,7 +220,7 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
 
     /// Replaces each bit of a row by the parity of the bits up to it; clears the row if `is_open`.
     pub(super) fn fill_between(&mut self, y: u32, z: u32, is_open: bool) {
-        let beyond = self.row_words as u32 * W::BITS - self.grid.resolution()[0];
+        let beyond = self.beyond();
         let row = self.row_mut(y, z);
         if is_open {
             return row.fill(W::ZERO);

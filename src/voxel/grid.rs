@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use super::place::Level;
 use super::sign::middle;
-use crate::arithmetic::{compare, three};
+use crate::arithmetic::{compare, greatest, three};
 use crate::scalar::{PlanesError, Scalar};
 use crate::shape::{Aabb, Vec3};
 
@@ -90,6 +90,56 @@ impl<S: Scalar> Grid<S> {
             }
         }
         Ok(Self { origin, cell, first: [0; 3], resolution, per_cell, deviation })
+    }
+
+    /// Makes a grid of cubes around a box. The longest side of the box spans `resolution` voxels,
+    /// or one more where planes are rounded. On each side of the box, the grid has `margin` more
+    /// layers of voxels.
+    ///
+    /// The cells have the longest side over `resolution` as their size, rounded up in fixed point.
+    /// The grid begins with the least corner of [`Aabb::min_max`], less the margin, and ends with
+    /// the first plane beyond the greatest corner, plus the margin.
+    ///
+    /// # Errors
+    /// As for [`new`](Self::new): [`GridError::NoVoxels`] if `resolution` is zero,
+    /// [`GridError::CellNotPositive`] if the box is a point, [`GridError::OutOfRange`] also if the
+    /// scalar does not hold the corners of the box.
+    ///
+    /// *Panics*: never.
+    ///
+    /// ```
+    /// use septum::Aabb;
+    /// use septum::voxel::{Grid, GridError};
+    ///
+    /// let table = Aabb::from_min_max([0.0, 0.0, 0.0], [2.0, 1.0, 0.75])?;
+    /// let grid = Grid::around(&table, 64, 1)?;
+    /// assert_eq!(grid.resolution(), [66, 34, 26]);
+    /// assert_eq!((grid.cell().x, grid.origin().x), (0.03125, -0.03125));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn around(aabb: &Aabb<S>, resolution: u32, margin: u32) -> Result<Self, GridError> {
+        let (min, max) = aabb.min_max().ok_or(GridError::OutOfRange)?;
+        let (from, to) = (min.to_array(), max.to_array());
+        let mut cell = S::ZERO;
+        for i in 0..3 {
+            let step = match S::step(from[i], to[i], resolution) {
+                Some(step) => step,
+                None if resolution == 0 => return Err(GridError::NoVoxels),
+                None => return Err(GridError::OutOfRange),
+            };
+            cell = greatest(cell, step);
+        }
+        if cell <= S::ZERO {
+            return Err(GridError::CellNotPositive);
+        }
+        let (mut origin, mut count) = (from, [0; 3]);
+        for i in 0..3 {
+            origin[i] = S::origin_before(from[i], cell, margin).ok_or(GridError::OutOfRange)?;
+            let end = S::first_plane_above(origin[i], cell, to[i]);
+            // At least one voxel, also where the box is flat.
+            count[i] = end.max(margin.saturating_add(1)).saturating_add(margin);
+        }
+        Self::new(origin, [cell; 3], count)
     }
 
     /// Returns the part of the grid with the voxels in these ranges, numbered from zero; `None`

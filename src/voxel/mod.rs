@@ -3,8 +3,9 @@
 //! A [`Grid`] is a box of voxels.
 //!
 //! * [`Grid::rows`] returns the voxels that a triangle meets, as ranges along x, without a test
-//!   for each voxel (surface voxelization). [`Bits`] sets their bits in the caller's memory. The
-//!   [`Rule`] says which voxels count: closed (conservative), half-open or thin (6-separating).
+//!   for each voxel (surface voxelization). [`Bits`] sets their bits in the caller's memory, and
+//!   is a set of voxels to iterate and to combine with another. The [`Rule`] says which voxels
+//!   count: closed (conservative), half-open or thin (6-separating).
 //! * [`Solid`] fills closed meshes by the even-odd rule (solid voxelization).
 //! * [`Grid::walk_segment`] and [`Grid::walk_ray`] return the voxels along a line in order, as a
 //!   3D digital differential analyzer (DDA) does.
@@ -46,7 +47,7 @@ mod view;
 mod walk;
 mod word;
 
-pub use bits::{Bits, TooFewWords};
+pub use bits::{Bits, DifferentGrids, TooFewWords, Voxels};
 pub use grid::{Grid, GridError};
 pub use rows::{Row, Rows};
 pub use solid::Solid;

@@ -7,12 +7,14 @@ impl Word for u32 {}
 impl Word for u64 {}
 
 mod sealed {
-    use core::ops::{BitAnd, BitOrAssign, BitXorAssign, Shl, Shr};
+    use core::ops::{BitAnd, BitOr, BitOrAssign, BitXor, BitXorAssign, Shl, Shr};
 
     pub trait Word:
         Copy
         + BitAnd<Output = Self>
+        + BitOr<Output = Self>
         + BitOrAssign
+        + BitXor<Output = Self>
         + BitXorAssign
         + Shl<u32, Output = Self>
         + Shr<u32, Output = Self>
@@ -26,6 +28,8 @@ mod sealed {
         /// A word with the `count` least bits set, `count` below `BITS`.
         fn first(count: u32) -> Self;
         fn ones(self) -> u32;
+        /// The number of zeros below the least bit.
+        fn zeros(self) -> u32;
     }
 
     macro_rules! word {
@@ -46,6 +50,10 @@ mod sealed {
                 #[inline(always)]
                 fn ones(self) -> u32 {
                     self.count_ones()
+                }
+                #[inline(always)]
+                fn zeros(self) -> u32 {
+                    self.trailing_zeros()
                 }
             }
         )*};

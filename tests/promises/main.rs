@@ -2,6 +2,7 @@
 //! `septum-kit`, `tests/kit/`.
 
 // Shapes: valid and invalid input.
+mod bounds;
 mod construction;
 mod generic;
 mod rotations;
@@ -74,6 +75,7 @@ mod logging;
 mod examples;
 mod voxel;
 mod voxel_lines;
+mod voxel_sets;
 mod voxelize;
 
 // The oracles themselves.

@@ -43,7 +43,7 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Aabb<S> {
     /// ```
     #[inline]
     fn overlaps(&self, other: &Aabb<S>) -> bool {
-        match (self.min_max(), other.min_max()) {
+        match (self.given_corners(), other.given_corners()) {
             (Some((a, b)), Some((c, d))) => {
                 let meet = |a: S, b: S, c: S, d: S| (a <= d) & (c <= b);
                 meet(a.x, b.x, c.x, d.x) & meet(a.y, b.y, c.y, d.y) & meet(a.z, b.z, c.z, d.z)

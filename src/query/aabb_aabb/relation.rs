@@ -48,7 +48,7 @@ impl<S: Scalar> Predicate<S> for Lie<S> {
 
 impl<S: Scalar> Relate<Aabb<S>> for Aabb<S> {
     fn relation(&self, other: &Aabb<S>) -> Relation {
-        let (Some((a, b)), Some((c, d))) = (self.min_max(), other.min_max()) else {
+        let (Some((a, b)), Some((c, d))) = (self.given_corners(), other.given_corners()) else {
             return S::evaluate(&Lie(Apart::new(self.form(), other.form())));
         };
         let [a, b, c, d] = [a, b, c, d].map(|p| p.to_array());

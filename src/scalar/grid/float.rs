@@ -1,6 +1,7 @@
 //! The grids of floats.
 
 use super::Gridded;
+use crate::scalar::Ordinal;
 
 /// The grid of a float.
 #[derive(Clone, Copy, Debug)]
@@ -81,12 +82,15 @@ macro_rules! float {
 
             #[inline]
             fn reach(self, h: Self) -> [Self; 2] {
-                // The rounding error of x is at most half an epsilon of it.
-                let above = |x: Self| {
-                    let x = x + (x.abs() * Self::EPSILON + Self::MIN_POSITIVE);
-                    if x > Self::MAX { Self::MAX } else { x }
+                // c + h rounded up, by the exact error of the sum (Knuth's two-sum).
+                let above = |c: Self, h: Self| {
+                    let sum = c + h;
+                    let to_h = sum - c;
+                    let error = (c - (sum - to_h)) + (h - to_h);
+                    // Zero plus a number is never −0.
+                    if error > 0.0 { Self::of_ordinal(sum.ordinal() + 1) } else { 0.0 + sum }
                 };
-                [-above(h.abs() - self), above(self + h.abs())]
+                [0.0 - above(-self, h.abs()), above(self, h.abs())]
             }
 
             #[inline]

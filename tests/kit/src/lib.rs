@@ -58,7 +58,7 @@ mod touch;
 pub mod voxels;
 
 pub use case::{BoxNumbers, Case};
-pub use exact::Parts;
+pub use exact::{Parts, compare_sums};
 pub use grid::every_triangle_on_the_grid;
 pub use lanes::Lanes;
 pub use lattice::{Lattice, Ring, Shapes, odd_mantissa};
