@@ -5,7 +5,10 @@ use core::ops::{Add, Neg, Sub};
 
 use super::big_int::BigInt;
 use super::float::{Float, quotient};
+use super::limbs::Limbs;
 use super::number::Number;
+use super::portion::divided_limbs;
+use super::soft::Soft;
 use super::system::{Arithmetic, Embeds, convert};
 
 /// Exact numbers for all finite floats. A length is a sum of a few floats, not added up. An area is
@@ -198,6 +201,10 @@ impl<const UNIT: u16, const A: usize> Number for Terms<UNIT, A> {
             *bits = if half == 0 { 0 } else { *bits & SIGN | half };
         }
         self
+    }
+    fn portion(self, den: Self, _: [Self; 2]) -> [Soft; 2] {
+        let [num, den] = [self, den].map(|x| Limbs(x.added_up::<A>().0));
+        [divided_limbs(num, &den); 2]
     }
 }
 

@@ -60,7 +60,6 @@ pub(crate) use offset::Offset;
 pub(crate) use parts::Bits;
 pub use parts::Parts;
 pub(crate) use platform::{REGISTERS_ARE_WIDE, SMALL_CODE};
-pub(crate) use portion::divided_limbs;
 pub(crate) use quad::{OfFour, Quad, THREE};
 #[cfg(feature = "fixed")]
 pub use root::Signed;

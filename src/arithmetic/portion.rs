@@ -59,7 +59,7 @@ fn by_places<W: Wide>(mut num: W, den: &W) -> Soft {
 /// The quotient of numbers in limbs.
 #[cold]
 #[inline(never)]
-pub(crate) fn divided_limbs<const L: usize>(num: Limbs<L>, den: &Limbs<L>) -> Soft {
+pub(super) fn divided_limbs<const L: usize>(num: Limbs<L>, den: &Limbs<L>) -> Soft {
     by_places(num, den)
 }
 

@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::{BigInt, Limbed, Limbs, Parts, Soft, divided_limbs};
+use crate::arithmetic::{BigInt, Limbed, Parts};
 
 /// A sum of products of up to four numbers without loss.
 pub trait ExactSum: Limbed {
@@ -13,8 +13,6 @@ pub trait ExactSum: Limbed {
     fn add(&mut self, factors: &[Parts]);
     /// How the sum compares with zero.
     fn sign(&self) -> Ordering;
-    /// The quotient of two sums above zero, rounded down. This sum is not the greater.
-    fn portion(&self, den: &Self) -> Soft;
 }
 
 /// A sum in two's complement: Kulisch's long accumulator, with a length that depends on the scalar.
@@ -51,10 +49,6 @@ impl<const LIMBS: usize> ExactSum for Sum<LIMBS> {
 
     fn sign(&self) -> Ordering {
         BigInt::sign(self)
-    }
-
-    fn portion(&self, den: &Self) -> Soft {
-        divided_limbs(Limbs(self.0), &Limbs(den.0))
     }
 }
 

@@ -1,15 +1,13 @@
 //! A box that moves past another. Each slab bounds the motion as it does a line, and the slab's
 //! ends are sums of up to four numbers.
 
-use core::cmp::Ordering;
-
 use super::latest::Latest;
 use super::{FirstContact, Motion, Sweep};
-use crate::arithmetic::{Embeds, Number, Parts, pick, three};
+use crate::arithmetic::{Embeds, Number};
 use crate::query::Axis;
 use crate::query::aabb_aabb::{Apart, GAP};
 use crate::query::line_aabb::Slabs;
-use crate::robust::{ExactSum, Predicate};
+use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::Aabb;
 
@@ -50,25 +48,6 @@ impl<S: Scalar> Predicate<S> for Misses<S> {
         let line = self.0.slabs::<N>()?;
         line.lies_before().or(line.lies_beyond_one()).or(line.line_misses()).verdict()
     }
-
-    fn exact(&self) -> bool {
-        let slabs = self.0.exactly();
-        let is_below = |x: &[Parts], y: &[Parts]| {
-            let mut sum = S::SeptumSum::new();
-            add(&mut sum, x, &[Parts::UNIT], true);
-            add(&mut sum, y, &[Parts::UNIT], false);
-            sum.sign() == Ordering::Greater
-        };
-        let beside = |slab: &Slab| is_below(&slab.far, &[]) || is_below(&slab.speed, &slab.near);
-        slabs.iter().any(beside)
-            || [(0, 1), (1, 2), (2, 0), (1, 0), (2, 1), (0, 2)].into_iter().any(|(i, j)| {
-                let (a, b): (&Slab, &Slab) = (pick(&slabs, i), pick(&slabs, j));
-                let mut sum = S::SeptumSum::new();
-                add(&mut sum, &a.near, &b.speed, false);
-                add(&mut sum, &b.far, &a.speed, true);
-                sum.sign() == Ordering::Greater
-            })
-    }
 }
 
 /// When do these boxes meet, given that they do?
@@ -89,53 +68,6 @@ impl<S: Scalar> Predicate<S> for Meets<S> {
             latest.add(Axis::Face(i as u8), [near[i], size.error(GAP)], [m[i], m[i].error(2)]);
         }
         latest.known()
-    }
-
-    fn exact(&self) -> FirstContact<S> {
-        let mut latest = Latest::NONE;
-        for (i, slab) in self.0.exactly().iter().enumerate() {
-            let [mut near, mut speed] = [S::SeptumSum::new(), S::SeptumSum::new()];
-            add(&mut near, &slab.near, &[Parts::UNIT], false);
-            add(&mut speed, &slab.speed, &[Parts::UNIT], false);
-            if near.sign() == Ordering::Greater {
-                latest.set(Axis::Face(i as u8), S::at_most(near.portion(&speed)));
-            }
-        }
-        latest.known().unwrap_or_default()
-    }
-}
-
-/// A slab as sums of numbers, mirrored where the motion goes down.
-struct Slab {
-    near: [Parts; 4],
-    far: [Parts; 4],
-    speed: [Parts; 2],
-}
-
-impl<S: Scalar> Passing<S> {
-    fn exactly(&self) -> [Slab; 3] {
-        let Self { boxes: Apart { a, b }, way: [from, to] } = self;
-        three(|i| {
-            let minus = |x: S| x.parts().negated();
-            let grown = [a.grown[i], b.grown[i]];
-            let [g, h] = grown.map(S::parts);
-            let low = [a.low[i].parts(), minus(b.high[i]), g.negated(), h.negated()];
-            let high = [a.high[i].parts(), minus(b.low[i]), g, h];
-            if to[i] < from[i] {
-                let speed = [from[i].parts(), minus(to[i])];
-                Slab { near: high.map(Parts::negated), far: low.map(Parts::negated), speed }
-            } else {
-                Slab { near: low, far: high, speed: [to[i].parts(), minus(from[i])] }
-            }
-        })
-    }
-}
-
-/// Adds or subtracts the product of two sums of numbers.
-fn add<T: ExactSum>(sum: &mut T, x: &[Parts], y: &[Parts], minus: bool) {
-    for &x in x {
-        let x = if minus { x.negated() } else { x };
-        y.iter().for_each(|&y| sum.add(&[x, y]));
     }
 }
 

@@ -82,9 +82,14 @@ pub(super) struct AtStart<N: Arithmetic> {
 /// The bounds for shapes and a motion of this size; `None` outside the range where they hold.
 #[inline(always)]
 pub(super) fn at_start<N: Arithmetic>(size: N::Length) -> Option<AtStart<N>> {
+    let gap = error_bound::<N>(size)?;
+    if N::CERTAIN {
+        let (area_speed, volume_speed) = (N::Area::ZERO, N::Volume::ZERO);
+        return Some(AtStart { gap, area_speed, volume_speed });
+    }
     let square = N::area(size, size);
     Some(AtStart {
-        gap: error_bound::<N>(size)?,
+        gap,
         area_speed: square.error(AREA_SPEED),
         volume_speed: N::volume(square, size).error(VOLUME_SPEED),
     })

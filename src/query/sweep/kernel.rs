@@ -18,7 +18,9 @@
 use super::FirstContact;
 use super::error_bound::{Along, AtStart, FACE, along, at_start};
 use super::latest::Latest;
-use crate::arithmetic::{Arithmetic, Embeds, Number, cross, dot, greatest, least, of_two, once};
+use crate::arithmetic::{
+    Arithmetic, Embeds, Number, cross, dot, greatest, least, of_two, once, out_of_line,
+};
 use crate::query::Axis;
 use crate::query::triangle_aabb::frame::{Frame, range};
 use crate::query::triangle_aabb::plane::normal;
@@ -52,6 +54,9 @@ impl<N: Arithmetic> Course<N> {
         if faces.certain {
             return Some(true);
         }
+        if N::LARGE {
+            return Some(self.any_large_axis());
+        }
         let error = along::<N>(frame.size_along(d))?;
         let n = normal(frame);
         let half_way = of_two::<N, _>(dot::<N>(&n, d));
@@ -63,6 +68,17 @@ impl<N: Arithmetic> Course<N> {
             so_far = so_far.or(self.across(i, error.area));
         }
         so_far.verdict()
+    }
+
+    /// The same of large numbers, after the faces: one axis after another, until one separates.
+    fn any_large_axis(&self) -> bool {
+        let Self { frame, d } = self;
+        let error = Along { area: Number::ZERO, volume: Number::ZERO };
+        let n = normal(frame);
+        let half_way = of_two::<N, _>(dot::<N>(&n, d));
+        out_of_line(|| self.plane(&n, half_way, error.volume).certain)
+            || (0..3).any(|k| out_of_line(|| self.edge(k, &n, half_way, &error).certain))
+            || (0..3).any(|i| out_of_line(|| self.across(i, error.area).certain))
     }
 
     /// A face of the box.
@@ -163,53 +179,86 @@ impl<N: Arithmetic> Course<N> {
     where
         N: Embeds<S>,
     {
-        let (Frame { v, e, h, gaps, .. }, d) = (&self.frame, &self.d);
-        let error: AtStart<N> = at_start(self.frame.size_along(d))?;
+        let error: AtStart<N> = at_start(self.frame.size_along(&self.d))?;
         let mut latest = Latest::<S>::NONE;
         let is_asked = |axis: Axis| last.is_none_or(|last| last == axis);
         for i in 0..3 {
-            if !is_asked(Axis::Face(i as u8)) {
-                continue;
-            }
-            let speed = once::<N, _>(d[i]).magnitude();
-            let gap = if N::CERTAIN {
-                let (low, high) = range(v, i);
-                greatest(low, -high) - h[i]
-            } else {
-                gaps[i]
-            };
-            // The sign of a gap that is not zero is right.
-            let is_known = N::CERTAIN | self.frame.gaps_are_exact | (gap < N::Length::ZERO);
-            if !(is_known & (gap <= N::Length::ZERO)) {
-                let errors = [self.face_error(i), speed.error(2)];
-                latest.add(Axis::Face(i as u8), [gap, errors[0]], [speed, errors[1]]);
+            if is_asked(Axis::Face(i as u8)) {
+                self.add_face(i, &mut latest);
             }
         }
         let n = normal(&self.frame);
         if is_asked(Axis::Normal) {
-            let gap = dot::<N>(&n, &v[0]).magnitude() - reach::<N>(&n, h);
-            let half = of_two::<N, _>(dot::<N>(&n, d)).magnitude();
-            latest.add(Axis::Normal, [gap, error.gap.plane], [half + half, error.volume_speed]);
+            if N::LARGE {
+                out_of_line(|| self.add_normal(&n, &error, &mut latest));
+            } else {
+                self.add_normal(&n, &error, &mut latest);
+            }
         }
         for i in 0..3 {
-            let (j, l) = ((i + 1) % 3, (i + 2) % 3);
             for k in 0..3 {
-                let (e, v) = (&e[k], &v[k]);
-                // Otherwise the axis is a face normal, and the face comes first in the order.
-                let axis = Axis::Edge { axis: i as u8, edge: k as u8 };
-                let is_face = (e[j] == N::Length::ZERO) | (e[l] == N::Length::ZERO);
-                if is_face || !is_asked(axis) {
+                if !is_asked(Axis::Edge { axis: i as u8, edge: k as u8 }) {
                     continue;
                 }
-                let p = N::area(e[j], v[l]) - N::area(e[l], v[j]);
-                let r = N::area(e[l].magnitude(), h[j]) + N::area(e[j].magnitude(), h[l]);
-                let middle = of_two::<N, _>(n[i]);
-                let gap = (p + middle).magnitude() - (middle.magnitude() + r);
-                let half = of_two::<N, _>(N::area(e[j], d[l]) - N::area(e[l], d[j])).magnitude();
-                latest.add(axis, [gap, error.gap.edge], [half + half, error.area_speed]);
+                if N::LARGE {
+                    out_of_line(|| self.add_edge(i, k, n[i], &error, &mut latest));
+                } else {
+                    self.add_edge(i, k, n[i], &error, &mut latest);
+                }
             }
         }
         latest.known()
+    }
+
+    #[inline(always)]
+    fn add_face<S: Scalar>(&self, i: usize, latest: &mut Latest<S>) {
+        let Frame { v, h, gaps, gaps_are_exact, .. } = &self.frame;
+        let speed = once::<N, _>(self.d[i]).magnitude();
+        let gap = if N::CERTAIN {
+            let (low, high) = range(v, i);
+            greatest(low, -high) - h[i]
+        } else {
+            gaps[i]
+        };
+        // The sign of a gap that is not zero is right.
+        let is_known = N::CERTAIN | gaps_are_exact | (gap < N::Length::ZERO);
+        if !(is_known & (gap <= N::Length::ZERO)) {
+            let errors = [self.face_error(i), speed.error(2)];
+            latest.add(Axis::Face(i as u8), [gap, errors[0]], [speed, errors[1]]);
+        }
+    }
+
+    #[inline(always)]
+    fn add_normal<S: Scalar>(&self, n: &[N::Area; 3], error: &AtStart<N>, latest: &mut Latest<S>) {
+        let Frame { v, h, .. } = &self.frame;
+        let gap = dot::<N>(n, &v[0]).magnitude() - reach::<N>(n, h);
+        let half = of_two::<N, _>(dot::<N>(n, &self.d)).magnitude();
+        latest.add(Axis::Normal, [gap, error.gap.plane], [half + half, error.volume_speed]);
+    }
+
+    /// The cross product of coordinate axis `i` and edge `k`, given component `i` of the normal.
+    #[inline(always)]
+    fn add_edge<S: Scalar>(
+        &self,
+        i: usize,
+        k: usize,
+        n: N::Area,
+        error: &AtStart<N>,
+        latest: &mut Latest<S>,
+    ) {
+        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+        let (e, v, h, d) = (&self.frame.e[k], &self.frame.v[k], &self.frame.h, &self.d);
+        // The axis is a face normal, and the face comes first in the order.
+        if (e[j] == N::Length::ZERO) | (e[l] == N::Length::ZERO) {
+            return;
+        }
+        let p = N::area(e[j], v[l]) - N::area(e[l], v[j]);
+        let r = N::area(e[l].magnitude(), h[j]) + N::area(e[j].magnitude(), h[l]);
+        let middle = of_two::<N, _>(n);
+        let gap = (p + middle).magnitude() - (middle.magnitude() + r);
+        let half = of_two::<N, _>(N::area(e[j], d[l]) - N::area(e[l], d[j])).magnitude();
+        let axis = Axis::Edge { axis: i as u8, edge: k as u8 };
+        latest.add(axis, [gap, error.gap.edge], [half + half, error.area_speed]);
     }
 }
 

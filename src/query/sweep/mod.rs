@@ -2,7 +2,6 @@
 
 mod aabb_aabb;
 mod error_bound;
-mod exact;
 mod in_doubles;
 mod instants;
 mod kernel;
@@ -14,7 +13,6 @@ mod time;
 
 pub use motion::Motion;
 
-use self::exact::ExactCourse;
 use self::kernel::Course;
 use self::time::{Instant, Last, Meets, When};
 use super::Axis;
@@ -74,7 +72,7 @@ pub trait Sweep<Other> {
     /// *Cost*: a triangle and a box take 111 multiplications, unless a face separates them all the
     /// way. If they meet, the query takes fewer, and five quotients of four floats at once. Two
     /// boxes take 12 multiplications and no division. Floats within rounding of contact are decided
-    /// in wider numbers, at last in exact sums.
+    /// in wider numbers, at last in exact integers.
     ///
     /// *Source*: separating axes of sums of convex sets (Gottschalk, Lin and Manocha 1996, for
     /// boxes). Ours: the motion as one more edge, the error bounds and the exact stages.
@@ -157,10 +155,6 @@ impl<'a, S: Scalar> Passing<'a, S> {
         let d = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
         Some(Course { frame: Frame::new(&triangle, &form), d })
     }
-
-    fn exactly(&self) -> ExactCourse {
-        ExactCourse::new(self.triangle, self.aabb, self.ends())
-    }
 }
 
 /// The coordinates of the shapes and the motion in a number system.
@@ -191,10 +185,6 @@ impl<S: Scalar> Predicate<S> for Misses<'_, S> {
         S: InFloat<F>,
     {
         rows::misses::<S, F>(&self.0)
-    }
-
-    fn exact(&self) -> bool {
-        self.0.exactly().misses::<S>()
     }
 }
 

@@ -103,8 +103,4 @@ impl<S: Scalar> Predicate<S> for Meets<'_, S> {
         let is_long = !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS;
         if is_long { in_doubles::first_contact_of_long(&self.passing, self.last) } else { None }
     }
-
-    fn exact(&self) -> FirstContact<S> {
-        self.passing.exactly().first_contact()
-    }
 }
