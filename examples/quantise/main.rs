@@ -17,6 +17,8 @@ mod gltf;
 #[path = "../voxelize/mesh.rs"]
 mod mesh;
 mod options;
+#[path = "../voxelize/ply.rs"]
+mod ply;
 mod solid;
 mod table;
 

@@ -14,7 +14,8 @@ use crate::cli::valid;
 /// says which are whose, and NODES has a tree for each.
 #[derive(Parser)]
 pub(crate) struct Options {
-    /// The mesh, an .obj or .stl file; without it, the bundled teapot
+    /// The mesh, an .obj, .stl, .ply, .glb or .gltf file, or `-` for one from standard input; without
+    /// it, the bundled teapot
     pub(crate) mesh: Option<PathBuf>,
 
     /// The axis that points up in the file

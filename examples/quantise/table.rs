@@ -43,9 +43,6 @@ impl<S: Fixed> Rounded<S> {
             }
             faces.push(face);
         }
-        if vertices.len() > usize::from(u16::MAX) + 1 {
-            return Err(format!("{} vertices: indices have 16 bits", vertices.len()).into());
-        }
         Ok(Self { vertices, faces, moved })
     }
 }
@@ -74,7 +71,9 @@ pub(crate) fn write<S: Fixed<Bits: std::fmt::Display> + Scalar>(
         mesh.name,
         vertices.len(),
         faces.len(),
-        vertices.len() * 3 * size_of::<S>() + faces.len() * 6 + size_of_val(&nodes[..]),
+        vertices.len() * 3 * size_of::<S>()
+            + faces.len() * 3 * index_bytes(&vertices, &faces)
+            + size_of_val(&nodes[..]),
     );
     match open {
         0 => eprintln!("closed, parts: {closed}"),
@@ -106,6 +105,11 @@ fn sort_into_trees<S: Scalar>(
     Ok(all)
 }
 
+/// The size of an index: 16 bits if there are as many vertices and faces at most.
+fn index_bytes<S>(vertices: &[[S; 3]], faces: &[Face]) -> usize {
+    if vertices.len().max(faces.len()) <= 1 << 16 { 2 } else { 4 }
+}
+
 fn text<S: Fixed<Bits: std::fmt::Display>>(
     name: &str,
     scalar: &str,
@@ -129,7 +133,12 @@ fn text<S: Fixed<Bits: std::fmt::Display>>(
             |[x, y, z]: &[S; 3]| format!("v({}, {}, {}),", x.to_bits(), y.to_bits(), z.to_bits());
         writeln!(out, "    {}", row.iter().map(of).collect::<Vec<_>>().join(" "))?;
     }
-    writeln!(out, "];\n\npub(crate) static FACES: [[u16; 3]; {}] = [", faces.len())?;
+    writeln!(
+        out,
+        "];\n\npub(crate) static FACES: [[u{}; 3]; {}] = [",
+        8 * index_bytes(vertices, faces),
+        faces.len()
+    )?;
     for row in faces.chunks(8) {
         let of = |face: &Face| format!("{face:?},");
         writeln!(out, "    {}", row.iter().map(of).collect::<Vec<_>>().join(" "))?;

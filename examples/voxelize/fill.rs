@@ -15,7 +15,7 @@ use septum::{Scalar, Triangle};
 use crate::grid::{self, Grid};
 use crate::options::{Method, ScalarType};
 use crate::per_voxel::PerVoxel;
-use crate::placement::Placed;
+use crate::placement::{Placed, check_memory};
 use crate::progress::Progress;
 
 /// The most memory of a slab for each thread, in words of 64 bits: 4 MiB.
@@ -87,6 +87,10 @@ fn in_scalar<S: Scalar>(
     let layers = if threads.current_num_threads() == 1 { mesh.size[2] } else { few };
     let layers = layers.min((SLAB_WORDS / layer_words.max(1)).max(1));
     let slabs = mesh.size[2].div_ceil(layers);
+    if !task.keep {
+        let at_once = threads.current_num_threads().min(slabs) * layers;
+        check_memory([mesh.size[0], mesh.size[1], at_once])?;
+    }
     let progress = Progress::new("Voxelizing", slabs as u64);
     let slab = |k: usize, words: &mut [u64]| {
         let from = (k * layers) as u32;

@@ -7,6 +7,7 @@ use ::gltf::buffer::Source;
 use ::gltf::mesh::Mode;
 use ::gltf::scene::Node;
 use ::gltf::{Gltf, Primitive};
+use base64::prelude::{BASE64_STANDARD, Engine};
 
 use crate::mesh::Triangles;
 
@@ -18,20 +19,21 @@ const IDENTITY: Matrix =
 /// Deeper nodes are taken for an attack.
 const DEEPEST: usize = 256;
 
-/// Reads a .glb, or a .gltf with its buffers in files beside it.
-pub(crate) fn read(bytes: &[u8], path: &Path) -> Result<Triangles, Box<dyn Error>> {
+/// Reads a .glb, or a .gltf with its buffers inside, or in files beside its path.
+pub(crate) fn read(bytes: &[u8], path: Option<&Path>) -> Result<Triangles, Box<dyn Error>> {
     let file = Gltf::from_slice(bytes).map_err(|e| format!("not a valid glTF file: {e}"))?;
     let mut buffers = Vec::new();
     for buffer in file.buffers() {
         let data = match buffer.source() {
             Source::Bin => file.blob.clone().ok_or("the .glb has no binary part")?,
-            Source::Uri(uri) if uri.starts_with("data:") => {
-                return Err("its buffers are text: save it as .glb".into());
-            }
-            Source::Uri(uri) => {
-                let place = path.with_file_name(uri);
-                std::fs::read(&place).map_err(|e| format!("{}: {e}", place.display()))?
-            }
+            Source::Uri(uri) => match (uri.strip_prefix("data:"), path) {
+                (Some(data), _) => in_text(data)?,
+                (None, Some(path)) => {
+                    let place = path.with_file_name(uri);
+                    std::fs::read(&place).map_err(|e| format!("{}: {e}", place.display()))?
+                }
+                (None, None) => return Err(format!("its buffer {uri} is a file beside it").into()),
+            },
         };
         if data.len() < buffer.length() {
             return Err("a buffer ends too early".into());
@@ -44,6 +46,12 @@ pub(crate) fn read(bytes: &[u8], path: &Path) -> Result<Triangles, Box<dyn Error
         collect(&node, &IDENTITY, &buffers, &mut triangles, 0)?;
     }
     Ok(triangles)
+}
+
+/// The bytes of a data URI, after `data:`.
+fn in_text(uri: &str) -> Result<Vec<u8>, Box<dyn Error>> {
+    let (_, text) = uri.split_once(";base64,").ok_or("a buffer's data URI is not in base64")?;
+    BASE64_STANDARD.decode(text).map_err(|e| format!("a buffer's data URI: {e}").into())
 }
 
 fn collect(

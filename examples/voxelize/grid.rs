@@ -24,6 +24,13 @@ impl Grid {
         &mut self.words
     }
 
+    /// The words of a row.
+    pub(crate) fn row(&self, y: usize, z: usize) -> &[u64] {
+        let [nx, ny, _] = self.size;
+        let words = nx.div_ceil(64);
+        &self.words[words * (y + ny * z)..][..words]
+    }
+
     pub(crate) fn set(&mut self, voxel: [usize; 3]) {
         let bit = self.bit(voxel);
         self.words[bit / 64] |= 1 << (bit % 64);

@@ -2,35 +2,40 @@
 //!
 //! ```text
 //! cargo run --release --example voxelize
-//! cargo run --release --example voxelize -- cow.obj --resolution 256 --scalar i16f16 --vox cow.vox
+//! cargo run --release --example voxelize -- cow.ply --resolution 256 --scalar i16f16 -o cow.vox
+//! cargo run --release --example voxelize -- - -o cow.npy -o cow.bits < cow.stl
 //! cargo run --release --example voxelize -- --solid --cut
 //! cargo run --release --example voxelize -- --method rows --compare published --scalar i16f16
 //! cargo run --release --example voxelize -- --no-picture   # a fraction of a second
 //! cargo run --release --example voxelize -- --help
 //! ```
 
+mod bits;
 mod camera;
 #[allow(dead_code, reason = "shared with other examples")]
 #[path = "../shared/cli.rs"]
 mod cli;
 mod color;
+mod cubes;
 mod fill;
 mod gltf;
 mod grid;
 mod light;
 mod march;
 mod mesh;
+mod npy;
 mod options;
+mod output;
 mod per_voxel;
 mod picture;
 mod placement;
+mod ply;
 mod progress;
+mod volume;
 mod vox;
 
 use std::error::Error;
-use std::fs::{self, File};
-use std::io::{BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::io::Write;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
@@ -39,9 +44,11 @@ use grid::Grid;
 use indicatif::HumanCount;
 use mesh::Mesh;
 use options::{Method, Options, RuleName, ScalarType, Up};
+use output::{Format, Output};
 use picture::View;
 use placement::Placed;
 use progress::Progress;
+use volume::Volume;
 
 fn main() -> ExitCode {
     match run(&cli::read()) {
@@ -59,39 +66,42 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let mesh = Mesh::load(&options.meshes, options.up)?;
     let reading = reading.finish();
     let placed = placement::place(&mesh.triangles, options.resolution)?;
-    if options.vox.is_some() {
+    let outputs = Output::all(options, &mesh.name)?;
+    let task = task(options, !outputs.is_empty())?;
+    if task.keep {
+        placement::check_memory(placed.size)?;
+    }
+    if outputs.iter().any(|output| output.format == Format::Vox) {
         vox::check_size(placed.size)?;
     }
-    // Opens the output files before the work begins.
-    let place = || options.output.clone().unwrap_or_else(|| default(&mesh));
-    let picture = (!options.no_picture).then(|| Output::open(options, place())).transpose()?;
-    let model = options.vox.clone().map(|path| Output::open(options, path)).transpose()?;
-    if let (Some(picture), Some(model)) = (&picture, &model) {
-        if model.is_same(picture) {
-            let path = picture.path.display();
-            return Err(format!("{path}: both the picture and the model").into());
-        }
-    }
+    let outputs = Output::open(outputs, &options.meshes)?;
 
-    let task = task(options, picture.is_some() || model.is_some())?;
     let filled = fill::fill(&placed, &task)?;
     say(&report(options, &mesh, reading, &placed, &filled))?;
-    let grid = filled.grid.as_ref();
+    let Some(grid) = &filled.grid else { return Ok(()) };
     let other = match options.compare {
         Some(method) => fill::fill(&placed, &Task { method, ..task })?.grid,
         None => None,
     };
-    if let (Some(grid), Some(other)) = (grid, &other) {
+    if let Some(other) = &other {
         say(&compared(options, grid, other))?;
     }
-    if let (Some(picture), Some(grid)) = (picture, grid) {
+    let volume = Volume::new(grid, &placed, mesh.up);
+    for open in outputs {
+        let (format, path) = (open.output.format, open.output.path.display().to_string());
+        if format == Format::Picture {
+            // The one step that takes long.
+            say(&line("drawing", &format!("{path}; without it: --no-picture")))?;
+        }
         let start = Instant::now();
-        let views = views(options, grid, other.as_ref());
-        picture.write("picture", |file| Ok(picture::write(&views, file)?))?;
-        say(&line("drawing", &format!("{}, without it: --no-picture", spent(start.elapsed()))))?;
-    }
-    if let (Some(model), Some(grid)) = (model, grid) {
-        model.write("model", |file| Ok(vox::write(grid, file)?))?;
+        open.write(|file| match format {
+            Format::Picture => Ok(picture::write(&views(options, grid, other.as_ref()), file)?),
+            Format::Vox => Ok(vox::write(grid, file)?),
+            Format::Npy => Ok(npy::write(&volume, file)?),
+            Format::Bits => Ok(bits::write(&volume, file)?),
+            Format::Cubes => Ok(cubes::write(&volume, file)?),
+        })?;
+        say(&line(format.name(), &format!("{}, {path}", spent(start.elapsed()))))?;
     }
     Ok(())
 }
@@ -155,49 +165,6 @@ fn check_resolution(resolution: u32, scalar: ScalarType) -> Result<(), String> {
         "--resolution {resolution}: --scalar {name} can hold at most {finest}; {} can hold it",
         wide.join(", ")
     ))
-}
-
-fn default(mesh: &Mesh) -> PathBuf {
-    Path::new("out").join(format!("{}.png", mesh.name))
-}
-
-/// A file to write, opened before the work begins.
-struct Output {
-    path: PathBuf,
-    file: File,
-}
-
-impl Output {
-    fn open(options: &Options, path: PathBuf) -> Result<Self, Box<dyn Error>> {
-        let in_file = |e: std::io::Error| format!("{}: cannot be written: {e}", path.display());
-        let place = |path: &Path| path.canonicalize().ok();
-        let mut meshes = options.meshes.iter().filter_map(|mesh| place(mesh));
-        if meshes.any(|mesh| Some(mesh) == place(&path)) {
-            return Err(format!("{}: is the mesh itself", path.display()).into());
-        }
-        if let Some(directory) = path.parent() {
-            fs::create_dir_all(directory).map_err(in_file)?;
-        }
-        let file = File::create(&path).map_err(in_file)?;
-        Ok(Self { path, file })
-    }
-
-    fn is_same(&self, other: &Self) -> bool {
-        let place = |output: &Self| output.path.canonicalize().ok();
-        place(self).is_some() && place(self) == place(other)
-    }
-
-    fn write(
-        self,
-        what: &str,
-        content: impl FnOnce(&mut BufWriter<File>) -> Result<(), Box<dyn Error>>,
-    ) -> Result<(), Box<dyn Error>> {
-        let mut file = BufWriter::new(self.file);
-        content(&mut file)
-            .and_then(|()| Ok(file.flush()?))
-            .map_err(|e| format!("{}: cannot be written: {e}", self.path.display()))?;
-        say(&line(what, &self.path.display().to_string()))
-    }
 }
 
 fn report(

@@ -1,12 +1,12 @@
-//! Reading meshes: OBJ by `tobj`, STL by `stl_io`, glTF by `gltf`.
+//! Reading meshes: OBJ by `tobj`, STL by `stl_io`, glTF by `gltf`, PLY by `ply-rs-bw`.
 
 use std::error::Error;
 use std::fs;
-use std::io::Cursor;
+use std::io::{Cursor, Read};
 use std::path::{Path, PathBuf};
 
-use crate::gltf;
 use crate::options::Up;
+use crate::{gltf, ply};
 
 /// The bundled mesh, embedded so that the program runs from any directory.
 const TEAPOT: &[u8] = include_bytes!("../assets/teapot.obj");
@@ -36,20 +36,34 @@ impl Mesh {
     }
 
     fn read(path: &Path, up: Option<Up>) -> Result<Self, Box<dyn Error>> {
-        let in_file = |e: Box<dyn Error>| format!("{}: {e}", path.display());
-        let (read, usual): (Reader, Up) = match extension(path).as_str() {
-            "obj" => (|bytes, _| read_obj(bytes), Up::Y),
-            "stl" => (|bytes, _| read_stl(bytes), Up::Z),
-            "glb" | "gltf" => (gltf::read, Up::Y),
-            _ => {
-                let kinds = "a mesh is an .obj, an .stl, a .glb or a .gltf file";
-                return Err(in_file(kinds.into()).into());
-            }
+        let is_input = path == Path::new("-");
+        let (shown, name) = if is_input {
+            ("standard input".into(), "input".into())
+        } else {
+            let name = path.file_stem().map_or("mesh".into(), |s| s.to_string_lossy());
+            (path.display().to_string(), name.into_owned())
         };
-        let bytes = fs::read(path).map_err(|e| in_file(e.into()))?;
-        let triangles = read(&bytes, path).and_then(checked).map_err(in_file)?;
-        let name = path.file_stem().map_or("mesh".into(), |s| s.to_string_lossy().into_owned());
-        Ok(Self { name, triangles, up: usual }.turned(up))
+        let in_file = |e: Box<dyn Error>| format!("{shown}: {e}");
+        // The extension is known before the file is read.
+        let kind = if is_input { None } else { Some(Kind::of(path).map_err(in_file)?) };
+        let bytes = if is_input {
+            let mut bytes = Vec::new();
+            std::io::stdin().read_to_end(&mut bytes).map(|_| bytes)
+        } else {
+            fs::read(path)
+        };
+        let bytes = bytes.map_err(|e| in_file(e.into()))?;
+        let kind = kind.unwrap_or_else(|| Kind::guessed(&bytes));
+        let triangles = match kind {
+            Kind::Obj => read_obj(&bytes),
+            Kind::Stl => read_stl(&bytes),
+            Kind::Ply => ply::read(&bytes),
+            Kind::Gltf => gltf::read(&bytes, (!is_input).then_some(path)),
+        };
+        let triangles = triangles.and_then(checked).map_err(in_file)?;
+        // STL is the format of CAD and of printers.
+        let up = up.unwrap_or(if kind == Kind::Stl { Up::Z } else { Up::Y });
+        Ok(Self { name, triangles, up }.turned(Some(up)))
     }
 
     fn turned(mut self, up: Option<Up>) -> Self {
@@ -64,16 +78,60 @@ impl Mesh {
 }
 
 pub(crate) type Triangles = Vec<[[f64; 3]; 3]>;
-/// Reads the contents of a file.
-type Reader = fn(&[u8], &Path) -> Result<Triangles, Box<dyn Error>>;
 
-fn extension(path: &Path) -> String {
-    path.extension().map_or(String::new(), |e| e.to_string_lossy().to_lowercase())
+/// The formats of meshes.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Obj,
+    Stl,
+    Ply,
+    Gltf,
+}
+
+impl Kind {
+    fn of(path: &Path) -> Result<Self, Box<dyn Error>> {
+        let extension =
+            path.extension().map_or(String::new(), |e| e.to_string_lossy().to_lowercase());
+        Ok(match extension.as_str() {
+            "obj" => Self::Obj,
+            "stl" => Self::Stl,
+            "ply" => Self::Ply,
+            "glb" | "gltf" => Self::Gltf,
+            _ => return Err("a mesh is an .obj, an .stl, a .ply, a .glb or a .gltf file".into()),
+        })
+    }
+
+    /// The format of standard input, by its first bytes.
+    fn guessed(bytes: &[u8]) -> Self {
+        let text = bytes.trim_ascii_start();
+        let is_text = || !bytes.iter().take(1024).any(|&b| b == 0);
+        if text.starts_with(b"ply") {
+            Self::Ply
+        } else if text.starts_with(b"glTF") || text.starts_with(b"{") {
+            Self::Gltf
+        } else if text.starts_with(b"solid") || !is_text() {
+            Self::Stl
+        } else {
+            Self::Obj
+        }
+    }
+}
+
+/// Cuts a polygon into triangles that share its first corner. A segment or a point is one triangle.
+pub(crate) fn fan(corners: &[[f64; 3]], triangles: &mut Triangles) {
+    match *corners {
+        [] => {}
+        [a] => triangles.push([a; 3]),
+        [a, b] => triangles.push([a, b, b]),
+        [a, ref others @ ..] => {
+            triangles.extend(others.windows(2).map(|pair| [a, pair[0], pair[1]]))
+        }
+    }
 }
 
 fn checked(triangles: Triangles) -> Result<Triangles, Box<dyn Error>> {
     if triangles.is_empty() {
-        return Err("the mesh is empty: it has no triangles".into());
+        return Err("no triangles: the mesh has no faces".into());
     }
     for (i, p) in triangles.iter().flatten().enumerate() {
         if !p.iter().all(|x| x.is_finite()) {

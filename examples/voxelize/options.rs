@@ -7,14 +7,13 @@ use septum::voxel::Rule;
 
 use crate::cli::any;
 
-/// Voxelizes triangle meshes, exactly: the surface, or the inside too. Writes a
-/// picture of the result.
+/// Voxelizes triangle meshes, exactly: the surface, or the inside too. Draws the result, or writes
+/// the voxels.
 #[derive(Parser)]
 #[command(name = "voxelize", version)]
 pub(crate) struct Options {
-    /// Meshes to voxelize in one grid: OBJ, STL (binary or ASCII) or glTF files
-    /// (.glb, or .gltf with its buffers in files). The Utah teapot that comes with
-    /// the example if none is given
+    /// Meshes to voxelize in one grid: OBJ, STL, PLY or glTF files (.glb or .gltf), or `-` for one of
+    /// them from standard input. The Utah teapot that comes with the example if none is given
     #[arg(value_name = "MESH")]
     pub(crate) meshes: Vec<PathBuf>,
 
@@ -65,17 +64,19 @@ pub(crate) struct Options {
     #[arg(short, long, value_enum, ignore_case = true)]
     pub(crate) up: Option<Up>,
 
-    /// Picture to write [default: out/MESH.png]
-    #[arg(short, long, value_name = "PNG")]
-    pub(crate) output: Option<PathBuf>,
+    /// File to write, any number of times; its extension says what: a picture (.png), a MagicaVoxel
+    /// model of up to 256 voxels a side (.vox), a NumPy array (.npy), raw bits after a header of
+    /// text (.bits), or a mesh of cubes (.obj) [default: out/MESH.png]
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Vec<PathBuf>,
 
-    /// Draw no picture, and without --vox keep no voxels: a grid of 1024 a side
-    /// takes a few MiB then
+    /// Draw no picture, and without --vox keep no voxels: a grid of 4096 a side takes a few MiB then,
+    /// slab by slab
     #[arg(long, conflicts_with = "output")]
     pub(crate) no_picture: bool,
 
-    /// Also write a MagicaVoxel model, up to 256 voxels a side
-    #[arg(long, value_name = "FILE")]
+    /// Also write a MagicaVoxel model
+    #[arg(long, value_name = "FILE.vox")]
     pub(crate) vox: Option<PathBuf>,
 }
 

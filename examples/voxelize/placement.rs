@@ -3,8 +3,8 @@
 use std::error::Error;
 use std::ops::RangeInclusive;
 
-/// The most voxels of a grid. It takes a gibibyte, at a bit for each voxel.
-const MOST_VOXELS: f64 = (1_u64 << 33) as f64;
+/// The most voxels that are kept at a time. They take a gibibyte, at a bit for each voxel.
+pub(crate) const MOST_VOXELS: f64 = (1_u64 << 33) as f64;
 
 /// The most voxels along a side.
 const LONGEST_SIDE: u32 = 1 << 16;
@@ -16,6 +16,9 @@ pub(crate) struct Placed {
     /// Voxels along each axis.
     pub(crate) size: [usize; 3],
     pub(crate) triangles: Vec<[[f64; 3]; 3]>,
+    /// The grid's least corner and the edge of a voxel, in the units of the mesh.
+    pub(crate) origin: [f64; 3],
+    pub(crate) edge: f64,
 }
 
 /// Scales the mesh so that its longest side spans `resolution` voxels, and centres it in the
@@ -42,25 +45,30 @@ pub(crate) fn place(
     let scaled = |x: f64| x * f64::from(resolution) / longest;
     // A flat mesh lies in one layer of voxels.
     let size = extent.map(|e| scaled(e).ceil().max(1.0));
-    let voxels: f64 = size.iter().product();
-    if voxels > MOST_VOXELS {
-        return Err(format!(
-            "a grid of {} × {} × {} voxels would take {:.1} GiB of memory, more than the 1 GiB \
-             allowed; choose a lower --resolution",
-            size[0],
-            size[1],
-            size[2],
-            voxels / MOST_VOXELS
-        )
-        .into());
-    }
     let margin = [0, 1, 2].map(|i| (size[i] - scaled(extent[i])) / 2.0);
     let middle = size.map(|n| (n / 2.0).ceil());
     let placed = |p: [f64; 3]| [0, 1, 2].map(|i| scaled(p[i] - least[i]) + margin[i] - middle[i]);
+    let edge = longest / f64::from(resolution);
     Ok(Placed {
         size: size.map(|n| n as usize),
+        origin: [0, 1, 2].map(|i| least[i] - margin[i] * edge),
+        edge,
         triangles: triangles.iter().map(|t| t.map(placed)).collect(),
     })
+}
+
+/// Refuses a grid that is too large to be kept.
+pub(crate) fn check_memory(size: [usize; 3]) -> Result<(), String> {
+    let [x, y, z] = size;
+    let voxels: f64 = size.into_iter().map(|n| n as f64).product();
+    if voxels <= MOST_VOXELS {
+        return Ok(());
+    }
+    Err(format!(
+        "a grid of {x} × {y} × {z} voxels would take {:.1} GiB of memory, more than the 1 GiB \
+         allowed; choose a lower --resolution, or count the voxels alone by --no-picture",
+        voxels / MOST_VOXELS
+    ))
 }
 
 impl Placed {

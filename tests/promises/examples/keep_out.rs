@@ -231,19 +231,27 @@ fn the_log_names_line_and_pose() {
     }
 }
 
+/// A script learns by the exit code whether there is a collision.
 #[test]
-fn a_file_of_ones_own() {
+fn files_of_ones_own() {
     let directory = directory("program");
     fs::write(directory.join("own.nc"), "G0 X70\nG0 Z60\nG1 Y0 Z10\n").unwrap();
-    let [log, _] = printed("keep_out", &["own.nc"], &directory);
-    assert!(log.contains("own.nc: line 3, pose ") && log.contains("touches face"), "{log}");
+    fs::write(directory.join("free.nc"), "G0 X1\n").unwrap();
     fs::write(directory.join("rubbish.nc"), "G0 X70\nG1 X80 Y\n").unwrap();
-    for (file, told) in
-        [("rubbish.nc", "rubbish.nc: line 2: Y: a number is missing"), ("none.nc", "none.nc: ")]
-    {
-        let output = run("keep_out", &[file], &directory);
-        let log = String::from_utf8(output.stdout).unwrap();
-        assert!(!output.status.success() && log.contains(told), "{log}");
+    for (files, code, told) in [
+        (&["own.nc"][..], 1, "own.nc: line 3, pose "),
+        (&["own.nc"], 1, "touches face"),
+        (&["free.nc"], 0, "it ends outside"),
+        (&["free.nc", "own.nc", "free.nc"], 1, "it ends in contact"),
+        (&["rubbish.nc"], 2, "rubbish.nc: line 2: Y: a number is missing"),
+        (&["own.nc", "none.nc"], 2, "none.nc: "),
+        (&["free.nc", "--fast"], 2, "--fast: there is no such option"),
+        (&["--help"], 0, "Exits with 0 if"),
+    ] {
+        let output = run("keep_out", files, &directory);
+        let log = [output.stdout, output.stderr].map(|s| String::from_utf8(s).unwrap()).concat();
+        assert_eq!(output.status.code(), Some(code), "{files:?}: {log}");
+        assert!(log.contains(told), "{files:?}: {log}");
     }
 }
 

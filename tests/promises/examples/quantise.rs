@@ -115,3 +115,20 @@ fn a_box_without_a_lid() {
     assert!(report.contains("12 faces") && report.contains("parts: 1"), "{report}");
     assert!(table.contains("PARTS: [core::ops::Range<usize>; 1] = [0..12];"), "{table}");
 }
+
+/// A field with nearly as many faces as 16 bits can tell apart, and one with more.
+#[test]
+fn indices_are_as_wide_as_they_must() {
+    let directory = directory("wide");
+    for (rows, bits) in [(2, 16), (129, 16), (130, 32)] {
+        let vertices: String =
+            (0..rows * 256).map(|i| format!("v {} {} 0\n", i % 256, i / 256)).collect();
+        let quads = (0..(rows - 1) * 256).filter(|i| i % 256 != 255);
+        let faces: String =
+            quads.map(|i| format!("f {} {} {} {}\n", i + 1, i + 2, i + 258, i + 257)).collect();
+        fs::write(directory.join("field.obj"), format!("{vertices}{faces}")).unwrap();
+        let [table, report] = printed("quantise", &["field.obj"], &directory);
+        let count = 510 * (rows - 1);
+        assert!(table.contains(&format!("FACES: [[u{bits}; 3]; {count}]")), "{report}");
+    }
+}

@@ -18,7 +18,7 @@ fn each_step_says_what_it_takes() {
     let directory = directory("times");
     let [report, _] = printed("voxelize", &["-r", "24", "-o", "a.png"], &directory);
     let [reading, voxelizing, drawing] =
-        ["reading", "voxelizing", "drawing"].map(|name| milliseconds(&report, name).unwrap());
+        ["reading", "voxelizing", "picture"].map(|name| milliseconds(&report, name).unwrap());
     assert!(reading > 0.0 && voxelizing > 0.0, "{report}");
     assert!(drawing > voxelizing, "drawing takes far longer: {report}");
     assert!(report.contains("--no-picture"), "{report}");

@@ -28,6 +28,10 @@ impl Desk {
     /// Runs the example, which `cargo test` has built beside this test; builds it if only tests
     /// were built.
     pub(super) fn run(&self, arguments: &str) -> Output {
+        self.command(arguments).output().unwrap()
+    }
+
+    pub(super) fn command(&self, arguments: &str) -> Command {
         let test = std::env::current_exe().unwrap();
         let target = test.parent().and_then(Path::parent).unwrap();
         let example = target
@@ -40,11 +44,9 @@ impl Desk {
             build.arg(target.parent().unwrap()).current_dir(env!("CARGO_MANIFEST_DIR"));
             assert!(build.status().unwrap().success());
         }
-        Command::new(example)
-            .args(arguments.split_whitespace())
-            .current_dir(&self.0)
-            .output()
-            .unwrap()
+        let mut command = Command::new(example);
+        command.args(arguments.split_whitespace()).current_dir(&self.0);
+        command
     }
 
     pub(super) fn succeed(&self, arguments: &str) -> String {

@@ -1,6 +1,7 @@
 //! The example `voxelize`, run as a user runs it: its files, its counts, and its errors.
 
 mod desk;
+mod formats;
 mod refused;
 
 use std::fs;

@@ -8,8 +8,20 @@ use super::desk::{Desk, TRIANGLE};
 fn bad_meshes() {
     let desk = Desk::new("bad-meshes");
     desk.fail("missing.obj", &["missing.obj", "No such file"]);
-    desk.write("mesh.ply", "ply");
-    desk.fail("mesh.ply", &["mesh.ply", "an .obj, an .stl"]);
+    desk.write("mesh.xyz", "ply");
+    desk.fail("mesh.xyz", &["mesh.xyz", "an .obj, an .stl, a .ply"]);
+    desk.write("points.ply", PLY_POINTS);
+    desk.fail("points.ply", &["points.ply", "no triangles", "no faces"]);
+    for (from, to) in
+        [("ply", "ply3"), ("x\n", "x\nproperty list\n"), ("vertex 1", "vertex 99999999999")]
+    {
+        desk.write("bad.ply", PLY_POINTS.replacen(from, to, 1));
+        desk.fail("bad.ply", &["bad.ply", "not a valid PLY"]);
+    }
+    for face in ["3 0 1 2", "3 0 0 -1"] {
+        desk.write("face.ply", ply_with_face(face));
+        desk.fail("face.ply", &["face.ply", "a vertex that is not there"]);
+    }
     desk.write("empty.obj", "# nothing\nv 1 2 3\n");
     desk.fail("empty.obj", &["empty.obj", "no triangles"]);
     desk.write("empty.stl", [0; 84]);
@@ -43,6 +55,16 @@ fn bad_meshes() {
     assert!(!desk.exists("out"), "no picture of what could not be read");
 }
 
+const PLY_POINTS: &str =
+    "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n";
+
+fn ply_with_face(face: &str) -> String {
+    format!(
+        "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nelement face 1\n\
+         property list uchar int vertex_indices\nend_header\n1\n2\n{face}\n"
+    )
+}
+
 #[test]
 fn bad_options() {
     let desk = Desk::new("bad-options");
@@ -53,9 +75,15 @@ fn bad_options() {
     desk.fail("mesh.obj -r 20000", &["20000 × 15000 × 5000", "GiB", "lower --resolution"]);
     desk.fail("mesh.obj -r 257 --vox a.vox", &["256 voxels a side", "257 × 193 × 65"]);
     desk.fail("mesh.obj -o mesh.obj", &["mesh.obj: is the mesh itself"]);
-    desk.fail("mesh.obj -o .", &["cannot be written"]);
+    for name in [".", "picture", "a.jpg", "a.png.gz", ".png", "-"] {
+        desk.fail(&format!("mesh.obj -o {name}"), &[name, ".png, .vox, .npy, .bits or .obj"]);
+    }
+    desk.fail("mesh.obj -o none.png/", &["cannot be written"]);
+    desk.fail("mesh.obj --vox a.obj", &["a.obj", "--vox writes a .vox file"]);
+    desk.fail("mesh.obj -o a.npy --cut", &["--cut", "only a picture"]);
+    desk.fail("mesh.obj -o a.npy --compare rounded", &["--compare", "only a picture"]);
     desk.fail("mesh.obj -o mesh.obj/a.png", &["mesh.obj/a.png: cannot be written"]);
-    desk.fail("mesh.obj -r 4 -o a.png --vox ./a.png", &["both the picture and the model"]);
+    desk.fail("mesh.obj -r 4 -o a.vox --vox ./a.vox", &["./a.vox", "written twice"]);
     assert_eq!(fs::read_to_string(desk.0.join("mesh.obj")).unwrap(), TRIANGLE);
 
     // Usage errors are clap's, with its exit code.

@@ -1,0 +1,80 @@
+//! PLY, text or binary, by `ply-rs-bw`: its vertices and faces.
+
+use std::error::Error;
+use std::io::Cursor;
+
+use ply_rs_bw::parser::Parser;
+use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
+
+use crate::mesh::{Triangles, fan};
+
+/// A vertex or a face, whichever properties it has.
+struct Element {
+    point: [f64; 3],
+    corners: Vec<i64>,
+}
+
+impl PropertyAccess for Element {
+    fn new() -> Self {
+        Self { point: [0.0; 3], corners: Vec::new() }
+    }
+
+    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
+        let axis = ["x", "y", "z"].iter().position(|axis| *axis == name);
+        match (axis, number(&property), indices(&property)) {
+            (Some(axis), Some(x), _) => self.point[axis] = x,
+            (None, _, Some(corners)) if matches!(name, "vertex_indices" | "vertex_index") => {
+                self.corners = corners;
+            }
+            _ => return PropertyAccessResult::Ignored,
+        }
+        PropertyAccessResult::Set
+    }
+}
+
+pub(crate) fn read(bytes: &[u8]) -> Result<Triangles, Box<dyn Error>> {
+    let file = Parser::<Element>::new().read_ply(&mut Cursor::new(bytes)).map_err(|e| {
+        // Further lines repeat the text of the file.
+        let text = e.to_string();
+        format!("not a valid PLY file: {}", text.lines().next().unwrap_or_default())
+    })?;
+    let elements = |name: &str| file.payload.get(name).map_or(&[][..], Vec::as_slice);
+    let vertices = elements("vertex");
+    let mut triangles = Vec::new();
+    for face in elements("face") {
+        let point = |&i: &i64| usize::try_from(i).ok().and_then(|i| vertices.get(i));
+        let corners: Option<Vec<_>> =
+            face.corners.iter().map(|i| point(i).map(|vertex| vertex.point)).collect();
+        fan(&corners.ok_or("a face has a vertex that is not there")?, &mut triangles);
+    }
+    Ok(triangles)
+}
+
+fn number(property: &Property) -> Option<f64> {
+    Some(match *property {
+        Property::Char(x) => x.into(),
+        Property::UChar(x) => x.into(),
+        Property::Short(x) => x.into(),
+        Property::UShort(x) => x.into(),
+        Property::Int(x) => x.into(),
+        Property::UInt(x) => x.into(),
+        Property::Float(x) => x.into(),
+        Property::Double(x) => x,
+        _ => return None,
+    })
+}
+
+fn indices(property: &Property) -> Option<Vec<i64>> {
+    fn wide<T: Copy + Into<i64>>(list: &[T]) -> Vec<i64> {
+        list.iter().map(|&i| i.into()).collect()
+    }
+    Some(match property {
+        Property::ListChar(list) => wide(list),
+        Property::ListUChar(list) => wide(list),
+        Property::ListShort(list) => wide(list),
+        Property::ListUShort(list) => wide(list),
+        Property::ListInt(list) => wide(list),
+        Property::ListUInt(list) => wide(list),
+        _ => return None,
+    })
+}
