@@ -2,10 +2,10 @@
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::{BigInt, Limbed, Parts};
+use crate::arithmetic::{BigInt, Limbed, Number, Parts};
 
 /// A sum of products of up to four numbers without loss.
-pub trait ExactSum: Limbed {
+pub trait ExactSum: Limbed + Number {
     /// The empty sum.
     fn new() -> Self;
     /// Adds the product of at most four `factors`, all of one type. All terms of a sum have the

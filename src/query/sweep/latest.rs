@@ -29,11 +29,16 @@ impl<S: Scalar> Latest<S> {
         }
         let [low, high] = gap.portion(speed[0], [error, speed[1]]).map(S::at_most);
         if low == high && is_gap.certain {
-            if self.found.is_none_or(|found| low > found.t) {
-                self.found = Some(FirstContact { t: low, axis: Some(axis) });
-            }
+            self.set(axis, low);
         } else if self.in_doubt.is_none_or(|t| high > t) {
             self.in_doubt = Some(high);
+        }
+    }
+
+    /// Adds an axis that separates until then.
+    pub(super) fn set(&mut self, axis: Axis, t: S) {
+        if self.found.is_none_or(|found| t > found.t) {
+            self.found = Some(FirstContact { t, axis: Some(axis) });
         }
     }
 

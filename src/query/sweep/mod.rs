@@ -2,6 +2,7 @@
 
 mod aabb_aabb;
 mod error_bound;
+mod exact;
 mod in_doubles;
 mod instants;
 mod kernel;
@@ -13,12 +14,13 @@ mod time;
 
 pub use motion::Motion;
 
+use self::exact::ExactCourse;
 use self::kernel::Course;
 use self::time::{Instant, Last, Meets, When};
 use super::Axis;
 use super::triangle_aabb::frame::{BoxForm, Frame};
-use crate::arithmetic::{Arithmetic, Embeds, Float, InFloat, Number};
-use crate::robust::Predicate;
+use crate::arithmetic::{Arithmetic, Embeds, Float, InFloat, Number, REGISTERS_ARE_WIDE};
+use crate::robust::{Predicate, in_exact_numbers};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
@@ -155,6 +157,10 @@ impl<'a, S: Scalar> Passing<'a, S> {
         let d = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
         Some(Course { frame: Frame::new(&triangle, &form), d })
     }
+
+    fn exactly(&self) -> ExactCourse {
+        ExactCourse::new(self.triangle, self.aabb, self.ends())
+    }
 }
 
 /// The coordinates of the shapes and the motion in a number system.
@@ -185,6 +191,13 @@ impl<S: Scalar> Predicate<S> for Misses<'_, S> {
         S: InFloat<F>,
     {
         rows::misses::<S, F>(&self.0)
+    }
+
+    fn exact(&self) -> bool {
+        if REGISTERS_ARE_WIDE {
+            return in_exact_numbers(self);
+        }
+        self.0.exactly().misses::<S>()
     }
 }
 

@@ -1,9 +1,9 @@
 //! When do the shapes meet? First the bounds from floats, then the time.
 
 use super::{FirstContact, Passing, in_doubles, rows};
-use crate::arithmetic::{Embeds, Filtered, Float, InFloat};
+use crate::arithmetic::{Embeds, Filtered, Float, InFloat, REGISTERS_ARE_WIDE};
 use crate::query::Axis;
-use crate::robust::{Clue, Predicate};
+use crate::robust::{Clue, Predicate, in_exact_numbers};
 use crate::scalar::Scalar;
 
 /// A relative bound, above the relative loss of a scalar's number in `f64`.
@@ -102,5 +102,12 @@ impl<S: Scalar> Predicate<S> for Meets<'_, S> {
     {
         let is_long = !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS;
         if is_long { in_doubles::first_contact_of_long(&self.passing, self.last) } else { None }
+    }
+
+    fn exact(&self) -> FirstContact<S> {
+        if REGISTERS_ARE_WIDE {
+            return in_exact_numbers(self);
+        }
+        self.passing.exactly().first_contact()
     }
 }
