@@ -31,7 +31,6 @@ use super::wide::I256;
 pub struct Int8;
 
 /// For coordinates below 2^18: areas and volumes in `i64`.
-#[cfg(feature = "fixed")]
 #[derive(Clone, Copy, Debug)]
 pub struct Int16;
 
@@ -87,10 +86,10 @@ macro_rules! integers {
 #[cfg(feature = "fixed")]
 integers! {
     Int8: i32, i32, i32, |a, b| a * b, i64; Self, |_: i32| false;
-    Int16: i32, i64, i64, |a, b| a * i64::from(b), i128; Self, |_: i32| false;
     Int32: i32, i64, i128, |a, b| i128::from(a) * i128::from(b), i128; Int16, |size: i32| !REGISTERS_ARE_WIDE && size >> 20 == 0;
 }
 integers! {
+    Int16: i32, i64, i64, |a, b| a * i64::from(b), i128; Self, |_: i32| false;
     Int64: i64, i128, I256, I256::product, i128; Int64Narrow, |size: i64| size >> 41 == 0;
     Int64Narrow: i64, i128, i128, |a, b| a * i128::from(b), i128; Self, |_: i64| false;
 }

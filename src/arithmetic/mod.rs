@@ -49,8 +49,8 @@ pub use full::{FullF32, FullF64};
 pub(crate) use in_float::{FirstFloat, InFloat};
 pub(crate) use index::{each, pick, three, turn};
 #[cfg(feature = "fixed")]
-pub(crate) use integer::{Int8, Int16, Int32};
-pub(crate) use integer::{Int64, Int64Narrow};
+pub(crate) use integer::{Int8, Int32};
+pub(crate) use integer::{Int16, Int64, Int64Narrow};
 pub(crate) use limbs::Limbs;
 #[cfg(feature = "fixed")]
 pub(crate) use limbs::Wide;
@@ -78,9 +78,5 @@ pub(crate) use wide::I256;
 pub use window::Window;
 #[cfg(test)]
 pub(crate) use words::SplitSum;
-#[cfg(feature = "fixed")]
-pub use words::WholeVolume;
-#[cfg(feature = "fixed")]
-pub use words::{InRaw, Raw};
-pub use words::{InWholeWord, InWord, ProductSum, WholeWord, Word};
+pub use words::{InRaw, InWholeWord, InWord, ProductSum, Raw, WholeVolume, WholeWord, Word};
 pub(crate) use words::{cross_words, dot_words, first_sign, out_of_line, out_of_line_if_wide};

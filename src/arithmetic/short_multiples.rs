@@ -77,23 +77,39 @@ impl Divisor {
     }
 }
 
-/// A float that may be a short multiple.
-pub trait ShortFloat: Copy {
+/// A scalar that may be a short multiple: `f32`.
+pub trait ShortFloat: Copy + Default {
+    /// Whether any is.
+    const MAY_BE_SHORT: bool = false;
+
     /// The coordinates over a power of two, and its exponent, if all are then integers with
     /// magnitudes of at most 29 bits.
-    fn short<const K: usize>(all: &[[Self; 3]; K]) -> Option<([[i32; 3]; K], i32)>;
+    fn short<const K: usize>(all: &[[Self; 3]; K]) -> Option<([[i32; 3]; K], i32)> {
+        let _ = all;
+        None
+    }
 
     /// num/den times 2^`exponent`, to the nearest. `None` if the middle of two floats is within
     /// 2^-`clear` of the computed value, relatively, or if the result is not a normal float. A
     /// computation with an error below 2^-`clear`, less 2^-50 for this one, therefore rounds to the
     /// same float. `clear` is from 26 to 48.
-    fn rounded_quotient(num: Leading64, den: &Divisor, exponent: i32, clear: i32) -> Option<Self>;
+    fn rounded_quotient(num: Leading64, den: &Divisor, exponent: i32, clear: i32) -> Option<Self> {
+        let _ = (num, den, exponent, clear);
+        None
+    }
 
     /// Zero, or less zero.
-    fn zero(is_negative: bool) -> Self;
+    fn zero(is_negative: bool) -> Self {
+        let _ = is_negative;
+        Self::default()
+    }
 }
 
+impl ShortFloat for f64 {}
+
 impl ShortFloat for f32 {
+    const MAY_BE_SHORT: bool = true;
+
     fn short<const K: usize>(all: &[[f32; 3]; K]) -> Option<([[i32; 3]; K], i32)> {
         let largest = all.as_flattened().iter().fold(0, |most, x| most.max(x.to_bits() << 1 >> 1));
         let exponent = largest >> 23;

@@ -3,7 +3,7 @@
 use super::{Hits, Triangles};
 use crate::arithmetic::{Embeds, Filtered};
 use crate::query::{Candidate, clear_hit, clear_refined_hit, clearly_misses};
-use crate::robust::{Clue, Predicate};
+use crate::robust::{Clue, Numeric, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::Ray;
 
@@ -20,6 +20,12 @@ impl<S: Scalar, const N: usize> Predicate<S> for CrossesEach<'_, S, N> {
         Some(self.exact())
     }
 
+    fn exact(&self) -> Option<Hits<S, N>> {
+        Some(Hits::each(|k| self.one(k)))
+    }
+}
+
+impl<S: Scalar, const N: usize> Numeric<S> for CrossesEach<'_, S, N> {
     /// All triangles at once; triangles that floats leave in doubt follow one by one.
     #[inline(always)]
     fn fast_path(&self) -> Result<Option<Hits<S, N>>, Clue>
@@ -48,10 +54,6 @@ impl<S: Scalar, const N: usize> Predicate<S> for CrossesEach<'_, S, N> {
         }
         let (hits, certain) = self.each(|triangle| clear_refined_hit(self.ray, triangle));
         Some(Some(self.completed(hits, certain)))
-    }
-
-    fn exact(&self) -> Option<Hits<S, N>> {
-        Some(Hits::each(|k| self.one(k)))
     }
 }
 

@@ -25,7 +25,6 @@ mod either_order;
 mod line_obb;
 mod obb_obb;
 mod obb_rows;
-#[cfg(feature = "fixed")]
 mod obb_short;
 mod plane_aabb;
 mod point_aabb;

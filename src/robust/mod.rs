@@ -25,18 +25,18 @@ mod stages;
 mod uncertain;
 
 pub(crate) use cascade::{
-    exact_stage, in_exact_numbers, in_floats, in_quads, integer_stage, multiples_stage,
-    numeric_stage, refined_stage,
+    exact_stage, in_floats, in_quads, integer_stage, numeric_stage, refined_stage,
 };
 #[cfg(feature = "fixed")]
-pub(crate) use cascade::{narrow_stage, only_stage, short_stage, stage, volume_stage};
+pub(crate) use cascade::{only_stage, stage};
 pub(crate) use determinant::{
     Linear, Vector, add_area, add_determinant, add_scaled_determinant, difference, sign, single,
 };
 pub use exact_sum::ExactSum;
 pub(crate) use exact_sum::Sum;
-pub use predicate::{Clue, Predicate};
+pub(crate) use predicate::in_exact_numbers;
+pub use predicate::{Clue, Numeric, Predicate, Profile, WordKernel};
 #[cfg(all(test, feature = "fixed"))]
 pub(crate) use stages::escalations;
-pub(crate) use stages::{Stage, note};
+pub(crate) use stages::{Stage, note, noted};
 pub(crate) use uncertain::{Uncertain, certain_sign};

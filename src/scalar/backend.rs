@@ -1,5 +1,7 @@
-use crate::arithmetic::{Embeds, FirstFloat, Limbed, Offset, Parts, RoundedOps, Soft, Spanned};
-use crate::robust::{ExactSum, Predicate};
+use crate::arithmetic::{
+    Embeds, FirstFloat, InRaw, Limbed, Offset, Parts, RoundedOps, ShortFloat, Soft, Spanned,
+};
+use crate::robust::{ExactSum, Numeric, Predicate, WordKernel};
 
 /// The constants and the cascade that queries require of a scalar.
 ///
@@ -8,7 +10,7 @@ use crate::robust::{ExactSum, Predicate};
 /// Generic code of other crates does not see the constants and functions of a private supertrait.
 /// It does see the names of associated types: a type of the same name in a user's trait would be
 /// ambiguous. Hence the prefix of all associated types that are reached through `S: Scalar`.
-pub(crate) trait Backend: RoundedOps + Spanned + FirstFloat + Offset {
+pub(crate) trait Backend: RoundedOps + Spanned + FirstFloat + Offset + ShortFloat {
     /// One, for offsets and axes. Not every fixed-point type can represent it.
     const ONE: Parts;
 
@@ -49,13 +51,20 @@ pub(crate) trait Backend: RoundedOps + Spanned + FirstFloat + Offset {
 
     /// The answer to `p`, for questions that usually return numbers, such as a hit. It skips number
     /// systems that can give only a verdict.
-    fn evaluate_numeric<P: Predicate<Self>>(p: &P) -> P::Answer {
+    fn evaluate_numeric<P: Numeric<Self>>(p: &P) -> P::Answer {
         Self::evaluate(p)
     }
 
     /// The answer to `p` in bounded time, from the same number systems on every machine; `None` if
     /// it is still in doubt.
     fn evaluate_bounded<P: Predicate<Self>>(p: &P) -> Option<P::Answer>;
+}
+
+/// A fixed-point scalar, whose raw bits fit machine words.
+pub(crate) trait FixedBackend: super::Scalar + InRaw {
+    /// On machines with narrow registers, the answer of the pair's kernel in words, in the
+    /// narrowest that hold the shapes.
+    fn in_machine_words<K: WordKernel<Self>>(kernel: &K) -> Option<K::Answer>;
 }
 
 /// A floating-point format.

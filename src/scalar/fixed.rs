@@ -3,19 +3,20 @@
 use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
+use super::backend::FixedBackend;
 use super::{Backend, Scalar};
 use crate::arithmetic::{
     Embeds, Filtered, InWholeWord, Int8, Int16, Int32, Int64, OfFour, Parts, Quad,
-    REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, Soft, WholeWord, Window, clamped,
+    REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, ShortFloat, Soft, WholeWord, Window, clamped,
 };
 use crate::robust::{
-    Predicate, Sum, exact_stage, in_quads, integer_stage, narrow_stage, numeric_stage, only_stage,
-    short_stage, stage, volume_stage,
+    Numeric, Predicate, Stage, Sum, WordKernel, exact_stage, in_quads, integer_stage, note,
+    numeric_stage, only_stage, stage,
 };
 
 macro_rules! scalar {
     ($fixed:ident, $bound:ident, $limbs:literal, $float:ident,
-     |$p:ident| $evaluate:expr, $numeric:expr, $bounded:expr) => {
+     |$p:ident| $words:expr, $evaluate:expr, $numeric:expr, $bounded:expr) => {
         impl<Frac: $bound + Send + Sync + 'static> Scalar for $fixed<Frac> {
             const ZERO: Self = Self::ZERO;
 
@@ -63,17 +64,28 @@ macro_rules! scalar {
                 if Self::IN_QUADS { in_quads::<_, $float, _>(p) } else { None }
             }
             #[inline(always)]
-            fn without_quads<P: Predicate<Self>>(p: &P) -> P::Answer {
-                short_stage(p, |$p| $evaluate)
+            fn without_quads<P: Predicate<Self>>($p: &P) -> P::Answer {
+                match $p.in_words(false) {
+                    Some(answer) => answer,
+                    None => $evaluate,
+                }
             }
             #[inline(always)]
-            fn evaluate_numeric<P: Predicate<Self>>($p: &P) -> P::Answer {
+            fn evaluate_numeric<P: Numeric<Self>>($p: &P) -> P::Answer {
                 $numeric
             }
             #[inline(always)]
             fn evaluate_bounded<P: Predicate<Self>>($p: &P) -> Option<P::Answer> {
-                let short = if P::IN_SHORT { $p.cut_down() } else { None };
-                short.or_else(|| $bounded)
+                $bounded
+            }
+        }
+
+        impl<Frac: $bound + Send + Sync + 'static> ShortFloat for $fixed<Frac> {}
+
+        impl<Frac: $bound + Send + Sync + 'static> FixedBackend for $fixed<Frac> {
+            #[inline(always)]
+            fn in_machine_words<K: WordKernel<Self>>($p: &K) -> Option<K::Answer> {
+                if REGISTERS_ARE_WIDE { None } else { $words }
             }
         }
 
@@ -124,55 +136,68 @@ scalar!(
     LeEqU8,
     1,
     f32,
-    |p| narrow_stage::<_, i32, _>(p, |p| volume_stage::<_, i16, _>(p, only_stage::<_, Int8, _>)),
+    |p| within(p.narrow::<i32>().or_else(|| p.narrow_volumes::<i16>())),
+    only_stage::<_, Int8, _>(p),
     by_double(p),
-    Some(Self::evaluate(p))
+    Self::in_quads(p).or_else(|| p.in_words(true)).or_else(|| p.filter::<Int8>())
 );
 scalar!(
     FixedI16,
     LeEqU16,
     2,
     f32,
-    |p| in_words::<i32, _, _>(p, only_stage::<_, Int16, _>),
+    |p| in_words::<i32, _, _>(p),
+    only_stage::<_, Int16, _>(p),
     by_double(p),
-    Some(Self::evaluate(p))
+    Self::in_quads(p).or_else(|| p.in_words(true)).or_else(|| p.filter::<Int16>())
 );
-scalar!(FixedI32, LeEqU32, 3, f32, |p| by_size(p), by_double(p), without_sums(p));
+scalar!(
+    FixedI32,
+    LeEqU32,
+    3,
+    f32,
+    |p| {
+        let near = if SMALL_CODE { None } else { in_words::<i32, _, _>(p) };
+        near.or_else(|| in_words::<i64, _, _>(p))
+    },
+    by_size(p),
+    by_double(p),
+    without_sums(p)
+);
 scalar!(
     FixedI64,
     LeEqU64,
     5,
     f64,
-    |p| beyond_words(p),
+    |p| within(p.narrow::<i128>()),
+    if SMALL_CODE && P::PROFILE.is_cut {
+        exact_stage(p)
+    } else {
+        stage::<_, Int64, _>(p, exact_stage)
+    },
     Self::evaluate(p),
-    p.cut_down().or_else(|| p.in_short()).or_else(|| p.filter::<Int64>())
+    p.in_words(true).or_else(|| p.filter::<Int64>())
 );
 
-/// The stages of 64-bit fixed point.
+/// The answer of a kernel in words of `W`: without volumes, or with them.
 #[inline(always)]
-fn beyond_words<Frac: LeEqU64 + Send + Sync + 'static, P: Predicate<FixedI64<Frac>>>(
-    p: &P,
-) -> P::Answer {
-    if SMALL_CODE && P::IN_SHORT {
-        return exact_stage(p);
-    }
-    narrow_stage::<_, i128, _>(p, |p| stage::<_, Int64, _>(p, exact_stage))
+fn in_words<W: WholeWord, S: InWholeWord<W>, K: WordKernel<S>>(kernel: &K) -> Option<K::Answer> {
+    within(kernel.narrow::<W>().or_else(|| kernel.narrow_volumes::<W>()))
 }
 
-/// The stages of cores with narrow registers, in words of `W`: the kernel without volumes, then the
-/// one with volumes.
+/// The answer of a kernel in words. Without one, the shapes are beyond these words.
 #[inline(always)]
-fn in_words<W: WholeWord, S: InWholeWord<W>, P: Predicate<S>>(
-    p: &P,
-    next: impl FnOnce(&P) -> P::Answer,
-) -> P::Answer {
-    narrow_stage::<S, W, P>(p, |p| volume_stage::<S, W, P>(p, next))
+fn within<T>(answer: Option<T>) -> Option<T> {
+    if answer.is_none() {
+        note(Stage::Narrow);
+    }
+    answer
 }
 
 /// If floats are cheap, asks `f64` first: it decides nearly all questions, faster than integers,
 /// and changes no answer.
 #[inline(always)]
-fn by_double<S: Scalar, P: Predicate<S>>(p: &P) -> P::Answer
+fn by_double<S: Scalar, P: Numeric<S>>(p: &P) -> P::Answer
 where
     Filtered<f64>: Embeds<S>,
 {
@@ -195,18 +220,12 @@ fn without_quads<S: Scalar, P: Predicate<S>>(p: &P) -> P::Answer {
 fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
     p: &P,
 ) -> P::Answer {
-    if REGISTERS_ARE_WIDE {
-        if has_short_stage::<Frac, P>() {
-            stage::<_, Int16, _>(p, middling)
-        } else {
-            stage::<_, Int32, _>(p, integer_stage)
-        }
-    } else if SMALL_CODE {
-        in_words::<i64, _, _>(p, |p| stage::<_, Int32, _>(p, exact_stage))
+    if !REGISTERS_ARE_WIDE {
+        stage::<_, Int32, _>(p, exact_stage)
+    } else if has_short_stage::<Frac, P>() {
+        stage::<_, Int16, _>(p, middling)
     } else {
-        in_words::<i32, _, _>(p, |p| {
-            in_words::<i64, _, _>(p, |p| stage::<_, Int32, _>(p, exact_stage))
-        })
+        stage::<_, Int32, _>(p, integer_stage)
     }
 }
 
@@ -215,7 +234,7 @@ fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
 #[inline(always)]
 const fn has_short_stage<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>()
 -> bool {
-    P::HAS_VOLUMES && !(P::IN_QUADS && FixedI32::<Frac>::IN_QUADS)
+    P::PROFILE.has_volumes && !(P::PROFILE.has_quads && FixedI32::<Frac>::IN_QUADS)
 }
 
 #[inline(never)]
@@ -231,19 +250,15 @@ fn middling<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>
 fn without_sums<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
     p: &P,
 ) -> Option<P::Answer> {
-    if REGISTERS_ARE_WIDE {
-        let near = FixedI32::<Frac>::in_quads(p);
-        let is_short = has_short_stage::<Frac, P>();
-        let near = near.or_else(|| p.in_short());
-        let near =
-            near.or_else(|| if is_short { p.filter::<Int16>() } else { p.filter::<Int32>() });
-        return near.or_else(|| far_without_sums(p));
+    if !REGISTERS_ARE_WIDE {
+        let near = p.in_words(true).or_else(|| p.filter::<Int32>());
+        return near.or_else(|| p.filter::<Int64>());
     }
-    let near = p.in_short();
-    let near = near.or_else(|| if SMALL_CODE { None } else { p.narrow::<i32>() });
-    near.or_else(|| p.narrow::<i64>())
-        .or_else(|| p.filter::<Int32>())
-        .or_else(|| p.filter::<Int64>())
+    let is_short = has_short_stage::<Frac, P>();
+    FixedI32::<Frac>::in_quads(p)
+        .or_else(|| p.in_words(true))
+        .or_else(|| if is_short { p.filter::<Int16>() } else { p.filter::<Int32>() })
+        .or_else(|| far_without_sums(p))
 }
 
 /// The stages of [`without_sums`] after the first, out of line.

@@ -6,8 +6,8 @@ use crate::arithmetic::{
     quotient,
 };
 use crate::robust::{
-    Clue, Predicate, Sum, exact_stage, in_floats, in_quads, integer_stage, multiples_stage,
-    numeric_stage, refined_stage,
+    Clue, Numeric, Predicate, Sum, exact_stage, in_floats, in_quads, integer_stage, numeric_stage,
+    refined_stage,
 };
 
 macro_rules! float {
@@ -118,8 +118,8 @@ impl Backend for f32 {
         if SMALL_CODE { exact_stage(p) } else { doubled(p) }
     }
     #[inline(always)]
-    fn evaluate_numeric<P: Predicate<Self>>(p: &P) -> P::Answer {
-        if P::IN_QUADS && REGISTERS_ARE_WIDE {
+    fn evaluate_numeric<P: Numeric<Self>>(p: &P) -> P::Answer {
+        if P::PROFILE.has_quads && REGISTERS_ARE_WIDE {
             return Self::evaluate(p);
         }
         // Here `f64` costs no more than `f32`.
@@ -130,8 +130,7 @@ impl Backend for f32 {
         // hit.
         match in_floats::<_, f32, _>(p) {
             Some(answer) => answer,
-            None if SMALL_CODE => doubled(p),
-            None => multiples_stage(p, doubled),
+            None => doubled(p),
         }
     }
 }
@@ -151,7 +150,7 @@ fn doubled<P: Predicate<f32>>(p: &P) -> P::Answer {
 /// `f64` get the same numbers from residuals as from integers, in less time.
 #[cold]
 #[inline(never)]
-fn refined<P: Predicate<f32>>(p: &P, clue: Clue) -> P::Answer {
+fn refined<P: Numeric<f32>>(p: &P, clue: Clue) -> P::Answer {
     refined_stage(p, clue, if SMALL_CODE { exact_stage } else { integer_stage })
 }
 
@@ -174,8 +173,8 @@ impl Backend for f64 {
         if SMALL_CODE { exact_stage(p) } else { integer_stage(p) }
     }
     #[inline(always)]
-    fn evaluate_numeric<P: Predicate<Self>>(p: &P) -> P::Answer {
-        if P::IN_QUADS && REGISTERS_ARE_WIDE {
+    fn evaluate_numeric<P: Numeric<Self>>(p: &P) -> P::Answer {
+        if P::PROFILE.has_quads && REGISTERS_ARE_WIDE {
             return Self::evaluate(p);
         }
         numeric_stage(p, refined_doubles)
@@ -184,7 +183,7 @@ impl Backend for f64 {
 
 /// The stages of `f64` for hits after the first.
 #[inline(never)]
-fn refined_doubles<P: Predicate<f64>>(p: &P, clue: Clue) -> P::Answer {
+fn refined_doubles<P: Numeric<f64>>(p: &P, clue: Clue) -> P::Answer {
     refined_stage(p, clue, if SMALL_CODE { exact_stage } else { integer_stage })
 }
 

@@ -15,7 +15,7 @@ mod ordinal;
 mod planes;
 mod rotation;
 
-pub(crate) use backend::{Backend, FloatFormat};
+pub(crate) use backend::{Backend, FixedBackend, FloatFormat};
 #[cfg(feature = "fixed")]
 pub use fixed_point::FixedPoint;
 pub(crate) use ordinal::Ordinal;

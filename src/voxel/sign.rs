@@ -7,7 +7,7 @@
 use core::cmp::Ordering;
 
 use crate::arithmetic::{Embeds, Number, Parts, compare, cross, dot, three};
-use crate::robust::{ExactSum, Predicate, add_area, difference, single};
+use crate::robust::{ExactSum, Predicate, Profile, add_area, difference, single};
 use crate::scalar::Scalar;
 
 /// The sign of (b − a) × (p + q − 2a) in a plane: positive if the point lies left of the edge from
@@ -57,7 +57,7 @@ struct Turn<S> {
 
 impl<S: Scalar> Predicate<S> for Turn<S> {
     type Answer = i8;
-    const HAS_VOLUMES: bool = false;
+    const PROFILE: Profile = Profile::AREAS;
 
     fn filter<N: Embeds<S>>(&self) -> Option<i8> {
         // The caller has tried floats.

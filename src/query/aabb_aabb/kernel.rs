@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use crate::arithmetic::{Embeds, Number, greatest};
-use crate::robust::{ExactSum, Predicate, Uncertain};
+use crate::robust::{ExactSum, Predicate, Profile, Uncertain};
 use crate::scalar::Scalar;
 use crate::shape::{AabbForm, Vec3};
 
@@ -49,7 +49,7 @@ pub(crate) const GAP: u16 = 3;
 
 impl<S: Scalar> Predicate<S> for Apart<S> {
     type Answer = bool;
-    const HAS_VOLUMES: bool = false;
+    const PROFILE: Profile = Profile::AREAS;
 
     #[inline(always)]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {

@@ -3,7 +3,7 @@
 use super::kernel::{Apart, GAP};
 use crate::arithmetic::{Embeds, Number, compare, greatest};
 use crate::query::relation::{Nearness, Relate, Relation, of_gaps};
-use crate::robust::{ExactSum, Predicate};
+use crate::robust::{ExactSum, Predicate, Profile};
 use crate::scalar::Scalar;
 use crate::shape::Aabb;
 
@@ -12,7 +12,7 @@ struct Lie<S>(Apart<S>);
 
 impl<S: Scalar> Predicate<S> for Lie<S> {
     type Answer = Relation;
-    const HAS_VOLUMES: bool = false;
+    const PROFILE: Profile = Profile::AREAS;
 
     fn filter<N: Embeds<S>>(&self) -> Option<Relation> {
         let Apart { a, b } = &self.0;

@@ -13,14 +13,12 @@ use self::exact::ExactLine;
 use self::kernel::{Operands, any_axis};
 use self::range::Range;
 use super::Overlaps;
-#[cfg(feature = "fixed")]
 use super::obb_short;
 use super::triangle_obb::has_second_look;
 use crate::arithmetic::{Embeds, Float, InFloat, Number, Parts, each};
-#[cfg(feature = "fixed")]
 use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE};
-use crate::robust::{Predicate, Vector, difference, single};
-use crate::scalar::Scalar;
+use crate::robust::{Predicate, Profile, Vector, difference, noted, single};
+use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Obb, Ray, Segment, SegmentForm};
 
 /// A part of a line.
@@ -127,7 +125,7 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
         }
     }
 
-    const IN_QUADS: bool = true;
+    const PROFILE: Profile = Profile::QUADS_AND_CUT;
 
     #[inline(always)]
     fn in_quads<F: Float>(&self) -> Option<bool>
@@ -137,23 +135,19 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
         rows::is_separated::<S, F>(self)
     }
 
-    #[cfg(feature = "fixed")]
-    const IN_SHORT: bool = true;
-
-    #[cfg(feature = "fixed")]
     #[inline(never)]
-    fn in_short(&self) -> Option<bool>
+    fn in_words(&self, _: bool) -> Option<bool>
     where
-        S: InRaw,
+        S: FixedBackend,
     {
         // Vectors hold 16 bits, and leave only near contacts to other stages.
-        if REGISTERS_ARE_WIDE && S::ALWAYS_NEAR {
-            return None;
+        if REGISTERS_ARE_WIDE && <S as InRaw>::ALWAYS_NEAR {
+            return noted(None);
         }
-        match self.line {
+        noted(match self.line {
             Line::Ray(ray) => obb_short::ray(ray, self.obb),
             Line::Segment(segment) => obb_short::segment(segment, self.obb),
-        }
+        })
     }
 
     fn exact(&self) -> bool {

@@ -11,7 +11,7 @@ use super::error_bound::{ErrorBound, Sizes, error_bound};
 use super::kernel::Operands;
 use crate::arithmetic::{Double, Embeds, Filtered, Float, Number, greatest, least, turn};
 use crate::query::triangle_obb::{cross, dot};
-use crate::robust::{Clue, Predicate, exact_stage};
+use crate::robust::{Clue, Numeric, Predicate, exact_stage};
 use crate::scalar::Scalar;
 
 /// Where does the ray, which meets the box, enter and leave it?
@@ -25,6 +25,16 @@ impl<S: Scalar> Predicate<S> for Range<'_, S> {
         if N::CERTAIN { Some(exact_stage(self)) } else { None }
     }
 
+    fn exact(&self) -> Option<(S, S)> {
+        let line = self.0.exactly();
+        let crossings = (0..3).filter_map(|i| line.crossing::<S>(i));
+        // Some component of the direction is not zero, and the axes span space. Rounding keeps
+        // order.
+        crossings.reduce(|a, b| (greatest(a.0, b.0), least(a.1, b.1)))
+    }
+}
+
+impl<S: Scalar> Numeric<S> for Range<'_, S> {
     #[inline(always)]
     fn fast_path(&self) -> Result<Option<(S, S)>, Clue>
     where
@@ -39,14 +49,6 @@ impl<S: Scalar> Predicate<S> for Range<'_, S> {
     {
         let is_long = !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS;
         if is_long { in_longs(&self.0).map(Some) } else { None }
-    }
-
-    fn exact(&self) -> Option<(S, S)> {
-        let line = self.0.exactly();
-        let crossings = (0..3).filter_map(|i| line.crossing::<S>(i));
-        // Some component of the direction is not zero, and the axes span space. Rounding keeps
-        // order.
-        crossings.reduce(|a, b| (greatest(a.0, b.0), least(a.1, b.1)))
     }
 }
 

@@ -1,7 +1,7 @@
 //! Whether a triangle has a normal at all.
 
 use crate::arithmetic::{Embeds, Number, cross, three};
-use crate::robust::Predicate;
+use crate::robust::{Predicate, Profile};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -40,7 +40,7 @@ struct IsDegenerate<S>([[S; 3]; 3]);
 
 impl<S: Scalar> Predicate<S> for IsDegenerate<S> {
     type Answer = bool;
-    const HAS_VOLUMES: bool = false;
+    const PROFILE: Profile = Profile::AREAS;
 
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
         if !N::CERTAIN {

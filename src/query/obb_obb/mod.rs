@@ -10,17 +10,15 @@ use self::error_bound::error_bound;
 use self::exact::ExactBoxes;
 use self::kernel::{Boxes, all_axes};
 use super::Overlaps;
-#[cfg(feature = "fixed")]
 use super::obb_short;
 use super::relation::{Asked, Relate, Relation};
 use super::triangle_obb::has_second_look;
 use crate::arithmetic::{
     Embeds, Float, InFloat, Number, each, greatest, largest, of_two, once, three,
 };
-#[cfg(feature = "fixed")]
-use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, Raw};
-use crate::robust::Predicate;
-use crate::scalar::Scalar;
+use crate::arithmetic::{REGISTERS_ARE_WIDE, Raw};
+use crate::robust::{Numeric, Predicate, Profile, noted};
+use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Aabb, AabbForm, Obb};
 
 /// The question how a box and an oriented box lie to each other.
@@ -107,7 +105,7 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
         }
     }
 
-    const IN_QUADS: bool = true;
+    const PROFILE: Profile = Profile::QUADS_AND_CUT;
 
     #[inline(always)]
     fn in_quads<F: Float>(&self) -> Option<Relation>
@@ -117,30 +115,28 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
         rows::relation::<S, F>(self)
     }
 
-    #[cfg(feature = "fixed")]
-    const IN_SHORT: bool = true;
-
-    #[cfg(feature = "fixed")]
     #[inline(never)]
-    fn in_short(&self) -> Option<Relation>
+    fn in_words(&self, _: bool) -> Option<Relation>
     where
-        S: InRaw,
+        S: FixedBackend,
     {
         // `f64` holds 32 bits, and leaves only near contacts to other stages. `may_overlap` has
         // no stage that some machines lack.
         if REGISTERS_ARE_WIDE && S::Raw::BITS < 64 && self.asked != Asked::MayOverlap {
-            return None;
+            return noted(None);
         }
-        match self.first {
+        noted(match self.first {
             First::Obb(first) => obb_short::boxes(first, self.second),
             First::Aabb(first) => obb_short::aabb_and_obb(first, self.second),
-        }
+        })
     }
 
     fn exact(&self) -> Relation {
         ExactBoxes::new(self).relation::<S>()
     }
 }
+
+impl<S: Scalar> Numeric<S> for Lie<'_, S> {}
 
 impl<S: Scalar> Overlaps<Obb<S>> for Obb<S> {
     /// Do two oriented boxes have a point in common?

@@ -9,7 +9,7 @@ mod error_bound;
 use self::error_bound::error_bound;
 use super::Overlaps;
 use crate::arithmetic::{Embeds, Number, greatest, largest, of_two, once};
-use crate::robust::{Predicate, Uncertain};
+use crate::robust::{Predicate, Profile, Uncertain};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Plane, PlaneForm};
 
@@ -35,7 +35,7 @@ struct Beyond<'a, S> {
 
 impl<S: Scalar> Predicate<S> for Beyond<'_, S> {
     type Answer = bool;
-    const HAS_VOLUMES: bool = false;
+    const PROFILE: Profile = Profile::AREAS;
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {

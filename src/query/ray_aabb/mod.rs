@@ -11,7 +11,7 @@ pub use prepared::PreparedRay;
 use super::Overlaps;
 use super::line_aabb::Slabs;
 use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, least, two_difference};
-use crate::robust::{Predicate, Uncertain};
+use crate::robust::{Numeric, Predicate, Profile, Uncertain};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Ray};
 
@@ -55,7 +55,7 @@ impl<S: Scalar> Disjoint<'_, S> {
 
 impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     type Answer = bool;
-    const HAS_VOLUMES: bool = false;
+    const PROFILE: Profile = Profile::AREAS;
 
     #[inline(always)]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
@@ -81,7 +81,7 @@ impl<S: Scalar> Ray<S> {
 
 impl<S: Scalar> Predicate<S> for Range<'_, S> {
     type Answer = Option<(S, S)>;
-    const HAS_VOLUMES: bool = false;
+    const PROFILE: Profile = Profile::AREAS;
 
     fn filter<N: Embeds<S>>(&self) -> Option<Option<(S, S)>> {
         let (line, misses) = self.0.slabs::<N>()?;
@@ -125,6 +125,8 @@ impl<S: Scalar> Predicate<S> for Range<'_, S> {
         Some(range.map(|(enter, leave)| ray.clipped(enter, leave)))
     }
 }
+
+impl<S: Scalar> Numeric<S> for Range<'_, S> {}
 
 /// Whether a number is finite. Integers always are.
 #[allow(clippy::eq_op)] // an infinity minus itself is a NaN

@@ -16,7 +16,7 @@
 
 use super::counted::Crosses;
 use super::{Facing, Feature, Hit};
-use crate::arithmetic::{Divisor, Leading64, ProductSum, ShortFloat};
+use crate::arithmetic::{Divisor, Leading64, ProductSum};
 use crate::scalar::Scalar;
 
 /// The number of bits by which a volume may be shorter than its lengths. For k = 0, no number
@@ -24,7 +24,7 @@ use crate::scalar::Scalar;
 const SHORTER: i32 = 19;
 const CLEAR: i32 = 46;
 
-impl<S: Scalar + ShortFloat> Crosses<'_, S> {
+impl<S: Scalar> Crosses<'_, S> {
     /// The hit of a ray with the range t ≥ 0; `None` if another stage must answer.
     #[cold]
     #[inline(never)]
@@ -104,7 +104,6 @@ fn dot(a: &[i64; 3], b: &[i32; 3]) -> i128 {
 mod tests {
     use super::*;
     use crate::query::{Cull, HitRules};
-    use crate::robust::Predicate;
     use crate::shape::{Ray, Triangle};
 
     /// The bits equal the result of `f64` and the stages after it, and there is usually an answer.
@@ -141,7 +140,7 @@ mod tests {
             let expected = ray.hit_with(&triangle, rules);
             hits[kind] += u32::from(expected.is_some());
             let question = Crosses { ray: &ray, triangle: &triangle, rules };
-            if let Some(hit) = question.in_short_multiples() {
+            if let Some(hit) = question.in_multiples() {
                 let bits = |hit: Option<Hit<f32>>| {
                     hit.map(|h| ([h.t, h.u, h.v].map(f32::to_bits), h.facing, h.feature))
                 };

@@ -184,7 +184,7 @@ mod tests {
     use super::*;
     use crate::query::{Cull, HitRules};
     use crate::random::Random;
-    use crate::robust::Predicate;
+    use crate::robust::{Predicate, WordKernel};
     use crate::shape::{Ray, Triangle};
 
     struct Rng(Random);

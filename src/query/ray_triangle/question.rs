@@ -10,10 +10,12 @@ use super::residual::Numbers;
 use super::rows::VolumeRows;
 use super::{Facing, Feature, Hit};
 use crate::arithmetic::{
-    Embeds, Filtered, InWholeWord, Number, OfFour, REGISTERS_ARE_WIDE, ShortFloat, WholeWord,
+    Embeds, Filtered, InWholeWord, Number, OfFour, REGISTERS_ARE_WIDE, SMALL_CODE, WholeWord,
 };
-use crate::robust::{Clue, ExactSum, Predicate, in_exact_numbers};
-use crate::scalar::Scalar;
+use crate::robust::{
+    Clue, ExactSum, Numeric, Predicate, Stage, WordKernel, in_exact_numbers, note,
+};
+use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Ray, Triangle};
 
 /// The question whether a ray hits a triangle.
@@ -26,12 +28,58 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
         if N::LARGE {
             return self.large_crossing::<N, _>(large_numbers::<S, N>);
         }
-        match self.crossing::<N>()? {
-            Some(crossing) => numbers::<S, N>(true, crossing),
-            None => Some(None),
+        let hit = match self.crossing::<N>() {
+            Some(Some(crossing)) => numbers::<S, N>(true, crossing),
+            Some(None) => Some(None),
+            None => None,
+        };
+        // A core without `f64` tries short multiples before it.
+        let is_before_doubles = S::MAY_BE_SHORT && !N::CERTAIN && !N::HAS_QUOTIENTS;
+        if is_before_doubles && !REGISTERS_ARE_WIDE && !SMALL_CODE && hit.is_none() {
+            return self.in_multiples().inspect(|_| note(Stage::Filter));
         }
+        hit
     }
 
+    #[inline(always)]
+    fn in_words(&self, _: bool) -> Option<Self::Answer>
+    where
+        S: FixedBackend,
+    {
+        S::in_machine_words(self)
+    }
+
+    fn exact(&self) -> Option<Hit<S>> {
+        if REGISTERS_ARE_WIDE {
+            return in_exact_numbers(self);
+        }
+        let exact = self.taken_apart();
+        let crossing = exact.crossing::<S>();
+        let is_front = self.passes(&exact, &crossing.det, &crossing.sides, &crossing.t)?;
+        let quotient = |x| S::quotient(x, &crossing.det);
+        let [w, u, v] = &crossing.sides;
+        let is_zero = |x: &S::SeptumSum| x.sign() == Ordering::Equal;
+        Some(Hit {
+            t: quotient(&crossing.t),
+            u: quotient(u),
+            v: quotient(v),
+            facing: Facing::of(is_front),
+            feature: Feature::from_zeros(is_zero(w), is_zero(u), is_zero(v)),
+        })
+    }
+}
+
+impl<S: Scalar> WordKernel<S> for Crosses<'_, S> {
+    #[inline(always)]
+    fn narrow_volumes<W: WholeWord>(&self) -> Option<Option<Hit<S>>>
+    where
+        S: InWholeWord<W>,
+    {
+        self.in_words::<W, _>(|counted| counted.map(|counted| rounded::<S, W>(&counted)))
+    }
+}
+
+impl<S: Scalar> Numeric<S> for Crosses<'_, S> {
     #[inline(always)]
     fn fast_path(&self) -> Result<Option<Hit<S>>, Clue>
     where
@@ -78,41 +126,6 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
             None => by_rest(feature),
         }
     }
-
-    #[inline(always)]
-    fn narrow_volumes<W: WholeWord>(&self) -> Option<Option<Hit<S>>>
-    where
-        S: InWholeWord<W>,
-    {
-        self.in_words::<W, _>(|counted| counted.map(|counted| rounded::<S, W>(&counted)))
-    }
-
-    #[inline(always)]
-    fn in_short_multiples(&self) -> Option<Option<Hit<S>>>
-    where
-        S: ShortFloat,
-    {
-        self.in_multiples()
-    }
-
-    fn exact(&self) -> Option<Hit<S>> {
-        if REGISTERS_ARE_WIDE {
-            return in_exact_numbers(self);
-        }
-        let exact = self.taken_apart();
-        let crossing = exact.crossing::<S>();
-        let is_front = self.passes(&exact, &crossing.det, &crossing.sides, &crossing.t)?;
-        let quotient = |x| S::quotient(x, &crossing.det);
-        let [w, u, v] = &crossing.sides;
-        let is_zero = |x: &S::SeptumSum| x.sign() == Ordering::Equal;
-        Some(Hit {
-            t: quotient(&crossing.t),
-            u: quotient(u),
-            v: quotient(v),
-            facing: Facing::of(is_front),
-            feature: Feature::from_zeros(is_zero(w), is_zero(u), is_zero(v)),
-        })
-    }
 }
 
 impl<S: Scalar> Predicate<S> for Hits<'_, S> {
@@ -125,6 +138,35 @@ impl<S: Scalar> Predicate<S> for Hits<'_, S> {
         self.0.crossing::<N>().map(|crossing| crossing.is_some())
     }
 
+    #[inline(always)]
+    fn in_words(&self, _: bool) -> Option<Self::Answer>
+    where
+        S: FixedBackend,
+    {
+        S::in_machine_words(self)
+    }
+
+    fn exact(&self) -> bool {
+        if REGISTERS_ARE_WIDE {
+            return in_exact_numbers(self);
+        }
+        let exact = self.0.taken_apart();
+        let crossing = exact.crossing::<S>();
+        self.0.passes(&exact, &crossing.det, &crossing.sides, &crossing.t).is_some()
+    }
+}
+
+impl<S: Scalar> WordKernel<S> for Hits<'_, S> {
+    #[inline(always)]
+    fn narrow_volumes<W: WholeWord>(&self) -> Option<bool>
+    where
+        S: InWholeWord<W>,
+    {
+        self.0.in_words::<W, _>(|counted| counted.is_some())
+    }
+}
+
+impl<S: Scalar> Numeric<S> for Hits<'_, S> {
     #[inline(always)]
     fn fast_path(&self) -> Result<bool, Clue>
     where
@@ -139,23 +181,6 @@ impl<S: Scalar> Predicate<S> for Hits<'_, S> {
     {
         let (points, d) = doubles(self.0.ray, self.0.triangle);
         self.0.refined_crossing(&points, d).map(|found| found.is_some())
-    }
-
-    #[inline(always)]
-    fn narrow_volumes<W: WholeWord>(&self) -> Option<bool>
-    where
-        S: InWholeWord<W>,
-    {
-        self.0.in_words::<W, _>(|counted| counted.is_some())
-    }
-
-    fn exact(&self) -> bool {
-        if REGISTERS_ARE_WIDE {
-            return in_exact_numbers(self);
-        }
-        let exact = self.0.taken_apart();
-        let crossing = exact.crossing::<S>();
-        self.0.passes(&exact, &crossing.det, &crossing.sides, &crossing.t).is_some()
     }
 }
 

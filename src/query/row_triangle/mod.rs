@@ -10,7 +10,7 @@
 
 use super::orientation::{from, sides, size};
 use crate::arithmetic::{Arithmetic, Embeds, Number};
-use crate::robust::{Predicate, certain_sign};
+use crate::robust::{Predicate, Profile, certain_sign};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -83,7 +83,7 @@ struct Turn<S> {
 
 impl<S: Scalar> Predicate<S> for Turn<S> {
     type Answer = i8;
-    const HAS_VOLUMES: bool = false;
+    const PROFILE: Profile = Profile::AREAS;
 
     #[inline(always)]
     fn filter<N: Embeds<S>>(&self) -> Option<i8> {

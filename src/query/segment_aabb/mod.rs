@@ -7,7 +7,7 @@
 use super::Overlaps;
 use super::line_aabb::Slabs;
 use crate::arithmetic::{Arithmetic, Embeds};
-use crate::robust::{Predicate, Uncertain};
+use crate::robust::{Predicate, Profile, Uncertain};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Segment, SegmentForm};
 
@@ -19,7 +19,7 @@ struct Disjoint<'a, S> {
 
 impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     type Answer = bool;
-    const HAS_VOLUMES: bool = false;
+    const PROFILE: Profile = Profile::AREAS;
 
     #[inline(always)]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {

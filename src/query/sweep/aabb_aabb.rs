@@ -7,7 +7,7 @@ use crate::arithmetic::{Embeds, Number};
 use crate::query::Axis;
 use crate::query::aabb_aabb::{Apart, GAP};
 use crate::query::line_aabb::Slabs;
-use crate::robust::Predicate;
+use crate::robust::{Numeric, Predicate, Profile};
 use crate::scalar::Scalar;
 use crate::shape::Aabb;
 
@@ -42,7 +42,7 @@ struct Misses<S>(Passing<S>);
 
 impl<S: Scalar> Predicate<S> for Misses<S> {
     type Answer = bool;
-    const HAS_VOLUMES: bool = false;
+    const PROFILE: Profile = Profile::AREAS;
 
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
         let line = self.0.slabs::<N>()?;
@@ -55,7 +55,7 @@ struct Meets<S>(Passing<S>);
 
 impl<S: Scalar> Predicate<S> for Meets<S> {
     type Answer = FirstContact<S>;
-    const HAS_VOLUMES: bool = false;
+    const PROFILE: Profile = Profile::AREAS;
 
     fn filter<N: Embeds<S>>(&self) -> Option<FirstContact<S>> {
         if !N::HAS_QUOTIENTS {
@@ -70,6 +70,8 @@ impl<S: Scalar> Predicate<S> for Meets<S> {
         latest.known()
     }
 }
+
+impl<S: Scalar> Numeric<S> for Meets<S> {}
 
 impl<S: Scalar> Sweep<Aabb<S>> for Aabb<S> {
     type Scalar = S;

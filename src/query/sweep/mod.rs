@@ -20,7 +20,7 @@ use self::time::{Instant, Last, Meets, When};
 use super::Axis;
 use super::triangle_aabb::frame::{BoxForm, Frame};
 use crate::arithmetic::{Arithmetic, Embeds, Float, InFloat, Number, REGISTERS_ARE_WIDE};
-use crate::robust::{Predicate, in_exact_numbers};
+use crate::robust::{Predicate, Profile, in_exact_numbers};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
@@ -183,7 +183,7 @@ impl<S: Scalar> Predicate<S> for Misses<'_, S> {
         self.0.course::<N>()?.misses()
     }
 
-    const IN_QUADS: bool = true;
+    const PROFILE: Profile = Profile::QUADS;
 
     #[inline(always)]
     fn in_quads<F: Float>(&self) -> Option<bool>

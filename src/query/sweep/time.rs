@@ -3,7 +3,7 @@
 use super::{FirstContact, Passing, in_doubles, rows};
 use crate::arithmetic::{Embeds, Filtered, Float, InFloat, REGISTERS_ARE_WIDE};
 use crate::query::Axis;
-use crate::robust::{Clue, Predicate, in_exact_numbers};
+use crate::robust::{Clue, Numeric, Predicate, Profile, in_exact_numbers};
 use crate::scalar::Scalar;
 
 /// A relative bound, above the relative loss of a scalar's number in `f64`.
@@ -43,7 +43,7 @@ impl<S: Scalar> Predicate<S> for When<'_, '_, S> {
         None
     }
 
-    const IN_QUADS: bool = true;
+    const PROFILE: Profile = Profile::QUADS;
 
     #[inline(always)]
     fn in_quads<F: Float>(&self) -> Option<Instant>
@@ -85,6 +85,15 @@ impl<S: Scalar> Predicate<S> for Meets<'_, S> {
         self.last.and_then(on_axis).or_else(|| course.first_contact(None))
     }
 
+    fn exact(&self) -> FirstContact<S> {
+        if REGISTERS_ARE_WIDE {
+            return in_exact_numbers(self);
+        }
+        self.passing.exactly().first_contact()
+    }
+}
+
+impl<S: Scalar> Numeric<S> for Meets<'_, S> {
     #[inline(always)]
     fn fast_path(&self) -> Result<FirstContact<S>, Clue>
     where
@@ -102,12 +111,5 @@ impl<S: Scalar> Predicate<S> for Meets<'_, S> {
     {
         let is_long = !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS;
         if is_long { in_doubles::first_contact_of_long(&self.passing, self.last) } else { None }
-    }
-
-    fn exact(&self) -> FirstContact<S> {
-        if REGISTERS_ARE_WIDE {
-            return in_exact_numbers(self);
-        }
-        self.passing.exactly().first_contact()
     }
 }

@@ -10,7 +10,6 @@
 
 mod axis;
 mod clear;
-#[cfg(feature = "fixed")]
 mod conservative;
 mod edges;
 pub(super) mod error_bound;
@@ -30,19 +29,16 @@ mod witness;
 
 pub use axis::Axis;
 pub(crate) use clear::TriangleAxes;
-#[cfg(feature = "fixed")]
 pub(super) use one_sided::{Projection, one_sided};
 pub(crate) use one_size::OfOneSize;
 pub use prepared::PreparedTriangle;
 
 use super::Overlaps;
-#[cfg(feature = "fixed")]
-use crate::arithmetic::InRaw;
 use crate::arithmetic::{
-    Embeds, Float, InFloat, InWord, OfFour, Quad, REGISTERS_ARE_WIDE, Rounded, Word,
+    Embeds, Float, InFloat, InWord, OfFour, Quad, REGISTERS_ARE_WIDE, Raw, Rounded, Word,
 };
-use crate::robust::{Predicate, in_exact_numbers};
-use crate::scalar::Scalar;
+use crate::robust::{Predicate, Profile, WordKernel, in_exact_numbers};
+use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
 /// Are the triangle and the box disjoint?
@@ -84,7 +80,7 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
         }
     }
 
-    const IN_QUADS: bool = true;
+    const PROFILE: Profile = Profile::QUADS;
 
     #[inline(always)]
     fn in_quads<F: Float>(&self) -> Option<bool>
@@ -94,21 +90,16 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
         rows::pair::<S, F>(self.triangle, self.aabb)
     }
 
+    /// Fixed point of 64 bits is cut to 18 if it may be. Else there are words on narrow registers.
     #[inline(always)]
-    fn narrow<W: Word>(&self) -> Option<bool>
+    fn in_words(&self, is_bounded: bool) -> Option<bool>
     where
-        S: InWord<W>,
+        S: FixedBackend,
     {
-        if S::ALWAYS_NEAR { Some(self.in_any_words()) } else { self.in_near_words() }
-    }
-
-    #[cfg(feature = "fixed")]
-    #[inline(always)]
-    fn cut_down(&self) -> Option<bool>
-    where
-        S: InRaw,
-    {
-        Some(conservative::disjoint(self.triangle, self.aabb))
+        if is_bounded && S::Raw::BITS == 64 {
+            return Some(conservative::disjoint(self.triangle, self.aabb));
+        }
+        S::in_machine_words(self)
     }
 
     fn exact(&self) -> bool {
@@ -116,6 +107,16 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
             return in_exact_numbers(self);
         }
         Axis::ALL.iter().any(|&axis| exact::separates(self.triangle, self.aabb, axis))
+    }
+}
+
+impl<S: Scalar> WordKernel<S> for Disjoint<'_, S> {
+    #[inline(always)]
+    fn narrow<W: Word>(&self) -> Option<bool>
+    where
+        S: InWord<W>,
+    {
+        if S::ALWAYS_NEAR { Some(self.in_any_words()) } else { self.in_near_words() }
     }
 }
 

@@ -57,7 +57,6 @@ impl<W: Word> Projection<W> {
     }
 
     /// The same with the box grown on either side.
-    #[cfg(feature = "fixed")]
     #[inline(always)]
     pub(in crate::query) fn grown(self, by: W) -> Self {
         let [a, b, c] = self.t;
@@ -71,7 +70,6 @@ impl<W: Word> Projection<W> {
     }
 
     /// Whether a box has shrunk to nothing.
-    #[cfg(feature = "fixed")]
     #[inline(always)]
     pub(in crate::query) fn is_void([x, y, z]: &[Self; 3]) -> bool {
         x.size | y.size | z.size < W::ZERO

@@ -5,7 +5,6 @@
 use core::cmp::Ordering;
 use core::marker::PhantomData;
 
-#[cfg(feature = "fixed")]
 use crate::arithmetic::{InWord, Number, WholeVolume, WholeWord, cross_words, dot_words};
 use crate::arithmetic::{Parts, pick, turn};
 use crate::query::relation::{Relation, of_gaps};
@@ -45,10 +44,8 @@ impl<S: Scalar> Signs for InSums<S> {
 }
 
 /// Words that hold the lengths of the shapes and one.
-#[cfg(feature = "fixed")]
 pub(super) struct InWords<W>(PhantomData<W>);
 
-#[cfg(feature = "fixed")]
 impl<W: WholeWord> Signs for InWords<W> {
     type Factor = W;
     type Vector = [W; 3];
@@ -99,7 +96,6 @@ impl<S: Scalar> ExactParallelepiped<InSums<S>> {
     }
 }
 
-#[cfg(feature = "fixed")]
 impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
     /// In words; differences that do not fit wrap around.
     #[inline(always)]

@@ -11,24 +11,20 @@ mod error_bound;
 mod exact;
 mod kernel;
 mod relation;
-#[cfg(feature = "fixed")]
 mod short;
 
 pub(super) use self::error_bound::error_bound;
-#[cfg(feature = "fixed")]
 use self::exact::InWords;
 use self::exact::{ExactParallelepiped, InSums};
 use self::kernel::{Parallelepiped, all_axes};
 pub(super) use self::kernel::{cross, dot, lie_along_one_axis};
-#[cfg(feature = "fixed")]
 use self::short::Change;
 use super::Overlaps;
 use super::relation::{Reading, Relation};
 use crate::arithmetic::{Arithmetic, Embeds, Number, SMALL_CODE, greatest, largest};
-#[cfg(feature = "fixed")]
 use crate::arithmetic::{InRaw, InWholeWord, InWord, WholeWord};
-use crate::robust::{Predicate, Uncertain};
-use crate::scalar::Scalar;
+use crate::robust::{Predicate, Profile, Uncertain, WordKernel, noted};
+use crate::scalar::{FixedBackend, Scalar};
 #[cfg(feature = "fixed")]
 use crate::shape::Near;
 use crate::shape::{Obb, Triangle};
@@ -47,41 +43,33 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
         self.by_axes::<N, Uncertain>()
     }
 
-    #[cfg(feature = "fixed")]
-    const IN_SHORT: bool = true;
+    const PROFILE: Profile = Profile::CUT;
 
-    #[cfg(feature = "fixed")]
+    /// First in short words with a bound; then, on narrow registers, in words that hold all.
     #[inline(always)]
-    fn in_short(&self) -> Option<bool>
+    fn in_words(&self, is_bounded: bool) -> Option<bool>
     where
-        S: InRaw,
+        S: FixedBackend,
     {
-        self.in_short_words::<false>()
+        if is_bounded {
+            let framed = self.framed::<false>(Change::Grown);
+            return Some(framed.is_none_or(|framed| framed.are_certainly_disjoint()));
+        }
+        noted(self.in_short_words::<false>()).or_else(|| S::in_machine_words(self))
     }
 
-    #[cfg(feature = "fixed")]
-    #[inline(always)]
-    fn cut_down(&self) -> Option<bool>
-    where
-        S: InRaw,
-    {
-        Some(
-            self.framed::<false>(Change::Grown)
-                .is_none_or(|framed| framed.are_certainly_disjoint()),
-        )
+    fn exact(&self) -> bool {
+        is_disjoint(self.in_exact_sums::<false>())
     }
+}
 
-    #[cfg(feature = "fixed")]
+impl<S: Scalar> WordKernel<S> for Disjoint<'_, S> {
     #[inline(always)]
     fn narrow_volumes<W: WholeWord>(&self) -> Option<bool>
     where
         S: InWholeWord<W>,
     {
         self.in_narrow_words::<W, false>().map(is_disjoint)
-    }
-
-    fn exact(&self) -> bool {
-        is_disjoint(self.in_exact_sums::<false>())
     }
 }
 
@@ -151,7 +139,6 @@ impl<S: Scalar> Disjoint<'_, S> {
 }
 
 /// The last stage in words, for narrow registers.
-#[cfg(feature = "fixed")]
 impl<S: Scalar> Disjoint<'_, S> {
     /// The first stage for shapes that are near. Its stack is free again before the last stage.
     #[inline(never)]

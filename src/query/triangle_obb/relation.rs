@@ -2,11 +2,10 @@
 
 use super::Disjoint;
 use crate::arithmetic::Embeds;
-#[cfg(feature = "fixed")]
-use crate::arithmetic::{InRaw, InWholeWord, WholeWord};
+use crate::arithmetic::{InWholeWord, WholeWord};
 use crate::query::relation::{Nearness, Relate, Relation};
-use crate::robust::Predicate;
-use crate::scalar::Scalar;
+use crate::robust::{Predicate, Profile, WordKernel, noted};
+use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Obb, Triangle};
 
 /// How do the two lie to each other?
@@ -20,33 +19,35 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
         self.0.by_axes::<N, Nearness>()
     }
 
-    #[cfg(feature = "fixed")]
-    const IN_SHORT: bool = true;
+    const PROFILE: Profile = Profile::CUT;
 
     /// If the triangle meets the shrunk box, it has a point in the interior of the true box,
     /// because the bound exceeds the error. The triangle's interior has points arbitrarily near
     /// that point, so some of them are in the interior of the box too.
-    #[cfg(feature = "fixed")]
     #[inline(always)]
-    fn in_short(&self) -> Option<Relation>
+    fn in_words(&self, _: bool) -> Option<Relation>
     where
-        S: InRaw,
+        S: FixedBackend,
     {
-        let is_disjoint = self.0.in_short()?;
-        Some(if is_disjoint { Relation::Disjoint } else { Relation::Overlapping })
+        match noted(self.0.in_short_words::<false>()) {
+            Some(true) => Some(Relation::Disjoint),
+            Some(false) => Some(Relation::Overlapping),
+            None => S::in_machine_words(self),
+        }
     }
 
-    #[cfg(feature = "fixed")]
+    fn exact(&self) -> Relation {
+        self.0.in_exact_sums::<true>()
+    }
+}
+
+impl<S: Scalar> WordKernel<S> for Lie<'_, S> {
     #[inline(always)]
     fn narrow_volumes<W: WholeWord>(&self) -> Option<Relation>
     where
         S: InWholeWord<W>,
     {
         self.0.in_narrow_words::<W, true>()
-    }
-
-    fn exact(&self) -> Relation {
-        self.0.in_exact_sums::<true>()
     }
 }
 

@@ -2,7 +2,7 @@ use fixed::types::{I4F4, I8F8, I16F16};
 
 use crate::arithmetic::{InWholeWord, WholeWord};
 use crate::query::triangle_obb::Disjoint;
-use crate::robust::Predicate;
+use crate::robust::{Predicate, WordKernel};
 use crate::scalar::Scalar;
 use crate::shape::{Obb, Triangle};
 
