@@ -115,18 +115,24 @@ impl Nearness {
 pub(super) trait Reading {
     type Answer;
     const NONE: Self;
+    /// Whether touching is told from overlapping.
+    const TELLS_CONTACT: bool;
 
     /// Adds an axis, as [`Nearness::add`].
     fn add<T: Number>(&mut self, gap: T, extent: T, error: T);
 
     /// The answer; `None` in doubt.
     fn answer(&self, is_certain: bool) -> Option<Self::Answer>;
+
+    /// The answer, given the relation.
+    fn of(relation: Relation) -> Self::Answer;
 }
 
 impl Reading for Uncertain {
     /// Whether the shapes are disjoint.
     type Answer = bool;
     const NONE: Self = Self::NONE;
+    const TELLS_CONTACT: bool = false;
 
     #[inline(always)]
     fn add<T: Number>(&mut self, gap: T, _: T, error: T) {
@@ -136,11 +142,16 @@ impl Reading for Uncertain {
     fn answer(&self, _: bool) -> Option<bool> {
         self.verdict()
     }
+    #[inline(always)]
+    fn of(relation: Relation) -> bool {
+        relation == Relation::Disjoint
+    }
 }
 
 impl Reading for Nearness {
     type Answer = Relation;
     const NONE: Self = Self::NONE;
+    const TELLS_CONTACT: bool = true;
 
     #[inline(always)]
     fn add<T: Number>(&mut self, gap: T, extent: T, error: T) {
@@ -149,6 +160,10 @@ impl Reading for Nearness {
     #[inline(always)]
     fn answer(&self, is_certain: bool) -> Option<Relation> {
         self.relation(is_certain)
+    }
+    #[inline(always)]
+    fn of(relation: Relation) -> Relation {
+        relation
     }
 }
 

@@ -19,7 +19,7 @@ mod sets;
 pub use sets::{DifferentGrids, Voxels};
 
 /// Whether the machine computes with vectors of four floats.
-const HAS_VECTORS: bool = <ForEach as Quad>::IS_VECTOR;
+const HAS_VECTORS: bool = ForEach::IS_VECTOR;
 /// The largest block for [`few`]: 32 at most, the bits of its word.
 const FEW: u64 = if HAS_VECTORS { 16 } else { 32 };
 

@@ -4,7 +4,7 @@
 use super::error_bound::{Along, FACE, along};
 use super::instants::{Instants, Moving};
 use super::{Instant, Last, Passing};
-use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, greatest};
+use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, greatest, out_of_line};
 use crate::query::triangle_aabb::rows::{Edge, Rows, half_of, row, sum};
 use crate::robust::Uncertain;
 use crate::scalar::Scalar;
@@ -26,38 +26,26 @@ struct Course<Q> {
 /// Whether the triangle misses the box all the way, if floats decide it.
 #[inline(always)]
 pub(super) fn misses<S: Scalar + InFloat<F>, F: Float>(passing: &Passing<'_, S>) -> Option<bool> {
-    match passing.aabb.form() {
-        AabbForm::Center { .. } => misses_in::<S, F, true>(passing),
-        AabbForm::Corners { .. } => misses_in::<S, F, false>(passing),
-    }
+    by_form::<S, F, _>(passing, |course| course.map_or(Some(true), |course| course.misses()))
 }
 
 /// The knowledge of floats about the time of contact.
 #[inline(always)]
 pub(super) fn when<S: Scalar + InFloat<F>, F: Float>(passing: &Passing<'_, S>) -> Option<Instant> {
+    by_form::<S, F, _>(passing, |course| {
+        course.map_or(Some(Instant::Misses), |course| course.when(S::PLACE))
+    })
+}
+
+/// An answer from the course, in code of its own for each form of the box.
+#[inline(always)]
+fn by_form<S: Scalar + InFloat<F>, F: Float, T>(
+    passing: &Passing<'_, S>,
+    read: impl Fn(Option<Course<F::Quad>>) -> Option<T>,
+) -> Option<T> {
     match passing.aabb.form() {
-        AabbForm::Center { .. } => when_in::<S, F, true>(passing),
-        AabbForm::Corners { .. } => when_in::<S, F, false>(passing),
-    }
-}
-
-#[inline(never)]
-fn misses_in<S: Scalar + InFloat<F>, F: Float, const BY_CENTER: bool>(
-    passing: &Passing<'_, S>,
-) -> Option<bool> {
-    match Course::<F::Quad>::of(passing, BY_CENTER)? {
-        Some(course) => course.misses(),
-        None => Some(true),
-    }
-}
-
-#[inline(never)]
-fn when_in<S: Scalar + InFloat<F>, F: Float, const BY_CENTER: bool>(
-    passing: &Passing<'_, S>,
-) -> Option<Instant> {
-    match Course::<F::Quad>::of(passing, BY_CENTER)? {
-        Some(course) => course.when(S::PLACE),
-        None => Some(Instant::Misses),
+        AabbForm::Center { .. } => out_of_line(|| read(Course::of(passing, true)?)),
+        AabbForm::Corners { .. } => out_of_line(|| read(Course::of(passing, false)?)),
     }
 }
 

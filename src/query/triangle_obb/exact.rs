@@ -7,7 +7,7 @@ use core::marker::PhantomData;
 
 use crate::arithmetic::{InWord, Number, WholeVolume, WholeWord, cross_words, dot_words};
 use crate::arithmetic::{Parts, pick, turn};
-use crate::query::relation::{Relation, of_gaps};
+use crate::query::relation::{Reading, Relation, of_gaps};
 use crate::robust::{ExactSum, Vector, add_scaled_determinant, difference, single};
 use crate::scalar::Scalar;
 
@@ -156,27 +156,33 @@ impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
 }
 
 impl<N: Signs> ExactParallelepiped<N> {
-    /// The relation from the 13 axes. Unless `ARE_TOLD`, touching counts as overlapping, and an
-    /// axis ends as soon as it does not separate.
-    pub(super) fn relation<const ARE_TOLD: bool>(&self) -> Relation {
+    /// The answer from the 13 axes.
+    pub(super) fn answer<R: Reading>(&self) -> R::Answer {
+        R::of(self.relation::<R>())
+    }
+
+    /// The relation. Unless it must tell contact, touching counts as overlapping, and an axis ends
+    /// as soon as it does not separate.
+    #[inline(always)]
+    fn relation<R: Reading>(&self) -> Relation {
         let [u0, u1, u2] = &self.u;
         let volume = N::sign(&[Term(self.one, u0, u1, u2)]);
         let mut so_far = Relation::Overlapping;
         for i in 0..3 {
-            so_far = so_far.min(self.face::<ARE_TOLD>(i, volume));
+            so_far = so_far.min(self.face::<R>(i, volume));
             if so_far == Relation::Disjoint {
                 return so_far;
             }
         }
         let [e0, e1, _] = &self.e;
         let un = [0, 1, 2].map(|i| N::sign(&[Term(self.one, pick(&self.u, i), e0, e1)]));
-        so_far = so_far.min(self.normal::<ARE_TOLD>(&un));
+        so_far = so_far.min(self.normal::<R>(&un));
         for k in 0..3 {
             for i in 0..3 {
                 if so_far == Relation::Disjoint {
                     return so_far;
                 }
-                so_far = so_far.min(self.edge::<ARE_TOLD>(i, k, *pick(&un, i)));
+                so_far = so_far.min(self.edge::<R>(i, k, *pick(&un, i)));
             }
         }
         so_far
@@ -184,18 +190,18 @@ impl<N: Signs> ExactParallelepiped<N> {
 
     /// Whether all vertices lie beyond h_i·|det u|, on each side.
     #[inline(never)]
-    fn face<const ARE_TOLD: bool>(&self, i: usize, volume: Ordering) -> Relation {
+    fn face<R: Reading>(&self, i: usize, volume: Ordering) -> Relation {
         let (i, j, k) = turn(i);
         let (u, v) = (pick(&self.u, j), pick(&self.u, k));
         let [u0, u1, u2] = &self.u;
-        on_either_side::<ARE_TOLD>(|side| {
+        on_either_side::<R>(|side| {
             let h = signed::<N>(*pick(&self.h, i), volume == side);
             let mut gap = Ordering::Greater;
             for t in &self.t {
                 let sign = N::sign(&[Term(self.one, u, v, t), Term(h, u0, u1, u2)]);
                 gap = gap.min(toward(side, sign));
                 // No vertex can make the gap less, or it is closed already.
-                if gap == Ordering::Less || !ARE_TOLD && gap == Ordering::Equal {
+                if gap == Ordering::Less || !R::TELLS_CONTACT && gap == Ordering::Equal {
                     break;
                 }
             }
@@ -205,9 +211,9 @@ impl<N: Signs> ExactParallelepiped<N> {
 
     /// Whether n·t_0 lies beyond Σ h_i·|u_i·n|, on each side.
     #[inline(never)]
-    fn normal<const ARE_TOLD: bool>(&self, un: &[Ordering; 3]) -> Relation {
+    fn normal<R: Reading>(&self, un: &[Ordering; 3]) -> Relation {
         let [e0, e1, _] = &self.e;
-        on_either_side::<ARE_TOLD>(|side| {
+        on_either_side::<R>(|side| {
             let box_term = |i: usize| {
                 let h = signed::<N>(*pick(&self.h, i), *pick(un, i) == side);
                 Term(h, pick(&self.u, i), e0, e1)
@@ -219,7 +225,7 @@ impl<N: Signs> ExactParallelepiped<N> {
 
     /// Whether the triangle's interval on e_k × u_i lies beyond the box's, on each side.
     #[inline(never)]
-    fn edge<const ARE_TOLD: bool>(&self, i: usize, k: usize, un: Ordering) -> Relation {
+    fn edge<R: Reading>(&self, i: usize, k: usize, un: Ordering) -> Relation {
         let (i, j, l) = turn(i);
         let (k, _, opposite) = turn(k);
         let [ui, uj, ul] = [i, j, l].map(|i| pick(&self.u, i));
@@ -227,7 +233,7 @@ impl<N: Signs> ExactParallelepiped<N> {
         // w_l·e and w_j·e
         let along_l = N::sign(&[Term(self.one, ui, uj, e)]);
         let along_j = N::sign(&[Term(self.one, ul, ui, e)]);
-        on_either_side::<ARE_TOLD>(|side| {
+        on_either_side::<R>(|side| {
             // The end of the interval that is nearer to the box: p, or p + u·n of the opposite
             // vertex.
             let nearer = if un == side.reverse() { opposite } else { k };
@@ -243,8 +249,8 @@ impl<N: Signs> ExactParallelepiped<N> {
 
 /// The relation on an axis, from the gaps on its two sides.
 #[inline(always)]
-fn on_either_side<const ARE_TOLD: bool>(gap: impl Fn(Ordering) -> Ordering) -> Relation {
-    if ARE_TOLD {
+fn on_either_side<R: Reading>(gap: impl Fn(Ordering) -> Ordering) -> Relation {
+    if R::TELLS_CONTACT {
         of_gaps([gap(Ordering::Greater), gap(Ordering::Less)])
     } else if [Ordering::Greater, Ordering::Less].into_iter().any(|side| gap(side).is_gt()) {
         Relation::Disjoint

@@ -20,7 +20,7 @@ use self::kernel::{Parallelepiped, all_axes};
 pub(super) use self::kernel::{cross, dot, lie_along_one_axis};
 use self::short::Change;
 use super::Overlaps;
-use super::relation::{Reading, Relation};
+use super::relation::Reading;
 use crate::arithmetic::{Arithmetic, Embeds, Number, SMALL_CODE, greatest, largest};
 use crate::arithmetic::{InRaw, InWholeWord, InWord, WholeWord};
 use crate::robust::{Predicate, Profile, Uncertain, WordKernel, noted};
@@ -52,14 +52,14 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
         S: FixedBackend,
     {
         if is_bounded {
-            let framed = self.framed::<false>(Change::Grown);
+            let framed = self.framed(Change::Grown, Self::vertices_from_center);
             return Some(framed.is_none_or(|framed| framed.are_certainly_disjoint()));
         }
-        noted(self.in_short_words::<false>()).or_else(|| S::in_machine_words(self))
+        noted(self.in_short_words(Self::vertices_from_center)).or_else(|| S::in_machine_words(self))
     }
 
     fn exact(&self) -> bool {
-        is_disjoint(self.in_exact_sums::<false>())
+        self.in_exact_sums::<Uncertain>()
     }
 }
 
@@ -69,17 +69,13 @@ impl<S: Scalar> WordKernel<S> for Disjoint<'_, S> {
     where
         S: InWholeWord<W>,
     {
-        self.in_narrow_words::<W, false>().map(is_disjoint)
+        self.in_narrow_words::<W, Uncertain>()
     }
 }
 
 /// Whether zero axes can cause doubt, and code size does not matter.
 pub(super) const fn has_second_look<N: Arithmetic>() -> bool {
     !N::CERTAIN && !SMALL_CODE
-}
-
-fn is_disjoint(relation: Relation) -> bool {
-    relation == Relation::Disjoint
 }
 
 impl<S: Scalar> Disjoint<'_, S> {
@@ -126,15 +122,15 @@ impl<S: Scalar> Disjoint<'_, S> {
         all_axes::<_, R, LOOKS_TWICE>(&s, &error).answer(N::CERTAIN)
     }
 
-    /// The relation of the shapes, from exact sums.
-    fn in_exact_sums<const ARE_TOLD: bool>(&self) -> Relation {
+    /// The answer from exact sums.
+    fn in_exact_sums<R: Reading>(&self) -> R::Answer {
         ExactParallelepiped::<InSums<S>>::new(
             &self.triangle.points(),
             self.obb.center().to_array(),
             &self.obb.axes_as_arrays(),
             self.obb.half_extents().to_array(),
         )
-        .relation::<ARE_TOLD>()
+        .answer::<R>()
     }
 }
 
@@ -146,45 +142,44 @@ impl<S: Scalar> Disjoint<'_, S> {
     where
         S: InRaw,
     {
-        self.in_short_words::<true>()
+        self.in_short_words(Self::vertices_from_near)
     }
 
-    /// The relation of the shapes, if words hold them.
+    /// The answer, if words hold the shapes.
     #[inline(always)]
-    fn in_narrow_words<W: WholeWord, const ARE_TOLD: bool>(&self) -> Option<Relation>
+    fn in_narrow_words<W: WholeWord, R: Reading>(&self) -> Option<R::Answer>
     where
         S: InWholeWord<W>,
     {
         let one = <S as InWholeWord<W>>::one()?;
         if <S as InWord<W>>::ALWAYS_NEAR {
-            Some(self.in_any_words::<W, ARE_TOLD>(one))
+            Some(self.in_any_words::<W, R>(one))
         } else {
-            self.in_near_words::<W, ARE_TOLD>(one)
+            self.in_near_words::<W, R>(one)
         }
     }
 
-    /// The relation in words that hold the shapes wherever they are.
+    /// The answer in words that hold the shapes wherever they are.
     #[cold]
     #[inline(never)]
-    fn in_any_words<W: WholeWord, const ARE_TOLD: bool>(&self, one: W) -> Relation
+    fn in_any_words<W: WholeWord, R: Reading>(&self, one: W) -> R::Answer
     where
         S: InWord<W>,
     {
-        self.in_words(one).relation::<ARE_TOLD>()
+        self.in_words(one).answer::<R>()
     }
 
-    /// The relation in words that hold the shapes if they are near each other, or far apart and of
+    /// The answer in words that hold the shapes if they are near each other, or far apart and of
     /// few digits.
     #[cold]
     #[inline(never)]
-    fn in_near_words<W: WholeWord, const ARE_TOLD: bool>(&self, one: W) -> Option<Relation>
+    fn in_near_words<W: WholeWord, R: Reading>(&self, one: W) -> Option<R::Answer>
     where
         S: InWord<W>,
     {
         let mut words = self.in_words(one);
         let center = self.obb.center().to_array().map(S::in_word);
-        (center.iter().all(|x| x.is_central()) && words.becomes_near())
-            .then(|| words.relation::<ARE_TOLD>())
+        (center.iter().all(|x| x.is_central()) && words.becomes_near()).then(|| words.answer::<R>())
     }
 
     #[inline(always)]
@@ -213,16 +208,14 @@ impl<S: Scalar + InRaw + InWholeWord<i32>> Overlaps<Near<Obb<S>>> for Near<Trian
         let question = Disjoint { triangle: self.get(), obb: obb.get() };
         // A box is near only if a word of its type can hold one.
         let Some(one) = S::one() else { return self.get().overlaps(obb.get()) };
-        !question
-            .first_near_stage()
-            .unwrap_or_else(|| is_disjoint(question.in_any_words::<i32, false>(one)))
+        !question.first_near_stage().unwrap_or_else(|| question.in_any_words::<i32, Uncertain>(one))
     }
 
     #[inline]
     fn may_overlap(&self, obb: &Near<Obb<S>>) -> bool {
         let question = Disjoint { triangle: self.get(), obb: obb.get() };
         question
-            .framed::<true>(Change::Grown)
+            .framed(Change::Grown, Disjoint::vertices_from_near)
             .is_some_and(|framed| !framed.are_certainly_disjoint())
     }
 }

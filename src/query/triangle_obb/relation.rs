@@ -29,7 +29,7 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
     where
         S: FixedBackend,
     {
-        match noted(self.0.in_short_words::<false>()) {
+        match noted(self.0.in_short_words(Disjoint::vertices_from_center)) {
             Some(true) => Some(Relation::Disjoint),
             Some(false) => Some(Relation::Overlapping),
             None => S::in_machine_words(self),
@@ -37,7 +37,7 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
     }
 
     fn exact(&self) -> Relation {
-        self.0.in_exact_sums::<true>()
+        self.0.in_exact_sums::<Nearness>()
     }
 }
 
@@ -47,7 +47,7 @@ impl<S: Scalar> WordKernel<S> for Lie<'_, S> {
     where
         S: InWholeWord<W>,
     {
-        self.0.in_narrow_words::<W, true>()
+        self.0.in_narrow_words::<W, Nearness>()
     }
 }
 

@@ -83,20 +83,26 @@ pub(super) enum Change {
     Shrunk,
 }
 
+/// Vertices over a power of two, and its exponent.
+type Vertices<S> = ([[<S as InRaw>::Raw; 3]; 3], i32);
+
 impl<S: Scalar + InRaw> Disjoint<'_, S> {
     /// The answer, if the cut coordinates are certain of it.
     #[inline(always)]
-    pub(super) fn in_short_words<const ARE_NEAR: bool>(&self) -> Option<bool> {
-        match self.framed::<ARE_NEAR>(Change::Shrunk) {
+    pub(super) fn in_short_words(&self, vertices: impl Fn(&Self) -> Vertices<S>) -> Option<bool> {
+        match self.framed(Change::Shrunk, vertices) {
             None => Some(true),
             Some(framed) => framed.are_disjoint(),
         }
     }
 
     /// The triangle in the frame of the box; `None` if a face of the box certainly separates them.
-    /// `ARE_NEAR` promises that no difference of coordinates overflows.
     #[inline(never)]
-    pub(super) fn framed<const ARE_NEAR: bool>(&self, change: Change) -> Option<Framed> {
+    pub(super) fn framed(
+        &self,
+        change: Change,
+        vertices: impl Fn(&Self) -> Vertices<S>,
+    ) -> Option<Framed> {
         let mut error = ERROR;
         let [u, v, w] = self.obb.axes();
         let axes = [raw(u), raw(v), raw(w)];
@@ -106,7 +112,7 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
             error += OF_AXES;
         }
 
-        let (d, halved) = self.vertices_from_center::<ARE_NEAR>();
+        let (d, halved) = vertices(self);
         let half = [raw(&self.obb.half_extents())];
         let longer = longest - S::FRACTION_BITS;
         let down = greatest(halved + size(&d).bits(), size(&half).bits() + longer) - LENGTH;
@@ -144,27 +150,33 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
         Some(Framed { shapes: [on(t[0], half[0]), on(t[1], half[1]), on(t[2], half[2])], by })
     }
 
-    /// The vertices relative to the centre, divided by a power of two.
+    /// The vertices relative to the centre.
     #[inline(always)]
-    fn vertices_from_center<const ARE_NEAR: bool>(&self) -> ([[S::Raw; 3]; 3], i32) {
-        let [a, b, c] = self.triangle.vertices();
-        let center = raw(&self.obb.center());
-        let from =
-            |p: [S::Raw; 3]| [p[0].minus(center[0]), p[1].minus(center[1]), p[2].minus(center[2])];
-        let d = [from(raw(a)), from(raw(b)), from(raw(c))];
-        let [x, y, z] = center;
+    pub(super) fn vertices_from_center(&self) -> Vertices<S> {
+        let near = self.vertices_from_near();
+        let [x, y, z] = raw(&self.obb.center());
         let is_central = x.is_central() && y.is_central() && z.is_central();
-        if ARE_NEAR || S::ALWAYS_NEAR || (is_central && size(&d).bits() < S::Raw::BITS - 1) {
-            (d, 0)
+        if S::ALWAYS_NEAR || (is_central && size(&near.0).bits() < S::Raw::BITS - 1) {
+            near
         } else {
             self.vertices_from_far()
         }
     }
 
+    /// The vertices if no difference of coordinates overflows.
+    #[inline(always)]
+    pub(super) fn vertices_from_near(&self) -> Vertices<S> {
+        let [a, b, c] = self.triangle.vertices();
+        let center = raw(&self.obb.center());
+        let from =
+            |p: [S::Raw; 3]| [p[0].minus(center[0]), p[1].minus(center[1]), p[2].minus(center[2])];
+        ([from(raw(a)), from(raw(b)), from(raw(c))], 0)
+    }
+
     /// The vertices if differences may not fit, from differences of halves.
     #[cold]
     #[inline(never)]
-    fn vertices_from_far(&self) -> ([[S::Raw; 3]; 3], i32) {
+    fn vertices_from_far(&self) -> Vertices<S> {
         let points = self.triangle.vertices();
         let center = raw(&self.obb.center());
         let (mut d, mut halves, mut wraps) =

@@ -29,7 +29,7 @@ fn cross(a: [i128; 3], b: [i128; 3]) -> [i128; 3] {
 
 /// The greatest part of the allowed error that occurred; `None` if a face separates.
 fn found<S: Scalar + InRaw>(question: &Disjoint<'_, S>) -> Option<f64> {
-    let framed = question.framed::<false>(Change::Grown)?;
+    let framed = question.framed(Change::Grown, Disjoint::vertices_from_center)?;
     assert!(Projection::are_near(&framed.shapes), "{:?} {:?}", question.triangle, question.obb);
     let u = question.obb.axes().map(wide);
     let (center, half) = (wide(question.obb.center()), wide(question.obb.half_extents()));
