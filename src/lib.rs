@@ -65,6 +65,7 @@
 )]
 //! | two shapes: minimum translation (penetration depth), contact points | [`contact`] | |
 //! | moving box or triangle: time of impact | [`meets_along`](sweep::Sweep::meets_along), [`first_contact`](sweep::Sweep::first_contact); on a mesh [`first_contact`](mesh::Tree::first_contact) | |
+//! | many moving boxes: all pairs, and those near a box, a ray or a moving box | [`broad_phase`] | |
 //! | triangle, grid of voxels | [`voxel::Grid::rows`], [`voxel::Bits::fill`]; interior of a mesh: [`voxel::Solid`] | |
 //! | segment or ray, grid | [`voxel::Grid::walk_segment`], [`voxel::Grid::walk_ray`] | |
 //! | triangle, box: the separating axis | [`separating_axis`](Triangle::separating_axis), [`is_separated_by`](Triangle::is_separated_by) | |
@@ -151,6 +152,7 @@ mod shape;
 mod query;
 
 mod arithmetic;
+pub mod broad_phase;
 pub mod contact;
 pub mod interop;
 pub mod lanes;

@@ -2,6 +2,7 @@
 
 use core::ops::ControlFlow;
 
+use septum::broad_phase::BoxTree;
 use septum::mesh::{Mesh, Node, Tree};
 use septum::sweep::Motion;
 use septum::{Aabb, HitRules, Obb, Ray, Segment, Triangle, Vec3};
@@ -9,6 +10,7 @@ use septum::{Aabb, HitRules, Obb, Ray, Segment, Triangle, Vec3};
 use super::super::draw::Draw;
 use super::answers::Answers;
 use super::queries::Query;
+use super::{greatest, least};
 
 /// A cuboid, an octahedron and a tetrahedron, by their corners among eight points.
 const FACES: [[u16; 3]; 24] = [
@@ -84,6 +86,7 @@ pub(super) fn all<S: Draw, A: Answers>(
         }
     }
 
+    moving_boxes(points, shapes, answers);
     for (aabb, from, to) in
         [(shapes.aabbs[0], points[2], points[5]), (shapes.aabbs[1], points[6], points[0])]
     {
@@ -100,5 +103,58 @@ pub(super) fn all<S: Draw, A: Answers>(
     for point in [points[0], middle(points[0], points[7]), center, middle(center, points[6])] {
         let winding = tree.winding(point).map_or(0x7f, |winding| winding as i8 as u8);
         answers.to(Query::MeshWinding).byte(winding);
+    }
+}
+
+/// Ten boxes in a tree: built anew, and in the order of a tree over other boxes.
+#[inline(never)]
+fn moving_boxes<S: Draw, A: Answers>(
+    points: &[Vec3<S>; 8],
+    shapes: &Shapes<'_, S>,
+    answers: &mut A,
+) {
+    const COUNT: usize = 10;
+    let given = shapes.aabbs;
+    let of = |step: usize| {
+        core::array::from_fn::<_, COUNT, _>(|k| {
+            let (p, q) = (points[k % 8], points[(k + step) % 8]);
+            let between = Aabb::from_min_max(least(p, q), greatest(p, q));
+            if k < 8 { between.unwrap_or(*given[1]) } else { *given[k - 8] }
+        })
+    };
+    let (before, boxes) = (of(1), of(3));
+    let (mut nodes, mut order) = ([Node::EMPTY; Node::count_for(COUNT)], [0_u16; COUNT]);
+    for is_built in [false, true] {
+        let tree = if is_built {
+            BoxTree::build(&boxes, &mut nodes, &mut order)
+        } else {
+            let _ = BoxTree::build(&before, &mut nodes, &mut order);
+            BoxTree::refit(&boxes, &mut nodes, &order)
+        };
+        let Ok(tree) = tree else { return answers.to(Query::ShapesAccepted).byte(0xfe) };
+        let told = answers.to(Query::BoxesOverlapping);
+        let mut pairs = [[0; 2]; COUNT * (COUNT - 1) / 2];
+        let pairs = tree.pairs(&mut pairs).unwrap_or_default();
+        pairs.as_flattened().iter().for_each(|&i| told.byte(i as u8));
+        let mut found = [0; COUNT];
+        for aabb in given {
+            told.set(
+                tree.overlapping(aabb, &mut found).unwrap_or_default().iter().map(|&i| i.into()),
+            );
+        }
+        let by_triangle = tree.overlapping(shapes.triangle, &mut found).unwrap_or_default();
+        told.set(by_triangle.iter().map(|&i| i.into()));
+
+        let told = answers.to(Query::BoxesFirst);
+        if let Some(ray) = shapes.ray {
+            let first = tree.first_hit(ray, |_| true);
+            told.byte(first.map_or(0xff, |(i, _)| i as u8));
+            told.maybe(first.map(|(_, t)| t));
+        }
+        if let Ok(motion) = Motion::new(points[2], points[5]) {
+            let first = tree.first_contact(given[0], &motion, |i| i != 8);
+            told.byte(first.map_or(0xff, |(i, _)| i as u8));
+            told.contact(first.map(|(_, first)| first));
+        }
     }
 }

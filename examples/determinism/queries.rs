@@ -114,6 +114,8 @@ queries! {
     TriangleAabbSweep = "triangle/aabb first_contact",
     AabbAabbSweep = "aabb/aabb first_contact",
     MeshSweep = "mesh first_contact",
+    BoxesOverlapping = "moving boxes overlapping",
+    BoxesFirst = "moving boxes first met",
     PolygonAabb = "polygon/aabb overlaps",
     PolygonAabbPublished = "polygon/aabb published",
     TriangleObbRelation = "triangle/obb relation",

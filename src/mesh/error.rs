@@ -22,6 +22,8 @@ pub enum MeshError {
         /// The required length.
         needed: usize,
     },
+    /// A list that a tree was to be refitted by does not have each index once.
+    Order,
     /// A box of a tree does not enclose everything below it: the tree belongs to another mesh, or
     /// its table is damaged.
     Node {
@@ -56,6 +58,7 @@ impl MeshError {
             Self::NoSuchVertex { .. } => "a triangle has a vertex that there is not",
             Self::TooManyTriangles => "there are more triangles than indices",
             Self::Length { .. } => "a slice has the wrong length",
+            Self::Order => "an order has an index twice, or lacks one",
             Self::Node { .. } => "a box does not enclose what is below it",
             Self::OpenEdge { .. } => "an edge belongs to an odd number of triangles",
         }
@@ -68,7 +71,7 @@ impl fmt::Display for MeshError {
         match *self {
             Self::NotFinite { vertex } => write!(f, ": vertex {vertex}"),
             Self::NoSuchVertex { triangle } => write!(f, ": triangle {triangle}"),
-            Self::TooManyTriangles => Ok(()),
+            Self::TooManyTriangles | Self::Order => Ok(()),
             Self::Length { needed } => write!(f, ": {needed} are needed"),
             Self::Node { node } => write!(f, ": node {node}"),
             Self::OpenEdge { vertices: [a, b] } => write!(f, ": from vertex {a} to {b}"),

@@ -40,6 +40,10 @@ mod inside;
 mod pairs;
 mod sweep;
 
+// Boxes that move, and meshes that deform: `broad_phase`.
+pub(crate) mod boxes;
+mod refit;
+
 mod closed;
 mod descent;
 mod error;

@@ -2,6 +2,7 @@
 
 use core::ops::Range;
 
+use super::grid::Grid;
 use super::node::{Cell, Node};
 use super::walk::Walk;
 use super::{Index, Tree};
@@ -99,23 +100,29 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     pub fn overlapping<'t, P: Probe<S>>(&'t self, shape: &'t P) -> Overlapping<'t, 'a, S, I, P> {
         let corners = shape.corners();
         let cell = corners.map_or(Cell::ALL, |corners| self.grid.cell(corners));
-        let walk = Walk::new(self.nodes, |root| self.mask(root, &cell, shape));
+        let walk = Walk::new(self.nodes, |root| mask(&self.grid, root, &cell, shape));
         Overlapping { tree: self, shape, corners, cell, walk, leaf: 0..0 }
     }
+}
 
-    #[inline(always)]
-    fn mask<P: Probe<S>>(&self, node: &Node, cell: &Cell, shape: &P) -> u32 {
-        let mut mask = node.meeting(cell);
-        if P::IS_NARROW {
-            for k in 0..4 {
-                let misses = || !shape.may_meet(&self.grid.aabb(&node.cell(k)));
-                if mask >> k & 1 == 1 && misses() {
-                    mask ^= 1 << k;
-                }
+/// The boxes of a node that a shape may meet; `cell` is the shape's bounding box.
+#[inline(always)]
+pub(super) fn mask<S: Scalar, P: sealed::Bounded<S>>(
+    grid: &Grid<S>,
+    node: &Node,
+    cell: &Cell,
+    shape: &P,
+) -> u32 {
+    let mut mask = node.meeting(cell);
+    if P::IS_NARROW {
+        for k in 0..4 {
+            let misses = || !shape.may_meet(&grid.aabb(&node.cell(k)));
+            if mask >> k & 1 == 1 && misses() {
+                mask ^= 1 << k;
             }
         }
-        mask
     }
+    mask
 }
 
 /// The triangles that a shape overlaps: see [`Tree::overlapping`].
@@ -143,7 +150,7 @@ impl<S: Scalar, I: Index, P: Probe<S>> Iterator for Overlapping<'_, '_, S, I, P>
                     return Some(i);
                 }
             }
-            let mask = |node: &Node| tree.mask(node, &cell, shape);
+            let mask = |node: &Node| mask(&tree.grid, node, &cell, shape);
             self.leaf = self.walk.next(tree.nodes, &tree.layout, mask)?;
         }
     }

@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 use core::ops::Range;
 
 use super::descent::{Descend, Descent, Met};
-use super::node::{LEVELS, Node};
+use super::node::{LEVELS, Layout, Node};
 use super::walk::Walk;
 use super::{Index, Tree};
 use crate::query::{Feature, Hit, HitRules};
@@ -52,44 +52,8 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
 
     /// Visits the triangles near the moving object, roughly in the order in which it reaches them.
     #[inline(always)]
-    pub(super) fn descend<D: Descend>(
-        &self,
-        descent: &mut D,
-        mut visit: impl FnMut(&mut D, usize),
-    ) {
-        let mut stack = [(0_u32, i32::MIN); STACK];
-        let mut top = usize::from(!self.nodes.is_empty());
-        while top > 0 {
-            top -= 1;
-            let Some(&(place, sooner)) = stack.get(top) else { break };
-            let place = place as usize;
-            if !descent.reaches(sooner) {
-                continue;
-            }
-            let Some(node) = self.nodes.get(place) else {
-                for i in self.layout.leaf(place).map(|at| self.index(at)) {
-                    visit(descent, i);
-                }
-                continue;
-            };
-            let Met { mask, sooner } = descent.meets(node);
-            let bottom = top;
-            for k in (0..4).filter(|k| mask >> k & 1 == 1) {
-                // The child reached first goes on top.
-                let entry = ((4 * place + 1 + k) as u32, sooner[k]);
-                let mut at = top;
-                while at > bottom && stack.get(at - 1).is_some_and(|below| below.1 < entry.1) {
-                    if let Some(pair) = stack.get_mut(at - 1..=at) {
-                        pair.swap(0, 1);
-                    }
-                    at -= 1;
-                }
-                if let Some(to) = stack.get_mut(at) {
-                    *to = entry;
-                }
-                top += 1;
-            }
-        }
+    pub(super) fn descend<D: Descend>(&self, descent: &mut D, visit: impl FnMut(&mut D, usize)) {
+        descend(self.nodes, &self.layout, |place| self.index(place), descent, visit);
     }
 
     /// Whether hit `a` comes before hit `b` along the ray, or has the lower index if they tie.
@@ -150,6 +114,51 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     /// [`hits`](Self::hits) under other rules, such as culling.
     pub fn hits_with<'t>(&'t self, ray: &Ray<S>, rules: HitRules) -> Hits<'t, 'a, S, I> {
         Hits { tree: self, ray: *ray, rules, near: LeafTriangles::new(self, ray) }
+    }
+}
+
+/// Visits what lies near a moving object, roughly in the order in which it reaches it. `index` maps
+/// a position in the tree's order to an index.
+#[inline(always)]
+pub(super) fn descend<D: Descend>(
+    nodes: &[Node],
+    layout: &Layout,
+    index: impl Fn(usize) -> usize,
+    descent: &mut D,
+    mut visit: impl FnMut(&mut D, usize),
+) {
+    let mut stack = [(0_u32, i32::MIN); STACK];
+    let mut top = usize::from(!nodes.is_empty());
+    while top > 0 {
+        top -= 1;
+        let Some(&(place, sooner)) = stack.get(top) else { break };
+        let place = place as usize;
+        if !descent.reaches(sooner) {
+            continue;
+        }
+        let Some(node) = nodes.get(place) else {
+            for i in layout.leaf(place).map(&index) {
+                visit(descent, i);
+            }
+            continue;
+        };
+        let Met { mask, sooner } = descent.meets(node);
+        let bottom = top;
+        for k in (0..4).filter(|k| mask >> k & 1 == 1) {
+            // The child reached first goes on top.
+            let entry = ((4 * place + 1 + k) as u32, sooner[k]);
+            let mut at = top;
+            while at > bottom && stack.get(at - 1).is_some_and(|below| below.1 < entry.1) {
+                if let Some(pair) = stack.get_mut(at - 1..=at) {
+                    pair.swap(0, 1);
+                }
+                at -= 1;
+            }
+            if let Some(to) = stack.get_mut(at) {
+                *to = entry;
+            }
+            top += 1;
+        }
     }
 }
 

@@ -61,7 +61,7 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
 }
 
 /// A moving box on its way down the tree.
-struct Moving<'a, S: Scalar> {
+pub(super) struct Moving<'a, S: Scalar> {
     aabb: &'a Aabb<S>,
     motion: &'a Motion<S>,
     grid: &'a Grid<S>,
@@ -73,7 +73,7 @@ struct Moving<'a, S: Scalar> {
 }
 
 impl<'a, S: Scalar> Moving<'a, S> {
-    fn new(grid: &'a Grid<S>, aabb: &'a Aabb<S>, motion: &'a Motion<S>) -> Self {
+    pub(super) fn new(grid: &'a Grid<S>, aabb: &'a Aabb<S>, motion: &'a Motion<S>) -> Self {
         let (from, to) = (motion.from().to_array(), motion.to().to_array());
         let at_rest = if from == to { aabb.corners() } else { None };
         let cell = at_rest.map_or(Cell::ALL, |corners| grid.cell(corners));
@@ -108,7 +108,7 @@ impl<'a, S: Scalar> Moving<'a, S> {
     }
 
     /// Excludes contacts later than `t`, which was rounded down.
-    fn limit(&mut self, t: S) {
+    pub(super) fn limit(&mut self, t: S) {
         self.end = Some(t);
         if S::IS_FAST {
             self.fast.limit(t.farthest());

@@ -40,7 +40,7 @@ pub struct Tree<'a, S: Scalar, I> {
     pub(super) mesh: Mesh<'a, S, I>,
     pub(super) nodes: &'a [Node],
     /// The triangles' indices in the tree's order; empty if the mesh itself has that order.
-    order: &'a [I],
+    pub(super) order: &'a [I],
     pub(super) grid: Grid<S>,
     pub(super) layout: Layout,
 }

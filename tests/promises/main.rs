@@ -50,7 +50,8 @@ mod ray_triangle;
 mod rounded_rays;
 mod watertight;
 
-// Whole meshes: the answers of their triangles, one by one.
+// Whole meshes and many boxes: the answers of their triangles and boxes, one by one.
+mod broad_phase;
 mod mesh;
 
 // Cases from users of other libraries.

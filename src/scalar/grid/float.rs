@@ -7,6 +7,9 @@ use crate::scalar::Ordinal;
 #[derive(Clone, Copy, Debug)]
 pub struct FloatSteps<F> {
     origin: F,
+    /// The origin in steps. Sums are in steps: those of numbers may overflow if the grid spans more
+    /// than half of the range.
+    first: F,
     step: F,
     /// The reciprocal of the step, exact because the step is a power of two.
     inverse: F,
@@ -46,7 +49,7 @@ macro_rules! float {
                 if origin < Self::MIN {
                     origin = Self::MIN;
                 }
-                FloatSteps { origin, step, inverse }
+                FloatSteps { origin, first: origin * inverse, step, inverse }
             }
 
             fn exponent(steps: &Self::SeptumSteps) -> i32 {
@@ -56,8 +59,8 @@ macro_rules! float {
             #[inline]
             fn point_below(self, steps: &Self::SeptumSteps) -> u16 {
                 // Within 2⁻⁸ of the true quotient. The conversion saturates at both ends.
-                let q = ((self - steps.origin) * steps.inverse) as u16;
-                let at = |q: u16| steps.origin + Self::from(q) * steps.step;
+                let q = (self * steps.inverse - steps.first) as u16;
+                let at = |q: u16| (steps.first + Self::from(q)) * steps.step;
                 if q > 0 && at(q) > self {
                     q - 1
                 } else if q < u16::MAX && at(q + 1) <= self {
@@ -70,13 +73,13 @@ macro_rules! float {
             #[inline]
             fn point_above(self, steps: &Self::SeptumSteps) -> u16 {
                 let q = self.point_below(steps);
-                let at = steps.origin + Self::from(q) * steps.step;
+                let at = (steps.first + Self::from(q)) * steps.step;
                 if q < u16::MAX && at < self { q + 1 } else { q }
             }
 
             #[inline]
             fn point(steps: &Self::SeptumSteps, q: u16) -> Self {
-                let at = steps.origin + Self::from(q) * steps.step;
+                let at = (steps.first + Self::from(q)) * steps.step;
                 if at > Self::MAX { Self::MAX } else { at }
             }
 
