@@ -126,6 +126,7 @@
 //! | --- | --- | --- |
 //! | `fixed` | the signed types of the [`fixed`] crate of up to 64 bits as scalars | yes |
 //! | `simd` | vector instructions for triangles, boxes and rays; no answer changes | yes |
+//! | `alloc` | `mesh::OwnedTree`: a mesh and its tree in one value, to keep in a struct | no |
 //! | `libm` | [`unit_normal`](Triangle#method.unit_normal) in floats, within 0.51 ulp in `f32` and 6 in `f64` | no |
 //! | `micromath` | `unit_normal_fast` in `f32`: a few percent off, cheap without an FPU | no |
 //! | `heapless` | `interop::Bounded` and `interop::touched`: results of bounded size | no |
@@ -144,6 +145,9 @@
 #![warn(missing_docs)]
 // Without `fixed` no scalar uses the kernels in machine words.
 #![cfg_attr(not(feature = "fixed"), allow(dead_code))]
+
+#[cfg(feature = "alloc")]
+extern crate alloc;
 
 // The order of modules sets the order of methods on the shapes' pages: constructors, `overlaps`,
 // exact queries, the rest.

@@ -203,3 +203,44 @@ through! {
     Segment => Course;
     Ray => Path;
 }
+
+/// A mesh and its tree are written as the mesh alone: the tree follows from it.
+#[cfg(feature = "alloc")]
+mod owned {
+    use alloc::vec::Vec;
+
+    use super::{Deserialize, Deserializer, Error, Scalar, Serialize, Serializer, Vec3};
+    use crate::mesh::{Index, OwnedTree};
+
+    #[derive(serde::Serialize)]
+    #[serde(rename = "OwnedTree")]
+    struct Lent<'a, S, I> {
+        vertices: &'a [Vec3<S>],
+        triangles: &'a [[I; 3]],
+    }
+
+    #[derive(serde::Deserialize)]
+    #[serde(rename = "OwnedTree", deny_unknown_fields)]
+    struct Read<S, I> {
+        vertices: Vec<Vec3<S>>,
+        triangles: Vec<[I; 3]>,
+    }
+
+    impl<S: Scalar + Serialize, I: Index + Serialize> Serialize for OwnedTree<S, I> {
+        fn serialize<W: Serializer>(&self, to: W) -> Result<W::Ok, W::Error> {
+            let mesh = self.mesh();
+            Lent { vertices: mesh.vertices(), triangles: mesh.triangles() }.serialize(to)
+        }
+    }
+
+    impl<'de, S, I> Deserialize<'de> for OwnedTree<S, I>
+    where
+        S: Scalar + Deserialize<'de>,
+        I: Index + Deserialize<'de>,
+    {
+        fn deserialize<R: Deserializer<'de>>(from: R) -> Result<Self, R::Error> {
+            let Read { vertices, triangles } = Read::deserialize(from)?;
+            Self::new(vertices, triangles).map_err(R::Error::custom)
+        }
+    }
+}

@@ -25,12 +25,12 @@ impl<S: Scalar> core::fmt::Debug for Grid<S> {
 impl<S: Scalar> Grid<S> {
     /// The grid that encloses all triangles of a mesh.
     pub(super) fn around<I: Index>(mesh: &Mesh<'_, S, I>) -> Self {
-        let mut bounds: Option<[[S; 3]; 2]> = None;
-        for triangle in mesh.iter() {
-            let ends = corners(&triangle);
-            bounds = Some(bounds.map_or(ends, |bounds| joined(bounds, ends)));
-        }
-        let [min, max] = bounds.unwrap_or([[S::ZERO; 3]; 2]);
+        let all = mesh.iter().map(|triangle| corners(&triangle)).reduce(joined);
+        Self::between(all.unwrap_or([[S::ZERO; 3]; 2]))
+    }
+
+    /// The grid between two corners.
+    pub(super) fn between([min, max]: [[S; 3]; 2]) -> Self {
         // By pattern, because indices are checked in builds for small code.
         let ([a, b, c], [d, e, f]) = (min, max);
         Self([S::steps(a, d), S::steps(b, e), S::steps(c, f)])

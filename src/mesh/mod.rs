@@ -44,22 +44,31 @@ mod sweep;
 pub(crate) mod boxes;
 mod refit;
 
+mod build;
+mod builder;
 mod closed;
 mod descent;
 mod error;
 mod grid;
 mod index;
 mod node;
+#[cfg(feature = "alloc")]
+mod owned;
 mod walk;
 
 // Last, as on the pages of the shapes.
 mod const_new;
 
+pub use build::Scratch;
+pub use builder::TreeBuilder;
 pub(crate) use closed::{by_place, sort};
 pub use error::MeshError;
 pub use index::Index;
 pub use indexed::Mesh;
 pub use node::Node;
 pub use overlapping::{Overlapping, Probe};
+#[cfg(feature = "alloc")]
+#[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+pub use owned::{OwnedTree, OwnedTreeBuilder};
 pub use ray::Hits;
 pub use tree::Tree;

@@ -146,7 +146,7 @@ pub(super) fn descend<D: Descend>(
         let bottom = top;
         for k in (0..4).filter(|k| mask >> k & 1 == 1) {
             // The child reached first goes on top.
-            let entry = ((4 * place + 1 + k) as u32, sooner[k]);
+            let entry = ((4 * place + 1 + k) as u32, sooner[k % 4]);
             let mut at = top;
             while at > bottom && stack.get(at - 1).is_some_and(|below| below.1 < entry.1) {
                 if let Some(pair) = stack.get_mut(at - 1..=at) {

@@ -52,8 +52,10 @@ pub(crate) fn size<N: Arithmetic, const K: usize>(vectors: &[Vector<N>; K]) -> N
 /// Whether a coordinate separates the points `some` from `others`.
 #[inline(never)]
 pub(crate) fn are_apart<T: PartialOrd>(some: &[[T; 3]], others: &[[T; 3]]) -> bool {
+    // By `get`, because indices are checked in builds for small code.
+    let is_below = |i, p: &[T; 3], q: &[T; 3]| p.get(i).zip(q.get(i)).is_some_and(|(p, q)| p < q);
     let all_below = |i: usize, some: &[[T; 3]], others: &[[T; 3]]| {
-        some.iter().all(|p| others.iter().all(|q| p[i] < q[i]))
+        some.iter().all(|p| others.iter().all(|q| is_below(i, p, q)))
     };
     (0..3).any(|i| all_below(i, some, others) || all_below(i, others, some))
 }

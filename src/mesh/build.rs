@@ -1,0 +1,498 @@
+//! How a tree is built: the triangles are sorted so that neighbours are close in space, and the
+//! boxes of the nodes are joined from the bottom up.
+//!
+//! Each node cuts its triangles in two along the axis on which their middles spread most, and each
+//! half again. A cut finds the triangles that come first by bisection: the middles lie in a range
+//! of numbers, and each pass moves those below the middle of the range to the front, and continues
+//! in the half that has the place of the cut. Ties are broken by index, so that the keys differ and
+//! the tree is the same on every machine. A range of keys halves at most 49 times, which bounds the
+//! passes; evenly spread middles take about two passes over the triangles in all.
+//!
+//! All loops can stop after any triangle: a build is a state that advances.
+
+use super::grid::{Grid, corners};
+use super::node::{Cell, LEAF, Layout, Node};
+use super::tree::layout;
+use super::{Index, Mesh, MeshError};
+use crate::arithmetic::three;
+use crate::scalar::Scalar;
+use crate::shape::joined;
+
+/// A triangle in the list that a build sorts.
+pub(super) trait Entry: Copy {
+    fn new(index: usize, cell: impl FnOnce() -> Cell) -> Self;
+    fn index(&self) -> usize;
+    /// The grid box around the triangle; `compute` returns it for an index.
+    fn cell(&self, compute: impl FnOnce(usize) -> Cell) -> Cell;
+
+    /// Twice the centre of the box along an axis.
+    #[inline(always)]
+    fn middle(&self, axis: usize, compute: impl FnOnce(usize) -> Cell) -> u32 {
+        middle(&self.cell(compute))[axis % 3]
+    }
+}
+
+/// Without scratch memory a triangle's box is computed whenever it is needed.
+impl<I: Index> Entry for I {
+    fn new(index: usize, _: impl FnOnce() -> Cell) -> Self {
+        Self::of(index)
+    }
+
+    fn index(&self) -> usize {
+        self.get()
+    }
+
+    fn cell(&self, compute: impl FnOnce(usize) -> Cell) -> Cell {
+        compute(self.get())
+    }
+}
+
+/// Memory for a fast build: the box of one triangle, 16 bytes.
+///
+/// A [`TreeBuilder`](super::TreeBuilder) needs one for each triangle.
+#[derive(Clone, Copy, Debug)]
+pub struct Scratch {
+    /// The least x, y and z, 16 bits each, and half of the index; the greatest, and the rest. Two
+    /// words are moved in registers: with a field for each number the sort took twice as long.
+    words: [u64; 2],
+}
+
+impl Scratch {
+    /// An unused element, to initialize a slice.
+    pub const EMPTY: Self = Self { words: [0; 2] };
+}
+
+impl Entry for Scratch {
+    #[inline(always)]
+    fn new(index: usize, cell: impl FnOnce() -> Cell) -> Self {
+        let Cell { low, high } = cell();
+        let pack = |[x, y, z]: [u16; 3], rest: usize| {
+            u64::from(x) | u64::from(y) << 16 | u64::from(z) << 32 | (rest as u64) << 48
+        };
+        Self { words: [pack(low, index), pack(high, index >> 16)] }
+    }
+
+    #[inline(always)]
+    fn index(&self) -> usize {
+        let [low, high] = self.words;
+        (low >> 48 | high >> 48 << 16) as usize
+    }
+
+    #[inline(always)]
+    fn cell(&self, _: impl FnOnce(usize) -> Cell) -> Cell {
+        let unpack = |word: u64| three(|k| (word >> (16 * k)) as u16);
+        let [low, high] = self.words;
+        Cell { low: unpack(low), high: unpack(high) }
+    }
+
+    #[inline(always)]
+    fn middle(&self, axis: usize, _: impl FnOnce(usize) -> Cell) -> u32 {
+        let [low, high] = self.words.map(|word| u32::from((word >> (16 * (axis % 3))) as u16));
+        low + high
+    }
+}
+
+/// What a build does next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Phase {
+    /// Finds the bounds of the mesh.
+    Bounds,
+    /// Lists the triangles, with their boxes.
+    List,
+    /// Sorts them.
+    Sort,
+    /// Sorts each leaf by index.
+    Leaves,
+    /// Joins the boxes of the nodes.
+    Nodes,
+    Done,
+}
+
+/// The state of a build.
+#[derive(Clone, Debug)]
+pub(super) struct Build<S: Scalar> {
+    pub(super) layout: Layout,
+    /// Valid after the first phase.
+    pub(super) grid: Grid<S>,
+    bounds: Option<[[S; 3]; 2]>,
+    phase: Phase,
+    /// The next triangle, or the number of nodes still to be joined.
+    at: usize,
+    /// The node whose triangles are cut, its cuts still to be made, and the one in progress.
+    node: usize,
+    cuts: [[usize; 3]; 3],
+    cut: Cut,
+    /// The triangles looked at, a level of nodes counting once, and their number in all.
+    done: u64,
+    work: u64,
+}
+
+/// A build's memory: `entries` is sorted, and the indices are written to `order`.
+pub(super) struct Memory<'m, 'a, S, I, T> {
+    pub(super) mesh: Mesh<'a, S, I>,
+    pub(super) nodes: &'m mut [Node],
+    pub(super) entries: &'m mut [T],
+    pub(super) order: &'m mut [I],
+}
+
+impl<S: Scalar> Build<S> {
+    /// The start of a build, if nodes and order have the right lengths.
+    pub(super) fn new<I>(
+        mesh: &Mesh<'_, S, I>,
+        nodes: &[Node],
+        order: &[I],
+    ) -> Result<Self, MeshError> {
+        let layout = layout(mesh, nodes)?;
+        if order.len() != mesh.triangles.len() {
+            return Err(MeshError::Length { needed: mesh.triangles.len() });
+        }
+        Ok(Self {
+            work: work(&layout, mesh.triangles.len()),
+            layout,
+            grid: Grid::between([[S::ZERO; 3]; 2]),
+            bounds: None,
+            phase: Phase::Bounds,
+            at: 0,
+            node: 0,
+            cuts: [[0; 3]; 3],
+            cut: Cut::DONE,
+            done: 0,
+        })
+    }
+
+    /// Whether the tree is finished.
+    pub(super) fn is_done(&self) -> bool {
+        self.phase == Phase::Done
+    }
+
+    /// The share of the work that is done, from 0 to 1.
+    pub(super) fn progress(&self) -> f32 {
+        if self.is_done() { 1.0 } else { self.done as f32 / self.work.max(1) as f32 }
+    }
+
+    /// Looks at `budget` triangles, or a few more. Returns whether the tree is finished.
+    pub(super) fn advance<I: Index, T: Entry>(
+        &mut self,
+        memory: &mut Memory<'_, '_, S, I, T>,
+        budget: usize,
+    ) -> bool {
+        let mut left = budget;
+        while left > 0 && !self.is_done() {
+            let took = match self.phase {
+                Phase::Bounds | Phase::List | Phase::Leaves => self.linear(memory, left),
+                Phase::Sort => self.sort(memory, left),
+                Phase::Nodes | Phase::Done => self.join(memory, left),
+            };
+            left = left.saturating_sub(took);
+        }
+        self.is_done()
+    }
+
+    /// The phases that visit each triangle once.
+    fn linear<I: Index, T: Entry>(
+        &mut self,
+        memory: &mut Memory<'_, '_, S, I, T>,
+        budget: usize,
+    ) -> usize {
+        let Memory { mesh, entries, order, .. } = memory;
+        let whole_leaves = budget.div_ceil(LEAF).saturating_mul(LEAF);
+        let (from, to) = (self.at, entries.len().min(self.at.saturating_add(whole_leaves)));
+        match self.phase {
+            Phase::Bounds => {
+                for i in from..to {
+                    let ends = corners(&mesh.known(i));
+                    self.bounds = Some(self.bounds.map_or(ends, |all| joined(all, ends)));
+                }
+            }
+            Phase::List => {
+                let entries = entries.get_mut(from..to).unwrap_or_default();
+                for (i, entry) in (from..to).zip(entries) {
+                    *entry = T::new(i, || self.grid.cell(corners(&mesh.known(i))));
+                }
+            }
+            _ => {
+                for leaf in entries.get_mut(from..to).unwrap_or_default().chunks_mut(LEAF) {
+                    sort_by_key(leaf, |entry| entry.index() as u64);
+                }
+                let entries = entries.get(from..to).unwrap_or_default();
+                for (to, entry) in
+                    order.get_mut(from..to).unwrap_or_default().iter_mut().zip(entries)
+                {
+                    *to = I::of(entry.index());
+                }
+            }
+        }
+        self.at = to;
+        self.done += (to - from) as u64;
+        if to == entries.len() {
+            self.at = 0;
+            self.phase = match self.phase {
+                Phase::Bounds => {
+                    self.grid = Grid::between(self.bounds.unwrap_or([[S::ZERO; 3]; 2]));
+                    Phase::List
+                }
+                Phase::List => {
+                    self.start_node(0);
+                    Phase::Sort
+                }
+                _ => {
+                    self.at = self.layout.nodes;
+                    Phase::Nodes
+                }
+            };
+        }
+        to - from + 1
+    }
+
+    /// Plans the cuts of a node: where each begins, cuts and ends.
+    fn start_node(&mut self, node: usize) {
+        self.node = node;
+        let children = self.layout.children(node);
+        let all = self.layout.below(node);
+        let [first, half, third] = three(|k| {
+            let place = children.start + k;
+            if place < children.end { self.layout.below(place).end } else { all.end }
+        });
+        self.cuts = [[half, third, all.end], [all.start, first, half], [all.start, half, all.end]];
+    }
+
+    fn sort<I: Index, T: Entry>(
+        &mut self,
+        memory: &mut Memory<'_, '_, S, I, T>,
+        budget: usize,
+    ) -> usize {
+        let Memory { mesh, entries, .. } = memory;
+        if self.node >= self.layout.nodes {
+            self.phase = Phase::Leaves;
+            return 1;
+        }
+        if self.cut.is_done() {
+            let [c, b, a] = self.cuts;
+            self.done += (a[2] - a[0]) as u64 / 2;
+            self.cuts = [[0; 3], c, b];
+            self.cut = Cut::new(a);
+            if a == [0; 3] {
+                self.start_node(self.node + 1);
+            }
+            if self.cut.is_done() {
+                return 1;
+            }
+        }
+        let cell = |i: usize| self.grid.cell(corners(&mesh.known(i)));
+        self.cut.advance(&self.grid, entries, cell, budget) + 1
+    }
+
+    fn join<I: Index, T: Entry>(
+        &mut self,
+        memory: &mut Memory<'_, '_, S, I, T>,
+        budget: usize,
+    ) -> usize {
+        let Memory { mesh, nodes, entries, .. } = memory;
+        let Self { layout, grid, .. } = self;
+        let compute = |i: usize| grid.cell(corners(&mesh.known(i)));
+        let most = (budget / (4 * LEAF)).max(1);
+        let from = self.at.saturating_sub(most);
+        for k in (from..self.at).rev() {
+            let mut node = Node::EMPTY;
+            for (child, place) in layout.children(k).enumerate() {
+                node.set(
+                    child,
+                    around(layout, nodes, place, |i| {
+                        entries.get(i).map_or(Cell::NOTHING, |entry| entry.cell(compute))
+                    }),
+                );
+            }
+            if let Some(to) = nodes.get_mut(k) {
+                *to = node;
+            }
+        }
+        let took = 4 * LEAF * (self.at - from);
+        self.done += took as u64;
+        self.at = from;
+        if from == 0 {
+            self.phase = Phase::Done;
+        }
+        took + 1
+    }
+}
+
+/// About the triangles that a build looks at: all of them in three phases and for each level of
+/// nodes, and 16 for each node.
+fn work(layout: &Layout, triangles: usize) -> u64 {
+    let (mut levels, mut first) = (3, 0_usize);
+    while first < layout.nodes {
+        (levels, first) = (levels + 1, first.saturating_mul(4).saturating_add(1));
+    }
+    levels * triangles as u64 + 16 * layout.nodes as u64
+}
+
+/// The smallest grid box around everything below a place: the boxes of a node, or the triangles of
+/// a leaf. `cell` returns the box of the triangle at a position in the tree's order.
+pub(super) fn around(
+    layout: &Layout,
+    nodes: &[Node],
+    place: usize,
+    cell: impl Fn(usize) -> Cell,
+) -> Cell {
+    let mut all = Cell::NOTHING;
+    match nodes.get(place) {
+        Some(node) => {
+            for k in 0..layout.children(place).len() {
+                all.join(&node.cell(k));
+            }
+        }
+        None => {
+            for i in layout.leaf(place) {
+                all.join(&cell(i));
+            }
+        }
+    }
+    all
+}
+
+/// A cut of a part of the list: it moves to the front the entries that come first along the axis on
+/// which all of them spread most.
+#[derive(Clone, Copy, Debug)]
+struct Cut {
+    /// The entries not yet on one side, and the place of the cut.
+    from: usize,
+    to: usize,
+    place: usize,
+    /// `None` while the entries are measured.
+    axis: Option<usize>,
+    /// The ends of the middles along each axis.
+    ends: [[u32; 2]; 3],
+    /// The range of keys of the entries not yet on one side.
+    low: u64,
+    high: u64,
+    /// The pass: entries before `at` were looked at, and those before `split` are in the lower half.
+    at: usize,
+    split: usize,
+}
+
+impl Cut {
+    const DONE: Self = Self {
+        from: 0,
+        to: 0,
+        place: 0,
+        axis: None,
+        ends: [[u32::MAX, 0]; 3],
+        low: 0,
+        high: 0,
+        at: 0,
+        split: 0,
+    };
+
+    fn new([from, place, to]: [usize; 3]) -> Self {
+        Self { from, to, place, at: from, split: from, ..Self::DONE }
+    }
+
+    fn is_done(&self) -> bool {
+        self.place <= self.from || self.place >= self.to
+    }
+
+    /// Looks at `budget` entries at most, of which it returns the number.
+    fn advance<S: Scalar, T: Entry>(
+        &mut self,
+        grid: &Grid<S>,
+        entries: &mut [T],
+        cell: impl Fn(usize) -> Cell + Copy,
+        budget: usize,
+    ) -> usize {
+        let end = self.to.min(self.at.saturating_add(budget)).min(entries.len());
+        let took = end.saturating_sub(self.at);
+        let Some(axis) = self.axis else {
+            for entry in entries.get(self.at..end).unwrap_or_default() {
+                let middle = middle(&entry.cell(cell));
+                for k in 0..3 {
+                    let [low, high] = self.ends[k];
+                    self.ends[k] = [low.min(middle[k]), high.max(middle[k])];
+                }
+            }
+            self.at = end;
+            if end == self.to {
+                self.choose(grid);
+            }
+            return took;
+        };
+        let key = |entry: &T| u64::from(entry.middle(axis, cell)) << 32 | entry.index() as u64;
+        if self.to - self.from <= FEW {
+            sort_by_key(entries.get_mut(self.from..self.to).unwrap_or_default(), key);
+            self.to = self.from;
+            return FEW;
+        }
+        let (pivot, mut split) = (self.pivot(), self.split);
+        let part = entries.get_mut(..end).unwrap_or_default();
+        for i in self.at..end.min(part.len()) {
+            let entry = part[i];
+            let is_below = key(&entry) <= pivot;
+            // By address, without a branch; an entry that stays is stored over itself.
+            let to = if is_below { split.min(i) } else { i };
+            part[i] = part[to];
+            part[to] = entry;
+            split += usize::from(is_below);
+        }
+        (self.at, self.split) = (end, split);
+        if end == self.to {
+            if self.place < split {
+                (self.to, self.high) = (split, pivot);
+            } else {
+                (self.from, self.low) = (split, pivot + 1);
+            }
+            (self.at, self.split) = (self.from, self.from);
+        }
+        took
+    }
+
+    /// Chooses the axis, after all entries were measured.
+    fn choose<S: Scalar>(&mut self, grid: &Grid<S>) {
+        let spread = three(|k| grid.size(k, self.ends[k][1] - self.ends[k][0]));
+        let axis = if spread[0] >= spread[1] && spread[0] >= spread[2] {
+            0
+        } else if spread[1] >= spread[2] {
+            1
+        } else {
+            2
+        };
+        let [low, high] = self.ends[axis];
+        self.axis = Some(axis);
+        (self.low, self.high) = (u64::from(low) << 32, u64::from(high) << 32 | u64::from(u32::MAX));
+        self.at = self.from;
+    }
+
+    fn pivot(&self) -> u64 {
+        self.low + (self.high - self.low) / 2
+    }
+}
+
+/// The number of entries that are sorted one by one.
+const FEW: usize = 16;
+
+/// Twice the centre of a box.
+#[inline(always)]
+fn middle(cell: &Cell) -> [u32; 3] {
+    three(|k| u32::from(cell.low[k]) + u32::from(cell.high[k]))
+}
+
+/// Insertion sort.
+fn sort_by_key<T: Copy>(all: &mut [T], key: impl Fn(&T) -> u64) {
+    for i in 1..all.len() {
+        let Some(&entry) = all.get(i) else { return };
+        let (mut to, key_of_entry) = (i, key(&entry));
+        while let Some(&before) = to.checked_sub(1).and_then(|before| all.get(before)) {
+            if key(&before) <= key_of_entry {
+                break;
+            }
+            if let Some(here) = all.get_mut(to) {
+                *here = before;
+            }
+            to -= 1;
+        }
+        if let Some(here) = all.get_mut(to) {
+            *here = entry;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
