@@ -6,8 +6,8 @@ use std::fmt::Write;
 use std::ops::Range;
 
 use fixed::traits::{Fixed, ToFixed};
-use septum::mesh::{Mesh as Indexed, MeshError, Node, Tree};
-use septum::{Scalar, Vec3};
+use septum::Scalar;
+use septum::mesh::{MeshError, Node, OwnedTree};
 
 use crate::mesh::Mesh;
 use crate::options::Options;
@@ -89,14 +89,12 @@ fn sort_into_trees<S: Scalar>(
     faces: &mut [Face],
     ranges: &[Range<usize>],
 ) -> Result<Vec<Node>, MeshError> {
-    let vertices: Vec<_> = vertices.iter().copied().map(Vec3::from).collect();
     let mut all = Vec::new();
     for range in ranges {
         let faces = &mut faces[range.clone()];
         let triangles: Vec<_> = faces.iter().map(|face| face.map(|i| i as u32)).collect();
-        let mut nodes = vec![Node::EMPTY; Node::count_for(triangles.len())];
-        let mut order = vec![0; triangles.len()];
-        let tree = Tree::build(Indexed::new(&vertices, &triangles)?, &mut nodes, &mut order)?;
+        let built = OwnedTree::new(vertices.iter().copied(), triangles.iter().copied())?;
+        let tree = built.as_tree();
         for (face, i) in faces.iter_mut().zip(tree.order()) {
             *face = triangles[i].map(|i| i as usize);
         }

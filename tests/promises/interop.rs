@@ -4,6 +4,7 @@
 use std::fmt::Debug;
 
 use fixed::types::I16F16;
+use septum::mesh::OwnedTree;
 use septum::{Aabb, Obb, Plane, Ray, Segment, Triangle, Vec3};
 use serde::{Serialize, de::DeserializeOwned};
 
@@ -93,6 +94,30 @@ fn fields_are_neither_left_out_nor_misspelt() {
     refuses::<Segment<f32>>(&text, "unknown field `e`");
     let text = r#"{"axes":{"center":X,"half_extents":X,"axes":[X,X,X],"e":1}}"#.replace('X', x);
     refuses::<Obb<f32>>(&text, "unknown field `e`");
+}
+
+/// A mesh with its tree is written as the mesh, and a mesh that `new` refuses is not read.
+#[test]
+fn owned_trees_are_read_through_their_constructor() {
+    let corners = [[0.0_f32; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let faces = [[0_u32, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3], [3, 1, 0]];
+    let tree = OwnedTree::new(corners, faces).unwrap();
+    let text = serde_json::to_string(&tree).unwrap();
+    let read: OwnedTree<f32> = serde_json::from_str(&text).unwrap();
+    assert_eq!(read.mesh(), tree.mesh());
+    assert_eq!(read.as_tree().nodes(), tree.as_tree().nodes());
+    assert!(read.as_tree().order().eq(tree.as_tree().order()));
+
+    let refused = |from: &str, to: &str, why: &str| {
+        assert!(text.contains(from));
+        let bad = serde_json::from_str::<OwnedTree<f32>>(&text.replacen(from, to, 1));
+        let error = bad.unwrap_err().to_string();
+        assert!(error.contains(why), "{error}");
+    };
+    refused("[3,1,0]", "[3,1,4]", "a triangle has a vertex that there is not: triangle 4");
+    refused("0.0", "1e39", "a coordinate is NaN or infinite: vertex 0");
+    refused("\"vertices\"", "\"points\"", "unknown field `points`");
+    refused("\"triangles\"", "\"nodes\":[],\"triangles\"", "unknown field `nodes`");
 }
 
 #[test]

@@ -67,8 +67,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("A torus knot of {} triangles in f32; wrong answers per million.", faces.len());
 
     // In the tree's order, as peers advise for their trees, and as tables are.
-    let (tree, took) = ray_tree::tree(vertices, &faces)?;
-    println!("built in ms: septum {}", took.as_millis());
+    let (tree, _) = ray_tree::tree(vertices, &faces)?;
+    for steps in [800, 3000, 9800] {
+        let [ours, parry] = ray_tree::builds(steps, options.rounds.min(5))?;
+        let [ours, parry] = [ours, parry].map(|time| time.as_secs_f64() * 1e3);
+        println!("{} triangles built in ms: septum {ours:.0}, parry3d {parry:.0}", 100 * steps);
+    }
     let mesh = tree.mesh();
 
     let parry = parry_mesh(mesh)?;

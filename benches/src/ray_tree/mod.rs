@@ -13,7 +13,7 @@ use crate::unit::{F32, F64, I8F8_15, I16F16_18, I16F16_26, I32F32_34, Unit};
 pub(crate) use candidates::{course, ours, peers, yardstick, yardstick_on};
 pub use knot::{Aim, Point, knot, rays};
 pub(crate) use scenes::{Scene, random, scene};
-pub use trees::{Obvhs, parry_mesh, tree};
+pub use trees::{Obvhs, builds, parry_mesh, tree};
 
 fn group<S: Scalar>(unit: Unit<S>) -> Group<Scene> {
     (unit.name, Box::new(move |scene| ours(&course(scene, &unit))))

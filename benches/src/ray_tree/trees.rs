@@ -1,5 +1,6 @@
 //! Trees over a mesh: ours and the peers'.
 
+use std::error::Error;
 use std::time::{Duration, Instant};
 
 use obvhs::BvhBuildParams;
@@ -10,9 +11,10 @@ use obvhs::cwbvh::builder::build_cwbvh_from_tris;
 use obvhs::ray::{Ray as ObvhsRay, RayHit};
 use obvhs::triangle::Triangle as ObvhsTriangle;
 use parry3d::shape::{TriMesh, TriMeshBuilderError, TriMeshFlags};
-use septum::mesh::{Mesh, MeshError, Node, Tree};
+use septum::mesh::{Mesh, MeshError, OwnedTree, Tree};
 use septum::{Scalar, Vec3};
 
+use super::knot;
 use crate::peer_shapes::{obvhs_triangle, parry_vector};
 
 /// A tree over triangles in the tree's own order, as in a table, and the time to build it.
@@ -25,16 +27,35 @@ pub fn tree<S: Scalar>(
     vertices: Vec<Vec3<S>>,
     faces: &[[u32; 3]],
 ) -> Result<(Tree<'static, S, u32>, Duration), MeshError> {
-    let vertices: &'static [Vec3<S>] = vertices.leak();
-    let mesh = Mesh::new(vertices, faces)?;
-    let mut nodes = vec![Node::EMPTY; Node::count_for(faces.len())];
-    let mut order = vec![0; faces.len()];
     let start = Instant::now();
-    let sorted: Vec<_> =
-        Tree::build(mesh, &mut nodes, &mut order)?.order().map(|i| faces[i]).collect();
+    let built = OwnedTree::new(vertices, faces.iter().copied())?;
     let took = start.elapsed();
-    let tree = Tree::new(Mesh::new(vertices, sorted.leak())?, nodes.leak())?;
+    let sorted: Vec<_> = built.as_tree().order().map(|i| faces[i]).collect();
+    let nodes = built.as_tree().nodes().to_vec();
+    let (vertices, _) = built.into_parts();
+    let tree = Tree::new(Mesh::new(vertices.leak(), sorted.leak())?, nodes.leak())?;
     Ok((tree, took))
+}
+
+/// Builds trees over a knot in turns, and returns the best times of septum and parry3d.
+///
+/// # Errors
+/// If one of them refuses the mesh.
+pub fn builds(steps: u32, rounds: u32) -> Result<[Duration; 2], Box<dyn Error>> {
+    let (points, faces) = knot(steps);
+    let [mut ours, mut parry] = [Duration::MAX; 2];
+    for _ in 0..rounds {
+        let (vertices, triangles) = (points.clone(), faces.clone());
+        let start = Instant::now();
+        OwnedTree::<f32>::new(vertices, triangles)?;
+        ours = start.elapsed().min(ours);
+        let vertices = points.iter().map(|&p| p.into()).collect();
+        let triangles = faces.clone();
+        let start = Instant::now();
+        TriMesh::new(vertices, triangles)?;
+        parry = start.elapsed().min(parry);
+    }
+    Ok([ours, parry])
 }
 
 /// The mesh in parry3d's type.

@@ -3,6 +3,7 @@
 
 mod closedness;
 mod edges;
+mod owned;
 mod scenes;
 mod sweeps;
 mod tables;
@@ -14,6 +15,7 @@ use septum::{Aabb, Cull, HitRules, Obb, Ray, Segment, Triangle};
 use septum_kit::{Rng, Sample, for_scalars, rays};
 
 use self::edges::{contacts_are_the_first, hits_are_in_true_order};
+use self::owned::owned_trees_answer_as_borrowed;
 use self::scenes::Scene;
 use self::sweeps::boxes_meet_first_as_one_by_one;
 
@@ -250,4 +252,5 @@ for_scalars!(
     boxes_meet_first_as_one_by_one,
     hits_are_in_true_order,
     contacts_are_the_first,
+    owned_trees_answer_as_borrowed,
 );
