@@ -25,7 +25,11 @@
 //! | triangle | axis-aligned box |
 //!
 //! The motion is a translation. If nothing is met, the body may stand at its new place, t = 1.
-//! Otherwise, stop it at the returned time: there it touches the obstacle, or has not reached it
-//! yet.
+//! Otherwise [`Sweep::last_free`] returns the last place of the scalar on the way where the body
+//! does not overlap the obstacle. The place at the time of impact, [`Motion::at`], is rounded, and
+//! a body there may overlap the obstacle by a unit in the last place.
+//!
+//! A body that begins in touch meets the obstacle at time zero. [`Sweep::relation_along`] tells
+//! whether it is free to go, along the surface or away from it, and [`Sweep::last_free`] lets it.
 
 pub use crate::query::{FirstContact, Motion, Sweep};

@@ -6,7 +6,7 @@ use super::node::{Cell, Node};
 use super::overlapping::sealed::Bounded;
 use super::{Index, Tree};
 use crate::arithmetic::three;
-use crate::query::{FirstContact, Motion, Sweep};
+use crate::query::{FirstContact, Motion, Relation, Sweep};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Vec3};
 
@@ -57,6 +57,73 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
             }
         });
         best
+    }
+
+    /// Where on its way can a moving box stop, at the latest, without overlapping a triangle, and
+    /// which triangle blocks the next step? `None` if the box overlaps a triangle at the start.
+    ///
+    /// The place is that of [`Sweep::last_free`] for all triangles: a [`place`](Motion::place) of
+    /// the motion to which the straight way is free, with a next step that is not. If the whole
+    /// motion is free, the place is [`to`](Motion::to), and no triangle is returned. A box that
+    /// begins in touch may slide along triangles, also across the edges between them, or leave
+    /// them.
+    ///
+    /// *Numerics*: exact: see [`Sweep::last_free`]. *Panics*: never.
+    ///
+    /// *Cost*: the descent of [`first_contact`](Self::first_contact) twice, and once more whenever
+    /// the second finds an earlier triangle; [`Sweep::relation_along`] for each triangle near the
+    /// way, and [`Sweep::last_free`] for each that blocks sooner than those before.
+    ///
+    /// ```
+    /// use septum::mesh::{Mesh, Node, Tree};
+    /// use septum::sweep::Motion;
+    /// use septum::{Aabb, Vec3};
+    ///
+    /// // A floor, and a wall at x = 4.
+    /// let corners = [
+    ///     [0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [4.0, 4.0, 0.0], [4.0, 0.0, 4.0],
+    ///     [4.0, 4.0, 4.0],
+    /// ].map(Vec3::from);
+    /// let room = Mesh::new(&corners, &[[0_u16, 1, 2], [3, 2, 1], [1, 3, 4], [5, 4, 3]])?;
+    /// let (mut nodes, mut order) = ([Node::EMPTY], [0; 4]);
+    /// let tree = Tree::build(room, &mut nodes, &mut order)?;
+    ///
+    /// let body = Aabb::from_center_half_extents([1.0, 2.0, 0.5], [0.5; 3])?; // on the floor
+    /// let slide = Motion::new([1.0, 2.0, 0.5], [9.0, 2.0, 0.5])?;
+    /// let (place, wall) = tree.last_free(&body, &slide).unwrap();
+    /// assert_eq!((place, wall), (Vec3::new(3.5, 2.0, 0.5), Some(2)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[doc(alias = "shape cast")]
+    #[must_use]
+    pub fn last_free(
+        &self,
+        aabb: &Aabb<S>,
+        motion: &Motion<S>,
+    ) -> Option<(Vec3<S>, Option<usize>)> {
+        let (mut way, mut stop) = (*motion, None);
+        // `None` once the box overlaps a triangle at the start.
+        let mut step = Some(motion.steps());
+        loop {
+            let before = step;
+            self.descend(&mut Moving::new(&self.grid, aabb, &way), |_, i| {
+                let triangle = self.mesh.known(i);
+                let is_free =
+                    |way: &_| aabb.relation_along(way, &triangle) != Relation::Overlapping;
+                let Some(last) = step else { return };
+                if !is_free(&motion.until(last)) {
+                    step = motion.last_free_step(last, is_free);
+                    stop = Some(i);
+                }
+            });
+            // Ways to places that graze a triangle may be free and blocked in turn: ask again about
+            // the way that is left.
+            let last = step?;
+            if step == before {
+                return Some((motion.place(last), stop));
+            }
+            way = motion.until(last);
+        }
     }
 }
 

@@ -92,9 +92,10 @@ impl Nearness {
             Uncertain::not_below(gap, error).possible & Uncertain::above(extent, error).possible;
     }
 
-    /// Adds an axis whose gap is unknown.
+    /// Adds an axis of which it is known whether it separates, and whether it may touch.
     #[inline(always)]
-    pub(super) fn add_doubt(&mut self, is_near: bool) {
+    pub(super) fn add_known(&mut self, is_disjoint: bool, is_near: bool) {
+        self.is_disjoint |= is_disjoint;
         self.is_near |= is_near;
     }
 
@@ -121,6 +122,13 @@ pub(super) trait Reading {
     /// Adds an axis, as [`Nearness::add`].
     fn add<T: Number>(&mut self, gap: T, extent: T, error: T);
 
+    /// Adds an axis. Unless `is_own`, a later axis has the same direction, and this one counts only
+    /// if it separates for certain.
+    fn add_if<T: Number>(&mut self, is_own: bool, gap: T, extent: T, error: T);
+
+    /// Whether an axis separates for certain.
+    fn is_disjoint(&self) -> bool;
+
     /// The answer; `None` in doubt.
     fn answer(&self, is_certain: bool) -> Option<Self::Answer>;
 
@@ -137,6 +145,15 @@ impl Reading for Uncertain {
     #[inline(always)]
     fn add<T: Number>(&mut self, gap: T, _: T, error: T) {
         *self = self.or(Self::above(gap, error));
+    }
+    #[inline(always)]
+    fn add_if<T: Number>(&mut self, is_own: bool, gap: T, _: T, error: T) {
+        let found = Self::above(gap, error);
+        *self = self.or(Self { possible: found.possible & (found.certain | is_own), ..found });
+    }
+    #[inline(always)]
+    fn is_disjoint(&self) -> bool {
+        self.certain
     }
     #[inline(always)]
     fn answer(&self, _: bool) -> Option<bool> {
@@ -156,6 +173,16 @@ impl Reading for Nearness {
     #[inline(always)]
     fn add<T: Number>(&mut self, gap: T, extent: T, error: T) {
         self.add(gap, extent, error);
+    }
+    #[inline(always)]
+    fn add_if<T: Number>(&mut self, is_own: bool, gap: T, extent: T, error: T) {
+        let mut found = Self::NONE;
+        found.add(gap, extent, error);
+        self.add_known(found.is_disjoint, found.is_near & is_own);
+    }
+    #[inline(always)]
+    fn is_disjoint(&self) -> bool {
+        self.is_disjoint
     }
     #[inline(always)]
     fn answer(&self, is_certain: bool) -> Option<Relation> {

@@ -1,6 +1,7 @@
 //! A line in the three slabs of an axis-aligned box, for rays and segments.
 
-use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, least, once, pick};
+use crate::arithmetic::{Arithmetic, Embeds, Number, compare, greatest, least, once, pick};
+use crate::query::relation::{Nearness, Relation, of_gaps};
 use crate::robust::Uncertain;
 
 /// Roundoffs in a comparison of two products, per sum of their sizes.
@@ -187,6 +188,46 @@ impl<N: Arithmetic> Slabs<N> {
             }
         }
         Some(so_far)
+    }
+
+    /// How near the motion from the origin by `d` comes to the box, or, for two boxes, how near
+    /// they come to each other. The axes are the three faces and their cross products with `d`.
+    pub(super) fn relation(&self) -> Option<Relation> {
+        let (Self { near, far, m, spread }, zero) = (self, N::Length::ZERO);
+        let size = |i: usize| match spread {
+            Some(spread) => spread[i],
+            None => greatest(near[i].magnitude(), far[i].magnitude()),
+        };
+        let mut found = Nearness::NONE;
+        for i in 0..3 {
+            if N::CERTAIN {
+                // Without differences, which might not fit.
+                let is_touch = (near[i] == m[i]) | (far[i] == zero);
+                let is_point = (near[i] == far[i]) & (m[i] == zero);
+                found.add_known((near[i] > m[i]) | (far[i] < zero), is_touch & !is_point);
+            } else {
+                let gap = greatest(near[i] - m[i], -far[i]);
+                found.add(gap, far[i] - near[i] + m[i], (size(i) + m[i]).error(ROUNDOFFS));
+            }
+            let j = (i + 1) % 3;
+            let before = N::minor([near[i], m[j]], [far[j], m[i]]);
+            let after = N::minor([near[j], m[i]], [far[i], m[j]]);
+            let size = N::area(size(i), m[j]) + N::area(size(j), m[i]);
+            let error = size.error(ROUNDOFFS) + N::Area::UNDERFLOW;
+            found.add(greatest(before, after), -(before + after), error);
+        }
+        let between = found.relation(N::CERTAIN)?;
+        if !N::CERTAIN || between != Relation::Touching {
+            return Some(between);
+        }
+        // At the start or the end flat boxes may overlap that only touch in between: see
+        // `sweep::nearest`.
+        let at = |t: &[N::Length; 3]| {
+            (0..3).fold(Relation::Overlapping, |so_far, i| {
+                so_far.min(of_gaps([compare(near[i], t[i]), compare(t[i], far[i])]))
+            })
+        };
+        Some(between.max(at(&[zero; 3])).max(at(m)))
     }
 
     /// Whether on some axis all of the box lies at t < −1 or at t > 1.

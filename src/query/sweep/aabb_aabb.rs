@@ -7,6 +7,7 @@ use crate::arithmetic::{Embeds, Number};
 use crate::query::Axis;
 use crate::query::aabb_aabb::{Apart, GAP};
 use crate::query::line_aabb::Slabs;
+use crate::query::relation::Relation;
 use crate::robust::{Numeric, Predicate, Profile};
 use crate::scalar::Scalar;
 use crate::shape::Aabb;
@@ -73,6 +74,18 @@ impl<S: Scalar> Predicate<S> for Meets<S> {
 
 impl<S: Scalar> Numeric<S> for Meets<S> {}
 
+/// How near does the moving box come to the standing box?
+struct Nearest<'a, S>(&'a Passing<S>);
+
+impl<S: Scalar> Predicate<S> for Nearest<'_, S> {
+    type Answer = Relation;
+    const PROFILE: Profile = Profile::AREAS;
+
+    fn filter<N: Embeds<S>>(&self) -> Option<Relation> {
+        self.0.slabs::<N>()?.relation()
+    }
+}
+
 impl<S: Scalar> Sweep<Aabb<S>> for Aabb<S> {
     type Scalar = S;
 
@@ -85,5 +98,9 @@ impl<S: Scalar> Sweep<Aabb<S>> for Aabb<S> {
     fn first_contact(&self, motion: &Motion<S>, other: &Aabb<S>) -> Option<FirstContact<S>> {
         let meet = || S::evaluate_numeric(&Meets(Passing::new(self, motion, other)));
         self.meets_along(motion, other).then(meet)
+    }
+
+    fn relation_along(&self, motion: &Motion<S>, other: &Aabb<S>) -> Relation {
+        S::evaluate(&Nearest(&Passing::new(self, motion, other)))
     }
 }

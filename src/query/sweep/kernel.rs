@@ -22,6 +22,7 @@ use crate::arithmetic::{
     Arithmetic, Embeds, Number, cross, dot, greatest, least, of_two, once, out_of_line,
 };
 use crate::query::Axis;
+use crate::query::relation::{Nearness, Reading, Relation};
 use crate::query::triangle_aabb::frame::{Frame, range};
 use crate::query::triangle_aabb::plane::normal;
 use crate::robust::Uncertain;
@@ -33,52 +34,100 @@ pub(super) struct Course<N: Arithmetic> {
     pub(super) d: [N::Length; 3],
 }
 
-/// Does an axis with this middle and this total radius separate?
+/// Adds an axis with this middle and this total radius, if it has a direction of its own.
 #[inline(always)]
-fn axis<T: Number>(middle: T, radius: T, error: T) -> Uncertain {
-    Uncertain::above(middle.magnitude() - radius, error)
-}
-
-/// Keeps certain axes, and possible axes only if `is_so`.
-#[inline(always)]
-fn possible_if(found: Uncertain, is_so: bool) -> Uncertain {
-    Uncertain { possible: found.possible & (found.certain | is_so), ..found }
+fn axis<T: Number, R: Reading>(so_far: &mut R, is_own: bool, middle: T, radius: T, error: T) {
+    so_far.add_if(is_own, middle.magnitude() - radius, radius, error);
 }
 
 impl<N: Arithmetic> Course<N> {
     /// Whether the triangle misses the box all the way, if `N` decides it.
     #[inline(always)]
     pub(super) fn misses(&self) -> Option<bool> {
-        let Self { frame, d } = self;
         let faces = self.face(0).or(self.face(1)).or(self.face(2));
         if faces.certain {
             return Some(true);
         }
+        let mut so_far = faces;
+        self.read_slanted(&mut so_far)?;
+        so_far.verdict()
+    }
+
+    /// How near the triangle comes to the box on its way: the relation of the box and all that the
+    /// triangle sweeps.
+    pub(super) fn relation(&self) -> Option<Relation> {
+        let mut found = Nearness::NONE;
+        for i in 0..3 {
+            self.read_face(&mut found, i);
+        }
+        if !found.is_disjoint {
+            self.read_slanted(&mut found)?;
+        }
+        found.relation(N::CERTAIN)
+    }
+
+    /// All axes except the faces.
+    #[inline(always)]
+    fn read_slanted<R: Reading>(&self, so_far: &mut R) -> Option<()> {
+        let Self { frame, d } = self;
         if N::LARGE {
-            return Some(self.any_large_axis());
+            self.read_large(so_far);
+            return Some(());
         }
         let error = along::<N>(frame.size_along(d))?;
         let n = normal(frame);
         let half_way = of_two::<N, _>(dot::<N>(&n, d));
-        let mut so_far = faces.or(self.plane(&n, half_way, error.volume));
+        self.plane(so_far, &n, half_way, error.volume);
         for k in 0..3 {
-            so_far = so_far.or(self.edge(k, &n, half_way, &error));
+            self.edge(so_far, k, &n, half_way, &error);
         }
         for i in 0..3 {
-            so_far = so_far.or(self.across(i, error.area));
+            self.across(so_far, i, error.area);
         }
-        so_far.verdict()
+        Some(())
     }
 
-    /// The same of large numbers, after the faces: one axis after another, until one separates.
-    fn any_large_axis(&self) -> bool {
+    /// The same of large numbers: one axis after another, until one separates.
+    fn read_large<R: Reading>(&self, so_far: &mut R) {
         let Self { frame, d } = self;
         let error = Along { area: Number::ZERO, volume: Number::ZERO };
         let n = normal(frame);
         let half_way = of_two::<N, _>(dot::<N>(&n, d));
-        out_of_line(|| self.plane(&n, half_way, error.volume).certain)
-            || (0..3).any(|k| out_of_line(|| self.edge(k, &n, half_way, &error).certain))
-            || (0..3).any(|i| out_of_line(|| self.across(i, error.area).certain))
+        out_of_line(|| self.plane(so_far, &n, half_way, error.volume));
+        for k in 0..3 {
+            if !so_far.is_disjoint() {
+                out_of_line(|| self.edge(so_far, k, &n, half_way, &error));
+            }
+        }
+        for i in 0..3 {
+            if !so_far.is_disjoint() {
+                out_of_line(|| self.across(so_far, i, error.area));
+            }
+        }
+    }
+
+    /// A face of the box, for the relation.
+    #[inline(always)]
+    fn read_face(&self, found: &mut Nearness, i: usize) {
+        let (Frame { v, h, gaps, .. }, zero) = (&self.frame, N::Length::ZERO);
+        let (low, high) = range(v, i);
+        let d = once::<N, _>(self.d[i]);
+        if N::CERTAIN {
+            // Without differences, which might not fit.
+            let (low, high) = (low + least(d, zero), high + greatest(d, zero));
+            let (min, max) = (-h[i], h[i]);
+            let is_touch = (low == max) | (high == min);
+            let is_point = (low == high) & (max == zero);
+            found.add_known((low > max) | (high < min), is_touch & !is_point);
+            return;
+        }
+        // See `face`. From a gap of any size the triangle enters all of the slab or touches it.
+        // Without a gap it is inside already.
+        let toward = if low > zero { -d } else { d };
+        let rest = Uncertain::not_below(gaps[i] - toward, self.face_error(i));
+        let is_flat = (h[i] == zero) & (gaps[i] == zero);
+        let is_near = (gaps[i] >= zero) & (rest.possible | is_flat);
+        found.add_known(self.face(i).certain, is_near);
     }
 
     /// A face of the box.
@@ -112,29 +161,35 @@ impl<N: Arithmetic> Course<N> {
 
     /// The plane of the triangle.
     #[inline(always)]
-    fn plane(&self, n: &[N::Area; 3], half_way: N::Volume, error: N::Volume) -> Uncertain {
+    fn plane<R: Reading>(
+        &self,
+        so_far: &mut R,
+        n: &[N::Area; 3],
+        half_way: N::Volume,
+        error: N::Volume,
+    ) {
         let Frame { v, e, h, .. } = &self.frame;
         let radius = half_way.magnitude() + reach::<N>(n, h);
-        let found = axis(dot::<N>(n, &v[0]) + half_way, radius, error);
         // A triangle in a coordinate plane has a face normal here.
         let zero = N::Length::ZERO;
         let is_flat = |i: usize| (e[0][i] == zero) & (e[1][i] == zero);
-        possible_if(found, !(is_flat(0) | is_flat(1) | is_flat(2)))
+        let is_own = !(is_flat(0) | is_flat(1) | is_flat(2));
+        axis(so_far, is_own, dot::<N>(n, &v[0]) + half_way, radius, error);
     }
 
     /// The cross products of an edge with the coordinate axes and with the motion.
     #[inline(always)]
-    fn edge(&self, k: usize, n: &[N::Area; 3], half_way: N::Volume, error: &Along<N>) -> Uncertain {
+    fn edge<R: Reading>(
+        &self,
+        so_far: &mut R,
+        k: usize,
+        n: &[N::Area; 3],
+        half_way: N::Volume,
+        error: &Along<N>,
+    ) {
         let (Frame { h, .. }, d, zero) = (&self.frame, &self.d, N::Length::ZERO);
         let (e, v) = (&self.frame.e[k], &self.frame.v[k]);
         let q = cross::<N>(e, d);
-        // The axis is perpendicular to the edge and to the motion. It sees the edge as a point and
-        // the motion as nothing, and the opposite vertex at the distance that the plane moves.
-        let found = axis(
-            dot::<N>(&q, v) - half_way,
-            half_way.magnitude() + reach::<N>(&q, h),
-            error.volume,
-        );
         // If the edge or the motion lies along a coordinate axis, or if both lie in one coordinate
         // plane, another axis has the same direction.
         let along = |x: &[N::Length; 3]| {
@@ -143,7 +198,15 @@ impl<N: Arithmetic> Course<N> {
         };
         let both = |i: usize| (e[i] == zero) & (d[i] == zero);
         let is_known = along(e) | along(d) | both(0) | both(1) | both(2);
-        let mut so_far = possible_if(found, !is_known);
+        // The axis is perpendicular to the edge and to the motion. It sees the edge as a point and
+        // the motion as nothing, and the opposite vertex at the distance that the plane moves.
+        axis(
+            so_far,
+            !is_known,
+            dot::<N>(&q, v) - half_way,
+            half_way.magnitude() + reach::<N>(&q, h),
+            error.volume,
+        );
 
         let p = cross::<N>(e, v);
         for i in 0..3 {
@@ -151,25 +214,23 @@ impl<N: Arithmetic> Course<N> {
             let (middle, half_way) = (of_two::<N, _>(n[i]), of_two::<N, _>(q[i]));
             let r = N::area(e[l].magnitude(), h[j]) + N::area(e[j].magnitude(), h[l]);
             let radius = middle.magnitude() + half_way.magnitude() + r;
-            let found = axis(p[i] + middle + half_way, radius, error.area);
-            so_far = so_far.or(possible_if(found, (e[j] != zero) & (e[l] != zero)));
+            let is_own = (e[j] != zero) & (e[l] != zero);
+            axis(so_far, is_own, p[i] + middle + half_way, radius, error.area);
         }
-        so_far
     }
 
     /// The cross product of a coordinate axis and the motion.
     #[inline(always)]
-    fn across(&self, i: usize, error: N::Area) -> Uncertain {
+    fn across<R: Reading>(&self, so_far: &mut R, i: usize, error: N::Area) {
         let (j, l) = ((i + 1) % 3, (i + 2) % 3);
         let (Frame { v, h, .. }, d) = (&self.frame, &self.d);
         let on_axis = |v: &[N::Length; 3]| N::area(d[j], v[l]) - N::area(d[l], v[j]);
         let [a, b, c] = [on_axis(&v[0]), on_axis(&v[1]), on_axis(&v[2])];
         let r = N::area(d[l].magnitude(), h[j]) + N::area(d[j].magnitude(), h[l]);
         let (low, high) = (least(least(a, b), c), greatest(greatest(a, b), c));
-        let beyond = greatest(low, -high) - r;
-        let found = Uncertain::above(beyond, error);
         let zero = N::Length::ZERO;
-        possible_if(found, (d[j] != zero) & (d[l] != zero))
+        let is_own = (d[j] != zero) & (d[l] != zero);
+        so_far.add_if(is_own, greatest(low, -high) - r, (high - low) + r, error);
     }
 
     /// When and on which axis the triangle meets the box, if it does and `N` decides it. If an axis

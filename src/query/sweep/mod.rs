@@ -8,6 +8,7 @@ mod instants;
 mod kernel;
 mod latest;
 mod motion;
+mod nearest;
 mod one_axis;
 mod rows;
 mod time;
@@ -18,6 +19,7 @@ use self::exact::ExactCourse;
 use self::kernel::Course;
 use self::time::{Instant, Last, Meets, When};
 use super::Axis;
+use super::relation::Relation;
 use super::triangle_aabb::frame::{BoxForm, Frame};
 use crate::arithmetic::{Arithmetic, Embeds, Float, InFloat, Number, REGISTERS_ARE_WIDE};
 use crate::robust::{Predicate, Profile, in_exact_numbers};
@@ -102,6 +104,88 @@ pub trait Sweep<Other> {
         motion: &Motion<Self::Scalar>,
         other: &Other,
     ) -> Option<FirstContact<Self::Scalar>>;
+
+    /// Are the two shapes disjoint, touching or overlapping when they are nearest to each other on
+    /// the way?
+    ///
+    /// The motion is free unless the shapes are [`Overlapping`](Relation::Overlapping) at some time
+    /// from start to end. A body that begins in touch may therefore slide along the surface, or
+    /// leave it.
+    ///
+    /// *Contact*: the relation is that of [`Relate`](crate::relation::Relate), at the nearest time.
+    /// It is [`Disjoint`](Relation::Disjoint) if and only if
+    /// [`meets_along`](Self::meets_along) is `false`.
+    ///
+    /// *Numerics* and *Range*: as for [`meets_along`](Self::meets_along). *Panics*: never.
+    ///
+    /// *Cost*: as for [`meets_along`](Self::meets_along); shapes that meet take the same axes again
+    /// without vectors. In floats, contact that is not certain takes wider integers.
+    ///
+    /// ```
+    /// use septum::relation::Relation;
+    /// use septum::sweep::{Motion, Sweep};
+    /// use septum::Aabb;
+    ///
+    /// let floor = Aabb::from_min_max([-9.0, -9.0, -1.0], [9.0, 9.0, 0.0])?;
+    /// let body = Aabb::from_center_half_extents([0.0, 0.0, 0.5], [0.5; 3])?; // on the floor
+    /// let to = |p: [f64; 3]| Motion::new([0.0, 0.0, 0.5], p);
+    /// assert_eq!(body.relation_along(&to([5.0, 1.0, 0.5])?, &floor), Relation::Touching);
+    /// assert_eq!(body.relation_along(&to([5.0, 1.0, 0.75])?, &floor), Relation::Touching);
+    /// assert_eq!(body.relation_along(&to([5.0, 1.0, 0.25])?, &floor), Relation::Overlapping);
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[must_use]
+    fn relation_along(&self, motion: &Motion<Self::Scalar>, other: &Other) -> Relation;
+
+    /// Where on its way can this shape stop, at the latest, without overlapping `other`? `None` if
+    /// the two overlap at the start.
+    ///
+    /// The result is a [`place`](Motion::place) of the motion: the place after the last step that
+    /// is free, or [`to`](Motion::to) if the whole motion is free. A step is free if the straight
+    /// way from the start to its place is: [`relation_along`](Self::relation_along) is not
+    /// [`Overlapping`](Relation::Overlapping). Shapes may touch at the result. The next step is
+    /// not free.
+    ///
+    /// Places are rounded, so ways to places that graze an obstacle may be free and blocked in
+    /// turn. The result is then one of the free places before a blocked one.
+    ///
+    /// *Numerics*: exact for a shape moved by exactly `place − from`. To move a box without rounding,
+    /// give it by its centre, and begin the motion there: the box at the place is
+    /// [`Aabb::from_center_half_extents`] of the place. In fixed point every shape moves exactly.
+    ///
+    /// *Range*: as for [`meets_along`](Self::meets_along). *Panics*: never.
+    ///
+    /// *Cost*: [`relation_along`](Self::relation_along) once if the motion is free, otherwise once
+    /// for each binary digit of the number of steps: up to 33 times in `f32`, 64 in `f64`.
+    ///
+    /// ```
+    /// use septum::relation::{Relate, Relation};
+    /// use septum::sweep::{Motion, Sweep};
+    /// use septum::Aabb;
+    ///
+    /// let wall = Aabb::from_min_max([-9.0, -9.0, -1.0], [9.0, 9.0, 0.1])?;
+    /// let cube = |center| Aabb::from_center_half_extents(center, [0.375; 3]);
+    /// let shot = Motion::new([0.0, 0.0, 4.49], [0.0, 0.0, -4.49])?;
+    /// let body = cube(shot.from())?;
+    ///
+    /// let t = body.first_contact(&shot, &wall).unwrap().t;
+    /// assert_eq!(cube(shot.at(t))?.relation(&wall), Relation::Overlapping); // by rounding
+    /// let stop = body.last_free(&shot, &wall).unwrap();
+    /// assert!(cube(stop)?.relation(&wall) < Relation::Overlapping);
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[doc(alias = "shape cast")]
+    #[must_use]
+    fn last_free(&self, motion: &Motion<Self::Scalar>, other: &Other) -> Option<Vec3<Self::Scalar>>
+    where
+        Self::Scalar: Scalar,
+    {
+        let is_free = |way: &_| self.relation_along(way, other) != Relation::Overlapping;
+        if is_free(motion) {
+            return Some(motion.to());
+        }
+        Some(motion.place(motion.last_free_step(motion.steps(), is_free)?))
+    }
 }
 
 /// A triangle that moves past a box.
@@ -148,14 +232,7 @@ impl<'a, S: Scalar> Passing<'a, S> {
 
     #[inline(always)]
     fn course<N: Embeds<S>>(&self) -> Option<Course<N>> {
-        let Given { triangle, p, q, is_by_center, way: [from, to] } = self.given::<N>()?;
-        let form = if is_by_center {
-            BoxForm::Center(p, q)
-        } else {
-            BoxForm::Corners(p, q, [N::Length::ZERO; 3])
-        };
-        let d = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
-        Some(Course { frame: Frame::new(&triangle, &form), d })
+        Some(self.given::<N>()?.course())
     }
 
     fn exactly(&self) -> ExactCourse {
@@ -171,6 +248,20 @@ struct Given<N: Arithmetic> {
     /// Whether p and q are centre and half-extents; otherwise they are corners.
     is_by_center: bool,
     way: [[N::Length; 3]; 2],
+}
+
+impl<N: Arithmetic> Given<N> {
+    #[inline(always)]
+    fn course(self) -> Course<N> {
+        let Self { triangle, p, q, is_by_center, way: [from, to] } = self;
+        let form = if is_by_center {
+            BoxForm::Center(p, q)
+        } else {
+            BoxForm::Corners(p, q, [N::Length::ZERO; 3])
+        };
+        let d = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
+        Course { frame: Frame::new(&triangle, &form), d }
+    }
 }
 
 /// Does the triangle miss the box?
@@ -236,6 +327,10 @@ impl<S: Scalar> Sweep<Aabb<S>> for Triangle<S> {
     fn first_contact(&self, motion: &Motion<S>, aabb: &Aabb<S>) -> Option<FirstContact<S>> {
         Passing::new(self, aabb, motion).first_contact()
     }
+
+    fn relation_along(&self, motion: &Motion<S>, aabb: &Aabb<S>) -> Relation {
+        Passing::new(self, aabb, motion).relation()
+    }
 }
 
 impl<S: Scalar> Sweep<Triangle<S>> for Aabb<S> {
@@ -249,5 +344,9 @@ impl<S: Scalar> Sweep<Triangle<S>> for Aabb<S> {
     #[inline]
     fn first_contact(&self, motion: &Motion<S>, triangle: &Triangle<S>) -> Option<FirstContact<S>> {
         Passing::reversed(triangle, self, motion).first_contact()
+    }
+
+    fn relation_along(&self, motion: &Motion<S>, triangle: &Triangle<S>) -> Relation {
+        Passing::reversed(triangle, self, motion).relation()
     }
 }

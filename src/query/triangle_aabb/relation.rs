@@ -45,7 +45,7 @@ fn all_axes<N: Arithmetic>(frame: &Frame<N>) -> Option<Relation> {
             found.add(greatest(low, -high) - h, (high - low) + h, N::Length::ZERO);
         } else {
             // The sign of a gap is right unless it is zero.
-            found.add_doubt(frame.gaps[i] >= N::Length::ZERO);
+            found.add_known(false, frame.gaps[i] >= N::Length::ZERO);
         }
 
         // See `edges`.

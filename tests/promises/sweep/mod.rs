@@ -1,6 +1,8 @@
 //! Moving shapes: the verdict is exact, and the time is the greatest number not above the true one.
 //! A mesh's tree is in `mesh`.
 
+mod stops;
+
 use septum::relation::{Relate, Relation};
 use septum::sweep::{FirstContact, Motion, Sweep};
 use septum::{Aabb, Axis, ShapeError, Triangle};
@@ -36,6 +38,25 @@ fn agrees_with_the_oracle<S: Sample>() {
     assert!(seen.as_flattened().iter().all(|&n| n > CASES), "{seen:?}");
 }
 for_every_scalar!(agrees_with_the_oracle);
+
+/// The nearest relation, in all sets; counts the relations.
+fn nearest_relations_agree<S: Sample>() {
+    const CASES: usize = 200;
+    let mut seen = [[0; 3]; 2];
+    for set in SweepSet::ALL {
+        if matches!(set, SweepSet::Of(set) if set.misfit::<S>().is_some()) {
+            continue;
+        }
+        for sweep in set.cases::<S>(0x4e1a, CASES) {
+            seen[0][sweep.check_relation() as usize] += 1;
+        }
+        for sweep in set.boxes::<S>(0x4e1b, CASES) {
+            seen[1][sweep.check_relation() as usize] += 1;
+        }
+    }
+    assert!(seen.as_flattened().iter().all(|&n| n > CASES / 2), "{seen:?}");
+}
+for_every_scalar!(nearest_relations_agree);
 
 /// Types without a number 1: the time is clamped to the range.
 #[test]

@@ -7,6 +7,7 @@ pub use oracle::{Contact, Quotient};
 pub use sets::SweepSet;
 
 use septum::Aabb;
+use septum::relation::Relation;
 use septum::sweep::{FirstContact, Motion, Sweep};
 
 use super::case::{BoxNumbers, Case};
@@ -23,10 +24,32 @@ pub struct SweepCase<S> {
 impl<S: Sample> SweepCase<S> {
     /// The first contact of the triangle as it moves, by rational arithmetic.
     pub fn truth(&self) -> Option<Contact> {
+        self.in_integers().contact()
+    }
+
+    /// The nearest relation at any time of the motion, likewise.
+    pub fn relation(&self) -> Relation {
+        self.in_integers().relation().relation()
+    }
+
+    fn in_integers(&self) -> oracle::Shapes {
         let parts = S::mantissa_exponent;
         let Case { vertices, aabb } = self.case;
         let vertices = vertices.map(|p| p.map(parts));
-        oracle::Shapes::new(vertices, aabb.map(parts), self.way.map(|p| p.map(parts))).contact()
+        oracle::Shapes::new(vertices, aabb.map(parts), self.way.map(|p| p.map(parts)))
+    }
+
+    /// Checks the crate's nearest relation, for the moving triangle and for the box moving the
+    /// opposite way, and returns it.
+    ///
+    /// # Panics
+    /// If it is wrong.
+    pub fn check_relation(&self) -> Relation {
+        let ((triangle, aabb), motion) = (self.case.shapes(), self.motion());
+        let there = triangle.relation_along(&motion, &aabb);
+        let back = aabb.relation_along(&motion.reversed(), &triangle);
+        assert_eq!([there, back], [self.relation(); 2], "{self:?}");
+        there
     }
 
     pub fn motion(&self) -> Motion<S> {
@@ -63,16 +86,42 @@ pub struct BoxSweep<S> {
 }
 
 impl<S: Sample> BoxSweep<S> {
+    pub fn motion(&self) -> Motion<S> {
+        let [from, to] = self.way;
+        Motion::new(from, to).expect("finite places")
+    }
+
+    pub fn shapes(&self) -> [Aabb<S>; 2] {
+        self.boxes.map(|numbers| numbers.shape().expect("a box"))
+    }
+
+    fn in_integers(&self) -> oracle::Boxes {
+        let parts = S::mantissa_exponent;
+        oracle::Boxes::new(self.boxes.map(|b| b.map(parts)), self.way.map(|p| p.map(parts)))
+    }
+
+    /// The nearest relation at any time of the motion, by rational arithmetic.
+    pub fn relation(&self) -> Relation {
+        self.in_integers().relation().relation()
+    }
+
+    /// Checks the crate's nearest relation in both orders, and returns it.
+    ///
+    /// # Panics
+    /// If it is wrong.
+    pub fn check_relation(&self) -> Relation {
+        let ([a, b], motion) = (self.shapes(), self.motion());
+        let found = [a.relation_along(&motion, &b), b.relation_along(&motion.reversed(), &a)];
+        assert_eq!(found, [self.relation(); 2], "{self:?}");
+        found[0]
+    }
+
     /// Checks the crate's answer, and returns it.
     ///
     /// # Panics
     /// If it is wrong.
     pub fn check(&self) -> Option<FirstContact<S>> {
-        let [from, to] = self.way;
-        let motion = Motion::new(from, to).expect("finite places");
-        let [a, b]: [Aabb<S>; 2] = self.boxes.map(|numbers| numbers.shape().expect("a box"));
-        let parts = S::mantissa_exponent;
-        let truth = oracle::boxes(self.boxes.map(|b| b.map(parts)), self.way.map(|p| p.map(parts)));
+        let ([a, b], motion, truth) = (self.shapes(), self.motion(), self.in_integers().contact());
         let first = a.first_contact(&motion, &b);
         assert_eq!(first, b.first_contact(&motion.reversed(), &a), "{self:?}");
         let meets = a.meets_along(&motion, &b);

@@ -8,11 +8,12 @@
 //! planes that contain both. The least s/(u + v + w) of the remaining rays is the time of impact.
 
 use dashu_int::IBig;
-use dashu_int::ops::Gcd;
+use dashu_int::ops::{BitTest, Gcd};
 use septum::Axis;
 
 use crate::case::BoxNumbers;
 use crate::exact::{Parts, least_exponent, whole};
+use crate::flat::Truth;
 use crate::lattice::Ring;
 use crate::sample::Sample;
 
@@ -113,6 +114,25 @@ impl Shapes {
         let time = self.first_time()?;
         let axes = Axis::ALL.iter().filter_map(|&axis| Some((axis, self.time_on(axis)?)));
         Some(Contact { time, axes: axes.collect() })
+    }
+
+    /// The nearest relation at any time of the motion. The relative interiors meet if the shapes
+    /// still meet after shrinking a little: see `contact::truth`.
+    pub(super) fn relation(&self) -> Truth {
+        relation(|shapes| shapes.first_time().is_some(), self, &Self::shrunk(self))
+    }
+
+    fn shrunk(&self) -> Self {
+        let all = self.vertices.iter().chain(&self.corners).chain([&self.d]);
+        let one = IBig::ONE << (3 * longest(all) + 64);
+        let sum = |i: usize| -> IBig { self.vertices.iter().map(|v| &v[i]).sum() };
+        let less: IBig = (&one - IBig::ONE) * IBig::from(6);
+        let vertex = |v: &Point| [0, 1, 2].map(|i: usize| &v[i] * &less + sum(i) * IBig::from(2));
+        Self {
+            vertices: self.vertices.each_ref().map(vertex),
+            corners: shrunk_box(&self.corners, &one),
+            d: self.d.each_ref().map(|x| x * &one * IBig::from(6)),
+        }
     }
 
     /// The six half-spaces as forms of u, v, w and s that are not negative inside.
@@ -232,18 +252,62 @@ fn reduced(x: [IBig; 4]) -> [IBig; 4] {
     x.map(|x| x / &factor)
 }
 
-/// The first contact of two boxes, of which the first moves: on each coordinate axis they meet
-/// during an interval of time.
-pub(super) fn boxes(boxes: [BoxNumbers<Parts>; 2], way: [[Parts; 3]; 2]) -> Option<Contact> {
-    let [a, b] = &boxes;
-    let all = [&rows(a)[..], &rows(b), &way].concat();
-    let unit = least_exponent(all.as_flattened());
-    let [a, b] = [a, b].map(|numbers| corners(&numbers_of(numbers, unit)));
-    let [from, to] = way.map(|p| p.map(|x| whole(x, unit)));
+fn longest<'a>(all: impl Iterator<Item = &'a Point>) -> usize {
+    all.flatten().map(BitTest::bit_len).max().unwrap_or(0)
+}
+
+fn relation<T>(meet: impl Fn(&T) -> bool, shapes: &T, shrunk: &T) -> Truth {
+    match (meet(shapes), meet(shrunk)) {
+        (false, _) => Truth::Apart,
+        (true, false) => Truth::Touching,
+        (true, true) => Truth::Overlapping,
+    }
+}
+
+/// A box shrunk about its centre by a factor of 1 − 1/`one`, in units of 1/(6·`one`).
+fn shrunk_box([min, max]: &[Point; 2], one: &IBig) -> [Point; 2] {
+    let whole = one * IBig::from(6);
+    let less = |i: usize| (&max[i] - &min[i]) * IBig::from(3);
+    let (min, max) = (|i: usize| &min[i] * &whole + less(i), |i: usize| &max[i] * &whole - less(i));
+    [[0, 1, 2].map(min), [0, 1, 2].map(max)]
+}
+
+/// Two boxes, of which the first moves, and its motion, in integers.
+pub(super) struct Boxes {
+    a: [Point; 2],
+    b: [Point; 2],
+    d: Point,
+}
+
+impl Boxes {
+    pub(super) fn new(boxes: [BoxNumbers<Parts>; 2], way: [[Parts; 3]; 2]) -> Self {
+        let [a, b] = &boxes;
+        let all = [&rows(a)[..], &rows(b), &way].concat();
+        let unit = least_exponent(all.as_flattened());
+        let [a, b] = [a, b].map(|numbers| corners(&numbers_of(numbers, unit)));
+        let [from, to] = way.map(|p| p.map(|x| whole(x, unit)));
+        Self { a, b, d: IBig::difference(&to, &from) }
+    }
+
+    /// As [`Shapes::relation`].
+    pub(super) fn relation(&self) -> Truth {
+        let one = IBig::ONE << (3 * longest(self.a.iter().chain(&self.b).chain([&self.d])) + 64);
+        let [a, b] = [&self.a, &self.b].map(|corners| shrunk_box(corners, &one));
+        let d = self.d.each_ref().map(|x| x * &one * IBig::from(6));
+        relation(|boxes| boxes.contact().is_some(), self, &Self { a, b, d })
+    }
+
+    /// The first contact: on each coordinate axis the boxes meet during an interval of time.
+    pub(super) fn contact(&self) -> Option<Contact> {
+        contact(&self.a, &self.b, &self.d)
+    }
+}
+
+fn contact(a: &[Point; 2], b: &[Point; 2], d: &Point) -> Option<Contact> {
     let mut axes = Vec::new();
     let mut ends = Vec::new();
     for i in 0..3 {
-        let d = &to[i] - &from[i];
+        let d = d[i].clone();
         let (to_meet, to_leave) = (&b[0][i] - &a[1][i], &b[1][i] - &a[0][i]);
         let (near, far, speed) =
             if d < IBig::ZERO { (-to_leave, -to_meet, -d) } else { (to_meet, to_leave, d) };
