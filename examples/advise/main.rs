@@ -24,6 +24,8 @@ mod kind;
 mod mesh;
 mod options;
 mod paste;
+#[path = "../voxelize/ply.rs"]
+mod ply;
 mod prediction;
 mod question;
 mod race;
