@@ -28,8 +28,7 @@ pub(crate) struct Body {
 pub(crate) struct Pose {
     pub(crate) obb: Obb<f32>,
     /// The bounding box.
-    pub(crate) min: Vector,
-    pub(crate) max: Vector,
+    pub(crate) aabb: Aabb<f32>,
 }
 
 impl Body {
@@ -49,8 +48,7 @@ impl Body {
 
     pub(crate) fn pose(&self) -> Option<Pose> {
         let obb = Obb::from_quaternion(self.position, self.rotation, [self.half; 3]).ok()?;
-        let (min, max) = obb.aabb()?.min_max()?;
-        Some(Pose { obb, min: min.to_array(), max: max.to_array() })
+        Some(Pose { obb, aabb: obb.aabb()? })
     }
 
     /// The velocity of the point at this offset from the centre.

@@ -1,8 +1,8 @@
 //! Lockstep: two peers run the same world from the same inputs. They send each other
 //! inputs and hashes, never the world.
 //!
-//! Boxes fall, turn, stack and rest on a terrain of triangles, using septum's contacts and sweeps
-//! in `f32`. Each peer knows its own input at once, and the remote input five ticks later. Until
+//! Boxes fall, turn, stack and rest on a terrain of triangles, using septum's broad phase, contacts and
+//! sweeps in `f32`. Each peer knows its own input at once, and the remote input five ticks later. Until
 //! then it predicts the remote input. If the prediction was wrong, it rolls back and runs those
 //! ticks again. The hash of each tick is the same in both peers, on every machine. If one bit of
 //! one input is changed, the hashes differ from that tick on.
@@ -85,6 +85,30 @@ fn late(ground: &Ground<'_>, own: usize, changed: u8) -> (Hashes, usize) {
     (hashes, peer.replayed())
 }
 
+/// A sync test, as rollback libraries have one: after each tick the world of a few ticks before is
+/// loaded and advanced again, and must have the same hash. Returns the number of ticks that were run
+/// again, or `None` after a difference.
+fn sync_test(ground: &Ground<'_>) -> Option<usize> {
+    const BACK: usize = 2;
+    let (mut world, mut saved) = (Game::new(), [Game::new(); BACK]);
+    let mut count = 0;
+    for tick in 0..TICKS {
+        // The save of `BACK` ticks before makes room for this one.
+        let oldest = core::mem::replace(&mut saved[tick % BACK], world);
+        step(&mut world, ground, [input(0, tick), input(1, tick)]);
+        let Some(first) = tick.checked_sub(BACK) else { continue };
+        let mut again = oldest.loaded();
+        for old in first..=tick {
+            step(&mut again, ground, [input(0, old), input(1, old)]);
+            count += 1;
+        }
+        if again.hash() != world.hash() {
+            return None;
+        }
+    }
+    Some(count)
+}
+
 fn line(k: usize) -> Line {
     #[cfg(not(any(target_os = "none", target_family = "wasm")))]
     if crowd::is_asked_for() {
@@ -112,7 +136,12 @@ fn line_on(ground: &Ground<'_>, k: usize) -> Line {
             let _ = write!(text, "rolled back: {again} and {more} ticks run again, ");
             let _ = write!(text, "{}", if agree { "all hashes equal" } else { "DESYNC" });
             let _ = write!(text, ", {} of {BODIES} rest", end.resting());
-            agree
+            let synced = sync_test(ground);
+            let _ = match synced {
+                Some(count) => write!(text, "; sync test: {count} ticks"),
+                None => write!(text, "; sync test FAILED"),
+            };
+            agree && synced.is_some()
         }
         _ => {
             // The peers compare hashes.

@@ -3,7 +3,10 @@
 //! machine computes the same bits.
 
 use heapless::Vec;
+use septum::broad_phase::BoxTree;
 use septum::contact::{contact, contact_in_mesh};
+use septum::mesh::Node;
+use septum::{Aabb, ShapeError, Vec3};
 
 use crate::body::{Body, Pose};
 use crate::solver::{Pair, Touch, solve, touches};
@@ -16,10 +19,17 @@ const DRAG: f32 = 0.995;
 /// A body faster than this wakes the bodies that it touches.
 const WAKES: f32 = 0.0004;
 
+/// Ticks from one build of the broad phase to the next.
+const REBUILD: u32 = 32;
+
 /// The whole state: N bodies.
 #[derive(Clone, Copy)]
 pub(crate) struct World<const N: usize> {
     bodies: [Body; N],
+    /// The order of the bodies in the broad phase, and its age in ticks. No answer depends on it, so
+    /// that it is not hashed.
+    order: [u16; N],
+    age: u32,
 }
 
 /// The number of points that a tick may have for each body. Further points are dropped, on every
@@ -43,7 +53,12 @@ impl<const N: usize> World<N> {
                 body.velocity = [3.0, -4.0, 1.0];
             }
         }
-        Self { bodies }
+        Self { bodies, order: [0; N], age: 0 }
+    }
+
+    /// The world as it is loaded from a save without the order of the broad phase.
+    pub(crate) fn loaded(&self) -> Self {
+        Self { order: [0; N], age: 0, ..*self }
     }
 
     /// Runs one tick. The bits of an input mean left, right, back and forward.
@@ -72,14 +87,27 @@ impl<const N: usize> World<N> {
     /// Finds the points where bodies overlap each other, or the ground.
     fn find<const TOUCHES: usize>(&mut self, ground: &Ground<'_>, found: &mut Vec<Touch, TOUCHES>) {
         let poses = self.bodies.each_ref().map(Body::pose);
+        let boxes = poses.map(|pose| pose.map_or(NOWHERE, |pose| pose.aabb));
+        let mut nodes = [Node::EMPTY; N];
+        let nodes = &mut nodes[..Node::count_for(N)];
+        let tree = if self.age % REBUILD == 0 {
+            BoxTree::build(&boxes, nodes, &mut self.order)
+        } else {
+            BoxTree::refit(&boxes, nodes, &self.order)
+        };
+        self.age += 1;
+        let mut room = [[0; 2]; TOUCHES];
+        let near = tree.and_then(|tree| tree.pairs(&mut room)).unwrap_or_default();
+        // Ascending, so that those of a body follow each other.
+        let mut near = near.iter().map(|pair| pair.map(usize::from)).peekable();
         for i in 0..N {
-            let Some(pose) = &poses[i] else { continue };
-            if !self.bodies[i].rests() {
+            let pose = &poses[i];
+            if let (Some(pose), false) = (pose, self.bodies[i].rests()) {
                 self.on_ground(ground, i, pose, found);
             }
-            for j in i + 1..N {
-                let Some(other) = &poses[j] else { continue };
-                if !are_near(pose, other) || (self.bodies[i].rests() && self.bodies[j].rests()) {
+            while let Some([_, j]) = near.next_if(|pair| pair[0] == i) {
+                let (Some(pose), Some(other)) = (pose, &poses[j]) else { continue };
+                if self.bodies[i].rests() && self.bodies[j].rests() {
                     continue;
                 }
                 let Some(contact) = contact(&pose.obb, &other.obb) else { continue };
@@ -141,7 +169,8 @@ impl<const N: usize> World<N> {
     }
 }
 
-/// Whether the boxes around two bodies meet.
-fn are_near(a: &Pose, b: &Pose) -> bool {
-    (0..3).all(|i| a.min[i] <= b.max[i] && b.min[i] <= a.max[i])
-}
+/// The box of a body without a pose.
+const NOWHERE: Aabb<f32> = {
+    let zero = Vec3::splat(0.0);
+    ShapeError::unwrap(Aabb::<f32>::const_from_center_half_extents(zero, zero))
+};
