@@ -127,9 +127,28 @@ pub(super) struct Build<S: Scalar> {
     work: u64,
 }
 
+/// What a tree is built over: the triangles of a mesh, or boxes.
+pub(super) trait Leaves<S: Scalar>: Copy {
+    /// The corners of the box around one of them; `None` for a box beyond all floats.
+    fn corners(&self, i: usize) -> Option<[[S; 3]; 2]>;
+
+    /// The grid box around one of them.
+    #[inline(always)]
+    fn cell(&self, grid: &Grid<S>, i: usize) -> Cell {
+        self.corners(i).map_or(Cell::ALL, |corners| grid.cell(corners))
+    }
+}
+
+impl<S: Scalar, I: Index> Leaves<S> for Mesh<'_, S, I> {
+    #[inline(always)]
+    fn corners(&self, i: usize) -> Option<[[S; 3]; 2]> {
+        Some(corners(&self.known(i)))
+    }
+}
+
 /// A build's memory: `entries` is sorted, and the indices are written to `order`.
-pub(super) struct Memory<'m, 'a, S, I, T> {
-    pub(super) mesh: Mesh<'a, S, I>,
+pub(super) struct Memory<'m, L, I, T> {
+    pub(super) leaves: L,
     pub(super) nodes: &'m mut [Node],
     pub(super) entries: &'m mut [T],
     pub(super) order: &'m mut [I],
@@ -146,8 +165,13 @@ impl<S: Scalar> Build<S> {
         if order.len() != mesh.triangles.len() {
             return Err(MeshError::Length { needed: mesh.triangles.len() });
         }
-        Ok(Self {
-            work: work(&layout, mesh.triangles.len()),
+        Ok(Self::over(layout, order.len()))
+    }
+
+    /// The start of a build over as many triangles or boxes.
+    pub(super) fn over(layout: Layout, count: usize) -> Self {
+        Self {
+            work: work(&layout, count),
             layout,
             grid: Grid::between([[S::ZERO; 3]; 2]),
             bounds: None,
@@ -157,7 +181,7 @@ impl<S: Scalar> Build<S> {
             cuts: [[0; 3]; 3],
             cut: Cut::DONE,
             done: 0,
-        })
+        }
     }
 
     /// Whether the tree is finished.
@@ -171,9 +195,9 @@ impl<S: Scalar> Build<S> {
     }
 
     /// Looks at `budget` triangles, or a few more. Returns whether the tree is finished.
-    pub(super) fn advance<I: Index, T: Entry>(
+    pub(super) fn advance<L: Leaves<S>, I: Index, T: Entry>(
         &mut self,
-        memory: &mut Memory<'_, '_, S, I, T>,
+        memory: &mut Memory<'_, L, I, T>,
         budget: usize,
     ) -> bool {
         let mut left = budget;
@@ -189,25 +213,25 @@ impl<S: Scalar> Build<S> {
     }
 
     /// The phases that visit each triangle once.
-    fn linear<I: Index, T: Entry>(
+    fn linear<L: Leaves<S>, I: Index, T: Entry>(
         &mut self,
-        memory: &mut Memory<'_, '_, S, I, T>,
+        memory: &mut Memory<'_, L, I, T>,
         budget: usize,
     ) -> usize {
-        let Memory { mesh, entries, order, .. } = memory;
+        let Memory { leaves, entries, order, .. } = memory;
         let whole_leaves = budget.div_ceil(LEAF).saturating_mul(LEAF);
         let (from, to) = (self.at, entries.len().min(self.at.saturating_add(whole_leaves)));
         match self.phase {
             Phase::Bounds => {
                 for i in from..to {
-                    let ends = corners(&mesh.known(i));
+                    let Some(ends) = leaves.corners(i) else { continue };
                     self.bounds = Some(self.bounds.map_or(ends, |all| joined(all, ends)));
                 }
             }
             Phase::List => {
                 let entries = entries.get_mut(from..to).unwrap_or_default();
                 for (i, entry) in (from..to).zip(entries) {
-                    *entry = T::new(i, || self.grid.cell(corners(&mesh.known(i))));
+                    *entry = T::new(i, || leaves.cell(&self.grid, i));
                 }
             }
             _ => {
@@ -256,12 +280,12 @@ impl<S: Scalar> Build<S> {
         self.cuts = [[half, third, all.end], [all.start, first, half], [all.start, half, all.end]];
     }
 
-    fn sort<I: Index, T: Entry>(
+    fn sort<L: Leaves<S>, I: Index, T: Entry>(
         &mut self,
-        memory: &mut Memory<'_, '_, S, I, T>,
+        memory: &mut Memory<'_, L, I, T>,
         budget: usize,
     ) -> usize {
-        let Memory { mesh, entries, .. } = memory;
+        let Memory { leaves, entries, .. } = memory;
         if self.node >= self.layout.nodes {
             self.phase = Phase::Leaves;
             return 1;
@@ -278,18 +302,18 @@ impl<S: Scalar> Build<S> {
                 return 1;
             }
         }
-        let cell = |i: usize| self.grid.cell(corners(&mesh.known(i)));
+        let cell = |i: usize| leaves.cell(&self.grid, i);
         self.cut.advance(&self.grid, entries, cell, budget) + 1
     }
 
-    fn join<I: Index, T: Entry>(
+    fn join<L: Leaves<S>, I: Index, T: Entry>(
         &mut self,
-        memory: &mut Memory<'_, '_, S, I, T>,
+        memory: &mut Memory<'_, L, I, T>,
         budget: usize,
     ) -> usize {
-        let Memory { mesh, nodes, entries, .. } = memory;
+        let Memory { leaves, nodes, entries, .. } = memory;
         let Self { layout, grid, .. } = self;
-        let compute = |i: usize| grid.cell(corners(&mesh.known(i)));
+        let compute = |i: usize| leaves.cell(grid, i);
         let most = (budget / (4 * LEAF)).max(1);
         let from = self.at.saturating_sub(most);
         for k in (from..self.at).rev() {

@@ -64,7 +64,7 @@ impl<'a, 's, S: Scalar, I: Index> TreeBuilder<'a, 's, S, I> {
     /// *Panics*: never.
     pub fn advance(&mut self, triangles: usize) -> bool {
         let Self { mesh, nodes, order, scratch, build } = self;
-        build.advance(&mut Memory { mesh: *mesh, nodes, entries: scratch, order }, triangles)
+        build.advance(&mut Memory { leaves: *mesh, nodes, entries: scratch, order }, triangles)
     }
 
     /// The share of the work that is done, from 0 to 1.

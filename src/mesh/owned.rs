@@ -135,8 +135,10 @@ impl<S: Scalar, I: Index> OwnedTreeBuilder<S, I> {
     pub fn advance(&mut self, triangles: usize) -> bool {
         let OwnedTree { vertices, triangles: faces, nodes, order, .. } = &mut self.tree;
         let mesh = Mesh { vertices: &vertices[..], triangles: &faces[..] };
-        self.build
-            .advance(&mut Memory { mesh, nodes, entries: &mut self.scratch, order }, triangles)
+        self.build.advance(
+            &mut Memory { leaves: mesh, nodes, entries: &mut self.scratch, order },
+            triangles,
+        )
     }
 
     /// The share of the work that is done, from 0 to 1.

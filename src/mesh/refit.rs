@@ -1,6 +1,7 @@
 //! Trees whose boxes are computed anew, in the order of an earlier build.
 
-use super::grid::{Grid, corners};
+use super::build::{Leaves, around};
+use super::grid::Grid;
 use super::node::{Cell, Layout, Node};
 use super::{Index, Mesh, MeshError, Tree};
 use crate::scalar::Scalar;
@@ -50,7 +51,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
         }
         let (layout, grid) = (Layout::new(order.len()), Grid::around(&mesh));
         let index = |place: usize| order.get(place).map_or(0, |i| i.get());
-        fill(&layout, nodes, |place| grid.cell(corners(&mesh.known(index(place)))));
+        fill(&layout, nodes, |place| mesh.cell(&grid, index(place)));
         Ok(Self { mesh, nodes, order, grid, layout })
     }
 }
@@ -61,14 +62,7 @@ pub(super) fn fill(layout: &Layout, nodes: &mut [Node], cell: impl Fn(usize) -> 
     for k in (0..nodes.len()).rev() {
         let mut node = Node::EMPTY;
         for (child, place) in layout.children(k).enumerate() {
-            let mut all = Cell::NOTHING;
-            match nodes.get(place) {
-                Some(below) => {
-                    (0..layout.children(place).len()).for_each(|k| all.join(&below.cell(k)));
-                }
-                None => layout.leaf(place).for_each(|place| all.join(&cell(place))),
-            }
-            node.set(child, all);
+            node.set(child, around(layout, nodes, place, &cell));
         }
         if let Some(to) = nodes.get_mut(k) {
             *to = node;

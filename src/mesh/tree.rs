@@ -61,7 +61,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
         order: &'a mut [I],
     ) -> Result<Self, MeshError> {
         let mut build = Build::new(&mesh, nodes, order)?;
-        let mut memory = Memory { mesh, nodes, entries: order, order: &mut [] };
+        let mut memory = Memory { leaves: mesh, nodes, entries: order, order: &mut [] as &mut [I] };
         while !build.advance(&mut memory, usize::MAX) {}
         let Build { grid, layout, .. } = build;
         Ok(Self { mesh, nodes, order, grid, layout })

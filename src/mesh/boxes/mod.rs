@@ -3,16 +3,15 @@
 mod moving;
 mod overlapping;
 mod pairs;
-mod sort;
 
 pub use overlapping::BoxProbe;
 
+use super::build::{Build, Leaves, Memory};
 use super::grid::Grid;
-use super::node::{Cell, Layout, Node};
+use super::node::{Layout, Node};
 use super::overlapping::sealed::Bounded;
 use super::refit::{fill, is_permutation};
 use super::{Index, MeshError};
-use crate::arithmetic::three;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, joined};
 
@@ -51,12 +50,13 @@ impl<'a, S: Scalar, I: Index> BoxTree<'a, S, I> {
         nodes: &'a mut [Node],
         order: &'a mut [I],
     ) -> Result<Self, MeshError> {
-        let (layout, grid, is_beyond) = Self::frame(boxes, nodes, order)?;
-        for (i, place) in order.iter_mut().enumerate() {
-            *place = I::of(i);
-        }
-        sort::sort(&grid, &layout, order, |i| cell(&grid, boxes, i));
-        Self::filled(boxes, nodes, order, (layout, grid, is_beyond))
+        let (layout, _, is_beyond) = Self::frame(boxes, nodes, order)?;
+        let mut build = Build::over(layout, boxes.len());
+        let mut memory =
+            Memory { leaves: boxes, nodes, entries: order, order: &mut [] as &mut [I] };
+        while !build.advance(&mut memory, usize::MAX) {}
+        let grid = build.grid;
+        Ok(Self { boxes, nodes, order, grid, layout, is_beyond })
     }
 
     /// The tree over boxes that have moved. `order` is what [`build`](Self::build) made of it: the
@@ -74,21 +74,12 @@ impl<'a, S: Scalar, I: Index> BoxTree<'a, S, I> {
         nodes: &'a mut [Node],
         order: &'a [I],
     ) -> Result<Self, MeshError> {
-        let frame = Self::frame(boxes, nodes, order)?;
+        let (layout, grid, is_beyond) = Self::frame(boxes, nodes, order)?;
         if !is_permutation(order, nodes) {
             return Err(MeshError::Order);
         }
-        Self::filled(boxes, nodes, order, frame)
-    }
-
-    fn filled(
-        boxes: &'a [Aabb<S>],
-        nodes: &'a mut [Node],
-        order: &'a [I],
-        (layout, grid, is_beyond): (Layout, Grid<S>, bool),
-    ) -> Result<Self, MeshError> {
         let index = |place: usize| order.get(place).map_or(0, |i| i.get());
-        fill(&layout, nodes, |place| cell(&grid, boxes, index(place)));
+        fill(&layout, nodes, |place| boxes.cell(&grid, index(place)));
         Ok(Self { boxes, nodes, order, grid, layout, is_beyond })
     }
 
@@ -115,8 +106,7 @@ impl<'a, S: Scalar, I: Index> BoxTree<'a, S, I> {
                 ends = Some(ends.map_or(corners, |ends| joined(ends, corners)));
             }
         }
-        let [min, max] = ends.unwrap_or([[S::ZERO; 3]; 2]);
-        let grid = Grid(three(|k| S::steps(min[k], max[k])));
+        let grid = Grid::between(ends.unwrap_or([[S::ZERO; 3]; 2]));
         Ok((Layout::new(boxes.len()), grid, is_beyond))
     }
 
@@ -134,10 +124,11 @@ impl<'a, S: Scalar, I: Index> BoxTree<'a, S, I> {
     }
 }
 
-/// The grid box around a box; the whole grid around one that extends beyond all floats.
-#[inline(always)]
-fn cell<S: Scalar>(grid: &Grid<S>, boxes: &[Aabb<S>], i: usize) -> Cell {
-    boxes.get(i).and_then(Bounded::corners).map_or(Cell::ALL, |corners| grid.cell(corners))
+impl<S: Scalar> Leaves<S> for &[Aabb<S>] {
+    #[inline(always)]
+    fn corners(&self, i: usize) -> Option<[[S; 3]; 2]> {
+        self.get(i).and_then(Bounded::corners)
+    }
 }
 
 /// Whether a box extends beyond the range of the scalar. A box that ends there may count as one that
