@@ -136,6 +136,9 @@
 //! | `serde` | serialization; a shape is checked when it is read | no |
 //! | `small` | smaller code: only the first and the last stage of each cascade; no answer changes | no |
 //!
+//! A program for a host that uses floats alone builds in less time without fixed point:
+//! `default-features = false, features = ["simd"]`.
+//!
 //! The minimum Rust version is 1.85; with `heapless` 1.87; with `simd`, on machines with vector
 //! instructions, 1.89.
 //!
@@ -175,7 +178,7 @@ mod scalar;
 pub mod sweep;
 pub mod voxel;
 
-pub use query::{Axis, Cull, Facing, Feature, Hit, HitRules, Side};
+pub use query::{Axis, Cull, Facing, Feature, HasAxes, Hit, HitRules, Side};
 pub use scalar::Scalar;
 pub use shape::{Aabb, Obb, Overlaps, Plane, Ray, Segment, ShapeError, Triangle, Vec3};
 

@@ -59,7 +59,7 @@ pub use ray_triangle::{Cull, Facing, Feature, Hit, HitRay, HitRules, HitTriangle
 pub use relation::{Relate, Relation};
 pub(crate) use row_triangle::crossing;
 pub use sweep::{FirstContact, Motion, Sweep};
-pub use triangle_aabb::{Axis, PreparedTriangle};
+pub use triangle_aabb::{Axis, HasAxes, PreparedTriangle};
 pub(crate) use triangle_aabb::{OfOneSize, TriangleAxes, disjoint_rounded};
 
 // The trait stands with the shapes, whose methods call it.

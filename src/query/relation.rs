@@ -34,6 +34,11 @@ pub enum Relation {
 /// Distinguishes disjoint, touching and overlapping shapes.
 ///
 /// It is implemented for each supported pair, in both orders.
+#[diagnostic::on_unimplemented(
+    message = "septum has no relation for `{Self}` and `{Other}`",
+    label = "no such pair",
+    note = "both shapes need the same scalar; `septum::relation` lists the pairs"
+)]
 pub trait Relate<Other> {
     /// Are the two shapes disjoint, touching or overlapping?
     ///

@@ -49,6 +49,11 @@ impl<S> Logged for S {}
 // Generic code of other crates, which may have traits of its own with items of the same names, does
 // not see the items of these traits: see `Backend`.
 #[allow(private_bounds)]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a scalar of septum",
+    label = "not `f32`, `f64` or a signed fixed-point type of up to 64 bits",
+    note = "fixed-point types need the feature `fixed`, and the version of the crate `fixed` that septum uses"
+)]
 pub trait Scalar:
     Backend
     + axes::Axes

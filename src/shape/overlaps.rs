@@ -17,6 +17,11 @@
 /// # assert_eq!(count(&[Segment::new([2.0; 3], [3.0; 3])?], &cell), 0);
 /// # Ok::<(), septum::ShapeError>(())
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "septum has no overlap test for `{Self}` and `{Other}`",
+    label = "no such pair",
+    note = "both shapes need the same scalar; the page of each shape lists its pairs"
+)]
 pub trait Overlaps<Other> {
     /// Do the two closed shapes have a point in common? Exact.
     #[must_use]

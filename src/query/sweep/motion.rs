@@ -62,7 +62,7 @@ impl<S: Scalar> Motion<S> {
     /// ```
     /// use septum::sweep::Motion;
     ///
-    /// let fall = Motion::new([0.0, 0.0, 1.0], [0.5, 0.0, 0.5])?;
+    /// let fall = Motion::new([0.0, 0.0, 1.0], [0.0, 0.0, 0.5])?;
     /// assert_eq!(fall.place(1).z, 1.0 - f64::EPSILON / 2.0);
     /// assert_eq!(fall.place(fall.steps()), fall.to());
     /// # Ok::<(), septum::ShapeError>(())

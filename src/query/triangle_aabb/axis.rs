@@ -1,7 +1,13 @@
-use crate::scalar::Scalar;
-use crate::shape::{Triangle, Vec3};
+use core::cmp::Ordering;
 
-/// One of the 13 axes that can separate a triangle from an axis-aligned box.
+use crate::arithmetic::{Parts, compare, three};
+use crate::query::exact_triangle::ExactTriangle;
+use crate::robust::{ExactSum, Vector, add_determinant, difference, single};
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, Triangle, Vec3};
+
+/// One of the 13 axes that can separate a triangle from an axis-aligned box. Two axis-aligned boxes
+/// have the three [`Face`](Self::Face) axes.
 ///
 /// For a triangle abc, edge 0 is b − a, edge 1 is c − b, edge 2 is a − c. In Akenine-Möller's
 /// paper, bullet 1 is [`Face`](Self::Face), bullet 2 [`Normal`](Self::Normal), bullet 3
@@ -28,6 +34,9 @@ impl Axis {
     /// [`Face`](Self::Face), (b − a) × (c − a) for the [`Normal`](Self::Normal), and the cross
     /// product of unit vector and edge for an [`Edge`](Self::Edge). It is not normalised.
     ///
+    /// In place of the triangle an [`Aabb`] may be given, for the axes of two boxes. A box has no
+    /// vectors but those of its faces; the remaining axes give zero.
+    ///
     /// *Numerics*: rounded in the scalar's own arithmetic. Use it for display or for a push, but
     /// not for a decision: [`Triangle::is_separated_by`] decides exactly. A face is exact. An edge
     /// consists of differences, each rounded once; in fixed point they wrap if they overflow. A
@@ -43,42 +52,12 @@ impl Axis {
     /// let t = Triangle::new([2.5, 0.0, 0.5], [0.0, 2.5, 0.5], [3.0, 3.0, 0.5])?;
     /// let axis = t.separating_axis(&cell).unwrap();
     /// assert_eq!(axis.vector(&t), Vec3::new(-2.5, -2.5, 0.0));
+    /// assert_eq!(Axis::Face(1).vector(&cell), Vec3::new(0.0, 1.0, 0.0));
     /// # Ok::<(), septum::ShapeError>(())
     /// ```
     #[must_use]
-    pub fn vector<S: Scalar>(self, triangle: &Triangle<S>) -> Vec3<S> {
-        let [a, b, c] = triangle.vertices();
-        let from =
-            |p: &Vec3<S>, q: &Vec3<S>| [q.x.plain_sub(p.x), q.y.plain_sub(p.y), q.z.plain_sub(p.z)];
-        let zero = S::ZERO;
-        match self {
-            Self::Face(i) => {
-                let one = S::plain_one();
-                match i % 3 {
-                    0 => Vec3::new(one, zero, zero),
-                    1 => Vec3::new(zero, one, zero),
-                    _ => Vec3::new(zero, zero, one),
-                }
-            }
-            Self::Normal => {
-                let ([x, y, z], [u, v, w]) = (from(a, b), from(a, c));
-                let minor = |p: S, q: S, r: S, s: S| p.plain_mul(q).plain_sub(r.plain_mul(s));
-                Vec3::new(minor(y, w, z, v), minor(z, u, x, w), minor(x, v, y, u))
-            }
-            Self::Edge { axis, edge } => {
-                let [x, y, z] = match edge % 3 {
-                    0 => from(a, b),
-                    1 => from(b, c),
-                    _ => from(c, a),
-                };
-                let minus = |x: S| zero.plain_sub(x);
-                match axis % 3 {
-                    0 => Vec3::new(zero, minus(z), y),
-                    1 => Vec3::new(z, zero, minus(x)),
-                    _ => Vec3::new(minus(y), x, zero),
-                }
-            }
-        }
+    pub fn vector<S: Scalar>(self, shape: &impl HasAxes<S>) -> Vec3<S> {
+        shape.axis(self)
     }
 
     /// All 13 axes, in the order in which [`Triangle::separating_axis`] tests them.
@@ -97,4 +76,106 @@ impl Axis {
         Self::Edge { axis: 2, edge: 1 },
         Self::Edge { axis: 2, edge: 2 },
     ];
+}
+
+/// A shape whose axes have vectors: a [`Triangle`], or an [`Aabb`] beside a second box.
+///
+/// The trait is sealed.
+pub trait HasAxes<S: Scalar>: sealed::HasAxes<S> {}
+
+impl<S: Scalar> HasAxes<S> for Triangle<S> {}
+impl<S: Scalar> HasAxes<S> for Aabb<S> {}
+
+pub(in crate::query) mod sealed {
+    use super::{Axis, Ordering, Scalar, Vec3};
+
+    pub trait HasAxes<S: Scalar> {
+        /// The vector of the axis, rounded.
+        fn axis(&self, axis: Axis) -> Vec3<S>;
+
+        /// The sign of (to − from)·a, with a the exact vector of the axis.
+        fn along(&self, axis: Axis, way: [Vec3<S>; 2]) -> Ordering;
+    }
+}
+
+fn unit<S: Scalar>(i: u8) -> Vec3<S> {
+    let (one, zero) = (S::plain_one(), S::ZERO);
+    match i % 3 {
+        0 => Vec3::new(one, zero, zero),
+        1 => Vec3::new(zero, one, zero),
+        _ => Vec3::new(zero, zero, one),
+    }
+}
+
+fn along_unit<S: Scalar>(i: u8, [from, to]: [Vec3<S>; 2]) -> Ordering {
+    match i % 3 {
+        0 => compare(to.x, from.x),
+        1 => compare(to.y, from.y),
+        _ => compare(to.z, from.z),
+    }
+}
+
+impl<S: Scalar> sealed::HasAxes<S> for Aabb<S> {
+    fn axis(&self, axis: Axis) -> Vec3<S> {
+        match axis {
+            Axis::Face(i) => unit(i),
+            Axis::Normal | Axis::Edge { .. } => Vec3::splat(S::ZERO),
+        }
+    }
+
+    fn along(&self, axis: Axis, way: [Vec3<S>; 2]) -> Ordering {
+        match axis {
+            Axis::Face(i) => along_unit(i, way),
+            Axis::Normal | Axis::Edge { .. } => Ordering::Equal,
+        }
+    }
+}
+
+impl<S: Scalar> sealed::HasAxes<S> for Triangle<S> {
+    fn axis(&self, axis: Axis) -> Vec3<S> {
+        let [a, b, c] = self.vertices();
+        let from =
+            |p: &Vec3<S>, q: &Vec3<S>| [q.x.plain_sub(p.x), q.y.plain_sub(p.y), q.z.plain_sub(p.z)];
+        let zero = S::ZERO;
+        match axis {
+            Axis::Face(i) => unit(i),
+            Axis::Normal => {
+                let ([x, y, z], [u, v, w]) = (from(a, b), from(a, c));
+                let minor = |p: S, q: S, r: S, s: S| p.plain_mul(q).plain_sub(r.plain_mul(s));
+                Vec3::new(minor(y, w, z, v), minor(z, u, x, w), minor(x, v, y, u))
+            }
+            Axis::Edge { axis, edge } => {
+                let [x, y, z] = match edge % 3 {
+                    0 => from(a, b),
+                    1 => from(b, c),
+                    _ => from(c, a),
+                };
+                let minus = |x: S| zero.plain_sub(x);
+                match axis % 3 {
+                    0 => Vec3::new(zero, minus(z), y),
+                    1 => Vec3::new(z, zero, minus(x)),
+                    _ => Vec3::new(minus(y), x, zero),
+                }
+            }
+        }
+    }
+
+    fn along(&self, axis: Axis, way: [Vec3<S>; 2]) -> Ordering {
+        let triangle = ExactTriangle::new(&self.points());
+        let [from, to] = way.map(|p| p.to_array().map(S::parts));
+        let d: Vector = three(|i| difference(to[i], from[i]));
+        let mut sum = S::SeptumSum::new();
+        match axis {
+            Axis::Face(i) => return along_unit(i, way),
+            Axis::Normal => add_determinant(&mut sum, &triangle.edge(0), &triangle.edge(1), &d),
+            Axis::Edge { axis, edge } => {
+                let unit = three(|i| {
+                    let is_axis = i == usize::from(axis % 3);
+                    single(if is_axis { Parts::UNIT } else { Parts::ZERO })
+                });
+                add_determinant(&mut sum, &unit, &triangle.edge(usize::from(edge % 3)), &d);
+            }
+        }
+        sum.sign()
+    }
 }

@@ -27,7 +27,7 @@ mod relation;
 pub(super) mod rows;
 mod witness;
 
-pub use axis::Axis;
+pub use axis::{Axis, HasAxes};
 pub(crate) use clear::TriangleAxes;
 pub(super) use one_sided::{Projection, one_sided};
 pub(crate) use one_size::OfOneSize;

@@ -58,6 +58,51 @@ fn nearest_relations_agree<S: Sample>() {
 }
 for_every_scalar!(nearest_relations_agree);
 
+/// The normal of a first contact leads against the motion, and along the axis.
+fn normals_lead_outward<S: Sample>() {
+    let mut seen = [0; 3];
+    let is_axis = |a: [f64; 3], b: [f64; 3]| (0..3).all(|i| a[i] == b[i] || a[i] == -b[i]);
+    for set in [SweepSet::Of(Set::Grid), SweepSet::Of(Set::Random), SweepSet::Floor] {
+        for sweep in set.cases::<S>(0x0a11, 300) {
+            let ((triangle, aabb), motion) = (sweep.case.shapes(), sweep.motion());
+            let Some(first) = triangle.first_contact(&motion, &aabb) else { continue };
+            let back = first.normal(&motion.reversed(), &triangle);
+            let approximate = |v: [S; 3]| v.map(S::approximate);
+            let Some(normal) = first.normal(&motion, &triangle) else {
+                assert_eq!((first.axis, back), (None, None));
+                continue;
+            };
+            let axis = first.axis.unwrap();
+            let n = approximate(normal.to_array());
+            assert!(is_axis(n, approximate(axis.vector(&triangle).to_array())), "{sweep:?}");
+            let [from, to] = sweep.way.map(approximate);
+            let along: f64 = (0..3).map(|i| n[i] * (to[i] - from[i])).sum();
+            let (n, b) = (approximate(back.unwrap().to_array()), normal.to_array());
+            // Where products are short, they are exact.
+            if matches!(set, SweepSet::Of(Set::Grid)) && S::WHOLE_BITS > 20 {
+                assert!(along < 0.0, "{sweep:?} {along}");
+                assert!((0..3).all(|i| n[i] == -b[i].approximate()), "{sweep:?}");
+            }
+            seen[match axis {
+                Axis::Face(_) => 0,
+                Axis::Normal => 1,
+                Axis::Edge { .. } => 2,
+            }] += 1;
+        }
+        for sweep in set.boxes::<S>(0x0a12, 200) {
+            let ([a, b], motion) = (sweep.shapes(), sweep.motion());
+            let Some(first) = a.first_contact(&motion, &b) else { continue };
+            let Some(Axis::Face(i)) = first.axis else { continue };
+            let (i, [from, to]) = (usize::from(i), sweep.way);
+            let n = first.normal(&motion, &b).unwrap().to_array().map(S::approximate);
+            assert_eq!(n[i] < 0.0, from[i] < to[i], "{sweep:?}");
+            assert_eq!((n[(i + 1) % 3], n[(i + 2) % 3]), (0.0, 0.0));
+        }
+    }
+    assert!(seen.iter().all(|&n| n > 10), "{seen:?}");
+}
+for_every_scalar!(normals_lead_outward);
+
 /// Types without a number 1: the time is clamped to the range.
 #[test]
 fn agrees_where_there_is_no_one() {
