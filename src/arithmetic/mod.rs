@@ -51,9 +51,8 @@ pub(crate) use index::{each, pick, three, turn};
 #[cfg(feature = "fixed")]
 pub(crate) use integer::{Int8, Int32};
 pub(crate) use integer::{Int16, Int64, Int64Narrow};
-pub(crate) use limbs::Limbs;
 #[cfg(feature = "fixed")]
-pub(crate) use limbs::Wide;
+pub(crate) use limbs::{Limbs, Wide};
 pub use number::{Limbed, Number};
 pub(crate) use number::{compare, greatest, largest, least};
 pub(crate) use offset::Offset;

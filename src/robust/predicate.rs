@@ -11,7 +11,7 @@ pub trait Predicate<S> {
     /// Yes or no, or the result.
     type Answer: Default;
 
-    /// What the choice of systems depends on.
+    /// Properties that the choice of number systems depends on.
     const PROFILE: Profile = Profile::VOLUMES;
 
     /// The answer, if `N` is certain of it.
@@ -47,7 +47,7 @@ pub trait Predicate<S> {
     }
 }
 
-/// What the choice of number systems depends on.
+/// Properties that the choice of number systems depends on.
 #[derive(Clone, Copy)]
 pub struct Profile {
     /// Whether the question takes products of three lengths. If not, integers for 28 bits cost no
