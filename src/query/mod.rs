@@ -5,7 +5,6 @@
 //! beside it; a pair with a short kernel has fewer files.
 //!
 //! Shared by several pairs:
-//! * `exact_aabb`, `exact_triangle`: shapes split into signed parts for exact sums;
 //! * `line_aabb`: the slabs of rays and segments; `line_obb`: rays and segments against an oriented
 //!   box;
 //! * `orientation`: signs of volumes, for triangles, segments and points against triangles;
@@ -44,8 +43,6 @@ mod normal;
 
 #[cfg(all(test, feature = "fixed"))]
 mod counts;
-mod exact_aabb;
-mod exact_triangle;
 mod line_aabb;
 mod orientation;
 mod relation;

@@ -9,7 +9,7 @@ use super::{FirstContact, Given, Last, Passing, one_axis};
 use crate::arithmetic::{Double, Embeds, Filtered, Number, Soft, dot, each, turn};
 use crate::query::Axis;
 use crate::query::triangle_aabb::frame::Frame;
-use crate::query::triangle_aabb::plane::normal;
+use crate::query::triangle_aabb::kernel::normal;
 use crate::robust::certain_sign;
 use crate::scalar::Scalar;
 

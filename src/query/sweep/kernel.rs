@@ -24,7 +24,7 @@ use crate::arithmetic::{
 use crate::query::Axis;
 use crate::query::relation::{Nearness, Reading, Relation};
 use crate::query::triangle_aabb::frame::{Frame, range};
-use crate::query::triangle_aabb::plane::normal;
+use crate::query::triangle_aabb::kernel::normal;
 use crate::robust::Uncertain;
 use crate::scalar::Scalar;
 

@@ -1,7 +1,7 @@
 use core::cmp::Ordering;
 
+use super::exact::ExactTriangle;
 use crate::arithmetic::{Parts, compare, three};
-use crate::query::exact_triangle::ExactTriangle;
 use crate::robust::{ExactSum, Vector, add_determinant, difference, single};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Triangle, Vec3};

@@ -5,12 +5,10 @@
 use core::cmp::Ordering;
 
 use super::Axis;
-use crate::arithmetic::{pick, three, turn};
-use crate::query::exact_aabb::ExactAabb;
-use crate::query::exact_triangle::ExactTriangle;
-use crate::robust::{ExactSum, add_area, add_determinant, sign};
+use crate::arithmetic::{Parts, pick, three, turn};
+use crate::robust::{ExactSum, Linear, Vector, add_area, add_determinant, difference, sign};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Triangle};
+use crate::shape::{Aabb, AabbForm, Triangle};
 
 /// How the gaps on one axis compare with zero: from the triangle to the box beyond it, on
 /// either side.
@@ -100,4 +98,64 @@ fn edge_gaps<S: Scalar>(
     };
     // The whole box above the interval, or the whole box below it.
     [gap(true), gap(false)]
+}
+
+/// The faces of a box, each as the sum of two numbers.
+pub(in crate::query) struct ExactAabb {
+    min: [[Parts; 2]; 3],
+    max: [[Parts; 2]; 3],
+}
+
+impl ExactAabb {
+    pub(in crate::query) fn new<S: Scalar>(form: &AabbForm<S>) -> Self {
+        match form {
+            AabbForm::Center { center, half } => {
+                let (c, h) = (center.to_array().map(S::parts), half.to_array().map(S::parts));
+                Self {
+                    min: core::array::from_fn(|i| [c[i], h[i].negated()]),
+                    max: core::array::from_fn(|i| [c[i], h[i]]),
+                }
+            }
+            AabbForm::Corners { min, max } => Self {
+                min: min.to_array().map(|x| [x.parts(), Parts::ZERO]),
+                max: max.to_array().map(|x| [x.parts(), Parts::ZERO]),
+            },
+        }
+    }
+
+    /// The distance from `x` to the face on axis `i` that lies farther along `toward`.
+    #[inline(never)]
+    pub(in crate::query) fn to_face(&self, x: Parts, i: usize, toward: Ordering) -> Linear {
+        let face = if toward == Ordering::Less { &self.min } else { &self.max };
+        let [a, b] = *pick(face, i);
+        [a, b, x.negated()]
+    }
+}
+
+/// The coordinates of a triangle in signed parts.
+pub(in crate::query) struct ExactTriangle {
+    pub(in crate::query) v: [[Parts; 3]; 3],
+}
+
+impl ExactTriangle {
+    pub(in crate::query) fn new<S: Scalar>(points: &[[S; 3]; 3]) -> Self {
+        Self { v: points.map(|p| p.map(S::parts)) }
+    }
+
+    /// Edge k, from vertex k to the next.
+    pub(in crate::query) fn edge(&self, k: usize) -> Vector {
+        let (k, next, _) = turn(k);
+        let (from, to) = (pick(&self.v, k), pick(&self.v, next));
+        core::array::from_fn(|i| difference(to[i], from[i]))
+    }
+
+    /// The sign of component `i` of the normal, e0 × e1.
+    pub(in crate::query) fn normal_sign<S: Scalar>(&self, i: usize) -> Ordering {
+        let (_, j, k) = turn(i);
+        let (e0, e1) = (self.edge(0), self.edge(1));
+        let mut sum = S::SeptumSum::new();
+        add_area(&mut sum, pick(&e0, j), pick(&e1, k), false);
+        add_area(&mut sum, pick(&e0, k), pick(&e1, j), true);
+        sum.sign()
+    }
 }

@@ -1,16 +1,12 @@
 //! The separating-axis kernel in any number system, on a box centred at the origin.
 //!
 //! By the separating axis theorem a triangle and a box are disjoint exactly if
-//! their projections on one of 13 axes are: the box's three face normals
-//! ([`faces`](super::faces)), the triangle's normal ([`plane`](super::plane)), and the nine
-//! cross products of an edge of each ([`edges`](super::edges)).
+//! their projections on one of 13 axes are: the box's three face normals ([`faces`]),
+//! the triangle's normal ([`plane`]), and the nine cross products of an edge of each ([`edges`]).
 
-use super::edges::{edges, one_edge};
 use super::error_bound::error_bound;
-use super::faces::faces;
-use super::frame::{BoxForm, Frame};
-use super::plane::{normal, plane};
-use crate::arithmetic::{Arithmetic, Embeds, Number};
+use super::frame::{BoxForm, Frame, range};
+use crate::arithmetic::{Arithmetic, Embeds, Number, cross, dot, greatest, of_two, three};
 use crate::robust::Uncertain;
 use crate::scalar::Scalar;
 use crate::shape::{Triangle, Vec3};
@@ -112,4 +108,118 @@ pub(super) fn narrow_plane<N: Arithmetic>(
     h: [N::Length; 3],
 ) -> Uncertain {
     plane::<N::Narrow>(&n, &v, &h, Number::ZERO)
+}
+
+/// Whether one of the box's three face normals separates.
+///
+/// They are the coordinate axes, and the projections are the coordinates.
+#[inline(always)]
+pub(super) fn faces<N: Arithmetic>(frame: &Frame<N>) -> Uncertain {
+    if N::CERTAIN {
+        return one_face(frame, 0).or(one_face(frame, 1)).or(one_face(frame, 2));
+    }
+    let [x, y, z] = frame.gaps;
+    across(frame, greatest(greatest(x, y), z))
+}
+
+/// Whether the face normal along coordinate axis `i` separates.
+#[inline(always)]
+pub(super) fn one_face<N: Arithmetic>(frame: &Frame<N>, i: usize) -> Uncertain {
+    if N::CERTAIN {
+        let (low, high) = range(&frame.v, i);
+        return Uncertain::known((low > frame.h[i]) | (high < -frame.h[i]));
+    }
+    across(frame, frame.gaps[i])
+}
+
+#[inline(always)]
+fn across<N: Arithmetic>(frame: &Frame<N>, gap: N::Length) -> Uncertain {
+    let certain = gap > N::Length::ZERO;
+    let touch = !frame.gaps_are_exact && gap == N::Length::ZERO;
+    Uncertain { certain, possible: certain | touch }
+}
+
+/// The triangle's normal, e0 × e1.
+#[inline(always)]
+pub(in crate::query) fn normal<N: Arithmetic>(frame: &Frame<N>) -> [N::Area; 3] {
+    let [e0, e1, _] = &frame.e;
+    cross::<N>(e0, e1)
+}
+
+/// Whether the triangle's normal separates: whether the plane of the triangle
+/// misses the box.
+///
+/// The triangle projects to one number, n·v, and the box to ±Σ h·|n|: the
+/// distances along n to the two critical corners of Haines and Wallace.
+#[inline(always)]
+pub(in crate::query) fn plane<N: Arithmetic>(
+    n: &[N::Area; 3],
+    v: &[N::Length; 3],
+    h: &[N::Length; 3],
+    error_bound: N::Volume,
+) -> Uncertain {
+    let distance = dot::<N>(n, v);
+    if N::LARGE {
+        // A short number changes its sign more easily than a long one.
+        let h = three(|i| if n[i] < N::Area::ZERO { -h[i] } else { h[i] });
+        let certain = distance.magnitude() > dot::<N>(n, &h);
+        return Uncertain { certain, possible: certain };
+    }
+    let radius = N::volume(n[0].magnitude(), h[0])
+        + N::volume(n[1].magnitude(), h[1])
+        + N::volume(n[2].magnitude(), h[2]);
+    let beyond = distance.magnitude() - radius;
+    Uncertain::above(beyond, error_bound)
+}
+
+/// Whether one of the nine cross products of a coordinate axis x_i and an edge e_k separates.
+///
+/// Project on x_i × e_k from the vertex v_k where the edge begins. The whole edge projects to p =
+/// (e_k × v_k)_i, and the opposite vertex to p + n_i. The component n_i of the triangle's normal is
+/// the same for all three edges. So the triangle covers the interval from p to p + n_i, with middle
+/// p + n_i/2 and radius |n_i|/2. The box covers ±r with r = h_j·|e_l| + h_l·|e_j|. The axis
+/// separates if |p + n_i/2| > |n_i|/2 + r.
+#[inline(always)]
+pub(super) fn edges<N: Arithmetic>(
+    frame: &Frame<N>,
+    n: &[N::Area; 3],
+    error_bound: N::Area,
+) -> Uncertain {
+    let mut so_far = Uncertain::NONE;
+    for k in 0..3 {
+        for i in 0..3 {
+            so_far = so_far.or(one_edge(frame, n, error_bound, i, k));
+        }
+    }
+    so_far
+}
+
+/// Whether the cross product of coordinate axis `i` and edge `k` separates.
+#[inline(always)]
+pub(super) fn one_edge<N: Arithmetic>(
+    frame: &Frame<N>,
+    n: &[N::Area; 3],
+    error_bound: N::Area,
+    i: usize,
+    k: usize,
+) -> Uncertain {
+    let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+    let (e, v, h) = (&frame.e[k], &frame.v[k], &frame.h);
+
+    let p = N::minor([e[j], v[l]], [e[l], v[j]]);
+    let r = N::area(e[l].magnitude(), h[j]) + N::area(e[j].magnitude(), h[l]);
+    let middle = of_two::<N, _>(n[i]);
+    let far = (p + middle).magnitude();
+    let radius = middle.magnitude();
+
+    if N::CERTAIN {
+        return Uncertain::known(far > radius + r);
+    }
+    // Rounded as in `rows`, so that the same is certain on every machine.
+    let beyond = far - (radius + r);
+    // An edge along x_i has e_j = e_l = 0, exactly: the axis is zero and separates nothing. Without
+    // this rule every box-shaped mesh would be in doubt.
+    let is_axis = (e[j] != N::Length::ZERO) | (e[l] != N::Length::ZERO);
+    let found = Uncertain::above(beyond, error_bound);
+    Uncertain { possible: found.possible & is_axis, ..found }
 }

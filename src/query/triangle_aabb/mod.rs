@@ -5,33 +5,27 @@
 //! of the triangle's normal, faces and plane come first, and the verdict is exact.
 //!
 //! Three kernels evaluate these axes. `rows` uses floats, four at once, with coordinates as given
-//! or as `offsets` from the box. `kernel`, with `frame`, `faces`, `edges` and `plane`, runs in any
-//! number system. `one_sided` uses the words of 32-bit cores.
+//! or as `offsets` from the box. `kernel`, with `frame`, runs in any number system. `words` uses the
+//! words of 32-bit cores.
 
 mod axis;
 mod clear;
 mod conservative;
-mod edges;
 pub(super) mod error_bound;
-mod exact;
-mod faces;
+pub(super) mod exact;
 pub(super) mod frame;
-mod kernel;
-mod narrow;
+pub(super) mod kernel;
 mod offsets;
-mod one_sided;
-mod one_size;
-pub(super) mod plane;
 mod prepared;
 mod relation;
 pub(super) mod rows;
 mod witness;
+mod words;
 
 pub use axis::{Axis, HasAxes};
-pub(crate) use clear::TriangleAxes;
-pub(super) use one_sided::{Projection, one_sided};
-pub(crate) use one_size::OfOneSize;
+pub(crate) use clear::{OfOneSize, TriangleAxes};
 pub use prepared::PreparedTriangle;
+pub(super) use words::{Projection, one_sided};
 
 use super::Overlaps;
 use crate::arithmetic::{

@@ -4,8 +4,7 @@
 use super::Disjoint;
 use super::error_bound::error_bound;
 use super::frame::{Frame, range};
-use super::kernel::{in_frame_of_center, in_frame_of_corners};
-use super::plane::normal;
+use super::kernel::{in_frame_of_center, in_frame_of_corners, normal};
 use crate::arithmetic::{Arithmetic, Embeds, Number, dot, greatest, of_two};
 use crate::query::relation::{Nearness, Relate, Relation};
 use crate::robust::Predicate;
@@ -48,7 +47,7 @@ fn all_axes<N: Arithmetic>(frame: &Frame<N>) -> Option<Relation> {
             found.add_known(false, frame.gaps[i] >= N::Length::ZERO);
         }
 
-        // See `edges`.
+        // See `kernel::edges`.
         let (j, l) = ((i + 1) % 3, (i + 2) % 3);
         let middle = of_two::<N, _>(n[i]);
         for k in 0..3 {
@@ -63,7 +62,7 @@ fn all_axes<N: Arithmetic>(frame: &Frame<N>) -> Option<Relation> {
         }
     }
 
-    // See `plane`.
+    // See `kernel::plane`.
     let distance = dot::<N>(&n, &frame.v[0]);
     let reach = dot::<N>(&n.map(N::Area::magnitude), &frame.h);
     // A box that is a point in the triangle's plane has no reach off it.

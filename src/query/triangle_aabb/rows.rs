@@ -12,7 +12,6 @@ use crate::shape::{Triangle, Vec3};
 
 mod pair;
 mod rounded;
-mod zeros;
 
 pub(super) use pair::pair;
 pub(super) use rounded::disjoint as disjoint_rounded;

@@ -1,11 +1,10 @@
 //! The witness: which axis separates. It is computed apart from the verdict. The axes are tested in
 //! a fixed order, each exactly, so the answer is the same on every machine.
 
-use super::edges::one_edge;
 use super::error_bound::error_bound;
-use super::faces::one_face;
-use super::kernel::{in_frame_of_center, in_frame_of_corners, narrow_plane};
-use super::plane::{normal, plane};
+use super::kernel::{
+    in_frame_of_center, in_frame_of_corners, narrow_plane, normal, one_edge, one_face, plane,
+};
 use super::{Axis, Disjoint};
 use crate::arithmetic::Embeds;
 use crate::robust::Predicate;

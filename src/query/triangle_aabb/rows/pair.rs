@@ -1,8 +1,8 @@
 //! A pair in floats: the first look, in registers, and out of line what that leaves in doubt: which
 //! axes may separate, and whether rounding has any part in it.
 
-use super::{Clear, Doubt, Edge, InFrame, Rows, largest, row, zeros};
-use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE};
+use super::{Clear, Doubt, Edge, InFrame, Rows, largest, row};
+use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, two_difference};
 use crate::query::triangle_aabb::error_bound::error_bound;
 use crate::query::triangle_aabb::offsets::{self, ForOffsets};
 use crate::robust::{Stage, Uncertain, note};
@@ -111,8 +111,8 @@ fn pair_in_doubt<S: Scalar + InFloat<F>, F: Float>(
     match apart(&rows, &frame) {
         Apart::Yes => Some(true),
         Apart::No => Some(false),
-        Apart::UnlessByRounding => zeros::is_on_grid(&rows, &frame, p, q).then_some(false),
-        Apart::UnlessByGap => zeros::gaps_are_exact(&rows, p, q).then_some(false),
+        Apart::UnlessByRounding => is_on_grid(&rows, &frame, p, q).then_some(false),
+        Apart::UnlessByGap => gaps_are_exact(&rows, p, q).then_some(false),
         Apart::Unknown => None,
     }
 }
@@ -192,4 +192,28 @@ fn are_settled<Q: Quad<Lane: Float>>(rows: Rows<Q>, frame: InFrame<Q>) -> bool {
             rows.plane(&flattened) < -bound.plane && clear & THREE == THREE
         })
     })
+}
+
+/// Whether every gap of zero between a triangle and a box given by its centre is exact: the
+/// difference that gave it was not rounded.
+fn gaps_are_exact<Q: Quad<Lane: Float>>(rows: &Rows<Q>, center: Q, half: Q) -> bool {
+    let zero = Q::splat(Q::Lane::ZERO);
+    let ([low, low_lost], [high, high_lost]) =
+        (two_difference(rows.low, center), two_difference(rows.high, center));
+    let is_rounded = |lost: Q| lost.magnitude().exceeds(zero);
+    let (above, below) = (half.exceeds(low), high.exceeds(zero - half));
+    (is_rounded(low_lost) & !above | is_rounded(high_lost) & !below) & THREE == 0
+}
+
+/// Whether the coordinates of a triangle and of a box, given by `p` and `q`, are multiples of a
+/// unit so great that no sum of products of three differences up to the pair's size is rounded.
+fn is_on_grid<Q: Quad<Lane: Float>>(rows: &Rows<Q>, frame: &InFrame<Q>, p: Q, q: Q) -> bool {
+    let size = largest(frame.size);
+    let shifter = Q::splat(size.power_of_two_below() * Q::Lane::GRID_SHIFTER);
+    let mut off = 0;
+    for x in [rows.v[0], rows.v[1], rows.v[2], p, q] {
+        let whole = (x + shifter) - shifter;
+        off |= whole.exceeds(x) | x.exceeds(whole);
+    }
+    off & THREE == 0
 }

@@ -1,4 +1,93 @@
-use crate::arithmetic::{ProductSum, Word, out_of_line_if_wide};
+//! The kernel in machine words, for narrow registers: for a core on which a product of words is cheap
+//! and a wider one is not.
+
+use super::Disjoint;
+use crate::arithmetic::{InWord, ProductSum, Word, out_of_line_if_wide};
+use crate::scalar::Scalar;
+#[cfg(feature = "fixed")]
+use crate::shape::{Aabb, Near, Overlaps, Triangle};
+use crate::shape::{AabbForm, Vec3};
+
+impl<S: Scalar> Disjoint<'_, S> {
+    /// The answer in words wide enough for shapes anywhere.
+    #[inline(never)]
+    pub(super) fn in_any_words<W: Word>(&self) -> bool
+    where
+        S: InWord<W>,
+    {
+        let projections = self.projections();
+        Projection::are_apart(&projections) || one_sided(&projections)
+    }
+
+    /// The answer in words wide enough for shapes near each other; `None` if they are not.
+    #[inline(never)]
+    pub(super) fn in_near_words<W: Word>(&self) -> Option<bool>
+    where
+        S: InWord<W>,
+    {
+        let ([x, y, z], _) = self.extents();
+        let projections = self.projections();
+        (W::is_central(x)
+            && W::is_central(y)
+            && W::is_central(z)
+            && Projection::are_near(&projections))
+        .then(|| Projection::are_apart(&projections) || one_sided(&projections))
+    }
+
+    /// The shapes projected on the coordinate axes, relative to the least corner of the box.
+    #[inline(always)]
+    fn projections<W: Word>(&self) -> [Projection<W>; 3]
+    where
+        S: InWord<W>,
+    {
+        out_of_line_if_wide!(W, {
+            let (min, size) = self.extents();
+            let [a, b, c] = self.triangle.vertices();
+            let [a, b, c] = [words(a), words(b), words(c)];
+            let projection = |i: usize| Projection::new(min[i], size[i], [a[i], b[i], c[i]]);
+            [projection(0), projection(1), projection(2)]
+        })
+    }
+
+    /// The least corner of the box, and its extents.
+    #[inline(always)]
+    fn extents<W: Word>(&self) -> ([W; 3], [W; 3])
+    where
+        S: InWord<W>,
+    {
+        match self.aabb.form() {
+            AabbForm::Center { center, half } => {
+                let (center, half) = (words(center), words(half));
+                (each(center, half, W::minus), each(half, half, W::plus))
+            }
+            AabbForm::Corners { min, max } => {
+                let (min, max) = (words(min), words(max));
+                (min, each(max, min, W::minus))
+            }
+        }
+    }
+}
+
+#[cfg(feature = "fixed")]
+impl<S: Scalar + InWord<i32>> Overlaps<Near<Aabb<S>>> for Near<Triangle<S>> {
+    /// Do a triangle and an axis-aligned box near the origin have a point in common?
+    ///
+    /// *Numerics*: exact, in 32-bit words alone. *Panics*: never.
+    #[inline]
+    fn overlaps(&self, aabb: &Near<Aabb<S>>) -> bool {
+        !Disjoint { triangle: self.get(), aabb: aabb.get() }.in_any_words::<i32>()
+    }
+}
+
+#[inline(always)]
+fn words<S: InWord<W> + Copy, W: Word>(v: &Vec3<S>) -> [W; 3] {
+    [v.x.in_word(), v.y.in_word(), v.z.in_word()]
+}
+
+#[inline(always)]
+fn each<W: Word>(a: [W; 3], b: [W; 3], f: fn(W, W) -> W) -> [W; 3] {
+    [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2])]
+}
 
 /// Whether one of the remaining 10 axes separates a triangle from a box, if no face of the box does
 /// ([`Projection::are_apart`]). For cores on which a product of words is cheap and a wider one is
@@ -64,6 +153,7 @@ impl<W: Word> Projection<W> {
     }
 
     /// The vertices and the size.
+
     #[cfg(all(test, feature = "fixed"))]
     pub(in crate::query) fn parts(&self) -> ([W; 3], W) {
         (self.t, self.size)
