@@ -30,7 +30,6 @@ mod short_multiples;
 mod soft;
 mod span;
 mod system;
-mod vector;
 mod wide;
 mod window;
 mod words;
@@ -71,8 +70,7 @@ pub use soft::Soft;
 pub(crate) use soft::whole;
 pub(crate) use span::{Span, Spanned, Spans};
 pub use system::{Arithmetic, Embeds};
-pub(crate) use system::{of_two, once};
-pub(crate) use vector::{cross, dot};
+pub(crate) use system::{cross, dot, of_two, once};
 pub(crate) use wide::I256;
 pub use window::Window;
 #[cfg(test)]

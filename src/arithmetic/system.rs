@@ -3,6 +3,7 @@
 use core::cmp::Ordering;
 use core::ops::Mul;
 
+use super::index::three;
 use super::number::Number;
 
 /// A number system that a kernel runs in.
@@ -87,6 +88,21 @@ pub(crate) fn once<N: Arithmetic, T: Number>(x: T) -> T {
 #[inline(always)]
 pub(crate) fn of_two<N: Arithmetic, T: Number>(x: T) -> T {
     if N::DOUBLED { x } else { x.half() }
+}
+
+/// a × b.
+#[inline(always)]
+pub(crate) fn cross<N: Arithmetic>(a: &[N::Length; 3], b: &[N::Length; 3]) -> [N::Area; 3] {
+    three(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        N::minor([a[j], b[k]], [a[k], b[j]])
+    })
+}
+
+/// a·b.
+#[inline(always)]
+pub(crate) fn dot<N: Arithmetic>(a: &[N::Area; 3], b: &[N::Length; 3]) -> N::Volume {
+    N::dot(a, b)
 }
 
 /// Coordinates, and one as an operand in their unit.

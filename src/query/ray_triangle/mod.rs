@@ -4,7 +4,6 @@
 //! Tools* 2(1), 1997; T. Akenine-Möller, E. Haines, N. Hoffman, *Real-Time Rendering*, 16.8. The
 //! volumes are theirs. Here signs are decided exactly, and without a division.
 
-mod candidate;
 mod clear_hit;
 mod counted;
 mod crossing;
@@ -13,8 +12,6 @@ mod exact;
 mod hit;
 mod multiples;
 mod narrow;
-#[cfg(feature = "fixed")]
-mod near;
 mod order;
 mod prepared;
 mod question;
@@ -23,14 +20,19 @@ mod residual;
 mod rows;
 mod split;
 
-pub(crate) use candidate::Candidate;
-pub(crate) use clear_hit::{clear_hit, clear_refined_hit, clearly_misses};
+pub(crate) use clear_hit::{Candidate, clear_hit, clear_refined_hit, clearly_misses};
 pub use hit::{Cull, Facing, Feature, Hit, HitRules};
 pub use prepared::{HitRay, HitTriangle};
 
 use self::counted::Crosses;
+#[cfg(feature = "fixed")]
+use self::narrow::rounded;
 use self::question::Hits;
+#[cfg(feature = "fixed")]
+use crate::arithmetic::InWholeWord;
 use crate::scalar::Scalar;
+#[cfg(feature = "fixed")]
+use crate::shape::Near;
 use crate::shape::{Ray, Triangle};
 
 impl<S: Scalar> Ray<S> {
@@ -157,5 +159,46 @@ impl<S: Scalar> Ray<S> {
             Some(counts) => counts,
             None => S::evaluate_numeric(&Hits(question)),
         }
+    }
+}
+
+/// Near the origin, in the word kernel only.
+#[cfg(feature = "fixed")]
+impl<S: Scalar + InWholeWord<i32>> Near<Ray<S>> {
+    /// [`Ray::hit`], in 32-bit words alone.
+    #[inline]
+    #[must_use]
+    pub fn hit(&self, triangle: &Near<Triangle<S>>) -> Option<Hit<S>> {
+        self.hit_with(triangle, HitRules::new())
+    }
+
+    /// [`Ray::hit_once`], in 32-bit words alone.
+    #[inline]
+    #[must_use]
+    pub fn hit_once(&self, triangle: &Near<Triangle<S>>) -> Option<Hit<S>> {
+        self.hit_with(triangle, HitRules::new().once())
+    }
+
+    /// [`Ray::hit_with`], in 32-bit words alone.
+    #[inline]
+    #[must_use]
+    pub fn hit_with(&self, triangle: &Near<Triangle<S>>, rules: HitRules) -> Option<Hit<S>> {
+        let question = Crosses { ray: self.get(), triangle: triangle.get(), rules };
+        question.in_any_words::<i32>().map(|counted| rounded(&counted))
+    }
+
+    /// [`Ray::is_hit`], in 32-bit words alone.
+    #[inline]
+    #[must_use]
+    pub fn is_hit(&self, triangle: &Near<Triangle<S>>) -> bool {
+        self.is_hit_with(triangle, HitRules::new())
+    }
+
+    /// [`Ray::is_hit_with`], in 32-bit words alone.
+    #[inline]
+    #[must_use]
+    pub fn is_hit_with(&self, triangle: &Near<Triangle<S>>, rules: HitRules) -> bool {
+        let question = Crosses { ray: self.get(), triangle: triangle.get(), rules };
+        question.in_any_words::<i32>().is_some()
     }
 }
