@@ -153,7 +153,6 @@ impl<W: Word> Projection<W> {
     }
 
     /// The vertices and the size.
-
     #[cfg(all(test, feature = "fixed"))]
     pub(in crate::query) fn parts(&self) -> ([W; 3], W) {
         (self.t, self.size)
