@@ -4,29 +4,28 @@
 #
 # Proved: |computed − true| is at most the bound as it is computed, underflow included.
 #
-# Sides x, y and s are divided by their greatest computed coordinates, and what is a place or the
-# product of a half-extent with a side by R, the computed size, a sum of eighteen such numbers. The
-# truth of each is below 1 + 32·U then. Sides and half-extents are rounded once. A place p is the mean
-# of two differences, each at most R and rounded once, so that it errs by U·R at most, of which it does
-# the part m; and is rounded then.
+# The six products of coordinates of the sides x and y are divided by the greatest that is computed.
+# What is a place or the product of a half-extent with a side is divided by R, the computed size, a sum
+# of eighteen such numbers. The truth of each is below 1 + 32·U then. Sides and half-extents are rounded
+# once. A place p is the mean of two differences, each at most R and rounded once, so that it errs by
+# U·R at most, of which it does the part m; and is rounded then.
+#
+# For the sign of a side, the six terms of a·s are divided by the greatest that is computed: in each
+# coordinate, a is multiplied by a factor that s is divided by.
 #
 # There are two places and six terms t = h·|a·s|. Of these all numbers h·s add up to R at most, so
 # that a bound on the error of one which is relative to h·s holds for their sum. Sums of terms are at
 # most 6 in truth, for a coordinate of a is at most 2: so are those that are computed, but for their
 # errors. Four roundings are the most that come after a term.
 #
-# LOST: products of lengths that are within `RANGE` lose less than that to underflow.
+# LOST: products of lengths that are within `RANGE` lose less than that to underflow, and those of
+# `LEAST_PRODUCT` with a length.
 
 X = 1 + 32*U;
-Xx = X*cx + o;  xx = fl(X*cx, 0);
-Xy = X*cy + o;  xy = fl(X*cy, 0);
-Xz = X*cz + o;  xz = fl(X*cz, 0);
-Yx = X*dx + o;  yx = fl(X*dx, 0);
-Yy = X*dy + o;  yy = fl(X*dy, 0);
-Yz = X*dz + o;  yz = fl(X*dz, 0);
-ax = fl(fl(xy*yz, z1), -fl(xz*yy, z2));  Ax = (Xy*Yz + o) + -(Xz*Yy + o);
-ay = fl(fl(xz*yx, z3), -fl(xx*yz, z4));  Ay = (Xz*Yx + o) + -(Xx*Yz + o);
-az = fl(fl(xx*yy, z5), -fl(xy*yx, z6));  Az = (Xx*Yy + o) + -(Xy*Yx + o);
+# Two sides rounded, and their product.
+Ax = (((X*c1 + o) + o) + o) + -(((X*d1 + o) + o) + o);  ax = fl(fl(fl(fl(X*c1, 0), 0), z1), -fl(fl(fl(X*d1, 0), 0), z2));
+Ay = (((X*c2 + o) + o) + o) + -(((X*d2 + o) + o) + o);  ay = fl(fl(fl(fl(X*c2, 0), 0), z3), -fl(fl(fl(X*d2, 0), 0), z4));
+Az = (((X*c3 + o) + o) + o) + -(((X*d3 + o) + o) + o);  az = fl(fl(fl(fl(X*c3, 0), 0), z5), -fl(fl(fl(X*d3, 0), 0), z6));
 
 # A place.
 Px = X*ex + o;  px = fl(X*ex, X*U*mx);
@@ -52,7 +51,7 @@ Sum = (((t0 + t1) + t2) + p1) + -end;
 bound = fl(ROUNDOFFS*U*fl(fl(1, z14), z15), z16);
 side_bound = fl(ROUNDOFFS*0.25*U*fl(fl(1, z17), z18), z19);
 
-{ o in [0,0] /\ |cx| <= 1 /\ |cy| <= 1 /\ |cz| <= 1 /\ |dx| <= 1 /\ |dy| <= 1 /\ |dz| <= 1 /\ |ex| <= 1
+{ o in [0,0] /\ |c1| <= 1 /\ |c2| <= 1 /\ |c3| <= 1 /\ |d1| <= 1 /\ |d2| <= 1 /\ |d3| <= 1 /\ |ex| <= 1
 /\ |ey| <= 1 /\ |ez| <= 1 /\ |mx| <= 1 /\ |my| <= 1 /\ |mz| <= 1 /\ |fx| <= 1 /\ |fy| <= 1 /\ |fz| <= 1
 /\ g in [0,1] /\ |q| <= 1 /\ |z1| <= 1b-800 /\ |z2| <= 1b-800 /\ |z3| <= 1b-800 /\ |z4| <= 1b-800
 /\ |z5| <= 1b-800 /\ |z6| <= 1b-800 /\ |z7| <= 1b-800 /\ |z8| <= 1b-800 /\ |z9| <= 1b-800

@@ -66,12 +66,12 @@ pub(super) enum Finding {
     Overlaps([Overlap; 2]),
 }
 
-/// Roundoffs in an overlap, per X·Y·R.
+/// Roundoffs in an overlap, per P·R: the greatest product in the direction, and the size.
 const ROUNDOFFS: u16 = 256;
 const ERROR: f64 = ROUNDOFFS as f64 * (f64::EPSILON / 2.0);
 
-/// If the square of a cross product is below this part of the squares of its sides, it may be off
-/// by more than [`SPREAD`].
+/// If the square of a cross product is below this part of P², it may be off by more than
+/// [`SPREAD`].
 const NOISE: f64 = f64::from_bits((1023 - 54) << 52);
 
 /// The relative error of the square of a cross product.
@@ -80,12 +80,29 @@ const SPREAD: f64 = f64::from_bits((1023 - 20) << 52);
 /// A number between these may be squared, cubed, and squared again.
 const RANGE: (f64, f64) = (f64::from_bits((1023 - 100) << 52), f64::from_bits((1023 + 100) << 52));
 
+/// The least P. Axes that are parallel but for a residue have a short cross product.
+const LEAST_PRODUCT: f64 = f64::from_bits((1023 - 150) << 52);
+
 fn in_range(x: f64) -> bool {
     x > RANGE.0 && x < RANGE.1
 }
 
 pub(super) fn cross(x: &Vec64, y: &Vec64) -> Vec64 {
     arithmetic::cross::<Filtered<f64>>(x, y)
+}
+
+/// x × y, and the greater of the two products in each coordinate, which bounds its error.
+fn cross_with_products(x: &Vec64, y: &Vec64) -> (Vec64, Vec64) {
+    let products = three(|i| {
+        let (_, j, k) = turn(i);
+        [pick(x, j) * pick(y, k), pick(x, k) * pick(y, j)]
+    });
+    (products.map(|[p, q]| p - q), products.map(|[p, q]| greatest(p.abs(), q.abs())))
+}
+
+/// Whether a product is so great that underflow does not matter, and no more than that.
+fn is_product(x: f64) -> bool {
+    x > LEAST_PRODUCT && x < RANGE.1
 }
 
 pub(super) fn dot(x: &Vec64, y: &Vec64) -> f64 {
@@ -152,17 +169,20 @@ impl<'a> Filter<'a> {
 
     /// The signs of the sides of the shapes along a direction, where floats are certain.
     ///
-    /// a·s errs like the product with a position, except that s errs only by u of itself.
-    /// `directions.g` proves a bound of a quarter of [`ROUNDOFFS`] times u·X·Y·S, with S the
-    /// greatest coordinate of s.
+    /// With the products p − q in a coordinate of a, a·s is a sum of terms p·s and q·s.
+    /// `directions.g` proves that it errs by at most a quarter of [`ROUNDOFFS`] times u and the
+    /// greatest of these terms. The bound is by terms, so that a side keeps its sign if it is
+    /// perpendicular to the direction but for a residue.
     pub(super) fn along(&self, direction: Direction) -> [[Option<Ordering>; 3]; 2] {
         let [x, y] = &self.sides(direction);
-        let (a, scale) = (cross(x, y), largest(x) * largest(y));
+        let (a, products) = cross_with_products(x, y);
         let of = |shape: &Rough| {
             three(|k| {
                 let s = &shape.sides[k];
-                let (along, size) = (dot(&a, s), scale * largest(s));
-                let is_certain = in_range(size) && along.abs() > ERROR / 4.0 * size;
+                let along = dot(&a, s);
+                let size = largest(&three(|i| products[i] * s[i]));
+                let is_in_range = is_product(largest(&products)) && in_range(largest(s));
+                let is_certain = is_in_range && in_range(size) && along.abs() > ERROR / 4.0 * size;
                 is_certain.then(|| compare(along, 0.0))
             })
         };
@@ -189,17 +209,20 @@ impl<'a> Filter<'a> {
     ///
     /// # The error
     ///
-    /// u is the unit roundoff; X and Y are the greatest coordinates of the two sides x and y. Sides
-    /// and half-extents have one rounding at most. Positions relative to the origin are means of
-    /// two differences. The differences may cancel, but neither exceeds `size` R, so a position
-    /// errs by 3·u·R.
+    /// u is the unit roundoff; P is the greatest product of two coordinates in a = x × y, for the
+    /// two sides x and y. Sides and half-extents have one rounding at most. Positions relative to
+    /// the origin are means of two differences. The differences may cancel, but neither exceeds
+    /// `size` R, so a position errs by 3·u·R.
     ///
     /// The overlap is a sum of two terms a·p, for a position p, and of six terms h·|a·s|, for a
-    /// half-extent and an axis, with a = x × y. `directions.g` proves that it errs by at most
-    /// [`ROUNDOFFS`] times u·X·Y·R, with second orders and underflow. [`RANGE`] keeps X·Y·R normal,
+    /// half-extent and an axis. `directions.g` proves that it errs by at most [`ROUNDOFFS`] times
+    /// u·P·R, with second orders and underflow. [`RANGE`] and [`LEAST_PRODUCT`] keep P·R normal,
     /// and so the sides that have half-extents.
     ///
-    /// The square of a errs by 2·√3·8·u·X·Y·|a| and roundings. If it exceeds [`NOISE`]·X²·Y², the
+    /// P is not the product of the greatest coordinates. For axes parallel but for a residue in
+    /// one coordinate, P is as small as a.
+    ///
+    /// The square of a errs by 2·√3·8·u·P·|a| and roundings. If it exceeds [`NOISE`]·P², the
     /// relative error is less than [`SPREAD`]: 28·2^-53 / 2^-27 = 2^-21.2.
     pub(super) fn finding(&mut self, direction: Direction) -> Finding {
         if self.is_shared(direction) {
@@ -227,10 +250,9 @@ impl<'a> Filter<'a> {
             self.seen[axis] = n == 1;
         }
 
-        let a = cross(x, y);
-        let scale = largest(x) * largest(y);
-        let square = dot(&a, &a);
-        if !in_range(scale) || !in_range(self.size) || square < NOISE * scale * scale {
+        let (a, products) = cross_with_products(x, y);
+        let (scale, square) = (largest(&products), dot(&a, &a));
+        if !is_product(scale) || !in_range(self.size) || square < NOISE * scale * scale {
             // The direction may be zero, or point anywhere.
             return Finding::Overlaps([Overlap::UNKNOWN; 2]);
         }
