@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 use super::body::Body;
 use super::directions::Direction;
 use super::sums::Sums;
-use super::whole::{Units, Whole};
+use super::whole::{Long, Short, Units, Whole};
 use crate::arithmetic::{Soft, pick, three, turn};
 use crate::scalar::Scalar;
 
@@ -47,8 +47,13 @@ impl Exact {
         let are_triangles = [bodies[0].is_triangle(), bodies[1].is_triangle()];
         let own = direction.sides(are_triangles);
         match units {
+            Some(units) if units.are_short => {
+                let given = Whole::<S, Short>::new(units, bodies, own);
+                Self::of(&given, are_triangles, own, known, wanted)
+            }
             Some(units) => {
-                Self::of(&Whole::new(units, bodies, own), are_triangles, own, known, wanted)
+                let given = Whole::<S, Long>::new(units, bodies, own);
+                Self::of(&given, are_triangles, own, known, wanted)
             }
             None => Self::of(&Sums::new(bodies, own), are_triangles, own, known, wanted),
         }

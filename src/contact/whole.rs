@@ -1,13 +1,145 @@
-//! The exact numbers of a direction as integers. Every number of the shapes must fit in few bits,
-//! as in most scenes. The results equal [`sums`](super::sums) and take a fraction of the time.
+//! The exact numbers of a direction as integers: in 60 bits, as in most scenes, or in 250 bits, as
+//! for poses with residues of quarter turns. The results equal [`sums`](super::sums) and take a
+//! fraction of the time.
 
 use core::cmp::Ordering;
 
 use super::body::{Body, Place};
 use super::exact::{Given, Size};
-use crate::arithmetic::{Bits, I256, REGISTERS_ARE_WIDE, Soft, pick, three, turn};
+use crate::arithmetic::{
+    BigInt, Bits, I256, Number, Parts, REGISTERS_ARE_WIDE, Soft, compare, pick, three, turn,
+};
 use crate::scalar::Scalar;
 use crate::shape::AabbForm;
+
+/// Integers for the numbers of shapes, their products, and products of these.
+pub(super) trait Integers {
+    /// The numbers of the shapes.
+    type Length: Number;
+    /// Products of two lengths.
+    type Area: Number;
+    /// Products of an area and a length.
+    type Volume: Number;
+    /// Products of two areas.
+    type Fourth: Number;
+
+    /// The most bits of a length.
+    const WIDTH: i32;
+    /// The most bits of twice the reach of a shape beyond another.
+    const REACH: i32;
+
+    /// The number in units of 2^`low`.
+    fn length(x: Parts, low: i32) -> Self::Length;
+    fn widened(x: Self::Length) -> Self::Area;
+    fn area(x: Self::Length, y: Self::Length) -> Self::Area;
+    /// x·2^up.
+    fn raised(x: Self::Area, up: u32) -> Self::Area;
+    fn volume(x: Self::Area, y: Self::Length) -> Self::Volume;
+    fn fourth(x: Self::Area, y: Self::Area) -> Self::Fourth;
+    fn of_area(x: Self::Area) -> Option<(Ordering, Soft)>;
+    fn of_fourth(x: Self::Fourth) -> Option<(Ordering, Soft)>;
+}
+
+/// Sign and size of a number that is not zero.
+fn soft<const L: usize>((is_negative, limbs): (bool, [u64; L])) -> Option<(Ordering, Soft)> {
+    let sign = if is_negative { Ordering::Less } else { Ordering::Greater };
+    Some((sign, Soft::of_limbs(&limbs)?))
+}
+
+/// Lengths in one word.
+///
+/// A side is below 2^61 and a coordinate of a cross product below 2^123. Its product with a reach
+/// is below 2^249, and a sum of three such products below 2^251.
+pub(super) struct Short;
+
+impl Integers for Short {
+    type Length = i64;
+    type Area = i128;
+    type Volume = I256;
+    type Fourth = I256;
+
+    const WIDTH: i32 = 60;
+    const REACH: i32 = 126;
+
+    fn length(x: Parts, low: i32) -> i64 {
+        x.in_units(low)
+    }
+    fn widened(x: i64) -> i128 {
+        x.into()
+    }
+    fn area(x: i64, y: i64) -> i128 {
+        i128::from(x) * i128::from(y)
+    }
+    fn raised(x: i128, up: u32) -> i128 {
+        x << up
+    }
+    fn volume(x: i128, y: i64) -> I256 {
+        I256::product(x, y)
+    }
+    fn fourth(x: i128, y: i128) -> I256 {
+        I256::of_two(x, y)
+    }
+    fn of_area(x: i128) -> Option<(Ordering, Soft)> {
+        let size = x.unsigned_abs();
+        soft((x < 0, [size as u64, (size >> 64) as u64]))
+    }
+    fn of_fourth(x: I256) -> Option<(Ordering, Soft)> {
+        soft(x.limbs())
+    }
+}
+
+/// Lengths in four words.
+///
+/// A side is below 2^251 and a coordinate of a cross product below 2^503. Its product with a reach
+/// is below 2^1011, and a sum of three such products below 2^1013.
+pub(super) struct Long;
+
+impl Integers for Long {
+    type Length = BigInt<4>;
+    type Area = BigInt<8>;
+    type Volume = BigInt<12>;
+    type Fourth = BigInt<16>;
+
+    const WIDTH: i32 = 250;
+    const REACH: i32 = 508;
+
+    fn length(x: Parts, low: i32) -> BigInt<4> {
+        let mut length = BigInt::ZERO;
+        if x.magnitude != 0 {
+            let up = (i32::from(x.shift) - low) as usize;
+            // Trailing zeros may lie below the unit.
+            let down = x.magnitude.trailing_zeros();
+            let words = core::iter::once(x.magnitude >> down);
+            length.accumulate(words, up.wrapping_add(down as usize), x.negative);
+        }
+        length
+    }
+    fn widened(x: BigInt<4>) -> BigInt<8> {
+        x.resized()
+    }
+    #[inline(never)]
+    fn area(x: BigInt<4>, y: BigInt<4>) -> BigInt<8> {
+        if x == BigInt::ZERO || y == BigInt::ZERO { BigInt::ZERO } else { x.times(&y) }
+    }
+    fn raised(x: BigInt<8>, up: u32) -> BigInt<8> {
+        let mut raised = BigInt::ZERO;
+        raised.add_multiple(&x, 1, up as usize, false);
+        raised
+    }
+    fn volume(x: BigInt<8>, y: BigInt<4>) -> BigInt<12> {
+        x.times(&y)
+    }
+    #[inline(never)]
+    fn fourth(x: BigInt<8>, y: BigInt<8>) -> BigInt<16> {
+        x.times(&y)
+    }
+    fn of_area(x: BigInt<8>) -> Option<(Ordering, Soft)> {
+        soft(x.sign_magnitude())
+    }
+    fn of_fourth(x: BigInt<16>) -> Option<(Ordering, Soft)> {
+        soft(x.sign_magnitude())
+    }
+}
 
 /// Powers of two that divide the numbers of two shapes, in units of the least number.
 pub(super) struct Units {
@@ -21,14 +153,9 @@ pub(super) struct Units {
     ends: i32,
     /// How far the two kinds of terms are shifted up to that unit.
     up: [u32; 2],
+    /// Whether [`Short`] holds everything. If not, [`Long`] does.
+    pub(super) are_short: bool,
 }
-
-/// The widths that [`Units`] allows: of a number, and of the reach of a shape beyond another.
-///
-/// A side is below 2^61 and a coordinate of a cross product below 2^123. Its product with a reach
-/// is below 2^249, and a sum of three such products below 2^251.
-const WIDTH: i32 = 60;
-const REACH: i32 = 126;
 
 impl Units {
     /// The units, if the numbers are short enough, and the machine multiplies long words.
@@ -56,9 +183,6 @@ impl Units {
                 }
             }
         }
-        if places.width() > WIDTH || axes.width() > WIDTH || halves.width() > WIDTH {
-            return None;
-        }
         // If all numbers are zero, every power of two is a unit.
         let low = |bits: Bits| if bits.width() > 0 { bits.low } else { 0 };
         let one = i32::from(S::ONE.shift);
@@ -67,48 +191,53 @@ impl Units {
         let ends = if has_reach { of_places.min(of_reach) } else { of_places };
         let up = [of_places - ends, if has_reach { of_reach - ends } else { 0 }];
         // Each shape has twice a place, and twice a half-extent or three products; then their sum.
-        let widths = [places.width() + 3 + up[0], axes.width() + halves.width() + 4 + up[1]];
-        let fits = widths.into_iter().all(|width| width < REACH);
+        let reach = (places.width() + 3 + up[0]).max(axes.width() + halves.width() + 4 + up[1]);
+        let width = places.width().max(axes.width()).max(halves.width());
+        let are_short = width <= Short::WIDTH && reach < Short::REACH;
+        let fits = are_short || width <= Long::WIDTH && reach < Long::REACH;
         fits.then(|| Self {
             places: low(places),
             axes: low(axes),
             halves: low(halves),
             ends,
             up: up.map(i32::unsigned_abs),
+            are_short,
         })
     }
 
-    fn point<S: Scalar>(point: [S; 3], low: i32) -> [i64; 3] {
-        three(|i| point[i].parts().in_units(low))
+    fn point<N: Integers, S: Scalar>(point: [S; 3], low: i32) -> [N::Length; 3] {
+        three(|i| N::length(point[i].parts(), low))
     }
 
     /// Edge k of a triangle or axis k of a box, and its unit.
-    fn side<S: Scalar>(&self, body: &Body<'_, S>, k: usize) -> ([i64; 3], i32) {
+    fn side<N: Integers, S: Scalar>(&self, body: &Body<'_, S>, k: usize) -> ([N::Length; 3], i32) {
         match body {
             Body::Triangle(t) => {
                 let v = t.points();
-                let from = Self::point(*pick(&v, k), self.places);
-                let to = Self::point(*pick(&v, turn(k).1), self.places);
+                let from = Self::point::<N, S>(*pick(&v, k), self.places);
+                let to = Self::point::<N, S>(*pick(&v, turn(k).1), self.places);
                 (three(|i| to[i] - from[i]), self.places)
             }
             Body::Aabb(_) => {
-                let mut axis = [0; 3];
-                axis[k % 3] = 1;
+                let mut axis = [N::Length::ZERO; 3];
+                axis[k % 3] = N::length(S::ONE, S::ONE.shift.into());
                 (axis, S::ONE.shift.into())
             }
-            Body::Obb(obb) => (Self::point(pick(obb.axes(), k).to_array(), self.axes), self.axes),
+            Body::Obb(obb) => {
+                (Self::point::<N, S>(pick(obb.axes(), k).to_array(), self.axes), self.axes)
+            }
         }
     }
 
     /// Twice the farthest place of a shape along the direction, from its centre or from one of its
     /// vertices.
-    fn end<S: Scalar>(
+    fn end<N: Integers, S: Scalar>(
         &self,
         body: &Body<'_, S>,
         vertex: usize,
         along: &[Ordering; 3],
         is_upper: bool,
-    ) -> [i128; 3] {
+    ) -> [N::Area; 3] {
         let Place(p, q) = match body {
             Body::Triangle(t) => {
                 let v = *pick(&t.points(), vertex);
@@ -117,34 +246,41 @@ impl Units {
             _ => body.origin(),
         };
         let [up, reach_up] = self.up;
-        let (p, q) = (Self::point(p, self.places), Self::point(q, self.places));
-        let place = |i: usize| {
-            let place = i128::from(p[i] + q[i]) << up;
+        let point = |p: [S; 3]| Self::point::<N, S>(p, self.places);
+        let (p, q) = (point(p), point(q));
+        let mut end = three(|i| {
+            let place = N::raised(N::widened(p[i] + q[i]), up);
             if is_upper { -place } else { place }
+        });
+        let add = |end: &mut N::Area, k: usize, x: N::Area| {
+            *end = if pick(along, k).is_lt() { *end - x } else { *end + x };
         };
-        let mut end = three(place);
-        let sign = |k: usize| *pick(along, k) as i64;
         match body {
             Body::Triangle(_) => {}
             Body::Aabb(aabb) => {
                 let twice = match aabb.form() {
                     AabbForm::Center { half, .. } => {
-                        let half = Self::point(half.to_array(), self.places);
-                        three(|k| 2 * half[k])
+                        let half = point(half.to_array());
+                        three(|k| half[k] + half[k])
                     }
                     AabbForm::Corners { .. } => three(|k| q[k] - p[k]),
                 };
                 for k in 0..3 {
-                    end[k] += i128::from(sign(k) * twice[k]) << up;
+                    if along[k].is_ne() {
+                        add(&mut end[k], k, N::raised(N::widened(twice[k]), up));
+                    }
                 }
             }
             Body::Obb(obb) => {
-                let half = Self::point(obb.half_extents().to_array(), self.halves);
-                for k in 0..3 {
-                    let (side, _) = self.side(body, k);
-                    let twice = i128::from(2 * sign(k) * half[k]);
+                let half = Self::point::<N, S>(obb.half_extents().to_array(), self.halves);
+                for k in (0..3).filter(|&k| along[k].is_ne()) {
+                    let (side, _) = self.side::<N, S>(body, k);
                     for i in 0..3 {
-                        end[i] += (twice * i128::from(side[i])) << reach_up;
+                        add(
+                            &mut end[i],
+                            k,
+                            N::raised(N::area(half[k] + half[k], side[i]), reach_up),
+                        );
                     }
                 }
             }
@@ -154,64 +290,52 @@ impl Units {
 }
 
 /// A direction in whole numbers.
-pub(super) struct Whole<'a, S> {
+pub(super) struct Whole<'a, S, N: Integers> {
     units: &'a Units,
     bodies: &'a [Body<'a, S>; 2],
-    direction: [i128; 3],
+    direction: [N::Area; 3],
     unit: i32,
 }
 
-impl<'a, S: Scalar> Whole<'a, S> {
+impl<'a, S: Scalar, N: Integers> Whole<'a, S, N> {
     pub(super) fn new(
         units: &'a Units,
         bodies: &'a [Body<'a, S>; 2],
         own: [(usize, usize); 2],
     ) -> Self {
-        let side = |(shape, k): (usize, usize)| units.side(&bodies[shape % 2], k);
+        let side = |(shape, k): (usize, usize)| units.side::<N, S>(&bodies[shape % 2], k);
         let ((x, x_unit), (y, y_unit)) = (side(own[0]), side(own[1]));
-        let minor = |j: usize, k: usize| {
-            i128::from(x[j]) * i128::from(y[k]) - i128::from(x[k]) * i128::from(y[j])
-        };
-        let direction = [minor(1, 2), minor(2, 0), minor(0, 1)];
+        let direction = three(|i| {
+            let (_, j, k) = turn(i);
+            let area = |j: usize, k: usize| N::area(*pick(&x, j), *pick(&y, k));
+            area(j, k) - area(k, j)
+        });
         Self { units, bodies, direction, unit: x_unit + y_unit }
     }
-
-    fn dot(&self, x: impl Fn(usize) -> I256) -> I256 {
-        x(0) + x(1) + x(2)
-    }
 }
 
-fn sign_of(x: I256) -> Ordering {
-    x.cmp(&I256::from(0))
-}
-
-impl<S: Scalar> Given for Whole<'_, S> {
+impl<S: Scalar, N: Integers> Given for Whole<'_, S, N> {
     fn coordinates(&self) -> [Option<(Ordering, Soft)>; 3] {
         three(|i| {
-            let x = self.direction[i];
-            let size = x.unsigned_abs();
-            let size = Soft::of_limbs(&[size as u64, (size >> 64) as u64])?.scaled(self.unit);
-            Some((x.cmp(&0), size))
+            let (sign, size) = N::of_area(self.direction[i])?;
+            Some((sign, size.scaled(self.unit)))
         })
     }
 
     fn side(&self, shape: usize, k: usize) -> Ordering {
-        let (side, _) = self.units.side(&self.bodies[shape % 2], k);
-        sign_of(self.dot(|i| I256::product(self.direction[i], side[i])))
+        let (side, _) = self.units.side::<N, S>(&self.bodies[shape % 2], k);
+        let [x, y, z] = three(|i| N::volume(self.direction[i], side[i]));
+        compare(x + y + z, N::Volume::ZERO)
     }
 
     fn overlap(&self, along: &[[Ordering; 3]; 2], vertices: [usize; 2], lower: usize) -> Size {
         let end = |shape: usize| {
-            let is_upper = shape != lower;
-            self.units.end(&self.bodies[shape], vertices[shape], &along[shape], is_upper)
+            let (body, along) = (&self.bodies[shape], &along[shape]);
+            self.units.end::<N, S>(body, vertices[shape], along, shape != lower)
         };
         let (a, b) = (end(0), end(1));
-        let sum = self.dot(|i| I256::of_two(self.direction[i], a[i] + b[i]));
-        let (is_negative, limbs) = sum.limbs();
-        if is_negative {
-            None
-        } else {
-            Some(Soft::of_limbs(&limbs)?.scaled(self.unit + self.units.ends))
-        }
+        let [x, y, z] = three(|i| N::fourth(self.direction[i], a[i] + b[i]));
+        let (sign, size) = N::of_fourth(x + y + z)?;
+        sign.is_gt().then(|| size.scaled(self.unit + self.units.ends))
     }
 }
