@@ -73,6 +73,19 @@ impl<const L: usize> BigInt<L> {
         BigInt(limbs)
     }
 
+    /// x·2^up.
+    pub(crate) fn shifted_up(&self, up: usize) -> Self {
+        let (limbs, bits) = (up / 64, (up % 64) as u32);
+        let mut shifted = Self([0; L]);
+        let mut below = 0_u64;
+        for (to, &limb) in shifted.0.iter_mut().skip(limbs).zip(&self.0) {
+            // In two steps, for a shift of 64 is none.
+            *to = limb << bits | below >> 1 >> (63 - bits);
+            below = limb;
+        }
+        shifted
+    }
+
     /// Adds `words`, the least first, shifted up by `shift` bits, or subtracts them.
     #[inline(always)]
     pub(crate) fn accumulate(
@@ -291,6 +304,12 @@ mod tests {
         for (a, big_a) in &numbers {
             assert_eq!(any_size(*a), *big_a);
             assert_eq!((any_size(-*a), a.sign()), (-big_a, big_a.cmp(&IBig::ZERO)));
+            for up in [0, 1, 63, 64, 65] {
+                // What is shifted out at the top comes back as copies of the sign.
+                let (shifted, lost) = (any_size(a.shifted_up(up)), 64 * L - up);
+                let kept = (big_a + (IBig::ONE << (lost - 1))) & ((IBig::ONE << lost) - 1);
+                assert_eq!(shifted >> up, kept - (IBig::ONE << (lost - 1)));
+            }
             for (b, big_b) in &numbers {
                 assert_eq!((any_size(*a + *b), any_size(*a - *b)), (big_a + big_b, big_a - big_b));
                 assert_eq!((a.cmp(b), a == b), (big_a.cmp(big_b), big_a == big_b));

@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::body::{Body, Rough, Vec64};
 use super::directions::{Direction, Filter, Finding, all, cross, dot};
-use super::exact::{Exact, Size, farthest};
+use super::exact::{Exact, Numbers, Size, farthest};
 use super::interior::InteriorEdges;
 use super::whole::Units;
 use crate::arithmetic::{Soft, pick, three, turn};
@@ -36,7 +36,7 @@ struct Apart;
 /// `Err` if the shapes are apart or touch.
 fn least<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
-    units: Option<&Units>,
+    numbers: Numbers<'_>,
     filter: &Filter<'_>,
     direction: Direction,
     wanted: [bool; 2],
@@ -44,7 +44,7 @@ fn least<S: Scalar>(
 ) -> Result<(), Apart> {
     note(Stage::Exact);
     let known = filter.along(direction);
-    let Some(exact) = Exact::new(bodies, units, direction, &known, wanted) else {
+    let Some(exact) = Exact::new(bodies, numbers, direction, &known, wanted) else {
         return Ok(());
     };
     let Some((length, square)) = exact.length() else { return Ok(()) };
@@ -97,15 +97,25 @@ pub(super) fn least_way<S: Scalar>(
             }
         }
     }
-    let units = Units::new(bodies);
-    let units = units.as_ref();
+    let (short, long);
+    let numbers = match Units::new(bodies) {
+        Some(units) if units.are_short => {
+            short = units.shapes(bodies);
+            Numbers::Short(&short)
+        }
+        Some(units) => {
+            long = units.shapes(bodies);
+            Numbers::Long(&long)
+        }
+        None => Numbers::Sums,
+    };
     let mut best: Option<Way> = None;
     for (direction, overlaps) in found.into_iter().flatten() {
         let wanted = [overlaps[0].least <= bound, overlaps[1].least <= bound];
         if wanted == [false; 2] {
             continue;
         }
-        least(bodies, units, &filter, direction, wanted, &mut best).ok()?;
+        least(bodies, numbers, &filter, direction, wanted, &mut best).ok()?;
     }
     let best = best?;
     if interior == InteriorEdges::NONE {
@@ -117,14 +127,14 @@ pub(super) fn least_way<S: Scalar>(
         // The whole triangle lies across: the direction is its normal, or the triangle has none.
         None => {
             let none = [[None; 3]; 2];
-            best.direction != face && Exact::new(bodies, units, face, &none, [false; 2]).is_none()
+            best.direction != face && Exact::new(bodies, numbers, face, &none, [false; 2]).is_none()
         }
     };
     if !is_held {
         return Some(best);
     }
     let mut held = None;
-    least(bodies, units, &filter, face, [true; 2], &mut held).ok()?;
+    least(bodies, numbers, &filter, face, [true; 2], &mut held).ok()?;
     held.map(|way| Way { is_held: true, ..way })
 }
 

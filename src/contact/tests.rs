@@ -3,7 +3,7 @@
 use super::Shape;
 use super::body::Body;
 use super::directions::{Direction, all};
-use super::exact::{Exact, Size};
+use super::exact::{Exact, Numbers, Size};
 use super::in_floats;
 use super::interior::InteriorEdges;
 use super::least::least_way;
@@ -38,7 +38,7 @@ const NOTHING_IS_KNOWN: [[Option<core::cmp::Ordering>; 3]; 2] = [[None; 3]; 2];
 fn by_sums<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<(Direction, bool, Size)> {
     let mut best: Option<(Direction, bool, Size)> = None;
     for direction in all(bodies) {
-        let exact = Exact::new(bodies, None, direction, &NOTHING_IS_KNOWN, [true; 2]);
+        let exact = Exact::new(bodies, Numbers::Sums, direction, &NOTHING_IS_KNOWN, [true; 2]);
         let Some(exact) = exact else { continue };
         let (length, _) = exact.length().unwrap();
         for is_along in [false, true] {
@@ -52,30 +52,32 @@ fn by_sums<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<(Direction, bool, Siz
     best
 }
 
-/// Whether there is a contact, and whether integers found it.
-fn check<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [bool; 2] {
+/// Whether there is a contact, and whether 60 bits hold the shapes, or 250.
+fn check<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [bool; 3] {
     let bodies = [first.body(), second.body()];
     let (_, rough) = in_floats(&bodies);
     let way = least_way(&bodies, &rough, InteriorEdges::NONE);
     let found = way.map(|way| (way.direction, way.is_along, Some(way.depth)));
     assert_eq!(found, by_sums(&bodies), "{bodies:?}");
-    let mut units = Units::new(&bodies);
+    let units = Units::new(&bodies);
     let is_short = units.as_ref().is_some_and(|units| units.are_short);
-    // What 60 bits hold, the window holds as well.
-    for _ in 0..2 {
-        for direction in all(&bodies).filter(|_| units.is_some()) {
-            let [whole, sums] = [units.as_ref(), None]
-                .map(|units| Exact::new(&bodies, units, direction, &NOTHING_IS_KNOWN, [true; 2]));
-            assert_eq!(whole, sums, "{direction:?} {bodies:?}");
+    if let Some(units) = &units {
+        // What 60 bits hold, 250 bits hold as well.
+        let (long, short) = (units.shapes(&bodies), is_short.then(|| units.shapes(&bodies)));
+        let numbers = [Some(Numbers::Long(&long)), short.as_ref().map(Numbers::Short)];
+        for (direction, numbers) in all(&bodies).flat_map(|d| numbers.map(|n| (d, n))) {
+            let exact = |n| Exact::new(&bodies, n, direction, &NOTHING_IS_KNOWN, [true; 2]);
+            if let Some(numbers) = numbers {
+                assert_eq!(exact(numbers), exact(Numbers::Sums), "{direction:?} {bodies:?}");
+            }
         }
-        units.iter_mut().for_each(|units| units.are_short = false);
     }
-    [is_short, units.is_some()].map(|is| [found.is_some(), is])
+    [found.is_some(), is_short, units.is_some()]
 }
 
 /// All pairs, with numbers that come from numbers of so many bits.
-fn check_all<S: Scalar>(bits: u32, of: fn(f64) -> S, axis: fn(f64) -> S) -> [usize; 3] {
-    let (mut draw, mut seen) = (Draw(7 + u64::from(bits)), [0; 3]);
+fn check_all<S: Scalar>(bits: u32, of: fn(f64) -> S, axis: fn(f64) -> S) -> [usize; 4] {
+    let (mut draw, mut seen) = (Draw(7 + u64::from(bits)), [0; 4]);
     for _ in 0..12 {
         let mut triangle = || {
             let [a, b, c] = [(); 3].map(|()| draw.point(bits, of));
@@ -90,10 +92,11 @@ fn check_all<S: Scalar>(bits: u32, of: fn(f64) -> S, axis: fn(f64) -> S) -> [usi
             Obb::from_skewed_axes(draw.point(bits, of), axes, draw.half(bits, of)).unwrap()
         });
         let all = [check(&t, &u), check(&t, &a), check(&c, &u), check(&a, &b), check(&b, &c)];
-        for [is_contact, is_whole] in all.into_iter().chain([check(&c, &d)]) {
+        for [is_contact, is_short, is_whole] in all.into_iter().chain([check(&c, &d)]) {
             seen[0] += usize::from(is_contact);
             seen[1] += usize::from(!is_contact);
-            seen[2] += usize::from(is_whole);
+            seen[2] += usize::from(is_short);
+            seen[3] += usize::from(is_whole);
         }
     }
     assert!(seen[0] > 9 && seen[1] > 9, "{seen:?}");
@@ -105,7 +108,7 @@ fn all_ways_agree() {
     let few = |x: f64| x as f32;
     let short = [check_all::<f32>(3, few, few), check_all(24, few, few)];
     let long = [check_all::<f64>(3, |x| x, |x| x), check_all(30, |x| x / 3.0, |x| x * 0.7)];
-    let wholes = [short, long].map(|seen| seen.map(|[.., whole]| whole));
+    let wholes = [short, long].map(|seen| seen.map(|[.., short, _]| short));
     if REGISTERS_ARE_WIDE {
         assert!(wholes.as_flattened().iter().all(|&whole| whole > 30), "{wholes:?}");
     }

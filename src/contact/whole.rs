@@ -4,7 +4,7 @@
 
 use core::cmp::Ordering;
 
-use super::body::{Body, Place};
+use super::body::Body;
 use super::exact::{Given, Size};
 use crate::arithmetic::{
     BigInt, Bits, I256, Number, Parts, REGISTERS_ARE_WIDE, Soft, compare, pick, three, turn,
@@ -122,9 +122,7 @@ impl Integers for Long {
         if x == BigInt::ZERO || y == BigInt::ZERO { BigInt::ZERO } else { x.times(&y) }
     }
     fn raised(x: BigInt<8>, up: u32) -> BigInt<8> {
-        let mut raised = BigInt::ZERO;
-        raised.add_multiple(&x, 1, up as usize, false);
-        raised
+        x.shifted_up(up as usize)
     }
     fn volume(x: BigInt<8>, y: BigInt<4>) -> BigInt<12> {
         x.times(&y)
@@ -205,116 +203,123 @@ impl Units {
         })
     }
 
-    fn point<N: Integers, S: Scalar>(point: [S; 3], low: i32) -> [N::Length; 3] {
-        three(|i| N::length(point[i].parts(), low))
+    /// Both shapes in integers.
+    #[inline(never)]
+    pub(super) fn shapes<N: Integers, S: Scalar>(&self, bodies: &[Body<'_, S>; 2]) -> Shapes<N> {
+        let [first, second] = bodies;
+        Shapes { shapes: [self.shape(first), self.shape(second)], ends: self.ends }
     }
 
-    /// Edge k of a triangle or axis k of a box, and its unit.
-    fn side<N: Integers, S: Scalar>(&self, body: &Body<'_, S>, k: usize) -> ([N::Length; 3], i32) {
+    fn shape<N: Integers, S: Scalar>(&self, body: &Body<'_, S>) -> Shape<N> {
+        let in_units = |x: [S; 3], low: i32| three(|i| N::length(x[i].parts(), low));
+        let point = |p: [S; 3]| in_units(p, self.places);
+        let twice = |p: [N::Length; 3]| three(|i| p[i] + p[i]);
+        let raised = |x: N::Length| N::raised(N::widened(x), self.up[0]);
+        let zero = [[N::Area::ZERO; 3]; 3];
         match body {
             Body::Triangle(t) => {
-                let v = t.points();
-                let from = Self::point::<N, S>(*pick(&v, k), self.places);
-                let to = Self::point::<N, S>(*pick(&v, turn(k).1), self.places);
-                (three(|i| to[i] - from[i]), self.places)
+                let v = t.points().map(point);
+                let edge = |k: usize| {
+                    let (from, to) = (pick(&v, k), pick(&v, turn(k).1));
+                    three(|i| to[i] - from[i])
+                };
+                let ends = three(|k| twice(v[k]).map(raised));
+                Shape { sides: three(edge), unit: self.places, ends, reach: zero }
             }
-            Body::Aabb(_) => {
-                let mut axis = [N::Length::ZERO; 3];
-                axis[k % 3] = N::length(S::ONE, S::ONE.shift.into());
-                (axis, S::ONE.shift.into())
-            }
-            Body::Obb(obb) => {
-                (Self::point::<N, S>(pick(obb.axes(), k).to_array(), self.axes), self.axes)
-            }
-        }
-    }
-
-    /// Twice the farthest place of a shape along the direction, from its centre or from one of its
-    /// vertices.
-    fn end<N: Integers, S: Scalar>(
-        &self,
-        body: &Body<'_, S>,
-        vertex: usize,
-        along: &[Ordering; 3],
-        is_upper: bool,
-    ) -> [N::Area; 3] {
-        let Place(p, q) = match body {
-            Body::Triangle(t) => {
-                let v = *pick(&t.points(), vertex);
-                Place(v, v)
-            }
-            _ => body.origin(),
-        };
-        let [up, reach_up] = self.up;
-        let point = |p: [S; 3]| Self::point::<N, S>(p, self.places);
-        let (p, q) = (point(p), point(q));
-        let mut end = three(|i| {
-            let place = N::raised(N::widened(p[i] + q[i]), up);
-            if is_upper { -place } else { place }
-        });
-        let add = |end: &mut N::Area, k: usize, x: N::Area| {
-            *end = if pick(along, k).is_lt() { *end - x } else { *end + x };
-        };
-        match body {
-            Body::Triangle(_) => {}
             Body::Aabb(aabb) => {
-                let twice = match aabb.form() {
-                    AabbForm::Center { half, .. } => {
-                        let half = point(half.to_array());
-                        three(|k| half[k] + half[k])
+                let unit = i32::from(S::ONE.shift);
+                let (mut sides, mut reach) = ([[N::Length::ZERO; 3]; 3], zero);
+                let (end, half) = match aabb.form() {
+                    AabbForm::Center { center, half } => {
+                        (twice(point(center.to_array())), twice(point(half.to_array())))
                     }
-                    AabbForm::Corners { .. } => three(|k| q[k] - p[k]),
+                    AabbForm::Corners { min, max } => {
+                        let (p, q) = (point(min.to_array()), point(max.to_array()));
+                        (three(|i| p[i] + q[i]), three(|i| q[i] - p[i]))
+                    }
                 };
                 for k in 0..3 {
-                    if along[k].is_ne() {
-                        add(&mut end[k], k, N::raised(N::widened(twice[k]), up));
-                    }
+                    sides[k][k] = N::length(S::ONE, unit);
+                    reach[k][k] = raised(half[k]);
                 }
+                Shape { sides, unit, ends: [end.map(raised); 3], reach }
             }
             Body::Obb(obb) => {
-                let half = Self::point::<N, S>(obb.half_extents().to_array(), self.halves);
-                for k in (0..3).filter(|&k| along[k].is_ne()) {
-                    let (side, _) = self.side::<N, S>(body, k);
-                    for i in 0..3 {
-                        add(
-                            &mut end[i],
-                            k,
-                            N::raised(N::area(half[k] + half[k], side[i]), reach_up),
-                        );
-                    }
-                }
+                let sides = three(|k| in_units(obb.axes()[k].to_array(), self.axes));
+                let half = twice(in_units(obb.half_extents().to_array(), self.halves));
+                let reach =
+                    three(|k| three(|i| N::raised(N::area(half[k], sides[k][i]), self.up[1])));
+                let end = twice(point(obb.center().to_array())).map(raised);
+                Shape { sides, unit: self.axes, ends: [end; 3], reach }
             }
         }
-        end
     }
 }
 
-/// A direction in whole numbers.
-pub(super) struct Whole<'a, S, N: Integers> {
-    units: &'a Units,
-    bodies: &'a [Body<'a, S>; 2],
+/// A shape in integers.
+struct Shape<N: Integers> {
+    /// The edges of a triangle, or the axes of a box.
+    sides: [[N::Length; 3]; 3],
+    /// The unit of `sides`.
+    unit: i32,
+    /// Twice the vertices, or twice the centre of a box.
+    ends: [[N::Area; 3]; 3],
+    /// The axes times twice the half-extents.
+    reach: [[N::Area; 3]; 3],
+}
+
+/// Two shapes in integers.
+pub(super) struct Shapes<N: Integers> {
+    shapes: [Shape<N>; 2],
+    /// The unit of ends.
+    ends: i32,
+}
+
+impl<N: Integers> Shape<N> {
+    /// Adds twice the farthest place of the shape along the direction, or subtracts the nearest.
+    fn add_end(
+        &self,
+        sum: &mut [N::Area; 3],
+        vertex: usize,
+        along: &[Ordering; 3],
+        is_upper: bool,
+    ) {
+        let mut add = |x: &[N::Area; 3], is_negative: bool| {
+            for (sum, &x) in sum.iter_mut().zip(x) {
+                *sum = if is_negative { *sum - x } else { *sum + x };
+            }
+        };
+        add(pick(&self.ends, vertex), is_upper);
+        for (reach, along) in self.reach.iter().zip(along).filter(|(_, along)| along.is_ne()) {
+            add(reach, along.is_lt());
+        }
+    }
+}
+
+/// A direction in integers.
+pub(super) struct Whole<'a, N: Integers> {
+    shapes: &'a Shapes<N>,
     direction: [N::Area; 3],
     unit: i32,
 }
 
-impl<'a, S: Scalar, N: Integers> Whole<'a, S, N> {
-    pub(super) fn new(
-        units: &'a Units,
-        bodies: &'a [Body<'a, S>; 2],
-        own: [(usize, usize); 2],
-    ) -> Self {
-        let side = |(shape, k): (usize, usize)| units.side::<N, S>(&bodies[shape % 2], k);
+impl<'a, N: Integers> Whole<'a, N> {
+    pub(super) fn new(shapes: &'a Shapes<N>, own: [(usize, usize); 2]) -> Self {
+        let side = |(shape, k): (usize, usize)| {
+            let shape = &shapes.shapes[shape % 2];
+            (pick(&shape.sides, k), shape.unit)
+        };
         let ((x, x_unit), (y, y_unit)) = (side(own[0]), side(own[1]));
         let direction = three(|i| {
             let (_, j, k) = turn(i);
-            let area = |j: usize, k: usize| N::area(*pick(&x, j), *pick(&y, k));
+            let area = |j: usize, k: usize| N::area(*pick(x, j), *pick(y, k));
             area(j, k) - area(k, j)
         });
-        Self { units, bodies, direction, unit: x_unit + y_unit }
+        Self { shapes, direction, unit: x_unit + y_unit }
     }
 }
 
-impl<S: Scalar, N: Integers> Given for Whole<'_, S, N> {
+impl<N: Integers> Given for Whole<'_, N> {
     fn coordinates(&self) -> [Option<(Ordering, Soft)>; 3] {
         three(|i| {
             let (sign, size) = N::of_area(self.direction[i])?;
@@ -323,19 +328,18 @@ impl<S: Scalar, N: Integers> Given for Whole<'_, S, N> {
     }
 
     fn side(&self, shape: usize, k: usize) -> Ordering {
-        let (side, _) = self.units.side::<N, S>(&self.bodies[shape % 2], k);
+        let side = pick(&self.shapes.shapes[shape % 2].sides, k);
         let [x, y, z] = three(|i| N::volume(self.direction[i], side[i]));
         compare(x + y + z, N::Volume::ZERO)
     }
 
     fn overlap(&self, along: &[[Ordering; 3]; 2], vertices: [usize; 2], lower: usize) -> Size {
-        let end = |shape: usize| {
-            let (body, along) = (&self.bodies[shape], &along[shape]);
-            self.units.end::<N, S>(body, vertices[shape], along, shape != lower)
-        };
-        let (a, b) = (end(0), end(1));
-        let [x, y, z] = three(|i| N::fourth(self.direction[i], a[i] + b[i]));
+        let mut reach = [N::Area::ZERO; 3];
+        for (k, shape) in self.shapes.shapes.iter().enumerate() {
+            shape.add_end(&mut reach, vertices[k], &along[k], k != lower);
+        }
+        let [x, y, z] = three(|i| N::fourth(self.direction[i], reach[i]));
         let (sign, size) = N::of_fourth(x + y + z)?;
-        sign.is_gt().then(|| size.scaled(self.unit + self.units.ends))
+        sign.is_gt().then(|| size.scaled(self.unit + self.shapes.ends))
     }
 }
