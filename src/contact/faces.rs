@@ -273,12 +273,38 @@ impl Face {
         })
     }
 
+    /// Whether a point lies within the face as seen along the normal; `None` if it is so near an
+    /// edge that it may meet it.
+    ///
+    /// The lines of all edges have a point of the face on the same side. The margin is twice the
+    /// tolerance, and the distances err by less than a third of the tolerance.
+    fn within(&self, to: &Corner, view: &View) -> Option<bool> {
+        let margin = 4.0 * (view.tolerance * view.tolerance);
+        let (mut left, mut right) = (0, 0);
+        for edge in self.edges() {
+            let [p, q] = &edge.ends;
+            let along = flat(q, p);
+            let side = across(along, flat(to, p));
+            let is_clear = side * side > margin * (along[0] * along[0] + along[1] * along[1]);
+            left += usize::from(is_clear && side > 0.0);
+            right += usize::from(is_clear && side < 0.0);
+        }
+        if left > 0 && right > 0 {
+            return Some(false);
+        }
+        (left == self.count || right == self.count).then_some(true)
+    }
+
     /// The point of the face that meets `to` across the normal, if there is one. Edges come first,
     /// and of those the edge farthest against `outward`: a face seen edge-on has several such
     /// points.
     pub(super) fn meets(&self, to: &Corner, view: &View, outward: &Vec64) -> Option<Corner> {
+        let is_near = match self.within(to, view) {
+            Some(false) => return None,
+            is_within => is_within.is_none(),
+        };
         let mut lowest: Option<Corner> = None;
-        for edge in self.edges() {
+        for edge in self.edges().filter(|_| is_near) {
             let at = edge.nearest(to);
             let is_lower = |other: &Corner| dot(&at.at, outward) < dot(&other.at, outward);
             if view.allows(&at, to) && lowest.as_ref().is_none_or(is_lower) {
