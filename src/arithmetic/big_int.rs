@@ -159,16 +159,13 @@ impl<const L: usize> BigInt<L> {
         let ((is_negative, Limbs(a)), (is_other_negative, Limbs(b))) =
             (Limbs::magnitude(self.0), Limbs::magnitude(other.0));
         let mut product = [0_u64; R];
-        // In long numbers many limbs are zero.
-        let is_long = L * M >= 16;
-        let end = if is_long { b.iter().rposition(|&b| b != 0).map_or(0, |k| k + 1) } else { M };
         for (i, &a) in a.iter().enumerate() {
-            if (L > 4 || is_long) && a == 0 {
+            if L > 4 && a == 0 {
                 continue;
             }
             let mut carry = 0_u64;
             // One limb more, for the carry.
-            for (to, j) in product.iter_mut().skip(i).zip(0..=end) {
+            for (to, j) in product.iter_mut().skip(i).zip(0..=M) {
                 let b = b.get(j).copied().unwrap_or(0);
                 let wide = u128::from(a) * u128::from(b) + u128::from(*to) + u128::from(carry);
                 *to = wide as u64;

@@ -122,7 +122,7 @@ impl Integers for Long {
         if x == BigInt::ZERO || y == BigInt::ZERO { BigInt::ZERO } else { x.times(&y) }
     }
     fn raised(x: BigInt<8>, up: u32) -> BigInt<8> {
-        x.shifted_up(up as usize)
+        if up == 0 { x } else { x.shifted_up(up as usize) }
     }
     fn volume(x: BigInt<8>, y: BigInt<4>) -> BigInt<12> {
         x.times(&y)
