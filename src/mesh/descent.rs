@@ -202,14 +202,12 @@ impl GridRay {
         }
         let axis = |i: usize| {
             let unit = d[i] / scale;
-            let shift = |o: f64| SHIFT * (POINTS + o.abs());
-            let inverse = if is_zero[i] {
-                UPRIGHT
-            } else if unit.abs() < SHORT {
-                return GridAxis::OPEN;
-            } else {
-                (1.0 / unit) as f32
-            };
+            // The grid ends less than 2·FAR steps along the greatest component from the ray's
+            // origin. Until then a component this short moves by less than an eighth of a step.
+            let is_short = unit.abs() < SHORT;
+            let moved = if is_short && !is_zero[i] { 2.0 * SHORT * FAR } else { 0.0 };
+            let shift = |o: f64| SHIFT * (POINTS + o.abs()) + moved;
+            let inverse = if is_short { UPRIGHT } else { (1.0 / unit) as f32 };
             GridAxis {
                 low: (max[i] + shift(max[i])) as f32,
                 high: (min[i] - shift(min[i])) as f32,
@@ -280,6 +278,20 @@ fn in_order(x: f32) -> i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// As of a ray straight through a plate whose thickness is the residue of a quarter turn.
+    #[test]
+    fn a_short_component_does_not_open_an_axis() {
+        // The ray goes through the second box, and passes the first and the third by one step.
+        let (low, high) = ([98, 99, 101, u16::MAX], [99, 102, 103, 0]);
+        let node = Node([low, low, [0; 4], high, high, [9; 4]]);
+        for short in [1e-17, 1e-30, -1e-30, 0.0, f64::MIN_POSITIVE] {
+            let origin = [[100.0, 100.0, -5.0]; 2];
+            let is_zero = [short == 0.0, short == 0.0, false];
+            let ray = GridRay::between(origin, [short, short, 1.0], is_zero, [None; 2]);
+            assert_eq!(ray.meets(&node).mask, 2, "{short}");
+        }
+    }
 
     #[test]
     fn ends_of_a_range_are_numbers() {
