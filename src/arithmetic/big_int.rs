@@ -304,7 +304,7 @@ mod tests {
         for (a, big_a) in &numbers {
             assert_eq!(any_size(*a), *big_a);
             assert_eq!((any_size(-*a), a.sign()), (-big_a, big_a.cmp(&IBig::ZERO)));
-            for up in [0, 1, 63, 64, 65] {
+            for up in [0, 1, 63, 64, 65].into_iter().filter(|up| *up < 64 * L) {
                 // What is shifted out at the top comes back as copies of the sign.
                 let (shifted, lost) = (any_size(a.shifted_up(up)), 64 * L - up);
                 let kept = (big_a + (IBig::ONE << (lost - 1))) & ((IBig::ONE << lost) - 1);

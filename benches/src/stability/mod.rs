@@ -1,5 +1,5 @@
 //! Stability: how often each method is wrong as a scene slides into the regime where it
-//! fails.
+//! fails, and how long it takes where axes are parallel but for a tilt.
 
 mod boxes;
 mod contacts;
@@ -8,6 +8,7 @@ mod picture;
 mod rays;
 mod regimes;
 mod sweeps;
+mod times;
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -61,6 +62,9 @@ pub fn run(options: &Options) -> Result<(), Box<dyn Error>> {
         for t in tally.iter().filter(|t| is_exact(t) && t.per_million() > 0.0) {
             wrong.push(format!("{}, {} at {}, {}", t.who, t.scalar, step.at, step.picture));
         }
+    }
+    if options.only.as_ref().is_none_or(|name| name == "tilt") {
+        times::draw(options)?;
     }
     if wrong.is_empty() { Ok(()) } else { Err(format!("not exact: {}", wrong.join("; ")).into()) }
 }

@@ -12,8 +12,8 @@ use super::lines::{Style, style};
 use super::regimes::{Regime, Ticks};
 use super::{Options, Step};
 
-const LEFT: f64 = 76.0;
-const RIGHT: f64 = WIDTH - 158.0;
+pub(super) const LEFT: f64 = 76.0;
+pub(super) const RIGHT: f64 = WIDTH - 158.0;
 const PANEL: f64 = 215.0;
 const BAND: f64 = 44.0;
 const HEADING: f64 = 26.0;
@@ -122,7 +122,11 @@ fn panel(
 }
 
 /// Names on the right, as near to the ends of their lines as possible.
-fn label(canvas: &mut Canvas, mut ends: Vec<([f64; 2], &str, &'static str)>, [top, end]: [f64; 2]) {
+pub(super) fn label(
+    canvas: &mut Canvas,
+    mut ends: Vec<([f64; 2], &str, &'static str)>,
+    [top, end]: [f64; 2],
+) {
     const APART: f64 = 12.5;
     ends.sort_by(|a, b| a.0[1].total_cmp(&b.0[1]));
     let mut places: Vec<f64> = Vec::new();
@@ -146,7 +150,7 @@ fn label(canvas: &mut Canvas, mut ends: Vec<([f64; 2], &str, &'static str)>, [to
 
 impl Ticks {
     /// The text at a step, if it has one.
-    fn text(self, at: f64) -> Option<String> {
+    pub(super) fn text(self, at: f64) -> Option<String> {
         let power = |base: u32, every: usize| {
             let exponent = at.log(f64::from(base));
             let whole = exponent.round();

@@ -140,7 +140,7 @@ fn seeded(seed: u64, at: f64) -> Rng {
     Rng::new(seed ^ at.to_bits().rotate_left(17))
 }
 
-fn tens(from: i32, to: i32, each: i32) -> Vec<f64> {
+pub(super) fn tens(from: i32, to: i32, each: i32) -> Vec<f64> {
     let count = (to - from).abs() * each;
     let sign = f64::from((to - from).signum());
     let at = |k: i32| f64::from(from) + sign * f64::from(k) / f64::from(each);

@@ -38,23 +38,19 @@ pub(super) fn relation<S: Scalar + InFloat<F>, F: Float>(
         return None;
     }
     let ObbInFloats { center: b, axes: v, half: k } = ObbInFloats::<F>::new(second);
-    let by_corners =
-        matches!(first, First::Aabb(aabb) if matches!(aabb.form(), AabbForm::Corners { .. }));
-    let (boxes, given) = match first {
+    let boxes = match first {
         First::Obb(first) => {
             let ObbInFloats { center: a, axes: u, half: h } = ObbInFloats::<F>::new(first);
-            let given = [a, h, b, k];
-            if !fits::<S, F::Quad, 4>(&given) {
+            if !fits::<S, F::Quad, 4>(&[a, h, b, k]) {
                 return None;
             }
-            (Boxes { d: each(b, a, |b, a| b - a), u, h, v, k }, given)
+            Boxes { d: each(b, a, |b, a| b - a), u, h, v, k }
         }
         First::Aabb(first) => {
             let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
                 first.form();
             let (p, q): ([F; 3], [F; 3]) = (in_floats(p.to_array()), in_floats(q.to_array()));
-            let given = [p, q, b, k];
-            if !fits::<S, F::Quad, 4>(&given) {
+            if !fits::<S, F::Quad, 4>(&[p, q, b, k]) {
                 return None;
             }
             let from = |p| each(b, p, |b: F, p| b - p);
@@ -67,13 +63,22 @@ pub(super) fn relation<S: Scalar + InFloat<F>, F: Float>(
             };
             let (zero, one) = (F::ZERO, F::from(1));
             let u = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
-            (Boxes { d, u, h, v, k }, given)
+            Boxes { d, u, h, v, k }
         }
     };
-    let [p, q, b, k] = given;
-    let Boxes { u, v, .. } = boxes;
-    let given = Given { first: [p, q], second: [b, k], u, v, by_corners };
-    boxes.relation::<S, F::Quad>((asked != Asked::MayOverlap).then_some(&given))
+    match boxes.relation::<S, F::Quad>()? {
+        Ok(relation) => Some(relation),
+        Err(_) if asked == Asked::MayOverlap => None,
+        Err(doubt) => boxes.in_doubt(question, &doubt),
+    }
+}
+
+/// What floats know of two boxes that they do not decide.
+struct Doubt<F> {
+    error: ErrorBound<F>,
+    are_faces_clear: bool,
+    /// The axes on which the boxes do not overlap for certain; see [`window::relation`].
+    open: u32,
 }
 
 #[inline(always)]
@@ -82,11 +87,9 @@ fn each<F: Copy>(a: [F; 3], b: [F; 3], f: impl Fn(F, F) -> F) -> [F; 3] {
 }
 
 impl<F: Float> Boxes<F> {
+    /// The relation or the doubt; `None` if the numbers are out of range.
     #[inline(always)]
-    fn relation<S: InFloat<F>, Q: Quad<Lane = F>>(
-        &self,
-        given: Option<&Given<F>>,
-    ) -> Option<Relation> {
+    fn relation<S: InFloat<F>, Q: Quad<Lane = F>>(&self) -> Option<Result<Relation, Doubt<F>>> {
         let Self { d, u: [u0, u1, u2], h, v: [v0, v1, v2], k } = *self;
         let (u, v) = (Vectors::<Q>::new(&self.u), Vectors::new(&self.v));
         let rows = |x: [F; 3]| Q::of_three(x);
@@ -109,7 +112,7 @@ impl<F: Float> Boxes<F> {
         let reach = sum(h, magnitudes([u0, u1, u2])) + sum(k, magnitudes([v0, v1, v2]));
         let gap = rows(d).magnitude() - reach;
         if gap.exceeds(Q::splat(error.coordinate)) & THREE != 0 {
-            return Some(Relation::Disjoint);
+            return Some(Ok(Relation::Disjoint));
         }
 
         let (w, z) = (u.normals(), v.normals());
@@ -127,7 +130,7 @@ impl<F: Float> Boxes<F> {
         let limit = Q::splat(error.axis);
         let faces = of_first.greatest(of_second);
         if faces.exceeds(limit) & THREE != 0 {
-            return Some(Relation::Disjoint);
+            return Some(Ok(Relation::Disjoint));
         }
 
         let n = u.crossed_by(d);
@@ -143,24 +146,49 @@ impl<F: Float> Boxes<F> {
         ];
         let most = pairs[0].greatest(pairs[1]).greatest(pairs[2]);
         if most.exceeds(limit) & THREE != 0 {
-            return Some(Relation::Disjoint);
+            return Some(Ok(Relation::Disjoint));
         }
         let below = Q::splat(-error.axis);
         let is_clear = |gaps: Q| below.exceeds(gaps) & THREE == THREE;
-        if is_clear(faces) && (is_clear(most) || self.are_zero_where_near(pairs, below)) {
-            return Some(Relation::Overlapping);
-        }
-        let given = given?;
-        if is_clear(faces) && self.overlap_beside_near_axes(&error) {
-            return Some(Relation::Overlapping);
+        let are_faces_clear = is_clear(faces);
+        if are_faces_clear && (is_clear(most) || self.are_zero_where_near(pairs, below)) {
+            return Some(Ok(Relation::Overlapping));
         }
         let open = |gaps: Q| !below.exceeds(gaps) & THREE;
-        let open = [of_first, of_second, pairs[0], pairs[1], pairs[2]].map(open);
-        self.exactly(given).or_else(|| {
+        let [a, b, c] = pairs.map(open);
+        let open = open(of_first) | open(of_second) << 3 | a << 6 | b << 9 | c << 12;
+        Some(Err(Doubt { error, are_faces_clear, open }))
+    }
+
+    /// The relation, where floats are in doubt.
+    #[cold]
+    #[inline(never)]
+    fn in_doubt<S: Scalar + InFloat<F>>(
+        &self,
+        question: &Lie<'_, S>,
+        doubt: &Doubt<F>,
+    ) -> Option<Relation> {
+        if doubt.are_faces_clear && self.overlap_beside_near_axes(&doubt.error) {
+            return Some(Relation::Overlapping);
+        }
+        let ObbInFloats { center, half, .. } = ObbInFloats::<F>::new(question.second);
+        let (first, by_corners) = match question.first {
+            First::Obb(first) => {
+                let ObbInFloats { center, half, .. } = ObbInFloats::<F>::new(first);
+                ([center, half], false)
+            }
+            First::Aabb(first) => {
+                let (AabbForm::Center { center: p, half: q }
+                | AabbForm::Corners { min: p, max: q }) = first.form();
+                let by_corners = matches!(first.form(), AabbForm::Corners { .. });
+                ([p, q].map(|p| in_floats(p.to_array())), by_corners)
+            }
+        };
+        let given = Given { first, second: [center, half], u: self.u, v: self.v, by_corners };
+        self.exactly(&given).or_else(|| {
             // `f32` goes on in `f64`.
             let is_last = size_of::<F>() == size_of::<f64>() && !SMALL_CODE;
-            let open = open.iter().rev().fold(0, |all, three| all << 3 | three);
-            if is_last { window::relation(given, open) } else { None }
+            if is_last { window::relation(&given, doubt.open) } else { None }
         })
     }
 
