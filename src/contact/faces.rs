@@ -7,7 +7,7 @@
 
 use super::body::{Rough, Vec64};
 use super::directions::{cross, dot};
-use crate::arithmetic::{greatest, largest, pick, three, turn};
+use crate::arithmetic::{REGISTERS_ARE_WIDE, greatest, largest, pick, three, turn};
 
 /// The most corners that a face has.
 const CORNERS: usize = 4;
@@ -299,12 +299,13 @@ impl Face {
     /// and of those the edge farthest against `outward`: a face seen edge-on has several such
     /// points.
     pub(super) fn meets(&self, to: &Corner, view: &View, outward: &Vec64) -> Option<Corner> {
-        let is_near = match self.within(to, view) {
-            Some(false) => return None,
-            is_within => is_within.is_none(),
-        };
+        // Small cores do without, for size.
+        let is_within = if REGISTERS_ARE_WIDE { self.within(to, view) } else { None };
+        if is_within == Some(false) {
+            return None;
+        }
         let mut lowest: Option<Corner> = None;
-        for edge in self.edges().filter(|_| is_near) {
+        for edge in self.edges().filter(|_| is_within.is_none()) {
             let at = edge.nearest(to);
             let is_lower = |other: &Corner| dot(&at.at, outward) < dot(&other.at, outward);
             if view.allows(&at, to) && lowest.as_ref().is_none_or(is_lower) {
