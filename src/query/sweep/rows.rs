@@ -26,26 +26,42 @@ struct Course<Q> {
 /// Whether the triangle misses the box all the way, if floats decide it.
 #[inline(always)]
 pub(super) fn misses<S: Scalar + InFloat<F>, F: Float>(passing: &Passing<'_, S>) -> Option<bool> {
-    by_form::<S, F, _>(passing, |course| course.map_or(Some(true), |course| course.misses()))
+    match passing.aabb.form() {
+        AabbForm::Center { .. } => out_of_line(|| misses_in::<S, F>(passing, true)),
+        AabbForm::Corners { .. } => out_of_line(|| misses_in::<S, F>(passing, false)),
+    }
 }
 
 /// The knowledge of floats about the time of contact.
 #[inline(always)]
 pub(super) fn when<S: Scalar + InFloat<F>, F: Float>(passing: &Passing<'_, S>) -> Option<Instant> {
-    by_form::<S, F, _>(passing, |course| {
-        course.map_or(Some(Instant::Misses), |course| course.when(S::PLACE))
-    })
+    match passing.aabb.form() {
+        AabbForm::Center { .. } => out_of_line(|| when_in::<S, F>(passing, true)),
+        AabbForm::Corners { .. } => out_of_line(|| when_in::<S, F>(passing, false)),
+    }
 }
 
-/// An answer from the course, in code of its own for each form of the box.
+// Inlined, so that each form of the box has code of its own.
 #[inline(always)]
-fn by_form<S: Scalar + InFloat<F>, F: Float, T>(
+fn misses_in<S: Scalar + InFloat<F>, F: Float>(
     passing: &Passing<'_, S>,
-    read: impl Fn(Option<Course<F::Quad>>) -> Option<T>,
-) -> Option<T> {
-    match passing.aabb.form() {
-        AabbForm::Center { .. } => out_of_line(|| read(Course::of(passing, true)?)),
-        AabbForm::Corners { .. } => out_of_line(|| read(Course::of(passing, false)?)),
+    by_center: bool,
+) -> Option<bool> {
+    // Not by `map_or`, of which the compiler calls the closure.
+    match Course::<F::Quad>::of(passing, by_center)? {
+        Some(course) => course.misses(),
+        None => Some(true),
+    }
+}
+
+#[inline(always)]
+fn when_in<S: Scalar + InFloat<F>, F: Float>(
+    passing: &Passing<'_, S>,
+    by_center: bool,
+) -> Option<Instant> {
+    match Course::<F::Quad>::of(passing, by_center)? {
+        Some(course) => course.when(S::PLACE),
+        None => Some(Instant::Misses),
     }
 }
 
