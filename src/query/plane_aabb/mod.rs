@@ -77,7 +77,15 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S> {
         }
         let size = greatest(largest(&v), largest(&h));
         let error_bound = error_bound::<N>(largest(&n), size, d_area.magnitude())?;
-        Uncertain::above(gap, error_bound).verdict()
+        // One axis: two branches take less time than a verdict without one.
+        let found = Uncertain::above(gap, error_bound);
+        if found.certain {
+            Some(true)
+        } else if found.possible {
+            None
+        } else {
+            Some(false)
+        }
     }
 }
 
