@@ -10,24 +10,12 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 use super::big_int::BigInt;
 use super::filtered::{Filtered, compare_quotient};
-use super::integer::{Int8, Int16, Int32, Int64, below_i32, below_i64};
+use super::integer::{Int8, Int16, Int32, Int64, below};
 use super::nearest_whole::{nearest_of_all, nearest_whole, nearest_whole_of_row};
 use super::quotient::Dividend;
 use super::system::{Arithmetic, Embeds, convert};
 use super::window::Window;
 use super::words::{InRaw, InWholeWord, InWord, WholeVolume, WholeWord};
-
-/// The number with these raw bits, or the end of the type.
-macro_rules! clamped {
-    ($fixed:ident, $bits:expr) => {{
-        let bits: i64 = $bits;
-        <$fixed<Frac>>::from_bits(
-            bits.clamp(<$fixed<Frac>>::MIN.to_bits().into(), <$fixed<Frac>>::MAX.to_bits().into())
-                as _,
-        )
-    }};
-}
-pub(crate) use clamped;
 
 /// A type, its integers, and the coordinates that they hold.
 macro_rules! embeds {
@@ -61,13 +49,13 @@ macro_rules! embeds {
                 _: [<$system as Arithmetic>::Volume; 2],
             ) -> ([$fixed<Frac>; 3], bool) {
                 let of = |num: <$system as Arithmetic>::Volume| {
-                    clamped!($fixed, num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
+                    <$fixed<Frac>>::clamped(num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
                 };
                 ([of(a), of(b), of(c)], true)
             }
             #[inline(always)]
             fn quotient_of_lengths(num: $length, den: $length) -> $fixed<Frac> {
-                clamped!($fixed, num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
+                <$fixed<Frac>>::clamped(num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
             }
             #[inline(always)]
             fn compare_quotient(
@@ -84,14 +72,14 @@ macro_rules! embeds {
 embeds!(FixedI8, LeEqU8, Int8, i32, |_all| true);
 embeds!(FixedI16, LeEqU16, Int16, i32, |_all| true);
 embeds!(FixedI32, LeEqU32, Int16, i32, |all| {
-    below_i32(all.as_flattened().iter().map(|x| x.to_bits()), 18)
+    below(all.as_flattened().iter().map(|x| x.to_bits()), 18)
 });
 embeds!(FixedI32, LeEqU32, Int32, i32, |all| {
-    below_i32(all.as_flattened().iter().map(|x| x.to_bits()), 28)
+    below(all.as_flattened().iter().map(|x| x.to_bits()), 28)
 });
 embeds!(FixedI32, LeEqU32, Int64, i64, |_all| true);
 embeds!(FixedI64, LeEqU64, Int64, i64, |all| {
-    below_i64(all.as_flattened().iter().map(|x| x.to_bits()), 60)
+    below(all.as_flattened().iter().map(|x| x.to_bits()), 60)
 });
 
 /// Every type in a window.
@@ -115,7 +103,7 @@ macro_rules! in_window {
             const DIVIDES: bool = true;
 
             fn quotient_of_lengths(num: i128, den: i128) -> $fixed<Frac> {
-                clamped!($fixed, num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
+                <$fixed<Frac>>::clamped(num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
             }
             fn quotients(
                 num: [BigInt<6>; 3],
@@ -123,7 +111,7 @@ macro_rules! in_window {
                 _: [BigInt<6>; 2],
             ) -> ([$fixed<Frac>; 3], bool) {
                 let of = |num: BigInt<6>| {
-                    clamped!($fixed, num.quotient(&den, <$fixed<Frac>>::FRAC_NBITS))
+                    <$fixed<Frac>>::clamped(num.quotient(&den, <$fixed<Frac>>::FRAC_NBITS))
                 };
                 (num.map(of), true)
             }
@@ -183,7 +171,7 @@ macro_rules! in_whole_word {
                 den: <$word as WholeWord>::Whole,
             ) -> Self {
                 let q = i64::from(num.abs().nearest(den, Self::FRAC_NBITS, $bits));
-                clamped!($fixed, if num < 0 { -q } else { q })
+                Self::clamped(if num < 0 { -q } else { q })
             }
             #[inline(always)]
             fn share(
@@ -192,7 +180,7 @@ macro_rules! in_whole_word {
             ) -> Self {
                 // One takes one place more than the numbers below it.
                 let places = if Self::FRAC_NBITS < $bits { Self::FRAC_NBITS + 1 } else { $bits };
-                clamped!($fixed, num.nearest(den, Self::FRAC_NBITS, places).into())
+                Self::clamped(num.nearest(den, Self::FRAC_NBITS, places).into())
             }
             #[inline(always)]
             fn compare_quotient(
@@ -221,9 +209,15 @@ macro_rules! in_raw {
             const ALWAYS_NEAR: bool = Self::INT_NBITS + Self::FRAC_NBITS < <$raw>::BITS;
             const FRACTION_BITS: i32 = Self::FRAC_NBITS as i32;
 
+            const GREATEST: i64 = Self::MAX.to_bits() as i64;
+
             #[inline(always)]
             fn raw(self) -> $raw {
                 self.to_bits().into()
+            }
+            #[inline(always)]
+            fn from_raw(raw: i64) -> Self {
+                Self::from_bits(raw as _)
             }
         }
     )*};
@@ -237,72 +231,52 @@ in_raw! {
 
 /// Integers in `f64`: verdicts if they exceed the error, and quotients if it is certain how they
 /// round.
-macro_rules! doubles {
-    ($($fixed:ident, $bound:ident, $raw:ty;)*) => {$(
-        impl<Frac: $bound> Embeds<$fixed<Frac>> for Filtered<f64> {
-            const DIVIDES: bool = false;
+impl<S: InRaw<Raw = i32>> Embeds<S> for Filtered<f64> {
+    const DIVIDES: bool = false;
 
-            #[inline(always)]
-            fn holds<const K: usize>(_: &[[$fixed<Frac>; 3]; K]) -> bool {
-                true
-            }
-            #[inline(always)]
-            fn embed_held<const K: usize>(all: &[[$fixed<Frac>; 3]; K]) -> [[f64; 3]; K] {
-                convert(all, 0.0, |x| x.to_bits().into())
-            }
-            fn one() -> Option<f64> {
-                Some(unit(<$fixed<Frac>>::FRAC_NBITS))
-            }
-            fn times_one(d: f64) -> Option<f64> {
-                Some(d * unit(<$fixed<Frac>>::FRAC_NBITS))
-            }
-            #[inline(always)]
-            fn quotient_of_lengths(_: f64, _: f64) -> $fixed<Frac> {
-                $fixed::ZERO
-            }
-            #[inline(always)]
-            fn quotients(
-                num: [f64; 3],
-                den: f64,
-                errors: [f64; 2],
-            ) -> ([$fixed<Frac>; 3], bool) {
-                let unit = unit(<$fixed<Frac>>::FRAC_NBITS);
-                let ([t, u, v], are_good) =
-                    nearest_whole(num, den, errors, unit, <$raw>::MAX.into());
-                let of = |bits: u64| $fixed::from_bits(bits as $raw);
-                ([of(t), of(u), of(v)], are_good)
-            }
-            #[inline(always)]
-            fn quotients_of_row(row: [f64; 4], errors: [f64; 2]) -> ([$fixed<Frac>; 3], bool) {
-                let unit = unit(<$fixed<Frac>>::FRAC_NBITS);
-                let ([t, u, v], are_good) =
-                    nearest_whole_of_row(row, errors, unit, <$raw>::MAX.into());
-                let of = |bits: u64| $fixed::from_bits(bits as $raw);
-                ([of(t), of(u), of(v)], are_good)
-            }
-            /// In units of the last place.
-            #[inline(always)]
-            fn nearest(between: [f64; 2]) -> Option<$fixed<Frac>> {
-                let bits = nearest_of_all(between, <$raw>::MAX.into())?;
-                Some($fixed::from_bits(bits as $raw))
-            }
-            #[inline(always)]
-            fn compare_quotient(
-                num: f64,
-                den: f64,
-                errors: [f64; 2],
-                t: $fixed<Frac>,
-            ) -> Option<Ordering> {
-                let t = f64::from(t.to_bits()) / unit(<$fixed<Frac>>::FRAC_NBITS);
-                compare_quotient(num, den, errors, t, f64::INFINITY)
-            }
-        }
-    )*};
-}
-doubles! {
-    FixedI8, LeEqU8, i8;
-    FixedI16, LeEqU16, i16;
-    FixedI32, LeEqU32, i32;
+    #[inline(always)]
+    fn holds<const K: usize>(_: &[[S; 3]; K]) -> bool {
+        true
+    }
+    #[inline(always)]
+    fn embed_held<const K: usize>(all: &[[S; 3]; K]) -> [[f64; 3]; K] {
+        convert(all, 0.0, |x| x.raw().into())
+    }
+    fn one() -> Option<f64> {
+        Some(unit(S::FRACTION_BITS as u32))
+    }
+    fn times_one(d: f64) -> Option<f64> {
+        Some(d * unit(S::FRACTION_BITS as u32))
+    }
+    #[inline(always)]
+    fn quotient_of_lengths(_: f64, _: f64) -> S {
+        S::from_raw(0)
+    }
+    #[inline(always)]
+    fn quotients(num: [f64; 3], den: f64, errors: [f64; 2]) -> ([S; 3], bool) {
+        let unit = unit(S::FRACTION_BITS as u32);
+        let ([t, u, v], are_good) = nearest_whole(num, den, errors, unit, S::GREATEST as f64);
+        let of = |bits: u64| S::from_raw(bits as i64);
+        ([of(t), of(u), of(v)], are_good)
+    }
+    #[inline(always)]
+    fn quotients_of_row(row: [f64; 4], errors: [f64; 2]) -> ([S; 3], bool) {
+        let unit = unit(S::FRACTION_BITS as u32);
+        let ([t, u, v], are_good) = nearest_whole_of_row(row, errors, unit, S::GREATEST as f64);
+        let of = |bits: u64| S::from_raw(bits as i64);
+        ([of(t), of(u), of(v)], are_good)
+    }
+    /// In units of the last place.
+    #[inline(always)]
+    fn nearest(between: [f64; 2]) -> Option<S> {
+        let bits = nearest_of_all(between, S::GREATEST as f64)?;
+        Some(S::from_raw(bits as i64))
+    }
+    #[inline(always)]
+    fn compare_quotient(num: f64, den: f64, errors: [f64; 2], t: S) -> Option<Ordering> {
+        let t = f64::from(t.raw()) / unit(S::FRACTION_BITS as u32);
+        compare_quotient(num, den, errors, t, f64::INFINITY)
+    }
 }
 
 /// The number of last places in one.

@@ -47,20 +47,16 @@ impl FirstFloat for f64 {
     type SeptumFirst = f64;
 }
 
-macro_rules! same {
-    ($($scalar:ty => $float:ty, $offsets:expr;)*) => {$(
-        impl InFloat<$float> for $scalar {
-            const OFFSETS_FIRST: bool = $offsets;
-            const LIMIT: Option<$float> = None;
-            const PLACE: $float = 0.0;
-            #[inline(always)]
-            fn in_float(self) -> $float {
-                self.into()
-            }
-        }
-    )*};
+impl<S: Float + Into<F>, F: Float> InFloat<F> for S {
+    const OFFSETS_FIRST: bool = size_of::<S>() == size_of::<f64>() && !cfg!(target_feature = "avx");
+    const LIMIT: Option<F> = None;
+    const PLACE: F = F::ZERO;
+
+    #[inline(always)]
+    fn in_float(self) -> F {
+        self.into()
+    }
 }
-same! { f32 => f32, false; f32 => f64, false; f64 => f64, !cfg!(target_feature = "avx"); }
 
 /// By their raw bits.
 #[cfg(feature = "fixed")]

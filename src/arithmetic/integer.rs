@@ -24,6 +24,8 @@
 use super::platform::REGISTERS_ARE_WIDE;
 use super::system::Arithmetic;
 use super::wide::I256;
+#[cfg(feature = "fixed")]
+use super::words::Word;
 
 /// For 8-bit coordinates: everything in `i32`.
 #[cfg(feature = "fixed")]
@@ -96,16 +98,8 @@ integers! {
 
 /// Whether all coordinates lie below two to the `most`.
 #[cfg(feature = "fixed")]
-macro_rules! below {
-    ($name:ident: $raw:ty) => {
-        #[inline(always)]
-        pub(super) fn $name(coordinates: impl Iterator<Item = $raw>, most: u32) -> bool {
-            // !x for x below zero: one less than the magnitude.
-            coordinates.fold(0, |size, x| size | (x ^ (x >> (<$raw>::BITS - 1)))) >> most == 0
-        }
-    };
+#[inline(always)]
+pub(super) fn below<W: Word>(coordinates: impl Iterator<Item = W>, most: u32) -> bool {
+    // A number below zero is folded to one less than its magnitude.
+    coordinates.fold(W::ZERO, |size, x| size | x.folded()) >> most == W::ZERO
 }
-#[cfg(feature = "fixed")]
-below! { below_i32: i32 }
-#[cfg(feature = "fixed")]
-below! { below_i64: i64 }

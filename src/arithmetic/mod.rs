@@ -40,8 +40,6 @@ pub(crate) use circle::cos_sin_f64;
 pub(crate) use circle::{cos_sin_30, cos_sin_62};
 pub(crate) use double::{Double, fast_two_sum, two_difference};
 pub use filtered::Filtered;
-#[cfg(feature = "fixed")]
-pub(crate) use fixed::clamped;
 pub use float::Float;
 pub(crate) use float::quotient;
 pub use full::{FullF32, FullF64};

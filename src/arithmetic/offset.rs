@@ -1,9 +1,6 @@
 //! Differences of coordinates in `f32`, for kernels in vectors, in every scalar.
 
-#[cfg(feature = "fixed")]
-use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
-#[cfg(feature = "fixed")]
-use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
+use super::words::{InRaw, Word};
 
 /// A scalar whose coordinates have differences in `f32`. In fixed point the unit of a difference is
 /// the last place, and for 64 bits 2^24 of it, so that cubes of sizes are numbers of `f32`.
@@ -66,54 +63,78 @@ impl Offset for f64 {
     }
 }
 
-/// From the raw bits, in a word with this number of bits, for coordinates below the limit; and the
-/// number of last places in a unit.
-#[cfg(feature = "fixed")]
-macro_rules! by_raw_bits {
-    ($($fixed:ident, $bound:ident: $word:ident, $limit:expr, $units:expr,
-       |$x:ident| $in_float:expr;)*) => {$(
-        impl<Frac: $bound> Offset for $fixed<Frac> {
-            // One comparison for all: if x is outside, x + limit is below zero or has a high bit.
-            #[inline(always)]
-            fn have_offsets<const K: usize>(points: &[[Self; 3]; K]) -> bool {
-                let limit: Option<$word> = $limit;
-                let Some(limit) = limit else { return true };
-                let bits = |x: &Self| $word::from(x.to_bits()).wrapping_add(limit);
-                points.as_flattened().iter().fold(0, |all, x| all | bits(x)) & !(2 * limit - 1) == 0
-            }
-            #[inline(always)]
-            fn are_multiples<const K: usize>(points: &[[Self; 3]; K], unit: f32) -> bool {
-                let below = ((unit * $units) as $word - 1).max(0);
-                points.as_flattened().iter().fold(0, |all, x| all | $word::from(x.to_bits())) & below == 0
-            }
-            #[inline(always)]
-            fn offset(self, other: Self) -> f32 {
-                let bits = |x: Self| $word::from(x.to_bits());
-                let $x = bits(self).wrapping_sub(bits(other));
-                $in_float
-            }
-            #[inline(always)]
-            fn offset_of_two(self, one: Self, other: Self) -> f32 {
-                let bits = |x: Self| $word::from(x.to_bits());
-                let (x, one, other) = (bits(self), bits(one), bits(other));
-                let $x = x.wrapping_sub(one).wrapping_add(x.wrapping_sub(other));
-                $in_float
-            }
-        }
-    )*};
+/// From the raw bits, in words that wrap, for coordinates below the limit.
+impl<S: InRaw> Offset for S {
+    // One comparison for all: if x is outside, x + limit is below zero or has a high bit.
+    #[inline(always)]
+    fn have_offsets<const K: usize>(points: &[[S; 3]; K]) -> bool {
+        let (limit, zero) = (S::Raw::OFFSET_LIMIT, S::Raw::ZERO);
+        let bits = |x: &S| x.raw().plus(limit);
+        let all = || points.as_flattened().iter().fold(zero, |all, x| all | bits(x));
+        S::ALWAYS_NEAR || all() & S::Raw::OUTSIDE == zero
+    }
+    #[inline(always)]
+    fn are_multiples<const K: usize>(points: &[[S; 3]; K], unit: f32) -> bool {
+        let below = S::Raw::below_unit(unit);
+        points.as_flattened().iter().fold(S::Raw::ZERO, |all, x| all | x.raw()) & below
+            == S::Raw::ZERO
+    }
+    #[inline(always)]
+    fn offset(self, other: S) -> f32 {
+        self.raw().minus(other.raw()).in_offset()
+    }
+    #[inline(always)]
+    fn offset_of_two(self, one: S, other: S) -> f32 {
+        let (x, one, other) = (self.raw(), one.raw(), other.raw());
+        x.minus(one).plus(x.minus(other)).in_offset()
+    }
 }
-#[cfg(feature = "fixed")]
-by_raw_bits! {
-    FixedI8, LeEqU8: i32, None, 1.0, |x| x as f32;
-    FixedI16, LeEqU16: i32, None, 1.0, |x| x as f32;
-    FixedI32, LeEqU32: i32, Some(1 << 29), 1.0, |x| x as f32;
+
+/// A word of raw bits, and the number of last places in a unit.
+pub trait RawOffset: Sized {
+    /// The limit of coordinates.
+    const OFFSET_LIMIT: Self;
+    /// The bits that a coordinate plus the limit has only outside of the limit.
+    const OUTSIDE: Self;
+
+    /// A mask for the places below a unit.
+    fn below_unit(unit: f32) -> Self;
+
+    /// The difference in units.
+    fn in_offset(self) -> f32;
+}
+
+impl RawOffset for i32 {
+    const OFFSET_LIMIT: i32 = 1 << 29;
+    const OUTSIDE: i32 = !(2 * Self::OFFSET_LIMIT - 1);
+
+    #[inline(always)]
+    fn below_unit(unit: f32) -> i32 {
+        (unit as i32 - 1).max(0)
+    }
+    #[inline(always)]
+    fn in_offset(self) -> f32 {
+        self as f32
+    }
+}
+
+impl RawOffset for i64 {
     // Below 2^51, adding two numbers converts a whole vector to `f64`; the processor's conversion
     // takes one number at a time.
-    FixedI64, LeEqU64: i64, Some(1 << 49), (1_u32 << 24) as f32, |x| in_double(x) as f32;
+    const OFFSET_LIMIT: i64 = 1 << 49;
+    const OUTSIDE: i64 = !(2 * Self::OFFSET_LIMIT - 1);
+
+    #[inline(always)]
+    fn below_unit(unit: f32) -> i64 {
+        ((unit * (1_u32 << 24) as f32) as i64 - 1).max(0)
+    }
+    #[inline(always)]
+    fn in_offset(self) -> f32 {
+        in_double(self) as f32
+    }
 }
 
 /// A number below 2^51 in magnitude, divided by 2^24.
-#[cfg(feature = "fixed")]
 #[inline(always)]
 fn in_double(x: i64) -> f64 {
     // 1.5·2^52 over 2^24: the last place is 2^-24.

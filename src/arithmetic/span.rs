@@ -78,38 +78,32 @@ pub(crate) trait Spanned: Copy {
     fn scaled(self) -> Option<Self::SeptumSpan>;
 }
 
-macro_rules! float {
-    ($float:ident) => {
-        impl Spanned for $float {
-            type SeptumSpan = $float;
-            type SeptumAnchor = $float;
-            const IS_FAST: bool = true;
+impl<F: Span> Spanned for F {
+    type SeptumSpan = F;
+    type SeptumAnchor = F;
+    const IS_FAST: bool = true;
 
-            #[inline(always)]
-            fn anchor(self) -> $float {
-                self
-            }
-            #[inline(always)]
-            fn beyond(self, anchor: $float) -> $float {
-                self - anchor
-            }
-            #[inline(always)]
-            fn all_beyond(p: [$float; 4], anchors: [$float; 4]) -> Spans<$float> {
-                <Spans<$float> as Quad>::new(p) - <Spans<$float> as Quad>::new(anchors)
-            }
-            #[inline(always)]
-            fn span(self) -> $float {
-                self
-            }
-            #[inline(always)]
-            fn scaled(self) -> Option<$float> {
-                Some(self * <$float as Span>::SCALE)
-            }
-        }
-    };
+    #[inline(always)]
+    fn anchor(self) -> F {
+        self
+    }
+    #[inline(always)]
+    fn beyond(self, anchor: F) -> F {
+        self - anchor
+    }
+    #[inline(always)]
+    fn all_beyond(p: [F; 4], anchors: [F; 4]) -> Spans<F> {
+        <Spans<F> as Quad>::new(p) - <Spans<F> as Quad>::new(anchors)
+    }
+    #[inline(always)]
+    fn span(self) -> F {
+        self
+    }
+    #[inline(always)]
+    fn scaled(self) -> Option<F> {
+        Some(self * F::SCALE)
+    }
 }
-float!(f32);
-float!(f64);
 
 #[cfg(feature = "fixed")]
 mod fixed_point {

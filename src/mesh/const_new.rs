@@ -82,16 +82,12 @@ mod fixed_point {
 
     use super::*;
 
-    macro_rules! const_new_fixed {
-        ($($fixed:ident, $bound:ident;)*) => {$(
-            const_new!(#[doc(hidden)] [Frac: $bound] $fixed<Frac>, u16, 65_536, |_x| true);
-            const_new!(#[doc(hidden)] [Frac: $bound] $fixed<Frac>, u32, 4_294_967_296, |_x| true);
-        )*};
-    }
-    const_new_fixed! {
-        FixedI8, LeEqU8;
-        FixedI16, LeEqU16;
-        FixedI32, LeEqU32;
-        FixedI64, LeEqU64;
-    }
+    const_new!(#[doc(hidden)] [Frac: LeEqU8] FixedI8<Frac>, u16, 65_536, |_x| true);
+    const_new!(#[doc(hidden)] [Frac: LeEqU8] FixedI8<Frac>, u32, 4_294_967_296, |_x| true);
+    const_new!(#[doc(hidden)] [Frac: LeEqU16] FixedI16<Frac>, u16, 65_536, |_x| true);
+    const_new!(#[doc(hidden)] [Frac: LeEqU16] FixedI16<Frac>, u32, 4_294_967_296, |_x| true);
+    const_new!(#[doc(hidden)] [Frac: LeEqU32] FixedI32<Frac>, u16, 65_536, |_x| true);
+    const_new!(#[doc(hidden)] [Frac: LeEqU32] FixedI32<Frac>, u32, 4_294_967_296, |_x| true);
+    const_new!(#[doc(hidden)] [Frac: LeEqU64] FixedI64<Frac>, u16, 65_536, |_x| true);
+    const_new!(#[doc(hidden)] [Frac: LeEqU64] FixedI64<Frac>, u32, 4_294_967_296, |_x| true);
 }

@@ -6,8 +6,8 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 use super::backend::FixedBackend;
 use super::{Backend, Scalar};
 use crate::arithmetic::{
-    Embeds, Filtered, InWholeWord, Int8, Int16, Int32, Int64, OfFour, Parts, Quad,
-    REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, ShortFloat, Soft, WholeWord, Window, clamped,
+    Embeds, Filtered, InRaw, InWholeWord, Int8, Int16, Int32, Int64, OfFour, Parts, Quad,
+    REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, ShortFloat, Soft, WholeWord, Window,
 };
 use crate::robust::{
     Numeric, Predicate, Stage, Sum, WordKernel, exact_stage, in_quads, integer_stage, note,
@@ -36,14 +36,14 @@ macro_rules! scalar {
             type SeptumSum = Sum<$limbs>;
 
             fn quotient(num: &Self::SeptumSum, den: &Self::SeptumSum) -> Self {
-                clamped!($fixed, num.quotient(den, Self::FRAC_NBITS))
+                Self::clamped(num.quotient(den, Self::FRAC_NBITS))
             }
             #[inline(always)]
             fn at_most(x: Soft) -> Self {
                 let unit = -(Self::FRAC_NBITS as i32);
                 match x.floor(64, unit) {
                     (whole, exponent) if exponent == unit => {
-                        i64::try_from(whole).map_or(Self::MAX, |whole| clamped!($fixed, whole))
+                        i64::try_from(whole).map_or(Self::MAX, Self::clamped)
                     }
                     _ => Self::MAX,
                 }

@@ -100,20 +100,22 @@ float! { f32 f64 }
 
 /// n/d to the nearest multiple of 2^-`bits`, for n ≤ d. The top bit of `d` must be free.
 #[cfg(feature = "fixed")]
-macro_rules! quotient {
-    ($uint:ident, $n:expr, $d:expr, $bits:expr) => {{
-        let (mut rest, mut quotient): ($uint, $uint) = ($n, 0);
-        if rest >= $d {
-            (rest, quotient) = (rest - $d, 1);
+#[inline(always)]
+fn quotient<T>(n: T, d: T, bits: u32) -> T
+where
+    T: Copy + Ord + Add<Output = T> + Sub<Output = T> + From<bool>,
+{
+    let (mut rest, mut quotient) = (n, T::from(n >= d));
+    if n >= d {
+        rest = rest - d;
+    }
+    for _ in 0..bits {
+        (rest, quotient) = (rest + rest, quotient + quotient);
+        if rest >= d {
+            (rest, quotient) = (rest - d, quotient + T::from(true));
         }
-        for _ in 0..$bits {
-            (rest, quotient) = (rest << 1, quotient << 1);
-            if rest >= $d {
-                (rest, quotient) = (rest - $d, quotient + 1);
-            }
-        }
-        if rest >= $d - rest { quotient + 1 } else { quotient }
-    }};
+    }
+    quotient + T::from(rest >= d - rest)
 }
 
 /// For each type, words for the squares of its raw bits, and unsigned words for the sum of four.
@@ -145,7 +147,7 @@ macro_rules! fixed {
                 let mut axes = [[Self::ZERO; 3]; 3];
                 for (axis, products) in axes.iter_mut().zip(by_products(q, |a, b| a * b)) {
                     for (to, n) in axis.iter_mut().zip(products) {
-                        let size = quotient!($uint, n.unsigned_abs(), square, Self::FRAC_NBITS) as $int;
+                        let size = quotient(n.unsigned_abs(), square, Self::FRAC_NBITS) as $int;
                         // The number 1 may lie just beyond the type.
                         *to = clamped!(if n < 0 { -size } else { size });
                     }

@@ -11,52 +11,47 @@ use super::segment::Form as SegmentForm;
 use super::{Aabb, Obb, Plane, Polygon, Ray, Segment, ShapeError, Triangle};
 use crate::scalar::axes::{are_orthonormal_f32, are_orthonormal_f64};
 
-/// Whether a float is finite.
-macro_rules! float_is_finite {
-    ($x:expr) => {
-        $x.is_finite()
-    };
-}
-/// A fixed-point number is always finite.
-#[cfg(feature = "fixed")]
-macro_rules! fixed_is_finite {
-    ($x:expr) => {{
-        let _ = $x;
-        true
-    }};
-}
-/// A value that a `const fn` can compare.
-macro_rules! float_value {
-    ($x:expr) => {
-        $x
-    };
-}
-#[cfg(feature = "fixed")]
-macro_rules! fixed_value {
-    ($x:expr) => {
-        $x.to_bits()
-    };
-}
-
-macro_rules! is_finite {
-    ($finite:ident, $v:ident) => {
-        $finite!($v.x) && $finite!($v.y) && $finite!($v.z)
-    };
-}
-macro_rules! is_zero {
-    ($value:ident, $v:ident, $zero:literal) => {
-        $value!($v.x) == $zero && $value!($v.y) == $zero && $value!($v.z) == $zero
-    };
-}
-macro_rules! is_any_negative {
-    ($value:ident, $v:ident, $zero:literal) => {
-        $value!($v.x) < $zero || $value!($v.y) < $zero || $value!($v.z) < $zero
-    };
-}
-/// The constructors for one family. `$zero` is zero as [`float_value`] or `fixed_value` returns it.
+/// The constructors for one family: whether a number is finite, and as a value that a `const fn` can
+/// compare.
 macro_rules! const_new {
-    ($(#[$attr:meta])* [$($generic:tt)*] $scalar:ty, $finite:ident, $value:ident, $zero:literal,
-     $zero_scalar:expr, |$axes:ident| $orthonormal:expr) => {
+    ($(#[$attr:meta])* [$($generic:tt)*] $scalar:ty, $zero:expr, |$x:ident| $is_finite:expr,
+     |$y:ident| $value:expr, |$axes:ident| $orthonormal:expr) => {
+        impl<$($generic)*> Vec3<$scalar> {
+            const CONST_ZERO: Self = Self::new($zero, $zero, $zero);
+
+            const fn const_is_finite(self) -> bool {
+                let (all, mut i) = ([self.x, self.y, self.z], 0);
+                while i < 3 {
+                    let $x = all[i];
+                    if !$is_finite {
+                        return false;
+                    }
+                    i += 1;
+                }
+                true
+            }
+
+            /// Whether some component is above that of the other.
+            const fn const_exceeds(self, other: Self) -> bool {
+                let (a, b) = ([self.x, self.y, self.z], [other.x, other.y, other.z]);
+                let mut i = 0;
+                while i < 3 {
+                    let ($y, b) = (b[i], a[i]);
+                    let most = $value;
+                    let $y = b;
+                    if $value > most {
+                        return true;
+                    }
+                    i += 1;
+                }
+                false
+            }
+
+            const fn const_is_zero(self) -> bool {
+                !self.const_exceeds(Self::CONST_ZERO) && !Self::CONST_ZERO.const_exceeds(self)
+            }
+        }
+
         $(#[$attr])*
         impl<$($generic)*> Triangle<$scalar> {
             /// [`Triangle::new`] for a `const` or a `static`, such as a table in flash.
@@ -97,7 +92,7 @@ macro_rules! const_new {
                 b: Vec3<$scalar>,
                 c: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
-                if is_finite!($finite, a) && is_finite!($finite, b) && is_finite!($finite, c) {
+                if a.const_is_finite() && b.const_is_finite() && c.const_is_finite() {
                     Ok(Self { vertices: [a, b, c] })
                 } else {
                     Err(ShapeError::NotFinite)
@@ -117,7 +112,7 @@ macro_rules! const_new {
                 }
                 let mut rest = vertices;
                 while let [v, others @ ..] = rest {
-                    if !(is_finite!($finite, v)) {
+                    if !v.const_is_finite() {
                         return Err(ShapeError::NotFinite);
                     }
                     rest = others;
@@ -137,13 +132,10 @@ macro_rules! const_new {
                 min: Vec3<$scalar>,
                 max: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
-                if !(is_finite!($finite, min) && is_finite!($finite, max)) {
+                if !(min.const_is_finite() && max.const_is_finite()) {
                     return Err(ShapeError::NotFinite);
                 }
-                if $value!(min.x) > $value!(max.x)
-                    || $value!(min.y) > $value!(max.y)
-                    || $value!(min.z) > $value!(max.z)
-                {
+                if min.const_exceeds(max) {
                     return Err(ShapeError::MinAboveMax);
                 }
                 Ok(Self { form: Form::Corners { min, max } })
@@ -158,10 +150,10 @@ macro_rules! const_new {
                 center: Vec3<$scalar>,
                 half_extents: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
-                if !(is_finite!($finite, center) && is_finite!($finite, half_extents)) {
+                if !(center.const_is_finite() && half_extents.const_is_finite()) {
                     return Err(ShapeError::NotFinite);
                 }
-                if is_any_negative!($value, half_extents, $zero) {
+                if Vec3::<$scalar>::CONST_ZERO.const_exceeds(half_extents) {
                     return Err(ShapeError::NegativeHalfExtent);
                 }
                 Ok(Self { form: Form::Center { center, half: half_extents } })
@@ -180,15 +172,15 @@ macro_rules! const_new {
                 half_extents: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
                 let [u, v, w] = axes;
-                if !(is_finite!($finite, center)
-                    && is_finite!($finite, half_extents)
-                    && is_finite!($finite, u)
-                    && is_finite!($finite, v)
-                    && is_finite!($finite, w))
+                if !(center.const_is_finite()
+                    && half_extents.const_is_finite()
+                    && u.const_is_finite()
+                    && v.const_is_finite()
+                    && w.const_is_finite())
                 {
                     return Err(ShapeError::NotFinite);
                 }
-                if is_any_negative!($value, half_extents, $zero) {
+                if Vec3::<$scalar>::CONST_ZERO.const_exceeds(half_extents) {
                     return Err(ShapeError::NegativeHalfExtent);
                 }
                 let $axes = [[u.x, u.y, u.z], [v.x, v.y, v.z], [w.x, w.y, w.z]];
@@ -210,7 +202,7 @@ macro_rules! const_new {
                 a: Vec3<$scalar>,
                 b: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
-                if is_finite!($finite, a) && is_finite!($finite, b) {
+                if a.const_is_finite() && b.const_is_finite() {
                     Ok(Self { form: SegmentForm::Ends(a, b) })
                 } else {
                     Err(ShapeError::NotFinite)
@@ -228,13 +220,13 @@ macro_rules! const_new {
                 origin: Vec3<$scalar>,
                 direction: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
-                if !(is_finite!($finite, origin) && is_finite!($finite, direction)) {
+                if !(origin.const_is_finite() && direction.const_is_finite()) {
                     return Err(ShapeError::NotFinite);
                 }
-                if is_zero!($value, direction, $zero) {
+                if direction.const_is_zero() {
                     return Err(ShapeError::ZeroDirection);
                 }
-                Ok(Self { origin, direction, t_min: Some($zero_scalar), t_max: None })
+                Ok(Self { origin, direction, t_min: Some($zero), t_max: None })
             }
         }
 
@@ -249,10 +241,10 @@ macro_rules! const_new {
                 normal: Vec3<$scalar>,
                 d: $scalar,
             ) -> Result<Self, ShapeError> {
-                if !(is_finite!($finite, normal) && $finite!(d)) {
+                if !(normal.const_is_finite() && Vec3::<$scalar>::new(d, d, d).const_is_finite()) {
                     return Err(ShapeError::NotFinite);
                 }
-                if is_zero!($value, normal, $zero) {
+                if normal.const_is_zero() {
                     return Err(ShapeError::ZeroNormal);
                 }
                 Ok(Self { normal, form: PlaneForm::Offset(d) })
@@ -261,10 +253,8 @@ macro_rules! const_new {
     };
 }
 
-const_new!([] f32, float_is_finite, float_value, 0.0, 0.0, |axes| are_orthonormal_f32(&axes));
-const_new!(#[doc(hidden)] [] f64, float_is_finite, float_value, 0.0, 0.0, |axes| {
-    are_orthonormal_f64(&axes)
-});
+const_new!([] f32, 0.0, |x| x.is_finite(), |x| x, |axes| are_orthonormal_f32(&axes));
+const_new!(#[doc(hidden)] [] f64, 0.0, |x| x.is_finite(), |x| x, |axes| are_orthonormal_f64(&axes));
 
 #[cfg(feature = "fixed")]
 mod fixed_point {
@@ -274,19 +264,20 @@ mod fixed_point {
     use super::*;
     use crate::scalar::axes::fixed_axes_are_orthonormal;
 
-    macro_rules! const_new_fixed {
-        ($($fixed:ident, $bound:ident;)*) => {$(
-            const_new!(
-                #[doc(hidden)] [Frac: $bound] $fixed<Frac>,
-                fixed_is_finite, fixed_value, 0, $fixed::from_bits(0),
-                |axes| fixed_axes_are_orthonormal!($fixed<Frac>, axes)
-            );
-        )*};
-    }
-    const_new_fixed! {
-        FixedI8, LeEqU8;
-        FixedI16, LeEqU16;
-        FixedI32, LeEqU32;
-        FixedI64, LeEqU64;
-    }
+    const_new!(
+        #[doc(hidden)] [Frac: LeEqU8] FixedI8<Frac>, FixedI8::from_bits(0), |_x| true,
+        |x| x.to_bits(), |axes| fixed_axes_are_orthonormal!(FixedI8<Frac>, axes)
+    );
+    const_new!(
+        #[doc(hidden)] [Frac: LeEqU16] FixedI16<Frac>, FixedI16::from_bits(0), |_x| true,
+        |x| x.to_bits(), |axes| fixed_axes_are_orthonormal!(FixedI16<Frac>, axes)
+    );
+    const_new!(
+        #[doc(hidden)] [Frac: LeEqU32] FixedI32<Frac>, FixedI32::from_bits(0), |_x| true,
+        |x| x.to_bits(), |axes| fixed_axes_are_orthonormal!(FixedI32<Frac>, axes)
+    );
+    const_new!(
+        #[doc(hidden)] [Frac: LeEqU64] FixedI64<Frac>, FixedI64::from_bits(0), |_x| true,
+        |x| x.to_bits(), |axes| fixed_axes_are_orthonormal!(FixedI64<Frac>, axes)
+    );
 }

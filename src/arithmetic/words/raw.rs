@@ -1,9 +1,10 @@
 //! Raw bits of fixed point, cut to few bits.
 
 use super::word::Word;
+use crate::arithmetic::offset::RawOffset;
 
 /// The raw bits of a fixed-point number, in a word.
-pub trait Raw: Word + Into<i64> {
+pub trait Raw: Word + Into<i64> + RawOffset {
     /// The number of bits, including the sign.
     const BITS: i32;
 
@@ -52,6 +53,18 @@ pub trait InRaw: Copy {
     /// The number of fraction bits.
     const FRACTION_BITS: i32;
 
+    /// The raw bits of the greatest number.
+    const GREATEST: i64;
+
     /// The raw bits.
     fn raw(self) -> Self::Raw;
+
+    /// The number with the last of these raw bits.
+    fn from_raw(raw: i64) -> Self;
+
+    /// The number with these raw bits, or the end of the type.
+    #[inline(always)]
+    fn clamped(raw: i64) -> Self {
+        Self::from_raw(raw.clamp(-Self::GREATEST - 1, Self::GREATEST))
+    }
 }
