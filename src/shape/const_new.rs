@@ -31,7 +31,7 @@ macro_rules! const_new {
                 true
             }
 
-            /// Whether some component is above that of the other.
+            /// Whether a component exceeds its counterpart in `other`.
             const fn const_exceeds(self, other: Self) -> bool {
                 let (a, b) = ([self.x, self.y, self.z], [other.x, other.y, other.z]);
                 let mut i = 0;
