@@ -58,11 +58,13 @@ impl Body {
     }
 }
 
+/// Takes the tick and the boxes; returns the number of pairs, and the time.
+type Find<'a> = dyn FnMut(u32, &[[[f32; 3]; 2]]) -> (usize, Duration) + 'a;
+
 /// A way of finding all pairs. It has the time that it took.
 struct Racer<'a> {
     name: &'static str,
-    /// Takes the tick and the boxes; returns the number of pairs.
-    find: Box<dyn FnMut(u32, &[[[f32; 3]; 2]]) -> (usize, Duration) + 'a>,
+    find: Box<Find<'a>>,
     /// The tick's and the whole time.
     all: Vec<Duration>,
 }
@@ -82,7 +84,7 @@ fn ours<'a, S: Scalar>(
         };
         let boxes: Vec<Aabb<S>> = ends.iter().map(of).collect();
         let start = Instant::now();
-        let tree = if tick % rebuild == 0 {
+        let tree = if tick.is_multiple_of(rebuild) {
             BoxTree::build(&boxes, &mut nodes, &mut order)
         } else {
             BoxTree::refit(&boxes, &mut nodes, &order)
