@@ -10,6 +10,12 @@
 //!
 //! All loops can stop after any triangle: a build is a state that advances.
 
+mod cut;
+mod entry;
+
+use self::cut::{Cut, sort_by_key};
+use self::entry::Entry;
+pub use self::entry::Scratch;
 use super::grid::{Grid, corners};
 use super::node::{Cell, LEAF, Layout, Node};
 use super::tree::layout;
@@ -18,81 +24,7 @@ use crate::arithmetic::three;
 use crate::scalar::Scalar;
 use crate::shape::joined;
 
-/// A triangle in the list that a build sorts.
-pub(super) trait Entry: Copy {
-    fn new(index: usize, cell: impl FnOnce() -> Cell) -> Self;
-    fn index(&self) -> usize;
-    /// The grid box around the triangle; `compute` returns it for an index.
-    fn cell(&self, compute: impl FnOnce(usize) -> Cell) -> Cell;
-
-    /// Twice the centre of the box along an axis.
-    #[inline(always)]
-    fn middle(&self, axis: usize, compute: impl FnOnce(usize) -> Cell) -> u32 {
-        middle(&self.cell(compute))[axis % 3]
-    }
-}
-
-/// Without scratch memory a triangle's box is computed whenever it is needed.
-impl<I: Index> Entry for I {
-    fn new(index: usize, _: impl FnOnce() -> Cell) -> Self {
-        Self::of(index)
-    }
-
-    fn index(&self) -> usize {
-        self.get()
-    }
-
-    fn cell(&self, compute: impl FnOnce(usize) -> Cell) -> Cell {
-        compute(self.get())
-    }
-}
-
-/// Memory for a fast build: the box of one triangle, 16 bytes.
-///
-/// A [`TreeBuilder`](super::TreeBuilder) needs one for each triangle.
-#[derive(Clone, Copy, Debug)]
-pub struct Scratch {
-    /// The least x, y and z, 16 bits each, and half of the index; the greatest, and the rest. Two
-    /// words are moved in registers: with a field for each number the sort took twice as long.
-    words: [u64; 2],
-}
-
-impl Scratch {
-    /// An unused element, to initialize a slice.
-    pub const EMPTY: Self = Self { words: [0; 2] };
-}
-
-impl Entry for Scratch {
-    #[inline(always)]
-    fn new(index: usize, cell: impl FnOnce() -> Cell) -> Self {
-        let Cell { low, high } = cell();
-        let pack = |[x, y, z]: [u16; 3], rest: usize| {
-            u64::from(x) | u64::from(y) << 16 | u64::from(z) << 32 | (rest as u64) << 48
-        };
-        Self { words: [pack(low, index), pack(high, index >> 16)] }
-    }
-
-    #[inline(always)]
-    fn index(&self) -> usize {
-        let [low, high] = self.words;
-        (low >> 48 | high >> 48 << 16) as usize
-    }
-
-    #[inline(always)]
-    fn cell(&self, _: impl FnOnce(usize) -> Cell) -> Cell {
-        let unpack = |word: u64| three(|k| (word >> (16 * k)) as u16);
-        let [low, high] = self.words;
-        Cell { low: unpack(low), high: unpack(high) }
-    }
-
-    #[inline(always)]
-    fn middle(&self, axis: usize, _: impl FnOnce(usize) -> Cell) -> u32 {
-        let [low, high] = self.words.map(|word| u32::from((word >> (16 * (axis % 3))) as u16));
-        low + high
-    }
-}
-
-/// What a build does next.
+/// The next step of a build.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Phase {
     /// Finds the bounds of the mesh.
@@ -118,7 +50,7 @@ pub(super) struct Build<S: Scalar> {
     phase: Phase,
     /// The next triangle, or the number of nodes still to be joined.
     at: usize,
-    /// The node whose triangles are cut, its cuts still to be made, and the one in progress.
+    /// The node whose triangles are cut, its cuts still to be made, and the cut in progress.
     node: usize,
     cuts: [[usize; 3]; 3],
     cut: Cut,
@@ -127,12 +59,12 @@ pub(super) struct Build<S: Scalar> {
     work: u64,
 }
 
-/// What a tree is built over: the triangles of a mesh, or boxes.
+/// The leaves of a tree: the triangles of a mesh, or boxes.
 pub(super) trait Leaves<S: Scalar>: Copy {
-    /// The corners of the box around one of them; `None` for a box beyond all floats.
+    /// The corners of the box around leaf `i`; `None` for a box beyond all floats.
     fn corners(&self, i: usize) -> Option<[[S; 3]; 2]>;
 
-    /// The grid box around one of them.
+    /// The grid box around leaf `i`.
     #[inline(always)]
     fn cell(&self, grid: &Grid<S>, i: usize) -> Cell {
         self.corners(i).map_or(Cell::ALL, |corners| grid.cell(corners))
@@ -340,7 +272,7 @@ impl<S: Scalar> Build<S> {
     }
 }
 
-/// About the triangles that a build looks at: all of them in three phases and for each level of
+/// About how many triangles a build looks at: every triangle in three phases and for each level of
 /// nodes, and 16 for each node.
 fn work(layout: &Layout, triangles: usize) -> u64 {
     let (mut levels, mut first) = (3, 0_usize);
@@ -372,150 +304,6 @@ pub(super) fn around(
         }
     }
     all
-}
-
-/// A cut of a part of the list: it moves to the front the entries that come first along the axis on
-/// which all of them spread most.
-#[derive(Clone, Copy, Debug)]
-struct Cut {
-    /// The entries not yet on one side, and the place of the cut.
-    from: usize,
-    to: usize,
-    place: usize,
-    /// `None` while the entries are measured.
-    axis: Option<usize>,
-    /// The ends of the middles along each axis.
-    ends: [[u32; 2]; 3],
-    /// The range of keys of the entries not yet on one side.
-    low: u64,
-    high: u64,
-    /// The pass: entries before `at` were looked at, and those before `split` are in the lower half.
-    at: usize,
-    split: usize,
-}
-
-impl Cut {
-    const DONE: Self = Self {
-        from: 0,
-        to: 0,
-        place: 0,
-        axis: None,
-        ends: [[u32::MAX, 0]; 3],
-        low: 0,
-        high: 0,
-        at: 0,
-        split: 0,
-    };
-
-    fn new([from, place, to]: [usize; 3]) -> Self {
-        Self { from, to, place, at: from, split: from, ..Self::DONE }
-    }
-
-    fn is_done(&self) -> bool {
-        self.place <= self.from || self.place >= self.to
-    }
-
-    /// Looks at `budget` entries at most, of which it returns the number.
-    fn advance<S: Scalar, T: Entry>(
-        &mut self,
-        grid: &Grid<S>,
-        entries: &mut [T],
-        cell: impl Fn(usize) -> Cell + Copy,
-        budget: usize,
-    ) -> usize {
-        let end = self.to.min(self.at.saturating_add(budget)).min(entries.len());
-        let took = end.saturating_sub(self.at);
-        let Some(axis) = self.axis else {
-            for entry in entries.get(self.at..end).unwrap_or_default() {
-                let middle = middle(&entry.cell(cell));
-                for k in 0..3 {
-                    let [low, high] = self.ends[k];
-                    self.ends[k] = [low.min(middle[k]), high.max(middle[k])];
-                }
-            }
-            self.at = end;
-            if end == self.to {
-                self.choose(grid);
-            }
-            return took;
-        };
-        let key = |entry: &T| u64::from(entry.middle(axis, cell)) << 32 | entry.index() as u64;
-        if self.to - self.from <= FEW {
-            sort_by_key(entries.get_mut(self.from..self.to).unwrap_or_default(), key);
-            self.to = self.from;
-            return FEW;
-        }
-        let (pivot, mut split) = (self.pivot(), self.split);
-        let part = entries.get_mut(..end).unwrap_or_default();
-        for i in self.at..end.min(part.len()) {
-            let entry = part[i];
-            let is_below = key(&entry) <= pivot;
-            // By address, without a branch; an entry that stays is stored over itself.
-            let to = if is_below { split.min(i) } else { i };
-            part[i] = part[to];
-            part[to] = entry;
-            split += usize::from(is_below);
-        }
-        (self.at, self.split) = (end, split);
-        if end == self.to {
-            if self.place < split {
-                (self.to, self.high) = (split, pivot);
-            } else {
-                (self.from, self.low) = (split, pivot + 1);
-            }
-            (self.at, self.split) = (self.from, self.from);
-        }
-        took
-    }
-
-    /// Chooses the axis, after all entries were measured.
-    fn choose<S: Scalar>(&mut self, grid: &Grid<S>) {
-        let spread = three(|k| grid.size(k, self.ends[k][1] - self.ends[k][0]));
-        let axis = if spread[0] >= spread[1] && spread[0] >= spread[2] {
-            0
-        } else if spread[1] >= spread[2] {
-            1
-        } else {
-            2
-        };
-        let [low, high] = self.ends[axis];
-        self.axis = Some(axis);
-        (self.low, self.high) = (u64::from(low) << 32, u64::from(high) << 32 | u64::from(u32::MAX));
-        self.at = self.from;
-    }
-
-    fn pivot(&self) -> u64 {
-        self.low + (self.high - self.low) / 2
-    }
-}
-
-/// The number of entries that are sorted one by one.
-const FEW: usize = 16;
-
-/// Twice the centre of a box.
-#[inline(always)]
-fn middle(cell: &Cell) -> [u32; 3] {
-    three(|k| u32::from(cell.low[k]) + u32::from(cell.high[k]))
-}
-
-/// Insertion sort.
-fn sort_by_key<T: Copy>(all: &mut [T], key: impl Fn(&T) -> u64) {
-    for i in 1..all.len() {
-        let Some(&entry) = all.get(i) else { return };
-        let (mut to, key_of_entry) = (i, key(&entry));
-        while let Some(&before) = to.checked_sub(1).and_then(|before| all.get(before)) {
-            if key(&before) <= key_of_entry {
-                break;
-            }
-            if let Some(here) = all.get_mut(to) {
-                *here = before;
-            }
-            to -= 1;
-        }
-        if let Some(here) = all.get_mut(to) {
-            *here = entry;
-        }
-    }
 }
 
 #[cfg(test)]

@@ -17,7 +17,7 @@ use crate::shape::{Aabb, joined};
 
 /// Boxes and a bounding-volume hierarchy (BVH) over them: see [`broad_phase`](crate::broad_phase).
 ///
-/// The tree is the one of [`mesh::Tree`](crate::mesh::Tree): nodes of 48 bytes with four 16-bit boxes
+/// It has the nodes of [`mesh::Tree`](crate::mesh::Tree), 48 bytes with four 16-bit boxes
 /// each, for about twelve boxes, and an index of 16 or 32 bits for each box.
 ///
 /// Queries return the indices of boxes in the slice, and every list in ascending order.

@@ -6,6 +6,7 @@ use std::vec;
 use std::vec::Vec;
 
 use super::super::{Tree, TreeBuilder};
+use super::entry::middle;
 use super::*;
 use crate::random::Random;
 use crate::shape::Vec3;

@@ -47,7 +47,7 @@ fn misses_in<S: Scalar + InFloat<F>, F: Float>(
     passing: &Passing<'_, S>,
     by_center: bool,
 ) -> Option<bool> {
-    // Not by `map_or`, of which the compiler calls the closure.
+    // By `match`: the compiler does not inline the closure of `map_or`.
     match Course::<F::Quad>::of(passing, by_center)? {
         Some(course) => course.misses(),
         None => Some(true),
