@@ -126,13 +126,13 @@ impl<S: Scalar> Build<S> {
         if self.is_done() { 1.0 } else { self.done as f32 / self.work.max(1) as f32 }
     }
 
-    /// Looks at `budget` triangles, or a few more. Returns whether the tree is finished.
+    /// Looks at `budget` triangles, or a few more; at one at least. Returns whether the tree is finished.
     pub(super) fn advance<L: Leaves<S>, I: Index, T: Entry>(
         &mut self,
         memory: &mut Memory<'_, L, I, T>,
         budget: usize,
     ) -> bool {
-        let mut left = budget;
+        let mut left = budget.max(1);
         while left > 0 && !self.is_done() {
             let took = match self.phase {
                 Phase::Bounds | Phase::List | Phase::Leaves => self.linear(memory, left),

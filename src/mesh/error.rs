@@ -15,7 +15,7 @@ pub enum MeshError {
         /// The triangle's index.
         triangle: usize,
     },
-    /// The mesh has more triangles than the index type can number.
+    /// There are more triangles or boxes than the index type can number.
     TooManyTriangles,
     /// A slice has the wrong length.
     Length {
@@ -56,7 +56,7 @@ impl MeshError {
         match self {
             Self::NotFinite { .. } => "a coordinate is NaN or infinite",
             Self::NoSuchVertex { .. } => "a triangle has a vertex that there is not",
-            Self::TooManyTriangles => "there are more triangles than indices",
+            Self::TooManyTriangles => "there are more triangles or boxes than indices",
             Self::Length { .. } => "a slice has the wrong length",
             Self::Order => "an order has an index twice, or lacks one",
             Self::Node { .. } => "a box does not enclose what is below it",

@@ -60,7 +60,8 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     }
 
     /// Where on its way can a moving box stop, at the latest, without overlapping a triangle, and
-    /// which triangle blocks the next step? `None` if the box overlaps a triangle at the start.
+    /// which triangle blocks the next step? The triangle of the lowest index, if several do. `None` if
+    /// the box overlaps a triangle at the start.
     ///
     /// The place is that of [`Sweep::last_free`] for all triangles: a [`place`](Motion::place) of
     /// the motion to which the straight way is free, with a next step that is not. If the whole
@@ -70,9 +71,9 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     ///
     /// *Numerics*: exact: see [`Sweep::last_free`]. *Panics*: never.
     ///
-    /// *Cost*: the descent of [`first_contact`](Self::first_contact) twice, and once more whenever
-    /// the second finds an earlier triangle; [`Sweep::relation_along`] for each triangle near the
-    /// way, and [`Sweep::last_free`] for each that blocks sooner than those before.
+    /// *Cost*: if the motion is free, one descent, with [`Sweep::relation_along`] for each triangle
+    /// near the way. Otherwise a descent for each binary digit of the number of steps, except where
+    /// the triangle found last blocks the shorter way too.
     ///
     /// ```
     /// use septum::mesh::{Mesh, Node, Tree};
@@ -101,29 +102,30 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
         aabb: &Aabb<S>,
         motion: &Motion<S>,
     ) -> Option<(Vec3<S>, Option<usize>)> {
-        let (mut way, mut stop) = (*motion, None);
-        // `None` once the box overlaps a triangle at the start.
-        let mut step = Some(motion.steps());
-        loop {
-            let before = step;
-            self.descend(&mut Moving::new(&self.grid, aabb, &way), |_, i| {
-                let triangle = self.mesh.known(i);
-                let is_free =
-                    |way: &_| aabb.relation_along(way, &triangle) != Relation::Overlapping;
-                let Some(last) = step else { return };
-                if !is_free(&motion.until(last)) {
-                    step = motion.last_free_step(last, is_free);
-                    stop = Some(i);
+        let is_blocked_by = |way: &Motion<S>, i: usize| {
+            aabb.relation_along(way, &self.mesh.known(i)) == Relation::Overlapping
+        };
+        let blocker = |way: &Motion<S>| {
+            let mut least: Option<usize> = None;
+            self.descend(&mut Moving::new(&self.grid, aabb, way), |_, i| {
+                if least.is_none_or(|j| i < j) && is_blocked_by(way, i) {
+                    least = Some(i);
                 }
             });
-            // Ways to places that graze a triangle may be free and blocked in turn: ask again about
-            // the way that is left.
-            let last = step?;
-            if step == before {
-                return Some((motion.place(last), stop));
+            least
+        };
+        // Each question is about the whole mesh, so that no answer depends on the tree's order. The
+        // triangle that blocks a long way often blocks a shorter one.
+        let Some(first) = blocker(motion) else { return Some((motion.to(), None)) };
+        let known = core::cell::Cell::new(first);
+        let is_free = |way: &Motion<S>| {
+            if is_blocked_by(way, known.get()) {
+                return false;
             }
-            way = motion.until(last);
-        }
+            blocker(way).map(|i| known.set(i)).is_none()
+        };
+        let step = motion.last_free_step(motion.steps(), is_free)?;
+        Some((motion.place(step), blocker(&motion.until(step + 1))))
     }
 }
 

@@ -6,8 +6,6 @@ use super::node::{LEVELS, Layout, Node};
 
 /// A walk through the leaves of a tree, from left to right.
 ///
-/// A walk through the leaves of a tree, from left to right.
-///
 /// `open` has four bits for each node on the current path, one for each child still to be visited;
 /// the deepest node has the lowest four. The parent's number follows from a node's number, so the
 /// path is not stored.

@@ -92,18 +92,19 @@ impl<S: Scalar> Grid<S> {
         Ok(Self { origin, cell, first: [0; 3], resolution, per_cell, deviation })
     }
 
-    /// Makes a grid of cubes around a box. The longest side of the box spans `resolution` voxels,
-    /// or one more where planes are rounded. On each side of the box, the grid has `margin` more
-    /// layers of voxels.
+    /// Makes a grid of cubes around a box. The longest side of the box spans `resolution` voxels:
+    /// one more where floats round planes, fewer where fixed point rounds the cell up. On each side
+    /// of the box, the grid has `margin` more layers of voxels.
     ///
     /// The cells have the longest side over `resolution` as their size, rounded up in fixed point.
     /// The grid begins with the least corner of [`Aabb::min_max`], less the margin, and ends with
-    /// the first plane beyond the greatest corner, plus the margin.
+    /// the first plane at or beyond the greatest corner, plus the margin. In fixed point the box is
+    /// first clamped to the range of the scalar.
     ///
     /// # Errors
     /// As for [`new`](Self::new): [`GridError::NoVoxels`] if `resolution` is zero,
-    /// [`GridError::CellNotPositive`] if the box is a point, [`GridError::OutOfRange`] also if the
-    /// scalar does not hold the corners of the box.
+    /// [`GridError::CellNotPositive`] if the box is a point, or too small for the scalar,
+    /// [`GridError::OutOfRange`] also if a corner of the box is beyond all floats.
     ///
     /// *Panics*: never.
     ///

@@ -31,7 +31,7 @@ impl<S: Scalar, I: Index> BoxTree<'_, S, I> {
             if let Some(to) = found.get_mut(count) {
                 *to = [I::of(i.min(j)), I::of(i.max(j))];
             }
-            count += 1;
+            count = usize::saturating_add(count, 1);
         });
         sorted(found, count)
     }

@@ -35,7 +35,7 @@ impl<I: Index> Entry for I {
 
 /// Memory for a fast build: the box of one triangle, 16 bytes.
 ///
-/// A [`TreeBuilder`](super::TreeBuilder) needs one for each triangle.
+/// A [`TreeBuilder`](crate::mesh::TreeBuilder) needs one for each triangle.
 #[derive(Clone, Copy, Debug)]
 pub struct Scratch {
     /// The least x, y and z, 16 bits each, and half of the index; the greatest, and the rest. Two

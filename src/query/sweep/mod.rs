@@ -54,10 +54,11 @@ impl<S: Scalar> FirstContact<S> {
     /// the start. It is not normalised.
     ///
     /// `motion` is the motion of the query. `shape` is its triangle, whether that moves or stands;
-    /// for two boxes it is either box.
+    /// for two boxes it is either box. A box in place of the triangle has no slanted axes, and the
+    /// normal is then zero.
     ///
     /// *Numerics*: [`Axis::vector`] of the axis, rounded as described there. The sign is exact: the
-    /// motion leads against the normal. *Panics*: never. *Cost*: for a slanted axis an exact sum.
+    /// motion leads against the normal, unless a component wraps in fixed point. *Panics*: never. *Cost*: for a slanted axis an exact sum.
     ///
     /// ```
     /// use septum::sweep::{Motion, Sweep};
@@ -195,7 +196,7 @@ pub trait Sweep<Other> {
     /// *Range*: as for [`meets_along`](Self::meets_along). *Panics*: never.
     ///
     /// *Cost*: [`relation_along`](Self::relation_along) once if the motion is free, otherwise once
-    /// for each binary digit of the number of steps: up to 33 times in `f32`, 64 in `f64`.
+    /// for each binary digit of the number of steps: up to 34 times in `f32`, 66 in `f64`.
     ///
     /// ```
     /// use septum::relation::{Relate, Relation};

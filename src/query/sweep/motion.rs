@@ -70,11 +70,11 @@ impl<S: Scalar> Motion<S> {
     #[must_use]
     pub fn place(&self, k: u64) -> Vec3<S> {
         let (axis, steps) = self.longest();
-        if k == 0 {
-            return self.from;
-        }
         if k >= steps {
             return self.to;
+        }
+        if k == 0 {
+            return self.from;
         }
         let (from, to) = (self.from.to_array(), self.to.to_array());
         let (a, b) = (*pick(&from, axis), *pick(&to, axis));

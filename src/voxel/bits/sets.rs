@@ -32,7 +32,7 @@ impl<S: Scalar, W: Word> Bits<'_, S, W> {
         was_set
     }
 
-    /// Clears all bits.
+    /// Clears all bits, also bits beyond the grid.
     pub fn clear(&mut self) {
         self.words.fill(W::ZERO);
     }

@@ -196,11 +196,20 @@ fn no_stop_overlaps<S: Sample>() {
         let mesh = Mesh::new(&vertices, &faces).unwrap();
         let (mut nodes, mut order) = ([Node::EMPTY; Node::count_for(12)], [0; 12]);
         let tree = Tree::build(mesh, &mut nodes, &mut order).unwrap();
+        // No answer depends on the order of the tree.
+        let (mut other_nodes, mut other_order) = ([Node::EMPTY; Node::count_for(12)], [0_u16; 12]);
+        for (place, i) in other_order.iter_mut().zip(tree.order()) {
+            *place = 11 - i as u16;
+        }
+        let turned = Tree::refit(mesh, &mut other_nodes, &other_order).unwrap();
         let shots = left.min(20);
         for _ in 0..shots {
             // Small, so that it fits between the triangles.
             let half = half::<S>(&mut rng).map(|h| S::nearest(h.approximate() / 8.0));
-            shoot(&InMesh { half, tree }, &motion(&mut rng), &mut counts[3]);
+            let motion = motion(&mut rng);
+            shoot(&InMesh { half, tree }, &motion, &mut counts[3]);
+            let start = body(motion.from(), half);
+            assert_eq!(tree.last_free(&start, &motion), turned.last_free(&start, &motion));
         }
         left -= shots;
     }
