@@ -1,6 +1,6 @@
 //! Questions about overlapping shapes: the minimum translation, and the contact points.
 
-use septum::contact::{Axis, Contact, InteriorEdges, Part, contact, contact_in_mesh};
+use septum::contact::{Contact, Features, InteriorEdges, Part, contact, contact_in_mesh};
 use septum::{Aabb, Obb, Triangle};
 
 use super::super::draw::Draw;
@@ -30,10 +30,10 @@ fn tell<S: Draw, A: Answers>(
     told.vector(Some(out.normal));
     told.number(out.depth);
     told.yes(found.is_held);
-    let (kind, first, second) = match out.axis {
-        Axis::First(k) => (0, k, 0),
-        Axis::Second(k) => (1, k, 0),
-        Axis::Edges(i, j) => (2, i, j),
+    let (kind, first, second) = match out.features {
+        Features::First(k) => (0, k, 0),
+        Features::Second(k) => (1, k, 0),
+        Features::Edges(i, j) => (2, i, j),
     };
     [kind, first, second].into_iter().for_each(|byte| told.byte(byte));
     let told = answers.to(points);

@@ -23,11 +23,11 @@ pub enum Part {
     Vertex(u8),
 }
 
-/// The direction of a translation, by the parts of the shapes that determine it.
+/// The parts of the shapes that determine the direction of a translation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Axis {
+pub enum Features {
     /// The normal of this face of the first shape.
     First(u8),
     /// The normal of this face of the second shape.

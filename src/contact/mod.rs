@@ -2,7 +2,7 @@
 //! where they then touch.
 //!
 //! ```
-//! use septum::contact::{Axis, Part, contact};
+//! use septum::contact::{Features, Part, contact};
 //! use septum::{Aabb, Triangle};
 //!
 //! // A crate that sank a sixteenth into the floor.
@@ -12,7 +12,7 @@
 //! let found = contact(&chest, &floor).unwrap();
 //! let out = found.translation;
 //! assert_eq!(out.vector.to_array(), [0.0, 0.0, 0.0625]); // the crate goes up
-//! assert_eq!((out.depth, out.axis), (0.0625, Axis::Second(0))); // by the floor's face
+//! assert_eq!((out.depth, out.features), (0.0625, Features::Second(0))); // by the floor's face
 //! assert_eq!(found.points().len(), 4); // it rests on the corners of its bottom
 //! assert_eq!(found.points()[0].parts, [Part::Vertex(0), Part::Face(0)]);
 //!
@@ -96,11 +96,11 @@ use core::fmt;
 
 use self::body::{Body, Place, Rough};
 use self::exact::Size;
-pub use self::feature::{Axis, Part};
+pub use self::feature::{Features, Part};
 pub use self::interior::{InteriorEdges, interior_edges};
 use self::least::{Way, least_way};
 pub use self::points::Point;
-use self::points::{Points, axis, points};
+use self::points::{Points, features, points};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb, Triangle, Vec3};
 
@@ -144,8 +144,8 @@ pub struct Translation<S> {
     /// The unit vector along the translation. A fixed-point type that does not hold 1 has its
     /// greatest number instead.
     pub normal: Vec3<S>,
-    /// The faces or edges that the direction comes from.
-    pub axis: Axis,
+    /// The face or the edges that the direction comes from.
+    pub features: Features,
     /// Whether `vector` moves the first shape out of the second. It is `false` if and only if a
     /// coordinate lies beyond the range of the scalar.
     pub is_sufficient: bool,
@@ -166,10 +166,10 @@ pub struct Contact<S> {
 impl<S: Scalar> Contact<S> {
     /// The contact points: between one and eight, in no particular order.
     ///
-    /// If the axis is a face, this face and a face of the opposite shape are projected along the
+    /// If the direction comes from a face, this face and a face of the opposite shape are projected along the
     /// normal, and the points are the corners of the overlap that lie at or below the first face.
     /// The second face contains the deepest vertex or edge of its shape; among several such faces,
-    /// the most nearly antiparallel to the normal is used. If the axis is two edges, the point is
+    /// the most nearly antiparallel to the normal is used. If it comes from two edges, the point is
     /// their crossing.
     ///
     /// The error is stated in [the module](self#points).
@@ -279,7 +279,7 @@ fn of_bodies<S: Scalar>(bodies: &[Body<'_, S>; 2], interior: InteriorEdges) -> O
     let way = least_way(bodies, &rough, interior)?;
     let ratios = way.ratios();
     let translation = translation(bodies, &way, ratios);
-    let points = points(bodies, &origin, &rough, &way, way.unit(&ratios), translation.axis);
+    let points = points(bodies, &origin, &rough, &way, way.unit(&ratios), translation.features);
     Some(Contact { translation, is_held: way.is_held, points })
 }
 
@@ -295,6 +295,6 @@ fn translation<S: Scalar>(
     ratios: [Size; 3],
 ) -> Translation<S> {
     let (vector, is_sufficient) = way.translation();
-    let (depth, normal, axis) = (way.depth(), way.normal(ratios), axis(bodies, way));
-    Translation { vector, depth, normal, axis, is_sufficient }
+    let (depth, normal, features) = (way.depth(), way.normal(ratios), features(bodies, way));
+    Translation { vector, depth, normal, features, is_sufficient }
 }

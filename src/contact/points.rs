@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 use super::body::{Body, Place, Rough, Vec64, difference_in_double};
 use super::directions::{Direction, dot};
 use super::faces::{Corner, Edge, Face, Solid, View, distance, edge_of_box, minus, support_edges};
-use super::feature::{Axis, Part};
+use super::feature::{Features, Part};
 use super::least::Way;
 use crate::arithmetic::{greatest, largest, pick, three};
 use crate::scalar::Scalar;
@@ -94,8 +94,8 @@ fn upper(way: &Way, shape: usize) -> [bool; 3] {
     three(|k| way.along[shape % 2][k] != way.toward(shape).reverse())
 }
 
-/// The direction of a translation, named by the faces or edges that it comes from.
-pub(super) fn axis<S: Scalar>(bodies: &[Body<'_, S>; 2], way: &Way) -> Axis {
+/// The faces or edges that the direction of a translation comes from.
+pub(super) fn features<S: Scalar>(bodies: &[Body<'_, S>; 2], way: &Way) -> Features {
     let face = |shape: usize, k: usize| {
         let is_triangle = bodies[shape % 2].is_triangle();
         if is_triangle { 0 } else { 2 * k as u8 + u8::from(*pick(&upper(way, shape), k)) }
@@ -105,9 +105,9 @@ pub(super) fn axis<S: Scalar>(bodies: &[Body<'_, S>; 2], way: &Way) -> Axis {
         if is_triangle { k as u8 } else { edge_of_box(k, upper(way, shape)) }
     };
     match way.direction {
-        Direction::Face { is_second: false, k } => Axis::First(face(0, k)),
-        Direction::Face { is_second: true, k } => Axis::Second(face(1, k)),
-        Direction::Sides(i, j) => Axis::Edges(edge(0, i), edge(1, j)),
+        Direction::Face { is_second: false, k } => Features::First(face(0, k)),
+        Direction::Face { is_second: true, k } => Features::Second(face(1, k)),
+        Direction::Sides(i, j) => Features::Edges(edge(0, i), edge(1, j)),
     }
 }
 
@@ -116,14 +116,14 @@ const RANGE: (f64, f64) = (f64::from_bits((1023 - 400) << 52), f64::from_bits((1
 const UP: f64 = f64::from_bits((1023 + 800) << 52);
 const DOWN: f64 = f64::from_bits((1023 - 600) << 52);
 
-/// The contact points of a translation along an axis. The first shape moves along `normal`.
+/// The contact points of a translation. The first shape moves along `normal`.
 pub(super) fn points<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     origin: &Place<S>,
     rough: &[Rough; 2],
     way: &Way,
     normal: Vec64,
-    axis: Axis,
+    features: Features,
 ) -> Points<S> {
     let mut solids = rough.each_ref().map(Solid::new);
     let size = greatest(solids[0].size, solids[1].size);
@@ -135,12 +135,14 @@ pub(super) fn points<S: Scalar>(
     }
     let view = View::new(&normal, greatest(solids[0].size, solids[1].size));
     let [first, second] = &solids;
-    let is_second = matches!(axis, Axis::Second(_));
+    let is_second = matches!(features, Features::Second(_));
     let shapes = if is_second { [second, first] } else { [first, second] };
     let outward = three(|i| if is_second { normal[i] } else { -normal[i] });
-    let mut found = match (axis, way.direction) {
-        (Axis::First(face) | Axis::Second(face), _) => by_face(&view, way, shapes, face, &outward),
-        (Axis::Edges(..), Direction::Sides(i, j)) => {
+    let mut found = match (features, way.direction) {
+        (Features::First(face) | Features::Second(face), _) => {
+            by_face(&view, way, shapes, face, &outward)
+        }
+        (Features::Edges(..), Direction::Sides(i, j)) => {
             let edges = |n: usize, k: usize| {
                 let is_across = way.along[n % 2].map(Ordering::is_eq);
                 let is_end =
@@ -149,7 +151,7 @@ pub(super) fn points<S: Scalar>(
             };
             by_edges(&view, edges(0, i), || edges(1, j), &normal)
         }
-        (Axis::Edges(..), Direction::Face { .. }) => Pairs::new(),
+        (Features::Edges(..), Direction::Face { .. }) => Pairs::new(),
     };
     let back = outward.map(|x| -x);
     let overlap = shapes[0].reach_along(&outward) + shapes[1].reach_along(&back);

@@ -92,8 +92,8 @@ formats! {
     );
     Translation: |out, to| write!(
         to,
-        "Translation {{ vector: {}, depth: {}, normal: {}, axis: {}, is_sufficient: {} }}",
-        out.vector, Number(out.depth), out.normal, out.axis, out.is_sufficient
+        "Translation {{ vector: {}, depth: {}, normal: {}, features: {}, is_sufficient: {} }}",
+        out.vector, Number(out.depth), out.normal, out.features, out.is_sufficient
     );
     Point: |point, to| write!(
         to,

@@ -123,7 +123,7 @@ fn every_shape_and_answer_can_be_logged() {
     every::<f32>();
     every::<I16F16>();
     can::<(Axis, Side, Order, Facing, Feature, Cull, HitRules, ShapeError)>();
-    can::<(septum::contact::Axis, Part, InteriorEdges)>();
+    can::<(septum::contact::Features, Part, InteriorEdges)>();
     can::<Bounded<u16, 8>>();
     can::<(septum::relation::Relation, septum::mesh::MeshError, septum::voxel::Row)>();
     can::<(septum::voxel::Rule, septum::voxel::GridError, septum::voxel::TooFewWords)>();

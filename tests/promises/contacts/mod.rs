@@ -3,7 +3,7 @@
 mod points;
 mod surface;
 
-use septum::contact::{Axis, contact};
+use septum::contact::{Features, contact};
 use septum::{Aabb, Obb, Triangle};
 use septum_kit::boxes::BoxSet;
 use septum_kit::contacts::ContactSet;
@@ -56,7 +56,7 @@ fn equal_ways_have_an_order() {
     let unit = Aabb::from_min_max([-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]).unwrap();
     let same = contact(&unit, &unit).unwrap().translation;
     // Against x, by the upper face of the first box; the depth is exact.
-    assert_eq!((same.axis, same.depth), (Axis::First(1), 2.0));
+    assert_eq!((same.features, same.depth), (Features::First(1), 2.0));
     assert_eq!(same.vector.to_array(), [-2.0, 0.0, 0.0]);
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let obb = Obb::new([0.0; 3], axes, [1.0; 3]).unwrap();
@@ -65,10 +65,10 @@ fn equal_ways_have_an_order() {
     // A large triangle, in the middle: its face wins, though it is the second shape.
     let big = Triangle::new([-9.0, -9.0, 0.0], [9.0, -9.0, 0.0], [0.0, 9.0, 0.0]).unwrap();
     let out = contact(&unit, &big).unwrap().translation;
-    assert_eq!((out.axis, out.depth), (Axis::Second(0), 1.0));
+    assert_eq!((out.features, out.depth), (Features::Second(0), 1.0));
     assert_eq!(out.vector.to_array(), [0.0, 0.0, -1.0]);
     let out = contact(&big, &unit).unwrap().translation;
-    assert_eq!((out.axis, out.vector.to_array()), (Axis::First(0), [0.0, 0.0, -1.0]));
+    assert_eq!((out.features, out.vector.to_array()), (Features::First(0), [0.0, 0.0, -1.0]));
 }
 
 /// Two candidates are equal, and a third is too near to them for a comparison.
@@ -96,7 +96,7 @@ fn boxes_that_share_axes_part_by_the_rest() {
             let upper = Obb::new(center, other, [0.5; 3]).unwrap();
             let out = contact(&lower, &upper).unwrap().translation;
             assert!((out.depth - 0.125).abs() < 1e-12, "{out:?}");
-            assert_eq!(out.axis, Axis::First(2 * k as u8 + 1));
+            assert_eq!(out.features, Features::First(2 * k as u8 + 1));
         }
     }
 }
@@ -122,7 +122,8 @@ fn shared_axes_are_no_case_of_their_own() {
         let found = [&second, &apart].map(|b| contact(&first, b).map(|c| c.translation));
         assert_eq!(found[0], found[1]);
         contacts += usize::from(found[0].is_some());
-        of_second += usize::from(matches!(found[0], Some(t) if matches!(t.axis, Axis::Second(_))));
+        of_second +=
+            usize::from(matches!(found[0], Some(t) if matches!(t.features, Features::Second(_))));
     }
     assert!(contacts > 100 && of_second > 10, "{contacts} {of_second}");
 }
@@ -148,7 +149,8 @@ fn one_shared_axis_leaves_the_other_pairs() {
         let found = [&second, &apart].map(|b| contact(&first, b).map(|c| c.translation));
         assert_eq!(found[0], found[1]);
         contacts += usize::from(found[0].is_some());
-        by_edges += usize::from(matches!(found[0], Some(t) if matches!(t.axis, Axis::Edges(..))));
+        by_edges +=
+            usize::from(matches!(found[0], Some(t) if matches!(t.features, Features::Edges(..))));
     }
     assert!(contacts > 100 && by_edges > 30, "{contacts} {by_edges}");
 }

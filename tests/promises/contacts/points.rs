@@ -2,7 +2,7 @@
 
 use std::env;
 
-use septum::contact::{Axis, Contact, InteriorEdges, Part, Point, contact, contact_in_mesh};
+use septum::contact::{Contact, Features, InteriorEdges, Part, Point, contact, contact_in_mesh};
 use septum::{Aabb, Obb, Triangle};
 use septum_kit::boxes::{AnyBox, ObbNumbers};
 use septum_kit::contacts::{ContactCase, ContactSet, PointErrors, Solid};
@@ -197,7 +197,10 @@ fn parts_are_the_same_from_frame_to_frame() {
     assert_eq!(first, expected);
     for n in 1..10 {
         let found = contact(&floor, &frame(n)).unwrap();
-        assert_eq!((found.translation.axis, parts(&found)), (Axis::First(0), first.clone()));
+        assert_eq!(
+            (found.translation.features, parts(&found)),
+            (Features::First(0), first.clone())
+        );
     }
 }
 

@@ -13,7 +13,7 @@ pub use simplex::holds_zero;
 
 use dashu_int::IBig;
 use septum::contact::{
-    Axis, Contact, InteriorEdges, Translation, contact, contact_in_mesh, least_translation,
+    Contact, Features, InteriorEdges, Translation, contact, contact_in_mesh, least_translation,
 };
 use septum::{Aabb, Obb, Triangle};
 
@@ -184,7 +184,7 @@ impl<S: Sample> ContactCase<S> {
         let t = found.translation;
         self.check_depth(t.depth, least, &length);
         let sign = |x: S| IBig::from(if x < S::ZERO { -1 } else { i8::from(x > S::ZERO) });
-        let a = self.direction(t.axis, &hulls);
+        let a = self.direction(t.features, &hulls);
         let along = IBig::dot(&a, &t.vector.to_array().map(sign));
         let a = if along < IBig::ZERO { a.map(|x| -x) } else { a };
         let is_before = depths.iter().flatten().take_while(|d| !core::ptr::eq(*d, least));
@@ -220,12 +220,12 @@ impl<S: Sample> ContactCase<S> {
         Some(t.is_sufficient)
     }
 
-    /// The cross product that an axis names.
-    fn direction(&self, axis: Axis, hulls: &[Hull; 2]) -> Point {
-        match axis {
-            Axis::First(k) => hulls[0].normals()[usize::from(k / 2)].clone(),
-            Axis::Second(k) => hulls[1].normals()[usize::from(k / 2)].clone(),
-            Axis::Edges(i, j) => IBig::cross(hulls[0].side(i), hulls[1].side(j)),
+    /// The cross product that the features name.
+    fn direction(&self, features: Features, hulls: &[Hull; 2]) -> Point {
+        match features {
+            Features::First(k) => hulls[0].normals()[usize::from(k / 2)].clone(),
+            Features::Second(k) => hulls[1].normals()[usize::from(k / 2)].clone(),
+            Features::Edges(i, j) => IBig::cross(hulls[0].side(i), hulls[1].side(j)),
         }
     }
 

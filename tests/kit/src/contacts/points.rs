@@ -150,7 +150,7 @@ impl<S: Sample> ContactCase<S> {
         let scale = Scale { shift, size: (&size >> shift).to_f64().value(), unit };
         let length = |x: S| whole(x.mantissa_exponent(), unit) << (1 - unit) as usize;
 
-        let a = self.direction(t.axis, &hulls);
+        let a = self.direction(t.features, &hulls);
         let vector = t.vector.to_array().map(length);
         let a = if IBig::dot(&a, &vector) < IBig::ZERO { a.map(|x| -x) } else { a };
         let long = a.iter().map(BitTest::bit_len).max().unwrap_or(0).saturating_sub(200);
