@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use super::{Index, Mesh, MeshError};
-use crate::arithmetic::{SMALL_CODE, compare};
+use crate::arithmetic::{REGISTERS_ARE_WIDE, compare};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -65,10 +65,10 @@ impl<S: Scalar, I: Index> Mesh<'_, S, I> {
     }
 }
 
-/// Sorts. With the feature `small`, by a heap sort that links a tenth of the code of the standard
-/// sort.
+/// Sorts; the comparison leaves no ties between different elements. Small cores run a heap sort, which
+/// has a tenth of the code of the standard sort and links no panic.
 pub(crate) fn sort<T: Copy>(all: &mut [T], compare: impl Fn(&T, &T) -> Ordering) {
-    if !SMALL_CODE {
+    if REGISTERS_ARE_WIDE {
         all.sort_unstable_by(compare);
         return;
     }

@@ -4,7 +4,7 @@ use super::BoxTree;
 use crate::mesh::node::{Cell, Node};
 use crate::mesh::overlapping::{mask, sealed::Bounded};
 use crate::mesh::walk::Walk;
-use crate::mesh::{Index, MeshError};
+use crate::mesh::{Index, MeshError, sort};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Overlaps};
 
@@ -68,8 +68,8 @@ impl<S: Scalar, I: Index> BoxTree<'_, S, I> {
 }
 
 /// The first `needed` elements in ascending order, if there is room for them.
-pub(super) fn sorted<T: Ord>(found: &mut [T], needed: usize) -> Result<&[T], MeshError> {
+pub(super) fn sorted<T: Copy + Ord>(found: &mut [T], needed: usize) -> Result<&[T], MeshError> {
     let found = found.get_mut(..needed).ok_or(MeshError::Length { needed })?;
-    found.sort_unstable();
+    sort(found, Ord::cmp);
     Ok(found)
 }
