@@ -3,64 +3,71 @@
 use septum::sweep::Motion;
 use septum::{Aabb, Obb};
 
+use crate::number::{Number, ratio};
 use crate::terrain::Ground;
-use crate::vector::{Vector, cross, dot, plus, root, times};
+use crate::vector::{Vector, cross, plus, times, within};
 
 /// The number of calm ticks after which a body rests.
 const CALM: u8 = 30;
 
-/// A cube. Lengths are in metres, and time is in ticks, 60 a second.
+/// A cube.
 #[derive(Clone, Copy)]
-pub(crate) struct Body {
-    pub(crate) position: Vector,
+pub(crate) struct Body<T> {
+    pub(crate) position: Vector<T>,
     /// A unit quaternion: x, y, z, w.
-    rotation: [f32; 4],
-    pub(crate) velocity: Vector,
-    /// In radians for each tick.
-    pub(crate) spin: Vector,
-    pub(crate) half: f32,
+    rotation: [T; 4],
+    pub(crate) velocity: Vector<T>,
+    /// In radians a second.
+    pub(crate) spin: Vector<T>,
+    half: T,
+    pub(crate) inverse_mass: T,
+    /// A cube has the same moment of inertia about every axis.
+    pub(crate) inverse_inertia: T,
     /// The number of ticks for which it has been calm.
     calm: u8,
 }
 
 /// A pose, in the crate's types.
 #[derive(Clone, Copy)]
-pub(crate) struct Pose {
-    pub(crate) obb: Obb<f32>,
+pub(crate) struct Pose<T> {
+    pub(crate) obb: Obb<T>,
     /// The bounding box.
-    pub(crate) aabb: Aabb<f32>,
+    pub(crate) aabb: Aabb<T>,
 }
 
-impl Body {
-    pub(crate) const fn new(position: Vector, half: f32) -> Self {
-        let rotation = [0.0, 0.0, 0.0, 1.0];
-        Self { position, rotation, velocity: [0.0; 3], spin: [0.0; 3], half, calm: 0 }
+impl<T: Number> Body<T> {
+    pub(crate) fn new(position: Vector<T>, half: T) -> Self {
+        let part = ratio::<T>(1, 4) / half;
+        let inverse_mass = part * part * part;
+        let inverse_inertia = inverse_mass * ratio(3, 2) / half / half;
+        let rest = [T::ZERO; 3];
+        Self {
+            position,
+            rotation: [T::ZERO, T::ZERO, T::ZERO, T::ONE],
+            velocity: rest,
+            spin: rest,
+            half,
+            inverse_mass,
+            inverse_inertia,
+            calm: 0,
+        }
     }
 
-    pub(crate) fn inverse_mass(&self) -> f32 {
-        1.0 / (self.half * self.half * self.half)
-    }
-
-    /// The inverse moment of inertia; a cube has the same about every axis.
-    pub(crate) fn inverse_inertia(&self) -> f32 {
-        1.5 * self.inverse_mass() / (self.half * self.half)
-    }
-
-    pub(crate) fn pose(&self) -> Option<Pose> {
+    pub(crate) fn pose(&self) -> Option<Pose<T>> {
         let obb = Obb::from_quaternion(self.position, self.rotation, [self.half; 3]).ok()?;
         Some(Pose { obb, aabb: obb.aabb()? })
     }
 
     /// The velocity of the point at this offset from the centre.
-    pub(crate) fn velocity_at(&self, from_center: Vector) -> Vector {
+    pub(crate) fn velocity_at(&self, from_center: Vector<T>) -> Vector<T> {
         plus(self.velocity, cross(self.spin, from_center))
     }
 
     /// Applies an impulse at this offset from the centre.
-    pub(crate) fn push(&mut self, impulse: Vector, from_center: Vector) {
-        self.velocity = plus(self.velocity, times(impulse, self.inverse_mass()));
+    pub(crate) fn push(&mut self, impulse: Vector<T>, from_center: Vector<T>) {
+        self.velocity = plus(self.velocity, times(impulse, self.inverse_mass));
         let turn = cross(from_center, impulse);
-        self.spin = plus(self.spin, times(turn, self.inverse_inertia()));
+        self.spin = plus(self.spin, times(turn, self.inverse_inertia));
     }
 
     pub(crate) fn rests(&self) -> bool {
@@ -71,56 +78,71 @@ impl Body {
         self.calm = 0;
     }
 
-    /// The square of the speed of its corners, approximately.
-    pub(crate) fn speed_squared(&self) -> f32 {
-        dot(self.velocity, self.velocity) + 3.0 * self.half * self.half * dot(self.spin, self.spin)
+    /// The speed of its corners, approximately.
+    pub(crate) fn speed(&self) -> T {
+        let [[x, y, z], [i, j, k]] = [self.velocity, times(self.spin, self.half * ratio(7, 4))];
+        T::length(&[x, y, z, i, j, k])
+    }
+
+    /// Slows down a little, and falls.
+    pub(crate) fn fall(&mut self) {
+        self.velocity = times(self.velocity, T::DRAG);
+        self.spin = times(self.spin, T::DRAG);
+        self.velocity[1] = self.velocity[1] - T::GRAVITY;
     }
 
     /// Moves for a tick. An obstacle in the path of the core stops the body there: nothing tunnels.
-    pub(crate) fn advance(&mut self, ground: &Ground<'_>) {
-        const STILL: f32 = 1e-5;
-        self.calm = if self.speed_squared() < STILL { (self.calm + 1).min(CALM) } else { 0 };
+    pub(crate) fn advance(&mut self, ground: &Ground<'_, T>) {
+        self.velocity = self.velocity.map(limited);
+        self.spin = self.spin.map(limited);
+        self.calm = if self.speed() < T::STILL { (self.calm + 1).min(CALM) } else { 0 };
         if self.rests() {
-            (self.velocity, self.spin) = ([0.0; 3], [0.0; 3]);
+            (self.velocity, self.spin) = ([T::ZERO; 3], [T::ZERO; 3]);
             return;
         }
         self.position = self.end_of_way(ground);
 
         let [x, y, z, w] = self.rotation;
-        let [i, j, k] = times(self.spin, 0.5);
+        let [i, j, k] = self.spin.map(|x| x / (T::RATE + T::RATE));
         let turned = [
             x + (i * w + j * z - k * y),
             y + (j * w + k * x - i * z),
             z + (k * w + i * y - j * x),
             w - (i * x + j * y + k * z),
         ];
-        let square = turned.iter().fold(0.0, |sum, x| sum + x * x);
-        self.rotation = turned.map(|x| x / root(square));
+        let length = T::length(&turned);
+        self.rotation = turned.map(|x| x / length);
     }
 
-    /// The end of the tick's motion: the new place, or the place where the core, an axis-aligned
-    /// cube inside the body, first meets the ground. If the core meets the ground at the start, a
-    /// contact pushes the body out, and it moves slowly.
-    fn end_of_way(&self, ground: &Ground<'_>) -> Vector {
-        let to = |part: f32| plus(self.position, times(self.velocity, part));
-        let (square, slow) = (dot(self.velocity, self.velocity), 0.25 * self.half);
-        if square <= slow * slow {
-            return to(1.0);
+    /// The end of the tick's motion: the new place, or the last place before the core, an
+    /// axis-aligned cube inside the body, is in the ground. If the core is in the ground at the
+    /// start, a contact pushes the body out, and it moves slowly.
+    fn end_of_way(&self, ground: &Ground<'_, T>) -> Vector<T> {
+        let way = self.velocity.map(|x| x / T::RATE);
+        let to = plus(self.position, way);
+        let (length, slow) = (T::length(&way), self.half * ratio(1, 4));
+        if length <= slow {
+            return to;
         }
-        let core = Aabb::from_center_half_extents(self.position, [0.5 * self.half; 3]);
-        let (Ok(core), Ok(way)) = (core, Motion::new(self.position, to(1.0))) else {
+        let core = Aabb::from_center_half_extents(self.position, [T::HALF * self.half; 3]);
+        let (Ok(core), Ok(motion)) = (core, Motion::new(self.position, to)) else {
             return self.position;
         };
-        match ground.tree.first_contact(&core, &way) {
-            None => to(1.0),
-            Some((_, first)) if first.t > 0.0 => to(first.t),
-            Some(_) => to(slow / root(square)),
+        match ground.tree.last_free(&core, &motion) {
+            Some((place, _)) => place.to_array(),
+            None => plus(self.position, times(way, slow / length)),
         }
     }
 
-    /// All of its numbers.
+    /// All of its numbers that change.
     pub(crate) fn numbers(&self) -> impl Iterator<Item = u32> {
         let moving = self.position.into_iter().chain(self.rotation).chain(self.velocity);
-        moving.chain(self.spin).map(f32::to_bits).chain([u32::from(self.calm)])
+        moving.chain(self.spin).map(T::bits).chain([u32::from(self.calm)])
     }
+}
+
+/// A speed that is not above the greatest.
+fn limited<T: Number>(speed: T) -> T {
+    let magnitude = within(if speed < T::ZERO { -speed } else { speed }, T::FASTEST);
+    if speed < T::ZERO { -magnitude } else { magnitude }
 }

@@ -1,9 +1,12 @@
 //! The ground: hills of triangles on a grid, walls around them and a ceiling, with a tree over all
 //! triangles.
 
+use fixed::types::I16F16;
 use septum::Vec3;
 use septum::contact::{InteriorEdges, interior_edges};
 use septum::mesh::{Mesh, Node, Tree};
+
+use crate::number::{Number, ratio};
 
 /// The number of cells along each side of the ground; a cell is one metre.
 pub(crate) const SIDE: usize = 10;
@@ -17,29 +20,22 @@ const HEIGHTS: [[u8; 5]; 5] =
     [[24, 14, 9, 3, 12], [15, 6, 0, 5, 13], [8, 2, 5, 11, 6], [3, 7, 14, 8, 1], [16, 9, 4, 0, 10]];
 
 /// The height of the walls.
-const WALL: f32 = 16.0;
+const WALL: usize = 16;
 
-static POINTS: [Vec3<f32>; VERTICES] = {
-    let mut all = [Vec3::splat(0.0); VERTICES];
-    let mut k = 0;
-    while k < CORNERS * CORNERS {
+fn points<T: Number>() -> [Vec3<T>; VERTICES] {
+    let mut all = [Vec3::splat(T::ZERO); VERTICES];
+    for (k, point) in all[..CORNERS * CORNERS].iter_mut().enumerate() {
         let (x, z) = (k / CORNERS, k % CORNERS);
-        let height = HEIGHTS[x % 5][z % 5] as f32 / 16.0;
-        all[k] = Vec3::new(x as f32, height, z as f32);
-        k += 1;
+        *point = [ratio(x, 1), T::of(height(x, z)), ratio(z, 1)].into();
     }
-    let mut n = 0;
-    while n < 4 {
-        let end = SIDE as f32;
-        let x = if n == 1 || n == 2 { end } else { 0.0 };
-        let z = if n >= 2 { end } else { 0.0 };
-        all[k] = Vec3::new(x, -1.0, z);
-        all[k + 1] = Vec3::new(x, WALL, z);
-        k += 2;
-        n += 1;
+    for (k, point) in all[CORNERS * CORNERS..].iter_mut().enumerate() {
+        let (side, n) = (ratio(SIDE, 1), k / 2);
+        let x = if n == 1 || n == 2 { side } else { T::ZERO };
+        let z = if n >= 2 { side } else { T::ZERO };
+        *point = [x, if k % 2 == 0 { -T::ONE } else { ratio(WALL, 1) }, z].into();
     }
     all
-};
+}
 
 static FACES: [[u16; 3]; TRIANGLES] = {
     let mut all = [[0; 3]; TRIANGLES];
@@ -66,15 +62,16 @@ static FACES: [[u16; 3]; TRIANGLES] = {
 };
 
 /// The static geometry.
-pub(crate) struct Ground<'a> {
-    pub(crate) tree: Tree<'a, f32, u16>,
+pub(crate) struct Ground<'a, T: Number> {
+    pub(crate) tree: Tree<'a, T, u16>,
     /// The interior edges, which must not catch a box.
     pub(crate) interior: [InteriorEdges; TRIANGLES],
 }
 
 /// Calls `f` with the ground, which needs memory for its tree. `None` if the ground is invalid.
-pub(crate) fn with_ground<T>(f: impl FnOnce(&Ground<'_>) -> T) -> Option<T> {
-    let mesh = Mesh::new(&POINTS, &FACES).ok()?;
+pub(crate) fn with_ground<T: Number, R>(f: impl FnOnce(&Ground<'_, T>) -> R) -> Option<R> {
+    let points = points();
+    let mesh = Mesh::new(&points, &FACES).ok()?;
     let mut interior = [InteriorEdges::NONE; TRIANGLES];
     interior_edges(&mesh, &mut [(0, 0); 3 * TRIANGLES], &mut interior).ok()?;
     let mut nodes = [Node::EMPTY; Node::count_for(TRIANGLES)];
@@ -83,23 +80,22 @@ pub(crate) fn with_ground<T>(f: impl FnOnce(&Ground<'_>) -> T) -> Option<T> {
     Some(f(&Ground { tree, interior }))
 }
 
+fn height(x: usize, z: usize) -> I16F16 {
+    I16F16::from_num(HEIGHTS[x % 5][z % 5]) / 16
+}
+
 /// The signed height of a point above the ground; `None` beyond the walls.
-pub(crate) fn height_above(point: [f32; 3]) -> Option<f32> {
-    let [x, y, z] = point;
-    let inside = |x: f32| (0.0..SIDE as f32).contains(&x);
-    if !inside(x) || !inside(z) {
-        return None;
-    }
-    let (i, k) = (x as usize, z as usize);
-    let (u, v) = (x - i as f32, z - k as f32);
-    let height = |i: usize, k: usize| f32::from(HEIGHTS[i % 5][k % 5]) / 16.0;
+pub(crate) fn height_above<T: Number>(point: [T; 3]) -> Option<I16F16> {
+    let [x, y, z] = point.map(T::rounded);
+    let cell = |x: I16F16| x.checked_to_num::<usize>().filter(|&cell| cell < SIDE);
+    let ((i, k), (u, v)) = ((cell(x)?, cell(z)?), (x.frac(), z.frac()));
     let (b, c) = (height(i, k + 1), height(i + 1, k));
-    let ground = if u + v <= 1.0 {
+    let ground = if u + v <= 1 {
         let a = height(i, k);
         a + (c - a) * u + (b - a) * v
     } else {
         let d = height(i + 1, k + 1);
-        d + (b - d) * (1.0 - u) + (c - d) * (1.0 - v)
+        d + (b - d) * (I16F16::ONE - u) + (c - d) * (I16F16::ONE - v)
     };
     Some(y - ground)
 }

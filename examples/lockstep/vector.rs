@@ -1,37 +1,32 @@
-//! Vectors of three floats. Only sums and products, in a fixed order, so that every machine gives
-//! the same bits.
+//! Vectors of three numbers.
 
-pub(crate) type Vector = [f32; 3];
+use crate::number::Number;
 
-pub(crate) fn plus(a: Vector, b: Vector) -> Vector {
+pub(crate) type Vector<T> = [T; 3];
+
+pub(crate) fn plus<T: Number>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-pub(crate) fn minus(a: Vector, b: Vector) -> Vector {
+pub(crate) fn minus<T: Number>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-pub(crate) fn times(a: Vector, x: f32) -> Vector {
+pub(crate) fn times<T: Number>(a: Vector<T>, x: T) -> Vector<T> {
     [a[0] * x, a[1] * x, a[2] * x]
 }
 
-pub(crate) fn dot(a: Vector, b: Vector) -> f32 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub(crate) fn cross(a: Vector, b: Vector) -> Vector {
+pub(crate) fn cross<T: Number>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// The square root, by Newton's method, because `core` has none. Zero if `x` is not positive.
-pub(crate) fn root(x: f32) -> f32 {
-    if x <= 0.0 {
-        return 0.0;
+/// Within zero and `most`.
+pub(crate) fn within<T: Number>(x: T, most: T) -> T {
+    if x > most {
+        most
+    } else if x > T::ZERO {
+        x
+    } else {
+        T::ZERO
     }
-    // Half the exponent is within a factor of two.
-    let mut y = f32::from_bits((x.to_bits() >> 1) + (0x3f80_0000 >> 1));
-    for _ in 0..4 {
-        y = 0.5 * (y + x / y);
-    }
-    y
 }
