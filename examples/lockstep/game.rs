@@ -15,7 +15,7 @@ use crate::terrain::{Ground, SIDE, height_above};
 
 /// Ticks from one build of the broad phase to the next.
 const REBUILD: u32 = 32;
-/// What a player turns in a tick, in radians.
+/// The turn of a player in a tick, in radians.
 const TURN: I16F16 = I16F16::lit("0.05");
 
 /// The number of points that a tick may have for each body. Further points are dropped, on every
@@ -30,8 +30,8 @@ pub(crate) struct State<T, const N: usize> {
     headings: [I16F16; 2],
 }
 
-/// A state, and what no answer depends on: the order of the bodies in the broad phase, and its age
-/// in ticks. A load keeps these as they are.
+/// A state, and the order of the bodies in the broad phase with its age in ticks. No answer depends
+/// on the order, so a load leaves it alone.
 #[derive(Clone)]
 pub(crate) struct Game<'a, T: Number, const N: usize, const TOUCHES: usize> {
     ground: &'a Ground<'a, T>,
@@ -102,7 +102,7 @@ impl<'a, T: Number, const N: usize, const TOUCHES: usize> Game<'a, T, N, TOUCHES
         self.age += 1;
         let mut room = [[0; 2]; TOUCHES];
         let near = tree.and_then(|tree| tree.pairs(&mut room)).unwrap_or_default();
-        // Ascending, so that those of a body follow each other.
+        // Ascending: the pairs of a body follow each other.
         let mut near = near.iter().map(|pair| pair.map(usize::from)).peekable();
         for i in 0..N {
             let pose = &poses[i];

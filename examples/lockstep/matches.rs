@@ -74,7 +74,7 @@ fn sync_test<T: Number>(ground: &Ground<'_, T>, back: usize) -> Result<usize, us
     Ok(test.replayed())
 }
 
-/// The checksums of four ticks, of which the last must be `last`.
+/// The checksums of four ticks. The last one must be `last`.
 pub(crate) fn checksums<T: Number>(ground: &Ground<'_, T>, name: &str, last: u64) -> Line {
     let mut text = heapless::String::new();
     let (checksums, game) = straight(ground);

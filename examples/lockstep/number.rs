@@ -23,7 +23,7 @@ macro_rules! constants {
     };
 }
 
-// Lengths are in metres, times in seconds, masses in those of a cube of half a metre.
+// Units: metre, second, and the mass of a cube of half a metre.
 constants! {
     HALF = 0.5;
     ONE = 1.0;
@@ -34,7 +34,7 @@ constants! {
     THRUST = 0.24;
     /// The part of the speed that a tick leaves.
     DRAG = 0.995;
-    /// The greatest speed along an axis, and about one. So no sum overflows in I16F16.
+    /// The greatest speed along an axis, and about one: no sum overflows in I16F16.
     FASTEST = 128.0;
     /// The speed below which a body is calm.
     STILL = 0.19;
@@ -61,7 +61,7 @@ pub(crate) trait Number:
     /// A number that both types hold, or nearly: a place of the level, a sine.
     fn of(number: I16F16) -> Self;
 
-    /// Back to I16F16, for what is only looked at.
+    /// Back to I16F16, for checks.
     fn rounded(self) -> I16F16;
 
     fn dot(a: [Self; 3], b: [Self; 3]) -> Self;

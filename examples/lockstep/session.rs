@@ -9,7 +9,7 @@ pub(crate) const MOST_BACK: usize = 8;
 /// The frames whose inputs are kept: a remote peer may be as far ahead.
 const WINDOW: usize = 2 * MOST_BACK + 1;
 
-/// What the game must do.
+/// A request to the game.
 pub(crate) enum Request {
     /// Save the state before this frame.
     Save { frame: usize },
