@@ -2,23 +2,10 @@
 
 use core::cmp::Ordering;
 
-use super::body::Body;
-use super::directions::Direction;
-use super::sums::Sums;
-use super::whole::{Long, Shapes, Short, Whole};
 use crate::arithmetic::{Soft, pick, three, turn};
-use crate::scalar::Scalar;
 
 /// A number that is above zero, or none.
 pub(super) type Size = Option<Soft>;
-
-/// The exact numbers of two shapes: integers, or sums of products for all other inputs.
-#[derive(Clone, Copy)]
-pub(super) enum Numbers<'a> {
-    Short(&'a Shapes<Short>),
-    Long(&'a Shapes<Long>),
-    Sums,
-}
 
 /// The exact numbers of a direction.
 pub(super) trait Given {
@@ -44,28 +31,9 @@ pub(super) struct Exact {
 }
 
 impl Exact {
-    /// The exact direction, if it is not zero. Some of the signs are known already.
-    pub(super) fn new<S: Scalar>(
-        bodies: &[Body<'_, S>; 2],
-        numbers: Numbers<'_>,
-        direction: Direction,
-        known: &[[Option<Ordering>; 3]; 2],
-        wanted: [bool; 2],
-    ) -> Option<Self> {
-        let are_triangles = [bodies[0].is_triangle(), bodies[1].is_triangle()];
-        let own = direction.sides(are_triangles);
-        match numbers {
-            Numbers::Short(shapes) => {
-                Self::of(&Whole::new(shapes, own), are_triangles, own, known, wanted)
-            }
-            Numbers::Long(shapes) => {
-                Self::of(&Whole::new(shapes, own), are_triangles, own, known, wanted)
-            }
-            Numbers::Sums => Self::of(&Sums::new(bodies, own), are_triangles, own, known, wanted),
-        }
-    }
-
-    fn of(
+    /// The exact direction, if it is not zero. Some of the signs are known already. `own` are the
+    /// two sides of its cross product.
+    pub(super) fn new(
         given: &impl Given,
         are_triangles: [bool; 2],
         own: [(usize, usize); 2],

@@ -4,13 +4,45 @@ use core::cmp::Ordering;
 
 use super::body::{Body, Rough, Vec64};
 use super::directions::{Direction, Filter, Finding, all, cross, dot};
-use super::exact::{Exact, Numbers, Size, farthest};
+use super::exact::{Exact, Size, farthest};
 use super::interior::InteriorEdges;
-use super::whole::Units;
+use super::sums::Sums;
+use super::whole::{Long, Shapes, Short, Units, Whole};
 use crate::arithmetic::{Soft, pick, three, turn};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
+
+/// The exact numbers of two shapes: integers, or sums of products for all other inputs.
+#[derive(Clone, Copy)]
+pub(super) enum Numbers<'a> {
+    Short(&'a Shapes<Short>),
+    Long(&'a Shapes<Long>),
+    Sums,
+}
+
+impl Numbers<'_> {
+    /// The exact direction, if it is not zero. Some of the signs are known already.
+    pub(super) fn along<S: Scalar>(
+        self,
+        bodies: &[Body<'_, S>; 2],
+        direction: Direction,
+        known: &[[Option<Ordering>; 3]; 2],
+        wanted: [bool; 2],
+    ) -> Option<Exact> {
+        let triangles = [bodies[0].is_triangle(), bodies[1].is_triangle()];
+        let own = direction.sides(triangles);
+        match self {
+            Self::Short(shapes) => {
+                Exact::new(&Whole::new(shapes, own), triangles, own, known, wanted)
+            }
+            Self::Long(shapes) => {
+                Exact::new(&Whole::new(shapes, own), triangles, own, known, wanted)
+            }
+            Self::Sums => Exact::new(&Sums::new(bodies, own), triangles, own, known, wanted),
+        }
+    }
+}
 
 /// The translation along one direction.
 pub(super) struct Way {
@@ -44,7 +76,7 @@ fn least<S: Scalar>(
 ) -> Result<(), Apart> {
     note(Stage::Exact);
     let known = filter.along(direction);
-    let Some(exact) = Exact::new(bodies, numbers, direction, &known, wanted) else {
+    let Some(exact) = numbers.along(bodies, direction, &known, wanted) else {
         return Ok(());
     };
     let Some((length, square)) = exact.length() else { return Ok(()) };
@@ -127,7 +159,7 @@ pub(super) fn least_way<S: Scalar>(
         // The whole triangle lies across: the direction is its normal, or the triangle has none.
         None => {
             let none = [[None; 3]; 2];
-            best.direction != face && Exact::new(bodies, numbers, face, &none, [false; 2]).is_none()
+            best.direction != face && numbers.along(bodies, face, &none, [false; 2]).is_none()
         }
     };
     if !is_held {

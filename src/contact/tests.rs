@@ -3,10 +3,10 @@
 use super::Shape;
 use super::body::Body;
 use super::directions::{Direction, all};
-use super::exact::{Exact, Numbers, Size};
+use super::exact::Size;
 use super::in_floats;
 use super::interior::InteriorEdges;
-use super::least::least_way;
+use super::least::{Numbers, least_way};
 use super::whole::Units;
 use crate::arithmetic::REGISTERS_ARE_WIDE;
 use crate::scalar::Scalar;
@@ -38,7 +38,7 @@ const NOTHING_IS_KNOWN: [[Option<core::cmp::Ordering>; 3]; 2] = [[None; 3]; 2];
 fn by_sums<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<(Direction, bool, Size)> {
     let mut best: Option<(Direction, bool, Size)> = None;
     for direction in all(bodies) {
-        let exact = Exact::new(bodies, Numbers::Sums, direction, &NOTHING_IS_KNOWN, [true; 2]);
+        let exact = Numbers::Sums.along(bodies, direction, &NOTHING_IS_KNOWN, [true; 2]);
         let Some(exact) = exact else { continue };
         let (length, _) = exact.length().unwrap();
         for is_along in [false, true] {
@@ -66,7 +66,7 @@ fn check<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [bool; 3] 
         let (long, short) = (units.shapes(&bodies), is_short.then(|| units.shapes(&bodies)));
         let numbers = [Some(Numbers::Long(&long)), short.as_ref().map(Numbers::Short)];
         for (direction, numbers) in all(&bodies).flat_map(|d| numbers.map(|n| (d, n))) {
-            let exact = |n| Exact::new(&bodies, n, direction, &NOTHING_IS_KNOWN, [true; 2]);
+            let exact = |n| n.along(&bodies, direction, &NOTHING_IS_KNOWN, [true; 2]);
             if let Some(numbers) = numbers {
                 assert_eq!(exact(numbers), exact(Numbers::Sums), "{direction:?} {bodies:?}");
             }
