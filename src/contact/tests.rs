@@ -66,7 +66,7 @@ fn check<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [bool; 3] 
         let (long, short) = (units.shapes(&bodies), is_short.then(|| units.shapes(&bodies)));
         let numbers = [Some(Numbers::Long(&long)), short.as_ref().map(Numbers::Short)];
         for (direction, numbers) in all(&bodies).flat_map(|d| numbers.map(|n| (d, n))) {
-            let exact = |n| n.along(&bodies, direction, &NOTHING_IS_KNOWN, [true; 2]);
+            let exact = |n: Numbers<'_>| n.along(&bodies, direction, &NOTHING_IS_KNOWN, [true; 2]);
             if let Some(numbers) = numbers {
                 assert_eq!(exact(numbers), exact(Numbers::Sums), "{direction:?} {bodies:?}");
             }

@@ -18,7 +18,6 @@ use self::entry::Entry;
 pub use self::entry::Scratch;
 use super::grid::{Grid, corners};
 use super::node::{Cell, LEAF, Layout, Node};
-use super::tree::layout;
 use super::{Index, Mesh, MeshError};
 use crate::arithmetic::three;
 use crate::scalar::Scalar;
@@ -269,6 +268,15 @@ impl<S: Scalar> Build<S> {
             self.phase = Phase::Done;
         }
         took + 1
+    }
+}
+
+pub(super) fn layout<S, I>(mesh: &Mesh<'_, S, I>, nodes: &[Node]) -> Result<Layout, MeshError> {
+    let needed = Node::count_for(mesh.triangles.len());
+    if nodes.len() == needed {
+        Ok(Layout::new(mesh.triangles.len()))
+    } else {
+        Err(MeshError::Length { needed })
     }
 }
 

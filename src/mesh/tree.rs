@@ -1,4 +1,4 @@
-use super::build::{Build, Memory, around};
+use super::build::{Build, Memory, around, layout};
 use super::grid::{Grid, corners};
 use super::node::{Layout, Node};
 use super::{Index, Mesh, MeshError};
@@ -137,14 +137,5 @@ impl<'a, S: Scalar, I> Tree<'a, S, I> {
     #[must_use]
     pub const fn nodes(&self) -> &'a [Node] {
         self.nodes
-    }
-}
-
-pub(super) fn layout<S, I>(mesh: &Mesh<'_, S, I>, nodes: &[Node]) -> Result<Layout, MeshError> {
-    let needed = Node::count_for(mesh.triangles.len());
-    if nodes.len() == needed {
-        Ok(Layout::new(mesh.triangles.len()))
-    } else {
-        Err(MeshError::Length { needed })
     }
 }

@@ -1,7 +1,7 @@
 use super::Vec3;
-use super::bounds::joined;
 use super::overlaps::overlaps_methods;
 use super::{ShapeError, finite};
+use crate::arithmetic::{greatest, least, three};
 use crate::scalar::Scalar;
 
 /// An axis-aligned box, a closed set. It may be flat, or a point.
@@ -35,6 +35,12 @@ pub(crate) enum Form<S> {
     Center { center: Vec3<S>, half: Vec3<S> },
     /// Least and greatest corner.
     Corners { min: Vec3<S>, max: Vec3<S> },
+}
+
+/// The corners of a box around both pairs of corners.
+#[inline(always)]
+pub(crate) fn joined<S: Scalar>([a, b]: [[S; 3]; 2], [c, d]: [[S; 3]; 2]) -> [[S; 3]; 2] {
+    [three(|i| least(a[i], c[i])), three(|i| greatest(b[i], d[i]))]
 }
 
 impl<S: Scalar> Aabb<S> {

@@ -1,10 +1,10 @@
 //! Bounding boxes.
 
-use super::aabb::Form;
+use super::aabb::{Form, joined};
 use super::polygon::Polygon;
 use super::segment::Form as SegmentForm;
 use super::{Aabb, Segment, Triangle, Vec3};
-use crate::arithmetic::{each, greatest, least, three};
+use crate::arithmetic::{each, three};
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Aabb<S> {
@@ -97,12 +97,6 @@ impl<S: Scalar> Polygon<'_, S> {
         let points = Aabb::from_points(self.vertices.iter().copied());
         points.unwrap_or_else(|_| Aabb::about_origin(Vec3::splat(S::ZERO)))
     }
-}
-
-/// The corners of a box around both pairs of corners.
-#[inline(always)]
-pub(crate) fn joined<S: Scalar>([a, b]: [[S; 3]; 2], [c, d]: [[S; 3]; 2]) -> [[S; 3]; 2] {
-    [three(|i| least(a[i], c[i])), three(|i| greatest(b[i], d[i]))]
 }
 
 #[inline(always)]

@@ -23,8 +23,7 @@ mod const_new;
 mod near;
 
 pub use aabb::Aabb;
-pub(crate) use aabb::Form as AabbForm;
-pub(crate) use bounds::joined;
+pub(crate) use aabb::{Form as AabbForm, joined};
 pub use error::ShapeError;
 #[cfg(feature = "fixed")]
 pub use near::Near;

@@ -3,7 +3,8 @@
 
 use super::error_bound::{ErrorBound, error_bound};
 use super::kernel::{self, all_axes, is_zero};
-use super::{First, Lie, window};
+use super::window::{self, Given};
+use super::{First, Lie};
 use crate::arithmetic::{Filtered, Float, InFloat, Quad, SMALL_CODE, THREE, greatest};
 use crate::query::obb_rows::{ObbInFloats, Vectors, fits, holds_one, in_floats, most, transposed};
 use crate::query::relation::{Asked, Relation};
@@ -17,15 +18,6 @@ struct Boxes<F> {
     h: [F; 3],
     v: [[F; 3]; 3],
     k: [F; 3],
-}
-
-/// The boxes as they are given: centres and half-extents, or corners of the first, and the axes.
-pub(super) struct Given<F> {
-    pub(super) first: [[F; 3]; 2],
-    pub(super) second: [[F; 3]; 2],
-    pub(super) u: [[F; 3]; 3],
-    pub(super) v: [[F; 3]; 3],
-    pub(super) by_corners: bool,
 }
 
 /// The relation of the boxes, if floats decide it.

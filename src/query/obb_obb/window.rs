@@ -1,7 +1,6 @@
 //! Two boxes in doubt, by exact integers in a window of 120 bits. Only the axes that floats leave
 //! open are computed.
 
-use super::rows::Given;
 use crate::arithmetic::{BigInt, Embeds, Float, Number, Window, cross, dot};
 use crate::query::relation::{Nearness, Relation};
 
@@ -24,6 +23,15 @@ const AXES: [[usize; 2]; 15] = [
     [1, 5],
     [2, 5],
 ];
+
+/// The boxes as they are given: centres and half-extents, or corners of the first, and the axes.
+pub(super) struct Given<F> {
+    pub(super) first: [[F; 3]; 2],
+    pub(super) second: [[F; 3]; 2],
+    pub(super) u: [[F; 3]; 3],
+    pub(super) v: [[F; 3]; 3],
+    pub(super) by_corners: bool,
+}
 
 /// Returns the relation of two boxes. Bit k of `open` marks entry k of [`AXES`] for the test; on all
 /// other axes the boxes overlap for certain. Returns `None` if the window does not hold the numbers.
