@@ -95,6 +95,10 @@ pub(super) fn all<S: Draw, A: Answers>(
         let told = answers.to(Query::MeshSweep);
         told.byte(first.map_or(0xff, |(i, _)| i as u8));
         told.contact(first.map(|(_, first)| first));
+        let last = tree.last_free(aabb, &motion);
+        let told = answers.to(Query::MeshLastFree);
+        told.vector(last.map(|(place, _)| place));
+        told.byte(last.and_then(|(_, blocker)| blocker).map_or(0xff, |i| i as u8));
     }
 
     let middle =

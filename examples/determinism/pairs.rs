@@ -133,12 +133,13 @@ fn middle<S: Draw>(a: Vec3<S>, b: Vec3<S>) -> Vec3<S> {
 }
 
 /// The triangle past the boxes, with motions that lead to them or elsewhere, and a box around an
-/// edge of the triangle.
+/// edge of the triangle. Their last free places only if asked for, because each takes up to 64 looks.
 #[inline(never)]
 pub(super) fn sweeps<S: Draw, A: Answers>(
     triangle: &Triangle<S>,
     aabbs: [&Aabb<S>; 2],
     [p, q]: [Vec3<S>; 2],
+    with_last_free: bool,
     answers: &mut A,
 ) {
     let [a, b, c] = *triangle.vertices();
@@ -148,11 +149,21 @@ pub(super) fn sweeps<S: Draw, A: Answers>(
             let first = triangle.first_contact(&motion, aabb);
             answers.to(Query::TriangleAabbSweep).contact(first);
             answers.to(Query::TriangleAabbSweep).yes(aabb.meets_along(&motion, triangle));
+            let along = triangle.relation_along(&motion, aabb);
+            answers.to(Query::TriangleAabbAlong).relation(along);
+            if with_last_free {
+                let place = triangle.last_free(&motion, aabb);
+                answers.to(Query::TriangleAabbLastFree).vector(place);
+            }
         }
         let Ok(around) = Aabb::from_min_max(least(a, b), greatest(a, b)) else { continue };
         for aabb in aabbs {
             answers.to(Query::AabbAabbSweep).contact(around.first_contact(&motion, aabb));
             answers.to(Query::AabbAabbSweep).yes(aabb.meets_along(&motion, &around));
+            answers.to(Query::AabbAabbAlong).relation(around.relation_along(&motion, aabb));
+            if with_last_free {
+                answers.to(Query::AabbAabbLastFree).vector(around.last_free(&motion, aabb));
+            }
         }
     }
 }

@@ -109,7 +109,7 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, k: u32) {
     if k % 8 == 0 {
         contacts::all(&triangle, aabbs, obb.as_ref(), answers);
     }
-    pairs::sweeps(&triangle, aabbs, [p, d], answers);
+    pairs::sweeps(&triangle, aabbs, [p, d], k % 16 == 0, answers);
     pairs::polygons(&triangle, aabbs, d, answers);
     if k % 16 == 0 {
         let shapes = meshes::Shapes {
