@@ -1,6 +1,6 @@
 use super::Vec3;
 use super::overlaps::overlaps_methods;
-use super::{ShapeError, finite};
+use super::{ShapeError, finite, finite_at};
 use crate::arithmetic::{greatest, least, three};
 use crate::scalar::Scalar;
 
@@ -56,7 +56,7 @@ impl<S: Scalar> Aabb<S> {
         center: impl Into<Vec3<S>>,
         half_extents: impl Into<Vec3<S>>,
     ) -> Result<Self, ShapeError> {
-        let (center, half) = (finite(center)?, finite(half_extents)?);
+        let (center, half) = (finite("center", center)?, finite("half_extents", half_extents)?);
         if half.x < S::ZERO || half.y < S::ZERO || half.z < S::ZERO {
             return Err(ShapeError::NegativeHalfExtent);
         }
@@ -73,7 +73,7 @@ impl<S: Scalar> Aabb<S> {
         min: impl Into<Vec3<S>>,
         max: impl Into<Vec3<S>>,
     ) -> Result<Self, ShapeError> {
-        let (min, max) = (finite(min)?, finite(max)?);
+        let (min, max) = (finite("min", min)?, finite("max", max)?);
         if min.x > max.x || min.y > max.y || min.z > max.z {
             return Err(ShapeError::MinAboveMax);
         }
@@ -99,8 +99,8 @@ impl<S: Scalar> Aabb<S> {
         points: impl IntoIterator<Item = impl Into<Vec3<S>>>,
     ) -> Result<Self, ShapeError> {
         let mut ends = None;
-        for point in points {
-            let p = finite(point)?.to_array();
+        for (i, point) in points.into_iter().enumerate() {
+            let p = finite_at("points", Some(i), point)?.to_array();
             ends = Some(ends.map_or([p, p], |ends| joined(ends, [p, p])));
         }
         let [min, max] = ends.ok_or(ShapeError::NoPoints)?;

@@ -11,6 +11,21 @@ use super::segment::Form as SegmentForm;
 use super::{Aabb, Obb, Plane, Polygon, Ray, Segment, ShapeError, Triangle};
 use crate::scalar::axes::{are_orthonormal_f32, are_orthonormal_f64};
 
+/// The error of the first argument that is not finite.
+const fn all_finite<const N: usize>(
+    arguments: [(bool, &'static str); N],
+) -> Result<(), ShapeError> {
+    let mut i = 0;
+    while i < N {
+        let (is_finite, argument) = arguments[i];
+        if !is_finite {
+            return Err(ShapeError::NotFinite { argument, index: None });
+        }
+        i += 1;
+    }
+    Ok(())
+}
+
 /// The constructors for one family: whether a number is finite, and as a value that a `const fn` can
 /// compare.
 macro_rules! const_new {
@@ -29,6 +44,21 @@ macro_rules! const_new {
                     i += 1;
                 }
                 true
+            }
+
+            /// As `all_finite`, for the elements of one argument.
+            const fn const_list_is_finite(
+                argument: &'static str,
+                list: &[Self],
+            ) -> Result<(), ShapeError> {
+                let mut i = 0;
+                while i < list.len() {
+                    if !list[i].const_is_finite() {
+                        return Err(ShapeError::NotFinite { argument, index: Some(i) });
+                    }
+                    i += 1;
+                }
+                Ok(())
             }
 
             /// Whether a component exceeds its counterpart in `other`.
@@ -92,10 +122,13 @@ macro_rules! const_new {
                 b: Vec3<$scalar>,
                 c: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
-                if a.const_is_finite() && b.const_is_finite() && c.const_is_finite() {
-                    Ok(Self { vertices: [a, b, c] })
-                } else {
-                    Err(ShapeError::NotFinite)
+                match all_finite([
+                    (a.const_is_finite(), "a"),
+                    (b.const_is_finite(), "b"),
+                    (c.const_is_finite(), "c"),
+                ]) {
+                    Ok(()) => Ok(Self { vertices: [a, b, c] }),
+                    Err(error) => Err(error),
                 }
             }
         }
@@ -110,14 +143,10 @@ macro_rules! const_new {
                 if vertices.len() < 3 {
                     return Err(ShapeError::TooFewVertices);
                 }
-                let mut rest = vertices;
-                while let [v, others @ ..] = rest {
-                    if !v.const_is_finite() {
-                        return Err(ShapeError::NotFinite);
-                    }
-                    rest = others;
+                match Vec3::<$scalar>::const_list_is_finite("vertices", vertices) {
+                    Ok(()) => Ok(Self { vertices }),
+                    Err(error) => Err(error),
                 }
-                Ok(Self { vertices })
             }
         }
 
@@ -132,8 +161,9 @@ macro_rules! const_new {
                 min: Vec3<$scalar>,
                 max: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
-                if !(min.const_is_finite() && max.const_is_finite()) {
-                    return Err(ShapeError::NotFinite);
+                let ends = [(min.const_is_finite(), "min"), (max.const_is_finite(), "max")];
+                if let Err(error) = all_finite(ends) {
+                    return Err(error);
                 }
                 if min.const_exceeds(max) {
                     return Err(ShapeError::MinAboveMax);
@@ -150,8 +180,11 @@ macro_rules! const_new {
                 center: Vec3<$scalar>,
                 half_extents: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
-                if !(center.const_is_finite() && half_extents.const_is_finite()) {
-                    return Err(ShapeError::NotFinite);
+                if let Err(error) = all_finite([
+                    (center.const_is_finite(), "center"),
+                    (half_extents.const_is_finite(), "half_extents"),
+                ]) {
+                    return Err(error);
                 }
                 if Vec3::<$scalar>::CONST_ZERO.const_exceeds(half_extents) {
                     return Err(ShapeError::NegativeHalfExtent);
@@ -172,13 +205,14 @@ macro_rules! const_new {
                 half_extents: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
                 let [u, v, w] = axes;
-                if !(center.const_is_finite()
-                    && half_extents.const_is_finite()
-                    && u.const_is_finite()
-                    && v.const_is_finite()
-                    && w.const_is_finite())
-                {
-                    return Err(ShapeError::NotFinite);
+                if let Err(error) = all_finite([
+                    (center.const_is_finite(), "center"),
+                    (half_extents.const_is_finite(), "half_extents"),
+                ]) {
+                    return Err(error);
+                }
+                if let Err(error) = Vec3::<$scalar>::const_list_is_finite("axes", &axes) {
+                    return Err(error);
                 }
                 if Vec3::<$scalar>::CONST_ZERO.const_exceeds(half_extents) {
                     return Err(ShapeError::NegativeHalfExtent);
@@ -202,10 +236,9 @@ macro_rules! const_new {
                 a: Vec3<$scalar>,
                 b: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
-                if a.const_is_finite() && b.const_is_finite() {
-                    Ok(Self { form: SegmentForm::Ends(a, b) })
-                } else {
-                    Err(ShapeError::NotFinite)
+                match all_finite([(a.const_is_finite(), "a"), (b.const_is_finite(), "b")]) {
+                    Ok(()) => Ok(Self { form: SegmentForm::Ends(a, b) }),
+                    Err(error) => Err(error),
                 }
             }
         }
@@ -220,8 +253,11 @@ macro_rules! const_new {
                 origin: Vec3<$scalar>,
                 direction: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
-                if !(origin.const_is_finite() && direction.const_is_finite()) {
-                    return Err(ShapeError::NotFinite);
+                if let Err(error) = all_finite([
+                    (origin.const_is_finite(), "origin"),
+                    (direction.const_is_finite(), "direction"),
+                ]) {
+                    return Err(error);
                 }
                 if direction.const_is_zero() {
                     return Err(ShapeError::ZeroDirection);
@@ -241,8 +277,11 @@ macro_rules! const_new {
                 normal: Vec3<$scalar>,
                 d: $scalar,
             ) -> Result<Self, ShapeError> {
-                if !(normal.const_is_finite() && Vec3::<$scalar>::new(d, d, d).const_is_finite()) {
-                    return Err(ShapeError::NotFinite);
+                if let Err(error) = all_finite([
+                    (Vec3::<$scalar>::new(d, d, d).const_is_finite(), "d"),
+                    (normal.const_is_finite(), "normal"),
+                ]) {
+                    return Err(error);
                 }
                 if normal.const_is_zero() {
                     return Err(ShapeError::ZeroNormal);

@@ -1,12 +1,29 @@
 use core::fmt;
 
 /// The reason why a constructor refused its input.
+///
+/// Every variant belongs to one argument of the constructor, except
+/// [`NotFinite`](Self::NotFinite), which names it.
+///
+/// ```
+/// use septum::{Obb, ShapeError};
+///
+/// let axes = [[1.0, 0.0, 0.0], [0.0, f32::NAN, 0.0], [0.0, 0.0, 1.0]];
+/// let error = Obb::new([0.0; 3], axes, [1.0; 3]).unwrap_err();
+/// assert_eq!(error, ShapeError::NotFinite { argument: "axes", index: Some(1) });
+/// assert_eq!(error.to_string(), "a number is NaN or infinite: axes[1]");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ShapeError {
-    /// A coordinate is NaN or infinite.
-    NotFinite,
+    /// A number is NaN or infinite.
+    NotFinite {
+        /// The name of the argument, as the constructor has it.
+        argument: &'static str,
+        /// The place in the argument, if it is a list.
+        index: Option<usize>,
+    },
     /// A half-extent is negative.
     NegativeHalfExtent,
     /// The least corner exceeds the greatest on some axis.
@@ -74,7 +91,7 @@ impl ShapeError {
 
     const fn message(self) -> &'static str {
         match self {
-            Self::NotFinite => "a coordinate is NaN or infinite",
+            Self::NotFinite { .. } => "a number is NaN or infinite",
             Self::NegativeHalfExtent => "a half-extent is negative",
             Self::MinAboveMax => "the least corner lies above the greatest",
             Self::DependentAxes => "the axes are linearly dependent",
@@ -93,7 +110,12 @@ impl ShapeError {
 
 impl fmt::Display for ShapeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.message())
+        f.write_str(self.message())?;
+        match *self {
+            Self::NotFinite { argument, index: None } => write!(f, ": {argument}"),
+            Self::NotFinite { argument, index: Some(i) } => write!(f, ": {argument}[{i}]"),
+            _ => Ok(()),
+        }
     }
 }
 

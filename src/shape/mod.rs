@@ -40,8 +40,20 @@ pub use vec3::Vec3;
 
 use crate::scalar::Scalar;
 
-/// Returns the vector if all its coordinates are finite.
-pub(crate) fn finite<S: Scalar>(v: impl Into<Vec3<S>>) -> Result<Vec3<S>, ShapeError> {
+/// Returns the argument if all its coordinates are finite.
+pub(crate) fn finite<S: Scalar>(
+    argument: &'static str,
+    v: impl Into<Vec3<S>>,
+) -> Result<Vec3<S>, ShapeError> {
+    finite_at(argument, None, v)
+}
+
+/// Returns an element of a list, or an argument, if all its coordinates are finite.
+fn finite_at<S: Scalar>(
+    argument: &'static str,
+    index: Option<usize>,
+    v: impl Into<Vec3<S>>,
+) -> Result<Vec3<S>, ShapeError> {
     let v = v.into();
-    if v.is_finite() { Ok(v) } else { Err(ShapeError::NotFinite) }
+    if v.is_finite() { Ok(v) } else { Err(ShapeError::NotFinite { argument, index }) }
 }

@@ -2,7 +2,7 @@ use core::cmp::Ordering;
 
 use super::Vec3;
 use super::overlaps::overlaps_methods;
-use super::{Aabb, ShapeError, finite};
+use super::{Aabb, ShapeError, finite, finite_at};
 use crate::arithmetic::{pick, turn};
 use crate::robust::ExactSum;
 use crate::scalar::Scalar;
@@ -86,9 +86,10 @@ impl<S: Scalar> Obb<S> {
         axes: [impl Into<Vec3<S>>; 3],
         half_extents: impl Into<Vec3<S>>,
     ) -> Result<Self, ShapeError> {
-        let (center, half) = (finite(center)?, finite(half_extents)?);
+        let (center, half) = (finite("center", center)?, finite("half_extents", half_extents)?);
         let [u, v, w] = axes;
-        let axes = [finite(u)?, finite(v)?, finite(w)?];
+        let axis = |i, axis| finite_at("axes", Some(i), axis);
+        let axes = [axis(0, u)?, axis(1, v)?, axis(2, w)?];
         if half.x < S::ZERO || half.y < S::ZERO || half.z < S::ZERO {
             return Err(ShapeError::NegativeHalfExtent);
         }

@@ -42,7 +42,7 @@ impl<S: Scalar> Plane<S> {
         point: impl Into<Vec3<S>>,
         normal: impl Into<Vec3<S>>,
     ) -> Result<Self, ShapeError> {
-        let point = finite(point)?;
+        let point = finite("point", point)?;
         Ok(Self { normal: nonzero(normal)?, form: Form::Point(point) })
     }
 
@@ -54,7 +54,7 @@ impl<S: Scalar> Plane<S> {
     #[inline]
     pub fn from_equation(normal: impl Into<Vec3<S>>, d: S) -> Result<Self, ShapeError> {
         if !d.is_finite() {
-            return Err(ShapeError::NotFinite);
+            return Err(ShapeError::NotFinite { argument: "d", index: None });
         }
         Ok(Self { normal: nonzero(normal)?, form: Form::Offset(d) })
     }
@@ -97,7 +97,7 @@ impl<S: Copy> Plane<S> {
 }
 
 fn nonzero<S: Scalar>(normal: impl Into<Vec3<S>>) -> Result<Vec3<S>, ShapeError> {
-    let n = finite(normal)?;
+    let n = finite("normal", normal)?;
     if n.x == S::ZERO && n.y == S::ZERO && n.z == S::ZERO {
         return Err(ShapeError::ZeroNormal);
     }

@@ -45,8 +45,10 @@ impl<'a, S: Scalar> Polygon<'a, S> {
         if vertices.len() < 3 {
             return Err(ShapeError::TooFewVertices);
         }
-        let are_finite = vertices.iter().all(|v| v.is_finite());
-        are_finite.then_some(Self { vertices }).ok_or(ShapeError::NotFinite)
+        match vertices.iter().position(|v| !v.is_finite()) {
+            None => Ok(Self { vertices }),
+            index => Err(ShapeError::NotFinite { argument: "vertices", index }),
+        }
     }
 }
 

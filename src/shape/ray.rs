@@ -40,7 +40,7 @@ impl<S: Scalar> Ray<S> {
         origin: impl Into<Vec3<S>>,
         direction: impl Into<Vec3<S>>,
     ) -> Result<Self, ShapeError> {
-        let (origin, direction) = (finite(origin)?, finite(direction)?);
+        let (origin, direction) = (finite("origin", origin)?, finite("direction", direction)?);
         if direction.to_array() == [S::ZERO; 3] {
             return Err(ShapeError::ZeroDirection);
         }
@@ -61,9 +61,10 @@ impl<S: Scalar> Ray<S> {
         t_max: impl Into<Option<S>>,
     ) -> Result<Self, ShapeError> {
         let (t_min, t_max) = (t_min.into(), t_max.into());
-        let is_finite = |t: Option<S>| t.is_none_or(S::is_finite);
-        if !is_finite(t_min) || !is_finite(t_max) {
-            return Err(ShapeError::NotFinite);
+        for (argument, t) in [("t_min", t_min), ("t_max", t_max)] {
+            if !t.is_none_or(S::is_finite) {
+                return Err(ShapeError::NotFinite { argument, index: None });
+            }
         }
         if t_min.zip(t_max).is_some_and(|(min, max)| min > max) {
             return Err(ShapeError::EmptyRange);

@@ -53,8 +53,8 @@ impl<S: Scalar> Obb<S> {
         quaternion: [S; 4],
         half_extents: impl Into<Vec3<S>>,
     ) -> Result<Self, ShapeError> {
-        if !quaternion.iter().all(|x| x.is_finite()) {
-            return Err(ShapeError::NotFinite);
+        if let Some(i) = quaternion.iter().position(|x| !x.is_finite()) {
+            return Err(ShapeError::NotFinite { argument: "quaternion", index: Some(i) });
         }
         Self::rotated(center, half_extents, || {
             S::by_quaternion(quaternion).ok_or(ShapeError::NotUnitQuaternion)
@@ -105,7 +105,7 @@ impl<S: Scalar> Obb<S> {
         turns: impl Into<Vec3<S>>,
         half_extents: impl Into<Vec3<S>>,
     ) -> Result<Self, ShapeError> {
-        let turns = finite(turns)?.to_array();
+        let turns = finite("turns", turns)?.to_array();
         Self::rotated(center, half_extents, || Ok(S::by_turns(turns)))
     }
 

@@ -38,7 +38,7 @@ impl<S: Scalar> Segment<S> {
     /// [`ShapeError::NotFinite`] if a coordinate is NaN or infinite.
     #[inline]
     pub fn new(a: impl Into<Vec3<S>>, b: impl Into<Vec3<S>>) -> Result<Self, ShapeError> {
-        Ok(Self { form: Form::Ends(finite(a)?, finite(b)?) })
+        Ok(Self { form: Form::Ends(finite("a", a)?, finite("b", b)?) })
     }
 
     /// A segment from `center − half_vector` to `center + half_vector`.
@@ -52,7 +52,12 @@ impl<S: Scalar> Segment<S> {
         center: impl Into<Vec3<S>>,
         half_vector: impl Into<Vec3<S>>,
     ) -> Result<Self, ShapeError> {
-        Ok(Self { form: Form::Center { center: finite(center)?, half: finite(half_vector)? } })
+        Ok(Self {
+            form: Form::Center {
+                center: finite("center", center)?,
+                half: finite("half_vector", half_vector)?,
+            },
+        })
     }
 }
 

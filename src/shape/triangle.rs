@@ -33,7 +33,7 @@ impl<S: Scalar> Triangle<S> {
         b: impl Into<Vec3<S>>,
         c: impl Into<Vec3<S>>,
     ) -> Result<Self, ShapeError> {
-        Ok(Self { vertices: [finite(a)?, finite(b)?, finite(c)?] })
+        Ok(Self { vertices: [finite("a", a)?, finite("b", b)?, finite("c", c)?] })
     }
 }
 

@@ -3,8 +3,9 @@
 
 use fixed::types::{I0F8, I8F8, I16F16, I32F32};
 use septum::polygon::Polygon;
+use septum::sweep::Motion;
 use septum::{Aabb, Obb, Plane, Ray, Scalar, Segment, ShapeError, Triangle, Vec3};
-use septum_kit::{Sample, for_every_scalar};
+use septum_kit::{Sample, for_every_scalar, not_finite};
 
 const X: [f32; 3] = [1.0, 0.0, 0.0];
 const Y: [f32; 3] = [0.0, 1.0, 0.0];
@@ -15,15 +16,28 @@ fn axes(axes: [[f32; 3]; 3]) -> [Vec3<f32>; 3] {
     axes.map(Vec3::from)
 }
 
-/// Calls `make` with each of `n` numbers in turn replaced by NaN or an infinity, and the rest 1.
-fn with_each_not_finite(n: usize, make: impl Fn(&[f32]) -> Result<(), ShapeError>) {
+/// Calls `make` with each number in turn replaced by NaN or an infinity, and the rest 1. The error names
+/// the argument that has the number.
+fn names_each(arguments: &[&str], make: impl Fn(&[f32]) -> Result<(), ShapeError>) {
+    let n: usize = arguments.iter().map(|argument| size(argument)).sum();
     for bad in NOT_FINITE {
-        for i in 0..n {
-            let mut numbers = vec![1.0; n];
-            numbers[i] = bad;
-            assert_eq!(make(&numbers), Err(ShapeError::NotFinite), "{numbers:?}");
+        let mut i = 0;
+        for argument in arguments {
+            for _ in 0..size(argument) {
+                let mut numbers = vec![1.0; n];
+                numbers[i] = bad;
+                let error = make(&numbers).unwrap_err();
+                assert!(matches!(error, ShapeError::NotFinite { .. }), "{numbers:?}: {error}");
+                assert_eq!(error.to_string(), format!("a number is NaN or infinite: {argument}"));
+                i += 1;
+            }
         }
     }
+}
+
+/// How many numbers an argument has.
+fn size(argument: &str) -> usize {
+    if ["d", "t_min", "t_max"].contains(&argument) { 1 } else { 3 }
 }
 
 fn row(x: &[f32], r: usize) -> [f32; 3] {
@@ -35,40 +49,49 @@ fn vec(x: &[f32], r: usize) -> Vec3<f32> {
 }
 
 #[test]
-fn not_finite() {
-    with_each_not_finite(9, |x| Triangle::new(row(x, 0), row(x, 1), row(x, 2)).map(drop));
-    with_each_not_finite(9, |x| {
-        Triangle::<f32>::const_new(vec(x, 0), vec(x, 1), vec(x, 2)).map(drop)
+fn not_finite_numbers_are_named() {
+    let (abc, by_center, corners) = (["a", "b", "c"], ["center", "half_extents"], ["min", "max"]);
+    names_each(&abc, |x| Triangle::new(row(x, 0), row(x, 1), row(x, 2)).map(drop));
+    names_each(&abc, |x| Triangle::<f32>::const_new(vec(x, 0), vec(x, 1), vec(x, 2)).map(drop));
+    names_each(&by_center, |x| Aabb::from_center_half_extents(row(x, 0), row(x, 1)).map(drop));
+    names_each(&by_center, |x| {
+        Aabb::<f32>::const_from_center_half_extents(vec(x, 0), vec(x, 1)).map(drop)
     });
-    with_each_not_finite(6, |x| Aabb::from_center_half_extents(row(x, 0), row(x, 1)).map(drop));
-    with_each_not_finite(6, |x| Aabb::from_min_max(row(x, 0), row(x, 1)).map(drop));
-    with_each_not_finite(6, |x| Aabb::<f32>::const_new(vec(x, 0), vec(x, 1)).map(drop));
-    with_each_not_finite(6, |x| Plane::from_point_normal(row(x, 0), row(x, 1)).map(drop));
-    with_each_not_finite(4, |x| Plane::from_equation(row(x, 0), x[3]).map(drop));
-    with_each_not_finite(12, |x| {
-        let vertices = [vec(x, 0), vec(x, 1), vec(x, 2), vec(x, 3)];
-        Polygon::<f32>::const_new(&vertices).map(drop)
-    });
-    with_each_not_finite(6, |x| Segment::new(row(x, 0), row(x, 1)).map(drop));
-    with_each_not_finite(6, |x| Segment::from_center_half_vector(row(x, 0), row(x, 1)).map(drop));
-    with_each_not_finite(6, |x| Segment::<f32>::const_new(vec(x, 0), vec(x, 1)).map(drop));
-    with_each_not_finite(6, |x| Ray::new(row(x, 0), row(x, 1)).map(drop));
-    with_each_not_finite(6, |x| Ray::<f32>::const_new(vec(x, 0), vec(x, 1)).map(drop));
+    names_each(&corners, |x| Aabb::from_min_max(row(x, 0), row(x, 1)).map(drop));
+    names_each(&corners, |x| Aabb::<f32>::const_new(vec(x, 0), vec(x, 1)).map(drop));
+    let points = ["points[0]", "points[1]", "points[2]"];
+    names_each(&points, |x| Aabb::from_points([row(x, 0), row(x, 1), row(x, 2)]).map(drop));
+    names_each(&["point", "normal"], |x| Plane::from_point_normal(row(x, 0), row(x, 1)).map(drop));
+    names_each(&["normal", "d"], |x| Plane::from_equation(row(x, 0), x[3]).map(drop));
+    names_each(&["normal", "d"], |x| Plane::<f32>::const_new(vec(x, 0), x[3]).map(drop));
+    let vertices = ["vertices[0]", "vertices[1]", "vertices[2]", "vertices[3]"];
+    let four = |x: &[f32]| [vec(x, 0), vec(x, 1), vec(x, 2), vec(x, 3)];
+    names_each(&vertices, |x| Polygon::new(&four(x)).map(drop));
+    names_each(&vertices, |x| Polygon::<f32>::const_new(&four(x)).map(drop));
+    names_each(&abc[..2], |x| Segment::new(row(x, 0), row(x, 1)).map(drop));
+    names_each(&abc[..2], |x| Segment::<f32>::const_new(vec(x, 0), vec(x, 1)).map(drop));
+    let half_vector = ["center", "half_vector"];
+    names_each(&half_vector, |x| Segment::from_center_half_vector(row(x, 0), row(x, 1)).map(drop));
+    names_each(&["origin", "direction"], |x| Ray::new(row(x, 0), row(x, 1)).map(drop));
+    names_each(&["origin", "direction"], |x| Ray::<f32>::const_new(vec(x, 0), vec(x, 1)).map(drop));
     let ray = Ray::new([0.0; 3], X).unwrap();
-    with_each_not_finite(2, |x| ray.with_range(x[0], x[1]).map(drop));
+    names_each(&["t_min", "t_max"], |x| ray.with_range(x[0], x[1]).map(drop));
+    names_each(&["from", "to"], |x| Motion::new(row(x, 0), row(x, 1)).map(drop));
+    let obb = ["center", "axes[0]", "axes[1]", "axes[2]", "half_extents"];
     let frame = |x: &[f32]| [vec(x, 1), vec(x, 2), vec(x, 3)];
-    with_each_not_finite(15, |x| Obb::new(row(x, 0), frame(x), row(x, 4)).map(drop));
-    with_each_not_finite(15, |x| Obb::from_skewed_axes(row(x, 0), frame(x), row(x, 4)).map(drop));
+    names_each(&obb, |x| Obb::new(row(x, 0), frame(x), row(x, 4)).map(drop));
+    names_each(&obb, |x| Obb::<f32>::const_new(vec(x, 0), frame(x), vec(x, 4)).map(drop));
+    names_each(&obb, |x| Obb::from_skewed_axes(row(x, 0), frame(x), row(x, 4)).map(drop));
 }
 
 #[test]
 fn not_finite_in_f64() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let v = Vec3::new(0.0, bad, 0.0);
-        assert_eq!(Triangle::new(v, v, v), Err(ShapeError::NotFinite));
-        assert_eq!(Triangle::<f64>::const_new(v, v, v), Err(ShapeError::NotFinite));
-        assert_eq!(Aabb::from_min_max(v, v), Err(ShapeError::NotFinite));
-        assert_eq!(Aabb::<f64>::const_new(v, v), Err(ShapeError::NotFinite));
+        assert_eq!(Triangle::new(v, v, v), Err(not_finite("a", None)));
+        assert_eq!(Triangle::<f64>::const_new(v, v, v), Err(not_finite("a", None)));
+        assert_eq!(Aabb::from_min_max(v, v), Err(not_finite("min", None)));
+        assert_eq!(Aabb::<f64>::const_new(v, v), Err(not_finite("min", None)));
     }
 }
 
@@ -76,9 +99,10 @@ fn not_finite_in_f64() {
 #[test]
 fn not_finite_comes_first() {
     let (below, nan) = (Vec3::new(-1.0, 1.0, 1.0), Vec3::new(0.0, 0.0, f32::NAN));
-    let first = Err(ShapeError::NotFinite);
+    let first = Err(not_finite("center", None));
     assert_eq!(Aabb::from_center_half_extents(nan, below), first);
     assert_eq!(Aabb::<f32>::const_from_center_half_extents(nan, below), first);
+    let first = Err(not_finite("min", None));
     assert_eq!(Aabb::from_min_max(nan, below), first);
     assert_eq!(Aabb::<f32>::const_new(nan, below), first);
 }
@@ -207,7 +231,9 @@ in_flash! {
 #[test]
 fn errors_are_told() {
     let errors = [
-        ShapeError::NotFinite,
+        not_finite("a", None),
+        not_finite("b", None),
+        not_finite("axes", Some(1)),
         ShapeError::NegativeHalfExtent,
         ShapeError::MinAboveMax,
         ShapeError::DependentAxes,
@@ -227,7 +253,7 @@ fn unit_cell<S: Scalar>(size: S) -> Result<Aabb<S>, ShapeError> {
 #[test]
 fn one_bound_is_enough() {
     assert!(unit_cell(1.0_f32).is_ok() && unit_cell(I8F8::ONE).is_ok());
-    assert_eq!(unit_cell(f64::NAN), Err(ShapeError::NotFinite));
+    assert_eq!(unit_cell(f64::NAN), Err(not_finite("max", None)));
 }
 
 #[test]
@@ -242,7 +268,7 @@ fn boxes_by_centre_and_planes_are_made_in_a_const_and_checked() {
     assert_eq!(backwards, Err(ShapeError::NegativeHalfExtent));
     let far =
         Aabb::<f64>::const_from_center_half_extents(Vec3::splat(f64::INFINITY), Vec3::splat(1.0));
-    assert_eq!(far, Err(ShapeError::NotFinite));
+    assert_eq!(far, Err(not_finite("center", None)));
     assert!(
         Aabb::<f32>::const_from_center_half_extents(Vec3::splat(1.0), Vec3::splat(-0.0)).is_ok()
     );
@@ -250,7 +276,7 @@ fn boxes_by_centre_and_planes_are_made_in_a_const_and_checked() {
     const FLOOR: Result<Plane<f32>, ShapeError> = Plane::<f32>::const_new(vec3_last(2.0), -0.5);
     assert_eq!(FLOOR, Plane::from_equation([0.0, 0.0, 2.0], -0.5));
     assert_eq!(Plane::<f32>::const_new(vec3_last(-0.0), 1.0), Err(ShapeError::ZeroNormal));
-    assert_eq!(Plane::<f32>::const_new(vec3_last(1.0), f32::NAN), Err(ShapeError::NotFinite));
+    assert_eq!(Plane::<f32>::const_new(vec3_last(1.0), f32::NAN), Err(not_finite("d", None)));
     let none = Plane::<I8F8>::const_new(Vec3::splat(I8F8::ZERO), I8F8::ONE);
     assert_eq!(none, Err(ShapeError::ZeroNormal));
     assert!(Plane::<I8F8>::const_new(Vec3::splat(I8F8::DELTA), I8F8::ONE).is_ok());

@@ -4,7 +4,7 @@
 use dashu_int::IBig;
 use fixed::types::{I0F8, I0F16, I0F32, I0F64, I1F31, I2F30, I4F60};
 use septum::{Obb, ShapeError};
-use septum_kit::{Ring, Rng, Sample, for_every_scalar};
+use septum_kit::{Ring, Rng, Sample, for_every_scalar, not_finite};
 
 type Point<S> = [S; 3];
 
@@ -298,5 +298,5 @@ fn boxes_are_made_in_a_const() {
     check!(fixed::types::I32F32, fixed::types::I32F32::ONE);
     let nan = Vec3::new(0.0, f64::NAN, 0.0);
     let made = Obb::<f64>::const_new(Vec3::splat(0.0), [nan; 3], Vec3::splat(1.0));
-    assert_eq!(made, Err(ShapeError::NotFinite));
+    assert_eq!(made, Err(not_finite("axes", Some(0))));
 }

@@ -1,7 +1,7 @@
 //! A plane against an axis-aligned box: exact.
 
 use septum::{Plane, ShapeError, Side};
-use septum_kit::{BoxNumbers, Given, Rng, Sample, for_every_scalar, side};
+use septum_kit::{BoxNumbers, Given, Rng, Sample, for_every_scalar, not_finite, side};
 
 fn check<S: Sample>(normal: [S; 3], given: Given<S>, aabb: BoxNumbers<S>) -> Option<Side> {
     let (plane, shape) = (given.plane(normal).ok()?, aabb.shape().ok()?);
@@ -62,8 +62,9 @@ fn a_normal_of_zero_is_refused() {
     assert_eq!(zero, Err(ShapeError::ZeroNormal));
     let zero = Plane::from_point_normal([1.0; 3], [0.0; 3]);
     assert_eq!(zero, Err(ShapeError::ZeroNormal));
-    assert_eq!(Plane::from_equation([1.0; 3], f64::NAN), Err(ShapeError::NotFinite));
-    assert_eq!(Plane::from_equation([1.0, f32::INFINITY, 1.0], 0.0), Err(ShapeError::NotFinite));
-    assert_eq!(Plane::from_point_normal([f32::NAN; 3], [1.0; 3]), Err(ShapeError::NotFinite));
+    assert_eq!(Plane::from_equation([1.0; 3], f64::NAN), Err(not_finite("d", None)));
+    let infinite = Plane::from_equation([1.0, f32::INFINITY, 1.0], 0.0);
+    assert_eq!(infinite, Err(not_finite("normal", None)));
+    assert_eq!(Plane::from_point_normal([f32::NAN; 3], [1.0; 3]), Err(not_finite("point", None)));
     assert!(Plane::from_equation([0.0, f32::from_bits(1), 0.0], 0.0).is_ok(), "no epsilon");
 }

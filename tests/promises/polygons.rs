@@ -4,7 +4,7 @@ use septum::polygon::Polygon;
 use septum::published::green_hatch;
 use septum::{Aabb, Segment, ShapeError, Triangle, Vec3};
 use septum_kit::polygons::{PlanePolygon, PolygonCase, PolygonSet};
-use septum_kit::{Rng, Sample, for_every_scalar};
+use septum_kit::{Rng, Sample, for_every_scalar, not_finite};
 
 /// All sets; counts the overlaps of each.
 fn agrees_on_every_set<S: Sample>(count: usize) {
@@ -88,7 +88,7 @@ fn what_is_no_polygon_is_refused() {
             let mut v = v;
             let v_k = &mut v[k / 3];
             *[&mut v_k.x, &mut v_k.y, &mut v_k.z][k % 3] = bad;
-            assert_eq!(Polygon::new(&v), Err(ShapeError::NotFinite), "{v:?}");
+            assert_eq!(Polygon::new(&v), Err(not_finite("vertices", Some(k / 3))), "{v:?}");
         }
     }
 }

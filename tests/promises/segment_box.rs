@@ -2,8 +2,8 @@
 //! `ray_box` contain segments too.
 
 use septum::published;
-use septum::{Aabb, Segment, ShapeError};
-use septum_kit::{Rng, Sample, for_every_scalar};
+use septum::{Aabb, Segment};
+use septum_kit::{Rng, Sample, for_every_scalar, not_finite};
 
 fn cubes() -> [Aabb<f64>; 2] {
     [
@@ -56,7 +56,7 @@ fn points_are_segments() {
         assert!(!point([1.0, -1.0_f64.next_up(), 1.0_f64.next_up()]).overlaps(&cube));
         assert!(published::separating_axes::segment_overlaps(&point([1.0, -1.0, 0.0]), &cube));
     }
-    assert_eq!(Segment::new([f64::NAN; 3], [0.0; 3]), Err(ShapeError::NotFinite));
+    assert_eq!(Segment::new([f64::NAN; 3], [0.0; 3]), Err(not_finite("a", None)));
 }
 
 /// Ends and centre, corners and half-extents: the same shapes in integers have the same verdict,

@@ -63,41 +63,52 @@ fn first_of(reasons: &[(bool, ShapeError)]) -> Option<ShapeError> {
 
 fn check<S: Sample>(rows: &Rows<S>) {
     let [u, v, w, p, q, r] = *rows;
-    let bad =
-        |rows: &[Point<S>]| (rows.iter().flatten().any(|x| !x.is_finite()), ShapeError::NotFinite);
+    let bad = |arguments: &[(&'static str, Point<S>)]| {
+        let bad = arguments.iter().find(|(_, row)| row.iter().any(|x| !x.is_finite()));
+        let argument = bad.map_or("", |(argument, _)| argument);
+        (bad.is_some(), ShapeError::NotFinite { argument, index: None })
+    };
     let is_zero = |p: Point<S>| p == [S::ZERO; 3];
     let told = || told::<S>(rows);
     let is_negative = q.iter().any(|x| *x < S::ZERO);
     let negative = (is_negative, ShapeError::NegativeHalfExtent);
 
     let made = Triangle::new(p, q, r).err();
-    assert_eq!(made, first_of(&[bad(&[p, q, r])]), "{}", told());
+    assert_eq!(made, first_of(&[bad(&[("a", p), ("b", q), ("c", r)])]), "{}", told());
     let made = Aabb::from_center_half_extents(p, q).err();
-    assert_eq!(made, first_of(&[bad(&[p, q]), negative]), "{}", told());
+    let bad_numbers = bad(&[("center", p), ("half_extents", q)]);
+    assert_eq!(made, first_of(&[bad_numbers, negative]), "{}", told());
     let above = ((0..3).any(|i| p[i] > q[i]), ShapeError::MinAboveMax);
     let made = Aabb::from_min_max(p, q).err();
-    assert_eq!(made, first_of(&[bad(&[p, q]), above]), "{}", told());
-    for made in [Segment::new(p, q), Segment::from_center_half_vector(p, q)] {
-        assert_eq!(made.err(), first_of(&[bad(&[p, q])]), "{}", told());
-    }
+    assert_eq!(made, first_of(&[bad(&[("min", p), ("max", q)]), above]), "{}", told());
+    let made = Segment::new(p, q).err();
+    assert_eq!(made, first_of(&[bad(&[("a", p), ("b", q)])]), "{}", told());
+    let made = Segment::from_center_half_vector(p, q).err();
+    assert_eq!(made, first_of(&[bad(&[("center", p), ("half_vector", q)])]), "{}", told());
     let zero = (is_zero(q), ShapeError::ZeroNormal);
     let made = Plane::from_point_normal(p, q).err();
-    assert_eq!(made, first_of(&[bad(&[p, q]), zero]), "{}", told());
+    assert_eq!(made, first_of(&[bad(&[("point", p), ("normal", q)]), zero]), "{}", told());
     let made = Plane::from_equation(q, p[0]).err();
-    assert_eq!(made, first_of(&[bad(&[q, [p[0]; 3]]), zero]), "{}", told());
+    assert_eq!(made, first_of(&[bad(&[("d", [p[0]; 3]), ("normal", q)]), zero]), "{}", told());
 
     let zero = (is_zero(q), ShapeError::ZeroDirection);
     let ray = Ray::new(p, q);
-    assert_eq!(ray.err(), first_of(&[bad(&[p, q]), zero]), "{}", told());
+    assert_eq!(ray.err(), first_of(&[bad(&[("origin", p), ("direction", q)]), zero]), "{}", told());
     if let Ok(ray) = ray {
         let made = ray.with_range(r[0], r[1]).err();
         let empty = (r[0] > r[1], ShapeError::EmptyRange);
-        assert_eq!(made, first_of(&[bad(&[[r[0]; 3], [r[1]; 3]]), empty]), "{}", told());
+        let bad_ends = bad(&[("t_min", [r[0]; 3]), ("t_max", [r[1]; 3])]);
+        assert_eq!(made, first_of(&[bad_ends, empty]), "{}", told());
         let made = ray.with_range(None, r[1]).err();
-        assert_eq!(made, first_of(&[bad(&[[r[1]; 3]])]), "{}", told());
+        assert_eq!(made, first_of(&[bad(&[("t_max", [r[1]; 3])])]), "{}", told());
     }
 
-    let bad = bad(&[u, v, w, p, q]);
+    let mut bad = bad(&[("center", p), ("half_extents", q)]);
+    if let (false, Some(i)) =
+        (bad.0, [u, v, w].iter().position(|u| u.iter().any(|x| !x.is_finite())))
+    {
+        bad = (true, ShapeError::NotFinite { argument: "axes", index: Some(i) });
+    }
     let (spans, is_orthonormal) = if bad.0 { (false, None) } else { frame([u, v, w]) };
     let vectors = [u, v, w].map(Vec3::from);
     let made = Obb::from_skewed_axes(p, vectors, q).err();

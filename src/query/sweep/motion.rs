@@ -31,7 +31,7 @@ impl<S: Scalar> Motion<S> {
     /// [`ShapeError::NotFinite`] where a coordinate is NaN or infinite.
     #[inline]
     pub fn new(from: impl Into<Vec3<S>>, to: impl Into<Vec3<S>>) -> Result<Self, ShapeError> {
-        Ok(Self { from: finite(from)?, to: finite(to)? })
+        Ok(Self { from: finite("from", from)?, to: finite("to", to)? })
     }
 
     /// The place at time `t`, from zero to one, rounded to the scalar: fixed point toward `from`;

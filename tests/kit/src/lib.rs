@@ -74,6 +74,11 @@ pub use sample::Sample;
 pub use sets::Set;
 pub use touch::Touch;
 
+/// The error about an argument that is not finite.
+pub fn not_finite(argument: &'static str, index: Option<usize>) -> septum::ShapeError {
+    septum::ShapeError::NotFinite { argument, index }
+}
+
 /// Names the fixed-point types in [`for_every_scalar`] and [`with_every_scalar`].
 #[doc(hidden)]
 pub use fixed;

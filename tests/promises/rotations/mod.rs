@@ -7,7 +7,7 @@ use dashu_int::IBig;
 use dashu_int::ops::Abs;
 use fixed::types::{I0F16, I1F7, I1F63, I2F30, I4F4, I5F3, I8F8, I16F0, I16F16, I32F32};
 use septum::{Obb, ShapeError, Vec3};
-use septum_kit::{Parts, Rng, Sample};
+use septum_kit::{Parts, Rng, Sample, not_finite};
 
 use oracle::{Frame, UNIT, by_hamilton, by_steps, one, power_of_two, times, value};
 
@@ -256,12 +256,13 @@ fn what_is_no_rotation_is_refused() {
         for i in 0..4 {
             let mut q = [0.5; 4];
             q[i] = bad;
-            assert_eq!(by(q), Err(ShapeError::NotFinite));
+            assert_eq!(by(q), Err(not_finite("quaternion", Some(i))));
             let mut turns = [0.5; 3];
             turns[i % 3] = bad;
             let made = Obb::from_turns([0.0; 3], turns, [1.0; 3]);
-            assert_eq!(made, Err(ShapeError::NotFinite));
-            assert_eq!(Obb::from_turns(turns, [0.0; 3], [1.0; 3]), Err(ShapeError::NotFinite));
+            assert_eq!(made, Err(not_finite("turns", None)));
+            let made = Obb::from_turns(turns, [0.0; 3], [1.0; 3]);
+            assert_eq!(made, Err(not_finite("center", None)));
         }
     }
     let negative = Obb::from_turns([0.0_f32; 3], [0.0; 3], [1.0, -1.0, 1.0]);

@@ -5,11 +5,11 @@ mod stops;
 
 use septum::relation::{Relate, Relation};
 use septum::sweep::{FirstContact, Motion, Sweep};
-use septum::{Aabb, Axis, ShapeError, Triangle};
+use septum::{Aabb, Axis, Triangle};
 use septum_kit::fixed::types::extra::{U7, U8, U64};
 use septum_kit::fixed::{FixedI8, FixedI64};
 use septum_kit::sweeps::SweepSet;
-use septum_kit::{Rng, Sample, Set, for_every_scalar, with_every_scalar};
+use septum_kit::{Rng, Sample, Set, for_every_scalar, not_finite, with_every_scalar};
 
 /// All sets, triangles with boxes and boxes with boxes; counts the misses, contacts at the start,
 /// and contacts during the motion.
@@ -169,7 +169,7 @@ for_every_scalar!(nothing_passes_a_wall);
 #[test]
 fn a_motion_is_of_numbers() {
     let bad = Motion::new([0.0_f32; 3], [0.0, f32::NAN, 0.0]);
-    assert_eq!(bad, Err(ShapeError::NotFinite));
+    assert_eq!(bad, Err(not_finite("to", None)));
     let bad = Motion::new([f64::INFINITY, 0.0, 0.0], [0.0; 3]);
-    assert_eq!(bad, Err(ShapeError::NotFinite));
+    assert_eq!(bad, Err(not_finite("from", None)));
 }
