@@ -9,11 +9,11 @@
 //! cargo web
 //! ```
 //!
-//! builds both, 24 and 58 kB with the profile `web` and the feature `small`, and serves the page
+//! builds both, 33 and 80 kB with the profile `web` and the feature `small`, and serves the page
 //! with node. Without node:
 //!
 //! ```text
-//! cargo build --profile web --features small --example web --example web_mesh --target wasm32-unknown-unknown
+//! cargo build --profile web --features small,alloc --example web --example web_mesh --target wasm32-unknown-unknown
 //! python3 -m http.server
 //! ```
 //!

@@ -11,7 +11,7 @@ const VIEWS = ['web', 'web_mesh'];
 function build(view, folder) {
     const profile = basename(dirname(folder));
     const options = [
-        'build', '--profile', profile === 'debug' ? 'dev' : profile, '--features', 'small',
+        'build', '--profile', profile === 'debug' ? 'dev' : profile, '--features', 'small,alloc',
         '--example', view, '--target', 'wasm32-unknown-unknown',
     ];
     const { status } = spawnSync(process.env.CARGO ?? 'cargo', options, { stdio: 'inherit' });

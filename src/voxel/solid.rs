@@ -77,12 +77,27 @@ impl<'a, S: Scalar, W: Word> Solid<'a, S, W> {
         words: &'a mut [W],
         lines: &'a mut [W],
     ) -> Result<Self, TooFewWords> {
+        let mut solid = Self::resume(grid, words, lines)?;
+        solid.bits.clear();
+        solid.lines.fill(W::ZERO);
+        Ok(solid)
+    }
+
+    /// Continues a solid that these words and lines hold, as another `Solid` left them. A program
+    /// that adds triangles over several calls or frames so keeps the memory alone.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    ///
+    /// *Panics*: never.
+    pub fn resume(
+        grid: &Grid<S>,
+        words: &'a mut [W],
+        lines: &'a mut [W],
+    ) -> Result<Self, TooFewWords> {
         let needed = grid.line_words::<W>();
         let lines = lines.get_mut(..needed).ok_or(TooFewWords { needed })?;
-        let mut bits = Bits::new(grid, words)?;
-        bits.clear();
-        lines.fill(W::ZERO);
-        Ok(Self { bits, lines })
+        Ok(Self { bits: Bits::new(grid, words)?, lines })
     }
 
     /// Adds a triangle: marks where the lines of rows cross it.

@@ -15,6 +15,31 @@ fn centres_inside_are_those_of_the_oracle() {
     }
 }
 
+/// One triangle in each part, and a part for `finish`.
+#[test]
+fn a_solid_in_parts_is_that_of_the_whole() {
+    let grid = Grid::new([0.0; 3], [1.0; 3], [8; 3]).unwrap();
+    let of = |scene: &VoxelScene, part: usize| {
+        let (mut words, mut lines) = ([!0_u32; 64], [!0_u32; 8]);
+        Solid::new(&grid, &mut words, &mut lines).unwrap();
+        for triangles in scene.triangles.chunks(part) {
+            let mut solid = Solid::resume(&grid, &mut words, &mut lines).unwrap();
+            for &[a, b, c] in triangles {
+                solid.cross(&Triangle::new(a, b, c).unwrap());
+            }
+        }
+        let mut solid = Solid::resume(&grid, &mut words, &mut lines).unwrap();
+        solid.finish();
+        let inside = solid.bits().count();
+        (words, inside)
+    };
+    for scene in VoxelScene::solids(8) {
+        let (whole, inside) = of(&scene, usize::MAX);
+        assert!(inside > 0, "{}", scene.name);
+        assert_eq!(of(&scene, 1).0, whole, "{}", scene.name);
+    }
+}
+
 /// A cube without a triangle of the face at x = 5: the lines through that triangle are open.
 #[test]
 fn open_rows_are_named() {

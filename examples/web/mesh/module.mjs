@@ -50,30 +50,29 @@ export class Mesh {
     load({ vertices, triangles }) {
         [this.vertices, this.triangles] = [0, 0];
         const [count, faces] = [vertices.length / 3, triangles.length / 3];
-        const at = this.#exports.room(count, faces);
-        if (at === 0) throw new Error('There is no memory for this mesh.');
-        this.#view(Float32Array, at, 3 * count).set(vertices);
-        this.#view(Uint32Array, at + 12 * count, 3 * faces).set(triangles);
+        if (!this.#exports.room(count, faces)) throw new Error('There is no memory for this mesh.');
+        this.#view(Float32Array, this.#exports.vertices(), 3 * count).set(vertices);
+        this.#view(Uint32Array, this.#exports.triangles(), 3 * faces).set(triangles);
         const start = performance.now();
         if (!this.#exports.build()) throw new Error('The module refuses the mesh.');
-        Object.assign(this, { vertices: count, triangles: faces, at });
+        Object.assign(this, { vertices: count, triangles: faces });
         return performance.now() - start;
     }
 
     /** The three vertices of a triangle. */
     corners(triangle) {
-        const indices = this.#view(Uint32Array, this.at + 12 * this.vertices + 12 * triangle, 3);
+        const indices = this.#view(Uint32Array, this.#exports.triangles() + 12 * triangle, 3);
         return [...indices].map((i) => this.vertex(i));
     }
 
     vertex(i) {
-        return [...this.#view(Float32Array, this.at + 12 * i, 3)];
+        return [...this.#view(Float32Array, this.#exports.vertices() + 12 * i, 3)];
     }
 
     /** All corners of all triangles, in a row. */
     soup() {
-        const vertices = this.#view(Float32Array, this.at, 3 * this.vertices);
-        const indices = this.#view(Uint32Array, this.at + 12 * this.vertices, 3 * this.triangles);
+        const vertices = this.#view(Float32Array, this.#exports.vertices(), 3 * this.vertices);
+        const indices = this.#view(Uint32Array, this.#exports.triangles(), 3 * this.triangles);
         const soup = new Float32Array(3 * indices.length);
         indices.forEach((i, k) => soup.set(vertices.subarray(3 * i, 3 * i + 3), 3 * k));
         return soup;

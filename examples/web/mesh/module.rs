@@ -1,85 +1,78 @@
 //! The exports of the module for meshes: voxels, picking, and inside or outside.
 //!
-//! The memory behind the module's own is a row of tables: vertices, triangles, the tree's order and
-//! its nodes, and then either edges to be sorted, or the bits of two grids. It grows as a mesh
-//! needs it, up to [`MOST`] bytes.
-#![allow(unsafe_code, reason = "memory of its own, and exports")]
+//! The mesh, its tree and the bits of its grids are in vectors. A page writes to the addresses that
+//! the module returns, and nothing refers to them meanwhile.
+#![allow(unsafe_code, reason = "exports")]
 
-use core::arch::wasm32::{memory_grow, memory_size};
-use core::cell::UnsafeCell;
-use core::ptr::with_exposed_provenance_mut;
+extern crate alloc;
+
+use alloc::vec::Vec;
 use core::sync::atomic::Ordering;
 
-use septum::mesh::{MeshError, Node};
+use septum::mesh::{MeshError, Node, OwnedTree, Scratch};
 use septum::voxel::{Bits, Grid, GridError, Solid};
 use septum::{Facing, Ray, Vec3};
+use spin::{Mutex, MutexGuard};
 
 use crate::numbers::{NUMBERS, ask};
-use crate::voxels::{self, Mesh};
+use crate::voxels;
 
-type Tree = septum::mesh::Tree<'static, f32, u32>;
+/// The most bytes of tables.
+const MOST: usize = 92 << 20;
 
-/// The most bytes of memory.
-const MOST: usize = 96 << 20;
-const PAGE: usize = 1 << 16;
-
+/// The mesh moves into the tree when that is built.
 struct State {
-    /// The numbers of vertices and triangles that there is room for.
-    room: [usize; 2],
-    /// The address of each table: vertices, triangles, order, nodes, and the rest.
-    places: [usize; 5],
-    tree: Option<Tree>,
+    vertices: Vec<Vec3<f32>>,
+    triangles: Vec<[u32; 3]>,
+    tree: Option<OwnedTree<f32>>,
     grid: Option<Grid<f32>>,
-    solid: Option<Solid<'static, f32, u32>>,
+    /// The bits of the grid, and then those of one triangle.
+    words: Vec<u32>,
+    /// A bit for each row, while there is a solid.
+    lines: Vec<u32>,
 }
 
 impl State {
-    const EMPTY: Self = Self { room: [0; 2], places: [0; 5], tree: None, grid: None, solid: None };
-}
+    const EMPTY: Self = Self {
+        vertices: Vec::new(),
+        triangles: Vec::new(),
+        tree: None,
+        grid: None,
+        words: Vec::new(),
+        lines: Vec::new(),
+    };
 
-/// A cell for a single thread; no export calls another.
-struct OneThread(UnsafeCell<State>);
-unsafe impl Sync for OneThread {}
-static STATE: OneThread = OneThread(UnsafeCell::new(State::EMPTY));
-
-fn state() -> &'static mut State {
-    // SAFETY: there is one thread, and each export calls this once.
-    unsafe { &mut *STATE.0.get() }
-}
-
-/// The address of the first table: the end of the module's own memory.
-fn start() -> usize {
-    unsafe extern "C" {
-        static __heap_base: u8;
+    fn forget_grid(&mut self) {
+        (self.grid, self.words, self.lines) = (None, Vec::new(), Vec::new());
     }
-    (&raw const __heap_base).addr().next_multiple_of(16)
 }
 
-/// The address of each table: vertices, triangles, order, nodes, and the rest.
-fn places([vertices, triangles]: [usize; 2]) -> [usize; 5] {
-    let sizes = [
-        vertices * size_of::<Vec3<f32>>(),
-        triangles * size_of::<[u32; 3]>(),
-        triangles * size_of::<u32>(),
-        Node::count_for(triangles) * size_of::<Node>(),
-    ];
-    let mut places = [start(); 5];
-    for k in 0..4 {
-        places[k + 1] = places[k] + sizes[k];
-    }
-    places
+static STATE: Mutex<State> = Mutex::new(State::EMPTY);
+
+/// There is one thread, and each export calls this once.
+fn state() -> MutexGuard<'static, State> {
+    STATE.lock()
 }
 
-/// Whether there is memory up to `end`; requests more if needed.
-fn reaches(end: usize) -> bool {
-    let more = end.div_ceil(PAGE).saturating_sub(memory_size(0));
-    end <= MOST && (more == 0 || memory_grow(0, more) != usize::MAX)
+/// The bytes that a mesh needs, and then those of its edges or of its grids: `rest`.
+fn bytes([vertices, triangles]: [usize; 2], rest: usize) -> usize {
+    vertices * size_of::<Vec3<f32>>()
+        + triangles * (size_of::<[u32; 3]>() + size_of::<u32>())
+        + Node::count_for(triangles) * size_of::<Node>()
+        + rest.max(triangles * size_of::<Scratch>())
 }
 
-/// # Safety
-/// There is memory for the table, aligned, of valid numbers, and no other reference to it.
-unsafe fn table<T>(place: usize, length: usize) -> &'static mut [T] {
-    unsafe { core::slice::from_raw_parts_mut(with_exposed_provenance_mut(place), length) }
+/// Whether there is memory for so many bytes at once. It stays with the module.
+fn reaches(bytes: usize) -> bool {
+    bytes <= MOST && Vec::<u8>::new().try_reserve_exact(bytes).is_ok()
+}
+
+/// A table of so many elements, or `None` if there is no memory.
+fn table<T: Clone>(element: T, length: usize) -> Option<Vec<T>> {
+    let mut table = Vec::new();
+    table.try_reserve_exact(length).ok()?;
+    table.resize(length, element);
+    Some(table)
 }
 
 /// Writes an answer to the numbers from `first` on.
@@ -89,61 +82,58 @@ fn say(first: usize, answer: &[u32]) {
     }
 }
 
-/// Makes room for a mesh, and forgets the previous one. The caller writes its vertices at the
-/// address returned, three `f32` each, and behind them its triangles, three `u32` each. Zero if
-/// there is not enough memory.
+/// Makes room for a mesh, and forgets the previous one. Zero if there is not enough memory.
 #[unsafe(export_name = "room")]
-extern "C" fn room(vertices: u32, triangles: u32) -> usize {
-    let state = state();
+extern "C" fn room(vertices: u32, triangles: u32) -> u32 {
+    let mut state = state();
     *state = State::EMPTY;
     let counts = [vertices as usize, triangles as usize];
     // More than this fits no memory, and sizes of fewer do not overflow.
     if counts.iter().any(|&n| n > MOST / 8) {
         return 0;
     }
-    let places = places(counts);
-    let [place, .., rest] = places;
-    let edges = 3 * counts[1] * size_of::<[u32; 2]>();
-    if !reaches(rest + edges) {
+    if !reaches(bytes(counts, 3 * counts[1] * size_of::<[u32; 2]>())) {
         return 0;
     }
-    (state.room, state.places) = (counts, places);
-    place
+    let tables = (table(Vec3::splat(0.0), counts[0]), table([0; 3], counts[1]));
+    let (Some(vertices), Some(triangles)) = tables else { return 0 };
+    (state.vertices, state.triangles) = (vertices, triangles);
+    1
+}
+
+/// The address of the vertices, three `f32` each.
+#[unsafe(export_name = "vertices")]
+extern "C" fn vertices() -> *const Vec3<f32> {
+    let state = state();
+    state.tree.as_ref().map_or(&state.vertices[..], |tree| tree.mesh().vertices()).as_ptr()
+}
+
+/// The address of the triangles, three `u32` each.
+#[unsafe(export_name = "triangles")]
+extern "C" fn triangles() -> *const [u32; 3] {
+    let state = state();
+    state.tree.as_ref().map_or(&state.triangles[..], |tree| tree.mesh().triangles()).as_ptr()
 }
 
 /// Takes the mesh that was written, and builds the tree over it. Zero if the mesh is invalid.
 #[unsafe(export_name = "build")]
 extern "C" fn build() -> u32 {
-    let state = state();
-    (state.tree, state.grid, state.solid) = (None, None, None);
-    let [vertices, triangles] = state.room;
-    let [a, b, c, d, _] = state.places;
-    // No room was made.
-    if a == 0 {
-        return 0;
-    }
-    // SAFETY: `room` has reserved the memory, all bits are valid numbers, and all references ended
-    // with the previous tree.
-    let tree = unsafe {
-        Mesh::new(table(a, vertices), table(b, triangles)).and_then(|mesh| {
-            Tree::build(mesh, table(d, Node::count_for(triangles)), table(c, triangles))
-        })
-    };
-    state.tree = tree.ok();
+    let mut state = state();
+    let State { vertices, triangles, .. } = core::mem::replace(&mut *state, State::EMPTY);
+    state.tree = OwnedTree::new(vertices, triangles).ok();
     state.tree.is_some().into()
 }
 
 /// One if the mesh is closed; otherwise zero, and numbers 0 and 1 are the vertices of an open edge.
-/// The grid is lost, because its memory is used for sorting edges.
+/// The grid is lost, for edges need its memory.
 #[unsafe(export_name = "closed")]
 extern "C" fn closed() -> u32 {
-    let state = state();
-    (state.grid, state.solid) = (None, None);
+    let mut state = state();
+    state.forget_grid();
     let Some(tree) = &state.tree else { return 0 };
-    let [.., rest] = state.places;
-    // SAFETY: `room` has reserved the memory, and nothing refers to it.
-    let edges = unsafe { table(rest, 3 * state.room[1]) };
-    match tree.mesh().check_closed(edges) {
+    let mesh = tree.mesh();
+    let Some(mut edges) = table(Default::default(), 3 * mesh.triangles().len()) else { return 0 };
+    match mesh.check_closed(&mut edges) {
         Err(MeshError::OpenEdge { vertices }) => {
             say(0, &vertices.map(|i| i as u32));
             0
@@ -156,58 +146,45 @@ extern "C" fn closed() -> u32 {
 /// least corner, 6 the size of a voxel. Returns 0, or the reason why there is no such grid.
 #[unsafe(export_name = "grid")]
 extern "C" fn grid(resolution: u32) -> u32 {
-    let state = state();
-    (state.grid, state.solid) = (None, None);
+    let mut state = state();
+    state.forget_grid();
     let Some(tree) = &state.tree else { return 1 };
-    let grid = match voxels::grid_around(tree.mesh(), resolution) {
+    let mesh = tree.mesh();
+    let grid = match voxels::grid_around(&mesh, resolution) {
         Ok(grid) => grid,
         Err(GridError::CellNotPositive) => return 2,
         Err(GridError::CellTooSmall) => return 3,
         Err(_) => return 4,
     };
-    let [.., rest] = state.places;
     let (words, lines) = (grid.words::<u32>(), grid.line_words::<u32>());
-    if words > MOST / 8 || !reaches(rest + (2 * words + lines) * size_of::<u32>()) {
+    let counts = [mesh.vertices().len(), mesh.triangles().len()];
+    if words > MOST / 8 || bytes(counts, (2 * words + lines) * size_of::<u32>()) > MOST {
         return 5;
     }
-    // SAFETY: the memory has been reserved, and nothing refers to it.
-    unsafe { table::<u32>(rest, words) }.fill(0);
+    let Some(table) = table(0, 2 * words) else { return 5 };
     say(0, &grid.resolution());
     say(3, &grid.origin().to_array().map(f32::to_bits));
     say(6, &[grid.cell().x.to_bits()]);
-    state.grid = Some(grid);
+    (state.grid, state.words) = (Some(grid), table);
     0
-}
-
-/// The words of the grid's bits (0), of the bits of one triangle (1), or of a bit for each row (2).
-///
-/// # Safety
-/// No reference to them may be alive.
-unsafe fn words(state: &State, which: usize) -> &'static mut [u32] {
-    let Some(grid) = &state.grid else { return &mut [] };
-    let (words, lines) = (grid.words::<u32>(), grid.line_words::<u32>());
-    let [.., rest] = state.places;
-    let count = if which == 2 { lines } else { words };
-    // SAFETY: `grid` has reserved the memory.
-    unsafe { table(rest + which * words * size_of::<u32>(), count) }
 }
 
 /// Sets the voxels that triangles meet, and counts all set voxels if requested.
 fn fill_in(which: usize, from: u32, to: u32, is_to_count: bool) -> u32 {
-    let state = state();
-    state.solid = None;
-    let (Some(tree), Some(grid)) = (&state.tree, &state.grid) else { return 0 };
-    // SAFETY: the solid has been dropped, and no other reference is kept.
-    let words = unsafe { words(state, which) };
+    let State { tree: Some(tree), grid: Some(grid), words, lines, .. } = &mut *state() else {
+        return 0;
+    };
+    *lines = Vec::new();
+    let (all, one) = words.split_at_mut(grid.words::<u32>());
     if which == 1 {
-        words.fill(0);
+        one.fill(0);
     }
-    let Ok(mut bits) = Bits::new(grid, words) else { return 0 };
-    voxels::fill(&mut bits, tree.mesh(), from as usize..to as usize);
+    let Ok(mut bits) = Bits::new(grid, if which == 1 { one } else { all }) else { return 0 };
+    voxels::fill(&mut bits, &tree.mesh(), from as usize..to as usize);
     if is_to_count { bits.count() as u32 } else { 0 }
 }
 
-/// Sets the voxels that the triangles from one index to another meet. It first finishes a solid.
+/// Sets the voxels that the triangles from one index to another meet.
 #[unsafe(export_name = "fill")]
 extern "C" fn fill(from: u32, to: u32) {
     fill_in(0, from, to, false);
@@ -230,16 +207,18 @@ extern "C" fn mark(triangle: u32) -> u32 {
 /// a new solid.
 #[unsafe(export_name = "cross")]
 extern "C" fn cross(from: u32, to: u32) {
-    let state = state();
-    let (Some(tree), Some(grid)) = (&state.tree, &state.grid) else { return };
-    if from == 0 {
-        state.solid = None;
-        // SAFETY: the previous solid has been dropped, and no other reference is kept.
-        let (bits, lines) = unsafe { (words(state, 0), words(state, 2)) };
-        state.solid = Solid::new(grid, bits, lines).ok();
-    }
-    if let Some(solid) = &mut state.solid {
-        voxels::cross(solid, tree.mesh(), from as usize..to as usize);
+    let State { tree: Some(tree), grid: Some(grid), words, lines, .. } = &mut *state() else {
+        return;
+    };
+    let solid = if from == 0 {
+        let Some(table) = table(0, grid.line_words::<u32>()) else { return };
+        *lines = table;
+        Solid::new(grid, words, lines)
+    } else {
+        Solid::resume(grid, words, lines)
+    };
+    if let Ok(mut solid) = solid {
+        voxels::cross(&mut solid, &tree.mesh(), from as usize..to as usize);
     }
 }
 
@@ -247,21 +226,17 @@ extern "C" fn cross(from: u32, to: u32) {
 /// inside, where the mesh is open.
 #[unsafe(export_name = "finish")]
 extern "C" fn finish() -> u32 {
-    let state = state();
-    let Some(solid) = &mut state.solid else { return 0 };
+    let State { grid: Some(grid), words, lines, .. } = &mut *state() else { return 0 };
+    let mut lines = core::mem::take(lines);
+    let Ok(mut solid) = Solid::resume(grid, words, &mut lines) else { return 0 };
     solid.finish();
-    let open = solid.open_rows().count() as u32;
-    state.solid = None;
-    open
+    solid.open_rows().count() as u32
 }
 
 /// The address of the grid's words.
 #[unsafe(export_name = "words")]
-extern "C" fn words_at() -> *const u32 {
-    let state = state();
-    state.solid = None;
-    // SAFETY: the solid has been dropped, and no other reference is kept.
-    unsafe { words(state, 0) }.as_ptr()
+extern "C" fn words() -> *const u32 {
+    state().words.as_ptr()
 }
 
 fn vector(first: usize) -> [f32; 3] {
@@ -273,7 +248,7 @@ fn vector(first: usize) -> [f32; 3] {
 #[unsafe(export_name = "pick")]
 extern "C" fn pick() -> u32 {
     let (Some(tree), Ok(ray)) = (&state().tree, Ray::new(vector(0), vector(3))) else { return 0 };
-    tree.first_hit(&ray).map_or(0, |(triangle, hit)| {
+    tree.as_tree().first_hit(&ray).map_or(0, |(triangle, hit)| {
         say(0, &[hit.t, hit.u, hit.v].map(f32::to_bits));
         say(3, &[(hit.facing == Facing::Back).into()]);
         triangle as u32 + 1
@@ -284,5 +259,5 @@ extern "C" fn pick() -> u32 {
 #[unsafe(export_name = "inside")]
 extern "C" fn inside() -> u32 {
     let Some(tree) = &state().tree else { return 0 };
-    tree.winding(vector(0)).map_or(2, |winding| (winding % 2 != 0).into())
+    tree.as_tree().winding(vector(0)).map_or(2, |winding| (winding % 2 != 0).into())
 }
