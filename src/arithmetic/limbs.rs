@@ -46,6 +46,8 @@ pub(crate) struct Limbs<const L: usize>(pub(crate) [u64; L]);
 
 impl<const L: usize> Limbs<L> {
     /// The magnitude of a number in two's complement, and whether it is below zero.
+    // Negated in place. If one of two branches negates a copy by value, optimized builds of rustc 1.95
+    // to 1.97 read the sign from the negated number.
     #[inline(always)]
     pub(crate) fn magnitude(mut limbs: [u64; L]) -> (bool, Self) {
         let is_negative = limbs.last().is_some_and(|top| top >> 63 != 0);

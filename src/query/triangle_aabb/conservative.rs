@@ -8,7 +8,7 @@
 //! moves by less than one unit, the corners of a box likewise, and a half-extent loses less than
 //! one. Shapes that met still meet if the box is two units larger on each side. (This is for
 //! half-extents; a full extent would have to grow by four.)
-//! # Which gaps are left
+//!
 //! # The shortcut by vectors
 //!
 //! With vectors, most pairs need no truncation. Shapes that certainly meet also meet in the larger
