@@ -17,7 +17,7 @@ fn part(told: &mut Hash, part: Part) {
     told.byte(number);
 }
 
-fn tell<S: Draw, A: Answers>(
+pub(super) fn tell<S: Draw, A: Answers>(
     answers: &mut A,
     [translation, points]: [Query; 2],
     found: Option<Contact<S>>,

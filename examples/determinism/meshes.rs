@@ -3,12 +3,14 @@
 use core::ops::ControlFlow;
 
 use septum::broad_phase::BoxTree;
-use septum::mesh::{Mesh, Node, Tree};
+use septum::contact::{InteriorEdges, Shape};
+use septum::mesh::{Mesh, Node, Probe, Tree};
 use septum::sweep::Motion;
 use septum::{Aabb, HitRules, Obb, Ray, Segment, Triangle, Vec3};
 
 use super::super::draw::Draw;
 use super::answers::Answers;
+use super::contacts::tell;
 use super::queries::Query;
 use super::{greatest, least};
 
@@ -76,6 +78,14 @@ pub(super) fn all<S: Draw, A: Answers>(
         pairs.to_le_bytes().into_iter().for_each(|byte| told.byte(byte));
     }
 
+    let interior = core::array::from_fn(|i| InteriorEdges::new([0, 1, 2].map(|k| i >> k & 1 == 1)));
+    for aabb in shapes.aabbs {
+        contacts(&tree, aabb, &interior, answers);
+    }
+    if let Some(obb) = shapes.obb {
+        contacts(&tree, obb, &interior, answers);
+    }
+
     if let Some(ray) = shapes.ray {
         let first = tree.first_hit(ray);
         let told = answers.to(Query::MeshFirstHit);
@@ -107,6 +117,19 @@ pub(super) fn all<S: Draw, A: Answers>(
     for point in [points[0], middle(points[0], points[7]), center, middle(center, points[6])] {
         let winding = tree.winding(point).map_or(0x7f, |winding| winding as i8 as u8);
         answers.to(Query::MeshWinding).byte(winding);
+    }
+}
+
+#[inline(never)]
+fn contacts<S: Draw, A: Answers>(
+    tree: &Tree<'_, S, u16>,
+    shape: &(impl Probe<S> + Shape<S>),
+    interior: &[InteriorEdges; FACES.len()],
+    answers: &mut A,
+) {
+    for (i, contact) in tree.contacts(shape, interior).into_iter().flatten() {
+        answers.to(Query::MeshTranslations).byte(i as u8);
+        tell(answers, [Query::MeshTranslations, Query::MeshPoints], Some(contact));
     }
 }
 

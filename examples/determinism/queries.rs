@@ -128,4 +128,6 @@ queries! {
     TriangleCells = "triangle/4 cells overlaps",
     TrianglesAabb = "4 triangles/aabb overlaps",
     RayTrianglePrepared = "ray/triangle prepared",
+    MeshTranslations = "mesh contacts",
+    MeshPoints = "mesh contact points",
 }

@@ -77,7 +77,8 @@
 //! A box that slides over a floor of triangles sometimes catches on an edge between two triangles:
 //! for a single triangle that the box has just entered, the minimum translation points sideways.
 //! [`contact_in_mesh`] prevents this. It takes three bits for each triangle, one for each edge: set
-//! if the edge is interior. [`interior_edges`] computes them.
+//! if the edge is interior. [`interior_edges`] computes them, and
+//! [`Tree::contacts`](crate::mesh::Tree::contacts) returns the contacts of a shape with a whole mesh.
 
 mod body;
 mod directions;
@@ -86,6 +87,7 @@ mod faces;
 mod feature;
 mod interior;
 mod least;
+mod mesh;
 mod points;
 mod sums;
 #[cfg(test)]
@@ -99,6 +101,7 @@ use self::exact::Size;
 pub use self::feature::{Features, Part};
 pub use self::interior::{InteriorEdges, interior_edges};
 use self::least::{Way, least_way};
+pub use self::mesh::Contacts;
 pub use self::points::Point;
 use self::points::{Points, features, points};
 use crate::scalar::Scalar;

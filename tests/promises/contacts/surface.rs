@@ -1,7 +1,7 @@
 //! Surfaces of triangles: the interior edges, which catch no sliding box.
 
 use septum::contact::{Contact, InteriorEdges, contact, contact_in_mesh, interior_edges};
-use septum::mesh::{Mesh, MeshError};
+use septum::mesh::{Mesh, MeshError, OwnedTree};
 use septum::{Aabb, Obb, Triangle, Vec3};
 use septum_kit::Rng;
 
@@ -67,8 +67,9 @@ fn an_edge_is_known_by_its_ends() {
     assert_eq!(short(9, 9), Ok(()));
 }
 
-/// A floor of cells in a plane z = a·x + b·y, each of two triangles, with displaced inner vertices.
-fn floor(rng: &mut Rng, [a, b]: [f32; 2]) -> (Vec<Triangle<f32>>, Vec<InteriorEdges>) {
+/// A floor of cells in a plane z = a·x + b·y, each of two triangles, with displaced inner vertices;
+/// and its interior edges.
+fn floor(rng: &mut Rng, [a, b]: [f32; 2]) -> (OwnedTree<f32, u16>, Vec<InteriorEdges>) {
     const CELLS: u16 = 6;
     let mut vertices = Vec::new();
     for i in 0..=CELLS {
@@ -96,12 +97,7 @@ fn floor(rng: &mut Rng, [a, b]: [f32; 2]) -> (Vec<Triangle<f32>>, Vec<InteriorEd
         }
     }
     let interior = edges(&vertices, &triangles);
-    let vertex = |v: u16| vertices[usize::from(v)];
-    let shape = |t: [u16; 3]| {
-        let [a, b, c] = t.map(vertex);
-        Triangle::new(a, b, c).unwrap()
-    };
-    (triangles.into_iter().map(shape).collect(), interior)
+    (OwnedTree::new(vertices, triangles).unwrap(), interior)
 }
 
 /// Slides boxes over floors, and returns how often a box without the mesh's edges would be caught.
@@ -111,7 +107,7 @@ fn slide(starts: usize, seed: u64) -> usize {
     for n in 0..starts {
         // In quarters, so that the floor is exactly planar.
         let slope = [0, 1].map(|_| if n % 2 == 0 { 0.0 } else { rng.whole(-3, 3) as f32 / 4.0 });
-        let (triangles, interior) = floor(&mut rng, slope);
+        let (floor, interior) = floor(&mut rng, slope);
         let size = (slope[0] * slope[0] + slope[1] * slope[1] + 1.0).sqrt();
         let up = [-slope[0] / size, -slope[1] / size, 1.0 / size];
         let half = rng.triple(|rng| rng.real(0.2, 0.7) as f32);
@@ -135,22 +131,23 @@ fn slide(starts: usize, seed: u64) -> usize {
             let center = [x, y, slope[0] * x + slope[1] * y + (reach - depth) * size];
             let obb = Obb::new(center, axes, half).unwrap();
             let aabb = Aabb::from_center_half_extents(center, half).unwrap();
-            for (t, &edges) in triangles.iter().zip(&interior) {
-                let ask = |edges: Option<InteriorEdges>| match (edges, is_turned) {
-                    (Some(edges), true) => contact_in_mesh(t, edges, &obb),
-                    (Some(edges), false) => contact_in_mesh(t, edges, &aabb),
-                    (None, true) => contact(t, &obb),
-                    (None, false) => contact(t, &aabb),
-                };
-                let is_up = |c: &Contact<f32>| {
-                    let n = c.translation.normal.to_array();
-                    // The triangle is moved down.
-                    (0..3).map(|i| n[i] * up[i]).sum::<f32>() < -0.999_999
-                };
-                let Some(found) = ask(Some(edges)) else { continue };
-                assert!(is_up(&found), "{found:?} {t:?} {edges:?} {obb:?}");
+            let tree = floor.as_tree();
+            let found: Vec<_> = if is_turned {
+                tree.contacts(&obb, &interior).unwrap().collect()
+            } else {
+                tree.contacts(&aabb, &interior).unwrap().collect()
+            };
+            let is_up = |c: &Contact<f32>| {
+                let n = c.translation.normal.to_array();
+                // The triangle is moved down.
+                (0..3).map(|i| n[i] * up[i]).sum::<f32>() < -0.999_999
+            };
+            for (i, found) in found {
+                let t = tree.mesh().triangle(i).unwrap();
+                assert!(is_up(&found), "{found:?} {t:?} {obb:?}");
                 assert!(found.translation.depth < 0.05 && !found.points().is_empty(), "{found:?}");
-                let alone = ask(None).expect("the same verdict");
+                let alone = if is_turned { contact(&t, &obb) } else { contact(&t, &aabb) };
+                let alone = alone.expect("the same verdict");
                 assert!(found.is_held || is_up(&alone), "{found:?} {alone:?}");
                 caught += usize::from(!is_up(&alone));
                 rests += 1;

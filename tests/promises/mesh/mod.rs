@@ -10,7 +10,8 @@ mod tables;
 
 use core::ops::ControlFlow;
 
-use septum::mesh::{Mesh, Tree};
+use septum::contact::{InteriorEdges, Shape, contact_in_mesh};
+use septum::mesh::{Mesh, MeshError, Probe, Tree};
 use septum::{Aabb, Cull, HitRules, Obb, Ray, Segment, Triangle};
 use septum_kit::{Rng, Sample, for_scalars, rays};
 
@@ -57,7 +58,7 @@ fn greatest<S: PartialOrd>(a: S, b: S) -> S {
 }
 
 fn boxes_overlap_as_one_by_one<S: Sample>() {
-    let (mut rng, mut count) = (Rng::new(81), 0);
+    let (mut rng, mut count, mut contacts) = (Rng::new(81), 0, 0);
     for mut scene in scenes::all::<S>() {
         let (aabbs, obbs) = boxes(&scene, &mut rng);
         let (name, mesh) = (scene.name, scene.mesh().vertices().len());
@@ -66,15 +67,42 @@ fn boxes_overlap_as_one_by_one<S: Sample>() {
         for aabb in &aabbs {
             let expected = those(*tree.mesh(), |t| t.overlaps(aabb));
             assert_eq!(sorted(tree.overlapping(aabb)), expected, "{name}: {aabb:?}");
+            contacts += contacts_as_one_by_one(&tree, aabb, &expected);
             count += expected.len();
         }
         for obb in &obbs {
             let expected = those(*tree.mesh(), |t| t.overlaps(obb));
             assert_eq!(sorted(tree.overlapping(obb)), expected, "{name}: {obb:?}");
+            contacts += contacts_as_one_by_one(&tree, obb, &expected);
             count += expected.len();
         }
     }
-    assert!(count > 5_000, "{count}");
+    assert!(count > 5_000 && contacts > 2_000, "{count} {contacts}");
+}
+
+/// The contacts of a shape that overlaps these triangles, each as of its triangle alone. Returns
+/// their number.
+fn contacts_as_one_by_one<S: Sample>(
+    tree: &Tree<'_, S, u16>,
+    shape: &(impl Probe<S> + Shape<S>),
+    overlapping: &[usize],
+) -> usize {
+    let interior = |i: usize| InteriorEdges::new([0, 1, 2].map(|k| i >> k & 1 == 1));
+    let edges: Vec<_> = (0..tree.mesh().triangles().len()).map(interior).collect();
+    let mut found: Vec<_> = tree.contacts(shape, &edges).expect("as many edges").collect();
+    found.sort_by_key(|(i, _)| *i);
+    let alone = |&i: &usize| {
+        let triangle = tree.mesh().triangle(i).expect("it overlaps");
+        Some((i, contact_in_mesh(&triangle, interior(i), shape)?))
+    };
+    let expected: Vec<_> = overlapping.iter().filter_map(alone).collect();
+    // By text, because an infinite box has a NaN among its points.
+    assert_eq!(format!("{found:?}"), format!("{expected:?}"));
+    if let Some(less) = edges.len().checked_sub(1) {
+        let refused = tree.contacts(shape, &edges[..less]).expect_err("too few");
+        assert_eq!(refused, MeshError::Length { needed: edges.len() });
+    }
+    found.len()
 }
 
 /// Triangles and segments between points of the scene, of all sizes.
