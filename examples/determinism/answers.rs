@@ -3,7 +3,7 @@
 use septum::lanes::{Hits, Ranges};
 use septum::relation::Relation;
 use septum::sweep::FirstContact;
-use septum::{Axis, Facing, Feature, Hit, Vec3};
+use septum::{Axis, Facing, Feature, Hit, Segment, Vec3};
 
 use super::super::draw::Draw;
 use super::queries::Query;
@@ -60,6 +60,12 @@ impl Hash {
             self.number(from);
             self.number(to);
         }
+    }
+
+    pub(crate) fn segment<S: Draw>(&mut self, segment: Option<Segment<S>>) {
+        let ends = segment.and_then(|segment| segment.ends());
+        self.vector(ends.map(|(from, _)| from));
+        self.vector(ends.map(|(_, to)| to));
     }
 
     pub(crate) fn contact<S: Draw>(&mut self, first: Option<FirstContact<S>>) {

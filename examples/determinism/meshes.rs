@@ -76,6 +76,12 @@ pub(super) fn all<S: Draw, A: Answers>(
         });
         let told = answers.to(Query::MeshPairs);
         pairs.to_le_bytes().into_iter().for_each(|byte| told.byte(byte));
+        let told = answers.to(Query::MeshCrossings);
+        let _ = tree.crossings(&other, |i, _, segment| {
+            told.byte(i as u8);
+            told.segment(Some(segment));
+            ControlFlow::<()>::Continue(())
+        });
     }
 
     let interior = core::array::from_fn(|i| InteriorEdges::new([0, 1, 2].map(|k| i >> k & 1 == 1)));

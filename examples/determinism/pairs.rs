@@ -183,6 +183,7 @@ pub(super) fn flats<S: Draw, A: Answers>(
         answers.to(Query::TriangleTriangle).yes(triangle.overlaps(&other));
         answers.to(Query::TriangleTriangleMay).yes(triangle.may_overlap(&other));
         answers.to(Query::TriangleTriangleRelation).relation(triangle.relation(&other));
+        answers.to(Query::TriangleTriangleCrossing).segment(triangle.crossing(&other));
     }
     let ends = [(p, middle(a, b)), (middle(a, b), c), (p, q)].map(|(x, y)| Segment::new(x, y).ok());
     for segment in ends.iter().chain(segments).flatten() {

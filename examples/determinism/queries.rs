@@ -130,4 +130,6 @@ queries! {
     RayTrianglePrepared = "ray/triangle prepared",
     MeshTranslations = "mesh contacts",
     MeshPoints = "mesh contact points",
+    TriangleTriangleCrossing = "triangle/triangle crossing",
+    MeshCrossings = "mesh crossings",
 }

@@ -5,7 +5,7 @@ use fixed::types::I16F16;
 use heapless::Vec;
 use septum::Aabb;
 use septum::broad_phase::BoxTree;
-use septum::contact::{contact, contact_in_mesh};
+use septum::contact::contact;
 use septum::mesh::Node;
 
 use crate::body::{Body, Pose};
@@ -136,17 +136,11 @@ fn on_ground<T: Number, const TOUCHES: usize>(
     pose: &Pose<T>,
     found: &mut Vec<Touch<T>, TOUCHES>,
 ) {
-    for k in ground.tree.overlapping(&pose.obb) {
-        let (Some(triangle), Some(&interior)) =
-            (ground.tree.mesh().triangle(k), ground.interior.get(k))
-        else {
-            continue;
-        };
-        // The contact moves the triangle out of the box, so the box moves the opposite way.
-        if let Some(contact) = contact_in_mesh(&triangle, interior, &pose.obb) {
-            for touch in touches(bodies, Pair { first: i, second: None }, &contact, -T::ONE) {
-                let _ = found.push(touch);
-            }
+    // The contact moves the triangle out of the box, so the box moves the opposite way.
+    let contacts = ground.tree.contacts(&pose.obb, &ground.interior);
+    for (_, contact) in contacts.into_iter().flatten() {
+        for touch in touches(bodies, Pair { first: i, second: None }, &contact, -T::ONE) {
+            let _ = found.push(touch);
         }
     }
 }

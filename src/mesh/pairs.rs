@@ -1,11 +1,11 @@
-//! Pairs of triangles of two meshes that overlap.
+//! Pairs of triangles of two meshes that overlap or cross.
 
 use core::ops::ControlFlow;
 
 use super::node::{Cell, LEVELS};
 use super::{Index, Tree, grid};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Triangle};
+use crate::shape::{Aabb, Segment, Triangle};
 
 /// The greatest number of pairs of places still to be visited: each step down, in either tree, adds
 /// three.
@@ -54,6 +54,57 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
         other: &Tree<'_, S, J>,
         mut visit: impl FnMut(usize, usize) -> ControlFlow<B>,
     ) -> ControlFlow<B> {
+        self.near_pairs(other, |i, k, triangle, second| {
+            if triangle.overlaps(second) { visit(i, k) } else { ControlFlow::Continue(()) }
+        })
+    }
+
+    /// Visits every pair of triangles of two meshes that cross in a segment, as an index in this
+    /// mesh, an index in `other`, and the segment. It ends early if `visit` breaks.
+    ///
+    /// The segments make up the curve in which the surfaces intersect; with outward normals it runs
+    /// alike along each of its loops. The ends of adjacent segments have the same bits.
+    ///
+    /// *Contact*, *Numerics*: as [`Triangle::crossing`]: pairs that touch in a point or lie in one
+    /// plane have no segment. *Panics*: never. *Cost*: the descent of
+    /// [`overlapping_pairs`](Self::overlapping_pairs), and [`Triangle::crossing`] for each pair
+    /// whose bounding boxes meet.
+    ///
+    /// ```
+    /// use core::ops::ControlFlow;
+    /// use septum::mesh::{Mesh, Node, Tree};
+    /// use septum::{Segment, Vec3};
+    ///
+    /// let floor = [[0.0_f32; 3], [9.0, 0.0, 0.0], [0.0, 9.0, 0.0]].map(Vec3::from);
+    /// let pin = [[1.0, 1.0, -2.0], [1.0, 1.0, 2.0], [3.0, 1.0, 2.0]].map(Vec3::from);
+    /// let (mut a, mut b, mut c, mut d) = ([Node::EMPTY], [0], [Node::EMPTY], [0]);
+    /// let floor = Tree::build(Mesh::new(&floor, &[[0_u16, 1, 2]])?, &mut a, &mut b)?;
+    /// let pin = Tree::build(Mesh::new(&pin, &[[0_u16, 1, 2]])?, &mut c, &mut d)?;
+    ///
+    /// let flow = floor.crossings(&pin, |i, k, segment| ControlFlow::Break((i, k, segment)));
+    /// let segment = Segment::new([1.0, 1.0, 0.0], [2.0, 1.0, 0.0])?;
+    /// assert_eq!(flow, ControlFlow::Break((0, 0, segment)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[doc(alias = "intersection curve")]
+    pub fn crossings<J: Index, B>(
+        &self,
+        other: &Tree<'_, S, J>,
+        mut visit: impl FnMut(usize, usize, Segment<S>) -> ControlFlow<B>,
+    ) -> ControlFlow<B> {
+        self.near_pairs(other, |i, k, triangle, second| match triangle.crossing(second) {
+            Some(segment) => visit(i, k, segment),
+            None => ControlFlow::Continue(()),
+        })
+    }
+
+    /// Visits every pair of triangles of two meshes whose bounding boxes meet.
+    #[inline(always)]
+    fn near_pairs<J: Index, B>(
+        &self,
+        other: &Tree<'_, S, J>,
+        mut visit: impl FnMut(usize, usize, &Triangle<S>, &Triangle<S>) -> ControlFlow<B>,
+    ) -> ControlFlow<B> {
         let mut stack = [(0_u32, 0_u32); STACK];
         let mut top = usize::from(!self.nodes.is_empty() && !other.nodes.is_empty());
         while top > 0 {
@@ -100,7 +151,7 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
         a: usize,
         other: &Tree<'_, S, J>,
         b: usize,
-        visit: &mut impl FnMut(usize, usize) -> ControlFlow<B>,
+        visit: &mut impl FnMut(usize, usize, &Triangle<S>, &Triangle<S>) -> ControlFlow<B>,
     ) -> ControlFlow<B> {
         let [min, max] = other.corners_of(b);
         let around = Aabb::between(min.into(), max.into());
@@ -111,8 +162,8 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
             }
             for k in other.layout.leaf(b).map(|at| other.index(at)) {
                 let second = other.mesh.known(k);
-                if are_near(&triangle, &second) && triangle.overlaps(&second) {
-                    visit(i, k)?;
+                if are_near(&triangle, &second) {
+                    visit(i, k, &triangle, &second)?;
                 }
             }
         }

@@ -11,6 +11,8 @@ pub trait ExactSum: Limbed + Number {
     /// Adds the product of at most four `factors`, all of one type. All terms of a sum have the
     /// same number of factors, apart from integers with shift zero.
     fn add(&mut self, factors: &[Parts]);
+    /// Adds the product of a sum and a number, with at most four factors in all.
+    fn add_multiple(&mut self, sum: &Self, factor: Parts);
     /// How the sum compares with zero.
     fn sign(&self) -> Ordering;
 }
@@ -45,6 +47,10 @@ impl<const LIMBS: usize> ExactSum for Sum<LIMBS> {
             }
             _ => self.accumulate(product(pairs).iter().copied(), shift, negative),
         }
+    }
+
+    fn add_multiple(&mut self, sum: &Self, factor: Parts) {
+        BigInt::add_multiple(self, sum, factor.magnitude, factor.shift.into(), factor.negative);
     }
 
     fn sign(&self) -> Ordering {

@@ -67,6 +67,11 @@ overlaps_methods!(
 );
 
 impl<S: Copy> Segment<S> {
+    /// A segment between two ends that are known to be finite.
+    pub(crate) const fn unchecked(a: Vec3<S>, b: Vec3<S>) -> Self {
+        Self { form: Form::Ends(a, b) }
+    }
+
     /// The two ends, if the segment was given by these.
     #[inline]
     #[must_use]

@@ -25,6 +25,7 @@ mod witness;
 
 // Other shapes against boxes, and flat shapes against triangles.
 mod contacts;
+mod crossings;
 mod flat_shapes;
 mod in_vain;
 mod line_obb;

@@ -6,7 +6,7 @@ use crate::told::told;
 use septum_kit::Sample;
 use septum_kit::flat::{Flat, FlatCase, Truth};
 
-/// `overlaps`, in either order, and `may_overlap`; for points `contains`.
+/// `overlaps`, in either order, and `may_overlap`; for points `contains`; `crossing` of triangles.
 pub fn flat_shapes(data: &[u8]) {
     run::<FlatShapes>(data);
 }
@@ -32,5 +32,6 @@ impl Check for FlatShapes {
         if let Some(relation) = case.relation() {
             assert_eq!(relation, truth.relation(), "relation, {}", told::<S>(&case));
         }
+        case.check_crossing();
     }
 }

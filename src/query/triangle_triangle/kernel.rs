@@ -1,29 +1,50 @@
 use crate::arithmetic::{Arithmetic, Number, cross, dot, pick, turn};
-use crate::query::orientation::{apex, error_bound, from, larger, sides, size};
+use crate::query::orientation::{Vector, apex, error_bound, from, larger, sides, size};
 use crate::query::relation::Relation;
 use crate::robust::certain_sign;
 
 /// Three points.
 type Points<N> = [[<N as Arithmetic>::Length; 3]; 3];
 
-/// The relation of two triangles, if their planes cross and all signs are certain.
+/// An edge of a triangle: the first or the second triangle, and the numbers of two vertices.
+pub(super) type Edge = (usize, [usize; 2]);
+
+/// The edges on which a segment begins and ends.
+pub(super) type Ends = [Edge; 2];
+
+/// Two triangles that cut the line in which their planes meet.
 ///
 /// Unless one triangle lies on one side of the other's plane, each has an apex: a vertex alone on
-/// its side. The two planes meet in a line, and on that line the two edges from each apex cut out
-/// an interval. The signs of two volumes, each spanned by an edge of either triangle, say whether
-/// the intervals meet. All volumes have the first triangle's apex as origin, and share its
-/// differences.
+/// its side. On the line of both planes the two edges from each apex cut out an interval. All
+/// volumes have the first triangle's apex as origin, and share its differences.
+struct Cut<N: Arithmetic> {
+    /// The sides of the other plane on which the vertices of each triangle lie.
+    sides: [[i8; 3]; 2],
+    /// The vertices of each triangle from its apex, in the order that puts its partner's apex above
+    /// its plane.
+    vertices: [[usize; 3]; 2],
+    /// Whether the apex of each triangle is above the plane of its partner.
+    are_above: [bool; 2],
+    /// From the apex of the first triangle to its other vertices.
+    edges: [Vector<N>; 2],
+    /// From there to the vertices of the second triangle.
+    across: [Vector<N>; 3],
+    error: N::Volume,
+}
+
+/// The cut, or else the relation of the triangles; without either a sign is in doubt, or the
+/// triangles lie in one plane.
 #[inline(always)]
-pub(super) fn crossing<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> Option<Relation> {
+fn cut<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> Result<Cut<N>, Option<Relation>> {
     let [p, q] = [first, second];
     let (e, f) = (from::<N>(&q[1], &q[0]), from::<N>(&q[2], &q[0]));
     let v = [from::<N>(&p[0], &q[0]), from::<N>(&p[1], &q[0]), from::<N>(&p[2], &q[0])];
-    let first = sides::<N, 3>([&e, &f], &v, size::<N, 3>(&v))?;
+    let first = sides::<N, 3>([&e, &f], &v, size::<N, 3>(&v)).ok_or(None)?;
     if is_one_sided(first) {
-        return Some(Relation::Disjoint);
+        return Err(Some(Relation::Disjoint));
     }
     if is_unclear::<N>(first) {
-        return None;
+        return Err(None);
     }
 
     let (i, is_first_above) = apex(first);
@@ -32,33 +53,88 @@ pub(super) fn crossing<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> 
     let (e, f) = (from::<N>(b, a), from::<N>(c, a));
     let v = [from::<N>(&q[0], a), from::<N>(&q[1], a), from::<N>(&q[2], a)];
     let reach = size::<N, 3>(&v);
-    let second = sides::<N, 3>([&e, &f], &v, reach)?;
+    let second = sides::<N, 3>([&e, &f], &v, reach).ok_or(None)?;
     if is_one_sided(second) {
-        return Some(Relation::Disjoint);
+        return Err(Some(Relation::Disjoint));
     }
     if is_unclear::<N>(second) {
-        return None;
+        return Err(None);
     }
 
-    // Each triangle in the order that puts its partner's apex above its plane.
-    let (i, is_second_above) = apex(second);
-    let (i, j, k) = turn(i);
-    let (e, f) = if is_second_above { (e, f) } else { (f, e) };
-    let (j, k) = if is_first_above { (j, k) } else { (k, j) };
-    let [u, v, w] = [i, j, k].map(|i| pick(&v, i));
-    let edges = if N::CERTAIN { N::Length::ZERO } else { larger::<N>(&e, &f) };
-    let error = error_bound::<N>([edges, reach, reach])?;
+    let (l, is_second_above) = apex(second);
+    let (l, m, n) = turn(l);
+    let (edges, j, k) = if is_second_above { ([e, f], j, k) } else { ([f, e], k, j) };
+    let (m, n) = if is_first_above { (m, n) } else { (n, m) };
+    let most = if N::CERTAIN { N::Length::ZERO } else { larger::<N>(&e, &f) };
+    Ok(Cut {
+        sides: [first, second],
+        vertices: [[i, j, k], [l, m, n]],
+        are_above: [is_first_above, is_second_above],
+        edges,
+        across: [l, m, n].map(|i| *pick(&v, i)),
+        error: error_bound::<N>([most, reach, reach]).ok_or(None)?,
+    })
+}
+
+/// The relation of two triangles, if their planes cross and all signs are certain.
+///
+/// The signs of two volumes, each spanned by an edge of either triangle, say whether the intervals
+/// meet.
+#[inline(always)]
+pub(super) fn crossing<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> Option<Relation> {
+    let Cut { sides, edges: [e, f], across: [u, v, w], error, .. } = match cut::<N>(first, second) {
+        Ok(cut) => cut,
+        Err(relation) => return relation,
+    };
     let ends = [
-        certain_sign(dot::<N>(&cross::<N>(&e, u), v), error),
-        certain_sign(dot::<N>(&cross::<N>(&f, w), u), error),
+        certain_sign(dot::<N>(&cross::<N>(&e, &u), &v), error),
+        certain_sign(dot::<N>(&cross::<N>(&f, &w), &u), error),
     ];
     if ends[0] > 0 || ends[1] > 0 {
         return Some(Relation::Disjoint);
     }
-    if ends[0] < 0 && ends[1] < 0 && straddles(first) && straddles(second) {
+    if ends[0] < 0 && ends[1] < 0 && straddles(sides[0]) && straddles(sides[1]) {
         return Some(Relation::Overlapping);
     }
     if N::CERTAIN { Some(Relation::Touching) } else { None }
+}
+
+/// The ends of the segment in which two triangles in different planes meet, along the cross product
+/// of their normals, if all signs are certain. No segment if they meet in a point or not at all.
+///
+/// Let a, b, c and d, e, f be the vertices in the order of [`Cut`]. The volume of a, x, d, y says
+/// in which order the edges a x and d y meet the line of both planes. Along the cross product of
+/// the normals, for the vertices in this order, the first triangle's interval goes from c to b, and
+/// the second triangle's from e to f.
+#[inline(always)]
+pub(super) fn ends<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> Option<Option<Ends>> {
+    let cut = match cut::<N>(first, second) {
+        Ok(cut) => cut,
+        Err(None) if !N::CERTAIN => return None,
+        Err(_) => return Some(None),
+    };
+    let Cut { sides, vertices: [[a, b, c], [d, e, f]], edges, across: [u, v, w], error, .. } = cut;
+    // An apex in the other plane is the only point of its triangle there.
+    if *pick(&sides[0], a) == 0 || *pick(&sides[1], d) == 0 {
+        return Some(None);
+    }
+    let [to_b, to_c] = edges.map(|edge| cross::<N>(&edge, &u));
+    let order = |to: &[N::Area; 3], vertex: &Vector<N>| certain_sign(dot::<N>(to, vertex), error);
+    let (be, cf) = (order(&to_b, &v), order(&to_c, &w));
+    if be > 0 || cf < 0 {
+        return Some(None);
+    }
+    let (bf, ce) = (order(&to_b, &w), order(&to_c, &v));
+    if be == 0 || cf == 0 {
+        return if N::CERTAIN { Some(None) } else { None };
+    }
+    if !N::CERTAIN && (bf == 0 || ce == 0) {
+        return None;
+    }
+    let from = if ce > 0 { (1, [d, e]) } else { (0, [a, c]) };
+    let to = if bf > 0 { (0, [a, b]) } else { (1, [d, f]) };
+    let is_along = cut.are_above[0] == cut.are_above[1];
+    Some(Some(if is_along { [from, to] } else { [to, from] }))
 }
 
 /// Whether the first triangle certainly lies on one side of the plane of the second.

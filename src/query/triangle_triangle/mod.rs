@@ -4,6 +4,7 @@
 //! most eight signs of volumes decide.
 
 mod kernel;
+mod segment;
 
 use self::kernel::{crossing, is_beyond};
 use super::Overlaps;

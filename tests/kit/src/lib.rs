@@ -7,6 +7,7 @@
 //! | the same: touching or overlapping | [`contact::truth`] | |
 //! | triangle and oriented box | [`Oriented::truth`] | [`Oriented::case`] |
 //! | triangle, segment or point and triangle | [`flat::FlatCase::truth`] | [`flat::FlatSet`] |
+//! | the segment of two triangles | [`flat::FlatCase::check_crossing`]: fractions | |
 //! | box and oriented box | [`boxes::BoxCase::meets`] | [`boxes::BoxSet`] |
 //! | two axis-aligned boxes, a box and a point | [`aabbs::AabbPair::truth`] | [`aabbs::AabbSet`] |
 //! | shapes in each other | [`contacts::ContactCase::check`] | [`contacts::ContactSet`] |

@@ -1,6 +1,7 @@
 //! Triangles, segments and points against triangles: a case, and the oracle.
 
 mod axes;
+mod crossing;
 mod grid;
 mod oracle;
 mod sets;
@@ -13,6 +14,7 @@ use septum::relation::{Relate, Relation};
 use septum::{Segment, Triangle};
 
 use super::exact::Parts;
+use super::rays::Fraction;
 use super::sample::Sample;
 
 pub type Point<S> = [S; 3];
@@ -100,6 +102,39 @@ impl<S: Sample> FlatCase<S> {
     fn of_segment(segment: &Segment<S>, triangle: &Triangle<S>) -> (Vec<bool>, bool) {
         let answers = vec![segment.overlaps(triangle), triangle.overlaps(segment)];
         (answers, segment.may_overlap(triangle))
+    }
+
+    /// Checks whether two triangles cross in a segment, and where it lies. Returns the coordinates
+    /// of its ends, each beside the true one; `None` if they do not cross, or if the shape is no
+    /// triangle.
+    ///
+    /// # Panics
+    /// If the verdict is wrong, if another order of the triangles or of their vertices gives another
+    /// segment, or if an end is outside of a bounding box.
+    pub fn check_crossing(&self) -> Option<[[(S, Fraction); 3]; 2]> {
+        let Flat::Triangle(first) = self.flat else { return None };
+        let triangles = [first, self.triangle];
+        let truth = crossing::crossing(triangles.map(|t| t.map(|p| p.map(S::mantissa_exponent))));
+        let [first, second] =
+            triangles.map(|[a, b, c]| Triangle::new(a, b, c).expect("finite vertices"));
+        let ends = |a: &Triangle<S>, b: &Triangle<S>| a.crossing(b).and_then(|s| s.ends());
+        let found = ends(&first, &second);
+        assert_eq!(found.is_some(), truth.is_some(), "{self:?}");
+        let back = found.map(|(p, q)| (q, p));
+        assert_eq!(ends(&second, &first), back, "{self:?}");
+        let [[a, b, c], [d, e, f]] = triangles;
+        let turned = |a, b, c| Triangle::new(a, b, c).expect("finite vertices");
+        assert_eq!(ends(&turned(b, c, a), &turned(f, d, e)), found, "{self:?}");
+        assert_eq!(ends(&turned(b, a, c), &second), back, "{self:?}");
+        let (from, to) = found?;
+        let boxes = [first.aabb(), second.aabb()];
+        assert!([from, to].iter().all(|&p| boxes.iter().all(|b| b.contains(p))), "{self:?}");
+        let mut truth = truth?.into_iter();
+        let beside = [from, to].map(|end| {
+            let mut truth = truth.next().expect("two ends").into_iter();
+            end.to_array().map(|x| (x, truth.next().expect("three coordinates")))
+        });
+        Some(beside)
     }
 
     /// Checks all answers against the oracle, and returns its relation.

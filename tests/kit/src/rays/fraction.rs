@@ -16,7 +16,7 @@ pub struct Fraction {
 }
 
 impl Fraction {
-    pub(super) fn new(num: IBig, den: IBig, exponent: i32) -> Self {
+    pub(crate) fn new(num: IBig, den: IBig, exponent: i32) -> Self {
         match den.sign() {
             dashu_int::Sign::Positive => Self { num, den, exponent },
             dashu_int::Sign::Negative => Self { num: -num, den: -den, exponent },
