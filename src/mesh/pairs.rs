@@ -82,7 +82,7 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     /// let pin = Tree::build(Mesh::new(&pin, &[[0_u16, 1, 2]])?, &mut c, &mut d)?;
     ///
     /// let flow = floor.crossings(&pin, |i, k, segment| ControlFlow::Break((i, k, segment)));
-    /// let segment = Segment::new([1.0, 1.0, 0.0], [2.0, 1.0, 0.0])?;
+    /// let segment = Segment::new([2.0, 1.0, 0.0], [1.0, 1.0, 0.0])?;
     /// assert_eq!(flow, ControlFlow::Break((0, 0, segment)));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

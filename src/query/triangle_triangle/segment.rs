@@ -36,9 +36,10 @@ impl<S: Scalar> Triangle<S> {
     /// it ends. Each end is the crossing of an edge p q and a plane: (h·q − k·p)/(h − k), with the
     /// volumes h of p and k of q over the plane's triangle. Numerators and h − k are exact sums,
     /// and each coordinate is one quotient. In fixed point it is the nearest number, ties to even.
-    /// In floats the quotient is cut to 62 bits or more and then rounded, so that it is within 0.51
-    /// units in the last place, and below the least normal number within 0.76. An end at a vertex is that
-    /// vertex. Both ends lie in the bounding boxes of both triangles, and may be equal once rounded.
+    /// In floats the quotient is cut to at least 62 bits, with an error below 2⁻⁶¹ of it, and then
+    /// rounded: it is within 0.51 units in the last place. Below the least normal number it is
+    /// rounded twice, and within 0.76 units. An end at a vertex is that vertex. The ends lie in the
+    /// bounding boxes of both triangles, and may be equal once rounded.
     ///
     /// An edge that two triangles of a mesh share crosses a plane in one point with the same bits
     /// for both, so the segments of adjacent triangles join without a gap.
@@ -71,7 +72,7 @@ impl<S: Scalar> Triangle<S> {
     }
 }
 
-/// Where an edge of one of the triangles crosses the plane of the other.
+/// The point in which an edge of either triangle crosses the opposite plane.
 #[inline(never)]
 fn crossing<S: Scalar>(triangles: [&Triangle<S>; 2], (of, ends): (usize, [usize; 2])) -> Vec3<S> {
     let [first, second] = triangles.map(Triangle::points);
