@@ -297,7 +297,7 @@ impl Face {
 
     /// The point of the face that meets `to` across the normal, if there is one. Edges come first,
     /// and of those the edge farthest against `outward`: a face seen edge-on has several such
-    /// points.
+    /// points. If that edge lies beyond `to`, a point within the face may not.
     pub(super) fn meets(&self, to: &Corner, view: &View, outward: &Vec64) -> Option<Corner> {
         // Small cores do without, for size.
         let is_within = if REGISTERS_ARE_WIDE { self.within(to, view) } else { None };
@@ -312,7 +312,7 @@ impl Face {
                 lowest = Some(at);
             }
         }
-        if lowest.is_some() {
+        if lowest.is_some_and(|at| dot(&minus(&to.at, &at.at), outward) >= -view.tolerance) {
             return lowest;
         }
         let [a, b] = [&self.corners[1], &self.corners[(self.count - 1) % CORNERS]];

@@ -69,6 +69,7 @@ impl Pairs {
         self.pairs.iter().take(self.count)
     }
 
+    /// A depth below zero is a rounding error.
     fn add(&mut self, pair: Pair, tolerance: f64) {
         let is_near = |other: &Pair| {
             let apart = |n: usize| largest(&minus(&pair.at[n], &other.at[n]));
@@ -78,7 +79,7 @@ impl Pairs {
             return;
         }
         if let Some(place) = self.pairs.get_mut(self.count) {
-            *place = pair;
+            *place = Pair { depth: greatest(pair.depth, 0.0), ..pair };
             self.count += 1;
         }
     }
@@ -232,7 +233,6 @@ fn clip(view: &View, [reference, incident]: [&Face; 2], outward: &Vec64) -> Pair
     let mut add = |[below, at]: [&Corner; 2], parts: [Part; 2]| {
         let depth = dot(&minus(&below.at, &at.at), outward);
         if depth >= -view.tolerance {
-            let depth = greatest(depth, 0.0);
             found.add(Pair { at: [below.at, at.at], depth, parts }, view.tolerance);
         }
     };
