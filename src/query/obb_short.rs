@@ -182,6 +182,9 @@ pub(super) fn ray<S: Scalar + InRaw>(ray: &Ray<S>, obb: &Obb<S>) -> Option<bool>
         let Some(t) = t else { return Some(if is_last { beyond } else { backward }) };
         let [d] = d;
         let t: i64 = t.raw().into();
+        if t == 0 {
+            return Some([0; 3]);
+        }
         let at = products([t], [d], S::FRACTION_BITS);
         // At least 2^(t's bits − 1) times 2^(d's bits − 1).
         let is_far = t != 0 && bits(&[[t, 0, 0]]) + bits(&[d]) - S::FRACTION_BITS - 2 >= reach;

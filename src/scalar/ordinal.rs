@@ -11,7 +11,7 @@ pub(crate) trait Ordinal: Copy {
 
     /// The number between `from` and `to` that is as far from `from`, as a part of the distance, as
     /// x is on the way from a to b. Fixed point rounds it toward `from`. Floats compute `from + (to
-    /// − from)·((x − a)/(b − a))` in `f64`.
+    /// − from)·((x − a)/(b − a))` in `f64`, from halves of all numbers if a difference overflows.
     fn between(from: Self, to: Self, way: [Self; 3]) -> Self;
 
     /// The number that is a part `t` of the way from `from` to `to`, rounded likewise. Parts below

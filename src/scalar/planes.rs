@@ -22,8 +22,8 @@ pub(crate) trait Planes: Copy {
     fn origin_before(self, step: Self, k: u32) -> Option<Self>;
 
     /// The number of the first plane not below `to`, or close to it where rounding makes planes
-    /// coincide.
-    fn first_plane_above(origin: Self, step: Self, to: Self) -> u32;
+    /// coincide. `None` if a float cannot hold the distance from the origin.
+    fn first_plane_above(origin: Self, step: Self, to: Self) -> Option<u32>;
 
     /// The greatest distance, in steps, of a plane from its exact position, for up to `count`
     /// steps; at most one half. Or the reason why these planes do not exist.
@@ -66,17 +66,19 @@ macro_rules! float {
                 origin.is_finite().then_some(origin)
             }
 
-            fn first_plane_above(origin: Self, step: Self, to: Self) -> u32 {
+            fn first_plane_above(origin: Self, step: Self, to: Self) -> Option<u32> {
+                let length = to - origin;
                 // Rounded down, and off by less than one.
-                let k = ((to - origin) / step) as u32;
+                let k = (length / step) as u32;
                 let is_below = |k: u32| Self::plane(origin, step, k) < to;
-                if !is_below(k.saturating_sub(1)) {
+                let k = if !is_below(k.saturating_sub(1)) {
                     k.saturating_sub(1)
                 } else if is_below(k) {
                     k.saturating_add(1 + u32::from(is_below(k.saturating_add(1))))
                 } else {
                     k
-                }
+                };
+                length.is_finite().then_some(k)
             }
 
             fn check_planes(origin: Self, step: Self, count: u32) -> Result<f64, PlanesError> {
@@ -134,11 +136,11 @@ macro_rules! fixed {
                 $raw::try_from(i128::from(self.to_bits()) - offset).ok().map(Self::from_bits)
             }
 
-            fn first_plane_above(origin: Self, step: Self, to: Self) -> u32 {
+            fn first_plane_above(origin: Self, step: Self, to: Self) -> Option<u32> {
                 let length = i128::from(to.to_bits()) - i128::from(origin.to_bits());
                 let step = i128::from(step.to_bits());
                 let planes = (length + step - 1).checked_div(step);
-                planes.and_then(|k| u32::try_from(k).ok()).unwrap_or(u32::MAX)
+                planes.map(|k| u32::try_from(k).unwrap_or(u32::MAX))
             }
 
             fn check_planes(origin: Self, step: Self, count: u32) -> Result<f64, PlanesError> {

@@ -93,8 +93,9 @@ impl<S: Scalar> Grid<S> {
     }
 
     /// Makes a grid of cubes around a box. The longest side of the box spans `resolution` voxels:
-    /// one more where floats round planes, fewer where fixed point rounds the cell up. On each side
-    /// of the box, the grid has `margin` more layers of voxels.
+    /// one more where floats round planes, fewer where fixed point rounds the cell up, and more or
+    /// fewer if the cell is subnormal. On each side of the box, the grid has `margin` more layers of
+    /// voxels.
     ///
     /// The cells have the longest side over `resolution` as their size, rounded up in fixed point.
     /// The grid begins with the least corner of [`Aabb::min_max`], less the margin, and ends with
@@ -137,6 +138,7 @@ impl<S: Scalar> Grid<S> {
         for i in 0..3 {
             origin[i] = S::origin_before(from[i], cell, margin).ok_or(GridError::OutOfRange)?;
             let end = S::first_plane_above(origin[i], cell, to[i]);
+            let end = end.ok_or(GridError::OutOfRange)?;
             // At least one voxel, also where the box is flat.
             count[i] = end.max(margin.saturating_add(1)).saturating_add(margin);
         }

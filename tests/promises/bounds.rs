@@ -127,6 +127,8 @@ fn bad_grids_around() {
     let aabb = |side: f32| Aabb::from_min_max([0.0; 3], [side, 0.0, 0.0]).unwrap();
     assert_eq!(Grid::around(&aabb(1.0), 0, 1), Err(GridError::NoVoxels));
     assert_eq!(Grid::around(&aabb(0.0), 9, 1), Err(GridError::CellNotPositive));
+    // The distance from the origin, two voxels before the box, is no number.
+    assert_eq!(Grid::around(&aabb(f32::MAX), 100, 2), Err(GridError::OutOfRange));
     let wide = Aabb::from_min_max([f32::MIN; 3], [f32::MAX; 3]).unwrap();
     assert_eq!(Grid::around(&wide, 9, 0), Err(GridError::OutOfRange));
     let far = Aabb::from_center_half_extents([f32::MAX; 3], [f32::MAX; 3]).unwrap();

@@ -108,6 +108,20 @@ fn every_line_on_a_grid() {
     assert!(met > 500 && asked - met > 500, "{met} of {asked}");
 }
 
+/// The numbers of the origin are zero, however long the direction.
+#[test]
+fn a_long_ray_from_zero() {
+    let unit = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+    let unit = unit.map(|axis| Vec3::from(axis.map(I64F0::from_num)));
+    let zero = [I64F0::ZERO; 3];
+    let obb = Obb::from_skewed_axes(zero, unit, [I64F0::ONE; 3]).unwrap();
+    for bits in 0..63 {
+        let way = [I64F0::from_bits(1 << bits), I64F0::ZERO, I64F0::ZERO];
+        let ray = Ray::new(zero, way).unwrap();
+        assert!(ray.overlaps(&obb) && ray.t_range_obb(&obb).unwrap().0 == 0, "{bits}");
+    }
+}
+
 #[test]
 fn ends_of_a_range_count() {
     let obb = Obb::from_turns([0.0_f64; 3], [0.125, 0.25, 0.0], [1.0, 2.0, 3.0]).unwrap();

@@ -27,8 +27,8 @@ fn agrees<W: Word>(filled: [W; 2]) {
             for x in 0..size[0] {
                 for y in 0..size[1] {
                     for z in 0..size[2] {
-                        let is_set = rng.one_in(3);
-                        bits.set([x, y, z], is_set);
+                        let (was_set, is_set) = (bits.contains([x, y, z]), rng.one_in(3));
+                        assert_eq!(bits.set([x, y, z], is_set), was_set);
                         assert_eq!(bits.set([x, y, z], is_set), is_set);
                         if is_set {
                             set.insert([z, y, x]);
@@ -93,6 +93,8 @@ fn sets_of_different_grids_are_refused() {
         let mut bits = Bits::new(&whole, &mut a).unwrap();
         let other = Bits::new(&other, &mut b).unwrap();
         assert_eq!(bits.union_with(&other), Err(DifferentGrids));
+        assert_eq!(bits.intersect_with(&other), Err(DifferentGrids));
+        assert_eq!(bits.difference_with(&other), Err(DifferentGrids));
         assert_eq!(bits.is_disjoint(&other), Err(DifferentGrids));
     }
 }

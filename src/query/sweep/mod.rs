@@ -57,8 +57,10 @@ impl<S: Scalar> FirstContact<S> {
     /// for two boxes it is either box. A box in place of the triangle has no slanted axes, and the
     /// normal is then zero.
     ///
-    /// *Numerics*: [`Axis::vector`] of the axis, rounded as described there. The sign is exact: the
-    /// motion leads against the normal, unless a component wraps in fixed point. *Panics*: never. *Cost*: for a slanted axis an exact sum.
+    /// *Numerics*: [`Axis::vector`] of the axis, rounded as described there, with the sign by which
+    /// the motion leads against the exact axis. A motion that grazes may be perpendicular to the
+    /// rounded vector or lead slightly along it; in fixed point the vector of a small triangle may
+    /// be zero, and a component may wrap. *Panics*: never. *Cost*: for a slanted axis an exact sum.
     ///
     /// ```
     /// use septum::sweep::{Motion, Sweep};

@@ -233,3 +233,34 @@ fn shapes_as_large_as_the_range_have_points() {
     let line = AnyBox::Aabb(BoxNumbers::Center([0.0, next, -least], half));
     checked(Solid::Triangle(vertices), Solid::Box(line));
 }
+
+/// A corner of the triangle lies over a steep face, nearer than rounding to an edge beyond it.
+#[test]
+fn a_corner_beyond_an_edge_meets_the_steep_face() {
+    let at = |p: [f64; 3]| p.map(I32F32::from_num);
+    let a = [0.0000000065, -0.0000000005, -0.0017672337];
+    let b = [0.000043045, -0.0000000002, -0.0240150706];
+    let c = [-0.0000375984, -14549.0974768132, -0.0000000014];
+    let least = [-6.2370450194, -88613751.1559123893, -0.0000037912];
+    let second = aabb(least, [0.000000681, 0.0025057397, 207461850.8795511234]);
+    let case = ContactCase { first: Solid::Triangle([a, b, c].map(at)), second };
+    let mut count = 0;
+    check(&case, InteriorEdges::new([true; 3]), |_, _| count += 1);
+    assert_eq!(count, 2);
+}
+
+/// No two faces touch in floats, and the depth of the deepest corners is rounded below zero.
+#[test]
+fn no_depth_is_below_zero() {
+    let (most, next, least) = (f64::MAX, f64::MAX.next_down(), f64::from_bits(1));
+    let (below, above) = (1.0_f64.next_down(), 1.0_f64.next_up());
+    let first = Solid::Triangle([
+        [above, least, below],
+        [-least, 0.0, -most],
+        [-least, -least, next.next_down()],
+    ]);
+    let axes = [[2.0 * least, -most, above], [2.0 * least, above, next], [0.0, -least, below]];
+    let center = [2.0 * least, -2.0 * least, 2.0 * least];
+    let half = [least, 2.0 * least, 0.0];
+    checked(first, Solid::Box(AnyBox::Obb(ObbNumbers { center, axes, half })));
+}
