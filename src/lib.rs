@@ -154,17 +154,18 @@
 extern crate alloc;
 
 // The order of modules sets the order of methods on the shapes' pages: constructors, `overlaps`,
-// exact queries, the rest.
+// exact queries, the rest; and on the page of `Tree`.
 mod shape;
 
 mod query;
+
+pub mod mesh;
 
 mod arithmetic;
 pub mod broad_phase;
 pub mod contact;
 pub mod interop;
 pub mod lanes;
-pub mod mesh;
 #[cfg(feature = "fixed")]
 pub mod near;
 pub mod polygon;
