@@ -1,8 +1,9 @@
 //! All pairs of boxes that overlap.
 
+use super::BoxTree;
 use super::overlapping::sorted;
-use super::{Bounded, BoxTree};
 use crate::mesh::node::{Cell, LEVELS};
+use crate::mesh::overlapping::sealed::Bounded;
 use crate::mesh::{Index, MeshError};
 use crate::scalar::Scalar;
 
