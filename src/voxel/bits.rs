@@ -14,9 +14,6 @@ use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
 mod set;
-mod sets;
-
-pub use sets::{DifferentGrids, Voxels};
 
 /// Whether the machine computes with vectors of four floats.
 const HAS_VECTORS: bool = ForEach::IS_VECTOR;
@@ -75,9 +72,9 @@ impl<S: Copy> Grid<S> {
 /// ```
 #[derive(Debug)]
 pub struct Bits<'a, S, W> {
-    grid: Grid<S>,
-    row_words: usize,
-    words: &'a mut [W],
+    pub(super) grid: Grid<S>,
+    pub(super) row_words: usize,
+    pub(super) words: &'a mut [W],
 }
 
 /// Error: a slice has fewer words than a grid needs.
@@ -177,14 +174,14 @@ impl<'a, S: Scalar, W: Word> Bits<'a, S, W> {
     }
 
     #[inline]
-    fn has(&self, [x, y, z]: [u32; 3]) -> bool {
+    pub(super) fn has(&self, [x, y, z]: [u32; 3]) -> bool {
         let [nx, ny, nz] = self.grid.resolution();
         x < nx && y < ny && z < nz
     }
 
     /// The number of bits beyond the grid in the last word of a row.
     #[inline]
-    fn beyond(&self) -> u32 {
+    pub(super) fn beyond(&self) -> u32 {
         self.row_words as u32 * W::BITS - self.grid.resolution()[0]
     }
 

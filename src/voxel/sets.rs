@@ -2,10 +2,10 @@
 
 use core::fmt;
 
-use super::Bits;
+use super::bits::Bits;
+use super::word::Word;
 use crate::scalar::Scalar;
 use crate::shape::Aabb;
-use crate::voxel::word::Word;
 
 /// Error: two sets of voxels belong to different grids.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
