@@ -241,8 +241,8 @@ fn a_corner_beyond_an_edge_meets_the_steep_face() {
     let a = [0.0000000065, -0.0000000005, -0.0017672337];
     let b = [0.000043045, -0.0000000002, -0.0240150706];
     let c = [-0.0000375984, -14549.0974768132, -0.0000000014];
-    let least = [-6.2370450194, -88613751.1559123893, -0.0000037912];
-    let second = aabb(least, [0.000000681, 0.0025057397, 207461850.8795511234]);
+    let least = [-6.2370450194, -88_613_751.155_912_38, -0.0000037912];
+    let second = aabb(least, [0.000000681, 0.0025057397, 207_461_850.879_551_1]);
     let case = ContactCase { first: Solid::Triangle([a, b, c].map(at)), second };
     let mut count = 0;
     check(&case, InteriorEdges::new([true; 3]), |_, _| count += 1);
