@@ -108,9 +108,9 @@ fn every_line_on_a_grid() {
     assert!(met > 500 && asked - met > 500, "{met} of {asked}");
 }
 
-/// The numbers of the origin are zero, however long the direction.
+/// The ray begins at zero times its direction, however long that is.
 #[test]
-fn a_long_ray_from_zero() {
+fn a_long_ray_from_its_origin() {
     let unit = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
     let unit = unit.map(|axis| Vec3::from(axis.map(I64F0::from_num)));
     let zero = [I64F0::ZERO; 3];
