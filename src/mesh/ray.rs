@@ -38,11 +38,57 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     /// [`first_hit`](Self::first_hit) under other rules, such as culling.
     #[must_use]
     pub fn first_hit_with(&self, ray: &Ray<S>, rules: HitRules) -> Option<(usize, Hit<S>)> {
+        self.first_hit_where(ray, rules, |_, _| true)
+    }
+
+    /// The first hit for which `accepts` returns `true`: past the triangle from which the ray
+    /// starts, past layers that do not matter, or through holes of a texture, by u and v of the hit.
+    ///
+    /// *Contact*, *Numerics*: as [`first_hit`](Self::first_hit), among the accepted hits. *Panics*:
+    /// never, unless `accepts` does.
+    ///
+    /// *Cost*: as [`first_hit`](Self::first_hit), with the first accepted hit in place of the first.
+    /// `accepts` is called for each hit that would be first so far. Their order depends on the tree,
+    /// but the result does not, if each hit always gets the same verdict. For any accepted hit, in
+    /// place of the first, see [`hits`](Self::hits).
+    ///
+    /// ```
+    /// use septum::mesh::{Mesh, Node, Tree};
+    /// use septum::{HitRules, Ray, Vec3};
+    ///
+    /// // Two sheets, one above the other.
+    /// let corners = [
+    ///     [0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0],
+    ///     [0.0, 0.0, 1.0], [4.0, 0.0, 1.0], [0.0, 4.0, 1.0],
+    /// ].map(Vec3::from);
+    /// let mesh = Mesh::new(&corners, &[[0_u16, 1, 2], [3, 4, 5]])?;
+    /// let (mut nodes, mut order) = ([Node::EMPTY], [0; 2]);
+    /// let tree = Tree::build(mesh, &mut nodes, &mut order)?;
+    ///
+    /// let down = Ray::new([1.0, 1.0, 3.0], [0.0, 0.0, -1.0])?;
+    /// assert_eq!(tree.first_hit(&down).unwrap().0, 1);
+    /// let below = tree.first_hit_where(&down, HitRules::new(), |i, _| i != 1);
+    /// assert_eq!(below.map(|(i, hit)| (i, hit.t)), Some((0, 3.0)));
+    /// assert!(tree.hits(&down).any(|(i, _)| i != 1)); // any accepted hit
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[doc(alias = "raycast")]
+    #[doc(alias = "predicate")]
+    #[doc(alias = "filter")]
+    #[must_use]
+    pub fn first_hit_where(
+        &self,
+        ray: &Ray<S>,
+        rules: HitRules,
+        mut accepts: impl FnMut(usize, &Hit<S>) -> bool,
+    ) -> Option<(usize, Hit<S>)> {
         let mut descent = Descent::new(&self.grid, ray);
         let mut best: Option<(usize, Hit<S>)> = None;
         self.descend(&mut descent, |descent, i| {
             let Some(hit) = ray.hit_with(&self.mesh.known(i), rules) else { return };
-            if best.is_none_or(|best| self.is_before(ray, (i, &hit), (best.0, &best.1))) {
+            let is_first =
+                best.is_none_or(|best| self.is_before(ray, (i, &hit), (best.0, &best.1)));
+            if is_first && accepts(i, &hit) {
                 descent.limit(hit.t);
                 best = Some((i, hit));
             }

@@ -45,13 +45,32 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
         aabb: &Aabb<S>,
         motion: &Motion<S>,
     ) -> Option<(usize, FirstContact<S>)> {
+        self.first_contact_where(aabb, motion, |_, _| true)
+    }
+
+    /// The first contact for which `accepts` returns `true`: past triangles that do not matter, or
+    /// past contacts at the start.
+    ///
+    /// *Contact*, *Numerics*: as [`first_contact`](Self::first_contact), among the accepted contacts.
+    /// *Panics*: never, unless `accepts` does. *Cost*: as
+    /// [`first_hit_where`](Self::first_hit_where).
+    #[doc(alias = "time of impact")]
+    #[doc(alias = "predicate")]
+    #[doc(alias = "filter")]
+    #[must_use]
+    pub fn first_contact_where(
+        &self,
+        aabb: &Aabb<S>,
+        motion: &Motion<S>,
+        mut accepts: impl FnMut(usize, &FirstContact<S>) -> bool,
+    ) -> Option<(usize, FirstContact<S>)> {
         let mut best: Option<(usize, FirstContact<S>)> = None;
         self.descend(&mut Moving::new(&self.grid, aabb, motion), |moving, i| {
             let Some(first) = aabb.first_contact(motion, &self.mesh.known(i)) else { return };
             let is_before = |(j, other): (usize, FirstContact<S>)| {
                 first.t < other.t || first.t == other.t && i < j
             };
-            if best.is_none_or(is_before) {
+            if best.is_none_or(is_before) && accepts(i, &first) {
                 moving.limit(first.t);
                 best = Some((i, first));
             }

@@ -12,7 +12,7 @@ use core::ops::ControlFlow;
 
 use septum::contact::{InteriorEdges, Shape, contact_in_mesh};
 use septum::mesh::{Mesh, MeshError, Probe, Tree};
-use septum::{Aabb, Cull, HitRules, Obb, Ray, Segment, Triangle};
+use septum::{Aabb, Cull, Hit, HitRules, Obb, Ray, Segment, Triangle};
 use septum_kit::{Rng, Sample, for_scalars, rays};
 
 use self::edges::{contacts_are_the_first, hits_are_in_true_order};
@@ -200,7 +200,7 @@ fn rays_of<S: Sample>(scene: &Scene<S>, rng: &mut Rng) -> Vec<Ray<S>> {
 }
 
 fn rays_hit_as_one_by_one<S: Sample>() {
-    let (mut rng, mut count) = (Rng::new(82), [0; 2]);
+    let (mut rng, mut count) = (Rng::new(82), [0; 3]);
     let all_rules = [HitRules::new(), HitRules::new().once(), HitRules::new().culling(Cull::Back)];
     for mut scene in scenes::all::<S>() {
         let rays = rays_of(&scene, &mut rng);
@@ -220,16 +220,28 @@ fn rays_hit_as_one_by_one<S: Sample>() {
             assert_eq!(tree.is_hit_with(ray, rules), !expected.is_empty(), "{name}: {ray:?}");
             // The first in true order; at one point, the lowest index in the mesh.
             let of = |i: usize| mesh.triangle(i).expect("it was hit");
-            let first = expected.iter().copied().reduce(|a, b| {
+            let sooner = |a: (usize, Hit<S>), b: (usize, Hit<S>)| {
                 let order = ray.compare_hits(&of(a.0), &of(b.0)).expect("both are hit");
                 if order.is_gt() { b } else { a }
-            });
+            };
+            let first = expected.iter().copied().reduce(sooner);
             assert_eq!(tree.first_hit_with(ray, rules), first, "{name}: {ray:?}");
+            // Of those that a predicate accepts: a third of the triangles pass, or one half of each.
+            for half in [false, true] {
+                let accepts = |i: usize, hit: &Hit<S>| {
+                    if half { hit.u < hit.v } else { (i + k) % 3 == 0 }
+                };
+                let accepted = expected.iter().copied().filter(|(i, hit)| accepts(*i, hit));
+                let first = accepted.reduce(sooner);
+                let found = tree.first_hit_where(ray, rules, accepts);
+                assert_eq!(found, first, "{name}: {ray:?}");
+                count[2] += usize::from(first.is_some());
+            }
             count[0] += expected.len();
             count[1] += usize::from(expected.len() > 1);
         }
     }
-    assert!(count[0] > 1_000 && count[1] > 200, "{count:?}");
+    assert!(count[0] > 1_000 && count[1] > 200 && count[2] > 200, "{count:?}");
 }
 
 /// Compares a tree's answer with the oracle.

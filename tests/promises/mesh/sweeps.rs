@@ -9,7 +9,7 @@ use super::{boxes, scenes};
 /// Boxes of all sizes that move between points of the scene; some move along an axis, and some not
 /// at all.
 pub(super) fn boxes_meet_first_as_one_by_one<S: Sample>() {
-    let (mut rng, mut count) = (Rng::new(95), [0; 3]);
+    let (mut rng, mut count) = (Rng::new(95), [0; 4]);
     for mut scene in scenes::all::<S>() {
         let (mut aabbs, _) = boxes(&scene, &mut rng);
         aabbs.truncate(60);
@@ -35,11 +35,19 @@ pub(super) fn boxes_meet_first_as_one_by_one<S: Sample>() {
             let all = all.filter_map(|(i, t)| Some((i, aabb.first_contact(motion, &t)?)));
             type Found<S> = (usize, FirstContact<S>);
             let sooner = |a: Found<S>, b: Found<S>| if b.1.t < a.1.t { b } else { a };
-            let first = all.inspect(|_| count[0] += 1).reduce(sooner);
+            let all: Vec<_> = all.inspect(|_| count[0] += 1).collect();
+            let first = all.iter().copied().reduce(sooner);
             assert_eq!(tree.first_contact(aabb, motion), first, "{name}: {aabb:?} {motion:?}");
+            // Of those that a predicate accepts.
+            let accepts = |i: usize, first: &FirstContact<S>| first.axis.is_some() && i % 3 != 0;
+            let accepted = all.iter().copied().filter(|(i, first)| accepts(*i, first));
+            let found = tree.first_contact_where(aabb, motion, accepts);
+            let expected = accepted.reduce(sooner);
+            assert_eq!(found, expected, "{name}: {aabb:?} {motion:?}");
+            count[3] += usize::from(expected.is_some());
             count[1] += usize::from(first.is_some());
             count[2] += usize::from(first.is_some_and(|(_, first)| first.t > S::ZERO));
         }
     }
-    assert!(count[0] > 2_000 && count[1] > 200 && count[2] > 40, "{count:?}");
+    assert!(count[0] > 2_000 && count[1] > 200 && count[2] > 40 && count[3] > 40, "{count:?}");
 }
