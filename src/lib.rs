@@ -48,8 +48,8 @@
 //! | box or oriented box, oriented box | [`overlaps`][obb-obb] | [`may_overlap`][obb-obb] |
 //! | plane, box | [`overlaps`][plane-aabb], [`side_of`](Plane::side_of) | the same |
 //! | segment, box | [`overlaps`][segment-aabb] | [`may_overlap`][segment-aabb] |
-//! | ray, box | [`overlaps`][ray-aabb], [`t_range`](Ray::t_range) | [`may_overlap`][ray-aabb] |
-//! | ray or segment, oriented box | [`overlaps`][ray-obb], [`t_range_obb`](Ray::t_range_obb) | [`may_overlap`][ray-obb] |
+//! | ray, box | [`overlaps`][ray-aabb], [`t_range`](Ray::t_range), [`crossings`](Ray::crossings) | [`may_overlap`][ray-aabb] |
+//! | ray or segment, oriented box | [`overlaps`][ray-obb], [`t_range_obb`](Ray::t_range_obb), [`crossings_obb`](Ray::crossings_obb) | [`may_overlap`][ray-obb] |
 //! | triangle, many boxes | [`PreparedTriangle::overlaps`](prepared::PreparedTriangle::overlaps) | |
 //! | many rays, many triangles | [`HitRay::hit`](prepared::HitRay::hit), [`HitRay::is_hit`](prepared::HitRay::is_hit) | |
 //! | ray, many boxes | [`PreparedRay::overlaps`](prepared::PreparedRay::overlaps) | [`SlabRay::may_overlap`](published::slabs::SlabRay::may_overlap) |
@@ -179,7 +179,7 @@ mod scalar;
 pub mod sweep;
 pub mod voxel;
 
-pub use query::{Axis, Cull, Facing, Feature, HasAxes, Hit, HitRules, Side};
+pub use query::{Axis, Crossing, Cull, Facing, Feature, HasAxes, Hit, HitRules, Side};
 pub use scalar::Scalar;
 pub use shape::{Aabb, Obb, Overlaps, Plane, Ray, Segment, ShapeError, Triangle, Vec3};
 

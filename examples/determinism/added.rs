@@ -95,6 +95,7 @@ pub(super) fn crossings<S: Draw, A: Answers>(
         for aabb in aabbs {
             answers.to(Query::RayAabbPrepared).yes(prepared.overlaps(aabb));
             answers.to(Query::RayAabbLimited).range(limited.t_range(aabb));
+            answers.to(Query::RayAabbCrossings).crossings(prepared.crossings(aabb), aabb);
         }
     }
 }

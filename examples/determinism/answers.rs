@@ -3,7 +3,7 @@
 use septum::lanes::{Hits, Ranges};
 use septum::relation::Relation;
 use septum::sweep::FirstContact;
-use septum::{Axis, Facing, Feature, Hit, Segment, Vec3};
+use septum::{Axis, Crossing, Facing, Feature, HasAxes, Hit, Segment, Vec3};
 
 use super::super::draw::Draw;
 use super::queries::Query;
@@ -66,6 +66,19 @@ impl Hash {
         let ends = segment.and_then(|segment| segment.ends());
         self.vector(ends.map(|(from, _)| from));
         self.vector(ends.map(|(_, to)| to));
+    }
+
+    pub(crate) fn crossings<S: Draw>(
+        &mut self,
+        found: Option<[Crossing<S>; 2]>,
+        shape: &impl HasAxes<S>,
+    ) {
+        self.yes(found.is_some());
+        for crossing in found.iter().flatten() {
+            self.number(crossing.t);
+            self.byte(crossing.face.unwrap_or(0xff));
+            self.vector(crossing.normal(shape));
+        }
     }
 
     pub(crate) fn contact<S: Draw>(&mut self, first: Option<FirstContact<S>>) {

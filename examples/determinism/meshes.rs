@@ -97,6 +97,11 @@ pub(super) fn all<S: Draw, A: Answers>(
         let told = answers.to(Query::MeshFirstHit);
         told.byte(first.map_or(0xff, |(i, _)| i as u8));
         told.hit(first.map(|(_, hit)| hit));
+        let first =
+            tree.first_hit_where(ray, HitRules::new(), |i, hit| i % 3 != 0 && hit.u < hit.v);
+        let told = answers.to(Query::MeshFirstWhere);
+        told.byte(first.map_or(0xff, |(i, _)| i as u8));
+        told.hit(first.map(|(_, hit)| hit));
         for rules in [HitRules::new(), HitRules::new().once()] {
             answers.to(Query::MeshHits).set(tree.hits_with(ray, rules).map(|(i, _)| i));
         }
@@ -115,6 +120,11 @@ pub(super) fn all<S: Draw, A: Answers>(
         let told = answers.to(Query::MeshLastFree);
         told.vector(last.map(|(place, _)| place));
         told.byte(last.and_then(|(_, blocker)| blocker).map_or(0xff, |i| i as u8));
+        let first =
+            tree.first_contact_where(aabb, &motion, |i, first| i % 3 != 0 && first.axis.is_some());
+        let told = answers.to(Query::MeshSweepWhere);
+        told.byte(first.map_or(0xff, |(i, _)| i as u8));
+        told.contact(first.map(|(_, first)| first));
     }
 
     let middle =

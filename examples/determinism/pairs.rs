@@ -98,6 +98,7 @@ pub(super) fn lines<S: Draw, A: Answers>(
         answers.to(Query::RayObb).yes(ray.overlaps(obb));
         answers.to(Query::RayObbMay).yes(ray.may_overlap(obb));
         answers.to(Query::RayObbRange).range(ray.t_range_obb(obb));
+        answers.to(Query::RayObbCrossings).crossings(ray.crossings_obb(obb), obb);
     }
     let through = Segment::new(obb.center(), obb.axes()[0]).ok();
     for segment in segments.iter().chain(&[through]).flatten() {

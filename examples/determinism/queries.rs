@@ -132,4 +132,8 @@ queries! {
     MeshPoints = "mesh contact points",
     TriangleTriangleCrossing = "triangle/triangle crossing",
     MeshCrossings = "mesh crossings",
+    RayAabbCrossings = "ray/aabb crossings",
+    RayObbCrossings = "ray/obb crossings",
+    MeshFirstWhere = "mesh first_hit_where",
+    MeshSweepWhere = "mesh first_contact_where",
 }

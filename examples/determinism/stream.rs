@@ -187,6 +187,7 @@ fn crossings<S: Draw, A: Answers>(
         answers.to(Query::RayAabb).yes(ray.overlaps(aabb));
         answers.to(Query::RayAabbMay).yes(ray.may_overlap(aabb));
         answers.to(Query::RayAabbRange).range(ray.t_range(aabb));
+        answers.to(Query::RayAabbCrossings).crossings(ray.crossings(aabb), aabb);
         answers.to(Query::RayAabbSlabsRange).range(slabs.t_range_rounded(aabb));
         answers.to(Query::RayAabbSlabsMay).yes(slabs.may_overlap(aabb));
         answers.to(Query::RayAabbSlopes).yes(slopes.overlaps_rounded(aabb));

@@ -15,7 +15,7 @@ use crate::published::slabs::SlabRay;
 use crate::published::slopes::SlopeRay;
 use crate::published::stored_normal::NormalTriangle;
 use crate::published::watertight::ShearedRay;
-use crate::query::{FirstContact, Hit, Motion};
+use crate::query::{Crossing, FirstContact, Hit, Motion};
 use crate::scalar::Scalar;
 use crate::shape::{
     Aabb, AabbForm, Obb, Plane, PlaneForm, Polygon, Ray, Segment, SegmentForm, Triangle, Vec3,
@@ -108,6 +108,9 @@ formats! {
     Motion: |motion, to| write!(to, "Motion {{ from: {}, to: {} }}", motion.from(), motion.to());
     FirstContact: |first, to| {
         write!(to, "FirstContact {{ t: {}, axis: {} }}", Number(first.t), first.axis)
+    };
+    Crossing: |crossing, to| {
+        write!(to, "Crossing {{ t: {}, face: {} }}", Number(crossing.t), crossing.face)
     };
     // Prepared shapes log the shape that they were made from.
     NormalTriangle: |t, to| write!(to, "NormalTriangle {{ normal: {}, .. }}", t.normal());

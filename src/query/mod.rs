@@ -7,6 +7,7 @@
 //! Shared by several pairs:
 //! * `line_aabb`: the slabs of rays and segments; `line_obb`: rays and segments against an oriented
 //!   box;
+//! * `crossing`: the faces through which a ray enters a box and leaves it;
 //! * `orientation`: signs of volumes, for triangles, segments and points against triangles;
 //! * `obb_rows`, `obb_short`: oriented boxes in vectors of floats, and in short integers;
 //! * `relation`: disjoint, touching or overlapping, from separating axes;
@@ -20,6 +21,7 @@ mod triangle_triangle;
 
 mod aabb_aabb;
 mod aabb_obb;
+mod crossing;
 mod either_order;
 mod line_obb;
 mod obb_obb;
@@ -47,6 +49,7 @@ mod line_aabb;
 mod orientation;
 mod relation;
 
+pub use crossing::Crossing;
 #[cfg(feature = "libm")]
 pub(crate) use normal::direction;
 pub use plane_aabb::Side;

@@ -78,7 +78,10 @@ impl<S: Scalar> Obb<S> {
         half_extents: impl Into<Vec3<S>>,
     ) -> Result<Self, ShapeError> {
         let made = Self::checked(center, axes, half_extents)?;
-        if dependent(&made.axes_as_arrays()) { Err(ShapeError::DependentAxes) } else { Ok(made) }
+        match made.hand() {
+            Ordering::Equal => Err(ShapeError::DependentAxes),
+            Ordering::Less | Ordering::Greater => Ok(made),
+        }
     }
 
     pub(super) fn checked(
@@ -151,6 +154,11 @@ impl<S: Scalar> Obb<S> {
         [u.to_array(), v.to_array(), w.to_array()]
     }
 
+    /// `Less` if the axes are left-handed, `Greater` if they are right-handed.
+    pub(crate) fn hand(&self) -> Ordering {
+        hand(&self.axes_as_arrays())
+    }
+
     /// Whether [`new`](Self::new) would accept the axes.
     #[cfg(feature = "serde")]
     pub(crate) fn is_orthonormal(&self) -> bool {
@@ -181,8 +189,8 @@ impl<S: Copy> Obb<S> {
     }
 }
 
-/// Whether the triple product u·(v×n) is exactly zero.
-fn dependent<S: Scalar>(axes: &[[S; 3]; 3]) -> bool {
+/// The exact sign of the triple product u·(v×n).
+fn hand<S: Scalar>(axes: &[[S; 3]; 3]) -> Ordering {
     let [u, v, n] = axes;
     let mut sum = S::SeptumSum::new();
     for i in 0..3 {
@@ -192,5 +200,5 @@ fn dependent<S: Scalar>(axes: &[[S; 3]; 3]) -> bool {
         sum.add(&[u, vj, nk]);
         sum.add(&[u.negated(), vk, nj]);
     }
-    sum.sign() == Ordering::Equal
+    sum.sign()
 }

@@ -1,6 +1,6 @@
 //! The vector of an axis separates the shapes that the axis separates, checked by projection.
 
-use septum::{Aabb, Axis, Triangle};
+use septum::{Aabb, Axis, Obb, Triangle};
 use septum_kit::Rng;
 
 #[test]
@@ -47,4 +47,28 @@ fn vectors_are_what_they_are_said_to_be() {
     assert_eq!(vector(Axis::Edge { axis: 0, edge: 0 }), [0.0, -3.0, 2.0]);
     assert_eq!(vector(Axis::Edge { axis: 4, edge: 4 }), [-1.0, 0.0, -4.0]);
     assert_eq!(vector(Axis::Edge { axis: 2, edge: 2 }), [1.0, -5.0, 0.0]);
+}
+
+/// The normal of a face is perpendicular to two axes, and leads along the third one, whichever hand
+/// the axes have.
+#[test]
+fn vectors_of_oriented_boxes_are_outward_normals() {
+    let (mut rng, mut hands) = (Rng::new(0x0bb7), [0; 2]);
+    for _ in 0..2_000 {
+        let axes = [(); 3].map(|()| rng.triple(|rng| rng.whole(-6, 6) as f64));
+        let Ok(obb) = Obb::from_skewed_axes([1.0; 3], axes, [1.0; 3]) else { continue };
+        let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        for i in 0..3 {
+            let n = Axis::Face(i as u8 + 3).vector(&obb).to_array();
+            let along = [0, 1, 2].map(|k: usize| dot(&n, &axes[k]));
+            assert!((0..3).all(|k| (along[k] > 0.0) == (k == i)), "{axes:?}: {n:?}");
+            assert!((0..3).all(|k| (along[k] == 0.0) != (k == i)), "{axes:?}: {n:?}");
+        }
+        let [[a, b, c], v, w] = axes;
+        let volume = a * (v[1] * w[2] - v[2] * w[1])
+            + b * (v[2] * w[0] - v[0] * w[2])
+            + c * (v[0] * w[1] - v[1] * w[0]);
+        hands[usize::from(volume > 0.0)] += 1;
+    }
+    assert!(hands.iter().all(|&n| n > 500), "{hands:?}");
 }

@@ -38,6 +38,7 @@ fn check_sets<S: Sample>(cases: u32) {
 fn check_range<S: Sample>(case: &LineObb<S>) {
     let Some(ray) = case.line.ray() else { return };
     let found = ray.t_range_obb(&case.obb.shape().unwrap());
+    check_faces(case);
     let expected = case.clip();
     assert_eq!(found.is_some(), expected.is_some(), "{case:?}");
     let (Some((enter, leave)), Some([Some(from), Some(to)])) = (found, expected) else { return };
@@ -45,6 +46,16 @@ fn check_range<S: Sample>(case: &LineObb<S>) {
     for (t, expected) in [(enter, from), (leave, to)] {
         assert!(is_rounded(t, &expected), "{t:?} of {case:?}");
     }
+}
+
+/// The faces of entry and exit, with t as of `t_range_obb`.
+fn check_faces<S: Sample>(case: &LineObb<S>) -> Option<[Option<u8>; 2]> {
+    let (ray, obb) = (case.line.ray()?, case.obb.shape().ok()?);
+    let (found, expected) = (ray.crossings_obb(&obb), case.faces());
+    assert_eq!(found.map(|both| both.map(|one| one.face)), expected, "{case:?}");
+    let range = found.map(|[enter, leave]| (enter.t, leave.t));
+    assert_eq!(range, ray.t_range_obb(&obb), "{case:?}");
+    expected
 }
 
 fn is_rounded<S: Sample>(t: S, expected: &Fraction) -> bool {
@@ -96,16 +107,21 @@ for_every_scalar!(as_an_aabb);
 fn every_line_on_a_grid() {
     let axes = [[1.0, 1.0, 0.0], [-1.0, 1.0, 0.0], [0.0, 1.0, 1.0]];
     let obb = septum_kit::boxes::ObbNumbers { center: [0.0_f32; 3], axes, half: [1.0, 0.5, 1.0] };
-    let (mut met, mut asked) = (0, 0);
+    let (mut met, mut asked, mut seen) = (0, 0, [0; 7]);
     for n in 0..7_usize.pow(4) {
         let digit = |k: u32| (n / 7_usize.pow(k) % 7) as f32 - 3.0;
         let (a, b) = ([digit(0), digit(1), -2.0], [digit(2), digit(3), 2.0]);
         for line in [Line::Ends(a, b), Line::Ray(a, [b[0], b[1], 1.0], [None, Some(2.0)])] {
-            met += u32::from(LineObb { line, obb }.check().unwrap());
+            let case = LineObb { line, obb };
+            met += u32::from(case.check().unwrap());
             asked += 1;
+            for face in check_faces(&case).into_iter().flatten() {
+                seen[face.map_or(6, usize::from)] += 1;
+            }
         }
     }
     assert!(met > 500 && asked - met > 500, "{met} of {asked}");
+    assert!(seen.iter().all(|&n| n > 50), "{seen:?}");
 }
 
 /// The ray begins at zero times its direction, however long that is.

@@ -23,8 +23,8 @@ use septum::published::stored_normal::NormalTriangle;
 use septum::published::watertight::ShearedRay;
 use septum::sweep::{FirstContact, Motion};
 use septum::{
-    Aabb, Axis, Cull, Facing, Feature, Hit, HitRules, Obb, Plane, Ray, Scalar, Segment, ShapeError,
-    Side, Triangle, Vec3,
+    Aabb, Axis, Crossing, Cull, Facing, Feature, Hit, HitRules, Obb, Plane, Ray, Scalar, Segment,
+    ShapeError, Side, Triangle, Vec3,
 };
 
 /// The bytes of a log record; strings are one mocked index each.
@@ -118,7 +118,7 @@ fn every_shape_and_answer_can_be_logged() {
         can::<(Cells<S, 4>, CellTriangle<S>)>();
         can::<(HitRay<S>, HitTriangle<S>)>();
         can::<(Translation<S>, Point<S>, Contact<S>)>();
-        can::<(Motion<S>, FirstContact<S>)>();
+        can::<(Motion<S>, FirstContact<S>, Crossing<S>)>();
     }
     every::<f32>();
     every::<I16F16>();

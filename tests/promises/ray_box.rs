@@ -1,5 +1,6 @@
 //! A ray against an axis-aligned box: the exact verdict, and t of entry and exit.
 
+use septum::prepared::PreparedRay;
 use septum::{Aabb, Ray};
 use septum_kit::lines::{Fraction, Line, LineBox, LineSet};
 use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar};
@@ -31,11 +32,12 @@ fn t_range_on_every_set<S: Sample>() {
         }
     }
 }
-for_every_scalar!(exact_on_every_set, t_range_on_every_set);
+for_every_scalar!(exact_on_every_set, t_range_on_every_set, faces_on_a_grid);
 
 fn check_range<S: Sample>(case: &LineBox<S>, set: LineSet) {
     let Some(ray) = case.ray() else { return };
     let found = ray.t_range(&case.aabb());
+    check_faces(case);
     let expected = case.clip();
     assert_eq!(found.is_some(), expected.is_some(), "{set:?}: {case:?}");
     let (Some((enter, leave)), Some([Some(from), Some(to)])) = (found, expected) else { return };
@@ -43,6 +45,70 @@ fn check_range<S: Sample>(case: &LineBox<S>, set: LineSet) {
     for (t, expected) in [(enter, from), (leave, to)] {
         assert!(is_rounded(t, &expected), "{set:?}: {t:?} of {case:?}");
     }
+}
+
+/// The faces of entry and exit, with t as of `t_range`.
+fn check_faces<S: Sample>(case: &LineBox<S>) -> Option<[Option<u8>; 2]> {
+    let (ray, aabb) = (case.ray()?, case.aabb());
+    let (found, expected) = (ray.crossings(&aabb), case.faces());
+    assert_eq!(found.map(|both| both.map(|one| one.face)), expected, "{case:?}");
+    let range = found.map(|[enter, leave]| (enter.t, leave.t));
+    assert_eq!(range, ray.t_range(&aabb), "{case:?}");
+    assert_eq!(PreparedRay::new(&ray).crossings(&aabb), found, "{case:?}");
+    for crossing in found.into_iter().flatten() {
+        let normal = crossing.normal(&aabb).map(|n| n.to_array().map(S::approximate));
+        let expected = crossing.face.map(|face| {
+            let mut unit = [0.0; 3];
+            unit[usize::from(face / 2)] = if face % 2 == 0 { -1.0 } else { 1.0 };
+            unit
+        });
+        assert!(S::WHOLE_BITS < 2 || normal == expected, "{crossing:?}");
+    }
+    expected
+}
+
+/// From each point of a small grid in each direction of one: through faces, edges and corners,
+/// along them, and from on and in the box, within ranges that begin and end anywhere.
+fn faces_on_a_grid<S: Sample>() {
+    let digits = |n: usize| [n % 5, n / 5 % 5, n / 25 % 5];
+    let (mut seen, mut inside, mut shared) = ([[0; 2]; 6], 0, 0);
+    let whole = |x: f64| S::nearest(x / 4.0);
+    let corners = [[-1.0, -1.0, -1.0], [1.0, 1.0, 0.0]].map(|p| p.map(whole));
+    let flat = [[-1.0, 0.0, -1.0], [1.0, 0.0, 1.0]].map(|p| p.map(whole));
+    let ends = [-1.0, 0.0, 0.25, 0.5, 1.0].map(S::nearest);
+    for n in 0..125 * 125 {
+        let at = |n: usize| digits(n).map(|x| whole(x as f64 - 2.0));
+        let (origin, d) = (at(n % 125), at(n / 125));
+        let range = match n % 4 {
+            0 => [Some(S::ZERO), None],
+            1 => [None, None],
+            2 => [Some(ends[n % 5]), None],
+            _ => [Some(ends[0]), Some(ends[1 + n / 5 % 4])],
+        };
+        let line = Line::Ray(origin, d, range);
+        for [min, max] in [corners, flat] {
+            let half = [0, 1, 2]
+                .map(|i: usize| S::nearest((max[i].approximate() - min[i].approximate()) / 2.0));
+            let center =
+                [0, 1, 2].map(|i: usize| S::nearest(min[i].approximate() + half[i].approximate()));
+            for aabb in [BoxNumbers::Corners(min, max), BoxNumbers::Center(center, half)] {
+                if line.ray().is_none() {
+                    continue;
+                }
+                let case = LineBox { line, aabb };
+                let Some(faces) = check_faces(&case) else { continue };
+                for (k, face) in faces.into_iter().enumerate() {
+                    match face {
+                        None => inside += 1,
+                        Some(face) => seen[usize::from(face)][k] += 1,
+                    }
+                }
+                shared += usize::from(faces[0].is_some() && faces[0] == faces[1].map(|f| f ^ 1));
+            }
+        }
+    }
+    assert!(seen.as_flattened().iter().all(|&n| n > 100) && inside > 1_000, "{seen:?} {inside}");
+    assert!(shared > 100, "{shared}");
 }
 
 fn is_rounded<S: Sample>(t: S, expected: &Fraction) -> bool {

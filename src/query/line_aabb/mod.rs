@@ -1,6 +1,9 @@
 //! A line in the three slabs of an axis-aligned box, for rays and segments.
 
-use crate::arithmetic::{Arithmetic, Embeds, Number, compare, greatest, least, once, pick};
+use core::marker::PhantomData;
+
+use super::crossing::Entries;
+use crate::arithmetic::{Arithmetic, Embeds, Number, compare, each, greatest, least, once, pick};
 use crate::query::relation::{Nearness, Relation, of_gaps};
 use crate::robust::Uncertain;
 
@@ -116,22 +119,18 @@ impl<N: Arithmetic> Slabs<N> {
     /// Whether the line leaves slab j before it enters slab i.
     #[inline(always)]
     fn pair_misses(&self, i: usize, j: usize, heeds_zeros: bool) -> Uncertain {
-        let (near, far, m) = (&self.near, &self.far, &self.m);
-        if N::LARGE {
-            let certain = N::minor([near[i], m[j]], [far[j], m[i]]) > N::Area::ZERO;
-            return Uncertain { certain, possible: certain };
-        }
-        let (enter, leave) = (N::area(near[i], m[j]), N::area(far[j], m[i]));
-        let size = match &self.spread {
-            Some(spread) => N::area(spread[i], m[j]) + N::area(spread[j], m[i]),
-            None => enter.magnitude() + leave.magnitude(),
+        let spread = self.spread.as_ref();
+        let of = |face: &[N::Length; 3], i: usize| {
+            [*pick(face, i), *pick(&self.m, i), *pick(spread.unwrap_or(face), i)]
         };
-        let zero = N::Length::ZERO;
-        let is_exact = self.spread.is_none();
-        let is_zero = heeds_zeros
-            & ((m[j] == zero) | (is_exact & (near[i] == zero)))
-            & ((m[i] == zero) | (is_exact & (far[j] == zero)));
-        above::<N>(enter, leave, is_zero, size)
+        later::<N>(of(&self.near, i), of(&self.far, j), spread.is_none(), heeds_zeros)
+    }
+
+    /// The same line, run through backwards.
+    #[inline(always)]
+    pub(super) fn reversed(&self) -> Self {
+        let Self { near, far, m, spread } = *self;
+        Self { near: each(far, |x| -x), far: each(near, |x| -x), m, spread }
     }
 
     /// Whether all of the box lies before the origin on some axis: t < 0.
@@ -156,6 +155,30 @@ impl<N: Arithmetic> Slabs<N> {
         Uncertain { certain, possible: certain | touch }
     }
 
+    /// Whether t·m_i exceeds `face` of slab i, or, unless `is_lower`, is exceeded by it.
+    #[inline(always)]
+    fn compared<S>(
+        &self,
+        i: usize,
+        t: N::Length,
+        face: N::Length,
+        is_lower: bool,
+    ) -> Option<Uncertain>
+    where
+        N: Embeds<S>,
+    {
+        // In the frame integers are doubled, as `times_one` is.
+        let (m, zero) = (once::<N, _>(*pick(&self.m, i)), N::Length::ZERO);
+        let (at, face_area) = (N::area(t, m), N::times_one(face)?);
+        let (own, is_zero) = match &self.spread {
+            Some(spread) => (*pick(spread, i), false),
+            None => (face.magnitude(), (m == zero) & (face == zero)),
+        };
+        let size = at.magnitude() + N::times_one(own)?;
+        let (a, b) = if is_lower { (at, face_area) } else { (face_area, at) };
+        Some(above::<N>(a, b, is_zero, size))
+    }
+
     /// Whether on some axis all of the box lies at t < `from` or at t > `to`.
     #[inline(always)]
     pub(super) fn lies_outside<S>(
@@ -166,25 +189,13 @@ impl<N: Arithmetic> Slabs<N> {
     where
         N: Embeds<S>,
     {
-        let (mut so_far, zero) = (Uncertain::NONE, N::Length::ZERO);
+        let mut so_far = Uncertain::NONE;
         for i in 0..3 {
-            // In the frame integers are doubled, as `times_one` is.
-            let m = once::<N, _>(self.m[i]);
-            let compared = |t: N::Length, face: N::Length, is_lower: bool| {
-                let (at, face_area) = (N::area(t, m), N::times_one(face)?);
-                let (own, is_zero) = match &self.spread {
-                    Some(spread) => (*pick(spread, i), false),
-                    None => (face.magnitude(), (m == zero) & (face == zero)),
-                };
-                let size = at.magnitude() + N::times_one(own)?;
-                let (a, b) = if is_lower { (at, face_area) } else { (face_area, at) };
-                Some(above::<N>(a, b, is_zero, size))
-            };
             if let Some(from) = from {
-                so_far = so_far.or(compared(from, self.far[i], true)?);
+                so_far = so_far.or(self.compared(i, from, self.far[i], true)?);
             }
             if let Some(to) = to {
-                so_far = so_far.or(compared(to, self.near[i], false)?);
+                so_far = so_far.or(self.compared(i, to, self.near[i], false)?);
             }
         }
         Some(so_far)
@@ -242,6 +253,63 @@ impl<N: Arithmetic> Slabs<N> {
             so_far = so_far.or(Uncertain::above(gap, error));
         }
         so_far
+    }
+}
+
+/// Whether p/m > q/n: a face p with the direction's magnitude m, and the bound of its rounded sum.
+/// If they are exact, the bounds are the faces themselves.
+#[inline(always)]
+fn later<N: Arithmetic>(
+    [p, m, of_p]: [N::Length; 3],
+    [q, n, of_q]: [N::Length; 3],
+    are_exact: bool,
+    heeds_zeros: bool,
+) -> Uncertain {
+    if N::LARGE {
+        return Uncertain::known(N::minor([p, n], [q, m]) > N::Area::ZERO);
+    }
+    let (a, b) = (N::area(p, n), N::area(q, m));
+    let size =
+        if are_exact { a.magnitude() + b.magnitude() } else { N::area(of_p, n) + N::area(of_q, m) };
+    let zero = N::Length::ZERO;
+    let is_zero = heeds_zeros
+        & ((n == zero) | (are_exact & (p == zero)))
+        & ((m == zero) | (are_exact & (q == zero)));
+    above::<N>(a, b, is_zero, size)
+}
+
+/// A line through slabs from a least t, if it has one.
+pub(super) struct Entering<'a, N: Arithmetic, S>(
+    pub(super) &'a Slabs<N>,
+    pub(super) Option<N::Length>,
+    pub(super) PhantomData<S>,
+);
+
+impl<S, N: Embeds<S>> Entries for Entering<'_, N, S> {
+    #[inline(always)]
+    fn crosses(&self, i: usize) -> Option<bool> {
+        Some(*pick(&self.0.m, i) != N::Length::ZERO)
+    }
+
+    #[inline(always)]
+    fn is_later(&self, i: usize, j: usize) -> Option<bool> {
+        let Slabs { near, m, spread, .. } = self.0;
+        let of =
+            |i: usize| [*pick(near, i), *pick(m, i), *pick(spread.as_ref().unwrap_or(near), i)];
+        later::<N>(of(i), of(j), spread.is_none(), true).verdict()
+    }
+
+    #[inline(always)]
+    fn is_past(&self, i: usize) -> Option<bool> {
+        let Self(line, Some(from), _) = *self else { return Some(false) };
+        let near = *pick(&line.near, i);
+        // If the range begins at zero, a sign suffices.
+        let is_past = if from == N::Length::ZERO {
+            line.side(-near)
+        } else {
+            line.compared(i, from, near, true)?
+        };
+        is_past.verdict()
     }
 }
 

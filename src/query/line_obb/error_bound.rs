@@ -11,6 +11,9 @@
 //! * the line, u·(m × d) against h·u·u·d, by at most [`LINE`] roundoffs of A²·R·D, because A is at
 //!   least one.
 //!
+//! The last two hold whichever signs h, w·m and u·(m × d) have, for the proofs bound magnitudes. u·w
+//! is w·d for an axis in place of the direction, with A in place of D.
+//!
 //! The proofs include second orders and underflow. R, D and T are zero or within the range of a
 //! float, so underflow loses far less than the bounds allow.
 
@@ -25,6 +28,8 @@ pub(super) struct ErrorBound<P> {
     pub(super) direction: P,
     pub(super) face: P,
     pub(super) line: P,
+    /// Of the volume u·w.
+    pub(super) volume: P,
 }
 
 /// The greatest magnitudes: of the axes and one, the vector to the line, its direction, the ends of
@@ -47,7 +52,7 @@ pub(super) fn error_bound<N: Arithmetic>(
     let zero = N::Product::ZERO;
     if N::CERTAIN {
         let all = greatest(greatest(axes, way), greatest(greatest(direction, ends), half));
-        let none = ErrorBound { direction: zero, face: zero, line: zero };
+        let none = ErrorBound { direction: zero, face: zero, line: zero, volume: zero };
         return all.in_range().then_some(none);
     }
     let size = greatest(way * one, half * axes);
@@ -60,5 +65,6 @@ pub(super) fn error_bound<N: Arithmetic>(
         direction: (square * direction).error(DIRECTION),
         face: (square * far).error(FACE),
         line: (square * size * direction).error(LINE),
+        volume: (square * axes).error(DIRECTION),
     })
 }

@@ -2,8 +2,11 @@
 //! axes are the kernel's; each term has four factors.
 
 use core::cmp::Ordering;
+use core::marker::PhantomData;
 
+use super::faces::ThereAndBack;
 use crate::arithmetic::{Parts, each, pick, three, turn};
+use crate::query::crossing::Entries;
 use crate::robust::{ExactSum, Vector, add_scaled_determinant, single};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
@@ -94,6 +97,13 @@ impl ExactLine {
         first && last && (from.is_some() || to.is_some() || beyond(Parts::ZERO))
     }
 
+    /// The entries of the line into the slabs.
+    pub(super) fn entries<S: Scalar>(&self) -> ExactEntries<'_, S> {
+        let along = three(|i| sign::<S>(&[self.along(i, &self.d, S::ONE)]));
+        let volume = sign::<S>(&[self.volume(S::ONE)]);
+        ExactEntries { line: self, along, volume, is_back: false, scalar: PhantomData }
+    }
+
     /// Where the line enters slab `i` and where it leaves it, rounded to the nearest; `None` if it
     /// runs parallel to the slab.
     pub(super) fn crossing<S: Scalar>(&self, i: usize) -> Option<(S, S)> {
@@ -109,5 +119,64 @@ impl ExactLine {
             S::quotient(&num, &den)
         };
         Some((at(true), at(false)))
+    }
+}
+
+/// The entries of a line, or of the line that runs back, into the slabs: see `faces`.
+#[derive(Clone, Copy)]
+pub(super) struct ExactEntries<'a, S> {
+    line: &'a ExactLine,
+    along: [Ordering; 3],
+    volume: Ordering,
+    is_back: bool,
+    scalar: PhantomData<S>,
+}
+
+impl<S: Scalar> ExactEntries<'_, S> {
+    fn is_below(&self, i: usize) -> bool {
+        pick(&self.along, i).is_lt()
+    }
+}
+
+impl<S: Scalar> ThereAndBack for ExactEntries<'_, S> {
+    fn entries(&self, is_back: bool) -> impl Entries {
+        Self { is_back, ..*self }
+    }
+
+    fn is_upper(&self, i: usize) -> bool {
+        self.is_below(i) != self.volume.is_lt()
+    }
+}
+
+impl<S: Scalar> Entries for ExactEntries<'_, S> {
+    fn crosses(&self, i: usize) -> Option<bool> {
+        Some(pick(&self.along, i).is_ne())
+    }
+
+    fn is_later(&self, i: usize, j: usize) -> Option<bool> {
+        let ExactLine { m, d, u, h, .. } = self.line;
+        let (_, next, last) = turn(i);
+        let is_cyclic = j == next;
+        let k = if is_cyclic { last } else { next };
+        let is_odd = self.is_below(i) ^ self.is_below(j) ^ self.volume.is_lt();
+        let beside = signed(S::ONE, is_odd ^ is_cyclic ^ self.is_back);
+        let terms = [
+            Term(beside, [m, d, pick(u, k)]),
+            self.line.along(i, d, signed(*pick(h, j), self.is_below(i))),
+            self.line.along(j, d, signed(*pick(h, i), !self.is_below(j))),
+        ];
+        Some(sign::<S>(&terms).is_gt())
+    }
+
+    fn is_past(&self, i: usize) -> Option<bool> {
+        let ExactLine { m, d, ends: [from, to], h, .. } = self.line;
+        let Some(t) = (if self.is_back { to } else { from }) else { return Some(false) };
+        let minus = self.is_below(i) != self.is_back;
+        let terms = [
+            self.line.along(i, m, signed(S::ONE, minus)),
+            self.line.along(i, d, signed(*t, minus)),
+            self.line.volume(signed(*pick(h, i), self.volume.is_lt())),
+        ];
+        Some(sign::<S>(&terms).is_gt())
     }
 }

@@ -4,6 +4,7 @@
 
 mod error_bound;
 mod exact;
+mod faces;
 mod kernel;
 mod range;
 mod rows;

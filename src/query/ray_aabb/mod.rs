@@ -4,6 +4,7 @@
 //! many boxes see `prepared`.
 
 mod error_bound;
+mod faces;
 mod prepared;
 
 pub use prepared::PreparedRay;
@@ -22,9 +23,9 @@ struct Disjoint<'a, S> {
 }
 
 impl<S: Scalar> Disjoint<'_, S> {
-    /// The slabs, and whether the ray misses the box; `None` if the numbers do not fit.
+    /// The slabs, and the ends of the ray's range; `None` if the numbers do not fit.
     #[inline(always)]
-    fn slabs<N: Embeds<S>>(&self) -> Option<(Slabs<N>, Option<bool>)> {
+    fn line<N: Embeds<S>>(&self) -> Option<(Slabs<N>, [Option<N::Length>; 2])> {
         let Self { ray, aabb } = self;
         let (from, to) = (ray.t_min(), ray.t_max());
         let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
@@ -37,11 +38,17 @@ impl<S: Scalar> Disjoint<'_, S> {
             AabbForm::Center { .. } => Slabs::<N>::in_center(&o, &d, &p, &q),
             AabbForm::Corners { .. } => Slabs::<N>::in_corners(&o, &d, &p, &q),
         };
+        Some((line, [from.map(|_| t0), to.map(|_| t1)]))
+    }
 
+    /// The slabs, and whether the ray misses the box; `None` if the numbers do not fit.
+    #[inline(always)]
+    fn slabs<N: Embeds<S>>(&self) -> Option<(Slabs<N>, Option<bool>)> {
+        let (line, [from, to]) = self.line::<N>()?;
         // If the range begins at zero, as for most rays, a sign suffices.
-        let from_zero = from == Some(S::ZERO);
+        let from_zero = self.ray.t_min() == Some(S::ZERO);
         let mut faces = if from_zero { line.lies_before() } else { Uncertain::NONE };
-        let (from, to) = (from.filter(|_| !from_zero).map(|_| t0), to.map(|_| t1));
+        let from = from.filter(|_| !from_zero);
         if faces.certain {
             return Some((line, Some(true)));
         }

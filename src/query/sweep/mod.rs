@@ -22,6 +22,7 @@ use self::kernel::Course;
 use self::time::{Instant, Last, Meets, When};
 use super::relation::Relation;
 use super::triangle_aabb::frame::{BoxForm, Frame};
+use super::triangle_aabb::negated;
 use super::{Axis, HasAxes};
 use crate::arithmetic::{Arithmetic, Embeds, Float, InFloat, Number, REGISTERS_ARE_WIDE};
 use crate::robust::{Predicate, Profile, in_exact_numbers};
@@ -78,9 +79,7 @@ impl<S: Scalar> FirstContact<S> {
         let axis = self.axis?;
         let normal = axis.vector(shape);
         let is_along = shape.along(axis, [motion.from(), motion.to()]) == Ordering::Greater;
-        let minus = |x: S| S::ZERO.plain_sub(x);
-        let Vec3 { x, y, z } = normal;
-        Some(if is_along { Vec3::new(minus(x), minus(y), minus(z)) } else { normal })
+        Some(if is_along { negated(normal) } else { normal })
     }
 }
 

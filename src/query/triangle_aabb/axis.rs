@@ -1,13 +1,13 @@
 use core::cmp::Ordering;
 
 use super::exact::ExactTriangle;
-use crate::arithmetic::{Parts, compare, three};
+use crate::arithmetic::{Parts, compare, each, pick, three, turn};
 use crate::robust::{ExactSum, Vector, add_determinant, difference, single};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Triangle, Vec3};
+use crate::shape::{Aabb, Obb, Triangle, Vec3};
 
 /// One of the 13 axes that can separate a triangle from an axis-aligned box. Two axis-aligned boxes
-/// have the three [`Face`](Self::Face) axes.
+/// have the three [`Face`](Self::Face) axes, and an oriented box has three of its own.
 ///
 /// For a triangle abc, edge 0 is b − a, edge 1 is c − b, edge 2 is a − c. In Akenine-Möller's
 /// paper, bullet 1 is [`Face`](Self::Face), bullet 2 [`Normal`](Self::Normal), bullet 3
@@ -34,16 +34,20 @@ impl Axis {
     /// [`Face`](Self::Face), (b − a) × (c − a) for the [`Normal`](Self::Normal), and the cross
     /// product of unit vector and edge for an [`Edge`](Self::Edge). It is not normalised.
     ///
-    /// In place of the triangle an [`Aabb`] may be given, for the axes of two boxes. A box has no
-    /// vectors but those of its faces; the remaining axes give zero.
+    /// In place of the triangle an [`Aabb`] may be given, for the axes of two boxes, or an [`Obb`]. A
+    /// box has no vectors but those of its faces; the remaining axes give zero. The vector of a face
+    /// is the outward normal of the upper side. For an oriented box with the axes u, v, n it is v × n,
+    /// n × u or u × v, turned around if the axes are left-handed: along the axis if they are at right
+    /// angles.
     ///
     /// *Numerics*: rounded in the scalar's own arithmetic. Use it for display or for a push, but
     /// not for a decision: [`Triangle::is_separated_by`] decides exactly. A face is exact. An edge
     /// consists of differences, each rounded once; in fixed point they wrap if they overflow. A
-    /// normal also has products, which in fixed point lose their last bits. The vector is zero if
-    /// all of its bits are lost, and for the axes of a degenerate triangle. Indices count modulo 3.
+    /// normal also has products, which in fixed point lose their last bits. So has a face of an
+    /// oriented box, and its side is exact. The vector is zero if all of its bits are lost, and for
+    /// the axes of a degenerate triangle. Indices count modulo 3.
     ///
-    /// *Panics*: never. *Cost*: at most 6 multiplications.
+    /// *Panics*: never. *Cost*: at most 6 multiplications, and for an oriented box an exact sum.
     ///
     /// ```
     /// use septum::{Aabb, Axis, Triangle, Vec3};
@@ -78,13 +82,14 @@ impl Axis {
     ];
 }
 
-/// A shape whose axes have vectors: a [`Triangle`], or an [`Aabb`] beside a second box.
+/// A shape whose axes have vectors: a [`Triangle`], an [`Aabb`] beside a second box, or an [`Obb`].
 ///
 /// The trait is sealed.
 pub trait HasAxes<S: Scalar>: sealed::HasAxes<S> {}
 
 impl<S: Scalar> HasAxes<S> for Triangle<S> {}
 impl<S: Scalar> HasAxes<S> for Aabb<S> {}
+impl<S: Scalar> HasAxes<S> for Obb<S> {}
 
 pub(in crate::query) mod sealed {
     use super::{Axis, Ordering, Scalar, Vec3};
@@ -131,6 +136,40 @@ impl<S: Scalar> sealed::HasAxes<S> for Aabb<S> {
     }
 }
 
+/// The rounded cross product of two vectors.
+fn plain_cross<S: Scalar>(a: &[S; 3], b: &[S; 3]) -> Vec3<S> {
+    let minor = |p: S, q: S, r: S, s: S| p.plain_mul(q).plain_sub(r.plain_mul(s));
+    let ([x, y, z], [u, v, w]) = (*a, *b);
+    Vec3::new(minor(y, w, z, v), minor(z, u, x, w), minor(x, v, y, u))
+}
+
+/// The vector in the opposite direction.
+pub(in crate::query) fn negated<S: Scalar>(v: Vec3<S>) -> Vec3<S> {
+    let [x, y, z] = each(v.to_array(), |x| S::ZERO.plain_sub(x));
+    Vec3::new(x, y, z)
+}
+
+impl<S: Scalar> sealed::HasAxes<S> for Obb<S> {
+    fn axis(&self, axis: Axis) -> Vec3<S> {
+        let Axis::Face(i) = axis else { return Vec3::splat(S::ZERO) };
+        let (_, j, k) = turn(usize::from(i % 3));
+        let u = self.axes_as_arrays();
+        let normal = plain_cross(pick(&u, j), pick(&u, k));
+        if self.hand() == Ordering::Less { negated(normal) } else { normal }
+    }
+
+    fn along(&self, axis: Axis, way: [Vec3<S>; 2]) -> Ordering {
+        let Axis::Face(i) = axis else { return Ordering::Equal };
+        let (_, j, k) = turn(usize::from(i % 3));
+        let u = each(self.axes_as_arrays(), |u| each(u, |x| single(x.parts())));
+        let [from, to] = way.map(|p| p.to_array().map(S::parts));
+        let d: Vector = three(|i| difference(to[i], from[i]));
+        let mut sum = S::SeptumSum::new();
+        add_determinant(&mut sum, pick(&u, j), pick(&u, k), &d);
+        if self.hand() == Ordering::Less { sum.sign().reverse() } else { sum.sign() }
+    }
+}
+
 impl<S: Scalar> sealed::HasAxes<S> for Triangle<S> {
     fn axis(&self, axis: Axis) -> Vec3<S> {
         let [a, b, c] = self.vertices();
@@ -139,11 +178,7 @@ impl<S: Scalar> sealed::HasAxes<S> for Triangle<S> {
         let zero = S::ZERO;
         match axis {
             Axis::Face(i) => unit(i),
-            Axis::Normal => {
-                let ([x, y, z], [u, v, w]) = (from(a, b), from(a, c));
-                let minor = |p: S, q: S, r: S, s: S| p.plain_mul(q).plain_sub(r.plain_mul(s));
-                Vec3::new(minor(y, w, z, v), minor(z, u, x, w), minor(x, v, y, u))
-            }
+            Axis::Normal => plain_cross(&from(a, b), &from(a, c)),
             Axis::Edge { axis, edge } => {
                 let [x, y, z] = match edge % 3 {
                     0 => from(a, b),

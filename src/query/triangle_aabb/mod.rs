@@ -22,6 +22,7 @@ pub(super) mod rows;
 mod witness;
 mod words;
 
+pub(super) use axis::negated;
 pub use axis::{Axis, HasAxes};
 pub(crate) use clear::{OfOneSize, TriangleAxes};
 pub use prepared::PreparedTriangle;

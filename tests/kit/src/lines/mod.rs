@@ -178,10 +178,20 @@ impl<S: Sample> LineBox<S> {
     pub fn meets(&self) -> bool {
         self.clip().is_some()
     }
+
+    /// The faces on which both ends of the clipped line lie.
+    pub fn faces(&self) -> Option<[Option<u8>; 2]> {
+        let of = LineBox { line: self.line.parts(), aabb: self.aabb.map(S::mantissa_exponent) };
+        faces(&of.frame())
+    }
 }
 
 impl LineBox<Parts> {
     fn clip_in_parts(&self) -> Option<[Option<Fraction>; 2]> {
+        clip(self.frame())
+    }
+
+    fn frame(&self) -> InFrame {
         let (BoxNumbers::Center(p, q) | BoxNumbers::Corners(p, q)) = self.aabb;
         let numbers: Vec<_> = self.line.numbers().chain(p).chain(q).collect();
         let unit = least_exponent(&numbers).min(0);
@@ -191,17 +201,38 @@ impl LineBox<Parts> {
             BoxNumbers::Center(..) => [&p[i] - &q[i], &p[i] + &q[i]],
             BoxNumbers::Corners(..) => [p[i].clone(), q[i].clone()],
         });
-        clip(&origin, &d, &faces, range)
+        InFrame { origin, d, faces, range }
     }
 }
 
+/// A line in the frame of a box, and the two faces of each axis.
+#[derive(Clone)]
+struct InFrame {
+    origin: [IBig; 3],
+    d: [IBig; 3],
+    faces: [[IBig; 2]; 3],
+    range: [Option<Fraction>; 2],
+}
+
+/// For each end of the clipped line the first face whose plane contains it, and through which the
+/// line leads into the box or out of it.
+fn faces(of: &InFrame) -> Option<[Option<u8>; 2]> {
+    let ends = clip(of.clone())?;
+    let face = |is_end: bool| {
+        let Fraction(num, den) = ends[usize::from(is_end)].as_ref()?;
+        let on = |i: usize| {
+            let is_upper = (of.d[i] > IBig::ZERO) == is_end;
+            let is_on =
+                &of.origin[i] * den + num * &of.d[i] == &of.faces[i][usize::from(is_upper)] * den;
+            (is_on && of.d[i] != IBig::ZERO).then_some(2 * i as u8 + u8::from(is_upper))
+        };
+        (0..3).find_map(on)
+    };
+    Some([face(false), face(true)])
+}
+
 /// Both ends of the part of a line's range between all pairs of faces.
-fn clip(
-    origin: &[IBig; 3],
-    d: &[IBig; 3],
-    faces: &[[IBig; 2]; 3],
-    mut range: [Option<Fraction>; 2],
-) -> Option<[Option<Fraction>; 2]> {
+fn clip(InFrame { origin, d, faces, mut range }: InFrame) -> Option<[Option<Fraction>; 2]> {
     for i in 0..3 {
         let [least, greatest] = &faces[i];
         if d[i] == IBig::ZERO {

@@ -4,7 +4,7 @@
 use dashu_int::IBig;
 use septum::{Obb, Overlaps};
 
-use super::{Fraction, Line, clip};
+use super::{Fraction, InFrame, Line, clip, faces};
 use crate::boxes::{AnyBox, BoxSet, ObbNumbers};
 use crate::exact::{Parts, least_exponent, whole};
 use crate::lattice::Ring;
@@ -65,6 +65,12 @@ impl<S: Sample> LineObb<S> {
         LineObb { line: self.line.parts(), obb: self.obb.map(S::mantissa_exponent) }.clip_in_parts()
     }
 
+    /// The faces on which both ends of the clipped line lie.
+    pub fn faces(&self) -> Option<[Option<u8>; 2]> {
+        let of = LineObb { line: self.line.parts(), obb: self.obb.map(S::mantissa_exponent) };
+        faces(&of.frame())
+    }
+
     /// Checks verdicts against the oracle, in either order, and returns its answer; `None` if the
     /// numbers are invalid.
     ///
@@ -93,6 +99,10 @@ impl LineObb<Parts> {
     /// In units of the least exponent, with `one` in that unit: x = c + Σ s_i·u_i/one has
     /// s_i·det = one·w_i·(x − c).
     fn clip_in_parts(&self) -> Option<[Option<Fraction>; 2]> {
+        clip(self.frame())
+    }
+
+    fn frame(&self) -> InFrame {
         let ObbNumbers { center, axes, half } = self.obb;
         let mut numbers: Vec<_> = self.line.numbers().chain(center).chain(half).collect();
         numbers.extend(axes.as_flattened());
@@ -103,10 +113,11 @@ impl LineObb<Parts> {
         let [u, v, n] = axes.map(vector);
         let w = [IBig::cross(&v, &n), IBig::cross(&n, &u), IBig::cross(&u, &v)];
         let det = IBig::dot(&u, &w[0]);
-        let size = &det * IBig::from(Ring::sign(&det));
+        let hand = IBig::from(Ring::sign(&det));
+        let size = &det * &hand;
         let faces = vector(half).map(|h| [-(&h * &size), h * &size]);
         let from = IBig::difference(&origin, &vector(center));
-        let along = |x: &[IBig; 3]| [0, 1, 2].map(|i: usize| IBig::dot(&w[i], x) * &one);
-        clip(&along(&from), &along(&d), &faces, range)
+        let along = |x: &[IBig; 3]| [0, 1, 2].map(|i: usize| IBig::dot(&w[i], x) * &one * &hand);
+        InFrame { origin: along(&from), d: along(&d), faces, range }
     }
 }
