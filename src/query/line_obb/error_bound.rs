@@ -17,6 +17,8 @@
 //! The proofs include second orders and underflow. R, D and T are zero or within the range of a
 //! float, so underflow loses far less than the bounds allow.
 
+use core::ops::Mul;
+
 use crate::arithmetic::{Arithmetic, Number, greatest};
 
 const DIRECTION: u16 = 40;
@@ -28,8 +30,6 @@ pub(super) struct ErrorBound<P> {
     pub(super) direction: P,
     pub(super) face: P,
     pub(super) line: P,
-    /// Of the volume u·w.
-    pub(super) volume: P,
 }
 
 /// The greatest magnitudes: of the axes and one, the vector to the line, its direction, the ends of
@@ -52,7 +52,7 @@ pub(super) fn error_bound<N: Arithmetic>(
     let zero = N::Product::ZERO;
     if N::CERTAIN {
         let all = greatest(greatest(axes, way), greatest(greatest(direction, ends), half));
-        let none = ErrorBound { direction: zero, face: zero, line: zero, volume: zero };
+        let none = ErrorBound { direction: zero, face: zero, line: zero };
         return all.in_range().then_some(none);
     }
     let size = greatest(way * one, half * axes);
@@ -65,6 +65,10 @@ pub(super) fn error_bound<N: Arithmetic>(
         direction: (square * direction).error(DIRECTION),
         face: (square * far).error(FACE),
         line: (square * size * direction).error(LINE),
-        volume: (square * axes).error(DIRECTION),
     })
+}
+
+/// How far u·w may be from the truth. Apart from [`ErrorBound`], whose other users store it.
+pub(super) fn error_of_volume<P: Number + Mul<Output = P>>(axes: P) -> P {
+    (axes * axes * axes).error(DIRECTION)
 }

@@ -11,7 +11,7 @@
 
 use core::ops::Mul;
 
-use super::error_bound::{ErrorBound, error_bound};
+use super::error_bound::{ErrorBound, error_bound, error_of_volume};
 use super::kernel::Operands;
 use super::{Disjoint, Line};
 use crate::arithmetic::{Embeds, Number, pick, three, turn};
@@ -33,8 +33,9 @@ impl<S: Scalar> Predicate<S> for Faces<'_, S> {
     #[inline(never)]
     fn filter<N: Embeds<S>>(&self) -> Option<Answer> {
         let s = self.0.operands::<N>()?;
-        let error = error_bound::<N>(s.one, &s.sizes())?;
-        faces(&Computed::new(&s, &error)?)
+        let sizes = s.sizes();
+        let error = error_bound::<N>(s.one, &sizes)?;
+        faces(&Computed::new(&s, &error, error_of_volume(sizes.axes))?)
     }
 
     fn exact(&self) -> Answer {
@@ -73,11 +74,11 @@ struct Computed<'a, P> {
 
 impl<'a, P: Number + Mul<Output = P>> Computed<'a, P> {
     #[inline(always)]
-    fn new(s: &'a Operands<P>, error: &'a ErrorBound<P>) -> Option<Self> {
+    fn new(s: &'a Operands<P>, error: &'a ErrorBound<P>, error_of_volume: P) -> Option<Self> {
         let Operands { m, d, u, .. } = s;
         let w = [cross(&u[1], &u[2]), cross(&u[2], &u[0]), cross(&u[0], &u[1])];
         let (along, volume) = (three(|i| dot(&w[i], d)), dot(&u[0], &w[0]));
-        let has_sign = Uncertain::above(volume.magnitude(), error.volume).verdict()?;
+        let has_sign = Uncertain::above(volume.magnitude(), error_of_volume).verdict()?;
         has_sign.then_some(Self { s, error, across: cross(m, d), along, w, volume })
     }
 
