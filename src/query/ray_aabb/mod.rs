@@ -16,6 +16,9 @@ use crate::robust::{Numeric, Predicate, Profile, Uncertain};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Ray};
 
+/// The ends of a ray's range.
+type Ends<N> = [Option<<N as Arithmetic>::Length>; 2];
+
 /// Does the ray miss the box?
 struct Disjoint<'a, S> {
     ray: &'a Ray<S>,
@@ -25,7 +28,7 @@ struct Disjoint<'a, S> {
 impl<S: Scalar> Disjoint<'_, S> {
     /// The slabs, and the ends of the ray's range; `None` if the numbers do not fit.
     #[inline(always)]
-    fn line<N: Embeds<S>>(&self) -> Option<(Slabs<N>, [Option<N::Length>; 2])> {
+    fn line<N: Embeds<S>>(&self) -> Option<(Slabs<N>, Ends<N>)> {
         let Self { ray, aabb } = self;
         let (from, to) = (ray.t_min(), ray.t_max());
         let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
