@@ -63,10 +63,12 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     /// mesh, an index in `other`, and the segment. It ends early if `visit` breaks.
     ///
     /// The segments make up the curve in which the surfaces intersect; with outward normals it runs
-    /// alike along each of its loops. The ends of adjacent segments have the same bits.
+    /// alike along each of its loops. The ends of adjacent segments have the same bits, except at a
+    /// point in which an edge crosses an edge: in floats, different pairs may round it differently.
     ///
     /// *Contact*, *Numerics*: as [`Triangle::crossing`]: pairs that touch in a point or lie in one
-    /// plane have no segment. *Panics*: never. *Cost*: the descent of
+    /// plane have no segment. An edge that lies in a triangle of the other mesh belongs to two
+    /// triangles, and its segment is visited for both. *Panics*: never. *Cost*: the descent of
     /// [`overlapping_pairs`](Self::overlapping_pairs), and [`Triangle::crossing`] for each pair
     /// whose bounding boxes meet.
     ///

@@ -187,7 +187,7 @@ pub(super) fn ray<S: Scalar + InRaw>(ray: &Ray<S>, obb: &Obb<S>) -> Option<bool>
         }
         let at = products([t], [d], S::FRACTION_BITS);
         // At least 2^(t's bits − 1) times 2^(d's bits − 1).
-        let is_far = t != 0 && bits(&[[t, 0, 0]]) + bits(&[d]) - S::FRACTION_BITS - 2 >= reach;
+        let is_far = bits(&[[t, 0, 0]]) + bits(&[d]) - S::FRACTION_BITS - 2 >= reach;
         match (is_far, t > 0) {
             (false, _) => {
                 let [at] = at.cut(unit);

@@ -2,8 +2,8 @@ use core::fmt;
 
 /// The reason why a constructor refused its input.
 ///
-/// Every variant belongs to one argument of the constructor, except
-/// [`NotFinite`](Self::NotFinite), which names it.
+/// [`NotFinite`](Self::NotFinite) names the argument; every other variant says by its meaning which
+/// arguments it is about.
 ///
 /// ```
 /// use septum::{Obb, ShapeError};

@@ -72,7 +72,7 @@ fn every_pair_on_a_grid() {
 }
 
 /// Two closed surfaces, oriented outward, intersect in loops: at each point as many segments end as
-/// begin.
+/// begin. In random numbers no edge crosses an edge or lies in a face.
 fn segments_make_loops<S: Sample>() {
     const FACES: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
     let (mut rng, mut seen) = (Rng::new(0x100b), 0);

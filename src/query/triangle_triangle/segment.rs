@@ -42,11 +42,12 @@ impl<S: Scalar> Triangle<S> {
     /// bounding boxes of both triangles, and may be equal once rounded.
     ///
     /// An edge that two triangles of a mesh share crosses a plane in one point with the same bits
-    /// for both, so the segments of adjacent triangles join without a gap.
+    /// for both, so the segments of adjacent triangles join without a gap. In fixed point they also
+    /// do where an edge crosses an edge; floats may round that point differently from either edge.
     ///
     /// *Range*: all finite floats, all fixed-point values. *Panics*: never.
     ///
-    /// *Cost*: 36 multiplications more than [`overlaps`](Self::overlaps). If there is a segment,
+    /// *Cost*: 6 multiplications more than [`overlaps`](Self::overlaps). If there is a segment,
     /// two normals and four volumes in a long accumulator, and six quotients.
     ///
     /// *Source*: O. Devillers, P. Guigue, INRIA RR-4488, 2002, section 4; the exact stages and the
