@@ -155,7 +155,7 @@ impl<S: Scalar> Ray<S> {
     ///
     /// *Range*: as for [`t_range_obb`](Self::t_range_obb). *Panics*: never. *Cost*:
     /// [`t_range_obb`](Self::t_range_obb), and for a hit about as much as
-    /// [`overlaps`](Overlaps::overlaps) more. Through an edge of the box, in floats, exact sums.
+    /// [`overlaps`](Ray::overlaps) more. Through an edge of the box, in floats, exact sums.
     ///
     /// ```
     /// use septum::{Obb, Ray, Vec3};
