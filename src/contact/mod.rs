@@ -169,9 +169,9 @@ pub struct Contact<S> {
 impl<S: Scalar> Contact<S> {
     /// The contact points: between one and eight, in no particular order.
     ///
-    /// If the direction comes from a face, this face and a face of the opposite shape are projected along the
-    /// normal, and the points are the corners of the overlap that lie at or below the first face.
-    /// The second face contains the deepest vertex or edge of its shape; among several such faces,
+    /// If the direction comes from a face, this face and a face of the opposite shape are projected
+    /// along the normal, and the points are the corners of the overlap that lie at or below the first
+    /// face. The second face contains the deepest vertex or edge of its shape; among several such faces,
     /// the most nearly antiparallel to the normal is used. If it comes from two edges, the point is
     /// their crossing.
     ///

@@ -58,8 +58,8 @@ impl<'a, 's, S: Scalar, I: Index> TreeBuilder<'a, 's, S, I> {
         Ok(Self { mesh, nodes, order, scratch, build })
     }
 
-    /// Looks at about as many triangles as `triangles` says, at least one, and returns whether the tree is
-    /// finished. All steps together look at each triangle 40 to 80 times.
+    /// Looks at about as many triangles as `triangles` says, at least one, and returns whether the
+    /// tree is finished. All steps together look at each triangle 40 to 80 times.
     ///
     /// *Panics*: never.
     pub fn advance(&mut self, triangles: usize) -> bool {

@@ -65,8 +65,9 @@ impl<S: Scalar, I: Index> Mesh<'_, S, I> {
     }
 }
 
-/// Sorts; the comparison leaves no ties between different elements. Small cores run a heap sort, which
-/// has a tenth of the code of the standard sort and links no panic.
+/// Sorts; the comparison leaves no ties between different elements. Small cores, and all machines
+/// with the feature `small`, run a heap sort, which has a tenth of the code of the standard sort and
+/// links no panic.
 pub(crate) fn sort<T: Copy>(all: &mut [T], compare: impl Fn(&T, &T) -> Ordering) {
     if REGISTERS_ARE_WIDE {
         all.sort_unstable_by(compare);
