@@ -25,7 +25,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (min, max) = aabb.min_max().ok_or("no corners")?;
     let (min, max) = (Vec3::from(min.to_array()), Vec3::from(max.to_array()));
     println!("from {min} to {max}");
-
     let ray = Ray::new((2.0 * max - min).to_array(), (min - max).to_array())?;
     let picked = ground.as_tree().first_hit(&ray).map(|(face, hit)| (face, hit.t));
     println!("face and t of the first hit: {picked:?}");
