@@ -1,7 +1,7 @@
 #ifndef SEPTUM_H
 #define SEPTUM_H
 
-// Made by cbindgen from c/src: see c/README.md.
+// Made by cbindgen from bindings/c/src: see bindings/c/README.md.
 
 #include <stddef.h>
 #include <stdint.h>
