@@ -20,7 +20,7 @@ use core::cmp::Ordering;
 pub(super) use self::error_bound::error_bound;
 use self::in_plane::in_plane;
 use self::sides::share_a_point;
-pub(super) use self::sides::{Vector, are_apart, from, larger, sides, size};
+pub(super) use self::sides::{Vector, are_apart, from, sides, size};
 use self::whole::Whole;
 use super::relation::{Asked, Relation};
 use crate::arithmetic::{Arithmetic, Int64Narrow, REGISTERS_ARE_WIDE, each, three, turn};
@@ -156,22 +156,36 @@ fn crossing(points: &impl Points, first: [Ordering; 3], second: [Ordering; 3]) -
 /// The apex of a triangle that straddles or touches a plane, from the signs of its vertices: the
 /// vertex alone on its side, or the vertex on the plane if the rest lie on one side. Also returns
 /// whether the apex is above the rest. The signs are not all equal.
+///
+/// By a table: the signs are random, and a mispredicted branch costs more than all the rest.
 #[inline(always)]
 pub(super) fn apex([a, b, c]: [i8; 3]) -> (usize, bool) {
-    if a > b && a > c {
-        (0, true)
-    } else if b > a && b > c {
-        (1, true)
-    } else if c > a && c > b {
-        (2, true)
-    } else if a < b && a < c {
-        (0, false)
-    } else if b < c {
-        (1, false)
-    } else {
-        (2, false)
-    }
+    let at = (9 * a + 3 * b + c + 13) as usize;
+    APEXES.get(at).map_or((0, false), |&(k, is_above)| (k.into(), is_above))
 }
+
+const APEXES: [(u8, bool); 27] = {
+    let mut apexes = [(0, false); 27];
+    let mut at = 0;
+    while at < 27 {
+        let (a, b, c) = (at / 9, at / 3 % 3, at % 3);
+        apexes[at] = if a > b && a > c {
+            (0, true)
+        } else if b > a && b > c {
+            (1, true)
+        } else if c > a && c > b {
+            (2, true)
+        } else if a < b && a < c {
+            (0, false)
+        } else if b < c {
+            (1, false)
+        } else {
+            (2, false)
+        };
+        at += 1;
+    }
+    apexes
+};
 
 /// The relation of a triangle and a segment that meets its plane in one point, given the signs of
 /// the segment's vertices. They meet if the line passes all edges on one side.

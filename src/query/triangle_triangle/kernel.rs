@@ -1,5 +1,5 @@
-use crate::arithmetic::{Arithmetic, Number, cross, dot, pick, turn};
-use crate::query::orientation::{Vector, apex, error_bound, from, larger, sides, size};
+use crate::arithmetic::{Arithmetic, cross, dot, each, pick, turn};
+use crate::query::orientation::{Vector, apex, error_bound, from, sides, size};
 use crate::query::relation::Relation;
 use crate::robust::certain_sign;
 
@@ -35,45 +35,41 @@ struct Cut<N: Arithmetic> {
 /// The cut, or else the relation of the triangles; without either a sign is in doubt, or the
 /// triangles lie in one plane.
 #[inline(always)]
-fn cut<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> Result<Cut<N>, Option<Relation>> {
-    let [p, q] = [first, second];
-    let (e, f) = (from::<N>(&q[1], &q[0]), from::<N>(&q[2], &q[0]));
-    let v = [from::<N>(&p[0], &q[0]), from::<N>(&p[1], &q[0]), from::<N>(&p[2], &q[0])];
-    let first = sides::<N, 3>([&e, &f], &v, size::<N, 3>(&v)).ok_or(None)?;
-    if is_one_sided(first) {
-        return Err(Some(Relation::Disjoint));
-    }
-    if is_unclear::<N>(first) {
-        return Err(None);
-    }
-
-    let (i, is_first_above) = apex(first);
-    let (i, j, k) = turn(i);
-    let [a, b, c] = [i, j, k].map(|i| pick(p, i));
-    let (e, f) = (from::<N>(b, a), from::<N>(c, a));
-    let v = [from::<N>(&q[0], a), from::<N>(&q[1], a), from::<N>(&q[2], a)];
-    let reach = size::<N, 3>(&v);
-    let second = sides::<N, 3>([&e, &f], &v, reach).ok_or(None)?;
-    if is_one_sided(second) {
-        return Err(Some(Relation::Disjoint));
-    }
-    if is_unclear::<N>(second) {
-        return Err(None);
-    }
-
-    let (l, is_second_above) = apex(second);
-    let (l, m, n) = turn(l);
-    let (edges, j, k) = if is_second_above { ([e, f], j, k) } else { ([f, e], k, j) };
+fn cut<N: Arithmetic>(
+    first: &Points<N>,
+    second: &Points<N>,
+    first_sides: [i8; 3],
+) -> Result<Cut<N>, Option<Relation>> {
+    let sides = [first_sides, clear_sides::<N>(second, first)?];
+    let ((i, is_first_above), (l, is_second_above)) = (apex(sides[0]), apex(sides[1]));
+    let ((i, j, k), (l, m, n)) = (turn(i), turn(l));
+    let (j, k) = if is_second_above { (j, k) } else { (k, j) };
     let (m, n) = if is_first_above { (m, n) } else { (n, m) };
-    let most = if N::CERTAIN { N::Length::ZERO } else { larger::<N>(&e, &f) };
-    Ok(Cut {
-        sides: [first, second],
-        vertices: [[i, j, k], [l, m, n]],
-        are_above: [is_first_above, is_second_above],
-        edges,
-        across: [l, m, n].map(|i| *pick(&v, i)),
-        error: error_bound::<N>([most, reach, reach]).ok_or(None)?,
-    })
+    let from_apex = |x: &Vector<N>| from::<N>(x, pick(first, i));
+    let edges = [j, k].map(|x| from_apex(pick(first, x)));
+    let across = [l, m, n].map(|x| from_apex(pick(second, x)));
+    let reach = size::<N, 3>(&across);
+    let error = error_bound::<N>([size::<N, 2>(&edges), reach, reach]).ok_or(None)?;
+    let (vertices, are_above) = ([[i, j, k], [l, m, n]], [is_first_above, is_second_above]);
+    Ok(Cut { sides, vertices, are_above, edges, across, error })
+}
+
+/// The sides of the plane of `triangle` on which three points lie, if all signs are certain and not
+/// all zero; or else that they lie on one side, or nothing.
+#[inline(always)]
+pub(super) fn clear_sides<N: Arithmetic>(
+    points: &Points<N>,
+    triangle: &Points<N>,
+) -> Result<[i8; 3], Option<Relation>> {
+    let sides = sides_of_plane::<N>(points, triangle).ok_or(None)?;
+    let [a, b, c] = sides;
+    if is_one_sided(sides) {
+        Err(Some(Relation::Disjoint))
+    } else if if N::CERTAIN { (a | b | c) == 0 } else { (a & b & c & 1) == 0 } {
+        Err(None)
+    } else {
+        Ok(sides)
+    }
 }
 
 /// The relation of two triangles, if their planes cross and all signs are certain.
@@ -81,11 +77,16 @@ fn cut<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> Result<Cut<N>, O
 /// The signs of two volumes, each spanned by an edge of either triangle, say whether the intervals
 /// meet.
 #[inline(always)]
-pub(super) fn crossing<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> Option<Relation> {
-    let Cut { sides, edges: [e, f], across: [u, v, w], error, .. } = match cut::<N>(first, second) {
+pub(super) fn crossing<N: Arithmetic>(
+    first: &Points<N>,
+    second: &Points<N>,
+    first_sides: [i8; 3],
+) -> Option<Relation> {
+    let cut = match cut::<N>(first, second, first_sides) {
         Ok(cut) => cut,
         Err(relation) => return relation,
     };
+    let Cut { sides, edges: [e, f], across: [u, v, w], error, .. } = cut;
     let ends = [
         certain_sign(dot::<N>(&cross::<N>(&e, &u), &v), error),
         certain_sign(dot::<N>(&cross::<N>(&f, &w), &u), error),
@@ -108,7 +109,8 @@ pub(super) fn crossing<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> 
 /// the second triangle's from e to f.
 #[inline(always)]
 pub(super) fn ends<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> Option<Option<Ends>> {
-    let cut = match cut::<N>(first, second) {
+    let cut = clear_sides::<N>(first, second).and_then(|sides| cut::<N>(first, second, sides));
+    let cut = match cut {
         Ok(cut) => cut,
         Err(None) if !N::CERTAIN => return None,
         Err(_) => return Some(None),
@@ -140,24 +142,22 @@ pub(super) fn ends<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> Opti
 /// Whether the first triangle certainly lies on one side of the plane of the second.
 #[inline(always)]
 pub(super) fn is_beyond<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> bool {
-    let [a, b, c] = second;
-    let (e, f) = (from::<N>(b, a), from::<N>(c, a));
-    let v = [from::<N>(&first[0], a), from::<N>(&first[1], a), from::<N>(&first[2], a)];
-    sides::<N, 3>([&e, &f], &v, size::<N, 3>(&v)).is_some_and(is_one_sided)
+    sides_of_plane::<N>(first, second).is_some_and(is_one_sided)
+}
+
+/// The sides of the plane of a triangle on which three points lie: zero in doubt.
+#[inline(always)]
+fn sides_of_plane<N: Arithmetic>(points: &Points<N>, [a, b, c]: &Points<N>) -> Option<[i8; 3]> {
+    let v = each(*points, |point| from::<N>(&point, a));
+    sides::<N, 3>([&from::<N>(b, a), &from::<N>(c, a)], &v, size::<N, 3>(&v))
 }
 
 #[inline(always)]
 fn is_one_sided([a, b, c]: [i8; 3]) -> bool {
-    a != 0 && a == b && b == c
+    (a + b + c).abs() == 3
 }
 
 #[inline(always)]
 fn straddles(signs: [i8; 3]) -> bool {
     signs.contains(&1) && signs.contains(&-1)
-}
-
-/// Whether a sign is in doubt, or all are zero.
-#[inline(always)]
-fn is_unclear<N: Arithmetic>([a, b, c]: [i8; 3]) -> bool {
-    if N::CERTAIN { (a | b | c) == 0 } else { (a == 0) | (b == 0) | (c == 0) }
 }

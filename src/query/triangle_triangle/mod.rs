@@ -6,7 +6,7 @@
 mod kernel;
 mod segment;
 
-use self::kernel::{crossing, is_beyond};
+use self::kernel::{clear_sides, crossing, is_beyond};
 use super::Overlaps;
 use super::orientation::in_doubt;
 use super::relation::{Asked, Relate, Relation};
@@ -27,18 +27,35 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<Relation> {
+        let [first, second] = self.points::<N>()?;
+        match clear_sides::<N>(&first, &second) {
+            Err(Some(relation)) => Some(relation),
+            sides => self.across_plane::<N>(sides.ok()),
+        }
+    }
+}
+
+impl<S: Scalar> Lie<'_, S> {
+    #[inline(always)]
+    fn points<N: Embeds<S>>(&self) -> Option<[[[N::Length; 3]; 3]; 2]> {
         let ([a, b, c], [d, e, f]) = (self.first.points(), self.second.points());
         let [a, b, c, d, e, f] = N::embed(&[a, b, c, d, e, f])?;
-        let (first, second) = ([a, b, c], [d, e, f]);
-        let settled = crossing::<N>(&first, &second);
+        Some([[a, b, c], [d, e, f]])
+    }
+
+    /// The answer for a first triangle that is not beyond the plane of the second, with the signs
+    /// of its vertices if they are clear. Out of line: the first plane settles half of all pairs,
+    /// and then needs no point in memory.
+    #[inline(never)]
+    fn across_plane<N: Embeds<S>>(&self, sides: Option<[i8; 3]>) -> Option<Relation> {
+        let [first, second] = self.points::<N>()?;
+        let settled = sides.and_then(|sides| crossing::<N>(&first, &second, sides));
         if settled.is_some() {
             return settled;
         }
         // In floats, most doubts are shared vertices, or triangles side by side in one plane.
-        in_doubt::<N>(&first, &second, self.asked).or_else(|| {
-            let are_apart = is_beyond::<N>(&first, &second) || is_beyond::<N>(&second, &first);
-            are_apart.then_some(Relation::Disjoint)
-        })
+        in_doubt::<N>(&first, &second, self.asked)
+            .or_else(|| is_beyond::<N>(&second, &first).then_some(Relation::Disjoint))
     }
 }
 
