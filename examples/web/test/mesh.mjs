@@ -2,10 +2,7 @@
 // makes by asking each voxel, rays and points against plain loops over all triangles; and files.
 //
 //     node examples/web/test/mesh.mjs <most bytes> <web_mesh.wasm>…
-import { copyFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { pathToFileURL } from 'node:url';
+import { readFileSync } from 'node:fs';
 
 import { readMesh } from '../mesh/file.mjs';
 import { MOST_TRIANGLES, Mesh } from '../mesh/module.mjs';
@@ -137,27 +134,7 @@ async function refused(mesh) {
     check('and memory does not grow for a small mesh', mesh.bytes === most && mesh.inside([0.5, 0.5, 0.5]).where === 'inside');
 }
 
-/** The program of docs/getting-started.md, in a folder with its two files. */
-async function guide(path) {
-    const page = readFileSync(new URL('../../../docs/getting-started.md', import.meta.url), 'utf8');
-    const [, program] = page.match(/```js\n(.*?)```/s);
-    const folder = mkdtempSync(join(tmpdir(), 'septum-'));
-    copyFileSync(new URL('../mesh/module.mjs', import.meta.url), join(folder, 'module.mjs'));
-    copyFileSync(path, join(folder, 'web_mesh.wasm'));
-    const file = join(folder, 'guide.mjs');
-    writeFileSync(file, `${program}export { triangle, t, where, size, count };\n`);
-    // Node fetches no files.
-    const { fetch } = globalThis;
-    globalThis.fetch = async (url) => new Response(readFileSync(url));
-    const { triangle, t, where, size, count } = await import(pathToFileURL(file));
-    globalThis.fetch = fetch;
-    rmSync(folder, { recursive: true });
-    check('the program of docs/getting-started.md says what its comments say',
-        triangle === 0 && t === 1 && where === 'on' && size[0] === 64 && count > 64);
-}
-
 const [most, ...paths] = process.argv.slice(2);
-check('module.mjs needs no other file', !/^import\b/m.test(readFileSync(new URL('../mesh/module.mjs', import.meta.url), 'utf8')));
 for (const path of paths) {
     const bytes = readFileSync(path);
     console.log(`\n${path}: ${bytes.length} bytes`);
@@ -168,6 +145,5 @@ for (const path of paths) {
     await rays(mesh);
     await cubes(mesh);
     await refused(mesh);
-    await guide(path);
 }
 process.exit(outcome());

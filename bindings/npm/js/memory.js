@@ -1,0 +1,63 @@
+// The module for meshes, once it is loaded, and its memory.
+import { options } from './check.js';
+import { hasVectors, load } from './load.js';
+
+let exports = null;
+let loading = null;
+let vectors = false;
+let floats = new Float32Array(0);
+let words = new Uint32Array(0);
+let numbers = 0;
+
+/** Loads the WebAssembly, once: with vectors where the machine has them, or as the options say. */
+export function init(given) {
+    const { simd = true } = options(given, ['simd']);
+    loading ??= (async () => {
+        vectors = simd && hasVectors();
+        const packed = vectors ? await import('../dist/simd.js') : await import('../dist/plain.js');
+        const loaded = await load(packed.default);
+        numbers = loaded.numbers() >>> 2;
+        exports = loaded;
+        return { simd: vectors };
+    })().catch((error) => {
+        loading = null;
+        throw error;
+    });
+    return loading;
+}
+
+/** The module's exports. */
+export function module() {
+    if (exports === null) throw new Error('septum is not loaded yet: await init() first');
+    return exports;
+}
+
+/** All of the memory as numbers; a view ends where the memory grows. */
+export function asFloats() {
+    if (floats.buffer !== exports.memory.buffer) floats = new Float32Array(exports.memory.buffer);
+    return floats;
+}
+
+export function asWords() {
+    if (words.buffer !== exports.memory.buffer) words = new Uint32Array(exports.memory.buffer);
+    return words;
+}
+
+/** Where the numbers of an answer begin, in words. */
+export const answer = () => numbers;
+
+/** The list of so many words: its place, in words. */
+export function list(length) {
+    const at = module().list(length) >>> 2;
+    if (at === 0) throw new RangeError(`there is no memory for ${length} numbers`);
+    return at;
+}
+
+/** What was found: so many words, copied. */
+export function found(count) {
+    const at = exports.found() >>> 2;
+    return asWords().slice(at, at + count);
+}
+
+/** Gives the memory of a long list back. */
+export const forget = () => { exports.list(0); };

@@ -1,0 +1,379 @@
+// A mesh and questions about it.
+import { corners, direction, number, options, reach, row, shown, vector, whole } from './check.js';
+import { answer, asFloats, asWords, forget, found, list, module } from './memory.js';
+import { atOnce } from './steps.js';
+import { voxelSteps } from './voxels.js';
+
+/** How many triangles are looked at in a step. */
+const PART = 4096;
+/** The longest list that stays in the module's memory, in words. */
+const SHORT = 1 << 16;
+
+/** Meshes that are collected give their memory back. */
+const registry = new FinalizationRegistry((handle) => module().drop_mesh(handle));
+const BUILT = Symbol('what steps have built');
+
+/** Why the module refuses a mesh that JavaScript let through. */
+function refused(problem, positions, index, count) {
+    const which = asWords()[answer()];
+    if (problem === 1) {
+        const k = 3 * which + [0, 1, 2].find((i) => !Number.isFinite(Math.fround(positions[3 * which + i])));
+        const x = positions[k];
+        return new RangeError(`positions[${k}] is ${shown(x)}, ${Number.isFinite(x) ? 'which is beyond f32' : 'not a finite number'}: ${'xyz'[k % 3]} of vertex ${which}`);
+    }
+    if (problem === 2 && index) {
+        const k = 3 * which + [0, 1, 2].find((i) => !(index[3 * which + i] < count));
+        return new RangeError(`index[${k}] is ${index[k]}, and there are ${count} vertices: corner ${k % 3} of triangle ${which}`);
+    }
+    return new RangeError('the mesh has too many triangles');
+}
+
+/** Builds a mesh, and returns its handle and its counts of vertices and triangles. */
+function* build(positions, index) {
+    const exports = module();
+    row('positions', positions, 3, 'a vertex');
+    const vertices = positions.length / 3;
+    if (index !== null && index !== undefined) {
+        row('index', index, 3, 'a triangle');
+        if (![Uint8Array, Uint16Array, Uint32Array].some((Type) => index instanceof Type)) {
+            const bad = index.findIndex((i) => !Number.isInteger(i) || i < 0 || i > 0xffff_ffff);
+            if (bad >= 0) throw new RangeError(`index[${bad}] is ${shown(index[bad])}, not the number of a vertex`);
+        }
+    } else if (vertices % 3 !== 0) {
+        throw new RangeError(`positions have ${vertices} vertices, not a multiple of 3: without an index each triangle has three`);
+    }
+    const triangles = (index?.length ?? vertices) / 3;
+    const handle = exports.mesh(vertices, triangles);
+    if (handle < 0) throw new RangeError(`there is no memory for ${vertices} vertices and ${triangles} triangles`);
+    let isBuilt = false;
+    try {
+        asFloats().set(positions, exports.vertices(handle) >>> 2);
+        yield 0.05;
+        const at = exports.triangles(handle) >>> 2;
+        const words = asWords();
+        if (index) words.set(index, at);
+        else for (let i = 0; i < vertices; i += 1) words[at + i] = i;
+        yield 0.1;
+        const problem = exports.begin(handle);
+        if (problem) throw refused(problem, positions, index, vertices);
+        for (let done = 0; done < 1;) {
+            done = exports.advance(handle, PART);
+            yield 0.1 + 0.9 * done;
+        }
+        isBuilt = true;
+        return [handle, vertices, triangles];
+    } finally {
+        if (!isBuilt) exports.drop_mesh(handle);
+    }
+}
+
+export class Mesh {
+    #handle;
+    #isFreed = false;
+    #vertices;
+    #triangles;
+
+    /**
+     * From positions, three numbers to a vertex, and an index, three to a triangle; without an
+     * index each three vertices are a triangle.
+     */
+    constructor(positions, index = null) {
+        const built = positions === BUILT ? index : atOnce(build(positions, index));
+        [this.#handle, this.#vertices, this.#triangles] = built;
+        registry.register(this, this.#handle, this);
+    }
+
+    /** The same in steps: see `inSteps`. */
+    static *steps(positions, index = null) {
+        return new Mesh(BUILT, yield* build(positions, index));
+    }
+
+    /** From three.js's `BufferGeometry`. */
+    static fromGeometry(geometry) {
+        return atOnce(Mesh.geometrySteps(geometry));
+    }
+
+    /** The same in steps. */
+    static geometrySteps(geometry) {
+        const position = geometry?.attributes?.position;
+        if (position === undefined) throw new TypeError(`geometry is ${shown(geometry)}, not a BufferGeometry with the attribute position`);
+        let { array } = position;
+        if (position.isInterleavedBufferAttribute || position.normalized) {
+            array = new Float32Array(3 * position.count);
+            for (let i = 0; i < position.count; i += 1) array.set([position.getX(i), position.getY(i), position.getZ(i)], 3 * i);
+        } else if (position.itemSize !== 3) {
+            throw new RangeError(`geometry.attributes.position has ${position.itemSize} numbers to a vertex, not 3`);
+        }
+        return Mesh.steps(array, geometry.index?.array ?? null);
+    }
+
+    /** The handle, while there is one. */
+    get #here() {
+        if (this.#isFreed) throw new Error('the mesh is freed');
+        return this.#handle;
+    }
+
+    get vertexCount() {
+        return this.#vertices;
+    }
+
+    get triangleCount() {
+        return this.#triangles;
+    }
+
+    /** The positions as the mesh has them, copied. */
+    get positions() {
+        const at = module().vertices(this.#here) >>> 2;
+        return asFloats().slice(at, at + 3 * this.#vertices);
+    }
+
+    /** The triangles as indices of vertices, copied. */
+    get index() {
+        const at = module().triangles(this.#here) >>> 2;
+        return asWords().slice(at, at + 3 * this.#triangles);
+    }
+
+    /** The bounding box, or null without a triangle. */
+    get bounds() {
+        if (!module().bounds(this.#here)) return null;
+        const [ax, ay, az, bx, by, bz] = asFloats().subarray(answer(), answer() + 6);
+        return { min: [ax, ay, az], max: [bx, by, bz] };
+    }
+
+    /** The three corners of a triangle. */
+    corners(triangle) {
+        whole('triangle', triangle, 0, this.#triangles - 1);
+        const at = (module().triangles(this.#here) >>> 2) + 3 * triangle;
+        return [...asWords().subarray(at, at + 3)].map((i) => this.#vertex(i));
+    }
+
+    #vertex(i) {
+        const at = (module().vertices(this.#handle) >>> 2) + 3 * i;
+        const all = asFloats();
+        return [all[at], all[at + 1], all[at + 2]];
+    }
+
+    /** The first hit of a ray, or null. */
+    raycast(origin, along, given) {
+        const [o, d, [near, far, cull]] = [vector('origin', origin), direction('direction', along), reach(given)];
+        const triangle = module().first_hit(this.#here, o[0], o[1], o[2], d[0], d[1], d[2], near, far, cull);
+        return sane(triangle) < 0 ? null : this.#hit(o, d, triangle, answer());
+    }
+
+    /** Whether a ray hits any triangle. */
+    raycastAny(origin, along, given) {
+        const [o, d, [near, far, cull]] = [vector('origin', origin), direction('direction', along), reach(given)];
+        return sane(module().any_hit(this.#here, o[0], o[1], o[2], d[0], d[1], d[2], near, far, cull)) === 1;
+    }
+
+    /** All hits of a ray, by t; where it is the same, by triangle. */
+    raycastAll(origin, along, given) {
+        const [o, d, [near, far, cull]] = [vector('origin', origin), direction('direction', along), reach(given)];
+        const exports = module();
+        const count = sane(exports.all_hits(this.#here, o[0], o[1], o[2], d[0], d[1], d[2], near, far, cull));
+        const at = exports.found() >>> 2;
+        const hits = Array.from({ length: count }, (_, k) => this.#hit(o, d, asWords()[at + 5 * k], at + 5 * k + 1));
+        return hits.sort((a, b) => a.t - b.t || a.triangle - b.triangle);
+    }
+
+    /** A hit whose numbers are at a place. */
+    #hit(o, d, triangle, at) {
+        const exports = module();
+        const [floats, words] = [asFloats(), asWords()];
+        const t = floats[at];
+        const { fround } = Math;
+        const point = [fround(o[0]) + t * fround(d[0]), fround(o[1]) + t * fround(d[1]), fround(o[2]) + t * fround(d[2])];
+        const k = (exports.triangles(this.#handle) >>> 2) + 3 * triangle;
+        const from = exports.vertices(this.#handle) >>> 2;
+        const [a, b, c] = [from + 3 * words[k], from + 3 * words[k + 1], from + 3 * words[k + 2]];
+        const [x, y, z] = [floats[a], floats[a + 1], floats[a + 2]];
+        const [bx, by, bz] = [floats[b] - x, floats[b + 1] - y, floats[b + 2] - z];
+        const [cx, cy, cz] = [floats[c] - x, floats[c + 1] - y, floats[c + 2] - z];
+        const normal = unit(by * cz - bz * cy, bz * cx - bx * cz, bx * cy - by * cx);
+        return { triangle, t, u: floats[at + 1], v: floats[at + 2], isFront: words[at + 3] === 0, point, normal };
+    }
+
+    /**
+     * The first hits of many rays, six numbers each: origin and direction. A ray without a hit has
+     * the triangle -1.
+     */
+    raycastMany(rays, given) {
+        return this.#many('rays', rays, 6, 'a ray', (exports, at, count) => {
+            if (count > 0) exports.first_hits(this.#handle, ...reach(given));
+            const [floats, words] = [asFloats(), asWords()];
+            const [triangle, t, u, v] = [new Int32Array(count), new Float32Array(count), new Float32Array(count), new Float32Array(count)];
+            for (let k = 0, p = at; k < count; k += 1, p += 6) {
+                triangle[k] = words[p];
+                if (triangle[k] < -1) throw brokenRay(rays, k);
+                t[k] = floats[p + 1];
+                u[k] = floats[p + 2];
+                v[k] = floats[p + 3];
+            }
+            return { triangle, t, u, v };
+        });
+    }
+
+    /** Whether each of many rays hits any triangle: 1 or 0. */
+    raycastAnyMany(rays, given) {
+        return this.#many('rays', rays, 6, 'a ray', (exports, at, count) => {
+            exports.any_hits(this.#handle, ...reach(given));
+            const words = asWords();
+            return Uint8Array.from({ length: count }, (_, k) => {
+                if (words[at + 6 * k] > 1) throw brokenRay(rays, k);
+                return words[at + 6 * k];
+            });
+        });
+    }
+
+    /** Writes the numbers of many questions, and hands over where they are. */
+    #many(name, numbers, each, element, ask) {
+        row(name, numbers, each, element);
+        this.#here;
+        const [exports, at] = [module(), list(numbers.length || each)];
+        try {
+            asFloats().set(numbers, at);
+            return ask(exports, at, numbers.length / each);
+        } finally {
+            if (numbers.length > SHORT) forget();
+        }
+    }
+
+    /** Whether the mesh contains a point: inside, or on a triangle. */
+    contains(point) {
+        return this.#locate(point) > 0;
+    }
+
+    /** Whether a point is 'outside', 'inside' or 'on' a triangle. */
+    locate(point) {
+        return ['outside', 'inside', 'on'][this.#locate(point)];
+    }
+
+    #locate(point) {
+        const [x, y, z] = vector('point', point);
+        return module().locate(this.#here, x, y, z);
+    }
+
+    /** Whether the mesh contains each of many points, three numbers each: 1 or 0. */
+    containsMany(points) {
+        return this.#many('points', points, 3, 'a point', (exports, at, count) => {
+            exports.locate_all(this.#handle);
+            const words = asWords();
+            return Uint8Array.from({ length: count }, (_, k) => {
+                const where = words[at + 3 * k];
+                if (where > 2) throw notFinite('points', points, 3 * k, 3);
+                return where > 0;
+            });
+        });
+    }
+
+    /** Whether a box overlaps a triangle. */
+    overlapsBox(min, max) {
+        const [a, b] = corners('', min, max);
+        return sane(module().meets_box(this.#here, ...a, ...b)) === 1;
+    }
+
+    /** The triangles that overlap a box, in the order of their numbers. */
+    trianglesInBox(min, max) {
+        const [a, b] = corners('', min, max);
+        return found(sane(module().in_box(this.#here, ...a, ...b))).sort();
+    }
+
+    /** Whether a triangle overlaps one of another mesh. Meshes are surfaces here. */
+    overlapsMesh(other) {
+        return this.#pairs(other, 1) > 0;
+    }
+
+    /** At most `limit` pairs of triangles that overlap, of this mesh and another: [a, b, a, b, …]. */
+    overlappingPairs(other, limit = 0xffff_ffff) {
+        whole('limit', limit, 0, 0xffff_ffff);
+        const pairs = found(2 * this.#pairs(other, limit));
+        if (pairs.length > SHORT) forget();
+        return pairs;
+    }
+
+    #pairs(other, limit) {
+        if (!(other instanceof Mesh)) throw new TypeError(`other is ${shown(other)}, not a Mesh`);
+        return module().pairs(this.#here, other.#here, limit) >>> 0;
+    }
+
+    /** The first triangle that a box meets on its way by `motion`, or null. */
+    boxCast(min, max, motion) {
+        const [[a, b], d] = [corners('', min, max), vector('motion', motion)];
+        const triangle = sane(module().box_cast(this.#here, ...a, ...b, ...d));
+        if (triangle < 0) return null;
+        const [all, at] = [asFloats(), answer()];
+        const normal = asWords()[at + 1] ? unit(all[at + 2], all[at + 3], all[at + 4]) : null;
+        return { triangle, t: all[at], normal };
+    }
+
+    /** An edge that belongs to an odd number of triangles, as two vertices; null if the mesh is closed. */
+    openEdge() {
+        return atOnce(this.openEdgeSteps());
+    }
+
+    /** The same in steps. */
+    *openEdgeSteps() {
+        const exports = module();
+        const count = exports.edges(this.#here);
+        if (count < 0) throw new RangeError('there is no memory to count the edges');
+        try {
+            for (let from = 0; from < this.#triangles; from += PART) {
+                yield from / this.#triangles;
+                exports.count_edges(count, this.#here, from, from + PART);
+            }
+            const isOpen = exports.open_edge(count, this.#here);
+            return isOpen ? [...asWords().subarray(answer(), answer() + 2)] : null;
+        } finally {
+            exports.drop_edges(count);
+        }
+    }
+
+    /** The voxels that the mesh meets; with `solid` those whose centre is inside too. */
+    voxelize(grid, given) {
+        return atOnce(this.voxelizeSteps(grid, given));
+    }
+
+    /** The same in steps. */
+    voxelizeSteps(grid, given) {
+        return voxelSteps(() => this.#here, this.#triangles, grid, given);
+    }
+
+    /** Gives the memory back; the mesh answers nothing after that. */
+    free() {
+        if (this.#isFreed) return;
+        this.#isFreed = true;
+        registry.unregister(this);
+        module().drop_mesh(this.#handle);
+    }
+
+    [Symbol.dispose ?? Symbol.for('dispose')]() {
+        this.free();
+    }
+}
+
+/** An answer of the module, which refuses nothing that was checked here. */
+function sane(answer) {
+    if (answer < -1) throw new Error('septum refuses what it took for a good question: a fault of the package');
+    return answer;
+}
+
+/** The unit vector, or zero. */
+function unit(x, y, z) {
+    const most = Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) || 1;
+    const [a, b, c] = [x / most, y / most, z / most];
+    const length = Math.sqrt(a * a + b * b + c * c) || 1;
+    return [a / length, b / length, c / length];
+}
+
+/** Which of an element's numbers is not finite. */
+function notFinite(name, numbers, from, count) {
+    for (let k = from; k < from + count; k += 1) {
+        const x = numbers[k];
+        if (!Number.isFinite(Math.fround(x))) {
+            return new RangeError(`${name}[${k}] is ${shown(x)}, ${Number.isFinite(x) ? 'which is beyond f32' : 'not a finite number'}`);
+        }
+    }
+    return null;
+}
+
+const brokenRay = (rays, k) => notFinite('rays', rays, 6 * k, 6) ?? new RangeError(`the direction of ray ${k} is zero: rays[${6 * k + 3}] to rays[${6 * k + 5}]`);

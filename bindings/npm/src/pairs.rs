@@ -1,0 +1,161 @@
+//! Questions about two shapes, in `f64`: JavaScript's own numbers.
+
+use core::sync::atomic::{AtomicU64, Ordering};
+
+use septum::contact::{self, Contact, Features, Part};
+use septum::{Aabb, Obb, Overlaps, Ray, ShapeError, Triangle};
+
+/// The numbers of two shapes from 0 and 16 on, or of an answer.
+static SHAPES: [AtomicU64; 96] = [const { AtomicU64::new(0) }; 96];
+
+#[unsafe(export_name = "shapes")]
+extern "C" fn shapes() -> *const AtomicU64 {
+    SHAPES.as_ptr()
+}
+
+fn numbers<const N: usize>(first: usize) -> [f64; N] {
+    core::array::from_fn(|k| {
+        SHAPES.get(first + k).map_or(0.0, |x| f64::from_bits(x.load(Ordering::Relaxed)))
+    })
+}
+
+fn say(answer: impl IntoIterator<Item = f64>) {
+    for (place, x) in SHAPES.iter().zip(answer) {
+        place.store(x.to_bits(), Ordering::Relaxed);
+    }
+}
+
+/// A shape of the kind that JavaScript names by a number.
+enum Shape {
+    Triangle(Triangle<f64>),
+    Aabb(Aabb<f64>),
+    Obb(Obb<f64>),
+}
+
+/// A triangle (0), a box by its corners (1), an oriented box by its axes (2) or by a quaternion
+/// (3).
+fn shape(kind: u32, at: usize) -> Result<Shape, ShapeError> {
+    let point = |k: usize| numbers::<3>(at + 3 * k);
+    Ok(match kind {
+        0 => Shape::Triangle(Triangle::new(point(0), point(1), point(2))?),
+        1 => Shape::Aabb(Aabb::from_min_max(point(0), point(1))?),
+        2 => {
+            let axes = [point(2), point(3), point(4)];
+            Shape::Obb(Obb::new(point(0), axes, point(1))?)
+        }
+        _ => Shape::Obb(Obb::from_quaternion(point(0), numbers::<4>(at + 6), point(1))?),
+    })
+}
+
+/// The negative code of an error.
+fn code(error: ShapeError) -> i32 {
+    match error {
+        ShapeError::NotFinite { .. } => -1,
+        ShapeError::NegativeHalfExtent => -2,
+        ShapeError::MinAboveMax => -3,
+        ShapeError::NotOrthonormal => -4,
+        ShapeError::NotUnitQuaternion => -5,
+        ShapeError::ZeroDirection => -6,
+        ShapeError::EmptyRange => -7,
+        _ => -8,
+    }
+}
+
+/// What `ask` answers, or the code of an error, less 16 if it is about the second shape.
+fn about(first: u32, second: u32, ask: impl FnOnce(&Shape, &Shape) -> i32) -> i32 {
+    match (shape(first, 0), shape(second, 16)) {
+        (Ok(first), Ok(second)) => ask(&first, &second),
+        (Err(error), _) => code(error),
+        (_, Err(error)) => code(error) - 16,
+    }
+}
+
+/// Whether two shapes overlap: 0 or 1.
+#[unsafe(export_name = "overlaps")]
+extern "C" fn overlaps(first: u32, second: u32) -> i32 {
+    fn with<A>(a: &A, second: &Shape) -> bool
+    where
+        A: Overlaps<Triangle<f64>> + Overlaps<Aabb<f64>> + Overlaps<Obb<f64>>,
+    {
+        match second {
+            Shape::Triangle(b) => a.overlaps(b),
+            Shape::Aabb(b) => a.overlaps(b),
+            Shape::Obb(b) => a.overlaps(b),
+        }
+    }
+    about(first, second, |first, second| {
+        i32::from(match first {
+            Shape::Triangle(a) => with(a, second),
+            Shape::Aabb(a) => with(a, second),
+            Shape::Obb(a) => with(a, second),
+        })
+    })
+}
+
+/// The contact of two shapes: 0 if there is none, else 1 plus the number of its points. The numbers
+/// are then the translation, its depth, its normal, whether it suffices, the features, and for each
+/// point the place on the first shape, on the second, the depth and the two parts.
+#[unsafe(export_name = "contact")]
+extern "C" fn contact(first: u32, second: u32) -> i32 {
+    fn with<A: contact::Shape<f64>>(a: &A, second: &Shape) -> Option<Contact<f64>> {
+        match second {
+            Shape::Triangle(b) => contact::contact(a, b),
+            Shape::Aabb(b) => contact::contact(a, b),
+            Shape::Obb(b) => contact::contact(a, b),
+        }
+    }
+    about(first, second, |first, second| {
+        let contact = match first {
+            Shape::Triangle(a) => with(a, second),
+            Shape::Aabb(a) => with(a, second),
+            Shape::Obb(a) => with(a, second),
+        };
+        let Some(contact) = contact else { return 0 };
+        let translation = &contact.translation;
+        let features = match translation.features {
+            Features::First(face) => [0, face, 0],
+            Features::Second(face) => [1, face, 0],
+            Features::Edges(one, other) => [2, one, other],
+        };
+        let head = translation.vector.to_array().into_iter().chain([translation.depth]);
+        let head = head.chain(translation.normal.to_array());
+        let head = head.chain([f64::from(u8::from(translation.is_sufficient))]);
+        let points = contact.points().iter().flat_map(|point| {
+            let places = point.on_first.to_array().into_iter().chain(point.on_second.to_array());
+            places.chain([point.depth]).chain(point.parts.map(|part| f64::from(number(part))))
+        });
+        say(head.chain(features.map(f64::from)).chain(points));
+        1 + contact.points().len() as i32
+    })
+}
+
+/// Faces from 0, edges from 16, vertices from 32 on.
+fn number(part: Part) -> u8 {
+    match part {
+        Part::Face(k) => k,
+        Part::Edge(k) => 16 + k,
+        Part::Vertex(k) => 32 + k,
+    }
+}
+
+/// Whether a ray, by origin, direction and range, meets a box: 0 or 1. The numbers are then where it
+/// enters and leaves.
+#[unsafe(export_name = "ray_box")]
+extern "C" fn ray_box(kind: u32) -> i32 {
+    let [ox, oy, oz, dx, dy, dz, near, far] = numbers::<8>(0);
+    // An infinite end is no end.
+    let end = |t: f64| (!t.is_infinite()).then_some(t);
+    let ray = Ray::new([ox, oy, oz], [dx, dy, dz]);
+    let ray = ray.and_then(|ray| ray.with_range(end(near), end(far)));
+    let range = match (ray, shape(kind, 16)) {
+        (Err(error), _) => return code(error),
+        (_, Err(error)) => return code(error) - 16,
+        (Ok(ray), Ok(Shape::Aabb(aabb))) => ray.t_range(&aabb),
+        (Ok(ray), Ok(Shape::Obb(obb))) => ray.t_range_obb(&obb),
+        (Ok(_), Ok(Shape::Triangle(_))) => return -8,
+    };
+    range.map_or(0, |(enters, leaves)| {
+        say([enters, leaves]);
+        1
+    })
+}

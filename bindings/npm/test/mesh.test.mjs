@@ -1,0 +1,109 @@
+// What the stream of golden.test.mjs does not ask: steps, geometries, many at once, memory.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { init, inSteps, Mesh } from '../js/index.js';
+
+await init();
+const corners = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
+const faces = Uint16Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3);
+
+/** A wavy sheet of 2·n·n triangles. */
+function sheet(n) {
+    const positions = new Float32Array(3 * (n + 1) ** 2);
+    for (let i = 0; i <= n; i += 1) {
+        for (let k = 0; k <= n; k += 1) positions.set([i, k, Math.sin(i / 9) * Math.cos(k / 7)], 3 * (i * (n + 1) + k));
+    }
+    const index = new Uint32Array(6 * n * n);
+    for (let i = 0; i < n; i += 1) {
+        for (let k = 0; k < n; k += 1) {
+            const a = i * (n + 1) + k;
+            index.set([a, a + n + 1, a + n + 2, a, a + n + 2, a + 1], 6 * (i * n + k));
+        }
+    }
+    return { positions, index };
+}
+
+test('a hit has its point and normal', () => {
+    const mesh = new Mesh(corners, faces);
+    assert.deepEqual(mesh.raycast([0.25, 0.25, 2], [0, 0, -1]), {
+        triangle: 3, t: 1.5, u: 0.25, v: 0.5, isFront: true, point: [0.25, 0.25, 0.5], normal: [1, 1, 1].map((x) => x / Math.sqrt(3)),
+    });
+    assert.equal(mesh.raycast({ x: 0.25, y: 0.25, z: 2 }, [0, 0, -1], { cull: 'front' }).triangle, 0);
+    assert.equal(mesh.raycast([0.25, 0.25, 2], [0, 0, -1], { far: 1 }), null);
+    assert.deepEqual(mesh.bounds, { min: [0, 0, 0], max: [1, 1, 1] });
+    assert.equal(mesh.openEdge(), null);
+    assert.deepEqual([mesh.contains([0.1, 0.1, 0.1]), mesh.locate([0, 0, 0]), mesh.locate([1, 1, 1])], [true, 'on', 'outside']);
+    assert.deepEqual(mesh.boxCast([0, 0, 2], [0.25, 0.25, 3], [0, 0, -4]).t, 0.25);
+    assert.deepEqual([...mesh.voxelize(2)], [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1], [1, 1, 1]].filter(([x, y, z]) => mesh.voxelize(2).has(x, y, z)));
+    assert.equal(mesh.voxelize(2).has(2, 0, 0), false);
+});
+
+test('in steps it is the same mesh, and the page is let in', async () => {
+    const { positions, index } = sheet(100);
+    const once = new Mesh(positions, index);
+    let last = 0;
+    let turns = 0;
+    const slow = await inSteps(Mesh.steps(positions, index), {
+        slice: 0, progress: (share) => {
+            assert.ok(share >= last && share <= 1);
+            last = share;
+            turns += 1;
+        },
+    });
+    assert.ok(turns > 10);
+    const rays = Float32Array.from({ length: 6000 }, (_, k) => [(k * 7919) % 100, (k * 104_729) % 100, 5, 0.1, 0.05, -1][k % 6]);
+    assert.deepEqual(slow.raycastMany(rays), once.raycastMany(rays));
+    assert.deepEqual(await inSteps(slow.voxelizeSteps(50, { solid: true }), { slice: 0 }), once.voxelize(50, { solid: true }));
+    assert.deepEqual(await inSteps(slow.openEdgeSteps()), once.openEdge());
+});
+
+test('many rays and points are the same as one by one', () => {
+    const { positions, index } = sheet(30);
+    const mesh = new Mesh(positions, index);
+    const rays = Array.from({ length: 600 }, (_, k) => [(k * 7919) % 37, (k * 104_729) % 31, 5, 0.1, 0.05, -1][k % 6]);
+    const { triangle, t } = mesh.raycastMany(rays);
+    const any = mesh.raycastAnyMany(rays);
+    const inside = mesh.containsMany(rays);
+    for (let k = 0; k < 100; k += 1) {
+        const [o, d] = [rays.slice(6 * k, 6 * k + 3), rays.slice(6 * k + 3, 6 * k + 6)];
+        const hit = mesh.raycast(o, d);
+        assert.deepEqual([triangle[k], t[k]], hit ? [hit.triangle, hit.t] : [-1, 0]);
+        assert.equal(any[k] === 1, mesh.raycastAny(o, d));
+        assert.deepEqual([inside[2 * k] === 1, inside[2 * k + 1] === 1], [mesh.contains(o), mesh.contains(d)]);
+    }
+    assert.equal(mesh.raycastMany([]).triangle.length, 0);
+});
+
+test('a geometry of three.js, indexed, not indexed, or interleaved', () => {
+    const soup = Float32Array.from([...faces].flatMap((i) => [...corners.subarray(3 * i, 3 * i + 3)]));
+    const position = (array) => ({ array, itemSize: 3, count: array.length / 3, normalized: false });
+    const mixed = {
+        isInterleavedBufferAttribute: true, count: 12,
+        getX: (i) => soup[3 * i], getY: (i) => soup[3 * i + 1], getZ: (i) => soup[3 * i + 2],
+    };
+    for (const geometry of [
+        { attributes: { position: position(corners) }, index: { array: faces } },
+        { attributes: { position: position(soup) }, index: null },
+        { attributes: { position: mixed }, index: null },
+    ]) {
+        const mesh = Mesh.fromGeometry(geometry);
+        assert.equal(mesh.triangleCount, 4);
+        assert.equal(mesh.openEdge(), null);
+        assert.equal(mesh.raycast([0.25, 0.25, 2], [0, 0, -1]).t, 1.5);
+    }
+});
+
+test('memory that is given back is used again', () => {
+    const { positions, index } = sheet(100);
+    for (let k = 0; k < 40; k += 1) new Mesh(positions, index).free();
+    // Steps that are not ended give theirs back too.
+    for (let k = 0; k < 40; k += 1) {
+        const steps = Mesh.steps(positions, index);
+        for (let i = 0; i < 5; i += 1) steps.next();
+        steps.return();
+    }
+    const many = Array.from({ length: 10 }, () => new Mesh(positions, index));
+    assert.equal(many[9].overlappingPairs(many[0], 5).length, 10);
+    assert.equal(many[9].overlapsMesh(many[0]), true);
+    many.forEach((mesh) => mesh.free());
+});

@@ -1,0 +1,4 @@
+// The same without simd128.
+import { asTheCrate } from './crate.mjs';
+
+asTheCrate({ simd: false });
