@@ -29,13 +29,18 @@ static const uint16_t NAME(nodes_)[3][6][4] = JOIN2(NODES_, NUMBER);
 static const ASK(mesh) NAME(mesh_) = {NAME(vertices_), 16, NAME(triangles_), 32, NAME(nodes_), 3};
 #undef V
 
-static void NAME(check_)(void) {
+__attribute__((unused)) static void NAME(check_)(void) {
     static const char *const names[] = {"triangle_aabb", "triangle_obb", "ray_aabb", "ray_triangle",
-                                        "ray_triangle_hit", "contains"};
+                                        "ray_triangle_hit", "contains", "triangle_triangle",
+                                        "first_hit", "is_hit", "tree_aabb", "aabb_cast", "aabb_cast_triangle",
+                                        "contact", "turned_contact"};
+    static uint16_t nodes[3][6][4], order[32];
+    ASK(tree) built;
+    septum_answer is_built = septum_node_count(32) == 3 ? ASK(tree_build)(&NAME(mesh_), nodes, 3, order, &built) : 0;
     ASK(tree) tree;
     septum_answer opened = ASK(tree_open)(&NAME(mesh_), &tree);
     hash = 2166136261u;
-    for (int query = 0; query < 6; query++) {
+    for (int query = BEGIN; query < END; query++) {
         int yes = 0;
         state = 1;
         for (int round = 0; round < ROUNDS; round++) {
@@ -70,19 +75,83 @@ static void NAME(check_)(void) {
                 point[2] = 0;
             }
             ASK(hit) hit = {0, 0, 0, 0, 0};
-            septum_answer answer = query == 0   ? ASK(triangle_aabb)(&triangle, &aabb)
-                                   : query == 1 ? ASK(triangle_obb)(&triangle, &obb)
-                                   : query == 2 ? ASK(ray_aabb)(&ray, &aabb)
-                                   : query == 3 ? ASK(ray_triangle)(&ray, &triangle)
-                                   : query == 4 ? ASK(ray_triangle_hit)(&ray, &triangle, &hit)
-                                   : opened < 0 ? opened
-                                                : ASK(contains)(&tree, (const TYPE(*)[3]) & point);
+            ASK(first_contact) first = {0, {0, 0, 0}, 0};
+            static ASK(contact) contact;
+            contact.point_count = 0;
+            ASK(triangle) other = {{aabb.min[0], aabb.min[1], aabb.min[2]}, {aabb.max[0], aabb.max[1], aabb.max[2]}, {obb.center[0], obb.center[1], obb.center[2]}};
+            static const TYPE quaternion[4] = {FROM(32768), FROM(32768), FROM(32768), FROM(32768)};
+            ASK(obb) turned = obb;
+            for (int k = 0; k < 3; k++) {
+                turned.center[k] = triangle.b[k];
+            }
+            size_t found = 99;
+            septum_answer answer = is_built;
+            switch (query) {
+            case 0:
+                answer = ASKS(0) ? ASK(triangle_aabb)(&triangle, &aabb) : is_built;
+                break;
+            case 1:
+                answer = ASKS(1) ? ASK(triangle_obb)(&triangle, &obb) : is_built;
+                break;
+            case 2:
+                answer = ASKS(2) ? ASK(ray_aabb)(&ray, &aabb) : is_built;
+                break;
+            case 3:
+                answer = ASKS(3) ? ASK(ray_triangle)(&ray, &triangle) : is_built;
+                break;
+            case 4:
+                answer = ASKS(4) ? ASK(ray_triangle_hit)(&ray, &triangle, &hit) : is_built;
+                break;
+            case 5:
+                answer = ASKS(5) ? (opened < 0 ? opened : ASK(tree_contains)(&tree, point)) : is_built;
+                break;
+            case 6:
+                answer = ASKS(6) ? ASK(triangle_triangle)(&triangle, &other) : is_built;
+                break;
+            case 7:
+                answer = ASKS(7) ? ASK(tree_first_hit)(&built, &ray, &found, &hit) : is_built;
+                break;
+            case 8:
+                answer = ASKS(8) ? ASK(tree_is_hit)(&built, &ray) : is_built;
+                break;
+            case 9:
+                answer = ASKS(9) ? ASK(tree_aabb)(&built, &aabb, &found) : is_built;
+                break;
+            case 10:
+                answer = ASKS(10) ? ASK(tree_aabb_cast)(&built, &aabb, ray.direction, &found, &first) : is_built;
+                break;
+            case 11:
+                answer = ASKS(11) ? ASK(aabb_cast_triangle)(&aabb, ray.direction, &triangle, &first) : is_built;
+                break;
+            case 12:
+                answer = ASKS(12) ? ASK(triangle_aabb_contact)(&triangle, &aabb, &contact) : is_built;
+                break;
+            case 13:
+                answer = ASKS(13) ? (ASK(obb_turn)(&turned, quaternion) < 0 ? SEPTUM_ANSWER_NOT_UNIT_QUATERNION : ASK(obb_obb_contact)(&obb, &turned, &contact)) : is_built;
+                break;
+            }
             yes += answer == SEPTUM_ANSWER_YES;
             add((uint32_t)answer);
             add(BITS(hit.t));
             add(BITS(hit.u));
             add(BITS(hit.v));
             add((uint32_t)(hit.is_front << 8 | hit.feature));
+            if (query < 7) {
+                continue;
+            }
+            add((uint32_t)found);
+            add(BITS(first.t));
+            add(first.axis);
+            if (answer == SEPTUM_ANSWER_YES && query > 11) {
+                add(BITS(contact.depth));
+                for (int k = 0; k < 3; k++) {
+                    add(BITS(contact.translation[k]));
+                }
+                for (int i = 0; i < contact.point_count; i++) {
+                    add(BITS(contact.points[i].depth));
+                    add((uint32_t)(contact.points[i].first_part << 8 | contact.points[i].second_part));
+                }
+            }
         }
         print(TEXT(NUMBER) " ");
         NAME(report_)(names[query], yes);

@@ -4,8 +4,10 @@
 use std::fmt::Debug;
 
 use fixed::types::{I8F8, I16F16};
+use septum::contact::{Part, Translation, contact};
 use septum::mesh::{Mesh, Node, Tree};
-use septum::{Aabb, Facing, Feature, Hit, Obb, Ray, Scalar, Triangle, Vec3};
+use septum::sweep::{Motion, Sweep};
+use septum::{Aabb, Axis, Facing, Feature, Hit, Obb, Ray, Scalar, Triangle, Vec3};
 
 const ROUNDS: usize = 256;
 const HASH: u32 = 2_166_136_261;
@@ -87,10 +89,21 @@ fn check<S: Scalar>(name: &str, from: fn(i32) -> S, bits: fn(S) -> u32) {
         "ray_triangle",
         "ray_triangle_hit",
         "contains",
+        "triangle_triangle",
+        "first_hit",
+        "is_hit",
+        "tree_aabb",
+        "aabb_cast",
+        "aabb_cast_triangle",
+        "contact",
+        "turned_contact",
     ];
     let vertices = torus().0.map(|v| Vec3::from(v.map(from)));
     let (faces, nodes) = sorted(&vertices);
     let tree = Tree::new(Mesh::new(&vertices, &faces).unwrap(), &nodes).unwrap();
+    let (mut nodes, mut order) = ([Node::EMPTY; 3], [0; 32]);
+    let built = Mesh::new(&vertices, &faces).unwrap();
+    let built = Tree::build(built, &mut nodes, &mut order).unwrap();
     for (query, called) in queries.iter().enumerate() {
         let (mut stream, mut hash, mut yes) = (Stream(1), HASH, 0);
         for round in 0..ROUNDS {
@@ -102,8 +115,15 @@ fn check<S: Scalar>(name: &str, from: fn(i32) -> S, bits: fn(S) -> u32) {
             let aabb = Aabb::from_min_max(least, most).unwrap();
             let axes = [[39_322, 52_429, 0], [-52_429, 39_322, 0], [0, 0, 65_536]];
             let half = [65_536, 32_768, 16_384].map(from);
-            let obb = Obb::new(point(), axes.map(|axis| axis.map(from)), half).unwrap();
-            let ray = Ray::new(point(), point()).unwrap();
+            let center = point();
+            let obb = Obb::new(center, axes.map(|axis| axis.map(from)), half).unwrap();
+            let (origin, direction) = (point(), point());
+            let ray = Ray::new(origin, direction).unwrap();
+            let other = Triangle::new(least, most, center).unwrap();
+            let quaternion = [from(32_768); 4];
+            let turned = Obb::from_quaternion(triangle.vertices()[1], quaternion, half).unwrap();
+            let motion = Motion::new([S::ZERO; 3], direction).unwrap();
+            let (mut found, mut first, mut met) = (99, None, None);
             let mut hit = None;
             let answer = match query {
                 0 => triangle.overlaps(&aabb),
@@ -115,16 +135,73 @@ fn check<S: Scalar>(name: &str, from: fn(i32) -> S, bits: fn(S) -> u32) {
                     let Vec3 { x, y, z } = triangle.vertices()[0];
                     tree.contains([x, y, if round % 4 == 1 { S::ZERO } else { z }])
                 }
-                _ => {
+                4 => {
                     hit = ray.hit(&triangle);
                     hit.is_some()
+                }
+                6 => triangle.overlaps(&other),
+                7 => built.first_hit(&ray).is_some_and(|(i, there)| {
+                    (found, hit) = (i as u32, Some(there));
+                    true
+                }),
+                8 => built.is_hit(&ray),
+                9 => built.overlapping(&aabb).next().is_some_and(|i| {
+                    found = i as u32;
+                    true
+                }),
+                10 => built.first_contact(&aabb, &motion).is_some_and(|(i, there)| {
+                    (found, first) = (i as u32, Some(there));
+                    true
+                }),
+                11 => {
+                    first = aabb.first_contact(&motion, &triangle);
+                    first.is_some()
+                }
+                12 => {
+                    met = contact(&triangle, &aabb);
+                    met.is_some()
+                }
+                _ => {
+                    met = contact(&obb, &turned);
+                    met.is_some()
                 }
             };
             yes += u32::from(answer);
             let numbers = hit.map_or([0; 4], |hit| words(&hit, bits));
             hash = numbers.iter().fold(add(hash, u32::from(answer)), |hash, &word| add(hash, word));
+            if query < 7 {
+                continue;
+            }
+            hash = add(add(hash, found), bits(first.map_or(S::ZERO, |first| first.t)));
+            hash = add(hash, first.and_then(|first| first.axis).map_or(0, number));
+            if let Some(contact) = met {
+                let Translation { depth, vector, .. } = contact.translation;
+                hash = [depth, vector.x, vector.y, vector.z]
+                    .iter()
+                    .fold(hash, |hash, &x| add(hash, bits(x)));
+                for point in contact.points() {
+                    let [first, second] = point.parts.map(part);
+                    hash = add(add(hash, bits(point.depth)), first << 8 | second);
+                }
+            }
         }
         println!("{name} {called} yes: {yes}, hash {hash:x}");
+    }
+}
+
+fn number(axis: Axis) -> u32 {
+    match axis {
+        Axis::Face(k) => 1 + u32::from(k),
+        Axis::Normal => 4,
+        Axis::Edge { axis, edge } => 5 + 3 * u32::from(axis) + u32::from(edge),
+    }
+}
+
+fn part(part: Part) -> u32 {
+    match part {
+        Part::Face(k) => u32::from(k),
+        Part::Edge(k) => 16 + u32::from(k),
+        Part::Vertex(k) => 32 + u32::from(k),
     }
 }
 
@@ -145,5 +222,8 @@ fn main() {
     check("i8f8", |x| I8F8::from_bits((x / 256) as i16), |x| i32::from(x.to_bits()) as u32);
     check("i16f16", I16F16::from_bits, |x| x.to_bits() as u32);
     check("f32", |x| x as f32 / 65_536.0, f32::to_bits);
+    let halves =
+        |x: f64| ((x.to_bits() >> 32) as u32).wrapping_mul(31).wrapping_add(x.to_bits() as u32);
+    check("f64", |x| f64::from(x) / 65_536.0, halves);
     println!("errors are told");
 }

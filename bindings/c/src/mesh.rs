@@ -5,45 +5,49 @@ use core::mem::{align_of, size_of};
 use core::slice;
 
 use septum::Vec3;
-use septum::mesh::{self, MeshError, Node};
+use septum::mesh::{self, Index, MeshError, Node};
 
-use crate::number::{I8F8, I16F16, Number};
-use crate::shapes::Answer;
+use crate::number::Number;
+use crate::queries::by;
+use crate::shapes::{Aabb, Answer, FirstContact, Hit, Ray};
 
 /// A closed mesh and the nodes of its tree, for example in flash. Triangles are indices of
-/// vertices, and are listed in the tree's order. septum's example `quantise` writes such tables.
+/// vertices; with nodes they are listed in the tree's order. septum's example `quantise` writes
+/// such tables.
 #[repr(C)]
-pub struct Mesh<T> {
+pub struct Mesh<T, I> {
     pub vertices: *const [T; 3],
     pub vertex_count: usize,
-    pub triangles: *const [u16; 3],
+    pub triangles: *const [I; 3],
     pub triangle_count: usize,
     pub nodes: *const [[u16; 4]; 6],
     pub node_count: usize,
 }
 
-/// A mesh that has been checked. Only `septum_tree_open` writes one. It may be copied, but the mesh
-/// must stay where it is.
+/// A mesh that has been checked. Only `septum_tree_open` and `septum_tree_build` write one. It may
+/// be copied, but the mesh must stay where it is.
 #[repr(C)]
-pub struct Tree<T> {
+pub struct Tree<T, I> {
     /// Private to the library.
-    pub opaque: [u64; 24],
+    pub opaque: [u64; 32],
     pub numbers: PhantomData<T>,
+    pub indices: PhantomData<I>,
 }
 
-type Opened<T> = mesh::Tree<'static, <T as Number>::Scalar, u16>;
+type Opened<T, I> = mesh::Tree<'static, <T as Number>::Scalar, I>;
 
 /// The contents of a [`Tree`]: first a mark that is not zero, so that a tree of zeros is not open.
 #[repr(C)]
-struct Kept<T: Number> {
+struct Kept<T: Number, I: Index> {
     mark: u64,
-    tree: Opened<T>,
+    tree: Opened<T, I>,
 }
 
-impl<T: Number> Kept<T> {
-    const MARK: u64 = 0x7365_7074_756d_0000 | size_of::<T>() as u64;
+impl<T: Number, I: Index> Kept<T, I> {
+    const MARK: u64 = 0x7365_7074_756d_0000 | (size_of::<I>() << 8 | size_of::<T>()) as u64;
     const FITS: () = assert!(
-        size_of::<Self>() <= size_of::<Tree<T>>() && align_of::<Self>() <= align_of::<Tree<T>>()
+        size_of::<Self>() <= size_of::<Tree<T, I>>()
+            && align_of::<Self>() <= align_of::<Tree<T, I>>()
     );
 }
 
@@ -60,29 +64,37 @@ impl From<MeshError> for Answer {
 }
 
 /// # Safety
-/// Each pointer of the mesh leads to as many elements as the mesh says, for as long as the tree is
-/// used.
-unsafe fn open<T: Number>(mesh: Option<&Mesh<T>>, tree: *mut Tree<T>) -> Answer {
-    let () = Kept::<T>::FITS;
-    let Some(mesh) = mesh else { return Answer::NullPointer };
-    if tree.is_null() || mesh.vertices.is_null() || mesh.triangles.is_null() || mesh.nodes.is_null()
-    {
-        return Answer::NullPointer;
+/// The vertices and triangles are as many as the mesh says, and stay.
+unsafe fn mesh_of<T: Number, I: Index>(
+    mesh: Option<&Mesh<T, I>>,
+) -> Result<mesh::Mesh<'static, T::Scalar, I>, Answer> {
+    let Some(mesh) = mesh else { return Err(Answer::NullPointer) };
+    if mesh.vertices.is_null() || mesh.triangles.is_null() {
+        return Err(Answer::NullPointer);
     }
     // SAFETY: no pointer is null, and each slice is as long as the caller says. A `Vec3` is three
-    // numbers in C's order, a scalar has the bits that `Number` says, and a node is its bits.
-    let (vertices, triangles, nodes) = unsafe {
+    // numbers in C's order, and a scalar has the bits that `Number` says.
+    let (vertices, triangles) = unsafe {
         (
             slice::from_raw_parts(mesh.vertices.cast::<Vec3<T::Scalar>>(), mesh.vertex_count),
             slice::from_raw_parts(mesh.triangles, mesh.triangle_count),
-            slice::from_raw_parts(mesh.nodes.cast::<Node>(), mesh.node_count),
         )
     };
-    let opened = mesh::Mesh::new(vertices, triangles).and_then(|mesh| mesh::Tree::new(mesh, nodes));
+    Ok(mesh::Mesh::new(vertices, triangles)?)
+}
+
+/// # Safety
+/// The tree is not null, and has room.
+unsafe fn keep<T: Number, I: Index>(
+    opened: Result<Opened<T, I>, MeshError>,
+    tree: *mut Tree<T, I>,
+) -> Answer {
+    let () = Kept::<T, I>::FITS;
     match opened {
         Ok(opened) => {
+            let kept = Kept { mark: Kept::<T, I>::MARK, tree: opened };
             // SAFETY: the pointer is not null, and `FITS` compared size and alignment.
-            unsafe { tree.cast::<Kept<T>>().write(Kept { mark: Kept::<T>::MARK, tree: opened }) };
+            unsafe { tree.cast::<Kept<T, I>>().write(kept) };
             Answer::Yes
         }
         Err(error) => error.into(),
@@ -90,101 +102,169 @@ unsafe fn open<T: Number>(mesh: Option<&Mesh<T>>, tree: *mut Tree<T>) -> Answer 
 }
 
 /// # Safety
-/// The tree is zero, or was written by [`open`].
-unsafe fn contains<T: Number>(tree: Option<&Tree<T>>, point: Option<&[T; 3]>) -> Answer {
-    let (Some(tree), Some(point)) = (tree, point) else { return Answer::NullPointer };
-    if tree.opaque[0] != Kept::<T>::MARK {
-        return Answer::NotOpen;
+/// Each pointer of the mesh leads to as many elements as the mesh says, for as long as the tree is
+/// used.
+pub(crate) unsafe fn open<T: Number, I: Index>(
+    mesh: Option<&Mesh<T, I>>,
+    tree: *mut Tree<T, I>,
+) -> Answer {
+    let Some(given) = mesh else { return Answer::NullPointer };
+    if tree.is_null() || given.nodes.is_null() {
+        return Answer::NullPointer;
     }
-    // SAFETY: the mark says that `open` wrote it.
-    let kept = unsafe { &*core::ptr::from_ref(tree).cast::<Kept<T>>() };
-    let point = point.map(T::scalar);
-    if !point.iter().all(|x| septum::Scalar::is_finite(*x)) {
+    // SAFETY: as the caller promises; a node is its bits.
+    unsafe {
+        let nodes = slice::from_raw_parts(given.nodes.cast::<Node>(), given.node_count);
+        match mesh_of(mesh) {
+            Ok(mesh) => keep(mesh::Tree::new(mesh, nodes), tree),
+            Err(error) => error,
+        }
+    }
+}
+
+/// # Safety
+/// As for [`open`]; `nodes` and `order` are as long as is said.
+pub(crate) unsafe fn build<T: Number, I: Index>(
+    mesh: Option<&Mesh<T, I>>,
+    nodes: *mut [[u16; 4]; 6],
+    node_count: usize,
+    order: *mut I,
+    tree: *mut Tree<T, I>,
+) -> Answer {
+    if tree.is_null() || nodes.is_null() || order.is_null() {
+        return Answer::NullPointer;
+    }
+    // SAFETY: as the caller promises.
+    let mesh = match unsafe { mesh_of(mesh) } {
+        Ok(mesh) => mesh,
+        Err(error) => return error,
+    };
+    let count = mesh.triangles().len();
+    // SAFETY: as the caller promises. All bits are a node, and all numbers an index.
+    unsafe {
+        let nodes = slice::from_raw_parts_mut(nodes.cast::<Node>(), node_count);
+        let order = slice::from_raw_parts_mut(order, count);
+        keep(mesh::Tree::build(mesh, nodes, order), tree)
+    }
+}
+
+/// How many nodes the tree over so many triangles has.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_node_count(triangles: usize) -> usize {
+    Node::count_for(triangles)
+}
+
+/// # Safety
+/// The tree is zero, or was written by [`keep`], and its mesh stays.
+unsafe fn opened<T: Number, I: Index>(tree: Option<&Tree<T, I>>) -> Result<&Opened<T, I>, Answer> {
+    let Some(tree) = tree else { return Err(Answer::NullPointer) };
+    if tree.opaque[0] != Kept::<T, I>::MARK {
+        return Err(Answer::NotOpen);
+    }
+    // SAFETY: the mark says that `keep` wrote it.
+    Ok(unsafe { &(*core::ptr::from_ref(tree).cast::<Kept<T, I>>()).tree })
+}
+
+/// # Safety
+/// As for [`opened`]; the point leads to three numbers.
+pub(crate) unsafe fn contains<T: Number, I: Index>(
+    tree: Option<&Tree<T, I>>,
+    point: *const T,
+) -> Answer {
+    if point.is_null() {
+        return Answer::NullPointer;
+    }
+    // SAFETY: as the caller promises.
+    let (tree, p) = match unsafe { (opened(tree), *point.cast::<[T; 3]>()) } {
+        (Ok(tree), point) => (tree, point.map(T::scalar)),
+        (Err(error), _) => return error,
+    };
+    if !p.iter().all(|x| septum::Scalar::is_finite(*x)) {
         return Answer::NotFinite;
     }
-    kept.tree.contains(point).into()
+    tree.contains(p).into()
 }
 
-/// Checks a mesh and its tree, once: yes, or the error. `tree` is written only if the answer is
-/// yes.
+/// What `ask` finds, written to its places.
 ///
 /// # Safety
-/// Each pointer of the mesh leads to as many elements as the mesh says, for as long as the tree is
-/// used.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn septum_tree_open_i8f8(
-    mesh: Option<&Mesh<I8F8>>,
-    tree: *mut Tree<I8F8>,
+/// As for [`opened`].
+unsafe fn find<T: Number, I: Index, R, C: From<R>>(
+    tree: Option<&Tree<T, I>>,
+    triangle: Option<&mut usize>,
+    place: Option<&mut C>,
+    ask: impl FnOnce(&Opened<T, I>) -> Result<Option<(usize, R)>, Answer>,
 ) -> Answer {
+    let (Some(triangle), Some(place)) = (triangle, place) else { return Answer::NullPointer };
     // SAFETY: as the caller promises.
-    unsafe { open(mesh, tree) }
+    match unsafe { opened(tree) }.and_then(ask) {
+        Err(error) => error,
+        Ok(None) => Answer::No,
+        Ok(Some((i, found))) => {
+            *triangle = i;
+            *place = found.into();
+            Answer::Yes
+        }
+    }
 }
 
-/// Checks a mesh and its tree, once: yes, or the error. `tree` is written only if the answer is
-/// yes.
-///
 /// # Safety
-/// Each pointer of the mesh leads to as many elements as the mesh says, for as long as the tree is
-/// used.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn septum_tree_open_i16f16(
-    mesh: Option<&Mesh<I16F16>>,
-    tree: *mut Tree<I16F16>,
+/// As for [`opened`].
+pub(crate) unsafe fn first_hit<T: Number, I: Index>(
+    tree: Option<&Tree<T, I>>,
+    ray: Option<&Ray<T>>,
+    triangle: Option<&mut usize>,
+    hit: Option<&mut Hit<T>>,
 ) -> Answer {
+    let Some(ray) = ray else { return Answer::NullPointer };
     // SAFETY: as the caller promises.
-    unsafe { open(mesh, tree) }
+    unsafe { find(tree, triangle, hit, |tree| Ok(tree.first_hit(&ray.shape()?))) }
 }
 
-/// Checks a mesh and its tree, once: yes, or the error. `tree` is written only if the answer is
-/// yes.
-///
 /// # Safety
-/// Each pointer of the mesh leads to as many elements as the mesh says, for as long as the tree is
-/// used.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn septum_tree_open_f32(
-    mesh: Option<&Mesh<f32>>,
-    tree: *mut Tree<f32>,
+/// As for [`opened`].
+pub(crate) unsafe fn is_hit<T: Number, I: Index>(
+    tree: Option<&Tree<T, I>>,
+    ray: Option<&Ray<T>>,
 ) -> Answer {
+    let Some(ray) = ray else { return Answer::NullPointer };
     // SAFETY: as the caller promises.
-    unsafe { open(mesh, tree) }
+    let hit = unsafe { opened(tree) }.and_then(|tree| Ok(tree.is_hit(&ray.shape()?)));
+    hit.map_or_else(|error| error, Answer::from)
 }
 
-/// Whether a closed mesh contains a point, exactly: inside, or on a triangle.
-///
 /// # Safety
-/// The tree is zero, or was written by `septum_tree_open_i8f8`, and its mesh has not moved.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn septum_contains_i8f8(
-    tree: Option<&Tree<I8F8>>,
-    point: Option<&[I8F8; 3]>,
+/// As for [`opened`].
+pub(crate) unsafe fn aabb<T: Number, I: Index>(
+    tree: Option<&Tree<T, I>>,
+    aabb: Option<&Aabb<T>>,
+    triangle: Option<&mut usize>,
 ) -> Answer {
+    let Some(aabb) = aabb else { return Answer::NullPointer };
     // SAFETY: as the caller promises.
-    unsafe { contains(tree, point) }
+    unsafe {
+        find(tree, triangle, Some(&mut ()), |tree| {
+            Ok(tree.overlapping(&aabb.shape()?).next().map(|i| (i, ())))
+        })
+    }
 }
 
-/// Whether a closed mesh contains a point, exactly: inside, or on a triangle.
-///
 /// # Safety
-/// The tree is zero, or was written by `septum_tree_open_i16f16`, and its mesh has not moved.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn septum_contains_i16f16(
-    tree: Option<&Tree<I16F16>>,
-    point: Option<&[I16F16; 3]>,
+/// As for [`opened`].
+pub(crate) unsafe fn aabb_cast<T: Number, I: Index>(
+    tree: Option<&Tree<T, I>>,
+    aabb: Option<&Aabb<T>>,
+    motion: Option<&[T; 3]>,
+    triangle: Option<&mut usize>,
+    first: Option<&mut FirstContact<T>>,
 ) -> Answer {
+    let (Some(aabb), Some(motion)) = (aabb, motion) else { return Answer::NullPointer };
     // SAFETY: as the caller promises.
-    unsafe { contains(tree, point) }
-}
-
-/// Whether a closed mesh contains a point, exactly: inside, or on a triangle.
-///
-/// # Safety
-/// The tree is zero, or was written by `septum_tree_open_f32`, and its mesh has not moved.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn septum_contains_f32(
-    tree: Option<&Tree<f32>>,
-    point: Option<&[f32; 3]>,
-) -> Answer {
-    // SAFETY: as the caller promises.
-    unsafe { contains(tree, point) }
+    unsafe {
+        find(tree, triangle, first, |tree| {
+            let motion = by(motion)?;
+            let first = tree.first_contact(&aabb.shape()?, &motion);
+            Ok(first.and_then(|(i, first)| Some((i, (first, motion, tree.mesh().triangle(i)?)))))
+        })
+    }
 }

@@ -34,6 +34,22 @@ impl Number for f32 {
     }
 }
 
+impl Number for f64 {
+    type Scalar = Self;
+
+    fn scalar(self) -> Self {
+        self
+    }
+
+    fn raw(scalar: Self) -> Self {
+        scalar
+    }
+
+    fn end(self) -> Option<Self> {
+        if self.is_infinite() { None } else { Some(self) }
+    }
+}
+
 impl Number for I8F8 {
     type Scalar = types::I8F8;
 

@@ -1,185 +1,184 @@
-//! The functions for C. Each is written out, because cbindgen reads the source before macros are
-//! expanded.
+//! Questions about two shapes, in any type of numbers.
 
-use septum::ShapeError;
+use septum::contact::{self, Part};
+use septum::sweep::{Motion, Sweep};
+use septum::{Axis, ShapeError};
 
-use crate::number::{I8F8, I16F16, Number};
-use crate::shapes::{Aabb, Answer, Hit, Obb, Ray, Triangle};
+use crate::number::Number;
+use crate::shapes::{Aabb, Answer, Contact, FirstContact, Hit, Obb, Point, Ray, Triangle, point};
 
-fn triangle_aabb<T: Number>(triangle: Option<&Triangle<T>>, aabb: Option<&Aabb<T>>) -> Answer {
+pub(crate) fn triangle_aabb<T: Number>(
+    triangle: Option<&Triangle<T>>,
+    aabb: Option<&Aabb<T>>,
+) -> Answer {
     ask(triangle, aabb, |triangle, aabb| Ok(triangle.shape()?.overlaps(&aabb.shape()?)))
 }
 
-fn triangle_obb<T: Number>(triangle: Option<&Triangle<T>>, obb: Option<&Obb<T>>) -> Answer {
+pub(crate) fn triangle_obb<T: Number>(
+    triangle: Option<&Triangle<T>>,
+    obb: Option<&Obb<T>>,
+) -> Answer {
     ask(triangle, obb, |triangle, obb| Ok(triangle.shape()?.overlaps(&obb.shape()?)))
 }
 
-fn ray_aabb<T: Number>(ray: Option<&Ray<T>>, aabb: Option<&Aabb<T>>) -> Answer {
+pub(crate) fn triangle_triangle<T: Number>(
+    first: Option<&Triangle<T>>,
+    second: Option<&Triangle<T>>,
+) -> Answer {
+    ask(first, second, |first, second| Ok(first.shape()?.overlaps(&second.shape()?)))
+}
+
+pub(crate) fn ray_aabb<T: Number>(ray: Option<&Ray<T>>, aabb: Option<&Aabb<T>>) -> Answer {
     ask(ray, aabb, |ray, aabb| Ok(ray.shape()?.overlaps(&aabb.shape()?)))
 }
 
-fn ray_triangle<T: Number>(ray: Option<&Ray<T>>, triangle: Option<&Triangle<T>>) -> Answer {
+pub(crate) fn ray_triangle<T: Number>(
+    ray: Option<&Ray<T>>,
+    triangle: Option<&Triangle<T>>,
+) -> Answer {
     ask(ray, triangle, |ray, triangle| Ok(ray.shape()?.is_hit(&triangle.shape()?)))
 }
 
-fn ray_triangle_hit<T: Number>(
+pub(crate) fn ray_triangle_hit<T: Number>(
     ray: Option<&Ray<T>>,
     triangle: Option<&Triangle<T>>,
     hit: Option<&mut Hit<T>>,
 ) -> Answer {
-    let Some(place) = hit else { return Answer::NullPointer };
-    ask(ray, triangle, |ray, triangle| {
-        let hit = ray.shape()?.hit(&triangle.shape()?);
-        if let Some(hit) = hit {
-            *place = hit.into();
-        }
-        Ok(hit.is_some())
+    find(ray, triangle, hit, |ray, triangle| Ok(ray.shape()?.hit(&triangle.shape()?)))
+}
+
+pub(crate) fn aabb_cast_triangle<T: Number>(
+    aabb: Option<&Aabb<T>>,
+    motion: Option<&[T; 3]>,
+    triangle: Option<&Triangle<T>>,
+    first: Option<&mut FirstContact<T>>,
+) -> Answer {
+    let Some(motion) = motion else { return Answer::NullPointer };
+    find(aabb, triangle, first, |aabb, triangle| {
+        let (motion, triangle) = (by(motion)?, triangle.shape()?);
+        let first = aabb.shape()?.first_contact(&motion, &triangle);
+        Ok(first.map(|first| (first, motion, triangle)))
     })
+}
+
+pub(crate) fn triangle_aabb_contact<T: Number>(
+    triangle: Option<&Triangle<T>>,
+    aabb: Option<&Aabb<T>>,
+    contact: Option<&mut Contact<T>>,
+) -> Answer {
+    find(triangle, aabb, contact, |triangle, aabb| {
+        Ok(contact::contact(&triangle.shape()?, &aabb.shape()?))
+    })
+}
+
+pub(crate) fn obb_obb_contact<T: Number>(
+    first: Option<&Obb<T>>,
+    second: Option<&Obb<T>>,
+    contact: Option<&mut Contact<T>>,
+) -> Answer {
+    find(first, second, contact, |first, second| {
+        Ok(contact::contact(&first.shape()?, &second.shape()?))
+    })
+}
+
+pub(crate) fn obb_turn<T: Number>(obb: Option<&mut Obb<T>>, quaternion: Option<&[T; 4]>) -> Answer {
+    let (Some(obb), Some(quaternion)) = (obb, quaternion) else { return Answer::NullPointer };
+    let quaternion = quaternion.map(T::scalar);
+    let (center, half) = (point(&obb.center), point(&obb.half_extents));
+    match septum::Obb::from_quaternion(center, quaternion, half) {
+        Ok(turned) => {
+            obb.axes = turned.axes().map(|axis| axis.to_array().map(T::raw));
+            Answer::Yes
+        }
+        Err(error) => error.into(),
+    }
+}
+
+/// A motion by a vector.
+pub(crate) fn by<T: Number>(motion: &[T; 3]) -> Result<Motion<T::Scalar>, ShapeError> {
+    Motion::new([<T::Scalar as septum::Scalar>::ZERO; 3], point(motion))
 }
 
 fn ask<A, B>(
     a: Option<&A>,
     b: Option<&B>,
-    question: impl FnOnce(&A, &B) -> Result<bool, ShapeError>,
+    question: impl FnOnce(&A, &B) -> Result<bool, Answer>,
 ) -> Answer {
     let (Some(a), Some(b)) = (a, b) else { return Answer::NullPointer };
-    question(a, b).map_or_else(Answer::from, Answer::from)
+    question(a, b).map_or_else(|error| error, Answer::from)
 }
 
-/// Whether a triangle overlaps an axis-aligned box, exactly.
-#[unsafe(no_mangle)]
-pub extern "C" fn septum_triangle_aabb_i8f8(
-    triangle: Option<&Triangle<I8F8>>,
-    aabb: Option<&Aabb<I8F8>>,
+/// Asks, and writes what is found.
+fn find<A, B, R, C: From<R>>(
+    a: Option<&A>,
+    b: Option<&B>,
+    place: Option<&mut C>,
+    question: impl FnOnce(&A, &B) -> Result<Option<R>, Answer>,
 ) -> Answer {
-    triangle_aabb(triangle, aabb)
+    let (Some(a), Some(b), Some(place)) = (a, b, place) else { return Answer::NullPointer };
+    match question(a, b) {
+        Err(error) => error,
+        Ok(None) => Answer::No,
+        Ok(Some(found)) => {
+            *place = found.into();
+            Answer::Yes
+        }
+    }
 }
 
-/// Whether a triangle overlaps an axis-aligned box, exactly.
-#[unsafe(no_mangle)]
-pub extern "C" fn septum_triangle_aabb_i16f16(
-    triangle: Option<&Triangle<I16F16>>,
-    aabb: Option<&Aabb<I16F16>>,
-) -> Answer {
-    triangle_aabb(triangle, aabb)
+type Met<S> = (septum::sweep::FirstContact<S>, Motion<S>, septum::Triangle<S>);
+
+impl<T: Number> From<Met<T::Scalar>> for FirstContact<T> {
+    fn from((first, motion, triangle): Met<T::Scalar>) -> Self {
+        let normal = first.normal(&motion, &triangle).map(|normal| normal.to_array().map(T::raw));
+        let axis = match first.axis {
+            None => 0,
+            Some(Axis::Face(k)) => 1 + k,
+            Some(Axis::Normal) => 4,
+            Some(Axis::Edge { axis, edge }) => 5 + 3 * axis + edge,
+        };
+        let zero = T::raw(<T::Scalar as septum::Scalar>::ZERO);
+        Self { t: T::raw(first.t), normal: normal.unwrap_or([zero; 3]), axis }
+    }
 }
 
-/// Whether a triangle overlaps an axis-aligned box, exactly.
-#[unsafe(no_mangle)]
-pub extern "C" fn septum_triangle_aabb_f32(
-    triangle: Option<&Triangle<f32>>,
-    aabb: Option<&Aabb<f32>>,
-) -> Answer {
-    triangle_aabb(triangle, aabb)
+impl<T: Number> From<contact::Contact<T::Scalar>> for Contact<T> {
+    fn from(contact: contact::Contact<T::Scalar>) -> Self {
+        let zero = T::raw(<T::Scalar as septum::Scalar>::ZERO);
+        let none = Point {
+            on_first: [zero; 3],
+            on_second: [zero; 3],
+            depth: zero,
+            first_part: 0,
+            second_part: 0,
+        };
+        let translation = &contact.translation;
+        let mut made = Self {
+            translation: translation.vector.to_array().map(T::raw),
+            depth: T::raw(translation.depth),
+            normal: translation.normal.to_array().map(T::raw),
+            is_sufficient: translation.is_sufficient.into(),
+            point_count: contact.points().len() as u8,
+            points: [none; 8],
+        };
+        for (place, found) in made.points.iter_mut().zip(contact.points()) {
+            *place = Point {
+                on_first: found.on_first.to_array().map(T::raw),
+                on_second: found.on_second.to_array().map(T::raw),
+                depth: T::raw(found.depth),
+                first_part: number(found.parts[0]),
+                second_part: number(found.parts[1]),
+            };
+        }
+        made
+    }
 }
 
-/// Whether a triangle overlaps an oriented box, exactly for the numbers given.
-#[unsafe(no_mangle)]
-pub extern "C" fn septum_triangle_obb_i8f8(
-    triangle: Option<&Triangle<I8F8>>,
-    obb: Option<&Obb<I8F8>>,
-) -> Answer {
-    triangle_obb(triangle, obb)
-}
-
-/// Whether a triangle overlaps an oriented box, exactly for the numbers given.
-#[unsafe(no_mangle)]
-pub extern "C" fn septum_triangle_obb_i16f16(
-    triangle: Option<&Triangle<I16F16>>,
-    obb: Option<&Obb<I16F16>>,
-) -> Answer {
-    triangle_obb(triangle, obb)
-}
-
-/// Whether a triangle overlaps an oriented box, exactly for the numbers given.
-#[unsafe(no_mangle)]
-pub extern "C" fn septum_triangle_obb_f32(
-    triangle: Option<&Triangle<f32>>,
-    obb: Option<&Obb<f32>>,
-) -> Answer {
-    triangle_obb(triangle, obb)
-}
-
-/// Whether a ray meets an axis-aligned box, exactly.
-#[unsafe(no_mangle)]
-pub extern "C" fn septum_ray_aabb_i8f8(
-    ray: Option<&Ray<I8F8>>,
-    aabb: Option<&Aabb<I8F8>>,
-) -> Answer {
-    ray_aabb(ray, aabb)
-}
-
-/// Whether a ray meets an axis-aligned box, exactly.
-#[unsafe(no_mangle)]
-pub extern "C" fn septum_ray_aabb_i16f16(
-    ray: Option<&Ray<I16F16>>,
-    aabb: Option<&Aabb<I16F16>>,
-) -> Answer {
-    ray_aabb(ray, aabb)
-}
-
-/// Whether a ray meets an axis-aligned box, exactly.
-#[unsafe(no_mangle)]
-pub extern "C" fn septum_ray_aabb_f32(ray: Option<&Ray<f32>>, aabb: Option<&Aabb<f32>>) -> Answer {
-    ray_aabb(ray, aabb)
-}
-
-/// Whether a ray hits a triangle, exactly. A degenerate triangle is never hit.
-#[unsafe(no_mangle)]
-pub extern "C" fn septum_ray_triangle_i8f8(
-    ray: Option<&Ray<I8F8>>,
-    triangle: Option<&Triangle<I8F8>>,
-) -> Answer {
-    ray_triangle(ray, triangle)
-}
-
-/// Whether a ray hits a triangle, exactly. A degenerate triangle is never hit.
-#[unsafe(no_mangle)]
-pub extern "C" fn septum_ray_triangle_i16f16(
-    ray: Option<&Ray<I16F16>>,
-    triangle: Option<&Triangle<I16F16>>,
-) -> Answer {
-    ray_triangle(ray, triangle)
-}
-
-/// Whether a ray hits a triangle, exactly. A degenerate triangle is never hit.
-#[unsafe(no_mangle)]
-pub extern "C" fn septum_ray_triangle_f32(
-    ray: Option<&Ray<f32>>,
-    triangle: Option<&Triangle<f32>>,
-) -> Answer {
-    ray_triangle(ray, triangle)
-}
-
-/// Finds where a ray hits a triangle, and writes `hit` only if the answer is yes. The verdict is
-/// exact; t, u and v are rounded to the nearest in fixed point, and within 2 ulp in `float`.
-#[unsafe(no_mangle)]
-pub extern "C" fn septum_ray_triangle_hit_i8f8(
-    ray: Option<&Ray<I8F8>>,
-    triangle: Option<&Triangle<I8F8>>,
-    hit: Option<&mut Hit<I8F8>>,
-) -> Answer {
-    ray_triangle_hit(ray, triangle, hit)
-}
-
-/// Finds where a ray hits a triangle, and writes `hit` only if the answer is yes. The verdict is
-/// exact; t, u and v are rounded to the nearest in fixed point, and within 2 ulp in `float`.
-#[unsafe(no_mangle)]
-pub extern "C" fn septum_ray_triangle_hit_i16f16(
-    ray: Option<&Ray<I16F16>>,
-    triangle: Option<&Triangle<I16F16>>,
-    hit: Option<&mut Hit<I16F16>>,
-) -> Answer {
-    ray_triangle_hit(ray, triangle, hit)
-}
-
-/// Finds where a ray hits a triangle, and writes `hit` only if the answer is yes. The verdict is
-/// exact; t, u and v are rounded to the nearest in fixed point, and within 2 ulp in `float`.
-#[unsafe(no_mangle)]
-pub extern "C" fn septum_ray_triangle_hit_f32(
-    ray: Option<&Ray<f32>>,
-    triangle: Option<&Triangle<f32>>,
-    hit: Option<&mut Hit<f32>>,
-) -> Answer {
-    ray_triangle_hit(ray, triangle, hit)
+/// Faces from 0, edges from 16, vertices from 32 on.
+fn number(part: Part) -> u8 {
+    match part {
+        Part::Face(k) => k,
+        Part::Edge(k) => 16 + k,
+        Part::Vertex(k) => 32 + k,
+    }
 }

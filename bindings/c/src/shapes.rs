@@ -29,7 +29,8 @@ pub struct Obb<T> {
 
 /// A ray, from origin + t_min · direction to origin + t_max · direction. The direction may have any
 /// length except zero. The least number of the type as t_min, and the greatest as t_max, mean an
-/// unbounded end; in `float` these are the infinities.
+/// unbounded end; in floats these are the infinities. A range of [0, 0], which a structure has that
+/// was initialised without one, is an error; a segment has [0, 1].
 #[repr(C)]
 pub struct Ray<T> {
     pub origin: [T; 3],
@@ -52,7 +53,44 @@ pub struct Hit<T> {
     pub feature: u8,
 }
 
-/// An answer, or an error, which is negative.
+/// When a moving box first meets a triangle. `t` is the part of the motion until then, from 0 to 1;
+/// in a type that ends below 1 the greatest number. `normal` is the outward normal of the obstacle,
+/// of any length. `axis` is 0, with a normal of zero, if they meet at the start; 1 to 3 for the
+/// faces of the box, 4 for the triangle's normal, and 5 + 3·i + k for coordinate axis i × edge k.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FirstContact<T> {
+    pub t: T,
+    pub normal: [T; 3],
+    pub axis: u8,
+}
+
+/// A point of a contact, on each shape. A part is 0 to 5 for a face, 16 and more for an edge, 32
+/// and more for a vertex.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point<T> {
+    pub on_first: [T; 3],
+    pub on_second: [T; 3],
+    pub depth: T,
+    pub first_part: u8,
+    pub second_part: u8,
+}
+
+/// The translation that moves the first shape out of the second. Only `point_count` points are
+/// meant. `is_sufficient` is 0 if a coordinate of the translation is beyond the type.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact<T> {
+    pub translation: [T; 3],
+    pub depth: T,
+    pub normal: [T; 3],
+    pub is_sufficient: u8,
+    pub point_count: u8,
+    pub points: [Point<T>; 8],
+}
+
+/// An answer, or an error, which is negative: `septum_text` says it in words.
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Answer {
@@ -82,6 +120,10 @@ pub enum Answer {
     NotOpen = -11,
     /// A mesh has more triangles than 16-bit indices can number.
     TooManyTriangles = -12,
+    /// A ray has the range [0, 0].
+    NoRange = -13,
+    /// A quaternion has not the length one.
+    NotUnitQuaternion = -14,
 }
 
 impl From<bool> for Answer {
@@ -98,6 +140,7 @@ impl From<ShapeError> for Answer {
             ShapeError::DependentAxes | ShapeError::NotOrthonormal | ShapeError::NoUnitLength => {
                 Self::NotOrthonormal
             }
+            ShapeError::NotUnitQuaternion => Self::NotUnitQuaternion,
             ShapeError::ZeroDirection => Self::ZeroDirection,
             ShapeError::EmptyRange => Self::EmptyRange,
             _ => Self::NotFinite,
@@ -126,9 +169,14 @@ impl<T: Number> Obb<T> {
 }
 
 impl<T: Number> Ray<T> {
-    pub(crate) fn shape(&self) -> Result<septum::Ray<T::Scalar>, ShapeError> {
-        septum::Ray::new(point(&self.origin), point(&self.direction))?
-            .with_range(self.t_min.end(), self.t_max.end())
+    pub(crate) fn shape(&self) -> Result<septum::Ray<T::Scalar>, Answer> {
+        let ray = septum::Ray::new(point(&self.origin), point(&self.direction))?;
+        let zero = <T::Scalar as septum::Scalar>::ZERO;
+        let (from, to) = (self.t_min.end(), self.t_max.end());
+        if from == Some(zero) && to == Some(zero) {
+            return Err(Answer::NoRange);
+        }
+        Ok(ray.with_range(from, to)?)
     }
 }
 
@@ -144,7 +192,7 @@ impl<T: Number> From<septum::Hit<T::Scalar>> for Hit<T> {
     }
 }
 
-fn point<T: Number>(p: &[T; 3]) -> [T::Scalar; 3] {
+pub(crate) fn point<T: Number>(p: &[T; 3]) -> [T::Scalar; 3] {
     let [x, y, z] = *p;
     [x.scalar(), y.scalar(), z.scalar()]
 }

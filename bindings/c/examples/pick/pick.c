@@ -1,0 +1,61 @@
+/* Loads an OBJ, builds a tree in its own memory, picks along an axis and asks what is inside. C and
+   C++: ./pick mesh.obj */
+
+#include <septum.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define MOST 65536
+
+static float vertices[MOST][3];
+static uint16_t triangles[MOST][3], order[MOST];
+static uint16_t nodes[MOST / 4][6][4];
+
+static size_t load(const char *path, size_t *vertex_count) {
+    FILE *file = fopen(path, "r");
+    char line[256];
+    size_t v = 0, t = 0;
+    if (file == NULL) {
+        return 0;
+    }
+    while (fgets(line, sizeof line, file) != NULL) {
+        unsigned a, b, c;
+        float *p = vertices[v];
+        if (v < MOST && sscanf(line, "v %f %f %f", &p[0], &p[1], &p[2]) == 3) {
+            v++;
+        } else if (t < MOST && sscanf(line, "f %u %u %u", &a, &b, &c) == 3) {
+            triangles[t][0] = (uint16_t)(a - 1);
+            triangles[t][1] = (uint16_t)(b - 1);
+            triangles[t][2] = (uint16_t)(c - 1);
+            t++;
+        }
+    }
+    fclose(file);
+    *vertex_count = v;
+    return t;
+}
+
+int main(int count, char **arguments) {
+    size_t vertex_count = 0, triangle_count = count > 1 ? load(arguments[1], &vertex_count) : 0;
+    septum_mesh_f32 mesh = {vertices, vertex_count, triangles, triangle_count, NULL, 0};
+    septum_tree_f32 tree;
+    septum_answer built = septum_tree_build_f32(&mesh, nodes, septum_node_count(triangle_count), order, &tree);
+    if (built != SEPTUM_ANSWER_YES) {
+        fprintf(stderr, "%s\n", septum_text(built));
+        return 1;
+    }
+    septum_ray_f32 ray = {{0.5f, 20.0f, 0.25f}, {0.0f, -1.0f, 0.0f}, 0.0f, 100.0f};
+    septum_hit_f32 hit;
+    size_t triangle;
+    septum_answer picked = septum_tree_first_hit_f32(&tree, &ray, &triangle, &hit);
+    if (picked == SEPTUM_ANSWER_YES) {
+        printf("%zu triangles; triangle %zu at t = %a\n", triangle_count, triangle, (double)hit.t);
+    }
+    unsigned inside = 0;
+    for (int k = 0; k < 1000; k++) {
+        const float point[3] = {(float)(k % 10) - 5.0f, (float)(k / 10 % 10), (float)(k / 100) - 5.0f};
+        inside += septum_tree_contains_f32(&tree, point) == SEPTUM_ANSWER_YES;
+    }
+    printf("%u of 1000 points inside; septum %s\n", inside, SEPTUM_VERSION_TEXT);
+    return picked != SEPTUM_ANSWER_YES;
+}

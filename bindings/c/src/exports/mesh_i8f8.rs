@@ -1,0 +1,116 @@
+//! Questions about a mesh, in `I8F8` with indices of 16 bits. tests/header.rs makes the files of
+//! the other types, and of 32-bit indices, from this one.
+use crate::mesh::{self, Mesh, Tree};
+#[allow(unused_imports, reason = "floats need no name")]
+use crate::number::*;
+use crate::shapes::{Aabb, Answer, FirstContact, Hit, Ray};
+
+/// Checks a mesh and its tree, once: yes, or the error. `tree` is written only if the answer is
+/// yes.
+///
+/// # Safety
+/// Each pointer of the mesh leads to as many elements as the mesh says, for as long as the tree is
+/// used.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_tree_open_i8f8(
+    mesh: Option<&Mesh<I8F8, u16>>,
+    tree: *mut Tree<I8F8, u16>,
+) -> Answer {
+    // SAFETY: as the caller promises.
+    unsafe { mesh::open(mesh, tree) }
+}
+
+/// Builds a tree over a mesh, whose own nodes are not looked at, in the memory of `nodes`, as many
+/// as [`septum_node_count`] says, and of `order`, an index for each triangle: yes, or the error. All
+/// three stay where they are for as long as the tree is used. Triangles keep their numbers.
+///
+/// # Safety
+/// Each pointer of the mesh leads to as many elements as the mesh says, for as long as the tree is
+/// used. `nodes` has `node_count` elements, and `order` one for each triangle.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_tree_build_i8f8(
+    mesh: Option<&Mesh<I8F8, u16>>,
+    nodes: *mut [[u16; 4]; 6],
+    node_count: usize,
+    order: *mut u16,
+    tree: *mut Tree<I8F8, u16>,
+) -> Answer {
+    // SAFETY: as the caller promises.
+    unsafe { mesh::build(mesh, nodes, node_count, order, tree) }
+}
+
+/// Whether a closed mesh contains a point, exactly: inside, or on a triangle.
+///
+/// # Safety
+/// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+/// `point` leads to three numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_tree_contains_i8f8(
+    tree: Option<&Tree<I8F8, u16>>,
+    point: *const I8F8,
+) -> Answer {
+    // SAFETY: as the caller promises.
+    unsafe { mesh::contains(tree, point) }
+}
+
+/// The first triangle that a ray hits, and the hit: written only if the answer is yes. Exact, as for
+/// a single triangle; of several at one point the least triangle.
+///
+/// # Safety
+/// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_tree_first_hit_i8f8(
+    tree: Option<&Tree<I8F8, u16>>,
+    ray: Option<&Ray<I8F8>>,
+    triangle: Option<&mut usize>,
+    hit: Option<&mut Hit<I8F8>>,
+) -> Answer {
+    // SAFETY: as the caller promises.
+    unsafe { mesh::first_hit(tree, ray, triangle, hit) }
+}
+
+/// Whether a ray hits any triangle, exactly.
+///
+/// # Safety
+/// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_tree_is_hit_i8f8(
+    tree: Option<&Tree<I8F8, u16>>,
+    ray: Option<&Ray<I8F8>>,
+) -> Answer {
+    // SAFETY: as the caller promises.
+    unsafe { mesh::is_hit(tree, ray) }
+}
+
+/// Whether a box overlaps any triangle, exactly; the first in the tree's order is written if the
+/// answer is yes.
+///
+/// # Safety
+/// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_tree_aabb_i8f8(
+    tree: Option<&Tree<I8F8, u16>>,
+    aabb: Option<&Aabb<I8F8>>,
+    triangle: Option<&mut usize>,
+) -> Answer {
+    // SAFETY: as the caller promises.
+    unsafe { mesh::aabb(tree, aabb, triangle) }
+}
+
+/// The first triangle that a box meets as it moves by `motion`, and when: written only if the answer
+/// is yes. The verdict is exact, and the time is never late.
+///
+/// # Safety
+/// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+/// `motion` leads to three numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_tree_aabb_cast_i8f8(
+    tree: Option<&Tree<I8F8, u16>>,
+    aabb: Option<&Aabb<I8F8>>,
+    motion: *const I8F8,
+    triangle: Option<&mut usize>,
+    first: Option<&mut FirstContact<I8F8>>,
+) -> Answer {
+    // SAFETY: as the caller promises.
+    unsafe { mesh::aabb_cast(tree, aabb, motion.cast::<[I8F8; 3]>().as_ref(), triangle, first) }
+}

@@ -1,0 +1,114 @@
+//! Questions about two shapes, in `I16F16`. tests/header.rs makes the files of the other types from
+//! this one, because cbindgen reads the source before macros are expanded.
+#[allow(unused_imports, reason = "floats need no name")]
+use crate::number::*;
+use crate::queries;
+use crate::shapes::{Aabb, Answer, Contact, FirstContact, Hit, Obb, Ray, Triangle};
+
+/// Whether a triangle overlaps an axis-aligned box, exactly.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_triangle_aabb_i16f16(
+    triangle: Option<&Triangle<I16F16>>,
+    aabb: Option<&Aabb<I16F16>>,
+) -> Answer {
+    queries::triangle_aabb(triangle, aabb)
+}
+
+/// Whether a triangle overlaps an oriented box, exactly for the numbers given.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_triangle_obb_i16f16(
+    triangle: Option<&Triangle<I16F16>>,
+    obb: Option<&Obb<I16F16>>,
+) -> Answer {
+    queries::triangle_obb(triangle, obb)
+}
+
+/// Whether two triangles overlap, exactly.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_triangle_triangle_i16f16(
+    first: Option<&Triangle<I16F16>>,
+    second: Option<&Triangle<I16F16>>,
+) -> Answer {
+    queries::triangle_triangle(first, second)
+}
+
+/// Whether a ray meets an axis-aligned box, exactly.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_ray_aabb_i16f16(
+    ray: Option<&Ray<I16F16>>,
+    aabb: Option<&Aabb<I16F16>>,
+) -> Answer {
+    queries::ray_aabb(ray, aabb)
+}
+
+/// Whether a ray hits a triangle, exactly. A degenerate triangle is never hit.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_ray_triangle_i16f16(
+    ray: Option<&Ray<I16F16>>,
+    triangle: Option<&Triangle<I16F16>>,
+) -> Answer {
+    queries::ray_triangle(ray, triangle)
+}
+
+/// Finds where a ray hits a triangle, and writes `hit` only if the answer is yes. The verdict is
+/// exact; t, u and v are rounded to the nearest in fixed point, and within 2 ulp in floats.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_ray_triangle_hit_i16f16(
+    ray: Option<&Ray<I16F16>>,
+    triangle: Option<&Triangle<I16F16>>,
+    hit: Option<&mut Hit<I16F16>>,
+) -> Answer {
+    queries::ray_triangle_hit(ray, triangle, hit)
+}
+
+/// When a box that moves by `motion` first meets a triangle; writes `first` only if the answer is
+/// yes. The verdict is exact, and the time is never late.
+///
+/// # Safety
+/// `motion` leads to three numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_aabb_cast_triangle_i16f16(
+    aabb: Option<&Aabb<I16F16>>,
+    motion: *const I16F16,
+    triangle: Option<&Triangle<I16F16>>,
+    first: Option<&mut FirstContact<I16F16>>,
+) -> Answer {
+    // SAFETY: as the caller promises.
+    let motion = unsafe { motion.cast::<[I16F16; 3]>().as_ref() };
+    queries::aabb_cast_triangle(aabb, motion, triangle, first)
+}
+
+/// The least translation that moves a triangle out of a box, and where they meet; writes `contact`
+/// only if the answer is yes. Shapes that only touch have no contact.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_triangle_aabb_contact_i16f16(
+    triangle: Option<&Triangle<I16F16>>,
+    aabb: Option<&Aabb<I16F16>>,
+    contact: Option<&mut Contact<I16F16>>,
+) -> Answer {
+    queries::triangle_aabb_contact(triangle, aabb, contact)
+}
+
+/// The same of two oriented boxes: of the first out of the second.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_obb_obb_contact_i16f16(
+    first: Option<&Obb<I16F16>>,
+    second: Option<&Obb<I16F16>>,
+    contact: Option<&mut Contact<I16F16>>,
+) -> Answer {
+    queries::obb_obb_contact(first, second, contact)
+}
+
+/// Writes the axes of a box that is turned by a unit quaternion x, y, z, w. Its centre and its
+/// half-extents must be set.
+///
+/// # Safety
+/// `quaternion` leads to four numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_obb_turn_i16f16(
+    obb: Option<&mut Obb<I16F16>>,
+    quaternion: *const I16F16,
+) -> Answer {
+    // SAFETY: as the caller promises.
+    queries::obb_turn(obb, unsafe { quaternion.cast::<[I16F16; 4]>().as_ref() })
+}
