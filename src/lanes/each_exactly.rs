@@ -2,7 +2,7 @@
 
 use super::{Hits, Triangles};
 use crate::arithmetic::{Embeds, Filtered};
-use crate::query::{Candidate, clear_hit, clear_refined_hit, clearly_misses};
+use crate::query::{Candidate, clear_hit, clear_refined_hit, clearly_misses, line_clearly_misses};
 use crate::robust::{Clue, Numeric, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::Ray;
@@ -34,9 +34,10 @@ impl<S: Scalar, const N: usize> Numeric<S> for CrossesEach<'_, S, N> {
     {
         let is_plain = self.ray.t_min() == Some(S::ZERO) && self.ray.t_max().is_none();
         let (hits, certain) = if is_plain {
-            self.each(|triangle| clear_hit::<S, Filtered<f64>>(self.ray, true, triangle))
+            self.each(|triangle| clear_hit(self.ray, triangle))
         } else {
-            self.each(|triangle| clear_hit::<S, Filtered<f64>>(self.ray, false, triangle))
+            let misses = |triangle| line_clearly_misses(self.ray, triangle);
+            self.each(|triangle| (misses(triangle), Candidate::none()))
         };
         if is_plain && !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS && certain != [true; N] {
             return Err(Clue::NoNumbers);

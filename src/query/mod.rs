@@ -54,7 +54,9 @@ pub use crossing::Crossing;
 pub(crate) use normal::direction;
 pub use plane_aabb::Side;
 pub use ray_aabb::PreparedRay;
-pub(crate) use ray_triangle::{Candidate, clear_hit, clear_refined_hit, clearly_misses};
+pub(crate) use ray_triangle::{
+    Candidate, clear_hit, clear_refined_hit, clearly_misses, line_clearly_misses,
+};
 pub use ray_triangle::{Cull, Facing, Feature, Hit, HitRay, HitRules, HitTriangle};
 pub use relation::{Relate, Relation};
 pub(crate) use row_triangle::crossing;

@@ -27,7 +27,7 @@ mod tests {
     use core::cmp::Ordering;
     use std::format;
 
-    use super::super::crossing::{Crossing, Setting, exact_crossing};
+    use super::super::kernel::{Crossing, Setting, exact_crossing};
     use super::super::refined::Refined;
     use super::super::residual::Numbers;
     use crate::arithmetic::{Filtered, Float};
@@ -58,9 +58,11 @@ mod tests {
 
     /// Checks that every volume is within its bound; returns whether u errs by `roundoffs` or more.
     fn check([a, b, c, o, d]: Case, roundoffs: f64) -> bool {
-        let crossing = Setting::new(&[a, b, c, o], d).crossing::<Filtered<f64>>().unwrap();
+        let setting = Setting::new(&[a, b, c, o], d);
+        assert!(setting.sizes().are_in_range());
+        let crossing = setting.volumes::<Filtered<f64>>();
+        let bound = setting.sizes().errors::<Filtered<f64>>();
         let exact = exact_crossing(&[a, b, c, o], d);
-        let bound = &crossing.error_bound;
         let [w, u, v] = crossing.sides;
         for (exact, computed, bound) in [
             (&exact.det, crossing.det, bound.side),
@@ -79,33 +81,33 @@ mod tests {
     fn check_refined([a, b, c, o, d]: Case, share: f64) -> bool {
         let refined = Refined::new(&[a, b, c, o], d).0;
         let exact = exact_crossing(&[a, b, c, o], d);
-        let (crossing, is_exact) = refined.crossing();
+        let (crossing, errors, is_exact) = refined.crossing();
         let [w, u, v] = crossing.sides;
         let rounding = |x: f64| x.abs() * f64::EPSILON / 2.0;
         let told = || format!("{a:?} {b:?} {c:?} {o:?} {d:?}");
         for (exact, computed, bound) in [
-            (&exact.det, [crossing.det, refined.low_det], crossing.error_bound.side),
-            (&exact.t, [crossing.t, 0.0], crossing.error_bound.t + rounding(crossing.t)),
-            (&exact.sides[1], [u, refined.low_u], crossing.error_bound.side),
-            (&exact.sides[2], [v, refined.low_v], crossing.error_bound.side),
+            (&exact.det, [crossing.det, refined.low_det], errors.side),
+            (&exact.t, [crossing.t, 0.0], errors.t + rounding(crossing.t)),
+            (&exact.sides[1], [u, refined.low_u], errors.side),
+            (&exact.sides[2], [v, refined.low_v], errors.side),
         ] {
             let bound = if is_exact && computed[1] != 0.0 { 0.0 } else { bound };
             assert!(!exceeds_sum(exact, computed, bound), "{}", told());
         }
         // The last rounding of w changes no sign.
-        let bound = crossing.error_bound.sides + rounding(w);
+        let bound = errors.sides + rounding(w);
         assert!(!exceeds(&exact.sides[0], w, bound), "{}", told());
         if is_exact {
             assert_eq!(w.partial_cmp(&0.0), Some(exact.sides[0].sign()), "{}", told());
         }
-        exceeds_sum(&exact.sides[1], [u, refined.low_u], crossing.error_bound.side * share)
+        exceeds_sum(&exact.sides[1], [u, refined.low_u], errors.side * share)
     }
 
     /// For a ray that hits: checks that t, u and v are within their error bounds and half an ulp;
     /// returns whether a number errs by a notable part of its bound.
     fn check_numbers([a, b, c, o, d]: Case) -> bool {
         let (points, setting) = ([a, b, c, o], Setting::new(&[a, b, c, o], d));
-        let Crossing { det, t, sides: [_, u, v], .. } = setting.volumes();
+        let Crossing { det, t, sides: [_, u, v] } = setting.volumes::<Filtered<f64>>();
         let volumes = [det, t, u, v];
         let numbers = Numbers::new(true, &points, d, volumes, setting.sizes());
         if !numbers.is_known {
@@ -211,7 +213,7 @@ mod tests {
             if !is_known {
                 continue;
             }
-            let (crossing, is_exact) = refined.crossing();
+            let (crossing, _, is_exact) = refined.crossing();
             assert!(is_exact, "{a:?} {b:?} {c:?} {o:?} {d:?}");
             check_refined([a, b, c, o, d], 0.0);
             zeros += u32::from(crossing.sides.contains(&0.0));

@@ -4,30 +4,28 @@
 //! Tools* 2(1), 1997; T. Akenine-Möller, E. Haines, N. Hoffman, *Real-Time Rendering*, 16.8. The
 //! volumes are theirs. Here signs are decided exactly, and without a division.
 
-mod clear_hit;
-mod counted;
-mod crossing;
+mod crosses;
 mod error_bound;
-mod exact;
 mod hit;
+mod kernel;
 mod multiples;
-mod narrow;
 mod order;
 mod prepared;
 mod question;
 mod refined;
 mod residual;
 mod rows;
-mod split;
+mod words;
 
-pub(crate) use clear_hit::{Candidate, clear_hit, clear_refined_hit, clearly_misses};
+pub(crate) use hit::Candidate;
 pub use hit::{Cull, Facing, Feature, Hit, HitRules};
 pub use prepared::{HitRay, HitTriangle};
+pub(crate) use rows::{clear_hit, clear_refined_hit, clearly_misses, line_clearly_misses};
 
-use self::counted::Crosses;
-#[cfg(feature = "fixed")]
-use self::narrow::rounded;
+use self::crosses::Crosses;
 use self::question::Hits;
+#[cfg(feature = "fixed")]
+use self::words::rounded;
 #[cfg(feature = "fixed")]
 use crate::arithmetic::InWholeWord;
 use crate::scalar::Scalar;

@@ -14,9 +14,11 @@
 //! the quotient to 2^-50, and answers only if no number within 2^(k-46) rounds to another float. A
 //! zero volume has a quotient of zero with the sign of the determinant, in every stage.
 
-use super::counted::Crosses;
-use super::{Facing, Feature, Hit};
-use crate::arithmetic::{Divisor, Leading64, ProductSum};
+use super::crosses::Crosses;
+use super::kernel::{Crossing, Setting};
+use super::words::Counted;
+use super::{Facing, Hit};
+use crate::arithmetic::{Divisor, Leading64, ProductSum, three};
 use crate::scalar::Scalar;
 
 /// The number of bits by which a volume may be shorter than its lengths. For k = 0, no number
@@ -29,36 +31,30 @@ impl<S: Scalar> Crosses<'_, S> {
     #[cold]
     #[inline(never)]
     pub(super) fn in_multiples(&self) -> Option<Option<Hit<S>>> {
-        if self.ray.t_min() != Some(S::ZERO) || self.ray.t_max().is_some() {
+        if !self.has_usual_range() {
             return None;
         }
-        let [a, b, c] = self.triangle.points();
-        let (points, unit) = S::short(&[a, b, c, self.ray.origin().to_array()])?;
-        let ([d], unit_of_d) = S::short(&[self.ray.direction().to_array()])?;
-        let [a, b, c, o] = points;
-        let from = |p: [i32; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
-        let (e1, e2, s) = (from(b), from(c), from(o));
+        let [a, b, c, o, d] = self.rows();
+        let ([a, b, c, o], unit) = S::short(&[a, b, c, o])?;
+        let ([d], unit_of_d) = S::short(&[d])?;
+        let setting = Setting { d, e: [from(&b, &a), from(&c, &a)], s: from(&o, &a) };
+        let first_sign = |a: &[i32; 3], b: &[i32; 3]| {
+            let [x, y, z] = cross(a, b).map(|x| x.cmp(&0));
+            x.then(y).then(z)
+        };
+        let counted = self.counted(
+            &setting,
+            (cross, dot),
+            |t, _, _| t.cmp(&0),
+            |k| setting.perturbed(k, from, first_sign),
+        );
+        let Some(Counted { is_front, volumes }) = counted else { return Some(None) };
+        let Crossing { det, t, sides: [_, u, v] } = volumes;
 
-        let p = cross(&d, &e2);
-        let (det, u) = (dot(&p, &e1), dot(&p, &s));
-        let is_front = det > 0;
-        if det == 0 || !self.rules.cull.keeps(Facing::of(is_front)) {
-            return Some(None);
-        }
-        let q = cross(&s, &e1);
-        let (v, t) = (dot(&q, &d), dot(&q, &e2));
-        let w = det - u - v;
-        let is_outside = |x: i128| if is_front { x < 0 } else { x > 0 };
-        if is_outside(u) || is_outside(v) || is_outside(w) || is_outside(t) {
-            return Some(None);
-        }
-        if self.rules.once && (u == 0 || v == 0 || w == 0 || t == 0) {
-            return None;
-        }
-
-        let edges = bits(&e1).max(bits(&e2));
-        let size = edges.max(bits(&s));
-        let full = bits(&d) + edges + size;
+        let Setting { d, e: [e1, e2], s } = &setting;
+        let edges = bits(e1).max(bits(e2));
+        let size = edges.max(bits(s));
+        let full = bits(d) + edges + size;
         let shorter = |x: Leading64, full: i32| full + 1 - x.bits();
         let den = Leading64::new(det)?;
         let shortest = shorter(den, full).max(0);
@@ -73,7 +69,7 @@ impl<S: Scalar> Crosses<'_, S> {
             u: quotient(u, full, 0)?,
             v: quotient(v, full, 0)?,
             facing: Facing::of(is_front),
-            feature: Feature::from_zeros(w == 0, u == 0, v == 0),
+            feature: volumes.feature(),
         }))
     }
 }
@@ -82,6 +78,11 @@ impl<S: Scalar> Crosses<'_, S> {
 fn bits(x: &[i32; 3]) -> i32 {
     let all = x[0].unsigned_abs() | x[1].unsigned_abs() | x[2].unsigned_abs();
     32 - all.leading_zeros() as i32
+}
+
+#[inline(always)]
+fn from(to: &[i32; 3], from: &[i32; 3]) -> [i32; 3] {
+    three(|i| to[i] - from[i])
 }
 
 #[inline(always)]

@@ -3,8 +3,8 @@
 use core::cmp::Ordering;
 
 use super::HitRules;
-use super::counted::Crosses;
-use crate::arithmetic::{Embeds, Limbed, REGISTERS_ARE_WIDE};
+use super::crosses::Crosses;
+use crate::arithmetic::{Embeds, Limbed, Number, REGISTERS_ARE_WIDE, compare};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
 
@@ -65,10 +65,10 @@ impl<S: Scalar> Ray<S> {
     ) -> Option<Ordering> {
         let crossing = |triangle| {
             let crosses = Crosses { ray: self, triangle, rules: HitRules::default() };
-            crosses.setting::<N>()?.crossing::<N>()
+            Some(crosses.setting::<N>()?.large_volumes::<N>())
         };
         let (a, b) = (crossing(a)?, crossing(b)?);
-        Some(compare_quotients([a.t.limbs(), a.det.limbs()], [b.t.limbs(), b.det.limbs()]))
+        Some(compare_quotients([a.t, a.det], [b.t, b.det]))
     }
 }
 
@@ -89,98 +89,43 @@ fn in_clear_order<S: Scalar>(t: S, s: S) -> Option<Ordering> {
     if is_clear { t.partial_cmp(&s) } else { None }
 }
 
-/// An integer in two's complement, read as the limbs of its magnitude.
-struct Magnitude<'a> {
-    limbs: &'a [u64],
-    sign: Ordering,
-    /// The number of lowest limbs that are zero.
-    zeros: usize,
-}
-
-impl<'a> Magnitude<'a> {
-    fn new(limbs: &'a [u64]) -> Self {
-        let zeros = limbs.iter().take_while(|&&limb| limb == 0).count();
-        let sign = if limbs.last().is_some_and(|top| top >> 63 != 0) {
-            Ordering::Less
-        } else if zeros == limbs.len() {
-            Ordering::Equal
-        } else {
-            Ordering::Greater
-        };
-        Self { limbs, sign, zeros }
-    }
-
-    fn limb(&self, k: usize) -> u64 {
-        let limb = self.limbs.get(k).copied().unwrap_or(0);
-        match k.cmp(&self.zeros) {
-            // The complement plus one; the carry ends at the first limb that is not zero.
-            Ordering::Greater if self.sign == Ordering::Less && k < self.limbs.len() => !limb,
-            Ordering::Equal if self.sign == Ordering::Less => limb.wrapping_neg(),
-            _ => limb,
-        }
-    }
-}
-
-/// The limbs of a product, from the lowest.
-struct Product<'a> {
-    a: &'a Magnitude<'a>,
-    b: &'a Magnitude<'a>,
-    next: usize,
-    carry: [u64; 2],
-}
-
-impl<'a> Product<'a> {
-    fn new(a: &'a Magnitude<'a>, b: &'a Magnitude<'a>) -> Self {
-        Self { a, b, next: 0, carry: [0; 2] }
-    }
-
-    fn next_limb(&mut self) -> u64 {
-        let [low, high] = self.carry;
-        let (mut sum, mut over) = (u128::from(high) << 64 | u128::from(low), 0);
-        let k = self.next;
-        let first = (k + 1).saturating_sub(self.b.limbs.len());
-        for i in first..=k.min(self.a.limbs.len() - 1) {
-            let a = self.a.limb(i);
-            if a != 0 {
-                let product = u128::from(a) * u128::from(self.b.limb(k - i));
-                let (more, carried) = sum.overflowing_add(product);
-                (sum, over) = (more, over + u64::from(carried));
-            }
-        }
-        self.carry = [(sum >> 64) as u64, over];
-        self.next += 1;
-        sum as u64
-    }
-}
-
 /// Compares two quotients; no divisor is zero.
-fn compare_quotients([a, b]: [&[u64]; 2], [c, d]: [&[u64]; 2]) -> Ordering {
-    let [a, b, c, d] = [a, b, c, d].map(Magnitude::new);
-    let sign = |num: &Magnitude<'_>, den: &Magnitude<'_>| match den.sign {
-        Ordering::Less => num.sign.reverse(),
-        _ => num.sign,
+fn compare_quotients<V: Number + Limbed>([a, b]: [V; 2], [c, d]: [V; 2]) -> Ordering {
+    let sign = |num: V, den: V| {
+        let sign = compare(num, V::ZERO);
+        if den < V::ZERO { sign.reverse() } else { sign }
     };
-    let (left, right) = (sign(&a, &b), sign(&c, &d));
+    let (left, right) = (sign(a, b), sign(c, d));
     if left != right || left == Ordering::Equal {
         return left.cmp(&right);
     }
-    let (mut ad, mut cb) = (Product::new(&a, &d), Product::new(&c, &b));
-    let mut order = Ordering::Equal;
-    for _ in 0..2 * a.limbs.len() {
+    let [a, b, c, d] = [a, b, c, d].map(V::magnitude);
+    let (mut of_ad, mut of_cb, mut order) = ([0; 2], [0; 2], Ordering::Equal);
+    for k in 0..2 * a.limbs().len() {
+        let (ad, cb);
+        (ad, of_ad) = limb_of_product(a.limbs(), d.limbs(), k, of_ad);
+        (cb, of_cb) = limb_of_product(c.limbs(), b.limbs(), k, of_cb);
         // A higher limb outweighs all lower ones.
-        order = ad.next_limb().cmp(&cb.next_limb()).then(order);
+        order = ad.cmp(&cb).then(order);
     }
     if left == Ordering::Less { order.reverse() } else { order }
+}
+
+/// Limb `k` of a product, given the carry of the limbs below it, and its own carry.
+fn limb_of_product(a: &[u64], b: &[u64], k: usize, [low, high]: [u64; 2]) -> (u64, [u64; 2]) {
+    let (mut sum, mut over) = (u128::from(high) << 64 | u128::from(low), 0);
+    for (i, &x) in a.iter().take(k + 1).enumerate().filter(|(_, x)| **x != 0) {
+        let product = u128::from(x) * b.get(k - i).map_or(0, |&y| y.into());
+        let (more, carried) = sum.overflowing_add(product);
+        (sum, over) = (more, over + u64::from(carried));
+    }
+    (sum as u64, [(sum >> 64) as u64, over])
 }
 
 #[cfg(test)]
 mod tests {
     use super::compare_quotients;
-
-    /// Three limbs in two's complement.
-    fn limbs(x: i128) -> [u64; 3] {
-        [x as u64, (x >> 64) as u64, (x >> 127) as u64]
-    }
+    use crate::arithmetic::BigInt;
 
     #[test]
     fn quotients_compare_as_products_do() {
@@ -191,8 +136,8 @@ mod tests {
             for (b, d) in dens().flat_map(|b| dens().map(move |d| (b, d))) {
                 let expected =
                     (a * d * b.signum() * d.signum()).cmp(&(c * b * b.signum() * d.signum()));
-                let [p, q, r, s] = [a, b, c, d].map(limbs);
-                assert_eq!(compare_quotients([&p, &q], [&r, &s]), expected, "{a}/{b} {c}/{d}");
+                let [p, q, r, s] = [a, b, c, d].map(BigInt::<3>::from);
+                assert_eq!(compare_quotients([p, q], [r, s]), expected, "{a}/{b} {c}/{d}");
             }
         }
     }
@@ -205,9 +150,9 @@ mod tests {
         for (a, b, c, d) in
             [(quarter, m, m / 4, one), (-m * 8, quarter, -32, m), (m, m, m + 1, m + 1)]
         {
-            let [p, q, r, s] = [a, b, c, d].map(limbs);
-            let order = compare_quotients([&p, &q], [&r, &s]);
-            assert_eq!(compare_quotients([&r, &s], [&p, &q]), order.reverse());
+            let [p, q, r, s] = [a, b, c, d].map(BigInt::<3>::from);
+            let order = compare_quotients([p, q], [r, s]);
+            assert_eq!(compare_quotients([r, s], [p, q]), order.reverse());
             // By division with remainder.
             let (x, y) = ((a.div_euclid(b), a.rem_euclid(b)), (c.div_euclid(d), c.rem_euclid(d)));
             if x.0 != y.0 {

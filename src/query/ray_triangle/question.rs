@@ -1,20 +1,16 @@
 //! Where a ray crosses a triangle, and whether it does, as predicates: what each stage answers.
 
-use core::cmp::Ordering;
-
-use super::counted::Crosses;
-use super::crossing::{Crossing, Sizes};
-use super::narrow::rounded;
+use super::crosses::{Bounded, Crosses};
+use super::kernel::{Crossing, Sizes};
 use super::refined::Met;
 use super::residual::Numbers;
-use super::rows::VolumeRows;
+use super::rows::{Found, VolumeRows};
+use super::words::rounded;
 use super::{Facing, Feature, Hit};
 use crate::arithmetic::{
     Embeds, Filtered, InWholeWord, Number, OfFour, REGISTERS_ARE_WIDE, SMALL_CODE, WholeWord,
 };
-use crate::robust::{
-    Clue, ExactSum, Numeric, Predicate, Stage, WordKernel, in_exact_numbers, note,
-};
+use crate::robust::{Clue, Numeric, Predicate, Stage, WordKernel, in_exact_numbers, note};
 use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Ray, Triangle};
 
@@ -29,7 +25,7 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
             return self.large_crossing::<N, _>(large_numbers::<S, N>);
         }
         let hit = match self.crossing::<N>() {
-            Some(Some(crossing)) => numbers::<S, N>(true, crossing),
+            Some(Some(found)) => numbers::<S, N>(true, found),
             Some(None) => Some(None),
             None => None,
         };
@@ -53,18 +49,15 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
         if REGISTERS_ARE_WIDE {
             return in_exact_numbers(self);
         }
-        let exact = self.taken_apart();
-        let crossing = exact.crossing::<S>();
-        let is_front = self.passes(&exact, &crossing.det, &crossing.sides, &crossing.t)?;
-        let quotient = |x| S::quotient(x, &crossing.det);
-        let [w, u, v] = &crossing.sides;
-        let is_zero = |x: &S::SeptumSum| x.sign() == Ordering::Equal;
+        let crossing = self.in_sums()?;
+        let Crossing { det, t, sides: [_, u, v] } = &crossing;
+        let quotient = |x| S::quotient(x, det);
         Some(Hit {
-            t: quotient(&crossing.t),
+            t: quotient(t),
             u: quotient(u),
             v: quotient(v),
-            facing: Facing::of(is_front),
-            feature: Feature::from_zeros(is_zero(w), is_zero(u), is_zero(v)),
+            facing: Facing::of(crossing.is_front()),
+            feature: crossing.feature(),
         })
     }
 }
@@ -85,16 +78,17 @@ impl<S: Scalar> Numeric<S> for Crosses<'_, S> {
     where
         Filtered<f64>: Embeds<S>,
     {
-        let (counts, crossing, sizes) = self.ahead()?;
+        let (counts, Found { crossing, sizes, .. }) = self.ahead()?;
         if <Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS {
             // More accurate numbers are computed out of line, so that the common path returns no
             // result of a call.
-            return numbers::<S, Filtered<f64>>(counts, crossing).ok_or(Clue::NoNumbers);
+            let found = (crossing, Some(sizes.errors::<Filtered<f64>>()));
+            return numbers::<S, Filtered<f64>>(counts, found).ok_or(Clue::NoNumbers);
         }
         if !counts {
             return Ok(None);
         }
-        let Crossing { det, t, sides: [_, u, v], .. } = crossing;
+        let Crossing { det, t, sides: [_, u, v] } = crossing;
         let Sizes { direction, edges, size } = sizes;
         refined_hit(self.ray, self.triangle, det, t, u, v, direction, edges, size)
             .map(Some)
@@ -150,9 +144,7 @@ impl<S: Scalar> Predicate<S> for Hits<'_, S> {
         if REGISTERS_ARE_WIDE {
             return in_exact_numbers(self);
         }
-        let exact = self.0.taken_apart();
-        let crossing = exact.crossing::<S>();
-        self.0.passes(&exact, &crossing.det, &crossing.sides, &crossing.t).is_some()
+        self.0.in_sums().is_some()
     }
 }
 
@@ -187,7 +179,7 @@ impl<S: Scalar> Numeric<S> for Hits<'_, S> {
 /// The hit at a crossing in large numbers.
 #[inline(never)]
 fn large_numbers<S: Scalar, N: Embeds<S>>(crossing: &Crossing<N::Volume>) -> Hit<S> {
-    let Crossing { det, t, sides: [_, u, v], .. } = crossing;
+    let Crossing { det, t, sides: [_, u, v] } = crossing;
     let ([t, u, v], _) = N::quotients([*t, *u, *v], *det, [Number::ZERO; 2]);
     let (facing, feature) = (Facing::of(crossing.is_front()), crossing.feature());
     Hit { t, u, v, facing, feature }
@@ -197,14 +189,14 @@ fn large_numbers<S: Scalar, N: Embeds<S>>(crossing: &Crossing<N::Volume>) -> Hit
 #[inline(always)]
 fn numbers<S: Scalar, N: Embeds<S>>(
     counts: bool,
-    crossing: Crossing<N::Volume>,
+    (crossing, errors): Bounded<N::Volume>,
 ) -> Option<Option<Hit<S>>> {
     let facing = Facing::of(crossing.is_front());
-    let Crossing { det, t, sides: [_, u, v], error_bound } = crossing;
-    let feature = if N::CERTAIN { crossing.feature() } else { Feature::Interior };
+    let feature = if errors.is_none() { crossing.feature() } else { Feature::Interior };
+    let Crossing { det, t, sides: [_, u, v] } = crossing;
+    let errors = errors.map_or([N::Volume::ZERO; 2], |errors| [errors.t, errors.side]);
     // Divides even for a miss, because that costs less than a mispredicted branch.
-    let ([t, u, v], are_good) =
-        N::quotients_of_row([det, t, u, v], [error_bound.t, error_bound.side]);
+    let ([t, u, v], are_good) = N::quotients_of_row([det, t, u, v], errors);
     if counts & !are_good {
         return None;
     }

@@ -2,7 +2,7 @@
 //!
 //! D, E and R are as in `super::error_bound`. A component x of a vector of size s (D, E or R) is
 //! cut at a grid: x = h + l, with h a multiple of g, |h| ≤ (1 + 2^25)·g, and |l| ≤ η·s, η = 2^-25,
-//! up to a relative 2^-28 (`super::split`). l also takes the rounding error of the difference. A
+//! up to a relative 2^-28 ([`cut`]). l also takes the rounding error of the difference. A
 //! component of an area is (h h − h h) + (h l + l x − h l − l x). The first bracket is less than
 //! 2^52 times its unit, so it is exact. It is cut again, at 26 bits, and the rest is at most η
 //! times its size. The three products of its higher part with h sum to less than 3·2^51 + 2^30
@@ -21,15 +21,22 @@
 //! D, E and R are in range, so units of volumes are multiples of 2^-1038, which `f64` can
 //! represent, and other underflow is below 2^-40 of the bound.
 
+use core::ops::{Add, Mul, Sub};
+
 use super::Feature;
-use super::counted::Crosses;
-use super::crossing::{Crossing, Setting, Sizes, VolumeErrors};
-use super::split::{CUT, FAR, Split, Two, short_areas};
-use crate::arithmetic::{Embeds, Filtered, Number, two_difference};
+use super::crosses::Crosses;
+use super::kernel::{Crossing, Setting, Sizes, VolumeErrors};
+use crate::arithmetic::{Embeds, Filtered, Number, fast_two_sum, two_difference};
 use crate::scalar::Scalar;
 
 /// Roundoffs, times [`CUT`], in the volumes in two parts.
 const REFINED: u16 = 192;
+
+/// The size of the lower part of a number, relative to the size that sets the grid: 2^-25.
+pub(super) const CUT: f64 = 1.0 / 33_554_432.0;
+
+/// 2^28: `far` of [`cut`] for the 25 bits of a [`Split`].
+const FAR: f64 = 268_435_456.0;
 
 /// Volumes, each as a rounded number and its rounding error.
 pub(super) struct Refined {
@@ -61,8 +68,8 @@ impl Refined {
     /// whether the error bounds are valid.
     #[inline(always)]
     pub(super) fn new(points: &[[f64; 3]; 4], d: [f64; 3]) -> (Self, bool) {
-        let Sizes { direction, edges: edge, size } = Setting::new(points, d).sizes();
-        let is_known = direction.in_range() & edge.in_range() & size.in_range();
+        let sizes = Setting::new(points, d).sizes();
+        let Sizes { direction, edges: edge, size } = sizes;
         let [a, b, c, o] = points;
         let way = |i: usize| two_difference(Two([d[i], o[i]]), Two([0.0, a[i]]));
         let side = |i: usize| two_difference(Two([c[i], b[i]]), Two([a[i], a[i]]));
@@ -80,19 +87,19 @@ impl Refined {
         let (t_error, side_error) = (error(far_area, edge), error(area, size));
         let refined =
             Self { det, t, u, v, low_det, low_t, low_u, low_v, t_error, side_error, is_exact };
-        (refined, is_known)
+        (refined, sizes.are_in_range())
     }
 
-    /// The crossing for the test of signs, and whether it is exact.
+    /// The crossing for the test of signs, its error bounds, and whether it is exact.
     #[inline(always)]
-    pub(super) fn crossing(&self) -> (Crossing<f64>, bool) {
+    pub(super) fn crossing(&self) -> (Crossing<f64>, VolumeErrors<f64>, bool) {
         let Self { det, t, u, v, .. } = *self;
         let [rest, first] = two_difference(det, u);
         let [rest, second] = two_difference(rest, v);
         let w = rest + (first + second + (self.low_det - self.low_u - self.low_v));
-        let error_bound =
+        let errors =
             VolumeErrors { side: self.side_error, sides: 3.0 * self.side_error, t: self.t_error };
-        (Crossing { det, t, sides: [w, u, v], error_bound }, self.is_exact)
+        (Crossing { det, t, sides: [w, u, v] }, errors, self.is_exact)
     }
 
     /// t, u and v within 1.1 roundings, if nothing was lost.
@@ -122,14 +129,113 @@ impl<S: Scalar> Crosses<'_, S> {
         if !is_known {
             return None;
         }
-        let (crossing, is_exact) = refined.crossing();
-        if !crossing.meets(is_exact)? {
+        let (crossing, errors, is_exact) = refined.crossing();
+        let errors = if is_exact { None } else { Some(&errors) };
+        if !crossing.meets(errors)? {
             return Some(None);
         }
-        let counts = self.counts::<Filtered<f64>>(&Setting::new(points, d), &crossing, is_exact)?;
-        let Crossing { det, t, sides: [_, u, v], .. } = crossing;
+        let counts = self.counts::<Filtered<f64>>(&Setting::new(points, d), &crossing, errors)?;
+        let Crossing { det, t, sides: [_, u, v] } = crossing;
         let is_contact = is_exact & [t, u, v].contains(&0.0);
         let quotients = || is_contact.then(|| refined.quotients());
         Some(counts.then(|| Met { feature: crossing.feature(), det, quotients: quotients() }))
     }
+}
+
+/// Two numbers that undergo the same operations: every vector unit has room for two.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Two([f64; 2]);
+
+macro_rules! operators {
+    ($($operator:ident: $function:ident;)*) => {$(
+        impl $operator for Two {
+            type Output = Self;
+            #[inline(always)]
+            fn $function(self, other: Self) -> Self {
+                Self([self.0[0].$function(other.0[0]), self.0[1].$function(other.0[1])])
+            }
+        }
+    )*};
+}
+operators! { Add: add; Sub: sub; Mul: mul; }
+
+impl Two {
+    #[inline(always)]
+    fn swapped(self) -> Self {
+        Self([self.0[1], self.0[0]])
+    }
+
+    #[inline(always)]
+    fn magnitude(self) -> Self {
+        Self([self.0[0].abs(), self.0[1].abs()])
+    }
+}
+
+/// x + `rest` in two parts, the higher on a coarse grid that contains `far`, which is 2^k times a
+/// bound s on |x|, 2 ≤ k ≤ 51.
+///
+/// far + x lies in [far − s, far + s]. The last place g of the sum is at least that of far − s. So
+/// the sum is a multiple of g, far is too, and their difference is exact. Hence the higher part is
+/// a multiple of g no greater than s + g. With 2^53·g > far − s this gives s/g < 2^53/(2^k − 1) <
+/// 2^(53−k) + 1. The higher part differs from x by at most half the last place of far + s, which is
+/// little more than 2^(k−53)·s.
+#[inline(always)]
+pub(super) fn cut<T>([x, rest]: [T; 2], far: T) -> [T; 2]
+where
+    T: Copy + Add<Output = T> + Sub<Output = T>,
+{
+    let high = (x + far) - far;
+    [high, (x - high) + rest]
+}
+
+/// A vector of [`Two`], with each component as given, and in two parts.
+#[derive(Clone, Copy)]
+struct Split {
+    whole: [Two; 3],
+    high: [Two; 3],
+    low: [Two; 3],
+}
+
+impl Split {
+    /// Each component and its rounding error, in two parts; see [`cut`].
+    #[inline(always)]
+    pub(super) fn new([x, y, z]: [[Two; 2]; 3], far: Two) -> Self {
+        let whole = [x[0], y[0], z[0]];
+        let [x, y, z] = [cut(x, far), cut(y, far), cut(z, far)];
+        Self { whole, high: [x[0], y[0], z[0]], low: [x[1], y[1], z[1]] }
+    }
+
+    /// The size of the lower parts: zero if the higher parts are exact.
+    #[inline(always)]
+    pub(super) fn lost(&self) -> f64 {
+        let [x, y, z] = self.low;
+        let Two([a, b]) = x.magnitude() + y.magnitude() + z.magnitude();
+        a + b
+    }
+
+    /// The cross product in two parts; the higher part is exact.
+    #[inline(always)]
+    pub(super) fn cross(&self, other: &Self) -> [[Two; 2]; 3] {
+        let (a, b) = (self, other);
+        let high = |j: usize, k: usize| a.high[j] * b.high[k] - a.high[k] * b.high[j];
+        let mixed = |j: usize, k: usize| a.high[j] * b.low[k] + a.low[j] * b.whole[k];
+        let minor = |j: usize, k: usize| [high(j, k), mixed(j, k) - mixed(k, j)];
+        [minor(1, 2), minor(2, 0), minor(0, 1)]
+    }
+
+    /// The dot product with areas whose higher parts are short, in two parts: the exact product of
+    /// the higher parts, and the rest.
+    #[inline(always)]
+    pub(super) fn dot(&self, areas: &[[Two; 2]; 3]) -> [Two; 2] {
+        let exact = |i: usize| areas[i][0] * self.high[i];
+        let rest = |i: usize| areas[i][1] * self.whole[i] + areas[i][0] * self.low[i];
+        fast_two_sum(exact(0) + exact(1) + exact(2), rest(0) + rest(1) + rest(2))
+    }
+}
+
+/// Areas in two parts, the higher part shortened by [`cut`], and the two numbers swapped.
+#[inline(always)]
+fn short_areas([x, y, z]: [[Two; 2]; 3], far: Two) -> [[Two; 2]; 3] {
+    let short = |area: [Two; 2]| cut(area, far).map(Two::swapped);
+    [short(x), short(y), short(z)]
 }

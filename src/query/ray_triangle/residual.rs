@@ -36,9 +36,9 @@
 
 use core::ops::{Add, Mul, Sub};
 
-use super::crossing::{Crossing, Setting, Sizes};
 use super::error_bound::VOLUME;
-use super::split::{CUT, cut};
+use super::kernel::{Crossing, Setting, Sizes};
+use super::refined::{CUT, cut};
 use crate::arithmetic::{Embeds, Filtered, Float, Number, OfFour, Quad, largest, two_difference};
 use crate::scalar::Scalar;
 
@@ -84,13 +84,13 @@ impl Numbers {
         points: &[[f64; 3]; 4],
         d: [f64; 3],
         [det, t, u, v]: [f64; 4],
-        Sizes { direction, edges, size }: Sizes<f64>,
+        sizes: Sizes<f64>,
     ) -> Self {
-        let setting = Setting::new(points, d);
+        let Sizes { direction, edges, size } = sizes;
         let inverse = 1.0 / det;
         let roundoff = (edges * inverse.magnitude()).error(1);
         let relative_error = direction * size * roundoff * f64::from(VOLUME);
-        let is_known = (direction.in_range() & edges.in_range() & size.in_range())
+        let is_known = sizes.are_in_range()
             & (size <= edges * FARTHEST)
             & (relative_error * size <= edges * MOST_ERROR);
 
@@ -103,7 +103,8 @@ impl Numbers {
         } else {
             one_by_one(points, d, short, shifters)
         };
-        let Crossing { t, sides: [_, u, v], .. } = setting.seen_along(left).volumes();
+        let seen = Setting { s: left, ..Setting::new(points, d) };
+        let Crossing { t, sides: [_, u, v], .. } = seen.volumes::<Filtered<f64>>();
         let (left, lost) = (largest(&left), size * (f64::from(LOST) * CUT));
         let (side_left, t_left) = (left * f64::from(LEFT) + lost, left * f64::from(LEFT_T) + lost);
         let number = |k: usize, volume: f64, error: f64| {

@@ -195,7 +195,7 @@ mod tests {
     use std::format;
 
     use super::*;
-    use crate::query::ray_triangle::crossing::exact_crossing;
+    use crate::query::ray_triangle::kernel::exact_crossing;
     use crate::robust::{ExactSum, Sum};
     use crate::scalar::Backend;
 

@@ -1,49 +1,21 @@
-//! The question in machine words, for narrow registers: the kernel of `super::crossing` with an
-//! early exit after each volume, and quotients place by place.
+//! The question in machine words, for narrow registers: the kernel of `super::kernel` with an early
+//! exit after each volume, and quotients place by place.
 
 use core::cmp::Ordering;
 
-use super::counted::Crosses;
-use super::{Facing, Feature, Hit};
-use crate::arithmetic::{InWholeWord, InWord, Number, WholeWord, Word};
-use crate::arithmetic::{cross_words, dot_words, first_sign};
+use super::crosses::Crosses;
+use super::kernel::{Crossing, Setting};
+use super::{Facing, Hit};
+use crate::arithmetic::{
+    InWholeWord, InWord, Number, WholeWord, Word, compare, cross_words, dot_words, first_sign,
+};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
-/// A line and a triangle, relative to the triangle's first vertex.
-pub(super) struct Lines<W> {
-    /// The direction.
-    d: [W; 3],
-    /// The edges to the second and the third vertex.
-    e: [[W; 3]; 2],
-    /// From the first vertex to the origin.
-    s: [W; 3],
-}
-
-/// Volumes of a crossing that counts: t is `t`/det, and w, u, v are `sides`/det. All volumes except
-/// t are nonnegative.
+/// A crossing that counts, with all volumes except t nonnegative.
 pub(super) struct Counted<V> {
-    is_front: bool,
-    det: V,
-    t: V,
-    sides: [V; 3],
-}
-
-impl<W: Word> Lines<W> {
-    /// The sign of the derivative of side `k` with respect to the origin; see `super::crossing`.
-    fn perturbed_side(&self, k: usize) -> Ordering {
-        let Self { d, e: [e1, e2], .. } = self;
-        match k {
-            0 => first_sign(d, &from(e1, e2)),
-            1 => first_sign(d, e2),
-            _ => first_sign(e1, d),
-        }
-    }
-
-    /// The same for the numerator of t.
-    fn perturbed_t(&self) -> Ordering {
-        first_sign(&self.e[0], &self.e[1])
-    }
+    pub(super) is_front: bool,
+    pub(super) volumes: Crossing<V>,
 }
 
 impl<S: Scalar> Crosses<'_, S> {
@@ -53,25 +25,25 @@ impl<S: Scalar> Crosses<'_, S> {
     where
         S: InWholeWord<W>,
     {
-        self.counted(&self.lines())
+        self.counted_in_words(&self.in_word_vectors())
     }
 
     /// The crossing, if it counts, in words wide enough for shapes near each other; `None` if they
     /// are not.
     #[inline(never)]
-    pub(super) fn in_near_words<W: WholeWord>(&self) -> Option<Option<Counted<W::Whole>>>
+    fn in_near_words<W: WholeWord>(&self) -> Option<Option<Counted<W::Whole>>>
     where
         S: InWholeWord<W>,
     {
-        let lines = self.lines();
+        let setting = self.in_word_vectors();
         let [x, y, z] = words(&self.triangle.vertices()[0]);
         let length = |x: &[W; 3]| x[0].folded() | x[1].folded() | x[2].folded();
-        let Lines { d, e: [e1, e2], s } = &lines;
+        let Setting { d, e: [e1, e2], s } = &setting;
         (x.is_central()
             && y.is_central()
             && z.is_central()
             && (length(d) | length(e1) | length(e2) | length(s)).has_volumes())
-        .then(|| self.counted(&lines))
+        .then(|| self.counted_in_words(&setting))
     }
 
     /// Applies `f` to the crossing that counts, in words wide enough for ray and triangle.
@@ -87,82 +59,82 @@ impl<S: Scalar> Crosses<'_, S> {
     }
 
     #[inline(always)]
-    fn lines<W: Word>(&self) -> Lines<W>
+    fn in_word_vectors<W: Word>(&self) -> Setting<W>
     where
         S: InWord<W>,
     {
         let [a, b, c] = self.triangle.vertices();
         let a = words(a);
         let (o, d) = (words(&self.ray.origin()), words(&self.ray.direction()));
-        Lines { d, e: [from(&words(b), &a), from(&words(c), &a)], s: from(&o, &a) }
+        Setting { d, e: [from(&words(b), &a), from(&words(c), &a)], s: from(&o, &a) }
     }
 
     #[inline(always)]
-    fn counted<W: WholeWord>(&self, lines: &Lines<W>) -> Option<Counted<W::Whole>>
+    fn counted_in_words<W: WholeWord>(&self, setting: &Setting<W>) -> Option<Counted<W::Whole>>
     where
         S: InWholeWord<W>,
     {
-        let Lines { d, e: [e1, e2], s } = lines;
         let zero = W::Whole::ZERO;
-        let p = cross_words(d, e2);
-        let det = dot_words(&p, e1);
+        self.counted(
+            setting,
+            (cross_words::<W>, dot_words::<W>),
+            |t, det, end| match end == S::ZERO {
+                true => compare(t, zero),
+                false => S::compare_quotient(t, det, end),
+            },
+            |k| setting.perturbed(k, from, first_sign),
+        )
+    }
+
+    /// The crossing, if it counts, from the cross product of lengths and the product of areas with
+    /// lengths. `compare_quotient` compares t with an end of the range, and `perturbed` is that of the
+    /// setting.
+    #[inline(always)]
+    pub(super) fn counted<L: Copy, A, V: Number>(
+        &self,
+        setting: &Setting<L>,
+        (cross, dot): (impl Fn(&[L; 3], &[L; 3]) -> [A; 3], impl Fn(&[A; 3], &[L; 3]) -> V),
+        compare_quotient: impl Fn(V, V, S) -> Ordering,
+        perturbed: impl Fn(usize) -> Ordering,
+    ) -> Option<Counted<V>> {
+        let Setting { d, e: [e1, e2], s } = setting;
+        let zero = V::ZERO;
+        let p = cross(d, e2);
+        let det = dot(&p, e1);
         let is_front = det > zero;
-        if det == zero || !self.rules.cull.keeps(Facing::of(is_front)) {
+        if det == zero || !self.keeps(is_front) {
             return None;
         }
-        let oriented = |x: W::Whole| if is_front { x } else { -x };
-        let (det, u) = (oriented(det), oriented(dot_words(&p, s)));
+        let oriented = |x: V| if is_front { x } else { -x };
+        let (det, u) = (oriented(det), oriented(dot(&p, s)));
         if u < zero || u > det {
             return None;
         }
-        let q = cross_words(s, e1);
-        let v = oriented(dot_words(&q, d));
+        let q = cross(s, e1);
+        let v = oriented(dot(&q, d));
         let w = det - u - v;
         if v < zero || w < zero {
             return None;
         }
-        let t = oriented(dot_words(&q, e2));
-
-        let turned = |sign: Ordering| if is_front { sign } else { sign.reverse() };
-        let sides = [w, u, v];
-        for (k, &side) in sides.iter().enumerate() {
-            let side = if side == zero { Ordering::Equal } else { Ordering::Greater };
-            if !self.admits(side, Ordering::Greater, || turned(lines.perturbed_side(k))) {
-                return None;
-            }
-        }
-        for (end, inside) in self.ends() {
-            let Some(end) = end else { continue };
-            let side = if end != S::ZERO {
-                S::compare_quotient(t, det, end)
-            } else if t == zero {
-                Ordering::Equal
-            } else if t < zero {
-                Ordering::Less
-            } else {
-                Ordering::Greater
-            };
-            if !self.admits(side, inside, || turned(lines.perturbed_t())) {
-                return None;
-            }
-        }
-        Some(Counted { is_front, det, t, sides })
+        let volumes = Crossing { det, t: oriented(dot(&q, e2)), sides: [w, u, v] };
+        let compare_with = |end: S| Some(compare_quotient(volumes.t, det, end));
+        self.admits(is_front, volumes.zeros(), compare_with, perturbed)?
+            .then_some(Counted { is_front, volumes })
     }
 }
 
 /// The hit, with each number rounded once.
 #[inline(always)]
 pub(super) fn rounded<S: Scalar + InWholeWord<W>, W: WholeWord>(
-    counted: &Counted<W::Whole>,
+    Counted { is_front, volumes }: &Counted<W::Whole>,
 ) -> Hit<S> {
-    let Counted { is_front, det, t, sides: [w, u, v] } = *counted;
-    let zero = W::Whole::ZERO;
+    let Crossing { det, t, sides: [_, u, v] } = *volumes;
     Hit {
         t: S::divided(t, det),
         u: S::share(u, det),
         v: S::share(v, det),
-        facing: Facing::of(is_front),
-        feature: Feature::from_zeros(w == zero, u == zero, v == zero),
+        facing: Facing::of(*is_front),
+        feature: volumes.feature(),
     }
 }
 
@@ -181,6 +153,7 @@ fn from<W: Word>(to: &[W; 3], from: &[W; 3]) -> [W; 3] {
 mod tests {
     use fixed::types::{I0F32, I4F4, I8F8, I16F16};
 
+    use super::super::Feature;
     use super::*;
     use crate::query::{Cull, HitRules};
     use crate::random::Random;
