@@ -4,21 +4,24 @@
 use core::cmp::Ordering;
 use core::marker::PhantomData;
 
-use super::faces::ThereAndBack;
+use super::faces::Signs;
 use crate::arithmetic::{Parts, each, pick, three, turn};
-use crate::query::crossing::Entries;
 use crate::robust::{ExactSum, Vector, add_scaled_determinant, single};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
 
 /// A part of a line and a parallelepiped in exact parts.
-pub(super) struct ExactLine {
+pub(super) struct ExactLine<S> {
     /// The vector from the box's centre to the origin.
-    pub(super) m: Vector,
-    pub(super) d: Vector,
-    pub(super) ends: [Option<Parts>; 2],
+    m: Vector,
+    d: Vector,
+    ends: [Option<Parts>; 2],
     u: [Vector; 3],
     h: [Parts; 3],
+    /// The signs of w_i·d, and of u_0·w_0.
+    along: [Ordering; 3],
+    volume: Ordering,
+    scalar: PhantomData<S>,
 }
 
 /// A factor times the determinant of three vectors.
@@ -32,23 +35,18 @@ fn sum<S: Scalar>(terms: &[Term<'_>]) -> S::SeptumSum {
     sum
 }
 
-fn sign<S: Scalar>(terms: &[Term<'_>]) -> Ordering {
-    sum::<S>(terms).sign()
-}
-
 fn signed(x: Parts, minus: bool) -> Parts {
     if minus { x.negated() } else { x }
 }
 
-impl ExactLine {
-    pub(super) fn new<S: Scalar>(
-        obb: &Obb<S>,
-        m: Vector,
-        d: Vector,
-        ends: [Option<Parts>; 2],
-    ) -> Self {
+impl<S: Scalar> ExactLine<S> {
+    pub(super) fn new(obb: &Obb<S>, m: Vector, d: Vector, ends: [Option<Parts>; 2]) -> Self {
         let u = each(obb.axes_as_arrays(), |u| each(u, |x| single(x.parts())));
-        Self { m, d, ends, u, h: each(obb.half_extents().to_array(), S::parts) }
+        let (h, none) = (each(obb.half_extents().to_array(), S::parts), Ordering::Equal);
+        let line = Self { m, d, ends, u, h, along: [none; 3], volume: none, scalar: PhantomData };
+        let along = three(|i| sum::<S>(&[line.along(i, &line.d, S::ONE)]).sign());
+        let volume = sum::<S>(&[line.volume(S::ONE)]).sign();
+        Self { along, volume, ..line }
     }
 
     /// w_i·x as a term.
@@ -64,57 +62,49 @@ impl ExactLine {
     }
 
     /// Whether one of the six axes separates.
-    pub(super) fn is_separated<S: Scalar>(&self) -> bool {
-        let along = three(|i| sign::<S>(&[self.along(i, &self.d, S::ONE)]));
-        let volume = sign::<S>(&[self.volume(S::ONE)]);
-        [Ordering::Greater, Ordering::Less].into_iter().any(|side| {
-            (0..3).any(|i| {
-                self.line::<S>(i, side, &along) || self.face::<S>(i, side, *pick(&along, i), volume)
-            })
-        })
+    pub(super) fn is_separated(&self) -> bool {
+        [Ordering::Greater, Ordering::Less]
+            .into_iter()
+            .any(|side| (0..3).any(|i| self.is_beside(i, side) || self.is_beyond(i, side)))
     }
 
     /// Whether the line passes the box on this side of d × u_i.
-    fn line<S: Scalar>(&self, i: usize, side: Ordering, along: &[Ordering; 3]) -> bool {
+    fn is_beside(&self, i: usize, side: Ordering) -> bool {
         let (i, j, l) = turn(i);
-        let reach = |j: usize, l: usize| {
-            self.along(l, &self.d, signed(*pick(&self.h, j), *pick(along, l) == side))
-        };
-        let line = Term(S::ONE, [&self.m, &self.d, pick(&self.u, i)]);
-        sign::<S>(&[line, reach(j, l), reach(l, j)]) == side
+        let minus = [side.is_lt(), !self.is_below(l), !self.is_below(j)];
+        self.is_line_above(i, minus) == Some(true)
     }
 
     /// Whether the whole part lies beyond the box on this side of w_i.
-    fn face<S: Scalar>(&self, i: usize, side: Ordering, along: Ordering, volume: Ordering) -> bool {
-        let beyond = |t: Parts| {
-            let reach = self.volume(signed(*pick(&self.h, i), volume == side));
-            let at = [self.along(i, &self.m, S::ONE), self.along(i, &self.d, t), reach];
-            sign::<S>(&at) == side
-        };
+    fn is_beyond(&self, i: usize, side: Ordering) -> bool {
+        let (along, minus) = (*pick(&self.along, i), [side.is_lt(), self.volume.is_gt()]);
+        let beyond = |t: Parts| self.is_above(i, t, minus);
         let [from, to] = self.ends;
         let first = from.map_or(along != side, beyond);
         let last = to.map_or(along != side.reverse(), beyond);
         first && last && (from.is_some() || to.is_some() || beyond(Parts::ZERO))
     }
 
-    /// The entries of the line into the slabs.
-    pub(super) fn entries<S: Scalar>(&self) -> ExactEntries<'_, S> {
-        let along = three(|i| sign::<S>(&[self.along(i, &self.d, S::ONE)]));
-        let volume = sign::<S>(&[self.volume(S::ONE)]);
-        ExactEntries { line: self, along, volume, is_back: false, scalar: PhantomData }
+    /// [`Signs::is_face_above`] at `t`.
+    fn is_above(&self, i: usize, t: Parts, [at, volume]: [bool; 2]) -> bool {
+        let terms = [
+            self.along(i, &self.m, signed(S::ONE, at)),
+            self.along(i, &self.d, signed(t, at)),
+            self.volume(signed(*pick(&self.h, i), volume)),
+        ];
+        sum::<S>(&terms).sign().is_gt()
     }
 
     /// Where the line enters slab `i` and where it leaves it, rounded to the nearest; `None` if it
     /// runs parallel to the slab.
-    pub(super) fn crossing<S: Scalar>(&self, i: usize) -> Option<(S, S)> {
-        let falls = match sign::<S>(&[self.along(i, &self.d, S::ONE)]) {
-            Ordering::Equal => return None,
-            side => side == Ordering::Less,
-        };
-        let is_negative = sign::<S>(&[self.volume(S::ONE)]) == Ordering::Less;
+    pub(super) fn crossing(&self, i: usize) -> Option<(S, S)> {
+        if pick(&self.along, i).is_eq() {
+            return None;
+        }
+        let falls = self.is_below(i);
         let den = sum::<S>(&[self.along(i, &self.d, signed(S::ONE, falls))]);
         let at = |is_near: bool| {
-            let face = self.volume(signed(*pick(&self.h, i), is_negative != is_near));
+            let face = self.volume(signed(*pick(&self.h, i), self.volume.is_lt() != is_near));
             let num = sum::<S>(&[self.along(i, &self.m, signed(S::ONE, !falls)), face]);
             S::quotient(&num, &den)
         };
@@ -122,61 +112,32 @@ impl ExactLine {
     }
 }
 
-/// The entries of a line, or of the line that runs back, into the slabs: see `faces`.
-#[derive(Clone, Copy)]
-pub(super) struct ExactEntries<'a, S> {
-    line: &'a ExactLine,
-    along: [Ordering; 3],
-    volume: Ordering,
-    is_back: bool,
-    scalar: PhantomData<S>,
-}
-
-impl<S: Scalar> ExactEntries<'_, S> {
-    fn is_below(&self, i: usize) -> bool {
-        pick(&self.along, i).is_lt()
-    }
-}
-
-impl<S: Scalar> ThereAndBack for ExactEntries<'_, S> {
-    fn entries(&self, is_back: bool) -> impl Entries {
-        Self { is_back, ..*self }
-    }
-
-    fn is_upper(&self, i: usize) -> bool {
-        self.is_below(i) != self.volume.is_lt()
-    }
-}
-
-impl<S: Scalar> Entries for ExactEntries<'_, S> {
+impl<S: Scalar> Signs for ExactLine<S> {
     fn crosses(&self, i: usize) -> Option<bool> {
         Some(pick(&self.along, i).is_ne())
     }
 
-    fn is_later(&self, i: usize, j: usize) -> Option<bool> {
-        let ExactLine { m, d, u, h, .. } = self.line;
-        let (_, next, last) = turn(i);
-        let is_cyclic = j == next;
-        let k = if is_cyclic { last } else { next };
-        let is_odd = self.is_below(i) ^ self.is_below(j) ^ self.volume.is_lt();
-        let beside = signed(S::ONE, is_odd ^ is_cyclic ^ self.is_back);
-        let terms = [
-            Term(beside, [m, d, pick(u, k)]),
-            self.line.along(i, d, signed(*pick(h, j), self.is_below(i))),
-            self.line.along(j, d, signed(*pick(h, i), !self.is_below(j))),
-        ];
-        Some(sign::<S>(&terms).is_gt())
+    fn is_below(&self, i: usize) -> bool {
+        pick(&self.along, i).is_lt()
     }
 
-    fn is_past(&self, i: usize) -> Option<bool> {
-        let ExactLine { m, d, ends: [from, to], h, .. } = self.line;
-        let Some(t) = (if self.is_back { to } else { from }) else { return Some(false) };
-        let minus = self.is_below(i) != self.is_back;
+    fn is_volume_below(&self) -> bool {
+        self.volume.is_lt()
+    }
+
+    fn is_line_above(&self, k: usize, [minus, of_j, of_i]: [bool; 3]) -> Option<bool> {
+        let Self { m, d, u, h, .. } = self;
+        let (k, i, j) = turn(k);
         let terms = [
-            self.line.along(i, m, signed(S::ONE, minus)),
-            self.line.along(i, d, signed(*t, minus)),
-            self.line.volume(signed(*pick(h, i), self.volume.is_lt())),
+            Term(signed(S::ONE, minus), [m, d, pick(u, k)]),
+            self.along(j, d, signed(*pick(h, i), of_j)),
+            self.along(i, d, signed(*pick(h, j), of_i)),
         ];
-        Some(sign::<S>(&terms).is_gt())
+        Some(sum::<S>(&terms).sign().is_gt())
+    }
+
+    fn is_face_above(&self, i: usize, is_last: bool, minus: [bool; 2]) -> Option<Option<bool>> {
+        let t = self.ends[usize::from(is_last)]?;
+        Some(Some(self.is_above(i, t, minus)))
     }
 }

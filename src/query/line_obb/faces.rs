@@ -13,7 +13,7 @@ use core::ops::Mul;
 
 use super::error_bound::{ErrorBound, error_bound, error_of_volume};
 use super::kernel::Operands;
-use super::{Disjoint, Line};
+use super::{Disjoint, Line, in_window};
 use crate::arithmetic::{Embeds, Number, pick, three, turn};
 use crate::query::crossing::{Crossing, Entries, crossings};
 use crate::query::triangle_obb::{cross, dot};
@@ -39,25 +39,70 @@ impl<S: Scalar> Predicate<S> for Faces<'_, S> {
     }
 
     fn exact(&self) -> Answer {
-        faces(&self.0.exactly().entries::<S>()).unwrap_or_default()
+        in_window(self).or_else(|| faces(&self.0.exactly())).unwrap_or_default()
     }
 }
 
-/// The entries of a ray into the slabs of an oriented box, and of the ray that runs back.
-pub(super) trait ThereAndBack {
-    /// The entries of the ray, or of the ray that runs back.
-    fn entries(&self, is_back: bool) -> impl Entries;
+/// The signs of the kernel's numbers, computed or exact.
+pub(super) trait Signs {
+    /// Whether the line is not parallel to slab `i`; `None` in doubt.
+    fn crosses(&self, i: usize) -> Option<bool>;
 
-    /// Whether the ray enters slab `i`, which it crosses, on the upper side.
-    fn is_upper(&self, i: usize) -> bool;
+    /// Whether w_i·d is below zero.
+    fn is_below(&self, i: usize) -> bool;
+
+    /// Whether v is below zero.
+    fn is_volume_below(&self) -> bool;
+
+    /// Whether u_k·(m × d) + h_i·(w_j·d) + h_j·(w_i·d) is above zero, with i and j next to k in
+    /// cyclic order; `None` in doubt. `minus` says which terms are subtracted.
+    fn is_line_above(&self, k: usize, minus: [bool; 3]) -> Option<bool>;
+
+    /// The same for (w_i·m + t·(w_i·d)) + h_i·v, with t the first or the last of the range; `None`
+    /// without an end there.
+    fn is_face_above(&self, i: usize, is_last: bool, minus: [bool; 2]) -> Option<Option<bool>>;
 }
 
-fn faces(of: &impl ThereAndBack) -> Option<Answer> {
+fn faces(of: &impl Signs) -> Option<Answer> {
     let face = |is_back: bool| {
-        let last = of.entries(is_back).last_entered()?;
-        Some(last.map(|i| (i as u8, of.is_upper(i) != is_back)))
+        let last = OneWay { of, is_back }.last_entered()?;
+        let is_upper = |i: usize| of.is_below(i) != of.is_volume_below();
+        Some(last.map(|i| (i as u8, is_upper(i) != is_back)))
     };
     Some([face(false)?, face(true)?])
+}
+
+/// The entries of the ray into the slabs, or of the ray that runs back.
+struct OneWay<'a, T> {
+    of: &'a T,
+    is_back: bool,
+}
+
+impl<T: Signs> Entries for OneWay<'_, T> {
+    fn crosses(&self, i: usize) -> Option<bool> {
+        self.of.crosses(i)
+    }
+
+    fn is_later(&self, i: usize, j: usize) -> Option<bool> {
+        let Self { of, is_back } = self;
+        let (_, next, last) = turn(i);
+        let is_cyclic = j == next;
+        let is_odd = of.is_below(i) ^ of.is_below(j) ^ of.is_volume_below();
+        let beside = is_odd ^ is_cyclic ^ is_back;
+        // h_j·|w_i·d| is added, and h_i·|w_j·d| subtracted.
+        let (of_i, of_j) = (of.is_below(i), !of.is_below(j));
+        if is_cyclic {
+            of.is_line_above(last, [beside, of_j, of_i])
+        } else {
+            of.is_line_above(next, [beside, of_i, of_j])
+        }
+    }
+
+    fn is_past(&self, i: usize) -> Option<bool> {
+        let Self { of, is_back } = self;
+        let minus = [of.is_below(i) != *is_back, of.is_volume_below()];
+        of.is_face_above(i, *is_back, minus).unwrap_or(Some(false))
+    }
 }
 
 /// The numbers of the kernel.
@@ -82,10 +127,6 @@ impl<'a, P: Number + Mul<Output = P>> Computed<'a, P> {
         has_sign.then_some(Self { s, error, across: cross(m, d), along, w, volume })
     }
 
-    fn is_below(&self, i: usize) -> bool {
-        *pick(&self.along, i) < P::ZERO
-    }
-
     /// Whether w_i·d is a sum of products with zero.
     fn is_parallel(&self, i: usize) -> bool {
         let (_, j, k) = turn(i);
@@ -98,49 +139,39 @@ impl<'a, P: Number + Mul<Output = P>> Computed<'a, P> {
     }
 }
 
-impl<P: Number + Mul<Output = P>> ThereAndBack for Computed<'_, P> {
-    fn entries(&self, is_back: bool) -> impl Entries {
-        OneWay { of: self, is_back }
-    }
-
-    fn is_upper(&self, i: usize) -> bool {
-        self.is_below(i) != (self.volume < P::ZERO)
-    }
-}
-
-struct OneWay<'a, P> {
-    of: &'a Computed<'a, P>,
-    is_back: bool,
-}
-
-impl<P: Number + Mul<Output = P>> Entries for OneWay<'_, P> {
+impl<P: Number + Mul<Output = P>> Signs for Computed<'_, P> {
     fn crosses(&self, i: usize) -> Option<bool> {
-        let Computed { along, error, .. } = self.of;
-        let crosses = Uncertain::above(pick(along, i).magnitude(), error.direction).verdict();
-        crosses.or_else(|| self.of.is_parallel(i).then_some(false))
+        let crosses = Uncertain::above(pick(&self.along, i).magnitude(), self.error.direction);
+        crosses.verdict().or_else(|| self.is_parallel(i).then_some(false))
     }
 
-    fn is_later(&self, i: usize, j: usize) -> Option<bool> {
-        let Computed { s: Operands { u, h, one, .. }, error, across, along, volume, .. } = self.of;
-        let (_, next, last) = turn(i);
-        let is_cyclic = j == next;
-        let k = if is_cyclic { last } else { next };
-        let beside = dot(across, pick(u, k)) * *one;
-        let is_odd = self.of.is_below(i) ^ self.of.is_below(j) ^ (*volume < P::ZERO);
-        let beside = if is_odd ^ !is_cyclic ^ self.is_back { beside } else { -beside };
-        let along = |i: usize| pick(along, i).magnitude();
-        let span = *pick(h, i) * along(j) - *pick(h, j) * along(i);
-        Uncertain::above(beside - span, error.line).verdict()
+    fn is_below(&self, i: usize) -> bool {
+        *pick(&self.along, i) < P::ZERO
     }
 
-    fn is_past(&self, i: usize) -> Option<bool> {
-        let Computed { s: Operands { m, ends, h, one, .. }, error, along, w, volume, .. } = self.of;
-        let [from, to] = ends;
-        let Some(t) = (if self.is_back { to } else { from }) else { return Some(false) };
+    fn is_volume_below(&self) -> bool {
+        self.volume < P::ZERO
+    }
+
+    fn is_line_above(&self, k: usize, [minus, of_j, of_i]: [bool; 3]) -> Option<bool> {
+        let Self { s: Operands { u, h, one, .. }, error, across, along, .. } = self;
+        let (k, i, j) = turn(k);
+        let beside = signed(dot(across, pick(u, k)) * *one, minus);
+        let reach = |i: usize, j: usize, minus: bool| signed(*pick(h, i) * *pick(along, j), minus);
+        Uncertain::above(beside + (reach(i, j, of_j) + reach(j, i, of_i)), error.line).verdict()
+    }
+
+    fn is_face_above(&self, i: usize, is_last: bool, minus: [bool; 2]) -> Option<Option<bool>> {
+        let Self { s: Operands { m, ends: [from, to], h, one, .. }, error, along, w, .. } = self;
+        let t = if is_last { to } else { from }.as_ref()?;
         let at = dot(pick(w, i), m) * *one + *pick(along, i) * *t;
-        let at = if self.of.is_below(i) != self.is_back { -at } else { at };
-        Uncertain::above(at + *pick(h, i) * volume.magnitude(), error.face).verdict()
+        let at = signed(at, minus[0]) + signed(*pick(h, i) * self.volume, minus[1]);
+        Some(Uncertain::above(at, error.face).verdict())
     }
+}
+
+fn signed<P: Number>(x: P, minus: bool) -> P {
+    if minus { -x } else { x }
 }
 
 impl<S: Scalar> Ray<S> {

@@ -17,7 +17,7 @@ use super::Overlaps;
 use super::obb_short;
 use super::triangle_obb::has_second_look;
 use crate::arithmetic::{Embeds, Float, InFloat, Number, Parts, each};
-use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE};
+use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, SMALL_CODE};
 use crate::robust::{Predicate, Profile, Vector, difference, noted, single};
 use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Obb, Ray, Segment, SegmentForm};
@@ -52,7 +52,7 @@ impl<S: Scalar> Disjoint<'_, S> {
         }
     }
 
-    fn exactly(&self) -> ExactLine {
+    fn exactly(&self) -> ExactLine<S> {
         let [p, q, _] = each(self.rows(), |row| each(row, S::parts));
         let c = each(self.obb.center().to_array(), S::parts);
         let from = |a: [Parts; 3], b: [Parts; 3]| -> Vector {
@@ -152,8 +152,14 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     }
 
     fn exact(&self) -> bool {
-        self.exactly().is_separated::<S>()
+        in_window(self).unwrap_or_else(|| self.exactly().is_separated())
     }
+}
+
+/// The answer of the kernel in a window of 120 bits, if it holds the coordinates: in a tenth of the
+/// time of exact sums.
+fn in_window<S: Scalar, P: Predicate<S>>(question: &P) -> Option<P::Answer> {
+    if REGISTERS_ARE_WIDE && !SMALL_CODE { question.filter::<S::SeptumWindow>() } else { None }
 }
 
 impl<S: Scalar> Overlaps<Obb<S>> for Ray<S> {

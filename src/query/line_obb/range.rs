@@ -27,7 +27,7 @@ impl<S: Scalar> Predicate<S> for Range<'_, S> {
 
     fn exact(&self) -> Option<(S, S)> {
         let line = self.0.exactly();
-        let crossings = (0..3).filter_map(|i| line.crossing::<S>(i));
+        let crossings = (0..3).filter_map(|i| line.crossing(i));
         // Some component of the direction is not zero, and the axes span space. Rounding keeps
         // order.
         crossings.reduce(|a, b| (greatest(a.0, b.0), least(a.1, b.1)))

@@ -18,9 +18,6 @@ pub(super) struct Crosses<'a, S> {
     pub(super) rules: HitRules,
 }
 
-/// A crossing, and its error bounds if it was rounded.
-pub(super) type Bounded<V> = (Crossing<V>, Option<VolumeErrors<V>>);
-
 impl<S: Scalar> Crosses<'_, S> {
     /// Whether the range is t ≥ 0.
     #[inline(always)]
@@ -48,9 +45,13 @@ impl<S: Scalar> Crosses<'_, S> {
         Some(Setting::new(&[a, b, c, o], d))
     }
 
-    /// The crossing, if it counts, in any range and including contacts; `None` in doubt.
+    /// What `found` makes of the crossing and its error bounds, if the crossing counts, in any range
+    /// and including contacts; `None` in doubt. Exact crossings have no bounds.
     #[inline]
-    pub(super) fn crossing<N: Embeds<S>>(&self) -> Option<Option<Bounded<N::Volume>>> {
+    pub(super) fn crossing<N: Embeds<S>, T>(
+        &self,
+        found: impl FnOnce(Crossing<N::Volume>, Option<VolumeErrors<N::Volume>>) -> T,
+    ) -> Option<Option<T>> {
         let setting = self.setting::<N>()?;
         let sizes = setting.sizes();
         if !N::CERTAIN && !sizes.are_in_range() {
@@ -68,11 +69,11 @@ impl<S: Scalar> Crosses<'_, S> {
         };
         let Some(crossing) = crossing else { return Some(None) };
         let counts = self.counts::<N>(&setting, &crossing, errors.as_ref())?;
-        Some(counts.then_some((crossing, errors)))
+        Some(if counts { Some(found(crossing, errors)) } else { None })
     }
 
-    /// The same where numbers are large, and what `found` makes of the crossing. By reference, because
-    /// the volumes of a crossing take up to 4 KB.
+    /// [`crossing`](Self::crossing) where numbers are large. By reference, because the volumes of a
+    /// crossing take up to 4 KB.
     #[inline(never)]
     pub(super) fn large_crossing<N: Embeds<S>, T>(
         &self,

@@ -1,7 +1,7 @@
 //! Where a ray crosses a triangle, and whether it does, as predicates: what each stage answers.
 
-use super::crosses::{Bounded, Crosses};
-use super::kernel::{Crossing, Sizes};
+use super::crosses::Crosses;
+use super::kernel::{Crossing, Sizes, VolumeErrors};
 use super::refined::Met;
 use super::residual::Numbers;
 use super::rows::{Found, VolumeRows};
@@ -24,11 +24,8 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
         if N::LARGE {
             return self.large_crossing::<N, _>(large_numbers::<S, N>);
         }
-        let hit = match self.crossing::<N>() {
-            Some(Some(found)) => numbers::<S, N>(true, found),
-            Some(None) => Some(None),
-            None => None,
-        };
+        let found = |crossing, errors| numbers::<S, N>(true, crossing, errors);
+        let hit = self.crossing::<N, _>(found).and_then(|found| found.unwrap_or(Some(None)));
         // A core without `f64` tries short multiples before it.
         let is_before_doubles = S::MAY_BE_SHORT && !N::CERTAIN && !N::HAS_QUOTIENTS;
         if is_before_doubles && !REGISTERS_ARE_WIDE && !SMALL_CODE && hit.is_none() {
@@ -82,8 +79,9 @@ impl<S: Scalar> Numeric<S> for Crosses<'_, S> {
         if <Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS {
             // More accurate numbers are computed out of line, so that the common path returns no
             // result of a call.
-            let found = (crossing, Some(sizes.errors::<Filtered<f64>>()));
-            return numbers::<S, Filtered<f64>>(counts, found).ok_or(Clue::NoNumbers);
+            let errors = sizes.errors::<Filtered<f64>>();
+            return numbers::<S, Filtered<f64>>(counts, crossing, Some(errors))
+                .ok_or(Clue::NoNumbers);
         }
         if !counts {
             return Ok(None);
@@ -129,7 +127,7 @@ impl<S: Scalar> Predicate<S> for Hits<'_, S> {
         if N::LARGE {
             return self.0.large_crossing::<N, _>(|_| ()).map(|found| found.is_some());
         }
-        self.0.crossing::<N>().map(|crossing| crossing.is_some())
+        self.0.crossing::<N, _>(|_, _| ()).map(|found| found.is_some())
     }
 
     #[inline(always)]
@@ -189,7 +187,8 @@ fn large_numbers<S: Scalar, N: Embeds<S>>(crossing: &Crossing<N::Volume>) -> Hit
 #[inline(always)]
 fn numbers<S: Scalar, N: Embeds<S>>(
     counts: bool,
-    (crossing, errors): Bounded<N::Volume>,
+    crossing: Crossing<N::Volume>,
+    errors: Option<VolumeErrors<N::Volume>>,
 ) -> Option<Option<Hit<S>>> {
     let facing = Facing::of(crossing.is_front());
     let feature = if errors.is_none() { crossing.feature() } else { Feature::Interior };
