@@ -27,28 +27,24 @@ pub(crate) fn difference(a: Parts, b: Parts) -> Linear {
 
 const UNIT: Linear = [Parts::UNIT, Parts::ZERO, Parts::ZERO];
 
-/// Adds a·b·c to the sum or subtracts it. Out of line, because rare code should be small.
+/// Adds a·b·c to the sum or subtracts it, times `factor` if there is one. Out of line, because rare
+/// code should be small.
 #[inline(never)]
-fn add_product<T: ExactSum>(sum: &mut T, [a, b, c]: [&Linear; 3], minus: bool) {
+fn add_product<T: ExactSum>(
+    sum: &mut T,
+    [a, b, c]: [&Linear; 3],
+    factor: Option<Parts>,
+    minus: bool,
+) {
     let nonzero = |x: &&Parts| x.magnitude != 0;
     for &x in a.iter().filter(nonzero) {
         let x = if minus { x.negated() } else { x };
         for &y in b.iter().filter(nonzero) {
             for &z in c.iter().filter(nonzero) {
-                sum.add(&[x, y, z]);
-            }
-        }
-    }
-}
-
-/// Adds a·b·c times `factor` to the sum.
-#[inline(never)]
-fn add_multiple<T: ExactSum>(sum: &mut T, [a, b, c]: [&Linear; 3], factor: Parts) {
-    let nonzero = |x: &&Parts| x.magnitude != 0;
-    for &x in a.iter().filter(nonzero) {
-        for &y in b.iter().filter(nonzero) {
-            for &z in c.iter().filter(nonzero) {
-                sum.add(&[factor, x, y, z]);
+                match factor {
+                    Some(factor) => sum.add(&[factor, x, y, z]),
+                    None => sum.add(&[x, y, z]),
+                }
             }
         }
     }
@@ -58,22 +54,18 @@ fn add_multiple<T: ExactSum>(sum: &mut T, [a, b, c]: [&Linear; 3], factor: Parts
 #[inline(never)]
 pub(crate) fn sign<T: ExactSum>(x: &Linear) -> Ordering {
     let mut sum = T::new();
-    add_product(&mut sum, [x, &UNIT, &UNIT], false);
+    add_product(&mut sum, [x, &UNIT, &UNIT], None, false);
     sum.sign()
 }
 
 /// Adds a·b to the sum or subtracts it.
 pub(crate) fn add_area<T: ExactSum>(sum: &mut T, a: &Linear, b: &Linear, minus: bool) {
-    add_product(sum, [a, b, &UNIT], minus);
+    add_product(sum, [a, b, &UNIT], None, minus);
 }
 
 /// Adds (a × b)·c to the sum.
 pub(crate) fn add_determinant<T: ExactSum>(sum: &mut T, a: &Vector, b: &Vector, c: &Vector) {
-    for i in 0..3 {
-        let (i, j, k) = turn(i);
-        add_product(sum, [pick(a, j), pick(b, k), pick(c, i)], false);
-        add_product(sum, [pick(a, k), pick(b, j), pick(c, i)], true);
-    }
+    add_multiple(sum, [a, b, c], None);
 }
 
 /// Adds (a × b)·c times `factor` to the sum.
@@ -84,9 +76,13 @@ pub(crate) fn add_scaled_determinant<T: ExactSum>(
     c: &Vector,
     factor: Parts,
 ) {
+    add_multiple(sum, [a, b, c], Some(factor));
+}
+
+fn add_multiple<T: ExactSum>(sum: &mut T, [a, b, c]: [&Vector; 3], factor: Option<Parts>) {
     for i in 0..3 {
         let (i, j, k) = turn(i);
-        add_multiple(sum, [pick(a, j), pick(b, k), pick(c, i)], factor);
-        add_multiple(sum, [pick(a, k), pick(b, j), pick(c, i)], factor.negated());
+        add_product(sum, [pick(a, j), pick(b, k), pick(c, i)], factor, false);
+        add_product(sum, [pick(a, k), pick(b, j), pick(c, i)], factor, true);
     }
 }

@@ -24,37 +24,18 @@ pub(super) const SIDES: u16 = 160;
 mod tests {
     extern crate std;
 
-    use core::cmp::Ordering;
     use std::format;
 
-    use super::super::kernel::{Crossing, Setting, exact_crossing};
+    use super::super::kernel::truth::{exact_crossing, exceeds};
+    use super::super::kernel::{Crossing, Setting};
     use super::super::refined::Refined;
     use super::super::residual::Numbers;
     use crate::arithmetic::{Filtered, Float};
-    use crate::robust::{ExactSum, Sum};
     use crate::scalar::Backend;
     use crate::shape::{Ray, Triangle};
 
     /// The three vertices, the origin and the direction.
     type Case = [[f64; 3]; 5];
-
-    /// Whether `exact` − `computed` exceeds `bound` in magnitude.
-    fn exceeds(exact: &Sum<132>, computed: f64, bound: f64) -> bool {
-        exceeds_sum(exact, [computed, 0.0], bound)
-    }
-
-    /// The same for a sum of two numbers.
-    fn exceeds_sum(exact: &Sum<132>, computed: [f64; 2], bound: f64) -> bool {
-        let beyond = |bound: f64| {
-            let mut sum = *exact;
-            for part in computed {
-                sum.add(&[Float::parts(-part), f64::ONE, f64::ONE]);
-            }
-            sum.add(&[Float::parts(bound), f64::ONE, f64::ONE]);
-            sum.sign()
-        };
-        beyond(-bound) == Ordering::Greater || beyond(bound) == Ordering::Less
-    }
 
     /// Checks that every volume is within its bound; returns whether u errs by `roundoffs` or more.
     fn check([a, b, c, o, d]: Case, roundoffs: f64) -> bool {
@@ -62,7 +43,7 @@ mod tests {
         assert!(setting.sizes().are_in_range());
         let crossing = setting.volumes::<Filtered<f64>>();
         let bound = setting.sizes().errors::<Filtered<f64>>();
-        let exact = exact_crossing(&[a, b, c, o], d);
+        let exact = exact_crossing([a, b, c, o], d);
         let [w, u, v] = crossing.sides;
         for (exact, computed, bound) in [
             (&exact.det, crossing.det, bound.side),
@@ -71,16 +52,16 @@ mod tests {
             (&exact.sides[1], u, bound.side),
             (&exact.sides[2], v, bound.side),
         ] {
-            assert!(!exceeds(exact, computed, bound), "{a:?} {b:?} {c:?} {o:?} {d:?}");
+            assert!(!exceeds(exact, &[computed], bound), "{a:?} {b:?} {c:?} {o:?} {d:?}");
         }
-        exceeds(&exact.sides[1], u, bound.side / f64::from(super::VOLUME) * roundoffs)
+        exceeds(&exact.sides[1], &[u], bound.side / f64::from(super::VOLUME) * roundoffs)
     }
 
     /// Checks that every volume in two parts is within its bound and a rounding, and exact where it
     /// claims to be; returns whether u errs by `share` of the bound or more.
     fn check_refined([a, b, c, o, d]: Case, share: f64) -> bool {
         let refined = Refined::new(&[a, b, c, o], d).0;
-        let exact = exact_crossing(&[a, b, c, o], d);
+        let exact = exact_crossing([a, b, c, o], d);
         let (crossing, errors, is_exact) = refined.crossing();
         let [w, u, v] = crossing.sides;
         let rounding = |x: f64| x.abs() * f64::EPSILON / 2.0;
@@ -92,15 +73,15 @@ mod tests {
             (&exact.sides[2], [v, refined.low_v], errors.side),
         ] {
             let bound = if is_exact && computed[1] != 0.0 { 0.0 } else { bound };
-            assert!(!exceeds_sum(exact, computed, bound), "{}", told());
+            assert!(!exceeds(exact, &computed, bound), "{}", told());
         }
         // The last rounding of w changes no sign.
         let bound = errors.sides + rounding(w);
-        assert!(!exceeds(&exact.sides[0], w, bound), "{}", told());
+        assert!(!exceeds(&exact.sides[0], &[w], bound), "{}", told());
         if is_exact {
             assert_eq!(w.partial_cmp(&0.0), Some(exact.sides[0].sign()), "{}", told());
         }
-        exceeds_sum(&exact.sides[1], [u, refined.low_u], errors.side * share)
+        exceeds(&exact.sides[1], &[u, refined.low_u], errors.side * share)
     }
 
     /// For a ray that hits: checks that t, u and v are within their error bounds and half an ulp;
@@ -113,7 +94,7 @@ mod tests {
         if !numbers.is_known {
             return false;
         }
-        let exact = exact_crossing(&[a, b, c, o], d);
+        let exact = exact_crossing([a, b, c, o], d);
         let truths =
             [&exact.t, &exact.sides[1], &exact.sides[2]].map(|x| f64::quotient(x, &exact.det));
         let mut is_of_some_size = false;

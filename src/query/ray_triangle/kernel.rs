@@ -6,8 +6,6 @@ use core::cmp::Ordering;
 use super::Feature;
 use super::error_bound::{SIDES, T, VOLUME};
 use crate::arithmetic::{Arithmetic, Number, compare, cross, dot, greatest, largest, least, three};
-#[cfg(test)]
-use crate::arithmetic::{BigInt, Embeds, FullF64};
 
 /// A line and a triangle, relative to the triangle's first vertex.
 #[derive(Clone, Copy)]
@@ -143,14 +141,6 @@ impl<L: Number> Sizes<L> {
     }
 }
 
-/// The volumes of the triangle and the origin, exactly, for unit tests.
-#[cfg(test)]
-pub(super) fn exact_crossing(points: &[[f64; 3]; 4], d: [f64; 3]) -> Crossing<BigInt<132>> {
-    let [a, b, c, o] = *points;
-    let [a, b, c, o, d] = FullF64::embed_held(&[a, b, c, o, d]);
-    Setting::new(&[a, b, c, o], d).volumes::<FullF64>().widened(|volume| volume.resized())
-}
-
 impl<V: Number> Crossing<V> {
     /// Whether the half-line from t = 0 crosses the triangle, if that is certain and it touches no
     /// boundary.
@@ -218,5 +208,35 @@ impl<V: Number> Crossing<V> {
     #[inline(always)]
     pub(super) fn is_front(&self) -> bool {
         self.det > V::ZERO
+    }
+}
+
+/// The truth, for unit tests of error bounds.
+#[cfg(test)]
+pub(super) mod truth {
+    use super::{Crossing, Ordering, Setting};
+    use crate::arithmetic::{BigInt, Embeds, Float, FullF64};
+    use crate::robust::ExactSum;
+    use crate::scalar::Backend;
+
+    /// The volumes of the triangle and the origin, exactly.
+    pub(in super::super) fn exact_crossing(
+        [a, b, c, o]: [[f64; 3]; 4],
+        d: [f64; 3],
+    ) -> Crossing<BigInt<132>> {
+        let [a, b, c, o, d] = FullF64::embed_held(&[a, b, c, o, d]);
+        Setting::new(&[a, b, c, o], d).volumes::<FullF64>().widened(|volume| volume.resized())
+    }
+
+    /// Whether `exact` differs from the sum of the computed numbers by more than `bound`.
+    pub(in super::super) fn exceeds(exact: &BigInt<132>, computed: &[f64], bound: f64) -> bool {
+        let beyond = |bound: f64| {
+            let mut sum = *exact;
+            for part in computed.iter().map(|x| -x).chain([bound]) {
+                sum.add(&[Float::parts(part), f64::ONE, f64::ONE]);
+            }
+            ExactSum::sign(&sum)
+        };
+        beyond(-bound) == Ordering::Greater || beyond(bound) == Ordering::Less
     }
 }

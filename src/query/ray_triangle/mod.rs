@@ -3,6 +3,23 @@
 //! T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", *Journal of Graphics
 //! Tools* 2(1), 1997; T. Akenine-Möller, E. Haines, N. Hoffman, *Real-Time Rendering*, 16.8. The
 //! volumes are theirs. Here signs are decided exactly, and without a division.
+//!
+//! The stages in order; a scalar's cascade leaves out the stages that it does not need:
+//!
+//! | stage | runs in | serves |
+//! | --- | --- | --- |
+//! | `prepared` | four `f32` | prepared rays and triangles: clear hits and misses |
+//! | `rows` | four floats | hosts: hits and misses away from contact; `lanes` |
+//! | `words` | words, split sums | fixed point on 32-bit cores: all |
+//! | `kernel` | a float with an error bound | other ranges of t; floats on 32-bit cores |
+//! | `multiples` | 64- and 128-bit integers | `f32` on 32-bit cores: hits |
+//! | `refined` | `f64` in two parts | contacts |
+//! | `residual` | `f64` in two parts | t, u and v of hits beyond the precision of `f64` |
+//! | `kernel` | 60-bit integers, window, full width | all else |
+//! | `crosses::in_sums` | a long accumulator | on 32-bit cores, in place of window and full width |
+//!
+//! `crosses` has the rules for counting a crossing, which all stages after `rows` share, and
+//! `question` the two predicates.
 
 mod crosses;
 mod error_bound;

@@ -191,25 +191,10 @@ fn four([x, y, z]: [f64; 3], w: f64) -> [f32; 4] {
 mod tests {
     extern crate std;
 
-    use core::cmp::Ordering;
     use std::format;
 
     use super::*;
-    use crate::query::ray_triangle::kernel::exact_crossing;
-    use crate::robust::{ExactSum, Sum};
-    use crate::scalar::Backend;
-
-    /// Whether an exact sum differs from a number by more than `bound`.
-    fn exceeds(exact: &Sum<132>, computed: f64, bound: f64) -> bool {
-        let beyond = |bound: f64| {
-            let mut sum = *exact;
-            for part in [-computed, bound] {
-                sum.add(&[Float::parts(part), f64::ONE, f64::ONE]);
-            }
-            sum.sign()
-        };
-        beyond(-bound) == Ordering::Greater || beyond(bound) == Ordering::Less
-    }
+    use crate::query::ray_triangle::kernel::truth::{exact_crossing, exceeds};
 
     #[test]
     fn no_error_exceeds_its_bound() {
@@ -231,14 +216,14 @@ mod tests {
             let (volumes, errors) = OfRay::new(o, d, true).volumes(&OfTriangle::new(points));
             let exact = {
                 let [a, b, c] = points;
-                exact_crossing(&[a, b, c, o], d)
+                exact_crossing([a, b, c, o], d)
             };
             let [w, u, v] = exact.sides;
             for (k, exact) in [u, v, exact.t, w].into_iter().enumerate() {
                 let (found, error) = (f64::from(volumes[k]), f64::from(errors[k]));
                 let told = || format!("{k}: {points:?} {o:?} {d:?}");
-                assert!(!exceeds(&exact, found, error), "{}", told());
-                of_some_size[k] += u32::from(exceeds(&exact, found, error / 256.0));
+                assert!(!exceeds(&exact, &[found], error), "{}", told());
+                of_some_size[k] += u32::from(exceeds(&exact, &[found], error / 256.0));
             }
         }
         assert!(of_some_size.iter().all(|count| *count > 100), "{of_some_size:?}");
