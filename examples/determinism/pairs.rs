@@ -5,7 +5,7 @@ use septum::polygon::Polygon;
 use septum::published;
 use septum::relation::Relate;
 use septum::sweep::{Motion, Sweep};
-use septum::{Aabb, Axis, Obb, Ray, Segment, Triangle, Vec3};
+use septum::{Aabb, Axis, Obb, Ray, Segment, Sphere, Triangle, Vec3};
 
 use super::super::draw::Draw;
 use super::answers::Answers;
@@ -194,6 +194,34 @@ pub(super) fn flats<S: Draw, A: Answers>(
     }
     for point in [a, middle(a, b), middle(middle(a, b), c), p] {
         answers.to(Query::TriangleContains).yes(triangle.contains(point));
+    }
+}
+
+/// Spheres with a triangle, segments, boxes, points and spheres.
+#[inline(never)]
+pub(super) fn spheres<S: Draw, A: Answers>(
+    triangle: &Triangle<S>,
+    aabbs: [&Aabb<S>; 2],
+    segments: &[Option<Segment<S>>; 2],
+    [p, q, d]: [Vec3<S>; 3],
+    answers: &mut A,
+) {
+    let [a, b, c] = *triangle.vertices();
+    let middle = middle(middle(a, b), c);
+    for (center, radius) in [(p, d.x), (d, q.y), (middle, d.z), (q, p.z), (p, S::ZERO)] {
+        let Ok(sphere) = Sphere::new(center, radius.size()) else { continue };
+        answers.to(Query::SphereTriangle).yes(sphere.overlaps(triangle));
+        for segment in segments.iter().flatten() {
+            answers.to(Query::SphereSegment).yes(sphere.overlaps(segment));
+        }
+        for aabb in aabbs {
+            answers.to(Query::SphereAabb).yes(sphere.overlaps(aabb));
+        }
+        for point in [a, b, c] {
+            answers.to(Query::SphereContains).yes(sphere.contains(point));
+            let Ok(other) = Sphere::new(point, q.x.size()) else { continue };
+            answers.to(Query::SphereSphere).yes(sphere.overlaps(&other));
+        }
     }
 }
 

@@ -136,4 +136,9 @@ queries! {
     RayObbCrossings = "ray/obb crossings",
     MeshFirstWhere = "mesh first_hit_where",
     MeshSweepWhere = "mesh first_contact_where",
+    SphereTriangle = "sphere/triangle overlaps",
+    SphereSegment = "sphere/segment overlaps",
+    SphereAabb = "sphere/aabb overlaps",
+    SphereSphere = "sphere/sphere overlaps",
+    SphereContains = "sphere contains",
 }

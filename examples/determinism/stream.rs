@@ -102,6 +102,7 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, k: u32) {
     added::shapes(&triangle, aabbs, &segments, answers);
     pairs::boxes(&triangle, aabbs, obb.as_ref(), answers);
     pairs::flats(&triangle, &segments, [p, q, d], answers);
+    pairs::spheres(&triangle, aabbs, &segments, [p, q, d], answers);
     pairs::turned([a, d], half, answers);
     if let Some(obb) = &obb {
         pairs::lines(obb, ray.as_ref(), &segments, [least(p, q).x, greatest(p, q).x], answers);

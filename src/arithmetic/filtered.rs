@@ -19,6 +19,8 @@ impl<F: Float> Arithmetic for Filtered<F> {
     type Length = F;
     type Area = F;
     type Volume = F;
+    type Quartic = F;
+    type Sextic = F;
     type Product = F;
     type Narrow = Self;
 
@@ -32,6 +34,18 @@ impl<F: Float> Arithmetic for Filtered<F> {
     }
     #[inline(always)]
     fn volume(a: F, b: F) -> F {
+        a * b
+    }
+    #[inline(always)]
+    fn quartic(a: F, b: F) -> F {
+        a * b
+    }
+    #[inline(always)]
+    fn sextic(a: F, b: F) -> F {
+        a * b
+    }
+    #[inline(always)]
+    fn sextic_of_areas(a: F, b: F) -> F {
         a * b
     }
     #[inline(always)]

@@ -12,20 +12,27 @@ use super::soft::Soft;
 use super::system::{Arithmetic, Embeds, convert};
 
 /// Exact numbers for all finite floats. A length is a sum of a few floats, not added up. An area is
-/// an integer of `B` limbs, a volume one of `C`, a product of four lengths one of `D`. Added up, a
-/// length takes `A` limbs. The unit of length is the least float above zero, which is 2^`UNIT`
+/// an integer of `B` limbs, a volume one of `C`, a product of four lengths one of `D`, and one of
+/// six `E`. Added up, a length takes `A` limbs. The unit of length is the least float above zero, which is 2^`UNIT`
 /// times that of `f64`.
 ///
 /// Lengths stay short, so frames take little stack: two floats whose exponents are far apart take
 /// two words, where their sum takes up to 33 limbs. An area is the sum of the products of all
 /// terms.
 #[derive(Clone, Copy, Debug)]
-pub struct Full<const UNIT: u16, const A: usize, const B: usize, const C: usize, const D: usize>;
+pub struct Full<
+    const UNIT: u16,
+    const A: usize,
+    const B: usize,
+    const C: usize,
+    const D: usize,
+    const E: usize,
+>;
 
 /// For `f32`: coordinates below 2^277 units.
-pub type FullF32 = Full<925, 5, 9, 14, 18>;
+pub type FullF32 = Full<925, 5, 9, 14, 18, 27>;
 /// For `f64`: coordinates below 2^2098 units.
-pub type FullF64 = Full<0, 33, 66, 99, 132>;
+pub type FullF64 = Full<0, 33, 66, 99, 132, 197>;
 
 /// A sum of up to six floats, each as the bits of an `f64`, or zero. Their exponents may exceed the
 /// greatest of a finite number by one, so that every number can be doubled.
@@ -208,12 +215,20 @@ impl<const UNIT: u16, const A: usize> Number for Terms<UNIT, A> {
     }
 }
 
-impl<const UNIT: u16, const A: usize, const B: usize, const C: usize, const D: usize> Arithmetic
-    for Full<UNIT, A, B, C, D>
+impl<
+    const UNIT: u16,
+    const A: usize,
+    const B: usize,
+    const C: usize,
+    const D: usize,
+    const E: usize,
+> Arithmetic for Full<UNIT, A, B, C, D, E>
 {
     type Length = Terms<UNIT, A>;
     type Area = BigInt<B>;
     type Volume = BigInt<C>;
+    type Quartic = BigInt<D>;
+    type Sextic = BigInt<E>;
     type Product = BigInt<D>;
     type Narrow = Self;
 
@@ -231,6 +246,18 @@ impl<const UNIT: u16, const A: usize, const B: usize, const C: usize, const D: u
         let mut sum = BigInt([0; C]);
         b.add_multiple(&a, &mut sum);
         sum
+    }
+    #[inline(never)]
+    fn quartic(a: BigInt<B>, b: BigInt<B>) -> BigInt<D> {
+        a.times(&b)
+    }
+    #[inline(never)]
+    fn sextic(a: BigInt<C>, b: BigInt<C>) -> BigInt<E> {
+        a.times(&b)
+    }
+    #[inline(never)]
+    fn sextic_of_areas(a: BigInt<D>, b: BigInt<B>) -> BigInt<E> {
+        a.times(&b)
     }
     // In one sum, so that numbers of a kilobyte are not copied.
     #[inline(never)]
@@ -259,8 +286,15 @@ impl<const UNIT: u16, const A: usize, const B: usize, const C: usize, const D: u
     }
 }
 
-impl<F, const UNIT: u16, const A: usize, const B: usize, const C: usize, const D: usize> Embeds<F>
-    for Full<UNIT, A, B, C, D>
+impl<
+    F,
+    const UNIT: u16,
+    const A: usize,
+    const B: usize,
+    const C: usize,
+    const D: usize,
+    const E: usize,
+> Embeds<F> for Full<UNIT, A, B, C, D, E>
 where
     F: Float,
 {

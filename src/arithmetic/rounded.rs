@@ -83,6 +83,8 @@ impl<S: RoundedOps> Arithmetic for Rounded<S> {
     type Length = Self;
     type Area = Self;
     type Volume = Self;
+    type Quartic = Self;
+    type Sextic = Self;
     type Product = Self;
     type Narrow = Self;
 
@@ -96,6 +98,18 @@ impl<S: RoundedOps> Arithmetic for Rounded<S> {
     }
     #[inline(always)]
     fn volume(a: Self, b: Self) -> Self {
+        a * b
+    }
+    #[inline(always)]
+    fn quartic(a: Self, b: Self) -> Self {
+        a * b
+    }
+    #[inline(always)]
+    fn sextic(a: Self, b: Self) -> Self {
+        a * b
+    }
+    #[inline(always)]
+    fn sextic_of_areas(a: Self, b: Self) -> Self {
         a * b
     }
     #[inline(always)]

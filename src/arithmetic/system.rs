@@ -26,6 +26,10 @@ pub trait Arithmetic: Sized + 'static {
     type Area: Number;
     /// Products of three lengths.
     type Volume: Number;
+    /// Products of two areas.
+    type Quartic: Number;
+    /// Products of two volumes.
+    type Sextic: Number;
     /// Operands of products of up to four, for boxes whose axes are numbers too.
     type Product: Number + Mul<Output = Self::Product>;
     /// The same lengths and areas with narrower volumes, for shapes that are
@@ -49,6 +53,12 @@ pub trait Arithmetic: Sized + 'static {
     fn area(a: Self::Length, b: Self::Length) -> Self::Area;
     /// The product of an area and a length.
     fn volume(a: Self::Area, b: Self::Length) -> Self::Volume;
+    /// The product of two areas.
+    fn quartic(a: Self::Area, b: Self::Area) -> Self::Quartic;
+    /// The product of two volumes.
+    fn sextic(a: Self::Volume, b: Self::Volume) -> Self::Sextic;
+    /// The product of two areas, times a third.
+    fn sextic_of_areas(a: Self::Quartic, b: Self::Area) -> Self::Sextic;
     /// a·b − c·d.
     #[inline(always)]
     fn minor([a, b]: [Self::Length; 2], [c, d]: [Self::Length; 2]) -> Self::Area {

@@ -18,7 +18,8 @@ use crate::published::watertight::ShearedRay;
 use crate::query::{Crossing, FirstContact, Hit, Motion};
 use crate::scalar::Scalar;
 use crate::shape::{
-    Aabb, AabbForm, Obb, Plane, PlaneForm, Polygon, Ray, Segment, SegmentForm, Triangle, Vec3,
+    Aabb, AabbForm, Obb, Plane, PlaneForm, Polygon, Ray, Segment, SegmentForm, Sphere, Triangle,
+    Vec3,
 };
 
 /// One number.
@@ -80,6 +81,11 @@ formats! {
             write!(to, "Segment {{ center: {}, half_vector: {} }}", center, half)
         }
     };
+    Sphere: |sphere, to| write!(
+        to,
+        "Sphere {{ center: {}, radius: {} }}",
+        sphere.center(), Number(sphere.radius())
+    );
     Ray: |ray, to| write!(
         to,
         "Ray {{ origin: {}, direction: {}, t_min: {}, t_max: {} }}",

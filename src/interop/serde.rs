@@ -6,7 +6,8 @@ use serde::ser::{Serialize, Serializer};
 
 use crate::scalar::Scalar;
 use crate::shape::{
-    Aabb, AabbForm, Obb, Plane, PlaneForm, Ray, Segment, SegmentForm, ShapeError, Triangle, Vec3,
+    Aabb, AabbForm, Obb, Plane, PlaneForm, Ray, Segment, SegmentForm, ShapeError, Sphere, Triangle,
+    Vec3,
 };
 
 /// The vertices of a triangle, unchecked.
@@ -58,6 +59,14 @@ struct Path<S> {
     t_min: Option<S>,
     #[serde(deserialize_with = "Option::deserialize")]
     t_max: Option<S>,
+}
+
+/// The numbers of a sphere, unchecked.
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(rename = "Sphere", deny_unknown_fields)]
+struct Ball<S> {
+    center: Vec3<S>,
+    radius: S,
 }
 
 impl<S: Scalar> From<&Triangle<S>> for Vertices<S> {
@@ -180,6 +189,19 @@ impl<S: Scalar> TryFrom<Path<S>> for Ray<S> {
     }
 }
 
+impl<S: Scalar> From<&Sphere<S>> for Ball<S> {
+    fn from(sphere: &Sphere<S>) -> Self {
+        Self { center: sphere.center(), radius: sphere.radius() }
+    }
+}
+
+impl<S: Scalar> TryFrom<Ball<S>> for Sphere<S> {
+    type Error = ShapeError;
+    fn try_from(Ball { center, radius }: Ball<S>) -> Result<Self, ShapeError> {
+        Self::new(center, radius)
+    }
+}
+
 macro_rules! through {
     ($($shape:ident => $form:ident;)*) => {$(
         impl<S: Scalar + Serialize> Serialize for $shape<S> {
@@ -202,6 +224,7 @@ through! {
     Plane => Position;
     Segment => Course;
     Ray => Path;
+    Sphere => Ball;
 }
 
 /// A mesh and its tree are written as the mesh alone: the tree follows from it.

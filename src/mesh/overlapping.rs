@@ -8,7 +8,7 @@ use super::walk::Walk;
 use super::{Index, Tree};
 use crate::arithmetic::{REGISTERS_ARE_WIDE, each};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Obb, Overlaps, Segment, Triangle, Vec3};
+use crate::shape::{Aabb, Obb, Overlaps, Segment, Sphere, Triangle, Vec3};
 
 /// A shape that [`Tree::overlapping`] accepts.
 ///
@@ -82,9 +82,16 @@ impl<S: Scalar> sealed::Bounded<S> for Segment<S> {
     }
 }
 
+impl<S: Scalar> sealed::Bounded<S> for Sphere<S> {
+    fn corners(&self) -> Option<[[S; 3]; 2]> {
+        Self::corners(self)
+    }
+}
+
 impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     /// The triangles that overlap a shape, in the tree's order. The shape is an [`Aabb`], an
-    /// [`Obb`], a [`Triangle`] or a [`Segment`].
+    /// [`Obb`], a [`Triangle`], a [`Segment`] or a [`Sphere`]: the triangles within a distance of a
+    /// point.
     ///
     /// *Contact*: touching is overlap.
     ///

@@ -4,7 +4,7 @@ use super::relation::{Relate, Relation};
 use crate::scalar::Scalar;
 #[cfg(feature = "fixed")]
 use crate::shape::Near;
-use crate::shape::{Aabb, Obb, Overlaps, Plane, Polygon, Ray, Segment, Triangle};
+use crate::shape::{Aabb, Obb, Overlaps, Plane, Polygon, Ray, Segment, Sphere, Triangle};
 
 macro_rules! reversed {
     ($($shape:ident with $other:ident $(<$life:lifetime>)?;)*) => {$(
@@ -38,6 +38,9 @@ reversed! {
     Obb with Segment;
     Obb with Ray;
     Triangle with Segment;
+    Triangle with Sphere;
+    Aabb with Sphere;
+    Segment with Sphere;
 }
 
 #[cfg(feature = "fixed")]

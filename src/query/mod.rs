@@ -4,6 +4,8 @@
 //! documentation. The kernel and the error bound with its derivation are in files
 //! beside it; a pair with a short kernel has fewer files.
 //!
+//! `sphere` holds all pairs with a sphere.
+//!
 //! Shared by several pairs:
 //! * `line_aabb`: the slabs of rays and segments; `line_obb`: rays and segments against an oriented
 //!   box;
@@ -34,6 +36,7 @@ mod point_triangle;
 mod polygon_aabb;
 mod segment_aabb;
 mod segment_triangle;
+mod sphere;
 
 mod ray_aabb;
 mod ray_triangle;

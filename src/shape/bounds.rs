@@ -3,7 +3,7 @@
 use super::aabb::{Form, joined};
 use super::polygon::Polygon;
 use super::segment::Form as SegmentForm;
-use super::{Aabb, Segment, Triangle, Vec3};
+use super::{Aabb, Segment, Sphere, Triangle, Vec3};
 use crate::arithmetic::{each, three};
 use crate::scalar::Scalar;
 
@@ -85,6 +85,24 @@ impl<S: Scalar> Segment<S> {
             }
             SegmentForm::Center { center, half } => around(center, half),
         }
+    }
+}
+
+impl<S: Scalar> Sphere<S> {
+    /// The bounding box: the smallest axis-aligned box that contains the sphere and whose corners are
+    /// numbers of the scalar.
+    ///
+    /// *Numerics* and *Range*: as for [`Aabb::min_max`], with the radius in place of the
+    /// half-extents.
+    #[doc(alias = "bounding box")]
+    #[must_use]
+    pub fn aabb(&self) -> Option<Aabb<S>> {
+        self.corners().map(between)
+    }
+
+    /// The corners of the bounding box.
+    pub(crate) fn corners(&self) -> Option<[[S; 3]; 2]> {
+        around(self.center, Vec3::splat(self.radius))
     }
 }
 

@@ -8,7 +8,7 @@ use super::Vec3;
 use super::aabb::Form;
 use super::plane::Form as PlaneForm;
 use super::segment::Form as SegmentForm;
-use super::{Aabb, Obb, Plane, Polygon, Ray, Segment, ShapeError, Triangle};
+use super::{Aabb, Obb, Plane, Polygon, Ray, Segment, ShapeError, Sphere, Triangle};
 use crate::scalar::axes::{are_orthonormal_f32, are_orthonormal_f64};
 
 /// The error of the first argument that is not finite.
@@ -240,6 +240,30 @@ macro_rules! const_new {
                     Ok(()) => Ok(Self { form: SegmentForm::Ends(a, b) }),
                     Err(error) => Err(error),
                 }
+            }
+        }
+
+        $(#[$attr])*
+        impl<$($generic)*> Sphere<$scalar> {
+            /// [`Sphere::new`] for a `const` or a `static`: see [`Triangle::const_new`].
+            ///
+            /// # Errors
+            /// As [`Sphere::new`].
+            pub const fn const_new(
+                center: Vec3<$scalar>,
+                radius: $scalar,
+            ) -> Result<Self, ShapeError> {
+                let radii = Vec3::<$scalar>::new(radius, radius, radius);
+                if let Err(error) = all_finite([
+                    (center.const_is_finite(), "center"),
+                    (radii.const_is_finite(), "radius"),
+                ]) {
+                    return Err(error);
+                }
+                if Vec3::<$scalar>::CONST_ZERO.const_exceeds(radii) {
+                    return Err(ShapeError::NegativeRadius);
+                }
+                Ok(Self { center, radius })
             }
         }
 

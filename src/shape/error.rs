@@ -26,6 +26,8 @@ pub enum ShapeError {
     },
     /// A half-extent is negative.
     NegativeHalfExtent,
+    /// A radius is negative.
+    NegativeRadius,
     /// The least corner exceeds the greatest on some axis.
     MinAboveMax,
     /// The axes do not span space: one is zero, two are parallel, or all three lie
@@ -93,6 +95,7 @@ impl ShapeError {
         match self {
             Self::NotFinite { .. } => "a number is NaN or infinite",
             Self::NegativeHalfExtent => "a half-extent is negative",
+            Self::NegativeRadius => "a radius is negative",
             Self::MinAboveMax => "the least corner lies above the greatest",
             Self::DependentAxes => "the axes are linearly dependent",
             Self::NotOrthonormal => "the axes are not orthonormal",

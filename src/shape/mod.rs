@@ -11,6 +11,7 @@ mod plane;
 mod polygon;
 mod ray;
 mod segment;
+mod sphere;
 mod triangle;
 mod vec3;
 
@@ -35,6 +36,7 @@ pub use polygon::Polygon;
 pub use ray::Ray;
 pub(crate) use segment::Form as SegmentForm;
 pub use segment::Segment;
+pub use sphere::Sphere;
 pub use triangle::Triangle;
 pub use vec3::Vec3;
 

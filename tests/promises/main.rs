@@ -41,6 +41,7 @@ mod relations;
 mod residues;
 mod segment_box;
 mod small_pairs;
+mod spheres;
 mod sweep;
 
 // Ray against triangle.

@@ -18,6 +18,7 @@
 //! | ray and triangle | [`rays::crossing`] | [`rays::RaySet`], [`rays::Scene`] |
 //! | triangles in a grid | [`voxels::check`] | [`voxels::VoxelScene`] |
 //! | triangle or box that moves past a box | [`sweeps::SweepCase::truth`] | [`sweeps::SweepSet`] |
+//! | sphere and other shapes | [`spheres::SphereCase::truth`]: Gram determinants | [`spheres::SphereSet`] |
 //! | point and mesh | [`rays::winding`] | |
 //! | ray and mesh, box that moves past a mesh | [`meshes::MeshRay::truth`] | [`meshes::MeshSet`] |
 //! | unit normals | [`is_nearest_to_unit`] | |
@@ -54,6 +55,7 @@ pub mod rays;
 mod rng;
 mod sample;
 mod sets;
+pub mod spheres;
 pub mod sweeps;
 mod touch;
 pub mod voxels;

@@ -12,7 +12,7 @@ use core::ops::ControlFlow;
 
 use septum::contact::{InteriorEdges, Shape, contact_in_mesh};
 use septum::mesh::{Mesh, MeshError, Probe, Tree};
-use septum::{Aabb, Cull, Hit, HitRules, Obb, Ray, Segment, Triangle};
+use septum::{Aabb, Cull, Hit, HitRules, Obb, Ray, Segment, Sphere, Triangle};
 use septum_kit::{Rng, Sample, for_scalars, rays};
 
 use self::edges::{contacts_are_the_first, hits_are_in_true_order};
@@ -105,9 +105,9 @@ fn contacts_as_one_by_one<S: Sample>(
     found.len()
 }
 
-/// Triangles and segments between points of the scene, of all sizes.
-fn triangles_and_segments_overlap_as_one_by_one<S: Sample>() {
-    let (mut rng, mut count) = (Rng::new(87), [0; 2]);
+/// Triangles, segments and spheres between points of the scene, of all sizes.
+fn other_shapes_overlap_as_one_by_one<S: Sample>() {
+    let (mut rng, mut count) = (Rng::new(87), [0; 3]);
     for mut scene in scenes::all::<S>() {
         let points: Vec<_> = (0..40).map(|_| [(); 3].map(|()| scene.point(&mut rng))).collect();
         let most = scene.size;
@@ -125,6 +125,11 @@ fn triangles_and_segments_overlap_as_one_by_one<S: Sample>() {
                 assert_eq!(sorted(tree.overlapping(&segment)), expected, "{name}: {segment:?}");
                 count[1] += expected.len();
             }
+            let radius = if half[0] < S::ZERO { S::ZERO } else { half[0] };
+            let sphere = Sphere::new(a, radius).expect("finite");
+            let expected = those(*tree.mesh(), |t| sphere.overlaps(t));
+            assert_eq!(sorted(tree.overlapping(&sphere)), expected, "{name}: {sphere:?}");
+            count[2] += expected.len();
         }
     }
     assert!(count.iter().all(|&n| n > 1_000), "{count:?}");
@@ -298,7 +303,7 @@ for_scalars!(
         i32f32: fixed::types::I32F32,
     ]
     boxes_overlap_as_one_by_one,
-    triangles_and_segments_overlap_as_one_by_one,
+    other_shapes_overlap_as_one_by_one,
     meshes_overlap_as_pair_by_pair,
     rays_hit_as_one_by_one,
     closed_meshes_contain_what_they_wind_about,

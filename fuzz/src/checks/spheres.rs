@@ -1,0 +1,35 @@
+//! Sphere against triangle, segment, axis-aligned box, sphere and point.
+
+use crate::scalars::{Check, run};
+use crate::shapes::Shapes;
+use crate::told::told;
+use septum_kit::Sample;
+use septum_kit::spheres::{Other, SphereCase};
+
+/// `overlaps` and `contains`.
+pub fn spheres(data: &[u8]) {
+    run::<Spheres>(data);
+}
+
+struct Spheres;
+
+impl Check for Spheres {
+    fn check<S: Sample>(shapes: &mut Shapes<'_, S>) {
+        let (center, radius) = (shapes.point(), shapes.number());
+        let other = match shapes.bytes.one_in(2) {
+            true => Other::Triangle([shapes.point(), shapes.point(), shapes.point()]),
+            false if shapes.bytes.one_in(2) => Other::Box(shapes.aabb()),
+            false if shapes.bytes.one_in(2) => Other::Ends([shapes.point(), shapes.point()]),
+            false if shapes.bytes.one_in(2) => Other::Center(shapes.point(), shapes.point()),
+            false => Other::Sphere(shapes.point(), radius),
+        };
+        if radius < S::ZERO {
+            return;
+        }
+        let case = SphereCase { center, radius, other };
+        let truth = case.truth().is_le();
+        for answer in case.answers() {
+            assert_eq!(answer, truth, "{}", told::<S>(&case));
+        }
+    }
+}

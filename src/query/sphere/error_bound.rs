@@ -1,0 +1,69 @@
+//! The errors of what compares a distance with a radius.
+//!
+//! All vectors are differences of points, with one rounding; the ends of a segment given by its
+//! centre take two. R is the greatest magnitude of a component. Roundoffs to first order:
+//!
+//! | number | of | roundoffs | terms |
+//! | --- | --- | --- | --- |
+//! | component of a × b | R² | 14 | 2 terms: 4 in the operands, 1 in the product; 4 of the difference |
+//! | a·b | R² | 20 | 3 terms likewise, 5 of the sums |
+//! | (a × b)·c | R³ | 88 | 3 terms of 14 + 2·3, 10 of the sums, and second orders |
+//! | (a × b)·(c × d) | R⁴ | 192 | 3 terms of 2·2·14 + 4, 12 of the sums |
+//!
+//! `error_bound.g` proves these, second orders and underflow included. A square of a number x with
+//! an error δ is off by δ·(2·|x| + δ), and the sum of three squares by 3 roundings of the sum more.
+//! Products of what is not negative are off by a roundoff for each operation.
+//!
+//! Underflow: R lies where the area R² is in range, so that products of six lengths stay normal
+//! numbers, or lose less than the bounds leave. A sum of squares alone has
+//! [`UNDERFLOW`](crate::arithmetic::Number::UNDERFLOW) beside its roundoffs.
+
+use crate::arithmetic::{Arithmetic, Number, greatest};
+
+const MINOR: u16 = 18;
+const DOT: u16 = 24;
+const VOLUME: u16 = 120;
+const SIDE: u16 = 240;
+
+/// Roundoffs of a sum of three squares of differences, compared with the square of a radius that
+/// may be a sum.
+pub(super) const SQUARE: u16 = 12;
+/// Roundoffs of a sum of three squares, of itself.
+pub(super) const SQUARES: u16 = 4;
+/// Roundoffs of a square times the square of a radius.
+pub(super) const PRODUCT: u16 = 16;
+
+/// The errors of numbers made of lengths up to a size.
+pub(super) struct Errors<N: Arithmetic> {
+    /// Of a component of a cross product.
+    pub(super) minor: N::Area,
+    /// Of a dot product.
+    pub(super) dot: N::Area,
+    /// Of a cross product times a vector.
+    pub(super) volume: N::Volume,
+    /// Of a cross product times another.
+    pub(super) side: N::Quartic,
+}
+
+impl<N: Arithmetic> Errors<N> {
+    /// The errors for lengths up to `size`, with radii up to `radius`; `None` out of range.
+    #[inline(always)]
+    pub(super) fn new(size: N::Length, radius: N::Length) -> Option<Self> {
+        if N::CERTAIN {
+            return Some(Self {
+                minor: N::Area::ZERO,
+                dot: N::Area::ZERO,
+                volume: N::Volume::ZERO,
+                side: N::Quartic::ZERO,
+            });
+        }
+        let (area, most) = (N::area(size, size), greatest(size, radius));
+        let is_known = area.in_range() & N::area(most, most).in_range();
+        is_known.then(|| Self {
+            minor: area.error(MINOR),
+            dot: area.error(DOT),
+            volume: N::volume(area, size).error(VOLUME),
+            side: N::quartic(area, area).error(SIDE),
+        })
+    }
+}

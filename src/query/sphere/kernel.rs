@@ -1,0 +1,219 @@
+//! Whether a point lies farther than a radius from a point, a segment or a triangle.
+//!
+//! A vector d goes from the shape to the point. The squared distance is d·d at a vertex, |e × d|²/e·e
+//! along an edge e, and (n·d)²/n·n over the face with normal n = e × f. Multiplied out, it compares
+//! with r² in products of two, four and six lengths. Other signs say which of these is the distance:
+//! - A point farther than r from the line of an edge is farther from the edge. If it is nearer, the
+//!   distance is that to the line between the ends, and beyond an end that to the end.
+//! - A point farther than r from the plane of a triangle is farther from the triangle. If it is
+//!   nearer, it is over the face if it lies inside of all edges, by n·(e × d) > 0. Else the nearest
+//!   point is on an edge outside of which it lies (C. Ericson, *Real-Time Collision Detection*,
+//!   2005, section 5.1.5).
+//!
+//! A normal of zero leaves no point inside of any edge, and all edges are asked.
+
+use super::error_bound::{Errors, PRODUCT, SQUARE, SQUARES};
+use crate::arithmetic::{Arithmetic, Number, cross, dot, greatest, largest, least, three};
+use crate::query::orientation::{Vector, from};
+use crate::robust::Uncertain;
+
+/// A radius, and its square.
+pub(super) struct Reach<N: Arithmetic> {
+    radius: N::Length,
+    square: N::Area,
+}
+
+/// A number, and a bound on its error.
+struct Near<T> {
+    value: T,
+    error: T,
+}
+
+/// a·b.
+#[inline(always)]
+fn product<N: Arithmetic>(a: &Vector<N>, b: &Vector<N>) -> N::Area {
+    N::area(a[0], b[0]) + N::area(a[1], b[1]) + N::area(a[2], b[2])
+}
+
+/// v·v, if each component errs by up to `error`.
+#[inline(always)]
+fn squared<N: Arithmetic>(v: &[N::Area; 3], error: N::Area) -> Near<N::Quartic> {
+    let value = N::quartic(v[0], v[0]) + N::quartic(v[1], v[1]) + N::quartic(v[2], v[2]);
+    if N::CERTAIN {
+        return Near { value, error: N::Quartic::ZERO };
+    }
+    let sum = v[0].magnitude() + v[1].magnitude() + v[2].magnitude();
+    let most = sum + sum + (error + error + error);
+    Near { value, error: N::quartic(error, most) + value.error(SQUARES) }
+}
+
+impl<N: Arithmetic> Reach<N> {
+    #[inline(always)]
+    pub(super) fn new(radius: N::Length) -> Self {
+        Self { radius, square: N::area(radius, radius) }
+    }
+
+    /// Whether a coordinate alone keeps all points to which these vectors go beyond the radius.
+    /// That is certain in all systems, because rounding a difference keeps order.
+    #[inline(always)]
+    fn is_beyond<const K: usize>(&self, vectors: &[Vector<N>; K]) -> bool {
+        let mut ends = [vectors[0]; 2];
+        for v in &vectors[1..] {
+            for i in 0..3 {
+                (ends[0][i], ends[1][i]) = (least(ends[0][i], v[i]), greatest(ends[1][i], v[i]));
+            }
+        }
+        let [low, high] = ends;
+        (0..3).any(|i| low[i] > self.radius || -high[i] > self.radius)
+    }
+
+    /// Whether a point at `d` lies beyond the radius. The components of `d` err by a roundoff of
+    /// themselves and of `slack`.
+    #[inline(always)]
+    pub(super) fn excludes(&self, d: &Vector<N>, slack: N::Length) -> Uncertain {
+        let square = product::<N>(d, d);
+        let gap = square - self.square;
+        if N::CERTAIN {
+            return Uncertain::above(gap, N::Area::ZERO);
+        }
+        let sum = d[0].magnitude() + d[1].magnitude() + d[2].magnitude();
+        let error = (square + self.square + N::area(slack, sum + slack)).error(SQUARE);
+        Uncertain::above(gap, error + N::Area::UNDERFLOW)
+    }
+
+    /// The same for a point alone; `None` in doubt, and out of range.
+    #[inline(always)]
+    pub(super) fn excludes_if_in_range(&self, d: &Vector<N>, slack: N::Length) -> Option<bool> {
+        let size = greatest(greatest(largest(d), slack), self.radius);
+        let is_known = N::CERTAIN || N::area(size, size).in_range();
+        if is_known { self.excludes(d, slack).verdict() } else { None }
+    }
+
+    /// Whether a segment along `e` lies beyond, with vectors from both ends to the point.
+    #[inline(always)]
+    fn excludes_edge(
+        &self,
+        [start, end]: [&Vector<N>; 2],
+        e: &Vector<N>,
+        c: &[N::Area; 3],
+        slack: N::Length,
+        errors: &Errors<N>,
+    ) -> Uncertain {
+        let at_start = self.excludes(start, slack);
+        if !at_start.possible || largest(e) == N::Length::ZERO {
+            return at_start;
+        }
+        let at_end = self.excludes(end, slack);
+        if !at_end.possible {
+            return at_end;
+        }
+        let is_before = Uncertain::not_below(-product::<N>(start, e), errors.dot);
+        let is_after = Uncertain::not_below(product::<N>(end, e), errors.dot);
+        let by_ends = is_before.and(at_start).or(is_after.and(at_end));
+        if by_ends.certain {
+            return by_ends;
+        }
+        let from_line = squared::<N>(c, errors.minor);
+        let square = N::quartic(product::<N>(e, e), self.square);
+        let error = from_line.error + square.error(PRODUCT);
+        by_ends.or(Uncertain::above(from_line.value - square, error)).and(at_start).and(at_end)
+    }
+
+    /// Whether a segment lies beyond; `None` in doubt.
+    #[inline(always)]
+    pub(super) fn excludes_segment(
+        &self,
+        ends: &[Vector<N>; 2],
+        e: &Vector<N>,
+        slack: N::Length,
+    ) -> Option<bool> {
+        let [start, end] = ends;
+        if slack == N::Length::ZERO && self.is_beyond(ends) {
+            return Some(true);
+        }
+        let size = greatest(greatest(largest(start), largest(end)), greatest(largest(e), slack));
+        let errors = Errors::<N>::new(size, self.radius)?;
+        let c = cross::<N>(e, start);
+        self.excludes_edge([start, end], e, &c, slack, &errors).verdict()
+    }
+
+    /// Whether a triangle lies beyond, with vectors from its vertices to the point; `None` in doubt.
+    #[inline(always)]
+    pub(super) fn excludes_triangle(
+        &self,
+        vectors: &[Vector<N>; 3],
+        edges: &[Vector<N>; 3],
+    ) -> Option<bool> {
+        if self.is_beyond(vectors) {
+            return Some(true);
+        }
+        let of =
+            |v: &[Vector<N>; 3]| greatest(greatest(largest(&v[0]), largest(&v[1])), largest(&v[2]));
+        let size = greatest(of(vectors), of(edges));
+        if N::is_narrow(greatest(size, self.radius)) {
+            let narrow = Reach::<N::Narrow> { radius: self.radius, square: self.square };
+            narrow.excludes_near_triangle(vectors, edges, size)
+        } else {
+            self.excludes_near_triangle(vectors, edges, size)
+        }
+    }
+
+    #[inline(always)]
+    fn excludes_near_triangle(
+        &self,
+        vectors: &[Vector<N>; 3],
+        edges: &[Vector<N>; 3],
+        size: N::Length,
+    ) -> Option<bool> {
+        let errors = Errors::<N>::new(size, self.radius)?;
+        let n = cross::<N>(&edges[0], &edges[1]);
+        let by_plane = self.excludes_plane(&n, dot::<N>(&n, &vectors[0]), &errors);
+        if by_plane.certain {
+            return Some(true);
+        }
+        let (mut is_outside, mut by_edges) = (Uncertain::NONE, Uncertain::known(true));
+        for k in 0..3 {
+            let (d, e) = (&vectors[k], &edges[k]);
+            let c = cross::<N>(e, d);
+            let side = N::quartic(n[0], c[0]) + N::quartic(n[1], c[1]) + N::quartic(n[2], c[2]);
+            let is_out = Uncertain::not_below(-side, errors.side);
+            if is_out.possible {
+                let ends = [d, &vectors[(k + 1) % 3]];
+                let by_edge = self.excludes_edge(ends, e, &c, N::Length::ZERO, &errors);
+                if !by_edge.possible {
+                    return Some(false);
+                }
+                (is_outside, by_edges) = (is_outside.or(is_out), by_edges.and(by_edge));
+            }
+        }
+        by_plane.or(is_outside).and(by_edges).verdict()
+    }
+
+    /// Whether a plane with normal `n` lies beyond, if n·d is `volume`.
+    #[inline(always)]
+    fn excludes_plane(&self, n: &[N::Area; 3], volume: N::Volume, errors: &Errors<N>) -> Uncertain {
+        let normal = squared::<N>(n, errors.minor);
+        let far = N::sextic(volume, volume);
+        let near = N::sextic_of_areas(normal.value, self.square);
+        if N::CERTAIN {
+            return Uncertain::above(far - near, N::Sextic::ZERO);
+        }
+        let most = volume.magnitude() + volume.magnitude() + errors.volume;
+        let error = N::sextic(errors.volume, most)
+            + N::sextic_of_areas(normal.error, self.square)
+            + (far + near).error(PRODUCT);
+        Uncertain::above(far - near, error)
+    }
+}
+
+/// The vectors from three vertices to a point, and along the edges.
+#[inline(always)]
+pub(super) fn around<N: Arithmetic>(
+    point: &Vector<N>,
+    vertices: &[Vector<N>; 3],
+) -> [[Vector<N>; 3]; 2] {
+    [
+        three(|k| from::<N>(point, &vertices[k])),
+        three(|k| from::<N>(&vertices[(k + 1) % 3], &vertices[k])),
+    ]
+}

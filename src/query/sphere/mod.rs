@@ -1,0 +1,268 @@
+//! Spheres against points, triangles, segments, boxes and spheres.
+
+mod error_bound;
+mod kernel;
+
+use self::kernel::{Reach, around};
+use super::Overlaps;
+use super::orientation::from;
+use crate::arithmetic::{Embeds, Number, greatest, largest, three};
+use crate::robust::{Numeric, Predicate, Profile};
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, AabbForm, Segment, SegmentForm, Sphere, Triangle, Vec3};
+
+/// The question whether a shape lies beyond the sphere.
+struct Beyond<'a, S, T> {
+    sphere: &'a Sphere<S>,
+    shape: &'a T,
+}
+
+impl<S: Scalar, T> Beyond<'_, S, T> {
+    fn center(&self) -> [S; 3] {
+        self.sphere.center().to_array()
+    }
+
+    fn radius(&self) -> [S; 3] {
+        [self.sphere.radius(); 3]
+    }
+}
+
+impl<S: Scalar> Predicate<S> for Beyond<'_, S, Triangle<S>> {
+    type Answer = bool;
+
+    #[inline]
+    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        let [a, b, c] = self.shape.points();
+        let [center, [r, ..], a, b, c] = N::embed(&[self.center(), self.radius(), a, b, c])?;
+        let [vectors, edges] = around::<N>(&center, &[a, b, c]);
+        Reach::<N>::new(r).excludes_triangle(&vectors, &edges)
+    }
+}
+
+impl<S: Scalar> Predicate<S> for Beyond<'_, S, Segment<S>> {
+    type Answer = bool;
+    const PROFILE: Profile = Profile::AREAS;
+
+    #[inline]
+    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        let (SegmentForm::Ends(a, b) | SegmentForm::Center { center: a, half: b }) =
+            self.shape.form();
+        let all = [self.center(), self.radius(), a.to_array(), b.to_array()];
+        let [center, [r, ..], a, b] = N::embed(&all)?;
+        let (reach, d) = (Reach::<N>::new(r), from::<N>(&center, &a));
+        match self.shape.form() {
+            SegmentForm::Ends(..) => {
+                let ends = [d, from::<N>(&center, &b)];
+                reach.excludes_segment(&ends, &from::<N>(&b, &a), N::Length::ZERO)
+            }
+            SegmentForm::Center { .. } => {
+                let ends = [three(|i| d[i] + b[i]), from::<N>(&d, &b)];
+                let e = three(|i| b[i] + b[i]);
+                reach.excludes_segment(&ends, &e, greatest(largest(&d), largest(&b)))
+            }
+        }
+    }
+}
+
+impl<S: Scalar> Predicate<S> for Beyond<'_, S, Aabb<S>> {
+    type Answer = bool;
+    const PROFILE: Profile = Profile::AREAS;
+
+    #[inline]
+    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
+            self.shape.form();
+        let all = [self.center(), self.radius(), p.to_array(), q.to_array()];
+        let [c, [r, ..], p, q] = N::embed(&all)?;
+        let above = |x: N::Length| greatest(x, N::Length::ZERO);
+        let (d, slack) = match self.shape.form() {
+            AabbForm::Corners { .. } => {
+                (three(|i| above(greatest(p[i] - c[i], c[i] - q[i]))), N::Length::ZERO)
+            }
+            AabbForm::Center { .. } => {
+                let d = from::<N>(&c, &p);
+                (three(|i| above(d[i].magnitude() - q[i])), largest(&d))
+            }
+        };
+        Reach::<N>::new(r).excludes_if_in_range(&d, slack)
+    }
+}
+
+impl<S: Scalar> Predicate<S> for Beyond<'_, S, Vec3<S>> {
+    type Answer = bool;
+    const PROFILE: Profile = Profile::AREAS;
+
+    #[inline]
+    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        let all = [self.center(), self.radius(), self.shape.to_array()];
+        let [center, [r, ..], point] = N::embed(&all)?;
+        let d = from::<N>(&center, &point);
+        Reach::<N>::new(r).excludes_if_in_range(&d, N::Length::ZERO)
+    }
+}
+
+impl<S: Scalar> Predicate<S> for Beyond<'_, S, Sphere<S>> {
+    type Answer = bool;
+    const PROFILE: Profile = Profile::AREAS;
+
+    #[inline]
+    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        let (center, r) = (self.shape.center().to_array(), self.shape.radius());
+        let radii = [self.sphere.radius(), r, S::ZERO];
+        let [p, q, [r, s, _]] = N::embed(&[self.center(), center, radii])?;
+        Reach::<N>::new(r + s).excludes_if_in_range(&from::<N>(&p, &q), N::Length::ZERO)
+    }
+}
+
+impl<S, T> Numeric<S> for Beyond<'_, S, T> where Self: Predicate<S> {}
+
+/// Whether the shapes overlap. On hosts `f64` answers for all scalars of up to 32 bits.
+#[inline(always)]
+fn meet<'a, S: Scalar, T>(sphere: &'a Sphere<S>, shape: &'a T) -> bool
+where
+    Beyond<'a, S, T>: Predicate<S, Answer = bool>,
+{
+    !S::evaluate_numeric(&Beyond { sphere, shape })
+}
+
+impl<S: Scalar> Overlaps<Triangle<S>> for Sphere<S> {
+    /// Do a sphere and a triangle have a point in common?
+    ///
+    /// *Geometry*: closed sets in one frame and unit. The radius may be zero, the triangle a segment
+    /// or a point.
+    ///
+    /// *Contact*: touching is overlap.
+    ///
+    /// *Numerics*: exact for every valid input, in every scalar. A squared distance is compared with
+    /// the square of the radius, in products of up to six lengths.
+    ///
+    /// *Range*: all finite floats, all fixed-point values; 64-bit fixed point beyond 2⁶⁰ units in
+    /// the last place takes wider integers. In floats, distances within rounding of the radius take
+    /// exact integers.
+    ///
+    /// *Panics*: never. *Cost*: 9 comparisons if a coordinate separates; 14 multiplications if the
+    /// plane does; 41 over the face, and up to 86 otherwise.
+    ///
+    /// ```
+    /// use septum::{Sphere, Triangle};
+    ///
+    /// let t = Triangle::new([0.0_f32, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0])?;
+    /// let over_face = Sphere::new([1.0, 1.0, 2.0], 2.0)?;
+    /// assert!(over_face.overlaps(&t)); // touches
+    /// let past_edge = Sphere::new([5.0, 5.0, 0.0], 4.2426405)?;
+    /// assert!(!past_edge.overlaps(&t)); // the radius is just below √18
+    /// let past_edge = Sphere::new([5.0, 5.0, 0.0], 4.242641)?;
+    /// assert!(past_edge.overlaps(&t));
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    fn overlaps(&self, triangle: &Triangle<S>) -> bool {
+        meet(self, triangle)
+    }
+}
+
+impl<S: Scalar> Overlaps<Segment<S>> for Sphere<S> {
+    /// Do a sphere and a segment have a point in common?
+    ///
+    /// *Geometry*: closed sets, the segment in the form in which it was given. The radius may be
+    /// zero, the segment a point.
+    ///
+    /// *Contact*, *Numerics* and *Range*: as for a
+    /// [triangle](Sphere#impl-Overlaps<Triangle<S>>-for-Sphere<S>), in products of up to four
+    /// lengths.
+    ///
+    /// *Panics*: never. *Cost*: 6 comparisons if a coordinate separates, 7 to 25 multiplications
+    /// otherwise.
+    ///
+    /// ```
+    /// use septum::{Segment, Sphere};
+    ///
+    /// let s = Segment::new([0.0_f64, 0.0, 0.0], [4.0, 3.0, 0.0])?;
+    /// assert!(Sphere::new([-3.0, 4.0, 0.0], 5.0)?.overlaps(&s)); // touches the end
+    /// assert!(Sphere::new([-1.0, 7.0, 0.0], 5.0)?.overlaps(&s)); // touches the line
+    /// assert!(!Sphere::new([-1.0, 7.0, 1e-7], 5.0)?.overlaps(&s));
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    fn overlaps(&self, segment: &Segment<S>) -> bool {
+        meet(self, segment)
+    }
+}
+
+impl<S: Scalar> Overlaps<Aabb<S>> for Sphere<S> {
+    /// Do a sphere and an axis-aligned box have a point in common?
+    ///
+    /// *Geometry*: closed sets, the box in the form in which it was given. The radius may be zero,
+    /// the box flat or a point.
+    ///
+    /// *Contact*, *Numerics* and *Range*: as for a
+    /// [triangle](Sphere#impl-Overlaps<Triangle<S>>-for-Sphere<S>), in products of two lengths.
+    ///
+    /// *Panics*: never. *Cost*: 4 multiplications.
+    ///
+    /// *Source*: J. Arvo, "A Simple Method for Box-Sphere Intersection Testing", *Graphics Gems*,
+    /// 1990; the exact stages are ours.
+    ///
+    /// ```
+    /// use septum::{Aabb, Sphere};
+    ///
+    /// let cell = Aabb::from_min_max([0.0_f32; 3], [1.0; 3])?;
+    /// assert!(Sphere::new([4.0, 5.0, 13.0], 13.0)?.overlaps(&cell)); // 3² + 4² + 12² = 13²
+    /// assert!(!Sphere::new([4.000001, 5.0, 13.0], 13.0)?.overlaps(&cell));
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    fn overlaps(&self, aabb: &Aabb<S>) -> bool {
+        meet(self, aabb)
+    }
+}
+
+impl<S: Scalar> Overlaps<Self> for Sphere<S> {
+    /// Do two spheres have a point in common?
+    ///
+    /// *Contact*, *Numerics* and *Range*: as for a
+    /// [triangle](Sphere#impl-Overlaps<Triangle<S>>-for-Sphere<S>), in products of two lengths. The
+    /// sum of the radii is exact.
+    ///
+    /// *Panics*: never. *Cost*: 4 multiplications.
+    ///
+    /// ```
+    /// use septum::Sphere;
+    ///
+    /// let ball = Sphere::new([0.0_f32; 3], 1e-8)?;
+    /// assert!(Sphere::new([1.0, 0.0, 0.0], 1.0)?.overlaps(&ball));
+    /// assert!(!Sphere::new([1.0000001, 0.0, 0.0], 1.0)?.overlaps(&ball));
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    fn overlaps(&self, other: &Self) -> bool {
+        meet(self, other)
+    }
+}
+
+impl<S: Scalar> Sphere<S> {
+    /// Does the sphere contain a point? In other words: is a point within this distance of another?
+    ///
+    /// *Geometry*: a closed ball. No sphere contains a point with a NaN or infinite coordinate.
+    ///
+    /// *Contact*: a point on the surface is in the sphere.
+    ///
+    /// *Numerics*: exact for every valid input, in every scalar.
+    ///
+    /// *Panics*: never. *Cost*: 4 multiplications.
+    ///
+    /// ```
+    /// use septum::Sphere;
+    ///
+    /// let ball = Sphere::new([0.0_f32; 3], 7.0)?;
+    /// assert!(ball.contains([2.0, 3.0, 6.0])); // 4 + 9 + 36 = 49
+    /// assert!(!ball.contains([2.0, 3.0, 6.0000005]));
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn contains(&self, point: impl Into<Vec3<S>>) -> bool {
+        let point = point.into();
+        point.is_finite() && meet(self, &point)
+    }
+}

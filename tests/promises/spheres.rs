@@ -1,0 +1,80 @@
+//! Spheres against other shapes: exact.
+
+use std::cmp::Ordering;
+use std::env;
+
+use septum::{ShapeError, Sphere};
+use septum_kit::fixed::types::I16F16;
+use septum_kit::spheres::{Other, SphereCase, SphereSet};
+use septum_kit::{Rng, Sample, for_every_scalar, not_finite, with_every_scalar};
+
+/// Checks all answers about a case.
+fn check<S: Sample>(case: &SphereCase<S>) -> Ordering {
+    let truth = case.truth();
+    let answers = case.answers();
+    assert!(answers.iter().all(|&meet| meet == truth.is_le()), "{answers:?} {truth:?} {case:?}");
+    truth
+}
+
+/// How many cases of a set overlap, touch and are apart.
+fn of_set<S: Sample>(set: SphereSet, seed: u64, cases: usize) -> [usize; 3] {
+    let (mut rng, mut seen) = (Rng::new(seed), [0; 3]);
+    for _ in 0..cases {
+        seen[(check(&set.case::<S>(&mut rng)) as i8 + 1) as usize] += 1;
+    }
+    seen
+}
+
+fn exact_on_all_sets<S: Sample>() {
+    for set in SphereSet::ALL {
+        let seen = of_set::<S>(set, 0x5b4e, 2_000);
+        assert!(seen[0] > 100 && seen[2] > 100, "{} {set:?}: {seen:?}", S::name());
+        let touching = matches!(set, SphereSet::Grid | SphereSet::Touch);
+        assert!(seen[1] > 50 || !touching, "{} {set:?}: {seen:?}", S::name());
+    }
+}
+for_every_scalar!(exact_on_all_sets);
+
+/// `CASES=1000000 cargo test --release --test promises spheres_by_many -- --ignored --nocapture`: so
+/// many cases of each set and scalar.
+#[test]
+#[ignore = "as long as you like"]
+fn spheres_by_many() {
+    fn many<S: Sample>() {
+        let cases = env::var("CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(10_000);
+        for set in SphereSet::ALL {
+            let [near, touching, far] = of_set::<S>(set, 79, cases);
+            let (name, set) = (S::name(), format!("{set:?}"));
+            println!("{name:7} {set:8} {near:8} overlap, {touching:8} touch, {far:8} apart");
+        }
+    }
+    with_every_scalar!(many);
+}
+
+/// Every triangle on a small grid in a plane, and points around it whose distances are roots.
+fn every_small_triangle<S: Sample>() {
+    let grid = |n: usize| [n % 3, n / 3, 0].map(|x| S::whole(x as i64));
+    for n in 0..729 {
+        let other = Other::Triangle([n % 9, n / 9 % 9, n / 81].map(grid));
+        for m in 0..18 {
+            let center = [m % 3 - 1, m / 3 % 3 + 1, m / 9].map(S::whole);
+            for radius in 0..4 {
+                check(&SphereCase { center, radius: S::whole(radius), other });
+            }
+        }
+    }
+}
+#[test]
+fn every_triangle_on_a_small_grid() {
+    every_small_triangle::<f32>();
+    every_small_triangle::<I16F16>();
+}
+
+#[test]
+fn invalid_spheres_are_refused() {
+    assert_eq!(Sphere::new([f32::NAN; 3], 1.0), Err(not_finite("center", None)));
+    assert_eq!(Sphere::new([0.0; 3], f64::INFINITY), Err(not_finite("radius", None)));
+    assert_eq!(Sphere::new([0.0; 3], -f32::from_bits(1)), Err(ShapeError::NegativeRadius));
+    assert!(Sphere::new([0.0; 3], -0.0_f32).is_ok());
+    assert!(!Sphere::new([0.0_f32; 3], 1.0).unwrap().contains([f32::NAN, 0.0, 0.0]));
+}
