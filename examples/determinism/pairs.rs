@@ -5,7 +5,7 @@ use septum::polygon::Polygon;
 use septum::published;
 use septum::relation::Relate;
 use septum::sweep::{Motion, Sweep};
-use septum::{Aabb, Axis, Obb, Ray, Segment, Sphere, Triangle, Vec3};
+use septum::{Aabb, Axis, Closest, Feature, Obb, Ray, Segment, Sphere, Triangle, Vec3};
 
 use super::super::draw::Draw;
 use super::answers::Answers;
@@ -222,7 +222,25 @@ pub(super) fn spheres<S: Draw, A: Answers>(
             let Ok(other) = Sphere::new(point, q.x.size()) else { continue };
             answers.to(Query::SphereSphere).yes(sphere.overlaps(&other));
         }
+        closest(answers, Query::TriangleClosest, triangle.closest_point(center).ok());
+        for segment in segments.iter().flatten() {
+            closest(answers, Query::SegmentClosest, segment.closest_point(center).ok());
+        }
+        for aabb in aabbs {
+            answers.to(Query::AabbClosest).vector(aabb.closest_point(center).ok());
+        }
     }
+}
+
+fn closest<S: Draw, A: Answers>(answers: &mut A, query: Query, found: Option<Closest<S>>) {
+    let answer = answers.to(query);
+    answer.vector(found.map(|closest| closest.point));
+    answer.byte(match found.map(|closest| closest.feature) {
+        Some(Feature::Vertex(k)) => k,
+        Some(Feature::Edge(k)) => 3 + k,
+        Some(Feature::Interior) => 6,
+        None => 0xff,
+    });
 }
 
 /// The triangle, and a copy with one vertex moved: equal and different distances.

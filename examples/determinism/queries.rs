@@ -141,4 +141,7 @@ queries! {
     SphereAabb = "sphere/aabb overlaps",
     SphereSphere = "sphere/sphere overlaps",
     SphereContains = "sphere contains",
+    TriangleClosest = "triangle closest_point",
+    SegmentClosest = "segment closest_point",
+    AabbClosest = "aabb closest_point",
 }

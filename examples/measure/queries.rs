@@ -11,7 +11,7 @@ use septum::published::slabs::SlabRay;
 use septum::published::slopes::SlopeRay;
 use septum::relation::{Relate, Relation};
 use septum::sweep::Sweep;
-use septum::{Aabb, Cull, Obb, Ray, Segment, Triangle, Vec3};
+use septum::{Aabb, Cull, Obb, Ray, Segment, Sphere, Triangle, Vec3};
 
 use crate::CORE;
 use crate::firmware::say;
@@ -31,6 +31,7 @@ pub(crate) fn all<S: Coordinate>(meter: &Meter) {
     triangle_obb::<S>(meter);
     polygon_aabb::<S>(meter);
     pairs::<S>(meter);
+    spheres::<S>(meter);
     relations::<S>(meter);
     lines_obb::<S>(meter);
     sweeps::<S>(meter);
@@ -123,6 +124,13 @@ fn pairs<S: Coordinate>(meter: &Meter) {
     ];
     lines::<S, _, _>(meter, "full", workload::meeting_obbs, &obbs);
     lines::<S, _, _>(meter, "random", workload::obbs, &obbs);
+}
+
+fn spheres<S: Coordinate>(meter: &Meter) {
+    let queries: [Query<Triangle<S>, Sphere<S>>; 1] =
+        [("sphere/triangle", "exact", |t, b| b.overlaps(t))];
+    lines::<S, _, _>(meter, "full", workload::meeting_sphere, &queries);
+    lines::<S, _, _>(meter, "random", workload::sphere, &queries);
 }
 
 /// Whether shapes are disjoint, touch or overlap.

@@ -1,7 +1,7 @@
 //! Shapes from random bits, the same on every board.
 
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
-use septum::{Aabb, Obb, Ray, Scalar, Segment, ShapeError, Triangle, Vec3};
+use septum::{Aabb, Obb, Ray, Scalar, Segment, ShapeError, Sphere, Triangle, Vec3};
 
 /// A point in units of 2⁻¹⁶.
 pub(crate) type Point = [i32; 3];
@@ -198,6 +198,16 @@ pub(crate) fn meeting_triangles<S: Coordinate>(
     rng: &mut Rng,
 ) -> Option<(Triangle<S>, Triangle<S>)> {
     first(rng, triangles, true, |one, other| one.overlaps(other))
+}
+
+/// A triangle in a cube, and the ball in the unit cube.
+pub(crate) fn sphere<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Sphere<S>)> {
+    let triangle = triangle([(); 3].map(|()| rng.point())).ok()?;
+    Some((triangle, Sphere::new(vector([0; 3]), S::of(HALF)).ok()?))
+}
+
+pub(crate) fn meeting_sphere<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Sphere<S>)> {
+    first(rng, sphere, true, |triangle, sphere| sphere.overlaps(triangle))
 }
 
 /// An axis-parallel box, as an oriented box, and a box rotated about two axes.

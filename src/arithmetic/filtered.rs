@@ -2,6 +2,7 @@
 
 use core::cmp::Ordering;
 use core::marker::PhantomData;
+use core::ops::Div;
 
 use super::float::Float;
 use super::multiples::in_forty_bits;
@@ -91,6 +92,20 @@ pub(super) fn compare_quotient<F: Float>(
     }
 }
 
+/// Two numbers that enclose num/den, if the divisor is known to a quarter. Beside the errors of
+/// both, the quotient and each end are rounded once.
+#[inline(always)]
+pub(super) fn enclosed<F: Float + Div<Output = F>>(
+    num: F,
+    den: F,
+    [error, other]: [F; 2],
+) -> Option<[F; 2]> {
+    let (q, two) = (num / den, F::from(2));
+    let bound = two * (error + q.magnitude() * other) / den;
+    let bound = bound + (bound + q.magnitude()).error(CLEARANCE + CLEARANCE);
+    (two * two * other <= den).then(|| [q - bound, q + bound])
+}
+
 macro_rules! embeds {
     ($from:ty => $to:ty, $divides:literal, $clear:expr, |$num:ident, $den:ident| $quotients:expr
      $(, |$row:ident, $errors:ident| $of_row:expr)?
@@ -144,6 +159,10 @@ macro_rules! embeds {
             fn quotients_of_row($row: [$to; 4], $errors: [$to; 2]) -> ([$from; 3], bool) {
                 $of_row
             })?
+            #[inline(always)]
+            fn coordinate(num: $to, den: $to, errors: [$to; 2]) -> Option<$from> {
+                Self::nearest(enclosed(num, den, errors)?)
+            }
             #[inline(always)]
             fn compare_quotient(
                 num: $to,

@@ -9,7 +9,7 @@ use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 use super::big_int::BigInt;
-use super::filtered::{Filtered, compare_quotient};
+use super::filtered::{Filtered, compare_quotient, enclosed};
 use super::integer::{Int8, Int16, Int32, Int64, below};
 use super::nearest_whole::{nearest_of_all, nearest_whole, nearest_whole_of_row};
 use super::quotient::Dividend;
@@ -56,6 +56,14 @@ macro_rules! embeds {
             #[inline(always)]
             fn quotient_of_lengths(num: $length, den: $length) -> $fixed<Frac> {
                 <$fixed<Frac>>::clamped(num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
+            }
+            #[inline(always)]
+            fn coordinate(
+                num: <$system as Arithmetic>::Sextic,
+                den: <$system as Arithmetic>::Sextic,
+                _: [<$system as Arithmetic>::Sextic; 2],
+            ) -> Option<$fixed<Frac>> {
+                Some(<$fixed<Frac>>::clamped(Dividend::quotient(num, den, 0)))
             }
             #[inline(always)]
             fn compare_quotient(
@@ -111,9 +119,16 @@ macro_rules! in_window {
                 _: [BigInt<6>; 2],
             ) -> ([$fixed<Frac>; 3], bool) {
                 let of = |num: BigInt<6>| {
-                    <$fixed<Frac>>::clamped(num.quotient(&den, <$fixed<Frac>>::FRAC_NBITS))
+                    <$fixed<Frac>>::clamped(num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
                 };
                 (num.map(of), true)
+            }
+            fn coordinate(
+                num: BigInt<12>,
+                den: BigInt<12>,
+                _: [BigInt<12>; 2],
+            ) -> Option<$fixed<Frac>> {
+                Some(<$fixed<Frac>>::clamped(num.quotient(den, 0)))
             }
             fn compare_quotient(
                 num: BigInt<6>,
@@ -271,6 +286,11 @@ impl<S: InRaw<Raw = i32>> Embeds<S> for Filtered<f64> {
     fn nearest(between: [f64; 2]) -> Option<S> {
         let bits = nearest_of_all(between, S::GREATEST as f64)?;
         Some(S::from_raw(bits as i64))
+    }
+    /// In units of the last place.
+    #[inline(always)]
+    fn coordinate(num: f64, den: f64, errors: [f64; 2]) -> Option<S> {
+        <Self as Embeds<S>>::nearest(enclosed(num, den, errors)?)
     }
     #[inline(always)]
     fn compare_quotient(num: f64, den: f64, errors: [f64; 2], t: S) -> Option<Ordering> {

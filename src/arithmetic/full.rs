@@ -215,6 +215,20 @@ impl<const UNIT: u16, const A: usize> Number for Terms<UNIT, A> {
     }
 }
 
+/// a·b, a limb of b at a time: unrolled loops over both would be a block too large for compilers.
+#[inline(never)]
+fn product<const L: usize, const M: usize, const R: usize>(
+    a: &BigInt<L>,
+    b: &BigInt<M>,
+) -> BigInt<R> {
+    let (is_negative, limbs) = b.sign_magnitude();
+    let mut sum = BigInt([0; R]);
+    for (k, &limb) in limbs.iter().enumerate().filter(|(_, limb)| **limb != 0) {
+        sum.add_multiple(a, limb, 64 * k, is_negative);
+    }
+    sum
+}
+
 impl<
     const UNIT: u16,
     const A: usize,
@@ -247,17 +261,14 @@ impl<
         b.add_multiple(&a, &mut sum);
         sum
     }
-    #[inline(never)]
     fn quartic(a: BigInt<B>, b: BigInt<B>) -> BigInt<D> {
-        a.times(&b)
+        product(&a, &b)
     }
-    #[inline(never)]
     fn sextic(a: BigInt<C>, b: BigInt<C>) -> BigInt<E> {
-        a.times(&b)
+        product(&a, &b)
     }
-    #[inline(never)]
     fn sextic_of_areas(a: BigInt<D>, b: BigInt<B>) -> BigInt<E> {
-        a.times(&b)
+        product(&a, &b)
     }
     // In one sum, so that numbers of a kilobyte are not copied.
     #[inline(never)]
@@ -324,6 +335,10 @@ where
     fn quotients([a, b, c]: [BigInt<C>; 3], den: BigInt<C>, _: [BigInt<C>; 2]) -> ([F; 3], bool) {
         let den = den.sign_magnitude();
         ([a, b, c].map(|x| quotient(x.sign_magnitude(), den)), true)
+    }
+
+    fn coordinate(num: BigInt<E>, den: BigInt<E>, _: [BigInt<E>; 2]) -> Option<F> {
+        Some(quotient(num.sign_magnitude(), den.sign_magnitude()))
     }
 
     fn compare_quotient(

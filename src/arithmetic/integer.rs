@@ -113,18 +113,35 @@ integers! {
         i128; Int16, |size: i32| !REGISTERS_ARE_WIDE && size >> 20 == 0;
 }
 integers! {
-    Int16: i32, i64, i64, |a, b| a * i64::from(b), i128, of_four, i128, |a: i128, b: i128| a * b,
+    Int16: i32, i64, i64, |a, b| a * i64::from(b), i128, of_four, i128, product_128,
         i128; Self, |_: i32| false;
-    Int64: i64, i128, I256, I256::product, I256, I256::of_two, BigInt<6>, of_six, i128;
+    Int64: i64, i128, I256, I256::product, I256, of_four_wide, BigInt<6>, of_six, i128;
         Int64Narrow, |size: i64| size >> 41 == 0;
-    Int64Narrow: i64, i128, i128, |a, b| a * i128::from(b), I256, I256::of_two, BigInt<6>, of_six,
+    Int64Narrow: i64, i128, i128, |a, b| a * i128::from(b), I256, of_four_wide, BigInt<6>, of_six,
         i128; Self, |_: i64| false;
 }
 
 /// The product of two areas of 32-bit coordinates.
 #[inline(always)]
 fn of_four(a: i64, b: i64) -> i128 {
-    i128::from(a) * i128::from(b)
+    product_128(a.into(), b.into())
+}
+
+/// The product of 128 bits. With narrow registers it takes dozens of instructions.
+#[inline(always)]
+fn product_128(a: i128, b: i128) -> i128 {
+    if REGISTERS_ARE_WIDE { a * b } else { product_out_of_line(a, b) }
+}
+
+#[inline(never)]
+fn product_out_of_line(a: i128, b: i128) -> i128 {
+    a * b
+}
+
+/// The product of two areas of 64-bit coordinates.
+#[inline(never)]
+fn of_four_wide(a: i128, b: i128) -> I256 {
+    I256::of_two(a, b)
 }
 
 /// The product of two volumes of 64-bit coordinates.

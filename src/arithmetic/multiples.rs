@@ -2,6 +2,7 @@
 
 use core::cmp::Ordering;
 
+use super::big_int::BigInt;
 use super::float::{Float, quotient};
 use super::integer::Int64;
 use super::number::{Number, greatest};
@@ -79,6 +80,10 @@ impl<F: Float> Embeds<F> for Int64 {
     fn quotients([a, b, c]: [I256; 3], den: I256, _: [I256; 2]) -> ([F; 3], bool) {
         let of = |num: I256| quotient(num.limbs(), den.limbs());
         ([of(a), of(b), of(c)], true)
+    }
+
+    fn coordinate(num: BigInt<6>, den: BigInt<6>, _: [BigInt<6>; 2]) -> Option<F> {
+        Some(quotient(num.sign_magnitude(), den.sign_magnitude()))
     }
 
     // Times are not in the scene's unit.

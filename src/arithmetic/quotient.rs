@@ -6,6 +6,7 @@
 use core::cmp::Ordering;
 use core::num::NonZero;
 
+use super::big_int::BigInt;
 use super::limbs::{Limbs, Wide, divided_by_places};
 use super::number::Number;
 use super::platform::REGISTERS_ARE_WIDE;
@@ -189,6 +190,15 @@ impl Dividend for I256 {
     }
     fn compare(self, den: Self, shift: u32, t: i64) -> Ordering {
         self.shifted_up(shift).cmp(&den.times(t))
+    }
+}
+
+impl<const L: usize> Dividend for BigInt<L> {
+    fn quotient(self, den: Self, shift: u32) -> i64 {
+        Self::quotient(&self, &den, shift)
+    }
+    fn compare(self, den: Self, shift: u32, t: i64) -> Ordering {
+        self.shifted_up(shift as usize).cmp(&den.times(&BigInt::<2>::from(i128::from(t))))
     }
 }
 

@@ -147,6 +147,10 @@ impl<S: RoundedOps> Embeds<S> for Rounded<S> {
         num.0.plain_div(den.0)
     }
     #[inline(always)]
+    fn coordinate(num: Self, den: Self, _: [Self; 2]) -> Option<S> {
+        Some(num.0.plain_div(den.0))
+    }
+    #[inline(always)]
     fn compare_quotient(num: Self, den: Self, _: [Self; 2], t: S) -> Option<Ordering> {
         num.0.plain_div(den.0).partial_cmp(&t)
     }

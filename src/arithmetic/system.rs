@@ -188,6 +188,10 @@ pub trait Embeds<S>: Arithmetic {
         None
     }
 
+    /// num/den as a number of the scalar, given the errors of both: the nearest, or in floats within
+    /// 0.51 units in the last place. `None` if it is not known as well. The divisor is above zero.
+    fn coordinate(num: Self::Sextic, den: Self::Sextic, errors: [Self::Sextic; 2]) -> Option<S>;
+
     /// How num/den compares with `t`, if `num` and `den` err by up to `errors` and `den` is
     /// certainly above zero. `None` in doubt.
     fn compare_quotient(

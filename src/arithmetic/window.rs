@@ -111,6 +111,10 @@ impl<F: Float> Embeds<F> for Window {
         ([a, b, c].map(|x| quotient(x.sign_magnitude(), den)), true)
     }
 
+    fn coordinate(num: BigInt<12>, den: BigInt<12>, _: [BigInt<12>; 2]) -> Option<F> {
+        Some(quotient(num.sign_magnitude(), den.sign_magnitude()))
+    }
+
     // The unit of `t` is one, and coordinates may be too far from it.
     fn compare_quotient(_: BigInt<6>, _: BigInt<6>, _: [BigInt<6>; 2], _: F) -> Option<Ordering> {
         None

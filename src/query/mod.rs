@@ -63,6 +63,7 @@ pub(crate) use ray_triangle::{
 pub use ray_triangle::{Cull, Facing, Feature, Hit, HitRay, HitRules, HitTriangle};
 pub use relation::{Relate, Relation};
 pub(crate) use row_triangle::crossing;
+pub use sphere::Closest;
 pub use sweep::{FirstContact, Motion, Sweep};
 pub use triangle_aabb::{Axis, HasAxes, PreparedTriangle};
 pub(crate) use triangle_aabb::{OfOneSize, TriangleAxes, disjoint_rounded};

@@ -14,6 +14,9 @@ pub(crate) trait Backend: RoundedOps + Spanned + FirstFloat + Offset + ShortFloa
     /// One, for offsets and axes. Not every fixed-point type can represent it.
     const ONE: Parts;
 
+    /// The unit of coordinates: one in floats, the last place in fixed point.
+    const UNIT_LENGTH: Self;
+
     /// The float format, if the scalar is a float.
     const FLOAT: Option<FloatFormat<Self>> = None;
 

@@ -29,6 +29,7 @@ macro_rules! scalar {
         impl<Frac: $bound + Send + Sync + 'static> Backend for $fixed<Frac> {
             const ONE: Parts =
                 Parts { negative: false, magnitude: 1, shift: Self::FRAC_NBITS as u16 };
+            const UNIT_LENGTH: Self = Self::DELTA;
             const IN_QUADS: bool = REGISTERS_ARE_WIDE && <$float as OfFour>::Quad::IS_VECTOR;
             type SeptumWindow = Window;
             type SeptumFull = Window;

@@ -67,6 +67,7 @@ float!(f64);
 /// The methods that `f32` and `f64` share.
 macro_rules! as_any_float {
     ($float:ident) => {
+        const UNIT_LENGTH: Self = 1.0;
         const IN_QUADS: bool = REGISTERS_ARE_WIDE;
 
         fn parts(self) -> Parts {

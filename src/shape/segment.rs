@@ -63,7 +63,7 @@ impl<S: Scalar> Segment<S> {
 
 overlaps_methods!(
     Segment,
-    "an [`Aabb`](crate::Aabb), an [`Obb`](crate::Obb) or a [`Triangle`](crate::Triangle)"
+    "an [`Aabb`](crate::Aabb), an [`Obb`](crate::Obb), a [`Triangle`](crate::Triangle) or a [`Sphere`](crate::Sphere)"
 );
 
 impl<S: Copy> Segment<S> {

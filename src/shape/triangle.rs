@@ -39,7 +39,7 @@ impl<S: Scalar> Triangle<S> {
 
 overlaps_methods!(
     Triangle,
-    "an [`Aabb`](crate::Aabb), an [`Obb`](crate::Obb), a triangle or a [`Segment`](crate::Segment)"
+    "an [`Aabb`](crate::Aabb), an [`Obb`](crate::Obb), a triangle, a [`Segment`](crate::Segment) or a [`Sphere`](crate::Sphere)"
 );
 
 impl<S: Copy> Triangle<S> {

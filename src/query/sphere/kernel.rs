@@ -13,7 +13,10 @@
 //! A normal of zero leaves no point inside of any edge, and all edges are asked.
 
 use super::error_bound::{Errors, PRODUCT, SQUARE, SQUARES};
-use crate::arithmetic::{Arithmetic, Number, cross, dot, greatest, largest, least, three};
+use crate::arithmetic::{
+    Arithmetic, Number, REGISTERS_ARE_WIDE, cross, dot, greatest, largest, least, out_of_line,
+    three,
+};
 use crate::query::orientation::{Vector, from};
 use crate::robust::Uncertain;
 
@@ -24,21 +27,34 @@ pub(super) struct Reach<N: Arithmetic> {
 }
 
 /// A number, and a bound on its error.
-struct Near<T> {
-    value: T,
-    error: T,
+pub(super) struct Near<T> {
+    pub(super) value: T,
+    pub(super) error: T,
+}
+
+/// A part of a kernel. With narrow registers it is a call: most operations are calls there, and one
+/// copy of each part suffices.
+#[inline(always)]
+pub(super) fn part<T>(f: impl FnOnce() -> T) -> T {
+    if REGISTERS_ARE_WIDE { f() } else { out_of_line(f) }
 }
 
 /// a·b.
 #[inline(always)]
-fn product<N: Arithmetic>(a: &Vector<N>, b: &Vector<N>) -> N::Area {
-    N::area(a[0], b[0]) + N::area(a[1], b[1]) + N::area(a[2], b[2])
+pub(super) fn product<N: Arithmetic>(a: &Vector<N>, b: &Vector<N>) -> N::Area {
+    part(|| N::area(a[0], b[0]) + N::area(a[1], b[1]) + N::area(a[2], b[2]))
+}
+
+/// a·b, of areas.
+#[inline(always)]
+pub(super) fn along<N: Arithmetic>(a: &[N::Area; 3], b: &[N::Area; 3]) -> N::Quartic {
+    part(|| N::quartic(a[0], b[0]) + N::quartic(a[1], b[1]) + N::quartic(a[2], b[2]))
 }
 
 /// v·v, if each component errs by up to `error`.
 #[inline(always)]
-fn squared<N: Arithmetic>(v: &[N::Area; 3], error: N::Area) -> Near<N::Quartic> {
-    let value = N::quartic(v[0], v[0]) + N::quartic(v[1], v[1]) + N::quartic(v[2], v[2]);
+pub(super) fn squared<N: Arithmetic>(v: &[N::Area; 3], error: N::Area) -> Near<N::Quartic> {
+    let value = along::<N>(v, v);
     if N::CERTAIN {
         return Near { value, error: N::Quartic::ZERO };
     }
@@ -89,8 +105,9 @@ impl<N: Arithmetic> Reach<N> {
         if is_known { self.excludes(d, slack).verdict() } else { None }
     }
 
-    /// Whether a segment along `e` lies beyond, with vectors from both ends to the point.
-    #[inline(always)]
+    /// Whether a segment along `e` lies beyond, with vectors from both ends to the point. Out of
+    /// line, because a triangle asks it three times.
+    #[inline(never)]
     fn excludes_edge(
         &self,
         [start, end]: [&Vector<N>; 2],
@@ -166,16 +183,17 @@ impl<N: Arithmetic> Reach<N> {
         size: N::Length,
     ) -> Option<bool> {
         let errors = Errors::<N>::new(size, self.radius)?;
-        let n = cross::<N>(&edges[0], &edges[1]);
-        let by_plane = self.excludes_plane(&n, dot::<N>(&n, &vectors[0]), &errors);
+        let n = part(|| cross::<N>(&edges[0], &edges[1]));
+        let volume = part(|| dot::<N>(&n, &vectors[0]));
+        let by_plane = self.excludes_plane(&n, volume, &errors);
         if by_plane.certain {
             return Some(true);
         }
         let (mut is_outside, mut by_edges) = (Uncertain::NONE, Uncertain::known(true));
         for k in 0..3 {
             let (d, e) = (&vectors[k], &edges[k]);
-            let c = cross::<N>(e, d);
-            let side = N::quartic(n[0], c[0]) + N::quartic(n[1], c[1]) + N::quartic(n[2], c[2]);
+            let c = part(|| cross::<N>(e, d));
+            let side = along::<N>(&n, &c);
             let is_out = Uncertain::not_below(-side, errors.side);
             if is_out.possible {
                 let ends = [d, &vectors[(k + 1) % 3]];
@@ -193,8 +211,8 @@ impl<N: Arithmetic> Reach<N> {
     #[inline(always)]
     fn excludes_plane(&self, n: &[N::Area; 3], volume: N::Volume, errors: &Errors<N>) -> Uncertain {
         let normal = squared::<N>(n, errors.minor);
-        let far = N::sextic(volume, volume);
-        let near = N::sextic_of_areas(normal.value, self.square);
+        let far = part(|| N::sextic(volume, volume));
+        let near = part(|| N::sextic_of_areas(normal.value, self.square));
         if N::CERTAIN {
             return Uncertain::above(far - near, N::Sextic::ZERO);
         }
@@ -204,6 +222,12 @@ impl<N: Arithmetic> Reach<N> {
             + (far + near).error(PRODUCT);
         Uncertain::above(far - near, error)
     }
+}
+
+/// The greatest magnitude in three vectors.
+#[inline(always)]
+pub(super) fn largest_of<N: Arithmetic>(v: &[Vector<N>; 3]) -> N::Length {
+    greatest(greatest(largest(&v[0]), largest(&v[1])), largest(&v[2]))
 }
 
 /// The vectors from three vertices to a point, and along the edges.

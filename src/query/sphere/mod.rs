@@ -1,8 +1,10 @@
-//! Spheres against points, triangles, segments, boxes and spheres.
+//! Distances: spheres against points, triangles, segments, boxes and spheres; closest points.
 
+mod closest;
 mod error_bound;
 mod kernel;
 
+pub use self::closest::Closest;
 use self::kernel::{Reach, around};
 use super::Overlaps;
 use super::orientation::from;
@@ -141,7 +143,7 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Sphere<S> {
     /// exact integers.
     ///
     /// *Panics*: never. *Cost*: 9 comparisons if a coordinate separates; 14 multiplications if the
-    /// plane does; 41 over the face, and up to 86 otherwise.
+    /// plane does; 41 over the face, and 19 more for each edge that the centre lies outside of.
     ///
     /// ```
     /// use septum::{Sphere, Triangle};
@@ -179,8 +181,8 @@ impl<S: Scalar> Overlaps<Segment<S>> for Sphere<S> {
     ///
     /// let s = Segment::new([0.0_f64, 0.0, 0.0], [4.0, 3.0, 0.0])?;
     /// assert!(Sphere::new([-3.0, 4.0, 0.0], 5.0)?.overlaps(&s)); // touches the end
-    /// assert!(Sphere::new([-1.0, 7.0, 0.0], 5.0)?.overlaps(&s)); // touches the line
-    /// assert!(!Sphere::new([-1.0, 7.0, 1e-7], 5.0)?.overlaps(&s));
+    /// assert!(Sphere::new([-1.0, 5.5, 0.0], 5.0)?.overlaps(&s)); // touches the line
+    /// assert!(!Sphere::new([-1.0, 5.5, 1e-7], 5.0)?.overlaps(&s));
     /// # Ok::<(), septum::ShapeError>(())
     /// ```
     #[inline]
@@ -241,7 +243,7 @@ impl<S: Scalar> Overlaps<Self> for Sphere<S> {
 }
 
 impl<S: Scalar> Sphere<S> {
-    /// Does the sphere contain a point? In other words: is a point within this distance of another?
+    /// Does the sphere contain a point: is that within the radius of the centre?
     ///
     /// *Geometry*: a closed ball. No sphere contains a point with a NaN or infinite coordinate.
     ///

@@ -14,6 +14,9 @@ pub trait Sample: Scalar {
     /// Integers of this many bits are exact in [`whole`](Self::whole).
     const WHOLE_BITS: u32;
 
+    /// Whether the type is a float.
+    const IS_FLOAT: bool;
+
     /// The name of the type.
     fn name() -> String;
 
@@ -69,6 +72,7 @@ macro_rules! float_sample {
             const LEAST: Self = $float::MIN;
             const GREATEST: Self = $float::MAX;
             const WHOLE_BITS: u32 = $float::MANTISSA_DIGITS;
+            const IS_FLOAT: bool = true;
 
             fn name() -> String {
                 stringify!($float).into()
@@ -118,6 +122,7 @@ macro_rules! fixed_sample {
             const LEAST: Self = Self::MIN;
             const GREATEST: Self = Self::MAX;
             const WHOLE_BITS: u32 = $raw::BITS - 1;
+            const IS_FLOAT: bool = false;
 
             fn name() -> String {
                 format!("I{}F{}", Self::INT_NBITS, Self::FRAC_NBITS)

@@ -7,13 +7,14 @@
 //! faces and the interior of each axis. The crate decides first which feature is nearest, and
 //! compares cross products.
 
+mod closest;
 mod sets;
 
 use core::cmp::Ordering;
 
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
-use septum::{Segment, Sphere, Triangle};
+use septum::{Closest, Segment, Sphere, Triangle};
 
 pub use sets::SphereSet;
 
@@ -76,23 +77,31 @@ fn dot(a: &[IBig; 3], b: &[IBig; 3]) -> IBig {
     &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
 }
 
-/// The squared distance of the origin from the points, as a fraction.
-fn from_hull(points: &[[IBig; 3]]) -> (IBig, IBig) {
-    let minus = |a: &[IBig; 3], b: &[IBig; 3]| [0, 1, 2].map(|i: usize| &a[i] - &b[i]);
-    let mut best: Option<(IBig, IBig)> = None;
-    let mut add = |num: IBig, den: IBig| {
-        if best.as_ref().is_none_or(|(n, d)| &num * d < n * &den) {
-            best = Some((num, den));
+fn minus(a: &[IBig; 3], b: &[IBig; 3]) -> [IBig; 3] {
+    [0, 1, 2].map(|i: usize| &a[i] - &b[i])
+}
+
+/// A fraction, whose divisor is above zero.
+type Fraction = (IBig, IBig);
+
+/// The squared distance of the origin from the points' hull, and the closest point as fractions
+/// with one divisor.
+fn from_hull(points: &[[IBig; 3]]) -> (Fraction, ([IBig; 3], IBig)) {
+    let mut best: Option<(Fraction, ([IBig; 3], IBig))> = None;
+    let mut add = |num: IBig, den: IBig, at: [IBig; 3]| {
+        if best.as_ref().is_none_or(|((n, d), _)| &num * d < n * &den) {
+            best = Some(((num, den.clone()), (at, den)));
         }
     };
     for (i, p) in points.iter().enumerate() {
-        add(dot(p, p), IBig::ONE);
+        add(dot(p, p), IBig::ONE, p.clone());
         for q in &points[..i] {
             let e = minus(q, p);
             let (ee, ep, pp) = (dot(&e, &e), dot(&e, p), dot(p, p));
             // The weight of q is −e·p/e·e.
             if ee > IBig::ZERO && ep <= IBig::ZERO && -&ep <= ee {
-                add(&pp * &ee - &ep * &ep, ee);
+                let at = [0, 1, 2].map(|i: usize| &p[i] * &ee - &e[i] * &ep);
+                add(&pp * &ee - &ep * &ep, ee, at);
             }
         }
     }
@@ -104,7 +113,8 @@ fn from_hull(points: &[[IBig; 3]]) -> (IBig, IBig) {
         let (u, v) = (&ef * &pf - &ff * &pe, &ef * &pe - &ee * &pf);
         if gram > IBig::ZERO && u >= IBig::ZERO && v >= IBig::ZERO && &u + &v <= gram {
             let num = &pp * &gram + &u * &pe + &v * &pf;
-            add(num, gram);
+            let at = [0, 1, 2].map(|i: usize| &p[i] * &gram + &e[i] * &u + &f[i] * &v);
+            add(num, gram, at);
         }
     }
     best.expect("a point")
@@ -141,9 +151,9 @@ fn squared(point: [Parts; 3], other: Other<Parts>) -> Squared {
         (Other::Center(..), [c, h]) => {
             let [p, q] = [-IBig::ONE, IBig::ONE]
                 .map(|sign| to(&[0, 1, 2].map(|i: usize| &c[i] + &sign * &h[i])));
-            from_hull(&[p, q])
+            from_hull(&[p, q]).0
         }
-        (_, points) => from_hull(&points.iter().map(to).collect::<Vec<_>>()),
+        (_, points) => from_hull(&points.iter().map(to).collect::<Vec<_>>()).0,
     };
     Squared { num, den, unit }
 }
@@ -169,6 +179,19 @@ impl<S: Sample> SphereCase<S> {
     pub fn truth(&self) -> Ordering {
         let more = if let Other::Sphere(_, r) = self.other { r } else { S::ZERO };
         self.squared().compare(&[self.radius, more].map(S::mantissa_exponent))
+    }
+
+    /// The point of a triangle or of a segment closest to the centre; `None` for other shapes.
+    pub fn closest(&self) -> Option<Closest<S>> {
+        let found = match self.other {
+            Other::Triangle([a, b, c]) => Triangle::new(a, b, c).ok()?.closest_point(self.center),
+            Other::Ends([a, b]) => Segment::new(a, b).ok()?.closest_point(self.center),
+            Other::Center(c, h) => {
+                Segment::from_center_half_vector(c, h).ok()?.closest_point(self.center)
+            }
+            _ => return None,
+        };
+        Some(found.expect("a finite point"))
     }
 
     /// The crate's answers to every query about the pair, which must all agree.
