@@ -19,6 +19,8 @@ const canvas = at('scene');
 const view = new View();
 const picture = new Picture(at('picture'));
 const overlay = new Overlay(canvas, at('floor'), view);
+// No file is dropped on a phone.
+if (matchMedia('(hover: none)').matches) at('hint').textContent = at('hint').textContent.replace(/ Drop an OBJ.*/, '');
 const HINT = at('hint').textContent;
 const [reading, filling] = [new Work(), new Work()];
 const { nearest } = SCALARS[0];
@@ -114,11 +116,21 @@ async function voxelize() {
         if (error instanceof Superseded) return;
         at('banner').hidden = false;
         at('banner').textContent = error.message;
-        // No voxels are better than those of another grid.
-        if (state.grid) picture.faces = picture.marked = new Uint32Array(0);
+        blank();
     }
     panel.reportWork(null);
     document.body.dataset.busy = '';
+}
+
+/** Shows no voxels: that is better than those of another grid, or of another mesh. */
+function blank() {
+    picture.faces = picture.marked = new Uint32Array(0);
+    panel.reportNoVoxels();
+    draw();
+    if (state.grid) return;
+    panel.reportPicked(null);
+    // A canvas whose size is set is empty.
+    for (const each of [canvas, at('picture'), at('floor')]) each.width = each.width;
 }
 
 /** Takes a file, if there is a mesh in it. */

@@ -9,6 +9,7 @@ const count = (n) => n.toLocaleString('en');
 /** A number of `f32`, by as few digits as tell it from its neighbours. */
 export const show = SCALARS[0].show;
 const shown = (x) => minus(show(x));
+const some = (n, what) => `${count(n)} ${what}${n === 1 ? '' : 's'}`;
 const place = (vertex) => `(${vertex.map(shown).join(', ')})`;
 
 /** A time in ms, to two digits. */
@@ -19,17 +20,23 @@ export function ms(time) {
 
 /** The mesh, and whether it is closed. */
 export function reportMesh({ name, triangles, vertices, edge }) {
-    at('mesh').textContent = `${name}: ${count(triangles)} triangles, ${count(vertices)} vertices.`;
+    at('mesh').textContent = `${name}: ${some(triangles, 'triangle')}, ${count(vertices)} ${vertices === 1 ? 'vertex' : 'vertices'}.`;
     at('closed').textContent = edge
-        ? `It is open, for one at the edge from ${place(edge[0])} to ${place(edge[1])}. Inside is what lies so along x.`
+        ? `It is open, for example at the edge from ${place(edge[0])} to ${place(edge[1])}. Inside are points from which the positive x axis crosses it an odd number of times.`
         : 'It is closed.';
 }
 
 /** The voxels. */
 export function reportVoxels({ size, count: set, open, time, isSolid }) {
-    at('word').textContent = `${count(set)} voxels`;
+    at('word').textContent = some(set, 'voxel');
     const rows = open === 0 ? '' : ` ${count(open)} ${open === 1 ? 'row does' : 'rows do'} not close, and have no inside.`;
     at('why').textContent = `${isSolid ? 'Surface and inside' : 'Surface'} in ${size.map(count).join(' × ')}, in ${ms(time)}.${rows}`;
+}
+
+/** That there are none; the banner says why. */
+export function reportNoVoxels() {
+    at('word').textContent = 'No voxels';
+    at('why').textContent = '';
 }
 
 /** The triangle that was picked, or `null`. */

@@ -4,7 +4,7 @@ import { CUBE_OBJ, CUBE_TEXT, RUBBISH, cubeStl, waves } from './files.mjs';
 import { golden } from './teapot.mjs';
 
 const count = (n) => n.toLocaleString('en');
-const voxels = (n) => `${count(n)} voxels`;
+const voxels = (n) => `${count(n)} voxel${n === 1 ? '' : 's'}`;
 const [TEAPOT] = golden.filter(({ resolution }) => resolution === 64);
 
 const idle = (page) => page.until(`document.body.dataset.ready && document.body.dataset.busy === ''`);
@@ -157,6 +157,8 @@ async function files(page) {
         if (!says.test(text)) wrong.push(`${name}: ${text}`);
         if (!late && !(await page.text('mesh')).startsWith('chosen.obj')) wrong.push(`${name}: the mesh before is gone`);
         if (late) {
+            if (await page.text('word') !== 'No voxels' || (await drawn(page, 'floor')).count > 0) wrong.push(`${name}: voxels of the mesh before`);
+            if (!/: 1 triangle, \d ver/.test(await page.text('mesh'))) wrong.push(`${name}: ${await page.text('mesh')}`);
             await drop(page, 'chosen.obj', CUBE_OBJ);
             await page.until(`document.getElementById('banner').hidden && document.body.dataset.busy === ''`);
         }
@@ -185,6 +187,7 @@ async function phone(page) {
     const small = await page.evaluate(`[...document.querySelectorAll('button, label:not([for]), input:not([type=radio])')]
         .filter((element) => element.checkVisibility() && element.getBoundingClientRect().height < 44).map(({ id, textContent }) => id || textContent)`);
     check(`on a phone all that is touched is at least 44 px tall${small.map((name) => `, not ${name}`).join('')}`, small.length === 0);
+    check('and no file is to be dropped', !/[Dd]rop /.test(await page.text('hint')));
     check('nothing is wider than the screen', await page.evaluate('document.documentElement.scrollWidth') <= 390);
     const [x, y] = await page.middle('#scene');
     const apart = (by) => [[x - by, y], [x + by, y]];
