@@ -1,8 +1,8 @@
 use super::Cells;
 use super::each_overlap::each;
+use super::triangle_axes::OfOneSize;
 use super::triangles::lane;
 use crate::arithmetic::FirstFloat;
-use crate::query::OfOneSize;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 

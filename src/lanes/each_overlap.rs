@@ -1,8 +1,8 @@
 //! One triangle against N boxes, and one box against N triangles, exactly.
 
+use super::triangle_axes::TriangleAxes;
 use super::triangles::lane;
 use super::{Aabbs, Triangles};
-use crate::query::TriangleAxes;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle};
 

@@ -43,6 +43,7 @@ mod normal_triangles;
 mod ranges;
 mod rays;
 mod slab_rays;
+mod triangle_axes;
 mod triangles;
 
 pub use aabbs::Aabbs;

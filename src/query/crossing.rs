@@ -1,6 +1,6 @@
 //! The faces through which a ray enters a box and leaves it.
 
-use super::triangle_aabb::negated;
+use super::axis::negated;
 use super::{Axis, HasAxes};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;

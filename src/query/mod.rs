@@ -12,6 +12,7 @@
 //! * `crossing`: the faces through which a ray enters a box and leaves it;
 //! * `orientation`: signs of volumes, for triangles, segments and points against triangles;
 //! * `obb_rows`, `obb_short`: oriented boxes in vectors of floats, and in short integers;
+//! * `one_sided`: triangle and axis-aligned box in machine words;
 //! * `relation`: disjoint, touching or overlapping, from separating axes;
 //! * `either_order`: the pairs with their arguments exchanged;
 //! * `counts`: unit tests of how often questions escalate.
@@ -23,12 +24,14 @@ mod triangle_triangle;
 
 mod aabb_aabb;
 mod aabb_obb;
+mod axis;
 mod crossing;
 mod either_order;
 mod line_obb;
 mod obb_obb;
 mod obb_rows;
 mod obb_short;
+mod one_sided;
 mod plane_aabb;
 mod point_aabb;
 mod point_obb;
@@ -52,6 +55,7 @@ mod line_aabb;
 mod orientation;
 mod relation;
 
+pub use axis::{Axis, HasAxes};
 pub use crossing::Crossing;
 #[cfg(feature = "libm")]
 pub(crate) use normal::direction;
@@ -65,8 +69,8 @@ pub use relation::{Relate, Relation};
 pub(crate) use row_triangle::crossing;
 pub use sphere::Closest;
 pub use sweep::{FirstContact, Motion, Sweep};
-pub use triangle_aabb::{Axis, HasAxes, PreparedTriangle};
-pub(crate) use triangle_aabb::{OfOneSize, TriangleAxes, disjoint_rounded};
+pub use triangle_aabb::PreparedTriangle;
+pub(crate) use triangle_aabb::{bound_of_size, disjoint_rounded, range};
 
 // The trait stands with the shapes, whose methods call it.
 use crate::shape::Overlaps;

@@ -28,7 +28,7 @@
 use super::frame::{BoxForm, Frame};
 use super::kernel::any_axis;
 use super::offsets;
-use crate::arithmetic::{InRaw, Int16, REGISTERS_ARE_WIDE};
+use crate::arithmetic::{InRaw, Int16};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
@@ -42,52 +42,27 @@ pub(super) fn disjoint<S: Scalar + InRaw>(triangle: &Triangle<S>, aabb: &Aabb<S>
         return match offsets::pair::<S, true>(triangle, aabb) {
             Ok(apart) => apart,
             // By value, for the reason given in `overlaps`.
-            Err(_) => disjoint_when_cut_down(triangle, *aabb),
+            Err(_) => disjoint_in_doubt(triangle, *aabb),
         };
     }
-    cut_down_disjoint(triangle, aabb)
+    disjoint_when_cut_down(triangle, aabb)
 }
 
 #[cold]
 #[inline(never)]
-fn disjoint_when_cut_down<S: Scalar + InRaw>(triangle: &Triangle<S>, aabb: Aabb<S>) -> bool {
-    cut_down_disjoint(triangle, &aabb)
+fn disjoint_in_doubt<S: Scalar + InRaw>(triangle: &Triangle<S>, aabb: Aabb<S>) -> bool {
+    disjoint_when_cut_down(triangle, &aabb)
 }
 
 #[inline(always)]
-fn cut_down_disjoint<S: Scalar + InRaw>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bool {
+pub(super) fn disjoint_when_cut_down<S: Scalar + InRaw>(
+    triangle: &Triangle<S>,
+    aabb: &Aabb<S>,
+) -> bool {
     let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
         aabb.form();
     let by_center = matches!(aabb.form(), AabbForm::Center { .. });
-    // A separate call for each form, because values that depend on the form would be kept in
-    // memory. On narrow registers all values are, and one call is less code.
-    match by_center {
-        true if REGISTERS_ARE_WIDE => of_form(triangle, p, q, true),
-        false if REGISTERS_ARE_WIDE => of_form(triangle, p, q, false),
-        _ => of_form(triangle, p, q, by_center),
-    }
-}
-
-#[inline(always)]
-fn of_form<S: Scalar + InRaw>(
-    triangle: &Triangle<S>,
-    p: &Vec3<S>,
-    q: &Vec3<S>,
-    by_center: bool,
-) -> bool {
-    let [a, b, c] = triangle.vertices();
-    let rows = [raw(a), raw(b), raw(c), raw(p), raw(q)];
-    let short = if REGISTERS_ARE_WIDE && are_near(&rows) {
-        cut_down(&differences(&rows, by_center))
-    } else {
-        cut_down_anywhere(triangle, p, q, by_center)
-    };
-    is_disjoint(short, by_center)
-}
-
-/// Whether an axis separates the truncated shapes, with the box grown.
-#[inline(always)]
-fn is_disjoint(([b, c, p, q], grown): ([[i32; 3]; 4], i32), by_center: bool) -> bool {
+    let ([b, c, p, q], grown) = cut_down(triangle, p, q, by_center);
     let form = if by_center {
         BoxForm::Center(p, [q[0] + grown, q[1] + grown, q[2] + grown])
     } else {
@@ -96,47 +71,10 @@ fn is_disjoint(([b, c, p, q], grown): ([[i32; 3]; 4], i32), by_center: bool) -> 
     any_axis(&Frame::<Int16>::new(&[[0; 3], b, c], &form)) == Some(true)
 }
 
-/// Whether all coordinates are within 2^60, so that words hold their differences and sums of a few.
-#[inline(always)]
-fn are_near(rows: &[[i64; 3]; 5]) -> bool {
-    let beyond = rows.as_flattened().iter().fold(0, |beyond, x| beyond | x.wrapping_add(1 << 60));
-    beyond as u64 >> 61 == 0
-}
-
-/// The offsets of the points from the first vertex. A half-extent stays as it is.
-#[inline(always)]
-fn differences([a, b, c, p, q]: &[[i64; 3]; 5], by_center: bool) -> [[i64; 3]; 4] {
-    let from = |x: &[i64; 3]| [x[0] - a[0], x[1] - a[1], x[2] - a[2]];
-    [from(b), from(c), from(p), if by_center { *q } else { from(q) }]
-}
-
-/// The shift for lengths of `bits` bits, and the growth of the box.
-#[inline(always)]
-fn shift(bits: u32) -> (u32, i32) {
-    let shift = bits.saturating_sub(BITS);
-    (shift, if shift > 0 { 2 } else { 0 })
-}
-
-/// Truncates lengths to 18 bits, and returns the growth of the box.
-#[inline(always)]
-fn cut_down(lengths: &[[i64; 3]; 4]) -> ([[i32; 3]; 4], i32) {
-    // For negative d, !d is one less than the magnitude.
-    let size = lengths.as_flattened().iter().fold(0, |size, d| size | (d ^ (d >> 63)));
-    let (shift, grown) = shift(i64::BITS - size.leading_zeros());
-    let mut short = [[0; 3]; 4];
-    for k in 0..4 {
-        for i in 0..3 {
-            short[k][i] = (lengths[k][i] >> shift) as i32;
-        }
-    }
-    (short, grown)
-}
-
-/// The same for shapes whose differences may need 65 bits; on narrow registers for all shapes,
-/// which is less code.
-// It loads the shapes again, because rows passed by reference would be kept in memory for it.
+/// The offsets of the points from the first vertex, truncated to 18 bits, and the growth of the
+/// box. A half-extent is no offset.
 #[inline(never)]
-fn cut_down_anywhere<S: Scalar + InRaw>(
+fn cut_down<S: Scalar + InRaw>(
     triangle: &Triangle<S>,
     p: &Vec3<S>,
     q: &Vec3<S>,
@@ -152,10 +90,11 @@ fn cut_down_anywhere<S: Scalar + InRaw>(
             // The low 64 bits of the difference, and its sign: all ones if negative.
             falls[k][i] = -i64::from(rows[k][i] < from);
             rows[k][i] = rows[k][i].wrapping_sub(from);
+            // For negative d, !d is one less than the magnitude.
             size |= rows[k][i] ^ falls[k][i];
         }
     }
-    let (shift, grown) = shift(i64::BITS - size.leading_zeros());
+    let shift = (i64::BITS - size.leading_zeros()).saturating_sub(BITS);
     let mut short = [[0; 3]; 4];
     for k in 0..4 {
         for i in 0..3 {
@@ -163,7 +102,7 @@ fn cut_down_anywhere<S: Scalar + InRaw>(
             short[k][i] = low | (falls[k][i] as i32) << BITS;
         }
     }
-    (short, grown)
+    (short, if shift > 0 { 2 } else { 0 })
 }
 
 /// The raw bits of a vector.
@@ -172,6 +111,3 @@ fn raw<S: InRaw + Copy>(v: &Vec3<S>) -> [i64; 3] {
     let bits = |x: S| x.raw().into();
     [bits(v.x), bits(v.y), bits(v.z)]
 }
-
-#[cfg(test)]
-mod tests;

@@ -65,9 +65,9 @@ const COARSE: f32 = 1.0 / 512.0;
 
 /// Error bounds of the computed axes.
 #[derive(Clone, Copy)]
-pub(in crate::query) struct ErrorBound<N: Arithmetic> {
-    pub(in crate::query) edge: N::Area,
-    pub(in crate::query) plane: N::Volume,
+pub(crate) struct ErrorBound<N: Arithmetic> {
+    pub(crate) edge: N::Area,
+    pub(crate) plane: N::Volume,
 }
 
 /// The bounds for shapes of this size; `None` if the size is out of range.
@@ -81,7 +81,7 @@ pub(in crate::query) fn error_bound<N: Arithmetic>(size: N::Length) -> Option<Er
 
 /// The same, for callers that know the size to be in range, or check it later.
 #[inline(always)]
-pub(super) fn bound_of_size<N: Arithmetic>(size: N::Length) -> ErrorBound<N> {
+pub(crate) fn bound_of_size<N: Arithmetic>(size: N::Length) -> ErrorBound<N> {
     let square = N::area(size, size);
     ErrorBound { edge: square.error(EDGE), plane: N::volume(square, size).error(PLANE) }
 }

@@ -4,8 +4,8 @@
 
 use core::cmp::Ordering;
 
-use super::Axis;
 use crate::arithmetic::{Parts, pick, three, turn};
+use crate::query::Axis;
 use crate::robust::{ExactSum, Linear, Vector, add_area, add_determinant, difference, sign};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle};

@@ -140,6 +140,6 @@ impl<N: Arithmetic> Frame<N> {
 
 /// Least and greatest coordinate `i` of three points.
 #[inline(always)]
-pub(in crate::query) fn range<L: Number>(t: &[[L; 3]; 3], i: usize) -> (L, L) {
+pub(crate) fn range<L: Number>(t: &[[L; 3]; 3], i: usize) -> (L, L) {
     (least(least(t[0][i], t[1][i]), t[2][i]), greatest(greatest(t[0][i], t[1][i]), t[2][i]))
 }

@@ -8,8 +8,6 @@
 //! or as `offsets` from the box. `kernel`, with `frame`, runs in any number system. `words` uses the
 //! words of 32-bit cores.
 
-mod axis;
-mod clear;
 mod conservative;
 pub(super) mod error_bound;
 pub(super) mod exact;
@@ -19,16 +17,13 @@ mod offsets;
 mod prepared;
 mod relation;
 pub(super) mod rows;
-mod witness;
 mod words;
 
-pub(super) use axis::negated;
-pub use axis::{Axis, HasAxes};
-pub(crate) use clear::{OfOneSize, TriangleAxes};
+pub(crate) use error_bound::bound_of_size;
+pub(crate) use frame::range;
 pub use prepared::PreparedTriangle;
-pub(super) use words::{Projection, one_sided};
 
-use super::Overlaps;
+use super::{Axis, Overlaps};
 use crate::arithmetic::{
     Embeds, Float, InFloat, InWord, OfFour, Quad, REGISTERS_ARE_WIDE, Raw, Rounded, Word,
 };
@@ -206,3 +201,6 @@ pub(crate) fn disjoint_rounded<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>
     // An axis whose numbers overflowed to NaN does not separate.
     Disjoint { triangle, aabb }.filter::<Rounded<S>>() == Some(true)
 }
+
+#[cfg(all(test, feature = "fixed"))]
+mod tests;

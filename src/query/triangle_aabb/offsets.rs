@@ -86,17 +86,17 @@ pub(super) fn are_exact<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bo
     S::are_multiples(&[a, b, c, p, q], size.power_of_two_below() * 0.0625)
 }
 
-type InRows = (Rows<ForOffsets>, InFrame<ForOffsets>);
+pub(super) type InRows = (Rows<ForOffsets>, InFrame<ForOffsets>);
 
 #[inline(always)]
-fn of_center<S: Scalar>(triangle: &Triangle<S>, center: [S; 3], half: [S; 3]) -> InRows {
+pub(super) fn of_center<S: Scalar>(triangle: &Triangle<S>, center: [S; 3], half: [S; 3]) -> InRows {
     let from = |p: [S; 3]| row(|i| p[i].offset(center[i]));
     in_frame(triangle.points().map(from), row(|i| half[i].offset(S::ZERO)))
 }
 
 /// All lengths are doubled.
 #[inline(always)]
-fn of_corners<S: Scalar>(triangle: &Triangle<S>, min: [S; 3], max: [S; 3]) -> InRows {
+pub(super) fn of_corners<S: Scalar>(triangle: &Triangle<S>, min: [S; 3], max: [S; 3]) -> InRows {
     let from = |p: [S; 3]| row(|i| p[i].offset_of_two(min[i], max[i]));
     in_frame(triangle.points().map(from), row(|i| max[i].offset(min[i])))
 }
@@ -148,6 +148,3 @@ fn apart((rows, mut frame): InRows, is_coarse: bool) -> Clear {
     frame.apart = gap(&rows).exceeds(frame.half + ForOffsets::splat(face)) & THREE;
     rows.apart_by_bounds(&frame, beyond, bound, false)
 }
-
-#[cfg(all(test, feature = "fixed"))]
-mod tests;

@@ -46,7 +46,7 @@
 
 use super::Disjoint;
 use crate::arithmetic::{InRaw, ProductSum, Raw, Word, greatest, turn};
-use crate::query::triangle_aabb::{Projection, one_sided};
+use crate::query::one_sided::{Projection, one_sided};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 

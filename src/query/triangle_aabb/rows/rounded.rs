@@ -1,8 +1,7 @@
 //! The kernel in rounded floats: the operations of `kernel.rs`, and so the same answers.
 
 use super::{InFrame, Rows};
-use crate::arithmetic::{FirstFloat, Float, Number, OfFour, Quad, THREE};
-use crate::query::triangle_aabb::clear::first;
+use crate::arithmetic::{FirstFloat, Float, Number, OfFour, Quad, THREE, each};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle};
 
@@ -25,16 +24,18 @@ pub(in crate::query::triangle_aabb) fn disjoint<S: Scalar>(
 #[allow(clippy::too_many_arguments)] // each in a register
 #[inline(never)]
 fn by_center<S: Scalar>(triangle: &Triangle<S>, cx: S, cy: S, cz: S, hx: S, hy: S, hz: S) -> bool {
-    let (center, half) = (First::<S>::of_three(first([cx, cy, cz])), first([hx, hy, hz]));
-    let rows = Rows::new(triangle.points().map(first));
+    let (center, half) =
+        (First::<S>::of_three(each([cx, cy, cz], S::first)), each([hx, hy, hz], S::first));
+    let rows = Rows::new(triangle.points().map(|p| each(p, S::first)));
     rows.seem_apart(&rows.in_frame_of_center(center, First::<S>::of_three(half)))
 }
 
 #[allow(clippy::too_many_arguments)] // each in a register
 #[inline(never)]
 fn by_corners<S: Scalar>(triangle: &Triangle<S>, ax: S, ay: S, az: S, bx: S, by: S, bz: S) -> bool {
-    let (min, max) = (First::<S>::of_three(first([ax, ay, az])), first([bx, by, bz]));
-    let rows = Rows::new(triangle.points().map(first));
+    let (min, max) =
+        (First::<S>::of_three(each([ax, ay, az], S::first)), each([bx, by, bz], S::first));
+    let rows = Rows::new(triangle.points().map(|p| each(p, S::first)));
     let frame = rows.in_frame_of_corners(min, First::<S>::of_three(max));
     // Of the vertices in the frame, as in `kernel.rs`, and not of the given vertices.
     let InFrame { v: [a, b, c], half, .. } = frame;

@@ -1,56 +1,55 @@
-//! The first look at triangle and axis-aligned box, for lanes: the float kernel without branches,
-//! for many pairs at once.
+//! Triangle and axis-aligned box in lanes: the kernel in floats without branches, for many pairs at
+//! once.
 //!
 //! All axes are measured from the first vertex, which takes the fewest steps for each box. On an
 //! edge axis the first vertex either belongs to the edge, or is opposite to it and projects one
 //! component of the normal away. The middle of the triangle's interval is half that component away,
-//! on one of two sides. The bounds of `error_bound.rs` hold for either.
+//! on one of two sides. The bounds of `triangle_aabb` hold for either.
 
-use super::error_bound::bound_of_size;
-use super::frame::range;
 use crate::arithmetic::{
     Filtered, FirstFloat, Float, Number, cross, dot, greatest, two_difference,
 };
+use crate::query::{bound_of_size, range};
 
 /// The three points of a triangle.
 type Points<S> = [[S; 3]; 3];
 
 /// The values of a triangle that are the same for every box.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct TriangleAxes<F> {
+pub(super) struct TriangleAxes<F> {
     /// The first vertex.
-    pub(super) origin: [F; 3],
+    origin: [F; 3],
     /// The least and the greatest coordinates of the vertices.
-    pub(super) low: [F; 3],
-    pub(super) high: [F; 3],
+    low: [F; 3],
+    high: [F; 3],
     /// The edges, each from a vertex to the next.
-    pub(super) edges: Points<F>,
-    pub(super) normal: [F; 3],
+    edges: Points<F>,
+    normal: [F; 3],
     /// Half the normal: on the axis of an edge, the distance from the first vertex's projection to
     /// the middle of the triangle's interval.
-    pub(super) middle: [F; 3],
+    middle: [F; 3],
     /// For each edge and coordinate axis, half the length of the triangle's interval.
-    pub(super) radii: Points<F>,
+    radii: Points<F>,
     /// Added to the box's radius on the normal.
-    pub(super) spare: F,
+    spare: F,
     /// Whether no coordinate was rounded when it became a float.
-    pub(super) are_held: bool,
+    are_held: bool,
 }
 
 /// The gaps between triangle and box: the greatest of the nine on edge axes, and the gap on the
 /// normal; and their error bounds.
-pub(super) struct Gaps<F> {
-    pub(super) edges: F,
-    pub(super) plane: F,
-    pub(super) edges_error: F,
-    pub(super) plane_error: F,
+struct Gaps<F> {
+    edges: F,
+    plane: F,
+    edges_error: F,
+    plane_error: F,
 }
 
 impl<F: Float> Gaps<F> {
     /// Whether an axis separates, and whether that is certain. `face` says that a face separates,
     /// `no_face` that none does, and `is_known` that the error bounds are valid.
     #[inline(always)]
-    pub(super) fn verdict(&self, face: bool, no_face: bool, is_known: bool) -> (bool, bool) {
+    fn verdict(&self, face: bool, no_face: bool, is_known: bool) -> (bool, bool) {
         let apart = (self.edges > self.edges_error) | (self.plane > self.plane_error);
         let none =
             self.edges.is_not_above(self.edges_error) & self.plane.is_not_above(self.plane_error);
@@ -61,7 +60,7 @@ impl<F: Float> Gaps<F> {
 
 impl<F: Float> TriangleAxes<F> {
     #[inline(always)]
-    pub(crate) fn new<S: FirstFloat<SeptumFirst = F>>([a, b, c]: Points<S>) -> Self {
+    pub(super) fn new<S: FirstFloat<SeptumFirst = F>>([a, b, c]: Points<S>) -> Self {
         let points = &[first(a), first(b), first(c)];
         let [a, b, c] = points;
         let edges = [minus(b, a), minus(c, b), minus(a, c)];
@@ -99,7 +98,7 @@ impl<F: Float> TriangleAxes<F> {
 
     /// The greatest gap on the edge axes, with the first vertex at `v` in the frame of the box.
     #[inline(always)]
-    pub(super) fn edges(&self, v: &[F; 3], radius: impl Fn(usize, usize) -> F) -> F {
+    fn edges(&self, v: &[F; 3], radius: impl Fn(usize, usize) -> F) -> F {
         let mut most = None;
         for k in 0..3 {
             for i in 0..3 {
@@ -115,19 +114,19 @@ impl<F: Float> TriangleAxes<F> {
     }
 
     #[inline(always)]
-    pub(super) fn edge_radius(&self, half: &[F; 3], k: usize, i: usize) -> F {
+    fn edge_radius(&self, half: &[F; 3], k: usize, i: usize) -> F {
         let (e, j, l) = (&self.edges[k], (i + 1) % 3, (i + 2) % 3);
         self.radii[k][i] + (e[l].magnitude() * half[j] + e[j].magnitude() * half[l])
     }
 
     #[inline(always)]
-    pub(super) fn plane_radius(&self, half: &[F; 3]) -> F {
+    fn plane_radius(&self, half: &[F; 3]) -> F {
         self.spare + dot::<Filtered<F>>(&self.normal.map(F::magnitude), half)
     }
 
     /// The error bounds of the gaps, and whether they are valid.
     #[inline(always)]
-    pub(super) fn errors(&self, half: &[F; 3]) -> ([F; 2], bool) {
+    fn errors(&self, half: &[F; 3]) -> ([F; 2], bool) {
         let span = |i: usize| half[i] + (self.high[i] - self.low[i]);
         let size = greatest(greatest(span(0), span(1)), span(2));
         let bound = bound_of_size::<Filtered<F>>(size);
@@ -147,7 +146,7 @@ impl<F: Float> TriangleAxes<F> {
     /// Whether an axis separates the triangle from the box with these corners, and whether that is
     /// certain.
     #[inline(always)]
-    pub(crate) fn apart_by_corners<S>(&self, min: [S; 3], max: [S; 3]) -> (bool, bool)
+    pub(super) fn apart_by_corners<S>(&self, min: [S; 3], max: [S; 3]) -> (bool, bool)
     where
         S: FirstFloat<SeptumFirst = F>,
     {
@@ -167,7 +166,7 @@ impl<F: Float> TriangleAxes<F> {
 
     /// The same for a box with this centre and these half-extents.
     #[inline(always)]
-    pub(crate) fn apart_by_center<S>(&self, center: [S; 3], half: [S; 3]) -> (bool, bool)
+    pub(super) fn apart_by_center<S>(&self, center: [S; 3], half: [S; 3]) -> (bool, bool)
     where
         S: FirstFloat<SeptumFirst = F>,
     {
@@ -186,7 +185,7 @@ impl<F: Float> TriangleAxes<F> {
 
 /// Whether all coordinates became floats without rounding.
 #[inline(always)]
-pub(super) fn are_held<S: FirstFloat>(points: &[[S::SeptumFirst; 3]]) -> bool {
+fn are_held<S: FirstFloat>(points: &[[S::SeptumFirst; 3]]) -> bool {
     let Some(limit) = S::FIRST_LIMIT else { return true };
     let mut are_held = true;
     for p in points {
@@ -197,18 +196,18 @@ pub(super) fn are_held<S: FirstFloat>(points: &[[S::SeptumFirst; 3]]) -> bool {
 }
 
 #[inline(always)]
-pub(super) fn minus<F: Float>(a: &[F; 3], b: &[F; 3]) -> [F; 3] {
+fn minus<F: Float>(a: &[F; 3], b: &[F; 3]) -> [F; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 #[inline(always)]
-pub(super) fn first<S: FirstFloat>([x, y, z]: [S; 3]) -> [S::SeptumFirst; 3] {
+fn first<S: FirstFloat>([x, y, z]: [S; 3]) -> [S::SeptumFirst; 3] {
     [x.first(), y.first(), z.first()]
 }
 
 /// A triangle against boxes of one size, by their centres.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct OfOneSize<F> {
+pub(super) struct OfOneSize<F> {
     axes: TriangleAxes<F>,
     radii: [[F; 3]; 3],
     plane_radius: F,
@@ -221,7 +220,7 @@ pub(crate) struct OfOneSize<F> {
 impl<F: Float> OfOneSize<F> {
     /// `None` if the error bounds of floats do not apply.
     #[inline(always)]
-    pub(crate) fn new<S: FirstFloat<SeptumFirst = F>>(
+    pub(super) fn new<S: FirstFloat<SeptumFirst = F>>(
         points: [[S; 3]; 3],
         half: [S; 3],
     ) -> Option<Self> {
@@ -251,7 +250,7 @@ impl<F: Float> OfOneSize<F> {
     /// Whether an axis separates the triangle from the box with this centre, and whether that is
     /// certain.
     #[inline(always)]
-    pub(crate) fn apart<S: FirstFloat<SeptumFirst = F>>(&self, center: [S; 3]) -> (bool, bool) {
+    pub(super) fn apart<S: FirstFloat<SeptumFirst = F>>(&self, center: [S; 3]) -> (bool, bool) {
         let center = first(center);
         let [low, high] = &self.reach;
         let gap = |i: usize| greatest(low[i] - center[i], center[i] - high[i]);

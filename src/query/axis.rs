@@ -1,6 +1,5 @@
 use core::cmp::Ordering;
 
-use super::exact::ExactTriangle;
 use crate::arithmetic::{Parts, compare, each, pick, three, turn};
 use crate::robust::{ExactSum, Vector, add_determinant, difference, single};
 use crate::scalar::Scalar;
@@ -196,19 +195,23 @@ impl<S: Scalar> sealed::HasAxes<S> for Triangle<S> {
     }
 
     fn along(&self, axis: Axis, way: [Vec3<S>; 2]) -> Ordering {
-        let triangle = ExactTriangle::new(&self.points());
+        let points = self.points().map(|p| p.map(S::parts));
+        let side = |k: usize| -> Vector {
+            let (k, next, _) = turn(k % 3);
+            three(|i| difference(pick(&points, next)[i], pick(&points, k)[i]))
+        };
         let [from, to] = way.map(|p| p.to_array().map(S::parts));
         let d: Vector = three(|i| difference(to[i], from[i]));
         let mut sum = S::SeptumSum::new();
         match axis {
             Axis::Face(i) => return along_unit(i, way),
-            Axis::Normal => add_determinant(&mut sum, &triangle.edge(0), &triangle.edge(1), &d),
+            Axis::Normal => add_determinant(&mut sum, &side(0), &side(1), &d),
             Axis::Edge { axis, edge } => {
                 let unit = three(|i| {
                     let is_axis = i == usize::from(axis % 3);
                     single(if is_axis { Parts::UNIT } else { Parts::ZERO })
                 });
-                add_determinant(&mut sum, &unit, &triangle.edge(usize::from(edge % 3)), &d);
+                add_determinant(&mut sum, &unit, &side(edge.into()), &d);
             }
         }
         sum.sign()

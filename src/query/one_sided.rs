@@ -1,0 +1,199 @@
+//! Triangle and axis-aligned box in machine words, for narrow registers: shared by the kernel of the
+//! two and by the first stage of triangle and oriented box.
+
+use crate::arithmetic::{ProductSum, Word, out_of_line_if_wide};
+
+/// Whether one of the remaining 10 axes separates a triangle from a box, if no face of the box does
+/// ([`Projection::are_apart`]). For cores on which a product of words is cheap and a wider one is
+/// not.
+///
+/// Each edge axis is tested on one side only. On x_i × e_k the vertices of edge k project to zero,
+/// and the opposite vertex to n_i, a component of the normal. Along x_i we see a triangle and a
+/// rectangle in a plane. If they are disjoint, a line along one of their sides separates them: a
+/// side of the rectangle, which is a face of the box, or a side of the triangle with the whole
+/// rectangle on its outer side; the sign of n_i says which side that is. (If n_i is zero, the
+/// three edges lie on one line. They do not all point the same way, so together they test both
+/// sides.)
+///
+/// Only the signs of areas and volumes are needed: see [`ProductSum`].
+#[inline(never)]
+pub(super) fn one_sided<W: Word>(shapes: &[Projection<W>; 3]) -> bool {
+    in_areas::<W, W::Sum>(shapes)
+}
+
+#[inline(always)]
+fn in_areas<W: Word, A: ProductSum<W>>(shapes: &[Projection<W>; 3]) -> bool {
+    let [x, y, z] = shapes;
+    let n: [A; 3] = [normal(y, z), normal(z, x), normal(x, y)];
+    let turned = [turned(n[0], y, z), turned(n[1], z, x), turned(n[2], x, y)];
+    turned.iter().any(|(j, l)| an_edge_misses::<W, A>(j, l))
+        || [false, true].iter().any(|&in_mirror| is_behind(shapes, &n, in_mirror))
+}
+
+/// A triangle and a box, projected on one coordinate axis, relative to the least corner of the box.
+#[derive(Clone, Copy)]
+pub(super) struct Projection<W> {
+    /// The vertices.
+    t: [W; 3],
+    /// The extent of the box.
+    size: W,
+}
+
+impl<W: Word> Projection<W> {
+    /// The projection of these vertices, and of the box from `min` with extent `size`.
+    #[inline(always)]
+    pub(super) fn new(min: W, size: W, [a, b, c]: [W; 3]) -> Self {
+        Self { t: [a.minus(min), b.minus(min), c.minus(min)], size }
+    }
+
+    /// Whether words have room for every result computed from these lengths. The lengths themselves
+    /// must not have wrapped.
+    #[inline(always)]
+    pub(super) fn are_near([x, y, z]: &[Self; 3]) -> bool {
+        (x.lengths() | y.lengths() | z.lengths()).is_near()
+    }
+
+    /// Whether a face of the box separates.
+    #[inline(always)]
+    pub(super) fn are_apart(shapes: &[Self; 3]) -> bool {
+        shapes.iter().any(Self::is_apart)
+    }
+
+    /// The same with the box grown on either side.
+    #[inline(always)]
+    pub(super) fn grown(self, by: W) -> Self {
+        let [a, b, c] = self.t;
+        Self { t: [a.plus(by), b.plus(by), c.plus(by)], size: self.size.plus(by).plus(by) }
+    }
+
+    /// The vertices and the size.
+    #[cfg(all(test, feature = "fixed"))]
+    pub(super) fn parts(&self) -> ([W; 3], W) {
+        (self.t, self.size)
+    }
+
+    /// Whether a box has shrunk to nothing.
+    #[inline(always)]
+    pub(super) fn is_void([x, y, z]: &[Self; 3]) -> bool {
+        x.size | y.size | z.size < W::ZERO
+    }
+
+    /// A number at least as long as each of the lengths, and less than twice as long as the
+    /// longest.
+    #[inline(always)]
+    fn lengths(&self) -> W {
+        let [a, b, c] = self.t;
+        a.folded() | b.folded() | c.folded() | self.size
+    }
+
+    /// Whether the axis separates: all three differences have the same sign.
+    #[inline(always)]
+    fn is_apart(&self) -> bool {
+        let ([a, b, c], size) = (self.t, self.size);
+        a & b & c < W::ZERO || (size - a) & (size - b) & (size - c) < W::ZERO
+    }
+}
+
+/// The component of the normal along the axis that precedes j and l.
+#[inline(always)]
+fn normal<W: Word, A: ProductSum<W>>(j: &Projection<W>, l: &Projection<W>) -> A {
+    out_of_line_if_wide!(W, {
+        let ([a, b, c], [p, q, r]) = (j.t, l.t);
+        A::new(b - a, r - q, b - c, q - p)
+    })
+}
+
+/// The two axes in the order in which the triangle turns from the first to the second; a clockwise
+/// triangle exchanges them.
+#[inline(always)]
+fn turned<'a, W: Word, A: ProductSum<W>>(
+    n: A,
+    j: &'a Projection<W>,
+    l: &'a Projection<W>,
+) -> (&'a Projection<W>, &'a Projection<W>) {
+    if n.sign() < W::ZERO { (l, j) } else { (j, l) }
+}
+
+/// Whether an edge of a triangle that turns from `j` to `l` has the whole box on its outer side:
+/// all x with e_j·(x_l − v_l) < e_l·(x_j − v_j).
+#[inline(always)]
+fn an_edge_misses<W: Word, A: ProductSum<W>>(j: &Projection<W>, l: &Projection<W>) -> bool {
+    out_of_line_if_wide!(W, {
+        let (mut vj, mut vl) = (j.t[2], l.t[2]);
+        for (&next_j, &next_l) in j.t.iter().zip(&l.t) {
+            // As a sum, which takes one instruction less. For a zero component either end will do.
+            let (ej, el) = (vj - next_j, next_l - vl);
+            let (xj, xl) = (j.size.where_negative(el), l.size.where_negative(ej));
+            if A::new(vl - xl, ej, vj - xj, el).sign() < W::ZERO {
+                return true;
+            }
+            (vj, vl) = (next_j, next_l);
+        }
+        false
+    })
+}
+
+/// Whether the whole box lies behind the plane of the triangle, tested at the corner farthest along
+/// the normal, one of the two critical corners of Haines and Wallace. With `in_mirror`, whether it
+/// lies in front.
+#[inline(always)]
+fn is_behind<W: Word, A: ProductSum<W>>(
+    shapes: &[Projection<W>; 3],
+    n: &[A; 3],
+    in_mirror: bool,
+) -> bool {
+    out_of_line_if_wide!(W, {
+        let mut volume = A::ZERO;
+        for (s, &n) in shapes.iter().zip(n) {
+            let up = n.sign();
+            let beyond = if in_mirror {
+                s.t[0] - s.size.where_negative(up)
+            } else {
+                s.size.unless_negative(up) - s.t[0]
+            };
+            volume = A::sum(volume, n, beyond);
+        }
+        A::is_negative(volume)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arithmetic::SplitSum;
+
+    /// All ways to hold an area agree, on the widest shapes that a word permits and in contact.
+    /// `tests/` checks that they are right.
+    #[test]
+    fn areas_agree() {
+        let mut seed = 1_u32;
+        let mut below = |n: u32| {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            ((u64::from(seed) * u64::from(n)) >> 32) as i32
+        };
+        for (bits, is_narrow) in [(18, true), (29, false)] {
+            let far = (1 << bits) - 1;
+            let mut apart = 0;
+            for case in 0..100_000 {
+                let projections = [(); 3].map(|()| match case % 3 {
+                    0 => ([(); 3].map(|()| below(2 * far as u32 + 1) - far), below(1 << bits)),
+                    1 => {
+                        ([(); 3].map(|()| [-far, -1, 0, 1, far][below(5) as usize]), far * below(2))
+                    }
+                    _ => ([(); 3].map(|()| below(13) - 4), 4),
+                });
+                let short = projections.map(|(t, size)| Projection { t, size });
+                let long = projections
+                    .map(|(t, size)| Projection { t: t.map(i64::from), size: i64::from(size) });
+                let verdict = in_areas::<_, SplitSum<_>>(&long);
+                assert_eq!(verdict, in_areas::<_, i64>(&short), "{projections:?}");
+                assert!(
+                    !is_narrow || verdict == in_areas::<_, SplitSum<_>>(&short),
+                    "{projections:?}"
+                );
+                apart += u32::from(verdict);
+            }
+            assert!((25_000..75_000).contains(&apart), "{apart} of 100,000 are apart");
+        }
+    }
+}
