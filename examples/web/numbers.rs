@@ -1,13 +1,7 @@
-//! The numbers of questions and answers. Each of the two modules has its own.
+//! The numbers of questions and answers.
 #![allow(unsafe_code, reason = "an export")]
 
 use core::sync::atomic::{AtomicU32, Ordering};
-
-use dlmalloc::GlobalDlmalloc;
-
-/// The module for meshes needs it. The other one is built beside it, and does not keep it.
-#[global_allocator]
-static ALLOCATOR: GlobalDlmalloc = GlobalDlmalloc;
 
 /// The numbers of a question, as bits.
 pub(crate) static NUMBERS: [AtomicU32; 15] = [const { AtomicU32::new(0) }; 15];

@@ -4,10 +4,13 @@ import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-const FOLDER = fileURLToPath(new URL('.', import.meta.url));
+const [FOLDER, REPOSITORY] = ['.', '../..'].map((path) => fileURLToPath(new URL(path, import.meta.url)));
+/** What the page takes from the repository: where it lies is the same in both. */
+const PACKAGE = /^\/bindings\/npm\/(js|dist)\//;
 const TYPES = {
     '.html': 'text/html; charset=utf-8',
     '.css': 'text/css',
+    '.js': 'text/javascript',
     '.mjs': 'text/javascript',
     '.wasm': 'application/wasm',
 };
@@ -22,7 +25,7 @@ export function serve(further, port) {
         const { pathname } = new URL(request.url, 'http://localhost');
         const name = pathname.endsWith('/') ? `${pathname}index.html` : pathname;
         try {
-            const bytes = await readFile(files[name.slice(1)] ?? join(FOLDER, normalize(name)));
+            const bytes = await readFile(files[name.slice(1)] ?? join(PACKAGE.test(normalize(name)) ? REPOSITORY : FOLDER, normalize(name)));
             response.writeHead(200, {
                 'content-type': TYPES[extname(name)] ?? 'application/octet-stream',
                 'cache-control': 'no-store',

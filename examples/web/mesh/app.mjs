@@ -1,18 +1,20 @@
-// The page: holds a mesh, its voxels and a point, asks the module about them, and shows what it
+// The page: holds a mesh, its voxels and a point, asks the package about them, and shows what it
 // says.
-import { find } from '../find.mjs';
+import { Mesh, init } from '../../../bindings/npm/js/index.js';
+import { atOnce } from '../../../bindings/npm/js/steps.js';
 import { read } from '../read.mjs';
 import { SCALARS } from '../scalar.mjs';
-import { Picture } from './draw.mjs';
+import { Clock } from './clock.mjs';
+import { Picture, soupOf } from './draw.mjs';
 import { facesOf } from './faces.mjs';
 import { isYUp, readMesh } from './file.mjs';
 import { listen, listenToKeys } from './hands.mjs';
-import { Mesh } from './module.mjs';
 import { Broken } from './numbers.mjs';
 import { Overlay } from './overlay.mjs';
 import * as panel from './panel.mjs';
+import { orNull, sentence } from './refusal.mjs';
 import { View } from './view.mjs';
-import { Superseded, Work } from './work.mjs';
+import { Superseded, Work, busily, run } from './work.mjs';
 
 const at = (id) => document.getElementById(id);
 const canvas = at('scene');
@@ -22,11 +24,9 @@ const overlay = new Overlay(canvas, at('floor'), view);
 // No file is dropped on a phone.
 if (matchMedia('(hover: none)').matches) at('hint').textContent = at('hint').textContent.replace(/ Drop an OBJ.*/, '');
 const HINT = at('hint').textContent;
-const [reading, filling] = [new Work(), new Work()];
+const [reading, filling, showing, copying] = Array.from({ length: 4 }, () => new Work());
+const clock = new Clock();
 const { nearest } = SCALARS[0];
-
-/** How many indices a mesh has whose tree takes longer than a moment. */
-const LARGE = 60_000;
 
 /** Where the teapot may lie: beside the page, or in its repository. */
 const TEAPOTS = ['../teapot.obj', '../../assets/teapot.obj'];
@@ -41,7 +41,6 @@ const state = {
     held: false,
     hasCross: false,
     times: {},
-    isFilling: false,
 };
 
 const greatest = ({ origin, size, cell }) => origin.map((x, i) => x + size[i] * cell);
@@ -63,7 +62,7 @@ function draw() {
         picture.draw(view, grid, at('triangles').checked, [0.92, 0.2, 0.16]);
         overlay.draw({
             from: grid.origin, to: greatest(grid), triangle: picked?.corners, open: state.edge, point, where: state.where,
-            isHidden: state.mesh.hides(view.eye, point), isHeld: state.held, hasCross: state.hasCross,
+            isHidden: hides(view.eye, point), isHeld: state.held, hasCross: state.hasCross,
         }, ratio);
     });
 }
@@ -79,51 +78,65 @@ function cut({ size }) {
     return kept;
 }
 
+/** Whether a triangle is between two points, but for one near the second. */
+function hides(from, to) {
+    return to && orNull(() => state.mesh.raycastAny(from, to.map((x, i) => x - from[i]), { far: 0.999 }));
+}
+
 /** What is drawn of the voxels. */
-function show() {
+const show = () => busily(async () => {
+    const { grid } = state;
+    const { value } = await run(facesOf(grid.words, grid.size, cut(grid)), showing.begin('Drawing voxels…'));
+    picture.faces = value;
+    mark();
+});
+
+/** What is drawn of the triangle that was picked. */
+function mark() {
     const { mesh, grid, picked } = state;
-    const kept = cut(grid);
-    picture.faces = facesOf(grid.words, grid.size, kept);
-    // While the next voxels come the module has another grid.
-    if (picked && !state.isFilling) picked.marked = { grid, ...mesh.mark(picked.triangle, grid.size) };
-    const marked = picked?.marked;
-    picture.marked = marked?.grid === grid ? facesOf(marked.words, grid.size, kept) : new Uint32Array(0);
+    if (picked && picked.marked?.grid !== grid) {
+        const { triangle } = picked;
+        const { words, count } = mesh.voxelize(grid, { triangles: [triangle, triangle + 1] });
+        picked.marked = { grid, words, count };
+    }
+    picture.marked = picked ? atOnce(facesOf(picked.marked.words, grid.size, cut(grid))) : new Uint32Array(0);
     panel.reportPicked(picked);
     report();
     draw();
 }
 
-const report = () => panel.reportTimes(state.times, state.mesh.bytes);
+const report = (times = {}) => panel.reportTimes(Object.assign(state.times, times));
+
+const time = (name, ask) => clock.time(name, ask, (taken) => report({ [name]: taken }));
 
 /** Asks for voxels, as the page is set. */
-async function voxelize() {
-    if (!state.mesh.triangles) return;
-    const [resolution, isSolid] = [Number(at('resolution').value), at('solid').checked];
+const voxelize = () => busily(async () => {
+    if (!state.mesh) return;
+    const [resolution, solid] = [Number(at('resolution').value), at('solid').checked];
     at('fineness').textContent = resolution;
-    document.body.dataset.busy = 'yes';
-    state.isFilling = true;
-    const pause = filling.begin('Filling voxels…');
     try {
-        const grid = await state.mesh.voxelize(resolution, isSolid, pause);
-        state.grid = { ...grid, isSolid, middle: grid.origin.map((x, i) => x + grid.size[i] * grid.cell / 2) };
-        state.isFilling = false;
-        state.times[isSolid ? 'Surface and inside' : 'Surface'] = grid.time;
-        delete state.times[isSolid ? 'Surface' : 'Surface and inside'];
-        panel.reportVoxels(state.grid);
+        const pause = filling.begin('Filling voxels…');
+        const { value, time: taken } = await run(state.mesh.voxelizeSteps(resolution, { solid }), pause);
+        const { origin, size, cell: [cell], words, count, openRows } = value;
+        const middle = origin.map((x, i) => x + size[i] * cell / 2);
+        state.grid = { origin, size, cell, words, middle };
+        state.times[solid ? 'Surface and inside' : 'Surface'] = taken;
+        delete state.times[solid ? 'Surface' : 'Surface and inside'];
+        panel.reportVoxels({ size, count, open: openRows, time: taken, isSolid: solid });
         at('banner').hidden = true;
-        show();
     } catch (error) {
-        if (error instanceof Superseded) return;
+        if (error instanceof Superseded) throw error;
         at('banner').hidden = false;
-        at('banner').textContent = error.message;
+        at('banner').textContent = sentence(error);
         blank();
+        return;
     }
-    panel.reportWork(null);
-    document.body.dataset.busy = '';
-}
+    await (state.point ? show() : first());
+});
 
 /** Shows no voxels: that is better than those of another grid, or of another mesh. */
 function blank() {
+    showing.begin('');
     picture.faces = picture.marked = new Uint32Array(0);
     panel.reportNoVoxels();
     draw();
@@ -134,57 +147,64 @@ function blank() {
 }
 
 /** Takes a file, if there is a mesh in it. */
-async function open(name, file) {
+const open = (name, file) => busily(async () => {
     panel.reportRefused(name);
-    document.body.dataset.busy = 'yes';
-    const pause = reading.begin(`Reading ${name}…`);
     const start = performance.now();
+    let mesh = null;
     try {
-        const numbers = await readMesh(name, file, pause);
+        let pause = reading.begin(`Reading ${name}…`);
+        const { positions, index } = await readMesh(name, file, pause);
         await pause(1);
-        const time = performance.now() - start;
+        const read = performance.now() - start;
+        pause = reading.begin('Building the tree…', start);
+        const built = await run(Mesh.steps(positions, index), pause);
+        mesh = built.value;
+        await pause(1);
+        pause = reading.begin('Looking for an open edge…', start);
+        const { value: ends, time: looked } = await run(mesh.openEdgeSteps(), pause);
+        await pause(1);
+        const edge = ends?.map((i) => [...positions.subarray(3 * i, 3 * i + 3)]);
         // From here on voxels of the mesh before would be wrong.
-        filling.begin('');
-        if (numbers.triangles.length > LARGE) {
-            panel.reportWork('Building the tree…', undefined);
-            await new Promise((drawn) => requestAnimationFrame(() => setTimeout(drawn)));
-            await pause(1);
-        }
-        const tree = state.mesh.load(numbers);
-        const begun = performance.now();
-        const edge = state.mesh.openEdge();
-        state.times = { 'Reading the file (not the module)': time, 'Building the tree': tree, 'Looking for an open edge': performance.now() - begun };
-        Object.assign(state, { edge, picked: null, grid: null, point: null });
-        panel.reportMesh({ name, edge, triangles: state.mesh.triangles, vertices: state.mesh.vertices });
-        await first(name);
+        for (const work of [filling, showing, copying]) work.begin('');
+        clock.stop();
+        state.mesh?.free();
+        const times = { 'Reading the file (not the module)': read, 'Building the tree': built.time, 'Looking for an open edge': looked };
+        Object.assign(state, { mesh, edge, times, picked: null, grid: null, point: null });
+        panel.reportMesh({ name, edge, triangles: mesh.triangleCount, vertices: mesh.vertexCount });
+        view.isYUp = isYUp(name);
     } catch (error) {
-        if (error instanceof Superseded) return;
-        if (!(error instanceof Broken)) console.warn(error);
-        panel.reportRefused(name, error.message);
-        panel.reportWork(null);
-        document.body.dataset.busy = '';
+        mesh?.free();
+        if (error instanceof Superseded) throw error;
+        if (!(error instanceof Broken || error instanceof RangeError)) console.warn(error);
+        panel.reportRefused(name, sentence(error));
+        return;
     }
-}
+    await voxelize();
+});
 
 /** The first voxels of a mesh, all of it in sight, and the point in its middle. */
-async function first(name) {
-    view.isYUp = isYUp(name);
-    await voxelize();
-    if (!state.grid) return;
-    view.around(state.grid.origin, greatest(state.grid));
-    const { middle } = state.grid;
-    picture.soup = state.mesh.soup().map((x, k) => x - middle[k % 3]);
-    moveTo(middle);
+async function first() {
+    const { mesh, grid } = state;
+    view.around(grid.origin, greatest(grid));
+    moveTo(grid.middle);
+    await show();
+    if (mesh !== state.mesh) return;
+    const pause = copying.begin('Copying triangles…');
+    const { value } = await run(soupOf(mesh, grid.middle), pause);
+    await pause(1);
+    picture.soup = value;
+    draw();
 }
 
 /** Asks about another point. */
 function moveTo(point) {
     if (!state.grid) return;
-    state.point = point.map(nearest);
-    const { where, time } = state.mesh.inside(state.point);
-    state.where = where;
-    state.times['Inside or not'] = time;
-    panel.reportPoint(state.point, where);
+    const rounded = point.map(nearest);
+    const where = orNull(() => state.mesh.locate(rounded));
+    if (!where) return;
+    Object.assign(state, { point: rounded, where });
+    time('Inside or not', () => state.mesh.locate(rounded));
+    panel.reportPoint(rounded, where);
     report();
     draw();
 }
@@ -200,10 +220,11 @@ function pick(pixel) {
     const isCut = !at('triangles').checked && Number(at('cut').value) > 0;
     // What was cut away is not in the way.
     if (isCut && t > 0) from = from.map((x, i) => x + t * along[i]);
-    const found = state.mesh.pick(from, along);
-    state.picked = found.triangle === null ? null : { ...found, corners: state.mesh.corners(found.triangle) };
-    state.times['First triangle on a ray'] = found.time;
-    show();
+    const ask = () => orNull(() => state.mesh.raycast(from, along));
+    const hit = ask();
+    state.picked = hit && { ...hit, corners: state.mesh.corners(hit.triangle) };
+    time('First triangle on a ray', ask);
+    mark();
 }
 
 function whole() {
@@ -247,7 +268,7 @@ function controls() {
         });
     }
     addEventListener('resize', draw);
-    at('picture').addEventListener('again', () => state.grid && first(at('mesh').textContent.split(':')[0]));
+    at('picture').addEventListener('again', () => state.grid && busily(first));
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', draw);
     const held = (isHeld) => {
         state.held = isHeld;
@@ -266,15 +287,14 @@ function controls() {
     });
 }
 
-const { module, size, problem } = await find('web_mesh.wasm', Mesh.from);
-if (module) {
-    state.mesh = module;
-    at('size').textContent = `The crate as WebAssembly: ${size.toLocaleString('en')} bytes, no imports.`;
+try {
+    const { simd } = await init();
+    at('size').textContent = `The crate as WebAssembly, ${simd ? 'with' : 'without'} simd128.`;
     at('without').hidden = picture.works;
     controls();
     await teapot();
     document.body.dataset.ready = 'yes';
-} else {
-    at('problem').textContent = problem;
+} catch (error) {
+    at('problem').textContent = error.message;
     at('missing').showModal();
 }

@@ -9,11 +9,11 @@ export const ACROSS = [[1, 2], [1, 2], [2, 0], [2, 0], [0, 1], [0, 1]];
 const CORNERS = [[-1, -1], [1, -1], [-1, 1], [1, 1]];
 
 /**
- * Two numbers for each face between a voxel that is set and one that is not: x, y, z and the
+ * In steps, two numbers for each face between a voxel that is set and one that is not: x, y, z and the
  * way in a byte each; and two bits for each corner, how open it is. Beyond the cut, which says
  * for y and z from which voxel to which there are any, nothing is set.
  */
-export function facesOf(words, [nx, ny, nz], [[y0, y1], [z0, z1]] = [[0, ny], [0, nz]]) {
+export function* facesOf(words, [nx, ny, nz], [[y0, y1], [z0, z1]] = [[0, ny], [0, nz]]) {
     const rowWords = Math.ceil(nx / 32);
     const row = (y, z) => y < y0 || y >= y1 || z < z0 || z >= z1 ? -1 : (z * ny + y) * rowWords;
     const word = (at, k) => at < 0 || k < 0 || k >= rowWords ? 0 : words[at + k];
@@ -51,6 +51,7 @@ export function facesOf(words, [nx, ny, nz], [[y0, y1], [z0, z1]] = [[0, ny], [0
 
     for (let z = z0; z < z1; z += 1) {
         for (let y = y0; y < y1; y += 1) {
+            yield (z - z0 + (y - y0) / (y1 - y0)) / (z1 - z0);
             const here = row(y, z);
             const beside = [row(y - 1, z), row(y + 1, z), row(y, z - 1), row(y, z + 1)];
             for (let k = 0; k < rowWords; k += 1) {

@@ -12,8 +12,8 @@ const READERS = { obj: readObj, stl: readStl };
 export const isYUp = (name) => !/\.stl$/i.test(name);
 
 /**
- * The mesh of a `File` or a `Blob`: its vertices and triangles, as numbers in a row. `pause` is
- * told how much is done, from 0 to 1, and may throw.
+ * The mesh of a `File` or a `Blob`: positions and index, as the package takes them. `pause` is told
+ * how much is done, from 0 to 1, and may throw.
  */
 export async function readMesh(name, file, pause) {
     const kind = /\.([^.]*)$/.exec(name)?.[1].toLowerCase();
@@ -25,6 +25,6 @@ export async function readMesh(name, file, pause) {
     const bytes = new Uint8Array(await file.arrayBuffer());
     await pause(0);
     const mesh = await READERS[kind](bytes, pause);
-    if (mesh.triangles.length === 0) throw new Broken('The file has no triangles.');
+    if ((mesh.index ?? mesh.positions).length === 0) throw new Broken('The file has no triangles.');
     return mesh;
 }

@@ -1,6 +1,9 @@
 // Numbers of a file, and lists of them that grow.
 import { minus, quoted } from '../read.mjs';
 
+/** The most triangles. */
+export const MOST_TRIANGLES = 500_000;
+
 /** What is wrong with a file, and in which line, if it has lines. */
 export class Broken extends Error {
     constructor(message, line = 0) {
@@ -53,7 +56,7 @@ export function finite(x, line = 0) {
 }
 
 /** How many bytes of text are read at a time. */
-const PART = 1 << 19;
+const PART = 1 << 15;
 const NEWLINE = 10;
 /** The longest line that is no sign of another kind of file. */
 const LONGEST = 1 << 16;

@@ -1,9 +1,8 @@
 // Reads the vertices and faces of an OBJ file.
 import { quoted } from '../read.mjs';
-import { MOST_TRIANGLES } from './module.mjs';
-import { Broken, List, coordinate, eachLine } from './numbers.mjs';
+import { Broken, List, MOST_TRIANGLES, coordinate, eachLine } from './numbers.mjs';
 
-/** Vertices, three numbers each, and triangles, three indices each; faces become fans. */
+/** Positions, three numbers to a vertex, and the index, three to a triangle; faces become fans. */
 export async function readObj(bytes, pause) {
     const [vertices, triangles] = [new List(Float32Array), new List(Uint32Array)];
     /** The greatest index so far that has no vertex yet. */
@@ -43,5 +42,5 @@ export async function readObj(bytes, pause) {
     if (ahead.index > vertices.length / 3) {
         throw new Broken(`there is no vertex ${ahead.index}: the file has ${vertices.length / 3}.`, ahead.line);
     }
-    return { vertices: vertices.all, triangles: triangles.all };
+    return { positions: vertices.all, index: triangles.all };
 }

@@ -47,9 +47,9 @@ export function reportPicked(picked) {
         at('picked').textContent = 'None is picked.';
         return;
     }
-    const { triangle, isBack, marked, corners } = picked;
+    const { triangle, isFront, marked, corners } = picked;
     const voxels = marked ? `: it meets ${count(marked.count)} ${marked.count === 1 ? 'voxel' : 'voxels'}.` : '.';
-    at('picked').textContent = `Triangle ${count(triangle + 1)}${isBack ? ', from its back' : ''}${voxels}`;
+    at('picked').textContent = `Triangle ${count(triangle + 1)}${isFront ? '' : ', from its back'}${voxels}`;
     table.replaceChildren(...corners.map((vertex, k) => {
         const row = make('tr');
         row.append(make('td', 'abc'[k]), ...vertex.map((x) => make('td', shown(x))));
@@ -80,12 +80,10 @@ export function refusePoint(i, error) {
 }
 
 /** Times by name, those that there are. */
-export function reportTimes(times, bytes) {
-    const rows = Object.entries(times).filter(([, time]) => time !== undefined).map(([name, time]) => [name, ms(time)]);
-    rows.push(['Its memory', `${(bytes / (1 << 20)).toFixed(1)} MB`]);
-    at('times').replaceChildren(...rows.map(([name, value]) => {
+export function reportTimes(times) {
+    at('times').replaceChildren(...Object.entries(times).map(([name, time]) => {
         const row = make('tr');
-        row.append(make('td', name), make('td', value));
+        row.append(make('td', name), make('td', ms(time)));
         return row;
     }));
 }

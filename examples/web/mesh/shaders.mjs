@@ -22,7 +22,7 @@ vec3 glaze(float height) {
     return mix(stops[i], stops[i + 1], at - float(i));
 }`;
 
-/** A corner of a face for each vertex, a face for each instance. */
+/** A face for each six vertices, two triangles. Instances of four vertices are slow, most of all without a graphics card. */
 export const VOXELS = {
     vertex: `#version 300 es
 precision highp float;
@@ -31,7 +31,7 @@ uniform float rise;
 uniform vec4 paint;
 uniform vec3 height;
 uniform float heights;
-in uvec2 face;
+uniform highp usampler2D faces;
 out vec3 color;
 out vec2 place;
 ${LIGHT}
@@ -39,14 +39,18 @@ void main() {
     ivec3 ways[6] = ivec3[](${list(WAYS)});
     ivec3 us[6] = ivec3[](${list(ACROSS.map(([u]) => unit(u)))});
     ivec3 vs[6] = ivec3[](${list(ACROSS.map(([, v]) => unit(v)))});
+    int k = gl_VertexID / 6, wide = textureSize(faces, 0).x;
+    uvec2 face = texelFetch(faces, ivec2(k % wide, k / wide), 0).xy;
     uint bits = face.x;
     ivec3 voxel = ivec3(int(bits & 255u), int(bits >> 8 & 255u), int(bits >> 16 & 255u));
     int way = int(bits >> 24);
-    ivec2 corner = ivec2(gl_VertexID & 1, gl_VertexID >> 1);
+    int corners[6] = int[](0, 1, 2, 2, 1, 3);
+    int number = corners[gl_VertexID % 6];
+    ivec2 corner = ivec2(number & 1, number >> 1);
     vec3 normal = vec3(ways[way]);
     vec3 at = vec3(voxel + max(ways[way], ivec3(0)) + us[way] * corner.x + vs[way] * corner.y);
     gl_Position = matrix * vec4(at + normal * rise, 1.0);
-    float open = float(face.y >> uint(2 * (corner.x + 2 * corner.y)) & 3u) / 3.0;
+    float open = float(face.y >> uint(2 * number) & 3u) / 3.0;
     vec3 surface = mix(glaze((dot(vec3(voxel) + 0.5, height)) / heights), paint.rgb, paint.a);
     color = surface * light(normal) * (0.55 + 0.45 * open);
     place = vec2(corner);

@@ -1,15 +1,14 @@
 // Reads the triangles of an STL file, binary or text.
-import { MOST_TRIANGLES } from './module.mjs';
-import { Broken, List, coordinate, eachLine, finite } from './numbers.mjs';
+import { Broken, List, MOST_TRIANGLES, coordinate, eachLine, finite } from './numbers.mjs';
 
 const [HEADER, TRIANGLE, NORMAL] = [84, 50, 12];
 /** How many triangles are read between two looks at the clock. */
-const PART = 1 << 14;
+const PART = 1 << 12;
 
 const tooMany = () => new Broken(`There are more than ${MOST_TRIANGLES.toLocaleString('en')} triangles, the most that this page takes.`);
 
 /** Each triangle has vertices of its own. */
-const mesh = (vertices) => ({ vertices, triangles: Uint32Array.from({ length: vertices.length / 3 }, (_, k) => k) });
+const mesh = (positions) => ({ positions, index: null });
 
 /** A binary file may begin with “solid” as well: its length tells. */
 export function readStl(bytes, pause) {

@@ -74,3 +74,18 @@ export function waves(n) {
     }
     return lines.join('\n');
 }
+
+/** The same as binary STL. */
+export function wavesStl(n) {
+    const bytes = new Uint8Array(84 + 100 * n * n);
+    const view = new DataView(bytes.buffer);
+    view.setUint32(80, 2 * n * n, true);
+    const corners = [[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]];
+    for (let k = 0; k < 6 * n * n; k += 1) {
+        const square = Math.floor(k / 6);
+        const [x, y] = [square % n + corners[k % 6][0], Math.floor(square / n) + corners[k % 6][1]];
+        const at = 84 + 50 * Math.floor(k / 3) + 12 + 12 * (k % 3);
+        [x, 9 * Math.sin(x / 9) * Math.cos(y / 7), y].forEach((number, i) => view.setFloat32(at + 4 * i, number, true));
+    }
+    return bytes;
+}

@@ -1,4 +1,4 @@
-// The golden table of the teapot's voxels, made by mesh/golden.rs.
+// The golden table of the teapot's voxels, held against boxes and points by mesh.mjs.
 import { readFileSync } from 'node:fs';
 
 export const golden = readFileSync(new URL('teapot.csv', import.meta.url), 'utf8').trim().split('\n').slice(1)
