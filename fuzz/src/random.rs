@@ -40,6 +40,7 @@ random_bytes! {
     closed_mesh: 20_000,
     ray_aabb: 20_000,
     segment_aabb: 20_000,
+    spheres: 20_000,
     sweeps: 5_000,
     line_obb: 10_000,
     lanes: 2_000,
