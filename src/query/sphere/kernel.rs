@@ -64,7 +64,9 @@ pub(super) fn squared<N: Arithmetic>(v: &[N::Area; 3], error: N::Area) -> Near<N
 }
 
 impl<N: Arithmetic> Reach<N> {
-    #[inline(always)]
+    // Not inlined on s390x: see `scalar::axes::faces_in_double`.
+    #[cfg_attr(not(target_arch = "s390x"), inline(always))]
+    #[cfg_attr(target_arch = "s390x", inline(never))]
     pub(super) fn new(radius: N::Length) -> Self {
         Self { radius, square: N::area(radius, radius) }
     }
