@@ -13,8 +13,8 @@ use super::system::{Arithmetic, Embeds, convert};
 
 /// Exact numbers for all finite floats. A length is a sum of a few floats, not added up. An area is
 /// an integer of `B` limbs, a volume one of `C`, a product of four lengths one of `D`, and one of
-/// six `E`. Added up, a length takes `A` limbs. The unit of length is the least float above zero, which is 2^`UNIT`
-/// times that of `f64`.
+/// six `E`. Added up, a length takes `A` limbs. The unit of length is the least float above zero:
+/// 2^`UNIT` times the least `f64`.
 ///
 /// Lengths stay short, so frames take little stack: two floats whose exponents are far apart take
 /// two words, where their sum takes up to 33 limbs. An area is the sum of the products of all

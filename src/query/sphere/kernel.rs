@@ -166,9 +166,7 @@ impl<N: Arithmetic> Reach<N> {
         if self.is_beyond(vectors) {
             return Some(true);
         }
-        let of =
-            |v: &[Vector<N>; 3]| greatest(greatest(largest(&v[0]), largest(&v[1])), largest(&v[2]));
-        let size = greatest(of(vectors), of(edges));
+        let size = greatest(largest_of::<N>(vectors), largest_of::<N>(edges));
         if N::is_narrow(greatest(size, self.radius)) {
             let narrow = Reach::<N::Narrow> { radius: self.radius, square: self.square };
             narrow.excludes_near_triangle(vectors, edges, size)
