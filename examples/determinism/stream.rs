@@ -39,8 +39,8 @@ use queries::Query;
 pub(crate) const CASES: u32 = 1000;
 
 /// Asks all questions about `cases` cases in this scalar. The questions of `added` run on every
-/// fourth case, and those about meshes and grids on every sixteenth, because a small core already
-/// takes a minute for the rest.
+/// fourth case, and those about spheres, meshes and grids on every sixteenth, because a small core
+/// already takes a minute for the rest.
 pub(crate) fn ask<S: Draw, A: Answers>(cases: u32, answers: &mut A) {
     let mut rng = Rng::new(0x5e97_0a11);
     for k in 0..cases {
@@ -102,7 +102,6 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, k: u32) {
     added::shapes(&triangle, aabbs, &segments, answers);
     pairs::boxes(&triangle, aabbs, obb.as_ref(), answers);
     pairs::flats(&triangle, &segments, [p, q, d], answers);
-    pairs::spheres(&triangle, aabbs, &segments, [p, q, d], answers);
     pairs::turned([a, d], half, answers);
     if let Some(obb) = &obb {
         pairs::lines(obb, ray.as_ref(), &segments, [least(p, q).x, greatest(p, q).x], answers);
@@ -113,6 +112,7 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, k: u32) {
     pairs::sweeps(&triangle, aabbs, [p, d], k % 16 == 0, answers);
     pairs::polygons(&triangle, aabbs, d, answers);
     if k % 16 == 0 {
+        pairs::spheres(&triangle, aabbs, &segments, [p, q, d], answers);
         let shapes = meshes::Shapes {
             aabbs,
             obb: obb.as_ref(),
