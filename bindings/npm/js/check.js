@@ -38,6 +38,12 @@ export function direction(name, v, round = Math.fround) {
     return d;
 }
 
+/** A finite number that is not negative. */
+export function length(name, x) {
+    if (number(name, x) < 0) throw new RangeError(`${name} is ${x}, which is negative`);
+    return x;
+}
+
 /** A whole number from `least` to `most`. */
 export function whole(name, x, least, most) {
     if (typeof x !== 'number') throw new TypeError(`${name} is ${shown(x)}, not a number`);

@@ -118,6 +118,9 @@ export class Mesh {
 
     overlapsBox(min: Vector, max: Vector): boolean;
     trianglesInBox(min: Vector, max: Vector): Uint32Array;
+    /** Whether a triangle is no farther from a point than a radius. */
+    overlapsSphere(center: Vector, radius: number): boolean;
+    trianglesInSphere(center: Vector, radius: number): Uint32Array;
     /** Whether two surfaces have a point in common. */
     overlapsMesh(other: Mesh): boolean;
     /** Pairs of triangles of two meshes that overlap: [a, b, a, b, …]. */

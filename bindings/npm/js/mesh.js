@@ -1,5 +1,5 @@
 // A mesh and questions about it.
-import { corners, direction, number, options, reach, row, shown, vector, whole } from './check.js';
+import { corners, direction, length, number, options, reach, row, shown, vector, whole } from './check.js';
 import { answer, asFloats, asWords, forget, found, list, module } from './memory.js';
 import { atOnce } from './steps.js';
 import { voxelSteps } from './voxels.js';
@@ -276,6 +276,16 @@ export class Mesh {
     trianglesInBox(min, max) {
         const [a, b] = corners('', min, max);
         return found(sane(module().in_box(this.#here, ...a, ...b))).sort();
+    }
+
+    /** Whether a ball overlaps a triangle: whether one is no farther from the centre than the radius. */
+    overlapsSphere(center, radius) {
+        return sane(module().meets_sphere(this.#here, ...vector('center', center), length('radius', radius))) === 1;
+    }
+
+    /** The triangles that overlap a ball, in the order of their numbers. */
+    trianglesInSphere(center, radius) {
+        return found(sane(module().in_sphere(this.#here, ...vector('center', center), length('radius', radius)))).sort();
     }
 
     /** Whether a triangle overlaps one of another mesh. Meshes are surfaces here. */

@@ -2,8 +2,9 @@
 
 use core::ops::ControlFlow;
 
+use septum::mesh::Probe;
 use septum::sweep::Motion;
-use septum::{Aabb, Cull, Facing, Hit, HitRules, Ray, ShapeError};
+use septum::{Aabb, Cull, Facing, Hit, HitRules, Ray, ShapeError, Sphere};
 
 use crate::memory::{LIST, lock, say};
 use crate::mesh::{MESHES, State, with};
@@ -167,23 +168,46 @@ extern "C" fn locate_all(mesh: usize) {
     });
 }
 
-/// Whether a box overlaps a triangle; -2 for what is no box.
-#[unsafe(export_name = "meets_box")]
-extern "C" fn meets_box(mesh: usize, ax: f32, ay: f32, az: f32, bx: f32, by: f32, bz: f32) -> i32 {
-    let Ok(aabb) = Aabb::from_min_max([ax, ay, az], [bx, by, bz]) else { return REFUSED };
-    with(mesh, 0, |tree| tree.as_tree().overlapping(&aabb).next().is_some().into())
+/// Whether a shape overlaps a triangle; -2 for what is no shape.
+fn meets(mesh: usize, shape: Result<impl Probe<f32>, ShapeError>) -> i32 {
+    let Ok(shape) = shape else { return REFUSED };
+    with(mesh, 0, |tree| tree.as_tree().overlapping(&shape).next().is_some().into())
 }
 
-/// Lists the triangles that overlap a box, and returns how many there are; -2 for what is no box.
-#[unsafe(export_name = "in_box")]
-extern "C" fn in_box(mesh: usize, ax: f32, ay: f32, az: f32, bx: f32, by: f32, bz: f32) -> i32 {
-    let Ok(aabb) = Aabb::from_min_max([ax, ay, az], [bx, by, bz]) else { return REFUSED };
+/// Lists the triangles that overlap a shape, and returns how many there are; -2 for what is no
+/// shape.
+fn list(mesh: usize, shape: Result<impl Probe<f32>, ShapeError>) -> i32 {
+    let Ok(shape) = shape else { return REFUSED };
     with(mesh, 0, |tree| {
         let mut list = lock(&LIST);
         list.clear();
-        list.extend(tree.as_tree().overlapping(&aabb).map(|triangle| triangle as u32));
+        list.extend(tree.as_tree().overlapping(&shape).map(|triangle| triangle as u32));
         list.len() as i32
     })
+}
+
+/// Whether a box overlaps a triangle.
+#[unsafe(export_name = "meets_box")]
+extern "C" fn meets_box(mesh: usize, ax: f32, ay: f32, az: f32, bx: f32, by: f32, bz: f32) -> i32 {
+    meets(mesh, Aabb::from_min_max([ax, ay, az], [bx, by, bz]))
+}
+
+/// Lists the triangles that overlap a box.
+#[unsafe(export_name = "in_box")]
+extern "C" fn in_box(mesh: usize, ax: f32, ay: f32, az: f32, bx: f32, by: f32, bz: f32) -> i32 {
+    list(mesh, Aabb::from_min_max([ax, ay, az], [bx, by, bz]))
+}
+
+/// Whether a sphere overlaps a triangle.
+#[unsafe(export_name = "meets_sphere")]
+extern "C" fn meets_sphere(mesh: usize, x: f32, y: f32, z: f32, radius: f32) -> i32 {
+    meets(mesh, Sphere::new([x, y, z], radius))
+}
+
+/// Lists the triangles that overlap a sphere.
+#[unsafe(export_name = "in_sphere")]
+extern "C" fn in_sphere(mesh: usize, x: f32, y: f32, z: f32, radius: f32) -> i32 {
+    list(mesh, Sphere::new([x, y, z], radius))
 }
 
 /// The index of the first triangle that a moving box meets, or -1; -2 for what is no box that

@@ -9,7 +9,7 @@ use septum::contact::{Features, Part, Shape, contact};
 use septum::mesh::{MeshError, OwnedTree};
 use septum::sweep::Motion;
 use septum::voxel::{Bits, Grid, Rule, Solid};
-use septum::{Aabb, Facing, Hit, Obb, Overlaps, Ray, Triangle, Vec3};
+use septum::{Aabb, Facing, Hit, Obb, Overlaps, Ray, Sphere, Triangle, Vec3};
 
 const ROUNDS: usize = 500;
 
@@ -159,6 +159,13 @@ fn meshes(name: &str, (vertices, triangles): Parts) {
     ask("trianglesInBox", &|stream, hash| {
         let aabb = a_box(stream);
         let mut found: Vec<_> = tree.overlapping(&aabb).collect();
+        found.sort_unstable();
+        found.iter().for_each(|&i| hash.add(i as u32));
+        !found.is_empty()
+    });
+    ask("trianglesInSphere", &|stream, hash| {
+        let sphere = Sphere::new(stream.coarse(), stream.below(65) as f32 / 16.0).unwrap();
+        let mut found: Vec<_> = tree.overlapping(&sphere).collect();
         found.sort_unstable();
         found.iter().for_each(|&i| hash.add(i as u32));
         !found.is_empty()

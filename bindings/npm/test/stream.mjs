@@ -140,6 +140,14 @@ function meshes({ Mesh }, name, [positions, index], lines) {
         found.forEach((i) => hash.add(i));
         return found.length > 0;
     });
+    ask('trianglesInSphere', (stream, hash) => {
+        const center = stream.coarse();
+        const radius = stream.below(65) / 16;
+        const found = mesh.trianglesInSphere(center, radius);
+        found.forEach((i) => hash.add(i));
+        if (mesh.overlapsSphere(center, radius) !== found.length > 0) hash.add(-1);
+        return found.length > 0;
+    });
     ask('boxCast', (stream, hash) => {
         const first = mesh.boxCast(...corners(stream), stream.coarse());
         if (first) {
