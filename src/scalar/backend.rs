@@ -17,6 +17,9 @@ pub(crate) trait Backend: RoundedOps + Spanned + FirstFloat + Offset + ShortFloa
     /// The unit of coordinates: one in floats, the last place in fixed point.
     const UNIT_LENGTH: Self;
 
+    /// Two numbers whose product, in units of both, is the unit of a squared length.
+    const UNIT_OF_SQUARES: [Self; 2];
+
     /// The float format, if the scalar is a float.
     const FLOAT: Option<FloatFormat<Self>> = None;
 

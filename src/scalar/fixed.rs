@@ -30,6 +30,10 @@ macro_rules! scalar {
             const ONE: Parts =
                 Parts { negative: false, magnitude: 1, shift: Self::FRAC_NBITS as u16 };
             const UNIT_LENGTH: Self = Self::DELTA;
+            const UNIT_OF_SQUARES: [Self; 2] = {
+                let half = Self::FRAC_NBITS / 2;
+                [Self::from_bits(1 << half), Self::from_bits(1 << (Self::FRAC_NBITS - half))]
+            };
             const IN_QUADS: bool = REGISTERS_ARE_WIDE && <$float as OfFour>::Quad::IS_VECTOR;
             type SeptumWindow = Window;
             type SeptumFull = Window;

@@ -68,6 +68,7 @@ float!(f64);
 macro_rules! as_any_float {
     ($float:ident) => {
         const UNIT_LENGTH: Self = 1.0;
+        const UNIT_OF_SQUARES: [Self; 2] = [1.0; 2];
         const IN_QUADS: bool = REGISTERS_ARE_WIDE;
 
         fn parts(self) -> Parts {

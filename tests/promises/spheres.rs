@@ -17,6 +17,9 @@ fn check<S: Sample>(case: &SphereCase<S>) -> Ordering {
         let checked = case.check_closest(&found);
         assert_eq!(checked, Some(Ok(())), "{found:?} {case:?}");
     }
+    if let Some((squared, is_rounded)) = case.distance_squared() {
+        assert!(is_rounded, "{squared:?} {case:?}");
+    }
     truth
 }
 

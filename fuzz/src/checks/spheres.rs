@@ -6,7 +6,7 @@ use crate::told::told;
 use septum_kit::Sample;
 use septum_kit::spheres::{Other, SphereCase};
 
-/// `overlaps` and `contains`.
+/// `overlaps`, `contains` and `distance_squared`.
 pub fn spheres(data: &[u8]) {
     run::<Spheres>(data);
 }
@@ -31,5 +31,7 @@ impl Check for Spheres {
         for answer in case.answers() {
             assert_eq!(answer, truth, "{}", told::<S>(&case));
         }
+        let is_rounded = case.distance_squared().is_none_or(|(_, is_rounded)| is_rounded);
+        assert!(is_rounded, "{}", told::<S>(&case));
     }
 }

@@ -5,12 +5,13 @@
 //! interior. Each coordinate is then one quotient: a + e·(d·e)/(e·e) on an edge, and p −
 //! n·(n·d)/(n·n) in the interior.
 
-use super::error_bound::{Errors, PRODUCT};
-use super::kernel::{along, around, largest_of, part, product, squared};
-use crate::arithmetic::{Embeds, Number, cross, dot, greatest, pick, three};
+use super::error_bound::Errors;
+use super::foot::{Around, feature, feature_of_segment, on_edge, on_face};
+use super::kernel::{largest_of, part};
+use crate::arithmetic::{Embeds, Number, dot, pick, three};
 use crate::query::Feature;
 use crate::query::orientation::{Vector, from};
-use crate::robust::{Numeric, Predicate, certain_sign};
+use crate::robust::{Numeric, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Segment, SegmentForm, ShapeError, Triangle, Vec3, finite};
 
@@ -22,95 +23,6 @@ pub struct Closest<S> {
     pub point: Vec3<S>,
     /// The part of the shape on which it lies, before the point is rounded.
     pub feature: Feature,
-}
-
-/// Whether a sign is certainly zero or below. Zero stands for doubt, unless nothing is rounded.
-#[inline(always)]
-fn is_not_above<S, N: Embeds<S>>(sign: i8) -> bool {
-    if N::CERTAIN { sign <= 0 } else { sign < 0 }
-}
-
-/// The part of a triangle closest to a point; `None` in doubt.
-#[inline(always)]
-fn feature<S, N: Embeds<S>>(
-    d: &[Vector<N>; 3],
-    e: &[Vector<N>; 3],
-    n: &[N::Area; 3],
-    errors: &Errors<N>,
-) -> Option<Feature> {
-    let next = |k: usize| (k + 1) % 3;
-    // Whether the point is past the start of an edge, and past its end.
-    let starts = three(|k| certain_sign(product::<N>(&d[k], &e[k]), errors.dot));
-    let ends = three(|k| certain_sign(product::<N>(&d[next(k)], &e[k]), errors.dot));
-    for k in 0..3 {
-        if is_not_above::<S, N>(-ends[k]) && is_not_above::<S, N>(starts[next(k)]) {
-            return Some(Feature::Vertex(next(k) as u8));
-        }
-    }
-    let sides =
-        three(|k| certain_sign(along::<N>(n, &part(|| cross::<N>(&e[k], &d[k]))), errors.side));
-    for k in 0..3 {
-        if is_not_above::<S, N>(sides[k]) && starts[k] > 0 && ends[k] < 0 {
-            return Some(Feature::Edge(k as u8));
-        }
-    }
-    (sides == [1; 3]).then_some(Feature::Interior)
-}
-
-/// A point on the line through `a` along `e`, if `d` is the vector from `a` to another point.
-#[inline(never)]
-fn on_edge<S: Scalar, N: Embeds<S>>(
-    [a, d, e]: [&Vector<N>; 3],
-    one: N::Length,
-    errors: &Errors<N>,
-) -> Option<[S; 3]> {
-    let (ee, de) = (product::<N>(e, e), product::<N>(d, e));
-    let cube = N::volume(N::area(one, one), one);
-    let den = N::sextic(N::volume(ee, one), cube);
-    let coordinate = |i: usize| {
-        let num = N::sextic(N::volume(ee, a[i]) + N::volume(de, e[i]), cube);
-        if N::CERTAIN {
-            return N::coordinate(num, den, [N::Sextic::ZERO; 2]);
-        }
-        let (a, e) = (a[i].magnitude(), e[i].magnitude());
-        let error = N::volume(errors.dot, e)
-            + (N::volume(ee, a) + N::volume(de.magnitude(), e)).error(PRODUCT);
-        N::coordinate(num, den, [N::sextic(error, cube), den.error(PRODUCT)])
-    };
-    all(three(|i| part(|| coordinate(i))))
-}
-
-/// The foot of a point over a plane with this normal, if n·d is `volume`.
-#[inline(never)]
-fn on_face<S: Scalar, N: Embeds<S>>(
-    p: &Vector<N>,
-    n: &[N::Area; 3],
-    volume: N::Volume,
-    one: N::Length,
-    errors: &Errors<N>,
-) -> Option<[S; 3]> {
-    let (nn, unit) = (squared::<N>(n, errors.minor), N::area(one, one));
-    let den = N::sextic_of_areas(nn.value, unit);
-    let coordinate = |i: usize| {
-        let of_point = N::sextic_of_areas(nn.value, N::area(p[i], one));
-        let of_normal = N::sextic(volume, N::volume(n[i], one));
-        let num = of_point - of_normal;
-        if N::CERTAIN {
-            return N::coordinate(num, den, [N::Sextic::ZERO; 2]);
-        }
-        let (p, n) = (p[i].magnitude(), n[i].magnitude());
-        let error = N::sextic_of_areas(nn.error, N::area(p, one))
-            + N::sextic(errors.volume, N::volume(n + errors.minor, one))
-            + N::sextic(volume.magnitude(), N::volume(errors.minor, one))
-            + (of_point.magnitude() + of_normal.magnitude()).error(PRODUCT);
-        let other = N::sextic_of_areas(nn.error, unit) + den.error(PRODUCT);
-        N::coordinate(num, den, [error, other])
-    };
-    all(three(|i| part(|| coordinate(i))))
-}
-
-fn all<S: Copy>([x, y, z]: [Option<S>; 3]) -> Option<[S; 3]> {
-    Some([x?, y?, z?])
 }
 
 /// The question for the closest point.
@@ -128,11 +40,9 @@ impl<S: Scalar> Predicate<S> for Nearest<'_, S, Triangle<S>> {
         let [a, b, c] = vertices;
         let [a, b, c, p, [one, ..]] = N::embed(&[a, b, c, self.point, [S::UNIT_LENGTH; 3]])?;
         let starts = [a, b, c];
-        let [d, e] = around::<N>(&p, &starts);
-        let errors =
-            Errors::<N>::new(greatest(largest_of::<N>(&d), largest_of::<N>(&e)), N::Length::ZERO)?;
-        let n = part(|| cross::<N>(&e[0], &e[1]));
-        let feature = feature::<S, N>(&d, &e, &n, &errors)?;
+        let around = Around::<N>::new(&p, &starts)?;
+        let feature = feature::<S, N>(&around)?;
+        let Around { d, e, n, errors } = around;
         let point = match feature {
             Feature::Vertex(k) => *pick(&vertices, k.into()),
             Feature::Edge(k) => {
@@ -166,8 +76,7 @@ impl<S: Scalar> Predicate<S> for Nearest<'_, S, Segment<S>> {
             if is_by_center { [from::<N>(&a, &b), three(|i| a[i] + b[i])] } else { [a, b] };
         let (d, e) = ([from::<N>(&p, &a), from::<N>(&p, &b)], from::<N>(&b, &a));
         let errors = Errors::<N>::new(largest_of::<N>(&[d[0], d[1], e]), N::Length::ZERO)?;
-        let start = certain_sign(product::<N>(&d[0], &e), errors.dot);
-        let end = certain_sign(product::<N>(&d[1], &e), errors.dot);
+        let feature = feature_of_segment::<S, N>(&d, &e, &errors)?;
         let at_end = |k: usize, end: &Vector<N>| {
             if is_by_center {
                 // On a line of length zero through the end.
@@ -177,14 +86,10 @@ impl<S: Scalar> Predicate<S> for Nearest<'_, S, Segment<S>> {
                 ends.get(k).copied()
             }
         };
-        let (feature, point) = if is_not_above::<S, N>(start) {
-            (Feature::Vertex(0), at_end(0, &a)?)
-        } else if is_not_above::<S, N>(-end) {
-            (Feature::Vertex(1), at_end(1, &b)?)
-        } else if start > 0 && end < 0 {
-            (Feature::Edge(0), on_edge::<S, N>([&a, &d[0], &e], one, &errors)?)
-        } else {
-            return None;
+        let point = match feature {
+            Feature::Vertex(0) => at_end(0, &a)?,
+            Feature::Vertex(_) => at_end(1, &b)?,
+            _ => on_edge::<S, N>([&a, &d[0], &e], one, &errors)?,
         };
         Some(Some((feature, point)))
     }

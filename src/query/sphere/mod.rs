@@ -1,7 +1,9 @@
 //! Distances: spheres against points, triangles, segments, boxes and spheres; closest points.
 
 mod closest;
+mod distance;
 mod error_bound;
+mod foot;
 mod kernel;
 
 pub use self::closest::Closest;

@@ -63,32 +63,40 @@ impl<S: Sample> SphereCase<S> {
             return Err(format!("the point is on the boundary of {:?}", found.feature));
         }
         for (i, (num, rounded)) in [x, y, z].into_iter().zip(found.point.to_array()).enumerate() {
-            let all = [rounded, S::LEAST, S::GREATEST].map(S::mantissa_exponent);
-            let low = all.iter().map(|x| x.1).min().unwrap_or(unit).min(unit);
-            let exact = (num + &center[i] * &den) << (unit - low) as usize;
-            let [value, least, greatest] = all.map(|x| whole(x, low) * &den);
-            // The end of a segment given by its centre may lie beyond the range.
-            if exact < least || exact > greatest {
-                let is_end =
-                    if exact < least { rounded <= S::LEAST } else { rounded >= S::GREATEST };
-                if is_end { continue } else { return Err(format!("coordinate {i} is in range")) }
-            }
-            let (m, e) = all[0];
-            let off = value - exact;
-            let off = if off < IBig::ZERO { -off } else { off };
-            // In hundredths of a unit in the last place; a subnormal number is rounded twice.
-            let is_normal = m.unsigned_abs() >> (S::WHOLE_BITS - 1) != 0;
-            let part = if !S::IS_FLOAT {
-                50
-            } else if is_normal {
-                51
-            } else {
-                76
-            };
-            if off * 100 > whole((part, e), low) * &den {
+            let exact = num + &center[i] * &den;
+            if !is_rounded(rounded, &exact, &den, unit) {
                 return Err(format!("coordinate {i} is off"));
             }
         }
         Ok(())
     }
+}
+
+/// Whether a number is the nearest to num/den·2^unit, in floats within 0.51 units in the last place
+/// or 0.76 of a subnormal number; beyond the range its end, or in floats infinite.
+pub fn is_rounded<S: Sample>(rounded: S, num: &IBig, den: &IBig, unit: i32) -> bool {
+    let is_infinite = rounded > S::GREATEST || rounded < S::LEAST;
+    let value = if is_infinite { S::ZERO } else { rounded };
+    let all = [value, S::LEAST, S::GREATEST].map(S::mantissa_exponent);
+    let low = all.iter().map(|x| x.1).min().unwrap_or(unit).min(unit);
+    let exact = num << (unit - low) as usize;
+    let [value, least, greatest] = all.map(|x| whole(x, low) * den);
+    if exact < least {
+        return rounded <= S::LEAST;
+    } else if exact > greatest {
+        return rounded >= S::GREATEST;
+    }
+    let (m, e) = all[0];
+    let off = value - exact;
+    let off = if off < IBig::ZERO { -off } else { off };
+    // In hundredths of a unit in the last place; a subnormal number is rounded twice.
+    let is_normal = m.unsigned_abs() >> (S::WHOLE_BITS - 1) != 0;
+    let part = if !S::IS_FLOAT {
+        50
+    } else if is_normal {
+        51
+    } else {
+        76
+    };
+    !is_infinite && off * 100 <= whole((part, e), low) * den
 }

@@ -194,6 +194,24 @@ impl<S: Sample> SphereCase<S> {
         Some(found.expect("a finite point"))
     }
 
+    /// The squared distance of the centre from a triangle, a segment or a box, and whether it is the
+    /// nearest number, in floats within 0.51 units in the last place; `None` for other shapes.
+    pub fn distance_squared(&self) -> Option<(S, bool)> {
+        let found = match self.other {
+            Other::Triangle([a, b, c]) => {
+                Triangle::new(a, b, c).ok()?.distance_squared(self.center)
+            }
+            Other::Ends([a, b]) => Segment::new(a, b).ok()?.distance_squared(self.center),
+            Other::Center(c, h) => {
+                Segment::from_center_half_vector(c, h).ok()?.distance_squared(self.center)
+            }
+            Other::Box(numbers) => numbers.shape().ok()?.distance_squared(self.center),
+            _ => return None,
+        };
+        let (found, Squared { num, den, unit }) = (found.expect("a finite point"), self.squared());
+        Some((found, closest::is_rounded(found, &num, &den, 2 * unit)))
+    }
+
     /// The crate's answers to every query about the pair, which must all agree.
     pub fn answers(&self) -> Vec<bool> {
         let sphere = Sphere::new(self.center, self.radius).expect("a sphere");
