@@ -55,7 +55,7 @@
 //! | ray, many boxes | [`PreparedRay::overlaps`](prepared::PreparedRay::overlaps) | [`SlabRay::may_overlap`](published::slabs::SlabRay::may_overlap) |
 //! | point, box or triangle | [`Aabb::contains`], [`Obb::contains`], [`Triangle::contains`] | |
 //! | sphere; a distance compared with a number | [`overlaps`][sphere-triangle], [`contains`](Sphere::contains) | the same |
-//! | closest point, squared distance | [`Triangle::closest_point`], [`Triangle::distance_squared`], the same of [`Segment`] and [`Aabb`] | |
+//! | closest point, squared distance | [`Triangle::closest_point`], [`Triangle::distance_squared`], the same of [`Segment`] and [`Aabb`]; of a mesh [`closest_point`](mesh::Tree::closest_point) | |
 //! | ray, triangle | [`hit`](Ray::hit), [`is_hit`](Ray::is_hit), [`hit_once`](Ray::hit_once), [`hit_with`](Ray::hit_with); [`compare_hits`](Ray::compare_hits) | |
 //! | ray, many triangles | [`lanes::Triangles::hit`] | |
 //! | mesh and shape (sphere: all within a distance), ray or second mesh (BVH) | [`overlapping`](mesh::Tree::overlapping), [`first_hit`](mesh::Tree::first_hit), [`overlapping_pairs`](mesh::Tree::overlapping_pairs) | |

@@ -36,6 +36,8 @@ mod tree;
 mod overlapping;
 mod ray;
 
+mod closest;
+
 mod inside;
 mod pairs;
 mod sweep;
@@ -44,11 +46,13 @@ mod sweep;
 pub(crate) mod boxes;
 mod refit;
 
+mod approach;
 mod build;
 mod builder;
 mod closed;
 mod descent;
 mod error;
+mod from_origin;
 mod grid;
 mod index;
 mod node;

@@ -209,7 +209,7 @@ pub(super) fn descend<D: Descend>(
 }
 
 /// The ends of the edge that was hit, or the vertex twice; `None` for the interior.
-fn met<S: Scalar>(triangle: &Triangle<S>, feature: Feature) -> Option<[Vec3<S>; 2]> {
+pub(super) fn met<S: Scalar>(triangle: &Triangle<S>, feature: Feature) -> Option<[Vec3<S>; 2]> {
     let [a, b, c] = *triangle.vertices();
     match feature {
         Feature::Interior => None,
@@ -224,7 +224,7 @@ fn met<S: Scalar>(triangle: &Triangle<S>, feature: Feature) -> Option<[Vec3<S>; 
 
 /// Whether two triangles were hit at the same edge or vertex. Then they were hit at the same point,
 /// because a ray along an edge hits neither triangle.
-fn is_same<S: Scalar>(a: &Option<[Vec3<S>; 2]>, b: &Option<[Vec3<S>; 2]>) -> bool {
+pub(super) fn is_same<S: Scalar>(a: &Option<[Vec3<S>; 2]>, b: &Option<[Vec3<S>; 2]>) -> bool {
     match (a, b) {
         (Some([a, b]), Some([c, d])) => (a == c) & (b == d) | (a == d) & (b == c),
         _ => false,

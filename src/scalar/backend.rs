@@ -24,10 +24,10 @@ pub(crate) trait Backend: RoundedOps + Spanned + FirstFloat + Offset + ShortFloa
     const FLOAT: Option<FloatFormat<Self>> = None;
 
     /// Exact numbers for nearly every input.
-    type SeptumWindow: Embeds<Self, Volume: Limbed>;
+    type SeptumWindow: Embeds<Self, Volume: Limbed, Sextic: Limbed>;
 
     /// Exact numbers for every input: the numbers of the last stage.
-    type SeptumFull: Embeds<Self, Volume: Limbed>;
+    type SeptumFull: Embeds<Self, Volume: Limbed, Sextic: Limbed>;
 
     /// An accumulator wide enough for products of four scalars.
     type SeptumSum: ExactSum;

@@ -196,6 +196,47 @@ fn main() -> Result<(), Box<dyn Error>> {
         },
     ];
     race("points", options.rounds, places.len(), &truth, &methods);
+
+    for (title, by) in [("closest points, near", 0.1), ("closest points, anywhere", 2.0)] {
+        let places: Vec<Point> = (0..2000)
+            .map(|_| {
+                let p = points[rng.below(points.len())];
+                p.map(|x| x + (rng.real(-1.0, 1.0) * by) as f32)
+            })
+            .collect();
+        // The distance in `f64` from the point that a method returns, and whether that is more than a
+        // millionth above the least.
+        let root = |p: Point, q: Point| {
+            let d = [0, 1, 2].map(|i: usize| f64::from(p[i]) - f64::from(q[i]));
+            (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
+        };
+        let least = |p: Point| {
+            let all = mesh.iter().filter_map(|t| t.closest_point(p).ok());
+            all.map(|closest| root(p, closest.point.to_array())).fold(f64::MAX, f64::min)
+        };
+        let all: Vec<_> = places.iter().take(200).map(|&p| least(p)).collect();
+        let truth = vec![0; all.len()];
+        let is_far = |i: usize, q: Point| {
+            u64::from(all.get(i).is_some_and(|least| root(places[i], q) > least * 1.000_001 + 1e-6))
+        };
+        let methods = [
+            Method {
+                name: "septum closest_point",
+                ask: Box::new(|i| {
+                    let (_, closest) = tree.closest_point(places[i]).expect("triangles");
+                    is_far(i, closest.point.to_array())
+                }),
+            },
+            Method {
+                name: "parry3d TriMesh::project_local_point",
+                ask: Box::new(|i| {
+                    let found = parry.project_local_point(places[i].into(), false).point;
+                    is_far(i, [found.x, found.y, found.z])
+                }),
+            },
+        ];
+        race(title, options.rounds, places.len(), &truth, &methods);
+    }
     let start = Instant::now();
     places.iter().take(20).for_each(|&p| _ = black_box(without(p)));
     println!("{:34} {:9.0}", "septum, all triangles", start.elapsed().as_nanos() as f64 / 20.0);

@@ -36,6 +36,7 @@ mod words;
 
 pub(crate) use hit::Candidate;
 pub use hit::{Cull, Facing, Feature, Hit, HitRules};
+pub(crate) use order::compare_quotients;
 pub use prepared::{HitRay, HitTriangle};
 pub(crate) use rows::{clear_hit, clear_refined_hit, clearly_misses, line_clearly_misses};
 

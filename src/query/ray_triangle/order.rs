@@ -90,7 +90,7 @@ fn in_clear_order<S: Scalar>(t: S, s: S) -> Option<Ordering> {
 }
 
 /// Compares two quotients; no divisor is zero.
-fn compare_quotients<V: Number + Limbed>([a, b]: [V; 2], [c, d]: [V; 2]) -> Ordering {
+pub(crate) fn compare_quotients<V: Number + Limbed>([a, b]: [V; 2], [c, d]: [V; 2]) -> Ordering {
     let sign = |num: V, den: V| {
         let sign = compare(num, V::ZERO);
         if den < V::ZERO { sign.reverse() } else { sign }

@@ -97,6 +97,22 @@ impl<S: Scalar> Predicate<S> for Nearest<'_, S, Segment<S>> {
 
 impl<S, T> Numeric<S> for Nearest<'_, S, T> where Self: Predicate<S> {}
 
+/// The question for the part of a triangle closest to a point.
+struct Part<'a, S>(&'a Triangle<S>, [S; 3]);
+
+impl<S: Scalar> Predicate<S> for Part<'_, S> {
+    type Answer = Option<Feature>;
+
+    #[inline]
+    fn filter<N: Embeds<S>>(&self) -> Option<Self::Answer> {
+        let [a, b, c] = self.0.points();
+        let [a, b, c, p] = N::embed(&[a, b, c, self.1])?;
+        Some(Some(feature::<S, N>(&Around::new(&p, &[a, b, c])?)?))
+    }
+}
+
+impl<S: Scalar> Numeric<S> for Part<'_, S> {}
+
 /// The answer about a point, if that is finite.
 #[inline(always)]
 fn closest<'a, S: Scalar, T>(
@@ -114,6 +130,12 @@ where
 }
 
 impl<S: Scalar> Triangle<S> {
+    /// The part of the triangle closest to a finite point.
+    pub(crate) fn closest_feature(&self, point: [S; 3]) -> Feature {
+        // The last stage always answers.
+        S::evaluate_numeric(&Part(self, point)).unwrap_or(Feature::Interior)
+    }
+
     /// The point of the triangle closest to a point, and the vertex or edge on which it lies.
     ///
     /// *Geometry*: a closed set, which may be a segment or a point. A point on several edges of a

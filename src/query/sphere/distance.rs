@@ -4,12 +4,18 @@
 //! how far the point lies beyond each face. In the unit u·v of squares, which is 2^F units in the
 //! last place squared in fixed point, each is a quotient of products of six lengths.
 
+use core::cmp::Ordering;
+
 use super::error_bound::{Errors, PRODUCT, SQUARE};
 use super::foot::{Around, feature, feature_of_segment};
 use super::kernel::{largest_of, part, product, squared};
-use crate::arithmetic::{Arithmetic, Embeds, Number, cross, dot, greatest, largest, pick, three};
+use crate::arithmetic::{
+    Arithmetic, Embeds, Limbed, Number, REGISTERS_ARE_WIDE, cross, dot, greatest, largest, pick,
+    three,
+};
 use crate::query::Feature;
 use crate::query::orientation::{Vector, from};
+use crate::query::ray_triangle::compare_quotients;
 use crate::robust::{Numeric, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Segment, SegmentForm, ShapeError, Triangle, Vec3, finite};
@@ -155,6 +161,39 @@ impl<S: Scalar> Predicate<S> for Apart<'_, S, Aabb<S>> {
         }
         Some(Some(Quotient::<N>::of_point(&d, N::area(u, v)).rounded()?))
     }
+}
+
+/// How the distances of a finite point from two triangles compare, given the part of each closest
+/// to the point. Products of ten lengths, in exact numbers alone.
+#[cold]
+#[inline(never)]
+pub(crate) fn compare_distances<S: Scalar>(
+    point: [S; 3],
+    triangles: [(&Triangle<S>, Feature); 2],
+) -> Ordering {
+    // On a small core one width is enough, as in `in_exact_numbers`.
+    let in_window =
+        if REGISTERS_ARE_WIDE { compare_in::<S, S::SeptumWindow>(point, triangles) } else { None };
+    let order = in_window.or_else(|| compare_in::<S, S::SeptumFull>(point, triangles));
+    order.unwrap_or(Ordering::Equal)
+}
+
+fn compare_in<S: Scalar, N: Embeds<S, Sextic: Limbed>>(
+    point: [S; 3],
+    [(t, of_t), (s, of_s)]: [(&Triangle<S>, Feature); 2],
+) -> Option<Ordering> {
+    let ([a, b, c], [d, e, f]) = (t.points(), s.points());
+    let all = [point, a, b, c, d, e, f];
+    // Any length but zero will do as a unit, and one of these needs no more digits than they do.
+    let unit = *all.as_flattened().iter().find(|&&x| x != S::ZERO)?;
+    let [p, a, b, c, d, e, f, [unit, ..]] = N::embed(&[point, a, b, c, d, e, f, [unit; 3]])?;
+    let uv = N::area(unit, unit);
+    let of = |vertices: [Vector<N>; 3], feature: Feature| {
+        let Quotient { num, den, .. } =
+            Quotient::of_triangle(feature, &Around::<N>::new(&p, &vertices)?, uv);
+        Some([num, den])
+    };
+    Some(compare_quotients(of([a, b, c], of_t)?, of([d, e, f], of_s)?))
 }
 
 impl<S, T> Numeric<S> for Apart<'_, S, T> where Self: Predicate<S> {}

@@ -7,6 +7,7 @@ mod foot;
 mod kernel;
 
 pub use self::closest::Closest;
+pub(crate) use self::distance::compare_distances;
 use self::kernel::{Reach, around};
 use super::Overlaps;
 use super::orientation::from;

@@ -2,6 +2,7 @@
 //! winds about.
 
 mod closedness;
+mod closest;
 mod edges;
 mod owned;
 mod scenes;
@@ -15,6 +16,7 @@ use septum::mesh::{Mesh, MeshError, Probe, Tree};
 use septum::{Aabb, Cull, Hit, HitRules, Obb, Ray, Segment, Sphere, Triangle};
 use septum_kit::{Rng, Sample, for_scalars, rays};
 
+use self::closest::points_are_closest_as_one_by_one;
 use self::edges::{contacts_are_the_first, hits_are_in_true_order};
 use self::owned::owned_trees_answer_as_borrowed;
 use self::scenes::Scene;
@@ -307,6 +309,7 @@ for_scalars!(
     meshes_overlap_as_pair_by_pair,
     rays_hit_as_one_by_one,
     closed_meshes_contain_what_they_wind_about,
+    points_are_closest_as_one_by_one,
     boxes_meet_first_as_one_by_one,
     hits_are_in_true_order,
     contacts_are_the_first,

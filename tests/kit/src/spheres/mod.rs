@@ -61,6 +61,13 @@ impl Squared {
         (&self.num << up).cmp(&(&self.den * &r * &r))
     }
 
+    /// How two squared distances compare.
+    pub fn compare_squared(&self, other: &Self) -> Ordering {
+        let unit = self.unit.min(other.unit);
+        let num = |x: &Self| &x.num << (2 * (x.unit - unit) as usize);
+        (num(self) * &other.den).cmp(&(num(other) * &self.den))
+    }
+
     /// The distance, approximately.
     pub fn root(&self) -> f64 {
         // An even number of bits cut off, so that the quotient is in the range of `f64`.
