@@ -254,6 +254,12 @@ impl<const L: usize> Limbed for BigInt<L> {
 
 impl<const L: usize> Number for BigInt<L> {
     const ZERO: Self = Self([0; L]);
+    fn is_zero(&self) -> bool {
+        self.sign() == Ordering::Equal
+    }
+    fn is_positive(&self) -> bool {
+        self.sign() == Ordering::Greater
+    }
     fn magnitude(self) -> Self {
         if self.is_negative() { -self } else { self }
     }

@@ -17,6 +17,18 @@ pub trait Number:
     /// The most that underflow in a few operations can lose, beside [`error`](Self::error).
     const UNDERFLOW: Self = Self::ZERO;
 
+    /// Whether the number is zero.
+    #[inline(always)]
+    fn is_zero(&self) -> bool {
+        *self == Self::ZERO
+    }
+
+    /// Whether the number is above zero.
+    #[inline(always)]
+    fn is_positive(&self) -> bool {
+        *self > Self::ZERO
+    }
+
     /// The absolute value.
     fn magnitude(self) -> Self;
 

@@ -4,10 +4,7 @@ use core::cmp::Ordering;
 
 use super::kernel::{Crossing, Setting, VolumeErrors};
 use super::{Facing, HitRules};
-use crate::arithmetic::{Embeds, Number, Parts, compare, each, pick, three, turn};
-use crate::robust::{
-    ExactSum, Vector, add_area, add_determinant, add_scaled_determinant, difference, single,
-};
+use crate::arithmetic::{Embeds, Number, compare};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
 
@@ -157,66 +154,10 @@ impl<S: Scalar> Crosses<'_, S> {
         }
         Some(true)
     }
-
-    /// The crossing, if it counts, by exact sums of products of the coordinates as given: the last
-    /// stage where registers have 32 bits. It takes 17 KB less code and 5 KB less stack there than
-    /// the kernel in exact integers.
-    pub(super) fn in_sums(&self) -> Option<Crossing<S::SeptumSum>> {
-        let [a, b, c, o, d] = self.rows().map(|row| each(row, S::parts));
-        let from = |to: &[Parts; 3], from: &[Parts; 3]| -> Vector {
-            three(|i| difference(to[i], from[i]))
-        };
-        let setting =
-            Setting { d: each(d, single), e: [from(&b, &a), from(&c, &a)], s: from(&o, &a) };
-        let Setting { d, e: [e1, e2], s } = &setting;
-        let sum = |terms: &[[&Vector; 3]]| {
-            let mut sum = S::SeptumSum::new();
-            terms.iter().for_each(|[a, b, c]| add_determinant(&mut sum, a, b, c));
-            sum
-        };
-        let crossing = Crossing {
-            det: sum(&[[d, e2, e1]]),
-            t: sum(&[[s, e1, e2]]),
-            sides: [
-                sum(&[[d, e2, e1], [e2, d, s], [e1, s, d]]),
-                sum(&[[d, e2, s]]),
-                sum(&[[s, e1, d]]),
-            ],
-        };
-        if !crossing.meets_for_certain() {
-            return None;
-        }
-        let is_front = crossing.is_front();
-        let compare_with = |end: S| {
-            if end == S::ZERO {
-                return Some(oriented(crossing.t.sign(), is_front));
-            }
-            let mut sum = S::SeptumSum::new();
-            add_scaled_determinant(&mut sum, s, e1, e2, S::ONE);
-            add_scaled_determinant(&mut sum, e2, d, e1, end.parts());
-            Some(oriented(sum.sign(), is_front))
-        };
-        let perturbed = |k: usize| setting.perturbed(k, |_, _| from(&b, &c), first_sign::<S>);
-        let counts = self.admits(is_front, crossing.zeros(), compare_with, perturbed)?;
-        counts.then_some(crossing)
-    }
-}
-
-/// The sign of the first component of a × b that has one.
-fn first_sign<S: Scalar>(a: &Vector, b: &Vector) -> Ordering {
-    (0..3).fold(Ordering::Equal, |first, i| {
-        first.then_with(|| {
-            let (_, j, k) = turn(i);
-            let mut sum = S::SeptumSum::new();
-            add_area(&mut sum, pick(a, j), pick(b, k), false);
-            add_area(&mut sum, pick(a, k), pick(b, j), true);
-            sum.sign()
-        })
-    })
 }
 
 /// The sign, as it is for a positive determinant.
 #[inline(always)]
-fn oriented(sign: Ordering, is_front: bool) -> Ordering {
+pub(super) fn oriented(sign: Ordering, is_front: bool) -> Ordering {
     if is_front { sign } else { sign.reverse() }
 }

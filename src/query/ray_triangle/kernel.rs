@@ -178,9 +178,9 @@ impl<V: Number> Crossing<V> {
 
     /// [`meets`](Self::meets) for large numbers, which are certain. Without copies of volumes.
     pub(super) fn meets_for_certain(&self) -> bool {
-        let sides = || self.sides.iter();
-        let is_between = sides().any(|x| *x < V::ZERO) && sides().any(|x| *x > V::ZERO);
-        self.det != V::ZERO && !is_between
+        let is_positive = self.is_front();
+        !self.det.is_zero()
+            && self.sides.iter().all(|x| x.is_zero() || x.is_positive() == is_positive)
     }
 
     /// The same in wider volumes.
@@ -194,7 +194,7 @@ impl<V: Number> Crossing<V> {
     #[inline(always)]
     pub(super) fn zeros(&self) -> [bool; 3] {
         let [w, u, v] = &self.sides;
-        [*w == V::ZERO, *u == V::ZERO, *v == V::ZERO]
+        [w.is_zero(), u.is_zero(), v.is_zero()]
     }
 
     /// The part of the triangle that is hit, if no sign is in doubt.
@@ -207,7 +207,7 @@ impl<V: Number> Crossing<V> {
     /// Whether the line runs against the normal.
     #[inline(always)]
     pub(super) fn is_front(&self) -> bool {
-        self.det > V::ZERO
+        self.det.is_positive()
     }
 }
 

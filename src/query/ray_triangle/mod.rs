@@ -32,6 +32,7 @@ mod question;
 mod refined;
 mod residual;
 mod rows;
+mod sums;
 mod words;
 
 pub(crate) use hit::Candidate;

@@ -5,6 +5,7 @@ use super::kernel::{Crossing, Sizes, VolumeErrors};
 use super::refined::Met;
 use super::residual::Numbers;
 use super::rows::{Found, VolumeRows};
+use super::sums::hit_in_sums;
 use super::words::rounded;
 use super::{Facing, Feature, Hit};
 use crate::arithmetic::{
@@ -46,16 +47,7 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
         if REGISTERS_ARE_WIDE {
             return in_exact_numbers(self);
         }
-        let crossing = self.in_sums()?;
-        let Crossing { det, t, sides: [_, u, v] } = &crossing;
-        let quotient = |x| S::quotient(x, det);
-        Some(Hit {
-            t: quotient(t),
-            u: quotient(u),
-            v: quotient(v),
-            facing: Facing::of(crossing.is_front()),
-            feature: crossing.feature(),
-        })
+        self.in_sums(hit_in_sums)
     }
 }
 
@@ -142,7 +134,7 @@ impl<S: Scalar> Predicate<S> for Hits<'_, S> {
         if REGISTERS_ARE_WIDE {
             return in_exact_numbers(self);
         }
-        self.0.in_sums().is_some()
+        self.0.in_sums(|_| ()).is_some()
     }
 }
 
