@@ -2,12 +2,14 @@
 
 mod error_bound;
 mod exact;
+mod frames;
 mod kernel;
 mod rows;
 mod window;
 
 use self::error_bound::error_bound;
 use self::exact::ExactBoxes;
+use self::frames::InDoubt;
 use self::kernel::{Boxes, all_axes};
 use super::Overlaps;
 use super::obb_short;
@@ -112,7 +114,11 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
     where
         S: InFloat<F>,
     {
-        rows::relation::<S, F>(self)
+        match frames::relation::<S, F>(self) {
+            Some(Ok(relation)) => Some(relation),
+            Some(Err(InDoubt)) => rows::relation_near_contact::<S, F>(self),
+            None => rows::relation::<S, F>(self),
+        }
     }
 
     #[inline(never)]
@@ -154,7 +160,8 @@ impl<S: Scalar> Overlaps<Obb<S>> for Obb<S> {
     /// box](crate::Triangle#impl-Overlaps<Obb<S>>-for-Triangle<S>).
     ///
     /// *Panics*: never. *Cost*: 21 multiplications if a coordinate separates, about 180 if a face
-    /// does, and otherwise 267; with vectors, four at once. Where floats are in doubt, integers
+    /// does, and otherwise 267; with vectors, four at once, and half as many if the axes are
+    /// orthonormal up to rounding. Where floats are in doubt, integers
     /// take ten times as long if they hold all coordinates, and exact sums longer. Without vectors,
     /// fixed point of up to 32 bits begins in `f64` on a machine that has it.
     ///

@@ -25,12 +25,34 @@ struct Boxes<F> {
 pub(super) fn relation<S: Scalar + InFloat<F>, F: Float>(
     question: &Lie<'_, S>,
 ) -> Option<Relation> {
-    let Lie { first, second, asked } = *question;
+    let boxes = boxes::<S, F>(question)?;
+    match boxes.relation::<S, F::Quad>()? {
+        Ok(relation) => Some(relation),
+        Err(_) if question.asked == Asked::MayOverlap => None,
+        Err(doubt) => boxes.in_doubt(question, &doubt),
+    }
+}
+
+/// The same, if the boxes are known to be near contact and of a size within the range of the error
+/// bound.
+#[cold]
+#[inline(never)]
+pub(super) fn relation_near_contact<S: Scalar + InFloat<F>, F: Float>(
+    question: &Lie<'_, S>,
+) -> Option<Relation> {
+    let boxes = boxes::<S, F>(question)?;
+    boxes.exactly(&boxes.given(question)).or_else(|| relation::<S, F>(question))
+}
+
+/// The boxes in floats, if these hold all numbers.
+#[inline(always)]
+fn boxes<S: Scalar + InFloat<F>, F: Float>(question: &Lie<'_, S>) -> Option<Boxes<F>> {
+    let Lie { first, second, .. } = *question;
     if !holds_one::<S, F>() {
         return None;
     }
     let ObbInFloats { center: b, axes: v, half: k } = ObbInFloats::<F>::new(second);
-    let boxes = match first {
+    Some(match first {
         First::Obb(first) => {
             let ObbInFloats { center: a, axes: u, half: h } = ObbInFloats::<F>::new(first);
             if !fits::<S, F::Quad, 4>(&[a, h, b, k]) {
@@ -57,12 +79,7 @@ pub(super) fn relation<S: Scalar + InFloat<F>, F: Float>(
             let u = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
             Boxes { d, u, h, v, k }
         }
-    };
-    match boxes.relation::<S, F::Quad>()? {
-        Ok(relation) => Some(relation),
-        Err(_) if asked == Asked::MayOverlap => None,
-        Err(doubt) => boxes.in_doubt(question, &doubt),
-    }
+    })
 }
 
 /// What floats know of two boxes that they do not decide.
@@ -163,6 +180,17 @@ impl<F: Float> Boxes<F> {
         if doubt.are_faces_clear && self.overlap_beside_near_axes(&doubt.error) {
             return Some(Relation::Overlapping);
         }
+        let given = self.given(question);
+        self.exactly(&given).or_else(|| {
+            // `f32` goes on in `f64`.
+            let is_last = size_of::<F>() == size_of::<f64>() && !SMALL_CODE;
+            if is_last { window::relation(&given, doubt.open) } else { None }
+        })
+    }
+
+    /// The numbers as given.
+    #[inline(always)]
+    fn given<S: Scalar + InFloat<F>>(&self, question: &Lie<'_, S>) -> Given<F> {
         let ObbInFloats { center, half, .. } = ObbInFloats::<F>::new(question.second);
         let (first, by_corners) = match question.first {
             First::Obb(first) => {
@@ -176,12 +204,7 @@ impl<F: Float> Boxes<F> {
                 ([p, q].map(|p| in_floats(p.to_array())), by_corners)
             }
         };
-        let given = Given { first, second: [center, half], u: self.u, v: self.v, by_corners };
-        self.exactly(&given).or_else(|| {
-            // `f32` goes on in `f64`.
-            let is_last = size_of::<F>() == size_of::<f64>() && !SMALL_CODE;
-            if is_last { window::relation(&given, doubt.open) } else { None }
-        })
+        Given { first, second: [center, half], u: self.u, v: self.v, by_corners }
     }
 
     /// Whether the boxes overlap, if the faces are clear and only pairs of axes that may be nearly
