@@ -94,7 +94,7 @@ fn upright<S: Scalar>(first: &Aabb<S>, second: &Obb<S>) -> Option<Result<Relatio
 #[inline(always)]
 fn is_skewed<S: Scalar>(u: [S; 3], v: [S; 3]) -> bool {
     let ([a, b, c], [x, y, z], one) = (plain(u), plain(v), S::plain_one().offset(S::ZERO));
-    !((a * x + b * y + c * z).abs() < one * one * (1.0 / 64.0))
+    (a * x + b * y + c * z).abs() >= one * one * (1.0 / 64.0)
 }
 
 #[inline(always)]
