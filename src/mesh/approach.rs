@@ -113,7 +113,7 @@ impl<S: Scalar> Descend for InFloats<S> {
             let below = planes(node.0[i]) - Four::splat(self.low[i]);
             let above = Four::splat(self.high[i]) - planes(node.0[3 + i]);
             let gap = below.greatest(above).greatest(Four::splat(0.0)) * Four::splat(self.step[i]);
-            sum = sum + gap * gap;
+            sum += gap * gap;
         }
         // No number is NaN, and none below zero: as integers they compare likewise.
         let sooner = sum.to_array().map(|x| x.to_bits() as i32);
