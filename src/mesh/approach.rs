@@ -108,13 +108,13 @@ impl<S: Scalar> Descend for InFloats<S> {
     #[inline(always)]
     fn meets(&self, node: &Node) -> Met {
         let planes = |[a, b, c, d]: [u16; 4]| Four::new([a.into(), b.into(), c.into(), d.into()]);
-        let mut sum = Four::splat(0.0);
-        for i in 0..3 {
+        let [x, y, z] = three(|i| {
             let below = planes(node.0[i]) - Four::splat(self.low[i]);
             let above = Four::splat(self.high[i]) - planes(node.0[3 + i]);
             let gap = below.greatest(above).greatest(Four::splat(0.0)) * Four::splat(self.step[i]);
-            sum += gap * gap;
-        }
+            gap * gap
+        });
+        let sum = x + y + z;
         // No number is NaN, and none below zero: as integers they compare likewise.
         let sooner = sum.to_array().map(|x| x.to_bits() as i32);
         Met { mask: !sum.exceeds(Four::splat(self.limit)) & 15, sooner }
