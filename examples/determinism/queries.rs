@@ -144,6 +144,4 @@ queries! {
     TriangleClosest = "triangle closest_point",
     SegmentClosest = "segment closest_point",
     AabbClosest = "aabb closest_point",
-    DistanceSquared = "distance_squared",
-    MeshClosest = "mesh closest_point",
 }
