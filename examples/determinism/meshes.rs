@@ -11,6 +11,7 @@ use septum::{Aabb, HitRules, Obb, Ray, Segment, Triangle, Vec3};
 use super::super::draw::Draw;
 use super::answers::Answers;
 use super::contacts::tell;
+use super::pairs::closest;
 use super::queries::Query;
 use super::{greatest, least};
 
@@ -130,6 +131,9 @@ pub(super) fn all<S: Draw, A: Answers>(
     let middle =
         |p: Vec3<S>, q: Vec3<S>| Vec3::new(p.x.middle(q.x), p.y.middle(q.y), p.z.middle(q.z));
     let center = middle(middle(points[0], points[7]), middle(points[3], points[4]));
+    let near = tree.closest_point(center);
+    answers.to(Query::MeshClosest).byte(near.map_or(0xff, |(i, _)| i as u8));
+    closest(answers, Query::MeshClosest, near.map(|(_, closest)| closest));
     for point in [points[0], middle(points[0], points[7]), center, middle(center, points[6])] {
         let winding = tree.winding(point).map_or(0x7f, |winding| winding as i8 as u8);
         answers.to(Query::MeshWinding).byte(winding);

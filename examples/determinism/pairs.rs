@@ -229,10 +229,18 @@ pub(super) fn spheres<S: Draw, A: Answers>(
         for aabb in aabbs {
             answers.to(Query::AabbClosest).vector(aabb.closest_point(center).ok());
         }
+        let squared = answers.to(Query::DistanceSquared);
+        squared.maybe(triangle.distance_squared(center).ok());
+        squared.maybe(segments[1].and_then(|segment| segment.distance_squared(center).ok()));
+        squared.maybe(aabbs[0].distance_squared(center).ok());
     }
 }
 
-fn closest<S: Draw, A: Answers>(answers: &mut A, query: Query, found: Option<Closest<S>>) {
+pub(super) fn closest<S: Draw, A: Answers>(
+    answers: &mut A,
+    query: Query,
+    found: Option<Closest<S>>,
+) {
     let answer = answers.to(query);
     answer.vector(found.map(|closest| closest.point));
     answer.byte(match found.map(|closest| closest.feature) {

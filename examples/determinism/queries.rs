@@ -144,4 +144,6 @@ queries! {
     TriangleClosest = "triangle closest_point",
     SegmentClosest = "segment closest_point",
     AabbClosest = "aabb closest_point",
+    DistanceSquared = "distance_squared",
+    MeshClosest = "mesh closest_point",
 }
