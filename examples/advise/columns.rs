@@ -55,7 +55,7 @@ pub(crate) fn costs(options: &Options, scene: &Scene, survey: &Survey) -> String
             Target::Host => cells.push(row.timing.map_or("?".into(), |t| {
                 format!("{:.2} ({:.2}–{:.2})", t.median, t.usual[0], t.usual[1])
             })),
-            Target::M0 | Target::M4f => {
+            Target::M0 | Target::M4f | Target::Rv32 => {
                 cells.push(figure(row.instructions.as_ref()));
                 cells.push(figure(row.time.as_ref()));
                 cells.push(figure(row.code.as_ref()));

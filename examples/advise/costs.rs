@@ -175,6 +175,7 @@ impl Target {
             Self::Host => "this machine",
             Self::M0 => "Cortex-M0",
             Self::M4f => "Cortex-M4F",
+            Self::Rv32 => "RV32IMC",
         }
     }
 }

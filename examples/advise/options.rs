@@ -94,6 +94,8 @@ pub(crate) enum Target {
     M0,
     /// Cortex-M4F; instructions come from a table
     M4f,
+    /// RV32IMC, as ESP32-C3 and CH32V; instructions come from a table
+    Rv32,
 }
 
 /// The axis of a mesh that points up. This example does not turn meshes.

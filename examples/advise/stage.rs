@@ -84,7 +84,7 @@ impl Stage {
         let points = scene.points(query).map(|p| p.map(nearest));
         match target {
             Target::Host if width(points.as_flattened().iter()) <= 60 => Self::Integers,
-            Target::Host | Target::M0 | Target::M4f => Self::Sums,
+            Target::Host | Target::M0 | Target::M4f | Target::Rv32 => Self::Sums,
         }
     }
 

@@ -42,7 +42,13 @@ use crate::firmware::{program, say};
 use crate::meter::Meter;
 
 /// The core that this is built for.
-const CORE: &str = if cfg!(target_abi = "eabihf") { "Cortex-M4F" } else { "Cortex-M0" };
+const CORE: &str = if cfg!(target_arch = "riscv32") {
+    "RV32IMC"
+} else if cfg!(target_abi = "eabihf") {
+    "Cortex-M4F"
+} else {
+    "Cortex-M0"
+};
 
 /// Measures everything, a line for each path.
 fn run() -> bool {
