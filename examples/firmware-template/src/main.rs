@@ -2,50 +2,54 @@
 #![no_std]
 #![no_main]
 
+mod log;
+#[rustfmt::skip]
 mod zone;
 
 use cortex_m as _;
 use fixed::types::I16F16;
-use semihosting::println;
-use septum::mesh::{Mesh, MeshError, Node, Tree};
+use log::say;
+use septum::mesh::{Mesh, MeshError, Tree};
 use septum::{Aabb, ShapeError};
-use zone::{CORNERS, FACES};
+use zone::{FACES, NODES, VERTICES};
 
-const COUNT: usize = FACES.len();
+/// Half the width of the tool.
+const HALF: I16F16 = I16F16::from_bits(3 << 16);
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    let (mut nodes, mut order) = ([Node::EMPTY; Node::count_for(COUNT)], [0; COUNT]);
-    let is_done = match zone(&mut nodes, &mut order) {
-        Ok(zone) => come_down(&zone).map_err(|error| println!("the tool: {error}")).is_ok(),
-        Err(error) => {
-            println!("the zone: {error}");
-            false
+    match zone() {
+        Ok(zone) => {
+            for height in [30, 25, 20, 15, 10, 5, 0] {
+                if look(&zone, height).is_err() {
+                    say!("at {} mm: no tool", height);
+                }
+            }
         }
-    };
-    semihosting::process::exit(i32::from(!is_done))
+        Err(_) => say!("the zone: its tables are damaged"),
+    }
+    log::end()
 }
 
-/// The zone, with a tree over it, so that a query tests few of its triangles.
-fn zone<'a>(
-    nodes: &'a mut [Node],
-    order: &'a mut [u16],
-) -> Result<Tree<'a, I16F16, u16>, MeshError> {
-    let mesh = Mesh::new(&CORNERS, &FACES)?;
-    // Only a closed mesh has an inside.
-    mesh.check_closed(&mut [[0; 2]; 3 * COUNT])?;
-    Tree::build(mesh, nodes, order)
+/// The zone, and the tree over it, as they lie in flash. Nothing is built: each box is looked at once.
+fn zone() -> Result<Tree<'static, I16F16, u16>, MeshError> {
+    Tree::new(Mesh::new(&VERTICES, &FACES)?, &NODES)
 }
 
-fn come_down(zone: &Tree<'_, I16F16, u16>) -> Result<(), ShapeError> {
-    for height in (0..=30).rev().step_by(5) {
-        let middle = [I16F16::ZERO, I16F16::ZERO, I16F16::from_num(height)];
-        let tool = Aabb::from_center_half_extents(middle, [I16F16::from_num(3); 3])?;
-        match zone.overlapping(&tool).next() {
-            Some(face) => println!("at {height} mm: touches face {face}"),
-            None if zone.contains(middle) => println!("at {height} mm: wholly inside"),
-            None => println!("at {height} mm: outside"),
-        }
+/// Says where the tool is, so many millimetres high.
+fn look(zone: &Tree<'_, I16F16, u16>, height: i16) -> Result<(), ShapeError> {
+    let middle = [I16F16::ZERO, I16F16::ZERO, I16F16::from_bits(i32::from(height) << 16)];
+    let tool = Aabb::from_center_half_extents(middle, [HALF; 3])?;
+    match zone.overlapping(&tool).next() {
+        Some(face) => say!("at {} mm: touches face {}", height, face),
+        None if zone.contains(middle) => say!("at {} mm: wholly inside", height),
+        None => say!("at {} mm: outside", height),
     }
     Ok(())
+}
+
+/// Never linked: see README.md.
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    loop {}
 }

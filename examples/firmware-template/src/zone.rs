@@ -1,25 +1,26 @@
-//! The zone to keep out of, in flash: an octahedron of 40 mm. Replace it by a mesh of your
-//! own: the example `quantise` of septum's repository makes such tables from OBJ files.
+// The zone in I16F16, made by the example `quantise`.
 
 use fixed::types::I16F16;
-use septum::Vec3;
+use septum::{Vec3, mesh::Node};
 
-/// Millimetres.
-const fn corner(x: i16, y: i16, z: i16) -> Vec3<I16F16> {
-    const fn mm(x: i16) -> I16F16 {
-        I16F16::from_bits((x as i32) << 16)
-    }
-    Vec3::new(mm(x), mm(y), mm(z))
+const fn v(x: i32, y: i32, z: i32) -> Vec3<I16F16> {
+    Vec3::new(I16F16::from_bits(x), I16F16::from_bits(y), I16F16::from_bits(z))
 }
 
-pub static CORNERS: [Vec3<I16F16>; 6] = [
-    corner(20, 0, 0),
-    corner(-20, 0, 0),
-    corner(0, 20, 0),
-    corner(0, -20, 0),
-    corner(0, 0, 20),
-    corner(0, 0, -20),
+const fn n(bits: [[u16; 4]; 6]) -> Node {
+    Node::from_bits(bits)
+}
+
+pub(crate) static VERTICES: [Vec3<I16F16>; 6] = [
+    v(1310720, 0, 0), v(0, 1310720, 0), v(0, 0, 1310720), v(-1310720, 0, 0),
+    v(0, -1310720, 0), v(0, 0, -1310720),
 ];
 
-pub static FACES: [[u16; 3]; 8] =
-    [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
+pub(crate) static FACES: [[u16; 3]; 8] = [
+    [1, 3, 2], [3, 4, 2], [3, 1, 5], [4, 3, 5], [0, 1, 2], [4, 0, 2], [1, 0, 5], [0, 4, 5],
+];
+
+// The tree over all faces, in whose order the faces are.
+pub(crate) static NODES: [Node; 1] = [
+    n([[0, 20480, 65535, 65535], [0, 0, 65535, 65535], [0, 0, 65535, 65535], [20480, 40960, 0, 0], [40960, 40960, 0, 0], [40960, 40960, 0, 0]]),
+];
