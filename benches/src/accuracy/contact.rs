@@ -6,7 +6,7 @@ use septum_kit::contacts::{ContactCase, Solid};
 use septum_kit::{Rng, Sample};
 
 use super::obb_obb::{SETS, framed};
-use super::{Exam, as_f32};
+use super::{Exam, in_scalar};
 use crate::candidate::{Candidate, Course};
 use crate::contact::{Sunk, ours, peer};
 use crate::pairs::Pairs;
@@ -45,8 +45,8 @@ pub(crate) fn answers<S: Sample>(
     }
     let course = Course::new((scalar, ""), pairs, truth);
     let mut all = ours(&course);
-    if let Some(course) = as_f32::<_, Course<Sunk<Obb<f32>>, ()>>(course) {
-        all.push(peer(&course, "parry3d contact"));
+    if let Some(course) = in_scalar::<Course<Sunk<Obb<f32>>, ()>>(&course) {
+        all.push(peer(course, "parry3d contact"));
     }
     all
 }

@@ -6,7 +6,7 @@ use septum_kit::lines::{Line, LineObb};
 use septum_kit::{Rng, Sample};
 
 use super::obb_obb::{SETS, framed};
-use super::{Exam, as_f32};
+use super::{Exam, in_scalar};
 use crate::candidate::Course;
 use crate::line_obb::{ours, peer};
 use crate::pairs::Pairs;
@@ -34,8 +34,8 @@ pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
             }
             let rays = Course::new((scalar, ""), rays.0, rays.1);
             let mut all = ours(&rays, &Course::new((scalar, ""), segments.0, segments.1));
-            if let Some(rays) = as_f32::<_, Course<Ray<f32>, Obb<f32>>>(rays) {
-                all.push(peer(&rays, "parry3d cast_ray"));
+            if let Some(rays) = in_scalar::<Course<Ray<f32>, Obb<f32>>>(&rays) {
+                all.push(peer(rays, "parry3d cast_ray"));
             }
             all
         }),

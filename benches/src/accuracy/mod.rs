@@ -100,7 +100,7 @@ fn add(sums: &mut Vec<Tally>, found: Vec<Tally>) {
     }
 }
 
-/// The course, if it is in `f32`, for the peers.
-fn as_f32<T: 'static, In: 'static>(course: T) -> Option<In> {
-    (Box::new(course) as Box<dyn Any>).downcast().ok().map(|course| *course)
+/// The course, if it is in this scalar, for methods that do not support all.
+fn in_scalar<In: 'static>(course: &dyn Any) -> Option<&In> {
+    course.downcast_ref()
 }

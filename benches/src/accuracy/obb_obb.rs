@@ -4,9 +4,9 @@ use septum::Obb;
 use septum_kit::boxes::{AnyBox, BoxCase, BoxSet, ObbNumbers};
 use septum_kit::{Rng, Sample};
 
-use super::{Exam, as_f32};
+use super::{Exam, in_scalar};
 use crate::candidate::Course;
-use crate::obb_obb::{ours, peer};
+use crate::obb_obb::{in_vectors, ours, peer};
 use crate::pairs::Pairs;
 
 /// The sets of rotated, not skewed, boxes: the peer supports no others.
@@ -37,8 +37,9 @@ pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
             }
             let course = Course::new((scalar, ""), pairs, truth);
             let mut all = ours(&course);
-            if let Some(course) = as_f32::<_, Course<Obb<f32>, Obb<f32>>>(course) {
-                all.push(peer(&course, "parry3d"));
+            if let Some(course) = in_scalar::<Course<Obb<f32>, Obb<f32>>>(&course) {
+                all.push(peer(course, "parry3d"));
+                all.push(in_vectors(course));
             }
             all
         }),

@@ -4,7 +4,7 @@ use septum::sweep::Sweep;
 use septum_kit::sweeps::{SweepCase, SweepSet};
 use septum_kit::{BoxNumbers, Sample, Set};
 
-use super::{Exam, as_f32};
+use super::{Exam, in_scalar};
 use crate::candidate::{Candidate, Course};
 use crate::pairs::Pairs;
 use crate::sweep::{Given, Shot, Timed, ours, peers};
@@ -38,7 +38,7 @@ pub(crate) fn answers<S: Sample>(scalar: &'static str, cases: &[SweepCase<S>]) -
     let (mut pairs, mut shots) = (Pairs::default(), (Pairs::default(), Vec::new()));
     for (case, &meets) in cases.iter().zip(&truth) {
         let due = meets.then(|| latest(case));
-        if let Some(given) = as_f32(*case).and_then(|case| shot(&case)) {
+        if let Some(given) = in_scalar(case).and_then(shot) {
             shots.0.push(Timed { given, due }, [()]);
             shots.1.push(meets);
         }

@@ -10,7 +10,7 @@ use crate::triangle_aabb as tests;
 use crate::unit::Form;
 use septum_kit::{BoxNumbers, Case, Sample, Set, meets};
 
-use super::{Exam, as_f32};
+use super::{Exam, in_scalar};
 
 /// Every set for which the scalar has the range, for our modes.
 pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
@@ -37,8 +37,8 @@ pub(crate) fn peers<S: Sample>(scalar: &'static str, cases: &[Case<S>]) -> Vec<C
         return Vec::new();
     }
     let [by_center, by_corners] = Form::ALL.map(|form| course(scalar, cases, form));
-    match (as_f32::<_, In<f32>>(by_center), as_f32::<_, In<f32>>(by_corners)) {
-        (Some(by_center), Some(by_corners)) => tests::peers_on(&by_center, &by_corners),
+    match (in_scalar::<In<f32>>(&by_center), in_scalar::<In<f32>>(&by_corners)) {
+        (Some(by_center), Some(by_corners)) => tests::peers_on(by_center, by_corners),
         _ => Vec::new(),
     }
 }

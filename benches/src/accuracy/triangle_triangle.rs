@@ -4,10 +4,12 @@ use septum::Triangle;
 use septum_kit::flat::{Flat, FlatCase, FlatSet, Truth};
 use septum_kit::{Rng, Sample};
 
-use super::{Exam, as_f32};
+use super::{Exam, in_scalar};
 use crate::candidate::Course;
 use crate::pairs::Pairs;
-use crate::triangle_triangle::{by_axes, ours, peers};
+use crate::triangle_triangle::{by_axes, by_volumes, ours, peers};
+
+type In<S> = Course<Triangle<S>, Triangle<S>>;
 
 /// Every set for which the scalar has the range.
 pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
@@ -28,10 +30,12 @@ pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
             }
             let course = Course::new((scalar, ""), pairs, truth);
             let mut all = ours(&course);
-            if let Some(course) = as_f32::<_, Course<Triangle<f32>, Triangle<f32>>>(course) {
-                all.push(by_axes(&course, "11 axes"));
-                all.extend(peers(&course));
+            if let Some(course) = in_scalar::<In<f32>>(&course) {
+                all.push(by_axes(course, "11 axes"));
+                all.push(by_volumes(course));
+                all.extend(peers(course));
             }
+            all.extend(in_scalar::<In<f64>>(&course).map(by_volumes));
             all
         }),
     };

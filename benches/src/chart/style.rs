@@ -17,7 +17,7 @@ const fn family(name: &'static str, mark: Mark, color: &'static str) -> Family {
 }
 
 /// In the order of the legend. A test belongs to the first family whose text occurs in its name.
-const FAMILIES: [(&str, Family); 17] = [
+const FAMILIES: [(&str, Family); 19] = [
     ("parry3d", family("parry3d", Mark::Cross, PURPLE)),
     ("box3d", family("box3d-rust", Mark::Plus, PURPLE)),
     ("obvhs", family("obvhs", Mark::HourGlass, PURPLE)),
@@ -27,6 +27,8 @@ const FAMILIES: [(&str, Family); 17] = [
     ("rounded, as published", family("as published", Mark::Square, VERMILION)),
     ("as published", family("as published", Mark::Square, VERMILION)),
     ("11 axes", family("11 axes, as one types them", Mark::Square, VERMILION)),
+    ("Guigue", family("Guigue and Devillers", Mark::Diamond, VERMILION)),
+    ("15 axes", family("15 axes, four wide", Mark::Square, VERMILION)),
     ("as in C", family("Möller–Trumbore as in C", Mark::Square, VERMILION)),
     ("Möller", family("Möller–Trumbore", Mark::Left, VERMILION)),
     ("stored normal", family("stored normal", Mark::Diamond, BLUE)),

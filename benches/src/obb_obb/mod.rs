@@ -1,5 +1,6 @@
 //! Oriented box against oriented box; the yardstick is parry3d, in `f32`.
 
+mod gottschalk;
 mod scenes;
 
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
@@ -13,6 +14,7 @@ use crate::peer_shapes::parry_vector;
 use crate::session::{Group, Session};
 use crate::unit::{F32, F64, I8F8_15, I16F16_18, Unit};
 
+use gottschalk::Vectors;
 pub(crate) use scenes::{Scene, Turned, half, turned};
 
 pub(crate) fn obb<S: Scalar>(unit: &Unit<S>, turned: &Turned) -> Obb<S> {
@@ -56,7 +58,9 @@ fn group<S: Scalar>(unit: Unit<S>) -> Group<Scene> {
 }
 
 pub(crate) fn groups() -> Vec<Group<Scene>> {
-    vec![group(F32), group(F64), group(I8F8_15), group(I16F16_18)]
+    let in_vectors = |scene: &Scene| vec![in_vectors(&course(scene, &F32))];
+    let in_vectors: Group<Scene> = ("f32 15 axes", Box::new(in_vectors));
+    vec![group(F32), in_vectors, group(F64), group(I8F8_15), group(I16F16_18)]
 }
 
 /// A box in the peer's form.
@@ -83,6 +87,12 @@ pub(crate) fn placed(obb: &Obb<f32>) -> Placed {
 pub(crate) fn peer(course: &Course<Obb<f32>, Obb<f32>>, who: &str) -> Candidate {
     let parry3d = course.prepared("", |pairs| pairs.map(placed, placed));
     parry3d.candidate(who, Promise::Nothing, parry)
+}
+
+/// The 15 axes as published, in vectors of `f32`.
+pub(crate) fn in_vectors(course: &Course<Obb<f32>, Obb<f32>>) -> Candidate {
+    let vectors = course.prepared("", |pairs| pairs.map(Vectors::new, Vectors::new));
+    vectors.candidate("15 axes, four wide", Promise::Nothing, gottschalk::overlap)
 }
 
 pub(crate) fn yardstick(scene: &Scene) -> Candidate {

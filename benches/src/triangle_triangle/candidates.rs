@@ -11,6 +11,7 @@ use crate::candidate::{Candidate, Course, Promise};
 use crate::peer_shapes::parry_vector;
 use crate::unit::{F32, Unit};
 
+use super::guigue_devillers::{Real, overlap};
 use super::scenes::Scene;
 
 /// The scene in a scalar; the truth is the exact test in `f64`.
@@ -69,6 +70,13 @@ fn eleven_axes(t: &Triangle<f32>, u: &Triangle<f32>) -> bool {
         return false;
     }
     !e.iter().any(|&e| f.iter().any(|&f| separates(cross(e, f))))
+}
+
+/// The test of Guigue and Devillers, in the scalar of the triangles.
+pub fn by_volumes<T: Scalar + Real>(course: &Course<Triangle<T>, Triangle<T>>) -> Candidate {
+    let points = |t: &Triangle<T>| t.vertices().map(|p| p.to_array());
+    let pairs = course.prepared("", |pairs| pairs.map(points, points));
+    pairs.candidate("Guigue-Devillers", Promise::Nothing, overlap)
 }
 
 /// Far from the origin it asserts that its bounds are finite, and panics; that counts as no
