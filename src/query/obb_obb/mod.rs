@@ -1,7 +1,9 @@
 //! Oriented box against oriented box, and code shared with axis-aligned boxes.
 
+mod doubt;
 mod error_bound;
 mod exact;
+mod floats;
 mod frames;
 mod kernel;
 mod rows;

@@ -1,36 +1,25 @@
 //! The kernel in floats, with the three axes of a box side by side. It has the same axes and
 //! operations as the kernel of single numbers, so its answers are the same.
 
-use super::error_bound::{ErrorBound, error_bound};
-use super::kernel::{self, all_axes, is_zero};
-use super::window::{self, Given};
-use super::{First, Lie};
-use crate::arithmetic::{Filtered, Float, InFloat, Quad, SMALL_CODE, THREE, greatest};
-use crate::query::obb_rows::{ObbInFloats, Vectors, fits, holds_one, in_floats, most, transposed};
+use super::Lie;
+use super::doubt::Doubt;
+use super::error_bound::error_bound;
+use super::floats::{Boxes, of_boxes};
+use crate::arithmetic::{Filtered, Float, InFloat, Quad, THREE, greatest};
+use crate::query::obb_rows::{Vectors, most, transposed};
 use crate::query::relation::{Asked, Relation};
 use crate::scalar::Scalar;
-use crate::shape::AabbForm;
-
-/// Two parallelepipeds: the difference of the centres, axes and half-extents.
-struct Boxes<F> {
-    d: [F; 3],
-    u: [[F; 3]; 3],
-    h: [F; 3],
-    v: [[F; 3]; 3],
-    k: [F; 3],
-}
 
 /// The relation of the boxes, if floats decide it.
 #[inline(never)]
 pub(super) fn relation<S: Scalar + InFloat<F>, F: Float>(
     question: &Lie<'_, S>,
 ) -> Option<Relation> {
-    let boxes = boxes::<S, F>(question)?;
-    match boxes.relation::<S, F::Quad>()? {
+    of_boxes::<S, F>(question, |boxes| match boxes.relation::<S, F::Quad>()? {
         Ok(relation) => Some(relation),
         Err(_) if question.asked == Asked::MayOverlap => None,
         Err(doubt) => boxes.in_doubt(question, &doubt),
-    }
+    })
 }
 
 /// The same, if the boxes are known to be near contact and of a size within the range of the error
@@ -40,59 +29,8 @@ pub(super) fn relation<S: Scalar + InFloat<F>, F: Float>(
 pub(super) fn relation_near_contact<S: Scalar + InFloat<F>, F: Float>(
     question: &Lie<'_, S>,
 ) -> Option<Relation> {
-    let boxes = boxes::<S, F>(question)?;
-    boxes.exactly(&boxes.given(question)).or_else(|| relation::<S, F>(question))
-}
-
-/// The boxes in floats, if these hold all numbers.
-#[inline(always)]
-fn boxes<S: Scalar + InFloat<F>, F: Float>(question: &Lie<'_, S>) -> Option<Boxes<F>> {
-    let Lie { first, second, .. } = *question;
-    if !holds_one::<S, F>() {
-        return None;
-    }
-    let ObbInFloats { center: b, axes: v, half: k } = ObbInFloats::<F>::new(second);
-    Some(match first {
-        First::Obb(first) => {
-            let ObbInFloats { center: a, axes: u, half: h } = ObbInFloats::<F>::new(first);
-            if !fits::<S, F::Quad, 4>(&[a, h, b, k]) {
-                return None;
-            }
-            Boxes { d: each(b, a, |b, a| b - a), u, h, v, k }
-        }
-        First::Aabb(first) => {
-            let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
-                first.form();
-            let (p, q): ([F; 3], [F; 3]) = (in_floats(p.to_array()), in_floats(q.to_array()));
-            if !fits::<S, F::Quad, 4>(&[p, q, b, k]) {
-                return None;
-            }
-            let from = |p| each(b, p, |b: F, p| b - p);
-            let (d, h) = match first.form() {
-                AabbForm::Center { .. } => (from(p), q),
-                AabbForm::Corners { .. } => (
-                    each(from(p), from(q), |x, y| (x + y).half()),
-                    each(q, p, |q, p| (q - p).half()),
-                ),
-            };
-            let (zero, one) = (F::ZERO, F::from(1));
-            let u = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
-            Boxes { d, u, h, v, k }
-        }
-    })
-}
-
-/// What floats know of two boxes that they do not decide.
-struct Doubt<F> {
-    error: ErrorBound<F>,
-    are_faces_clear: bool,
-    /// The axes on which the boxes do not overlap for certain; see [`window::relation`].
-    open: u32,
-}
-
-#[inline(always)]
-fn each<F: Copy>(a: [F; 3], b: [F; 3], f: impl Fn(F, F) -> F) -> [F; 3] {
-    [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2])]
+    of_boxes::<S, F>(question, |boxes| boxes.exactly(&boxes.given(question)))
+        .or_else(|| relation::<S, F>(question))
 }
 
 impl<F: Float> Boxes<F> {
@@ -168,103 +106,13 @@ impl<F: Float> Boxes<F> {
         let open = open(of_first) | open(of_second) << 3 | a << 6 | b << 9 | c << 12;
         Some(Err(Doubt { error, are_faces_clear, open }))
     }
-
-    /// The relation, where floats are in doubt.
-    #[cold]
-    #[inline(never)]
-    fn in_doubt<S: Scalar + InFloat<F>>(
-        &self,
-        question: &Lie<'_, S>,
-        doubt: &Doubt<F>,
-    ) -> Option<Relation> {
-        if doubt.are_faces_clear && self.overlap_beside_near_axes(&doubt.error) {
-            return Some(Relation::Overlapping);
-        }
-        let given = self.given(question);
-        self.exactly(&given).or_else(|| {
-            // `f32` goes on in `f64`.
-            let is_last = size_of::<F>() == size_of::<f64>() && !SMALL_CODE;
-            if is_last { window::relation(&given, doubt.open) } else { None }
-        })
-    }
-
-    /// The numbers as given.
-    #[inline(always)]
-    fn given<S: Scalar + InFloat<F>>(&self, question: &Lie<'_, S>) -> Given<F> {
-        let ObbInFloats { center, half, .. } = ObbInFloats::<F>::new(question.second);
-        let (first, by_corners) = match question.first {
-            First::Obb(first) => {
-                let ObbInFloats { center, half, .. } = ObbInFloats::<F>::new(first);
-                ([center, half], false)
-            }
-            First::Aabb(first) => {
-                let (AabbForm::Center { center: p, half: q }
-                | AabbForm::Corners { min: p, max: q }) = first.form();
-                let by_corners = matches!(first.form(), AabbForm::Corners { .. });
-                ([p, q].map(|p| in_floats(p.to_array())), by_corners)
-            }
-        };
-        Given { first, second: [center, half], u: self.u, v: self.v, by_corners }
-    }
-
-    /// Whether the boxes overlap, if the faces are clear and only pairs of axes that may be nearly
-    /// parallel are in doubt.
-    #[cold]
-    #[inline(never)]
-    fn overlap_beside_near_axes(&self, error: &ErrorBound<F>) -> bool {
-        all_axes::<F, true>(&self.as_single_numbers(), error, false) == Some(Relation::Overlapping)
-    }
-
-    fn as_single_numbers(&self) -> kernel::Boxes<F> {
-        let Self { d, u, h, v, k } = *self;
-        kernel::Boxes { d, u, h, v, k, one: F::from(1) }
-    }
-
-    /// The relation of boxes that are rotated by no angle or by quarter turns. It is exact if the
-    /// `given` numbers, centres and half-extents or corners, are short.
-    ///
-    /// P is the power of two that is not above the greatest of them. All are multiples of the last
-    /// place of 192·P, which is P/2^16 in `f32`, so they are below 2^18 of its halves. The
-    /// difference of the centres is below 2^19 halves, and that from a corner to the middle below
-    /// 2^18; both are integers. Axes of components 0, 1 and −1 have normals of components up to 2
-    /// and a determinant of at most 6. A reach is therefore up to 24·2^18, a distance up to
-    /// 12·2^18, and their difference below 2^24, so nothing is rounded. `f64` has 2^29 times as
-    /// much room. Nothing underflows, because the size is within the range of the error bound.
-    #[cold]
-    #[inline(never)]
-    fn exactly(&self, given: &Given<F>) -> Option<Relation> {
-        let Self { u, v, .. } = self;
-        let (zero, one) = (F::ZERO, F::from(1));
-        let is_whole = |x: &F| *x == zero || x.magnitude() == one;
-        if !u.iter().chain(v).flatten().all(is_whole) {
-            return None;
-        }
-        let numbers = || given.first.iter().chain(&given.second).flatten();
-        let most = numbers().fold(zero, |most, x| greatest(most, x.magnitude()));
-        let shifter = F::from(192) * most.power_of_two_below();
-        let is_short = |x: &F| *x + shifter - shifter == *x;
-        if !numbers().all(is_short) {
-            return None;
-        }
-        let nothing = ErrorBound { coordinate: zero, axis: zero };
-        all_axes::<F, false>(&self.as_single_numbers(), &nothing, true)
-    }
-
-    /// Whether all axes that are not clear are certainly zero: products of each axis of one box
-    /// with each axis of the second box, in order.
-    #[inline(never)]
-    fn are_zero_where_near<Q: Quad<Lane = F>>(&self, pairs: [Q; 3], below: Q) -> bool {
-        pairs.iter().zip(&self.v).all(|(gaps, v)| {
-            let clear = below.exceeds(*gaps);
-            self.u.iter().enumerate().all(|(i, u)| clear >> i & 1 == 1 || is_zero(u, v))
-        })
-    }
 }
 
 #[cfg(all(test, not(feature = "small")))]
 mod tests {
     use super::*;
     use crate::arithmetic::three;
+    use crate::query::obb_obb::First;
     use crate::query::obb_rows::tests::Numbers;
     use crate::robust::Predicate;
     use crate::shape::Obb;
