@@ -1,4 +1,4 @@
-//! The first integer stage of oriented boxes with boxes, segments and rays, in fixed point: every
+//! An integer stage of oriented boxes with boxes, segments and rays, in fixed point: every
 //! vector cut to 19 bits, with a bound on the error.
 //!
 //! A box, as a segment, is symmetric about a centre. Let d be the vector from centre to centre and
@@ -51,7 +51,7 @@ const ERROR: i64 = 5;
 
 /// Vectors in units of two to the `exponent`, in raw bits.
 #[derive(Clone, Copy)]
-struct Scaled<const K: usize> {
+pub(super) struct Scaled<const K: usize> {
     numbers: [[i64; 3]; K],
     exponent: i32,
     /// Their magnitudes are at most two to this, in raw bits.
@@ -60,13 +60,13 @@ struct Scaled<const K: usize> {
 
 impl<const K: usize> Scaled<K> {
     /// In units of two to the `unit`, to the nearest.
-    fn cut(&self, unit: i32) -> [[i32; 3]; K] {
+    pub(super) fn cut(&self, unit: i32) -> [[i32; 3]; K] {
         Raw::cut(self.numbers, unit - self.exponent)
     }
 }
 
 /// How many bits hold the numbers.
-fn bits<const K: usize>(numbers: &[[i64; 3]; K]) -> i32 {
+pub(super) fn bits<const K: usize>(numbers: &[[i64; 3]; K]) -> i32 {
     numbers.as_flattened().iter().fold(0, |all, x| all | x.folded()).bits()
 }
 
@@ -86,7 +86,11 @@ fn sum(of: impl Fn(usize) -> i128, halved: i32) -> Scaled<1> {
 }
 
 /// Each vector times a number, with the fraction bits of the two factors in the raw bits.
-fn products<const K: usize>(times: [i64; K], vectors: [[i64; 3]; K], fraction: i32) -> Scaled<K> {
+pub(super) fn products<const K: usize>(
+    times: [i64; K],
+    vectors: [[i64; 3]; K],
+    fraction: i32,
+) -> Scaled<K> {
     let mut factors = [[0; 3]; K];
     for (to, x) in factors.iter_mut().zip(times) {
         *to = [x, 0, 0];

@@ -1,6 +1,7 @@
 //! Triangle and axis-aligned box in machine words, for narrow registers: shared by the kernel of the
 //! two and by the first stage of triangle and oriented box.
 
+use super::relation::Relation;
 use crate::arithmetic::{ProductSum, Word, out_of_line_if_wide};
 
 /// Whether one of the remaining 10 axes separates a triangle from a box, if no face of the box does
@@ -18,16 +19,65 @@ use crate::arithmetic::{ProductSum, Word, out_of_line_if_wide};
 /// Only the signs of areas and volumes are needed: see [`ProductSum`].
 #[inline(never)]
 pub(super) fn one_sided<W: Word>(shapes: &[Projection<W>; 3]) -> bool {
-    in_areas::<W, W::Sum>(shapes)
+    in_areas::<W, W::Sum, Closed>(shapes)
+}
+
+/// How a triangle and a box lie to each other.
+///
+/// The interiors are disjoint exactly if an axis has a gap of zero or more, unless both shapes
+/// project to one point. The axes and sides of [`one_sided`] suffice: these are the facets of the
+/// difference of the shapes.
+#[inline(always)]
+pub(super) fn relation<W: Word>(shapes: &[Projection<W>; 3]) -> Relation {
+    if !shapes.iter().any(Projection::may_touch) && !one_sided_or_touching(shapes) {
+        Relation::Overlapping
+    } else if Projection::are_apart(shapes) || one_sided(shapes) {
+        Relation::Disjoint
+    } else {
+        Relation::Touching
+    }
+}
+
+#[inline(never)]
+fn one_sided_or_touching<W: Word>(shapes: &[Projection<W>; 3]) -> bool {
+    in_areas::<W, W::Sum, Open>(shapes)
+}
+
+/// The sets that an axis is to separate.
+trait Sets {
+    const ARE_OPEN: bool;
+
+    #[inline(always)]
+    fn difference<W: Word>(a: W, b: W) -> W {
+        if Self::ARE_OPEN { b - a } else { a - b }
+    }
+
+    /// Whether the axis separates, by the sign of a sum of products of such differences.
+    #[inline(always)]
+    fn are_apart(is_negative: bool) -> bool {
+        is_negative != Self::ARE_OPEN
+    }
+}
+
+/// The shapes: the gap has to be above zero.
+struct Closed;
+/// Their interiors: zero suffices.
+struct Open;
+
+impl Sets for Closed {
+    const ARE_OPEN: bool = false;
+}
+impl Sets for Open {
+    const ARE_OPEN: bool = true;
 }
 
 #[inline(always)]
-fn in_areas<W: Word, A: ProductSum<W>>(shapes: &[Projection<W>; 3]) -> bool {
+fn in_areas<W: Word, A: ProductSum<W>, K: Sets>(shapes: &[Projection<W>; 3]) -> bool {
     let [x, y, z] = shapes;
     let n: [A; 3] = [normal(y, z), normal(z, x), normal(x, y)];
     let turned = [turned(n[0], y, z), turned(n[1], z, x), turned(n[2], x, y)];
-    turned.iter().any(|(j, l)| an_edge_misses::<W, A>(j, l))
-        || [false, true].iter().any(|&in_mirror| is_behind(shapes, &n, in_mirror))
+    turned.iter().any(|(j, l)| an_edge_misses::<W, A, K>(j, l))
+        || [false, true].iter().any(|&in_mirror| is_behind::<W, A, K>(shapes, &n, in_mirror))
 }
 
 /// A triangle and a box, projected on one coordinate axis, relative to the least corner of the box.
@@ -57,6 +107,15 @@ impl<W: Word> Projection<W> {
     #[inline(always)]
     pub(super) fn are_apart(shapes: &[Self; 3]) -> bool {
         shapes.iter().any(Self::is_apart)
+    }
+
+    /// Whether the axis separates the interiors.
+    #[inline(always)]
+    fn may_touch(&self) -> bool {
+        let ([a, b, c], size) = (self.t, self.size);
+        let is_beside = (W::ZERO - a) | (W::ZERO - b) | (W::ZERO - c) >= W::ZERO
+            || (a - size) | (b - size) | (c - size) >= W::ZERO;
+        is_beside && a | b | c | size != W::ZERO
     }
 
     /// The same with the box grown on either side.
@@ -117,14 +176,22 @@ fn turned<'a, W: Word, A: ProductSum<W>>(
 /// Whether an edge of a triangle that turns from `j` to `l` has the whole box on its outer side:
 /// all x with e_j·(x_l − v_l) < e_l·(x_j − v_j).
 #[inline(always)]
-fn an_edge_misses<W: Word, A: ProductSum<W>>(j: &Projection<W>, l: &Projection<W>) -> bool {
+fn an_edge_misses<W: Word, A: ProductSum<W>, K: Sets>(
+    j: &Projection<W>,
+    l: &Projection<W>,
+) -> bool {
     out_of_line_if_wide!(W, {
         let (mut vj, mut vl) = (j.t[2], l.t[2]);
         for (&next_j, &next_l) in j.t.iter().zip(&l.t) {
             // As a sum, which takes one instruction less. For a zero component either end will do.
             let (ej, el) = (vj - next_j, next_l - vl);
             let (xj, xl) = (j.size.where_negative(el), l.size.where_negative(ej));
-            if A::new(vl - xl, ej, vj - xj, el).sign() < W::ZERO {
+            let beyond = A::new(K::difference(vl, xl), ej, K::difference(vj, xj), el).sign();
+            if K::are_apart(beyond < W::ZERO)
+                && (!K::ARE_OPEN
+                    || has_extent::<W, A>(j, l, [ej, el])
+                    || A::new(vl - xl, ej, vj - xj, el).sign() < W::ZERO)
+            {
                 return true;
             }
             (vj, vl) = (next_j, next_l);
@@ -133,11 +200,35 @@ fn an_edge_misses<W: Word, A: ProductSum<W>>(j: &Projection<W>, l: &Projection<W
     })
 }
 
+/// Whether the shapes are more than a point on the axis of an edge.
+#[inline(never)]
+fn has_extent<W: Word, A: ProductSum<W>>(
+    j: &Projection<W>,
+    l: &Projection<W>,
+    [ej, el]: [W; 2],
+) -> bool {
+    let (has_j, has_l) = (j.size != W::ZERO, l.size != W::ZERO);
+    el != W::ZERO && has_j || ej != W::ZERO && has_l || has_area::<W, A>(j, l)
+}
+
+/// Whether a component of the normal is not zero.
+#[inline(never)]
+fn has_area<W: Word, A: ProductSum<W>>(j: &Projection<W>, l: &Projection<W>) -> bool {
+    normal::<W, A>(j, l).sign() < W::ZERO || normal::<W, A>(l, j).sign() < W::ZERO
+}
+
+/// Whether the box is more than a point on the normal.
+#[inline(never)]
+fn has_depth<W: Word, A: ProductSum<W>>([x, y, z]: &[Projection<W>; 3]) -> bool {
+    let has = |i: &Projection<W>, j, l| i.size != W::ZERO && has_area::<W, A>(j, l);
+    has(x, y, z) || has(y, z, x) || has(z, x, y)
+}
+
 /// Whether the whole box lies behind the plane of the triangle, tested at the corner farthest along
 /// the normal, one of the two critical corners of Haines and Wallace. With `in_mirror`, whether it
 /// lies in front.
 #[inline(always)]
-fn is_behind<W: Word, A: ProductSum<W>>(
+fn is_behind<W: Word, A: ProductSum<W>, K: Sets>(
     shapes: &[Projection<W>; 3],
     n: &[A; 3],
     in_mirror: bool,
@@ -147,13 +238,16 @@ fn is_behind<W: Word, A: ProductSum<W>>(
         for (s, &n) in shapes.iter().zip(n) {
             let up = n.sign();
             let beyond = if in_mirror {
-                s.t[0] - s.size.where_negative(up)
+                K::difference(s.t[0], s.size.where_negative(up))
             } else {
-                s.size.unless_negative(up) - s.t[0]
+                K::difference(s.size.unless_negative(up), s.t[0])
             };
             volume = A::sum(volume, n, beyond);
         }
-        A::is_negative(volume)
+        K::are_apart(A::is_negative(volume))
+            && (!K::ARE_OPEN
+                || has_depth::<W, A>(shapes)
+                || is_behind::<W, A, Closed>(shapes, n, in_mirror))
     })
 }
 
@@ -185,10 +279,10 @@ mod tests {
                 let short = projections.map(|(t, size)| Projection { t, size });
                 let long = projections
                     .map(|(t, size)| Projection { t: t.map(i64::from), size: i64::from(size) });
-                let verdict = in_areas::<_, SplitSum<_>>(&long);
-                assert_eq!(verdict, in_areas::<_, i64>(&short), "{projections:?}");
+                let verdict = in_areas::<_, SplitSum<_>, Closed>(&long);
+                assert_eq!(verdict, in_areas::<_, i64, Closed>(&short), "{projections:?}");
                 assert!(
-                    !is_narrow || verdict == in_areas::<_, SplitSum<_>>(&short),
+                    !is_narrow || verdict == in_areas::<_, SplitSum<_>, Closed>(&short),
                     "{projections:?}"
                 );
                 apart += u32::from(verdict);

@@ -8,12 +8,14 @@ mod every_size;
 mod exact_oracle;
 mod extremes;
 mod interop;
+mod line_obb;
 mod logging;
 mod mesh;
 mod near_miss;
 mod obb;
 mod ray_rounding;
 mod ray_triangle;
+mod relations;
 mod unit_normal;
 
 /// A dependency of a module above.

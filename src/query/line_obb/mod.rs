@@ -8,6 +8,7 @@ mod faces;
 mod kernel;
 mod range;
 mod rows;
+mod words;
 
 use self::error_bound::error_bound;
 use self::exact::ExactLine;
@@ -137,7 +138,7 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     }
 
     #[inline(never)]
-    fn in_words(&self, _: bool) -> Option<bool>
+    fn in_words(&self, is_bounded: bool) -> Option<bool>
     where
         S: FixedBackend,
     {
@@ -145,10 +146,12 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
         if REGISTERS_ARE_WIDE && <S as InRaw>::ALWAYS_NEAR {
             return noted(None);
         }
-        noted(match self.line {
+        // A bounded query is the same on every machine.
+        let in_frame = if REGISTERS_ARE_WIDE || is_bounded { None } else { self.in_short_words() };
+        noted(in_frame.or_else(|| match self.line {
             Line::Ray(ray) => obb_short::ray(ray, self.obb),
             Line::Segment(segment) => obb_short::segment(segment, self.obb),
-        })
+        }))
     }
 
     fn exact(&self) -> bool {

@@ -8,11 +8,12 @@ use super::frame::{Frame, range};
 use super::kernel::{
     in_frame_of_center, in_frame_of_corners, narrow_plane, normal, one_edge, one_face, plane,
 };
-use crate::arithmetic::{Arithmetic, Embeds, Number, dot, greatest, of_two};
+use crate::arithmetic::{Arithmetic, Embeds, InWord, Number, REGISTERS_ARE_WIDE, Word};
+use crate::arithmetic::{dot, greatest, of_two};
 use crate::query::Axis;
 use crate::query::relation::{Nearness, Relate, Relation};
-use crate::robust::Predicate;
-use crate::scalar::Scalar;
+use crate::robust::{Predicate, WordKernel};
+use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
 /// The triangle in the frame of the box, if `N` holds the shapes.
@@ -30,7 +31,7 @@ fn in_frame<S: Scalar, N: Embeds<S>>(shapes: &Disjoint<'_, S>) -> Option<Frame<N
     })
 }
 
-/// Do shapes that are not disjoint only touch?
+/// How do the shapes lie to each other?
 struct Lie<'a, S>(Disjoint<'a, S>);
 
 impl<S: Scalar> Predicate<S> for Lie<'_, S> {
@@ -38,6 +39,24 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
 
     fn filter<N: Embeds<S>>(&self) -> Option<Relation> {
         all_axes(&in_frame::<S, N>(&self.0)?)
+    }
+
+    #[inline(always)]
+    fn in_words(&self, _: bool) -> Option<Relation>
+    where
+        S: FixedBackend,
+    {
+        S::in_machine_words(self)
+    }
+}
+
+impl<S: Scalar> WordKernel<S> for Lie<'_, S> {
+    #[inline(always)]
+    fn narrow<W: Word>(&self) -> Option<Relation>
+    where
+        S: InWord<W>,
+    {
+        self.0.relation_in_words()
     }
 }
 
@@ -81,7 +100,9 @@ fn all_axes<N: Arithmetic>(frame: &Frame<N>) -> Option<Relation> {
 
 impl<S: Scalar> Relate<Aabb<S>> for Triangle<S> {
     fn relation(&self, aabb: &Aabb<S>) -> Relation {
-        if self.overlaps(aabb) {
+        // Words find all three relations together.
+        let is_in_words = !REGISTERS_ARE_WIDE && S::FLOAT.is_none();
+        if is_in_words || self.overlaps(aabb) {
             S::evaluate(&Lie(Disjoint { triangle: self, aabb }))
         } else {
             Relation::Disjoint

@@ -3,7 +3,8 @@
 
 use super::Disjoint;
 use crate::arithmetic::{InWord, Word, out_of_line_if_wide};
-use crate::query::one_sided::{Projection, one_sided};
+use crate::query::one_sided::{Projection, one_sided, relation};
+use crate::query::relation::Relation;
 use crate::scalar::Scalar;
 #[cfg(feature = "fixed")]
 use crate::shape::{Aabb, Near, Overlaps, Triangle};
@@ -33,6 +34,18 @@ impl<S: Scalar> Disjoint<'_, S> {
             && W::is_central(z)
             && Projection::are_near(&projections))
         .then(|| Projection::are_apart(&projections) || one_sided(&projections))
+    }
+
+    /// How the shapes lie to each other, likewise.
+    #[inline(never)]
+    pub(super) fn relation_in_words<W: Word>(&self) -> Option<Relation>
+    where
+        S: InWord<W>,
+    {
+        let (min, _) = self.extents();
+        let projections = self.projections();
+        let is_near = min.iter().all(|x| x.is_central()) && Projection::are_near(&projections);
+        (S::ALWAYS_NEAR || is_near).then(|| relation(&projections))
     }
 
     /// The shapes projected on the coordinate axes, relative to the least corner of the box.

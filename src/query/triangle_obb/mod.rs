@@ -19,6 +19,7 @@ use self::exact::{ExactParallelepiped, InSums};
 use self::kernel::{Parallelepiped, all_axes};
 pub(super) use self::kernel::{cross, dot, lie_along_one_axis};
 use self::short::Change;
+pub(super) use self::short::{EXACT, are_disjoint, raw, size};
 use super::Overlaps;
 use super::relation::Reading;
 use crate::arithmetic::{Arithmetic, Embeds, Number, SMALL_CODE, greatest, largest};

@@ -35,7 +35,8 @@
 //!
 //! The last two columns add up to [`ERROR`], [`OF_AXES`] and [`OF_LENGTHS`]; `short.g` proves the
 //! sums. A difference that does not fit its word is computed from halves, together off by up to
-//! 1/2. It is cut by 13 bits or more, so this becomes at most 2^-12.
+//! 1/2. It is cut by 13 bits or more, so this becomes at most 2^-12. The ends of a ray are off by less
+//! than 2, and are cut by 13 bits or more (`line_obb::words`).
 //!
 //! Sums of products take words of 32 bits in two parts. With one operand of 20 bits split in the
 //! middle, three products are below 3·2^29.
@@ -48,7 +49,7 @@ use super::Disjoint;
 use crate::arithmetic::{InRaw, ProductSum, Raw, Word, greatest, turn};
 use crate::query::one_sided::{Projection, one_sided};
 use crate::scalar::Scalar;
-use crate::shape::Vec3;
+use crate::shape::{Obb, Vec3};
 
 /// The bits of an axis, without its sign.
 const AXIS: i32 = 19;
@@ -62,6 +63,9 @@ const ERROR: i32 = 1794;
 const OF_AXES: i32 = 3840;
 /// The error that cut lengths add.
 const OF_LENGTHS: i32 = 2561;
+
+/// The least unit of vertices that are exact.
+pub(in crate::query) const EXACT: i32 = i32::MIN;
 
 /// A sum of products.
 type Sum = <i32 as Word>::Sum;
@@ -83,76 +87,103 @@ pub(super) enum Change {
     Shrunk,
 }
 
-/// Vertices over a power of two, and its exponent.
-type Vertices<S> = ([[<S as InRaw>::Raw; 3]; 3], i32);
+/// Vertices relative to the centre of a box over a power of two, and its exponent.
+type Vertices<R> = ([[R; 3]; 3], i32);
+
+/// Whether the triangle and the box are disjoint; `None` in doubt. `least` is the exponent of the least
+/// unit in which the vertices are accurate enough.
+#[inline(always)]
+pub(in crate::query) fn are_disjoint<S: Scalar + InRaw, R: Raw>(
+    obb: &Obb<S>,
+    least: i32,
+    vertices: impl Fn() -> Vertices<R>,
+) -> Option<bool> {
+    // By reference, to save a copy.
+    match framed(obb, Change::Shrunk, least, vertices).as_mut() {
+        None => Some(true),
+        Some(framed) => framed.are_disjoint(),
+    }
+}
+
+/// The triangle in the frame of the box; `None` if a face of the box certainly separates them.
+#[inline(never)]
+fn framed<S: Scalar + InRaw, R: Raw>(
+    obb: &Obb<S>,
+    change: Change,
+    least: i32,
+    vertices: impl Fn() -> Vertices<R>,
+) -> Option<Framed> {
+    let mut error = ERROR;
+    let [u, v, w] = obb.axes();
+    let axes = [raw(u), raw(v), raw(w)];
+    let longest = size(&axes).bits();
+    let u = Raw::cut(axes, longest - AXIS);
+    if longest > AXIS {
+        error += OF_AXES;
+    }
+
+    let (d, exponent) = vertices();
+    let half = [raw(&obb.half_extents())];
+    let longer = longest - S::FRACTION_BITS;
+    let down = greatest(exponent + size(&d).bits(), size(&half).bits() + longer) - LENGTH;
+    let down = greatest(down, least);
+    let d = Raw::cut(d, down - exponent);
+    let [h] = Raw::cut(half, down - longer);
+    if greatest(down - exponent, down - longer) > 0 {
+        error += OF_LENGTHS;
+    }
+
+    let (mut t, mut half) = ([[0; 3]; 3], [0; 3]);
+    let (mut volume, mut most) = (0, 0);
+    for i in 0..3 {
+        let (_, j, l) = turn(i);
+        let w = cross(&u[j], &u[l]);
+        if i == 0 {
+            volume = (product(&w, &u[0]) >> 9).abs();
+        }
+        t[i] = [product(&w, &d[0]), product(&w, &d[1]), product(&w, &d[2])];
+        half[i] = Sum::new(volume, h[i], 0, 0).scaled();
+        let ([a, b, c], r) = (t[i], half[i] + error);
+        if (r - a) & (r - b) & (r - c) < 0 || (r + a) & (r + b) & (r + c) < 0 {
+            return None;
+        }
+        most |= size(&[t[i]]) | half[i];
+    }
+
+    // The error is at most 3 + (1794 + 3840 + 2561)/2^6.
+    let down = greatest((most + (most >> 8)).bits() - FINAL, 6);
+    let by = (error >> down) + 3;
+    let change = if change == Change::Grown { by } else { -by };
+    let on = |[a, b, c]: [i32; 3], half: i32| {
+        let half = (half >> down) + change;
+        Projection::new(-half, half + half, [a >> down, b >> down, c >> down])
+    };
+    Some(Framed { shapes: [on(t[0], half[0]), on(t[1], half[1]), on(t[2], half[2])], by })
+}
 
 impl<S: Scalar + InRaw> Disjoint<'_, S> {
     /// The answer, if the cut coordinates are certain of it.
     #[inline(always)]
-    pub(super) fn in_short_words(&self, vertices: impl Fn(&Self) -> Vertices<S>) -> Option<bool> {
-        match self.framed(Change::Shrunk, vertices) {
-            None => Some(true),
-            Some(framed) => framed.are_disjoint(),
-        }
+    pub(super) fn in_short_words(
+        &self,
+        vertices: impl Fn(&Self) -> Vertices<S::Raw>,
+    ) -> Option<bool> {
+        are_disjoint(self.obb, EXACT, move || vertices(self))
     }
 
     /// The triangle in the frame of the box; `None` if a face of the box certainly separates them.
-    #[inline(never)]
+    #[inline(always)]
     pub(super) fn framed(
         &self,
         change: Change,
-        vertices: impl Fn(&Self) -> Vertices<S>,
+        vertices: impl Fn(&Self) -> Vertices<S::Raw>,
     ) -> Option<Framed> {
-        let mut error = ERROR;
-        let [u, v, w] = self.obb.axes();
-        let axes = [raw(u), raw(v), raw(w)];
-        let longest = size(&axes).bits();
-        let u = Raw::cut(axes, longest - AXIS);
-        if longest > AXIS {
-            error += OF_AXES;
-        }
-
-        let (d, halved) = vertices(self);
-        let half = [raw(&self.obb.half_extents())];
-        let longer = longest - S::FRACTION_BITS;
-        let down = greatest(halved + size(&d).bits(), size(&half).bits() + longer) - LENGTH;
-        let d = Raw::cut(d, down - halved);
-        let [h] = Raw::cut(half, down - longer);
-        if greatest(down, down - longer) > 0 {
-            error += OF_LENGTHS;
-        }
-
-        let (mut t, mut half) = ([[0; 3]; 3], [0; 3]);
-        let (mut volume, mut most) = (0, 0);
-        for i in 0..3 {
-            let (_, j, l) = turn(i);
-            let w = cross(&u[j], &u[l]);
-            if i == 0 {
-                volume = (product(&w, &u[0]) >> 9).abs();
-            }
-            t[i] = [product(&w, &d[0]), product(&w, &d[1]), product(&w, &d[2])];
-            half[i] = Sum::new(volume, h[i], 0, 0).scaled();
-            let ([a, b, c], r) = (t[i], half[i] + error);
-            if (r - a) & (r - b) & (r - c) < 0 || (r + a) & (r + b) & (r + c) < 0 {
-                return None;
-            }
-            most |= size(&[t[i]]) | half[i];
-        }
-
-        // The error is at most 3 + (1794 + 3840 + 2561)/2^6.
-        let down = greatest((most + (most >> 8)).bits() - FINAL, 6);
-        let by = (error >> down) + 3;
-        let change = if change == Change::Grown { by } else { -by };
-        let on = |[a, b, c]: [i32; 3], half: i32| {
-            let half = (half >> down) + change;
-            Projection::new(-half, half + half, [a >> down, b >> down, c >> down])
-        };
-        Some(Framed { shapes: [on(t[0], half[0]), on(t[1], half[1]), on(t[2], half[2])], by })
+        framed(self.obb, change, EXACT, move || vertices(self))
     }
 
     /// The vertices relative to the centre.
     #[inline(always)]
-    pub(super) fn vertices_from_center(&self) -> Vertices<S> {
+    pub(super) fn vertices_from_center(&self) -> Vertices<S::Raw> {
         let near = self.vertices_from_near();
         let [x, y, z] = raw(&self.obb.center());
         let is_central = x.is_central() && y.is_central() && z.is_central();
@@ -165,7 +196,7 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
 
     /// The vertices if no difference of coordinates overflows.
     #[inline(always)]
-    pub(super) fn vertices_from_near(&self) -> Vertices<S> {
+    pub(super) fn vertices_from_near(&self) -> Vertices<S::Raw> {
         let [a, b, c] = self.triangle.vertices();
         let center = raw(&self.obb.center());
         let from =
@@ -176,7 +207,7 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
     /// The vertices if differences may not fit, from differences of halves.
     #[cold]
     #[inline(never)]
-    fn vertices_from_far(&self) -> Vertices<S> {
+    fn vertices_from_far(&self) -> Vertices<S::Raw> {
         let points = self.triangle.vertices();
         let center = raw(&self.obb.center());
         let (mut d, mut halves, mut wraps) =
@@ -196,7 +227,7 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
 impl Framed {
     /// Whether the shapes are disjoint, by the shrunk box; `None` in doubt.
     #[inline(always)]
-    pub(super) fn are_disjoint(mut self) -> Option<bool> {
+    fn are_disjoint(&mut self) -> Option<bool> {
         let shrunk = &self.shapes;
         // A box thinner than the error has no inside left.
         if !Projection::is_void(shrunk) && !Projection::are_apart(shrunk) && !one_sided(shrunk) {
@@ -217,13 +248,13 @@ impl Framed {
 }
 
 #[inline(always)]
-fn raw<S: InRaw>(v: &Vec3<S>) -> [S::Raw; 3] {
+pub(in crate::query) fn raw<S: InRaw>(v: &Vec3<S>) -> [S::Raw; 3] {
     [v.x.raw(), v.y.raw(), v.z.raw()]
 }
 
 /// A number at least as great as each of the numbers, and less than twice the greatest.
 #[inline(always)]
-fn size<R: Raw, const K: usize>(x: &[[R; 3]; K]) -> R {
+pub(in crate::query) fn size<R: Raw, const K: usize>(x: &[[R; 3]; K]) -> R {
     let mut size = R::ZERO;
     for x in x {
         size = size | x[0].folded() | x[1].folded() | x[2].folded();
