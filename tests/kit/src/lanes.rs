@@ -48,10 +48,10 @@ impl<S: Sample, const N: usize> Lanes<S, N> {
     fn check_overlaps(&self) {
         let boxes = Aabbs::new(&self.boxes).expect("boxes by their corners");
         let triangle = &self.triangles[0];
-        assert_eq!(boxes.overlaps(triangle), self.boxes.map(|b| triangle.overlaps(&b)));
+        assert_eq!(boxes.overlaps(triangle), self.boxes.map(|aabb| meets(triangle, &aabb)));
         for aabb in [Some(self.boxes[0]), self.centered].into_iter().flatten() {
             let found = Triangles::new(&self.triangles).overlaps(&aabb);
-            assert_eq!(found, self.triangles.map(|t| t.overlaps(&aabb)), "{aabb:?}");
+            assert_eq!(found, self.triangles.map(|t| meets(&t, &aabb)), "{aabb:?}");
         }
         // Of one size, about a vertex of each triangle.
         let Some((_, half)) = self.centered.and_then(|aabb| aabb.center_half_extents()) else {
@@ -60,7 +60,7 @@ impl<S: Sample, const N: usize> Lanes<S, N> {
         let cells = self.triangles.map(|t| {
             Aabb::from_center_half_extents(t.vertices()[0], half).expect("half-extents that were")
         });
-        let (many, expected) = (Cells::new(&cells), cells.map(|cell| triangle.overlaps(&cell)));
+        let (many, expected) = (Cells::new(&cells), cells.map(|cell| meets(triangle, &cell)));
         let many = many.expect("boxes of one size");
         assert_eq!(many.overlaps(triangle), expected, "{cells:?}");
         assert_eq!(CellTriangle::new(triangle, &many).overlaps(&many), expected, "{cells:?}");
@@ -127,9 +127,21 @@ impl<S: Sample, const N: usize> Lanes<S, N> {
         check("triangles, sheared", &many.hit_watertight(&ShearedRay::new(&ray), cull), &|k| {
             ShearedRay::new(&ray).hit(&triangles[k], cull)
         });
-        check("triangles, exact", &many.hit(&ray), &|k| ray.hit(&triangles[k]));
+        check("triangles, exact", &many.hit(&ray), &|k| first(&ray, &triangles[k]));
         found.mask.iter().filter(|&&hit| hit).count()
     }
+}
+
+/// One triangle and one box, compiled once for each scalar, not anew for each number of lanes.
+#[inline(never)]
+fn meets<S: Sample>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bool {
+    triangle.overlaps(aabb)
+}
+
+/// One ray and one triangle, likewise.
+#[inline(never)]
+fn first<S: Sample>(ray: &Ray<S>, triangle: &Triangle<S>) -> Option<Hit<S>> {
+    ray.hit(triangle)
 }
 
 /// Equal, or equal when printed: rounded methods may overflow to a NaN.

@@ -36,16 +36,27 @@ fn built(example: &str, target: &Path) {
     assert!(cargo.status().unwrap().success(), "{example}");
 }
 
+/// Where this build is.
+fn target() -> PathBuf {
+    let test = std::env::current_exe().unwrap();
+    test.parent().and_then(Path::parent).unwrap().into()
+}
+
 /// Runs an example.
 fn run(example: &str, arguments: &[&str], directory: &Path) -> Output {
-    let test = std::env::current_exe().unwrap();
-    let target = test.parent().and_then(Path::parent).unwrap();
+    let target = target();
     let program =
         target.join("examples").join(example).with_extension(std::env::consts::EXE_EXTENSION);
     if !program.exists() {
-        built(example, target);
+        built(example, &target);
     }
     Command::new(program).args(arguments).current_dir(directory).output().unwrap()
+}
+
+/// Builds an example anew if the crate has changed, and runs it.
+pub(crate) fn run_as_it_is_now(example: &str) -> Output {
+    built(example, &target());
+    run(example, &[], &directory(example))
 }
 
 /// The output of a successful run, and its error stream.
