@@ -41,7 +41,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     }
     let empty = firmware("empty")?;
     println!(
-        "{target}\n  {:<14} {:<16}{:<16}{:<16}stack nearby",
+        "{target}\n  {:<15} {:<16}{:<16}{:<16}stack nearby",
         "program", "own", "run-time", "stack"
     );
     for budget in &budgets {
@@ -99,7 +99,7 @@ fn holds(budget: &Budget, firmware: &Firmware, empty: &Firmware, core: Core) -> 
         let limit = limit.map_or("not held".into(), |limit| format!("of {limit}"));
         print!("{:<16}", format!("{taken} {limit}"));
     };
-    print!("  {:<15}", budget.program);
+    print!("  {:<16}", budget.program);
     let own = firmware.own_text() - empty.own_text();
     cell("own", Ok(own), Some(core.allows(budget.own)));
     let run_time = (core == Core::Source).then_some(budget.run_time);
