@@ -60,6 +60,7 @@ pub(super) fn of_boxes<S: Scalar + InFloat<F>, F: Float>(
     };
     relation(&boxes)
 }
+
 #[inline(always)]
 fn each<F: Copy>(a: [F; 3], b: [F; 3], f: impl Fn(F, F) -> F) -> [F; 3] {
     [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2])]
