@@ -2,7 +2,7 @@
 //! against exact clipping.
 //!
 //! ```text
-//! cargo run --release --example accuracy
+//! cargo accuracy
 //! ```
 //!
 //! Fails if the exact mode is ever wrong, or the conservative one misses an

@@ -3,11 +3,11 @@
 //! cheapest type that is good enough. Queries are overlaps, sweeps or contacts.
 //!
 //! ```text
-//! cargo run --release --example advise
-//! cargo run --release --example advise -- cow.obj --cell 0.01 --tolerance 0.0002 --target m0
-//! cargo run --release --example advise -- --ask sweep --way 0,-2,0
-//! cargo run --release --example advise -- --ask contact --target m0
-//! cargo run --release --example advise -- --help
+//! cargo advise
+//! cargo advise cow.obj --cell 0.01 --tolerance 0.0002 --target m0
+//! cargo advise --ask sweep --way 0,-2,0
+//! cargo advise --ask contact --target m0
+//! cargo advise --help
 //! ```
 
 mod advice;
@@ -64,7 +64,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
 }
 
 fn consult(options: &Options) -> Result<String, Box<dyn Error>> {
-    let tables = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
+    let tables = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
     let question = Question::new(options.ask, options.way)?;
     let costs = Costs::read(&tables, options.target, question)?;
     // In the coordinates of the file.

@@ -3,7 +3,7 @@
 //! closed meshes, and measures the error of t.
 //!
 //! ```text
-//! cargo run --release --example rays
+//! cargo rays
 //! ```
 //!
 //! Fails if an exact method is ever wrong, lets a ray through, or returns a t with a larger error

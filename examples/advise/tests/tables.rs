@@ -70,7 +70,7 @@ fn costs_of_small_cores_come_from_tables() {
 /// The committed tables can be read, if they are there.
 #[test]
 fn the_tables_that_are_there() {
-    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
     for target in [options::Target::M0, options::Target::M4f, options::Target::Rv32] {
         let costs = Costs::read(&docs, target, Question::Overlap).unwrap();
         assert!(costs.code(Kind::Fixed { bits: 32, frac: 16 }).is_some_and(|f| f.value > 500.0));

@@ -61,26 +61,6 @@ fn quantise() {
 }
 
 #[test]
-fn accuracy_and_rays() {
-    for example in ["accuracy", "rays"] {
-        refused(
-            example,
-            &[
-                ("--cases 0", "from 1 to 10^9"),
-                ("--cases -1", "from 1 to 10^9"),
-                // More would not fit in memory.
-                ("--cases 1000000000000", "from 1 to 10^9"),
-                ("--seed -1", "not a whole number"),
-                ("--seed 1e5", "not a whole number"),
-                // Reported at once, and not after minutes of work.
-                ("--csv none/counts.csv", "none/counts.csv: cannot be written"),
-                ("all", "all"),
-            ],
-        );
-    }
-}
-
-#[test]
 fn names_in_any_case() {
     let directory = directory("names");
     for (name, other) in [("i8f8", "I8F8"), ("i16f16", "I16f16"), ("i32f32", "I32F32")] {
@@ -111,7 +91,7 @@ fn names_in_any_case() {
 /// The text that `--help` prints is no error.
 #[test]
 fn help() {
-    for example in ["voxelize", "quantise", "accuracy", "rays"] {
+    for example in ["voxelize", "quantise"] {
         let [help, errors] = printed(example, &["--help"], &directory("help"));
         assert!(help.contains("Usage:") && errors.is_empty(), "{example}: {help}{errors}");
     }
