@@ -21,7 +21,7 @@ mod body;
 mod game;
 mod matches;
 mod number;
-#[cfg(not(any(target_os = "none", target_family = "wasm", target_endian = "big")))]
+#[cfg(not(any(target_os = "none", target_family = "wasm", target_endian = "big", septum_bare)))]
 mod options;
 #[path = "../boards/program.rs"]
 mod program;
@@ -66,7 +66,7 @@ fn fixed_point(k: usize, back: usize) -> Line {
 }
 
 /// Other machines have no options.
-#[cfg(any(target_os = "none", target_family = "wasm", target_endian = "big"))]
+#[cfg(any(target_os = "none", target_family = "wasm", target_endian = "big", septum_bare))]
 mod options {
     use super::{BACK, LINES, Line, fixed_point};
 
