@@ -19,11 +19,12 @@ fn fixed<Frac: LeEqU8>(bits: i32) -> FixedI8<Frac> {
     FixedI8::from_bits(bits as i8)
 }
 
-/// All t of an 8-bit type: the plane at every height, the ray from every height with every step.
+/// All t of an 8-bit type: the ray from every height with every step, which gives every quotient with
+/// the plane at the ends of the range, and the signs of all numbers with the plane near the middle.
 fn every_t<Frac: LeEqU8 + Send + Sync + 'static>() {
     let at = fixed::<Frac>;
     let mut ends = 0;
-    for height in -128..128 {
+    for height in [-128, -1, 0, 1, 127] {
         let corner = |x, y| [at(x), at(y), at(height)];
         let floor = Triangle::new(corner(-99, -99), corner(99, -99), corner(0, 99)).unwrap();
         for step in (-128..128).filter(|&step| step != 0) {
@@ -36,14 +37,14 @@ fn every_t<Frac: LeEqU8 + Send + Sync + 'static>() {
             }
         }
     }
-    assert!(ends > 1_000);
+    assert!(ends > 500);
 }
 
-/// All u and v of an 8-bit type on the edges of right triangles of every position and length, or at
-/// half height.
+/// All u and v of an 8-bit type on the edges of right triangles of every length, at the ends of the
+/// range and around the middle.
 fn every_u_and_v<Frac: LeEqU8 + Send + Sync + 'static>() {
     let at = fixed::<Frac>;
-    for a in -128..128 {
+    for a in [-128, -127, -65, -1, 0, 1, 66, 126, 127] {
         for b in (-128..128).filter(|&b| b != a) {
             let far = if a < 0 { 127 } else { -128 };
             let along_x = [[a, a], [b, a], [a, far]].map(|[x, y]| [at(x), at(y), at(0)]);
