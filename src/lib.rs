@@ -54,11 +54,11 @@
 //! | many rays, many triangles | [`HitRay::hit`](prepared::HitRay::hit), [`HitRay::is_hit`](prepared::HitRay::is_hit) | |
 //! | ray, many boxes | [`PreparedRay::overlaps`](prepared::PreparedRay::overlaps) | [`SlabRay::may_overlap`](published::slabs::SlabRay::may_overlap) |
 //! | point, box or triangle | [`Aabb::contains`], [`Obb::contains`], [`Triangle::contains`] | |
-//! | sphere; a distance compared with a number | [`overlaps`][sphere-triangle], [`contains`](Sphere::contains) | the same |
+//! | sphere or capsule; a distance compared with a number | [`overlaps`][sphere-triangle], [`contains`](Sphere::contains); [`overlaps`][capsule-triangle], [`contains`](Capsule::contains) | the same |
 //! | closest point, squared distance | [`Triangle::closest_point`], [`Triangle::distance_squared`], the same of [`Segment`] and [`Aabb`]; of a mesh [`closest_point`](mesh::Tree::closest_point) | |
 //! | ray, triangle | [`hit`](Ray::hit), [`is_hit`](Ray::is_hit), [`hit_once`](Ray::hit_once), [`hit_with`](Ray::hit_with); [`compare_hits`](Ray::compare_hits) | |
 //! | ray, many triangles | [`lanes::Triangles::hit`] | |
-//! | mesh and shape (sphere: all within a distance), ray or second mesh (BVH) | [`overlapping`](mesh::Tree::overlapping), [`first_hit`](mesh::Tree::first_hit), [`overlapping_pairs`](mesh::Tree::overlapping_pairs) | |
+//! | mesh and shape (sphere, capsule: all within a distance), ray or second mesh (BVH) | [`overlapping`](mesh::Tree::overlapping), [`first_hit`](mesh::Tree::first_hit), [`overlapping_pairs`](mesh::Tree::overlapping_pairs) | |
 //! | point, closed mesh | [`contains`](mesh::Tree::contains), [`winding`](mesh::Tree::winding) | |
 //! | two shapes: disjoint, touching or overlapping | [`relation`] | |
 #![cfg_attr(
@@ -84,6 +84,7 @@
 //! [obb-obb]: Obb#impl-Overlaps<Obb<S>>-for-Obb<S>
 //! [plane-aabb]: Plane#impl-Overlaps<Aabb<S>>-for-Plane<S>
 //! [segment-aabb]: Segment#impl-Overlaps<Aabb<S>>-for-Segment<S>
+//! [capsule-triangle]: Capsule#impl-Overlaps<Triangle<S>>-for-Capsule<S>
 //! [sphere-triangle]: Sphere#impl-Overlaps<Triangle<S>>-for-Sphere<S>
 //! [ray-aabb]: Ray#impl-Overlaps<Aabb<S>>-for-Ray<S>
 //! [ray-obb]: Ray#impl-Overlaps<Obb<S>>-for-Ray<S>
@@ -184,7 +185,9 @@ pub mod voxel;
 
 pub use query::{Axis, Closest, Crossing, Cull, Facing, Feature, HasAxes, Hit, HitRules, Side};
 pub use scalar::Scalar;
-pub use shape::{Aabb, Obb, Overlaps, Plane, Ray, Segment, ShapeError, Sphere, Triangle, Vec3};
+pub use shape::{
+    Aabb, Capsule, Obb, Overlaps, Plane, Ray, Segment, ShapeError, Sphere, Triangle, Vec3,
+};
 
 /// Tests the README's examples.
 #[cfg(all(doctest, feature = "fixed"))]

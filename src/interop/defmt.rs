@@ -18,8 +18,8 @@ use crate::published::watertight::ShearedRay;
 use crate::query::{Crossing, FirstContact, Hit, Motion};
 use crate::scalar::Scalar;
 use crate::shape::{
-    Aabb, AabbForm, Obb, Plane, PlaneForm, Polygon, Ray, Segment, SegmentForm, Sphere, Triangle,
-    Vec3,
+    Aabb, AabbForm, Capsule, Obb, Plane, PlaneForm, Polygon, Ray, Segment, SegmentForm, Sphere,
+    Triangle, Vec3,
 };
 
 /// One number.
@@ -85,6 +85,11 @@ formats! {
         to,
         "Sphere {{ center: {}, radius: {} }}",
         sphere.center(), Number(sphere.radius())
+    );
+    Capsule: |capsule, to| write!(
+        to,
+        "Capsule {{ a: {}, b: {}, radius: {} }}",
+        capsule.ends().0, capsule.ends().1, Number(capsule.radius())
     );
     Ray: |ray, to| write!(
         to,

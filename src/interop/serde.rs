@@ -6,8 +6,8 @@ use serde::ser::{Serialize, Serializer};
 
 use crate::scalar::Scalar;
 use crate::shape::{
-    Aabb, AabbForm, Obb, Plane, PlaneForm, Ray, Segment, SegmentForm, ShapeError, Sphere, Triangle,
-    Vec3,
+    Aabb, AabbForm, Capsule, Obb, Plane, PlaneForm, Ray, Segment, SegmentForm, ShapeError, Sphere,
+    Triangle, Vec3,
 };
 
 /// The vertices of a triangle, unchecked.
@@ -66,6 +66,15 @@ struct Path<S> {
 #[serde(rename = "Sphere", deny_unknown_fields)]
 struct Ball<S> {
     center: Vec3<S>,
+    radius: S,
+}
+
+/// The numbers of a capsule, unchecked.
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(rename = "Capsule", deny_unknown_fields)]
+struct Pill<S> {
+    a: Vec3<S>,
+    b: Vec3<S>,
     radius: S,
 }
 
@@ -202,6 +211,20 @@ impl<S: Scalar> TryFrom<Ball<S>> for Sphere<S> {
     }
 }
 
+impl<S: Scalar> From<&Capsule<S>> for Pill<S> {
+    fn from(capsule: &Capsule<S>) -> Self {
+        let (a, b) = capsule.ends();
+        Self { a, b, radius: capsule.radius() }
+    }
+}
+
+impl<S: Scalar> TryFrom<Pill<S>> for Capsule<S> {
+    type Error = ShapeError;
+    fn try_from(Pill { a, b, radius }: Pill<S>) -> Result<Self, ShapeError> {
+        Self::new(a, b, radius)
+    }
+}
+
 macro_rules! through {
     ($($shape:ident => $form:ident;)*) => {$(
         impl<S: Scalar + Serialize> Serialize for $shape<S> {
@@ -225,6 +248,7 @@ through! {
     Segment => Course;
     Ray => Path;
     Sphere => Ball;
+    Capsule => Pill;
 }
 
 /// A mesh and its tree are written as the mesh alone: the tree follows from it.

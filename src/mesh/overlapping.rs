@@ -8,7 +8,7 @@ use super::walk::Walk;
 use super::{Index, Tree};
 use crate::arithmetic::{REGISTERS_ARE_WIDE, each};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Obb, Overlaps, Segment, Sphere, Triangle, Vec3};
+use crate::shape::{Aabb, Capsule, Obb, Overlaps, Segment, Sphere, Triangle, Vec3};
 
 /// A shape that [`Tree::overlapping`] accepts.
 ///
@@ -88,10 +88,16 @@ impl<S: Scalar> sealed::Bounded<S> for Sphere<S> {
     }
 }
 
+impl<S: Scalar> sealed::Bounded<S> for Capsule<S> {
+    fn corners(&self) -> Option<[[S; 3]; 2]> {
+        Self::corners(self)
+    }
+}
+
 impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     /// The triangles that overlap a shape, in the tree's order. The shape is an [`Aabb`], an
-    /// [`Obb`], a [`Triangle`], a [`Segment`] or a [`Sphere`]: the triangles within a distance of a
-    /// point.
+    /// [`Obb`], a [`Triangle`], a [`Segment`], a [`Sphere`] or a [`Capsule`]: the triangles within a
+    /// distance of a point or a segment.
     ///
     /// *Contact*: touching is overlap.
     ///

@@ -4,7 +4,7 @@ use super::relation::{Relate, Relation};
 use crate::scalar::Scalar;
 #[cfg(feature = "fixed")]
 use crate::shape::Near;
-use crate::shape::{Aabb, Obb, Overlaps, Plane, Polygon, Ray, Segment, Sphere, Triangle};
+use crate::shape::{Aabb, Capsule, Obb, Overlaps, Plane, Polygon, Ray, Segment, Sphere, Triangle};
 
 macro_rules! reversed {
     ($($shape:ident with $other:ident $(<$life:lifetime>)?;)*) => {$(
@@ -41,6 +41,13 @@ reversed! {
     Triangle with Sphere;
     Aabb with Sphere;
     Segment with Sphere;
+    Plane with Sphere;
+    Ray with Sphere;
+    Triangle with Capsule;
+    Aabb with Capsule;
+    Segment with Capsule;
+    Plane with Capsule;
+    Sphere with Capsule;
 }
 
 #[cfg(feature = "fixed")]

@@ -4,7 +4,7 @@
 //! documentation. The kernel and the error bound with its derivation are in files
 //! beside it; a pair with a short kernel has fewer files.
 //!
-//! `sphere` holds all pairs with a sphere.
+//! `sphere` holds all pairs with a sphere, `capsule` those with a capsule, by the same kernel.
 //!
 //! Shared by several pairs:
 //! * `line_aabb`: the slabs of rays and segments; `line_obb`: rays and segments against an oriented
@@ -25,6 +25,7 @@ mod triangle_triangle;
 mod aabb_aabb;
 mod aabb_obb;
 mod axis;
+mod capsule;
 mod crossing;
 mod either_order;
 mod line_obb;

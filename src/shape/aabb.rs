@@ -110,7 +110,7 @@ impl<S: Scalar> Aabb<S> {
 
 overlaps_methods!(
     Aabb,
-    "a [`Triangle`](crate::Triangle), [`Polygon`](crate::polygon::Polygon), [`Plane`](crate::Plane), [`Segment`](crate::Segment), [`Ray`](crate::Ray), [`Obb`](crate::Obb), [`Sphere`](crate::Sphere) or another box"
+    "a [`Triangle`](crate::Triangle), [`Polygon`](crate::polygon::Polygon), [`Plane`](crate::Plane), [`Segment`](crate::Segment), [`Ray`](crate::Ray), [`Obb`](crate::Obb), [`Sphere`](crate::Sphere), [`Capsule`](crate::Capsule) or another box"
 );
 
 impl<S: Copy> Aabb<S> {

@@ -3,7 +3,7 @@
 use super::aabb::{Form, joined};
 use super::polygon::Polygon;
 use super::segment::Form as SegmentForm;
-use super::{Aabb, Segment, Sphere, Triangle, Vec3};
+use super::{Aabb, Capsule, Segment, Sphere, Triangle, Vec3};
 use crate::arithmetic::{each, three};
 use crate::scalar::Scalar;
 
@@ -103,6 +103,24 @@ impl<S: Scalar> Sphere<S> {
     /// The corners of the bounding box.
     pub(crate) fn corners(&self) -> Option<[[S; 3]; 2]> {
         around(self.center, Vec3::splat(self.radius))
+    }
+}
+
+impl<S: Scalar> Capsule<S> {
+    /// The bounding box: the smallest axis-aligned box that contains the capsule and whose corners
+    /// are numbers of the scalar.
+    ///
+    /// *Numerics* and *Range*: as for [`Sphere::aabb`].
+    #[doc(alias = "bounding box")]
+    #[must_use]
+    pub fn aabb(&self) -> Option<Aabb<S>> {
+        self.corners().map(between)
+    }
+
+    /// The corners of the bounding box.
+    pub(crate) fn corners(&self) -> Option<[[S; 3]; 2]> {
+        let radii = Vec3::splat(self.radius);
+        Some(joined(around(self.a, radii)?, around(self.b, radii)?))
     }
 }
 

@@ -8,7 +8,7 @@ use super::Vec3;
 use super::aabb::Form;
 use super::plane::Form as PlaneForm;
 use super::segment::Form as SegmentForm;
-use super::{Aabb, Obb, Plane, Polygon, Ray, Segment, ShapeError, Sphere, Triangle};
+use super::{Aabb, Capsule, Obb, Plane, Polygon, Ray, Segment, ShapeError, Sphere, Triangle};
 use crate::scalar::axes::{are_orthonormal_f32, are_orthonormal_f64};
 
 /// The error of the first argument that is not finite.
@@ -264,6 +264,30 @@ macro_rules! const_new {
                     return Err(ShapeError::NegativeRadius);
                 }
                 Ok(Self { center, radius })
+            }
+        }
+
+        $(#[$attr])*
+        impl<$($generic)*> Capsule<$scalar> {
+            /// [`Capsule::new`] for a `const` or a `static`: see [`Triangle::const_new`].
+            ///
+            /// # Errors
+            /// As [`Capsule::new`].
+            pub const fn const_new(
+                a: Vec3<$scalar>,
+                b: Vec3<$scalar>,
+                radius: $scalar,
+            ) -> Result<Self, ShapeError> {
+                if let Err(error) = all_finite([(a.const_is_finite(), "a")]) {
+                    return Err(error);
+                }
+                if let Err(error) = all_finite([(b.const_is_finite(), "b")]) {
+                    return Err(error);
+                }
+                match Sphere::<$scalar>::const_new(a, radius) {
+                    Ok(sphere) => Ok(Self { a, b, radius: sphere.radius }),
+                    Err(error) => Err(error),
+                }
             }
         }
 

@@ -4,6 +4,7 @@
 mod rotated_obb;
 
 mod aabb;
+mod capsule;
 mod error;
 mod obb;
 mod overlaps;
@@ -25,6 +26,7 @@ mod near;
 
 pub use aabb::Aabb;
 pub(crate) use aabb::{Form as AabbForm, joined};
+pub use capsule::Capsule;
 pub use error::ShapeError;
 #[cfg(feature = "fixed")]
 pub use near::Near;

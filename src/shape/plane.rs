@@ -60,7 +60,10 @@ impl<S: Scalar> Plane<S> {
     }
 }
 
-overlaps_methods!(Plane, "an [`Aabb`](crate::Aabb)");
+overlaps_methods!(
+    Plane,
+    "an [`Aabb`](crate::Aabb), a [`Sphere`](crate::Sphere) or a [`Capsule`](crate::Capsule)"
+);
 
 impl<S: Copy> Plane<S> {
     /// The normal, as given.

@@ -80,7 +80,10 @@ impl<S: Scalar> Ray<S> {
     }
 }
 
-overlaps_methods!(Ray, "an [`Aabb`](crate::Aabb) or an [`Obb`](crate::Obb)");
+overlaps_methods!(
+    Ray,
+    "an [`Aabb`](crate::Aabb), an [`Obb`](crate::Obb) or a [`Sphere`](crate::Sphere)"
+);
 
 impl<S: Copy> Ray<S> {
     /// The origin: the point at t = 0.

@@ -63,7 +63,7 @@ impl<S: Scalar> Segment<S> {
 
 overlaps_methods!(
     Segment,
-    "an [`Aabb`](crate::Aabb), an [`Obb`](crate::Obb), a [`Triangle`](crate::Triangle) or a [`Sphere`](crate::Sphere)"
+    "an [`Aabb`](crate::Aabb), an [`Obb`](crate::Obb), a [`Triangle`](crate::Triangle), a [`Sphere`](crate::Sphere) or a [`Capsule`](crate::Capsule)"
 );
 
 impl<S: Copy> Segment<S> {

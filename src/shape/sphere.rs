@@ -6,7 +6,8 @@ use crate::scalar::Scalar;
 /// A sphere with its interior: all points within a radius of a centre, a closed set.
 ///
 /// The radius may be zero: such a sphere is a point. Whether a shape lies within a distance of a
-/// point is the question whether it overlaps the sphere of that radius.
+/// point is the question whether it overlaps the sphere of that radius. Oriented boxes have no such
+/// test: their axes are numbers, and squared distances would compare in products of twelve.
 ///
 /// ```
 /// use septum::{Sphere, Triangle};
@@ -33,21 +34,26 @@ impl<S: Scalar> Sphere<S> {
     /// the radius is negative.
     #[inline]
     pub fn new(center: impl Into<Vec3<S>>, radius: S) -> Result<Self, ShapeError> {
-        let center = finite("center", center)?;
-        if !radius.is_finite() {
-            return Err(ShapeError::NotFinite { argument: "radius", index: None });
-        }
-        if radius < S::ZERO {
-            return Err(ShapeError::NegativeRadius);
-        }
-        Ok(Self { center, radius })
+        Ok(Self { center: finite("center", center)?, radius: checked(radius)? })
+    }
+}
+
+/// Returns the radius if it is finite and not negative.
+#[inline(always)]
+pub(super) fn checked<S: Scalar>(radius: S) -> Result<S, ShapeError> {
+    if !radius.is_finite() {
+        Err(ShapeError::NotFinite { argument: "radius", index: None })
+    } else if radius < S::ZERO {
+        Err(ShapeError::NegativeRadius)
+    } else {
+        Ok(radius)
     }
 }
 
 overlaps_methods!(
     Sphere,
-    "a [`Triangle`](crate::Triangle), an [`Aabb`](crate::Aabb), a [`Segment`](crate::Segment) or \
-     another sphere"
+    "a [`Triangle`](crate::Triangle), an [`Aabb`](crate::Aabb), a [`Segment`](crate::Segment), a \
+     [`Ray`](crate::Ray), a [`Plane`](crate::Plane), a [`Capsule`](crate::Capsule) or another sphere"
 );
 
 impl<S: Copy> Sphere<S> {

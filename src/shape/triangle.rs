@@ -39,7 +39,7 @@ impl<S: Scalar> Triangle<S> {
 
 overlaps_methods!(
     Triangle,
-    "an [`Aabb`](crate::Aabb), an [`Obb`](crate::Obb), a triangle, a [`Segment`](crate::Segment) or a [`Sphere`](crate::Sphere)"
+    "an [`Aabb`](crate::Aabb), an [`Obb`](crate::Obb), a triangle, a [`Segment`](crate::Segment), a [`Sphere`](crate::Sphere) or a [`Capsule`](crate::Capsule)"
 );
 
 impl<S: Copy> Triangle<S> {

@@ -24,6 +24,7 @@ mod conservative;
 mod witness;
 
 // Other shapes against boxes, and flat shapes against triangles.
+mod capsules;
 mod contacts;
 mod crossings;
 mod flat_shapes;

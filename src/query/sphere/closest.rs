@@ -75,7 +75,7 @@ impl<S: Scalar> Predicate<S> for Nearest<'_, S, Segment<S>> {
         let [a, b] =
             if is_by_center { [from::<N>(&a, &b), three(|i| a[i] + b[i])] } else { [a, b] };
         let (d, e) = ([from::<N>(&p, &a), from::<N>(&p, &b)], from::<N>(&b, &a));
-        let errors = Errors::<N>::new(largest_of::<N>(&[d[0], d[1], e]), N::Length::ZERO)?;
+        let errors = Errors::<N>::new(largest_of::<N, 3>(&[d[0], d[1], e]), N::Length::ZERO)?;
         let feature = feature_of_segment::<S, N>(&d, &e, &errors)?;
         let at_end = |k: usize, end: &Vector<N>| {
             if is_by_center {

@@ -125,7 +125,7 @@ impl<S: Scalar> Predicate<S> for Apart<'_, S, Segment<S>> {
                 ([three(|i| d[i] + b[i]), from::<N>(&d, &b)], three(|i| b[i] + b[i]))
             }
         };
-        let errors = Errors::<N>::new(largest_of::<N>(&[d[0], d[1], e]), N::Length::ZERO)?;
+        let errors = Errors::<N>::new(largest_of::<N, 3>(&[d[0], d[1], e]), N::Length::ZERO)?;
         let uv = N::area(u, v);
         let squared = match feature_of_segment::<S, N>(&d, &e, &errors)? {
             Feature::Vertex(k) => Quotient::<N>::of_point(&d[usize::from(k == 1)], uv),

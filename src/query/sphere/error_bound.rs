@@ -46,24 +46,43 @@ pub(super) struct Errors<N: Arithmetic> {
 }
 
 impl<N: Arithmetic> Errors<N> {
+    const NONE: Self = Self {
+        minor: N::Area::ZERO,
+        dot: N::Area::ZERO,
+        volume: N::Volume::ZERO,
+        side: N::Quartic::ZERO,
+    };
+
     /// The errors for lengths up to `size`, with radii up to `radius`; `None` out of range.
     #[inline(always)]
     pub(super) fn new(size: N::Length, radius: N::Length) -> Option<Self> {
         if N::CERTAIN {
-            return Some(Self {
-                minor: N::Area::ZERO,
-                dot: N::Area::ZERO,
-                volume: N::Volume::ZERO,
-                side: N::Quartic::ZERO,
-            });
+            return Some(Self::NONE);
         }
         let (area, most) = (N::area(size, size), greatest(size, radius));
         let is_known = area.in_range() & N::area(most, most).in_range();
-        is_known.then(|| Self {
+        is_known.then(|| Self::of_area(area, size))
+    }
+
+    /// The errors of products of a length up to `size` and a component of a direction up to `d`,
+    /// which is not a length; `None` out of range.
+    #[inline(always)]
+    pub(super) fn with_direction(size: N::Length, d: N::Length) -> Option<Self> {
+        if N::CERTAIN {
+            return Some(Self::NONE);
+        }
+        let area = N::area(size, d);
+        let is_known = N::area(size, size).in_range() & N::area(d, d).in_range() & area.in_range();
+        is_known.then(|| Self::of_area(area, size))
+    }
+
+    #[inline(always)]
+    fn of_area(area: N::Area, size: N::Length) -> Self {
+        Self {
             minor: area.error(MINOR),
             dot: area.error(DOT),
             volume: N::volume(area, size).error(VOLUME),
             side: N::quartic(area, area).error(SIDE),
-        })
+        }
     }
 }

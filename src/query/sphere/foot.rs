@@ -30,7 +30,7 @@ impl<N: Arithmetic> Around<N> {
     #[inline(always)]
     pub(super) fn new(point: &Vector<N>, vertices: &[Vector<N>; 3]) -> Option<Self> {
         let [d, e] = around::<N>(point, vertices);
-        let size = greatest(largest_of::<N>(&d), largest_of::<N>(&e));
+        let size = greatest(largest_of::<N, 3>(&d), largest_of::<N, 3>(&e));
         let errors = Errors::<N>::new(size, N::Length::ZERO)?;
         let n = part(|| cross::<N>(&e[0], &e[1]));
         Some(Self { d, e, n, errors })

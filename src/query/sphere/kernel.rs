@@ -8,7 +8,7 @@
 //! - A point farther than r from the plane of a triangle is farther from the triangle. If it is
 //!   nearer, it is over the face if it lies inside of all edges, by n·(e × d) > 0. Else the nearest
 //!   point is on an edge outside of which it lies (C. Ericson, *Real-Time Collision Detection*,
-//!   2005, section 5.1.5).
+//!   2005, section 5.1.5). The same holds of a parallelogram.
 //!
 //! A normal of zero leaves no point inside of any edge, and all edges are asked.
 
@@ -21,7 +21,7 @@ use crate::query::orientation::{Vector, from};
 use crate::robust::Uncertain;
 
 /// A radius, and its square.
-pub(super) struct Reach<N: Arithmetic> {
+pub(in crate::query) struct Reach<N: Arithmetic> {
     radius: N::Length,
     square: N::Area,
 }
@@ -67,14 +67,20 @@ impl<N: Arithmetic> Reach<N> {
     // Not inlined on s390x: see `scalar::axes::faces_in_double`.
     #[cfg_attr(not(target_arch = "s390x"), inline(always))]
     #[cfg_attr(target_arch = "s390x", inline(never))]
-    pub(super) fn new(radius: N::Length) -> Self {
+    pub(in crate::query) fn new(radius: N::Length) -> Self {
         Self { radius, square: N::area(radius, radius) }
+    }
+
+    /// The square of the radius.
+    #[inline(always)]
+    pub(super) fn square(&self) -> N::Area {
+        self.square
     }
 
     /// Whether a coordinate alone keeps all points to which these vectors go beyond the radius.
     /// That is certain in all systems, because rounding a difference keeps order.
     #[inline(always)]
-    fn is_beyond<const K: usize>(&self, vectors: &[Vector<N>; K]) -> bool {
+    pub(in crate::query) fn is_beyond<const K: usize>(&self, vectors: &[Vector<N>; K]) -> bool {
         let mut ends = [vectors[0]; 2];
         for v in &vectors[1..] {
             for i in 0..3 {
@@ -101,7 +107,11 @@ impl<N: Arithmetic> Reach<N> {
 
     /// The same for a point alone; `None` in doubt, and out of range.
     #[inline(always)]
-    pub(super) fn excludes_if_in_range(&self, d: &Vector<N>, slack: N::Length) -> Option<bool> {
+    pub(in crate::query) fn excludes_if_in_range(
+        &self,
+        d: &Vector<N>,
+        slack: N::Length,
+    ) -> Option<bool> {
         let size = greatest(greatest(largest(d), slack), self.radius);
         let is_known = N::CERTAIN || N::area(size, size).in_range();
         if is_known { self.excludes(d, slack).verdict() } else { None }
@@ -156,31 +166,34 @@ impl<N: Arithmetic> Reach<N> {
         self.excludes_edge([start, end], e, &c, slack, &errors).verdict()
     }
 
-    /// Whether a triangle lies beyond, with vectors from its vertices to the point; `None` in doubt.
+    /// Whether a triangle or a parallelogram lies beyond, with vectors from its vertices to the
+    /// point, and edges in the same order; `None` in doubt. The vectors err as `excludes` says.
     #[inline(always)]
-    pub(super) fn excludes_triangle(
+    pub(in crate::query) fn excludes_face<const K: usize>(
         &self,
-        vectors: &[Vector<N>; 3],
-        edges: &[Vector<N>; 3],
+        vectors: &[Vector<N>; K],
+        edges: &[Vector<N>; K],
+        slack: N::Length,
     ) -> Option<bool> {
-        if self.is_beyond(vectors) {
+        if slack == N::Length::ZERO && self.is_beyond(vectors) {
             return Some(true);
         }
-        let size = greatest(largest_of::<N>(vectors), largest_of::<N>(edges));
+        let size = greatest(largest_of::<N, K>(vectors), largest_of::<N, K>(edges));
+        let size = greatest(size, slack);
         if N::is_narrow(greatest(size, self.radius)) {
             let narrow = Reach::<N::Narrow> { radius: self.radius, square: self.square };
-            narrow.excludes_near_triangle(vectors, edges, size)
+            narrow.excludes_near_face(vectors, edges, [size, slack])
         } else {
-            self.excludes_near_triangle(vectors, edges, size)
+            self.excludes_near_face(vectors, edges, [size, slack])
         }
     }
 
     #[inline(always)]
-    fn excludes_near_triangle(
+    fn excludes_near_face<const K: usize>(
         &self,
-        vectors: &[Vector<N>; 3],
-        edges: &[Vector<N>; 3],
-        size: N::Length,
+        vectors: &[Vector<N>; K],
+        edges: &[Vector<N>; K],
+        [size, slack]: [N::Length; 2],
     ) -> Option<bool> {
         let errors = Errors::<N>::new(size, self.radius)?;
         let n = part(|| cross::<N>(&edges[0], &edges[1]));
@@ -190,14 +203,14 @@ impl<N: Arithmetic> Reach<N> {
             return Some(true);
         }
         let (mut is_outside, mut by_edges) = (Uncertain::NONE, Uncertain::known(true));
-        for k in 0..3 {
+        for k in 0..K {
             let (d, e) = (&vectors[k], &edges[k]);
             let c = part(|| cross::<N>(e, d));
             let side = along::<N>(&n, &c);
             let is_out = Uncertain::not_below(-side, errors.side);
             if is_out.possible {
-                let ends = [d, &vectors[(k + 1) % 3]];
-                let by_edge = self.excludes_edge(ends, e, &c, N::Length::ZERO, &errors);
+                let ends = [d, &vectors[(k + 1) % K]];
+                let by_edge = self.excludes_edge(ends, e, &c, slack, &errors);
                 if !by_edge.possible {
                     return Some(false);
                 }
@@ -224,15 +237,15 @@ impl<N: Arithmetic> Reach<N> {
     }
 }
 
-/// The greatest magnitude in three vectors.
+/// The greatest magnitude in vectors.
 #[inline(always)]
-pub(super) fn largest_of<N: Arithmetic>(v: &[Vector<N>; 3]) -> N::Length {
-    greatest(greatest(largest(&v[0]), largest(&v[1])), largest(&v[2]))
+pub(super) fn largest_of<N: Arithmetic, const K: usize>(v: &[Vector<N>; K]) -> N::Length {
+    v[1..].iter().fold(largest(&v[0]), |size, v| greatest(size, largest(v)))
 }
 
 /// The vectors from three vertices to a point, and along the edges.
 #[inline(always)]
-pub(super) fn around<N: Arithmetic>(
+pub(in crate::query) fn around<N: Arithmetic>(
     point: &Vector<N>,
     vertices: &[Vector<N>; 3],
 ) -> [[Vector<N>; 3]; 2] {

@@ -5,12 +5,15 @@ mod distance;
 mod error_bound;
 mod foot;
 mod kernel;
+mod plane;
+mod ray;
 
 pub use self::closest::Closest;
 pub(crate) use self::distance::compare_distances;
-use self::kernel::{Reach, around};
+pub(super) use self::kernel::{Reach, around};
+pub(super) use self::plane::OneSide;
 use super::Overlaps;
-use super::orientation::from;
+use super::orientation::{Vector, from};
 use crate::arithmetic::{Embeds, Number, greatest, largest, three};
 use crate::robust::{Numeric, Predicate, Profile};
 use crate::scalar::Scalar;
@@ -40,7 +43,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Triangle<S>> {
         let [a, b, c] = self.shape.points();
         let [center, [r, ..], a, b, c] = N::embed(&[self.center(), self.radius(), a, b, c])?;
         let [vectors, edges] = around::<N>(&center, &[a, b, c]);
-        Reach::<N>::new(r).excludes_triangle(&vectors, &edges)
+        Reach::<N>::new(r).excludes_face(&vectors, &edges, N::Length::ZERO)
     }
 }
 
@@ -50,21 +53,30 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Segment<S>> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let (SegmentForm::Ends(a, b) | SegmentForm::Center { center: a, half: b }) =
-            self.shape.form();
-        let all = [self.center(), self.radius(), a.to_array(), b.to_array()];
-        let [center, [r, ..], a, b] = N::embed(&all)?;
-        let (reach, d) = (Reach::<N>::new(r), from::<N>(&center, &a));
-        match self.shape.form() {
-            SegmentForm::Ends(..) => {
-                let ends = [d, from::<N>(&center, &b)];
-                reach.excludes_segment(&ends, &from::<N>(&b, &a), N::Length::ZERO)
-            }
-            SegmentForm::Center { .. } => {
-                let ends = [three(|i| d[i] + b[i]), from::<N>(&d, &b)];
-                let e = three(|i| b[i] + b[i]);
-                reach.excludes_segment(&ends, &e, greatest(largest(&d), largest(&b)))
-            }
+        lies_beyond::<S, N>(self.center(), self.radius(), self.shape, |[r, ..]| r)
+    }
+}
+
+/// Whether a segment lies farther from a point than a radius, which is made of up to three lengths.
+#[inline(always)]
+pub(super) fn lies_beyond<S: Scalar, N: Embeds<S>>(
+    center: [S; 3],
+    radii: [S; 3],
+    segment: &Segment<S>,
+    radius: impl Fn(Vector<N>) -> N::Length,
+) -> Option<bool> {
+    let (SegmentForm::Ends(a, b) | SegmentForm::Center { center: a, half: b }) = segment.form();
+    let [center, radii, a, b] = N::embed(&[center, radii, a.to_array(), b.to_array()])?;
+    let (reach, d) = (Reach::<N>::new(radius(radii)), from::<N>(&center, &a));
+    match segment.form() {
+        SegmentForm::Ends(..) => {
+            let ends = [d, from::<N>(&center, &b)];
+            reach.excludes_segment(&ends, &from::<N>(&b, &a), N::Length::ZERO)
+        }
+        SegmentForm::Center { .. } => {
+            let ends = [three(|i| d[i] + b[i]), from::<N>(&d, &b)];
+            let e = three(|i| b[i] + b[i]);
+            reach.excludes_segment(&ends, &e, greatest(largest(&d), largest(&b)))
         }
     }
 }

@@ -10,7 +10,7 @@ use super::lattice::Ring;
 use super::sample::Sample;
 
 /// The form in which the plane was given.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Given<S> {
     Point([S; 3]),
     Offset(S),

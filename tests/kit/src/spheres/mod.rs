@@ -5,8 +5,9 @@
 //! has no negative weight. Weights and distance are quotients of Gram determinants (F. R.
 //! Gantmacher, *The Theory of Matrices*, 1959, chapter IX). Over a box it is the least over both
 //! faces and the interior of each axis. The crate decides first which feature is nearest, and
-//! compares cross products.
+//! compares cross products. A ray is a segment to a point beyond the foot of the sphere's centre.
 
+mod capsules;
 mod closest;
 mod sets;
 
@@ -14,13 +15,14 @@ use core::cmp::Ordering;
 
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
-use septum::{Closest, Segment, Sphere, Triangle};
+use septum::{Capsule, Closest, Ray, Segment, Sphere, Triangle};
 
+pub use capsules::CapsuleCase;
 pub use sets::SphereSet;
 
-use crate::BoxNumbers;
 use crate::exact::{Parts, least_exponent, whole};
 use crate::sample::Sample;
+use crate::{BoxNumbers, Given};
 
 pub type Point<S> = [S; 3];
 
@@ -35,6 +37,39 @@ pub enum Other<S> {
     Box(BoxNumbers<S>),
     Point(Point<S>),
     Sphere(Point<S>, S),
+    /// A capsule by its ends and its radius.
+    Capsule([Point<S>; 2], S),
+    /// A plane by its normal.
+    Plane(Point<S>, Given<S>),
+    /// A ray by its origin and its direction, and the range of t.
+    Ray([Point<S>; 2], [Option<S>; 2]),
+}
+
+impl<S: Copy> Other<S> {
+    /// The same shape in other numbers.
+    fn map<T>(self, f: impl Fn(S) -> T + Copy) -> Other<T> {
+        let row = |p: Point<S>| p.map(f);
+        match self {
+            Self::Triangle(t) => Other::Triangle(t.map(row)),
+            Self::Ends(ends) => Other::Ends(ends.map(row)),
+            Self::Center(c, h) => Other::Center(row(c), row(h)),
+            Self::Box(numbers) => Other::Box(numbers.map(f)),
+            Self::Point(p) => Other::Point(row(p)),
+            Self::Sphere(c, r) => Other::Sphere(row(c), f(r)),
+            Self::Capsule(ends, r) => Other::Capsule(ends.map(row), f(r)),
+            Self::Plane(n, Given::Point(p)) => Other::Plane(row(n), Given::Point(row(p))),
+            Self::Plane(n, Given::Offset(d)) => Other::Plane(row(n), Given::Offset(f(d))),
+            Self::Ray(ray, range) => Other::Ray(ray.map(row), range.map(|t| t.map(f))),
+        }
+    }
+
+    /// The radius of the shape itself, if it is a sphere or a capsule.
+    pub fn radius(&self) -> Option<S> {
+        match *self {
+            Self::Sphere(_, r) | Self::Capsule(_, r) => Some(r),
+            _ => None,
+        }
+    }
 }
 
 /// A sphere and another shape.
@@ -127,64 +162,104 @@ fn from_hull(points: &[[IBig; 3]]) -> (Fraction, ([IBig; 3], IBig)) {
     best.expect("a point")
 }
 
-/// The squared distance of a point from a shape.
-fn squared(point: [Parts; 3], other: Other<Parts>) -> Squared {
+/// The points whose hull is a shape, in units of 2^unit. `None` for a box or a plane, and a ray must
+/// be cut off.
+fn hull(other: Other<Parts>, unit: i32) -> Option<Vec<[IBig; 3]>> {
+    let row = |p: [Parts; 3]| p.map(|x| whole(x, unit));
+    match other {
+        Other::Triangle(t) => Some(t.map(row).to_vec()),
+        Other::Ends(ends) | Other::Capsule(ends, _) => Some(ends.map(row).to_vec()),
+        Other::Center(c, h) => {
+            let (c, h) = (row(c), row(h));
+            Some(vec![minus(&c, &h), [0, 1, 2].map(|i: usize| &c[i] + &h[i])])
+        }
+        Other::Point(p) | Other::Sphere(p, _) => Some(vec![row(p)]),
+        Other::Box(_) | Other::Plane(..) | Other::Ray(..) => None,
+    }
+}
+
+/// All numbers of a shape, but radii and values of t.
+fn numbers(other: Other<Parts>) -> Vec<Parts> {
     let rows = match other {
         Other::Triangle(t) => t.to_vec(),
-        Other::Ends(ends) => ends.to_vec(),
-        Other::Center(a, b) | Other::Box(BoxNumbers::Center(a, b) | BoxNumbers::Corners(a, b)) => {
-            vec![a, b]
-        }
+        Other::Ends(two) | Other::Capsule(two, _) | Other::Ray(two, _) => two.to_vec(),
+        Other::Center(a, b)
+        | Other::Box(BoxNumbers::Center(a, b) | BoxNumbers::Corners(a, b))
+        | Other::Plane(a, Given::Point(b)) => vec![a, b],
+        Other::Plane(n, Given::Offset(d)) => vec![n, [d; 3]],
         Other::Point(p) | Other::Sphere(p, _) => vec![p],
     };
-    let unit = least_exponent(rows.iter().chain([&point]).flatten());
-    let row = |p: &[Parts; 3]| p.map(|x| whole(x, unit));
-    let (point, rows) = (row(&point), rows.iter().map(row).collect::<Vec<_>>());
-    let to = |p: &[IBig; 3]| [0, 1, 2].map(|i: usize| &p[i] - &point[i]);
-    let (num, den) = match (other, rows.as_slice()) {
-        (Other::Box(numbers), [a, b]) => {
-            let axis = |i: usize| {
-                let [low, high] = match numbers {
-                    BoxNumbers::Center(..) => [&a[i] - &b[i], &a[i] + &b[i]],
-                    BoxNumbers::Corners(..) => [a[i].clone(), b[i].clone()],
-                };
-                let (low, high) = (low - &point[i], high - &point[i]);
-                let is_inside = low <= IBig::ZERO && high >= IBig::ZERO;
-                let faces = (&low * &low).min(&high * &high);
-                if is_inside { IBig::ZERO } else { faces }
-            };
-            (axis(0) + axis(1) + axis(2), IBig::ONE)
+    rows.concat()
+}
+
+/// The least and the greatest coordinate of a box on an axis.
+fn faces(numbers: BoxNumbers<Parts>, i: usize, unit: i32) -> [IBig; 2] {
+    let [a, b] = match numbers {
+        BoxNumbers::Center(a, b) | BoxNumbers::Corners(a, b) => [a[i], b[i]],
+    }
+    .map(|x| whole(x, unit));
+    match numbers {
+        BoxNumbers::Center(..) => [&a - &b, a + b],
+        BoxNumbers::Corners(..) => [a, b],
+    }
+}
+
+/// A ray as a segment that ends beyond the foot of a point: the squared distance of the point.
+fn from_ray(point: [Parts; 3], ray: [[Parts; 3]; 2], range: [Option<Parts>; 2]) -> Squared {
+    let unit = least_exponent(ray.iter().chain([&point]).flatten());
+    let of_t = least_exponent(range.iter().flatten()).min(0);
+    let row = |p: [Parts; 3]| p.map(|x| whole(x, unit));
+    let ([o, d], point) = (ray.map(row), row(point));
+    let range = range.map(|t| t.map(|t| whole(t, of_t)));
+    let m = minus(&point, &o);
+    let along = dot(&m, &d);
+    let magnitude = |x: &IBig| if *x < IBig::ZERO { -x } else { x.clone() };
+    let far =
+        (magnitude(&along) << -of_t as usize) + range.iter().flatten().map(magnitude).sum::<IBig>();
+    let [from, to] = [-far.clone(), far];
+    let ends = [range[0].clone().unwrap_or(from), range[1].clone().unwrap_or(to)]
+        .map(|t| [0, 1, 2].map(|i: usize| &t * &d[i] - (&m[i] << -of_t as usize)));
+    let (num, den) = from_hull(&ends).0;
+    Squared { num, den, unit: unit + of_t }
+}
+
+/// The squared distance of a point from a shape.
+fn squared(point: [Parts; 3], other: Other<Parts>) -> Squared {
+    let numbers = match other {
+        Other::Plane(n, given) => return capsules::from_plane([point; 2], n, given),
+        Other::Ray(ray, range) => return from_ray(point, ray, range),
+        Other::Box(numbers) => numbers,
+        _ => {
+            let unit = least_exponent(numbers(other).iter().chain(&point));
+            let point = point.map(|x| whole(x, unit));
+            let points = hull(other, unit).expect("no box");
+            let points: Vec<_> = points.iter().map(|p| minus(p, &point)).collect();
+            let (num, den) = from_hull(&points).0;
+            return Squared { num, den, unit };
         }
-        (Other::Center(..), [c, h]) => {
-            let [p, q] = [-IBig::ONE, IBig::ONE]
-                .map(|sign| to(&[0, 1, 2].map(|i: usize| &c[i] + &sign * &h[i])));
-            from_hull(&[p, q]).0
-        }
-        (_, points) => from_hull(&points.iter().map(to).collect::<Vec<_>>()).0,
     };
-    Squared { num, den, unit }
+    let unit = least_exponent(self::numbers(other).iter().chain(&point));
+    let axis = |i: usize| {
+        let x = whole(point[i], unit);
+        let [low, high] = faces(numbers, i, unit).map(|face| face - &x);
+        let is_inside = low <= IBig::ZERO && high >= IBig::ZERO;
+        let faces = (&low * &low).min(&high * &high);
+        if is_inside { IBig::ZERO } else { faces }
+    };
+    Squared { num: axis(0) + axis(1) + axis(2), den: IBig::ONE, unit }
 }
 
 impl<S: Sample> SphereCase<S> {
     /// The squared distance of the centre from the other shape, of a sphere from its centre.
     pub fn squared(&self) -> Squared {
         let parts = S::mantissa_exponent;
-        let row = |p: Point<S>| p.map(parts);
-        let other = match self.other {
-            Other::Triangle(t) => Other::Triangle(t.map(row)),
-            Other::Ends(ends) => Other::Ends(ends.map(row)),
-            Other::Center(c, h) => Other::Center(row(c), row(h)),
-            Other::Box(numbers) => Other::Box(numbers.map(parts)),
-            Other::Point(p) => Other::Point(row(p)),
-            Other::Sphere(c, r) => Other::Sphere(row(c), parts(r)),
-        };
-        squared(row(self.center), other)
+        squared(self.center.map(parts), self.other.map(parts))
     }
 
     /// How the distance of the shapes' centres compares with the radius, or with both radii:
     /// equal if they touch, greater if they are apart.
     pub fn truth(&self) -> Ordering {
-        let more = if let Other::Sphere(_, r) = self.other { r } else { S::ZERO };
+        let more = self.other.radius().unwrap_or(S::ZERO);
         self.squared().compare(&[self.radius, more].map(S::mantissa_exponent))
     }
 
@@ -243,6 +318,18 @@ impl<S: Sample> SphereCase<S> {
             Other::Sphere(c, r) => {
                 let other = Sphere::new(c, r).expect("a sphere");
                 vec![sphere.overlaps(&other), other.overlaps(&sphere)]
+            }
+            Other::Capsule([a, b], r) => {
+                let capsule = Capsule::new(a, b, r).expect("a capsule");
+                vec![sphere.overlaps(&capsule), capsule.overlaps(&sphere)]
+            }
+            Other::Plane(n, given) => {
+                let plane = given.plane(n).expect("a plane");
+                vec![sphere.overlaps(&plane), plane.overlaps(&sphere)]
+            }
+            Other::Ray([o, d], [from, to]) => {
+                let ray = Ray::new(o, d).and_then(|ray| ray.with_range(from, to)).expect("a ray");
+                vec![sphere.overlaps(&ray), ray.overlaps(&sphere)]
             }
         }
     }

@@ -1,9 +1,9 @@
 //! Sets of cases for a sphere and another shape, mostly near contact.
 
-use super::{Other, Point, SphereCase};
-use crate::BoxNumbers;
+use super::{CapsuleCase, Other, Point, SphereCase};
 use crate::rng::Rng;
 use crate::sample::Sample;
+use crate::{BoxNumbers, Given};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SphereSet {
@@ -54,37 +54,53 @@ impl SphereSet {
     /// that.
     pub fn case<S: Sample>(self, rng: &mut Rng) -> SphereCase<S> {
         if self == Self::Touch {
-            return touch(rng);
+            let ([center, _], radius, other) = touch(rng, false);
+            return SphereCase { center, radius, other };
         }
-        let [center, a, b, c, [radius, more, _]] = self.points::<S>(rng);
-        let size = |x: S| if x < S::ZERO { S::ZERO.moved(x.ordinal().saturating_neg()) } else { x };
-        let other = match rng.below(10) {
-            0..=4 => Other::Triangle([a, if rng.one_in(24) { a } else { b }, {
-                if rng.one_in(24) { b } else { c }
-            }]),
-            5 => Other::Ends([a, b]),
-            6 => Other::Center(a, b),
-            7 if rng.one_in(2) => Other::Box(BoxNumbers::Center(a, b.map(size))),
-            7 => {
-                let order = |i: usize| if a[i] < b[i] { (a[i], b[i]) } else { (b[i], a[i]) };
-                let [min, max] = [[0, 1, 2].map(|i| order(i).0), [0, 1, 2].map(|i| order(i).1)];
-                Other::Box(BoxNumbers::Corners(min, max))
+        let [center, a, b, c, d, [radius, more, _]] = self.points::<S>(rng);
+        let other = match rng.below(12) {
+            10 if a != [S::ZERO; 3] => plane(rng, a, b),
+            11 if a != [S::ZERO; 3] => {
+                let [x, y, _] =
+                    if rng.one_in(2) { b } else { [S::ZERO.moved(1), S::ZERO, S::ZERO] };
+                let range = match rng.below(4) {
+                    0 | 1 => [Some(S::ZERO), None],
+                    2 => [Some(if x < y { x } else { y }), Some(if x < y { y } else { x })],
+                    _ => [[None, Some(x)], [Some(x), None], [None; 2]][rng.below(3)],
+                };
+                Other::Ray([d, a], range)
             }
-            8 => Other::Point(a),
-            _ => Other::Sphere(a, size(more)),
+            k => any(rng, k.min(9), [a, b, c, d], size(more)),
         };
         let mut case = SphereCase { center, radius: size(radius), other };
         if rng.one_in(2) {
-            let distance = case.squared().root();
-            let more = if let Other::Sphere(_, r) = other { r.approximate() } else { 0.0 };
-            let near = S::nearest((distance - more).max(0.0)).moved(rng.whole(-1, 1));
-            case.radius = if near < S::ZERO { S::ZERO } else { near };
+            case.radius = near_to(rng, case.squared().root(), other);
         }
         case
     }
 
-    fn points<S: Sample>(self, rng: &mut Rng) -> [Point<S>; 5] {
-        let mut every = |one: fn(&mut Rng) -> S| [(); 5].map(|()| rng.triple(one));
+    /// A case of this set with a capsule, likewise.
+    pub fn capsule<S: Sample>(self, rng: &mut Rng) -> CapsuleCase<S> {
+        if self == Self::Touch {
+            let (ends, radius, other) = touch(rng, true);
+            return CapsuleCase { ends, radius, other };
+        }
+        let [a, b, c, d, e, [radius, more, _]] = self.points::<S>(rng);
+        let last = if rng.one_in(2) { a } else { b };
+        let other = match rng.below(12) {
+            10 if c != [S::ZERO; 3] => plane(rng, c, d),
+            k => any(rng, k.min(9), [c, d, e, last], size(more)),
+        };
+        let ends = [a, if rng.one_in(16) { a } else { b }];
+        let mut case = CapsuleCase { ends, radius: size(radius), other };
+        if rng.one_in(2) {
+            case.radius = near_to(rng, case.squared().root(), other);
+        }
+        case
+    }
+
+    fn points<S: Sample>(self, rng: &mut Rng) -> [Point<S>; 6] {
+        let mut every = |one: fn(&mut Rng) -> S| [(); 6].map(|()| rng.triple(one));
         match self {
             Self::Random => every(|rng| S::nearest(rng.real(-1.0, 1.0))),
             Self::Grid | Self::Touch => every(|rng| S::nearest(rng.whole(-4, 4) as f64)),
@@ -104,10 +120,9 @@ impl SphereSet {
                     let t = rng.real(-1.0, 1.0);
                     [0, 1, 2].map(|i: usize| S::nearest(o[i] + t * d[i]).moved(rng.whole(-1, 1)))
                 };
-                let vertices = [near(), near(), near()];
-                let [a, b, c] = vertices;
+                let [a, b, c, d] = [near(), near(), near(), near()];
                 let anywhere = [(); 2].map(|()| rng.triple(|rng| S::nearest(rng.real(-1.0, 1.0))));
-                [anywhere[0], a, b, c, anywhere[1]]
+                [anywhere[0], a, b, c, d, anywhere[1]]
             }
             Self::Far => {
                 let most = S::GREATEST.approximate().min(1e6);
@@ -116,14 +131,53 @@ impl SphereSet {
                     let offset = rng.triple(|rng| rng.real(-1.0, 1.0));
                     [0, 1, 2].map(|i: usize| S::nearest(origin[i] + offset[i]))
                 };
-                let [a, b, c, d] = [near(), near(), near(), near()];
-                [a, b, c, d, rng.triple(|rng| S::nearest(rng.real(0.0, 1.0)))]
+                let [a, b, c, d, e] = [near(), near(), near(), near(), near()];
+                [a, b, c, d, e, rng.triple(|rng| S::nearest(rng.real(0.0, 1.0)))]
             }
         }
     }
 }
 
+/// A number that is not negative.
+fn size<S: Sample>(x: S) -> S {
+    if x < S::ZERO { S::ZERO.moved(x.ordinal().saturating_neg()) } else { x }
+}
+
+/// A radius near to a distance, less that of the other shape itself.
+fn near_to<S: Sample>(rng: &mut Rng, distance: f64, other: Other<S>) -> S {
+    let more = other.radius().map_or(0.0, S::approximate);
+    let near = S::nearest((distance - more).max(0.0)).moved(rng.whole(-1, 1));
+    if near < S::ZERO { S::ZERO } else { near }
+}
+
+fn plane<S: Sample>(rng: &mut Rng, n: Point<S>, p: Point<S>) -> Other<S> {
+    Other::Plane(n, if rng.one_in(2) { Given::Point(p) } else { Given::Offset(p[0]) })
+}
+
+/// A shape of kind 0 to 9 from these points.
+fn any<S: Sample>(rng: &mut Rng, kind: usize, [a, b, c, d]: [Point<S>; 4], more: S) -> Other<S> {
+    match kind {
+        0..=3 => Other::Triangle([a, if rng.one_in(24) { a } else { b }, {
+            if rng.one_in(24) { b } else { c }
+        }]),
+        4 => Other::Capsule([a, d], more),
+        5 => Other::Ends([a, b]),
+        6 => Other::Center(a, b),
+        7 if rng.one_in(2) => Other::Box(BoxNumbers::Center(a, b.map(size))),
+        7 => {
+            let order = |i: usize| if a[i] < b[i] { (a[i], b[i]) } else { (b[i], a[i]) };
+            let [min, max] = [[0, 1, 2].map(|i| order(i).0), [0, 1, 2].map(|i| order(i).1)];
+            Other::Box(BoxNumbers::Corners(min, max))
+        }
+        8 => Other::Point(a),
+        _ => Other::Sphere(a, more),
+    }
+}
+
 type Whole = [i64; 3];
+
+/// Two ends, a radius, and a shape.
+type Touching<S> = ([Point<S>; 2], S, Other<S>);
 
 /// Three vectors of integers at right angles, each of the same length, and that length.
 fn frame(rng: &mut Rng, most: i64) -> ([Whole; 3], i64) {
@@ -141,18 +195,19 @@ fn frame(rng: &mut Rng, most: i64) -> ([Whole; 3], i64) {
     (axes, n)
 }
 
-/// A sphere that touches a vertex, an edge or the face of a triangle, or another shape there.
-fn touch<S: Sample>(rng: &mut Rng) -> SphereCase<S> {
+/// A sphere that touches a vertex, an edge or the face of a triangle, or another shape there; or a
+/// capsule whose segment passes the sphere's centre and stays as far away.
+fn touch<S: Sample>(rng: &mut Rng, is_capsule: bool) -> Touching<S> {
     loop {
         let bits = rng.whole(0, i64::from(S::WHOLE_BITS.min(40) / 4 - 1)) as u32;
-        if let Some(case) = touch_within(rng, 1 << bits) {
+        if let Some(case) = touch_within(rng, 1 << bits, is_capsule) {
             return case;
         }
     }
 }
 
 /// The same with numbers up to about `most`³, if the type has them.
-fn touch_within<S: Sample>(rng: &mut Rng, most: i64) -> Option<SphereCase<S>> {
+fn touch_within<S: Sample>(rng: &mut Rng, most: i64, is_capsule: bool) -> Option<Touching<S>> {
     let turn = 1 + rng.whole(0, 3).min(most);
     let ([u, v, w], n) = frame(rng, turn);
     let o = rng.triple(|rng| rng.whole(-most, most));
@@ -173,7 +228,18 @@ fn touch_within<S: Sample>(rng: &mut Rng, most: i64) -> Option<SphereCase<S>> {
         _ => ([a, b, c], Some(d), [[0, 0, 0], [-some(), -some(), -some()], [-some(), -some(), 0]]),
     };
     let radius = n * reach.unwrap_or(to[2]);
-    let mut rows = [at(to), at(vertices[0]), at(vertices[1]), at(vertices[2]), [radius; 3]];
+    // At right angles to the way from the shape, in both directions, or one; or away from it too.
+    let [x, y, z] = to;
+    let across = [[0, z, -y], [z, 0, -x], [y, -x, 0], [z, z, -x - y]][rng.below(4)];
+    let [back, forth, away] = match is_capsule {
+        true => [rng.whole(0, most), rng.whole(-1, most), rng.whole(0, most) * rng.whole(0, 1)],
+        false => [0; 3],
+    };
+    let along =
+        |k: i64, away: i64| at([0, 1, 2].map(|i: usize| to[i] * (1 + away) + across[i] * k));
+    let ends = [along(-back, 0), along(forth, away)];
+    let mut rows =
+        [ends[0], at(vertices[0]), at(vertices[1]), at(vertices[2]), [radius; 3], ends[1]];
     rows[1..4].rotate_left(rng.below(3));
     let most = 1_i64 << (S::WHOLE_BITS - 1);
     if rows.iter().flatten().any(|x| x.abs() >= most) {
@@ -184,11 +250,12 @@ fn touch_within<S: Sample>(rng: &mut Rng, most: i64) -> Option<SphereCase<S>> {
         let x = &mut rows[rng.below(5)][rng.below(3)];
         *x = x.moved(rng.whole(-1, 1));
     }
-    let [center, p, q, r, [radius, ..]] = rows;
+    let [a, p, q, r, [radius, ..], b] = rows;
     let other = match rng.below(8) {
         0 => Other::Ends([p, q]),
         1 => Other::Point(p),
+        2 => Other::Capsule([p, q], S::ZERO),
         _ => Other::Triangle([p, q, r]),
     };
-    (radius >= S::ZERO).then_some(SphereCase { center, radius, other })
+    (radius >= S::ZERO).then_some(([a, b], radius, other))
 }

@@ -1,0 +1,99 @@
+//! Capsule against axis-aligned box.
+
+use super::{Between, Beyond, all_beyond};
+use crate::arithmetic::{Embeds, Number, greatest, largest, three};
+use crate::query::Overlaps;
+use crate::query::orientation::{Vector, from};
+use crate::query::sphere::Reach;
+use crate::robust::Predicate;
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, AabbForm, Capsule};
+
+impl<S: Scalar> Predicate<S> for Beyond<'_, S, Aabb<S>> {
+    type Answer = bool;
+
+    #[inline]
+    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
+            self.shape.form();
+        let [a, b] = self.ends();
+        let all = [a, b, p.to_array(), q.to_array(), [self.capsule.radius(); 3]];
+        let [a, b, p, q, [r, ..]] = N::embed(&all)?;
+        let reach = Reach::<N>::new(r);
+        // From each end to both extreme corners, and the extents.
+        let is_by_center = matches!(self.shape.form(), AabbForm::Center { .. });
+        let corners = |end: &Vector<N>| {
+            let d = from::<N>(&p, end);
+            if is_by_center {
+                [from::<N>(&d, &q), three(|i| d[i] + q[i])]
+            } else {
+                [d, from::<N>(&q, end)]
+            }
+        };
+        let to = [corners(&a), corners(&b)];
+        let (extents, slack) = if is_by_center {
+            let d = greatest(largest(&from::<N>(&p, &a)), largest(&from::<N>(&p, &b)));
+            (three(|i| q[i] + q[i]), greatest(d, largest(&q)))
+        } else {
+            (from::<N>(&q, &p), N::Length::ZERO)
+        };
+        let [[low, high], [low_b, high_b]] = to;
+        if !is_by_center && reach.is_beyond(&[low, high, low_b, high_b]) {
+            return Some(true);
+        }
+        let from_end = |[low, high]: &[Vector<N>; 2]| {
+            let d = three(|i| greatest(greatest(low[i], -high[i]), N::Length::ZERO));
+            reach.excludes_if_in_range(&d, slack)
+        };
+        let e = from::<N>(&b, &a);
+        // An edge along an axis: bits 0 and 1 of k choose its line.
+        let from_edge = |axis: usize, k: usize| {
+            let ends = to.map(|[low, high]| {
+                [0, 1].map(|end| {
+                    three(|i| {
+                        let bit = usize::from(i == (axis + 2) % 3);
+                        let is_high = if i == axis { end == 1 } else { k >> bit & 1 == 1 };
+                        if is_high { high[i] } else { low[i] }
+                    })
+                })
+            });
+            let along = three(|i| if i == axis { extents[i] } else { N::Length::ZERO });
+            Between { ends, along: [e, along] }.is_beyond(&reach, slack)
+        };
+        all_beyond((0..14).map(|k| match k {
+            0 => from_end(&to[0]),
+            1 => from_end(&to[1]),
+            _ => from_edge((k - 2) / 4, k - 2),
+        }))
+    }
+}
+
+impl<S: Scalar> Overlaps<Aabb<S>> for Capsule<S> {
+    /// Do a capsule and an axis-aligned box have a point in common?
+    ///
+    /// *Geometry*: closed sets, the box in the form in which it was given. The radius may be zero,
+    /// the ends of the capsule may coincide, the box may be flat or a point.
+    ///
+    /// *Contact*, *Numerics* and *Range*: as for a
+    /// [triangle](Capsule#impl-Overlaps<Triangle<S>>-for-Capsule<S>).
+    ///
+    /// *Panics*: never. *Cost*: 12 comparisons if a coordinate separates; otherwise a
+    /// [segment and a box](crate::Segment#impl-Overlaps<Aabb<S>>-for-Segment<S>), then two spheres
+    /// at the ends and twelve segments along the edges, until one is near enough.
+    ///
+    /// ```
+    /// use septum::{Aabb, Capsule};
+    ///
+    /// let cell = Aabb::from_min_max([0.0_f32; 3], [1.0; 3])?;
+    /// let past_edge = Capsule::new([4.0, 5.0, -9.0], [4.0, 5.0, 9.0], 5.0)?;
+    /// assert!(past_edge.overlaps(&cell)); // 3² + 4² = 5²
+    /// let past_edge = Capsule::new([4.000_001, 5.0, -9.0], [4.0, 5.000_001, 9.0], 5.0)?;
+    /// assert!(!past_edge.overlaps(&cell));
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    fn overlaps(&self, aabb: &Aabb<S>) -> bool {
+        !S::evaluate_numeric(&Beyond { capsule: self, shape: aabb })
+            || self.segment().overlaps(aabb)
+    }
+}

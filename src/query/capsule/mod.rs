@@ -1,0 +1,313 @@
+//! Capsules against points, planes, spheres, segments, triangles, boxes and capsules.
+//!
+//! The differences of the points of two segments form a parallelogram, and the segments are as far
+//! apart as that is from the origin: the kernel of sphere and triangle serves, with four edges in
+//! place of three. A segment that does not meet a triangle or a box is as far from it as one of its
+//! ends from the shape, or as the segment from an edge. So the pairs are the segment's own
+//! `overlaps`, and a question about distances.
+
+mod aabb;
+
+use super::Overlaps;
+use super::orientation::{Vector, from};
+use super::sphere::{OneSide, Reach, around, lies_beyond};
+use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, pick, three};
+use crate::robust::{Numeric, Predicate, Profile};
+use crate::scalar::Scalar;
+use crate::shape::{Capsule, Plane, Segment, SegmentForm, Sphere, Triangle, Vec3};
+
+/// The question whether the boundary of a shape lies farther from a capsule's segment than the
+/// capsule's radius.
+struct Beyond<'a, S, T> {
+    capsule: &'a Capsule<S>,
+    shape: &'a T,
+}
+
+impl<S: Scalar, T> Beyond<'_, S, T> {
+    fn ends(&self) -> [[S; 3]; 2] {
+        let (a, b) = self.capsule.ends();
+        [a.to_array(), b.to_array()]
+    }
+}
+
+/// Vectors from both ends of a segment to both ends of another, and along both segments.
+struct Between<N: Arithmetic> {
+    ends: [[Vector<N>; 2]; 2],
+    along: [Vector<N>; 2],
+}
+
+impl<N: Arithmetic> Between<N> {
+    /// Whether the segments lie farther apart than the radius; `None` in doubt. The vectors err as
+    /// `Reach::excludes` says.
+    #[inline(never)]
+    fn is_beyond(&self, reach: &Reach<N>, slack: N::Length) -> Option<bool> {
+        let ([[ac, ad], [bc, bd]], [e, f]) = (self.ends, self.along);
+        let back = |v: &Vector<N>| three(|i| -v[i]);
+        // A vector to the origin from a vertex of the parallelogram is minus that vertex, a − c.
+        reach.excludes_face(&[ac, bc, bd, ad], &[e, back(&f), back(&e), f], slack)
+    }
+}
+
+/// Whether a triangle lies farther from a point than the radius; `None` in doubt.
+#[inline(never)]
+fn excludes_triangle<N: Arithmetic>(
+    reach: &Reach<N>,
+    vectors: &[Vector<N>; 3],
+    edges: &[Vector<N>; 3],
+) -> Option<bool> {
+    reach.excludes_face(vectors, edges, N::Length::ZERO)
+}
+
+/// Whether all parts lie beyond: `None` if some are in doubt, and none is known to be near.
+#[inline(always)]
+fn all_beyond(parts: impl Iterator<Item = Option<bool>>) -> Option<bool> {
+    let mut is_known = true;
+    for part in parts {
+        match part {
+            Some(false) => return Some(false),
+            Some(true) => {}
+            None => is_known = false,
+        }
+    }
+    is_known.then_some(true)
+}
+
+/// The question about two segments, with a second radius.
+struct Apart<'a, S> {
+    capsule: &'a Capsule<S>,
+    segment: &'a Segment<S>,
+    radius: S,
+}
+
+impl<S: Scalar> Predicate<S> for Apart<'_, S> {
+    type Answer = bool;
+
+    #[inline]
+    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        let (SegmentForm::Ends(c, d) | SegmentForm::Center { center: c, half: d }) =
+            self.segment.form();
+        let (a, b) = self.capsule.ends();
+        let radii = [self.capsule.radius(), self.radius, S::ZERO];
+        let all = [a.to_array(), b.to_array(), c.to_array(), d.to_array(), radii];
+        let [a, b, c, d, [r, s, _]] = N::embed(&all)?;
+        let (reach, e) = (Reach::<N>::new(r + s), from::<N>(&b, &a));
+        let (to_c, is_by_center) = (
+            [from::<N>(&c, &a), from::<N>(&c, &b)],
+            matches!(self.segment.form(), SegmentForm::Center { .. }),
+        );
+        if is_by_center {
+            let ends = |v: &Vector<N>| [from::<N>(v, &d), three(|i| v[i] + d[i])];
+            let ends = [ends(&to_c[0]), ends(&to_c[1])];
+            let slack = greatest(largest(&d), greatest(largest(&to_c[0]), largest(&to_c[1])));
+            Between { ends, along: [e, three(|i| d[i] + d[i])] }.is_beyond(&reach, slack)
+        } else {
+            let ends = [[to_c[0], from::<N>(&d, &a)], [to_c[1], from::<N>(&d, &b)]];
+            Between { ends, along: [e, from::<N>(&d, &c)] }.is_beyond(&reach, N::Length::ZERO)
+        }
+    }
+}
+
+impl<S: Scalar> Numeric<S> for Apart<'_, S> {}
+
+impl<S: Scalar> Predicate<S> for Beyond<'_, S, Triangle<S>> {
+    type Answer = bool;
+
+    #[inline]
+    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        let ([a, b], [p, q, r]) = (self.ends(), self.shape.points());
+        let [a, b, p, q, r, [radius, ..]] = N::embed(&[a, b, p, q, r, [self.capsule.radius(); 3]])?;
+        let reach = Reach::<N>::new(radius);
+        // Vectors to the ends of the segment.
+        let [to_a, edges] = around::<N>(&a, &[p, q, r]);
+        let [to_b, _] = around::<N>(&b, &[p, q, r]);
+        let [[u, v, w], [x, y, z]] = [to_a, to_b];
+        if reach.is_beyond(&[u, v, w, x, y, z]) {
+            return Some(true);
+        }
+        let e = from::<N>(&b, &a);
+        all_beyond((0..5).map(|k| match k {
+            0 => excludes_triangle(&reach, &to_a, &edges),
+            1 => excludes_triangle(&reach, &to_b, &edges),
+            _ => {
+                let (k, next) = (k - 2, (k - 1) % 3);
+                let ends = [&to_a, &to_b].map(|to| [k, next].map(|j| three(|i| -pick(to, j)[i])));
+                Between { ends, along: [e, *pick(&edges, k)] }.is_beyond(&reach, N::Length::ZERO)
+            }
+        }))
+    }
+}
+
+/// The question about a capsule's segment and a sphere.
+struct BeyondSphere<'a, S>(&'a Capsule<S>, &'a Sphere<S>);
+
+impl<S: Scalar> Predicate<S> for BeyondSphere<'_, S> {
+    type Answer = bool;
+    const PROFILE: Profile = Profile::AREAS;
+
+    #[inline]
+    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        let Self(capsule, sphere) = self;
+        let radii = [capsule.radius(), sphere.radius(), S::ZERO];
+        let center = sphere.center().to_array();
+        lies_beyond::<S, N>(center, radii, &capsule.segment(), |[r, s, _]| r + s)
+    }
+}
+
+impl<S: Scalar> Numeric<S> for BeyondSphere<'_, S> {}
+
+impl<S, T> Numeric<S> for Beyond<'_, S, T> where Self: Predicate<S> {}
+
+impl<S: Scalar> Overlaps<Triangle<S>> for Capsule<S> {
+    /// Do a capsule and a triangle have a point in common?
+    ///
+    /// *Geometry*: closed sets in one frame and unit. The radius may be zero, the ends of the
+    /// capsule may coincide, the triangle may be a segment or a point.
+    ///
+    /// *Contact*: touching is overlap.
+    ///
+    /// *Numerics*: exact for every valid input, in every scalar. A squared distance is compared with
+    /// the square of the radius, in products of up to six lengths.
+    ///
+    /// *Range*: all finite floats, all fixed-point values; 64-bit fixed point beyond 2⁶⁰ units in
+    /// the last place takes wider integers. In floats, distances within rounding of the radius take
+    /// exact integers.
+    ///
+    /// *Panics*: never. *Cost*: 12 comparisons if a coordinate separates; otherwise a
+    /// [segment and a triangle](Segment#impl-Overlaps<Triangle<S>>-for-Segment<S>), then two
+    /// [spheres](Sphere#impl-Overlaps<Triangle<S>>-for-Sphere<S>) at the ends and three segments
+    /// along the edges, until one is near enough.
+    ///
+    /// ```
+    /// use septum::{Capsule, Triangle};
+    ///
+    /// let t = Triangle::new([0.0_f32, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0])?;
+    /// let across_edge = Capsule::new([2.0, -3.0, 3.0], [2.0, -4.0, 5.0], 4.2426405)?;
+    /// assert!(!across_edge.overlaps(&t)); // the radius is just below √18
+    /// let across_edge = Capsule::new([2.0, -3.0, 3.0], [2.0, -4.0, 5.0], 4.242641)?;
+    /// assert!(across_edge.overlaps(&t));
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    fn overlaps(&self, triangle: &Triangle<S>) -> bool {
+        !S::evaluate_numeric(&Beyond { capsule: self, shape: triangle })
+            || self.segment().overlaps(triangle)
+    }
+}
+
+impl<S: Scalar> Overlaps<Segment<S>> for Capsule<S> {
+    /// Do a capsule and a segment have a point in common?
+    ///
+    /// *Geometry*: closed sets, the segment in the form in which it was given. The radius may be
+    /// zero, the ends of each may coincide.
+    ///
+    /// *Contact*, *Numerics* and *Range*: as for a
+    /// [triangle](Capsule#impl-Overlaps<Triangle<S>>-for-Capsule<S>).
+    ///
+    /// *Panics*: never. *Cost*: 12 comparisons if a coordinate separates, 14 multiplications if a
+    /// plane does; otherwise 49, and 19 more for each of up to four edges.
+    ///
+    /// ```
+    /// use septum::{Capsule, Segment};
+    ///
+    /// let s = Segment::new([-1.0_f64, 0.0, 0.0], [1.0, 0.0, 0.0])?;
+    /// let across = Capsule::new([0.0, -1.0, 2.0], [0.0, 1.0, 2.0], 2.0)?;
+    /// assert!(across.overlaps(&s)); // touches between all ends
+    /// assert!(!Capsule::new([0.0, -1.0, 2.0], [0.0, 1.0, 2.000_000_1], 2.0)?.overlaps(&s));
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    fn overlaps(&self, segment: &Segment<S>) -> bool {
+        !S::evaluate_numeric(&Apart { capsule: self, segment, radius: S::ZERO })
+    }
+}
+
+impl<S: Scalar> Overlaps<Self> for Capsule<S> {
+    /// Do two capsules have a point in common?
+    ///
+    /// *Contact*, *Numerics*, *Range*, *Panics* and *Cost*: as for a
+    /// [segment](Capsule#impl-Overlaps<Segment<S>>-for-Capsule<S>). The sum of the radii is exact.
+    ///
+    /// ```
+    /// use septum::Capsule;
+    ///
+    /// let first = Capsule::new([-1.0_f32, 0.0, 0.0], [1.0, 0.0, 0.0], 2.0)?;
+    /// let across = Capsule::new([0.0, -4.0, 3.0], [0.0, 4.0, 3.0], 1.0)?;
+    /// assert!(first.overlaps(&across)); // touching is overlap
+    /// let thinner = Capsule::new([0.0, -4.0, 3.0], [0.0, 4.0, 3.0], 0.999_999_94)?;
+    /// assert!(!first.overlaps(&thinner));
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    fn overlaps(&self, other: &Self) -> bool {
+        let (segment, radius) = (&other.segment(), other.radius());
+        !S::evaluate_numeric(&Apart { capsule: self, segment, radius })
+    }
+}
+
+impl<S: Scalar> Overlaps<Sphere<S>> for Capsule<S> {
+    /// Do a capsule and a sphere have a point in common?
+    ///
+    /// *Contact*, *Numerics*, *Range*, *Panics* and *Cost*: as for a
+    /// [sphere and a segment](Sphere#impl-Overlaps<Segment<S>>-for-Sphere<S>). The sum of the radii
+    /// is exact.
+    ///
+    /// ```
+    /// use septum::{Capsule, Sphere};
+    ///
+    /// let capsule = Capsule::new([0.0_f64, 0.0, 0.0], [4.0, 3.0, 0.0], 2.0)?;
+    /// assert!(capsule.overlaps(&Sphere::new([-1.0, 5.5, 0.0], 3.0)?)); // touches
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    fn overlaps(&self, sphere: &Sphere<S>) -> bool {
+        !S::evaluate_numeric(&BeyondSphere(self, sphere))
+    }
+}
+
+impl<S: Scalar> Overlaps<Plane<S>> for Capsule<S> {
+    /// Do a capsule and a plane have a point in common?
+    ///
+    /// *Contact*, *Numerics*, *Range* and *Panics*: as for a
+    /// [sphere](Sphere#impl-Overlaps<Plane<S>>-for-Sphere<S>). *Cost*: 11 multiplications, or 15.
+    ///
+    /// ```
+    /// use septum::{Capsule, Plane};
+    ///
+    /// let ground = Plane::from_point_normal([0.0_f32; 3], [0.0, 0.0, 9.0])?;
+    /// assert!(Capsule::new([0.0, 0.0, -9.0], [0.0, 0.0, 9.0], 1.0)?.overlaps(&ground));
+    /// assert!(!Capsule::new([0.0, 0.0, 1.000_000_1], [0.0, 0.0, 9.0], 1.0)?.overlaps(&ground));
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    fn overlaps(&self, plane: &Plane<S>) -> bool {
+        let (a, b) = self.ends();
+        let ends = [a.to_array(), b.to_array()];
+        !S::evaluate_numeric(&OneSide { plane, ends, radius: self.radius() })
+    }
+}
+
+impl<S: Scalar> Capsule<S> {
+    /// Does the capsule contain a point: is that within the radius of the segment?
+    ///
+    /// *Geometry*: a closed set. No capsule contains a point with a NaN or infinite coordinate.
+    ///
+    /// *Contact*: a point on the surface is in the capsule.
+    ///
+    /// *Numerics*: exact for every valid input, in every scalar. *Panics*: never. *Cost*: as for a
+    /// [sphere and a segment](Sphere#impl-Overlaps<Segment<S>>-for-Sphere<S>).
+    ///
+    /// ```
+    /// use septum::Capsule;
+    ///
+    /// let capsule = Capsule::new([0.0_f32, 0.0, 0.0], [4.0, 3.0, 0.0], 5.0)?;
+    /// assert!(capsule.contains([-1.0, 5.5, 0.0]));
+    /// assert!(!capsule.contains([-1.0, 5.5, 0.001]));
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn contains(&self, point: impl Into<Vec3<S>>) -> bool {
+        // A sphere of radius zero.
+        Sphere::new(point, S::ZERO).is_ok_and(|point| self.overlaps(&point))
+    }
+}

@@ -1,0 +1,222 @@
+//! Capsules against other shapes: a case, and the oracle.
+//!
+//! Two convex shapes are as far apart as the origin from the hull of the differences of their
+//! vertices. By Carathéodory's theorem that is the least distance from a hull of up to three of
+//! these, unless four enclose the origin. From a box, the squared distance of a point that moves
+//! along a segment is a parabola between every two planes of faces that it crosses: its least is at
+//! a vertex of one, or at a crossing. The crate asks for edges and faces.
+
+use core::cmp::Ordering;
+
+use dashu_int::IBig;
+use septum::{Aabb, Capsule, Plane, Segment, Sphere, Triangle};
+
+use super::{Fraction, Other, Point, Squared, dot, faces, from_hull, hull, minus, numbers};
+use crate::exact::{Parts, least_exponent, whole};
+use crate::plane::Given;
+use crate::sample::Sample;
+
+/// A capsule and another shape, which is no ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CapsuleCase<S> {
+    pub ends: [Point<S>; 2],
+    pub radius: S,
+    pub other: Other<S>,
+}
+
+type Whole = [IBig; 3];
+
+/// The squared distance of a plane from a segment: that of the nearer end's foot.
+pub(super) fn from_plane(
+    ends: [[Parts; 3]; 2],
+    normal: [Parts; 3],
+    given: Given<Parts>,
+) -> Squared {
+    let (point, offset) = match given {
+        Given::Point(p) => (p, (0, 0)),
+        Given::Offset(d) => ([(0, 0); 3], d),
+    };
+    let all = [normal, point, ends[0], ends[1], [offset; 3]];
+    let unit = least_exponent(all.as_flattened()).min(0);
+    let row = |p: [Parts; 3]| p.map(|x| whole(x, unit));
+    let (n, point) = (row(normal), row(point));
+    let offset = whole(offset, unit) << -unit as usize;
+    let sides = ends.map(|end| dot(&n, &minus(&row(end), &point)) + &offset);
+    if sides.iter().any(|s| *s <= IBig::ZERO) && sides.iter().any(|s| *s >= IBig::ZERO) {
+        return Squared { num: IBig::ZERO, den: IBig::ONE, unit };
+    }
+    // From x to its foot it is −n·s/(n·n).
+    let nn = dot(&n, &n);
+    let feet = sides.map(|s| [0, 1, 2].map(|i: usize| &n[i] * &s)).map(|v| dot(&v, &v));
+    let [a, b] = feet;
+    Squared { num: a.min(b), den: &nn * &nn, unit }
+}
+
+/// Six times the volume of the origin and three points.
+fn volume([a, b, c]: [&Whole; 3]) -> IBig {
+    let minor = |i: usize, j: usize| &b[i] * &c[j] - &b[j] * &c[i];
+    &a[0] * minor(1, 2) + &a[1] * minor(2, 0) + &a[2] * minor(0, 1)
+}
+
+/// Whether four points that do not lie in a plane enclose the origin.
+fn encloses(points: [&Whole; 4]) -> bool {
+    let [a, b, c, d] = points;
+    let parts = [volume([b, c, d]), -volume([a, c, d]), volume([a, b, d]), -volume([a, b, c])];
+    let sign = |x: &IBig| x.cmp(&IBig::ZERO);
+    // The parts add up to the volume of all four.
+    let all = sign(&parts.iter().sum::<IBig>());
+    all != Ordering::Equal && parts.iter().all(|x| sign(x) == all || sign(x) == Ordering::Equal)
+}
+
+/// The squared distance of the origin from the hull of any number of points.
+fn from_all(points: &[Whole]) -> Fraction {
+    let count = points.len();
+    if count < 3 {
+        return from_hull(points).0;
+    }
+    let mut best: Option<Fraction> = None;
+    for i in 0..count {
+        for j in i + 1..count {
+            for k in j + 1..count {
+                let three = [i, j, k].map(|i| points[i].clone());
+                let (num, den) = from_hull(&three).0;
+                if best.as_ref().is_none_or(|(n, d)| &num * d < n * &den) {
+                    best = Some((num, den));
+                }
+                let [a, b, c] = &three;
+                if points[k + 1..].iter().any(|d| encloses([a, b, c, d])) {
+                    return (IBig::ZERO, IBig::ONE);
+                }
+            }
+        }
+    }
+    best.expect("three points")
+}
+
+/// The squared distance of a segment from a box, by the parts of the segment between faces.
+fn from_box([a, b]: &[Whole; 2], faces: &[[IBig; 2]; 3]) -> Fraction {
+    let e = minus(b, a);
+    let less = |x: &Fraction, y: &Fraction| &x.0 * &y.1 < &y.0 * &x.1;
+    // Where the segment crosses faces, and its ends.
+    let mut times = vec![(IBig::ZERO, IBig::ONE), (IBig::ONE, IBig::ONE)];
+    for i in 0..3 {
+        for face in &faces[i] {
+            let (num, den) = (face - &a[i], e[i].clone());
+            let (num, den) = if den < IBig::ZERO { (-num, -den) } else { (num, den) };
+            if den > IBig::ZERO && num > IBig::ZERO && num < den {
+                times.push((num, den));
+            }
+        }
+    }
+    // The squared distance at a time, by the faces that are nearest there.
+    let at = |(num, den): &Fraction| -> Fraction {
+        let axis = |i: usize| {
+            let x = &a[i] * den + &e[i] * num;
+            let [low, high] = [0, 1].map(|k: usize| &faces[i][k] * den);
+            let off = if x < low {
+                low - x
+            } else if x > high {
+                x - high
+            } else {
+                IBig::ZERO
+            };
+            &off * &off
+        };
+        (axis(0) + axis(1) + axis(2), den * den)
+    };
+    let mut candidates = times.clone();
+    for s in &times {
+        for t in times.iter().filter(|t| less(s, t)) {
+            // The vertex of the parabola by the faces that are nearest in the middle of the two.
+            let middle = (&s.0 * &t.1 + &t.0 * &s.1, &s.1 * &t.1 * IBig::from(2));
+            let (mut num, mut den) = (IBig::ZERO, IBig::ZERO);
+            for i in 0..3 {
+                let x = &a[i] * &middle.1 + &e[i] * &middle.0;
+                let face = match () {
+                    () if x < &faces[i][0] * &middle.1 => &faces[i][0],
+                    () if x > &faces[i][1] * &middle.1 => &faces[i][1],
+                    () => continue,
+                };
+                num += &e[i] * (face - &a[i]);
+                den += &e[i] * &e[i];
+            }
+            if den > IBig::ZERO && num >= IBig::ZERO && num <= den {
+                candidates.push((num, den));
+            }
+        }
+    }
+    let all = candidates.iter().map(at);
+    all.reduce(|x, y| if less(&y, &x) { y } else { x }).expect("an end")
+}
+
+fn squared(ends: [[Parts; 3]; 2], other: Other<Parts>) -> Squared {
+    if let Other::Plane(n, given) = other {
+        return from_plane(ends, n, given);
+    }
+    let unit = least_exponent(numbers(other).iter().chain(ends.as_flattened()));
+    let ends = ends.map(|p| p.map(|x| whole(x, unit)));
+    let (num, den) = match (other, hull(other, unit)) {
+        (Other::Box(numbers), _) => from_box(&ends, &[0, 1, 2].map(|i| faces(numbers, i, unit))),
+        (_, points) => {
+            let points = points.expect("no ray");
+            let all = ends.iter().flat_map(|end| points.iter().map(|p| minus(p, end)));
+            from_all(&all.collect::<Vec<_>>())
+        }
+    };
+    Squared { num, den, unit }
+}
+
+impl<S: Sample> CapsuleCase<S> {
+    /// The squared distance of the segment from the other shape, of a sphere or a capsule from its
+    /// centre or segment.
+    pub fn squared(&self) -> Squared {
+        let parts = S::mantissa_exponent;
+        squared(self.ends.map(|p| p.map(parts)), self.other.map(parts))
+    }
+
+    /// How that distance compares with the radius, or with both radii: equal if they touch, greater
+    /// if they are apart.
+    pub fn truth(&self) -> Ordering {
+        let more = self.other.radius().unwrap_or(S::ZERO);
+        self.squared().compare(&[self.radius, more].map(S::mantissa_exponent))
+    }
+
+    /// The crate's answers to every query about the pair, which must all agree.
+    pub fn answers(&self) -> Vec<bool> {
+        let [a, b] = self.ends;
+        let capsule = Capsule::new(a, b, self.radius).expect("a capsule");
+        let turned = Capsule::new(b, a, self.radius).expect("a capsule");
+        match self.other {
+            Other::Triangle([a, b, c]) => {
+                let t = Triangle::new(a, b, c).expect("finite vertices");
+                vec![capsule.overlaps(&t), t.overlaps(&turned), capsule.may_overlap(&t)]
+            }
+            Other::Ends([a, b]) => {
+                let s = Segment::new(a, b).expect("finite ends");
+                vec![capsule.overlaps(&s), s.overlaps(&turned)]
+            }
+            Other::Center(c, h) => {
+                let s = Segment::from_center_half_vector(c, h).expect("finite vectors");
+                vec![capsule.overlaps(&s), s.overlaps(&turned)]
+            }
+            Other::Box(numbers) => {
+                let aabb: Aabb<S> = numbers.shape().expect("a box");
+                vec![capsule.overlaps(&aabb), aabb.overlaps(&turned)]
+            }
+            Other::Point(p) => vec![capsule.contains(p), turned.contains(p)],
+            Other::Sphere(c, r) => {
+                let sphere = Sphere::new(c, r).expect("a sphere");
+                vec![capsule.overlaps(&sphere), sphere.overlaps(&turned)]
+            }
+            Other::Capsule([a, b], r) => {
+                let other = Capsule::new(a, b, r).expect("a capsule");
+                vec![capsule.overlaps(&other), other.overlaps(&turned)]
+            }
+            Other::Plane(n, given) => {
+                let plane: Plane<S> = given.plane(n).expect("a plane");
+                vec![capsule.overlaps(&plane), plane.overlaps(&turned)]
+            }
+            Other::Ray(..) => vec![],
+        }
+    }
+}
