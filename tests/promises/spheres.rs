@@ -77,6 +77,35 @@ fn every_triangle_on_a_small_grid() {
     every_small_triangle::<I16F16>();
 }
 
+/// Every direction on a small grid with every range of small whole numbers, and spheres around points
+/// whose distances are roots.
+fn every_small_ray<S: Sample>() {
+    let whole = |p: [i64; 3]| p.map(S::whole);
+    let ends = [None, Some(-2.0), Some(-1.0), Some(0.0), Some(1.0), Some(2.0)];
+    let ranges = ends.iter().flat_map(|from| ends.map(|to| [*from, to]));
+    let ranges = ranges.filter(|[from, to]| from.zip(*to).is_none_or(|(from, to)| from <= to));
+    let mut touching = 0;
+    for range in ranges.map(|range| range.map(|t| t.map(S::nearest))) {
+        for n in (0..27).filter(|&n| n != 13) {
+            let direction = whole([n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1]);
+            let other = Other::Ray([whole([0, 1, 0]), direction], range);
+            for m in 0..12 {
+                let center = whole([m % 2 * 3, m / 2 % 2 * 4, m / 4 * 2 - 2]);
+                for radius in 0..6 {
+                    let case = SphereCase { center, radius: S::whole(radius), other };
+                    touching += usize::from(check(&case).is_eq());
+                }
+            }
+        }
+    }
+    assert!(touching > 500, "{touching}");
+}
+#[test]
+fn every_ray_on_a_small_grid() {
+    every_small_ray::<f32>();
+    every_small_ray::<I16F16>();
+}
+
 #[test]
 fn invalid_spheres_are_refused() {
     assert_eq!(Sphere::new([f32::NAN; 3], 1.0), Err(not_finite("center", None)));

@@ -13,7 +13,7 @@ use core::ops::ControlFlow;
 
 use septum::contact::{InteriorEdges, Shape, contact_in_mesh};
 use septum::mesh::{Mesh, MeshError, Probe, Tree};
-use septum::{Aabb, Cull, Hit, HitRules, Obb, Ray, Segment, Sphere, Triangle};
+use septum::{Aabb, Capsule, Cull, Hit, HitRules, Obb, Ray, Segment, Sphere, Triangle};
 use septum_kit::{Rng, Sample, for_scalars, rays};
 
 use self::closest::points_are_closest_as_one_by_one;
@@ -107,9 +107,9 @@ fn contacts_as_one_by_one<S: Sample>(
     found.len()
 }
 
-/// Triangles, segments and spheres between points of the scene, of all sizes.
+/// Triangles, segments, spheres and capsules between points of the scene, of all sizes.
 fn other_shapes_overlap_as_one_by_one<S: Sample>() {
-    let (mut rng, mut count) = (Rng::new(87), [0; 3]);
+    let (mut rng, mut count) = (Rng::new(87), [0; 4]);
     for mut scene in scenes::all::<S>() {
         let points: Vec<_> = (0..40).map(|_| [(); 3].map(|()| scene.point(&mut rng))).collect();
         let most = scene.size;
@@ -132,6 +132,10 @@ fn other_shapes_overlap_as_one_by_one<S: Sample>() {
             let expected = those(*tree.mesh(), |t| sphere.overlaps(t));
             assert_eq!(sorted(tree.overlapping(&sphere)), expected, "{name}: {sphere:?}");
             count[2] += expected.len();
+            let capsule = Capsule::new(a, b, radius).expect("finite");
+            let expected = those(*tree.mesh(), |t| capsule.overlaps(t));
+            assert_eq!(sorted(tree.overlapping(&capsule)), expected, "{name}: {capsule:?}");
+            count[3] += expected.len();
         }
     }
     assert!(count.iter().all(|&n| n > 1_000), "{count:?}");
