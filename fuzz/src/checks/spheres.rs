@@ -1,10 +1,11 @@
-//! Sphere against triangle, segment, axis-aligned box, sphere and point.
+//! Sphere and capsule against triangle, segment, axis-aligned box, capsule and sphere; sphere against
+//! ray.
 
 use crate::scalars::{Check, run};
 use crate::shapes::Shapes;
 use crate::told::told;
 use septum_kit::Sample;
-use septum_kit::spheres::{Other, SphereCase};
+use septum_kit::spheres::{CapsuleCase, Other, SphereCase};
 
 /// `overlaps`, `contains` and `distance_squared`.
 pub fn spheres(data: &[u8]) {
@@ -21,10 +22,25 @@ impl Check for Spheres {
             false if shapes.bytes.one_in(2) => Other::Box(shapes.aabb()),
             false if shapes.bytes.one_in(2) => Other::Ends([shapes.point(), shapes.point()]),
             false if shapes.bytes.one_in(2) => Other::Center(shapes.point(), shapes.point()),
+            false if shapes.bytes.one_in(2) => Other::Capsule([center, shapes.point()], radius),
             false => Other::Sphere(shapes.point(), radius),
         };
         if radius < S::ZERO {
             return;
+        }
+        let ends = [center, shapes.point()];
+        let case = CapsuleCase { ends, radius, other };
+        let truth = case.truth().is_le();
+        for answer in case.answers() {
+            assert_eq!(answer, truth, "{}", told::<S>(&case));
+        }
+        if ends[1] != [S::ZERO; 3] {
+            let other = Other::Ray([shapes.point(), ends[1]], [Some(radius), None]);
+            let case = SphereCase { center, radius, other };
+            let truth = case.truth().is_le();
+            for answer in case.answers() {
+                assert_eq!(answer, truth, "{}", told::<S>(&case));
+            }
         }
         let case = SphereCase { center, radius, other };
         let truth = case.truth().is_le();
