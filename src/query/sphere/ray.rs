@@ -121,7 +121,7 @@ impl<S: Scalar> Overlaps<Ray<S>> for Sphere<S> {
     /// assert!(Sphere::new([4.0, -1.0, 8.0], 7.0)?.overlaps(&ray)); // at t = 2: 2² + 5² + 4² < 7²
     /// let past = Sphere::new([-2.0, -3.0, -6.0], 7.0)?;
     /// assert!(past.overlaps(&ray)); // touches the origin
-    /// assert!(!past.overlaps(&ray.with_range(0.000_001, None)?));
+    /// assert!(!past.overlaps(&ray.with_range(0.000_001, 9.0)?));
     /// # Ok::<(), septum::ShapeError>(())
     /// ```
     #[inline]
