@@ -278,10 +278,8 @@ macro_rules! const_new {
                 b: Vec3<$scalar>,
                 radius: $scalar,
             ) -> Result<Self, ShapeError> {
-                if let Err(error) = all_finite([(a.const_is_finite(), "a")]) {
-                    return Err(error);
-                }
-                if let Err(error) = all_finite([(b.const_is_finite(), "b")]) {
+                let ends = [(a.const_is_finite(), "a"), (b.const_is_finite(), "b")];
+                if let Err(error) = all_finite(ends) {
                     return Err(error);
                 }
                 match Sphere::<$scalar>::const_new(a, radius) {

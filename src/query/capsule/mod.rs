@@ -3,7 +3,7 @@
 //! The differences of the points of two segments form a parallelogram, and the segments are as far
 //! apart as that is from the origin: the kernel of sphere and triangle serves, with four edges in
 //! place of three. A segment that does not meet a triangle or a box is as far from it as one of its
-//! ends from the shape, or as the segment from an edge. So the pairs are the segment's own
+//! ends from the shape, or as the segment from an edge. Therefore a pair asks the segment's own
 //! `overlaps`, and a question about distances.
 
 mod aabb;
