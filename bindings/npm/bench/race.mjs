@@ -36,16 +36,18 @@ function torus(n, m) {
     return { positions, index };
 }
 
+const CAMERA = [0, -60, 70];
 const vertex = ({ positions }, i) => [0, 1, 2].map((k) => positions[3 * i + k]);
 const anywhere = () => [0, 1, 2].map((k) => coarse((k < 2 ? 90 : 30) * (random() - 0.5)));
 
-/** Rays at random, and segments that end in a vertex or in the middle of an edge. */
+/** Rays at random, rays from a camera, and segments that end in a vertex or in the middle of an edge. */
 function questions(mesh) {
     const count = mesh.positions.length / 3;
     const to = (target) => {
         const origin = anywhere();
         return [origin, target.map((x, k) => x - origin[k])];
     };
+    const pick = ([x, y]) => [CAMERA, [x, y, 0].map((at, k) => at - CAMERA[k])];
     const one = () => vertex(mesh, Math.floor(random() * count));
     const middle = () => {
         const i = 3 * Math.floor(random() * mesh.index.length / 3);
@@ -54,7 +56,7 @@ function questions(mesh) {
     };
     const many = (make) => Array.from({ length: QUERIES }, make);
     return {
-        rays: many(() => to(anywhere())), vertices: many(() => to(one())), edges: many(() => to(middle())),
+        rays: many(() => to(anywhere())), picks: many(() => pick(anywhere())), vertices: many(() => to(one())), edges: many(() => to(middle())),
         boxes: many(() => {
             const [low, size] = [anywhere(), 1 + random()];
             return [low, low.map((x) => x + size)];
@@ -139,6 +141,7 @@ for (const [n, m] of [[200, 200], [300, 500]]) {
     row('build, ms', race(all.map(({ build, free }) => () => free(build(mesh))), 5), 1);
     const built = all.map(({ build }) => build(mesh));
     const each = (question, list) => race(all.map((one, i) => () => { for (const x of list) one[question](built[i], x); })).map((ms) => 1e3 * ms / list.length);
+    row('pick, µs', each('first', asked.picks), 2);
     row('first hit, µs', each('first', asked.rays), 2);
     row('any hit, µs', each('any', asked.rays), 2);
     row('box, µs', each('box', asked.boxes), 2);

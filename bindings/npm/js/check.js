@@ -17,16 +17,21 @@ export function number(name, x, round = Math.fround) {
 
 const isList = (x) => Array.isArray(x) || (ArrayBuffer.isView(x) && !(x instanceof DataView));
 
+const isFine = (x, round) => typeof x === 'number' && Number.isFinite(round(x));
+
 /** Three finite numbers: an array of three, or an object with x, y and z. */
 export function vector(name, v, round = Math.fround) {
-    if (isList(v)) {
-        if (v.length !== 3) throw new RangeError(`${name} has ${v.length} numbers, not 3`);
-        return [number(`${name}[0]`, v[0], round), number(`${name}[1]`, v[1], round), number(`${name}[2]`, v[2], round)];
-    }
-    if (typeof v !== 'object' || v === null || !('x' in v)) {
+    const isRow = isList(v);
+    if (isRow && v.length !== 3) throw new RangeError(`${name} has ${v.length} numbers, not 3`);
+    if (!isRow && (typeof v !== 'object' || v === null || !('x' in v))) {
         throw new TypeError(`${name} is ${shown(v)}, not three numbers: [x, y, z] or { x, y, z }`);
     }
-    return [number(`${name}.x`, v.x, round), number(`${name}.y`, v.y, round), number(`${name}.z`, v.z, round)];
+    const three = isRow ? [v[0], v[1], v[2]] : [v.x, v.y, v.z];
+    if (!(isFine(three[0], round) && isFine(three[1], round) && isFine(three[2], round))) {
+        // Names of elements take longer to make than a ray to cast.
+        three.forEach((x, i) => number(isRow ? `${name}[${i}]` : `${name}.${'xyz'[i]}`, x, round));
+    }
+    return three;
 }
 
 /** The same, but not all zero. */
@@ -61,8 +66,11 @@ export function options(given, known) {
     return given;
 }
 
+const WHOLE = [0, Infinity, 0];
+
 /** The ends of a ray and which of its hits are culled. */
 export function reach(given) {
+    if (given === undefined) return WHOLE;
     const { near = 0, far = Infinity, cull = 'none' } = options(given, ['near', 'far', 'cull']);
     for (const [name, x] of [['near', near], ['far', far]]) {
         if (typeof x !== 'number') throw new TypeError(`options.${name} is ${shown(x)}, not a number`);

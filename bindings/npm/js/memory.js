@@ -32,14 +32,14 @@ export function module() {
     return exports;
 }
 
-/** All of the memory as numbers; a view ends where the memory grows. */
+/** All of the memory as numbers. When the memory grows, a view loses all of its length. */
 export function asFloats() {
-    if (floats.buffer !== exports.memory.buffer) floats = new Float32Array(exports.memory.buffer);
+    if (floats.length === 0) floats = new Float32Array(exports.memory.buffer);
     return floats;
 }
 
 export function asWords() {
-    if (words.buffer !== exports.memory.buffer) words = new Uint32Array(exports.memory.buffer);
+    if (words.length === 0) words = new Uint32Array(exports.memory.buffer);
     return words;
 }
 

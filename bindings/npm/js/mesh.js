@@ -72,6 +72,9 @@ export class Mesh {
     #isFreed = false;
     #vertices;
     #triangles;
+    /** Where positions and index are, in words: a tree that is built keeps its place. */
+    #positionsAt;
+    #indexAt;
 
     /**
      * From positions, three numbers to a vertex, and an index, three to a triangle; without an
@@ -80,6 +83,8 @@ export class Mesh {
     constructor(positions, index = null) {
         const built = positions === BUILT ? index : atOnce(build(positions, index));
         [this.#handle, this.#vertices, this.#triangles] = built;
+        this.#positionsAt = module().vertices(this.#handle) >>> 2;
+        this.#indexAt = module().triangles(this.#handle) >>> 2;
         registry.register(this, this.#handle, this);
     }
 
@@ -123,14 +128,14 @@ export class Mesh {
 
     /** The positions as the mesh has them, copied. */
     get positions() {
-        const at = module().vertices(this.#here) >>> 2;
-        return asFloats().slice(at, at + 3 * this.#vertices);
+        this.#here;
+        return asFloats().slice(this.#positionsAt, this.#positionsAt + 3 * this.#vertices);
     }
 
     /** The triangles as indices of vertices, copied. */
     get index() {
-        const at = module().triangles(this.#here) >>> 2;
-        return asWords().slice(at, at + 3 * this.#triangles);
+        this.#here;
+        return asWords().slice(this.#indexAt, this.#indexAt + 3 * this.#triangles);
     }
 
     /** The bounding box, or null without a triangle. */
@@ -143,21 +148,24 @@ export class Mesh {
     /** The three corners of a triangle. */
     corners(triangle) {
         whole('triangle', triangle, 0, this.#triangles - 1);
-        const at = (module().triangles(this.#here) >>> 2) + 3 * triangle;
+        this.#here;
+        const at = this.#indexAt + 3 * triangle;
         return [...asWords().subarray(at, at + 3)].map((i) => this.#vertex(i));
     }
 
     #vertex(i) {
-        const at = (module().vertices(this.#handle) >>> 2) + 3 * i;
+        const at = this.#positionsAt + 3 * i;
         const all = asFloats();
         return [all[at], all[at + 1], all[at + 2]];
     }
 
     /** The first hit of a ray, or null. */
     raycast(origin, along, given) {
-        const [o, d, [near, far, cull]] = [vector('origin', origin), direction('direction', along), reach(given)];
-        const triangle = module().first_hit(this.#here, o[0], o[1], o[2], d[0], d[1], d[2], near, far, cull);
-        return sane(triangle) < 0 ? null : this.#hit(o, d, triangle, answer());
+        const o = vector('origin', origin);
+        const d = direction('direction', along);
+        const ends = reach(given);
+        const triangle = sane(module().first_hit(this.#here, o[0], o[1], o[2], d[0], d[1], d[2], ends[0], ends[1], ends[2]));
+        return triangle < 0 ? null : this.#hit(o, d, triangle, answer());
     }
 
     /** Whether a ray hits any triangle. */
@@ -178,19 +186,29 @@ export class Mesh {
 
     /** A hit whose numbers are at a place. */
     #hit(o, d, triangle, at) {
-        const exports = module();
-        const [floats, words] = [asFloats(), asWords()];
+        const floats = asFloats();
+        const words = asWords();
         const t = floats[at];
         const { fround } = Math;
-        const point = [fround(o[0]) + t * fround(d[0]), fround(o[1]) + t * fround(d[1]), fround(o[2]) + t * fround(d[2])];
-        const k = (exports.triangles(this.#handle) >>> 2) + 3 * triangle;
-        const from = exports.vertices(this.#handle) >>> 2;
-        const [a, b, c] = [from + 3 * words[k], from + 3 * words[k + 1], from + 3 * words[k + 2]];
-        const [x, y, z] = [floats[a], floats[a + 1], floats[a + 2]];
-        const [bx, by, bz] = [floats[b] - x, floats[b + 1] - y, floats[b + 2] - z];
-        const [cx, cy, cz] = [floats[c] - x, floats[c + 1] - y, floats[c + 2] - z];
-        const normal = unit(by * cz - bz * cy, bz * cx - bx * cz, bx * cy - by * cx);
-        return { triangle, t, u: floats[at + 1], v: floats[at + 2], isFront: words[at + 3] === 0, point, normal };
+        const k = this.#indexAt + 3 * triangle;
+        const from = this.#positionsAt;
+        const a = from + 3 * words[k];
+        const b = from + 3 * words[k + 1];
+        const c = from + 3 * words[k + 2];
+        const x = floats[a];
+        const y = floats[a + 1];
+        const z = floats[a + 2];
+        const bx = floats[b] - x;
+        const by = floats[b + 1] - y;
+        const bz = floats[b + 2] - z;
+        const cx = floats[c] - x;
+        const cy = floats[c + 1] - y;
+        const cz = floats[c + 2] - z;
+        return {
+            triangle, t, u: floats[at + 1], v: floats[at + 2], isFront: words[at + 3] === 0,
+            point: [fround(o[0]) + t * fround(d[0]), fround(o[1]) + t * fround(d[1]), fround(o[2]) + t * fround(d[2])],
+            normal: unit(by * cz - bz * cy, bz * cx - bx * cz, bx * cy - by * cx),
+        };
     }
 
     /**
@@ -370,7 +388,9 @@ function sane(answer) {
 /** The unit vector, or zero. */
 function unit(x, y, z) {
     const most = Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) || 1;
-    const [a, b, c] = [x / most, y / most, z / most];
+    const a = x / most;
+    const b = y / most;
+    const c = z / most;
     const length = Math.sqrt(a * a + b * b + c * c) || 1;
     return [a / length, b / length, c / length];
 }

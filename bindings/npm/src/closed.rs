@@ -22,6 +22,7 @@ const FREE: Edge = Edge { ends: [u32::MAX; 2], is_odd: false };
 static COUNTS: Mutex<Slots<Vec<Edge>>> = Mutex::new(Slots::EMPTY);
 
 /// A position in an order of integers. Both zeros are one.
+#[inline(always)]
 fn place(vertices: &[Vec3<f32>], i: u32) -> [i32; 3] {
     let place = vertices.get(i as usize).copied().unwrap_or(Vec3::splat(0.0));
     place.to_array().map(|x| {
@@ -30,6 +31,7 @@ fn place(vertices: &[Vec3<f32>], i: u32) -> [i32; 3] {
     })
 }
 
+#[inline(always)]
 fn hash(ends: [[i32; 3]; 2]) -> usize {
     let mix = |hash: u32, x: i32| (hash.rotate_left(5) ^ x as u32).wrapping_mul(0x9e37_79b9);
     let hash = ends.into_iter().flatten().fold(0, mix);
