@@ -5,6 +5,9 @@
 #define TEXT_OF(name) #name
 #define TEXT(name) TEXT_OF(name)
 
+#ifdef __cplusplus
+extern "C"
+#endif
 void print(const char *text);
 
 static inline void print_number(const char *before, uint32_t number, uint32_t base) {

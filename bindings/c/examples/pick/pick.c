@@ -1,5 +1,5 @@
 /* Loads an OBJ, builds a tree in its own memory, picks along an axis and asks what is inside. C and
-   C++: ./pick mesh.obj */
+   C++: ./pick mesh.obj. With ./pick mesh.obj table.h it also writes both for flash: see flash.c. */
 
 #include <septum.h>
 #include <stdio.h>
@@ -35,6 +35,39 @@ static size_t load(const char *path, size_t *vertex_count) {
     return t;
 }
 
+/* For flash: triangles are in the tree's order there, and `order` has their numbers in the file. */
+static int write_table(const char *path, size_t vertex_count, size_t triangle_count) {
+    FILE *file = fopen(path, "w");
+    if (file == NULL) {
+        return 0;
+    }
+    fputs("static const float vertices[][3] = {\n", file);
+    for (size_t i = 0; i < vertex_count; i++) {
+        const float *p = vertices[i];
+        fprintf(file, "    {%af, %af, %af},\n", (double)p[0], (double)p[1], (double)p[2]);
+    }
+    fputs("};\nstatic const uint16_t triangles[][3] = {\n", file);
+    for (size_t i = 0; i < triangle_count; i++) {
+        const uint16_t *t = triangles[order[i]];
+        fprintf(file, "    {%u, %u, %u},\n", t[0], t[1], t[2]);
+    }
+    fputs("};\nstatic const uint16_t order[] = {\n", file);
+    for (size_t i = 0; i < triangle_count; i++) {
+        fprintf(file, "    %u,\n", order[i]);
+    }
+    fputs("};\nstatic const uint16_t nodes[][6][4] = {\n", file);
+    for (size_t i = 0; i < septum_node_count(triangle_count); i++) {
+        fputs("    {", file);
+        for (int k = 0; k < 6; k++) {
+            const uint16_t *n = nodes[i][k];
+            fprintf(file, "{%u, %u, %u, %u}, ", n[0], n[1], n[2], n[3]);
+        }
+        fputs("},\n", file);
+    }
+    fputs("};\n", file);
+    return fclose(file) == 0;
+}
+
 int main(int count, char **arguments) {
     size_t vertex_count = 0, triangle_count = count > 1 ? load(arguments[1], &vertex_count) : 0;
     septum_mesh_f32 mesh = {vertices, vertex_count, triangles, triangle_count, NULL, 0};
@@ -42,6 +75,10 @@ int main(int count, char **arguments) {
     septum_answer built = septum_tree_build_f32(&mesh, nodes, septum_node_count(triangle_count), order, &tree);
     if (built != SEPTUM_ANSWER_YES) {
         fprintf(stderr, "%s\n", septum_text(built));
+        return 1;
+    }
+    if (count > 2 && !write_table(arguments[2], vertex_count, triangle_count)) {
+        perror(arguments[2]);
         return 1;
     }
     septum_ray_f32 ray = {{0.5f, 20.0f, 0.25f}, {0.0f, -1.0f, 0.0f}, 0.0f, 100.0f};
