@@ -6,6 +6,8 @@ import { voxelSteps } from './voxels.js';
 
 /** How many triangles are looked at in a step. */
 const PART = 4096;
+/** How many numbers are copied in a step. */
+const COPIED = 1 << 18;
 /** The longest list that stays in the module's memory, in words. */
 const SHORT = 1 << 16;
 
@@ -28,6 +30,16 @@ function refused(problem, positions, index, count) {
     return new RangeError('the mesh has too many triangles');
 }
 
+const slice = (numbers, from, to) => (Array.isArray(numbers) ? numbers.slice(from, to) : numbers.subarray(from, to));
+
+/** Copies so many numbers, not too many in a step; the share that is done begins at `share`. */
+function* copy(count, part, share) {
+    for (let from = 0; from < count; from += COPIED) {
+        part(from, Math.min(from + COPIED, count));
+        yield share + 0.04 * from / count;
+    }
+}
+
 /** Builds a mesh, and returns its handle and its counts of vertices and triangles. */
 function* build(positions, index) {
     const exports = module();
@@ -47,13 +59,13 @@ function* build(positions, index) {
     if (handle < 0) throw new RangeError(`there is no memory for ${vertices} vertices and ${triangles} triangles`);
     let isBuilt = false;
     try {
-        asFloats().set(positions, exports.vertices(handle) >>> 2);
-        yield 0.05;
-        const at = exports.triangles(handle) >>> 2;
-        const words = asWords();
-        if (index) words.set(index, at);
-        else for (let i = 0; i < vertices; i += 1) words[at + i] = i;
-        yield 0.1;
+        yield 0.02;
+        yield* copy(positions.length, (from, to) => asFloats().set(slice(positions, from, to), (exports.vertices(handle) >>> 2) + from), 0.02);
+        yield* copy(3 * triangles, (from, to) => {
+            const [words, at] = [asWords(), exports.triangles(handle) >>> 2];
+            if (index) words.set(slice(index, from, to), at + from);
+            else for (let i = from; i < to; i += 1) words[at + i] = i;
+        }, 0.06);
         const problem = exports.begin(handle);
         if (problem) throw refused(problem, positions, index, vertices);
         for (let done = 0; done < 1;) {
