@@ -6,7 +6,7 @@ import { voxelSteps } from './voxels.js';
 
 /** How many triangles are looked at in a step. */
 const PART = 4096;
-/** How many numbers are copied in a step. */
+/** How many numbers are copied, or entries of a table looked at, in a step. */
 const COPIED = 1 << 18;
 /** The longest list that stays in the module's memory, in words. */
 const SHORT = 1 << 16;
@@ -357,12 +357,21 @@ export class Mesh {
         const count = exports.edges(this.#here);
         if (count < 0) throw new RangeError('there is no memory to count the edges');
         try {
-            for (let from = 0; from < this.#triangles; from += PART) {
-                yield from / this.#triangles;
-                exports.count_edges(count, this.#here, from, from + PART);
+            let room = 0;
+            for (let missing = 1; missing > 0; room += COPIED) {
+                missing = exports.more_edges(count, COPIED);
+                yield 0;
             }
-            const isOpen = exports.open_edge(count, this.#here);
-            return isOpen ? [...asWords().subarray(answer(), answer() + 2)] : null;
+            for (let from = 0; from < this.#triangles; from += PART) {
+                exports.count_edges(count, this.#here, from, from + PART);
+                yield 0.99 * from / this.#triangles;
+            }
+            for (let from = 0; from < room; from += COPIED) {
+                exports.open_edge(count, this.#here, from, from + COPIED);
+                yield 0.99;
+            }
+            // Once more: the page may have asked something else since.
+            return exports.open_edge(count, this.#here, 0, 0) ? [...asWords().subarray(answer(), answer() + 2)] : null;
         } finally {
             exports.drop_edges(count);
         }

@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use septum::Vec3;
 use spin::Mutex;
 
-use crate::memory::{Slots, lock, say, table};
+use crate::memory::{Slots, lock, say};
 use crate::mesh::with;
 
 /// An edge as the indices of its ends, and whether an odd number of triangles so far has it. Ends
@@ -19,7 +19,14 @@ struct Edge {
 
 const FREE: Edge = Edge { ends: [u32::MAX; 2], is_odd: false };
 
-static COUNTS: Mutex<Slots<Vec<Edge>>> = Mutex::new(Slots::EMPTY);
+/// Edges by the hashes of their places, and the first open edge so far.
+struct Count {
+    table: Vec<Edge>,
+    room: usize,
+    first: Option<([[i32; 3]; 2], [u32; 2])>,
+}
+
+static COUNTS: Mutex<Slots<Count>> = Mutex::new(Slots::EMPTY);
 
 /// A position in an order of integers. Both zeros are one.
 #[inline(always)]
@@ -38,23 +45,37 @@ fn hash(ends: [[i32; 3]; 2]) -> usize {
     (hash ^ hash >> 15) as usize
 }
 
-/// The handle of a count of edges, or -1 if there is no memory.
+/// The handle of a count of edges whose table is still to be made, or -1 if there is no memory.
 #[unsafe(export_name = "edges")]
 extern "C" fn edges(mesh: usize) -> i32 {
     with(mesh, -1, |tree| {
         // A quarter stays free.
         let room = (4 * tree.mesh().triangles().len() + 1).next_power_of_two();
-        table(FREE, room).map_or(-1, |table| lock(&COUNTS).keep(table))
+        let mut table = Vec::new();
+        if table.try_reserve_exact(room).is_err() {
+            return -1;
+        }
+        lock(&COUNTS).keep(Count { table, room, first: None })
     })
 }
 
-/// Counts the edges of the triangles from one index to another.
+/// Makes so many entries more of the table, and returns how many are missing.
+#[unsafe(export_name = "more_edges")]
+extern "C" fn more_edges(count: usize, entries: usize) -> usize {
+    let mut counts = lock(&COUNTS);
+    let Some(Count { table, room, .. }) = counts.get_mut(count) else { return 0 };
+    let missing = *room - table.len();
+    table.resize(table.len() + missing.min(entries), FREE);
+    *room - table.len()
+}
+
+/// Counts the edges of the triangles from one index to another, in a whole table.
 #[unsafe(export_name = "count_edges")]
 extern "C" fn count_edges(count: usize, mesh: usize, from: usize, to: usize) {
     with(mesh, (), |tree| {
         let vertices = tree.mesh().vertices();
         let mut counts = lock(&COUNTS);
-        let Some(table) = counts.get_mut(count) else { return };
+        let Some(Count { table, .. }) = counts.get_mut(count) else { return };
         for &[a, b, c] in tree.mesh().triangles().iter().take(to).skip(from) {
             for (from, to) in [(a, b), (b, c), (c, a)] {
                 let (start, end) = (place(vertices, from), place(vertices, to));
@@ -85,17 +106,19 @@ extern "C" fn count_edges(count: usize, mesh: usize, from: usize, to: usize) {
     });
 }
 
-/// Ends a count: writes the vertices of the first open edge, in the order of positions, and returns
-/// 1, or 0 if there is none.
+/// Looks for open edges in the table from one entry to another. Writes the vertices of the first so
+/// far, in the order of positions, and returns 1, or 0 if there is none.
 #[unsafe(export_name = "open_edge")]
-extern "C" fn open_edge(count: usize, mesh: usize) -> u32 {
-    let table = lock(&COUNTS).take(count);
+extern "C" fn open_edge(count: usize, mesh: usize, from: usize, to: usize) -> u32 {
     with(mesh, 0, |tree| {
         let vertices = tree.mesh().vertices();
-        let open = table.iter().flatten().filter(|edge| edge.is_odd);
-        let first = open.map(|edge| (edge.ends.map(|i| place(vertices, i)), edge.ends)).min();
+        let mut counts = lock(&COUNTS);
+        let Some(Count { table, first, .. }) = counts.get_mut(count) else { return 0 };
+        let open = table.iter().take(to).skip(from).filter(|edge| edge.is_odd);
+        let open = open.map(|edge| (edge.ends.map(|i| place(vertices, i)), edge.ends));
+        *first = open.chain(*first).min();
         if let Some((_, ends)) = first {
-            say(0, &ends);
+            say(0, ends);
         }
         first.is_some().into()
     })
