@@ -23,7 +23,7 @@ fn exact_at_every_size<S: Sample>() {
     let mut rng = Rng::new(0x512e);
     let range = S::GREATEST.ordinal();
     let bits = 64 - range.leading_zeros();
-    for _ in 0..400 {
+    for _ in 0..200 {
         // Powers of two, and the numbers just below them.
         for size in (0..bits).flat_map(|k| [1_i64 << k, (1 << k) - 1]) {
             // Around the origin, and around a point anywhere in the range.

@@ -1,6 +1,6 @@
 //! Every triangle on the grid {−2, …, 2}³, degenerate ones included, against a family of boxes:
 //! 125³ triples of vertices for each box, in every scalar. The oracle runs once for three vertices,
-//! the crate for all six orders.
+//! the crate for all six orders in `f32`, and in the other scalars for one of them in turn.
 
 use septum_kit::{BoxNumbers, every_triangle_on_the_grid};
 

@@ -1,7 +1,7 @@
 //! The ends of every scalar's range: right answers, without panic or overflow (tests are built with
 //! overflow checks).
 
-use fixed::types::extra::{U0, U1, U7, U8, U15, U16, U31, U32, U63, U64};
+use fixed::types::extra::{U0, U8, U16, U32, U64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 use septum::prepared::PreparedTriangle;
 use septum::{Axis, published};
@@ -102,8 +102,6 @@ fn f64() {
 #[test]
 fn eight_bits() {
     check::<FixedI8<U0>>();
-    check::<FixedI8<U1>>();
-    check::<FixedI8<U7>>();
     check::<FixedI8<U8>>();
 }
 
@@ -111,7 +109,6 @@ fn eight_bits() {
 fn sixteen_bits() {
     check::<FixedI16<U0>>();
     check::<FixedI16<U8>>();
-    check::<FixedI16<U15>>();
     check::<FixedI16<U16>>();
 }
 
@@ -119,7 +116,6 @@ fn sixteen_bits() {
 fn thirty_two_bits() {
     check::<FixedI32<U0>>();
     check::<FixedI32<U16>>();
-    check::<FixedI32<U31>>();
     check::<FixedI32<U32>>();
 }
 
@@ -127,7 +123,6 @@ fn thirty_two_bits() {
 fn sixty_four_bits() {
     check::<FixedI64<U0>>();
     check::<FixedI64<U32>>();
-    check::<FixedI64<U63>>();
     check::<FixedI64<U64>>();
 }
 

@@ -5,15 +5,11 @@ use septum::lanes::{Aabbs, CellTriangle, Cells, Triangles};
 use septum::published;
 use septum::published::stored_normal::NormalTriangle;
 use septum::{Aabb, Cull, Ray, Scalar, Triangle, Vec3};
-use septum_kit::{Lanes, Rng, Sample, for_every_scalar};
+use septum_kit::{Lanes, Rng, Sample, for_every_scalar, for_scalars};
 
-for_every_scalar!(
-    same_bits_one_lane,
-    same_bits_three,
-    same_bits_four,
-    same_bits_eight,
-    same_bits_sixteen
-);
+// Each scalar, and each number of lanes, whose code is the same for all scalars.
+for_every_scalar!(same_bits_four);
+for_scalars!([f32: f32] same_bits_one_lane, same_bits_three, same_bits_eight, same_bits_sixteen);
 
 fn same_bits_one_lane<S: Sample>() {
     same_bits::<S, 1>();

@@ -10,14 +10,14 @@ fn exact_on_every_set<S: Sample>() {
     for set in LineSet::ALL {
         let rng = &mut Rng::new(0xb0c5);
         let mut met = 0;
-        for _ in 0..25_000 {
+        for _ in 0..10_000 {
             let case = set.case::<S>(rng);
             let meets = case.meets();
             assert_eq!(case.overlaps(), meets, "{set:?}: {case:?}");
             assert!(case.may_overlap() || !meets, "{set:?}: {case:?}");
             met += usize::from(meets);
         }
-        let both = matches!(set, LineSet::Far | LineSet::Small) || (500..24_500).contains(&met);
+        let both = matches!(set, LineSet::Far | LineSet::Small) || (200..9_800).contains(&met);
         assert!(both, "{set:?}: {met} meet");
     }
 }

@@ -134,7 +134,7 @@ fn case_of<S: Sample>(number: impl Strategy<Value = S>) -> impl Strategy<Value =
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(20_000) })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(6_000) })]
 
     #[test]
     fn any_f32(case in case_of(proptest::num::f32::ANY.prop_filter("finite", |x| x.is_finite()))) {

@@ -7,7 +7,7 @@ use septum_kit::{
 };
 
 /// Cases of each set.
-const COUNT: usize = 4_000;
+const COUNT: usize = 1_500;
 
 fn overlaps<S: Sample>(case: &Case<S>) -> bool {
     let (triangle, aabb) = case.shapes();

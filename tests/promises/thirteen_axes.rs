@@ -5,7 +5,7 @@ use septum::Axis;
 use septum_kit::{BoxNumbers, Case, Rng, Sample, for_every_scalar, meets, separates};
 
 /// Cases for each axis.
-const COUNT: usize = 40;
+const COUNT: usize = 15;
 
 /// A triangle and a box on a small grid.
 fn small<S: Sample>(rng: &mut Rng) -> Case<S> {

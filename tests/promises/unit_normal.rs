@@ -82,7 +82,7 @@ fn points<S: Sample>() -> impl Strategy<Value = Points<S>> {
 macro_rules! nearest_everywhere {
     ($($name:ident: $t:ty;)*) => {
         proptest! {
-            #![proptest_config(ProptestConfig { failure_persistence: None, cases: 4_000, ..ProptestConfig::default() })]
+            #![proptest_config(ProptestConfig { failure_persistence: None, cases: 1_500, ..ProptestConfig::default() })]
             $(
                 #[test]
                 fn $name(points in points::<$t>()) {

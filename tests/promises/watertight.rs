@@ -10,7 +10,7 @@ fn every_shot<S: Sample>(check: impl Fn(&Mesh<S>, &Shot<S>, Scene)) {
     for scene in Scene::ALL.into_iter().filter(|scene| scene.misfit::<S>().is_none()) {
         let mesh = scene.mesh::<S>();
         for aim in Aim::ALL {
-            for shot in scene.shots(&mesh, aim, 71, 3_000) {
+            for shot in scene.shots(&mesh, aim, 71, 1_000) {
                 check(&mesh, &shot, scene);
             }
         }
@@ -77,7 +77,7 @@ fn entries_are_exits<S: Sample>() {
     let mut grazed = 0;
     for scene in Scene::ALL.into_iter().filter(|scene| scene.misfit::<S>().is_none()) {
         let mesh = scene.mesh::<S>();
-        for _ in 0..5_000 {
+        for _ in 0..1_500 {
             let face = mesh.faces[rng.below(mesh.faces.len())].map(|v| mesh.vertices[v]);
             // Along an edge, or in the plane of two edges, or from one vertex to another.
             let other = mesh.vertices[rng.below(mesh.vertices.len())];
@@ -113,7 +113,7 @@ fn entries_are_exits<S: Sample>() {
         }
     }
     // Some rays miss, but not all.
-    assert!(grazed > 100, "{grazed}");
+    assert!(grazed > 30, "{grazed}");
 }
 
 for_every_scalar!(

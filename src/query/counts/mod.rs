@@ -11,7 +11,7 @@ use std::fmt::Write;
 use std::format;
 use std::string::String;
 
-use fixed::types::{I4F4, I8F8, I16F16, I32F32};
+use fixed::types::{I8F8, I16F16, I32F32};
 
 use crate::arithmetic::{REGISTERS_ARE_WIDE, SMALL_CODE};
 use crate::contact::contact;
@@ -80,7 +80,6 @@ macro_rules! fixed_point {
     )*};
 }
 fixed_point! {
-    I4F4: 3, 6, 5;
     I8F8: 6, 13, 13;
     I16F16: 15, 18, 30;
     I32F32: 30, 20, 62;
@@ -201,7 +200,7 @@ fn questions_escalate_as_often_as_they_did() {
     );
     rows::<f32>("f32", &mut counts);
     rows::<f64>("f64", &mut counts);
-    rows::<I4F4>("I4F4", &mut counts);
+    // Eight bits take the stages of sixteen.
     rows::<I8F8>("I8F8", &mut counts);
     rows::<I16F16>("I16F16", &mut counts);
     rows::<I32F32>("I32F32", &mut counts);

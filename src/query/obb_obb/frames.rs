@@ -253,7 +253,7 @@ mod tests {
     fn check<S: Scalar>(near: impl Fn(f64) -> S, steps: i32) -> [usize; 3] {
         let mut numbers = Numbers(17);
         let mut counts = [0; 3];
-        for n in 0..400_i32 {
+        for n in 0..128_i32 {
             let tilt = [1.0, 1e-3, 1e-7, 1e-12, 1e-15, 6.1e-17, 1e-30, 0.0][n as usize % 8];
             let mut obb = |at: f64| {
                 let axes = turned(&mut numbers, tilt).map(|u| u.map(&near));
@@ -295,7 +295,7 @@ mod tests {
     #[test]
     fn frames_say_what_is_exact() {
         for counts in [check(|x| x as f32, 20), check(|x| x, 20)] {
-            assert!(counts.iter().all(|&n| n > 1_000), "{counts:?}");
+            assert!(counts.iter().all(|&n| n > 300), "{counts:?}");
         }
     }
 }

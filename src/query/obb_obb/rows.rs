@@ -166,7 +166,7 @@ mod tests {
     fn what_is_short_is_exact() {
         let mut numbers = Numbers(11);
         let mut answered = [0; 3];
-        for n in 0..30_000 {
+        for n in 0..10_000 {
             // Up to 23 digits; 17 or more are requested.
             let digits = 1 << (8 + n % 16);
             let mut whole = || (numbers.next() * digits as f32).round();
@@ -206,6 +206,6 @@ mod tests {
                 }
             }
         }
-        assert!(answered.iter().all(|&n| n > 1_000), "{answered:?}");
+        assert!(answered.iter().all(|&n| n > 300), "{answered:?}");
     }
 }

@@ -1,6 +1,8 @@
 //! Every triangle on a small grid, in every scalar. The check is in this package rather than in the
 //! test, so that the crate's part of it is compiled with full optimization.
 
+use std::ops::Range;
+
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 use septum::prepared::PreparedTriangle;
 use septum::{Aabb, Triangle};
@@ -20,10 +22,10 @@ fn triples() -> impl Iterator<Item = [Point; 3]> {
     })
 }
 
-/// Checks the crate, in every order of the vertices.
-fn check<S: Sample>(vertices: &[Point; 3], aabb: &Aabb<S>, expected: bool) {
+/// Checks the crate, in some orders of the vertices.
+fn check<S: Sample>(vertices: &[Point; 3], aabb: &Aabb<S>, expected: bool, orders: Range<usize>) {
     let vertices = vertices.map(|v| v.map(S::nearest));
-    for order in VERTEX_ORDERS {
+    for order in &VERTEX_ORDERS[orders] {
         let [a, b, c] = order.map(|k| vertices[k]);
         let triangle = Triangle::new(a, b, c).expect("finite vertices");
         let is_right = triangle.overlaps(aabb) == expected
@@ -43,8 +45,8 @@ fn in_scalar<S: Sample>(numbers: BoxNumbers<f64>) -> Aabb<S> {
 }
 
 /// Checks the box against every triangle on the grid {−2, …, 2}³, degenerate ones included: 333,375
-/// triples of vertices, each in six orders and six scalars. The oracle runs once for three
-/// vertices. Panics at the first wrong answer; returns the number of triples that meet the box.
+/// triples of vertices in six scalars, in six orders in `f32` and in the other scalars in one of
+/// them in turn. The oracle runs once for three vertices. Panics at the first wrong answer; returns the number of triples that meet the box.
 pub fn every_triangle_on_the_grid(aabb: BoxNumbers<f64>) -> u32 {
     let single: Aabb<f32> = in_scalar(aabb);
     let double: Aabb<f64> = in_scalar(aabb);
@@ -53,15 +55,16 @@ pub fn every_triangle_on_the_grid(aabb: BoxNumbers<f64>) -> u32 {
     let i16f16: Aabb<I16F16> = in_scalar(aabb);
     let i32f32: Aabb<I32F32> = in_scalar(aabb);
     let mut met = 0;
-    for vertices in triples() {
+    for (turn, vertices) in triples().enumerate() {
         let expected = meets(&Case { vertices, aabb });
         met += u32::from(expected);
-        check(&vertices, &single, expected);
-        check(&vertices, &double, expected);
-        check(&vertices, &i4f4, expected);
-        check(&vertices, &i8f8, expected);
-        check(&vertices, &i16f16, expected);
-        check(&vertices, &i32f32, expected);
+        check(&vertices, &single, expected, 0..6);
+        let (order, next) = (turn % 6, turn % 6 + 1);
+        check(&vertices, &double, expected, order..next);
+        check(&vertices, &i4f4, expected, order..next);
+        check(&vertices, &i8f8, expected, order..next);
+        check(&vertices, &i16f16, expected, order..next);
+        check(&vertices, &i32f32, expected, order..next);
     }
     met
 }

@@ -53,12 +53,6 @@ fn run(example: &str, arguments: &[&str], directory: &Path) -> Output {
     Command::new(program).args(arguments).current_dir(directory).output().unwrap()
 }
 
-/// Builds an example anew if the crate has changed, and runs it.
-pub(crate) fn run_as_it_is_now(example: &str) -> Output {
-    built(example, &target());
-    run(example, &[], &directory(example))
-}
-
 /// The output of a successful run, and its error stream.
 fn printed(example: &str, arguments: &[&str], directory: &Path) -> [String; 2] {
     let output = run(example, arguments, directory);
