@@ -13,7 +13,7 @@ use super::soft::Soft;
 use super::wide::I256;
 
 /// An integer in two's complement, least limb first. Its types are chosen so that no result
-/// overflows; see [`Window`](super::Window) and [`Full`](super::Full).
+/// overflows; see [`Window`](super::Window) and [`FullF32`](super::FullF32).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BigInt<const L: usize>(pub(crate) [u64; L]);
 

@@ -65,7 +65,7 @@ pub(crate) use rounded::{Rounded, RoundedOps};
 pub use short_multiples::ShortFloat;
 pub(crate) use short_multiples::{Divisor, Leading64};
 pub use soft::Soft;
-pub(crate) use soft::whole;
+pub(crate) use soft::{root, whole};
 pub(crate) use span::{Span, Spanned, Spans};
 pub use system::{Arithmetic, Embeds};
 pub(crate) use system::{cross, dot, of_two, once};

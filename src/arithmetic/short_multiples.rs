@@ -3,7 +3,7 @@
 //!
 //! Numbers that are multiples of 2^-28 of the greatest are exact in `i32`. Volumes are then exact,
 //! and their quotient is computed to 2^-50 of itself. It is returned only if the next wider stages
-//! would round to the same float; see [`ShortFloat::quotient`].
+//! would round to the same float; see [`ShortFloat::rounded_quotient`].
 
 /// The leading 64 bits of a number: magnitude·2^exponent, with the top bit of the magnitude set.
 /// Less than one unit is missing.

@@ -155,6 +155,21 @@ impl Soft {
     }
 }
 
+/// Unit roundoffs in [`root`].
+#[cfg(test)]
+const ROOT_ROUNDOFFS: u16 = 2;
+
+/// The square root of a normal float above zero, within two unit roundoffs. `core` has none.
+///
+/// The integer root is below the true one by less than 2^-31 of it, and a step of Newton's method
+/// leaves half the square of that, and the roundings of a quotient and a sum: `soft.g`.
+pub(crate) fn root(x: f64) -> f64 {
+    let Soft { exponent, mantissa, .. } = Soft::of_normal(x);
+    let odd = exponent & 1;
+    let first = <f64 as super::Float>::scaled((mantissa >> odd).isqrt(), (exponent + odd) / 2);
+    0.5 * (first + x / first)
+}
+
 /// m·2^exponent as an integer, rounded up or to the nearest, and at most the greatest `u128`.
 pub(crate) fn whole(m: u128, exponent: i32, is_up: bool) -> u128 {
     if exponent >= 0 {
@@ -178,7 +193,18 @@ pub(crate) fn whole(m: u128, exponent: i32, is_up: bool) -> u128 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Soft, whole};
+    use super::{ROOT_ROUNDOFFS, Soft, root, whole};
+
+    #[test]
+    fn roots_of_floats_err_by_two_roundoffs() {
+        for n in (1..1_u32 << 26).step_by(9973) {
+            let x = f64::from(n);
+            for scale in [1.0, 2_f64.powi(-301), 2_f64.powi(300)] {
+                let off = (root(x * scale * (x * scale)) - x * scale).abs();
+                assert!(off <= f64::from(ROOT_ROUNDOFFS) * f64::EPSILON / 2.0 * x * scale, "{x}");
+            }
+        }
+    }
 
     fn number(x: u64) -> Soft {
         Soft::of_limbs(&[x]).unwrap()

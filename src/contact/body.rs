@@ -1,6 +1,6 @@
 //! The shapes that have contacts as one type, in floats and in exact numbers.
 
-use crate::arithmetic::{Parts, pick, three, turn};
+use crate::arithmetic::{self, Double, Filtered, Parts, pick, three, turn};
 use crate::robust::{ExactSum, Linear, Vector, add_scaled_determinant, difference, single};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Obb, Triangle};
@@ -34,11 +34,6 @@ pub(super) struct Rough {
 impl<S: Scalar> Body<'_, S> {
     pub(super) fn is_triangle(&self) -> bool {
         matches!(self, Self::Triangle(_))
-    }
-
-    /// The number of faces with different normals.
-    pub(super) fn normals(&self) -> usize {
-        if self.is_triangle() { 1 } else { 3 }
     }
 
     /// The centre of a box, or the first vertex of a triangle.
@@ -112,6 +107,21 @@ impl<S: Scalar> Body<'_, S> {
         }
     }
 
+    /// The same in double words, exactly, if `f64` holds the scalar.
+    pub(super) fn side_in_doubles(&self, k: usize) -> [Double; 3] {
+        match self {
+            Self::Triangle(t) => {
+                let v = t.points().map(|p| three(|i| p[i].in_double()));
+                Double::way(pick(&v, turn(k).1), pick(&v, k))
+            }
+            Self::Aabb(_) => three(|i| Double::of(if i == k % 3 { 1.0 } else { 0.0 })),
+            Self::Obb(obb) => {
+                let axis = pick(obb.axes(), k).to_array();
+                three(|i| Double::of(axis[i].in_double()))
+            }
+        }
+    }
+
     /// Twice the half-extent along axis k, as the sum of two numbers; zero for a triangle.
     pub(super) fn extent(&self, k: usize) -> [Parts; 2] {
         let k = k % 3;
@@ -162,4 +172,12 @@ pub(super) fn side_of<S: Scalar>([x, y]: [&Vector; 2], z: &Vector) -> core::cmp:
     let mut sum = S::SeptumSum::new();
     add_scaled_determinant(&mut sum, x, y, z, S::ONE);
     sum.sign()
+}
+
+pub(super) fn cross(x: &Vec64, y: &Vec64) -> Vec64 {
+    arithmetic::cross::<Filtered<f64>>(x, y)
+}
+
+pub(super) fn dot(x: &Vec64, y: &Vec64) -> f64 {
+    arithmetic::dot::<Filtered<f64>>(x, y)
 }

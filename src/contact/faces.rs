@@ -5,8 +5,7 @@
 //! the corners of its part, and therefore lies on that part even if its coordinates across the
 //! normal have an error.
 
-use super::body::{Rough, Vec64};
-use super::directions::{cross, dot};
+use super::body::{Rough, Vec64, cross, dot};
 use crate::arithmetic::{REGISTERS_ARE_WIDE, greatest, largest, pick, three, turn};
 
 /// The most corners that a face has.
@@ -249,15 +248,14 @@ impl Face {
         }
         let (i, j, k) = turn(usize::from(number / 2));
         let mut edges = [0; CORNERS];
-        let mut n = 0;
-        let corners = [[false, false], [true, false], [true, true], [false, true]].map(|[a, b]| {
+        let mut corners = [view.corner([0.0; 3], 0); CORNERS];
+        for n in 0..CORNERS {
             let mut upper = [false; 3];
-            (upper[i], upper[j], upper[k]) = (number % 2 == 1, a, b);
+            (upper[i], upper[j], upper[k]) = (number % 2 == 1, n == 1 || n == 2, n >= 2);
             // The edge runs along j if this corner and the next differ in j.
-            edges[n % CORNERS] = edge_of_box(if n % 2 == 0 { j } else { k }, upper);
-            n += 1;
-            view.corner(shape.corner(upper), vertex_of_box(upper))
-        });
+            edges[n] = edge_of_box(if n % 2 == 0 { j } else { k }, upper);
+            corners[n] = view.corner(shape.corner(upper), vertex_of_box(upper));
+        }
         Self { corners, edges, count: CORNERS, number }
     }
 

@@ -2,16 +2,18 @@
 
 use core::cmp::Ordering;
 
-use super::body::{Body, Rough, Vec64};
-use super::directions::{Direction, Filter, Finding, all, cross, dot};
-use super::exact::{Exact, Size, farthest};
+use super::body::{Body, Rough, Vec64, cross, dot};
+use super::directions::{Direction, all};
+use super::exact::{Exact, farthest};
+use super::filter::{AT_ONCE, Filter};
 use super::interior::InteriorEdges;
+use super::measures::{Lengths, Measures};
+use super::settled::{settled, unit};
 use super::sums::Sums;
 use super::whole::{Long, Shapes, Short, Units, Whole};
-use crate::arithmetic::{Soft, pick, three, turn};
+use crate::arithmetic::{REGISTERS_ARE_WIDE, pick, turn};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
-use crate::shape::Vec3;
 
 /// The exact numbers of two shapes: integers, or sums of products for all other inputs.
 #[derive(Clone, Copy)]
@@ -44,18 +46,11 @@ impl Numbers<'_> {
     }
 }
 
-/// The translation along one direction.
+/// A translation: its direction, and the signs along it.
 pub(super) struct Way {
     pub(super) direction: Direction,
     /// Whether the first shape goes along the direction, or against it.
     pub(super) is_along: bool,
-    /// The overlap, in units of the direction's length.
-    overlap: Soft,
-    length: Soft,
-    square: Soft,
-    /// The overlap as a length.
-    pub(super) depth: Soft,
-    coordinates: [Option<(Ordering, Soft)>; 3],
     /// The signs of the sides of the shapes along the direction.
     pub(super) along: [[Ordering; 3]; 2],
     pub(super) is_held: bool,
@@ -64,71 +59,87 @@ pub(super) struct Way {
 /// A plane separates the shapes.
 struct Apart;
 
-/// Updates the best way with one or both ways along a direction; of equal depths the first stays.
-/// `Err` if the shapes are apart or touch.
-fn least<S: Scalar>(
-    bodies: &[Body<'_, S>; 2],
-    numbers: Numbers<'_>,
-    filter: &Filter<'_>,
-    direction: Direction,
-    wanted: [bool; 2],
-    best: &mut Option<Way>,
-) -> Result<(), Apart> {
-    note(Stage::Exact);
-    let known = filter.along(direction);
-    let Some(exact) = numbers.along(bodies, direction, &known, wanted) else {
-        return Ok(());
-    };
-    let Some((length, square)) = exact.length() else { return Ok(()) };
-    let Exact { coordinates, along, overlaps } = exact;
-    for is_along in [false, true] {
-        if !wanted[usize::from(is_along)] {
-            continue;
-        }
-        let overlap = overlaps[usize::from(is_along)].ok_or(Apart)?;
-        let depth = overlap.over(length);
-        if best.as_ref().is_none_or(|best| depth.is_less_than(best.depth)) {
-            let is_held = false;
-            *best = Some(Way {
-                direction,
-                is_along,
-                overlap,
-                length,
-                square,
-                depth,
-                coordinates,
-                along,
-                is_held,
-            });
-        }
-    }
-    Ok(())
+/// Directions, and as bits for which of them a translation against the direction is wanted, and for
+/// which one along it.
+struct Wanted {
+    all: &'static [Direction],
+    against: u16,
+    along: u16,
 }
 
-/// The least way out; `None` if a plane separates the shapes.
-///
-/// Floats select which of up to 30 ways may be the least, nearly always a single one. Exact numbers
-/// decide between the selected ways, and whether the shapes overlap at all.
-pub(super) fn least_way<S: Scalar>(
-    bodies: &[Body<'_, S>; 2],
-    rough: &[Rough; 2],
-    interior: InteriorEdges,
-) -> Option<Way> {
-    let mut filter = Filter::new::<S>(rough);
-    let mut found = [None; 15];
-    let mut bound = f64::INFINITY;
-    for (found, direction) in found.iter_mut().zip(all(bodies)) {
-        match filter.finding(direction) {
-            Finding::Apart => return None,
-            Finding::Nothing => {}
-            Finding::Overlaps(overlaps) => {
-                for overlap in overlaps {
-                    bound = if overlap.most < bound { overlap.most } else { bound };
+/// The normal of the first shape, if it is a triangle.
+const FACE: Direction = Direction::Face { is_second: false, k: 0 };
+
+impl Wanted {
+    /// Both translations along the normal of the first shape.
+    const FACE: Self = Self { all: &[FACE], against: 1, along: 1 };
+
+    /// The translations whose overlap may be the least, by floats; nearly always a single one.
+    fn new<S: Scalar>(bodies: &[Body<'_, S>; 2], filter: &mut Filter<'_>) -> Result<Self, Apart> {
+        let mut wanted = Self { all: all(bodies), against: 0, along: 0 };
+        let needed = filter.needed(wanted.all);
+        let mut least = [[f64::INFINITY; 16]; 2];
+        let mut bound = f64::INFINITY;
+        let (mut left, mut last) = (needed, 0);
+        while left != 0 {
+            // The last one again, if there are fewer.
+            let numbers: [usize; AT_ONCE] = core::array::from_fn(|_| {
+                last = if left == 0 { last } else { left.trailing_zeros() as usize % 16 };
+                left &= left.wrapping_sub(1);
+                last
+            });
+            let overlaps = filter.overlaps(numbers.map(|n| wanted.direction(n)));
+            if overlaps.are_apart {
+                return Err(Apart);
+            }
+            for (n, number) in numbers.into_iter().enumerate() {
+                for side in 0..2 {
+                    let most = overlaps.most[side][n];
+                    bound = if most < bound { most } else { bound };
+                    least[side][number] = overlaps.least[side][n];
                 }
-                *found = Some((direction, overlaps));
             }
         }
+        let may_be_least = |least: &[f64; 16]| {
+            let all = least.iter().enumerate();
+            all.fold(0, |bits, (n, least)| bits | u16::from(*least <= bound) << n) & needed
+        };
+        (wanted.against, wanted.along) = (may_be_least(&least[0]), may_be_least(&least[1]));
+        Ok(wanted)
     }
+
+    fn direction(&self, n: usize) -> Direction {
+        self.all.get(n).copied().unwrap_or(FACE)
+    }
+
+    /// The directions of which something is wanted, in their order, and whether it is the
+    /// translation against it, and the one along it.
+    fn iter(&self) -> impl Iterator<Item = (Direction, [bool; 2])> {
+        let mut left = self.against | self.along;
+        core::iter::from_fn(move || {
+            let n = left.trailing_zeros() as usize % 16;
+            let wanted = [self.against, self.along].map(|bits| bits >> n & 1 == 1);
+            let is_wanted = left != 0;
+            left &= left.wrapping_sub(1);
+            is_wanted.then(|| (self.direction(n), wanted))
+        })
+    }
+
+    /// The translation that is wanted, if it is the only one.
+    fn single(&self) -> Option<(Direction, bool)> {
+        let mut all = self.iter();
+        let (direction, [against, along]) = all.next()?;
+        (all.next().is_none() && against != along).then_some((direction, along))
+    }
+}
+
+/// The least of the wanted translations in exact numbers; of equal depths the first. `None` if all
+/// directions are zero, `Err` if the shapes are apart or touch.
+fn exact<S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    filter: &Filter<'_>,
+    wanted: &Wanted,
+) -> Result<Option<(Way, Lengths)>, Apart> {
     let (short, long);
     let numbers = match Units::new(bodies) {
         Some(units) if units.are_short => {
@@ -141,44 +152,115 @@ pub(super) fn least_way<S: Scalar>(
         }
         None => Numbers::Sums,
     };
-    let mut best: Option<Way> = None;
-    for (direction, overlaps) in found.into_iter().flatten() {
-        let wanted = [overlaps[0].least <= bound, overlaps[1].least <= bound];
-        if wanted == [false; 2] {
-            continue;
+    let mut best: Option<(Way, Lengths)> = None;
+    for (direction, wanted) in wanted.iter() {
+        note(Stage::Exact);
+        let known = filter.along(direction);
+        let Some(exact) = numbers.along(bodies, direction, &known, wanted) else { continue };
+        let Some((length, square)) = exact.length() else { continue };
+        let Exact { coordinates, along, overlaps } = exact;
+        for is_along in [false, true] {
+            if !wanted[usize::from(is_along)] {
+                continue;
+            }
+            let overlap = overlaps[usize::from(is_along)].ok_or(Apart)?;
+            let depth = overlap.over(length);
+            if best.as_ref().is_none_or(|(_, best)| depth.is_less_than(best.depth)) {
+                let way = Way { direction, is_along, along, is_held: false };
+                best = Some((way, Lengths { overlap, length, square, depth, coordinates }));
+            }
         }
-        least(bodies, numbers, &filter, direction, wanted, &mut best).ok()?;
     }
-    let best = best?;
+    Ok(best)
+}
+
+/// The least way out by exact numbers, of the directions that floats leave.
+#[cfg(test)]
+pub(super) fn least_exact<S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    rough: &[Rough; 2],
+) -> Option<(Way, Lengths)> {
+    let mut filter = Filter::new::<S>(rough);
+    let wanted = Wanted::new(bodies, &mut filter).ok()?;
+    exact(bodies, &filter, &wanted).ok()?
+}
+
+/// The least way out and its numbers; `None` if a plane separates the shapes.
+///
+/// Floats select which of up to 30 ways may be the least, and nearly always know the numbers of a
+/// single one. Exact numbers decide between several ways, and whether the shapes overlap at all.
+pub(super) fn least_measures<S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    rough: &[Rough; 2],
+) -> Option<(Way, Measures<S>)> {
+    let mut filter = Filter::new::<S>(rough);
+    let wanted = Wanted::new(bodies, &mut filter).ok()?;
+    if let Some(found) = from_floats(&filter, &wanted) {
+        return Some(found);
+    }
+    let (way, lengths) = exact(bodies, &filter, &wanted).ok()??;
+    let measures = lengths.measures(way.is_along);
+    Some((way, measures))
+}
+
+/// The way that floats leave and its numbers, if they are certain of all.
+#[inline(always)]
+fn from_floats<S: Scalar>(filter: &Filter<'_>, wanted: &Wanted) -> Option<(Way, Measures<S>)> {
+    // Small cores do without, for size.
+    if !REGISTERS_ARE_WIDE {
+        return None;
+    }
+    let (direction, is_along) = wanted.single()?;
+    settled(filter, direction, is_along)
+}
+
+/// A way, its numbers, and the unit vector along which the first shape moves.
+pub(super) type Directed<S> = (Way, Measures<S>, Vec64);
+
+#[inline(never)]
+fn directed<S: Scalar>((way, lengths): (Way, Lengths)) -> Directed<S> {
+    let (measures, unit) = (lengths.measures(way.is_along), lengths.unit(way.is_along));
+    (way, measures, unit)
+}
+
+/// The same for contact points, and in a mesh. Its frame is free before the points.
+#[inline(never)]
+pub(super) fn least_way<S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    rough: &[Rough; 2],
+    interior: InteriorEdges,
+) -> Option<Directed<S>> {
+    let mut filter = Filter::new::<S>(rough);
+    let wanted = Wanted::new(bodies, &mut filter).ok()?;
+    let settled = from_floats(&filter, &wanted).and_then(|(way, measures)| {
+        let unit = unit(bodies, way.direction, way.is_along)?;
+        Some((way, measures, unit))
+    });
+    let best = match settled {
+        Some(best) => best,
+        None => directed(exact(bodies, &filter, &wanted).ok()??),
+    };
     if interior == InteriorEdges::NONE {
         return Some(best);
     }
-    let face = Direction::Face { is_second: false, k: 0 };
-    let is_held = match across(&best, &rough[0].sides, interior) {
-        Some(is_held) => is_held,
-        // The whole triangle lies across: the direction is its normal, or the triangle has none.
-        None => {
-            let none = [[None; 3]; 2];
-            best.direction != face && numbers.along(bodies, face, &none, [false; 2]).is_none()
-        }
-    };
-    if !is_held {
+    let is_across = across(&best.0, &best.2, &rough[0].sides, interior);
+    // If the whole triangle lies across, the direction is its normal, or it may have none.
+    if !is_across.unwrap_or(best.0.direction != FACE) {
         return Some(best);
     }
-    let mut held = None;
-    least(bodies, numbers, &filter, face, [true; 2], &mut held).ok()?;
-    held.map(|way| Way { is_held: true, ..way })
+    let (way, measures, unit) = directed(exact(bodies, &filter, &Wanted::FACE).ok()??);
+    Some(if is_across.is_none() { best } else { (Way { is_held: true, ..way }, measures, unit) })
 }
 
 /// Whether the way out leads across an interior edge of the triangle, which is the first shape;
 /// `None` if all its vertices are equally far along it.
-fn across(way: &Way, edges: &[Vec64; 3], interior: InteriorEdges) -> Option<bool> {
+fn across(way: &Way, unit: &Vec64, edges: &[Vec64; 3], interior: InteriorEdges) -> Option<bool> {
     let farthest = way.farthest(0);
     match farthest.iter().filter(|&&is| is).count() {
         3 => None,
         2 => Some((0..3).any(|k| farthest[k] && farthest[turn(k).1] && interior.contains(k))),
         _ => {
-            let n = way.unit(&way.ratios()).map(|x| -x);
+            let n = unit.map(|x| -x);
             let normal = cross(&edges[0], &edges[1]);
             let k = farthest.iter().position(|&is| is).unwrap_or(0);
             let outward = |k: usize| dot(&n, &cross(pick(edges, k), &normal)) >= 0.0;
@@ -197,60 +279,5 @@ impl Way {
     /// The vertices of a triangle that lie farthest toward the opposite shape.
     pub(super) fn farthest(&self, shape: usize) -> [bool; 3] {
         farthest(&self.along[shape % 2], self.toward(shape))
-    }
-
-    /// The sizes of the coordinates of the unit vector along which the first shape moves.
-    pub(super) fn ratios(&self) -> [Size; 3] {
-        three(|i| self.coordinates[i].map(|(_, size)| size.over(self.length)))
-    }
-
-    /// The unit vector, before it is rounded.
-    pub(super) fn unit(&self, ratios: &[Size; 3]) -> Vec64 {
-        three(|i| match (self.coordinates[i], ratios[i]) {
-            (Some((sign, _)), Some(ratio)) => {
-                let x = ratio.in_double();
-                if sign.is_gt() == self.is_along { x } else { -x }
-            }
-            _ => 0.0,
-        })
-    }
-
-    /// A vector along the way, from the sizes of its coordinates in real units, and whether the
-    /// scalar can hold it.
-    fn vector<S: Scalar>(&self, units: i32, is_up: bool, sizes: [Size; 3]) -> (Vec3<S>, bool) {
-        let mut fits = true;
-        let [x, y, z] = three(|i| match (self.coordinates[i], sizes[i]) {
-            (Some((sign, _)), Some(size)) => {
-                let (m, exponent) = size.scaled(units).upper();
-                let is_negative = sign.is_gt() != self.is_along;
-                let (x, is_held) = S::of_units(m, exponent, is_up, is_negative);
-                fits &= is_held;
-                x
-            }
-            _ => S::ZERO,
-        });
-        (Vec3::new(x, y, z), fits)
-    }
-
-    /// The translation, with each coordinate rounded away from zero, so that it is never too short.
-    ///
-    /// With a the direction and o the overlap along it, |tᵢ| ≥ |aᵢ|·o/(a·a), and tᵢ has the sign of
-    /// aᵢ. Therefore a·t = Σ|aᵢ|·|tᵢ| ≥ o, and the shapes no longer overlap along this direction.
-    pub(super) fn translation<S: Scalar>(&self) -> (Vec3<S>, bool) {
-        let is_single = self.coordinates.iter().flatten().count() == 1;
-        let of = |size: Soft| {
-            if is_single { self.depth } else { size.times(self.overlap).over(self.square) }
-        };
-        let sizes = three(|i| self.coordinates[i].map(|(_, size)| of(size)));
-        self.vector(-i32::from(S::ONE.shift), true, sizes)
-    }
-
-    pub(super) fn normal<S: Scalar>(&self, ratios: [Size; 3]) -> Vec3<S> {
-        self.vector(i32::from(S::ONE.shift), false, ratios).0
-    }
-
-    pub(super) fn depth<S: Scalar>(&self) -> S {
-        let (m, exponent) = self.depth.scaled(-i32::from(S::ONE.shift)).upper();
-        S::of_units(m, exponent, true, false).0
     }
 }

@@ -85,10 +85,14 @@ mod directions;
 mod exact;
 mod faces;
 mod feature;
+mod filter;
 mod interior;
 mod least;
+mod measures;
 mod mesh;
 mod points;
+mod settled;
+mod signs;
 mod sums;
 #[cfg(test)]
 mod tests;
@@ -97,10 +101,10 @@ mod whole;
 use core::fmt;
 
 use self::body::{Body, Place, Rough};
-use self::exact::Size;
 pub use self::feature::{Features, Part};
 pub use self::interior::{InteriorEdges, interior_edges};
-use self::least::{Way, least_way};
+use self::least::{Way, least_measures, least_way};
+use self::measures::Measures;
 pub use self::mesh::Contacts;
 pub use self::points::Point;
 use self::points::{Points, features, points};
@@ -205,9 +209,10 @@ impl<S: Scalar> fmt::Debug for Contact<S> {
 /// end of the range in fixed point; then [`Translation::is_sufficient`] is `false`.
 ///
 /// *Panics*: never. *Cost*: in `f64` at most 15 cross products, each with two intervals. These
-/// nearly always leave one direction. It takes three exact coordinates, at most six signs and one
-/// exact depth, in integers of up to 256 bits, or in exact sums if 60 bits do not hold the
-/// coordinates; and a root and seven quotients of 64 bits.
+/// nearly always leave one direction. In scalars of up to 32 bits the intervals nearly always round
+/// to one number each. If not, it takes three exact coordinates, at most six signs and one exact depth
+/// for each direction that is left, in integers of up to 256 bits, or in exact sums if 60 bits do
+/// not hold the coordinates; and a root and seven quotients of 64 bits.
 ///
 /// *Source*: separating axes, as for [`Obb::overlaps`]. The rounding that guarantees separation is
 /// ours.
@@ -221,8 +226,8 @@ pub fn least_translation<S: Scalar>(
 ) -> Option<Translation<S>> {
     let bodies = [first.body(), second.body()];
     let (_, rough) = in_floats(&bodies);
-    let way = least_way(&bodies, &rough, InteriorEdges::NONE)?;
-    Some(translation(&bodies, &way, way.ratios()))
+    let (way, measures) = least_measures(&bodies, &rough)?;
+    Some(translation(&bodies, &way, &measures))
 }
 
 /// Returns the minimum translation that moves the first shape out of the second, and the contact
@@ -279,10 +284,9 @@ pub fn contact_in_mesh<S: Scalar>(
 
 fn of_bodies<S: Scalar>(bodies: &[Body<'_, S>; 2], interior: InteriorEdges) -> Option<Contact<S>> {
     let (origin, rough) = in_floats(bodies);
-    let way = least_way(bodies, &rough, interior)?;
-    let ratios = way.ratios();
-    let translation = translation(bodies, &way, ratios);
-    let points = points(bodies, &origin, &rough, &way, way.unit(&ratios), translation.features);
+    let (way, measures, unit) = least_way(bodies, &rough, interior)?;
+    let translation = translation(bodies, &way, &measures);
+    let points = points(bodies, &origin, &rough, &way, unit, translation.features);
     Some(Contact { translation, is_held: way.is_held, points })
 }
 
@@ -295,9 +299,8 @@ fn in_floats<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> (Place<S>, [Rough; 2]) {
 fn translation<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     way: &Way,
-    ratios: [Size; 3],
+    measures: &Measures<S>,
 ) -> Translation<S> {
-    let (vector, is_sufficient) = way.translation();
-    let (depth, normal, features) = (way.depth(), way.normal(ratios), features(bodies, way));
-    Translation { vector, depth, normal, features, is_sufficient }
+    let &Measures { vector, depth, normal, is_sufficient, .. } = measures;
+    Translation { vector, depth, normal, features: features(bodies, way), is_sufficient }
 }

@@ -2,8 +2,8 @@
 
 use core::cmp::Ordering;
 
-use super::body::{Body, Place, Rough, Vec64, difference_in_double};
-use super::directions::{Direction, dot};
+use super::body::{Body, Place, Rough, Vec64, difference_in_double, dot};
+use super::directions::Direction;
 use super::faces::{Corner, Edge, Face, Solid, View, distance, edge_of_box, minus, support_edges};
 use super::feature::{Features, Part};
 use super::least::Way;

@@ -1,12 +1,13 @@
 //! Floats exclude only directions that are not the least, and integers equal the sums.
 
 use super::Shape;
-use super::body::Body;
+use super::body::{Body, Rough};
 use super::directions::{Direction, all};
 use super::exact::Size;
 use super::in_floats;
 use super::interior::InteriorEdges;
-use super::least::{Numbers, least_way};
+use super::least::{Numbers, Way, least_exact, least_way};
+use super::measures::{Lengths, Measures};
 use super::whole::Units;
 use crate::arithmetic::REGISTERS_ARE_WIDE;
 use crate::scalar::Scalar;
@@ -37,7 +38,7 @@ const NOTHING_IS_KNOWN: [[Option<core::cmp::Ordering>; 3]; 2] = [[None; 3]; 2];
 /// The least way from exact sums alone: its direction, whether it goes along it, and its depth.
 fn by_sums<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<(Direction, bool, Size)> {
     let mut best: Option<(Direction, bool, Size)> = None;
-    for direction in all(bodies) {
+    for &direction in all(bodies) {
         let exact = Numbers::Sums.along(bodies, direction, &NOTHING_IS_KNOWN, [true; 2]);
         let Some(exact) = exact else { continue };
         let (length, _) = exact.length().unwrap();
@@ -52,20 +53,36 @@ fn by_sums<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<(Direction, bool, Siz
     best
 }
 
+/// The numbers from floats, if they are certain, are those from exact numbers.
+fn assert_is_settled_as_exact<S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    rough: &[Rough; 2],
+    exact: Option<(Way, Lengths)>,
+) {
+    let least = least_way(bodies, rough, InteriorEdges::NONE);
+    assert_eq!(least.is_some(), exact.is_some(), "{bodies:?}");
+    if let (Some((way, found, unit)), Some((exact_way, lengths))) = (least, exact) {
+        let exact: Measures<S> = lengths.measures(way.is_along);
+        assert_eq!((way.direction, way.along), (exact_way.direction, exact_way.along));
+        assert_eq!((found, unit), (exact, lengths.unit(way.is_along)), "{bodies:?}");
+    }
+}
+
 /// Whether there is a contact, and whether 60 bits hold the shapes, or 250.
 fn check<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [bool; 3] {
     let bodies = [first.body(), second.body()];
     let (_, rough) = in_floats(&bodies);
-    let way = least_way(&bodies, &rough, InteriorEdges::NONE);
-    let found = way.map(|way| (way.direction, way.is_along, Some(way.depth)));
+    let least = least_exact(&bodies, &rough);
+    let found = least.as_ref().map(|(way, l)| (way.direction, way.is_along, Some(l.depth)));
     assert_eq!(found, by_sums(&bodies), "{bodies:?}");
+    assert_is_settled_as_exact(&bodies, &rough, least);
     let units = Units::new(&bodies);
     let is_short = units.as_ref().is_some_and(|units| units.are_short);
     if let Some(units) = &units {
         // What 60 bits hold, 250 bits hold as well.
         let (long, short) = (units.shapes(&bodies), is_short.then(|| units.shapes(&bodies)));
         let numbers = [Some(Numbers::Long(&long)), short.as_ref().map(Numbers::Short)];
-        for (direction, numbers) in all(&bodies).flat_map(|d| numbers.map(|n| (d, n))) {
+        for (direction, numbers) in all(&bodies).iter().flat_map(|&d| numbers.map(|n| (d, n))) {
             let exact = |n: Numbers<'_>| n.along(&bodies, direction, &NOTHING_IS_KNOWN, [true; 2]);
             if let Some(numbers) = numbers {
                 assert_eq!(exact(numbers), exact(Numbers::Sums), "{direction:?} {bodies:?}");

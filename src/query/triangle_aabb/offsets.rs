@@ -66,7 +66,7 @@ pub(super) fn by_corners<S: Scalar, const COARSE: bool>(
 /// Whether the coordinates are multiples of a unit so great that nothing above was rounded.
 ///
 /// Lengths are below 2·P, with P the power of two below their size. In units of P/32, which
-/// [`Offset::are_multiples`] checks, the greatest sum of six products of three lengths is below
+/// [`Offset::are_multiples`](crate::arithmetic::Offset::are_multiples) checks, the greatest sum of six products of three lengths is below
 /// 48·P³, 2^20.6 units, and half of an area needs one more bit.
 #[inline(always)]
 pub(super) fn are_exact<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bool {

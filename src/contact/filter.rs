@@ -1,0 +1,288 @@
+//! Bounds in floats on the overlap along each direction.
+
+use core::mem::size_of;
+
+use super::body::{Rough, Vec64};
+use super::directions::Direction;
+use crate::arithmetic::{REGISTERS_ARE_WIDE, greatest, largest, pick, three, turn};
+use crate::scalar::Scalar;
+
+/// So many directions are measured at once: vectors take them side by side.
+pub(super) const AT_ONCE: usize = if REGISTERS_ARE_WIDE { 4 } else { 1 };
+
+/// Directions in floats, side by side.
+pub(super) struct Measured<const N: usize> {
+    /// The directions: cross products of two sides.
+    pub(super) a: [[f64; N]; 3],
+    /// The greater of the two products in each coordinate.
+    pub(super) products: [[f64; N]; 3],
+    /// The greatest product.
+    pub(super) scale: [f64; N],
+    /// The square of each direction.
+    pub(super) square: [f64; N],
+    /// The overlaps against the directions, and along them, in units of their lengths.
+    pub(super) overlaps: [[f64; N]; 2],
+    /// How far an overlap may be from the truth.
+    pub(super) error: [f64; N],
+}
+
+/// Bounds on the overlaps along directions, as squares of true lengths and not below zero, against
+/// them and along them.
+pub(super) struct Overlaps {
+    pub(super) least: [[f64; AT_ONCE]; 2],
+    pub(super) most: [[f64; AT_ONCE]; 2],
+    /// Whether the shapes are certainly apart along one of them.
+    pub(super) are_apart: bool,
+}
+
+/// Roundoffs in an overlap, per P·R: the greatest product in the direction, and the size.
+const ROUNDOFFS: u16 = 256;
+pub(super) const ERROR: f64 = ROUNDOFFS as f64 * (f64::EPSILON / 2.0);
+
+/// If the square of a cross product is below this part of P², it may be off by more than
+/// [`SPREAD`].
+const NOISE: f64 = f64::from_bits((1023 - 54) << 52);
+
+/// The relative error of the square of a cross product.
+const SPREAD: f64 = f64::from_bits((1023 - 20) << 52);
+
+/// The same if the square is at least a sixteenth of P².
+const LEAST_SPREAD: f64 = f64::from_bits((1023 - 45) << 52);
+
+/// A number between these may be squared, cubed, and squared again.
+const RANGE: (f64, f64) = (f64::from_bits((1023 - 100) << 52), f64::from_bits((1023 + 100) << 52));
+
+/// The least P. Axes that are parallel but for a residue have a short cross product.
+const LEAST_PRODUCT: f64 = f64::from_bits((1023 - 150) << 52);
+
+pub(super) fn in_range(x: f64) -> bool {
+    x > RANGE.0 && x < RANGE.1
+}
+
+/// x × y, and the greater of the two products in each coordinate, which bounds its error.
+pub(super) fn cross_with_products(x: &Vec64, y: &Vec64) -> (Vec64, Vec64) {
+    let products = three(|i| {
+        let (_, j, k) = turn(i);
+        [pick(x, j) * pick(y, k), pick(x, k) * pick(y, j)]
+    });
+    (products.map(|[p, q]| p - q), products.map(|[p, q]| greatest(p.abs(), q.abs())))
+}
+
+/// Whether a product is so great that underflow does not matter, and no more than that.
+pub(super) fn is_product(x: f64) -> bool {
+    x > LEAST_PRODUCT && x < RANGE.1
+}
+
+/// A number for each of the directions.
+#[inline(always)]
+fn lanes<const N: usize>(of: impl Fn(usize) -> f64) -> [f64; N] {
+    let mut lanes = [0.0; N];
+    for (n, lane) in lanes.iter_mut().enumerate() {
+        *lane = of(n);
+    }
+    lanes
+}
+
+/// Where a shape begins and ends along each direction.
+#[inline(always)]
+fn ends<const N: usize>(shape: &Rough, a: &[[f64; N]; 3]) -> [[f64; N]; 2] {
+    let along = |v: &Vec64| lanes::<N>(|n| a[0][n] * v[0] + a[1][n] * v[1] + a[2][n] * v[2]);
+    if shape.is_triangle {
+        let [p, q, r] = [along(&shape.at[0]), along(&shape.at[1]), along(&shape.at[2])];
+        let least = lanes(|n| -greatest(greatest(-p[n], -q[n]), -r[n]));
+        return [least, lanes(|n| greatest(greatest(p[n], q[n]), r[n]))];
+    }
+    let [u, v, w] = [along(&shape.sides[0]), along(&shape.sides[1]), along(&shape.sides[2])];
+    let [i, j, k] = shape.half;
+    let reach = lanes::<N>(|n| i * u[n].abs() + j * v[n].abs() + k * w[n].abs());
+    let at = along(&shape.at[0]);
+    [lanes(|n| at[n] - reach[n]), lanes(|n| at[n] + reach[n])]
+}
+
+/// Two shapes in floats, and facts about their axes that are known in advance.
+pub(super) struct Filter<'a> {
+    pub(super) shapes: &'a [Rough; 2],
+    /// An upper bound of the numbers of the two shapes.
+    size: f64,
+    /// Whether no product of two numbers underflows.
+    pub(super) is_short: bool,
+    /// The axes of each box that equal one of the opposite box, as bits.
+    shared: [u8; 2],
+    /// The coordinates of each side that are not zero, as bits.
+    nonzero: [[u8; 3]; 2],
+    /// Coordinate axes that have occurred, as directions that are not zero.
+    seen: [bool; 3],
+    /// The axis of the first box that equals each axis of the second, if there is one.
+    pub(super) same: [Option<usize>; 3],
+}
+
+impl<'a> Filter<'a> {
+    pub(super) fn new<S: Scalar>(shapes: &'a [Rough; 2]) -> Self {
+        let mut size = 0.0;
+        for shape in shapes {
+            for k in 0..3 {
+                let (side, half) = (largest(pick(&shape.sides, k)), *pick(&shape.half, k));
+                size += largest(pick(&shape.at, k)) + half * side;
+                // A tiny side can lose to underflow, and a large half-extent would multiply the
+                // loss.
+                if side > RANGE.1 || (side < RANGE.0 && half * side > 0.0) {
+                    size = f64::INFINITY;
+                }
+            }
+        }
+        let mut same = [None; 3];
+        // Two different numbers may round to the same float.
+        if S::IS_IN_DOUBLE && !shapes[0].is_triangle && !shapes[1].is_triangle {
+            for (same, v) in same.iter_mut().zip(&shapes[1].sides) {
+                let is_along = |u: &Vec64| (0..3).all(|i| u[i] == v[i]);
+                let is_against = |u: &Vec64| (0..3).all(|i| u[i] == -v[i]);
+                *same = shapes[0].sides.iter().position(|u| is_along(u) || is_against(u));
+            }
+        }
+        let mut shared = [0; 2];
+        for (j, same) in same.iter().enumerate() {
+            if let Some(i) = same {
+                shared = [shared[0] | 1 << i, shared[1] | 1 << j];
+            }
+        }
+        let bits = |side: &Vec64| (0..3).fold(0, |bits, i| bits | u8::from(side[i] != 0.0) << i);
+        let nonzero = shapes.each_ref().map(|shape| three(|k| bits(&shape.sides[k])));
+        let is_short = size_of::<S>() < size_of::<f64>();
+        Self { shapes, size, is_short, shared, nonzero, seen: [false; 3], same }
+    }
+
+    pub(super) fn are_triangles(&self) -> [bool; 2] {
+        self.shapes.each_ref().map(|shape| shape.is_triangle)
+    }
+
+    pub(super) fn sides(&self, direction: Direction) -> [Vec64; 2] {
+        direction
+            .sides(self.are_triangles())
+            .map(|(shape, k)| *pick(&self.shapes[shape % 2].sides, k))
+    }
+
+    /// Whether a direction of two boxes is zero, or equal to an earlier one, because of axes that
+    /// the boxes share.
+    fn is_shared(&self, direction: Direction) -> bool {
+        let [first, second] = self.shared;
+        match direction {
+            Direction::Face { is_second: false, .. } => false,
+            Direction::Face { is_second: true, k } => (second | 1 << k) == 7,
+            // If v_j equals an axis of the first box, u_i × v_j is zero or a face normal of the
+            // first box. If u_i equals an axis of the second box, it is zero or a face normal of
+            // the second box.
+            Direction::Sides(i, j) => (first >> i | second >> j) & 1 == 1,
+        }
+    }
+
+    /// The directions in floats.
+    ///
+    /// # The error
+    ///
+    /// u is the unit roundoff; P is the greatest product of two coordinates in a = x × y, for the
+    /// two sides x and y. Sides and half-extents have one rounding at most. Positions relative to
+    /// the origin are means of two differences. The differences may cancel, but neither exceeds
+    /// `size` R, so a position errs by 3·u·R.
+    ///
+    /// The overlap is a sum of two terms a·p, for a position p, and of six terms h·|a·s|, for a
+    /// half-extent and an axis. `filter.g` proves that it errs by at most [`ROUNDOFFS`] times
+    /// u·P·R, with second orders and underflow. [`RANGE`] and [`LEAST_PRODUCT`] keep P·R normal,
+    /// and so the sides that have half-extents.
+    ///
+    /// P is not the product of the greatest coordinates. For axes parallel but for a residue in
+    /// one coordinate, P is as small as a.
+    ///
+    /// The square of a errs by 2·√3·8·u·P·|a| and roundings. If it exceeds [`NOISE`]·P², the
+    /// relative error is less than [`SPREAD`]: 28·2^-53 / 2^-27 = 2^-21.2. If |a| is at least P/4, it
+    /// is less than [`LEAST_SPREAD`]: 28·4·2^-53 = 2^-46.2, and the roundings.
+    #[inline(always)]
+    pub(super) fn measured<const N: usize>(&self, directions: [Direction; N]) -> Measured<N> {
+        let (mut x, mut y) = ([[0.0; N]; 3], [[0.0; N]; 3]);
+        for (n, direction) in directions.into_iter().enumerate() {
+            let [p, q] = self.sides(direction);
+            for i in 0..3 {
+                (x[i][n], y[i][n]) = (p[i], q[i]);
+            }
+        }
+        let product = |j, k| lanes::<N>(|n| pick(&x, j)[n] * pick(&y, k)[n]);
+        let [p, q] =
+            [three(|i| product(turn(i).1, turn(i).2)), three(|i| product(turn(i).2, turn(i).1))];
+        let a = three(|i| lanes::<N>(|n| p[i][n] - q[i][n]));
+        let products = three(|i| lanes::<N>(|n| greatest(p[i][n].abs(), q[i][n].abs())));
+        let scale = lanes(|n| greatest(greatest(products[0][n], products[1][n]), products[2][n]));
+        let square = lanes(|n| a[0][n] * a[0][n] + a[1][n] * a[1][n] + a[2][n] * a[2][n]);
+        let [a0, a1] = ends(&self.shapes[0], &a);
+        let [b0, b1] = ends(&self.shapes[1], &a);
+        let overlaps = [lanes(|n| a1[n] - b0[n]), lanes(|n| b1[n] - a0[n])];
+        let error = lanes(|n| ERROR * (scale[n] * self.size));
+        Measured { a, products, scale, square, overlaps, error }
+    }
+
+    /// Whether floats know a direction that is measured: it is certainly not zero, and points there.
+    pub(super) fn knows(&self, scale: f64, square: f64) -> bool {
+        is_product(scale) && in_range(self.size) && square >= NOISE * scale * scale
+    }
+
+    /// Bounds on the overlaps along directions.
+    pub(super) fn overlaps(&self, directions: [Direction; AT_ONCE]) -> Overlaps {
+        let Measured { scale, square, overlaps, error, .. } = self.measured(directions);
+        let (mut least, mut most) = ([[0.0; AT_ONCE]; 2], [[f64::INFINITY; AT_ONCE]; 2]);
+        let mut are_apart = false;
+        for n in (0..AT_ONCE).filter(|&n| self.knows(scale[n], square[n])) {
+            // Roundings are far below the spread.
+            let is_clear = 16.0 * square[n] >= scale[n] * scale[n];
+            let spread = if is_clear { LEAST_SPREAD } else { SPREAD };
+            let inverse = 1.0 / square[n];
+            for side in 0..2 {
+                let (overlap, error) = (overlaps[side][n], error[n]);
+                are_apart |= overlap < -error;
+                let (low, high) = (greatest(overlap - error, 0.0), overlap + error);
+                least[side][n] = low * low * ((1.0 - spread) * inverse);
+                most[side][n] = high * high * ((1.0 + 3.0 * spread) * inverse);
+            }
+        }
+        Overlaps { least, most, are_apart }
+    }
+
+    /// Whether both are boxes, with the same axes.
+    pub(super) fn are_alike(&self) -> bool {
+        self.shared == [7; 2]
+    }
+
+    /// The directions that are not certainly zero or equal to an earlier one, as bits.
+    pub(super) fn needed(&mut self, all: &[Direction]) -> u16 {
+        let every = u16::MAX >> (16 - all.len() as u32 % 16);
+        match self.shared {
+            // The faces of the first box.
+            _ if self.are_alike() => 7,
+            [0, 0] if self.nonzero == [[7; 3]; 2] => every,
+            _ => all.iter().enumerate().fold(0, |needed, (n, direction)| {
+                needed | u16::from(!self.is_superfluous(*direction)) << n
+            }),
+        }
+    }
+
+    fn is_superfluous(&mut self, direction: Direction) -> bool {
+        if self.is_shared(direction) {
+            return true;
+        }
+        let sides = direction.sides(self.are_triangles());
+        let [x, y] = sides.map(|(shape, k)| u32::from(*pick(&self.nonzero[shape % 2], k)));
+        // Bit i of the first has coordinate i + 1, and of the second i + 2, modulo three.
+        let turned = |bits: u32| [bits >> 1 | bits << 2, bits >> 2 | bits << 1];
+        let ([x1, x2], [y1, y2]) = (turned(x), turned(y));
+        // The coordinates with products that are not zero, underflow apart.
+        let products = (x1 & y2 | x2 & y1) & 7;
+        if !products.is_power_of_two() {
+            return products == 0;
+        }
+        let axis = products.trailing_zeros() as usize % 3;
+        if self.seen[axis] {
+            return true;
+        }
+        let [x, y] = &self.sides(direction);
+        let (a, products) = cross_with_products(x, y);
+        self.seen[axis] = a[axis].abs() > SPREAD * products[axis];
+        false
+    }
+}

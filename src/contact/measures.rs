@@ -1,0 +1,88 @@
+//! The numbers of a translation: exact, and rounded to the scalar.
+
+use core::cmp::Ordering;
+
+use super::body::Vec64;
+use super::exact::Size;
+use crate::arithmetic::{Soft, three};
+use crate::scalar::Scalar;
+use crate::shape::Vec3;
+
+/// The numbers of a translation as the scalar has them.
+#[derive(Debug, PartialEq)]
+pub(super) struct Measures<S> {
+    pub(super) vector: Vec3<S>,
+    pub(super) depth: S,
+    pub(super) normal: Vec3<S>,
+    /// Whether the scalar holds the vector.
+    pub(super) is_sufficient: bool,
+}
+
+/// The lengths of a translation along a direction that is not zero.
+pub(super) struct Lengths {
+    /// The overlap, in units of the direction's length.
+    pub(super) overlap: Soft,
+    /// The length of the direction, and its square.
+    pub(super) length: Soft,
+    pub(super) square: Soft,
+    /// The overlap as a length.
+    pub(super) depth: Soft,
+    /// The coordinates of the direction, as sign and size.
+    pub(super) coordinates: [Option<(Ordering, Soft)>; 3],
+}
+
+impl Lengths {
+    /// A vector from the sizes of its coordinates in real units, and whether the scalar can hold
+    /// it.
+    fn vector<S: Scalar>(
+        &self,
+        is_along: bool,
+        units: i32,
+        is_up: bool,
+        sizes: [Size; 3],
+    ) -> (Vec3<S>, bool) {
+        let mut fits = true;
+        let [x, y, z] = three(|i| match (self.coordinates[i], sizes[i]) {
+            (Some((sign, _)), Some(size)) => {
+                let (m, exponent) = size.scaled(units).upper();
+                let is_negative = sign.is_gt() != is_along;
+                let (x, is_held) = S::of_units(m, exponent, is_up, is_negative);
+                fits &= is_held;
+                x
+            }
+            _ => S::ZERO,
+        });
+        (Vec3::new(x, y, z), fits)
+    }
+
+    /// The numbers rounded to the scalar. Each coordinate of the vector is rounded away from zero,
+    /// so that it is never too short.
+    ///
+    /// With a the direction and o the overlap along it, |tᵢ| ≥ |aᵢ|·o/(a·a), and tᵢ has the sign of
+    /// aᵢ. Therefore a·t = Σ|aᵢ|·|tᵢ| ≥ o, and the shapes no longer overlap along this direction.
+    pub(super) fn measures<S: Scalar>(&self, is_along: bool) -> Measures<S> {
+        let one = i32::from(S::ONE.shift);
+        let is_single = self.coordinates.iter().flatten().count() == 1;
+        let of = |size: Soft| {
+            if is_single { self.depth } else { size.times(self.overlap).over(self.square) }
+        };
+        let sizes = three(|i| self.coordinates[i].map(|(_, size)| of(size)));
+        let (vector, is_sufficient) = self.vector(is_along, -one, true, sizes);
+        let ratios = three(|i| self.coordinates[i].map(|(_, size)| size.over(self.length)));
+        let normal = self.vector(is_along, one, false, ratios).0;
+        let (m, exponent) = self.depth.scaled(-one).upper();
+        let depth = S::of_units(m, exponent, true, false).0;
+        Measures { vector, depth, normal, is_sufficient }
+    }
+
+    /// The unit vector along which the first shape moves, in floats.
+    pub(super) fn unit(&self, is_along: bool) -> Vec64 {
+        three(|i| match self.coordinates[i] {
+            Some((sign, size)) => {
+                let x = size.over(self.length).in_double();
+                if sign.is_gt() == is_along { x } else { -x }
+            }
+            None => 0.0,
+        })
+    }
+}

@@ -1,0 +1,185 @@
+//! The numbers of a translation from floats, where every number within their error bounds rounds to
+//! the same number of the scalar. They equal those from exact numbers, and take a fraction of the
+//! time.
+
+use core::cmp::Ordering;
+use core::mem::size_of;
+
+use super::body::{Body, Vec64};
+use super::directions::Direction;
+use super::filter::{Filter, Measured};
+use super::least::Way;
+use super::measures::Measures;
+use crate::arithmetic::{Double, Soft, largest, root, three};
+use crate::scalar::Scalar;
+use crate::shape::Vec3;
+
+/// The unit roundoff.
+const U: f64 = f64::EPSILON / 2.0;
+
+/// Roundoffs in a number besides the errors of the overlap and of a coordinate.
+const ROUNDOFFS: u16 = 64;
+
+/// The greatest relative error of an overlap, and of a coordinate, with which a number is rounded.
+const MOST: f64 = f64::from_bits((1023 - 20) << 52);
+
+/// If P²·(1 + n)² exceeds this times a·a, the normal errs too much.
+const SQUARES: u16 = 30;
+
+/// How much less the quotient of exact numbers may be, of itself.
+const LACK: f64 = f64::from_bits((1023 - 58) << 52);
+
+/// The relative error of a quotient in double words.
+const ROUNDED: f64 = f64::from_bits((1023 - 90) << 52);
+
+/// The way along a direction and its numbers, if floats are certain of all signs along the
+/// direction, and of the number of the scalar to which each of its lengths rounds.
+///
+/// # The error
+///
+/// u is the unit roundoff; a = x × y with products of at most P, and n of the two sides are edges of
+/// triangles, which have a rounding in each coordinate. Other sides are given numbers. Scalars of up
+/// to 32 bits have products above 2^-300, so that nothing underflows.
+///
+/// * A coordinate of a errs by 2·(1 + n)·u times the greater of its two products, and by u of
+///   itself.
+/// * [`SQUARES`] keeps 2·√3·(1 + n)·P/|a| below 19: the direction errs by 20·u, and so does the
+///   length. Its square has 3 roundings, and its root two more: 24·u.
+/// * `settled.g` proves that a number differs from the truth by the error of the overlap, that of
+///   its coordinate and less than 62·u.
+/// * Exact numbers are rounded after an error of up to 2^-55 = u/4 of themselves, and the two ends
+///   that are compared have a rounding each.
+pub(super) fn settled<S: Scalar>(
+    filter: &Filter<'_>,
+    direction: Direction,
+    is_along: bool,
+) -> Option<(Way, Measures<S>)> {
+    // Floats of 53 digits do not round to as many. Boxes that are turned alike often lie on a grid,
+    // and a number that the scalar holds is in doubt.
+    if size_of::<S>() >= size_of::<f64>() || filter.are_alike() {
+        return None;
+    }
+    let measured = filter.measured([direction]);
+    let (a, products) = (three(|i| measured.a[i][0]), three(|i| measured.products[i][0]));
+    let Measured { scale: [scale], square: [square], error: [error], .. } = measured;
+    let roundings = f64::from(1 + filter.rounded_sides(direction));
+    if !filter.knows(scale, square)
+        || scale * scale * (roundings * roundings) > f64::from(SQUARES) * square
+    {
+        return None;
+    }
+    let [overlap] = measured.overlaps[usize::from(is_along)];
+    let of_overlap = error / overlap;
+    let mut of_coordinates = [0.0; 3];
+    for i in 0..3 {
+        if products[i] > 0.0 {
+            of_coordinates[i] = (2.0 * roundings * (products[i] / a[i].abs()) + 1.0) * U;
+        }
+    }
+    // Not so if one is NaN, of an overlap or a coordinate of zero.
+    let is_precise = |error: &f64| *error <= MOST;
+    if !(overlap > 0.0 && is_precise(&of_overlap) && of_coordinates.iter().all(is_precise)) {
+        return None;
+    }
+    let is_single = a.iter().filter(|&&x| x != 0.0).count() == 1;
+    let length = if is_single { largest(&a) } else { root(square) };
+    let inverse = 1.0 / length;
+    let depth = overlap * inverse;
+    let depth_error = error_of(of_overlap);
+    let (rounded_depth, _) = rounded::<S>(depth, depth_error, true, false)?;
+
+    let mut along = [[Ordering::Equal; 3]; 2];
+    for (along, known) in
+        along.as_flattened_mut().iter_mut().zip(filter.along(direction).as_flattened())
+    {
+        *along = (*known)?;
+    }
+    let (mut vector, mut normal, mut is_sufficient) = ([S::ZERO; 3], [S::ZERO; 3], true);
+    for i in 0..3 {
+        if a[i] == 0.0 {
+            continue;
+        }
+        let is_negative = (a[i] > 0.0) != is_along;
+        let error = of_coordinates[i];
+        let (ratio, ratio_error, size, size_error) = if is_single {
+            (1.0, 0.0, depth, depth_error)
+        } else {
+            let ratio = a[i].abs() * inverse;
+            (ratio, error_of(error), ratio * depth, error_of(of_overlap + error))
+        };
+        let (along, fits) = rounded(size, size_error, true, is_negative)?;
+        is_sufficient &= fits;
+        vector[i] = along;
+        normal[i] = rounded(ratio, ratio_error, false, is_negative)?.0;
+    }
+    let [vector, normal] = [vector, normal].map(Vec3::from);
+    let measures = Measures { vector, depth: rounded_depth, normal, is_sufficient };
+    Some((Way { direction, is_along, along, is_held: false }, measures))
+}
+
+/// The unit vector along a direction that is [`settled`], with the bits of [`Lengths::unit`](super::measures::Lengths::unit), if
+/// double words leave no doubt.
+///
+/// # The error
+///
+/// Sides are exact. [`SQUARES`] keeps the direction above a fifth of its greatest product, and a
+/// product or a sum errs by 5·2^-106 at most, so that a quotient is known within [`ROUNDED`].
+///
+/// Exact numbers round a quotient down at v = 2^-63. Of itself, its coordinate is up to v too low. The
+/// slack of its length is 17·v at most: v of a coordinate, 4·v of its square, 16·v of the sum of
+/// squares, and v more of the root. So the quotient is up to 19·v too low: less than [`LACK`].
+pub(super) fn unit<S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    direction: Direction,
+    is_along: bool,
+) -> Option<Vec64> {
+    let sides = direction.sides([bodies[0].is_triangle(), bodies[1].is_triangle()]);
+    let [x, y] = sides.map(|(shape, k)| bodies[shape % 2].side_in_doubles(k));
+    let a = Double::cross(&x, &y);
+    if a.iter().filter(|x| x.high != 0.0).count() == 1 {
+        let sign = |x: f64| {
+            if x == 0.0 {
+                0.0
+            } else if (x > 0.0) == is_along {
+                1.0
+            } else {
+                -1.0
+            }
+        };
+        return Some(three(|i| sign(a[i].high)));
+    }
+    let square = Double::dot(&a, &a);
+    let first = root(square.high);
+    // A step of Newton's method.
+    let rest = square.minus(Double::of(first).times(Double::of(first)));
+    let length = Double { high: first, low: rest.high / (first + first) };
+    let mut unit = [0.0; 3];
+    for i in 0..3 {
+        let high = a[i].high / first;
+        let low = a[i].minus(Double::of(high).times(length)).high / first;
+        unit[i] = high + (low + high * ROUNDED);
+        if unit[i] != high + (low - high * LACK) {
+            return None;
+        }
+        if !is_along {
+            unit[i] = -unit[i];
+        }
+    }
+    Some(unit)
+}
+
+/// The relative error of a number, from those of its factors.
+fn error_of(factors: f64) -> f64 {
+    1.01 * factors + f64::from(ROUNDOFFS) * U
+}
+
+/// The number of the scalar to which all numbers within a relative error of x round, and whether
+/// the scalar holds them.
+fn rounded<S: Scalar>(x: f64, error: f64, is_up: bool, is_negative: bool) -> Option<(S, bool)> {
+    let rounded = |x: f64| {
+        let (m, exponent) = Soft::of_normal(x).scaled(S::ONE.shift.into()).upper();
+        S::of_units(m, exponent, is_up, is_negative)
+    };
+    let low = rounded(x - x * error);
+    (low == rounded(x + x * error)).then_some(low)
+}
