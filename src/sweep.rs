@@ -29,7 +29,7 @@
 //! does not overlap the obstacle. The place at the time of impact, [`Motion::at`], is rounded, and
 //! a body there may overlap the obstacle by a unit in the last place.
 //!
-//! A body that begins in touch meets the obstacle at time zero. [`Sweep::relation_along`] tells
-//! whether it is free to go, along the surface or away from it, and [`Sweep::last_free`] lets it.
+//! A body that begins in touch meets the obstacle at time zero. [`Sweep::relation_along`] says
+//! whether it is free to move, along the surface or away from it, and [`Sweep::last_free`] lets it.
 
 pub use crate::query::{FirstContact, Motion, Sweep};

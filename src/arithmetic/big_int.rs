@@ -154,7 +154,7 @@ impl<const L: usize> BigInt<L> {
         (first, if end > first { end } else { (first + 1).min(L) })
     }
 
-    /// The product, of which limbs beyond `R` do not matter.
+    /// The product, modulo 2^(64·R).
     pub(crate) fn times<const M: usize, const R: usize>(&self, other: &BigInt<M>) -> BigInt<R> {
         let ((is_negative, Limbs(a)), (is_other_negative, Limbs(b))) =
             (Limbs::magnitude(self.0), Limbs::magnitude(other.0));

@@ -31,7 +31,7 @@ pub(super) struct Measured<const N: usize> {
 pub(super) struct Overlaps {
     pub(super) least: [[f64; AT_ONCE]; 2],
     pub(super) most: [[f64; AT_ONCE]; 2],
-    /// Whether the shapes are certainly apart along one of them.
+    /// Whether the shapes are certainly apart along a direction.
     pub(super) are_apart: bool,
 }
 

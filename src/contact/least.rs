@@ -59,8 +59,8 @@ pub(super) struct Way {
 /// A plane separates the shapes.
 struct Apart;
 
-/// Directions, and as bits for which of them a translation against the direction is wanted, and for
-/// which one along it.
+/// Directions, and the translations that may be the least, as a bit for each direction: those against
+/// it, and those along it.
 struct Wanted {
     all: &'static [Direction],
     against: u16,
@@ -112,8 +112,8 @@ impl Wanted {
         self.all.get(n).copied().unwrap_or(FACE)
     }
 
-    /// The directions of which something is wanted, in their order, and whether it is the
-    /// translation against it, and the one along it.
+    /// The directions with a translation that is wanted, in their order, and whether it is wanted
+    /// against the direction, and along it.
     fn iter(&self) -> impl Iterator<Item = (Direction, [bool; 2])> {
         let mut left = self.against | self.along;
         core::iter::from_fn(move || {

@@ -17,7 +17,7 @@ use crate::shape::Vec3;
 /// The unit roundoff.
 const U: f64 = f64::EPSILON / 2.0;
 
-/// Roundoffs in a number besides the errors of the overlap and of a coordinate.
+/// Roundoffs in a number, in addition to the errors of the overlap and of a coordinate.
 const ROUNDOFFS: u16 = 64;
 
 /// The greatest relative error of an overlap, and of a coordinate, with which a number is rounded.

@@ -31,7 +31,7 @@ pub(super) struct Bounds<T> {
 }
 
 impl<T: PartialOrd + Copy> Bounds<T> {
-    /// How two distances compare, if their bounds tell.
+    /// How two distances compare, if their bounds do not overlap.
     #[inline(always)]
     pub(super) fn compare(&self, other: &Self) -> Option<Ordering> {
         if self.least > other.most {
@@ -55,7 +55,7 @@ pub(super) trait Approach<S>: Descend {
     type Square: PartialOrd + Copy;
     /// The distance of a triangle; `None` if it is certainly beyond the limit.
     fn bounds(&self, triangle: &Triangle<S>) -> Option<Bounds<Self::Square>>;
-    /// Excludes what is farther.
+    /// Excludes triangles that are farther.
     fn limit(&mut self, to: &Bounds<Self::Square>);
 }
 

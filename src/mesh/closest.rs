@@ -1,7 +1,7 @@
 //! The triangle of a mesh closest to a point.
 //!
-//! The distance of each box on the way down is bounded from below, and that of each triangle from
-//! both sides. Triangles whose bounds overlap are compared exactly.
+//! Each box on the way down has a lower bound of its distance, and each triangle a lower and an upper
+//! bound. Triangles whose bounds overlap are compared exactly.
 
 use core::cmp::Ordering;
 

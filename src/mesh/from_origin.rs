@@ -62,7 +62,7 @@ pub(super) fn enclosing([a, b, c]: &[Vector; 3]) -> [f64; 2] {
     }
 }
 
-/// A number as a weight, of which the rest is not negative; zero for NaN.
+/// A number as a weight: from zero to `most`; zero for NaN.
 #[inline(always)]
 fn weight(x: f64, most: f64) -> f64 {
     least(greatest(x, 0.0), most)

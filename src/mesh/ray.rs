@@ -163,7 +163,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     }
 }
 
-/// Visits what lies near a moving object, roughly in the order in which it reaches it. `index` maps
+/// Visits the items near a moving object, roughly in the order in which it reaches it. `index` maps
 /// a position in the tree's order to an index.
 #[inline(always)]
 pub(super) fn descend<D: Descend>(

@@ -56,7 +56,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     }
 }
 
-/// Computes all nodes, from the last to the first. `cell` is the grid box of what is at a position in
+/// Computes all nodes, from the last to the first. `cell` is the grid box of the item at a position in
 /// the tree's order.
 pub(super) fn fill(layout: &Layout, nodes: &mut [Node], cell: impl Fn(usize) -> Cell) {
     for k in (0..nodes.len()).rev() {

@@ -97,7 +97,7 @@ impl Nearness {
             Uncertain::not_below(gap, error).possible & Uncertain::above(extent, error).possible;
     }
 
-    /// Adds an axis of which it is known whether it separates, and whether it may touch.
+    /// Adds an axis, given whether it separates and whether it may touch.
     #[inline(always)]
     pub(super) fn add_known(&mut self, is_disjoint: bool, is_near: bool) {
         self.is_disjoint |= is_disjoint;
@@ -121,7 +121,7 @@ impl Nearness {
 pub(super) trait Reading {
     type Answer;
     const NONE: Self;
-    /// Whether touching is told from overlapping.
+    /// Whether the answer distinguishes touching from overlapping.
     const TELLS_CONTACT: bool;
 
     /// Adds an axis, as [`Nearness::add`].

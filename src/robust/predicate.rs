@@ -6,7 +6,7 @@ use crate::scalar::{Backend, FixedBackend};
 /// A question about coordinates of the scalar `S`.
 ///
 /// It can be evaluated in any number system; the scalar chooses the systems, the cheapest first.
-/// Kernels that a pair of shapes has besides come first: `in_quads`, then `in_words`.
+/// Before them come the special kernels of a pair of shapes: `in_quads`, then `in_words`.
 pub trait Predicate<S> {
     /// Yes or no, or the result.
     type Answer: Default;

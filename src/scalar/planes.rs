@@ -17,7 +17,7 @@ pub(crate) trait Planes: Copy {
     /// if `count` is zero, or the scalar has no such step.
     fn step(from: Self, to: Self, count: u32) -> Option<Self>;
 
-    /// An origin of which plane k is not above this number, and not farther below it than rounding
+    /// An origin whose plane k is not above this number, and not farther below it than rounding
     /// needs. `None` if it is out of range.
     fn origin_before(self, step: Self, k: u32) -> Option<Self>;
 

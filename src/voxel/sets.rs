@@ -146,7 +146,7 @@ impl<'b, S: Scalar, W: Word> IntoIterator for &'b Bits<'_, S, W> {
 #[derive(Clone, Debug)]
 pub struct Voxels<'b, W> {
     words: &'b [W],
-    /// How many words have been read, and what is left of the last.
+    /// How many words have been read, and the bits that remain of the last.
     next: usize,
     word: W,
     nx: u32,

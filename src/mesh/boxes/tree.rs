@@ -53,10 +53,10 @@ impl<'a, S: Scalar, I: Index> BoxTree<'a, S, I> {
         Ok(Self { boxes, nodes, order, grid, layout, is_beyond })
     }
 
-    /// The tree over boxes that have moved. `order` is what [`build`](Self::build) made of it: the
-    /// tree keeps that order, and its nodes are computed anew.
+    /// The tree over boxes that have moved. `order` comes from [`build`](Self::build): the tree keeps
+    /// that order, and its nodes are computed anew.
     ///
-    /// No answer differs from that of a new tree. `order` may come from any earlier build over as many
+    /// It answers as a new tree does. `order` may come from any earlier build over as many
     /// boxes, so that a rollback need not restore it.
     ///
     /// *Panics*: never. *Cost*: one look at each box.

@@ -9,7 +9,7 @@ use crate::arithmetic::{Float, InFloat, Quad, SMALL_CODE, greatest};
 use crate::query::relation::Relation;
 use crate::scalar::Scalar;
 
-/// What floats know of two boxes that they do not decide.
+/// Bounds and facts from floats about two boxes that they do not decide.
 pub(super) struct Doubt<F> {
     pub(super) error: ErrorBound<F>,
     pub(super) are_faces_clear: bool,

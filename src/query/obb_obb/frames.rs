@@ -1,7 +1,7 @@
 //! The first look at two boxes with orthonormal axes, in vectors of `f32` for every scalar: one box in
-//! the frame of the other, as Gottschalk, Lin and Manocha have it. Face normals are then axes, and all
-//! products are those of an axis of one box with an axis of the other: half as many operations as the
-//! kernel in `rows.rs` takes. How far the axes are from orthonormal is measured, and part of the error
+//! the frame of the other (Gottschalk, Lin and Manocha, 1996). Face normals are then coordinate axes,
+//! and each product has an axis of one box and an axis of the other: half as many operations as in the
+//! kernel of `rows.rs`. How far the axes are from orthonormal is measured, and part of the error
 //! bound. Skewed boxes, and short fixed point, whose axes are too coarse, are left to the other kernels.
 //!
 //! A pair of axes that are nearly parallel is decided by four others (see `kernel.rs`).

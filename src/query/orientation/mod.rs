@@ -134,7 +134,7 @@ fn along(sides: [Ordering; 3], back: &[Ordering]) -> Relation {
 }
 
 /// The relation of two triangles whose planes cross, neither triangle beyond the plane of the
-/// other: whether the intervals meet that the triangles cut out of the common line of both planes.
+/// other. Each triangle cuts an interval out of the common line of both planes; do these meet?
 fn crossing(points: &impl Points, first: [Ordering; 3], second: [Ordering; 3]) -> Relation {
     let (i, is_first_above) = apex(each(first, |sign| sign as i8));
     let (k, is_second_above) = apex(each(second, |sign| sign as i8));

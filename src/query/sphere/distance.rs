@@ -65,7 +65,7 @@ impl<N: Arithmetic> Quotient<N> {
         Self { num, den, errors: [error, other] }
     }
 
-    /// Of a triangle of which this part is the closest.
+    /// The quotient for a triangle whose closest part is this feature.
     #[inline(always)]
     fn of_triangle(feature: Feature, Around { d, e, n, errors }: &Around<N>, uv: N::Area) -> Self {
         match feature {

@@ -12,7 +12,7 @@
 //!
 //! `error_bound.g` proves these, second orders and underflow included. A square of a number x with
 //! an error δ is off by δ·(2·|x| + δ), and the sum of three squares by 3 roundings of the sum more.
-//! Products of what is not negative are off by a roundoff for each operation.
+//! Products of numbers that are not negative are off by a roundoff for each operation.
 //!
 //! Underflow: R lies where the area R² is in range, so that products of six lengths stay normal
 //! numbers, or lose less than the bounds leave. A sum of squares alone has

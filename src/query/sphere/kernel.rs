@@ -4,7 +4,7 @@
 //! along an edge e, and (n·d)²/n·n over the face with normal n = e × f. Multiplied out, it compares
 //! with r² in products of two, four and six lengths. Other signs say which of these is the distance:
 //! - A point farther than r from the line of an edge is farther from the edge. If it is nearer, the
-//!   distance is that to the line between the ends, and beyond an end that to the end.
+//!   distance is the one to the line between the ends, and the one to an end beyond it.
 //! - A point farther than r from the plane of a triangle is farther from the triangle. If it is
 //!   nearer, it is over the face if it lies inside of all edges, by n·(e × d) > 0. Else the nearest
 //!   point is on an edge outside of which it lies (C. Ericson, *Real-Time Collision Detection*,

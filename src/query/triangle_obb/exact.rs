@@ -161,7 +161,7 @@ impl<N: Signs> ExactParallelepiped<N> {
         R::of(self.relation::<R>())
     }
 
-    /// The relation. Unless it must tell contact, touching counts as overlapping, and an axis ends
+    /// The relation. Unless contact is asked for, touching counts as overlapping, and an axis ends
     /// as soon as it does not separate.
     #[inline(always)]
     fn relation<R: Reading>(&self) -> Relation {

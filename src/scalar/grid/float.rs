@@ -7,8 +7,8 @@ use crate::scalar::Ordinal;
 #[derive(Clone, Copy, Debug)]
 pub struct FloatSteps<F> {
     origin: F,
-    /// The origin in steps. Sums are in steps: those of numbers may overflow if the grid spans more
-    /// than half of the range.
+    /// The origin in steps. Sums are in steps, because sums of coordinates may overflow if the grid
+    /// spans more than half of the range.
     first: F,
     step: F,
     /// The reciprocal of the step, exact because the step is a power of two.

@@ -46,7 +46,8 @@ fn in_scalar<S: Sample>(numbers: BoxNumbers<f64>) -> Aabb<S> {
 
 /// Checks the box against every triangle on the grid {−2, …, 2}³, degenerate ones included: 333,375
 /// triples of vertices in six scalars, in six orders in `f32` and in the other scalars in one of
-/// them in turn. The oracle runs once for three vertices. Panics at the first wrong answer; returns the number of triples that meet the box.
+/// them in turn. The oracle runs once for three vertices. Panics at the first wrong answer; returns
+/// the number of triples that meet the box.
 pub fn every_triangle_on_the_grid(aabb: BoxNumbers<f64>) -> u32 {
     let single: Aabb<f32> = in_scalar(aabb);
     let double: Aabb<f64> = in_scalar(aabb);

@@ -1,6 +1,6 @@
 //! Every triangle of some points against some rays. The oracle runs once for three vertices, the
-//! crate for all six orders in `f32`, and in the other scalars for one of them in turn. The check is in this package so that it is compiled
-//! with full optimization.
+//! crate for all six orders in `f32`, and in the other scalars for one of them in turn. The check is
+//! in this package so that it is compiled with full optimization.
 
 use std::ops::Range;
 
