@@ -52,7 +52,7 @@ const LEAST_SPREAD: f64 = f64::from_bits((1023 - 45) << 52);
 /// A number between these may be squared, cubed, and squared again.
 const RANGE: (f64, f64) = (f64::from_bits((1023 - 100) << 52), f64::from_bits((1023 + 100) << 52));
 
-/// The least P. Axes that are parallel but for a residue have a short cross product.
+/// The least P. Axes that are parallel except for a residue have a short cross product.
 const LEAST_PRODUCT: f64 = f64::from_bits((1023 - 150) << 52);
 
 pub(super) fn in_range(x: f64) -> bool {
@@ -189,7 +189,7 @@ impl<'a> Filter<'a> {
     /// u·P·R, with second orders and underflow. [`RANGE`] and [`LEAST_PRODUCT`] keep P·R normal,
     /// and so the sides that have half-extents.
     ///
-    /// P is not the product of the greatest coordinates. For axes parallel but for a residue in
+    /// P is not the product of the greatest coordinates. For axes parallel up to a residue in
     /// one coordinate, P is as small as a.
     ///
     /// The square of a errs by 2·√3·8·u·P·|a| and roundings. If it exceeds [`NOISE`]·P², the

@@ -45,8 +45,8 @@ const ROUNDED: f64 = f64::from_bits((1023 - 90) << 52);
 ///   itself.
 /// * [`SQUARES`] keeps 2·√3·(1 + n)·P/|a| below 19: the direction errs by 20·u, and so does the
 ///   length. Its square has 3 roundings, and its root two more: 24·u.
-/// * `settled.g` proves that a number differs from the truth by the error of the overlap, that of
-///   its coordinate and less than 62·u.
+/// * `settled.g` proves that a number differs from the truth by the errors of the overlap and
+///   of its coordinate, and less than 62·u.
 /// * Exact numbers are rounded after an error of up to 2^-55 = u/4 of themselves, and the two ends
 ///   that are compared have a rounding each.
 pub(super) fn settled<S: Scalar>(
@@ -117,8 +117,8 @@ pub(super) fn settled<S: Scalar>(
     Some((Way { direction, is_along, along, is_held: false }, measures))
 }
 
-/// The unit vector along a direction that is [`settled`], with the bits of [`Lengths::unit`](super::measures::Lengths::unit), if
-/// double words leave no doubt.
+/// The unit vector along a direction that is [`settled`], if double words leave no doubt. It has the
+/// bits of [`Lengths::unit`](super::measures::Lengths::unit).
 ///
 /// # The error
 ///
@@ -168,7 +168,7 @@ pub(super) fn unit<S: Scalar>(
     Some(unit)
 }
 
-/// The relative error of a number, from those of its factors.
+/// The relative error of a number, from the sum of the errors of its factors.
 fn error_of(factors: f64) -> f64 {
     1.01 * factors + f64::from(ROUNDOFFS) * U
 }

@@ -39,7 +39,7 @@ impl Filter<'_> {
     /// With the products p − q in a coordinate of a, a·s is a sum of terms p·s and q·s.
     /// `filter.g` proves that it errs by at most a quarter of [`ERROR`] times the greatest of these
     /// terms. The bound is by terms, so that a side keeps its sign if it is
-    /// perpendicular to the direction but for a residue. If all terms are zero, so is the sum, unless
+    /// perpendicular to the direction up to a residue. If all terms are zero, so is the sum, unless
     /// one has underflowed.
     pub(super) fn along(&self, direction: Direction) -> [[Option<Ordering>; 3]; 2] {
         let [x, y] = &self.sides(direction);
