@@ -4,7 +4,7 @@
 mod accuracy;
 mod candidate;
 pub mod chart;
-mod contact;
+pub mod contact;
 mod drawing;
 mod geometry;
 pub mod line_obb;

@@ -8,7 +8,7 @@ use septum_kit::{Rng, Sample};
 use super::obb_obb::{SETS, framed};
 use super::{Exam, in_scalar};
 use crate::candidate::{Candidate, Course};
-use crate::contact::{Sunk, ours, peer};
+use crate::contact::{Sunk, ours, parry_contact, parry_manifold};
 use crate::pairs::Pairs;
 
 pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
@@ -30,7 +30,7 @@ pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
     exams.collect()
 }
 
-/// Our answers, and in `f32` the peer's, for pairs of boxes with orthonormal axes.
+/// Our answers, and in `f32` the peers', for pairs of boxes with orthonormal axes.
 pub(crate) fn answers<S: Sample>(
     scalar: &'static str,
     cases: &[[ObbNumbers<S>; 2]],
@@ -46,7 +46,8 @@ pub(crate) fn answers<S: Sample>(
     let course = Course::new((scalar, ""), pairs, truth);
     let mut all = ours(&course);
     if let Some(course) = in_scalar::<Course<Sunk<Obb<f32>>, ()>>(&course) {
-        all.push(peer(course, "parry3d contact"));
+        all.push(parry_contact(course));
+        all.push(parry_manifold(course, "parry3d manifold"));
     }
     all
 }

@@ -1,15 +1,17 @@
-//! Contacts in `f32` and other scalars, beside the peer's in `f32`: time and wrong answers.
+//! Contacts in `f32` and other scalars, beside the peers' in `f32`: time and wrong answers.
 
 use std::hint::black_box;
+use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use clap::Parser;
-use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
-use parry3d::math::{Pose, Rotation, Vector};
+use parry3d::math::{Pose, Vector};
 use parry3d::query;
-use parry3d::shape::{Cuboid, Triangle as ParryTriangle};
+use parry3d::shape::Triangle as ParryTriangle;
 use septum::contact::{Contact, Translation, contact, least_translation};
 use septum::{Aabb, Obb, Triangle};
+use septum_benches::contact::{of_contact, of_manifold};
+use septum_benches::obb_obb::{Placed, placed};
 use septum_kit::fixed::types::I16F16;
 use septum_kit::{Rng, Sample};
 
@@ -79,15 +81,6 @@ fn on_floor(rng: &mut Rng, angles: Point) -> (First, Turned) {
 fn obb<S: Sample>(b: &Turned) -> Obb<S> {
     let at = |p: Point| p.map(S::nearest);
     Obb::from_skewed_axes(at(b.center), b.axes.map(at), at(b.half)).expect("a box")
-}
-
-fn placed(b: &Turned) -> (Pose, Cuboid) {
-    let columns = b.axes.map(|u| nalgebra::Vector3::from(u.map(|x| x as f32)));
-    let matrix = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&columns));
-    let turn = UnitQuaternion::from_rotation_matrix(&matrix);
-    let q = Rotation::from_xyzw(turn.i, turn.j, turn.k, turn.w);
-    let vector = |p: Point| Vector::from(p.map(|x| x as f32));
-    (Pose::from_parts(vector(b.center), q), Cuboid::new(vector(b.half)))
 }
 
 /// The two shapes of each pair.
@@ -163,6 +156,43 @@ fn of_scalar<'a, S: Sample>(pairs: &'a Pairs<S>) -> [Method<'a>; 2] {
     ]
 }
 
+/// The peers, each on shapes of its own made before the clock starts.
+fn of_peers(scene: &[(First, Turned)]) -> Vec<Method<'static>> {
+    let placed = |b: &Turned| placed(&obb(b));
+    let boxes: Vec<[Placed; 2]> = scene
+        .iter()
+        .filter_map(|(first, b)| match first {
+            First::Box(a) => Some([a, b].map(placed)),
+            First::Triangle(_) => None,
+        })
+        .collect();
+    if boxes.is_empty() {
+        let triangles: Vec<(ParryTriangle, Placed)> = scene
+            .iter()
+            .filter_map(|(first, b)| match first {
+                First::Triangle(t) => {
+                    let [p, q, r] = t.map(|p| Vector::from(p.map(|x| x as f32)));
+                    Some((ParryTriangle::new(p, q, r), placed(b)))
+                }
+                First::Box(_) => None,
+            })
+            .collect();
+        let contact = move |i: usize| {
+            let (t, b) = &triangles[i];
+            let found = query::contact(&Pose::IDENTITY, t, &b.pose, &b.cuboid, 0.0);
+            found.ok().flatten().map(|c| -f64::from(c.dist))
+        };
+        return vec![Method { name: "parry3d, contact".into(), ask: Box::new(contact) }];
+    }
+    let boxes = Rc::new(boxes);
+    let method = |name: &str, ask: fn(&Placed, &Placed) -> Option<f64>| {
+        let boxes = Rc::clone(&boxes);
+        let ask = move |i: usize| ask(&boxes[i][0], &boxes[i][1]);
+        Method { name: name.into(), ask: Box::new(ask) }
+    };
+    vec![method("parry3d, contact", of_contact), method("parry3d, manifold", of_manifold)]
+}
+
 fn race(title: &str, rounds: u32, count: usize, methods: &[Method<'_>]) {
     let mut best = vec![Duration::MAX; methods.len()];
     for _ in 0..rounds {
@@ -218,30 +248,13 @@ fn main() {
             let single = Pairs::<f32>::new(&all, are_aligned);
             let double = Pairs::<f64>::new(&all, are_aligned);
             let fixed = Pairs::<I16F16>::new(&all, are_aligned);
-            let peers: Vec<_> = all.iter().map(|(_, b)| placed(b)).collect();
-            let firsts: Vec<(Option<ParryTriangle>, (Pose, Cuboid))> = all
-                .iter()
-                .map(|(first, b)| match first {
-                    First::Triangle(t) => {
-                        let [a, b, c] = t.map(|p| Vector::from(p.map(|x| x as f32)));
-                        (Some(ParryTriangle::new(a, b, c)), (Pose::IDENTITY, Cuboid::new(a)))
-                    }
-                    First::Box(a) => (None, placed(if all.is_empty() { b } else { a })),
-                })
-                .collect();
-            let parry = |i: usize| {
-                let ((pose, cuboid), (triangle, (other, first))) = (&peers[i], &firsts[i]);
-                let found = match triangle {
-                    Some(t) => query::contact(&Pose::IDENTITY, t, pose, cuboid, 0.0),
-                    None => query::contact(other, first, pose, cuboid, 0.0),
-                };
-                found.ok().flatten().map(|c| -f64::from(c.dist))
-            };
+            let peers = of_peers(&all);
             let [a, b] = of_scalar(&single);
             let [c, d] = of_scalar(&double);
             let [e, f] = of_scalar(&fixed);
-            let peer = Method { name: "parry3d, contact".into(), ask: Box::new(parry) };
-            race(title, rounds, count, &[a, b, peer, c, d, e, f]);
+            let mut methods = vec![a, b, c, d, e, f];
+            methods.extend(peers);
+            race(title, rounds, count, &methods);
         };
     scene("triangle and axis-aligned box: on the floor", true, &mut |rng| on_floor(rng, [0.0; 3]));
     scene("triangle and oriented box: on the floor", false, &mut |rng| {

@@ -207,7 +207,7 @@ fn alone<'a>(who: &'a str, form: &'a str) -> (&'a str, &'a str) {
         "yardstick: parry3d" => "parry3d",
         "yardstick: parry3d cast_ray" => "parry3d cast_ray",
         "yardstick: parry3d cast_shapes" => "parry3d cast_shapes",
-        "yardstick: parry3d contact" => "parry3d contact",
+        "yardstick: parry3d manifold" => "parry3d manifold",
         _ => who,
     };
     match form {

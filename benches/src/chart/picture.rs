@@ -124,9 +124,9 @@ pub(super) const PICTURES: [Picture; 12] = [
     Picture {
         stem: "contact",
         title: "Oriented boxes in each other",
-        workload: "Half of the pairs are in each other. A depth a thousandth off is wrong. The peer \
-                   tells one point.",
-        yardstick: "parry3d's contact, in f32",
+        workload: "Half of the pairs are in each other. A depth a thousandth off is wrong; the \
+                   peers' is that of their deepest point.",
+        yardstick: "parry3d's manifold, in f32",
         sets: OBBS,
         heights: [130.0, 105.0],
     },

@@ -82,7 +82,7 @@ pub(super) fn label(point: &Point) -> String {
         "yardstick: parry3d" => "parry3d",
         "yardstick: parry3d cast_ray" => "parry3d cast_ray",
         "yardstick: parry3d cast_shapes" => "parry3d cast_shapes",
-        "yardstick: parry3d contact" => "parry3d contact",
+        "yardstick: parry3d manifold" => "parry3d manifold",
         "yardstick: parry3d TriMesh" => "parry3d TriMesh",
         "obvhs Bvh2, slowest build" => "obvhs Bvh2",
         "obvhs CwBvh, slowest build" => "obvhs CwBvh",

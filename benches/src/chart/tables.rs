@@ -32,7 +32,7 @@ const QUERIES: [Query; 15] = [
     ("two oriented boxes", "box-box", "exact", ""),
     ("ray/oriented box", "ray-oriented-box", "exact", ""),
     ("sweep, when", "sweep", "exact, when", ""),
-    ("contact of oriented boxes", "contact", "exact, translation", ""),
+    ("contact of oriented boxes", "contact", "exact, with points", ""),
 ];
 /// The queries of the shorter table.
 const SHORT: [usize; 6] = [0, 1, 2, 4, 7, 10];

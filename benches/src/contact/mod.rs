@@ -1,17 +1,21 @@
-//! Contacts of oriented boxes; the yardstick is parry3d, in `f32`.
+//! Contacts of oriented boxes; the yardstick is parry3d's manifold, in `f32`.
+
+mod peers;
 
 use std::hint::black_box;
 
-use parry3d::query;
 use septum::Obb;
 use septum::contact::{contact, least_translation};
 use septum_kit::Sample;
 use septum_kit::fixed::types::{I8F8, I16F16};
 
 use crate::candidate::{Candidate, Course, Promise};
-use crate::obb_obb::{Placed, Turned, placed};
+use crate::obb_obb::Turned;
 use crate::pairs::Pairs;
 use crate::session::Group;
+
+pub use peers::{of_contact, of_manifold};
+pub(crate) use peers::{parry_contact, parry_manifold};
 
 /// Two shapes and their true depth; `None` if they have no contact.
 pub(crate) struct Sunk<T> {
@@ -53,22 +57,6 @@ pub(crate) fn ours<S: Sample>(course: &Course<Sunk<Obb<S>>, ()>) -> Vec<Candidat
         course.candidate("exact, translation", Promise::Exact, translation),
         course.candidate("exact, with points", Promise::Exact, with_points),
     ]
-}
-
-/// Touching is no contact here.
-#[inline(never)]
-fn parry(sunk: &Sunk<Placed>, _: &()) -> bool {
-    let [first, second] = &sunk.pair;
-    let found = query::contact(&first.pose, &first.cuboid, &second.pose, &second.cuboid, 0.0);
-    let depth = found.ok().flatten().map(|c| -f64::from(c.dist));
-    sunk.is_right(depth.filter(|depth| *depth > 0.0), 0.0)
-}
-
-pub(crate) fn peer(course: &Course<Sunk<Obb<f32>>, ()>, who: &str) -> Candidate {
-    let sunk =
-        |sunk: &Sunk<Obb<f32>>| Sunk { pair: sunk.pair.each_ref().map(placed), depth: sunk.depth };
-    let parry3d = course.prepared("", |pairs| pairs.map(sunk, |()| ()));
-    parry3d.candidate(who, Promise::Nothing, parry)
 }
 
 /// Pairs of boxes, and nothing on the right.
@@ -118,7 +106,7 @@ fn course<S: Sample>(name: &'static str, scale: f64, scene: &Scene) -> Course<Su
 }
 
 pub(crate) fn yardstick(scene: &Scene) -> Candidate {
-    peer(&course::<f32>("f32", 1.0, scene), "yardstick: parry3d contact")
+    parry_manifold(&course::<f32>("f32", 1.0, scene), "yardstick: parry3d manifold")
 }
 
 pub(crate) fn groups() -> Vec<Group<Scene>> {

@@ -64,9 +64,9 @@ pub(crate) fn groups() -> Vec<Group<Scene>> {
 }
 
 /// A box in the peer's form.
-pub(crate) struct Placed {
-    pub(crate) pose: Pose,
-    pub(crate) cuboid: Cuboid,
+pub struct Placed {
+    pub pose: Pose,
+    pub cuboid: Cuboid,
 }
 
 #[inline(never)]
@@ -74,7 +74,8 @@ fn parry(b: &Placed, c: &Placed) -> bool {
     intersection_test_cuboid_cuboid(&b.pose.inv_mul(&c.pose), &b.cuboid, &c.cuboid)
 }
 
-pub(crate) fn placed(obb: &Obb<f32>) -> Placed {
+#[must_use]
+pub fn placed(obb: &Obb<f32>) -> Placed {
     let columns = obb.axes().map(|u| nalgebra::Vector3::new(u.x, u.y, u.z));
     let matrix = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&columns));
     let turn = UnitQuaternion::from_rotation_matrix(&matrix);
