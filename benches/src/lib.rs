@@ -8,6 +8,7 @@ pub mod contact;
 mod drawing;
 mod geometry;
 pub mod line_obb;
+pub mod native;
 pub mod obb_obb;
 pub mod obj;
 pub mod order;

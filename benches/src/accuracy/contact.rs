@@ -9,6 +9,7 @@ use super::obb_obb::{SETS, framed};
 use super::{Exam, in_scalar};
 use crate::candidate::{Candidate, Course};
 use crate::contact::{Sunk, ours, parry_contact, parry_manifold};
+use crate::native;
 use crate::pairs::Pairs;
 
 pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
@@ -48,6 +49,7 @@ pub(crate) fn answers<S: Sample>(
     if let Some(course) = in_scalar::<Course<Sunk<Obb<f32>>, ()>>(&course) {
         all.push(parry_contact(course));
         all.push(parry_manifold(course, "parry3d manifold"));
+        all.extend(native::contacts(course));
     }
     all
 }

@@ -6,6 +6,7 @@ use septum_kit::{Rng, Sample};
 
 use super::{Exam, in_scalar};
 use crate::candidate::Course;
+use crate::native;
 use crate::obb_obb::{in_vectors, ours, peer};
 use crate::pairs::Pairs;
 
@@ -40,6 +41,7 @@ pub(crate) fn sets<S: Sample>(scalar: &'static str) -> Vec<Exam<&'static str>> {
             if let Some(course) = in_scalar::<Course<Obb<f32>, Obb<f32>>>(&course) {
                 all.push(peer(course, "parry3d"));
                 all.push(in_vectors(course));
+                all.extend(native::boxes(course));
             }
             all
         }),

@@ -5,6 +5,7 @@ use std::any::Any;
 use septum::{Facing, Feature, Ray, Triangle};
 
 use crate::candidate::{Candidate, Course};
+use crate::native;
 use crate::pairs::Pairs;
 use crate::ray_triangle as tests;
 use septum_kit::Sample;
@@ -67,6 +68,7 @@ pub(crate) fn peers<S: Sample>(scalar: &'static str, cases: &[RayCase<S>]) -> Ve
     let culling: Box<dyn Any> = Box::new(course((scalar, "culls"), asked(), front));
     let culling = culling.downcast::<In<f32>>().expect("the same scalar");
     let mut candidates = tests::peers(&plain, &culling);
+    candidates.extend(native::rays(&plain));
     candidates.push(tests::in_floats(&plain));
     candidates.push(tests::distance_only(&plain));
     candidates

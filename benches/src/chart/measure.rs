@@ -5,6 +5,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::accuracy::{self, Exam, Tally, examine};
 use crate::candidate::Candidate;
+use crate::native::NAMES;
 use crate::pairs::Pairs;
 use crate::race::{Timing, race};
 use crate::session::Group;
@@ -194,7 +195,7 @@ impl Accuracy {
 }
 
 fn is_peer(who: &str) -> bool {
-    ["parry3d", "box3d", "obvhs", "bvh"].iter().any(|peer| who.contains(peer))
+    ["parry3d", "box3d", "obvhs", "bvh"].iter().chain(&NAMES).any(|peer| who.contains(peer))
 }
 
 /// The test whose accuracy counts for this one because it gives the same bits: single shapes for

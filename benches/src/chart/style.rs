@@ -17,10 +17,14 @@ const fn family(name: &'static str, mark: Mark, color: &'static str) -> Family {
 }
 
 /// In the order of the legend. A test belongs to the first family whose text occurs in its name.
-const FAMILIES: [(&str, Family); 19] = [
+const FAMILIES: [(&str, Family); 23] = [
     ("parry3d", family("parry3d", Mark::Cross, PURPLE)),
     ("box3d", family("box3d-rust", Mark::Plus, PURPLE)),
     ("obvhs", family("obvhs", Mark::HourGlass, PURPLE)),
+    ("embree", family("embree", Mark::Diamond, PURPLE)),
+    ("tinybvh", family("tinybvh", Mark::Pentagon, PURPLE)),
+    ("Bullet", family("Bullet", Mark::Hexagon, PURPLE)),
+    ("Jolt", family("Jolt", Mark::Right, PURPLE)),
     ("bvh", family("bvh", Mark::BowTie, PURPLE)),
     ("exact", family("exact", Mark::Star, BLACK)),
     ("conservative", family("conservative", Mark::Up, GREEN)),
@@ -86,6 +90,10 @@ pub(super) fn label(point: &Point) -> String {
         "yardstick: parry3d TriMesh" => "parry3d TriMesh",
         "obvhs Bvh2, slowest build" => "obvhs Bvh2",
         "obvhs CwBvh, slowest build" => "obvhs CwBvh",
+        "tinybvh BVH8_CPU, first hit" => "tinybvh, first hit",
+        "tinybvh BVH8_CPU, any hit" => "tinybvh, any hit",
+        "Bullet btBoxBoxDetector" => "Bullet",
+        "Jolt OrientedBox::Overlaps" => "Jolt",
         "slabs, rounded" => "slabs",
         "slabs, rounded t_range" => "slabs t_range",
         "slabs, conservative" => "slabs, conservative",

@@ -10,12 +10,13 @@ use septum_kit::Sample;
 use septum_kit::fixed::types::{I8F8, I16F16};
 
 use crate::candidate::{Candidate, Course, Promise};
+use crate::native;
 use crate::obb_obb::Turned;
 use crate::pairs::Pairs;
 use crate::session::Group;
 
+pub(crate) use peers::{in_form, parry_contact, parry_manifold};
 pub use peers::{of_contact, of_manifold};
-pub(crate) use peers::{parry_contact, parry_manifold};
 
 /// Two shapes and their true depth; `None` if they have no contact.
 pub(crate) struct Sunk<T> {
@@ -113,8 +114,10 @@ pub(crate) fn groups() -> Vec<Group<Scene>> {
     fn group<S: Sample>(name: &'static str, scale: f64) -> Group<Scene> {
         (name, Box::new(move |scene: &Scene| ours(&course::<S>(name, scale, scene))))
     }
+    let native = |scene: &Scene| native::contacts(&course::<f32>("f32", 1.0, scene));
     vec![
         group::<f32>("f32", 1.0),
+        ("f32 native", Box::new(native)),
         group::<f64>("f64", 1.0),
         group::<I8F8>("I8F8, 15 bits", 32.0),
         group::<I16F16>("I16F16, 18 bits", 1.0),

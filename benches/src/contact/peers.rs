@@ -37,7 +37,7 @@ pub fn of_manifold(first: &Placed, second: &Placed) -> Option<f64> {
 
 impl<T> Sunk<T> {
     /// Touching is no contact here.
-    fn is_told_by(&self, ask: impl Fn(&T, &T) -> Option<f64>) -> bool {
+    pub(crate) fn is_told_by(&self, ask: impl Fn(&T, &T) -> Option<f64>) -> bool {
         let [first, second] = &self.pair;
         self.is_right(ask(first, second).filter(|depth| *depth > 0.0), 0.0)
     }
@@ -53,9 +53,11 @@ fn manifold(sunk: &Sunk<Placed>, _: &()) -> bool {
     sunk.is_told_by(of_manifold)
 }
 
+/// Our shapes.
 type Ours = Course<Sunk<Obb<f32>>, ()>;
 
-fn in_form<T: 'static>(course: &Ours, form: fn(&Obb<f32>) -> T) -> Course<Sunk<T>, ()> {
+/// The shapes in a peer's form.
+pub(crate) fn in_form<T: 'static>(course: &Ours, form: fn(&Obb<f32>) -> T) -> Course<Sunk<T>, ()> {
     let sunk =
         |sunk: &Sunk<Obb<f32>>| Sunk { pair: sunk.pair.each_ref().map(form), depth: sunk.depth };
     course.prepared("", |pairs| pairs.map(sunk, |()| ()))

@@ -11,6 +11,7 @@ pub(crate) enum Mark {
     Up,
     Down,
     Left,
+    Right,
     Star,
     Pentagon,
     Hexagon,
@@ -44,6 +45,7 @@ impl Mark {
             Self::Up => ring(3, 1.3, 0.0),
             Self::Down => ring(3, 1.3, 0.5),
             Self::Left => ring(3, 1.3, 0.75),
+            Self::Right => ring(3, 1.3, 0.25),
             Self::Pentagon => ring(5, 1.15, 0.0),
             Self::Hexagon => ring(6, 1.1, 0.0),
             Self::Star => {

@@ -10,6 +10,7 @@ use parry3d::shape::Cuboid;
 use septum::{Obb, Scalar};
 
 use crate::candidate::{Candidate, Course, Promise};
+use crate::native;
 use crate::peer_shapes::parry_vector;
 use crate::session::{Group, Session};
 use crate::unit::{F32, F64, I8F8_15, I16F16_18, Unit};
@@ -58,8 +59,13 @@ fn group<S: Scalar>(unit: Unit<S>) -> Group<Scene> {
 }
 
 pub(crate) fn groups() -> Vec<Group<Scene>> {
-    let in_vectors = |scene: &Scene| vec![in_vectors(&course(scene, &F32))];
-    let in_vectors: Group<Scene> = ("f32 15 axes", Box::new(in_vectors));
+    let in_vectors = |scene: &Scene| {
+        let course = course(scene, &F32);
+        let mut all = vec![in_vectors(&course)];
+        all.extend(native::boxes(&course));
+        all
+    };
+    let in_vectors: Group<Scene> = ("f32 15 axes Jolt", Box::new(in_vectors));
     vec![group(F32), in_vectors, group(F64), group(I8F8_15), group(I16F16_18)]
 }
 

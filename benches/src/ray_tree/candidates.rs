@@ -10,6 +10,7 @@ use septum::prepared::{HitRay, HitTriangle};
 use septum::{Hit, Ray, Scalar};
 
 use crate::candidate::{Candidate, Course, Promise};
+use crate::native;
 use crate::peer_shapes::{obvhs_ray, parry_ray};
 use crate::unit::{F32, Unit};
 
@@ -81,8 +82,10 @@ pub fn ours<S: Scalar>(course: &In<S>) -> Vec<Candidate> {
 pub fn peers(course: &In<f32>) -> Vec<Candidate> {
     let of_bvh2 = course.prepared("", |p| p.map(obvhs_ray, |tree| Obvhs::bvh2(tree.mesh())));
     let of_cwbvh = course.prepared("", |p| p.map(obvhs_ray, |tree| Obvhs::cwbvh(tree.mesh())));
-    vec![
+    let mut all = vec![
         of_bvh2.candidate("obvhs Bvh2, slowest build", Promise::Nothing, bvh2),
         of_cwbvh.candidate("obvhs CwBvh, slowest build", Promise::Nothing, cwbvh),
-    ]
+    ];
+    all.extend(native::trees(course));
+    all
 }

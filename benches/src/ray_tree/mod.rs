@@ -28,7 +28,7 @@ pub(crate) fn groups() -> Vec<Group<Scene>> {
         group(I16F16_18),
         group(I16F16_26),
         group(I32F32_34),
-        ("f32 obvhs", Box::new(|scene| peers(&course(scene, &F32)))),
+        ("f32 obvhs embree tinybvh", Box::new(|scene| peers(&course(scene, &F32)))),
     ]
 }
 

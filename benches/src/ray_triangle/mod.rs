@@ -10,6 +10,7 @@ pub(crate) mod scenes;
 use fixed::types::I16F16;
 use septum::Scalar;
 
+use crate::native;
 use crate::session::{Group, Session};
 use crate::unit::{F32, F64, I8F8_15, I16F16_18, I16F16_26, I32F32_34, Unit};
 
@@ -49,10 +50,11 @@ fn with_peers() -> Group<Scene> {
     let all = |scene: &Scene| {
         let plain = course(scene, &F32);
         let mut candidates = peers(&plain, &culling(scene));
+        candidates.extend(native::rays(&plain));
         candidates.push(distance_only(&plain));
         candidates
     };
-    ("f32 parry3d obvhs bvh", Box::new(all))
+    ("f32 parry3d obvhs bvh Jolt", Box::new(all))
 }
 
 /// All candidates that take one triangle at a time.
