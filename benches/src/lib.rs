@@ -8,7 +8,7 @@ pub mod contact;
 mod drawing;
 mod geometry;
 pub mod line_obb;
-pub mod native;
+mod native;
 pub mod obb_obb;
 pub mod obj;
 pub mod order;

@@ -135,7 +135,8 @@ impl Row {
         let mut lane_of = vec![None; dots.len()];
         for k in order {
             let [low, middle, high] = dots[k].cost.map(|cost| x.at(cost));
-            let end = high.max(middle + 14.0 + width_of(&dots[k].label, SMALL)) + 6.0;
+            // As the label is written, and space after it.
+            let end = high.max(middle) + 18.0 + width_of(&dots[k].label, SMALL);
             let free = ends.iter().position(|&taken| taken < low.min(middle - 8.0));
             let lane = free.unwrap_or_else(|| {
                 ends.push(0.0);

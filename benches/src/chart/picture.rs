@@ -5,6 +5,7 @@ use std::error::Error;
 use std::path::Path;
 
 use crate::drawing::{grouped, short};
+use crate::native::NAMES;
 
 use super::frame::{Dot, Frame, Row};
 use super::point::Point;
@@ -46,7 +47,7 @@ pub(super) const PICTURES: [Picture; 12] = [
                    whether there is one, for rays at vertices too.",
         yardstick: "parry3d's TriMesh, in f32",
         sets: "benches/src/accuracy/ray_tree.rs",
-        heights: [110.0, 70.0],
+        heights: [190.0, 70.0],
     },
     Picture {
         stem: "triangle-box",
@@ -139,7 +140,7 @@ const HOW_TO_READ: &str = "Farther left is faster, lower is more often right. In
 
 impl Picture {
     pub(super) fn draw(&self, points: &[Point], folder: &Path) -> Result<(), Box<dyn Error>> {
-        let points = self.shown(points);
+        let (all, points) = (points, self.shown(points));
         let line = fastest_peer(&points).map(|p| (p.time, format!("fastest peer: {}", label(p))));
         let mut rows: Vec<Row> = Vec::new();
         for point in &points {
@@ -168,9 +169,10 @@ impl Picture {
                 "{HOW_TO_READ} Up to {} cases, on every set in {} that the scalar holds; the mean \
                  is over sets. Peers take f32 alone: the dashed line shows their fastest to every \
                  scalar. Time: medians of rounds in one process, each in turn with the test that is \
-                 1. “cargo chart” measures and draws; the figures are in chart.csv.",
+                 1. {} measures and draws; the figures are in chart.csv.",
                 most_cases(&points),
                 self.sets,
+                command(all),
             ),
             bars: true,
         };
@@ -211,7 +213,7 @@ pub(super) const OVERVIEWS: [Overview; 2] = [
         title: "Speed and accuracy",
         rows: &[
             ("triangle-box", 130.0, "exact"),
-            ("ray-triangle", 165.0, "exact hit"),
+            ("ray-triangle", 215.0, "exact hit"),
             ("ray-box", 165.0, "exact"),
         ],
         note: "I16F16, 18: coordinates of 18 bits; boxes by centre, for rays by corners.",
@@ -264,9 +266,10 @@ impl Overview {
             base: 2.0,
             caption: format!(
                 "{HOW_TO_READ} The dashed line is the fastest peer. Times are medians of rounds in one \
-             process, each in turn with the test that is 1. {} “cargo chart” measures and draws; the \
-             figures are in chart.csv.",
-                self.note
+             process, each in turn with the test that is 1. {} {} measures and draws; the figures \
+             are in chart.csv.",
+                self.note,
+                command(points),
             ),
             bars: true,
         };
@@ -277,6 +280,15 @@ impl Overview {
 fn dot(point: &Point, label: String) -> Dot {
     let cost = [point.time_low, point.time, point.time_high];
     Dot { family: look(&point.test), label, cost, worst: point.worst, mean: point.mean }
+}
+
+/// What measured the points, and what it left out.
+fn command(points: &[Point]) -> &'static str {
+    let is_native = |point: &Point| NAMES.iter().any(|name| point.test.contains(name));
+    match points.iter().any(is_native) {
+        true => "“cargo native-chart”",
+        false => "Peers in C++ are missing. “cargo chart”",
+    }
 }
 
 fn fastest_peer<'a>(points: &[&'a Point]) -> Option<&'a Point> {

@@ -93,7 +93,6 @@ pub fn jolt_t(ray: &JoltVectors<2>, triangle: &JoltVectors<3>) -> Option<f32> {
 pub struct BulletBox(Owned);
 
 impl BulletBox {
-    #[must_use]
     pub fn new(obb: &Obb<f32>) -> Self {
         let [u, v, w] = *obb.axes();
         let rows = [obb.center(), u, v, w, obb.half_extents()].map(Vec3::to_array);
@@ -102,7 +101,6 @@ impl BulletBox {
     }
 
     /// The depth of the deepest point, by `btBoxBoxDetector`.
-    #[must_use]
     pub fn contact(&self, other: &Self) -> Option<f64> {
         // SAFETY: both are boxes.
         let depth = unsafe { bullet_contact(self.0.0, other.0.0) };

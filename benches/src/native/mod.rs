@@ -11,8 +11,6 @@ mod foreign;
 pub(crate) use absent::{boxes, contacts, rays, trees};
 #[cfg(feature = "native")]
 pub(crate) use candidates::{boxes, contacts, rays, trees};
-#[cfg(feature = "native")]
-pub use foreign::BulletBox;
 
 /// The names of these peers.
 pub(crate) const NAMES: [&str; 4] = ["Bullet", "embree", "Jolt", "tinybvh"];
