@@ -15,8 +15,10 @@ use crate::obb_obb::Turned;
 use crate::pairs::Pairs;
 use crate::session::Group;
 
-pub(crate) use peers::{in_form, parry_contact, parry_manifold};
+#[cfg(feature = "native")]
+pub(crate) use peers::in_form;
 pub use peers::{of_contact, of_manifold};
+pub(crate) use peers::{parry_contact, parry_manifold};
 
 /// Two shapes and their true depth; `None` if they have no contact.
 pub(crate) struct Sunk<T> {
