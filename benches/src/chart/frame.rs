@@ -111,7 +111,7 @@ impl Frame {
         let needed = self.dots().filter(|dot| dot.worst == 0.0).map(|dot| {
             let width = RIGHT - LEFT;
             let share = width / (width - 20.0 - width_of(&dot.label, SMALL));
-            left * (dot.cost[1] / left).powf(share)
+            left * (dot.cost[2] / left).powf(share)
         });
         [left, needed.fold(right, f64::max)]
     }

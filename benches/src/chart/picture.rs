@@ -100,7 +100,7 @@ pub(super) const PICTURES: [Picture; 12] = [
     Picture {
         stem: "box-box",
         title: "Two oriented boxes",
-        workload: "Random pairs, half of them meet. The peer takes axes as a quaternion.",
+        workload: "Random pairs, half of them meet. parry3d takes axes as a quaternion.",
         yardstick: "parry3d, in f32",
         sets: OBBS,
         heights: [120.0, 105.0],
