@@ -1,66 +1,22 @@
 //! Floats with a bound on their error.
 
 use core::cmp::Ordering;
-use core::marker::PhantomData;
 use core::ops::Div;
 
 use super::float::Float;
 use super::multiples::in_forty_bits;
 use super::quad::{OfFour, Quad};
-use super::system::{Arithmetic, Embeds, convert};
+use super::system::{Embeds, Factor, OneType, convert};
 
 type Row = <f64 as OfFour>::Quad;
 
 /// The number system of a float type with a bound on its error. It answers only if the result
 /// exceeds the bound.
-#[derive(Clone, Copy, Debug)]
-pub struct Filtered<F>(PhantomData<F>);
+pub type Filtered<F> = OneType<F>;
 
-impl<F: Float> Arithmetic for Filtered<F> {
-    type Length = F;
-    type Area = F;
-    type Volume = F;
-    type Quartic = F;
-    type Sextic = F;
-    type Product = F;
-    type Narrow = Self;
-
+impl<F: Float> Factor for F {
     const CERTAIN: bool = false;
-    const DOUBLED: bool = false;
-    const CORNER_FORM_ONLY: bool = false;
 
-    #[inline(always)]
-    fn area(a: F, b: F) -> F {
-        a * b
-    }
-    #[inline(always)]
-    fn volume(a: F, b: F) -> F {
-        a * b
-    }
-    #[inline(always)]
-    fn quartic(a: F, b: F) -> F {
-        a * b
-    }
-    #[inline(always)]
-    fn sextic(a: F, b: F) -> F {
-        a * b
-    }
-    #[inline(always)]
-    fn sextic_of_areas(a: F, b: F) -> F {
-        a * b
-    }
-    #[inline(always)]
-    fn operand(a: F) -> F {
-        a
-    }
-    #[inline(always)]
-    fn widened(narrow: F) -> F {
-        narrow
-    }
-    #[inline(always)]
-    fn is_narrow(_: F) -> bool {
-        false
-    }
     #[inline(always)]
     fn in_forty_bits<const K: usize>(coordinates: &[[F; 3]; K]) -> Option<[[i64; 3]; K]> {
         in_forty_bits(coordinates)

@@ -12,6 +12,7 @@ use super::big_int::BigInt;
 use super::filtered::{Filtered, compare_quotient, enclosed};
 use super::integer::{Int8, Int16, Int32, Int64, below};
 use super::nearest_whole::{nearest_of_all, nearest_whole, nearest_whole_of_row};
+use super::number::Number;
 use super::quotient::Dividend;
 use super::system::{Arithmetic, Embeds, convert};
 use super::window::Window;
@@ -172,47 +173,34 @@ in_word! {
     FixedI64, LeEqU64: i128, true;
 }
 
-/// Quotients of volumes in a word, place by place.
-macro_rules! in_whole_word {
-    ($($fixed:ident, $bound:ident: $word:ty, $bits:literal;)*) => {$(
-        impl<Frac: $bound> InWholeWord<$word> for $fixed<Frac> {
-            #[inline(always)]
-            fn one() -> Option<$word> {
-                (Self::FRAC_NBITS + 2 <= <$word>::BITS).then(|| 1 << Self::FRAC_NBITS)
-            }
-            #[inline(always)]
-            fn divided(
-                num: <$word as WholeWord>::Whole,
-                den: <$word as WholeWord>::Whole,
-            ) -> Self {
-                let q = i64::from(num.abs().nearest(den, Self::FRAC_NBITS, $bits));
-                Self::clamped(if num < 0 { -q } else { q })
-            }
-            #[inline(always)]
-            fn share(
-                num: <$word as WholeWord>::Whole,
-                den: <$word as WholeWord>::Whole,
-            ) -> Self {
-                // One takes one place more than the numbers below it.
-                let places = if Self::FRAC_NBITS < $bits { Self::FRAC_NBITS + 1 } else { $bits };
-                Self::clamped(num.nearest(den, Self::FRAC_NBITS, places).into())
-            }
-            #[inline(always)]
-            fn compare_quotient(
-                num: <$word as WholeWord>::Whole,
-                den: <$word as WholeWord>::Whole,
-                t: Self,
-            ) -> Ordering {
-                WholeVolume::compare_quotient(num, den, Self::FRAC_NBITS, $bits, t.to_bits().into())
-            }
-        }
-    )*};
+/// The number of bits of a type, including the sign.
+const fn bits<S: InRaw>() -> u32 {
+    i64::BITS - S::GREATEST.leading_zeros() + 1
 }
-in_whole_word! {
-    FixedI8, LeEqU8: i16, 8;
-    FixedI16, LeEqU16: i32, 16;
-    FixedI32, LeEqU32: i32, 32;
-    FixedI32, LeEqU32: i64, 32;
+
+/// Quotients of volumes in a word, place by place.
+impl<S: InRaw<Raw = i32> + InWord<W>, W: WholeWord> InWholeWord<W> for S {
+    #[inline(always)]
+    fn one() -> Option<W> {
+        W::power_of_two(S::FRACTION_BITS as u32)
+    }
+    #[inline(always)]
+    fn divided(num: W::Whole, den: W::Whole) -> Self {
+        let q = num.magnitude().nearest(den, S::FRACTION_BITS as u32, bits::<S>());
+        Self::clamped(if num < W::Whole::ZERO { -i64::from(q) } else { q.into() })
+    }
+    #[inline(always)]
+    fn share(num: W::Whole, den: W::Whole) -> Self {
+        // One takes one place more than the numbers below it.
+        let fraction = S::FRACTION_BITS as u32;
+        let places = if fraction < bits::<S>() { fraction + 1 } else { fraction };
+        Self::clamped(num.nearest(den, fraction, places).into())
+    }
+    #[inline(always)]
+    fn compare_quotient(num: W::Whole, den: W::Whole, t: Self) -> Ordering {
+        let fraction = S::FRACTION_BITS as u32;
+        WholeVolume::compare_quotient(num, den, fraction, bits::<S>(), t.raw().into())
+    }
 }
 
 /// The raw bits of a type, in a word of the machine.

@@ -292,9 +292,6 @@ impl<
     fn widened(narrow: BigInt<C>) -> BigInt<C> {
         narrow
     }
-    fn is_narrow(_: Self::Length) -> bool {
-        false
-    }
 }
 
 impl<

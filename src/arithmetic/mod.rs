@@ -67,7 +67,7 @@ pub(crate) use short_multiples::{Divisor, Leading64};
 pub use soft::Soft;
 pub(crate) use soft::{root, whole};
 pub(crate) use span::{Span, Spanned, Spans};
-pub use system::{Arithmetic, Embeds};
+pub use system::{Arithmetic, Embeds, OneType};
 pub(crate) use system::{cross, dot, of_two, once};
 pub(crate) use wide::I256;
 pub use window::Window;

@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 
 use super::number::Number;
-use super::system::{Arithmetic, Embeds, convert};
+use super::system::{Embeds, Factor, OneType, convert};
 
 /// A scalar's own operations: they round, and wrap where a fixed-point type overflows.
 pub(crate) trait RoundedOps: Copy + PartialOrd + 'static {
@@ -29,9 +29,8 @@ pub(crate) trait RoundedOps: Copy + PartialOrd + 'static {
     fn plain_half(self) -> Self;
 }
 
-/// The number system of the rounded methods. Length, area and volume are the scalar itself, every
-/// result is rounded as the scalar rounds, and fixed-point overflow wraps around. Nothing here is
-/// exact.
+/// A number of the rounded methods: every result is rounded as the scalar rounds, and fixed-point
+/// overflow wraps around. Nothing here is exact.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Rounded<S>(pub S);
 
@@ -79,79 +78,42 @@ impl<S: RoundedOps> Number for Rounded<S> {
     }
 }
 
-impl<S: RoundedOps> Arithmetic for Rounded<S> {
-    type Length = Self;
-    type Area = Self;
-    type Volume = Self;
-    type Quartic = Self;
-    type Sextic = Self;
-    type Product = Self;
-    type Narrow = Self;
-
+impl<S: RoundedOps> Factor for Rounded<S> {
     const CERTAIN: bool = true;
-    const DOUBLED: bool = false;
-    const CORNER_FORM_ONLY: bool = false;
-
-    #[inline(always)]
-    fn area(a: Self, b: Self) -> Self {
-        a * b
-    }
-    #[inline(always)]
-    fn volume(a: Self, b: Self) -> Self {
-        a * b
-    }
-    #[inline(always)]
-    fn quartic(a: Self, b: Self) -> Self {
-        a * b
-    }
-    #[inline(always)]
-    fn sextic(a: Self, b: Self) -> Self {
-        a * b
-    }
-    #[inline(always)]
-    fn sextic_of_areas(a: Self, b: Self) -> Self {
-        a * b
-    }
-    #[inline(always)]
-    fn operand(a: Self) -> Self {
-        a
-    }
-    #[inline(always)]
-    fn widened(narrow: Self) -> Self {
-        narrow
-    }
-    #[inline(always)]
-    fn is_narrow(_: Self) -> bool {
-        false
-    }
 }
 
-impl<S: RoundedOps> Embeds<S> for Rounded<S> {
+impl<S: RoundedOps> Embeds<S> for OneType<Rounded<S>> {
     #[inline(always)]
     fn holds<const K: usize>(_: &[[S; 3]; K]) -> bool {
         true
     }
     #[inline(always)]
-    fn embed_held<const K: usize>(coordinates: &[[S; 3]; K]) -> [[Self; 3]; K] {
-        convert(coordinates, Self(S::PLAIN_ZERO), Self)
+    fn embed_held<const K: usize>(coordinates: &[[S; 3]; K]) -> [[Rounded<S>; 3]; K] {
+        convert(coordinates, Rounded(S::PLAIN_ZERO), Rounded)
     }
 
     const DIVIDES: bool = true;
 
     #[inline(always)]
-    fn quotients([a, b, c]: [Self; 3], den: Self, _: [Self; 2]) -> ([S; 3], bool) {
-        ([a.0.plain_div(den.0), b.0.plain_div(den.0), c.0.plain_div(den.0)], true)
+    fn quotients(num: [Rounded<S>; 3], den: Rounded<S>, _: [Rounded<S>; 2]) -> ([S; 3], bool) {
+        let [Rounded(a), Rounded(b), Rounded(c)] = num;
+        ([a.plain_div(den.0), b.plain_div(den.0), c.plain_div(den.0)], true)
     }
     #[inline(always)]
-    fn quotient_of_lengths(num: Self, den: Self) -> S {
+    fn quotient_of_lengths(num: Rounded<S>, den: Rounded<S>) -> S {
         num.0.plain_div(den.0)
     }
     #[inline(always)]
-    fn coordinate(num: Self, den: Self, _: [Self; 2]) -> Option<S> {
+    fn coordinate(num: Rounded<S>, den: Rounded<S>, _: [Rounded<S>; 2]) -> Option<S> {
         Some(num.0.plain_div(den.0))
     }
     #[inline(always)]
-    fn compare_quotient(num: Self, den: Self, _: [Self; 2], t: S) -> Option<Ordering> {
+    fn compare_quotient(
+        num: Rounded<S>,
+        den: Rounded<S>,
+        _: [Rounded<S>; 2],
+        t: S,
+    ) -> Option<Ordering> {
         num.0.plain_div(den.0).partial_cmp(&t)
     }
 }

@@ -1,6 +1,7 @@
 //! Number systems: the types of a length, an area and a volume.
 
 use core::cmp::Ordering;
+use core::marker::PhantomData;
 use core::ops::Mul;
 
 use super::index::three;
@@ -76,7 +77,11 @@ pub trait Arithmetic: Sized + 'static {
     fn widened(narrow: <Self::Narrow as Arithmetic>::Volume) -> Self::Volume;
     /// Whether the [`Narrow`](Self::Narrow) volumes hold for lengths up to `size`, and whether they
     /// are worth the check.
-    fn is_narrow(size: Self::Length) -> bool;
+    #[inline(always)]
+    fn is_narrow(size: Self::Length) -> bool {
+        let _ = size;
+        false
+    }
 
     /// Coordinates as integer multiples of a unit, below 2^40, for floats that are short enough.
     #[inline(always)]
@@ -85,6 +90,70 @@ pub trait Arithmetic: Sized + 'static {
     ) -> Option<[[i64; 3]; K]> {
         let _ = coordinates;
         None
+    }
+}
+
+/// A number whose products have its own type.
+pub trait Factor: Number + Mul<Output = Self> + 'static {
+    /// [`Arithmetic::CERTAIN`].
+    const CERTAIN: bool;
+
+    /// [`Arithmetic::in_forty_bits`].
+    #[inline(always)]
+    fn in_forty_bits<const K: usize>(coordinates: &[[Self; 3]; K]) -> Option<[[i64; 3]; K]> {
+        let _ = coordinates;
+        None
+    }
+}
+
+/// The number system in which lengths and all products are numbers of one type.
+#[derive(Clone, Copy, Debug)]
+pub struct OneType<T>(PhantomData<T>);
+
+impl<T: Factor> Arithmetic for OneType<T> {
+    type Length = T;
+    type Area = T;
+    type Volume = T;
+    type Quartic = T;
+    type Sextic = T;
+    type Product = T;
+    type Narrow = Self;
+
+    const CERTAIN: bool = T::CERTAIN;
+    const DOUBLED: bool = false;
+    const CORNER_FORM_ONLY: bool = false;
+
+    #[inline(always)]
+    fn area(a: T, b: T) -> T {
+        a * b
+    }
+    #[inline(always)]
+    fn volume(a: T, b: T) -> T {
+        a * b
+    }
+    #[inline(always)]
+    fn quartic(a: T, b: T) -> T {
+        a * b
+    }
+    #[inline(always)]
+    fn sextic(a: T, b: T) -> T {
+        a * b
+    }
+    #[inline(always)]
+    fn sextic_of_areas(a: T, b: T) -> T {
+        a * b
+    }
+    #[inline(always)]
+    fn operand(a: T) -> T {
+        a
+    }
+    #[inline(always)]
+    fn widened(narrow: T) -> T {
+        narrow
+    }
+    #[inline(always)]
+    fn in_forty_bits<const K: usize>(coordinates: &[[T; 3]; K]) -> Option<[[i64; 3]; K]> {
+        T::in_forty_bits(coordinates)
     }
 }
 

@@ -75,9 +75,6 @@ impl Arithmetic for Window {
     fn widened(narrow: BigInt<6>) -> BigInt<6> {
         narrow
     }
-    fn is_narrow(_: i128) -> bool {
-        false
-    }
 }
 
 impl<F: Float> Embeds<F> for Window {

@@ -61,11 +61,18 @@ pub(super) fn in_range(x: f64) -> bool {
 
 /// x × y, and the greater of the two products in each coordinate, which bounds its error.
 pub(super) fn cross_with_products(x: &Vec64, y: &Vec64) -> (Vec64, Vec64) {
-    let products = three(|i| {
-        let (_, j, k) = turn(i);
-        [pick(x, j) * pick(y, k), pick(x, k) * pick(y, j)]
-    });
-    (products.map(|[p, q]| p - q), products.map(|[p, q]| greatest(p.abs(), q.abs())))
+    let (a, products) = crosses(&x.map(|x| [x]), &y.map(|y| [y]));
+    (a.map(|[a]| a), products.map(|[product]| product))
+}
+
+/// The same for vectors side by side.
+#[inline(always)]
+fn crosses<const N: usize>(x: &[[f64; N]; 3], y: &[[f64; N]; 3]) -> ([[f64; N]; 3], [[f64; N]; 3]) {
+    let product = |j, k| lanes::<N>(|n| pick(x, j)[n] * pick(y, k)[n]);
+    let [p, q] =
+        [three(|i| product(turn(i).1, turn(i).2)), three(|i| product(turn(i).2, turn(i).1))];
+    let a = three(|i| lanes::<N>(|n| p[i][n] - q[i][n]));
+    (a, three(|i| lanes::<N>(|n| greatest(p[i][n].abs(), q[i][n].abs()))))
 }
 
 /// Whether a product is so great that underflow does not matter, and no more than that.
@@ -204,11 +211,7 @@ impl<'a> Filter<'a> {
                 (x[i][n], y[i][n]) = (p[i], q[i]);
             }
         }
-        let product = |j, k| lanes::<N>(|n| pick(&x, j)[n] * pick(&y, k)[n]);
-        let [p, q] =
-            [three(|i| product(turn(i).1, turn(i).2)), three(|i| product(turn(i).2, turn(i).1))];
-        let a = three(|i| lanes::<N>(|n| p[i][n] - q[i][n]));
-        let products = three(|i| lanes::<N>(|n| greatest(p[i][n].abs(), q[i][n].abs())));
+        let (a, products) = crosses(&x, &y);
         let scale = lanes(|n| greatest(greatest(products[0][n], products[1][n]), products[2][n]));
         let square = lanes(|n| a[0][n] * a[0][n] + a[1][n] * a[1][n] + a[2][n] * a[2][n]);
         let [a0, a1] = ends(&self.shapes[0], &a);

@@ -301,6 +301,6 @@ fn translation<S: Scalar>(
     way: &Way,
     measures: &Measures<S>,
 ) -> Translation<S> {
-    let &Measures { vector, depth, normal, is_sufficient, .. } = measures;
+    let &Measures { vector, depth, normal, is_sufficient } = measures;
     Translation { vector, depth, normal, features: features(bodies, way), is_sufficient }
 }

@@ -6,7 +6,7 @@
 //! rounding does.
 
 use super::vector::rounded;
-use crate::arithmetic::{Arithmetic, Number, Rounded, greatest, least};
+use crate::arithmetic::{Number, Rounded, greatest, least};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Obb, Triangle, Vec3};
 
@@ -137,13 +137,12 @@ impl<S: Scalar> Published<S> {
     #[inline(always)]
     fn normal(&self) -> bool {
         let [e0, e1, _] = &self.e;
-        let mul = Rounded::<S>::area;
         let n = [
-            mul(e0[1], e1[2]) - mul(e0[2], e1[1]),
-            mul(e0[2], e1[0]) - mul(e0[0], e1[2]),
-            mul(e0[0], e1[1]) - mul(e0[1], e1[0]),
+            e0[1] * e1[2] - e0[2] * e1[1],
+            e0[2] * e1[0] - e0[0] * e1[2],
+            e0[0] * e1[1] - e0[1] * e1[0],
         ];
-        let dot = |x: [Rounded<S>; 3]| mul(n[0], x[0]) + mul(n[1], x[1]) + mul(n[2], x[2]);
+        let dot = |x: [Rounded<S>; 3]| n[0] * x[0] + n[1] * x[1] + n[2] * x[2];
         let zero = Rounded::ZERO;
         // From vertex 0, which lies in the plane, to the corner against n or along n.
         let corner = |along: bool| {
@@ -173,11 +172,10 @@ impl<S: Scalar> Published<S> {
     #[inline(always)]
     fn edge(&self, i: usize, k: usize) -> bool {
         let (j, l) = ((i + 1) % 3, (i + 2) % 3);
-        let mul = Rounded::<S>::area;
         let e = &self.e[k];
-        let on = |v: &[Rounded<S>; 3]| mul(e[j], v[l]) - mul(e[l], v[j]);
+        let on = |v: &[Rounded<S>; 3]| e[j] * v[l] - e[l] * v[j];
         let (p, q) = (on(&self.v[k]), on(&self.v[(k + 2) % 3]));
-        let r = mul(e[l].magnitude(), self.h[j]) + mul(e[j].magnitude(), self.h[l]);
+        let r = e[l].magnitude() * self.h[j] + e[j].magnitude() * self.h[l];
         least(p, q) > r || greatest(p, q) < -r
     }
 }

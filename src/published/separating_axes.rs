@@ -7,7 +7,7 @@
 //! The comparisons here are right without it.
 
 use super::vector::{Triple, minus};
-use crate::arithmetic::{Arithmetic, Number, Rounded};
+use crate::arithmetic::{Number, Rounded};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Ray, Segment, SegmentForm, Vec3};
 
@@ -91,10 +91,8 @@ fn misses_about_origin<S: Scalar>(c: Triple<S>, w: Triple<S>, h: Triple<S>) -> b
 /// The three cross products.
 #[inline(always)]
 fn line_misses<S: Scalar>(c: Triple<S>, w: Triple<S>, v: Triple<S>, h: Triple<S>) -> bool {
-    let mul = Rounded::<S>::area;
-    let separates = |j: usize, k: usize| {
-        (mul(c[j], w[k]) - mul(c[k], w[j])).magnitude() > mul(h[j], v[k]) + mul(h[k], v[j])
-    };
+    let separates =
+        |j: usize, k: usize| (c[j] * w[k] - c[k] * w[j]).magnitude() > h[j] * v[k] + h[k] * v[j];
     separates(1, 2) || separates(2, 0) || separates(0, 1)
 }
 

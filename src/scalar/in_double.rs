@@ -1,6 +1,8 @@
 //! Coordinates in `f64`, and back.
 
 use crate::arithmetic::whole;
+#[cfg(feature = "fixed")]
+use crate::arithmetic::{InRaw, Raw};
 
 /// Conversions between a scalar and `f64`: grids, contacts and times compute in it.
 pub(crate) trait InDouble: Copy {
@@ -73,56 +75,46 @@ macro_rules! float {
 float!(f32, u32);
 float!(f64, u64);
 
+/// 2^n, for n from −64 to 64.
 #[cfg(feature = "fixed")]
-mod fixed_point {
-    use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
-    use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
+const fn two_to(n: i32) -> f64 {
+    f64::from_bits(((1023 + n) as u64) << 52)
+}
 
-    use super::{InDouble, whole};
+/// In raw bits.
+#[cfg(feature = "fixed")]
+impl<S: InRaw> InDouble for S {
+    const IS_IN_DOUBLE: bool = S::Raw::BITS <= 32;
+    const UNIT: f64 = two_to(-S::FRACTION_BITS);
 
-    /// 2^n, for n from −64 to 64.
-    const fn two_to(n: i32) -> f64 {
-        f64::from_bits(((1023 + n) as u64) << 52)
+    #[inline(always)]
+    fn units(self) -> f64 {
+        let raw: i64 = self.raw().into();
+        raw as f64
     }
-
-    macro_rules! fixed_point {
-        ($($fixed:ident, $bound:ident, $raw:ident, $wide:ident, $is_in_double:literal;)*) => {$(
-            impl<Frac: $bound> InDouble for $fixed<Frac> {
-                const IS_IN_DOUBLE: bool = $is_in_double;
-                const UNIT: f64 = two_to(-(Self::FRAC_NBITS as i32));
-
-                #[inline(always)]
-                fn units(self) -> f64 {
-                    self.to_bits() as f64
-                }
-                #[inline(always)]
-                fn units_beyond(self, other: Self) -> f64 {
-                    let (a, b) = (i64::from(self.to_bits()), i64::from(other.to_bits()));
-                    match a.checked_sub(b) {
-                        Some(d) => d as f64,
-                        None => (i128::from(a) - i128::from(b)) as f64,
-                    }
-                }
-                fn plus_double(self, offset: f64) -> Self {
-                    let units = offset * two_to(Self::FRAC_NBITS as i32);
-                    let nearest = (units + if units < 0.0 { -0.5 } else { 0.5 }) as $wide;
-                    let sum = $wide::from(self.to_bits()).saturating_add(nearest);
-                    Self::from_bits(sum.clamp($raw::MIN.into(), $raw::MAX.into()) as $raw)
-                }
-                fn of_units(m: u128, exponent: i32, is_up: bool, is_negative: bool) -> (Self, bool) {
-                    let size = i128::try_from(whole(m, exponent, is_up)).unwrap_or(i128::MAX);
-                    let (units, end) = if is_negative { (-size, $raw::MIN) } else { (size, $raw::MAX) };
-                    let held = $raw::try_from(units);
-                    (Self::from_bits(held.unwrap_or(end)), held.is_ok())
-                }
-            }
-        )*};
+    #[inline(always)]
+    fn units_beyond(self, other: Self) -> f64 {
+        let [a, b]: [i64; 2] = [self.raw().into(), other.raw().into()];
+        match a.checked_sub(b) {
+            Some(d) => d as f64,
+            None => (i128::from(a) - i128::from(b)) as f64,
+        }
     }
-    fixed_point! {
-        FixedI8, LeEqU8, i8, i64, true;
-        FixedI16, LeEqU16, i16, i64, true;
-        FixedI32, LeEqU32, i32, i64, true;
-        FixedI64, LeEqU64, i64, i128, false;
+    fn plus_double(self, offset: f64) -> Self {
+        let units = offset * two_to(S::FRACTION_BITS);
+        let nearest = units + if units < 0.0 { -0.5 } else { 0.5 };
+        let raw: i64 = self.raw().into();
+        if S::Raw::BITS <= 32 {
+            return Self::clamped(raw.saturating_add(nearest as i64));
+        }
+        let sum = i128::from(raw).saturating_add(nearest as i128);
+        Self::clamped(sum.clamp(i64::MIN.into(), i64::MAX.into()) as i64)
+    }
+    fn of_units(m: u128, exponent: i32, is_up: bool, is_negative: bool) -> (Self, bool) {
+        let size = i128::try_from(whole(m, exponent, is_up)).unwrap_or(i128::MAX);
+        let held = Self::held(if is_negative { -size } else { size });
+        let end = if is_negative { i64::MIN } else { i64::MAX };
+        (held.unwrap_or_else(|| Self::clamped(end)), held.is_some())
     }
 }
 

@@ -1,5 +1,8 @@
 //! The numbers of a scalar in their order.
 
+#[cfg(feature = "fixed")]
+use crate::arithmetic::{InRaw, Raw};
+
 /// A number for each value of a scalar, adjacent values numbered adjacently. Sealed, as
 /// [`Backend`](super::Backend).
 pub(crate) trait Ordinal: Copy {
@@ -67,52 +70,48 @@ macro_rules! float {
 float!(f32, i32);
 float!(f64, i64);
 
-/// Moves from one number toward another by `of` their distance, but no farther.
+/// In raw bits.
 #[cfg(feature = "fixed")]
-macro_rules! moved {
-    ($fixed:ident, $raw:ident, $wide:ident, $from:expr, $to:expr, $of:expr) => {{
-        let (from, to) = ($from.to_bits(), $to.to_bits());
-        let length = $wide::from(to.abs_diff(from));
-        // Modulo 2^bits: the sum fits.
-        let part = ($of)(length).min(length) as $raw;
-        fixed::$fixed::from_bits(if to < from {
-            from.wrapping_sub(part)
+impl<S: InRaw> Ordinal for S {
+    #[inline]
+    fn ordinal(self) -> i64 {
+        self.raw().into()
+    }
+    #[inline]
+    fn of_ordinal(n: i64) -> Self {
+        Self::from_raw(n)
+    }
+    fn between(from: Self, to: Self, way: [Self; 3]) -> Self {
+        let [a, x, b] = way.map(Self::ordinal);
+        let (part, whole) = (x.abs_diff(a), b.abs_diff(a));
+        if S::Raw::BITS <= 32 {
+            moved(from, to, |length| (length * part).checked_div(whole))
         } else {
-            from.wrapping_add(part)
-        })
-    }};
+            let wide = |length: u64| u128::from(length) * u128::from(part);
+            moved(from, to, |length| {
+                Some(wide(length).checked_div(whole.into())?.try_into().unwrap_or(u64::MAX))
+            })
+        }
+    }
+    fn at_time(from: Self, to: Self, t: Self) -> Self {
+        let part = u64::try_from(t.ordinal()).unwrap_or(0);
+        if S::Raw::BITS <= 32 {
+            moved(from, to, |length| Some((length * part) >> S::FRACTION_BITS))
+        } else {
+            let wide = |length: u64| (u128::from(length) * u128::from(part)) >> S::FRACTION_BITS;
+            moved(from, to, |length| Some(wide(length).try_into().unwrap_or(u64::MAX)))
+        }
+    }
 }
 
-/// $wide holds the product of two distances.
+/// Moves from one number toward another by `of` their distance, but no farther; not at all without
+/// a distance.
 #[cfg(feature = "fixed")]
-macro_rules! fixed {
-    ($($fixed:ident, $bound:ident, $raw:ident, $wide:ident;)*) => {$(
-        impl<Frac: fixed::types::extra::$bound> Ordinal for fixed::$fixed<Frac> {
-            #[inline]
-            fn ordinal(self) -> i64 {
-                self.to_bits().into()
-            }
-            #[inline]
-            fn of_ordinal(n: i64) -> Self {
-                Self::from_bits(n as _)
-            }
-            fn between(from: Self, to: Self, way: [Self; 3]) -> Self {
-                let [a, x, b] = way.map(Self::to_bits);
-                let (part, whole) = ($wide::from(x.abs_diff(a)), $wide::from(b.abs_diff(a)));
-                let of = |length: $wide| (length * part).checked_div(whole).unwrap_or(0);
-                moved!($fixed, $raw, $wide, from, to, of)
-            }
-            fn at_time(from: Self, to: Self, t: Self) -> Self {
-                let part = $wide::try_from(t.to_bits()).unwrap_or(0);
-                moved!($fixed, $raw, $wide, from, to, |length| (length * part) >> Self::FRAC_NBITS)
-            }
-        }
-    )*};
-}
-#[cfg(feature = "fixed")]
-fixed! {
-    FixedI8, LeEqU8, i8, u64;
-    FixedI16, LeEqU16, i16, u64;
-    FixedI32, LeEqU32, i32, u64;
-    FixedI64, LeEqU64, i64, u128;
+#[inline(always)]
+fn moved<S: InRaw>(from: S, to: S, of: impl Fn(u64) -> Option<u64>) -> S {
+    let (a, b) = (from.ordinal(), to.ordinal());
+    let length = b.abs_diff(a);
+    let part = of(length).unwrap_or(0).min(length) as i64;
+    // Modulo 2^64: the sum fits.
+    S::from_raw(if b < a { a.wrapping_sub(part) } else { a.wrapping_add(part) })
 }

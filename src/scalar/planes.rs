@@ -2,7 +2,7 @@
 
 use super::{Ordinal, Scalar};
 #[cfg(feature = "fixed")]
-use crate::arithmetic::REGISTERS_ARE_WIDE;
+use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE};
 
 /// The plane arithmetic that a grid of voxels requires of a scalar.
 pub(crate) trait Planes: Copy {
@@ -112,51 +112,40 @@ fn is_on_grid<S: Scalar>(numbers: [S; 2], farthest: S, digits: u32) -> bool {
 }
 
 #[cfg(feature = "fixed")]
-macro_rules! fixed {
-    ($($fixed:ident, $bound:ident, $raw:ident;)*) => {$(
-        impl<Frac: fixed::types::extra::$bound> Planes for fixed::$fixed<Frac> {
-            const HAS_PLACES: bool = REGISTERS_ARE_WIDE;
+impl<S: InRaw> Planes for S {
+    const HAS_PLACES: bool = REGISTERS_ARE_WIDE;
 
-            #[inline(always)]
-            fn plane(origin: Self, step: Self, k: u32) -> Self {
-                // Modulo 2^bits: the product may wrap, but the sum fits.
-                let offset = step.to_bits().wrapping_mul(k as $raw);
-                Self::from_bits(origin.to_bits().wrapping_add(offset))
-            }
+    #[inline(always)]
+    fn plane(origin: Self, step: Self, k: u32) -> Self {
+        // Modulo 2^64: the product may wrap, but the sum fits.
+        let [origin, step]: [i64; 2] = [origin.raw().into(), step.raw().into()];
+        Self::from_raw(origin.wrapping_add(step.wrapping_mul(k.into())))
+    }
 
-            fn step(from: Self, to: Self, count: u32) -> Option<Self> {
-                let length = i128::from(to.to_bits()) - i128::from(from.to_bits());
-                let count = i128::from(count);
-                let step = (length + count - 1).checked_div(count)?;
-                $raw::try_from(step).ok().map(Self::from_bits)
-            }
+    fn step(from: Self, to: Self, count: u32) -> Option<Self> {
+        let (length, count) = (wide(to) - wide(from), i128::from(count));
+        Self::held((length + count - 1).checked_div(count)?)
+    }
 
-            fn origin_before(self, step: Self, k: u32) -> Option<Self> {
-                let offset = i128::from(step.to_bits()) * i128::from(k);
-                $raw::try_from(i128::from(self.to_bits()) - offset).ok().map(Self::from_bits)
-            }
+    fn origin_before(self, step: Self, k: u32) -> Option<Self> {
+        Self::held(wide(self) - wide(step) * i128::from(k))
+    }
 
-            fn first_plane_above(origin: Self, step: Self, to: Self) -> Option<u32> {
-                let length = i128::from(to.to_bits()) - i128::from(origin.to_bits());
-                let step = i128::from(step.to_bits());
-                let planes = (length + step - 1).checked_div(step);
-                planes.map(|k| u32::try_from(k).unwrap_or(u32::MAX))
-            }
+    fn first_plane_above(origin: Self, step: Self, to: Self) -> Option<u32> {
+        let (length, step) = (wide(to) - wide(origin), wide(step));
+        let planes = (length + step - 1).checked_div(step);
+        planes.map(|k| u32::try_from(k).unwrap_or(u32::MAX))
+    }
 
-            fn check_planes(origin: Self, step: Self, count: u32) -> Result<f64, PlanesError> {
-                let offset = i128::from(step.to_bits()) * i128::from(count);
-                match $raw::try_from(i128::from(origin.to_bits()) + offset) {
-                    Ok(_) => Ok(0.0),
-                    Err(_) => Err(PlanesError::OutOfRange),
-                }
-            }
-        }
-    )*};
+    fn check_planes(origin: Self, step: Self, count: u32) -> Result<f64, PlanesError> {
+        let farthest = Self::held(wide(origin) + wide(step) * i128::from(count));
+        farthest.map(|_| 0.0).ok_or(PlanesError::OutOfRange)
+    }
 }
+
+/// The raw bits of a number.
 #[cfg(feature = "fixed")]
-fixed! {
-    FixedI8, LeEqU8, i8;
-    FixedI16, LeEqU16, i16;
-    FixedI32, LeEqU32, i32;
-    FixedI64, LeEqU64, i64;
+fn wide<S: InRaw>(x: S) -> i128 {
+    let raw: i64 = x.raw().into();
+    raw.into()
 }

@@ -71,6 +71,10 @@ macro_rules! whole_word {
             type Whole = $whole;
 
             #[inline(always)]
+            fn power_of_two(n: u32) -> Option<Self> {
+                (n + 2 <= $word::BITS).then(|| 1 << n)
+            }
+            #[inline(always)]
             fn has_volumes(self) -> bool {
                 (self as $unsigned) >> $range == 0
             }

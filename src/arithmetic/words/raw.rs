@@ -67,4 +67,11 @@ pub trait InRaw: Copy {
     fn clamped(raw: i64) -> Self {
         Self::from_raw(raw.clamp(-Self::GREATEST - 1, Self::GREATEST))
     }
+
+    /// The number with these raw bits, if the type has it.
+    #[inline(always)]
+    fn held(raw: i128) -> Option<Self> {
+        let raw = i64::try_from(raw).ok()?;
+        (-Self::GREATEST - 1..=Self::GREATEST).contains(&raw).then(|| Self::from_raw(raw))
+    }
 }

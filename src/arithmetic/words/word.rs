@@ -90,6 +90,9 @@ pub trait WholeWord: Word {
     /// The type of the whole sums.
     type Whole: WholeVolume + From<Self>;
 
+    /// 2^n, if the word holds it and leaves one bit to spare.
+    fn power_of_two(n: u32) -> Option<Self>;
+
     /// Whether a length lies within the range.
     fn has_volumes(self) -> bool;
 

@@ -52,12 +52,13 @@ impl<P: Number> Operands<P> {
     }
 }
 
-/// Whether one of the six axes separates. `LOOKS_TWICE` leaves out products with the direction that
+/// Whether one of the six axes separates. `looks_twice` leaves out products with the direction that
 /// are certainly zero or that the two others decide.
 #[inline(always)]
-pub(super) fn any_axis<P: Number + Mul<Output = P>, const LOOKS_TWICE: bool>(
+pub(super) fn any_axis<P: Number + Mul<Output = P>>(
     s: &Operands<P>,
     error: &ErrorBound<P>,
+    looks_twice: bool,
 ) -> Uncertain {
     let Operands { m, d, ends: [from, to], u, h, one } = s;
     let w = [cross(&u[1], &u[2]), cross(&u[2], &u[0]), cross(&u[0], &u[1])];
@@ -73,7 +74,7 @@ pub(super) fn any_axis<P: Number + Mul<Output = P>, const LOOKS_TWICE: bool>(
     for i in 0..3 {
         let gap = on_line(i, h);
         // On a vector that is zero or nearly, a rounded gap never exceeds its bound.
-        if LOOKS_TWICE && gap >= -error.line {
+        if looks_twice && gap >= -error.line {
             let (i, j, l) = turn(i);
             let flattened = three(|j| if j == i { P::ZERO } else { h[j] });
             let overlaps = |i: usize| on_line(i, &flattened) < -error.line;

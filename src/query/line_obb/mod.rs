@@ -76,15 +76,15 @@ impl<S: Scalar> Disjoint<'_, S> {
     #[cold]
     #[inline(never)]
     fn by_second_look<N: Embeds<S>>(&self) -> Option<bool> {
-        self.by_these_axes::<N, true>()
+        self.by_these_axes::<N>(true)
     }
 
     /// The verdict of the axes in a number system.
     #[inline(always)]
-    fn by_these_axes<N: Embeds<S>, const LOOKS_TWICE: bool>(&self) -> Option<bool> {
+    fn by_these_axes<N: Embeds<S>>(&self, looks_twice: bool) -> Option<bool> {
         let s = self.operands::<N>()?;
         let error = error_bound::<N>(s.one, &s.sizes())?;
-        any_axis::<_, LOOKS_TWICE>(&s, &error).verdict()
+        any_axis(&s, &error, looks_twice).verdict()
     }
 
     /// The line and the box in a number system.
@@ -121,7 +121,7 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
 
     #[inline(never)]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        match self.by_these_axes::<N, false>() {
+        match self.by_these_axes::<N>(false) {
             None if has_second_look::<N>() => self.by_second_look::<N>(),
             answer => answer,
         }

@@ -111,7 +111,7 @@ impl<F: Float> Operands<F> {
     fn by_second_look(&self, error: &ErrorBound<F>) -> Option<bool> {
         let Self { m, d, ends, axes: u, half: h } = *self;
         let s = kernel::Operands { m, d, ends, u, h, one: F::from(1) };
-        any_axis::<F, true>(&s, error).verdict()
+        any_axis(&s, error, true).verdict()
     }
 
     /// The axes of the box whose product with the direction is certainly zero.

@@ -42,7 +42,8 @@ impl<F: Float> Boxes<F> {
     #[cold]
     #[inline(never)]
     fn overlap_beside_near_axes(&self, error: &ErrorBound<F>) -> bool {
-        all_axes::<F, true>(&self.as_single_numbers(), error, false) == Some(Relation::Overlapping)
+        let relation = all_axes(&self.as_single_numbers(), error, false, true);
+        relation == Some(Relation::Overlapping)
     }
 
     /// The relation of boxes that are rotated by no angle or by quarter turns. It is exact if the
@@ -72,7 +73,7 @@ impl<F: Float> Boxes<F> {
             return None;
         }
         let nothing = ErrorBound { coordinate: zero, axis: zero };
-        all_axes::<F, false>(&self.as_single_numbers(), &nothing, true)
+        all_axes(&self.as_single_numbers(), &nothing, true, false)
     }
 
     /// Whether all axes that are not clear are certainly zero: products of each axis of one box

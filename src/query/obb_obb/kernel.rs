@@ -67,13 +67,14 @@ pub(super) fn is_zero<P: Number>(a: &[P; 3], b: &[P; 3]) -> bool {
     (*a == *b) | (*a == [-b[0], -b[1], -b[2]]) | lie_along_one_axis(a, b)
 }
 
-/// The relation of two parallelepipeds; `None` in doubt. `LOOKS_TWICE` leaves out products of axes
+/// The relation of two parallelepipeds; `None` in doubt. `looks_twice` leaves out products of axes
 /// that are certainly zero or that other axes decide.
 #[inline(always)]
-pub(super) fn all_axes<P: Number + Mul<Output = P>, const LOOKS_TWICE: bool>(
+pub(super) fn all_axes<P: Number + Mul<Output = P>>(
     boxes: &Boxes<P>,
     error: &ErrorBound<P>,
     is_certain: bool,
+    looks_twice: bool,
 ) -> Option<Relation> {
     let Boxes { d, u, h, v, k, one } = boxes;
     // The coordinates first, because three coordinates cost as much as one other axis.
@@ -133,7 +134,7 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, const LOOKS_TWICE: bool>(
         for j in 0..3 {
             let (distance, reach) = on_pair(j, k);
             // On a vector that is zero or nearly, a rounded gap never exceeds its bound.
-            if LOOKS_TWICE {
+            if looks_twice {
                 let overlaps =
                     |(distance, reach): (P, P)| distance.magnitude() - reach < -error.axis;
                 let (j, p, q) = turn(j);

@@ -43,12 +43,12 @@ impl<S: Scalar> Lie<'_, S> {
     #[cold]
     #[inline(never)]
     fn by_second_look<N: Embeds<S>>(&self) -> Option<Relation> {
-        self.by_these_axes::<N, true>()
+        self.by_these_axes::<N>(true)
     }
 
     /// The relation by the axes in a number system.
     #[inline(always)]
-    fn by_these_axes<N: Embeds<S>, const LOOKS_TWICE: bool>(&self) -> Option<Relation> {
+    fn by_these_axes<N: Embeds<S>>(&self, looks_twice: bool) -> Option<Relation> {
         let zero = N::Product::ZERO;
         let [v0, v1, v2] = self.second.axes_as_arrays();
         let (b, k) = (self.second.center().to_array(), self.second.half_extents().to_array());
@@ -94,7 +94,7 @@ impl<S: Scalar> Lie<'_, S> {
         let axes = greatest(greatest(most(&boxes.u), most(&boxes.v)), boxes.one);
         let half = greatest(largest(&boxes.h), largest(&boxes.k));
         let error = error_bound::<N>(boxes.one, axes, largest(&boxes.d), half)?;
-        all_axes::<_, LOOKS_TWICE>(&boxes, &error, N::CERTAIN)
+        all_axes(&boxes, &error, N::CERTAIN, looks_twice)
     }
 }
 
@@ -103,7 +103,7 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
 
     #[inline(never)]
     fn filter<N: Embeds<S>>(&self) -> Option<Relation> {
-        match self.by_these_axes::<N, false>() {
+        match self.by_these_axes::<N>(false) {
             None if has_second_look::<N>() => self.by_second_look::<N>(),
             answer => answer,
         }

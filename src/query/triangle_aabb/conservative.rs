@@ -39,7 +39,7 @@ const BITS: u32 = 18;
 #[inline(always)]
 pub(super) fn disjoint<S: Scalar + InRaw>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bool {
     if S::IN_QUADS {
-        return match offsets::pair::<S, true>(triangle, aabb) {
+        return match offsets::pair(triangle, aabb, offsets::coarsely_apart) {
             Ok(apart) => apart,
             // By value, for the reason given in `overlaps`.
             Err(_) => disjoint_in_doubt(triangle, *aabb),

@@ -25,7 +25,7 @@ pub use prepared::PreparedTriangle;
 
 use super::{Axis, Overlaps};
 use crate::arithmetic::{
-    Embeds, Float, InFloat, InWord, OfFour, Quad, REGISTERS_ARE_WIDE, Raw, Rounded, Word,
+    Embeds, Float, InFloat, InWord, OfFour, OneType, Quad, REGISTERS_ARE_WIDE, Raw, Rounded, Word,
 };
 use crate::robust::{Predicate, Profile, WordKernel, in_exact_numbers};
 use crate::scalar::{FixedBackend, Scalar};
@@ -199,7 +199,7 @@ pub(crate) fn disjoint_rounded<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>
         return rows::disjoint_rounded(triangle, aabb);
     }
     // An axis whose numbers overflowed to NaN does not separate.
-    Disjoint { triangle, aabb }.filter::<Rounded<S>>() == Some(true)
+    Disjoint { triangle, aabb }.filter::<OneType<Rounded<S>>>() == Some(true)
 }
 
 #[cfg(all(test, feature = "fixed"))]

@@ -13,23 +13,26 @@ use crate::shape::{Aabb, AabbForm, Triangle};
 /// The number type of this stage.
 pub(super) type ForOffsets = <f32 as OfFour>::Quad;
 
-/// Whether one of the 13 axes separates, if that is clear. With `COARSE`, only an axis that still
-/// separates after the truncation of coordinates counts (`conservative.rs`).
+/// Whether one of the 13 axes separates by [`apart`] or [`coarsely_apart`], if that is clear.
 #[inline(always)]
-pub(super) fn pair<S: Scalar, const COARSE: bool>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> Clear {
+pub(super) fn pair<S: Scalar>(
+    triangle: &Triangle<S>,
+    aabb: &Aabb<S>,
+    apart: impl Fn(InRows) -> Clear,
+) -> Clear {
     match *aabb.form() {
         AabbForm::Center { center: c, half: h } => {
-            by_center::<S, COARSE>(triangle, c.x, c.y, c.z, h.x, h.y, h.z)
+            by_center(triangle, c.x, c.y, c.z, h.x, h.y, h.z, apart)
         }
         AabbForm::Corners { min: a, max: b } => {
-            by_corners::<S, COARSE>(triangle, a.x, a.y, a.z, b.x, b.y, b.z)
+            by_corners(triangle, a.x, a.y, a.z, b.x, b.y, b.z, apart)
         }
     }
 }
 
 #[allow(clippy::too_many_arguments)] // each in a register
 #[inline(never)]
-pub(super) fn by_center<S: Scalar, const COARSE: bool>(
+pub(super) fn by_center<S: Scalar>(
     triangle: &Triangle<S>,
     cx: S,
     cy: S,
@@ -37,17 +40,18 @@ pub(super) fn by_center<S: Scalar, const COARSE: bool>(
     hx: S,
     hy: S,
     hz: S,
+    apart: impl Fn(InRows) -> Clear,
 ) -> Clear {
     let ([a, b, c], center, half) = (triangle.points(), [cx, cy, cz], [hx, hy, hz]);
     if !S::have_offsets(&[a, b, c, center, half]) {
         return Err(Doubt::Unknown);
     }
-    apart(of_center(triangle, center, half), COARSE)
+    apart(of_center(triangle, center, half))
 }
 
 #[allow(clippy::too_many_arguments)] // each in a register
 #[inline(never)]
-pub(super) fn by_corners<S: Scalar, const COARSE: bool>(
+pub(super) fn by_corners<S: Scalar>(
     triangle: &Triangle<S>,
     ax: S,
     ay: S,
@@ -55,12 +59,13 @@ pub(super) fn by_corners<S: Scalar, const COARSE: bool>(
     bx: S,
     by: S,
     bz: S,
+    apart: impl Fn(InRows) -> Clear,
 ) -> Clear {
     let ([a, b, c], min, max) = (triangle.points(), [ax, ay, az], [bx, by, bz]);
     if !S::have_offsets(&[a, b, c, min, max]) {
         return Err(Doubt::Unknown);
     }
-    apart(of_corners(triangle, min, max), COARSE)
+    apart(of_corners(triangle, min, max))
 }
 
 /// Whether the coordinates are multiples of a unit so great that nothing above was rounded.
@@ -137,14 +142,20 @@ fn gap(rows: &Rows<ForOffsets>) -> ForOffsets {
     rows.low.greatest(ForOffsets::splat(0.0) - rows.high)
 }
 
+/// Whether an axis separates.
 #[inline(always)]
-fn apart((rows, mut frame): InRows, is_coarse: bool) -> Clear {
+pub(super) fn apart((rows, frame): InRows) -> Clear {
     let Some(size) = size_in_range(&frame) else { return Err(Doubt::Unknown) };
     let bound = offset_bound(size);
-    if !is_coarse {
-        return rows.apart_by_bounds(&frame, bound, bound, false);
-    }
+    rows.apart_by_bounds(&frame, bound, bound, false)
+}
+
+/// Whether an axis separates that still does so after the truncation of coordinates
+/// (`conservative.rs`).
+#[inline(always)]
+pub(super) fn coarsely_apart((rows, mut frame): InRows) -> Clear {
+    let Some(size) = size_in_range(&frame) else { return Err(Doubt::Unknown) };
     let (face, beyond) = coarse_bound(size);
     frame.apart = gap(&rows).exceeds(frame.half + ForOffsets::splat(face)) & THREE;
-    rows.apart_by_bounds(&frame, beyond, bound, false)
+    rows.apart_by_bounds(&frame, beyond, offset_bound(size), false)
 }

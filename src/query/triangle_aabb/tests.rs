@@ -189,7 +189,7 @@ fn what_is_out_of_range_is_not_exact() {
 fn clear_looks(pair: Pair) -> u32 {
     let (triangle, boxes) = shapes(pair, I32F32::from_bits);
     let is_clear = |aabb: &Aabb<I32F32>| {
-        let clear = offsets::pair::<_, true>(&triangle, aabb);
+        let clear = offsets::pair(&triangle, aabb, offsets::coarsely_apart);
         if let Ok(apart) = clear {
             assert_eq!(apart, disjoint_when_cut_down(&triangle, aabb), "{pair:?}");
         }

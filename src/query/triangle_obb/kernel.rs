@@ -20,7 +20,7 @@ pub(in crate::query) struct ErrorBound<P> {
     pub(super) plane: P,
 }
 
-/// The relation of a triangle and a parallelepiped from the 13 axes. `LOOKS_TWICE` leaves out edge
+/// The relation of a triangle and a parallelepiped from the 13 axes. `looks_twice` leaves out edge
 /// axes that are certainly zero or that other axes decide. On vectors that are zero or nearly, a
 /// rounded gap never exceeds its bound.
 ///
@@ -42,9 +42,10 @@ pub(in crate::query) struct ErrorBound<P> {
 /// 0, the box is a parallelogram with sides along u_j and u_l. If n, e_k × u_j and e_k × u_l do not
 /// separate these two, e_k × u_i does not separate the shapes.
 #[inline(always)]
-pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading, const LOOKS_TWICE: bool>(
+pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading>(
     s: &Parallelepiped<P>,
     error_bound: &ErrorBound<P>,
+    looks_twice: bool,
 ) -> R {
     let Parallelepiped { t, e, u, h, one } = s;
     let n = cross(&e[0], &e[1]);
@@ -83,7 +84,7 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading, const LOOKS_TWIC
         };
         for i in 0..3 {
             let (gap, reach) = on_edge(i, h);
-            if LOOKS_TWICE && gap >= -error_bound.edge {
+            if looks_twice && gap >= -error_bound.edge {
                 let (i, j, l) = turn(i);
                 let is_settled = |h: &[P; 3]| {
                     on_plane(h).0 < -error_bound.plane

@@ -83,7 +83,7 @@ impl<S: Scalar> Disjoint<'_, S> {
     /// The relation by the axes in a number system, if it is certain.
     #[inline(always)]
     fn by_axes<N: Embeds<S>, R: Reading>(&self) -> Option<R::Answer> {
-        match self.by_these_axes::<N, R, false>() {
+        match self.by_these_axes::<N, R>(false) {
             None if has_second_look::<N>() => self.by_second_look::<N, R>(),
             answer => answer,
         }
@@ -92,13 +92,11 @@ impl<S: Scalar> Disjoint<'_, S> {
     #[cold]
     #[inline(never)]
     fn by_second_look<N: Embeds<S>, R: Reading>(&self) -> Option<R::Answer> {
-        self.by_these_axes::<N, R, true>()
+        self.by_these_axes::<N, R>(true)
     }
 
     #[inline(always)]
-    fn by_these_axes<N: Embeds<S>, R: Reading, const LOOKS_TWICE: bool>(
-        &self,
-    ) -> Option<R::Answer> {
+    fn by_these_axes<N: Embeds<S>, R: Reading>(&self, looks_twice: bool) -> Option<R::Answer> {
         let [a, b, c] = self.triangle.points();
         let ([u, v, w], half) = (self.obb.axes_as_arrays(), self.obb.half_extents().to_array());
         let center = self.obb.center().to_array();
@@ -120,7 +118,7 @@ impl<S: Scalar> Disjoint<'_, S> {
         let length = most(most(N::Product::ZERO, &s.t), &s.e);
         let half = largest(&s.h);
         let error = error_bound::<N>(one, axes, length, half)?;
-        all_axes::<_, R, LOOKS_TWICE>(&s, &error).answer(N::CERTAIN)
+        all_axes::<_, R>(&s, &error, looks_twice).answer(N::CERTAIN)
     }
 
     /// The answer from exact sums.

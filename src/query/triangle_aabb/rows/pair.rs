@@ -17,7 +17,7 @@ pub(in crate::query::triangle_aabb) fn pair<S: Scalar + InFloat<F>, F: Float>(
 ) -> Option<bool> {
     let clear = match *aabb.form() {
         _ if <S as InFloat<F>>::OFFSETS_FIRST && ForOffsets::IS_VECTOR => {
-            offsets::pair::<S, false>(triangle, aabb)
+            offsets::pair(triangle, aabb, offsets::apart)
         }
         AabbForm::Center { center: c, half: h } => {
             by_center::<S, F>(triangle, c.x, c.y, c.z, h.x, h.y, h.z)
@@ -47,7 +47,7 @@ fn by_center<S: Scalar + InFloat<F>, F: Float>(
     let (center, half) = (row(&Vec3::new(cx, cy, cz)), row(&Vec3::new(hx, hy, hz)));
     let rows = Rows::<F::Quad>::of(triangle);
     if !rows.are_within(S::LIMIT, center, half) {
-        return offsets::by_center::<S, false>(triangle, cx, cy, cz, hx, hy, hz);
+        return offsets::by_center(triangle, cx, cy, cz, hx, hy, hz, offsets::apart);
     }
     rows.apart(&rows.in_frame_of_center(center, half))
 }
@@ -66,7 +66,7 @@ fn by_corners<S: Scalar + InFloat<F>, F: Float>(
     let (min, max) = (row(&Vec3::new(ax, ay, az)), row(&Vec3::new(bx, by, bz)));
     let rows = Rows::<F::Quad>::of(triangle);
     if !rows.are_within(S::LIMIT, min, max) {
-        return offsets::by_corners::<S, false>(triangle, ax, ay, az, bx, by, bz);
+        return offsets::by_corners(triangle, ax, ay, az, bx, by, bz, offsets::apart);
     }
     rows.apart(&rows.in_frame_of_corners(min, max))
 }
