@@ -1,8 +1,8 @@
 //! The first look at two boxes with orthonormal axes, in vectors of `f32` for every scalar: one box in
 //! the frame of the other (Gottschalk, Lin and Manocha, 1996). Face normals are then coordinate axes,
 //! and each product has an axis of one box and an axis of the other: half as many operations as in the
-//! kernel of `rows.rs`. How far the axes are from orthonormal is measured, and part of the error
-//! bound. Skewed boxes, and short fixed point, whose axes are too coarse, are left to the other kernels.
+//! kernel of `rows.rs`. The distance of the axes from orthonormal is measured, and part of the error
+//! bound. `rows.rs` decides skewed boxes, and short fixed point, whose axes are too coarse.
 //!
 //! A pair of axes that are nearly parallel is decided by four others (see `kernel.rs`).
 
@@ -19,7 +19,7 @@ type Row = <f32 as OfFour>::Quad;
 
 /// The second box in the frame of the first.
 struct Frames {
-    /// R: the products of each axis of the first, a row each, with those of the second.
+    /// R: a row for each axis of the first box, with its products with the axes of the second.
     rows: [Row; 3],
     /// The same, a row for each axis of the second.
     columns: [Row; 3],
@@ -89,8 +89,8 @@ fn upright<S: Scalar>(first: &Aabb<S>, second: &Obb<S>) -> Option<Result<Relatio
     Frames::of_second([v0, v1, v2].map(in_units), d).relation(d, h, plain(k))
 }
 
-/// Whether two axes of a box are clearly not at right angles: most skewed boxes need no more to be
-/// left to the other kernels. No answer depends on it.
+/// Whether two axes of a box are clearly not at right angles, which rejects most skewed boxes early.
+/// No answer depends on it.
 #[inline(always)]
 fn is_skewed<S: Scalar>(u: [S; 3], v: [S; 3]) -> bool {
     let ([a, b, c], [x, y, z], one) = (plain(u), plain(v), S::plain_one().offset(S::ZERO));
@@ -205,7 +205,7 @@ impl Frames {
     }
 }
 
-/// Overlapping, if all axes are clear but the products of nearly parallel ones.
+/// Overlapping, if all axes are clear except cross products of nearly parallel axes.
 ///
 /// u_i and v_j are nearly parallel if their products with the other axes are at most 2^-10: then
 /// flattening the second box by k_j = 0 moves the gaps on the four deciding axes by at most 2^-10 of
