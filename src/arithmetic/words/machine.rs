@@ -45,6 +45,14 @@ macro_rules! word {
             fn is_central(self) -> bool {
                 self ^ (self << 1) >= 0
             }
+            #[inline(always)]
+            fn bits(self) -> i32 {
+                $word::BITS as i32 - self.leading_zeros() as i32
+            }
+            #[inline(always)]
+            fn nearest_over(self, down: i32) -> i32 {
+                if down <= 0 { (self as i32) << -down } else { (((self >> (down - 1)) + 1) >> 1) as i32 }
+            }
         }
     )*};
 }

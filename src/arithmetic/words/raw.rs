@@ -8,9 +8,6 @@ pub trait Raw: Word + Into<i64> + RawOffset {
     /// The number of bits, including the sign.
     const BITS: i32;
 
-    /// The number of bits that hold the number, which is not below zero.
-    fn bits(self) -> i32;
-
     /// Each number over 2^`down`, to the nearest. Numbers far below half of that become zero; 30
     /// bits hold the results.
     fn cut<const K: usize>(numbers: [[Self; 3]; K], down: i32) -> [[i32; 3]; K];
@@ -20,11 +17,6 @@ macro_rules! raw {
     ($($raw:ty)*) => {$(
         impl Raw for $raw {
             const BITS: i32 = <$raw>::BITS as i32;
-
-            #[inline(always)]
-            fn bits(self) -> i32 {
-                <Self as Raw>::BITS - self.leading_zeros() as i32
-            }
 
             #[inline(always)]
             fn cut<const K: usize>(numbers: [[Self; 3]; K], down: i32) -> [[i32; 3]; K] {

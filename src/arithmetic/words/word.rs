@@ -70,6 +70,11 @@ pub trait Word:
     /// Whether no difference from this word within the range can be wrapped. From the middle half
     /// of the range, wrapped differences are long.
     fn is_central(self) -> bool;
+
+    /// The number of bits that hold the word, which is not below zero.
+    fn bits(self) -> i32;
+    /// The word over 2^`down`, to the nearest, where `down` is at most its bits: 31 bits hold it.
+    fn nearest_over(self, down: i32) -> i32;
 }
 
 /// A word with a wider type for whole sums of products of three lengths.

@@ -21,7 +21,12 @@ pub(super) trait Signs: Sized {
 }
 
 /// A factor times the determinant of three vectors.
-pub(super) struct Term<'a, N: Signs>(N::Factor, &'a N::Vector, &'a N::Vector, &'a N::Vector);
+pub(super) struct Term<'a, N: Signs>(
+    pub(super) N::Factor,
+    pub(super) &'a N::Vector,
+    pub(super) &'a N::Vector,
+    pub(super) &'a N::Vector,
+);
 
 /// Exact sums, for any numbers.
 pub(super) struct InSums<S>(PhantomData<S>);
@@ -55,8 +60,21 @@ impl<W: WholeWord> Signs for InWords<W> {
     }
     #[inline(never)]
     fn sign(terms: &[Term<'_, Self>]) -> Ordering {
+        Self::sum_sign(terms.iter().map(|&Term(factor, a, b, c)| (factor, a, b, c)))
+    }
+}
+
+impl<W: WholeWord> InWords<W> {
+    /// The sign of the sum of such terms.
+    #[inline(always)]
+    pub(super) fn sum_sign<'a>(
+        terms: impl Iterator<Item = (W, &'a [W; 3], &'a [W; 3], &'a [W; 3])>,
+    ) -> Ordering
+    where
+        W: 'a,
+    {
         let mut sum = (W::Whole::ZERO, W::Whole::ZERO);
-        for &Term(factor, a, b, c) in terms {
+        for (factor, a, b, c) in terms {
             sum = dot_words(&cross_words(a, b), c).product_onto(sum, factor);
         }
         W::Whole::sign_of(sum)
@@ -66,13 +84,13 @@ impl<W: WholeWord> Signs for InWords<W> {
 /// A triangle and a parallelepiped.
 pub(super) struct ExactParallelepiped<N: Signs> {
     /// The vertices, relative to the centre.
-    t: [N::Vector; 3],
+    pub(super) t: [N::Vector; 3],
     /// The edges.
-    e: [N::Vector; 3],
+    pub(super) e: [N::Vector; 3],
     /// The axes.
-    u: [N::Vector; 3],
-    h: [N::Factor; 3],
-    one: N::Factor,
+    pub(super) u: [N::Vector; 3],
+    pub(super) h: [N::Factor; 3],
+    pub(super) one: N::Factor,
 }
 
 impl<S: Scalar> ExactParallelepiped<InSums<S>> {

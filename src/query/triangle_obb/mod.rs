@@ -7,6 +7,7 @@
 //! shapes as given (`kernel`). Fixed point first transforms the triangle in short words, with a
 //! bound on the error (`short`).
 
+mod cut;
 mod error_bound;
 mod exact;
 mod kernel;
@@ -165,7 +166,7 @@ impl<S: Scalar> Disjoint<'_, S> {
     where
         S: InWord<W>,
     {
-        self.in_words(one).answer::<R>()
+        self.in_words(one).after_cut::<R>()
     }
 
     /// The answer in words that hold the shapes if they are near each other, or far apart and of
@@ -178,7 +179,8 @@ impl<S: Scalar> Disjoint<'_, S> {
     {
         let mut words = self.in_words(one);
         let center = self.obb.center().to_array().map(S::in_word);
-        (center.iter().all(|x| x.is_central()) && words.becomes_near()).then(|| words.answer::<R>())
+        (center.iter().all(|x| x.is_central()) && words.becomes_near())
+            .then(|| words.after_cut::<R>())
     }
 
     #[inline(always)]
@@ -242,7 +244,7 @@ impl<S: Scalar> Overlaps<Obb<S>> for Triangle<S> {
     /// numbers decide: in fixed point of up to 30 fraction bits first 128 bits, for coordinates
     /// within 2³⁰ units in the last place. At last exact sums decide, up to a thousand times
     /// slower. Where registers have 32 bits, fixed point of up to 32 bits takes words instead, and
-    /// no sums.
+    /// no sums; words of 64 bits only for axes that numbers of 18 bits leave in doubt.
     ///
     /// *Panics*: never.
     ///

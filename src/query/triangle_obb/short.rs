@@ -264,14 +264,14 @@ pub(in crate::query) fn size<R: Raw, const K: usize>(x: &[[R; 3]; K]) -> R {
 
 /// The cross product over 2^19, rounded down.
 #[inline(always)]
-fn cross(a: &[i32; 3], b: &[i32; 3]) -> [i32; 3] {
+pub(super) fn cross(a: &[i32; 3], b: &[i32; 3]) -> [i32; 3] {
     let area = |j: usize, l: usize| Sum::new(a[j], b[l], -a[l], b[j]).scaled() >> 9;
     [area(1, 2), area(2, 0), area(0, 1)]
 }
 
 /// The product over 2^10, rounded down.
 #[inline(always)]
-fn product(a: &[i32; 3], b: &[i32; 3]) -> i32 {
+pub(super) fn product(a: &[i32; 3], b: &[i32; 3]) -> i32 {
     Sum::new(a[0], b[0], a[1], b[1]).with_product(a[2], b[2]).scaled()
 }
 
