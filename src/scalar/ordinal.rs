@@ -115,3 +115,49 @@ fn moved<S: InRaw>(from: S, to: S, of: impl Fn(u64) -> Option<u64>) -> S {
     // Modulo 2^64: the sum fits.
     S::from_raw(if b < a { a.wrapping_sub(part) } else { a.wrapping_add(part) })
 }
+
+#[cfg(all(test, feature = "fixed"))]
+mod tests {
+    use dashu_int::IBig;
+    use fixed::types::{I4F4, I16F16, I32F32};
+
+    use super::{InRaw, Ordinal};
+
+    /// Moves at both ends of a type and near zero, against integers of any size.
+    fn check<S: InRaw>() {
+        let (least, most) = (-S::GREATEST - 1, S::GREATEST);
+        let all = [least, least + 1, -5, 0, 1, 7, most / 3, most - 1, most];
+        assert!(
+            S::held(i128::from(most) + 1).is_none() && S::held(i128::from(least) - 1).is_none()
+        );
+        let big = |x: i64| IBig::from(x);
+        for (from, to) in all.into_iter().flat_map(|from| all.map(|to| (from, to))) {
+            let length = if to < from { big(from) - big(to) } else { big(to) - big(from) };
+            let moved = |part: IBig| {
+                let part = if part > length { length.clone() } else { part };
+                if to < from { big(from) - part } else { big(from) + part }
+            };
+            let [p, q] = [from, to].map(S::from_raw);
+            for t in all {
+                let found = S::at_time(p, q, S::from_raw(t)).ordinal();
+                let part = (&length * big(t.max(0))) >> S::FRACTION_BITS as usize;
+                assert_eq!(big(found), moved(part), "{from} {to} {t}");
+                for (a, b) in [(least, most), (most, least), (least, 0), (7, -5), (t, t)] {
+                    if (a.min(b)..=a.max(b)).contains(&t) {
+                        let found = S::between(p, q, [a, t, b].map(S::from_raw)).ordinal();
+                        let (part, whole) = (big(t) - big(a), big(b) - big(a));
+                        let part = if a == b { IBig::ZERO } else { &length * part / whole };
+                        assert_eq!(big(found), moved(part), "{from} {to} {a} {t} {b}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn moves_are_those_of_integers_of_any_size() {
+        check::<I4F4>();
+        check::<I16F16>();
+        check::<I32F32>();
+    }
+}
