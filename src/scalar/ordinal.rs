@@ -127,9 +127,9 @@ mod tests {
     fn check<S: InRaw>() {
         let (least, most) = (-S::GREATEST - 1, S::GREATEST);
         let all = [least, least + 1, -5, 0, 1, 7, most / 3, most - 1, most];
-        assert!(
-            S::held(i128::from(most) + 1).is_none() && S::held(i128::from(least) - 1).is_none()
-        );
+        let is_held = |raw: i128| S::held(raw).is_some();
+        assert!(is_held(most.into()) && !is_held(i128::from(most) + 1));
+        assert!(is_held(least.into()) && !is_held(i128::from(least) - 1));
         let big = |x: i64| IBig::from(x);
         for (from, to) in all.into_iter().flat_map(|from| all.map(|to| (from, to))) {
             let length = if to < from { big(from) - big(to) } else { big(to) - big(from) };
