@@ -28,13 +28,13 @@ use core::cmp::Ordering;
 use core::marker::PhantomData;
 
 use super::exact::{ExactParallelepiped, InWords, Signs, Term};
-use super::short::{cross, product};
+use super::short::{cross, product, size};
 use crate::arithmetic::{ProductSum, WholeWord, Word};
 use crate::query::relation::Reading;
 
 /// The bits of a cut number, without its sign.
 const CUT: i32 = 18;
-/// What a sum of cut numbers must exceed in magnitude to have the sign of the whole sum.
+/// A sum of cut numbers that exceeds this in magnitude has the sign of the whole sum.
 const DOUBT: i32 = 10_250;
 
 /// Words, each also cut.
@@ -73,15 +73,9 @@ impl<'w, W: WholeWord> ExactParallelepiped<InCutWords<'w, W>> {
     #[inline(never)]
     pub(super) fn new(words: &'w ExactParallelepiped<InWords<W>>) -> Self {
         let ExactParallelepiped { t, e, u, h, one } = words;
-        let mut lengths = size(h);
-        for v in t.iter().chain(e) {
-            lengths = lengths | size(v);
-        }
-        let mut axes = *one;
-        for v in u {
-            axes = axes | size(v);
-        }
-        let (lengths, axes) = (lengths.bits() - CUT, axes.bits() - CUT);
+        let with = |all: W, v: &[W; 3]| all | size(&[*v]);
+        let lengths = t.iter().chain(e).fold(size(&[*h]), with).bits() - CUT;
+        let axes = u.iter().fold(*one, with).bits() - CUT;
         let factor = |x: W, down| Both { whole: x, cut: x.nearest_over(down) };
         Self {
             t: t.each_ref().map(|v| vector(v, lengths)),
@@ -91,11 +85,6 @@ impl<'w, W: WholeWord> ExactParallelepiped<InCutWords<'w, W>> {
             one: factor(*one, axes),
         }
     }
-}
-
-/// The bits that any of the components has, of those below zero flipped.
-fn size<W: WholeWord>(v: &[W; 3]) -> W {
-    v[0].folded() | v[1].folded() | v[2].folded()
 }
 
 #[inline(never)]
@@ -117,7 +106,8 @@ impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
 
 #[cfg(all(test, feature = "fixed"))]
 mod tests {
-    use super::{InCutWords, vector};
+    use super::{Both, InCutWords, vector};
+    use crate::arithmetic::Word;
     use crate::query::triangle_obb::exact::{InWords, Signs, Term};
     use crate::random::Random;
 
@@ -136,13 +126,11 @@ mod tests {
                 [(f, [&a, &b, &moved]), (-f, [&b, &c, &a]), (g, [&c, &a, &b]), (-g, [&a, &b, &c])];
             let whole = order.map(|(f, [a, b, c])| Term::<InWords<i64>>(f, a, b, c));
             let cut = |v| vector::<i64>(v, 12);
-            let factor = |whole: i64| super::Both { whole, cut: ((whole >> 11) as i32 + 1) >> 1 };
+            let factor = |whole: i64| Both { whole, cut: whole.nearest_over(12) };
             let vectors = order.map(|(_, v)| v.map(cut));
-            let mut k = 0;
-            let cut = order.map(|(f, _)| {
+            let cut: [_; 4] = core::array::from_fn(|k| {
                 let [a, b, c] = &vectors[k];
-                k += 1;
-                Term::<InCutWords<'_, i64>>(factor(f), a, b, c)
+                Term::<InCutWords<'_, i64>>(factor(order[k].0), a, b, c)
             });
             let expected = InWords::sign(&whole);
             assert_eq!(InCutWords::sign(&cut), expected, "{order:?}");

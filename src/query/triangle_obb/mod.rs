@@ -5,7 +5,8 @@
 //! axis-aligned box. That is [`overlaps_obb`](crate::published::akenine_moller::overlaps_obb) in
 //! `published`. Its rounding moves the triangle, so the exact verdict uses the 13 axes of the two
 //! shapes as given (`kernel`). Fixed point first transforms the triangle in short words, with a
-//! bound on the error (`short`).
+//! bound on the error (`short`). On 32-bit cores words of 64 bits follow a look at numbers cut to
+//! 18 bits (`cut`).
 
 mod cut;
 mod error_bound;

@@ -254,8 +254,8 @@ pub(in crate::query) fn raw<S: InRaw>(v: &Vec3<S>) -> [S::Raw; 3] {
 
 /// A number at least as great as each of the numbers, and less than twice the greatest.
 #[inline(always)]
-pub(in crate::query) fn size<R: Raw, const K: usize>(x: &[[R; 3]; K]) -> R {
-    let mut size = R::ZERO;
+pub(in crate::query) fn size<W: Word, const K: usize>(x: &[[W; 3]; K]) -> W {
+    let mut size = W::ZERO;
     for x in x {
         size = size | x[0].folded() | x[1].folded() | x[2].folded();
     }
