@@ -76,6 +76,8 @@ impl Last {
 impl<S: Scalar> Predicate<S> for Meets<'_, S> {
     type Answer = FirstContact<S>;
 
+    // Out of line: its numbers are not to lie on the stack under those of the exact stage.
+    #[inline(never)]
     fn filter<N: Embeds<S>>(&self) -> Option<FirstContact<S>> {
         if !N::HAS_QUOTIENTS {
             return None;
