@@ -19,9 +19,11 @@
 //!
 //! | pair | |
 //! | --- | --- |
-//! | triangle | triangle, segment, axis-aligned box, oriented box |
-//! | axis-aligned box | axis-aligned box, oriented box, triangle |
+//! | triangle | triangle, segment, axis-aligned box, oriented box, sphere, capsule |
+//! | axis-aligned box | axis-aligned box, oriented box, triangle, sphere, capsule |
 //! | oriented box | oriented box, axis-aligned box, triangle |
-//! | segment | triangle |
+//! | segment | triangle, sphere, capsule |
+//! | sphere | sphere, capsule, triangle, segment, axis-aligned box, plane, ray |
+//! | capsule | capsule, sphere, triangle, segment, axis-aligned box, plane |
 
 pub use crate::query::{Relate, Relation};

@@ -27,4 +27,5 @@ pub mod stability;
 pub mod sweep;
 pub mod triangle_aabb;
 pub mod triangle_triangle;
+pub mod turns;
 mod unit;

@@ -11,8 +11,8 @@ use septum::{Aabb, HitRules, Obb, Ray, Segment, Triangle, Vec3};
 use super::super::draw::Draw;
 use super::answers::Answers;
 use super::contacts::tell;
-use super::pairs::closest;
 use super::queries::Query;
+use super::spheres::closest;
 use super::{greatest, least};
 
 /// A cuboid, an octahedron and a tetrahedron, by their corners among eight points.

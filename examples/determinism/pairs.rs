@@ -5,7 +5,7 @@ use septum::polygon::Polygon;
 use septum::published;
 use septum::relation::Relate;
 use septum::sweep::{Motion, Sweep};
-use septum::{Aabb, Axis, Closest, Feature, Obb, Ray, Segment, Sphere, Triangle, Vec3};
+use septum::{Aabb, Axis, Obb, Ray, Segment, Triangle, Vec3};
 
 use super::super::draw::Draw;
 use super::answers::Answers;
@@ -129,7 +129,7 @@ pub(super) fn polygons<S: Draw, A: Answers>(
 }
 
 /// Half of the way from one point to another.
-fn middle<S: Draw>(a: Vec3<S>, b: Vec3<S>) -> Vec3<S> {
+pub(super) fn middle<S: Draw>(a: Vec3<S>, b: Vec3<S>) -> Vec3<S> {
     Vec3::new(a.x.middle(b.x), a.y.middle(b.y), a.z.middle(b.z))
 }
 
@@ -195,60 +195,6 @@ pub(super) fn flats<S: Draw, A: Answers>(
     for point in [a, middle(a, b), middle(middle(a, b), c), p] {
         answers.to(Query::TriangleContains).yes(triangle.contains(point));
     }
-}
-
-/// Spheres with a triangle, segments, boxes, points and spheres.
-#[inline(never)]
-pub(super) fn spheres<S: Draw, A: Answers>(
-    triangle: &Triangle<S>,
-    aabbs: [&Aabb<S>; 2],
-    segments: &[Option<Segment<S>>; 2],
-    [p, q, d]: [Vec3<S>; 3],
-    answers: &mut A,
-) {
-    let [a, b, c] = *triangle.vertices();
-    let middle = middle(middle(a, b), c);
-    for (center, radius) in [(p, d.x), (d, q.y), (middle, d.z), (q, p.z), (p, S::ZERO)] {
-        let Ok(sphere) = Sphere::new(center, radius.size()) else { continue };
-        answers.to(Query::SphereTriangle).yes(sphere.overlaps(triangle));
-        for segment in segments.iter().flatten() {
-            answers.to(Query::SphereSegment).yes(sphere.overlaps(segment));
-        }
-        for aabb in aabbs {
-            answers.to(Query::SphereAabb).yes(sphere.overlaps(aabb));
-        }
-        for point in [a, b, c] {
-            answers.to(Query::SphereContains).yes(sphere.contains(point));
-            let Ok(other) = Sphere::new(point, q.x.size()) else { continue };
-            answers.to(Query::SphereSphere).yes(sphere.overlaps(&other));
-        }
-        closest(answers, Query::TriangleClosest, triangle.closest_point(center).ok());
-        for segment in segments.iter().flatten() {
-            closest(answers, Query::SegmentClosest, segment.closest_point(center).ok());
-        }
-        for aabb in aabbs {
-            answers.to(Query::AabbClosest).vector(aabb.closest_point(center).ok());
-        }
-        let squared = answers.to(Query::DistanceSquared);
-        squared.maybe(triangle.distance_squared(center).ok());
-        squared.maybe(segments[1].and_then(|segment| segment.distance_squared(center).ok()));
-        squared.maybe(aabbs[0].distance_squared(center).ok());
-    }
-}
-
-pub(super) fn closest<S: Draw, A: Answers>(
-    answers: &mut A,
-    query: Query,
-    found: Option<Closest<S>>,
-) {
-    let answer = answers.to(query);
-    answer.vector(found.map(|closest| closest.point));
-    answer.byte(match found.map(|closest| closest.feature) {
-        Some(Feature::Vertex(k)) => k,
-        Some(Feature::Edge(k)) => 3 + k,
-        Some(Feature::Interior) => 6,
-        None => 0xff,
-    });
 }
 
 /// The triangle, and a copy with one vertex moved: equal and different distances.

@@ -146,4 +146,6 @@ queries! {
     AabbClosest = "aabb closest_point",
     DistanceSquared = "distance_squared",
     MeshClosest = "mesh closest_point",
+    SphereRelation = "sphere relation",
+    CapsuleRelation = "capsule relation",
 }

@@ -31,6 +31,8 @@ mod meshes;
 mod pairs;
 #[path = "queries.rs"]
 pub(crate) mod queries;
+#[path = "spheres.rs"]
+mod spheres;
 
 use answers::Answers;
 use queries::Query;
@@ -112,16 +114,14 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, k: u32) {
     pairs::sweeps(&triangle, aabbs, [p, d], k % 16 == 0, answers);
     pairs::polygons(&triangle, aabbs, d, answers);
     if k % 16 == 0 {
-        pairs::spheres(&triangle, aabbs, &segments, [p, q, d], answers);
-        let shapes = meshes::Shapes {
-            aabbs,
-            obb: obb.as_ref(),
-            triangle: &triangle,
-            segments: &segments,
-            ray: ray.as_ref(),
-        };
+        let (triangle, ray) = (&triangle, ray.as_ref());
+        let others = spheres::Others { triangle, aabbs, segments: &segments, planes: &planes, ray };
+        spheres::spheres(others, [p, q, d], answers);
+        spheres::relations(others, [p, q, d], answers);
+        let shapes =
+            meshes::Shapes { aabbs, obb: obb.as_ref(), triangle, segments: &segments, ray };
         meshes::all(&[a, b, c, p, q, d, n, o], &shapes, answers);
-        grids::grids(least(p, q), half, &triangle, &segments, ray.as_ref(), answers);
+        grids::grids(least(p, q), half, triangle, &segments, ray, answers);
     }
     if let Some(ray) = &ray {
         added::crossings(ray, &triangle, aabbs, answers);

@@ -80,4 +80,14 @@ relations_reversed! {
     Obb with Triangle;
     Obb with Aabb;
     Triangle with Segment;
+    Triangle with Sphere;
+    Segment with Sphere;
+    Aabb with Sphere;
+    Plane with Sphere;
+    Ray with Sphere;
+    Triangle with Capsule;
+    Segment with Capsule;
+    Aabb with Capsule;
+    Plane with Capsule;
+    Sphere with Capsule;
 }

@@ -15,7 +15,8 @@ use crate::robust::Uncertain;
 /// some plane supports both from opposite sides, touches both, and does not contain both (R. T.
 /// Rockafellar, *Convex Analysis*, 1970, theorem 11.3). A triangle on a face of a box touches it.
 /// Two triangles of a mesh that share an edge touch, whether or not they lie in one plane; two
-/// triangles of one plane with a common area overlap.
+/// triangles of one plane with a common area overlap. A sphere or a capsule without radius is a
+/// point or a segment.
 ///
 /// The variants are ordered by nearness, disjoint shapes first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -49,7 +50,22 @@ pub trait Relate<Other> {
     ///
     /// *Cost*: as for `overlaps`; for a triangle or an axis-aligned box with an axis-aligned box,
     /// up to twice as much. In floats, contact takes wider integers unless the numbers are
-    /// short.
+    /// short. A sphere or a capsule asks `overlaps`, and if that is `true`, once more without its
+    /// surface.
+    ///
+    /// ```
+    /// use septum::relation::{Relate, Relation};
+    /// use septum::{Aabb, Capsule, Plane, Sphere};
+    ///
+    /// let cell = Aabb::from_min_max([0.0_f32; 3], [1.0; 3])?;
+    /// let ball = Sphere::new([4.0, 5.0, 0.5], 5.0)?; // 3² + 4² = 5²
+    /// assert_eq!(ball.relation(&cell), Relation::Touching);
+    /// let walker = Capsule::new([0.0, 0.0, 0.5], [0.0, 0.0, 1.5], 0.5)?;
+    /// let ground = Plane::from_point_normal([0.0; 3], [0.0, 0.0, 1.0])?;
+    /// assert_eq!(walker.relation(&ground), Relation::Touching);
+    /// assert_eq!(walker.relation(&cell), Relation::Overlapping);
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
     #[must_use]
     fn relation(&self, other: &Other) -> Relation;
 }

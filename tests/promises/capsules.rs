@@ -3,7 +3,8 @@
 use std::cmp::Ordering;
 use std::env;
 
-use septum::{Aabb, Capsule, ShapeError, Vec3};
+use septum::relation::Relate;
+use septum::{Aabb, Capsule, Plane, ShapeError, Vec3};
 use septum_kit::fixed::types::I16F16;
 use septum_kit::spheres::{CapsuleCase, Other, SphereSet};
 use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar, not_finite, with_every_scalar};
@@ -11,8 +12,8 @@ use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar, not_finite, with_eve
 /// Checks all answers about a case.
 fn check<S: Sample>(case: &CapsuleCase<S>) -> Ordering {
     let truth = case.truth();
-    let answers = case.answers();
-    assert!(answers.iter().all(|&meet| meet == truth.is_le()), "{answers:?} {truth:?} {case:?}");
+    let (answers, relation) = (case.answers(), case.relation());
+    assert!(answers.check(truth, relation), "{answers:?} {truth:?} {relation:?} {case:?}");
     truth
 }
 
@@ -103,4 +104,15 @@ fn a_capsule_in_flash_is_the_same() {
     assert_eq!(refused(A, nan, 1.0), Err(not_finite("b", None)));
     assert_eq!(refused(A, B, f32::INFINITY), Err(not_finite("radius", None)));
     assert_eq!(refused(A, B, -1.0), Err(ShapeError::NegativeRadius));
+}
+
+#[test]
+fn segments_at_a_plane() {
+    let plane = Plane::from_equation([0.0_f32, 0.0, 2.0], -2.0).unwrap();
+    let of = |from, to| {
+        let capsule = Capsule::new([0.0, 0.0, from], [3.0, 0.0, to], 0.0).unwrap();
+        capsule.relation(&plane) as u8
+    };
+    assert_eq!([of(2.0, 3.0), of(1.0, 3.0), of(-1.0, 1.0)], [0, 1, 1]);
+    assert_eq!([of(0.0, 3.0), of(1.0, 1.0)], [2, 2]);
 }

@@ -3,7 +3,8 @@
 use std::cmp::Ordering;
 use std::env;
 
-use septum::{ShapeError, Sphere};
+use septum::relation::{Relate, Relation};
+use septum::{Plane, Ray, ShapeError, Sphere};
 use septum_kit::fixed::types::I16F16;
 use septum_kit::spheres::{Other, SphereCase, SphereSet};
 use septum_kit::{Rng, Sample, for_every_scalar, not_finite, with_every_scalar};
@@ -11,8 +12,8 @@ use septum_kit::{Rng, Sample, for_every_scalar, not_finite, with_every_scalar};
 /// Checks all answers about a case.
 fn check<S: Sample>(case: &SphereCase<S>) -> Ordering {
     let truth = case.truth();
-    let answers = case.answers();
-    assert!(answers.iter().all(|&meet| meet == truth.is_le()), "{answers:?} {truth:?} {case:?}");
+    let (answers, relation) = (case.answers(), case.relation());
+    assert!(answers.check(truth, relation), "{answers:?} {truth:?} {relation:?} {case:?}");
     if let Some(found) = case.closest() {
         let checked = case.check_closest(&found);
         assert_eq!(checked, Some(Ok(())), "{found:?} {case:?}");
@@ -113,4 +114,17 @@ fn invalid_spheres_are_refused() {
     assert_eq!(Sphere::new([0.0; 3], -f32::from_bits(1)), Err(ShapeError::NegativeRadius));
     assert!(Sphere::new([0.0; 3], -0.0_f32).is_ok());
     assert!(!Sphere::new([0.0_f32; 3], 1.0).unwrap().contains([f32::NAN, 0.0, 0.0]));
+}
+
+#[test]
+fn points_on_a_plane_or_a_ray() {
+    let at = |x: f32| Sphere::new([x, 0.0, 0.0], 0.0).unwrap();
+    let plane = Plane::from_equation([0.0, 0.0, 1.0], 0.0).unwrap();
+    assert_eq!(at(3.0).relation(&plane), Relation::Overlapping);
+    let ray = Ray::new([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]).unwrap();
+    let of = |ray: &Ray<f32>| [0.0, 1.0, 2.0, 3.0].map(|x| at(x).relation(ray) as u8);
+    assert_eq!(of(&ray), [0, 1, 2, 2]);
+    assert_eq!(of(&ray.with_range(0.0, 2.0).unwrap()), [0, 1, 2, 1]);
+    assert_eq!(of(&ray.with_range(None, 1.0).unwrap()), [2, 2, 1, 0]);
+    assert_eq!(of(&ray.with_range(1.0, 1.0).unwrap()), [0, 0, 2, 0]);
 }

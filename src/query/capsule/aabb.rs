@@ -4,7 +4,7 @@ use super::{Between, Beyond, all_beyond};
 use crate::arithmetic::{Embeds, Number, greatest, largest, three};
 use crate::query::Overlaps;
 use crate::query::orientation::{Vector, from};
-use crate::query::sphere::Reach;
+use crate::query::sphere::{Ball, Reach};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Capsule};
@@ -19,7 +19,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Aabb<S>> {
         let [a, b] = self.ends();
         let all = [a, b, p.to_array(), q.to_array(), [self.capsule.radius(); 3]];
         let [a, b, p, q, [r, ..]] = N::embed(&all)?;
-        let reach = Reach::<N>::new(r);
+        let reach = Reach::<N>::new(r, self.ball);
         // From each end to both extreme corners, and the extents.
         let is_by_center = matches!(self.shape.form(), AabbForm::Center { .. });
         let corners = |end: &Vector<N>| {
@@ -68,6 +68,12 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Aabb<S>> {
     }
 }
 
+/// Whether the box meets the capsule, or its points nearer than the radius.
+#[inline(always)]
+pub(super) fn meets_aabb<S: Scalar>(capsule: &Capsule<S>, aabb: &Aabb<S>, ball: Ball) -> bool {
+    !S::evaluate_numeric(&Beyond { capsule, shape: aabb, ball }) || capsule.segment().overlaps(aabb)
+}
+
 impl<S: Scalar> Overlaps<Aabb<S>> for Capsule<S> {
     /// Do a capsule and an axis-aligned box have a point in common?
     ///
@@ -93,7 +99,6 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Capsule<S> {
     /// ```
     #[inline]
     fn overlaps(&self, aabb: &Aabb<S>) -> bool {
-        !S::evaluate_numeric(&Beyond { capsule: self, shape: aabb })
-            || self.segment().overlaps(aabb)
+        meets_aabb(self, aabb, Ball::Closed)
     }
 }

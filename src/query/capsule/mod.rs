@@ -7,10 +7,11 @@
 //! `overlaps`, and a question about distances.
 
 mod aabb;
+mod relation;
 
 use super::Overlaps;
 use super::orientation::{Vector, from};
-use super::sphere::{OneSide, Reach, around, lies_beyond};
+use super::sphere::{Ball, OneSide, Reach, around, lies_beyond};
 use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, pick, three};
 use crate::robust::{Numeric, Predicate, Profile};
 use crate::scalar::Scalar;
@@ -21,6 +22,7 @@ use crate::shape::{Capsule, Plane, Segment, SegmentForm, Sphere, Triangle, Vec3}
 struct Beyond<'a, S, T> {
     capsule: &'a Capsule<S>,
     shape: &'a T,
+    ball: Ball,
 }
 
 impl<S: Scalar, T> Beyond<'_, S, T> {
@@ -77,6 +79,7 @@ struct Apart<'a, S> {
     capsule: &'a Capsule<S>,
     segment: &'a Segment<S>,
     radius: S,
+    ball: Ball,
 }
 
 impl<S: Scalar> Predicate<S> for Apart<'_, S> {
@@ -90,7 +93,7 @@ impl<S: Scalar> Predicate<S> for Apart<'_, S> {
         let radii = [self.capsule.radius(), self.radius, S::ZERO];
         let all = [a.to_array(), b.to_array(), c.to_array(), d.to_array(), radii];
         let [a, b, c, d, [r, s, _]] = N::embed(&all)?;
-        let (reach, e) = (Reach::<N>::new(r + s), from::<N>(&b, &a));
+        let (reach, e) = (Reach::<N>::new(r + s, self.ball), from::<N>(&b, &a));
         let (to_c, is_by_center) = (
             [from::<N>(&c, &a), from::<N>(&c, &b)],
             matches!(self.segment.form(), SegmentForm::Center { .. }),
@@ -116,7 +119,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Triangle<S>> {
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
         let ([a, b], [p, q, r]) = (self.ends(), self.shape.points());
         let [a, b, p, q, r, [radius, ..]] = N::embed(&[a, b, p, q, r, [self.capsule.radius(); 3]])?;
-        let reach = Reach::<N>::new(radius);
+        let reach = Reach::<N>::new(radius, self.ball);
         // Vectors to the ends of the segment.
         let [to_a, edges] = around::<N>(&a, &[p, q, r]);
         let [to_b, _] = around::<N>(&b, &[p, q, r]);
@@ -138,7 +141,11 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Triangle<S>> {
 }
 
 /// The question about a capsule's segment and a sphere.
-struct BeyondSphere<'a, S>(&'a Capsule<S>, &'a Sphere<S>);
+struct BeyondSphere<'a, S> {
+    capsule: &'a Capsule<S>,
+    sphere: &'a Sphere<S>,
+    ball: Ball,
+}
 
 impl<S: Scalar> Predicate<S> for BeyondSphere<'_, S> {
     type Answer = bool;
@@ -146,16 +153,46 @@ impl<S: Scalar> Predicate<S> for BeyondSphere<'_, S> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let Self(capsule, sphere) = self;
+        let Self { capsule, sphere, ball } = *self;
         let radii = [capsule.radius(), sphere.radius(), S::ZERO];
         let center = sphere.center().to_array();
-        lies_beyond::<S, N>(center, radii, &capsule.segment(), |[r, s, _]| r + s)
+        lies_beyond::<S, N>(center, radii, &capsule.segment(), ball, |[r, s, _]| r + s)
     }
 }
 
 impl<S: Scalar> Numeric<S> for BeyondSphere<'_, S> {}
 
 impl<S, T> Numeric<S> for Beyond<'_, S, T> where Self: Predicate<S> {}
+
+// Whether each shape meets the capsule, or its points nearer than the radius.
+
+#[inline(always)]
+fn meets_triangle<S: Scalar>(capsule: &Capsule<S>, triangle: &Triangle<S>, ball: Ball) -> bool {
+    !S::evaluate_numeric(&Beyond { capsule, shape: triangle, ball })
+        || capsule.segment().overlaps(triangle)
+}
+
+#[inline(always)]
+fn meets_segment<S: Scalar>(
+    capsule: &Capsule<S>,
+    segment: &Segment<S>,
+    radius: S,
+    ball: Ball,
+) -> bool {
+    !S::evaluate_numeric(&Apart { capsule, segment, radius, ball })
+}
+
+#[inline(always)]
+fn meets_sphere<S: Scalar>(capsule: &Capsule<S>, sphere: &Sphere<S>, ball: Ball) -> bool {
+    !S::evaluate_numeric(&BeyondSphere { capsule, sphere, ball })
+}
+
+#[inline(always)]
+fn meets_plane<S: Scalar>(capsule: &Capsule<S>, plane: &Plane<S>, ball: Ball) -> bool {
+    let (a, b) = capsule.ends();
+    let ends = [a.to_array(), b.to_array()];
+    !S::evaluate_numeric(&OneSide { plane, ends, radius: capsule.radius(), ball })
+}
 
 impl<S: Scalar> Overlaps<Triangle<S>> for Capsule<S> {
     /// Do a capsule and a triangle have a point in common?
@@ -189,8 +226,7 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Capsule<S> {
     /// ```
     #[inline]
     fn overlaps(&self, triangle: &Triangle<S>) -> bool {
-        !S::evaluate_numeric(&Beyond { capsule: self, shape: triangle })
-            || self.segment().overlaps(triangle)
+        meets_triangle(self, triangle, Ball::Closed)
     }
 }
 
@@ -217,7 +253,7 @@ impl<S: Scalar> Overlaps<Segment<S>> for Capsule<S> {
     /// ```
     #[inline]
     fn overlaps(&self, segment: &Segment<S>) -> bool {
-        !S::evaluate_numeric(&Apart { capsule: self, segment, radius: S::ZERO })
+        meets_segment(self, segment, S::ZERO, Ball::Closed)
     }
 }
 
@@ -239,8 +275,7 @@ impl<S: Scalar> Overlaps<Self> for Capsule<S> {
     /// ```
     #[inline]
     fn overlaps(&self, other: &Self) -> bool {
-        let (segment, radius) = (&other.segment(), other.radius());
-        !S::evaluate_numeric(&Apart { capsule: self, segment, radius })
+        meets_segment(self, &other.segment(), other.radius(), Ball::Closed)
     }
 }
 
@@ -260,7 +295,7 @@ impl<S: Scalar> Overlaps<Sphere<S>> for Capsule<S> {
     /// ```
     #[inline]
     fn overlaps(&self, sphere: &Sphere<S>) -> bool {
-        !S::evaluate_numeric(&BeyondSphere(self, sphere))
+        meets_sphere(self, sphere, Ball::Closed)
     }
 }
 
@@ -280,9 +315,7 @@ impl<S: Scalar> Overlaps<Plane<S>> for Capsule<S> {
     /// ```
     #[inline]
     fn overlaps(&self, plane: &Plane<S>) -> bool {
-        let (a, b) = self.ends();
-        let ends = [a.to_array(), b.to_array()];
-        !S::evaluate_numeric(&OneSide { plane, ends, radius: self.radius() })
+        meets_plane(self, plane, Ball::Closed)
     }
 }
 

@@ -20,10 +20,32 @@ use crate::arithmetic::{
 use crate::query::orientation::{Vector, from};
 use crate::robust::Uncertain;
 
+/// The points within a radius of a point or a segment.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(in crate::query) enum Ball {
+    /// With those at a distance of the radius.
+    Closed,
+    /// Without them. The radius is above zero.
+    Open,
+}
+
+impl Ball {
+    /// Whether points lie outside, from a squared distance less the square of the radius. Both may
+    /// have a common factor above zero.
+    #[inline(always)]
+    pub(super) fn excludes<T: Number>(self, gap: T, error: T) -> Uncertain {
+        match self {
+            Self::Closed => Uncertain::above(gap, error),
+            Self::Open => Uncertain::not_below(gap, error),
+        }
+    }
+}
+
 /// A radius, and its square.
 pub(in crate::query) struct Reach<N: Arithmetic> {
     radius: N::Length,
     square: N::Area,
+    ball: Ball,
 }
 
 /// A number, and a bound on its error.
@@ -40,7 +62,9 @@ pub(super) fn part<T>(f: impl FnOnce() -> T) -> T {
 }
 
 /// a·b.
-#[inline(always)]
+// Not inlined on s390x: see `scalar::axes::faces_in_double`.
+#[cfg_attr(not(target_arch = "s390x"), inline(always))]
+#[cfg_attr(target_arch = "s390x", inline(never))]
 pub(super) fn product<N: Arithmetic>(a: &Vector<N>, b: &Vector<N>) -> N::Area {
     part(|| N::area(a[0], b[0]) + N::area(a[1], b[1]) + N::area(a[2], b[2]))
 }
@@ -67,8 +91,14 @@ impl<N: Arithmetic> Reach<N> {
     // Not inlined on s390x: see `scalar::axes::faces_in_double`.
     #[cfg_attr(not(target_arch = "s390x"), inline(always))]
     #[cfg_attr(target_arch = "s390x", inline(never))]
-    pub(in crate::query) fn new(radius: N::Length) -> Self {
-        Self { radius, square: N::area(radius, radius) }
+    pub(in crate::query) fn new(radius: N::Length, ball: Ball) -> Self {
+        Self { radius, square: N::area(radius, radius), ball }
+    }
+
+    /// As [`Ball::excludes`].
+    #[inline(always)]
+    pub(super) fn excludes_by<T: Number>(&self, gap: T, error: T) -> Uncertain {
+        self.ball.excludes(gap, error)
     }
 
     /// The square of the radius.
@@ -98,11 +128,11 @@ impl<N: Arithmetic> Reach<N> {
         let square = product::<N>(d, d);
         let gap = square - self.square;
         if N::CERTAIN {
-            return Uncertain::above(gap, N::Area::ZERO);
+            return self.excludes_by(gap, N::Area::ZERO);
         }
         let sum = d[0].magnitude() + d[1].magnitude() + d[2].magnitude();
         let error = (square + self.square + N::area(slack, sum + slack)).error(SQUARE);
-        Uncertain::above(gap, error + N::Area::UNDERFLOW)
+        self.excludes_by(gap, error + N::Area::UNDERFLOW)
     }
 
     /// The same for a point alone; `None` in doubt, and out of range.
@@ -145,7 +175,7 @@ impl<N: Arithmetic> Reach<N> {
         let from_line = squared::<N>(c, errors.minor);
         let square = N::quartic(product::<N>(e, e), self.square);
         let error = from_line.error + square.error(PRODUCT);
-        by_ends.or(Uncertain::above(from_line.value - square, error)).and(at_start).and(at_end)
+        by_ends.or(self.excludes_by(from_line.value - square, error)).and(at_start).and(at_end)
     }
 
     /// Whether a segment lies beyond; `None` in doubt.
@@ -181,7 +211,8 @@ impl<N: Arithmetic> Reach<N> {
         let size = greatest(largest_of::<N, K>(vectors), largest_of::<N, K>(edges));
         let size = greatest(size, slack);
         if N::is_narrow(greatest(size, self.radius)) {
-            let narrow = Reach::<N::Narrow> { radius: self.radius, square: self.square };
+            let narrow =
+                Reach::<N::Narrow> { radius: self.radius, square: self.square, ball: self.ball };
             narrow.excludes_near_face(vectors, edges, [size, slack])
         } else {
             self.excludes_near_face(vectors, edges, [size, slack])
@@ -227,13 +258,15 @@ impl<N: Arithmetic> Reach<N> {
         let far = part(|| N::sextic(volume, volume));
         let near = part(|| N::sextic_of_areas(normal.value, self.square));
         if N::CERTAIN {
-            return Uncertain::above(far - near, N::Sextic::ZERO);
+            // A normal of zero excludes nothing.
+            let by_plane = self.excludes_by(far - near, N::Sextic::ZERO);
+            return by_plane.and(Uncertain::known(normal.value > N::Quartic::ZERO));
         }
         let most = volume.magnitude() + volume.magnitude() + errors.volume;
         let error = N::sextic(errors.volume, most)
             + N::sextic_of_areas(normal.error, self.square)
             + (far + near).error(PRODUCT);
-        Uncertain::above(far - near, error)
+        self.excludes_by(far - near, error)
     }
 }
 

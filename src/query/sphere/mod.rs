@@ -7,11 +7,13 @@ mod foot;
 mod kernel;
 mod plane;
 mod ray;
+mod relation;
 
 pub use self::closest::Closest;
 pub(crate) use self::distance::compare_distances;
-pub(super) use self::kernel::{Reach, around};
+pub(super) use self::kernel::{Ball, Reach, around};
 pub(super) use self::plane::OneSide;
+pub(super) use self::relation::of_ball;
 use super::Overlaps;
 use super::orientation::{Vector, from};
 use crate::arithmetic::{Embeds, Number, greatest, largest, three};
@@ -19,10 +21,11 @@ use crate::robust::{Numeric, Predicate, Profile};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Segment, SegmentForm, Sphere, Triangle, Vec3};
 
-/// The question whether a shape lies beyond the sphere.
+/// The question whether a shape lies outside of the sphere.
 struct Beyond<'a, S, T> {
     sphere: &'a Sphere<S>,
     shape: &'a T,
+    ball: Ball,
 }
 
 impl<S: Scalar, T> Beyond<'_, S, T> {
@@ -43,7 +46,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Triangle<S>> {
         let [a, b, c] = self.shape.points();
         let [center, [r, ..], a, b, c] = N::embed(&[self.center(), self.radius(), a, b, c])?;
         let [vectors, edges] = around::<N>(&center, &[a, b, c]);
-        Reach::<N>::new(r).excludes_face(&vectors, &edges, N::Length::ZERO)
+        Reach::<N>::new(r, self.ball).excludes_face(&vectors, &edges, N::Length::ZERO)
     }
 }
 
@@ -53,7 +56,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Segment<S>> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        lies_beyond::<S, N>(self.center(), self.radius(), self.shape, |[r, ..]| r)
+        lies_beyond::<S, N>(self.center(), self.radius(), self.shape, self.ball, |[r, ..]| r)
     }
 }
 
@@ -63,11 +66,12 @@ pub(super) fn lies_beyond<S: Scalar, N: Embeds<S>>(
     center: [S; 3],
     radii: [S; 3],
     segment: &Segment<S>,
+    ball: Ball,
     radius: impl Fn(Vector<N>) -> N::Length,
 ) -> Option<bool> {
     let (SegmentForm::Ends(a, b) | SegmentForm::Center { center: a, half: b }) = segment.form();
     let [center, radii, a, b] = N::embed(&[center, radii, a.to_array(), b.to_array()])?;
-    let (reach, d) = (Reach::<N>::new(radius(radii)), from::<N>(&center, &a));
+    let (reach, d) = (Reach::<N>::new(radius(radii), ball), from::<N>(&center, &a));
     match segment.form() {
         SegmentForm::Ends(..) => {
             let ends = [d, from::<N>(&center, &b)];
@@ -101,7 +105,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Aabb<S>> {
                 (three(|i| above(d[i].magnitude() - q[i])), largest(&d))
             }
         };
-        Reach::<N>::new(r).excludes_if_in_range(&d, slack)
+        Reach::<N>::new(r, self.ball).excludes_if_in_range(&d, slack)
     }
 }
 
@@ -114,7 +118,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Vec3<S>> {
         let all = [self.center(), self.radius(), self.shape.to_array()];
         let [center, [r, ..], point] = N::embed(&all)?;
         let d = from::<N>(&center, &point);
-        Reach::<N>::new(r).excludes_if_in_range(&d, N::Length::ZERO)
+        Reach::<N>::new(r, self.ball).excludes_if_in_range(&d, N::Length::ZERO)
     }
 }
 
@@ -127,19 +131,20 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Sphere<S>> {
         let (center, r) = (self.shape.center().to_array(), self.shape.radius());
         let radii = [self.sphere.radius(), r, S::ZERO];
         let [p, q, [r, s, _]] = N::embed(&[self.center(), center, radii])?;
-        Reach::<N>::new(r + s).excludes_if_in_range(&from::<N>(&p, &q), N::Length::ZERO)
+        Reach::<N>::new(r + s, self.ball).excludes_if_in_range(&from::<N>(&p, &q), N::Length::ZERO)
     }
 }
 
 impl<S, T> Numeric<S> for Beyond<'_, S, T> where Self: Predicate<S> {}
 
-/// Whether the shapes overlap. On hosts `f64` answers for all scalars of up to 32 bits.
+/// Whether the shape meets the sphere, or the open ball inside. On hosts `f64` answers for all
+/// scalars of up to 32 bits.
 #[inline(always)]
-fn meet<'a, S: Scalar, T>(sphere: &'a Sphere<S>, shape: &'a T) -> bool
+fn meet<'a, S: Scalar, T>(sphere: &'a Sphere<S>, shape: &'a T, ball: Ball) -> bool
 where
     Beyond<'a, S, T>: Predicate<S, Answer = bool>,
 {
-    !S::evaluate_numeric(&Beyond { sphere, shape })
+    !S::evaluate_numeric(&Beyond { sphere, shape, ball })
 }
 
 impl<S: Scalar> Overlaps<Triangle<S>> for Sphere<S> {
@@ -174,7 +179,7 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Sphere<S> {
     /// ```
     #[inline]
     fn overlaps(&self, triangle: &Triangle<S>) -> bool {
-        meet(self, triangle)
+        meet(self, triangle, Ball::Closed)
     }
 }
 
@@ -202,7 +207,7 @@ impl<S: Scalar> Overlaps<Segment<S>> for Sphere<S> {
     /// ```
     #[inline]
     fn overlaps(&self, segment: &Segment<S>) -> bool {
-        meet(self, segment)
+        meet(self, segment, Ball::Closed)
     }
 }
 
@@ -230,7 +235,7 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Sphere<S> {
     /// ```
     #[inline]
     fn overlaps(&self, aabb: &Aabb<S>) -> bool {
-        meet(self, aabb)
+        meet(self, aabb, Ball::Closed)
     }
 }
 
@@ -253,7 +258,7 @@ impl<S: Scalar> Overlaps<Self> for Sphere<S> {
     /// ```
     #[inline]
     fn overlaps(&self, other: &Self) -> bool {
-        meet(self, other)
+        meet(self, other, Ball::Closed)
     }
 }
 
@@ -280,6 +285,6 @@ impl<S: Scalar> Sphere<S> {
     #[must_use]
     pub fn contains(&self, point: impl Into<Vec3<S>>) -> bool {
         let point = point.into();
-        point.is_finite() && meet(self, &point)
+        point.is_finite() && meet(self, &point, Ball::Closed)
     }
 }

@@ -4,11 +4,11 @@
 //! through p, (n·(x − p))² > r²·n·n: products of four numbers.
 
 use super::error_bound::PRODUCT;
-use super::kernel::{Reach, product};
-use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, once, three};
+use super::kernel::{Ball, Reach, product};
+use crate::arithmetic::{Embeds, Number, greatest, largest, once, three};
 use crate::query::Overlaps;
 use crate::query::orientation::Vector;
-use crate::robust::{Numeric, Predicate, Profile, Uncertain};
+use crate::robust::{Numeric, Predicate, Profile};
 use crate::scalar::Scalar;
 use crate::shape::{Plane, PlaneForm, Sphere};
 
@@ -23,6 +23,7 @@ pub(in crate::query) struct OneSide<'a, S> {
     pub(in crate::query) plane: &'a Plane<S>,
     pub(in crate::query) ends: [[S; 3]; 2],
     pub(in crate::query) radius: S,
+    pub(in crate::query) ball: Ball,
 }
 
 impl<S: Scalar> Predicate<S> for OneSide<'_, S> {
@@ -44,14 +45,14 @@ impl<S: Scalar> Predicate<S> for OneSide<'_, S> {
             PlaneForm::Offset(_) => N::times_one(d)?,
         };
         // Lengths as integers double them, for `times_one`.
-        let (r, nn) = (once::<N, _>(r), length_squared::<N>(&n));
-        let near = N::quartic(nn, Reach::<N>::new(r).square());
+        let (r, nn) = (once::<N, _>(r), product::<N>(&n, &n));
+        let near = N::quartic(nn, Reach::<N>::new(r, self.ball).square());
         let beyond = |x: &Vector<N>| {
             let x = three(|i| once::<N, _>(x[i] - point[i]));
             let from_plane = product::<N>(&n, &x) + d;
             let far = N::quartic(from_plane, from_plane);
             if N::CERTAIN {
-                return Some((from_plane, Uncertain::above(far - near, N::Quartic::ZERO)));
+                return Some((from_plane, self.ball.excludes(far - near, N::Quartic::ZERO)));
             }
             let (normal, size) = (largest(&n), greatest(largest(&x), r));
             let area = N::area(normal, size) + d.magnitude();
@@ -59,7 +60,7 @@ impl<S: Scalar> Predicate<S> for OneSide<'_, S> {
             let off = area.error(FROM_PLANE);
             let most = from_plane.magnitude() + from_plane.magnitude() + off;
             let error = N::quartic(off, most) + (far + near).error(PRODUCT);
-            is_known.then(|| (from_plane, Uncertain::above(far - near, error)))
+            is_known.then(|| (from_plane, self.ball.excludes(far - near, error)))
         };
         let (first, found) = beyond(&a)?;
         if !found.possible || self.ends[0] == self.ends[1] {
@@ -73,12 +74,14 @@ impl<S: Scalar> Predicate<S> for OneSide<'_, S> {
 
 impl<S: Scalar> Numeric<S> for OneSide<'_, S> {}
 
-/// v·v.
-// Not inlined on s390x: see `scalar::axes::faces_in_double`.
-#[cfg_attr(not(target_arch = "s390x"), inline(always))]
-#[cfg_attr(target_arch = "s390x", inline(never))]
-pub(super) fn length_squared<N: Arithmetic>(v: &Vector<N>) -> N::Area {
-    product::<N>(v, v)
+/// Whether the sphere, or the open ball inside, lies on one side of the plane.
+pub(super) fn lies_on_one_side<S: Scalar>(
+    sphere: &Sphere<S>,
+    plane: &Plane<S>,
+    ball: Ball,
+) -> bool {
+    let ends = [sphere.center().to_array(); 2];
+    S::evaluate_numeric(&OneSide { plane, ends, radius: sphere.radius(), ball })
 }
 
 impl<S: Scalar> Overlaps<Plane<S>> for Sphere<S> {
@@ -102,7 +105,6 @@ impl<S: Scalar> Overlaps<Plane<S>> for Sphere<S> {
     /// ```
     #[inline]
     fn overlaps(&self, plane: &Plane<S>) -> bool {
-        let ends = [self.center().to_array(); 2];
-        !S::evaluate_numeric(&OneSide { plane, ends, radius: self.radius() })
+        !lies_on_one_side(self, plane, Ball::Closed)
     }
 }

@@ -6,8 +6,7 @@
 
 use super::Beyond;
 use super::error_bound::{Errors, PRODUCT};
-use super::kernel::{Reach, product, squared};
-use super::plane::length_squared;
+use super::kernel::{Ball, Reach, product, squared};
 use crate::arithmetic::{Embeds, Number, cross, dot, greatest, largest, once, three};
 use crate::query::Overlaps;
 use crate::query::orientation::{Vector, from};
@@ -41,13 +40,13 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Ray<S>> {
         let (o, d) = (self.shape.origin().to_array(), self.shape.direction().to_array());
         let all = [self.center(), self.radius(), o, d, [from_t, to_t, S::ZERO]];
         let [c, [r, ..], o, d, [t, u, _]] = N::embed(&all)?;
-        let (reach, m) = (Reach::<N>::new(r), from::<N>(&c, &o));
+        let (reach, m) = (Reach::<N>::new(r, self.ball), from::<N>(&c, &o));
 
         let errors = Errors::<N>::with_direction(greatest(largest(&m), r), largest(&d))?;
         let far = squared::<N>(&cross::<N>(&m, &d), errors.minor);
-        let near = N::quartic(length_squared::<N>(&d), reach.square());
+        let near = N::quartic(product::<N>(&d, &d), reach.square());
         let error = far.error + near.error(PRODUCT);
-        let by_line = Uncertain::above(far.value - near, error);
+        let by_line = self.ball.excludes(far.value - near, error);
         if by_line.certain {
             return Some(true);
         }
@@ -64,7 +63,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Ray<S>> {
                         lies_beyond: reach.excludes(&m, N::Length::ZERO),
                     }
                 }
-                Some(_) => at_end::<S, N>(&m, &d, [t, r], k == 0)?,
+                Some(_) => at_end::<S, N>(&m, &d, [t, r], self.ball, k == 0)?,
             };
             by_ends = by_ends.or(is_past.and(lies_beyond));
             at_ends = at_ends.and(lies_beyond);
@@ -79,6 +78,7 @@ fn at_end<S, N: Embeds<S>>(
     m: &Vector<N>,
     d: &Vector<N>,
     [t, r]: [N::Length; 2],
+    ball: Ball,
     is_start: bool,
 ) -> Option<End> {
     let t = once::<N, _>(t);
@@ -96,7 +96,7 @@ fn at_end<S, N: Embeds<S>>(
     }
     Some(End {
         is_past: Uncertain::not_below(is_past, N::volume(size, largest(d)).error(ALONG)),
-        lies_beyond: Uncertain::above(far.value - near, far.error + near.error(PRODUCT)),
+        lies_beyond: ball.excludes(far.value - near, far.error + near.error(PRODUCT)),
     })
 }
 
@@ -126,6 +126,6 @@ impl<S: Scalar> Overlaps<Ray<S>> for Sphere<S> {
     /// ```
     #[inline]
     fn overlaps(&self, ray: &Ray<S>) -> bool {
-        super::meet(self, ray)
+        super::meet(self, ray, Ball::Closed)
     }
 }

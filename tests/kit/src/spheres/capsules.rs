@@ -9,9 +9,11 @@
 use core::cmp::Ordering;
 
 use dashu_int::IBig;
-use septum::{Aabb, Capsule, Plane, Segment, Sphere, Triangle};
+use septum::{Capsule, Segment, Sphere, Triangle};
 
-use super::{Fraction, Other, Point, Squared, dot, faces, from_hull, hull, minus, numbers};
+use super::{
+    Answers, Fraction, Other, Point, Squared, dot, faces, from_hull, hull, minus, numbers,
+};
 use crate::exact::{Parts, least_exponent, whole};
 use crate::plane::Given;
 use crate::sample::Sample;
@@ -181,42 +183,29 @@ impl<S: Sample> CapsuleCase<S> {
         self.squared().compare(&[self.radius, more].map(S::mantissa_exponent))
     }
 
-    /// The crate's answers to every query about the pair, which must all agree.
-    pub fn answers(&self) -> Vec<bool> {
+    /// The crate's answers to every query about the pair, with the ends in both orders.
+    pub fn answers(&self) -> Answers {
         let [a, b] = self.ends;
-        let capsule = Capsule::new(a, b, self.radius).expect("a capsule");
-        let turned = Capsule::new(b, a, self.radius).expect("a capsule");
+        let [capsule, turned] =
+            [[a, b], [b, a]].map(|[a, b]| Capsule::new(a, b, self.radius).expect("a capsule"));
+        let both = [&capsule, &turned];
         match self.other {
             Other::Triangle([a, b, c]) => {
-                let t = Triangle::new(a, b, c).expect("finite vertices");
-                vec![capsule.overlaps(&t), t.overlaps(&turned), capsule.may_overlap(&t)]
+                Answers::of(both, &Triangle::new(a, b, c).expect("finite vertices"))
             }
-            Other::Ends([a, b]) => {
-                let s = Segment::new(a, b).expect("finite ends");
-                vec![capsule.overlaps(&s), s.overlaps(&turned)]
-            }
+            Other::Ends([a, b]) => Answers::of(both, &Segment::new(a, b).expect("finite ends")),
             Other::Center(c, h) => {
-                let s = Segment::from_center_half_vector(c, h).expect("finite vectors");
-                vec![capsule.overlaps(&s), s.overlaps(&turned)]
+                let segment = Segment::from_center_half_vector(c, h).expect("finite vectors");
+                Answers::of(both, &segment)
             }
-            Other::Box(numbers) => {
-                let aabb: Aabb<S> = numbers.shape().expect("a box");
-                vec![capsule.overlaps(&aabb), aabb.overlaps(&turned)]
-            }
-            Other::Point(p) => vec![capsule.contains(p), turned.contains(p)],
-            Other::Sphere(c, r) => {
-                let sphere = Sphere::new(c, r).expect("a sphere");
-                vec![capsule.overlaps(&sphere), sphere.overlaps(&turned)]
-            }
+            Other::Box(numbers) => Answers::of(both, &numbers.shape().expect("a box")),
+            Other::Point(p) => Answers::of_point(both.map(|c| c.contains(p)).to_vec()),
+            Other::Sphere(c, r) => Answers::of(both, &Sphere::new(c, r).expect("a sphere")),
             Other::Capsule([a, b], r) => {
-                let other = Capsule::new(a, b, r).expect("a capsule");
-                vec![capsule.overlaps(&other), other.overlaps(&turned)]
+                Answers::of(both, &Capsule::new(a, b, r).expect("a capsule"))
             }
-            Other::Plane(n, given) => {
-                let plane: Plane<S> = given.plane(n).expect("a plane");
-                vec![capsule.overlaps(&plane), plane.overlaps(&turned)]
-            }
-            Other::Ray(..) => vec![],
+            Other::Plane(n, given) => Answers::of(both, &given.plane(n).expect("a plane")),
+            Other::Ray(..) => Answers::default(),
         }
     }
 }

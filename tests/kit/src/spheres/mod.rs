@@ -7,6 +7,7 @@
 //! faces and the interior of each axis. The crate decides first which feature is nearest, and
 //! compares cross products. A ray is a segment to a point beyond the foot of the sphere's centre.
 
+mod answers;
 mod capsules;
 mod closest;
 mod sets;
@@ -17,6 +18,7 @@ use dashu_int::IBig;
 use dashu_int::ops::BitTest;
 use septum::{Capsule, Closest, Ray, Segment, Sphere, Triangle};
 
+pub use answers::Answers;
 pub use capsules::CapsuleCase;
 pub use sets::SphereSet;
 
@@ -294,42 +296,29 @@ impl<S: Sample> SphereCase<S> {
         Some((found, closest::is_rounded(found, &num, &den, 2 * unit)))
     }
 
-    /// The crate's answers to every query about the pair, which must all agree.
-    pub fn answers(&self) -> Vec<bool> {
+    /// The crate's answers to every query about the pair.
+    pub fn answers(&self) -> Answers {
         let sphere = Sphere::new(self.center, self.radius).expect("a sphere");
+        let both = [&sphere; 2];
         match self.other {
             Other::Triangle([a, b, c]) => {
-                let t = Triangle::new(a, b, c).expect("finite vertices");
-                vec![sphere.overlaps(&t), t.overlaps(&sphere), sphere.may_overlap(&t)]
+                Answers::of(both, &Triangle::new(a, b, c).expect("finite vertices"))
             }
-            Other::Ends([a, b]) => {
-                let s = Segment::new(a, b).expect("finite ends");
-                vec![sphere.overlaps(&s), s.overlaps(&sphere)]
-            }
+            Other::Ends([a, b]) => Answers::of(both, &Segment::new(a, b).expect("finite ends")),
             Other::Center(c, h) => {
-                let s = Segment::from_center_half_vector(c, h).expect("finite vectors");
-                vec![sphere.overlaps(&s), s.overlaps(&sphere)]
+                let segment = Segment::from_center_half_vector(c, h).expect("finite vectors");
+                Answers::of(both, &segment)
             }
-            Other::Box(numbers) => {
-                let aabb = numbers.shape().expect("a box");
-                vec![sphere.overlaps(&aabb), aabb.overlaps(&sphere)]
-            }
-            Other::Point(p) => vec![sphere.contains(p)],
-            Other::Sphere(c, r) => {
-                let other = Sphere::new(c, r).expect("a sphere");
-                vec![sphere.overlaps(&other), other.overlaps(&sphere)]
-            }
+            Other::Box(numbers) => Answers::of(both, &numbers.shape().expect("a box")),
+            Other::Point(p) => Answers::of_point(vec![sphere.contains(p)]),
+            Other::Sphere(c, r) => Answers::of(both, &Sphere::new(c, r).expect("a sphere")),
             Other::Capsule([a, b], r) => {
-                let capsule = Capsule::new(a, b, r).expect("a capsule");
-                vec![sphere.overlaps(&capsule), capsule.overlaps(&sphere)]
+                Answers::of(both, &Capsule::new(a, b, r).expect("a capsule"))
             }
-            Other::Plane(n, given) => {
-                let plane = given.plane(n).expect("a plane");
-                vec![sphere.overlaps(&plane), plane.overlaps(&sphere)]
-            }
+            Other::Plane(n, given) => Answers::of(both, &given.plane(n).expect("a plane")),
             Other::Ray([o, d], [from, to]) => {
                 let ray = Ray::new(o, d).and_then(|ray| ray.with_range(from, to)).expect("a ray");
-                vec![sphere.overlaps(&ray), ray.overlaps(&sphere)]
+                Answers::of(both, &ray)
             }
         }
     }

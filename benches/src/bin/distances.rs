@@ -1,0 +1,175 @@
+//! Spheres, capsules and closest points beside the peer's in `f32`: time and wrong answers.
+
+use clap::Parser;
+use parry3d::math::{Pose, Vector};
+use parry3d::query::details::intersection_test_point_query_ball;
+use parry3d::query::{PointQuery, intersection_test};
+use parry3d::shape::{Ball, Capsule as ParryCapsule, Triangle as ParryTriangle};
+use septum::{Capsule, Sphere, Triangle};
+use septum_benches::turns::{Method, race};
+use septum_kit::Rng;
+use septum_kit::spheres::{CapsuleCase, Other, SphereCase, SphereSet};
+
+/// Times spheres, capsules and closest points with triangles, and counts wrong answers.
+#[derive(Parser)]
+#[command(version)]
+struct Options {
+    /// Rounds in which all take turns; the best of each counts
+    #[arg(long, default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..))]
+    rounds: u32,
+    /// Pairs in each scene
+    #[arg(long, default_value_t = 2000, value_parser = clap::value_parser!(u32).range(1..))]
+    pairs: u32,
+}
+
+type Point = [f32; 3];
+
+/// Cases with a triangle, out of cases with any shape.
+fn with_triangle<C>(
+    pairs: u32,
+    case: impl Fn(&mut Rng) -> C,
+    other: impl Fn(&C) -> Other<f32>,
+) -> Vec<(C, [Point; 3])> {
+    let mut rng = Rng::new(0xd15);
+    let triangle = |case: C| match other(&case) {
+        Other::Triangle(t) => Some((case, t)),
+        _ => None,
+    };
+    let cases = std::iter::repeat_with(|| case(&mut rng)).filter_map(triangle);
+    cases.take(pairs as usize).collect()
+}
+
+/// A triangle, and a point in the cube of twice its size: most spheres are apart from it.
+fn anywhere(rng: &mut Rng) -> SphereCase<f32> {
+    let mut point = |size| rng.triple(|rng| rng.real(-size, size) as f32);
+    let (center, triangle) = (point(2.0), [(); 3].map(|()| point(1.0)));
+    SphereCase { center, radius: rng.real(0.1, 0.9) as f32, other: Other::Triangle(triangle) }
+}
+
+fn capsule_anywhere(rng: &mut Rng) -> CapsuleCase<f32> {
+    let SphereCase { center, radius, other } = anywhere(rng);
+    let end = rng.triple(|rng| rng.real(-0.5, 0.5) as f32);
+    CapsuleCase { ends: [center, [0, 1, 2].map(|i| center[i] + end[i])], radius, other }
+}
+
+fn triangle([a, b, c]: [Point; 3]) -> Triangle<f32> {
+    Triangle::new(a, b, c).expect("a triangle")
+}
+
+fn of_parry([a, b, c]: [Point; 3]) -> ParryTriangle {
+    ParryTriangle::new(a.into(), b.into(), c.into())
+}
+
+fn wide(p: Point) -> [f64; 3] {
+    p.map(f64::from)
+}
+
+fn spheres(title: &str, options: &Options, case: impl Fn(&mut Rng) -> SphereCase<f32>) {
+    let cases = with_triangle(options.pairs, case, |case| case.other);
+    let truth: Vec<_> = cases.iter().map(|(case, _)| u64::from(case.truth().is_le())).collect();
+    let ours: Vec<_> = cases
+        .iter()
+        .map(|&(case, t)| (Sphere::new(case.center, case.radius).expect("a sphere"), triangle(t)))
+        .collect();
+    let in_f64: Vec<_> = cases
+        .iter()
+        .map(|&(case, t)| {
+            let sphere = Sphere::new(wide(case.center), case.radius.into()).expect("a sphere");
+            let [a, b, c] = t.map(wide);
+            (sphere, Triangle::new(a, b, c).expect("a triangle"))
+        })
+        .collect();
+    let peer: Vec<_> = cases
+        .iter()
+        .map(|&(case, t)| {
+            (Pose::from_translation(case.center.into()), Ball::new(case.radius), of_parry(t))
+        })
+        .collect();
+    let methods = [
+        Method { name: "septum, f32", ask: Box::new(|i| ours[i].0.overlaps(&ours[i].1).into()) },
+        Method {
+            name: "septum, f64",
+            ask: Box::new(|i| in_f64[i].0.overlaps(&in_f64[i].1).into()),
+        },
+        Method {
+            name: "parry3d, by projection",
+            ask: Box::new(|i| {
+                let (at, ball, triangle) = &peer[i];
+                intersection_test_point_query_ball(at, triangle, ball).intersecting.into()
+            }),
+        },
+    ];
+    race(title, options.rounds, cases.len(), &truth, &methods);
+}
+
+fn capsules(title: &str, options: &Options, case: impl Fn(&mut Rng) -> CapsuleCase<f32>) {
+    let cases = with_triangle(options.pairs, case, |case| case.other);
+    let truth: Vec<_> = cases.iter().map(|(case, _)| u64::from(case.truth().is_le())).collect();
+    let ours: Vec<_> = cases
+        .iter()
+        .map(|&(CapsuleCase { ends: [a, b], radius, .. }, t)| {
+            (Capsule::new(a, b, radius).expect("a capsule"), triangle(t))
+        })
+        .collect();
+    let peer: Vec<_> = cases
+        .iter()
+        .map(|&(CapsuleCase { ends: [a, b], radius, .. }, t)| {
+            (ParryCapsule::new(a.into(), b.into(), radius), of_parry(t))
+        })
+        .collect();
+    let at = Pose::identity();
+    let methods = [
+        Method { name: "septum, f32", ask: Box::new(|i| ours[i].0.overlaps(&ours[i].1).into()) },
+        Method {
+            name: "parry3d intersection_test",
+            ask: Box::new(|i| {
+                let (capsule, triangle) = &peer[i];
+                intersection_test(&at, capsule, &at, triangle).is_ok_and(|meet| meet).into()
+            }),
+        },
+    ];
+    race(title, options.rounds, cases.len(), &truth, &methods);
+}
+
+/// Closest points; wrong is a point that is farther than the least distance by a millionth of it.
+fn closest(title: &str, options: &Options, case: impl Fn(&mut Rng) -> SphereCase<f32>) {
+    let cases = with_triangle(options.pairs, case, |case| case.other);
+    let ours: Vec<_> = cases.iter().map(|&(case, t)| (case.center, triangle(t))).collect();
+    let peer: Vec<_> =
+        cases.iter().map(|&(case, t)| (Vector::from(case.center), of_parry(t))).collect();
+    let least: Vec<_> = cases.iter().map(|(case, _)| case.squared().root()).collect();
+    let is_far = |i: usize, q: Point| {
+        let d = [0, 1, 2].map(|k: usize| f64::from(ours[i].0[k]) - f64::from(q[k]));
+        let distance = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt();
+        u64::from(distance > least[i] * 1.000_001)
+    };
+    let methods = [
+        Method {
+            name: "septum closest_point, f32",
+            ask: Box::new(|i| {
+                let closest = ours[i].1.closest_point(ours[i].0).expect("a finite point");
+                is_far(i, closest.point.to_array())
+            }),
+        },
+        Method {
+            name: "parry3d project_local_point",
+            ask: Box::new(|i| {
+                let found = peer[i].1.project_local_point(peer[i].0, false).point;
+                is_far(i, [found.x, found.y, found.z])
+            }),
+        },
+    ];
+    race(title, options.rounds, cases.len(), &vec![0; cases.len()], &methods);
+}
+
+fn main() {
+    let options = Options::parse();
+    println!("Triangles in f32 with other shapes; wrong answers per million.");
+    spheres("spheres anywhere", &options, anywhere);
+    spheres("spheres about to touch", &options, |rng| SphereSet::Random.case(rng));
+    spheres("spheres that touch by whole numbers", &options, |rng| SphereSet::Touch.case(rng));
+    capsules("capsules anywhere", &options, capsule_anywhere);
+    capsules("capsules about to touch", &options, |rng| SphereSet::Random.capsule(rng));
+    closest("closest points, anywhere", &options, anywhere);
+    closest("closest points, of slivers", &options, |rng| SphereSet::Slivers.case(rng));
+}
