@@ -41,7 +41,7 @@ fn with_triangle<C>(
 
 /// A triangle, and a point in the cube of twice its size: most spheres are apart from it.
 fn anywhere(rng: &mut Rng) -> SphereCase<f32> {
-    let mut point = |size| rng.triple(|rng| rng.real(-size, size) as f32);
+    let mut point = |size: f64| rng.triple(|rng| rng.real(-size, size) as f32);
     let (center, triangle) = (point(2.0), [(); 3].map(|()| point(1.0)));
     SphereCase { center, radius: rng.real(0.1, 0.9) as f32, other: Other::Triangle(triangle) }
 }
@@ -124,14 +124,17 @@ fn capsules(title: &str, options: &Options, case: impl Fn(&mut Rng) -> CapsuleCa
             name: "parry3d intersection_test",
             ask: Box::new(|i| {
                 let (capsule, triangle) = &peer[i];
-                intersection_test(&at, capsule, &at, triangle).is_ok_and(|meet| meet).into()
+                intersection_test(&at, capsule, &at, triangle)
+                    .is_ok_and(|meet| meet.intersecting)
+                    .into()
             }),
         },
     ];
     race(title, options.rounds, cases.len(), &truth, &methods);
 }
 
-/// Closest points; wrong is a point that is farther than the least distance by a millionth of it.
+/// Closest points. A point is wrong if it is farther than the least distance by a millionth, of the
+/// distance and of the unit.
 fn closest(title: &str, options: &Options, case: impl Fn(&mut Rng) -> SphereCase<f32>) {
     let cases = with_triangle(options.pairs, case, |case| case.other);
     let ours: Vec<_> = cases.iter().map(|&(case, t)| (case.center, triangle(t))).collect();
@@ -141,7 +144,7 @@ fn closest(title: &str, options: &Options, case: impl Fn(&mut Rng) -> SphereCase
     let is_far = |i: usize, q: Point| {
         let d = [0, 1, 2].map(|k: usize| f64::from(ours[i].0[k]) - f64::from(q[k]));
         let distance = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt();
-        u64::from(distance > least[i] * 1.000_001)
+        u64::from(distance > least[i] * 1.000_001 + 1e-6)
     };
     let methods = [
         Method {
