@@ -53,7 +53,7 @@ static int32_t coordinate(void) { return (int32_t)(next() >> 14) - 131072; }
 /* And some of the questions alone, from one number to another. */
 #ifndef BEGIN
 #define BEGIN 0
-#define END 14
+#define END 21
 #endif
 #define ASKS(query) ((query) >= BEGIN && (query) < END)
 

@@ -33,7 +33,8 @@ __attribute__((unused)) static void NAME(check_)(void) {
     static const char *const names[] = {"triangle_aabb", "triangle_obb", "ray_aabb", "ray_triangle",
                                         "ray_triangle_hit", "contains", "triangle_triangle",
                                         "first_hit", "is_hit", "tree_aabb", "aabb_cast", "aabb_cast_triangle",
-                                        "contact", "turned_contact"};
+                                        "contact", "turned_contact", "sphere_triangle", "sphere_aabb", "capsule_triangle",
+                                        "capsule_aabb", "closest_point", "tree_closest", "tree_sphere"};
     static uint16_t nodes[3][6][4], order[32];
     ASK(tree) built;
     septum_answer is_built = septum_node_count(32) == 3 ? ASK(tree_build)(&NAME(mesh_), nodes, 3, order, &built) : 0;
@@ -84,6 +85,10 @@ __attribute__((unused)) static void NAME(check_)(void) {
             for (int k = 0; k < 3; k++) {
                 turned.center[k] = triangle.b[k];
             }
+            TYPE radius = ray.direction[0] < 0 ? (TYPE)-ray.direction[0] : ray.direction[0];
+            ASK(sphere) sphere = {{obb.center[0], obb.center[1], obb.center[2]}, radius};
+            ASK(capsule) capsule = {{ray.origin[0], ray.origin[1], ray.origin[2]}, {obb.center[0], obb.center[1], obb.center[2]}, radius};
+            ASK(closest) closest = {{0, 0, 0}, 0};
             size_t found = 99;
             septum_answer answer = is_built;
             switch (query) {
@@ -129,6 +134,27 @@ __attribute__((unused)) static void NAME(check_)(void) {
             case 13:
                 answer = ASKS(13) ? (ASK(obb_turn)(&turned, quaternion) < 0 ? SEPTUM_ANSWER_NOT_UNIT_QUATERNION : ASK(obb_obb_contact)(&obb, &turned, &contact)) : is_built;
                 break;
+            case 14:
+                answer = ASKS(14) ? ASK(sphere_triangle)(&sphere, &triangle) : is_built;
+                break;
+            case 15:
+                answer = ASKS(15) ? ASK(sphere_aabb)(&sphere, &aabb) : is_built;
+                break;
+            case 16:
+                answer = ASKS(16) ? ASK(capsule_triangle)(&capsule, &triangle) : is_built;
+                break;
+            case 17:
+                answer = ASKS(17) ? ASK(capsule_aabb)(&capsule, &aabb) : is_built;
+                break;
+            case 18:
+                answer = ASKS(18) ? ASK(triangle_closest_point)(&triangle, sphere.center, &closest) : is_built;
+                break;
+            case 19:
+                answer = ASKS(19) ? ASK(tree_closest_point)(&built, ray.origin, &found, &closest) : is_built;
+                break;
+            case 20:
+                answer = ASKS(20) ? ASK(tree_sphere)(&built, &sphere, &found) : is_built;
+                break;
             }
             yes += answer == SEPTUM_ANSWER_YES;
             add((uint32_t)answer);
@@ -142,7 +168,11 @@ __attribute__((unused)) static void NAME(check_)(void) {
             add((uint32_t)found);
             add(BITS(first.t));
             add(first.axis);
-            if (answer == SEPTUM_ANSWER_YES && query > 11) {
+            for (int k = 0; k < 3 && query > 17; k++) {
+                add(BITS(closest.point[k]));
+            }
+            add(closest.feature);
+            if (answer == SEPTUM_ANSWER_YES && (query == 12 || query == 13)) {
                 add(BITS(contact.depth));
                 for (int k = 0; k < 3; k++) {
                     add(BITS(contact.translation[k]));

@@ -7,7 +7,7 @@ use fixed::types::{I8F8, I16F16};
 use septum::contact::{Part, Translation, contact};
 use septum::mesh::{Mesh, Node, Tree};
 use septum::sweep::{Motion, Sweep};
-use septum::{Aabb, Axis, Facing, Feature, Hit, Obb, Ray, Scalar, Triangle, Vec3};
+use septum::{Aabb, Axis, Capsule, Facing, Feature, Hit, Obb, Ray, Scalar, Sphere, Triangle, Vec3};
 
 const ROUNDS: usize = 256;
 const HASH: u32 = 2_166_136_261;
@@ -97,6 +97,13 @@ fn check<S: Scalar>(name: &str, from: fn(i32) -> S, bits: fn(S) -> u32) {
         "aabb_cast_triangle",
         "contact",
         "turned_contact",
+        "sphere_triangle",
+        "sphere_aabb",
+        "capsule_triangle",
+        "capsule_aabb",
+        "closest_point",
+        "tree_closest",
+        "tree_sphere",
     ];
     let vertices = torus().0.map(|v| Vec3::from(v.map(from)));
     let (faces, nodes) = sorted(&vertices);
@@ -117,13 +124,16 @@ fn check<S: Scalar>(name: &str, from: fn(i32) -> S, bits: fn(S) -> u32) {
             let half = [65_536, 32_768, 16_384].map(from);
             let center = point();
             let obb = Obb::new(center, axes.map(|axis| axis.map(from)), half).unwrap();
-            let (origin, direction) = (point(), point());
+            let (origin, towards) = (point(), stream.point());
+            let (direction, radius) = (towards.map(from), from(towards[0].abs()));
             let ray = Ray::new(origin, direction).unwrap();
             let other = Triangle::new(least, most, center).unwrap();
             let quaternion = [from(32_768); 4];
             let turned = Obb::from_quaternion(triangle.vertices()[1], quaternion, half).unwrap();
             let motion = Motion::new([S::ZERO; 3], direction).unwrap();
-            let (mut found, mut first, mut met) = (99, None, None);
+            let sphere = Sphere::new(center, radius).unwrap();
+            let capsule = Capsule::new(origin, center, radius).unwrap();
+            let (mut found, mut first, mut met, mut closest) = (99, None, None, None);
             let mut hit = None;
             let answer = match query {
                 0 => triangle.overlaps(&aabb),
@@ -161,10 +171,26 @@ fn check<S: Scalar>(name: &str, from: fn(i32) -> S, bits: fn(S) -> u32) {
                     met = contact(&triangle, &aabb);
                     met.is_some()
                 }
-                _ => {
+                13 => {
                     met = contact(&obb, &turned);
                     met.is_some()
                 }
+                14 => sphere.overlaps(&triangle),
+                15 => sphere.overlaps(&aabb),
+                16 => capsule.overlaps(&triangle),
+                17 => capsule.overlaps(&aabb),
+                18 => {
+                    closest = triangle.closest_point(center).ok();
+                    true
+                }
+                19 => built.closest_point(origin).is_some_and(|(i, there)| {
+                    (found, closest) = (i as u32, Some(there));
+                    true
+                }),
+                _ => built.overlapping(&sphere).next().is_some_and(|i| {
+                    found = i as u32;
+                    true
+                }),
             };
             yes += u32::from(answer);
             let numbers = hit.map_or([0; 4], |hit| words(&hit, bits));
@@ -174,6 +200,10 @@ fn check<S: Scalar>(name: &str, from: fn(i32) -> S, bits: fn(S) -> u32) {
             }
             hash = add(add(hash, found), bits(first.map_or(S::ZERO, |first| first.t)));
             hash = add(hash, first.and_then(|first| first.axis).map_or(0, number));
+            let at = closest.map_or([S::ZERO; 3], |closest| closest.point.to_array());
+            let at = if query > 17 { &at[..] } else { &[] };
+            hash = at.iter().fold(hash, |hash, &x| add(hash, bits(x)));
+            hash = add(hash, closest.map_or(0, |closest| self::feature(closest.feature)));
             if let Some(contact) = met {
                 let Translation { depth, vector, .. } = contact.translation;
                 hash = [depth, vector.x, vector.y, vector.z]
@@ -205,14 +235,17 @@ fn part(part: Part) -> u32 {
     }
 }
 
-fn words<S: Copy>(hit: &Hit<S>, bits: fn(S) -> u32) -> [u32; 4] {
-    let feature = match hit.feature {
+fn feature(feature: Feature) -> u32 {
+    match feature {
         Feature::Interior => 0,
         Feature::Edge(k) => 1 + u32::from(k),
         Feature::Vertex(k) => 4 + u32::from(k),
-    };
+    }
+}
+
+fn words<S: Copy>(hit: &Hit<S>, bits: fn(S) -> u32) -> [u32; 4] {
     let front = u32::from(hit.facing == Facing::Front);
-    [bits(hit.t), bits(hit.u), bits(hit.v), front << 8 | feature]
+    [bits(hit.t), bits(hit.u), bits(hit.v), front << 8 | feature(hit.feature)]
 }
 
 fn main() {

@@ -46,6 +46,8 @@ enum septum_answer
   SEPTUM_ANSWER_NO_RANGE = -13,
   // A quaternion has not the length one.
   SEPTUM_ANSWER_NOT_UNIT_QUATERNION = -14,
+  // A radius is negative.
+  SEPTUM_ANSWER_NEGATIVE_RADIUS = -15,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -77,6 +79,26 @@ typedef struct {
   septum_i8f8 axes[3][3];
   septum_i8f8 half_extents[3];
 } septum_obb_i8f8;
+
+// A ball: all points within the radius of the centre. The radius may be zero.
+typedef struct {
+  septum_i8f8 center[3];
+  septum_i8f8 radius;
+} septum_sphere_i8f8;
+
+// All points within the radius of the segment from a to b. The radius may be zero.
+typedef struct {
+  septum_i8f8 a[3];
+  septum_i8f8 b[3];
+  septum_i8f8 radius;
+} septum_capsule_i8f8;
+
+// The point of a triangle closest to another point, rounded; `feature` is that of the exact point,
+// with the numbers of a hit.
+typedef struct {
+  septum_i8f8 point[3];
+  uint8_t feature;
+} septum_closest_i8f8;
 
 // A ray, from origin + t_min · direction to origin + t_max · direction. The direction may have any
 // length except zero. The least number of the type as t_min, and the greatest as t_max, mean an
@@ -155,6 +177,26 @@ typedef struct {
   septum_i16f16 half_extents[3];
 } septum_obb_i16f16;
 
+// A ball: all points within the radius of the centre. The radius may be zero.
+typedef struct {
+  septum_i16f16 center[3];
+  septum_i16f16 radius;
+} septum_sphere_i16f16;
+
+// All points within the radius of the segment from a to b. The radius may be zero.
+typedef struct {
+  septum_i16f16 a[3];
+  septum_i16f16 b[3];
+  septum_i16f16 radius;
+} septum_capsule_i16f16;
+
+// The point of a triangle closest to another point, rounded; `feature` is that of the exact point,
+// with the numbers of a hit.
+typedef struct {
+  septum_i16f16 point[3];
+  uint8_t feature;
+} septum_closest_i16f16;
+
 // A ray, from origin + t_min · direction to origin + t_max · direction. The direction may have any
 // length except zero. The least number of the type as t_min, and the greatest as t_max, mean an
 // unbounded end; in floats these are the infinities. A range of [0, 0], which a structure has that
@@ -229,6 +271,26 @@ typedef struct {
   float half_extents[3];
 } septum_obb_f32;
 
+// A ball: all points within the radius of the centre. The radius may be zero.
+typedef struct {
+  float center[3];
+  float radius;
+} septum_sphere_f32;
+
+// All points within the radius of the segment from a to b. The radius may be zero.
+typedef struct {
+  float a[3];
+  float b[3];
+  float radius;
+} septum_capsule_f32;
+
+// The point of a triangle closest to another point, rounded; `feature` is that of the exact point,
+// with the numbers of a hit.
+typedef struct {
+  float point[3];
+  uint8_t feature;
+} septum_closest_f32;
+
 // A ray, from origin + t_min · direction to origin + t_max · direction. The direction may have any
 // length except zero. The least number of the type as t_min, and the greatest as t_max, mean an
 // unbounded end; in floats these are the infinities. A range of [0, 0], which a structure has that
@@ -302,6 +364,26 @@ typedef struct {
   double axes[3][3];
   double half_extents[3];
 } septum_obb_f64;
+
+// A ball: all points within the radius of the centre. The radius may be zero.
+typedef struct {
+  double center[3];
+  double radius;
+} septum_sphere_f64;
+
+// All points within the radius of the segment from a to b. The radius may be zero.
+typedef struct {
+  double a[3];
+  double b[3];
+  double radius;
+} septum_capsule_f64;
+
+// The point of a triangle closest to another point, rounded; `feature` is that of the exact point,
+// with the numbers of a hit.
+typedef struct {
+  double point[3];
+  uint8_t feature;
+} septum_closest_f64;
 
 // A ray, from origin + t_min · direction to origin + t_max · direction. The direction may have any
 // length except zero. The least number of the type as t_min, and the greatest as t_max, mean an
@@ -490,6 +572,25 @@ septum_answer septum_triangle_obb_i8f8(const septum_triangle_i8f8 *triangle, con
 // Whether two triangles overlap, exactly.
 septum_answer septum_triangle_triangle_i8f8(const septum_triangle_i8f8 *first, const septum_triangle_i8f8 *second);
 
+// Whether a sphere overlaps a triangle, exactly.
+septum_answer septum_sphere_triangle_i8f8(const septum_sphere_i8f8 *sphere, const septum_triangle_i8f8 *triangle);
+
+// Whether a sphere overlaps an axis-aligned box, exactly.
+septum_answer septum_sphere_aabb_i8f8(const septum_sphere_i8f8 *sphere, const septum_aabb_i8f8 *aabb);
+
+// Whether a capsule overlaps a triangle, exactly.
+septum_answer septum_capsule_triangle_i8f8(const septum_capsule_i8f8 *capsule, const septum_triangle_i8f8 *triangle);
+
+// Whether a capsule overlaps an axis-aligned box, exactly.
+septum_answer septum_capsule_aabb_i8f8(const septum_capsule_i8f8 *capsule, const septum_aabb_i8f8 *aabb);
+
+// Writes the point of a triangle closest to a point, each coordinate rounded once: yes, or the
+// error.
+//
+// # Safety
+// `point` leads to three numbers.
+septum_answer septum_triangle_closest_point_i8f8(const septum_triangle_i8f8 *triangle, const septum_i8f8 *point, septum_closest_i8f8 *closest);
+
 // Whether a ray meets an axis-aligned box, exactly.
 septum_answer septum_ray_aabb_i8f8(const septum_ray_i8f8 *ray, const septum_aabb_i8f8 *aabb);
 
@@ -529,6 +630,25 @@ septum_answer septum_triangle_obb_i16f16(const septum_triangle_i16f16 *triangle,
 
 // Whether two triangles overlap, exactly.
 septum_answer septum_triangle_triangle_i16f16(const septum_triangle_i16f16 *first, const septum_triangle_i16f16 *second);
+
+// Whether a sphere overlaps a triangle, exactly.
+septum_answer septum_sphere_triangle_i16f16(const septum_sphere_i16f16 *sphere, const septum_triangle_i16f16 *triangle);
+
+// Whether a sphere overlaps an axis-aligned box, exactly.
+septum_answer septum_sphere_aabb_i16f16(const septum_sphere_i16f16 *sphere, const septum_aabb_i16f16 *aabb);
+
+// Whether a capsule overlaps a triangle, exactly.
+septum_answer septum_capsule_triangle_i16f16(const septum_capsule_i16f16 *capsule, const septum_triangle_i16f16 *triangle);
+
+// Whether a capsule overlaps an axis-aligned box, exactly.
+septum_answer septum_capsule_aabb_i16f16(const septum_capsule_i16f16 *capsule, const septum_aabb_i16f16 *aabb);
+
+// Writes the point of a triangle closest to a point, each coordinate rounded once: yes, or the
+// error.
+//
+// # Safety
+// `point` leads to three numbers.
+septum_answer septum_triangle_closest_point_i16f16(const septum_triangle_i16f16 *triangle, const septum_i16f16 *point, septum_closest_i16f16 *closest);
 
 // Whether a ray meets an axis-aligned box, exactly.
 septum_answer septum_ray_aabb_i16f16(const septum_ray_i16f16 *ray, const septum_aabb_i16f16 *aabb);
@@ -570,6 +690,25 @@ septum_answer septum_triangle_obb_f32(const septum_triangle_f32 *triangle, const
 // Whether two triangles overlap, exactly.
 septum_answer septum_triangle_triangle_f32(const septum_triangle_f32 *first, const septum_triangle_f32 *second);
 
+// Whether a sphere overlaps a triangle, exactly.
+septum_answer septum_sphere_triangle_f32(const septum_sphere_f32 *sphere, const septum_triangle_f32 *triangle);
+
+// Whether a sphere overlaps an axis-aligned box, exactly.
+septum_answer septum_sphere_aabb_f32(const septum_sphere_f32 *sphere, const septum_aabb_f32 *aabb);
+
+// Whether a capsule overlaps a triangle, exactly.
+septum_answer septum_capsule_triangle_f32(const septum_capsule_f32 *capsule, const septum_triangle_f32 *triangle);
+
+// Whether a capsule overlaps an axis-aligned box, exactly.
+septum_answer septum_capsule_aabb_f32(const septum_capsule_f32 *capsule, const septum_aabb_f32 *aabb);
+
+// Writes the point of a triangle closest to a point, each coordinate rounded once: yes, or the
+// error.
+//
+// # Safety
+// `point` leads to three numbers.
+septum_answer septum_triangle_closest_point_f32(const septum_triangle_f32 *triangle, const float *point, septum_closest_f32 *closest);
+
 // Whether a ray meets an axis-aligned box, exactly.
 septum_answer septum_ray_aabb_f32(const septum_ray_f32 *ray, const septum_aabb_f32 *aabb);
 
@@ -609,6 +748,25 @@ septum_answer septum_triangle_obb_f64(const septum_triangle_f64 *triangle, const
 
 // Whether two triangles overlap, exactly.
 septum_answer septum_triangle_triangle_f64(const septum_triangle_f64 *first, const septum_triangle_f64 *second);
+
+// Whether a sphere overlaps a triangle, exactly.
+septum_answer septum_sphere_triangle_f64(const septum_sphere_f64 *sphere, const septum_triangle_f64 *triangle);
+
+// Whether a sphere overlaps an axis-aligned box, exactly.
+septum_answer septum_sphere_aabb_f64(const septum_sphere_f64 *sphere, const septum_aabb_f64 *aabb);
+
+// Whether a capsule overlaps a triangle, exactly.
+septum_answer septum_capsule_triangle_f64(const septum_capsule_f64 *capsule, const septum_triangle_f64 *triangle);
+
+// Whether a capsule overlaps an axis-aligned box, exactly.
+septum_answer septum_capsule_aabb_f64(const septum_capsule_f64 *capsule, const septum_aabb_f64 *aabb);
+
+// Writes the point of a triangle closest to a point, each coordinate rounded once: yes, or the
+// error.
+//
+// # Safety
+// `point` leads to three numbers.
+septum_answer septum_triangle_closest_point_f64(const septum_triangle_f64 *triangle, const double *point, septum_closest_f64 *closest);
 
 // Whether a ray meets an axis-aligned box, exactly.
 septum_answer septum_ray_aabb_f64(const septum_ray_f64 *ray, const septum_aabb_f64 *aabb);
@@ -685,6 +843,21 @@ septum_answer septum_tree_is_hit_i8f8(const septum_tree_i8f8 *tree, const septum
 // The tree is zero, or was written by a function of this type, and its mesh has not moved.
 septum_answer septum_tree_aabb_i8f8(const septum_tree_i8f8 *tree, const septum_aabb_i8f8 *aabb, size_t *triangle);
 
+// Whether a sphere overlaps any triangle, exactly; the first in the tree's order is written if the
+// answer is yes.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+septum_answer septum_tree_sphere_i8f8(const septum_tree_i8f8 *tree, const septum_sphere_i8f8 *sphere, size_t *triangle);
+
+// The triangle closest to a point, exactly, and its point, rounded; of several at one distance the
+// least triangle. No if the mesh is empty.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `point` leads to three numbers.
+septum_answer septum_tree_closest_point_i8f8(const septum_tree_i8f8 *tree, const septum_i8f8 *point, size_t *triangle, septum_closest_i8f8 *closest);
+
 // The first triangle that a box meets as it moves by `motion`, and when: written only if the answer
 // is yes. The verdict is exact, and the time is never late.
 //
@@ -736,6 +909,21 @@ septum_answer septum_tree_is_hit_i16f16(const septum_tree_i16f16 *tree, const se
 // # Safety
 // The tree is zero, or was written by a function of this type, and its mesh has not moved.
 septum_answer septum_tree_aabb_i16f16(const septum_tree_i16f16 *tree, const septum_aabb_i16f16 *aabb, size_t *triangle);
+
+// Whether a sphere overlaps any triangle, exactly; the first in the tree's order is written if the
+// answer is yes.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+septum_answer septum_tree_sphere_i16f16(const septum_tree_i16f16 *tree, const septum_sphere_i16f16 *sphere, size_t *triangle);
+
+// The triangle closest to a point, exactly, and its point, rounded; of several at one distance the
+// least triangle. No if the mesh is empty.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `point` leads to three numbers.
+septum_answer septum_tree_closest_point_i16f16(const septum_tree_i16f16 *tree, const septum_i16f16 *point, size_t *triangle, septum_closest_i16f16 *closest);
 
 // The first triangle that a box meets as it moves by `motion`, and when: written only if the answer
 // is yes. The verdict is exact, and the time is never late.
@@ -789,6 +977,21 @@ septum_answer septum_tree_is_hit_f32(const septum_tree_f32 *tree, const septum_r
 // The tree is zero, or was written by a function of this type, and its mesh has not moved.
 septum_answer septum_tree_aabb_f32(const septum_tree_f32 *tree, const septum_aabb_f32 *aabb, size_t *triangle);
 
+// Whether a sphere overlaps any triangle, exactly; the first in the tree's order is written if the
+// answer is yes.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+septum_answer septum_tree_sphere_f32(const septum_tree_f32 *tree, const septum_sphere_f32 *sphere, size_t *triangle);
+
+// The triangle closest to a point, exactly, and its point, rounded; of several at one distance the
+// least triangle. No if the mesh is empty.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `point` leads to three numbers.
+septum_answer septum_tree_closest_point_f32(const septum_tree_f32 *tree, const float *point, size_t *triangle, septum_closest_f32 *closest);
+
 // The first triangle that a box meets as it moves by `motion`, and when: written only if the answer
 // is yes. The verdict is exact, and the time is never late.
 //
@@ -840,6 +1043,21 @@ septum_answer septum_tree_is_hit_f64(const septum_tree_f64 *tree, const septum_r
 // # Safety
 // The tree is zero, or was written by a function of this type, and its mesh has not moved.
 septum_answer septum_tree_aabb_f64(const septum_tree_f64 *tree, const septum_aabb_f64 *aabb, size_t *triangle);
+
+// Whether a sphere overlaps any triangle, exactly; the first in the tree's order is written if the
+// answer is yes.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+septum_answer septum_tree_sphere_f64(const septum_tree_f64 *tree, const septum_sphere_f64 *sphere, size_t *triangle);
+
+// The triangle closest to a point, exactly, and its point, rounded; of several at one distance the
+// least triangle. No if the mesh is empty.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `point` leads to three numbers.
+septum_answer septum_tree_closest_point_f64(const septum_tree_f64 *tree, const double *point, size_t *triangle, septum_closest_f64 *closest);
 
 // The first triangle that a box meets as it moves by `motion`, and when: written only if the answer
 // is yes. The verdict is exact, and the time is never late.
@@ -893,6 +1111,21 @@ septum_answer septum_tree32_is_hit_f32(const septum_tree32_f32 *tree, const sept
 // The tree is zero, or was written by a function of this type, and its mesh has not moved.
 septum_answer septum_tree32_aabb_f32(const septum_tree32_f32 *tree, const septum_aabb_f32 *aabb, size_t *triangle);
 
+// Whether a sphere overlaps any triangle, exactly; the first in the tree's order is written if the
+// answer is yes.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+septum_answer septum_tree32_sphere_f32(const septum_tree32_f32 *tree, const septum_sphere_f32 *sphere, size_t *triangle);
+
+// The triangle closest to a point, exactly, and its point, rounded; of several at one distance the
+// least triangle. No if the mesh is empty.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `point` leads to three numbers.
+septum_answer septum_tree32_closest_point_f32(const septum_tree32_f32 *tree, const float *point, size_t *triangle, septum_closest_f32 *closest);
+
 // The first triangle that a box meets as it moves by `motion`, and when: written only if the answer
 // is yes. The verdict is exact, and the time is never late.
 //
@@ -944,6 +1177,21 @@ septum_answer septum_tree32_is_hit_f64(const septum_tree32_f64 *tree, const sept
 // # Safety
 // The tree is zero, or was written by a function of this type, and its mesh has not moved.
 septum_answer septum_tree32_aabb_f64(const septum_tree32_f64 *tree, const septum_aabb_f64 *aabb, size_t *triangle);
+
+// Whether a sphere overlaps any triangle, exactly; the first in the tree's order is written if the
+// answer is yes.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+septum_answer septum_tree32_sphere_f64(const septum_tree32_f64 *tree, const septum_sphere_f64 *sphere, size_t *triangle);
+
+// The triangle closest to a point, exactly, and its point, rounded; of several at one distance the
+// least triangle. No if the mesh is empty.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `point` leads to three numbers.
+septum_answer septum_tree32_closest_point_f64(const septum_tree32_f64 *tree, const double *point, size_t *triangle, septum_closest_f64 *closest);
 
 // The first triangle that a box meets as it moves by `motion`, and when: written only if the answer
 // is yes. The verdict is exact, and the time is never late.

@@ -45,49 +45,42 @@ private:
 // The structures of a type of number: `int16_t` is I8F8, and `int32_t` I16F16.
 template <class S> struct types;
 
-// The triangle of a mesh that a ray or a moving box meets, and where or when.
-template <class S> struct mesh_hit {
-    std::size_t triangle;
-    typename types<S>::hit hit;
-};
-template <class S> struct mesh_contact {
-    std::size_t triangle;
-    typename types<S>::first_contact first;
-};
+// The triangle of a mesh that a ray or a moving box meets, or that is closest to a point, and where.
+template <class S> struct mesh_hit { std::size_t triangle; typename types<S>::hit hit; };
+template <class S> struct mesh_contact { std::size_t triangle; typename types<S>::first_contact first; };
+template <class S> struct mesh_closest { std::size_t triangle; typename types<S>::closest closest; };
+
+#define SEPTUM_OVERLAP(N, A, B)                                                                    \
+    inline verdict overlaps(const septum_##A##_##N &a, const septum_##B##_##N &b) noexcept {       \
+        return septum_##A##_##B##_##N(&a, &b);                                                     \
+    }
+
+#define SEPTUM_FOUND(N, NAME, F, FOUND, A, B)                                                      \
+    inline found<septum_##FOUND##_##N> NAME(const septum_##A##_##N &a, const septum_##B##_##N &b) {\
+        septum_##FOUND##_##N value{};                                                              \
+        return {septum_##F##_##N(&a, &b, &value), value};                                          \
+    }
 
 #define SEPTUM_PAIRS(S, N)                                                                         \
-    inline verdict overlaps(const septum_triangle_##N &a, const septum_aabb_##N &b) noexcept {     \
-        return septum_triangle_aabb_##N(&a, &b);                                                   \
-    }                                                                                              \
-    inline verdict overlaps(const septum_triangle_##N &a, const septum_obb_##N &b) noexcept {      \
-        return septum_triangle_obb_##N(&a, &b);                                                    \
-    }                                                                                              \
-    inline verdict overlaps(const septum_triangle_##N &a, const septum_triangle_##N &b) noexcept { \
-        return septum_triangle_triangle_##N(&a, &b);                                               \
-    }                                                                                              \
-    inline verdict overlaps(const septum_ray_##N &a, const septum_aabb_##N &b) noexcept {          \
-        return septum_ray_aabb_##N(&a, &b);                                                        \
-    }                                                                                              \
+    SEPTUM_OVERLAP(N, triangle, aabb) SEPTUM_OVERLAP(N, triangle, obb)                             \
+    SEPTUM_OVERLAP(N, triangle, triangle) SEPTUM_OVERLAP(N, ray, aabb)                             \
+    SEPTUM_OVERLAP(N, sphere, triangle) SEPTUM_OVERLAP(N, sphere, aabb)                            \
+    SEPTUM_OVERLAP(N, capsule, triangle) SEPTUM_OVERLAP(N, capsule, aabb)                          \
+    SEPTUM_FOUND(N, hit, ray_triangle_hit, hit, ray, triangle)                                     \
+    SEPTUM_FOUND(N, contact, triangle_aabb_contact, contact, triangle, aabb)                       \
+    SEPTUM_FOUND(N, contact, obb_obb_contact, contact, obb, obb)                                   \
     inline verdict is_hit(const septum_ray_##N &a, const septum_triangle_##N &b) noexcept {        \
         return septum_ray_triangle_##N(&a, &b);                                                    \
     }                                                                                              \
-    inline found<septum_hit_##N> hit(const septum_ray_##N &a, const septum_triangle_##N &b) {      \
-        septum_hit_##N value{};                                                                    \
-        return {septum_ray_triangle_hit_##N(&a, &b, &value), value};                               \
+    inline found<septum_closest_##N> closest_point(                                                \
+        const septum_triangle_##N &a, const point<S> &p) {                                         \
+        septum_closest_##N value{};                                                                \
+        return {septum_triangle_closest_point_##N(&a, p.data(), &value), value};                   \
     }                                                                                              \
     inline found<septum_first_contact_##N> cast(                                                   \
         const septum_aabb_##N &a, const point<S> &motion, const septum_triangle_##N &b) {          \
         septum_first_contact_##N value{};                                                          \
         return {septum_aabb_cast_triangle_##N(&a, motion.data(), &b, &value), value};              \
-    }                                                                                              \
-    inline found<septum_contact_##N> contact(                                                      \
-        const septum_triangle_##N &a, const septum_aabb_##N &b) {                                  \
-        septum_contact_##N value{};                                                                \
-        return {septum_triangle_aabb_contact_##N(&a, &b, &value), value};                          \
-    }                                                                                              \
-    inline found<septum_contact_##N> contact(const septum_obb_##N &a, const septum_obb_##N &b) {   \
-        septum_contact_##N value{};                                                                \
-        return {septum_obb_obb_contact_##N(&a, &b, &value), value};                                \
     }                                                                                              \
     /* A box that is turned by a unit quaternion x, y, z, w. */                                    \
     inline found<septum_obb_##N> turned(septum_obb_##N box, const std::array<S, 4> &by) {          \
@@ -95,26 +88,21 @@ template <class S> struct mesh_contact {
         return {answer, box};                                                                      \
     }
 
+#define SEPTUM_TYPE(N, T) using T = septum_##T##_##N;
+#define SEPTUM_ASK(N, TREE, F) static constexpr auto ask_##F = septum_##TREE##_##F##_##N;
+
 // TREE is tree or tree32, MESH likewise.
 #define SEPTUM_TYPES(S, N, INDEX, MESH, TREE)                                                      \
     SEPTUM_PAIRS(S, N)                                                                             \
     template <> struct types<S> {                                                                  \
         using index = INDEX;                                                                       \
-        using triangle = septum_triangle_##N;                                                      \
-        using aabb = septum_aabb_##N;                                                              \
-        using obb = septum_obb_##N;                                                                \
-        using ray = septum_ray_##N;                                                                \
-        using hit = septum_hit_##N;                                                                \
-        using first_contact = septum_first_contact_##N;                                            \
-        using contact = septum_contact_##N;                                                        \
-        using mesh = septum_##MESH##_##N;                                                          \
-        using tree = septum_##TREE##_##N;                                                          \
-        static constexpr auto build = septum_##TREE##_build_##N;                                   \
-        static constexpr auto contains = septum_##TREE##_contains_##N;                             \
-        static constexpr auto first_hit = septum_##TREE##_first_hit_##N;                           \
-        static constexpr auto is_hit = septum_##TREE##_is_hit_##N;                                 \
-        static constexpr auto aabb_overlap = septum_##TREE##_aabb_##N;                             \
-        static constexpr auto aabb_cast = septum_##TREE##_aabb_cast_##N;                           \
+        using mesh = septum_##MESH##_##N; using tree = septum_##TREE##_##N;                        \
+        SEPTUM_TYPE(N, triangle) SEPTUM_TYPE(N, aabb) SEPTUM_TYPE(N, obb) SEPTUM_TYPE(N, sphere)   \
+        SEPTUM_TYPE(N, capsule) SEPTUM_TYPE(N, ray) SEPTUM_TYPE(N, hit) SEPTUM_TYPE(N, closest)    \
+        SEPTUM_TYPE(N, first_contact) SEPTUM_TYPE(N, contact)                                      \
+        SEPTUM_ASK(N, TREE, build) SEPTUM_ASK(N, TREE, contains) SEPTUM_ASK(N, TREE, first_hit)    \
+        SEPTUM_ASK(N, TREE, is_hit) SEPTUM_ASK(N, TREE, aabb) SEPTUM_ASK(N, TREE, sphere)          \
+        SEPTUM_ASK(N, TREE, aabb_cast) SEPTUM_ASK(N, TREE, closest_point)                          \
     };
 
 SEPTUM_TYPES(std::int16_t, i8f8, std::uint16_t, mesh, tree)
@@ -123,6 +111,10 @@ SEPTUM_TYPES(float, f32, std::uint32_t, mesh32, tree32)
 SEPTUM_TYPES(double, f64, std::uint32_t, mesh32, tree32)
 #undef SEPTUM_TYPES
 #undef SEPTUM_PAIRS
+#undef SEPTUM_OVERLAP
+#undef SEPTUM_FOUND
+#undef SEPTUM_TYPE
+#undef SEPTUM_ASK
 
 // From the origin on, without an end.
 template <class S>
@@ -162,25 +154,33 @@ public:
             reinterpret_cast<const index(*)[3]>(made.triangles_.data()), made.triangles_.size(),
             nullptr, 0};
         const septum_answer answer =
-            t::build(&tables, reinterpret_cast<std::uint16_t(*)[6][4]>(made.nodes_.data()),
+            t::ask_build(&tables, reinterpret_cast<std::uint16_t(*)[6][4]>(made.nodes_.data()),
                      made.nodes_.size() - 1, made.order_.data(), &made.tree_);
         return {answer, std::move(made)};
     }
 
-    verdict contains(const point<S> &p) const noexcept { return t::contains(&tree_, p.data()); }
-    verdict is_hit(const typename t::ray &ray) const noexcept { return t::is_hit(&tree_, &ray); }
+    verdict contains(const point<S> &p) const noexcept { return t::ask_contains(&tree_, p.data()); }
+    verdict is_hit(const typename t::ray &ray) const noexcept { return t::ask_is_hit(&tree_, &ray); }
     found<mesh_hit<S>> first_hit(const typename t::ray &ray) const {
         mesh_hit<S> value{};
-        return {t::first_hit(&tree_, &ray, &value.triangle, &value.hit), value};
+        return {t::ask_first_hit(&tree_, &ray, &value.triangle, &value.hit), value};
     }
-    // Whether a box overlaps any triangle, and the first in the tree's order.
+    // Whether a box or a ball overlaps any triangle, and the first in the tree's order.
     found<std::size_t> overlaps(const typename t::aabb &box) const {
         std::size_t value{};
-        return {t::aabb_overlap(&tree_, &box, &value), value};
+        return {t::ask_aabb(&tree_, &box, &value), value};
+    }
+    found<std::size_t> overlaps(const typename t::sphere &ball) const {
+        std::size_t value{};
+        return {t::ask_sphere(&tree_, &ball, &value), value};
+    }
+    found<mesh_closest<S>> closest_point(const point<S> &p) const {
+        mesh_closest<S> value{};
+        return {t::ask_closest_point(&tree_, p.data(), &value.triangle, &value.closest), value};
     }
     found<mesh_contact<S>> cast(const typename t::aabb &box, const point<S> &motion) const {
         mesh_contact<S> value{};
-        return {t::aabb_cast(&tree_, &box, motion.data(), &value.triangle, &value.first), value};
+        return {t::ask_aabb_cast(&tree_, &box, motion.data(), &value.triangle, &value.first), value};
     }
     const std::vector<point<S>> &vertices() const noexcept { return vertices_; }
     const std::vector<triangle> &triangles() const noexcept { return triangles_; }

@@ -1,4 +1,4 @@
-//! septum for C: exact queries for triangles, boxes, rays and meshes.
+//! septum for C: exact queries for triangles, boxes, rays, spheres, capsules and meshes.
 //!
 //! The name of each function ends in the type of its numbers: `i8f8` and `i16f16` are fixed point
 //! as raw bits (a number times 2⁸ or 2¹⁶), `f32` is `float`, `f64` is `double`. Meshes have indices
@@ -19,7 +19,9 @@ mod text;
 
 pub use exports::*;
 pub use mesh::{Mesh, Tree, septum_node_count};
-pub use shapes::{Aabb, Answer, Contact, FirstContact, Hit, Obb, Point, Ray, Triangle};
+pub use shapes::{
+    Aabb, Answer, Capsule, Closest, Contact, FirstContact, Hit, Obb, Point, Ray, Sphere, Triangle,
+};
 pub use text::*;
 
 /// The linker drops it from a program that cannot panic. Tests, which unwind, have the standard

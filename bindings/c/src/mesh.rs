@@ -9,7 +9,7 @@ use septum::mesh::{self, Index, MeshError, Node};
 
 use crate::number::Number;
 use crate::queries::by;
-use crate::shapes::{Aabb, Answer, FirstContact, Hit, Ray};
+use crate::shapes::{Aabb, Answer, Closest, FirstContact, Hit, Ray, Sphere, point};
 
 /// A closed mesh and the nodes of its tree, for example in flash. Triangles are indices of
 /// vertices; with nodes they are listed in the tree's order. septum's example `quantise` writes
@@ -245,6 +245,41 @@ pub(crate) unsafe fn aabb<T: Number, I: Index>(
     unsafe {
         find(tree, triangle, Some(&mut ()), |tree| {
             Ok(tree.overlapping(&aabb.shape()?).next().map(|i| (i, ())))
+        })
+    }
+}
+
+/// # Safety
+/// As for [`opened`].
+pub(crate) unsafe fn sphere<T: Number, I: Index>(
+    tree: Option<&Tree<T, I>>,
+    sphere: Option<&Sphere<T>>,
+    triangle: Option<&mut usize>,
+) -> Answer {
+    let Some(sphere) = sphere else { return Answer::NullPointer };
+    // SAFETY: as the caller promises.
+    unsafe {
+        find(tree, triangle, Some(&mut ()), |tree| {
+            Ok(tree.overlapping(&sphere.shape()?).next().map(|i| (i, ())))
+        })
+    }
+}
+
+/// # Safety
+/// As for [`opened`].
+pub(crate) unsafe fn closest_point<T: Number, I: Index>(
+    tree: Option<&Tree<T, I>>,
+    p: Option<&[T; 3]>,
+    triangle: Option<&mut usize>,
+    closest: Option<&mut Closest<T>>,
+) -> Answer {
+    let Some(p) = p else { return Answer::NullPointer };
+    let p = point(p);
+    // SAFETY: as the caller promises.
+    unsafe {
+        find(tree, triangle, closest, |tree| {
+            let is_finite = p.iter().all(|&x| septum::Scalar::is_finite(x));
+            if is_finite { Ok(tree.closest_point(p)) } else { Err(Answer::NotFinite) }
         })
     }
 }

@@ -5,7 +5,10 @@ use septum::sweep::{Motion, Sweep};
 use septum::{Axis, ShapeError};
 
 use crate::number::Number;
-use crate::shapes::{Aabb, Answer, Contact, FirstContact, Hit, Obb, Point, Ray, Triangle, point};
+use crate::shapes::{
+    Aabb, Answer, Capsule, Closest, Contact, FirstContact, Hit, Obb, Point, Ray, Sphere, Triangle,
+    point,
+};
 
 pub(crate) fn triangle_aabb<T: Number>(
     triangle: Option<&Triangle<T>>,
@@ -26,6 +29,39 @@ pub(crate) fn triangle_triangle<T: Number>(
     second: Option<&Triangle<T>>,
 ) -> Answer {
     ask(first, second, |first, second| Ok(first.shape()?.overlaps(&second.shape()?)))
+}
+
+pub(crate) fn sphere_triangle<T: Number>(
+    sphere: Option<&Sphere<T>>,
+    triangle: Option<&Triangle<T>>,
+) -> Answer {
+    ask(sphere, triangle, |sphere, triangle| Ok(sphere.shape()?.overlaps(&triangle.shape()?)))
+}
+
+pub(crate) fn sphere_aabb<T: Number>(sphere: Option<&Sphere<T>>, aabb: Option<&Aabb<T>>) -> Answer {
+    ask(sphere, aabb, |sphere, aabb| Ok(sphere.shape()?.overlaps(&aabb.shape()?)))
+}
+
+pub(crate) fn capsule_triangle<T: Number>(
+    capsule: Option<&Capsule<T>>,
+    triangle: Option<&Triangle<T>>,
+) -> Answer {
+    ask(capsule, triangle, |capsule, triangle| Ok(capsule.shape()?.overlaps(&triangle.shape()?)))
+}
+
+pub(crate) fn capsule_aabb<T: Number>(
+    capsule: Option<&Capsule<T>>,
+    aabb: Option<&Aabb<T>>,
+) -> Answer {
+    ask(capsule, aabb, |capsule, aabb| Ok(capsule.shape()?.overlaps(&aabb.shape()?)))
+}
+
+pub(crate) fn triangle_closest_point<T: Number>(
+    triangle: Option<&Triangle<T>>,
+    p: Option<&[T; 3]>,
+    closest: Option<&mut Closest<T>>,
+) -> Answer {
+    find(triangle, p, closest, |triangle, p| Ok(Some(triangle.shape()?.closest_point(point(p))?)))
 }
 
 pub(crate) fn ray_aabb<T: Number>(ray: Option<&Ray<T>>, aabb: Option<&Aabb<T>>) -> Answer {

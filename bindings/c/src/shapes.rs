@@ -27,6 +27,21 @@ pub struct Obb<T> {
     pub half_extents: [T; 3],
 }
 
+/// A ball: all points within the radius of the centre. The radius may be zero.
+#[repr(C)]
+pub struct Sphere<T> {
+    pub center: [T; 3],
+    pub radius: T,
+}
+
+/// All points within the radius of the segment from a to b. The radius may be zero.
+#[repr(C)]
+pub struct Capsule<T> {
+    pub a: [T; 3],
+    pub b: [T; 3],
+    pub radius: T,
+}
+
 /// A ray, from origin + t_min · direction to origin + t_max · direction. The direction may have any
 /// length except zero. The least number of the type as t_min, and the greatest as t_max, mean an
 /// unbounded end; in floats these are the infinities. A range of [0, 0], which a structure has that
@@ -50,6 +65,15 @@ pub struct Hit<T> {
     pub u: T,
     pub v: T,
     pub is_front: u8,
+    pub feature: u8,
+}
+
+/// The point of a triangle closest to another point, rounded; `feature` is that of the exact point,
+/// with the numbers of a hit.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Closest<T> {
+    pub point: [T; 3],
     pub feature: u8,
 }
 
@@ -124,6 +148,8 @@ pub enum Answer {
     NoRange = -13,
     /// A quaternion has not the length one.
     NotUnitQuaternion = -14,
+    /// A radius is negative.
+    NegativeRadius = -15,
 }
 
 impl From<bool> for Answer {
@@ -143,6 +169,7 @@ impl From<ShapeError> for Answer {
             ShapeError::NotUnitQuaternion => Self::NotUnitQuaternion,
             ShapeError::ZeroDirection => Self::ZeroDirection,
             ShapeError::EmptyRange => Self::EmptyRange,
+            ShapeError::NegativeRadius => Self::NegativeRadius,
             _ => Self::NotFinite,
         }
     }
@@ -168,6 +195,18 @@ impl<T: Number> Obb<T> {
     }
 }
 
+impl<T: Number> Sphere<T> {
+    pub(crate) fn shape(&self) -> Result<septum::Sphere<T::Scalar>, ShapeError> {
+        septum::Sphere::new(point(&self.center), self.radius.scalar())
+    }
+}
+
+impl<T: Number> Capsule<T> {
+    pub(crate) fn shape(&self) -> Result<septum::Capsule<T::Scalar>, ShapeError> {
+        septum::Capsule::new(point(&self.a), point(&self.b), self.radius.scalar())
+    }
+}
+
 impl<T: Number> Ray<T> {
     pub(crate) fn shape(&self) -> Result<septum::Ray<T::Scalar>, Answer> {
         let ray = septum::Ray::new(point(&self.origin), point(&self.direction))?;
@@ -182,13 +221,24 @@ impl<T: Number> Ray<T> {
 
 impl<T: Number> From<septum::Hit<T::Scalar>> for Hit<T> {
     fn from(hit: septum::Hit<T::Scalar>) -> Self {
-        let feature = match hit.feature {
-            Feature::Interior => 0,
-            Feature::Edge(k) => 1 + k,
-            Feature::Vertex(k) => 4 + k,
-        };
         let is_front = u8::from(hit.facing == Facing::Front);
-        Self { t: T::raw(hit.t), u: T::raw(hit.u), v: T::raw(hit.v), is_front, feature }
+        let [t, u, v] = [hit.t, hit.u, hit.v].map(T::raw);
+        Self { t, u, v, is_front, feature: number(hit.feature) }
+    }
+}
+
+impl<T: Number> From<septum::Closest<T::Scalar>> for Closest<T> {
+    fn from(closest: septum::Closest<T::Scalar>) -> Self {
+        let point = closest.point.to_array().map(T::raw);
+        Self { point, feature: number(closest.feature) }
+    }
+}
+
+fn number(feature: Feature) -> u8 {
+    match feature {
+        Feature::Interior => 0,
+        Feature::Edge(k) => 1 + k,
+        Feature::Vertex(k) => 4 + k,
     }
 }
 

@@ -23,6 +23,7 @@ pub extern "C" fn septum_text(answer: i32) -> *const c_char {
         (Answer::NotOpen, c"the tree was not opened"),
         (Answer::TooManyTriangles, c"the mesh has more triangles than its indices can number"),
         (Answer::NoRange, c"the ray has the range [0, 0]: set t_max"),
+        (Answer::NegativeRadius, c"a radius is negative"),
         (Answer::NotUnitQuaternion, c"the quaternion has not the length one"),
     ];
     let text: Option<&(Answer, &CStr)> = codes.iter().find(|(code, _)| *code as i32 == answer);

@@ -29,6 +29,14 @@ template <class S> static void pairs(S one, const char *type) {
     check(bool(septum::overlaps(triangle, box)), "overlaps oriented box", type);
     check(bool(septum::overlaps(triangle, triangle)), "overlaps itself", type);
     check(bool(septum::overlaps(ray, cell)), "ray meets cell", type);
+    const typename t::sphere ball = {{o, o, o}, two}, small = {{o, o, o}, one}, inverted = {{o, o, o}, S(-one)};
+    const typename t::capsule capsule = {{o, o, o}, {one, o, o}, one};
+    check(bool(septum::overlaps(ball, triangle)) && !septum::overlaps(small, triangle), "ball", type);
+    check(bool(septum::overlaps(ball, cell)) && !septum::overlaps(small, far), "ball and box", type);
+    check(bool(septum::overlaps(capsule, triangle)) && bool(septum::overlaps(capsule, cell)), "capsule", type);
+    check(septum::overlaps(inverted, cell).answer() == SEPTUM_ANSWER_NEGATIVE_RADIUS, "no ball", type);
+    const auto closest = septum::closest_point(triangle, {four, o, o});
+    check(closest && closest->point[0] == two && closest->feature == 5, "closest", type);
     check(bool(septum::is_hit(ray, triangle)) && !septum::is_hit(away, triangle), "is hit", type);
     const auto hit = septum::hit(ray, triangle);
     check(hit && std::fabs(double(hit->t) / double(one) - 2.0 / 3.0) < 0.01, "t", type);
@@ -62,6 +70,11 @@ template <class S> static void meshes(S one, const char *type) {
     check(bool(solid.overlaps({{S(-one), S(-one), S(-one)}, {h, h, h}})), "overlaps a box", type);
     const auto met = solid.cast({{h, h, S(-2 * one)}, {h, h, S(-one)}}, {o, o, one});
     check(met && met->triangle == 0, "cast", type);
+    const auto near = solid.closest_point({h, S(-one), h});
+    check(near && near->triangle == 1 && near->closest.point[1] == o, "closest of a mesh", type);
+    using sphere = typename septum::types<S>::sphere;
+    check(bool(solid.overlaps(sphere{{o, S(-one), o}, one})), "overlaps a ball", type);
+    check(!solid.overlaps(sphere{{o, S(-one), o}, h}), "overlaps no ball", type);
     const auto bad = mesh::build(corners, {{0, 1, 9}});
     check(bad.answer() == SEPTUM_ANSWER_NO_SUCH_VERTEX, "no such vertex", type);
     check(mesh().contains({o, o, o}).answer() == SEPTUM_ANSWER_NOT_OPEN, "not built", type);

@@ -3,7 +3,7 @@
 use crate::mesh::{self, Mesh, Tree};
 #[allow(unused_imports, reason = "floats need no name")]
 use crate::number::*;
-use crate::shapes::{Aabb, Answer, FirstContact, Hit, Ray};
+use crate::shapes::{Aabb, Answer, Closest, FirstContact, Hit, Ray, Sphere};
 
 /// Checks a mesh and its tree, once: yes, or the error. `tree` is written only if the answer is
 /// yes.
@@ -95,6 +95,38 @@ pub unsafe extern "C" fn septum_tree32_aabb_f32(
 ) -> Answer {
     // SAFETY: as the caller promises.
     unsafe { mesh::aabb(tree, aabb, triangle) }
+}
+
+/// Whether a sphere overlaps any triangle, exactly; the first in the tree's order is written if the
+/// answer is yes.
+///
+/// # Safety
+/// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_tree32_sphere_f32(
+    tree: Option<&Tree<f32, u32>>,
+    sphere: Option<&Sphere<f32>>,
+    triangle: Option<&mut usize>,
+) -> Answer {
+    // SAFETY: as the caller promises.
+    unsafe { mesh::sphere(tree, sphere, triangle) }
+}
+
+/// The triangle closest to a point, exactly, and its point, rounded; of several at one distance the
+/// least triangle. No if the mesh is empty.
+///
+/// # Safety
+/// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+/// `point` leads to three numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_tree32_closest_point_f32(
+    tree: Option<&Tree<f32, u32>>,
+    point: *const f32,
+    triangle: Option<&mut usize>,
+    closest: Option<&mut Closest<f32>>,
+) -> Answer {
+    // SAFETY: as the caller promises.
+    unsafe { mesh::closest_point(tree, point.cast::<[f32; 3]>().as_ref(), triangle, closest) }
 }
 
 /// The first triangle that a box meets as it moves by `motion`, and when: written only if the answer

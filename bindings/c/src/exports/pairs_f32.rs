@@ -3,7 +3,9 @@
 #[allow(unused_imports, reason = "floats need no name")]
 use crate::number::*;
 use crate::queries;
-use crate::shapes::{Aabb, Answer, Contact, FirstContact, Hit, Obb, Ray, Triangle};
+use crate::shapes::{
+    Aabb, Answer, Capsule, Closest, Contact, FirstContact, Hit, Obb, Ray, Sphere, Triangle,
+};
 
 /// Whether a triangle overlaps an axis-aligned box, exactly.
 #[unsafe(no_mangle)]
@@ -30,6 +32,58 @@ pub extern "C" fn septum_triangle_triangle_f32(
     second: Option<&Triangle<f32>>,
 ) -> Answer {
     queries::triangle_triangle(first, second)
+}
+
+/// Whether a sphere overlaps a triangle, exactly.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_sphere_triangle_f32(
+    sphere: Option<&Sphere<f32>>,
+    triangle: Option<&Triangle<f32>>,
+) -> Answer {
+    queries::sphere_triangle(sphere, triangle)
+}
+
+/// Whether a sphere overlaps an axis-aligned box, exactly.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_sphere_aabb_f32(
+    sphere: Option<&Sphere<f32>>,
+    aabb: Option<&Aabb<f32>>,
+) -> Answer {
+    queries::sphere_aabb(sphere, aabb)
+}
+
+/// Whether a capsule overlaps a triangle, exactly.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_capsule_triangle_f32(
+    capsule: Option<&Capsule<f32>>,
+    triangle: Option<&Triangle<f32>>,
+) -> Answer {
+    queries::capsule_triangle(capsule, triangle)
+}
+
+/// Whether a capsule overlaps an axis-aligned box, exactly.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_capsule_aabb_f32(
+    capsule: Option<&Capsule<f32>>,
+    aabb: Option<&Aabb<f32>>,
+) -> Answer {
+    queries::capsule_aabb(capsule, aabb)
+}
+
+/// Writes the point of a triangle closest to a point, each coordinate rounded once: yes, or the
+/// error.
+///
+/// # Safety
+/// `point` leads to three numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_triangle_closest_point_f32(
+    triangle: Option<&Triangle<f32>>,
+    point: *const f32,
+    closest: Option<&mut Closest<f32>>,
+) -> Answer {
+    // SAFETY: as the caller promises.
+    let point = unsafe { point.cast::<[f32; 3]>().as_ref() };
+    queries::triangle_closest_point(triangle, point, closest)
 }
 
 /// Whether a ray meets an axis-aligned box, exactly.
