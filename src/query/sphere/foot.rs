@@ -67,8 +67,11 @@ pub(super) fn feature<S, N: Embeds<S>>(Around { d, e, n, errors }: &Around<N>) -
             return Some(Feature::Vertex(next(k) as u8));
         }
     }
-    let sides =
-        three(|k| certain_sign(along::<N>(n, &part(|| cross::<N>(&e[k], &d[k]))), errors.side));
+    let sides = three(|k| {
+        // Not indexed in the part, which would check the bounds.
+        let (e, d) = (&e[k], &d[k]);
+        certain_sign(along::<N>(n, &part(|| cross::<N>(e, d))), errors.side)
+    });
     for k in 0..3 {
         if is_not_above::<S, N>(sides[k]) && starts[k] > 0 && ends[k] < 0 {
             return Some(Feature::Edge(k as u8));
