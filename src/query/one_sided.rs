@@ -44,7 +44,7 @@ fn one_sided_or_touching<W: Word>(shapes: &[Projection<W>; 3]) -> bool {
 }
 
 /// The sets that an axis is to separate.
-trait Sets {
+pub(super) trait Sets {
     const ARE_OPEN: bool;
 
     #[inline(always)]
@@ -60,7 +60,7 @@ trait Sets {
 }
 
 /// The shapes: the gap has to be above zero.
-struct Closed;
+pub(super) struct Closed;
 /// Their interiors: zero suffices.
 struct Open;
 
@@ -74,19 +74,25 @@ impl Sets for Open {
 #[inline(always)]
 fn in_areas<W: Word, A: ProductSum<W>, K: Sets>(shapes: &[Projection<W>; 3]) -> bool {
     let [x, y, z] = shapes;
-    let n: [A; 3] = [normal(y, z), normal(z, x), normal(x, y)];
+    let n: [A; 3] = normals(shapes);
     let turned = [turned(n[0], y, z), turned(n[1], z, x), turned(n[2], x, y)];
     turned.iter().any(|(j, l)| an_edge_misses::<W, A, K>(j, l))
         || [false, true].iter().any(|&in_mirror| is_behind::<W, A, K>(shapes, &n, in_mirror))
+}
+
+/// The components of the normal.
+#[inline(always)]
+pub(super) fn normals<W: Word, A: ProductSum<W>>([x, y, z]: &[Projection<W>; 3]) -> [A; 3] {
+    [normal(y, z), normal(z, x), normal(x, y)]
 }
 
 /// A triangle and a box, projected on one coordinate axis, relative to the least corner of the box.
 #[derive(Clone, Copy)]
 pub(super) struct Projection<W> {
     /// The vertices.
-    t: [W; 3],
+    pub(super) t: [W; 3],
     /// The extent of the box.
-    size: W,
+    pub(super) size: W,
 }
 
 impl<W: Word> Projection<W> {
@@ -99,8 +105,15 @@ impl<W: Word> Projection<W> {
     /// Whether words have room for every result computed from these lengths. The lengths themselves
     /// must not have wrapped.
     #[inline(always)]
-    pub(super) fn are_near([x, y, z]: &[Self; 3]) -> bool {
-        (x.lengths() | y.lengths() | z.lengths()).is_near()
+    pub(super) fn are_near(shapes: &[Self; 3]) -> bool {
+        Self::longest(shapes).is_near()
+    }
+
+    /// A number at least as long as each length on all axes, and less than twice as long as the
+    /// longest.
+    #[inline(always)]
+    pub(super) fn longest([x, y, z]: &[Self; 3]) -> W {
+        x.lengths() | y.lengths() | z.lengths()
     }
 
     /// Whether a face of the box separates.
@@ -123,6 +136,13 @@ impl<W: Word> Projection<W> {
     pub(super) fn grown(self, by: W) -> Self {
         let [a, b, c] = self.t;
         Self { t: [a.plus(by), b.plus(by), c.plus(by)], size: self.size.plus(by).plus(by) }
+    }
+
+    /// The same with the triangle moved.
+    #[inline(always)]
+    pub(super) fn moved(self, by: W) -> Self {
+        let [a, b, c] = self.t;
+        Self { t: [a.plus(by), b.plus(by), c.plus(by)], ..self }
     }
 
     /// The vertices and the size.
@@ -184,13 +204,12 @@ fn an_edge_misses<W: Word, A: ProductSum<W>, K: Sets>(
         let (mut vj, mut vl) = (j.t[2], l.t[2]);
         for (&next_j, &next_l) in j.t.iter().zip(&l.t) {
             // As a sum, which takes one instruction less. For a zero component either end will do.
-            let (ej, el) = (vj - next_j, next_l - vl);
-            let (xj, xl) = (j.size.where_negative(el), l.size.where_negative(ej));
-            let beyond = A::new(K::difference(vl, xl), ej, K::difference(vj, xj), el).sign();
+            let e = [vj - next_j, next_l - vl];
+            let beyond = beyond_edge::<W, A, K>([j.size, l.size], [vj, vl], e).sign();
             if K::are_apart(beyond < W::ZERO)
                 && (!K::ARE_OPEN
-                    || has_extent::<W, A>(j, l, [ej, el])
-                    || A::new(vl - xl, ej, vj - xj, el).sign() < W::ZERO)
+                    || has_extent::<W, A>(j, l, e)
+                    || beyond_edge::<W, A, Closed>([j.size, l.size], [vj, vl], e).sign() < W::ZERO)
             {
                 return true;
             }
@@ -198,6 +217,18 @@ fn an_edge_misses<W: Word, A: ProductSum<W>, K: Sets>(
         }
         false
     })
+}
+
+/// The greatest e_j·(x_l − v_l) − e_l·(x_j − v_j) of the box, given v, −e_j and e_l; of interiors with
+/// the opposite sign. Below zero if the whole box lies on the outer side of the edge.
+#[inline(always)]
+pub(super) fn beyond_edge<W: Word, A: ProductSum<W>, K: Sets>(
+    [size_j, size_l]: [W; 2],
+    [vj, vl]: [W; 2],
+    [ej, el]: [W; 2],
+) -> A {
+    let (xj, xl) = (size_j.where_negative(el), size_l.where_negative(ej));
+    A::new(K::difference(vl, xl), ej, K::difference(vj, xj), el)
 }
 
 /// Whether the shapes are more than a point on the axis of an edge.
@@ -224,9 +255,8 @@ fn has_depth<W: Word, A: ProductSum<W>>([x, y, z]: &[Projection<W>; 3]) -> bool 
     has(x, y, z) || has(y, z, x) || has(z, x, y)
 }
 
-/// Whether the whole box lies behind the plane of the triangle, tested at the corner farthest along
-/// the normal, one of the two critical corners of Haines and Wallace. With `in_mirror`, whether it
-/// lies in front.
+/// Whether the whole box lies behind the plane of the triangle. With `in_mirror`, whether it lies in
+/// front.
 #[inline(always)]
 fn is_behind<W: Word, A: ProductSum<W>, K: Sets>(
     shapes: &[Projection<W>; 3],
@@ -234,21 +264,33 @@ fn is_behind<W: Word, A: ProductSum<W>, K: Sets>(
     in_mirror: bool,
 ) -> bool {
     out_of_line_if_wide!(W, {
-        let mut volume = A::ZERO;
-        for (s, &n) in shapes.iter().zip(n) {
-            let up = n.sign();
-            let beyond = if in_mirror {
-                K::difference(s.t[0], s.size.where_negative(up))
-            } else {
-                K::difference(s.size.unless_negative(up), s.t[0])
-            };
-            volume = A::sum(volume, n, beyond);
-        }
-        K::are_apart(A::is_negative(volume))
+        let axes = shapes.iter().zip(n).map(|(s, &n)| (n, s.t[0], s.size));
+        K::are_apart(A::is_negative(beyond_plane::<W, A, K>(axes, in_mirror)))
             && (!K::ARE_OPEN
                 || has_depth::<W, A>(shapes)
                 || is_behind::<W, A, Closed>(shapes, n, in_mirror))
     })
+}
+
+/// The greatest n·(x − v) of the box, with a vertex v. It is found at the corner farthest along the
+/// normal, one of the two critical corners of Haines and Wallace. With `in_mirror`, the greatest
+/// −n·(x − v). Of interiors with the opposite sign. Each axis has n, v and the extent of the box.
+#[inline(always)]
+pub(super) fn beyond_plane<W: Word, A: ProductSum<W>, K: Sets>(
+    axes: impl Iterator<Item = (A, W, W)>,
+    in_mirror: bool,
+) -> A::Volume {
+    let mut volume = A::ZERO;
+    for (n, v, size) in axes {
+        let up = n.sign();
+        let beyond = if in_mirror {
+            K::difference(v, size.where_negative(up))
+        } else {
+            K::difference(size.unless_negative(up), v)
+        };
+        volume = A::sum(volume, n, beyond);
+    }
+    volume
 }
 
 #[cfg(test)]

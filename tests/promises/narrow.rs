@@ -13,4 +13,5 @@ mod obb;
 mod ray_rounding;
 mod ray_triangle;
 mod relations;
+mod sweep;
 mod unit_normal;

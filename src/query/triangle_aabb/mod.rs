@@ -17,7 +17,7 @@ mod offsets;
 mod prepared;
 mod relation;
 pub(super) mod rows;
-mod words;
+pub(super) mod words;
 
 pub(crate) use error_bound::bound_of_size;
 pub(crate) use frame::range;

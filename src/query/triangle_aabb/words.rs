@@ -6,9 +6,9 @@ use crate::arithmetic::{InWord, Word, out_of_line_if_wide};
 use crate::query::one_sided::{Projection, one_sided, relation};
 use crate::query::relation::Relation;
 use crate::scalar::Scalar;
+use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 #[cfg(feature = "fixed")]
-use crate::shape::{Aabb, Near, Overlaps, Triangle};
-use crate::shape::{AabbForm, Vec3};
+use crate::shape::{Near, Overlaps};
 
 impl<S: Scalar> Disjoint<'_, S> {
     /// The answer in words wide enough for shapes anywhere.
@@ -27,7 +27,7 @@ impl<S: Scalar> Disjoint<'_, S> {
     where
         S: InWord<W>,
     {
-        let ([x, y, z], _) = self.extents();
+        let ([x, y, z], _) = extents(self.aabb);
         let projections = self.projections();
         (W::is_central(x)
             && W::is_central(y)
@@ -42,42 +42,49 @@ impl<S: Scalar> Disjoint<'_, S> {
     where
         S: InWord<W>,
     {
-        let (min, _) = self.extents();
+        let (min, _) = extents(self.aabb);
         let projections = self.projections();
         let is_near = min.iter().all(|x| x.is_central()) && Projection::are_near(&projections);
         (S::ALWAYS_NEAR || is_near).then(|| relation(&projections))
     }
 
-    /// The shapes projected on the coordinate axes, relative to the least corner of the box.
     #[inline(always)]
     fn projections<W: Word>(&self) -> [Projection<W>; 3]
     where
         S: InWord<W>,
     {
-        out_of_line_if_wide!(W, {
-            let (min, size) = self.extents();
-            let [a, b, c] = self.triangle.vertices();
-            let [a, b, c] = [words(a), words(b), words(c)];
-            let projection = |i: usize| Projection::new(min[i], size[i], [a[i], b[i], c[i]]);
-            [projection(0), projection(1), projection(2)]
-        })
+        projections(self.triangle, self.aabb)
     }
+}
 
-    /// The least corner of the box, and its extents.
-    #[inline(always)]
-    fn extents<W: Word>(&self) -> ([W; 3], [W; 3])
-    where
-        S: InWord<W>,
-    {
-        match self.aabb.form() {
-            AabbForm::Center { center, half } => {
-                let (center, half) = (words(center), words(half));
-                (each(center, half, W::minus), each(half, half, W::plus))
-            }
-            AabbForm::Corners { min, max } => {
-                let (min, max) = (words(min), words(max));
-                (min, each(max, min, W::minus))
-            }
+/// The shapes projected on the coordinate axes, relative to the least corner of the box.
+#[inline(always)]
+pub(in crate::query) fn projections<S: Scalar + InWord<W>, W: Word>(
+    triangle: &Triangle<S>,
+    aabb: &Aabb<S>,
+) -> [Projection<W>; 3] {
+    out_of_line_if_wide!(W, {
+        let (min, size) = extents(aabb);
+        let [a, b, c] = triangle.vertices();
+        let [a, b, c] = [words(a), words(b), words(c)];
+        let projection = |i: usize| Projection::new(min[i], size[i], [a[i], b[i], c[i]]);
+        [projection(0), projection(1), projection(2)]
+    })
+}
+
+/// The least corner of the box, and its extents.
+#[inline(always)]
+pub(in crate::query) fn extents<S: Scalar + InWord<W>, W: Word>(
+    aabb: &Aabb<S>,
+) -> ([W; 3], [W; 3]) {
+    match aabb.form() {
+        AabbForm::Center { center, half } => {
+            let (center, half) = (words(center), words(half));
+            (each(center, half, W::minus), each(half, half, W::plus))
+        }
+        AabbForm::Corners { min, max } => {
+            let (min, max) = (words(min), words(max));
+            (min, each(max, min, W::minus))
         }
     }
 }
@@ -94,11 +101,11 @@ impl<S: Scalar + InWord<i32>> Overlaps<Near<Aabb<S>>> for Near<Triangle<S>> {
 }
 
 #[inline(always)]
-fn words<S: InWord<W> + Copy, W: Word>(v: &Vec3<S>) -> [W; 3] {
+pub(in crate::query) fn words<S: InWord<W> + Copy, W: Word>(v: &Vec3<S>) -> [W; 3] {
     [v.x.in_word(), v.y.in_word(), v.z.in_word()]
 }
 
 #[inline(always)]
-fn each<W: Word>(a: [W; 3], b: [W; 3], f: fn(W, W) -> W) -> [W; 3] {
+pub(in crate::query) fn each<W: Word>(a: [W; 3], b: [W; 3], f: fn(W, W) -> W) -> [W; 3] {
     [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2])]
 }
