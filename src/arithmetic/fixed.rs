@@ -178,6 +178,12 @@ const fn bits<S: InRaw>() -> u32 {
     i64::BITS - S::GREATEST.leading_zeros() + 1
 }
 
+/// The places of one. It takes one place more than the numbers below it, if the type has that many.
+const fn places_of_one<S: InRaw>() -> u32 {
+    let fraction = S::FRACTION_BITS as u32;
+    if fraction < bits::<S>() { fraction + 1 } else { fraction }
+}
+
 /// Quotients of volumes in a word, place by place.
 impl<S: InRaw<Raw = i32> + InWord<W>, W: WholeWord> InWholeWord<W> for S {
     #[inline(always)]
@@ -191,10 +197,12 @@ impl<S: InRaw<Raw = i32> + InWord<W>, W: WholeWord> InWholeWord<W> for S {
     }
     #[inline(always)]
     fn share(num: W::Whole, den: W::Whole) -> Self {
-        // One takes one place more than the numbers below it.
-        let fraction = S::FRACTION_BITS as u32;
-        let places = if fraction < bits::<S>() { fraction + 1 } else { fraction };
-        Self::clamped(num.nearest(den, fraction, places).into())
+        Self::clamped(num.nearest(den, S::FRACTION_BITS as u32, places_of_one::<S>()).into())
+    }
+    #[inline(always)]
+    fn portion(num: W::Whole, den: W::Whole) -> Self {
+        let quotient = num.places(den, S::FRACTION_BITS as u32, places_of_one::<S>());
+        Self::clamped(quotient.map_or(S::GREATEST, |(q, _)| q.into()))
     }
     #[inline(always)]
     fn compare_quotient(num: W::Whole, den: W::Whole, t: Self) -> Ordering {

@@ -126,6 +126,10 @@ impl ProductSum<i16> for i32 {
     type Volume = Self;
     const ZERO: Self = 0;
     #[inline(always)]
+    fn volume(self) -> Self {
+        self
+    }
+    #[inline(always)]
     fn sum(volume: Self, area: Self, length: i16) -> Self {
         volume + area * Self::from(length)
     }
@@ -166,6 +170,10 @@ impl ProductSum<i32> for i64 {
     /// From the upper word of an area, rounded to the nearest, and the remainder.
     type Volume = (i64, i64);
     const ZERO: (i64, i64) = (0, 0);
+    #[inline(always)]
+    fn volume(self) -> (i64, i64) {
+        (0, self)
+    }
     #[inline(always)]
     fn sum((upper, lower): (i64, i64), area: i64, length: i32) -> (i64, i64) {
         let rest = area as i32;

@@ -18,6 +18,8 @@ pub trait ProductSum<W>: Copy {
 
     /// A sum of products of an area and a length.
     type Volume: Copy;
+    /// The area times one.
+    fn volume(self) -> Self::Volume;
     /// The empty sum.
     const ZERO: Self::Volume;
     /// The sum with one more product.

@@ -46,6 +46,10 @@ impl<W: Word> ProductSum<W> for SplitSum<W> {
     type Volume = [W; 4];
     const ZERO: [W; 4] = [W::ZERO; 4];
     #[inline(always)]
+    fn volume(self) -> [W; 4] {
+        [self.lower, self.upper, W::ZERO, W::ZERO]
+    }
+    #[inline(always)]
     fn sum([s0, s1, s2, s3]: [W; 4], area: Self, z: W) -> [W; 4] {
         let upper = area.sign();
         [

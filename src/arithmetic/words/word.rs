@@ -116,6 +116,9 @@ pub trait InWholeWord<W: WholeWord>: InWord<W> {
     /// num/den likewise, if it is from zero to one.
     fn share(num: W::Whole, den: W::Whole) -> Self;
 
+    /// num/den rounded down, or the end of the type, if it is above zero and at most one.
+    fn portion(num: W::Whole, den: W::Whole) -> Self;
+
     /// How num/den compares with `t`; `den` is above zero.
     fn compare_quotient(num: W::Whole, den: W::Whole, t: Self) -> Ordering;
 }

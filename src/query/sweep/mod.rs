@@ -140,7 +140,8 @@ pub trait Sweep<Other> {
     /// *Panics*: never. *Cost*: as for [`meets_along`](Self::meets_along). Shapes that meet also
     /// take one of its axes again in `f64`, and two divisions. A result in `f64` takes that axis in
     /// 106 digits, and one in fixed point of 64 bits a division of integers. On 32-bit cores, and
-    /// where two axes close at about the same time, every axis with a gap is computed.
+    /// where two axes close at about the same time, every axis with a gap is computed, each with a
+    /// division.
     #[doc(alias = "time of impact")]
     #[doc(alias = "continuous collision")]
     #[must_use]

@@ -1,10 +1,12 @@
 //! When do the shapes meet? First the bounds from floats, then the time.
 
-use super::{FirstContact, Passing, in_doubles, rows};
-use crate::arithmetic::{Embeds, Filtered, Float, InFloat, REGISTERS_ARE_WIDE};
+use super::{FirstContact, Passing, in_doubles, rows, words};
+use crate::arithmetic::{
+    Embeds, Filtered, Float, InFloat, InWholeWord, REGISTERS_ARE_WIDE, WholeWord,
+};
 use crate::query::Axis;
-use crate::robust::{Clue, Numeric, Predicate, Profile, in_exact_numbers};
-use crate::scalar::Scalar;
+use crate::robust::{Clue, Numeric, Predicate, Profile, WordKernel, in_exact_numbers};
+use crate::scalar::{FixedBackend, Scalar};
 
 /// A relative bound, above the relative loss of a scalar's number in `f64`.
 const NEAR: f64 = 64.0 * f64::EPSILON;
@@ -79,7 +81,8 @@ impl<S: Scalar> Predicate<S> for Meets<'_, S> {
     // Out of line: its numbers are not to lie on the stack under those of the exact stage.
     #[inline(never)]
     fn filter<N: Embeds<S>>(&self) -> Option<FirstContact<S>> {
-        if !N::HAS_QUOTIENTS {
+        // The compiler does not see that words always answer, and would link this.
+        if !N::HAS_QUOTIENTS || words::serve::<S>() {
             return None;
         }
         let course = self.passing.course::<N>()?;
@@ -87,11 +90,36 @@ impl<S: Scalar> Predicate<S> for Meets<'_, S> {
         self.last.and_then(on_axis).or_else(|| course.first_contact(None))
     }
 
+    #[inline(always)]
+    fn in_words(&self, _: bool) -> Option<FirstContact<S>>
+    where
+        S: FixedBackend,
+    {
+        if words::serve::<S>() { S::in_machine_words(self) } else { None }
+    }
+
     fn exact(&self) -> FirstContact<S> {
         if REGISTERS_ARE_WIDE {
             return in_exact_numbers(self);
         }
+        if words::serve::<S>() {
+            return FirstContact::default();
+        }
         self.passing.exactly().first_contact()
+    }
+}
+
+impl<S: Scalar> WordKernel<S> for Meets<'_, S> {
+    #[inline(always)]
+    fn narrow_volumes<W: WholeWord>(&self) -> Option<FirstContact<S>>
+    where
+        S: InWholeWord<W>,
+    {
+        if S::ALWAYS_NEAR {
+            Some(self.passing.contact_in_any_words())
+        } else {
+            self.passing.contact_in_near_words()
+        }
     }
 }
 

@@ -11,7 +11,7 @@
 //! * On x_i × e_k it is the outer side of edge k, seen along x_i. If the motion leads outward, the edge
 //!   counts at the end, and otherwise at the start. The sign of (e_k × d)_i says which.
 //! * On x_i × d the box lies beyond all three vertices. Both sides are tested.
-//! * On n the box lies behind the triangle at the start, or in front of it at the end.
+//! * On n the box is behind the triangle at the start, or in front of the triangle at the end.
 //! * On e_k × d edge k sweeps a face of the prism. The opposite vertex is behind it by n·d. If that is
 //!   zero, the whole prism lies in the plane of the face, and either side will do.
 //!
@@ -148,7 +148,7 @@ fn along<W: Word, A: ProductSum<W>>(n: &[A; 3], d: &[W; 3]) -> A::Volume {
     n.iter().zip(d).fold(A::ZERO, |sum, (&n, &d)| A::sum(sum, n, d))
 }
 
-/// Whether the box lies behind a plane, or in front of it.
+/// Whether the box lies behind a plane; with `in_mirror`, in front.
 #[inline(always)]
 fn is_beyond<W: Word, A: ProductSum<W>>(axes: [(A, W, W); 3], in_mirror: bool) -> bool {
     out_of_line_if_wide!(
@@ -215,6 +215,8 @@ impl<'a, W: Word, A: ProductSum<W>> Side<'a, W, A> {
         })
     }
 }
+
+mod time;
 
 #[cfg(all(test, feature = "fixed"))]
 mod tests;
