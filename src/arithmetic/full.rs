@@ -1,15 +1,15 @@
 //! Exact numbers for all finite floats.
 
 use core::cmp::Ordering;
-use core::ops::{Add, Neg, Sub};
 
 use super::big_int::BigInt;
 use super::float::{Float, quotient};
-use super::limbs::Limbs;
 use super::number::Number;
-use super::portion::divided_limbs;
-use super::soft::Soft;
-use super::system::{Arithmetic, Embeds, convert};
+use super::system::{Arithmetic, Embeds};
+
+mod terms;
+
+pub use terms::Terms;
 
 /// Exact numbers for all finite floats. A length is a sum of a few floats, not added up. An area is
 /// an integer of `B` limbs, a volume one of `C`, a product of four lengths one of `D`, and one of
@@ -34,184 +34,11 @@ pub type FullF32 = Full<925, 5, 9, 14, 18, 27>;
 /// For `f64`: coordinates below 2^2098 units.
 pub type FullF64 = Full<0, 33, 66, 99, 132, 197>;
 
-/// A sum of up to six floats, each as the bits of an `f64`, or zero. Their exponents may exceed the
-/// greatest of a finite number by one, so that every number can be doubled.
-#[derive(Clone, Copy, Debug)]
-pub struct Terms<const UNIT: u16, const A: usize>([u64; 6]);
-
-const SIGN: u64 = 1 << 63;
-const HIDDEN: u64 = 1 << 52;
-
-/// A nonzero float as sign, odd magnitude and power of two.
-#[derive(Clone, Copy)]
-struct Term {
-    negative: bool,
-    magnitude: u64,
-    shift: usize,
-}
-
-/// Twice the number, if its exponent has room.
-fn doubled(bits: u64) -> Option<u64> {
-    let magnitude = bits & !SIGN;
-    if magnitude < HIDDEN {
-        // In a subnormal number the carry becomes the exponent.
-        Some(bits & SIGN | magnitude << 1)
-    } else {
-        (bits.wrapping_add(HIDDEN) & SIGN == bits & SIGN).then_some(bits.wrapping_add(HIDDEN))
-    }
-}
-
-impl<const UNIT: u16, const A: usize> Terms<UNIT, A> {
-    fn of(x: f64) -> Self {
-        let bits = x.to_bits();
-        Self([if bits == SIGN { 0 } else { bits }, 0, 0, 0, 0, 0])
-    }
-
-    /// Adds a float by its bits. Opposite terms cancel, and equal terms become one doubled term, so
-    /// that the sums of all kernels have room. An example is twice a vertex minus both corners of a
-    /// box.
-    fn push(&mut self, mut term: u64) {
-        while let Some(same) = self.0.iter_mut().find(|x| **x << 1 == term << 1) {
-            if *same != term {
-                *same = 0;
-                return;
-            }
-            let Some(twice) = doubled(term) else { break };
-            *same = 0;
-            term = twice;
-        }
-        let free = self.0.iter_mut().find(|x| **x == 0);
-        debug_assert!(free.is_some());
-        if let Some(free) = free {
-            *free = term;
-        }
-    }
-
-    fn terms(&self) -> impl Iterator<Item = Term> + '_ {
-        self.0.iter().filter(|&&bits| bits != 0).map(|&bits| {
-            let exponent = (bits & !SIGN) >> 52;
-            let hidden = if exponent == 0 { 0 } else { HIDDEN };
-            let magnitude = hidden | bits & (HIDDEN - 1);
-            let zeros = magnitude.trailing_zeros();
-            let shift = exponent.saturating_sub(1) as u16 + zeros as u16 - UNIT;
-            Term { negative: bits & SIGN != 0, magnitude: magnitude >> zeros, shift: shift.into() }
-        })
-    }
-
-    /// The sum, which `L` limbs hold.
-    fn added_up<const L: usize>(&self) -> BigInt<L> {
-        let mut sum = BigInt([0; L]);
-        for x in self.terms() {
-            sum.accumulate([x.magnitude].into_iter(), x.shift, x.negative);
-        }
-        sum
-    }
-
-    #[inline(never)]
-    fn sign(&self) -> Ordering {
-        let mut terms = self.0.iter().copied().filter(|&bits| bits != 0);
-        let (first, second, third) = (terms.next(), terms.next(), terms.next());
-        let sign = |bits: u64| if bits & SIGN == 0 { Ordering::Greater } else { Ordering::Less };
-        match (first, second, third) {
-            (None, ..) => Ordering::Equal,
-            (Some(a), None, _) => sign(a),
-            // The bits of magnitudes compare like the magnitudes, and they are not equal.
-            (Some(a), Some(b), None) => sign(if a << 1 > b << 1 { a } else { b }),
-            _ => self.added_up::<A>().sign(),
-        }
-    }
-
-    /// How two lengths compare. Together they may have more terms than one length has room for.
-    fn compare(&self, other: &Self) -> Ordering {
-        let count = |x: &Self| x.0.iter().filter(|&&bits| bits != 0).count();
-        if count(self) + count(other) > self.0.len() {
-            return (self.added_up::<A>() - other.added_up()).sign();
-        }
-        (*self - *other).sign()
-    }
-
-    /// Adds the product of two lengths to an area, or subtracts it.
-    #[inline(never)]
-    fn add_product<const B: usize>(&self, other: &Self, sum: &mut BigInt<B>, is_minus: bool) {
-        for x in self.terms() {
-            for y in other.terms() {
-                let product = u128::from(x.magnitude) * u128::from(y.magnitude);
-                let words = [product as u64, (product >> 64) as u64];
-                let negative = x.negative != y.negative;
-                sum.accumulate(words.into_iter(), x.shift + y.shift, negative != is_minus);
-            }
-        }
-    }
-
-    /// Adds the product of an area and the length to a volume.
-    fn add_multiple<const B: usize, const C: usize>(&self, area: &BigInt<B>, sum: &mut BigInt<C>) {
-        for x in self.terms() {
-            sum.add_multiple(area, x.magnitude, x.shift, x.negative);
-        }
-    }
-}
-
-impl<const UNIT: u16, const A: usize> Add for Terms<UNIT, A> {
-    type Output = Self;
-    #[inline(never)]
-    fn add(mut self, other: Self) -> Self {
-        for bits in other.0 {
-            if bits != 0 {
-                self.push(bits);
-            }
-        }
-        self
-    }
-}
-
-impl<const UNIT: u16, const A: usize> Neg for Terms<UNIT, A> {
-    type Output = Self;
-    fn neg(mut self) -> Self {
-        for bits in &mut self.0 {
-            *bits ^= if *bits == 0 { 0 } else { SIGN };
-        }
-        self
-    }
-}
-
-impl<const UNIT: u16, const A: usize> Sub for Terms<UNIT, A> {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
-}
-
-impl<const UNIT: u16, const A: usize> PartialEq for Terms<UNIT, A> {
-    fn eq(&self, other: &Self) -> bool {
-        self.compare(other) == Ordering::Equal
-    }
-}
-
-impl<const UNIT: u16, const A: usize> PartialOrd for Terms<UNIT, A> {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.compare(other))
-    }
-}
-
-impl<const UNIT: u16, const A: usize> Number for Terms<UNIT, A> {
-    const ZERO: Self = Self([0; 6]);
-    fn magnitude(self) -> Self {
-        if self.sign() == Ordering::Less { -self } else { self }
-    }
-    /// Odd multiples of the least float round toward zero. No kernel halves these numbers, because
-    /// the frame of a box is doubled.
-    fn half(mut self) -> Self {
-        for bits in &mut self.0 {
-            let magnitude = *bits & !SIGN;
-            let half =
-                if magnitude >> 53 == 0 { magnitude >> 1 } else { magnitude.wrapping_sub(HIDDEN) };
-            *bits = if half == 0 { 0 } else { *bits & SIGN | half };
-        }
-        self
-    }
-    fn portion(self, den: Self, _: [Self; 2]) -> [Soft; 2] {
-        let [num, den] = [self, den].map(|x| Limbs(x.added_up::<A>().0));
-        [divided_limbs(num, &den); 2]
+/// Floats as lengths; one loop for any number of points.
+#[inline(never)]
+fn embed<F: Float, const UNIT: u16, const A: usize>(floats: &[F], lengths: &mut [Terms<UNIT, A>]) {
+    for (length, &x) in lengths.iter_mut().zip(floats) {
+        *length = Terms::of(x.into());
     }
 }
 
@@ -251,32 +78,30 @@ impl<
     const DOUBLED: bool = true;
     const CORNER_FORM_ONLY: bool = true;
 
+    #[inline(always)]
     fn area(a: Self::Length, b: Self::Length) -> BigInt<B> {
-        let mut sum = BigInt([0; B]);
-        a.add_product(&b, &mut sum, false);
-        sum
+        Terms::area(&a, &b)
     }
+    #[inline(always)]
     fn volume(a: BigInt<B>, b: Self::Length) -> BigInt<C> {
-        let mut sum = BigInt([0; C]);
-        b.add_multiple(&a, &mut sum);
-        sum
+        b.volume(&a)
     }
+    #[inline(always)]
     fn quartic(a: BigInt<B>, b: BigInt<B>) -> BigInt<D> {
         product(&a, &b)
     }
+    #[inline(always)]
     fn sextic(a: BigInt<C>, b: BigInt<C>) -> BigInt<E> {
         product(&a, &b)
     }
+    #[inline(always)]
     fn sextic_of_areas(a: BigInt<D>, b: BigInt<B>) -> BigInt<E> {
         product(&a, &b)
     }
-    // In one sum, so that numbers of a kilobyte are not copied.
-    #[inline(never)]
+    // Inlined down to calls by reference, as sums of lengths are.
+    #[inline(always)]
     fn minor([a, b]: [Self::Length; 2], [c, d]: [Self::Length; 2]) -> BigInt<B> {
-        let mut sum = BigInt([0; B]);
-        a.add_product(&b, &mut sum, false);
-        c.add_product(&d, &mut sum, true);
-        sum
+        Terms::minor([&a, &b], [&c, &d])
     }
     #[inline(never)]
     fn dot(a: &[BigInt<B>; 3], b: &[Self::Length; 3]) -> BigInt<C> {
@@ -311,7 +136,9 @@ where
     }
 
     fn embed_held<const K: usize>(coordinates: &[[F; 3]; K]) -> [[Self::Length; 3]; K] {
-        convert(coordinates, Number::ZERO, |x| Terms::of(x.into()))
+        let mut lengths = [[Number::ZERO; 3]; K];
+        embed(coordinates.as_flattened(), lengths.as_flattened_mut());
+        lengths
     }
 
     fn one() -> Option<BigInt<D>> {
