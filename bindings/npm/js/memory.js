@@ -14,8 +14,9 @@ export function init(given) {
     const { simd = true } = options(given, ['simd']);
     loading ??= (async () => {
         vectors = simd && hasVectors();
-        const packed = vectors ? await import('../dist/simd.js') : await import('../dist/plain.js');
-        const loaded = await load(packed.default);
+        // Without vectors it is the same module and a patch.
+        const parts = await Promise.all([import('../dist/simd.js'), ...vectors ? [] : [import('../dist/plain.js')]]);
+        const loaded = await load(...parts.map((part) => part.default));
         numbers = loaded.numbers() >>> 2;
         exports = loaded;
         return { simd: vectors };

@@ -114,9 +114,12 @@ extern "C" fn open_edge(count: usize, mesh: usize, from: usize, to: usize) -> u3
         let vertices = tree.mesh().vertices();
         let mut counts = lock(&COUNTS);
         let Some(Count { table, first, .. }) = counts.get_mut(count) else { return 0 };
-        let open = table.iter().take(to).skip(from).filter(|edge| edge.is_odd);
-        let open = open.map(|edge| (edge.ends.map(|i| place(vertices, i)), edge.ends));
-        *first = open.chain(*first).min();
+        for edge in table.iter().take(to).skip(from).filter(|edge| edge.is_odd) {
+            let open = (edge.ends.map(|i| place(vertices, i)), edge.ends);
+            if first.is_none_or(|least| open < least) {
+                *first = Some(open);
+            }
+        }
         if let Some((_, ends)) = first {
             say(0, ends);
         }
