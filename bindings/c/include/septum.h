@@ -93,8 +93,8 @@ typedef struct {
   septum_i8f8 radius;
 } septum_capsule_i8f8;
 
-// The point of a triangle closest to another point, rounded; `feature` is that of the exact point,
-// with the numbers of a hit.
+// The point of a triangle closest to another point, rounded. `feature` says on which vertex or edge
+// the exact point lies, in the numbers of a hit.
 typedef struct {
   septum_i8f8 point[3];
   uint8_t feature;
@@ -190,8 +190,8 @@ typedef struct {
   septum_i16f16 radius;
 } septum_capsule_i16f16;
 
-// The point of a triangle closest to another point, rounded; `feature` is that of the exact point,
-// with the numbers of a hit.
+// The point of a triangle closest to another point, rounded. `feature` says on which vertex or edge
+// the exact point lies, in the numbers of a hit.
 typedef struct {
   septum_i16f16 point[3];
   uint8_t feature;
@@ -284,8 +284,8 @@ typedef struct {
   float radius;
 } septum_capsule_f32;
 
-// The point of a triangle closest to another point, rounded; `feature` is that of the exact point,
-// with the numbers of a hit.
+// The point of a triangle closest to another point, rounded. `feature` says on which vertex or edge
+// the exact point lies, in the numbers of a hit.
 typedef struct {
   float point[3];
   uint8_t feature;
@@ -378,8 +378,8 @@ typedef struct {
   double radius;
 } septum_capsule_f64;
 
-// The point of a triangle closest to another point, rounded; `feature` is that of the exact point,
-// with the numbers of a hit.
+// The point of a triangle closest to another point, rounded. `feature` says on which vertex or edge
+// the exact point lies, in the numbers of a hit.
 typedef struct {
   double point[3];
   uint8_t feature;

@@ -68,8 +68,8 @@ pub struct Hit<T> {
     pub feature: u8,
 }
 
-/// The point of a triangle closest to another point, rounded; `feature` is that of the exact point,
-/// with the numbers of a hit.
+/// The point of a triangle closest to another point, rounded. `feature` says on which vertex or edge
+/// the exact point lies, in the numbers of a hit.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closest<T> {

@@ -78,7 +78,7 @@ impl Last {
 impl<S: Scalar> Predicate<S> for Meets<'_, S> {
     type Answer = FirstContact<S>;
 
-    // Out of line: its numbers are not to lie on the stack under those of the exact stage.
+    // Out of line, so that the exact stage does not run on top of its numbers on the stack.
     #[inline(never)]
     fn filter<N: Embeds<S>>(&self) -> Option<FirstContact<S>> {
         // The compiler does not see that words always answer, and would link this.

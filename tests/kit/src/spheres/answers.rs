@@ -35,7 +35,7 @@ impl Answers {
         Self { meet, relations: vec![] }
     }
 
-    /// Checks all answers. `relation` is `None` where no oracle tells it.
+    /// Checks all answers. `relation` is `None` without an oracle for it.
     pub fn check(&self, truth: Ordering, relation: Option<Relation>) -> bool {
         let is_disjoint = |&r: &Relation| r == Relation::Disjoint;
         self.meet.iter().all(|&meet| meet == truth.is_le())
@@ -46,8 +46,8 @@ impl Answers {
     }
 }
 
-/// The relation by the distance if a radius is above zero; that of a segment by other oracles, except
-/// with a plane or a ray.
+/// The relation, by the distance if a radius is above zero. Without a radius a segment is left, which
+/// other oracles know, except with a plane or a ray.
 fn relation<S: Sample>(
     truth: Ordering,
     [a, b]: [Point<S>; 2],
