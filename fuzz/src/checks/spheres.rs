@@ -7,7 +7,7 @@ use crate::told::told;
 use septum_kit::Sample;
 use septum_kit::spheres::{CapsuleCase, Other, SphereCase};
 
-/// `overlaps`, `contains` and `distance_squared`.
+/// `overlaps`, `relation`, `contains` and `distance_squared`.
 pub fn spheres(data: &[u8]) {
     run::<Spheres>(data);
 }
@@ -30,23 +30,17 @@ impl Check for Spheres {
         }
         let ends = [center, shapes.point()];
         let case = CapsuleCase { ends, radius, other };
-        let truth = case.truth().is_le();
-        for answer in case.answers() {
-            assert_eq!(answer, truth, "{}", told::<S>(&case));
-        }
+        let is_right = case.answers().check(case.truth(), case.relation());
+        assert!(is_right, "{}", told::<S>(&case));
         if ends[1] != [S::ZERO; 3] {
             let other = Other::Ray([shapes.point(), ends[1]], [Some(radius), None]);
             let case = SphereCase { center, radius, other };
-            let truth = case.truth().is_le();
-            for answer in case.answers() {
-                assert_eq!(answer, truth, "{}", told::<S>(&case));
-            }
+            let is_right = case.answers().check(case.truth(), case.relation());
+            assert!(is_right, "{}", told::<S>(&case));
         }
         let case = SphereCase { center, radius, other };
-        let truth = case.truth().is_le();
-        for answer in case.answers() {
-            assert_eq!(answer, truth, "{}", told::<S>(&case));
-        }
+        let is_right = case.answers().check(case.truth(), case.relation());
+        assert!(is_right, "{}", told::<S>(&case));
         let is_rounded = case.distance_squared().is_none_or(|(_, is_rounded)| is_rounded);
         assert!(is_rounded, "{}", told::<S>(&case));
     }

@@ -19,7 +19,9 @@
 //! is. All sums are therefore within the bounds stated there.
 
 use super::Passing;
-use crate::arithmetic::{InWord, ProductSum, REGISTERS_ARE_WIDE, Word, out_of_line_if_wide, three};
+use crate::arithmetic::{
+    InWord, ProductSum, REGISTERS_ARE_WIDE, Word, out_of_line_if_wide, pick, three,
+};
 use crate::query::one_sided::{Closed, Projection, beyond_edge, beyond_plane, normals};
 use crate::query::triangle_aabb::words::{each, extents, projections, words};
 use crate::scalar::Scalar;
@@ -137,7 +139,10 @@ impl<W: Word> Swept<W> {
         is_beyond::<W, A>(on(start), false)
             || is_beyond::<W, A>(on(end), true)
             || (0..3).any(|k| {
-                is_beyond::<W, A>(three(|i| (sides[i].q[k], start[i].t[k], start[i].size)), false)
+                is_beyond::<W, A>(
+                    three(|i| (*pick(&sides[i].q, k), *pick(&start[i].t, k), start[i].size)),
+                    false,
+                )
             })
     }
 }
