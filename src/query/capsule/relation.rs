@@ -19,28 +19,24 @@ where
     Triangle::new(a, b, b).map_or(Relation::Disjoint, |segment| segment.relation(shape))
 }
 
-fn greater<S: Scalar>(r: S, s: S) -> S {
-    if r > s { r } else { s }
-}
-
 impl<S: Scalar> Relate<Triangle<S>> for Capsule<S> {
     fn relation(&self, triangle: &Triangle<S>) -> Relation {
         let meets = |ball| meets_triangle(self, triangle, ball);
-        of_ball(self.radius(), meets, || of_segment(self.ends(), triangle))
+        of_ball(self.radius() > S::ZERO, meets, || of_segment(self.ends(), triangle))
     }
 }
 
 impl<S: Scalar> Relate<Segment<S>> for Capsule<S> {
     fn relation(&self, segment: &Segment<S>) -> Relation {
         let meets = |ball| meets_segment(self, segment, S::ZERO, ball);
-        of_ball(self.radius(), meets, || of_segment(self.ends(), segment))
+        of_ball(self.radius() > S::ZERO, meets, || of_segment(self.ends(), segment))
     }
 }
 
 impl<S: Scalar> Relate<Aabb<S>> for Capsule<S> {
     fn relation(&self, aabb: &Aabb<S>) -> Relation {
         let meets = |ball| meets_aabb(self, aabb, ball);
-        of_ball(self.radius(), meets, || of_segment(self.ends(), aabb))
+        of_ball(self.radius() > S::ZERO, meets, || of_segment(self.ends(), aabb))
     }
 }
 
@@ -48,18 +44,18 @@ impl<S: Scalar> Relate<Self> for Capsule<S> {
     fn relation(&self, other: &Self) -> Relation {
         let segment = other.segment();
         let meets = |ball| meets_segment(self, &segment, other.radius(), ball);
-        let radius = greater(self.radius(), other.radius());
-        of_ball(radius, meets, || of_segment(self.ends(), &segment))
+        let has_radius = self.radius() > S::ZERO || other.radius() > S::ZERO;
+        of_ball(has_radius, meets, || of_segment(self.ends(), &segment))
     }
 }
 
 impl<S: Scalar> Relate<Sphere<S>> for Capsule<S> {
     fn relation(&self, sphere: &Sphere<S>) -> Relation {
         let meets = |ball| meets_sphere(self, sphere, ball);
-        let radius = greater(self.radius(), sphere.radius());
+        let has_radius = self.radius() > S::ZERO || sphere.radius() > S::ZERO;
         // Both are thin: the centre is a triangle without extent.
         let center = (sphere.center(), sphere.center());
-        of_ball(radius, meets, || of_segment(center, &self.segment()))
+        of_ball(has_radius, meets, || of_segment(center, &self.segment()))
     }
 }
 
@@ -70,6 +66,6 @@ impl<S: Scalar> Relate<Plane<S>> for Capsule<S> {
             let (a, b) = self.ends();
             if is_on(a) == is_on(b) { Relation::Overlapping } else { Relation::Touching }
         };
-        of_ball(self.radius(), |ball| meets_plane(self, plane, ball), without_radius)
+        of_ball(self.radius() > S::ZERO, |ball| meets_plane(self, plane, ball), without_radius)
     }
 }

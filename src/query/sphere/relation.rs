@@ -11,17 +11,17 @@ use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Plane, Ray, Segment, Sphere, Triangle};
 
-/// The relation with the points within a radius of a shape: whether the ball meets the other shape,
-/// and the relation with the shape itself, for a radius of zero, if the two meet.
+/// The relation of the points within a radius of one shape with another shape. `meets` says whether
+/// the ball meets that. Without a radius the relation is the one of the shape itself.
 #[inline(always)]
-pub(in crate::query) fn of_ball<S: Scalar>(
-    radius: S,
+pub(in crate::query) fn of_ball(
+    has_radius: bool,
     meets: impl Fn(Ball) -> bool,
     without_radius: impl FnOnce() -> Relation,
 ) -> Relation {
     if !meets(Ball::Closed) {
         Relation::Disjoint
-    } else if radius == S::ZERO {
+    } else if !has_radius {
         without_radius()
     } else if meets(Ball::Open) {
         Relation::Overlapping
@@ -44,7 +44,7 @@ where
         let c = sphere.center();
         Triangle::new(c, c, c).map_or(Relation::Disjoint, |c| of_center(&c))
     };
-    of_ball(sphere.radius(), |ball| meet(sphere, shape, ball), at_center)
+    of_ball(sphere.radius() > S::ZERO, |ball| meet(sphere, shape, ball), at_center)
 }
 
 impl<S: Scalar> Relate<Triangle<S>> for Sphere<S> {
@@ -67,15 +67,15 @@ impl<S: Scalar> Relate<Aabb<S>> for Sphere<S> {
 
 impl<S: Scalar> Relate<Self> for Sphere<S> {
     fn relation(&self, other: &Self) -> Relation {
-        let radius = if self.radius() > other.radius() { self.radius() } else { other.radius() };
-        of_ball(radius, |ball| meet(self, other, ball), || Relation::Overlapping)
+        let has_radius = self.radius() > S::ZERO || other.radius() > S::ZERO;
+        of_ball(has_radius, |ball| meet(self, other, ball), || Relation::Overlapping)
     }
 }
 
 impl<S: Scalar> Relate<Plane<S>> for Sphere<S> {
     fn relation(&self, plane: &Plane<S>) -> Relation {
         let meets = |ball| !lies_on_one_side(self, plane, ball);
-        of_ball(self.radius(), meets, || Relation::Overlapping)
+        of_ball(self.radius() > S::ZERO, meets, || Relation::Overlapping)
     }
 }
 

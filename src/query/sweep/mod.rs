@@ -120,8 +120,8 @@ pub trait Sweep<Other> {
     /// *Cost*: a triangle and a box take 111 multiplications, unless a face separates them all the
     /// way. If they meet, the query takes fewer, and five quotients of four floats at once. Two
     /// boxes take 12 multiplications and no division. On 32-bit cores fixed point of up to 32 bits has
-    /// a kernel of its own for a triangle and a box (`docs/target.csv`). Floats within rounding of contact are decided
-    /// in wider numbers, at last in exact integers.
+    /// a kernel of its own for a triangle and a box (`docs/target.csv`). Floats within rounding of
+    /// contact are decided in wider numbers, at last in exact integers.
     ///
     /// *Source*: separating axes of sums of convex sets (Gottschalk, Lin and Manocha 1996, for
     /// boxes). Ours: the motion as one more edge, the error bounds and the exact stages.

@@ -102,6 +102,7 @@ impl<S: Scalar> Predicate<S> for Meets<'_, S> {
         if REGISTERS_ARE_WIDE {
             return in_exact_numbers(self);
         }
+        // Never reached: words always answer.
         if words::serve::<S>() {
             return FirstContact::default();
         }
