@@ -61,10 +61,7 @@
 //! | mesh and shape (sphere, capsule: all within a distance), ray or second mesh (BVH) | [`overlapping`](mesh::Tree::overlapping), [`first_hit`](mesh::Tree::first_hit), [`overlapping_pairs`](mesh::Tree::overlapping_pairs) | |
 //! | point, closed mesh | [`contains`](mesh::Tree::contains), [`winding`](mesh::Tree::winding) | |
 //! | two shapes: disjoint, touching or overlapping | [`relation`] | |
-#![cfg_attr(
-    feature = "fixed",
-    doc = "| ray or box and triangle near the origin, in 32-bit words alone | [`near`] | |"
-)]
+//! | ray or box and triangle near the origin, with less code | [`near`] | |
 //! | two shapes: minimum translation (penetration depth), contact points | [`contact`] | |
 //! | moving box or triangle: time of impact | [`meets_along`](sweep::Sweep::meets_along), [`first_contact`](sweep::Sweep::first_contact); on a mesh [`first_contact`](mesh::Tree::first_contact) | |
 //! | the same: last place without overlap | [`last_free`](sweep::Sweep::last_free), [`relation_along`](sweep::Sweep::relation_along); on a mesh [`last_free`](mesh::Tree::last_free) | |
@@ -170,7 +167,6 @@ pub mod broad_phase;
 pub mod contact;
 pub mod interop;
 pub mod lanes;
-#[cfg(feature = "fixed")]
 pub mod near;
 pub mod polygon;
 pub mod prepared;

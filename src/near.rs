@@ -1,15 +1,16 @@
-//! Shapes near the origin: queries in 32-bit words alone, without the code for distant shapes.
+//! Shapes near the origin: queries without the code for distant shapes.
 //!
 //! Use these in firmware that needs a small program and a known worst case. A query on an ordinary
-//! shape of a 32-bit type links a second stage in wider words, for coordinates far from the origin.
+//! shape of a 32-bit type links later stages in wider numbers, for coordinates far from the origin.
 //! A [`Near`] shape is checked once, when it is made, and its queries link only the first stage, so
-//! the time of the second cannot occur. `docs/worst-case.md` lists the most instructions of each
-//! query, with `near` and without.
+//! the time of the others cannot occur. `f32` has a second stage in 64-bit integers, for contact.
+//! `docs/worst-case.md` lists the most instructions of each query, with `near` and without.
 //!
-//! *Near* means less than 2¹⁷ units in the last place from zero on every axis: less than 2 in
-//! `I16F16`, or 131 mm where a unit in the last place is a micrometre. Directions, axes and
-//! half-extents may be longer, up to 2¹⁹ units. Types of 8 and 16 bits have no second stage, and
-//! need no `near`.
+//! *Near* means in 32-bit fixed point less than 2¹⁷ units in the last place from zero on every axis:
+//! less than 2 in `I16F16`, or 131 mm where a unit in the last place is a micrometre. Directions,
+//! axes and half-extents may be longer, up to 2¹⁹ units. In `f32` it means less than 2¹⁰ from zero,
+//! in multiples of 2⁻⁵⁰: every float between 2⁻²⁷ and 2¹⁰ is one. Types of 8 and 16 bits have no
+//! second stage, and need no `near`.
 //!
 //! ```
 //! use fixed::types::I16F16;
@@ -41,17 +42,84 @@
 //! # Ok::<(), ShapeError>(())
 //! ```
 //!
-//! | pair | |
-//! | --- | --- |
-//! | ray, triangle | `hit`, `hit_once`, `hit_with`, `is_hit`, `is_hit_with` |
-//! | triangle, axis-aligned box | `overlaps`, `may_overlap` |
-//! | triangle, oriented box | `overlaps`, `may_overlap` |
+//! In floats:
+//!
+//! ```
+//! use septum::{Aabb, Triangle};
+//!
+//! let floor = Triangle::new([0.0_f32, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0])?.near()?;
+//! let cell = Aabb::from_min_max([0.1, 0.1, 0.0], [0.3, 0.2, 0.5])?.near()?;
+//! assert!(floor.overlaps(&cell)); // it stands on the floor
+//! # Ok::<(), septum::ShapeError>(())
+//! ```
+//!
+//! | pair | scalar | |
+//! | --- | --- | --- |
+//! | ray, triangle | fixed point | `hit`, `hit_once`, `hit_with`, `is_hit`, `is_hit_with` |
+//! | triangle, axis-aligned box | fixed point, `f32` | `overlaps`, `may_overlap` |
+//! | triangle, oriented box | fixed point | `overlaps`, `may_overlap` |
 //!
 //! The answers are bit for bit the answers of the ordinary shapes.
 
 pub use crate::shape::Near;
 
 #[cfg(test)]
+mod floats {
+    use crate::{Aabb, ShapeError, Triangle};
+
+    #[test]
+    fn sixty_bits_are_near() {
+        let two_to = |e: i32| f32::from_bits(((127 + e) as u32) << 23);
+        let most = two_to(10).next_down();
+        let near = [0.0, -0.0, two_to(-50), 3.0 * two_to(-50), two_to(-27).next_up(), most];
+        let far = [two_to(10), two_to(-51), 1.5 * two_to(-50), two_to(-28).next_up(), f32::MAX];
+        let least = [f32::from_bits(1), f32::MIN_POSITIVE];
+        let is_near = |x: f32| {
+            let t = [[0.0, x, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, -x]];
+            let t = Triangle::new(t[0], t[1], t[2]).unwrap().near();
+            let corners = Aabb::from_min_max([-x.abs(), 0.0, 0.0], [1e3, 0.0, 0.0]).unwrap();
+            let size = Aabb::from_center_half_extents([0.0; 3], [0.0, x.abs(), 0.0]).unwrap();
+            let all = [t.is_ok(), corners.near().is_ok(), size.near().is_ok()];
+            assert!(all == [all[0]; 3] && t.is_ok_and(|_| true) == all[0]);
+            assert!(all[0] || t == Err(ShapeError::NotNear));
+            all[0]
+        };
+        assert!(near.into_iter().chain(near.map(|x| -x)).all(is_near));
+        assert!(!far.into_iter().chain(least).any(is_near));
+    }
+
+    /// Shapes on a grid touch; the parts of a unit far below take the second stage.
+    #[test]
+    fn answers_are_those_of_shapes_anywhere() {
+        let mut random = crate::random::Random(11);
+        let mut below = |n: u64| (random.bits() % n) as f32;
+        let mut count = [0; 2];
+        for case in 0..20_000 {
+            let mut number = || match case % 4 {
+                0 => below(5) - 2.0,
+                1 => (below(1 << 20) - 5e5) / 1024.0,
+                2 => (below(5) - 2.0) * (1.0 + f32::EPSILON),
+                _ => (below(3) - 1.0) * [1e3, 1e-8, 1.0][below(3) as usize],
+            };
+            let mut point = || [number(), number(), number()];
+            let t = Triangle::new(point(), point(), point()).unwrap();
+            let (p, q) = (point(), point());
+            let of = |f: fn(f32, f32) -> f32| core::array::from_fn::<_, 3, _>(|i| f(p[i], q[i]));
+            let corners = Aabb::from_min_max(of(f32::min), of(f32::max)).unwrap();
+            let about = Aabb::from_center_half_extents(p, q.map(f32::abs)).unwrap();
+            for aabb in [corners, about] {
+                let (Ok(near), Ok(close)) = (t.near(), aabb.near()) else { continue };
+                assert_eq!(near.overlaps(&close), t.overlaps(&aabb), "{t:?} {aabb:?}");
+                assert_eq!(close.overlaps(&near), t.overlaps(&aabb));
+                assert_eq!(near.may_overlap(&close), t.overlaps(&aabb));
+                count[usize::from(t.overlaps(&aabb))] += 1;
+            }
+        }
+        assert!(count.iter().all(|&n| n > 5000), "{count:?}");
+    }
+}
+
+#[cfg(all(test, feature = "fixed"))]
 mod tests {
     use fixed::types::I16F16;
 

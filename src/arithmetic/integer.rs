@@ -26,6 +26,7 @@
 //! 2^8.
 
 use super::big_int::BigInt;
+use super::out_of_line;
 use super::platform::REGISTERS_ARE_WIDE;
 use super::system::Arithmetic;
 use super::wide::I256;
@@ -46,18 +47,22 @@ pub struct Int16;
 #[derive(Clone, Copy, Debug)]
 pub struct Int32;
 
-/// For coordinates below 2^60: areas in `i128`, volumes in 256 bits.
+/// For coordinates below 2^60: areas in `i128`, volumes in 256 bits. Where they are `LARGE`, all
+/// kernels share one copy of each product.
 #[derive(Clone, Copy, Debug)]
-pub struct Int64;
+pub struct Int64<const LARGE: bool = false>;
+
+/// [`Int64`] for floats. On small cores they come here from contact alone, and flash is short.
+pub type Int64OfFloats = Int64<{ !REGISTERS_ARE_WIDE }>;
 
 /// [`Int64`] with volumes in `i128`, for sizes below 2^41.
 #[derive(Clone, Copy, Debug)]
 pub struct Int64Narrow;
 
 macro_rules! integers {
-    ($($system:ty: $length:ty, $area:ty, $volume:ty, $product:expr, $quartic:ty, $of_areas:expr,
+    ($($system:ty $([$large:ident])?: $length:ty, $area:ty, $volume:ty, $product:expr, $quartic:ty, $of_areas:expr,
        $sextic:ty, $of_volumes:expr, $operand:ty; $narrow:ty, $is_narrow:expr;)*) => {$(
-        impl Arithmetic for $system {
+        impl $(<const $large: bool>)? Arithmetic for $system {
             type Length = $length;
             type Area = $area;
             type Volume = $volume;
@@ -67,6 +72,7 @@ macro_rules! integers {
             type Narrow = $narrow;
 
             const CERTAIN: bool = true;
+            $(const LARGE: bool = $large;)?
             const DOUBLED: bool = true;
             const CORNER_FORM_ONLY: bool = !REGISTERS_ARE_WIDE;
 
@@ -89,6 +95,18 @@ macro_rules! integers {
             #[inline(always)]
             fn sextic_of_areas(a: $quartic, b: $area) -> $sextic {
                 $of_volumes(a.into(), b.into())
+            }
+            #[inline(always)]
+            fn minor([a, b]: [$length; 2], [c, d]: [$length; 2]) -> $area {
+                let minor = || Self::area(a, b) - Self::area(c, d);
+                if Self::LARGE { out_of_line(minor) } else { minor() }
+            }
+            #[inline(always)]
+            fn dot(a: &[$area; 3], b: &[$length; 3]) -> $volume {
+                let dot = || {
+                    Self::volume(a[0], b[0]) + Self::volume(a[1], b[1]) + Self::volume(a[2], b[2])
+                };
+                if Self::LARGE { out_of_line(dot) } else { dot() }
             }
             #[inline(always)]
             fn operand(a: $length) -> $operand {
@@ -115,7 +133,7 @@ integers! {
 integers! {
     Int16: i32, i64, i64, |a, b| a * i64::from(b), i128, of_four, i128, product_128,
         i128; Self, |_: i32| false;
-    Int64: i64, i128, I256, I256::product, I256, of_four_wide, BigInt<6>, of_six, i128;
+    Int64<LARGE> [LARGE]: i64, i128, I256, I256::product, I256, of_four_wide, BigInt<6>, of_six, i128;
         Int64Narrow, |size: i64| size >> 41 == 0;
     Int64Narrow: i64, i128, i128, |a, b| a * i128::from(b), I256, of_four_wide, BigInt<6>, of_six,
         i128; Self, |_: i64| false;

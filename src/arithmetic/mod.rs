@@ -46,8 +46,10 @@ pub use full::{FullF32, FullF64};
 pub(crate) use in_float::{FirstFloat, InFloat};
 pub(crate) use index::{each, pick, three, turn};
 #[cfg(feature = "fixed")]
+pub(crate) use integer::Int64;
+#[cfg(feature = "fixed")]
 pub(crate) use integer::{Int8, Int32};
-pub(crate) use integer::{Int16, Int64, Int64Narrow};
+pub(crate) use integer::{Int16, Int64Narrow, Int64OfFloats};
 #[cfg(feature = "fixed")]
 pub(crate) use limbs::{Limbs, Wide};
 pub use number::{Limbed, Number};
@@ -55,7 +57,7 @@ pub(crate) use number::{compare, greatest, largest, least};
 pub(crate) use offset::Offset;
 pub(crate) use parts::Bits;
 pub use parts::Parts;
-pub(crate) use platform::{REGISTERS_ARE_WIDE, SMALL_CODE};
+pub(crate) use platform::{REGISTERS_ARE_WIDE, SMALL_CODE, is_software};
 pub(crate) use quad::{OfFour, Quad, THREE};
 #[cfg(feature = "fixed")]
 pub use root::Signed;

@@ -49,7 +49,7 @@ pub(super) fn in_forty_bits<F: Float, const K: usize>(all: &[[F; 3]; K]) -> Opti
 /// Floats as integer multiples of one power of two, if 60 bits hold each. That covers grids,
 /// and most scenes that were once in a coarser format. One is among them only on request, because
 /// the unit is the scene's and not the scalar's.
-impl<F: Float> Embeds<F> for Int64 {
+impl<F: Float, const LARGE: bool> Embeds<F> for Int64<LARGE> {
     fn holds<const K: usize>(coordinates: &[[F; 3]; K]) -> bool {
         is_short(bits(coordinates))
     }

@@ -1,4 +1,4 @@
-//! Facts about the machine, in two constants. Neither changes an answer.
+//! Facts about the machine. None changes an answer.
 
 /// Whether small code is more important than speed, by the caller's choice. A cascade then has only
 /// its first stage and its last.
@@ -10,3 +10,9 @@ pub(crate) const SMALL_CODE: bool = cfg!(feature = "small");
 pub(crate) const REGISTERS_ARE_WIDE: bool =
     cfg!(all(any(target_pointer_width = "64", target_arch = "wasm32"), not(septum_narrow)))
         && !SMALL_CODE;
+
+/// Whether floats of this type are computed by functions.
+pub(crate) const fn is_software<F>() -> bool {
+    let has_floats = cfg!(target_abi = "eabihf");
+    !REGISTERS_ARE_WIDE && (!has_floats || size_of::<F>() == size_of::<f64>())
+}

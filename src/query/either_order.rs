@@ -2,9 +2,9 @@
 
 use super::relation::{Relate, Relation};
 use crate::scalar::Scalar;
-#[cfg(feature = "fixed")]
-use crate::shape::Near;
-use crate::shape::{Aabb, Capsule, Obb, Overlaps, Plane, Polygon, Ray, Segment, Sphere, Triangle};
+use crate::shape::{
+    Aabb, Capsule, Near, Obb, Overlaps, Plane, Polygon, Ray, Segment, Sphere, Triangle,
+};
 
 macro_rules! reversed {
     ($($shape:ident with $other:ident $(<$life:lifetime>)?;)*) => {$(
@@ -50,7 +50,6 @@ reversed! {
     Sphere with Capsule;
 }
 
-#[cfg(feature = "fixed")]
 impl<S, T> Overlaps<Near<Triangle<S>>> for Near<T>
 where
     Near<Triangle<S>>: Overlaps<Self>,

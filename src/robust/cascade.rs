@@ -5,7 +5,7 @@
 
 use super::predicate::{Clue, Numeric, Predicate};
 use super::stages::{Stage, note, noted};
-use crate::arithmetic::{Embeds, Filtered, Float, InFloat, Int64, REGISTERS_ARE_WIDE};
+use crate::arithmetic::{Embeds, Filtered, Float, InFloat, REGISTERS_ARE_WIDE};
 use crate::scalar::Backend;
 
 /// The first stage for questions whose answer is a number.
@@ -84,14 +84,11 @@ pub(crate) fn only_stage<S, N: Embeds<S>, P: Predicate<S>>(p: &P) -> P::Answer {
     answer.unwrap_or_default()
 }
 
-/// Exact integers if the input fits them, else the last stage.
+/// The integers `N` if the input fits them, else the last stage.
 #[cold]
 #[inline(never)]
-pub(crate) fn integer_stage<S: Backend, P: Predicate<S>>(p: &P) -> P::Answer
-where
-    Int64: Embeds<S>,
-{
-    stage::<S, Int64, P>(p, exact_stage::<S, P>)
+pub(crate) fn integer_stage<S: Backend, N: Embeds<S>, P: Predicate<S>>(p: &P) -> P::Answer {
+    stage::<S, N, P>(p, exact_stage::<S, P>)
 }
 
 /// The last stage.

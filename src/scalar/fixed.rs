@@ -230,7 +230,7 @@ fn by_size<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
     } else if has_short_stage::<Frac, P>() {
         stage::<_, Int16, _>(p, middling)
     } else {
-        stage::<_, Int32, _>(p, integer_stage)
+        stage::<_, Int32, _>(p, integer_stage::<_, Int64, _>)
     }
 }
 
@@ -246,7 +246,7 @@ const fn has_short_stage<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<Fix
 fn middling<Frac: LeEqU32 + Send + Sync + 'static, P: Predicate<FixedI32<Frac>>>(
     p: &P,
 ) -> P::Answer {
-    stage::<_, Int32, _>(p, integer_stage)
+    stage::<_, Int32, _>(p, integer_stage::<_, Int64, _>)
 }
 
 /// The stages of [`by_size`] without exact sums: the last stage is 64-bit integers, which hold all

@@ -2,8 +2,8 @@
 
 use super::{Backend, FloatFormat, Scalar};
 use crate::arithmetic::{
-    Float, FullF32, FullF64, Parts, REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, Soft, Window,
-    quotient,
+    Embeds, Float, FullF32, FullF64, Int64OfFloats, Parts, REGISTERS_ARE_WIDE, RoundedOps,
+    SMALL_CODE, Soft, Window, quotient,
 };
 use crate::robust::{
     Clue, Numeric, Predicate, Sum, exact_stage, in_floats, in_quads, integer_stage, numeric_stage,
@@ -143,9 +143,17 @@ impl Backend for f32 {
 fn doubled<P: Predicate<f32>>(p: &P) -> P::Answer {
     match in_floats::<_, f64, _>(p) {
         Some(answer) => answer,
-        None if SMALL_CODE => exact_stage(p),
-        None => integer_stage(p),
+        None => beyond_floats(p),
     }
+}
+
+/// The stages after floats.
+#[inline(always)]
+fn beyond_floats<S: Backend, P: Predicate<S>>(p: &P) -> P::Answer
+where
+    Int64OfFloats: Embeds<S>,
+{
+    if SMALL_CODE { exact_stage(p) } else { integer_stage::<_, Int64OfFloats, _>(p) }
 }
 
 /// The stages of `f32` for hits after the first, if `f64` is cheap. Hits beyond the precision of
@@ -153,7 +161,7 @@ fn doubled<P: Predicate<f32>>(p: &P) -> P::Answer {
 #[cold]
 #[inline(never)]
 fn refined<P: Numeric<f32>>(p: &P, clue: Clue) -> P::Answer {
-    refined_stage(p, clue, if SMALL_CODE { exact_stage } else { integer_stage })
+    refined_stage(p, clue, beyond_floats)
 }
 
 impl Backend for f64 {
@@ -172,7 +180,7 @@ impl Backend for f64 {
 
     #[inline(always)]
     fn without_quads<P: Predicate<Self>>(p: &P) -> P::Answer {
-        if SMALL_CODE { exact_stage(p) } else { integer_stage(p) }
+        beyond_floats(p)
     }
     #[inline(always)]
     fn evaluate_numeric<P: Numeric<Self>>(p: &P) -> P::Answer {
@@ -186,7 +194,7 @@ impl Backend for f64 {
 /// The stages of `f64` for hits after the first.
 #[inline(never)]
 fn refined_doubles<P: Numeric<f64>>(p: &P, clue: Clue) -> P::Answer {
-    refined_stage(p, clue, if SMALL_CODE { exact_stage } else { integer_stage })
+    refined_stage(p, clue, beyond_floats)
 }
 
 #[cfg(test)]

@@ -21,14 +21,12 @@ mod bounds;
 
 // Last, so that these methods come last on the pages of the shapes.
 mod const_new;
-#[cfg(feature = "fixed")]
 mod near;
 
 pub use aabb::Aabb;
 pub(crate) use aabb::{Form as AabbForm, joined};
 pub use capsule::Capsule;
 pub use error::ShapeError;
-#[cfg(feature = "fixed")]
 pub use near::Near;
 pub use obb::Obb;
 pub use overlaps::Overlaps;

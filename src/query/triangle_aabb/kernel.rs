@@ -6,10 +6,10 @@
 
 use super::error_bound::error_bound;
 use super::frame::{BoxForm, Frame, range};
-use crate::arithmetic::{Arithmetic, Embeds, Number, cross, dot, greatest, of_two, three};
+use crate::arithmetic::{Arithmetic, Embeds, Number, cross, dot, greatest, of_two, three, turn};
 use crate::robust::Uncertain;
 use crate::scalar::Scalar;
-use crate::shape::{Triangle, Vec3};
+use crate::shape::{AabbForm, Triangle, Vec3};
 
 // Out of line, and each form apart. The compiler turns each into vector code that is the same for
 // all callers; where the forms mix, it gathers loads.
@@ -30,6 +30,20 @@ pub(super) fn by_corners<S: Scalar, N: Embeds<S>>(
     grown: &Vec3<S>,
 ) -> Option<bool> {
     any_axis(&in_frame_of_corners::<S, N>(triangle, min, max, grown))
+}
+
+/// The same in less code: the axes stand once for both forms.
+#[inline(never)]
+pub(super) fn by_either_form<S: Scalar, N: Embeds<S>>(
+    triangle: &Triangle<S>,
+    form: &AabbForm<S>,
+) -> Option<bool> {
+    any_axis(&match form {
+        AabbForm::Center { center, half } => in_frame_of_center::<S, N>(triangle, center, half),
+        AabbForm::Corners { min, max } => {
+            in_frame_of_corners::<S, N>(triangle, min, max, &Vec3::splat(S::ZERO))
+        }
+    })
 }
 
 #[inline(always)]
@@ -91,12 +105,12 @@ pub(super) fn any_axis<N: Arithmetic>(frame: &Frame<N>) -> Option<bool> {
 fn any_large_axis<N: Arithmetic>(frame: &Frame<N>) -> bool {
     let n = normal(frame);
     plane::<N>(&n, &frame.v[0], &frame.h, Number::ZERO).certain
-        || (0..9).any(|axis| one_large_edge(frame, &n, axis % 3, axis / 3))
+        || (0..3).any(|k| (0..3).any(|i| one_large_edge(frame, &n, i, k)))
 }
 
 #[inline(never)]
 fn one_large_edge<N: Arithmetic>(frame: &Frame<N>, n: &[N::Area; 3], i: usize, k: usize) -> bool {
-    one_edge(frame, n, Number::ZERO, i % 3, k % 3).certain
+    one_edge(frame, n, Number::ZERO, turn(i).0, turn(k).0).certain
 }
 
 /// The plane test in narrower volumes. Integers only: they have no error to
@@ -115,6 +129,9 @@ pub(super) fn narrow_plane<N: Arithmetic>(
 /// They are the coordinate axes, and the projections are the coordinates.
 #[inline(always)]
 pub(super) fn faces<N: Arithmetic>(frame: &Frame<N>) -> Uncertain {
+    if N::LARGE {
+        return Uncertain::known((0..3).any(|i| one_face(frame, i).certain));
+    }
     if N::CERTAIN {
         return one_face(frame, 0).or(one_face(frame, 1)).or(one_face(frame, 2));
     }
@@ -203,7 +220,7 @@ pub(super) fn one_edge<N: Arithmetic>(
     i: usize,
     k: usize,
 ) -> Uncertain {
-    let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+    let (_, j, l) = if N::LARGE { turn(i) } else { (i, (i + 1) % 3, (i + 2) % 3) };
     let (e, v, h) = (&frame.e[k], &frame.v[k], &frame.h);
 
     let p = N::minor([e[j], v[l]], [e[l], v[j]]);

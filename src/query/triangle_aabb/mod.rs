@@ -13,6 +13,7 @@ pub(super) mod error_bound;
 pub(super) mod exact;
 pub(super) mod frame;
 pub(super) mod kernel;
+mod near;
 mod offsets;
 mod prepared;
 mod relation;
@@ -46,17 +47,10 @@ impl<S: Scalar> Disjoint<'_, S> {
             self.aabb.form();
         N::holds(&[a, b, c, p.to_array(), q.to_array()])
     }
-}
 
-impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
-    type Answer = bool;
-
+    /// The answer in `N`, which holds the shapes.
     #[inline(always)]
-    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        // Here, where a fresh shape is still in registers.
-        if !self.is_held::<N>() {
-            return None;
-        }
+    fn in_held<N: Embeds<S>>(&self) -> Option<bool> {
         match self.aabb.form() {
             AabbForm::Center { center, half } if N::CORNER_FORM_ONLY => {
                 kernel::by_corners::<S, N>(self.triangle, center, center, half)
@@ -68,6 +62,16 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
                 kernel::by_corners::<S, N>(self.triangle, min, max, &Vec3::splat(S::ZERO))
             }
         }
+    }
+}
+
+impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
+    type Answer = bool;
+
+    #[inline(always)]
+    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        // Here, where a fresh shape is still in registers.
+        if self.is_held::<N>() { self.in_held::<N>() } else { None }
     }
 
     const PROFILE: Profile = Profile::QUADS;

@@ -7,8 +7,6 @@ use crate::query::one_sided::{Projection, one_sided, relation};
 use crate::query::relation::Relation;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
-#[cfg(feature = "fixed")]
-use crate::shape::{Near, Overlaps};
 
 impl<S: Scalar> Disjoint<'_, S> {
     /// The answer in words wide enough for shapes anywhere.
@@ -86,17 +84,6 @@ pub(in crate::query) fn extents<S: Scalar + InWord<W>, W: Word>(
             let (min, max) = (words(min), words(max));
             (min, each(max, min, W::minus))
         }
-    }
-}
-
-#[cfg(feature = "fixed")]
-impl<S: Scalar + InWord<i32>> Overlaps<Near<Aabb<S>>> for Near<Triangle<S>> {
-    /// Do a triangle and an axis-aligned box near the origin have a point in common?
-    ///
-    /// *Numerics*: exact, in 32-bit words alone. *Panics*: never.
-    #[inline]
-    fn overlaps(&self, aabb: &Near<Aabb<S>>) -> bool {
-        !Disjoint { triangle: self.get(), aabb: aabb.get() }.in_any_words::<i32>()
     }
 }
 

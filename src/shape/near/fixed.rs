@@ -1,50 +1,11 @@
-//! Shapes that have been checked to be near the origin.
+//! Shapes in 32-bit fixed point.
 
 use fixed::FixedI32;
 use fixed::types::extra::LeEqU32;
 
-use super::aabb::Form;
-use super::overlaps::Overlaps;
-use super::{Aabb, Obb, Ray, ShapeError, Triangle, Vec3};
-
-/// A shape near the origin: see [`near`](crate::near).
-///
-/// [`Triangle::near`], [`Ray::near`], [`Aabb::near`] and [`Obb::near`] make one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[repr(transparent)]
-pub struct Near<T>(T);
-
-impl<T> Near<T> {
-    /// The ordinary shape.
-    #[inline]
-    #[must_use]
-    pub const fn get(&self) -> &T {
-        &self.0
-    }
-
-    /// Do the two shapes have a point in common? Exact: the answer of the ordinary shapes.
-    #[doc(alias = "intersects")]
-    #[must_use]
-    #[inline]
-    pub fn overlaps<Other>(&self, other: &Near<Other>) -> bool
-    where
-        Self: Overlaps<Near<Other>>,
-    {
-        Overlaps::overlaps(self, other)
-    }
-
-    /// May the two shapes have a point in common? Never `false` if they have.
-    #[doc(alias = "intersects")]
-    #[must_use]
-    #[inline]
-    pub fn may_overlap<Other>(&self, other: &Near<Other>) -> bool
-    where
-        Self: Overlaps<Near<Other>>,
-    {
-        Overlaps::may_overlap(self, other)
-    }
-}
+use super::Near;
+use crate::shape::aabb::Form;
+use crate::shape::{Aabb, Obb, Ray, ShapeError, Triangle, Vec3};
 
 /// The bits of a coordinate without its sign. Two such coordinates differ by less than 2^18, which
 /// the kernel for axis-aligned boxes can take on every core.
