@@ -294,42 +294,4 @@ pub(super) fn beyond_plane<W: Word, A: ProductSum<W>, K: Sets>(
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::arithmetic::SplitSum;
-
-    /// All ways to hold an area agree, on the widest shapes that a word permits and in contact.
-    /// `tests/` checks that they are right.
-    #[test]
-    fn areas_agree() {
-        let mut seed = 1_u32;
-        let mut below = |n: u32| {
-            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            ((u64::from(seed) * u64::from(n)) >> 32) as i32
-        };
-        for (bits, is_narrow) in [(18, true), (29, false)] {
-            let far = (1 << bits) - 1;
-            let mut apart = 0;
-            for case in 0..100_000 {
-                let projections = [(); 3].map(|()| match case % 3 {
-                    0 => ([(); 3].map(|()| below(2 * far as u32 + 1) - far), below(1 << bits)),
-                    1 => {
-                        ([(); 3].map(|()| [-far, -1, 0, 1, far][below(5) as usize]), far * below(2))
-                    }
-                    _ => ([(); 3].map(|()| below(13) - 4), 4),
-                });
-                let short = projections.map(|(t, size)| Projection { t, size });
-                let long = projections
-                    .map(|(t, size)| Projection { t: t.map(i64::from), size: i64::from(size) });
-                let verdict = in_areas::<_, SplitSum<_>, Closed>(&long);
-                assert_eq!(verdict, in_areas::<_, i64, Closed>(&short), "{projections:?}");
-                assert!(
-                    !is_narrow || verdict == in_areas::<_, SplitSum<_>, Closed>(&short),
-                    "{projections:?}"
-                );
-                apart += u32::from(verdict);
-            }
-            assert!((25_000..75_000).contains(&apart), "{apart} of 100,000 are apart");
-        }
-    }
-}
+mod tests;
