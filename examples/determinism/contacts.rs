@@ -1,7 +1,7 @@
 //! Questions about overlapping shapes: the minimum translation, and the contact points.
 
 use septum::contact::{Contact, Features, InteriorEdges, Part, contact, contact_in_mesh};
-use septum::{Aabb, Obb, Triangle};
+use septum::{Aabb, Capsule, Obb, Sphere, Triangle, Vec3};
 
 use super::super::draw::Draw;
 use super::answers::{Answers, Hash};
@@ -34,8 +34,13 @@ pub(super) fn tell<S: Draw, A: Answers>(
         Features::First(k) => (0, k, 0),
         Features::Second(k) => (1, k, 0),
         Features::Edges(i, j) => (2, i, j),
+        Features::Nearest(..) => (3, 0, 0),
     };
     [kind, first, second].into_iter().for_each(|byte| told.byte(byte));
+    if let Features::Nearest(first, second) = out.features {
+        part(told, first);
+        part(told, second);
+    }
     let told = answers.to(points);
     told.byte(found.points().len() as u8);
     for point in found.points() {
@@ -43,6 +48,31 @@ pub(super) fn tell<S: Draw, A: Answers>(
         told.vector(Some(point.on_second));
         told.number(point.depth);
         point.parts.into_iter().for_each(|p| part(told, p));
+    }
+}
+
+/// Spheres and capsules with a triangle and boxes, some in a mesh.
+#[inline(never)]
+pub(super) fn round<S: Draw, A: Answers>(
+    triangle: &Triangle<S>,
+    aabbs: [&Aabb<S>; 2],
+    [p, q, d]: [Vec3<S>; 3],
+    answers: &mut A,
+) {
+    let [a, b, c] = *triangle.vertices();
+    let all = [Query::RoundTranslation, Query::RoundPoints];
+    let edges = InteriorEdges::new([true, false, true]);
+    for (center, radius) in [(p, d.x), (a, q.y), (d, S::ZERO)] {
+        let Ok(sphere) = Sphere::new(center, radius.size()) else { continue };
+        tell(answers, all, contact(&sphere, triangle));
+        tell(answers, all, contact_in_mesh(triangle, edges, &sphere));
+        aabbs.iter().for_each(|&aabb| tell(answers, all, contact(aabb, &sphere)));
+    }
+    for (ends, radius) in [([p, d], q.x), ([a, q], d.x), ([b, c], p.y), ([q, d], S::ZERO)] {
+        let Ok(capsule) = Capsule::new(ends[0], ends[1], radius.size()) else { continue };
+        tell(answers, all, contact(triangle, &capsule));
+        tell(answers, all, contact_in_mesh(triangle, edges, &capsule));
+        aabbs.iter().for_each(|&aabb| tell(answers, all, contact(&capsule, aabb)));
     }
 }
 

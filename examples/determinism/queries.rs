@@ -148,4 +148,6 @@ queries! {
     MeshClosest = "mesh closest_point",
     SphereRelation = "sphere relation",
     CapsuleRelation = "capsule relation",
+    RoundTranslation = "sphere or capsule contacts",
+    RoundPoints = "sphere or capsule points",
 }

@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 
 use super::limbs::Limbs;
-use super::number::{Limbed, Number};
+use super::number::{Limbed, Number, signed};
 use super::portion::divided_limbs;
 #[cfg(feature = "fixed")]
 use super::quotient::{Dividend, quotient_of_limbs};
@@ -272,6 +272,9 @@ impl<const L: usize> Number for BigInt<L> {
     }
     fn portion(self, den: Self, _: [Self; 2]) -> [Soft; 2] {
         [divided_limbs(Limbs(self.0), &Limbs(den.0)); 2]
+    }
+    fn sign_and_size(self) -> Option<(Ordering, Soft)> {
+        signed(self.sign_magnitude())
     }
 }
 

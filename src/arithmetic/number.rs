@@ -65,12 +65,26 @@ pub trait Number:
         let _ = (den, errors);
         [Soft::ZERO, Soft::ONE]
     }
+
+    /// Sign and size of an exact number; `None` for zero, and for numbers that are rounded.
+    #[inline(always)]
+    fn sign_and_size(self) -> Option<(Ordering, Soft)> {
+        None
+    }
 }
 
 /// A number of several limbs.
 pub trait Limbed {
     /// The number in two's complement, the least limb first.
     fn limbs(&self) -> &[u64];
+}
+
+/// Sign and size of a number that is not zero, from its sign and magnitude.
+pub(super) fn signed<const L: usize>(
+    (is_negative, limbs): (bool, [u64; L]),
+) -> Option<(Ordering, Soft)> {
+    let sign = if is_negative { Ordering::Less } else { Ordering::Greater };
+    Some((sign, Soft::of_limbs(&limbs)?))
 }
 
 macro_rules! integer {
@@ -94,6 +108,10 @@ macro_rules! integer {
             fn portion(self, den: Self, _: [Self; 2]) -> [Soft; 2] {
                 debug_assert!(self > 0 && self <= den);
                 [$divided(self.unsigned_abs().into(), den.unsigned_abs().into()); 2]
+            }
+            fn sign_and_size(self) -> Option<(Ordering, Soft)> {
+                let size = u128::from(self.unsigned_abs());
+                signed((self < 0, [size as u64, (size >> 64) as u64]))
             }
         }
     )*};

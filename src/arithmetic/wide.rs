@@ -1,9 +1,10 @@
 //! A 256-bit integer, for volumes of 64-bit scalars.
 
+use core::cmp::Ordering;
 use core::ops::{Add, Neg, Sub};
 
 use super::limbs::Limbs;
-use super::number::Number;
+use super::number::{Number, signed};
 use super::platform::REGISTERS_ARE_WIDE;
 use super::portion::divided_limbs;
 use super::soft::Soft;
@@ -136,6 +137,9 @@ impl Number for I256 {
     }
     fn portion(self, den: Self, _: [Self; 2]) -> [Soft; 2] {
         [divided_limbs(Limbs(self.limbs().1), &Limbs(den.limbs().1)); 2]
+    }
+    fn sign_and_size(self) -> Option<(Ordering, Soft)> {
+        signed(self.limbs())
     }
     fn half(self) -> Self {
         Self { high: self.high >> 1, low: self.low >> 1 | (self.high as u128) << 127 }

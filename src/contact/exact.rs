@@ -70,20 +70,20 @@ impl Exact {
         let overlaps = [overlap(false), overlap(true)];
         Some(Self { coordinates, along, overlaps })
     }
+}
 
-    /// The length of the direction, and its square.
-    pub(super) fn length(&self) -> Option<(Soft, Soft)> {
-        let (mut sum, mut count, mut last): (Size, _, Size) = (None, 0, None);
-        for &(_, size) in self.coordinates.iter().flatten() {
-            let square = size.times(size);
-            sum = Some(sum.map_or(square, |sum| sum.plus(square)));
-            (count, last) = (count + 1, Some(size));
-        }
-        let square = sum?;
-        // Along a coordinate axis the length is exact.
-        let length = if count == 1 { last? } else { square.root() };
-        Some((length, square))
+/// The length of a direction, and its square; `None` for zero.
+pub(super) fn length(coordinates: &[Option<(Ordering, Soft)>; 3]) -> Option<(Soft, Soft)> {
+    let (mut sum, mut count, mut last): (Size, _, Size) = (None, 0, None);
+    for &(_, size) in coordinates.iter().flatten() {
+        let square = size.times(size);
+        sum = Some(sum.map_or(square, |sum| sum.plus(square)));
+        (count, last) = (count + 1, Some(size));
     }
+    let square = sum?;
+    // Along a coordinate axis the length is exact.
+    let length = if count == 1 { last? } else { square.root() };
+    Some((length, square))
 }
 
 /// The vertices of a triangle that lie farthest in a direction, from the signs of its edges along

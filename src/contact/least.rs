@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::body::{Body, Rough, Vec64, cross, dot};
 use super::directions::{Direction, all};
-use super::exact::{Exact, farthest};
+use super::exact::{Exact, farthest, length};
 use super::filter::{AT_ONCE, Filter};
 use super::interior::InteriorEdges;
 use super::measures::{Lengths, Measures};
@@ -157,7 +157,7 @@ fn exact<S: Scalar>(
         note(Stage::Exact);
         let known = filter.along(direction);
         let Some(exact) = numbers.along(bodies, direction, &known, wanted) else { continue };
-        let Some((length, square)) = exact.length() else { continue };
+        let Some((length, square)) = length(&exact.coordinates) else { continue };
         let Exact { coordinates, along, overlaps } = exact;
         for is_along in [false, true] {
             if !wanted[usize::from(is_along)] {

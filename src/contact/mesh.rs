@@ -1,13 +1,15 @@
 //! The contacts of a shape with a whole mesh.
 
-use super::{Contact, InteriorEdges, Shape, contact_in_mesh};
+use super::{Contact, ContactWith, InteriorEdges, contact_in_mesh};
 use crate::mesh::{Index, MeshError, Overlapping, Probe, Tree};
 use crate::scalar::Scalar;
+use crate::shape::Triangle;
 
 impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     /// The contacts of a shape with the mesh: for each triangle that the shape penetrates, its index
     /// and its contact manifold, in the tree's order. The shape is an [`Aabb`](crate::Aabb), an
-    /// [`Obb`](crate::Obb) or a [`Triangle`](crate::Triangle).
+    /// [`Obb`](crate::Obb), a [`Triangle`], a [`Sphere`](crate::Sphere) or a
+    /// [`Capsule`](crate::Capsule).
     ///
     /// `interior` has the interior edges of each triangle, by its index in the mesh, as
     /// [`interior_edges`](crate::contact::interior_edges) computes them. With them no contact is a
@@ -53,11 +55,14 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     #[doc(alias = "manifold")]
     #[doc(alias = "ghost collision")]
     #[doc(alias = "penetration")]
-    pub fn contacts<'t, P: Probe<S> + Shape<S>>(
+    pub fn contacts<'t, P: Probe<S>>(
         &'t self,
         shape: &'t P,
         interior: &'t [InteriorEdges],
-    ) -> Result<Contacts<'t, 'a, S, I, P>, MeshError> {
+    ) -> Result<Contacts<'t, 'a, S, I, P>, MeshError>
+    where
+        Triangle<S>: ContactWith<S, P>,
+    {
         let needed = self.mesh().triangles().len();
         if interior.len() < needed {
             return Err(MeshError::Length { needed });
@@ -75,7 +80,10 @@ pub struct Contacts<'t, 'a, S: Scalar, I, P> {
     overlapping: Overlapping<'t, 'a, S, I, P>,
 }
 
-impl<S: Scalar, I: Index, P: Probe<S> + Shape<S>> Iterator for Contacts<'_, '_, S, I, P> {
+impl<S: Scalar, I: Index, P: Probe<S>> Iterator for Contacts<'_, '_, S, I, P>
+where
+    Triangle<S>: ContactWith<S, P>,
+{
     type Item = (usize, Contact<S>);
 
     fn next(&mut self) -> Option<Self::Item> {

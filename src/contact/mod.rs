@@ -23,14 +23,25 @@
 //!
 //! # Pairs
 //!
-//! [`Triangle`], [`Aabb`] and [`Obb`] in every combination, and in every scalar. An oriented box is
-//! the parallelepiped that its numbers describe.
+//! [`Triangle`], [`Aabb`] and [`Obb`] in every combination; [`Sphere`] and [`Capsule`] with
+//! [`Triangle`] and [`Aabb`], in either order. All in every scalar, and with a mesh. An oriented box
+//! is the parallelepiped that its numbers describe. Other pairs do not compile:
+//!
+//! ```compile_fail
+//! use septum::{Obb, Sphere, contact::contact};
+//!
+//! let ball = Sphere::new([0.0_f32; 3], 1.0).unwrap();
+//! let turned = Obb::from_quaternion([0.0; 3], [0.0, 0.0, 0.0, 1.0], [1.0; 3]).unwrap();
+//! contact(&ball, &turned);
+//! ```
 //!
 //! # Exactness
 //!
 //! The verdict is exact: there is no translation if and only if a plane separates the interiors of
 //! the shapes. Shapes that only touch have none. Two shapes in one plane have none either, because
-//! any step off the plane separates them.
+//! any step off the plane separates them. A sphere or a capsule has a translation if and only if a
+//! point of the other shape is nearer than the radius; without a radius it is a point or a segment,
+//! and the first rule holds.
 //!
 //! Moving the first shape by the returned vector is guaranteed to separate the interiors, because
 //! each coordinate is rounded away from zero. The guarantee is for p + t without rounding. If the
@@ -51,7 +62,23 @@
 //! itself and half a unit in the last place. All three are exact if the direction is a coordinate
 //! axis and the coordinates have few bits.
 //!
+//! # Spheres and capsules
+//!
+//! A sphere is a point with a radius, a capsule a segment with one. Outside of the other shape, the
+//! direction is that between the nearest points, which is exact, and d is the radius less their
+//! distance. If the point or the segment meets the shape, d is the radius plus the least overlap. The
+//! bounds above hold for both. Of equal depths a face comes before an edge, the lower number first,
+//! and the front of a triangle, where its vertices go counterclockwise, before its back: a sphere
+//! around a point of a triangle leaves to the front. The order of the two shapes changes only signs.
+//!
+//! There is one contact point, also where a capsule lies along a face. It is on the part that the
+//! direction comes from: on the other shape each coordinate is rounded once, and `on_second` −
+//! `on_first` is `depth` times the normal, within 2⁻⁵⁰ of the depth and two units. In a mesh, if
+//! `is_held`, the point is less deep than the translation.
+//!
 //! # Points
+//!
+//! Of shapes with flat faces:
 //!
 //! Points are computed in `f64` from the second shape's centre or first vertex, and rounded to the
 //! scalar. Let R be the greatest difference in a coordinate between any two corners of the shapes,
@@ -79,8 +106,13 @@
 //! [`contact_in_mesh`] prevents this. It takes three bits for each triangle, one for each edge: set
 //! if the edge is interior. [`interior_edges`] computes them, and
 //! [`Tree::contacts`](crate::mesh::Tree::contacts) returns the contacts of a shape with a whole mesh.
+//!
+//! A sphere or a capsule that is outside of a triangle, and nearest to it across an interior edge, is
+//! nearer to the triangle beyond that edge, whose contact is deeper. There it has no contact with the
+//! first triangle.
 
 mod body;
+mod depth;
 mod directions;
 mod exact;
 mod faces;
@@ -90,7 +122,11 @@ mod interior;
 mod least;
 mod measures;
 mod mesh;
+mod nearest;
+mod pairs;
 mod points;
+mod round;
+mod scene;
 mod settled;
 mod signs;
 mod sums;
@@ -106,34 +142,14 @@ pub use self::interior::{InteriorEdges, interior_edges};
 use self::least::{Way, least_measures, least_way};
 use self::measures::Measures;
 pub use self::mesh::Contacts;
+use self::pairs::sealed::Pair;
+pub use self::pairs::{ContactWith, Shape};
 pub use self::points::Point;
 use self::points::{Points, features, points};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Obb, Triangle, Vec3};
-
-/// A shape that has contacts: a [`Triangle`], an [`Aabb`] or an [`Obb`].
-///
-/// The trait is sealed.
-pub trait Shape<S>: sealed::Sealed<S> {}
-
-mod sealed {
-    pub trait Sealed<S> {
-        fn body(&self) -> super::Body<'_, S>;
-    }
-}
-
-macro_rules! shapes {
-    ($($shape:ident)*) => {$(
-        impl<S: Scalar> Shape<S> for $shape<S> {}
-
-        impl<S: Scalar> sealed::Sealed<S> for $shape<S> {
-            fn body(&self) -> Body<'_, S> {
-                Body::$shape(self)
-            }
-        }
-    )*};
-}
-shapes! { Triangle Aabb Obb }
+#[cfg(doc)]
+use crate::shape::{Aabb, Capsule, Obb, Sphere};
+use crate::shape::{Triangle, Vec3};
 
 /// The minimum translation that moves the first shape out of the second.
 #[doc(alias = "MTV")]
@@ -214,20 +230,34 @@ impl<S: Scalar> fmt::Debug for Contact<S> {
 /// for each direction that is left, in integers of up to 256 bits, or in exact sums if 60 bits do
 /// not hold the coordinates; and a root and seven quotients of 64 bits.
 ///
+/// A sphere or a capsule first asks whether it overlaps; then integers of the length that exactness
+/// takes compare the distances of its ends and the parts of the other shape.
+///
 /// *Source*: separating axes, as for [`Obb::overlaps`]. The rounding that guarantees separation is
 /// ours.
+///
+/// ```
+/// use septum::contact::{Features, least_translation};
+/// use septum::{Aabb, Capsule, Sphere};
+///
+/// let cell = Aabb::from_min_max([0.0_f32; 3], [4.0; 3])?;
+/// let ball = Sphere::new([4.375, 2.0, 2.0], 0.5)?;
+/// let out = least_translation(&ball, &cell).unwrap();
+/// assert_eq!((out.depth, out.features), (0.125, Features::Second(1)));
+/// assert_eq!(out.vector.to_array(), [0.125, 0.0, 0.0]);
+/// let post = Capsule::new([3.0, 1.0, -2.0], [3.0, 1.0, 9.0], 0.5)?;
+/// assert_eq!(least_translation(&post, &cell).unwrap().depth, 1.5); // from inside
+/// # Ok::<(), septum::ShapeError>(())
+/// ```
 #[doc(alias = "MTV")]
 #[doc(alias = "minimum translation vector")]
 #[doc(alias = "penetration")]
 #[must_use]
-pub fn least_translation<S: Scalar>(
-    first: &impl Shape<S>,
-    second: &impl Shape<S>,
+pub fn least_translation<S: Scalar, Other>(
+    first: &impl ContactWith<S, Other>,
+    second: &Other,
 ) -> Option<Translation<S>> {
-    let bodies = [first.body(), second.body()];
-    let (_, rough) = in_floats(&bodies);
-    let (way, measures) = least_measures(&bodies, &rough)?;
-    Some(translation(&bodies, &way, &measures))
+    first.least_translation_from(second)
 }
 
 /// Returns the minimum translation that moves the first shape out of the second, and the contact
@@ -238,8 +268,11 @@ pub fn least_translation<S: Scalar>(
 #[doc(alias = "penetration")]
 #[doc(alias = "manifold")]
 #[must_use]
-pub fn contact<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> Option<Contact<S>> {
-    of_bodies(&[first.body(), second.body()], InteriorEdges::NONE)
+pub fn contact<S: Scalar, Other>(
+    first: &impl ContactWith<S, Other>,
+    second: &Other,
+) -> Option<Contact<S>> {
+    first.contact_with(second, InteriorEdges::NONE)
 }
 
 /// Returns the [`contact`] of a triangle of a mesh. If the minimum translation leads across an
@@ -250,7 +283,8 @@ pub fn contact<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> Opti
 /// the direction does not point back over the edge. Then `is_held` is `true`, and the
 /// translation goes to the side of the triangle where the depth is less.
 ///
-/// `None` also if the triangle is a segment or a point, which has no normal.
+/// `None` also if the triangle is a segment or a point, which has no normal, and if the other shape
+/// is a sphere or a capsule outside of the triangle: then the triangle beyond the edge is nearer.
 ///
 /// The points lie on the triangle, as for [`contact`]. If `is_held`, they come from the face of
 /// `other` that is deepest over the triangle. The deepest part of `other` may lie beyond the
@@ -274,12 +308,21 @@ pub fn contact<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> Opti
 /// # Ok::<(), septum::ShapeError>(())
 /// ```
 #[must_use]
-pub fn contact_in_mesh<S: Scalar>(
+pub fn contact_in_mesh<S: Scalar, Other>(
     triangle: &Triangle<S>,
     interior: InteriorEdges,
-    other: &impl Shape<S>,
-) -> Option<Contact<S>> {
-    of_bodies(&[Body::Triangle(triangle), other.body()], interior)
+    other: &Other,
+) -> Option<Contact<S>>
+where
+    Triangle<S>: ContactWith<S, Other>,
+{
+    Pair::contact_with(triangle, other, interior)
+}
+
+fn translation_of_bodies<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<Translation<S>> {
+    let (_, rough) = in_floats(bodies);
+    let (way, measures) = least_measures(bodies, &rough)?;
+    Some(translation(bodies, &way, &measures))
 }
 
 fn of_bodies<S: Scalar>(bodies: &[Body<'_, S>; 2], interior: InteriorEdges) -> Option<Contact<S>> {

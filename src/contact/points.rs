@@ -40,6 +40,10 @@ pub(super) struct Points<S> {
 }
 
 impl<S: Scalar> Points<S> {
+    pub(super) fn one(point: Point<S>) -> Self {
+        Self { points: [point; MOST], count: 1 }
+    }
+
     pub(super) fn as_slice(&self) -> &[Point<S>] {
         self.points.get(..self.count).unwrap_or(&[])
     }
@@ -152,7 +156,7 @@ pub(super) fn points<S: Scalar>(
             };
             by_edges(&view, edges(0, i), || edges(1, j), &normal)
         }
-        (Features::Edges(..), Direction::Face { .. }) => Pairs::new(),
+        (Features::Edges(..) | Features::Nearest(..), _) => Pairs::new(),
     };
     let back = outward.map(|x| -x);
     let overlap = shapes[0].reach_along(&outward) + shapes[1].reach_along(&back);

@@ -3,7 +3,7 @@
 use super::Shape;
 use super::body::{Body, Rough};
 use super::directions::{Direction, all};
-use super::exact::Size;
+use super::exact::{Size, length};
 use super::in_floats;
 use super::interior::InteriorEdges;
 use super::least::{Numbers, Way, least_exact, least_way};
@@ -41,7 +41,7 @@ fn by_sums<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<(Direction, bool, Siz
     for &direction in all(bodies) {
         let exact = Numbers::Sums.along(bodies, direction, &NOTHING_IS_KNOWN, [true; 2]);
         let Some(exact) = exact else { continue };
-        let (length, _) = exact.length().unwrap();
+        let (length, _) = length(&exact.coordinates).unwrap();
         for is_along in [false, true] {
             let depth = exact.overlaps[usize::from(is_along)]?.over(length);
             let is_less = |(_, _, best): (_, _, Size)| depth.is_less_than(best.unwrap());

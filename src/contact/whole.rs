@@ -36,14 +36,6 @@ pub(super) trait Integers {
     fn raised(x: Self::Area, up: u32) -> Self::Area;
     fn volume(x: Self::Area, y: Self::Length) -> Self::Volume;
     fn fourth(x: Self::Area, y: Self::Area) -> Self::Fourth;
-    fn of_area(x: Self::Area) -> Option<(Ordering, Soft)>;
-    fn of_fourth(x: Self::Fourth) -> Option<(Ordering, Soft)>;
-}
-
-/// Sign and size of a number that is not zero.
-fn soft<const L: usize>((is_negative, limbs): (bool, [u64; L])) -> Option<(Ordering, Soft)> {
-    let sign = if is_negative { Ordering::Less } else { Ordering::Greater };
-    Some((sign, Soft::of_limbs(&limbs)?))
 }
 
 /// Lengths in one word.
@@ -78,13 +70,6 @@ impl Integers for Short {
     }
     fn fourth(x: i128, y: i128) -> I256 {
         I256::of_two(x, y)
-    }
-    fn of_area(x: i128) -> Option<(Ordering, Soft)> {
-        let size = x.unsigned_abs();
-        soft((x < 0, [size as u64, (size >> 64) as u64]))
-    }
-    fn of_fourth(x: I256) -> Option<(Ordering, Soft)> {
-        soft(x.limbs())
     }
 }
 
@@ -130,12 +115,6 @@ impl Integers for Long {
     #[inline(never)]
     fn fourth(x: BigInt<8>, y: BigInt<8>) -> BigInt<16> {
         x.times(&y)
-    }
-    fn of_area(x: BigInt<8>) -> Option<(Ordering, Soft)> {
-        soft(x.sign_magnitude())
-    }
-    fn of_fourth(x: BigInt<16>) -> Option<(Ordering, Soft)> {
-        soft(x.sign_magnitude())
     }
 }
 
@@ -322,7 +301,7 @@ impl<'a, N: Integers> Whole<'a, N> {
 impl<N: Integers> Given for Whole<'_, N> {
     fn coordinates(&self) -> [Option<(Ordering, Soft)>; 3] {
         three(|i| {
-            let (sign, size) = N::of_area(self.direction[i])?;
+            let (sign, size) = self.direction[i].sign_and_size()?;
             Some((sign, size.scaled(self.unit)))
         })
     }
@@ -339,7 +318,7 @@ impl<N: Integers> Given for Whole<'_, N> {
             shape.add_end(&mut reach, vertices[k], &along[k], k != lower);
         }
         let [x, y, z] = three(|i| N::fourth(self.direction[i], reach[i]));
-        let (sign, size) = N::of_fourth(x + y + z)?;
+        let (sign, size) = (x + y + z).sign_and_size()?;
         sign.is_gt().then(|| size.scaled(self.unit + self.shapes.ends))
     }
 }

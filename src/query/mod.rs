@@ -60,6 +60,7 @@ pub use axis::{Axis, HasAxes};
 pub use crossing::Crossing;
 #[cfg(feature = "libm")]
 pub(crate) use normal::direction;
+pub(crate) use orientation::{Vector, from};
 pub use plane_aabb::Side;
 pub use ray_aabb::PreparedRay;
 pub(crate) use ray_triangle::{

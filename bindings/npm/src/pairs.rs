@@ -116,6 +116,8 @@ extern "C" fn contact(first: u32, second: u32) -> i32 {
             Features::First(face) => [0, face, 0],
             Features::Second(face) => [1, face, 0],
             Features::Edges(one, other) => [2, one, other],
+            // Of spheres and capsules only.
+            Features::Nearest(..) => return 0,
         };
         let head = translation.vector.to_array().into_iter().chain([translation.depth]);
         let head = head.chain(translation.normal.to_array());

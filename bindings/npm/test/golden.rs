@@ -258,6 +258,7 @@ where
             Features::First(k) => [0, k, 0],
             Features::Second(k) => [1, k, 0],
             Features::Edges(i, k) => [2, i, k],
+            Features::Nearest(..) => unreachable!("shapes with flat faces"),
         };
         features.into_iter().for_each(|k| hash.add(k.into()));
         for point in contact.points() {

@@ -228,4 +228,7 @@ impl<const UNIT: u16, const A: usize> Number for Terms<UNIT, A> {
         let [num, den] = [self, den].map(|x| Limbs(x.added_up::<A>().0));
         [divided_limbs(num, &den); 2]
     }
+    fn sign_and_size(self) -> Option<(Ordering, Soft)> {
+        self.added_up::<A>().sign_and_size()
+    }
 }

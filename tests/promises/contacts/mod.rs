@@ -1,6 +1,7 @@
 //! Overlapping shapes: the minimum translation separates them, and is minimal.
 
 mod points;
+mod round;
 mod surface;
 
 use septum::contact::{Features, contact};

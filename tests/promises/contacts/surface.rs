@@ -1,8 +1,8 @@
-//! Surfaces of triangles: the interior edges, which catch no sliding box.
+//! Surfaces of triangles: the interior edges, which catch no sliding box and no capsule.
 
-use septum::contact::{Contact, InteriorEdges, contact, contact_in_mesh, interior_edges};
+use septum::contact::{Contact, Features, InteriorEdges, contact, contact_in_mesh, interior_edges};
 use septum::mesh::{Mesh, MeshError, OwnedTree};
-use septum::{Aabb, Obb, Triangle, Vec3};
+use septum::{Aabb, Capsule, Obb, Sphere, Triangle, Vec3};
 use septum_kit::Rng;
 
 type Point = [f32; 3];
@@ -168,6 +168,81 @@ fn nothing_is_caught_on_a_floor() {
 #[ignore = "takes minutes"]
 fn nothing_is_caught_on_ten_thousand_floors() {
     println!("held to the normal: {}", slide(10_000, 0x51df));
+}
+
+/// A capsule or a sphere over a floor has contacts along its normal only; the deepest is as deep as
+/// the lower end of the capsule. Returns how often a triangle alone would have caught it.
+fn roll(starts: usize, seed: u64) -> usize {
+    let mut rng = Rng::new(seed);
+    let mut caught = 0;
+    for n in 0..starts {
+        let slope = [0, 1].map(|_| if n % 2 == 0 { 0.0 } else { rng.whole(-3, 3) as f32 / 4.0 });
+        let (floor, interior) = floor(&mut rng, slope);
+        let size = (slope[0] * slope[0] + slope[1] * slope[1] + 1.0).sqrt();
+        let up = [-slope[0] / size, -slope[1] / size, 1.0 / size];
+        let tree = floor.as_tree();
+        for k in 0..20 {
+            let (radius, depth) = (rng.real(0.2, 0.6) as f32, rng.real(0.001, 0.1) as f32);
+            let [x, y] = [(); 2].map(|()| rng.real(-1.2, 1.2) as f32);
+            let low = [x, y, slope[0] * x + slope[1] * y + (radius - depth) * size];
+            let mut high = rng.triple(|rng| rng.real(-0.8, 0.8) as f32);
+            // Across the floor's normal, along it, or anywhere above.
+            let down = (0..3).map(|i| high[i] * up[i]).sum::<f32>();
+            let lift = [0.0, -down, 1.0 - down][k % 3].max(-down);
+            high = [0, 1, 2].map(|i: usize| low[i] + high[i] + lift * up[i]);
+            let capsule = Capsule::new(low, if n % 3 == 0 { low } else { high }, radius).unwrap();
+            let is_up = |c: &Contact<f32>| {
+                let normal = c.translation.normal.to_array();
+                (0..3).map(|i| normal[i] * up[i]).sum::<f32>() < -0.999_999
+            };
+            let mut deepest = 0.0_f32;
+            for (_, found) in tree.contacts(&capsule, &interior).unwrap() {
+                assert!(is_up(&found) && !found.is_held, "{found:?} {capsule:?}");
+                deepest = deepest.max(found.translation.depth);
+            }
+            assert!((deepest - depth).abs() < 1e-5, "{deepest} {depth} {capsule:?}");
+            for t in tree.overlapping(&capsule).map(|i| tree.mesh().triangle(i).unwrap()) {
+                caught += usize::from(contact(&t, &capsule).is_some_and(|c| !is_up(&c)));
+            }
+        }
+    }
+    caught
+}
+
+#[test]
+fn no_capsule_is_caught_on_a_floor() {
+    assert!(roll(60, 0x0ba1) > 100);
+}
+
+/// A capsule whose axis crosses a triangle leaves along its normal, if the nearest way out leads
+/// across an interior edge.
+#[test]
+fn a_capsule_that_crosses_is_held() {
+    let t = Triangle::new([0.0_f32, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]).unwrap();
+    let through = Capsule::new([1.0, 0.25, -1.0], [1.0, 0.25, 3.0], 0.5).unwrap();
+    let alone = contact(&t, &through).unwrap();
+    assert_eq!(alone.translation.vector.to_array(), [0.0, 0.75, 0.0]);
+    assert_eq!(alone.translation.features, Features::Edges(0, 0));
+    for edges in [InteriorEdges::ALL, InteriorEdges::new([true, false, false])] {
+        let held = contact_in_mesh(&t, edges, &through).unwrap();
+        assert_eq!(held.translation.vector.to_array(), [0.0, 0.0, -1.5]);
+        assert!(held.is_held && held.translation.features == Features::First(0));
+        let [point] = held.points() else { panic!("{held:?}") };
+        assert_eq!(point.on_first.to_array(), [1.0, 0.0, 0.0]);
+    }
+    let other = contact_in_mesh(&t, InteriorEdges::new([false, true, true]), &through).unwrap();
+    assert!(!other.is_held && other.translation == alone.translation);
+    // Beside the first edge, and beyond the second vertex: along its first edge, or between both.
+    let ball = |center: [f32; 3]| Sphere::new(center, 0.5).unwrap();
+    for edges in 0..8 {
+        let edges = InteriorEdges::new([edges & 1 == 1, edges & 2 == 2, edges & 4 == 4]);
+        let beside = contact_in_mesh(&t, edges, &ball([1.0, -0.25, 0.0]));
+        assert_eq!(beside.is_none(), edges.contains(0));
+        let along = contact_in_mesh(&t, edges, &ball([4.25, 0.0, 0.0]));
+        assert_eq!(along.is_none(), edges.contains(1));
+        let beyond = contact_in_mesh(&t, edges, &ball([4.25, -0.125, 0.125]));
+        assert_eq!(beyond.is_none(), edges.contains(0) || edges.contains(1));
+    }
 }
 
 /// Without interior edges no contact is held, and a triangle of zero area holds none.

@@ -226,6 +226,7 @@ impl<S: Sample> ContactCase<S> {
             Features::First(k) => hulls[0].normals()[usize::from(k / 2)].clone(),
             Features::Second(k) => hulls[1].normals()[usize::from(k / 2)].clone(),
             Features::Edges(i, j) => IBig::cross(hulls[0].side(i), hulls[1].side(j)),
+            Features::Nearest(..) => unreachable!("shapes with flat faces"),
         }
     }
 

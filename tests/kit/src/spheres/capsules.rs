@@ -151,12 +151,13 @@ fn from_box([a, b]: &[Whole; 2], faces: &[[IBig; 2]; 3]) -> Fraction {
     all.reduce(|x, y| if less(&y, &x) { y } else { x }).expect("an end")
 }
 
-fn squared(ends: [[Parts; 3]; 2], other: Other<Parts>) -> Squared {
+/// The squared distance of a segment, moved by a vector, from another shape.
+fn squared(ends: [[Parts; 3]; 2], by: [Parts; 3], other: Other<Parts>) -> Squared {
     if let Other::Plane(n, given) = other {
         return from_plane(ends, n, given);
     }
-    let unit = least_exponent(numbers(other).iter().chain(ends.as_flattened()));
-    let ends = ends.map(|p| p.map(|x| whole(x, unit)));
+    let unit = least_exponent(numbers(other).iter().chain(ends.as_flattened()).chain(&by));
+    let ends = ends.map(|p| [0, 1, 2].map(|i: usize| whole(p[i], unit) + whole(by[i], unit)));
     let (num, den) = match (other, hull(other, unit)) {
         (Other::Box(numbers), _) => from_box(&ends, &[0, 1, 2].map(|i| faces(numbers, i, unit))),
         (_, points) => {
@@ -173,7 +174,13 @@ impl<S: Sample> CapsuleCase<S> {
     /// centre or segment.
     pub fn squared(&self) -> Squared {
         let parts = S::mantissa_exponent;
-        squared(self.ends.map(|p| p.map(parts)), self.other.map(parts))
+        squared(self.ends.map(|p| p.map(parts)), [(0, 0); 3], self.other.map(parts))
+    }
+
+    /// The same after a translation of the segment, which is exact.
+    pub fn squared_after(&self, by: [S; 3]) -> Squared {
+        let parts = S::mantissa_exponent;
+        squared(self.ends.map(|p| p.map(parts)), by.map(parts), self.other.map(parts))
     }
 
     /// How that distance compares with the radius, or with both radii: equal if they touch, greater

@@ -10,6 +10,7 @@
 mod answers;
 mod capsules;
 mod closest;
+mod contacts;
 mod sets;
 
 use core::cmp::Ordering;
@@ -20,6 +21,7 @@ use septum::{Capsule, Closest, Ray, Segment, Sphere, Triangle};
 
 pub use answers::Answers;
 pub use capsules::CapsuleCase;
+pub use contacts::Found;
 pub use sets::SphereSet;
 
 use crate::exact::{Parts, least_exponent, whole};

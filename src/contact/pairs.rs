@@ -1,0 +1,161 @@
+//! The pairs of shapes that have contacts.
+
+use super::body::Body;
+use super::round::{self, Flat, Round};
+use super::{Contact, InteriorEdges, Translation, of_bodies, translation_of_bodies};
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, Capsule, Obb, Sphere, Triangle};
+
+/// A shape with flat faces that has contacts: a [`Triangle`], an [`Aabb`] or an [`Obb`].
+///
+/// The trait is sealed. Code that is generic over spheres and capsules too asks for
+/// [`ContactWith`].
+pub trait Shape<S>: sealed::Solid<Scalar = S> {}
+
+impl<S, A: sealed::Solid<Scalar = S>> Shape<S> for A {}
+
+/// A shape that has contacts with another shape. [The module](super#pairs) lists the pairs.
+///
+/// The trait is sealed.
+pub trait ContactWith<S: Scalar, Other>: sealed::Pair<S, Other> {}
+
+impl<S: Scalar, A: sealed::Pair<S, Other>, Other> ContactWith<S, Other> for A {}
+
+pub(super) mod sealed {
+    use super::{Body, Contact, Flat, InteriorEdges, Scalar, Translation};
+    use crate::shape::{Capsule, Sphere};
+
+    /// A shape with flat faces.
+    pub trait Solid {
+        type Scalar;
+
+        fn body(&self) -> Body<'_, Self::Scalar>;
+    }
+
+    /// A shape that has contacts with spheres and capsules.
+    pub trait Near: Solid {
+        fn flat(&self) -> Flat<'_, Self::Scalar>;
+        fn meets_sphere(&self, sphere: &Sphere<Self::Scalar>) -> bool;
+        fn meets_capsule(&self, capsule: &Capsule<Self::Scalar>) -> bool;
+    }
+
+    #[diagnostic::on_unimplemented(
+        message = "`{Self}` has no contacts with `{Other}`",
+        note = "spheres and capsules have contacts with triangles and with axis-aligned boxes"
+    )]
+    pub trait Pair<S: Scalar, Other> {
+        fn least_translation_from(&self, other: &Other) -> Option<Translation<S>>;
+        fn contact_with(&self, other: &Other, interior: InteriorEdges) -> Option<Contact<S>>;
+    }
+}
+
+use sealed::{Near, Pair, Solid};
+
+impl<S: Scalar> Solid for Triangle<S> {
+    type Scalar = S;
+
+    fn body(&self) -> Body<'_, S> {
+        Body::Triangle(self)
+    }
+}
+
+impl<S: Scalar> Solid for Aabb<S> {
+    type Scalar = S;
+
+    fn body(&self) -> Body<'_, S> {
+        Body::Aabb(self)
+    }
+}
+
+impl<S: Scalar> Solid for Obb<S> {
+    type Scalar = S;
+
+    fn body(&self) -> Body<'_, S> {
+        Body::Obb(self)
+    }
+}
+
+impl<S: Scalar> Near for Triangle<S> {
+    fn flat(&self) -> Flat<'_, S> {
+        Flat::Triangle(self)
+    }
+    fn meets_sphere(&self, sphere: &Sphere<S>) -> bool {
+        sphere.overlaps(self)
+    }
+    fn meets_capsule(&self, capsule: &Capsule<S>) -> bool {
+        capsule.overlaps(self)
+    }
+}
+
+impl<S: Scalar> Near for Aabb<S> {
+    fn flat(&self) -> Flat<'_, S> {
+        Flat::Aabb(self)
+    }
+    fn meets_sphere(&self, sphere: &Sphere<S>) -> bool {
+        sphere.overlaps(self)
+    }
+    fn meets_capsule(&self, capsule: &Capsule<S>) -> bool {
+        capsule.overlaps(self)
+    }
+}
+
+impl<S: Scalar, A: Solid<Scalar = S>, B: Solid<Scalar = S>> Pair<S, B> for A {
+    fn least_translation_from(&self, other: &B) -> Option<Translation<S>> {
+        translation_of_bodies(&[self.body(), other.body()])
+    }
+    fn contact_with(&self, other: &B, interior: InteriorEdges) -> Option<Contact<S>> {
+        of_bodies(&[self.body(), other.body()], interior)
+    }
+}
+
+fn of_sphere<S: Scalar>(sphere: &Sphere<S>) -> Round<S> {
+    Round { ends: [sphere.center(); 2], radius: sphere.radius() }
+}
+
+fn of_capsule<S: Scalar>(capsule: &Capsule<S>) -> Round<S> {
+    Round { ends: capsule.ends().into(), radius: capsule.radius() }
+}
+
+impl<S: Scalar, B: Near<Scalar = S>> Pair<S, B> for Sphere<S> {
+    fn least_translation_from(&self, other: &B) -> Option<Translation<S>> {
+        let meets = other.meets_sphere(self);
+        meets.then(|| round::least_translation(other.flat(), &of_sphere(self), true))?
+    }
+    fn contact_with(&self, other: &B, interior: InteriorEdges) -> Option<Contact<S>> {
+        let meets = other.meets_sphere(self);
+        meets.then(|| round::contact(other.flat(), &of_sphere(self), true, interior))?
+    }
+}
+
+impl<S: Scalar, B: Near<Scalar = S>> Pair<S, B> for Capsule<S> {
+    fn least_translation_from(&self, other: &B) -> Option<Translation<S>> {
+        let meets = other.meets_capsule(self);
+        meets.then(|| round::least_translation(other.flat(), &of_capsule(self), true))?
+    }
+    fn contact_with(&self, other: &B, interior: InteriorEdges) -> Option<Contact<S>> {
+        let meets = other.meets_capsule(self);
+        meets.then(|| round::contact(other.flat(), &of_capsule(self), true, interior))?
+    }
+}
+
+impl<S: Scalar, A: Near<Scalar = S>> Pair<S, Sphere<S>> for A {
+    fn least_translation_from(&self, other: &Sphere<S>) -> Option<Translation<S>> {
+        let meets = self.meets_sphere(other);
+        meets.then(|| round::least_translation(self.flat(), &of_sphere(other), false))?
+    }
+    fn contact_with(&self, other: &Sphere<S>, interior: InteriorEdges) -> Option<Contact<S>> {
+        let meets = self.meets_sphere(other);
+        meets.then(|| round::contact(self.flat(), &of_sphere(other), false, interior))?
+    }
+}
+
+impl<S: Scalar, A: Near<Scalar = S>> Pair<S, Capsule<S>> for A {
+    fn least_translation_from(&self, other: &Capsule<S>) -> Option<Translation<S>> {
+        let meets = self.meets_capsule(other);
+        meets.then(|| round::least_translation(self.flat(), &of_capsule(other), false))?
+    }
+    fn contact_with(&self, other: &Capsule<S>, interior: InteriorEdges) -> Option<Contact<S>> {
+        let meets = self.meets_capsule(other);
+        meets.then(|| round::contact(self.flat(), &of_capsule(other), false, interior))?
+    }
+}
