@@ -7,7 +7,7 @@
 //! ticks later. Until then it predicts the remote input. If the prediction was wrong, it rolls back
 //! and runs those ticks again. A sync test does so in each tick, and compares. The hash of each tick
 //! is the same in both peers, on every machine. If one bit of one input is changed, the hashes differ
-//! from that tick on.
+//! from that tick on. Last, a capsule walks stairs and a teapot: a character controller.
 //!
 //! ```text
 //! cargo run --release --example lockstep
@@ -28,8 +28,14 @@ mod program;
 mod saves;
 mod session;
 mod solver;
+#[rustfmt::skip]
+#[allow(dead_code, reason = "its tree is for others")]
+#[path = "../assets/teapot.rs"]
+mod teapot;
 mod terrain;
 mod vector;
+mod walker;
+mod walks;
 
 use fixed::types::I16F16;
 
@@ -56,22 +62,27 @@ fn line_in<T: Number>(k: usize, name: &str, last: u64, back: usize) -> Line {
     with_ground(on).unwrap_or_default()
 }
 
-/// In I16F16, and then the hashes in `f32`.
+/// Lines in all: also the hashes in `f32`, and two walks.
+const ALL: usize = LINES + 3;
+
+/// In I16F16; then the hashes in `f32`, and the walks of a capsule.
 fn fixed_point(k: usize, back: usize) -> Line {
     if k < LINES {
         line_in::<I16F16>(k, "I16F16", LAST, back)
-    } else {
+    } else if k == LINES {
         line_in::<f32>(0, "f32", LAST_IN_F32, back)
+    } else {
+        walks::line(k - LINES - 1)
     }
 }
 
 /// Other machines have no options.
 #[cfg(any(target_os = "none", target_family = "wasm", target_endian = "big", septum_bare))]
 mod options {
-    use super::{BACK, LINES, Line, fixed_point};
+    use super::{ALL, BACK, Line, fixed_point};
 
     pub(crate) fn lines() -> usize {
-        LINES + 1
+        ALL
     }
 
     pub(crate) fn line(k: usize) -> Line {

@@ -14,7 +14,7 @@ use fixed::types::I16F16;
 use self::cli::valid;
 use crate::program::Line;
 use crate::session::MOST_BACK;
-use crate::{BACK, LAST_IN_F32, LINES, fixed_point, line_in};
+use crate::{ALL, BACK, LAST_IN_F32, LINES, fixed_point, line_in};
 
 /// Lockstep: two peers run the same world from the same inputs.
 ///
@@ -44,7 +44,7 @@ pub(crate) fn lines() -> usize {
     match *OPTIONS {
         Options { crowd: true, .. } => 1,
         Options { floats: true, .. } => LINES,
-        _ => LINES + 1,
+        _ => ALL,
     }
 }
 

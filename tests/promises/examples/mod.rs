@@ -9,6 +9,7 @@ mod quantise;
 #[path = "../../../examples/assets/teapot.rs"]
 pub(crate) mod teapot;
 mod voxelize;
+mod walking;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
