@@ -150,4 +150,5 @@ queries! {
     CapsuleRelation = "capsule relation",
     RoundTranslation = "sphere or capsule contacts",
     RoundPoints = "sphere or capsule points",
+    CapsuleRay = "capsule/ray relation",
 }

@@ -116,3 +116,26 @@ pub(super) fn relations<S: Draw, A: Answers>(
         other_capsule.iter().for_each(|x| answer.relation(capsule.relation(x)));
     }
 }
+
+/// The relations of capsules with a ray and parts of it.
+#[inline(never)]
+pub(super) fn rays<S: Draw, A: Answers>(
+    ray: &Ray<S>,
+    triangle: &Triangle<S>,
+    [p, q, d]: [Vec3<S>; 3],
+    answers: &mut A,
+) {
+    let [a, b, c] = *triangle.vertices();
+    let o = ray.origin();
+    let (x, y) = if q.x < d.y { (q.x, d.y) } else { (d.y, q.x) };
+    let ranges = [[Some(S::ZERO), None], [Some(S::ZERO), Some(d.x.size())], [Some(x), Some(y)]];
+    for ends in [[p, d], [a, q], [middle(a, b), c], [o, b]] {
+        for radius in [q.x, d.y, S::ZERO] {
+            let Ok(capsule) = Capsule::new(ends[0], ends[1], radius.size()) else { continue };
+            for [from, to] in ranges {
+                let Ok(part) = ray.with_range(from, to) else { continue };
+                answers.to(Query::CapsuleRay).relation(capsule.relation(&part));
+            }
+        }
+    }
+}

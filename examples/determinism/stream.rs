@@ -119,6 +119,9 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, k: u32) {
         spheres::spheres(others, [p, q, d], answers);
         spheres::relations(others, [p, q, d], answers);
         contacts::round(triangle, aabbs, [p, q, d], answers);
+        if let Some(ray) = ray {
+            spheres::rays(ray, triangle, [p, q, d], answers);
+        }
         let shapes =
             meshes::Shapes { aabbs, obb: obb.as_ref(), triangle, segments: &segments, ray };
         meshes::all(&[a, b, c, p, q, d, n, o], &shapes, answers);

@@ -47,6 +47,7 @@ reversed! {
     Aabb with Capsule;
     Segment with Capsule;
     Plane with Capsule;
+    Ray with Capsule;
     Sphere with Capsule;
 }
 
@@ -88,5 +89,6 @@ relations_reversed! {
     Segment with Capsule;
     Aabb with Capsule;
     Plane with Capsule;
+    Ray with Capsule;
     Sphere with Capsule;
 }

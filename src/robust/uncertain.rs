@@ -40,6 +40,12 @@ impl Uncertain {
         Self { certain: answer, possible: answer }
     }
 
+    /// An answer, or doubt.
+    #[inline(always)]
+    pub(crate) fn of(answer: Option<bool>) -> Self {
+        Self { certain: answer == Some(true), possible: answer != Some(false) }
+    }
+
     #[inline(always)]
     pub(crate) fn or(self, other: Self) -> Self {
         Self { certain: self.certain | other.certain, possible: self.possible | other.possible }

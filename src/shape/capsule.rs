@@ -45,7 +45,8 @@ impl<S: Scalar> Capsule<S> {
 overlaps_methods!(
     Capsule,
     "a [`Triangle`](crate::Triangle), an [`Aabb`](crate::Aabb), a [`Segment`](crate::Segment), a \
-     [`Plane`](crate::Plane), a [`Sphere`](crate::Sphere) or another capsule"
+     [`Ray`](crate::Ray), a [`Plane`](crate::Plane), a [`Sphere`](crate::Sphere) or another \
+     capsule"
 );
 
 impl<S: Copy> Capsule<S> {

@@ -3,8 +3,8 @@
 use std::cmp::Ordering;
 use std::env;
 
-use septum::relation::Relate;
-use septum::{Aabb, Capsule, Plane, ShapeError, Vec3};
+use septum::relation::{Relate, Relation};
+use septum::{Aabb, Capsule, Plane, Ray, ShapeError, Vec3};
 use septum_kit::fixed::types::I16F16;
 use septum_kit::spheres::{CapsuleCase, Other, SphereSet};
 use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar, not_finite, with_every_scalar};
@@ -77,6 +77,71 @@ fn every_small_segment<S: Sample>() {
 fn every_segment_on_a_small_grid() {
     every_small_segment::<f32>();
     every_small_segment::<I16F16>();
+}
+
+/// Segments on a small grid against rays in some directions, with every range of small whole
+/// numbers: distances, and relations of segments without a radius.
+fn every_small_ray<S: Sample>() {
+    let whole = |p: [i64; 3]| p.map(S::whole);
+    let ends = [None, Some(-1), Some(0), Some(1)];
+    let ranges = ends.iter().flat_map(|from| ends.map(|to| [*from, to]));
+    let ranges = ranges.filter(|[from, to]| from.zip(*to).is_none_or(|(from, to)| from <= to));
+    let at = |n: i64| whole([n % 3 * 3 - 3, n / 3 % 3 * 2 - 1, n / 9 * 4]);
+    let (mut touching, mut thin) = (0, 0);
+    for range in ranges.map(|range| range.map(|t| t.map(S::whole))) {
+        for d in [[3, 0, 0], [-3, 0, 0], [3, 4, 0], [0, 0, 1], [-3, 2, 4]] {
+            let other = Other::Ray([whole([0, 1, 0]), whole(d)], range);
+            for (a, b) in (0..18).flat_map(|a| (0..=a).map(move |b| (a, b))) {
+                for radius in 0..6 {
+                    let case =
+                        CapsuleCase { ends: [at(a), at(b)], radius: S::whole(radius), other };
+                    let truth = check(&case);
+                    touching += usize::from(truth.is_eq());
+                    thin += usize::from(radius == 0 && truth.is_eq());
+                }
+            }
+        }
+    }
+    assert!(touching > 2_000 && thin > 300, "{touching} {thin}");
+}
+#[test]
+fn every_small_ray_past_a_segment() {
+    every_small_ray::<f32>();
+    every_small_ray::<I16F16>();
+}
+
+#[test]
+fn segments_on_a_ray() {
+    let ray = Ray::new([0.0_f32; 3], [1.0, 0.0, 0.0]).unwrap();
+    let ranges = [[Some(0.0), None], [Some(0.0), Some(2.0)], [None, Some(2.0)], [Some(2.0); 2]];
+    let rays = ranges.map(|[from, to]| ray.with_range(from, to).unwrap());
+    let of = |a: [f32; 2], b: [f32; 2]| {
+        let [a, b] = [a, b].map(|[x, y]| [x, y, 0.0]);
+        let capsules = [[a, b], [b, a]].map(|[a, b]| Capsule::new(a, b, 0.0).unwrap());
+        rays.map(|ray| {
+            let [first, second] = capsules.map(|c| c.relation(&ray));
+            assert_eq!(first, second);
+            assert_eq!(first != Relation::Disjoint, capsules[0].overlaps(&ray));
+            first as u8
+        })
+    };
+    // On the line: beyond, from an end, within, past both ends.
+    assert_eq!(of([-2.0, 0.0], [-1.0, 0.0]), [0, 0, 2, 0]);
+    assert_eq!(of([-2.0, 0.0], [0.0, 0.0]), [1, 1, 2, 0]);
+    assert_eq!(of([0.5, 0.0], [1.5, 0.0]), [2, 2, 2, 0]);
+    assert_eq!(of([0.0, 0.0], [2.0, 0.0]), [2, 2, 2, 1]);
+    assert_eq!(of([1.0, 0.0], [2.0, 0.0]), [2, 2, 2, 1]);
+    assert_eq!(of([2.0, 0.0], [3.0, 0.0]), [2, 1, 1, 1]);
+    assert_eq!(of([-1.0, 0.0], [3.0, 0.0]), [2; 4]);
+    // Across the line, or with an end on it.
+    assert_eq!(of([1.0, -1.0], [1.0, 1.0]), [2, 2, 2, 0]);
+    assert_eq!(of([2.0, -1.0], [2.0, 1.0]), [2, 1, 1, 2]);
+    assert_eq!(of([2.0, 0.0], [3.0, 1.0]), [1; 4]);
+    assert_eq!(of([1.0, 0.0], [1.0, 1.0]), [1, 1, 1, 0]);
+    assert_eq!(of([0.0, -1.0], [0.0, 1.0]), [1, 1, 2, 0]);
+    // Points.
+    assert_eq!(of([0.0, 0.0], [0.0, 0.0]), [1, 1, 2, 0]);
+    assert_eq!(of([2.0, 0.0], [2.0, 0.0]), [2, 1, 1, 2]);
 }
 
 #[test]

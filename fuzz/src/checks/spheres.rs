@@ -1,5 +1,4 @@
-//! Sphere and capsule against triangle, segment, axis-aligned box, capsule and sphere; sphere against
-//! ray.
+//! Sphere and capsule against triangle, segment, ray, axis-aligned box, capsule and sphere.
 
 use crate::scalars::{Check, run};
 use crate::shapes::Shapes;
@@ -35,6 +34,9 @@ impl Check for Spheres {
         if ends[1] != [S::ZERO; 3] {
             let other = Other::Ray([shapes.point(), ends[1]], [Some(radius), None]);
             let case = SphereCase { center, radius, other };
+            let is_right = case.answers().check(case.truth(), case.relation());
+            assert!(is_right, "{}", told::<S>(&case));
+            let case = CapsuleCase { ends, radius, other };
             let is_right = case.answers().check(case.truth(), case.relation());
             assert!(is_right, "{}", told::<S>(&case));
         }

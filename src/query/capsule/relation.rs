@@ -4,11 +4,12 @@
 //! open set. A capsule of radius zero is its segment, which is also a triangle without area.
 
 use super::aabb::meets_aabb;
+use super::ray::meets_ray;
 use super::{meets_plane, meets_segment, meets_sphere, meets_triangle};
 use crate::query::relation::{Relate, Relation};
 use crate::query::sphere::of_ball;
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Capsule, Plane, Segment, Sphere, Triangle, Vec3};
+use crate::shape::{Aabb, Capsule, Plane, Ray, Segment, Sphere, Triangle, Vec3};
 
 /// The relation of a segment, as a triangle, with a shape.
 fn of_segment<S: Scalar, T>((a, b): (Vec3<S>, Vec3<S>), shape: &T) -> Relation
@@ -68,4 +69,34 @@ impl<S: Scalar> Relate<Plane<S>> for Capsule<S> {
         };
         of_ball(self.radius() > S::ZERO, |ball| meets_plane(self, plane, ball), without_radius)
     }
+}
+
+impl<S: Scalar> Relate<Ray<S>> for Capsule<S> {
+    fn relation(&self, ray: &Ray<S>) -> Relation {
+        let meets = |ball| meets_ray(self, ray, ball);
+        of_ball(self.radius() > S::ZERO, meets, || of_segment_and_ray(self, ray))
+    }
+}
+
+/// The relation of a ray with the segment of a capsule without a radius, which it meets.
+fn of_segment_and_ray<S: Scalar>(capsule: &Capsule<S>, ray: &Ray<S>) -> Relation {
+    let ends = [capsule.ends().0, capsule.ends().1].map(|p| Sphere::new(p, S::ZERO));
+    let [Ok(a), Ok(b)] = ends else { return Relation::Disjoint };
+    if a == b {
+        return a.relation(ray);
+    }
+    let with_range = |from, to| ray.with_range(from, to).ok();
+    let [from, to] = [ray.t_min(), ray.t_max()];
+    let at_ends = || [from, to].into_iter().flatten().filter_map(|t| with_range(Some(t), Some(t)));
+    let is_point = from.is_some() && from == to;
+    let is_on_line = |p: &Sphere<S>| with_range(None, None).is_some_and(|line| p.overlaps(&line));
+    let (is_first, is_second) = (a.overlaps(ray), b.overlaps(ray));
+    let touches = if is_point || !(is_on_line(&a) && is_on_line(&b)) {
+        is_first || is_second || !is_point && at_ends().any(|end| capsule.overlaps(&end))
+    } else {
+        // On one line, a common end and no more.
+        let shared = if is_first { a } else { b };
+        is_first != is_second && at_ends().any(|end| shared.overlaps(&end))
+    };
+    if touches { Relation::Touching } else { Relation::Overlapping }
 }

@@ -29,12 +29,12 @@ const SIDE: u16 = 240;
 /// may be a sum.
 pub(super) const SQUARE: u16 = 12;
 /// Roundoffs of a sum of three squares, of itself.
-pub(super) const SQUARES: u16 = 4;
+pub(in crate::query) const SQUARES: u16 = 4;
 /// Roundoffs of a square times the square of a radius.
-pub(super) const PRODUCT: u16 = 16;
+pub(in crate::query) const PRODUCT: u16 = 16;
 
 /// The errors of numbers made of lengths up to a size.
-pub(super) struct Errors<N: Arithmetic> {
+pub(in crate::query) struct Errors<N: Arithmetic> {
     /// Of a component of a cross product.
     pub(super) minor: N::Area,
     /// Of a dot product.
@@ -42,7 +42,7 @@ pub(super) struct Errors<N: Arithmetic> {
     /// Of a cross product times a vector.
     pub(super) volume: N::Volume,
     /// Of a cross product times another.
-    pub(super) side: N::Quartic,
+    pub(in crate::query) side: N::Quartic,
 }
 
 impl<N: Arithmetic> Errors<N> {
@@ -67,13 +67,20 @@ impl<N: Arithmetic> Errors<N> {
     /// The errors of products of a length up to `size` and a component of a direction up to `d`,
     /// which is not a length; `None` out of range.
     #[inline(always)]
-    pub(super) fn with_direction(size: N::Length, d: N::Length) -> Option<Self> {
+    pub(in crate::query) fn with_direction(size: N::Length, d: N::Length) -> Option<Self> {
         if N::CERTAIN {
             return Some(Self::NONE);
         }
         let area = N::area(size, d);
         let is_known = N::area(size, size).in_range() & N::area(d, d).in_range() & area.in_range();
         is_known.then(|| Self::of_area(area, size))
+    }
+
+    /// The error of a cross product of a length up to `size` and a direction up to `d`, times one of
+    /// two lengths.
+    #[inline(always)]
+    pub(in crate::query) fn side_of(size: N::Length, d: N::Length) -> N::Quartic {
+        N::quartic(N::area(size, d), N::area(size, size)).error(SIDE)
     }
 
     #[inline(always)]

@@ -65,13 +65,13 @@ pub(super) fn part<T>(f: impl FnOnce() -> T) -> T {
 // Not inlined on s390x: see `scalar::axes::faces_in_double`.
 #[cfg_attr(not(target_arch = "s390x"), inline(always))]
 #[cfg_attr(target_arch = "s390x", inline(never))]
-pub(super) fn product<N: Arithmetic>(a: &Vector<N>, b: &Vector<N>) -> N::Area {
+pub(in crate::query) fn product<N: Arithmetic>(a: &Vector<N>, b: &Vector<N>) -> N::Area {
     part(|| N::area(a[0], b[0]) + N::area(a[1], b[1]) + N::area(a[2], b[2]))
 }
 
 /// a·b, of areas.
 #[inline(always)]
-pub(super) fn along<N: Arithmetic>(a: &[N::Area; 3], b: &[N::Area; 3]) -> N::Quartic {
+pub(in crate::query) fn along<N: Arithmetic>(a: &[N::Area; 3], b: &[N::Area; 3]) -> N::Quartic {
     part(|| N::quartic(a[0], b[0]) + N::quartic(a[1], b[1]) + N::quartic(a[2], b[2]))
 }
 
@@ -97,8 +97,13 @@ impl<N: Arithmetic> Reach<N> {
 
     /// As [`Ball::excludes`].
     #[inline(always)]
-    pub(super) fn excludes_by<T: Number>(&self, gap: T, error: T) -> Uncertain {
+    pub(in crate::query) fn excludes_by<T: Number>(&self, gap: T, error: T) -> Uncertain {
         self.ball.excludes(gap, error)
+    }
+
+    #[inline(always)]
+    pub(in crate::query) fn radius(&self) -> N::Length {
+        self.radius
     }
 
     /// The square of the radius.
@@ -180,7 +185,7 @@ impl<N: Arithmetic> Reach<N> {
 
     /// Whether a segment lies beyond; `None` in doubt.
     #[inline(always)]
-    pub(super) fn excludes_segment(
+    pub(in crate::query) fn excludes_segment(
         &self,
         ends: &[Vector<N>; 2],
         e: &Vector<N>,
@@ -253,7 +258,12 @@ impl<N: Arithmetic> Reach<N> {
 
     /// Whether a plane with normal `n` lies beyond, if n·d is `volume`.
     #[inline(always)]
-    fn excludes_plane(&self, n: &[N::Area; 3], volume: N::Volume, errors: &Errors<N>) -> Uncertain {
+    pub(in crate::query) fn excludes_plane(
+        &self,
+        n: &[N::Area; 3],
+        volume: N::Volume,
+        errors: &Errors<N>,
+    ) -> Uncertain {
         let normal = squared::<N>(n, errors.minor);
         let far = part(|| N::sextic(volume, volume));
         let near = part(|| N::sextic_of_areas(normal.value, self.square));

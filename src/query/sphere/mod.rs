@@ -1,4 +1,4 @@
-//! Distances: spheres against points, triangles, segments, boxes and spheres; closest points.
+//! Distances: spheres against points, triangles, lines, planes, boxes and spheres; closest points.
 
 mod closest;
 mod distance;
@@ -11,8 +11,10 @@ mod relation;
 
 pub use self::closest::Closest;
 pub(crate) use self::distance::compare_distances;
-pub(super) use self::kernel::{Ball, Reach, around};
+pub(super) use self::error_bound::{Errors, PRODUCT, SQUARES};
+pub(super) use self::kernel::{Ball, Reach, along, around, product};
 pub(super) use self::plane::OneSide;
+pub(super) use self::ray::{Way, numbers};
 pub(super) use self::relation::of_ball;
 use super::Overlaps;
 use super::orientation::{Vector, from};

@@ -7,7 +7,7 @@
 use super::Beyond;
 use super::error_bound::{Errors, PRODUCT};
 use super::kernel::{Ball, Reach, product, squared};
-use crate::arithmetic::{Embeds, Number, cross, dot, greatest, largest, once, three};
+use crate::arithmetic::{Arithmetic, Embeds, Number, cross, dot, greatest, largest, once, three};
 use crate::query::Overlaps;
 use crate::query::orientation::{Vector, from};
 use crate::robust::{Predicate, Profile, Uncertain};
@@ -28,42 +28,60 @@ struct End {
     lies_beyond: Uncertain,
 }
 
-impl<S: Scalar> Predicate<S> for Beyond<'_, S, Ray<S>> {
-    type Answer = bool;
-    // The volume of an end would not fit the integers for 18 bits.
-    const PROFILE: Profile = Profile::AREAS;
+/// The direction of a ray, and the ends of its range.
+pub(in crate::query) struct Way<N: Arithmetic> {
+    pub(in crate::query) d: Vector<N>,
+    pub(in crate::query) ends: [Option<N::Length>; 2],
+}
 
-    #[inline]
-    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let ends = [self.shape.t_min(), self.shape.t_max()];
-        let [from_t, to_t] = ends.map(|t| t.unwrap_or(S::ZERO));
-        let (o, d) = (self.shape.origin().to_array(), self.shape.direction().to_array());
-        let all = [self.center(), self.radius(), o, d, [from_t, to_t, S::ZERO]];
-        let [c, [r, ..], o, d, [t, u, _]] = N::embed(&all)?;
-        let (reach, m) = (Reach::<N>::new(r, self.ball), from::<N>(&c, &o));
+/// The numbers of a ray: its origin, its direction, and the ends of its range.
+#[inline(always)]
+pub(in crate::query) fn numbers<S: Scalar>(ray: &Ray<S>) -> [[S; 3]; 3] {
+    let [from, to] = [ray.t_min(), ray.t_max()].map(|t| t.unwrap_or(S::ZERO));
+    [ray.origin().to_array(), ray.direction().to_array(), [from, to, S::ZERO]]
+}
 
-        let errors = Errors::<N>::with_direction(greatest(largest(&m), r), largest(&d))?;
-        let far = squared::<N>(&cross::<N>(&m, &d), errors.minor);
-        let near = N::quartic(product::<N>(&d, &d), reach.square());
+impl<N: Arithmetic> Way<N> {
+    /// From those numbers.
+    #[inline(always)]
+    pub(in crate::query) fn new<S: Scalar>(
+        ray: &Ray<S>,
+        d: Vector<N>,
+        [t, u, _]: Vector<N>,
+    ) -> Self {
+        Self { d, ends: [ray.t_min().map(|_| t), ray.t_max().map(|_| u)] }
+    }
+
+    /// Whether the ray lies beyond the reach of a point at `m` from its origin; `None` in doubt.
+    #[inline(always)]
+    pub(in crate::query) fn lies_beyond<S>(&self, m: &Vector<N>, reach: &Reach<N>) -> Option<bool>
+    where
+        N: Embeds<S>,
+    {
+        let d = &self.d;
+        let size = greatest(largest(m), reach.radius());
+        let errors = Errors::<N>::with_direction(size, largest(d))?;
+        let far = squared::<N>(&cross::<N>(m, d), errors.minor);
+        let near = N::quartic(product::<N>(d, d), reach.square());
         let error = far.error + near.error(PRODUCT);
-        let by_line = self.ball.excludes(far.value - near, error);
+        let by_line = reach.excludes_by(far.value - near, error);
         if by_line.certain {
             return Some(true);
         }
         let (mut by_ends, mut at_ends) = (Uncertain::NONE, Uncertain::known(true));
-        for (k, (end, t)) in ends.into_iter().zip([t, u]).enumerate() {
+        for (k, end) in self.ends.into_iter().enumerate() {
             let End { is_past, lies_beyond } = match end {
                 None => continue,
                 // As for most rays: no product with t.
-                Some(end) if end == S::ZERO => {
-                    let along = product::<N>(&m, &d);
+                Some(t) if t == N::Length::ZERO => {
+                    let along = product::<N>(m, d);
                     let is_past = if k == 0 { -along } else { along };
                     End {
                         is_past: Uncertain::not_below(is_past, errors.dot),
-                        lies_beyond: reach.excludes(&m, N::Length::ZERO),
+                        lies_beyond: reach.excludes(m, N::Length::ZERO),
                     }
                 }
-                Some(_) => at_end::<S, N>(&m, &d, [t, r], self.ball, k == 0)?,
+                Some(t) => at_end::<S, N>(m, d, t, reach, k == 0)?,
             };
             by_ends = by_ends.or(is_past.and(lies_beyond));
             at_ends = at_ends.and(lies_beyond);
@@ -72,19 +90,33 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Ray<S>> {
     }
 }
 
-/// The end of a ray at t, with the radius r.
+impl<S: Scalar> Predicate<S> for Beyond<'_, S, Ray<S>> {
+    type Answer = bool;
+    // The volume of an end would not fit the integers for 18 bits.
+    const PROFILE: Profile = Profile::AREAS;
+
+    #[inline]
+    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        let [o, d, range] = numbers(self.shape);
+        let [c, [r, ..], o, d, range] = N::embed(&[self.center(), self.radius(), o, d, range])?;
+        let way = Way::<N>::new(self.shape, d, range);
+        way.lies_beyond(&from::<N>(&c, &o), &Reach::<N>::new(r, self.ball))
+    }
+}
+
+/// The end of a ray at t.
 #[inline(never)]
 fn at_end<S, N: Embeds<S>>(
     m: &Vector<N>,
     d: &Vector<N>,
-    [t, r]: [N::Length; 2],
-    ball: Ball,
+    t: N::Length,
+    reach: &Reach<N>,
     is_start: bool,
 ) -> Option<End> {
     let t = once::<N, _>(t);
     let m = [N::times_one(m[0])?, N::times_one(m[1])?, N::times_one(m[2])?];
     let td = three(|i| N::area(t, d[i]));
-    let (to, r) = (three(|i| m[i] - td[i]), N::times_one(r)?);
+    let (to, r) = (three(|i| m[i] - td[i]), N::times_one(reach.radius())?);
     let size = greatest(largest(&m), largest(&td));
     let size = size + size;
     let error = size.error(END);
@@ -96,7 +128,7 @@ fn at_end<S, N: Embeds<S>>(
     }
     Some(End {
         is_past: Uncertain::not_below(is_past, N::volume(size, largest(d)).error(ALONG)),
-        lies_beyond: ball.excludes(far.value - near, far.error + near.error(PRODUCT)),
+        lies_beyond: reach.excludes_by(far.value - near, far.error + near.error(PRODUCT)),
     })
 }
 

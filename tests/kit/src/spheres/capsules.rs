@@ -12,13 +12,14 @@ use dashu_int::IBig;
 use septum::{Capsule, Segment, Sphere, Triangle};
 
 use super::{
-    Answers, Fraction, Other, Point, Squared, dot, faces, from_hull, hull, minus, numbers,
+    Answers, Fraction, Other, Point, Squared, dot, faces, from_hull, from_ray, hull, minus,
+    numbers, ray,
 };
 use crate::exact::{Parts, least_exponent, whole};
 use crate::plane::Given;
 use crate::sample::Sample;
 
-/// A capsule and another shape, which is no ray.
+/// A capsule and another shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CapsuleCase<S> {
     pub ends: [Point<S>; 2],
@@ -71,7 +72,7 @@ fn encloses(points: [&Whole; 4]) -> bool {
 }
 
 /// The squared distance of the origin from the hull of any number of points.
-fn from_all(points: &[Whole]) -> Fraction {
+pub(super) fn from_all(points: &[Whole]) -> Fraction {
     let count = points.len();
     if count < 3 {
         return from_hull(points).0;
@@ -153,15 +154,17 @@ fn from_box([a, b]: &[Whole; 2], faces: &[[IBig; 2]; 3]) -> Fraction {
 
 /// The squared distance of a segment, moved by a vector, from another shape.
 fn squared(ends: [[Parts; 3]; 2], by: [Parts; 3], other: Other<Parts>) -> Squared {
-    if let Other::Plane(n, given) = other {
-        return from_plane(ends, n, given);
+    match other {
+        Other::Plane(n, given) => return from_plane(ends, n, given),
+        Other::Ray(ray, range) => return from_ray(&ends, ray, range),
+        _ => {}
     }
     let unit = least_exponent(numbers(other).iter().chain(ends.as_flattened()).chain(&by));
     let ends = ends.map(|p| [0, 1, 2].map(|i: usize| whole(p[i], unit) + whole(by[i], unit)));
     let (num, den) = match (other, hull(other, unit)) {
         (Other::Box(numbers), _) => from_box(&ends, &[0, 1, 2].map(|i| faces(numbers, i, unit))),
         (_, points) => {
-            let points = points.expect("no ray");
+            let points = points.expect("no box");
             let all = ends.iter().flat_map(|end| points.iter().map(|p| minus(p, end)));
             from_all(&all.collect::<Vec<_>>())
         }
@@ -212,7 +215,7 @@ impl<S: Sample> CapsuleCase<S> {
                 Answers::of(both, &Capsule::new(a, b, r).expect("a capsule"))
             }
             Other::Plane(n, given) => Answers::of(both, &given.plane(n).expect("a plane")),
-            Other::Ray(..) => Answers::default(),
+            Other::Ray(numbers, range) => Answers::of(both, &ray(numbers, range)),
         }
     }
 }

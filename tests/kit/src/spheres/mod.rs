@@ -208,30 +208,36 @@ fn faces(numbers: BoxNumbers<Parts>, i: usize, unit: i32) -> [IBig; 2] {
     }
 }
 
-/// A ray as a segment that ends beyond the foot of a point: the squared distance of the point.
-fn from_ray(point: [Parts; 3], ray: [[Parts; 3]; 2], range: [Option<Parts>; 2]) -> Squared {
-    let unit = least_exponent(ray.iter().chain([&point]).flatten());
+/// The squared distance of the hull of points from a ray, which is a segment that ends beyond the
+/// feet of all points.
+fn from_ray(points: &[[Parts; 3]], ray: [[Parts; 3]; 2], range: [Option<Parts>; 2]) -> Squared {
+    let unit = least_exponent(ray.iter().chain(points).flatten());
     let of_t = least_exponent(range.iter().flatten()).min(0);
     let row = |p: [Parts; 3]| p.map(|x| whole(x, unit));
-    let ([o, d], point) = (ray.map(row), row(point));
+    let [o, d] = ray.map(row);
     let range = range.map(|t| t.map(|t| whole(t, of_t)));
-    let m = minus(&point, &o);
-    let along = dot(&m, &d);
     let magnitude = |x: &IBig| if *x < IBig::ZERO { -x } else { x.clone() };
-    let far =
-        (magnitude(&along) << -of_t as usize) + range.iter().flatten().map(magnitude).sum::<IBig>();
+    let ways: Vec<_> = points.iter().map(|p| minus(&row(*p), &o)).collect();
+    let feet: IBig = ways.iter().map(|m| magnitude(&dot(m, &d))).sum();
+    let far = (feet << -of_t as usize) + range.iter().flatten().map(magnitude).sum::<IBig>();
     let [from, to] = [-far.clone(), far];
-    let ends = [range[0].clone().unwrap_or(from), range[1].clone().unwrap_or(to)]
-        .map(|t| [0, 1, 2].map(|i: usize| &t * &d[i] - (&m[i] << -of_t as usize)));
-    let (num, den) = from_hull(&ends).0;
+    let ends = [range[0].clone().unwrap_or(from), range[1].clone().unwrap_or(to)];
+    let vertex =
+        |t: &IBig, m: &[IBig; 3]| [0, 1, 2].map(|i: usize| t * &d[i] - (&m[i] << -of_t as usize));
+    let all: Vec<_> = ends.iter().flat_map(|t| ways.iter().map(|m| vertex(t, m))).collect();
+    let (num, den) = capsules::from_all(&all);
     Squared { num, den, unit: unit + of_t }
+}
+
+fn ray<S: Sample>([o, d]: [Point<S>; 2], [from, to]: [Option<S>; 2]) -> Ray<S> {
+    Ray::new(o, d).and_then(|ray| ray.with_range(from, to)).expect("a ray")
 }
 
 /// The squared distance of a point from a shape.
 fn squared(point: [Parts; 3], other: Other<Parts>) -> Squared {
     let numbers = match other {
         Other::Plane(n, given) => return capsules::from_plane([point; 2], n, given),
-        Other::Ray(ray, range) => return from_ray(point, ray, range),
+        Other::Ray(ray, range) => return from_ray(&[point], ray, range),
         Other::Box(numbers) => numbers,
         _ => {
             let unit = least_exponent(numbers(other).iter().chain(&point));
@@ -318,10 +324,7 @@ impl<S: Sample> SphereCase<S> {
                 Answers::of(both, &Capsule::new(a, b, r).expect("a capsule"))
             }
             Other::Plane(n, given) => Answers::of(both, &given.plane(n).expect("a plane")),
-            Other::Ray([o, d], [from, to]) => {
-                let ray = Ray::new(o, d).and_then(|ray| ray.with_range(from, to)).expect("a ray");
-                Answers::of(both, &ray)
-            }
+            Other::Ray(numbers, range) => Answers::of(both, &ray(numbers, range)),
         }
     }
 }

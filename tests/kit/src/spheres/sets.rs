@@ -60,16 +60,7 @@ impl SphereSet {
         let [center, a, b, c, d, [radius, more, _]] = self.points::<S>(rng);
         let other = match rng.below(12) {
             10 if a != [S::ZERO; 3] => plane(rng, a, b),
-            11 if a != [S::ZERO; 3] => {
-                let [x, y, _] =
-                    if rng.one_in(2) { b } else { [S::ZERO.moved(1), S::ZERO, S::ZERO] };
-                let range = match rng.below(4) {
-                    0 | 1 => [Some(S::ZERO), None],
-                    2 => [Some(if x < y { x } else { y }), Some(if x < y { y } else { x })],
-                    _ => [[None, Some(x)], [Some(x), None], [None; 2]][rng.below(3)],
-                };
-                Other::Ray([d, a], range)
-            }
+            11 if a != [S::ZERO; 3] => ray(rng, [d, a], b),
             k => any(rng, k.min(9), [a, b, c, d], size(more)),
         };
         let mut case = SphereCase { center, radius: size(radius), other };
@@ -89,6 +80,7 @@ impl SphereSet {
         let last = if rng.one_in(2) { a } else { b };
         let other = match rng.below(12) {
             10 if c != [S::ZERO; 3] => plane(rng, c, d),
+            11 if c != [S::ZERO; 3] => ray(rng, [d, c], e),
             k => any(rng, k.min(9), [c, d, e, last], size(more)),
         };
         let ends = [a, if rng.one_in(16) { a } else { b }];
@@ -152,6 +144,18 @@ fn near_to<S: Sample>(rng: &mut Rng, distance: f64, other: Other<S>) -> S {
 
 fn plane<S: Sample>(rng: &mut Rng, n: Point<S>, p: Point<S>) -> Other<S> {
     Other::Plane(n, if rng.one_in(2) { Given::Point(p) } else { Given::Offset(p[0]) })
+}
+
+/// A ray, half of the time from its origin without an end, with a range of any two of `ends` or a
+/// tiny one.
+fn ray<S: Sample>(rng: &mut Rng, numbers: [Point<S>; 2], ends: Point<S>) -> Other<S> {
+    let [x, y, _] = if rng.one_in(2) { ends } else { [S::ZERO.moved(1), S::ZERO, S::ZERO] };
+    let range = match rng.below(4) {
+        0 | 1 => [Some(S::ZERO), None],
+        2 => [Some(if x < y { x } else { y }), Some(if x < y { y } else { x })],
+        _ => [[None, Some(x)], [Some(x), None], [None; 2]][rng.below(3)],
+    };
+    Other::Ray(numbers, range)
 }
 
 /// A shape of kind 0 to 9 from these points.
@@ -245,13 +249,17 @@ fn touch_within<S: Sample>(rng: &mut Rng, most: i64, is_capsule: bool) -> Option
     if rows.iter().flatten().any(|x| x.abs() >= most) {
         return None;
     }
+    let direction = [0, 1, 2].map(|i: usize| rows[2][i] - rows[1][i]);
     let mut rows = rows.map(|row| row.map(S::whole));
     if rng.one_in(2) {
         let x = &mut rows[rng.below(5)][rng.below(3)];
         *x = x.moved(rng.whole(-1, 1));
     }
     let [a, p, q, r, [radius, ..], b] = rows;
-    let other = match rng.below(8) {
+    let other = match rng.below(9) {
+        8 if direction != [0; 3] && !direction.iter().any(|x| x.abs() >= most) => {
+            Other::Ray([p, direction.map(S::whole)], [Some(S::ZERO), None])
+        }
         0 => Other::Ends([p, q]),
         1 => Other::Point(p),
         2 => Other::Capsule([p, q], S::ZERO),
