@@ -151,4 +151,6 @@ queries! {
     RoundTranslation = "sphere or capsule contacts",
     RoundPoints = "sphere or capsule points",
     CapsuleRay = "capsule/ray relation",
+    SphereObb = "sphere/obb relation",
+    CapsuleObb = "capsule/obb relation",
 }

@@ -2,7 +2,7 @@
 
 use septum::relation::Relate;
 use septum::{
-    Aabb, Capsule, Closest, Feature, Plane, Ray, Scalar, Segment, Sphere, Triangle, Vec3,
+    Aabb, Capsule, Closest, Feature, Obb, Plane, Ray, Scalar, Segment, Sphere, Triangle, Vec3,
 };
 
 use super::super::draw::Draw;
@@ -136,6 +136,26 @@ pub(super) fn rays<S: Draw, A: Answers>(
                 let Ok(part) = ray.with_range(from, to) else { continue };
                 answers.to(Query::CapsuleRay).relation(capsule.relation(&part));
             }
+        }
+    }
+}
+
+/// The relations of spheres and capsules with an oriented box.
+#[inline(never)]
+pub(super) fn oriented<S: Draw, A: Answers>(
+    obb: &Obb<S>,
+    triangle: &Triangle<S>,
+    [p, q, d]: [Vec3<S>; 3],
+    answers: &mut A,
+) {
+    let [a, b, c] = *triangle.vertices();
+    for ends in [[p, d], [a, b], [middle(q, c), obb.center()]] {
+        for radius in [q.x, d.y, S::ZERO] {
+            let sphere = Sphere::new(ends[0], radius.size());
+            let capsule = Capsule::new(ends[0], ends[1], radius.size());
+            let (Ok(sphere), Ok(capsule)) = (sphere, capsule) else { continue };
+            answers.to(Query::SphereObb).relation(sphere.relation(obb));
+            answers.to(Query::CapsuleObb).relation(capsule.relation(obb));
         }
     }
 }

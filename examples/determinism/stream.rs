@@ -122,6 +122,9 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, k: u32) {
         if let Some(ray) = ray {
             spheres::rays(ray, triangle, [p, q, d], answers);
         }
+        if let Some(obb) = &obb {
+            spheres::oriented(obb, triangle, [p, q, d], answers);
+        }
         let shapes =
             meshes::Shapes { aabbs, obb: obb.as_ref(), triangle, segments: &segments, ray };
         meshes::all(&[a, b, c, p, q, d, n, o], &shapes, answers);

@@ -67,6 +67,8 @@ macro_rules! embeds {
      $(, |$row:ident, $errors:ident| $of_row:expr)?
      $(, nearest: |$between:ident| $nearest:expr)?) => {
         impl Embeds<$from> for Filtered<$to> {
+            type OfAreas = Self;
+
             const DIVIDES: bool = $divides;
             const HAS_QUOTIENTS: bool = {
                 let clear: Option<$to> = $clear;

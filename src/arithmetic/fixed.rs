@@ -11,6 +11,7 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 use super::big_int::BigInt;
 use super::filtered::{Filtered, compare_quotient, enclosed};
 use super::integer::{Int8, Int16, Int32, Int64, below};
+use super::limbs_of_areas::Limbs4;
 use super::nearest_whole::{nearest_of_all, nearest_whole, nearest_whole_of_row};
 use super::number::Number;
 use super::quotient::Dividend;
@@ -20,8 +21,11 @@ use super::words::{InRaw, InWholeWord, InWord, WholeVolume, WholeWord};
 
 /// A type, its integers, and the coordinates that they hold.
 macro_rules! embeds {
-    ($fixed:ident, $bound:ident, $system:ty, $length:ty, |$coordinates:ident| $fits:expr) => {
+    ($fixed:ident, $bound:ident, $system:ty, $length:ty, $of_areas:ty,
+     |$coordinates:ident| $fits:expr) => {
         impl<Frac: $bound> Embeds<$fixed<Frac>> for $system {
+            type OfAreas = $of_areas;
+
             #[inline(always)]
             fn holds<const K: usize>($coordinates: &[[$fixed<Frac>; 3]; K]) -> bool {
                 $fits
@@ -78,16 +82,16 @@ macro_rules! embeds {
         }
     };
 }
-embeds!(FixedI8, LeEqU8, Int8, i32, |_all| true);
-embeds!(FixedI16, LeEqU16, Int16, i32, |_all| true);
-embeds!(FixedI32, LeEqU32, Int16, i32, |all| {
+embeds!(FixedI8, LeEqU8, Int8, i32, Int32, |_all| true);
+embeds!(FixedI16, LeEqU16, Int16, i32, Int64, |_all| true);
+embeds!(FixedI32, LeEqU32, Int16, i32, Int64, |all| {
     below(all.as_flattened().iter().map(|x| x.to_bits()), 18)
 });
-embeds!(FixedI32, LeEqU32, Int32, i32, |all| {
+embeds!(FixedI32, LeEqU32, Int32, i32, Int64, |all| {
     below(all.as_flattened().iter().map(|x| x.to_bits()), 28)
 });
-embeds!(FixedI32, LeEqU32, Int64, i64, |_all| true);
-embeds!(FixedI64, LeEqU64, Int64, i64, |all| {
+embeds!(FixedI32, LeEqU32, Int64, i64, Window, |_all| true);
+embeds!(FixedI64, LeEqU64, Int64, i64, Window, |all| {
     below(all.as_flattened().iter().map(|x| x.to_bits()), 60)
 });
 
@@ -95,6 +99,8 @@ embeds!(FixedI64, LeEqU64, Int64, i64, |all| {
 macro_rules! in_window {
     ($($fixed:ident, $bound:ident;)*) => {$(
         impl<Frac: $bound> Embeds<$fixed<Frac>> for Window {
+            type OfAreas = Limbs4;
+
             #[inline(always)]
             fn holds<const K: usize>(_: &[[$fixed<Frac>; 3]; K]) -> bool {
                 true
@@ -243,6 +249,8 @@ in_raw! {
 /// Integers in `f64`: verdicts if they exceed the error, and quotients if it is certain how they
 /// round.
 impl<S: InRaw<Raw = i32>> Embeds<S> for Filtered<f64> {
+    type OfAreas = Self;
+
     const DIVIDES: bool = false;
 
     #[inline(always)]

@@ -1,9 +1,11 @@
 //! Exact numbers for all finite floats.
 
 use core::cmp::Ordering;
+use core::marker::PhantomData;
 
 use super::big_int::BigInt;
 use super::float::{Float, quotient};
+use super::limbs_of_areas::OfLimbs;
 use super::number::Number;
 use super::system::{Arithmetic, Embeds};
 
@@ -13,7 +15,7 @@ pub use terms::Terms;
 
 /// Exact numbers for all finite floats. A length is a sum of a few floats, not added up. An area is
 /// an integer of `B` limbs, a volume one of `C`, a product of four lengths one of `D`, and one of
-/// six `E`. Added up, a length takes `A` limbs. The unit of length is the least float above zero:
+/// six `E`. `W` has areas as lengths. Added up, a length takes `A` limbs. The unit of length is the least float above zero:
 /// 2^`UNIT` times the least `f64`.
 ///
 /// Lengths stay short, so frames take little stack: two floats whose exponents are far apart take
@@ -27,12 +29,13 @@ pub struct Full<
     const C: usize,
     const D: usize,
     const E: usize,
->;
+    W,
+>(PhantomData<W>);
 
 /// For `f32`: coordinates below 2^277 units.
-pub type FullF32 = Full<925, 5, 9, 14, 18, 27>;
+pub type FullF32 = Full<925, 5, 9, 14, 18, 27, OfLimbs<9, 18, 27, 36, 54>>;
 /// For `f64`: coordinates below 2^2098 units.
-pub type FullF64 = Full<0, 33, 66, 99, 132, 197>;
+pub type FullF64 = Full<0, 33, 66, 99, 132, 197, OfLimbs<66, 132, 198, 264, 396>>;
 
 /// Floats as lengths; one loop for any number of points.
 #[inline(never)]
@@ -44,7 +47,7 @@ fn embed<F: Float, const UNIT: u16, const A: usize>(floats: &[F], lengths: &mut 
 
 /// a·b, a limb of b at a time: unrolled loops over both would be a block too large for compilers.
 #[inline(never)]
-fn product<const L: usize, const M: usize, const R: usize>(
+pub(super) fn product<const L: usize, const M: usize, const R: usize>(
     a: &BigInt<L>,
     b: &BigInt<M>,
 ) -> BigInt<R> {
@@ -63,7 +66,8 @@ impl<
     const C: usize,
     const D: usize,
     const E: usize,
-> Arithmetic for Full<UNIT, A, B, C, D, E>
+    W: 'static,
+> Arithmetic for Full<UNIT, A, B, C, D, E, W>
 {
     type Length = Terms<UNIT, A>;
     type Area = BigInt<B>;
@@ -127,10 +131,14 @@ impl<
     const C: usize,
     const D: usize,
     const E: usize,
-> Embeds<F> for Full<UNIT, A, B, C, D, E>
+    W,
+> Embeds<F> for Full<UNIT, A, B, C, D, E, W>
 where
     F: Float,
+    W: Arithmetic<Length = BigInt<B>>,
 {
+    type OfAreas = W;
+
     fn holds<const K: usize>(_: &[[F; 3]; K]) -> bool {
         true
     }

@@ -12,6 +12,7 @@ mod in_float;
 mod index;
 mod integer;
 mod limbs;
+mod limbs_of_areas;
 mod multiples;
 #[cfg(feature = "fixed")]
 mod nearest_whole;

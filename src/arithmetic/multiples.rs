@@ -9,6 +9,7 @@ use super::number::{Number, greatest};
 use super::parts::Bits;
 use super::system::{Embeds, convert};
 use super::wide::I256;
+use super::window::Window;
 
 /// The bits of all coordinates.
 pub(super) fn bits<F: Float>(all: &[[F; 3]]) -> Bits {
@@ -50,6 +51,8 @@ pub(super) fn in_forty_bits<F: Float, const K: usize>(all: &[[F; 3]; K]) -> Opti
 /// and most scenes that were once in a coarser format. One is among them only on request, because
 /// the unit is the scene's and not the scalar's.
 impl<F: Float, const LARGE: bool> Embeds<F> for Int64<LARGE> {
+    type OfAreas = Window;
+
     fn holds<const K: usize>(coordinates: &[[F; 3]; K]) -> bool {
         is_short(bits(coordinates))
     }

@@ -83,6 +83,8 @@ impl<S: RoundedOps> Factor for Rounded<S> {
 }
 
 impl<S: RoundedOps> Embeds<S> for OneType<Rounded<S>> {
+    type OfAreas = Self;
+
     #[inline(always)]
     fn holds<const K: usize>(_: &[[S; 3]; K]) -> bool {
         true

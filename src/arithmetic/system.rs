@@ -189,6 +189,10 @@ type AndOne<N, const K: usize> = ([[<N as Arithmetic>::Length; 3]; K], <N as Ari
 
 /// A number system that the coordinates of a scalar `S` can be brought into.
 pub trait Embeds<S>: Arithmetic {
+    /// The number system whose lengths are the areas of this one: products of an axis and a
+    /// half-extent.
+    type OfAreas: Arithmetic<Length = Self::Area>;
+
     /// Whether this system holds the coordinates, and everything that kernels compute from them.
     fn holds<const K: usize>(coordinates: &[[S; 3]; K]) -> bool;
 

@@ -4,6 +4,7 @@ use core::cmp::Ordering;
 
 use super::big_int::BigInt;
 use super::float::{Float, quotient};
+use super::limbs_of_areas::Limbs4;
 use super::multiples::bits;
 use super::system::{Arithmetic, Embeds, convert};
 
@@ -78,6 +79,8 @@ impl Arithmetic for Window {
 }
 
 impl<F: Float> Embeds<F> for Window {
+    type OfAreas = Limbs4;
+
     fn holds<const K: usize>(coordinates: &[[F; 3]; K]) -> bool {
         bits(coordinates).width() <= BITS
     }

@@ -43,11 +43,13 @@ reversed! {
     Segment with Sphere;
     Plane with Sphere;
     Ray with Sphere;
+    Obb with Sphere;
     Triangle with Capsule;
     Aabb with Capsule;
     Segment with Capsule;
     Plane with Capsule;
     Ray with Capsule;
+    Obb with Capsule;
     Sphere with Capsule;
 }
 
@@ -85,10 +87,12 @@ relations_reversed! {
     Aabb with Sphere;
     Plane with Sphere;
     Ray with Sphere;
+    Obb with Sphere;
     Triangle with Capsule;
     Segment with Capsule;
     Aabb with Capsule;
     Plane with Capsule;
     Ray with Capsule;
+    Obb with Capsule;
     Sphere with Capsule;
 }

@@ -6,8 +6,7 @@ use crate::scalar::Scalar;
 ///
 /// The radius may be zero: such a capsule is a segment. The ends may coincide: such a capsule is a
 /// sphere. Whether a shape lies within a distance of a segment is the question whether it overlaps
-/// the capsule of that radius. Oriented boxes have no such test, for the reason that
-/// [`Sphere`](crate::Sphere) gives.
+/// the capsule of that radius.
 ///
 /// ```
 /// use septum::{Capsule, Triangle};
@@ -44,9 +43,9 @@ impl<S: Scalar> Capsule<S> {
 
 overlaps_methods!(
     Capsule,
-    "a [`Triangle`](crate::Triangle), an [`Aabb`](crate::Aabb), a [`Segment`](crate::Segment), a \
-     [`Ray`](crate::Ray), a [`Plane`](crate::Plane), a [`Sphere`](crate::Sphere) or another \
-     capsule"
+    "a [`Triangle`](crate::Triangle), an [`Aabb`](crate::Aabb), an [`Obb`](crate::Obb), a \
+     [`Segment`](crate::Segment), a [`Ray`](crate::Ray), a [`Plane`](crate::Plane), a \
+     [`Sphere`](crate::Sphere) or another capsule"
 );
 
 impl<S: Copy> Capsule<S> {

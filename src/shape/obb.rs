@@ -103,7 +103,8 @@ impl<S: Scalar> Obb<S> {
 overlaps_methods!(
     Obb,
     "a [`Triangle`](crate::Triangle), an [`Aabb`](crate::Aabb), another oriented box, a \
-     [`Segment`](crate::Segment) or a [`Ray`](crate::Ray)"
+     [`Segment`](crate::Segment), a [`Ray`](crate::Ray), a [`Sphere`](crate::Sphere) or a \
+     [`Capsule`](crate::Capsule)"
 );
 
 impl<S: Scalar> Obb<S> {

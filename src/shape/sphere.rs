@@ -6,8 +6,7 @@ use crate::scalar::Scalar;
 /// A sphere with its interior: all points within a radius of a centre, a closed set.
 ///
 /// The radius may be zero: such a sphere is a point. Whether a shape lies within a distance of a
-/// point is the question whether it overlaps the sphere of that radius. Oriented boxes have no such
-/// test: their axes are numbers, and squared distances would compare in products of twelve.
+/// point is the question whether it overlaps the sphere of that radius.
 ///
 /// ```
 /// use septum::{Sphere, Triangle};
@@ -52,8 +51,9 @@ pub(super) fn checked<S: Scalar>(radius: S) -> Result<S, ShapeError> {
 
 overlaps_methods!(
     Sphere,
-    "a [`Triangle`](crate::Triangle), an [`Aabb`](crate::Aabb), a [`Segment`](crate::Segment), a \
-     [`Ray`](crate::Ray), a [`Plane`](crate::Plane), a [`Capsule`](crate::Capsule) or another sphere"
+    "a [`Triangle`](crate::Triangle), an [`Aabb`](crate::Aabb), an [`Obb`](crate::Obb), a \
+     [`Segment`](crate::Segment), a [`Ray`](crate::Ray), a [`Plane`](crate::Plane), a \
+     [`Capsule`](crate::Capsule) or another sphere"
 );
 
 impl<S: Copy> Sphere<S> {

@@ -1,10 +1,11 @@
-//! Sphere and capsule against triangle, segment, ray, axis-aligned box, capsule and sphere.
+//! Sphere and capsule against triangle, segment, ray, boxes, capsule and sphere.
 
 use crate::scalars::{Check, run};
-use crate::shapes::Shapes;
+use crate::shapes::{Shapes, magnitude};
 use crate::told::told;
+use septum::Obb;
 use septum_kit::Sample;
-use septum_kit::spheres::{CapsuleCase, Other, SphereCase};
+use septum_kit::spheres::{CapsuleCase, Other, Point, SphereCase};
 
 /// `overlaps`, `relation`, `contains` and `distance_squared`.
 pub fn spheres(data: &[u8]) {
@@ -12,6 +13,18 @@ pub fn spheres(data: &[u8]) {
 }
 
 struct Spheres;
+
+/// Checks a sphere and a capsule, which begins at its centre.
+fn check<S: Sample>(ends: [Point<S>; 2], radius: S, other: Other<S>) {
+    let case = CapsuleCase { ends, radius, other };
+    let is_right = case.answers().check(case.truth(), case.relation());
+    assert!(is_right, "{}", told::<S>(&case));
+    let case = SphereCase { center: ends[0], radius, other };
+    let is_right = case.answers().check(case.truth(), case.relation());
+    assert!(is_right, "{}", told::<S>(&case));
+    let is_rounded = case.distance_squared().is_none_or(|(_, is_rounded)| is_rounded);
+    assert!(is_rounded, "{}", told::<S>(&case));
+}
 
 impl Check for Spheres {
     fn check<S: Sample>(shapes: &mut Shapes<'_, S>) {
@@ -28,22 +41,13 @@ impl Check for Spheres {
             return;
         }
         let ends = [center, shapes.point()];
-        let case = CapsuleCase { ends, radius, other };
-        let is_right = case.answers().check(case.truth(), case.relation());
-        assert!(is_right, "{}", told::<S>(&case));
+        check(ends, radius, other);
         if ends[1] != [S::ZERO; 3] {
-            let other = Other::Ray([shapes.point(), ends[1]], [Some(radius), None]);
-            let case = SphereCase { center, radius, other };
-            let is_right = case.answers().check(case.truth(), case.relation());
-            assert!(is_right, "{}", told::<S>(&case));
-            let case = CapsuleCase { ends, radius, other };
-            let is_right = case.answers().check(case.truth(), case.relation());
-            assert!(is_right, "{}", told::<S>(&case));
+            check(ends, radius, Other::Ray([shapes.point(), ends[1]], [Some(radius), None]));
         }
-        let case = SphereCase { center, radius, other };
-        let is_right = case.answers().check(case.truth(), case.relation());
-        assert!(is_right, "{}", told::<S>(&case));
-        let is_rounded = case.distance_squared().is_none_or(|(_, is_rounded)| is_rounded);
-        assert!(is_rounded, "{}", told::<S>(&case));
+        let (axes, half) = ([(); 3].map(|()| shapes.point()), shapes.point().map(magnitude));
+        if Obb::from_skewed_axes(ends[1], axes, half).is_ok() {
+            check(ends, radius, Other::Obb(ends[1], axes, half));
+        }
     }
 }

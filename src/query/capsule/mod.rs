@@ -1,4 +1,4 @@
-//! Capsules against points, planes, spheres, segments, rays, triangles, boxes and capsules.
+//! Capsules against points, planes, spheres, lines, triangles, boxes and capsules.
 //!
 //! The differences of the points of two segments form a parallelogram, and the segments are as far
 //! apart as that is from the origin: the kernel of sphere and triangle serves, with four edges in
@@ -7,6 +7,7 @@
 //! `overlaps`, and a question about distances.
 
 mod aabb;
+mod obb;
 mod ray;
 mod relation;
 

@@ -4,12 +4,13 @@
 //! open set. A capsule of radius zero is its segment, which is also a triangle without area.
 
 use super::aabb::meets_aabb;
+use super::obb::meets_obb;
 use super::ray::meets_ray;
 use super::{meets_plane, meets_segment, meets_sphere, meets_triangle};
 use crate::query::relation::{Relate, Relation};
 use crate::query::sphere::of_ball;
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Capsule, Plane, Ray, Segment, Sphere, Triangle, Vec3};
+use crate::shape::{Aabb, Capsule, Obb, Plane, Ray, Segment, Sphere, Triangle, Vec3};
 
 /// The relation of a segment, as a triangle, with a shape.
 fn of_segment<S: Scalar, T>((a, b): (Vec3<S>, Vec3<S>), shape: &T) -> Relation
@@ -38,6 +39,13 @@ impl<S: Scalar> Relate<Aabb<S>> for Capsule<S> {
     fn relation(&self, aabb: &Aabb<S>) -> Relation {
         let meets = |ball| meets_aabb(self, aabb, ball);
         of_ball(self.radius() > S::ZERO, meets, || of_segment(self.ends(), aabb))
+    }
+}
+
+impl<S: Scalar> Relate<Obb<S>> for Capsule<S> {
+    fn relation(&self, obb: &Obb<S>) -> Relation {
+        let meets = |ball| meets_obb(self, obb, ball);
+        of_ball(self.radius() > S::ZERO, meets, || of_segment(self.ends(), obb))
     }
 }
 

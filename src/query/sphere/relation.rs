@@ -9,7 +9,7 @@ use super::{Ball, Beyond, meet};
 use crate::query::relation::{Relate, Relation};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Plane, Ray, Segment, Sphere, Triangle};
+use crate::shape::{Aabb, Obb, Plane, Ray, Segment, Sphere, Triangle};
 
 /// The relation of the points within a radius of one shape with another shape. `meets` says whether
 /// the ball meets that. Without a radius the relation is the one of the shape itself.
@@ -62,6 +62,12 @@ impl<S: Scalar> Relate<Segment<S>> for Sphere<S> {
 impl<S: Scalar> Relate<Aabb<S>> for Sphere<S> {
     fn relation(&self, aabb: &Aabb<S>) -> Relation {
         relation(self, aabb, |c| c.relation(aabb))
+    }
+}
+
+impl<S: Scalar> Relate<Obb<S>> for Sphere<S> {
+    fn relation(&self, obb: &Obb<S>) -> Relation {
+        relation(self, obb, |c| c.relation(obb))
     }
 }
 

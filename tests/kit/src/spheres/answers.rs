@@ -9,6 +9,7 @@ use super::{CapsuleCase, Other, Point, SphereCase};
 use crate::case::Case;
 use crate::contact;
 use crate::flat::{Flat, FlatCase};
+use crate::oriented::Oriented;
 use crate::sample::Sample;
 
 /// What all queries about a pair say, in both orders: all must agree.
@@ -68,6 +69,10 @@ fn relation<S: Sample>(
         Other::Point(p) | Other::Sphere(p, _) => Flat::Point(p),
         Other::Box(aabb) => {
             return Some(contact::truth(&Case { vertices: [a, b, b], aabb }).relation());
+        }
+        Other::Obb(center, axes, half) => {
+            let case = Oriented { t: [a, b, b], center, axes, half };
+            return Some(case.truth().relation());
         }
         Other::Plane(..) | Other::Ray(..) => return None,
     };

@@ -13,7 +13,7 @@ use septum::{Capsule, Segment, Sphere, Triangle};
 
 use super::{
     Answers, Fraction, Other, Point, Squared, dot, faces, from_hull, from_ray, hull, minus,
-    numbers, ray,
+    numbers, oriented, ray,
 };
 use crate::exact::{Parts, least_exponent, whole};
 use crate::plane::Given;
@@ -215,6 +215,7 @@ impl<S: Sample> CapsuleCase<S> {
                 Answers::of(both, &Capsule::new(a, b, r).expect("a capsule"))
             }
             Other::Plane(n, given) => Answers::of(both, &given.plane(n).expect("a plane")),
+            Other::Obb(c, axes, half) => Answers::of(both, &oriented::obb(c, axes, half)),
             Other::Ray(numbers, range) => Answers::of(both, &ray(numbers, range)),
         }
     }

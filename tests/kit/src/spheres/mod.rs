@@ -11,6 +11,7 @@ mod answers;
 mod capsules;
 mod closest;
 mod contacts;
+mod oriented;
 mod sets;
 
 use core::cmp::Ordering;
@@ -45,6 +46,8 @@ pub enum Other<S> {
     Capsule([Point<S>; 2], S),
     /// A plane by its normal.
     Plane(Point<S>, Given<S>),
+    /// An oriented box by its centre, its axes and its half-extents.
+    Obb(Point<S>, [Point<S>; 3], Point<S>),
     /// A ray by its origin and its direction, and the range of t.
     Ray([Point<S>; 2], [Option<S>; 2]),
 }
@@ -63,6 +66,7 @@ impl<S: Copy> Other<S> {
             Self::Capsule(ends, r) => Other::Capsule(ends.map(row), f(r)),
             Self::Plane(n, Given::Point(p)) => Other::Plane(row(n), Given::Point(row(p))),
             Self::Plane(n, Given::Offset(d)) => Other::Plane(row(n), Given::Offset(f(d))),
+            Self::Obb(c, axes, half) => Other::Obb(row(c), axes.map(row), row(half)),
             Self::Ray(ray, range) => Other::Ray(ray.map(row), range.map(|t| t.map(f))),
         }
     }
@@ -178,6 +182,7 @@ fn hull(other: Other<Parts>, unit: i32) -> Option<Vec<[IBig; 3]>> {
             Some(vec![minus(&c, &h), [0, 1, 2].map(|i: usize| &c[i] + &h[i])])
         }
         Other::Point(p) | Other::Sphere(p, _) => Some(vec![row(p)]),
+        Other::Obb(c, axes, half) => Some(oriented::corners(row(c), axes, half, unit)),
         Other::Box(_) | Other::Plane(..) | Other::Ray(..) => None,
     }
 }
@@ -191,6 +196,9 @@ fn numbers(other: Other<Parts>) -> Vec<Parts> {
         | Other::Box(BoxNumbers::Center(a, b) | BoxNumbers::Corners(a, b))
         | Other::Plane(a, Given::Point(b)) => vec![a, b],
         Other::Plane(n, Given::Offset(d)) => vec![n, [d; 3]],
+        Other::Obb(c, axes, half) => {
+            vec![c, [(1, oriented::units(&axes, &half).iter().sum()); 3]]
+        }
         Other::Point(p) | Other::Sphere(p, _) => vec![p],
     };
     rows.concat()
@@ -244,7 +252,7 @@ fn squared(point: [Parts; 3], other: Other<Parts>) -> Squared {
             let point = point.map(|x| whole(x, unit));
             let points = hull(other, unit).expect("no box");
             let points: Vec<_> = points.iter().map(|p| minus(p, &point)).collect();
-            let (num, den) = from_hull(&points).0;
+            let (num, den) = capsules::from_all(&points);
             return Squared { num, den, unit };
         }
     };
@@ -324,6 +332,7 @@ impl<S: Sample> SphereCase<S> {
                 Answers::of(both, &Capsule::new(a, b, r).expect("a capsule"))
             }
             Other::Plane(n, given) => Answers::of(both, &given.plane(n).expect("a plane")),
+            Other::Obb(c, axes, half) => Answers::of(both, &oriented::obb(c, axes, half)),
             Other::Ray(numbers, range) => Answers::of(both, &ray(numbers, range)),
         }
     }

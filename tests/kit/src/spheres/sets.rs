@@ -1,6 +1,6 @@
 //! Sets of cases for a sphere and another shape, mostly near contact.
 
-use super::{CapsuleCase, Other, Point, SphereCase};
+use super::{CapsuleCase, Other, Point, SphereCase, oriented};
 use crate::rng::Rng;
 use crate::sample::Sample;
 use crate::{BoxNumbers, Given};
@@ -58,7 +58,8 @@ impl SphereSet {
             return SphereCase { center, radius, other };
         }
         let [center, a, b, c, d, [radius, more, _]] = self.points::<S>(rng);
-        let other = match rng.below(12) {
+        let other = match rng.below(13) {
+            12 => oriented::any(rng, a, [b, c, d], [radius, more, d[0]].map(size)),
             10 if a != [S::ZERO; 3] => plane(rng, a, b),
             11 if a != [S::ZERO; 3] => ray(rng, [d, a], b),
             k => any(rng, k.min(9), [a, b, c, d], size(more)),
@@ -78,7 +79,9 @@ impl SphereSet {
         }
         let [a, b, c, d, e, [radius, more, _]] = self.points::<S>(rng);
         let last = if rng.one_in(2) { a } else { b };
-        let other = match rng.below(12) {
+        let other = match rng.below(13) {
+            // Few, because their oracle is slow.
+            12 if rng.one_in(4) => oriented::any(rng, c, [b, d, e], [radius, more, a[1]].map(size)),
             10 if c != [S::ZERO; 3] => plane(rng, c, d),
             11 if c != [S::ZERO; 3] => ray(rng, [d, c], e),
             k => any(rng, k.min(9), [c, d, e, last], size(more)),
@@ -242,11 +245,15 @@ fn touch_within<S: Sample>(rng: &mut Rng, most: i64, is_capsule: bool) -> Option
     let along =
         |k: i64, away: i64| at([0, 1, 2].map(|i: usize| to[i] * (1 + away) + across[i] * k));
     let ends = [along(-back, 0), along(forth, away)];
+    // A box behind the face, the edge or the vertex.
+    let half = rng.triple(|rng| rng.whole(1, most));
+    let center = at([0, 1, 2].map(|i: usize| if to[i] == 0 { 0 } else { -half[i] }));
     let mut rows =
         [ends[0], at(vertices[0]), at(vertices[1]), at(vertices[2]), [radius; 3], ends[1]];
     rows[1..4].rotate_left(rng.below(3));
     let most = 1_i64 << (S::WHOLE_BITS - 1);
-    if rows.iter().flatten().any(|x| x.abs() >= most) {
+    let fits = |rows: &[Whole]| rows.iter().flatten().all(|x| x.abs() < most);
+    if !fits(&rows) {
         return None;
     }
     let direction = [0, 1, 2].map(|i: usize| rows[2][i] - rows[1][i]);
@@ -256,8 +263,12 @@ fn touch_within<S: Sample>(rng: &mut Rng, most: i64, is_capsule: bool) -> Option
         *x = x.moved(rng.whole(-1, 1));
     }
     let [a, p, q, r, [radius, ..], b] = rows;
-    let other = match rng.below(9) {
-        8 if direction != [0; 3] && !direction.iter().any(|x| x.abs() >= most) => {
+    let other = match rng.below(11) {
+        9.. if fits(&[center, u, v, w, half]) => {
+            let [center, u, v, w, half] = [center, u, v, w, half].map(|row| row.map(S::whole));
+            Other::Obb(center, [u, v, w], half)
+        }
+        8 if direction != [0; 3] && fits(&[direction]) => {
             Other::Ray([p, direction.map(S::whole)], [Some(S::ZERO), None])
         }
         0 => Other::Ends([p, q]),
