@@ -3,6 +3,7 @@
 mod big_int;
 mod circle;
 mod double;
+mod enclosed;
 mod filtered;
 #[cfg(feature = "fixed")]
 mod fixed;
@@ -11,6 +12,7 @@ mod full;
 mod in_float;
 mod index;
 mod integer;
+mod interval;
 mod limbs;
 mod limbs_of_areas;
 mod multiples;
@@ -40,6 +42,8 @@ pub(crate) use circle::cos_sin_f64;
 #[cfg(feature = "fixed")]
 pub(crate) use circle::{cos_sin_30, cos_sin_62};
 pub(crate) use double::{Double, fast_two_sum, two_difference};
+pub use enclosed::Enclosed;
+pub(crate) use enclosed::{sign_of, sum_of};
 pub use filtered::Filtered;
 pub use float::Float;
 pub(crate) use float::quotient;
@@ -51,6 +55,7 @@ pub(crate) use integer::Int64;
 #[cfg(feature = "fixed")]
 pub(crate) use integer::{Int8, Int32};
 pub(crate) use integer::{Int16, Int64Narrow, Int64OfFloats};
+pub use interval::Interval;
 #[cfg(feature = "fixed")]
 pub(crate) use limbs::{Limbs, Wide};
 pub use number::{Limbed, Number};

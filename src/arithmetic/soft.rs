@@ -42,6 +42,34 @@ impl Soft {
         Self { exponent: (bits >> (DIGITS - 1)) as i32 - 1086, mantissa, slack: 0 }
     }
 
+    /// A number between two floats, which are normal and above zero; `None` if they are more than
+    /// 2^-40 apart. Its slack leaves room for a few operations.
+    pub(super) fn between(low: f64, high: f64) -> Option<Self> {
+        let (low, high) = (Self::of_normal(low), Self::of_normal(high));
+        let up = u32::try_from(high.exponent - low.exponent).ok().filter(|&up| up < 2)?;
+        let slack = (u128::from(high.mantissa) << up).checked_sub(low.mantissa.into())?;
+        (slack < 1 << 23).then_some(Self { slack: slack as u32, ..low })
+    }
+
+    /// Whether nothing is missing.
+    pub(crate) fn is_exact(self) -> bool {
+        self.slack == 0
+    }
+
+    /// The upper bound, to 64 digits, as a number.
+    pub(crate) fn above(self) -> Self {
+        let (most, exponent) = self.upper();
+        match u64::try_from(most) {
+            Ok(mantissa) => Self { exponent, mantissa, slack: 0 },
+            Err(_) => Self { exponent: exponent + 1, mantissa: most.div_ceil(2) as u64, slack: 0 },
+        }
+    }
+
+    /// A number below this one by one place of the mantissa, which is not zero.
+    pub(crate) fn below(self) -> Self {
+        Self { mantissa: self.mantissa.saturating_sub(1), ..self }
+    }
+
     /// The unsigned integer with these limbs, least first; `None` for zero.
     pub(crate) fn of_limbs(limbs: &[u64]) -> Option<Self> {
         let top = limbs.iter().rposition(|&limb| limb != 0)?;

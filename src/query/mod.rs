@@ -14,6 +14,7 @@
 //! * `obb_rows`, `obb_short`: oriented boxes in vectors of floats, and in short integers;
 //! * `one_sided`: triangle and axis-aligned box in machine words;
 //! * `relation`: disjoint, touching or overlapping, from separating axes;
+//! * `surd`: roots of quadratic equations, rounded, for rays and sweeps with spheres;
 //! * `either_order`: the pairs with their arguments exchanged;
 //! * `counts`: unit tests of how often questions escalate.
 
@@ -55,6 +56,7 @@ mod counts;
 mod line_aabb;
 mod orientation;
 mod relation;
+mod surd;
 
 pub use axis::{Axis, HasAxes};
 pub use crossing::Crossing;

@@ -1,5 +1,6 @@
 use crate::arithmetic::{
-    Embeds, FirstFloat, InRaw, Limbed, Offset, Parts, RoundedOps, ShortFloat, Soft, Spanned,
+    Embeds, Enclosed, FirstFloat, InRaw, Limbed, Offset, Parts, RoundedOps, ShortFloat, Soft,
+    Spanned,
 };
 use crate::robust::{ExactSum, Numeric, Predicate, WordKernel};
 
@@ -24,10 +25,10 @@ pub(crate) trait Backend: RoundedOps + Spanned + FirstFloat + Offset + ShortFloa
     const FLOAT: Option<FloatFormat<Self>> = None;
 
     /// Exact numbers for nearly every input.
-    type SeptumWindow: Embeds<Self, Volume: Limbed, Sextic: Limbed>;
+    type SeptumWindow: Embeds<Self, Area: Enclosed, Volume: Limbed, Quartic: Enclosed, Sextic: Enclosed + Limbed>;
 
     /// Exact numbers for every input: the numbers of the last stage.
-    type SeptumFull: Embeds<Self, Volume: Limbed, Sextic: Limbed>;
+    type SeptumFull: Embeds<Self, Area: Enclosed, Volume: Limbed, Quartic: Enclosed, Sextic: Enclosed + Limbed>;
 
     /// An accumulator wide enough for products of four scalars.
     type SeptumSum: ExactSum;

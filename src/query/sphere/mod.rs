@@ -7,6 +7,7 @@ mod foot;
 mod kernel;
 mod obb;
 mod plane;
+mod range;
 mod ray;
 mod relation;
 

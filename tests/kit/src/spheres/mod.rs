@@ -12,6 +12,7 @@ mod capsules;
 mod closest;
 mod contacts;
 mod oriented;
+mod range;
 mod sets;
 
 use core::cmp::Ordering;

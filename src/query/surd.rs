@@ -1,0 +1,175 @@
+//! Roots of quadratic equations, each rounded once, to the next number of the scalar below or above.
+//!
+//! A root of a·t² − 2·p·t + c, with p at least zero, is (p + √q)/a, or c/(p + √q) for the lesser
+//! one: no difference, so nothing cancels but in c and q. The first stage computes it in intervals,
+//! and answers if all of these round to one number. The second has exact numbers. It cuts them to
+//! 64 digits, and where these are not enough it puts a number of the scalar into the equation.
+//! The result is therefore the same in all stages, and on every machine.
+
+use core::cmp::Ordering;
+
+use crate::arithmetic::{
+    Arithmetic, BigInt, Embeds, Enclosed, Interval, Number, OneType, REGISTERS_ARE_WIDE, Soft,
+    sign_of, sum_of,
+};
+use crate::scalar::Scalar;
+
+/// A question about `K` vectors in intervals or in exact numbers. Its answer does not depend on which
+/// they are.
+pub(super) trait Question<S: Scalar, const K: usize> {
+    type Answer;
+
+    /// The coordinates. Vectors of zeros may fill up the rest.
+    fn numbers(&self) -> [[S; 3]; K];
+
+    /// The answer, given these numbers in one unit; `None` in doubt.
+    fn solve<N>(&self, numbers: &[[N::Length; 3]; K]) -> Option<Self::Answer>
+    where
+        N: Arithmetic<Area: Enclosed, Quartic: Enclosed, Sextic: Enclosed>;
+
+    /// The answer. Exact numbers always have one.
+    fn settle(&self) -> Option<Self::Answer> {
+        let numbers = self.numbers();
+        // Intervals are slow without floats in hardware, but still faster than floats as integers.
+        if REGISTERS_ARE_WIDE || S::FLOAT.is_some() {
+            let mut given = [[Interval::ZERO; 3]; K];
+            for (to, x) in given.as_flattened_mut().iter_mut().zip(numbers.as_flattened()) {
+                let x = x.units();
+                *to = if S::IS_IN_DOUBLE { Interval::exactly(x) } else { Interval::nearest(x) };
+            }
+            let answer = self.solve::<OneType<Interval>>(&given);
+            if answer.is_some() {
+                return answer;
+            }
+        }
+        self.settle_exactly(&numbers)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn settle_exactly(&self, numbers: &[[S; 3]; K]) -> Option<Self::Answer> {
+        // On a small core one width is enough, as in `in_exact_numbers`.
+        if REGISTERS_ARE_WIDE {
+            if let Some(given) = S::SeptumWindow::embed(numbers) {
+                return self.solve::<S::SeptumWindow>(&given);
+            }
+        }
+        self.solve::<S::SeptumFull>(&S::SeptumFull::embed(numbers)?)
+    }
+}
+
+/// A root of a·t² − 2·p·t + c, where a is above zero and p is not below it: the magnitude alone.
+pub(super) struct Surd<T> {
+    pub(super) a: T,
+    pub(super) p: T,
+    pub(super) c: T,
+    /// √(p² − a·c), if that is not zero.
+    pub(super) root: Option<Soft>,
+    /// Whether it is the greater root, with the sign of p. The lesser root has the sign of c.
+    pub(super) is_far: bool,
+}
+
+/// The limbs of all terms of the equation. The longest are six lengths of `f64`, with 197 limbs, times
+/// the square of a time with 1,074 binary places, and 132 limbs for a root of any size.
+const LIMBS: usize = 240;
+
+/// The magnitude, if it is not zero; `None` in doubt.
+pub(super) fn magnitude<T: Enclosed>(x: T) -> Option<Option<Soft>> {
+    if sign_of(x)? == Ordering::Equal { Some(None) } else { Some(Some(x.soft()?)) }
+}
+
+/// √x, if it is not zero; `None` in doubt.
+pub(super) fn root<T: Enclosed>(x: T) -> Option<Option<Soft>> {
+    Some(magnitude(x)?.map(Soft::root))
+}
+
+impl<T: Enclosed> Surd<T> {
+    /// The root, if it is not zero; `None` in doubt.
+    fn enclosed(&self) -> Option<Option<Soft>> {
+        let sum = match (magnitude(self.p)?, self.root) {
+            (Some(p), Some(root)) => Some(p.plus(root)),
+            (p, root) => p.or(root),
+        };
+        let Some(sum) = sum else { return Some(None) };
+        Some(if self.is_far {
+            Some(sum.over(self.a.soft()?))
+        } else {
+            magnitude(self.c)?.map(|c| c.over(sum))
+        })
+    }
+
+    /// How a number that is not negative compares with the root; `None` without exact numbers.
+    #[inline(never)]
+    fn compare<S: Scalar>(&self, x: S) -> Option<Ordering> {
+        let parts = x.parts();
+        let zeros = if parts.magnitude == 0 { 0 } else { parts.magnitude.trailing_zeros() };
+        let m = u128::from(parts.magnitude >> zeros);
+        let exponent = i32::from(parts.shift) + zeros as i32 - i32::from(S::ONE.shift);
+        let (up, down) = (exponent.max(0).unsigned_abs(), exponent.min(0).unsigned_abs());
+        // The lesser root may be negative. It is then a root for −p.
+        let is_below = !self.is_far && self.c < T::ZERO;
+        let mut value = BigInt::<LIMBS>([0; LIMBS]);
+        sum_of(&mut value, self.a, m * m, 2 * up, false)?;
+        sum_of(&mut value, self.p, m, up + down + 1, !is_below)?;
+        sum_of(&mut value, self.c, 1, 2 * down, false)?;
+        let value = value.sign();
+        if is_below {
+            return Some(value);
+        }
+        // On which side of the least value, at p/a.
+        let mut side = BigInt::<LIMBS>([0; LIMBS]);
+        sum_of(&mut side, self.a, m, up, false)?;
+        sum_of(&mut side, self.p, 1, down, true)?;
+        let (side, between) =
+            (side.sign(), if self.is_far { Ordering::Less } else { Ordering::Greater });
+        let is_other = side == between;
+        Some(match value {
+            Ordering::Less => between,
+            Ordering::Greater if is_other == self.is_far => Ordering::Less,
+            Ordering::Greater => Ordering::Greater,
+            Ordering::Equal if is_other => between,
+            Ordering::Equal => Ordering::Equal,
+        })
+    }
+
+    /// The number of the greatest value of the scalar that is not above the root, in the order of
+    /// all values, and whether it is the root; `None` in doubt.
+    fn ordinal<S: Scalar>(&self) -> Option<(i64, bool)> {
+        let Some(soft) = self.enclosed()? else { return Some((0, true)) };
+        let floor = |x: Soft| {
+            let x = S::at_most(x);
+            x.ordinal() - i64::from(!x.is_finite())
+        };
+        let (mut low, mut high) = (floor(soft), floor(soft.above()));
+        if low == high {
+            // Else the lower bound of the root is a number of the scalar.
+            let is_above = floor(soft.below()) == low;
+            if is_above || soft.is_exact() {
+                return Some((low, !is_above && soft.is_exact()));
+            }
+        }
+        while low < high {
+            let middle = low + (high - low + 1) / 2;
+            if self.compare(S::of_ordinal(middle))? == Ordering::Greater {
+                high = middle - 1;
+            } else {
+                low = middle;
+            }
+        }
+        Some((low, self.compare(S::of_ordinal(low))? == Ordering::Equal))
+    }
+
+    /// The root, or minus the root, to the next number of the scalar above or below; at the ends of
+    /// fixed point, and an infinity above all floats. `None` in doubt.
+    pub(super) fn rounded<S: Scalar>(&self, is_negative: bool, is_up: bool) -> Option<S> {
+        let (low, is_equal) = self.ordinal::<S>()?;
+        let more = i64::from(!is_equal && is_up != is_negative);
+        // Infinity, or the greatest number.
+        let end = S::at_most(Soft::ONE.scaled(1 << 13)).ordinal();
+        Some(S::of_ordinal(if is_negative {
+            -low - more
+        } else {
+            low.saturating_add(more).min(end)
+        }))
+    }
+}
