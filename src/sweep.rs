@@ -22,6 +22,7 @@
 //! | what moves | past |
 //! | --- | --- |
 //! | axis-aligned box | triangle, axis-aligned box, [a mesh](crate::mesh::Tree::first_contact) |
+//! | sphere | triangle, axis-aligned box, [a mesh](crate::mesh::Tree::first_contact) |
 //! | triangle | axis-aligned box |
 //!
 //! The motion is a translation. If nothing is met, the body may stand at its new place, t = 1.
@@ -32,4 +33,4 @@
 //! A body that begins in touch meets the obstacle at time zero. [`Sweep::relation_along`] says
 //! whether it is free to move, along the surface or away from it, and [`Sweep::last_free`] lets it.
 
-pub use crate::query::{FirstContact, Motion, Sweep};
+pub use crate::query::{FirstContact, Motion, SphereContact, Sweep};

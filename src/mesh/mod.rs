@@ -75,4 +75,5 @@ pub use overlapping::{Overlapping, Probe};
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use owned::{OwnedTree, OwnedTreeBuilder};
 pub use ray::Hits;
+pub use sweep::Mover;
 pub use tree::Tree;

@@ -1,4 +1,4 @@
-//! A box that moves past a mesh.
+//! A box or a sphere that moves past a mesh.
 
 use super::descent::{Descend, GridRay, Met, along_octant};
 use super::grid::Grid;
@@ -6,12 +6,62 @@ use super::node::{Cell, Node};
 use super::overlapping::sealed::Bounded;
 use super::{Index, Tree};
 use crate::arithmetic::three;
-use crate::query::{FirstContact, Motion, Relation, Sweep};
+use crate::query::{Feature, FirstContact, Motion, Relation, SphereContact, Sweep};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Vec3};
+use crate::shape::{Aabb, AabbForm, Sphere, Triangle, Vec3};
+
+/// A shape that moves past a mesh: a box or a sphere.
+///
+/// The trait is sealed.
+pub trait Mover<S: Scalar>:
+    Sweep<Triangle<S>, Scalar = S, Contact: sealed::Timed<S>> + sealed::Bounded<S>
+{
+}
+
+impl<S: Scalar> Mover<S> for Aabb<S> {}
+impl<S: Scalar> Mover<S> for Sphere<S> {}
+
+mod sealed {
+    use crate::shape::Aabb;
+
+    /// A contact at a time.
+    pub trait Timed<S>: Copy {
+        fn t(&self) -> S;
+    }
+
+    pub trait Bounded<S> {
+        /// A box that encloses the shape and meets all that it meets no later.
+        fn bounds(&self) -> Option<Aabb<S>>;
+    }
+}
+
+impl<S: Scalar> sealed::Timed<S> for FirstContact<S> {
+    fn t(&self) -> S {
+        self.t
+    }
+}
+
+impl<S: Scalar> sealed::Timed<S> for SphereContact<S, Feature> {
+    fn t(&self) -> S {
+        self.t
+    }
+}
+
+impl<S: Scalar> sealed::Bounded<S> for Aabb<S> {
+    fn bounds(&self) -> Option<Self> {
+        Some(*self)
+    }
+}
+
+impl<S: Scalar> sealed::Bounded<S> for Sphere<S> {
+    // A sphere has finite numbers, and the box has no others.
+    fn bounds(&self) -> Option<Aabb<S>> {
+        Aabb::from_center_half_extents(self.center(), [self.radius(); 3]).ok()
+    }
+}
 
 impl<S: Scalar, I: Index> Tree<'_, S, I> {
-    /// The first triangle that a moving box meets, and the time of impact, if it meets one.
+    /// The first triangle that a moving box or sphere meets, and the time of impact, if it meets one.
     ///
     /// *Contact*: as [`Sweep::first_contact`]. If the times of several triangles round to the same
     /// number of the scalar, the lowest index wins.
@@ -19,33 +69,38 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     /// *Numerics*: exact; the contact returned has the bits of [`Sweep::first_contact`]. *Panics*:
     /// never.
     ///
-    /// *Cost*: [`Sweep::first_contact`] for each triangle in a leaf that the box meets before its
-    /// first contact. The descent costs as much as in [`first_hit`](Self::first_hit).
+    /// *Cost*: [`Sweep::first_contact`] for each triangle in a leaf that the box, or the sphere's
+    /// bounding box, meets before the first contact. The descent costs as much as in
+    /// [`first_hit`](Self::first_hit).
     ///
     /// ```
     /// use septum::mesh::{Mesh, Node, Tree};
     /// use septum::sweep::Motion;
-    /// use septum::{Aabb, Axis, Vec3};
+    /// use septum::{Aabb, Axis, Feature, Sphere, Vec3};
     ///
     /// let corners = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [4.0, 4.0, 0.0]].map(Vec3::from);
     /// let floor = Mesh::new(&corners, &[[0_u16, 1, 2], [3, 2, 1]])?;
     /// let (mut nodes, mut order) = ([Node::EMPTY], [0; 2]);
     /// let tree = Tree::build(floor, &mut nodes, &mut order)?;
     ///
-    /// let ball = Aabb::from_center_half_extents([3.0, 3.0, 9.0], [1.0; 3])?;
+    /// let body = Aabb::from_center_half_extents([3.0, 3.0, 9.0], [1.0; 3])?;
     /// let fall = Motion::new([3.0, 3.0, 9.0], [3.0, 3.0, -7.0])?;
-    /// let (triangle, first) = tree.first_contact(&ball, &fall).unwrap();
+    /// let (triangle, first) = tree.first_contact(&body, &fall).unwrap();
     /// assert_eq!((triangle, first.t, first.axis), (0, 0.5, Some(Axis::Face(2))));
+    ///
+    /// let ball = Sphere::new([3.0, 3.0, 9.0], 1.0)?;
+    /// let (triangle, first) = tree.first_contact(&ball, &fall).unwrap();
+    /// assert_eq!((triangle, first.t, first.part), (1, 0.5, Some(Feature::Interior)));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[doc(alias = "time of impact")]
     #[must_use]
-    pub fn first_contact(
+    pub fn first_contact<M: Mover<S>>(
         &self,
-        aabb: &Aabb<S>,
+        shape: &M,
         motion: &Motion<S>,
-    ) -> Option<(usize, FirstContact<S>)> {
-        self.first_contact_where(aabb, motion, |_, _| true)
+    ) -> Option<(usize, M::Contact)> {
+        self.first_contact_where(shape, motion, |_, _| true)
     }
 
     /// The first contact for which `accepts` returns `true`: past triangles that do not matter, or
@@ -58,33 +113,35 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     #[doc(alias = "predicate")]
     #[doc(alias = "filter")]
     #[must_use]
-    pub fn first_contact_where(
+    pub fn first_contact_where<M: Mover<S>>(
         &self,
-        aabb: &Aabb<S>,
+        shape: &M,
         motion: &Motion<S>,
-        mut accepts: impl FnMut(usize, &FirstContact<S>) -> bool,
-    ) -> Option<(usize, FirstContact<S>)> {
-        let mut best: Option<(usize, FirstContact<S>)> = None;
-        self.descend(&mut Moving::new(&self.grid, aabb, motion), |moving, i| {
-            let Some(first) = aabb.first_contact(motion, &self.mesh.known(i)) else { return };
-            let is_before = |(j, other): (usize, FirstContact<S>)| {
-                first.t < other.t || first.t == other.t && i < j
-            };
+        mut accepts: impl FnMut(usize, &M::Contact) -> bool,
+    ) -> Option<(usize, M::Contact)> {
+        use sealed::Timed;
+
+        let mut best: Option<(usize, M::Contact)> = None;
+        self.descend(&mut Moving::new(&self.grid, &shape.bounds()?, motion), |moving, i| {
+            let Some(first) = shape.first_contact(motion, &self.mesh.known(i)) else { return };
+            let t = first.t();
+            let is_before =
+                |(j, other): (usize, M::Contact)| t < other.t() || t == other.t() && i < j;
             if best.is_none_or(is_before) && accepts(i, &first) {
-                moving.limit(first.t);
+                moving.limit(t);
                 best = Some((i, first));
             }
         });
         best
     }
 
-    /// Where on its way can a moving box stop, at the latest, without overlapping a triangle, and
-    /// which triangle blocks the next step? The triangle of the lowest index, if several do. `None` if
-    /// the box overlaps a triangle at the start.
+    /// Where on its way can a moving box or sphere stop, at the latest, without overlapping a
+    /// triangle, and which triangle blocks the next step? The triangle of the lowest index, if several
+    /// do. `None` if the shape overlaps a triangle at the start.
     ///
     /// The place is that of [`Sweep::last_free`] for all triangles: a [`place`](Motion::place) of
     /// the motion to which the straight way is free, with a next step that is not. If the whole
-    /// motion is free, the place is [`to`](Motion::to), and no triangle is returned. A box that
+    /// motion is free, the place is [`to`](Motion::to), and no triangle is returned. A shape that
     /// begins in touch may slide along triangles, also across the edges between them, or leave
     /// them.
     ///
@@ -116,17 +173,18 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     /// ```
     #[doc(alias = "shape cast")]
     #[must_use]
-    pub fn last_free(
+    pub fn last_free<M: Mover<S>>(
         &self,
-        aabb: &Aabb<S>,
+        shape: &M,
         motion: &Motion<S>,
     ) -> Option<(Vec3<S>, Option<usize>)> {
+        let bounds = shape.bounds()?;
         let is_blocked_by = |way: &Motion<S>, i: usize| {
-            aabb.relation_along(way, &self.mesh.known(i)) == Relation::Overlapping
+            shape.relation_along(way, &self.mesh.known(i)) == Relation::Overlapping
         };
         let blocker = |way: &Motion<S>| {
             let mut least: Option<usize> = None;
-            self.descend(&mut Moving::new(&self.grid, aabb, way), |_, i| {
+            self.descend(&mut Moving::new(&self.grid, &bounds, way), |_, i| {
                 if least.is_none_or(|j| i < j) && is_blocked_by(way, i) {
                     least = Some(i);
                 }

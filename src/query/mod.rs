@@ -73,7 +73,7 @@ pub use relation::{Relate, Relation};
 pub(crate) use row_triangle::crossing;
 pub use sphere::Closest;
 pub(crate) use sphere::compare_distances;
-pub use sweep::{FirstContact, Motion, Sweep};
+pub use sweep::{FirstContact, Motion, SphereContact, Sweep};
 pub use triangle_aabb::PreparedTriangle;
 pub(crate) use triangle_aabb::{bound_of_size, disjoint_rounded, range};
 

@@ -134,7 +134,7 @@ impl<T: Enclosed> Surd<T> {
 
     /// The number of the greatest value of the scalar that is not above the root, in the order of
     /// all values, and whether it is the root; `None` in doubt.
-    fn ordinal<S: Scalar>(&self) -> Option<(i64, bool)> {
+    fn ordinal<S: Scalar>(&self, with_equality: bool) -> Option<(i64, bool)> {
         let Some(soft) = self.enclosed()? else { return Some((0, true)) };
         let floor = |x: Soft| {
             let x = S::at_most(x);
@@ -144,7 +144,7 @@ impl<T: Enclosed> Surd<T> {
         if low == high {
             // Else the lower bound of the root is a number of the scalar.
             let is_above = floor(soft.below()) == low;
-            if is_above || soft.is_exact() {
+            if is_above || soft.is_exact() || !with_equality {
                 return Some((low, !is_above && soft.is_exact()));
             }
         }
@@ -159,10 +159,15 @@ impl<T: Enclosed> Surd<T> {
         Some((low, self.compare(S::of_ordinal(low))? == Ordering::Equal))
     }
 
+    /// The greatest number of the scalar that is not above the root; `None` in doubt.
+    pub(super) fn floor<S: Scalar>(&self) -> Option<S> {
+        Some(S::of_ordinal(self.ordinal::<S>(false)?.0))
+    }
+
     /// The root, or minus the root, to the next number of the scalar above or below; at the ends of
     /// fixed point, and an infinity above all floats. `None` in doubt.
     pub(super) fn rounded<S: Scalar>(&self, is_negative: bool, is_up: bool) -> Option<S> {
-        let (low, is_equal) = self.ordinal::<S>()?;
+        let (low, is_equal) = self.ordinal::<S>(true)?;
         let more = i64::from(!is_equal && is_up != is_negative);
         // Infinity, or the greatest number.
         let end = S::at_most(Soft::ONE.scaled(1 << 13)).ordinal();

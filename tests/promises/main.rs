@@ -30,6 +30,7 @@ mod crossings;
 mod flat_shapes;
 mod in_vain;
 mod line_obb;
+mod moving_spheres;
 mod obb;
 mod oriented_boxes;
 mod oriented_pairs;

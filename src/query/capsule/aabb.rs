@@ -1,7 +1,7 @@
 //! Capsule against axis-aligned box.
 
 use super::{Between, Beyond, all_beyond};
-use crate::arithmetic::{Embeds, Number, greatest, largest, three};
+use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, three};
 use crate::query::Overlaps;
 use crate::query::orientation::{Vector, from};
 use crate::query::sphere::{Ball, Reach};
@@ -41,31 +41,44 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Aabb<S>> {
         if !is_by_center && reach.is_beyond(&[low, high, low_b, high_b]) {
             return Some(true);
         }
-        let from_end = |[low, high]: &[Vector<N>; 2]| {
-            let d = three(|i| greatest(greatest(low[i], -high[i]), N::Length::ZERO));
-            reach.excludes_if_in_range(&d, slack)
-        };
-        let e = from::<N>(&b, &a);
-        // An edge along an axis: bits 0 and 1 of k choose its line.
-        let from_edge = |axis: usize, k: usize| {
-            let ends = to.map(|[low, high]| {
-                [0, 1].map(|end| {
-                    three(|i| {
-                        let bit = usize::from(i == (axis + 2) % 3);
-                        let is_high = if i == axis { end == 1 } else { k >> bit & 1 == 1 };
-                        if is_high { high[i] } else { low[i] }
-                    })
-                })
-            });
-            let along = three(|i| if i == axis { extents[i] } else { N::Length::ZERO });
-            Between { ends, along: [e, along] }.is_beyond(&reach, slack)
-        };
-        all_beyond((0..14).map(|k| match k {
-            0 => from_end(&to[0]),
-            1 => from_end(&to[1]),
-            _ => from_edge((k - 2) / 4, k - 2),
-        }))
+        box_lies_beyond(&reach, &to, &extents, &from::<N>(&b, &a), slack)
     }
+}
+
+/// Whether the ends of a segment along `e` lie farther from a box than the radius, and the segment
+/// from its edges; with vectors from both ends to both extreme corners. The vectors err as
+/// `Reach::excludes` says.
+#[inline(always)]
+pub(in crate::query) fn box_lies_beyond<N: Arithmetic>(
+    reach: &Reach<N>,
+    to: &[[Vector<N>; 2]; 2],
+    extents: &Vector<N>,
+    e: &Vector<N>,
+    slack: N::Length,
+) -> Option<bool> {
+    let from_end = |[low, high]: &[Vector<N>; 2]| {
+        let d = three(|i| greatest(greatest(low[i], -high[i]), N::Length::ZERO));
+        reach.excludes_if_in_range(&d, slack)
+    };
+    // An edge along an axis: bits 0 and 1 of k choose its line.
+    let from_edge = |axis: usize, k: usize| {
+        let ends = to.map(|[low, high]| {
+            [0, 1].map(|end| {
+                three(|i| {
+                    let bit = usize::from(i == (axis + 2) % 3);
+                    let is_high = if i == axis { end == 1 } else { k >> bit & 1 == 1 };
+                    if is_high { high[i] } else { low[i] }
+                })
+            })
+        });
+        let along = three(|i| if i == axis { extents[i] } else { N::Length::ZERO });
+        Between { ends, along: [*e, along] }.is_beyond(reach, slack)
+    };
+    all_beyond((0..14).map(|k| match k {
+        0 => from_end(&to[0]),
+        1 => from_end(&to[1]),
+        _ => from_edge((k - 2) / 4, k - 2),
+    }))
 }
 
 /// Whether the box meets the capsule, or its points nearer than the radius.

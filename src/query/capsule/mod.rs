@@ -11,6 +11,7 @@ mod obb;
 mod ray;
 mod relation;
 
+pub(super) use self::aabb::box_lies_beyond;
 use super::Overlaps;
 use super::orientation::{Vector, from};
 use super::sphere::{Ball, OneSide, Reach, around, lies_beyond};
@@ -58,8 +59,31 @@ fn excludes_triangle<N: Arithmetic>(
     reach: &Reach<N>,
     vectors: &[Vector<N>; 3],
     edges: &[Vector<N>; 3],
+    slack: N::Length,
 ) -> Option<bool> {
-    reach.excludes_face(vectors, edges, N::Length::ZERO)
+    reach.excludes_face(vectors, edges, slack)
+}
+
+/// Whether the ends of a segment along `e` lie farther from a triangle than the radius, and the
+/// segment from its edges; with vectors from the vertices to both ends. The vectors err as
+/// `Reach::excludes` says.
+#[inline(always)]
+pub(super) fn triangle_lies_beyond<N: Arithmetic>(
+    reach: &Reach<N>,
+    to: [&[Vector<N>; 3]; 2],
+    edges: &[Vector<N>; 3],
+    e: &Vector<N>,
+    slack: N::Length,
+) -> Option<bool> {
+    all_beyond((0..5).map(|k| match k {
+        0 => excludes_triangle(reach, to[0], edges, slack),
+        1 => excludes_triangle(reach, to[1], edges, slack),
+        _ => {
+            let (k, next) = (k - 2, (k - 1) % 3);
+            let ends = to.map(|to| [k, next].map(|j| three(|i| -pick(to, j)[i])));
+            Between { ends, along: [*e, *pick(edges, k)] }.is_beyond(reach, slack)
+        }
+    }))
 }
 
 /// Whether all parts lie beyond: `None` if some are in doubt, and none is known to be near.
@@ -130,15 +154,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Triangle<S>> {
             return Some(true);
         }
         let e = from::<N>(&b, &a);
-        all_beyond((0..5).map(|k| match k {
-            0 => excludes_triangle(&reach, &to_a, &edges),
-            1 => excludes_triangle(&reach, &to_b, &edges),
-            _ => {
-                let (k, next) = (k - 2, (k - 1) % 3);
-                let ends = [&to_a, &to_b].map(|to| [k, next].map(|j| three(|i| -pick(to, j)[i])));
-                Between { ends, along: [e, *pick(&edges, k)] }.is_beyond(&reach, N::Length::ZERO)
-            }
-        }))
+        triangle_lies_beyond(&reach, [&to_a, &to_b], &edges, &e, N::Length::ZERO)
     }
 }
 

@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::HitRules;
 use super::crosses::Crosses;
-use crate::arithmetic::{Embeds, Limbed, Number, REGISTERS_ARE_WIDE, compare};
+use crate::arithmetic::{Embeds, Limbed, Number, REGISTERS_ARE_WIDE, compare, order_of_products};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
 
@@ -100,26 +100,8 @@ pub(crate) fn compare_quotients<V: Number + Limbed>([a, b]: [V; 2], [c, d]: [V; 
         return left.cmp(&right);
     }
     let [a, b, c, d] = [a, b, c, d].map(V::magnitude);
-    let (mut of_ad, mut of_cb, mut order) = ([0; 2], [0; 2], Ordering::Equal);
-    for k in 0..2 * a.limbs().len() {
-        let (ad, cb);
-        (ad, of_ad) = limb_of_product(a.limbs(), d.limbs(), k, of_ad);
-        (cb, of_cb) = limb_of_product(c.limbs(), b.limbs(), k, of_cb);
-        // A higher limb outweighs all lower ones.
-        order = ad.cmp(&cb).then(order);
-    }
+    let order = order_of_products([a.limbs(), d.limbs()], [c.limbs(), b.limbs()]);
     if left == Ordering::Less { order.reverse() } else { order }
-}
-
-/// Limb `k` of a product, given the carry of the limbs below it, and its own carry.
-fn limb_of_product(a: &[u64], b: &[u64], k: usize, [low, high]: [u64; 2]) -> (u64, [u64; 2]) {
-    let (mut sum, mut over) = (u128::from(high) << 64 | u128::from(low), 0);
-    for (i, &x) in a.iter().take(k + 1).enumerate().filter(|(_, x)| **x != 0) {
-        let product = u128::from(x) * b.get(k - i).map_or(0, |&y| y.into());
-        let (more, carried) = sum.overflowing_add(product);
-        (sum, over) = (more, over + u64::from(carried));
-    }
-    (sum as u64, [(sum >> 64) as u64, over])
 }
 
 #[cfg(test)]

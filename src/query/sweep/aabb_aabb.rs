@@ -88,6 +88,7 @@ impl<S: Scalar> Predicate<S> for Nearest<'_, S> {
 
 impl<S: Scalar> Sweep<Aabb<S>> for Aabb<S> {
     type Scalar = S;
+    type Contact = FirstContact<S>;
 
     #[inline]
     fn meets_along(&self, motion: &Motion<S>, other: &Aabb<S>) -> bool {

@@ -11,12 +11,14 @@ mod motion;
 mod nearest;
 mod one_axis;
 mod rows;
+mod sphere;
 mod time;
 mod words;
 
 use core::cmp::Ordering;
 
 pub use motion::Motion;
+pub use sphere::SphereContact;
 
 use self::exact::ExactCourse;
 use self::kernel::Course;
@@ -99,6 +101,9 @@ pub trait Sweep<Other> {
     /// The scalar of the two shapes.
     type Scalar;
 
+    /// When and how the two shapes first meet.
+    type Contact;
+
     /// Does this shape, as it moves, have a point in common with `other` at any time?
     ///
     /// *Geometry*: closed sets in one frame and one unit. This shape is given at the start of the
@@ -117,7 +122,8 @@ pub trait Sweep<Other> {
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: a triangle and a box take 111 multiplications, unless a face separates them all the
+    /// *Cost*: a sphere takes 12 comparisons if a coordinate separates, and otherwise what a
+    /// [capsule](crate::Capsule) takes, and the sweep of its centre. A triangle and a box take 111 multiplications, unless a face separates them all the
     /// way. If they meet, the query takes fewer, and five quotients of four floats at once. Two
     /// boxes take 12 multiplications and no division. On 32-bit cores fixed point of up to 32 bits has
     /// a kernel of its own for a triangle and a box (`docs/target.csv`). Floats within rounding of
@@ -133,23 +139,22 @@ pub trait Sweep<Other> {
     ///
     /// *Contact*: shapes that touch at the start meet at time zero.
     ///
-    /// *Numerics*: exact except for one rounding, downwards: see [`FirstContact`]. If the result
-    /// names an axis, the shapes are apart before that time; at that time they touch or are still
+    /// *Numerics*: exact except for one rounding, downwards: see [`FirstContact`] and
+    /// [`SphereContact`]. If the result names an axis or a part, the shapes are apart before that time; at that time they touch or are still
     /// apart.
     ///
-    /// *Panics*: never. *Cost*: as for [`meets_along`](Self::meets_along). Shapes that meet also
-    /// take one of its axes again in `f64`, and two divisions. A result in `f64` takes that axis in
+    /// *Panics*: never. *Cost*: as for [`meets_along`](Self::meets_along). A sphere that meets a box
+    /// also takes up to 100 multiplications, each with an error bound, a root and a division of
+    /// integers; past a triangle up to six times as many, and up to six roots. In `f64`, in fixed
+    /// point on 32-bit cores and of 64 bits, and within rounding of a number, these are exact
+    /// integers. Other shapes that meet take one of the axes again in `f64`, and two divisions. A result in `f64` takes that axis in
     /// 106 digits, and one in fixed point of 64 bits a division of integers. On 32-bit cores, and
     /// where two axes close at about the same time, every axis with a gap is computed, each with a
     /// division.
     #[doc(alias = "time of impact")]
     #[doc(alias = "continuous collision")]
     #[must_use]
-    fn first_contact(
-        &self,
-        motion: &Motion<Self::Scalar>,
-        other: &Other,
-    ) -> Option<FirstContact<Self::Scalar>>;
+    fn first_contact(&self, motion: &Motion<Self::Scalar>, other: &Other) -> Option<Self::Contact>;
 
     /// Are the two shapes disjoint, touching or overlapping when they are nearest to each other on
     /// the way?
@@ -385,6 +390,7 @@ impl<S: Scalar> Passing<'_, S> {
 
 impl<S: Scalar> Sweep<Aabb<S>> for Triangle<S> {
     type Scalar = S;
+    type Contact = FirstContact<S>;
 
     #[inline]
     fn meets_along(&self, motion: &Motion<S>, aabb: &Aabb<S>) -> bool {
@@ -403,6 +409,7 @@ impl<S: Scalar> Sweep<Aabb<S>> for Triangle<S> {
 
 impl<S: Scalar> Sweep<Triangle<S>> for Aabb<S> {
     type Scalar = S;
+    type Contact = FirstContact<S>;
 
     #[inline]
     fn meets_along(&self, motion: &Motion<S>, triangle: &Triangle<S>) -> bool {

@@ -18,6 +18,7 @@
 //! | ray and triangle | [`rays::crossing`] | [`rays::RaySet`], [`rays::Scene`] |
 //! | triangles in a grid | [`voxels::check`] | [`voxels::VoxelScene`] |
 //! | triangle or box that moves past a box | [`sweeps::SweepCase::truth`] | [`sweeps::SweepSet`] |
+//! | sphere that moves past a triangle or a box | [`spheres::SphereSweep::check`]: the way as a capsule | [`spheres::SphereSweep::of_set`] |
 //! | sphere and other shapes | [`spheres::SphereCase::truth`]: Gram determinants | [`spheres::SphereSet`] |
 //! | point and mesh | [`rays::winding`] | |
 //! | ray and mesh, box that moves past a mesh | [`meshes::MeshRay::truth`] | [`meshes::MeshSet`] |

@@ -20,7 +20,7 @@ use self::closest::points_are_closest_as_one_by_one;
 use self::edges::{contacts_are_the_first, hits_are_in_true_order};
 use self::owned::owned_trees_answer_as_borrowed;
 use self::scenes::Scene;
-use self::sweeps::boxes_meet_first_as_one_by_one;
+use self::sweeps::{boxes_meet_first_as_one_by_one, spheres_meet_first_as_one_by_one};
 
 fn sorted(found: impl Iterator<Item = usize>) -> Vec<usize> {
     let mut found: Vec<_> = found.collect();

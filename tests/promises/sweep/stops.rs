@@ -6,7 +6,7 @@
 
 use septum::mesh::{Mesh, Node, Tree};
 use septum::relation::{Relate, Relation};
-use septum::sweep::{Motion, Sweep};
+use septum::sweep::{FirstContact, Motion, Sweep};
 use septum::{Aabb, Triangle, Vec3};
 use septum_kit::sweeps::{BoxSweep, SweepCase};
 use septum_kit::{BoxNumbers, Case, Rng, Sample, for_every_scalar};
@@ -49,7 +49,7 @@ struct One<S, T> {
 
 impl<S: Sample, T> Scene<S> for One<S, T>
 where
-    Aabb<S>: Sweep<T, Scalar = S> + Relate<T>,
+    Aabb<S>: Sweep<T, Scalar = S, Contact = FirstContact<S>> + Relate<T>,
 {
     fn at(&self, place: Vec3<S>) -> Relation {
         body(place, self.half).relation(&self.obstacle)

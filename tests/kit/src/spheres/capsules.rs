@@ -97,7 +97,7 @@ pub(super) fn from_all(points: &[Whole]) -> Fraction {
 }
 
 /// The squared distance of a segment from a box, by the parts of the segment between faces.
-fn from_box([a, b]: &[Whole; 2], faces: &[[IBig; 2]; 3]) -> Fraction {
+pub(super) fn from_box([a, b]: &[Whole; 2], faces: &[[IBig; 2]; 3]) -> Fraction {
     let e = minus(b, a);
     let less = |x: &Fraction, y: &Fraction| &x.0 * &y.1 < &y.0 * &x.1;
     // Where the segment crosses faces, and its ends.

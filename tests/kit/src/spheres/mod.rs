@@ -12,6 +12,7 @@ mod capsules;
 mod closest;
 mod contacts;
 mod oriented;
+mod moving;
 mod range;
 mod sets;
 
@@ -24,6 +25,7 @@ use septum::{Capsule, Closest, Ray, Segment, Sphere, Triangle};
 pub use answers::Answers;
 pub use capsules::CapsuleCase;
 pub use contacts::Found;
+pub use moving::{Part, SphereSweep};
 pub use sets::SphereSet;
 
 use crate::exact::{Parts, least_exponent, whole};

@@ -1,0 +1,138 @@
+//! Spheres that move past triangles and boxes.
+//!
+//! A sphere that moves covers the capsule of its centre's way. Whether that meets a shape is asked as
+//! of any [capsule](crate::query::capsule), but its second end is a sum that is not rounded. The
+//! centre enters all points within the radius of the shape: those over a face, around an edge, or
+//! around a vertex. `triangle` and `aabb` say when, and which.
+
+mod aabb;
+mod beyond;
+mod triangle;
+
+use super::{Motion, Sweep};
+use crate::query::relation::Relation;
+use crate::query::sphere::{Ball, of_ball};
+use crate::query::surd::Question;
+use crate::query::{Feature, Overlaps};
+use crate::robust::Predicate;
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, Sphere, Triangle};
+
+use beyond::Beyond;
+
+/// When and where a moving sphere first meets a shape.
+///
+/// ```
+/// use septum::sweep::{Motion, Sweep};
+/// use septum::{Aabb, Feature, Sphere, Triangle};
+///
+/// let ball = Sphere::new([0.0_f32, 0.0, 9.0], 5.0)?;
+/// let fall = Motion::new([0.0, 0.0, 9.0], [0.0, 0.0, 1.0])?;
+/// let roof = Triangle::new([-8.0, 3.0, 2.0], [8.0, 3.0, 2.0], [0.0, 9.0, 2.0])?;
+/// let first = ball.first_contact(&fall, &roof).unwrap();
+/// assert_eq!((first.t, first.part), (0.375, Some(Feature::Edge(0)))); // 3 beside it, 4 above it
+/// let cell = Aabb::from_min_max([-1.0, -1.0, 0.0], [1.0, 1.0, 2.0])?;
+/// let first = ball.first_contact(&fall, &cell).unwrap();
+/// assert_eq!((first.t, first.part), (0.25, Some([0, 0, 1]))); // on its upper face
+/// # Ok::<(), septum::ShapeError>(())
+/// ```
+#[doc(alias = "time of impact")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
+pub struct SphereContact<S, P> {
+    /// The time of the first contact, as [`FirstContact::t`](super::FirstContact::t): the greatest
+    /// number of the scalar that is not above the true time.
+    pub t: S,
+    /// The part of the shape that the sphere touches at that time; `None` if they meet at the start.
+    ///
+    /// Of a triangle it is a [`Feature`]. Of a box it is a side on each axis: −1 and 1 for the low
+    /// and the high face, 0 between the two. Three sides are a corner, two an edge, and one a face.
+    ///
+    /// If several parts of a triangle are met at the same number of the scalar, an edge comes before
+    /// a vertex, and the lower number first.
+    pub part: Option<P>,
+}
+
+/// A sphere that moves past a shape.
+struct Passing<'a, S, T> {
+    sphere: &'a Sphere<S>,
+    motion: &'a Motion<S>,
+    shape: &'a T,
+}
+
+impl<'a, S: Scalar, T> Passing<'a, S, T>
+where
+    Beyond<'a, S, T>: Predicate<S, Answer = bool>,
+    Aabb<S>: Sweep<T, Scalar = S>,
+    Sphere<S>: Overlaps<T>,
+{
+    /// Whether the sphere meets the shape on its way, or its points nearer than the radius.
+    fn meets(&self, ball: Ball) -> bool {
+        let Self { sphere, motion, shape } = *self;
+        !S::evaluate_numeric(&Beyond { sphere, motion, shape, ball })
+            || self.center().is_some_and(|center| center.meets_along(motion, shape))
+    }
+
+    /// The centre, as a box. It is finite.
+    fn center(&self) -> Option<Aabb<S>> {
+        Aabb::from_min_max(self.sphere.center(), self.sphere.center()).ok()
+    }
+
+    fn relation(&self) -> Relation {
+        let of_center = || {
+            let center = self.center();
+            center.map_or(Relation::Disjoint, |c| c.relation_along(self.motion, self.shape))
+        };
+        of_ball(self.sphere.radius() > S::ZERO, |ball| self.meets(ball), of_center)
+    }
+
+    fn first_contact<P, const K: usize>(&self) -> Option<SphereContact<S, P>>
+    where
+        Self: Question<S, K, Answer = SphereContact<S, P>>,
+    {
+        if !self.meets(Ball::Closed) {
+            return None;
+        }
+        let at_start = SphereContact { t: S::ZERO, part: None };
+        if self.sphere.overlaps(self.shape) {
+            return Some(at_start);
+        }
+        // Exact numbers always have an answer.
+        Some(self.settle().unwrap_or(at_start))
+    }
+}
+
+impl<S: Scalar> Sweep<Triangle<S>> for Sphere<S> {
+    type Scalar = S;
+    type Contact = SphereContact<S, Feature>;
+
+    fn meets_along(&self, motion: &Motion<S>, triangle: &Triangle<S>) -> bool {
+        Passing { sphere: self, motion, shape: triangle }.meets(Ball::Closed)
+    }
+
+    fn first_contact(&self, motion: &Motion<S>, triangle: &Triangle<S>) -> Option<Self::Contact> {
+        Passing { sphere: self, motion, shape: triangle }.first_contact()
+    }
+
+    fn relation_along(&self, motion: &Motion<S>, triangle: &Triangle<S>) -> Relation {
+        Passing { sphere: self, motion, shape: triangle }.relation()
+    }
+}
+
+impl<S: Scalar> Sweep<Aabb<S>> for Sphere<S> {
+    type Scalar = S;
+    type Contact = SphereContact<S, [i8; 3]>;
+
+    fn meets_along(&self, motion: &Motion<S>, aabb: &Aabb<S>) -> bool {
+        Passing { sphere: self, motion, shape: aabb }.meets(Ball::Closed)
+    }
+
+    fn first_contact(&self, motion: &Motion<S>, aabb: &Aabb<S>) -> Option<Self::Contact> {
+        Passing { sphere: self, motion, shape: aabb }.first_contact()
+    }
+
+    fn relation_along(&self, motion: &Motion<S>, aabb: &Aabb<S>) -> Relation {
+        Passing { sphere: self, motion, shape: aabb }.relation()
+    }
+}

@@ -1,0 +1,229 @@
+//! When a sphere first meets a triangle, and on which part.
+//!
+//! m goes from the centre to a vertex, e along an edge, and d along the way. The sphere meets the
+//! plane when n·(m − t·d) is r·|n|, the line of an edge when |(m − t·d) × e| is r·|e|, and a vertex
+//! when |m − t·d| is r. Squared, each is a quadratic equation in t. Its lesser root counts if the
+//! centre is then over the face, or between the ends of the edge; around a vertex it always counts.
+//! The least is the time of contact, because the centre enters all points within r of the triangle
+//! there, and these parts cover all of them.
+//!
+//! Whether a root lies before a rational time is a sign at that time. When the centre is over the end
+//! of an edge, with k = e·d and h = e·m, k times the vector to that vertex is w = k·m − h·d, and w·w
+//! compares with r²·k²: products of six lengths. When it is in the plane through an edge at right
+//! angles to the face, n·(m − t·d) is −n²·D/β, with D = e·(m × d) and β = n·(e × d). So n²·D²
+//! compares with r²·β²: products of ten.
+
+use core::cmp::Ordering;
+
+use super::{Passing, SphereContact};
+use crate::arithmetic::{
+    Arithmetic, Enclosed, Number, compare_products, cross, dot, pick, sign_of, three,
+};
+use crate::query::Feature;
+use crate::query::orientation::{Vector, from};
+use crate::query::sphere::{along, product};
+use crate::query::surd::{Question, Surd, root};
+use crate::scalar::Scalar;
+use crate::shape::Triangle;
+
+/// The vectors of a sphere and a triangle, and the square of the radius.
+struct Course<N: Arithmetic> {
+    m: [Vector<N>; 3],
+    e: [Vector<N>; 3],
+    d: Vector<N>,
+    r2: N::Area,
+}
+
+/// Whether a number is certainly above zero; `None` in doubt.
+#[inline(always)]
+fn is_above<T: Number>(x: T) -> Option<bool> {
+    Some(sign_of(x)? == Ordering::Greater)
+}
+
+impl<N> Course<N>
+where
+    N: Arithmetic<Area: Enclosed, Quartic: Enclosed, Sextic: Enclosed>,
+{
+    /// e·(m × d).
+    fn across(&self, k: usize) -> N::Volume {
+        dot::<N>(&cross::<N>(pick(&self.m, k), &self.d), pick(&self.e, k))
+    }
+
+    /// The plane, if its root counts. `None` in doubt, as in all that follow.
+    #[inline(never)]
+    fn face(&self) -> Option<Option<Surd<N::Sextic>>> {
+        let Self { m, e, d, r2 } = self;
+        let n = cross::<N>(&e[0], &e[1]);
+        let nn = along::<N>(&n, &n);
+        if !is_above(nn)? {
+            return Some(None);
+        }
+        let (gap, speed) = (dot::<N>(&n, &m[0]), dot::<N>(&n, d));
+        let side = sign_of(gap)?;
+        if side == Ordering::Equal || side != sign_of(speed)? {
+            return Some(None);
+        }
+        let reach = N::sextic_of_areas(nn, *r2);
+        let c = N::sextic(gap, gap) - reach;
+        if !is_above(c)? {
+            return Some(None);
+        }
+        for k in 0..3 {
+            if !self.is_inside(k, &n, nn, side)? {
+                return Some(None);
+            }
+        }
+        let (a, p) = (N::sextic(speed, speed), N::sextic(gap, speed));
+        let root = root(reach)?.zip(root(a)?).map(|(reach, speed)| reach.times(speed));
+        Some(Some(Surd { a, p, c, root, is_far: false }))
+    }
+
+    /// Whether the foot of the centre lies inside of an edge when the sphere meets the plane.
+    fn is_inside(
+        &self,
+        k: usize,
+        n: &[N::Area; 3],
+        nn: N::Quartic,
+        side: Ordering,
+    ) -> Option<bool> {
+        let (m, e) = (pick(&self.m, k), pick(&self.e, k));
+        let inward = along::<N>(n, &cross::<N>(e, &self.d));
+        let (start, moves) = (sign_of(-along::<N>(n, &cross::<N>(e, m)))?, sign_of(inward)?);
+        if start == Ordering::Equal || start == moves || moves == Ordering::Equal {
+            // It stays on its side, or leaves the line at once.
+            let first = if start == Ordering::Equal { moves } else { start };
+            return Some(first == Ordering::Greater);
+        }
+        // How the time compares with the one at which the foot is on the line of the edge.
+        let volume = self.across(k);
+        let gap = sign_of(volume)?;
+        let is_beyond = gap != Ordering::Equal && (gap == side) != (moves == Ordering::Greater);
+        let order = if gap == Ordering::Equal || is_beyond {
+            let reach = N::sextic_of_areas(inward.magnitude(), self.r2);
+            compare_products([nn, inward.magnitude()], [N::sextic(volume, volume), reach])?
+        } else {
+            Ordering::Less
+        };
+        Some(order == moves)
+    }
+
+    /// The line of an edge.
+    #[inline(never)]
+    fn edge(&self, k: usize) -> Option<Option<Surd<N::Quartic>>> {
+        let (next, d) = (if k == 2 { 0 } else { k + 1 }, &self.d);
+        let (m, e) = (pick(&self.m, k), pick(&self.e, k));
+        let (speed, gap) = (cross::<N>(d, e), cross::<N>(m, e));
+        let (a, p) = (along::<N>(&speed, &speed), along::<N>(&speed, &gap));
+        if !is_above(a)? || !is_above(p)? {
+            return Some(None);
+        }
+        let ee = product::<N>(e, e);
+        let c = along::<N>(&gap, &gap) - N::quartic(ee, self.r2);
+        if !is_above(c)? {
+            return Some(None);
+        }
+        let volume = self.across(k);
+        let q = N::sextic_of_areas(a, self.r2) - N::sextic(volume, volume);
+        if sign_of(q)? == Ordering::Less {
+            return Some(None);
+        }
+        // The centre is between the ends if h < t·k < h + e·e.
+        let (along, h) = (product::<N>(e, d), product::<N>(e, m));
+        let (h, ends) = ([h, h + ee], [m, pick(&self.m, next)]);
+        let is_between = match sign_of(along)? {
+            Ordering::Equal => is_above(-h[0])? && is_above(h[1])?,
+            Ordering::Greater => {
+                self.order(ends[0], along, h[0])? == Ordering::Greater
+                    && self.order(ends[1], along, h[1])? == Ordering::Less
+            }
+            Ordering::Less => {
+                self.order(ends[1], -along, -h[1])? == Ordering::Greater
+                    && self.order(ends[0], -along, -h[0])? == Ordering::Less
+            }
+        };
+        if !is_between {
+            return Some(None);
+        }
+        let root = root(q)?.zip(root(ee)?).map(|(q, length)| q.times(length));
+        Some(Some(Surd { a, p, c, root, is_far: false }))
+    }
+
+    /// How the time of an edge compares with h/k, when the centre is over its end; k is above zero.
+    fn order(&self, m: &Vector<N>, k: N::Area, h: N::Area) -> Option<Ordering> {
+        if !is_above(h)? {
+            return Some(Ordering::Greater);
+        }
+        let d = &self.d;
+        let approach =
+            sign_of(N::quartic(product::<N>(d, m), k) - N::quartic(product::<N>(d, d), h))?;
+        let w = three(|i| N::volume(k, m[i]) - N::volume(h, d[i]));
+        let square = |i: usize| N::sextic(w[i], w[i]);
+        let reach = N::sextic_of_areas(N::quartic(k, k), self.r2);
+        Some(match sign_of(square(0) + square(1) + square(2) - reach)? {
+            Ordering::Greater if approach == Ordering::Greater => Ordering::Greater,
+            Ordering::Equal if approach != Ordering::Less => Ordering::Equal,
+            _ => Ordering::Less,
+        })
+    }
+
+    /// A vertex.
+    #[inline(never)]
+    fn vertex(&self, k: usize) -> Option<Option<Surd<N::Area>>> {
+        let Self { m, d, r2, .. } = self;
+        let m = pick(m, k);
+        let (a, p) = (product::<N>(d, d), product::<N>(d, m));
+        let c = product::<N>(m, m) - *r2;
+        if !is_above(p)? || !is_above(c)? {
+            return Some(None);
+        }
+        let across = cross::<N>(m, d);
+        let q = N::quartic(a, *r2) - along::<N>(&across, &across);
+        if sign_of(q)? == Ordering::Less {
+            return Some(None);
+        }
+        Some(Some(Surd { a, p, c, root: root(q)?, is_far: false }))
+    }
+}
+
+impl<S: Scalar> Question<S, 7> for Passing<'_, S, Triangle<S>> {
+    type Answer = SphereContact<S, Feature>;
+
+    fn numbers(&self) -> [[S; 3]; 7] {
+        let (from, to) = (self.motion.from().to_array(), self.motion.to().to_array());
+        let [a, b, c] = self.shape.points();
+        [self.sphere.center().to_array(), [self.sphere.radius(); 3], from, to, a, b, c]
+    }
+
+    fn solve<N>(&self, numbers: &[[N::Length; 3]; 7]) -> Option<Self::Answer>
+    where
+        N: Arithmetic<Area: Enclosed, Quartic: Enclosed, Sextic: Enclosed>,
+    {
+        let [center, [r, ..], start, end, a, b, c] = numbers;
+        let course = Course::<N> {
+            m: [a, b, c].map(|v| from::<N>(v, center)),
+            e: [from::<N>(b, a), from::<N>(c, b), from::<N>(a, c)],
+            d: from::<N>(end, start),
+            r2: N::area(*r, *r),
+        };
+        if let Some(face) = course.face()? {
+            return Some(SphereContact { t: face.floor()?, part: Some(Feature::Interior) });
+        }
+        let mut first: Option<Self::Answer> = None;
+        let mut add = |t: S, part: Feature| {
+            if first.is_none_or(|first| t < first.t) {
+                first = Some(SphereContact { t, part: Some(part) });
+            }
+        };
+        for k in 0..3 {
+            if let Some(edge) = course.edge(k)? {
+                add(edge.floor()?, Feature::Edge(k as u8));
+            }
+        }
+        for k in 0..3 {
+            if let Some(vertex) = course.vertex(k)? {
+                add(vertex.floor()?, Feature::Vertex(k as u8));
+            }
+        }
+        first
+    }
+}
