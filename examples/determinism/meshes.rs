@@ -11,6 +11,7 @@ use septum::{Aabb, HitRules, Obb, Ray, Segment, Triangle, Vec3};
 use super::super::draw::Draw;
 use super::answers::Answers;
 use super::contacts::tell;
+use super::moving::past_mesh;
 use super::queries::Query;
 use super::spheres::closest;
 use super::{greatest, least};
@@ -109,6 +110,7 @@ pub(super) fn all<S: Draw, A: Answers>(
     }
 
     moving_boxes(points, shapes, answers);
+    past_mesh(&tree, points, answers);
     for (aabb, from, to) in
         [(shapes.aabbs[0], points[2], points[5]), (shapes.aabbs[1], points[6], points[0])]
     {

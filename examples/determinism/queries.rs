@@ -153,4 +153,9 @@ queries! {
     CapsuleRay = "capsule/ray relation",
     SphereObb = "sphere/obb relation",
     CapsuleObb = "capsule/obb relation",
+    RaySphereRange = "ray/sphere t_range_sphere",
+    SphereTriangleSweep = "sphere/triangle first_contact",
+    SphereAabbSweep = "sphere/aabb first_contact",
+    SphereAlong = "sphere relation_along",
+    MeshSphereSweep = "mesh sphere first_contact",
 }

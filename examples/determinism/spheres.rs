@@ -7,6 +7,7 @@ use septum::{
 
 use super::super::draw::Draw;
 use super::answers::Answers;
+use super::moving::of_feature;
 use super::pairs::middle;
 use super::queries::Query;
 
@@ -71,12 +72,7 @@ pub(super) fn closest<S: Draw, A: Answers>(
 ) {
     let answer = answers.to(query);
     answer.vector(found.map(|closest| closest.point));
-    answer.byte(match found.map(|closest| closest.feature) {
-        Some(Feature::Vertex(k)) => k,
-        Some(Feature::Edge(k)) => 3 + k,
-        Some(Feature::Interior) => 6,
-        None => 0xff,
-    });
+    answer.byte(of_feature(found.map(|closest| closest.feature)));
 }
 
 /// The relations of spheres and capsules, some without radius, with all others.

@@ -27,6 +27,8 @@ mod contacts;
 mod grids;
 #[path = "meshes.rs"]
 mod meshes;
+#[path = "moving.rs"]
+mod moving;
 #[path = "pairs.rs"]
 mod pairs;
 #[path = "queries.rs"]
@@ -125,6 +127,7 @@ fn case<S: Draw, A: Answers>(rng: &mut Rng, answers: &mut A, k: u32) {
         if let Some(obb) = &obb {
             spheres::oriented(obb, triangle, [p, q, d], answers);
         }
+        moving::spheres(others, [p, q, d], answers);
         let shapes =
             meshes::Shapes { aabbs, obb: obb.as_ref(), triangle, segments: &segments, ray };
         meshes::all(&[a, b, c, p, q, d, n, o], &shapes, answers);

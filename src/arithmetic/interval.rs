@@ -147,7 +147,7 @@ impl Factor for Interval {
 mod tests {
     use super::*;
 
-    /// Sums and products of numbers with an error hold those of all numbers they stand for.
+    /// Sums and products enclose the results of all numbers within the errors.
     #[test]
     fn results_enclose_the_truth() {
         let values = [0.0, 1.0, -1.0, 3.0, -0.1, 1e300, 1e-300, 5e-324, 1.0 + f64::EPSILON];

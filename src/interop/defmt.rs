@@ -15,7 +15,7 @@ use crate::published::slabs::SlabRay;
 use crate::published::slopes::SlopeRay;
 use crate::published::stored_normal::NormalTriangle;
 use crate::published::watertight::ShearedRay;
-use crate::query::{Crossing, FirstContact, Hit, Motion};
+use crate::query::{Crossing, FirstContact, Hit, Motion, SphereContact};
 use crate::scalar::Scalar;
 use crate::shape::{
     Aabb, AabbForm, Capsule, Obb, Plane, PlaneForm, Polygon, Ray, Segment, SegmentForm, Sphere,
@@ -167,6 +167,12 @@ lanes! {
     Cells: "Cells", |all, k| all.get(k);
     Hits: "Hits", |all, k| all.get(k);
     Ranges: "Ranges", |all, k| all.get(k).map(|(enter, leave)| (Number(enter), Number(leave)));
+}
+
+impl<S: Scalar, P: Format> Format for SphereContact<S, P> {
+    fn format(&self, to: Formatter<'_>) {
+        write!(to, "SphereContact {{ t: {}, part: {} }}", Number(self.t), self.part);
+    }
 }
 
 #[cfg(feature = "heapless")]

@@ -21,7 +21,7 @@ use septum::published::slabs::SlabRay;
 use septum::published::slopes::SlopeRay;
 use septum::published::stored_normal::NormalTriangle;
 use septum::published::watertight::ShearedRay;
-use septum::sweep::{FirstContact, Motion};
+use septum::sweep::{FirstContact, Motion, SphereContact};
 use septum::{
     Aabb, Axis, Crossing, Cull, Facing, Feature, Hit, HitRules, Obb, Plane, Ray, Scalar, Segment,
     ShapeError, Side, Triangle, Vec3,
@@ -95,6 +95,7 @@ fn shapes_carry_all_their_numbers() {
     carries(&found, [n(&[0.0, 0.0, 0.25, 0.25, 0.0, 0.0, 1.0]), all(&of_point)].concat());
     carries(&Motion::new(p, q).unwrap(), all(&[p, q]));
     carries(&FirstContact { t: 0.25_f32, axis: Some(Axis::Normal) }, n(&[0.25]));
+    carries(&SphereContact { t: 0.25_f32, part: Some(Feature::Interior) }, n(&[0.25]));
 }
 
 #[test]
@@ -118,7 +119,7 @@ fn every_shape_and_answer_can_be_logged() {
         can::<(Cells<S, 4>, CellTriangle<S>)>();
         can::<(HitRay<S>, HitTriangle<S>)>();
         can::<(Translation<S>, Point<S>, Contact<S>)>();
-        can::<(Motion<S>, FirstContact<S>, Crossing<S>)>();
+        can::<(Motion<S>, FirstContact<S>, SphereContact<S, Feature>, Crossing<S>)>();
     }
     every::<f32>();
     every::<I16F16>();

@@ -1,13 +1,14 @@
-//! Sphere and capsule against triangle, segment, ray, boxes, capsule and sphere.
+//! Sphere and capsule against triangle, segment, ray, boxes, capsule and sphere; sphere that moves past
+//! triangle and box.
 
 use crate::scalars::{Check, run};
 use crate::shapes::{Shapes, magnitude};
 use crate::told::told;
 use septum::Obb;
 use septum_kit::Sample;
-use septum_kit::spheres::{CapsuleCase, Other, Point, SphereCase};
+use septum_kit::spheres::{CapsuleCase, Other, Point, SphereCase, SphereSweep};
 
-/// `overlaps`, `relation`, `contains` and `distance_squared`.
+/// `overlaps`, `relation`, `contains`, `distance_squared`, `t_range_sphere`, and the sweeps.
 pub fn spheres(data: &[u8]) {
     run::<Spheres>(data);
 }
@@ -43,7 +44,13 @@ impl Check for Spheres {
         let ends = [center, shapes.point()];
         check(ends, radius, other);
         if ends[1] != [S::ZERO; 3] {
-            check(ends, radius, Other::Ray([shapes.point(), ends[1]], [Some(radius), None]));
+            let ray = Other::Ray([shapes.point(), ends[1]], [Some(radius), None]);
+            check(ends, radius, ray);
+            let case = SphereCase { center, radius, other: ray };
+            assert!(case.check_range().is_none_or(|x| x.is_ok()), "{}", told::<S>(&case));
+        }
+        if matches!(other, Other::Triangle(_) | Other::Box(_)) {
+            SphereSweep { center, radius, way: ends, other }.check();
         }
         let (axes, half) = ([(); 3].map(|()| shapes.point()), shapes.point().map(magnitude));
         if Obb::from_skewed_axes(ends[1], axes, half).is_ok() {

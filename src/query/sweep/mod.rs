@@ -122,8 +122,8 @@ pub trait Sweep<Other> {
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: a sphere takes 12 comparisons if a coordinate separates, and otherwise what a
-    /// [capsule](crate::Capsule) takes, and the sweep of its centre. A triangle and a box take 111 multiplications, unless a face separates them all the
+    /// *Cost*: a sphere takes as much as a [capsule](crate::Capsule), and the sweep of its centre as a
+    /// box. A triangle and a box take 111 multiplications, unless a face separates them all the
     /// way. If they meet, the query takes fewer, and five quotients of four floats at once. Two
     /// boxes take 12 multiplications and no division. On 32-bit cores fixed point of up to 32 bits has
     /// a kernel of its own for a triangle and a box (`docs/target.csv`). Floats within rounding of

@@ -314,6 +314,7 @@ for_scalars!(
     closed_meshes_contain_what_they_wind_about,
     points_are_closest_as_one_by_one,
     boxes_meet_first_as_one_by_one,
+    spheres_meet_first_as_one_by_one,
     hits_are_in_true_order,
     contacts_are_the_first,
     owned_trees_answer_as_borrowed,

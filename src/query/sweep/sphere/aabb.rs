@@ -2,9 +2,9 @@
 //!
 //! On each axis the centre is below the box, between its faces, or above, and passes from one to the
 //! next when it crosses the plane of a face. The squared distance of the centre from the box is the
-//! sum over the axes on which it is outside: a convex function of time. So a crossing comes before
-//! the contact if at that time the distance is above the radius, and the centre comes nearer. This
-//! compares products of four lengths. The axes outside at the contact have one quadratic equation.
+//! sum over the axes on which it is outside: a convex function of time. A crossing comes before the
+//! contact if the distance is then above the radius, and the centre comes nearer. This compares
+//! products of four lengths. The axes outside at the contact have one quadratic equation.
 //!
 //! Each axis is turned so that the centre moves upward.
 

@@ -46,8 +46,8 @@ pub struct SphereContact<S, P> {
     pub t: S,
     /// The part of the shape that the sphere touches at that time; `None` if they meet at the start.
     ///
-    /// Of a triangle it is a [`Feature`]. Of a box it is a side on each axis: −1 and 1 for the low
-    /// and the high face, 0 between the two. Three sides are a corner, two an edge, and one a face.
+    /// A triangle has a [`Feature`]. A box has a side on each axis: −1 and 1 for the low and the high
+    /// face, 0 between the two. Three sides are a corner, two an edge, and one a face.
     ///
     /// If several parts of a triangle are met at the same number of the scalar, an edge comes before
     /// a vertex, and the lower number first.

@@ -94,7 +94,7 @@ where
             let first = if start == Ordering::Equal { moves } else { start };
             return Some(first == Ordering::Greater);
         }
-        // How the time compares with the one at which the foot is on the line of the edge.
+        // Before or after the foot is on the line of the edge.
         let volume = self.across(k);
         let gap = sign_of(volume)?;
         let is_beyond = gap != Ordering::Equal && (gap == side) != (moves == Ordering::Greater);

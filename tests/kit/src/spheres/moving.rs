@@ -1,8 +1,8 @@
 //! Spheres that move past triangles and boxes: a case, and the oracle.
 //!
-//! The way up to a time is a segment, and its squared distance from the shape is that of a capsule's
-//! oracle: it compares with the radius as the time does with the one of contact. If the least
-//! distance is the radius, the time is compared with another just before it.
+//! The way up to a time is a segment, whose squared distance from the shape comes from the oracle of
+//! capsules. If it is below the square of the radius, the time is after the contact. If it equals
+//! that, another time just before decides.
 
 use core::cmp::Ordering;
 
@@ -50,7 +50,7 @@ struct Shapes {
 }
 
 impl Shapes {
-    /// How the squared distance of the way up to m·2^e from a hull compares with that of the radius.
+    /// How the distance of the way up to m·2^e from a hull compares with the radius.
     fn compare(&self, (m, e): (&IBig, i32), hull: &Hull) -> Ordering {
         let down = e.min(0).unsigned_abs() as usize;
         let scaled = |x: &IBig| x << down;
@@ -72,7 +72,7 @@ impl Shapes {
         num.cmp(&(&r * &r * den))
     }
 
-    /// How a time compares with the one of contact.
+    /// How a time compares with the time of contact.
     fn order(&self, (m, e): Parts) -> Ordering {
         let whole = IBig::from(m);
         match self.compare((&whole, e), &self.hull) {
