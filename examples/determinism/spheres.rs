@@ -1,9 +1,7 @@
 //! Questions about spheres, capsules, closest points and distances.
 
 use septum::relation::Relate;
-use septum::{
-    Aabb, Capsule, Closest, Feature, Obb, Plane, Ray, Scalar, Segment, Sphere, Triangle, Vec3,
-};
+use septum::{Aabb, Capsule, Closest, Obb, Plane, Ray, Scalar, Segment, Sphere, Triangle, Vec3};
 
 use super::super::draw::Draw;
 use super::answers::Answers;

@@ -11,8 +11,8 @@ mod answers;
 mod capsules;
 mod closest;
 mod contacts;
-mod oriented;
 mod moving;
+mod oriented;
 mod range;
 mod sets;
 
