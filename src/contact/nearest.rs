@@ -67,42 +67,38 @@ impl<N: Arithmetic> Scene<N> {
         Some(Pair { way, farthest, parts, place: Place::Face { of: y, n, height } })
     }
 
-    /// The way from an edge to the segment where both cross, along their common normal or against
+    /// The ways from an edge to the segment where both cross: along their common normal, and against
     /// it.
-    fn edge_to_segment(
-        &self,
-        (number, [start, end]): (u8, [usize; 2]),
-        is_against: bool,
-    ) -> Option<Pair<N>> {
+    fn edge_to_segment(&self, (number, [start, end]): (u8, [usize; 2])) -> [Option<Pair<N>>; 2] {
         let x = self.corner(start);
         let f = from::<N>(self.corner(end), x);
         let n = cross::<N>(&self.e, &f);
         if n.iter().all(Number::is_zero) {
-            return None;
+            return [None, None];
         }
         let w = from::<N>(&self.ends[0], x);
         let length = along::<N>(&n, &n);
         let [of_segment, of_edge] = [&f, &self.e].map(|v| along::<N>(&cross::<N>(v, &w), &n));
         let is_within = |t: N::Quartic| t >= N::Quartic::ZERO && t <= length;
         if !is_within(of_segment) || !is_within(of_edge) {
-            return None;
+            return [None, None];
         }
-        let n = if is_against { n.map(|x| -x) } else { n };
-        let way = Way::Normal { n, overlap: -dot::<N>(&n, &w) };
-        let farthest = self.farthest(&way, x)?;
-        let parts = [Part::Edge(number), Part::Edge(0)];
-        let place = Place::Edge { from: *x, e: f, along: of_edge, length };
-        Some(Pair { way, farthest, parts, place })
+        [n, n.map(|x| -x)].map(|n| {
+            let way = Way::Normal { n, overlap: -dot::<N>(&n, &w) };
+            let farthest = self.farthest(&way, x)?;
+            let parts = [Part::Edge(number), Part::Edge(0)];
+            let place = Place::Edge { from: *x, e: f, along: of_edge, length };
+            Some(Pair { way, farthest, parts, place })
+        })
     }
 
     /// The ways along normals that are candidates.
     fn along_normals(&self) -> impl Iterator<Item = Pair<N>> + '_ {
         let faces = 0..if self.is_box { 6 } else { 2 };
         let by_faces = faces.flat_map(|face| self.ends().map(move |end| (face, end)));
-        let edges = self.edges().flat_map(|edge| [(edge, false), (edge, true)]);
         by_faces
             .filter_map(|(face, end)| self.face_to_end(face, end))
-            .chain(edges.filter_map(|(edge, is_against)| self.edge_to_segment(edge, is_against)))
+            .chain(self.edges().flat_map(|edge| self.edge_to_segment(edge)).flatten())
     }
 
     /// The pairs of a corner or an edge of the solid and the segment with one way between them that
