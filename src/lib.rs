@@ -63,7 +63,7 @@
 //! | point, closed mesh | [`contains`](mesh::Tree::contains), [`winding`](mesh::Tree::winding) | |
 //! | two shapes: disjoint, touching or overlapping | [`relation`] | |
 //! | ray or box and triangle near the origin, with less code | [`near`] | |
-//! | two shapes: minimum translation (penetration depth), contact points | [`contact`] | |
+//! | two shapes, spheres and capsules too: minimum translation (penetration depth), contact points | [`contact`] | |
 //! | moving box, sphere or triangle: time of impact | [`meets_along`](sweep::Sweep::meets_along), [`first_contact`](sweep::Sweep::first_contact); on a mesh [`first_contact`](mesh::Tree::first_contact) | |
 //! | the same: last place without overlap | [`last_free`](sweep::Sweep::last_free), [`relation_along`](sweep::Sweep::relation_along); on a mesh [`last_free`](mesh::Tree::last_free) | |
 //! | many moving boxes: all pairs, and those near a box, a ray or a moving box | [`broad_phase`] | |
