@@ -111,6 +111,7 @@
 //! nearer to the triangle beyond that edge, whose contact is deeper. There it has no contact with the
 //! first triangle.
 
+mod answer;
 mod body;
 mod depth;
 mod directions;
@@ -118,6 +119,7 @@ mod exact;
 mod faces;
 mod feature;
 mod filter;
+mod flat;
 mod interior;
 mod least;
 mod measures;
@@ -134,83 +136,17 @@ mod sums;
 mod tests;
 mod whole;
 
-use core::fmt;
-
-use self::body::{Body, Place, Rough};
+pub use self::answer::{Contact, Translation};
 pub use self::feature::{Features, Part};
 pub use self::interior::{InteriorEdges, interior_edges};
-use self::least::{Way, least_measures, least_way};
-use self::measures::Measures;
 pub use self::mesh::Contacts;
 use self::pairs::sealed::Pair;
 pub use self::pairs::{ContactWith, Shape};
 pub use self::points::Point;
-use self::points::{Points, features, points};
 use crate::scalar::Scalar;
+use crate::shape::Triangle;
 #[cfg(doc)]
 use crate::shape::{Aabb, Capsule, Obb, Sphere};
-use crate::shape::{Triangle, Vec3};
-
-/// The minimum translation that moves the first shape out of the second.
-#[doc(alias = "MTV")]
-#[doc(alias = "penetration")]
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
-pub struct Translation<S> {
-    /// The translation. Each coordinate is rounded away from zero. A coordinate beyond the range of
-    /// the scalar is infinite in floats, and the end of the range in fixed point.
-    pub vector: Vec3<S>,
-    /// The length of the translation, rounded up. Beyond the range it is infinite, or the end of
-    /// the range.
-    pub depth: S,
-    /// The unit vector along the translation. A fixed-point type that does not hold 1 has its
-    /// greatest number instead.
-    pub normal: Vec3<S>,
-    /// The face or the edges that the direction comes from.
-    pub features: Features,
-    /// Whether `vector` moves the first shape out of the second. It is `false` if and only if a
-    /// coordinate lies beyond the range of the scalar.
-    pub is_sufficient: bool,
-}
-
-/// The minimum translation, and the points where the shapes overlap.
-#[doc(alias = "manifold")]
-#[derive(Clone, Copy)]
-pub struct Contact<S> {
-    /// The minimum translation.
-    pub translation: Translation<S>,
-    /// Whether the translation is held to the triangle's normal because the minimum translation
-    /// leads across an interior edge. Always `false` without a mesh.
-    pub is_held: bool,
-    points: Points<S>,
-}
-
-impl<S: Scalar> Contact<S> {
-    /// The contact points: between one and eight, in no particular order.
-    ///
-    /// If the direction comes from a face, this face and a face of the opposite shape are projected
-    /// along the normal, and the points are the corners of the overlap that lie at or below the first
-    /// face. The second face contains the deepest vertex or edge of its shape; among several such faces,
-    /// the most nearly antiparallel to the normal is used. If it comes from two edges, the point is
-    /// their crossing.
-    ///
-    /// The error is stated in [the module](self#points).
-    #[must_use]
-    pub fn points(&self) -> &[Point<S>] {
-        self.points.as_slice()
-    }
-}
-
-impl<S: Scalar> fmt::Debug for Contact<S> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Contact")
-            .field("translation", &self.translation)
-            .field("is_held", &self.is_held)
-            .field("points", &self.points())
-            .finish()
-    }
-}
 
 /// Returns the minimum translation that moves the first shape out of the second, or `None` if they
 /// are disjoint or touch.
@@ -317,33 +253,4 @@ where
     Triangle<S>: ContactWith<S, Other>,
 {
     Pair::contact_with(triangle, other, interior)
-}
-
-fn translation_of_bodies<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<Translation<S>> {
-    let (_, rough) = in_floats(bodies);
-    let (way, measures) = least_measures(bodies, &rough)?;
-    Some(translation(bodies, &way, &measures))
-}
-
-fn of_bodies<S: Scalar>(bodies: &[Body<'_, S>; 2], interior: InteriorEdges) -> Option<Contact<S>> {
-    let (origin, rough) = in_floats(bodies);
-    let (way, measures, unit) = least_way(bodies, &rough, interior)?;
-    let translation = translation(bodies, &way, &measures);
-    let points = points(bodies, &origin, &rough, &way, unit, translation.features);
-    Some(Contact { translation, is_held: way.is_held, points })
-}
-
-/// The shapes in floats, relative to an origin, and the origin.
-fn in_floats<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> (Place<S>, [Rough; 2]) {
-    let origin = bodies[1].origin();
-    (origin, [bodies[0].rough(&origin, 1.0), bodies[1].rough(&origin, 1.0)])
-}
-
-fn translation<S: Scalar>(
-    bodies: &[Body<'_, S>; 2],
-    way: &Way,
-    measures: &Measures<S>,
-) -> Translation<S> {
-    let &Measures { vector, depth, normal, is_sufficient } = measures;
-    Translation { vector, depth, normal, features: features(bodies, way), is_sufficient }
 }

@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use super::round::{self, Flat, Round};
-use super::{Contact, InteriorEdges, Translation, of_bodies, translation_of_bodies};
+use super::{Contact, InteriorEdges, Translation, flat};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Capsule, Obb, Sphere, Triangle};
 
@@ -101,10 +101,10 @@ impl<S: Scalar> Near for Aabb<S> {
 
 impl<S: Scalar, A: Solid<Scalar = S>, B: Solid<Scalar = S>> Pair<S, B> for A {
     fn least_translation_from(&self, other: &B) -> Option<Translation<S>> {
-        translation_of_bodies(&[self.body(), other.body()])
+        flat::least_translation(&[self.body(), other.body()])
     }
     fn contact_with(&self, other: &B, interior: InteriorEdges) -> Option<Contact<S>> {
-        of_bodies(&[self.body(), other.body()], interior)
+        flat::contact(&[self.body(), other.body()], interior)
     }
 }
 

@@ -4,7 +4,7 @@ use super::Shape;
 use super::body::{Body, Rough};
 use super::directions::{Direction, all};
 use super::exact::{Size, length};
-use super::in_floats;
+use super::flat::in_floats;
 use super::interior::InteriorEdges;
 use super::least::{Numbers, Way, least_exact, least_way};
 use super::measures::{Lengths, Measures};

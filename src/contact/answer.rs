@@ -1,0 +1,69 @@
+//! The results: a translation, and contact points.
+
+use core::fmt;
+
+use super::feature::Features;
+use super::points::{Point, Points};
+use crate::scalar::Scalar;
+use crate::shape::Vec3;
+
+/// The minimum translation that moves the first shape out of the second.
+#[doc(alias = "MTV")]
+#[doc(alias = "penetration")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
+pub struct Translation<S> {
+    /// The translation. Each coordinate is rounded away from zero. A coordinate beyond the range of
+    /// the scalar is infinite in floats, and the end of the range in fixed point.
+    pub vector: Vec3<S>,
+    /// The length of the translation, rounded up. Beyond the range it is infinite, or the end of
+    /// the range.
+    pub depth: S,
+    /// The unit vector along the translation. A fixed-point type that does not hold 1 has its
+    /// greatest number instead.
+    pub normal: Vec3<S>,
+    /// The face or the edges that the direction comes from.
+    pub features: Features,
+    /// Whether `vector` moves the first shape out of the second. It is `false` if and only if a
+    /// coordinate lies beyond the range of the scalar.
+    pub is_sufficient: bool,
+}
+
+/// The minimum translation, and the points where the shapes overlap.
+#[doc(alias = "manifold")]
+#[derive(Clone, Copy)]
+pub struct Contact<S> {
+    /// The minimum translation.
+    pub translation: Translation<S>,
+    /// Whether the translation is held to the triangle's normal because the minimum translation
+    /// leads across an interior edge. Always `false` without a mesh.
+    pub is_held: bool,
+    pub(super) points: Points<S>,
+}
+
+impl<S: Scalar> Contact<S> {
+    /// The contact points: between one and eight, in no particular order.
+    ///
+    /// If the direction comes from a face, this face and a face of the opposite shape are projected
+    /// along the normal, and the points are the corners of the overlap that lie at or below the first
+    /// face. The second face contains the deepest vertex or edge of its shape; among several such faces,
+    /// the most nearly antiparallel to the normal is used. If it comes from two edges, the point is
+    /// their crossing.
+    ///
+    /// The error is stated in [the module](super#points).
+    #[must_use]
+    pub fn points(&self) -> &[Point<S>] {
+        self.points.as_slice()
+    }
+}
+
+impl<S: Scalar> fmt::Debug for Contact<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Contact")
+            .field("translation", &self.translation)
+            .field("is_held", &self.is_held)
+            .field("points", &self.points())
+            .finish()
+    }
+}

@@ -1,0 +1,40 @@
+//! Contacts of shapes with flat faces.
+
+use super::body::{Body, Place, Rough};
+use super::least::{Way, least_measures, least_way};
+use super::measures::Measures;
+use super::points::{features, points};
+use super::{Contact, InteriorEdges, Translation};
+use crate::scalar::Scalar;
+
+pub(super) fn least_translation<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<Translation<S>> {
+    let (_, rough) = in_floats(bodies);
+    let (way, measures) = least_measures(bodies, &rough)?;
+    Some(translation(bodies, &way, &measures))
+}
+
+pub(super) fn contact<S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    interior: InteriorEdges,
+) -> Option<Contact<S>> {
+    let (origin, rough) = in_floats(bodies);
+    let (way, measures, unit) = least_way(bodies, &rough, interior)?;
+    let translation = translation(bodies, &way, &measures);
+    let points = points(bodies, &origin, &rough, &way, unit, translation.features);
+    Some(Contact { translation, is_held: way.is_held, points })
+}
+
+/// The shapes in floats, relative to an origin, and the origin.
+pub(super) fn in_floats<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> (Place<S>, [Rough; 2]) {
+    let origin = bodies[1].origin();
+    (origin, [bodies[0].rough(&origin, 1.0), bodies[1].rough(&origin, 1.0)])
+}
+
+fn translation<S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    way: &Way,
+    measures: &Measures<S>,
+) -> Translation<S> {
+    let &Measures { vector, depth, normal, is_sufficient } = measures;
+    Translation { vector, depth, normal, features: features(bodies, way), is_sufficient }
+}
