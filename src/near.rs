@@ -58,6 +58,7 @@
 //! | ray, triangle | fixed point | `hit`, `hit_once`, `hit_with`, `is_hit`, `is_hit_with` |
 //! | triangle, axis-aligned box | fixed point, `f32` | `overlaps`, `may_overlap` |
 //! | triangle, oriented box | fixed point | `overlaps`, `may_overlap` |
+//! | triangle, sphere or capsule | fixed point | `overlaps`, in integers of up to 128 bits |
 //!
 //! The answers are bit for bit the answers of the ordinary shapes.
 
@@ -123,7 +124,7 @@ mod floats {
 mod tests {
     use fixed::types::I16F16;
 
-    use crate::{Aabb, Obb, Ray, ShapeError, Triangle};
+    use crate::{Aabb, Capsule, Obb, Ray, ShapeError, Sphere, Triangle};
 
     const MOST: i32 = (1 << 17) - 1;
     const LONGEST: i32 = (1 << 19) - 1;
@@ -155,6 +156,13 @@ mod tests {
         assert!(obb(MOST, LONGEST, LONGEST).is_ok());
         assert!(obb(MOST + 1, 1, 1).is_err() && obb(0, LONGEST + 1, 1).is_err());
         assert!(obb(0, 1, LONGEST + 1).is_err());
+        let sphere = |c, r| Sphere::new(at(c, 0, 0), I16F16::from_bits(r)).unwrap().near();
+        assert!(sphere(-MOST - 1, LONGEST).is_ok());
+        assert!(sphere(MOST + 1, 0).is_err() && sphere(0, LONGEST + 1).is_err());
+        let capsule =
+            |b, r| Capsule::new(at(0, 0, 0), at(0, 0, b), I16F16::from_bits(r)).unwrap().near();
+        assert!(capsule(MOST, LONGEST).is_ok());
+        assert!(capsule(MOST + 1, 0).is_err() && capsule(0, LONGEST + 1).is_err());
     }
 
     /// Compares with the kernels for shapes anywhere, which are different code on 64-bit machines.
@@ -166,7 +174,7 @@ mod tests {
             seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             ((u64::from(seed) * u64::from(n)) >> 32) as i32
         };
-        let mut yes = [0; 4];
+        let mut yes = [0; 6];
         for case in 0..20_000 {
             let mut number = |most: i32| match case % 3 {
                 0 => below(2 * most as u32) - most,
@@ -200,6 +208,14 @@ mod tests {
                 assert_eq!(close.may_overlap(&near), obb.may_overlap(&triangle));
                 yes[3] += u32::from(triangle.overlaps(&obb));
             }
+            let radius = half[0] + I16F16::DELTA * (case % 2);
+            let sphere = Sphere::new(p, radius).unwrap();
+            let capsule = Capsule::new(p, q, radius).unwrap();
+            let (meets, passes) = (sphere.overlaps(&triangle), capsule.overlaps(&triangle));
+            assert_eq!(near.overlaps(&sphere.near().unwrap()), meets);
+            assert_eq!(capsule.near().unwrap().overlaps(&near), passes);
+            yes[4] += u32::from(meets);
+            yes[5] += u32::from(passes && !meets);
         }
         assert!(yes.iter().all(|&yes| yes > 300), "{yes:?}");
     }

@@ -68,6 +68,7 @@ fn run() -> bool {
     queries::all::<I8F8>(&meter);
     queries::all::<I16F16>(&meter);
     queries::all::<I32F32>(&meter);
+    queries::distances::<I16F16>(&meter);
     queries::orders::<f32>(&meter);
     queries::orders::<I16F16>(&meter);
     mesh::all(&meter)

@@ -11,7 +11,7 @@ use septum::published::slabs::SlabRay;
 use septum::published::slopes::SlopeRay;
 use septum::relation::{Relate, Relation};
 use septum::sweep::Sweep;
-use septum::{Aabb, Cull, Obb, Ray, Segment, Sphere, Triangle, Vec3};
+use septum::{Aabb, Capsule, Cull, Obb, Ray, Segment, Sphere, Triangle, Vec3};
 
 use crate::CORE;
 use crate::firmware::say;
@@ -130,6 +130,19 @@ fn spheres<S: Coordinate>(meter: &Meter) {
     let queries: [Query<Triangle<S>, Sphere<S>>; 1] =
         [("sphere/triangle", "exact", |t, b| b.overlaps(t))];
     lines::<S, _, _>(meter, "full", workload::meeting_sphere, &queries);
+    lines::<S, _, _>(meter, "random", workload::sphere, &queries);
+}
+
+/// Longer queries about distances.
+pub(crate) fn distances<S: Coordinate>(meter: &Meter) {
+    let queries: [Query<Triangle<S>, Capsule<S>>; 1] =
+        [("capsule/triangle", "exact", |t, b| b.overlaps(t))];
+    lines::<S, _, _>(meter, "full", workload::meeting_capsule, &queries);
+    lines::<S, _, _>(meter, "random", workload::capsule, &queries);
+    let queries: [Query<Triangle<S>, Sphere<S>>; 1] =
+        [("triangle closest point", "exact", |t, b| {
+            black_box(t.closest_point(b.center())).is_ok()
+        })];
     lines::<S, _, _>(meter, "random", workload::sphere, &queries);
 }
 

@@ -1,7 +1,7 @@
 //! Shapes from random bits, the same on every board.
 
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
-use septum::{Aabb, Obb, Ray, Scalar, Segment, ShapeError, Sphere, Triangle, Vec3};
+use septum::{Aabb, Capsule, Obb, Ray, Scalar, Segment, ShapeError, Sphere, Triangle, Vec3};
 
 /// A point in units of 2⁻¹⁶.
 pub(crate) type Point = [i32; 3];
@@ -208,6 +208,18 @@ pub(crate) fn sphere<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Spher
 
 pub(crate) fn meeting_sphere<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Sphere<S>)> {
     first(rng, sphere, true, |triangle, sphere| sphere.overlaps(triangle))
+}
+
+/// A capsule as long as it is thick.
+pub(crate) fn capsule<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Capsule<S>)> {
+    let triangle = triangle([(); 3].map(|()| rng.point())).ok()?;
+    let end = rng.point();
+    let ends = [vector(end), vector(end.map(|x| -x / 2))];
+    Some((triangle, Capsule::new(ends[0], ends[1], S::of(HALF)).ok()?))
+}
+
+pub(crate) fn meeting_capsule<S: Coordinate>(rng: &mut Rng) -> Option<(Triangle<S>, Capsule<S>)> {
+    first(rng, capsule, true, |triangle, capsule| capsule.overlaps(triangle))
 }
 
 /// An axis-parallel box, as an oriented box, and a box rotated about two axes.

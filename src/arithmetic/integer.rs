@@ -27,7 +27,7 @@
 
 use super::big_int::BigInt;
 use super::out_of_line;
-use super::platform::REGISTERS_ARE_WIDE;
+use super::platform::{HAS_LONG_PRODUCTS, REGISTERS_ARE_WIDE};
 use super::system::Arithmetic;
 use super::wide::I256;
 #[cfg(feature = "fixed")]
@@ -61,7 +61,7 @@ pub struct Int64Narrow;
 
 macro_rules! integers {
     ($($system:ty $([$large:ident])?: $length:ty, $area:ty, $volume:ty, $product:expr, $quartic:ty, $of_areas:expr,
-       $sextic:ty, $of_volumes:expr, $operand:ty; $narrow:ty, $is_narrow:expr;)*) => {$(
+       $sextic:ty, $of_volumes:expr, $of_quartic:expr, $operand:ty; $narrow:ty, $is_narrow:expr;)*) => {$(
         impl $(<const $large: bool>)? Arithmetic for $system {
             type Length = $length;
             type Area = $area;
@@ -94,7 +94,7 @@ macro_rules! integers {
             }
             #[inline(always)]
             fn sextic_of_areas(a: $quartic, b: $area) -> $sextic {
-                $of_volumes(a.into(), b.into())
+                $of_quartic(a.into(), b.into())
             }
             #[inline(always)]
             fn minor([a, b]: [$length; 2], [c, d]: [$length; 2]) -> $area {
@@ -126,34 +126,73 @@ macro_rules! integers {
 #[cfg(feature = "fixed")]
 integers! {
     Int8: i32, i32, i32, |a, b| a * b, i64, |a, b| i64::from(a) * i64::from(b), i64,
-        |a: i64, b: i64| a * b, i64; Self, |_: i32| false;
+        |a: i64, b: i64| a * b, |a: i64, b: i64| a * b, i64; Self, |_: i32| false;
     Int32: i32, i64, i128, |a, b| i128::from(a) * i128::from(b), i128, of_four, I256, I256::of_two,
-        i128; Int16, |size: i32| !REGISTERS_ARE_WIDE && size >> 20 == 0;
+        I256::of_two, i128; Int16, |size: i32| !REGISTERS_ARE_WIDE && size >> 20 == 0;
 }
 integers! {
-    Int16: i32, i64, i64, |a, b| a * i64::from(b), i128, of_four, i128, product_128,
-        i128; Self, |_: i32| false;
-    Int64<LARGE> [LARGE]: i64, i128, I256, I256::product, I256, of_four_wide, BigInt<6>, of_six, i128;
-        Int64Narrow, |size: i64| size >> 41 == 0;
+    Int16: i32, i64, i64, |a, b| a * i64::from(b), i128, of_four, i128, of_four,
+        of_four_and_two, i128; Self, |_: i32| false;
+    Int64<LARGE> [LARGE]: i64, i128, I256, I256::product, I256, of_four_wide, BigInt<6>, of_six, of_six,
+        i128; Int64Narrow, |size: i64| size >> 41 == 0;
     Int64Narrow: i64, i128, i128, |a, b| a * i128::from(b), I256, of_four_wide, BigInt<6>, of_six,
-        i128; Self, |_: i64| false;
+        of_six, i128; Self, |_: i64| false;
 }
 
-/// The product of two areas of 32-bit coordinates.
+/// The product of two numbers of 64 bits: with narrow registers four products of words.
 #[inline(always)]
 fn of_four(a: i64, b: i64) -> i128 {
-    product_128(a.into(), b.into())
-}
-
-/// The product of 128 bits. With narrow registers it takes dozens of instructions.
-#[inline(always)]
-fn product_128(a: i128, b: i128) -> i128 {
-    if REGISTERS_ARE_WIDE { a * b } else { product_out_of_line(a, b) }
+    if REGISTERS_ARE_WIDE { i128::from(a) * i128::from(b) } else { by_words(a, b) }
 }
 
 #[inline(never)]
-fn product_out_of_line(a: i128, b: i128) -> i128 {
-    a * b
+fn by_words(a: i64, b: i64) -> i128 {
+    let product = full_product(a.unsigned_abs(), b.unsigned_abs()) as i128;
+    if (a ^ b) < 0 { -product } else { product }
+}
+
+#[inline(always)]
+fn full_product(a: u64, b: u64) -> u128 {
+    let words = |x: u64| [x as u32, (x >> 32) as u32];
+    let ([a0, a1], [b0, b1]) = (words(a), words(b));
+    let low = word_product(a0, b0);
+    // Below 2^64, because so is (2^32 − 1)² + 2·(2^32 − 1).
+    let middle = word_product(a0, b1) + (low >> 32);
+    let other = word_product(a1, b0) + u64::from(middle as u32);
+    let high = word_product(a1, b1) + (middle >> 32) + (other >> 32);
+    u128::from(high) << 64 | u128::from(other << 32 | u64::from(low as u32))
+}
+
+#[inline(always)]
+fn word_product(a: u32, b: u32) -> u64 {
+    if HAS_LONG_PRODUCTS { u64::from(a) * u64::from(b) } else { by_halves(a, b) }
+}
+
+/// The product of two words, for machines that have no long product.
+#[inline(always)]
+fn by_halves(a: u32, b: u32) -> u64 {
+    let ([a0, a1], [b0, b1]) = ([a & 0xffff, a >> 16], [b & 0xffff, b >> 16]);
+    let low = a0 * b0;
+    let middle = a0 * b1 + (low >> 16);
+    let other = a1 * b0 + (middle & 0xffff);
+    let high = a1 * b1 + (middle >> 16) + (other >> 16);
+    u64::from(high) << 32 | u64::from(other << 16 | low & 0xffff)
+}
+
+/// A product of four lengths times an area.
+#[inline(always)]
+fn of_four_and_two(a: i128, b: i64) -> i128 {
+    if REGISTERS_ARE_WIDE { a * i128::from(b) } else { by_words_and_two(a, b) }
+}
+
+#[inline(never)]
+fn by_words_and_two(a: i128, b: i64) -> i128 {
+    let (magnitude, other) = (a.unsigned_abs(), b.unsigned_abs());
+    // The upper half is short, and the product fits.
+    let high = ((magnitude >> 64) as u64).wrapping_mul(other);
+    let low = full_product(magnitude as u64, other);
+    let product = low.wrapping_add(u128::from(high) << 64) as i128;
+    if (a < 0) == (b < 0) { product } else { -product }
 }
 
 /// The product of two areas of 64-bit coordinates.
@@ -176,4 +215,24 @@ fn of_six(a: I256, b: I256) -> BigInt<6> {
 pub(super) fn below<W: Word>(coordinates: impl Iterator<Item = W>, most: u32) -> bool {
     // A number below zero is folded to one less than its magnitude.
     coordinates.fold(W::ZERO, |size, x| size | x.folded()) >> most == W::ZERO
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{by_halves, by_words, by_words_and_two};
+
+    #[test]
+    fn products_by_words_are_products() {
+        let words = [0, 1, 2, 0xffff, 0x1_0000, 0x8000_0001, 0xfff0_ffff, u32::MAX];
+        for (a, b) in words.iter().flat_map(|&a| words.map(|b| (a, b))) {
+            assert_eq!(by_halves(a, b), u64::from(a) * u64::from(b), "{a} {b}");
+        }
+        let both = |a: u32, b: u32| (u64::from(a) << 32 | u64::from(b)) as i64;
+        let longs = || words.iter().flat_map(|&a| words.map(|b| both(a, b)));
+        for (a, b) in longs().flat_map(|a| longs().map(move |b| (a, b))) {
+            assert_eq!(by_words(a, b), i128::from(a) * i128::from(b), "{a} {b}");
+            let c = i128::from(a) << 30 | 0x2bad_c0de;
+            assert_eq!(by_words_and_two(c, b >> 32), c * i128::from(b >> 32), "{c} {b}");
+        }
+    }
 }

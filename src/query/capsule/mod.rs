@@ -7,6 +7,8 @@
 //! `overlaps`, and a question about distances.
 
 mod aabb;
+#[cfg(feature = "fixed")]
+mod near;
 mod obb;
 mod ray;
 mod relation;
@@ -14,6 +16,7 @@ mod relation;
 pub(super) use self::aabb::box_lies_beyond;
 use super::Overlaps;
 use super::orientation::{Vector, from};
+use super::segment_triangle::Passes;
 use super::sphere::{Ball, OneSide, Reach, around, lies_beyond};
 use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, pick, three};
 use crate::robust::{Numeric, Predicate, Profile};
@@ -182,12 +185,19 @@ impl<S: Scalar> Numeric<S> for BeyondSphere<'_, S> {}
 
 impl<S, T> Numeric<S> for Beyond<'_, S, T> where Self: Predicate<S> {}
 
+/// The question whether a capsule's segment passes through a triangle, if it is beyond all else.
+#[inline(always)]
+fn passes<'a, S: Scalar>(capsule: &Capsule<S>, triangle: &'a Triangle<S>) -> Passes<'a, S> {
+    let (a, b) = capsule.ends();
+    Passes { ends: [a.to_array(), b.to_array()], triangle }
+}
+
 // Whether each shape meets the capsule, or its points nearer than the radius.
 
 #[inline(always)]
 fn meets_triangle<S: Scalar>(capsule: &Capsule<S>, triangle: &Triangle<S>, ball: Ball) -> bool {
     !S::evaluate_numeric(&Beyond { capsule, shape: triangle, ball })
-        || capsule.segment().overlaps(triangle)
+        || S::evaluate(&passes(capsule, triangle))
 }
 
 #[inline(always)]

@@ -23,7 +23,7 @@ fn lies_beyond<M: Arithmetic>(corners: &Corners<M>, reach: &Reach<M>) -> Option<
         let start = (k & 1) << j | (k >> 1 & 1) << l;
         let ends = [0, 1].map(|point| {
             [start, start | 1 << i].map(|at| {
-                let way = corners.from_corner(point, at);
+                let way = corners.way_from_corner(point, at);
                 three(|i| -way[i])
             })
         });

@@ -111,6 +111,30 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
     }
 }
 
+/// The question whether a segment meets a triangle whose edges it does not meet and which contains
+/// neither of its ends: it passes through the interior, and does not lie in the plane.
+pub(super) struct Passes<'a, S> {
+    pub(super) ends: [[S; 3]; 2],
+    pub(super) triangle: &'a Triangle<S>,
+}
+
+impl<S: Scalar> Predicate<S> for Passes<'_, S> {
+    type Answer = bool;
+
+    #[inline]
+    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        let ([a, b], [p, q, r]) = (self.ends, self.triangle.points());
+        let [a, b, p, q, r] = N::embed(&[a, b, p, q, r])?;
+        let triangle = [p, q, r];
+        let settled = match Setting::<N>::by_ends([&a, &b], &triangle).relation(&triangle) {
+            None if N::CERTAIN => Some(Relation::Disjoint),
+            None => in_doubt::<N>(&[a, b, b], &triangle, Asked::Overlaps),
+            settled => settled,
+        };
+        settled.map(|relation| relation != Relation::Disjoint)
+    }
+}
+
 impl<S: Scalar> Overlaps<Triangle<S>> for Segment<S> {
     /// Do a segment and a triangle have a point in common?
     ///

@@ -1,7 +1,7 @@
 //! Sphere against oriented box.
 //!
 //! The box is the parallelepiped with edges 2·h_i·u_i. In products of a half-extent and an axis it
-//! has vertices and edges, and a distance from a face is that from a parallelogram. So the kernel
+//! has vertices and edges, and its faces are parallelograms. So the kernel
 //! runs in a number system whose lengths are areas of another. The point of a box nearest to a point
 //! outside lies on a face beyond whose plane the point is; a point that is beyond none is inside.
 //!
@@ -40,7 +40,7 @@ pub(in crate::query) struct Corners<M: Arithmetic> {
     is_flat: bool,
 }
 
-/// The number system for an oriented box, and what it holds of a question.
+/// Corners and a radius, in the number system of areas.
 type Held<S, N> = (Corners<<N as Embeds<S>>::OfAreas>, Reach<<N as Embeds<S>>::OfAreas>);
 
 /// An oriented box and two points, and a radius.
@@ -77,7 +77,7 @@ impl<M: Arithmetic> Corners<M> {
     /// From a corner to a point; bit k of `at` says on which side of the centre it lies along
     /// edge k.
     #[inline(never)]
-    pub(in crate::query) fn from_corner(&self, point: usize, at: usize) -> Vector<M> {
+    pub(in crate::query) fn way_from_corner(&self, point: usize, at: usize) -> Vector<M> {
         let mut way = if point == 0 { self.d[0] } else { self.d[1] };
         for (k, half) in self.half.iter().enumerate() {
             way = three(|i| if at >> k & 1 == 1 { way[i] - half[i] } else { way[i] + half[i] });
@@ -91,7 +91,7 @@ impl<M: Arithmetic> Corners<M> {
         pick(&self.half, k).map(|x| x + x)
     }
 
-    /// Whether a coordinate alone keeps the box beyond the reach of both points.
+    /// Whether a coordinate alone keeps the box beyond the reach from both points.
     #[inline(always)]
     pub(in crate::query) fn is_apart(&self, reach: &Reach<M>) -> bool {
         let Self { d: [a, b], half: [u, v, w], slack, .. } = self;
@@ -118,8 +118,8 @@ impl<M: Arithmetic> Corners<M> {
             for side in 0..2 {
                 // Around the face.
                 let at = |first: usize, second: usize| side << i | first << j | second << k;
-                let vectors =
-                    [at(0, 0), at(1, 0), at(1, 1), at(0, 1)].map(|at| self.from_corner(point, at));
+                let vectors = [at(0, 0), at(1, 0), at(1, 1), at(0, 1)]
+                    .map(|at| self.way_from_corner(point, at));
                 let volume = dot::<M>(&n, &vectors[0]);
                 let outward = if (hand > 0) == (side == 1) { volume } else { -volume };
                 let is_seen = match hand {
@@ -169,7 +169,7 @@ impl<S: Scalar> Overlaps<Obb<S>> for Sphere<S> {
     /// the square of the radius, in products of up to twelve numbers.
     ///
     /// *Range*: all finite floats, all fixed-point values. Integers for the corners are twice as
-    /// wide as those of other pairs. In floats, distances within rounding of the radius take them.
+    /// wide as those of other pairs. In floats they decide distances within rounding of the radius.
     ///
     /// *Panics*: never. *Cost*: 12 multiplications if a coordinate separates. Otherwise a
     /// [parallelogram](Sphere#impl-Overlaps<Triangle<S>>-for-Sphere<S>) for each face that the

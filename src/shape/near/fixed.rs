@@ -5,7 +5,7 @@ use fixed::types::extra::LeEqU32;
 
 use super::Near;
 use crate::shape::aabb::Form;
-use crate::shape::{Aabb, Obb, Ray, ShapeError, Triangle, Vec3};
+use crate::shape::{Aabb, Capsule, Obb, Ray, ShapeError, Sphere, Triangle, Vec3};
 
 /// The bits of a coordinate without its sign. Two such coordinates differ by less than 2^18, which
 /// the kernel for axis-aligned boxes can take on every core.
@@ -75,6 +75,37 @@ impl<Frac: LeEqU32> Aabb<FixedI32<Frac>> {
             Form::Corners { min, max } => all_fit(min, POSITION) && all_fit(max, POSITION),
         };
         if is_near { Ok(Near(self)) } else { Err(ShapeError::NotNear) }
+    }
+}
+
+impl<Frac: LeEqU32> Sphere<FixedI32<Frac>> {
+    /// The sphere, for queries in one number system: see [`near`](crate::near).
+    ///
+    /// # Errors
+    /// [`ShapeError::NotNear`] if the centre is 2¹⁷ units in the last place or more from zero on
+    /// some axis, or the radius 2¹⁹.
+    pub const fn near(self) -> Result<Near<Self>, ShapeError> {
+        if all_fit(&self.center, POSITION) && fits(self.radius.to_bits(), LENGTH) {
+            Ok(Near(self))
+        } else {
+            Err(ShapeError::NotNear)
+        }
+    }
+}
+
+impl<Frac: LeEqU32> Capsule<FixedI32<Frac>> {
+    /// The capsule, for queries in one number system: see [`near`](crate::near).
+    ///
+    /// # Errors
+    /// [`ShapeError::NotNear`] if an end is 2¹⁷ units in the last place or more from zero on some
+    /// axis, or the radius 2¹⁹.
+    pub const fn near(self) -> Result<Near<Self>, ShapeError> {
+        let are_near = all_fit(&self.a, POSITION) && all_fit(&self.b, POSITION);
+        if are_near && fits(self.radius.to_bits(), LENGTH) {
+            Ok(Near(self))
+        } else {
+            Err(ShapeError::NotNear)
+        }
     }
 }
 

@@ -8,7 +8,7 @@ use super::overlaps::Overlaps;
 
 /// A shape near the origin: see [`near`](crate::near).
 ///
-/// `near` of `Triangle`, `Ray`, `Aabb` and `Obb` makes one.
+/// `near` of `Triangle`, `Ray`, `Aabb`, `Obb`, `Sphere` and `Capsule` makes one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(transparent)]
