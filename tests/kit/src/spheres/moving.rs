@@ -35,6 +35,10 @@ pub enum Part {
 
 type Whole = [IBig; 3];
 
+/// A time is compared with another before it by 2^-`BEFORE` units of its own. Roots and quotients of
+/// numbers with up to 2,100 binary places are farther apart.
+const BEFORE: usize = 1 << 14;
+
 /// The shape or a part of it, as points or as faces of a box.
 enum Hull {
     Points(Vec<Whole>),
@@ -78,8 +82,8 @@ impl Shapes {
         match self.compare((&whole, e), &self.hull) {
             // Just before.
             Ordering::Equal if m != 0 => {
-                let before = (whole << 300) - IBig::ONE;
-                match self.compare((&before, e - 300), &self.hull) {
+                let before = (whole << BEFORE) - IBig::ONE;
+                match self.compare((&before, e - BEFORE as i32), &self.hull) {
                     Ordering::Greater => Ordering::Equal,
                     _ => Ordering::Greater,
                 }
