@@ -231,9 +231,12 @@ impl<const L: usize> Sub for BigInt<L> {
 impl<const L: usize> Neg for BigInt<L> {
     type Output = Self;
     fn neg(mut self) -> Self {
-        let mut carry = true;
+        // Up to the lowest bit nothing changes. LLVM 22 fails to compile a long chain of carries for a
+        // Cortex-M0.
+        let mut is_below = true;
         for limb in &mut self.0 {
-            (*limb, carry) = (!*limb).overflowing_add(carry.into());
+            *limb = if is_below { limb.wrapping_neg() } else { !*limb };
+            is_below &= *limb == 0;
         }
         self
     }

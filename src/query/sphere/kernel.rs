@@ -215,7 +215,7 @@ impl<N: Arithmetic> Reach<N> {
         }
         let size = greatest(largest_of::<N, K>(vectors), largest_of::<N, K>(edges));
         let size = greatest(size, slack);
-        if N::is_narrow(greatest(size, self.radius)) {
+        if !N::LARGE && N::is_narrow(greatest(size, self.radius)) {
             let narrow =
                 Reach::<N::Narrow> { radius: self.radius, square: self.square, ball: self.ball };
             narrow.excludes_near_face(vectors, edges, [size, slack])
@@ -280,9 +280,13 @@ impl<N: Arithmetic> Reach<N> {
     }
 }
 
-/// The greatest magnitude in vectors.
+/// The greatest magnitude in vectors. No kernel asks how large numbers of several words are. LLVM 22
+/// also fails to compile the question for a Cortex-M0.
 #[inline(always)]
 pub(super) fn largest_of<N: Arithmetic, const K: usize>(v: &[Vector<N>; K]) -> N::Length {
+    if N::LARGE {
+        return N::Length::ZERO;
+    }
     v[1..].iter().fold(largest(&v[0]), |size, v| greatest(size, largest(v)))
 }
 
