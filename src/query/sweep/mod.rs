@@ -10,6 +10,7 @@ mod latest;
 mod motion;
 mod nearest;
 mod one_axis;
+mod passing;
 mod rows;
 mod sphere;
 mod time;
@@ -20,19 +21,13 @@ use core::cmp::Ordering;
 pub use motion::Motion;
 pub use sphere::SphereContact;
 
-use self::exact::ExactCourse;
-use self::kernel::Course;
-use self::time::{Instant, Last, Meets, When};
+use self::passing::{Given, Misses, Passing};
+use self::time::{Instant, Last};
 use super::axis::negated;
 use super::relation::Relation;
-use super::triangle_aabb::frame::{BoxForm, Frame};
 use super::{Axis, HasAxes};
-use crate::arithmetic::{
-    Arithmetic, Embeds, Float, InFloat, InWord, Number, REGISTERS_ARE_WIDE, Word,
-};
-use crate::robust::{Predicate, Profile, WordKernel, in_exact_numbers};
-use crate::scalar::{FixedBackend, Scalar};
-use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, Triangle, Vec3};
 
 /// When and how a moving shape first meets another.
 #[doc(alias = "time of impact")]
@@ -140,17 +135,17 @@ pub trait Sweep<Other> {
     /// *Contact*: shapes that touch at the start meet at time zero.
     ///
     /// *Numerics*: exact except for one rounding, downwards: see [`FirstContact`] and
-    /// [`SphereContact`]. If the result names an axis or a part, the shapes are apart before that time; at that time they touch or are still
-    /// apart.
+    /// [`SphereContact`]. If the result names an axis or a part, the shapes are apart before that
+    /// time; at that time they touch or are still apart.
     ///
     /// *Panics*: never. *Cost*: as for [`meets_along`](Self::meets_along). A sphere that meets a box
     /// also takes up to 100 multiplications, each with an error bound, a root and a division of
     /// integers; past a triangle up to six times as many, and up to six roots. In `f64`, in fixed
     /// point on 32-bit cores and of 64 bits, and within rounding of a number, these are exact
-    /// integers. Other shapes that meet take one of the axes again in `f64`, and two divisions. A result in `f64` takes that axis in
-    /// 106 digits, and one in fixed point of 64 bits a division of integers. On 32-bit cores, and
-    /// where two axes close at about the same time, every axis with a gap is computed, each with a
-    /// division.
+    /// integers. Other shapes that meet take one of the axes again in `f64`, and two divisions. A
+    /// result in `f64` takes that axis in 106 digits, and one in fixed point of 64 bits a division
+    /// of integers. On 32-bit cores, and where two axes close at about the same time, every axis
+    /// with a gap is computed, each with a division.
     #[doc(alias = "time of impact")]
     #[doc(alias = "continuous collision")]
     #[must_use]
@@ -236,155 +231,6 @@ pub trait Sweep<Other> {
             return Some(motion.to());
         }
         Some(motion.place(motion.last_free_step(motion.steps(), is_free)?))
-    }
-}
-
-/// A triangle that moves past a box.
-struct Passing<'a, S> {
-    triangle: &'a Triangle<S>,
-    aabb: &'a Aabb<S>,
-    /// Borrowed in place. A fresh copy would not have reached memory when it is loaded as a vector,
-    /// and the load would wait.
-    motion: &'a Motion<S>,
-    /// Whether the triangle moves backwards, because the box is what moves.
-    is_reversed: bool,
-}
-
-impl<'a, S: Scalar> Passing<'a, S> {
-    #[inline(always)]
-    fn new(triangle: &'a Triangle<S>, aabb: &'a Aabb<S>, motion: &'a Motion<S>) -> Self {
-        Self { triangle, aabb, motion, is_reversed: false }
-    }
-
-    /// The box moves, so in its frame the triangle goes back.
-    #[inline(always)]
-    fn reversed(triangle: &'a Triangle<S>, aabb: &'a Aabb<S>, motion: &'a Motion<S>) -> Self {
-        Self { triangle, aabb, motion, is_reversed: true }
-    }
-
-    /// Where the triangle's motion begins and ends.
-    #[inline(always)]
-    fn ends(&self) -> [Vec3<S>; 2] {
-        let (from, to) = (self.motion.from(), self.motion.to());
-        if self.is_reversed { [to, from] } else { [from, to] }
-    }
-
-    #[inline(always)]
-    fn given<N: Embeds<S>>(&self) -> Option<Given<N>> {
-        let [a, b, c] = self.triangle.points();
-        let [from, to] = self.ends();
-        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
-            self.aabb.form();
-        let all = [a, b, c, p.to_array(), q.to_array(), from.to_array(), to.to_array()];
-        let [a, b, c, p, q, from, to] = N::embed(&all)?;
-        let is_by_center = matches!(self.aabb.form(), AabbForm::Center { .. });
-        Some(Given { triangle: [a, b, c], p, q, is_by_center, way: [from, to] })
-    }
-
-    #[inline(always)]
-    fn course<N: Embeds<S>>(&self) -> Option<Course<N>> {
-        Some(self.given::<N>()?.course())
-    }
-
-    fn exactly(&self) -> ExactCourse {
-        ExactCourse::new(self.triangle, self.aabb, self.ends())
-    }
-}
-
-/// The coordinates of the shapes and the motion in a number system.
-struct Given<N: Arithmetic> {
-    triangle: [[N::Length; 3]; 3],
-    p: [N::Length; 3],
-    q: [N::Length; 3],
-    /// Whether p and q are centre and half-extents; otherwise they are corners.
-    is_by_center: bool,
-    way: [[N::Length; 3]; 2],
-}
-
-impl<N: Arithmetic> Given<N> {
-    #[inline(always)]
-    fn course(self) -> Course<N> {
-        let Self { triangle, p, q, is_by_center, way: [from, to] } = self;
-        let form = if is_by_center {
-            BoxForm::Center(p, q)
-        } else {
-            BoxForm::Corners(p, q, [N::Length::ZERO; 3])
-        };
-        let d = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
-        Course { frame: Frame::new(&triangle, &form), d }
-    }
-}
-
-/// Does the triangle miss the box?
-struct Misses<'a, S>(Passing<'a, S>);
-
-impl<S: Scalar> Predicate<S> for Misses<'_, S> {
-    type Answer = bool;
-
-    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        self.0.course::<N>()?.misses()
-    }
-
-    const PROFILE: Profile = Profile::QUADS;
-
-    #[inline(always)]
-    fn in_quads<F: Float>(&self) -> Option<bool>
-    where
-        S: InFloat<F>,
-    {
-        rows::misses::<S, F>(&self.0)
-    }
-
-    #[inline(always)]
-    fn in_words(&self, _: bool) -> Option<bool>
-    where
-        S: FixedBackend,
-    {
-        if words::are_short::<S>() { S::in_machine_words(self) } else { None }
-    }
-
-    fn exact(&self) -> bool {
-        if REGISTERS_ARE_WIDE {
-            return in_exact_numbers(self);
-        }
-        self.0.exactly().misses::<S>()
-    }
-}
-
-impl<S: Scalar> WordKernel<S> for Misses<'_, S> {
-    #[inline(always)]
-    fn narrow<W: Word>(&self) -> Option<bool>
-    where
-        S: InWord<W>,
-    {
-        if S::ALWAYS_NEAR {
-            Some(self.0.misses_in_any_words())
-        } else {
-            self.0.misses_in_near_words()
-        }
-    }
-}
-
-impl<S: Scalar> Passing<'_, S> {
-    #[inline]
-    fn meet(self) -> bool {
-        !S::evaluate(&Misses(self))
-    }
-
-    fn first_contact(self) -> Option<FirstContact<S>> {
-        let instant = if S::IN_QUADS { S::in_quads(&When(&self)) } else { None };
-        match instant {
-            Some(Instant::Misses) => None,
-            Some(Instant::AtStart) => Some(FirstContact::default()),
-            Some(Instant::Meets(last)) => Some(S::evaluate_numeric(&Meets { passing: self, last })),
-            Some(Instant::Unknown) | None => {
-                let misses = Misses(self);
-                let is_miss =
-                    if S::IN_QUADS { S::without_quads(&misses) } else { S::evaluate(&misses) };
-                let passing = misses.0;
-                (!is_miss).then(|| S::evaluate_numeric(&Meets { passing, last: None }))
-            }
-        }
     }
 }
 

@@ -1,0 +1,166 @@
+//! A triangle that moves past a box, in any number system, and when they first meet.
+
+use super::exact::ExactCourse;
+use super::kernel::Course;
+use super::time::{Instant, Meets, When};
+use super::{FirstContact, Motion, rows, words};
+use crate::arithmetic::{
+    Arithmetic, Embeds, Float, InFloat, InWord, Number, REGISTERS_ARE_WIDE, Word,
+};
+use crate::query::triangle_aabb::frame::{BoxForm, Frame};
+use crate::robust::{Predicate, Profile, WordKernel, in_exact_numbers};
+use crate::scalar::{FixedBackend, Scalar};
+use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
+
+/// A triangle that moves past a box.
+pub(super) struct Passing<'a, S> {
+    pub(super) triangle: &'a Triangle<S>,
+    pub(super) aabb: &'a Aabb<S>,
+    /// Borrowed in place. A fresh copy would not have reached memory when it is loaded as a vector,
+    /// and the load would wait.
+    pub(super) motion: &'a Motion<S>,
+    /// Whether the triangle moves backwards, because the box is what moves.
+    pub(super) is_reversed: bool,
+}
+
+impl<'a, S: Scalar> Passing<'a, S> {
+    #[inline(always)]
+    pub(super) fn new(triangle: &'a Triangle<S>, aabb: &'a Aabb<S>, motion: &'a Motion<S>) -> Self {
+        Self { triangle, aabb, motion, is_reversed: false }
+    }
+
+    /// The box moves, so in its frame the triangle goes back.
+    #[inline(always)]
+    pub(super) fn reversed(
+        triangle: &'a Triangle<S>,
+        aabb: &'a Aabb<S>,
+        motion: &'a Motion<S>,
+    ) -> Self {
+        Self { triangle, aabb, motion, is_reversed: true }
+    }
+
+    /// Where the triangle's motion begins and ends.
+    #[inline(always)]
+    pub(super) fn ends(&self) -> [Vec3<S>; 2] {
+        let (from, to) = (self.motion.from(), self.motion.to());
+        if self.is_reversed { [to, from] } else { [from, to] }
+    }
+
+    #[inline(always)]
+    pub(super) fn given<N: Embeds<S>>(&self) -> Option<Given<N>> {
+        let [a, b, c] = self.triangle.points();
+        let [from, to] = self.ends();
+        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
+            self.aabb.form();
+        let all = [a, b, c, p.to_array(), q.to_array(), from.to_array(), to.to_array()];
+        let [a, b, c, p, q, from, to] = N::embed(&all)?;
+        let is_by_center = matches!(self.aabb.form(), AabbForm::Center { .. });
+        Some(Given { triangle: [a, b, c], p, q, is_by_center, way: [from, to] })
+    }
+
+    #[inline(always)]
+    pub(super) fn course<N: Embeds<S>>(&self) -> Option<Course<N>> {
+        Some(self.given::<N>()?.course())
+    }
+
+    pub(super) fn exactly(&self) -> ExactCourse {
+        ExactCourse::new(self.triangle, self.aabb, self.ends())
+    }
+}
+
+/// The coordinates of the shapes and the motion in a number system.
+pub(super) struct Given<N: Arithmetic> {
+    pub(super) triangle: [[N::Length; 3]; 3],
+    pub(super) p: [N::Length; 3],
+    pub(super) q: [N::Length; 3],
+    /// Whether p and q are centre and half-extents; otherwise they are corners.
+    pub(super) is_by_center: bool,
+    pub(super) way: [[N::Length; 3]; 2],
+}
+
+impl<N: Arithmetic> Given<N> {
+    #[inline(always)]
+    pub(super) fn course(self) -> Course<N> {
+        let Self { triangle, p, q, is_by_center, way: [from, to] } = self;
+        let form = if is_by_center {
+            BoxForm::Center(p, q)
+        } else {
+            BoxForm::Corners(p, q, [N::Length::ZERO; 3])
+        };
+        let d = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
+        Course { frame: Frame::new(&triangle, &form), d }
+    }
+}
+
+/// Does the triangle miss the box?
+pub(super) struct Misses<'a, S>(pub(super) Passing<'a, S>);
+
+impl<S: Scalar> Predicate<S> for Misses<'_, S> {
+    type Answer = bool;
+
+    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
+        self.0.course::<N>()?.misses()
+    }
+
+    const PROFILE: Profile = Profile::QUADS;
+
+    #[inline(always)]
+    fn in_quads<F: Float>(&self) -> Option<bool>
+    where
+        S: InFloat<F>,
+    {
+        rows::misses::<S, F>(&self.0)
+    }
+
+    #[inline(always)]
+    fn in_words(&self, _: bool) -> Option<bool>
+    where
+        S: FixedBackend,
+    {
+        if words::are_short::<S>() { S::in_machine_words(self) } else { None }
+    }
+
+    fn exact(&self) -> bool {
+        if REGISTERS_ARE_WIDE {
+            return in_exact_numbers(self);
+        }
+        self.0.exactly().misses::<S>()
+    }
+}
+
+impl<S: Scalar> WordKernel<S> for Misses<'_, S> {
+    #[inline(always)]
+    fn narrow<W: Word>(&self) -> Option<bool>
+    where
+        S: InWord<W>,
+    {
+        if S::ALWAYS_NEAR {
+            Some(self.0.misses_in_any_words())
+        } else {
+            self.0.misses_in_near_words()
+        }
+    }
+}
+
+impl<S: Scalar> Passing<'_, S> {
+    #[inline]
+    pub(super) fn meet(self) -> bool {
+        !S::evaluate(&Misses(self))
+    }
+
+    pub(super) fn first_contact(self) -> Option<FirstContact<S>> {
+        let instant = if S::IN_QUADS { S::in_quads(&When(&self)) } else { None };
+        match instant {
+            Some(Instant::Misses) => None,
+            Some(Instant::AtStart) => Some(FirstContact::default()),
+            Some(Instant::Meets(last)) => Some(S::evaluate_numeric(&Meets { passing: self, last })),
+            Some(Instant::Unknown) | None => {
+                let misses = Misses(self);
+                let is_miss =
+                    if S::IN_QUADS { S::without_quads(&misses) } else { S::evaluate(&misses) };
+                let passing = misses.0;
+                (!is_miss).then(|| S::evaluate_numeric(&Meets { passing, last: None }))
+            }
+        }
+    }
+}
