@@ -18,7 +18,7 @@ const fn fits(x: f32) -> bool {
     // Zeros at the end, at most as many as a power of two has.
     let (exponent, zeros) = (magnitude >> STORED, magnitude.trailing_zeros());
     let zeros = if zeros < STORED { zeros } else { STORED };
-    magnitude == 0 || exponent < BIAS + MOST && exponent + zeros >= BIAS + STORED - LEAST - 1
+    magnitude == 0 || exponent < BIAS + MOST && exponent + zeros >= BIAS + STORED - LEAST
 }
 
 const fn all_fit(v: &Vec3<f32>) -> bool {
