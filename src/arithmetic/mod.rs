@@ -76,7 +76,7 @@ pub use soft::Soft;
 pub(crate) use soft::{root, whole};
 pub(crate) use span::{Span, Spanned, Spans};
 pub use system::{Arithmetic, Embeds, OneType};
-pub(crate) use system::{cross, dot, of_two, once};
+pub(crate) use system::{cross, dot, following, of_two, once};
 pub(crate) use wide::I256;
 pub use window::Window;
 #[cfg(test)]

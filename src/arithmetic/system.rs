@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 use core::marker::PhantomData;
 use core::ops::Mul;
 
-use super::index::three;
+use super::index::{three, turn};
 use super::number::Number;
 
 /// A number system that a kernel runs in.
@@ -167,6 +167,13 @@ pub(crate) fn once<N: Arithmetic, T: Number>(x: T) -> T {
 #[inline(always)]
 pub(crate) fn of_two<N: Arithmetic, T: Number>(x: T) -> T {
     if N::DOUBLED { x } else { x.half() }
+}
+
+/// Coordinate axis `i` and the next two, or a vertex and the next two, as the kernel's loops index
+/// best: those over large numbers are not unrolled.
+#[inline(always)]
+pub(crate) fn following<N: Arithmetic>(i: usize) -> (usize, usize, usize) {
+    if N::LARGE { turn(i) } else { (i, (i + 1) % 3, (i + 2) % 3) }
 }
 
 /// a × b.

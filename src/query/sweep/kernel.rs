@@ -19,7 +19,8 @@ use super::FirstContact;
 use super::error_bound::{Along, AtStart, FACE, along, at_start};
 use super::latest::Latest;
 use crate::arithmetic::{
-    Arithmetic, Embeds, Number, cross, dot, greatest, least, of_two, once, out_of_line,
+    Arithmetic, Embeds, Number, cross, dot, following, greatest, least, of_two, once, out_of_line,
+    pick,
 };
 use crate::query::Axis;
 use crate::query::relation::{Nearness, Reading, Relation};
@@ -188,6 +189,7 @@ impl<N: Arithmetic> Course<N> {
         error: &Along<N>,
     ) {
         let (Frame { h, .. }, d, zero) = (&self.frame, &self.d, N::Length::ZERO);
+        let (k, ..) = following::<N>(k);
         let (e, v) = (&self.frame.e[k], &self.frame.v[k]);
         let q = cross::<N>(e, d);
         // If the edge or the motion lies along a coordinate axis, or if both lie in one coordinate
@@ -210,7 +212,7 @@ impl<N: Arithmetic> Course<N> {
 
         let p = cross::<N>(e, v);
         for i in 0..3 {
-            let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+            let (_, j, l) = following::<N>(i);
             let (middle, half_way) = (of_two::<N, _>(n[i]), of_two::<N, _>(q[i]));
             let r = N::area(e[l].magnitude(), h[j]) + N::area(e[j].magnitude(), h[l]);
             let radius = middle.magnitude() + half_way.magnitude() + r;
@@ -222,7 +224,7 @@ impl<N: Arithmetic> Course<N> {
     /// The cross product of a coordinate axis and the motion.
     #[inline(always)]
     fn across<R: Reading>(&self, so_far: &mut R, i: usize, error: N::Area) {
-        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+        let (_, j, l) = following::<N>(i);
         let (Frame { v, h, .. }, d) = (&self.frame, &self.d);
         let on_axis = |v: &[N::Length; 3]| N::area(d[j], v[l]) - N::area(d[l], v[j]);
         let [a, b, c] = [on_axis(&v[0]), on_axis(&v[1]), on_axis(&v[2])];
@@ -262,7 +264,7 @@ impl<N: Arithmetic> Course<N> {
                     continue;
                 }
                 if N::LARGE {
-                    out_of_line(|| self.add_edge(i, k, n[i], &error, &mut latest));
+                    out_of_line(|| self.add_edge(i, k, *pick(&n, i), &error, &mut latest));
                 } else {
                     self.add_edge(i, k, n[i], &error, &mut latest);
                 }
@@ -307,7 +309,7 @@ impl<N: Arithmetic> Course<N> {
         error: &AtStart<N>,
         latest: &mut Latest<S>,
     ) {
-        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+        let ((_, j, l), (k, ..)) = (following::<N>(i), following::<N>(k));
         let (e, v, h, d) = (&self.frame.e[k], &self.frame.v[k], &self.frame.h, &self.d);
         // The axis is a face normal, and the face comes first in the order.
         if (e[j] == N::Length::ZERO) | (e[l] == N::Length::ZERO) {

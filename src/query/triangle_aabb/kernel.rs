@@ -6,7 +6,9 @@
 
 use super::error_bound::error_bound;
 use super::frame::{BoxForm, Frame, range};
-use crate::arithmetic::{Arithmetic, Embeds, Number, cross, dot, greatest, of_two, three, turn};
+use crate::arithmetic::{
+    Arithmetic, Embeds, Number, cross, dot, following, greatest, of_two, three,
+};
 use crate::robust::Uncertain;
 use crate::scalar::Scalar;
 use crate::shape::{AabbForm, Triangle, Vec3};
@@ -110,7 +112,7 @@ fn any_large_axis<N: Arithmetic>(frame: &Frame<N>) -> bool {
 
 #[inline(never)]
 fn one_large_edge<N: Arithmetic>(frame: &Frame<N>, n: &[N::Area; 3], i: usize, k: usize) -> bool {
-    one_edge(frame, n, Number::ZERO, turn(i).0, turn(k).0).certain
+    one_edge(frame, n, Number::ZERO, following::<N>(i).0, following::<N>(k).0).certain
 }
 
 /// The plane test in narrower volumes. Integers only: they have no error to
@@ -220,7 +222,7 @@ pub(super) fn one_edge<N: Arithmetic>(
     i: usize,
     k: usize,
 ) -> Uncertain {
-    let (_, j, l) = if N::LARGE { turn(i) } else { (i, (i + 1) % 3, (i + 2) % 3) };
+    let (_, j, l) = following::<N>(i);
     let (e, v, h) = (&frame.e[k], &frame.v[k], &frame.h);
 
     let p = N::minor([e[j], v[l]], [e[l], v[j]]);
