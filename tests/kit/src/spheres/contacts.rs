@@ -149,6 +149,10 @@ impl<S: Sample> CapsuleCase<S> {
         let [on_first, on_second, ..] = all;
         let ends = all.iter().chain(&self.ends).flatten();
         let size = ends.fold(self.radius.approximate(), |size, x| size.max(x.approximate().abs()));
+        // Beyond this the distances below overflow.
+        if size > f64::MAX / 8.0 {
+            return;
+        }
         let unit =
             all.as_flattened().iter().chain([&t.depth]).fold(0.0, |u: f64, x| u.max(near(*x)));
         let most = 1e-12 * size + 4.0 * unit;
