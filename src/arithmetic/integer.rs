@@ -118,7 +118,7 @@ macro_rules! integers {
             }
             #[inline(always)]
             fn is_narrow(size: $length) -> bool {
-                $is_narrow(size)
+                !Self::LARGE && $is_narrow(size)
             }
         }
     )*};

@@ -215,7 +215,7 @@ impl<N: Arithmetic> Reach<N> {
         }
         let size = greatest(largest_of::<N, K>(vectors), largest_of::<N, K>(edges));
         let size = greatest(size, slack);
-        if !N::LARGE && N::is_narrow(greatest(size, self.radius)) {
+        if N::is_narrow(greatest(size, self.radius)) {
             let narrow =
                 Reach::<N::Narrow> { radius: self.radius, square: self.square, ball: self.ball };
             narrow.excludes_near_face(vectors, edges, [size, slack])
