@@ -230,15 +230,9 @@ impl<const L: usize> Sub for BigInt<L> {
 
 impl<const L: usize> Neg for BigInt<L> {
     type Output = Self;
-    fn neg(mut self) -> Self {
-        // Up to the lowest bit nothing changes. LLVM 22 fails to compile a long chain of carries for a
-        // Cortex-M0.
-        let mut is_below = true;
-        for limb in &mut self.0 {
-            *limb = if is_below { limb.wrapping_neg() } else { !*limb };
-            is_below &= *limb == 0;
-        }
-        self
+    fn neg(self) -> Self {
+        // A chain of carries alone, of the complement, does not compile for a Cortex-M0 (LLVM 22).
+        Self([0; L]) - self
     }
 }
 
