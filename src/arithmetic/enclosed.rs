@@ -14,6 +14,15 @@ pub trait Enclosed: Number {
 
     /// The number in two's complement, the least limb first, if it is exact.
     fn exact_limbs(&self) -> Option<&[u64]>;
+
+    /// Adds the number times `factor`·2^`shift` to a sum, or subtracts it; `None` if it is not exact.
+    fn add_to<const R: usize>(
+        &self,
+        sum: &mut BigInt<R>,
+        factor: u64,
+        shift: usize,
+        is_minus: bool,
+    ) -> Option<()>;
 }
 
 impl Enclosed for Interval {
@@ -21,6 +30,9 @@ impl Enclosed for Interval {
         Self::soft(self)
     }
     fn exact_limbs(&self) -> Option<&[u64]> {
+        None
+    }
+    fn add_to<const R: usize>(&self, _: &mut BigInt<R>, _: u64, _: usize, _: bool) -> Option<()> {
         None
     }
 }
@@ -32,6 +44,16 @@ impl<const L: usize> Enclosed for BigInt<L> {
     fn exact_limbs(&self) -> Option<&[u64]> {
         Some(self.limbs())
     }
+    fn add_to<const R: usize>(
+        &self,
+        sum: &mut BigInt<R>,
+        factor: u64,
+        shift: usize,
+        is_minus: bool,
+    ) -> Option<()> {
+        sum.add_multiple(self, factor, shift, is_minus);
+        Some(())
+    }
 }
 
 /// The sign of a number; `None` in doubt.
@@ -40,7 +62,7 @@ pub(crate) fn sign_of<T: Number>(x: T) -> Option<Ordering> {
     x.partial_cmp(&T::ZERO)
 }
 
-/// Adds x·factor·2^shift to a sum, or subtracts it; `None` if x is not exact.
+/// [`Enclosed::add_to`] with a factor of two words.
 pub(crate) fn sum_of<const R: usize, T: Enclosed>(
     sum: &mut BigInt<R>,
     x: T,
@@ -48,18 +70,12 @@ pub(crate) fn sum_of<const R: usize, T: Enclosed>(
     shift: u32,
     is_minus: bool,
 ) -> Option<()> {
-    let is_negative = x < T::ZERO;
-    let x = x.magnitude();
-    let limbs = x.exact_limbs()?;
-    for (i, factor) in [factor as u64, (factor >> 64) as u64].into_iter().enumerate() {
-        for (k, &limb) in limbs.iter().enumerate().filter(|(_, limb)| **limb != 0) {
-            let product = u128::from(limb) * u128::from(factor);
-            let words = [product as u64, (product >> 64) as u64];
-            let place = 64 * (i + k) + shift as usize;
-            sum.accumulate(words.into_iter(), place, is_negative != is_minus);
-        }
+    let shift = shift as usize;
+    x.add_to(sum, factor as u64, shift, is_minus)?;
+    match (factor >> 64) as u64 {
+        0 => Some(()),
+        high => x.add_to(sum, high, shift + 64, is_minus),
     }
-    Some(())
 }
 
 /// How a·b compares with c·d, of numbers that are not negative; `None` in doubt.

@@ -27,11 +27,10 @@
 
 use super::big_int::BigInt;
 use super::out_of_line;
-use super::platform::{HAS_LONG_PRODUCTS, REGISTERS_ARE_WIDE};
+use super::platform::REGISTERS_ARE_WIDE;
 use super::system::Arithmetic;
 use super::wide::I256;
-#[cfg(feature = "fixed")]
-use super::words::Word;
+use super::words::{ProductSum, Word};
 
 /// For 8-bit coordinates: everything in `i32`.
 #[cfg(feature = "fixed")]
@@ -47,8 +46,8 @@ pub struct Int16;
 #[derive(Clone, Copy, Debug)]
 pub struct Int32;
 
-/// For coordinates below 2^60: areas in `i128`, volumes in 256 bits. Where they are `LARGE`, all
-/// kernels share one copy of each product.
+/// For coordinates below 2^60: areas in `i128`, volumes in 256 bits. With `LARGE` all kernels
+/// share one copy of each product.
 #[derive(Clone, Copy, Debug)]
 pub struct Int64<const LARGE: bool = false>;
 
@@ -165,7 +164,11 @@ fn full_product(a: u64, b: u64) -> u128 {
 
 #[inline(always)]
 fn word_product(a: u32, b: u32) -> u64 {
-    if HAS_LONG_PRODUCTS { u64::from(a) * u64::from(b) } else { by_halves(a, b) }
+    if <<i32 as Word>::Sum as ProductSum<i32>>::IS_WHOLE {
+        u64::from(a) * u64::from(b)
+    } else {
+        by_halves(a, b)
+    }
 }
 
 /// The product of two words, for machines that have no long product.

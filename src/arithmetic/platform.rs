@@ -11,11 +11,6 @@ pub(crate) const REGISTERS_ARE_WIDE: bool =
     cfg!(all(any(target_pointer_width = "64", target_arch = "wasm32"), not(septum_narrow)))
         && !SMALL_CODE;
 
-/// Whether one instruction gives all bits of a product of words. ARMv6-M has neither that nor
-/// atomics, and ARMv7-M has both; stable Rust can query only atomics.
-pub(crate) const HAS_LONG_PRODUCTS: bool =
-    cfg!(not(all(target_arch = "arm", not(target_has_atomic = "32"))));
-
 /// Whether floats of this type are computed by functions.
 pub(crate) const fn is_software<F>() -> bool {
     let has_floats = cfg!(target_abi = "eabihf");
