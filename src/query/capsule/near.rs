@@ -1,24 +1,11 @@
-//! Capsule and sphere against triangle near the origin, in one number system.
+//! Capsule against triangle near the origin, in one number system.
 
 use super::{Beyond, passes};
 use crate::arithmetic::{Embeds, Int16};
-use crate::query::sphere::{Ball, is_near};
+use crate::query::sphere::Ball;
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
-use crate::shape::{Capsule, Near, Overlaps, Sphere, Triangle};
-
-impl<S: Scalar> Overlaps<Near<Sphere<S>>> for Near<Triangle<S>>
-where
-    Int16: Embeds<S>,
-{
-    /// Do a triangle and a sphere near the origin have a point in common?
-    ///
-    /// *Numerics*: exact, in integers of up to 128 bits. *Panics*: never.
-    #[inline]
-    fn overlaps(&self, sphere: &Near<Sphere<S>>) -> bool {
-        is_near::<S, Int16>(sphere.get(), self.get())
-    }
-}
+use crate::shape::{Capsule, Near, Overlaps, Triangle};
 
 impl<S: Scalar> Overlaps<Near<Capsule<S>>> for Near<Triangle<S>>
 where

@@ -5,6 +5,8 @@ mod distance;
 mod error_bound;
 mod foot;
 mod kernel;
+#[cfg(feature = "fixed")]
+mod near;
 mod obb;
 mod plane;
 mod range;
@@ -141,13 +143,6 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Sphere<S>> {
 }
 
 impl<S, T> Numeric<S> for Beyond<'_, S, T> where Self: Predicate<S> {}
-
-/// Whether a triangle meets a sphere, in a number system that holds both and rounds nothing.
-#[cfg(feature = "fixed")]
-#[inline(always)]
-pub(super) fn is_near<S: Scalar, N: Embeds<S>>(sphere: &Sphere<S>, shape: &Triangle<S>) -> bool {
-    Beyond { sphere, shape, ball: Ball::Closed }.filter::<N>() == Some(false)
-}
 
 /// Whether the shape meets the sphere, or the open ball inside. On hosts `f64` answers for all
 /// scalars of up to 32 bits.
