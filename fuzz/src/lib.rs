@@ -12,6 +12,6 @@ mod told;
 
 pub use checks::{
     closed_mesh, constructors, contacts, flat_shapes, lanes, line_obb, oriented_pairs, plane_aabb,
-    polygon_aabb, ray_aabb, ray_triangle, segment_aabb, spheres, sweeps, triangle_aabb,
-    triangle_obb, unit_normal,
+    polygon_aabb, ray_aabb, ray_triangle, round_contacts, segment_aabb, spheres, sweeps,
+    triangle_aabb, triangle_obb, unit_normal,
 };

@@ -33,6 +33,7 @@ random_bytes! {
     triangle_obb: 20_000,
     flat_shapes: 20_000,
     contacts: 10_000,
+    round_contacts: 10_000,
     oriented_pairs: 10_000,
     plane_aabb: 20_000,
     polygon_aabb: 20_000,
