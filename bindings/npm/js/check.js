@@ -44,8 +44,8 @@ export function direction(name, v, round = Math.fround) {
 }
 
 /** A finite number that is not negative. */
-export function length(name, x) {
-    if (number(name, x) < 0) throw new RangeError(`${name} is ${x}, which is negative`);
+export function length(name, x, round = Math.fround) {
+    if (number(name, x, round) < 0) throw new RangeError(`${name} is ${x}, which is negative`);
     return x;
 }
 
@@ -106,3 +106,8 @@ export function row(name, numbers, each, element) {
     }
     return numbers;
 }
+
+const PARTS = ['face', 'edge', 'vertex'];
+
+/** A part of a shape, by the module's number. */
+export const part = (k) => ({ kind: PARTS[k >> 4], number: k & 15 });

@@ -44,6 +44,36 @@ export interface BoxHit {
     normal: Three | null;
 }
 
+/** A part of a shape: of a triangle its face, an edge or a vertex. */
+export interface Part {
+    kind: 'face' | 'edge' | 'vertex';
+    number: number;
+}
+
+export interface SphereHit {
+    triangle: number;
+    /** The part of the motion until then, from 0 to 1; never late. */
+    t: number;
+    /** The face, edge or vertex at the point of contact; null if they meet at the start. */
+    part: Part | null;
+}
+
+/** A contact with a triangle. */
+export interface MeshContact {
+    triangle: number;
+    /** Moves the sphere or the capsule out of the triangle. */
+    translation: Three;
+    depth: number;
+    normal: Three;
+    /** False only if the translation is beyond f32. */
+    isSufficient: boolean;
+    /** Whether an interior edge holds it to the triangle's normal. */
+    isHeld: boolean;
+    /** On the triangle. */
+    point: Three;
+    part: Part;
+}
+
 /** Cubes from `origin` on, or boxes. */
 export interface Grid {
     origin: Vector;
@@ -127,6 +157,11 @@ export class Mesh {
     overlappingPairs(other: Mesh, limit?: number): Uint32Array;
     /** The first triangle that a box meets on its way. */
     boxCast(min: Vector, max: Vector, motion: Vector): BoxHit | null;
+    /** The first triangle that a sphere meets on its way. */
+    sphereCast(center: Vector, radius: number, motion: Vector): SphereHit | null;
+    /** Contacts with all triangles that a sphere or a capsule penetrates, by triangle. Interior edges catch nothing. */
+    sphereContacts(center: Vector, radius: number): MeshContact[];
+    capsuleContacts(a: Vector, b: Vector, radius: number): MeshContact[];
 
     /** An edge of an odd number of triangles, as two vertices; null if the mesh is closed. */
     openEdge(): [number, number] | null;

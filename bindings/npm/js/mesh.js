@@ -1,5 +1,5 @@
 // A mesh and questions about it.
-import { corners, direction, length, number, options, reach, row, shown, vector, whole } from './check.js';
+import { corners, direction, length, number, options, part, reach, row, shown, vector, whole } from './check.js';
 import { answer, asFloats, asWords, forget, found, list, module } from './memory.js';
 import { atOnce } from './steps.js';
 import { voxelSteps } from './voxels.js';
@@ -346,6 +346,27 @@ export class Mesh {
         return { triangle, t: all[at], normal };
     }
 
+    /** The first triangle that a sphere meets on its way by `motion`, or null. */
+    sphereCast(center, radius, motion) {
+        const [c, r, d] = [vector('center', center), length('radius', radius), vector('motion', motion)];
+        const triangle = sane(module().sphere_cast(this.#here, ...c, r, ...d));
+        if (triangle < 0) return null;
+        const touched = asWords()[answer() + 1] | 0;
+        return { triangle, t: asFloats()[answer()], part: touched < 0 ? null : part(touched) };
+    }
+
+    /** The contacts with all triangles that a sphere penetrates, in the order of their numbers. */
+    sphereContacts(center, radius) {
+        const [c, r] = [vector('center', center), length('radius', radius)];
+        return contacts(module().sphere_contacts(this.#here, ...c, r));
+    }
+
+    /** The same of a capsule, by the ends of its segment. */
+    capsuleContacts(a, b, radius) {
+        const [from, to, r] = [vector('a', a), vector('b', b), length('radius', radius)];
+        return contacts(module().capsule_contacts(this.#here, ...from, ...to, r));
+    }
+
     /** An edge that belongs to an odd number of triangles, as two vertices; null if the mesh is closed. */
     openEdge() {
         return atOnce(this.openEdgeSteps());
@@ -404,6 +425,24 @@ export class Mesh {
 function sane(answer) {
     if (answer < -1) throw new Error('septum refuses what it took for a good question: a fault of the package');
     return answer;
+}
+
+/** The list as contacts. In the module the triangle moves; here the other shape does. */
+function contacts(count) {
+    if (count === -1) throw new RangeError('there is no memory to find the interior edges');
+    const [floats, words, from] = [asFloats(), asWords(), module().found() >>> 2];
+    sane(count);
+    const all = Array.from({ length: count }, (_, k) => {
+        const at = from + 13 * k;
+        const away = (i) => [0 - floats[i], 0 - floats[i + 1], 0 - floats[i + 2]];
+        const flags = words[at + 8];
+        return {
+            triangle: words[at], translation: away(at + 1), depth: floats[at + 4], normal: away(at + 5),
+            isSufficient: (flags & 1) === 1, isHeld: (flags & 2) === 2,
+            point: [floats[at + 9], floats[at + 10], floats[at + 11]], part: part(words[at + 12]),
+        };
+    });
+    return all.sort((a, b) => a.triangle - b.triangle);
 }
 
 /** The unit vector, or zero. */

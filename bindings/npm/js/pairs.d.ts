@@ -1,4 +1,6 @@
-import type { Three, Vector } from './index.js';
+import type { Part, Three, Vector } from './index.js';
+
+export type { Part };
 
 export interface Triangle {
     a: Vector;
@@ -19,18 +21,28 @@ export interface OrientedBox {
     quaternion?: readonly number[] | { x: number; y: number; z: number; w: number };
 }
 
-export type Shape = Triangle | Box | OrientedBox;
+export interface Sphere {
+    center: Vector;
+    radius: number;
+}
+
+/** All points within the radius of the segment from a to b. */
+export interface Capsule {
+    a: Vector;
+    b: Vector;
+    radius: number;
+}
+
+/** Shapes with flat faces. */
+export type Flat = Triangle | Box | OrientedBox;
+
+export type Shape = Flat | Sphere | Capsule;
 
 export interface Ray {
     origin: Vector;
     direction: Vector;
     near?: number;
     far?: number;
-}
-
-export interface Part {
-    kind: 'face' | 'edge' | 'vertex';
-    number: number;
 }
 
 export interface Contact {
@@ -40,8 +52,8 @@ export interface Contact {
     normal: Three;
     /** False only if the translation is beyond f64. */
     isSufficient: boolean;
-    /** The face of the first or of the second shape, or the edges, that the direction comes from. */
-    features: { first: number } | { second: number } | { edges: [number, number] };
+    /** The face of the first or of the second shape, or the edges, that the direction comes from; of spheres and capsules also the nearest parts. */
+    features: { first: number } | { second: number } | { edges: [number, number] } | { nearest: [Part, Part] };
     points: { onFirst: Three; onSecond: Three; depth: number; parts: [Part, Part] }[];
 }
 
@@ -49,10 +61,17 @@ export interface Contact {
 export function init(): Promise<void>;
 
 /** Whether two shapes have a point in common, exactly, in f64: touching is overlap. */
-export function overlaps(first: Shape, second: Shape): boolean;
+export function overlaps(first: Flat, second: Flat): boolean;
+export function overlaps(first: Sphere | Capsule, second: Triangle | Box): boolean;
+export function overlaps(first: Triangle | Box, second: Sphere | Capsule): boolean;
 
 /** The least translation that moves the first shape out of the second, and where they meet; null if they are apart or touch. */
-export function contact(first: Shape, second: Shape): Contact | null;
+export function contact(first: Flat, second: Flat): Contact | null;
+export function contact(first: Sphere | Capsule, second: Triangle | Box): Contact | null;
+export function contact(first: Triangle | Box, second: Sphere | Capsule): Contact | null;
 
 /** Where a ray enters and leaves a box, in lengths of its direction; null if it misses. */
 export function rayBox(ray: Ray, box: Box | OrientedBox): [number, number] | null;
+
+/** Where a ray enters and leaves a sphere, likewise; both rounded outward. */
+export function raySphere(ray: Ray, sphere: Sphere): [number, number] | null;

@@ -1,5 +1,5 @@
 // septum/pairs: exact questions about two shapes, in f64, JavaScript's own numbers.
-import { corners, direction, number, shown, vector } from './check.js';
+import { corners, direction, length, number, part, shown, vector } from './check.js';
 import { load } from './load.js';
 
 let exports = null;
@@ -31,7 +31,11 @@ const point = (name, v) => vector(name, v, exact);
 /** The kind of a shape and its numbers. */
 function shape(name, s) {
     if (typeof s !== 'object' || s === null) {
-        throw new TypeError(`${name} is ${shown(s)}, not a shape: { a, b, c }, { min, max } or { center, halfExtents, axes or quaternion }`);
+        throw new TypeError(`${name} is ${shown(s)}, not a shape: { a, b, c }, { min, max }, { center, halfExtents, axes or quaternion }, { center, radius } or { a, b, radius }`);
+    }
+    if ('radius' in s) {
+        const ends = 'a' in s ? [...point(`${name}.a`, s.a), ...point(`${name}.b`, s.b)] : point(`${name}.center`, s.center);
+        return [ends.length > 3 ? 5 : 4, [...ends, length(`${name}.radius`, s.radius, exact)]];
     }
     if ('a' in s) return [0, [...point(`${name}.a`, s.a), ...point(`${name}.b`, s.b), ...point(`${name}.c`, s.c)]];
     if ('min' in s) return [1, corners(`${name}.`, s.min, s.max, exact).flat()];
@@ -44,7 +48,7 @@ function shape(name, s) {
         if (!Array.isArray(axes) || axes.length !== 3) throw new TypeError(`${name}.axes are ${shown(axes)}, not three vectors`);
         return [2, [...head, ...axes.flatMap((axis, i) => point(`${name}.axes[${i}]`, axis))]];
     }
-    throw new TypeError(`${name} has neither a, b and c, nor min and max, nor center and halfExtents`);
+    throw new TypeError(`${name} has neither a, b and c, nor min and max, nor center and halfExtents, nor a radius`);
 }
 
 function quaternion(name, q) {
@@ -53,8 +57,11 @@ function quaternion(name, q) {
     return given.map((x, i) => number(`${name}.${'xyzw'[i]}`, x, exact));
 }
 
+const NO_PAIR = -8;
+
 /** What the module refuses, of the first shape or of the second. */
 function refused(code, first, second) {
+    if (code === NO_PAIR) return new TypeError(`there is no such question about ${first} and ${second}: spheres and capsules have it with { a, b, c } and { min, max }`);
     const [name, problem] = code < -16 ? [second, -code - 16] : [first, -code];
     return new RangeError({
         4: `${name}.axes are not unit vectors at right angles`,
@@ -78,9 +85,6 @@ export function overlaps(first, second) {
     return ask('overlaps', first, second) === 1;
 }
 
-const PARTS = ['face', 'edge', 'vertex'];
-const part = (k) => ({ kind: PARTS[k >> 4], number: k & 15 });
-
 /** The least translation that moves the first shape out of the second, and where they meet; null if they are apart or touch. */
 export function contact(first, second) {
     const count = ask('contact', first, second) - 1;
@@ -92,12 +96,12 @@ export function contact(first, second) {
         return { onFirst: three(k), onSecond: three(k + 3), depth: all[k + 6], parts: [part(all[k + 7]), part(all[k + 8])] };
     });
     const [from, one, other] = three(8);
-    const features = [{ first: one }, { second: one }, { edges: [one, other] }][from];
+    const features = [{ first: one }, { second: one }, { edges: [one, other] }, { nearest: [part(one), part(other)] }][from];
     return { translation: three(0), depth: all[3], normal: three(4), isSufficient: all[7] === 1, features, points };
 }
 
-/** Where a ray enters and leaves a box, as parts of its direction: [t, t]; null if it misses. */
-export function rayBox(ray, box) {
+/** The question of a ray's range in a shape. */
+function range(ray, name, given) {
     if (typeof ray !== 'object' || ray === null) throw new TypeError(`ray is ${shown(ray)}, not { origin, direction }`);
     const { near = 0, far = Infinity } = ray;
     const along = [...point('ray.origin', ray.origin), ...direction('ray.direction', ray.direction, exact)];
@@ -106,12 +110,22 @@ export function rayBox(ray, box) {
         if (Number.isNaN(x)) throw new RangeError(`${name} is NaN`);
     }
     if (near > far || near === Infinity || far === -Infinity) throw new RangeError(`the range from ${near} to ${far} is empty`);
-    const [kind, ofBox] = shape('box', box);
-    if (kind === 0) throw new TypeError('box is a triangle');
+    const [kind, numbersOf] = shape(name, given);
+    if ((name === 'sphere') !== (kind === 4) || kind === 0 || kind === 5) throw new TypeError(`${name} is another shape`);
     const all = numbers();
     all.set([...along, near, far], 0);
-    all.set(ofBox, 16);
-    const code = module().ray_box(kind);
-    if (code < 0) throw refused(code, 'ray', 'box');
+    all.set(numbersOf, 16);
+    const code = module().ray_range(kind);
+    if (code < 0) throw refused(code, 'ray', name);
     return code === 1 ? [all[0], all[1]] : null;
+}
+
+/** Where a ray enters and leaves a box, as parts of its direction: [t, t]; null if it misses. */
+export function rayBox(ray, box) {
+    return range(ray, 'box', box);
+}
+
+/** Where a ray enters and leaves a sphere, likewise; both rounded outward. */
+export function raySphere(ray, sphere) {
+    return range(ray, 'sphere', sphere);
 }

@@ -14,11 +14,15 @@ extern crate alloc;
 #[cfg(feature = "mesh")]
 mod closed;
 #[cfg(feature = "mesh")]
+mod contacts;
+#[cfg(feature = "mesh")]
 mod memory;
 #[cfg(feature = "mesh")]
 mod mesh;
 #[cfg(feature = "pairs")]
 mod pairs;
+#[cfg(any(feature = "mesh", feature = "pairs"))]
+mod part;
 #[cfg(feature = "mesh")]
 mod query;
 #[cfg(feature = "mesh")]

@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use septum::Vec3;
+use septum::contact::InteriorEdges;
 use septum::mesh::{MeshError, Node, OwnedTree, OwnedTreeBuilder, Scratch};
 use spin::Mutex;
 
@@ -13,7 +14,8 @@ use crate::memory::{Slots, lock, reaches, say, table};
 pub(crate) enum State {
     Raw(Vec<Vec3<f32>>, Vec<[u32; 3]>),
     InWork(OwnedTreeBuilder<f32>),
-    Built(OwnedTree<f32>),
+    /// With the interior edges of each triangle, once somebody asked for contacts.
+    Built(OwnedTree<f32>, Vec<InteriorEdges>),
 }
 
 pub(crate) static MESHES: Mutex<Slots<State>> = Mutex::new(Slots::EMPTY);
@@ -21,7 +23,7 @@ pub(crate) static MESHES: Mutex<Slots<State>> = Mutex::new(Slots::EMPTY);
 /// What `ask` answers about a mesh; `missing` if there is none.
 pub(crate) fn with<T>(mesh: usize, missing: T, ask: impl FnOnce(&OwnedTree<f32>) -> T) -> T {
     match lock(&MESHES).get(mesh) {
-        Some(State::Built(tree)) => ask(tree),
+        Some(State::Built(tree, _)) => ask(tree),
         _ => missing,
     }
 }
@@ -47,7 +49,7 @@ extern "C" fn mesh(vertices: u32, triangles: u32) -> i32 {
 extern "C" fn vertices(mesh: usize) -> *const Vec3<f32> {
     match lock(&MESHES).get(mesh) {
         Some(State::Raw(vertices, _)) => vertices.as_ptr(),
-        Some(State::Built(tree)) => tree.mesh().vertices().as_ptr(),
+        Some(State::Built(tree, _)) => tree.mesh().vertices().as_ptr(),
         _ => core::ptr::null(),
     }
 }
@@ -57,7 +59,7 @@ extern "C" fn vertices(mesh: usize) -> *const Vec3<f32> {
 extern "C" fn triangles(mesh: usize) -> *const [u32; 3] {
     match lock(&MESHES).get(mesh) {
         Some(State::Raw(_, triangles)) => triangles.as_ptr(),
-        Some(State::Built(tree)) => tree.mesh().triangles().as_ptr(),
+        Some(State::Built(tree, _)) => tree.mesh().triangles().as_ptr(),
         _ => core::ptr::null(),
     }
 }
@@ -96,7 +98,7 @@ extern "C" fn advance(mesh: usize, triangles: usize) -> f32 {
         return builder.progress().min(0.999);
     }
     if let Some(State::InWork(builder)) = meshes.take(mesh) {
-        meshes.put(mesh, State::Built(builder.finish()));
+        meshes.put(mesh, State::Built(builder.finish(), Vec::new()));
     }
     1.0
 }

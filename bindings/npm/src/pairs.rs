@@ -2,8 +2,10 @@
 
 use core::sync::atomic::{AtomicU64, Ordering};
 
-use septum::contact::{self, Contact, Features, Part};
-use septum::{Aabb, Obb, Overlaps, Ray, ShapeError, Triangle};
+use septum::contact::{self, Contact, Features};
+use septum::{Aabb, Capsule, Obb, Overlaps, Ray, ShapeError, Sphere, Triangle};
+
+use crate::part::number;
 
 /// The numbers of two shapes from 0 and 16 on, or of an answer.
 static SHAPES: [AtomicU64; 96] = [const { AtomicU64::new(0) }; 96];
@@ -30,10 +32,12 @@ enum Shape {
     Triangle(Triangle<f64>),
     Aabb(Aabb<f64>),
     Obb(Obb<f64>),
+    Sphere(Sphere<f64>),
+    Capsule(Capsule<f64>),
 }
 
 /// A triangle (0), a box by its corners (1), an oriented box by its axes (2) or by a quaternion
-/// (3).
+/// (3), a sphere (4) or a capsule (5).
 fn shape(kind: u32, at: usize) -> Result<Shape, ShapeError> {
     let point = |k: usize| numbers::<3>(at + 3 * k);
     Ok(match kind {
@@ -43,7 +47,9 @@ fn shape(kind: u32, at: usize) -> Result<Shape, ShapeError> {
             let axes = [point(2), point(3), point(4)];
             Shape::Obb(Obb::new(point(0), axes, point(1))?)
         }
-        _ => Shape::Obb(Obb::from_quaternion(point(0), numbers::<4>(at + 6), point(1))?),
+        3 => Shape::Obb(Obb::from_quaternion(point(0), numbers::<4>(at + 6), point(1))?),
+        4 => Shape::Sphere(Sphere::new(point(0), point(1)[0])?),
+        _ => Shape::Capsule(Capsule::new(point(0), point(1), point(2)[0])?),
     })
 }
 
@@ -57,9 +63,12 @@ fn code(error: ShapeError) -> i32 {
         ShapeError::NotUnitQuaternion => -5,
         ShapeError::ZeroDirection => -6,
         ShapeError::EmptyRange => -7,
-        _ => -8,
+        _ => NO_PAIR,
     }
 }
+
+/// The code of shapes about which there is no such question.
+const NO_PAIR: i32 = -8;
 
 /// What `ask` answers, or the code of an error, less 16 if it is about the second shape.
 fn about(first: u32, second: u32, ask: impl FnOnce(&Shape, &Shape) -> i32) -> i32 {
@@ -70,54 +79,46 @@ fn about(first: u32, second: u32, ask: impl FnOnce(&Shape, &Shape) -> i32) -> i3
     }
 }
 
-/// Whether two shapes overlap: 0 or 1.
-#[unsafe(export_name = "overlaps")]
-extern "C" fn overlaps(first: u32, second: u32) -> i32 {
-    fn with<A>(a: &A, second: &Shape) -> bool
-    where
-        A: Overlaps<Triangle<f64>> + Overlaps<Aabb<f64>> + Overlaps<Obb<f64>>,
-    {
-        match second {
-            Shape::Triangle(b) => a.overlaps(b),
-            Shape::Aabb(b) => a.overlaps(b),
-            Shape::Obb(b) => a.overlaps(b),
+/// A question about two shapes, for each pair that has it.
+macro_rules! each {
+    ($ask:path, $first:ident, $second:ident: $($a:ident $b:ident),*) => {
+        match ($first, $second) {
+            $((Shape::$a(a), Shape::$b(b)) => $ask(a, b),)*
+            _ => return NO_PAIR,
         }
-    }
-    about(first, second, |first, second| {
-        i32::from(match first {
-            Shape::Triangle(a) => with(a, second),
-            Shape::Aabb(a) => with(a, second),
-            Shape::Obb(a) => with(a, second),
-        })
-    })
+    };
+    ($ask:path, $first:ident, $second:ident) => {
+        each!(
+            $ask, $first, $second:
+            Triangle Triangle, Triangle Aabb, Triangle Obb, Aabb Triangle, Aabb Aabb, Aabb Obb,
+            Obb Triangle, Obb Aabb, Obb Obb, Sphere Triangle, Sphere Aabb, Capsule Triangle,
+            Capsule Aabb, Triangle Sphere, Aabb Sphere, Triangle Capsule, Aabb Capsule
+        )
+    };
 }
 
-/// The contact of two shapes: 0 if there is none, else 1 plus the number of its points. The numbers
-/// are then the translation, its depth, its normal, whether it suffices, the features, and for each
-/// point the place on the first shape, on the second, the depth and the two parts.
+/// Whether two shapes overlap: 0 or 1; -8 of spheres and capsules with each other or with oriented
+/// boxes, to keep the module small.
+#[unsafe(export_name = "overlaps")]
+extern "C" fn overlaps(first: u32, second: u32) -> i32 {
+    about(first, second, |first, second| each!(Overlaps::overlaps, first, second).into())
+}
+
+/// The contact of two shapes: 0 if there is none, else 1 plus the number of its points; -8 as for
+/// [`overlaps`]. The numbers are then the translation, its depth, its normal, whether it suffices,
+/// the features, and for each point the place on the first shape, on the second, the depth and the
+/// two parts.
 #[unsafe(export_name = "contact")]
 extern "C" fn contact(first: u32, second: u32) -> i32 {
-    fn with<A: contact::Shape<f64>>(a: &A, second: &Shape) -> Option<Contact<f64>> {
-        match second {
-            Shape::Triangle(b) => contact::contact(a, b),
-            Shape::Aabb(b) => contact::contact(a, b),
-            Shape::Obb(b) => contact::contact(a, b),
-        }
-    }
     about(first, second, |first, second| {
-        let contact = match first {
-            Shape::Triangle(a) => with(a, second),
-            Shape::Aabb(a) => with(a, second),
-            Shape::Obb(a) => with(a, second),
-        };
+        let contact: Option<Contact<f64>> = each!(contact::contact, first, second);
         let Some(contact) = contact else { return 0 };
         let translation = &contact.translation;
         let features = match translation.features {
             Features::First(face) => [0, face, 0],
             Features::Second(face) => [1, face, 0],
             Features::Edges(one, other) => [2, one, other],
-            // Of spheres and capsules only.
-            Features::Nearest(..) => return 0,
+            Features::Nearest(one, other) => [3, number(one), number(other)],
         };
         let head = translation.vector.to_array().into_iter().chain([translation.depth]);
         let head = head.chain(translation.normal.to_array());
@@ -131,30 +132,24 @@ extern "C" fn contact(first: u32, second: u32) -> i32 {
     })
 }
 
-/// Faces from 0, edges from 16, vertices from 32 on.
-fn number(part: Part) -> u8 {
-    match part {
-        Part::Face(k) => k,
-        Part::Edge(k) => 16 + k,
-        Part::Vertex(k) => 32 + k,
-    }
-}
-
-/// Whether a ray, by origin, direction and range, meets a box: 0 or 1. The numbers are then where it
-/// enters and leaves.
-#[unsafe(export_name = "ray_box")]
-extern "C" fn ray_box(kind: u32) -> i32 {
+/// A ray by origin, direction and range.
+fn ray() -> Result<Ray<f64>, ShapeError> {
     let [ox, oy, oz, dx, dy, dz, near, far] = numbers::<8>(0);
     // An infinite end is no end.
     let end = |t: f64| (!t.is_infinite()).then_some(t);
-    let ray = Ray::new([ox, oy, oz], [dx, dy, dz]);
-    let ray = ray.and_then(|ray| ray.with_range(end(near), end(far)));
-    let range = match (ray, shape(kind, 16)) {
+    Ray::new([ox, oy, oz], [dx, dy, dz])?.with_range(end(near), end(far))
+}
+
+/// Whether a ray meets a box or a sphere: 0 or 1. The numbers are then where it enters and leaves.
+#[unsafe(export_name = "ray_range")]
+extern "C" fn ray_range(kind: u32) -> i32 {
+    let range = match (ray(), shape(kind, 16)) {
         (Err(error), _) => return code(error),
         (_, Err(error)) => return code(error) - 16,
         (Ok(ray), Ok(Shape::Aabb(aabb))) => ray.t_range(&aabb),
         (Ok(ray), Ok(Shape::Obb(obb))) => ray.t_range_obb(&obb),
-        (Ok(_), Ok(Shape::Triangle(_))) => return -8,
+        (Ok(ray), Ok(Shape::Sphere(sphere))) => ray.t_range_sphere(&sphere),
+        (Ok(_), Ok(_)) => return NO_PAIR,
     };
     range.map_or(0, |(enters, leaves)| {
         say([enters, leaves]);

@@ -8,10 +8,11 @@ use septum::{Aabb, Cull, Facing, Hit, HitRules, Ray, ShapeError, Sphere};
 
 use crate::memory::{LIST, lock, say};
 use crate::mesh::{MESHES, State, with};
+use crate::part::number_of_feature;
 
 /// What is not an index of a triangle: none, and the reasons why there is no answer.
-const NONE: i32 = -1;
-const REFUSED: i32 = -2;
+pub(crate) const NONE: i32 = -1;
+pub(crate) const REFUSED: i32 = -2;
 
 /// Culls back faces if 1, front faces if 2.
 fn rules(cull: u32) -> HitRules {
@@ -242,12 +243,38 @@ extern "C" fn box_cast(
     })
 }
 
+/// The same of a sphere. The numbers are then the time and the part that it touches, or -1 at the
+/// start.
+#[unsafe(export_name = "sphere_cast")]
+extern "C" fn sphere_cast(
+    mesh: usize,
+    x: f32,
+    y: f32,
+    z: f32,
+    radius: f32,
+    dx: f32,
+    dy: f32,
+    dz: f32,
+) -> i32 {
+    let motion = Motion::new([0.0; 3], [dx, dy, dz]);
+    let (Ok(sphere), Ok(motion)) = (Sphere::new([x, y, z], radius), motion) else {
+        return REFUSED;
+    };
+    with(mesh, NONE, |tree| {
+        tree.as_tree().first_contact(&sphere, &motion).map_or(NONE, |(i, first)| {
+            let part = first.part.map_or(NONE, |part| number_of_feature(part).into());
+            say(0, &[first.t.to_bits(), part as u32]);
+            i as i32
+        })
+    })
+}
+
 /// Lists at most `limit` pairs of triangles of two meshes that overlap, and returns how many it
 /// lists.
 #[unsafe(export_name = "pairs")]
 extern "C" fn pairs(first: usize, second: usize, limit: usize) -> usize {
     let meshes = lock(&MESHES);
-    let (Some(State::Built(first)), Some(State::Built(second))) =
+    let (Some(State::Built(first, _)), Some(State::Built(second, _))) =
         (meshes.get(first), meshes.get(second))
     else {
         return 0;

@@ -36,6 +36,11 @@ const fields = {
     'cast min': (v) => mesh.boxCast(v, V, V),
     'cast max': (v) => mesh.boxCast([-9, -9, -9], v, V),
     motion: (v) => mesh.boxCast(V, V, v),
+    'sphere center': (v) => mesh.sphereCast(v, 1, V),
+    'sphere motion': (v) => mesh.sphereCast(V, 1, v),
+    'contacts center': (v) => mesh.sphereContacts(v, 1),
+    'capsule a': (v) => mesh.capsuleContacts(v, V, 1),
+    'capsule b': (v) => mesh.capsuleContacts(V, v, 1),
     'grid.origin': (v) => mesh.voxelize({ origin: v, cell: 1, size: V }),
     'grid.size': (v) => mesh.voxelize({ origin: V, cell: 1, size: v }),
     'first.a': (v) => pairs.overlaps({ a: v, b: V, c: V }, { min: V, max: V }),
@@ -43,6 +48,9 @@ const fields = {
     'second.center': (v) => pairs.contact({ a: V, b: V, c: V }, { center: v, halfExtents: V }),
     'second.halfExtents': (v) => pairs.contact({ a: V, b: V, c: V }, { center: V, halfExtents: v }),
     'second.axes[1]': (v) => pairs.contact({ a: V, b: V, c: V }, { center: V, halfExtents: V, axes: [[1, 0, 0], v, [0, 0, 1]] }),
+    'first.center': (v) => pairs.contact({ center: v, radius: 1 }, { min: V, max: V }),
+    'first.b': (v) => pairs.contact({ a: V, b: v, radius: 1 }, { min: V, max: V }),
+    'sphere.center': (v) => pairs.raySphere({ origin: V, direction: V }, { center: v, radius: 1 }),
     'ray.origin': (v) => pairs.rayBox({ origin: v, direction: V }, { min: V, max: V }),
     'ray.direction': (v) => pairs.rayBox({ origin: V, direction: v }, { min: V, max: V }),
 };
@@ -52,7 +60,7 @@ for (const [field, ask] of Object.entries(fields)) {
         const name = field.split(' ').at(-1);
         for (const [k, v] of RUBBISH.entries()) {
             // Of f64 the same is a number.
-            const isFine = k === RUBBISH.findIndex((x) => Array.isArray(x) && x[2] === 1e39) && /^(first|second|ray)/.test(field);
+            const isFine = k === RUBBISH.findIndex((x) => Array.isArray(x) && x[2] === 1e39) && /^(first|second|ray|sphere\.)/.test(field);
             if (isFine) continue;
             assert.throws(() => ask(v), (error) => {
                 assert.ok(error instanceof TypeError || error instanceof RangeError, `${error}`);
@@ -103,6 +111,8 @@ test('options and counts say what is wrong', async () => {
     told(() => mesh.overlapsSphere(V, -1), 'radius is -1, which is negative');
     told(() => mesh.overlapsSphere(V), 'radius is undefined, not a number');
     told(() => mesh.trianglesInSphere(V, 1e39), 'radius is 1e+39, which is beyond f32');
+    told(() => mesh.sphereCast(V, -1, V), 'radius is -1, which is negative');
+    told(() => mesh.capsuleContacts(V, V), 'radius is undefined, not a number');
     told(() => mesh.overlapsMesh({}), 'other is an object (Object), not a Mesh');
     told(() => mesh.overlappingPairs(mesh, -1), 'limit is -1, not a whole number from 0 to 4294967295');
     told(() => mesh.corners(4), 'triangle is 4, not a whole number from 0 to 3');
@@ -119,7 +129,15 @@ test('options and counts say what is wrong', async () => {
     told(() => pairs.overlaps({ min: V, max: V }, { center: V, halfExtents: [1, -1, 1] }), 'second.halfExtents.y is -1, below zero');
     told(() => pairs.overlaps({ center: V, halfExtents: V, axes: [V, V, V] }, { min: V, max: V }), 'first.axes are not unit vectors at right angles');
     told(() => pairs.overlaps({ min: V, max: V }, { center: V, halfExtents: V, quaternion: [1, 1, 1, 1] }), 'second.quaternion has not the length 1');
-    told(() => pairs.overlaps({ min: V, max: V }, {}), 'second has neither a, b and c, nor min and max, nor center and halfExtents');
+    told(() => pairs.overlaps({ min: V, max: V }, {}), 'second has neither a, b and c, nor min and max, nor center and halfExtents, nor a radius');
+    const [ball, box] = [{ center: V, radius: 1 }, { min: V, max: V }];
+    told(() => pairs.overlaps(box, { center: V, radius: -1 }), 'second.radius is -1, which is negative');
+    const none = (one, other) => `there is no such question about ${one} and ${other}: spheres and capsules have it with { a, b, c } and { min, max }`;
+    told(() => pairs.contact(ball, ball), none('first', 'second'));
+    told(() => pairs.contact({ center: V, halfExtents: V }, ball), none('first', 'second'));
+    told(() => pairs.overlaps(ball, { center: V, halfExtents: V }), none('first', 'second'));
+    told(() => pairs.rayBox({ origin: V, direction: V }, ball), 'box is another shape');
+    told(() => pairs.raySphere({ origin: V, direction: V }, box), 'sphere is another shape');
     told(() => pairs.rayBox({ origin: V, direction: V, near: 1, far: 0 }, { min: V, max: V }), 'the range from 1 to 0 is empty');
     await assert.rejects(inSteps(7), { message: /^steps are 7/ });
     await assert.rejects(inSteps(Mesh.steps(corners, faces), { slice: 'x' }), { message: 'options.slice is "x", not a number of milliseconds' });
@@ -131,6 +149,6 @@ test('a mesh that is freed answers nothing', () => {
     gone.free();
     gone.free();
     for (const ask of [() => gone.raycast(V, V), () => gone.contains(V), () => gone.voxelize(4), () => mesh.overlapsMesh(gone),
-        () => gone.raycastMany([]), () => gone.openEdge(), () => gone.bounds, () => gone.index]) told(ask, 'the mesh is freed');
+        () => gone.raycastMany([]), () => gone.openEdge(), () => gone.sphereContacts(V, 1), () => gone.bounds, () => gone.index]) told(ask, 'the mesh is freed');
     assert.equal(mesh.contains([0.1, 0.1, 0.1]), true);
 });

@@ -5,11 +5,11 @@
 use std::fs;
 use std::ops::ControlFlow;
 
-use septum::contact::{Features, Part, Shape, contact};
-use septum::mesh::{MeshError, OwnedTree};
+use septum::contact::{ContactWith, Features, InteriorEdges, Part, contact, interior_edges};
+use septum::mesh::{MeshError, OwnedTree, Probe};
 use septum::sweep::Motion;
 use septum::voxel::{Bits, Grid, Rule, Solid};
-use septum::{Aabb, Facing, Hit, Obb, Overlaps, Ray, Sphere, Triangle, Vec3};
+use septum::{Aabb, Capsule, Facing, Feature, Hit, Obb, Overlaps, Ray, Sphere, Triangle, Vec3};
 
 const ROUNDS: usize = 500;
 
@@ -63,6 +63,10 @@ impl Hash {
         let bits = (x + 0.0).to_bits();
         self.add(bits as u32);
         self.add((bits >> 32) as u32);
+    }
+
+    fn add_f32(&mut self, x: f32) {
+        self.add((x + 0.0).to_bits());
     }
 
     fn add_hit(&mut self, triangle: usize, hit: &Hit<f32>) {
@@ -179,6 +183,28 @@ fn meshes(name: &str, (vertices, triangles): Parts) {
         }
         first.is_some()
     });
+    ask("sphereCast", &|stream, hash| {
+        let sphere = Sphere::new(stream.coarse(), stream.below(65) as f32 / 64.0).unwrap();
+        let motion = Motion::new([0.0; 3], stream.coarse()).unwrap();
+        let first = tree.first_contact(&sphere, &motion);
+        if let Some((i, first)) = first {
+            hash.add(i as u32);
+            hash.add_f32(first.t);
+            hash.add(first.part.map_or(u32::MAX, |feature| part(of_triangle(feature))));
+        }
+        first.is_some()
+    });
+    let mut interior = vec![InteriorEdges::NONE; triangles.len()];
+    interior_edges(&mesh, &mut vec![(0, 0); 3 * triangles.len()], &mut interior).unwrap();
+    ask("sphereContacts", &|stream, hash| {
+        let sphere = Sphere::new(stream.coarse(), stream.below(65) as f32 / 16.0).unwrap();
+        contacts(&owned, &sphere, &interior, hash)
+    });
+    ask("capsuleContacts", &|stream, hash| {
+        let ends = [stream.coarse(), stream.coarse()];
+        let radius = stream.below(65) as f32 / 64.0;
+        contacts(&owned, &Capsule::new(ends[0], ends[1], radius).unwrap(), &interior, hash)
+    });
     let mut hash = Hash::NEW;
     for resolution in [1, 7, 33, 64] {
         let grid = Grid::around(&mesh.aabb().unwrap(), resolution, 1).unwrap();
@@ -216,11 +242,46 @@ fn meshes(name: &str, (vertices, triangles): Parts) {
     println!("{name} openEdge: {open}");
 }
 
+/// The package's contacts move the shape, and these the triangle.
+fn contacts<P: Probe<f32>>(
+    owned: &OwnedTree<f32>,
+    shape: &P,
+    interior: &[InteriorEdges],
+    hash: &mut Hash,
+) -> bool
+where
+    Triangle<f32>: ContactWith<f32, P>,
+{
+    let mut all: Vec<_> = owned.as_tree().contacts(shape, interior).unwrap().collect();
+    all.sort_by_key(|(i, _)| *i);
+    for (i, contact) in &all {
+        let (t, [point]) = (contact.translation, contact.points()) else { panic!("one point") };
+        hash.add(*i as u32);
+        t.vector.to_array().into_iter().for_each(|x| hash.add_f32(-x));
+        hash.add_f32(t.depth);
+        t.normal.to_array().into_iter().for_each(|x| hash.add_f32(-x));
+        point.on_first.to_array().into_iter().for_each(|x| hash.add_f32(x));
+        hash.add(2 * u32::from(contact.is_held) + u32::from(t.is_sufficient));
+        hash.add(part(point.parts[0]));
+    }
+    !all.is_empty()
+}
+
+fn of_triangle(feature: Feature) -> Part {
+    match feature {
+        Feature::Interior => Part::Face(0),
+        Feature::Edge(k) => Part::Edge(k),
+        Feature::Vertex(k) => Part::Vertex(k),
+    }
+}
+
 #[derive(Clone, Copy)]
 enum Any {
     Triangle(Triangle<f64>),
     Aabb(Aabb<f64>),
     Obb(Obb<f64>),
+    Sphere(Sphere<f64>),
+    Capsule(Capsule<f64>),
 }
 
 const TURNS: [[f64; 4]; 4] =
@@ -232,7 +293,9 @@ fn any(stream: &mut Stream, kind: usize) -> Any {
     match kind {
         0 => Any::Triangle(Triangle::new(a, b, c).unwrap()),
         1 => Any::Aabb(Aabb::from_points([a, b].map(Vec3::from)).unwrap()),
-        _ => Any::Obb(Obb::from_quaternion(a, turn, b.map(f64::abs)).unwrap()),
+        2 => Any::Obb(Obb::from_quaternion(a, turn, b.map(f64::abs)).unwrap()),
+        3 => Any::Sphere(Sphere::new(a, b[0].abs()).unwrap()),
+        _ => Any::Capsule(Capsule::new(a, b, c[0].abs()).unwrap()),
     }
 }
 
@@ -244,61 +307,65 @@ fn part(part: Part) -> u32 {
     }
 }
 
-fn about<A, B>(a: &A, b: &B, hash: &mut Hash) -> bool
-where
-    A: Overlaps<B> + Shape<f64>,
-    B: Shape<f64>,
-{
-    if let Some(contact) = contact(a, b) {
-        let translation = contact.translation;
-        translation.vector.to_array().into_iter().for_each(|x| hash.add_f64(x));
-        hash.add_f64(translation.depth);
-        translation.normal.to_array().into_iter().for_each(|x| hash.add_f64(x));
-        let features = match translation.features {
-            Features::First(k) => [0, k, 0],
-            Features::Second(k) => [1, k, 0],
-            Features::Edges(i, k) => [2, i, k],
-            Features::Nearest(..) => unreachable!("shapes with flat faces"),
-        };
-        features.into_iter().for_each(|k| hash.add(k.into()));
-        for point in contact.points() {
-            point.on_first.to_array().into_iter().for_each(|x| hash.add_f64(x));
-            point.on_second.to_array().into_iter().for_each(|x| hash.add_f64(x));
-            hash.add_f64(point.depth);
-            point.parts.into_iter().for_each(|k| hash.add(part(k)));
-        }
+fn add_contact<A: ContactWith<f64, B>, B>(a: &A, b: &B, hash: &mut Hash) {
+    let Some(contact) = contact(a, b) else { return };
+    let translation = contact.translation;
+    translation.vector.to_array().into_iter().for_each(|x| hash.add_f64(x));
+    hash.add_f64(translation.depth);
+    translation.normal.to_array().into_iter().for_each(|x| hash.add_f64(x));
+    let features = match translation.features {
+        Features::First(k) => [0, k.into(), 0],
+        Features::Second(k) => [1, k.into(), 0],
+        Features::Edges(i, k) => [2, i.into(), k.into()],
+        Features::Nearest(i, k) => [3, part(i), part(k)],
+    };
+    features.into_iter().for_each(|k| hash.add(k));
+    for point in contact.points() {
+        point.on_first.to_array().into_iter().for_each(|x| hash.add_f64(x));
+        point.on_second.to_array().into_iter().for_each(|x| hash.add_f64(x));
+        hash.add_f64(point.depth);
+        point.parts.into_iter().for_each(|k| hash.add(part(k)));
     }
+}
+
+fn about<A: Overlaps<B> + ContactWith<f64, B>, B>(a: &A, b: &B, hash: &mut Hash) -> bool {
+    add_contact(a, b, hash);
     a.overlaps(b)
 }
 
-fn with<A>(a: &A, b: &Any, hash: &mut Hash) -> bool
-where
-    A: Overlaps<Triangle<f64>> + Overlaps<Aabb<f64>> + Overlaps<Obb<f64>> + Shape<f64>,
-{
-    match b {
-        Any::Triangle(b) => about(a, b, hash),
-        Any::Aabb(b) => about(a, b, hash),
-        Any::Obb(b) => about(a, b, hash),
+/// The answer of a pair that the package has.
+fn ask(first: &Any, second: &Any, hash: &mut Hash) -> bool {
+    macro_rules! each {
+        ($($a:ident $b:ident),*) => {
+            match (first, second) {
+                $((Any::$a(a), Any::$b(b)) => about(a, b, hash),)*
+                _ => unreachable!("not in the package"),
+            }
+        };
     }
+    each!(
+        Triangle Triangle, Triangle Aabb, Triangle Obb, Aabb Triangle, Aabb Aabb, Aabb Obb,
+        Obb Triangle, Obb Aabb, Obb Obb, Sphere Triangle, Sphere Aabb, Capsule Triangle,
+        Capsule Aabb, Triangle Sphere, Aabb Sphere, Triangle Capsule, Aabb Capsule
+    )
 }
 
 fn pairs() {
-    let names = ["triangle", "box", "oriented box"];
-    for (i, k) in (0..9).map(|k| (k / 3, k % 3)) {
+    let names = ["triangle", "box", "oriented box", "sphere", "capsule"];
+    for (i, k) in (0..25).map(|k| (k / 5, k % 5)) {
+        if i > 2 && k > 1 || i > 1 && k > 2 {
+            continue;
+        }
         let (mut stream, mut hash) = (Stream(1), Hash::NEW);
         for _ in 0..ROUNDS {
             let (first, second) = (any(&mut stream, i), any(&mut stream, k));
-            let yes = match &first {
-                Any::Triangle(a) => with(a, &second, &mut hash),
-                Any::Aabb(a) => with(a, &second, &mut hash),
-                Any::Obb(a) => with(a, &second, &mut hash),
-            };
+            let yes = ask(&first, &second, &mut hash);
             hash.yes += u32::from(yes);
             hash.add(yes.into());
         }
         hash.print(&format!("{}, {}", names[i], names[k]));
     }
-    for kind in [1, 2] {
+    for kind in [1, 2, 3] {
         let (mut stream, mut hash) = (Stream(1), Hash::NEW);
         for _ in 0..ROUNDS {
             let (origin, direction) = (stream.fine(), stream.fine());
@@ -307,7 +374,8 @@ fn pairs() {
                 (Err(_), _) => None,
                 (Ok(ray), Any::Aabb(aabb)) => ray.t_range(&aabb),
                 (Ok(ray), Any::Obb(obb)) => ray.t_range_obb(&obb),
-                (_, Any::Triangle(_)) => None,
+                (Ok(ray), Any::Sphere(sphere)) => ray.t_range_sphere(&sphere),
+                (_, Any::Triangle(_) | Any::Capsule(_)) => None,
             };
             hash.yes += u32::from(range.is_some());
             if let Some((enters, leaves)) = range {

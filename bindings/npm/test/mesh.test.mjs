@@ -38,6 +38,23 @@ test('a hit has its point and normal', () => {
     assert.equal(mesh.voxelize(2).has(2, 0, 0), false);
 });
 
+test('spheres and capsules have casts and contacts', () => {
+    const mesh = new Mesh(corners, faces);
+    assert.deepEqual(mesh.sphereCast([0.25, 0.25, -2], 0.25, [0, 0, 2]), { triangle: 0, t: 0.875, part: { kind: 'face', number: 0 } });
+    assert.equal(mesh.sphereCast([0.25, 0.25, 0], 0.25, [0, 0, 1]).part, null);
+    assert.equal(mesh.sphereCast([9, 9, 9], 0.25, [0, 0, 1]), null);
+    const below = mesh.sphereContacts([0.25, 0.25, -0.125], 0.1875);
+    assert.deepEqual(below, [{
+        triangle: 0, translation: [0, 0, -0.0625], depth: 0.0625, normal: [0, 0, -1], isSufficient: true, isHeld: false,
+        point: [0.25, 0.25, 0], part: { kind: 'face', number: 0 },
+    }]);
+    assert.deepEqual(mesh.capsuleContacts([0.25, 0.25, -1], [0.25, 0.25, -0.125], 0.1875), below);
+    // Over the diagonal of a square nothing catches on it.
+    const square = new Mesh([0, 0, 0, 4, 0, 0, 0, 4, 0, 4, 4, 0], [0, 1, 2, 3, 2, 1]);
+    const found = square.sphereContacts([1.875, 2, 0.25], 0.5);
+    assert.deepEqual(found.map(({ triangle, normal }) => [triangle, normal]), [[0, [0, 0, 1]]]);
+});
+
 test('in steps it is the same mesh, and the page is let in', async () => {
     const { positions, index } = sheet(300);
     const once = new Mesh(positions, index);

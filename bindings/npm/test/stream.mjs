@@ -156,6 +156,28 @@ function meshes({ Mesh }, name, [positions, index], lines) {
         }
         return first !== null;
     });
+    ask('sphereCast', (stream, hash) => {
+        const center = stream.coarse();
+        const radius = stream.below(65) / 64;
+        const first = mesh.sphereCast(center, radius, stream.coarse());
+        if (first) {
+            hash.add(first.triangle);
+            hash.addF32(first.t + 0);
+            hash.add(first.part ? part(first.part) : -1);
+        }
+        return first !== null;
+    });
+    const contacts = (hash, found) => {
+        for (const { triangle, translation, depth, normal, isSufficient, isHeld, point, part: on } of found) {
+            hash.add(triangle);
+            for (const x of [...translation, depth, ...normal, ...point]) hash.addF32(x + 0);
+            hash.add(2 * Number(isHeld) + Number(isSufficient));
+            hash.add(part(on));
+        }
+        return found.length > 0;
+    };
+    ask('sphereContacts', (stream, hash) => contacts(hash, mesh.sphereContacts(stream.coarse(), stream.below(65) / 16)));
+    ask('capsuleContacts', (stream, hash) => contacts(hash, mesh.capsuleContacts(stream.coarse(), stream.coarse(), stream.below(65) / 64)));
     const voxels = new Hash();
     for (const resolution of [1, 7, 33, 64]) {
         for (const solid of [false, true]) {
@@ -183,23 +205,31 @@ function any(stream, kind) {
     const quaternion = TURNS[stream.below(4)];
     if (kind === 0) return { a, b, c };
     if (kind === 1) return { min: a.map((x, i) => Math.min(x, b[i])), max: a.map((x, i) => Math.max(x, b[i])) };
-    return { center: a, halfExtents: b.map(Math.abs), quaternion };
+    if (kind === 2) return { center: a, halfExtents: b.map(Math.abs), quaternion };
+    return kind === 3 ? { center: a, radius: Math.abs(b[0]) } : { a, b, radius: Math.abs(c[0]) };
 }
 
 const part = ({ kind, number }) => 16 * ['face', 'edge', 'vertex'].indexOf(kind) + number;
 
-function pairs({ overlaps, contact, rayBox }, lines) {
-    const names = ['triangle', 'box', 'oriented box'];
-    for (let i = 0; i < 3; i += 1) {
-        for (let k = 0; k < 3; k += 1) {
+/** The features of a contact as numbers. */
+function numbered({ first, second, edges, nearest }) {
+    if (nearest) return [3, ...nearest.map(part)];
+    if (edges) return [2, ...edges];
+    return second === undefined ? [0, first, 0] : [1, second, 0];
+}
+
+function pairs({ overlaps, contact, rayBox, raySphere }, lines) {
+    const names = ['triangle', 'box', 'oriented box', 'sphere', 'capsule'];
+    for (let i = 0; i < 5; i += 1) {
+        for (let k = 0; k < 5; k += 1) {
+            if ((i > 2 && k > 1) || (i > 1 && k > 2)) continue;
             const [stream, hash] = [new Stream(1), new Hash()];
             for (let round = 0; round < ROUNDS; round += 1) {
                 const [first, second] = [any(stream, i), any(stream, k)];
                 const found = contact(first, second);
                 if (found) {
                     for (const x of [...found.translation, found.depth, ...found.normal]) hash.addF64(x);
-                    const { first: one, second: two, edges } = found.features;
-                    (edges ? [2, ...edges] : two === undefined ? [0, one, 0] : [1, two, 0]).forEach((x) => hash.add(x));
+                    numbered(found.features).forEach((x) => hash.add(x));
                     for (const { onFirst, onSecond, depth, parts } of found.points) {
                         for (const x of [...onFirst, ...onSecond, depth]) hash.addF64(x);
                         parts.forEach((x) => hash.add(part(x)));
@@ -212,12 +242,13 @@ function pairs({ overlaps, contact, rayBox }, lines) {
             lines.push(hash.print(`${names[i]}, ${names[k]}`));
         }
     }
-    for (const kind of [1, 2]) {
+    for (const kind of [1, 2, 3]) {
         const [stream, hash] = [new Stream(1), new Hash()];
         for (let round = 0; round < ROUNDS; round += 1) {
             const [origin, direction] = [stream.fine(), stream.fine()];
             const box = any(stream, kind);
-            const range = direction.some((x) => x !== 0) ? rayBox({ origin, direction }, box) : null;
+            const ask = kind === 3 ? raySphere : rayBox;
+            const range = direction.some((x) => x !== 0) ? ask({ origin, direction }, box) : null;
             hash.yes += Number(range !== null);
             if (range) range.forEach((x) => hash.addF64(x));
         }
