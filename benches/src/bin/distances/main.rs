@@ -1,16 +1,24 @@
 //! Spheres, capsules and closest points beside the peer's in `f32`: time and wrong answers.
 
+mod contacts;
+mod sweeps;
+
 use clap::Parser;
 use parry3d::math::{Pose, Vector};
 use parry3d::query::details::intersection_test_point_query_ball;
 use parry3d::query::{PointQuery, intersection_test};
 use parry3d::shape::{Ball, Capsule as ParryCapsule, Triangle as ParryTriangle};
 use septum::{Capsule, Sphere, Triangle};
+use septum_benches::sweep::{scene, voorhies, wall};
 use septum_benches::turns::{Method, race};
 use septum_kit::Rng;
 use septum_kit::spheres::{CapsuleCase, Other, SphereCase, SphereSet};
 
-/// Times spheres, capsules and closest points with triangles, and counts wrong answers.
+use crate::contacts::contacts;
+use crate::sweeps::{grazing, sweeps};
+
+/// Times spheres, capsules and closest points with triangles, their contacts and sweeps, and counts
+/// wrong answers.
 #[derive(Parser)]
 #[command(version)]
 struct Options {
@@ -165,6 +173,24 @@ fn closest(title: &str, options: &Options, case: impl Fn(&mut Rng) -> SphereCase
     race(title, options.rounds, cases.len(), &vec![0; cases.len()], &methods);
 }
 
+/// Races methods that tell the number of what is wrong with an answer, and prints how many of a
+/// million answers have each fault.
+fn faults(title: &str, options: &Options, count: usize, names: &[&str], methods: &[Method<'_>]) {
+    race(title, options.rounds, count, &vec![0; count], methods);
+    for method in methods {
+        let mut seen = vec![0; names.len()];
+        let faults = (0..count).map(|i| (method.ask)(i));
+        faults.filter(|&fault| fault > 0).for_each(|fault| seen[fault as usize - 1] += 1);
+        let all = names.iter().zip(&seen).filter(|(_, n)| **n > 0);
+        let all: Vec<_> = all
+            .map(|(name, n)| format!("{name} {:.0}", f64::from(*n) * 1e6 / count as f64))
+            .collect();
+        if !all.is_empty() {
+            println!("    {}: {}", method.name, all.join(", "));
+        }
+    }
+}
+
 fn main() {
     let options = Options::parse();
     println!("Triangles in f32 with other shapes; wrong answers per million.");
@@ -175,4 +201,17 @@ fn main() {
     capsules("capsules about to touch", &options, |rng| SphereSet::Random.capsule(rng));
     closest("closest points, anywhere", &options, anywhere);
     closest("closest points, of slivers", &options, |rng| SphereSet::Slivers.case(rng));
+    contacts("contacts of spheres", &options, true, true, capsule_anywhere);
+    contacts("contacts of spheres about to touch", &options, true, false, |rng| {
+        let SphereCase { center, radius, other } = SphereSet::Random.case(rng);
+        CapsuleCase { ends: [center; 2], radius, other }
+    });
+    contacts("contacts of capsules", &options, false, true, capsule_anywhere);
+    contacts("contacts of capsules about to touch", &options, false, false, |rng| {
+        SphereSet::Random.capsule(rng)
+    });
+    sweeps("spheres that move near triangles", &options, voorhies);
+    sweeps("spheres that move among small triangles", &options, scene);
+    sweeps("spheres that are shot through a wall", &options, wall);
+    sweeps("spheres that graze on their way", &options, |rng| grazing(rng, voorhies));
 }
