@@ -14,7 +14,7 @@ use crate::memory::{Slots, lock, reaches, say, table};
 pub(crate) enum State {
     Raw(Vec<Vec3<f32>>, Vec<[u32; 3]>),
     InWork(OwnedTreeBuilder<f32>),
-    /// With the interior edges of each triangle, once somebody asked for contacts.
+    /// With the interior edges of each triangle, after the first question about contacts.
     Built(OwnedTree<f32>, Vec<InteriorEdges>),
 }
 
