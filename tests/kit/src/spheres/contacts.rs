@@ -156,7 +156,8 @@ impl<S: Sample> CapsuleCase<S> {
         let unit =
             all.as_flattened().iter().chain([&t.depth]).fold(0.0, |u: f64, x| u.max(near(*x)));
         let most = 1e-12 * size + 4.0 * unit;
-        for i in 0..3 {
+        // A type without 1 has its greatest number in place of most coordinates of a normal.
+        for i in (0..3).filter(|&i| is_within(&all[3][i])) {
             let along = on_second[i].approximate() - on_first[i].approximate();
             let step = t.normal.to_array()[i].approximate() * t.depth.approximate();
             // A unit of the normal, over the depth.
