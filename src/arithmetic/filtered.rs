@@ -1,8 +1,8 @@
 //! Floats with a bound on their error.
 
 use core::cmp::Ordering;
-use core::ops::Div;
 
+use super::ends::{enclosed, enclosed_on_line};
 use super::float::Float;
 use super::multiples::in_forty_bits;
 use super::quad::{OfFour, Quad};
@@ -46,20 +46,6 @@ pub(super) fn compare_quotient<F: Float>(
     } else {
         None
     }
-}
-
-/// Two numbers that enclose num/den, if the divisor is known to a quarter. Beside the errors of
-/// both, the quotient and each end are rounded once.
-#[inline(always)]
-pub(super) fn enclosed<F: Float + Div<Output = F>>(
-    num: F,
-    den: F,
-    [error, other]: [F; 2],
-) -> Option<[F; 2]> {
-    let (q, two) = (num / den, F::from(2));
-    let bound = two * (error + q.magnitude() * other) / den;
-    let bound = bound + (bound + q.magnitude()).error(CLEARANCE + CLEARANCE);
-    (two * two * other <= den).then(|| [q - bound, q + bound])
 }
 
 macro_rules! embeds {
@@ -120,6 +106,17 @@ macro_rules! embeds {
             #[inline(always)]
             fn coordinate(num: $to, den: $to, errors: [$to; 2]) -> Option<$from> {
                 Self::nearest(enclosed(num, den, errors)?)
+            }
+            #[inline(always)]
+            fn on_line(
+                a: &[$to; 3],
+                v: &[$to; 3],
+                num: $to,
+                den: $to,
+                errors: ($to, $to, $to),
+            ) -> Option<[$from; 3]> {
+                let [x, y, z] = enclosed_on_line(a, v, num, den, errors)?;
+                Some([Self::nearest(x)?, Self::nearest(y)?, Self::nearest(z)?])
             }
             #[inline(always)]
             fn compare_quotient(

@@ -9,7 +9,8 @@ use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 use super::big_int::BigInt;
-use super::filtered::{Filtered, compare_quotient, enclosed};
+use super::ends::{enclosed, enclosed_on_line};
+use super::filtered::{Filtered, compare_quotient};
 use super::integer::{Int8, Int16, Int32, Int64, below};
 use super::limbs_of_areas::Limbs4;
 use super::nearest_whole::{nearest_of_all, nearest_whole, nearest_whole_of_row};
@@ -295,6 +296,19 @@ impl<S: InRaw<Raw = i32>> Embeds<S> for Filtered<f64> {
     #[inline(always)]
     fn coordinate(num: f64, den: f64, errors: [f64; 2]) -> Option<S> {
         <Self as Embeds<S>>::nearest(enclosed(num, den, errors)?)
+    }
+    /// In units of the last place.
+    #[inline(always)]
+    fn on_line(
+        a: &[f64; 3],
+        v: &[f64; 3],
+        num: f64,
+        den: f64,
+        errors: (f64, f64, f64),
+    ) -> Option<[S; 3]> {
+        let [x, y, z] = enclosed_on_line(a, v, num, den, errors)?;
+        let nearest = <Self as Embeds<S>>::nearest;
+        Some([nearest(x)?, nearest(y)?, nearest(z)?])
     }
     #[inline(always)]
     fn compare_quotient(num: f64, den: f64, errors: [f64; 2], t: S) -> Option<Ordering> {

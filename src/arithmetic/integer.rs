@@ -17,7 +17,7 @@
 //! | near·m, with m = abs(d), or b − a of a segment | 3·2^(2k+1) | 2^16.6 | 2^38.6 | 2^58.6 | 2^122.6 |
 //! | 2·near·one, with F fraction bits | 3·2^(k+1+F) | 2^17.6 | 2^52.6 | 2^62.6 | 2^126.6 |
 //!
-//! | product of two areas, not doubled | 12·2^(4k+4) | 2^35.6 | 2^79.6 | 2^119.6 | 2^247.6 |
+//! | products of two areas, not doubled | 18·2^(4k+4) | 2^36.2 | 2^80.2 | 2^120.2 | 2^248.2 |
 //! | product of two volumes, not doubled | 36·2^(6k+6) | 2^53.2 | 2^119.2 | 2^179.2 | 2^371.2 |
 //! | the same by size | 36·2^(6m) | | | 2^125.2 for m = 20 | 2^251.2 for m = 41 |
 //!

@@ -4,6 +4,7 @@ mod big_int;
 mod circle;
 mod double;
 mod enclosed;
+mod ends;
 mod filtered;
 #[cfg(feature = "fixed")]
 mod fixed;

@@ -272,6 +272,21 @@ pub trait Embeds<S>: Arithmetic {
     /// 0.51 units in the last place. `None` if it is not known as well. The divisor is above zero.
     fn coordinate(num: Self::Sextic, den: Self::Sextic, errors: [Self::Sextic; 2]) -> Option<S>;
 
+    /// The point a + v·num/den, each coordinate as of [`coordinate`](Self::coordinate), given the
+    /// errors of `v` beside a roundoff of itself, of `num` and of `den`. Numbers without errors have
+    /// [`coordinate`](Self::coordinate) instead.
+    #[inline(always)]
+    fn on_line(
+        a: &[Self::Length; 3],
+        v: &[Self::Area; 3],
+        num: Self::Volume,
+        den: Self::Quartic,
+        errors: (Self::Area, Self::Volume, Self::Quartic),
+    ) -> Option<[S; 3]> {
+        let _ = (a, v, num, den, errors);
+        None
+    }
+
     /// How num/den compares with `t`, if `num` and `den` err by up to `errors` and `den` is
     /// certainly above zero. `None` in doubt.
     fn compare_quotient(

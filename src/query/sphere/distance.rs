@@ -67,11 +67,12 @@ impl<N: Arithmetic> Quotient<N> {
 
     /// The quotient for a triangle whose closest part is this feature.
     #[inline(always)]
-    fn of_triangle(feature: Feature, Around { d, e, n, errors }: &Around<N>, uv: N::Area) -> Self {
+    fn of_triangle(feature: Feature, around: &Around<N>, uv: N::Area) -> Self {
+        let Around { d, e, errors, .. } = around;
         match feature {
             Feature::Vertex(k) => Self::of_point(pick(d, k.into()), uv),
             Feature::Edge(k) => Self::of_line(pick(d, k.into()), pick(e, k.into()), uv, errors),
-            Feature::Interior => Self::of_plane(&d[0], n, uv, errors),
+            Feature::Interior => Self::of_plane(&d[0], &around.normal(), uv, errors),
         }
     }
 
@@ -103,7 +104,7 @@ impl<S: Scalar> Predicate<S> for Apart<'_, S, Triangle<S>> {
         let [a, b, c] = self.shape.points();
         let [a, b, c, p, [u, v, _]] = N::embed(&[a, b, c, self.point, units()])?;
         let around = Around::<N>::new(&p, &[a, b, c])?;
-        let feature = feature::<S, N>(&around)?;
+        let feature = feature::<N>(&around)?;
         Some(Some(Quotient::of_triangle(feature, &around, N::area(u, v)).rounded()?))
     }
 }
@@ -125,9 +126,9 @@ impl<S: Scalar> Predicate<S> for Apart<'_, S, Segment<S>> {
                 ([three(|i| d[i] + b[i]), from::<N>(&d, &b)], three(|i| b[i] + b[i]))
             }
         };
-        let errors = Errors::<N>::new(largest_of::<N, 3>(&[d[0], d[1], e]), N::Length::ZERO)?;
+        let errors = Errors::<N>::of_lengths(largest_of::<N, 3>(&[d[0], d[1], e]))?;
         let uv = N::area(u, v);
-        let squared = match feature_of_segment::<S, N>(&d, &e, &errors)? {
+        let squared = match feature_of_segment::<N>(&d, &e, &errors)? {
             Feature::Vertex(k) => Quotient::<N>::of_point(&d[usize::from(k == 1)], uv),
             _ => Quotient::of_line(&d[0], &e, uv, &errors),
         };
@@ -229,7 +230,7 @@ impl<S: Scalar> Triangle<S> {
     ///
     /// *Errors*: [`ShapeError::NotFinite`] if a coordinate is NaN or infinite. *Panics*: never.
     ///
-    /// *Cost*: 60 to 80 multiplications and a division; in `f64` the quotient takes exact integers.
+    /// *Cost*: 20 to 60 multiplications and a division; in `f64` the quotient takes exact integers.
     ///
     /// ```
     /// use septum::Triangle;

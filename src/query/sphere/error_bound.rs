@@ -9,10 +9,12 @@
 //! | a·b | R² | 20 | 3 terms likewise, 5 of the sums |
 //! | (a × b)·c | R³ | 88 | 3 terms of 14 + 2·3, 10 of the sums, and second orders |
 //! | (a × b)·(c × d) | R⁴ | 192 | 3 terms of 2·2·14 + 4, 12 of the sums |
+//! | p·(q + r) + q·s, all of them a·b | R⁴ | 345 | 5 errors of 20 times 3; 9 of q + r, 36 of the rest |
 //!
-//! `error_bound.g` proves these, second orders and underflow included. A square of a number x with
-//! an error δ is off by δ·(2·|x| + δ), and the sum of three squares by 3 roundings of the sum more.
-//! Products of numbers that are not negative are off by a roundoff for each operation.
+//! `error_bound.g`, `side.g` and `side_by_dots.g` prove these, second orders and underflow included.
+//! A square of a number x with an error δ is off by δ·(2·|x| + δ), and the sum of three squares by 3
+//! roundings of the sum more. Products of numbers that are not negative are off by a roundoff for
+//! each operation.
 //!
 //! Underflow: R lies where the area R² is in range, so that products of six lengths stay normal
 //! numbers, or lose less than the bounds leave. A sum of squares alone has
@@ -24,6 +26,7 @@ const MINOR: u16 = 18;
 const DOT: u16 = 24;
 const VOLUME: u16 = 120;
 const SIDE: u16 = 240;
+const SIDE_BY_DOTS: u16 = 420;
 
 /// Roundoffs of a sum of three squares of differences, compared with the square of a radius that
 /// may be a sum.
@@ -64,6 +67,16 @@ impl<N: Arithmetic> Errors<N> {
         is_known.then(|| Self::of_area(area, size))
     }
 
+    /// The errors for lengths up to `size`, without a radius; `None` out of range.
+    #[inline(always)]
+    pub(super) fn of_lengths(size: N::Length) -> Option<Self> {
+        if N::CERTAIN {
+            return Some(Self::NONE);
+        }
+        let area = N::area(size, size);
+        area.in_range().then(|| Self::of_area(area, size))
+    }
+
     /// The errors of products of a length up to `size` and a component of a direction up to `d`,
     /// which is not a length; `None` out of range.
     #[inline(always)]
@@ -81,6 +94,16 @@ impl<N: Arithmetic> Errors<N> {
     #[inline(always)]
     pub(in crate::query) fn side_of(size: N::Length, d: N::Length) -> N::Quartic {
         N::quartic(N::area(size, d), N::area(size, size)).error(SIDE)
+    }
+
+    /// The error of p·(q + r) + q·s, of dot products of lengths up to `size`.
+    #[inline(always)]
+    pub(super) fn side_by_dots(size: N::Length) -> N::Quartic {
+        if N::CERTAIN {
+            return N::Quartic::ZERO;
+        }
+        let area = N::area(size, size);
+        N::quartic(area, area).error(SIDE_BY_DOTS)
     }
 
     #[inline(always)]

@@ -1,17 +1,22 @@
 //! The part of a triangle closest to a point, and the foot of the point on it.
 
 use super::error_bound::{Errors, PRODUCT};
-use super::kernel::{along, around, largest_of, part, product, squared};
+use super::kernel::{around, largest_of, part, product, squared};
 use crate::arithmetic::{Arithmetic, Embeds, Number, cross, greatest, three};
 use crate::query::Feature;
 use crate::query::orientation::Vector;
-use crate::robust::certain_sign;
 use crate::scalar::Scalar;
 
-/// Whether a sign is certainly zero or below. Zero stands for doubt, unless nothing is rounded.
+/// Whether a number is certainly above zero, if it errs by up to `error`.
 #[inline(always)]
-fn is_not_above<S, N: Embeds<S>>(sign: i8) -> bool {
-    if N::CERTAIN { sign <= 0 } else { sign < 0 }
+fn is_above<N: Arithmetic, T: Number>(x: T, error: T) -> bool {
+    if N::CERTAIN { x.is_positive() } else { x > error }
+}
+
+/// Whether a number is certainly zero or below. In floats zero is in doubt.
+#[inline(always)]
+fn is_not_above<N: Arithmetic, T: Number>(x: T, error: T) -> bool {
+    if N::CERTAIN { !x.is_positive() } else { x < -error }
 }
 
 /// A triangle around a point.
@@ -20,9 +25,9 @@ pub(super) struct Around<N: Arithmetic> {
     pub(super) d: [Vector<N>; 3],
     /// The edges.
     pub(super) e: [Vector<N>; 3],
-    /// The normal.
-    pub(super) n: [N::Area; 3],
     pub(super) errors: Errors<N>,
+    /// The error of [`side`].
+    pub(super) side: N::Quartic,
 }
 
 impl<N: Arithmetic> Around<N> {
@@ -31,80 +36,97 @@ impl<N: Arithmetic> Around<N> {
     pub(super) fn new(point: &Vector<N>, vertices: &[Vector<N>; 3]) -> Option<Self> {
         let [d, e] = around::<N>(point, vertices);
         let size = greatest(largest_of::<N, 3>(&d), largest_of::<N, 3>(&e));
-        let errors = Errors::<N>::new(size, N::Length::ZERO)?;
-        let n = part(|| cross::<N>(&e[0], &e[1]));
-        Some(Self { d, e, n, errors })
+        let errors = Errors::<N>::of_lengths(size)?;
+        Some(Self { d, e, errors, side: Errors::<N>::side_by_dots(size) })
+    }
+
+    /// The normal.
+    #[inline(always)]
+    pub(super) fn normal(&self) -> [N::Area; 3] {
+        part(|| cross::<N>(&self.e[0], &self.e[1]))
     }
 }
 
 /// The part of a segment closest to a point, with vectors from its ends to the point; `None` in
 /// doubt.
 #[inline(always)]
-pub(super) fn feature_of_segment<S, N: Embeds<S>>(
+pub(super) fn feature_of_segment<N: Arithmetic>(
     d: &[Vector<N>; 2],
     e: &Vector<N>,
     errors: &Errors<N>,
 ) -> Option<Feature> {
-    let [start, end] = [0, 1].map(|k: usize| certain_sign(product::<N>(&d[k], e), errors.dot));
-    if is_not_above::<S, N>(start) {
+    let [start, end] = [0, 1].map(|k: usize| product::<N>(&d[k], e));
+    if is_not_above::<N, _>(start, errors.dot) {
         Some(Feature::Vertex(0))
-    } else if is_not_above::<S, N>(-end) {
+    } else if is_not_above::<N, _>(-end, errors.dot) {
         Some(Feature::Vertex(1))
     } else {
-        (start > 0 && end < 0).then_some(Feature::Edge(0))
+        let is_between = is_above::<N, _>(start, errors.dot) && is_above::<N, _>(-end, errors.dot);
+        is_between.then_some(Feature::Edge(0))
     }
+}
+
+/// n·(e × d) for the edge e before another, f, by the dot products at its ends.
+///
+/// With e·e = e·d − e·d', and n·(e × d) = (e·e)·(f·d) − (e·d)·(e·f), it is (e·d)·(e·d' + f·d') +
+/// (e·d')·(g·d): d' goes from the end of e, where f starts, and the third edge, g, ends at its start.
+#[inline(always)]
+pub(super) fn side<N: Arithmetic>(
+    [start, end]: [N::Area; 2],
+    after: N::Area,
+    before: N::Area,
+) -> N::Quartic {
+    part(|| N::quartic(start, end + after) + N::quartic(end, before))
 }
 
 /// The part of a triangle closest to a point; `None` in doubt.
 #[inline(always)]
-pub(super) fn feature<S, N: Embeds<S>>(Around { d, e, n, errors }: &Around<N>) -> Option<Feature> {
+pub(super) fn feature<N: Arithmetic>(around: &Around<N>) -> Option<Feature> {
+    let Around { d, e, errors, side: error } = around;
     let next = |k: usize| (k + 1) % 3;
-    // Whether the point is past the start of an edge, and past its end.
-    let starts = three(|k| certain_sign(product::<N>(&d[k], &e[k]), errors.dot));
-    let ends = three(|k| certain_sign(product::<N>(&d[next(k)], &e[k]), errors.dot));
+    // Whether the point is past the end of an edge, and not past the start of the next.
+    let (mut starts, mut ends) = ([N::Area::ZERO; 3], [N::Area::ZERO; 3]);
     for k in 0..3 {
-        if is_not_above::<S, N>(-ends[k]) && is_not_above::<S, N>(starts[next(k)]) {
-            return Some(Feature::Vertex(next(k) as u8));
+        let v = next(k);
+        (ends[k], starts[v]) = (product::<N>(&d[v], &e[k]), product::<N>(&d[v], &e[v]));
+        if is_not_above::<N, _>(-ends[k], errors.dot) & is_not_above::<N, _>(starts[v], errors.dot)
+        {
+            return Some(Feature::Vertex(v as u8));
         }
     }
-    let sides = three(|k| {
-        // Not indexed in the part, which would check the bounds.
-        let (e, d) = (&e[k], &d[k]);
-        certain_sign(along::<N>(n, &part(|| cross::<N>(e, d))), errors.side)
-    });
+    let mut is_inside = true;
     for k in 0..3 {
-        if is_not_above::<S, N>(sides[k]) && starts[k] > 0 && ends[k] < 0 {
+        let side = side::<N>([starts[k], ends[k]], starts[next(k)], ends[next(next(k))]);
+        if is_not_above::<N, _>(side, *error)
+            & is_above::<N, _>(starts[k], errors.dot)
+            & is_above::<N, _>(-ends[k], errors.dot)
+        {
             return Some(Feature::Edge(k as u8));
         }
+        is_inside &= is_above::<N, _>(side, *error);
     }
-    (sides == [1; 3]).then_some(Feature::Interior)
+    is_inside.then_some(Feature::Interior)
 }
 
 /// A point on the line through `a` along `e`, if `d` is the vector from `a` to another point.
-#[inline(never)]
+#[inline(always)]
 pub(super) fn on_edge<S: Scalar, N: Embeds<S>>(
     [a, d, e]: [&Vector<N>; 3],
     one: N::Length,
     errors: &Errors<N>,
 ) -> Option<[S; 3]> {
-    let (ee, de) = (product::<N>(e, e), product::<N>(d, e));
-    let cube = N::volume(N::area(one, one), one);
-    let den = N::sextic(N::volume(ee, one), cube);
-    let coordinate = |i: usize| {
-        let num = N::sextic(N::volume(ee, a[i]) + N::volume(de, e[i]), cube);
-        if N::CERTAIN {
-            return N::coordinate(num, den, [N::Sextic::ZERO; 2]);
-        }
-        let (a, e) = (a[i].magnitude(), e[i].magnitude());
-        let error = N::volume(errors.dot, e)
-            + (N::volume(ee, a) + N::volume(de.magnitude(), e)).error(PRODUCT);
-        N::coordinate(num, den, [N::sextic(error, cube), den.error(PRODUCT)])
-    };
-    all(three(|i| part(|| coordinate(i))))
+    if N::CERTAIN {
+        return exactly_on_edge::<S, N>([a, d, e], one);
+    }
+    let num = N::volume(product::<N>(d, e), one);
+    let den = N::quartic(product::<N>(e, e), N::area(one, one));
+    let step = three(|i| N::area(e[i], one));
+    let errors = (N::Area::ZERO, N::volume(errors.dot, one), den.error(PRODUCT));
+    N::on_line(a, &step, num, den, errors)
 }
 
 /// The foot of a point over a plane with this normal, if n·d is `volume`.
-#[inline(never)]
+#[inline(always)]
 pub(super) fn on_face<S: Scalar, N: Embeds<S>>(
     p: &Vector<N>,
     n: &[N::Area; 3],
@@ -112,22 +134,42 @@ pub(super) fn on_face<S: Scalar, N: Embeds<S>>(
     one: N::Length,
     errors: &Errors<N>,
 ) -> Option<[S; 3]> {
-    let (nn, unit) = (squared::<N>(n, errors.minor), N::area(one, one));
-    let den = N::sextic_of_areas(nn.value, unit);
+    let nn = squared::<N>(n, errors.minor);
+    if N::CERTAIN {
+        return exactly_on_face::<S, N>(p, n, volume, nn.value, one);
+    }
+    let errors = (errors.minor, errors.volume, nn.error);
+    N::on_line(p, n, -volume, nn.value, errors)
+}
+
+#[inline(never)]
+fn exactly_on_edge<S: Scalar, N: Embeds<S>>(
+    [a, d, e]: [&Vector<N>; 3],
+    one: N::Length,
+) -> Option<[S; 3]> {
+    let (ee, de) = (product::<N>(e, e), product::<N>(d, e));
+    let cube = N::volume(N::area(one, one), one);
+    let den = N::sextic(N::volume(ee, one), cube);
     let coordinate = |i: usize| {
-        let of_point = N::sextic_of_areas(nn.value, N::area(p[i], one));
+        let num = N::sextic(N::volume(ee, a[i]) + N::volume(de, e[i]), cube);
+        N::coordinate(num, den, [N::Sextic::ZERO; 2])
+    };
+    all(three(|i| part(|| coordinate(i))))
+}
+
+#[inline(never)]
+fn exactly_on_face<S: Scalar, N: Embeds<S>>(
+    p: &Vector<N>,
+    n: &[N::Area; 3],
+    volume: N::Volume,
+    nn: N::Quartic,
+    one: N::Length,
+) -> Option<[S; 3]> {
+    let den = N::sextic_of_areas(nn, N::area(one, one));
+    let coordinate = |i: usize| {
+        let of_point = N::sextic_of_areas(nn, N::area(p[i], one));
         let of_normal = N::sextic(volume, N::volume(n[i], one));
-        let num = of_point - of_normal;
-        if N::CERTAIN {
-            return N::coordinate(num, den, [N::Sextic::ZERO; 2]);
-        }
-        let (p, n) = (p[i].magnitude(), n[i].magnitude());
-        let error = N::sextic_of_areas(nn.error, N::area(p, one))
-            + N::sextic(errors.volume, N::volume(n + errors.minor, one))
-            + N::sextic(volume.magnitude(), N::volume(errors.minor, one))
-            + (of_point.magnitude() + of_normal.magnitude()).error(PRODUCT);
-        let other = N::sextic_of_areas(nn.error, unit) + den.error(PRODUCT);
-        N::coordinate(num, den, [error, other])
+        N::coordinate(of_point - of_normal, den, [N::Sextic::ZERO; 2])
     };
     all(three(|i| part(|| coordinate(i))))
 }

@@ -4,6 +4,7 @@ mod closest;
 mod distance;
 mod error_bound;
 mod foot;
+mod in_double;
 mod kernel;
 #[cfg(feature = "fixed")]
 mod near;
