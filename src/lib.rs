@@ -50,7 +50,7 @@
 //! | segment, box | [`overlaps`][segment-aabb] | [`may_overlap`][segment-aabb] |
 //! | ray, box | [`overlaps`][ray-aabb], [`t_range`](Ray::t_range), [`crossings`](Ray::crossings) | [`may_overlap`][ray-aabb] |
 //! | ray or segment, oriented box | [`overlaps`][ray-obb], [`t_range_obb`](Ray::t_range_obb), [`crossings_obb`](Ray::crossings_obb) | [`may_overlap`][ray-obb] |
-//! | ray, sphere | [`overlaps`][sphere-ray], [`t_range_sphere`](Ray::t_range_sphere) | the same |
+//! | ray, sphere or capsule | [`overlaps`][sphere-ray], [`t_range_sphere`](Ray::t_range_sphere), [`t_range_capsule`](Ray::t_range_capsule) | the same |
 //! | triangle, many boxes | [`PreparedTriangle::overlaps`](prepared::PreparedTriangle::overlaps) | |
 //! | many rays, many triangles | [`HitRay::hit`](prepared::HitRay::hit), [`HitRay::is_hit`](prepared::HitRay::is_hit) | |
 //! | ray, many boxes | [`PreparedRay::overlaps`](prepared::PreparedRay::overlaps) | [`SlabRay::may_overlap`](published::slabs::SlabRay::may_overlap) |

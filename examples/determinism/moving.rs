@@ -1,9 +1,11 @@
 //! Questions about rays and spheres, and about spheres that move.
 
+use core::iter;
+
 use septum::mesh::{Index, Tree};
 use septum::relation::Relation;
 use septum::sweep::{Motion, SphereContact, Sweep};
-use septum::{Feature, Sphere, Vec3};
+use septum::{Capsule, Feature, Sphere, Vec3};
 
 use super::super::draw::Draw;
 use super::answers::{Answers, Hash};
@@ -43,11 +45,13 @@ pub(super) fn spheres<S: Draw, A: Answers>(
     for (center, radius) in [(p, d.x), (d, q.y), (middle, d.z), (a, q.x), (q, S::ZERO)] {
         let Ok(sphere) = Sphere::new(center, radius.size()) else { continue };
         if let Some(ray) = ray {
-            let answer = answers.to(Query::RaySphereRange);
-            answer.range(ray.t_range_sphere(&sphere));
-            for range in [[Some(S::ZERO), Some(d.y.size())], [None, Some(q.x)], [None; 2]] {
-                let ray = ray.with_range(range[0], range[1]);
-                ray.iter().for_each(|ray| answer.range(ray.t_range_sphere(&sphere)));
+            let capsule = Capsule::new(center, p, sphere.radius());
+            let ranges = [[Some(S::ZERO), Some(d.y.size())], [None, Some(q.x)], [None; 2]];
+            let cut = ranges.iter().filter_map(|[from, to]| ray.with_range(*from, *to).ok());
+            for ray in iter::once(*ray).chain(cut) {
+                answers.to(Query::RaySphereRange).range(ray.t_range_sphere(&sphere));
+                let answer = answers.to(Query::RayCapsuleRange);
+                capsule.iter().for_each(|capsule| answer.range(ray.t_range_capsule(capsule)));
             }
         }
         for (from, to) in [(center, middle), (p, q), (b, d)] {

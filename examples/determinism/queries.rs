@@ -154,6 +154,7 @@ queries! {
     SphereObb = "sphere/obb relation",
     CapsuleObb = "capsule/obb relation",
     RaySphereRange = "ray/sphere t_range_sphere",
+    RayCapsuleRange = "ray/capsule t_range_capsule",
     SphereTriangleSweep = "sphere/triangle first_contact",
     SphereAabbSweep = "sphere/aabb first_contact",
     SphereAlong = "sphere relation_along",

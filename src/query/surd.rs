@@ -58,7 +58,14 @@ pub(super) trait Question<S: Scalar, const K: usize> {
     }
 }
 
-/// A root of a·t² − 2·p·t + c, where a is above zero and p is not below it: the magnitude alone.
+/// Whether a number is certainly above zero; `None` in doubt.
+#[inline(always)]
+pub(super) fn is_above<T: Number>(x: T) -> Option<bool> {
+    Some(sign_of(x)? == Ordering::Greater)
+}
+
+/// A root of a·t² − 2·p·t + c, where a is above zero: the magnitude alone. Only
+/// [`lesser`](Self::lesser) takes a p below zero.
 pub(super) struct Surd<T> {
     pub(super) a: T,
     pub(super) p: T,
@@ -176,5 +183,13 @@ impl<T: Enclosed> Surd<T> {
         } else {
             low.saturating_add(more).min(end)
         }))
+    }
+    /// The lesser root, or minus that, rounded likewise.
+    pub(super) fn lesser<S: Scalar>(self, is_minus: bool, is_up: bool) -> Option<S> {
+        // For p below zero, it is minus the greater root for −p.
+        let is_back = sign_of(self.p)? == Ordering::Less;
+        let is_negative = is_back || sign_of(self.c)? == Ordering::Less;
+        let p = if is_back { -self.p } else { self.p };
+        Self { p, is_far: is_back, ..self }.rounded(is_negative != is_minus, is_up)
     }
 }

@@ -14,6 +14,9 @@ fn check<S: Sample>(case: &CapsuleCase<S>) -> Ordering {
     let truth = case.truth();
     let (answers, relation) = (case.answers(), case.relation());
     assert!(answers.check(truth, relation), "{answers:?} {truth:?} {relation:?} {case:?}");
+    if let Some(range) = case.check_range() {
+        assert!(range.is_ok(), "{range:?} {case:?}");
+    }
     truth
 }
 

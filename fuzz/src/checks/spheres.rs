@@ -8,7 +8,7 @@ use septum::Obb;
 use septum_kit::Sample;
 use septum_kit::spheres::{CapsuleCase, Other, Point, SphereCase, SphereSweep};
 
-/// `overlaps`, `relation`, `contains`, `distance_squared`, `t_range_sphere`, and the sweeps.
+/// `overlaps`, `relation`, `contains`, `distance_squared`, where a ray enters, and the sweeps.
 pub fn spheres(data: &[u8]) {
     run::<Spheres>(data);
 }
@@ -47,6 +47,8 @@ impl Check for Spheres {
             let ray = Other::Ray([shapes.point(), ends[1]], [Some(radius), None]);
             check(ends, radius, ray);
             let case = SphereCase { center, radius, other: ray };
+            assert!(case.check_range().is_none_or(|x| x.is_ok()), "{}", told::<S>(&case));
+            let case = CapsuleCase { ends, radius, other: ray };
             assert!(case.check_range().is_none_or(|x| x.is_ok()), "{}", told::<S>(&case));
         }
         if matches!(other, Other::Triangle(_) | Other::Box(_)) {

@@ -7,13 +7,16 @@
 //! `overlaps`, and a question about distances.
 
 mod aabb;
+mod crossing;
 #[cfg(feature = "fixed")]
 mod near;
 mod obb;
+mod range;
 mod ray;
 mod relation;
 
 pub(super) use self::aabb::box_lies_beyond;
+pub(super) use self::crossing::Crossing;
 use super::Overlaps;
 use super::orientation::{Vector, from};
 use super::segment_triangle::Passes;

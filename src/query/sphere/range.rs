@@ -6,12 +6,42 @@
 use core::cmp::Ordering;
 
 use crate::arithmetic::{Arithmetic, Enclosed, cross, sign_of};
-use crate::query::orientation::from;
+use crate::query::orientation::{Vector, from};
 use crate::query::surd::{Question, Surd, root};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Sphere};
 
 use super::kernel::{along, product};
+
+/// The equation of the times at which a point is at a distance of √`r2` from the end of m, without its
+/// root.
+#[inline(always)]
+pub(crate) fn at_distance<N: Arithmetic>(
+    m: &Vector<N>,
+    d: &Vector<N>,
+    r2: N::Area,
+) -> Surd<N::Area> {
+    let (a, p, c) = (product::<N>(d, d), product::<N>(m, d), product::<N>(m, m) - r2);
+    Surd { a, p, c, root: None, is_far: false }
+}
+
+/// The same with its root; the second `None` if there is no such time, the first in doubt.
+#[inline(always)]
+pub(crate) fn times_at_distance<N>(
+    equation: Surd<N::Area>,
+    [m, d]: [&Vector<N>; 2],
+    r2: N::Area,
+) -> Option<Option<Surd<N::Area>>>
+where
+    N: Arithmetic<Area: Enclosed, Quartic: Enclosed>,
+{
+    let across = cross::<N>(m, d);
+    let q = N::quartic(equation.a, r2) - along::<N>(&across, &across);
+    if sign_of(q)? == Ordering::Less {
+        return Some(None);
+    }
+    Some(Some(Surd { root: root(q)?, ..equation }))
+}
 
 /// The question where the line of a ray enters and leaves a sphere that it meets.
 struct Range<'a, S>(&'a Ray<S>, &'a Sphere<S>);
@@ -30,17 +60,10 @@ impl<S: Scalar> Question<S, 4> for Range<'_, S> {
         N: Arithmetic<Area: Enclosed, Quartic: Enclosed, Sextic: Enclosed>,
     {
         let (m, r2) = (from::<N>(center, o), N::area(*r, *r));
-        let (a, p, c) = (product::<N>(d, d), product::<N>(&m, d), product::<N>(&m, &m) - r2);
-        let across = cross::<N>(&m, d);
-        let root = root(N::quartic(a, r2) - along::<N>(&across, &across))?;
-        // The root with the greater magnitude has the sign of p.
-        let is_back = sign_of(p)? == Ordering::Less;
-        let is_inside = sign_of(c)? == Ordering::Less;
-        let p = if is_back { -p } else { p };
-        let surd = |is_far: bool| Surd { a, p, c, root, is_far };
-        let far = surd(true).rounded(is_back, !is_back)?;
-        let near = surd(false).rounded(is_back != is_inside, is_back)?;
-        Some(if is_back { (far, near) } else { (near, far) })
+        let forward = times_at_distance::<N>(at_distance::<N>(&m, d, r2), [&m, d], r2)??;
+        // As of a ray in the opposite direction.
+        let backward = Surd { p: -forward.p, ..forward };
+        Some((forward.lesser(false, false)?, backward.lesser(true, true)?))
     }
 }
 

@@ -3,26 +3,24 @@
 //! m goes from the centre to a vertex, e along an edge, and d along the way. The sphere meets the
 //! plane when n·(m − t·d) is r·|n|, the line of an edge when |(m − t·d) × e| is r·|e|, and a vertex
 //! when |m − t·d| is r. Squared, each is a quadratic equation in t. Its lesser root counts if the
-//! centre is then over the face, or between the ends of the edge; around a vertex it always counts.
-//! The least is the time of contact, because the centre enters all points within r of the triangle
-//! there, and these parts cover all of them.
+//! centre is then over the face; edges and vertices are [`Crossing`]s. The least is the time of
+//! contact: these parts cover all points within r of the triangle.
 //!
-//! Whether a root lies before a rational time is a sign at that time. When the centre is over the end
-//! of an edge, with k = e·d and h = e·m, k times the vector to that vertex is w = k·m − h·d, and w·w
-//! compares with r²·k²: products of six lengths. When it is in the plane through an edge at right
-//! angles to the face, n·(m − t·d) is −n²·D/β, with D = e·(m × d) and β = n·(e × d). So n²·D²
-//! compares with r²·β²: products of ten.
+//! Whether a root lies before a rational time is a sign at that time. When the centre is in the plane
+//! through an edge at right angles to the face, n·(m − t·d) is −n²·D/β, with D = e·(m × d) and β =
+//! n·(e × d). So n²·D² compares with r²·β²: products of ten.
 
 use core::cmp::Ordering;
 
 use super::{Passing, SphereContact};
 use crate::arithmetic::{
-    Arithmetic, Enclosed, Number, compare_products, cross, dot, pick, sign_of, three,
+    Arithmetic, Enclosed, Number, compare_products, cross, dot, pick, sign_of,
 };
 use crate::query::Feature;
+use crate::query::capsule::Crossing;
 use crate::query::orientation::{Vector, from};
-use crate::query::sphere::{along, product};
-use crate::query::surd::{Question, Surd, root};
+use crate::query::sphere::along;
+use crate::query::surd::{Question, Surd, is_above, root};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -32,12 +30,6 @@ struct Course<N: Arithmetic> {
     e: [Vector<N>; 3],
     d: Vector<N>,
     r2: N::Area,
-}
-
-/// Whether a number is certainly above zero; `None` in doubt.
-#[inline(always)]
-fn is_above<T: Number>(x: T) -> Option<bool> {
-    Some(sign_of(x)? == Ordering::Greater)
 }
 
 impl<N> Course<N>
@@ -107,81 +99,35 @@ where
         Some(order == moves)
     }
 
+    /// A segment that is an edge, or ends at a vertex.
+    #[inline(always)]
+    fn crossing(&self, k: usize) -> Crossing<N> {
+        let Self { m, e, d, r2 } = self;
+        let next = if k == 2 { 0 } else { k + 1 };
+        Crossing { m: [*pick(m, k), *pick(m, next)], e: *pick(e, k), d: *d, r2: *r2 }
+    }
+
     /// The line of an edge.
     #[inline(never)]
     fn edge(&self, k: usize) -> Option<Option<Surd<N::Quartic>>> {
-        let (next, d) = (if k == 2 { 0 } else { k + 1 }, &self.d);
-        let (m, e) = (pick(&self.m, k), pick(&self.e, k));
-        let (speed, gap) = (cross::<N>(d, e), cross::<N>(m, e));
-        let (a, p) = (along::<N>(&speed, &speed), along::<N>(&speed, &gap));
-        if !is_above(a)? || !is_above(p)? {
+        let crossing = self.crossing(k);
+        let Some(line) = crossing.line()? else { return Some(None) };
+        if !is_above(line.p)? || !is_above(line.c)? {
             return Some(None);
         }
-        let ee = product::<N>(e, e);
-        let c = along::<N>(&gap, &gap) - N::quartic(ee, self.r2);
-        if !is_above(c)? {
-            return Some(None);
-        }
-        let volume = self.across(k);
-        let q = N::sextic_of_areas(a, self.r2) - N::sextic(volume, volume);
-        if sign_of(q)? == Ordering::Less {
-            return Some(None);
-        }
-        // The centre is between the ends if h < t·k < h + e·e.
-        let (along, h) = (product::<N>(e, d), product::<N>(e, m));
-        let (h, ends) = ([h, h + ee], [m, pick(&self.m, next)]);
-        let is_between = match sign_of(along)? {
-            Ordering::Equal => is_above(-h[0])? && is_above(h[1])?,
-            Ordering::Greater => {
-                self.order(ends[0], along, h[0])? == Ordering::Greater
-                    && self.order(ends[1], along, h[1])? == Ordering::Less
-            }
-            Ordering::Less => {
-                self.order(ends[1], -along, -h[1])? == Ordering::Greater
-                    && self.order(ends[0], -along, -h[0])? == Ordering::Less
-            }
-        };
-        if !is_between {
-            return Some(None);
-        }
-        let root = root(q)?.zip(root(ee)?).map(|(q, length)| q.times(length));
-        Some(Some(Surd { a, p, c, root, is_far: false }))
-    }
-
-    /// How the time of an edge compares with h/k, when the centre is over its end; k is above zero.
-    fn order(&self, m: &Vector<N>, k: N::Area, h: N::Area) -> Option<Ordering> {
-        if !is_above(h)? {
-            return Some(Ordering::Greater);
-        }
-        let d = &self.d;
-        let approach =
-            sign_of(N::quartic(product::<N>(d, m), k) - N::quartic(product::<N>(d, d), h))?;
-        let w = three(|i| N::volume(k, m[i]) - N::volume(h, d[i]));
-        let square = |i: usize| N::sextic(w[i], w[i]);
-        let reach = N::sextic_of_areas(N::quartic(k, k), self.r2);
-        Some(match sign_of(square(0) + square(1) + square(2) - reach)? {
-            Ordering::Greater if approach == Ordering::Greater => Ordering::Greater,
-            Ordering::Equal if approach != Ordering::Less => Ordering::Equal,
-            _ => Ordering::Less,
-        })
+        crossing.between(line)
     }
 
     /// A vertex.
     #[inline(never)]
     fn vertex(&self, k: usize) -> Option<Option<Surd<N::Area>>> {
-        let Self { m, d, r2, .. } = self;
-        let m = pick(m, k);
-        let (a, p) = (product::<N>(d, d), product::<N>(d, m));
-        let c = product::<N>(m, m) - *r2;
-        if !is_above(p)? || !is_above(c)? {
+        let crossing = self.crossing(k);
+        let m = &crossing.m[0];
+        let end = crossing.end(m);
+        if !is_above(end.p)? || !is_above(end.c)? {
             return Some(None);
         }
-        let across = cross::<N>(m, d);
-        let q = N::quartic(a, *r2) - along::<N>(&across, &across);
-        if sign_of(q)? == Ordering::Less {
-            return Some(None);
-        }
-        Some(Some(Surd { a, p, c, root: root(q)?, is_far: false }))
+        crossing.around(m, end)
     }
 }
 
