@@ -1,7 +1,7 @@
 //! Pairs of shapes that meet in every way, from the numbers of a path.
 
 use septum::sweep::Motion;
-use septum::{Aabb, Obb, Ray, Triangle};
+use septum::{Aabb, Capsule, Obb, Ray, Sphere, Triangle, Vec3};
 
 use crate::draw::{Draw, Raw};
 
@@ -49,6 +49,43 @@ pub(crate) fn triangle_obb<S: Raw>(draw: &mut Draw) -> Option<(Triangle<S>, Obb<
     let axes = axes.map(|u| draw.vector::<S>(u));
     let obb = Obb::from_skewed_axes(draw.vector(center), axes, draw.vector(half)).ok()?;
     Some((triangle, obb))
+}
+
+fn triangle<S: Raw>(draw: &mut Draw) -> Option<Triangle<S>> {
+    let [a, b, c] = [(); 3].map(|()| draw.point());
+    Triangle::new(draw.vector(a), draw.vector(b), draw.vector(c)).ok()
+}
+
+fn any_point<S: Raw>(draw: &mut Draw) -> Vec3<S> {
+    let p = draw.point();
+    draw.vector(p)
+}
+
+/// A radius is a coordinate without its sign. On a grid it is often the distance.
+fn radius<S: Raw>(draw: &mut Draw) -> S {
+    let p = draw.point().map(i64::saturating_abs);
+    draw.vector::<S>(p).x
+}
+
+pub(crate) fn sphere<S: Raw>(draw: &mut Draw) -> Option<(Triangle<S>, Sphere<S>)> {
+    let triangle = triangle(draw)?;
+    let center = any_point::<S>(draw);
+    Some((triangle, Sphere::new(center, radius(draw)).ok()?))
+}
+
+pub(crate) fn capsule<S: Raw>(draw: &mut Draw) -> Option<(Triangle<S>, Capsule<S>)> {
+    let triangle = triangle(draw)?;
+    let ends = [any_point::<S>(draw), any_point(draw)];
+    Some((triangle, Capsule::new(ends[0], ends[1], radius(draw)).ok()?))
+}
+
+/// A triangle and a sphere that moves.
+type Rolling<S> = (Triangle<S>, (Sphere<S>, Motion<S>));
+
+pub(crate) fn sphere_sweep<S: Raw>(draw: &mut Draw) -> Option<Rolling<S>> {
+    let (triangle, sphere) = sphere(draw)?;
+    let motion = Motion::new(any_point::<S>(draw), any_point(draw)).ok()?;
+    Some((triangle, (sphere, motion)))
 }
 
 /// Three of four rays go to a point of the triangle: its interior, an edge or a vertex. In half of

@@ -9,7 +9,9 @@ use septum::relation::{Relate, Relation};
 use septum::sweep::Sweep;
 
 use crate::CORE;
-use crate::cases::{ray_triangle, sweep, triangle_aabb, triangle_obb};
+use crate::cases::{
+    capsule, ray_triangle, sphere, sphere_sweep, sweep, triangle_aabb, triangle_obb,
+};
 use crate::draw::{Draw, Path, Raw, Rng};
 use crate::firmware::say;
 use crate::meter::{Ask, Meter, Taken};
@@ -25,6 +27,8 @@ const AABB: &str = "triangle/box";
 const OBB: &str = "triangle/oriented box";
 const IS_HIT: &str = "ray/triangle is_hit";
 const HIT: &str = "ray/triangle hit";
+const SPHERE: &str = "sphere/triangle";
+const CAPSULE: &str = "capsule/triangle";
 /// The slowest rules: a hit on an edge takes further tests.
 const ONCE: HitRules = HitRules::new().once();
 
@@ -43,11 +47,21 @@ pub(crate) fn near(meter: &Meter) {
         let (ray, triangle) = ray_triangle::<S>(draw)?;
         Some((ray.near().ok()?, triangle.near().ok()?))
     };
+    let sphere = |draw: &mut Draw| {
+        let (triangle, sphere) = sphere::<S>(draw)?;
+        Some((triangle.near().ok()?, sphere.near().ok()?))
+    };
+    let capsule = |draw: &mut Draw| {
+        let (triangle, capsule) = capsule::<S>(draw)?;
+        Some((triangle.near().ok()?, capsule.near().ok()?))
+    };
     let lines = Lines { meter, scalar: S::NAME, reach: "near", most: NEAR };
     lines.say(AABB, aabb, |t, b| t.overlaps(b));
     lines.say(OBB, obb, |t, b| t.overlaps(b));
     lines.say(IS_HIT, ray, |r, t| r.is_hit_with(t, ONCE));
     lines.say(HIT, ray, |r, t| black_box(r.hit_with(t, ONCE)).is_some());
+    lines.say(SPHERE, sphere, |t, b| t.overlaps(b));
+    lines.say(CAPSULE, capsule, |t, b| t.overlaps(b));
 }
 
 /// Shapes anywhere.
@@ -63,6 +77,9 @@ pub(crate) fn any<S: Raw>(meter: &Meter) {
 pub(crate) fn longer(meter: &Meter) {
     type S = I16F16;
     let lines = Lines { meter, scalar: S::NAME, reach: "any", most: S::BITS - 1 };
+    lines.say("triangle/box relation", triangle_aabb::<S>, |t, b| {
+        t.relation(b) != Relation::Disjoint
+    });
     lines.say("triangle/oriented box relation", triangle_obb::<S>, |t, b| {
         t.relation(b) != Relation::Disjoint
     });
@@ -72,6 +89,14 @@ pub(crate) fn longer(meter: &Meter) {
     });
     lines
         .say("triangle/box contact", triangle_aabb::<S>, |t, b| black_box(contact(t, b)).is_some());
+    lines.say(SPHERE, sphere::<S>, |t, b| t.overlaps(b));
+    lines.say(CAPSULE, capsule::<S>, |t, b| t.overlaps(b));
+    lines.say("triangle closest point", sphere::<S>, |t, b| {
+        black_box(t.closest_point(b.center())).is_ok()
+    });
+    lines.say("sphere/triangle first_contact", sphere_sweep::<S>, |t, (b, m)| {
+        black_box(b.first_contact(m, t)).is_some()
+    });
 }
 
 struct Lines<'a> {
