@@ -1,9 +1,9 @@
-//! Shapes that move past a box.
+//! Shapes that move past a box, and a sphere past a triangle.
 
 use septum::sweep::{Motion, Sweep};
-use septum::{Aabb, Triangle};
+use septum::{Aabb, Sphere, Triangle};
 
-use crate::workload::{Coordinate, HALF, Point, Rng, first, vector, voorhies};
+use crate::workload::{Coordinate, HALF, Point, Rng, first, sphere, vector, voorhies};
 
 /// A shape at the start, and its motion.
 pub(crate) struct Moving<S, Shape> {
@@ -44,4 +44,21 @@ pub(crate) fn cube_hits<S: Coordinate>(rng: &mut Rng) -> Scene<S, Aabb<S>> {
 
 pub(crate) fn cube_misses<S: Coordinate>(rng: &mut Rng) -> Scene<S, Aabb<S>> {
     first(rng, cube, false, |m, aabb| m.shape.meets_along(&m.motion, aabb))
+}
+
+/// A sphere that moves, and a triangle.
+type Ball<S> = Option<(Moving<S, Sphere<S>>, Triangle<S>)>;
+
+fn ball<S: Coordinate>(rng: &mut Rng) -> Ball<S> {
+    let (triangle, shape) = sphere(rng)?;
+    Some((Moving { shape, motion: motion(rng)? }, triangle))
+}
+
+/// Not at the start.
+pub(crate) fn ball_hits<S: Coordinate>(rng: &mut Rng) -> Ball<S> {
+    first(rng, ball, true, |m, t| !m.shape.overlaps(t) && m.shape.meets_along(&m.motion, t))
+}
+
+pub(crate) fn ball_misses<S: Coordinate>(rng: &mut Rng) -> Ball<S> {
+    first(rng, ball, false, |m, t| m.shape.meets_along(&m.motion, t))
 }

@@ -144,6 +144,24 @@ pub(crate) fn distances<S: Coordinate>(meter: &Meter) {
             black_box(t.closest_point(b.center())).is_ok()
         })];
     lines::<S, _, _>(meter, "random", workload::sphere, &queries);
+    let queries: [Query<Triangle<S>, Sphere<S>>; 1] =
+        [("sphere/triangle contact", "points", |t, b| contact(b, t).is_some())];
+    lines::<S, _, _>(meter, "full", workload::meeting_sphere, &queries);
+    let queries: [Query<Triangle<S>, Capsule<S>>; 1] =
+        [("capsule/triangle contact", "points", |t, b| contact(b, t).is_some())];
+    lines::<S, _, _>(meter, "full", workload::meeting_capsule, &queries);
+    let queries: [Query<Moving<S, Sphere<S>>, Triangle<S>>; 2] = [
+        ("sphere/triangle sweep", "whether", |m, t| m.shape.meets_along(&m.motion, t)),
+        ("sphere/triangle sweep", "when", |m, t| m.shape.first_contact(&m.motion, t).is_some()),
+    ];
+    lines::<S, _, _>(meter, "hit", moving::ball_hits, &queries);
+    lines::<S, _, _>(meter, "miss", moving::ball_misses, &queries);
+    let queries: [Query<Ray<S>, Sphere<S>>; 1] =
+        [("ray/sphere", "t_range", |r, b| r.t_range_sphere(b).is_some())];
+    lines::<S, _, _>(meter, "hit", workload::sphere_hit, &queries);
+    let queries: [Query<Ray<S>, Capsule<S>>; 1] =
+        [("ray/capsule", "t_range", |r, b| r.t_range_capsule(b).is_some())];
+    lines::<S, _, _>(meter, "hit", workload::capsule_hit, &queries);
 }
 
 /// Whether shapes are disjoint, touch or overlap.

@@ -236,6 +236,18 @@ pub(crate) fn meeting_obbs<S: Coordinate>(rng: &mut Rng) -> Option<(Obb<S>, Obb<
     first(rng, obbs, true, |one, other| one.overlaps(other))
 }
 
+/// A ray that enters the sphere.
+pub(crate) fn sphere_hit<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Sphere<S>)> {
+    let rays = |rng: &mut Rng| Some((ray(rng.point(), rng.point())?, sphere(rng)?.1));
+    first(rng, rays, true, |ray, sphere| sphere.overlaps(ray))
+}
+
+/// A ray that enters the capsule.
+pub(crate) fn capsule_hit<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Capsule<S>)> {
+    let rays = |rng: &mut Rng| Some((ray(rng.point(), rng.point())?, capsule(rng)?.1));
+    first(rng, rays, true, |ray, capsule| capsule.overlaps(ray))
+}
+
 /// A ray from one point towards another.
 fn ray<S: Coordinate>(from: Point, to: Point) -> Option<Ray<S>> {
     let direction = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
