@@ -12,12 +12,12 @@ use super::big_int::BigInt;
 use super::ends::{enclosed, enclosed_on_line};
 use super::filtered::{Filtered, compare_quotient};
 use super::integer::{Int8, Int16, Int32, Int64, below};
-use super::limbs_of_areas::Limbs4;
+use super::limbs_of_areas::{Limbs2, Limbs4};
 use super::nearest_whole::{nearest_of_all, nearest_whole, nearest_whole_of_row};
 use super::number::Number;
 use super::quotient::Dividend;
 use super::system::{Arithmetic, Embeds, convert};
-use super::window::Window;
+use super::window::{ShortWindow, Window};
 use super::words::{InRaw, InWholeWord, InWord, WholeVolume, WholeWord};
 
 /// A type, its integers, and the coordinates that they hold.
@@ -96,66 +96,66 @@ embeds!(FixedI64, LeEqU64, Int64, i64, Window, |all| {
     below(all.as_flattened().iter().map(|x| x.to_bits()), 60)
 });
 
-/// Every type in a window.
+/// A type, the window that holds it, and the window's numbers.
 macro_rules! in_window {
-    ($($fixed:ident, $bound:ident;)*) => {$(
-        impl<Frac: $bound> Embeds<$fixed<Frac>> for Window {
-            type OfAreas = Limbs4;
+    ($($fixed:ident, $bound:ident: $window:ty, $length:ty, $of_areas:ty;)*) => {$(
+        impl<Frac: $bound> Embeds<$fixed<Frac>> for $window {
+            type OfAreas = $of_areas;
 
             #[inline(always)]
             fn holds<const K: usize>(_: &[[$fixed<Frac>; 3]; K]) -> bool {
                 true
             }
-            fn embed_held<const K: usize>(all: &[[$fixed<Frac>; 3]; K]) -> [[i128; 3]; K] {
+            fn embed_held<const K: usize>(all: &[[$fixed<Frac>; 3]; K]) -> [[$length; 3]; K] {
                 convert(all, 0, |x| x.to_bits().into())
             }
-            fn one() -> Option<BigInt<8>> {
+            fn one() -> Option<<$window as Arithmetic>::Product> {
                 Some((1_i128 << <$fixed<Frac>>::FRAC_NBITS).into())
             }
-            fn times_one(d: i128) -> Option<BigInt<4>> {
+            fn times_one(d: $length) -> Option<<$window as Arithmetic>::Area> {
                 Some(Self::area(2 * d, 1 << <$fixed<Frac>>::FRAC_NBITS))
             }
 
             const DIVIDES: bool = true;
 
-            fn quotient_of_lengths(num: i128, den: i128) -> $fixed<Frac> {
+            fn quotient_of_lengths(num: $length, den: $length) -> $fixed<Frac> {
                 <$fixed<Frac>>::clamped(num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
             }
             fn quotients(
-                num: [BigInt<6>; 3],
-                den: BigInt<6>,
-                _: [BigInt<6>; 2],
+                num: [<$window as Arithmetic>::Volume; 3],
+                den: <$window as Arithmetic>::Volume,
+                _: [<$window as Arithmetic>::Volume; 2],
             ) -> ([$fixed<Frac>; 3], bool) {
-                let of = |num: BigInt<6>| {
+                let of = |num: <$window as Arithmetic>::Volume| {
                     <$fixed<Frac>>::clamped(num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
                 };
                 (num.map(of), true)
             }
             fn coordinate(
-                num: BigInt<12>,
-                den: BigInt<12>,
-                _: [BigInt<12>; 2],
+                num: <$window as Arithmetic>::Sextic,
+                den: <$window as Arithmetic>::Sextic,
+                _: [<$window as Arithmetic>::Sextic; 2],
             ) -> Option<$fixed<Frac>> {
                 Some(<$fixed<Frac>>::clamped(num.quotient(den, 0)))
             }
             fn compare_quotient(
-                num: BigInt<6>,
-                den: BigInt<6>,
-                _: [BigInt<6>; 2],
+                num: <$window as Arithmetic>::Volume,
+                den: <$window as Arithmetic>::Volume,
+                _: [<$window as Arithmetic>::Volume; 2],
                 t: $fixed<Frac>,
             ) -> Option<Ordering> {
                 let one = 1_i128 << <$fixed<Frac>>::FRAC_NBITS;
-                let num: BigInt<8> = num.times(&BigInt::<2>::from(one));
+                let num: <$window as Arithmetic>::Product = num.times(&BigInt::<2>::from(one));
                 num.partial_cmp(&den.times(&BigInt::<2>::from(i128::from(t.to_bits()))))
             }
         }
     )*};
 }
 in_window! {
-    FixedI8, LeEqU8;
-    FixedI16, LeEqU16;
-    FixedI32, LeEqU32;
-    FixedI64, LeEqU64;
+    FixedI8, LeEqU8: ShortWindow, i64, Limbs2;
+    FixedI16, LeEqU16: ShortWindow, i64, Limbs2;
+    FixedI32, LeEqU32: ShortWindow, i64, Limbs2;
+    FixedI64, LeEqU64: Window, i128, Limbs4;
 }
 
 /// The word of a type, and whether it always holds the coordinates.

@@ -15,6 +15,11 @@ pub struct OfLimbs<const A: usize, const B: usize, const C: usize, const D: usiz
 /// For areas of a [`Window`](super::Window).
 pub(super) type Limbs4 = OfLimbs<4, 8, 12, 16, 24>;
 
+/// For areas of a [`ShortWindow`](super::ShortWindow): corners of an oriented box are below 2^70, so
+/// areas of these below 2^142, volumes below 2^213, and squares of volumes below 2^427.
+#[cfg(feature = "fixed")]
+pub(super) type Limbs2 = OfLimbs<2, 3, 4, 5, 7>;
+
 impl<const A: usize, const B: usize, const C: usize, const D: usize, const E: usize> Arithmetic
     for OfLimbs<A, B, C, D, E>
 {

@@ -79,6 +79,8 @@ pub(crate) use span::{Span, Spanned, Spans};
 pub use system::{Arithmetic, Embeds, OneType};
 pub(crate) use system::{cross, dot, following, of_two, once};
 pub(crate) use wide::I256;
+#[cfg(feature = "fixed")]
+pub use window::ShortWindow;
 pub use window::Window;
 #[cfg(test)]
 pub(crate) use words::SplitSum;

@@ -1,15 +1,28 @@
-//! Exact integers for coordinates that span up to 120 bits.
+//! Exact integers for coordinates that span up to 120 bits, or up to 32.
 
 use core::cmp::Ordering;
+use core::marker::PhantomData;
 
 use super::big_int::BigInt;
 use super::float::{Float, quotient};
 use super::limbs_of_areas::Limbs4;
 use super::multiples::bits;
+use super::number::Number;
 use super::system::{Arithmetic, Embeds, convert};
 
-/// Exact integers for coordinates within 120 bits: lengths in 2 limbs, areas in 4, volumes in 6,
-/// products of four in 8, of six in 12.
+/// Exact integers, from lengths of `N` limbs, in a word `L`, to products of six lengths of `E`; areas
+/// have `A`, volumes `V`, and products of four `Q`.
+#[derive(Clone, Copy, Debug)]
+pub struct Limbwise<
+    L,
+    const N: usize,
+    const A: usize,
+    const V: usize,
+    const Q: usize,
+    const E: usize,
+>(PhantomData<L>);
+
+/// Exact integers for coordinates within 120 bits.
 ///
 /// It holds fixed point of every type. It holds floats if the highest and the lowest bit of all
 /// coordinates are at most 120 places apart, as in nearly every scene. The unit of floats is the
@@ -21,19 +34,27 @@ use super::system::{Arithmetic, Embeds, convert};
 /// With coordinates below 2^120 the table in `integer` gives frames below 2^122, areas below
 /// 2^245, volumes below 2^368 and, for oriented boxes, sums of 30 products of four below 2^489.
 /// Without the frame, squares of volumes are below 2^732.
-#[derive(Clone, Copy, Debug)]
-pub struct Window;
+pub type Window = Limbwise<i128, 2, 4, 6, 8, 12>;
+
+/// The same for coordinates within 32 bits: frames are below 2^34, areas below 2^69, volumes below
+/// 2^104, sums of 30 products of four below 2^137, and squares of volumes below 2^204.
+#[cfg(feature = "fixed")]
+pub type ShortWindow = Limbwise<i64, 1, 2, 2, 3, 4>;
 
 /// The number of bits for the coordinates of a [`Window`].
 const BITS: i32 = 120;
 
-impl Arithmetic for Window {
-    type Length = i128;
-    type Area = BigInt<4>;
-    type Volume = BigInt<6>;
-    type Quartic = BigInt<8>;
-    type Sextic = BigInt<12>;
-    type Product = BigInt<8>;
+impl<L, const N: usize, const A: usize, const V: usize, const Q: usize, const E: usize> Arithmetic
+    for Limbwise<L, N, A, V, Q, E>
+where
+    L: Number + Into<i128> + 'static,
+{
+    type Length = L;
+    type Area = BigInt<A>;
+    type Volume = BigInt<V>;
+    type Quartic = BigInt<Q>;
+    type Sextic = BigInt<E>;
+    type Product = BigInt<Q>;
     type Narrow = Self;
 
     const CERTAIN: bool = true;
@@ -43,37 +64,37 @@ impl Arithmetic for Window {
 
     // Products are out of line, so that all kernels share one copy of each.
     #[inline(never)]
-    fn area(a: i128, b: i128) -> BigInt<4> {
-        BigInt::<2>::from(a).times(&BigInt::<2>::from(b))
+    fn area(a: L, b: L) -> BigInt<A> {
+        BigInt::<N>::from(a.into()).times(&BigInt::<N>::from(b.into()))
     }
     #[inline(never)]
-    fn volume(a: BigInt<4>, b: i128) -> BigInt<6> {
-        a.times(&BigInt::<2>::from(b))
+    fn volume(a: BigInt<A>, b: L) -> BigInt<V> {
+        a.times(&BigInt::<N>::from(b.into()))
     }
     #[inline(never)]
-    fn minor([a, b]: [i128; 2], [c, d]: [i128; 2]) -> BigInt<4> {
+    fn minor([a, b]: [L; 2], [c, d]: [L; 2]) -> BigInt<A> {
         Self::area(a, b) - Self::area(c, d)
     }
     #[inline(never)]
-    fn dot(a: &[BigInt<4>; 3], b: &[i128; 3]) -> BigInt<6> {
+    fn dot(a: &[BigInt<A>; 3], b: &[L; 3]) -> BigInt<V> {
         Self::volume(a[0], b[0]) + Self::volume(a[1], b[1]) + Self::volume(a[2], b[2])
     }
     #[inline(never)]
-    fn quartic(a: BigInt<4>, b: BigInt<4>) -> BigInt<8> {
+    fn quartic(a: BigInt<A>, b: BigInt<A>) -> BigInt<Q> {
         a.times(&b)
     }
     #[inline(never)]
-    fn sextic(a: BigInt<6>, b: BigInt<6>) -> BigInt<12> {
+    fn sextic(a: BigInt<V>, b: BigInt<V>) -> BigInt<E> {
         a.times(&b)
     }
     #[inline(never)]
-    fn sextic_of_areas(a: BigInt<8>, b: BigInt<4>) -> BigInt<12> {
+    fn sextic_of_areas(a: BigInt<Q>, b: BigInt<A>) -> BigInt<E> {
         a.times(&b)
     }
-    fn operand(a: i128) -> BigInt<8> {
-        a.into()
+    fn operand(a: L) -> BigInt<Q> {
+        a.into().into()
     }
-    fn widened(narrow: BigInt<6>) -> BigInt<6> {
+    fn widened(narrow: BigInt<V>) -> BigInt<V> {
         narrow
     }
 }

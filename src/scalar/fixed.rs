@@ -7,7 +7,7 @@ use super::backend::FixedBackend;
 use super::{Backend, Scalar};
 use crate::arithmetic::{
     Embeds, Filtered, InRaw, InWholeWord, Int8, Int16, Int32, Int64, OfFour, Parts, Quad,
-    REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, ShortFloat, Soft, WholeWord, Window,
+    REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, ShortFloat, ShortWindow, Soft, WholeWord, Window,
 };
 use crate::robust::{
     Numeric, Predicate, Stage, Sum, WordKernel, exact_stage, in_quads, integer_stage, note,
@@ -15,7 +15,7 @@ use crate::robust::{
 };
 
 macro_rules! scalar {
-    ($fixed:ident, $bound:ident, $limbs:literal, $float:ident,
+    ($fixed:ident, $bound:ident, $window:ty, $limbs:literal, $float:ident,
      |$p:ident| $words:expr, $evaluate:expr, $numeric:expr, $bounded:expr) => {
         impl<Frac: $bound + Send + Sync + 'static> Scalar for $fixed<Frac> {
             const ZERO: Self = Self::ZERO;
@@ -35,8 +35,8 @@ macro_rules! scalar {
                 [Self::from_bits(1 << half), Self::from_bits(1 << (Self::FRAC_NBITS - half))]
             };
             const IN_QUADS: bool = REGISTERS_ARE_WIDE && <$float as OfFour>::Quad::IS_VECTOR;
-            type SeptumWindow = Window;
-            type SeptumFull = Window;
+            type SeptumWindow = $window;
+            type SeptumFull = $window;
             // Room for the sum of several products of four raw numbers.
             type SeptumSum = Sum<$limbs>;
 
@@ -139,6 +139,7 @@ macro_rules! scalar {
 scalar!(
     FixedI8,
     LeEqU8,
+    ShortWindow,
     1,
     f32,
     |p| within(p.narrow::<i32>().or_else(|| p.narrow_volumes::<i16>())),
@@ -149,6 +150,7 @@ scalar!(
 scalar!(
     FixedI16,
     LeEqU16,
+    ShortWindow,
     2,
     f32,
     |p| in_words::<i32, _, _>(p),
@@ -159,6 +161,7 @@ scalar!(
 scalar!(
     FixedI32,
     LeEqU32,
+    ShortWindow,
     3,
     f32,
     |p| {
@@ -172,6 +175,7 @@ scalar!(
 scalar!(
     FixedI64,
     LeEqU64,
+    Window,
     5,
     f64,
     |p| within(p.narrow::<i128>()),
