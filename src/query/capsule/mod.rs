@@ -14,17 +14,21 @@ mod obb;
 mod range;
 mod ray;
 mod relation;
+mod triangle;
 
 pub(super) use self::aabb::box_lies_beyond;
 pub(super) use self::crossing::Crossing;
+use self::triangle::meets_triangle;
+#[cfg(feature = "fixed")]
+use self::triangle::passes;
+pub(super) use self::triangle::triangle_lies_beyond;
 use super::Overlaps;
 use super::orientation::{Vector, from};
-use super::segment_triangle::Passes;
-use super::sphere::{Ball, OneSide, Reach, around, lies_beyond};
-use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, pick, three};
+use super::sphere::{Ball, Errors, OneSide, Reach, lies_beyond};
+use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, three};
 use crate::robust::{Numeric, Predicate, Profile};
 use crate::scalar::Scalar;
-use crate::shape::{Capsule, Plane, Segment, SegmentForm, Sphere, Triangle, Vec3};
+use crate::shape::{Capsule, Plane, Segment, SegmentForm, Sphere, Vec3};
 
 /// The question whether the boundary of a shape lies farther from a capsule's segment than the
 /// capsule's radius.
@@ -52,44 +56,29 @@ impl<N: Arithmetic> Between<N> {
     /// `Reach::excludes` says.
     #[inline(never)]
     fn is_beyond(&self, reach: &Reach<N>, slack: N::Length) -> Option<bool> {
-        let ([[ac, ad], [bc, bd]], [e, f]) = (self.ends, self.along);
+        self.as_face(|vectors, edges| reach.excludes_face(vectors, edges, slack))
+    }
+
+    /// The same, given the greatest magnitude of all.
+    #[inline(always)]
+    fn is_beyond_by(&self, reach: &Reach<N>, [size, slack]: [N::Length; 2]) -> Option<bool> {
+        let errors = Errors::<N>::new(size, reach.radius())?;
+        self.as_face(|vectors, edges| {
+            if slack == N::Length::ZERO && reach.is_beyond(vectors) {
+                return Some(true);
+            }
+            reach.excludes_near_face(vectors, edges, slack, &errors)
+        })
+    }
+
+    /// The vectors from its vertices to the origin, and its edges.
+    #[inline(always)]
+    fn as_face<T>(&self, f: impl FnOnce(&[Vector<N>; 4], &[Vector<N>; 4]) -> T) -> T {
+        let ([[ac, ad], [bc, bd]], [d, e]) = (self.ends, self.along);
         let back = |v: &Vector<N>| three(|i| -v[i]);
         // A vector to the origin from a vertex of the parallelogram is minus that vertex, a − c.
-        reach.excludes_face(&[ac, bc, bd, ad], &[e, back(&f), back(&e), f], slack)
+        f(&[ac, bc, bd, ad], &[d, back(&e), back(&d), e])
     }
-}
-
-/// Whether a triangle lies farther from a point than the radius; `None` in doubt.
-#[inline(never)]
-fn excludes_triangle<N: Arithmetic>(
-    reach: &Reach<N>,
-    vectors: &[Vector<N>; 3],
-    edges: &[Vector<N>; 3],
-    slack: N::Length,
-) -> Option<bool> {
-    reach.excludes_face(vectors, edges, slack)
-}
-
-/// Whether the ends of a segment along `e` lie farther from a triangle than the radius, and the
-/// segment from its edges; with vectors from the vertices to both ends. The vectors err as
-/// `Reach::excludes` says.
-#[inline(always)]
-pub(super) fn triangle_lies_beyond<N: Arithmetic>(
-    reach: &Reach<N>,
-    to: [&[Vector<N>; 3]; 2],
-    edges: &[Vector<N>; 3],
-    e: &Vector<N>,
-    slack: N::Length,
-) -> Option<bool> {
-    all_beyond((0..5).map(|k| match k {
-        0 => excludes_triangle(reach, to[0], edges, slack),
-        1 => excludes_triangle(reach, to[1], edges, slack),
-        _ => {
-            let (k, next) = (k - 2, (k - 1) % 3);
-            let ends = to.map(|to| [k, next].map(|j| three(|i| -pick(to, j)[i])));
-            Between { ends, along: [*e, *pick(edges, k)] }.is_beyond(reach, slack)
-        }
-    }))
 }
 
 /// Whether all parts lie beyond: `None` if some are in doubt, and none is known to be near.
@@ -144,26 +133,6 @@ impl<S: Scalar> Predicate<S> for Apart<'_, S> {
 
 impl<S: Scalar> Numeric<S> for Apart<'_, S> {}
 
-impl<S: Scalar> Predicate<S> for Beyond<'_, S, Triangle<S>> {
-    type Answer = bool;
-
-    #[inline]
-    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let ([a, b], [p, q, r]) = (self.ends(), self.shape.points());
-        let [a, b, p, q, r, [radius, ..]] = N::embed(&[a, b, p, q, r, [self.capsule.radius(); 3]])?;
-        let reach = Reach::<N>::new(radius, self.ball);
-        // Vectors to the ends of the segment.
-        let [to_a, edges] = around::<N>(&a, &[p, q, r]);
-        let [to_b, _] = around::<N>(&b, &[p, q, r]);
-        let [[u, v, w], [x, y, z]] = [to_a, to_b];
-        if reach.is_beyond(&[u, v, w, x, y, z]) {
-            return Some(true);
-        }
-        let e = from::<N>(&b, &a);
-        triangle_lies_beyond(&reach, [&to_a, &to_b], &edges, &e, N::Length::ZERO)
-    }
-}
-
 /// The question about a capsule's segment and a sphere.
 struct BeyondSphere<'a, S> {
     capsule: &'a Capsule<S>,
@@ -188,20 +157,7 @@ impl<S: Scalar> Numeric<S> for BeyondSphere<'_, S> {}
 
 impl<S, T> Numeric<S> for Beyond<'_, S, T> where Self: Predicate<S> {}
 
-/// The question whether a capsule's segment passes through a triangle, if it is beyond all else.
-#[inline(always)]
-fn passes<'a, S: Scalar>(capsule: &Capsule<S>, triangle: &'a Triangle<S>) -> Passes<'a, S> {
-    let (a, b) = capsule.ends();
-    Passes { ends: [a.to_array(), b.to_array()], triangle }
-}
-
 // Whether each shape meets the capsule, or its points nearer than the radius.
-
-#[inline(always)]
-fn meets_triangle<S: Scalar>(capsule: &Capsule<S>, triangle: &Triangle<S>, ball: Ball) -> bool {
-    !S::evaluate_numeric(&Beyond { capsule, shape: triangle, ball })
-        || S::evaluate(&passes(capsule, triangle))
-}
 
 #[inline(always)]
 fn meets_segment<S: Scalar>(
@@ -223,42 +179,6 @@ fn meets_plane<S: Scalar>(capsule: &Capsule<S>, plane: &Plane<S>, ball: Ball) ->
     let (a, b) = capsule.ends();
     let ends = [a.to_array(), b.to_array()];
     !S::evaluate_numeric(&OneSide { plane, ends, radius: capsule.radius(), ball })
-}
-
-impl<S: Scalar> Overlaps<Triangle<S>> for Capsule<S> {
-    /// Do a capsule and a triangle have a point in common?
-    ///
-    /// *Geometry*: closed sets in one frame and unit. The radius may be zero, the ends of the
-    /// capsule may coincide, the triangle may be a segment or a point.
-    ///
-    /// *Contact*: touching is overlap.
-    ///
-    /// *Numerics*: exact for every valid input, in every scalar. A squared distance is compared with
-    /// the square of the radius, in products of up to six lengths.
-    ///
-    /// *Range*: all finite floats, all fixed-point values; 64-bit fixed point beyond 2⁶⁰ units in
-    /// the last place takes wider integers. In floats, distances within rounding of the radius take
-    /// exact integers.
-    ///
-    /// *Panics*: never. *Cost*: 12 comparisons if a coordinate separates; otherwise a
-    /// [segment and a triangle](Segment#impl-Overlaps<Triangle<S>>-for-Segment<S>), then two
-    /// [spheres](Sphere#impl-Overlaps<Triangle<S>>-for-Sphere<S>) at the ends and three segments
-    /// along the edges, until one is near enough.
-    ///
-    /// ```
-    /// use septum::{Capsule, Triangle};
-    ///
-    /// let t = Triangle::new([0.0_f32, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0])?;
-    /// let across_edge = Capsule::new([2.0, -3.0, 3.0], [2.0, -4.0, 5.0], 4.2426405)?;
-    /// assert!(!across_edge.overlaps(&t)); // the radius is just below √18
-    /// let across_edge = Capsule::new([2.0, -3.0, 3.0], [2.0, -4.0, 5.0], 4.242641)?;
-    /// assert!(across_edge.overlaps(&t));
-    /// # Ok::<(), septum::ShapeError>(())
-    /// ```
-    #[inline]
-    fn overlaps(&self, triangle: &Triangle<S>) -> bool {
-        meets_triangle(self, triangle, Ball::Closed)
-    }
 }
 
 impl<S: Scalar> Overlaps<Segment<S>> for Capsule<S> {

@@ -132,7 +132,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Ray<S>> {
         let size = greatest(greatest(largest(&m[0]), largest(&m[1])), greatest(largest(&e), r));
         let errors = Errors::<N>::with_direction(size, largest(&d))?;
         let n = cross::<N>(&e, &d);
-        let by_plane = reach.excludes_plane(&n, dot::<N>(&n, &m[0]), &errors);
+        let [by_plane] = reach.excludes_planes(&n, [dot::<N>(&n, &m[0])], &errors);
         if by_plane.certain {
             return Some(true);
         }

@@ -43,7 +43,7 @@ pub(in crate::query) struct Errors<N: Arithmetic> {
     /// Of a dot product.
     pub(super) dot: N::Area,
     /// Of a cross product times a vector.
-    pub(super) volume: N::Volume,
+    pub(in crate::query) volume: N::Volume,
     /// Of a cross product times another.
     pub(in crate::query) side: N::Quartic,
 }
@@ -58,7 +58,7 @@ impl<N: Arithmetic> Errors<N> {
 
     /// The errors for lengths up to `size`, with radii up to `radius`; `None` out of range.
     #[inline(always)]
-    pub(super) fn new(size: N::Length, radius: N::Length) -> Option<Self> {
+    pub(in crate::query) fn new(size: N::Length, radius: N::Length) -> Option<Self> {
         if N::CERTAIN {
             return Some(Self::NONE);
         }

@@ -43,9 +43,9 @@ impl Ball {
 
 /// A radius, and its square.
 pub(in crate::query) struct Reach<N: Arithmetic> {
-    radius: N::Length,
-    square: N::Area,
-    ball: Ball,
+    pub(super) radius: N::Length,
+    pub(super) square: N::Area,
+    pub(super) ball: Ball,
 }
 
 /// A number, and a bound on its error.
@@ -73,6 +73,18 @@ pub(in crate::query) fn product<N: Arithmetic>(a: &Vector<N>, b: &Vector<N>) -> 
 #[inline(always)]
 pub(in crate::query) fn along<N: Arithmetic>(a: &[N::Area; 3], b: &[N::Area; 3]) -> N::Quartic {
     part(|| N::quartic(a[0], b[0]) + N::quartic(a[1], b[1]) + N::quartic(a[2], b[2]))
+}
+
+/// a × b.
+#[inline(always)]
+pub(in crate::query) fn minors<N: Arithmetic>(a: &Vector<N>, b: &Vector<N>) -> [N::Area; 3] {
+    part(|| cross::<N>(a, b))
+}
+
+/// a·b, of areas and lengths.
+#[inline(always)]
+pub(in crate::query) fn volume<N: Arithmetic>(a: &[N::Area; 3], b: &Vector<N>) -> N::Volume {
+    part(|| dot::<N>(a, b))
 }
 
 /// v·v, if each component errs by up to `error`.
@@ -155,7 +167,7 @@ impl<N: Arithmetic> Reach<N> {
     /// Whether a segment along `e` lies beyond, with vectors from both ends to the point. Out of
     /// line, because a triangle asks it three times.
     #[inline(never)]
-    fn excludes_edge(
+    pub(super) fn excludes_edge(
         &self,
         [start, end]: [&Vector<N>; 2],
         e: &Vector<N>,
@@ -200,90 +212,12 @@ impl<N: Arithmetic> Reach<N> {
         let c = cross::<N>(e, start);
         self.excludes_edge([start, end], e, &c, slack, &errors).verdict()
     }
-
-    /// Whether a triangle or a parallelogram lies beyond, with vectors from its vertices to the
-    /// point, and edges in the same order; `None` in doubt. The vectors err as `excludes` says.
-    #[inline(always)]
-    pub(in crate::query) fn excludes_face<const K: usize>(
-        &self,
-        vectors: &[Vector<N>; K],
-        edges: &[Vector<N>; K],
-        slack: N::Length,
-    ) -> Option<bool> {
-        if slack == N::Length::ZERO && self.is_beyond(vectors) {
-            return Some(true);
-        }
-        let size = greatest(largest_of::<N, K>(vectors), largest_of::<N, K>(edges));
-        let size = greatest(size, slack);
-        if N::is_narrow(greatest(size, self.radius)) {
-            let narrow =
-                Reach::<N::Narrow> { radius: self.radius, square: self.square, ball: self.ball };
-            narrow.excludes_near_face(vectors, edges, [size, slack])
-        } else {
-            self.excludes_near_face(vectors, edges, [size, slack])
-        }
-    }
-
-    #[inline(always)]
-    fn excludes_near_face<const K: usize>(
-        &self,
-        vectors: &[Vector<N>; K],
-        edges: &[Vector<N>; K],
-        [size, slack]: [N::Length; 2],
-    ) -> Option<bool> {
-        let errors = Errors::<N>::new(size, self.radius)?;
-        let n = part(|| cross::<N>(&edges[0], &edges[1]));
-        let volume = part(|| dot::<N>(&n, &vectors[0]));
-        let by_plane = self.excludes_plane(&n, volume, &errors);
-        if by_plane.certain {
-            return Some(true);
-        }
-        let (mut is_outside, mut by_edges) = (Uncertain::NONE, Uncertain::known(true));
-        for k in 0..K {
-            let (d, e) = (&vectors[k], &edges[k]);
-            let c = part(|| cross::<N>(e, d));
-            let side = along::<N>(&n, &c);
-            let is_out = Uncertain::not_below(-side, errors.side);
-            if is_out.possible {
-                let ends = [d, &vectors[(k + 1) % K]];
-                let by_edge = self.excludes_edge(ends, e, &c, slack, &errors);
-                if !by_edge.possible {
-                    return Some(false);
-                }
-                (is_outside, by_edges) = (is_outside.or(is_out), by_edges.and(by_edge));
-            }
-        }
-        by_plane.or(is_outside).and(by_edges).verdict()
-    }
-
-    /// Whether a plane with normal `n` lies beyond, if n·d is `volume`.
-    #[inline(always)]
-    pub(in crate::query) fn excludes_plane(
-        &self,
-        n: &[N::Area; 3],
-        volume: N::Volume,
-        errors: &Errors<N>,
-    ) -> Uncertain {
-        let normal = squared::<N>(n, errors.minor);
-        let far = part(|| N::sextic(volume, volume));
-        let near = part(|| N::sextic_of_areas(normal.value, self.square));
-        if N::CERTAIN {
-            // A normal of zero excludes nothing.
-            let by_plane = self.excludes_by(far - near, N::Sextic::ZERO);
-            return by_plane.and(Uncertain::known(normal.value > N::Quartic::ZERO));
-        }
-        let most = volume.magnitude() + volume.magnitude() + errors.volume;
-        let error = N::sextic(errors.volume, most)
-            + N::sextic_of_areas(normal.error, self.square)
-            + (far + near).error(PRODUCT);
-        self.excludes_by(far - near, error)
-    }
 }
 
 /// The greatest magnitude in vectors. No kernel asks how large numbers of several words are. LLVM 22
 /// also fails to compile the question for a Cortex-M0.
 #[inline(always)]
-pub(super) fn largest_of<N: Arithmetic, const K: usize>(v: &[Vector<N>; K]) -> N::Length {
+pub(in crate::query) fn largest_of<N: Arithmetic, const K: usize>(v: &[Vector<N>; K]) -> N::Length {
     if N::LARGE {
         return N::Length::ZERO;
     }

@@ -3,6 +3,7 @@
 mod closest;
 mod distance;
 mod error_bound;
+mod face;
 mod foot;
 mod in_double;
 mod kernel;
@@ -17,7 +18,7 @@ mod relation;
 pub use self::closest::Closest;
 pub(crate) use self::distance::compare_distances;
 pub(super) use self::error_bound::{Errors, PRODUCT, SQUARES};
-pub(super) use self::kernel::{Ball, Reach, along, around, product};
+pub(super) use self::kernel::{Ball, Reach, along, around, largest_of, minors, product, volume};
 pub(super) use self::obb::{Corners, corners};
 pub(super) use self::plane::OneSide;
 pub(super) use self::range::{at_distance, times_at_distance};

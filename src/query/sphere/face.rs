@@ -1,0 +1,124 @@
+//! Whether a triangle or a parallelogram lies farther from a point than a radius.
+
+use super::error_bound::{Errors, PRODUCT};
+use super::kernel::{Reach, along, largest_of, minors, part, squared, volume};
+use crate::arithmetic::{Arithmetic, Number, greatest};
+use crate::query::orientation::Vector;
+use crate::robust::Uncertain;
+
+/// Whether a point lies outside of an edge or over it, with the normal of the face, and the cross
+/// product of the edge and the vector to the point.
+#[inline(always)]
+fn lies_outside<N: Arithmetic>(
+    n: &[N::Area; 3],
+    c: &[N::Area; 3],
+    errors: &Errors<N>,
+) -> Uncertain {
+    Uncertain::not_below(-along::<N>(n, c), errors.side)
+}
+
+impl<N: Arithmetic> Reach<N> {
+    /// Whether a triangle or a parallelogram lies beyond, with vectors from its vertices to the
+    /// point, and edges in the same order; `None` in doubt. The vectors err as `excludes` says.
+    #[inline(always)]
+    pub(in crate::query) fn excludes_face<const K: usize>(
+        &self,
+        vectors: &[Vector<N>; K],
+        edges: &[Vector<N>; K],
+        slack: N::Length,
+    ) -> Option<bool> {
+        if slack == N::Length::ZERO && self.is_beyond(vectors) {
+            return Some(true);
+        }
+        let size = greatest(largest_of::<N, K>(vectors), largest_of::<N, K>(edges));
+        let size = greatest(size, slack);
+        if N::is_narrow(greatest(size, self.radius)) {
+            let errors = Errors::<N::Narrow>::new(size, self.radius)?;
+            self.narrow().excludes_near_face(vectors, edges, slack, &errors)
+        } else {
+            self.excludes_near_face(vectors, edges, slack, &Errors::new(size, self.radius)?)
+        }
+    }
+
+    /// The same reach, in narrow volumes.
+    #[inline(always)]
+    pub(in crate::query) fn narrow(&self) -> Reach<N::Narrow> {
+        Reach { radius: self.radius, square: self.square, ball: self.ball }
+    }
+
+    /// As [`excludes_face`](Self::excludes_face), for sizes that the errors cover.
+    #[inline(always)]
+    pub(in crate::query) fn excludes_near_face<const K: usize>(
+        &self,
+        vectors: &[Vector<N>; K],
+        edges: &[Vector<N>; K],
+        slack: N::Length,
+        errors: &Errors<N>,
+    ) -> Option<bool> {
+        let n = minors::<N>(&edges[0], &edges[1]);
+        let [by_plane] = self.excludes_planes(&n, [volume::<N>(&n, &vectors[0])], errors);
+        if by_plane.certain {
+            return Some(true);
+        }
+        self.excludes_point_near(&n, by_plane, vectors, edges, slack, errors).0
+    }
+
+    /// The same, if the plane does not answer; and a bit for each edge that the point is certainly
+    /// inside of. These are all such edges unless the answer is `Some(false)`.
+    #[inline(always)]
+    pub(in crate::query) fn excludes_point_near<const K: usize>(
+        &self,
+        n: &[N::Area; 3],
+        by_plane: Uncertain,
+        vectors: &[Vector<N>; K],
+        edges: &[Vector<N>; K],
+        slack: N::Length,
+        errors: &Errors<N>,
+    ) -> (Option<bool>, u8) {
+        let (mut is_outside, mut by_edges) = (Uncertain::NONE, Uncertain::known(true));
+        let mut inside_of = 0;
+        for k in 0..K {
+            let (d, e) = (&vectors[k], &edges[k]);
+            let c = minors::<N>(e, d);
+            let is_out = lies_outside::<N>(n, &c, errors);
+            inside_of |= u8::from(!is_out.possible) << k;
+            if is_out.possible {
+                let ends = [d, &vectors[(k + 1) % K]];
+                let by_edge = self.excludes_edge(ends, e, &c, slack, errors);
+                if !by_edge.possible {
+                    return (Some(false), inside_of);
+                }
+                (is_outside, by_edges) = (is_outside.or(is_out), by_edges.and(by_edge));
+            }
+        }
+        (by_plane.or(is_outside).and(by_edges).verdict(), inside_of)
+    }
+
+    /// Whether a plane with normal `n` lies beyond, for each of these n·d.
+    #[inline(always)]
+    pub(in crate::query) fn excludes_planes<const K: usize>(
+        &self,
+        n: &[N::Area; 3],
+        volumes: [N::Volume; K],
+        errors: &Errors<N>,
+    ) -> [Uncertain; K] {
+        let normal = squared::<N>(n, errors.minor);
+        let near = part(|| N::sextic_of_areas(normal.value, self.square));
+        let mut are_beyond = [Uncertain::NONE; K];
+        for (volume, is_beyond) in volumes.into_iter().zip(&mut are_beyond) {
+            let far = part(|| N::sextic(volume, volume));
+            *is_beyond = if N::CERTAIN {
+                // A normal of zero excludes nothing.
+                let by_plane = self.excludes_by(far - near, N::Sextic::ZERO);
+                by_plane.and(Uncertain::known(normal.value > N::Quartic::ZERO))
+            } else {
+                let most = volume.magnitude() + volume.magnitude() + errors.volume;
+                let error = N::sextic(errors.volume, most)
+                    + N::sextic_of_areas(normal.error, self.square)
+                    + (far + near).error(PRODUCT);
+                self.excludes_by(far - near, error)
+            };
+        }
+        are_beyond
+    }
+}
