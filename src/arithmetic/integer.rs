@@ -25,6 +25,8 @@
 //! bits for k = 7 and F up to 8: 30 products of two differences up to 2^8 and two numbers up to
 //! 2^8.
 
+use core::cmp::Ordering;
+
 use super::big_int::BigInt;
 use super::out_of_line;
 use super::platform::REGISTERS_ARE_WIDE;
@@ -60,7 +62,8 @@ pub struct Int64Narrow;
 
 macro_rules! integers {
     ($($system:ty $([$large:ident])?: $length:ty, $area:ty, $volume:ty, $product:expr, $quartic:ty, $of_areas:expr,
-       $sextic:ty, $of_volumes:expr, $of_quartic:expr, $operand:ty; $narrow:ty, $is_narrow:expr;)*) => {$(
+       $sextic:ty, $of_volumes:expr, $of_quartic:expr, $operand:ty; $narrow:ty, $is_narrow:expr
+       $(, $short_sign:expr)?;)*) => {$(
         impl $(<const $large: bool>)? Arithmetic for $system {
             type Length = $length;
             type Area = $area;
@@ -107,6 +110,10 @@ macro_rules! integers {
                 };
                 if Self::LARGE { out_of_line(dot) } else { dot() }
             }
+            $(#[inline(always)]
+            fn short_sign(a: &[$area; 3], b: &[$area; 3]) -> Option<Ordering> {
+                $short_sign(a, b)
+            })?
             #[inline(always)]
             fn operand(a: $length) -> $operand {
                 a.into()
@@ -131,11 +138,37 @@ integers! {
 }
 integers! {
     Int16: i32, i64, i64, |a, b| a * i64::from(b), i128, of_four, i128, of_four,
-        of_four_and_two, i128; Self, |_: i32| false;
+        of_four_and_two, i128; Self, |_: i32| false, short_sign;
     Int64<LARGE> [LARGE]: i64, i128, I256, I256::product, I256, of_four_wide, BigInt<6>, of_six, of_six,
         i128; Int64Narrow, |size: i64| size >> 41 == 0;
     Int64Narrow: i64, i128, i128, |a, b| a * i128::from(b), I256, of_four_wide, BigInt<6>, of_six,
         of_six, i128; Self, |_: i64| false;
+}
+
+/// The sign of a·b, if both are cross products of vectors below 2^20 and short products suffice.
+#[inline(always)]
+fn short_sign(a: &[i64; 3], b: &[i64; 3]) -> Option<Ordering> {
+    if REGISTERS_ARE_WIDE { None } else { sign_by_short_products(a, b) }
+}
+
+/// Components are below 2^41. Cut to multiples of 2^27, one is too low by less than one: A + α with
+/// 0 ≤ α < 1. Then (A + α)·(B + β) differs from A·B by less than abs(A) + abs(B) + 1, and the sum of
+/// three products is at most 3·2^28. If that leaves a doubt, components below 2^30 have products of
+/// 60 bits.
+#[inline(never)]
+fn sign_by_short_products(a: &[i64; 3], b: &[i64; 3]) -> Option<Ordering> {
+    let (mut sum, mut error) = (0, 3);
+    for (a, b) in a.iter().zip(b) {
+        let (a, b) = ((a >> 27) as i32, (b >> 27) as i32);
+        sum += a * b;
+        error += a.abs() + b.abs();
+    }
+    if sum.abs() >= error {
+        return Some(sum.cmp(&0));
+    }
+    // A number below zero is folded to one less than its magnitude.
+    let are_short = a.iter().chain(b).fold(0, |bits, x| bits | (x ^ x >> 63)) >> 30 == 0;
+    are_short.then(|| (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]).cmp(&0))
 }
 
 /// The product of two numbers of 64 bits: with narrow registers four products of words.
@@ -222,7 +255,23 @@ pub(super) fn below<W: Word>(coordinates: impl Iterator<Item = W>, most: u32) ->
 
 #[cfg(test)]
 mod tests {
-    use super::{by_halves, by_words, by_words_and_two};
+    use super::{by_halves, by_words, by_words_and_two, sign_by_short_products};
+
+    #[test]
+    fn signs_of_short_products_are_signs() {
+        let most = (1_i64 << 41) - 1;
+        let numbers = [-most, -1 << 30, (-1 << 27) - 1, -1, 0, 1, (1 << 27) - 1, 1 << 36, most];
+        let vectors = || (0..729).map(|k| [k % 9, k / 9 % 9, k / 81].map(|k| numbers[k]));
+        let mut known = 0;
+        for (a, b) in vectors().flat_map(|a| vectors().map(move |b| (a, b))) {
+            let exact: i128 = a.iter().zip(&b).map(|(&a, &b)| i128::from(a) * i128::from(b)).sum();
+            if let Some(sign) = sign_by_short_products(&a, &b) {
+                known += 1;
+                assert_eq!(sign, exact.cmp(&0), "{a:?} {b:?}");
+            }
+        }
+        assert!(known > 729 * 729 / 2, "{known}");
+    }
 
     #[test]
     fn products_by_words_are_products() {

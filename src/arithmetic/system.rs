@@ -70,6 +70,13 @@ pub trait Arithmetic: Sized + 'static {
     fn dot(a: &[Self::Area; 3], b: &[Self::Length; 3]) -> Self::Volume {
         Self::volume(a[0], b[0]) + Self::volume(a[1], b[1]) + Self::volume(a[2], b[2])
     }
+    /// The sign of a·b, if both are cross products, by short products; `None` if these leave a doubt,
+    /// or are not cheaper.
+    #[inline(always)]
+    fn short_sign(a: &[Self::Area; 3], b: &[Self::Area; 3]) -> Option<Ordering> {
+        let _ = (a, b);
+        None
+    }
     /// A length as an operand of products.
     fn operand(a: Self::Length) -> Self::Product;
 

@@ -14,7 +14,10 @@ fn lies_outside<N: Arithmetic>(
     c: &[N::Area; 3],
     errors: &Errors<N>,
 ) -> Uncertain {
-    Uncertain::not_below(-along::<N>(n, c), errors.side)
+    match N::short_sign(n, c) {
+        Some(side) => Uncertain::known(side.is_le()),
+        None => Uncertain::not_below(-along::<N>(n, c), errors.side),
+    }
 }
 
 impl<N: Arithmetic> Reach<N> {
