@@ -3,7 +3,7 @@
 //! The vectors to the end of the way are sums of the vectors to its start and of the way, and err by
 //! a roundoff of each and of themselves: the slack is the sum of these sizes.
 
-use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, three};
+use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, pick, three};
 use crate::query::capsule::{box_lies_beyond, triangle_lies_beyond};
 use crate::query::orientation::{Vector, from};
 use crate::query::sphere::{Ball, Reach, around};
@@ -43,7 +43,7 @@ fn lie_aside<N: Arithmetic, const K: usize>(
     let error = (slack + radius).error(ASIDE);
     let is_above = |sign: fn(N::Length) -> N::Length| {
         [0, 1, 2].map(|i: usize| {
-            let of = |v: &Vector<N>| sign(v[i]) - radius;
+            let of = |v: &Vector<N>| sign(*pick(v, i)) - radius;
             vectors.iter().copied().flatten().all(|v| Uncertain::above(of(v), error).certain)
         })
     };
