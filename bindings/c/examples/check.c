@@ -53,7 +53,7 @@ static int32_t coordinate(void) { return (int32_t)(next() >> 14) - 131072; }
 /* And some of the questions alone, from one number to another. */
 #ifndef BEGIN
 #define BEGIN 0
-#define END 21
+#define END 31
 #endif
 #define ASKS(query) ((query) >= BEGIN && (query) < END)
 
@@ -119,6 +119,8 @@ static int errors(void) {
     septum_tree_i16f16 tree, zero = {{0}};
     static const septum_i16f16 point[3] = {0, 0, 0};
     septum_tree_f32 of_floats;
+    septum_sphere_i16f16 ball = {{0, 0, 0}, 4 << 16};
+    size_t many = 1;
     static const float nowhere[3] = {0, __builtin_inff(), 0};
     int meshes = septum_tree_open_i16f16(&no_vertex, &tree) == SEPTUM_ANSWER_NO_SUCH_VERTEX
         && septum_tree_open_i16f16(&few_nodes, &tree) == SEPTUM_ANSWER_WRONG_NODE_COUNT
@@ -130,7 +132,16 @@ static int errors(void) {
         && septum_tree_contains_i16f16(&tree, point) == SEPTUM_ANSWER_NO
         && septum_tree_contains_i16f16(&zero, point) == SEPTUM_ANSWER_NOT_OPEN
         && septum_tree_open_f32(&mesh_f32, &of_floats) == SEPTUM_ANSWER_YES
-        && septum_tree_contains_f32(&of_floats, nowhere) == SEPTUM_ANSWER_NOT_FINITE;
+        && septum_tree_contains_f32(&of_floats, nowhere) == SEPTUM_ANSWER_NOT_FINITE
+        && septum_tree_sphere_contacts_i16f16(&tree, &ball, 0, 0, 0, &many) == SEPTUM_ANSWER_NULL_POINTER
+        && septum_tree_interior_edges_i16f16(&tree, 0, 0) == SEPTUM_ANSWER_NULL_POINTER;
+    many = 0;
+    meshes = meshes && septum_tree_sphere_contacts_i16f16(&zero, &ball, 0, 0, 0, &many) == SEPTUM_ANSWER_NOT_OPEN
+        && septum_tree_sphere_contacts_i16f16(&tree, &ball, 0, 0, 0, &many) == SEPTUM_ANSWER_YES && many == 32;
+    ball.radius = -1;
+    many = 0;
+    meshes = meshes
+        && septum_tree_sphere_contacts_i16f16(&tree, &ball, 0, 0, 0, &many) == SEPTUM_ANSWER_NEGATIVE_RADIUS;
     return meshes && septum_triangle_aabb_i16f16(&triangle, 0) == SEPTUM_ANSWER_NULL_POINTER
         && septum_triangle_aabb_i16f16(&triangle, &inverted) == SEPTUM_ANSWER_MIN_ABOVE_MAX
         && septum_triangle_obb_i16f16(&triangle, &no_box) == SEPTUM_ANSWER_NOT_ORTHONORMAL

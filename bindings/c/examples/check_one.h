@@ -29,17 +29,37 @@ static const uint16_t NAME(nodes_)[3][6][4] = JOIN2(NODES_, NUMBER);
 static const ASK(mesh) NAME(mesh_) = {NAME(vertices_), 16, NAME(triangles_), 32, NAME(nodes_), 3};
 #undef V
 
+static void NAME(add_contact_)(const ASK(contact) *contact) {
+    add(BITS(contact->depth));
+    for (int k = 0; k < 3; k++) {
+        add(BITS(contact->translation[k]));
+    }
+    for (int i = 0; i < contact->point_count; i++) {
+        add(BITS(contact->points[i].depth));
+        add((uint32_t)(contact->points[i].first_part << 8 | contact->points[i].second_part));
+    }
+}
+
 __attribute__((unused)) static void NAME(check_)(void) {
     static const char *const names[] = {"triangle_aabb", "triangle_obb", "ray_aabb", "ray_triangle",
                                         "ray_triangle_hit", "contains", "triangle_triangle",
                                         "first_hit", "is_hit", "tree_aabb", "aabb_cast", "aabb_cast_triangle",
                                         "contact", "turned_contact", "sphere_triangle", "sphere_aabb", "capsule_triangle",
-                                        "capsule_aabb", "closest_point", "tree_closest", "tree_sphere"};
+                                        "capsule_aabb", "closest_point", "tree_closest", "tree_sphere",
+                                        "sphere_contact", "sphere_aabb_contact", "capsule_contact",
+                                        "capsule_aabb_contact", "ray_sphere_range", "sphere_cast_triangle",
+                                        "sphere_cast_aabb", "tree_sphere_cast", "sphere_contacts",
+                                        "capsule_contacts"};
     static uint16_t nodes[3][6][4], order[32];
     ASK(tree) built;
     septum_answer is_built = septum_node_count(32) == 3 ? ASK(tree_build)(&NAME(mesh_), nodes, 3, order, &built) : 0;
     ASK(tree) tree;
     septum_answer opened = ASK(tree_open)(&NAME(mesh_), &tree);
+    static uint16_t scratch[96][2];
+    static uint8_t interior[32];
+    if (END > 29) {
+        ASK(tree_interior_edges)(&built, scratch, interior);
+    }
     hash = 2166136261u;
     for (int query = BEGIN; query < END; query++) {
         int yes = 0;
@@ -89,6 +109,12 @@ __attribute__((unused)) static void NAME(check_)(void) {
             ASK(sphere) sphere = {{obb.center[0], obb.center[1], obb.center[2]}, radius};
             ASK(capsule) capsule = {{ray.origin[0], ray.origin[1], ray.origin[2]}, {obb.center[0], obb.center[1], obb.center[2]}, radius};
             ASK(closest) closest = {{0, 0, 0}, 0};
+            /* A small ball moves. */
+            ASK(sphere) ball = {{obb.center[0], obb.center[1], obb.center[2]}, FROM(16384)};
+            ASK(sphere_contact) swept = {0, 0};
+            ASK(range) range = {0, 0};
+            static ASK(contact) contacts[4];
+            size_t many = 4, which[4];
             size_t found = 99;
             septum_answer answer = is_built;
             switch (query) {
@@ -155,6 +181,36 @@ __attribute__((unused)) static void NAME(check_)(void) {
             case 20:
                 answer = ASKS(20) ? ASK(tree_sphere)(&built, &sphere, &found) : is_built;
                 break;
+            case 21:
+                answer = ASKS(21) ? ASK(sphere_triangle_contact)(&sphere, &triangle, &contact) : is_built;
+                break;
+            case 22:
+                answer = ASKS(22) ? ASK(sphere_aabb_contact)(&sphere, &aabb, &contact) : is_built;
+                break;
+            case 23:
+                answer = ASKS(23) ? ASK(capsule_triangle_contact)(&capsule, &triangle, &contact) : is_built;
+                break;
+            case 24:
+                answer = ASKS(24) ? ASK(capsule_aabb_contact)(&capsule, &aabb, &contact) : is_built;
+                break;
+            case 25:
+                answer = ASKS(25) ? ASK(ray_sphere_range)(&ray, &sphere, &range) : is_built;
+                break;
+            case 26:
+                answer = ASKS(26) ? ASK(sphere_cast_triangle)(&ball, ray.direction, &triangle, &swept) : is_built;
+                break;
+            case 27:
+                answer = ASKS(27) ? ASK(sphere_cast_aabb)(&ball, ray.direction, &aabb, &swept) : is_built;
+                break;
+            case 28:
+                answer = ASKS(28) ? ASK(tree_sphere_cast)(&built, &ball, ray.direction, &found, &swept) : is_built;
+                break;
+            case 29:
+                answer = ASKS(29) ? ASK(tree_sphere_contacts)(&built, &sphere, interior, which, contacts, &many) : is_built;
+                break;
+            case 30:
+                answer = ASKS(30) ? ASK(tree_capsule_contacts)(&built, &capsule, interior, which, contacts, &many) : is_built;
+                break;
             }
             yes += answer == SEPTUM_ANSWER_YES;
             add((uint32_t)answer);
@@ -172,15 +228,20 @@ __attribute__((unused)) static void NAME(check_)(void) {
                 add(BITS(closest.point[k]));
             }
             add(closest.feature);
-            if (answer == SEPTUM_ANSWER_YES && (query == 12 || query == 13)) {
-                add(BITS(contact.depth));
-                for (int k = 0; k < 3; k++) {
-                    add(BITS(contact.translation[k]));
-                }
-                for (int i = 0; i < contact.point_count; i++) {
-                    add(BITS(contact.points[i].depth));
-                    add((uint32_t)(contact.points[i].first_part << 8 | contact.points[i].second_part));
-                }
+            if (answer == SEPTUM_ANSWER_YES && (query == 12 || query == 13 || (query > 20 && query < 25))) {
+                NAME(add_contact_)(&contact);
+            }
+            if (query > 24) {
+                add(BITS(range.enter));
+                add(BITS(range.leave));
+                add(BITS(swept.t));
+                add(swept.part);
+                add((uint32_t)many);
+            }
+            for (size_t i = 0; query > 28 && i < many && i < 4; i++) {
+                add((uint32_t)which[i]);
+                NAME(add_contact_)(&contacts[i]);
+                add(contacts[i].is_held);
             }
         }
         print(TEXT(NUMBER) " ");

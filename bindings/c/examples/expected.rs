@@ -4,8 +4,10 @@
 use std::fmt::Debug;
 
 use fixed::types::{I8F8, I16F16};
-use septum::contact::{Part, Translation, contact};
-use septum::mesh::{Mesh, Node, Tree};
+use septum::contact::{
+    Contact, ContactWith, InteriorEdges, Part, Translation, contact, interior_edges,
+};
+use septum::mesh::{Mesh, Node, Probe, Tree};
 use septum::sweep::{Motion, Sweep};
 use septum::{Aabb, Axis, Capsule, Facing, Feature, Hit, Obb, Ray, Scalar, Sphere, Triangle, Vec3};
 
@@ -104,6 +106,16 @@ fn check<S: Scalar>(name: &str, from: fn(i32) -> S, bits: fn(S) -> u32) {
         "closest_point",
         "tree_closest",
         "tree_sphere",
+        "sphere_contact",
+        "sphere_aabb_contact",
+        "capsule_contact",
+        "capsule_aabb_contact",
+        "ray_sphere_range",
+        "sphere_cast_triangle",
+        "sphere_cast_aabb",
+        "tree_sphere_cast",
+        "sphere_contacts",
+        "capsule_contacts",
     ];
     let vertices = torus().0.map(|v| Vec3::from(v.map(from)));
     let (faces, nodes) = sorted(&vertices);
@@ -111,6 +123,8 @@ fn check<S: Scalar>(name: &str, from: fn(i32) -> S, bits: fn(S) -> u32) {
     let (mut nodes, mut order) = ([Node::EMPTY; 3], [0; 32]);
     let built = Mesh::new(&vertices, &faces).unwrap();
     let built = Tree::build(built, &mut nodes, &mut order).unwrap();
+    let mut interior = [InteriorEdges::NONE; 32];
+    interior_edges(built.mesh(), &mut [(0, 0); 96], &mut interior).unwrap();
     for (query, called) in queries.iter().enumerate() {
         let (mut stream, mut hash, mut yes) = (Stream(1), HASH, 0);
         for round in 0..ROUNDS {
@@ -134,7 +148,8 @@ fn check<S: Scalar>(name: &str, from: fn(i32) -> S, bits: fn(S) -> u32) {
             let sphere = Sphere::new(center, radius).unwrap();
             let capsule = Capsule::new(origin, center, radius).unwrap();
             let (mut found, mut first, mut met, mut closest) = (99, None, None, None);
-            let mut hit = None;
+            let ball = Sphere::new(center, from(16_384)).unwrap();
+            let (mut hit, mut swept, mut range, mut all) = (None, None, None, None);
             let answer = match query {
                 0 => triangle.overlaps(&aabb),
                 1 => triangle.overlaps(&obb),
@@ -187,10 +202,38 @@ fn check<S: Scalar>(name: &str, from: fn(i32) -> S, bits: fn(S) -> u32) {
                     (found, closest) = (i as u32, Some(there));
                     true
                 }),
-                _ => built.overlapping(&sphere).next().is_some_and(|i| {
+                20 => built.overlapping(&sphere).next().is_some_and(|i| {
                     found = i as u32;
                     true
                 }),
+                21..=24 => {
+                    met = match query {
+                        21 => contact(&sphere, &triangle),
+                        22 => contact(&sphere, &aabb),
+                        23 => contact(&capsule, &triangle),
+                        _ => contact(&capsule, &aabb),
+                    };
+                    met.is_some()
+                }
+                25 => {
+                    range = ray.t_range_sphere(&sphere);
+                    range.is_some()
+                }
+                26 => ball.first_contact(&motion, &triangle).is_some_and(|first| {
+                    swept = Some((first.t, first.part.map_or(255, of_triangle)));
+                    true
+                }),
+                27 => ball.first_contact(&motion, &aabb).is_some_and(|first| {
+                    swept = Some((first.t, first.part.map_or(255, of_box)));
+                    true
+                }),
+                28 => built.first_contact(&ball, &motion).is_some_and(|(i, first)| {
+                    found = i as u32;
+                    swept = Some((first.t, first.part.map_or(255, of_triangle)));
+                    true
+                }),
+                29 => !all.insert(contacts(&built, &sphere, &interior)).is_empty(),
+                _ => !all.insert(contacts(&built, &capsule, &interior)).is_empty(),
             };
             yes += u32::from(answer);
             let numbers = hit.map_or([0; 4], |hit| words(&hit, bits));
@@ -204,19 +247,68 @@ fn check<S: Scalar>(name: &str, from: fn(i32) -> S, bits: fn(S) -> u32) {
             let at = if query > 17 { &at[..] } else { &[] };
             hash = at.iter().fold(hash, |hash, &x| add(hash, bits(x)));
             hash = add(hash, closest.map_or(0, |closest| self::feature(closest.feature)));
-            if let Some(contact) = met {
-                let Translation { depth, vector, .. } = contact.translation;
-                hash = [depth, vector.x, vector.y, vector.z]
-                    .iter()
-                    .fold(hash, |hash, &x| add(hash, bits(x)));
-                for point in contact.points() {
-                    let [first, second] = point.parts.map(part);
-                    hash = add(add(hash, bits(point.depth)), first << 8 | second);
-                }
+            hash = met.iter().fold(hash, |hash, contact| add_contact(hash, contact, bits));
+            if query > 24 {
+                let (enter, leave) = range.unwrap_or((S::ZERO, S::ZERO));
+                let (t, part) = swept.unwrap_or((S::ZERO, 0));
+                let many = all.as_ref().map_or(4, Vec::len) as u32;
+                let words = [bits(enter), bits(leave), bits(t), part, many];
+                hash = words.iter().fold(hash, |hash, &word| add(hash, word));
+            }
+            for (i, contact) in all.iter().flatten().take(4) {
+                hash = add_contact(add(hash, *i as u32), contact, bits);
+                hash = add(hash, contact.is_held.into());
             }
         }
         println!("{name} {called} yes: {yes}, hash {hash:x}");
     }
+}
+
+type InMesh<S> = Vec<(usize, Contact<S>)>;
+
+fn contacts<S: Scalar, P: Probe<S>>(
+    tree: &Tree<'_, S, u16>,
+    shape: &P,
+    interior: &[InteriorEdges],
+) -> InMesh<S>
+where
+    Triangle<S>: ContactWith<S, P>,
+{
+    tree.contacts(shape, interior).unwrap().collect()
+}
+
+fn add_contact<S: Scalar>(hash: u32, contact: &Contact<S>, bits: fn(S) -> u32) -> u32 {
+    let Translation { depth, vector, .. } = contact.translation;
+    let numbers = [depth, vector.x, vector.y, vector.z];
+    let hash = numbers.iter().fold(hash, |hash, &x| add(hash, bits(x)));
+    contact.points().iter().fold(hash, |hash, point| {
+        let [first, second] = point.parts.map(part);
+        add(add(hash, bits(point.depth)), first << 8 | second)
+    })
+}
+
+fn of_triangle(feature: Feature) -> u32 {
+    part(match feature {
+        Feature::Interior => Part::Face(0),
+        Feature::Edge(k) => Part::Edge(k),
+        Feature::Vertex(k) => Part::Vertex(k),
+    })
+}
+
+/// By the table of `Part`: of each axis, the sides on it and on the two after it.
+fn of_box(sides: [i8; 3]) -> u32 {
+    let up = sides.map(|side| u8::from(side == 1));
+    let flat: Vec<u8> = (0..3).filter(|&i| sides[usize::from(i)] == 0).collect();
+    let after = |i: u8, k: u8| up[usize::from((i + k) % 3)];
+    part(match flat[..] {
+        [] => Part::Vertex(up[0] + 2 * up[1] + 4 * up[2]),
+        [i] => Part::Edge(4 * i + after(i, 1) + 2 * after(i, 2)),
+        [i, k] => {
+            let axis = 3 - i - k;
+            Part::Face(2 * axis + up[usize::from(axis)])
+        }
+        _ => panic!("no side"),
+    })
 }
 
 fn number(axis: Axis) -> u32 {

@@ -144,15 +144,31 @@ typedef struct {
 } septum_point_i8f8;
 
 // The translation that moves the first shape out of the second. Only `point_count` points are
-// meant. `is_sufficient` is 0 if a coordinate of the translation is beyond the type.
+// meant. `is_sufficient` is 0 if a coordinate of the translation is beyond the type. `is_held` is 1
+// if an interior edge of a mesh holds it to the triangle's normal.
 typedef struct {
   septum_i8f8 translation[3];
   septum_i8f8 depth;
   septum_i8f8 normal[3];
   uint8_t is_sufficient;
+  uint8_t is_held;
   uint8_t point_count;
   septum_point_i8f8 points[8];
 } septum_contact_i8f8;
+
+// When a moving sphere first meets a triangle or a box. `t` is the part of the motion until then, as
+// for a box that moves. `part` is the face, edge or vertex at the point of contact, in the numbers
+// of a contact, and 255 if they meet at the start.
+typedef struct {
+  septum_i8f8 t;
+  uint8_t part;
+} septum_sphere_contact_i8f8;
+
+// Where a ray enters a shape and leaves it, in units of its direction.
+typedef struct {
+  septum_i8f8 enter;
+  septum_i8f8 leave;
+} septum_range_i8f8;
 
 // Fixed point of 16 fraction bits: a number times 65,536.
 typedef int32_t septum_i16f16;
@@ -241,15 +257,31 @@ typedef struct {
 } septum_point_i16f16;
 
 // The translation that moves the first shape out of the second. Only `point_count` points are
-// meant. `is_sufficient` is 0 if a coordinate of the translation is beyond the type.
+// meant. `is_sufficient` is 0 if a coordinate of the translation is beyond the type. `is_held` is 1
+// if an interior edge of a mesh holds it to the triangle's normal.
 typedef struct {
   septum_i16f16 translation[3];
   septum_i16f16 depth;
   septum_i16f16 normal[3];
   uint8_t is_sufficient;
+  uint8_t is_held;
   uint8_t point_count;
   septum_point_i16f16 points[8];
 } septum_contact_i16f16;
+
+// When a moving sphere first meets a triangle or a box. `t` is the part of the motion until then, as
+// for a box that moves. `part` is the face, edge or vertex at the point of contact, in the numbers
+// of a contact, and 255 if they meet at the start.
+typedef struct {
+  septum_i16f16 t;
+  uint8_t part;
+} septum_sphere_contact_i16f16;
+
+// Where a ray enters a shape and leaves it, in units of its direction.
+typedef struct {
+  septum_i16f16 enter;
+  septum_i16f16 leave;
+} septum_range_i16f16;
 
 // A triangle. It may be a segment or a point.
 typedef struct {
@@ -335,15 +367,31 @@ typedef struct {
 } septum_point_f32;
 
 // The translation that moves the first shape out of the second. Only `point_count` points are
-// meant. `is_sufficient` is 0 if a coordinate of the translation is beyond the type.
+// meant. `is_sufficient` is 0 if a coordinate of the translation is beyond the type. `is_held` is 1
+// if an interior edge of a mesh holds it to the triangle's normal.
 typedef struct {
   float translation[3];
   float depth;
   float normal[3];
   uint8_t is_sufficient;
+  uint8_t is_held;
   uint8_t point_count;
   septum_point_f32 points[8];
 } septum_contact_f32;
+
+// When a moving sphere first meets a triangle or a box. `t` is the part of the motion until then, as
+// for a box that moves. `part` is the face, edge or vertex at the point of contact, in the numbers
+// of a contact, and 255 if they meet at the start.
+typedef struct {
+  float t;
+  uint8_t part;
+} septum_sphere_contact_f32;
+
+// Where a ray enters a shape and leaves it, in units of its direction.
+typedef struct {
+  float enter;
+  float leave;
+} septum_range_f32;
 
 // A triangle. It may be a segment or a point.
 typedef struct {
@@ -429,15 +477,31 @@ typedef struct {
 } septum_point_f64;
 
 // The translation that moves the first shape out of the second. Only `point_count` points are
-// meant. `is_sufficient` is 0 if a coordinate of the translation is beyond the type.
+// meant. `is_sufficient` is 0 if a coordinate of the translation is beyond the type. `is_held` is 1
+// if an interior edge of a mesh holds it to the triangle's normal.
 typedef struct {
   double translation[3];
   double depth;
   double normal[3];
   uint8_t is_sufficient;
+  uint8_t is_held;
   uint8_t point_count;
   septum_point_f64 points[8];
 } septum_contact_f64;
+
+// When a moving sphere first meets a triangle or a box. `t` is the part of the motion until then, as
+// for a box that moves. `part` is the face, edge or vertex at the point of contact, in the numbers
+// of a contact, and 255 if they meet at the start.
+typedef struct {
+  double t;
+  uint8_t part;
+} septum_sphere_contact_f64;
+
+// Where a ray enters a shape and leaves it, in units of its direction.
+typedef struct {
+  double enter;
+  double leave;
+} septum_range_f64;
 
 // A closed mesh and the nodes of its tree, for example in flash. Triangles are indices of
 // vertices; with nodes they are listed in the tree's order. septum's example `quantise` writes
@@ -615,6 +679,35 @@ septum_answer septum_triangle_aabb_contact_i8f8(const septum_triangle_i8f8 *tria
 // The same of two oriented boxes: of the first out of the second.
 septum_answer septum_obb_obb_contact_i8f8(const septum_obb_i8f8 *first, const septum_obb_i8f8 *second, septum_contact_i8f8 *contact);
 
+// The same of a sphere and a triangle: of the sphere out of the triangle, with one point.
+septum_answer septum_sphere_triangle_contact_i8f8(const septum_sphere_i8f8 *sphere, const septum_triangle_i8f8 *triangle, septum_contact_i8f8 *contact);
+
+// The same of a sphere and an axis-aligned box.
+septum_answer septum_sphere_aabb_contact_i8f8(const septum_sphere_i8f8 *sphere, const septum_aabb_i8f8 *aabb, septum_contact_i8f8 *contact);
+
+// The same of a capsule and a triangle.
+septum_answer septum_capsule_triangle_contact_i8f8(const septum_capsule_i8f8 *capsule, const septum_triangle_i8f8 *triangle, septum_contact_i8f8 *contact);
+
+// The same of a capsule and an axis-aligned box.
+septum_answer septum_capsule_aabb_contact_i8f8(const septum_capsule_i8f8 *capsule, const septum_aabb_i8f8 *aabb, septum_contact_i8f8 *contact);
+
+// When a sphere that moves by `motion` first meets a triangle; writes `first` only if the answer is
+// yes. The verdict is exact, and the time is never late.
+//
+// # Safety
+// `motion` leads to three numbers.
+septum_answer septum_sphere_cast_triangle_i8f8(const septum_sphere_i8f8 *sphere, const septum_i8f8 *motion, const septum_triangle_i8f8 *triangle, septum_sphere_contact_i8f8 *first);
+
+// The same past an axis-aligned box.
+//
+// # Safety
+// `motion` leads to three numbers.
+septum_answer septum_sphere_cast_aabb_i8f8(const septum_sphere_i8f8 *sphere, const septum_i8f8 *motion, const septum_aabb_i8f8 *aabb, septum_sphere_contact_i8f8 *first);
+
+// Where a ray enters a sphere and leaves it; writes `range` only if the answer is yes. The verdict is
+// exact; both numbers are rounded outward.
+septum_answer septum_ray_sphere_range_i8f8(const septum_ray_i8f8 *ray, const septum_sphere_i8f8 *sphere, septum_range_i8f8 *range);
+
 // Writes the axes of a box that is turned by a unit quaternion x, y, z, w. Its centre and its
 // half-extents must be set.
 //
@@ -673,6 +766,35 @@ septum_answer septum_triangle_aabb_contact_i16f16(const septum_triangle_i16f16 *
 
 // The same of two oriented boxes: of the first out of the second.
 septum_answer septum_obb_obb_contact_i16f16(const septum_obb_i16f16 *first, const septum_obb_i16f16 *second, septum_contact_i16f16 *contact);
+
+// The same of a sphere and a triangle: of the sphere out of the triangle, with one point.
+septum_answer septum_sphere_triangle_contact_i16f16(const septum_sphere_i16f16 *sphere, const septum_triangle_i16f16 *triangle, septum_contact_i16f16 *contact);
+
+// The same of a sphere and an axis-aligned box.
+septum_answer septum_sphere_aabb_contact_i16f16(const septum_sphere_i16f16 *sphere, const septum_aabb_i16f16 *aabb, septum_contact_i16f16 *contact);
+
+// The same of a capsule and a triangle.
+septum_answer septum_capsule_triangle_contact_i16f16(const septum_capsule_i16f16 *capsule, const septum_triangle_i16f16 *triangle, septum_contact_i16f16 *contact);
+
+// The same of a capsule and an axis-aligned box.
+septum_answer septum_capsule_aabb_contact_i16f16(const septum_capsule_i16f16 *capsule, const septum_aabb_i16f16 *aabb, septum_contact_i16f16 *contact);
+
+// When a sphere that moves by `motion` first meets a triangle; writes `first` only if the answer is
+// yes. The verdict is exact, and the time is never late.
+//
+// # Safety
+// `motion` leads to three numbers.
+septum_answer septum_sphere_cast_triangle_i16f16(const septum_sphere_i16f16 *sphere, const septum_i16f16 *motion, const septum_triangle_i16f16 *triangle, septum_sphere_contact_i16f16 *first);
+
+// The same past an axis-aligned box.
+//
+// # Safety
+// `motion` leads to three numbers.
+septum_answer septum_sphere_cast_aabb_i16f16(const septum_sphere_i16f16 *sphere, const septum_i16f16 *motion, const septum_aabb_i16f16 *aabb, septum_sphere_contact_i16f16 *first);
+
+// Where a ray enters a sphere and leaves it; writes `range` only if the answer is yes. The verdict is
+// exact; both numbers are rounded outward.
+septum_answer septum_ray_sphere_range_i16f16(const septum_ray_i16f16 *ray, const septum_sphere_i16f16 *sphere, septum_range_i16f16 *range);
 
 // Writes the axes of a box that is turned by a unit quaternion x, y, z, w. Its centre and its
 // half-extents must be set.
@@ -733,6 +855,35 @@ septum_answer septum_triangle_aabb_contact_f32(const septum_triangle_f32 *triang
 // The same of two oriented boxes: of the first out of the second.
 septum_answer septum_obb_obb_contact_f32(const septum_obb_f32 *first, const septum_obb_f32 *second, septum_contact_f32 *contact);
 
+// The same of a sphere and a triangle: of the sphere out of the triangle, with one point.
+septum_answer septum_sphere_triangle_contact_f32(const septum_sphere_f32 *sphere, const septum_triangle_f32 *triangle, septum_contact_f32 *contact);
+
+// The same of a sphere and an axis-aligned box.
+septum_answer septum_sphere_aabb_contact_f32(const septum_sphere_f32 *sphere, const septum_aabb_f32 *aabb, septum_contact_f32 *contact);
+
+// The same of a capsule and a triangle.
+septum_answer septum_capsule_triangle_contact_f32(const septum_capsule_f32 *capsule, const septum_triangle_f32 *triangle, septum_contact_f32 *contact);
+
+// The same of a capsule and an axis-aligned box.
+septum_answer septum_capsule_aabb_contact_f32(const septum_capsule_f32 *capsule, const septum_aabb_f32 *aabb, septum_contact_f32 *contact);
+
+// When a sphere that moves by `motion` first meets a triangle; writes `first` only if the answer is
+// yes. The verdict is exact, and the time is never late.
+//
+// # Safety
+// `motion` leads to three numbers.
+septum_answer septum_sphere_cast_triangle_f32(const septum_sphere_f32 *sphere, const float *motion, const septum_triangle_f32 *triangle, septum_sphere_contact_f32 *first);
+
+// The same past an axis-aligned box.
+//
+// # Safety
+// `motion` leads to three numbers.
+septum_answer septum_sphere_cast_aabb_f32(const septum_sphere_f32 *sphere, const float *motion, const septum_aabb_f32 *aabb, septum_sphere_contact_f32 *first);
+
+// Where a ray enters a sphere and leaves it; writes `range` only if the answer is yes. The verdict is
+// exact; both numbers are rounded outward.
+septum_answer septum_ray_sphere_range_f32(const septum_ray_f32 *ray, const septum_sphere_f32 *sphere, septum_range_f32 *range);
+
 // Writes the axes of a box that is turned by a unit quaternion x, y, z, w. Its centre and its
 // half-extents must be set.
 //
@@ -791,6 +942,35 @@ septum_answer septum_triangle_aabb_contact_f64(const septum_triangle_f64 *triang
 
 // The same of two oriented boxes: of the first out of the second.
 septum_answer septum_obb_obb_contact_f64(const septum_obb_f64 *first, const septum_obb_f64 *second, septum_contact_f64 *contact);
+
+// The same of a sphere and a triangle: of the sphere out of the triangle, with one point.
+septum_answer septum_sphere_triangle_contact_f64(const septum_sphere_f64 *sphere, const septum_triangle_f64 *triangle, septum_contact_f64 *contact);
+
+// The same of a sphere and an axis-aligned box.
+septum_answer septum_sphere_aabb_contact_f64(const septum_sphere_f64 *sphere, const septum_aabb_f64 *aabb, septum_contact_f64 *contact);
+
+// The same of a capsule and a triangle.
+septum_answer septum_capsule_triangle_contact_f64(const septum_capsule_f64 *capsule, const septum_triangle_f64 *triangle, septum_contact_f64 *contact);
+
+// The same of a capsule and an axis-aligned box.
+septum_answer septum_capsule_aabb_contact_f64(const septum_capsule_f64 *capsule, const septum_aabb_f64 *aabb, septum_contact_f64 *contact);
+
+// When a sphere that moves by `motion` first meets a triangle; writes `first` only if the answer is
+// yes. The verdict is exact, and the time is never late.
+//
+// # Safety
+// `motion` leads to three numbers.
+septum_answer septum_sphere_cast_triangle_f64(const septum_sphere_f64 *sphere, const double *motion, const septum_triangle_f64 *triangle, septum_sphere_contact_f64 *first);
+
+// The same past an axis-aligned box.
+//
+// # Safety
+// `motion` leads to three numbers.
+septum_answer septum_sphere_cast_aabb_f64(const septum_sphere_f64 *sphere, const double *motion, const septum_aabb_f64 *aabb, septum_sphere_contact_f64 *first);
+
+// Where a ray enters a sphere and leaves it; writes `range` only if the answer is yes. The verdict is
+// exact; both numbers are rounded outward.
+septum_answer septum_ray_sphere_range_f64(const septum_ray_f64 *ray, const septum_sphere_f64 *sphere, septum_range_f64 *range);
 
 // Writes the axes of a box that is turned by a unit quaternion x, y, z, w. Its centre and its
 // half-extents must be set.
@@ -866,6 +1046,37 @@ septum_answer septum_tree_closest_point_i8f8(const septum_tree_i8f8 *tree, const
 // `motion` leads to three numbers.
 septum_answer septum_tree_aabb_cast_i8f8(const septum_tree_i8f8 *tree, const septum_aabb_i8f8 *aabb, const septum_i8f8 *motion, size_t *triangle, septum_first_contact_i8f8 *first);
 
+// The same of a sphere.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `motion` leads to three numbers.
+septum_answer septum_tree_sphere_cast_i8f8(const septum_tree_i8f8 *tree, const septum_sphere_i8f8 *sphere, const septum_i8f8 *motion, size_t *triangle, septum_sphere_contact_i8f8 *first);
+
+// Writes which edges of each triangle are interior: bit k of `interior` for the edge from vertex k
+// to the next. Nothing is to catch on these. `scratch` has three elements for each triangle.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `scratch` has three elements for each triangle, and `interior` one.
+septum_answer septum_tree_interior_edges_i8f8(const septum_tree_i8f8 *tree, uint16_t (*scratch)[2], uint8_t *interior);
+
+// The contacts of a sphere with all triangles that it penetrates, in the tree's order, and the
+// numbers of these: as many as `count` says, which then says how many there are. Each translation
+// moves the triangle; the sphere moves by its opposite. `interior` may be null.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `interior` is null, or has an element for each triangle; `triangles` and `contacts` have `count`
+// elements.
+septum_answer septum_tree_sphere_contacts_i8f8(const septum_tree_i8f8 *tree, const septum_sphere_i8f8 *sphere, const uint8_t *interior, size_t *triangles, septum_contact_i8f8 *contacts, size_t *count);
+
+// The same of a capsule.
+//
+// # Safety
+// As for `septum_tree_sphere_contacts_i8f8`.
+septum_answer septum_tree_capsule_contacts_i8f8(const septum_tree_i8f8 *tree, const septum_capsule_i8f8 *capsule, const uint8_t *interior, size_t *triangles, septum_contact_i8f8 *contacts, size_t *count);
+
 // Checks a mesh and its tree, once: yes, or the error. `tree` is written only if the answer is
 // yes.
 //
@@ -932,6 +1143,37 @@ septum_answer septum_tree_closest_point_i16f16(const septum_tree_i16f16 *tree, c
 // The tree is zero, or was written by a function of this type, and its mesh has not moved.
 // `motion` leads to three numbers.
 septum_answer septum_tree_aabb_cast_i16f16(const septum_tree_i16f16 *tree, const septum_aabb_i16f16 *aabb, const septum_i16f16 *motion, size_t *triangle, septum_first_contact_i16f16 *first);
+
+// The same of a sphere.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `motion` leads to three numbers.
+septum_answer septum_tree_sphere_cast_i16f16(const septum_tree_i16f16 *tree, const septum_sphere_i16f16 *sphere, const septum_i16f16 *motion, size_t *triangle, septum_sphere_contact_i16f16 *first);
+
+// Writes which edges of each triangle are interior: bit k of `interior` for the edge from vertex k
+// to the next. Nothing is to catch on these. `scratch` has three elements for each triangle.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `scratch` has three elements for each triangle, and `interior` one.
+septum_answer septum_tree_interior_edges_i16f16(const septum_tree_i16f16 *tree, uint16_t (*scratch)[2], uint8_t *interior);
+
+// The contacts of a sphere with all triangles that it penetrates, in the tree's order, and the
+// numbers of these: as many as `count` says, which then says how many there are. Each translation
+// moves the triangle; the sphere moves by its opposite. `interior` may be null.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `interior` is null, or has an element for each triangle; `triangles` and `contacts` have `count`
+// elements.
+septum_answer septum_tree_sphere_contacts_i16f16(const septum_tree_i16f16 *tree, const septum_sphere_i16f16 *sphere, const uint8_t *interior, size_t *triangles, septum_contact_i16f16 *contacts, size_t *count);
+
+// The same of a capsule.
+//
+// # Safety
+// As for `septum_tree_sphere_contacts_i16f16`.
+septum_answer septum_tree_capsule_contacts_i16f16(const septum_tree_i16f16 *tree, const septum_capsule_i16f16 *capsule, const uint8_t *interior, size_t *triangles, septum_contact_i16f16 *contacts, size_t *count);
 
 // Checks a mesh and its tree, once: yes, or the error. `tree` is written only if the answer is
 // yes.
@@ -1000,6 +1242,37 @@ septum_answer septum_tree_closest_point_f32(const septum_tree_f32 *tree, const f
 // `motion` leads to three numbers.
 septum_answer septum_tree_aabb_cast_f32(const septum_tree_f32 *tree, const septum_aabb_f32 *aabb, const float *motion, size_t *triangle, septum_first_contact_f32 *first);
 
+// The same of a sphere.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `motion` leads to three numbers.
+septum_answer septum_tree_sphere_cast_f32(const septum_tree_f32 *tree, const septum_sphere_f32 *sphere, const float *motion, size_t *triangle, septum_sphere_contact_f32 *first);
+
+// Writes which edges of each triangle are interior: bit k of `interior` for the edge from vertex k
+// to the next. Nothing is to catch on these. `scratch` has three elements for each triangle.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `scratch` has three elements for each triangle, and `interior` one.
+septum_answer septum_tree_interior_edges_f32(const septum_tree_f32 *tree, uint16_t (*scratch)[2], uint8_t *interior);
+
+// The contacts of a sphere with all triangles that it penetrates, in the tree's order, and the
+// numbers of these: as many as `count` says, which then says how many there are. Each translation
+// moves the triangle; the sphere moves by its opposite. `interior` may be null.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `interior` is null, or has an element for each triangle; `triangles` and `contacts` have `count`
+// elements.
+septum_answer septum_tree_sphere_contacts_f32(const septum_tree_f32 *tree, const septum_sphere_f32 *sphere, const uint8_t *interior, size_t *triangles, septum_contact_f32 *contacts, size_t *count);
+
+// The same of a capsule.
+//
+// # Safety
+// As for `septum_tree_sphere_contacts_f32`.
+septum_answer septum_tree_capsule_contacts_f32(const septum_tree_f32 *tree, const septum_capsule_f32 *capsule, const uint8_t *interior, size_t *triangles, septum_contact_f32 *contacts, size_t *count);
+
 // Checks a mesh and its tree, once: yes, or the error. `tree` is written only if the answer is
 // yes.
 //
@@ -1066,6 +1339,37 @@ septum_answer septum_tree_closest_point_f64(const septum_tree_f64 *tree, const d
 // The tree is zero, or was written by a function of this type, and its mesh has not moved.
 // `motion` leads to three numbers.
 septum_answer septum_tree_aabb_cast_f64(const septum_tree_f64 *tree, const septum_aabb_f64 *aabb, const double *motion, size_t *triangle, septum_first_contact_f64 *first);
+
+// The same of a sphere.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `motion` leads to three numbers.
+septum_answer septum_tree_sphere_cast_f64(const septum_tree_f64 *tree, const septum_sphere_f64 *sphere, const double *motion, size_t *triangle, septum_sphere_contact_f64 *first);
+
+// Writes which edges of each triangle are interior: bit k of `interior` for the edge from vertex k
+// to the next. Nothing is to catch on these. `scratch` has three elements for each triangle.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `scratch` has three elements for each triangle, and `interior` one.
+septum_answer septum_tree_interior_edges_f64(const septum_tree_f64 *tree, uint16_t (*scratch)[2], uint8_t *interior);
+
+// The contacts of a sphere with all triangles that it penetrates, in the tree's order, and the
+// numbers of these: as many as `count` says, which then says how many there are. Each translation
+// moves the triangle; the sphere moves by its opposite. `interior` may be null.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `interior` is null, or has an element for each triangle; `triangles` and `contacts` have `count`
+// elements.
+septum_answer septum_tree_sphere_contacts_f64(const septum_tree_f64 *tree, const septum_sphere_f64 *sphere, const uint8_t *interior, size_t *triangles, septum_contact_f64 *contacts, size_t *count);
+
+// The same of a capsule.
+//
+// # Safety
+// As for `septum_tree_sphere_contacts_f64`.
+septum_answer septum_tree_capsule_contacts_f64(const septum_tree_f64 *tree, const septum_capsule_f64 *capsule, const uint8_t *interior, size_t *triangles, septum_contact_f64 *contacts, size_t *count);
 
 // Checks a mesh and its tree, once: yes, or the error. `tree` is written only if the answer is
 // yes.
@@ -1134,6 +1438,37 @@ septum_answer septum_tree32_closest_point_f32(const septum_tree32_f32 *tree, con
 // `motion` leads to three numbers.
 septum_answer septum_tree32_aabb_cast_f32(const septum_tree32_f32 *tree, const septum_aabb_f32 *aabb, const float *motion, size_t *triangle, septum_first_contact_f32 *first);
 
+// The same of a sphere.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `motion` leads to three numbers.
+septum_answer septum_tree32_sphere_cast_f32(const septum_tree32_f32 *tree, const septum_sphere_f32 *sphere, const float *motion, size_t *triangle, septum_sphere_contact_f32 *first);
+
+// Writes which edges of each triangle are interior: bit k of `interior` for the edge from vertex k
+// to the next. Nothing is to catch on these. `scratch` has three elements for each triangle.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `scratch` has three elements for each triangle, and `interior` one.
+septum_answer septum_tree32_interior_edges_f32(const septum_tree32_f32 *tree, uint32_t (*scratch)[2], uint8_t *interior);
+
+// The contacts of a sphere with all triangles that it penetrates, in the tree's order, and the
+// numbers of these: as many as `count` says, which then says how many there are. Each translation
+// moves the triangle; the sphere moves by its opposite. `interior` may be null.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `interior` is null, or has an element for each triangle; `triangles` and `contacts` have `count`
+// elements.
+septum_answer septum_tree32_sphere_contacts_f32(const septum_tree32_f32 *tree, const septum_sphere_f32 *sphere, const uint8_t *interior, size_t *triangles, septum_contact_f32 *contacts, size_t *count);
+
+// The same of a capsule.
+//
+// # Safety
+// As for `septum_tree32_sphere_contacts_f32`.
+septum_answer septum_tree32_capsule_contacts_f32(const septum_tree32_f32 *tree, const septum_capsule_f32 *capsule, const uint8_t *interior, size_t *triangles, septum_contact_f32 *contacts, size_t *count);
+
 // Checks a mesh and its tree, once: yes, or the error. `tree` is written only if the answer is
 // yes.
 //
@@ -1200,6 +1535,37 @@ septum_answer septum_tree32_closest_point_f64(const septum_tree32_f64 *tree, con
 // The tree is zero, or was written by a function of this type, and its mesh has not moved.
 // `motion` leads to three numbers.
 septum_answer septum_tree32_aabb_cast_f64(const septum_tree32_f64 *tree, const septum_aabb_f64 *aabb, const double *motion, size_t *triangle, septum_first_contact_f64 *first);
+
+// The same of a sphere.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `motion` leads to three numbers.
+septum_answer septum_tree32_sphere_cast_f64(const septum_tree32_f64 *tree, const septum_sphere_f64 *sphere, const double *motion, size_t *triangle, septum_sphere_contact_f64 *first);
+
+// Writes which edges of each triangle are interior: bit k of `interior` for the edge from vertex k
+// to the next. Nothing is to catch on these. `scratch` has three elements for each triangle.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `scratch` has three elements for each triangle, and `interior` one.
+septum_answer septum_tree32_interior_edges_f64(const septum_tree32_f64 *tree, uint32_t (*scratch)[2], uint8_t *interior);
+
+// The contacts of a sphere with all triangles that it penetrates, in the tree's order, and the
+// numbers of these: as many as `count` says, which then says how many there are. Each translation
+// moves the triangle; the sphere moves by its opposite. `interior` may be null.
+//
+// # Safety
+// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+// `interior` is null, or has an element for each triangle; `triangles` and `contacts` have `count`
+// elements.
+septum_answer septum_tree32_sphere_contacts_f64(const septum_tree32_f64 *tree, const septum_sphere_f64 *sphere, const uint8_t *interior, size_t *triangles, septum_contact_f64 *contacts, size_t *count);
+
+// The same of a capsule.
+//
+// # Safety
+// As for `septum_tree32_sphere_contacts_f64`.
+septum_answer septum_tree32_capsule_contacts_f64(const septum_tree32_f64 *tree, const septum_capsule_f64 *capsule, const uint8_t *interior, size_t *triangles, septum_contact_f64 *contacts, size_t *count);
 
 #ifdef __cplusplus
 }  // extern "C"

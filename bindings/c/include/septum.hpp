@@ -45,9 +45,12 @@ private:
 // The structures of a type of number: `int16_t` is I8F8, and `int32_t` I16F16.
 template <class S> struct types;
 
-// The triangle of a mesh that a ray or a moving box meets, or that is closest to a point, and where.
+// The triangle of a mesh that a ray or a moving shape meets, that is closest to a point, or that a
+// shape penetrates, and where.
 template <class S> struct mesh_hit { std::size_t triangle; typename types<S>::hit hit; };
 template <class S> struct mesh_contact { std::size_t triangle; typename types<S>::first_contact first; };
+template <class S> struct mesh_sphere_contact { std::size_t triangle; typename types<S>::sphere_contact first; };
+template <class S> struct mesh_manifold { std::size_t triangle; typename types<S>::contact contact; };
 template <class S> struct mesh_closest { std::size_t triangle; typename types<S>::closest closest; };
 
 #define SEPTUM_OVERLAP(N, A, B)                                                                    \
@@ -61,6 +64,13 @@ template <class S> struct mesh_closest { std::size_t triangle; typename types<S>
         return {septum_##F##_##N(&a, &b, &value), value};                                          \
     }
 
+#define SEPTUM_CAST(S, N, A, FIRST, B)                                                             \
+    inline found<septum_##FIRST##_##N> cast(                                                       \
+        const septum_##A##_##N &a, const point<S> &motion, const septum_##B##_##N &b) {            \
+        septum_##FIRST##_##N value{};                                                              \
+        return {septum_##A##_cast_##B##_##N(&a, motion.data(), &b, &value), value};                \
+    }
+
 #define SEPTUM_PAIRS(S, N)                                                                         \
     SEPTUM_OVERLAP(N, triangle, aabb) SEPTUM_OVERLAP(N, triangle, obb)                             \
     SEPTUM_OVERLAP(N, triangle, triangle) SEPTUM_OVERLAP(N, ray, aabb)                             \
@@ -69,6 +79,14 @@ template <class S> struct mesh_closest { std::size_t triangle; typename types<S>
     SEPTUM_FOUND(N, hit, ray_triangle_hit, hit, ray, triangle)                                     \
     SEPTUM_FOUND(N, contact, triangle_aabb_contact, contact, triangle, aabb)                       \
     SEPTUM_FOUND(N, contact, obb_obb_contact, contact, obb, obb)                                   \
+    SEPTUM_FOUND(N, contact, sphere_triangle_contact, contact, sphere, triangle)                   \
+    SEPTUM_FOUND(N, contact, sphere_aabb_contact, contact, sphere, aabb)                           \
+    SEPTUM_FOUND(N, contact, capsule_triangle_contact, contact, capsule, triangle)                 \
+    SEPTUM_FOUND(N, contact, capsule_aabb_contact, contact, capsule, aabb)                         \
+    SEPTUM_FOUND(N, range, ray_sphere_range, range, ray, sphere)                                   \
+    SEPTUM_CAST(S, N, aabb, first_contact, triangle)                                               \
+    SEPTUM_CAST(S, N, sphere, sphere_contact, triangle)                                            \
+    SEPTUM_CAST(S, N, sphere, sphere_contact, aabb)                                                \
     inline verdict is_hit(const septum_ray_##N &a, const septum_triangle_##N &b) noexcept {        \
         return septum_ray_triangle_##N(&a, &b);                                                    \
     }                                                                                              \
@@ -76,11 +94,6 @@ template <class S> struct mesh_closest { std::size_t triangle; typename types<S>
         const septum_triangle_##N &a, const point<S> &p) {                                         \
         septum_closest_##N value{};                                                                \
         return {septum_triangle_closest_point_##N(&a, p.data(), &value), value};                   \
-    }                                                                                              \
-    inline found<septum_first_contact_##N> cast(                                                   \
-        const septum_aabb_##N &a, const point<S> &motion, const septum_triangle_##N &b) {          \
-        septum_first_contact_##N value{};                                                          \
-        return {septum_aabb_cast_triangle_##N(&a, motion.data(), &b, &value), value};              \
     }                                                                                              \
     /* A box that is turned by a unit quaternion x, y, z, w. */                                    \
     inline found<septum_obb_##N> turned(septum_obb_##N box, const std::array<S, 4> &by) {          \
@@ -99,10 +112,13 @@ template <class S> struct mesh_closest { std::size_t triangle; typename types<S>
         using mesh = septum_##MESH##_##N; using tree = septum_##TREE##_##N;                        \
         SEPTUM_TYPE(N, triangle) SEPTUM_TYPE(N, aabb) SEPTUM_TYPE(N, obb) SEPTUM_TYPE(N, sphere)   \
         SEPTUM_TYPE(N, capsule) SEPTUM_TYPE(N, ray) SEPTUM_TYPE(N, hit) SEPTUM_TYPE(N, closest)    \
-        SEPTUM_TYPE(N, first_contact) SEPTUM_TYPE(N, contact)                                      \
+        SEPTUM_TYPE(N, first_contact) SEPTUM_TYPE(N, sphere_contact) SEPTUM_TYPE(N, contact)       \
+        SEPTUM_TYPE(N, range)                                                                      \
         SEPTUM_ASK(N, TREE, build) SEPTUM_ASK(N, TREE, contains) SEPTUM_ASK(N, TREE, first_hit)    \
         SEPTUM_ASK(N, TREE, is_hit) SEPTUM_ASK(N, TREE, aabb) SEPTUM_ASK(N, TREE, sphere)          \
         SEPTUM_ASK(N, TREE, aabb_cast) SEPTUM_ASK(N, TREE, closest_point)                          \
+        SEPTUM_ASK(N, TREE, sphere_cast) SEPTUM_ASK(N, TREE, interior_edges)                       \
+        SEPTUM_ASK(N, TREE, sphere_contacts) SEPTUM_ASK(N, TREE, capsule_contacts)                 \
     };
 
 SEPTUM_TYPES(std::int16_t, i8f8, std::uint16_t, mesh, tree)
@@ -113,6 +129,7 @@ SEPTUM_TYPES(double, f64, std::uint32_t, mesh32, tree32)
 #undef SEPTUM_PAIRS
 #undef SEPTUM_OVERLAP
 #undef SEPTUM_FOUND
+#undef SEPTUM_CAST
 #undef SEPTUM_TYPE
 #undef SEPTUM_ASK
 
@@ -182,14 +199,56 @@ public:
         mesh_contact<S> value{};
         return {t::ask_aabb_cast(&tree_, &box, motion.data(), &value.triangle, &value.first), value};
     }
+    found<mesh_sphere_contact<S>> cast(const typename t::sphere &ball, const point<S> &motion) const {
+        mesh_sphere_contact<S> value{};
+        return {t::ask_sphere_cast(&tree_, &ball, motion.data(), &value.triangle, &value.first), value};
+    }
+    // Finds the interior edges, on which nothing is to catch: once, before `contacts`.
+    verdict find_interior_edges() {
+        std::vector<std::array<index, 2>> scratch(3 * triangles_.size() + 1);
+        interior_.resize(triangles_.size() + 1);
+        return t::ask_interior_edges(
+            &tree_, reinterpret_cast<index(*)[2]>(scratch.data()), interior_.data());
+    }
+    // The contacts with all triangles that a ball or a capsule penetrates. Each translation moves
+    // the triangle; the shape moves by its opposite.
+    found<std::vector<mesh_manifold<S>>> contacts(const typename t::sphere &ball) const {
+        return all_contacts(t::ask_sphere_contacts, ball);
+    }
+    found<std::vector<mesh_manifold<S>>> contacts(const typename t::capsule &capsule) const {
+        return all_contacts(t::ask_capsule_contacts, capsule);
+    }
     const std::vector<point<S>> &vertices() const noexcept { return vertices_; }
     const std::vector<triangle> &triangles() const noexcept { return triangles_; }
 
 private:
+    template <class F, class A>
+    found<std::vector<mesh_manifold<S>>> all_contacts(F ask, const A &shape) const {
+        std::vector<std::size_t> which;
+        std::vector<typename t::contact> contacts;
+        const std::uint8_t *const interior = interior_.empty() ? nullptr : interior_.data();
+        for (std::size_t room = 8;; room = which.size()) {
+            which.resize(room);
+            contacts.resize(room);
+            const septum_answer answer =
+                ask(&tree_, &shape, interior, which.data(), contacts.data(), &room);
+            if (answer == SEPTUM_ANSWER_YES && room > which.size()) {
+                which.resize(room);
+                continue;
+            }
+            std::vector<mesh_manifold<S>> value;
+            for (std::size_t i = 0; answer == SEPTUM_ANSWER_YES && i < room; i++) {
+                value.push_back({which[i], contacts[i]});
+            }
+            return {answer, std::move(value)};
+        }
+    }
+
     std::vector<point<S>> vertices_;
     std::vector<triangle> triangles_;
     std::vector<std::array<std::array<std::uint16_t, 4>, 6>> nodes_;
     std::vector<index> order_;
+    std::vector<std::uint8_t> interior_;
     // Of zeros it is not open, and says so.
     typename t::tree tree_{};
 };

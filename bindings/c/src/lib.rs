@@ -11,6 +11,7 @@
 #![cfg_attr(panic = "abort", no_std)]
 
 mod exports;
+mod manifolds;
 mod mesh;
 mod number;
 mod queries;
@@ -20,7 +21,8 @@ mod text;
 pub use exports::*;
 pub use mesh::{Mesh, Tree, septum_node_count};
 pub use shapes::{
-    Aabb, Answer, Capsule, Closest, Contact, FirstContact, Hit, Obb, Point, Ray, Sphere, Triangle,
+    Aabb, Answer, Capsule, Closest, Contact, FirstContact, Hit, Obb, Point, Range, Ray, Sphere,
+    SphereContact, Triangle,
 };
 pub use text::*;
 

@@ -9,7 +9,7 @@ use septum::mesh::{self, Index, MeshError, Node};
 
 use crate::number::Number;
 use crate::queries::by;
-use crate::shapes::{Aabb, Answer, Closest, FirstContact, Hit, Ray, Sphere, point};
+use crate::shapes::{Aabb, Answer, Closest, FirstContact, Hit, Ray, Sphere, SphereContact, point};
 
 /// A closed mesh and the nodes of its tree, for example in flash. Triangles are indices of
 /// vertices; with nodes they are listed in the tree's order. septum's example `quantise` writes
@@ -34,7 +34,7 @@ pub struct Tree<T, I> {
     pub indices: PhantomData<I>,
 }
 
-type Opened<T, I> = mesh::Tree<'static, <T as Number>::Scalar, I>;
+pub(crate) type Opened<T, I> = mesh::Tree<'static, <T as Number>::Scalar, I>;
 
 /// The contents of a [`Tree`]: first a mark that is not zero, so that a tree of zeros is not open.
 #[repr(C)]
@@ -156,7 +156,9 @@ pub extern "C" fn septum_node_count(triangles: usize) -> usize {
 
 /// # Safety
 /// The tree is zero, or was written by [`keep`], and its mesh stays.
-unsafe fn opened<T: Number, I: Index>(tree: Option<&Tree<T, I>>) -> Result<&Opened<T, I>, Answer> {
+pub(crate) unsafe fn opened<T: Number, I: Index>(
+    tree: Option<&Tree<T, I>>,
+) -> Result<&Opened<T, I>, Answer> {
     let Some(tree) = tree else { return Err(Answer::NullPointer) };
     if tree.opaque[0] != Kept::<T, I>::MARK {
         return Err(Answer::NotOpen);
@@ -301,5 +303,21 @@ pub(crate) unsafe fn aabb_cast<T: Number, I: Index>(
             let first = tree.first_contact(&aabb.shape()?, &motion);
             Ok(first.and_then(|(i, first)| Some((i, (first, motion, tree.mesh().triangle(i)?)))))
         })
+    }
+}
+
+/// # Safety
+/// As for [`opened`].
+pub(crate) unsafe fn sphere_cast<T: Number, I: Index>(
+    tree: Option<&Tree<T, I>>,
+    sphere: Option<&Sphere<T>>,
+    motion: Option<&[T; 3]>,
+    triangle: Option<&mut usize>,
+    first: Option<&mut SphereContact<T>>,
+) -> Answer {
+    let (Some(sphere), Some(motion)) = (sphere, motion) else { return Answer::NullPointer };
+    // SAFETY: as the caller promises.
+    unsafe {
+        find(tree, triangle, first, |tree| Ok(tree.first_contact(&sphere.shape()?, &by(motion)?)))
     }
 }

@@ -2,12 +2,12 @@
 
 use septum::contact::{self, Part};
 use septum::sweep::{Motion, Sweep};
-use septum::{Axis, ShapeError};
+use septum::{Axis, Feature, ShapeError};
 
 use crate::number::Number;
 use crate::shapes::{
-    Aabb, Answer, Capsule, Closest, Contact, FirstContact, Hit, Obb, Point, Ray, Sphere, Triangle,
-    point,
+    Aabb, Answer, Capsule, Closest, Contact, FirstContact, Hit, Obb, Point, Range, Ray, Sphere,
+    SphereContact, Triangle, point,
 };
 
 pub(crate) fn triangle_aabb<T: Number>(
@@ -117,6 +117,78 @@ pub(crate) fn obb_obb_contact<T: Number>(
     })
 }
 
+pub(crate) fn sphere_triangle_contact<T: Number>(
+    sphere: Option<&Sphere<T>>,
+    triangle: Option<&Triangle<T>>,
+    contact: Option<&mut Contact<T>>,
+) -> Answer {
+    find(sphere, triangle, contact, |sphere, triangle| {
+        Ok(contact::contact(&sphere.shape()?, &triangle.shape()?))
+    })
+}
+
+pub(crate) fn sphere_aabb_contact<T: Number>(
+    sphere: Option<&Sphere<T>>,
+    aabb: Option<&Aabb<T>>,
+    contact: Option<&mut Contact<T>>,
+) -> Answer {
+    find(sphere, aabb, contact, |sphere, aabb| {
+        Ok(contact::contact(&sphere.shape()?, &aabb.shape()?))
+    })
+}
+
+pub(crate) fn capsule_triangle_contact<T: Number>(
+    capsule: Option<&Capsule<T>>,
+    triangle: Option<&Triangle<T>>,
+    contact: Option<&mut Contact<T>>,
+) -> Answer {
+    find(capsule, triangle, contact, |capsule, triangle| {
+        Ok(contact::contact(&capsule.shape()?, &triangle.shape()?))
+    })
+}
+
+pub(crate) fn capsule_aabb_contact<T: Number>(
+    capsule: Option<&Capsule<T>>,
+    aabb: Option<&Aabb<T>>,
+    contact: Option<&mut Contact<T>>,
+) -> Answer {
+    find(capsule, aabb, contact, |capsule, aabb| {
+        Ok(contact::contact(&capsule.shape()?, &aabb.shape()?))
+    })
+}
+
+pub(crate) fn sphere_cast_triangle<T: Number>(
+    sphere: Option<&Sphere<T>>,
+    motion: Option<&[T; 3]>,
+    triangle: Option<&Triangle<T>>,
+    first: Option<&mut SphereContact<T>>,
+) -> Answer {
+    let Some(motion) = motion else { return Answer::NullPointer };
+    find(sphere, triangle, first, |sphere, triangle| {
+        Ok(sphere.shape()?.first_contact(&by(motion)?, &triangle.shape()?))
+    })
+}
+
+pub(crate) fn sphere_cast_aabb<T: Number>(
+    sphere: Option<&Sphere<T>>,
+    motion: Option<&[T; 3]>,
+    aabb: Option<&Aabb<T>>,
+    first: Option<&mut SphereContact<T>>,
+) -> Answer {
+    let Some(motion) = motion else { return Answer::NullPointer };
+    find(sphere, aabb, first, |sphere, aabb| {
+        Ok(sphere.shape()?.first_contact(&by(motion)?, &aabb.shape()?))
+    })
+}
+
+pub(crate) fn ray_sphere_range<T: Number>(
+    ray: Option<&Ray<T>>,
+    sphere: Option<&Sphere<T>>,
+    range: Option<&mut Range<T>>,
+) -> Answer {
+    find(ray, sphere, range, |ray, sphere| Ok(ray.shape()?.t_range_sphere(&sphere.shape()?)))
+}
+
 pub(crate) fn obb_turn<T: Number>(obb: Option<&mut Obb<T>>, quaternion: Option<&[T; 4]>) -> Answer {
     let (Some(obb), Some(quaternion)) = (obb, quaternion) else { return Answer::NullPointer };
     let quaternion = quaternion.map(T::scalar);
@@ -178,6 +250,48 @@ impl<T: Number> From<Met<T::Scalar>> for FirstContact<T> {
     }
 }
 
+impl<T: Number> From<(T::Scalar, T::Scalar)> for Range<T> {
+    fn from((enter, leave): (T::Scalar, T::Scalar)) -> Self {
+        Self { enter: T::raw(enter), leave: T::raw(leave) }
+    }
+}
+
+/// No part: the shapes meet at the start.
+const AT_START: u8 = 255;
+
+impl<T: Number> From<septum::sweep::SphereContact<T::Scalar, Feature>> for SphereContact<T> {
+    fn from(first: septum::sweep::SphereContact<T::Scalar, Feature>) -> Self {
+        let part = |part| match part {
+            Feature::Interior => Part::Face(0),
+            Feature::Edge(k) => Part::Edge(k),
+            Feature::Vertex(k) => Part::Vertex(k),
+        };
+        let part = first.part.map_or(AT_START, |feature| number(part(feature)));
+        Self { t: T::raw(first.t), part }
+    }
+}
+
+impl<T: Number> From<septum::sweep::SphereContact<T::Scalar, [i8; 3]>> for SphereContact<T> {
+    fn from(first: septum::sweep::SphereContact<T::Scalar, [i8; 3]>) -> Self {
+        let part = first.part.map_or(AT_START, |sides| number(part_of_box(sides)));
+        Self { t: T::raw(first.t), part }
+    }
+}
+
+/// The part of a box that is on these sides.
+fn part_of_box([x, y, z]: [i8; 3]) -> Part {
+    let is_up = |side: i8| u8::from(side > 0);
+    match [x != 0, y != 0, z != 0] {
+        [_, false, false] => Part::Face(is_up(x)),
+        [false, _, false] => Part::Face(2 + is_up(y)),
+        [false, false, _] => Part::Face(4 + is_up(z)),
+        [false, ..] => Part::Edge(is_up(y) + 2 * is_up(z)),
+        [_, false, _] => Part::Edge(4 + is_up(z) + 2 * is_up(x)),
+        [.., false] => Part::Edge(8 + is_up(x) + 2 * is_up(y)),
+        _ => Part::Vertex(is_up(x) + 2 * is_up(y) + 4 * is_up(z)),
+    }
+}
+
 impl<T: Number> From<contact::Contact<T::Scalar>> for Contact<T> {
     fn from(contact: contact::Contact<T::Scalar>) -> Self {
         let zero = T::raw(<T::Scalar as septum::Scalar>::ZERO);
@@ -194,6 +308,7 @@ impl<T: Number> From<contact::Contact<T::Scalar>> for Contact<T> {
             depth: T::raw(translation.depth),
             normal: translation.normal.to_array().map(T::raw),
             is_sufficient: translation.is_sufficient.into(),
+            is_held: contact.is_held.into(),
             point_count: contact.points().len() as u8,
             points: [none; 8],
         };

@@ -89,6 +89,24 @@ pub struct FirstContact<T> {
     pub axis: u8,
 }
 
+/// When a moving sphere first meets a triangle or a box. `t` is the part of the motion until then, as
+/// for a box that moves. `part` is the face, edge or vertex at the point of contact, in the numbers
+/// of a contact, and 255 if they meet at the start.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SphereContact<T> {
+    pub t: T,
+    pub part: u8,
+}
+
+/// Where a ray enters a shape and leaves it, in units of its direction.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range<T> {
+    pub enter: T,
+    pub leave: T,
+}
+
 /// A point of a contact, on each shape. A part is 0 to 5 for a face, 16 and more for an edge, 32
 /// and more for a vertex.
 #[repr(C)]
@@ -102,7 +120,8 @@ pub struct Point<T> {
 }
 
 /// The translation that moves the first shape out of the second. Only `point_count` points are
-/// meant. `is_sufficient` is 0 if a coordinate of the translation is beyond the type.
+/// meant. `is_sufficient` is 0 if a coordinate of the translation is beyond the type. `is_held` is 1
+/// if an interior edge of a mesh holds it to the triangle's normal.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<T> {
@@ -110,6 +129,7 @@ pub struct Contact<T> {
     pub depth: T,
     pub normal: [T; 3],
     pub is_sufficient: u8,
+    pub is_held: u8,
     pub point_count: u8,
     pub points: [Point<T>; 8],
 }

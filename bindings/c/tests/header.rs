@@ -19,7 +19,10 @@ fn files() -> Vec<(String, String)> {
     let read =
         |name: &str| fs::read_to_string(format!("{ROOT}/src/exports/{name}_f32.rs")).unwrap();
     let (pairs, mesh) = (read("pairs"), read("mesh"));
-    let wide = mesh.replace("u16>", "u32>").replace("*mut u16", "*mut u32");
+    let wide = mesh
+        .replace("u16>", "u32>")
+        .replace("*mut u16", "*mut u32")
+        .replace("[u16; 2]", "[u32; 2]");
     let wide = wide.replace("septum_tree_", "septum_tree32_").replace("of 16 bits", "of 32 bits");
     let mut files = vec![("mesh32_f32".to_string(), wide.clone())];
     for (suffix, number, called) in

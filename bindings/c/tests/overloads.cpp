@@ -33,6 +33,12 @@ template <class S> static void pairs(S one, const char *type) {
     const typename t::capsule capsule = {{o, o, o}, {one, o, o}, one};
     check(bool(septum::overlaps(ball, triangle)) && !septum::overlaps(small, triangle), "ball", type);
     check(bool(septum::overlaps(ball, cell)) && !septum::overlaps(small, far), "ball and box", type);
+    check(septum::contact(ball, triangle) && !septum::contact(small, far), "contact of a ball", type);
+    const auto out = septum::contact(small, cell);
+    check(out && out->depth == one && out->point_count == 1, "ball out of a box", type);
+    check(septum::contact(capsule, triangle) && septum::contact(capsule, cell), "contact of a capsule", type);
+    const auto range = septum::range(ray, ball);
+    check(range && range->enter == o && range->leave > one, "range", type);
     check(bool(septum::overlaps(capsule, triangle)) && bool(septum::overlaps(capsule, cell)), "capsule", type);
     check(septum::overlaps(inverted, cell).answer() == SEPTUM_ANSWER_NEGATIVE_RADIUS, "no ball", type);
     const auto closest = septum::closest_point(triangle, {four, o, o});
@@ -42,6 +48,10 @@ template <class S> static void pairs(S one, const char *type) {
     check(hit && std::fabs(double(hit->t) / double(one) - 2.0 / 3.0) < 0.01, "t", type);
     const auto first = septum::cast(far, {S(-two), S(-two), S(-two)}, triangle);
     check(first && !septum::cast(far, {two, two, two}, triangle), "cast", type);
+    const typename t::sphere thrown = {{S(-two), o, o}, one};
+    const auto touched = septum::cast(thrown, {two, o, o}, cell);
+    check(touched && touched->t == S(one / 2) && touched->part == 0, "cast of a ball", type);
+    check(!septum::cast(thrown, {S(-two), o, o}, triangle), "cast of a ball away", type);
     check(bool(septum::contact(triangle, cell)), "contact", type);
     const auto contact = septum::contact(box, box);
     check(contact && contact->point_count > 0 && contact->depth == two, "contact of boxes", type);
@@ -75,6 +85,14 @@ template <class S> static void meshes(S one, const char *type) {
     using sphere = typename septum::types<S>::sphere;
     check(bool(solid.overlaps(sphere{{o, S(-one), o}, one})), "overlaps a ball", type);
     check(!solid.overlaps(sphere{{o, S(-one), o}, h}), "overlaps no ball", type);
+    const auto dropped = solid.cast(sphere{{h, h, S(-2 * one)}, h}, {o, o, S(2 * one)});
+    check(dropped && dropped->triangle == 0 && dropped->first.part == 0, "cast of a ball at a mesh", type);
+    auto floor = *mesh::build(corners, faces);
+    check(bool(floor.find_interior_edges()), "interior edges", type);
+    const auto sunk = floor.contacts(sphere{{h, h, S(-h)}, S(2 * h)});
+    check(sunk && !sunk->empty() && sunk->front().contact.point_count == 1, "contacts of a ball", type);
+    const typename septum::types<S>::capsule post = {{h, h, S(-one)}, {h, h, one}, h};
+    check(floor.contacts(post) && !floor.contacts(sphere{{o, S(-2 * one), o}, h}), "contacts", type);
     const auto bad = mesh::build(corners, {{0, 1, 9}});
     check(bad.answer() == SEPTUM_ANSWER_NO_SUCH_VERTEX, "no such vertex", type);
     check(mesh().contains({o, o, o}).answer() == SEPTUM_ANSWER_NOT_OPEN, "not built", type);

@@ -1,9 +1,12 @@
 //! Questions about a mesh, in `double` with indices of 16 bits. tests/header.rs makes the files of
 //! the other types, and of 32-bit indices, from this one.
+use crate::manifolds;
 use crate::mesh::{self, Mesh, Tree};
 #[allow(unused_imports, reason = "floats need no name")]
 use crate::number::*;
-use crate::shapes::{Aabb, Answer, Closest, FirstContact, Hit, Ray, Sphere};
+use crate::shapes::{
+    Aabb, Answer, Capsule, Closest, Contact, FirstContact, Hit, Ray, Sphere, SphereContact,
+};
 
 /// Checks a mesh and its tree, once: yes, or the error. `tree` is written only if the answer is
 /// yes.
@@ -145,4 +148,77 @@ pub unsafe extern "C" fn septum_tree_aabb_cast_f64(
 ) -> Answer {
     // SAFETY: as the caller promises.
     unsafe { mesh::aabb_cast(tree, aabb, motion.cast::<[f64; 3]>().as_ref(), triangle, first) }
+}
+
+/// The same of a sphere.
+///
+/// # Safety
+/// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+/// `motion` leads to three numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_tree_sphere_cast_f64(
+    tree: Option<&Tree<f64, u16>>,
+    sphere: Option<&Sphere<f64>>,
+    motion: *const f64,
+    triangle: Option<&mut usize>,
+    first: Option<&mut SphereContact<f64>>,
+) -> Answer {
+    // SAFETY: as the caller promises.
+    unsafe { mesh::sphere_cast(tree, sphere, motion.cast::<[f64; 3]>().as_ref(), triangle, first) }
+}
+
+/// Writes which edges of each triangle are interior: bit k of `interior` for the edge from vertex k
+/// to the next. Nothing is to catch on these. `scratch` has three elements for each triangle.
+///
+/// # Safety
+/// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+/// `scratch` has three elements for each triangle, and `interior` one.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_tree_interior_edges_f64(
+    tree: Option<&Tree<f64, u16>>,
+    scratch: *mut [u16; 2],
+    interior: *mut u8,
+) -> Answer {
+    // SAFETY: as the caller promises.
+    unsafe { manifolds::edges(tree, scratch, interior) }
+}
+
+/// The contacts of a sphere with all triangles that it penetrates, in the tree's order, and the
+/// numbers of these: as many as `count` says, which then says how many there are. Each translation
+/// moves the triangle; the sphere moves by its opposite. `interior` may be null.
+///
+/// # Safety
+/// The tree is zero, or was written by a function of this type, and its mesh has not moved.
+/// `interior` is null, or has an element for each triangle; `triangles` and `contacts` have `count`
+/// elements.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_tree_sphere_contacts_f64(
+    tree: Option<&Tree<f64, u16>>,
+    sphere: Option<&Sphere<f64>>,
+    interior: *const u8,
+    triangles: *mut usize,
+    contacts: *mut Contact<f64>,
+    count: Option<&mut usize>,
+) -> Answer {
+    let sphere = sphere.map(Sphere::shape);
+    // SAFETY: as the caller promises.
+    unsafe { manifolds::contacts(tree, sphere, interior, triangles, contacts, count) }
+}
+
+/// The same of a capsule.
+///
+/// # Safety
+/// As for `septum_tree_sphere_contacts_f64`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_tree_capsule_contacts_f64(
+    tree: Option<&Tree<f64, u16>>,
+    capsule: Option<&Capsule<f64>>,
+    interior: *const u8,
+    triangles: *mut usize,
+    contacts: *mut Contact<f64>,
+    count: Option<&mut usize>,
+) -> Answer {
+    let capsule = capsule.map(Capsule::shape);
+    // SAFETY: as the caller promises.
+    unsafe { manifolds::contacts(tree, capsule, interior, triangles, contacts, count) }
 }

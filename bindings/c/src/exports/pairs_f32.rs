@@ -4,7 +4,8 @@
 use crate::number::*;
 use crate::queries;
 use crate::shapes::{
-    Aabb, Answer, Capsule, Closest, Contact, FirstContact, Hit, Obb, Ray, Sphere, Triangle,
+    Aabb, Answer, Capsule, Closest, Contact, FirstContact, Hit, Obb, Range, Ray, Sphere,
+    SphereContact, Triangle,
 };
 
 /// Whether a triangle overlaps an axis-aligned box, exactly.
@@ -148,6 +149,90 @@ pub extern "C" fn septum_obb_obb_contact_f32(
     contact: Option<&mut Contact<f32>>,
 ) -> Answer {
     queries::obb_obb_contact(first, second, contact)
+}
+
+/// The same of a sphere and a triangle: of the sphere out of the triangle, with one point.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_sphere_triangle_contact_f32(
+    sphere: Option<&Sphere<f32>>,
+    triangle: Option<&Triangle<f32>>,
+    contact: Option<&mut Contact<f32>>,
+) -> Answer {
+    queries::sphere_triangle_contact(sphere, triangle, contact)
+}
+
+/// The same of a sphere and an axis-aligned box.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_sphere_aabb_contact_f32(
+    sphere: Option<&Sphere<f32>>,
+    aabb: Option<&Aabb<f32>>,
+    contact: Option<&mut Contact<f32>>,
+) -> Answer {
+    queries::sphere_aabb_contact(sphere, aabb, contact)
+}
+
+/// The same of a capsule and a triangle.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_capsule_triangle_contact_f32(
+    capsule: Option<&Capsule<f32>>,
+    triangle: Option<&Triangle<f32>>,
+    contact: Option<&mut Contact<f32>>,
+) -> Answer {
+    queries::capsule_triangle_contact(capsule, triangle, contact)
+}
+
+/// The same of a capsule and an axis-aligned box.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_capsule_aabb_contact_f32(
+    capsule: Option<&Capsule<f32>>,
+    aabb: Option<&Aabb<f32>>,
+    contact: Option<&mut Contact<f32>>,
+) -> Answer {
+    queries::capsule_aabb_contact(capsule, aabb, contact)
+}
+
+/// When a sphere that moves by `motion` first meets a triangle; writes `first` only if the answer is
+/// yes. The verdict is exact, and the time is never late.
+///
+/// # Safety
+/// `motion` leads to three numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_sphere_cast_triangle_f32(
+    sphere: Option<&Sphere<f32>>,
+    motion: *const f32,
+    triangle: Option<&Triangle<f32>>,
+    first: Option<&mut SphereContact<f32>>,
+) -> Answer {
+    // SAFETY: as the caller promises.
+    let motion = unsafe { motion.cast::<[f32; 3]>().as_ref() };
+    queries::sphere_cast_triangle(sphere, motion, triangle, first)
+}
+
+/// The same past an axis-aligned box.
+///
+/// # Safety
+/// `motion` leads to three numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_sphere_cast_aabb_f32(
+    sphere: Option<&Sphere<f32>>,
+    motion: *const f32,
+    aabb: Option<&Aabb<f32>>,
+    first: Option<&mut SphereContact<f32>>,
+) -> Answer {
+    // SAFETY: as the caller promises.
+    let motion = unsafe { motion.cast::<[f32; 3]>().as_ref() };
+    queries::sphere_cast_aabb(sphere, motion, aabb, first)
+}
+
+/// Where a ray enters a sphere and leaves it; writes `range` only if the answer is yes. The verdict is
+/// exact; both numbers are rounded outward.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_ray_sphere_range_f32(
+    ray: Option<&Ray<f32>>,
+    sphere: Option<&Sphere<f32>>,
+    range: Option<&mut Range<f32>>,
+) -> Answer {
+    queries::ray_sphere_range(ray, sphere, range)
 }
 
 /// Writes the axes of a box that is turned by a unit quaternion x, y, z, w. Its centre and its

@@ -4,7 +4,8 @@
 use crate::number::*;
 use crate::queries;
 use crate::shapes::{
-    Aabb, Answer, Capsule, Closest, Contact, FirstContact, Hit, Obb, Ray, Sphere, Triangle,
+    Aabb, Answer, Capsule, Closest, Contact, FirstContact, Hit, Obb, Range, Ray, Sphere,
+    SphereContact, Triangle,
 };
 
 /// Whether a triangle overlaps an axis-aligned box, exactly.
@@ -151,6 +152,90 @@ pub extern "C" fn septum_obb_obb_contact_i16f16(
     contact: Option<&mut Contact<I16F16>>,
 ) -> Answer {
     queries::obb_obb_contact(first, second, contact)
+}
+
+/// The same of a sphere and a triangle: of the sphere out of the triangle, with one point.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_sphere_triangle_contact_i16f16(
+    sphere: Option<&Sphere<I16F16>>,
+    triangle: Option<&Triangle<I16F16>>,
+    contact: Option<&mut Contact<I16F16>>,
+) -> Answer {
+    queries::sphere_triangle_contact(sphere, triangle, contact)
+}
+
+/// The same of a sphere and an axis-aligned box.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_sphere_aabb_contact_i16f16(
+    sphere: Option<&Sphere<I16F16>>,
+    aabb: Option<&Aabb<I16F16>>,
+    contact: Option<&mut Contact<I16F16>>,
+) -> Answer {
+    queries::sphere_aabb_contact(sphere, aabb, contact)
+}
+
+/// The same of a capsule and a triangle.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_capsule_triangle_contact_i16f16(
+    capsule: Option<&Capsule<I16F16>>,
+    triangle: Option<&Triangle<I16F16>>,
+    contact: Option<&mut Contact<I16F16>>,
+) -> Answer {
+    queries::capsule_triangle_contact(capsule, triangle, contact)
+}
+
+/// The same of a capsule and an axis-aligned box.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_capsule_aabb_contact_i16f16(
+    capsule: Option<&Capsule<I16F16>>,
+    aabb: Option<&Aabb<I16F16>>,
+    contact: Option<&mut Contact<I16F16>>,
+) -> Answer {
+    queries::capsule_aabb_contact(capsule, aabb, contact)
+}
+
+/// When a sphere that moves by `motion` first meets a triangle; writes `first` only if the answer is
+/// yes. The verdict is exact, and the time is never late.
+///
+/// # Safety
+/// `motion` leads to three numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_sphere_cast_triangle_i16f16(
+    sphere: Option<&Sphere<I16F16>>,
+    motion: *const I16F16,
+    triangle: Option<&Triangle<I16F16>>,
+    first: Option<&mut SphereContact<I16F16>>,
+) -> Answer {
+    // SAFETY: as the caller promises.
+    let motion = unsafe { motion.cast::<[I16F16; 3]>().as_ref() };
+    queries::sphere_cast_triangle(sphere, motion, triangle, first)
+}
+
+/// The same past an axis-aligned box.
+///
+/// # Safety
+/// `motion` leads to three numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn septum_sphere_cast_aabb_i16f16(
+    sphere: Option<&Sphere<I16F16>>,
+    motion: *const I16F16,
+    aabb: Option<&Aabb<I16F16>>,
+    first: Option<&mut SphereContact<I16F16>>,
+) -> Answer {
+    // SAFETY: as the caller promises.
+    let motion = unsafe { motion.cast::<[I16F16; 3]>().as_ref() };
+    queries::sphere_cast_aabb(sphere, motion, aabb, first)
+}
+
+/// Where a ray enters a sphere and leaves it; writes `range` only if the answer is yes. The verdict is
+/// exact; both numbers are rounded outward.
+#[unsafe(no_mangle)]
+pub extern "C" fn septum_ray_sphere_range_i16f16(
+    ray: Option<&Ray<I16F16>>,
+    sphere: Option<&Sphere<I16F16>>,
+    range: Option<&mut Range<I16F16>>,
+) -> Answer {
+    queries::ray_sphere_range(ray, sphere, range)
 }
 
 /// Writes the axes of a box that is turned by a unit quaternion x, y, z, w. Its centre and its
