@@ -56,12 +56,27 @@ impl Effect {
             worst = of_turned(kind, scene);
             effect.flat = nearest(scene.cell / 2.0) == 0.0;
         }
+        if let Some((places, radius)) = scene.question.round() {
+            worst = of_round(kind, scene, places, radius);
+            effect.flat = radius > 0.0 && nearest(radius * scene.cell) == 0.0;
+        }
         effect.moved = effect.moved.max(distance(worst)).max(distance(worst_end));
         let index = if vertices.len() > 1 << 16 { 4 } else { 2 };
         let coordinates = u64::from(kind.bits() / 8) * vertices.len() as u64;
         effect.table = 3 * (coordinates + index * scene.triangles.len() as u64);
         effect
     }
+}
+
+/// The greatest distance by which the boundary of a round shape moves along each axis: the errors of
+/// a centre and of the radius.
+fn of_round(kind: Kind, scene: &Scene, places: &[f64], radius: f64) -> [f64; 3] {
+    let off = |x: f64| (x - kind.nearest(x).expect("a type that holds the scene")).abs();
+    [0, 1, 2].map(|axis| {
+        let at = |i: i64| places.iter().map(move |part| scene.face(i) + part * scene.cell);
+        let centers = scene.cells[axis].clone().flat_map(at).map(off);
+        centers.fold(0.0, f64::max) + off(radius * scene.cell)
+    })
 }
 
 /// The greatest distance by which a corner of a rotated box moves along each axis: the error of its

@@ -74,6 +74,12 @@ pub(crate) enum Ask {
     Sweep,
     /// How the box gets out of the triangle
     Contact,
+    /// Whether the largest sphere in the box overlaps it
+    Sphere,
+    /// Whether a capsule in the box overlaps it, half as long as the box and a quarter as wide
+    Capsule,
+    /// Which of its points is closest to the middle of the box
+    Closest,
 }
 
 /// Three numbers, not all zero.

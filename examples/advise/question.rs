@@ -2,7 +2,7 @@
 
 use septum::contact::least_translation;
 use septum::sweep::{Motion, Sweep};
-use septum::{Aabb, Obb, Scalar, Triangle, Vec3};
+use septum::{Aabb, Capsule, Obb, Scalar, Sphere, Triangle, Vec3};
 
 use crate::kind::Kind;
 use crate::options::Ask;
@@ -28,6 +28,12 @@ pub(crate) enum Question {
     Sweep([f64; 3]),
     /// The minimum translation of the box out of the triangle.
     Contact,
+    /// Whether the largest sphere in the box overlaps the triangle.
+    Sphere,
+    /// The same for a capsule, half as long as the box and a quarter as wide.
+    Capsule,
+    /// The point of the triangle closest to the middle of the box.
+    Closest,
 }
 
 impl Question {
@@ -44,6 +50,9 @@ impl Question {
             (Ask::Polygon, None) => Ok(Self::Polygon),
             (Ask::Boxes, None) => Ok(Self::Boxes),
             (Ask::Contact, None) => Ok(Self::Contact),
+            (Ask::Sphere, None) => Ok(Self::Sphere),
+            (Ask::Capsule, None) => Ok(Self::Capsule),
+            (Ask::Closest, None) => Ok(Self::Closest),
         }
     }
 
@@ -56,9 +65,20 @@ impl Question {
         matches!(self, Self::Turned | Self::Boxes)
     }
 
+    /// The places of its centres and its radius, in boxes, if the shape in question is round or a
+    /// point.
+    pub(crate) fn round(self) -> Option<(&'static [f64], f64)> {
+        match self {
+            Self::Sphere => Some((&[0.5], 0.5)),
+            Self::Capsule => Some((&[0.25, 0.5, 0.75], 0.25)),
+            Self::Closest => Some((&[0.5], 0.0)),
+            _ => None,
+        }
+    }
+
     /// Whether the stages of fixed point differ from those for a triangle and a box at rest.
     pub(crate) fn is_staged_otherwise(self) -> bool {
-        self.turns() || matches!(self, Self::Triangle | Self::Polygon)
+        self.turns() || self.round().is_some() || matches!(self, Self::Triangle | Self::Polygon)
     }
 
     /// The overhang of a rotated box along an axis, beyond the unrotated box, in boxes.
@@ -83,9 +103,10 @@ impl Question {
     /// The number in the answer.
     pub(crate) fn number(self) -> Option<&'static str> {
         match self {
-            Self::Overlap | Self::Turned | Self::Triangle | Self::Polygon | Self::Boxes => None,
             Self::Sweep(_) => Some("time"),
             Self::Contact => Some("depth"),
+            Self::Closest => Some("squared distance"),
+            _ => None,
         }
     }
 
@@ -99,6 +120,9 @@ impl Question {
             Self::Boxes => ["oriented box/oriented box", "exact", "full"],
             Self::Sweep(_) => ["triangle/box sweep", "when", "hit"],
             Self::Contact => ["triangle/box contact", "points too", "full"],
+            Self::Sphere => ["sphere/triangle", "exact", "full"],
+            Self::Capsule => ["capsule/triangle", "exact", "full"],
+            Self::Closest => ["closest point/triangle", "exact", "full"],
         }
     }
 
@@ -111,6 +135,9 @@ impl Question {
             Self::Boxes => "of a query on a {core} about two oriented boxes, all 15 axes tried",
             Self::Sweep(_) => "of the time of a box that meets the triangle, on a {core}",
             Self::Contact => "of a contact with its points, on a {core}, all axes tried",
+            Self::Sphere => "of a query on a {core} about a sphere that meets the triangle",
+            Self::Capsule => "of a query on a {core} about a capsule that meets the triangle",
+            Self::Closest => "of a closest point, on a {core}",
         }
     }
 }
@@ -120,7 +147,15 @@ impl Kind {
     pub(crate) fn meets(self, scene: &Scene, query: Query) -> bool {
         match scene.question {
             Question::Overlap => self.overlaps(scene, query),
-            Question::Sweep(_) | Question::Contact => self.number(scene, query).is_some(),
+            Question::Sweep(_) | Question::Contact | Question::Closest => {
+                self.number(scene, query).is_some()
+            }
+            Question::Sphere => {
+                sphere(scene, query, |x| self.held(x)).overlaps(&self.triangle(scene, query))
+            }
+            Question::Capsule => {
+                capsule(scene, query, |x| self.held(x)).overlaps(&self.triangle(scene, query))
+            }
             Question::Turned => turned(scene, query, |x| self.held(x), |x| self.held(x))
                 .overlaps(&self.triangle(scene, query)),
             Question::Triangle => {
@@ -142,10 +177,11 @@ impl Kind {
         Triangle::new(a, b, c).expect("the scene is finite")
     }
 
-    /// The time or the depth, if there is one, in the type.
+    /// The time, the depth or the squared distance, if there is one, in the type.
     ///
     /// `f64` holds every scene that a type holds. The answer in `f64` is exact except for one
-    /// rounding, and rounding it again in the same direction gives the answer of the type itself.
+    /// rounding. Rounding it again, down or up, gives the answer of the type itself; to the nearest,
+    /// it may give the number beside that.
     pub(crate) fn number(self, scene: &Scene, query: Query) -> Option<f64> {
         let nearest = |p: [f64; 3]| p.map(|x| self.held(x));
         let triangle = self.triangle(scene, query);
@@ -159,6 +195,11 @@ impl Kind {
                 Some(self.rounded_down(first.t))
             }
             Question::Contact => Some(self.rounded_up(least_translation(&aabb, &triangle)?.depth)),
+            Question::Closest => {
+                let middle = middle(scene, query, |x| self.held(x));
+                let squared = triangle.distance_squared(middle).expect("the scene is finite");
+                Some(self.nearest(squared).unwrap_or(self.greatest()))
+            }
             _ => None,
         }
     }
@@ -196,6 +237,29 @@ impl Kind {
     }
 }
 
+/// The middle of the box of a query, in a scalar.
+pub(crate) fn middle<S: Scalar>(scene: &Scene, query: Query, near: impl Fn(f64) -> S) -> [S; 3] {
+    query.cell.map(|i| near(scene.face(i) + scene.cell / 2.0))
+}
+
+/// The largest sphere in the box of a query.
+pub(crate) fn sphere<S: Scalar>(scene: &Scene, query: Query, near: impl Fn(f64) -> S) -> Sphere<S> {
+    let radius = near(scene.cell / 2.0);
+    Sphere::new(middle(scene, query, near), radius).expect("the scene is finite")
+}
+
+/// A capsule along x in the box of a query.
+pub(crate) fn capsule<S: Scalar>(
+    scene: &Scene,
+    query: Query,
+    near: impl Fn(f64) -> S,
+) -> Capsule<S> {
+    let [_, y, z] = middle(scene, query, &near);
+    let end = |part: f64| [near(scene.face(query.cell[0]) + part * scene.cell), y, z];
+    let radius = near(scene.cell / 4.0);
+    Capsule::new(end(0.25), end(0.75), radius).expect("the scene is finite")
+}
+
 /// The box of a query, rotated about its centre, in a scalar.
 pub(crate) fn turned<S: Scalar>(
     scene: &Scene,
@@ -204,7 +268,7 @@ pub(crate) fn turned<S: Scalar>(
     direction: impl Fn(f64) -> S,
 ) -> Obb<S> {
     let half = scene.cell / 2.0;
-    let center = query.cell.map(|i| near(scene.face(i) + half));
+    let center = middle(scene, query, &near);
     let axes = TURNED.map(|u| Vec3::from(u.map(&direction)));
     // Rounding to a coarse type skews the axes.
     Obb::from_skewed_axes(center, axes, [near(half), near(half), near(half)])

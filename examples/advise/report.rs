@@ -92,6 +92,9 @@ tolerance {}{}
             }
             question if question.turns() => "turned about their middles, and ".into(),
             Question::Triangle => "or the triangles across them, ".into(),
+            Question::Sphere => "or the spheres in them, ".into(),
+            Question::Capsule => "or the capsules in them, ".into(),
+            Question::Closest => "or the middles of those, ".into(),
             _ => String::new(),
         },
         sig(scene.question.slack() * scene.tolerance),
@@ -136,6 +139,7 @@ fn legend(options: &Options, scene: &Scene, survey: &Survey, costs: &Costs) -> S
     if let Some(number) = scene.question.number() {
         let how = match scene.question {
             Question::Sweep(_) => "down: it is the part of the way, early by the rounding alone",
+            Question::Closest => "to the nearest",
             _ => "up",
         };
         text += &format!(

@@ -9,7 +9,7 @@ use septum::sweep::{Motion, Sweep};
 use septum::{Aabb, Scalar, Triangle, Vec3};
 
 use crate::kind::Kind;
-use crate::question::{Question, across, around, turned};
+use crate::question::{Question, across, around, capsule, middle, sphere, turned};
 use crate::scene::{Query, Scene};
 
 /// A scalar with rounding from `f64`. A fixed-point type stands for all types of its width, because
@@ -128,6 +128,21 @@ fn asking<S: Coordinate>(scene: &Scene, queries: &[Query], frac: u32) -> Asking 
             let boxes = pairs.iter().map(|(t, _)| around(t));
             let boxes: Vec<_> = boxes.zip(queries.iter().map(turned)).collect();
             Box::new(move || count(&boxes, |(a, b)| a.overlaps(b)))
+        }
+        Question::Sphere => {
+            let sphere = |&query| sphere(scene, query, |x| S::nearest(x, frac));
+            let spheres: Vec<_> = pairs.into_iter().zip(queries.iter().map(sphere)).collect();
+            Box::new(move || count(&spheres, |((t, _), sphere)| sphere.overlaps(t)))
+        }
+        Question::Capsule => {
+            let capsule = |&query| capsule(scene, query, |x| S::nearest(x, frac));
+            let capsules: Vec<_> = pairs.into_iter().zip(queries.iter().map(capsule)).collect();
+            Box::new(move || count(&capsules, |((t, _), capsule)| capsule.overlaps(t)))
+        }
+        Question::Closest => {
+            let middle = |&query| middle(scene, query, |x| S::nearest(x, frac));
+            let points: Vec<_> = pairs.into_iter().zip(queries.iter().map(middle)).collect();
+            Box::new(move || count(&points, |((t, _), p)| black_box(t.closest_point(*p)).is_ok()))
         }
         Question::Contact => Box::new(move || count(&pairs, |(t, b)| contact(b, t).is_some())),
         Question::Sweep(_) => {

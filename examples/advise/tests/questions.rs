@@ -14,7 +14,7 @@ use septum::{Aabb, Scalar, Triangle, Vec3};
 use crate::effect::Effect;
 use crate::kind::Kind;
 use crate::options::Options;
-use crate::question::{Off, Question, across, around, turned};
+use crate::question::{Off, Question, across, around, capsule, middle, sphere, turned};
 use crate::scene::{Query, Scene};
 
 use super::{Advice, Triangles, folder, scaled, teapot};
@@ -78,6 +78,8 @@ fn turned_boxes_and_triangles() {
         (Question::Triangle, 200),
         (Question::Polygon, 200),
         (Question::Boxes, 300),
+        (Question::Sphere, 100),
+        (Question::Capsule, 100),
     ];
     for (question, least) in questions {
         let scene = Scene::new(question, teapot(), None, None).unwrap();
@@ -90,6 +92,8 @@ fn turned_boxes_and_triangles() {
             let meets = match question {
                 Question::Turned => triangle.overlaps(&turned(&scene, query, near, near)),
                 Question::Boxes => around(&triangle).overlaps(&turned(&scene, query, near, near)),
+                Question::Sphere => sphere(&scene, query, near).overlaps(&triangle),
+                Question::Capsule => capsule(&scene, query, near).overlaps(&triangle),
                 Question::Polygon => {
                     let [.., min, max] = scene.points(query).map(|p| p.map(near));
                     let aabb = Aabb::from_min_max(min, max).unwrap();
@@ -208,6 +212,21 @@ Cortex-M0,triangle/box contact,I8F8,points too,full,9600,1
         assert_eq!((cost.value, time.value), (instructions, instructions / 48.0));
         assert!(time.is_estimate && advice.text.contains("a lower bound"), "{}", advice.text);
     }
+}
+
+/// The squared distance is that of the type, but for a unit, because it is rounded twice.
+#[test]
+fn closest_points() {
+    let scene = Scene::new(Question::Closest, teapot(), None, None).unwrap();
+    let (kind, near) = (Kind::Fixed { bits: 16, frac: 10 }, FixedI16::<U10>::from_num::<f64>);
+    for query in (0..scene.queries()).step_by(31).map(|n| scene.query(n)) {
+        let [a, b, c, ..] = scene.points(query).map(|p| p.map(near));
+        let squared = Triangle::new(a, b, c).unwrap().distance_squared(middle(&scene, query, near));
+        let off = squared.unwrap().to_num::<f64>() - kind.number(&scene, query).unwrap();
+        assert!(off.abs() <= 1.0 / 1024.0, "{query:?}: {off}");
+    }
+    let advice = Advice::on(teapot(), "--ask closest");
+    assert!(advice.text.contains("squared distance off"), "{}", advice.text);
 }
 
 #[test]
