@@ -5,6 +5,7 @@ mod accuracy;
 mod candidate;
 pub mod chart;
 pub mod contact;
+pub mod distance;
 mod drawing;
 mod geometry;
 pub mod line_obb;

@@ -29,6 +29,11 @@ impl<L, R> Pairs<L, R> {
         self.spans.iter().map(ExactSizeIterator::len).sum()
     }
 
+    /// The shapes on the left, in order.
+    pub fn lefts(&self) -> impl Iterator<Item = &L> {
+        self.left.iter()
+    }
+
     /// The same pairs in other types.
     pub fn map<M, S>(&self, left: impl Fn(&L) -> M, right: impl Fn(&R) -> S) -> Pairs<M, S> {
         Pairs {

@@ -2,6 +2,7 @@
 //! decide.
 
 mod contact;
+mod distance;
 mod line_obb;
 mod obb_obb;
 mod ray_aabb;
@@ -12,6 +13,7 @@ mod triangle_aabb;
 mod triangle_triangle;
 
 pub(crate) use contact::{answers as contacts, sets as contact_sets};
+pub(crate) use distance::{answers as distances, capsule_sets, closest_sets, sphere_sets};
 pub(crate) use line_obb::sets as line_obb_sets;
 pub(crate) use obb_obb::sets as obb_sets;
 pub(crate) use ray_aabb::sets as ray_box_sets;

@@ -5,6 +5,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::accuracy::{self, Exam, Tally, examine};
 use crate::candidate::Candidate;
+use crate::distance::{self, Closest, OfCapsule, OfSphere};
 use crate::native::NAMES;
 use crate::pairs::Pairs;
 use crate::race::{Timing, race};
@@ -20,7 +21,17 @@ use super::point::Point;
 /// The number of rays that are also tested against every triangle of a mesh.
 const MOST_RAYS: usize = 2_000;
 
-/// Every point of every picture.
+/// Counts wrong answers in four scalars.
+macro_rules! in_every_scalar {
+    ($what:literal, $sets:path, $cases:expr) => {{
+        use $sets as sets;
+        eprintln!(concat!($what, ": wrong answers"));
+        let floats = [sets::<f32>("f32"), sets::<f64>("f64")].into_iter();
+        Accuracy::of($cases, floats.chain([sets::<I8F8>("I8F8"), sets::<I16F16>("I16F16")]))
+    }};
+}
+
+/// Every point of every picture but those of [`distances`].
 pub(super) fn points(rounds: usize, cases: usize) -> Vec<Point> {
     eprintln!("triangle/box: wrong answers");
     let boxes = Accuracy::of(cases, {
@@ -48,19 +59,11 @@ pub(super) fn points(rounds: usize, cases: usize) -> Vec<Point> {
 
     // Big-integer oracles are slow.
     let fewer = cases.div_ceil(10);
-    macro_rules! in_every_scalar {
-        ($what:literal, $sets:path) => {{
-            use $sets as sets;
-            eprintln!(concat!($what, ": wrong answers"));
-            let floats = [sets::<f32>("f32"), sets::<f64>("f64")].into_iter();
-            Accuracy::of(fewer, floats.chain([sets::<I8F8>("I8F8"), sets::<I16F16>("I16F16")]))
-        }};
-    }
-    let triangles = in_every_scalar!("triangle/triangle", accuracy::triangle_pair_sets);
-    let obbs = in_every_scalar!("oriented boxes", accuracy::obb_sets);
-    let turned = in_every_scalar!("ray/oriented box", accuracy::line_obb_sets);
-    let touching = in_every_scalar!("contacts", accuracy::contact_sets);
-    let moving = in_every_scalar!("sweeps", accuracy::sweep_sets);
+    let triangles = in_every_scalar!("triangle/triangle", accuracy::triangle_pair_sets, fewer);
+    let obbs = in_every_scalar!("oriented boxes", accuracy::obb_sets, fewer);
+    let turned = in_every_scalar!("ray/oriented box", accuracy::line_obb_sets, fewer);
+    let touching = in_every_scalar!("contacts", accuracy::contact_sets, fewer);
+    let moving = in_every_scalar!("sweeps", accuracy::sweep_sets, fewer);
 
     let mut points = Vec::new();
     let mut add = |picture: &str, timed: Vec<(Candidate, Timing)>, accuracy: &Accuracy| {
@@ -116,6 +119,25 @@ pub(super) fn points(rounds: usize, cases: usize) -> Vec<Point> {
     let (groups, yardstick) = (contact::groups(), contact::yardstick);
     let timed = time("contact", contact::half(), yardstick, &groups, rounds);
     add("contact", timed, &touching);
+    points
+}
+
+/// The points of spheres, capsules and closest points.
+pub(super) fn distances(rounds: usize, cases: usize) -> Vec<Point> {
+    // Big-integer oracles are slow.
+    let fewer = cases.div_ceil(10);
+    let mut points = Vec::new();
+    macro_rules! points_of {
+        ($picture:literal, $query:ty, $sets:path) => {{
+            let accuracy = in_every_scalar!($picture, $sets, fewer);
+            let (groups, yardstick) = (distance::groups::<$query>(), distance::yardstick::<$query>);
+            let timed = time($picture, distance::random(), yardstick, &groups, rounds);
+            points.extend(timed.iter().map(|(c, timing)| accuracy.point($picture, c, timing)));
+        }};
+    }
+    points_of!("sphere-triangle", OfSphere, accuracy::sphere_sets);
+    points_of!("capsule-triangle", OfCapsule, accuracy::capsule_sets);
+    points_of!("closest-point", Closest, accuracy::closest_sets);
     points
 }
 

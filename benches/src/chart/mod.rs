@@ -36,6 +36,9 @@ pub struct Options {
     /// Documents whose tables of times are updated
     #[arg(long, value_name = "FILE", default_values = ["docs/speed.md", "README.md"])]
     tables: Vec<PathBuf>,
+    /// Measure spheres, capsules and closest points alone; other figures are those of chart.csv
+    #[arg(long, conflicts_with = "redraw")]
+    distances: bool,
     /// Draw from chart.csv without measuring
     #[arg(long)]
     redraw: bool,
@@ -47,7 +50,14 @@ pub fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let points = if options.redraw {
         point::read(&table)?
     } else {
-        let points = measure::points(options.rounds as usize, options.cases as usize);
+        let (rounds, cases) = (options.rounds as usize, options.cases as usize);
+        let near = measure::distances(rounds, cases);
+        let mut points = match options.distances {
+            true => point::read(&table)?,
+            false => measure::points(rounds, cases),
+        };
+        points.retain(|point| near.iter().all(|new| new.picture != point.picture));
+        points.extend(near);
         point::write(&table, &points)?;
         points
     };

@@ -27,11 +27,12 @@ const RAYS: &str = "tests/kit/src/rays/sets.rs";
 const LINES: &str = "tests/kit/src/lines/sets.rs";
 const FLATS: &str = "tests/kit/src/flat/sets.rs";
 const OBBS: &str = "tests/kit/src/boxes/sets.rs";
+const SPHERES: &str = "tests/kit/src/spheres/sets.rs";
 const PUBLISHED: &str = "the test as published in 2001, in f32";
 const IN_C: &str = "Möller–Trumbore as in C, in f32";
 const SAT: &str = "the SAT test as published (Real-Time Rendering 16.7), in f32";
 
-pub(super) const PICTURES: [Picture; 12] = [
+pub(super) const PICTURES: [Picture; 15] = [
     Picture {
         stem: "mesh-voxels",
         title: "A mesh in voxels",
@@ -131,6 +132,31 @@ pub(super) const PICTURES: [Picture; 12] = [
         sets: OBBS,
         heights: [130.0, 105.0],
     },
+    Picture {
+        stem: "sphere-triangle",
+        title: "Sphere and triangle",
+        workload: "Random spheres and triangles, most of them apart.",
+        yardstick: "parry3d's projection, in f32",
+        sets: SPHERES,
+        heights: [130.0, 105.0],
+    },
+    Picture {
+        stem: "capsule-triangle",
+        title: "Capsule and triangle",
+        workload: "Random capsules and triangles, most of them apart.",
+        yardstick: "parry3d's intersection_test, in f32",
+        sets: SPHERES,
+        heights: [130.0, 105.0],
+    },
+    Picture {
+        stem: "closest-point",
+        title: "Closest point of a triangle",
+        workload: "Random points and triangles. A coordinate is wrong if it is off by a thousandth of the \
+                   triangle's size and a place. Ours also names the vertex or the edge.",
+        yardstick: "parry3d's project_local_point, in f32",
+        sets: SPHERES,
+        heights: [130.0, 105.0],
+    },
 ];
 
 const HOW_TO_READ: &str = "Farther left is faster, lower is more often right. In the band marked 0 not one answer was \
@@ -207,7 +233,7 @@ pub(super) struct Overview {
     note: &'static str,
 }
 
-pub(super) const OVERVIEWS: [Overview; 2] = [
+pub(super) const OVERVIEWS: [Overview; 3] = [
     Overview {
         stem: "overview",
         title: "Speed and accuracy",
@@ -229,6 +255,17 @@ pub(super) const OVERVIEWS: [Overview; 2] = [
             ("contact", 100.0, "exact, with points"),
         ],
         note: "I16F16, 18: coordinates of 18 bits. Of what moves a hit that is late is wrong.",
+    },
+    Overview {
+        stem: "distances",
+        title: "Distances",
+        rows: &[
+            ("sphere-triangle", 120.0, "exact"),
+            ("capsule-triangle", 100.0, "exact"),
+            ("closest-point", 120.0, "exact"),
+        ],
+        note: "I16F16, 18: coordinates of 18 bits. A closest point is wrong if a coordinate is off by a \
+               thousandth of the triangle's size and a place; ours also names the vertex or the edge.",
     },
 ];
 

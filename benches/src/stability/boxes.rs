@@ -31,7 +31,7 @@ fn case<S: Sample>(vertices: [Point; 3], center: Point, half: Point) -> Case<S> 
 }
 
 /// Whether the range of the scalar includes this size.
-fn holds<S: Sample>(size: f64) -> bool {
+pub(super) fn holds<S: Sample>(size: f64) -> bool {
     S::GREATEST.approximate() > size
 }
 

@@ -29,7 +29,7 @@ const fn line(
     (who[0], who[1], who[2], Style { label, mark, color, dash })
 }
 
-const LINES: [Line; 39] = [
+const LINES: [Line; 45] = [
     line(["as published", "centre", "f32"], "as published, f32", Mark::Square, VERMILION, SOLID),
     line(["as published", "centre", "f64"], "as published, f64", Mark::Square, VERMILION, DASHED),
     line(["as published", "centre", "I16F16"], "as publ., I16F16", Mark::Square, VERMILION, DOTTED),
@@ -115,6 +115,12 @@ const LINES: [Line; 39] = [
     line(["exact, translation", "", "f32"], "exact, f32", Mark::Star, BLACK, SOLID),
     line(["exact, translation", "", "f64"], "exact, f64", Mark::Star, BLACK, DASHED),
     line(["exact, translation", "", "I16F16"], "exact, I16F16", Mark::Star, BLACK, DOTTED),
+    line(["as published (Ericson)", "", "f32"], "Ericson, f32", Mark::Square, VERMILION, SOLID),
+    line(["as published (Ericson)", "", "f64"], "Ericson, f64", Mark::Square, VERMILION, DASHED),
+    line(["parry3d", "", "f32"], "parry3d, f32", Mark::Cross, PURPLE, SOLID),
+    line(["exact", "", "f32"], "exact, f32", Mark::Star, BLACK, SOLID),
+    line(["exact", "", "f64"], "exact, f64", Mark::Star, BLACK, DASHED),
+    line(["exact", "", "I16F16"], "exact, I16F16", Mark::Star, BLACK, DOTTED),
     line(["exact", "centre", "f32"], "exact, f32", Mark::Star, BLACK, SOLID),
     line(["exact", "centre", "f64"], "exact, f64", Mark::Star, BLACK, DASHED),
     line(["exact", "centre", "I16F16"], "exact, I16F16", Mark::Star, BLACK, DOTTED),

@@ -3,6 +3,7 @@
 
 mod boxes;
 mod contacts;
+mod distances;
 mod lines;
 mod picture;
 mod rays;

@@ -10,7 +10,7 @@ use septum_kit::rays::RayCase;
 use septum_kit::sweeps::SweepCase;
 use septum_kit::{Case, Rng, Sample};
 
-use super::{Step, boxes, contacts as sunk, rays, sweeps as ways};
+use super::{Step, boxes, contacts as sunk, distances, rays, sweeps as ways};
 
 /// The format of the varying quantity on the axis.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -50,6 +50,18 @@ type Contacts<S> = fn(&mut Rng, f64) -> Option<[ObbNumbers<S>; 2]>;
 type Rays<S> = fn(&mut Rng, f64) -> Option<RayCase<S>>;
 
 impl Regime {
+    pub(super) fn new(
+        stem: &'static str,
+        title: &'static str,
+        axis: &'static str,
+        ticks: Ticks,
+        steps: Vec<f64>,
+        caption: &'static str,
+    ) -> Self {
+        let (panels, exams) = (Vec::new(), Vec::new());
+        Self { stem, title, axis, caption, ticks, steps, panels, exams }
+    }
+
     /// Tests triangles and boxes at every step in the range of the scalar.
     fn boxes<S: Sample>(
         mut self,
@@ -121,7 +133,7 @@ impl Regime {
     }
 
     /// The steps that have cases.
-    fn steps_in(
+    pub(super) fn steps_in(
         &mut self,
         panel: &'static str,
         is_held: impl Fn(&mut Rng, f64) -> bool,
@@ -136,7 +148,7 @@ impl Regime {
 }
 
 /// A generator whose cases depend on the seed and the step.
-fn seeded(seed: u64, at: f64) -> Rng {
+pub(super) fn seeded(seed: u64, at: f64) -> Rng {
     Rng::new(seed ^ at.to_bits().rotate_left(17))
 }
 
@@ -149,16 +161,7 @@ pub(super) fn tens(from: i32, to: i32, each: i32) -> Vec<f64> {
 
 /// All of them.
 pub(super) fn all() -> Vec<Regime> {
-    let regime = |stem, title, axis, ticks, steps, caption| Regime {
-        stem,
-        title,
-        axis,
-        caption,
-        ticks,
-        steps,
-        panels: Vec::new(),
-        exams: Vec::new(),
-    };
+    let regime = Regime::new;
     let in_floats_and_fixed = [
         regime(
             "sliver",
@@ -291,5 +294,5 @@ pub(super) fn all() -> Vec<Regime> {
     .boxes(BOX_WIDE, "I32F32", boxes::bits::<I32F32>)
     .rays(RAY, "I16F16", rays::bits::<I16F16>)
     .rays(RAY_WIDE, "I32F32", rays::bits::<I32F32>);
-    in_floats_and_fixed.into_iter().chain([bits]).collect()
+    in_floats_and_fixed.into_iter().chain([bits]).chain(distances::all()).collect()
 }

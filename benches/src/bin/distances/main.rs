@@ -9,6 +9,7 @@ use parry3d::query::details::intersection_test_point_query_ball;
 use parry3d::query::{PointQuery, intersection_test};
 use parry3d::shape::{Ball, Capsule as ParryCapsule, Triangle as ParryTriangle};
 use septum::{Capsule, Sphere, Triangle};
+use septum_benches::distance::{anywhere, capsule_anywhere};
 use septum_benches::sweep::{scene, voorhies, wall};
 use septum_benches::turns::{Method, race};
 use septum_kit::Rng;
@@ -45,19 +46,6 @@ fn with_triangle<C>(
     };
     let cases = std::iter::repeat_with(|| case(&mut rng)).filter_map(triangle);
     cases.take(pairs as usize).collect()
-}
-
-/// A triangle, and a point in the cube of twice its size: most spheres are apart from it.
-fn anywhere(rng: &mut Rng) -> SphereCase<f32> {
-    let mut point = |size: f64| rng.triple(|rng| rng.real(-size, size) as f32);
-    let (center, triangle) = (point(2.0), [(); 3].map(|()| point(1.0)));
-    SphereCase { center, radius: rng.real(0.1, 0.9) as f32, other: Other::Triangle(triangle) }
-}
-
-fn capsule_anywhere(rng: &mut Rng) -> CapsuleCase<f32> {
-    let SphereCase { center, radius, other } = anywhere(rng);
-    let end = rng.triple(|rng| rng.real(-0.5, 0.5) as f32);
-    CapsuleCase { ends: [center, [0, 1, 2].map(|i| center[i] + end[i])], radius, other }
 }
 
 fn triangle([a, b, c]: [Point; 3]) -> Triangle<f32> {
