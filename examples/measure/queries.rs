@@ -150,7 +150,8 @@ pub(crate) fn distances<S: Coordinate>(meter: &Meter) {
     let queries: [Query<Triangle<S>, Capsule<S>>; 1] =
         [("capsule/triangle contact", "points", |t, b| contact(b, t).is_some())];
     lines::<S, _, _>(meter, "full", workload::meeting_capsule, &queries);
-    let queries: [Query<Moving<S, Sphere<S>>, Triangle<S>>; 2] = [
+    type Past<S> = Query<Moving<S, Sphere<S>>, Triangle<S>>;
+    let queries: [Past<S>; 2] = [
         ("sphere/triangle sweep", "whether", |m, t| m.shape.meets_along(&m.motion, t)),
         ("sphere/triangle sweep", "when", |m, t| m.shape.first_contact(&m.motion, t).is_some()),
     ];

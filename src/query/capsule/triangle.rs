@@ -216,10 +216,11 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Capsule<S> {
     /// exact integers.
     ///
     /// *Panics*: never. *Cost*: 12 comparisons if a coordinate separates, 18 multiplications if the
-    /// plane does. Otherwise two [spheres](Sphere#impl-Overlaps<Triangle<S>>-for-Sphere<S>) at the
-    /// ends, a [segment](Capsule#impl-Overlaps<Segment<S>>-for-Capsule<S>) for each edge that an end
-    /// lies outside of, and a
-    /// [segment and a triangle](Segment#impl-Overlaps<Triangle<S>>-for-Segment<S>), until one
+    /// plane does. Otherwise two
+    /// [spheres](crate::Sphere#impl-Overlaps<Triangle<S>>-for-Sphere<S>) at the ends, a
+    /// [segment](Capsule#impl-Overlaps<Segment<S>>-for-Capsule<S>) for each edge that an end lies
+    /// outside of, and a
+    /// [segment and a triangle](crate::Segment#impl-Overlaps<Triangle<S>>-for-Segment<S>), until one
     /// answers.
     ///
     /// ```
