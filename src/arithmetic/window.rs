@@ -24,7 +24,7 @@ pub struct Limbwise<
 
 /// Exact integers for coordinates within 120 bits.
 ///
-/// It holds fixed point of every type. It holds floats if the highest and the lowest bit of all
+/// It holds fixed point of every type, and serves that of 64 bits. It holds floats if the highest and the lowest bit of all
 /// coordinates are at most 120 places apart, as in nearly every scene. The unit of floats is the
 /// place of the lowest bit, so each call of [`embed`](Embeds::embed) has its own: embed all
 /// coordinates of a question in one call. One as an operand,

@@ -184,6 +184,7 @@ impl<T: Enclosed> Surd<T> {
             low.saturating_add(more).min(end)
         }))
     }
+
     /// The lesser root, or minus that, rounded likewise.
     pub(super) fn lesser<S: Scalar>(self, is_minus: bool, is_up: bool) -> Option<S> {
         // For p below zero, it is minus the greater root for −p.

@@ -94,6 +94,7 @@ where
             _ => Ordering::Less,
         })
     }
+
     /// The equation of an end to which this vector goes, without its root.
     #[inline(always)]
     pub(crate) fn end(&self, m: &Vector<N>) -> Surd<N::Area> {
