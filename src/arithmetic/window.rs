@@ -141,3 +141,6 @@ impl<F: Float> Embeds<F> for Window {
         None
     }
 }
+
+#[cfg(all(test, feature = "fixed"))]
+mod tests;
