@@ -19,14 +19,30 @@ mod native {
         build.flag("-march=native");
         build.include(jolt.join("JoltC/JoltPhysics")).include(tinybvh.join("ffi/tinybvh"));
         build.include("/usr/include/bullet");
-        for peer in ["bullet", "embree", "jolt", "tinybvh"] {
+        for peer in ["bullet", "bullet_ball", "embree", "jolt", "jolt_ball", "tinybvh"] {
             let file = format!("native/{peer}.cpp");
             println!("cargo::rerun-if-changed={file}");
             build.file(file);
         }
+        // A sphere of Jolt knows all shapes, and these all of Jolt.
+        all_below(&jolt.join("JoltC/JoltPhysics/Jolt"), &mut |file| {
+            build.file(file);
+        });
         build.compile("peers");
         for library in ["BulletCollision", "LinearMath", "embree3"] {
             println!("cargo::rustc-link-lib={library}");
+        }
+    }
+
+    /// Visits each C++ file in a folder and below it.
+    fn all_below(folder: &Path, visit: &mut impl FnMut(&Path)) {
+        for entry in std::fs::read_dir(folder).expect("a folder") {
+            let path = entry.expect("a file or folder").path();
+            if path.is_dir() {
+                all_below(&path, visit);
+            } else if path.extension().is_some_and(|end| end == "cpp") {
+                visit(&path);
+            }
         }
     }
 

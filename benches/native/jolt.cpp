@@ -2,7 +2,7 @@
 
 #include <Jolt/Jolt.h>
 
-#include <Jolt/Geometry/OrientedBox.cpp>
+#include <Jolt/Geometry/OrientedBox.h>
 #include <Jolt/Geometry/RayTriangle.h>
 
 // As foreign.rs lays them out.

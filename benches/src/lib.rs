@@ -9,7 +9,7 @@ pub mod distance;
 mod drawing;
 mod geometry;
 pub mod line_obb;
-mod native;
+pub mod native;
 pub mod obb_obb;
 pub mod obj;
 pub mod order;

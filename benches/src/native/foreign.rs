@@ -7,7 +7,7 @@ use std::ffi::c_void;
 use septum::mesh::Mesh;
 use septum::{Obb, Vec3};
 
-type Pointer = *mut c_void;
+pub(super) type Pointer = *mut c_void;
 
 // Each reads what its pointers point to and keeps no pointer; those named `new` return a value to
 // be freed once, and those named `free` free it.
@@ -36,7 +36,7 @@ unsafe extern "C" {
 }
 
 /// A value of the other side, freed with this one.
-struct Owned(Pointer, unsafe extern "C" fn(Pointer));
+pub(super) struct Owned(pub(super) Pointer, pub(super) unsafe extern "C" fn(Pointer));
 
 impl Drop for Owned {
     fn drop(&mut self) {

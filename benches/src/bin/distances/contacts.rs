@@ -5,11 +5,12 @@ use parry3d::query;
 use parry3d::shape::{Ball, Capsule as ParryCapsule, Shape as ParryShape};
 use septum::contact::{ContactWith, contact};
 use septum::{Capsule, Sphere, Triangle};
+use septum_benches::native::{Balls, balls};
 use septum_benches::turns::Method;
 use septum_kit::spheres::{CapsuleCase, Other};
 use septum_kit::{Rng, Sample};
 
-use crate::{Options, Point, faults, of_parry, triangle, wide, with_triangle};
+use crate::{Options, Point, faults, of_parry, still, triangle, wide, with_triangle};
 
 /// What may be wrong with the depth of a contact.
 const FAULTS: [&str; 4] = ["missed", "invented", "short", "long"];
@@ -33,6 +34,7 @@ fn depth<S: Sample, A: ContactWith<S, Triangle<S>>>(a: &A, triangle: &Triangle<S
 fn race<A: ContactWith<f32, Triangle<f32>>, B: ContactWith<f64, Triangle<f64>>>(
     title: &str,
     options: &Options,
+    are_spheres: bool,
     cases: &[(CapsuleCase<f32>, [Point; 3])],
     ours: impl Fn(&CapsuleCase<f32>) -> A,
     in_f64: impl Fn(&CapsuleCase<f64>) -> B,
@@ -52,8 +54,8 @@ fn race<A: ContactWith<f32, Triangle<f32>>, B: ContactWith<f64, Triangle<f64>>>(
     let truth: Vec<_> = double.iter().map(|(a, t)| depth(a, t)).collect();
     let single: Vec<_> = cases.iter().map(|(case, t)| (ours(case), triangle(*t))).collect();
     let peer: Vec<_> = cases.iter().map(|(case, t)| (peer(case), of_parry(*t))).collect();
-    let still = Pose::IDENTITY;
-    let methods = [
+    let origin = Pose::IDENTITY;
+    let mut methods = vec![
         Method {
             name: "septum, f32",
             ask: Box::new(|i| fault(truth[i], depth(&single[i].0, &single[i].1))),
@@ -66,11 +68,21 @@ fn race<A: ContactWith<f32, Triangle<f32>>, B: ContactWith<f64, Triangle<f64>>>(
             name: "parry3d contact",
             ask: Box::new(|i| {
                 let ((at, shape), t) = &peer[i];
-                let found = query::contact(at, &**shape, &still, t, 0.0);
+                let found = query::contact(at, &**shape, &origin, t, 0.0);
                 fault(truth[i], found.ok().flatten().map(|contact| -f64::from(contact.dist)))
             }),
         },
     ];
+    let of_spheres = |(case, t): &(CapsuleCase<f32>, _)| still(case.ends[0], case.radius, *t);
+    let shots: Vec<_> = cases.iter().map(of_spheres).collect();
+    let others = if are_spheres { balls(&shots) } else { Vec::new() };
+    methods.extend(others.into_iter().map(|Balls { names, depth, .. }| Method {
+        name: names[1],
+        ask: Box::new({
+            let truth = &truth;
+            move |i| fault(truth[i], depth(i).map(f64::from))
+        }),
+    }));
     faults(title, options, cases.len(), &FAULTS, &methods);
 }
 
@@ -95,6 +107,7 @@ pub(crate) fn contacts(
         race(
             title,
             options,
+            are_spheres,
             &cases,
             |case| Sphere::new(case.ends[0], case.radius).expect("a sphere"),
             |case| Sphere::new(case.ends[0], case.radius).expect("a sphere"),
@@ -104,6 +117,7 @@ pub(crate) fn contacts(
         race(
             title,
             options,
+            are_spheres,
             &cases,
             |case| Capsule::new(case.ends[0], case.ends[1], case.radius).expect("a capsule"),
             |case| Capsule::new(case.ends[0], case.ends[1], case.radius).expect("a capsule"),

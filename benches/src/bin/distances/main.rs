@@ -10,7 +10,8 @@ use parry3d::query::{PointQuery, intersection_test};
 use parry3d::shape::{Ball, Capsule as ParryCapsule, Triangle as ParryTriangle};
 use septum::{Capsule, Sphere, Triangle};
 use septum_benches::distance::{anywhere, capsule_anywhere};
-use septum_benches::sweep::{scene, voorhies, wall};
+use septum_benches::native::{Balls, balls};
+use septum_benches::sweep::{Shot, scene, voorhies, wall};
 use septum_benches::turns::{Method, race};
 use septum_kit::Rng;
 use septum_kit::spheres::{CapsuleCase, Other, SphereCase, SphereSet};
@@ -54,6 +55,11 @@ fn triangle([a, b, c]: [Point; 3]) -> Triangle<f32> {
 
 fn of_parry([a, b, c]: [Point; 3]) -> ParryTriangle {
     ParryTriangle::new(a.into(), b.into(), c.into())
+}
+
+/// A sphere that does not move, as a shot.
+fn still(center: Point, radius: f32, triangle: [Point; 3]) -> Shot {
+    Shot { center, half: [radius; 3], way: [0.0; 3], triangle }
 }
 
 fn wide(p: Point) -> [f64; 3] {
@@ -142,7 +148,7 @@ fn closest(title: &str, options: &Options, case: impl Fn(&mut Rng) -> SphereCase
         let distance = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt();
         u64::from(distance > least[i] * 1.000_001 + 1e-6)
     };
-    let methods = [
+    let mut methods = vec![
         Method {
             name: "septum closest_point, f32",
             ask: Box::new(|i| {
@@ -158,6 +164,11 @@ fn closest(title: &str, options: &Options, case: impl Fn(&mut Rng) -> SphereCase
             }),
         },
     ];
+    let shots: Vec<_> = cases.iter().map(|&(case, t)| still(case.center, case.radius, t)).collect();
+    methods.extend(balls(&shots).into_iter().map(|Balls { names, closest, .. }| Method {
+        name: names[2],
+        ask: Box::new(move |i| is_far(i, closest(i))),
+    }));
     race(title, options.rounds, cases.len(), &vec![0; cases.len()], &methods);
 }
 

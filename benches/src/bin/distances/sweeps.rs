@@ -5,6 +5,7 @@ use parry3d::query::{ShapeCastOptions, cast_shapes};
 use parry3d::shape::{Ball, Triangle as ParryTriangle};
 use septum::sweep::{Motion, Sweep};
 use septum::{Sphere, Triangle};
+use septum_benches::native::{Balls, balls};
 use septum_benches::sweep::Shot;
 use septum_benches::turns::Method;
 use septum_kit::spheres::{CapsuleCase, Other, SphereSweep};
@@ -82,7 +83,7 @@ pub(crate) fn sweeps(title: &str, options: &Options, shot: impl Fn(&mut Rng) -> 
         let hit = cast_shapes(at, way, ball, &still, zero, triangle, options);
         hit.expect("it has a cast for these").map(|hit| hit.time_of_impact)
     };
-    let methods = [
+    let mut methods = vec![
         Method {
             name: "septum first_contact, f32",
             ask: Box::new(|i| {
@@ -110,5 +111,12 @@ pub(crate) fn sweeps(title: &str, options: &Options, shot: impl Fn(&mut Rng) -> 
             }),
         },
     ];
+    methods.extend(balls(&shots).into_iter().map(|Balls { names, cast, .. }| Method {
+        name: names[0],
+        ask: Box::new({
+            let truth = &truth;
+            move |i| fault(truth[i], cast(i))
+        }),
+    }));
     faults(title, options, shots.len(), &FAULTS, &methods);
 }
