@@ -64,16 +64,40 @@ pub(super) fn is_above<T: Number>(x: T) -> Option<bool> {
     Some(sign_of(x)? == Ordering::Greater)
 }
 
-/// A root of a·t² − 2·p·t + c, where a is above zero: the magnitude alone. Only
-/// [`lesser`](Self::lesser) takes a p below zero.
-pub(super) struct Surd<T> {
+/// The equation a·t² − 2·p·t + c = 0, where a is above zero.
+#[derive(Clone, Copy)]
+pub(super) struct Equation<T> {
     pub(super) a: T,
     pub(super) p: T,
     pub(super) c: T,
+}
+
+impl<T: Number> Equation<T> {
+    /// Whether its roots, if it has any, are above zero; `None` in doubt.
+    #[inline(always)]
+    pub(super) fn is_ahead(&self) -> Option<bool> {
+        Some(is_above(self.p)? && is_above(self.c)?)
+    }
+
+    /// Its lesser root, given √(p² − a·c), if that is not zero.
+    #[inline(always)]
+    pub(super) fn lesser(self, root: Option<Soft>) -> Surd<T> {
+        Surd { equation: self, root, is_far: false }
+    }
+
+    /// The equation of the opposite roots.
+    pub(super) fn turned(self) -> Self {
+        Self { p: -self.p, ..self }
+    }
+}
+
+/// A root of an equation: the magnitude alone. Only [`lesser`](Self::lesser) takes a p below zero.
+pub(super) struct Surd<T> {
+    equation: Equation<T>,
     /// √(p² − a·c), if that is not zero.
-    pub(super) root: Option<Soft>,
+    root: Option<Soft>,
     /// Whether it is the greater root, with the sign of p. The lesser root has the sign of c.
-    pub(super) is_far: bool,
+    is_far: bool,
 }
 
 /// The limbs of all terms of the equation. The longest are six lengths of `f64`, with 197 limbs, times
@@ -93,15 +117,16 @@ pub(super) fn root<T: Enclosed>(x: T) -> Option<Option<Soft>> {
 impl<T: Enclosed> Surd<T> {
     /// The root, if it is not zero; `None` in doubt.
     fn enclosed(&self) -> Option<Option<Soft>> {
-        let sum = match (magnitude(self.p)?, self.root) {
+        let Equation { a, p, c } = self.equation;
+        let sum = match (magnitude(p)?, self.root) {
             (Some(p), Some(root)) => Some(p.plus(root)),
             (p, root) => p.or(root),
         };
         let Some(sum) = sum else { return Some(None) };
         Some(if self.is_far {
-            Some(sum.over(self.a.soft()?))
+            Some(sum.over(a.soft()?))
         } else {
-            magnitude(self.c)?.map(|c| c.over(sum))
+            magnitude(c)?.map(|c| c.over(sum))
         })
     }
 
@@ -113,20 +138,21 @@ impl<T: Enclosed> Surd<T> {
         let m = u128::from(parts.magnitude >> zeros);
         let exponent = i32::from(parts.shift) + zeros as i32 - i32::from(S::ONE.shift);
         let (up, down) = (exponent.max(0).unsigned_abs(), exponent.min(0).unsigned_abs());
+        let Equation { a, p, c } = self.equation;
         // The lesser root may be negative. It is then a root for −p.
-        let is_below = !self.is_far && self.c < T::ZERO;
+        let is_below = !self.is_far && c < T::ZERO;
         let mut value = BigInt::<LIMBS>([0; LIMBS]);
-        sum_of(&mut value, self.a, m * m, 2 * up, false)?;
-        sum_of(&mut value, self.p, m, up + down + 1, !is_below)?;
-        sum_of(&mut value, self.c, 1, 2 * down, false)?;
+        sum_of(&mut value, a, m * m, 2 * up, false)?;
+        sum_of(&mut value, p, m, up + down + 1, !is_below)?;
+        sum_of(&mut value, c, 1, 2 * down, false)?;
         let value = value.sign();
         if is_below {
             return Some(value);
         }
         // On which side of the least value, at p/a.
         let mut side = BigInt::<LIMBS>([0; LIMBS]);
-        sum_of(&mut side, self.a, m, up, false)?;
-        sum_of(&mut side, self.p, 1, down, true)?;
+        sum_of(&mut side, a, m, up, false)?;
+        sum_of(&mut side, p, 1, down, true)?;
         let (side, between) =
             (side.sign(), if self.is_far { Ordering::Less } else { Ordering::Greater });
         let is_other = side == between;
@@ -166,6 +192,11 @@ impl<T: Enclosed> Surd<T> {
         Some((low, self.compare(S::of_ordinal(low))? == Ordering::Equal))
     }
 
+    /// The lesser root of the equation of the opposite roots.
+    pub(super) fn turned(&self) -> Self {
+        Self { equation: self.equation.turned(), ..*self }
+    }
+
     /// The greatest number of the scalar that is not above the root; `None` in doubt.
     pub(super) fn floor<S: Scalar>(&self) -> Option<S> {
         Some(S::of_ordinal(self.ordinal::<S>(false)?.0))
@@ -188,9 +219,10 @@ impl<T: Enclosed> Surd<T> {
     /// The lesser root, or minus that, rounded likewise.
     pub(super) fn lesser<S: Scalar>(self, is_minus: bool, is_up: bool) -> Option<S> {
         // For p below zero, it is minus the greater root for −p.
-        let is_back = sign_of(self.p)? == Ordering::Less;
-        let is_negative = is_back || sign_of(self.c)? == Ordering::Less;
-        let p = if is_back { -self.p } else { self.p };
-        Self { p, is_far: is_back, ..self }.rounded(is_negative != is_minus, is_up)
+        let Equation { p, c, .. } = self.equation;
+        let is_back = sign_of(p)? == Ordering::Less;
+        let is_negative = is_back || sign_of(c)? == Ordering::Less;
+        let equation = if is_back { self.equation.turned() } else { self.equation };
+        Self { equation, is_far: is_back, ..self }.rounded(is_negative != is_minus, is_up)
     }
 }

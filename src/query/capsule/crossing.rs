@@ -14,8 +14,8 @@ use core::cmp::Ordering;
 
 use crate::arithmetic::{Arithmetic, Enclosed, cross, dot, sign_of, three};
 use crate::query::orientation::Vector;
-use crate::query::sphere::{along, at_distance, product, times_at_distance};
-use crate::query::surd::{Surd, is_above, root};
+use crate::query::sphere::{along, at_distance, first_at_distance, product};
+use crate::query::surd::{Equation, Surd, is_above, root};
 
 /// A segment by vectors from the point to its ends and along it, the way, and the square of the
 /// radius.
@@ -30,10 +30,10 @@ impl<N> Crossing<N>
 where
     N: Arithmetic<Area: Enclosed, Quartic: Enclosed, Sextic: Enclosed>,
 {
-    /// The equation of the line, without its root; `None` if the way is parallel to it. `None` in
+    /// The equation of the line; `None` if the way is parallel to it. `None` in
     /// doubt, as in all that follow.
     #[inline(always)]
-    pub(crate) fn line(&self) -> Option<Option<Surd<N::Quartic>>> {
+    pub(crate) fn line(&self) -> Option<Option<Equation<N::Quartic>>> {
         let Self { m, e, d, r2 } = self;
         let (speed, gap) = (cross::<N>(d, e), cross::<N>(&m[0], e));
         let a = along::<N>(&speed, &speed);
@@ -41,20 +41,19 @@ where
             return Some(None);
         }
         let c = along::<N>(&gap, &gap) - N::quartic(product::<N>(e, e), *r2);
-        Some(Some(Surd { a, p: along::<N>(&speed, &gap), c, root: None, is_far: false }))
+        Some(Some(Equation { a, p: along::<N>(&speed, &gap), c }))
     }
 
-    /// The equation of the line with its root, if the lesser root counts.
+    /// The lesser root of the line's equation, if it counts.
     #[inline(never)]
-    pub(crate) fn between(&self, line: Surd<N::Quartic>) -> Option<Option<Surd<N::Quartic>>> {
+    pub(crate) fn between(&self, line: Equation<N::Quartic>) -> Option<Option<Surd<N::Quartic>>> {
         let Self { m, e, d, r2 } = self;
         let volume = dot::<N>(&cross::<N>(&m[0], d), e);
         let q = N::sextic_of_areas(line.a, *r2) - N::sextic(volume, volume);
         if sign_of(q)? == Ordering::Less {
             return Some(None);
         }
-        // Both roots are then above zero.
-        let is_ahead = is_above(line.p)? && is_above(line.c)?;
+        let is_ahead = line.is_ahead()?;
         // The point is between the ends if h < t·k < h + e·e.
         let (ee, k, h) = (product::<N>(e, e), product::<N>(e, d), product::<N>(e, &m[0]));
         let h = [h, h + ee];
@@ -73,7 +72,7 @@ where
             return Some(None);
         }
         let root = root(q)?.zip(root(ee)?).map(|(q, length)| q.times(length));
-        Some(Some(Surd { root, ..line }))
+        Some(Some(line.lesser(root)))
     }
 
     /// How the time of the line compares with h/k, when the point is over an end; k is above zero.
@@ -95,19 +94,19 @@ where
         })
     }
 
-    /// The equation of an end to which this vector goes, without its root.
+    /// The equation of an end to which this vector goes.
     #[inline(always)]
-    pub(crate) fn end(&self, m: &Vector<N>) -> Surd<N::Area> {
+    pub(crate) fn end(&self, m: &Vector<N>) -> Equation<N::Area> {
         at_distance::<N>(m, &self.d, self.r2)
     }
 
-    /// The same with its root, if there is one.
+    /// The lesser root of that, if there is one.
     #[inline(never)]
     pub(crate) fn around(
         &self,
         m: &Vector<N>,
-        end: Surd<N::Area>,
+        end: Equation<N::Area>,
     ) -> Option<Option<Surd<N::Area>>> {
-        times_at_distance::<N>(end, [m, &self.d], self.r2)
+        first_at_distance::<N>(end, [m, &self.d], self.r2)
     }
 }

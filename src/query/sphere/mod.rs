@@ -21,7 +21,7 @@ pub(super) use self::error_bound::{Errors, PRODUCT, SQUARES};
 pub(super) use self::kernel::{Ball, Reach, along, around, largest_of, minors, product, volume};
 pub(super) use self::obb::{Corners, corners};
 pub(super) use self::plane::OneSide;
-pub(super) use self::range::{at_distance, times_at_distance};
+pub(super) use self::range::{at_distance, first_at_distance};
 pub(super) use self::ray::{Way, numbers};
 pub(super) use self::relation::of_ball;
 use super::Overlaps;

@@ -7,28 +7,26 @@ use core::cmp::Ordering;
 
 use crate::arithmetic::{Arithmetic, Enclosed, cross, sign_of};
 use crate::query::orientation::{Vector, from};
-use crate::query::surd::{Question, Surd, root};
+use crate::query::surd::{Equation, Question, Surd, root};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Sphere};
 
 use super::kernel::{along, product};
 
-/// The equation of the times at which a point is at a distance of √`r2` from the end of m, without its
-/// root.
+/// The equation of the times at which a point is at a distance of √`r2` from the end of m.
 #[inline(always)]
 pub(crate) fn at_distance<N: Arithmetic>(
     m: &Vector<N>,
     d: &Vector<N>,
     r2: N::Area,
-) -> Surd<N::Area> {
-    let (a, p, c) = (product::<N>(d, d), product::<N>(m, d), product::<N>(m, m) - r2);
-    Surd { a, p, c, root: None, is_far: false }
+) -> Equation<N::Area> {
+    Equation { a: product::<N>(d, d), p: product::<N>(m, d), c: product::<N>(m, m) - r2 }
 }
 
-/// The same with its root; the second `None` if there is no such time, the first in doubt.
+/// The first of these times; the second `None` if there is none, the first in doubt.
 #[inline(always)]
-pub(crate) fn times_at_distance<N>(
-    equation: Surd<N::Area>,
+pub(crate) fn first_at_distance<N>(
+    equation: Equation<N::Area>,
     [m, d]: [&Vector<N>; 2],
     r2: N::Area,
 ) -> Option<Option<Surd<N::Area>>>
@@ -40,7 +38,7 @@ where
     if sign_of(q)? == Ordering::Less {
         return Some(None);
     }
-    Some(Some(Surd { root: root(q)?, ..equation }))
+    Some(Some(equation.lesser(root(q)?)))
 }
 
 /// The question where the line of a ray enters and leaves a sphere that it meets.
@@ -60,9 +58,9 @@ impl<S: Scalar> Question<S, 4> for Range<'_, S> {
         N: Arithmetic<Area: Enclosed, Quartic: Enclosed, Sextic: Enclosed>,
     {
         let (m, r2) = (from::<N>(center, o), N::area(*r, *r));
-        let forward = times_at_distance::<N>(at_distance::<N>(&m, d, r2), [&m, d], r2)??;
+        let forward = first_at_distance::<N>(at_distance::<N>(&m, d, r2), [&m, d], r2)??;
         // As of a ray in the opposite direction.
-        let backward = Surd { p: -forward.p, ..forward };
+        let backward = forward.turned();
         Some((forward.lesser(false, false)?, backward.lesser(true, true)?))
     }
 }

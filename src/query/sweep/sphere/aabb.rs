@@ -13,7 +13,7 @@ use core::cmp::Ordering;
 use super::{Passing, SphereContact};
 use crate::arithmetic::{Arithmetic, Enclosed, Number, each, pick, sign_of, three};
 use crate::query::orientation::{Vector, from};
-use crate::query::surd::{Question, Surd, root};
+use crate::query::surd::{Equation, Question, root};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm};
 
@@ -123,7 +123,7 @@ impl<S: Scalar> Question<S, 6> for Passing<'_, S, Aabb<S>> {
             N::quartic(minor, minor)
         };
         let root = root(N::quartic(a, course.r2) - (across(0, 1) + across(1, 2) + across(2, 0)))?;
-        let t = Surd { a, p, c, root, is_far: false }.floor()?;
+        let t = Equation { a, p, c }.lesser(root).floor()?;
         let side = |i: usize| if is_turned[i] { -sides[i] } else { sides[i] };
         Some(SphereContact { t, part: Some(three(side)) })
     }

@@ -20,7 +20,7 @@ use crate::query::Feature;
 use crate::query::capsule::Crossing;
 use crate::query::orientation::{Vector, from};
 use crate::query::sphere::along;
-use crate::query::surd::{Question, Surd, is_above, root};
+use crate::query::surd::{Equation, Question, Surd, is_above, root};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -67,7 +67,7 @@ where
         }
         let (a, p) = (N::sextic(speed, speed), N::sextic(gap, speed));
         let root = root(reach)?.zip(root(a)?).map(|(reach, speed)| reach.times(speed));
-        Some(Some(Surd { a, p, c, root, is_far: false }))
+        Some(Some(Equation { a, p, c }.lesser(root)))
     }
 
     /// Whether the foot of the centre lies inside of an edge when the sphere meets the plane.
@@ -112,7 +112,7 @@ where
     fn edge(&self, k: usize) -> Option<Option<Surd<N::Quartic>>> {
         let crossing = self.crossing(k);
         let Some(line) = crossing.line()? else { return Some(None) };
-        if !is_above(line.p)? || !is_above(line.c)? {
+        if !line.is_ahead()? {
             return Some(None);
         }
         crossing.between(line)
@@ -124,7 +124,7 @@ where
         let crossing = self.crossing(k);
         let m = &crossing.m[0];
         let end = crossing.end(m);
-        if !is_above(end.p)? || !is_above(end.c)? {
+        if !end.is_ahead()? {
             return Some(None);
         }
         crossing.around(m, end)
