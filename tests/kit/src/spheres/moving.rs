@@ -7,6 +7,7 @@
 use core::cmp::Ordering;
 
 use dashu_int::IBig;
+use dashu_int::ops::BitTest;
 use septum::relation::Relation;
 use septum::sweep::{Motion, SphereContact, Sweep};
 use septum::{Feature, Sphere, Triangle};
@@ -35,10 +36,6 @@ pub enum Part {
 
 type Whole = [IBig; 3];
 
-/// A time is compared with another before it by 2^-`BEFORE` units of its own. Roots and quotients of
-/// numbers with up to 2,100 binary places are farther apart.
-const BEFORE: usize = 1 << 14;
-
 /// The shape or a part of it, as points or as faces of a box.
 enum Hull {
     Points(Vec<Whole>),
@@ -51,6 +48,8 @@ struct Shapes {
     d: Whole,
     radius: IBig,
     hull: Hull,
+    /// The bits of the longest of these.
+    bits: usize,
 }
 
 impl Shapes {
@@ -77,13 +76,18 @@ impl Shapes {
     }
 
     /// How a time compares with the time of contact.
+    ///
+    /// Where all from an earlier time on is contact without depth, that time is a quotient whose
+    /// divisor has degree 4, the double root of an equation: it is not nearer to `m`·2^`e`, as a part
+    /// of that, than one by the product of `m` and the divisor.
     fn order(&self, (m, e): Parts) -> Ordering {
         let whole = IBig::from(m);
+        let places = 6 * self.bits + 128;
         match self.compare((&whole, e), &self.hull) {
             // Just before.
             Ordering::Equal if m != 0 => {
-                let before = (whole << BEFORE) - IBig::ONE;
-                match self.compare((&before, e - BEFORE as i32), &self.hull) {
+                let before = (whole << places) - IBig::ONE;
+                match self.compare((&before, e - places as i32), &self.hull) {
                     Ordering::Greater => Ordering::Equal,
                     _ => Ordering::Greater,
                 }
@@ -154,7 +158,10 @@ impl<S: Sample> SphereSweep<S> {
             Other::Box(numbers) => Hull::Faces([0, 1, 2].map(|i| faces(numbers, i, unit))),
             _ => Hull::Points(hull(other, unit).expect("a triangle")),
         };
-        Shapes { center, d: minus(&to, &from), radius: whole(radius, unit), hull }
+        let (d, radius) = (minus(&to, &from), whole(radius, unit));
+        let all = all.iter().chain(rows.as_flattened()).map(|&x| whole(x, unit).bit_len());
+        let bits = all.chain([radius.bit_len()]).max().unwrap_or(0) + 1;
+        Shapes { center, d, radius, hull, bits }
     }
 
     /// The nearest relation, the time, and the part that is touched first.
