@@ -2,7 +2,7 @@
 // npm install && npm run race. A bumpy torus; its coordinates are whole numbers of 512ths, so that
 // rays lead exactly to its vertices and to the middles of its edges.
 import RAPIER from '@dimforge/rapier3d-compat';
-import { Box3, BufferAttribute, BufferGeometry, DoubleSide, Matrix4, Ray, Vector3 } from 'three';
+import { Box3, BufferAttribute, BufferGeometry, DoubleSide, Matrix4, Ray, Sphere, Vector3 } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 import { init, Mesh } from '../js/index.js';
 
@@ -61,6 +61,8 @@ function questions(mesh) {
             const [low, size] = [anywhere(), 1 + random()];
             return [low, low.map((x) => x + size)];
         }),
+        points: many(anywhere),
+        balls: many(() => [anywhere(), 1 + random()]),
     };
 }
 
@@ -71,6 +73,8 @@ const CONTENDERS = {
         first: (mesh, [o, d]) => mesh.raycast(o, d),
         any: (mesh, [o, d]) => mesh.raycastAny(o, d, FAR),
         box: (mesh, [min, max]) => mesh.overlapsBox(min, max),
+        closest: (mesh, point) => mesh.closestPoint(point).distance,
+        ball: (mesh, [center, radius]) => mesh.overlapsSphere(center, radius),
         free: (mesh) => mesh.free(),
     },
     'three-mesh-bvh': {
@@ -88,6 +92,12 @@ const CONTENDERS = {
             box3.max.fromArray(max);
             return bvh.intersectsBox(box3, identity);
         },
+        closest: (bvh, point) => bvh.closestPointToPoint(point3.fromArray(point), found).distance,
+        ball: (bvh, [center, radius]) => {
+            sphere3.center.fromArray(center);
+            sphere3.radius = radius;
+            return bvh.intersectsSphere(sphere3);
+        },
         free: () => {},
     },
     rapier: {
@@ -102,11 +112,17 @@ const CONTENDERS = {
             const half = (max[0] - min[0]) / 2;
             return collider.intersectsShape(new RAPIER.Cuboid(half, half, half), { x, y, z }, { x: 0, y: 0, z: 0, w: 1 });
         },
+        closest: ({ collider }, [x, y, z]) => {
+            const { point } = collider.projectPoint({ x, y, z }, false);
+            return Math.hypot(point.x - x, point.y - y, point.z - z);
+        },
+        ball: ({ collider }, [[x, y, z], radius]) => collider.intersectsShape(new RAPIER.Ball(radius), { x, y, z }, { x: 0, y: 0, z: 0, w: 1 }),
         free: ({ world }) => world.free(),
     },
 };
 const FAR = { far: 1 };
 const [ray3, box3, identity] = [new Ray(new Vector3(), new Vector3()), new Box3(), new Matrix4()];
+const [point3, sphere3, found] = [new Vector3(), new Sphere(), {}];
 const aim = (o, d) => {
     ray3.origin.fromArray(o);
     ray3.direction.fromArray(d).normalize();
@@ -148,6 +164,11 @@ for (const [n, m] of [[200, 200], [300, 500]]) {
     const wrong = (list) => all.map((one, i) => list.filter((x) => !one.any(built[i], x)).length);
     row('missed vertices', wrong(asked.vertices), 0);
     row('missed edges', wrong(asked.edges), 0);
+    row('closest point, µs', each('closest', asked.points), 2);
+    const distances = all.map((one, i) => asked.points.map((x) => one.closest(built[i], x)));
+    const least = asked.points.map((_, k) => Math.min(...distances.map((d) => d[k])));
+    row('farther than the closest', distances.map((d) => d.filter((x, k) => !(x <= least[k] + 1e-5)).length), 0);
+    row('ball, µs', each('ball', asked.balls), 2);
     console.log(`${mesh.index.length / 3} triangles`);
     console.table(Object.fromEntries(rows.map(({ what, ...rest }) => [what, rest])));
     built.forEach((one, i) => all[i].free(one));

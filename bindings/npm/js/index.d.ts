@@ -58,6 +58,16 @@ export interface SphereHit {
     part: Part | null;
 }
 
+export interface ClosestPoint {
+    triangle: number;
+    /** On the triangle; each coordinate rounded once. */
+    point: Three;
+    /** Between both points, rounded. */
+    distance: number;
+    /** The face, edge or vertex that the point lies on: exact. */
+    part: Part;
+}
+
 /** A contact with a triangle. */
 export interface MeshContact {
     triangle: number;
@@ -151,6 +161,8 @@ export class Mesh {
     /** Whether a triangle is no farther from a point than a radius. */
     overlapsSphere(center: Vector, radius: number): boolean;
     trianglesInSphere(center: Vector, radius: number): Uint32Array;
+    /** The closest point of all triangles, at most `within` away: Infinity. Of triangles as near, the first. */
+    closestPoint(point: Vector, options?: { within?: number }): ClosestPoint | null;
     /** Whether two surfaces have a point in common. */
     overlapsMesh(other: Mesh): boolean;
     /** Pairs of triangles of two meshes that overlap: [a, b, a, b, …]. */

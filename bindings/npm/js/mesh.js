@@ -318,6 +318,19 @@ export class Mesh {
         return found(sane(module().in_sphere(this.#here, ...vector('center', center), length('radius', radius)))).sort();
     }
 
+    /** The point of a triangle that is closest to another, or null; none is farther than `within`. */
+    closestPoint(point, given) {
+        const p = vector('point', point);
+        const { within = Infinity } = given === undefined ? {} : options(given, ['within']);
+        const limit = within === Infinity ? within : length('options.within', within);
+        const triangle = module().closest(this.#here, ...p, limit);
+        if (triangle < 0) return null;
+        const [floats, at] = [asFloats(), answer()];
+        const found = [floats[at], floats[at + 1], floats[at + 2]];
+        const distance = Math.hypot(...found.map((x, i) => x - Math.fround(p[i])));
+        return { triangle, point: found, distance, part: part(asWords()[at + 3]) };
+    }
+
     /** Whether a triangle overlaps one of another mesh. Meshes are surfaces here. */
     overlapsMesh(other) {
         return this.#pairs(other, 1) > 0;

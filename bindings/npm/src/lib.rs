@@ -14,6 +14,8 @@ extern crate alloc;
 #[cfg(feature = "mesh")]
 mod closed;
 #[cfg(feature = "mesh")]
+mod closest;
+#[cfg(feature = "mesh")]
 mod contacts;
 #[cfg(feature = "mesh")]
 mod memory;

@@ -183,6 +183,20 @@ fn meshes(name: &str, (vertices, triangles): Parts) {
         }
         first.is_some()
     });
+    ask("closestPoint", &|stream, hash| {
+        let (point, within) = (stream.coarse(), stream.below(65) as f32 / 16.0);
+        let found = if within == 0.0 {
+            tree.closest_point(point)
+        } else {
+            tree.closest_point_within(point, within)
+        };
+        if let Some((i, closest)) = found {
+            hash.add(i as u32);
+            closest.point.to_array().into_iter().for_each(|x| hash.add_f32(x));
+            hash.add(part(of_triangle(closest.feature)));
+        }
+        found.is_some()
+    });
     ask("sphereCast", &|stream, hash| {
         let sphere = Sphere::new(stream.coarse(), stream.below(65) as f32 / 64.0).unwrap();
         let motion = Motion::new([0.0; 3], stream.coarse()).unwrap();

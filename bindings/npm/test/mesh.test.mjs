@@ -38,6 +38,16 @@ test('a hit has its point and normal', () => {
     assert.equal(mesh.voxelize(2).has(2, 0, 0), false);
 });
 
+test('the closest point of a mesh', () => {
+    const mesh = new Mesh(corners, faces);
+    assert.deepEqual(mesh.closestPoint([0.25, 0.25, -2]), { triangle: 0, point: [0.25, 0.25, 0], distance: 2, part: { kind: 'face', number: 0 } });
+    const { point, distance, part } = mesh.closestPoint([-3, -4, 0]);
+    assert.deepEqual([point, distance, part.kind], [[0, 0, 0], 5, 'vertex']);
+    assert.notEqual(mesh.closestPoint([-3, -4, 0], { within: 5 }), null);
+    assert.equal(mesh.closestPoint([-3, -4, 0], { within: 4.999 }), null);
+    assert.equal(new Mesh([], []).closestPoint([0, 0, 0]), null);
+});
+
 test('spheres and capsules have casts and contacts', () => {
     const mesh = new Mesh(corners, faces);
     assert.deepEqual(mesh.sphereCast([0.25, 0.25, -2], 0.25, [0, 0, 2]), { triangle: 0, t: 0.875, part: { kind: 'face', number: 0 } });

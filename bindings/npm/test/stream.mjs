@@ -156,6 +156,17 @@ function meshes({ Mesh }, name, [positions, index], lines) {
         }
         return first !== null;
     });
+    ask('closestPoint', (stream, hash) => {
+        const point = stream.coarse();
+        const within = stream.below(65) / 16 || undefined;
+        const found = mesh.closestPoint(point, { within });
+        if (found) {
+            hash.add(found.triangle);
+            for (const x of found.point) hash.addF32(x + 0);
+            hash.add(part(found.part));
+        }
+        return found !== null;
+    });
     ask('sphereCast', (stream, hash) => {
         const center = stream.coarse();
         const radius = stream.below(65) / 64;
