@@ -1,10 +1,10 @@
 //! Capsules against other shapes: a case, and the oracle.
 //!
 //! Two convex shapes are as far apart as the origin from the hull of the differences of their
-//! vertices. By Carathéodory's theorem that is the least distance from a hull of up to three of
-//! these, unless four enclose the origin. From a box, the squared distance of a point that moves
-//! along a segment is a parabola between every two planes of faces that it crosses: its least is at
-//! a vertex of one, or at a crossing. The crate asks for edges and faces.
+//! vertices: as far as from a hull of up to three of these, unless four enclose the origin. From a
+//! box, the squared distance of a point that moves along a segment is a parabola between every two
+//! planes of faces that it crosses: its least is at a vertex of one, or at a crossing. The crate asks
+//! for edges and faces.
 
 use core::cmp::Ordering;
 
@@ -61,39 +61,29 @@ fn volume([a, b, c]: [&Whole; 3]) -> IBig {
     &a[0] * minor(1, 2) + &a[1] * minor(2, 0) + &a[2] * minor(0, 1)
 }
 
-/// Whether four points that do not lie in a plane enclose the origin.
-fn encloses(points: [&Whole; 4]) -> bool {
-    let [a, b, c, d] = points;
-    let parts = [volume([b, c, d]), -volume([a, c, d]), volume([a, b, d]), -volume([a, b, c])];
+/// Whether four of the points that do not lie in a plane enclose the origin.
+fn enclose(points: &[Whole]) -> bool {
+    let count = points.len();
+    let triple = |a, b, c| volume([&points[a], &points[b], &points[c]]);
+    // By the greatest number, then the middle one, then the least.
+    let volumes: Vec<Vec<Vec<IBig>>> = (0..count)
+        .map(|c| (0..c).map(|b| (0..b).map(|a| triple(a, b, c)).collect()).collect())
+        .collect();
     let sign = |x: &IBig| x.cmp(&IBig::ZERO);
-    // The parts add up to the volume of all four.
-    let all = sign(&parts.iter().sum::<IBig>());
-    all != Ordering::Equal && parts.iter().all(|x| sign(x) == all || sign(x) == Ordering::Equal)
+    let four = |[d, c, b, a]: [usize; 4]| {
+        let part = |x: usize, y: usize, z: usize| &volumes[z][y][x];
+        let (odd, even) = ([part(a, c, d), part(a, b, c)], [part(b, c, d), part(a, b, d)]);
+        let parts = [even[0].clone(), -odd[0], even[1].clone(), -odd[1]];
+        // The parts add up to the volume of all four.
+        let all = sign(&parts.iter().sum::<IBig>());
+        all != Ordering::Equal && parts.iter().all(|x| sign(x) == all || sign(x).is_eq())
+    };
+    (0..count).any(|d| (0..d).any(|c| (0..c).any(|b| (0..b).any(|a| four([d, c, b, a])))))
 }
 
 /// The squared distance of the origin from the hull of any number of points.
 pub(super) fn from_all(points: &[Whole]) -> Fraction {
-    let count = points.len();
-    if count < 3 {
-        return from_hull(points).0;
-    }
-    let mut best: Option<Fraction> = None;
-    for i in 0..count {
-        for j in i + 1..count {
-            for k in j + 1..count {
-                let three = [i, j, k].map(|i| points[i].clone());
-                let (num, den) = from_hull(&three).0;
-                if best.as_ref().is_none_or(|(n, d)| &num * d < n * &den) {
-                    best = Some((num, den));
-                }
-                let [a, b, c] = &three;
-                if points[k + 1..].iter().any(|d| encloses([a, b, c, d])) {
-                    return (IBig::ZERO, IBig::ONE);
-                }
-            }
-        }
-    }
-    best.expect("three points")
+    if enclose(points) { (IBig::ZERO, IBig::ONE) } else { from_hull(points).0 }
 }
 
 /// The squared distance of a segment from a box, by the parts of the segment between faces.

@@ -137,40 +137,57 @@ fn minus(a: &[IBig; 3], b: &[IBig; 3]) -> [IBig; 3] {
 /// A fraction, whose divisor is above zero.
 type Fraction = (IBig, IBig);
 
-/// The squared distance of the origin from the points' hull, and the closest point as fractions
-/// with one divisor.
+/// The squared distance of the origin from the points' hull, unless that contains it, and the closest
+/// point as fractions with one divisor.
+///
+/// By Carathéodory's theorem that is the least distance from a hull of up to three of the points: from
+/// the foot of the origin on their plane or line, if it lies between them.
 fn from_hull(points: &[[IBig; 3]]) -> (Fraction, ([IBig; 3], IBig)) {
-    let mut best: Option<(Fraction, ([IBig; 3], IBig))> = None;
-    let mut add = |num: IBig, den: IBig, at: [IBig; 3]| {
+    // The points' products. Those of edges are sums of them.
+    let products: Vec<Vec<IBig>> =
+        points.iter().map(|p| points.iter().map(|q| dot(p, q)).collect()).collect();
+    let product = |i: usize, j: usize| &products[i][j];
+    // (q − p)·(r − p)
+    let edges = |p, q, r| product(q, r) - product(p, q) - product(p, r) + product(p, p);
+    let mut best: Option<(Fraction, Vec<(usize, IBig)>)> = None;
+    let mut add = |num: IBig, den: IBig, weights: &[(usize, &IBig)]| {
         if best.as_ref().is_none_or(|((n, d), _)| &num * d < n * &den) {
-            best = Some(((num, den.clone()), (at, den)));
+            let weights = weights.iter().map(|&(i, weight)| (i, weight.clone())).collect();
+            best = Some(((num, den), weights));
         }
     };
-    for (i, p) in points.iter().enumerate() {
-        add(dot(p, p), IBig::ONE, p.clone());
-        for q in &points[..i] {
-            let e = minus(q, p);
-            let (ee, ep, pp) = (dot(&e, &e), dot(&e, p), dot(p, p));
-            // The weight of q is −e·p/e·e.
-            if ee > IBig::ZERO && ep <= IBig::ZERO && -&ep <= ee {
-                let at = [0, 1, 2].map(|i: usize| &p[i] * &ee - &e[i] * &ep);
-                add(&pp * &ee - &ep * &ep, ee, at);
+    for p in 0..points.len() {
+        let pp = product(p, p);
+        add(pp.clone(), IBig::ONE, &[(p, &IBig::ONE)]);
+        for q in 0..p {
+            let (ee, pe) = (edges(p, q, q), product(p, q) - pp);
+            let (of_p, of_q) = (&ee + &pe, -&pe);
+            if ee > IBig::ZERO && of_p >= IBig::ZERO && of_q >= IBig::ZERO {
+                add(pp * &ee - &pe * &pe, ee.clone(), &[(p, &of_p), (q, &of_q)]);
+            }
+            for r in 0..q {
+                let (ef, ff, pf) = (edges(p, q, r), edges(p, r, r), product(p, r) - pp);
+                let of_q = &ef * &pf - &ff * &pe;
+                if of_q < IBig::ZERO {
+                    continue;
+                }
+                let of_r = &ef * &pe - &ee * &pf;
+                if of_r < IBig::ZERO {
+                    continue;
+                }
+                let gram = &ee * &ff - &ef * &ef;
+                let of_p = &gram - &of_q - &of_r;
+                if gram > IBig::ZERO && of_p >= IBig::ZERO {
+                    let num = pp * &gram + &of_q * &pe + &of_r * &pf;
+                    add(num, gram, &[(p, &of_p), (q, &of_q), (r, &of_r)]);
+                }
             }
         }
     }
-    if let [p, q, r] = points {
-        let (e, f) = (minus(q, p), minus(r, p));
-        let (ee, ef, ff) = (dot(&e, &e), dot(&e, &f), dot(&f, &f));
-        let (pe, pf, pp) = (dot(p, &e), dot(p, &f), dot(p, p));
-        let gram = &ee * &ff - &ef * &ef;
-        let (u, v) = (&ef * &pf - &ff * &pe, &ef * &pe - &ee * &pf);
-        if gram > IBig::ZERO && u >= IBig::ZERO && v >= IBig::ZERO && &u + &v <= gram {
-            let num = &pp * &gram + &u * &pe + &v * &pf;
-            let at = [0, 1, 2].map(|i: usize| &p[i] * &gram + &e[i] * &u + &f[i] * &v);
-            add(num, gram, at);
-        }
-    }
-    best.expect("a point")
+    let ((num, den), weights) = best.expect("a point");
+    let at = [0, 1, 2]
+        .map(|k: usize| weights.iter().map(|(i, weight)| weight * &points[*i][k]).sum::<IBig>());
+    ((num, den.clone()), (at, den))
 }
 
 /// The points whose hull is a shape, in units of 2^unit. `None` for a box or a plane, and a ray must
