@@ -72,6 +72,38 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
         sphere.overlaps(&self.mesh.known(i)).then_some((i, closest))
     }
 
+    /// The square of the distance from a point to the closed mesh, negative for a point inside; zero
+    /// on a triangle, and `None` as for [`closest_point`](Self::closest_point).
+    ///
+    /// *Geometry*: what is inside [`contains`](Self::contains) says.
+    ///
+    /// *Numerics*: the triangle and the sign are exact; the square is
+    /// [`Triangle::distance_squared`], rounded once. Zero off all triangles is a square below the
+    /// least number. *Panics*: never. *Cost*: that of both questions.
+    ///
+    /// ```
+    /// use septum::mesh::{Mesh, Node, Tree};
+    /// use septum::Vec3;
+    ///
+    /// let corners = [[0.0; 3], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0], [0.0, 0.0, 8.0]].map(Vec3::from);
+    /// let mesh = Mesh::new(&corners, &[[0_u16, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])?;
+    /// let (mut nodes, mut order) = ([Node::EMPTY; 1], [0; 4]);
+    /// let tree = Tree::build(mesh, &mut nodes, &mut order)?;
+    ///
+    /// assert_eq!(tree.signed_distance_squared([1.0, 1.0, 0.5]), Some(-0.25));
+    /// assert_eq!(tree.signed_distance_squared([1.0, 1.0, -2.0]), Some(4.0));
+    /// assert_eq!(tree.signed_distance_squared([1.0, 1.0, 0.0]), Some(0.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[doc(alias = "sdf")]
+    #[must_use]
+    pub fn signed_distance_squared(&self, point: impl Into<Vec3<S>>) -> Option<S> {
+        let point: Vec3<S> = point.into();
+        let (i, _) = self.closest_point(point)?;
+        let squared = self.mesh.known(i).distance_squared(point).ok()?;
+        Some(if self.contains(point) { S::of_ordinal(-squared.ordinal()) } else { squared })
+    }
+
     fn closest_to(&self, point: Vec3<S>, within: Option<S>) -> Option<(usize, Closest<S>)> {
         let p = point.to_array();
         let i = if S::IS_FAST {

@@ -21,6 +21,9 @@ fn check<S: Sample>(case: &SphereCase<S>) -> Ordering {
     if let Some((squared, is_rounded)) = case.distance_squared() {
         assert!(is_rounded, "{squared:?} {case:?}");
     }
+    if let Some((range, is_right)) = case.distance_squared_range() {
+        assert!(is_right, "{range:?} {case:?}");
+    }
     if let Some(range) = case.check_range() {
         assert!(range.is_ok(), "{range:?} {case:?}");
     }

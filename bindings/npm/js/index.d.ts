@@ -163,6 +163,8 @@ export class Mesh {
     trianglesInSphere(center: Vector, radius: number): Uint32Array;
     /** The closest point of all triangles, at most `within` away: Infinity. Of triangles as near, the first. */
     closestPoint(point: Vector, options?: { within?: number }): ClosestPoint | null;
+    /** The distance from a closed mesh, rounded; negative inside, exactly. Null without a triangle. */
+    signedDistance(point: Vector): number | null;
     /** Whether two surfaces have a point in common. */
     overlapsMesh(other: Mesh): boolean;
     /** Pairs of triangles of two meshes that overlap: [a, b, a, b, …]. */

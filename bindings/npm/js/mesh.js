@@ -331,6 +331,12 @@ export class Mesh {
         return { triangle, point: found, distance, part: part(asWords()[at + 3]) };
     }
 
+    /** The distance of a point from the closed mesh, negative inside, or null without a triangle. */
+    signedDistance(point) {
+        const closest = this.closestPoint(point);
+        return closest && (this.contains(point) ? 0 - closest.distance : closest.distance);
+    }
+
     /** Whether a triangle overlaps one of another mesh. Meshes are surfaces here. */
     overlapsMesh(other) {
         return this.#pairs(other, 1) > 0;

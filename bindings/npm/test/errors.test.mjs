@@ -34,6 +34,7 @@ const fields = {
     center: (v) => mesh.overlapsSphere(v, 1),
     'in center': (v) => mesh.trianglesInSphere(v, 1),
     'closest point': (v) => mesh.closestPoint(v),
+    'signed point': (v) => mesh.signedDistance(v),
     'cast min': (v) => mesh.boxCast(v, V, V),
     'cast max': (v) => mesh.boxCast([-9, -9, -9], v, V),
     motion: (v) => mesh.boxCast(V, V, v),

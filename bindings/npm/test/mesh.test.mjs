@@ -46,6 +46,8 @@ test('the closest point of a mesh', () => {
     assert.notEqual(mesh.closestPoint([-3, -4, 0], { within: 5 }), null);
     assert.equal(mesh.closestPoint([-3, -4, 0], { within: 4.999 }), null);
     assert.equal(new Mesh([], []).closestPoint([0, 0, 0]), null);
+    assert.equal(new Mesh([], []).signedDistance([0, 0, 0]), null);
+    assert.deepEqual([[0.25, 0.25, 0.125], [0.25, 0.25, -2], [0.25, 0.25, 0]].map((p) => mesh.signedDistance(p)), [-0.125, 2, 0]);
 });
 
 test('spheres and capsules have casts and contacts', () => {

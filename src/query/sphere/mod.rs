@@ -2,6 +2,7 @@
 
 mod closest;
 mod distance;
+mod distance_range;
 mod error_bound;
 mod face;
 mod foot;

@@ -35,6 +35,9 @@ pub(super) fn points_are_closest_as_one_by_one<S: Sample>() {
             let Some((i, squared)) = expected else { continue };
             let of_triangle = mesh.triangle(i).and_then(|t| t.closest_point(p).ok());
             assert_eq!(found.map(|(_, closest)| closest), of_triangle, "{name}: {p:?}");
+            let apart = mesh.triangle(i).and_then(|t| t.distance_squared(p).ok());
+            let sign = |apart| if tree.contains(p) { S::ZERO.minus(apart) } else { apart };
+            assert_eq!(tree.signed_distance_squared(p), apart.map(sign), "{name}: {p:?}");
             // Within the distance, rounded, and numbers next to that.
             let distance = S::nearest(squared.root());
             for distance in [-1, 0, 1].map(|by| distance.moved(by)) {

@@ -100,3 +100,14 @@ pub fn is_rounded<S: Sample>(rounded: S, num: &IBig, den: &IBig, unit: i32) -> b
     };
     !is_infinite && off * 100 <= whole((part, e), low) * den
 }
+
+/// Whether num/den·2^unit is not below the first number, nor above the second: an infinity, or the
+/// end of fixed point, has nothing above it.
+pub fn is_between<S: Sample>([low, high]: [S; 2], num: &IBig, den: &IBig, unit: i32) -> bool {
+    let value = |x: S| if x > S::GREATEST { S::GREATEST } else { x };
+    let parts = [low, high].map(|x| value(x).mantissa_exponent());
+    let least = parts.iter().map(|x| x.1).min().unwrap_or(unit).min(unit);
+    let exact = num << (unit - least) as usize;
+    let [below, above] = parts.map(|x| whole(x, least) * den);
+    below <= exact && (exact <= above || high > S::GREATEST || !S::IS_FLOAT && high == S::GREATEST)
+}

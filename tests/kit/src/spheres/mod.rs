@@ -332,6 +332,27 @@ impl<S: Sample> SphereCase<S> {
         Some((found, closest::is_rounded(found, &num, &den, 2 * unit)))
     }
 
+    /// The numbers between which the crate says that this distance lies, and whether it does, with
+    /// at most one number between them.
+    pub fn distance_squared_range(&self) -> Option<((S, S), bool)> {
+        let found = match self.other {
+            Other::Triangle([a, b, c]) => {
+                Triangle::new(a, b, c).ok()?.distance_squared_range(self.center)
+            }
+            Other::Ends([a, b]) => Segment::new(a, b).ok()?.distance_squared_range(self.center),
+            Other::Center(c, h) => {
+                Segment::from_center_half_vector(c, h).ok()?.distance_squared_range(self.center)
+            }
+            Other::Box(numbers) => numbers.shape().ok()?.distance_squared_range(self.center),
+            _ => return None,
+        };
+        let (low, high) = found.expect("a finite point");
+        let Squared { num, den, unit } = self.squared();
+        let is_narrow = low.moved(2) >= high || high > S::GREATEST && low.moved(2) >= S::GREATEST;
+        let is_right = closest::is_between([low, high], &num, &den, 2 * unit) && is_narrow;
+        Some(((low, high), is_right))
+    }
+
     /// The crate's answers to every query about the pair.
     pub fn answers(&self) -> Answers {
         let sphere = Sphere::new(self.center, self.radius).expect("a sphere");
