@@ -2,6 +2,8 @@
 
 use core::ops::Range;
 
+use crate::arithmetic::REGISTERS_ARE_WIDE;
+
 /// The number of triangles in each leaf except the last.
 pub(super) const LEAF: usize = 4;
 
@@ -73,6 +75,14 @@ impl Node {
     #[cfg_attr(not(feature = "small"), inline(always))]
     #[cfg_attr(feature = "small", inline(never))]
     pub(super) fn meeting(&self, cell: &Cell) -> u32 {
+        if !REGISTERS_ARE_WIDE {
+            // Most boxes are excluded by the first comparisons.
+            let on = |i: usize, k: usize| {
+                self.0[i][k] <= cell.high[i] && self.0[3 + i][k] >= cell.low[i]
+            };
+            let meets = |k| on(0, k) && on(1, k) && on(2, k);
+            return (0..4).fold(0, |mask, k| mask | u32::from(meets(k)) << k);
+        }
         let mut meet = [true; 4];
         for i in 0..3 {
             for k in 0..4 {
