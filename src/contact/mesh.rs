@@ -73,7 +73,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
 
 /// The contacts of a shape with a mesh: see [`Tree::contacts`].
 #[derive(Clone, Debug)]
-pub struct Contacts<'t, 'a, S: Scalar, I, P> {
+pub struct Contacts<'t, 'a, S: Scalar, I, P: Probe<S>> {
     tree: &'t Tree<'a, S, I>,
     shape: &'t P,
     interior: &'t [InteriorEdges],

@@ -7,6 +7,7 @@ use super::node::{Cell, Node};
 use super::walk::Walk;
 use super::{Index, Tree};
 use crate::arithmetic::{REGISTERS_ARE_WIDE, each};
+use crate::query::PreparedObb;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Capsule, Obb, Overlaps, Segment, Sphere, Triangle, Vec3};
 
@@ -18,10 +19,23 @@ pub trait Probe<S: Scalar>: Overlaps<Triangle<S>> + sealed::Bounded<S> {}
 impl<S: Scalar, P: Overlaps<Triangle<S>> + sealed::Bounded<S>> Probe<S> for P {}
 
 pub(super) mod sealed {
-    use crate::scalar::Scalar;
-    use crate::shape::Aabb;
+    use core::fmt::Debug;
 
-    pub trait Bounded<S: Scalar> {
+    use crate::scalar::Scalar;
+    use crate::shape::{Aabb, Overlaps, Triangle};
+
+    pub trait Bounded<S: Scalar>: Overlaps<Triangle<S>> {
+        /// The numbers that are computed once for all triangles.
+        type Prepared: Clone + Debug;
+
+        fn prepared(&self) -> Self::Prepared;
+
+        /// Whether the shape overlaps a triangle, given its own numbers.
+        fn overlaps_prepared(&self, prepared: &Self::Prepared, triangle: &Triangle<S>) -> bool {
+            let _ = prepared;
+            self.overlaps(triangle)
+        }
+
         /// Two corners of a box that encloses the shape, clamped to the range of fixed point; `None`
         /// if floats have no such box.
         fn corners(&self) -> Option<[[S; 3]; 2]>;
@@ -41,6 +55,10 @@ pub(super) mod sealed {
 }
 
 impl<S: Scalar> sealed::Bounded<S> for Aabb<S> {
+    type Prepared = ();
+
+    fn prepared(&self) {}
+
     fn corners(&self) -> Option<[[S; 3]; 2]> {
         let (min, max) = self.min_max()?;
         Some([min.to_array(), max.to_array()])
@@ -48,6 +66,18 @@ impl<S: Scalar> sealed::Bounded<S> for Aabb<S> {
 }
 
 impl<S: Scalar> sealed::Bounded<S> for Obb<S> {
+    type Prepared = PreparedObb<S>;
+
+    #[inline(always)]
+    fn prepared(&self) -> PreparedObb<S> {
+        PreparedObb::new(self)
+    }
+
+    #[inline(always)]
+    fn overlaps_prepared(&self, prepared: &PreparedObb<S>, triangle: &Triangle<S>) -> bool {
+        prepared.overlaps(triangle)
+    }
+
     // On small cores the short-word test of an oriented box in fixed point rejects most
     // triangles for less than the test of an axis-aligned box far from the origin.
     const IS_DEAR: bool = REGISTERS_ARE_WIDE || S::FLOAT.is_some();
@@ -59,6 +89,10 @@ impl<S: Scalar> sealed::Bounded<S> for Obb<S> {
 }
 
 impl<S: Scalar> sealed::Bounded<S> for Triangle<S> {
+    type Prepared = ();
+
+    fn prepared(&self) {}
+
     const IS_NARROW: bool = true;
 
     fn corners(&self) -> Option<[[S; 3]; 2]> {
@@ -71,6 +105,10 @@ impl<S: Scalar> sealed::Bounded<S> for Triangle<S> {
 }
 
 impl<S: Scalar> sealed::Bounded<S> for Segment<S> {
+    type Prepared = ();
+
+    fn prepared(&self) {}
+
     const IS_NARROW: bool = true;
 
     fn corners(&self) -> Option<[[S; 3]; 2]> {
@@ -83,12 +121,20 @@ impl<S: Scalar> sealed::Bounded<S> for Segment<S> {
 }
 
 impl<S: Scalar> sealed::Bounded<S> for Sphere<S> {
+    type Prepared = ();
+
+    fn prepared(&self) {}
+
     fn corners(&self) -> Option<[[S; 3]; 2]> {
         Self::corners(self)
     }
 }
 
 impl<S: Scalar> sealed::Bounded<S> for Capsule<S> {
+    type Prepared = ();
+
+    fn prepared(&self) {}
+
     fn corners(&self) -> Option<[[S; 3]; 2]> {
         Self::corners(self)
     }
@@ -114,7 +160,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
         let corners = shape.corners();
         let cell = corners.map_or(Cell::ALL, |corners| self.grid.cell(corners));
         let walk = Walk::new(self.nodes, |root| mask(&self.grid, root, &cell, shape));
-        Overlapping { tree: self, shape, corners, cell, walk, leaf: 0..0 }
+        Overlapping { tree: self, shape, prepared: None, corners, cell, walk, leaf: 0..0 }
     }
 }
 
@@ -140,9 +186,11 @@ pub(super) fn mask<S: Scalar, P: sealed::Bounded<S>>(
 
 /// The triangles that a shape overlaps: see [`Tree::overlapping`].
 #[derive(Clone, Debug)]
-pub struct Overlapping<'t, 'a, S: Scalar, I, P> {
+pub struct Overlapping<'t, 'a, S: Scalar, I, P: Probe<S>> {
     tree: &'t Tree<'a, S, I>,
     shape: &'t P,
+    /// From the first triangle nearby.
+    prepared: Option<P::Prepared>,
     corners: Option<[[S; 3]; 2]>,
     cell: Cell,
     walk: Walk,
@@ -159,7 +207,10 @@ impl<S: Scalar, I: Index, P: Probe<S>> Iterator for Overlapping<'_, '_, S, I, P>
                 let i = tree.index(place);
                 let triangle = tree.mesh.known(i);
                 let is_near = corners.is_none_or(|corners| is_near::<S, P>(&corners, &triangle));
-                if is_near && shape.overlaps(&triangle) {
+                if is_near && {
+                    let prepared = self.prepared.get_or_insert_with(|| shape.prepared());
+                    shape.overlaps_prepared(prepared, &triangle)
+                } {
                     return Some(i);
                 }
             }
@@ -174,8 +225,16 @@ impl<S: Scalar, I: Index, P: Probe<S>> Iterator for Overlapping<'_, '_, S, I, P>
 fn is_near<S: Scalar, P: Probe<S>>([min, max]: &[[S; 3]; 2], triangle: &Triangle<S>) -> bool {
     let [a, b, c] = each(*triangle.vertices(), Vec3::to_array);
     for i in 0..3 {
-        let is_below = (a[i] < min[i]) & (b[i] < min[i]) & (c[i] < min[i]);
-        if is_below | (a[i] > max[i]) & (b[i] > max[i]) & (c[i] > max[i]) {
+        // Without branches where a wrong guess is dearer than a comparison.
+        let all = |is: fn(S, S) -> bool, end: S| {
+            if REGISTERS_ARE_WIDE {
+                is(a[i], end) & is(b[i], end) & is(c[i], end)
+            } else {
+                is(a[i], end) && is(b[i], end) && is(c[i], end)
+            }
+        };
+        let is_below = all(|x, min| x < min, min[i]);
+        if is_below || all(|x, max| x > max, max[i]) {
             return false;
         }
     }

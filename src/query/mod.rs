@@ -76,6 +76,7 @@ pub(crate) use sphere::compare_distances;
 pub use sweep::{FirstContact, Motion, SphereContact, Sweep};
 pub use triangle_aabb::PreparedTriangle;
 pub(crate) use triangle_aabb::{bound_of_size, disjoint_rounded, range};
+pub use triangle_obb::PreparedObb;
 
 // The trait stands with the shapes, whose methods call it.
 use crate::shape::Overlaps;

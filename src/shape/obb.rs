@@ -148,6 +148,12 @@ impl<S: Scalar> Obb<S> {
         Some(Aabb::between(Vec3::new(x.0, y.0, z.0), Vec3::new(x.1, y.1, z.1)))
     }
 
+    /// The same box with its axes in another order, of the same hand.
+    pub(crate) fn turned(&self) -> Self {
+        let Self { center, axes: [u, v, w], half } = *self;
+        Self { center, axes: [v, w, u], half: Vec3::new(half.y, half.z, half.x) }
+    }
+
     /// The axes as arrays of coordinates.
     #[inline(always)]
     pub(crate) fn axes_as_arrays(&self) -> [[S; 3]; 3] {

@@ -122,7 +122,11 @@ impl ProductSum<i16> for i32 {
     }
     #[inline(always)]
     fn scaled(self) -> i16 {
-        (self >> i16::SPLIT) as i16
+        self.scaled_by(0)
+    }
+    #[inline(always)]
+    fn scaled_by(self, places: u32) -> i16 {
+        (self >> (i16::SPLIT + places)) as i16
     }
 
     type Volume = Self;
@@ -168,7 +172,11 @@ impl ProductSum<i32> for i64 {
     }
     #[inline(always)]
     fn scaled(self) -> i32 {
-        (self >> i32::SPLIT) as i32
+        self.scaled_by(0)
+    }
+    #[inline(always)]
+    fn scaled_by(self, places: u32) -> i32 {
+        (self >> (i32::SPLIT + places)) as i32
     }
 
     /// From the upper word of an area, rounded to the nearest, and the remainder.

@@ -19,6 +19,9 @@ pub trait ProductSum<W>: Copy {
     /// The sum over 2^[`SPLIT`](super::Word::SPLIT), rounded down, if a word holds it.
     fn scaled(self) -> W;
 
+    /// [`scaled`](Self::scaled) over 2^`places`, rounded down.
+    fn scaled_by(self, places: u32) -> W;
+
     /// A sum of products of an area and a length.
     type Volume: Copy;
     /// The area times one.

@@ -43,6 +43,10 @@ impl<W: Word> ProductSum<W> for SplitSum<W> {
     fn scaled(self) -> W {
         self.upper + (self.lower >> W::SPLIT)
     }
+    #[inline(always)]
+    fn scaled_by(self, places: u32) -> W {
+        self.scaled() >> places
+    }
 
     /// In four words; the two in the middle have the same weight.
     type Volume = [W; 4];

@@ -6,9 +6,9 @@
 //! less than 2^-12.
 
 use super::{Disjoint, Line};
-use crate::arithmetic::{InRaw, Raw, Word, greatest, three};
+use crate::arithmetic::{InRaw, Raw, Word, greatest, out_of_line, three};
 use crate::query::obb_short::{bits, products};
-use crate::query::triangle_obb::{EXACT, are_disjoint, raw, size};
+use crate::query::triangle_obb::{EXACT, Known, Size, are_disjoint, raw, size};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, SegmentForm, Vec3};
 
@@ -34,7 +34,7 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
                         (three(|i| way[i].minus(half[i])), three(|i| way[i].plus(half[i])))
                     }
                 };
-                are_disjoint(self.obb, EXACT, || ([p, q, q], 0))
+                are_disjoint(self.obb, || Known::Nothing, EXACT, || ([p, q, q], 0))
             }
         }
     }
@@ -42,20 +42,13 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
     #[inline(always)]
     fn ray_in_short_words(&self, ray: &Ray<S>) -> Option<bool> {
         let (way, d) = (self.way_to(&ray.origin())?, raw(&ray.direction()));
-        let [u, v, w] = self.obb.axes();
-        let spans =
-            size(&[raw(&self.obb.half_extents())]).bits() + size(&[raw(u), raw(v), raw(w)]).bits();
-        let reach = greatest(size(&[way]).bits(), spans - S::FRACTION_BITS + 2) + 1;
+        let span = Size::of(self.obb);
+        let reach = greatest(size(&[way]).bits(), span.reach + 2) + 1;
         let unit = reach - END;
         let [beyond] = Raw::cut([d], size(&[d]).bits() - END - 1);
 
-        let end = |t: Option<S>, is_last: bool| {
-            let far = |is_ahead: bool| if is_ahead { beyond } else { beyond.map(|x| -x) };
-            let Some(t) = t else { return Some(far(is_last)) };
-            let t: i64 = t.raw().into();
-            if t == 0 {
-                return Some([0; 3]);
-            }
+        let far = |is_ahead: bool| if is_ahead { beyond } else { beyond.map(|x| -x) };
+        let at = |t: i64, is_last: bool| {
             let d: [i64; 3] = d.map(Into::into);
             let length = bits(&[[t, 0, 0]]) + bits(&[d]) - S::FRACTION_BITS;
             if length - 2 < reach {
@@ -65,12 +58,17 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
             // Else all of the ray is beyond the box.
             ((t > 0) == is_last).then(|| far(is_last))
         };
+        let end = |t: Option<S>, is_last: bool| match t.map(|t| t.raw().into()) {
+            None => Some(far(is_last)),
+            Some(0) => Some([0; 3]),
+            Some(t) => out_of_line(|| at(t, is_last)),
+        };
         let (Some(from), Some(to)) = (end(ray.t_min(), false), end(ray.t_max(), true)) else {
             return Some(true);
         };
         let [way] = Raw::cut([way], unit);
         let (p, q) = (three(|i| way[i] + from[i]), three(|i| way[i] + to[i]));
-        are_disjoint(self.obb, unit + SPARE, || ([p, q, q], unit))
+        are_disjoint(self.obb, move || Known::Size(span), unit + SPARE, || ([p, q, q], unit))
     }
 
     /// The way from the centre of the box to a point, if the difference fits.

@@ -5,13 +5,15 @@
 //! axis-aligned box. That is [`overlaps_obb`](crate::published::akenine_moller::overlaps_obb) in
 //! `published`. Its rounding moves the triangle, so the exact verdict uses the 13 axes of the two
 //! shapes as given (`kernel`). Fixed point first transforms the triangle in short words, with a
-//! bound on the error (`short`). On 32-bit cores words of 64 bits follow a look at numbers cut to
-//! 18 bits (`cut`).
+//! bound on the error (`short`); for many triangles, the products of the axes are computed once
+//! (`prepared`). On 32-bit cores words of 64 bits follow a look at numbers cut to 18 bits (`cut`).
 
 mod cut;
 mod error_bound;
 mod exact;
 mod kernel;
+mod known;
+mod prepared;
 mod relation;
 mod short;
 
@@ -20,6 +22,8 @@ use self::exact::InWords;
 use self::exact::{ExactParallelepiped, InSums};
 use self::kernel::{Parallelepiped, all_axes};
 pub(super) use self::kernel::{cross, dot, lie_along_one_axis};
+pub(super) use self::known::{Known, Size};
+pub use self::prepared::PreparedObb;
 use self::short::Change;
 pub(super) use self::short::{EXACT, are_disjoint, raw, size};
 use super::Overlaps;
@@ -58,7 +62,7 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
             let framed = self.framed(Change::Grown, Self::vertices_from_center);
             return Some(framed.is_none_or(|framed| framed.are_certainly_disjoint()));
         }
-        noted(self.in_short_words(Self::vertices_from_center)).or_else(|| S::in_machine_words(self))
+        noted(self.in_short_words()).or_else(|| S::in_machine_words(self))
     }
 
     fn exact(&self) -> bool {
@@ -143,7 +147,7 @@ impl<S: Scalar> Disjoint<'_, S> {
     where
         S: InRaw,
     {
-        self.in_short_words(Self::vertices_from_near)
+        are_disjoint(self.obb, || Known::Nothing, EXACT, || self.vertices_from_near())
     }
 
     /// The answer, if words hold the shapes.

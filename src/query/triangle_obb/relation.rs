@@ -29,7 +29,7 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
     where
         S: FixedBackend,
     {
-        match noted(self.0.in_short_words(Disjoint::vertices_from_center)) {
+        match noted(self.0.in_short_words()) {
             Some(true) => Some(Relation::Disjoint),
             Some(false) => Some(Relation::Overlapping),
             None => S::in_machine_words(self),

@@ -46,13 +46,14 @@
 //! below 2^8, so the kernel's lengths are below 2^18.
 
 use super::Disjoint;
-use crate::arithmetic::{InRaw, ProductSum, Raw, Word, greatest, turn};
+use super::known::{Known, cut_axes};
+use crate::arithmetic::{InRaw, ProductSum, Raw, Word, greatest};
 use crate::query::one_sided::{Projection, one_sided};
 use crate::scalar::Scalar;
 use crate::shape::{Obb, Vec3};
 
 /// The bits of an axis, without its sign.
-const AXIS: i32 = 19;
+pub(super) const AXIS: i32 = 19;
 /// The bits of a length.
 const LENGTH: i32 = 18;
 /// The bits of all numbers at the end.
@@ -93,13 +94,14 @@ type Vertices<R> = ([[R; 3]; 3], i32);
 /// Whether the triangle and the box are disjoint; `None` in doubt. `least` is the exponent of the least
 /// unit in which the vertices are accurate enough.
 #[inline(always)]
-pub(in crate::query) fn are_disjoint<S: Scalar + InRaw, R: Raw>(
+pub(in crate::query) fn are_disjoint<'c, S: Scalar + InRaw, R: Raw>(
     obb: &Obb<S>,
+    known: impl Fn() -> Known<'c>,
     least: i32,
     vertices: impl Fn() -> Vertices<R>,
 ) -> Option<bool> {
     // By reference, to save a copy.
-    match framed(obb, Change::Shrunk, least, vertices).as_mut() {
+    match framed(obb, known, Change::Shrunk, least, vertices).as_mut() {
         None => Some(true),
         Some(framed) => framed.are_disjoint(),
     }
@@ -107,17 +109,18 @@ pub(in crate::query) fn are_disjoint<S: Scalar + InRaw, R: Raw>(
 
 /// The triangle in the frame of the box; `None` if a face of the box certainly separates them.
 #[inline(never)]
-fn framed<S: Scalar + InRaw, R: Raw>(
+fn framed<'c, S: Scalar + InRaw, R: Raw>(
     obb: &Obb<S>,
+    known: impl Fn() -> Known<'c>,
     change: Change,
     least: i32,
     vertices: impl Fn() -> Vertices<R>,
 ) -> Option<Framed> {
+    // A constant, except for its numbers.
+    let known = known();
+    let longest = known.longest(obb);
+    let u = cut_axes(obb, longest);
     let mut error = ERROR;
-    let [u, v, w] = obb.axes();
-    let axes = [raw(u), raw(v), raw(w)];
-    let longest = size(&axes).bits();
-    let u = Raw::cut(axes, longest - AXIS);
     if longest > AXIS {
         error += OF_AXES;
     }
@@ -125,7 +128,7 @@ fn framed<S: Scalar + InRaw, R: Raw>(
     let (d, exponent) = vertices();
     let half = [raw(&obb.half_extents())];
     let longer = longest - S::FRACTION_BITS;
-    let down = greatest(exponent + size(&d).bits(), size(&half).bits() + longer) - LENGTH;
+    let down = greatest(exponent + size(&d).bits(), known.reach(obb, longer)) - LENGTH;
     let down = greatest(down, least);
     let d = Raw::cut(d, down - exponent);
     let [h] = Raw::cut(half, down - longer);
@@ -136,10 +139,9 @@ fn framed<S: Scalar + InRaw, R: Raw>(
     let (mut t, mut half) = ([[0; 3]; 3], [0; 3]);
     let (mut volume, mut most) = (0, 0);
     for i in 0..3 {
-        let (_, j, l) = turn(i);
-        let w = cross(&u[j], &u[l]);
+        let w = known.normal(&u, i);
         if i == 0 {
-            volume = (product(&w, &u[0]) >> 9).abs();
+            volume = known.volume(&u, &w);
         }
         t[i] = [product(&w, &d[0]), product(&w, &d[1]), product(&w, &d[2])];
         half[i] = Sum::new(volume, h[i], 0, 0).scaled();
@@ -164,11 +166,8 @@ fn framed<S: Scalar + InRaw, R: Raw>(
 impl<S: Scalar + InRaw> Disjoint<'_, S> {
     /// The answer, if the cut coordinates are certain of it.
     #[inline(always)]
-    pub(super) fn in_short_words(
-        &self,
-        vertices: impl Fn(&Self) -> Vertices<S::Raw>,
-    ) -> Option<bool> {
-        are_disjoint(self.obb, EXACT, move || vertices(self))
+    pub(super) fn in_short_words(&self) -> Option<bool> {
+        are_disjoint(self.obb, || Known::Nothing, EXACT, move || self.vertices_from_center())
     }
 
     /// The triangle in the frame of the box; `None` if a face of the box certainly separates them.
@@ -178,7 +177,7 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
         change: Change,
         vertices: impl Fn(&Self) -> Vertices<S::Raw>,
     ) -> Option<Framed> {
-        framed(self.obb, change, EXACT, move || vertices(self))
+        framed(self.obb, || Known::Nothing, change, EXACT, move || vertices(self))
     }
 
     /// The vertices relative to the centre.
@@ -265,14 +264,20 @@ pub(in crate::query) fn size<W: Word, const K: usize>(x: &[[W; 3]; K]) -> W {
 /// The cross product over 2^19, rounded down.
 #[inline(always)]
 pub(super) fn cross(a: &[i32; 3], b: &[i32; 3]) -> [i32; 3] {
-    let area = |j: usize, l: usize| Sum::new(a[j], b[l], -a[l], b[j]).scaled() >> 9;
+    let area = |j: usize, l: usize| Sum::new(a[j], b[l], -a[l], b[j]).scaled_by(9);
     [area(1, 2), area(2, 0), area(0, 1)]
 }
 
 /// The product over 2^10, rounded down.
 #[inline(always)]
 pub(super) fn product(a: &[i32; 3], b: &[i32; 3]) -> i32 {
-    Sum::new(a[0], b[0], a[1], b[1]).with_product(a[2], b[2]).scaled()
+    product_over(a, b, 0)
+}
+
+/// The product over 2^10 and 2^`places`, rounded down.
+#[inline(always)]
+pub(super) fn product_over(a: &[i32; 3], b: &[i32; 3], places: u32) -> i32 {
+    Sum::new(a[0], b[0], a[1], b[1]).with_product(a[2], b[2]).scaled_by(places)
 }
 
 #[cfg(test)]
