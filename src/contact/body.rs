@@ -178,6 +178,7 @@ pub(super) fn cross(x: &Vec64, y: &Vec64) -> Vec64 {
     arithmetic::cross::<Filtered<f64>>(x, y)
 }
 
+#[inline]
 pub(super) fn dot(x: &Vec64, y: &Vec64) -> f64 {
     arithmetic::dot::<Filtered<f64>>(x, y)
 }

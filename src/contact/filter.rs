@@ -60,6 +60,7 @@ pub(super) fn in_range(x: f64) -> bool {
 }
 
 /// x × y, and the greater of the two products in each coordinate, which bounds its error.
+#[inline]
 pub(super) fn cross_with_products(x: &Vec64, y: &Vec64) -> (Vec64, Vec64) {
     let (a, products) = crosses(&x.map(|x| [x]), &y.map(|y| [y]));
     (a.map(|[a]| a), products.map(|[product]| product))

@@ -112,6 +112,7 @@
 //! first triangle.
 
 mod answer;
+mod apart;
 mod body;
 mod depth;
 mod directions;
@@ -122,6 +123,7 @@ mod filter;
 mod flat;
 mod interior;
 mod least;
+mod line;
 mod measures;
 mod mesh;
 mod nearest;
@@ -166,8 +168,10 @@ use crate::shape::{Aabb, Capsule, Obb, Sphere};
 /// for each direction that is left, in integers of up to 256 bits, or in exact sums if 60 bits do
 /// not hold the coordinates; and a root and seven quotients of 64 bits.
 ///
-/// A sphere or a capsule first asks whether it overlaps; then integers of the length that exactness
-/// takes compare the distances of its ends and the parts of the other shape.
+/// A sphere or a capsule first asks whether it overlaps. On hosts, in scalars of up to 32 bits, `f64`
+/// with bounds, or double words where a depth nearly cancels, then have the numbers of a centre or
+/// an end outside, and of a centre in a box. If they leave a doubt, and elsewhere, integers of the
+/// length that exactness takes compare the distances of the ends and the parts of the other shape.
 ///
 /// *Source*: separating axes, as for [`Obb::overlaps`]. The rounding that guarantees separation is
 /// ours.

@@ -3,6 +3,7 @@
 //! A sphere is a point with a radius, and a capsule a segment with one. [`nearest`](super::nearest)
 //! has the direction, exactly, and [`depth`](super::depth) the numbers along it.
 
+use super::apart::apart;
 use super::body::dot;
 use super::depth::{Out, Units, out, rounded};
 use super::feature::{Features, Part};
@@ -49,8 +50,6 @@ struct Found<S> {
     normal: Option<Out>,
     /// The parts that meet, of the flat shape and of the round one.
     parts: [Part; 2],
-    /// Whether the way is the normal of a face or across two edges.
-    is_normal: bool,
     /// The point of the flat shape.
     point: [S; 3],
 }
@@ -113,7 +112,6 @@ impl<S: Scalar> Predicate<S> for Question<'_, S> {
                 is_across,
                 normal: if is_across { self.along_normal(&scene, r, &unit) } else { None },
                 parts,
-                is_normal: matches!(way, Way::Normal { .. }),
                 point: rounded(&place, &unit)?,
             })
         };
@@ -124,21 +122,20 @@ impl<S: Scalar> Predicate<S> for Question<'_, S> {
 impl<S: Scalar> Numeric<S> for Question<'_, S> {}
 
 /// The translation of the first shape, which is the round one or the flat one.
-fn translation<S: Scalar>(out: &Out, features: Features, is_round_first: bool) -> Translation<S> {
-    let Measures { vector, depth, normal, is_sufficient } = out.lengths.measures(is_round_first);
+fn translation<S: Scalar>(measures: Measures<S>, features: Features) -> Translation<S> {
+    let Measures { vector, depth, normal, is_sufficient } = measures;
     Translation { vector, depth, normal, features, is_sufficient }
 }
 
-impl<S: Scalar> Found<S> {
-    fn features(&self, is_round_first: bool) -> Features {
-        match (self.is_normal, self.parts, is_round_first) {
-            (true, [Part::Face(face), _], false) => Features::First(face),
-            (true, [Part::Face(face), _], true) => Features::Second(face),
-            (true, [Part::Edge(i), Part::Edge(k)], false) => Features::Edges(i, k),
-            (true, [Part::Edge(i), Part::Edge(k)], true) => Features::Edges(k, i),
-            (_, [i, k], false) => Features::Nearest(i, k),
-            (_, [i, k], true) => Features::Nearest(k, i),
-        }
+/// What the direction comes from, given the parts that meet, of the flat shape and of the round one.
+fn features(parts: [Part; 2], is_round_first: bool) -> Features {
+    match (parts, is_round_first) {
+        ([Part::Face(face), _], false) => Features::First(face),
+        ([Part::Face(face), _], true) => Features::Second(face),
+        ([Part::Edge(i), Part::Edge(k)], false) => Features::Edges(i, k),
+        ([Part::Edge(i), Part::Edge(k)], true) => Features::Edges(k, i),
+        ([i, k], false) => Features::Nearest(i, k),
+        ([i, k], true) => Features::Nearest(k, i),
     }
 }
 
@@ -147,11 +144,48 @@ pub(super) fn least_translation<S: Scalar>(
     round: &Round<S>,
     is_round_first: bool,
 ) -> Option<Translation<S>> {
+    if let Some(apart) = apart(flat, round) {
+        if let Some(measures) = apart.known.measures(is_round_first) {
+            return Some(translation(measures, features(apart.parts, is_round_first)));
+        }
+    }
     let found = S::evaluate_numeric(&Question { flat, round, interior: InteriorEdges::NONE })?;
-    Some(translation(&found.least, found.features(is_round_first), is_round_first))
+    let features = features(found.parts, is_round_first);
+    Some(translation(found.least.lengths.measures(is_round_first), features))
 }
 
 pub(super) fn contact<S: Scalar>(
+    flat: Flat<'_, S>,
+    round: &Round<S>,
+    is_round_first: bool,
+    interior: InteriorEdges,
+) -> Option<Contact<S>> {
+    match in_floats(flat, round, is_round_first, interior) {
+        Some(contact) => contact,
+        None => exactly(flat, round, is_round_first, interior),
+    }
+}
+
+/// The contact, or that there is none; `None` in doubt.
+pub(super) fn in_floats<S: Scalar>(
+    flat: Flat<'_, S>,
+    round: &Round<S>,
+    is_round_first: bool,
+    interior: InteriorEdges,
+) -> Option<Option<Contact<S>>> {
+    let apart = apart(flat, round)?;
+    if apart.leads_across(interior)? {
+        // As in `exactly`.
+        return Some(None);
+    }
+    let translation =
+        translation(apart.known.measures(is_round_first)?, features(apart.parts, is_round_first));
+    let (points, depth) = apart.points()?;
+    let points = one_point(points, depth, apart.parts, is_round_first);
+    Some(Some(Contact { translation, is_held: false, points }))
+}
+
+pub(super) fn exactly<S: Scalar>(
     flat: Flat<'_, S>,
     round: &Round<S>,
     is_round_first: bool,
@@ -168,10 +202,10 @@ pub(super) fn contact<S: Scalar>(
         }
         (found.normal?, if is_round_first { Features::Second(0) } else { Features::First(0) })
     } else {
-        let features = found.features(is_round_first);
+        let features = features(found.parts, is_round_first);
         (found.least, features)
     };
-    let translation = translation(&out, features, is_round_first);
+    let translation = translation(out.lengths.measures(is_round_first), features);
     let normal = out.lengths.unit(true);
     let depth = if is_held {
         depth_over(distance, round.radius.in_double(), dot(&unit, &normal))
@@ -183,14 +217,24 @@ pub(super) fn contact<S: Scalar>(
         let x = found.point[i];
         if normal[i] == 0.0 { x } else { x.plus_double(-(depth * normal[i])) }
     }));
-    let ([on_first, on_second], mut parts) =
-        (if is_round_first { [on_round, point] } else { [point, on_round] }, found.parts);
-    if is_round_first {
-        parts.reverse();
-    }
     let depth = S::ZERO.plus_double(depth);
-    let points = Points::one(Point { on_first, on_second, depth, parts });
+    let points = one_point([point, on_round], depth, found.parts, is_round_first);
     Some(Contact { translation, is_held, points })
+}
+
+/// A point of the flat shape and one of the round shape.
+fn one_point<S: Scalar>(
+    [on_first, on_second]: [Vec3<S>; 2],
+    depth: S,
+    parts: [Part; 2],
+    is_round_first: bool,
+) -> Points<S> {
+    let mut point = Point { on_first, on_second, depth, parts };
+    if is_round_first {
+        core::mem::swap(&mut point.on_first, &mut point.on_second);
+        point.parts.reverse();
+    }
+    Points::one(point)
 }
 
 /// How far below a point a sphere extends, along a direction. The way from the point to its centre

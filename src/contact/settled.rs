@@ -10,12 +10,12 @@ use super::directions::Direction;
 use super::filter::{Filter, Measured};
 use super::least::Way;
 use super::measures::Measures;
-use crate::arithmetic::{Double, Soft, largest, root, three};
+use crate::arithmetic::{Double, largest, pick, root, three};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
 /// The unit roundoff.
-const U: f64 = f64::EPSILON / 2.0;
+pub(super) const U: f64 = f64::EPSILON / 2.0;
 
 /// Roundoffs in a number, in addition to the errors of the overlap and of a coordinate.
 const ROUNDOFFS: u16 = 64;
@@ -69,52 +69,99 @@ pub(super) fn settled<S: Scalar>(
         return None;
     }
     let [overlap] = measured.overlaps[usize::from(is_along)];
-    let of_overlap = error / overlap;
     let mut of_coordinates = [0.0; 3];
     for i in 0..3 {
         if products[i] > 0.0 {
             of_coordinates[i] = (2.0 * roundings * (products[i] / a[i].abs()) + 1.0) * U;
         }
     }
-    // Not so if one is NaN, of an overlap or a coordinate of zero.
-    let is_precise = |error: &f64| *error <= MOST;
-    if !(overlap > 0.0 && is_precise(&of_overlap) && of_coordinates.iter().all(is_precise)) {
-        return None;
-    }
-    let is_single = a.iter().filter(|&&x| x != 0.0).count() == 1;
+    let is_single = is_single(&a);
     let length = if is_single { largest(&a) } else { root(square) };
     let inverse = 1.0 / length;
-    let depth = overlap * inverse;
-    let depth_error = error_of(of_overlap);
-    let (rounded_depth, _) = rounded::<S>(depth, depth_error, true, false)?;
-
+    let known = Known {
+        a,
+        of_coordinates,
+        is_single,
+        inverse,
+        depth: overlap * inverse,
+        of_depth: error / overlap,
+    };
+    let measures = known.measures(is_along)?;
     let mut along = [[Ordering::Equal; 3]; 2];
     for (along, known) in
         along.as_flattened_mut().iter_mut().zip(filter.along(direction).as_flattened())
     {
         *along = (*known)?;
     }
-    let (mut vector, mut normal, mut is_sufficient) = ([S::ZERO; 3], [S::ZERO; 3], true);
-    for i in 0..3 {
-        if a[i] == 0.0 {
-            continue;
-        }
-        let is_negative = (a[i] > 0.0) != is_along;
-        let error = of_coordinates[i];
-        let (ratio, ratio_error, size, size_error) = if is_single {
-            (1.0, 0.0, depth, depth_error)
-        } else {
-            let ratio = a[i].abs() * inverse;
-            (ratio, error_of(error), ratio * depth, error_of(of_overlap + error))
-        };
-        let (along, fits) = rounded(size, size_error, true, is_negative)?;
-        is_sufficient &= fits;
-        vector[i] = along;
-        normal[i] = rounded(ratio, ratio_error, false, is_negative)?.0;
-    }
-    let [vector, normal] = [vector, normal].map(Vec3::from);
-    let measures = Measures { vector, depth: rounded_depth, normal, is_sufficient };
     Some((Way { direction, is_along, along, is_held: false }, measures))
+}
+
+/// Whether a direction is a coordinate axis.
+#[inline]
+pub(super) fn is_single(a: &Vec64) -> bool {
+    a.iter().filter(|&&x| x != 0.0).count() == 1
+}
+
+/// A direction in floats, and the depth along it.
+pub(super) struct Known {
+    /// The direction. A coordinate of zero is exact.
+    pub(super) a: Vec64,
+    /// How far each coordinate may be off, of itself.
+    pub(super) of_coordinates: Vec64,
+    /// Whether it is a coordinate axis.
+    pub(super) is_single: bool,
+    /// One over the length.
+    pub(super) inverse: f64,
+    pub(super) depth: f64,
+    /// How far the depth may be off, of itself, roundings of quotients aside. It is exact if that is
+    /// zero.
+    pub(super) of_depth: f64,
+}
+
+impl Known {
+    /// The depth, and how far it may be off, of itself.
+    #[inline]
+    pub(super) fn depth(&self) -> (f64, f64) {
+        (self.depth, if self.of_depth == 0.0 { 0.0 } else { error_of(self.of_depth) })
+    }
+
+    /// A coordinate of the unit vector and of the translation, in magnitude, and how far each may be
+    /// off, of itself.
+    #[inline]
+    pub(super) fn coordinate(&self, i: usize) -> [(f64, f64); 2] {
+        if self.is_single {
+            return [(1.0, 0.0), self.depth()];
+        }
+        let (ratio, error) =
+            (pick(&self.a, i).abs() * self.inverse, *pick(&self.of_coordinates, i));
+        [(ratio, error_of(error)), (ratio * self.depth, error_of(self.of_depth + error))]
+    }
+
+    /// The numbers of the translation, if each rounds to one number of the scalar.
+    pub(super) fn measures<S: Scalar>(&self, is_along: bool) -> Option<Measures<S>> {
+        // Not so if one is NaN, of an overlap or a coordinate of zero.
+        let is_precise = |error: &f64| *error <= MOST;
+        let are_precise = self.of_coordinates.iter().all(is_precise) && is_precise(&self.of_depth);
+        if !(self.depth > 0.0 && are_precise) {
+            return None;
+        }
+        let (depth, error) = self.depth();
+        let (depth, _) = rounded::<S>(depth, error, true, false)?;
+        let (mut vector, mut normal, mut is_sufficient) = ([S::ZERO; 3], [S::ZERO; 3], true);
+        for i in 0..3 {
+            if self.a[i] == 0.0 {
+                continue;
+            }
+            let is_negative = (self.a[i] > 0.0) != is_along;
+            let [(ratio, of_ratio), (size, of_size)] = self.coordinate(i);
+            let (along, fits) = rounded(size, of_size, true, is_negative)?;
+            is_sufficient &= fits;
+            vector[i] = along;
+            normal[i] = rounded(ratio, of_ratio, false, is_negative)?.0;
+        }
+        let [vector, normal] = [vector, normal].map(Vec3::from);
+        Some(Measures { vector, depth, normal, is_sufficient })
+    }
 }
 
 /// The unit vector along a direction that is [`settled`], if double words leave no doubt. It has the
@@ -169,6 +216,7 @@ pub(super) fn unit<S: Scalar>(
 }
 
 /// The relative error of a number, from the sum of the errors of its factors.
+#[inline]
 fn error_of(factors: f64) -> f64 {
     1.01 * factors + f64::from(ROUNDOFFS) * U
 }
@@ -176,10 +224,7 @@ fn error_of(factors: f64) -> f64 {
 /// The number of the scalar to which all numbers within a relative error of x round, and whether
 /// the scalar holds them.
 fn rounded<S: Scalar>(x: f64, error: f64, is_up: bool, is_negative: bool) -> Option<(S, bool)> {
-    let rounded = |x: f64| {
-        let (m, exponent) = Soft::of_normal(x).scaled(S::ONE.shift.into()).upper();
-        S::of_units(m, exponent, is_up, is_negative)
-    };
+    let rounded = |x| S::of_double(x, is_up, is_negative);
     let low = rounded(x - x * error);
     (low == rounded(x + x * error)).then_some(low)
 }

@@ -1,4 +1,9 @@
-//! Floats exclude only directions that are not the least, and integers equal the sums.
+//! Floats exclude only directions that are not the least, and integers equal the sums. What floats
+//! know has the bits of exact numbers.
+
+extern crate std;
+
+use std::format;
 
 use super::Shape;
 use super::body::{Body, Rough};
@@ -8,10 +13,11 @@ use super::flat::in_floats;
 use super::interior::InteriorEdges;
 use super::least::{Numbers, Way, least_exact, least_way};
 use super::measures::{Lengths, Measures};
+use super::round::{self, Flat, Round};
 use super::whole::Units;
-use crate::arithmetic::REGISTERS_ARE_WIDE;
+use crate::arithmetic::{REGISTERS_ARE_WIDE, root};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Obb, Triangle};
+use crate::shape::{Aabb, Obb, Triangle, Vec3};
 
 /// Numbers from −1 to 1, in steps of 2^-bits.
 struct Draw(u64);
@@ -154,4 +160,84 @@ fn tiny_sides_are_left_to_exact_numbers() {
         contacts += usize::from(check(&t, &obb)[0]);
     }
     assert!(contacts > 5 && contacts < 55, "{contacts}");
+}
+
+/// How many of these contacts floats know, and how many they leave in doubt. What they know has the
+/// bits of exact numbers.
+fn known<S: Scalar>(flat: Flat<'_, S>, ends: [[S; 3]; 2], radius: S) -> [usize; 2] {
+    let (round, mut seen) = (Round { ends: ends.map(Vec3::from), radius }, [0; 2]);
+    for bits in 0..16 {
+        let bits = if let Flat::Aabb(_) = flat { bits & 1 } else { bits };
+        let interior = InteriorEdges::new([1, 2, 4].map(|bit| bits & bit * 2 != 0));
+        let found = round::in_floats(flat, &round, bits % 2 == 1, interior);
+        seen[usize::from(found.is_none())] += 1;
+        if let Some(found) = found {
+            let exact = round::exactly(flat, &round, bits % 2 == 1, interior);
+            // Zeros have signs.
+            assert_eq!(
+                format!("{found:?}"),
+                format!("{exact:?}"),
+                "{flat:?} {round:?} {interior:?}"
+            );
+        }
+    }
+    seen
+}
+
+/// Spheres and capsules near triangles and boxes. Each number is drawn by `of`, and radii are larger
+/// than the distance or next to it.
+fn known_of<S: Scalar>(mut of: impl FnMut(&mut Draw) -> S, ulp: f64) -> [usize; 2] {
+    let (mut draw, mut seen) = (Draw(11), [0; 2]);
+    for n in 0..3000 {
+        let [a, b, c, p, q] = [(); 5].map(|()| [(); 3].map(|()| of(&mut draw)));
+        let triangle = Triangle::new(a, b, c).unwrap();
+        let order = |i: usize| if a[i] < b[i] { [a[i], b[i]] } else { [b[i], a[i]] };
+        let [low, high] = [0, 1].map(|end| [0, 1, 2].map(|i| order(i)[end]));
+        let half = q.map(|x| if x < S::ZERO { S::ZERO } else { x });
+        let aabb = match n % 4 {
+            1 => Aabb::from_min_max(low, high).unwrap(),
+            _ => Aabb::from_center_half_extents(a, half).unwrap(),
+        };
+        let (flat, point) = if n % 4 < 2 {
+            (Flat::Aabb(&aabb), aabb.closest_point(p).unwrap())
+        } else {
+            (Flat::Triangle(&triangle), triangle.closest_point(p).unwrap().point)
+        };
+        let square = |x: f64| x * x;
+        let [x, y, z] =
+            [0, 1, 2].map(|i: usize| square(p[i].beyond_in_double(point.to_array()[i])));
+        let distance = root(x + y + z + f64::MIN_POSITIVE);
+        let more = [ulp, -ulp, 0.125, 0.5][n % 7 % 4];
+        let radius = S::ZERO.plus_double(distance * (1.0 + more));
+        if distance < 1e30 && !(S::ZERO..=S::ZERO).contains(&radius) {
+            let known = known(flat, [p, if n % 3 == 0 { q } else { p }], radius);
+            seen = [seen[0] + known[0], seen[1] + known[1]];
+        }
+    }
+    seen
+}
+
+/// Floats know most contacts of spheres, and about each what exact numbers know.
+#[test]
+fn contacts_of_spheres_in_floats_have_the_bits_of_exact_numbers() {
+    if !REGISTERS_ARE_WIDE {
+        return;
+    }
+    let ulp = 2_f64.powi(-24);
+    let mut seen = [[0; 2]; 4];
+    seen[0] = known_of::<f32>(|draw| draw.number(24) as f32, ulp);
+    // On a grid, slivers far from the origin, and of any size.
+    seen[1] = known_of::<f32>(|draw| draw.number(2) as f32, ulp);
+    seen[2] = known_of::<f32>(|draw| (draw.number(3) + draw.number(24) * 1e-6 + 9.0) as f32, ulp);
+    let power = |draw: &mut Draw| 2_f64.powi((draw.number(20) * 120.0) as i32);
+    seen[3] = known_of::<f32>(|draw| (draw.number(24) * power(draw)) as f32, ulp);
+    #[cfg(feature = "fixed")]
+    {
+        use fixed::types::{I4F28, I8F8, I16F16};
+        known_of::<I16F16>(|draw| I16F16::from_num(draw.number(20)), ulp);
+        known_of::<I4F28>(|draw| I4F28::from_num(draw.number(28)), ulp);
+        known_of::<I8F8>(|draw| I8F8::from_num(draw.number(8) * 60.0), ulp);
+    }
+    let least = [20_000, 15_000, 18_000, 6_000];
+    assert!((0..4).all(|k| seen[k][0] > least[k]), "{seen:?}");
 }

@@ -37,6 +37,10 @@ pub(crate) trait InDouble: Copy {
     /// with halves away from zero. m is at most 2^65. Out of range, returns infinity or the end of
     /// the range, and `false`.
     fn of_units(m: u128, exponent: i32, is_up: bool, is_negative: bool) -> (Self, bool);
+
+    /// ±size, likewise, for a type of up to 32 bits. The size is not below zero, and half way between
+    /// two numbers of a float type it is rounded to either.
+    fn of_double(size: f64, is_up: bool, is_negative: bool) -> (Self, bool);
 }
 
 macro_rules! float {
@@ -67,6 +71,13 @@ macro_rules! float {
                     let digits = whole(m, exponent - places, is_up) as $bits;
                     $float::from_bits(((places as $bits) << (DIGITS - 1)) + digits)
                 };
+                (if is_negative { 0.0 - size } else { size }, size < $float::INFINITY)
+            }
+            #[inline]
+            fn of_double(size: f64, is_up: bool, is_negative: bool) -> (Self, bool) {
+                let near = size as $float;
+                let is_short = is_up && f64::from(near) < size;
+                let size = if is_short { $float::from_bits(near.to_bits() + 1) } else { near };
                 (if is_negative { 0.0 - size } else { size }, size < $float::INFINITY)
             }
         }
@@ -115,6 +126,16 @@ impl<S: InRaw> InDouble for S {
         let held = Self::held(if is_negative { -size } else { size });
         let end = if is_negative { i64::MIN } else { i64::MAX };
         (held.unwrap_or_else(|| Self::clamped(end)), held.is_some())
+    }
+    #[inline]
+    fn of_double(size: f64, is_up: bool, is_negative: bool) -> (Self, bool) {
+        let units = size * two_to(S::FRACTION_BITS);
+        // In the range of `i64`, or else its end, which no type of up to 32 bits holds.
+        let whole = if is_up { units } else { units + 0.5 } as i64;
+        let whole = whole.saturating_add(i64::from(is_up && (whole as f64) < units));
+        let size = if is_negative { -whole } else { whole };
+        let held = Self::held(size.into());
+        (held.unwrap_or_else(|| Self::clamped(size)), held.is_some())
     }
 }
 
