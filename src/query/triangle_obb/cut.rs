@@ -29,7 +29,7 @@ use core::marker::PhantomData;
 
 use super::exact::{ExactParallelepiped, InWords, Signs, Term};
 use super::short::{cross, product, size};
-use crate::arithmetic::{ProductSum, WholeWord, Word};
+use crate::arithmetic::{ProductSum, WholeWord, Word, pick, turn};
 use crate::query::relation::Reading;
 
 /// The bits of a cut number, without its sign.
@@ -64,8 +64,23 @@ impl<'w, W: WholeWord> Signs for InCutWords<'w, W> {
         if sum.abs() > DOUBT {
             return sum.cmp(&0);
         }
+        if sum == 0 && terms.iter().all(is_zero) {
+            return Ordering::Equal;
+        }
         InWords::sum_sign(terms.iter().map(|Term(f, a, b, c)| (f.whole, a.whole, b.whole, c.whole)))
     }
+}
+
+/// Whether each product of a determinant has a factor zero, as of an edge and an axis along one
+/// coordinate axis.
+#[inline(never)]
+fn is_zero<W: WholeWord>(Term(_, a, b, c): &Term<'_, InCutWords<'_, W>>) -> bool {
+    let has = |x: &[W; 3], i: usize| *pick(x, i) != W::ZERO;
+    let [a, b, c] = [a.whole, b.whole, c.whole];
+    !(0..3).any(|i| {
+        let (i, j, k) = turn(i);
+        has(a, i) && (has(b, j) && has(c, k) || has(b, k) && has(c, j))
+    })
 }
 
 impl<'w, W: WholeWord> ExactParallelepiped<InCutWords<'w, W>> {

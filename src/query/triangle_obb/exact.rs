@@ -6,7 +6,7 @@ use core::cmp::Ordering;
 use core::marker::PhantomData;
 
 use crate::arithmetic::{InWord, Number, WholeVolume, WholeWord, cross_words, dot_words};
-use crate::arithmetic::{Parts, Word, pick, turn};
+use crate::arithmetic::{Parts, pick, turn};
 use crate::query::relation::{Reading, Relation, of_gaps};
 use crate::robust::{ExactSum, Vector, add_scaled_determinant, difference, single};
 use crate::scalar::Scalar;
@@ -75,24 +75,10 @@ impl<W: WholeWord> InWords<W> {
     {
         let mut sum = (W::Whole::ZERO, W::Whole::ZERO);
         for (factor, a, b, c) in terms {
-            if W::IS_WIDE && is_zero(a, b, c) {
-                continue;
-            }
             sum = dot_words(&cross_words(a, b), c).product_onto(sum, factor);
         }
         W::Whole::sign_of(sum)
     }
-}
-
-/// Whether each product of the determinant has a factor zero, as of an edge and an axis along one
-/// coordinate axis.
-#[inline(never)]
-fn is_zero<W: Word>(a: &[W; 3], b: &[W; 3], c: &[W; 3]) -> bool {
-    let has = |x: &[W; 3], i: usize| *pick(x, i) != W::ZERO;
-    !(0..3).any(|i| {
-        let (i, j, k) = turn(i);
-        has(a, i) && (has(b, j) && has(c, k) || has(b, k) && has(c, j))
-    })
 }
 
 /// A triangle and a parallelepiped.
