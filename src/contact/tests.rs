@@ -168,7 +168,7 @@ fn known<S: Scalar>(flat: Flat<'_, S>, ends: [[S; 3]; 2], radius: S) -> [usize; 
     let (round, mut seen) = (Round { ends: ends.map(Vec3::from), radius }, [0; 2]);
     for bits in 0..16 {
         let bits = if let Flat::Aabb(_) = flat { bits & 1 } else { bits };
-        let interior = InteriorEdges::new([1, 2, 4].map(|bit| bits & bit * 2 != 0));
+        let interior = InteriorEdges::new([1, 2, 4].map(|bit| bits & (bit * 2) != 0));
         let found = round::in_floats(flat, &round, bits % 2 == 1, interior);
         seen[usize::from(found.is_none())] += 1;
         if let Some(found) = found {
