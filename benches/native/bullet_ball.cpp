@@ -7,25 +7,25 @@
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 #include <limits>
 
-struct Ball {
+struct BulletBall {
     btVector3 from, way;
     btSphereShape sphere;
     btTriangleShape triangle;
 };
 
 // The center, how far it moves, the radius, and three vertices.
-extern "C" Ball *bullet_ball_new(const float *n) {
+extern "C" BulletBall *bullet_ball_new(const float *n) {
     const auto vector = [n](int i) { return btVector3(n[i], n[i + 1], n[i + 2]); };
-    Ball *ball = new Ball{vector(0), vector(3), btSphereShape(n[6]),
+    BulletBall *ball = new BulletBall{vector(0), vector(3), btSphereShape(n[6]),
                           btTriangleShape(vector(7), vector(10), vector(13))};
     ball->triangle.setMargin(0);
     return ball;
 }
 
-extern "C" void bullet_ball_free(Ball *ball) { delete ball; }
+extern "C" void bullet_ball_free(BulletBall *ball) { delete ball; }
 
 // The time, or infinity.
-extern "C" float bullet_ball_cast(const Ball *ball) {
+extern "C" float bullet_ball_cast(const BulletBall *ball) {
     btVoronoiSimplexSolver solver;
     const auto at = [](const btVector3 &p) { return btTransform(btMatrix3x3::getIdentity(), p); };
     const btTransform still = at(btVector3(0, 0, 0));
@@ -37,7 +37,7 @@ extern "C" float bullet_ball_cast(const Ball *ball) {
 }
 
 // The depth, or negative infinity.
-extern "C" float bullet_ball_depth(Ball *ball) {
+extern "C" float bullet_ball_depth(BulletBall *ball) {
     btVector3 point, normal;
     btScalar depth, time = 1;
     const bool hit = SphereTriangleDetector(&ball->sphere, &ball->triangle, 0)
@@ -46,7 +46,7 @@ extern "C" float bullet_ball_depth(Ball *ball) {
 }
 
 // The point of the triangle that is closest to the center.
-extern "C" void bullet_ball_closest(const Ball *ball, float *point) {
+extern "C" void bullet_ball_closest(const BulletBall *ball, float *point) {
     btVoronoiSimplexSolver solver;
     btSubSimplexClosestResult closest;
     const btVector3 *t = ball->triangle.m_vertices1;

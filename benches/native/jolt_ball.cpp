@@ -11,7 +11,8 @@
 
 using namespace JPH;
 
-struct Ball {
+// Bullet's has a name of its own: C++ would take both for one type.
+struct JoltBall {
     Vec3 from, way, triangle[3];
     Ref<SphereShape> sphere;
     ShapeCastSettings cast;
@@ -22,20 +23,20 @@ static const Vec3 ONE = Vec3::sReplicate(1);
 static const uint8 ALL_EDGES = 0b111;
 
 // The center, how far it moves, the radius, and three vertices.
-extern "C" Ball *jolt_ball_new(const float *n) {
+extern "C" JoltBall *jolt_ball_new(const float *n) {
     RegisterDefaultAllocator();
     const auto vector = [n](int i) { return Vec3(n[i], n[i + 1], n[i + 2]); };
-    Ball *ball = new Ball{
+    JoltBall *ball = new JoltBall{
         vector(0), vector(3), {vector(7), vector(10), vector(13)}, new SphereShape(n[6]), {}, {}};
     ball->cast.mBackFaceModeTriangles = EBackFaceMode::CollideWithBackFaces;
     ball->collide.mBackFaceMode = EBackFaceMode::CollideWithBackFaces;
     return ball;
 }
 
-extern "C" void jolt_ball_free(Ball *ball) { delete ball; }
+extern "C" void jolt_ball_free(JoltBall *ball) { delete ball; }
 
 // The time, or infinity.
-extern "C" float jolt_ball_cast(const Ball *ball) {
+extern "C" float jolt_ball_cast(const JoltBall *ball) {
     const ShapeCast cast(ball->sphere, ONE, Mat44::sTranslation(ball->from), ball->way);
     ClosestHitCollisionCollector<CastShapeCollector> first;
     const Mat44 still = Mat44::sIdentity();
@@ -46,7 +47,7 @@ extern "C" float jolt_ball_cast(const Ball *ball) {
 }
 
 // The depth, or negative infinity.
-extern "C" float jolt_ball_depth(const Ball *ball) {
+extern "C" float jolt_ball_depth(const JoltBall *ball) {
     ClosestHitCollisionCollector<CollideShapeCollector> deepest;
     const Mat44 at = Mat44::sTranslation(ball->from);
     CollideSphereVsTriangles collider(ball->sphere, ONE, ONE, at, Mat44::sIdentity(), SubShapeID(),
@@ -57,7 +58,7 @@ extern "C" float jolt_ball_depth(const Ball *ball) {
 }
 
 // The point of the triangle that is closest to the center.
-extern "C" void jolt_ball_closest(const Ball *ball, float *point) {
+extern "C" void jolt_ball_closest(const JoltBall *ball, float *point) {
     const Vec3 p = ball->from, *t = ball->triangle;
     uint32 set;
     (p + ClosestPoint::GetClosestPointOnTriangle(t[0] - p, t[1] - p, t[2] - p, set))

@@ -24,10 +24,10 @@ pub struct Limbwise<
 
 /// Exact integers for coordinates within 120 bits.
 ///
-/// It holds fixed point of every type, and serves that of 64 bits. It holds floats if the highest and the lowest bit of all
-/// coordinates are at most 120 places apart, as in nearly every scene. The unit of floats is the
-/// place of the lowest bit, so each call of [`embed`](Embeds::embed) has its own: embed all
-/// coordinates of a question in one call. One as an operand,
+/// It holds fixed point of every type, and serves types of 64 bits. It holds floats if the highest and
+/// the lowest bit of all coordinates are at most 120 places apart, as in nearly every scene. The unit
+/// of floats is the place of the lowest bit, so each call of [`embed`](Embeds::embed) has its own:
+/// embed all coordinates of a question in one call. One as an operand,
 /// [`embed_with_one`](Embeds::embed_with_one), is in the same unit; without it, axes of an oriented
 /// box cannot be compared with lengths.
 ///

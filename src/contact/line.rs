@@ -16,8 +16,8 @@
 use super::body::{Vec64, dot};
 use super::feature::Part;
 use super::filter::cross_with_products;
-use super::round::Flat;
 use super::settled::U;
+use super::shapes::Flat;
 use crate::arithmetic::{Double, largest, pick, three, turn};
 use crate::query::Feature;
 use crate::scalar::Scalar;

@@ -132,6 +132,7 @@ mod points;
 mod round;
 mod scene;
 mod settled;
+mod shapes;
 mod signs;
 mod sums;
 #[cfg(test)]

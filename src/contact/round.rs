@@ -12,25 +12,12 @@ use super::measures::Measures;
 use super::nearest::Pair;
 use super::points::{Point, Points};
 use super::scene::{Scene, Way};
+use super::shapes::{Flat, Round};
 use super::{Contact, Translation};
 use crate::arithmetic::{Embeds, Number, greatest, root, three};
 use crate::robust::{Numeric, Predicate};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
-
-/// A triangle or a box.
-#[derive(Clone, Copy, Debug)]
-pub enum Flat<'a, S> {
-    Triangle(&'a Triangle<S>),
-    Aabb(&'a Aabb<S>),
-}
-
-/// The points within a radius of a segment, which may be a point.
-#[derive(Clone, Copy, Debug)]
-pub struct Round<S> {
-    pub(super) ends: [Vec3<S>; 2],
-    pub(super) radius: S,
-}
+use crate::shape::{AabbForm, Vec3};
 
 /// The question for the least translation.
 struct Question<'a, S> {

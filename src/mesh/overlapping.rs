@@ -31,8 +31,7 @@ pub(super) mod sealed {
         fn prepared(&self) -> Self::Prepared;
 
         /// Whether the shape overlaps a triangle, given its own numbers.
-        fn overlaps_prepared(&self, prepared: &Self::Prepared, triangle: &Triangle<S>) -> bool {
-            let _ = prepared;
+        fn overlaps_prepared(&self, _: &Self::Prepared, triangle: &Triangle<S>) -> bool {
             self.overlaps(triangle)
         }
 
@@ -207,10 +206,11 @@ impl<S: Scalar, I: Index, P: Probe<S>> Iterator for Overlapping<'_, '_, S, I, P>
                 let i = tree.index(place);
                 let triangle = tree.mesh.known(i);
                 let is_near = corners.is_none_or(|corners| is_near::<S, P>(&corners, &triangle));
-                if is_near && {
-                    let prepared = self.prepared.get_or_insert_with(|| shape.prepared());
-                    shape.overlaps_prepared(prepared, &triangle)
-                } {
+                if !is_near {
+                    continue;
+                }
+                let prepared = self.prepared.get_or_insert_with(|| shape.prepared());
+                if shape.overlaps_prepared(prepared, &triangle) {
                     return Some(i);
                 }
             }

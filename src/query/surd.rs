@@ -14,6 +14,11 @@ use crate::arithmetic::{
 };
 use crate::scalar::Scalar;
 
+/// The number of infinity in the order of all values, or of the greatest value of fixed point.
+pub(super) fn last_ordinal<S: Scalar>() -> i64 {
+    S::at_most(Soft::ONE.scaled(1 << 13)).ordinal()
+}
+
 /// A question about `K` vectors in intervals or in exact numbers. Its answer does not depend on which
 /// they are.
 pub(super) trait Question<S: Scalar, const K: usize> {
@@ -207,8 +212,7 @@ impl<T: Enclosed> Surd<T> {
     pub(super) fn rounded<S: Scalar>(&self, is_negative: bool, is_up: bool) -> Option<S> {
         let (low, is_equal) = self.ordinal::<S>(true)?;
         let more = i64::from(!is_equal && is_up != is_negative);
-        // Infinity, or the greatest number.
-        let end = S::at_most(Soft::ONE.scaled(1 << 13)).ordinal();
+        let end = last_ordinal::<S>();
         Some(S::of_ordinal(if is_negative {
             -low - more
         } else {

@@ -30,8 +30,8 @@ impl<N> Crossing<N>
 where
     N: Arithmetic<Area: Enclosed, Quartic: Enclosed, Sextic: Enclosed>,
 {
-    /// The equation of the line; `None` if the way is parallel to it. `None` in
-    /// doubt, as in all that follow.
+    /// The equation of the line; the second `None` if the way is parallel to it, the first in doubt, as
+    /// in all that follow.
     #[inline(always)]
     pub(crate) fn line(&self) -> Option<Option<Equation<N::Quartic>>> {
         let Self { m, e, d, r2 } = self;

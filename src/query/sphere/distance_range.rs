@@ -1,15 +1,14 @@
 //! Two numbers between which the squared distance of a point lies.
 
-use crate::arithmetic::Soft;
+use crate::query::surd::last_ordinal;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Segment, ShapeError, Triangle, Vec3};
 
 /// The numbers beside one that was rounded once, by less than a unit in the last place.
 fn beside<S: Scalar>(rounded: S) -> (S, S) {
     let n = rounded.ordinal();
-    // Infinity, or the greatest number.
-    let end = S::at_most(Soft::ONE.scaled(1 << 13)).ordinal();
-    (S::of_ordinal((n - 1).max(0)), S::of_ordinal(n.saturating_add(1).min(end)))
+    let next = n.saturating_add(1).min(last_ordinal::<S>());
+    (S::of_ordinal((n - 1).max(0)), S::of_ordinal(next))
 }
 
 impl<S: Scalar> Triangle<S> {

@@ -28,7 +28,7 @@ use core::cmp::Ordering;
 use core::marker::PhantomData;
 
 use super::exact::{ExactParallelepiped, InWords, Signs, Term};
-use super::short::{cross, product, size};
+use super::products::{cross, product, size};
 use crate::arithmetic::{ProductSum, WholeWord, Word, pick, turn};
 use crate::query::relation::Reading;
 

@@ -1,9 +1,12 @@
 //! The numbers of a box that the first stage of fixed point needs for every triangle: see `short`.
 
-use super::short::{AXIS, cross, product_over, raw, size};
+use super::products::{cross, product_over, raw, size};
 use crate::arithmetic::{InRaw, Raw, Word, three, turn};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
+
+/// The bits of an axis, without its sign.
+pub(super) const AXIS: i32 = 19;
 
 /// The numbers that are known before the test. It is a constant of its caller, so the compiler keeps
 /// one case, and the code that computes known numbers falls away.

@@ -14,6 +14,7 @@ mod exact;
 mod kernel;
 mod known;
 mod prepared;
+mod products;
 mod relation;
 mod short;
 
@@ -24,8 +25,9 @@ use self::kernel::{Parallelepiped, all_axes};
 pub(super) use self::kernel::{cross, dot, lie_along_one_axis};
 pub(super) use self::known::{Known, Size};
 pub use self::prepared::PreparedObb;
+pub(super) use self::products::{raw, size};
 use self::short::Change;
-pub(super) use self::short::{EXACT, are_disjoint, raw, size};
+pub(super) use self::short::{EXACT, are_disjoint};
 use super::Overlaps;
 use super::relation::Reading;
 use crate::arithmetic::{Arithmetic, Embeds, Number, SMALL_CODE, greatest, largest};

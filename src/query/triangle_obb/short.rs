@@ -46,14 +46,13 @@
 //! below 2^8, so the kernel's lengths are below 2^18.
 
 use super::Disjoint;
-use super::known::{Known, cut_axes};
+use super::known::{AXIS, Known, cut_axes};
+use super::products::{Sum, product, raw, size};
 use crate::arithmetic::{InRaw, ProductSum, Raw, Word, greatest};
 use crate::query::one_sided::{Projection, one_sided};
 use crate::scalar::Scalar;
-use crate::shape::{Obb, Vec3};
+use crate::shape::Obb;
 
-/// The bits of an axis, without its sign.
-pub(super) const AXIS: i32 = 19;
 /// The bits of a length.
 const LENGTH: i32 = 18;
 /// The bits of all numbers at the end.
@@ -67,9 +66,6 @@ const OF_LENGTHS: i32 = 2561;
 
 /// The least unit of vertices that are exact.
 pub(in crate::query) const EXACT: i32 = i32::MIN;
-
-/// A sum of products.
-type Sum = <i32 as Word>::Sum;
 
 /// A triangle in the frame of a box, and the box grown or shrunk by their errors.
 pub(super) struct Framed {
@@ -244,40 +240,6 @@ impl Framed {
     pub(super) fn are_certainly_disjoint(&self) -> bool {
         one_sided(&self.shapes)
     }
-}
-
-#[inline(always)]
-pub(in crate::query) fn raw<S: InRaw>(v: &Vec3<S>) -> [S::Raw; 3] {
-    [v.x.raw(), v.y.raw(), v.z.raw()]
-}
-
-/// A number at least as great as each of the numbers, and less than twice the greatest.
-#[inline(always)]
-pub(in crate::query) fn size<W: Word, const K: usize>(x: &[[W; 3]; K]) -> W {
-    let mut size = W::ZERO;
-    for x in x {
-        size = size | x[0].folded() | x[1].folded() | x[2].folded();
-    }
-    size
-}
-
-/// The cross product over 2^19, rounded down.
-#[inline(always)]
-pub(super) fn cross(a: &[i32; 3], b: &[i32; 3]) -> [i32; 3] {
-    let area = |j: usize, l: usize| Sum::new(a[j], b[l], -a[l], b[j]).scaled_by(9);
-    [area(1, 2), area(2, 0), area(0, 1)]
-}
-
-/// The product over 2^10, rounded down.
-#[inline(always)]
-pub(super) fn product(a: &[i32; 3], b: &[i32; 3]) -> i32 {
-    product_over(a, b, 0)
-}
-
-/// The product over 2^10 and 2^`places`, rounded down.
-#[inline(always)]
-pub(super) fn product_over(a: &[i32; 3], b: &[i32; 3], places: u32) -> i32 {
-    Sum::new(a[0], b[0], a[1], b[1]).with_product(a[2], b[2]).scaled_by(places)
 }
 
 #[cfg(test)]
