@@ -4,7 +4,7 @@ use fixed::types::{I2F30, I4F4, I8F8, I16F16};
 
 use super::*;
 use crate::random::Random;
-use crate::shape::{Obb, Triangle};
+use crate::shape::{Obb, Triangle, Vec3};
 
 struct Rng(Random);
 
