@@ -139,6 +139,7 @@ pub(super) fn all<S: Draw, A: Answers>(
     for point in [points[0], middle(points[0], points[7]), center, middle(center, points[6])] {
         let winding = tree.winding(point).map_or(0x7f, |winding| winding as i8 as u8);
         answers.to(Query::MeshWinding).byte(winding);
+        answers.to(Query::MeshSignedDistance).maybe(tree.signed_distance_squared(point));
     }
 }
 

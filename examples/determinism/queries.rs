@@ -159,4 +159,6 @@ queries! {
     SphereAabbSweep = "sphere/aabb first_contact",
     SphereAlong = "sphere relation_along",
     MeshSphereSweep = "mesh sphere first_contact",
+    DistanceRange = "distance_squared_range",
+    MeshSignedDistance = "mesh signed_distance_squared",
 }

@@ -60,6 +60,10 @@ pub(super) fn spheres<S: Draw, A: Answers>(
         squared.maybe(triangle.distance_squared(center).ok());
         squared.maybe(segments[1].and_then(|segment| segment.distance_squared(center).ok()));
         squared.maybe(aabbs[0].distance_squared(center).ok());
+        let range = answers.to(Query::DistanceRange);
+        range.range(triangle.distance_squared_range(center).ok());
+        range.range(segments[0].and_then(|x| x.distance_squared_range(center).ok()));
+        range.range(aabbs[1].distance_squared_range(center).ok());
     }
 }
 
