@@ -19,6 +19,12 @@ pub(crate) fn three<T>(mut f: impl FnMut(usize) -> T) -> [T; 3] {
     [f(0), f(1), f(2)]
 }
 
+/// Applies `f` to 0 and 1, always inlined.
+#[inline(always)]
+pub(crate) fn two<T>(mut f: impl FnMut(usize) -> T) -> [T; 2] {
+    [f(0), f(1)]
+}
+
 /// Applies `f` to each of three, always inlined.
 #[inline(always)]
 pub(crate) fn each<T, U>([a, b, c]: [T; 3], mut f: impl FnMut(T) -> U) -> [U; 3] {

@@ -59,7 +59,7 @@ impl Interval {
         }
     }
 
-    /// The magnitude with a bound on the part missing; `None` if that is more than 2^-40 of it, or
+    /// The magnitude with a bound on the part missing; `None` if that is more than 2^-30 of it, or
     /// near the ends of the range.
     pub(super) fn soft(self) -> Option<Soft> {
         let size = self.value.abs();

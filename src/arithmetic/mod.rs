@@ -50,7 +50,7 @@ pub use float::Float;
 pub(crate) use float::quotient;
 pub use full::{FullF32, FullF64};
 pub(crate) use in_float::{FirstFloat, InFloat};
-pub(crate) use index::{each, pick, three, turn};
+pub(crate) use index::{each, pick, three, turn, two};
 #[cfg(feature = "fixed")]
 pub(crate) use integer::Int64;
 #[cfg(feature = "fixed")]

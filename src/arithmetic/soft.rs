@@ -17,7 +17,7 @@ use super::platform::SMALL_CODE;
 pub struct Soft {
     exponent: i32,
     mantissa: u64,
-    slack: u32,
+    slack: u64,
 }
 
 impl Soft {
@@ -43,12 +43,12 @@ impl Soft {
     }
 
     /// A number between two floats, which are normal and above zero; `None` if they are more than
-    /// 2^-40 apart. Its slack leaves room for a few operations.
+    /// 2^-30 apart. Its slack leaves room for a few operations.
     pub(super) fn between(low: f64, high: f64) -> Option<Self> {
         let (low, high) = (Self::of_normal(low), Self::of_normal(high));
         let up = u32::try_from(high.exponent - low.exponent).ok().filter(|&up| up < 2)?;
         let slack = (u128::from(high.mantissa) << up).checked_sub(low.mantissa.into())?;
-        (slack < 1 << 23).then_some(Self { slack: slack as u32, ..low })
+        (slack < 1 << 33).then_some(Self { slack: slack as u64, ..low })
     }
 
     /// Whether nothing is missing.
@@ -84,14 +84,14 @@ impl Soft {
         let zeros = value.leading_zeros();
         if zeros > 64 {
             let up = zeros - 64;
-            let (mantissa, slack) = ((value << up) as u64, (slack << up) as u32);
+            let (mantissa, slack) = ((value << up) as u64, (slack << up) as u64);
             return Self { exponent: exponent - up as i32, mantissa, slack };
         }
         let down = 64 - zeros;
         let mask = (1_u128 << down) - 1;
         let slack = ((value & mask) + slack + mask) >> down;
         let mantissa = (value >> down) as u64;
-        Self { exponent: exponent + down as i32, mantissa, slack: slack as u32 }
+        Self { exponent: exponent + down as i32, mantissa, slack: slack as u64 }
     }
 
     /// The number times 2^n.

@@ -7,7 +7,7 @@ use super::directions::Direction;
 use super::faces::{Corner, Edge, Face, Solid, View, distance, edge_of_box, minus, support_edges};
 use super::feature::{Features, Part};
 use super::least::Way;
-use crate::arithmetic::{greatest, largest, pick, three};
+use crate::arithmetic::{greatest, largest, pick, three, two};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -305,7 +305,7 @@ fn rounded<S: Scalar>(found: &Pairs, origin: &Place<S>, scale: f64, is_second: b
         Vec3::new(x, y, z)
     };
     for (point, pair) in points.points.iter_mut().zip(found.iter()) {
-        let (mut at, mut parts) = (pair.at.each_ref().map(place), pair.parts);
+        let (mut at, mut parts) = (two(|k| place(&pair.at[k])), pair.parts);
         if is_second {
             at.reverse();
             parts.reverse();

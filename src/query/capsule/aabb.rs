@@ -1,7 +1,7 @@
 //! Capsule against axis-aligned box.
 
 use super::{Between, Beyond, all_beyond};
-use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, three};
+use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, three, two};
 use crate::query::Overlaps;
 use crate::query::orientation::{Vector, from};
 use crate::query::sphere::{Ball, Reach};
@@ -62,8 +62,9 @@ pub(in crate::query) fn box_lies_beyond<N: Arithmetic>(
     };
     // An edge along an axis: bits 0 and 1 of k choose its line.
     let from_edge = |axis: usize, k: usize| {
-        let ends = to.map(|[low, high]| {
-            [0, 1].map(|end| {
+        let ends = two(|point| {
+            let [low, high] = &to[point];
+            two(|end| {
                 three(|i| {
                     let bit = usize::from(i == (axis + 2) % 3);
                     let is_high = if i == axis { end == 1 } else { k >> bit & 1 == 1 };

@@ -1,7 +1,7 @@
 //! Capsule against oriented box.
 
 use super::{Between, Beyond, all_beyond};
-use crate::arithmetic::{Arithmetic, Embeds, three, turn};
+use crate::arithmetic::{Arithmetic, Embeds, three, turn, two};
 use crate::query::Overlaps;
 use crate::query::orientation::from;
 use crate::query::sphere::{Ball, Corners, Reach, corners};
@@ -21,9 +21,9 @@ fn lies_beyond<M: Arithmetic>(corners: &Corners<M>, reach: &Reach<M>) -> Option<
     let from_edge = |axis: usize, k: usize| {
         let (i, j, l) = turn(axis);
         let start = (k & 1) << j | (k >> 1 & 1) << l;
-        let ends = [0, 1].map(|point| {
-            [start, start | 1 << i].map(|at| {
-                let way = corners.way_from_corner(point, at);
+        let ends = two(|point| {
+            two(|end| {
+                let way = corners.way_from_corner(point, start | end << i);
                 three(|i| -way[i])
             })
         });

@@ -117,7 +117,7 @@ fn sum(times: [f32; 3], [a, b, c]: [Row; 3]) -> Row {
 /// x, y and z of three vectors and of a fourth.
 #[inline(always)]
 fn transposed([a, b, c]: [[f32; 3]; 3], d: [f32; 3]) -> [Row; 3] {
-    [0, 1, 2].map(|i| Row::new([a[i], b[i], c[i], d[i]]))
+    three(|i| Row::new([a[i], b[i], c[i], d[i]]))
 }
 
 /// How far the dot products of three vectors are from zero or one. The rows are x, y and z of all.

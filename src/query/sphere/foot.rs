@@ -2,7 +2,7 @@
 
 use super::error_bound::{Errors, PRODUCT};
 use super::kernel::{around, largest_of, part, product, squared};
-use crate::arithmetic::{Arithmetic, Embeds, Number, cross, greatest, three};
+use crate::arithmetic::{Arithmetic, Embeds, Number, cross, greatest, three, two};
 use crate::query::Feature;
 use crate::query::orientation::Vector;
 use crate::scalar::Scalar;
@@ -55,7 +55,7 @@ pub(super) fn feature_of_segment<N: Arithmetic>(
     e: &Vector<N>,
     errors: &Errors<N>,
 ) -> Option<Feature> {
-    let [start, end] = [0, 1].map(|k: usize| product::<N>(&d[k], e));
+    let [start, end] = two(|k| product::<N>(&d[k], e));
     if is_not_above::<N, _>(start, errors.dot) {
         Some(Feature::Vertex(0))
     } else if is_not_above::<N, _>(-end, errors.dot) {

@@ -105,7 +105,7 @@ impl<M: Arithmetic> Corners<M> {
     /// Whether the box lies beyond the reach of a point; `None` in doubt.
     #[inline(never)]
     pub(in crate::query) fn lies_beyond(&self, point: usize, reach: &Reach<M>) -> Option<bool> {
-        let edges = [0, 1, 2].map(|k| self.edge(k));
+        let edges = three(|k| self.edge(k));
         let size =
             greatest(greatest(largest_of::<M, 3>(&edges), largest_of::<M, 2>(&self.d)), self.slack);
         let error = Errors::<M>::new(size, reach.radius())?.volume;
@@ -118,8 +118,8 @@ impl<M: Arithmetic> Corners<M> {
             for side in 0..2 {
                 // Around the face.
                 let at = |first: usize, second: usize| side << i | first << j | second << k;
-                let vectors = [at(0, 0), at(1, 0), at(1, 1), at(0, 1)]
-                    .map(|at| self.way_from_corner(point, at));
+                let from = |at: usize| self.way_from_corner(point, at);
+                let vectors = [from(at(0, 0)), from(at(1, 0)), from(at(1, 1)), from(at(0, 1))];
                 let volume = dot::<M>(&n, &vectors[0]);
                 let outward = if (hand > 0) == (side == 1) { volume } else { -volume };
                 let is_seen = match hand {

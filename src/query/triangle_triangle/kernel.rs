@@ -1,4 +1,4 @@
-use crate::arithmetic::{Arithmetic, cross, dot, each, pick, turn};
+use crate::arithmetic::{Arithmetic, cross, dot, each, pick, turn, two};
 use crate::query::orientation::{Vector, apex, error_bound, from, sides, size};
 use crate::query::relation::Relation;
 use crate::robust::certain_sign;
@@ -46,8 +46,8 @@ fn cut<N: Arithmetic>(
     let (j, k) = if is_second_above { (j, k) } else { (k, j) };
     let (m, n) = if is_first_above { (m, n) } else { (n, m) };
     let from_apex = |x: &Vector<N>| from::<N>(x, pick(first, i));
-    let edges = [j, k].map(|x| from_apex(pick(first, x)));
-    let across = [l, m, n].map(|x| from_apex(pick(second, x)));
+    let edges = [from_apex(pick(first, j)), from_apex(pick(first, k))];
+    let across = each([l, m, n], |x| from_apex(pick(second, x)));
     let reach = size::<N, 3>(&across);
     let error = error_bound::<N>([size::<N, 2>(&edges), reach, reach]).ok_or(None)?;
     let (vertices, are_above) = ([[i, j, k], [l, m, n]], [is_first_above, is_second_above]);
@@ -120,7 +120,7 @@ pub(super) fn ends<N: Arithmetic>(first: &Points<N>, second: &Points<N>) -> Opti
     if *pick(&sides[0], a) == 0 || *pick(&sides[1], d) == 0 {
         return Some(None);
     }
-    let [to_b, to_c] = edges.map(|edge| cross::<N>(&edge, &u));
+    let [to_b, to_c] = two(|i| cross::<N>(&edges[i], &u));
     let order = |to: &[N::Area; 3], vertex: &Vector<N>| certain_sign(dot::<N>(to, vertex), error);
     let (be, cf) = (order(&to_b, &v), order(&to_c, &w));
     if be > 0 || cf < 0 {

@@ -42,7 +42,7 @@ fn lie_aside<N: Arithmetic, const K: usize>(
 ) -> bool {
     let error = (slack + radius).error(ASIDE);
     let is_above = |sign: fn(N::Length) -> N::Length| {
-        [0, 1, 2].map(|i: usize| {
+        three(|i| {
             let of = |v: &Vector<N>| sign(*pick(v, i)) - radius;
             vectors.iter().copied().flatten().all(|v| Uncertain::above(of(v), error).certain)
         })
