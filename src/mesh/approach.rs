@@ -16,7 +16,7 @@ use super::descent::{Descend, Met};
 use super::from_origin::{beyond_box, enclosing};
 use super::grid::{Grid, corners};
 use super::node::Node;
-use crate::arithmetic::{OfFour, Quad, least, three};
+use crate::arithmetic::{OfFour, Quad, each, least, three};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -131,7 +131,7 @@ impl<S: Scalar> Approach<S> for InFloats<S> {
 
     #[inline(always)]
     fn bounds(&self, triangle: &Triangle<S>) -> Option<Bounds<f64>> {
-        let vectors = triangle.points().map(|v| three(|i| v[i].units_beyond(self.p[i])));
+        let vectors = each(triangle.points(), |v| three(|i| v[i].units_beyond(self.p[i])));
         if beyond_box(&vectors) > self.most {
             return None;
         }

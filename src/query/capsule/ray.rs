@@ -10,7 +10,9 @@
 //! Multiplied out, these compare in products of six numbers.
 
 use super::{Beyond, all_beyond};
-use crate::arithmetic::{Arithmetic, Embeds, Number, cross, dot, greatest, largest, once, three};
+use crate::arithmetic::{
+    Arithmetic, Embeds, Number, cross, dot, greatest, largest, once, three, two,
+};
 use crate::query::Overlaps;
 use crate::query::orientation::{Vector, from};
 use crate::query::sphere::{Ball, Errors, PRODUCT, Reach, SQUARES, Way, along, numbers, product};
@@ -66,7 +68,7 @@ impl<N: Arithmetic> Pair<N> {
         if !N::CERTAIN && !greatest(size, r).in_range() {
             return None;
         }
-        let w = m.map(|m| three(|i| m[i] - td[i]));
+        let w = two(|k| three(|i| m[k][i] - td[i]));
         let longest = largest(e);
 
         let error = N::volume(size, longest).error(ALONG);
@@ -102,7 +104,7 @@ impl<N: Arithmetic> Pair<N> {
     fn at_origin(&self, is_start: bool, reach: &Reach<N>) -> End {
         let Self { m, e, way: Way { d, .. }, n, size } = self;
         let side = along::<N>(n, &cross::<N>(e, &m[0]));
-        let back = m.map(|m| three(|i| -m[i]));
+        let back = two(|k| three(|i| -m[k][i]));
         let error = Errors::<N>::side_of(*size, largest(d));
         End {
             is_outside: Uncertain::not_below(if is_start { -side } else { side }, error),

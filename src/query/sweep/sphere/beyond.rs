@@ -3,7 +3,7 @@
 //! The vectors to the end of the way are sums of the vectors to its start and of the way, and err by
 //! a roundoff of each and of themselves: the slack is the sum of these sizes.
 
-use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, pick, three};
+use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, pick, three, two};
 use crate::query::capsule::{box_lies_beyond, triangle_lies_beyond};
 use crate::query::orientation::{Vector, from};
 use crate::query::sphere::{Ball, Reach, around};
@@ -95,7 +95,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Aabb<S>> {
             }
             AabbForm::Corners { .. } => ([to_p, from::<N>(&q, &center)], from::<N>(&q, &p)),
         };
-        let at_end = at_start.map(|v| from::<N>(&v, &d));
+        let at_end = two(|k| from::<N>(&at_start[k], &d));
         let slack = if N::CERTAIN {
             N::Length::ZERO
         } else {
