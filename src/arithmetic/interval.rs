@@ -59,8 +59,8 @@ impl Interval {
         }
     }
 
-    /// The magnitude with a bound on the part missing; `None` if that is more than 2^-30 of it, or
-    /// near the ends of the range.
+    /// The magnitude with a bound on the part missing; `None` if that is more than
+    /// [`between`](Soft::between) lets it be, or near the ends of the range.
     pub(super) fn soft(self) -> Option<Soft> {
         let size = self.value.abs();
         let low = (size - self.error) * (1.0 - 1.0_f64.error(RAISED));

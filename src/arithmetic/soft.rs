@@ -6,7 +6,7 @@
 //! translation.
 
 use super::limbs::divided_by_places;
-use super::platform::SMALL_CODE;
+use super::platform::{SMALL_CODE, Slack};
 
 /// A number x with mantissa·2^exponent ≤ x ≤ (mantissa + slack)·2^exponent.
 ///
@@ -17,7 +17,7 @@ use super::platform::SMALL_CODE;
 pub struct Soft {
     exponent: i32,
     mantissa: u64,
-    slack: u64,
+    slack: Slack,
 }
 
 impl Soft {
@@ -43,12 +43,12 @@ impl Soft {
     }
 
     /// A number between two floats, which are normal and above zero; `None` if they are more than
-    /// 2^-30 apart. Its slack leaves room for a few operations.
+    /// 2^-30 apart, or 2^-40 with a short slack. The slack leaves room for a few operations.
     pub(super) fn between(low: f64, high: f64) -> Option<Self> {
         let (low, high) = (Self::of_normal(low), Self::of_normal(high));
         let up = u32::try_from(high.exponent - low.exponent).ok().filter(|&up| up < 2)?;
         let slack = (u128::from(high.mantissa) << up).checked_sub(low.mantissa.into())?;
-        (slack < 1 << 33).then_some(Self { slack: slack as u64, ..low })
+        (slack < 1 << (Slack::BITS - 9).min(33)).then_some(Self { slack: slack as Slack, ..low })
     }
 
     /// Whether nothing is missing.
@@ -84,14 +84,14 @@ impl Soft {
         let zeros = value.leading_zeros();
         if zeros > 64 {
             let up = zeros - 64;
-            let (mantissa, slack) = ((value << up) as u64, (slack << up) as u64);
+            let (mantissa, slack) = ((value << up) as u64, (slack << up) as Slack);
             return Self { exponent: exponent - up as i32, mantissa, slack };
         }
         let down = 64 - zeros;
         let mask = (1_u128 << down) - 1;
         let slack = ((value & mask) + slack + mask) >> down;
         let mantissa = (value >> down) as u64;
-        Self { exponent: exponent + down as i32, mantissa, slack: slack as u64 }
+        Self { exponent: exponent + down as i32, mantissa, slack: slack as Slack }
     }
 
     /// The number times 2^n.
@@ -274,6 +274,26 @@ mod tests {
         assert!(!one.is_less_than(number(1)) && !number(1).is_less_than(one) && one.slack < 64);
         let (square, two) = (number(2).root().times(number(2).root()), number(2));
         assert!(!square.is_less_than(two) && !two.is_less_than(square));
+    }
+
+    /// Numbers that are known as roughly as may be, in the operations of a root of an equation.
+    #[test]
+    fn wide_bounds_hold() {
+        let apart = 2_f64.powi(if Slack::BITS == 64 { -33 } else { -43 });
+        let ends = |x: f64| [x * (1.0 - apart), x * (1.0 + apart)];
+        let at = |p: f64, q: f64, a: f64| (p + q.sqrt() * a.sqrt()) / a;
+        for (p, q, a) in [(1.0, 1.0, 1.0), (3.9, 0.1, 1e-9), (1e100, 7.5, 1e-100), (1e-9, 2.0, 5.0)]
+        {
+            let [p, q, a] = [p, q, a].map(ends);
+            let [known_p, known_q, known_a] =
+                [p, q, a].map(|[low, high]| Soft::between(low, high).unwrap());
+            let sum = known_p.plus(known_q.root().times(known_a.root()));
+            let root = sum.over(known_a);
+            let (low, high) = (root.in_double(), root.above().in_double());
+            assert!(low < at(p[0], q[0], a[1]) && at(p[1], q[1], a[0]) < high, "{p:?} {q:?} {a:?}");
+            assert!(high / low - 1.0 < 32.0 * apart);
+        }
+        assert_eq!(Soft::between(1.0, 1.0 + 2_f64.powi(-29)), None);
     }
 
     /// Both by one division and place by place.
