@@ -6,7 +6,7 @@
 //! translation.
 
 use super::limbs::divided_by_places;
-use super::platform::{SMALL_CODE, Slack};
+use super::platform::{REGISTERS_ARE_WIDE, SMALL_CODE, Slack};
 
 /// A number x with mantissa·2^exponent ≤ x ≤ (mantissa + slack)·2^exponent.
 ///
@@ -139,12 +139,45 @@ impl Soft {
 
     pub(crate) fn over(self, other: Self) -> Self {
         let ((a, s), (b, t)) = (self.parts(), other.parts());
+        if !REGISTERS_ARE_WIDE {
+            return self.over_by_places(other);
+        }
         // Its top bit is set, so the compiler sees that it is not zero and links no panic.
         let b = b | 1 << 63;
         let least = (a << 63) / (b + t);
         // Rounded up, without a remainder; the dividend is not zero.
         let most = (((a + s) << 63) - 1) / b + 1;
         Self::of(least, most - least, self.exponent - other.exponent - 63)
+    }
+
+    /// The quotient where long division takes a function: place by place, once for both bounds.
+    ///
+    /// With a·2^63 = q·b + r, the lower bound is q less what q·t exceeds r by, in multiples of b + t,
+    /// and the upper bound is q and what r + s·2^63 adds, in multiples of b. Both are a few units.
+    #[inline(never)]
+    fn over_by_places(self, other: Self) -> Self {
+        let (s, t) = (u128::from(self.slack), u128::from(other.slack));
+        // Its top bit is set, so that it is not zero.
+        let divisor = other.mantissa | 1 << 63;
+        let (mut quotient, mut rest) = (0_u64, self.mantissa);
+        let mut is_long = false;
+        for _ in 0..64 {
+            quotient <<= 1;
+            if is_long || rest >= divisor {
+                rest = rest.wrapping_sub(divisor);
+                quotient |= 1;
+            }
+            is_long = rest >> 63 == 1;
+            rest <<= 1;
+        }
+        // The remainder was doubled once more.
+        let rest = u128::from(is_long) << 63 | u128::from(rest >> 1);
+        let (lack, more) = ((u128::from(quotient) * t).saturating_sub(rest), rest + (s << 63));
+        let b = u128::from(divisor);
+        let least = quotient.wrapping_sub(few(lack, b + t));
+        let most = quotient.wrapping_add(few(more, b));
+        let slack = most.wrapping_sub(least);
+        Self::of(least.into(), slack.into(), self.exponent - other.exponent - 63)
     }
 
     pub(crate) fn root(self) -> Self {
@@ -181,6 +214,17 @@ impl Soft {
         let unit = if unit > least { unit } else { least };
         (self.mantissa.checked_shr((unit - self.exponent) as u32).unwrap_or(0), unit)
     }
+}
+
+/// num/den, rounded up, of a small quotient. The divisor is at least 2^63 and at most 2^65.
+fn few(mut num: u128, den: u128) -> u64 {
+    let mut quotient = 0;
+    while num > 0 {
+        let up = den.leading_zeros().saturating_sub(num.leading_zeros()).saturating_sub(1);
+        num = num.saturating_sub(den << up);
+        quotient += 1 << up;
+    }
+    quotient
 }
 
 /// Unit roundoffs in [`root`].
@@ -255,6 +299,25 @@ mod tests {
             }
         }
         assert!(number(2).root().slack == 1 && number(1).over(number(3)).slack > 0);
+    }
+
+    /// Place by place the quotient has the bits of two long divisions.
+    #[test]
+    fn both_divisions_agree() {
+        let mantissas = [1 << 63, (1 << 63) + 1, u64::MAX, u64::MAX - 1, 0xb504_f333_f9de_6484];
+        let slacks = [0, 1, 2, 5, 70, 12_345, 1 << 22];
+        let all = mantissas.map(|mantissa| {
+            slacks.map(|slack| Soft { exponent: (slack % 9) as i32, mantissa, slack })
+        });
+        for num in all.as_flattened() {
+            for den in all.as_flattened() {
+                let ((a, s), (b, t)) = (num.parts(), den.parts());
+                let (least, most) = ((a << 63) / (b + t), ((a + s) << 63).div_ceil(b));
+                let expected = Soft::of(least, most - least, num.exponent - den.exponent - 63);
+                assert_eq!(num.over_by_places(*den), expected, "{num:?} / {den:?}");
+                assert_eq!(num.over(*den), expected, "{num:?} / {den:?}");
+            }
+        }
     }
 
     #[test]

@@ -219,7 +219,9 @@ pub(super) type Directed<S> = (Way, Measures<S>, Vec64);
 
 #[inline(never)]
 fn directed<S: Scalar>((way, lengths): (Way, Lengths)) -> Directed<S> {
-    let (measures, unit) = (lengths.measures(way.is_along), lengths.unit(way.is_along));
+    let ratios = lengths.ratios();
+    let measures = lengths.measures_of(way.is_along, ratios);
+    let unit = lengths.unit_of(way.is_along, ratios);
     (way, measures, unit)
 }
 

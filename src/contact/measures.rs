@@ -61,6 +61,15 @@ impl Lengths {
     /// With a the direction and o the overlap along it, |tᵢ| ≥ |aᵢ|·o/(a·a), and tᵢ has the sign of
     /// aᵢ. Therefore a·t = Σ|aᵢ|·|tᵢ| ≥ o, and the shapes no longer overlap along this direction.
     pub(super) fn measures<S: Scalar>(&self, is_along: bool) -> Measures<S> {
+        self.measures_of(is_along, self.ratios())
+    }
+
+    /// The coordinates of the unit vector, in size.
+    pub(super) fn ratios(&self) -> [Size; 3] {
+        three(|i| self.coordinates[i].map(|(_, size)| size.over(self.length)))
+    }
+
+    pub(super) fn measures_of<S: Scalar>(&self, is_along: bool, ratios: [Size; 3]) -> Measures<S> {
         let one = i32::from(S::ONE.shift);
         let is_single = self.coordinates.iter().flatten().count() == 1;
         let of = |size: Soft| {
@@ -68,7 +77,6 @@ impl Lengths {
         };
         let sizes = three(|i| self.coordinates[i].map(|(_, size)| of(size)));
         let (vector, is_sufficient) = self.vector(is_along, -one, true, sizes);
-        let ratios = three(|i| self.coordinates[i].map(|(_, size)| size.over(self.length)));
         let normal = self.vector(is_along, one, false, ratios).0;
         let (m, exponent) = self.depth.scaled(-one).upper();
         let depth = S::of_units(m, exponent, true, false).0;
@@ -77,12 +85,16 @@ impl Lengths {
 
     /// The unit vector along which the first shape moves, in floats.
     pub(super) fn unit(&self, is_along: bool) -> Vec64 {
-        three(|i| match self.coordinates[i] {
-            Some((sign, size)) => {
-                let x = size.over(self.length).in_double();
+        self.unit_of(is_along, self.ratios())
+    }
+
+    pub(super) fn unit_of(&self, is_along: bool, ratios: [Size; 3]) -> Vec64 {
+        three(|i| match (self.coordinates[i], ratios[i]) {
+            (Some((sign, _)), Some(ratio)) => {
+                let x = ratio.in_double();
                 if sign.is_gt() == is_along { x } else { -x }
             }
-            None => 0.0,
+            _ => 0.0,
         })
     }
 }
