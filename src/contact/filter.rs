@@ -2,6 +2,7 @@
 
 use core::mem::size_of;
 
+use super::axes::Axes;
 use super::body::{Rough, Vec64};
 use super::directions::Direction;
 use crate::arithmetic::{REGISTERS_ARE_WIDE, greatest, largest, pick, three, turn};
@@ -107,21 +108,14 @@ fn ends<const N: usize>(shape: &Rough, a: &[[f64; N]; 3]) -> [[f64; N]; 2] {
     [lanes(|n| at[n] - reach[n]), lanes(|n| at[n] + reach[n])]
 }
 
-/// Two shapes in floats, and facts about their axes that are known in advance.
+/// Two shapes in floats.
 pub(super) struct Filter<'a> {
     pub(super) shapes: &'a [Rough; 2],
     /// An upper bound of the numbers of the two shapes.
     size: f64,
     /// Whether no product of two numbers underflows.
     pub(super) is_short: bool,
-    /// The axes of each box that equal one of the opposite box, as bits.
-    shared: [u8; 2],
-    /// The coordinates of each side that are not zero, as bits.
-    nonzero: [[u8; 3]; 2],
-    /// Coordinate axes that have occurred, as directions that are not zero.
-    seen: [bool; 3],
-    /// The axis of the first box that equals each axis of the second, if there is one.
-    pub(super) same: [Option<usize>; 3],
+    pub(super) axes: Axes,
 }
 
 impl<'a> Filter<'a> {
@@ -138,25 +132,12 @@ impl<'a> Filter<'a> {
                 }
             }
         }
-        let mut same = [None; 3];
-        // Two different numbers may round to the same float.
-        if S::IS_IN_DOUBLE && !shapes[0].is_triangle && !shapes[1].is_triangle {
-            for (same, v) in same.iter_mut().zip(&shapes[1].sides) {
-                let is_along = |u: &Vec64| (0..3).all(|i| u[i] == v[i]);
-                let is_against = |u: &Vec64| (0..3).all(|i| u[i] == -v[i]);
-                *same = shapes[0].sides.iter().position(|u| is_along(u) || is_against(u));
-            }
-        }
-        let mut shared = [0; 2];
-        for (j, same) in same.iter().enumerate() {
-            if let Some(i) = same {
-                shared = [shared[0] | 1 << i, shared[1] | 1 << j];
-            }
-        }
-        let bits = |side: &Vec64| (0..3).fold(0, |bits, i| bits | u8::from(side[i] != 0.0) << i);
-        let nonzero = shapes.each_ref().map(|shape| three(|k| bits(&shape.sides[k])));
         let is_short = size_of::<S>() < size_of::<f64>();
-        Self { shapes, size, is_short, shared, nonzero, seen: [false; 3], same }
+        // Two different numbers may round to the same float.
+        let sides = shapes.each_ref().map(|shape| &shape.sides);
+        let triangles = shapes.each_ref().map(|shape| shape.is_triangle);
+        let axes = Axes::new(sides, triangles, S::IS_IN_DOUBLE);
+        Self { shapes, size, is_short, axes }
     }
 
     pub(super) fn are_triangles(&self) -> [bool; 2] {
@@ -164,23 +145,7 @@ impl<'a> Filter<'a> {
     }
 
     pub(super) fn sides(&self, direction: Direction) -> [Vec64; 2] {
-        direction
-            .sides(self.are_triangles())
-            .map(|(shape, k)| *pick(&self.shapes[shape % 2].sides, k))
-    }
-
-    /// Whether a direction of two boxes is zero, or equal to an earlier one, because of axes that
-    /// the boxes share.
-    fn is_shared(&self, direction: Direction) -> bool {
-        let [first, second] = self.shared;
-        match direction {
-            Direction::Face { is_second: false, .. } => false,
-            Direction::Face { is_second: true, k } => (second | 1 << k) == 7,
-            // If v_j equals an axis of the first box, u_i × v_j is zero or a face normal of the
-            // first box. If u_i equals an axis of the second box, it is zero or a face normal of
-            // the second box.
-            Direction::Sides(i, j) => (first >> i | second >> j) & 1 == 1,
-        }
+        sides(self.shapes, self.are_triangles(), direction)
     }
 
     /// The directions in floats.
@@ -248,45 +213,18 @@ impl<'a> Filter<'a> {
         Overlaps { least, most, are_apart }
     }
 
-    /// Whether both are boxes, with the same axes.
-    pub(super) fn are_alike(&self) -> bool {
-        self.shared == [7; 2]
-    }
-
     /// The directions that are not certainly zero or equal to an earlier one, as bits.
     pub(super) fn needed(&mut self, all: &[Direction]) -> u16 {
-        let every = u16::MAX >> (16 - all.len() as u32 % 16);
-        match self.shared {
-            // The faces of the first box.
-            _ if self.are_alike() => 7,
-            [0, 0] if self.nonzero == [[7; 3]; 2] => every,
-            _ => all.iter().enumerate().fold(0, |needed, (n, direction)| {
-                needed | u16::from(!self.is_superfluous(*direction)) << n
-            }),
-        }
+        let (shapes, triangles) = (self.shapes, self.are_triangles());
+        self.axes.needed(all, |direction, axis| {
+            let [x, y] = sides(shapes, triangles, direction);
+            let (a, products) = cross_with_products(&x, &y);
+            a[axis].abs() > SPREAD * products[axis]
+        })
     }
+}
 
-    fn is_superfluous(&mut self, direction: Direction) -> bool {
-        if self.is_shared(direction) {
-            return true;
-        }
-        let sides = direction.sides(self.are_triangles());
-        let [x, y] = sides.map(|(shape, k)| u32::from(*pick(&self.nonzero[shape % 2], k)));
-        // Bit i of the first has coordinate i + 1, and of the second i + 2, modulo three.
-        let turned = |bits: u32| [bits >> 1 | bits << 2, bits >> 2 | bits << 1];
-        let ([x1, x2], [y1, y2]) = (turned(x), turned(y));
-        // The coordinates with products that are not zero, underflow apart.
-        let products = (x1 & y2 | x2 & y1) & 7;
-        if !products.is_power_of_two() {
-            return products == 0;
-        }
-        let axis = products.trailing_zeros() as usize % 3;
-        if self.seen[axis] {
-            return true;
-        }
-        let [x, y] = &self.sides(direction);
-        let (a, products) = cross_with_products(x, y);
-        self.seen[axis] = a[axis].abs() > SPREAD * products[axis];
-        false
-    }
+/// The two sides of a direction.
+fn sides(shapes: &[Rough; 2], triangles: [bool; 2], direction: Direction) -> [Vec64; 2] {
+    direction.sides(triangles).map(|(shape, k)| *pick(&shapes[shape % 2].sides, k))
 }

@@ -8,8 +8,7 @@ use super::{Contact, InteriorEdges, Translation};
 use crate::scalar::Scalar;
 
 pub(super) fn least_translation<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<Translation<S>> {
-    let (_, rough) = in_floats(bodies);
-    let (way, measures) = least_measures(bodies, &rough)?;
+    let (way, measures) = least_measures(bodies, || in_floats(bodies).1)?;
     Some(translation(bodies, &way, &measures))
 }
 

@@ -2,15 +2,18 @@
 
 use core::cmp::Ordering;
 
+use super::axes::Axes;
 use super::body::{Body, Rough, Vec64, cross, dot};
+use super::cut::{Cut, Depth, Measured};
 use super::directions::{Direction, all};
 use super::exact::{Exact, farthest, length};
 use super::filter::{AT_ONCE, Filter};
+use super::integers::{Half, Long, Short, Words};
 use super::interior::InteriorEdges;
 use super::measures::{Lengths, Measures};
 use super::settled::{settled, unit};
 use super::sums::Sums;
-use super::whole::{Long, Shapes, Short, Units, Whole};
+use super::whole::{Shapes, Units, Whole, is_whole};
 use crate::arithmetic::{REGISTERS_ARE_WIDE, pick, turn};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
@@ -108,6 +111,47 @@ impl Wanted {
         Ok(wanted)
     }
 
+    /// The translations whose overlap may be the least, by words; nearly always few.
+    fn in_words<N: Words, S: Scalar>(
+        bodies: &[Body<'_, S>; 2],
+        shapes: &Shapes<N>,
+    ) -> Result<Self, Apart> {
+        let mut wanted = Self { all: all(bodies), against: 0, along: 0 };
+        let triangles = [bodies[0].is_triangle(), bodies[1].is_triangle()];
+        let sides = shapes.shapes.each_ref().map(|shape| &shape.sides);
+        let needed = Axes::new(sides, triangles, true).needed(wanted.all, |direction, axis| {
+            let [x, y] = direction.sides(triangles).map(|(shape, k)| pick(sides[shape % 2], k));
+            let (_, j, k) = turn(axis);
+            let product = |j, k| N::area(*pick(x, j), *pick(y, k));
+            N::is_clear(product(j, k), product(k, j))
+        });
+        let cut = Cut::new(shapes, triangles);
+        let mut all: [Option<Measured>; 16] = [const { None }; 16];
+        let mut bound: Option<Depth> = None;
+        for (n, measured) in all.iter_mut().enumerate() {
+            if needed >> n & 1 == 0 {
+                continue;
+            }
+            let Some(here) = cut.measured(shapes, wanted.direction(n)) else { continue };
+            if here.are_apart() {
+                return Err(Apart);
+            }
+            let most = here.most();
+            if bound.is_none_or(|bound| most.is_at_most(&bound)) {
+                bound = Some(most);
+            }
+            *measured = Some(here);
+        }
+        for (n, measured) in all.iter().enumerate() {
+            if let (Some(measured), Some(bound)) = (measured, &bound) {
+                let bit = |side| u16::from(measured.least(side).is_at_most(bound)) << n;
+                wanted.against |= bit(false);
+                wanted.along |= bit(true);
+            }
+        }
+        Ok(wanted)
+    }
+
     fn direction(&self, n: usize) -> Direction {
         self.all.get(n).copied().unwrap_or(FACE)
     }
@@ -133,8 +177,7 @@ impl Wanted {
     }
 }
 
-/// The least of the wanted translations in exact numbers; of equal depths the first. `None` if all
-/// directions are zero, `Err` if the shapes are apart or touch.
+/// The least of the wanted translations in exact numbers.
 fn exact<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     filter: &Filter<'_>,
@@ -152,11 +195,49 @@ fn exact<S: Scalar>(
         }
         None => Numbers::Sums,
     };
+    least_of(wanted, &|direction, wanted| {
+        numbers.along(bodies, direction, &filter.along(direction), wanted)
+    })
+}
+
+/// The same of a scalar that [`is_whole`], of all translations or along the normal of the first shape.
+fn exact_in_words<S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    is_normal: bool,
+) -> Result<Option<(Way, Lengths)>, Apart> {
+    let (units, is_half) = Units::of_fixed(bodies);
+    if is_half {
+        least_in_words(bodies, &units.shapes::<Half, S>(bodies), is_normal)
+    } else {
+        least_in_words(bodies, &units.shapes::<Short, S>(bodies), is_normal)
+    }
+}
+
+#[inline(never)]
+fn least_in_words<N: Words, S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    shapes: &Shapes<N>,
+    is_normal: bool,
+) -> Result<Option<(Way, Lengths)>, Apart> {
+    const NONE: [[Option<Ordering>; 3]; 2] = [[None; 3]; 2];
+    let wanted = if is_normal { Wanted::FACE } else { Wanted::in_words(bodies, shapes)? };
+    let triangles = [bodies[0].is_triangle(), bodies[1].is_triangle()];
+    least_of(&wanted, &|direction, wanted| {
+        let own = direction.sides(triangles);
+        Exact::new(&Whole::new(shapes, own), triangles, own, &NONE, wanted)
+    })
+}
+
+/// The least of the wanted translations; of equal depths the first. `None` if all directions are zero,
+/// `Err` if the shapes are apart or touch.
+fn least_of(
+    wanted: &Wanted,
+    along: &dyn Fn(Direction, [bool; 2]) -> Option<Exact>,
+) -> Result<Option<(Way, Lengths)>, Apart> {
     let mut best: Option<(Way, Lengths)> = None;
     for (direction, wanted) in wanted.iter() {
         note(Stage::Exact);
-        let known = filter.along(direction);
-        let Some(exact) = numbers.along(bodies, direction, &known, wanted) else { continue };
+        let Some(exact) = along(direction, wanted) else { continue };
         let Some((length, square)) = length(&exact.coordinates) else { continue };
         let Exact { coordinates, along, overlaps } = exact;
         for is_along in [false, true] {
@@ -191,9 +272,15 @@ pub(super) fn least_exact<S: Scalar>(
 /// single one. Exact numbers decide between several ways, and whether the shapes overlap at all.
 pub(super) fn least_measures<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
-    rough: &[Rough; 2],
+    rough: impl FnOnce() -> [Rough; 2],
 ) -> Option<(Way, Measures<S>)> {
-    let mut filter = Filter::new::<S>(rough);
+    if is_whole::<S>() {
+        let (way, lengths) = exact_in_words(bodies, false).ok()??;
+        let measures = lengths.measures(way.is_along);
+        return Some((way, measures));
+    }
+    let rough = rough();
+    let mut filter = Filter::new::<S>(&rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
     if let Some(found) = from_floats(&filter, &wanted) {
         return Some(found);
@@ -225,6 +312,23 @@ fn directed<S: Scalar>((way, lengths): (Way, Lengths)) -> Directed<S> {
     (way, measures, unit)
 }
 
+#[inline(always)]
+fn least_directed<S: Scalar>(bodies: &[Body<'_, S>; 2], rough: &[Rough; 2]) -> Option<Directed<S>> {
+    if is_whole::<S>() {
+        return Some(directed(exact_in_words(bodies, false).ok()??));
+    }
+    let mut filter = Filter::new::<S>(rough);
+    let wanted = Wanted::new(bodies, &mut filter).ok()?;
+    let settled = from_floats(&filter, &wanted).and_then(|(way, measures)| {
+        let unit = unit(bodies, way.direction, way.is_along)?;
+        Some((way, measures, unit))
+    });
+    match settled {
+        Some(best) => Some(best),
+        None => Some(directed(exact(bodies, &filter, &wanted).ok()??)),
+    }
+}
+
 /// The same for contact points, and in a mesh. Its frame is free before the points.
 #[inline(never)]
 pub(super) fn least_way<S: Scalar>(
@@ -232,16 +336,7 @@ pub(super) fn least_way<S: Scalar>(
     rough: &[Rough; 2],
     interior: InteriorEdges,
 ) -> Option<Directed<S>> {
-    let mut filter = Filter::new::<S>(rough);
-    let wanted = Wanted::new(bodies, &mut filter).ok()?;
-    let settled = from_floats(&filter, &wanted).and_then(|(way, measures)| {
-        let unit = unit(bodies, way.direction, way.is_along)?;
-        Some((way, measures, unit))
-    });
-    let best = match settled {
-        Some(best) => best,
-        None => directed(exact(bodies, &filter, &wanted).ok()??),
-    };
+    let best = least_directed(bodies, rough)?;
     if interior == InteriorEdges::NONE {
         return Some(best);
     }
@@ -250,7 +345,12 @@ pub(super) fn least_way<S: Scalar>(
     if !is_across.unwrap_or(best.0.direction != FACE) {
         return Some(best);
     }
-    let (way, measures, unit) = directed(exact(bodies, &filter, &Wanted::FACE).ok()??);
+    let normal = if is_whole::<S>() {
+        exact_in_words(bodies, true)
+    } else {
+        exact(bodies, &Filter::new::<S>(rough), &Wanted::FACE)
+    };
+    let (way, measures, unit) = directed(normal.ok()??);
     Some(if is_across.is_none() { best } else { (Way { is_held: true, ..way }, measures, unit) })
 }
 

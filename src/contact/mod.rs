@@ -113,7 +113,9 @@
 
 mod answer;
 mod apart;
+mod axes;
 mod body;
+mod cut;
 mod depth;
 mod directions;
 mod exact;
@@ -121,6 +123,7 @@ mod faces;
 mod feature;
 mod filter;
 mod flat;
+mod integers;
 mod interior;
 mod least;
 mod line;

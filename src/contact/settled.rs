@@ -56,7 +56,7 @@ pub(super) fn settled<S: Scalar>(
 ) -> Option<(Way, Measures<S>)> {
     // Floats of 53 digits do not round to as many. Boxes that are turned alike often lie on a grid,
     // and a number that the scalar holds is in doubt.
-    if size_of::<S>() >= size_of::<f64>() || filter.are_alike() {
+    if size_of::<S>() >= size_of::<f64>() || filter.axes.are_alike() {
         return None;
     }
     let measured = filter.measured([direction]);

@@ -20,7 +20,7 @@ impl Filter<'_> {
         let bit = |(shape, k): (usize, usize)| 1_u8 << (3 * shape + k);
         let [one, other] = direction.sides(self.are_triangles());
         let mut across = bit(one) | bit(other);
-        for (j, same) in self.same.iter().enumerate() {
+        for (j, same) in self.axes.same.iter().enumerate() {
             let equal = same.map_or(0, |i| bit((0, i)) | bit((1, j)));
             if across & equal != 0 {
                 across |= equal;

@@ -1,121 +1,21 @@
 //! The exact numbers of a direction as integers: in 60 bits, as in most scenes, or in 250 bits, as
-//! for poses with residues of quarter turns. The results equal [`sums`](super::sums) and take a
+//! for poses with residues of quarter turns; on small cores in 30 bits, or in 60. The results equal [`sums`](super::sums) and take a
 //! fraction of the time.
 
 use core::cmp::Ordering;
+use core::mem::size_of;
 
 use super::body::Body;
 use super::exact::{Given, Size};
-use crate::arithmetic::{
-    BigInt, Bits, I256, Number, Parts, REGISTERS_ARE_WIDE, Soft, compare, pick, three, turn,
-};
+use super::integers::{Half, Integers, Long, Short};
+use crate::arithmetic::{Bits, Number, REGISTERS_ARE_WIDE, Soft, compare, pick, three, turn};
 use crate::scalar::Scalar;
 use crate::shape::AabbForm;
 
-/// Integers for the numbers of shapes, their products, and products of these.
-pub(super) trait Integers {
-    /// The numbers of the shapes.
-    type Length: Number;
-    /// Products of two lengths.
-    type Area: Number;
-    /// Products of an area and a length.
-    type Volume: Number;
-    /// Products of two areas.
-    type Fourth: Number;
-
-    /// The most bits of a length.
-    const WIDTH: i32;
-    /// The most bits of twice the reach of a shape beyond another.
-    const REACH: i32;
-
-    /// The number in units of 2^`low`.
-    fn length(x: Parts, low: i32) -> Self::Length;
-    fn widened(x: Self::Length) -> Self::Area;
-    fn area(x: Self::Length, y: Self::Length) -> Self::Area;
-    /// x·2^up.
-    fn raised(x: Self::Area, up: u32) -> Self::Area;
-    fn volume(x: Self::Area, y: Self::Length) -> Self::Volume;
-    fn fourth(x: Self::Area, y: Self::Area) -> Self::Fourth;
-}
-
-/// Lengths in one word.
-///
-/// A side is below 2^61 and a coordinate of a cross product below 2^123. Its product with a reach
-/// is below 2^249, and a sum of three such products below 2^251.
-pub(super) struct Short;
-
-impl Integers for Short {
-    type Length = i64;
-    type Area = i128;
-    type Volume = I256;
-    type Fourth = I256;
-
-    const WIDTH: i32 = 60;
-    const REACH: i32 = 126;
-
-    fn length(x: Parts, low: i32) -> i64 {
-        x.in_units(low)
-    }
-    fn widened(x: i64) -> i128 {
-        x.into()
-    }
-    fn area(x: i64, y: i64) -> i128 {
-        i128::from(x) * i128::from(y)
-    }
-    fn raised(x: i128, up: u32) -> i128 {
-        x << up
-    }
-    fn volume(x: i128, y: i64) -> I256 {
-        I256::product(x, y)
-    }
-    fn fourth(x: i128, y: i128) -> I256 {
-        I256::of_two(x, y)
-    }
-}
-
-/// Lengths in four words.
-///
-/// A side is below 2^251 and a coordinate of a cross product below 2^503. Its product with a reach
-/// is below 2^1011, and a sum of three such products below 2^1013.
-pub(super) struct Long;
-
-impl Integers for Long {
-    type Length = BigInt<4>;
-    type Area = BigInt<8>;
-    type Volume = BigInt<12>;
-    type Fourth = BigInt<16>;
-
-    const WIDTH: i32 = 250;
-    const REACH: i32 = 508;
-
-    fn length(x: Parts, low: i32) -> BigInt<4> {
-        let mut length = BigInt::ZERO;
-        if x.magnitude != 0 {
-            let up = (i32::from(x.shift) - low) as usize;
-            // Trailing zeros may lie below the unit.
-            let down = x.magnitude.trailing_zeros();
-            let words = core::iter::once(x.magnitude >> down);
-            length.accumulate(words, up.wrapping_add(down as usize), x.negative);
-        }
-        length
-    }
-    fn widened(x: BigInt<4>) -> BigInt<8> {
-        x.resized()
-    }
-    #[inline(never)]
-    fn area(x: BigInt<4>, y: BigInt<4>) -> BigInt<8> {
-        if x == BigInt::ZERO || y == BigInt::ZERO { BigInt::ZERO } else { x.times(&y) }
-    }
-    fn raised(x: BigInt<8>, up: u32) -> BigInt<8> {
-        if up == 0 { x } else { x.shifted_up(up as usize) }
-    }
-    fn volume(x: BigInt<8>, y: BigInt<4>) -> BigInt<12> {
-        x.times(&y)
-    }
-    #[inline(never)]
-    fn fourth(x: BigInt<8>, y: BigInt<8>) -> BigInt<16> {
-        x.times(&y)
-    }
+/// Whether all numbers of a scalar are integers of a few words, on a core where floats and sums of
+/// products are functions: then it has neither.
+pub(super) const fn is_whole<S: Scalar>() -> bool {
+    !REGISTERS_ARE_WIDE && size_of::<S>() <= size_of::<u32>() && S::FLOAT.is_none()
 }
 
 /// Powers of two that divide the numbers of two shapes, in units of the least number.
@@ -128,6 +28,8 @@ pub(super) struct Units {
     halves: i32,
     /// The unit of positions along a direction: of places, and of axes times half-extents.
     ends: i32,
+    /// The unit of the axes of axis-aligned boxes.
+    ones: i32,
     /// How far the two kinds of terms are shifted up to that unit.
     up: [u32; 2],
     /// Whether [`Short`] holds everything. If not, [`Long`] does.
@@ -177,9 +79,42 @@ impl Units {
             axes: low(axes),
             halves: low(halves),
             ends,
+            ones: one,
             up: up.map(i32::unsigned_abs),
             are_short,
         })
+    }
+
+    /// The least numbers of a scalar that [`is_whole`] as units, and whether [`Half`] holds
+    /// everything. [`Short`] always does: numbers have 32 bits, one has 33, and reaches have 68.
+    pub(super) fn of_fixed<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> (Self, bool) {
+        let one = i32::from(S::ONE.shift);
+        let [mut places, mut lengths, mut halves] = [0; 3];
+        let with = |bits: &mut u32, point: [S; 3]| {
+            *bits = point.into_iter().fold(*bits, |bits, x| bits | x.parts().magnitude as u32);
+        };
+        for body in bodies {
+            match body {
+                Body::Triangle(t) => t.points().into_iter().for_each(|p| with(&mut places, p)),
+                Body::Aabb(aabb) => {
+                    let (AabbForm::Center { center: p, half: q }
+                    | AabbForm::Corners { min: p, max: q }) = aabb.form();
+                    with(&mut places, p.to_array());
+                    with(&mut places, q.to_array());
+                }
+                Body::Obb(obb) => {
+                    with(&mut places, obb.center().to_array());
+                    obb.axes().iter().for_each(|u| with(&mut lengths, u.to_array()));
+                    with(&mut halves, obb.half_extents().to_array());
+                }
+            }
+        }
+        let width = |bits: u32| 32 - bits.leading_zeros() as i32;
+        let reach = (width(places) + 3 + one).max(width(lengths) + width(halves) + 4);
+        let is_half =
+            width(places | lengths | halves).max(one + 1) <= Half::WIDTH && reach < Half::REACH;
+        let up = [one.unsigned_abs(), 0];
+        (Self { places: 0, axes: 0, halves: 0, ends: 0, ones: 0, up, are_short: true }, is_half)
     }
 
     /// Both shapes in integers.
@@ -206,7 +141,7 @@ impl Units {
                 Shape { sides: three(edge), unit: self.places, ends, reach: zero }
             }
             Body::Aabb(aabb) => {
-                let unit = i32::from(S::ONE.shift);
+                let unit = self.ones;
                 let (mut sides, mut reach) = ([[N::Length::ZERO; 3]; 3], zero);
                 let (end, half) = match aabb.form() {
                     AabbForm::Center { center, half } => {
@@ -236,20 +171,20 @@ impl Units {
 }
 
 /// A shape in integers.
-struct Shape<N: Integers> {
+pub(super) struct Shape<N: Integers> {
     /// The edges of a triangle, or the axes of a box.
-    sides: [[N::Length; 3]; 3],
+    pub(super) sides: [[N::Length; 3]; 3],
     /// The unit of `sides`.
     unit: i32,
     /// Twice the vertices, or twice the centre of a box.
-    ends: [[N::Area; 3]; 3],
+    pub(super) ends: [[N::Area; 3]; 3],
     /// The axes times twice the half-extents.
-    reach: [[N::Area; 3]; 3],
+    pub(super) reach: [[N::Area; 3]; 3],
 }
 
 /// Two shapes in integers.
 pub(super) struct Shapes<N: Integers> {
-    shapes: [Shape<N>; 2],
+    pub(super) shapes: [Shape<N>; 2],
     /// The unit of ends.
     ends: i32,
 }
@@ -278,7 +213,7 @@ impl<N: Integers> Shape<N> {
 /// A direction in integers.
 pub(super) struct Whole<'a, N: Integers> {
     shapes: &'a Shapes<N>,
-    direction: [N::Area; 3],
+    pub(super) direction: [N::Area; 3],
     unit: i32,
 }
 
