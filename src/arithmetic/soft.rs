@@ -123,7 +123,8 @@ impl Soft {
     #[inline(never)]
     pub(crate) fn times(self, other: Self) -> Self {
         let ((a, s), (b, t)) = (self.parts(), other.parts());
-        Self::of(a * b, a * t + b * s + s * t, self.exponent + other.exponent)
+        let slack = if self.is_exact() && other.is_exact() { 0 } else { a * t + b * s + s * t };
+        Self::of(a * b, slack, self.exponent + other.exponent)
     }
 
     pub(crate) fn plus(self, other: Self) -> Self {
@@ -174,8 +175,8 @@ impl Soft {
         let rest = u128::from(is_long) << 63 | u128::from(rest >> 1);
         let (lack, more) = ((u128::from(quotient) * t).saturating_sub(rest), rest + (s << 63));
         let b = u128::from(divisor);
-        let least = quotient.wrapping_sub(few(lack, b + t));
-        let most = quotient.wrapping_add(few(more, b));
+        let least = quotient.wrapping_sub(few(lack, b + t, other.slack));
+        let most = quotient.wrapping_add(few(more, b, self.slack));
         let slack = most.wrapping_sub(least);
         Self::of(least.into(), slack.into(), self.exponent - other.exponent - 63)
     }
@@ -216,15 +217,23 @@ impl Soft {
     }
 }
 
-/// num/den, rounded up, of a small quotient. The divisor is at least 2^63 and at most 2^65.
-fn few(mut num: u128, den: u128) -> u64 {
-    let mut quotient = 0;
-    while num > 0 {
-        let up = den.leading_zeros().saturating_sub(num.leading_zeros()).saturating_sub(1);
-        num = num.saturating_sub(den << up);
-        quotient += 1 << up;
+/// num/den, rounded up. The quotient is at most twice the slack and one.
+fn few(mut num: u128, mut den: u128, slack: u32) -> u64 {
+    if num == 0 {
+        return 0;
     }
-    quotient
+    let places = 33 - slack.leading_zeros();
+    den <<= places;
+    let mut quotient = 0;
+    for _ in 0..=places {
+        quotient <<= 1;
+        if num >= den {
+            num -= den;
+            quotient |= 1;
+        }
+        den >>= 1;
+    }
+    quotient + u64::from(num != 0)
 }
 
 /// Unit roundoffs in [`root`].

@@ -6,6 +6,7 @@
 //! normal have an error.
 
 use super::body::{Rough, Vec64, cross, dot};
+use super::sides::{Flat, Unit, side};
 use crate::arithmetic::{REGISTERS_ARE_WIDE, greatest, largest, pick, three, turn};
 
 /// The most corners that a face has.
@@ -107,6 +108,7 @@ impl Solid {
 pub(super) struct View {
     across: [Vec64; 2],
     pub(super) tolerance: f64,
+    unit: Option<Unit>,
 }
 
 /// The tolerance relative to the size of the shapes.
@@ -135,14 +137,14 @@ pub(super) struct View {
 const TOLERANCE: f64 = f64::from_bits((1023 - 45) << 52);
 
 impl View {
-    pub(super) fn new(normal: &Vec64, size: f64) -> Self {
+    pub(super) fn new(normal: &Vec64, size: f64, unit: Option<Unit>) -> Self {
         let sizes = normal.map(f64::abs);
         let least = usize::from(sizes[1] < sizes[0]);
         let (k, i, j) = turn(if sizes[2] < sizes[least] { 2 } else { least });
         // n × e_k has no rounding of its own.
         let mut first = [0.0; 3];
         (first[k], first[i], first[j]) = (0.0, normal[j], -normal[i]);
-        Self { across: [first, cross(normal, &first)], tolerance: TOLERANCE * size }
+        Self { across: [first, cross(normal, &first)], tolerance: TOLERANCE * size, unit }
     }
 
     fn corner(&self, at: Vec64, vertex: u8) -> Corner {
@@ -232,6 +234,8 @@ pub(super) struct Face {
     edges: [u8; CORNERS],
     count: usize,
     pub(super) number: u8,
+    /// The corners in words, if the view has a unit.
+    words: Option<[Flat; CORNERS]>,
 }
 
 impl Face {
@@ -239,12 +243,7 @@ impl Face {
     pub(super) fn new(view: &View, shape: &Solid, number: u8) -> Self {
         if shape.is_triangle {
             let corner = |k: u8| view.corner(*pick(&shape.at, k.into()), k);
-            return Self {
-                corners: [0, 1, 2, 2].map(corner),
-                edges: [0, 1, 2, 2],
-                count: 3,
-                number,
-            };
+            return Self::of(view, [0, 1, 2, 2].map(corner), [0, 1, 2, 2], 3, number);
         }
         let (i, j, k) = turn(usize::from(number / 2));
         let mut edges = [0; CORNERS];
@@ -256,7 +255,36 @@ impl Face {
             edges[n] = edge_of_box(if n % 2 == 0 { j } else { k }, upper);
             corners[n] = view.corner(shape.corner(upper), vertex_of_box(upper));
         }
-        Self { corners, edges, count: CORNERS, number }
+        Self::of(view, corners, edges, CORNERS, number)
+    }
+
+    fn of(
+        view: &View,
+        corners: [Corner; CORNERS],
+        edges: [u8; CORNERS],
+        count: usize,
+        number: u8,
+    ) -> Self {
+        let words = view.unit.map(|unit| corners.each_ref().map(|corner| unit.flat(&corner.flat)));
+        Self { corners, edges, count, number, words }
+    }
+
+    /// The corner after corner n.
+    fn next(&self, n: usize) -> usize {
+        if n + 1 < self.count { n + 1 } else { 0 }
+    }
+
+    /// The sides of edge n, in words, on which the ends of an edge of another face lie.
+    fn sides_of(&self, n: usize, other: &Self, m: usize) -> [i8; 2] {
+        let (Some(words), Some(others)) = (&self.words, &other.words) else { return [0; 2] };
+        let (p, q) = (&words[n % CORNERS], &words[self.next(n) % CORNERS]);
+        [m, other.next(m)].map(|m| side(p, q, &others[m % CORNERS]))
+    }
+
+    /// Whether edge n certainly does not cross edge m of another face.
+    pub(super) fn is_clear_of(&self, n: usize, other: &Self, m: usize) -> bool {
+        let are_same = |[a, b]: [i8; 2]| a == b && a != 0;
+        are_same(self.sides_of(n, other, m)) || are_same(other.sides_of(m, self, n))
     }
 
     pub(super) fn corners(&self) -> impl Iterator<Item = &Corner> {
@@ -265,8 +293,7 @@ impl Face {
 
     pub(super) fn edges(&self) -> impl Iterator<Item = Edge> {
         (0..self.count).map(|n| {
-            let next = if n + 1 < self.count { n + 1 } else { 0 };
-            let ends = [self.corners[n % CORNERS], self.corners[next % CORNERS]];
+            let ends = [self.corners[n % CORNERS], self.corners[self.next(n) % CORNERS]];
             Edge { ends, number: self.edges[n % CORNERS] }
         })
     }
@@ -293,12 +320,28 @@ impl Face {
         (left == self.count || right == self.count).then_some(true)
     }
 
+    /// The same where words are certain.
+    fn within_words(&self, to: &Corner, view: &View) -> Option<bool> {
+        let (unit, words) = (view.unit?, self.words.as_ref()?);
+        let to = unit.flat(&to.flat);
+        let (mut left, mut right) = (0, 0);
+        for n in 0..self.count {
+            let side = side(&words[n % CORNERS], &words[self.next(n) % CORNERS], &to);
+            left += usize::from(side > 0);
+            right += usize::from(side < 0);
+        }
+        if left > 0 && right > 0 {
+            return Some(false);
+        }
+        (left == self.count || right == self.count).then_some(true)
+    }
+
     /// The point of the face that meets `to` across the normal, if there is one. Edges come first,
     /// and of those the edge farthest against `outward`: a face seen edge-on has several such
     /// points. If that edge lies beyond `to`, a point within the face may not.
     pub(super) fn meets(&self, to: &Corner, view: &View, outward: &Vec64) -> Option<Corner> {
-        // Small cores do without, for size.
-        let is_within = if REGISTERS_ARE_WIDE { self.within(to, view) } else { None };
+        let is_within =
+            if REGISTERS_ARE_WIDE { self.within(to, view) } else { self.within_words(to, view) };
         if is_within == Some(false) {
             return None;
         }

@@ -1,6 +1,6 @@
 //! Integers for the numbers of shapes.
 
-use crate::arithmetic::{BigInt, I256, Number, Parts};
+use crate::arithmetic::{BigInt, I256, Number, Parts, REGISTERS_ARE_WIDE, out_of_line};
 
 /// Integers for the numbers of shapes, their products, and products of these.
 pub(super) trait Integers {
@@ -43,8 +43,10 @@ impl Integers for Half {
     const WIDTH: i32 = 30;
     const REACH: i32 = 62;
 
-    fn length(x: Parts, low: i32) -> i32 {
-        x.in_units(low) as i32
+    fn length(x: Parts, _: i32) -> i32 {
+        // In the unit of the scalar.
+        let size = x.magnitude as i32;
+        if x.negative { -size } else { size }
     }
     fn widened(x: i32) -> i64 {
         x.into()
@@ -85,11 +87,13 @@ impl Integers for Short {
     fn widened(x: i64) -> i128 {
         x.into()
     }
+    #[inline(always)]
     fn area(x: i64, y: i64) -> i128 {
-        i128::from(x) * i128::from(y)
+        once(|| i128::from(x) * i128::from(y))
     }
+    #[inline(always)]
     fn raised(x: i128, up: u32) -> i128 {
-        x << up
+        once(|| x << up)
     }
     fn volume(x: i128, y: i64) -> I256 {
         I256::product(x, y)
@@ -97,6 +101,12 @@ impl Integers for Short {
     fn fourth(x: i128, y: i128) -> I256 {
         I256::of_two(x, y)
     }
+}
+
+/// The value, and on small cores a call of it, so that there is one copy.
+#[inline(always)]
+fn once<T>(f: impl FnOnce() -> T) -> T {
+    if REGISTERS_ARE_WIDE { f() } else { out_of_line(f) }
 }
 
 /// Lengths in four words.
@@ -164,6 +174,7 @@ macro_rules! words {
                 let all = numbers.into_iter().fold(0, |all, &x| all | x ^ x >> (BITS - 1));
                 (BITS - all.leading_zeros()) as i32
             }
+            #[inline(never)]
             fn cut(x: $area, down: i32) -> i32 {
                 if down < 0 { (x as i32) << -down } else { (x >> down) as i32 }
             }

@@ -136,6 +136,7 @@ mod round;
 mod scene;
 mod settled;
 mod shapes;
+mod sides;
 mod signs;
 mod sums;
 #[cfg(test)]

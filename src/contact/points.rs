@@ -7,7 +7,8 @@ use super::directions::Direction;
 use super::faces::{Corner, Edge, Face, Solid, View, distance, edge_of_box, minus, support_edges};
 use super::feature::{Features, Part};
 use super::least::Way;
-use crate::arithmetic::{greatest, largest, pick, three, two};
+use super::sides::Unit;
+use crate::arithmetic::{REGISTERS_ARE_WIDE, greatest, largest, pick, three, two};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -138,7 +139,8 @@ pub(super) fn points<S: Scalar>(
         scale = if size < 1.0 { UP } else { DOWN };
         solids = bodies.each_ref().map(|body| Solid::new(&body.rough(origin, scale)));
     }
-    let view = View::new(&normal, greatest(solids[0].size, solids[1].size));
+    let size = greatest(solids[0].size, solids[1].size);
+    let view = View::new(&normal, size, Unit::new::<S>(size));
     let [first, second] = &solids;
     let is_second = matches!(features, Features::Second(_));
     let shapes = if is_second { [second, first] } else { [first, second] };
@@ -250,8 +252,11 @@ fn clip(view: &View, [reference, incident]: [&Face; 2], outward: &Vec64) -> Pair
             add([below, &at], [Part::Vertex(below.vertex), Part::Face(incident.number)]);
         }
     }
-    for below in reference.edges() {
-        for at in incident.edges() {
+    for (n, below) in reference.edges().enumerate() {
+        for (m, at) in incident.edges().enumerate() {
+            if !REGISTERS_ARE_WIDE && reference.is_clear_of(n, incident, m) {
+                continue;
+            }
             if let Some([x, y]) = below.crossing(&at, view) {
                 add([&x, &y], [Part::Edge(below.number), Part::Edge(at.number)]);
             }

@@ -125,49 +125,64 @@ impl Units {
     }
 
     fn shape<N: Integers, S: Scalar>(&self, body: &Body<'_, S>) -> Shape<N> {
-        let in_units = |x: [S; 3], low: i32| three(|i| N::length(x[i].parts(), low));
-        let point = |p: [S; 3]| in_units(p, self.places);
+        let point = |p: [S; 3]| in_units::<N, S>(&p, self.places);
+        let raised = |x: [N::Length; 3]| {
+            let mut all = [N::Area::ZERO; 3];
+            for (to, x) in all.iter_mut().zip(x) {
+                *to = N::raised(N::widened(x), self.up[0]);
+            }
+            all
+        };
         let twice = |p: [N::Length; 3]| three(|i| p[i] + p[i]);
-        let raised = |x: N::Length| N::raised(N::widened(x), self.up[0]);
-        let zero = [[N::Area::ZERO; 3]; 3];
+        let (mut sides, mut reach) = ([[N::Length::ZERO; 3]; 3], [[N::Area::ZERO; 3]; 3]);
         match body {
             Body::Triangle(t) => {
                 let v = t.points().map(point);
-                let edge = |k: usize| {
+                for (k, side) in sides.iter_mut().enumerate() {
                     let (from, to) = (pick(&v, k), pick(&v, turn(k).1));
-                    three(|i| to[i] - from[i])
-                };
-                let ends = three(|k| twice(v[k]).map(raised));
-                Shape { sides: three(edge), unit: self.places, ends, reach: zero }
+                    *side = three(|i| to[i] - from[i]);
+                }
+                Shape { sides, unit: self.places, ends: v.map(|v| raised(twice(v))), reach }
             }
             Body::Aabb(aabb) => {
                 let unit = self.ones;
-                let (mut sides, mut reach) = ([[N::Length::ZERO; 3]; 3], zero);
+                let (AabbForm::Center { center: p, half: q }
+                | AabbForm::Corners { min: p, max: q }) = aabb.form();
+                let (p, q) = (point(p.to_array()), point(q.to_array()));
                 let (end, half) = match aabb.form() {
-                    AabbForm::Center { center, half } => {
-                        (twice(point(center.to_array())), twice(point(half.to_array())))
-                    }
-                    AabbForm::Corners { min, max } => {
-                        let (p, q) = (point(min.to_array()), point(max.to_array()));
-                        (three(|i| p[i] + q[i]), three(|i| q[i] - p[i]))
-                    }
+                    AabbForm::Center { .. } => (twice(p), twice(q)),
+                    AabbForm::Corners { .. } => (three(|i| p[i] + q[i]), three(|i| q[i] - p[i])),
                 };
+                let (end, half) = (raised(end), raised(half));
                 for k in 0..3 {
                     sides[k][k] = N::length(S::ONE, unit);
-                    reach[k][k] = raised(half[k]);
+                    reach[k][k] = half[k];
                 }
-                Shape { sides, unit, ends: [end.map(raised); 3], reach }
+                Shape { sides, unit, ends: [end; 3], reach }
             }
             Body::Obb(obb) => {
-                let sides = three(|k| in_units(obb.axes()[k].to_array(), self.axes));
-                let half = twice(in_units(obb.half_extents().to_array(), self.halves));
-                let reach =
-                    three(|k| three(|i| N::raised(N::area(half[k], sides[k][i]), self.up[1])));
-                let end = twice(point(obb.center().to_array())).map(raised);
+                let half = twice(in_units::<N, S>(&obb.half_extents().to_array(), self.halves));
+                for (k, (side, reach)) in sides.iter_mut().zip(&mut reach).enumerate() {
+                    *side = in_units::<N, S>(&obb.axes()[k].to_array(), self.axes);
+                    for (reach, side) in reach.iter_mut().zip(side) {
+                        *reach = N::raised(N::area(half[k], *side), self.up[1]);
+                    }
+                }
+                let end = raised(twice(point(obb.center().to_array())));
                 Shape { sides, unit: self.axes, ends: [end; 3], reach }
             }
         }
     }
+}
+
+/// Three numbers in units of 2^`low`.
+#[cfg_attr(any(septum_narrow, not(target_pointer_width = "64")), inline(never))]
+fn in_units<N: Integers, S: Scalar>(x: &[S; 3], low: i32) -> [N::Length; 3] {
+    let mut all = [N::Length::ZERO; 3];
+    for (to, x) in all.iter_mut().zip(x) {
+        *to = N::length(x.parts(), low);
+    }
+    all
 }
 
 /// A shape in integers.

@@ -1,0 +1,62 @@
+//! The side of an edge on which a point lies, seen along the normal, in words of 32 bits: for cores
+//! where floats are functions. It is certain or in doubt, and then floats decide.
+
+use core::mem::size_of;
+
+use crate::arithmetic::REGISTERS_ARE_WIDE;
+use crate::scalar::Scalar;
+
+/// Two coordinates across the normal, in multiples of the unit, rounded toward zero.
+pub(super) type Flat = [i32; 2];
+
+/// The unit of words: a power of two between 2^-28 and 2^-27 of the size of the shapes. Coordinates are
+/// below √3 of the size.
+#[derive(Clone, Copy)]
+pub(super) struct Unit(i32);
+
+/// The bits of a float below its exponent.
+const DIGITS: u32 = f64::MANTISSA_DIGITS - 1;
+
+/// The exponent of a float, as its bits have it.
+fn exponent(x: f64) -> i32 {
+    (x.to_bits() >> DIGITS) as i32 & 0x7ff
+}
+
+impl Unit {
+    /// The unit for shapes of this size, if all numbers of the scalar are within the range of `f64` by
+    /// far, and the core has no use of its floats.
+    pub(super) fn new<S: Scalar>(size: f64) -> Option<Self> {
+        let is_short = size_of::<S>() < size_of::<f64>();
+        (!REGISTERS_ARE_WIDE && is_short && size > 0.0).then(|| Self(exponent(size) - 27))
+    }
+
+    /// x in units, rounded toward zero.
+    fn cut(self, x: f64) -> i32 {
+        let bits = x.to_bits();
+        // The upper 31 bits of the mantissa, of which the highest is the leading one.
+        let mantissa = 1 << 30 | (bits >> (DIGITS - 30)) as i32 & (1 << 30) - 1;
+        let size = mantissa.checked_shr((self.0 + 30 - exponent(x)) as u32).unwrap_or(0);
+        if x < 0.0 { -size } else { size }
+    }
+
+    #[inline(never)]
+    pub(super) fn flat(self, x: &[f64; 2]) -> Flat {
+        [self.cut(x[0]), self.cut(x[1])]
+    }
+}
+
+/// One if the point is to the left of the edge from p to q, minus one if it is to the right, and zero
+/// in doubt.
+///
+/// A coordinate errs by less than one, and so each difference by less than two. The product errs by less
+/// than twice the sum of all differences, and four. A point that is closer to the edge's line than the
+/// tolerance, 2^-17 units, or than floats know, is in doubt by far.
+#[inline(never)]
+pub(super) fn side(p: &Flat, q: &Flat, to: &Flat) -> i8 {
+    let [a, b] = [q[0] - p[0], q[1] - p[1]];
+    let [c, d] = [to[0] - p[0], to[1] - p[1]];
+    let side = i64::from(a) * i64::from(d) - i64::from(b) * i64::from(c);
+    let sizes = [a, b, c, d].map(|x| i64::from(x.unsigned_abs()));
+    let margin = 3 * (sizes[0] + sizes[1] + sizes[2] + sizes[3]) + 8;
+    i8::from(side > margin) - i8::from(side < -margin)
+}
