@@ -1,22 +1,25 @@
 //! Bounds on the overlap along each direction in words of 32 bits: for cores where floats are
 //! functions, and scalars that are integers of a few words.
 
+use super::axes::Axes;
 use super::directions::Direction;
 use super::integers::Words;
-use super::whole::{Shapes, Whole};
-use crate::arithmetic::{Number, greatest, three};
+use super::whole::Shapes;
+use crate::arithmetic::{Number, greatest, pick, three, turn};
 
 /// The numbers of two shapes, cut to 26 bits and a sign: twice the places from the second shape's
 /// origin, and what extends from them.
 pub(super) struct Cut {
     are_triangles: [bool; 2],
+    /// The sides, as they are.
+    sides: [[[i64; 3]; 3]; 2],
     at: [[[i32; 3]; 3]; 2],
     reach: [[[i32; 3]; 3]; 2],
 }
 
 /// What bits of a number are kept: of a place, and of a coordinate of a direction.
 const PLACE: i32 = 26;
-const COORDINATE: i32 = 30;
+pub(super) const COORDINATE: i32 = 30;
 
 /// How far an overlap may be from the truth, in its unit.
 ///
@@ -96,8 +99,10 @@ impl Cut {
         let ends = at.as_flattened().as_flattened();
         let down = N::bits(ends.iter().chain(reach[0]).chain(reach[1])) - PLACE;
         let cut = |v: &[[N::Area; 3]; 3]| three(|k| three(|i| N::cut(v[k][i], down)));
+        let whole = |v: &[[N::Length; 3]; 3]| v.map(|v| v.map(N::Length::into));
         Self {
             are_triangles,
+            sides: [whole(&first.sides), whole(&second.sides)],
             at: [cut(&at[0]), cut(&at[1])],
             reach: [cut(&first.reach), cut(&second.reach)],
         }
@@ -119,22 +124,22 @@ impl Cut {
         [p - reach, p + reach]
     }
 
-    /// The overlaps along a direction; `None` if the direction is zero.
-    #[inline(never)]
-    pub(super) fn measured<N: Words>(
-        &self,
-        shapes: &Shapes<N>,
-        direction: Direction,
-    ) -> Option<Measured> {
-        let a = Whole::new(shapes, direction.sides(self.are_triangles)).direction;
-        if a.iter().all(Number::is_zero) {
-            return None;
-        }
-        let down = N::bits(&a) - COORDINATE;
-        Some(self.along(&a.map(|x| N::cut(x, down))))
+    /// The directions that are not certainly zero or equal to an earlier one, as bits.
+    pub(super) fn needed(&self, all: &[Direction]) -> u16 {
+        let sides = self.sides.each_ref();
+        Axes::new(sides, self.are_triangles, true).needed(all, |direction, axis| {
+            let [x, y] =
+                direction.sides(self.are_triangles).map(|(shape, k)| pick(sides[shape % 2], k));
+            let (_, j, k) = turn(axis);
+            let product = |j, k| i128::from(*pick(x, j)) * i128::from(*pick(y, k));
+            let (p, q) = (product(j, k), product(k, j));
+            // As floats do.
+            (p - q).abs() > p.abs().max(q.abs()) >> 20
+        })
     }
 
-    fn along(&self, a: &[i32; 3]) -> Measured {
+    /// The overlaps along a direction.
+    pub(super) fn measured(&self, a: &[i32; 3]) -> Measured {
         let ([a0, a1], [b0, b1]) = (self.ends(0, a), self.ends(1, a));
         let squares = a.iter().map(|x| (x >> 15).unsigned_abs().pow(2));
         Measured {

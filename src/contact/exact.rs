@@ -34,7 +34,7 @@ impl Exact {
     /// The exact direction, if it is not zero. Some of the signs are known already. `own` are the
     /// two sides of its cross product.
     pub(super) fn new(
-        given: &impl Given,
+        given: &(impl Given + ?Sized),
         are_triangles: [bool; 2],
         own: [(usize, usize); 2],
         known: &[[Option<Ordering>; 3]; 2],

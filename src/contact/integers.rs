@@ -105,7 +105,7 @@ impl Integers for Short {
 
 /// The value, and on small cores a call of it, so that there is one copy.
 #[inline(always)]
-fn once<T>(f: impl FnOnce() -> T) -> T {
+pub(super) fn once<T>(f: impl FnOnce() -> T) -> T {
     if REGISTERS_ARE_WIDE { f() } else { out_of_line(f) }
 }
 
@@ -155,15 +155,13 @@ impl Integers for Long {
 }
 
 /// Integers of which the leading bits are taken as words of 32 bits.
-pub(super) trait Words: Integers {
+pub(super) trait Words: Integers<Length: Into<i64>> {
     /// The least b so that −2^b ≤ x < 2^b for all of these numbers.
     fn bits<'a>(numbers: impl IntoIterator<Item = &'a Self::Area>) -> i32
     where
         Self::Area: 'a;
     /// x over 2^down, rounded down, where 32 bits hold that.
     fn cut(x: Self::Area, down: i32) -> i32;
-    /// Whether x·y − z·w, of four sides, is above 2^-20 of the greater product, in magnitude.
-    fn is_clear(xy: Self::Area, zw: Self::Area) -> bool;
 }
 
 macro_rules! words {
@@ -177,10 +175,6 @@ macro_rules! words {
             #[inline(never)]
             fn cut(x: $area, down: i32) -> i32 {
                 if down < 0 { (x as i32) << -down } else { (x >> down) as i32 }
-            }
-            fn is_clear(xy: $area, zw: $area) -> bool {
-                let [p, q] = [xy, zw].map(<$area>::unsigned_abs);
-                (xy - zw).unsigned_abs() > p.max(q) >> 20
             }
         }
     )*};

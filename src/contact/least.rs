@@ -2,11 +2,10 @@
 
 use core::cmp::Ordering;
 
-use super::axes::Axes;
 use super::body::{Body, Rough, Vec64, cross, dot};
 use super::cut::{Cut, Depth, Measured};
 use super::directions::{Direction, all};
-use super::exact::{Exact, farthest, length};
+use super::exact::{Exact, Given, farthest, length};
 use super::filter::{AT_ONCE, Filter};
 use super::integers::{Half, Long, Short, Words};
 use super::interior::InteriorEdges;
@@ -111,28 +110,24 @@ impl Wanted {
         Ok(wanted)
     }
 
-    /// The translations whose overlap may be the least, by words; nearly always few.
-    fn in_words<N: Words, S: Scalar>(
-        bodies: &[Body<'_, S>; 2],
-        shapes: &Shapes<N>,
+    /// The translations whose overlap may be the least, by words; nearly always few. `cross` has the
+    /// directions.
+    #[inline(never)]
+    fn in_words(
+        all: &'static [Direction],
+        cut: &Cut,
+        cross: &dyn Fn(Direction) -> Option<[i32; 3]>,
     ) -> Result<Self, Apart> {
-        let mut wanted = Self { all: all(bodies), against: 0, along: 0 };
-        let triangles = [bodies[0].is_triangle(), bodies[1].is_triangle()];
-        let sides = shapes.shapes.each_ref().map(|shape| &shape.sides);
-        let needed = Axes::new(sides, triangles, true).needed(wanted.all, |direction, axis| {
-            let [x, y] = direction.sides(triangles).map(|(shape, k)| pick(sides[shape % 2], k));
-            let (_, j, k) = turn(axis);
-            let product = |j, k| N::area(*pick(x, j), *pick(y, k));
-            N::is_clear(product(j, k), product(k, j))
-        });
-        let cut = Cut::new(shapes, triangles);
+        let mut wanted = Self { all, against: 0, along: 0 };
+        let needed = cut.needed(all);
         let mut all: [Option<Measured>; 16] = [const { None }; 16];
         let mut bound: Option<Depth> = None;
         for (n, measured) in all.iter_mut().enumerate() {
             if needed >> n & 1 == 0 {
                 continue;
             }
-            let Some(here) = cut.measured(shapes, wanted.direction(n)) else { continue };
+            let Some(direction) = cross(wanted.direction(n)) else { continue };
+            let here = cut.measured(&direction);
             if here.are_apart() {
                 return Err(Apart);
             }
@@ -220,11 +215,17 @@ fn least_in_words<N: Words, S: Scalar>(
     is_normal: bool,
 ) -> Result<Option<(Way, Lengths)>, Apart> {
     const NONE: [[Option<Ordering>; 3]; 2] = [[None; 3]; 2];
-    let wanted = if is_normal { Wanted::FACE } else { Wanted::in_words(bodies, shapes)? };
     let triangles = [bodies[0].is_triangle(), bodies[1].is_triangle()];
+    let whole = |direction: Direction| Whole::new(shapes, direction.sides(triangles));
+    let wanted = if is_normal {
+        Wanted::FACE
+    } else {
+        let cut = Cut::new(shapes, triangles);
+        Wanted::in_words(all(bodies), &cut, &|direction| whole(direction).cut())?
+    };
     least_of(&wanted, &|direction, wanted| {
-        let own = direction.sides(triangles);
-        Exact::new(&Whole::new(shapes, own), triangles, own, &NONE, wanted)
+        let given: &dyn Given = &whole(direction);
+        Exact::new(given, triangles, direction.sides(triangles), &NONE, wanted)
     })
 }
 

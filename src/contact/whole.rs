@@ -6,8 +6,9 @@ use core::cmp::Ordering;
 use core::mem::size_of;
 
 use super::body::Body;
+use super::cut::COORDINATE;
 use super::exact::{Given, Size};
-use super::integers::{Half, Integers, Long, Short};
+use super::integers::{Half, Integers, Long, Short, Words, once};
 use crate::arithmetic::{Bits, Number, REGISTERS_ARE_WIDE, Soft, compare, pick, three, turn};
 use crate::scalar::Scalar;
 use crate::shape::AabbForm;
@@ -176,13 +177,14 @@ impl Units {
 }
 
 /// Three numbers in units of 2^`low`.
-#[cfg_attr(any(septum_narrow, not(target_pointer_width = "64")), inline(never))]
 fn in_units<N: Integers, S: Scalar>(x: &[S; 3], low: i32) -> [N::Length; 3] {
-    let mut all = [N::Length::ZERO; 3];
-    for (to, x) in all.iter_mut().zip(x) {
-        *to = N::length(x.parts(), low);
-    }
-    all
+    once(|| {
+        let mut all = [N::Length::ZERO; 3];
+        for (to, x) in all.iter_mut().zip(x) {
+            *to = N::length(x.parts(), low);
+        }
+        all
+    })
 }
 
 /// A shape in integers.
@@ -228,7 +230,7 @@ impl<N: Integers> Shape<N> {
 /// A direction in integers.
 pub(super) struct Whole<'a, N: Integers> {
     shapes: &'a Shapes<N>,
-    pub(super) direction: [N::Area; 3],
+    direction: [N::Area; 3],
     unit: i32,
 }
 
@@ -245,6 +247,16 @@ impl<'a, N: Integers> Whole<'a, N> {
             area(j, k) - area(k, j)
         });
         Self { shapes, direction, unit: x_unit + y_unit }
+    }
+}
+
+impl<N: Words> Whole<'_, N> {
+    /// The direction's leading bits; `None` if it is zero.
+    pub(super) fn cut(&self) -> Option<[i32; 3]> {
+        let a = &self.direction;
+        let down = N::bits(a) - COORDINATE;
+        let is_zero = a.iter().all(Number::is_zero);
+        (!is_zero).then(|| a.map(|x| N::cut(x, down)))
     }
 }
 
