@@ -36,8 +36,7 @@ pub(super) fn edge_of_box(i: usize, upper: [bool; 3]) -> u8 {
 pub(super) struct Solid {
     is_triangle: bool,
     at: [Vec64; 3],
-    /// The axes divided by their greatest coordinates.
-    axes: [Vec64; 3],
+    sides: [Vec64; 3],
     reach: [Vec64; 3],
     /// An upper bound of the coordinates of all corners.
     pub(super) size: f64,
@@ -45,12 +44,11 @@ pub(super) struct Solid {
 
 impl Solid {
     pub(super) fn new(rough: &Rough) -> Self {
-        let axes = rough.sides.map(|side| side.map(|x| x / largest(&side)));
         let reach = three(|k| pick(&rough.sides, k).map(|x| pick(&rough.half, k) * x));
         let [a, b, c] = rough.at.each_ref().map(largest);
         let farthest = greatest(a, greatest(b, c));
         let size = reach.iter().fold(farthest, |size, reach| size + largest(reach));
-        Self { is_triangle: rough.is_triangle, at: rough.at, axes, reach, size }
+        Self { is_triangle: rough.is_triangle, at: rough.at, sides: rough.sides, reach, size }
     }
 
     /// The numbers of its faces.
@@ -66,18 +64,10 @@ impl Solid {
     }
 
     fn corner(&self, upper: [bool; 3]) -> Vec64 {
-        let sign = |k: usize| if upper[k] { 1.0 } else { -1.0 };
-        (0..3).fold(self.at[0], |at, k| along(&at, sign(k), &self.reach[k]))
-    }
-
-    /// The signed square of the cosine between the outward normal of a face and −`outward`.
-    fn facing(&self, number: u8, outward: &Vec64) -> f64 {
-        let (k, i, j) = turn(usize::from(number / 2));
-        let w = cross(pick(&self.axes, i), pick(&self.axes, j));
-        let cosine = dot(&w, outward);
-        let square = cosine * cosine / dot(&w, &w);
-        let is_outward = (dot(&w, pick(&self.axes, k)) > 0.0) == (number % 2 == 1);
-        if is_outward == (cosine < 0.0) { square } else { -square }
+        (0..3).fold(self.at[0], |at, k| {
+            let reach = &self.reach[k];
+            three(|i| if upper[k] { at[i] + reach[i] } else { at[i] - reach[i] })
+        })
     }
 
     /// The faces turned against `outward`, the normal of another shape's face. The first returned
@@ -88,20 +78,31 @@ impl Solid {
         outward: &Vec64,
         is_first: impl Fn(u8) -> bool,
     ) -> impl Iterator<Item = u8> {
-        let facing = |number: u8| if self.is_triangle { 1.0 } else { self.facing(number, outward) };
-        let mut first = 0;
-        let mut best = f64::NEG_INFINITY;
-        let mut is_turned = [false; 6];
-        for number in self.faces() {
+        // Divided by their greatest coordinates.
+        let unit = |side: Vec64| side.map(|x| x / largest(&side));
+        let axes = if self.is_triangle { self.sides } else { self.sides.map(unit) };
+        let is_triangle = self.is_triangle;
+        let facing = move |n: u8| if is_triangle { 1.0 } else { facing(&axes, n, outward) };
+        let (mut first, mut best) = (0, f64::NEG_INFINITY);
+        for number in self.faces().filter(|&n| is_first(n)) {
             let value = facing(number);
-            is_turned[usize::from(number % 6)] = value > 0.0;
-            if is_first(number) && value > best {
+            if value > best {
                 (first, best) = (number, value);
             }
         }
-        let rest = self.faces().filter(move |&n| n != first && is_turned[usize::from(n % 6)]);
+        let rest = self.faces().filter(move |&n| n != first && facing(n) > 0.0);
         core::iter::once(first).chain(rest)
     }
+}
+
+/// The signed square of the cosine between the outward normal of a face of a box and −`outward`.
+fn facing(axes: &[Vec64; 3], number: u8, outward: &Vec64) -> f64 {
+    let (k, i, j) = turn(usize::from(number / 2));
+    let w = cross(pick(axes, i), pick(axes, j));
+    let cosine = dot(&w, outward);
+    let square = cosine * cosine / dot(&w, &w);
+    let is_outward = (dot(&w, pick(axes, k)) > 0.0) == (number % 2 == 1);
+    if is_outward == (cosine < 0.0) { square } else { -square }
 }
 
 /// Two directions across a normal, and the tolerance of coordinates along them.
