@@ -185,7 +185,7 @@ impl Soft {
         let (a, s) = self.parts();
         let up = 64 - (self.exponent & 1) as u32;
         let square = a << up;
-        let root = square.isqrt();
+        let root = if REGISTERS_ARE_WIDE { square.isqrt() } else { root_by_places(square).into() };
         // The root is at least 2^63, so the term s·2^up in the square adds less than s to it.
         let slack = s + u128::from(root * root != square);
         Self::of(root, slack, (self.exponent - up as i32) / 2)
@@ -215,6 +215,23 @@ impl Soft {
         let unit = if unit > least { unit } else { least };
         (self.mantissa.checked_shr((unit - self.exponent) as u32).unwrap_or(0), unit)
     }
+}
+
+/// The root of a whole number, rounded down, place by place: without the divisions of `isqrt`.
+#[inline(never)]
+fn root_by_places(mut square: u128) -> u64 {
+    let (mut root, mut rest) = (0_u64, 0_u128);
+    for _ in 0..64 {
+        rest = rest << 2 | square >> 126;
+        square <<= 2;
+        let next = u128::from(root) << 2 | 1;
+        root <<= 1;
+        if rest >= next {
+            rest -= next;
+            root |= 1;
+        }
+    }
+    root
 }
 
 /// num/den, rounded up. The quotient is at most twice the slack and one.
@@ -327,6 +344,17 @@ mod tests {
                 assert_eq!(num.over(*den), expected, "{num:?} / {den:?}");
             }
         }
+    }
+
+    #[test]
+    fn roots_by_places_are_those_of_whole_numbers() {
+        let some = [0, 1, 2, 3, 4, 99, 1 << 62, (1 << 63) + 1, u64::MAX - 1, u64::MAX];
+        for x in some.map(u128::from) {
+            for square in [x, x * x, (x * x).saturating_sub(1), x * x + 1, x << 64, x << 63] {
+                assert_eq!(u128::from(super::root_by_places(square)), square.isqrt(), "{square}");
+            }
+        }
+        assert_eq!(super::root_by_places(u128::MAX), u64::MAX);
     }
 
     #[test]

@@ -96,10 +96,11 @@ impl Integers for Short {
         once(|| x << up)
     }
     fn volume(x: i128, y: i64) -> I256 {
-        I256::product(x, y)
+        if REGISTERS_ARE_WIDE { I256::product(x, y) } else { Self::fourth(x, y.into()) }
     }
+    #[inline(always)]
     fn fourth(x: i128, y: i128) -> I256 {
-        I256::of_two(x, y)
+        once(|| I256::of_two(x, y))
     }
 }
 

@@ -6,6 +6,7 @@ use super::body::{Body, Place, Rough, Vec64, difference_in_double, dot};
 use super::directions::Direction;
 use super::faces::{Corner, Edge, Face, Solid, View, distance, edge_of_box, minus, support_edges};
 use super::feature::{Features, Part};
+use super::integers::once;
 use super::least::Way;
 use super::sides::Unit;
 use crate::arithmetic::{REGISTERS_ARE_WIDE, greatest, largest, pick, three, two};
@@ -147,7 +148,7 @@ pub(super) fn points<S: Scalar>(
     let outward = three(|i| if is_second { normal[i] } else { -normal[i] });
     let mut found = match (features, way.direction) {
         (Features::First(face) | Features::Second(face), _) => {
-            by_face(&view, way, shapes, face, &outward)
+            once(|| by_face(&view, way, shapes, face, &outward))
         }
         (Features::Edges(..), Direction::Sides(i, j)) => {
             let edges = |n: usize, k: usize| {
@@ -156,7 +157,7 @@ pub(super) fn points<S: Scalar>(
                     if bodies[n % 2].is_triangle() { way.farthest(n) } else { upper(way, n) };
                 support_edges(&view, &solids[n % 2], k, is_across, is_end)
             };
-            by_edges(&view, edges(0, i), || edges(1, j), &normal)
+            once(|| by_edges(&view, edges(0, i), || edges(1, j), &normal))
         }
         (Features::Edges(..) | Features::Nearest(..), _) => Pairs::new(),
     };
@@ -207,6 +208,7 @@ fn by_face(
 /// If the relative difference of two depths is below 2^-55, the first direction is used, although
 /// the second may be the true minimum. Then the parts that name the first direction need not touch
 /// after the translation, but two other faces do.
+#[inline(never)]
 fn by_any_faces(
     view: &View,
     [shape, other]: [&Solid; 2],
