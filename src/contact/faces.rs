@@ -242,32 +242,31 @@ pub(super) struct Face {
 impl Face {
     /// The triangle, or face `number` of the box.
     pub(super) fn new(view: &View, shape: &Solid, number: u8) -> Self {
+        let corners = [Corner { at: [0.0; 3], flat: [0.0; 2], vertex: 0 }; CORNERS];
+        let mut face = Self { corners, edges: [0, 1, 2, 2], count: 3, number, words: None };
         if shape.is_triangle {
-            let corner = |k: u8| view.corner(*pick(&shape.at, k.into()), k);
-            return Self::of(view, [0, 1, 2, 2].map(corner), [0, 1, 2, 2], 3, number);
+            for (k, corner) in face.corners.iter_mut().enumerate() {
+                let k = k.min(2);
+                *corner = view.corner(*pick(&shape.at, k), k as u8);
+            }
+        } else {
+            face.count = CORNERS;
+            let (i, j, k) = turn(usize::from(number / 2));
+            for n in 0..CORNERS {
+                let mut upper = [false; 3];
+                (upper[i], upper[j], upper[k]) = (number % 2 == 1, n == 1 || n == 2, n >= 2);
+                // The edge runs along j if this corner and the next differ in j.
+                face.edges[n] = edge_of_box(if n % 2 == 0 { j } else { k }, upper);
+                face.corners[n] = view.corner(shape.corner(upper), vertex_of_box(upper));
+            }
         }
-        let (i, j, k) = turn(usize::from(number / 2));
-        let mut edges = [0; CORNERS];
-        let mut corners = [view.corner([0.0; 3], 0); CORNERS];
-        for n in 0..CORNERS {
-            let mut upper = [false; 3];
-            (upper[i], upper[j], upper[k]) = (number % 2 == 1, n == 1 || n == 2, n >= 2);
-            // The edge runs along j if this corner and the next differ in j.
-            edges[n] = edge_of_box(if n % 2 == 0 { j } else { k }, upper);
-            corners[n] = view.corner(shape.corner(upper), vertex_of_box(upper));
+        if let Some(unit) = view.unit {
+            let words = face.words.insert([[0; 2]; CORNERS]);
+            for (word, corner) in words.iter_mut().zip(&face.corners) {
+                *word = unit.flat(&corner.flat);
+            }
         }
-        Self::of(view, corners, edges, CORNERS, number)
-    }
-
-    fn of(
-        view: &View,
-        corners: [Corner; CORNERS],
-        edges: [u8; CORNERS],
-        count: usize,
-        number: u8,
-    ) -> Self {
-        let words = view.unit.map(|unit| corners.each_ref().map(|corner| unit.flat(&corner.flat)));
-        Self { corners, edges, count, number, words }
+        face
     }
 
     /// The corner after corner n.
@@ -293,10 +292,17 @@ impl Face {
     }
 
     pub(super) fn edges(&self) -> impl Iterator<Item = Edge> {
-        (0..self.count).map(|n| {
-            let ends = [self.corners[n % CORNERS], self.corners[self.next(n) % CORNERS]];
-            Edge { ends, number: self.edges[n % CORNERS] }
-        })
+        (0..self.count).map(|n| self.edge(n))
+    }
+
+    /// How many corners and edges it has.
+    pub(super) fn count(&self) -> usize {
+        self.count
+    }
+
+    pub(super) fn edge(&self, n: usize) -> Edge {
+        let ends = [self.corners[n % CORNERS], self.corners[self.next(n) % CORNERS]];
+        Edge { ends, number: self.edges[n % CORNERS] }
     }
 
     /// Whether a point lies within the face as seen along the normal; `None` if it is so near an

@@ -9,7 +9,7 @@ use super::feature::{Features, Part};
 use super::integers::once;
 use super::least::Way;
 use super::sides::Unit;
-use crate::arithmetic::{REGISTERS_ARE_WIDE, greatest, largest, pick, three, two};
+use crate::arithmetic::{REGISTERS_ARE_WIDE, greatest, largest, out_of_line, pick, three, two};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -192,10 +192,8 @@ fn by_face(
     };
     let mut found = Pairs::new();
     for number in other.faces_against(outward, is_support) {
-        let here = clip(view, [&reference, &Face::new(view, other, number)], outward);
-        if here.deepest() > found.deepest() {
-            found = here;
-        }
+        let incident = Face::new(view, other, number);
+        add_deeper(&mut found, view, [&reference, &incident], outward);
         if found.count > 0 && !way.is_held {
             break;
         }
@@ -218,10 +216,7 @@ fn by_any_faces(
     for face in shape.faces() {
         let face = Face::new(view, shape, face);
         for incident in other.faces() {
-            let here = clip(view, [&face, &Face::new(view, other, incident)], outward);
-            if here.deepest() > found.deepest() {
-                found = here;
-            }
+            add_deeper(&mut found, view, [&face, &Face::new(view, other, incident)], outward);
         }
     }
     if found.count == 0 {
@@ -234,10 +229,25 @@ fn by_any_faces(
     found
 }
 
+/// Takes the points of two faces instead of those found, if they are deeper.
+fn add_deeper(found: &mut Pairs, view: &View, faces: [&Face; 2], outward: &Vec64) {
+    if found.count == 0 {
+        // No second place for points.
+        return clip(view, faces, outward, found);
+    }
+    out_of_line(|| {
+        let mut here = Pairs::new();
+        clip(view, faces, outward, &mut here);
+        if here.deepest() > found.deepest() {
+            *found = here;
+        }
+    });
+}
+
 /// The corners of the overlap of two faces seen along the normal: corners of one face within the
 /// other, and crossings of edges. Points above the reference face are dropped.
-fn clip(view: &View, [reference, incident]: [&Face; 2], outward: &Vec64) -> Pairs {
-    let (mut found, back) = (Pairs::new(), outward.map(|x| -x));
+fn clip(view: &View, [reference, incident]: [&Face; 2], outward: &Vec64, found: &mut Pairs) {
+    let back = outward.map(|x| -x);
     let mut add = |[below, at]: [&Corner; 2], parts: [Part; 2]| {
         let depth = dot(&minus(&below.at, &at.at), outward);
         if depth >= -view.tolerance {
@@ -255,16 +265,16 @@ fn clip(view: &View, [reference, incident]: [&Face; 2], outward: &Vec64) -> Pair
         }
     }
     for (n, below) in reference.edges().enumerate() {
-        for (m, at) in incident.edges().enumerate() {
+        for m in 0..incident.count() {
             if !REGISTERS_ARE_WIDE && reference.is_clear_of(n, incident, m) {
                 continue;
             }
+            let at = incident.edge(m);
             if let Some([x, y]) = below.crossing(&at, view) {
                 add([&x, &y], [Part::Edge(below.number), Part::Edge(at.number)]);
             }
         }
     }
-    found
 }
 
 /// The crossing of an edge of each shape, projected along the normal. Among several pairs of edges,
