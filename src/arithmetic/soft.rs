@@ -235,11 +235,11 @@ fn root_by_places(mut square: u128) -> u64 {
 }
 
 /// num/den, rounded up. The quotient is at most twice the slack and one.
-fn few(mut num: u128, mut den: u128, slack: u32) -> u64 {
+fn few(mut num: u128, mut den: u128, slack: Slack) -> u64 {
     if num == 0 {
         return 0;
     }
-    let places = 33 - slack.leading_zeros();
+    let places = Slack::BITS + 1 - slack.leading_zeros();
     den <<= places;
     let mut quotient = 0;
     for _ in 0..=places {
