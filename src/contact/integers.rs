@@ -45,7 +45,7 @@ impl Integers for Half {
 
     fn length(x: Parts, _: i32) -> i32 {
         // In the unit of the scalar.
-        let size = x.magnitude as i32;
+        let size = (x.magnitude as i32) << x.shift;
         if x.negative { -size } else { size }
     }
     fn widened(x: i32) -> i64 {

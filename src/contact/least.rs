@@ -59,7 +59,7 @@ pub(super) struct Way {
 }
 
 /// A plane separates the shapes.
-struct Apart;
+pub(super) struct Apart;
 
 /// Directions, and the translations that may be the least, as a bit for each direction: those against
 /// it, and those along it.
@@ -196,7 +196,7 @@ fn exact<S: Scalar>(
 }
 
 /// The same of a scalar that [`is_whole`], of all translations or along the normal of the first shape.
-fn exact_in_words<S: Scalar>(
+pub(super) fn exact_in_words<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     is_normal: bool,
 ) -> Result<Option<(Way, Lengths)>, Apart> {

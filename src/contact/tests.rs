@@ -8,14 +8,15 @@ use std::format;
 use super::Shape;
 use super::body::{Body, Rough};
 use super::directions::{Direction, all};
-use super::exact::{Size, length};
+use super::exact::{Exact, Given, Size, length};
 use super::flat::in_floats;
+use super::integers::{Half, Short};
 use super::interior::InteriorEdges;
-use super::least::{Numbers, Way, least_exact, least_way};
+use super::least::{Numbers, Way, exact_in_words, least_exact, least_way};
 use super::measures::{Lengths, Measures};
 use super::round;
 use super::shapes::{Flat, Round};
-use super::whole::Units;
+use super::whole::{Units, Whole};
 use crate::arithmetic::{REGISTERS_ARE_WIDE, root};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb, Triangle, Vec3};
@@ -140,6 +141,70 @@ fn all_ways_agree() {
     check_all::<f64>(24, |x| x / 3.0 * 2_f64.powi(-90), |x| x);
     let any = check_all::<f64>(20, |x| x * x * x * x * x / 7.0, |x| x * x * x * x / 3.0);
     assert!(any[2] < 60, "{any:?}");
+}
+
+/// In words of small cores: the same least way as by all sums, or that the shapes are apart, and in both
+/// widths the numbers of sums.
+#[cfg(feature = "fixed")]
+#[test]
+fn words_agree_with_sums() {
+    use fixed::types::{I4F28, I8F8, I16F16, I32F0};
+
+    fn check_pair<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [usize; 2] {
+        let bodies = [first.body(), second.body()];
+        let least = exact_in_words(&bodies, false).ok().flatten();
+        let found = least.map(|(way, lengths)| (way.direction, way.is_along, Some(lengths.depth)));
+        assert_eq!(found, by_sums(&bodies), "{bodies:?}");
+        let (units, is_half) = Units::of_fixed(&bodies);
+        let triangles = [first.body().is_triangle(), second.body().is_triangle()];
+        let (half, short) = (is_half.then(|| units.shapes(&bodies)), units.shapes(&bodies));
+        for &direction in all(&bodies) {
+            let exact = |given: &dyn Given| {
+                let own = direction.sides(triangles);
+                Exact::new(given, triangles, own, &NOTHING_IS_KNOWN, [true; 2])
+            };
+            let sums = Numbers::Sums.along(&bodies, direction, &NOTHING_IS_KNOWN, [true; 2]);
+            let own = direction.sides(triangles);
+            assert_eq!(exact(&Whole::<Short>::new(&short, own)), sums, "{direction:?} {bodies:?}");
+            if let Some(half) = &half {
+                assert_eq!(exact(&Whole::<Half>::new(half, own)), sums, "{direction:?} {bodies:?}");
+            }
+        }
+        [usize::from(found.is_some()), usize::from(is_half)]
+    }
+
+    fn check_scalar<S: Scalar>(bits: u32, of: fn(f64) -> S, axis: fn(f64) -> S) -> [usize; 3] {
+        let (mut draw, mut seen) = (Draw(u64::from(bits)), [0; 3]);
+        for _ in 0..30 {
+            let [a, b, c, p, q, r] = [(); 6].map(|()| draw.point(bits, of));
+            let half = [(); 2].map(|()| draw.half(bits, of));
+            let axes = [(); 2].map(|()| [(); 3].map(|()| draw.point(bits, axis)));
+            let [t, u] = [[a, b, c], [p, q, r]].map(|[a, b, c]| Triangle::new(a, b, c).unwrap());
+            let aabb = Aabb::from_center_half_extents(p, half[0]).unwrap();
+            let obb = |k: usize| Obb::from_skewed_axes([q, r][k], axes[k], half[k]);
+            let (Ok(c), Ok(d)) = (obb(0), obb(1)) else { continue };
+            let pairs = [check_pair(&t, &u), check_pair(&t, &aabb), check_pair(&c, &u)];
+            let more = [check_pair(&aabb, &c), check_pair(&c, &d), check_pair(&c, &c)];
+            for [is_contact, is_half] in pairs.into_iter().chain(more) {
+                seen = [seen[0] + is_contact, seen[1] + is_half, seen[2] + 1];
+            }
+        }
+        assert!(seen[0] > 30, "{seen:?}");
+        seen
+    }
+
+    let near = |x: f64| I16F16::from_num(x * 1000.0);
+    let [_, halves, all] = check_scalar(20, near, |x| I16F16::from_num(x));
+    assert_eq!(halves, all);
+    let [_, halves, all] = check_scalar(2, |x| I16F16::from_num(x), |x| I16F16::from_num(x));
+    assert_eq!(halves, all);
+    let far = |x: f64| I16F16::from_num(x * 32767.0);
+    let [_, halves, all] = check_scalar(28, far, |x| I16F16::from_num(x));
+    assert!(2 * halves < all, "{halves} of {all}");
+    check_scalar(3, |x| I8F8::from_num(x), |x| I8F8::from_num(x));
+    check_scalar(28, |x| I4F28::from_num(x * 7.5), |x| I4F28::from_num(x));
+    let whole = |x: f64| I32F0::from_num(x * f64::from(i32::MAX));
+    check_scalar(28, whole, |x| I32F0::from_num(x * 3.0));
 }
 
 /// A side so short that its products underflow, with a half-extent that makes it as long as others.
