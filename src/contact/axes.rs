@@ -17,8 +17,8 @@ pub(super) struct Axes {
 }
 
 impl Axes {
-    /// The facts, from the sides of both shapes in one unit; `are_exact` if sides are equal where their
-    /// numbers are.
+    /// The facts, from the sides of both shapes in one unit. `are_exact` means that different sides have
+    /// different numbers.
     pub(super) fn new<T: Number>(
         sides: [&[[T; 3]; 3]; 2],
         are_triangles: [bool; 2],

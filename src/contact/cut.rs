@@ -17,7 +17,7 @@ pub(super) struct Cut {
     reach: [[[i32; 3]; 3]; 2],
 }
 
-/// What bits of a number are kept: of a place, and of a coordinate of a direction.
+/// The bits that are kept of a place and of a coordinate of a direction.
 const PLACE: i32 = 26;
 pub(super) const COORDINATE: i32 = 30;
 
@@ -35,8 +35,8 @@ pub(super) struct Measured {
     overlaps: [i32; 2],
     /// Its square over 2^50, within [-1, 2).
     ///
-    /// The greatest coordinate keeps 14 bits or 15, and is too low by less than one and 2^-15. So the sum
-    /// of squares errs by less than 2^-12 of itself: by less than one, in 3072 at most.
+    /// The greatest coordinate keeps at least 14 bits, and is too low by less than one and 2^-15. The sum of
+    /// squares errs by less than 2^-12 of itself, and the result, at most 3072, by less than one.
     square: u32,
 }
 

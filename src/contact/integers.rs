@@ -104,7 +104,7 @@ impl Integers for Short {
     }
 }
 
-/// The value, and on small cores a call of it, so that there is one copy.
+/// Computes a value; on small cores by a call, for one copy of the code.
 #[inline(always)]
 pub(super) fn once<T>(f: impl FnOnce() -> T) -> T {
     if REGISTERS_ARE_WIDE { f() } else { out_of_line(f) }
@@ -155,7 +155,7 @@ impl Integers for Long {
     }
 }
 
-/// Integers of which the leading bits are taken as words of 32 bits.
+/// Integers that give their leading bits as words of 32 bits.
 pub(super) trait Words: Integers<Length: Into<i64>> {
     /// The least b so that −2^b ≤ x < 2^b for all of these numbers.
     fn bits<'a>(numbers: impl IntoIterator<Item = &'a Self::Area>) -> i32

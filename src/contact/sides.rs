@@ -33,8 +33,8 @@ impl Unit {
     /// x in units, rounded toward zero.
     fn cut(self, x: f64) -> i32 {
         let bits = x.to_bits();
-        // The upper 31 bits of the mantissa, of which the highest is the leading one.
-        let mantissa = 1 << 30 | (bits >> (DIGITS - 30)) as i32 & (1 << 30) - 1;
+        // The leading one and the 30 bits below it.
+        let mantissa = 1 << 30 | (bits >> (DIGITS - 30)) as i32 & ((1 << 30) - 1);
         let size = mantissa.checked_shr((self.0 + 30 - exponent(x)) as u32).unwrap_or(0);
         if x < 0.0 { -size } else { size }
     }
