@@ -5,7 +5,7 @@ use core::mem::size_of;
 use super::axes::Axes;
 use super::body::{Rough, Vec64};
 use super::directions::Direction;
-use crate::arithmetic::{REGISTERS_ARE_WIDE, greatest, largest, pick, three, turn};
+use crate::arithmetic::{REGISTERS_ARE_WIDE, greatest, largest, pick, three, turn, two};
 use crate::scalar::Scalar;
 
 /// So many directions are measured at once: vectors take them side by side.
@@ -225,6 +225,8 @@ impl<'a> Filter<'a> {
 }
 
 /// The two sides of a direction.
+#[inline(always)]
 fn sides(shapes: &[Rough; 2], triangles: [bool; 2], direction: Direction) -> [Vec64; 2] {
-    direction.sides(triangles).map(|(shape, k)| *pick(&shapes[shape % 2].sides, k))
+    let sides = direction.sides(triangles);
+    two(|n| *pick(&shapes[sides[n].0 % 2].sides, sides[n].1))
 }
