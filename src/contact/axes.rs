@@ -17,7 +17,7 @@ pub(super) struct Axes {
 }
 
 impl Axes {
-    /// The facts, from the sides of both shapes in one unit. `are_exact` means that different sides have
+    /// The facts, given the sides of both shapes in one unit. `are_exact` means that different sides have
     /// different numbers.
     pub(super) fn new<T: Number>(
         sides: [&[[T; 3]; 3]; 2],

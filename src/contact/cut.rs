@@ -26,7 +26,7 @@ pub(super) const COORDINATE: i32 = 30;
 /// A number that is cut is too low by less than one. Two places and at most six reaches are within
 /// 2^26 each and multiplied by three coordinates of at most 2^30: 8·3·2^30. The coordinates are
 /// multiplied by at most 8·2^26 each: 3·2^29. In units of 2^30 that is 25.5, and the overlap is cut
-/// once more.
+/// once more: `cut.g`.
 const ERROR: i32 = 27;
 
 /// A direction, cut.

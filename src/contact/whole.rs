@@ -1,6 +1,6 @@
 //! The exact numbers of a direction as integers: in 60 bits, as in most scenes, or in 250 bits, as
-//! for poses with residues of quarter turns; on small cores in 30 bits, or in 60. The results equal [`sums`](super::sums) and take a
-//! fraction of the time.
+//! for poses with residues of quarter turns; on small cores in 30 bits, or in 60. The results equal
+//! [`sums`](super::sums) and take a fraction of the time.
 
 use core::cmp::Ordering;
 use core::mem::size_of;
