@@ -85,4 +85,6 @@ pub use window::Window;
 #[cfg(test)]
 pub(crate) use words::SplitSum;
 pub use words::{InRaw, InWholeWord, InWord, ProductSum, Raw, WholeVolume, WholeWord, Word};
-pub(crate) use words::{cross_words, dot_words, first_sign, out_of_line, out_of_line_if_wide};
+pub(crate) use words::{
+    cross_words, dot_words, first_sign, out_of_line, out_of_line_if_wide, part,
+};

@@ -12,7 +12,7 @@ use super::platform::{REGISTERS_ARE_WIDE, SMALL_CODE, Slack};
 ///
 /// The top bit of the mantissa is set, except in [`ZERO`](Self::ZERO). The number is exact if the
 /// slack is zero. An operation on two numbers has a slack of at most four times their sum and four,
-/// so after a few operations a number is still known to 2^-55 of itself.
+/// so after a few operations on exact numbers a number is still known to 2^-55 of itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Soft {
     exponent: i32,
@@ -48,6 +48,7 @@ impl Soft {
         let (low, high) = (Self::of_normal(low), Self::of_normal(high));
         let up = u32::try_from(high.exponent - low.exponent).ok().filter(|&up| up < 2)?;
         let slack = (u128::from(high.mantissa) << up).checked_sub(low.mantissa.into())?;
+        // Four operations multiply a slack by less than 2^8.
         (slack < 1 << (Slack::BITS - 9).min(33)).then_some(Self { slack: slack as Slack, ..low })
     }
 
@@ -175,8 +176,8 @@ impl Soft {
         let rest = u128::from(is_long) << 63 | u128::from(rest >> 1);
         let (lack, more) = ((u128::from(quotient) * t).saturating_sub(rest), rest + (s << 63));
         let b = u128::from(divisor);
-        let least = quotient.wrapping_sub(few(lack, b + t, other.slack));
-        let most = quotient.wrapping_add(few(more, b, self.slack));
+        let least = quotient.wrapping_sub(small_quotient(lack, b + t, other.slack));
+        let most = quotient.wrapping_add(small_quotient(more, b, self.slack));
         let slack = most.wrapping_sub(least);
         Self::of(least.into(), slack.into(), self.exponent - other.exponent - 63)
     }
@@ -235,7 +236,7 @@ fn root_by_places(mut square: u128) -> u64 {
 }
 
 /// num/den, rounded up. The quotient is at most twice the slack and one.
-fn few(mut num: u128, mut den: u128, slack: Slack) -> u64 {
+fn small_quotient(mut num: u128, mut den: u128, slack: Slack) -> u64 {
     if num == 0 {
         return 0;
     }

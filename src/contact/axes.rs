@@ -65,7 +65,8 @@ impl Axes {
     }
 
     /// The directions that are not certainly zero or equal to an earlier one, as bits.
-    /// `is_clear` says whether coordinate `axis` of a direction, whose others are zero, is certainly not.
+    /// `is_clear` says whether coordinate `axis`, the only one of a direction that may differ from zero,
+    /// certainly does.
     pub(super) fn needed(
         &mut self,
         all: &[Direction],

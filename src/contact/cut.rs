@@ -3,7 +3,7 @@
 
 use super::axes::Axes;
 use super::directions::Direction;
-use super::integers::Words;
+use super::integers::{COORDINATE, Words};
 use super::whole::Shapes;
 use crate::arithmetic::{Number, greatest, pick, three, turn};
 
@@ -17,9 +17,8 @@ pub(super) struct Cut {
     reach: [[[i32; 3]; 3]; 2],
 }
 
-/// The bits that are kept of a place and of a coordinate of a direction.
+/// The bits that are kept of a place.
 const PLACE: i32 = 26;
-pub(super) const COORDINATE: i32 = 30;
 
 /// How far an overlap may be from the truth, in its unit.
 ///
@@ -33,10 +32,10 @@ const ERROR: i32 = 27;
 pub(super) struct Measured {
     /// The overlaps against the direction and along it, in units of its length.
     overlaps: [i32; 2],
-    /// Its square over 2^50, within [-1, 2).
+    /// Its square over 2^50. The true square less this number is in [-1, 2).
     ///
-    /// The greatest coordinate keeps at least 14 bits, and is too low by less than one and 2^-15. The sum of
-    /// squares errs by less than 2^-12 of itself, and the result, at most 3072, by less than one.
+    /// The greatest coordinate, over 2^15, is at least 2^14, and too low by less than one and 2^-15. The sum
+    /// of squares errs by less than 2^-12 of itself, and the result, at most 3072, by less than one.
     square: u32,
 }
 
@@ -49,7 +48,8 @@ pub(super) struct Depth {
 }
 
 impl Depth {
-    /// Whether it is at most another; it may be above that by a unit of m·square.
+    /// Whether it is at most another; perhaps also if it is above that by a unit of m·square. That only
+    /// keeps more directions.
     pub(super) fn is_at_most(&self, other: &Self) -> bool {
         // Below 2^20·3074 each.
         let (here, there) = (self.m * other.square, other.m * self.square);

@@ -1,6 +1,6 @@
 //! Integers for the numbers of shapes.
 
-use crate::arithmetic::{BigInt, I256, Number, Parts, REGISTERS_ARE_WIDE, out_of_line};
+use crate::arithmetic::{BigInt, I256, Number, Parts, REGISTERS_ARE_WIDE, part};
 
 /// Integers for the numbers of shapes, their products, and products of these.
 pub(super) trait Integers {
@@ -44,7 +44,7 @@ impl Integers for Half {
     const REACH: i32 = 62;
 
     fn length(x: Parts, _: i32) -> i32 {
-        // In the unit of the scalar.
+        // `Units::of_fixed` takes the unit of the scalar, 2^0.
         let size = (x.magnitude as i32) << x.shift;
         if x.negative { -size } else { size }
     }
@@ -89,25 +89,19 @@ impl Integers for Short {
     }
     #[inline(always)]
     fn area(x: i64, y: i64) -> i128 {
-        once(|| i128::from(x) * i128::from(y))
+        part(|| i128::from(x) * i128::from(y))
     }
     #[inline(always)]
     fn raised(x: i128, up: u32) -> i128 {
-        once(|| x << up)
+        part(|| x << up)
     }
     fn volume(x: i128, y: i64) -> I256 {
         if REGISTERS_ARE_WIDE { I256::product(x, y) } else { Self::fourth(x, y.into()) }
     }
     #[inline(always)]
     fn fourth(x: i128, y: i128) -> I256 {
-        once(|| I256::of_two(x, y))
+        part(|| I256::of_two(x, y))
     }
-}
-
-/// Computes a value; on small cores by a call, for one copy of the code.
-#[inline(always)]
-pub(super) fn once<T>(f: impl FnOnce() -> T) -> T {
-    if REGISTERS_ARE_WIDE { f() } else { out_of_line(f) }
 }
 
 /// Lengths in four words.
@@ -154,6 +148,9 @@ impl Integers for Long {
         x.times(&y)
     }
 }
+
+/// The bits that [`Words::cut`] keeps of a coordinate of a direction.
+pub(super) const COORDINATE: i32 = 30;
 
 /// Integers that give their leading bits as words of 32 bits.
 pub(super) trait Words: Integers<Length: Into<i64>> {

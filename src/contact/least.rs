@@ -120,9 +120,9 @@ impl Wanted {
     ) -> Result<Self, Apart> {
         let mut wanted = Self { all, against: 0, along: 0 };
         let needed = cut.needed(all);
-        let mut all: [Option<Measured>; 16] = [const { None }; 16];
+        let mut measures: [Option<Measured>; 16] = [const { None }; 16];
         let mut bound: Option<Depth> = None;
-        for (n, measured) in all.iter_mut().enumerate() {
+        for (n, measured) in measures.iter_mut().enumerate() {
             if needed >> n & 1 == 0 {
                 continue;
             }
@@ -137,7 +137,7 @@ impl Wanted {
             }
             *measured = Some(here);
         }
-        for (n, measured) in all.iter().enumerate() {
+        for (n, measured) in measures.iter().enumerate() {
             if let (Some(measured), Some(bound)) = (measured, &bound) {
                 let bit = |side| u16::from(measured.least(side).is_at_most(bound)) << n;
                 wanted.against |= bit(false);
@@ -195,7 +195,7 @@ fn exact<S: Scalar>(
     })
 }
 
-/// The same of a scalar that [`is_whole`], of all translations or along the normal of the first shape.
+/// The least translation of a scalar that [`is_whole`]; of all, or along the normal of the first shape.
 pub(super) fn exact_in_words<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     is_normal: bool,

@@ -6,10 +6,11 @@ use super::body::{Body, Place, Rough, Vec64, difference_in_double, dot};
 use super::directions::Direction;
 use super::faces::{Corner, Edge, Face, Solid, View, distance, edge_of_box, minus, support_edges};
 use super::feature::{Features, Part};
-use super::integers::once;
 use super::least::Way;
 use super::sides::Unit;
-use crate::arithmetic::{REGISTERS_ARE_WIDE, greatest, largest, out_of_line, pick, three, two};
+use crate::arithmetic::{
+    REGISTERS_ARE_WIDE, greatest, largest, out_of_line, part, pick, three, two,
+};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -148,7 +149,7 @@ pub(super) fn points<S: Scalar>(
     let outward = three(|i| if is_second { normal[i] } else { -normal[i] });
     let mut found = match (features, way.direction) {
         (Features::First(face) | Features::Second(face), _) => {
-            once(|| by_face(&view, way, shapes, face, &outward))
+            part(|| by_face(&view, way, shapes, face, &outward))
         }
         (Features::Edges(..), Direction::Sides(i, j)) => {
             let edges = |n: usize, k: usize| {
@@ -157,7 +158,7 @@ pub(super) fn points<S: Scalar>(
                     if bodies[n % 2].is_triangle() { way.farthest(n) } else { upper(way, n) };
                 support_edges(&view, &solids[n % 2], k, is_across, is_end)
             };
-            once(|| by_edges(&view, edges(0, i), || edges(1, j), &normal))
+            part(|| by_edges(&view, edges(0, i), || edges(1, j), &normal))
         }
         (Features::Edges(..) | Features::Nearest(..), _) => Pairs::new(),
     };

@@ -10,7 +10,7 @@ use crate::scalar::Scalar;
 pub(super) type Flat = [i32; 2];
 
 /// The unit of words: a power of two between 2^-28 and 2^-27 of the size of the shapes. Coordinates are
-/// below √3 of the size.
+/// below √3 times the size.
 #[derive(Clone, Copy)]
 pub(super) struct Unit(i32);
 
@@ -24,7 +24,7 @@ fn exponent(x: f64) -> i32 {
 
 impl Unit {
     /// The unit for shapes of this size, if all numbers of the scalar are within the range of `f64` by
-    /// far, and the core has no use of its floats.
+    /// far, and the core computes them by functions.
     pub(super) fn new<S: Scalar>(size: f64) -> Option<Self> {
         let is_short = size_of::<S>() < size_of::<f64>();
         (!REGISTERS_ARE_WIDE && is_short && size > 0.0).then(|| Self(exponent(size) - 27))
@@ -48,8 +48,8 @@ impl Unit {
 /// One if the point is to the left of the edge from p to q, minus one if it is to the right, and zero
 /// in doubt.
 ///
-/// A coordinate errs by less than one, and so each difference by less than two. The product errs by less
-/// than twice the sum of all differences, and four. A point that is closer to the edge's line than the
+/// A coordinate errs by less than one, and so each difference by less than two. The two products err
+/// by less than twice the sum of all differences, and eight. A point that is closer to the edge's line than the
 /// tolerance, 2^-17 units, or than floats know, is in doubt by far.
 #[inline(never)]
 pub(super) fn side(p: &Flat, q: &Flat, to: &Flat) -> i8 {
@@ -59,4 +59,43 @@ pub(super) fn side(p: &Flat, q: &Flat, to: &Flat) -> i8 {
     let sizes = [a, b, c, d].map(|x| i64::from(x.unsigned_abs()));
     let margin = 3 * (sizes[0] + sizes[1] + sizes[2] + sizes[3]) + 8;
     i8::from(side > margin) - i8::from(side < -margin)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Flat, Unit, side};
+    use crate::random::Random;
+
+    /// Against whole numbers of 2^-10 units, half of them near the line.
+    #[test]
+    fn a_certain_side_is_right() {
+        let mut random = Random(0x51de);
+        let mut coordinate = || (random.bits() as i64) >> 25;
+        let cut = |x: [i64; 2]| -> Flat { x.map(|x| (x / 1024) as i32) };
+        let mut certain = 0;
+        for n in 0..20_000 {
+            let [p, q, mut to] = [(); 3].map(|()| [coordinate(), coordinate()]);
+            if n % 2 == 0 {
+                let s = coordinate();
+                to = [0, 1].map(|i| {
+                    let way = i128::from(q[i] - p[i]) * i128::from(s) >> 38;
+                    p[i] + way as i64 + (coordinate() >> (20 + n % 19))
+                });
+            }
+            let [a, b] = [q, to].map(|x| [0, 1].map(|i| i128::from(x[i] - p[i])));
+            let truth = (a[0] * b[1] - a[1] * b[0]).signum() as i8;
+            let found = side(&cut(p), &cut(q), &cut(to));
+            assert!(found == 0 || found == truth, "{p:?} {q:?} {to:?}");
+            certain += u32::from(found != 0);
+        }
+        assert!((10_000..18_000).contains(&certain), "{certain}");
+    }
+
+    #[test]
+    fn numbers_are_cut_toward_zero() {
+        let unit = Unit(1023 - 27);
+        for x in [0.0, -0.0, 1.0, -1.0, 1.7, 1e-9, -1e-300, f64::MIN_POSITIVE / 4.0] {
+            assert_eq!(unit.flat(&[x, -x]), [1.0, -1.0].map(|s| (s * x * 2_f64.powi(27)) as i32));
+        }
+    }
 }

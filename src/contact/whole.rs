@@ -6,15 +6,14 @@ use core::cmp::Ordering;
 use core::mem::size_of;
 
 use super::body::Body;
-use super::cut::COORDINATE;
 use super::exact::{Given, Size};
-use super::integers::{Half, Integers, Long, Short, Words, once};
-use crate::arithmetic::{Bits, Number, REGISTERS_ARE_WIDE, Soft, compare, pick, three, turn};
+use super::integers::{COORDINATE, Half, Integers, Long, Short, Words};
+use crate::arithmetic::{Bits, Number, REGISTERS_ARE_WIDE, Soft, compare, part, pick, three, turn};
 use crate::scalar::Scalar;
 use crate::shape::AabbForm;
 
-/// Whether all numbers of a scalar are integers of a few words, on a core where floats and sums of
-/// products are functions: then it has neither.
+/// Whether all numbers of a scalar are integers of a few words, on a core that computes floats by
+/// functions. Such a contact takes neither floats nor long sums for its direction.
 pub(super) const fn is_whole<S: Scalar>() -> bool {
     !REGISTERS_ARE_WIDE && size_of::<S>() <= size_of::<u32>() && S::FLOAT.is_none()
 }
@@ -178,7 +177,7 @@ impl Units {
 
 /// Three numbers in units of 2^`low`.
 fn in_units<N: Integers, S: Scalar>(x: &[S; 3], low: i32) -> [N::Length; 3] {
-    once(|| {
+    part(|| {
         let mut all = [N::Length::ZERO; 3];
         for (to, x) in all.iter_mut().zip(x) {
             *to = N::length(x.parts(), low);

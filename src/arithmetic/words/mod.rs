@@ -14,4 +14,4 @@ pub use raw::{InRaw, Raw};
 pub(crate) use split_sum::SplitSum;
 pub(crate) use vector::{cross_words, dot_words, first_sign};
 pub use word::{InWholeWord, InWord, WholeWord, Word};
-pub(crate) use word::{out_of_line, out_of_line_if_wide};
+pub(crate) use word::{out_of_line, out_of_line_if_wide, part};

@@ -6,6 +6,7 @@ use core::ops::{Add, BitAnd, BitOr, BitXor, Mul, Shr, Sub};
 
 use super::WholeVolume;
 use super::product_sum::ProductSum;
+use crate::arithmetic::REGISTERS_ARE_WIDE;
 
 /// A signed machine word in which a kernel stores lengths.
 ///
@@ -136,6 +137,13 @@ pub trait InWord<W: Word> {
 #[inline(never)]
 pub(crate) fn out_of_line<T>(f: impl FnOnce() -> T) -> T {
     f()
+}
+
+/// A part of a kernel. With narrow registers it is a call: most operations are calls there, and one
+/// copy of each part suffices.
+#[inline(always)]
+pub(crate) fn part<T>(f: impl FnOnce() -> T) -> T {
+    if REGISTERS_ARE_WIDE { f() } else { out_of_line(f) }
 }
 
 /// The expression, and in wide words a call of it, so that there is one copy. A closure alone does

@@ -8,8 +8,8 @@
 use super::error_bound::Errors;
 use super::foot::{Around, feature, feature_of_segment, on_edge, on_face};
 use super::in_double::in_double;
-use super::kernel::{largest_of, part};
-use crate::arithmetic::{Embeds, Filtered, Number, REGISTERS_ARE_WIDE, dot, pick, three};
+use super::kernel::largest_of;
+use crate::arithmetic::{Embeds, Filtered, Number, REGISTERS_ARE_WIDE, dot, part, pick, three};
 use crate::query::Feature;
 use crate::query::orientation::{Vector, from};
 use crate::robust::{Clue, Numeric, Predicate};

@@ -8,10 +8,10 @@ use core::cmp::Ordering;
 
 use super::error_bound::{Errors, PRODUCT, SQUARE};
 use super::foot::{Around, feature, feature_of_segment};
-use super::kernel::{largest_of, part, product, squared};
+use super::kernel::{largest_of, product, squared};
 use crate::arithmetic::{
-    Arithmetic, Embeds, Limbed, Number, REGISTERS_ARE_WIDE, cross, dot, greatest, largest, pick,
-    three,
+    Arithmetic, Embeds, Limbed, Number, REGISTERS_ARE_WIDE, cross, dot, greatest, largest, part,
+    pick, three,
 };
 use crate::query::Feature;
 use crate::query::orientation::{Vector, from};

@@ -1,8 +1,8 @@
 //! Whether a triangle or a parallelogram lies farther from a point than a radius.
 
 use super::error_bound::{Errors, PRODUCT};
-use super::kernel::{Reach, along, largest_of, minors, part, squared, volume};
-use crate::arithmetic::{Arithmetic, Number, greatest};
+use super::kernel::{Reach, along, largest_of, minors, squared, volume};
+use crate::arithmetic::{Arithmetic, Number, greatest, part};
 use crate::query::orientation::Vector;
 use crate::robust::Uncertain;
 

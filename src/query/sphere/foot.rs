@@ -1,8 +1,8 @@
 //! The part of a triangle closest to a point, and the foot of the point on it.
 
 use super::error_bound::{Errors, PRODUCT};
-use super::kernel::{around, largest_of, part, product, squared};
-use crate::arithmetic::{Arithmetic, Embeds, Number, cross, greatest, three, two};
+use super::kernel::{around, largest_of, product, squared};
+use crate::arithmetic::{Arithmetic, Embeds, Number, cross, greatest, part, three, two};
 use crate::query::Feature;
 use crate::query::orientation::Vector;
 use crate::scalar::Scalar;

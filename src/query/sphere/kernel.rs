@@ -13,10 +13,7 @@
 //! A normal of zero leaves no point inside of any edge, and all edges are asked.
 
 use super::error_bound::{Errors, PRODUCT, SQUARE, SQUARES};
-use crate::arithmetic::{
-    Arithmetic, Number, REGISTERS_ARE_WIDE, cross, dot, greatest, largest, least, out_of_line,
-    three,
-};
+use crate::arithmetic::{Arithmetic, Number, cross, dot, greatest, largest, least, part, three};
 use crate::query::orientation::{Vector, from};
 use crate::robust::Uncertain;
 
@@ -52,13 +49,6 @@ pub(in crate::query) struct Reach<N: Arithmetic> {
 pub(super) struct Near<T> {
     pub(super) value: T,
     pub(super) error: T,
-}
-
-/// A part of a kernel. With narrow registers it is a call: most operations are calls there, and one
-/// copy of each part suffices.
-#[inline(always)]
-pub(super) fn part<T>(f: impl FnOnce() -> T) -> T {
-    if REGISTERS_ARE_WIDE { f() } else { out_of_line(f) }
 }
 
 /// a·b.
