@@ -78,7 +78,7 @@ mod tests {
             if n % 2 == 0 {
                 let s = coordinate();
                 to = [0, 1].map(|i| {
-                    let way = i128::from(q[i] - p[i]) * i128::from(s) >> 38;
+                    let way = (i128::from(q[i] - p[i]) * i128::from(s)) >> 38;
                     p[i] + way as i64 + (coordinate() >> (20 + n % 19))
                 });
             }
