@@ -140,10 +140,10 @@ impl Soft {
     }
 
     pub(crate) fn over(self, other: Self) -> Self {
-        let ((a, s), (b, t)) = (self.parts(), other.parts());
         if !REGISTERS_ARE_WIDE {
             return self.over_by_places(other);
         }
+        let ((a, s), (b, t)) = (self.parts(), other.parts());
         // Its top bit is set, so the compiler sees that it is not zero and links no panic.
         let b = b | 1 << 63;
         let least = (a << 63) / (b + t);
@@ -158,24 +158,12 @@ impl Soft {
     /// and the upper bound is q and what r + s·2^63 adds, in multiples of b. Both are a few units.
     #[inline(never)]
     fn over_by_places(self, other: Self) -> Self {
-        let (s, t) = (u128::from(self.slack), u128::from(other.slack));
+        let ((a, s), (b, t)) = (self.parts(), other.parts());
         // Its top bit is set, so that it is not zero.
-        let divisor = other.mantissa | 1 << 63;
-        let (mut quotient, mut rest) = (0_u64, self.mantissa);
-        let mut is_long = false;
-        for _ in 0..64 {
-            quotient <<= 1;
-            if is_long || rest >= divisor {
-                rest = rest.wrapping_sub(divisor);
-                quotient |= 1;
-            }
-            is_long = rest >> 63 == 1;
-            rest <<= 1;
-        }
-        // The remainder was doubled once more.
-        let rest = u128::from(is_long) << 63 | u128::from(rest >> 1);
+        let b = b | 1 << 63;
+        let (quotient, doubled) = divided_by_places(a, &b, 64);
+        let rest = doubled >> 1;
         let (lack, more) = ((u128::from(quotient) * t).saturating_sub(rest), rest + (s << 63));
-        let b = u128::from(divisor);
         let least = quotient.wrapping_sub(small_quotient(lack, b + t, other.slack));
         let most = quotient.wrapping_add(small_quotient(more, b, self.slack));
         let slack = most.wrapping_sub(least);
@@ -236,22 +224,13 @@ fn root_by_places(mut square: u128) -> u64 {
 }
 
 /// num/den, rounded up. The quotient is at most twice the slack and one.
-fn small_quotient(mut num: u128, mut den: u128, slack: Slack) -> u64 {
+fn small_quotient(num: u128, den: u128, slack: Slack) -> u64 {
     if num == 0 {
         return 0;
     }
     let places = Slack::BITS + 1 - slack.leading_zeros();
-    den <<= places;
-    let mut quotient = 0;
-    for _ in 0..=places {
-        quotient <<= 1;
-        if num >= den {
-            num -= den;
-            quotient |= 1;
-        }
-        den >>= 1;
-    }
-    quotient + u64::from(num != 0)
+    let (quotient, rest) = divided_by_places(num, &(den << places), places + 1);
+    quotient + u64::from(rest != 0)
 }
 
 /// Unit roundoffs in [`root`].

@@ -10,7 +10,7 @@ use super::exact::{Given, Size};
 use super::integers::{COORDINATE, Half, Integers, Long, Short, Words};
 use crate::arithmetic::{Bits, Number, REGISTERS_ARE_WIDE, Soft, compare, part, pick, three, turn};
 use crate::scalar::Scalar;
-use crate::shape::AabbForm;
+use crate::shape::{AabbForm, Vec3};
 
 /// Whether all numbers of a scalar are integers of a few words, on a core that computes floats by
 /// functions. Such a contact takes neither floats nor long sums for its direction.
@@ -36,32 +36,41 @@ pub(super) struct Units {
     pub(super) are_short: bool,
 }
 
+/// What `with` makes of all places of two shapes, of their axes and of their half-extents.
+fn gathered<S: Scalar, T: Copy>(
+    bodies: &[Body<'_, S>; 2],
+    none: T,
+    with: impl Fn(T, S) -> T,
+) -> [T; 3] {
+    let [mut places, mut axes, mut halves] = [none; 3];
+    let add = |all: &mut T, point: Vec3<S>| *all = point.to_array().into_iter().fold(*all, &with);
+    for body in bodies {
+        match body {
+            Body::Triangle(t) => t.vertices().iter().for_each(|p| add(&mut places, *p)),
+            Body::Aabb(aabb) => {
+                let (AabbForm::Center { center: p, half: q }
+                | AabbForm::Corners { min: p, max: q }) = aabb.form();
+                add(&mut places, *p);
+                add(&mut places, *q);
+            }
+            Body::Obb(obb) => {
+                add(&mut places, obb.center());
+                obb.axes().iter().for_each(|u| add(&mut axes, *u));
+                add(&mut halves, obb.half_extents());
+            }
+        }
+    }
+    [places, axes, halves]
+}
+
 impl Units {
     /// The units, if the numbers are short enough, and the machine multiplies long words.
     pub(super) fn new<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<Self> {
         if !REGISTERS_ARE_WIDE {
             return None;
         }
-        let [mut places, mut axes, mut halves] = [Bits::NONE; 3];
-        let with = |bits: &mut Bits, point: [S; 3]| {
-            *bits = point.into_iter().fold(*bits, |bits, x| bits.with(x.parts()));
-        };
-        for body in bodies {
-            match body {
-                Body::Triangle(t) => t.points().into_iter().for_each(|p| with(&mut places, p)),
-                Body::Aabb(aabb) => {
-                    let (AabbForm::Center { center: p, half: q }
-                    | AabbForm::Corners { min: p, max: q }) = aabb.form();
-                    with(&mut places, p.to_array());
-                    with(&mut places, q.to_array());
-                }
-                Body::Obb(obb) => {
-                    with(&mut places, obb.center().to_array());
-                    obb.axes().iter().for_each(|u| with(&mut axes, u.to_array()));
-                    with(&mut halves, obb.half_extents().to_array());
-                }
-            }
-        }
+        let [places, axes, halves] =
+            gathered(bodies, Bits::NONE, |bits, x: S| bits.with(x.parts()));
         // If all numbers are zero, every power of two is a unit.
         let low = |bits: Bits| if bits.width() > 0 { bits.low } else { 0 };
         let one = i32::from(S::ONE.shift);
@@ -89,26 +98,8 @@ impl Units {
     /// everything. [`Short`] always does: numbers have 32 bits, one has 33, and reaches have 68.
     pub(super) fn of_fixed<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> (Self, bool) {
         let one = i32::from(S::ONE.shift);
-        let [mut places, mut lengths, mut halves] = [0; 3];
-        let with = |bits: &mut u32, point: [S; 3]| {
-            *bits = point.into_iter().fold(*bits, |bits, x| bits | x.parts().magnitude as u32);
-        };
-        for body in bodies {
-            match body {
-                Body::Triangle(t) => t.points().into_iter().for_each(|p| with(&mut places, p)),
-                Body::Aabb(aabb) => {
-                    let (AabbForm::Center { center: p, half: q }
-                    | AabbForm::Corners { min: p, max: q }) = aabb.form();
-                    with(&mut places, p.to_array());
-                    with(&mut places, q.to_array());
-                }
-                Body::Obb(obb) => {
-                    with(&mut places, obb.center().to_array());
-                    obb.axes().iter().for_each(|u| with(&mut lengths, u.to_array()));
-                    with(&mut halves, obb.half_extents().to_array());
-                }
-            }
-        }
+        let [places, lengths, halves] =
+            gathered(bodies, 0, |bits, x: S| bits | x.parts().magnitude as u32);
         let width = |bits: u32| 32 - bits.leading_zeros() as i32;
         let reach = (width(places) + 3 + one).max(width(lengths) + width(halves) + 4);
         let is_half =
