@@ -11,6 +11,7 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 use super::big_int::BigInt;
 use super::ends::{enclosed, enclosed_on_line};
 use super::filtered::{Filtered, compare_quotient};
+use super::in_float::{FirstFloat, InFloat};
 use super::integer::{Int8, Int16, Int32, Int64, below};
 use super::limbs_of_areas::{Limbs2, Limbs4};
 use super::nearest_whole::{nearest_of_all, nearest_whole, nearest_whole_of_row};
@@ -18,7 +19,7 @@ use super::number::Number;
 use super::quotient::Dividend;
 use super::system::{Arithmetic, Embeds, convert};
 use super::window::{ShortWindow, Window};
-use super::words::{InRaw, InWholeWord, InWord, WholeVolume, WholeWord};
+use super::words::{InRaw, InWholeWord, InWord, WholeVolume, WholeWord, Word};
 
 /// A type, its integers, and the coordinates that they hold.
 macro_rules! embeds {
@@ -158,37 +159,20 @@ in_window! {
     FixedI64, LeEqU64: Window, i128, Limbs4;
 }
 
-/// The word of a type, and whether it always holds the coordinates.
-macro_rules! in_word {
-    ($($fixed:ident, $bound:ident: $word:ty, $always_near:literal;)*) => {$(
-        impl<Frac: $bound> InWord<$word> for $fixed<Frac> {
-            const ALWAYS_NEAR: bool = $always_near;
+/// The raw bits of a type, in a word that holds them.
+impl<S: InRaw, W: Word> InWord<W> for S {
+    const ALWAYS_NEAR: bool = S::BITS < W::BITS;
 
-            #[inline(always)]
-            fn in_word(self) -> $word {
-                self.to_bits().into()
-            }
-        }
-    )*};
-}
-in_word! {
-    FixedI8, LeEqU8: i16, true;
-    FixedI8, LeEqU8: i32, true;
-    FixedI16, LeEqU16: i32, true;
-    FixedI32, LeEqU32: i32, false;
-    FixedI32, LeEqU32: i64, true;
-    FixedI64, LeEqU64: i128, true;
-}
-
-/// The number of bits of a type, including the sign.
-const fn bits<S: InRaw>() -> u32 {
-    i64::BITS - S::GREATEST.leading_zeros() + 1
+    #[inline(always)]
+    fn in_word(self) -> W {
+        W::last_of(self.raw().into())
+    }
 }
 
 /// The places of one. It takes one place more than the numbers below it, if the type has that many.
 const fn places_of_one<S: InRaw>() -> u32 {
     let fraction = S::FRACTION_BITS as u32;
-    if fraction < bits::<S>() { fraction + 1 } else { fraction }
+    if fraction < S::BITS { fraction + 1 } else { fraction }
 }
 
 /// Quotients of volumes in a word, place by place.
@@ -199,7 +183,7 @@ impl<S: InRaw<Raw = i32> + InWord<W>, W: WholeWord> InWholeWord<W> for S {
     }
     #[inline(always)]
     fn divided(num: W::Whole, den: W::Whole) -> Self {
-        let q = num.magnitude().nearest(den, S::FRACTION_BITS as u32, bits::<S>());
+        let q = num.magnitude().nearest(den, S::FRACTION_BITS as u32, S::BITS);
         Self::clamped(if num < W::Whole::ZERO { -i64::from(q) } else { q.into() })
     }
     #[inline(always)]
@@ -214,17 +198,17 @@ impl<S: InRaw<Raw = i32> + InWord<W>, W: WholeWord> InWholeWord<W> for S {
     #[inline(always)]
     fn compare_quotient(num: W::Whole, den: W::Whole, t: Self) -> Ordering {
         let fraction = S::FRACTION_BITS as u32;
-        WholeVolume::compare_quotient(num, den, fraction, bits::<S>(), t.raw().into())
+        WholeVolume::compare_quotient(num, den, fraction, S::BITS, t.raw().into())
     }
 }
 
-/// The raw bits of a type, in a word of the machine.
+/// The raw bits of a type, in a word of the machine, and in the float that is asked first, with its
+/// limit.
 macro_rules! in_raw {
-    ($($fixed:ident, $bound:ident: $raw:ty;)*) => {$(
+    ($($fixed:ident, $bound:ident: $raw:ty, $float:ty, $limit:expr;)*) => {$(
         impl<Frac: $bound> InRaw for $fixed<Frac> {
             type Raw = $raw;
 
-            const ALWAYS_NEAR: bool = Self::INT_NBITS + Self::FRAC_NBITS < <$raw>::BITS;
             const FRACTION_BITS: i32 = Self::FRAC_NBITS as i32;
 
             const GREATEST: i64 = Self::MAX.to_bits() as i64;
@@ -238,13 +222,27 @@ macro_rules! in_raw {
                 Self::from_bits(raw as _)
             }
         }
+
+        impl<Frac: $bound> InFloat<$float> for $fixed<Frac> {
+            const OFFSETS_FIRST: bool = size_of::<$float>() == size_of::<f64>();
+            const LIMIT: Option<$float> = $limit;
+            const PLACE: $float = 1.0 / (1_u128 << Self::FRAC_NBITS) as $float;
+            #[inline(always)]
+            fn in_float(self) -> $float {
+                self.to_bits() as $float
+            }
+        }
+
+        impl<Frac: $bound> FirstFloat for $fixed<Frac> {
+            type SeptumFirst = $float;
+        }
     )*};
 }
 in_raw! {
-    FixedI8, LeEqU8: i32;
-    FixedI16, LeEqU16: i32;
-    FixedI32, LeEqU32: i32;
-    FixedI64, LeEqU64: i64;
+    FixedI8, LeEqU8: i32, f32, None;
+    FixedI16, LeEqU16: i32, f32, None;
+    FixedI32, LeEqU32: i32, f32, Some((1_u32 << 24) as f32);
+    FixedI64, LeEqU64: i64, f64, Some((1_u64 << 53) as f64);
 }
 
 /// Integers in `f64`: verdicts if they exceed the error, and quotients if it is certain how they

@@ -1,10 +1,5 @@
 //! Scalars whose coordinates a float holds.
 
-#[cfg(feature = "fixed")]
-use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
-#[cfg(feature = "fixed")]
-use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
-
 use super::float::Float;
 
 /// A scalar whose coordinates are numbers of the float `F`, up to a limit, or multiples of
@@ -56,31 +51,4 @@ impl<S: Float + Into<F>, F: Float> InFloat<F> for S {
     fn in_float(self) -> F {
         self.into()
     }
-}
-
-/// By their raw bits.
-#[cfg(feature = "fixed")]
-macro_rules! raw_bits {
-    ($($fixed:ident, $bound:ident => $float:ty, $limit:expr;)*) => {$(
-        impl<Frac: $bound> InFloat<$float> for $fixed<Frac> {
-            const OFFSETS_FIRST: bool = size_of::<$float>() == size_of::<f64>();
-            const LIMIT: Option<$float> = $limit;
-            const PLACE: $float = 1.0 / (1_u128 << Self::FRAC_NBITS) as $float;
-            #[inline(always)]
-            fn in_float(self) -> $float {
-                self.to_bits() as $float
-            }
-        }
-
-        impl<Frac: $bound> FirstFloat for $fixed<Frac> {
-            type SeptumFirst = $float;
-        }
-    )*};
-}
-#[cfg(feature = "fixed")]
-raw_bits! {
-    FixedI8, LeEqU8 => f32, None;
-    FixedI16, LeEqU16 => f32, None;
-    FixedI32, LeEqU32 => f32, Some((1_u32 << 24) as f32);
-    FixedI64, LeEqU64 => f64, Some((1_u64 << 53) as f64);
 }

@@ -2,7 +2,7 @@
 
 use crate::arithmetic::whole;
 #[cfg(feature = "fixed")]
-use crate::arithmetic::{InRaw, Raw};
+use crate::arithmetic::{InRaw, Word};
 
 /// Conversions between a scalar and `f64`: grids, contacts and times compute in it.
 pub(crate) trait InDouble: Copy {

@@ -1,7 +1,7 @@
 //! The numbers of a scalar in their order.
 
 #[cfg(feature = "fixed")]
-use crate::arithmetic::{InRaw, Raw};
+use crate::arithmetic::{InRaw, Word};
 
 /// A number for each value of a scalar, adjacent values numbered adjacently. Sealed, as
 /// [`Backend`](super::Backend).

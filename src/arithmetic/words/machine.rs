@@ -7,16 +7,20 @@ use super::word::{WholeWord, Word};
 use super::{ProductSum, SplitSum};
 
 macro_rules! word {
-    ($($word:ident, $unsigned:ident, $sum:ty: $range:literal, $split:literal;)*) => {$(
+    ($($word:ident, $sum:ty: $range:literal, $split:literal;)*) => {$(
         impl Word for $word {
             type Sum = $sum;
 
             const ZERO: Self = 0;
+            const BITS: u32 = $word::BITS;
+            const RANGE: u32 = $range;
             const SPLIT: u32 = $split;
             const LOWER: Self = (1 << $split) - 1;
 
-            const IS_WIDE: bool = $word::BITS > 32;
-
+            #[inline(always)]
+            fn last_of(x: i64) -> Self {
+                x as _
+            }
             #[inline(always)]
             fn plus(self, other: Self) -> Self {
                 self.wrapping_add(other)
@@ -24,26 +28,6 @@ macro_rules! word {
             #[inline(always)]
             fn minus(self, other: Self) -> Self {
                 self.wrapping_sub(other)
-            }
-            #[inline(always)]
-            fn where_negative(self, other: Self) -> Self {
-                self & (other >> ($word::BITS - 1))
-            }
-            #[inline(always)]
-            fn unless_negative(self, other: Self) -> Self {
-                self & !(other >> ($word::BITS - 1))
-            }
-            #[inline(always)]
-            fn folded(self) -> Self {
-                self ^ (self >> ($word::BITS - 1))
-            }
-            #[inline(always)]
-            fn is_near(self) -> bool {
-                (self as $unsigned) >> $range == 0
-            }
-            #[inline(always)]
-            fn is_central(self) -> bool {
-                self ^ (self << 1) >= 0
             }
             #[inline(always)]
             fn bits(self) -> i32 {
@@ -65,43 +49,32 @@ macro_rules! word {
     all(target_arch = "riscv32", target_feature = "m"),
     all(any(target_pointer_width = "64", target_arch = "wasm32"), not(septum_narrow)),
 ))]
-word! { i32, u32, i64: 29, 10; }
+word! { i32, i64: 29, 10; }
 #[cfg(not(any(
     all(target_arch = "arm", target_has_atomic = "32"),
     all(target_arch = "riscv32", target_feature = "m"),
     all(any(target_pointer_width = "64", target_arch = "wasm32"), not(septum_narrow)),
 )))]
-word! { i32, u32, SplitSum<i32>: 18, 10; }
-/// The range of lengths, and the conversion of a sum to one number.
-macro_rules! whole_word {
-    ($($word:ident, $unsigned:ident, $whole:ident: $range:literal;)*) => {$(
-        impl WholeWord for $word {
-            type Whole = $whole;
-
-            #[inline(always)]
-            fn power_of_two(n: u32) -> Option<Self> {
-                (n + 2 <= $word::BITS).then(|| 1 << n)
-            }
-            #[inline(always)]
-            fn has_volumes(self) -> bool {
-                (self as $unsigned) >> $range == 0
-            }
-            #[inline(always)]
-            fn whole(volume: <Self::Sum as ProductSum<Self>>::Volume) -> $whole {
-                <Self::Sum as ProductSum<Self>>::whole::<$whole>(volume)
-            }
-        }
-    )*};
-}
-whole_word! {
-    i16, u16, i32: 8;
-    i32, u32, i64: 19;
-    i64, u64, i128: 34;
-}
+word! { i32, SplitSum<i32>: 18, 10; }
 word! {
-    i16, u16, i32: 6, 5;
-    i64, u64, SplitSum<i64>: 34, 20;
-    i128, u128, SplitSum<i128>: 66, 40;
+    i16, i32: 6, 5;
+    i64, SplitSum<i64>: 34, 20;
+    i128, SplitSum<i128>: 66, 40;
+}
+
+impl WholeWord for i16 {
+    type Whole = i32;
+    const VOLUME_RANGE: u32 = 8;
+}
+
+impl WholeWord for i32 {
+    type Whole = i64;
+    const VOLUME_RANGE: u32 = 19;
+}
+
+impl WholeWord for i64 {
+    type Whole = i128;
+    const VOLUME_RANGE: u32 = 34;
 }
 
 /// For lengths so short that nothing is split.

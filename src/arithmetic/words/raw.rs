@@ -5,42 +5,34 @@ use crate::arithmetic::offset::RawOffset;
 
 /// The raw bits of a fixed-point number, in a word.
 pub trait Raw: Word + Into<i64> + RawOffset {
-    /// The number of bits, including the sign.
-    const BITS: i32;
-
     /// Each number over 2^`down`, to the nearest. Numbers far below half of that become zero; 30
     /// bits hold the results.
-    fn cut<const K: usize>(numbers: [[Self; 3]; K], down: i32) -> [[i32; 3]; K];
-}
-
-macro_rules! raw {
-    ($($raw:ty)*) => {$(
-        impl Raw for $raw {
-            const BITS: i32 = <$raw>::BITS as i32;
-
-            #[inline(always)]
-            fn cut<const K: usize>(numbers: [[Self; 3]; K], down: i32) -> [[i32; 3]; K] {
-                let mut cut = [[0; 3]; K];
-                let each = cut.as_flattened_mut().iter_mut().zip(numbers.as_flattened());
-                if down <= 0 {
-                    each.for_each(|(cut, &x)| *cut = (x as i32) << -down);
-                } else if down < <Self as Raw>::BITS {
-                    each.for_each(|(cut, &x)| *cut = (((x >> (down - 1)) + 1) >> 1) as i32);
-                }
-                cut
-            }
+    #[inline(always)]
+    fn cut<const K: usize>(numbers: [[Self; 3]; K], down: i32) -> [[i32; 3]; K] {
+        let mut cut = [[0; 3]; K];
+        let each = cut.as_flattened_mut().iter_mut().zip(numbers.as_flattened());
+        // The two kinds of shift apart, so that no loop asks which it is.
+        if down <= 0 {
+            each.for_each(|(cut, x)| *cut = x.nearest_over(down));
+        } else if down < Self::BITS as i32 {
+            each.for_each(|(cut, x)| *cut = x.nearest_over(down));
         }
-    )*};
+        cut
+    }
 }
-raw! { i32 i64 }
+
+impl<W: Word + Into<i64> + RawOffset> Raw for W {}
 
 /// A fixed-point scalar, by its raw bits.
 pub trait InRaw: Copy {
     /// The type of the raw bits.
     type Raw: Raw;
 
-    /// Whether the type always holds the difference of two of its numbers.
-    const ALWAYS_NEAR: bool;
+    /// The number of bits of the type, including the sign.
+    const BITS: u32 = i64::BITS - Self::GREATEST.leading_zeros() + 1;
+
+    /// Whether a word always holds the difference of two numbers.
+    const ALWAYS_NEAR: bool = Self::BITS < <Self::Raw as Word>::BITS;
 
     /// The number of fraction bits.
     const FRACTION_BITS: i32;

@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 use core::fmt::Debug;
-use core::ops::{Add, BitAnd, BitOr, BitXor, Mul, Shr, Sub};
+use core::ops::{Add, BitAnd, BitOr, BitXor, Mul, Not, Shl, Shr, Sub};
 
 use super::WholeVolume;
 use super::product_sum::ProductSum;
@@ -39,12 +39,17 @@ pub trait Word:
     + BitAnd<Output = Self>
     + BitOr<Output = Self>
     + BitXor<Output = Self>
+    + Not<Output = Self>
 {
     /// The type of a sum of products on this core.
     type Sum: ProductSum<Self>;
 
     /// Zero.
     const ZERO: Self;
+    /// The number of bits.
+    const BITS: u32;
+    /// Lengths within the range are below two to this power.
+    const RANGE: u32;
     /// The number of bits of the lower part.
     const SPLIT: u32;
     /// A mask for the lower part.
@@ -52,7 +57,10 @@ pub trait Word:
 
     /// Whether a word is wider than a narrow register. An operation then takes many instructions,
     /// or a call.
-    const IS_WIDE: bool;
+    const IS_WIDE: bool = Self::BITS > 32;
+
+    /// The last bits of a number, or all bits and copies of the sign.
+    fn last_of(x: i64) -> Self;
 
     /// The sum, wrapped.
     fn plus(self, other: Self) -> Self;
@@ -60,17 +68,32 @@ pub trait Word:
     fn minus(self, other: Self) -> Self;
 
     /// The word if `other` is negative, and otherwise zero.
-    fn where_negative(self, other: Self) -> Self;
+    #[inline(always)]
+    fn where_negative(self, other: Self) -> Self {
+        self & (other >> (Self::BITS - 1))
+    }
     /// The word if `other` is not negative, and otherwise zero.
-    fn unless_negative(self, other: Self) -> Self;
+    #[inline(always)]
+    fn unless_negative(self, other: Self) -> Self {
+        self & !(other >> (Self::BITS - 1))
+    }
 
     /// The word; if it is negative, with all its bits flipped.
-    fn folded(self) -> Self;
+    #[inline(always)]
+    fn folded(self) -> Self {
+        self ^ (self >> (Self::BITS - 1))
+    }
     /// Whether a length lies within the range.
-    fn is_near(self) -> bool;
+    #[inline(always)]
+    fn is_near(self) -> bool {
+        self >> Self::RANGE == Self::ZERO
+    }
     /// Whether no difference from this word within the range can be wrapped. From the middle half
     /// of the range, wrapped differences are long.
-    fn is_central(self) -> bool;
+    #[inline(always)]
+    fn is_central(self) -> bool {
+        self ^ self.plus(self) >= Self::ZERO
+    }
 
     /// The number of bits that hold the word, which is not below zero.
     fn bits(self) -> i32;
@@ -94,16 +117,31 @@ pub trait Word:
 /// For `i16` the range is 8, nothing is split, and three products of areas are below 3·2^25.
 pub trait WholeWord: Word {
     /// The type of the whole sums.
-    type Whole: WholeVolume + From<Self>;
+    type Whole: WholeVolume
+        + From<Self>
+        + From<<Self::Sum as ProductSum<Self>>::Part>
+        + Shl<u32, Output = Self::Whole>;
+
+    /// Lengths within the range are below two to this power.
+    const VOLUME_RANGE: u32;
 
     /// 2^n, if the word holds it and leaves one bit to spare.
-    fn power_of_two(n: u32) -> Option<Self>;
+    #[inline(always)]
+    fn power_of_two(n: u32) -> Option<Self> {
+        (n + 2 <= Self::BITS).then(|| Self::last_of(1 << n))
+    }
 
     /// Whether a length lies within the range.
-    fn has_volumes(self) -> bool;
+    #[inline(always)]
+    fn has_volumes(self) -> bool {
+        self >> Self::VOLUME_RANGE == Self::ZERO
+    }
 
     /// The sum as one number.
-    fn whole(volume: <Self::Sum as ProductSum<Self>>::Volume) -> Self::Whole;
+    #[inline(always)]
+    fn whole(volume: <Self::Sum as ProductSum<Self>>::Volume) -> Self::Whole {
+        <Self::Sum as ProductSum<Self>>::whole(volume)
+    }
 }
 
 /// A scalar whose raw bits fit such a word.

@@ -28,7 +28,7 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
                     SegmentForm::Ends(a, b) => (self.way_to(a)?, self.way_to(b)?),
                     SegmentForm::Center { center, half } => {
                         let (way, half) = (self.way_to(center)?, raw(half));
-                        let is_short = |x: S::Raw| x.folded().bits() < S::Raw::BITS - 2;
+                        let is_short = |x: S::Raw| x.folded().bits() < S::Raw::BITS as i32 - 2;
                         let fits = S::ALWAYS_NEAR || way.into_iter().chain(half).all(is_short);
                         fits.then_some(())?;
                         (three(|i| way[i].minus(half[i])), three(|i| way[i].plus(half[i])))
@@ -77,6 +77,7 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
         let (p, c) = (raw(p), raw(&self.obb.center()));
         let way = three(|i| p[i].minus(c[i]));
         let is_central = c.iter().all(|x| x.is_central());
-        (S::ALWAYS_NEAR || is_central && size(&[way]).bits() < S::Raw::BITS - 1).then_some(way)
+        (S::ALWAYS_NEAR || is_central && size(&[way]).bits() < S::Raw::BITS as i32 - 1)
+            .then_some(way)
     }
 }

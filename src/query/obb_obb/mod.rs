@@ -20,7 +20,7 @@ use super::triangle_obb::has_second_look;
 use crate::arithmetic::{
     Embeds, Float, InFloat, Number, each, greatest, largest, of_two, once, three,
 };
-use crate::arithmetic::{REGISTERS_ARE_WIDE, Raw};
+use crate::arithmetic::{REGISTERS_ARE_WIDE, Word};
 use crate::robust::{Numeric, Predicate, Profile, noted};
 use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Aabb, AabbForm, Obb};

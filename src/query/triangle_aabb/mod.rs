@@ -26,7 +26,7 @@ pub use prepared::PreparedTriangle;
 
 use super::{Axis, Overlaps};
 use crate::arithmetic::{
-    Embeds, Float, InFloat, InWord, OfFour, OneType, Quad, REGISTERS_ARE_WIDE, Raw, Rounded, Word,
+    Embeds, Float, InFloat, InWord, OfFour, OneType, Quad, REGISTERS_ARE_WIDE, Rounded, Word,
 };
 use crate::robust::{Predicate, Profile, WordKernel, in_exact_numbers};
 use crate::scalar::{FixedBackend, Scalar};

@@ -182,7 +182,7 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
         let near = self.vertices_from_near();
         let [x, y, z] = raw(&self.obb.center());
         let is_central = x.is_central() && y.is_central() && z.is_central();
-        if S::ALWAYS_NEAR || (is_central && size(&near.0).bits() < S::Raw::BITS - 1) {
+        if S::ALWAYS_NEAR || (is_central && size(&near.0).bits() < S::Raw::BITS as i32 - 1) {
             near
         } else {
             self.vertices_from_far()
