@@ -7,7 +7,7 @@ use crate::shape::{
 };
 
 macro_rules! reversed {
-    ($($shape:ident with $other:ident $(<$life:lifetime>)?;)*) => {$(
+    ($($shape:ident with $other:ident $(<$life:lifetime>)? $(: $relate:ident)?;)*) => {$(
         impl<S: Scalar> Overlaps<$other<$($life,)? S>> for $shape<S> {
             #[doc = concat!(
                 "[`", stringify!($other), "::overlaps`] with the arguments in the other order.",
@@ -25,32 +25,39 @@ macro_rules! reversed {
                 Overlaps::may_overlap(other, self)
             }
         }
+
+        $(impl<S: Scalar> $relate<$other<S>> for $shape<S> {
+            #[inline]
+            fn relation(&self, other: &$other<S>) -> Relation {
+                other.relation(self)
+            }
+        })?
     )*};
 }
 reversed! {
-    Aabb with Triangle;
+    Aabb with Triangle: Relate;
     Aabb with Plane;
     Aabb with Segment;
     Aabb with Ray;
     Aabb with Polygon<'_>;
-    Obb with Triangle;
-    Obb with Aabb;
+    Obb with Triangle: Relate;
+    Obb with Aabb: Relate;
     Obb with Segment;
     Obb with Ray;
-    Triangle with Segment;
-    Triangle with Sphere;
-    Aabb with Sphere;
-    Segment with Sphere;
-    Plane with Sphere;
-    Ray with Sphere;
-    Obb with Sphere;
-    Triangle with Capsule;
-    Aabb with Capsule;
-    Segment with Capsule;
-    Plane with Capsule;
-    Ray with Capsule;
-    Obb with Capsule;
-    Sphere with Capsule;
+    Triangle with Segment: Relate;
+    Triangle with Sphere: Relate;
+    Aabb with Sphere: Relate;
+    Segment with Sphere: Relate;
+    Plane with Sphere: Relate;
+    Ray with Sphere: Relate;
+    Obb with Sphere: Relate;
+    Triangle with Capsule: Relate;
+    Aabb with Capsule: Relate;
+    Segment with Capsule: Relate;
+    Plane with Capsule: Relate;
+    Ray with Capsule: Relate;
+    Obb with Capsule: Relate;
+    Sphere with Capsule: Relate;
 }
 
 impl<S, T> Overlaps<Near<Triangle<S>>> for Near<T>
@@ -65,34 +72,4 @@ where
     fn may_overlap(&self, triangle: &Near<Triangle<S>>) -> bool {
         triangle.may_overlap(self)
     }
-}
-
-macro_rules! relations_reversed {
-    ($($shape:ident with $other:ident;)*) => {$(
-        impl<S: Scalar> Relate<$other<S>> for $shape<S> {
-            #[inline]
-            fn relation(&self, other: &$other<S>) -> Relation {
-                other.relation(self)
-            }
-        }
-    )*};
-}
-relations_reversed! {
-    Aabb with Triangle;
-    Obb with Triangle;
-    Obb with Aabb;
-    Triangle with Segment;
-    Triangle with Sphere;
-    Segment with Sphere;
-    Aabb with Sphere;
-    Plane with Sphere;
-    Ray with Sphere;
-    Obb with Sphere;
-    Triangle with Capsule;
-    Segment with Capsule;
-    Aabb with Capsule;
-    Plane with Capsule;
-    Ray with Capsule;
-    Obb with Capsule;
-    Sphere with Capsule;
 }
