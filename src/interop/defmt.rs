@@ -38,8 +38,8 @@ fn optional<S: Scalar>(x: Option<S>) -> Option<Number<S>> {
 
 /// `impl Format` for shapes and answers, from their public parts.
 macro_rules! formats {
-    ($($type:ident: |$this:ident, $to:ident| $body:expr;)*) => {$(
-        impl<S: Scalar> Format for $type<S> {
+    ($($type:ident $([$lanes:ident])?: |$this:ident, $to:ident| $body:expr;)*) => {$(
+        impl<S: Scalar $(, const $lanes: usize)?> Format for $type<S $(, $lanes)?> {
             fn format(&self, $to: Formatter<'_>) {
                 let $this = self;
                 $body
@@ -136,37 +136,29 @@ formats! {
     CellTriangle: |prepared, to| write!(to, "CellTriangle {{ {} }}", prepared.triangle());
     SlabRay: |_r, to| write!(to, "SlabRay {{ .. }}");
     SlopeRay: |_r, to| write!(to, "SlopeRay {{ .. }}");
+    Triangles[N]: |all, to| { write!(to, "Triangles"); lanes(to, [(); N], |k| all.get(k)) };
+    NormalTriangles[N]: |all, to| { write!(to, "NormalTriangles"); lanes(to, [(); N], |k| all.get(k)) };
+    Rays[N]: |all, to| { write!(to, "Rays"); lanes(to, [(); N], |k| all.get(k)) };
+    SlabRays[N]: |all, to| { write!(to, "SlabRays"); lanes(to, [(); N], |k| all.get(k)) };
+    Aabbs[N]: |all, to| { write!(to, "Aabbs"); lanes(to, [(); N], |k| all.get(k)) };
+    Cells[N]: |all, to| { write!(to, "Cells"); lanes(to, [(); N], |k| all.get(k)) };
+    Hits[N]: |all, to| { write!(to, "Hits"); lanes(to, [(); N], |k| all.get(k)) };
+    Ranges[N]: |all, to| {
+        write!(to, "Ranges");
+        let numbers = |(enter, leave)| (Number(enter), Number(leave));
+        lanes(to, [(); N], |k| all.get(k).map(numbers))
+    };
+}
+
+/// Each lane in brackets.
+fn lanes<T: Format, const N: usize>(to: Formatter<'_>, _: [(); N], lane: impl Fn(usize) -> T) {
+    (0..N).for_each(|k| write!(to, "[{}]", lane(k)));
 }
 
 impl<S: Scalar> Format for Polygon<'_, S> {
     fn format(&self, to: Formatter<'_>) {
         write!(to, "Polygon{=[?]}", self.vertices());
     }
-}
-
-/// `impl Format` for lanes: each lane in brackets.
-macro_rules! lanes {
-    ($($type:ident: $name:literal, |$this:ident, $k:ident| $lane:expr;)*) => {$(
-        impl<S: Scalar, const N: usize> Format for $type<S, N> {
-            fn format(&self, to: Formatter<'_>) {
-                let $this = self;
-                write!(to, $name);
-                for $k in 0..N {
-                    write!(to, "[{}]", $lane);
-                }
-            }
-        }
-    )*};
-}
-lanes! {
-    Triangles: "Triangles", |all, k| all.get(k);
-    NormalTriangles: "NormalTriangles", |all, k| all.get(k);
-    Rays: "Rays", |all, k| all.get(k);
-    SlabRays: "SlabRays", |all, k| all.get(k);
-    Aabbs: "Aabbs", |all, k| all.get(k);
-    Cells: "Cells", |all, k| all.get(k);
-    Hits: "Hits", |all, k| all.get(k);
-    Ranges: "Ranges", |all, k| all.get(k).map(|(enter, leave)| (Number(enter), Number(leave)));
 }
 
 impl<S: Scalar, P: Format> Format for SphereContact<S, P> {

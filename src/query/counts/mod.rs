@@ -13,7 +13,7 @@ use std::string::String;
 
 use fixed::types::{I8F8, I16F16, I32F32};
 
-use crate::arithmetic::{REGISTERS_ARE_WIDE, SMALL_CODE};
+use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, SMALL_CODE};
 use crate::contact::contact;
 use crate::query::{HitRay, HitTriangle, Motion, PreparedRay, PreparedTriangle, Relate, Sweep};
 use crate::random::Random;
@@ -43,46 +43,49 @@ trait Sample: Scalar {
 /// The axes after two rotations by the angles of the 3-4-5 triangle, in hundredths.
 const TURNED: [[i64; 3]; 3] = [[60, 80, 0], [-48, 36, 80], [64, -48, 60]];
 
-macro_rules! floats {
-    ($($float:ident: $far:literal;)*) => {$(
-        impl Sample for $float {
-            fn sample(rng: &mut Rng, kind: u32) -> Self {
-                match kind {
-                    0 => rng.within(4) as $float,
-                    1 => rng.within(1 << 20) as $float / 262_144.0,
-                    _ => $far + rng.within(1 << 20) as $float / 262_144.0,
-                }
-            }
-
-            fn turned() -> [[Self; 3]; 3] {
-                TURNED.map(|u| u.map(|x| x as $float / 100.0))
-            }
-        }
-    )*};
+/// A sample of a float. In `f64` the samples for `f32` are exact, so they are rounded once.
+fn float(rng: &mut Rng, kind: u32, far: f64) -> f64 {
+    match kind {
+        0 => rng.within(4) as f64,
+        1 => rng.within(1 << 20) as f64 / 262_144.0,
+        _ => far + rng.within(1 << 20) as f64 / 262_144.0,
+    }
 }
-floats! { f32: 1e5; f64: 1e14; }
 
-macro_rules! fixed_point {
-    ($($fixed:ident: $coarse:literal, $fine:literal, $far:literal;)*) => {$(
-        impl Sample for $fixed {
-            fn sample(rng: &mut Rng, kind: u32) -> Self {
-                Self::from_bits(match kind {
-                    0 => rng.within(4) << $coarse,
-                    1 => rng.within(1 << 20) >> (20 - $fine),
-                    _ => (1 << $far) + (rng.within(1 << 20) >> (20 - $fine)),
-                } as _)
-            }
-
-            fn turned() -> [[Self; 3]; 3] {
-                TURNED.map(|u| u.map(|x| Self::from_bits(((x << Self::FRAC_NBITS) / 100) as _)))
-            }
-        }
-    )*};
+impl Sample for f32 {
+    fn sample(rng: &mut Rng, kind: u32) -> Self {
+        float(rng, kind, 1e5) as Self
+    }
+    fn turned() -> [[Self; 3]; 3] {
+        TURNED.map(|u| u.map(|x| x as Self / 100.0))
+    }
 }
-fixed_point! {
-    I8F8: 6, 13, 13;
-    I16F16: 15, 18, 30;
-    I32F32: 30, 20, 62;
+
+impl Sample for f64 {
+    fn sample(rng: &mut Rng, kind: u32) -> Self {
+        float(rng, kind, 1e14)
+    }
+    fn turned() -> [[Self; 3]; 3] {
+        TURNED.map(|u| u.map(|x| x as Self / 100.0))
+    }
+}
+
+impl<S: Scalar + InRaw> Sample for S {
+    fn sample(rng: &mut Rng, kind: u32) -> Self {
+        let [coarse, fine, far] = match S::FRACTION_BITS {
+            8 => [6, 13, 13],
+            16 => [15, 18, 30],
+            _ => [30, 20, 62],
+        };
+        Self::from_raw(match kind {
+            0 => rng.within(4) << coarse,
+            1 => rng.within(1 << 20) >> (20 - fine),
+            _ => (1 << far) + (rng.within(1 << 20) >> (20 - fine)),
+        })
+    }
+    fn turned() -> [[Self; 3]; 3] {
+        TURNED.map(|u| u.map(|x| Self::from_raw((x << S::FRACTION_BITS) / 100)))
+    }
 }
 
 /// Writes how often each question escalates: past the first look, past a filter, past a stage for
