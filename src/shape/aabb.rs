@@ -157,4 +157,11 @@ impl<S: Copy> Aabb<S> {
     pub(crate) const fn form(&self) -> &Form<S> {
         &self.form
     }
+
+    /// Both vectors of the form, and whether it is centre and half-extents.
+    #[inline(always)]
+    pub(crate) fn numbers(&self) -> ([S; 3], [S; 3], bool) {
+        let (Form::Center { center: p, half: q } | Form::Corners { min: p, max: q }) = &self.form;
+        (p.to_array(), q.to_array(), matches!(self.form, Form::Center { .. }))
+    }
 }

@@ -96,4 +96,11 @@ impl<S: Copy> Segment<S> {
     pub(crate) const fn form(&self) -> &Form<S> {
         &self.form
     }
+
+    /// Both vectors of the form, and whether it is centre and half-vector.
+    #[inline(always)]
+    pub(crate) fn numbers(&self) -> ([S; 3], [S; 3], bool) {
+        let (Form::Ends(a, b) | Form::Center { center: a, half: b }) = &self.form;
+        (a.to_array(), b.to_array(), matches!(self.form, Form::Center { .. }))
+    }
 }

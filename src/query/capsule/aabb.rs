@@ -7,21 +7,19 @@ use crate::query::orientation::{Vector, from};
 use crate::query::sphere::{Ball, Reach};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Capsule};
+use crate::shape::{Aabb, Capsule};
 
 impl<S: Scalar> Predicate<S> for Beyond<'_, S, Aabb<S>> {
     type Answer = bool;
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
-            self.shape.form();
+        let (p, q, is_by_center) = self.shape.numbers();
         let [a, b] = self.ends();
-        let all = [a, b, p.to_array(), q.to_array(), [self.capsule.radius(); 3]];
+        let all = [a, b, p, q, [self.capsule.radius(); 3]];
         let [a, b, p, q, [r, ..]] = N::embed(&all)?;
         let reach = Reach::<N>::new(r, self.ball);
         // From each end to both extreme corners, and the extents.
-        let is_by_center = matches!(self.shape.form(), AabbForm::Center { .. });
         let corners = |end: &Vector<N>| {
             let d = from::<N>(&p, end);
             if is_by_center {

@@ -28,7 +28,7 @@ use super::sphere::{Ball, Errors, OneSide, Reach, lies_beyond};
 use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, three};
 use crate::robust::{Numeric, Predicate, Profile};
 use crate::scalar::Scalar;
-use crate::shape::{Capsule, Plane, Segment, SegmentForm, Sphere, Vec3};
+use crate::shape::{Capsule, Plane, Segment, Sphere, Vec3};
 
 /// The question whether the boundary of a shape lies farther from a capsule's segment than the
 /// capsule's radius.
@@ -108,17 +108,13 @@ impl<S: Scalar> Predicate<S> for Apart<'_, S> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let (SegmentForm::Ends(c, d) | SegmentForm::Center { center: c, half: d }) =
-            self.segment.form();
+        let (c, d, is_by_center) = self.segment.numbers();
         let (a, b) = self.capsule.ends();
         let radii = [self.capsule.radius(), self.radius, S::ZERO];
-        let all = [a.to_array(), b.to_array(), c.to_array(), d.to_array(), radii];
+        let all = [a.to_array(), b.to_array(), c, d, radii];
         let [a, b, c, d, [r, s, _]] = N::embed(&all)?;
         let (reach, e) = (Reach::<N>::new(r + s, self.ball), from::<N>(&b, &a));
-        let (to_c, is_by_center) = (
-            [from::<N>(&c, &a), from::<N>(&c, &b)],
-            matches!(self.segment.form(), SegmentForm::Center { .. }),
-        );
+        let to_c = [from::<N>(&c, &a), from::<N>(&c, &b)];
         if is_by_center {
             let ends = |v: &Vector<N>| [from::<N>(v, &d), three(|i| v[i] + d[i])];
             let ends = [ends(&to_c[0]), ends(&to_c[1])];

@@ -46,10 +46,10 @@ impl<S: Scalar> Disjoint<'_, S> {
                 let ends = [end(ray.t_min()), end(ray.t_max()), S::ZERO];
                 [ray.origin().to_array(), ray.direction().to_array(), ends]
             }
-            Line::Segment(segment) => match segment.form() {
-                SegmentForm::Ends(a, b) => [a.to_array(), b.to_array(), none],
-                SegmentForm::Center { center, half } => [center.to_array(), half.to_array(), none],
-            },
+            Line::Segment(segment) => {
+                let (a, b, _) = segment.numbers();
+                [a, b, none]
+            }
         }
     }
 

@@ -7,7 +7,6 @@ use crate::arithmetic::{Float, InFloat};
 use crate::query::obb_rows::{ObbInFloats, fits, holds_one, in_floats};
 use crate::query::relation::Relation;
 use crate::scalar::Scalar;
-use crate::shape::AabbForm;
 
 /// Two parallelepipeds: the difference of the centres, axes and half-extents.
 pub(super) struct Boxes<F> {
@@ -39,19 +38,16 @@ pub(super) fn of_boxes<S: Scalar + InFloat<F>, F: Float>(
             Boxes { d: each(b, a, |b, a| b - a), u, h, v, k }
         }
         First::Aabb(first) => {
-            let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
-                first.form();
-            let (p, q): ([F; 3], [F; 3]) = (in_floats(p.to_array()), in_floats(q.to_array()));
+            let (p, q, is_by_center) = first.numbers();
+            let (p, q): ([F; 3], [F; 3]) = (in_floats(p), in_floats(q));
             if !fits::<S, F::Quad, 4>(&[p, q, b, k]) {
                 return None;
             }
             let from = |p| each(b, p, |b: F, p| b - p);
-            let (d, h) = match first.form() {
-                AabbForm::Center { .. } => (from(p), q),
-                AabbForm::Corners { .. } => (
-                    each(from(p), from(q), |x, y| (x + y).half()),
-                    each(q, p, |q, p| (q - p).half()),
-                ),
+            let (d, h) = if is_by_center {
+                (from(p), q)
+            } else {
+                (each(from(p), from(q), |x, y| (x + y).half()), each(q, p, |q, p| (q - p).half()))
             };
             let (zero, one) = (F::ZERO, F::from(1));
             let u = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
@@ -77,10 +73,8 @@ impl<F: Float> Boxes<F> {
                 ([center, half], false)
             }
             First::Aabb(first) => {
-                let (AabbForm::Center { center: p, half: q }
-                | AabbForm::Corners { min: p, max: q }) = first.form();
-                let by_corners = matches!(first.form(), AabbForm::Corners { .. });
-                ([p, q].map(|p| in_floats(p.to_array())), by_corners)
+                let (p, q, is_by_center) = first.numbers();
+                ([in_floats(p), in_floats(q)], !is_by_center)
             }
         };
         Given { first, second: [center, half], u: self.u, v: self.v, by_corners }

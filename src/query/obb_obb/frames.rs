@@ -12,7 +12,7 @@ use crate::arithmetic::{Float, InFloat, OfFour, Quad, SMALL_CODE, THREE, each, t
 use crate::query::obb_rows::holds_one;
 use crate::query::relation::{Asked, Relation};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Obb};
+use crate::shape::{Aabb, Obb};
 
 /// Four numbers of this stage, in every scalar.
 type Row = <f32 as OfFour>::Quad;
@@ -69,22 +69,19 @@ fn two<S: Scalar>(first: &Obb<S>, second: &Obb<S>) -> Option<Result<Relation, In
 fn upright<S: Scalar>(first: &Aabb<S>, second: &Obb<S>) -> Option<Result<Relation, InDoubt>> {
     let [v0, v1, v2] = second.axes_as_arrays();
     let (b, k) = (second.center().to_array(), second.half_extents().to_array());
-    let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
-        first.form();
-    let (p, q) = (p.to_array(), q.to_array());
+    let (p, q, is_by_center) = first.numbers();
     if is_skewed(v0, v1) || !S::have_offsets(&[v0, v1, v2, b, k, p, q]) {
         return None;
     }
-    let (d, h) = match first.form() {
-        AabbForm::Center { .. } => (three(|i| b[i].offset(p[i])), plain(q)),
-        AabbForm::Corners { .. } => {
-            let d = three(|i| b[i].offset_of_two(p[i], q[i]) * 0.5);
-            // Two infinities may add up to NaN, which the greatest of lanes may miss.
-            if Row::of_three(d).is_at_most(Row::of_three(d)) & THREE != THREE {
-                return None;
-            }
-            (d, three(|i| q[i].offset(p[i]) * 0.5))
+    let (d, h) = if is_by_center {
+        (three(|i| b[i].offset(p[i])), plain(q))
+    } else {
+        let d = three(|i| b[i].offset_of_two(p[i], q[i]) * 0.5);
+        // Two infinities may add up to NaN, which the greatest of lanes may miss.
+        if Row::of_three(d).is_at_most(Row::of_three(d)) & THREE != THREE {
+            return None;
         }
+        (d, three(|i| q[i].offset(p[i]) * 0.5))
     };
     Frames::of_second([v0, v1, v2].map(in_units), d).relation(d, h, plain(k))
 }

@@ -23,7 +23,7 @@ use crate::arithmetic::{
 use crate::arithmetic::{REGISTERS_ARE_WIDE, Word};
 use crate::robust::{Numeric, Predicate, Profile, noted};
 use crate::scalar::{FixedBackend, Scalar};
-use crate::shape::{Aabb, AabbForm, Obb};
+use crate::shape::{Aabb, Obb};
 
 /// The question how a box and an oriented box lie to each other.
 pub(super) struct Lie<'a, S> {
@@ -73,17 +73,16 @@ impl<S: Scalar> Lie<'_, S> {
                 }
             }
             First::Aabb(first) => {
-                let (AabbForm::Center { center: p, half: q }
-                | AabbForm::Corners { min: p, max: q }) = first.form();
-                let ([v0, v1, v2, b, k, p, q], one) =
-                    N::embed_with_one(&[v0, v1, v2, b, k, p.to_array(), q.to_array()])?;
-                let (d, h, k) = match first.form() {
-                    AabbForm::Center { .. } => (from(b, p), operands(q), operands(k)),
-                    AabbForm::Corners { .. } => (
+                let (p, q, is_by_center) = first.numbers();
+                let ([v0, v1, v2, b, k, p, q], one) = N::embed_with_one(&[v0, v1, v2, b, k, p, q])?;
+                let (d, h, k) = if is_by_center {
+                    (from(b, p), operands(q), operands(k))
+                } else {
+                    (
                         operands(three(|i| of_two::<N, _>((b[i] - p[i]) + (b[i] - q[i])))),
                         operands(three(|i| of_two::<N, _>(q[i] - p[i]))),
                         operands(each(k, once::<N, _>)),
-                    ),
+                    )
                 };
                 let u = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
                 Boxes { d, u, h, v: [operands(v0), operands(v1), operands(v2)], k, one }

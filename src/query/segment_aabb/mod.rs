@@ -9,7 +9,7 @@ use super::line_aabb::Slabs;
 use crate::arithmetic::{Arithmetic, Embeds};
 use crate::robust::{Predicate, Profile, Uncertain};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Segment, SegmentForm};
+use crate::shape::{Aabb, Segment};
 
 /// The question whether segment and box are disjoint.
 struct Disjoint<'a, S> {
@@ -23,28 +23,24 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
 
     #[inline(always)]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let (SegmentForm::Ends(a, b) | SegmentForm::Center { center: a, half: b }) =
-            self.segment.form();
-        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
-            self.aabb.form();
-        let all = [a.to_array(), b.to_array(), p.to_array(), q.to_array()];
-        let [a, b, p, q] = N::embed(&all)?;
-        let slabs = |o: &[N::Length; 3], d: &[N::Length; 3]| match self.aabb.form() {
-            AabbForm::Center { .. } => Slabs::<N>::in_center(o, d, &p, &q),
-            AabbForm::Corners { .. } => Slabs::<N>::in_corners(o, d, &p, &q),
+        let (a, b, is_segment_by_center) = self.segment.numbers();
+        let (p, q, is_by_center) = self.aabb.numbers();
+        let [a, b, p, q] = N::embed(&[a, b, p, q])?;
+        let slabs = |o: &[N::Length; 3], d: &[N::Length; 3]| {
+            if is_by_center {
+                Slabs::<N>::in_center(o, d, &p, &q)
+            } else {
+                Slabs::<N>::in_corners(o, d, &p, &q)
+            }
         };
-        match self.segment.form() {
-            SegmentForm::Ends(..) => {
-                let d = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-                let line = slabs(&a, &d);
-                let faces = line.lies_before().or(slabs(&b, &d).lies_beyond());
-                verdict(faces, &line)
-            }
-            SegmentForm::Center { .. } => {
-                let line = slabs(&a, &b);
-                verdict(line.lies_beyond_one(), &line)
-            }
+        if !is_segment_by_center {
+            let d = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+            let line = slabs(&a, &d);
+            let faces = line.lies_before().or(slabs(&b, &d).lies_beyond());
+            return verdict(faces, &line);
         }
+        let line = slabs(&a, &b);
+        verdict(line.lies_beyond_one(), &line)
     }
 }
 

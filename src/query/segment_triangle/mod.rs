@@ -6,7 +6,7 @@ use super::relation::{Asked, Relate, Relation};
 use crate::arithmetic::{Arithmetic, Embeds, cross, dot, three};
 use crate::robust::{Predicate, certain_sign};
 use crate::scalar::Scalar;
-use crate::shape::{Segment, SegmentForm, Triangle};
+use crate::shape::{Segment, Triangle};
 
 /// The question for the relation of segment and triangle.
 struct Lie<'a, S> {
@@ -85,28 +85,28 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<Relation> {
-        let (SegmentForm::Ends(a, b) | SegmentForm::Center { center: a, half: b }) =
-            self.segment.form();
+        let (a, b, is_by_center) = self.segment.numbers();
         let [p, q, r] = self.triangle.points();
-        let [a, b, p, q, r] = N::embed(&[a.to_array(), b.to_array(), p, q, r])?;
+        let [a, b, p, q, r] = N::embed(&[a, b, p, q, r])?;
         let triangle = [p, q, r];
-        let setting = match self.segment.form() {
-            SegmentForm::Ends(..) => Setting::<N>::by_ends([&a, &b], &triangle),
-            SegmentForm::Center { .. } => Setting::<N>::by_center([&a, &b], &triangle),
+        let setting = if is_by_center {
+            Setting::<N>::by_center([&a, &b], &triangle)
+        } else {
+            Setting::<N>::by_ends([&a, &b], &triangle)
         };
         let settled = setting.relation(&triangle);
         if settled.is_some() {
             return settled;
         }
-        let ends = match self.segment.form() {
-            SegmentForm::Ends(..) => [a, b],
-            // In floats these ends are rounded.
-            SegmentForm::Center { .. } if !N::CERTAIN => return None,
-            SegmentForm::Center { .. } => {
-                [from::<N>(&a, &b), [a[0] + b[0], a[1] + b[1], a[2] + b[2]]]
-            }
+        // In floats these ends are rounded.
+        if is_by_center && !N::CERTAIN {
+            return None;
+        }
+        let [a, b] = if is_by_center {
+            [from::<N>(&a, &b), [a[0] + b[0], a[1] + b[1], a[2] + b[2]]]
+        } else {
+            [a, b]
         };
-        let [a, b] = ends;
         in_doubt::<N>(&[a, b, b], &triangle, self.asked)
     }
 }

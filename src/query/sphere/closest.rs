@@ -14,7 +14,7 @@ use crate::query::Feature;
 use crate::query::orientation::{Vector, from};
 use crate::robust::{Clue, Numeric, Predicate};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Segment, SegmentForm, ShapeError, Triangle, Vec3, finite};
+use crate::shape::{Aabb, AabbForm, Segment, ShapeError, Triangle, Vec3, finite};
 
 /// The point of a shape closest to another point: see [`Triangle::closest_point`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -64,12 +64,9 @@ impl<S: Scalar> Predicate<S> for Nearest<'_, S, Segment<S>> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<Self::Answer> {
-        let (SegmentForm::Ends(a, b) | SegmentForm::Center { center: a, half: b }) =
-            self.shape.form();
-        let ends = [a.to_array(), b.to_array()];
-        let all = [ends[0], ends[1], self.point, [S::UNIT_LENGTH; 3]];
+        let (start, end, is_by_center) = self.shape.numbers();
+        let all = [start, end, self.point, [S::UNIT_LENGTH; 3]];
         let [a, b, p, [one, ..]] = N::embed(&all)?;
-        let is_by_center = matches!(self.shape.form(), SegmentForm::Center { .. });
         // In floats these ends are rounded.
         if is_by_center && !N::CERTAIN {
             return None;
@@ -79,18 +76,18 @@ impl<S: Scalar> Predicate<S> for Nearest<'_, S, Segment<S>> {
         let (d, e) = ([from::<N>(&p, &a), from::<N>(&p, &b)], from::<N>(&b, &a));
         let errors = Errors::<N>::of_lengths(largest_of::<N, 3>(&[d[0], d[1], e]))?;
         let feature = feature_of_segment::<N>(&d, &e, &errors)?;
-        let at_end = |k: usize, end: &Vector<N>| {
+        let at_end = |end: &Vector<N>, given: [S; 3]| {
             if is_by_center {
                 // On a line of length zero through the end.
                 let along = [one; 3];
                 on_edge::<S, N>([end, &[N::Length::ZERO; 3], &along], one, &errors)
             } else {
-                ends.get(k).copied()
+                Some(given)
             }
         };
         let point = match feature {
-            Feature::Vertex(0) => at_end(0, &a)?,
-            Feature::Vertex(_) => at_end(1, &b)?,
+            Feature::Vertex(0) => at_end(&a, start)?,
+            Feature::Vertex(_) => at_end(&b, end)?,
             _ => on_edge::<S, N>([&a, &d[0], &e], one, &errors)?,
         };
         Some(Some((feature, point)))

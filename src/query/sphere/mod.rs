@@ -30,7 +30,7 @@ use super::orientation::{Vector, from};
 use crate::arithmetic::{Embeds, Number, greatest, largest, three};
 use crate::robust::{Numeric, Predicate, Profile};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Segment, SegmentForm, Sphere, Triangle, Vec3};
+use crate::shape::{Aabb, Segment, SegmentForm, Sphere, Triangle, Vec3};
 
 /// The question whether a shape lies outside of the sphere.
 struct Beyond<'a, S, T> {
@@ -102,19 +102,14 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Aabb<S>> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
-            self.shape.form();
-        let all = [self.center(), self.radius(), p.to_array(), q.to_array()];
-        let [c, [r, ..], p, q] = N::embed(&all)?;
+        let (p, q, is_by_center) = self.shape.numbers();
+        let [c, [r, ..], p, q] = N::embed(&[self.center(), self.radius(), p, q])?;
         let above = |x: N::Length| greatest(x, N::Length::ZERO);
-        let (d, slack) = match self.shape.form() {
-            AabbForm::Corners { .. } => {
-                (three(|i| above(greatest(p[i] - c[i], c[i] - q[i]))), N::Length::ZERO)
-            }
-            AabbForm::Center { .. } => {
-                let d = from::<N>(&c, &p);
-                (three(|i| above(d[i].magnitude() - q[i])), largest(&d))
-            }
+        let (d, slack) = if is_by_center {
+            let d = from::<N>(&c, &p);
+            (three(|i| above(d[i].magnitude() - q[i])), largest(&d))
+        } else {
+            (three(|i| above(greatest(p[i] - c[i], c[i] - q[i]))), N::Length::ZERO)
         };
         Reach::<N>::new(r, self.ball).excludes_if_in_range(&d, slack)
     }

@@ -10,7 +10,7 @@ use crate::arithmetic::{
 use crate::query::triangle_aabb::frame::{BoxForm, Frame};
 use crate::robust::{Predicate, Profile, WordKernel, in_exact_numbers};
 use crate::scalar::{FixedBackend, Scalar};
-use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
+use crate::shape::{Aabb, Triangle, Vec3};
 
 /// A triangle that moves past a box.
 pub(super) struct Passing<'a, S> {
@@ -50,11 +50,9 @@ impl<'a, S: Scalar> Passing<'a, S> {
     pub(super) fn given<N: Embeds<S>>(&self) -> Option<Given<N>> {
         let [a, b, c] = self.triangle.points();
         let [from, to] = self.ends();
-        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
-            self.aabb.form();
-        let all = [a, b, c, p.to_array(), q.to_array(), from.to_array(), to.to_array()];
+        let (p, q, is_by_center) = self.aabb.numbers();
+        let all = [a, b, c, p, q, from.to_array(), to.to_array()];
         let [a, b, c, p, q, from, to] = N::embed(&all)?;
-        let is_by_center = matches!(self.aabb.form(), AabbForm::Center { .. });
         Some(Given { triangle: [a, b, c], p, q, is_by_center, way: [from, to] })
     }
 

@@ -43,9 +43,8 @@ impl<S: Scalar> Disjoint<'_, S> {
     #[inline(always)]
     fn is_held<N: Embeds<S>>(&self) -> bool {
         let [a, b, c] = self.triangle.points();
-        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
-            self.aabb.form();
-        N::holds(&[a, b, c, p.to_array(), q.to_array()])
+        let (p, q, _) = self.aabb.numbers();
+        N::holds(&[a, b, c, p, q])
     }
 
     /// The answer in `N`, which holds the shapes.
