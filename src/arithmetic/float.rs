@@ -168,11 +168,11 @@ pub(crate) fn quotient<F: Float, const L: usize>(
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::Float;
 
     /// 2^e, computed without bits.
-    fn two_to<F: Float>(e: i32) -> F {
+    pub(crate) fn two_to<F: Float>(e: i32) -> F {
         let factor = if e < 0 { F::HALF } else { F::from(2_u16) };
         (0..e.unsigned_abs()).fold(F::from(1_u16), |x, _| x * factor)
     }

@@ -88,3 +88,6 @@ pub use words::{InRaw, InWholeWord, InWord, ProductSum, Raw, WholeVolume, WholeW
 pub(crate) use words::{
     cross_words, dot_words, first_sign, out_of_line, out_of_line_if_wide, part,
 };
+
+#[cfg(test)]
+pub(crate) use float::tests::two_to;

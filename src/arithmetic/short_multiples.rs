@@ -165,20 +165,15 @@ impl ShortFloat for f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
 
     /// Against quotients of `f64`, which holds these numbers and rounds once more.
     #[test]
     fn quotients_are_the_nearest() {
-        let mut seed = 3_u64;
-        let mut next = || {
-            seed ^= seed << 13;
-            seed ^= seed >> 7;
-            seed ^= seed << 17;
-            seed
-        };
+        let mut random = Random(3);
         let mut given = 0;
         for case in 0..200_000 {
-            let mut number = |bits: u32| (next() as i64 >> (63 - bits)) as i128;
+            let mut number = |bits: u32| (random.bits() as i64 >> (63 - bits)) as i128;
             let bits = 1 + case % 53;
             let (num, den) = (number(bits), number(53 - bits / 2));
             let (num, den) = if case % 9 == 0 { (num << 40, (1 << 52) - 1) } else { (num, den) };

@@ -196,13 +196,8 @@ mod fixed_point {
 
 #[cfg(test)]
 mod tests {
-    use super::{Float, Span};
-
-    /// 2^e, computed without bits.
-    fn two_to<F: Float>(e: i32) -> F {
-        let factor = if e < 0 { F::HALF } else { F::from(2_u16) };
-        (0..e.unsigned_abs()).fold(F::from(1_u16), |x, _| x * factor)
-    }
+    use super::Span;
+    use crate::arithmetic::two_to;
 
     /// The constants agree with the numbers that the derivation of the bounds states.
     fn check<F: Span>(scale: i32, invertible: [i32; 2], [least, least_normal, past]: [i32; 3]) {

@@ -200,12 +200,7 @@ fn refined_doubles<P: Numeric<f64>>(p: &P, clue: Clue) -> P::Answer {
 #[cfg(test)]
 mod tests {
     use super::{Backend, Float, FloatFormat};
-
-    /// 2^e by repeated multiplication, independent of bit patterns.
-    fn two_to<F: Float>(e: i32) -> F {
-        let factor = if e < 0 { F::HALF } else { F::from(2_u16) };
-        (0..e.unsigned_abs()).fold(F::from(1_u16), |x, _| x * factor)
-    }
+    use crate::arithmetic::two_to;
 
     fn check<F: Float + Backend>(invertible: [i32; 2]) {
         let Some(FloatFormat { roundoff, least_normal, invertible: ends }) = F::FLOAT else {

@@ -3,6 +3,7 @@
 extern crate std;
 
 use core::cmp::Ordering;
+use core::ops::{Add, Neg, Sub};
 
 use dashu_int::IBig;
 
@@ -25,25 +26,24 @@ fn whole<F: Float>(x: F) -> IBig {
 }
 
 /// The lengths that kernels compute from up to six coordinates.
-fn lengths<L: Copy + Number>([[a, b, c], [d, e, f]]: [[L; 3]; 2]) -> [[L; 3]; 3] {
+fn lengths<L>(all: [[L; 3]; 2]) -> [[L; 3]; 3]
+where
+    L: Clone + Add<Output = L> + Sub<Output = L> + Neg<Output = L>,
+{
+    let [[a, b, c], [d, e, f]] = all.map(|row| row.map(|x| move || x.clone()));
     [
-        [a, b - a, (d - b) + (d - c)],
-        [((a - c) + (a - d)) + (c - d), (e + e) - (f + f) - (d + d), e - (d - f) + (c - b)],
-        [-((e - f) - d) - (b - a), (a - b) + (b - a), (f + f) + (f + f) - e],
-    ]
-}
-
-/// Integers of any size, with the operations of `lengths`.
-macro_rules! big_lengths {
-    ($x:expr) => {{
-        let [[a, b, c], [d, e, f]] = $x;
-        let two = IBig::from(2);
+        [a(), b() - a(), (d() - b()) + (d() - c())],
         [
-            [a.clone(), &b - &a, &two * &d - &b - &c],
-            [&two * (&a - &d), &two * (&e - &f - &d), &e - &d + &f + &c - &b],
-            [&f - &e + &d - &b + &a, IBig::ZERO, IBig::from(4) * &f - &e],
-        ]
-    }};
+            ((a() - c()) + (a() - d())) + (c() - d()),
+            (e() + e()) - (f() + f()) - (d() + d()),
+            e() - (d() - f()) + (c() - b()),
+        ],
+        [
+            -((e() - f()) - d()) - (b() - a()),
+            (a() - b()) + (b() - a()),
+            (f() + f()) + (f() + f()) - e(),
+        ],
+    ]
 }
 
 /// Whether `N` holds these coordinates; if it does, it must agree with integers of any size.
@@ -57,7 +57,7 @@ fn agrees<F: Float, N: Embeds<F, Area: Limbed, Volume: Limbed, Product: Limbed>>
     let low = if is_windowed { low } else { 0 };
     let big = big.map(|row| row.map(|x| x >> low));
 
-    let (few, many) = (lengths(held), big_lengths!(big));
+    let (few, many) = (lengths(held), lengths(big));
     let product = |x: N::Length| of_limbs(N::operand(x).limbs());
     for (x, y) in few.as_flattened().iter().zip(many.as_flattened()) {
         assert_eq!(product(*x), *y);

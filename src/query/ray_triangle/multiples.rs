@@ -105,18 +105,14 @@ fn dot(a: &[i64; 3], b: &[i32; 3]) -> i128 {
 mod tests {
     use super::*;
     use crate::query::{Cull, HitRules};
+    use crate::random::Random;
     use crate::shape::{Ray, Triangle};
 
     /// The bits equal the result of `f64` and the stages after it, and there is usually an answer.
     #[test]
     fn hits_are_the_same_bits() {
-        let mut seed = 3_u64;
-        let mut below = |n: u32| {
-            seed ^= seed << 13;
-            seed ^= seed >> 7;
-            seed ^= seed << 17;
-            ((u64::from((seed >> 32) as u32) * u64::from(n)) >> 32) as u32
-        };
+        let mut random = Random(3);
+        let mut below = |n: u32| (((random.bits() >> 32) * u64::from(n)) >> 32) as u32;
         // Multiples, small grids, any floats, and small numbers far from the origin.
         let (mut hits, mut said) = ([0; 4], [0; 4]);
         for case in 0..40_000 {
