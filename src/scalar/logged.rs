@@ -2,6 +2,11 @@
 //! logging of shapes.
 
 use defmt::{Formatter, write};
+#[cfg(feature = "fixed")]
+use fixed::traits::Fixed;
+
+#[cfg(feature = "fixed")]
+use crate::arithmetic::InRaw;
 
 /// A scalar that can be logged; every scalar can.
 pub(crate) trait Logged: Sized {
@@ -9,24 +14,25 @@ pub(crate) trait Logged: Sized {
     fn log(self, to: Formatter<'_>);
 }
 
-macro_rules! logged {
-    ($([$($generic:ident: $bound:ident)?] $scalar:ty, $format:literal, |$x:ident| $number:expr;)*) => {$(
-        impl<$($generic: fixed::types::extra::$bound)?> Logged for $scalar {
-            fn log(self, to: Formatter<'_>) {
-                let $x = self;
-                write!(to, $format, $number);
-            }
-        }
-    )*};
+impl Logged for f32 {
+    fn log(self, to: Formatter<'_>) {
+        write!(to, "{=f32}", self);
+    }
 }
-logged! {
-    [] f32, "{=f32}", |x| x;
-    [] f64, "{=f64}", |x| x;
+
+impl Logged for f64 {
+    fn log(self, to: Formatter<'_>) {
+        write!(to, "{=f64}", self);
+    }
 }
+
 #[cfg(feature = "fixed")]
-logged! {
-    [Frac: LeEqU8] fixed::FixedI8<Frac>, "{=f32}", |x| x.to_num();
-    [Frac: LeEqU16] fixed::FixedI16<Frac>, "{=f32}", |x| x.to_num();
-    [Frac: LeEqU32] fixed::FixedI32<Frac>, "{=f64}", |x| x.to_num();
-    [Frac: LeEqU64] fixed::FixedI64<Frac>, "{=f64}", |x| x.to_num();
+impl<S: InRaw + Fixed> Logged for S {
+    fn log(self, to: Formatter<'_>) {
+        if S::BITS <= 16 {
+            write!(to, "{=f32}", self.to_num());
+        } else {
+            write!(to, "{=f64}", self.to_num());
+        }
+    }
 }
