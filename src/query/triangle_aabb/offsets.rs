@@ -22,50 +22,33 @@ pub(super) fn pair<S: Scalar>(
 ) -> Clear {
     match *aabb.form() {
         AabbForm::Center { center: c, half: h } => {
-            by_center(triangle, c.x, c.y, c.z, h.x, h.y, h.z, apart)
+            by(of_center, triangle, c.x, c.y, c.z, h.x, h.y, h.z, apart)
         }
         AabbForm::Corners { min: a, max: b } => {
-            by_corners(triangle, a.x, a.y, a.z, b.x, b.y, b.z, apart)
+            by(of_corners, triangle, a.x, a.y, a.z, b.x, b.y, b.z, apart)
         }
     }
 }
 
+/// The same of a box in one form, whose vectors `in_rows` takes.
 #[allow(clippy::too_many_arguments)] // each in a register
 #[inline(never)]
-pub(super) fn by_center<S: Scalar>(
+pub(super) fn by<S: Scalar>(
+    in_rows: impl Fn(&Triangle<S>, [S; 3], [S; 3]) -> InRows,
     triangle: &Triangle<S>,
-    cx: S,
-    cy: S,
-    cz: S,
-    hx: S,
-    hy: S,
-    hz: S,
+    px: S,
+    py: S,
+    pz: S,
+    qx: S,
+    qy: S,
+    qz: S,
     apart: impl Fn(InRows) -> Clear,
 ) -> Clear {
-    let ([a, b, c], center, half) = (triangle.points(), [cx, cy, cz], [hx, hy, hz]);
-    if !S::have_offsets(&[a, b, c, center, half]) {
+    let ([a, b, c], p, q) = (triangle.points(), [px, py, pz], [qx, qy, qz]);
+    if !S::have_offsets(&[a, b, c, p, q]) {
         return Err(Doubt::Unknown);
     }
-    apart(of_center(triangle, center, half))
-}
-
-#[allow(clippy::too_many_arguments)] // each in a register
-#[inline(never)]
-pub(super) fn by_corners<S: Scalar>(
-    triangle: &Triangle<S>,
-    ax: S,
-    ay: S,
-    az: S,
-    bx: S,
-    by: S,
-    bz: S,
-    apart: impl Fn(InRows) -> Clear,
-) -> Clear {
-    let ([a, b, c], min, max) = (triangle.points(), [ax, ay, az], [bx, by, bz]);
-    if !S::have_offsets(&[a, b, c, min, max]) {
-        return Err(Doubt::Unknown);
-    }
-    apart(of_corners(triangle, min, max))
+    apart(in_rows(triangle, p, q))
 }
 
 /// Whether the coordinates are multiples of a unit so great that nothing above was rounded.
@@ -76,18 +59,11 @@ pub(super) fn by_corners<S: Scalar>(
 #[inline(always)]
 pub(super) fn are_exact<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bool {
     let [a, b, c] = triangle.points();
-    let (p, q, frame) = match aabb.form() {
-        AabbForm::Center { center, half } => {
-            let (center, half) = (center.to_array(), half.to_array());
-            (center, half, of_center(triangle, center, half))
-        }
-        AabbForm::Corners { min, max } => {
-            let (min, max) = (min.to_array(), max.to_array());
-            (min, max, of_corners(triangle, min, max))
-        }
-    };
+    let (p, q, is_by_center) = aabb.numbers();
+    let (_, frame) =
+        if is_by_center { of_center(triangle, p, q) } else { of_corners(triangle, p, q) };
     // If the size underflows, the unit would be zero, and every number a multiple of it.
-    let Some(size) = size_in_range(&frame.1) else { return false };
+    let Some(size) = size_in_range(&frame) else { return false };
     S::are_multiples(&[a, b, c, p, q], size.power_of_two_below() * 0.0625)
 }
 

@@ -47,7 +47,7 @@ fn by_center<S: Scalar + InFloat<F>, F: Float>(
     let (center, half) = (row(&Vec3::new(cx, cy, cz)), row(&Vec3::new(hx, hy, hz)));
     let rows = Rows::<F::Quad>::of(triangle);
     if !rows.are_within(S::LIMIT, center, half) {
-        return offsets::by_center(triangle, cx, cy, cz, hx, hy, hz, offsets::apart);
+        return offsets::by(offsets::of_center, triangle, cx, cy, cz, hx, hy, hz, offsets::apart);
     }
     rows.apart(&rows.in_frame_of_center(center, half))
 }
@@ -66,7 +66,7 @@ fn by_corners<S: Scalar + InFloat<F>, F: Float>(
     let (min, max) = (row(&Vec3::new(ax, ay, az)), row(&Vec3::new(bx, by, bz)));
     let rows = Rows::<F::Quad>::of(triangle);
     if !rows.are_within(S::LIMIT, min, max) {
-        return offsets::by_corners(triangle, ax, ay, az, bx, by, bz, offsets::apart);
+        return offsets::by(offsets::of_corners, triangle, ax, ay, az, bx, by, bz, offsets::apart);
     }
     rows.apart(&rows.in_frame_of_corners(min, max))
 }
@@ -95,19 +95,13 @@ fn pair_in_doubt<S: Scalar + InFloat<F>, F: Float>(
         return Some(false);
     }
     let rows = Rows::<F::Quad>::of(triangle);
-    let (p, q, frame) = match aabb.form() {
-        AabbForm::Center { center, half } => {
-            let (center, half) = (row(center), row(half));
-            (center, half, rows.in_frame_of_center(center, half))
-        }
-        AabbForm::Corners { min, max } => {
-            let (min, max) = (row(min), row(max));
-            (min, max, rows.in_frame_of_corners(min, max))
-        }
-    };
+    let (p, q, is_by_center) = aabb.numbers();
+    let (p, q) = (row(&p.into()), row(&q.into()));
     if !rows.are_within(S::LIMIT, p, q) {
         return None;
     }
+    let frame =
+        if is_by_center { rows.in_frame_of_center(p, q) } else { rows.in_frame_of_corners(p, q) };
     match apart(&rows, &frame) {
         Apart::Yes => Some(true),
         Apart::No => Some(false),
