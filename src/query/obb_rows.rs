@@ -80,11 +80,11 @@ pub(super) struct ObbInFloats<F> {
 impl<F: Float> ObbInFloats<F> {
     #[inline(always)]
     pub(super) fn new<S: Scalar + InFloat<F>>(obb: &Obb<S>) -> Self {
-        let [u, v, w] = obb.axes_as_arrays();
+        let [center, u, v, w, half] = obb.numbers();
         Self {
-            center: in_floats(obb.center().to_array()),
+            center: in_floats(center),
             axes: [in_units::<S, F>(u), in_units::<S, F>(v), in_units::<S, F>(w)],
-            half: in_floats(obb.half_extents().to_array()),
+            half: in_floats(half),
         }
     }
 }

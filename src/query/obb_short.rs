@@ -37,8 +37,9 @@
 //! Two boxes: E = 1/2 + 6·1/2 = 7/2 and less than 2^-6. A ray and a box: E = 3/2 + 1 + 3·1/2 = 4
 //! and less than 2^-6. [`ERROR`] is above both. `obb_short.g` proves the sums.
 
-use crate::arithmetic::{InRaw, Raw, Word, greatest, three, turn};
+use crate::arithmetic::{InRaw, Raw, Word, greatest, out_of_line, three, turn};
 use crate::query::relation::Relation;
+use crate::query::triangle_obb::size;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Obb, Ray, Segment, SegmentForm, Vec3};
 
@@ -67,7 +68,7 @@ impl<const K: usize> Scaled<K> {
 
 /// How many bits hold the numbers.
 pub(super) fn bits<const K: usize>(numbers: &[[i64; 3]; K]) -> i32 {
-    numbers.as_flattened().iter().fold(0, |all, x| all | x.folded()).bits()
+    size(numbers).bits()
 }
 
 fn raw<S: InRaw>(v: &Vec3<S>) -> [i64; 3] {
@@ -180,36 +181,39 @@ pub(super) fn ray<S: Scalar + InRaw>(ray: &Ray<S>, obb: &Obb<S>) -> Option<bool>
     let unit = reach + 2 - LENGTH;
     // As long as two to the reach, and up to twice as long.
     let [beyond] = Raw::cut(d, bits(&d) + 1 - LENGTH);
-    let backward = beyond.map(|x| -x);
-
-    let end = |t: Option<S>, is_last: bool| {
-        let Some(t) = t else { return Some(if is_last { beyond } else { backward }) };
-        let [d] = d;
-        let t: i64 = t.raw().into();
-        if t == 0 {
-            return Some([0; 3]);
-        }
-        let at = products([t], [d], S::FRACTION_BITS);
-        // At least 2^(t's bits − 1) times 2^(d's bits − 1).
-        let is_far = bits(&[[t, 0, 0]]) + bits(&[d]) - S::FRACTION_BITS - 2 >= reach;
-        match (is_far, t > 0) {
-            (false, _) => {
-                let [at] = at.cut(unit);
-                Some(at)
-            }
-            // All of the ray is beyond the box.
-            (true, is_ahead) if is_ahead != is_last => None,
-            (true, is_ahead) => Some(if is_ahead { beyond } else { backward }),
-        }
-    };
-    let (Some(from), Some(to)) = (end(ray.t_min(), false), end(ray.t_max(), true)) else {
-        return Some(true);
-    };
+    let Some([from, to]) = ends(ray, reach, unit, beyond) else { return Some(true) };
     let [way] = way.cut(unit);
     let (middle, half) = middle_and_half(&from, &to);
     let [u, v, w] = spans.cut(unit);
     let way = three(|i| way[i] + middle[i]);
     relation(&way, &[u, v, w, half]).map(|found| found == Relation::Disjoint)
+}
+
+/// The vectors from the origin of a ray to its ends, in units of two to the `unit`. The vector
+/// `beyond`, or its opposite, replaces an end farther than two to the `reach`, and a missing one.
+/// `None` if all of the ray lies farther.
+pub(super) fn ends<S: Scalar + InRaw>(
+    ray: &Ray<S>,
+    reach: i32,
+    unit: i32,
+    beyond: [i32; 3],
+) -> Option<[[i32; 3]; 2]> {
+    let far = |is_ahead: bool| if is_ahead { beyond } else { beyond.map(|x| -x) };
+    let at = |t: i64, is_last: bool| {
+        let d = [raw(&ray.direction())];
+        // At least 2^(t's bits − 1) times 2^(d's bits − 1).
+        if bits(&[[t, 0, 0]]) + bits(&d) - S::FRACTION_BITS - 2 < reach {
+            let [at] = products([t], d, S::FRACTION_BITS).cut(unit);
+            return Some(at);
+        }
+        ((t > 0) == is_last).then(|| far(is_last))
+    };
+    let end = |t: Option<S>, is_last: bool| match t.map(|t| t.raw().into()) {
+        None => Some(far(is_last)),
+        Some(0) => Some([0; 3]),
+        Some(t) => out_of_line(|| at(t, is_last)),
+    };
+    Some([end(ray.t_min(), false)?, end(ray.t_max(), true)?])
 }
 
 /// The middle of two points, rounded down, and half the way between them.

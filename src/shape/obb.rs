@@ -161,6 +161,13 @@ impl<S: Scalar> Obb<S> {
         [u.to_array(), v.to_array(), w.to_array()]
     }
 
+    /// The centre, the axes and the half-extents.
+    #[inline(always)]
+    pub(crate) fn numbers(&self) -> [[S; 3]; 5] {
+        let [u, v, w] = self.axes_as_arrays();
+        [self.center.to_array(), u, v, w, self.half.to_array()]
+    }
+
     /// `Less` if the axes are left-handed, `Greater` if they are right-handed.
     pub(crate) fn hand(&self) -> Ordering {
         hand(&self.axes_as_arrays())

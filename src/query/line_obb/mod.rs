@@ -16,7 +16,7 @@ use self::kernel::{Operands, any_axis};
 use self::range::Range;
 use super::Overlaps;
 use super::obb_short;
-use super::triangle_obb::has_second_look;
+use super::triangle_obb::{has_second_look, operands, way};
 use crate::arithmetic::{Embeds, Float, InFloat, Number, Parts, each};
 use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, SMALL_CODE};
 use crate::robust::{Predicate, Profile, Vector, difference, noted, single};
@@ -92,27 +92,20 @@ impl<S: Scalar> Disjoint<'_, S> {
     fn operands<N: Embeds<S>>(&self) -> Option<Operands<N::Product>> {
         let zero = N::Product::ZERO;
         let [p, q, ends] = self.rows();
-        let [u, v, w] = self.obb.axes_as_arrays();
-        let (center, half) = (self.obb.center().to_array(), self.obb.half_extents().to_array());
-        let ([p, q, ends, c, u, v, w, h], one) =
-            N::embed_with_one(&[p, q, ends, center, u, v, w, half])?;
-
-        let operands = |x: [N::Length; 3]| each(x, N::operand);
-        let from = |x: [N::Length; 3], y: [N::Length; 3]| {
-            operands([x[0] - y[0], x[1] - y[1], x[2] - y[2]])
-        };
+        let [c, u, v, w, h] = self.obb.numbers();
+        let ([p, q, ends, c, u, v, w, h], one) = N::embed_with_one(&[p, q, ends, c, u, v, w, h])?;
         let (d, ends) = match self.line {
             Line::Ray(ray) => {
-                let [from, to, _] = operands(ends);
-                (operands(q), [ray.t_min().map(|_| from), ray.t_max().map(|_| to)])
+                let [from, to, _] = operands::<N>(ends);
+                (operands::<N>(q), [ray.t_min().map(|_| from), ray.t_max().map(|_| to)])
             }
             Line::Segment(segment) => match segment.form() {
-                SegmentForm::Ends(..) => (from(q, p), [Some(zero), Some(one)]),
-                SegmentForm::Center { .. } => (operands(q), [Some(-one), Some(one)]),
+                SegmentForm::Ends(..) => (way::<N>(q, p), [Some(zero), Some(one)]),
+                SegmentForm::Center { .. } => (operands::<N>(q), [Some(-one), Some(one)]),
             },
         };
-        let u = [operands(u), operands(v), operands(w)];
-        Some(Operands { m: from(p, c), d, ends, u, h: operands(h), one })
+        let u = [operands::<N>(u), operands::<N>(v), operands::<N>(w)];
+        Some(Operands { m: way::<N>(p, c), d, ends, u, h: operands::<N>(h), one })
     }
 }
 

@@ -6,8 +6,8 @@
 //! less than 2^-12.
 
 use super::{Disjoint, Line};
-use crate::arithmetic::{InRaw, Raw, Word, greatest, out_of_line, three};
-use crate::query::obb_short::{bits, products};
+use crate::arithmetic::{InRaw, Raw, Word, greatest, three};
+use crate::query::obb_short::ends;
 use crate::query::triangle_obb::{EXACT, Known, Size, are_disjoint, raw, size};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, SegmentForm, Vec3};
@@ -47,25 +47,7 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
         let unit = reach - END;
         let [beyond] = Raw::cut([d], size(&[d]).bits() - END - 1);
 
-        let far = |is_ahead: bool| if is_ahead { beyond } else { beyond.map(|x| -x) };
-        let at = |t: i64, is_last: bool| {
-            let d: [i64; 3] = d.map(Into::into);
-            let length = bits(&[[t, 0, 0]]) + bits(&[d]) - S::FRACTION_BITS;
-            if length - 2 < reach {
-                let [at] = products([t], [d], S::FRACTION_BITS).cut(unit);
-                return Some(at);
-            }
-            // Else all of the ray is beyond the box.
-            ((t > 0) == is_last).then(|| far(is_last))
-        };
-        let end = |t: Option<S>, is_last: bool| match t.map(|t| t.raw().into()) {
-            None => Some(far(is_last)),
-            Some(0) => Some([0; 3]),
-            Some(t) => out_of_line(|| at(t, is_last)),
-        };
-        let (Some(from), Some(to)) = (end(ray.t_min(), false), end(ray.t_max(), true)) else {
-            return Some(true);
-        };
+        let Some([from, to]) = ends(ray, reach, unit, beyond) else { return Some(true) };
         let [way] = Raw::cut([way], unit);
         let (p, q) = (three(|i| way[i] + from[i]), three(|i| way[i] + to[i]));
         are_disjoint(self.obb, move || Known::Size(span), unit + SPARE, || ([p, q, q], unit))

@@ -67,8 +67,7 @@ fn two<S: Scalar>(first: &Obb<S>, second: &Obb<S>) -> Option<Result<Relation, In
 
 #[inline(never)]
 fn upright<S: Scalar>(first: &Aabb<S>, second: &Obb<S>) -> Option<Result<Relation, InDoubt>> {
-    let [v0, v1, v2] = second.axes_as_arrays();
-    let (b, k) = (second.center().to_array(), second.half_extents().to_array());
+    let [b, v0, v1, v2, k] = second.numbers();
     let (p, q, is_by_center) = first.numbers();
     if is_skewed(v0, v1) || !S::have_offsets(&[v0, v1, v2, b, k, p, q]) {
         return None;

@@ -16,7 +16,7 @@ use self::kernel::{Boxes, all_axes};
 use super::Overlaps;
 use super::obb_short;
 use super::relation::{Asked, Relate, Relation};
-use super::triangle_obb::has_second_look;
+use super::triangle_obb::{has_second_look, operands, way};
 use crate::arithmetic::{
     Embeds, Float, InFloat, Number, each, greatest, largest, of_two, once, three,
 };
@@ -50,25 +50,18 @@ impl<S: Scalar> Lie<'_, S> {
     #[inline(always)]
     fn by_these_axes<N: Embeds<S>>(&self, looks_twice: bool) -> Option<Relation> {
         let zero = N::Product::ZERO;
-        let [v0, v1, v2] = self.second.axes_as_arrays();
-        let (b, k) = (self.second.center().to_array(), self.second.half_extents().to_array());
-
-        let operands = |x: [N::Length; 3]| each(x, N::operand);
-        let from = |x: [N::Length; 3], y: [N::Length; 3]| {
-            operands([x[0] - y[0], x[1] - y[1], x[2] - y[2]])
-        };
+        let [b, v0, v1, v2, k] = self.second.numbers();
         let boxes = match self.first {
             First::Obb(first) => {
-                let [u0, u1, u2] = first.axes_as_arrays();
-                let (a, h) = (first.center().to_array(), first.half_extents().to_array());
+                let [a, u0, u1, u2, h] = first.numbers();
                 let ([v0, v1, v2, b, k, u0, u1, u2, a, h], one) =
                     N::embed_with_one(&[v0, v1, v2, b, k, u0, u1, u2, a, h])?;
                 Boxes {
-                    d: from(b, a),
-                    u: [operands(u0), operands(u1), operands(u2)],
-                    h: operands(h),
-                    v: [operands(v0), operands(v1), operands(v2)],
-                    k: operands(k),
+                    d: way::<N>(b, a),
+                    u: [operands::<N>(u0), operands::<N>(u1), operands::<N>(u2)],
+                    h: operands::<N>(h),
+                    v: [operands::<N>(v0), operands::<N>(v1), operands::<N>(v2)],
+                    k: operands::<N>(k),
                     one,
                 }
             }
@@ -76,16 +69,23 @@ impl<S: Scalar> Lie<'_, S> {
                 let (p, q, is_by_center) = first.numbers();
                 let ([v0, v1, v2, b, k, p, q], one) = N::embed_with_one(&[v0, v1, v2, b, k, p, q])?;
                 let (d, h, k) = if is_by_center {
-                    (from(b, p), operands(q), operands(k))
+                    (way::<N>(b, p), operands::<N>(q), operands::<N>(k))
                 } else {
                     (
-                        operands(three(|i| of_two::<N, _>((b[i] - p[i]) + (b[i] - q[i])))),
-                        operands(three(|i| of_two::<N, _>(q[i] - p[i]))),
-                        operands(each(k, once::<N, _>)),
+                        operands::<N>(three(|i| of_two::<N, _>((b[i] - p[i]) + (b[i] - q[i])))),
+                        operands::<N>(three(|i| of_two::<N, _>(q[i] - p[i]))),
+                        operands::<N>(each(k, once::<N, _>)),
                     )
                 };
                 let u = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
-                Boxes { d, u, h, v: [operands(v0), operands(v1), operands(v2)], k, one }
+                Boxes {
+                    d,
+                    u,
+                    h,
+                    v: [operands::<N>(v0), operands::<N>(v1), operands::<N>(v2)],
+                    k,
+                    one,
+                }
             }
         };
         let most =

@@ -7,7 +7,7 @@
 use core::cmp::Ordering;
 
 use crate::arithmetic::{Embeds, Number, Parts, greatest, largest, pick};
-use crate::query::triangle_obb::{cross, dot, error_bound};
+use crate::query::triangle_obb::{cross, dot, error_bound, operands, way};
 use crate::robust::{ExactSum, Predicate, Uncertain, Vector, add_scaled_determinant, single};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
@@ -23,13 +23,10 @@ impl<S: Scalar> Predicate<S> for Outside<'_, S> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let [u, v, w] = self.obb.axes_as_arrays();
-        let all =
-            [self.point, self.obb.center().to_array(), u, v, w, self.obb.half_extents().to_array()];
-        let ([p, c, u, v, w, h], one) = N::embed_with_one(&all)?;
-        let operands = |x: [N::Length; 3]| [N::operand(x[0]), N::operand(x[1]), N::operand(x[2])];
-        let d = operands([p[0] - c[0], p[1] - c[1], p[2] - c[2]]);
-        let (u, v, w, h) = (operands(u), operands(v), operands(w), operands(h));
+        let [c, u, v, w, h] = self.obb.numbers();
+        let ([p, c, u, v, w, h], one) = N::embed_with_one(&[self.point, c, u, v, w, h])?;
+        let d = way::<N>(p, c);
+        let [u, v, w, h] = [u, v, w, h].map(operands::<N>);
 
         let axes = greatest(greatest(largest(&u), largest(&v)), greatest(largest(&w), one));
         // The same terms as on the face axes of a triangle, with the same roundings.

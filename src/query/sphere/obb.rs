@@ -51,8 +51,7 @@ pub(in crate::query) fn corners<S: Scalar, N: Embeds<S>>(
     radius: S,
     ball: Ball,
 ) -> Option<Held<S, N>> {
-    let [u, v, w] = obb.axes_as_arrays();
-    let (center, half) = (obb.center().to_array(), obb.half_extents().to_array());
+    let [center, u, v, w, half] = obb.numbers();
     let numbers = [radius, S::UNIT_LENGTH, S::ZERO];
     let [a, b, c, u, v, w, h, [r, unit, _]] = N::embed(&[a, b, center, u, v, w, half, numbers])?;
     // Only floats have no other one, and their unit of length is one.

@@ -94,20 +94,14 @@ pub(super) struct ExactParallelepiped<N: Signs> {
 }
 
 impl<S: Scalar> ExactParallelepiped<InSums<S>> {
-    pub(super) fn new(
-        points: &[[S; 3]; 3],
-        center: [S; 3],
-        axes: &[[S; 3]; 3],
-        half: [S; 3],
-    ) -> Self {
+    pub(super) fn new([a, b, c]: [[S; 3]; 3], [center, u, v, w, half]: [[S; 3]; 5]) -> Self {
         let from = |to: [S; 3], from: [S; 3]| {
             core::array::from_fn(|i| difference(to[i].parts(), from[i].parts()))
         };
-        let [a, b, c] = *points;
         Self {
             t: [from(a, center), from(b, center), from(c, center)],
             e: [from(b, a), from(c, b), from(a, c)],
-            u: axes.map(|u| u.map(|x| single(x.parts()))),
+            u: [u, v, w].map(|u| u.map(|x| single(x.parts()))),
             h: half.map(S::parts),
             one: S::ONE,
         }
@@ -118,17 +112,14 @@ impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
     /// In words; differences that do not fit wrap around.
     #[inline(always)]
     pub(super) fn in_words<S: Scalar + InWord<W>>(
-        points: &[[S; 3]; 3],
-        center: [S; 3],
-        axes: &[[S; 3]; 3],
-        half: [S; 3],
+        [a, b, c]: [[S; 3]; 3],
+        [center, u, v, w, half]: [[S; 3]; 5],
         one: W,
     ) -> Self {
         let words = |x: [S; 3]| [x[0].in_word(), x[1].in_word(), x[2].in_word()];
         let from = |to: [W; 3], from: [W; 3]| {
             [to[0].minus(from[0]), to[1].minus(from[1]), to[2].minus(from[2])]
         };
-        let ([a, b, c], [u, v, w]) = (*points, *axes);
         let ([a, b, c], center) = ([words(a), words(b), words(c)], words(center));
         Self {
             t: [from(a, center), from(b, center), from(c, center)],

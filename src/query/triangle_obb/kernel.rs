@@ -1,6 +1,6 @@
 use core::ops::Mul;
 
-use crate::arithmetic::{Number, greatest, least, three, turn};
+use crate::arithmetic::{Arithmetic, Number, each, greatest, least, three, turn};
 use crate::query::relation::Reading;
 
 /// A triangle and a parallelepiped as operands of products: the vertices relative to the centre,
@@ -18,6 +18,21 @@ pub(in crate::query) struct ErrorBound<P> {
     pub(in crate::query) face: P,
     pub(super) edge: P,
     pub(super) plane: P,
+}
+
+/// A vector as operands.
+#[inline(always)]
+pub(in crate::query) fn operands<N: Arithmetic>(x: [N::Length; 3]) -> [N::Product; 3] {
+    each(x, N::operand)
+}
+
+/// The vector to a point from another, as operands.
+#[inline(always)]
+pub(in crate::query) fn way<N: Arithmetic>(
+    to: [N::Length; 3],
+    from: [N::Length; 3],
+) -> [N::Product; 3] {
+    operands::<N>([to[0] - from[0], to[1] - from[1], to[2] - from[2]])
 }
 
 /// The relation of a triangle and a parallelepiped from the 13 axes. `looks_twice` leaves out edge

@@ -22,7 +22,7 @@ pub(super) use self::error_bound::error_bound;
 use self::exact::InWords;
 use self::exact::{ExactParallelepiped, InSums};
 use self::kernel::{Parallelepiped, all_axes};
-pub(super) use self::kernel::{cross, dot, lie_along_one_axis};
+pub(super) use self::kernel::{cross, dot, lie_along_one_axis, operands, way};
 pub(super) use self::known::{Known, Size};
 pub use self::prepared::PreparedObb;
 pub(super) use self::products::{raw, size};
@@ -105,21 +105,14 @@ impl<S: Scalar> Disjoint<'_, S> {
 
     #[inline(always)]
     fn by_these_axes<N: Embeds<S>, R: Reading>(&self, looks_twice: bool) -> Option<R::Answer> {
-        let [a, b, c] = self.triangle.points();
-        let ([u, v, w], half) = (self.obb.axes_as_arrays(), self.obb.half_extents().to_array());
-        let center = self.obb.center().to_array();
+        let ([a, b, c], [center, u, v, w, half]) = (self.triangle.points(), self.obb.numbers());
         let ([a, b, c, center, u, v, w, h], one) =
             N::embed_with_one(&[a, b, c, center, u, v, w, half])?;
-
-        let operands = |x: [N::Length; 3]| [x[0], x[1], x[2]].map(N::operand);
-        let from = |x: [N::Length; 3], y: [N::Length; 3]| {
-            operands([x[0] - y[0], x[1] - y[1], x[2] - y[2]])
-        };
         let s = Parallelepiped {
-            t: [from(a, center), from(b, center), from(c, center)],
-            e: [from(b, a), from(c, b), from(a, c)],
-            u: [operands(u), operands(v), operands(w)],
-            h: operands(h),
+            t: [way::<N>(a, center), way::<N>(b, center), way::<N>(c, center)],
+            e: [way::<N>(b, a), way::<N>(c, b), way::<N>(a, c)],
+            u: [operands::<N>(u), operands::<N>(v), operands::<N>(w)],
+            h: operands::<N>(h),
             one,
         };
         let axes = most(one, &s.u);
@@ -131,13 +124,8 @@ impl<S: Scalar> Disjoint<'_, S> {
 
     /// The answer from exact sums.
     fn in_exact_sums<R: Reading>(&self) -> R::Answer {
-        ExactParallelepiped::<InSums<S>>::new(
-            &self.triangle.points(),
-            self.obb.center().to_array(),
-            &self.obb.axes_as_arrays(),
-            self.obb.half_extents().to_array(),
-        )
-        .answer::<R>()
+        ExactParallelepiped::<InSums<S>>::new(self.triangle.points(), self.obb.numbers())
+            .answer::<R>()
     }
 }
 
@@ -195,14 +183,7 @@ impl<S: Scalar> Disjoint<'_, S> {
     where
         S: InWord<W>,
     {
-        let (center, half) = (self.obb.center().to_array(), self.obb.half_extents().to_array());
-        ExactParallelepiped::in_words(
-            &self.triangle.points(),
-            center,
-            &self.obb.axes_as_arrays(),
-            half,
-            one,
-        )
+        ExactParallelepiped::in_words(self.triangle.points(), self.obb.numbers(), one)
     }
 }
 
