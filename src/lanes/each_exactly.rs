@@ -2,7 +2,7 @@
 
 use super::{Hits, Triangles};
 use crate::arithmetic::{Embeds, Filtered};
-use crate::query::{Candidate, clear_hit, clear_refined_hit, clearly_misses, line_clearly_misses};
+use crate::query::{Candidate, clear_hit, clear_misses, clear_refined_hit, line_clearly_misses};
 use crate::robust::{Clue, Numeric, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::Ray;
@@ -68,8 +68,13 @@ impl<S: Scalar, const N: usize> CrossesEach<'_, S, N> {
             return None;
         }
         let mut misses = [false; N];
-        for k in 0..N {
-            misses[k] = clearly_misses(self.ray, self.triangles.at(k));
+        for from in (0..N).step_by(4) {
+            let triangle = |k: usize| self.triangles.triangle((from + k).min(N - 1));
+            let triangles = [triangle(0), triangle(1), triangle(2), triangle(3)];
+            let missed = clear_misses(self.ray, triangles);
+            for k in from..N.min(from + 4) {
+                misses[k] = missed >> (k - from) & 1 == 1;
+            }
         }
         let mut left = 0;
         for k in 0..N {

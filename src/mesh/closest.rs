@@ -25,8 +25,8 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     ///
     /// *Cost*: 36 multiplications for four boxes together, and 50 with up to two divisions for each
     /// triangle whose bounding box is nearer than the closest so far; in fixed point on 32-bit cores
-    /// three for each box, and [`Triangle::closest_point`] for each such triangle. The stack has
-    /// room for 49 places, 392 bytes.
+    /// three for each box, and [`Triangle::closest_point`] for each such triangle. The stack is that of
+    /// [`first_hit`](Self::first_hit).
     ///
     /// ```
     /// use septum::mesh::{Mesh, Node, Tree};

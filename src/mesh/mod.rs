@@ -55,6 +55,7 @@ mod error;
 mod from_origin;
 mod grid;
 mod index;
+mod moving_box;
 mod node;
 #[cfg(feature = "alloc")]
 mod owned;

@@ -1,19 +1,16 @@
 //! Ray casts through a tree.
 
 use core::cmp::Ordering;
-use core::ops::Range;
+use core::ops::{ControlFlow, Range};
 
-use super::descent::{Descend, Descent, Met};
-use super::node::{LEVELS, Layout, Node};
-use super::walk::Walk;
+use super::descent::{Descend, Descent};
+use super::node::Node;
+use super::walk::{Walk, descend};
 use super::{Index, Tree};
-use crate::query::{Feature, Hit, HitRules};
+use crate::arithmetic::REGISTERS_ARE_WIDE;
+use crate::query::{Feature, Hit, HitRules, clear_misses};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle, Vec3};
-
-/// The greatest number of places still to be visited: all children but one, of each node on the
-/// path.
-const STACK: usize = 3 * LEVELS + 1;
 
 impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     /// The first triangle that a ray hits, and the hit, if there is one.
@@ -26,7 +23,8 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     ///
     /// *Cost*: [`Ray::hit`] for each triangle in a leaf that the ray meets before its first hit. On
     /// the way down, four boxes together take 24 multiplications in `f32`; in fixed point on 32-bit
-    /// cores each box takes one [`Ray::overlaps`]. The stack has room for 49 places, 392 bytes.
+    /// cores each box takes one [`Ray::overlaps`]. The stack has room for 104 places, 832 bytes; on
+    /// 32-bit cores for 52, 416 bytes.
     ///
     /// See [`Tree`] for an example.
     #[doc(alias = "raycast")]
@@ -84,22 +82,41 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     ) -> Option<(usize, Hit<S>)> {
         let mut descent = Descent::new(&self.grid, ray);
         let mut best: Option<(usize, Hit<S>)> = None;
-        self.descend(&mut descent, |descent, i| {
-            let Some(hit) = ray.hit_with(&self.mesh.known(i), rules) else { return };
-            let is_first =
-                best.is_none_or(|best| self.is_before(ray, (i, &hit), (best.0, &best.1)));
-            if is_first && accepts(i, &hit) {
-                descent.limit(hit.t);
-                best = Some((i, hit));
+        let _ = descend(self.nodes, &self.layout, &mut descent, |descent, leaf| {
+            for i in self.near(ray, leaf).map(|place| self.index(place)) {
+                let Some(hit) = ray.hit_with(&self.mesh.known(i), rules) else { continue };
+                let is_first =
+                    best.is_none_or(|best| self.is_before(ray, (i, &hit), (best.0, &best.1)));
+                if is_first && accepts(i, &hit) {
+                    descent.limit(hit.t);
+                    best = Some((i, hit));
+                }
             }
+            ControlFlow::Continue(())
         });
         best
     }
 
     /// Visits the triangles near the moving object, roughly in the order in which it reaches them.
     #[inline(always)]
-    pub(super) fn descend<D: Descend>(&self, descent: &mut D, visit: impl FnMut(&mut D, usize)) {
-        descend(self.nodes, &self.layout, |place| self.index(place), descent, visit);
+    pub(super) fn descend<D: Descend>(
+        &self,
+        descent: &mut D,
+        mut visit: impl FnMut(&mut D, usize),
+    ) {
+        let _ = descend(self.nodes, &self.layout, descent, |descent, leaf| {
+            leaf.for_each(|place| visit(descent, self.index(place)));
+            ControlFlow::Continue(())
+        });
+    }
+
+    /// The triangles of a leaf that the ray does not clearly miss.
+    #[inline(always)]
+    fn near(&self, ray: &Ray<S>, leaf: Range<usize>) -> Near {
+        let last = leaf.end.saturating_sub(1);
+        let triangle = |k: usize| self.mesh.known(self.index(last.min(leaf.start + k)));
+        let missed = clear_misses(ray, [triangle(0), triangle(1), triangle(2), triangle(3)]);
+        Near { from: leaf.start, left: !missed & ((1 << leaf.len()) - 1) }
     }
 
     /// Whether hit `a` comes before hit `b` along the ray, or has the lower index if they tie.
@@ -119,8 +136,8 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     /// Does a ray hit any triangle?
     ///
     /// *Contact*, *Numerics*: exact, as [`Ray::is_hit`]. *Panics*: never. *Cost*: as
-    /// [`first_hit`](Self::first_hit), but it stops at any hit, divides nothing, and needs no
-    /// stack. Use it for shadows and lines of sight.
+    /// [`first_hit`](Self::first_hit), but it stops at any hit, divides nothing, and on 32-bit cores
+    /// needs no stack. Use it for shadows and lines of sight.
     #[doc(alias = "raycast")]
     #[must_use]
     pub fn is_hit(&self, ray: &Ray<S>) -> bool {
@@ -130,8 +147,20 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     /// [`is_hit`](Self::is_hit) under other rules, such as culling.
     #[must_use]
     pub fn is_hit_with(&self, ray: &Ray<S>, rules: HitRules) -> bool {
-        let mut near = LeafTriangles::new(self, ray);
-        core::iter::from_fn(|| near.next(self)).any(|i| ray.is_hit_with(&self.mesh.known(i), rules))
+        let is_hit = |i: usize| ray.is_hit_with(&self.mesh.known(i), rules);
+        if !REGISTERS_ARE_WIDE {
+            let mut near = LeafTriangles::new(self, ray);
+            return core::iter::from_fn(|| near.next(self)).any(is_hit);
+        }
+        let mut descent = Descent::new(&self.grid, ray);
+        descend(self.nodes, &self.layout, &mut descent, |_, leaf| {
+            if self.near(ray, leaf).any(|place| is_hit(self.index(place))) {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        })
+        .is_break()
     }
 
     /// All triangles that a ray hits, with their hits, in the tree's order.
@@ -163,51 +192,6 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     }
 }
 
-/// Visits the items near a moving object, roughly in the order in which it reaches it. `index` maps
-/// a position in the tree's order to an index.
-#[inline(always)]
-pub(super) fn descend<D: Descend>(
-    nodes: &[Node],
-    layout: &Layout,
-    index: impl Fn(usize) -> usize,
-    descent: &mut D,
-    mut visit: impl FnMut(&mut D, usize),
-) {
-    let mut stack = [(0_u32, i32::MIN); STACK];
-    let mut top = usize::from(!nodes.is_empty());
-    while top > 0 {
-        top -= 1;
-        let Some(&(place, sooner)) = stack.get(top) else { break };
-        let place = place as usize;
-        if !descent.reaches(sooner) {
-            continue;
-        }
-        let Some(node) = nodes.get(place) else {
-            for i in layout.leaf(place).map(&index) {
-                visit(descent, i);
-            }
-            continue;
-        };
-        let Met { mask, sooner } = descent.meets(node);
-        let bottom = top;
-        for k in (0..4).filter(|k| mask >> k & 1 == 1) {
-            // The child reached first goes on top.
-            let entry = ((4 * place + 1 + k) as u32, sooner[k % 4]);
-            let mut at = top;
-            while at > bottom && stack.get(at - 1).is_some_and(|below| below.1 < entry.1) {
-                if let Some(pair) = stack.get_mut(at - 1..=at) {
-                    pair.swap(0, 1);
-                }
-                at -= 1;
-            }
-            if let Some(to) = stack.get_mut(at) {
-                *to = entry;
-            }
-            top += 1;
-        }
-    }
-}
-
 /// The ends of the edge that was hit, or the vertex twice; `None` for the interior.
 pub(super) fn met<S: Scalar>(triangle: &Triangle<S>, feature: Feature) -> Option<[Vec3<S>; 2]> {
     let [a, b, c] = *triangle.vertices();
@@ -231,19 +215,38 @@ pub(super) fn is_same<S: Scalar>(a: &Option<[Vec3<S>; 2]>, b: &Option<[Vec3<S>; 
     }
 }
 
+/// Some triangles of a leaf, by their place in the tree's order.
+#[derive(Clone, Debug)]
+struct Near {
+    from: usize,
+    /// Bit k stands for the triangle at `from` + k.
+    left: u32,
+}
+
+impl Iterator for Near {
+    type Item = usize;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<usize> {
+        let k = self.left.trailing_zeros() as usize;
+        self.left &= self.left.checked_sub(1)?;
+        Some(self.from + k)
+    }
+}
+
 /// The triangles in the leaves that a ray meets.
 #[derive(Clone, Debug)]
 struct LeafTriangles<S: Scalar> {
     descent: Descent<S>,
     walk: Walk,
-    leaf: Range<usize>,
+    leaf: Near,
 }
 
 impl<S: Scalar> LeafTriangles<S> {
     fn new<I: Index>(tree: &Tree<'_, S, I>, ray: &Ray<S>) -> Self {
         let descent = Descent::new(&tree.grid, ray);
         let walk = Walk::new(tree.nodes, |root| descent.meets(root).mask);
-        Self { descent, walk, leaf: 0..0 }
+        Self { descent, walk, leaf: Near { from: 0, left: 0 } }
     }
 
     /// The index of the next triangle.
@@ -254,7 +257,8 @@ impl<S: Scalar> LeafTriangles<S> {
                 return Some(tree.index(place));
             }
             let mask = |node: &Node| self.descent.meets(node).mask;
-            self.leaf = self.walk.next(tree.nodes, &tree.layout, mask)?;
+            let leaf = self.walk.next(tree.nodes, &tree.layout, mask)?;
+            self.leaf = tree.near(self.descent.ray(), leaf);
         }
     }
 }

@@ -1,14 +1,16 @@
 //! A box or a sphere that moves past a mesh.
 
-use super::descent::{Descend, GridRay, Met, along_octant};
-use super::grid::Grid;
-use super::node::{Cell, Node};
-use super::overlapping::sealed::Bounded;
+use core::ops::ControlFlow;
+
+use super::descent::Descend;
+use super::grid::corners;
+use super::moving_box::Moving;
+use super::node::Node;
+use super::walk::descend;
 use super::{Index, Tree};
-use crate::arithmetic::three;
 use crate::query::{Feature, FirstContact, Motion, Relation, SphereContact, Sweep};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Sphere, Triangle, Vec3};
+use crate::shape::{Aabb, Sphere, Triangle, Vec3};
 
 /// A shape that moves past a mesh: a box or a sphere.
 ///
@@ -69,7 +71,7 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     /// *Numerics*: exact; the contact returned has the bits of [`Sweep::first_contact`]. *Panics*:
     /// never.
     ///
-    /// *Cost*: [`Sweep::first_contact`] for each triangle in a leaf that the box, or the sphere's
+    /// *Cost*: [`Sweep::first_contact`] for each triangle whose bounding box the box, or the sphere's
     /// bounding box, meets before the first contact. The descent costs as much as in
     /// [`first_hit`](Self::first_hit).
     ///
@@ -122,7 +124,7 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
         use sealed::Timed;
 
         let mut best: Option<(usize, M::Contact)> = None;
-        self.descend(&mut Moving::new(&self.grid, &shape.bounds()?, motion), |moving, i| {
+        self.pass(Moving::new(&self.grid, &shape.bounds()?, motion), |moving, i| {
             let Some(first) = shape.first_contact(motion, &self.mesh.known(i)) else { return };
             let t = first.t();
             let is_before =
@@ -184,7 +186,7 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
         };
         let blocker = |way: &Motion<S>| {
             let mut least: Option<usize> = None;
-            self.descend(&mut Moving::new(&self.grid, &bounds, way), |_, i| {
+            self.pass(Moving::new(&self.grid, &bounds, way), |_, i| {
                 if least.is_none_or(|j| i < j) && is_blocked_by(way, i) {
                     least = Some(i);
                 }
@@ -204,100 +206,27 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
         let step = motion.last_free_step(motion.steps(), is_free)?;
         Some((motion.place(step), blocker(&motion.until(step + 1))))
     }
-}
 
-/// A moving box on its way down the tree.
-pub(super) struct Moving<'a, S: Scalar> {
-    aabb: &'a Aabb<S>,
-    motion: &'a Motion<S>,
-    grid: &'a Grid<S>,
-    fast: GridRay,
-    /// The part of the grid that a box at rest meets.
-    cell: Cell,
-    /// The time of the best contact so far, if any; later contacts are not needed.
-    end: Option<S>,
-}
-
-impl<'a, S: Scalar> Moving<'a, S> {
-    pub(super) fn new(grid: &'a Grid<S>, aabb: &'a Aabb<S>, motion: &'a Motion<S>) -> Self {
-        let (from, to) = (motion.from().to_array(), motion.to().to_array());
-        let at_rest = if from == to { aabb.corners() } else { None };
-        let cell = at_rest.map_or(Cell::ALL, |corners| grid.cell(corners));
-        // A choice known at compile time, so that machines without floats link none.
-        let fast = match places(grid, aabb) {
-            Some(places) if S::IS_FAST => {
-                let d = three(|i| to[i].steps_from(from[i], &grid.0[i]));
-                let is_zero = three(|i| from[i] == to[i]);
-                GridRay::between(places, d, is_zero, [Some(0.0), Some(1.0)])
-            }
-            _ => GridRay::EVERYWHERE,
-        };
-        Self { aabb, motion, grid, fast, cell, end: None }
-    }
-
-    #[inline(never)]
-    fn meets_exactly(&self, node: &Node) -> Met {
-        let (mut mask, mut sooner) = (node.meeting(&self.cell), [0; 4]);
-        let (from, to) = (self.motion.from().to_array(), self.motion.to().to_array());
-        for k in 0..4 {
-            if mask >> k & 1 == 0 {
-                continue;
-            }
-            let cell = node.cell(k);
-            let first = self.aabb.first_contact(self.motion, &self.grid.aabb(&cell));
-            if first.is_none_or(|first| self.end.is_some_and(|end| first.t > end)) {
-                mask ^= 1 << k;
-            }
-            sooner[k] = along_octant(&cell, three(|i| to[i].partial_cmp(&from[i])));
-        }
-        Met { mask, sooner }
-    }
-
-    /// Excludes contacts later than `t`, which was rounded down.
-    pub(super) fn limit(&mut self, t: S) {
-        self.end = Some(t);
-        if S::IS_FAST {
-            self.fast.limit(t.farthest());
-        }
-    }
-}
-
-/// The corners of a box, in steps of a grid. They may lie between the numbers of the scalar, or
-/// beyond them. Returns `None` for a box given by its centre if the centre or a half-extent is so
-/// long that their sum is less accurate than a coordinate.
-fn places<S: Scalar>(grid: &Grid<S>, aabb: &Aabb<S>) -> Option<[[f64; 3]; 2]> {
-    const LONG: f64 = (1_u64 << 40) as f64;
-    let place = |p: &Vec3<S>| {
-        let p = p.to_array();
-        three(|i| p[i].place(&grid.0[i]))
-    };
-    match aabb.form() {
-        AabbForm::Corners { min, max } => Some([place(min), place(max)]),
-        AabbForm::Center { center, half } => {
-            let (c, h) = (place(center), half.to_array());
-            let h = three(|i| h[i].length(&grid.0[i]));
-            let ends = [-1.0, 1.0].map(|sign| three(|i| c[i] + sign * h[i]));
-            c.iter().chain(&h).all(|x| x.abs() <= LONG).then_some(ends)
-        }
-    }
-}
-
-impl<S: Scalar> Descend for Moving<'_, S> {
+    /// Visits the triangles whose boxes a moving box meets, roughly in the order in which it reaches
+    /// them. A box costs less than the question that follows.
     #[inline(always)]
-    fn meets(&self, node: &Node) -> Met {
-        if !S::IS_FAST {
-            return self.meets_exactly(node);
-        }
-        let met = self.fast.meets(node);
-        if self.fast.is_known() {
-            met
-        } else {
-            Met { mask: met.mask & node.meeting(&self.cell), ..met }
-        }
-    }
-
-    #[inline(always)]
-    fn reaches(&self, sooner: i32) -> bool {
-        !S::IS_FAST || self.fast.reaches(sooner)
+    fn pass<'m>(
+        &self,
+        mut moving: Moving<'m, S>,
+        mut visit: impl FnMut(&mut Moving<'m, S>, usize),
+    ) {
+        let _ = descend(self.nodes, &self.layout, &mut moving, |moving, leaf| {
+            let mut boxes = Node::EMPTY;
+            for (k, place) in leaf.clone().enumerate() {
+                boxes.set(k, self.grid.cell(corners(&self.mesh.known(self.index(place)))));
+            }
+            let met = moving.meets(&boxes);
+            for (k, place) in leaf.enumerate() {
+                if met.mask >> k & 1 == 1 && moving.reaches(met.sooner[k % 4]) {
+                    visit(moving, self.index(place));
+                }
+            }
+            ControlFlow::Continue(())
+        });
     }
 }

@@ -66,7 +66,7 @@ pub(crate) use orientation::{Vector, from};
 pub use plane_aabb::Side;
 pub use ray_aabb::PreparedRay;
 pub(crate) use ray_triangle::{
-    Candidate, clear_hit, clear_refined_hit, clearly_misses, line_clearly_misses,
+    Candidate, clear_hit, clear_misses, clear_refined_hit, line_clearly_misses,
 };
 pub use ray_triangle::{Cull, Facing, Feature, Hit, HitRay, HitRules, HitTriangle};
 pub use relation::{Relate, Relation};

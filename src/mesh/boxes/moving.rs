@@ -1,10 +1,12 @@
 //! Rays and moving boxes against a tree over boxes.
 
+use core::ops::ControlFlow;
+
 use super::BoxTree;
 use crate::mesh::Index;
 use crate::mesh::descent::Descent;
-use crate::mesh::ray::descend;
-use crate::mesh::sweep::Moving;
+use crate::mesh::moving_box::Moving;
+use crate::mesh::walk::descend;
 use crate::query::{FirstContact, Motion, Sweep};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Ray};
@@ -55,11 +57,11 @@ impl<S: Scalar, I: Index> BoxTree<'_, S, I> {
             return best;
         }
         let mut descent = Descent::new(&self.grid, ray);
-        let index = |place| self.index(place);
-        descend(self.nodes, &self.layout, index, &mut descent, |descent, i| {
-            if let Some(t) = enter(i) {
+        let _ = descend(self.nodes, &self.layout, &mut descent, |descent, leaf| {
+            for t in leaf.filter_map(|place| enter(self.index(place))) {
                 descent.limit(t);
             }
+            ControlFlow::Continue(())
         });
         best
     }
@@ -96,11 +98,11 @@ impl<S: Scalar, I: Index> BoxTree<'_, S, I> {
             return best;
         }
         let mut moving = Moving::new(&self.grid, aabb, motion);
-        let index = |place| self.index(place);
-        descend(self.nodes, &self.layout, index, &mut moving, |moving, i| {
-            if let Some(t) = meet(i) {
+        let _ = descend(self.nodes, &self.layout, &mut moving, |moving, leaf| {
+            for t in leaf.filter_map(|place| meet(self.index(place))) {
                 moving.limit(t);
             }
+            ControlFlow::Continue(())
         });
         best
     }

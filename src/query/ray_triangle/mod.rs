@@ -9,6 +9,7 @@
 //! | stage | runs in | serves |
 //! | --- | --- | --- |
 //! | `prepared` | four `f32` | prepared rays and triangles: clear hits and misses |
+//! | `four` | four `f32` | trees, `lanes`: clear misses, of four triangles at once |
 //! | `rows` | four floats | hosts: hits and misses away from contact; `lanes` |
 //! | `words` | words, split sums | fixed point on 32-bit cores: all |
 //! | `kernel` | a float with an error bound | other ranges of t; floats on 32-bit cores |
@@ -23,6 +24,7 @@
 
 mod crosses;
 mod error_bound;
+mod four;
 mod hit;
 mod kernel;
 mod multiples;
@@ -35,11 +37,12 @@ mod rows;
 mod sums;
 mod words;
 
+pub(crate) use four::clear_misses;
 pub(crate) use hit::Candidate;
 pub use hit::{Cull, Facing, Feature, Hit, HitRules};
 pub(crate) use order::compare_quotients;
 pub use prepared::{HitRay, HitTriangle};
-pub(crate) use rows::{clear_hit, clear_refined_hit, clearly_misses, line_clearly_misses};
+pub(crate) use rows::{clear_hit, clear_refined_hit, line_clearly_misses};
 
 use self::crosses::Crosses;
 use self::question::Hits;

@@ -228,25 +228,10 @@ where
 {
     let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
     let [a, b, c, o, d] = Filtered::<f64>::embed_held(&[a, b, c, o, d]);
-    misses(&Setting::new(&[a, b, c, o], d), false)
-}
-
-/// Whether the ray certainly misses a triangle, in the scalar's first float.
-#[inline(always)]
-pub(crate) fn clearly_misses<S: Scalar>(ray: &Ray<S>, [a, b, c]: [[S; 3]; 3]) -> bool {
-    let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
-    let ([a, b, c, o, d], is_held) = in_first([a, b, c, o, d]);
-    let is_ahead = ray.t_min().is_some_and(|t| t >= S::ZERO);
-    is_held & misses(&Setting::new(&[a, b, c, o], d), is_ahead)
-}
-
-/// Whether the line certainly misses the triangle, or, if `is_ahead`, the half-line.
-#[inline(always)]
-fn misses<F: Float>(setting: &Setting<F>, is_ahead: bool) -> bool {
+    let setting = Setting::new(&[a, b, c, o], d);
     let sizes = setting.sizes();
-    let VolumeErrors { sides, t: error, .. } = sizes.errors::<Filtered<F>>();
-    let Crossing { t, sides: [w, u, v], .. } = setting.volumes::<Filtered<F>>();
+    let VolumeErrors { sides, .. } = sizes.errors::<Filtered<f64>>();
+    let Crossing { sides: [w, u, v], .. } = setting.volumes::<Filtered<f64>>();
     let (low, high) = (least(least(u, v), w), greatest(greatest(u, v), w));
-    let (ahead, behind) = ((t > error) & is_ahead, (t < -error) & is_ahead);
-    sizes.are_in_range() & ((low < -sides) | behind) & ((high > sides) | ahead)
+    sizes.are_in_range() & (low < -sides) & (high > sides)
 }
