@@ -64,6 +64,11 @@ impl Axes {
         self.shared == [7; 2]
     }
 
+    /// Whether both are boxes with the coordinate axes.
+    pub(super) fn are_aligned(&self) -> bool {
+        self.are_alike() && self.nonzero[0].iter().all(|bits| bits.is_power_of_two())
+    }
+
     /// The directions that are not certainly zero or equal to an earlier one, as bits.
     /// `is_clear` says whether coordinate `axis`, the only one of a direction that may differ from zero,
     /// certainly does.

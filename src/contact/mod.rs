@@ -115,6 +115,7 @@ mod answer;
 mod apart;
 mod axes;
 mod body;
+mod clip;
 mod cut;
 mod depth;
 mod directions;
@@ -138,9 +139,11 @@ mod settled;
 mod shapes;
 mod sides;
 mod signs;
+mod solid;
 mod sums;
 #[cfg(test)]
 mod tests;
+mod view;
 mod whole;
 
 pub use self::answer::{Contact, Translation};

@@ -3,14 +3,15 @@
 use core::cmp::Ordering;
 
 use super::body::{Body, Place, Rough, Vec64, difference_in_double, dot};
+use super::clip::clip;
 use super::directions::Direction;
-use super::faces::{Corner, Edge, Face, Solid, View, distance, edge_of_box, minus, support_edges};
+use super::faces::Face;
 use super::feature::{Features, Part};
 use super::least::Way;
 use super::sides::Unit;
-use crate::arithmetic::{
-    REGISTERS_ARE_WIDE, greatest, largest, out_of_line, part, pick, three, two,
-};
+use super::solid::{Solid, edge_of_box, support_edges};
+use super::view::{Edge, View, distance, minus};
+use crate::arithmetic::{greatest, largest, out_of_line, part, pick, three, two};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -54,14 +55,14 @@ impl<S: Scalar> Points<S> {
 
 /// A pair of points in floats from an origin: on the reference face, on the incident face.
 #[derive(Clone, Copy)]
-struct Pair {
-    at: [Vec64; 2],
-    depth: f64,
-    parts: [Part; 2],
+pub(super) struct Pair {
+    pub(super) at: [Vec64; 2],
+    pub(super) depth: f64,
+    pub(super) parts: [Part; 2],
 }
 
 /// Pairs of points. No two pairs are within twice the tolerance of each other.
-struct Pairs {
+pub(super) struct Pairs {
     pairs: [Pair; MOST],
     count: usize,
 }
@@ -77,7 +78,7 @@ impl Pairs {
     }
 
     /// A depth below zero is a rounding error.
-    fn add(&mut self, pair: Pair, tolerance: f64) {
+    pub(super) fn add(&mut self, pair: Pair, tolerance: f64) {
         let is_near = |other: &Pair| {
             let apart = |n: usize| largest(&minus(&pair.at[n], &other.at[n]));
             apart(0) <= 2.0 * tolerance && apart(1) <= 2.0 * tolerance
@@ -133,13 +134,13 @@ pub(super) fn points<S: Scalar>(
     normal: Vec64,
     features: Features,
 ) -> Points<S> {
-    let mut solids = rough.each_ref().map(Solid::new);
+    let mut solids = two(|n| Solid::new(&rough[n]));
     let size = greatest(solids[0].size, solids[1].size);
     let mut scale = 1.0;
     // NaN and infinity are too great; `greatest` may pass over a NaN.
     if !(size > RANGE.0 && solids.iter().all(|solid| solid.size < RANGE.1)) {
         scale = if size < 1.0 { UP } else { DOWN };
-        solids = bodies.each_ref().map(|body| Solid::new(&body.rough(origin, scale)));
+        solids = two(|n| Solid::new(&bodies[n].rough(origin, scale)));
     }
     let size = greatest(solids[0].size, solids[1].size);
     let view = View::new(&normal, size, Unit::new::<S>(size));
@@ -243,39 +244,6 @@ fn add_deeper(found: &mut Pairs, view: &View, faces: [&Face; 2], outward: &Vec64
             *found = here;
         }
     });
-}
-
-/// The corners of the overlap of two faces seen along the normal: corners of one face within the
-/// other, and crossings of edges. Points above the reference face are dropped.
-fn clip(view: &View, [reference, incident]: [&Face; 2], outward: &Vec64, found: &mut Pairs) {
-    let back = outward.map(|x| -x);
-    let mut add = |[below, at]: [&Corner; 2], parts: [Part; 2]| {
-        let depth = dot(&minus(&below.at, &at.at), outward);
-        if depth >= -view.tolerance {
-            found.add(Pair { at: [below.at, at.at], depth, parts }, view.tolerance);
-        }
-    };
-    for at in incident.corners() {
-        if let Some(below) = reference.meets(at, view, &back) {
-            add([&below, at], [Part::Face(reference.number), Part::Vertex(at.vertex)]);
-        }
-    }
-    for below in reference.corners() {
-        if let Some(at) = incident.meets(below, view, outward) {
-            add([below, &at], [Part::Vertex(below.vertex), Part::Face(incident.number)]);
-        }
-    }
-    for (n, below) in reference.edges().enumerate() {
-        for m in 0..incident.count() {
-            if !REGISTERS_ARE_WIDE && reference.is_clear_of(n, incident, m) {
-                continue;
-            }
-            let at = incident.edge(m);
-            if let Some([x, y]) = below.crossing(&at, view) {
-                add([&x, &y], [Part::Edge(below.number), Part::Edge(at.number)]);
-            }
-        }
-    }
 }
 
 /// The crossing of an edge of each shape, projected along the normal. Among several pairs of edges,

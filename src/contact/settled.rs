@@ -54,9 +54,9 @@ pub(super) fn settled<S: Scalar>(
     direction: Direction,
     is_along: bool,
 ) -> Option<(Way, Measures<S>)> {
-    // Floats of 53 digits do not round to as many. Boxes that are turned alike often lie on a grid,
-    // and a number that the scalar holds is in doubt.
-    if size_of::<S>() >= size_of::<f64>() || filter.axes.are_alike() {
+    // Floats of 53 digits do not round to as many. Boxes with the coordinate axes often lie on a
+    // grid, and a number that the scalar holds is in doubt.
+    if size_of::<S>() >= size_of::<f64>() || filter.axes.are_aligned() {
         return None;
     }
     let measured = filter.measured([direction]);

@@ -1,0 +1,125 @@
+//! A shape in floats: its corners, and its faces and edges along a direction.
+
+use super::body::{Rough, Vec64, cross, dot};
+use super::view::{Edge, View};
+use crate::arithmetic::{each, greatest, largest, pick, three, turn};
+
+/// The number of a vertex of a box.
+pub(super) fn vertex_of_box(upper: [bool; 3]) -> u8 {
+    u8::from(upper[0]) + 2 * u8::from(upper[1]) + 4 * u8::from(upper[2])
+}
+
+/// The number of the edge of a box along axis i.
+pub(super) fn edge_of_box(i: usize, upper: [bool; 3]) -> u8 {
+    let (i, j, k) = turn(i);
+    4 * i as u8 + u8::from(upper[j]) + 2 * u8::from(upper[k])
+}
+
+/// A shape in floats: its centre or its vertices, and its half-edges.
+pub(super) struct Solid {
+    pub(super) is_triangle: bool,
+    pub(super) at: [Vec64; 3],
+    sides: [Vec64; 3],
+    reach: [Vec64; 3],
+    /// An upper bound of the coordinates of all corners.
+    pub(super) size: f64,
+}
+
+impl Solid {
+    pub(super) fn new(rough: &Rough) -> Self {
+        let reach = three(|k| three(|i| rough.half[k] * rough.sides[k][i]));
+        let [a, b, c] = three(|k| largest(&rough.at[k]));
+        let farthest = greatest(a, greatest(b, c));
+        let size = reach.iter().fold(farthest, |size, reach| size + largest(reach));
+        Self { is_triangle: rough.is_triangle, at: rough.at, sides: rough.sides, reach, size }
+    }
+
+    /// The numbers of its faces.
+    pub(super) fn faces(&self) -> core::ops::Range<u8> {
+        0..if self.is_triangle { 1 } else { 6 }
+    }
+
+    /// How far the shape extends in a direction, from the origin.
+    pub(super) fn reach_along(&self, direction: &Vec64) -> f64 {
+        let at = three(|k| dot(&self.at[k], direction));
+        let reach = three(|k| dot(&self.reach[k], direction).abs());
+        greatest(greatest(at[0], at[1]), at[2]) + (reach[0] + reach[1] + reach[2])
+    }
+
+    pub(super) fn corner(&self, upper: [bool; 3]) -> Vec64 {
+        (0..3).fold(self.at[0], |at, k| {
+            let reach = &self.reach[k];
+            three(|i| if upper[k] { at[i] + reach[i] } else { at[i] - reach[i] })
+        })
+    }
+
+    /// The faces turned against `outward`, the normal of another shape's face. The first returned
+    /// face is the most nearly antiparallel face that satisfies `is_first`. A triangle is its only
+    /// face.
+    pub(super) fn faces_against(
+        &self,
+        outward: &Vec64,
+        is_first: impl Fn(u8) -> bool,
+    ) -> impl Iterator<Item = u8> {
+        // Divided by their greatest coordinates.
+        let unit = |side: Vec64| {
+            let size = largest(&side);
+            three(|i| side[i] / size)
+        };
+        let axes = if self.is_triangle { self.sides } else { each(self.sides, unit) };
+        let is_triangle = self.is_triangle;
+        let facing = move |n: u8| if is_triangle { 1.0 } else { facing(&axes, n, outward) };
+        let (mut first, mut best) = (0, f64::NEG_INFINITY);
+        for number in self.faces().filter(|&n| is_first(n)) {
+            let value = facing(number);
+            if value > best {
+                (first, best) = (number, value);
+            }
+        }
+        let rest = self.faces().filter(move |&n| n != first && facing(n) > 0.0);
+        core::iter::once(first).chain(rest)
+    }
+}
+
+/// The signed square of the cosine between the outward normal of a face of a box and −`outward`.
+fn facing(axes: &[Vec64; 3], number: u8, outward: &Vec64) -> f64 {
+    let (k, i, j) = turn(usize::from(number / 2));
+    let w = cross(pick(axes, i), pick(axes, j));
+    let cosine = dot(&w, outward);
+    let square = cosine * cosine / dot(&w, &w);
+    let is_outward = (dot(&w, pick(axes, k)) > 0.0) == (number % 2 == 1);
+    if is_outward == (cosine < 0.0) { square } else { -square }
+}
+
+/// The edges of a shape farthest in a direction and perpendicular to it; for a box, those along
+/// axis i. `is_end` marks the farthest vertices of a triangle, or the farthest ends of a box's
+/// axes.
+pub(super) fn support_edges(
+    view: &View,
+    shape: &Solid,
+    i: usize,
+    is_across: [bool; 3],
+    is_end: [bool; 3],
+) -> impl Iterator<Item = Edge> {
+    (0..4_u8).filter_map(move |n| {
+        // Within the closure, where a compiler sees that they are below three.
+        let (i, j, k) = turn(i);
+        if shape.is_triangle {
+            let (from, to, _) = turn(n.into());
+            let is_edge = *pick(&is_across, from) && *pick(&is_end, from) && *pick(&is_end, to);
+            let corner = |k: usize| view.corner(*pick(&shape.at, k), k as u8);
+            let edge = || Edge { ends: [corner(from), corner(to)], number: n };
+            return (n < 3 && is_edge).then(edge);
+        }
+        let mut upper = [false; 3];
+        (upper[j], upper[k]) = (n & 1 == 1, n & 2 == 2);
+        // No loop over j and k: for size, compilers check their bounds.
+        let fits = |k| *pick(&is_across, k) || pick(&upper, k) == pick(&is_end, k);
+        let is_edge = fits(j) && fits(k);
+        let mut corner = |is_upper: bool| {
+            upper[i] = is_upper;
+            view.corner(shape.corner(upper), vertex_of_box(upper))
+        };
+        is_edge.then(|| Edge { ends: [corner(false), corner(true)], number: 4 * i as u8 + n })
+    })
+}

@@ -1,0 +1,147 @@
+//! Shapes seen along the normal of their contact.
+//!
+//! Each corner has two more coordinates, across the normal. Points of two shapes meet if these
+//! coordinates agree within [`View::tolerance`]. Each point is computed as a convex combination of
+//! the corners of its part, and therefore lies on that part even if its coordinates across the
+//! normal have an error.
+
+use super::body::{Vec64, cross, dot};
+use super::sides::Unit;
+use crate::arithmetic::{each, turn, two};
+
+pub(super) fn minus(a: &Vec64, b: &Vec64) -> Vec64 {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// a + t·b.
+pub(super) fn along(a: &Vec64, t: f64, b: &Vec64) -> Vec64 {
+    [a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]]
+}
+
+/// Two directions across a normal, and the tolerance of coordinates along them.
+pub(super) struct View {
+    across: [Vec64; 2],
+    pub(super) tolerance: f64,
+    pub(super) unit: Option<Unit>,
+}
+
+/// The tolerance relative to the size of the shapes.
+///
+/// # The error
+///
+/// To first order in the unit roundoff u. Let S be the size of the shapes: an upper bound of all
+/// coordinates from the origin, and of the partial sums that lead to them.
+///
+/// * A place is a mean of two differences of at most 2·S: 3·u·S. Half-extent, axis and product have
+///   a rounding each, and a corner takes three sums: 3·u·S + 3·u·S + 3·u·S = 9·u·S.
+/// * The normal errs by u in each coordinate. The first vector across has two coordinates, so a
+///   coordinate along it errs by √2·(9 + 3)·u·S = 17·u·S. The second is a cross product of the
+///   two, off by 3·u, with three coordinates: √3·(9 + 6)·u·S = 26·u·S.
+/// * A convex combination of corners adds 6·u·S. If points of two shapes meet exactly, their
+///   computed coordinates differ by up to √((2·23)² + (2·32)²)·u·S = 79·u·S.
+///
+/// The tolerance is 2^-45, that is 256·u.
+///
+/// S is at most 2.5·R, with R the greatest difference in a coordinate between two corners: R for
+/// the centre, and half of R for each half-edge. A point is off its part by 9·u·S for the corners
+/// and 6·u·S for the combination: 37.5·u·R, below 2^-47·R. Two points that meet are off the normal
+/// by the tolerance divided by the length of the directions, at least √(2/3), and by 79·u·S:
+/// (1.23·256 + 79)·2.5·u·R = 985·u·R. The depth is clamped at zero from −256·u·S = −640·u·R.
+/// Together: √(985² + 640²)·u·R = 1175·u·R, below 2^-42·R = 2048·u·R.
+const TOLERANCE: f64 = f64::from_bits((1023 - 45) << 52);
+
+impl View {
+    pub(super) fn new(normal: &Vec64, size: f64, unit: Option<Unit>) -> Self {
+        let sizes = each(*normal, f64::abs);
+        let least = usize::from(sizes[1] < sizes[0]);
+        let (k, i, j) = turn(if sizes[2] < sizes[least] { 2 } else { least });
+        // n × e_k has no rounding of its own.
+        let mut first = [0.0; 3];
+        (first[k], first[i], first[j]) = (0.0, normal[j], -normal[i]);
+        Self { across: [first, cross(normal, &first)], tolerance: TOLERANCE * size, unit }
+    }
+
+    pub(super) fn corner(&self, at: Vec64, vertex: u8) -> Corner {
+        Corner { at, flat: two(|n| dot(&self.across[n], &at)), vertex }
+    }
+
+    pub(super) fn allows(&self, a: &Corner, b: &Corner) -> bool {
+        let d = flat(a, b);
+        d[0] * d[0] + d[1] * d[1] <= self.tolerance * self.tolerance
+    }
+}
+
+/// A point of a shape with its coordinates across the normal. `vertex` counts only for vertices.
+#[derive(Clone, Copy)]
+pub(super) struct Corner {
+    pub(super) at: Vec64,
+    pub(super) flat: [f64; 2],
+    pub(super) vertex: u8,
+}
+
+/// From b to a, across the normal.
+pub(super) fn flat(a: &Corner, b: &Corner) -> [f64; 2] {
+    [a.flat[0] - b.flat[0], a.flat[1] - b.flat[1]]
+}
+
+pub(super) fn across([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
+    a * d - b * c
+}
+
+/// An edge, from one vertex to the next.
+pub(super) struct Edge {
+    pub(super) ends: [Corner; 2],
+    pub(super) number: u8,
+}
+
+impl Edge {
+    /// The point at parameter t, clamped to the ends.
+    fn point(&self, t: f64) -> Corner {
+        let [p, q] = &self.ends;
+        // NaN becomes the first end.
+        let t = if t > 0.0 { if t < 1.0 { t } else { 1.0 } } else { 0.0 };
+        let [dx, dy] = flat(q, p);
+        let flat = [p.flat[0] + t * dx, p.flat[1] + t * dy];
+        Corner { at: along(&p.at, t, &minus(&q.at, &p.at)), flat, vertex: p.vertex }
+    }
+
+    /// The point of the edge nearest to `to` across the normal.
+    pub(super) fn nearest(&self, to: &Corner) -> Corner {
+        let (d, e) = (flat(to, &self.ends[0]), flat(&self.ends[1], &self.ends[0]));
+        let square = e[0] * e[0] + e[1] * e[1];
+        self.point((d[0] * e[0] + d[1] * e[1]) / square)
+    }
+
+    /// The signed distances of the ends of another edge from this one, times this edge's length.
+    fn sides(&self, other: &Self) -> [f64; 2] {
+        let [p, q] = &self.ends;
+        two(|n| across(flat(q, p), flat(&other.ends[n], p)))
+    }
+
+    /// A point on each edge, at their crossing; if they do not cross, two points near each other.
+    pub(super) fn meet(&self, other: &Self) -> [Corner; 2] {
+        let [a, b] = self.sides(other);
+        let here = self.nearest(&other.point(a / (a - b)));
+        [here, other.nearest(&here)]
+    }
+
+    /// A point on each edge, at their crossing, if they cross.
+    pub(super) fn crossing(&self, other: &Self, view: &View) -> Option<[Corner; 2]> {
+        if !is_crossed(self.sides(other)) || !is_crossed(other.sides(self)) {
+            return None;
+        }
+        let [a, b] = self.meet(other);
+        view.allows(&a, &b).then_some([a, b])
+    }
+}
+
+/// Whether two numbers differ in sign.
+pub(super) fn is_crossed([a, b]: [f64; 2]) -> bool {
+    (a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0)
+}
+
+/// The squared distance of two points across the normal.
+pub(super) fn distance(a: &Corner, b: &Corner) -> f64 {
+    let [x, y] = flat(a, b);
+    x * x + y * y
+}
