@@ -9,7 +9,11 @@ use crate::arithmetic::{REGISTERS_ARE_WIDE, greatest, largest, pick, three, turn
 use crate::scalar::Scalar;
 
 /// So many directions are measured at once: vectors take them side by side.
-pub(super) const AT_ONCE: usize = if REGISTERS_ARE_WIDE { 4 } else { 1 };
+pub(super) const AT_ONCE: usize = match REGISTERS_ARE_WIDE {
+    true if cfg!(target_feature = "avx") => 4,
+    true => 2,
+    false => 1,
+};
 
 /// Directions in floats, side by side.
 pub(super) struct Measured<const N: usize> {
@@ -57,7 +61,7 @@ const RANGE: (f64, f64) = (f64::from_bits((1023 - 100) << 52), f64::from_bits((1
 const LEAST_PRODUCT: f64 = f64::from_bits((1023 - 150) << 52);
 
 pub(super) fn in_range(x: f64) -> bool {
-    x > RANGE.0 && x < RANGE.1
+    (x > RANGE.0) & (x < RANGE.1)
 }
 
 /// x × y, and the greater of the two products in each coordinate, which bounds its error.
@@ -79,7 +83,7 @@ fn crosses<const N: usize>(x: &[[f64; N]; 3], y: &[[f64; N]; 3]) -> ([[f64; N]; 
 
 /// Whether a product is so great that underflow does not matter, and no more than that.
 pub(super) fn is_product(x: f64) -> bool {
-    x > LEAST_PRODUCT && x < RANGE.1
+    (x > LEAST_PRODUCT) & (x < RANGE.1)
 }
 
 /// A number for each of the directions.
@@ -111,6 +115,7 @@ fn ends<const N: usize>(shape: &Rough, a: &[[f64; N]; 3]) -> [[f64; N]; 2] {
 /// Two shapes in floats.
 pub(super) struct Filter<'a> {
     pub(super) shapes: &'a [Rough; 2],
+    pub(super) are_triangles: [bool; 2],
     /// An upper bound of the numbers of the two shapes.
     size: f64,
     /// Whether no product of two numbers underflows.
@@ -134,18 +139,14 @@ impl<'a> Filter<'a> {
         }
         let is_short = size_of::<S>() < size_of::<f64>();
         // Two different numbers may round to the same float.
-        let sides = shapes.each_ref().map(|shape| &shape.sides);
-        let triangles = shapes.each_ref().map(|shape| shape.is_triangle);
-        let axes = Axes::new(sides, triangles, S::IS_IN_DOUBLE);
-        Self { shapes, size, is_short, axes }
-    }
-
-    pub(super) fn are_triangles(&self) -> [bool; 2] {
-        self.shapes.each_ref().map(|shape| shape.is_triangle)
+        let sides = two(|n| &shapes[n].sides);
+        let are_triangles = two(|n| shapes[n].is_triangle);
+        let axes = Axes::new(sides, are_triangles, S::IS_IN_DOUBLE);
+        Self { shapes, are_triangles, size, is_short, axes }
     }
 
     pub(super) fn sides(&self, direction: Direction) -> [Vec64; 2] {
-        sides(self.shapes, self.are_triangles(), direction)
+        sides_of(self.shapes, self.are_triangles, direction).map(|side| *side)
     }
 
     /// The directions in floats.
@@ -170,13 +171,11 @@ impl<'a> Filter<'a> {
     /// is less than [`LEAST_SPREAD`]: 28·4·2^-53 = 2^-46.2, and the roundings.
     #[inline(always)]
     pub(super) fn measured<const N: usize>(&self, directions: [Direction; N]) -> Measured<N> {
-        let (mut x, mut y) = ([[0.0; N]; 3], [[0.0; N]; 3]);
-        for (n, direction) in directions.into_iter().enumerate() {
-            let [p, q] = self.sides(direction);
-            for i in 0..3 {
-                (x[i][n], y[i][n]) = (p[i], q[i]);
-            }
+        let mut sides = [[&self.shapes[0].sides[0]; 2]; N];
+        for (sides, direction) in sides.iter_mut().zip(directions) {
+            *sides = sides_of(self.shapes, self.are_triangles, direction);
         }
+        let [x, y] = two(|k| three(|i| lanes::<N>(|n| sides[n][k][i])));
         let (a, products) = crosses(&x, &y);
         let scale = lanes(|n| greatest(greatest(products[0][n], products[1][n]), products[2][n]));
         let square = lanes(|n| a[0][n] * a[0][n] + a[1][n] * a[1][n] + a[2][n] * a[2][n]);
@@ -189,36 +188,38 @@ impl<'a> Filter<'a> {
 
     /// Whether floats know a direction that is measured: it is certainly not zero, and points there.
     pub(super) fn knows(&self, scale: f64, square: f64) -> bool {
-        is_product(scale) && in_range(self.size) && square >= NOISE * scale * scale
+        is_product(scale) & in_range(self.size) & (square >= NOISE * scale * scale)
     }
 
-    /// Bounds on the overlaps along directions.
+    /// Bounds on the overlaps along directions. Of one that floats do not know, nothing is certain.
+    #[inline(always)]
     pub(super) fn overlaps(&self, directions: [Direction; AT_ONCE]) -> Overlaps {
         let Measured { scale, square, overlaps, error, .. } = self.measured(directions);
-        let (mut least, mut most) = ([[0.0; AT_ONCE]; 2], [[f64::INFINITY; AT_ONCE]; 2]);
-        let mut are_apart = false;
-        for n in (0..AT_ONCE).filter(|&n| self.knows(scale[n], square[n])) {
-            // Roundings are far below the spread.
-            let is_clear = 16.0 * square[n] >= scale[n] * scale[n];
-            let spread = if is_clear { LEAST_SPREAD } else { SPREAD };
-            let inverse = 1.0 / square[n];
-            for side in 0..2 {
-                let (overlap, error) = (overlaps[side][n], error[n]);
-                are_apart |= overlap < -error;
-                let (low, high) = (greatest(overlap - error, 0.0), overlap + error);
-                least[side][n] = low * low * ((1.0 - spread) * inverse);
-                most[side][n] = high * high * ((1.0 + 3.0 * spread) * inverse);
-            }
-        }
-        Overlaps { least, most, are_apart }
+        // No branches: vectors take all directions.
+        let is_known = |n: usize| self.knows(scale[n], square[n]);
+        let error = lanes::<AT_ONCE>(|n| if is_known(n) { error[n] } else { f64::INFINITY });
+        let inverse = lanes::<AT_ONCE>(|n| 1.0 / if is_known(n) { square[n] } else { 1.0 });
+        // Roundings are far below the spread.
+        let is_clear = |n: usize| 16.0 * square[n] >= scale[n] * scale[n];
+        let spread = lanes::<AT_ONCE>(|n| if is_clear(n) { LEAST_SPREAD } else { SPREAD });
+        let least = two(|side| {
+            let low = lanes::<AT_ONCE>(|n| greatest(overlaps[side][n] - error[n], 0.0));
+            lanes::<AT_ONCE>(|n| low[n] * low[n] * ((1.0 - spread[n]) * inverse[n]))
+        });
+        let most = two(|side| {
+            let high = lanes::<AT_ONCE>(|n| overlaps[side][n] + error[n]);
+            lanes::<AT_ONCE>(|n| high[n] * high[n] * ((1.0 + 3.0 * spread[n]) * inverse[n]))
+        });
+        let is_apart = |n: usize| (overlaps[0][n] < -error[n]) | (overlaps[1][n] < -error[n]);
+        Overlaps { least, most, are_apart: (0..AT_ONCE).fold(false, |all, n| all | is_apart(n)) }
     }
 
     /// The directions that are not certainly zero or equal to an earlier one, as bits.
     pub(super) fn needed(&mut self, all: &[Direction]) -> u16 {
-        let (shapes, triangles) = (self.shapes, self.are_triangles());
+        let (shapes, triangles) = (self.shapes, self.are_triangles);
         self.axes.needed(all, |direction, axis| {
-            let [x, y] = sides(shapes, triangles, direction);
-            let (a, products) = cross_with_products(&x, &y);
+            let [x, y] = sides_of(shapes, triangles, direction);
+            let (a, products) = cross_with_products(x, y);
             a[axis].abs() > SPREAD * products[axis]
         })
     }
@@ -226,7 +227,7 @@ impl<'a> Filter<'a> {
 
 /// The two sides of a direction.
 #[inline(always)]
-fn sides(shapes: &[Rough; 2], triangles: [bool; 2], direction: Direction) -> [Vec64; 2] {
+fn sides_of(shapes: &[Rough; 2], triangles: [bool; 2], direction: Direction) -> [&Vec64; 2] {
     let sides = direction.sides(triangles);
-    two(|n| *pick(&shapes[sides[n].0 % 2].sides, sides[n].1))
+    two(|n| pick(&shapes[sides[n].0 % 2].sides, sides[n].1))
 }

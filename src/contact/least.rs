@@ -13,7 +13,7 @@ use super::measures::{Lengths, Measures};
 use super::settled::{settled, unit};
 use super::sums::Sums;
 use super::whole::{Shapes, Units, Whole, is_whole};
-use crate::arithmetic::{REGISTERS_ARE_WIDE, pick, turn};
+use crate::arithmetic::{REGISTERS_ARE_WIDE, least as smaller, pick, turn};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
 
@@ -84,20 +84,20 @@ impl Wanted {
         let mut bound = f64::INFINITY;
         let (mut left, mut last) = (needed, 0);
         while left != 0 {
-            // The last one again, if there are fewer.
-            let numbers: [usize; AT_ONCE] = core::array::from_fn(|_| {
+            let (mut numbers, mut directions) = ([0; AT_ONCE], [FACE; AT_ONCE]);
+            for (number, direction) in numbers.iter_mut().zip(&mut directions) {
+                // The last one again, if there are fewer.
                 last = if left == 0 { last } else { left.trailing_zeros() as usize % 16 };
                 left &= left.wrapping_sub(1);
-                last
-            });
-            let overlaps = filter.overlaps(numbers.map(|n| wanted.direction(n)));
+                (*number, *direction) = (last, wanted.direction(last));
+            }
+            let overlaps = filter.overlaps(directions);
             if overlaps.are_apart {
                 return Err(Apart);
             }
             for (n, number) in numbers.into_iter().enumerate() {
                 for side in 0..2 {
-                    let most = overlaps.most[side][n];
-                    bound = if most < bound { most } else { bound };
+                    bound = smaller(overlaps.most[side][n], bound);
                     least[side][number] = overlaps.least[side][n];
                 }
             }
@@ -166,9 +166,9 @@ impl Wanted {
 
     /// The translation that is wanted, if it is the only one.
     fn single(&self) -> Option<(Direction, bool)> {
-        let mut all = self.iter();
-        let (direction, [against, along]) = all.next()?;
-        (all.next().is_none() && against != along).then_some((direction, along))
+        let all = self.against | self.along;
+        let is_single = all.is_power_of_two() && self.against & self.along == 0;
+        is_single.then(|| (self.direction(all.trailing_zeros() as usize % 16), self.along != 0))
     }
 }
 

@@ -10,7 +10,7 @@ use crate::arithmetic::{compare, largest, pick, three};
 impl Filter<'_> {
     /// How many of the two sides of the direction are rounded, as differences of points are.
     pub(super) fn rounded_sides(&self, direction: Direction) -> u8 {
-        let triangles = self.are_triangles();
+        let triangles = self.are_triangles;
         direction.sides(triangles).map(|(shape, _)| u8::from(triangles[shape % 2])).iter().sum()
     }
 
@@ -18,7 +18,7 @@ impl Filter<'_> {
     /// or are the third edge of the triangle that both belong to: bit 3·shape + k for side k.
     fn across(&self, direction: Direction) -> u8 {
         let bit = |(shape, k): (usize, usize)| 1_u8 << (3 * shape + k);
-        let [one, other] = direction.sides(self.are_triangles());
+        let [one, other] = direction.sides(self.are_triangles);
         let mut across = bit(one) | bit(other);
         for (j, same) in self.axes.same.iter().enumerate() {
             let equal = same.map_or(0, |i| bit((0, i)) | bit((1, j)));
