@@ -143,6 +143,7 @@ mod solid;
 mod sums;
 #[cfg(test)]
 mod tests;
+mod unit;
 mod view;
 mod whole;
 

@@ -5,12 +5,12 @@
 use core::cmp::Ordering;
 use core::mem::size_of;
 
-use super::body::{Body, Vec64};
+use super::body::Vec64;
 use super::directions::Direction;
 use super::filter::{Filter, Measured};
 use super::least::Way;
 use super::measures::Measures;
-use crate::arithmetic::{Double, largest, pick, root, three};
+use crate::arithmetic::{largest, pick, root, three};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -24,13 +24,7 @@ const ROUNDOFFS: u16 = 64;
 const MOST: f64 = f64::from_bits((1023 - 20) << 52);
 
 /// If P²·(1 + n)² exceeds this times a·a, the normal errs too much.
-const SQUARES: u16 = 30;
-
-/// How much less the quotient of exact numbers may be, of itself.
-const LACK: f64 = f64::from_bits((1023 - 58) << 52);
-
-/// The relative error of a quotient in double words.
-const ROUNDED: f64 = f64::from_bits((1023 - 90) << 52);
+pub(super) const SQUARES: u16 = 30;
 
 /// The way along a direction and its numbers, if floats are certain of all signs along the
 /// direction, and of the number of the scalar to which each of its lengths rounds.
@@ -162,57 +156,6 @@ impl Known {
         let [vector, normal] = [vector, normal].map(Vec3::from);
         Some(Measures { vector, depth, normal, is_sufficient })
     }
-}
-
-/// The unit vector along a direction that is [`settled`], if double words leave no doubt. It has the
-/// bits of [`Lengths::unit`](super::measures::Lengths::unit).
-///
-/// # The error
-///
-/// Sides are exact. [`SQUARES`] keeps the direction above a fifth of its greatest product, and a
-/// product or a sum errs by 5·2^-106 at most, so that a quotient is known within [`ROUNDED`].
-///
-/// Exact numbers round a quotient down at v = 2^-63. Of itself, its coordinate is up to v too low. The
-/// slack of its length is 17·v at most: v of a coordinate, 4·v of its square, 16·v of the sum of
-/// squares, and v more of the root. So the quotient is up to 19·v too low: less than [`LACK`].
-pub(super) fn unit<S: Scalar>(
-    bodies: &[Body<'_, S>; 2],
-    direction: Direction,
-    is_along: bool,
-) -> Option<Vec64> {
-    let sides = direction.sides([bodies[0].is_triangle(), bodies[1].is_triangle()]);
-    let [x, y] = sides.map(|(shape, k)| bodies[shape % 2].side_in_doubles(k));
-    let a = Double::cross(&x, &y);
-    if a.iter().filter(|x| x.high != 0.0).count() == 1 {
-        let sign = |x: f64| {
-            if x == 0.0 {
-                0.0
-            } else if (x > 0.0) == is_along {
-                1.0
-            } else {
-                -1.0
-            }
-        };
-        return Some(three(|i| sign(a[i].high)));
-    }
-    let square = Double::dot(&a, &a);
-    let first = root(square.high);
-    // A step of Newton's method.
-    let rest = square.minus(Double::of(first).times(Double::of(first)));
-    let length = Double { high: first, low: rest.high / (first + first) };
-    let mut unit = [0.0; 3];
-    for i in 0..3 {
-        let high = a[i].high / first;
-        let low = a[i].minus(Double::of(high).times(length)).high / first;
-        unit[i] = high + (low + high * ROUNDED);
-        if unit[i] != high + (low - high * LACK) {
-            return None;
-        }
-        if !is_along {
-            unit[i] = -unit[i];
-        }
-    }
-    Some(unit)
 }
 
 /// The relative error of a number, from the sum of the errors of its factors.
