@@ -284,8 +284,8 @@ pub(super) fn least_measures<S: Scalar>(
     let rough = rough();
     let mut filter = Filter::new::<S>(&rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
-    if let Some(found) = from_floats(&filter, &wanted) {
-        return Some(found);
+    if let Some((way, measures, _)) = from_floats(&filter, &wanted) {
+        return Some((way, measures));
     }
     let (way, lengths) = exact(bodies, &filter, &wanted).ok()??;
     let measures = lengths.measures(way.is_along);
@@ -294,7 +294,7 @@ pub(super) fn least_measures<S: Scalar>(
 
 /// The way that floats leave and its numbers, if they are certain of all.
 #[inline(always)]
-fn from_floats<S: Scalar>(filter: &Filter<'_>, wanted: &Wanted) -> Option<(Way, Measures<S>)> {
+fn from_floats<S: Scalar>(filter: &Filter<'_>, wanted: &Wanted) -> Option<(Way, Measures<S>, f64)> {
     // Small cores do without, for size.
     if !REGISTERS_ARE_WIDE {
         return None;
@@ -321,8 +321,8 @@ fn least_directed<S: Scalar>(bodies: &[Body<'_, S>; 2], rough: &[Rough; 2]) -> O
     }
     let mut filter = Filter::new::<S>(rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
-    let settled = from_floats(&filter, &wanted).and_then(|(way, measures)| {
-        let unit = unit(bodies, way.direction, way.is_along)?;
+    let settled = from_floats(&filter, &wanted).and_then(|(way, measures, inverse)| {
+        let unit = unit(bodies, way.direction, way.is_along, inverse)?;
         Some((way, measures, unit))
     });
     match settled {

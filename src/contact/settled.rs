@@ -27,7 +27,8 @@ const MOST: f64 = f64::from_bits((1023 - 20) << 52);
 pub(super) const SQUARES: u16 = 30;
 
 /// The way along a direction and its numbers, if floats are certain of all signs along the
-/// direction, and of the number of the scalar to which each of its lengths rounds.
+/// direction, and of the number of the scalar to which each of its lengths rounds. The last number is
+/// one over the length of the direction.
 ///
 /// # The error
 ///
@@ -47,7 +48,7 @@ pub(super) fn settled<S: Scalar>(
     filter: &Filter<'_>,
     direction: Direction,
     is_along: bool,
-) -> Option<(Way, Measures<S>)> {
+) -> Option<(Way, Measures<S>, f64)> {
     // Floats of 53 digits do not round to as many. Boxes with the coordinate axes often lie on a
     // grid, and a number that the scalar holds is in doubt.
     if size_of::<S>() >= size_of::<f64>() || filter.axes.are_aligned() {
@@ -87,7 +88,7 @@ pub(super) fn settled<S: Scalar>(
     {
         *along = (*known)?;
     }
-    Some((Way { direction, is_along, along, is_held: false }, measures))
+    Some((Way { direction, is_along, along, is_held: false }, measures, inverse))
 }
 
 /// Whether a direction is a coordinate axis.

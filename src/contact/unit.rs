@@ -3,7 +3,7 @@
 use super::body::{Body, Vec64};
 use super::directions::Direction;
 use super::settled::U;
-use crate::arithmetic::{Double, root, three, two};
+use crate::arithmetic::{Double, three, two};
 use crate::scalar::Scalar;
 
 /// Squares of a roundoff in a quotient in double words.
@@ -21,11 +21,11 @@ const LACK: f64 = f64::from_bits((1023 - 58) << 52);
 /// # The error
 ///
 /// Sides are exact. [`SQUARES`](super::settled::SQUARES) keeps the direction above a fifth of its
-/// greatest product, and a product or a sum errs by 5·2^-106 at most. The root of the leading word
-/// errs by 3·u, and a step of Newton's method leaves half the square of that. The quotient of the
-/// leading words errs by 7·u, and its residual is computed in one word: the leading words of both
-/// terms agree within a factor of two, so that their difference is exact. `unit.g` proves that
-/// all of this is below [`LOST`]·u².
+/// greatest product, and a product or a sum errs by 5·2^-106 at most. `inverse`, one over the length,
+/// errs by 25·u, and the first length by twice as much. A step of Newton's method leaves products
+/// of these two errors, and so does a quotient by the inverse with its residual. Both residuals are
+/// computed in one word: the leading words of their terms agree within a factor of two, so that the
+/// difference of these is exact. `unit.g` proves that all of this is below [`LOST`]·u².
 ///
 /// Exact numbers round a quotient down at v = 2^-63. Of itself, its coordinate is up to v too low. The
 /// slack of its length is 17·v at most: v of a coordinate, 4·v of its square, 16·v of the sum of
@@ -34,6 +34,7 @@ pub(super) fn unit<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     direction: Direction,
     is_along: bool,
+    inverse: f64,
 ) -> Option<Vec64> {
     let sides = direction.sides([bodies[0].is_triangle(), bodies[1].is_triangle()]);
     let [x, y] = two(|n| bodies[sides[n].0 % 2].side_in_doubles(sides[n].1));
@@ -51,8 +52,7 @@ pub(super) fn unit<S: Scalar>(
         return Some(three(|i| sign(a[i].high)));
     }
     let square = Double::dot(&a, &a);
-    let first = root(square.high);
-    let inverse = 1.0 / first;
+    let first = square.high * inverse;
     // A step of Newton's method.
     let rest = square.less(Double::of(first).product(Double::of(first)));
     let length = Double { high: first, low: rest * (0.5 * inverse) };
