@@ -58,7 +58,7 @@ impl Face {
         self.corners.iter().take(self.count)
     }
 
-    pub(super) fn edges(&self) -> impl Iterator<Item = Edge> {
+    pub(super) fn edges(&self) -> impl Iterator<Item = Edge<'_>> {
         (0..self.count).map(|n| self.edge(n))
     }
 
@@ -76,9 +76,8 @@ impl Face {
         [self.corner(n), self.corner(self.next(n))]
     }
 
-    pub(super) fn edge(&self, n: usize) -> Edge {
-        let [p, q] = self.ends(n);
-        Edge { ends: [*p, *q], number: self.edges[n % CORNERS] }
+    pub(super) fn edge(&self, n: usize) -> Edge<'_> {
+        Edge { ends: self.ends(n), number: self.edges[n % CORNERS] }
     }
 
     /// The corner farthest against a direction.

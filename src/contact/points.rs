@@ -10,7 +10,7 @@ use super::feature::{Features, Part};
 use super::least::Way;
 use super::sides::Unit;
 use super::solid::{Solid, edge_of_box, support_edges};
-use super::view::{Edge, View, distance, minus};
+use super::view::{Corner, Edge, View, distance, minus};
 use crate::arithmetic::{greatest, largest, out_of_line, part, pick, three, two};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
@@ -248,15 +248,17 @@ fn add_deeper(found: &mut Pairs, view: &View, faces: [&Face; 2], outward: &Vec64
 
 /// The crossing of an edge of each shape, projected along the normal. Among several pairs of edges,
 /// the pair with the least distance across the normal is used.
-fn by_edges<T: Iterator<Item = Edge>>(
+fn by_edges<T: Iterator<Item = ([Corner; 2], u8)>>(
     view: &View,
-    edges: impl Iterator<Item = Edge>,
+    edges: impl Iterator<Item = ([Corner; 2], u8)>,
     others: impl Fn() -> T,
     normal: &Vec64,
 ) -> Pairs {
     let (mut found, mut nearest) = (Pairs::new(), view.tolerance * view.tolerance);
     for edge in edges {
+        let edge = Edge::new(&edge);
         for other in others() {
+            let other = Edge::new(&other);
             let [x, y] = edge.meet(&other);
             let apart = distance(&x, &y);
             if apart <= nearest {

@@ -1,7 +1,7 @@
 //! A shape in floats: its corners, and its faces and edges along a direction.
 
 use super::body::{Rough, Vec64, cross, dot};
-use super::view::{Edge, View};
+use super::view::{Corner, View};
 use crate::arithmetic::{each, greatest, largest, pick, three, turn};
 
 /// The number of a vertex of a box.
@@ -92,15 +92,15 @@ fn facing(axes: &[Vec64; 3], number: u8, outward: &Vec64) -> f64 {
 }
 
 /// The edges of a shape farthest in a direction and perpendicular to it; for a box, those along
-/// axis i. `is_end` marks the farthest vertices of a triangle, or the farthest ends of a box's
-/// axes.
+/// axis i: the ends of each, and its number. `is_end` marks the farthest vertices of a triangle, or
+/// the farthest ends of a box's axes.
 pub(super) fn support_edges(
     view: &View,
     shape: &Solid,
     i: usize,
     is_across: [bool; 3],
     is_end: [bool; 3],
-) -> impl Iterator<Item = Edge> {
+) -> impl Iterator<Item = ([Corner; 2], u8)> {
     (0..4_u8).filter_map(move |n| {
         // Within the closure, where a compiler sees that they are below three.
         let (i, j, k) = turn(i);
@@ -108,8 +108,7 @@ pub(super) fn support_edges(
             let (from, to, _) = turn(n.into());
             let is_edge = *pick(&is_across, from) && *pick(&is_end, from) && *pick(&is_end, to);
             let corner = |k: usize| view.corner(*pick(&shape.at, k), k as u8);
-            let edge = || Edge { ends: [corner(from), corner(to)], number: n };
-            return (n < 3 && is_edge).then(edge);
+            return (n < 3 && is_edge).then(|| ([corner(from), corner(to)], n));
         }
         let mut upper = [false; 3];
         (upper[j], upper[k]) = (n & 1 == 1, n & 2 == 2);
@@ -120,6 +119,6 @@ pub(super) fn support_edges(
             upper[i] = is_upper;
             view.corner(shape.corner(upper), vertex_of_box(upper))
         };
-        is_edge.then(|| Edge { ends: [corner(false), corner(true)], number: 4 * i as u8 + n })
+        is_edge.then(|| ([corner(false), corner(true)], 4 * i as u8 + n))
     })
 }

@@ -89,15 +89,19 @@ pub(super) fn across([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
 }
 
 /// An edge, from one vertex to the next.
-pub(super) struct Edge {
-    pub(super) ends: [Corner; 2],
+pub(super) struct Edge<'a> {
+    pub(super) ends: [&'a Corner; 2],
     pub(super) number: u8,
 }
 
-impl Edge {
+impl<'a> Edge<'a> {
+    pub(super) fn new((ends, number): &'a ([Corner; 2], u8)) -> Self {
+        Self { ends: ends.each_ref(), number: *number }
+    }
+
     /// The point at parameter t, clamped to the ends.
     fn point(&self, t: f64) -> Corner {
-        let [p, q] = &self.ends;
+        let [p, q] = self.ends;
         // NaN becomes the first end.
         let t = if t > 0.0 { if t < 1.0 { t } else { 1.0 } } else { 0.0 };
         let [dx, dy] = flat(q, p);
@@ -107,15 +111,15 @@ impl Edge {
 
     /// The point of the edge nearest to `to` across the normal.
     pub(super) fn nearest(&self, to: &Corner) -> Corner {
-        let (d, e) = (flat(to, &self.ends[0]), flat(&self.ends[1], &self.ends[0]));
+        let (d, e) = (flat(to, self.ends[0]), flat(self.ends[1], self.ends[0]));
         let square = e[0] * e[0] + e[1] * e[1];
         self.point((d[0] * e[0] + d[1] * e[1]) / square)
     }
 
     /// The signed distances of the ends of another edge from this one, times this edge's length.
     fn sides(&self, other: &Self) -> [f64; 2] {
-        let [p, q] = &self.ends;
-        two(|n| across(flat(q, p), flat(&other.ends[n], p)))
+        let [p, q] = self.ends;
+        two(|n| across(flat(q, p), flat(other.ends[n], p)))
     }
 
     /// A point on each edge, at their crossing; if they do not cross, two points near each other.
