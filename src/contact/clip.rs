@@ -26,18 +26,17 @@ struct Seen<'a> {
 impl<'a> Seen<'a> {
     #[inline(always)]
     fn new(view: &'a View, from: &'a Face, face: &'a Face) -> Self {
-        let mut seen =
-            Self { view, from, face, sides: [[0.0; KNOWN]; KNOWN], margins: [0.0; KNOWN] };
+        let (mut sides, mut margins) = ([[0.0; KNOWN]; KNOWN], [0.0; KNOWN]);
         let margin = 4.0 * (view.tolerance * view.tolerance);
-        for n in 0..KNOWN {
+        for (n, (sides, of_edge)) in sides.iter_mut().zip(&mut margins).enumerate() {
             let [p, q] = from.ends(n);
             let along = flat(q, p);
-            seen.margins[n] = margin * (along[0] * along[0] + along[1] * along[1]);
-            for (side, to) in seen.sides[n].iter_mut().zip(&face.corners) {
+            *of_edge = margin * (along[0] * along[0] + along[1] * along[1]);
+            for (side, to) in sides.iter_mut().zip(&face.corners) {
                 *side = across(along, flat(to, p));
             }
         }
-        seen
+        Self { view, from, face, sides, margins }
     }
 
     /// The side of edge n on which corner m certainly lies; zero if it may meet the edge.

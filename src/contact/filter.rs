@@ -96,23 +96,23 @@ fn lanes<const N: usize>(of: impl Fn(usize) -> f64) -> [f64; N] {
     lanes
 }
 
-/// Where a shape begins and ends along each direction.
+/// Where a shape begins and ends along each direction. `is_origin`: the first of its places is zero.
 #[inline(always)]
-fn ends<const N: usize>(shape: &Rough, a: &[[f64; N]; 3]) -> [[f64; N]; 2] {
+fn ends<const N: usize>(shape: &Rough, is_origin: bool, a: &[[f64; N]; 3]) -> [[f64; N]; 2] {
     let along = |v: &Vec64| lanes::<N>(|n| a[0][n] * v[0] + a[1][n] * v[1] + a[2][n] * v[2]);
+    let p = if is_origin { [0.0; N] } else { along(&shape.at[0]) };
     if shape.is_triangle {
-        let [p, q, r] = [along(&shape.at[0]), along(&shape.at[1]), along(&shape.at[2])];
+        let [q, r] = [along(&shape.at[1]), along(&shape.at[2])];
         let least = lanes(|n| -greatest(greatest(-p[n], -q[n]), -r[n]));
         return [least, lanes(|n| greatest(greatest(p[n], q[n]), r[n]))];
     }
     let [u, v, w] = [along(&shape.sides[0]), along(&shape.sides[1]), along(&shape.sides[2])];
     let [i, j, k] = shape.half;
     let reach = lanes::<N>(|n| i * u[n].abs() + j * v[n].abs() + k * w[n].abs());
-    let at = along(&shape.at[0]);
-    [lanes(|n| at[n] - reach[n]), lanes(|n| at[n] + reach[n])]
+    [lanes(|n| p[n] - reach[n]), lanes(|n| p[n] + reach[n])]
 }
 
-/// Two shapes in floats.
+/// Two shapes in floats, relative to the origin of the second.
 pub(super) struct Filter<'a> {
     pub(super) shapes: &'a [Rough; 2],
     pub(super) are_triangles: [bool; 2],
@@ -125,6 +125,7 @@ pub(super) struct Filter<'a> {
 
 impl<'a> Filter<'a> {
     pub(super) fn new<S: Scalar>(shapes: &'a [Rough; 2]) -> Self {
+        debug_assert_eq!(shapes[1].at[0], [0.0; 3]);
         let mut size = 0.0;
         for shape in shapes {
             for k in 0..3 {
@@ -179,8 +180,8 @@ impl<'a> Filter<'a> {
         let (a, products) = crosses(&x, &y);
         let scale = lanes(|n| greatest(greatest(products[0][n], products[1][n]), products[2][n]));
         let square = lanes(|n| a[0][n] * a[0][n] + a[1][n] * a[1][n] + a[2][n] * a[2][n]);
-        let [a0, a1] = ends(&self.shapes[0], &a);
-        let [b0, b1] = ends(&self.shapes[1], &a);
+        let [a0, a1] = ends(&self.shapes[0], false, &a);
+        let [b0, b1] = ends(&self.shapes[1], true, &a);
         let overlaps = [lanes(|n| a1[n] - b0[n]), lanes(|n| b1[n] - a0[n])];
         let error = lanes(|n| ERROR * (scale[n] * self.size));
         Measured { a, products, scale, square, overlaps, error }
@@ -191,7 +192,8 @@ impl<'a> Filter<'a> {
         is_product(scale) & in_range(self.size) & (square >= NOISE * scale * scale)
     }
 
-    /// Bounds on the overlaps along directions. Of one that floats do not know, nothing is certain.
+    /// Bounds on the overlaps along directions. Nothing is certain along a direction that floats do not
+    /// know.
     #[inline(always)]
     pub(super) fn overlaps(&self, directions: [Direction; AT_ONCE]) -> Overlaps {
         let Measured { scale, square, overlaps, error, .. } = self.measured(directions);
