@@ -20,8 +20,9 @@ const LACK: f64 = f64::from_bits((1023 - 58) << 52);
 ///
 /// # The error
 ///
-/// Sides are exact. [`SQUARES`](super::settled::SQUARES) keeps the direction above a fifth of its
-/// greatest product, and a product or a sum errs by 5·2^-106 at most. `inverse`, one over the length,
+/// Sides are exact, in one word; products of two words would lose digits that matter where a
+/// coordinate cancels. So products are exact, and a sum errs by 5·2^-106 of itself at most.
+/// [`SQUARES`](super::settled::SQUARES) keeps the direction above a fifth of its greatest product. `inverse`, one over the length,
 /// errs by 25·u, and the first length by twice as much. A step of Newton's method leaves products
 /// of these two errors, and so does a quotient by the inverse with its residual. Both residuals are
 /// computed in one word: the leading words of their terms agree within a factor of two, so that the
@@ -38,6 +39,9 @@ pub(super) fn unit<S: Scalar>(
 ) -> Option<Vec64> {
     let sides = direction.sides([bodies[0].is_triangle(), bodies[1].is_triangle()]);
     let [x, y] = two(|n| bodies[sides[n].0 % 2].side_in_doubles(sides[n].1));
+    if x.iter().chain(&y).any(|coordinate| coordinate.low != 0.0) {
+        return None;
+    }
     let a = Double::cross(&x, &y);
     if a.iter().filter(|x| x.high != 0.0).count() == 1 {
         let sign = |x: f64| {
