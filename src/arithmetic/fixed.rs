@@ -165,6 +165,7 @@ impl<S: InRaw, W: Word> InWord<W> for S {
 
     #[inline(always)]
     fn in_word(self) -> W {
+        const { assert!(S::BITS <= W::BITS) }
         W::last_of(self.raw().into())
     }
 }

@@ -15,18 +15,18 @@ const ROUNDED: f64 = LOST as f64 * (U * U);
 /// How much less the quotient of exact numbers may be, of itself.
 const LACK: f64 = f64::from_bits((1023 - 58) << 52);
 
-/// The unit vector along a direction that is [`settled`](super::settled::settled), if double words leave no doubt. It has the
-/// bits of [`Lengths::unit`](super::measures::Lengths::unit).
+/// The unit vector along a direction that is [`settled`](super::settled::settled), if double words
+/// leave no doubt. It equals [`Lengths::unit`](super::measures::Lengths::unit).
 ///
 /// # The error
 ///
 /// Sides are exact, in one word; products of two words would lose digits that matter where a
 /// coordinate cancels. So products are exact, and a sum errs by 5·2^-106 of itself at most.
-/// [`SQUARES`](super::settled::SQUARES) keeps the direction above a fifth of its greatest product. `inverse`, one over the length,
-/// errs by 25·u, and the first length by twice as much. A step of Newton's method leaves products
-/// of these two errors, and so does a quotient by the inverse with its residual. Both residuals are
-/// computed in one word: the leading words of their terms agree within a factor of two, so that the
-/// difference of these is exact. `unit.g` proves that all of this is below [`LOST`]·u².
+/// `inverse`, one over the length, errs by 25·u, and the first length by twice as much. A step of
+/// Newton's method leaves products of these two errors, and so does a quotient by the inverse with its
+/// residual. Both residuals are computed in one word: the leading words of their terms agree within a
+/// factor of two, so that the difference of these is exact. `unit.g` proves that all of this is below
+/// [`LOST`]·u², with room for the rounding of the end that is compared.
 ///
 /// Exact numbers round a quotient down at v = 2^-63. Of itself, its coordinate is up to v too low. The
 /// slack of its length is 17·v at most: v of a coordinate, 4·v of its square, 16·v of the sum of

@@ -59,8 +59,8 @@ impl<S: Scalar, const N: usize> Numeric<S> for CrossesEach<'_, S, N> {
 }
 
 impl<S: Scalar, const N: usize> CrossesEach<'_, S, N> {
-    /// Rejects clear misses in the scalar's first float, and takes the remaining triangles one by
-    /// one, if these are few. Only for scalars of 64 bits, whose hits are expensive; with narrower
+    /// Rejects clear misses in `f32`, four triangles at a time, and takes the remaining triangles one
+    /// by one, if these are few. Only for scalars of 64 bits, whose hits are expensive; with narrower
     /// scalars a second pass costs more than it saves.
     #[inline(always)]
     fn few(&self) -> Option<Hits<S, N>> {

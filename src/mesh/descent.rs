@@ -79,10 +79,6 @@ impl<S: Scalar> Descent<S> {
         Self { ray: *ray, grid: *grid, fast, octant }
     }
 
-    pub(super) fn ray(&self) -> &Ray<S> {
-        &self.ray
-    }
-
     fn meets_exactly(&self, node: &Node) -> Met {
         let (mut mask, mut sooner) = (node.meeting(&self.octant), [0; 4]);
         let d = self.ray.direction().to_array();

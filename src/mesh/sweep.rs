@@ -2,8 +2,8 @@
 
 use core::ops::ControlFlow;
 
-use super::descent::Descend;
-use super::grid::corners;
+use super::build::Leaves;
+use super::descent::{Descend, Met};
 use super::moving_box::Moving;
 use super::node::Node;
 use super::walk::descend;
@@ -208,7 +208,7 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     }
 
     /// Visits the triangles whose boxes a moving box meets, roughly in the order in which it reaches
-    /// them. A box costs less than the question that follows.
+    /// them; on cores without floats all triangles of a leaf, because boxes cost too much there.
     #[inline(always)]
     fn pass<'m>(
         &self,
@@ -216,11 +216,14 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
         mut visit: impl FnMut(&mut Moving<'m, S>, usize),
     ) {
         let _ = descend(self.nodes, &self.layout, &mut moving, |moving, leaf| {
-            let mut boxes = Node::EMPTY;
-            for (k, place) in leaf.clone().enumerate() {
-                boxes.set(k, self.grid.cell(corners(&self.mesh.known(self.index(place)))));
+            let mut met = Met { mask: 0b1111, sooner: [i32::MIN; 4] };
+            if S::IS_FAST {
+                let mut boxes = Node::EMPTY;
+                for (k, place) in leaf.clone().enumerate() {
+                    boxes.set(k, self.mesh.cell(&self.grid, self.index(place)));
+                }
+                met = moving.meets(&boxes);
             }
-            let met = moving.meets(&boxes);
             for (k, place) in leaf.enumerate() {
                 if met.mask >> k & 1 == 1 && moving.reaches(met.sooner[k % 4]) {
                     visit(moving, self.index(place));

@@ -123,6 +123,7 @@ pub(super) fn descend<D: Descend>(
 /// Puts the children that are met on the stack, the nearest on top; returns the new top.
 #[inline(always)]
 fn store(stack: &mut [i64; STACK], top: usize, place: usize, met: &Met) -> usize {
+    debug_assert!(top + 4 <= STACK);
     if let Some(to) = stack.get_mut(top..top + 4) {
         to.copy_from_slice(&farthest_first(met, place));
     }
@@ -134,7 +135,7 @@ fn store(stack: &mut [i64; STACK], top: usize, place: usize, met: &Met) -> usize
 #[inline(always)]
 fn farthest_first(&Met { mask, sooner }: &Met, place: usize) -> [i64; 4] {
     let child = |k: usize| {
-        let entry = entry(sooner[k], 4 * place + 1 + k);
+        let entry = entry(sooner[k % 4], 4 * place + 1 + k);
         if mask >> k & 1 == 1 { entry } else { i64::MIN }
     };
     let sorted = |a: i64, b: i64| if a > b { (a, b) } else { (b, a) };

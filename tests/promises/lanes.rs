@@ -1,15 +1,17 @@
 //! Lanes: the same verdicts and the same bits as single shapes.
 
-use fixed::types::I16F16;
+use fixed::types::{I16F16, I32F32};
 use septum::lanes::{Aabbs, CellTriangle, Cells, Triangles};
 use septum::published;
 use septum::published::stored_normal::NormalTriangle;
 use septum::{Aabb, Cull, Ray, Scalar, Triangle, Vec3};
 use septum_kit::{Lanes, Rng, Sample, for_every_scalar, for_scalars};
 
-// Each scalar, and each number of lanes, whose code is the same for all scalars.
+// Each scalar, and each number of lanes. Scalars of 64 bits look at four triangles at a time first.
 for_every_scalar!(same_bits_four);
-for_scalars!([f32: f32] same_bits_one_lane, same_bits_three, same_bits_eight, same_bits_sixteen);
+for_scalars!([f32: f32] same_bits_one_lane, same_bits_sixteen);
+for_scalars!([f32: f32, f64: f64, i32f32: fixed::types::I32F32] same_bits_three, same_bits_eight);
+for_scalars!([f64: f64] same_bits_five);
 
 fn same_bits_one_lane<S: Sample>() {
     same_bits::<S, 1>();
@@ -19,6 +21,9 @@ fn same_bits_three<S: Sample>() {
 }
 fn same_bits_four<S: Sample>() {
     same_bits::<S, 4>();
+}
+fn same_bits_five<S: Sample>() {
+    same_bits::<S, 5>();
 }
 fn same_bits_eight<S: Sample>() {
     same_bits::<S, 8>();
@@ -213,13 +218,15 @@ fn met_by_grazing<S: Sample>(round: u64, span: i64) -> usize {
         + met_at_once(&triangle, near(on_edge, j), number(half))
 }
 
-/// So far from the origin that lanes cannot hold the coordinates, seven triangles are missed and
-/// one is hit.
+/// Seven triangles are missed and one is hit; at 2^60 lanes cannot hold the coordinates.
 #[test]
-fn triangles_that_lanes_do_not_hold() {
-    use fixed::types::I32F32;
+fn one_of_eight_triangles() {
+    one_of_eight_triangles_at(1 << 40);
+    one_of_eight_triangles_at(1 << 60);
+}
+
+fn one_of_eight_triangles_at(x: i64) {
     let at = |p: [i64; 3]| p.map(I32F32::from_bits);
-    let x = 1_i64 << 60;
     let triangle = |y: i64| {
         let [a, b, c] = [[x - 1024, y, 0], [x + 120, y, 0], [x - 1024, y + 2000, 0]].map(at);
         Triangle::new(a, b, c).unwrap()

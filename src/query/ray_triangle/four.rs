@@ -108,7 +108,9 @@ mod tests {
             };
             let triangles = [(); 4].map(|()| Triangle::unchecked([(); 3].map(|()| point(far))));
             let Ok(ray) = Ray::new(point(far), point(0.0)) else { continue };
-            for ray in [ray, ray.with_range(None, None).unwrap()] {
+            let ranges = [[Some(S::ZERO), None], [None, None], [Some(number(-1.0)), None]];
+            for [from, to] in ranges {
+                let ray = ray.with_range(from, to).unwrap();
                 let missed = clear_misses(&ray, triangles);
                 for (k, triangle) in triangles.iter().enumerate() {
                     let (is_missed, is_hit) = (missed >> k & 1 == 1, ray.is_hit(triangle));
