@@ -136,23 +136,23 @@ formats! {
     CellTriangle: |prepared, to| write!(to, "CellTriangle {{ {} }}", prepared.triangle());
     SlabRay: |_r, to| write!(to, "SlabRay {{ .. }}");
     SlopeRay: |_r, to| write!(to, "SlopeRay {{ .. }}");
-    Triangles[N]: |all, to| { write!(to, "Triangles"); lanes(to, [(); N], |k| all.get(k)) };
-    NormalTriangles[N]: |all, to| { write!(to, "NormalTriangles"); lanes(to, [(); N], |k| all.get(k)) };
-    Rays[N]: |all, to| { write!(to, "Rays"); lanes(to, [(); N], |k| all.get(k)) };
-    SlabRays[N]: |all, to| { write!(to, "SlabRays"); lanes(to, [(); N], |k| all.get(k)) };
-    Aabbs[N]: |all, to| { write!(to, "Aabbs"); lanes(to, [(); N], |k| all.get(k)) };
-    Cells[N]: |all, to| { write!(to, "Cells"); lanes(to, [(); N], |k| all.get(k)) };
-    Hits[N]: |all, to| { write!(to, "Hits"); lanes(to, [(); N], |k| all.get(k)) };
+    Triangles[N]: |all, to| { write!(to, "Triangles"); lanes(to, N, |k| all.get(k)) };
+    NormalTriangles[N]: |all, to| { write!(to, "NormalTriangles"); lanes(to, N, |k| all.get(k)) };
+    Rays[N]: |all, to| { write!(to, "Rays"); lanes(to, N, |k| all.get(k)) };
+    SlabRays[N]: |all, to| { write!(to, "SlabRays"); lanes(to, N, |k| all.get(k)) };
+    Aabbs[N]: |all, to| { write!(to, "Aabbs"); lanes(to, N, |k| all.get(k)) };
+    Cells[N]: |all, to| { write!(to, "Cells"); lanes(to, N, |k| all.get(k)) };
+    Hits[N]: |all, to| { write!(to, "Hits"); lanes(to, N, |k| all.get(k)) };
     Ranges[N]: |all, to| {
         write!(to, "Ranges");
         let numbers = |(enter, leave)| (Number(enter), Number(leave));
-        lanes(to, [(); N], |k| all.get(k).map(numbers))
+        lanes(to, N, |k| all.get(k).map(numbers))
     };
 }
 
 /// Each lane in brackets.
-fn lanes<T: Format, const N: usize>(to: Formatter<'_>, _: [(); N], lane: impl Fn(usize) -> T) {
-    (0..N).for_each(|k| write!(to, "[{}]", lane(k)));
+fn lanes<T: Format>(to: Formatter<'_>, count: usize, lane: impl Fn(usize) -> T) {
+    (0..count).for_each(|k| write!(to, "[{}]", lane(k)));
 }
 
 impl<S: Scalar> Format for Polygon<'_, S> {

@@ -4,9 +4,11 @@
 //! bound. Triangles whose bounds overlap are compared exactly.
 
 use core::cmp::Ordering;
+use core::ops::ControlFlow;
 
 use super::approach::{Approach, Bounds, InFloats, InIntegers};
 use super::ray::{is_same, met};
+use super::walk::descend;
 use super::{Index, Tree};
 use crate::query::{Closest, compare_distances};
 use crate::scalar::Scalar;
@@ -117,22 +119,25 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     /// The index of the triangle closest to a point.
     fn find<A: Approach<S>>(&self, p: [S; 3], mut approach: A) -> Option<usize> {
         let mut best: Option<(usize, Bounds<A::Square>)> = None;
-        self.descend(&mut approach, |approach, i| {
-            let triangle = self.mesh.known(i);
-            let Some(bounds) = approach.bounds(&triangle) else { return };
-            let new = match best {
-                None => (i, bounds),
-                Some((k, of_best)) => match bounds.compare(&of_best) {
-                    Some(Ordering::Greater) => return,
-                    Some(_) => (i, bounds),
-                    None if is_closer(p, (i, &triangle), (k, &self.mesh.known(k))) => {
-                        (i, bounds.up_to(&of_best))
-                    }
-                    None => (k, of_best.up_to(&bounds)),
-                },
-            };
-            approach.limit(&new.1);
-            best = Some(new);
+        let _ = descend(self.nodes, &self.layout, &mut approach, |approach, leaf| {
+            for i in leaf.map(|place| self.index(place)) {
+                let triangle = self.mesh.known(i);
+                let Some(bounds) = approach.bounds(&triangle) else { continue };
+                let new = match best {
+                    None => (i, bounds),
+                    Some((k, of_best)) => match bounds.compare(&of_best) {
+                        Some(Ordering::Greater) => continue,
+                        Some(_) => (i, bounds),
+                        None if is_closer(p, (i, &triangle), (k, &self.mesh.known(k))) => {
+                            (i, bounds.up_to(&of_best))
+                        }
+                        None => (k, of_best.up_to(&bounds)),
+                    },
+                };
+                approach.limit(&new.1);
+                best = Some(new);
+            }
+            ControlFlow::Continue(())
         });
         Some(best?.0)
     }

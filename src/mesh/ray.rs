@@ -98,19 +98,6 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
         best
     }
 
-    /// Visits the triangles near the moving object, roughly in the order in which it reaches them.
-    #[inline(always)]
-    pub(super) fn descend<D: Descend>(
-        &self,
-        descent: &mut D,
-        mut visit: impl FnMut(&mut D, usize),
-    ) {
-        let _ = descend(self.nodes, &self.layout, descent, |descent, leaf| {
-            leaf.for_each(|place| visit(descent, self.index(place)));
-            ControlFlow::Continue(())
-        });
-    }
-
     /// The triangles of a leaf that the ray does not clearly miss.
     #[inline(always)]
     fn near(&self, ray: &Ray<S>, leaf: Range<usize>) -> Near {

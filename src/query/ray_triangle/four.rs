@@ -1,8 +1,12 @@
 //! Four triangles side by side, in `f32` for every scalar, to reject triangles that a ray clearly
 //! misses.
 //!
+//! For machines with vectors: the four triangles in a leaf of a tree take one look, where the kernels
+//! for one triangle take four, in `f64`.
+//!
 //! The volumes of [`Setting`](super::kernel::Setting), of vectors that were rounded once on the way
-//! in. `four.g` proves the bounds. They have the form of [`error_bound`](super::error_bound), and
+//! in. A vector of numbers has no order, so that it is no [`Number`], and `Setting` cannot have it.
+//! `four.g` proves the bounds. They have the form of [`error_bound`](super::error_bound), and
 //! include one rounding of each vector, and a little more in `f64`, where the difference was rounded
 //! before.
 
