@@ -1,7 +1,7 @@
 //! The vector of an axis separates the shapes that the axis separates, checked by projection.
 
 use septum::{Aabb, Axis, Obb, Triangle};
-use septum_kit::Rng;
+use septum_kit::{Rng, three};
 
 #[test]
 fn vectors_separate() {
@@ -21,8 +21,7 @@ fn vectors_separate() {
                 let least = all.iter().copied().fold(f64::INFINITY, f64::min);
                 (least, all.iter().copied().fold(f64::NEG_INFINITY, f64::max))
             };
-            let corner =
-                |k: usize| [0, 1, 2].map(|i: usize| if k >> i & 1 == 0 { p[i] } else { max[i] });
+            let corner = |k: usize| three(|i: usize| if k >> i & 1 == 0 { p[i] } else { max[i] });
             let corners: Vec<f64> = (0..8).map(|k| on(corner(k))).collect();
             let (low, high) = range(&[on(a), on(b), on(c)]);
             let (least, greatest) = range(&corners);
@@ -60,7 +59,7 @@ fn vectors_of_oriented_boxes_are_outward_normals() {
         let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
         for i in 0..3 {
             let n = Axis::Face(i as u8 + 3).vector(&obb).to_array();
-            let along = [0, 1, 2].map(|k: usize| dot(&n, &axes[k]));
+            let along = three(|k: usize| dot(&n, &axes[k]));
             assert!((0..3).all(|k| (along[k] > 0.0) == (k == i)), "{axes:?}: {n:?}");
             assert!((0..3).all(|k| (along[k] == 0.0) != (k == i)), "{axes:?}: {n:?}");
         }

@@ -4,7 +4,7 @@ use septum::broad_phase::BoxTree;
 use septum::mesh::{Mesh, MeshError, Node, Tree};
 use septum::sweep::{FirstContact, Motion, Sweep};
 use septum::{Aabb, Overlaps, Ray, Segment, Triangle, Vec3};
-use septum_kit::{Rng, Sample, for_every_scalar};
+use septum_kit::{Rng, Sample, for_every_scalar, three};
 
 /// Where the boxes are, and how large: near the origin, on a small grid where many touch, far apart,
 /// and at the end of the range, which some exceed.
@@ -42,8 +42,8 @@ fn aabb<S: Sample>(scene: Scene, rng: &mut Rng) -> Aabb<S> {
     if rng.one_in(2) {
         return Aabb::from_center_half_extents(p, size).unwrap();
     }
-    let q = [0, 1, 2].map(|i| S::nearest(p[i].approximate() + size[i].approximate()));
-    Aabb::from_min_max(p, [0, 1, 2].map(|i| if q[i] > p[i] { q[i] } else { p[i] })).unwrap()
+    let q = three(|i| S::nearest(p[i].approximate() + size[i].approximate()));
+    Aabb::from_min_max(p, three(|i| if q[i] > p[i] { q[i] } else { p[i] })).unwrap()
 }
 
 /// The indices of the boxes that satisfy `is`.
@@ -88,7 +88,7 @@ fn check<S: Sample>(tree: &BoxTree<'_, S, u16>, scene: Scene, rng: &mut Rng) -> 
         counts[1] += found_by(boxes, &segment, tree.overlapping(&segment, &mut room));
 
         let skipped = rng.below(n.max(1));
-        if let Ok(ray) = Ray::new(a, [0, 1, 2].map(|i| b[i].minus(a[i]))) {
+        if let Ok(ray) = Ray::new(a, three(|i| b[i].minus(a[i]))) {
             let entered = |i: usize| ray.t_range(&boxes[i]).map(|(t, _)| (i, t));
             let sooner = |a: (usize, S), b: (usize, S)| if b.1 < a.1 { b } else { a };
             let first = (0..n).filter(|&i| i != skipped).filter_map(entered).reduce(sooner);
@@ -157,7 +157,7 @@ fn a_refitted_mesh_is_a_new_one<S: Sample>() {
             };
             assert_eq!(found(&refitted), found(&built), "{round}");
             let [a, b] = [(); 2].map(|()| point::<S>(Scene::Near, &mut rng));
-            let Ok(ray) = Ray::new(a, [0, 1, 2].map(|i| b[i].minus(a[i]))) else { continue };
+            let Ok(ray) = Ray::new(a, three(|i| b[i].minus(a[i]))) else { continue };
             assert_eq!(refitted.first_hit(&ray), built.first_hit(&ray), "{round}");
             hits += usize::from(built.is_hit(&ray));
         }

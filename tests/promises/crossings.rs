@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use septum::mesh::OwnedTree;
 use septum_kit::fixed::types::I8F8;
 use septum_kit::flat::{Flat, FlatCase, FlatSet};
-use septum_kit::{Rng, Sample, for_every_scalar, for_scalars, with_every_scalar};
+use septum_kit::{Rng, Sample, for_every_scalar, for_scalars, three, with_every_scalar};
 
 /// The number of cases of each set.
 const CASES: usize = 1_000;
@@ -84,7 +84,7 @@ fn segments_make_loops<S: Sample>() {
                 if axis < 3 {
                     p[axis] += 1.0;
                 }
-                [0, 1, 2].map(|i: usize| S::nearest(o[i] + p[i]))
+                three(|i: usize| S::nearest(o[i] + p[i]))
             };
             let corners = [corner(3), corner(0), corner(1), corner(2)];
             OwnedTree::new(corners, FACES).expect("a mesh")

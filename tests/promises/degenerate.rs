@@ -3,7 +3,7 @@
 
 use septum::published;
 use septum::{Aabb, Scalar, Triangle};
-use septum_kit::{Rng, Sample, Set, for_every_scalar, is_collinear, meets};
+use septum_kit::{Rng, Sample, Set, for_every_scalar, is_collinear, meets, three};
 
 type Point<S> = [S; 3];
 
@@ -120,7 +120,7 @@ fn the_signs_of_each_edge_axis<S: Sample>() {
         for mirror in 0..8 {
             let place = |v: [i8; 3]| {
                 let v = [v[i], v[(i + 1) % 3], v[(i + 2) % 3]];
-                at::<S>([0, 1, 2].map(|k| if mirror >> k & 1 == 0 { v[k] } else { -v[k] }))
+                at::<S>(three(|k| if mirror >> k & 1 == 0 { v[k] } else { -v[k] }))
             };
             // An edge beside an edge of the cube, at a distance of one, and through it.
             let past = triangle(place([3, 0, 0]), place([0, 3, 0]), place([4, 4, 1]));

@@ -3,7 +3,7 @@
 //! before they underflow.
 
 use septum::prepared::PreparedTriangle;
-use septum_kit::{BoxNumbers, Case, Rng, Sample, for_every_scalar, meets};
+use septum_kit::{BoxNumbers, Case, Rng, Sample, for_every_scalar, meets, three};
 
 /// A point with coordinates up to `size` numbers of the type away from those of `from`. In half of
 /// the cases it is at the very ends, where products are largest.
@@ -36,10 +36,7 @@ fn exact_at_every_size<S: Sample>() {
             let vertices = [point(), point(), point()];
             let (p, q) = (point(), point());
             let smaller = |i: usize| if p[i] < q[i] { (p[i], q[i]) } else { (q[i], p[i]) };
-            let corners = BoxNumbers::Corners(
-                [0, 1, 2].map(|i| smaller(i).0),
-                [0, 1, 2].map(|i| smaller(i).1),
-            );
+            let corners = BoxNumbers::Corners(three(|i| smaller(i).0), three(|i| smaller(i).1));
             let half =
                 near(&mut rng, [S::ZERO; 3], size).map(|h| if h < S::ZERO { S::ZERO } else { h });
             for aabb in [corners, BoxNumbers::Corners(p, p), BoxNumbers::Center(p, half)] {

@@ -4,7 +4,7 @@
 use fixed::types::{I1F15, I16F0, I33F31};
 use proptest::prelude::*;
 use septum::prepared::PreparedTriangle;
-use septum_kit::{BoxNumbers, Case, Sample, Set, for_every_scalar, meets};
+use septum_kit::{BoxNumbers, Case, Sample, Set, for_every_scalar, meets, three};
 
 fn every_set<S: Sample>() {
     for set in Set::ALL {
@@ -36,10 +36,7 @@ fn case_of<S: Sample>(number: impl Strategy<Value = S>) -> impl Strategy<Value =
                 let magnitude = |x: S| S::from_ordinal(x.ordinal().saturating_abs());
                 BoxNumbers::Center(p, q.map(magnitude))
             } else {
-                BoxNumbers::Corners(
-                    [0, 1, 2].map(|i| sorted(i)[0]),
-                    [0, 1, 2].map(|i| sorted(i)[1]),
-                )
+                BoxNumbers::Corners(three(|i| sorted(i)[0]), three(|i| sorted(i)[1]))
             };
             Case { vertices: [row(0), row(1), row(2)], aabb }
         },

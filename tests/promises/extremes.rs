@@ -6,7 +6,7 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 use septum::prepared::PreparedTriangle;
 use septum::{Axis, published};
 use septum_kit::rays::{RayCase, crossing};
-use septum_kit::{BoxNumbers, Case, GROUP_ORDERS, Rng, Sample, is_collinear, meets};
+use septum_kit::{BoxNumbers, Case, GROUP_ORDERS, Rng, Sample, is_collinear, meets, three};
 
 /// Runs every query; exact answers are compared with the oracle.
 fn ask_everything<S: Sample>(case: &Case<S>) {
@@ -41,8 +41,8 @@ fn from_pool<S: Sample>(rng: &mut Rng, pool: &[S]) -> Case<S> {
     let aabb = if q.iter().all(|&x| x >= S::ZERO) {
         BoxNumbers::Center(p, q)
     } else {
-        let least = [0, 1, 2].map(|i| if p[i] < q[i] { p[i] } else { q[i] });
-        let greatest = [0, 1, 2].map(|i| if p[i] < q[i] { q[i] } else { p[i] });
+        let least = three(|i| if p[i] < q[i] { p[i] } else { q[i] });
+        let greatest = three(|i| if p[i] < q[i] { q[i] } else { p[i] });
         BoxNumbers::Corners(least, greatest)
     };
     Case { vertices, aabb }
@@ -179,8 +179,7 @@ fn about_powers_of_two_in_fixed_point() {
 /// determinants reach their greatest value.
 fn every_sign(end: i32) {
     let number = |bits: i32| FixedI32::<U16>::from_bits(bits);
-    let point =
-        |signs: u32| [0, 1, 2].map(|i| number(if signs >> i & 1 == 0 { end } else { -end }));
+    let point = |signs: u32| three(|i| number(if signs >> i & 1 == 0 { end } else { -end }));
     for signs in 0..1 << 12 {
         let [b, c, o, d] = [0, 3, 6, 9].map(|shift| point(signs >> shift));
         for a in [[number(0); 3], point(0)] {

@@ -5,7 +5,7 @@ use septum::lanes::{Aabbs, CellTriangle, Cells, Triangles};
 use septum::published;
 use septum::published::stored_normal::NormalTriangle;
 use septum::{Aabb, Cull, Ray, Scalar, Triangle, Vec3};
-use septum_kit::{Lanes, Rng, Sample, for_every_scalar, for_scalars};
+use septum_kit::{Lanes, Rng, Sample, for_every_scalar, for_scalars, three};
 
 // Each scalar, and each number of lanes. Scalars of 64 bits look at four triangles at a time first.
 for_every_scalar!(same_bits_four);
@@ -67,13 +67,13 @@ fn same_bits<S: Sample, const N: usize>() {
 
         let boxes: [Aabb<S>; N] = std::array::from_fn(|_| {
             let (p, q) = (point(), point());
-            let ends = |pick: fn(S, S) -> S| [0, 1, 2].map(|i| pick(p[i], q[i]));
+            let ends = |pick: fn(S, S) -> S| three(|i| pick(p[i], q[i]));
             let min = ends(|a, b| if a < b { a } else { b });
             Aabb::from_min_max(min, ends(|a, b| if a > b { a } else { b })).unwrap()
         });
         let (min, max) = boxes[0].min_max().unwrap();
         let (min, max) = (min.to_array(), max.to_array());
-        let half = [0, 1, 2].map(|i| {
+        let half = three(|i| {
             let size = max[i].minus(min[i]);
             if size < S::ZERO { S::ZERO.minus(size) } else { size }
         });
@@ -108,7 +108,7 @@ fn met_at_once<S: Sample>(triangle: &Triangle<S>, centers: [[S; 3]; 8], half: [S
     for (cell, met) in cells.iter().zip(expected) {
         assert_eq!(lanes.overlaps(cell), [met; 2], "{triangle:?} {cell:?}");
     }
-    let corner = |c: [S; 3], sum: fn(S, S) -> S| [0, 1, 2].map(|i| sum(c[i], half[i]));
+    let corner = |c: [S; 3], sum: fn(S, S) -> S| three(|i| sum(c[i], half[i]));
     let between = |c: [S; 3]| Aabb::from_min_max(corner(c, S::minus), corner(c, S::plus)).unwrap();
     let boxes = centers.map(between);
     let met = boxes.each_ref().map(|aabb| triangle.overlaps(aabb));
@@ -143,7 +143,7 @@ fn differences_that_round() {
     let rng = &mut Rng::new(12);
     let mut met = 0;
     for round in 0..40_000 {
-        let turn = |p: [f32; 3]| [0, 1, 2].map(|i| p[(i + round) % 3]);
+        let turn = |p: [f32; 3]| three(|i| p[(i + round) % 3]);
         let mut near = |at: f32, ulp: i64| at + rng.whole(-3, 3) as f32 / (1_i64 << ulp) as f32;
         let vertex = turn([near(1.0, 23), 0.25, 0.25]);
         let triangle = Triangle::new(vertex, turn([3.0, 2.0, 0.5]), turn([2.5, 0.5, 2.0])).unwrap();
@@ -189,11 +189,11 @@ fn met_by_grazing<S: Sample>(round: u64, span: i64) -> usize {
     let rng = &mut Rng::new(round);
     let [a, b, c] = [(); 3].map(|()| rng.triple(|rng| 4 * rng.whole(-span / 4, span / 4)));
     let half = rng.triple(|rng| rng.whole(1, span / 8));
-    let from_a = |p: [i64; 3]| [0, 1, 2].map(|i| p[i] - a[i]);
+    let from_a = |p: [i64; 3]| three(|i| p[i] - a[i]);
     let (e, f) = (from_a(b), from_a(c));
     let around = |i: usize| ((i + 1) % 3, (i + 2) % 3);
     // The corner of the box nearest to the plane is a point of the triangle.
-    let on_plane = [0, 1, 2].map(|i| {
+    let on_plane = three(|i| {
         let (j, l) = around(i);
         (a[i] + b[i] + 2 * c[i]) / 4 + (e[j] * f[l] - e[l] * f[j]).signum() * half[i]
     });
@@ -201,7 +201,7 @@ fn met_by_grazing<S: Sample>(round: u64, span: i64) -> usize {
     let i = round as usize % 3;
     let (j, l) = around(i);
     let side = (e[j] * f[l] - e[l] * f[j]).signum();
-    let mut on_edge = [0, 1, 2].map(|i| (a[i] + b[i]) / 2);
+    let mut on_edge = three(|i| (a[i] + b[i]) / 2);
     on_edge[j] += side * e[l].signum() * half[j];
     on_edge[l] -= side * e[j].signum() * half[l];
 

@@ -4,7 +4,7 @@ use fixed::types::{I1F63, I64F0};
 use septum::{Aabb, Obb, Ray, Segment, Vec3};
 use septum_kit::boxes::BoxSet;
 use septum_kit::lines::{Fraction, Line, LineBox, LineObb, LineSet};
-use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar};
+use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar, three};
 
 fn exact_on_every_set<S: Sample>() {
     check_sets::<S>(2_000);
@@ -72,7 +72,7 @@ fn is_rounded<S: Sample>(t: S, expected: &Fraction) -> bool {
 /// An oriented box with axes along the coordinate axes is the axis-aligned box.
 fn as_an_aabb<S: Sample>() {
     let one = S::nearest(1.0);
-    let along = [0, 1, 2].map(|i: usize| {
+    let along = three(|i: usize| {
         let mut axis = [S::ZERO; 3];
         axis[i] = one;
         Vec3::from(axis)

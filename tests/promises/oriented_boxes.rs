@@ -4,7 +4,7 @@
 use dashu_int::IBig;
 use fixed::types::{I0F8, I0F16, I0F32, I0F64, I1F31, I2F30, I4F60};
 use septum::{Obb, ShapeError};
-use septum_kit::{Ring, Rng, Sample, for_every_scalar, not_finite};
+use septum_kit::{Ring, Rng, Sample, for_every_scalar, not_finite, three};
 
 type Point<S> = [S; 3];
 
@@ -44,7 +44,7 @@ impl<S: Sample> Given<S> {
     /// Whether the point is in the box, by Gauss–Jordan elimination.
     fn contains(&self) -> bool {
         let (Given { center, axes: [u, v, w], half, point }, one) = self.whole();
-        let mut rows = [0, 1, 2].map(|r: usize| {
+        let mut rows = three(|r: usize| {
             [u[r].clone(), v[r].clone(), w[r].clone(), (&point[r] - &center[r]) * &one]
         });
         for k in 0..3 {
@@ -103,7 +103,7 @@ fn given<S: Sample>(rng: &mut Rng, kind: usize) -> Given<S> {
     let axes = if kind < 2 { rotation(rng) } else { rng.triple(|rng| rng.triple(number)) };
     if kind == 1 {
         // A corner, or a point of a face, as nearly as the scalar allows.
-        let s = [0, 1, 2].map(|i: usize| {
+        let s = three(|i: usize| {
             let side = [-1.0, 1.0, rng.real(-1.0, 1.0)][rng.below(3)];
             half[i].approximate() * side
         });

@@ -1,7 +1,7 @@
 //! A plane against an axis-aligned box: exact.
 
 use septum::{Plane, ShapeError, Side};
-use septum_kit::{BoxNumbers, Given, Rng, Sample, for_every_scalar, not_finite, side};
+use septum_kit::{BoxNumbers, Given, Rng, Sample, for_every_scalar, not_finite, side, three};
 
 fn check<S: Sample>(normal: [S; 3], given: Given<S>, aabb: BoxNumbers<S>) -> Option<Side> {
     let (plane, shape) = (given.plane(normal).ok()?, aabb.shape().ok()?);
@@ -22,7 +22,7 @@ fn sample<S: Sample>(cases: usize, pick: impl Fn(&mut Rng) -> S) -> [usize; 3] {
             BoxNumbers::Center(p, q.map(|h| if h < S::ZERO { S::ZERO } else { h }))
         } else {
             let order = |i: usize| if p[i] < q[i] { (p[i], q[i]) } else { (q[i], p[i]) };
-            BoxNumbers::Corners([0, 1, 2].map(|i| order(i).0), [0, 1, 2].map(|i| order(i).1))
+            BoxNumbers::Corners(three(|i| order(i).0), three(|i| order(i).1))
         };
         let given = if n % 4 < 2 { Given::Point(point) } else { Given::Offset(point[0]) };
         if let Some(side) = check(normal, given, aabb) {

@@ -4,7 +4,7 @@ use septum::polygon::Polygon;
 use septum::published::green_hatch;
 use septum::{Aabb, Segment, ShapeError, Triangle, Vec3};
 use septum_kit::polygons::{PlanePolygon, PolygonCase, PolygonSet};
-use septum_kit::{Rng, Sample, for_every_scalar, not_finite};
+use septum_kit::{Rng, Sample, for_every_scalar, not_finite, three};
 
 /// All sets; counts the overlaps of each.
 fn agrees_on_every_set<S: Sample>(count: usize) {
@@ -122,7 +122,7 @@ fn the_published_test_is_right_where_nothing_is_rounded() {
     for n in 0..60_000 {
         let mut point = || rng.triple(|rng| rng.whole(-16, 16) as f32 / 8.0);
         let [a, b, c] = [point(), point(), point()];
-        let d = [0, 1, 2].map(|i: usize| a[i] - b[i] + c[i]);
+        let d = three(|i: usize| a[i] - b[i] + c[i]);
         let vertices = [a, b, c, d].map(Vec3::from);
         let polygon = Polygon::new(&vertices[..3 + n % 2]).unwrap();
         let of_size = |size: f32| {

@@ -2,7 +2,7 @@
 
 use septum::prepared::PreparedRay;
 use septum_kit::lines::{Line, LineBox, LineSet};
-use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar};
+use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar, three};
 
 /// Compares the oracle, the ray and the prepared ray.
 fn check<S: Sample>(case: &LineBox<S>, meets: bool) {
@@ -84,7 +84,7 @@ struct Numbers {
 impl Numbers {
     fn case<S: Sample>(&self, by_corners: bool) -> LineBox<S> {
         let (min, max) = (self.min.map(|x| x as f64), self.max.map(|x| x as f64));
-        let half = |sign: f64| [0, 1, 2].map(|i: usize| S::nearest((max[i] + sign * min[i]) / 2.0));
+        let half = |sign: f64| three(|i: usize| S::nearest((max[i] + sign * min[i]) / 2.0));
         let plain = |v: [f64; 3]| v.map(S::nearest);
         LineBox {
             line: Line::Ray(
@@ -128,7 +128,7 @@ fn exact_at_every_magnitude<S: Sample>(exponents: [i64; 2]) {
         } else {
             let least = |i: usize| if p[i] < q[i] { p[i] } else { q[i] };
             let greatest = |i: usize| if p[i] < q[i] { q[i] } else { p[i] };
-            BoxNumbers::Corners([0, 1, 2].map(least), [0, 1, 2].map(greatest))
+            BoxNumbers::Corners(three(least), three(greatest))
         };
         let ends = match k % 7 {
             0 => [None, None],
@@ -181,7 +181,7 @@ fn exact_in_contact_at_the_ends<S: Sample>(coordinates: [i32; 3], directions: [i
         let aabb = if k % 2 == 0 {
             BoxNumbers::Center(at(p), at(q))
         } else {
-            BoxNumbers::Corners(at(p), at([0, 1, 2].map(|i: usize| p[i] + q[i])))
+            BoxNumbers::Corners(at(p), at(three(|i: usize| p[i] + q[i])))
         };
         let zero = if k % 7 == 0 { S::nearest(-0.0) } else { S::ZERO };
         let line = Line::Ray(at(o), d.map(|x| times(x, b)), [Some(zero), None]);

@@ -3,7 +3,7 @@
 use septum::prepared::PreparedRay;
 use septum::{Aabb, Ray};
 use septum_kit::lines::{Fraction, Line, LineBox, LineSet};
-use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar};
+use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar, three};
 
 /// Rays and segments alike.
 fn exact_on_every_set<S: Sample>() {
@@ -90,8 +90,7 @@ fn faces_on_a_grid<S: Sample>() {
         for [min, max] in [corners, flat] {
             let half = [0, 1, 2]
                 .map(|i: usize| S::nearest((max[i].approximate() - min[i].approximate()) / 2.0));
-            let center =
-                [0, 1, 2].map(|i: usize| S::nearest(min[i].approximate() + half[i].approximate()));
+            let center = three(|i: usize| S::nearest(min[i].approximate() + half[i].approximate()));
             for aabb in [BoxNumbers::Corners(min, max), BoxNumbers::Center(center, half)] {
                 if line.ray().is_none() {
                     continue;

@@ -7,7 +7,7 @@ use septum::published;
 use septum::published::slabs::SlabRay;
 use septum::published::slopes::SlopeRay;
 use septum_kit::lines::{Line, LineBox, LineSet};
-use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar};
+use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar, three};
 
 /// 60 directions with one or two zero components, 125 origins, 9 boxes in two forms: 135,000 cases,
 /// many with the origin in the plane of a face. Floats repeat them with negative zeros.
@@ -33,8 +33,8 @@ fn components_of_zero<S: Sample>(zero: S) {
     for d in directions {
         for o in triples() {
             for (min, max) in boxes {
-                let center = [0, 1, 2].map(|i: usize| plain((min[i] + max[i]) / 2.0));
-                let half = [0, 1, 2].map(|i: usize| plain((max[i] - min[i]) / 2.0));
+                let center = three(|i: usize| plain((min[i] + max[i]) / 2.0));
+                let half = three(|i: usize| plain((max[i] - min[i]) / 2.0));
                 let forms = [
                     BoxNumbers::Corners(min.map(plain), max.map(plain)),
                     BoxNumbers::Center(center, half),
@@ -196,7 +196,7 @@ fn no_box_is_lost_at_the_ends_of_the_range() {
         let aabb = if rng.one_in(2) {
             BoxNumbers::Center(p, q.map(f32::abs))
         } else {
-            let (a, b) = ([0, 1, 2].map(|i| p[i].min(q[i])), [0, 1, 2].map(|i| p[i].max(q[i])));
+            let (a, b) = (three(|i| p[i].min(q[i])), three(|i| p[i].max(q[i])));
             BoxNumbers::Corners(a, b)
         };
         if d == [0.0; 3] {

@@ -5,7 +5,7 @@ use fixed::types::extra::{LeEqU8, U0, U4, U7};
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 use septum::{Ray, Triangle};
 use septum_kit::rays::{RayCase, RaySet, crossing};
-use septum_kit::{Rng, Sample};
+use septum_kit::{Rng, Sample, three};
 
 /// num / den to the nearest, ties to even, clamped to 8 bits.
 fn nearest(num: i32, den: i32) -> i32 {
@@ -167,9 +167,9 @@ fn within_2_ulp_of_long_numbers_in_f64() {
             1 => (rng.real(0.0, 1e-6), rng.real(0.0, 1e-9)),
             _ => (rng.real(0.0, 0.5), rng.real(0.0, 0.5)),
         };
-        let target = [0, 1, 2].map(|i| a[i] + u * (b[i] - a[i]) + v * (c[i] - a[i]));
+        let target = three(|i| a[i] + u * (b[i] - a[i]) + v * (c[i] - a[i]));
         let far = [1.0, 1e-3, 1e5][case % 3];
-        let direction = [0, 1, 2].map(|i| (target[i] - o[i] * far) / 3.0);
+        let direction = three(|i| (target[i] - o[i] * far) / 3.0);
         let case = RayCase::new(o.map(|x| x * far), direction, [a, b, c]);
         hits += usize::from(check(&case, "long"));
     }

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use septum::prepared::{HitRay, HitTriangle};
 use septum::{Cull, Facing, Feature, HitRules};
 use septum_kit::rays::{RayCase, RaySet, crossing};
-use septum_kit::{Rng, Sample, for_every_scalar};
+use septum_kit::{Rng, Sample, for_every_scalar, three};
 
 /// All exact queries about one case, compared with the oracle.
 fn check<S: Sample>(case: &RayCase<S>) {
@@ -120,7 +120,7 @@ fn case_of<S: Sample>(number: impl Strategy<Value = S>) -> impl Strategy<Value =
                 n if n < 4 => pool[n],
                 n => S::from_ordinal(pool[n % 4].ordinal().saturating_neg()),
             };
-            let row = |r: usize| [0, 1, 2].map(|i| pick(picks[3 * r + i]));
+            let row = |r: usize| three(|i| pick(picks[3 * r + i]));
             let end = |n: usize| (n < 9).then(|| pick(n));
             RayCase {
                 origin: row(0),

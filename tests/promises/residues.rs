@@ -3,7 +3,7 @@
 
 use septum_kit::boxes::BoxSet;
 use septum_kit::lines::LineObb;
-use septum_kit::{Case, Oriented, Rng, Sample};
+use septum_kit::{Case, Oriented, Rng, Sample, three};
 
 /// So many cases of each pair.
 const CASES: usize = 4_000;
@@ -37,7 +37,7 @@ fn all_pairs<S: Sample>() {
             let along = rng.triple(|rng| rng.whole(-4, 4) as f64 / 4.0);
             let on =
                 |i: usize| (0..2).map(|k| along[k] * obb.axes[k][i].approximate()).sum::<f64>();
-            [0, 1, 2].map(|i: usize| S::nearest(on(i)))
+            three(|i: usize| S::nearest(on(i)))
         };
         let case = Case { vertices: rng.triple(vertex), aabb };
         let (triangle, aabb) = case.shapes();

@@ -6,7 +6,7 @@ use septum::published::projected::ProjectedTriangle;
 use septum::published::stored_normal::NormalTriangle;
 use septum::published::watertight::ShearedRay;
 use septum::{Cull, Facing, Feature, Hit, Ray, Triangle};
-use septum_kit::{Rng, Sample, for_every_scalar};
+use septum_kit::{Rng, Sample, for_every_scalar, three};
 
 for_every_scalar!(
     all_agree_with_the_exact_hit,
@@ -53,7 +53,7 @@ fn tolerance<S: Sample>() -> f64 {
 }
 
 fn mix([a, b, c]: [[f64; 3]; 3], [w, u, v]: [f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|i| w * a[i] + u * b[i] + v * c[i])
+    three(|i| w * a[i] + u * b[i] + v * c[i])
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -76,7 +76,7 @@ fn all_agree_with_the_exact_hit<S: Sample>() {
         let weights = [1.0 - u - v, u, v];
         let origin = rng.triple(|rng| rng.real(-1.5, 1.5));
         let target = mix(points, weights);
-        let direction = [0, 1, 2].map(|i| target[i] - origin[i]);
+        let direction = three(|i| target[i] - origin[i]);
         let steep = dot(n, direction).abs() / (dot(n, n) * dot(direction, direction)).sqrt();
         let clear = weights.iter().all(|w| w.abs() > 0.1);
         let small = direction.iter().all(|d| d.abs() < 2.0);
@@ -174,7 +174,7 @@ fn flat_triangles_have_none<S: Sample>() {
     for _ in 0..10_000 {
         let whole = |rng: &mut Rng| rng.whole(-1, 1) as f64;
         let (p, e) = (rng.triple(whole), rng.triple(whole));
-        let on = |k: f64| [0, 1, 2].map(|i| p[i] + k * e[i]);
+        let on = |k: f64| three(|i| p[i] + k * e[i]);
         let flat = triangle::<S>([p, on(whole(rng)), on(2.0 * whole(rng))]);
         let d = rng.triple(whole);
         if d == [0.0; 3] {
@@ -232,11 +232,10 @@ fn no_gap_along_an_edge<S: Sample>() {
         let mut point = || at::<S>(rng.triple(|rng| far + rng.real(-scene, scene)));
         let (p, q, o) = (point(), point(), point());
         let share = rng.real(0.0, 1.0);
-        let target =
-            [0, 1, 2].map(|i| p[i].approximate() * (1.0 - share) + q[i].approximate() * share);
-        let d = [0, 1, 2].map(|i| target[i] - o[i].approximate());
+        let target = three(|i| p[i].approximate() * (1.0 - share) + q[i].approximate() * share);
+        let d = three(|i| target[i] - o[i].approximate());
         // Sideways from the edge, on either side of the plane of ray and edge.
-        let edge = [0, 1, 2].map(|i| q[i].approximate() - p[i].approximate());
+        let edge = three(|i| q[i].approximate() - p[i].approximate());
         let side = normal([[0.0; 3], edge, d]);
         let length = dot(side, side).sqrt();
         let direction = at::<S>(d);
@@ -244,7 +243,7 @@ fn no_gap_along_an_edge<S: Sample>() {
         if length < 0.2 * scene * scene || dot(d, d) < 0.2 * scene * scene {
             continue;
         }
-        let apart = |k: f64| at::<S>([0, 1, 2].map(|i| target[i] + k * scene * side[i] / length));
+        let apart = |k: f64| at::<S>(three(|i| target[i] + k * scene * side[i] / length));
         let (left, right) = (apart(rng.real(0.2, 0.9)), apart(-rng.real(0.2, 0.9)));
         let sheared = ShearedRay::new(&ray.with_range(None, None).unwrap());
         let met = [[p, q, left], [q, p, right]].iter().any(|&[a, b, c]| {
@@ -277,8 +276,8 @@ fn no_gap_around_a_vertex<S: Sample>() {
         let (scene, far) = scene::<S>(case);
         let mut point = |size: f64| rng.triple(|rng| far + size * rng.real(-scene, scene));
         let (origin, target) = (at::<S>(point(1.0)), at::<S>(point(1.0)));
-        let along = [0, 1, 2].map(|i| target[i].approximate() - origin[i].approximate());
-        let d = [0, 1, 2].map(|i| S::nearest(along[i]));
+        let along = three(|i| target[i].approximate() - origin[i].approximate());
+        let d = three(|i| S::nearest(along[i]));
         let Ok(ray) = Ray::new(origin, d) else { continue };
         if dot(along, along) < 0.5 * scene * scene {
             continue;
@@ -295,7 +294,7 @@ fn no_gap_around_a_vertex<S: Sample>() {
             .map(|k| {
                 let (sin, cos) = (f64::from(k) * std::f64::consts::FRAC_PI_3).sin_cos();
                 let reach = scene * rng.real(0.3, 0.8);
-                at([0, 1, 2].map(|i| target[i].approximate() + reach * (cos * x[i] + sin * y[i])))
+                at(three(|i| target[i].approximate() + reach * (cos * x[i] + sin * y[i])))
             })
             .collect();
         let sheared = ShearedRay::new(&ray.with_range(None, None).unwrap());

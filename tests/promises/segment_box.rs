@@ -3,7 +3,7 @@
 
 use septum::published;
 use septum::{Aabb, Segment};
-use septum_kit::{Rng, Sample, for_every_scalar, not_finite};
+use septum_kit::{Rng, Sample, for_every_scalar, not_finite, three};
 
 fn cubes() -> [Aabb<f64>; 2] {
     [
@@ -66,7 +66,7 @@ fn forms_agree<S: Sample>() {
     for _ in 0..40_000 {
         let mut row = |low: i64| rng.triple(|rng| rng.whole(low, 7));
         let (c, w, p, h) = (row(-7), row(-7), row(-7), row(0));
-        let whole = |of: &dyn Fn(usize) -> i64| [0, 1, 2].map(|i| S::whole(of(i)));
+        let whole = |of: &dyn Fn(usize) -> i64| three(|i| S::whole(of(i)));
         let of_ends = Segment::new(whole(&|i| c[i] - w[i]), whole(&|i| c[i] + w[i])).unwrap();
         let of_center = Segment::from_center_half_vector(whole(&|i| c[i]), whole(&|i| w[i]));
         let corners = Aabb::from_min_max(whole(&|i| p[i] - h[i]), whole(&|i| p[i] + h[i]));

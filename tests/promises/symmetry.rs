@@ -3,7 +3,7 @@
 
 use septum::published;
 use septum_kit::{
-    BoxNumbers, Case, GROUP_ORDERS, Rng, Sample, Set, Touch, VERTEX_ORDERS, for_every_scalar,
+    BoxNumbers, Case, GROUP_ORDERS, Rng, Sample, Set, Touch, VERTEX_ORDERS, for_every_scalar, three,
 };
 
 /// Cases of each set.
@@ -75,7 +75,7 @@ fn turned<S: Sample>(case: &Case<S>, order: [usize; 3], mirrored: usize) -> Case
             // Reversal exchanges least and greatest.
             let (p, q) = (place(min), place(max));
             let pick = |i, p: [S; 3], q: [S; 3]| if is_mirrored(i) { q[i] } else { p[i] };
-            let (min, max) = ([0, 1, 2].map(|i| pick(i, p, q)), [0, 1, 2].map(|i| pick(i, q, p)));
+            let (min, max) = (three(|i| pick(i, p, q)), three(|i| pick(i, q, p)));
             BoxNumbers::Corners(min, max)
         }
     };

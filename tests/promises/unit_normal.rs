@@ -11,7 +11,7 @@ use septum::{Facing, Feature, Hit, Triangle, Vec3};
 use septum_kit::Rng;
 #[cfg(feature = "libm")]
 use septum_kit::compare_with_unit;
-use septum_kit::{Points, Sample, is_nearest_to_unit, normal_of};
+use septum_kit::{Points, Sample, is_nearest_to_unit, normal_of, three};
 
 fn triangle<S: Sample>(points: &Points<S>) -> Triangle<S> {
     Triangle::new(points[0], points[1], points[2]).unwrap()
@@ -155,7 +155,7 @@ fn float_sets<S: Sample>(cases: usize) -> impl Iterator<Item = Points<S>> {
             2 | 3 => {
                 let (a, b) = (point(0.0), point(0.0));
                 let steps = rng.triple(|r| r.whole(-2, 2));
-                (a, b, [0, 1, 2].map(|i| a[i].between(b[i]).moved(steps[i])))
+                (a, b, three(|i| a[i].between(b[i]).moved(steps[i])))
             }
             4 => {
                 let mut any = || {
@@ -253,7 +253,7 @@ fn micromath_is_some_per_cent_too_long_or_too_short() {
     let (mut short, mut long, mut angle) = (1.0_f64, 1.0_f64, 0.0_f64);
     for _ in 0..200_000 {
         let [a, b, c] = [point(), point(), point()];
-        let edge = |p: [f32; 3]| [0, 1, 2].map(|i| f64::from(p[i]) - f64::from(a[i]));
+        let edge = |p: [f32; 3]| three(|i| f64::from(p[i]) - f64::from(a[i]));
         let (e, f) = (edge(b), edge(c));
         let n = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
         let length = |v: &[f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -265,7 +265,7 @@ fn micromath_is_some_per_cent_too_long_or_too_short() {
         let found = found.to_array().map(f64::from);
         let l = length(&found);
         (short, long) = (short.min(l), long.max(l));
-        let off = [0, 1, 2].map(|i| found[i] / l - n[i] / length(&n));
+        let off = three(|i| found[i] / l - n[i] / length(&n));
         angle = angle.max(length(&off));
     }
     println!("length {short} to {long}, angle {angle}");

@@ -3,8 +3,8 @@
 
 use septum::voxel::{Bits, Grid, GridError, Rule, TooFewWords};
 use septum::{Triangle, Vec3};
-use septum_kit::Rng;
 use septum_kit::voxels::{InScalar, VoxelScene};
+use septum_kit::{Rng, three};
 
 const RULES: [Rule; 3] = [Rule::Closed, Rule::HalfOpen, Rule::Thin];
 
@@ -106,7 +106,7 @@ fn rows_of_the_largest_grids() {
     let last = Triangle::new([m - 0.5; 3], [m, m - 1.5, m], [m - 0.25, m, m - 1.5]).unwrap();
     let rows: u32 = grid.rows(&last, Rule::Closed).map(|row| row.x.end - row.x.start).sum();
     let end = Grid::<f64>::MOST - 1;
-    let voxels = (0..8).map(|n| [0, 1, 2].map(|i| end - (n >> i & 1)));
+    let voxels = (0..8).map(|n| three(|i| end - (n >> i & 1)));
     let met = voxels.filter(|&v| last.overlaps(&grid.voxel(v).unwrap())).count();
     assert!(met > 2 && rows == met as u32);
 }

@@ -3,7 +3,7 @@
 
 use septum::{Facing, Ray};
 use septum_kit::rays::{Aim, Count, Mesh, Method, Scene, Shot};
-use septum_kit::{Rng, Sample, for_every_scalar};
+use septum_kit::{Rng, Sample, for_every_scalar, three};
 
 /// In all scenes, toward all targets.
 fn every_shot<S: Sample>(check: impl Fn(&Mesh<S>, &Shot<S>, Scene)) {
@@ -83,7 +83,7 @@ fn entries_are_exits<S: Sample>() {
             let other = mesh.vertices[rng.below(mesh.vertices.len())];
             let (from, to) = if rng.one_in(4) { (face[0], other) } else { (face[0], face[1]) };
             let difference = |p: [S; 3], q: [S; 3]| {
-                [0, 1, 2].map(|i| S::nearest(q[i].approximate() - p[i].approximate()))
+                three(|i| S::nearest(q[i].approximate() - p[i].approximate()))
             };
             let mut direction = difference(from, to);
             if rng.one_in(3) {

@@ -4,11 +4,11 @@
 use dashu_int::IBig;
 use septum::relation::Relate;
 
-use crate::case::BoxNumbers;
 use crate::exact::{Parts, least_exponent, whole};
 use crate::flat::Truth;
 use crate::rng::Rng;
 use crate::sample::Sample;
+use crate::{case::BoxNumbers, three};
 
 /// Two boxes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -135,7 +135,7 @@ impl AabbSet {
         }
         let q = rng.triple(|rng| self.number::<S>(rng));
         let ordered = |i: usize| if p[i] <= q[i] { (p[i], q[i]) } else { (q[i], p[i]) };
-        let all = [0, 1, 2].map(ordered);
+        let all = three(ordered);
         BoxNumbers::Corners(all.map(|x| x.0), all.map(|x| x.1))
     }
 }

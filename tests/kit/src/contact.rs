@@ -1,5 +1,6 @@
 //! Whether a triangle and a box touch or overlap: an oracle that shrinks both a little.
 
+use crate::three;
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
 
@@ -37,8 +38,9 @@ fn shrunk(shapes: &Shapes<IBig>, bits: usize) -> Shapes<IBig> {
     let less = ((IBig::ONE << bits) - IBig::ONE) * IBig::from(6);
     let x = &shapes.extent;
     let sum = |i: usize| -> IBig { shapes.vertices.iter().map(|v| &v[i]).sum() };
-    let vertices = shapes.vertices.each_ref().map(|v| {
-        [0, 1, 2].map(|i: usize| sum(i) * IBig::from(2) + &v[i] * &less - &x[i] * IBig::from(3))
-    });
-    Shapes { vertices, extent: [0, 1, 2].map(|i: usize| &x[i] * &less) }
+    let vertices = shapes
+        .vertices
+        .each_ref()
+        .map(|v| three(|i: usize| sum(i) * IBig::from(2) + &v[i] * &less - &x[i] * IBig::from(3)));
+    Shapes { vertices, extent: three(|i: usize| &x[i] * &less) }
 }

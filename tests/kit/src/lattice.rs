@@ -1,6 +1,7 @@
 //! A case in integers: every coordinate as a multiple of one power of two, relative to the box's
 //! least corner.
 
+use crate::three;
 use dashu_int::IBig;
 
 use super::case::{BoxNumbers, Case};
@@ -146,7 +147,7 @@ fn from_least_corner<I: Ring>(numbers: &[I; 15], is_by_center: bool) -> Shapes<I
     } else {
         (p.clone(), I::difference(&q, &p))
     };
-    Shapes { vertices: [0, 1, 2].map(|r| I::difference(&row(r), &least)), extent }
+    Shapes { vertices: three(|r| I::difference(&row(r), &least)), extent }
 }
 
 impl<I: Ring> Shapes<I> {

@@ -32,6 +32,7 @@
 #![cfg_attr(septum_narrow, allow(dead_code, reason = "what only grids need"))]
 
 pub mod aabbs;
+mod axes;
 pub mod boxes;
 mod case;
 pub mod contact;
@@ -65,6 +66,7 @@ mod touch;
 #[cfg(not(septum_narrow))]
 pub mod voxels;
 
+pub use axes::three;
 pub use case::{BoxNumbers, Case};
 pub use exact::{Parts, compare_sums};
 pub use grid::every_triangle_on_the_grid;

@@ -9,9 +9,9 @@ use septum::{Ray, Vec3};
 
 use crate::case::{BoxNumbers, Case};
 use crate::rays::{Fraction, RayCase, crossing};
-use crate::rng::Rng;
 use crate::sample::Sample;
 use crate::sweeps::SweepCase;
+use crate::{rng::Rng, three};
 
 type Point<S> = [S; 3];
 
@@ -191,7 +191,7 @@ impl MeshSet {
             let mesh = self.faces::<S>(rng);
             let [a, b, c] = mesh.triangle(rng.below(mesh.faces.len()));
             let (u, v) = (rng.real(0.0, 0.5), rng.real(0.0, 0.5));
-            let mut origin = [0, 1, 2].map(|i: usize| {
+            let mut origin = three(|i: usize| {
                 let [a, b, c] = [a, b, c].map(|p| p[i].approximate());
                 S::nearest((1.0 - u - v) * a + u * b + v * c)
             });

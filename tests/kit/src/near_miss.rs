@@ -5,6 +5,7 @@ use super::case::{BoxNumbers, Case};
 use super::lattice::Ring;
 use super::rng::Rng;
 use super::sample::Sample;
+use crate::three;
 
 type Point = [i128; 3];
 
@@ -62,10 +63,10 @@ impl NearMiss {
         let of1 = sign * (s[i] * e2[j] - s[j] * e2[i]);
         let of2 = sign * (e1[i] * s[j] - e1[j] * s[i]);
         let (whole1, whole2) = (of1.div_euclid(area), of2.div_euclid(area));
-        let s = [0, 1, 2].map(|i| s[i] - whole1 * e1[i] - whole2 * e2[i]);
+        let s = three(|i| s[i] - whole1 * e1[i] - whole2 * e2[i]);
 
         let half = size.map(|most| whole(rng, 1, most));
-        let a = [0, 1, 2].map(|i| half[i] * n[i].signum() + s[i]);
+        let a = three(|i| half[i] * n[i].signum() + s[i]);
         let [b, c] = [Ring::difference(&a, &e1), Ring::difference(&a, &e2)];
         // Whether s is in the triangle's half of the parallelogram of both edges.
         let is_near = of1 + of2 - (whole1 + whole2) * area <= area;
@@ -94,7 +95,7 @@ impl NearMiss {
         let a = point(half[i] + x, half[j] + y, within(rng));
         let b = point(a[i] - along, a[j] + down, within(rng));
         let outward = size.map(|most| whole(rng, 1, most));
-        let c = [0, 1, 2].map(|i| a[i] + outward[i]);
+        let c = three(|i| a[i] + outward[i]);
         Some(Self { vertices: [a, b, c], center: [0; 3], half, meets: gap <= 0 })
     }
 
@@ -110,7 +111,7 @@ impl NearMiss {
     fn moved(mut self, rng: &mut Rng, size: Point) -> Self {
         if rng.one_in(2) {
             self.center = size.map(|most| whole(rng, -2 * most, 2 * most));
-            self.vertices = self.vertices.map(|p| [0, 1, 2].map(|i| p[i] + self.center[i]));
+            self.vertices = self.vertices.map(|p| three(|i| p[i] + self.center[i]));
         }
         self
     }
@@ -120,7 +121,7 @@ impl NearMiss {
     pub fn case<S: Sample>(&self, rng: &mut Rng, by_center: bool) -> Case<S> {
         let exponents = self.exponents::<S>(rng);
         let scaled = |p: Point| {
-            [0, 1, 2].map(|i| {
+            three(|i| {
                 // As two factors, because the power alone may be out of range.
                 let e = exponents[i];
                 S::nearest(p[i] as f64 * 2_f64.powi(e / 2) * 2_f64.powi(e - e / 2))
@@ -136,7 +137,7 @@ impl NearMiss {
 
     /// The least corner of the box (sign −1), or the greatest (1).
     fn corner(&self, sign: i128) -> Point {
-        [0, 1, 2].map(|i| self.center[i] + sign * self.half[i])
+        three(|i| self.center[i] + sign * self.half[i])
     }
 
     /// The exponents of the axes: equal, nearly equal, arbitrary, or at either end of the range.
@@ -149,7 +150,7 @@ impl NearMiss {
         let bits = |x: i128| (i128::BITS - x.leading_zeros()) as i32;
         let least = S::from_ordinal(1).mantissa_exponent().1;
         let (mantissa, exponent) = S::GREATEST.mantissa_exponent();
-        let most = [0, 1, 2].map(|i| bits(mantissa.into()) + exponent - bits(greatest(i)));
+        let most = three(|i| bits(mantissa.into()) + exponent - bits(greatest(i)));
         let one = rng.whole(least.into(), most.into_iter().min().expect("three").into()) as i32;
         let kind = rng.below(4);
         most.map(|most| match kind {

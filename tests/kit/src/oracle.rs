@@ -14,6 +14,7 @@
 use super::case::Case;
 use super::lattice::{Lattice, Ring, Shapes};
 use super::sample::Sample;
+use crate::three;
 
 /// Whether triangle and box have a point in common.
 pub fn meets<S: Sample>(case: &Case<S>) -> bool {
@@ -65,7 +66,7 @@ pub(crate) fn closed<I: Ring>(points: Vec<[I; 3]>) -> Vec<Corner<I>> {
 pub(crate) fn uncut<I: Ring>() -> Vec<Corner<I>> {
     let unit = |k: usize| core::array::from_fn(|i| I::from_bit(i == k));
     // On the side from vertex k to the next, the third coordinate is zero.
-    [0, 1, 2].map(|k: usize| Corner { point: unit(k), side: unit((k + 2) % 3) }).into()
+    three(|k: usize| Corner { point: unit(k), side: unit((k + 2) % 3) }).into()
 }
 
 impl<I: Ring> Shapes<I> {

@@ -1,6 +1,7 @@
 //! Triangles against oriented boxes. The oracle transforms the vertices into the box's own
 //! coordinates, in integers, and clips there.
 
+use crate::three;
 use dashu_int::IBig;
 use septum::relation::Relate;
 use septum::{Obb, Triangle, Vec3};
@@ -43,7 +44,7 @@ impl<S: Sample> Oriented<S> {
                 return set.point(rng);
             }
             let signs = rng.triple(|rng| rng.whole(-1, 1) as f64);
-            [0, 1, 2].map(|i: usize| {
+            three(|i: usize| {
                 let along = |k: usize| signs[k] * half[k].approximate() * axes[k][i].approximate();
                 S::nearest(center[i].approximate() + along(0) + along(1) + along(2))
             })
@@ -109,10 +110,10 @@ impl Oriented<Parts> {
         let det = IBig::dot(&u, &w[0]);
         let center = vector(&self.center);
         let half = vector(&self.half);
-        let reach = [0, 1, 2].map(|i: usize| &half[i] * &det * IBig::from(Ring::sign(&det)));
+        let reach = three(|i: usize| &half[i] * &det * IBig::from(Ring::sign(&det)));
         let vertices = self.t.each_ref().map(|p| {
             let from = IBig::difference(&vector(p), &center);
-            [0, 1, 2].map(|i: usize| IBig::dot(&w[i], &from) * &one + &reach[i])
+            three(|i: usize| IBig::dot(&w[i], &from) * &one + &reach[i])
         });
         let extent = reach.map(|r| r * IBig::from(2));
         Shapes { vertices, extent }

@@ -3,7 +3,7 @@
 use septum::contact::{Contact, Features, InteriorEdges, contact, contact_in_mesh, interior_edges};
 use septum::mesh::{Mesh, MeshError, OwnedTree};
 use septum::{Aabb, Capsule, Obb, Sphere, Triangle, Vec3};
-use septum_kit::Rng;
+use septum_kit::{Rng, three};
 
 type Point = [f32; 3];
 
@@ -189,7 +189,7 @@ fn roll(starts: usize, seed: u64) -> usize {
             // Across the floor's normal, along it, or anywhere above.
             let down = (0..3).map(|i| high[i] * up[i]).sum::<f32>();
             let lift = [0.0, -down, 1.0 - down][k % 3].max(-down);
-            high = [0, 1, 2].map(|i: usize| low[i] + high[i] + lift * up[i]);
+            high = three(|i: usize| low[i] + high[i] + lift * up[i]);
             let capsule = Capsule::new(low, if n % 3 == 0 { low } else { high }, radius).unwrap();
             let is_up = |c: &Contact<f32>| {
                 let normal = c.translation.normal.to_array();

@@ -20,7 +20,7 @@ use fixed::types::I16F16;
 use gcode::{Move, Position, Program};
 use proptest::prelude::*;
 use septum::{Obb, Triangle, Vec3};
-use septum_kit::Rng;
+use septum_kit::{Rng, three};
 
 use super::{directory, printed, run};
 
@@ -31,7 +31,7 @@ fn point(v: Vec3<I16F16>) -> Point {
 }
 
 fn minus(a: Point, b: Point) -> Point {
-    [0, 1, 2].map(|i| a[i] - b[i])
+    three(|i| a[i] - b[i])
 }
 
 fn dot(a: Point, b: Point) -> f64 {
@@ -130,7 +130,7 @@ fn nothing_passes_between_two_poses() {
                 let between = |a: I16F16, b: I16F16| {
                     a.to_num::<f64>() * (1.0 - way) + b.to_num::<f64>() * way
                 };
-                let tip = [0, 1, 2].map(|i| between(pair[0].tip[i], pair[1].tip[i]));
+                let tip = three(|i| between(pair[0].tip[i], pair[1].tip[i]));
                 let [(sa, ca), (sb, cb)] = [0, 1]
                     .map(|i| between(pair[0].tilt[i], pair[1].tilt[i]).to_radians().sin_cos());
                 for k in 0..8 {
@@ -139,7 +139,7 @@ fn nothing_passes_between_two_poses() {
                     let z = if k & 4 == 0 { 0.0 } else { 40.0 };
                     let (y, z) = (ca * y - sa * z, sa * y + ca * z);
                     let turned = [cb * x + sb * z, y, cb * z - sb * x];
-                    let p = [0, 1, 2].map(|i| I16F16::from_num(tip[i] + turned[i]));
+                    let p = three(|i| I16F16::from_num(tip[i] + turned[i]));
                     assert!(nearer.contains(p), "{line:?} {pair:?}");
                     asked += 1;
                 }

@@ -14,7 +14,7 @@ use core::ops::ControlFlow;
 use septum::contact::{InteriorEdges, Shape, contact_in_mesh};
 use septum::mesh::{Mesh, MeshError, Probe, Tree};
 use septum::{Aabb, Capsule, Cull, Hit, HitRules, Obb, Ray, Segment, Sphere, Triangle};
-use septum_kit::{Rng, Sample, for_scalars, rays};
+use septum_kit::{Rng, Sample, for_scalars, rays, three};
 
 use self::closest::points_are_closest_as_one_by_one;
 use self::edges::{contacts_are_the_first, hits_are_in_true_order};
@@ -38,8 +38,7 @@ fn boxes<S: Sample>(scene: &Scene<S>, rng: &mut Rng) -> (Vec<Aabb<S>>, Vec<Obb<S
     let (mut aabbs, mut obbs) = (Vec::new(), Vec::new());
     for _ in 0..30 {
         let (p, q) = (scene.point(rng), scene.point(rng));
-        let (min, max) =
-            ([0, 1, 2].map(|i| least(p[i], q[i])), [0, 1, 2].map(|i| greatest(p[i], q[i])));
+        let (min, max) = (three(|i| least(p[i], q[i])), three(|i| greatest(p[i], q[i])));
         let most = scene.size * [0.0, 0.02, 0.3, 2.0][rng.below(4)];
         let half = rng.triple(|rng| S::nearest(most * rng.real(0.0, 1.0)));
         aabbs
@@ -89,7 +88,7 @@ fn contacts_as_one_by_one<S: Sample>(
     shape: &(impl Probe<S> + Shape<S>),
     overlapping: &[usize],
 ) -> usize {
-    let interior = |i: usize| InteriorEdges::new([0, 1, 2].map(|k| i >> k & 1 == 1));
+    let interior = |i: usize| InteriorEdges::new(three(|k| i >> k & 1 == 1));
     let edges: Vec<_> = (0..tree.mesh().triangles().len()).map(interior).collect();
     let mut found: Vec<_> = tree.contacts(shape, &edges).expect("as many edges").collect();
     found.sort_by_key(|(i, _)| *i);
@@ -190,8 +189,7 @@ fn rays_of<S: Sample>(scene: &Scene<S>, rng: &mut Rng) -> Vec<Ray<S>> {
     let mut rays = Vec::new();
     for k in 0..150 {
         let (o, to) = (scene.point(rng), scene.point(rng));
-        let mut direction =
-            [0, 1, 2].map(|i| S::nearest((to[i].approximate() - o[i].approximate()) / 2.0));
+        let mut direction = three(|i| S::nearest((to[i].approximate() - o[i].approximate()) / 2.0));
         for d in &mut direction {
             if rng.one_in(4) {
                 *d = S::ZERO;

@@ -2,7 +2,7 @@
 
 use septum::Vec3;
 use septum::mesh::{Mesh, Node, Tree};
-use septum_kit::{Rng, Sample, rays};
+use septum_kit::{Rng, Sample, rays, three};
 
 use crate::examples::teapot;
 
@@ -26,7 +26,7 @@ impl<S: Sample> Scene<S> {
         };
         let (mut middle, mut size) = ([0.0; 3], 0.0_f64);
         if !vertices.is_empty() {
-            let ends = [0, 1, 2].map(ends);
+            let ends = three(ends);
             middle = ends.map(|(low, high)| low / 2.0 + high / 2.0);
             size = ends.iter().map(|(low, high)| high / 2.0 - low / 2.0).fold(0.0, f64::max);
         }
@@ -56,7 +56,7 @@ impl<S: Sample> Scene<S> {
     pub(super) fn point(&self, rng: &mut Rng) -> [S; 3] {
         let at = |v: u16| self.vertices[usize::from(v)].to_array().map(S::approximate);
         let mean = |points: &[[f64; 3]]| {
-            [0, 1, 2].map(|i| points.iter().map(|p| p[i] / points.len() as f64).sum::<f64>())
+            three(|i| points.iter().map(|p| p[i] / points.len() as f64).sum::<f64>())
         };
         let kind = if self.faces.is_empty() { 5 } else { rng.below(8) };
         if kind < 4 {
@@ -80,7 +80,7 @@ impl<S: Sample> Scene<S> {
     }
 
     fn anywhere(&self, rng: &mut Rng, reach: f64) -> [f64; 3] {
-        [0, 1, 2].map(|i| self.middle[i] + self.size * reach * rng.real(-1.0, 1.0))
+        three(|i| self.middle[i] + self.size * reach * rng.real(-1.0, 1.0))
     }
 }
 
@@ -107,8 +107,7 @@ pub(super) fn all<S: Sample>() -> Vec<Scene<S>> {
             let by = if k % 3 == 0 { unit } else { unit / 512.0 };
             let base = if k % 3 == 0 { [0.0; 3] } else { from };
             let thin = rng.below(3);
-            let moved =
-                [0, 1, 2].map(|i| base[i] + if i == thin { 0.0 } else { rng.real(-by, by) });
+            let moved = three(|i| base[i] + if i == thin { 0.0 } else { rng.real(-by, by) });
             from = moved;
             return moved;
         }
@@ -150,7 +149,7 @@ pub(super) fn closed<S: Sample>() -> Vec<Scene<S>> {
     }
     if S::WHOLE_BITS >= 24 {
         let far: Vec<_> =
-            octahedron.vertices.iter().map(|v| [0, 1, 2].map(|i| v[i] / 16.0 + 10_000.1)).collect();
+            octahedron.vertices.iter().map(|v| three(|i| v[i] / 16.0 + 10_000.1)).collect();
         scenes.push(Scene::new("far", &far, narrow(&octahedron.faces)));
     }
     scenes

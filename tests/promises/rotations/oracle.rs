@@ -2,7 +2,7 @@
 //! the whole angle, to 200 bits, one axis after the other.
 
 use dashu_int::IBig;
-use septum_kit::Parts;
+use septum_kit::{Parts, three};
 
 /// Everything below is in units of 2^-UNIT.
 pub(super) const UNIT: i32 = 200;
@@ -39,7 +39,7 @@ pub(super) fn by_hamilton(q: &[IBig; 4]) -> Frame<IBig> {
     };
     let conjugate = [-&q[0], -&q[1], -&q[2], q[3].clone()];
     let square: IBig = q.iter().map(|x| x * x).sum();
-    [0, 1, 2].map(|i| {
+    three(|i| {
         let mut axis = [IBig::ZERO, IBig::ZERO, IBig::ZERO, IBig::ZERO];
         axis[i] = IBig::ONE;
         let [x, y, z, _] = product(&product(q, &axis), &conjugate);
@@ -78,7 +78,7 @@ pub(super) fn circle(turns: &IBig) -> (IBig, IBig) {
 
 /// The coordinate axes rotated about x, then about y, then about z.
 pub(super) fn by_steps(turns: &[IBig; 3]) -> Frame<IBig> {
-    let mut axes = [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { one() } else { IBig::ZERO }));
+    let mut axes = three(|i| three(|j| if i == j { one() } else { IBig::ZERO }));
     for (i, turns) in turns.iter().enumerate() {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         let (cos, sin) = circle(turns);

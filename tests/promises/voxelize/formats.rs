@@ -1,5 +1,6 @@
 //! The formats that the example reads and writes: all hold the same voxels, and the same mesh.
 
+use septum_kit::three;
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::Write;
@@ -33,7 +34,7 @@ fn bits(file: &[u8]) -> ([usize; 3], Voxels, [f64; 3], f64) {
         let line = header.lines().find(|line| line.starts_with(name)).unwrap();
         line.split(' ').skip(1).map(|x| x.parse().unwrap()).collect()
     };
-    let size @ [nx, ny, nz] = [0, 1, 2].map(|i| numbers("size")[i] as usize);
+    let size @ [nx, ny, nz] = three(|i| numbers("size")[i] as usize);
     let row = numbers("row_bytes")[0] as usize;
     assert_eq!(file.len() - start, row * ny * nz);
     let mut voxels = Voxels::new();
@@ -44,7 +45,7 @@ fn bits(file: &[u8]) -> ([usize; 3], Voxels, [f64; 3], f64) {
             voxels.insert([x, i / row % ny, i / row / ny]);
         }
     }
-    (size, voxels, [0, 1, 2].map(|i| numbers("origin")[i]), numbers("edge")[0])
+    (size, voxels, three(|i| numbers("origin")[i]), numbers("edge")[0])
 }
 
 /// Three formats hold the voxels of the model, along the axes of the file: also where z is up.
@@ -88,7 +89,7 @@ fn written_formats_agree() {
                 }
             }
             let [a, b, c, _] = quad.map(|i| corners[i]);
-            let [u, v] = [[0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i])];
+            let [u, v] = [three(|i| b[i] - a[i]), three(|i| c[i] - a[i])];
             let normal = [0, 1, 2]
                 .map(|i| u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3]);
             volume += (0..3).map(|i| a[i] * normal[i]).sum::<f64>() / 3.0;
@@ -97,8 +98,7 @@ fn written_formats_agree() {
         let expected = voxels.len() as f64 * edge.powi(3);
         assert!((volume / expected - 1.0).abs() < 1e-9, "{volume} {expected}");
         // In the units of the file: the mesh begins where the voxels begin.
-        let least =
-            corners.iter().fold([f64::INFINITY; 3], |m, c| [0, 1, 2].map(|i| m[i].min(c[i])));
+        let least = corners.iter().fold([f64::INFINITY; 3], |m, c| three(|i| m[i].min(c[i])));
         assert!((0..3).all(|i| (least[i] - origin[i]).abs() < 1e-9 && least[i].abs() < edge));
     }
 }

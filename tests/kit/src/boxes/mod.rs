@@ -9,11 +9,11 @@ use dashu_int::IBig;
 use septum::relation::{Relate, Relation};
 use septum::{Aabb, Obb, ShapeError, Vec3};
 
-use crate::case::BoxNumbers;
 use crate::exact::{Parts, least_exponent, whole};
 use crate::flat::Truth;
 use crate::lattice::{Lattice, Ring, Shapes};
 use crate::sample::Sample;
+use crate::{case::BoxNumbers, three};
 
 pub type Point<S> = [S; 3];
 
@@ -89,7 +89,7 @@ impl Whole {
             AnyBox::Aabb(BoxNumbers::Center(c, h)) => (scaled(c, 2), along(), scaled(h, 2)),
             AnyBox::Aabb(BoxNumbers::Corners(p, q)) => {
                 let (p, q) = (scaled(p, 1), scaled(q, 1));
-                let sum = [0, 1, 2].map(|i: usize| &p[i] + &q[i]);
+                let sum = three(|i: usize| &p[i] + &q[i]);
                 (sum, along(), IBig::difference(&q, &p))
             }
         };
@@ -103,11 +103,11 @@ impl Whole {
         let w = [IBig::cross(v, n), IBig::cross(n, u), IBig::cross(u, v)];
         let det = IBig::dot(u, &w[0]);
         let size = &det * IBig::from(Ring::sign(&det));
-        let reach = [0, 1, 2].map(|i: usize| &self.half[i] * &size);
+        let reach = three(|i: usize| &self.half[i] * &size);
         let extent = reach.clone().map(|r| r * IBig::from(2));
         let of = move |x: &[IBig; 3]| {
             let from = IBig::difference(x, &self.center);
-            [0, 1, 2].map(|i: usize| IBig::dot(&w[i], &from) + &reach[i])
+            three(|i: usize| IBig::dot(&w[i], &from) + &reach[i])
         };
         (of, extent)
     }

@@ -1,9 +1,9 @@
 //! Sets of boxes and oriented boxes.
 
 use super::{AnyBox, BoxCase, ObbNumbers, Point};
-use crate::case::BoxNumbers;
 use crate::rng::Rng;
 use crate::sample::Sample;
+use crate::{case::BoxNumbers, three};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BoxSet {
@@ -53,7 +53,7 @@ impl BoxSet {
         }
         let q = self.point(rng);
         let sorted = |i: usize| if p[i] < q[i] { [p[i], q[i]] } else { [q[i], p[i]] };
-        let rows = [0, 1, 2].map(sorted);
+        let rows = three(sorted);
         BoxNumbers::Corners(rows.map(|r| r[0]), rows.map(|r| r[1]))
     }
 

@@ -3,7 +3,7 @@
 use dashu_int::IBig;
 
 use super::simplex::holds_zero;
-use crate::lattice::Ring;
+use crate::{lattice::Ring, three};
 
 pub(super) type Point = [IBig; 3];
 
@@ -18,11 +18,11 @@ pub(super) struct Hull {
 }
 
 pub(super) fn scaled(p: &Point, by: &IBig) -> Point {
-    [0, 1, 2].map(|i: usize| &p[i] * by)
+    three(|i: usize| &p[i] * by)
 }
 
 pub(super) fn sum(a: &Point, b: &Point) -> Point {
-    [0, 1, 2].map(|i: usize| &a[i] + &b[i])
+    three(|i: usize| &a[i] + &b[i])
 }
 
 impl Hull {

@@ -9,8 +9,8 @@ use super::hull::{Hull, Point};
 use super::plane::{intersection, off_hull};
 use super::{ContactCase, holds_zero};
 use crate::exact::{least_exponent, whole};
-use crate::lattice::Ring;
 use crate::sample::Sample;
+use crate::{lattice::Ring, three};
 
 /// How far a point may be off its part, in parts of the size of both shapes, beside one unit in the
 /// last place.
@@ -184,7 +184,7 @@ impl<S: Sample> ContactCase<S> {
             let between = scale.vector(&IBig::difference(&exact[1], &exact[0]));
             let depth = scale.part(&length(point.depth));
             let unit = scale.unit_of(point.depth);
-            let allowed = [0, 1, 2].map(|i: usize| OFF_PAIR + units[0][i] + units[1][i] + unit);
+            let allowed = three(|i: usize| OFF_PAIR + units[0][i] + units[1][i] + unit);
             errors.pair = errors.pair.max(ratio(minus(between, n.map(|x| x * depth)), allowed));
         }
         if errors.pair > 1.0 {
@@ -241,7 +241,7 @@ impl<S: Sample> ContactCase<S> {
 fn off_part(scale: &Scale, part: &[&Point], at: &Point, allowed: [f64; 3]) -> f64 {
     let scaled = |v: &Point| {
         let from = scale.vector(&IBig::difference(v, at));
-        [0, 1, 2].map(|i: usize| from[i] / allowed[i])
+        three(|i: usize| from[i] / allowed[i])
     };
     let at = part.iter().map(|v| scaled(v)).collect::<Vec<_>>();
     let ratio = |off: [f64; 3]| off.iter().fold(0.0, |most, x| x.abs().max(most));
@@ -251,21 +251,21 @@ fn off_part(scale: &Scale, part: &[&Point], at: &Point, allowed: [f64; 3]) -> f6
         let e = minus(q, p);
         let t = (-dot(p, e) / dot(e, e)).clamp(0.0, 1.0);
         if t.is_finite() {
-            off = off.min(ratio([0, 1, 2].map(|i: usize| p[i] + t * e[i])));
+            off = off.min(ratio(three(|i: usize| p[i] + t * e[i])));
         }
     }
     if at.len() > 2 {
         let (p, e, f) = (at[0], minus(at[1], at[0]), minus(at[at.len() - 1], at[0]));
         // Across e, so that little is lost where the two are nearly parallel.
         let along = dot(e, f) / dot(e, e);
-        let g = [0, 1, 2].map(|i: usize| f[i] - along * e[i]);
+        let g = three(|i: usize| f[i] - along * e[i]);
         let t = -dot(p, g) / dot(g, g);
-        let p2 = [0, 1, 2].map(|i: usize| p[i] + t * f[i]);
+        let p2 = three(|i: usize| p[i] + t * f[i]);
         let s = -dot(p2, e) / dot(e, e);
         let is_within =
             s >= 0.0 && t >= 0.0 && if at.len() == 3 { s + t <= 1.0 } else { s <= 1.0 && t <= 1.0 };
         if is_within {
-            off = off.min(ratio([0, 1, 2].map(|i: usize| p2[i] + s * e[i])));
+            off = off.min(ratio(three(|i: usize| p2[i] + s * e[i])));
         }
     }
     off
@@ -282,7 +282,7 @@ fn is_on_part(part: &[&Point], at: &Point, allowed: [f64; 3], shift: usize) -> b
     for v in part {
         let from = IBig::difference(v, at);
         for k in 0..8 {
-            differences.push([0, 1, 2].map(|i: usize| {
+            differences.push(three(|i: usize| {
                 if k >> i & 1 == 1 { &from[i] + &half[i] } else { &from[i] - &half[i] }
             }));
         }

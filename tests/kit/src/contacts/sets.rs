@@ -2,9 +2,9 @@
 
 use super::{ContactCase, Solid};
 use crate::boxes::{AnyBox, BoxSet, ObbNumbers};
-use crate::case::BoxNumbers;
 use crate::rng::Rng;
 use crate::sample::Sample;
+use crate::{case::BoxNumbers, three};
 
 /// A kind of case, with numbers as in the sets of boxes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,7 +56,7 @@ impl ContactSet {
             Self::Slivers => {
                 let (p, q) = (BoxSet::Turned.point::<S>(rng), BoxSet::Turned.point::<S>(rng));
                 let t = rng.real(0.0, 1.0);
-                let between = [0, 1, 2].map(|i: usize| {
+                let between = three(|i: usize| {
                     let (a, b) = (p[i].approximate(), q[i].approximate());
                     S::nearest(a + t * (b - a)).moved(rng.whole(-3, 3))
                 });
@@ -71,7 +71,7 @@ impl ContactSet {
                 let at = |x: S, i: usize| S::nearest(x.approximate() + by[i].approximate());
                 let step = rng.triple(|rng| rng.whole(-1, 1));
                 let moved = |p: [S; 3]| {
-                    [0, 1, 2].map(|i: usize| {
+                    three(|i: usize| {
                         // Not from zero to the least number, because the oracles shrink shapes by
                         // more than that.
                         let x = at(p[i], i);
@@ -96,7 +96,7 @@ impl ContactSet {
                 let case = touch.case::<S>(rng.one_in(2));
                 let along = touch.normal.map(|n| rng.whole(0, 2) * n.signum());
                 let moved = |p: [S; 3]| {
-                    [0, 1, 2].map(|i: usize| {
+                    three(|i: usize| {
                         S::nearest(p[i].approximate() - S::whole(along[i]).approximate())
                     })
                 };
@@ -139,7 +139,7 @@ impl ContactSet {
                         let (p, q) = (rng.triple(far), rng.triple(far));
                         let sorted =
                             |i: usize| if p[i] < q[i] { [p[i], q[i]] } else { [q[i], p[i]] };
-                        let rows = [0, 1, 2].map(sorted);
+                        let rows = three(sorted);
                         let [p, q] = [0, 1].map(|k| rows.map(|row| row[k]));
                         Solid::Box(AnyBox::Aabb(BoxNumbers::Corners(p, q)))
                     }
@@ -210,12 +210,11 @@ impl ContactSet {
                 let (s, c) = [(0.0, 1.0), (0.6, 0.8), (0.28, 0.96)][rng.below(3)];
                 let frame = [[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]];
                 let turn = rng.below(3);
-                let frame = [0, 1, 2].map(|i: usize| {
-                    [0, 1, 2].map(|j: usize| frame[(i + turn) % 3][(j + turn) % 3])
-                });
+                let frame =
+                    three(|i: usize| three(|j: usize| frame[(i + turn) % 3][(j + turn) % 3]));
                 // In quarters along the frame; what is on its lattice.
                 let at = |x: [i64; 3]| {
-                    [0, 1, 2].map(|i: usize| {
+                    three(|i: usize| {
                         S::nearest((0..3).map(|k| x[k] as f64 / 4.0 * frame[k][i]).sum())
                     })
                 };
@@ -253,7 +252,7 @@ fn nonzero<S: Sample>(rng: &mut Rng) -> [S; 3] {
 
 fn corners<S: Sample>(rng: &mut Rng) -> BoxNumbers<S> {
     let (p, q) = (BoxSet::Turned.point::<S>(rng), nonzero::<S>(rng));
-    let top = [0, 1, 2].map(|i: usize| S::nearest(p[i].approximate() + q[i].approximate()));
+    let top = three(|i: usize| S::nearest(p[i].approximate() + q[i].approximate()));
     BoxNumbers::Corners(p, top)
 }
 

@@ -1,13 +1,13 @@
 //! The second oracle, for triangles that are not segments: the 11 axes, and for coplanar triangles
 //! the edges' normals in their plane.
 
-use crate::lattice::Ring;
+use crate::{lattice::Ring, three};
 
 use super::oracle::Corners;
 
 /// Whether an axis separates two triangles; `None` if either is a segment or a point.
 pub(super) fn separate<I: Ring>(first: &Corners<I>, second: &Corners<I>) -> Option<bool> {
-    let edges = |t: &Corners<I>| [0, 1, 2].map(|k: usize| I::difference(&t[(k + 1) % 3], &t[k]));
+    let edges = |t: &Corners<I>| three(|k: usize| I::difference(&t[(k + 1) % 3], &t[k]));
     let (e, f) = (edges(first), edges(second));
     let (m, n) = (I::cross(&e[0], &e[1]), I::cross(&f[0], &f[1]));
     if [&m, &n].iter().any(|normal| normal.iter().all(|x| x.sign() == 0)) {

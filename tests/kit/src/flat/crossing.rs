@@ -7,8 +7,8 @@ use dashu_int::IBig;
 
 use super::Point;
 use crate::exact::{Parts, least_exponent, whole};
-use crate::lattice::Ring;
 use crate::rays::Fraction;
+use crate::{lattice::Ring, three};
 
 type Vector = [IBig; 3];
 
@@ -58,7 +58,7 @@ fn interval(
             let along = mean(&IBig::dot(line, p), &IBig::dot(line, q));
             places.push(Place {
                 along: Fraction::new(along, den.clone(), 0),
-                at: [0, 1, 2].map(|i| Fraction::new(mean(&p[i], &q[i]), den.clone(), unit)),
+                at: three(|i| Fraction::new(mean(&p[i], &q[i]), den.clone(), unit)),
             });
         }
     }

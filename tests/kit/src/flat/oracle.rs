@@ -10,8 +10,8 @@ use dashu_int::IBig;
 use septum::relation::Relation;
 
 use crate::exact::{Parts, least_exponent, whole};
-use crate::lattice::Ring;
 use crate::oracle::{clip, uncut};
+use crate::{lattice::Ring, three};
 
 use super::{Flat, axes};
 
@@ -64,7 +64,7 @@ pub(super) fn truth(flat: Flat<Parts>, triangle: [[Parts; 3]; 3]) -> Truth {
     let mut first = rows.map(|p| p.map(number));
     if let Flat::Center(..) = flat {
         let [c, h, _] = first;
-        let sum = [0, 1, 2].map(|i: usize| &c[i] + &h[i]);
+        let sum = three(|i: usize| &c[i] + &h[i]);
         first = [IBig::difference(&c, &h), sum.clone(), sum];
     }
     let second = triangle.map(|p| p.map(number));
@@ -142,7 +142,7 @@ fn both<I: Ring>(normal: [I; 3], point: &[I; 3]) -> [HalfSpace<I>; 2] {
 fn half_spaces<I: Ring>(corners: &Corners<I>) -> Vec<HalfSpace<I>> {
     let is_zero = |v: &[I; 3]| v.iter().all(|x| x.sign() == 0);
     let unit = |k: usize| core::array::from_fn(|i| I::from_bit(i == k));
-    let edges = [0, 1, 2].map(|k: usize| I::difference(&corners[(k + 1) % 3], &corners[k]));
+    let edges = three(|k: usize| I::difference(&corners[(k + 1) % 3], &corners[k]));
     let normal = I::cross(&edges[0], &edges[1]);
     if !is_zero(&normal) {
         let mut spaces: Vec<_> = both(normal.clone(), &corners[0]).into();

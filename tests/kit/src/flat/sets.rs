@@ -1,8 +1,8 @@
 //! Sets of cases for a triangle and a flat shape, mostly near contact.
 
 use super::{Flat, FlatCase, Point};
-use crate::rng::Rng;
 use crate::sample::Sample;
+use crate::{rng::Rng, three};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FlatSet {
@@ -71,7 +71,7 @@ impl FlatSet {
                 let origin = rng.triple(|rng| rng.real(-0.9, 0.9) * most);
                 let near = |rng: &mut Rng| {
                     let offset = rng.triple(|rng| rng.real(-1.0, 1.0));
-                    [0, 1, 2].map(|i: usize| S::nearest(origin[i] + offset[i]))
+                    three(|i: usize| S::nearest(origin[i] + offset[i]))
                 };
                 [(); 6].map(|()| near(rng))
             }
@@ -81,14 +81,14 @@ impl FlatSet {
 
 /// The midpoint of two points, or a number near it.
 fn half<S: Sample>(a: Point<S>, b: Point<S>) -> Point<S> {
-    [0, 1, 2].map(|i: usize| S::nearest(b[i].approximate() / 2.0 - a[i].approximate() / 2.0))
+    three(|i: usize| S::nearest(b[i].approximate() / 2.0 - a[i].approximate() / 2.0))
 }
 
 type Whole = [i64; 3];
 
 /// o + Σ n·v.
 fn sum(o: Whole, terms: &[(i64, Whole)]) -> Whole {
-    terms.iter().fold(o, |sum, (n, v)| [0, 1, 2].map(|i: usize| sum[i] + n * v[i]))
+    terms.iter().fold(o, |sum, (n, v)| three(|i: usize| sum[i] + n * v[i]))
 }
 
 /// Integer points, with one sometimes moved by a unit in the last place.
@@ -147,7 +147,7 @@ fn slivers<S: Sample>(rng: &mut Rng) -> [Point<S>; 6] {
         let d = rng.triple(|rng| rng.real(-0.5, 0.5));
         [(); 3].map(|()| {
             let t = rng.real(-1.0, 1.0);
-            [0, 1, 2].map(|i: usize| S::nearest(o[i] + t * d[i]).moved(rng.whole(-1, 1)))
+            three(|i: usize| S::nearest(o[i] + t * d[i]).moved(rng.whole(-1, 1)))
         })
     };
     let ([a, b, c], [d, e, f]) = (three(), three());

@@ -11,7 +11,7 @@ use septum::{Aabb, Ray, Segment};
 
 use crate::exact::{Parts, least_exponent, whole};
 use crate::lattice::Ring;
-use crate::{BoxNumbers, Sample};
+use crate::{BoxNumbers, Sample, three};
 
 pub use oriented::LineObb;
 pub use sets::LineSet;
@@ -197,7 +197,7 @@ impl LineBox<Parts> {
         let unit = least_exponent(&numbers).min(0);
         let (origin, d, range) = self.line.whole(unit);
         let [p, q] = [p, q].map(|row| row.map(|x| whole(x, unit)));
-        let faces = [0, 1, 2].map(|i| match self.aabb {
+        let faces = three(|i| match self.aabb {
             BoxNumbers::Center(..) => [&p[i] - &q[i], &p[i] + &q[i]],
             BoxNumbers::Corners(..) => [p[i].clone(), q[i].clone()],
         });

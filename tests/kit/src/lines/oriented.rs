@@ -8,7 +8,7 @@ use super::{Fraction, InFrame, Line, clip, faces};
 use crate::boxes::{AnyBox, BoxSet, ObbNumbers};
 use crate::exact::{Parts, least_exponent, whole};
 use crate::lattice::Ring;
-use crate::{BoxNumbers, Rng, Sample};
+use crate::{BoxNumbers, Rng, Sample, three};
 
 /// A line and an oriented box.
 #[derive(Clone, Copy, Debug)]
@@ -28,13 +28,13 @@ impl<S: Sample> LineObb<S> {
             AnyBox::Obb(other) => (other.center, other.axes[0]),
         };
         let signs = rng.triple(|rng| rng.whole(-1, 1) as f64);
-        let target = [0, 1, 2].map(|i: usize| {
+        let target = three(|i: usize| {
             let along =
                 |k: usize| signs[k] * obb.half[k].approximate() * obb.axes[k][i].approximate();
             S::nearest(obb.center[i].approximate() + along(0) + along(1) + along(2))
         });
         let minus = |a: [S; 3], b: [S; 3]| {
-            [0, 1, 2].map(|i: usize| S::nearest(a[i].approximate() - b[i].approximate()))
+            three(|i: usize| S::nearest(a[i].approximate() - b[i].approximate()))
         };
         let aims = !rng.one_in(3);
         let line = match rng.below(6) {
@@ -117,7 +117,7 @@ impl LineObb<Parts> {
         let size = &det * &hand;
         let faces = vector(half).map(|h| [-(&h * &size), h * &size]);
         let from = IBig::difference(&origin, &vector(center));
-        let along = |x: &[IBig; 3]| [0, 1, 2].map(|i: usize| IBig::dot(&w[i], x) * &one * &hand);
+        let along = |x: &[IBig; 3]| three(|i: usize| IBig::dot(&w[i], x) * &one * &hand);
         InFrame { origin: along(&from), d: along(&d), faces, range }
     }
 }

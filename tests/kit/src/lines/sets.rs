@@ -3,7 +3,7 @@
 use septum::Ray;
 
 use super::{Line, LineBox};
-use crate::{BoxNumbers, Rng, Sample};
+use crate::{BoxNumbers, Rng, Sample, three};
 
 /// A kind of case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,7 +88,7 @@ fn made<S: Sample>(rng: &mut Rng, pick: &dyn Fn(&mut Rng) -> S) -> Option<LineBo
         let half = q.map(|x| if x < S::ZERO { S::from_ordinal(-x.moved(1).ordinal()) } else { x });
         BoxNumbers::Center(p, half)
     } else {
-        BoxNumbers::Corners([0, 1, 2].map(|i| ordered(i).0), [0, 1, 2].map(|i| ordered(i).1))
+        BoxNumbers::Corners(three(|i| ordered(i).0), three(|i| ordered(i).1))
     };
     let line = match rng.below(4) {
         0 => Line::Ends(a, b),
@@ -161,14 +161,14 @@ fn grazing<S: Sample>(rng: &mut Rng) -> Option<LineBox<S>> {
     // contact.
     let step = rng.triple(|rng| rng.whole(-most / 2, most / 2) * i64::from(!rng.one_in(4)));
     let (back, on) = (rng.whole(0, 2), rng.whole(0, 2));
-    let at = |times: i64| [0, 1, 2].map(|i| S::whole_clamped(point[i] + times * step[i]));
+    let at = |times: i64| three(|i| S::whole_clamped(point[i] + times * step[i]));
     let whole = |v: [i64; 3]| v.map(S::whole_clamped);
     let line = match rng.below(3) {
         0 => Line::Ends(at(-back), at(on)),
         1 => Line::Center(at(on - back), whole(step)),
         _ => Line::Ray(at(-back), whole(step), [Some(S::ZERO), None]),
     };
-    let corner = |sign: i64| [0, 1, 2].map(|i| S::whole_clamped(center[i] + sign * half[i]));
+    let corner = |sign: i64| three(|i| S::whole_clamped(center[i] + sign * half[i]));
     let aabb = if rng.one_in(2) {
         BoxNumbers::Center(whole(center), whole(half))
     } else {

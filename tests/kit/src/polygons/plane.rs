@@ -3,10 +3,10 @@
 use dashu_int::IBig;
 
 use super::PolygonCase;
-use crate::case::BoxNumbers;
 use crate::oracle::{clip, closed};
 use crate::rng::Rng;
 use crate::sample::Sample;
+use crate::{case::BoxNumbers, three};
 
 type Whole = [i64; 3];
 
@@ -37,25 +37,25 @@ impl PlanePolygon {
         let [a, b] = if rng.one_in(2) { corners[0] } else { [rng.whole(0, 7), rng.whole(0, 7)] };
         let half = w.map(i64::abs);
         let center = if rng.one_in(2) {
-            [0, 1, 2].map(|i: usize| o[i] + a * u[i] + b * v[i])
+            three(|i: usize| o[i] + a * u[i] + b * v[i])
         } else {
             // This point is on one of the box's faces, edges or corners.
-            [0, 1, 2].map(|i: usize| o[i] + a * u[i] + b * v[i] + rng.whole(-1, 1) * half[i])
+            three(|i: usize| o[i] + a * u[i] + b * v[i] + rng.whole(-1, 1) * half[i])
         };
         // Around the origin, so that all numbers fit.
         for i in 0..3 {
             o[i] -= center[i];
         }
         let offset = rng.triple(|rng| rng.whole(-1 << bits, 1 << bits));
-        let o = [0, 1, 2].map(|i: usize| o[i] + offset[i]);
+        let o = three(|i: usize| o[i] + offset[i]);
         Self { corners, o, u, v, center: offset, half }
     }
 
     /// The same case in the scalar.
     pub fn case<S: Sample>(&self, by_center: bool) -> PolygonCase<S> {
         let Self { o, u, v, center, half, .. } = self;
-        let at = |&[a, b]: &[i64; 2]| [0, 1, 2].map(|i| S::whole(o[i] + a * u[i] + b * v[i]));
-        let corner = |sign: i64| [0, 1, 2].map(|i| S::whole(center[i] + sign * half[i]));
+        let at = |&[a, b]: &[i64; 2]| three(|i| S::whole(o[i] + a * u[i] + b * v[i]));
+        let corner = |sign: i64| three(|i| S::whole(center[i] + sign * half[i]));
         let aabb = if by_center {
             BoxNumbers::Center(center.map(S::whole), half.map(S::whole))
         } else {

@@ -2,9 +2,9 @@
 
 use super::{PlanePolygon, PolygonCase};
 use crate::case::{BoxNumbers, Case};
-use crate::rng::Rng;
 use crate::sample::Sample;
 use crate::sets::Set;
+use crate::{rng::Rng, three};
 
 /// A kind of case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,11 +46,11 @@ fn more<S: Sample>(rng: &mut Rng, case: &Case<S>, other: &Case<S>) -> PolygonCas
     let mut vertices = case.vertices.to_vec();
     for _ in 0..rng.below(6) {
         let at = rng.below(vertices.len());
-        let [a, b, c] = [0, 1, 2].map(|k| vertices[(at + k) % vertices.len()]);
+        let [a, b, c] = three(|k| vertices[(at + k) % vertices.len()]);
         let new = match rng.below(4) {
             0 => a,
-            1 => [0, 1, 2].map(|i: usize| a[i].between(b[i])),
-            2 => [0, 1, 2].map(|i: usize| {
+            1 => three(|i: usize| a[i].between(b[i])),
+            2 => three(|i: usize| {
                 S::nearest(b[i].approximate() - a[i].approximate() + c[i].approximate())
             }),
             _ => other.vertices[rng.below(3)],
@@ -67,14 +67,14 @@ fn round<S: Sample>(rng: &mut Rng) -> PolygonCase<S> {
     let from = rng.real(0.0, 1.0);
     let at = |k: f64, part: f64| {
         let (sin, cos) = ((k + from) / count as f64 * std::f64::consts::TAU).sin_cos();
-        [0, 1, 2].map(|i: usize| o[i] + part * (cos * u[i] + sin * v[i]))
+        three(|i: usize| o[i] + part * (cos * u[i] + sin * v[i]))
     };
     let vertices = (0..count).map(|k| at(k as f64, 1.0).map(S::nearest)).collect();
     // Seldom far away, because most boxes would miss it.
     let (k, part) = (rng.real(0.0, count as f64), rng.real(0.0, 1.2));
     let near = at(k, part);
     let off = if rng.one_in(2) { 0.3 } else { 0.0 };
-    let center = [0, 1, 2].map(|i: usize| S::nearest(near[i] + off * offset[i]));
+    let center = three(|i: usize| S::nearest(near[i] + off * offset[i]));
     let half = rng.triple(|rng| S::nearest(rng.real(0.0, 0.3)));
     PolygonCase { vertices, aabb: BoxNumbers::Center(center, half) }
 }
@@ -97,6 +97,6 @@ fn bits<S: Sample>(rng: &mut Rng) -> PolygonCase<S> {
         vertices.push(rng.triple(|rng| S::from_ordinal(rng.bits() as i64 >> rng.below(64))));
     }
     let order = |i: usize| if p[i] < q[i] { (p[i], q[i]) } else { (q[i], p[i]) };
-    let [x, y, z] = [0, 1, 2].map(order);
+    let [x, y, z] = three(order);
     PolygonCase { vertices, aabb: BoxNumbers::Corners([x.0, y.0, z.0], [x.1, y.1, z.1]) }
 }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use septum::Triangle;
 
-use crate::Sample;
+use crate::{Sample, three};
 
 type Point = [f64; 3];
 
@@ -93,7 +93,7 @@ impl<S: Sample> Mesh<S> {
         let dot = |a: Point, b: Point| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
         let square = dot(d, d);
         let meets = move |&(center, radius): &(Point, f64)| {
-            let to = [0, 1, 2].map(|i| center[i] - o[i]);
+            let to = three(|i| center[i] - o[i]);
             let across = dot(to, to) - dot(to, d) * dot(to, d) / square;
             across <= radius * radius
         };
@@ -122,7 +122,7 @@ fn subdivide(
         let mut middles = HashMap::new();
         let mut middle = |a: usize, b: usize| {
             *middles.entry((a.min(b), a.max(b))).or_insert_with(|| {
-                points.push(place([0, 1, 2].map(|i| (points[a][i] + points[b][i]) / 2.0)));
+                points.push(place(three(|i| (points[a][i] + points[b][i]) / 2.0)));
                 points.len() - 1
             })
         };
@@ -138,7 +138,7 @@ fn subdivide(
 fn ball<S: Sample>(patch: &[[usize; 3]], vertices: &[[S; 3]]) -> (Point, f64) {
     let corners = || patch.iter().flatten().map(|&v| vertices[v].map(S::approximate));
     let count = 3.0 * patch.len() as f64;
-    let center = [0, 1, 2].map(|i| corners().map(|p| p[i]).sum::<f64>() / count);
+    let center = three(|i| corners().map(|p| p[i]).sum::<f64>() / count);
     let distance =
         |p: Point| [0, 1, 2].iter().map(|&i| (p[i] - center[i]).powi(2)).sum::<f64>().sqrt();
     (center, 1.01 * corners().map(distance).fold(0.0, f64::max))

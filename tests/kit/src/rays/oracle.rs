@@ -14,7 +14,7 @@ use dashu_int::IBig;
 use septum::{Facing, Feature};
 
 use super::{Fraction, RayCase};
-use crate::{Parts, Ring, Sample, odd_mantissa};
+use crate::{Parts, Ring, Sample, odd_mantissa, three};
 
 /// The complete answer about a crossing.
 #[derive(Clone, Debug)]
@@ -156,7 +156,7 @@ impl<I: Ring> Whole<I> {
             u: share(1),
             v: share(2),
             facing: if den.sign() < 0 { Facing::Front } else { Facing::Back },
-            feature: feature([0, 1, 2].map(|k| areas[k].sign() == 0)),
+            feature: feature(three(|k| areas[k].sign() == 0)),
         })
     }
 }

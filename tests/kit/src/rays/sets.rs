@@ -1,7 +1,7 @@
 //! The sets of rays and triangles on which accuracy is measured, each from a seed.
 
 use super::{RayCase, crossing};
-use crate::{Rng, Sample};
+use crate::{Rng, Sample, three};
 
 /// A kind of case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -117,12 +117,12 @@ fn approximate<S: Sample>(v: [S; 3]) -> Point {
 }
 
 fn along(from: Point, to: Point, part: f64) -> Point {
-    [0, 1, 2].map(|i| from[i] + part * (to[i] - from[i]))
+    three(|i| from[i] + part * (to[i] - from[i]))
 }
 
 fn near(rng: &mut Rng, center: Point, radius: f64) -> Point {
     let offset = rng.triple(|rng| rng.real(-radius, radius));
-    [0, 1, 2].map(|i| center[i] + offset[i])
+    three(|i| center[i] + offset[i])
 }
 
 /// A ray from the origin toward the target, with t = `1 / length` there.
@@ -134,7 +134,7 @@ fn aimed<S: Sample>(
 ) -> RayCase<S> {
     let origin: [S; 3] = nearest(origin);
     let from = approximate(origin);
-    let direction = [0, 1, 2].map(|i| S::nearest((target[i] - from[i]) * length));
+    let direction = three(|i| S::nearest((target[i] - from[i]) * length));
     RayCase::new(origin, direction, vertices)
 }
 
@@ -146,7 +146,7 @@ fn triangle<S: Sample>(rng: &mut Rng, center: Point, scale: f64) -> [[S; 3]; 3] 
 fn on_plane<S: Sample>(rng: &mut Rng, vertices: &[[S; 3]; 3]) -> Point {
     let [a, b, c] = vertices.map(approximate);
     let (u, v) = (rng.real(-0.2, 1.0), rng.real(-0.2, 1.0));
-    [0, 1, 2].map(|i| a[i] + u * (b[i] - a[i]) + v * (c[i] - a[i]))
+    three(|i| a[i] + u * (b[i] - a[i]) + v * (c[i] - a[i]))
 }
 
 /// Approximately a point of an edge, or a vertex.
@@ -180,7 +180,7 @@ fn elsewhere<S: Sample>(rng: &mut Rng, distance: f64, scale: f64) -> RayCase<S> 
 fn parallel<S: Sample>(rng: &mut Rng) -> RayCase<S> {
     let vertices: [[S; 3]; 3] = triangle(rng, [0.0; 3], 1.0);
     let [a, b, c] = vertices.map(approximate);
-    let (e, f): (Point, Point) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
+    let (e, f): (Point, Point) = (three(|i| b[i] - a[i]), three(|i| c[i] - a[i]));
     let normal = [(1, 2), (2, 0), (0, 1)].map(|(j, k)| e[j] * f[k] - e[k] * f[j]);
     let area = normal.iter().map(|x| x * x).sum::<f64>().sqrt().max(1e-9);
 
@@ -188,10 +188,10 @@ fn parallel<S: Sample>(rng: &mut Rng) -> RayCase<S> {
     let angle = 10_f64.powf(rng.real(last_place.log10(), -1.0));
     let (p, q) = (rng.real(-1.0, 1.0), rng.real(-1.0, 1.0));
     let up = if rng.one_in(2) { angle } else { -angle } / area;
-    let direction = [0, 1, 2].map(|i| p * e[i] + q * f[i] + up * normal[i]);
+    let direction = three(|i| p * e[i] + q * f[i] + up * normal[i]);
     let target = if rng.one_in(2) { on_edge(rng, &vertices) } else { on_plane(rng, &vertices) };
     let back = rng.real(0.0, 1.0);
-    let origin = [0, 1, 2].map(|i| target[i] - back * direction[i]);
+    let origin = three(|i| target[i] - back * direction[i]);
     RayCase::new(nearest(origin), nearest(direction), vertices)
 }
 
@@ -253,7 +253,7 @@ fn huge<S: Sample>(rng: &mut Rng) -> RayCase<S> {
         let (u, v) = (rng.real(0.0, 0.55), rng.real(0.0, 0.55));
         // Half the distance, because the whole may exceed the scalar's range.
         let half = |i: usize| ((1.0 - u - v) * a[i] + u * b[i] + v * c[i]) / 2.0;
-        direction = [0, 1, 2].map(|i| S::nearest(half(i) - origin[i].approximate() / 2.0));
+        direction = three(|i| S::nearest(half(i) - origin[i].approximate() / 2.0));
     }
     RayCase::new(origin, direction, vertices)
 }
@@ -278,8 +278,8 @@ fn exactly_at<S: Sample>(rng: &mut Rng) -> RayCase<S> {
     let whole = |rng: &mut Rng, most: i64| rng.triple(|rng| rng.whole(-most, most));
     let (target, e, f) = (whole(rng, most), whole(rng, most), whole(rng, most));
     let step = whole(rng, most / 2);
-    let at = |offset: [i64; 3]| [0, 1, 2].map(|i| S::whole(target[i] + offset[i]));
-    let opposite = [0, 1, 2].map(|i| -e[i] - f[i]);
+    let at = |offset: [i64; 3]| three(|i| S::whole(target[i] + offset[i]));
+    let opposite = three(|i| -e[i] - f[i]);
     let origin = step.map(|x| -t * x);
     RayCase::new(at(origin), step.map(S::whole), [at(e), at(f), at(opposite)])
 }

@@ -3,7 +3,7 @@
 use septum::{Facing, Ray};
 
 use super::{Mesh, Method};
-use crate::{Rng, Sample};
+use crate::{Rng, Sample, three};
 
 /// A mesh, and its position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -148,12 +148,12 @@ impl Scene {
         let outward = |i: usize| target(i) - inner[i];
         let from_outside = rng.one_in(2);
         if !from_outside {
-            let direction = [0, 1, 2].map(|i| S::nearest(outward(i)));
+            let direction = three(|i| S::nearest(outward(i)));
             return Shot { origin: inside, direction, from_outside };
         }
         let beyond = if self.is_whole() { 1.0 } else { rng.real(0.2, 1.0) };
-        let origin = [0, 1, 2].map(|i| S::nearest(target(i) + beyond * outward(i)));
-        let direction = [0, 1, 2].map(|i| S::nearest(target(i) - origin[i].approximate()));
+        let origin = three(|i| S::nearest(target(i) + beyond * outward(i)));
+        let direction = three(|i| S::nearest(target(i) - origin[i].approximate()));
         Shot { origin, direction, from_outside }
     }
 }

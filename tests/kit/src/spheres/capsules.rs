@@ -16,8 +16,8 @@ use super::{
     numbers, oriented, ray,
 };
 use crate::exact::{Parts, least_exponent, whole};
-use crate::plane::Given;
 use crate::sample::Sample;
+use crate::{plane::Given, three};
 
 /// A capsule and another shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,7 +50,7 @@ pub(super) fn from_plane(
     }
     // From x to its foot it is −n·s/(n·n).
     let nn = dot(&n, &n);
-    let feet = sides.map(|s| [0, 1, 2].map(|i: usize| &n[i] * &s)).map(|v| dot(&v, &v));
+    let feet = sides.map(|s| three(|i: usize| &n[i] * &s)).map(|v| dot(&v, &v));
     let [a, b] = feet;
     Squared { num: a.min(b), den: &nn * &nn, unit }
 }
@@ -150,9 +150,9 @@ fn squared(ends: [[Parts; 3]; 2], by: [Parts; 3], other: Other<Parts>) -> Square
         _ => {}
     }
     let unit = least_exponent(numbers(other).iter().chain(ends.as_flattened()).chain(&by));
-    let ends = ends.map(|p| [0, 1, 2].map(|i: usize| whole(p[i], unit) + whole(by[i], unit)));
+    let ends = ends.map(|p| three(|i: usize| whole(p[i], unit) + whole(by[i], unit)));
     let (num, den) = match (other, hull(other, unit)) {
-        (Other::Box(numbers), _) => from_box(&ends, &[0, 1, 2].map(|i| faces(numbers, i, unit))),
+        (Other::Box(numbers), _) => from_box(&ends, &three(|i| faces(numbers, i, unit))),
         (_, points) => {
             let points = points.expect("no box");
             let all = ends.iter().flat_map(|end| points.iter().map(|p| minus(p, end)));

@@ -7,7 +7,7 @@ use septum::{Closest, Feature};
 
 use super::{Other, Point, SphereCase, from_hull, minus};
 use crate::exact::{least_exponent, whole};
-use crate::sample::Sample;
+use crate::{sample::Sample, three};
 
 impl<S: Sample> SphereCase<S> {
     /// Checks the point of a triangle or of a segment closest to the centre: the feature is the
@@ -27,7 +27,7 @@ impl<S: Sample> SphereCase<S> {
         let (center, mut points) = (row(&center), given.iter().map(row).collect::<Vec<_>>());
         if let Other::Center(..) = self.other {
             let (c, h) = (points[0].clone(), points[1].clone());
-            points = vec![minus(&c, &h), [0, 1, 2].map(|i: usize| &c[i] + &h[i])];
+            points = vec![minus(&c, &h), three(|i: usize| &c[i] + &h[i])];
         }
         let points: Vec<_> = points.iter().map(|p| minus(p, &center)).collect();
         Some(self.check_against(found, &center, &points, unit))
@@ -49,9 +49,7 @@ impl<S: Sample> SphereCase<S> {
                 let k = usize::from(k);
                 (vec![at(k), at(k + 1)], vec![vec![at(k)], vec![at(k + 1)]])
             }
-            Feature::Interior => {
-                (points.to_vec(), [0, 1, 2].map(|k| vec![at(k), at(k + 1)]).to_vec())
-            }
+            Feature::Interior => (points.to_vec(), three(|k| vec![at(k), at(k + 1)]).to_vec()),
         };
         let compare = |a: &(IBig, IBig), b: &(IBig, IBig)| (&a.0 * &b.1).cmp(&(&b.0 * &a.1));
         let (least, ([x, y, z], den)) = from_hull(points);

@@ -30,7 +30,7 @@ pub use sets::SphereSet;
 
 use crate::exact::{Parts, least_exponent, whole};
 use crate::sample::Sample;
-use crate::{BoxNumbers, Given};
+use crate::{BoxNumbers, Given, three};
 
 pub type Point<S> = [S; 3];
 
@@ -131,7 +131,7 @@ fn dot(a: &[IBig; 3], b: &[IBig; 3]) -> IBig {
 }
 
 fn minus(a: &[IBig; 3], b: &[IBig; 3]) -> [IBig; 3] {
-    [0, 1, 2].map(|i: usize| &a[i] - &b[i])
+    three(|i: usize| &a[i] - &b[i])
 }
 
 /// A fraction, whose divisor is above zero.
@@ -199,7 +199,7 @@ fn hull(other: Other<Parts>, unit: i32) -> Option<Vec<[IBig; 3]>> {
         Other::Ends(ends) | Other::Capsule(ends, _) => Some(ends.map(row).to_vec()),
         Other::Center(c, h) => {
             let (c, h) = (row(c), row(h));
-            Some(vec![minus(&c, &h), [0, 1, 2].map(|i: usize| &c[i] + &h[i])])
+            Some(vec![minus(&c, &h), three(|i: usize| &c[i] + &h[i])])
         }
         Other::Point(p) | Other::Sphere(p, _) => Some(vec![row(p)]),
         Other::Obb(c, axes, half) => Some(oriented::corners(row(c), axes, half, unit)),
@@ -250,8 +250,7 @@ fn from_ray(points: &[[Parts; 3]], ray: [[Parts; 3]; 2], range: [Option<Parts>; 
     let far = (feet << -of_t as usize) + range.iter().flatten().map(magnitude).sum::<IBig>();
     let [from, to] = [-far.clone(), far];
     let ends = [range[0].clone().unwrap_or(from), range[1].clone().unwrap_or(to)];
-    let vertex =
-        |t: &IBig, m: &[IBig; 3]| [0, 1, 2].map(|i: usize| t * &d[i] - (&m[i] << -of_t as usize));
+    let vertex = |t: &IBig, m: &[IBig; 3]| three(|i: usize| t * &d[i] - (&m[i] << -of_t as usize));
     let all: Vec<_> = ends.iter().flat_map(|t| ways.iter().map(|m| vertex(t, m))).collect();
     let (num, den) = capsules::from_all(&all);
     Squared { num, den, unit: unit + of_t }

@@ -15,8 +15,8 @@ use septum::{Feature, Sphere, Triangle};
 use super::capsules::{from_all, from_box};
 use super::{CapsuleCase, Other, Point, SphereCase, SphereSet, faces, hull, minus, numbers};
 use crate::exact::{Parts, least_exponent, whole};
-use crate::rng::Rng;
 use crate::sample::Sample;
+use crate::{rng::Rng, three};
 
 /// A sphere that moves past a triangle or a box.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,9 +57,9 @@ impl Shapes {
     fn compare(&self, (m, e): (&IBig, i32), hull: &Hull) -> Ordering {
         let down = e.min(0).unsigned_abs() as usize;
         let scaled = |x: &IBig| x << down;
-        let row = |p: &Whole| [0, 1, 2].map(|i: usize| scaled(&p[i]));
+        let row = |p: &Whole| three(|i: usize| scaled(&p[i]));
         let start = row(&self.center);
-        let end = [0, 1, 2].map(|i: usize| &start[i] + &self.d[i] * (m << e.max(0) as usize));
+        let end = three(|i: usize| &start[i] + &self.d[i] * (m << e.max(0) as usize));
         let r = scaled(&self.radius);
         let (num, den) = match hull {
             Hull::Points(points) => {
@@ -68,7 +68,7 @@ impl Shapes {
                 from_all(&[to(&start), to(&end)].concat())
             }
             Hull::Faces(faces) => {
-                let faces = [0, 1, 2].map(|i: usize| [0, 1].map(|k: usize| scaled(&faces[i][k])));
+                let faces = three(|i: usize| [0, 1].map(|k: usize| scaled(&faces[i][k])));
                 from_box(&[start, end], &faces)
             }
         };
@@ -106,7 +106,7 @@ impl Shapes {
                     Feature::Vertex(k) => vec![at(k)],
                 })
             }
-            (Part::Box(sides), Hull::Faces(faces)) => Hull::Faces([0, 1, 2].map(|i: usize| {
+            (Part::Box(sides), Hull::Faces(faces)) => Hull::Faces(three(|i: usize| {
                 let [low, high] = faces[i].clone();
                 match sides[i] {
                     -1 => [low.clone(), low],
@@ -129,7 +129,7 @@ impl<S: Sample> SphereSweep<S> {
             }
         };
         let [a, b] = ends;
-        let plus = |p: Point<S>| [0, 1, 2].map(|i: usize| p[i].plus(b[i].minus(a[i])));
+        let plus = |p: Point<S>| three(|i: usize| p[i].plus(b[i].minus(a[i])));
         let is_finite = |p: &Point<S>| p.iter().all(|x| x.is_finite());
         let from = if rng.one_in(2) { a } else { b };
         // In fixed point this may wrap around; it is then another motion.
@@ -155,7 +155,7 @@ impl<S: Sample> SphereSweep<S> {
         let unit = least_exponent(all.iter().chain(rows.as_flattened()).chain([&radius]));
         let [center, from, to] = rows.map(|p| p.map(|x| whole(x, unit)));
         let hull = match other {
-            Other::Box(numbers) => Hull::Faces([0, 1, 2].map(|i| faces(numbers, i, unit))),
+            Other::Box(numbers) => Hull::Faces(three(|i| faces(numbers, i, unit))),
             _ => Hull::Points(hull(other, unit).expect("a triangle")),
         };
         let (d, radius) = (minus(&to, &from), whole(radius, unit));

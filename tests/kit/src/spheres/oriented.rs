@@ -5,8 +5,8 @@ use septum::Obb;
 
 use super::{Other, Point, minus};
 use crate::exact::{Parts, least_exponent, whole};
-use crate::rng::Rng;
 use crate::sample::Sample;
+use crate::{rng::Rng, three};
 
 /// The corners in units of 2^unit.
 pub(super) fn corners(
@@ -20,7 +20,7 @@ pub(super) fn corners(
     let mut all = vec![center];
     for (axis, h) in axes.iter().zip(half) {
         let along = axis.map(|u| (whole(u, of_axes) * whole(h, of_half)) << up);
-        let both = |p: &[IBig; 3]| [minus(p, &along), [0, 1, 2].map(|i: usize| &p[i] + &along[i])];
+        let both = |p: &[IBig; 3]| [minus(p, &along), three(|i: usize| &p[i] + &along[i])];
         all = all.iter().flat_map(both).collect();
     }
     all

@@ -8,7 +8,7 @@ use septum::{Capsule, Sphere};
 
 use super::{CapsuleCase, Other, Point, SphereCase, dot, from_hull, minus};
 use crate::exact::{Parts, least_exponent, whole};
-use crate::sample::Sample;
+use crate::{sample::Sample, three};
 
 /// A line, and the ends and the radius of a capsule.
 struct Line {
@@ -28,7 +28,7 @@ impl Line {
     /// How the distance of the point at t/2^`down` from the segment compares with the radius, and
     /// whether it shrinks or grows.
     fn at(&self, t: &IBig, down: usize) -> [Ordering; 2] {
-        let at = [0, 1, 2].map(|i: usize| (&self.origin[i] << down) + &self.direction[i] * t);
+        let at = three(|i: usize| (&self.origin[i] << down) + &self.direction[i] * t);
         let ends = self.ends.each_ref().map(|end| {
             let end = end.each_ref().map(|x| x << down);
             minus(&end, &at)

@@ -3,7 +3,7 @@
 use super::{CapsuleCase, Other, Point, SphereCase, oriented};
 use crate::rng::Rng;
 use crate::sample::Sample;
-use crate::{BoxNumbers, Given};
+use crate::{BoxNumbers, Given, three};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SphereSet {
@@ -113,7 +113,7 @@ impl SphereSet {
                 let d = rng.triple(|rng| rng.real(-0.5, 0.5));
                 let mut near = || {
                     let t = rng.real(-1.0, 1.0);
-                    [0, 1, 2].map(|i: usize| S::nearest(o[i] + t * d[i]).moved(rng.whole(-1, 1)))
+                    three(|i: usize| S::nearest(o[i] + t * d[i]).moved(rng.whole(-1, 1)))
                 };
                 let [a, b, c, d] = [near(), near(), near(), near()];
                 let anywhere = [(); 2].map(|()| rng.triple(|rng| S::nearest(rng.real(-1.0, 1.0))));
@@ -124,7 +124,7 @@ impl SphereSet {
                 let origin = rng.triple(|rng| rng.real(-0.9, 0.9) * most);
                 let mut near = || {
                     let offset = rng.triple(|rng| rng.real(-1.0, 1.0));
-                    [0, 1, 2].map(|i: usize| S::nearest(origin[i] + offset[i]))
+                    three(|i: usize| S::nearest(origin[i] + offset[i]))
                 };
                 let [a, b, c, d, e] = [near(), near(), near(), near(), near()];
                 [a, b, c, d, e, rng.triple(|rng| S::nearest(rng.real(0.0, 1.0)))]
@@ -173,7 +173,7 @@ fn any<S: Sample>(rng: &mut Rng, kind: usize, [a, b, c, d]: [Point<S>; 4], more:
         7 if rng.one_in(2) => Other::Box(BoxNumbers::Center(a, b.map(size))),
         7 => {
             let order = |i: usize| if a[i] < b[i] { (a[i], b[i]) } else { (b[i], a[i]) };
-            let [min, max] = [[0, 1, 2].map(|i| order(i).0), [0, 1, 2].map(|i| order(i).1)];
+            let [min, max] = [three(|i| order(i).0), three(|i| order(i).1)];
             Other::Box(BoxNumbers::Corners(min, max))
         }
         8 => Other::Point(a),
@@ -218,7 +218,7 @@ fn touch_within<S: Sample>(rng: &mut Rng, most: i64, is_capsule: bool) -> Option
     let turn = 1 + rng.whole(0, 3).min(most);
     let ([u, v, w], n) = frame(rng, turn);
     let o = rng.triple(|rng| rng.whole(-most, most));
-    let at = |[a, b, c]: Whole| [0, 1, 2].map(|i: usize| o[i] + a * u[i] + b * v[i] + c * w[i]);
+    let at = |[a, b, c]: Whole| three(|i: usize| o[i] + a * u[i] + b * v[i] + c * w[i]);
     let mut quadruple = QUADRUPLES[rng.below(8)];
     quadruple[..3].rotate_left(rng.below(3));
     let scale = rng.whole(1, most.min(9));
@@ -242,12 +242,11 @@ fn touch_within<S: Sample>(rng: &mut Rng, most: i64, is_capsule: bool) -> Option
         true => [rng.whole(0, most), rng.whole(-1, most), rng.whole(0, most) * rng.whole(0, 1)],
         false => [0; 3],
     };
-    let along =
-        |k: i64, away: i64| at([0, 1, 2].map(|i: usize| to[i] * (1 + away) + across[i] * k));
+    let along = |k: i64, away: i64| at(three(|i: usize| to[i] * (1 + away) + across[i] * k));
     let ends = [along(-back, 0), along(forth, away)];
     // A box behind the face, the edge or the vertex.
     let half = rng.triple(|rng| rng.whole(1, most));
-    let center = at([0, 1, 2].map(|i: usize| if to[i] == 0 { 0 } else { -half[i] }));
+    let center = at(three(|i: usize| if to[i] == 0 { 0 } else { -half[i] }));
     let mut rows =
         [ends[0], at(vertices[0]), at(vertices[1]), at(vertices[2]), [radius; 3], ends[1]];
     rows[1..4].rotate_left(rng.below(3));
@@ -256,7 +255,7 @@ fn touch_within<S: Sample>(rng: &mut Rng, most: i64, is_capsule: bool) -> Option
     if !fits(&rows) {
         return None;
     }
-    let direction = [0, 1, 2].map(|i: usize| rows[2][i] - rows[1][i]);
+    let direction = three(|i: usize| rows[2][i] - rows[1][i]);
     let mut rows = rows.map(|row| row.map(S::whole));
     if rng.one_in(2) {
         let x = &mut rows[rng.below(5)][rng.below(3)];

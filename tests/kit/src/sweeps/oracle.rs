@@ -11,11 +11,11 @@ use dashu_int::IBig;
 use dashu_int::ops::{BitTest, Gcd};
 use septum::Axis;
 
-use crate::case::BoxNumbers;
 use crate::exact::{Parts, least_exponent, whole};
 use crate::flat::Truth;
 use crate::lattice::Ring;
 use crate::sample::Sample;
+use crate::{case::BoxNumbers, three};
 
 type Point = [IBig; 3];
 
@@ -72,9 +72,7 @@ pub(super) struct Shapes {
 
 fn corners(numbers: &BoxNumbers<IBig>) -> [Point; 2] {
     match numbers {
-        BoxNumbers::Center(c, h) => {
-            [IBig::difference(c, h), [0, 1, 2].map(|i: usize| &c[i] + &h[i])]
-        }
+        BoxNumbers::Center(c, h) => [IBig::difference(c, h), three(|i: usize| &c[i] + &h[i])],
         BoxNumbers::Corners(min, max) => [min.clone(), max.clone()],
     }
 }
@@ -127,7 +125,7 @@ impl Shapes {
         let one = IBig::ONE << (3 * longest(all) + 64);
         let sum = |i: usize| -> IBig { self.vertices.iter().map(|v| &v[i]).sum() };
         let less: IBig = (&one - IBig::ONE) * IBig::from(6);
-        let vertex = |v: &Point| [0, 1, 2].map(|i: usize| &v[i] * &less + sum(i) * IBig::from(2));
+        let vertex = |v: &Point| three(|i: usize| &v[i] * &less + sum(i) * IBig::from(2));
         Self {
             vertices: self.vertices.each_ref().map(vertex),
             corners: shrunk_box(&self.corners, &one),
@@ -161,7 +159,7 @@ impl Shapes {
 
     /// By the definition: projects vertices and corners on the axis.
     fn time_on(&self, axis: Axis) -> Option<Quotient> {
-        let unit = |k: u8| [0, 1, 2].map(|i: u8| IBig::from(i == k));
+        let unit = |k: u8| three(|i| IBig::from(i == usize::from(k)));
         let edge = |k: usize| IBig::difference(&self.vertices[(k + 1) % 3], &self.vertices[k]);
         let vector = match axis {
             Axis::Face(i) => unit(i),
@@ -171,7 +169,7 @@ impl Shapes {
         let vertices = self.vertices.each_ref().map(|v| IBig::dot(&vector, v));
         let corners: Vec<IBig> = (0..8)
             .map(|k| {
-                let corner = [0, 1, 2].map(|i: usize| self.corners[k >> i & 1][i].clone());
+                let corner = three(|i: usize| self.corners[k >> i & 1][i].clone());
                 IBig::dot(&vector, &corner)
             })
             .collect();
@@ -269,7 +267,7 @@ fn shrunk_box([min, max]: &[Point; 2], one: &IBig) -> [Point; 2] {
     let whole = one * IBig::from(6);
     let less = |i: usize| (&max[i] - &min[i]) * IBig::from(3);
     let (min, max) = (|i: usize| &min[i] * &whole + less(i), |i: usize| &max[i] * &whole - less(i));
-    [[0, 1, 2].map(min), [0, 1, 2].map(max)]
+    [three(min), three(max)]
 }
 
 /// Two boxes, of which the first moves, and its motion, in integers.

@@ -2,10 +2,10 @@
 
 use super::{BoxSweep, SweepCase};
 use crate::case::{BoxNumbers, Case};
-use crate::rng::Rng;
 use crate::sample::Sample;
 use crate::sets::Set;
 use crate::touch::Touch;
+use crate::{rng::Rng, three};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SweepSet {
@@ -60,9 +60,8 @@ impl SweepSet {
         sweeps
             .map(|(SweepCase { case, way }, other)| {
                 let [a, b, _] = case.vertices;
-                let around = |f: fn(S, S) -> bool| {
-                    [0, 1, 2].map(|i: usize| if f(a[i], b[i]) { a[i] } else { b[i] })
-                };
+                let around =
+                    |f: fn(S, S) -> bool| three(|i: usize| if f(a[i], b[i]) { a[i] } else { b[i] });
                 let corners = BoxNumbers::Corners(around(|a, b| a < b), around(|a, b| a > b));
                 let of_other = matches!(other.case.aabb, BoxNumbers::Center(..));
                 let moving = if of_other { other.case.aabb } else { corners };
@@ -109,10 +108,10 @@ fn touch<S: Sample>(rng: &mut Rng) -> SweepCase<S> {
         S::nearest(x.approximate() + by as f64 * unit)
     };
     for v in &mut case.vertices {
-        *v = [0, 1, 2].map(|i: usize| moved(v[i], -at * step[i]));
+        *v = three(|i: usize| moved(v[i], -at * step[i]));
     }
     let from = rng.triple(|rng| S::whole(rng.whole(-8, 8)));
-    let to = [0, 1, 2].map(|i: usize| moved(from[i], steps * step[i]));
+    let to = three(|i: usize| moved(from[i], steps * step[i]));
     nudged(rng, SweepCase { case, way: [from, to] })
 }
 
@@ -157,7 +156,7 @@ fn graze<S: Sample>(rng: &mut Rng) -> SweepCase<S> {
     if rng.one_in(2) {
         let [x, y, z] = &mut touch.vertices;
         for p in [x, y, z, &mut touch.least, &mut touch.greatest] {
-            *p = [0, 1, 2].map(|i: usize| p[i] - a[i]);
+            *p = three(|i: usize| p[i] - a[i]);
         }
     }
     let case = touch.case(rng.one_in(2));

@@ -5,7 +5,7 @@ use septum::Triangle;
 use septum::voxel::{Grid, Rule};
 
 use super::Tally;
-use crate::{Rng, Sample};
+use crate::{Rng, Sample, three};
 
 const RULES: [Rule; 3] = [Rule::Closed, Rule::HalfOpen, Rule::Thin];
 
@@ -36,7 +36,7 @@ pub(super) fn rows_under_nothing<S: Sample>() -> usize {
     for turn in 0..3 {
         for mirrored in 0..8 {
             let place = |p: [f64; 3]| {
-                [0, 1, 2].map(|i| {
+                three(|i| {
                     let x = p[(i + turn) % 3];
                     S::nearest(if mirrored >> i & 1 == 1 { m - x } else { x })
                 })

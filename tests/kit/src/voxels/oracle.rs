@@ -7,7 +7,7 @@ use septum::voxel::{Grid, Rule};
 use crate::exact::{Parts, least_exponent, whole};
 use crate::lattice::Ring;
 use crate::oracle::remains;
-use crate::{Sample, odd_mantissa};
+use crate::{Sample, odd_mantissa, three};
 
 /// A triangle among the planes of a grid.
 pub(super) enum Marks {
@@ -25,7 +25,7 @@ pub(super) struct Whole<I> {
 
 /// The planes of a grid: the faces of its voxels.
 pub(super) fn planes<S: Sample>(grid: &Grid<S>) -> [Vec<S>; 3] {
-    [0, 1, 2].map(|axis| {
+    three(|axis| {
         let corners = |k: u32| {
             let mut index = [0; 3];
             index[axis] = k;
@@ -47,7 +47,7 @@ impl Marks {
             .map(|i: usize| -> Vec<Parts> { planes[i].iter().map(|&x| parts(x)).collect() });
         let unit = least_exponent(vertices.iter().flatten().chain(planes.iter().flatten()));
         let all = Whole::<IBig> {
-            vertices: vertices.map(|v| [0, 1, 2].map(|i: usize| from(v[i], planes[i][0], unit))),
+            vertices: vertices.map(|v| three(|i: usize| from(v[i], planes[i][0], unit))),
             planes: [0, 1, 2]
                 .map(|i: usize| planes[i].iter().map(|&x| from(x, planes[i][0], unit)).collect()),
         };
@@ -86,8 +86,8 @@ impl<I: Ring> Whole<I> {
         let plane = |i: usize, k: u32| &self.planes[i][k as usize];
         let above = |i: usize, x: &I| self.vertices.each_ref().map(|v| v[i].minus(x));
         let below = |i: usize, x: &I| self.vertices.each_ref().map(|v| x.minus(&v[i]));
-        let least = [0, 1, 2].map(|i: usize| above(i, plane(i, voxel[i])));
-        let greatest = [0, 1, 2].map(|i: usize| below(i, plane(i, voxel[i] + 1)));
+        let least = three(|i: usize| above(i, plane(i, voxel[i])));
+        let greatest = three(|i: usize| below(i, plane(i, voxel[i] + 1)));
         let misses = |form: &[I; 3]| form.iter().all(|x| x.sign() < 0);
         if least.iter().chain(&greatest).any(misses) {
             return false;

@@ -6,7 +6,7 @@ use septum::{Ray, Segment, Triangle};
 use super::random::{grid, triangle};
 use super::walk::line_ends;
 use super::{LineKind, Tally};
-use crate::{Rng, Sample};
+use crate::{Rng, Sample, three};
 
 const RULES: [Rule; 3] = [Rule::Closed, Rule::HalfOpen, Rule::Thin];
 
@@ -33,9 +33,9 @@ fn parts<S: Sample>(grid: &Grid<S>) -> Vec<Grid<S>> {
 
 /// The voxels of the whole that are in a part, by their numbers there.
 fn restricted<S: Sample>(voxels: &[Voxel], grid: &Grid<S>, part: &Grid<S>) -> Vec<Voxel> {
-    let (from, size) = ([0, 1, 2].map(|i| part.offset()[i] - grid.offset()[i]), part.resolution());
+    let (from, size) = (three(|i| part.offset()[i] - grid.offset()[i]), part.resolution());
     let inside = |voxel: &Voxel| (0..3).all(|i| (from[i]..from[i] + size[i]).contains(&voxel[i]));
-    let moved = |voxel: &Voxel| [0, 1, 2].map(|i| voxel[i] - from[i]);
+    let moved = |voxel: &Voxel| three(|i| voxel[i] - from[i]);
     voxels.iter().filter(|voxel| inside(voxel)).map(moved).collect()
 }
 
@@ -108,7 +108,7 @@ fn unit_cells<S: Sample>(rng: &mut Rng) -> Option<Grid<S>> {
 fn half_integers<S: Sample>(rng: &mut Rng, grid: &Grid<S>) -> ([S; 3], [S; 3]) {
     let (origin, size) = (grid.origin().to_array(), grid.resolution());
     let mut point = || {
-        [0, 1, 2].map(|i: usize| {
+        three(|i: usize| {
             let halves = rng.whole(-3, 2 * i64::from(size[i]) + 3);
             S::nearest(origin[i].approximate() + halves as f64 / 2.0)
         })

@@ -4,7 +4,7 @@ use septum::Triangle;
 use septum::voxel::{Bits, Grid, Rule};
 
 use super::oracle::{Marks, planes};
-use crate::{Rng, Sample, VERTEX_ORDERS};
+use crate::{Rng, Sample, VERTEX_ORDERS, three};
 
 /// Compares the rows and the bits of random triangles in random grids with
 /// [`Triangle::overlaps`](septum::Overlaps::overlaps) on each voxel. Vertices are anywhere in the
@@ -92,7 +92,7 @@ pub(super) fn triangle<S: Sample>(rng: &mut Rng, grid: &Grid<S>) -> [[S; 3]; 3] 
     let (_, greatest) = grid.voxel(last).and_then(|v| v.min_max()).expect("a voxel");
     let (least, greatest) = (least.to_array(), greatest.to_array());
     let anywhere = |rng: &mut Rng| {
-        [0, 1, 2].map(|i: usize| {
+        three(|i: usize| {
             let (a, b) = (least[i].approximate(), greatest[i].approximate());
             S::nearest(a + rng.real(-0.3, 1.3) * (b - a))
         })
@@ -102,14 +102,14 @@ pub(super) fn triangle<S: Sample>(rng: &mut Rng, grid: &Grid<S>) -> [[S; 3]; 3] 
         let (min, max) = grid.voxel(index).and_then(|v| v.min_max()).expect("a voxel");
         if rng.one_in(2) { min.to_array() } else { max.to_array() }
     };
-    let on_planes = rng.whole(0, 3);
-    let mut v = [0, 1, 2].map(|k| if k < on_planes { corner(rng) } else { anywhere(rng) });
+    let on_planes = rng.whole(0, 3) as usize;
+    let mut v = three(|k| if k < on_planes { corner(rng) } else { anywhere(rng) });
     match rng.whole(0, 11) {
         0 => v[1] = v[0],
         1 => v = [v[0]; 3],
-        2 => v[2] = [0, 1, 2].map(|i: usize| v[0][i].between(v[1][i])),
+        2 => v[2] = three(|i: usize| v[0][i].between(v[1][i])),
         3 => {
-            v[2] = [0, 1, 2].map(|i: usize| v[0][i].between(v[1][i]));
+            v[2] = three(|i: usize| v[0][i].between(v[1][i]));
             v[2][0] = v[2][0].moved(1);
         }
         4 => v[1][0] = v[0][0],

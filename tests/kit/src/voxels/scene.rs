@@ -1,7 +1,7 @@
 //! Meshes to voxelize, each with a grid.
 
 use crate::rays::Mesh;
-use crate::{Rng, Sample};
+use crate::{Rng, Sample, three};
 
 type Point = [f64; 3];
 
@@ -43,7 +43,7 @@ impl VoxelScene {
         let end = f64::from(n);
         let fitted = |name, mesh: Vec<[Point; 3]>, per: f64| {
             let fit = Self::around(name, mesh, n);
-            let to = |p: Point| [0, 1, 2].map(|i| (p[i] - fit.origin[i]) / fit.cell[i]);
+            let to = |p: Point| three(|i| (p[i] - fit.origin[i]) / fit.cell[i]);
             let triangles = fit.triangles.iter().map(|t| rounded(t.map(to), per)).collect();
             Self { name, triangles, ..Self::whole(n) }
         };
@@ -72,9 +72,9 @@ impl VoxelScene {
     /// A grid that ends where the mesh does.
     fn around(name: &'static str, triangles: Vec<[Point; 3]>, n: u32) -> Self {
         let points = || triangles.iter().flatten();
-        let least = [0, 1, 2].map(|i| points().map(|p| p[i]).fold(f64::INFINITY, f64::min));
-        let greatest = [0, 1, 2].map(|i| points().map(|p| p[i]).fold(f64::MIN, f64::max));
-        let cell = [0, 1, 2].map(|i: usize| (greatest[i] - least[i]) / f64::from(n));
+        let least = three(|i| points().map(|p| p[i]).fold(f64::INFINITY, f64::min));
+        let greatest = three(|i| points().map(|p| p[i]).fold(f64::MIN, f64::max));
+        let cell = three(|i: usize| (greatest[i] - least[i]) / f64::from(n));
         Self { name, triangles, origin: least, cell, resolution: [n; 3] }
     }
 
@@ -100,7 +100,7 @@ impl VoxelScene {
         let sliver = |_| {
             let (a, b) = (rng.triple(|r| r.real(0.0, end)), rng.triple(|r| r.real(0.0, end)));
             let (part, off) = (rng.real(0.0, 1.0), rng.real(-1e-7, 1e-7));
-            let c = [0, 1, 2].map(|i| a[i] + part * (b[i] - a[i]) + off * end);
+            let c = three(|i| a[i] + part * (b[i] - a[i]) + off * end);
             if rng.one_in(4) { [a, b, b] } else { [a, b, c] }
         };
         Self { name: "slivers", triangles: (0..60).map(sliver).collect(), ..Self::whole(n) }
@@ -125,7 +125,7 @@ impl VoxelScene {
             let is_in_range = x <= S::GREATEST.approximate();
             is_in_range && (S::nearest(x).approximate() - x).abs() < 0.05 * self.cell[0]
         };
-        let ends = [0, 1, 2].map(|i: usize| {
+        let ends = three(|i: usize| {
             [self.origin[i], self.origin[i] + self.cell[i] * f64::from(self.resolution[i])]
         });
         let cell = S::nearest(self.cell[0]).approximate() / self.cell[0];
@@ -162,7 +162,7 @@ pub fn torus_knot(along: usize, around: usize) -> Vec<[Point; 3]> {
         let r = 2.0 + turn.cos();
         [r * angle.cos(), r * angle.sin(), turn.sin()]
     };
-    let minus = |a: Point, b: Point| [0, 1, 2].map(|i: usize| a[i] - b[i]);
+    let minus = |a: Point, b: Point| three(|i: usize| a[i] - b[i]);
     let cross =
         |a: Point, b: Point| [(1, 2), (2, 0), (0, 1)].map(|(j, k)| a[j] * b[k] - a[k] * b[j]);
     let unit = |a: Point| {
@@ -176,7 +176,7 @@ pub fn torus_knot(along: usize, around: usize) -> Vec<[Point; 3]> {
         let side = unit(cross(ahead, at));
         let up = unit(cross(side, ahead));
         let (sin, cos) = (TAU * (j % around) as f64 / around as f64).sin_cos();
-        [0, 1, 2].map(|k: usize| at[k] + 0.4 * (cos * side[k] + sin * up[k]))
+        three(|k: usize| at[k] + 0.4 * (cos * side[k] + sin * up[k]))
     };
     let mut triangles = Vec::with_capacity(2 * along * around);
     for i in 0..along {

@@ -8,7 +8,7 @@ use septum::{Ray, Segment};
 use super::oracle::planes;
 use super::random::grid;
 use crate::exact::{Parts, least_exponent, whole};
-use crate::{Rng, Sample, odd_mantissa};
+use crate::{Rng, Sample, odd_mantissa, three};
 
 /// A quotient with a positive divisor.
 #[derive(Clone)]
@@ -45,7 +45,7 @@ pub(super) fn line_ends<S: Sample>(rng: &mut Rng, grid: &Grid<S>) -> ([S; 3], [S
     let size = grid.resolution();
     let planes = planes(grid);
     let mut point = |on_planes: bool| -> [S; 3] {
-        [0, 1, 2].map(|i: usize| {
+        three(|i: usize| {
             let n = i64::from(size[i]);
             if on_planes {
                 return planes[i][rng.whole(0, n) as usize];
