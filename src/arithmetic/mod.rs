@@ -69,7 +69,7 @@ pub(crate) use quad::{OfFour, Quad, THREE};
 #[cfg(feature = "fixed")]
 pub use root::Signed;
 #[cfg(feature = "fixed")]
-pub(crate) use root::{Square, over_roots};
+pub(crate) use root::over_roots;
 pub(crate) use rounded::{Rounded, RoundedOps};
 pub use short_multiples::ShortFloat;
 pub(crate) use short_multiples::{Divisor, Leading64};

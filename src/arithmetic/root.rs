@@ -1,40 +1,34 @@
 //! The quotient of an integer and a root, digit by digit: no float, no division, and correct to the
 //! last place.
 
+use core::ops::Add;
+
 use super::limbs::{Limbs, Wide};
 
-/// An unsigned integer for [`over_root`].
-pub trait Square: Wide {
+/// An unsigned integer for [`over_root`]; its default is zero. Sums fit.
+pub trait Square: Wide + Default + Add<Output = Self> {
     /// A narrower type for small numbers, or the type itself.
     type Narrow: Square;
-    /// Zero.
-    const ZERO: Self;
-    /// The sum, which fits.
-    fn plus(self, other: Self) -> Self;
     /// The number in a narrower type, if it leaves `room` bits there.
     fn narrowed(self, room: u32) -> Option<Self::Narrow>;
 }
 
-macro_rules! square {
-    ($($t:ty: $narrow:ty, |$x:ident, $room:ident| $narrowed:expr;)*) => {$(
-        impl Square for $t {
-            type Narrow = $narrow;
-            const ZERO: Self = 0;
-            #[inline(always)]
-            fn plus(self, other: Self) -> Self {
-                self + other
-            }
-            #[inline(always)]
-            fn narrowed(self, $room: u32) -> Option<$narrow> {
-                let $x = self;
-                $narrowed
-            }
-        }
-    )*};
+impl Square for u64 {
+    type Narrow = Self;
+
+    #[inline(always)]
+    fn narrowed(self, _: u32) -> Option<Self> {
+        None
+    }
 }
-square! {
-    u64: u64, |_x, _room| None;
-    u128: u64, |x, room| (x.leading_zeros() >= 64 + room).then_some(x as u64);
+
+impl Square for u128 {
+    type Narrow = u64;
+
+    #[inline(always)]
+    fn narrowed(self, room: u32) -> Option<u64> {
+        (self.leading_zeros() >= 64 + room).then_some(self as u64)
+    }
 }
 
 impl<const L: usize> Limbs<L> {
@@ -49,12 +43,17 @@ impl<const L: usize> Limbs<L> {
     }
 }
 
-impl<const L: usize> Square for Limbs<L> {
-    type Narrow = u128;
-    const ZERO: Self = Self([0; L]);
+impl<const L: usize> Default for Limbs<L> {
+    fn default() -> Self {
+        Self([0; L])
+    }
+}
+
+impl<const L: usize> Add for Limbs<L> {
+    type Output = Self;
 
     #[inline(always)]
-    fn plus(self, other: Self) -> Self {
+    fn add(self, other: Self) -> Self {
         let (mut limbs, mut carry) = ([0; L], false);
         for k in 0..L {
             let (sum, over) = self.0[k].overflowing_add(other.0[k]);
@@ -63,6 +62,11 @@ impl<const L: usize> Square for Limbs<L> {
         }
         Self(limbs)
     }
+}
+
+impl<const L: usize> Square for Limbs<L> {
+    type Narrow = u128;
+
     #[inline(always)]
     fn narrowed(self, room: u32) -> Option<u128> {
         let (low, high) = self.0.split_first_chunk::<2>()?;
@@ -76,7 +80,7 @@ impl<const L: usize> Square for Limbs<L> {
 /// 3).
 pub(crate) fn over_roots<W: Square>(squares: [W; 3], places: u32) -> [u64; 3] {
     let [x, y, z] = squares;
-    let norm = x.plus(y).plus(z);
+    let norm = x + y + z;
     if norm.narrowed(places + 3).is_some() {
         if let (Some(x), Some(y), Some(z)) = (x.narrowed(0), y.narrowed(0), z.narrowed(0)) {
             return over_roots([x, y, z], places);
@@ -99,16 +103,16 @@ fn over_root<W: Square>(square: W, norm: W, places: u32) -> u64 {
     if square == norm {
         return 1_u64.checked_shl(places).unwrap_or(u64::MAX);
     }
-    let (mut rest, mut root, mut p) = (square, W::ZERO, 0_u64);
+    let (mut rest, mut root, mut p) = (square, W::default(), 0_u64);
     for _ in 0..places {
         rest.double();
         rest.double();
         root.double();
         p <<= 1;
-        let step = root.plus(norm);
+        let step = root + norm;
         if rest >= step {
             rest.subtract(&step);
-            root = step.plus(norm);
+            root = step + norm;
             p |= 1;
         }
     }
@@ -118,7 +122,7 @@ fn over_root<W: Square>(square: W, norm: W, places: u32) -> u64 {
     rest.double();
     rest.double();
     root.double();
-    let up = rest >= root.plus(norm);
+    let up = rest >= root + norm;
     p.saturating_add(up.into())
 }
 
@@ -163,7 +167,7 @@ mod tests {
         let next = Limbs([0, 0, 0, 1]);
         let mut twice = all;
         twice.double();
-        assert_eq!((all.plus(one), all.plus(all)), (next, twice));
+        assert_eq!((all + one, all + all), (next, twice));
         assert_eq!((all.narrowed(0), next.narrowed(0)), (None, None));
         assert_eq!((one.narrowed(127), one.narrowed(128)), (Some(1), None));
     }

@@ -4,7 +4,7 @@ use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 use super::Scalar;
-use crate::arithmetic::{Limbs, Signed, Square, Wide, over_roots};
+use crate::arithmetic::{Limbs, Signed, Wide, over_roots};
 
 /// A signed fixed-point type of up to 64 bits, which has unit normals by an integer root
 /// ([`unit_normal`](crate::Triangle::unit_normal)).
@@ -74,5 +74,5 @@ fixed_point!(FixedI64, LeEqU64, i64, u128, Limbs<6>, |m| {
     let (low, high) = (m & u128::from(u64::MAX), m >> 64);
     let mut mixed = Limbs::new(low * high, 1);
     mixed.double();
-    Limbs::new(low * low, 0).plus(Limbs::new(high * high, 2)).plus(mixed)
+    Limbs::new(low * low, 0) + Limbs::new(high * high, 2) + mixed
 });
