@@ -58,7 +58,7 @@ impl<const L: usize> Add for Limbs<L> {
         for k in 0..L {
             let (sum, over) = self.0[k].overflowing_add(other.0[k]);
             let (sum, over_too) = sum.overflowing_add(carry.into());
-            (limbs[k], carry) = (sum, over | over_too);
+            (limbs[k], carry) = (sum, over || over_too);
         }
         Self(limbs)
     }
