@@ -184,7 +184,7 @@ fn by_words(a: i64, b: i64) -> i128 {
 }
 
 #[inline(always)]
-fn full_product(a: u64, b: u64) -> u128 {
+pub(super) fn full_product(a: u64, b: u64) -> u128 {
     let words = |x: u64| [x as u32, (x >> 32) as u32];
     let ([a0, a1], [b0, b1]) = (words(a), words(b));
     let low = word_product(a0, b0);
@@ -196,7 +196,7 @@ fn full_product(a: u64, b: u64) -> u128 {
 }
 
 #[inline(always)]
-fn word_product(a: u32, b: u32) -> u64 {
+pub(super) fn word_product(a: u32, b: u32) -> u64 {
     if <<i32 as Word>::Sum as ProductSum<i32>>::IS_WHOLE {
         u64::from(a) * u64::from(b)
     } else {

@@ -27,6 +27,7 @@ mod portion;
 mod quad;
 #[cfg(feature = "fixed")]
 mod quotient;
+mod reciprocal;
 #[cfg(feature = "fixed")]
 mod root;
 mod rounded;

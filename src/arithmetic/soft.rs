@@ -5,8 +5,10 @@
 //! ([`portion`](super::portion)), and to compute the lengths, quotients and roots of a least
 //! translation.
 
+use super::integer::full_product;
 use super::limbs::divided_by_places;
-use super::platform::{REGISTERS_ARE_WIDE, SMALL_CODE, Slack};
+use super::platform::{REGISTERS_ARE_WIDE, Slack};
+use super::reciprocal::divided;
 
 /// A number x with mantissa·2^exponent ≤ x ≤ (mantissa + slack)·2^exponent.
 ///
@@ -141,7 +143,7 @@ impl Soft {
 
     pub(crate) fn over(self, other: Self) -> Self {
         if !REGISTERS_ARE_WIDE {
-            return self.over_by_places(other);
+            return self.over_by_reciprocal(other);
         }
         let ((a, s), (b, t)) = (self.parts(), other.parts());
         // Its top bit is set, so the compiler sees that it is not zero and links no panic.
@@ -152,17 +154,15 @@ impl Soft {
         Self::of(least, most - least, self.exponent - other.exponent - 63)
     }
 
-    /// The quotient where long division takes a function: place by place, once for both bounds.
+    /// The quotient where long division takes a function: one quotient for both bounds.
     ///
     /// With a·2^63 = q·b + r, the lower bound is q less what q·t exceeds r by, in multiples of b + t,
     /// and the upper bound is q and what r + s·2^63 adds, in multiples of b. Both are a few units.
     #[inline(never)]
-    fn over_by_places(self, other: Self) -> Self {
-        let ((a, s), (b, t)) = (self.parts(), other.parts());
-        // Its top bit is set, so that it is not zero.
-        let b = b | 1 << 63;
-        let (quotient, doubled) = divided_by_places(a, &b, 64);
-        let rest = doubled >> 1;
+    fn over_by_reciprocal(self, other: Self) -> Self {
+        let ((_, s), (b, t)) = (self.parts(), other.parts());
+        let (quotient, rest) = divided(self.mantissa, other.mantissa);
+        let (b, rest) = (b | 1 << 63, u128::from(rest));
         let (lack, more) = ((u128::from(quotient) * t).saturating_sub(rest), rest + (s << 63));
         let least = quotient.wrapping_sub(small_quotient(lack, b + t, other.slack));
         let most = quotient.wrapping_add(small_quotient(more, b, self.slack));
@@ -184,12 +184,11 @@ impl Soft {
     /// the slacks are at most one, it is less than 2^-61 of itself from the quotient of the
     /// numbers. The divisor is not zero.
     pub(crate) fn quotient(self, den: Self) -> (u64, i32) {
-        let (num, divisor) = (u128::from(self.mantissa), u128::from(den.mantissa.max(1)));
-        // On most machines a division of that width is a function of a kilobyte.
-        let quotient = if SMALL_CODE {
-            divided_by_places(num, &divisor, 64).0
+        let quotient = if REGISTERS_ARE_WIDE {
+            // Its top bit is set, so the compiler sees that it is not zero and links no panic.
+            ((u128::from(self.mantissa) << 63) / u128::from(den.mantissa | 1 << 63)) as u64
         } else {
-            ((num << 63) / divisor) as u64
+            divided(self.mantissa, den.mantissa).0
         };
         (quotient, self.exponent - den.exponent - 63)
     }
@@ -206,27 +205,42 @@ impl Soft {
     }
 }
 
-/// The root of a whole number, rounded down, place by place: without the divisions of `isqrt`.
+/// The root of a whole number of at least 2^126, rounded down, without the divisions of `isqrt`: the upper
+/// half place by place, the lower half as the quotient of the remainder and twice the upper half. That
+/// leaves out the square of the lower half, and is at most one too great.
 #[inline(never)]
-fn root_by_places(mut square: u128) -> u64 {
-    let (mut root, mut rest) = (0_u64, 0_u128);
-    for _ in 0..64 {
-        rest = rest << 2 | square >> 126;
-        square <<= 2;
-        let next = u128::from(root) << 2 | 1;
+fn root_by_places(square: u128) -> u64 {
+    let (mut upper, mut root, mut rest) = ((square >> 64) as u64, 0_u64, 0_u64);
+    for _ in 0..32 {
+        rest = rest << 2 | upper >> 62;
+        upper <<= 2;
+        let next = root << 2 | 1;
         root <<= 1;
         if rest >= next {
             rest -= next;
             root |= 1;
         }
     }
-    root
+    let (twice, mut lower) = (2 * root, (square >> 32) as u32);
+    // The remainder is at most twice the root. If it is that, the lower half has ones only.
+    rest = rest.min(twice - 1);
+    for _ in 0..32 {
+        // Digits leave at the top, and those of the quotient enter at the bottom.
+        rest = rest << 1 | u64::from(lower >> 31);
+        lower <<= 1;
+        if rest >= twice {
+            rest -= twice;
+            lower |= 1;
+        }
+    }
+    let root = root << 32 | u64::from(lower);
+    root - u64::from(full_product(root, root) > square)
 }
 
 /// num/den, rounded up. The quotient is at most twice the slack and one.
 fn small_quotient(num: u128, den: u128, slack: Slack) -> u64 {
-    if num == 0 {
-        return 0;
+    if num <= den {
+        return (num != 0).into();
     }
     let places = Slack::BITS + 1 - slack.leading_zeros();
     let (quotient, rest) = divided_by_places(num, &(den << places), places + 1);
@@ -272,6 +286,7 @@ pub(crate) fn whole(m: u128, exponent: i32, is_up: bool) -> u128 {
 #[cfg(test)]
 mod tests {
     use super::{ROOT_ROUNDOFFS, Slack, Soft, root, whole};
+    use crate::random::Random;
 
     #[test]
     fn roots_of_floats_err_by_two_roundoffs() {
@@ -320,7 +335,7 @@ mod tests {
                 let ((a, s), (b, t)) = (num.parts(), den.parts());
                 let (least, most) = ((a << 63) / (b + t), ((a + s) << 63).div_ceil(b));
                 let expected = Soft::of(least, most - least, num.exponent - den.exponent - 63);
-                assert_eq!(num.over_by_places(*den), expected, "{num:?} / {den:?}");
+                assert_eq!(num.over_by_reciprocal(*den), expected, "{num:?} / {den:?}");
                 assert_eq!(num.over(*den), expected, "{num:?} / {den:?}");
             }
         }
@@ -329,12 +344,34 @@ mod tests {
     #[test]
     fn roots_by_places_are_those_of_whole_numbers() {
         let some = [0, 1, 2, 3, 4, 99, 1 << 62, (1 << 63) + 1, u64::MAX - 1, u64::MAX];
-        for x in some.map(u128::from) {
-            for square in [x, x * x, (x * x).saturating_sub(1), x * x + 1, x << 64, x << 63] {
-                assert_eq!(u128::from(super::root_by_places(square)), square.isqrt(), "{square}");
+        let least = 1 << 126;
+        let check = |square: u128| {
+            assert_eq!(u128::from(super::root_by_places(square)), square.isqrt(), "{square}");
+        };
+        for x in some.map(|x| u128::from(x)) {
+            let square = (x | 1 << 63) * (x | 1 << 63);
+            for near in
+                [square - 1, square, square + 1, least + x, least | x << 64, least | x << 62]
+            {
+                check(near.max(least));
             }
         }
-        assert_eq!(super::root_by_places(u128::MAX), u64::MAX);
+        let mut random = Random(0x1007);
+        for n in 0..100_000 {
+            // A root with a lower half of few digits, or of ones.
+            let (x, y) = (random.bits() | 1 << 63, random.bits());
+            let root = u128::from(match n % 4 {
+                0 => x,
+                1 => x >> 32 << 32 | y >> (32 + n % 32),
+                2 => x >> (n % 60) << (n % 60),
+                _ => x | (1 << (n % 64)) - 1,
+            });
+            let square = root * root;
+            for near in [square - 1, square, square + 1, square + root, square + 2 * root] {
+                check(near.max(least));
+            }
+        }
+        check(u128::MAX);
     }
 
     #[test]
