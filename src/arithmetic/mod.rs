@@ -66,7 +66,7 @@ pub(crate) use offset::Offset;
 pub(crate) use parts::Bits;
 pub use parts::Parts;
 pub(crate) use platform::{REGISTERS_ARE_WIDE, SMALL_CODE, is_software};
-pub(crate) use quad::{OfFour, Quad, THREE};
+pub(crate) use quad::{OfFour, Quad, THREE, root_of_machine};
 #[cfg(feature = "fixed")]
 pub use root::Signed;
 #[cfg(feature = "fixed")]

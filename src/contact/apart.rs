@@ -13,7 +13,7 @@ use super::interior::InteriorEdges;
 use super::line::{Line, less, roundoffs};
 use super::settled::{Known, is_single};
 use super::shapes::{Flat, Round};
-use crate::arithmetic::{REGISTERS_ARE_WIDE, largest, root, three};
+use crate::arithmetic::{REGISTERS_ARE_WIDE, largest, root_of_machine, three};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -26,7 +26,7 @@ const CLEAR: f64 = f64::from_bits((1023 - 42) << 52);
 /// The contact of a sphere around the end of a line.
 fn known<S: Scalar>(line: &Line<S>, flat: Flat<'_, S>, to: &[S; 3], radius: f64) -> Known {
     let (a, errors, is_single) = (line.a, line.errors, is_single(&line.a));
-    let length = if is_single { largest(&a) } else { root(dot(&a, &a)) };
+    let length = if is_single { largest(&a) } else { root_of_machine(dot(&a, &a)) };
     let inverse = 1.0 / length;
     let of_length = (errors[0] + errors[1] + errors[2]) * inverse + roundoffs(LENGTH);
     let of_coordinates =

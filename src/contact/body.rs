@@ -23,12 +23,26 @@ pub(super) struct Place<S>(pub(super) [S; 3], pub(super) [S; 3]);
 /// A shape in floats relative to an origin: its centre or vertices, its axes or edges, and its
 /// half-extents or zero.
 #[derive(Clone, Copy)]
-pub(super) struct Rough {
+pub(super) struct Rough<F = f64> {
     pub(super) is_triangle: bool,
     /// The vertices, or the centre three times.
-    pub(super) at: [Vec64; 3],
-    pub(super) sides: [Vec64; 3],
-    pub(super) half: Vec64,
+    pub(super) at: [[F; 3]; 3],
+    pub(super) sides: [[F; 3]; 3],
+    pub(super) half: [F; 3],
+}
+
+impl Rough {
+    /// The shape in `f32`; numbers beyond its range become infinite.
+    #[inline(always)]
+    pub(super) fn short(&self) -> Rough<f32> {
+        let short = |v: &Vec64| three(|i| v[i] as f32);
+        Rough {
+            is_triangle: self.is_triangle,
+            at: three(|k| short(&self.at[k])),
+            sides: three(|k| short(&self.sides[k])),
+            half: short(&self.half),
+        }
+    }
 }
 
 impl<S: Scalar> Body<'_, S> {

@@ -13,19 +13,39 @@ pub(super) enum Direction {
     Sides(usize, usize),
 }
 
+const BOXES: [Direction; 15] = table([3, 3], false);
+const TRIANGLE_AND_BOX: [Direction; 13] = table([1, 3], false);
+const BOX_AND_TRIANGLE: [Direction; 13] = table([3, 1], true);
+const TRIANGLES: [Direction; 11] = table([1, 1], false);
+
 /// All directions, in the order that decides between equal depths: faces of the first shape, faces
 /// of the second, pairs of sides. A triangle's face comes before the faces of a box.
 pub(super) fn all<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> &'static [Direction] {
-    const BOXES: [Direction; 15] = table([3, 3], false);
-    const TRIANGLE_AND_BOX: [Direction; 13] = table([1, 3], false);
-    const BOX_AND_TRIANGLE: [Direction; 13] = table([3, 1], true);
-    const TRIANGLES: [Direction; 11] = table([1, 1], false);
     match bodies.each_ref().map(Body::is_triangle) {
         [false, false] => &BOXES,
         [true, false] => &TRIANGLE_AND_BOX,
         [false, true] => &BOX_AND_TRIANGLE,
         [true, true] => &TRIANGLES,
     }
+}
+
+/// The numbers of the sides of all directions; see [`Direction::numbers`].
+pub(super) fn sides_of_all(are_triangles: [bool; 2]) -> &'static [[u8; 2]; 16] {
+    const fn numbers<const N: usize>(all: [Direction; N], triangles: [bool; 2]) -> [[u8; 2]; 16] {
+        let (mut numbers, mut n) = ([[0; 2]; 16], 0);
+        while n < N {
+            numbers[n] = all[n].numbers(triangles);
+            n += 1;
+        }
+        numbers
+    }
+    const OF: [[[u8; 2]; 16]; 4] = [
+        numbers(BOXES, [false, false]),
+        numbers(TRIANGLE_AND_BOX, [true, false]),
+        numbers(BOX_AND_TRIANGLE, [false, true]),
+        numbers(TRIANGLES, [true, true]),
+    ];
+    &OF[usize::from(are_triangles[0]) + 2 * usize::from(are_triangles[1])]
 }
 
 /// The directions of shapes with so many faces of different normals.
@@ -49,14 +69,20 @@ const fn table<const N: usize>(faces: [usize; 2], second_is_first: bool) -> [Dir
 
 impl Direction {
     /// The two sides of the cross product, each as a shape and the number of its side.
-    pub(super) fn sides(self, is_triangle: [bool; 2]) -> [(usize, usize); 2] {
+    pub(super) const fn sides(self, is_triangle: [bool; 2]) -> [(usize, usize); 2] {
         match self {
             Self::Face { is_second, k } => {
-                let shape = usize::from(is_second);
+                let shape = is_second as usize;
                 let (_, i, j) = if is_triangle[shape] { (0, 0, 1) } else { turn(k) };
                 [(shape, i), (shape, j)]
             }
             Self::Sides(i, j) => [(0, i), (1, j)],
         }
+    }
+
+    /// The same as numbers: 3·shape + k.
+    pub(super) const fn numbers(self, are_triangles: [bool; 2]) -> [u8; 2] {
+        let [(p, i), (q, j)] = self.sides(are_triangles);
+        [(3 * p + i) as u8, (3 * q + j) as u8]
     }
 }

@@ -1,10 +1,11 @@
 //! A triangle or a face of a box, seen along the normal of a contact.
 
 use super::body::{Vec64, dot};
+use super::quads;
 use super::sides::Flat;
-use super::solid::{Solid, edge_of_box, vertex_of_box};
+use super::solid::Solid;
 use super::view::{Corner, Edge, View};
-use crate::arithmetic::{pick, turn};
+use crate::arithmetic::{REGISTERS_ARE_WIDE, pick, turn};
 
 /// The most corners that a face has.
 pub(super) const CORNERS: usize = 4;
@@ -21,32 +22,45 @@ pub(super) struct Face {
 
 impl Face {
     /// The triangle, or face `number` of the box.
-    pub(super) fn new(view: &View, shape: &Solid, number: u8) -> Self {
+    pub(super) fn new(view: &View, shape: &Solid<'_>, number: u8) -> Self {
         let corners = [Corner { at: [0.0; 3], flat: [0.0; 2], vertex: 0 }; CORNERS];
         let mut face = Self { corners, edges: [0, 1, 2, 2], count: 3, number, words: None };
+        face.fill(view, shape);
+        face
+    }
+
+    // A face that is returned from here would be copied.
+    #[inline(never)]
+    fn fill(&mut self, view: &View, shape: &Solid<'_>) {
+        let number = self.number;
         if shape.is_triangle {
-            for (k, corner) in face.corners.iter_mut().enumerate() {
+            for (k, corner) in self.corners.iter_mut().enumerate() {
                 let k = k.min(2);
-                *corner = view.corner(*pick(&shape.at, k), k as u8);
+                *corner = view.corner(*pick(&shape.rough.at, k), k as u8);
             }
         } else {
-            face.count = CORNERS;
+            self.count = CORNERS;
             let (i, j, k) = turn(usize::from(number / 2));
-            for n in 0..CORNERS {
-                let mut upper = [false; 3];
-                (upper[i], upper[j], upper[k]) = (number % 2 == 1, n == 1 || n == 2, n >= 2);
-                // The edge runs along j if this corner and the next differ in j.
-                face.edges[n] = edge_of_box(if n % 2 == 0 { j } else { k }, upper);
-                face.corners[n] = view.corner(shape.corner(upper), vertex_of_box(upper));
+            let side = number % 2;
+            // Each from one corner to the next.
+            let (of_j, of_k) = (4 * j as u8 + 2 * side, 4 * k as u8 + side);
+            self.edges = [of_j, of_k + 2, of_j + 1, of_k];
+            let (base, of_j, of_k) = (side << i, 1 << j, 1 << k);
+            let vertices = [base, base | of_j, base | of_j | of_k, base | of_k];
+            if REGISTERS_ARE_WIDE {
+                quads::corners(view, shape, [j, k], side == 1, vertices, &mut self.corners);
+            } else {
+                for (corner, vertex) in self.corners.iter_mut().zip(vertices) {
+                    *corner = view.corner(shape.corner(vertex), vertex);
+                }
             }
         }
         if let Some(unit) = view.unit {
-            let words = face.words.insert([[0; 2]; CORNERS]);
-            for (word, corner) in words.iter_mut().zip(&face.corners) {
+            let words = self.words.insert([[0; 2]; CORNERS]);
+            for (word, corner) in words.iter_mut().zip(&self.corners) {
                 *word = unit.flat(&corner.flat);
             }
         }
-        face
     }
 
     /// The corner after corner n.
@@ -69,6 +83,11 @@ impl Face {
 
     pub(super) fn corner(&self, n: usize) -> &Corner {
         &self.corners[n % CORNERS]
+    }
+
+    /// A corner, the next, and the one before.
+    pub(super) fn frame(&self) -> [&Corner; 3] {
+        [self.corner(0), self.corner(1), self.corner(self.count - 1)]
     }
 
     /// The ends of edge n.

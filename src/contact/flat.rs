@@ -3,12 +3,12 @@
 use super::body::{Body, Place, Rough};
 use super::least::{Way, least_measures, least_way};
 use super::measures::Measures;
-use super::points::{features, points};
+use super::points::{Points, features, points};
 use super::{Contact, InteriorEdges, Translation};
 use crate::scalar::Scalar;
 
 pub(super) fn least_translation<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<Translation<S>> {
-    let (way, measures) = least_measures(bodies, || in_floats(bodies).1)?;
+    let (way, measures) = least_measures(bodies, || in_floats(bodies, &bodies[1].origin()))?;
     Some(translation(bodies, &way, &measures))
 }
 
@@ -16,17 +16,23 @@ pub(super) fn contact<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     interior: InteriorEdges,
 ) -> Option<Contact<S>> {
-    let (origin, rough) = in_floats(bodies);
+    let origin = bodies[1].origin();
+    let mut rough = in_floats(bodies, &origin);
     let (way, measures, unit) = least_way(bodies, &rough, interior)?;
     let translation = translation(bodies, &way, &measures);
-    let points = points(bodies, &origin, &rough, &way, unit, translation.features);
-    Some(Contact { translation, is_held: way.is_held, points })
+    let features = translation.features;
+    // In place, without a copy.
+    let mut contact = None;
+    let found = Contact { translation, is_held: way.is_held, points: Points::none() };
+    let to = &mut contact.insert(found).points;
+    points(bodies, &origin, &mut rough, &way, unit, features, to);
+    contact
 }
 
-/// The shapes in floats, relative to an origin, and the origin.
-pub(super) fn in_floats<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> (Place<S>, [Rough; 2]) {
-    let origin = bodies[1].origin();
-    (origin, [bodies[0].rough(&origin, 1.0), bodies[1].rough(&origin, 1.0)])
+/// The shapes in floats, relative to an origin.
+#[inline(always)]
+pub(super) fn in_floats<S: Scalar>(bodies: &[Body<'_, S>; 2], origin: &Place<S>) -> [Rough; 2] {
+    [bodies[0].rough(origin, 1.0), bodies[1].rough(origin, 1.0)]
 }
 
 fn translation<S: Scalar>(

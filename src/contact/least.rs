@@ -4,17 +4,18 @@ use core::cmp::Ordering;
 
 use super::body::{Body, Rough, Vec64, cross, dot};
 use super::cut::{Cut, Depth, Measured};
-use super::directions::{Direction, all};
+use super::directions::{Direction, all, sides_of_all};
 use super::exact::{Exact, Given, farthest, length};
-use super::filter::{AT_ONCE, Filter};
+use super::filter::{Filter, Measure, Ruler};
 use super::integers::{Half, Long, Short, Words};
 use super::interior::InteriorEdges;
+use super::lanes::Lanes;
 use super::measures::{Lengths, Measures};
 use super::settled::settled;
 use super::sums::Sums;
 use super::unit::unit;
 use super::whole::{Shapes, Units, Whole, is_whole};
-use crate::arithmetic::{REGISTERS_ARE_WIDE, least as smaller, pick, turn};
+use crate::arithmetic::{OfFour, REGISTERS_ARE_WIDE, least as smaller, pick, turn, two};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
 
@@ -79,35 +80,71 @@ impl Wanted {
 
     /// The translations whose overlap may be the least, by floats; nearly always a single one.
     fn new<S: Scalar>(bodies: &[Body<'_, S>; 2], filter: &mut Filter<'_>) -> Result<Self, Apart> {
-        let mut wanted = Self { all: all(bodies), against: 0, along: 0 };
-        let needed = filter.needed(wanted.all);
-        let mut least = [[f64::INFINITY; 16]; 2];
-        let mut bound = f64::INFINITY;
-        let (mut left, mut last) = (needed, 0);
-        while left != 0 {
-            let (mut numbers, mut directions) = ([0; AT_ONCE], [FACE; AT_ONCE]);
-            for (number, direction) in numbers.iter_mut().zip(&mut directions) {
-                // The last one again, if there are fewer.
-                last = if left == 0 { last } else { left.trailing_zeros() as usize % 16 };
-                left &= left.wrapping_sub(1);
-                (*number, *direction) = (last, wanted.direction(last));
+        let all = all(bodies);
+        let mut needed = filter.needed(all);
+        if !REGISTERS_ARE_WIDE {
+            return Self::of_floats::<f64>(all, needed, &filter.ruler);
+        }
+        if needed > 15 {
+            let short = two(|n| filter.ruler.shapes[n].short());
+            let wanted =
+                Self::of_floats::<<f32 as OfFour>::Quad>(all, needed, &Ruler::new(&short))?;
+            if wanted.single().is_some() {
+                return Ok(wanted);
             }
-            let overlaps = filter.overlaps(directions);
-            if overlaps.are_apart {
+            needed = wanted.against | wanted.along;
+        }
+        Self::of_floats::<<f64 as OfFour>::Quad>(all, needed, &filter.ruler)
+    }
+
+    /// The same of the directions in `needed`, which are bits.
+    #[inline(always)]
+    fn of_floats<V: Lanes>(
+        all: &'static [Direction],
+        needed: u16,
+        ruler: &Ruler<'_, V::Lane>,
+    ) -> Result<Self, Apart> {
+        let mut wanted = Self { all, against: 0, along: 0 };
+        let (numbers, sides) = (numbers_of(needed), sides_of_all(ruler.are_triangles));
+        let count = needed.count_ones() as usize;
+        let infinity = V::same(V::Lane::INFINITY);
+        let (mut least, mut bound) = (V::all([infinity; 2]), infinity);
+        // As bits of these numbers, in their order.
+        let mut unknown = 0;
+        for (group, least) in least.as_mut().iter_mut().enumerate() {
+            let begin = group * V::COUNT;
+            if begin >= count {
+                break;
+            }
+            let found = ruler.overlaps::<V>(|n| {
+                let number = usize::from(numbers[(begin + n) % 16]);
+                sides[number % 16]
+            });
+            if found.are_apart {
                 return Err(Apart);
             }
-            for (n, number) in numbers.into_iter().enumerate() {
-                for side in 0..2 {
-                    bound = smaller(overlaps.most[side][n], bound);
-                    least[side][number] = overlaps.least[side][n];
-                }
-            }
+            unknown |= found.unknown << begin;
+            *least = found.least;
+            bound = bound.least(found.most[0].least(found.most[1]));
         }
-        let may_be_least = |least: &[f64; 16]| {
-            let all = least.iter().enumerate();
-            all.fold(0, |bits, (n, least)| bits | u16::from(*least <= bound) << n) & needed
+        let bound = (0..V::COUNT).map(|n| bound.lane(n)).fold(V::Lane::INFINITY, smaller);
+        let may_be_least = |side: usize| {
+            let mut left = unknown;
+            for (group, least) in least.as_ref().iter().enumerate() {
+                if group * V::COUNT >= count {
+                    break;
+                }
+                left |= least[side].is_within(V::same(bound)) << (group * V::COUNT);
+            }
+            left &= (1 << count) - 1;
+            let mut bits = 0;
+            while left != 0 {
+                bits |= 1 << numbers[left.trailing_zeros() as usize % 16];
+                left &= left - 1;
+            }
+            bits
         };
-        (wanted.against, wanted.along) = (may_be_least(&least[0]), may_be_least(&least[1]));
+        (wanted.against, wanted.along) = (may_be_least(0), may_be_least(1));
         Ok(wanted)
     }
 
@@ -171,6 +208,21 @@ impl Wanted {
         let is_single = all.is_power_of_two() && self.against & self.along == 0;
         is_single.then(|| (self.direction(all.trailing_zeros() as usize % 16), self.along != 0))
     }
+}
+
+/// The numbers of these bits; what follows is any.
+fn numbers_of(bits: u16) -> [u8; 16] {
+    let mut numbers = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
+    if bits & bits.wrapping_add(1) == 0 {
+        return numbers;
+    }
+    let (mut left, mut last) = (bits, 0);
+    for number in &mut numbers {
+        last = if left == 0 { last } else { left.trailing_zeros() as u8 };
+        left &= left.wrapping_sub(1);
+        *number = last;
+    }
+    numbers
 }
 
 /// The least of the wanted translations in exact numbers.

@@ -44,6 +44,16 @@ pub(super) struct Points<S> {
 }
 
 impl<S: Scalar> Points<S> {
+    #[inline(always)]
+    pub(super) fn none() -> Self {
+        let zero = Vec3::splat(S::ZERO);
+        let parts = [Part::Face(0); 2];
+        Self {
+            points: [Point { on_first: zero, on_second: zero, depth: S::ZERO, parts }; MOST],
+            count: 0,
+        }
+    }
+
     pub(super) fn one(point: Point<S>) -> Self {
         Self { points: [point; MOST], count: 1 }
     }
@@ -129,18 +139,20 @@ const DOWN: f64 = f64::from_bits((1023 - 600) << 52);
 pub(super) fn points<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     origin: &Place<S>,
-    rough: &[Rough; 2],
+    rough: &mut [Rough; 2],
     way: &Way,
     normal: Vec64,
     features: Features,
-) -> Points<S> {
+    points: &mut Points<S>,
+) {
     let mut solids = two(|n| Solid::new(&rough[n]));
     let size = greatest(solids[0].size, solids[1].size);
     let mut scale = 1.0;
     // NaN and infinity are too great; `greatest` may pass over a NaN.
     if !(size > RANGE.0 && solids.iter().all(|solid| solid.size < RANGE.1)) {
         scale = if size < 1.0 { UP } else { DOWN };
-        solids = two(|n| Solid::new(&bodies[n].rough(origin, scale)));
+        *rough = two(|n| bodies[n].rough(origin, scale));
+        solids = two(|n| Solid::new(&rough[n]));
     }
     let size = greatest(solids[0].size, solids[1].size);
     let view = View::new(&normal, size, Unit::new::<S>(size));
@@ -148,9 +160,10 @@ pub(super) fn points<S: Scalar>(
     let is_second = matches!(features, Features::Second(_));
     let shapes = if is_second { [second, first] } else { [first, second] };
     let outward = three(|i| if is_second { normal[i] } else { -normal[i] });
-    let mut found = match (features, way.direction) {
+    let mut found = Pairs::new();
+    match (features, way.direction) {
         (Features::First(face) | Features::Second(face), _) => {
-            part(|| by_face(&view, way, shapes, face, &outward))
+            part(|| by_face(&view, way, shapes, face, &outward, &mut found));
         }
         (Features::Edges(..), Direction::Sides(i, j)) => {
             let edges = |n: usize, k: usize| {
@@ -159,17 +172,17 @@ pub(super) fn points<S: Scalar>(
                     if bodies[n % 2].is_triangle() { way.farthest(n) } else { upper(way, n) };
                 support_edges(&view, &solids[n % 2], k, is_across, is_end)
             };
-            part(|| by_edges(&view, edges(0, i), || edges(1, j), &normal))
+            part(|| by_edges(&view, edges(0, i), || edges(1, j), &normal, &mut found));
         }
-        (Features::Edges(..) | Features::Nearest(..), _) => Pairs::new(),
-    };
+        (Features::Edges(..) | Features::Nearest(..), _) => {}
+    }
     let back = outward.map(|x| -x);
     let overlap = shapes[0].reach_along(&outward) + shapes[1].reach_along(&back);
     let is_deep = found.deepest() >= overlap - 4.0 * view.tolerance;
     if found.count == 0 || (!is_deep && !way.is_held) {
-        found = by_any_faces(&view, shapes, &outward, found);
+        by_any_faces(&view, shapes, &outward, &mut found);
     }
-    rounded(&found, origin, scale, is_second)
+    rounded(&found, origin, scale, is_second, points);
 }
 
 /// The contact points of face `number` of `shape` and a face of `other`.
@@ -181,10 +194,11 @@ pub(super) fn points<S: Scalar>(
 fn by_face(
     view: &View,
     way: &Way,
-    [shape, other]: [&Solid; 2],
+    [shape, other]: [&Solid<'_>; 2],
     number: u8,
     outward: &Vec64,
-) -> Pairs {
+    found: &mut Pairs,
+) {
     let incident = usize::from(matches!(way.direction, Direction::Face { is_second: false, .. }));
     let reference = Face::new(view, shape, number);
     let upper = upper(way, incident);
@@ -192,15 +206,13 @@ fn by_face(
         let k = usize::from(number / 2);
         way.along[incident % 2][k % 3].is_ne() && *pick(&upper, k) == (number % 2 == 1)
     };
-    let mut found = Pairs::new();
     for number in other.faces_against(outward, is_support) {
         let incident = Face::new(view, other, number);
-        add_deeper(&mut found, view, [&reference, &incident], outward);
+        add_deeper(found, view, [&reference, &incident], outward);
         if found.count > 0 && !way.is_held {
             break;
         }
     }
-    found
 }
 
 /// The deepest contact points of any two faces.
@@ -209,16 +221,11 @@ fn by_face(
 /// the second may be the true minimum. Then the parts that name the first direction need not touch
 /// after the translation, but two other faces do.
 #[inline(never)]
-fn by_any_faces(
-    view: &View,
-    [shape, other]: [&Solid; 2],
-    outward: &Vec64,
-    mut found: Pairs,
-) -> Pairs {
+fn by_any_faces(view: &View, [shape, other]: [&Solid<'_>; 2], outward: &Vec64, found: &mut Pairs) {
     for face in shape.faces() {
         let face = Face::new(view, shape, face);
         for incident in other.faces() {
-            add_deeper(&mut found, view, [&face, &Face::new(view, other, incident)], outward);
+            add_deeper(found, view, [&face, &Face::new(view, other, incident)], outward);
         }
     }
     if found.count == 0 {
@@ -228,7 +235,6 @@ fn by_any_faces(
         let depth = dot(&minus(&below.at, &at.at), outward);
         found.add(Pair { at: [below.at, at.at], depth, parts }, 0.0);
     }
-    found
 }
 
 /// Takes the points of two faces instead of those found, if they are deeper.
@@ -253,13 +259,14 @@ fn by_edges<T: Iterator<Item = ([Corner; 2], u8)>>(
     edges: impl Iterator<Item = ([Corner; 2], u8)>,
     others: impl Fn() -> T,
     normal: &Vec64,
-) -> Pairs {
-    let (mut found, mut nearest) = (Pairs::new(), view.tolerance * view.tolerance);
+    found: &mut Pairs,
+) {
+    let mut nearest = view.tolerance * view.tolerance;
     for edge in edges {
         let edge = Edge::new(&edge);
         for other in others() {
             let other = Edge::new(&other);
-            let [x, y] = edge.meet(&other);
+            let [x, y] = edge.meet(&other, edge.sides(&other));
             let apart = distance(&x, &y);
             if apart <= nearest {
                 let depth = greatest(dot(&minus(&y.at, &x.at), normal), 0.0);
@@ -269,23 +276,29 @@ fn by_edges<T: Iterator<Item = ([Corner; 2], u8)>>(
             }
         }
     }
-    found
 }
 
 /// Rounds the points to the scalar. In each pair, the point on the first shape comes first.
-fn rounded<S: Scalar>(found: &Pairs, origin: &Place<S>, scale: f64, is_second: bool) -> Points<S> {
-    let zero = Vec3::splat(S::ZERO);
-    let none = Point { on_first: zero, on_second: zero, depth: S::ZERO, parts: [Part::Face(0); 2] };
-    let mut points = Points { points: [none; MOST], count: found.count };
+#[inline(always)]
+fn rounded<S: Scalar>(
+    found: &Pairs,
+    origin: &Place<S>,
+    scale: f64,
+    is_second: bool,
+    points: &mut Points<S>,
+) {
+    points.count = found.count;
     // The origin is the mean of two places; this is the offset from the first.
     let offset = three(|i| difference_in_double(origin.1[i], origin.0[i], scale) * 0.5);
+    // Exact, of a power of two.
+    let unit = 1.0 / scale;
     // A large offset may overflow where the sum does not: add its half twice.
     let plus = |x: S, offset: f64| {
         if scale < 1.0 {
-            let half = offset * 0.5 / scale;
+            let half = offset * 0.5 * unit;
             x.plus_double(half).plus_double(half)
         } else {
-            x.plus_double(offset / scale)
+            x.plus_double(offset * unit)
         }
     };
     let place = |at: &Vec64| {
@@ -301,5 +314,4 @@ fn rounded<S: Scalar>(found: &Pairs, origin: &Place<S>, scale: f64, is_second: b
         let [on_first, on_second] = at;
         *point = Point { on_first, on_second, depth: plus(S::ZERO, pair.depth), parts };
     }
-    points
 }

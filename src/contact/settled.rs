@@ -10,7 +10,7 @@ use super::directions::Direction;
 use super::filter::{Filter, Measured};
 use super::least::Way;
 use super::measures::Measures;
-use crate::arithmetic::{largest, pick, root, three};
+use crate::arithmetic::{largest, pick, root_of_machine};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -54,16 +54,15 @@ pub(super) fn settled<S: Scalar>(
     if size_of::<S>() >= size_of::<f64>() || filter.axes.are_aligned() {
         return None;
     }
-    let measured = filter.measured([direction]);
-    let (a, products) = (three(|i| measured.a[i][0]), three(|i| measured.products[i][0]));
-    let Measured { scale: [scale], square: [square], error: [error], .. } = measured;
+    let Measured { a, products, scale, square, overlaps, error } =
+        filter.ruler.measured::<f64>(|_| direction.numbers(filter.ruler.are_triangles));
     let roundings = f64::from(1 + filter.rounded_sides(direction));
-    if !filter.knows(scale, square)
+    if filter.ruler.known(scale, square) == 0
         || scale * scale * (roundings * roundings) > f64::from(SQUARES) * square
     {
         return None;
     }
-    let [overlap] = measured.overlaps[usize::from(is_along)];
+    let overlap = overlaps[usize::from(is_along)];
     let mut of_coordinates = [0.0; 3];
     for i in 0..3 {
         if products[i] > 0.0 {
@@ -71,7 +70,7 @@ pub(super) fn settled<S: Scalar>(
         }
     }
     let is_single = is_single(&a);
-    let length = if is_single { largest(&a) } else { root(square) };
+    let length = if is_single { largest(&a) } else { root_of_machine(square) };
     let inverse = 1.0 / length;
     let known = Known {
         a,

@@ -5,7 +5,7 @@ use super::view::{Corner, View};
 use crate::arithmetic::{each, greatest, largest, pick, three, turn};
 
 /// The number of a vertex of a box.
-pub(super) fn vertex_of_box(upper: [bool; 3]) -> u8 {
+fn vertex_of_box(upper: [bool; 3]) -> u8 {
     u8::from(upper[0]) + 2 * u8::from(upper[1]) + 4 * u8::from(upper[2])
 }
 
@@ -15,23 +15,22 @@ pub(super) fn edge_of_box(i: usize, upper: [bool; 3]) -> u8 {
     4 * i as u8 + u8::from(upper[j]) + 2 * u8::from(upper[k])
 }
 
-/// A shape in floats: its centre or its vertices, and its half-edges.
-pub(super) struct Solid {
+/// A shape in floats, and its half-edges.
+pub(super) struct Solid<'a> {
+    pub(super) rough: &'a Rough,
     pub(super) is_triangle: bool,
-    pub(super) at: [Vec64; 3],
-    sides: [Vec64; 3],
-    reach: [Vec64; 3],
+    pub(super) reach: [Vec64; 3],
     /// An upper bound of the coordinates of all corners.
     pub(super) size: f64,
 }
 
-impl Solid {
-    pub(super) fn new(rough: &Rough) -> Self {
+impl<'a> Solid<'a> {
+    pub(super) fn new(rough: &'a Rough) -> Self {
         let reach = three(|k| three(|i| rough.half[k] * rough.sides[k][i]));
         let [a, b, c] = three(|k| largest(&rough.at[k]));
         let farthest = greatest(a, greatest(b, c));
         let size = reach.iter().fold(farthest, |size, reach| size + largest(reach));
-        Self { is_triangle: rough.is_triangle, at: rough.at, sides: rough.sides, reach, size }
+        Self { rough, is_triangle: rough.is_triangle, reach, size }
     }
 
     /// The numbers of its faces.
@@ -41,15 +40,21 @@ impl Solid {
 
     /// How far the shape extends in a direction, from the origin.
     pub(super) fn reach_along(&self, direction: &Vec64) -> f64 {
-        let at = three(|k| dot(&self.at[k], direction));
+        let at = |k: usize| dot(&self.rough.at[k], direction);
         let reach = three(|k| dot(&self.reach[k], direction).abs());
-        greatest(greatest(at[0], at[1]), at[2]) + (reach[0] + reach[1] + reach[2])
+        let farthest =
+            if self.is_triangle { greatest(greatest(at(0), at(1)), at(2)) } else { at(0) };
+        farthest + (reach[0] + reach[1] + reach[2])
     }
 
-    pub(super) fn corner(&self, upper: [bool; 3]) -> Vec64 {
-        (0..3).fold(self.at[0], |at, k| {
-            let reach = &self.reach[k];
-            three(|i| if upper[k] { at[i] + reach[i] } else { at[i] - reach[i] })
+    /// The corner of a box of this number.
+    pub(super) fn corner(&self, vertex: u8) -> Vec64 {
+        (0..3).fold(self.rough.at[0], |at, k| {
+            let is_upper = vertex >> k & 1 == 1;
+            three(|i| {
+                let reach = self.reach[k][i];
+                at[i] + if is_upper { reach } else { -reach }
+            })
         })
     }
 
@@ -66,7 +71,7 @@ impl Solid {
             let size = largest(&side);
             three(|i| side[i] / size)
         };
-        let axes = if self.is_triangle { self.sides } else { each(self.sides, unit) };
+        let axes = if self.is_triangle { self.rough.sides } else { each(self.rough.sides, unit) };
         let is_triangle = self.is_triangle;
         let facing = move |n: u8| if is_triangle { 1.0 } else { facing(&axes, n, outward) };
         let (mut first, mut best) = (0, f64::NEG_INFINITY);
@@ -96,7 +101,7 @@ fn facing(axes: &[Vec64; 3], number: u8, outward: &Vec64) -> f64 {
 /// the farthest ends of a box's axes.
 pub(super) fn support_edges(
     view: &View,
-    shape: &Solid,
+    shape: &Solid<'_>,
     i: usize,
     is_across: [bool; 3],
     is_end: [bool; 3],
@@ -107,7 +112,7 @@ pub(super) fn support_edges(
         if shape.is_triangle {
             let (from, to, _) = turn(n.into());
             let is_edge = *pick(&is_across, from) && *pick(&is_end, from) && *pick(&is_end, to);
-            let corner = |k: usize| view.corner(*pick(&shape.at, k), k as u8);
+            let corner = |k: usize| view.corner(*pick(&shape.rough.at, k), k as u8);
             return (n < 3 && is_edge).then(|| ([corner(from), corner(to)], n));
         }
         let mut upper = [false; 3];
@@ -117,7 +122,8 @@ pub(super) fn support_edges(
         let is_edge = fits(j) && fits(k);
         let mut corner = |is_upper: bool| {
             upper[i] = is_upper;
-            view.corner(shape.corner(upper), vertex_of_box(upper))
+            let vertex = vertex_of_box(upper);
+            view.corner(shape.corner(vertex), vertex)
         };
         is_edge.then(|| ([corner(false), corner(true)], 4 * i as u8 + n))
     })

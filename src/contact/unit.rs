@@ -3,7 +3,7 @@
 use super::body::{Body, Vec64};
 use super::directions::Direction;
 use super::settled::U;
-use crate::arithmetic::{Double, three, two};
+use crate::arithmetic::{Double, pick, three, turn, two};
 use crate::scalar::Scalar;
 
 /// Squares of a roundoff in a quotient in double words.
@@ -42,7 +42,17 @@ pub(super) fn unit<S: Scalar>(
     if x.iter().chain(&y).any(|coordinate| coordinate.low != 0.0) {
         return None;
     }
-    let a = Double::cross(&x, &y);
+    // Products of numbers of 24 bits are exact.
+    let are_short = x.iter().chain(&y).all(|x| f64::from(x.high as f32) == x.high);
+    let a = if are_short {
+        let product = |j: usize, k: usize| pick(&x, j).high * pick(&y, k).high;
+        three(|i| {
+            let (_, j, k) = turn(i);
+            Double::difference(product(j, k), product(k, j))
+        })
+    } else {
+        Double::cross(&x, &y)
+    };
     if a.iter().filter(|x| x.high != 0.0).count() == 1 {
         let sign = |x: f64| {
             if x == 0.0 {

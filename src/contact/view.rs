@@ -20,7 +20,7 @@ pub(super) fn along(a: &Vec64, t: f64, b: &Vec64) -> Vec64 {
 
 /// Two directions across a normal, and the tolerance of coordinates along them.
 pub(super) struct View {
-    across: [Vec64; 2],
+    pub(super) across: [Vec64; 2],
     pub(super) tolerance: f64,
     pub(super) unit: Option<Unit>,
 }
@@ -84,7 +84,7 @@ pub(super) fn flat(a: &Corner, b: &Corner) -> [f64; 2] {
     [a.flat[0] - b.flat[0], a.flat[1] - b.flat[1]]
 }
 
-pub(super) fn across([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
+fn across([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
     a * d - b * c
 }
 
@@ -117,24 +117,31 @@ impl<'a> Edge<'a> {
     }
 
     /// The signed distances of the ends of another edge from this one, times this edge's length.
-    fn sides(&self, other: &Self) -> [f64; 2] {
+    pub(super) fn sides(&self, other: &Self) -> [f64; 2] {
         let [p, q] = self.ends;
         two(|n| across(flat(q, p), flat(other.ends[n], p)))
     }
 
     /// A point on each edge, at their crossing; if they do not cross, two points near each other.
-    pub(super) fn meet(&self, other: &Self) -> [Corner; 2] {
-        let [a, b] = self.sides(other);
+    /// The ends of the other edge have these signed distances.
+    pub(super) fn meet(&self, other: &Self, [a, b]: [f64; 2]) -> [Corner; 2] {
         let here = self.nearest(&other.point(a / (a - b)));
         [here, other.nearest(&here)]
     }
 
-    /// A point on each edge, at their crossing, if they cross.
-    pub(super) fn crossing(&self, other: &Self, view: &View) -> Option<[Corner; 2]> {
-        if !is_crossed(self.sides(other)) || !is_crossed(other.sides(self)) {
-            return None;
-        }
-        let [a, b] = self.meet(other);
+    /// A point on each edge, at their crossing, if they cross. If that is known, `sides` has the
+    /// distances of the other edge's ends.
+    pub(super) fn crossing(
+        &self,
+        other: &Self,
+        view: &View,
+        sides: Option<[f64; 2]>,
+    ) -> Option<[Corner; 2]> {
+        let sides = sides.or_else(|| {
+            let sides = self.sides(other);
+            (is_crossed(sides) && is_crossed(other.sides(self))).then_some(sides)
+        })?;
+        let [a, b] = self.meet(other, sides);
         view.allows(&a, &b).then_some([a, b])
     }
 }

@@ -7,6 +7,8 @@ use core::ops::{Add, Div, Mul, Sub};
 use super::{OfFour, Quad};
 use crate::arithmetic::{Number, greatest, least};
 
+pub(crate) use crate::arithmetic::root as root_of_machine;
+
 /// Four numbers, each on its own.
 #[derive(Clone, Copy, Debug)]
 pub struct Four<F>([F; 4]);

@@ -45,3 +45,11 @@ macro_rules! quad {
 }
 quad!(f32x4, f32);
 quad!(f64x4, f64);
+
+/// The square root of a normal float above zero, within two unit roundoffs; not the same on every
+/// machine.
+#[inline(always)]
+pub(crate) fn root_of_machine(x: f64) -> f64 {
+    let [root, _] = wide::f64x2::splat(x).sqrt().to_array();
+    root
+}

@@ -1,0 +1,229 @@
+//! A face seen from another, four corners at a time: for hosts, whose vectors hold several floats. A
+//! loop over corners takes three times as many instructions.
+
+use super::body::Vec64;
+use super::clip::{Known, parts};
+use super::faces::{CORNERS, Face};
+use super::solid::Solid;
+use super::view::{Corner, View, flat, minus};
+use crate::arithmetic::{OfFour, Quad, three, two};
+
+type Four = <f64 as OfFour>::Quad;
+
+/// All corners, as bits.
+const ALL: u32 = (1 << CORNERS) - 1;
+
+/// The positions of a face's corners relative to another face. Sets of corners are bits.
+pub(super) struct Quads {
+    /// The signed distance of each corner from each edge, times the edge's length.
+    sides: [[f64; CORNERS]; CORNERS],
+    /// For each edge of the other face, the edges of this face that cross its line.
+    crossing: [u32; CORNERS],
+    /// The corners that certainly lie within the other face.
+    inside: u32,
+    /// The corners that certainly lie outside of it.
+    outside: u32,
+    /// The last edge.
+    last: usize,
+    /// The corners that meet a point within the other face.
+    met: u32,
+    /// Those points.
+    points: [[f64; CORNERS]; 3],
+}
+
+fn splat(x: f64) -> Four {
+    Four::splat(x)
+}
+
+/// a·b of vectors in lanes.
+#[inline(always)]
+fn dot(a: &Vec64, b: &[Four; 3]) -> Four {
+    splat(a[0]) * b[0] + splat(a[1]) * b[1] + splat(a[2]) * b[2]
+}
+
+/// The corners of a face of a box, on the upper side of its axis or on the lower; j and k are the
+/// next axes, and its corners have these numbers.
+#[inline(always)]
+pub(super) fn corners(
+    view: &View,
+    shape: &Solid<'_>,
+    [j, k]: [usize; 2],
+    is_upper: bool,
+    vertices: [u8; CORNERS],
+    corners: &mut [Corner; CORNERS],
+) {
+    let mut signs = [splat(if is_upper { 1.0 } else { -1.0 }); 3];
+    (signs[j % 3], signs[k % 3]) =
+        (Four::new([-1.0, 1.0, 1.0, -1.0]), Four::new([-1.0, -1.0, 1.0, 1.0]));
+    let at = three(|i| {
+        (0..3).fold(splat(shape.rough.at[0][i]), |at, k| at + signs[k] * splat(shape.reach[k][i]))
+    });
+    let flat = two(|n| dot(&view.across[n], &at).to_array());
+    let at = at.map(Quad::to_array);
+    for (n, corner) in corners.iter_mut().enumerate() {
+        let (at, flat) = (three(|i| at[i][n]), two(|k| flat[k][n]));
+        *corner = Corner { at, flat, vertex: vertices[n] };
+    }
+}
+
+impl Quads {
+    /// The margin of a side is twice the tolerance, and the distances err by less than a third of the
+    /// tolerance.
+    #[inline(always)]
+    pub(super) fn new(view: &View, from: &Face, face: &Face) -> Self {
+        let to = two(|k| {
+            let [a, b, c, d] = &face.corners;
+            Four::new([a.flat[k], b.flat[k], c.flat[k], d.flat[k]])
+        });
+        let margin = 4.0 * (view.tolerance * view.tolerance);
+        let (mut sides, mut crossing) = ([[0.0; CORNERS]; CORNERS], [0; CORNERS]);
+        let (mut all, mut any) = ([ALL; 2], [0; 2]);
+        let last = face.count() - 1;
+        let next = |bits: u32| bits >> 1 & ((1 << last) - 1) | (bits & 1) << last;
+        // The last edge of a triangle occurs twice.
+        for n in 0..CORNERS {
+            let [p, q] = from.ends(n);
+            let along = flat(q, p);
+            let [x, y] = two(|k| to[k] - splat(p.flat[k]));
+            let side = splat(along[0]) * y - splat(along[1]) * x;
+            let margin = margin * (along[0] * along[0] + along[1] * along[1]);
+            let clear = (side * side).exceeds(splat(margin));
+            let [left, right] = [side.exceeds(splat(0.0)), splat(0.0).exceeds(side)];
+            for (k, certain) in [left & clear, right & clear].into_iter().enumerate() {
+                (all[k], any[k]) = (all[k] & certain, any[k] | certain);
+            }
+            (sides[n], crossing[n]) = (side.to_array(), left & next(right) | right & next(left));
+        }
+        // The lines of all edges have a point of the face on the same side.
+        let outside = any[0] & any[1];
+        let inside = (all[0] | all[1]) & !outside;
+        let (met, points) =
+            if outside == ALL { (0, [[0.0; CORNERS]; 3]) } else { points(view, from, &to) };
+        Self { sides, crossing, inside, outside, last, met, points }
+    }
+}
+
+impl Known for Quads {
+    #[inline(always)]
+    fn within(&self, m: usize) -> Option<bool> {
+        let has = |bits: u32| bits >> m & 1 == 1;
+        (has(self.inside) || has(self.outside)).then(|| has(self.inside))
+    }
+
+    #[inline(always)]
+    fn point(&self, m: usize) -> Option<Vec64> {
+        (self.met >> m & 1 == 1).then(|| three(|i| self.points[i][m % CORNERS]))
+    }
+
+    #[inline(always)]
+    fn may_cross(&self, n: usize, m: usize) -> bool {
+        self.crossing[n % CORNERS] >> m & 1 == 1
+    }
+
+    #[inline(always)]
+    fn may_be_crossed(&self, n: usize) -> bool {
+        self.crossing[n % CORNERS] != 0
+    }
+
+    #[inline(always)]
+    fn sides(&self, n: usize, m: usize) -> Option<[f64; 2]> {
+        let next = if m < self.last { m + 1 } else { 0 };
+        Some([m, next].map(|m| self.sides[n % CORNERS][m % CORNERS]))
+    }
+}
+
+/// The points of a face that meet others across the normal, and which of these they meet.
+#[inline(always)]
+fn points(view: &View, from: &Face, to: &[Four; 2]) -> (u32, [[f64; CORNERS]; 3]) {
+    let [base, a, b] = from.frame();
+    let c = two(|k| to[k] - splat(base.flat[k]));
+    let [s, t] = parts(splat, [flat(a, base), flat(b, base)], c);
+    let (zero, one) = (splat(0.0), splat(1.0));
+    let is_below = if from.count() == 3 {
+        (s + t).is_at_most(one)
+    } else {
+        s.is_at_most(one) & t.is_at_most(one)
+    };
+    let [e, f] = [minus(&a.at, &base.at), minus(&b.at, &base.at)];
+    let at = three(|i| splat(base.at[i]) + s * splat(e[i]) + t * splat(f[i]));
+    let [x, y] = two(|k| dot(&view.across[k], &at) - to[k]);
+    let is_near = (x * x + y * y).is_at_most(splat(view.tolerance * view.tolerance));
+    let met = zero.is_at_most(s) & zero.is_at_most(t) & is_below & is_near;
+    (met, at.map(Quad::to_array))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::body::Rough;
+    use super::super::sides::Unit;
+    use super::*;
+    use crate::random::Random;
+
+    /// A triangle in the plane z = 0, along whose normal it is seen. All numbers are small and whole, so that
+    /// nothing is rounded.
+    fn triangle(view: &View, random: &mut Random) -> Face {
+        let at = [(); 3].map(|()| [0, 1, 2].map(|i| if i < 2 { coordinate(random) } else { 0.0 }));
+        let rough = Rough { is_triangle: true, at, sides: [[0.0; 3]; 3], half: [0.0; 3] };
+        Face::new(view, &Solid::new(&rough), 0)
+    }
+
+    /// The lower side of a box with the coordinate axes.
+    fn rectangle(view: &View, random: &mut Random) -> Face {
+        let sides = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let [x, y, w, h] = [(); 4].map(|()| coordinate(random));
+        let half = [w.abs() + 1.0, h.abs() + 1.0, 1.0];
+        let rough = Rough { is_triangle: false, at: [[x, y, 1.0]; 3], sides, half };
+        Face::new(view, &Solid::new(&rough), 4)
+    }
+
+    fn coordinate(random: &mut Random) -> f64 {
+        (random.bits() % 17) as f64 - 8.0
+    }
+
+    /// The sign of each corner's side of each edge, in whole numbers.
+    fn signs(from: &Face, face: &Face) -> [[i64; CORNERS]; CORNERS] {
+        let whole = |corner: &Corner| corner.flat.map(|x| x as i64);
+        let mut signs = [[0; CORNERS]; CORNERS];
+        for (n, signs) in signs.iter_mut().enumerate().take(from.count()) {
+            let [p, q] = from.ends(n).map(whole);
+            for (m, sign) in signs.iter_mut().enumerate().take(face.count()) {
+                let to = whole(face.corner(m));
+                let [a, b] = [q, to].map(|x| [x[0] - p[0], x[1] - p[1]]);
+                *sign = (a[0] * b[1] - a[1] * b[0]).signum();
+            }
+        }
+        signs
+    }
+
+    #[test]
+    fn corners_and_crossings_are_those_of_whole_numbers() {
+        let mut random = Random(0x9ad5);
+        let view = View::new(&[0.0, 0.0, 1.0], 32.0, Unit::new::<f32>(32.0));
+        let (mut within, mut crossed) = (0, 0);
+        for n in 0..20_000 {
+            let face = |random: &mut Random, kind: bool| {
+                if kind { triangle(&view, random) } else { rectangle(&view, random) }
+            };
+            let (from, face) = (face(&mut random, n % 2 == 0), face(&mut random, n % 4 < 2));
+            let (quads, signs) = (Quads::new(&view, &from, &face), signs(&from, &face));
+            let of = |m: usize| signs.iter().take(from.count()).map(move |signs| signs[m]);
+            for m in 0..face.count() {
+                let is_left = of(m).all(|sign| sign > 0) || of(m).all(|sign| sign < 0);
+                let is_out = of(m).any(|sign| sign > 0) && of(m).any(|sign| sign < 0);
+                assert_eq!(quads.within(m), (is_left || is_out).then_some(is_left));
+                if is_left {
+                    let [x, y, _] = quads.point(m).unwrap();
+                    let [to_x, to_y, _] = face.corner(m).at;
+                    assert!((x - to_x).abs() < view.tolerance && (y - to_y).abs() < view.tolerance);
+                    within += 1;
+                }
+                for n in 0..from.count() {
+                    let is_crossed = signs[n][m] * signs[n][face.next(m)] < 0;
+                    assert_eq!(quads.may_cross(n, m), is_crossed);
+                    crossed += u32::from(is_crossed);
+                }
+            }
+        }
+        assert!(within > 5_000 && crossed > 50_000, "{within} {crossed}");
+    }
+}
