@@ -84,7 +84,7 @@ mod tests {
             top | match n % 3 {
                 0 => bits,
                 1 => bits >> shift << shift,
-                _ => bits | (1 << shift) - 1,
+                _ => bits | ((1 << shift) - 1),
             }
         };
         for n in 0..200_000 {

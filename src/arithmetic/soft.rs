@@ -348,7 +348,7 @@ mod tests {
         let check = |square: u128| {
             assert_eq!(u128::from(super::root_by_places(square)), square.isqrt(), "{square}");
         };
-        for x in some.map(|x| u128::from(x)) {
+        for x in some.map(u128::from) {
             let square = (x | 1 << 63) * (x | 1 << 63);
             for near in
                 [square - 1, square, square + 1, least + x, least | x << 64, least | x << 62]
@@ -364,7 +364,7 @@ mod tests {
                 0 => x,
                 1 => x >> 32 << 32 | y >> (32 + n % 32),
                 2 => x >> (n % 60) << (n % 60),
-                _ => x | (1 << (n % 64)) - 1,
+                _ => x | ((1 << (n % 64)) - 1),
             });
             let square = root * root;
             for near in [square - 1, square, square + 1, square + root, square + 2 * root] {

@@ -68,22 +68,25 @@ pub(super) trait Measure: Float + Div<Output = Self> {
     }
 }
 
-macro_rules! measure {
-    ($float:ident, noise $noise:literal, spread $spread:literal, least $least_spread:literal,
-     sizes $sizes:literal, product $product:literal) => {
-        impl Measure for $float {
-            const ERROR: Self = ROUNDOFFS as Self * Self::ROUNDOFF;
-            const NOISE: Self = two_to($noise) as Self;
-            const SPREAD: Self = two_to($spread) as Self;
-            const LEAST_SPREAD: Self = two_to($least_spread) as Self;
-            const SIZES: (Self, Self) = (two_to(-$sizes) as Self, two_to($sizes) as Self);
-            const PRODUCTS: (Self, Self) = (two_to($product) as Self, Self::SIZES.1);
-            const INFINITY: Self = Self::INFINITY;
-        }
-    };
+impl Measure for f64 {
+    const ERROR: Self = ROUNDOFFS as Self * Self::ROUNDOFF;
+    const NOISE: Self = two_to(-54);
+    const SPREAD: Self = two_to(-20);
+    const LEAST_SPREAD: Self = two_to(-45);
+    const SIZES: (Self, Self) = (two_to(-100), two_to(100));
+    const PRODUCTS: (Self, Self) = (two_to(-150), two_to(100));
+    const INFINITY: Self = Self::INFINITY;
 }
-measure!(f64, noise -54, spread -20, least -45, sizes 100, product -150);
-measure!(f32, noise -22, spread -8, least -16, sizes 20, product -20);
+
+impl Measure for f32 {
+    const ERROR: Self = ROUNDOFFS as Self * Self::ROUNDOFF;
+    const NOISE: Self = two_to(-22) as Self;
+    const SPREAD: Self = two_to(-8) as Self;
+    const LEAST_SPREAD: Self = two_to(-16) as Self;
+    const SIZES: (Self, Self) = (two_to(-20) as Self, two_to(20) as Self);
+    const PRODUCTS: (Self, Self) = (two_to(-20) as Self, two_to(20) as Self);
+    const INFINITY: Self = Self::INFINITY;
+}
 
 const fn two_to(n: i64) -> f64 {
     f64::from_bits(((1023 + n) as u64) << 52)

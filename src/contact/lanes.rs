@@ -109,3 +109,46 @@ impl<Q: Quad<Lane: Measure>> Lanes for Q {
         self.is_at_most(other)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::arithmetic::{OfFour, three, two};
+    use crate::contact::body::{Rough, cross, dot};
+    use crate::contact::filter::{Measure, Ruler};
+    use crate::contact::lanes::Lanes;
+    use crate::random::Random;
+
+    /// The square of a direction that `f32` knows is that of the sides in `f64`, within its spread: of
+    /// sides as nearly parallel as it allows, and of all others.
+    #[test]
+    fn squares_in_f32_are_within_their_spread() {
+        let mut random = Random(0x50ea);
+        let mut number = || f64::from(random.bits() as i32) * 2_f64.powi(-31);
+        let mut known = [0; 2];
+        for n in 0..40_000 {
+            let (x, by, off) = (three(|_| number()), number(), 2_f64.powi(-(n % 14)));
+            let y = three(|i| by * x[i] + off * number());
+            let rough = |side| Rough {
+                is_triangle: false,
+                at: [[0.0; 3]; 3],
+                sides: [side; 3],
+                half: [1.0; 3],
+            };
+            let shapes = [rough(x), rough(y)];
+            let short = two(|k| shapes[k].short());
+            let ruler = Ruler::new(&short);
+            let found = ruler.measured::<<f32 as OfFour>::Quad>(|_| [0, 3]);
+            if ruler.known(found.scale, found.square) & 1 == 0 {
+                continue;
+            }
+            let (square, scale) = (found.square.lane(0), found.scale.lane(0));
+            let is_noisy = scale * scale > 16.0 * square;
+            let spread = if is_noisy { f32::SPREAD } else { f32::LEAST_SPREAD };
+            let a = cross(&x, &y);
+            let truth = dot(&a, &a);
+            assert!((f64::from(square) - truth).abs() <= f64::from(spread) * truth, "{x:?} {y:?}");
+            known[usize::from(is_noisy)] += 1;
+        }
+        assert!(known[0] > 8_000 && known[1] > 8_000, "{known:?}");
+    }
+}
