@@ -36,8 +36,8 @@ pub(super) fn divided(a: u64, b: u64) -> (u64, u64) {
 ///
 /// With d = h/2^32 and y·2^-31 an estimate of 1/d, a step of Newton's method gives y·(2 − d·y), which
 /// is never above 1/d and squares the relative error: 2^-4 at first, 2^-32 after three steps. The
-/// product d·y is cut. That adds at most 2^-31 to the other factor, and y is at most two too high.
-/// The difference between 1/h and 1/(h + 1) is two more.
+/// product d·y is cut: 2 − d·y is too high by 2^-31 at most, and y by two. The difference between 1/h
+/// and 1/(h + 1) is two more.
 #[inline(always)]
 fn reciprocal(h: u32) -> u32 {
     let upper = |a: u32, b: u32| (word_product(a, b) >> 32) as u32;

@@ -3,19 +3,19 @@
 use core::cmp::Ordering;
 
 use super::body::{Body, Rough, Vec64, cross, dot};
-use super::cut::{Cut, Depth, Measured};
-use super::directions::{Direction, all, sides_of_all};
+use super::cut::Cut;
+use super::directions::{Direction, all};
 use super::exact::{Exact, Given, farthest, length};
-use super::filter::{Filter, Measure, Ruler};
+use super::filter::Filter;
 use super::integers::{Half, Long, Short, Words};
 use super::interior::InteriorEdges;
-use super::lanes::Lanes;
 use super::measures::{Lengths, Measures};
 use super::settled::settled;
 use super::sums::Sums;
 use super::unit::unit;
+use super::wanted::{Apart, FACE, Wanted};
 use super::whole::{Shapes, Units, Whole, is_whole};
-use crate::arithmetic::{OfFour, REGISTERS_ARE_WIDE, least as smaller, pick, turn, two};
+use crate::arithmetic::{REGISTERS_ARE_WIDE, pick, turn};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
 
@@ -58,171 +58,6 @@ pub(super) struct Way {
     /// The signs of the sides of the shapes along the direction.
     pub(super) along: [[Ordering; 3]; 2],
     pub(super) is_held: bool,
-}
-
-/// A plane separates the shapes.
-pub(super) struct Apart;
-
-/// Directions, and the translations that may be the least, as a bit for each direction: those against
-/// it, and those along it.
-struct Wanted {
-    all: &'static [Direction],
-    against: u16,
-    along: u16,
-}
-
-/// The normal of the first shape, if it is a triangle.
-const FACE: Direction = Direction::Face { is_second: false, k: 0 };
-
-impl Wanted {
-    /// Both translations along the normal of the first shape.
-    const FACE: Self = Self { all: &[FACE], against: 1, along: 1 };
-
-    /// The translations whose overlap may be the least, by floats; nearly always a single one.
-    fn new<S: Scalar>(bodies: &[Body<'_, S>; 2], filter: &mut Filter<'_>) -> Result<Self, Apart> {
-        let all = all(bodies);
-        let mut needed = filter.needed(all);
-        if !REGISTERS_ARE_WIDE {
-            return Self::of_floats::<f64>(all, needed, &filter.ruler);
-        }
-        if needed > 15 {
-            let short = two(|n| filter.ruler.shapes[n].short());
-            let wanted =
-                Self::of_floats::<<f32 as OfFour>::Quad>(all, needed, &Ruler::new(&short))?;
-            if wanted.single().is_some() {
-                return Ok(wanted);
-            }
-            needed = wanted.against | wanted.along;
-        }
-        Self::of_floats::<<f64 as OfFour>::Quad>(all, needed, &filter.ruler)
-    }
-
-    /// The same of the directions in `needed`, which are bits.
-    #[inline(always)]
-    fn of_floats<V: Lanes>(
-        all: &'static [Direction],
-        needed: u16,
-        ruler: &Ruler<'_, V::Lane>,
-    ) -> Result<Self, Apart> {
-        let mut wanted = Self { all, against: 0, along: 0 };
-        let (numbers, sides) = (numbers_of(needed), sides_of_all(ruler.are_triangles));
-        let count = needed.count_ones() as usize;
-        let infinity = V::same(V::Lane::INFINITY);
-        let (mut least, mut bound) = (V::all([infinity; 2]), infinity);
-        // As bits of these numbers, in their order.
-        let mut unknown = 0;
-        for (group, least) in least.as_mut().iter_mut().enumerate() {
-            let begin = group * V::COUNT;
-            if begin >= count {
-                break;
-            }
-            let found = ruler.overlaps::<V>(|n| {
-                let number = usize::from(numbers[(begin + n) % 16]);
-                sides[number % 16]
-            });
-            if found.are_apart {
-                return Err(Apart);
-            }
-            unknown |= found.unknown << begin;
-            *least = found.least;
-            bound = bound.least(found.most[0].least(found.most[1]));
-        }
-        let bound = (0..V::COUNT).map(|n| bound.lane(n)).fold(V::Lane::INFINITY, smaller);
-        let may_be_least = |side: usize| {
-            let mut left = unknown;
-            for (group, least) in least.as_ref().iter().enumerate() {
-                if group * V::COUNT >= count {
-                    break;
-                }
-                left |= least[side].is_within(V::same(bound)) << (group * V::COUNT);
-            }
-            left &= (1 << count) - 1;
-            let mut bits = 0;
-            while left != 0 {
-                bits |= 1 << numbers[left.trailing_zeros() as usize % 16];
-                left &= left - 1;
-            }
-            bits
-        };
-        (wanted.against, wanted.along) = (may_be_least(0), may_be_least(1));
-        Ok(wanted)
-    }
-
-    /// The translations whose overlap may be the least, by words; nearly always few. `cross` has the
-    /// directions.
-    #[inline(never)]
-    fn in_words(
-        all: &'static [Direction],
-        cut: &Cut,
-        cross: &dyn Fn(Direction) -> Option<[i32; 3]>,
-    ) -> Result<Self, Apart> {
-        let mut wanted = Self { all, against: 0, along: 0 };
-        let needed = cut.needed(all);
-        let mut measures: [Option<Measured>; 16] = [const { None }; 16];
-        let mut bound: Option<Depth> = None;
-        for (n, measured) in measures.iter_mut().enumerate() {
-            if needed >> n & 1 == 0 {
-                continue;
-            }
-            let Some(direction) = cross(wanted.direction(n)) else { continue };
-            let here = cut.measured(&direction);
-            if here.are_apart() {
-                return Err(Apart);
-            }
-            let most = here.most();
-            if bound.is_none_or(|bound| most.is_at_most(&bound)) {
-                bound = Some(most);
-            }
-            *measured = Some(here);
-        }
-        for (n, measured) in measures.iter().enumerate() {
-            if let (Some(measured), Some(bound)) = (measured, &bound) {
-                let bit = |side| u16::from(measured.least(side).is_at_most(bound)) << n;
-                wanted.against |= bit(false);
-                wanted.along |= bit(true);
-            }
-        }
-        Ok(wanted)
-    }
-
-    fn direction(&self, n: usize) -> Direction {
-        self.all.get(n).copied().unwrap_or(FACE)
-    }
-
-    /// The directions with a translation that is wanted, in their order, and whether it is wanted
-    /// against the direction, and along it.
-    fn iter(&self) -> impl Iterator<Item = (Direction, [bool; 2])> {
-        let mut left = self.against | self.along;
-        core::iter::from_fn(move || {
-            let n = left.trailing_zeros() as usize % 16;
-            let wanted = [self.against, self.along].map(|bits| bits >> n & 1 == 1);
-            let is_wanted = left != 0;
-            left &= left.wrapping_sub(1);
-            is_wanted.then(|| (self.direction(n), wanted))
-        })
-    }
-
-    /// The translation that is wanted, if it is the only one.
-    fn single(&self) -> Option<(Direction, bool)> {
-        let all = self.against | self.along;
-        let is_single = all.is_power_of_two() && self.against & self.along == 0;
-        is_single.then(|| (self.direction(all.trailing_zeros() as usize % 16), self.along != 0))
-    }
-}
-
-/// The numbers of these bits; what follows is any.
-fn numbers_of(bits: u16) -> [u8; 16] {
-    let mut numbers = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
-    if bits & bits.wrapping_add(1) == 0 {
-        return numbers;
-    }
-    let (mut left, mut last) = (bits, 0);
-    for number in &mut numbers {
-        last = if left == 0 { last } else { left.trailing_zeros() as u8 };
-        left &= left.wrapping_sub(1);
-        *number = last;
-    }
-    numbers
 }
 
 /// The least of the wanted translations in exact numbers.

@@ -147,6 +147,7 @@ mod sums;
 mod tests;
 mod unit;
 mod view;
+mod wanted;
 mod whole;
 
 pub use self::answer::{Contact, Translation};
