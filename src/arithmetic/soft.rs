@@ -5,6 +5,7 @@
 //! ([`portion`](super::portion)), and to compute the lengths, quotients and roots of a least
 //! translation.
 
+use super::double::Double;
 use super::integer::full_product;
 use super::limbs::divided_by_places;
 use super::platform::{REGISTERS_ARE_WIDE, Slack};
@@ -42,6 +43,22 @@ impl Soft {
         // The sign and the exponent are shifted out, and the leading bit becomes the highest.
         let mantissa = (bits | 1 << (DIGITS - 1)) << (64 - DIGITS);
         Self { exponent: (bits >> (DIGITS - 1)) as i32 - 1086, mantissa, slack: 0 }
+    }
+
+    /// The first 64 digits of the size of a number that is within `error` of two words; `None` if they are
+    /// not certain. The first word is normal.
+    pub(crate) fn leading(x: Double, error: f64) -> Option<Self> {
+        /// Above the second word in units of the mantissa's last place. The sum loses less than 2^-39.
+        const WHOLE: f64 = 4096.0;
+        const LOST: f64 = 1.0 / (1_u64 << 39) as f64;
+        let Double { high, low } = x.magnitude();
+        let Self { exponent, mantissa, .. } = Self::of_normal(high);
+        let unit = <f64 as super::Float>::scaled(1, -exponent);
+        let (low, error) = (low * unit + WHOLE, error * unit + LOST);
+        let [least, most] = [low - error, low + error].map(|x| x as u64);
+        let mantissa = mantissa.wrapping_add(least).wrapping_sub(WHOLE as u64);
+        let is_known = least == most && least > 0 && mantissa >> 63 == 1;
+        is_known.then(|| Self::rounded_down(mantissa, exponent))
     }
 
     /// A number between two floats, which are normal and above zero; `None` if they are more than

@@ -2,14 +2,16 @@
 //!
 //! With the names of the kernel, the ray is within slab i from t = (−s·(w_i·m) − r_i)/|w_i·d| to t
 //! = (−s·(w_i·m) + r_i)/|w_i·d|, with s the sign of w_i·d and r_i = h_i·|u_0·w_0|. The answer is
-//! the greatest first value and the least second value, rounded. `f64` computes bounds on each; for
-//! `f64` itself, numbers of 106 digits do. If both bounds round to the same number of the scalar,
-//! exact sums would give the same.
+//! the greatest first value and the least second value, rounded. `f64` computes bounds on each. If both
+//! bounds round to the same number of the scalar, exact sums would give the same. For `f64` itself,
+//! numbers of 106 digits are divided as exact sums are.
 
 use super::Disjoint;
 use super::error_bound::{ErrorBound, Sizes, error_bound};
 use super::kernel::Operands;
-use crate::arithmetic::{Double, Embeds, Filtered, Float, Number, greatest, least, turn};
+use crate::arithmetic::{
+    Double, Embeds, Filtered, Float, Number, Soft, greatest, least, three, turn,
+};
 use crate::query::triangle_obb::{cross, dot};
 use crate::robust::{Clue, Numeric, Predicate, exact_stage};
 use crate::scalar::Scalar;
@@ -121,8 +123,12 @@ fn slab(
     Some([at(to_middle - reach), at(to_middle + reach)])
 }
 
-/// The bounds for `f64`, in numbers of 106 digits. Each of their operations errs by less than 6·u²
-/// of itself, and one of `f64` by u, so the bounds of `f64` hold times 8·u.
+/// The range in `f64`: each quotient has the bits that exact sums would give it.
+///
+/// Floats find which slabs may be the last to be entered or the first to be left, nearly always one each.
+/// For those, numbers of 106 digits have the first 64 digits of numerator and divisor, which exact sums
+/// divide as well. Each operation on such numbers errs by less than 6·u² of itself, and one of `f64` by
+/// u, so that the bounds of `f64` hold times 8·u.
 #[inline(never)]
 fn in_longs<S: Scalar>(question: &Disjoint<'_, S>) -> Option<(S, S)>
 where
@@ -132,34 +138,44 @@ where
     let center = question.obb.center().to_array();
     let [p, c] = Filtered::<f64>::embed(&[question.rows()[0], center])?;
     let short = error_of_crossings(&s)?;
+    let [a, b, e] = &s.u;
+    let volume = dot(a, &cross(b, e)).magnitude();
+    let anywhere = [[f64::NEG_INFINITY, f64::INFINITY]; 2];
+    let rough = three(|i| slab(&s, i, volume, &short).unwrap_or(anywhere));
+    let last = rough.iter().fold(f64::NEG_INFINITY, |last, [near, _]| greatest(last, near[0]));
+    let first = rough.iter().fold(f64::INFINITY, |first, [_, far]| least(first, far[1]));
+
     let part = 8.0 * f64::ROUNDOFF;
     let (direction, face) = (part * short.direction, part * short.face);
-
-    let of = |v: &[f64; 3]| [Double::of(v[0]), Double::of(v[1]), Double::of(v[2])];
-    let (u, d) = ([of(&s.u[0]), of(&s.u[1]), of(&s.u[2])], of(&s.d));
-    let m = Double::way(&p, &c);
-    let volume = Double::dot(&u[0], &Double::cross(&u[1], &u[2])).magnitude();
-    within_all(|i| {
+    let of = |v: &[f64; 3]| three(|i| Double::of(v[i]));
+    let (u, d, m) = (three(|i| of(&s.u[i])), of(&s.d), Double::way(&p, &c));
+    let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+    for (i, [near, far]) in rough.iter().enumerate() {
+        let [is_last, is_first] = [near[1] >= last, far[0] <= first];
+        if !(is_last | is_first) {
+            continue;
+        }
         let (i, j, k) = turn(i);
         let w = Double::cross(&u[j], &u[k]);
         let (along, middle) = (Double::dot(&w, &d), Double::dot(&w, &m));
-        let (den, reach) = (along.magnitude(), Double::of(s.h[i]).times(volume));
-        if den.high <= direction {
-            let inside = reach.high - middle.high.abs() - short.face;
-            let long = 0.5 * inside / direction;
-            return (inside > 0.0).then_some([[f64::NEG_INFINITY, -long], [long, f64::INFINITY]]);
-        }
+        let reach = Double::of(s.h[i]).times(Double::dot(&w, &u[i]).magnitude());
+        let den = Soft::leading(along, direction)?;
         let to_middle = if along.high > 0.0 { middle.negated() } else { middle };
         let at = |num: Double| {
-            let t = num.high / den.high;
-            let more = num.minus(den.times(Double::of(t))).high / den.high;
-            // As in `slab`. Exact sums may err by 2^-61 of t before they round.
-            let from_true = 2.0 * (face + t.abs() * direction) / (den.high - direction);
-            let error = from_true + t.abs() * (f64::EPSILON / 64.0);
-            [t + (more - error), t + (more + error)]
+            let (whole, exponent) = Soft::leading(num, face)?.quotient(den);
+            let t = f64::scaled(whole, exponent);
+            Some(if num.high < 0.0 { -t } else { t })
         };
-        Some([at(to_middle.minus(reach)), at(to_middle.plus(reach))])
-    })
+        // Rounding keeps order.
+        if is_last {
+            enter = greatest(enter, at(to_middle.minus(reach))?);
+        }
+        if is_first {
+            leave = least(leave, at(to_middle.plus(reach))?);
+        }
+    }
+    let nearest = <Filtered<f64> as Embeds<S>>::nearest;
+    Some((nearest([enter; 2])?, nearest([leave; 2])?))
 }
 
 #[cfg(test)]
