@@ -6,9 +6,10 @@
 //! 2^-53, a sum (their algorithm 6) errs by at most 3·u² + 13·u³ of itself, and a product
 //! (algorithm 10) by 5·u², if nothing underflows or overflows.
 
-use core::ops::{Add, Sub};
+use core::ops::{Add, Mul, Sub};
 
 use super::index::three;
+use super::quad::Quad;
 
 /// a − b without loss: the rounded difference, and its rounding error.
 ///
@@ -36,13 +37,46 @@ where
     [sum, (a - sum) + b]
 }
 
+/// a + b without loss (Knuth, as above).
+#[inline(always)]
+fn two_sum<T>(a: T, b: T) -> [T; 2]
+where
+    T: Copy + Add<Output = T> + Sub<Output = T>,
+{
+    let sum = a + b;
+    let of_b = sum - a;
+    [sum, (a - (sum - of_b)) + (b - of_b)]
+}
+
+/// What doubles are made of: `f64`, alone or side by side.
+pub(crate) trait Words:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
+{
+    /// The same number in all lanes.
+    fn all(x: f64) -> Self;
+}
+
+impl Words for f64 {
+    #[inline(always)]
+    fn all(x: f64) -> Self {
+        x
+    }
+}
+
+impl<Q: Quad<Lane = f64>> Words for Q {
+    #[inline(always)]
+    fn all(x: f64) -> Self {
+        Self::splat(x)
+    }
+}
+
 /// a·b and its rounding error, for numbers below 2^996 (Dekker 1971).
 #[inline(always)]
-fn two_product(a: f64, b: f64) -> [f64; 2] {
+fn two_product<T: Words>(a: T, b: T) -> [T; 2] {
     /// 2^27 + 1.
     const HALF: f64 = 134_217_729.0;
-    let split = |x: f64| {
-        let c = HALF * x;
+    let split = |x: T| {
+        let c = T::all(HALF) * x;
         let high = c - (c - x);
         [high, x - high]
     };
@@ -53,9 +87,76 @@ fn two_product(a: f64, b: f64) -> [f64; 2] {
 
 /// high + low, to about 106 binary digits.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Double {
-    pub(crate) high: f64,
-    pub(crate) low: f64,
+pub(crate) struct Double<T = f64> {
+    pub(crate) high: T,
+    pub(crate) low: T,
+}
+
+impl<T: Words> Double<T> {
+    #[inline(always)]
+    fn of_two([high, low]: [T; 2]) -> Self {
+        Self { high, low }
+    }
+
+    /// a·b, exactly.
+    #[inline(always)]
+    pub(crate) fn of_product(a: T, b: T) -> Self {
+        Self::of_two(two_product(a, b))
+    }
+
+    #[inline(always)]
+    pub(crate) fn plus(self, other: Self) -> Self {
+        let [high, rest] = two_sum(self.high, other.high);
+        let [low, last] = two_sum(self.low, other.low);
+        let [high, low] = fast_two_sum(high, rest + low);
+        Self::of_two(fast_two_sum(high, last + low))
+    }
+
+    #[inline(always)]
+    pub(crate) fn minus(self, other: Self) -> Self {
+        let [high, rest] = two_difference(self.high, other.high);
+        let [low, last] = two_difference(self.low, other.low);
+        let [high, low] = fast_two_sum(high, rest + low);
+        Self::of_two(fast_two_sum(high, last + low))
+    }
+
+    /// The product, with a `low` that may overlap `high`. Exact if both factors have a `low` of
+    /// zero.
+    #[inline(always)]
+    pub(crate) fn product(self, other: Self) -> Self {
+        let [high, rest] = two_product(self.high, other.high);
+        let mixed = self.high * other.low + self.low * other.high;
+        Self { high, low: rest + mixed }
+    }
+
+    #[inline(always)]
+    pub(crate) fn times(self, other: Self) -> Self {
+        let Self { high, low } = self.product(other);
+        Self::of_two(fast_two_sum(high, low))
+    }
+}
+
+/// Operations whose `low` may overlap `high`. Their errors are bounded by the sizes of the operands, and not
+/// by the result, and the next operation waits half as long for them.
+impl<T: Words> Double<T> {
+    #[inline(always)]
+    pub(crate) fn loose_sum(self, other: Self) -> Self {
+        let [high, rest] = two_sum(self.high, other.high);
+        Self { high, low: rest + (self.low + other.low) }
+    }
+
+    #[inline(always)]
+    pub(crate) fn loose_difference(self, other: Self) -> Self {
+        let [high, rest] = two_difference(self.high, other.high);
+        Self { high, low: rest + (self.low - other.low) }
+    }
+
+    /// The product with one word.
+    #[inline(always)]
+    pub(crate) fn scaled(self, x: T) -> Self {
+        let [high, rest] = two_product(self.high, x);
+        Self { high, low: rest + self.low * x }
+    }
 }
 
 impl Double {
@@ -66,9 +167,10 @@ impl Double {
         Self { high: x, low: 0.0 }
     }
 
+    /// The same number, with a `low` below the last place of `high`.
     #[inline(always)]
-    fn of_two([high, low]: [f64; 2]) -> Self {
-        Self { high, low }
+    pub(crate) fn apart(self) -> Self {
+        Self::of_two(two_sum(self.high, self.low))
     }
 
     /// a − b, exactly.
@@ -78,21 +180,8 @@ impl Double {
     }
 
     #[inline(always)]
-    pub(crate) fn plus(self, other: Self) -> Self {
-        let [high, rest] = two_difference(self.high, -other.high);
-        let [low, last] = two_difference(self.low, -other.low);
-        let [high, low] = fast_two_sum(high, rest + low);
-        Self::of_two(fast_two_sum(high, last + low))
-    }
-
-    #[inline(always)]
     pub(crate) fn negated(self) -> Self {
         Self { high: -self.high, low: -self.low }
-    }
-
-    #[inline(always)]
-    pub(crate) fn minus(self, other: Self) -> Self {
-        self.plus(other.negated())
     }
 
     /// The difference of two numbers that agree to a few places, rounded: the leading words cancel
@@ -124,21 +213,6 @@ impl Double {
     #[inline(always)]
     pub(crate) fn way(a: &[f64; 3], b: &[f64; 3]) -> [Self; 3] {
         three(|i| Self::difference(a[i], b[i]))
-    }
-
-    /// The product, with a `low` that may overlap `high`. Exact if both factors have a `low` of
-    /// zero.
-    #[inline(always)]
-    pub(crate) fn product(self, other: Self) -> Self {
-        let [high, rest] = two_product(self.high, other.high);
-        let mixed = self.high * other.low + self.low * other.high;
-        Self { high, low: rest + mixed }
-    }
-
-    #[inline(always)]
-    pub(crate) fn times(self, other: Self) -> Self {
-        let Self { high, low } = self.product(other);
-        Self::of_two(fast_two_sum(high, low))
     }
 }
 

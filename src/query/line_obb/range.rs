@@ -10,11 +10,14 @@ use super::Disjoint;
 use super::error_bound::{ErrorBound, Sizes, error_bound};
 use super::kernel::Operands;
 use crate::arithmetic::{
-    Double, Embeds, Filtered, Float, Number, Soft, greatest, least, three, turn,
+    Double, Embeds, Filtered, Float, Number, OfFour, Quad, Soft, greatest, least, three, turn,
 };
 use crate::query::triangle_obb::{cross, dot};
 use crate::robust::{Clue, Numeric, Predicate, exact_stage};
 use crate::scalar::Scalar;
+
+/// One number for each of two slabs, twice.
+type Four = <f64 as OfFour>::Quad;
 
 /// Where does the ray, which meets the box, enter and leave it?
 pub(super) struct Range<'a, S>(pub(super) Disjoint<'a, S>);
@@ -147,35 +150,61 @@ where
 
     let part = 8.0 * f64::ROUNDOFF;
     let (direction, face) = (part * short.direction, part * short.face);
-    let of = |v: &[f64; 3]| three(|i| Double::of(v[i]));
-    let (u, d, m) = (three(|i| of(&s.u[i])), of(&s.d), Double::way(&p, &c));
+    let m = Double::way(&p, &c);
+    let [lasts, firsts] = [three(|i| rough[i][0][1] >= last), three(|i| rough[i][1][0] <= first)];
     let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
-    for (i, [near, far]) in rough.iter().enumerate() {
-        let [is_last, is_first] = [near[1] >= last, far[0] <= first];
-        if !(is_last | is_first) {
-            continue;
-        }
-        let (i, j, k) = turn(i);
-        let w = Double::cross(&u[j], &u[k]);
-        let (along, middle) = (Double::dot(&w, &d), Double::dot(&w, &m));
-        let reach = Double::of(s.h[i]).times(Double::dot(&w, &u[i]).magnitude());
-        let den = Soft::leading(along, direction)?;
-        let to_middle = if along.high > 0.0 { middle.negated() } else { middle };
-        let at = |num: Double| {
-            let (whole, exponent) = Soft::leading(num, face)?.quotient(den);
+    for slabs in pairs(lasts, firsts) {
+        for (lane, [den, middle, reach]) in in_lanes(&s, &m, slabs).into_iter().enumerate() {
+            let middle = if den.high > 0.0 { middle.negated() } else { middle };
+            let reach = reach.magnitude();
+            let is_near = lane == 0;
+            let num = middle.loose_sum(if is_near { reach.negated() } else { reach }).apart();
+            let (whole, exponent) =
+                Soft::leading(num, face)?.quotient(Soft::leading(den.apart(), direction)?);
             let t = f64::scaled(whole, exponent);
-            Some(if num.high < 0.0 { -t } else { t })
-        };
-        // Rounding keeps order.
-        if is_last {
-            enter = greatest(enter, at(to_middle.minus(reach))?);
-        }
-        if is_first {
-            leave = least(leave, at(to_middle.plus(reach))?);
+            let t = if num.high < 0.0 { -t } else { t };
+            // Rounding keeps order.
+            if is_near {
+                enter = greatest(enter, t);
+            } else {
+                leave = least(leave, t);
+            }
         }
     }
     let nearest = <Filtered<f64> as Embeds<S>>::nearest;
     Some((nearest([enter; 2])?, nearest([leave; 2])?))
+}
+
+/// Pairs of slabs: each slab of the first set is the first of a pair, and each of the second set the second
+/// of one.
+fn pairs(firsts: [bool; 3], seconds: [bool; 3]) -> impl Iterator<Item = [usize; 2]> {
+    let members = |set: [bool; 3]| (0..3).filter(move |&i| set[i]);
+    let count = greatest(members(firsts).count(), members(seconds).count());
+    let (firsts, seconds) = (members(firsts).cycle(), members(seconds).cycle());
+    firsts.zip(seconds).take(count).map(|(i, j)| [i, j])
+}
+
+/// For each of two slabs w·d, w·m and h·(u·w), side by side.
+#[inline(always)]
+fn in_lanes(s: &Operands<f64>, m: &[Double; 3], slabs: [usize; 2]) -> [[Double; 3]; 2] {
+    let lanes = |of: &dyn Fn(usize) -> f64| {
+        let [a, b] = slabs.map(of);
+        // The same twice: vectors of two compute it once.
+        Four::new([a, b, a, b])
+    };
+    let u = three(|k| three(|x| lanes(&|i| s.u[(i + k) % 3][x])));
+    let w = three(|x| {
+        let (_, y, z) = turn(x);
+        let product = |y: usize, z: usize| Double::of_product(u[1][y], u[2][z]);
+        product(y, z).loose_difference(product(z, y))
+    });
+    let sum = |[x, y, z]: [Double<Four>; 3]| x.loose_sum(y).loose_sum(z);
+    let splat = |x: Double| Double { high: Four::splat(x.high), low: Four::splat(x.low) };
+    let along = sum(three(|x| w[x].scaled(Four::splat(s.d[x]))));
+    let middle = sum(three(|x| w[x].product(splat(m[x]))));
+    let reach = sum(three(|x| w[x].scaled(u[0][x]))).scaled(lanes(&|i| s.h[i]));
+    let all = [along, middle, reach].map(|x| (x.high.to_array(), x.low.to_array()));
+    [0, 1].map(|lane| all.map(|(high, low)| Double { high: high[lane], low: low[lane] }))
 }
 
 #[cfg(test)]
