@@ -151,18 +151,22 @@ where
     let part = 8.0 * f64::ROUNDOFF;
     let (direction, face) = (part * short.direction, part * short.face);
     let m = Double::way(&p, &c);
-    let [lasts, firsts] = [three(|i| rough[i][0][1] >= last), three(|i| rough[i][1][0] <= first)];
+    let set = |decides: &dyn Fn(&[[f64; 2]; 2]) -> bool| {
+        (0..3).fold(0, |set, i| set | u32::from(decides(&rough[i])) << i)
+    };
+    let lasts = set(&|[near, _]| near[1] >= last);
+    let firsts = set(&|[_, far]| far[0] <= first);
     let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
     for slabs in pairs(lasts, firsts) {
         for (lane, [den, middle, reach]) in in_lanes(&s, &m, slabs).into_iter().enumerate() {
-            let middle = if den.high > 0.0 { middle.negated() } else { middle };
+            let sign = f64::copysign(1.0, den.high);
+            let middle = Double { high: middle.high * -sign, low: middle.low * -sign };
             let reach = reach.magnitude();
             let is_near = lane == 0;
             let num = middle.loose_sum(if is_near { reach.negated() } else { reach }).apart();
             let (whole, exponent) =
                 Soft::leading(num, face)?.quotient(Soft::leading(den.apart(), direction)?);
-            let t = f64::scaled(whole, exponent);
-            let t = if num.high < 0.0 { -t } else { t };
+            let t = f64::copysign(f64::scaled(whole, exponent), num.high);
             // Rounding keeps order.
             if is_near {
                 enter = greatest(enter, t);
@@ -176,12 +180,16 @@ where
 }
 
 /// Pairs of slabs: each slab of the first set is the first of a pair, and each of the second set the second
-/// of one.
-fn pairs(firsts: [bool; 3], seconds: [bool; 3]) -> impl Iterator<Item = [usize; 2]> {
-    let members = |set: [bool; 3]| (0..3).filter(move |&i| set[i]);
-    let count = greatest(members(firsts).count(), members(seconds).count());
-    let (firsts, seconds) = (members(firsts).cycle(), members(seconds).cycle());
-    firsts.zip(seconds).take(count).map(|(i, j)| [i, j])
+/// of one. Sets are bits, because no branch on a slab could be predicted.
+fn pairs(firsts: u32, seconds: u32) -> impl Iterator<Item = [usize; 2]> {
+    let mut left = Some([firsts, seconds]);
+    core::iter::from_fn(move || {
+        let sets = left?;
+        let rest = sets.map(|set| set & set.wrapping_sub(1));
+        left =
+            (rest != [0; 2]).then(|| [0, 1].map(|k| if rest[k] == 0 { sets[k] } else { rest[k] }));
+        Some(sets.map(|set| set.trailing_zeros() as usize % 3))
+    })
 }
 
 /// For each of two slabs w·d, w·m and h·(u·w), side by side.
