@@ -45,20 +45,34 @@ impl Soft {
         Self { exponent: (bits >> (DIGITS - 1)) as i32 - 1086, mantissa, slack: 0 }
     }
 
-    /// The first 64 digits of the size of a number that is within `error` of two words; `None` if they are
-    /// not certain. The first word is normal.
-    pub(crate) fn leading(x: Double, error: f64) -> Option<Self> {
-        /// Above the second word in units of the mantissa's last place. The sum loses less than 2^-39.
+    /// The first 64 digits of the size of a number that is within `error` of two words: the least that they
+    /// may be, and the most. `None` for numbers near zero.
+    pub(crate) fn leading(x: Double, error: f64) -> Option<[Self; 2]> {
+        /// Added to the second word in units of the last place. Sums lose less than 2^-39.
         const WHOLE: f64 = 4096.0;
         const LOST: f64 = 1.0 / (1_u64 << 39) as f64;
         let Double { high, low } = x.magnitude();
         let Self { exponent, mantissa, .. } = Self::of_normal(high);
-        let unit = <f64 as super::Float>::scaled(1, -exponent);
+        if exponent < -1022 {
+            return None;
+        }
+        let unit = f64::from_bits(((1023 - exponent) as u64) << 52);
         let (low, error) = (low * unit + WHOLE, error * unit + LOST);
-        let [least, most] = [low - error, low + error].map(|x| x as u64);
-        let mantissa = mantissa.wrapping_add(least).wrapping_sub(WHOLE as u64);
-        let is_known = least == most && least > 0 && mantissa >> 63 == 1;
-        is_known.then(|| Self::rounded_down(mantissa, exponent))
+        let digits = |low: f64, is_most: bool| {
+            let more = (low as u64).checked_sub(1)?.wrapping_sub(WHOLE as u64 - 1);
+            let digits = mantissa.checked_add_signed(more as i64)?;
+            // A number with a leading zero has a digit more.
+            Some(if digits >> 63 == 1 {
+                Self { exponent, mantissa: digits, slack: 0 }
+            } else {
+                Self {
+                    exponent: exponent - 1,
+                    mantissa: digits << 1 | u64::from(is_most),
+                    slack: 0,
+                }
+            })
+        };
+        Some([digits(low - error, false)?, digits(low + error, true)?])
     }
 
     /// A number between two floats, which are normal and above zero; `None` if they are more than

@@ -1,4 +1,4 @@
-use super::{ROOT_ROUNDOFFS, Slack, Soft, root, whole};
+use super::{Double, ROOT_ROUNDOFFS, Slack, Soft, root, whole};
 use crate::random::Random;
 
 #[test]
@@ -143,4 +143,30 @@ fn leading_bits_are_divided_as_whole_numbers() {
         }
     }
     assert_eq!(Soft::ZERO.quotient(Soft::ONE).0, 0);
+}
+
+/// Of exact numbers in two words, and of numbers beside them.
+#[test]
+fn leading_digits_are_those_of_whole_numbers() {
+    let mut random = Random(0x1ead);
+    let mut known = 0;
+    for n in 0..20_000 {
+        let (a, b) = (random.bits() >> (11 + n % 40), random.bits() >> (11 + n % 47));
+        let whole = (i128::from(a) << 20) - i128::from(b);
+        let size = whole.unsigned_abs();
+        let x = Double::difference(a as f64 * 1_048_576.0, b as f64);
+        for error in [0.0, 1e-6 * (a as f64), 1.0, a as f64] {
+            let Some(found) = Soft::leading(x, error) else { continue };
+            let off = error.min(size as f64) as u128;
+            let bits = |x: Soft| (x.exponent, x.mantissa);
+            for near in [size, size - off, size + off] {
+                let truth = bits(Soft::of_limbs(&[near as u64, (near >> 64) as u64]).unwrap());
+                assert!(bits(found[0]) <= truth && truth <= bits(found[1]), "{a} {b} {error}");
+            }
+            known += u32::from(found[0] == found[1]);
+        }
+    }
+    assert!(known > 5_000, "{known}");
+    let near_zero = Double { high: f64::MIN_POSITIVE, low: 0.0 };
+    assert_eq!([Double::ZERO, near_zero].map(|x| Soft::leading(x, 0.0)), [None; 2]);
 }

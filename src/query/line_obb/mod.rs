@@ -261,7 +261,7 @@ impl<S: Scalar> Ray<S> {
     ///
     /// *Panics*: never. *Cost*: a miss costs what [`overlaps`](Overlaps::overlaps) does. A hit
     /// takes nine divisions in `f64`, for `f32` and for fixed point of up to 32 bits, and about
-    /// 1,500 operations for `f64`. A few hits whose last place stays in doubt take exact sums for
+    /// 1,000 operations for `f64`. A few hits whose last place stays in doubt take exact sums for
     /// up to six quotients, a thousand times as long. So do all hits in fixed point of 64 bits, and
     /// in fixed point on 32-bit cores. Use this query for a single box that matters.
     ///

@@ -4,13 +4,13 @@
 //! = (−s·(w_i·m) + r_i)/|w_i·d|, with s the sign of w_i·d and r_i = h_i·|u_0·w_0|. The answer is
 //! the greatest first value and the least second value, rounded. `f64` computes bounds on each. If both
 //! bounds round to the same number of the scalar, exact sums would give the same. For `f64` itself,
-//! numbers of 106 digits are divided as exact sums are.
+//! numbers in two words are divided as exact sums are.
 
 use super::Disjoint;
 use super::error_bound::{ErrorBound, Sizes, error_bound};
 use super::kernel::Operands;
 use crate::arithmetic::{
-    Double, Embeds, Filtered, Float, Number, OfFour, Quad, Soft, greatest, least, three, turn,
+    Double, Embeds, Filtered, Float, Number, OfFour, Soft, greatest, least, three, turn, two,
 };
 use crate::query::triangle_obb::{cross, dot};
 use crate::robust::{Clue, Numeric, Predicate, exact_stage};
@@ -126,12 +126,14 @@ fn slab(
     Some([at(to_middle - reach), at(to_middle + reach)])
 }
 
+/// Roundoffs of a bound of `f64` that bound the same number in two words: `range.g`.
+const PART: u16 = 8;
+
 /// The range in `f64`: each quotient has the bits that exact sums would give it.
 ///
 /// Floats find which slabs may be the last to be entered or the first to be left, nearly always one each.
-/// For those, numbers of 106 digits have the first 64 digits of numerator and divisor, which exact sums
-/// divide as well. Each operation on such numbers errs by less than 6·u² of itself, and one of `f64` by
-/// u, so that the bounds of `f64` hold times 8·u.
+/// For those, numbers in two words have the first 64 digits of numerator and divisor, which exact sums
+/// divide as well. Where these are not certain, as in sums with few digits, both quotients must round alike.
 #[inline(never)]
 fn in_longs<S: Scalar>(question: &Disjoint<'_, S>) -> Option<(S, S)>
 where
@@ -148,7 +150,7 @@ where
     let last = rough.iter().fold(f64::NEG_INFINITY, |last, [near, _]| greatest(last, near[0]));
     let first = rough.iter().fold(f64::INFINITY, |first, [_, far]| least(first, far[1]));
 
-    let part = 8.0 * f64::ROUNDOFF;
+    let part = 1.0.error(PART);
     let (direction, face) = (part * short.direction, part * short.face);
     let m = Double::way(&p, &c);
     let set = |decides: &dyn Fn(&[[f64; 2]; 2]) -> bool| {
@@ -156,27 +158,36 @@ where
     };
     let lasts = set(&|[near, _]| near[1] >= last);
     let firsts = set(&|[_, far]| far[0] <= first);
-    let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+    let (mut enter, mut leave) = ([f64::NEG_INFINITY; 2], [f64::INFINITY; 2]);
     for slabs in pairs(lasts, firsts) {
         for (lane, [den, middle, reach]) in in_lanes(&s, &m, slabs).into_iter().enumerate() {
-            let sign = f64::copysign(1.0, den.high);
-            let middle = Double { high: middle.high * -sign, low: middle.low * -sign };
-            let reach = reach.magnitude();
+            // The first word has the sign only if the second lies below its last place.
+            let (den, reach) = (den.apart(), reach.apart().magnitude());
+            // No branch, because half of the signs differ.
+            let sign = -f64::copysign(1.0, den.high);
+            let middle = Double { high: sign * middle.high, low: sign * middle.low };
             let is_near = lane == 0;
             let num = middle.loose_sum(if is_near { reach.negated() } else { reach }).apart();
-            let (whole, exponent) =
-                Soft::leading(num, face)?.quotient(Soft::leading(den.apart(), direction)?);
-            let t = f64::copysign(f64::scaled(whole, exponent), num.high);
+            let [least_num, most_num] = Soft::leading(num, face)?;
+            let [least_den, most_den] = Soft::leading(den, direction)?;
+            let quotient = |num: Soft, den: Soft| {
+                let (whole, exponent) = num.quotient(den);
+                f64::scaled(whole, exponent)
+            };
+            let near = quotient(least_num, most_den);
+            let is_known = least_num == most_num && least_den == most_den;
+            let far = if is_known { near } else { quotient(most_num, least_den) };
+            let t = if num.high < 0.0 { [-far, -near] } else { [near, far] };
             // Rounding keeps order.
             if is_near {
-                enter = greatest(enter, t);
+                enter = two(|k| greatest(enter[k], t[k]));
             } else {
-                leave = least(leave, t);
+                leave = two(|k| least(leave[k], t[k]));
             }
         }
     }
     let nearest = <Filtered<f64> as Embeds<S>>::nearest;
-    Some((nearest([enter; 2])?, nearest([leave; 2])?))
+    Some((nearest(enter)?, nearest(leave)?))
 }
 
 /// Pairs of slabs: each slab of the first set is the first of a pair, and each of the second set the second
@@ -192,7 +203,7 @@ fn pairs(firsts: u32, seconds: u32) -> impl Iterator<Item = [usize; 2]> {
     })
 }
 
-/// For each of two slabs w·d, w·m and h·(u·w), side by side.
+/// For each of two slabs w·d, w·m and h·(u·w), side by side. The second words are loose.
 #[inline(always)]
 fn in_lanes(s: &Operands<f64>, m: &[Double; 3], slabs: [usize; 2]) -> [[Double; 3]; 2] {
     let lanes = |of: &dyn Fn(usize) -> f64| {
