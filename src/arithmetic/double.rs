@@ -184,13 +184,6 @@ impl Double {
         Self { high: -self.high, low: -self.low }
     }
 
-    /// The difference of two numbers that agree to a few places, rounded: the leading words cancel
-    /// without a rounding.
-    #[inline(always)]
-    pub(crate) fn less(self, other: Self) -> f64 {
-        (self.high - other.high) + (self.low - other.low)
-    }
-
     #[inline(always)]
     pub(crate) fn magnitude(self) -> Self {
         if self.high < 0.0 { self.negated() } else { self }

@@ -75,6 +75,16 @@ impl Soft {
         Some([digits(low - error, false)?, digits(low + error, true)?])
     }
 
+    /// The size of an exact number in two words, which is not zero; `None` if 64 digits do not hold it.
+    pub(crate) fn of_double(x: Double) -> Option<Self> {
+        let Double { high, low } = x.magnitude();
+        let Self { exponent, mantissa, .. } = Self::of_normal(high);
+        let low = low * <f64 as super::Float>::scaled(1, -exponent);
+        let whole = low as i64;
+        let value = u128::from(mantissa).wrapping_add_signed(whole.into());
+        (whole as f64 == low).then(|| Self::of(value, 0, exponent))
+    }
+
     /// A number between two floats, which are normal and above zero; `None` if they are more than
     /// 2^-30 apart, or 2^-40 with a short slack. The slack leaves room for a few operations.
     pub(super) fn between(low: f64, high: f64) -> Option<Self> {

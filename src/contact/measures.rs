@@ -89,12 +89,21 @@ impl Lengths {
     }
 
     pub(super) fn unit_of(&self, is_along: bool, ratios: [Size; 3]) -> Vec64 {
-        three(|i| match (self.coordinates[i], ratios[i]) {
-            (Some((sign, _)), Some(ratio)) => {
-                let x = ratio.in_double();
-                if sign.is_gt() == is_along { x } else { -x }
-            }
-            _ => 0.0,
-        })
+        unit_of(&self.coordinates, is_along, ratios)
     }
+}
+
+/// The unit vector of these coordinates, of which `ratios` are the sizes.
+pub(super) fn unit_of(
+    coordinates: &[Option<(Ordering, Soft)>; 3],
+    is_along: bool,
+    ratios: [Size; 3],
+) -> Vec64 {
+    three(|i| match (coordinates[i], ratios[i]) {
+        (Some((sign, _)), Some(ratio)) => {
+            let x = ratio.in_double();
+            if sign.is_gt() == is_along { x } else { -x }
+        }
+        _ => 0.0,
+    })
 }

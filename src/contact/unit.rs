@@ -2,18 +2,22 @@
 
 use super::body::{Body, Vec64};
 use super::directions::Direction;
-use super::settled::U;
-use crate::arithmetic::{Double, pick, three, turn, two};
+use super::exact::length;
+use super::measures::unit_of;
+use crate::arithmetic::{Double, Soft, compare, pick, three, turn, two};
 use crate::scalar::Scalar;
 
-/// Squares of a roundoff in a quotient in double words.
-const LOST: u16 = 32_768;
+/// Units of 2^-80 in a coordinate in two words, of itself.
+const LOST: u16 = 16;
 
-/// The relative error of such a quotient.
-const ROUNDED: f64 = LOST as f64 * (U * U);
+/// The relative error of such a coordinate.
+const ROUNDED: f64 = LOST as f64 * f64::from_bits((1023 - 80) << 52);
+
+/// Added to a number up to 2^25 and taken away, it leaves a multiple of 2^-26.
+const GRID: f64 = 1.5 * f64::from_bits((1023 + 26) << 52);
 
 /// How much less the quotient of exact numbers may be, of itself.
-const LACK: f64 = f64::from_bits((1023 - 58) << 52);
+const LACK: f64 = 20.0 * f64::from_bits((1023 - 63) << 52);
 
 /// The unit vector along a direction that is [`settled`](super::settled::settled), if double words
 /// leave no doubt. It equals [`Lengths::unit`](super::measures::Lengths::unit).
@@ -22,11 +26,12 @@ const LACK: f64 = f64::from_bits((1023 - 58) << 52);
 ///
 /// Sides are exact, in one word; products of two words would lose digits that matter where a
 /// coordinate cancels. So products are exact, and a sum errs by 5·2^-106 of itself at most.
-/// `inverse`, one over the length, errs by 25·u, and the first length by twice as much. A step of
-/// Newton's method leaves products of these two errors, and so does a quotient by the inverse with its
-/// residual. Both residuals are computed in one word: the leading words of their terms agree within a
-/// factor of two, so that the difference of these is exact. `unit.g` proves that all of this is below
-/// [`LOST`]·u², with room for the rounding of the end that is compared.
+/// `inverse`, one over the length, errs by f of itself, at most 25·u. The coordinates times `inverse` are
+/// h + r without a rounding of h, and their squares add up to (1 + f)². What exceeds one is added up
+/// from leading parts of h, multiples of 2^-26 whose squares have no rounding, and from their rests
+/// below 2^-27. Half of that is f but for f²/2, and the coordinate divided by 1 + f is
+/// h + (r − h·f) but for squares of f. `unit.g` proves that all of this is below [`LOST`]·2^-80, with
+/// room for the rounding of the end that is compared.
 ///
 /// Exact numbers round a quotient down at v = 2^-63. Of itself, its coordinate is up to v too low. The
 /// slack of its length is 17·v at most: v of a coordinate, 4·v of its square, 16·v of the sum of
@@ -65,22 +70,40 @@ pub(super) fn unit<S: Scalar>(
         };
         return Some(three(|i| sign(a[i].high)));
     }
-    let square = Double::dot(&a, &a);
-    let first = square.high * inverse;
-    // A step of Newton's method.
-    let rest = square.less(Double::of(first).product(Double::of(first)));
-    let length = Double { high: first, low: rest * (0.5 * inverse) };
+    let (mut high, mut low, mut square, mut rest) = ([0.0; 3], [0.0; 3], -1.0, 0.0);
+    for i in 0..3 {
+        let Double { high: h, low: r } = a[i].product(Double::of(inverse));
+        let lead = (h + GRID) - GRID;
+        let tail = h - lead;
+        square += lead * lead;
+        rest += (2.0 * lead + tail) * tail + 2.0 * h * r;
+        (high[i], low[i]) = (h, r);
+    }
+    let off = 0.5 * (square + rest);
     let mut unit = [0.0; 3];
     for i in 0..3 {
-        let high = a[i].high * inverse;
-        let low = a[i].less(Double::of(high).product(length)) * inverse;
+        let (high, low) = (high[i], low[i] - high[i] * off);
         unit[i] = high + (low + high * ROUNDED);
         if unit[i] != high + (low - high * LACK) {
-            return None;
+            return if are_short { by_integers(&a, is_along) } else { None };
         }
         if !is_along {
             unit[i] = -unit[i];
         }
     }
     Some(unit)
+}
+
+/// The same for an exact direction, by the operations of exact numbers; `None` if 64 bits do not hold a
+/// coordinate.
+#[cold]
+#[inline(never)]
+fn by_integers(a: &[Double; 3], is_along: bool) -> Option<Vec64> {
+    let mut coordinates = [None; 3];
+    for (to, x) in coordinates.iter_mut().zip(a).filter(|(_, x)| x.high != 0.0) {
+        *to = Some((compare(x.high, 0.0), Soft::of_double(*x)?));
+    }
+    let (length, _) = length(&coordinates)?;
+    let ratios = coordinates.map(|coordinate| coordinate.map(|(_, size)| size.over(length)));
+    Some(unit_of(&coordinates, is_along, ratios))
 }

@@ -35,6 +35,26 @@ fn short_numbers_stay_exact() {
     assert!(number(2).root().slack == 1 && number(1).over(number(3)).slack > 0);
 }
 
+#[test]
+fn exact_numbers_in_two_words_have_the_bits_of_whole_numbers() {
+    let mut random = Random(0x2bad);
+    let mut held = 0;
+    for n in 0..10_000 {
+        let (a, b) = (random.bits() >> (16 + n % 40), random.bits() >> (16 + n % 47));
+        let x = Double::difference(a as f64 * 2_f64.powi(12), b as f64);
+        if x.high == 0.0 {
+            continue;
+        }
+        let whole = (i128::from(a) << 12) - i128::from(b);
+        let size = whole.unsigned_abs();
+        let expected = Soft::of_limbs(&[size as u64, (size >> 64) as u64]);
+        assert_eq!(Soft::of_double(x), expected, "{a} {b}");
+        let fine = Double { high: x.high, low: x.low + x.high * 2_f64.powi(-70) };
+        held += u32::from(Soft::of_double(fine).is_some());
+    }
+    assert!(held < 5_000, "{held}");
+}
+
 /// Place by place the quotient has the bits of two long divisions.
 #[test]
 fn both_divisions_agree() {
