@@ -42,6 +42,7 @@ impl<T: Known> Seen<'_, T> {
     /// The point of the other face that meets corner m across the normal, if there is one. Edges come
     /// first, and of those the edge farthest against `outward`: a face seen edge-on has several such
     /// points. If that edge lies beyond the corner, a point within the face may not.
+    #[inline(always)]
     fn meets(&self, m: usize, outward: &Vec64) -> Option<Vec64> {
         let at_edge = match self.known.within(m) {
             Some(false) => return None,
@@ -52,6 +53,7 @@ impl<T: Known> Seen<'_, T> {
     }
 
     /// The point of the other face's edges, if it is not beyond the corner.
+    #[inline(never)]
     fn lowest(&self, m: usize, outward: &Vec64) -> Option<Vec64> {
         let (view, to) = (self.view, self.face.corner(m));
         let mut lowest: Option<Corner> = None;

@@ -13,12 +13,15 @@ type Four = <f64 as OfFour>::Quad;
 /// All corners, as bits.
 const ALL: u32 = (1 << CORNERS) - 1;
 
+/// A bit for each edge, at the first of its corners.
+const EACH: u32 = 0x1111;
+
 /// The positions of a face's corners relative to another face. Sets of corners are bits.
 pub(super) struct Quads {
     /// The signed distance of each corner from each edge, times the edge's length.
     sides: [[f64; CORNERS]; CORNERS],
-    /// For each edge of the other face, the edges of this face that cross its line.
-    crossing: [u32; CORNERS],
+    /// For each edge of the other face, the edges of this face that cross its line: four bits each.
+    crossing: u32,
     /// The corners that certainly lie within the other face.
     inside: u32,
     /// The corners that certainly lie outside of it.
@@ -76,10 +79,8 @@ impl Quads {
             Four::new([a.flat[k], b.flat[k], c.flat[k], d.flat[k]])
         });
         let margin = 4.0 * (view.tolerance * view.tolerance);
-        let (mut sides, mut crossing) = ([[0.0; CORNERS]; CORNERS], [0; CORNERS]);
-        let (mut all, mut any) = ([ALL; 2], [0; 2]);
-        let last = face.count() - 1;
-        let next = |bits: u32| bits >> 1 & ((1 << last) - 1) | (bits & 1) << last;
+        let mut sides = [[0.0; CORNERS]; CORNERS];
+        let (mut left, mut right, mut clear) = (0, 0, 0);
         // The last edge of a triangle occurs twice.
         for n in 0..CORNERS {
             let [p, q] = from.ends(n);
@@ -87,16 +88,22 @@ impl Quads {
             let [x, y] = two(|k| to[k] - splat(p.flat[k]));
             let side = splat(along[0]) * y - splat(along[1]) * x;
             let margin = margin * (along[0] * along[0] + along[1] * along[1]);
-            let clear = (side * side).exceeds(splat(margin));
-            let [left, right] = [side.exceeds(splat(0.0)), splat(0.0).exceeds(side)];
-            for (k, certain) in [left & clear, right & clear].into_iter().enumerate() {
-                (all[k], any[k]) = (all[k] & certain, any[k] | certain);
-            }
-            (sides[n], crossing[n]) = (side.to_array(), left & next(right) | right & next(left));
+            left |= side.exceeds(splat(0.0)) << (CORNERS * n);
+            right |= splat(0.0).exceeds(side) << (CORNERS * n);
+            clear |= (side * side).exceeds(splat(margin)) << (CORNERS * n);
+            sides[n] = side.to_array();
         }
+        let last = face.count() - 1;
+        let next =
+            |bits: u32| bits >> 1 & (EACH * ((1 << last) - 1)) | (bits & EACH) << last;
+        let crossing = left & next(right) | right & next(left);
+        let of = |n: usize, bits: u32| bits >> (CORNERS * n) & ALL;
+        let any = |bits: u32| of(0, bits) | of(1, bits) | of(2, bits) | of(3, bits);
         // The lines of all edges have a point of the face on the same side.
-        let outside = any[0] & any[1];
-        let inside = (all[0] | all[1]) & !outside;
+        let certain = [left & clear, right & clear];
+        let outside = any(certain[0]) & any(certain[1]);
+        let is_missing = certain.map(|certain| any(!certain));
+        let inside = ALL & !(is_missing[0] & is_missing[1]);
         let (met, points) =
             if outside == ALL { (0, [[0.0; CORNERS]; 3]) } else { points(view, from, &to) };
         Self { sides, crossing, inside, outside, last, met, points }
@@ -117,12 +124,12 @@ impl Known for Quads {
 
     #[inline(always)]
     fn may_cross(&self, n: usize, m: usize) -> bool {
-        self.crossing[n % CORNERS] >> m & 1 == 1
+        self.crossing >> (CORNERS * (n % CORNERS) + m) & 1 == 1
     }
 
     #[inline(always)]
     fn may_be_crossed(&self, n: usize) -> bool {
-        self.crossing[n % CORNERS] != 0
+        self.crossing >> (CORNERS * (n % CORNERS)) & ALL != 0
     }
 
     #[inline(always)]
