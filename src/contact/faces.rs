@@ -22,17 +22,23 @@ pub(super) struct Face {
 
 impl Face {
     /// The triangle, or face `number` of the box.
+    #[inline(always)]
     pub(super) fn new(view: &View, shape: &Solid<'_>, number: u8) -> Self {
-        let corners = [Corner { at: [0.0; 3], flat: [0.0; 2], vertex: 0 }; CORNERS];
-        let mut face = Self { corners, edges: [0, 1, 2, 2], count: 3, number, words: None };
-        face.fill(view, shape);
+        let mut face = Self::empty();
+        face.fill(view, shape, number);
         face
     }
 
-    // A face that is returned from here would be copied.
+    /// A face to [`fill`](Self::fill). One that is returned full would be copied.
+    #[inline(always)]
+    pub(super) fn empty() -> Self {
+        let corners = [Corner { at: [0.0; 3], flat: [0.0; 2], vertex: 0 }; CORNERS];
+        Self { corners, edges: [0, 1, 2, 2], count: 3, number: 0, words: None }
+    }
+
     #[inline(never)]
-    fn fill(&mut self, view: &View, shape: &Solid<'_>) {
-        let number = self.number;
+    pub(super) fn fill(&mut self, view: &View, shape: &Solid<'_>, number: u8) {
+        self.number = number;
         if shape.is_triangle {
             for (k, corner) in self.corners.iter_mut().enumerate() {
                 let k = k.min(2);

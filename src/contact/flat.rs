@@ -21,12 +21,9 @@ pub(super) fn contact<S: Scalar>(
     let (way, measures, unit) = least_way(bodies, &rough, interior)?;
     let translation = translation(bodies, &way, &measures);
     let features = translation.features;
-    // In place, without a copy.
-    let mut contact = None;
-    let found = Contact { translation, is_held: way.is_held, points: Points::none() };
-    let to = &mut contact.insert(found).points;
-    points(bodies, &origin, &mut rough, &way, unit, features, to);
-    contact
+    let mut contact = Contact { translation, is_held: way.is_held, points: Points::none() };
+    points(bodies, &origin, &mut rough, &way, unit, features, &mut contact.points);
+    Some(contact)
 }
 
 /// The shapes in floats, relative to an origin.

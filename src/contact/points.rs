@@ -200,15 +200,16 @@ fn by_face(
     found: &mut Pairs,
 ) {
     let incident = usize::from(matches!(way.direction, Direction::Face { is_second: false, .. }));
-    let reference = Face::new(view, shape, number);
+    let [mut reference, mut face] = [Face::empty(), Face::empty()];
+    reference.fill(view, shape, number);
     let upper = upper(way, incident);
     let is_support = |number: u8| {
         let k = usize::from(number / 2);
         way.along[incident % 2][k % 3].is_ne() && *pick(&upper, k) == (number % 2 == 1)
     };
     for number in other.faces_against(outward, is_support) {
-        let incident = Face::new(view, other, number);
-        add_deeper(found, view, [&reference, &incident], outward);
+        face.fill(view, other, number);
+        add_deeper(found, view, [&reference, &face], outward);
         if found.count > 0 && !way.is_held {
             break;
         }
