@@ -1,7 +1,7 @@
 //! Facts about the axes of two shapes that are known before they are measured.
 
 use super::directions::Direction;
-use crate::arithmetic::{Number, pick, three};
+use crate::arithmetic::{Number, pick, three, two};
 
 /// Which directions are certainly zero, or equal to an earlier one.
 pub(super) struct Axes {
@@ -39,9 +39,9 @@ impl Axes {
                 shared = [shared[0] | 1 << i, shared[1] | 1 << j];
             }
         }
-        let bits =
-            |side: &[T; 3]| (0..3).fold(0, |bits, i| bits | u8::from(!side[i].is_zero()) << i);
-        let nonzero = sides.map(|sides| three(|k| bits(&sides[k])));
+        let bit = |x: &T, i: usize| u8::from(!x.is_zero()) << i;
+        let bits = |[x, y, z]: &[T; 3]| bit(x, 0) | bit(y, 1) | bit(z, 2);
+        let nonzero = two(|n| three(|k| bits(&sides[n][k])));
         Self { are_triangles, shared, nonzero, seen: [false; 3], same }
     }
 

@@ -18,11 +18,13 @@ pub(super) fn contact<S: Scalar>(
 ) -> Option<Contact<S>> {
     let origin = bodies[1].origin();
     let mut rough = in_floats(bodies, &origin);
-    let (way, measures, unit) = least_way(bodies, &rough, interior)?;
-    let translation = translation(bodies, &way, &measures);
+    let best = least_way(bodies, &rough, interior)?;
+    // Where they are, without a copy.
+    let (way, measures, unit) = &best;
+    let translation = translation(bodies, way, measures);
     let features = translation.features;
     let mut contact = Contact { translation, is_held: way.is_held, points: Points::none() };
-    points(bodies, &origin, &mut rough, &way, unit, features, &mut contact.points);
+    points(bodies, &origin, &mut rough, way, unit, features, &mut contact.points);
     Some(contact)
 }
 

@@ -171,7 +171,7 @@ pub(super) fn least_measures<S: Scalar>(
     let rough = rough();
     let mut filter = Filter::new::<S>(&rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
-    if let Some((way, measures, _)) = from_floats(&filter, &wanted) {
+    if let Some((way, measures, _)) = from_floats(&filter, &wanted, |_, _, _| Some([0.0; 3])) {
         return Some((way, measures));
     }
     let (way, lengths) = exact(bodies, &filter, &wanted).ok()??;
@@ -179,15 +179,20 @@ pub(super) fn least_measures<S: Scalar>(
     Some((way, measures))
 }
 
-/// The way that floats leave and its numbers, if they are certain of all.
+/// The way that floats leave and its numbers, if they are certain of all; with the unit vector that
+/// `unit` makes.
 #[inline(always)]
-fn from_floats<S: Scalar>(filter: &Filter<'_>, wanted: &Wanted) -> Option<(Way, Measures<S>, f64)> {
+fn from_floats<S: Scalar>(
+    filter: &Filter<'_>,
+    wanted: &Wanted,
+    unit: impl FnOnce(Direction, bool, f64) -> Option<Vec64>,
+) -> Option<Directed<S>> {
     // Small cores do without, for size.
     if !REGISTERS_ARE_WIDE {
         return None;
     }
     let (direction, is_along) = wanted.single()?;
-    settled(filter, direction, is_along)
+    settled(filter, direction, is_along, |inverse| unit(direction, is_along, inverse))
 }
 
 /// A way, its numbers, and the unit vector along which the first shape moves.
@@ -208,11 +213,8 @@ fn least_directed<S: Scalar>(bodies: &[Body<'_, S>; 2], rough: &[Rough; 2]) -> O
     }
     let mut filter = Filter::new::<S>(rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
-    let settled = from_floats(&filter, &wanted).and_then(|(way, measures, inverse)| {
-        let unit = unit(bodies, way.direction, way.is_along, inverse)?;
-        Some((way, measures, unit))
-    });
-    match settled {
+    let by_doubles = |direction, is_along, inverse| unit(bodies, direction, is_along, inverse);
+    match from_floats(&filter, &wanted, by_doubles) {
         Some(best) => Some(best),
         None => Some(directed(exact(bodies, &filter, &wanted).ok()??)),
     }

@@ -88,6 +88,7 @@ impl Pairs {
     }
 
     /// A depth below zero is a rounding error.
+    #[inline]
     pub(super) fn add(&mut self, pair: Pair, tolerance: f64) {
         let is_near = |other: &Pair| {
             let apart = |n: usize| largest(&minus(&pair.at[n], &other.at[n]));
@@ -141,7 +142,7 @@ pub(super) fn points<S: Scalar>(
     origin: &Place<S>,
     rough: &mut [Rough; 2],
     way: &Way,
-    normal: Vec64,
+    normal: &Vec64,
     features: Features,
     points: &mut Points<S>,
 ) {
@@ -155,7 +156,7 @@ pub(super) fn points<S: Scalar>(
         solids = two(|n| Solid::new(&rough[n]));
     }
     let size = greatest(solids[0].size, solids[1].size);
-    let view = View::new(&normal, size, Unit::new::<S>(size));
+    let view = View::new(normal, size, Unit::new::<S>(size));
     let [first, second] = &solids;
     let is_second = matches!(features, Features::Second(_));
     let shapes = if is_second { [second, first] } else { [first, second] };
@@ -172,7 +173,7 @@ pub(super) fn points<S: Scalar>(
                     if bodies[n % 2].is_triangle() { way.farthest(n) } else { upper(way, n) };
                 support_edges(&view, &solids[n % 2], k, is_across, is_end)
             };
-            part(|| by_edges(&view, edges(0, i), || edges(1, j), &normal, &mut found));
+            part(|| by_edges(&view, edges(0, i), || edges(1, j), normal, &mut found));
         }
         (Features::Edges(..) | Features::Nearest(..), _) => {}
     }
@@ -207,12 +208,14 @@ fn by_face(
         let k = usize::from(number / 2);
         way.along[incident % 2][k % 3].is_ne() && *pick(&upper, k) == (number % 2 == 1)
     };
-    for number in other.faces_against(outward, is_support) {
+    let mut is_enough = |number: u8| {
         face.fill(view, other, number);
         add_deeper(found, view, [&reference, &face], outward);
-        if found.count > 0 && !way.is_held {
-            break;
-        }
+        found.count > 0 && !way.is_held
+    };
+    let first = other.face_against(outward, is_support);
+    if !is_enough(first) {
+        other.other_faces_against(outward, first).any(is_enough);
     }
 }
 

@@ -8,7 +8,7 @@ use core::mem::size_of;
 use super::body::Vec64;
 use super::directions::Direction;
 use super::filter::{Filter, Measured};
-use super::least::Way;
+use super::least::{Directed, Way};
 use super::measures::Measures;
 use crate::arithmetic::{largest, pick, root_of_machine};
 use crate::scalar::Scalar;
@@ -27,8 +27,8 @@ const MOST: f64 = f64::from_bits((1023 - 20) << 52);
 pub(super) const SQUARES: u16 = 30;
 
 /// The way along a direction and its numbers, if floats are certain of all signs along the
-/// direction, and of the number of the scalar to which each of its lengths rounds. The last number is
-/// one over the length of the direction.
+/// direction, and of the number of the scalar to which each of its lengths rounds. `unit` makes the unit
+/// vector, if it can, of one over the length of the direction.
 ///
 /// # The error
 ///
@@ -48,7 +48,8 @@ pub(super) fn settled<S: Scalar>(
     filter: &Filter<'_>,
     direction: Direction,
     is_along: bool,
-) -> Option<(Way, Measures<S>, f64)> {
+    unit: impl FnOnce(f64) -> Option<Vec64>,
+) -> Option<Directed<S>> {
     // Floats of 53 digits do not round to as many. Boxes with the coordinate axes often lie on a
     // grid, and a number that the scalar holds is in doubt.
     if size_of::<S>() >= size_of::<f64>() || filter.axes.are_aligned() {
@@ -87,7 +88,7 @@ pub(super) fn settled<S: Scalar>(
     {
         *along = (*known)?;
     }
-    Some((Way { direction, is_along, along, is_held: false }, measures, inverse))
+    Some((Way { direction, is_along, along, is_held: false }, measures, unit(inverse)?))
 }
 
 /// Whether a direction is a coordinate axis.

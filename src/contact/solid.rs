@@ -39,6 +39,7 @@ impl<'a> Solid<'a> {
     }
 
     /// How far the shape extends in a direction, from the origin.
+    #[inline]
     pub(super) fn reach_along(&self, direction: &Vec64) -> f64 {
         let at = |k: usize| dot(&self.rough.at[k], direction);
         let reach = three(|k| dot(&self.reach[k], direction).abs());
@@ -58,31 +59,39 @@ impl<'a> Solid<'a> {
         })
     }
 
-    /// The faces turned against `outward`, the normal of another shape's face. The first returned
-    /// face is the most nearly antiparallel face that satisfies `is_first`. A triangle is its only
-    /// face.
-    pub(super) fn faces_against(
-        &self,
-        outward: &Vec64,
-        is_first: impl Fn(u8) -> bool,
-    ) -> impl Iterator<Item = u8> {
-        // Divided by their greatest coordinates.
-        let unit = |side: Vec64| {
+    /// The axes of a box, divided by their greatest coordinates.
+    fn units(&self) -> [Vec64; 3] {
+        each(self.rough.sides, |side| {
             let size = largest(&side);
             three(|i| side[i] / size)
-        };
-        let axes = if self.is_triangle { self.rough.sides } else { each(self.rough.sides, unit) };
-        let is_triangle = self.is_triangle;
-        let facing = move |n: u8| if is_triangle { 1.0 } else { facing(&axes, n, outward) };
+        })
+    }
+
+    /// Of the faces that satisfy `is_first`, the one most nearly antiparallel to `outward`, the normal of
+    /// another shape's face. A triangle is its only face.
+    pub(super) fn face_against(&self, outward: &Vec64, is_first: impl Fn(u8) -> bool) -> u8 {
+        if self.is_triangle {
+            return 0;
+        }
+        let axes = self.units();
         let (mut first, mut best) = (0, f64::NEG_INFINITY);
         for number in self.faces().filter(|&n| is_first(n)) {
-            let value = facing(number);
+            let value = facing(&axes, number, outward);
             if value > best {
                 (first, best) = (number, value);
             }
         }
-        let rest = self.faces().filter(move |&n| n != first && facing(n) > 0.0);
-        core::iter::once(first).chain(rest)
+        first
+    }
+
+    /// The other faces turned against `outward`.
+    pub(super) fn other_faces_against(
+        &self,
+        outward: &Vec64,
+        first: u8,
+    ) -> impl Iterator<Item = u8> {
+        let axes = self.units();
+        self.faces().filter(move |&n| n != first && facing(&axes, n, outward) > 0.0)
     }
 }
 

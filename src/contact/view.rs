@@ -122,6 +122,7 @@ impl<'a> Edge<'a> {
         two(|n| across(flat(q, p), flat(other.ends[n], p)))
     }
 
+    #[inline]
     /// A point on each edge, at their crossing; if they do not cross, two points near each other.
     /// The ends of the other edge have these signed distances.
     pub(super) fn meet(&self, other: &Self, [a, b]: [f64; 2]) -> [Corner; 2] {
@@ -129,6 +130,7 @@ impl<'a> Edge<'a> {
         [here, other.nearest(&here)]
     }
 
+    #[inline]
     /// A point on each edge, at their crossing, if they cross. If that is known, `sides` has the
     /// distances of the other edge's ends.
     pub(super) fn crossing(
@@ -137,10 +139,14 @@ impl<'a> Edge<'a> {
         view: &View,
         sides: Option<[f64; 2]>,
     ) -> Option<[Corner; 2]> {
-        let sides = sides.or_else(|| {
-            let sides = self.sides(other);
-            (is_crossed(sides) && is_crossed(other.sides(self))).then_some(sides)
-        })?;
+        let sides = match sides {
+            Some(sides) => sides,
+            None => {
+                let sides = self.sides(other);
+                let is_crossing = is_crossed(sides) && is_crossed(other.sides(self));
+                is_crossing.then_some(sides)?
+            }
+        };
         let [a, b] = self.meet(other, sides);
         view.allows(&a, &b).then_some([a, b])
     }
