@@ -121,19 +121,21 @@ impl<S: Scalar> Body<'_, S> {
         }
     }
 
-    /// The same in double words, exactly, if `f64` holds the scalar.
-    pub(super) fn side_in_doubles(&self, k: usize) -> [Double; 3] {
-        match self {
+    /// The same in `f64`, if that has no rounding, and `f64` holds the scalar.
+    #[inline]
+    pub(super) fn side_in_double(&self, k: usize) -> Option<Vec64> {
+        Some(match self {
             Self::Triangle(t) => {
                 let v = t.points().map(|p| three(|i| p[i].in_double()));
-                Double::way(pick(&v, turn(k).1), pick(&v, k))
+                let side = Double::way(pick(&v, turn(k).1), pick(&v, k));
+                side.iter().all(|x| x.low == 0.0).then(|| three(|i| side[i].high))?
             }
-            Self::Aabb(_) => three(|i| Double::of(if i == k % 3 { 1.0 } else { 0.0 })),
+            Self::Aabb(_) => three(|i| if i == k % 3 { 1.0 } else { 0.0 }),
             Self::Obb(obb) => {
                 let axis = pick(obb.axes(), k).to_array();
-                three(|i| Double::of(axis[i].in_double()))
+                three(|i| axis[i].in_double())
             }
-        }
+        })
     }
 
     /// Twice the half-extent along axis k, as the sum of two numbers; zero for a triangle.

@@ -8,9 +8,9 @@ use crate::scalar::Scalar;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Direction {
     /// The normal of a face, of the first shape or of the second.
-    Face { is_second: bool, k: usize },
+    Face { is_second: bool, k: u8 },
     /// Side i of the first shape across side j of the second.
-    Sides(usize, usize),
+    Sides(u8, u8),
 }
 
 const BOXES: [Direction; 15] = table([3, 3], false);
@@ -29,12 +29,12 @@ pub(super) fn all<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> &'static [Direction] 
     }
 }
 
-/// The numbers of the sides of all directions; see [`Direction::numbers`].
+/// The numbers of the sides of all directions, the last one repeated; see [`Direction::numbers`].
 pub(super) fn sides_of_all(are_triangles: [bool; 2]) -> &'static [[u8; 2]; 16] {
     const fn numbers<const N: usize>(all: [Direction; N], triangles: [bool; 2]) -> [[u8; 2]; 16] {
         let (mut numbers, mut n) = ([[0; 2]; 16], 0);
-        while n < N {
-            numbers[n] = all[n].numbers(triangles);
+        while n < 16 {
+            numbers[n] = all[if n < N { n } else { N - 1 }].numbers(triangles);
             n += 1;
         }
         numbers
@@ -55,11 +55,11 @@ const fn table<const N: usize>(faces: [usize; 2], second_is_first: bool) -> [Dir
     while n < N {
         let begin = faces[second_is_first as usize];
         all[n] = if n < begin {
-            Direction::Face { is_second: second_is_first, k: n }
+            Direction::Face { is_second: second_is_first, k: n as u8 }
         } else if n < N - 9 {
-            Direction::Face { is_second: !second_is_first, k: n - begin }
+            Direction::Face { is_second: !second_is_first, k: (n - begin) as u8 }
         } else {
-            let pair = n + 9 - N;
+            let pair = (n + 9 - N) as u8;
             Direction::Sides(pair / 3, pair % 3)
         };
         n += 1;
@@ -73,10 +73,10 @@ impl Direction {
         match self {
             Self::Face { is_second, k } => {
                 let shape = is_second as usize;
-                let (_, i, j) = if is_triangle[shape] { (0, 0, 1) } else { turn(k) };
+                let (_, i, j) = if is_triangle[shape] { (0, 0, 1) } else { turn(k as usize) };
                 [(shape, i), (shape, j)]
             }
-            Self::Sides(i, j) => [(0, i), (1, j)],
+            Self::Sides(i, j) => [(0, i as usize), (1, j as usize)],
         }
     }
 

@@ -51,6 +51,8 @@ pub(super) trait Measure: Float + Div<Output = Self> {
     const SPREAD: Self;
     /// The same if the square is at least a sixteenth of P².
     const LEAST_SPREAD: Self;
+    /// One of the two for each of four squares, of which bits say that the first holds.
+    const SPREADS: [[Self; 4]; 16] = spreads([Self::LEAST_SPREAD, Self::SPREAD]);
     /// The range of sizes, and of sides with half-extents. A number within it may be squared, cubed,
     /// and squared again; in `f32` a product may be squared.
     const SIZES: (Self, Self);
@@ -86,6 +88,16 @@ impl Measure for f32 {
     const SIZES: (Self, Self) = (two_to(-20) as Self, two_to(20) as Self);
     const PRODUCTS: (Self, Self) = (two_to(-20) as Self, two_to(20) as Self);
     const INFINITY: Self = Self::INFINITY;
+}
+
+const fn spreads<F: Copy>(of: [F; 2]) -> [[F; 4]; 16] {
+    let mut spreads = [[of[0]; 4]; 16];
+    let mut n = 0;
+    while n < 64 {
+        spreads[n / 4][n % 4] = of[n / 4 >> n % 4 & 1];
+        n += 1;
+    }
+    spreads
 }
 
 const fn two_to(n: i64) -> f64 {
@@ -235,7 +247,8 @@ impl<'a, F: Measure> Ruler<'a, F> {
         let spread = if noisy == 0 {
             V::same(F::LEAST_SPREAD)
         } else {
-            V::of(|n| if noisy >> n & 1 == 1 { F::SPREAD } else { F::LEAST_SPREAD })
+            // Read side by side. Lanes that are written one by one and then read together wait.
+            V::of(|n| F::SPREADS[noisy as usize % 16][n])
         };
         let least = (one - spread) * inverse;
         let most = (one + V::same(F::from(3)) * spread) * inverse;

@@ -12,7 +12,6 @@ use super::interior::InteriorEdges;
 use super::measures::{Lengths, Measures};
 use super::settled::settled;
 use super::sums::Sums;
-use super::unit::unit;
 use super::wanted::{Apart, FACE, Wanted};
 use super::whole::{Shapes, Units, Whole, is_whole};
 use crate::arithmetic::{REGISTERS_ARE_WIDE, pick, turn};
@@ -171,7 +170,7 @@ pub(super) fn least_measures<S: Scalar>(
     let rough = rough();
     let mut filter = Filter::new::<S>(&rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
-    if let Some((way, measures, _)) = from_floats(&filter, &wanted, |_, _, _| Some([0.0; 3])) {
+    if let Some((way, measures, _)) = from_floats(&filter, &wanted, None) {
         return Some((way, measures));
     }
     let (way, lengths) = exact(bodies, &filter, &wanted).ok()??;
@@ -179,20 +178,19 @@ pub(super) fn least_measures<S: Scalar>(
     Some((way, measures))
 }
 
-/// The way that floats leave and its numbers, if they are certain of all; with the unit vector that
-/// `unit` makes.
+/// The way that floats leave and its numbers, if they are certain of all.
 #[inline(always)]
 fn from_floats<S: Scalar>(
     filter: &Filter<'_>,
     wanted: &Wanted,
-    unit: impl FnOnce(Direction, bool, f64) -> Option<Vec64>,
+    bodies: Option<&[Body<'_, S>; 2]>,
 ) -> Option<Directed<S>> {
     // Small cores do without, for size.
     if !REGISTERS_ARE_WIDE {
         return None;
     }
     let (direction, is_along) = wanted.single()?;
-    settled(filter, direction, is_along, |inverse| unit(direction, is_along, inverse))
+    settled(filter, direction, is_along, bodies)
 }
 
 /// A way, its numbers, and the unit vector along which the first shape moves.
@@ -213,8 +211,7 @@ fn least_directed<S: Scalar>(bodies: &[Body<'_, S>; 2], rough: &[Rough; 2]) -> O
     }
     let mut filter = Filter::new::<S>(rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
-    let by_doubles = |direction, is_along, inverse| unit(bodies, direction, is_along, inverse);
-    match from_floats(&filter, &wanted, by_doubles) {
+    match from_floats(&filter, &wanted, Some(bodies)) {
         Some(best) => Some(best),
         None => Some(directed(exact(bodies, &filter, &wanted).ok()??)),
     }

@@ -9,8 +9,8 @@ use super::faces::Face;
 use super::feature::{Features, Part};
 use super::least::Way;
 use super::sides::Unit;
-use super::solid::{Solid, edge_of_box, support_edges};
-use super::view::{Corner, Edge, View, distance, minus};
+use super::solid::{Solid, edge_of_box};
+use super::view::{Edge, View, distance, minus};
 use crate::arithmetic::{greatest, largest, out_of_line, part, pick, three, two};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
@@ -116,13 +116,13 @@ fn upper(way: &Way, shape: usize) -> [bool; 3] {
 
 /// The faces or edges that the direction of a translation comes from.
 pub(super) fn features<S: Scalar>(bodies: &[Body<'_, S>; 2], way: &Way) -> Features {
-    let face = |shape: usize, k: usize| {
+    let face = |shape: usize, k: u8| {
         let is_triangle = bodies[shape % 2].is_triangle();
-        if is_triangle { 0 } else { 2 * k as u8 + u8::from(*pick(&upper(way, shape), k)) }
+        if is_triangle { 0 } else { 2 * k + u8::from(*pick(&upper(way, shape), k.into())) }
     };
-    let edge = |shape: usize, k: usize| {
+    let edge = |shape: usize, k: u8| {
         let is_triangle = bodies[shape % 2].is_triangle();
-        if is_triangle { k as u8 } else { edge_of_box(k, upper(way, shape)) }
+        if is_triangle { k } else { edge_of_box(k.into(), upper(way, shape)) }
     };
     match way.direction {
         Direction::Face { is_second: false, k } => Features::First(face(0, k)),
@@ -167,13 +167,13 @@ pub(super) fn points<S: Scalar>(
             part(|| by_face(&view, way, shapes, face, &outward, &mut found));
         }
         (Features::Edges(..), Direction::Sides(i, j)) => {
-            let edges = |n: usize, k: usize| {
+            let edges = |n: usize, k: u8| {
                 let is_across = way.along[n % 2].map(Ordering::is_eq);
                 let is_end =
                     if bodies[n % 2].is_triangle() { way.farthest(n) } else { upper(way, n) };
-                support_edges(&view, &solids[n % 2], k, is_across, is_end)
+                solids[n % 2].support_edges(k, is_across, is_end)
             };
-            part(|| by_edges(&view, edges(0, i), || edges(1, j), normal, &mut found));
+            part(|| by_edges(&view, &solids, [edges(0, i), edges(1, j)], normal, &mut found));
         }
         (Features::Edges(..) | Features::Nearest(..), _) => {}
     }
@@ -201,7 +201,7 @@ fn by_face(
     found: &mut Pairs,
 ) {
     let incident = usize::from(matches!(way.direction, Direction::Face { is_second: false, .. }));
-    let [mut reference, mut face] = [Face::empty(), Face::empty()];
+    let (mut reference, mut face) = (Face::empty(), Face::empty());
     reference.fill(view, shape, number);
     let upper = upper(way, incident);
     let is_support = |number: u8| {
@@ -258,18 +258,20 @@ fn add_deeper(found: &mut Pairs, view: &View, faces: [&Face; 2], outward: &Vec64
 
 /// The crossing of an edge of each shape, projected along the normal. Among several pairs of edges,
 /// the pair with the least distance across the normal is used.
-fn by_edges<T: Iterator<Item = ([Corner; 2], u8)>>(
+fn by_edges<T: Iterator<Item = u8> + Clone>(
     view: &View,
-    edges: impl Iterator<Item = ([Corner; 2], u8)>,
-    others: impl Fn() -> T,
+    solids: &[Solid<'_>; 2],
+    [edges, others]: [T; 2],
     normal: &Vec64,
     found: &mut Pairs,
 ) {
     let mut nearest = view.tolerance * view.tolerance;
     for edge in edges {
-        let edge = Edge::new(&edge);
-        for other in others() {
-            let other = Edge::new(&other);
+        let ends = solids[0].edge(view, edge);
+        let edge = Edge { ends: ends.each_ref(), number: edge };
+        for other in others.clone() {
+            let ends = solids[1].edge(view, other);
+            let other = Edge { ends: ends.each_ref(), number: other };
             let [x, y] = edge.meet(&other, edge.sides(&other));
             let apart = distance(&x, &y);
             if apart <= nearest {

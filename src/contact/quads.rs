@@ -94,8 +94,7 @@ impl Quads {
             sides[n] = side.to_array();
         }
         let last = face.count() - 1;
-        let next =
-            |bits: u32| bits >> 1 & (EACH * ((1 << last) - 1)) | (bits & EACH) << last;
+        let next = |bits: u32| bits >> 1 & (EACH * ((1 << last) - 1)) | (bits & EACH) << last;
         let crossing = left & next(right) | right & next(left);
         let of = |n: usize, bits: u32| bits >> (CORNERS * n) & ALL;
         let any = |bits: u32| of(0, bits) | of(1, bits) | of(2, bits) | of(3, bits);

@@ -5,11 +5,12 @@
 use core::cmp::Ordering;
 use core::mem::size_of;
 
-use super::body::Vec64;
+use super::body::{Body, Vec64};
 use super::directions::Direction;
 use super::filter::{Filter, Measured};
 use super::least::{Directed, Way};
 use super::measures::Measures;
+use super::unit::unit;
 use crate::arithmetic::{largest, pick, root_of_machine};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
@@ -27,8 +28,8 @@ const MOST: f64 = f64::from_bits((1023 - 20) << 52);
 pub(super) const SQUARES: u16 = 30;
 
 /// The way along a direction and its numbers, if floats are certain of all signs along the
-/// direction, and of the number of the scalar to which each of its lengths rounds. `unit` makes the unit
-/// vector, if it can, of one over the length of the direction.
+/// direction, and of the number of the scalar to which each of its lengths rounds. With
+/// `bodies` also the unit vector, if double words are certain of it; without, it is zero.
 ///
 /// # The error
 ///
@@ -48,7 +49,7 @@ pub(super) fn settled<S: Scalar>(
     filter: &Filter<'_>,
     direction: Direction,
     is_along: bool,
-    unit: impl FnOnce(f64) -> Option<Vec64>,
+    bodies: Option<&[Body<'_, S>; 2]>,
 ) -> Option<Directed<S>> {
     // Floats of 53 digits do not round to as many. Boxes with the coordinate axes often lie on a
     // grid, and a number that the scalar holds is in doubt.
@@ -81,14 +82,18 @@ pub(super) fn settled<S: Scalar>(
         depth: overlap * inverse,
         of_depth: error / overlap,
     };
-    let measures = known.measures(is_along)?;
     let mut along = [[Ordering::Equal; 3]; 2];
     for (along, known) in
         along.as_flattened_mut().iter_mut().zip(filter.along(direction).as_flattened())
     {
         *along = (*known)?;
     }
-    Some((Way { direction, is_along, along, is_held: false }, measures, unit(inverse)?))
+    let unit = match bodies {
+        Some(bodies) => unit(bodies, direction, is_along, inverse)?,
+        None => [0.0; 3],
+    };
+    let way = Way { direction, is_along, along, is_held: false };
+    Some((way, known.measures(is_along)?, unit))
 }
 
 /// Whether a direction is a coordinate axis.

@@ -4,11 +4,6 @@ use super::body::{Rough, Vec64, cross, dot};
 use super::view::{Corner, View};
 use crate::arithmetic::{each, greatest, largest, pick, three, turn};
 
-/// The number of a vertex of a box.
-fn vertex_of_box(upper: [bool; 3]) -> u8 {
-    u8::from(upper[0]) + 2 * u8::from(upper[1]) + 4 * u8::from(upper[2])
-}
-
 /// The number of the edge of a box along axis i.
 pub(super) fn edge_of_box(i: usize, upper: [bool; 3]) -> u8 {
     let (i, j, k) = turn(i);
@@ -93,6 +88,40 @@ impl<'a> Solid<'a> {
         let axes = self.units();
         self.faces().filter(move |&n| n != first && facing(&axes, n, outward) > 0.0)
     }
+
+    /// The numbers of the edges farthest in a direction and perpendicular to it; for a box, of those along
+    /// axis i. `is_end` marks the farthest vertices of a triangle, or the farthest ends of a box's axes.
+    pub(super) fn support_edges(
+        &self,
+        i: u8,
+        is_across: [bool; 3],
+        is_end: [bool; 3],
+    ) -> impl Iterator<Item = u8> + Clone + use<> {
+        let is_triangle = self.is_triangle;
+        (0..4_u8).filter_map(move |n| {
+            if is_triangle {
+                let (from, to, _) = turn(n.into());
+                let is_edge = *pick(&is_across, from) && *pick(&is_end, from) && *pick(&is_end, to);
+                return (n < 3 && is_edge).then_some(n);
+            }
+            // Within the closure, where a compiler sees that they are below three.
+            let (_, j, k) = turn(i.into());
+            // No loop over j and k: for size, compilers check their bounds.
+            let fits = |k, is_upper| *pick(&is_across, k) || is_upper == *pick(&is_end, k);
+            (fits(j, n & 1 == 1) && fits(k, n & 2 == 2)).then_some(4 * i + n)
+        })
+    }
+
+    /// The ends of an edge.
+    pub(super) fn edge(&self, view: &View, number: u8) -> [Corner; 2] {
+        if self.is_triangle {
+            let (from, to, _) = turn(number.into());
+            return [from, to].map(|k| view.corner(*pick(&self.rough.at, k), k as u8));
+        }
+        let (i, j, k) = turn(usize::from(number / 4));
+        let lower = (number & 1) << j | (number >> 1 & 1) << k;
+        [lower, lower | 1 << i].map(|vertex| view.corner(self.corner(vertex), vertex))
+    }
 }
 
 /// The signed square of the cosine between the outward normal of a face of a box and −`outward`.
@@ -103,37 +132,4 @@ fn facing(axes: &[Vec64; 3], number: u8, outward: &Vec64) -> f64 {
     let square = cosine * cosine / dot(&w, &w);
     let is_outward = (dot(&w, pick(axes, k)) > 0.0) == (number % 2 == 1);
     if is_outward == (cosine < 0.0) { square } else { -square }
-}
-
-/// The edges of a shape farthest in a direction and perpendicular to it; for a box, those along
-/// axis i: the ends of each, and its number. `is_end` marks the farthest vertices of a triangle, or
-/// the farthest ends of a box's axes.
-pub(super) fn support_edges(
-    view: &View,
-    shape: &Solid<'_>,
-    i: usize,
-    is_across: [bool; 3],
-    is_end: [bool; 3],
-) -> impl Iterator<Item = ([Corner; 2], u8)> {
-    (0..4_u8).filter_map(move |n| {
-        // Within the closure, where a compiler sees that they are below three.
-        let (i, j, k) = turn(i);
-        if shape.is_triangle {
-            let (from, to, _) = turn(n.into());
-            let is_edge = *pick(&is_across, from) && *pick(&is_end, from) && *pick(&is_end, to);
-            let corner = |k: usize| view.corner(*pick(&shape.rough.at, k), k as u8);
-            return (n < 3 && is_edge).then(|| ([corner(from), corner(to)], n));
-        }
-        let mut upper = [false; 3];
-        (upper[j], upper[k]) = (n & 1 == 1, n & 2 == 2);
-        // No loop over j and k: for size, compilers check their bounds.
-        let fits = |k| *pick(&is_across, k) || pick(&upper, k) == pick(&is_end, k);
-        let is_edge = fits(j) && fits(k);
-        let mut corner = |is_upper: bool| {
-            upper[i] = is_upper;
-            let vertex = vertex_of_box(upper);
-            view.corner(shape.corner(vertex), vertex)
-        };
-        is_edge.then(|| ([corner(false), corner(true)], 4 * i as u8 + n))
-    })
 }

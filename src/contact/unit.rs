@@ -4,7 +4,7 @@ use super::body::{Body, Vec64};
 use super::directions::Direction;
 use super::exact::length;
 use super::measures::unit_of;
-use crate::arithmetic::{Double, Soft, compare, pick, three, turn, two};
+use crate::arithmetic::{Double, Soft, compare, each, pick, three, turn};
 use crate::scalar::Scalar;
 
 /// Units of 2^-80 in a coordinate in two words, of itself.
@@ -43,20 +43,19 @@ pub(super) fn unit<S: Scalar>(
     inverse: f64,
 ) -> Option<Vec64> {
     let sides = direction.sides([bodies[0].is_triangle(), bodies[1].is_triangle()]);
-    let [x, y] = two(|n| bodies[sides[n].0 % 2].side_in_doubles(sides[n].1));
-    if x.iter().chain(&y).any(|coordinate| coordinate.low != 0.0) {
-        return None;
-    }
+    let [(p, i), (q, j)] = sides;
+    let (x, y) = (bodies[p % 2].side_in_double(i)?, bodies[q % 2].side_in_double(j)?);
     // Products of numbers of 24 bits are exact.
-    let are_short = x.iter().chain(&y).all(|x| f64::from(x.high as f32) == x.high);
+    let is_short = |x: &Vec64| three(|i| f64::from(x[i] as f32) == x[i]) == [true; 3];
+    let are_short = is_short(&x) && is_short(&y);
     let a = if are_short {
-        let product = |j: usize, k: usize| pick(&x, j).high * pick(&y, k).high;
+        let product = |j: usize, k: usize| pick(&x, j) * pick(&y, k);
         three(|i| {
             let (_, j, k) = turn(i);
             Double::difference(product(j, k), product(k, j))
         })
     } else {
-        Double::cross(&x, &y)
+        Double::cross(&each(x, Double::of), &each(y, Double::of))
     };
     if a.iter().filter(|x| x.high != 0.0).count() == 1 {
         let sign = |x: f64| {

@@ -94,11 +94,7 @@ pub(super) struct Edge<'a> {
     pub(super) number: u8,
 }
 
-impl<'a> Edge<'a> {
-    pub(super) fn new((ends, number): &'a ([Corner; 2], u8)) -> Self {
-        Self { ends: ends.each_ref(), number: *number }
-    }
-
+impl Edge<'_> {
     /// The point at parameter t, clamped to the ends.
     fn point(&self, t: f64) -> Corner {
         let [p, q] = self.ends;
@@ -122,17 +118,17 @@ impl<'a> Edge<'a> {
         two(|n| across(flat(q, p), flat(other.ends[n], p)))
     }
 
-    #[inline]
     /// A point on each edge, at their crossing; if they do not cross, two points near each other.
     /// The ends of the other edge have these signed distances.
+    #[inline]
     pub(super) fn meet(&self, other: &Self, [a, b]: [f64; 2]) -> [Corner; 2] {
         let here = self.nearest(&other.point(a / (a - b)));
         [here, other.nearest(&here)]
     }
 
-    #[inline]
     /// A point on each edge, at their crossing, if they cross. If that is known, `sides` has the
     /// distances of the other edge's ends.
+    #[inline]
     pub(super) fn crossing(
         &self,
         other: &Self,
