@@ -121,21 +121,15 @@ impl<S: Scalar> Body<'_, S> {
         }
     }
 
-    /// The same in `f64`, if that has no rounding, and `f64` holds the scalar.
-    #[inline]
-    pub(super) fn side_in_double(&self, k: usize) -> Option<Vec64> {
-        Some(match self {
+    /// Whether the same in `f64` has no rounding, if `f64` holds the scalar.
+    pub(super) fn is_whole(&self, k: usize) -> bool {
+        match self {
             Self::Triangle(t) => {
                 let v = t.points().map(|p| three(|i| p[i].in_double()));
-                let side = Double::way(pick(&v, turn(k).1), pick(&v, k));
-                side.iter().all(|x| x.low == 0.0).then(|| three(|i| side[i].high))?
+                Double::way(pick(&v, turn(k).1), pick(&v, k)).iter().all(|x| x.low == 0.0)
             }
-            Self::Aabb(_) => three(|i| if i == k % 3 { 1.0 } else { 0.0 }),
-            Self::Obb(obb) => {
-                let axis = pick(obb.axes(), k).to_array();
-                three(|i| axis[i].in_double())
-            }
-        })
+            _ => true,
+        }
     }
 
     /// Twice the half-extent along axis k, as the sum of two numbers; zero for a triangle.

@@ -107,7 +107,7 @@ impl Known for Words<'_> {
             return None;
         }
         let at = along(&base.at, s, &minus(&a.at, &base.at));
-        let at = view.corner(along(&at, t, &minus(&b.at, &base.at)), base.vertex);
+        let at = view.corner(along(&at, t, &minus(&b.at, &base.at)));
         view.allows(&at, to).then_some(at.at)
     }
 
@@ -151,14 +151,14 @@ fn overlap<T: Known>(
     };
     let of_incident = Seen { view, from: reference, face: incident, known: of_incident };
     let of_reference = Seen { view, from: incident, face: reference, known: of_reference };
-    for (m, at) in incident.corners().enumerate() {
+    for (m, (vertex, at)) in incident.corners().enumerate() {
         if let Some(below) = of_incident.meets(m, &back) {
-            add([below, at.at], [Part::Face(reference.number), Part::Vertex(at.vertex)]);
+            add([below, at.at], [Part::Face(reference.number), Part::Vertex(vertex)]);
         }
     }
-    for (n, below) in reference.corners().enumerate() {
+    for (n, (vertex, below)) in reference.corners().enumerate() {
         if let Some(at) = of_reference.meets(n, outward) {
-            add([below.at, at], [Part::Vertex(below.vertex), Part::Face(incident.number)]);
+            add([below.at, at], [Part::Vertex(vertex), Part::Face(incident.number)]);
         }
     }
     for n in 0..reference.count() {

@@ -13,6 +13,7 @@ pub(super) const CORNERS: usize = 4;
 /// A triangle, or a face of a box.
 pub(super) struct Face {
     pub(super) corners: [Corner; CORNERS],
+    vertices: [u8; CORNERS],
     edges: [u8; CORNERS],
     count: usize,
     pub(super) number: u8,
@@ -32,8 +33,9 @@ impl Face {
     /// A face to [`fill`](Self::fill). One that is returned full would be copied.
     #[inline(always)]
     pub(super) fn empty() -> Self {
-        let corners = [Corner { at: [0.0; 3], flat: [0.0; 2], vertex: 0 }; CORNERS];
-        Self { corners, edges: [0, 1, 2, 2], count: 3, number: 0, words: None }
+        let corners = [Corner { at: [0.0; 3], flat: [0.0; 2] }; CORNERS];
+        let (vertices, edges) = ([0, 1, 2, 2], [0, 1, 2, 2]);
+        Self { corners, vertices, edges, count: 3, number: 0, words: None }
     }
 
     #[inline(never)]
@@ -42,7 +44,7 @@ impl Face {
         if shape.is_triangle {
             for (k, corner) in self.corners.iter_mut().enumerate() {
                 let k = k.min(2);
-                *corner = view.corner(*pick(&shape.rough.at, k), k as u8);
+                *corner = view.corner(*pick(&shape.rough.at, k));
             }
         } else {
             self.count = CORNERS;
@@ -52,12 +54,12 @@ impl Face {
             let (of_j, of_k) = (4 * j as u8 + 2 * side, 4 * k as u8 + side);
             self.edges = [of_j, of_k + 2, of_j + 1, of_k];
             let (base, of_j, of_k) = (side << i, 1 << j, 1 << k);
-            let vertices = [base, base | of_j, base | of_j | of_k, base | of_k];
+            self.vertices = [base, base | of_j, base | of_j | of_k, base | of_k];
             if REGISTERS_ARE_WIDE {
-                quads::corners(view, shape, [j, k], side == 1, vertices, &mut self.corners);
+                quads::corners(view, shape, [j, k], side == 1, &mut self.corners);
             } else {
-                for (corner, vertex) in self.corners.iter_mut().zip(vertices) {
-                    *corner = view.corner(shape.corner(vertex), vertex);
+                for (corner, vertex) in self.corners.iter_mut().zip(self.vertices) {
+                    *corner = view.corner(shape.corner(vertex));
                 }
             }
         }
@@ -74,8 +76,9 @@ impl Face {
         if n + 1 < self.count { n + 1 } else { 0 }
     }
 
-    pub(super) fn corners(&self) -> impl Iterator<Item = &Corner> {
-        self.corners.iter().take(self.count)
+    /// The vertex at each corner, and the corner.
+    pub(super) fn corners(&self) -> impl Iterator<Item = (u8, &Corner)> {
+        self.vertices.into_iter().zip(&self.corners).take(self.count)
     }
 
     pub(super) fn edges(&self) -> impl Iterator<Item = Edge<'_>> {
@@ -105,14 +108,14 @@ impl Face {
         Edge { ends: self.ends(n), number: self.edges[n % CORNERS] }
     }
 
-    /// The corner farthest against a direction.
-    pub(super) fn lowest(&self, outward: &Vec64) -> Corner {
-        let mut lowest = self.corners[0];
-        for corner in self.corners() {
-            if dot(outward, &corner.at) < dot(outward, &lowest.at) {
-                lowest = *corner;
+    /// The corner farthest against a direction, and its vertex.
+    pub(super) fn lowest(&self, outward: &Vec64) -> (Vec64, u8) {
+        let (mut lowest, mut number) = (self.corners[0].at, self.vertices[0]);
+        for (vertex, Corner { at, .. }) in self.corners() {
+            if dot(outward, at) < dot(outward, &lowest) {
+                (lowest, number) = (*at, vertex);
             }
         }
-        lowest
+        (lowest, number)
     }
 }

@@ -174,7 +174,7 @@ impl<'a, F: Measure> Ruler<'a, F> {
     }
 
     #[inline(always)]
-    fn sides(&self, numbers: [u8; 2]) -> [&[F; 3]; 2] {
+    pub(super) fn sides(&self, numbers: [u8; 2]) -> [&[F; 3]; 2] {
         two(|n| self.sides[usize::from(numbers[n] & 7)])
     }
 
@@ -225,7 +225,7 @@ impl<'a, F: Measure> Ruler<'a, F> {
     /// point there.
     #[inline(always)]
     pub(super) fn known<V: Lanes<Lane = F>>(&self, scale: V, square: V) -> u32 {
-        let [low, high] = [F::PRODUCTS.0, F::PRODUCTS.1].map(V::same);
+        let (low, high) = (V::same(F::PRODUCTS.0), V::same(F::PRODUCTS.1));
         let is_size = if self.size.is_size() { u32::MAX } else { 0 };
         let is_clear = (V::same(F::NOISE) * scale * scale).is_within(square);
         is_size & scale.is_above(low) & high.is_above(scale) & is_clear

@@ -234,10 +234,11 @@ fn by_any_faces(view: &View, [shape, other]: [&Solid<'_>; 2], outward: &Vec64, f
     }
     if found.count == 0 {
         // The coordinates overflow f64.
-        let [below, at] = [shape, other].map(|solid| Face::new(view, solid, 0).lowest(outward));
-        let parts = [below.vertex, at.vertex].map(Part::Vertex);
-        let depth = dot(&minus(&below.at, &at.at), outward);
-        found.add(Pair { at: [below.at, at.at], depth, parts }, 0.0);
+        let [(below, first), (at, second)] =
+            [shape, other].map(|solid| Face::new(view, solid, 0).lowest(outward));
+        let parts = [first, second].map(Part::Vertex);
+        let depth = dot(&minus(&below, &at), outward);
+        found.add(Pair { at: [below, at], depth, parts }, 0.0);
     }
 }
 

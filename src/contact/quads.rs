@@ -45,14 +45,13 @@ fn dot(a: &Vec64, b: &[Four; 3]) -> Four {
 }
 
 /// The corners of a face of a box, on the upper side of its axis or on the lower; j and k are the
-/// next axes, and its corners have these numbers.
+/// next axes.
 #[inline(always)]
 pub(super) fn corners(
     view: &View,
     shape: &Solid<'_>,
     [j, k]: [usize; 2],
     is_upper: bool,
-    vertices: [u8; CORNERS],
     corners: &mut [Corner; CORNERS],
 ) {
     let mut signs = [splat(if is_upper { 1.0 } else { -1.0 }); 3];
@@ -65,7 +64,7 @@ pub(super) fn corners(
     let at = at.map(Quad::to_array);
     for (n, corner) in corners.iter_mut().enumerate() {
         let (at, flat) = (three(|i| at[i][n]), two(|k| flat[k][n]));
-        *corner = Corner { at, flat, vertex: vertices[n] };
+        *corner = Corner { at, flat };
     }
 }
 

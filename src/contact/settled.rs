@@ -56,8 +56,9 @@ pub(super) fn settled<S: Scalar>(
     if size_of::<S>() >= size_of::<f64>() || filter.axes.are_aligned() {
         return None;
     }
+    let numbers = direction.numbers(filter.ruler.are_triangles);
     let Measured { a, products, scale, square, overlaps, error } =
-        filter.ruler.measured::<f64>(|_| direction.numbers(filter.ruler.are_triangles));
+        filter.ruler.measured::<f64>(|_| numbers);
     let roundings = f64::from(1 + filter.rounded_sides(direction));
     if filter.ruler.known(scale, square) == 0
         || scale * scale * (roundings * roundings) > f64::from(SQUARES) * square
@@ -89,7 +90,13 @@ pub(super) fn settled<S: Scalar>(
         *along = (*known)?;
     }
     let unit = match bodies {
-        Some(bodies) => unit(bodies, direction, is_along, inverse)?,
+        Some(bodies) => {
+            let sides = direction.sides(filter.ruler.are_triangles);
+            if !sides.iter().all(|&(shape, k)| bodies[shape % 2].is_whole(k)) {
+                return None;
+            }
+            unit(filter.ruler.sides(numbers), is_along, inverse)?
+        }
         None => [0.0; 3],
     };
     let way = Way { direction, is_along, along, is_held: false };
@@ -147,19 +154,18 @@ impl Known {
         }
         let (depth, error) = self.depth();
         let (depth, _) = rounded::<S>(depth, error, true, false)?;
-        let (mut vector, mut normal, mut is_sufficient) = ([S::ZERO; 3], [S::ZERO; 3], true);
-        for i in 0..3 {
+        let along = |i: usize| {
             if self.a[i] == 0.0 {
-                continue;
+                return Some((S::ZERO, true, S::ZERO));
             }
             let is_negative = (self.a[i] > 0.0) != is_along;
             let [(ratio, of_ratio), (size, of_size)] = self.coordinate(i);
             let (along, fits) = rounded(size, of_size, true, is_negative)?;
-            is_sufficient &= fits;
-            vector[i] = along;
-            normal[i] = rounded(ratio, of_ratio, false, is_negative)?.0;
-        }
-        let [vector, normal] = [vector, normal].map(Vec3::from);
+            Some((along, fits, rounded(ratio, of_ratio, false, is_negative)?.0))
+        };
+        let ((x, x_fits, p), (y, y_fits, q), (z, z_fits, r)) = (along(0)?, along(1)?, along(2)?);
+        let (vector, normal) = (Vec3::new(x, y, z), Vec3::new(p, q, r));
+        let is_sufficient = x_fits & y_fits & z_fits;
         Some(Measures { vector, depth, normal, is_sufficient })
     }
 }

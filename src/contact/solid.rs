@@ -116,11 +116,11 @@ impl<'a> Solid<'a> {
     pub(super) fn edge(&self, view: &View, number: u8) -> [Corner; 2] {
         if self.is_triangle {
             let (from, to, _) = turn(number.into());
-            return [from, to].map(|k| view.corner(*pick(&self.rough.at, k), k as u8));
+            return [from, to].map(|k| view.corner(*pick(&self.rough.at, k)));
         }
         let (i, j, k) = turn(usize::from(number / 4));
         let lower = (number & 1) << j | (number >> 1 & 1) << k;
-        [lower, lower | 1 << i].map(|vertex| view.corner(self.corner(vertex), vertex))
+        [lower, lower | 1 << i].map(|vertex| view.corner(self.corner(vertex)))
     }
 }
 

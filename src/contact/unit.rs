@@ -1,11 +1,9 @@
 //! The unit vector of a translation from double words, with the bits that exact numbers give.
 
-use super::body::{Body, Vec64};
-use super::directions::Direction;
+use super::body::Vec64;
 use super::exact::length;
 use super::measures::unit_of;
 use crate::arithmetic::{Double, Soft, compare, each, pick, three, turn};
-use crate::scalar::Scalar;
 
 /// Units of 2^-80 in a coordinate in two words, of itself.
 const LOST: u16 = 16;
@@ -36,26 +34,18 @@ const LACK: f64 = 20.0 * f64::from_bits((1023 - 63) << 52);
 /// Exact numbers round a quotient down at v = 2^-63. Of itself, its coordinate is up to v too low. The
 /// slack of its length is 17·v at most: v of a coordinate, 4·v of its square, 16·v of the sum of
 /// squares, and v more of the root. So the quotient is up to 19·v too low: less than [`LACK`].
-pub(super) fn unit<S: Scalar>(
-    bodies: &[Body<'_, S>; 2],
-    direction: Direction,
-    is_along: bool,
-    inverse: f64,
-) -> Option<Vec64> {
-    let sides = direction.sides([bodies[0].is_triangle(), bodies[1].is_triangle()]);
-    let [(p, i), (q, j)] = sides;
-    let (x, y) = (bodies[p % 2].side_in_double(i)?, bodies[q % 2].side_in_double(j)?);
+pub(super) fn unit([x, y]: [&Vec64; 2], is_along: bool, inverse: f64) -> Option<Vec64> {
     // Products of numbers of 24 bits are exact.
     let is_short = |x: &Vec64| three(|i| f64::from(x[i] as f32) == x[i]) == [true; 3];
-    let are_short = is_short(&x) && is_short(&y);
+    let are_short = is_short(x) && is_short(y);
     let a = if are_short {
-        let product = |j: usize, k: usize| pick(&x, j) * pick(&y, k);
+        let product = |j: usize, k: usize| pick(x, j) * pick(y, k);
         three(|i| {
             let (_, j, k) = turn(i);
             Double::difference(product(j, k), product(k, j))
         })
     } else {
-        Double::cross(&each(x, Double::of), &each(y, Double::of))
+        Double::cross(&each(*x, Double::of), &each(*y, Double::of))
     };
     if a.iter().filter(|x| x.high != 0.0).count() == 1 {
         let sign = |x: f64| {

@@ -61,8 +61,8 @@ impl View {
         Self { across: [first, cross(normal, &first)], tolerance: TOLERANCE * size, unit }
     }
 
-    pub(super) fn corner(&self, at: Vec64, vertex: u8) -> Corner {
-        Corner { at, flat: two(|n| dot(&self.across[n], &at)), vertex }
+    pub(super) fn corner(&self, at: Vec64) -> Corner {
+        Corner { at, flat: two(|n| dot(&self.across[n], &at)) }
     }
 
     pub(super) fn allows(&self, a: &Corner, b: &Corner) -> bool {
@@ -71,12 +71,11 @@ impl View {
     }
 }
 
-/// A point of a shape with its coordinates across the normal. `vertex` counts only for vertices.
+/// A point of a shape with its coordinates across the normal.
 #[derive(Clone, Copy)]
 pub(super) struct Corner {
     pub(super) at: Vec64,
     pub(super) flat: [f64; 2],
-    pub(super) vertex: u8,
 }
 
 /// From b to a, across the normal.
@@ -102,7 +101,7 @@ impl Edge<'_> {
         let t = if t > 0.0 { if t < 1.0 { t } else { 1.0 } } else { 0.0 };
         let [dx, dy] = flat(q, p);
         let flat = [p.flat[0] + t * dx, p.flat[1] + t * dy];
-        Corner { at: along(&p.at, t, &minus(&q.at, &p.at)), flat, vertex: p.vertex }
+        Corner { at: along(&p.at, t, &minus(&q.at, &p.at)), flat }
     }
 
     /// The point of the edge nearest to `to` across the normal.
