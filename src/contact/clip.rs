@@ -146,7 +146,7 @@ fn overlap<T: Known>(
     let mut add = |at: [Vec64; 2], parts: [Part; 2]| {
         let depth = dot(&minus(&at[0], &at[1]), outward);
         if depth >= -view.tolerance {
-            found.add(Pair { at, depth, parts }, view.tolerance);
+            found.add(Pair { at, depth }, parts, view.tolerance);
         }
     };
     let of_incident = Seen { view, from: reference, face: incident, known: of_incident };

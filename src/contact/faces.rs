@@ -41,7 +41,7 @@ impl Face {
     #[inline(never)]
     pub(super) fn fill(&mut self, view: &View, shape: &Solid<'_>, number: u8) {
         self.number = number;
-        if shape.is_triangle {
+        if shape.rough.is_triangle {
             for (k, corner) in self.corners.iter_mut().enumerate() {
                 let k = k.min(2);
                 *corner = view.corner(*pick(&shape.rough.at, k));

@@ -1,7 +1,7 @@
 //! Contacts of shapes with flat faces.
 
 use super::body::{Body, Place, Rough};
-use super::least::{Way, least_measures, least_way};
+use super::least::{Directed, Way, least_measures, least_way};
 use super::measures::Measures;
 use super::points::{Points, features, points};
 use super::{Contact, InteriorEdges, Translation};
@@ -20,7 +20,7 @@ pub(super) fn contact<S: Scalar>(
     let mut rough = in_floats(bodies, &origin);
     let best = least_way(bodies, &rough, interior)?;
     // Where they are, without a copy.
-    let (way, measures, unit) = &best;
+    let Directed { unit, measures, way } = &best;
     let translation = translation(bodies, way, measures);
     let features = translation.features;
     let mut contact = Contact { translation, is_held: way.is_held, points: Points::none() };

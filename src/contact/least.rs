@@ -170,7 +170,7 @@ pub(super) fn least_measures<S: Scalar>(
     let rough = rough();
     let mut filter = Filter::new::<S>(&rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
-    if let Some((way, measures, _)) = from_floats(&filter, &wanted, None) {
+    if let Some(Directed { way, measures, .. }) = from_floats(&filter, &wanted, None) {
         return Some((way, measures));
     }
     let (way, lengths) = exact(bodies, &filter, &wanted).ok()??;
@@ -193,15 +193,21 @@ fn from_floats<S: Scalar>(
     settled(filter, direction, is_along, bodies)
 }
 
-/// A way, its numbers, and the unit vector along which the first shape moves.
-pub(super) type Directed<S> = (Way, Measures<S>, Vec64);
+/// A way, its numbers, and the unit vector along which the first shape moves. In this order no padding
+/// before the vector is copied with it.
+#[repr(C)]
+pub(super) struct Directed<S> {
+    pub(super) unit: Vec64,
+    pub(super) measures: Measures<S>,
+    pub(super) way: Way,
+}
 
 #[inline(never)]
 fn directed<S: Scalar>((way, lengths): (Way, Lengths)) -> Directed<S> {
     let ratios = lengths.ratios();
     let measures = lengths.measures_of(way.is_along, ratios);
     let unit = lengths.unit_of(way.is_along, ratios);
-    (way, measures, unit)
+    Directed { unit, measures, way }
 }
 
 #[inline(always)]
@@ -228,9 +234,9 @@ pub(super) fn least_way<S: Scalar>(
     if interior == InteriorEdges::NONE {
         return Some(best);
     }
-    let is_across = across(&best.0, &best.2, &rough[0].sides, interior);
+    let is_across = across(&best.way, &best.unit, &rough[0].sides, interior);
     // If the whole triangle lies across, the direction is its normal, or it may have none.
-    if !is_across.unwrap_or(best.0.direction != FACE) {
+    if !is_across.unwrap_or(best.way.direction != FACE) {
         return Some(best);
     }
     let normal = if is_whole::<S>() {
@@ -238,8 +244,9 @@ pub(super) fn least_way<S: Scalar>(
     } else {
         exact(bodies, &Filter::new::<S>(rough), &Wanted::FACE)
     };
-    let (way, measures, unit) = directed(normal.ok()??);
-    Some(if is_across.is_none() { best } else { (Way { is_held: true, ..way }, measures, unit) })
+    let mut normal = directed(normal.ok()??);
+    normal.way.is_held = true;
+    Some(if is_across.is_none() { best } else { normal })
 }
 
 /// Whether the way out leads across an interior edge of the triangle, which is the first shape;

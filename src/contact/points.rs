@@ -68,19 +68,20 @@ impl<S: Scalar> Points<S> {
 pub(super) struct Pair {
     pub(super) at: [Vec64; 2],
     pub(super) depth: f64,
-    pub(super) parts: [Part; 2],
 }
 
 /// Pairs of points. No two pairs are within twice the tolerance of each other.
 pub(super) struct Pairs {
     pairs: [Pair; MOST],
+    /// Beside the pairs, which have no padding then. That would be copied with them.
+    parts: [[Part; 2]; MOST],
     count: usize,
 }
 
 impl Pairs {
     fn new() -> Self {
-        let none = Pair { at: [[0.0; 3]; 2], depth: 0.0, parts: [Part::Face(0); 2] };
-        Self { pairs: [none; MOST], count: 0 }
+        let none = Pair { at: [[0.0; 3]; 2], depth: 0.0 };
+        Self { pairs: [none; MOST], parts: [[Part::Face(0); 2]; MOST], count: 0 }
     }
 
     fn iter(&self) -> impl Iterator<Item = &Pair> {
@@ -89,7 +90,7 @@ impl Pairs {
 
     /// A depth below zero is a rounding error.
     #[inline]
-    pub(super) fn add(&mut self, pair: Pair, tolerance: f64) {
+    pub(super) fn add(&mut self, pair: Pair, parts: [Part; 2], tolerance: f64) {
         let is_near = |other: &Pair| {
             let apart = |n: usize| largest(&minus(&pair.at[n], &other.at[n]));
             apart(0) <= 2.0 * tolerance && apart(1) <= 2.0 * tolerance
@@ -97,9 +98,10 @@ impl Pairs {
         if self.iter().any(is_near) {
             return;
         }
-        if let Some(place) = self.pairs.get_mut(self.count) {
-            *place = Pair { depth: greatest(pair.depth, 0.0), ..pair };
-            self.count += 1;
+        let n = self.count;
+        if n < MOST {
+            self.pairs[n] = Pair { depth: greatest(pair.depth, 0.0), ..pair };
+            (self.parts[n], self.count) = (parts, n + 1);
         }
     }
 
@@ -238,7 +240,7 @@ fn by_any_faces(view: &View, [shape, other]: [&Solid<'_>; 2], outward: &Vec64, f
             [shape, other].map(|solid| Face::new(view, solid, 0).lowest(outward));
         let parts = [first, second].map(Part::Vertex);
         let depth = dot(&minus(&below, &at), outward);
-        found.add(Pair { at: [below, at], depth, parts }, 0.0);
+        found.add(Pair { at: [below, at], depth }, parts, 0.0);
     }
 }
 
@@ -278,7 +280,7 @@ fn by_edges<T: Iterator<Item = u8> + Clone>(
             if apart <= nearest {
                 let depth = greatest(dot(&minus(&y.at, &x.at), normal), 0.0);
                 let parts = [Part::Edge(edge.number), Part::Edge(other.number)];
-                found.pairs[0] = Pair { at: [x.at, y.at], depth, parts };
+                (found.pairs[0], found.parts[0]) = (Pair { at: [x.at, y.at], depth }, parts);
                 (found.count, nearest) = (1, apart);
             }
         }
@@ -312,8 +314,8 @@ fn rounded<S: Scalar>(
         let [x, y, z] = three(|i| plus(origin.0[i], at[i] + offset[i]));
         Vec3::new(x, y, z)
     };
-    for (point, pair) in points.points.iter_mut().zip(found.iter()) {
-        let (mut at, mut parts) = (two(|k| place(&pair.at[k])), pair.parts);
+    for ((point, pair), parts) in points.points.iter_mut().zip(found.iter()).zip(found.parts) {
+        let (mut at, mut parts) = (two(|k| place(&pair.at[k])), parts);
         if is_second {
             at.reverse();
             parts.reverse();

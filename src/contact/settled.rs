@@ -100,7 +100,7 @@ pub(super) fn settled<S: Scalar>(
         None => [0.0; 3],
     };
     let way = Way { direction, is_along, along, is_held: false };
-    Some((way, known.measures(is_along)?, unit))
+    Some(Directed { unit, measures: known.measures(is_along)?, way })
 }
 
 /// Whether a direction is a coordinate axis.

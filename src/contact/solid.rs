@@ -13,7 +13,6 @@ pub(super) fn edge_of_box(i: usize, upper: [bool; 3]) -> u8 {
 /// A shape in floats, and its half-edges.
 pub(super) struct Solid<'a> {
     pub(super) rough: &'a Rough,
-    pub(super) is_triangle: bool,
     pub(super) reach: [Vec64; 3],
     /// An upper bound of the coordinates of all corners.
     pub(super) size: f64,
@@ -25,12 +24,12 @@ impl<'a> Solid<'a> {
         let [a, b, c] = three(|k| largest(&rough.at[k]));
         let farthest = greatest(a, greatest(b, c));
         let size = reach.iter().fold(farthest, |size, reach| size + largest(reach));
-        Self { rough, is_triangle: rough.is_triangle, reach, size }
+        Self { rough, reach, size }
     }
 
     /// The numbers of its faces.
     pub(super) fn faces(&self) -> core::ops::Range<u8> {
-        0..if self.is_triangle { 1 } else { 6 }
+        0..if self.rough.is_triangle { 1 } else { 6 }
     }
 
     /// How far the shape extends in a direction, from the origin.
@@ -39,7 +38,7 @@ impl<'a> Solid<'a> {
         let at = |k: usize| dot(&self.rough.at[k], direction);
         let reach = three(|k| dot(&self.reach[k], direction).abs());
         let farthest =
-            if self.is_triangle { greatest(greatest(at(0), at(1)), at(2)) } else { at(0) };
+            if self.rough.is_triangle { greatest(greatest(at(0), at(1)), at(2)) } else { at(0) };
         farthest + (reach[0] + reach[1] + reach[2])
     }
 
@@ -65,7 +64,7 @@ impl<'a> Solid<'a> {
     /// Of the faces that satisfy `is_first`, the one most nearly antiparallel to `outward`, the normal of
     /// another shape's face. A triangle is its only face.
     pub(super) fn face_against(&self, outward: &Vec64, is_first: impl Fn(u8) -> bool) -> u8 {
-        if self.is_triangle {
+        if self.rough.is_triangle {
             return 0;
         }
         let axes = self.units();
@@ -97,7 +96,7 @@ impl<'a> Solid<'a> {
         is_across: [bool; 3],
         is_end: [bool; 3],
     ) -> impl Iterator<Item = u8> + Clone + use<> {
-        let is_triangle = self.is_triangle;
+        let is_triangle = self.rough.is_triangle;
         (0..4_u8).filter_map(move |n| {
             if is_triangle {
                 let (from, to, _) = turn(n.into());
@@ -114,7 +113,7 @@ impl<'a> Solid<'a> {
 
     /// The ends of an edge.
     pub(super) fn edge(&self, view: &View, number: u8) -> [Corner; 2] {
-        if self.is_triangle {
+        if self.rough.is_triangle {
             let (from, to, _) = turn(number.into());
             return [from, to].map(|k| view.corner(*pick(&self.rough.at, k)));
         }

@@ -12,7 +12,7 @@ use super::exact::{Exact, Given, Size, length};
 use super::flat::in_floats;
 use super::integers::{Half, Short};
 use super::interior::InteriorEdges;
-use super::least::{Numbers, Way, exact_in_words, least_exact, least_way};
+use super::least::{Directed, Numbers, Way, exact_in_words, least_exact, least_way};
 use super::measures::{Lengths, Measures};
 use super::round;
 use super::shapes::{Flat, Round};
@@ -69,7 +69,8 @@ fn assert_is_settled_as_exact<S: Scalar>(
 ) {
     let least = least_way(bodies, rough, InteriorEdges::NONE);
     assert_eq!(least.is_some(), exact.is_some(), "{bodies:?}");
-    if let (Some((way, found, unit)), Some((exact_way, lengths))) = (least, exact) {
+    if let (Some(found), Some((exact_way, lengths))) = (least, exact) {
+        let Directed { unit, measures: found, way } = found;
         let exact: Measures<S> = lengths.measures(way.is_along);
         assert_eq!((way.direction, way.along), (exact_way.direction, exact_way.along));
         assert_eq!((found, unit), (exact, lengths.unit(way.is_along)), "{bodies:?}");

@@ -34,6 +34,7 @@ const LACK: f64 = 20.0 * f64::from_bits((1023 - 63) << 52);
 /// Exact numbers round a quotient down at v = 2^-63. Of itself, its coordinate is up to v too low. The
 /// slack of its length is 17·v at most: v of a coordinate, 4·v of its square, 16·v of the sum of
 /// squares, and v more of the root. So the quotient is up to 19·v too low: less than [`LACK`].
+#[inline(always)] // A vector that is returned would be copied.
 pub(super) fn unit([x, y]: [&Vec64; 2], is_along: bool, inverse: f64) -> Option<Vec64> {
     // Products of numbers of 24 bits are exact.
     let is_short = |x: &Vec64| three(|i| f64::from(x[i] as f32) == x[i]) == [true; 3];
