@@ -27,76 +27,14 @@ impl Wanted {
     pub(super) const FACE: Self = Self { all: &[FACE], against: 1, along: 1 };
 
     /// The translations whose overlap may be the least, by floats; nearly always a single one.
+    #[inline(always)]
     pub(super) fn new<S: Scalar>(
         bodies: &[Body<'_, S>; 2],
         filter: &mut Filter<'_>,
     ) -> Result<Self, Apart> {
         let all = all(bodies);
-        let mut needed = filter.needed(all);
-        if !REGISTERS_ARE_WIDE {
-            return Self::of_floats::<f64>(all, needed, &filter.ruler);
-        }
-        if needed.count_ones() > 4 {
-            let short = two(|n| filter.ruler.shapes[n].short());
-            let wanted =
-                Self::of_floats::<<f32 as OfFour>::Quad>(all, needed, &Ruler::new(&short))?;
-            if wanted.single().is_some() {
-                return Ok(wanted);
-            }
-            needed = wanted.against | wanted.along;
-        }
-        Self::of_floats::<<f64 as OfFour>::Quad>(all, needed, &filter.ruler)
-    }
-
-    /// The same of the directions in `needed`, which are bits.
-    #[inline(always)]
-    fn of_floats<V: Lanes>(
-        all: &'static [Direction],
-        needed: u16,
-        ruler: &Ruler<'_, V::Lane>,
-    ) -> Result<Self, Apart> {
-        let mut wanted = Self { all, against: 0, along: 0 };
-        let (numbers, sides) = (numbers_of(needed), sides_of_all(ruler.are_triangles));
-        let count = needed.count_ones() as usize;
-        let infinity = V::same(V::Lane::INFINITY);
-        let (mut least, mut bound) = (V::all([infinity; 2]), infinity);
-        // As bits of these numbers, in their order.
-        let mut unknown = 0;
-        for (group, least) in least.as_mut().iter_mut().enumerate() {
-            let begin = group * V::COUNT;
-            if begin >= count {
-                break;
-            }
-            let found = ruler.overlaps::<V>(|n| {
-                let number = usize::from(numbers[(begin + n) % 16]);
-                sides[number % 16]
-            });
-            if found.are_apart {
-                return Err(Apart);
-            }
-            unknown |= found.unknown << begin;
-            *least = found.least;
-            bound = bound.least(found.most[0].least(found.most[1]));
-        }
-        let bound = (0..V::COUNT).map(|n| bound.lane(n)).fold(V::Lane::INFINITY, smaller);
-        let may_be_least = |side: usize| {
-            let mut left = unknown;
-            for (group, least) in least.as_ref().iter().enumerate() {
-                if group * V::COUNT >= count {
-                    break;
-                }
-                left |= least[side].is_within(V::same(bound)) << (group * V::COUNT);
-            }
-            left &= (1 << count) - 1;
-            let mut bits = 0;
-            while left != 0 {
-                bits |= 1 << numbers[left.trailing_zeros() as usize % 16];
-                left &= left - 1;
-            }
-            bits
-        };
-        (wanted.against, wanted.along) = (may_be_least(0), may_be_least(1));
-        Ok(wanted)
+        let [against, along] = by_floats(filter.needed(all), &filter.ruler)?;
+        Ok(Self { all, against, along })
     }
 
     /// The translations whose overlap may be the least, by words; nearly always few. `cross` has the
@@ -156,22 +94,90 @@ impl Wanted {
     /// The translation that is wanted, if it is the only one.
     pub(super) fn single(&self) -> Option<(Direction, bool)> {
         let all = self.against | self.along;
-        let is_single = all.is_power_of_two() && self.against & self.along == 0;
-        is_single.then(|| (self.direction(all.trailing_zeros() as usize % 16), self.along != 0))
+        let single = || (self.direction(all.trailing_zeros() as usize % 16), self.along != 0);
+        is_single([self.against, self.along]).then(single)
     }
 }
 
-/// The numbers of these bits; what follows is any.
-fn numbers_of(bits: u16) -> [u8; 16] {
-    let mut numbers = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
-    if bits & bits.wrapping_add(1) == 0 {
-        return numbers;
+/// Whether these are one translation.
+fn is_single([against, along]: [u16; 2]) -> bool {
+    (against | along).is_power_of_two() && against & along == 0
+}
+
+/// The translations whose overlap may be the least, of the directions in `needed`, against them and
+/// along them; all as bits. Out of line and of no scalar, so that all scalars share it.
+#[inline(never)]
+fn by_floats(mut needed: u16, ruler: &Ruler<'_, f64>) -> Result<[u16; 2], Apart> {
+    if !REGISTERS_ARE_WIDE {
+        return of_lanes::<f64>(needed, ruler);
     }
-    let (mut left, mut last) = (bits, 0);
-    for number in &mut numbers {
-        last = if left == 0 { last } else { left.trailing_zeros() as u8 };
-        left &= left.wrapping_sub(1);
-        *number = last;
+    if needed.count_ones() > 4 {
+        let short = two(|n| ruler.shapes[n].short());
+        let wanted = of_lanes::<<f32 as OfFour>::Quad>(needed, &Ruler::new(&short))?;
+        if is_single(wanted) {
+            return Ok(wanted);
+        }
+        needed = wanted[0] | wanted[1];
     }
-    numbers
+    of_lanes::<<f64 as OfFour>::Quad>(needed, ruler)
+}
+
+/// The same in one kind of lanes.
+#[inline(always)]
+fn of_lanes<V: Lanes>(needed: u16, ruler: &Ruler<'_, V::Lane>) -> Result<[u16; 2], Apart> {
+    let (all, mut some) = (sides_of_all(ruler.are_triangles), [[0; 2]; 16]);
+    // The first directions, without a gap.
+    let are_first = needed & needed.wrapping_add(1) == 0;
+    if !are_first {
+        let (mut left, mut last) = (needed, 0);
+        for to in &mut some {
+            last = if left == 0 { last } else { left.trailing_zeros() as usize };
+            left &= left.wrapping_sub(1);
+            *to = all[last % 16];
+        }
+    }
+    let sides = if are_first { all } else { &some };
+    let count = needed.count_ones() as usize;
+    let infinity = V::same(V::Lane::INFINITY);
+    let (mut least, mut bound) = (V::all([infinity; 2]), infinity);
+    // As bits of the directions that are needed, in their order.
+    let mut unknown = 0;
+    for (group, least) in least.as_mut().iter_mut().enumerate() {
+        let begin = group * V::COUNT;
+        if begin >= count {
+            break;
+        }
+        let found = ruler.overlaps::<V>(|n| sides[(begin + n) % 16]);
+        if found.are_apart {
+            return Err(Apart);
+        }
+        unknown |= found.unknown << begin;
+        *least = found.least;
+        bound = bound.least(found.most[0].least(found.most[1]));
+    }
+    let bound = (0..V::COUNT).map(|n| bound.lane(n)).fold(V::Lane::INFINITY, smaller);
+    let may_be_least = |side: usize| {
+        let mut left = unknown;
+        for (group, least) in least.as_ref().iter().enumerate() {
+            if group * V::COUNT >= count {
+                break;
+            }
+            left |= least[side].is_within(V::same(bound)) << (group * V::COUNT);
+        }
+        if are_first { left as u16 & needed } else { spread(left, needed) }
+    };
+    Ok(two(may_be_least))
+}
+
+/// Puts bit n at the place of the n-th bit of `to` that is set.
+fn spread(mut bits: u32, mut to: u16) -> u16 {
+    let mut spread = 0;
+    while to != 0 {
+        let rest = to & (to - 1);
+        if bits & 1 == 1 {
+            spread |= to ^ rest;
+        }
+        (bits, to) = (bits >> 1, rest);
+    }
+    spread
 }
