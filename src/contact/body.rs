@@ -51,6 +51,7 @@ impl<S: Scalar> Body<'_, S> {
     }
 
     /// The centre of a box, or the first vertex of a triangle.
+    #[inline]
     pub(super) fn origin(&self) -> Place<S> {
         match self {
             Self::Triangle(t) => {
@@ -65,10 +66,11 @@ impl<S: Scalar> Body<'_, S> {
         }
     }
 
-    /// The shape in floats. Each number is rounded once or twice. Lengths are multiplied by a power
+    /// The shape in floats, relative to the origin of a shape. Each number is rounded once or twice. Lengths are multiplied by a power
     /// of two.
     #[cfg_attr(target_arch = "s390x", inline(never))] // QEMU before 8.0 multiplies two f32 widened for it wrongly on s390x (MDEBR).
-    pub(super) fn rough(&self, origin: &Place<S>, scale: f64) -> Rough {
+    pub(super) fn rough(&self, origin: &Self, scale: f64) -> Rough {
+        let origin = origin.origin();
         let less = |x: S, other: S| difference_in_double(x, other, scale);
         let from =
             |x: &Place<S>| three(|i| (less(x.0[i], origin.0[i]) + less(x.1[i], origin.1[i])) * 0.5);

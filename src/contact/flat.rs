@@ -1,6 +1,6 @@
 //! Contacts of shapes with flat faces.
 
-use super::body::{Body, Place, Rough};
+use super::body::{Body, Rough};
 use super::least::{Directed, Way, least_measures, least_way};
 use super::measures::Measures;
 use super::points::{Points, features, points};
@@ -8,7 +8,7 @@ use super::{Contact, InteriorEdges, Translation};
 use crate::scalar::Scalar;
 
 pub(super) fn least_translation<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<Translation<S>> {
-    let (way, measures) = least_measures(bodies, || in_floats(bodies, &bodies[1].origin()))?;
+    let (way, measures) = least_measures(bodies, || in_floats(bodies))?;
     Some(translation(bodies, &way, &measures))
 }
 
@@ -17,7 +17,7 @@ pub(super) fn contact<S: Scalar>(
     interior: InteriorEdges,
 ) -> Option<Contact<S>> {
     let origin = bodies[1].origin();
-    let mut rough = in_floats(bodies, &origin);
+    let mut rough = in_floats(bodies);
     let best = least_way(bodies, &rough, interior)?;
     // Where they are, without a copy.
     let Directed { unit, measures, way } = &best;
@@ -28,10 +28,10 @@ pub(super) fn contact<S: Scalar>(
     Some(contact)
 }
 
-/// The shapes in floats, relative to an origin.
+/// The shapes in floats, relative to the origin of the second.
 #[inline(always)]
-pub(super) fn in_floats<S: Scalar>(bodies: &[Body<'_, S>; 2], origin: &Place<S>) -> [Rough; 2] {
-    [bodies[0].rough(origin, 1.0), bodies[1].rough(origin, 1.0)]
+pub(super) fn in_floats<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> [Rough; 2] {
+    [bodies[0].rough(&bodies[1], 1.0), bodies[1].rough(&bodies[1], 1.0)]
 }
 
 fn translation<S: Scalar>(

@@ -154,7 +154,7 @@ pub(super) fn points<S: Scalar>(
     // NaN and infinity are too great; `greatest` may pass over a NaN.
     if !(size > RANGE.0 && solids.iter().all(|solid| solid.size < RANGE.1)) {
         scale = if size < 1.0 { UP } else { DOWN };
-        *rough = two(|n| bodies[n].rough(origin, scale));
+        *rough = two(|n| bodies[n].rough(&bodies[1], scale));
         solids = two(|n| Solid::new(&rough[n]));
     }
     let size = greatest(solids[0].size, solids[1].size);

@@ -84,8 +84,10 @@ pub(super) fn settled<S: Scalar>(
         of_depth: error / overlap,
     };
     let mut along = [[Ordering::Equal; 3]; 2];
-    for (along, known) in
-        along.as_flattened_mut().iter_mut().zip(filter.along(direction).as_flattened())
+    for (along, known) in along
+        .as_flattened_mut()
+        .iter_mut()
+        .zip(filter.signs(direction, &(a, products)).as_flattened())
     {
         *along = (*known)?;
     }

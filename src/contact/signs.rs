@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 
-use super::body::dot;
+use super::body::{Vec64, dot};
 use super::directions::Direction;
 use super::filter::{Filter, Measure};
 use crate::arithmetic::{REGISTERS_ARE_WIDE, largest, three};
@@ -42,9 +42,17 @@ impl Filter<'_> {
     /// perpendicular to the direction up to a residue. If all terms are zero, so is the sum, unless
     /// one has underflowed.
     pub(super) fn along(&self, direction: Direction) -> [[Option<Ordering>; 3]; 2] {
-        let (a, products) = self.cross(direction);
+        self.signs(direction, &self.cross(direction))
+    }
+
+    /// The same, given the direction in floats and the products in its coordinates.
+    pub(super) fn signs(
+        &self,
+        direction: Direction,
+        (a, products): &(Vec64, Vec64),
+    ) -> [[Option<Ordering>; 3]; 2] {
         let across = self.across(direction);
-        let is_in_range = largest(&products).is_product();
+        let is_in_range = largest(products).is_product();
         let of = |shape: usize| {
             let sides = &self.ruler.shapes[shape % 2].sides;
             three(|k| {
@@ -54,7 +62,7 @@ impl Filter<'_> {
                     return Some(Ordering::Equal);
                 }
                 let s = &sides[k];
-                let along = dot(&a, s);
+                let along = dot(a, s);
                 let size = largest(&three(|i| products[i] * s[i]));
                 let is_in_range = is_in_range & largest(s).is_size() & size.is_size();
                 let is_certain = is_in_range & (along.abs() > f64::ERROR / 4.0 * size);

@@ -4,6 +4,9 @@ use super::body::{Rough, Vec64, cross, dot};
 use super::view::{Corner, View};
 use crate::arithmetic::{each, greatest, largest, pick, three, turn};
 
+/// The square of the sine of an angle that roundings are far below.
+const CLEAR: f64 = f64::from_bits((1023 - 40) << 52);
+
 /// The number of the edge of a box along axis i.
 pub(super) fn edge_of_box(i: usize, upper: [bool; 3]) -> u8 {
     let (i, j, k) = turn(i);
@@ -53,6 +56,15 @@ impl<'a> Solid<'a> {
         })
     }
 
+    /// Whether a face of a box certainly has a normal in floats: its sides are not parallel, by far more
+    /// than roundings.
+    fn has_normal(&self, number: u8) -> bool {
+        let (_, i, j) = turn(usize::from(number / 2));
+        let [a, b] = [i, j].map(|k| pick(&self.rough.sides, k));
+        let w = cross(a, b);
+        dot(&w, &w) > CLEAR * (dot(a, a) * dot(b, b))
+    }
+
     /// The axes of a box, divided by their greatest coordinates.
     fn units(&self) -> [Vec64; 3] {
         each(self.rough.sides, |side| {
@@ -67,9 +79,17 @@ impl<'a> Solid<'a> {
         if self.rough.is_triangle {
             return 0;
         }
+        let mut candidates = self.faces().filter(|&n| is_first(n));
+        let some = [candidates.next(), candidates.next()];
+        if let [Some(number), None] = some {
+            // Of one there is nothing to compare.
+            if self.has_normal(number) {
+                return number;
+            }
+        }
         let axes = self.units();
         let (mut first, mut best) = (0, f64::NEG_INFINITY);
-        for number in self.faces().filter(|&n| is_first(n)) {
+        for number in some.into_iter().flatten().chain(candidates) {
             let value = facing(&axes, number, outward);
             if value > best {
                 (first, best) = (number, value);

@@ -80,7 +80,7 @@ fn assert_is_settled_as_exact<S: Scalar>(
 /// Whether there is a contact, and whether 60 bits hold the shapes, or 250.
 fn check<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [bool; 3] {
     let bodies = [first.body(), second.body()];
-    let rough = in_floats(&bodies, &bodies[1].origin());
+    let rough = in_floats(&bodies);
     let least = least_exact(&bodies, &rough);
     let found = least.as_ref().map(|(way, l)| (way.direction, way.is_along, Some(l.depth)));
     assert_eq!(found, by_sums(&bodies), "{bodies:?}");

@@ -70,18 +70,15 @@ pub(super) fn unit([x, y]: [&Vec64; 2], is_along: bool, inverse: f64) -> Option<
         (high[i], low[i]) = (h, r);
     }
     let off = 0.5 * (square + rest);
-    let mut unit = [0.0; 3];
-    for i in 0..3 {
+    let [Some(x), Some(y), Some(z)] = three(|i| {
         let (high, low) = (high[i], low[i] - high[i] * off);
-        unit[i] = high + (low + high * ROUNDED);
-        if unit[i] != high + (low - high * LACK) {
-            return if are_short { by_integers(&a, is_along) } else { None };
-        }
-        if !is_along {
-            unit[i] = -unit[i];
-        }
-    }
-    Some(unit)
+        let unit = high + (low + high * ROUNDED);
+        let is_certain = unit == high + (low - high * LACK);
+        is_certain.then(|| if is_along { unit } else { -unit })
+    }) else {
+        return if are_short { by_integers(&a, is_along) } else { None };
+    };
+    Some([x, y, z])
 }
 
 /// The same for an exact direction, by the operations of exact numbers; `None` if 64 bits do not hold a
