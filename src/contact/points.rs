@@ -1,7 +1,5 @@
 //! Contact points: where shapes touch after the least translation.
 
-use core::cmp::Ordering;
-
 use super::body::{Body, Place, Rough, Vec64, difference_in_double, dot};
 use super::clip::clip;
 use super::directions::Direction;
@@ -170,7 +168,7 @@ pub(super) fn points<S: Scalar>(
         }
         (Features::Edges(..), Direction::Sides(i, j)) => {
             let edges = |n: usize, k: u8| {
-                let is_across = way.along[n % 2].map(Ordering::is_eq);
+                let is_across = three(|k| way.along[n % 2][k].is_eq());
                 let is_end =
                     if bodies[n % 2].is_triangle() { way.farthest(n) } else { upper(way, n) };
                 solids[n % 2].support_edges(k, is_across, is_end)

@@ -2,7 +2,7 @@
 
 use super::body::{Rough, Vec64, cross, dot};
 use super::view::{Corner, View};
-use crate::arithmetic::{each, greatest, largest, pick, three, turn};
+use crate::arithmetic::{each, greatest, largest, pick, three, turn, two};
 
 /// The square of the sine of an angle that roundings are far below.
 const CLEAR: f64 = f64::from_bits((1023 - 40) << 52);
@@ -135,11 +135,11 @@ impl<'a> Solid<'a> {
     pub(super) fn edge(&self, view: &View, number: u8) -> [Corner; 2] {
         if self.rough.is_triangle {
             let (from, to, _) = turn(number.into());
-            return [from, to].map(|k| view.corner(*pick(&self.rough.at, k)));
+            return two(|end| view.corner(*pick(&self.rough.at, if end == 0 { from } else { to })));
         }
         let (i, j, k) = turn(usize::from(number / 4));
         let lower = (number & 1) << j | (number >> 1 & 1) << k;
-        [lower, lower | 1 << i].map(|vertex| view.corner(self.corner(vertex)))
+        two(|end| view.corner(self.corner(lower | (end as u8) << i)))
     }
 }
 

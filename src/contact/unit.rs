@@ -76,7 +76,11 @@ pub(super) fn unit([x, y]: [&Vec64; 2], is_along: bool, inverse: f64) -> Option<
         let is_certain = unit == high + (low - high * LACK);
         is_certain.then(|| if is_along { unit } else { -unit })
     }) else {
-        return if are_short { by_integers(&a, is_along) } else { None };
+        if !are_short {
+            return None;
+        }
+        let [x, y, z] = by_integers(&a, is_along)?;
+        return Some([x, y, z]);
     };
     Some([x, y, z])
 }
