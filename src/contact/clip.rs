@@ -20,12 +20,9 @@ pub(super) trait Known {
     fn within(&self, m: usize) -> Option<bool>;
     /// The point within the other face that meets corner m.
     fn point(&self, m: usize) -> Option<Vec64>;
-    /// Whether edge m of the face may cross the line of edge n.
-    fn may_cross(&self, n: usize, m: usize) -> bool;
-    /// Whether any edge of the face may, if that takes no time.
-    fn may_be_crossed(&self, _n: usize) -> bool {
-        true
-    }
+    /// The pairs of edges that may cross, as bits: 4·n + m for edge n of the other face and edge m of the
+    /// face. `back` has the positions of the other face's corners.
+    fn crossings(&self, back: &Self) -> u32;
     /// If this is certain, the signed distances of the ends of edge m, times the length of edge n.
     fn sides(&self, n: usize, m: usize) -> Option<[f64; 2]>;
 }
@@ -79,6 +76,12 @@ impl Words<'_> {
         let (Some(from), Some(to)) = (&self.1.words, &self.2.words) else { return 0 };
         side(&from[n], &from[self.1.next(n) % CORNERS], &to[m])
     }
+
+    /// Whether edge m may cross the line of edge n.
+    fn may_cross(&self, n: usize, m: usize) -> bool {
+        let [a, b] = [m, self.2.next(m)].map(|m| self.side(n, m));
+        a != b || a == 0
+    }
 }
 
 impl Known for Words<'_> {
@@ -111,9 +114,16 @@ impl Known for Words<'_> {
         view.allows(&at, to).then_some(at.at)
     }
 
-    fn may_cross(&self, n: usize, m: usize) -> bool {
-        let [a, b] = [m, self.2.next(m)].map(|m| self.side(n, m));
-        a != b || a == 0
+    fn crossings(&self, back: &Self) -> u32 {
+        let mut crossings = 0;
+        for n in 0..self.1.count() {
+            for m in 0..self.2.count() {
+                if self.may_cross(n, m) && back.may_cross(m, n) {
+                    crossings |= 1 << (CORNERS * n + m);
+                }
+            }
+        }
+        crossings
     }
 
     fn sides(&self, _: usize, _: usize) -> Option<[f64; 2]> {
@@ -161,18 +171,14 @@ fn overlap<T: Known>(
             add([below.at, at], [Part::Vertex(vertex), Part::Face(incident.number)]);
         }
     }
-    for n in 0..reference.count() {
-        if !of_incident.known.may_be_crossed(n) {
-            continue;
-        }
-        for m in 0..incident.count() {
-            if !of_incident.known.may_cross(n, m) || !of_reference.known.may_cross(m, n) {
-                continue;
-            }
-            let (below, at) = (reference.edge(n), incident.edge(m));
-            if let Some([x, y]) = below.crossing(&at, view, of_incident.known.sides(n, m)) {
-                add([x.at, y.at], [Part::Edge(below.number), Part::Edge(at.number)]);
-            }
+    let mut crossings = of_incident.known.crossings(&of_reference.known);
+    while crossings != 0 {
+        let pair = crossings.trailing_zeros() as usize;
+        crossings &= crossings - 1;
+        let (n, m) = (pair / CORNERS, pair % CORNERS);
+        let (below, at) = (reference.edge(n), incident.edge(m));
+        if let Some([x, y]) = below.crossing(&at, view, of_incident.known.sides(n, m)) {
+            add([x.at, y.at], [Part::Edge(below.number), Part::Edge(at.number)]);
         }
     }
 }

@@ -121,13 +121,13 @@ impl Known for Quads {
     }
 
     #[inline(always)]
-    fn may_cross(&self, n: usize, m: usize) -> bool {
-        self.crossing >> (CORNERS * (n % CORNERS) + m) & 1 == 1
-    }
-
-    #[inline(always)]
-    fn may_be_crossed(&self, n: usize) -> bool {
-        self.crossing >> (CORNERS * (n % CORNERS)) & ALL != 0
+    fn crossings(&self, back: &Self) -> u32 {
+        // Rows and columns of four bits change places.
+        let x = back.crossing;
+        let change = (x ^ x >> 3) & 0x0a0a;
+        let x = x ^ change ^ change << 3;
+        let change = (x ^ x >> 6) & 0x00cc;
+        self.crossing & (x ^ change ^ change << 6)
     }
 
     #[inline(always)]
@@ -211,6 +211,8 @@ mod tests {
             };
             let (from, face) = (face(&mut random, n % 2 == 0), face(&mut random, n % 4 < 2));
             let (quads, signs) = (Quads::new(&view, &from, &face), signs(&from, &face));
+            let back = Quads::new(&view, &face, &from);
+            let crossings = quads.crossings(&back);
             let of = |m: usize| signs.iter().take(from.count()).map(move |signs| signs[m]);
             for m in 0..face.count() {
                 let is_left = of(m).all(|sign| sign > 0) || of(m).all(|sign| sign < 0);
@@ -224,8 +226,10 @@ mod tests {
                 }
                 for n in 0..from.count() {
                     let is_crossed = signs[n][m] * signs[n][face.next(m)] < 0;
-                    assert_eq!(quads.may_cross(n, m), is_crossed);
+                    assert_eq!(quads.crossing >> (CORNERS * n + m) & 1 == 1, is_crossed);
                     crossed += u32::from(is_crossed);
+                    let both = is_crossed && back.crossing >> (CORNERS * m + n) & 1 == 1;
+                    assert_eq!(crossings >> (CORNERS * n + m) & 1 == 1, both);
                 }
             }
         }
