@@ -8,8 +8,8 @@ use super::{Contact, InteriorEdges, Translation};
 use crate::scalar::Scalar;
 
 pub(super) fn least_translation<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<Translation<S>> {
-    let (way, measures) = least_measures(bodies, || in_floats(bodies))?;
-    Some(translation(bodies, &way, &measures))
+    let Directed { measures, way, .. } = &least_measures(bodies, || in_floats(bodies))?;
+    Some(translation(bodies, way, measures))
 }
 
 pub(super) fn contact<S: Scalar>(

@@ -154,28 +154,28 @@ pub(super) fn least_exact<S: Scalar>(
     exact(bodies, &filter, &wanted).ok()?
 }
 
-/// The least way out and its numbers; `None` if a plane separates the shapes.
+/// The least way out and its numbers, without a unit vector; `None` if a plane separates the shapes.
 ///
 /// Floats select which of up to 30 ways may be the least, and nearly always know the numbers of a
 /// single one. Exact numbers decide between several ways, and whether the shapes overlap at all.
 pub(super) fn least_measures<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     rough: impl FnOnce() -> [Rough; 2],
-) -> Option<(Way, Measures<S>)> {
-    if is_whole::<S>() {
-        let (way, lengths) = exact_in_words(bodies, false).ok()??;
+) -> Option<Directed<S>> {
+    let measured = |(way, lengths): (Way, Lengths)| {
         let measures = lengths.measures(way.is_along);
-        return Some((way, measures));
+        Directed { unit: [0.0; 3], measures, way }
+    };
+    if is_whole::<S>() {
+        return Some(measured(exact_in_words(bodies, false).ok()??));
     }
     let rough = rough();
     let mut filter = Filter::new::<S>(&rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
-    if let Some(Directed { way, measures, .. }) = from_floats(&filter, &wanted, None) {
-        return Some((way, measures));
+    match from_floats(&filter, &wanted, None) {
+        Some(best) => Some(best),
+        None => Some(measured(exact(bodies, &filter, &wanted).ok()??)),
     }
-    let (way, lengths) = exact(bodies, &filter, &wanted).ok()??;
-    let measures = lengths.measures(way.is_along);
-    Some((way, measures))
 }
 
 /// The way that floats leave and its numbers, if they are certain of all.
