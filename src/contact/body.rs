@@ -123,8 +123,8 @@ impl<S: Scalar> Body<'_, S> {
         }
     }
 
-    /// Whether the same in `f64` has no rounding, if `f64` holds the scalar.
-    pub(super) fn is_whole(&self, k: usize) -> bool {
+    /// Whether the side has no rounding in `f64`, if `f64` holds the scalar.
+    pub(super) fn is_side_exact(&self, k: usize) -> bool {
         match self {
             Self::Triangle(t) => {
                 let v = t.points().map(|p| three(|i| p[i].in_double()));

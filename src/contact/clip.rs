@@ -20,8 +20,8 @@ pub(super) trait Known {
     fn within(&self, m: usize) -> Option<bool>;
     /// The point within the other face that meets corner m.
     fn point(&self, m: usize) -> Option<Vec64>;
-    /// The pairs of edges that may cross, as bits: 4·n + m for edge n of the other face and edge m of the
-    /// face. `back` has the positions of the other face's corners.
+    /// Which pairs of edges may cross. Bit 4·n + m stands for edge n of the opposite face and edge m of
+    /// this face; `back` has the positions of the opposite face's corners.
     fn crossings(&self, back: &Self) -> u32;
     /// If this is certain, the signed distances of the ends of edge m, times the length of edge n.
     fn sides(&self, n: usize, m: usize) -> Option<[f64; 2]>;

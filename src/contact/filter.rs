@@ -51,7 +51,7 @@ pub(super) trait Measure: Float + Div<Output = Self> {
     const SPREAD: Self;
     /// The same if the square is at least a sixteenth of P².
     const LEAST_SPREAD: Self;
-    /// One of the two for each of four squares, of which bits say that the first holds.
+    /// The spread of each of four squares, by bits that are set for [`SPREAD`](Self::SPREAD).
     const SPREADS: [[Self; 4]; 16] = spreads([Self::LEAST_SPREAD, Self::SPREAD]);
     /// The range of sizes, and of sides with half-extents. A number within it may be squared, cubed,
     /// and squared again; in `f32` a product may be squared.

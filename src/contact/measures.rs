@@ -93,7 +93,7 @@ impl Lengths {
     }
 }
 
-/// The unit vector of these coordinates, of which `ratios` are the sizes.
+/// A unit vector: its signs come from `coordinates`, its sizes from `ratios`.
 pub(super) fn unit_of(
     coordinates: &[Option<(Ordering, Soft)>; 3],
     is_along: bool,

@@ -20,7 +20,7 @@ const EACH: u32 = 0x1111;
 pub(super) struct Quads {
     /// The signed distance of each corner from each edge, times the edge's length.
     sides: [[f64; CORNERS]; CORNERS],
-    /// For each edge of the other face, the edges of this face that cross its line: four bits each.
+    /// Four bits for each edge of the opposite face: the edges of this face that cross its line.
     crossing: u32,
     /// The corners that certainly lie within the other face.
     inside: u32,

@@ -28,8 +28,8 @@ const MOST: f64 = f64::from_bits((1023 - 20) << 52);
 pub(super) const SQUARES: u16 = 30;
 
 /// The way along a direction and its numbers, if floats are certain of all signs along the
-/// direction, and of the number of the scalar to which each of its lengths rounds. With
-/// `bodies` also the unit vector, if double words are certain of it; without, it is zero.
+/// direction, and of the number of the scalar to which each of its lengths rounds. If `bodies` are given,
+/// double words also have to be certain of the unit vector; otherwise it is zero.
 ///
 /// # The error
 ///
@@ -94,7 +94,7 @@ pub(super) fn settled<S: Scalar>(
     let unit = match bodies {
         Some(bodies) => {
             let sides = direction.sides(filter.ruler.are_triangles);
-            if !sides.iter().all(|&(shape, k)| bodies[shape % 2].is_whole(k)) {
+            if !sides.iter().all(|&(shape, k)| bodies[shape % 2].is_side_exact(k)) {
                 return None;
             }
             unit(filter.ruler.sides(numbers), is_along, inverse)?

@@ -4,7 +4,7 @@ use super::body::{Rough, Vec64, cross, dot};
 use super::view::{Corner, View};
 use crate::arithmetic::{each, greatest, largest, pick, three, turn, two};
 
-/// The square of the sine of an angle that roundings are far below.
+/// The squared sine of an angle far above all roundings.
 const CLEAR: f64 = f64::from_bits((1023 - 40) << 52);
 
 /// The number of the edge of a box along axis i.
@@ -73,8 +73,8 @@ impl<'a> Solid<'a> {
         })
     }
 
-    /// Of the faces that satisfy `is_first`, the one most nearly antiparallel to `outward`, the normal of
-    /// another shape's face. A triangle is its only face.
+    /// The face most nearly antiparallel to `outward`, the normal of another shape's face, among the faces
+    /// that satisfy `is_first`. A triangle is its only face.
     pub(super) fn face_against(&self, outward: &Vec64, is_first: impl Fn(u8) -> bool) -> u8 {
         if self.rough.is_triangle {
             return 0;
@@ -82,7 +82,7 @@ impl<'a> Solid<'a> {
         let mut candidates = self.faces().filter(|&n| is_first(n));
         let some = [candidates.next(), candidates.next()];
         if let [Some(number), None] = some {
-            // Of one there is nothing to compare.
+            // No comparison, and no quotients for it. Without a normal the comparison finds face 0.
             if self.has_normal(number) {
                 return number;
             }
@@ -151,4 +151,34 @@ fn facing(axes: &[Vec64; 3], number: u8, outward: &Vec64) -> f64 {
     let square = cosine * cosine / dot(&w, &w);
     let is_outward = (dot(&w, pick(axes, k)) > 0.0) == (number % 2 == 1);
     if is_outward == (cosine < 0.0) { square } else { -square }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::Random;
+
+    /// With one candidate, also where its sides are parallel.
+    #[test]
+    fn a_single_candidate_is_the_face_that_a_comparison_finds() {
+        let mut random = Random(0xface);
+        let mut number = || f64::from(random.bits() as i32) * 2_f64.powi(-31);
+        let mut seen = [0; 2];
+        for n in 0..4000_u32 {
+            let mut sides = [(); 3].map(|()| three(|_| number()));
+            if n % 2 == 0 {
+                let (by, off) = (number(), number() * 2_f64.powi(-(n as i32 % 64)));
+                sides[1] = three(|i| by * sides[0][i] + if n % 3 == 0 { 0.0 } else { off });
+            }
+            let rough = Rough { is_triangle: false, at: [[0.0; 3]; 3], sides, half: [1.0; 3] };
+            let (solid, outward) = (Solid::new(&rough), three(|_| number()));
+            for face in 0..6 {
+                let value = facing(&solid.units(), face, &outward);
+                let expected = if value > f64::NEG_INFINITY { face } else { 0 };
+                assert_eq!(solid.face_against(&outward, |other| other == face), expected);
+                seen[usize::from(solid.has_normal(face))] += 1;
+            }
+        }
+        assert!(seen[0] > 500 && seen[1] > 9000, "{seen:?}");
+    }
 }

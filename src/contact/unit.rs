@@ -24,17 +24,17 @@ const LACK: f64 = 20.0 * f64::from_bits((1023 - 63) << 52);
 ///
 /// Sides are exact, in one word; products of two words would lose digits that matter where a
 /// coordinate cancels. So products are exact, and a sum errs by 5·2^-106 of itself at most.
-/// `inverse`, one over the length, errs by f of itself, at most 25·u. The coordinates times `inverse` are
-/// h + r without a rounding of h, and their squares add up to (1 + f)². What exceeds one is added up
-/// from leading parts of h, multiples of 2^-26 whose squares have no rounding, and from their rests
-/// below 2^-27. Half of that is f but for f²/2, and the coordinate divided by 1 + f is
-/// h + (r − h·f) but for squares of f. `unit.g` proves that all of this is below [`LOST`]·2^-80, with
-/// room for the rounding of the end that is compared.
+/// `inverse`, one over the length, errs by f of itself, at most 25·u. Each coordinate times `inverse` is
+/// kept in two words, h + r, and the three squares add up to (1 + f)². The sum less one is computed
+/// from leading parts of h, which are multiples of 2^-26 with exact squares, and from rests below
+/// 2^-27. Half of it is f + f²/2. A coordinate of the unit vector is (h + r)/(1 + f). It differs
+/// from h + (r − h·f) by squares of f. `unit.g` proves that all errors together are below
+/// [`LOST`]·2^-80, with room for the rounding of the end that is compared.
 ///
 /// Exact numbers round a quotient down at v = 2^-63. Of itself, its coordinate is up to v too low. The
 /// slack of its length is 17·v at most: v of a coordinate, 4·v of its square, 16·v of the sum of
 /// squares, and v more of the root. So the quotient is up to 19·v too low: less than [`LACK`].
-#[inline(always)] // A vector that is returned would be copied.
+#[inline(always)] // A vector returned through memory would wait for its stores.
 pub(super) fn unit([x, y]: [&Vec64; 2], is_along: bool, inverse: f64) -> Option<Vec64> {
     // Products of numbers of 24 bits are exact.
     let is_short = |x: &Vec64| three(|i| f64::from(x[i] as f32) == x[i]) == [true; 3];

@@ -164,20 +164,20 @@ fn of_lanes<V: Lanes>(needed: u16, ruler: &Ruler<'_, V::Lane>) -> Result<[u16; 2
             }
             left |= least[side].is_within(V::same(bound)) << (group * V::COUNT);
         }
-        if are_first { left as u16 & needed } else { spread(left, needed) }
+        if are_first { left as u16 & needed } else { placed(left, needed) }
     };
     Ok(two(may_be_least))
 }
 
 /// Puts bit n at the place of the n-th bit of `to` that is set.
-fn spread(mut bits: u32, mut to: u16) -> u16 {
-    let mut spread = 0;
+fn placed(mut bits: u32, mut to: u16) -> u16 {
+    let mut placed = 0;
     while to != 0 {
         let rest = to & (to - 1);
         if bits & 1 == 1 {
-            spread |= to ^ rest;
+            placed |= to ^ rest;
         }
         (bits, to) = (bits >> 1, rest);
     }
-    spread
+    placed
 }
