@@ -94,7 +94,7 @@ const fn spreads<F: Copy>(of: [F; 2]) -> [[F; 4]; 16] {
     let mut spreads = [[of[0]; 4]; 16];
     let mut n = 0;
     while n < 64 {
-        spreads[n / 4][n % 4] = of[n / 4 >> n % 4 & 1];
+        spreads[n / 4][n % 4] = of[(n / 4) >> (n % 4) & 1];
         n += 1;
     }
     spreads

@@ -10,7 +10,7 @@ use super::Disjoint;
 use super::error_bound::{ErrorBound, Sizes, error_bound};
 use super::kernel::Operands;
 use crate::arithmetic::{
-    Double, Embeds, Filtered, Float, Number, OfFour, Soft, greatest, least, three, turn, two,
+    Double, Embeds, Filtered, Float, Number, OfFour, Quad, Soft, greatest, least, three, turn, two,
 };
 use crate::query::triangle_obb::{cross, dot};
 use crate::robust::{Clue, Numeric, Predicate, exact_stage};
@@ -206,10 +206,10 @@ fn pairs(firsts: u32, seconds: u32) -> impl Iterator<Item = [usize; 2]> {
 /// For each of two slabs w·d, w·m and h·(u·w), side by side. The second words are loose.
 #[inline(always)]
 fn in_lanes(s: &Operands<f64>, m: &[Double; 3], slabs: [usize; 2]) -> [[Double; 3]; 2] {
-    let lanes = |of: &dyn Fn(usize) -> f64| {
+    let lanes = |of: &dyn Fn(usize) -> f64| -> Four {
         let [a, b] = slabs.map(of);
         // The same twice: vectors of two compute it once.
-        Four::new([a, b, a, b])
+        Quad::new([a, b, a, b])
     };
     let u = three(|k| three(|x| lanes(&|i| s.u[(i + k) % 3][x])));
     let w = three(|x| {
@@ -218,8 +218,8 @@ fn in_lanes(s: &Operands<f64>, m: &[Double; 3], slabs: [usize; 2]) -> [[Double; 
         product(y, z).loose_difference(product(z, y))
     });
     let sum = |[x, y, z]: [Double<Four>; 3]| x.loose_sum(y).loose_sum(z);
-    let splat = |x: Double| Double { high: Four::splat(x.high), low: Four::splat(x.low) };
-    let along = sum(three(|x| w[x].scaled(Four::splat(s.d[x]))));
+    let splat = |x: Double| Double { high: Quad::splat(x.high), low: Quad::splat(x.low) };
+    let along = sum(three(|x| w[x].scaled(Quad::splat(s.d[x]))));
     let middle = sum(three(|x| w[x].product(splat(m[x]))));
     let reach = sum(three(|x| w[x].scaled(u[0][x]))).scaled(lanes(&|i| s.h[i]));
     let all = [along, middle, reach].map(|x| (x.high.to_array(), x.low.to_array()));
