@@ -26,8 +26,8 @@ impl Parts {
     pub(crate) fn in_units(self, low: i32) -> i64 {
         // Up or down by less than 64, and no bit is lost.
         let up = i32::from(self.shift).wrapping_sub(low) as u32;
-        let whole = self.magnitude.rotate_left(up) as i64;
-        if self.negative { -whole } else { whole }
+        let (whole, sign) = (self.magnitude.rotate_left(up) as i64, -i64::from(self.negative));
+        (whole ^ sign) - sign
     }
 
     /// The number in such units, if 127 bits hold it.
@@ -35,7 +35,9 @@ impl Parts {
     pub(crate) fn in_wide_units(self, low: i32) -> i128 {
         let up = i32::from(self.shift).wrapping_sub(low) as u32;
         let whole = u128::from(self.magnitude).rotate_left(up) as i128;
-        if self.negative { -whole } else { whole }
+        // rustc 1.95 loses signs of a choice between two numbers, in loops compiled for AVX-512.
+        let sign = -i128::from(self.negative);
+        (whole ^ sign) - sign
     }
 }
 
