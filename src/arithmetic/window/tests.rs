@@ -1,8 +1,9 @@
-//! Products at the ends of 32 bits: short windows and long ones agree.
+//! Products at the ends of 32 bits: short windows and long ones agree. Coordinates as integers.
 
 use super::super::limbs_of_areas::{Limbs2, Limbs4};
-use super::super::{Arithmetic, BigInt, Limbed, cross, dot};
-use super::{ShortWindow, Window};
+use super::super::{Arithmetic, BigInt, Embeds, Int64OfFloats, Limbed, cross, dot};
+use super::{ShortWindow, Window, bits};
+use crate::random::Random;
 
 /// A number in more limbs.
 fn long(x: &impl Limbed) -> BigInt<24> {
@@ -54,4 +55,39 @@ fn short_limbs_hold_the_products_of_areas() {
         let long = products::<Limbs4>(edges.map(|v| v.map(BigInt::from)));
         assert_eq!(products::<Limbs2>(edges.map(|v| v.map(BigInt::from))), long, "{edges:?}");
     }
+}
+
+/// Where loops are in vectors, too.
+#[test]
+fn numbers_side_by_side_are_those_of_each() {
+    fn check<const K: usize>(random: &mut Random) {
+        for n in 0..1_000 {
+            let mut number = |_| {
+                let bits = random.bits();
+                let size = (bits >> (12 + n % 40)) as f64 / 64.0;
+                if bits & 1 == 1 { size } else { -size }
+            };
+            let points = [(); K].map(|()| [0, 1, 2].map(&mut number));
+            let all = <Window as Embeds<f64>>::embed(&points).unwrap();
+            let short = <Int64OfFloats as Embeds<f64>>::embed(&points);
+            let low = bits(&points).low;
+            for (k, p) in points.iter().enumerate() {
+                for i in 0..3 {
+                    let expected = p[i] * 2_f64.powi(1074 - low);
+                    assert_eq!(all[k][i] as f64, expected, "{K} {k} {i}");
+                    assert!(
+                        short.is_none_or(|short| short[k][i] as f64 == expected),
+                        "{K} {k} {i}"
+                    );
+                }
+            }
+        }
+    }
+    let mut random = Random(0x519);
+    check::<2>(&mut random);
+    check::<3>(&mut random);
+    check::<4>(&mut random);
+    check::<5>(&mut random);
+    check::<6>(&mut random);
+    check::<8>(&mut random);
 }

@@ -133,7 +133,7 @@ const PART: u16 = 8;
 ///
 /// Floats find which slabs may be the last to be entered or the first to be left, nearly always one each.
 /// For those, numbers in two words have the first 64 digits of numerator and divisor, which exact sums
-/// divide as well. Where these are not certain, as in sums with few digits, both quotients must round alike.
+/// divide as well. If the digits are not certain, as of sums with few digits, both quotients must round alike.
 #[inline(never)]
 fn in_longs<S: Scalar>(question: &Disjoint<'_, S>) -> Option<(S, S)>
 where
