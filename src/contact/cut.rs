@@ -1,41 +1,47 @@
-//! Bounds on the overlap along each direction in words of 32 bits: for cores where floats are
-//! functions, and scalars that are integers of a few words.
+//! Bounds on the overlap along each direction in half words: for cores where floats are functions, and
+//! scalars that are integers of a few words. A product takes one instruction, and no sum a second word.
 
 use super::axes::Axes;
 use super::directions::Direction;
-use super::integers::{COORDINATE, Words};
-use super::whole::Shapes;
-use crate::arithmetic::{Number, greatest, pick, three, turn};
+use super::raw::Raw;
+use crate::arithmetic::{greatest, pick};
 
-/// The numbers of two shapes, cut to 26 bits and a sign: twice the places from the second shape's
+/// The numbers of two shapes, rounded to 15 bits and a sign: twice the places from the second shape's
 /// origin, and what extends from them.
-pub(super) struct Cut {
-    are_triangles: [bool; 2],
-    /// The sides, as they are.
-    sides: [[[i64; 3]; 3]; 2],
+pub(super) struct Cut<'a> {
+    raw: &'a Raw,
+    /// Each side over a power of two of its own.
+    sides: [[[i32; 3]; 3]; 2],
     at: [[[i32; 3]; 3]; 2],
     reach: [[[i32; 3]; 3]; 2],
+    /// The sum of the sizes of places and reaches.
+    sum: i32,
 }
 
-/// The bits that are kept of a place.
-const PLACE: i32 = 26;
+/// The bits that are kept of a number.
+const PLACES: i32 = 15;
 
-/// How far an overlap may be from the truth, in its unit.
+/// The least bits with which a cross product of rounded sides is a direction.
+const LEAST: i32 = 28;
+
+/// What rounded places and reaches add to the error of an overlap, in its unit.
 ///
-/// A number that is cut is too low by less than one. Two places and at most six reaches are within
-/// 2^26 each and multiplied by three coordinates of at most 2^30: 8·3·2^30. The coordinates are
-/// multiplied by at most 8·2^26 each: 3·2^29. In units of 2^30 that is 25.5, and the overlap is cut
-/// once more: `cut.g`.
-const ERROR: i32 = 27;
+/// An overlap is a sum of at most 8·3 products of a coordinate of the direction and a number. The
+/// coordinate is at most 2^15 in size and errs by less than e, the number by at most a half and 2^-13. All
+/// numbers together have the size s, so that the sum errs by s·e, and by 24·(2^15 + e)·(1/2 + 2^-13): e is
+/// at most 9. The unit is 2^4, to which each product is cut, and so is s·e: `cut.g`.
+const ERROR: i32 = 24616;
 
-/// A direction, cut.
+/// What is known along a direction.
 pub(super) struct Measured {
     /// The overlaps against the direction and along it, in units of its length.
     overlaps: [i32; 2],
-    /// Its square over 2^50. The true square less this number is in [-1, 2).
+    /// How far each may be off.
+    error: i32,
+    /// Its square over 2^20. The true square less this number is in (-2, 3).
     ///
-    /// The greatest coordinate, over 2^15, is at least 2^14, and too low by less than one and 2^-15. The sum
-    /// of squares errs by less than 2^-12 of itself, and the result, at most 3072, by less than one.
+    /// The greatest coordinate is at least 2^14 in size and at most 2^15. A coordinate errs by less
+    /// than 9, and the square by less than 2·9·3·2^15 + 3·9², below 2^20·2.
     square: u32,
 }
 
@@ -51,7 +57,7 @@ impl Depth {
     /// Whether it is at most another; perhaps also if it is above that by a unit of m·square. That only
     /// keeps more directions.
     pub(super) fn is_at_most(&self, other: &Self) -> bool {
-        // Below 2^20·3074 each.
+        // Below 2^20·3076 each.
         let (here, there) = (self.m * other.square, other.m * self.square);
         let up = self.exponent - other.exponent;
         if up >= 0 {
@@ -72,79 +78,122 @@ fn ten_bits(x: i32) -> (u32, i32) {
 impl Measured {
     /// Whether the shapes are certainly apart.
     pub(super) fn are_apart(&self) -> bool {
-        self.overlaps.iter().any(|&overlap| overlap < -ERROR)
+        self.overlaps.iter().any(|&overlap| overlap < -self.error)
     }
 
     /// The least that the depth may be on one side.
     pub(super) fn least(&self, is_along: bool) -> Depth {
         let overlap = self.overlaps[usize::from(is_along)];
-        let (m, exponent) = ten_bits(greatest(overlap - ERROR, 0));
-        Depth { m: m * m, exponent: 2 * exponent, square: self.square + 2 }
+        let (m, exponent) = ten_bits(greatest(overlap - self.error, 0));
+        Depth { m: m * m, exponent: 2 * exponent, square: self.square + 3 }
     }
 
     /// The most that it may be on the side where it is less.
     pub(super) fn most(&self) -> Depth {
         let [against, along] = self.overlaps;
-        let (m, exponent) = ten_bits(greatest(against.min(along) + ERROR, 0));
-        Depth { m: (m + 1) * (m + 1), exponent: 2 * exponent, square: self.square - 1 }
+        let (m, exponent) = ten_bits(greatest(against.min(along) + self.error, 0));
+        Depth { m: (m + 1) * (m + 1), exponent: 2 * exponent, square: self.square - 2 }
     }
 }
 
-impl Cut {
-    pub(super) fn new<N: Words>(shapes: &Shapes<N>, are_triangles: [bool; 2]) -> Self {
-        let [first, second] = &shapes.shapes;
-        let origin = second.ends[0];
-        let at = [first, second].map(|shape| three(|k| three(|i| shape.ends[k][i] - origin[i])));
-        let reach = [&first.reach, &second.reach].map(|reach| reach.as_flattened());
-        let ends = at.as_flattened().as_flattened();
-        let down = N::bits(ends.iter().chain(reach[0]).chain(reach[1])) - PLACE;
-        let cut = |v: &[[N::Area; 3]; 3]| three(|k| three(|i| N::cut(v[k][i], down)));
-        let whole = |v: &[[N::Length; 3]; 3]| v.map(|v| v.map(N::Length::into));
-        Self {
-            are_triangles,
-            sides: [whole(&first.sides), whole(&second.sides)],
-            at: [cut(&at[0]), cut(&at[1])],
-            reach: [cut(&first.reach), cut(&second.reach)],
+/// The least b so that all sizes are below 2^b; for one of ones only, the next.
+fn bits(v: &[i64; 3]) -> i32 {
+    let size = v.iter().fold(0, |all, x| all | x.unsigned_abs());
+    64 - (size + (size >> PLACES)).leading_zeros() as i32
+}
+
+/// Numbers over 2^down, rounded to the nearest, where 31 bits hold that.
+fn rounded(v: &[i64; 3], down: i32) -> [i32; 3] {
+    let mut all = [0; 3];
+    for (to, &x) in all.iter_mut().zip(v) {
+        let twice = if down > 0 { x >> (down - 1) } else { x << (1 - down) };
+        *to = (twice as i32 + 1) >> 1;
+    }
+    all
+}
+
+impl<'a> Cut<'a> {
+    pub(super) fn new(raw: &'a Raw) -> Self {
+        let (mut sides, mut at, mut reach) = ([[[0; 3]; 3]; 2], [[[0; 3]; 3]; 2], [[[0; 3]; 3]; 2]);
+        // Axes times half-extents, over a power of two.
+        let mut wide = [[([0; 3], 0); 3]; 2];
+        let mut most = 0;
+        for n in 0..2 {
+            for k in 0..3 {
+                let (side, half) = (&raw.sides[n][k], raw.halves[n][k]);
+                let width = bits(side);
+                sides[n][k] = rounded(side, width - PLACES);
+                // So that 63 bits hold a product.
+                let down = if width > 31 { 2 } else { 0 };
+                wide[n][k] = (side.map(|x| (x >> down) * half), down);
+                most = greatest(most, bits(&raw.ends[n][k]) + raw.up as i32);
+                most = greatest(most, bits(&wide[n][k].0) + down);
+            }
         }
+        let down = most - PLACES;
+        for n in 0..2 {
+            for k in 0..3 {
+                at[n][k] = rounded(&raw.ends[n][k], down - raw.up as i32);
+                reach[n][k] = rounded(&wide[n][k].0, down - wide[n][k].1);
+            }
+        }
+        let sizes = |all: &[[[i32; 3]; 3]; 2]| -> i32 {
+            all.as_flattened().as_flattened().iter().map(|x| x.abs()).sum()
+        };
+        let sum = sizes(&at) + sizes(&reach);
+        Self { raw, sides, at, reach, sum }
     }
 
-    /// Where a shape begins and ends along a direction.
-    fn ends(&self, shape: usize, a: &[i32; 3]) -> [i64; 2] {
-        let along = |v: &[i32; 3]| {
-            let terms = a.iter().zip(v).filter(|(_, x)| **x != 0);
-            terms.map(|(a, x)| i64::from(*a) * i64::from(*x)).sum::<i64>()
-        };
+    /// Where a shape begins and ends along a direction, without the sides in `own`.
+    fn ends(&self, shape: usize, a: &[i32; 3], own: [(usize, usize); 2]) -> [i32; 2] {
+        let along = |v: &[i32; 3]| (a[0] * v[0] >> 4) + (a[1] * v[1] >> 4) + (a[2] * v[2] >> 4);
         let [p, q, r] = &self.at[shape % 2];
         let p = along(p);
-        if self.are_triangles[shape % 2] {
+        if self.raw.are_triangles[shape % 2] {
             let (q, r) = (along(q), along(r));
             return [p.min(q).min(r), p.max(q).max(r)];
         }
-        let reach = self.reach[shape % 2].iter().map(|v| along(v).magnitude()).sum::<i64>();
+        let mut reach = 0;
+        for (k, v) in self.reach[shape % 2].iter().enumerate() {
+            if !own.contains(&(shape, k)) {
+                reach += along(v).abs();
+            }
+        }
         [p - reach, p + reach]
     }
 
     /// The directions that are not certainly zero or equal to an earlier one, as bits.
     pub(super) fn needed(&self, all: &[Direction]) -> u16 {
-        let sides = self.sides.each_ref();
-        Axes::new(sides, self.are_triangles, true).needed(all, |direction, axis| {
-            let [x, y] =
-                direction.sides(self.are_triangles).map(|(shape, k)| pick(sides[shape % 2], k));
-            let (_, j, k) = turn(axis);
-            let product = |j, k| i128::from(*pick(x, j)) * i128::from(*pick(y, k));
-            let (p, q) = (product(j, k), product(k, j));
-            // As floats do.
-            (p - q).abs() > p.abs().max(q.abs()) >> 20
-        })
+        let sides = &self.raw.sides;
+        Axes::new(sides.each_ref(), self.raw.are_triangles, true)
+            .needed(all, |direction, axis| pick(&self.cross(direction), axis).unsigned_abs() >> 17 != 0)
     }
 
-    /// The overlaps along a direction.
-    pub(super) fn measured(&self, a: &[i32; 3]) -> Measured {
-        let ([a0, a1], [b0, b1]) = (self.ends(0, a), self.ends(1, a));
-        let squares = a.iter().map(|x| (x >> 15).unsigned_abs().pow(2));
-        Measured {
-            overlaps: [a1 - b0, b1 - a0].map(|overlap| (overlap >> COORDINATE) as i32),
-            square: squares.sum::<u32>() >> 20,
+    /// The cross product of a direction's rounded sides. It errs by less than 2^16.
+    fn cross(&self, direction: Direction) -> [i32; 3] {
+        let own = direction.sides(self.raw.are_triangles);
+        let [x, y] = own.map(|(shape, k)| pick(&self.sides[shape % 2], k));
+        [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
+    }
+
+    /// The direction's leading bits, and how far they are off; `None` if it is zero.
+    fn direction(&self, direction: Direction) -> Option<([i32; 3], i32)> {
+        let cross = self.cross(direction);
+        let width = 32 - cross.iter().fold(0, |all, x| all | x ^ x >> 31).leading_zeros() as i32;
+        if width >= LEAST {
+            // 2^16 over that power, and one.
+            return Some((cross.map(|x| x >> (width - PLACES)), (1 << (31 - width)) + 1));
         }
+        Some((self.raw.along(direction).cut(PLACES)?, 1))
+    }
+
+    /// What is known along a direction; `None` if it is zero.
+    pub(super) fn measured(&self, direction: Direction) -> Option<Measured> {
+        let (a, error) = self.direction(direction)?;
+        let own = direction.sides(self.raw.are_triangles);
+        let ([a0, a1], [b0, b1]) = (self.ends(0, &a, own), self.ends(1, &a, own));
+        let square = a.iter().map(|x| x.unsigned_abs().pow(2)).sum::<u32>();
+        let error = (self.sum * error >> 4) + ERROR;
+        Some(Measured { overlaps: [a1 - b0, b1 - a0], error, square: square >> 20 })
     }
 }

@@ -28,44 +28,6 @@ pub(super) trait Integers {
     fn fourth(x: Self::Area, y: Self::Area) -> Self::Fourth;
 }
 
-/// Lengths in half a word, for small cores.
-///
-/// A side is below 2^31 and a coordinate of a cross product below 2^63. Its product with a reach is
-/// below 2^125, and a sum of three such products below 2^127.
-pub(super) struct Half;
-
-impl Integers for Half {
-    type Length = i32;
-    type Area = i64;
-    type Volume = i128;
-    type Fourth = i128;
-
-    const WIDTH: i32 = 30;
-    const REACH: i32 = 62;
-
-    fn length(x: Parts, _: i32) -> i32 {
-        // `Units::of_fixed` takes the unit of the scalar, 2^0.
-        let size = (x.magnitude as i32) << x.shift;
-        if x.negative { -size } else { size }
-    }
-    fn widened(x: i32) -> i64 {
-        x.into()
-    }
-    fn area(x: i32, y: i32) -> i64 {
-        i64::from(x) * i64::from(y)
-    }
-    fn raised(x: i64, up: u32) -> i64 {
-        x << up
-    }
-    fn volume(x: i64, y: i32) -> i128 {
-        Self::fourth(x, y.into())
-    }
-    #[inline(never)]
-    fn fourth(x: i64, y: i64) -> i128 {
-        i128::from(x) * i128::from(y)
-    }
-}
-
 /// Lengths in one word.
 ///
 /// A side is below 2^61 and a coordinate of a cross product below 2^123. Its product with a reach
@@ -147,37 +109,4 @@ impl Integers for Long {
     fn fourth(x: BigInt<8>, y: BigInt<8>) -> BigInt<16> {
         x.times(&y)
     }
-}
-
-/// The bits that [`Words::cut`] keeps of a coordinate of a direction.
-pub(super) const COORDINATE: i32 = 30;
-
-/// Integers that give their leading bits as words of 32 bits.
-pub(super) trait Words: Integers<Length: Into<i64>> {
-    /// The least b so that −2^b ≤ x < 2^b for all of these numbers.
-    fn bits<'a>(numbers: impl IntoIterator<Item = &'a Self::Area>) -> i32
-    where
-        Self::Area: 'a;
-    /// x over 2^down, rounded down, where 32 bits hold that.
-    fn cut(x: Self::Area, down: i32) -> i32;
-}
-
-macro_rules! words {
-    ($($integers:ty: $area:ty;)*) => {$(
-        impl Words for $integers {
-            fn bits<'a>(numbers: impl IntoIterator<Item = &'a $area>) -> i32 {
-                const BITS: u32 = <$area>::BITS;
-                let all = numbers.into_iter().fold(0, |all, &x| all | x ^ x >> (BITS - 1));
-                (BITS - all.leading_zeros()) as i32
-            }
-            #[inline(never)]
-            fn cut(x: $area, down: i32) -> i32 {
-                if down < 0 { (x as i32) << -down } else { (x >> down) as i32 }
-            }
-        }
-    )*};
-}
-words! {
-    Half: i64;
-    Short: i128;
 }

@@ -3,17 +3,17 @@
 use core::cmp::Ordering;
 
 use super::body::{Body, Rough, Vec64, cross, dot};
-use super::cut::Cut;
 use super::directions::{Direction, all};
 use super::exact::{Exact, Given, farthest, length};
 use super::filter::Filter;
-use super::integers::{Half, Long, Short, Words};
+use super::integers::{Long, Short};
 use super::interior::InteriorEdges;
 use super::measures::{Lengths, Measures};
+use super::raw::{Raw, is_whole};
 use super::settled::settled;
 use super::sums::Sums;
 use super::wanted::{Apart, FACE, Wanted};
-use super::whole::{Shapes, Units, Whole, is_whole};
+use super::whole::{Shapes, Units, Whole};
 use crate::arithmetic::{REGISTERS_ARE_WIDE, pick, turn};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
@@ -87,32 +87,13 @@ pub(super) fn exact_in_words<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     is_normal: bool,
 ) -> Result<Option<(Way, Lengths)>, Apart> {
-    let (units, is_half) = Units::of_fixed(bodies);
-    if is_half {
-        least_in_words(bodies, &units.shapes::<Half, S>(bodies), is_normal)
-    } else {
-        least_in_words(bodies, &units.shapes::<Short, S>(bodies), is_normal)
-    }
-}
-
-#[inline(never)]
-fn least_in_words<N: Words, S: Scalar>(
-    bodies: &[Body<'_, S>; 2],
-    shapes: &Shapes<N>,
-    is_normal: bool,
-) -> Result<Option<(Way, Lengths)>, Apart> {
     const NONE: [[Option<Ordering>; 3]; 2] = [[None; 3]; 2];
-    let triangles = [bodies[0].is_triangle(), bodies[1].is_triangle()];
-    let whole = |direction: Direction| Whole::new(shapes, direction.sides(triangles));
-    let wanted = if is_normal {
-        Wanted::FACE
-    } else {
-        let cut = Cut::new(shapes, triangles);
-        Wanted::in_words(all(bodies), &cut, &|direction| whole(direction).cut())?
-    };
+    let raw = Raw::new(bodies);
+    let wanted = if is_normal { Wanted::FACE } else { Wanted::in_words(all(bodies), &raw)? };
     least_of(&wanted, &|direction, wanted| {
-        let given: &dyn Given = &whole(direction);
-        Exact::new(given, triangles, direction.sides(triangles), &NONE, wanted)
+        let own = direction.sides(raw.are_triangles);
+        let given: &dyn Given = &raw.along(direction);
+        Exact::new(given, raw.are_triangles, own, &NONE, wanted)
     })
 }
 

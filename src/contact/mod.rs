@@ -135,6 +135,7 @@ mod nearest;
 mod pairs;
 mod points;
 mod quads;
+mod raw;
 mod round;
 mod scene;
 mod settled;

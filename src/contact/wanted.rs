@@ -5,6 +5,7 @@ use super::cut::{Cut, Depth, Measured};
 use super::directions::{Direction, all, sides_of_all};
 use super::filter::{Filter, Measure, Ruler};
 use super::lanes::Lanes;
+use super::raw::Raw;
 use crate::arithmetic::{OfFour, REGISTERS_ARE_WIDE, least as smaller, two};
 use crate::scalar::Scalar;
 
@@ -37,14 +38,10 @@ impl Wanted {
         Ok(Self { all, against, along })
     }
 
-    /// The translations whose overlap may be the least, by words; nearly always few. `cross` has the
-    /// directions.
+    /// The translations whose overlap may be the least, by half words; mostly a single one.
     #[inline(never)]
-    pub(super) fn in_words(
-        all: &'static [Direction],
-        cut: &Cut,
-        cross: &dyn Fn(Direction) -> Option<[i32; 3]>,
-    ) -> Result<Self, Apart> {
+    pub(super) fn in_words(all: &'static [Direction], raw: &Raw) -> Result<Self, Apart> {
+        let cut = Cut::new(raw);
         let mut wanted = Self { all, against: 0, along: 0 };
         let needed = cut.needed(all);
         let mut measures: [Option<Measured>; 16] = [const { None }; 16];
@@ -53,8 +50,7 @@ impl Wanted {
             if needed >> n & 1 == 0 {
                 continue;
             }
-            let Some(direction) = cross(wanted.direction(n)) else { continue };
-            let here = cut.measured(&direction);
+            let Some(here) = cut.measured(wanted.direction(n)) else { continue };
             if here.are_apart() {
                 return Err(Apart);
             }

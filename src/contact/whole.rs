@@ -3,20 +3,13 @@
 //! [`sums`](super::sums) and take a fraction of the time.
 
 use core::cmp::Ordering;
-use core::mem::size_of;
 
 use super::body::Body;
 use super::exact::{Given, Size};
-use super::integers::{COORDINATE, Half, Integers, Long, Short, Words};
+use super::integers::{Integers, Long, Short};
 use crate::arithmetic::{Bits, Number, REGISTERS_ARE_WIDE, Soft, compare, part, pick, three, turn};
 use crate::scalar::Scalar;
 use crate::shape::{AabbForm, Vec3};
-
-/// Whether all numbers of a scalar are integers of a few words, on a core that computes floats by
-/// functions. Such a contact takes neither floats nor long sums for its direction.
-pub(super) const fn is_whole<S: Scalar>() -> bool {
-    !REGISTERS_ARE_WIDE && size_of::<S>() <= size_of::<u32>() && S::FLOAT.is_none()
-}
 
 /// Powers of two that divide the numbers of two shapes, in units of the least number.
 pub(super) struct Units {
@@ -92,20 +85,6 @@ impl Units {
             up: up.map(i32::unsigned_abs),
             are_short,
         })
-    }
-
-    /// The least numbers of a scalar that [`is_whole`] as units, and whether [`Half`] holds
-    /// everything. [`Short`] always does: numbers have 32 bits, one has 33, and reaches have 68.
-    pub(super) fn of_fixed<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> (Self, bool) {
-        let one = i32::from(S::ONE.shift);
-        let [places, lengths, halves] =
-            gathered(bodies, 0, |bits, x: S| bits | x.parts().magnitude as u32);
-        let width = |bits: u32| 32 - bits.leading_zeros() as i32;
-        let reach = (width(places) + 3 + one).max(width(lengths) + width(halves) + 4);
-        let is_half =
-            width(places | lengths | halves).max(one + 1) <= Half::WIDTH && reach < Half::REACH;
-        let up = [one.unsigned_abs(), 0];
-        (Self { places: 0, axes: 0, halves: 0, ends: 0, ones: 0, up, are_short: true }, is_half)
     }
 
     /// Both shapes in integers.
@@ -237,16 +216,6 @@ impl<'a, N: Integers> Whole<'a, N> {
             area(j, k) - area(k, j)
         });
         Self { shapes, direction, unit: x_unit + y_unit }
-    }
-}
-
-impl<N: Words> Whole<'_, N> {
-    /// The direction's leading bits; `None` if it is zero.
-    pub(super) fn cut(&self) -> Option<[i32; 3]> {
-        let a = &self.direction;
-        let down = N::bits(a) - COORDINATE;
-        let is_zero = a.iter().all(Number::is_zero);
-        (!is_zero).then(|| a.map(|x| N::cut(x, down)))
     }
 }
 
