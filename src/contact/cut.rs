@@ -26,11 +26,12 @@ const LEAST: i32 = 28;
 
 /// What rounded places and reaches add to the error of an overlap, in its unit.
 ///
-/// An overlap is a sum of at most 8·3 products of a coordinate of the direction and a number. The
-/// coordinate is at most 2^15 in size and errs by less than e, the number by at most a half and 2^-13. All
-/// numbers together have the size s, so that the sum errs by s·e, and by 24·(2^15 + e)·(1/2 + 2^-13): e is
-/// at most 9. The unit is 2^4, to which each product is cut, and so is s·e: `cut.g`.
-const ERROR: i32 = 24616;
+/// An overlap is a sum of two places and at most four reaches, each with three products of a coordinate
+/// of the direction and a number. The coordinate is at most 2^15 in size and errs by less than e and
+/// 2^-8; e is at most 9. A place errs by at most a half, and a reach by one, each and 2^-11. The sum of the
+/// sizes of all numbers, at most 36·2^15, times e is counted apart. The unit is 2^4, to which each product
+/// is cut: `cut.g`.
+const ERROR: i32 = 31060;
 
 /// What is known along a direction.
 pub(super) struct Measured {
@@ -96,52 +97,76 @@ impl Measured {
     }
 }
 
-/// The least b so that all sizes are below 2^b; for one of ones only, the next.
-fn bits(v: &[i64; 3]) -> i32 {
-    let size = v.iter().fold(0, |all, x| all | x.unsigned_abs());
-    64 - (size + (size >> PLACES)).leading_zeros() as i32
-}
-
-/// Numbers over 2^down, rounded to the nearest, where 31 bits hold that.
-fn rounded(v: &[i64; 3], down: i32) -> [i32; 3] {
+/// Three numbers over a power of two, which is above one where 31 bits do not hold them.
+fn narrowed(v: &[i64; 3]) -> ([i32; 3], i32) {
+    let is_narrow = v.iter().all(|&x| i64::from(x as i32) == x);
     let mut all = [0; 3];
     for (to, &x) in all.iter_mut().zip(v) {
-        let twice = if down > 0 { x >> (down - 1) } else { x << (1 - down) };
-        *to = (twice as i32 + 1) >> 1;
+        *to = if is_narrow { x as i32 } else { (x >> 4) as i32 };
     }
-    all
+    (all, if is_narrow { 0 } else { 4 })
+}
+
+/// The least b so that all sizes are below 2^b; perhaps one more if 2^15 times a number is close to 2^b.
+fn bits(v: &[i32; 3]) -> i32 {
+    let size = v[0].unsigned_abs() | v[1].unsigned_abs() | v[2].unsigned_abs();
+    32 - (size + (size >> PLACES)).leading_zeros() as i32
+}
+
+/// x·2^up, rounded down.
+fn raised(x: i32, up: i32) -> i32 {
+    if up < 0 { x >> up.unsigned_abs().min(31) } else { x << up.min(31) }
+}
+
+/// The numbers over 2^down, rounded to the nearest.
+fn rounded(v: &[i32; 3], down: i32) -> [i32; 3] {
+    v.map(|x| (raised(x, 1 - down) + 1) >> 1)
 }
 
 impl<'a> Cut<'a> {
+    #[inline(never)]
     pub(super) fn new(raw: &'a Raw) -> Self {
-        let (mut sides, mut at, mut reach) = ([[[0; 3]; 3]; 2], [[[0; 3]; 3]; 2], [[[0; 3]; 3]; 2]);
-        // Axes times half-extents, over a power of two.
-        let mut wide = [[([0; 3], 0); 3]; 2];
+        let none = [[[0; 3]; 3]; 2];
+        let mut new = Self { raw, sides: none, at: none, reach: none, sum: 0 };
+        // The exponents of places and reaches.
+        let (mut ups, mut of_reach) = ([[0; 3]; 2], [[0; 3]; 2]);
         let mut most = 0;
         for n in 0..2 {
             for k in 0..3 {
-                let (side, half) = (&raw.sides[n][k], raw.halves[n][k]);
-                let width = bits(side);
-                sides[n][k] = rounded(side, width - PLACES);
-                // So that 63 bits hold a product.
-                let down = if width > 31 { 2 } else { 0 };
-                wide[n][k] = (side.map(|x| (x >> down) * half), down);
-                most = greatest(most, bits(&raw.ends[n][k]) + raw.up as i32);
-                most = greatest(most, bits(&wide[n][k].0) + down);
+                let (end, up) = narrowed(&raw.ends[n][k]);
+                (new.at[n][k], ups[n][k]) = (end, up + raw.up as i32);
+                most = greatest(most, bits(&end) + ups[n][k]);
+                let (side, up) = narrowed(&raw.sides[n][k]);
+                // To 30 bits.
+                let free = 30 - bits(&side);
+                let side = side.map(|x| raised(x, free));
+                new.sides[n][k] = side.map(|x| (x + (1 << 14)) >> 15);
+                let half = raw.halves[n][k] as u32;
+                if half != 0 {
+                    // To 16 bits.
+                    let zeros = half.leading_zeros();
+                    let half = (((half << zeros) >> 15) + 1) >> 1;
+                    let times = |x: i32| {
+                        (x >> 16) * half as i32 + (((x as u32 & 0xffff) * half) >> 16) as i32
+                    };
+                    let reach = side.map(times);
+                    (new.reach[n][k], of_reach[n][k]) = (reach, up - free + 32 - zeros as i32);
+                    most = greatest(most, bits(&reach) + of_reach[n][k]);
+                }
             }
         }
         let down = most - PLACES;
         for n in 0..2 {
             for k in 0..3 {
-                at[n][k] = rounded(&raw.ends[n][k], down - raw.up as i32);
-                reach[n][k] = rounded(&wide[n][k].0, down - wide[n][k].1);
+                new.at[n][k] = rounded(&new.at[n][k], down - ups[n][k]);
+                new.reach[n][k] = rounded(&new.reach[n][k], down - of_reach[n][k]);
             }
         }
         let sizes = |all: &[[[i32; 3]; 3]; 2]| -> i32 {
             all.as_flattened().as_flattened().iter().map(|x| x.abs()).sum()
         };
-        let sum = sizes(&at) + sizes(&reach);
-        Self { raw, sides, at, reach, sum }
+        new.sum = sizes(&new.at) + sizes(&new.reach);
+        new
     }
 
     /// Where a shape begins and ends along a direction, without the sides in `own`.
@@ -169,7 +194,7 @@ impl<'a> Cut<'a> {
             .needed(all, |direction, axis| pick(&self.cross(direction), axis).unsigned_abs() >> 17 != 0)
     }
 
-    /// The cross product of a direction's rounded sides. It errs by less than 2^16.
+    /// The cross product of a direction's rounded sides. It errs by less than 2^16 and 2^5.
     fn cross(&self, direction: Direction) -> [i32; 3] {
         let own = direction.sides(self.raw.are_triangles);
         let [x, y] = own.map(|(shape, k)| pick(&self.sides[shape % 2], k));
