@@ -190,8 +190,9 @@ impl<'a> Cut<'a> {
     /// The directions that are not certainly zero or equal to an earlier one, as bits.
     pub(super) fn needed(&self, all: &[Direction]) -> u16 {
         let sides = &self.raw.sides;
-        Axes::new(sides.each_ref(), self.raw.are_triangles, true)
-            .needed(all, |direction, axis| pick(&self.cross(direction), axis).unsigned_abs() >> 17 != 0)
+        Axes::new(sides.each_ref(), self.raw.are_triangles, true).needed(all, |direction, axis| {
+            pick(&self.cross(direction), axis).unsigned_abs() >> 17 != 0
+        })
     }
 
     /// The cross product of a direction's rounded sides. It errs by less than 2^16 and 2^5.

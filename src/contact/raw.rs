@@ -62,12 +62,16 @@ impl Raw {
                     let is_center = matches!(aabb.form(), AabbForm::Center { .. });
                     for i in 0..3 {
                         sides[i][i] = one;
-                        (ends[0][i], halves[i]) =
-                            if is_center { (2 * p[i], 2 * q[i]) } else { (p[i] + q[i], q[i] - p[i]) };
+                        (ends[0][i], halves[i]) = if is_center {
+                            (2 * p[i], 2 * q[i])
+                        } else {
+                            (p[i] + q[i], q[i] - p[i])
+                        };
                     }
                 }
                 Body::Obb(obb) => {
-                    let (center, half) = (numbers(obb.center().to_array()), numbers(obb.half_extents().to_array()));
+                    let (center, half) =
+                        (numbers(obb.center().to_array()), numbers(obb.half_extents().to_array()));
                     (ends[0], *halves) = (center.map(|x| 2 * x), half.map(|x| 2 * x));
                     for (side, axis) in sides.iter_mut().zip(obb.axes()) {
                         *side = numbers(axis.to_array());
@@ -194,7 +198,8 @@ impl Given for Along<'_> {
         if upper < 0 {
             return None;
         }
-        let limbs = [(upper << 32) as u64 | u64::from(lower), (upper >> 32) as u64, (upper >> 96) as u64];
+        let limbs =
+            [(upper << 32) as u64 | u64::from(lower), (upper >> 32) as u64, (upper >> 96) as u64];
         Soft::of_limbs(&limbs)
     }
 }

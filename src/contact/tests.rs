@@ -10,13 +10,14 @@ use super::body::{Body, Rough};
 use super::directions::{Direction, all};
 use super::exact::{Exact, Given, Size, length};
 use super::flat::in_floats;
-use super::integers::{Half, Short};
 use super::interior::InteriorEdges;
 use super::least::{Directed, Numbers, Way, exact_in_words, least_exact, least_way};
 use super::measures::{Lengths, Measures};
+use super::raw::Raw;
 use super::round;
 use super::shapes::{Flat, Round};
-use super::whole::{Units, Whole};
+use super::wanted::Wanted;
+use super::whole::Units;
 use crate::arithmetic::{REGISTERS_ARE_WIDE, root};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb, Triangle, Vec3};
@@ -144,34 +145,31 @@ fn all_ways_agree() {
     assert!(any[2] < 60, "{any:?}");
 }
 
-/// In words of small cores: the same least way as by all sums, or that the shapes are apart, and in both
-/// widths the numbers of sums.
+/// On small cores: the same least way as by all sums, or that the shapes are apart, the numbers of sums,
+/// and few directions that half words leave.
 #[cfg(feature = "fixed")]
 #[test]
 fn words_agree_with_sums() {
+    use fixed::FixedI32;
+    use fixed::types::extra::{U30, U32};
     use fixed::types::{I4F28, I8F8, I16F16, I32F0};
 
-    fn check_pair<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [usize; 2] {
+    fn check_pair<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [usize; 3] {
         let bodies = [first.body(), second.body()];
         let least = exact_in_words(&bodies, false).ok().flatten();
         let found = least.map(|(way, lengths)| (way.direction, way.is_along, Some(lengths.depth)));
         assert_eq!(found, by_sums(&bodies), "{bodies:?}");
-        let (units, is_half) = Units::of_fixed(&bodies);
-        let triangles = [first.body().is_triangle(), second.body().is_triangle()];
-        let (half, short) = (is_half.then(|| units.shapes(&bodies)), units.shapes(&bodies));
+        let raw = Raw::new(&bodies);
         for &direction in all(&bodies) {
-            let exact = |given: &dyn Given| {
-                let own = direction.sides(triangles);
-                Exact::new(given, triangles, own, &NOTHING_IS_KNOWN, [true; 2])
-            };
+            let own = direction.sides(raw.are_triangles);
+            let given: &dyn Given = &raw.along(direction);
+            let exact = Exact::new(given, raw.are_triangles, own, &NOTHING_IS_KNOWN, [true; 2]);
             let sums = Numbers::Sums.along(&bodies, direction, &NOTHING_IS_KNOWN, [true; 2]);
-            let own = direction.sides(triangles);
-            assert_eq!(exact(&Whole::<Short>::new(&short, own)), sums, "{direction:?} {bodies:?}");
-            if let Some(half) = &half {
-                assert_eq!(exact(&Whole::<Half>::new(half, own)), sums, "{direction:?} {bodies:?}");
-            }
+            assert_eq!(exact, sums, "{direction:?} {bodies:?}");
         }
-        [usize::from(found.is_some()), usize::from(is_half)]
+        let wanted = Wanted::in_words(all(&bodies), &raw).ok();
+        let left = wanted.map_or(0, |wanted| wanted.iter().count());
+        if found.is_some() { [1, left, 1] } else { [0, 0, 1] }
     }
 
     fn check_scalar<S: Scalar>(bits: u32, of: fn(f64) -> S, axis: fn(f64) -> S) -> [usize; 3] {
@@ -186,8 +184,8 @@ fn words_agree_with_sums() {
             let (Ok(c), Ok(d)) = (obb(0), obb(1)) else { continue };
             let pairs = [check_pair(&t, &u), check_pair(&t, &aabb), check_pair(&c, &u)];
             let more = [check_pair(&aabb, &c), check_pair(&c, &d), check_pair(&c, &c)];
-            for [is_contact, is_half] in pairs.into_iter().chain(more) {
-                seen = [seen[0] + is_contact, seen[1] + is_half, seen[2] + 1];
+            for pair in pairs.into_iter().chain(more) {
+                seen = [0, 1, 2].map(|k: usize| seen[k] + pair[k]);
             }
         }
         assert!(seen[0] > 30, "{seen:?}");
@@ -195,17 +193,21 @@ fn words_agree_with_sums() {
     }
 
     let near = |x: f64| I16F16::from_num(x * 1000.0);
-    let [_, halves, all] = check_scalar(20, near, |x| I16F16::from_num(x));
-    assert_eq!(halves, all);
-    let [_, halves, all] = check_scalar(2, |x| I16F16::from_num(x), |x| I16F16::from_num(x));
-    assert_eq!(halves, all);
+    let [contacts, left, _] = check_scalar(20, near, |x| I16F16::from_num(x));
+    assert!(2 * left < 3 * contacts, "{left} in {contacts}");
+    check_scalar(2, |x| I16F16::from_num(x), |x| I16F16::from_num(x));
     let far = |x: f64| I16F16::from_num(x * 32767.0);
-    let [_, halves, all] = check_scalar(28, far, |x| I16F16::from_num(x));
-    assert!(2 * halves < all, "{halves} of {all}");
+    check_scalar(28, far, |x| I16F16::from_num(x));
+    check_scalar(28, far, far);
     check_scalar(3, |x| I8F8::from_num(x), |x| I8F8::from_num(x));
     check_scalar(28, |x| I4F28::from_num(x * 7.5), |x| I4F28::from_num(x));
+    let short = |x: f64| FixedI32::<U30>::from_num(x * 1.9);
+    check_scalar(28, short, short);
+    let least = |x: f64| FixedI32::<U32>::from_num(x * 0.49);
+    check_scalar(28, least, least);
     let whole = |x: f64| I32F0::from_num(x * f64::from(i32::MAX));
     check_scalar(28, whole, |x| I32F0::from_num(x * 3.0));
+    check_scalar(28, whole, whole);
 }
 
 /// A side so short that its products underflow, with a half-extent that makes it as long as others.
