@@ -173,7 +173,7 @@ fn sign_by_short_products(a: &[i64; 3], b: &[i64; 3]) -> Option<Ordering> {
 
 /// The product of two numbers of 64 bits: with narrow registers four products of words.
 #[inline(always)]
-fn of_four(a: i64, b: i64) -> i128 {
+pub(crate) fn of_four(a: i64, b: i64) -> i128 {
     if REGISTERS_ARE_WIDE { i128::from(a) * i128::from(b) } else { by_words(a, b) }
 }
 

@@ -1,13 +1,15 @@
 //! Bounds on the overlap along each direction in half words: for cores where floats are functions, and
 //! scalars that are integers of a few words. A product takes one instruction, and no sum a second word.
 
+use core::cmp::Ordering;
+
 use super::axes::Axes;
 use super::directions::Direction;
 use super::raw::Raw;
 use crate::arithmetic::{greatest, pick};
 
-/// The numbers of two shapes, rounded to 15 bits and a sign: twice the places from the second shape's
-/// origin, and what extends from them.
+/// The numbers of two shapes, rounded to half words: twice the places from the second shape's origin, and
+/// what extends from them.
 pub(super) struct Cut<'a> {
     raw: &'a Raw,
     /// Each side over a power of two of its own.
@@ -18,8 +20,9 @@ pub(super) struct Cut<'a> {
     sum: i32,
 }
 
-/// The bits that are kept of a number.
-const PLACES: i32 = 15;
+/// The bits that are kept of a side and of a direction, and of a place.
+const BITS: i32 = 15;
+const PLACE: i32 = 14;
 
 /// The least bits with which a cross product of rounded sides is a direction.
 const LEAST: i32 = 28;
@@ -27,11 +30,11 @@ const LEAST: i32 = 28;
 /// What rounded places and reaches add to the error of an overlap, in its unit.
 ///
 /// An overlap is a sum of two places and at most four reaches, each with three products of a coordinate
-/// of the direction and a number. The coordinate is at most 2^15 in size and errs by less than e and
-/// 2^-8; e is at most 9. A place errs by at most a half, and a reach by one, each and 2^-11. The sum of the
-/// sizes of all numbers, at most 36·2^15, times e is counted apart. The unit is 2^4, to which each product
-/// is cut: `cut.g`.
-const ERROR: i32 = 31060;
+/// of the direction and a number of at most 2^14. The coordinate is at most 2^15 in size and errs by less
+/// than e and 2^-8; e is at most 9. A place errs by at most a half, and a reach by one, each and 2^-11. The
+/// sum of the sizes of all numbers, at most 36·2^14, times e is counted apart. The unit is 2^3, to which
+/// three products are cut: `cut.g`.
+const ERROR: i32 = 61800;
 
 /// What is known along a direction.
 pub(super) struct Measured {
@@ -49,12 +52,20 @@ pub(super) struct Measured {
 /// A square of a depth, as m·2^exponent/square.
 #[derive(Clone, Copy)]
 pub(super) struct Depth {
+    overlap: i32,
     m: u32,
     exponent: i32,
     square: u32,
 }
 
 impl Depth {
+    /// With the overlap to ten bits, rounded down, and `add` of its last bits.
+    fn new(overlap: i32, add: u32, square: u32) -> Self {
+        let exponent = 22 - overlap.leading_zeros() as i32;
+        let m = raised(overlap, -exponent) as u32 + add;
+        Self { overlap, m: m * m, exponent: 2 * exponent, square }
+    }
+
     /// Whether it is at most another; perhaps also if it is above that by a unit of m·square. That only
     /// keeps more directions.
     pub(super) fn is_at_most(&self, other: &Self) -> bool {
@@ -69,31 +80,27 @@ impl Depth {
     }
 }
 
-/// A number above or equal to zero to ten bits, as m·2^exponent, rounded down.
-fn ten_bits(x: i32) -> (u32, i32) {
-    let x = x.unsigned_abs();
-    let exponent = 22 - x.leading_zeros() as i32;
-    (if exponent < 0 { x << -exponent } else { x >> exponent }, exponent)
-}
-
 impl Measured {
     /// Whether the shapes are certainly apart.
     pub(super) fn are_apart(&self) -> bool {
         self.overlaps.iter().any(|&overlap| overlap < -self.error)
     }
 
-    /// The least that the depth may be on one side.
-    pub(super) fn least(&self, is_along: bool) -> Depth {
-        let overlap = self.overlaps[usize::from(is_along)];
-        let (m, exponent) = ten_bits(greatest(overlap - self.error, 0));
-        Depth { m: m * m, exponent: 2 * exponent, square: self.square + 3 }
+    /// Whether the depth on one side may be at most another. No length is four times another.
+    pub(super) fn is_within(&self, is_along: bool, other: &Depth) -> bool {
+        let overlap = greatest(self.overlaps[usize::from(is_along)] - self.error, 0);
+        overlap >> 2 <= other.overlap && Depth::new(overlap, 0, self.square + 3).is_at_most(other)
     }
 
-    /// The most that it may be on the side where it is less.
-    pub(super) fn most(&self) -> Depth {
+    /// The most that the depth may be on the side where it is less, if that may be below another.
+    pub(super) fn most(&self, other: Option<Depth>) -> Option<Depth> {
         let [against, along] = self.overlaps;
-        let (m, exponent) = ten_bits(greatest(against.min(along) + self.error, 0));
-        Depth { m: (m + 1) * (m + 1), exponent: 2 * exponent, square: self.square - 2 }
+        let overlap = greatest(against.min(along) + self.error, 0);
+        if other.is_some_and(|other| overlap >> 2 > other.overlap) {
+            return other;
+        }
+        let most = Depth::new(overlap, 1, self.square - 2);
+        Some(other.filter(|other| other.is_at_most(&most)).unwrap_or(most))
     }
 }
 
@@ -110,7 +117,7 @@ fn narrowed(v: &[i64; 3]) -> ([i32; 3], i32) {
 /// The least b so that all sizes are below 2^b; perhaps one more if 2^15 times a number is close to 2^b.
 fn bits(v: &[i32; 3]) -> i32 {
     let size = v[0].unsigned_abs() | v[1].unsigned_abs() | v[2].unsigned_abs();
-    32 - (size + (size >> PLACES)).leading_zeros() as i32
+    32 - (size + (size >> BITS)).leading_zeros() as i32
 }
 
 /// x·2^up, rounded down.
@@ -155,7 +162,7 @@ impl<'a> Cut<'a> {
                 }
             }
         }
-        let down = most - PLACES;
+        let down = most - PLACE;
         for n in 0..2 {
             for k in 0..3 {
                 new.at[n][k] = rounded(&new.at[n][k], down - ups[n][k]);
@@ -171,7 +178,7 @@ impl<'a> Cut<'a> {
 
     /// Where a shape begins and ends along a direction, without the sides in `own`.
     fn ends(&self, shape: usize, a: &[i32; 3], own: [(usize, usize); 2]) -> [i32; 2] {
-        let along = |v: &[i32; 3]| (a[0] * v[0] >> 4) + (a[1] * v[1] >> 4) + (a[2] * v[2] >> 4);
+        let along = |v: &[i32; 3]| (a[0] * v[0] + a[1] * v[1] + a[2] * v[2]) >> 3;
         let [p, q, r] = &self.at[shape % 2];
         let p = along(p);
         if self.raw.are_triangles[shape % 2] {
@@ -208,9 +215,25 @@ impl<'a> Cut<'a> {
         let width = 32 - cross.iter().fold(0, |all, x| all | x ^ x >> 31).leading_zeros() as i32;
         if width >= LEAST {
             // 2^16 over that power, and one.
-            return Some((cross.map(|x| x >> (width - PLACES)), (1 << (31 - width)) + 1));
+            return Some((cross.map(|x| x >> (width - BITS)), (1 << (31 - width)) + 1));
         }
-        Some((self.raw.along(direction).cut(PLACES)?, 1))
+        Some((self.raw.along(direction).cut(BITS)?, 1))
+    }
+
+    /// The signs of the sides along a direction, where they are certain.
+    ///
+    /// With the errors that [`ERROR`] has, a product errs by less than 2^15·(e + 1/2) and 2^7 + 13; three,
+    /// in units of 2^2 to which each is cut, by less than 3·2^12·(2·e + 1) and 110.
+    pub(super) fn along(&self, direction: Direction) -> [[Option<Ordering>; 3]; 2] {
+        let mut along = [[None; 3]; 2];
+        if let Some((a, error)) = self.direction(direction) {
+            let bound = 3 * (2 * error + 1) * (1 << 12) + 110;
+            for (along, v) in along.as_flattened_mut().iter_mut().zip(self.sides.as_flattened()) {
+                let sum = ((a[0] * v[0]) >> 2) + ((a[1] * v[1]) >> 2) + ((a[2] * v[2]) >> 2);
+                *along = (sum.abs() > bound).then(|| sum.cmp(&0));
+            }
+        }
+        along
     }
 
     /// What is known along a direction; `None` if it is zero.
@@ -219,7 +242,7 @@ impl<'a> Cut<'a> {
         let own = direction.sides(self.raw.are_triangles);
         let ([a0, a1], [b0, b1]) = (self.ends(0, &a, own), self.ends(1, &a, own));
         let square = a.iter().map(|x| x.unsigned_abs().pow(2)).sum::<u32>();
-        let error = (self.sum * error >> 4) + ERROR;
+        let error = ((self.sum * error) >> 3) + ERROR;
         Some(Measured { overlaps: [a1 - b0, b1 - a0], error, square: square >> 20 })
     }
 }

@@ -3,6 +3,7 @@
 use core::cmp::Ordering;
 
 use super::body::{Body, Rough, Vec64, cross, dot};
+use super::cut::Cut;
 use super::directions::{Direction, all};
 use super::exact::{Exact, Given, farthest, length};
 use super::filter::Filter;
@@ -87,13 +88,13 @@ pub(super) fn exact_in_words<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     is_normal: bool,
 ) -> Result<Option<(Way, Lengths)>, Apart> {
-    const NONE: [[Option<Ordering>; 3]; 2] = [[None; 3]; 2];
     let raw = Raw::new(bodies);
-    let wanted = if is_normal { Wanted::FACE } else { Wanted::in_words(all(bodies), &raw)? };
+    let cut = Cut::new(&raw);
+    let wanted = if is_normal { Wanted::FACE } else { Wanted::in_words(all(bodies), &cut)? };
     least_of(&wanted, &|direction, wanted| {
         let own = direction.sides(raw.are_triangles);
-        let given: &dyn Given = &raw.along(direction);
-        Exact::new(given, raw.are_triangles, own, &NONE, wanted)
+        let (given, known): (&dyn Given, _) = (&raw.along(direction), cut.along(direction));
+        Exact::new(given, raw.are_triangles, own, &known, wanted)
     })
 }
 

@@ -7,7 +7,7 @@ use core::mem::size_of;
 use super::body::Body;
 use super::directions::Direction;
 use super::exact::{Given, Size};
-use crate::arithmetic::{Number, Parts, REGISTERS_ARE_WIDE, Soft, pick, three, turn};
+use crate::arithmetic::{Number, Parts, REGISTERS_ARE_WIDE, Soft, of_four, pick, three, turn};
 use crate::scalar::Scalar;
 use crate::shape::AabbForm;
 
@@ -116,7 +116,7 @@ pub(super) fn wide(x: i64, y: i64) -> i128 {
     if i64::from(a) == x && i64::from(b) == y {
         return (i64::from(a) * i64::from(b)).into();
     }
-    i128::from(x) * i128::from(y)
+    of_four(x, y)
 }
 
 /// Whether 62 bits and a sign hold the number.
@@ -179,7 +179,7 @@ impl Given for Along<'_> {
         let mut reach = [0; 3];
         for n in 0..2 {
             let mut add = |v: &[i64; 3], by: i64| {
-                for (sum, &x) in reach.iter_mut().zip(v) {
+                for (sum, &x) in reach.iter_mut().zip(v).filter(|(_, x)| **x != 0) {
                     *sum += wide(x, by);
                 }
             };

@@ -7,6 +7,7 @@ use std::format;
 
 use super::Shape;
 use super::body::{Body, Rough};
+use super::cut::Cut;
 use super::directions::{Direction, all};
 use super::exact::{Exact, Given, Size, length};
 use super::flat::in_floats;
@@ -167,7 +168,7 @@ fn words_agree_with_sums() {
             let sums = Numbers::Sums.along(&bodies, direction, &NOTHING_IS_KNOWN, [true; 2]);
             assert_eq!(exact, sums, "{direction:?} {bodies:?}");
         }
-        let wanted = Wanted::in_words(all(&bodies), &raw).ok();
+        let wanted = Wanted::in_words(all(&bodies), &Cut::new(&raw)).ok();
         let left = wanted.map_or(0, |wanted| wanted.iter().count());
         if found.is_some() { [1, left, 1] } else { [0, 0, 1] }
     }

@@ -5,7 +5,6 @@ use super::cut::{Cut, Depth, Measured};
 use super::directions::{Direction, all, sides_of_all};
 use super::filter::{Filter, Measure, Ruler};
 use super::lanes::Lanes;
-use super::raw::Raw;
 use crate::arithmetic::{OfFour, REGISTERS_ARE_WIDE, least as smaller, two};
 use crate::scalar::Scalar;
 
@@ -40,8 +39,7 @@ impl Wanted {
 
     /// The translations whose overlap may be the least, by half words; mostly a single one.
     #[inline(never)]
-    pub(super) fn in_words(all: &'static [Direction], raw: &Raw) -> Result<Self, Apart> {
-        let cut = Cut::new(raw);
+    pub(super) fn in_words(all: &'static [Direction], cut: &Cut<'_>) -> Result<Self, Apart> {
         let mut wanted = Self { all, against: 0, along: 0 };
         let needed = cut.needed(all);
         let mut measures: [Option<Measured>; 16] = [const { None }; 16];
@@ -54,15 +52,12 @@ impl Wanted {
             if here.are_apart() {
                 return Err(Apart);
             }
-            let most = here.most();
-            if bound.is_none_or(|bound| most.is_at_most(&bound)) {
-                bound = Some(most);
-            }
+            bound = here.most(bound);
             *measured = Some(here);
         }
         for (n, measured) in measures.iter().enumerate() {
             if let (Some(measured), Some(bound)) = (measured, &bound) {
-                let bit = |side| u16::from(measured.least(side).is_at_most(bound)) << n;
+                let bit = |side| u16::from(measured.is_within(side, bound)) << n;
                 wanted.against |= bit(false);
                 wanted.along |= bit(true);
             }
