@@ -176,8 +176,8 @@ impl<'a> Cut<'a> {
         new
     }
 
-    /// Where a shape begins and ends along a direction, without the sides in `own`.
-    fn ends(&self, shape: usize, a: &[i32; 3], own: [(usize, usize); 2]) -> [i32; 2] {
+    /// Where a shape begins and ends along a direction, without the sides in `own`, as bits 3·shape + k.
+    fn ends(&self, shape: usize, a: &[i32; 3], own: u32) -> [i32; 2] {
         let along = |v: &[i32; 3]| (a[0] * v[0] + a[1] * v[1] + a[2] * v[2]) >> 3;
         let [p, q, r] = &self.at[shape % 2];
         let p = along(p);
@@ -185,9 +185,9 @@ impl<'a> Cut<'a> {
             let (q, r) = (along(q), along(r));
             return [p.min(q).min(r), p.max(q).max(r)];
         }
-        let mut reach = 0;
+        let (mut reach, own) = (0, own >> (3 * shape));
         for (k, v) in self.reach[shape % 2].iter().enumerate() {
-            if !own.contains(&(shape, k)) {
+            if own >> k & 1 == 0 {
                 reach += along(v).abs();
             }
         }
@@ -239,7 +239,8 @@ impl<'a> Cut<'a> {
     /// What is known along a direction; `None` if it is zero.
     pub(super) fn measured(&self, direction: Direction) -> Option<Measured> {
         let (a, error) = self.direction(direction)?;
-        let own = direction.sides(self.raw.are_triangles);
+        let [x, y] = direction.numbers(self.raw.are_triangles);
+        let own = 1 << x | 1 << y;
         let ([a0, a1], [b0, b1]) = (self.ends(0, &a, own), self.ends(1, &a, own));
         let square = a.iter().map(|x| x.unsigned_abs().pow(2)).sum::<u32>();
         let error = ((self.sum * error) >> 3) + ERROR;

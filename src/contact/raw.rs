@@ -9,7 +9,7 @@ use super::directions::Direction;
 use super::exact::{Given, Size};
 use crate::arithmetic::{Number, Parts, REGISTERS_ARE_WIDE, Soft, of_four, pick, three, turn};
 use crate::scalar::Scalar;
-use crate::shape::AabbForm;
+use crate::shape::{AabbForm, Vec3};
 
 /// Whether all numbers of a scalar are integers of a few words, on a core that computes floats by
 /// functions. Such a contact takes neither floats nor long sums for its direction.
@@ -48,7 +48,7 @@ impl Raw {
             let halves = &mut new.halves[n];
             match body {
                 Body::Triangle(t) => {
-                    let v = t.points().map(numbers);
+                    let v = t.vertices().map(|p| numbers(&p));
                     for k in 0..3 {
                         let (from, to) = (pick(&v, k), pick(&v, turn(k).1));
                         sides[k] = three(|i| to[i] - from[i]);
@@ -58,7 +58,7 @@ impl Raw {
                 Body::Aabb(aabb) => {
                     let (AabbForm::Center { center: p, half: q }
                     | AabbForm::Corners { min: p, max: q }) = aabb.form();
-                    let (p, q) = (numbers(p.to_array()), numbers(q.to_array()));
+                    let (p, q) = (numbers(p), numbers(q));
                     let is_center = matches!(aabb.form(), AabbForm::Center { .. });
                     for i in 0..3 {
                         sides[i][i] = one;
@@ -70,11 +70,10 @@ impl Raw {
                     }
                 }
                 Body::Obb(obb) => {
-                    let (center, half) =
-                        (numbers(obb.center().to_array()), numbers(obb.half_extents().to_array()));
+                    let (center, half) = (numbers(&obb.center()), numbers(&obb.half_extents()));
                     (ends[0], *halves) = (center.map(|x| 2 * x), half.map(|x| 2 * x));
                     for (side, axis) in sides.iter_mut().zip(obb.axes()) {
-                        *side = numbers(axis.to_array());
+                        *side = numbers(axis);
                     }
                 }
             }
@@ -105,8 +104,13 @@ fn number(x: Parts) -> i64 {
     if x.negative { -size } else { size }
 }
 
-fn numbers<S: Scalar>(v: [S; 3]) -> [i64; 3] {
-    three(|i| number(v[i].parts()))
+#[inline(never)]
+fn numbers<S: Scalar>(v: &Vec3<S>) -> [i64; 3] {
+    let mut all = [0; 3];
+    for (to, x) in all.iter_mut().zip(v.to_array()) {
+        *to = number(x.parts());
+    }
+    all
 }
 
 /// The product, by one word each if that suffices.
