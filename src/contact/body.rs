@@ -1,6 +1,6 @@
 //! The shapes that have contacts as one type, in floats and in exact numbers.
 
-use crate::arithmetic::{self, Double, Filtered, Parts, pick, three, turn};
+use crate::arithmetic::{self, Double, Filtered, Parts, part, pick, three, turn};
 use crate::robust::{ExactSum, Linear, Vector, add_scaled_determinant, difference, single};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Obb, Triangle};
@@ -172,11 +172,13 @@ impl<S: Scalar> Body<'_, S> {
 
 /// (x − other)·scale. A power of two below one keeps the difference within the range of `f64`.
 pub(super) fn difference_in_double<S: Scalar>(x: S, other: S, scale: f64) -> f64 {
-    if scale == 1.0 {
-        x.beyond_in_double(other)
-    } else {
-        x.in_double() * scale - other.in_double() * scale
-    }
+    part(|| {
+        if scale == 1.0 {
+            x.beyond_in_double(other)
+        } else {
+            x.in_double() * scale - other.in_double() * scale
+        }
+    })
 }
 
 /// The sign of (x × y)·z.

@@ -84,6 +84,7 @@ fn exact<S: Scalar>(
 }
 
 /// The least translation of a scalar that [`is_whole`]; of all, or along the normal of the first shape.
+#[inline(never)]
 pub(super) fn exact_in_words<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     is_normal: bool,

@@ -149,8 +149,8 @@ pub(super) fn points<S: Scalar>(
     let mut solids = two(|n| Solid::new(&rough[n]));
     let size = greatest(solids[0].size, solids[1].size);
     let mut scale = 1.0;
-    // NaN and infinity are too great; `greatest` may pass over a NaN.
-    if !(size > RANGE.0 && solids.iter().all(|solid| solid.size < RANGE.1)) {
+    // Fixed point stays within them. NaN and infinity are too great; `greatest` may pass over a NaN.
+    if S::FLOAT.is_some() && !(size > RANGE.0 && solids.iter().all(|solid| solid.size < RANGE.1)) {
         scale = if size < 1.0 { UP } else { DOWN };
         *rough = two(|n| bodies[n].rough(&bodies[1], scale));
         solids = two(|n| Solid::new(&rough[n]));
@@ -301,12 +301,14 @@ fn rounded<S: Scalar>(
     let unit = 1.0 / scale;
     // A large offset may overflow where the sum does not: add its half twice.
     let plus = |x: S, offset: f64| {
-        if scale < 1.0 {
-            let half = offset * 0.5 * unit;
-            x.plus_double(half).plus_double(half)
-        } else {
-            x.plus_double(offset * unit)
-        }
+        part(|| {
+            if scale < 1.0 {
+                let half = offset * 0.5 * unit;
+                x.plus_double(half).plus_double(half)
+            } else {
+                x.plus_double(offset * unit)
+            }
+        })
     };
     let place = |at: &Vec64| {
         let [x, y, z] = three(|i| plus(origin.0[i], at[i] + offset[i]));
