@@ -175,11 +175,11 @@ impl Soft {
         let (a, b) = if self.exponent < other.exponent { (other, self) } else { (self, other) };
         let down = (a.exponent - b.exponent) as u32;
         let ((low, slack), (less, loss)) = (a.parts(), b.parts());
-        let shifted = (less << 63).checked_shr(down).unwrap_or(0);
+        let shifted = |x: u128| (x << 63).checked_shr(down).unwrap_or(0);
         // One for the bits cut off the lesser number, and one for those cut off its slack.
-        let is_whole = shifted.checked_shl(down) == Some(less << 63) && loss == 0;
-        let loss = (loss << 63).checked_shr(down).unwrap_or(0) + if is_whole { 0 } else { 2 };
-        Self::of((low << 63) + shifted, (slack << 63) + loss, a.exponent - 63)
+        let is_whole = down < 128 && less.trailing_zeros() + 63 >= down && loss == 0;
+        let loss = shifted(loss) + if is_whole { 0 } else { 2 };
+        Self::of((low << 63) + shifted(less), (slack << 63) + loss, a.exponent - 63)
     }
 
     pub(crate) fn over(self, other: Self) -> Self {
@@ -215,10 +215,15 @@ impl Soft {
         let (a, s) = self.parts();
         let up = 64 - (self.exponent & 1) as u32;
         let square = a << up;
-        let root = if REGISTERS_ARE_WIDE { square.isqrt() } else { root_by_places(square).into() };
+        let (root, is_exact) = if REGISTERS_ARE_WIDE {
+            let root = square.isqrt();
+            (root, root * root == square)
+        } else {
+            let (root, is_exact) = root_by_places(square);
+            (root.into(), is_exact)
+        };
         // The root is at least 2^63, so the term s·2^up in the square adds less than s to it.
-        let slack = s + u128::from(root * root != square);
-        Self::of(root, slack, (self.exponent - up as i32) / 2)
+        Self::of(root, s + u128::from(!is_exact), (self.exponent - up as i32) / 2)
     }
 
     /// The quotient of the two mantissas, rounded down, as m·2^e with m in [2^62, 2^64) or zero. If
@@ -246,11 +251,11 @@ impl Soft {
     }
 }
 
-/// The root of a whole number of at least 2^126, rounded down, without the divisions of `isqrt`: the upper
-/// half place by place, the lower half as the quotient of the remainder and twice the upper half. That
-/// leaves out the square of the lower half, and is at most one too great.
+/// The root of a whole number of at least 2^126, rounded down, and whether it is exact, without the
+/// divisions of `isqrt`: the upper half place by place, the lower half as the quotient of the remainder and
+/// twice the upper half. That leaves out the square of the lower half, and is at most one too great.
 #[inline(never)]
-fn root_by_places(square: u128) -> u64 {
+fn root_by_places(square: u128) -> (u64, bool) {
     let (mut upper, mut root, mut rest) = ((square >> 64) as u64, 0_u64, 0_u64);
     for _ in 0..32 {
         rest = rest << 2 | upper >> 62;
@@ -275,7 +280,9 @@ fn root_by_places(square: u128) -> u64 {
         }
     }
     let root = root << 32 | u64::from(lower);
-    root - u64::from(full_product(root, root) > square)
+    let product = full_product(root, root);
+    // An exact root is not too great: the square that is left out is below twice the upper half's places.
+    (root - u64::from(product > square), product == square)
 }
 
 /// num/den, rounded up. The quotient is at most twice the slack and one.
