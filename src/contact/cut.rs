@@ -5,13 +5,13 @@ use core::cmp::Ordering;
 
 use super::axes::Axes;
 use super::directions::Direction;
-use super::raw::Raw;
+use super::fixed_pair::FixedPair;
 use crate::arithmetic::{greatest, pick};
 
 /// The numbers of two shapes, rounded to half words: twice the places from the second shape's origin, and
 /// what extends from them.
 pub(super) struct Cut<'a> {
-    raw: &'a Raw,
+    pair: &'a FixedPair,
     /// Each side over a power of two of its own.
     sides: [[[i32; 3]; 3]; 2],
     at: [[[i32; 3]; 3]; 2],
@@ -49,34 +49,17 @@ pub(super) struct Measured {
     square: u32,
 }
 
-/// A square of a depth, as m·2^exponent/square.
+/// A square of a depth, as m/square, in a unit that is chosen for all.
 #[derive(Clone, Copy)]
 pub(super) struct Depth {
-    overlap: i32,
     m: u32,
-    exponent: i32,
     square: u32,
 }
 
 impl Depth {
-    /// With the overlap to ten bits, rounded down, and `add` of its last bits.
-    fn new(overlap: i32, add: u32, square: u32) -> Self {
-        let exponent = 22 - overlap.leading_zeros() as i32;
-        let m = raised(overlap, -exponent) as u32 + add;
-        Self { overlap, m: m * m, exponent: 2 * exponent, square }
-    }
-
-    /// Whether it is at most another; perhaps also if it is above that by a unit of m·square. That only
-    /// keeps more directions.
     pub(super) fn is_at_most(&self, other: &Self) -> bool {
-        // Below 2^20·3076 each.
-        let (here, there) = (self.m * other.square, other.m * self.square);
-        let up = self.exponent - other.exponent;
-        if up >= 0 {
-            here <= there.checked_shr(up as u32).unwrap_or(0)
-        } else {
-            here.checked_shr(up.unsigned_abs()).unwrap_or(0) <= there
-        }
+        // At most 2^20·3075 each.
+        self.m * other.square <= other.m * self.square
     }
 }
 
@@ -86,22 +69,31 @@ impl Measured {
         self.overlaps.iter().any(|&overlap| overlap < -self.error)
     }
 
-    /// Whether the depth on one side may be at most another. No length is four times another.
-    pub(super) fn is_within(&self, is_along: bool, other: &Depth) -> bool {
-        let overlap = greatest(self.overlaps[usize::from(is_along)] - self.error, 0);
-        overlap >> 2 <= other.overlap && Depth::new(overlap, 0, self.square + 3).is_at_most(other)
+    /// The most that the overlap may be on the side where it is less.
+    pub(super) fn most(&self) -> i32 {
+        let [against, along] = self.overlaps;
+        against.min(along) + self.error
     }
 
-    /// The most that the depth may be on the side where it is less, if that may be below another.
-    pub(super) fn most(&self, other: Option<Depth>) -> Option<Depth> {
-        let [against, along] = self.overlaps;
-        let overlap = greatest(against.min(along) + self.error, 0);
-        if other.is_some_and(|other| overlap >> 2 > other.overlap) {
-            return other;
-        }
-        let most = Depth::new(overlap, 1, self.square - 2);
-        Some(other.filter(|other| other.is_at_most(&most)).unwrap_or(most))
+    /// The most that the depth may be, if that overlap is at most four times the least of all: no length is
+    /// four times another. Ten bits hold four times the least in units of 2^`down`.
+    pub(super) fn bound(&self, least: i32, down: u32) -> Option<Depth> {
+        let most = self.most();
+        let m = (most >> down) as u32 + 1;
+        (most >> 2 <= least).then(|| Depth { m: m * m, square: self.square - 2 })
     }
+
+    /// Whether the depth on one side may be at most a bound.
+    pub(super) fn is_within(&self, is_along: bool, bound: &Depth, least: i32, down: u32) -> bool {
+        let overlap = greatest(self.overlaps[usize::from(is_along)] - self.error, 0);
+        let m = (overlap >> down) as u32;
+        overlap >> 2 <= least && Depth { m: m * m, square: self.square + 3 }.is_at_most(bound)
+    }
+}
+
+/// How far overlaps are shifted down so that ten bits hold four times the least.
+pub(super) fn places_beyond(least: i32) -> u32 {
+    24_u32.saturating_sub(least.leading_zeros())
 }
 
 /// Three numbers over a power of two, which is above one where 31 bits do not hold them.
@@ -132,23 +124,23 @@ fn rounded(v: &[i32; 3], down: i32) -> [i32; 3] {
 
 impl<'a> Cut<'a> {
     #[inline(never)]
-    pub(super) fn new(raw: &'a Raw) -> Self {
+    pub(super) fn new(pair: &'a FixedPair) -> Self {
         let none = [[[0; 3]; 3]; 2];
-        let mut new = Self { raw, sides: none, at: none, reach: none, sum: 0 };
+        let mut new = Self { pair, sides: none, at: none, reach: none, sum: 0 };
         // The exponents of places and reaches.
         let (mut ups, mut of_reach) = ([[0; 3]; 2], [[0; 3]; 2]);
         let mut most = 0;
         for n in 0..2 {
             for k in 0..3 {
-                let (end, up) = narrowed(&raw.ends[n][k]);
-                (new.at[n][k], ups[n][k]) = (end, up + raw.up as i32);
+                let (end, up) = narrowed(&pair.ends[n][k]);
+                (new.at[n][k], ups[n][k]) = (end, up + pair.up as i32);
                 most = greatest(most, bits(&end) + ups[n][k]);
-                let (side, up) = narrowed(&raw.sides[n][k]);
+                let (side, up) = narrowed(&pair.sides[n][k]);
                 // To 30 bits.
                 let free = 30 - bits(&side);
                 let side = side.map(|x| raised(x, free));
                 new.sides[n][k] = side.map(|x| (x + (1 << 14)) >> 15);
-                let half = raw.halves[n][k] as u32;
+                let half = pair.halves[n][k] as u32;
                 if half != 0 {
                     // To 16 bits.
                     let zeros = half.leading_zeros();
@@ -181,7 +173,7 @@ impl<'a> Cut<'a> {
         let along = |v: &[i32; 3]| (a[0] * v[0] + a[1] * v[1] + a[2] * v[2]) >> 3;
         let [p, q, r] = &self.at[shape % 2];
         let p = along(p);
-        if self.raw.are_triangles[shape % 2] {
+        if self.pair.are_triangles[shape % 2] {
             let (q, r) = (along(q), along(r));
             return [p.min(q).min(r), p.max(q).max(r)];
         }
@@ -196,15 +188,15 @@ impl<'a> Cut<'a> {
 
     /// The directions that are not certainly zero or equal to an earlier one, as bits.
     pub(super) fn needed(&self, all: &[Direction]) -> u16 {
-        let sides = &self.raw.sides;
-        Axes::new(sides.each_ref(), self.raw.are_triangles, true).needed(all, |direction, axis| {
+        let sides = &self.pair.sides;
+        Axes::new(sides.each_ref(), self.pair.are_triangles, true).needed(all, |direction, axis| {
             pick(&self.cross(direction), axis).unsigned_abs() >> 17 != 0
         })
     }
 
     /// The cross product of a direction's rounded sides. It errs by less than 2^16 and 2^5.
     fn cross(&self, direction: Direction) -> [i32; 3] {
-        let own = direction.sides(self.raw.are_triangles);
+        let own = direction.sides(self.pair.are_triangles);
         let [x, y] = own.map(|(shape, k)| pick(&self.sides[shape % 2], k));
         [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
     }
@@ -217,7 +209,7 @@ impl<'a> Cut<'a> {
             // 2^16 over that power, and one.
             return Some((cross.map(|x| x >> (width - BITS)), (1 << (31 - width)) + 1));
         }
-        Some((self.raw.along(direction).cut(BITS)?, 1))
+        Some((self.pair.along(direction).cut(BITS)?, 1))
     }
 
     /// The signs of the sides along a direction, where they are certain.
@@ -239,7 +231,7 @@ impl<'a> Cut<'a> {
     /// What is known along a direction; `None` if it is zero.
     pub(super) fn measured(&self, direction: Direction) -> Option<Measured> {
         let (a, error) = self.direction(direction)?;
-        let [x, y] = direction.numbers(self.raw.are_triangles);
+        let [x, y] = direction.numbers(self.pair.are_triangles);
         let own = 1 << x | 1 << y;
         let ([a0, a1], [b0, b1]) = (self.ends(0, &a, own), self.ends(1, &a, own));
         let square = a.iter().map(|x| x.unsigned_abs().pow(2)).sum::<u32>();

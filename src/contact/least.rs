@@ -7,10 +7,10 @@ use super::cut::Cut;
 use super::directions::{Direction, all};
 use super::exact::{Exact, Given, farthest, length};
 use super::filter::Filter;
+use super::fixed_pair::{FixedPair, is_whole};
 use super::integers::{Long, Short};
 use super::interior::InteriorEdges;
 use super::measures::{Lengths, Measures};
-use super::raw::{Raw, is_whole};
 use super::settled::settled;
 use super::sums::Sums;
 use super::wanted::{Apart, FACE, Wanted};
@@ -89,13 +89,13 @@ pub(super) fn exact_in_words<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     is_normal: bool,
 ) -> Result<Option<(Way, Lengths)>, Apart> {
-    let raw = Raw::new(bodies);
-    let cut = Cut::new(&raw);
+    let pair = FixedPair::new(bodies);
+    let cut = Cut::new(&pair);
     let wanted = if is_normal { Wanted::FACE } else { Wanted::in_words(all(bodies), &cut)? };
     least_of(&wanted, &|direction, wanted| {
-        let own = direction.sides(raw.are_triangles);
-        let (given, known): (&dyn Given, _) = (&raw.along(direction), cut.along(direction));
-        Exact::new(given, raw.are_triangles, own, &known, wanted)
+        let own = direction.sides(pair.are_triangles);
+        let (given, known): (&dyn Given, _) = (&pair.along(direction), cut.along(direction));
+        Exact::new(given, pair.are_triangles, own, &known, wanted)
     })
 }
 

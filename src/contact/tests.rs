@@ -10,11 +10,11 @@ use super::body::{Body, Rough};
 use super::cut::Cut;
 use super::directions::{Direction, all};
 use super::exact::{Exact, Given, Size, length};
+use super::fixed_pair::FixedPair;
 use super::flat::in_floats;
 use super::interior::InteriorEdges;
 use super::least::{Directed, Numbers, Way, exact_in_words, least_exact, least_way};
 use super::measures::{Lengths, Measures};
-use super::raw::Raw;
 use super::round;
 use super::shapes::{Flat, Round};
 use super::wanted::Wanted;
@@ -160,15 +160,15 @@ fn words_agree_with_sums() {
         let least = exact_in_words(&bodies, false).ok().flatten();
         let found = least.map(|(way, lengths)| (way.direction, way.is_along, Some(lengths.depth)));
         assert_eq!(found, by_sums(&bodies), "{bodies:?}");
-        let raw = Raw::new(&bodies);
+        let pair = FixedPair::new(&bodies);
         for &direction in all(&bodies) {
-            let own = direction.sides(raw.are_triangles);
-            let given: &dyn Given = &raw.along(direction);
-            let exact = Exact::new(given, raw.are_triangles, own, &NOTHING_IS_KNOWN, [true; 2]);
+            let own = direction.sides(pair.are_triangles);
+            let given: &dyn Given = &pair.along(direction);
+            let exact = Exact::new(given, pair.are_triangles, own, &NOTHING_IS_KNOWN, [true; 2]);
             let sums = Numbers::Sums.along(&bodies, direction, &NOTHING_IS_KNOWN, [true; 2]);
             assert_eq!(exact, sums, "{direction:?} {bodies:?}");
         }
-        let wanted = Wanted::in_words(all(&bodies), &Cut::new(&raw)).ok();
+        let wanted = Wanted::in_words(all(&bodies), &Cut::new(&pair)).ok();
         let left = wanted.map_or(0, |wanted| wanted.iter().count());
         if found.is_some() { [1, left, 1] } else { [0, 0, 1] }
     }

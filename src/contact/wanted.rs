@@ -1,7 +1,7 @@
 //! The translations that may be the least: of all directions a few, by floats or by words.
 
 use super::body::Body;
-use super::cut::{Cut, Depth, Measured};
+use super::cut::{Cut, Measured, places_beyond};
 use super::directions::{Direction, all, sides_of_all};
 use super::filter::{Filter, Measure, Ruler};
 use super::lanes::Lanes;
@@ -43,7 +43,7 @@ impl Wanted {
         let mut wanted = Self { all, against: 0, along: 0 };
         let needed = cut.needed(all);
         let mut measures: [Option<Measured>; 16] = [const { None }; 16];
-        let mut bound: Option<Depth> = None;
+        let mut least = i32::MAX;
         for (n, measured) in measures.iter_mut().enumerate() {
             if needed >> n & 1 == 0 {
                 continue;
@@ -52,12 +52,16 @@ impl Wanted {
             if here.are_apart() {
                 return Err(Apart);
             }
-            bound = here.most(bound);
+            least = least.min(here.most());
             *measured = Some(here);
         }
+        let down = places_beyond(least);
+        let bounds = measures.iter().flatten().filter_map(|measured| measured.bound(least, down));
+        let bound =
+            bounds.reduce(|bound, other| if other.is_at_most(&bound) { other } else { bound });
         for (n, measured) in measures.iter().enumerate() {
             if let (Some(measured), Some(bound)) = (measured, &bound) {
-                let bit = |side| u16::from(measured.is_within(side, bound)) << n;
+                let bit = |side| u16::from(measured.is_within(side, bound, least, down)) << n;
                 wanted.against |= bit(false);
                 wanted.along |= bit(true);
             }

@@ -18,7 +18,7 @@ pub(super) const fn is_whole<S: Scalar>() -> bool {
 }
 
 /// Two shapes in units of the least number of a scalar that [`is_whole`].
-pub(super) struct Raw {
+pub(super) struct FixedPair {
     pub(super) are_triangles: [bool; 2],
     /// The edges of a triangle, or the axes of a box: at most 2^32.
     pub(super) sides: [[[i64; 3]; 3]; 2],
@@ -31,7 +31,7 @@ pub(super) struct Raw {
     pub(super) up: u32,
 }
 
-impl Raw {
+impl FixedPair {
     #[inline(never)]
     pub(super) fn new<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Self {
         let one = number(S::ONE);
@@ -130,7 +130,7 @@ fn is_short(x: i128) -> bool {
 
 /// A direction in exact numbers.
 pub(super) struct Along<'a> {
-    shapes: &'a Raw,
+    shapes: &'a FixedPair,
     /// Below 2^66.
     pub(super) direction: [i128; 3],
 }
