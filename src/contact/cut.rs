@@ -36,7 +36,7 @@ const LEAST: i32 = 28;
 /// three products are cut: `cut.g`.
 const ERROR: i32 = 61800;
 
-/// What is known along a direction.
+/// Bounds along a direction.
 pub(super) struct Measured {
     /// The overlaps against the direction and along it, in units of its length.
     overlaps: [i32; 2],
@@ -228,7 +228,7 @@ impl<'a> Cut<'a> {
         along
     }
 
-    /// What is known along a direction; `None` if it is zero.
+    /// Bounds along a direction; `None` if it is zero.
     pub(super) fn measured(&self, direction: Direction) -> Option<Measured> {
         let (a, error) = self.direction(direction)?;
         let [x, y] = direction.numbers(self.pair.are_triangles);

@@ -12,7 +12,7 @@ use crate::scalar::Scalar;
 use crate::shape::{AabbForm, Vec3};
 
 /// Whether all numbers of a scalar are integers of a few words, on a core that computes floats by
-/// functions. Such a contact takes neither floats nor long sums for its direction.
+/// functions. Such a contact has its direction without floats and without long sums.
 pub(super) const fn is_whole<S: Scalar>() -> bool {
     !REGISTERS_ARE_WIDE && size_of::<S>() <= size_of::<u32>() && S::FLOAT.is_none()
 }

@@ -1,6 +1,6 @@
-//! Integers for the numbers of shapes.
+//! Integers for the numbers of shapes, where registers hold 64 bits.
 
-use crate::arithmetic::{BigInt, I256, Number, Parts, REGISTERS_ARE_WIDE, part};
+use crate::arithmetic::{BigInt, I256, Number, Parts};
 
 /// Integers for the numbers of shapes, their products, and products of these.
 pub(super) trait Integers {
@@ -51,18 +51,18 @@ impl Integers for Short {
     }
     #[inline(always)]
     fn area(x: i64, y: i64) -> i128 {
-        part(|| i128::from(x) * i128::from(y))
+        i128::from(x) * i128::from(y)
     }
     #[inline(always)]
     fn raised(x: i128, up: u32) -> i128 {
-        part(|| x << up)
+        x << up
     }
     fn volume(x: i128, y: i64) -> I256 {
-        if REGISTERS_ARE_WIDE { I256::product(x, y) } else { Self::fourth(x, y.into()) }
+        I256::product(x, y)
     }
     #[inline(always)]
     fn fourth(x: i128, y: i128) -> I256 {
-        part(|| I256::of_two(x, y))
+        I256::of_two(x, y)
     }
 }
 

@@ -1,13 +1,13 @@
 //! The exact numbers of a direction as integers: in 60 bits, as in most scenes, or in 250 bits, as
-//! for poses with residues of quarter turns; on small cores in 30 bits, or in 60. The results equal
-//! [`sums`](super::sums) and take a fraction of the time.
+//! for poses with residues of quarter turns. The results equal [`sums`](super::sums) and take a fraction of
+//! the time. Small cores have [`fixed_pair`](super::fixed_pair).
 
 use core::cmp::Ordering;
 
 use super::body::Body;
 use super::exact::{Given, Size};
 use super::integers::{Integers, Long, Short};
-use crate::arithmetic::{Bits, Number, REGISTERS_ARE_WIDE, Soft, compare, part, pick, three, turn};
+use crate::arithmetic::{Bits, Number, REGISTERS_ARE_WIDE, Soft, compare, pick, three, turn};
 use crate::scalar::Scalar;
 use crate::shape::{AabbForm, Vec3};
 
@@ -147,13 +147,7 @@ impl Units {
 
 /// Three numbers in units of 2^`low`.
 fn in_units<N: Integers, S: Scalar>(x: &[S; 3], low: i32) -> [N::Length; 3] {
-    part(|| {
-        let mut all = [N::Length::ZERO; 3];
-        for (to, x) in all.iter_mut().zip(x) {
-            *to = N::length(x.parts(), low);
-        }
-        all
-    })
+    three(|i| N::length(x[i].parts(), low))
 }
 
 /// A shape in integers.
