@@ -132,9 +132,12 @@ impl<'a> Cut<'a> {
         let mut most = 0;
         for n in 0..2 {
             for k in 0..3 {
-                let (end, up) = narrowed(&pair.ends[n][k]);
-                (new.at[n][k], ups[n][k]) = (end, up + pair.up as i32);
-                most = greatest(most, bits(&end) + ups[n][k]);
+                // A box has one place.
+                if k == 0 || pair.are_triangles[n] {
+                    let (end, up) = narrowed(&pair.ends[n][k]);
+                    (new.at[n][k], ups[n][k]) = (end, up + pair.up as i32);
+                    most = greatest(most, bits(&end) + ups[n][k]);
+                }
                 let (side, up) = narrowed(&pair.sides[n][k]);
                 // To 30 bits.
                 let free = 30 - bits(&side);
