@@ -109,7 +109,7 @@ fn narrowed(v: &[i64; 3]) -> ([i32; 3], i32) {
 /// The least b so that all sizes are below 2^b; perhaps one more if 2^15 times a number is close to 2^b.
 fn bits(v: &[i32; 3]) -> i32 {
     let size = v[0].unsigned_abs() | v[1].unsigned_abs() | v[2].unsigned_abs();
-    32 - (size + (size >> BITS)).leading_zeros() as i32
+    32 - size.saturating_add(size >> BITS).leading_zeros() as i32
 }
 
 /// x·2^up, rounded down.

@@ -209,6 +209,13 @@ fn words_agree_with_sums() {
     let whole = |x: f64| I32F0::from_num(x * f64::from(i32::MAX));
     check_scalar(28, whole, |x| I32F0::from_num(x * 3.0));
     check_scalar(28, whole, whole);
+    // The least numbers of a type next to its greatest.
+    let ends = |x: f64| {
+        let all = [I16F16::MIN, I16F16::MIN + I16F16::DELTA, I16F16::ZERO, I16F16::DELTA];
+        *all.get(((x + 1.0) * 2.5) as usize).unwrap_or(&I16F16::MAX)
+    };
+    check_scalar(20, ends, |x| I16F16::from_num(x));
+    check_scalar(20, ends, ends);
 }
 
 /// A side so short that its products underflow, with a half-extent that makes it as long as others.
