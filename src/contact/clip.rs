@@ -23,8 +23,11 @@ pub(super) trait Known {
     /// Which pairs of edges may cross. Bit 4·n + m stands for edge n of the opposite face and edge m of
     /// this face; `back` has the positions of the opposite face's corners.
     fn crossings(&self, back: &Self) -> u32;
-    /// If this is certain, the signed distances of the ends of edge m, times the length of edge n.
-    fn sides(&self, n: usize, m: usize) -> Option<[f64; 2]>;
+    /// If the two edges certainly cross, the signed distances of the ends of edge m, times the length of
+    /// edge n.
+    fn sides(&self, back: &Self, n: usize, m: usize) -> Option<[f64; 2]>;
+    /// Whether corner m may meet edge n.
+    fn may_meet(&self, n: usize, m: usize) -> bool;
 }
 
 /// The corners of a face as seen from another.
@@ -54,8 +57,11 @@ impl<T: Known> Seen<'_, T> {
     fn lowest(&self, m: usize, outward: &Vec64) -> Option<Vec64> {
         let (view, to) = (self.view, self.face.corner(m));
         let mut lowest: Option<Corner> = None;
-        for edge in self.from.edges() {
-            let at = edge.nearest(to);
+        for (n, edge) in self.from.edges().enumerate() {
+            if !self.known.may_meet(n, m) {
+                continue;
+            }
+            let at = edge.nearest(&to.flat);
             let is_lower = |other: &Corner| dot(&at.at, outward) < dot(&other.at, outward);
             if view.allows(&at, to) && lowest.as_ref().is_none_or(is_lower) {
                 lowest = Some(at);
@@ -102,7 +108,10 @@ impl Known for Words<'_> {
         let Self(view, from, face) = self;
         let to = face.corner(m);
         let [base, a, b] = from.frame();
-        let [s, t] = parts(|x| x, [flat(a, base), flat(b, base)], flat(to, base));
+        let [s, t] = {
+            let [a, b, to] = [a, b, to].map(|x| flat(&x.flat, &base.flat));
+            parts(|x| x, [a, b], to)
+        };
         let is_within = s >= 0.0 && t >= 0.0;
         let is_within =
             is_within && if from.count() == 3 { s + t <= 1.0 } else { s <= 1.0 && t <= 1.0 };
@@ -126,8 +135,14 @@ impl Known for Words<'_> {
         crossings
     }
 
-    fn sides(&self, _: usize, _: usize) -> Option<[f64; 2]> {
-        None
+    fn sides(&self, back: &Self, n: usize, m: usize) -> Option<[f64; 2]> {
+        let [a, b] = [m, self.2.next(m)].map(|m| self.side(n, m));
+        let [c, d] = [n, self.1.next(n)].map(|n| back.side(m, n));
+        (a * b < 0 && c * d < 0).then(|| self.1.edge(n).sides(&self.2.edge(m)))
+    }
+
+    fn may_meet(&self, n: usize, m: usize) -> bool {
+        self.side(n, m) == 0
     }
 }
 
@@ -177,7 +192,8 @@ fn overlap<T: Known>(
         crossings &= crossings - 1;
         let (n, m) = (pair / CORNERS, pair % CORNERS);
         let (below, at) = (reference.edge(n), incident.edge(m));
-        if let Some([x, y]) = below.crossing(&at, view, of_incident.known.sides(n, m)) {
+        let sides = of_incident.known.sides(&of_reference.known, n, m);
+        if let Some([x, y]) = below.crossing(&at, view, sides) {
             add([x.at, y.at], [Part::Edge(below.number), Part::Edge(at.number)]);
         }
     }

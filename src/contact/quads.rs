@@ -22,6 +22,8 @@ pub(super) struct Quads {
     sides: [[f64; CORNERS]; CORNERS],
     /// Four bits for each edge of the opposite face: the edges of this face that cross its line.
     crossing: u32,
+    /// Four bits for each edge of the opposite face: the corners that certainly lie off its line.
+    clear: u32,
     /// The corners that certainly lie within the other face.
     inside: u32,
     /// The corners that certainly lie outside of it.
@@ -83,7 +85,7 @@ impl Quads {
         // The last edge of a triangle occurs twice.
         for n in 0..CORNERS {
             let [p, q] = from.ends(n);
-            let along = flat(q, p);
+            let along = flat(&q.flat, &p.flat);
             let [x, y] = two(|k| to[k] - splat(p.flat[k]));
             let side = splat(along[0]) * y - splat(along[1]) * x;
             let margin = margin * (along[0] * along[0] + along[1] * along[1]);
@@ -104,7 +106,7 @@ impl Quads {
         let inside = ALL & !(is_missing[0] & is_missing[1]);
         let (met, points) =
             if outside == ALL { (0, [[0.0; CORNERS]; 3]) } else { points(view, from, &to) };
-        Self { sides, crossing, inside, outside, last, met, points }
+        Self { sides, crossing, clear, inside, outside, last, met, points }
     }
 }
 
@@ -131,9 +133,14 @@ impl Known for Quads {
     }
 
     #[inline(always)]
-    fn sides(&self, n: usize, m: usize) -> Option<[f64; 2]> {
+    fn sides(&self, _: &Self, n: usize, m: usize) -> Option<[f64; 2]> {
         let next = if m < self.last { m + 1 } else { 0 };
         Some([m, next].map(|m| self.sides[n % CORNERS][m % CORNERS]))
+    }
+
+    #[inline(always)]
+    fn may_meet(&self, n: usize, m: usize) -> bool {
+        self.clear >> (CORNERS * n + m) & 1 == 0
     }
 }
 
@@ -142,7 +149,7 @@ impl Known for Quads {
 fn points(view: &View, from: &Face, to: &[Four; 2]) -> (u32, [[f64; CORNERS]; 3]) {
     let [base, a, b] = from.frame();
     let c = two(|k| to[k] - splat(base.flat[k]));
-    let [s, t] = parts(splat, [flat(a, base), flat(b, base)], c);
+    let [s, t] = parts(splat, [a, b].map(|x| flat(&x.flat, &base.flat)), c);
     let (zero, one) = (splat(0.0), splat(1.0));
     let is_below = if from.count() == 3 {
         (s + t).is_at_most(one)

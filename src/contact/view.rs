@@ -66,7 +66,7 @@ impl View {
     }
 
     pub(super) fn allows(&self, a: &Corner, b: &Corner) -> bool {
-        let d = flat(a, b);
+        let d = flat(&a.flat, &b.flat);
         d[0] * d[0] + d[1] * d[1] <= self.tolerance * self.tolerance
     }
 }
@@ -79,12 +79,17 @@ pub(super) struct Corner {
 }
 
 /// From b to a, across the normal.
-pub(super) fn flat(a: &Corner, b: &Corner) -> [f64; 2] {
-    [a.flat[0] - b.flat[0], a.flat[1] - b.flat[1]]
+pub(super) fn flat(a: &[f64; 2], b: &[f64; 2]) -> [f64; 2] {
+    [a[0] - b[0], a[1] - b[1]]
 }
 
 fn across([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
     a * d - b * c
+}
+
+/// The parameter of a point on an edge. NaN becomes the first end.
+fn clamped(t: f64) -> f64 {
+    if t > 0.0 { if t < 1.0 { t } else { 1.0 } } else { 0.0 }
 }
 
 /// An edge, from one vertex to the next.
@@ -94,35 +99,34 @@ pub(super) struct Edge<'a> {
 }
 
 impl Edge<'_> {
-    /// The point at parameter t, clamped to the ends.
-    fn point(&self, t: f64) -> Corner {
+    /// The point at parameter t, across the normal.
+    fn flat(&self, t: f64) -> [f64; 2] {
         let [p, q] = self.ends;
-        // NaN becomes the first end.
-        let t = if t > 0.0 { if t < 1.0 { t } else { 1.0 } } else { 0.0 };
-        let [dx, dy] = flat(q, p);
-        let flat = [p.flat[0] + t * dx, p.flat[1] + t * dy];
-        Corner { at: along(&p.at, t, &minus(&q.at, &p.at)), flat }
+        let [dx, dy] = flat(&q.flat, &p.flat);
+        [p.flat[0] + t * dx, p.flat[1] + t * dy]
     }
 
     /// The point of the edge nearest to `to` across the normal.
-    pub(super) fn nearest(&self, to: &Corner) -> Corner {
-        let (d, e) = (flat(to, self.ends[0]), flat(self.ends[1], self.ends[0]));
+    pub(super) fn nearest(&self, to: &[f64; 2]) -> Corner {
+        let [p, q] = self.ends;
+        let (d, e) = (flat(to, &p.flat), flat(&q.flat, &p.flat));
         let square = e[0] * e[0] + e[1] * e[1];
-        self.point((d[0] * e[0] + d[1] * e[1]) / square)
+        let t = clamped((d[0] * e[0] + d[1] * e[1]) / square);
+        Corner { at: along(&p.at, t, &minus(&q.at, &p.at)), flat: self.flat(t) }
     }
 
     /// The signed distances of the ends of another edge from this one, times this edge's length.
     pub(super) fn sides(&self, other: &Self) -> [f64; 2] {
         let [p, q] = self.ends;
-        two(|n| across(flat(q, p), flat(other.ends[n], p)))
+        two(|n| across(flat(&q.flat, &p.flat), flat(&other.ends[n].flat, &p.flat)))
     }
 
     /// A point on each edge, at their crossing; if they do not cross, two points near each other.
     /// The ends of the other edge have these signed distances.
     #[inline]
     pub(super) fn meet(&self, other: &Self, [a, b]: [f64; 2]) -> [Corner; 2] {
-        let here = self.nearest(&other.point(a / (a - b)));
-        [here, other.nearest(&here)]
+        let here = self.nearest(&other.flat(clamped(a / (a - b))));
+        [here, other.nearest(&here.flat)]
     }
 
     /// A point on each edge, at their crossing, if they cross. If that is known, `sides` has the
@@ -154,6 +158,6 @@ pub(super) fn is_crossed([a, b]: [f64; 2]) -> bool {
 
 /// The squared distance of two points across the normal.
 pub(super) fn distance(a: &Corner, b: &Corner) -> f64 {
-    let [x, y] = flat(a, b);
+    let [x, y] = flat(&a.flat, &b.flat);
     x * x + y * y
 }
