@@ -74,7 +74,7 @@ impl<S: Scalar> Body<'_, S> {
         let less = |x: S, other: S| difference_in_double(x, other, scale);
         let from =
             |x: &Place<S>| three(|i| (less(x.0[i], origin.0[i]) + less(x.1[i], origin.1[i])) * 0.5);
-        let lengths = |x: [S; 3]| three(|i| x[i].in_double() * scale);
+        let lengths = |x: [S; 3]| three(|i| scaled::<S>(x[i].in_double(), scale));
         let aligned = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let (sides, half) = match self {
             Self::Triangle(t) => {
@@ -170,10 +170,15 @@ impl<S: Scalar> Body<'_, S> {
     }
 }
 
+/// x·scale, which fixed point has no need of.
+pub(super) fn scaled<S: Scalar>(x: f64, scale: f64) -> f64 {
+    if S::FLOAT.is_none() { x } else { x * scale }
+}
+
 /// (x − other)·scale. A power of two below one keeps the difference within the range of `f64`.
 pub(super) fn difference_in_double<S: Scalar>(x: S, other: S, scale: f64) -> f64 {
     part(|| {
-        if scale == 1.0 {
+        if S::FLOAT.is_none() || scale == 1.0 {
             x.beyond_in_double(other)
         } else {
             x.in_double() * scale - other.in_double() * scale

@@ -1,6 +1,6 @@
 //! Contact points: where shapes touch after the least translation.
 
-use super::body::{Body, Place, Rough, Vec64, difference_in_double, dot};
+use super::body::{Body, Place, Rough, Vec64, difference_in_double, dot, scaled};
 use super::clip::clip;
 use super::directions::Direction;
 use super::faces::Face;
@@ -302,11 +302,11 @@ fn rounded<S: Scalar>(
     // A large offset may overflow where the sum does not: add its half twice.
     let plus = |x: S, offset: f64| {
         part(|| {
-            if scale < 1.0 {
+            if S::FLOAT.is_some() && scale < 1.0 {
                 let half = offset * 0.5 * unit;
                 x.plus_double(half).plus_double(half)
             } else {
-                x.plus_double(offset * unit)
+                x.plus_double(scaled::<S>(offset, unit))
             }
         })
     };

@@ -2,7 +2,7 @@
 
 use crate::arithmetic::whole;
 #[cfg(feature = "fixed")]
-use crate::arithmetic::{InRaw, Word};
+use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, Word};
 
 /// Conversions between a scalar and `f64`: grids, contacts and times compute in it.
 pub(crate) trait InDouble: Copy {
@@ -92,6 +92,18 @@ const fn two_to(n: i32) -> f64 {
     f64::from_bits(((1023 + n) as u64) << 52)
 }
 
+/// x·2^n, for such n: an addition to the exponent where a product of floats is a function.
+#[cfg(feature = "fixed")]
+#[inline]
+fn times_two_to(x: f64, n: i32) -> f64 {
+    let exponent = (x.to_bits() >> 52) as i32 & 0x7ff;
+    // Neither zero nor near an end.
+    if !REGISTERS_ARE_WIDE && (65..2047 - 64).contains(&exponent) {
+        return f64::from_bits(x.to_bits().wrapping_add((n as u64) << 52));
+    }
+    x * two_to(n)
+}
+
 /// In raw bits.
 #[cfg(feature = "fixed")]
 impl<S: InRaw> InDouble for S {
@@ -111,8 +123,16 @@ impl<S: InRaw> InDouble for S {
             None => (i128::from(a) - i128::from(b)) as f64,
         }
     }
+    #[inline]
+    fn in_double(self) -> f64 {
+        times_two_to(self.units(), -S::FRACTION_BITS)
+    }
+    #[inline]
+    fn beyond_in_double(self, other: Self) -> f64 {
+        times_two_to(self.units_beyond(other), -S::FRACTION_BITS)
+    }
     fn plus_double(self, offset: f64) -> Self {
-        let units = offset * two_to(S::FRACTION_BITS);
+        let units = times_two_to(offset, S::FRACTION_BITS);
         let nearest = units + if units < 0.0 { -0.5 } else { 0.5 };
         let raw: i64 = self.raw().into();
         if S::Raw::BITS <= 32 {
@@ -129,7 +149,7 @@ impl<S: InRaw> InDouble for S {
     }
     #[inline]
     fn of_double(size: f64, is_up: bool, is_negative: bool) -> (Self, bool) {
-        let units = size * two_to(S::FRACTION_BITS);
+        let units = times_two_to(size, S::FRACTION_BITS);
         // In the range of `i64`, or else its end, which no type of up to 32 bits holds.
         let whole = if is_up { units } else { units + 0.5 } as i64;
         let whole = whole.saturating_add(i64::from(is_up && (whole as f64) < units));
