@@ -1,6 +1,7 @@
 //! Contacts of shapes with flat faces.
 
 use super::body::{Body, Rough};
+use super::fixed_pair::is_whole;
 use super::least::{Directed, Way, least_measures, least_way};
 use super::measures::Measures;
 use super::points::{Points, features, points};
@@ -17,14 +18,16 @@ pub(super) fn contact<S: Scalar>(
     interior: InteriorEdges,
 ) -> Option<Contact<S>> {
     let origin = bodies[1].origin();
-    let mut rough = in_floats(bodies);
-    let best = least_way(bodies, &rough, interior)?;
+    // In its place from the start, so that it is not copied.
+    let mut rough = if is_whole::<S>() { None } else { Some(in_floats(bodies)) };
+    let best = least_way(bodies, rough.as_ref(), interior)?;
+    let rough = rough.get_or_insert_with(|| in_floats(bodies));
     // Where they are, without a copy.
     let Directed { unit, measures, way } = &best;
     let translation = translation(bodies, way, measures);
     let features = translation.features;
     let mut contact = Contact { translation, is_held: way.is_held, points: Points::none() };
-    points(bodies, &origin, &mut rough, way, unit, features, &mut contact.points);
+    points(bodies, &origin, rough, way, unit, features, &mut contact.points);
     Some(contact)
 }
 

@@ -194,10 +194,13 @@ fn directed<S: Scalar>((way, lengths): (Way, Lengths)) -> Directed<S> {
 }
 
 #[inline(always)]
-fn least_directed<S: Scalar>(bodies: &[Body<'_, S>; 2], rough: &[Rough; 2]) -> Option<Directed<S>> {
-    if is_whole::<S>() {
+fn least_directed<S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    rough: Option<&[Rough; 2]>,
+) -> Option<Directed<S>> {
+    let Some(rough) = rough else {
         return Some(directed(exact_in_words(bodies, false).ok()??));
-    }
+    };
     let mut filter = Filter::new::<S>(rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
     match from_floats(&filter, &wanted, Some(bodies)) {
@@ -206,26 +209,29 @@ fn least_directed<S: Scalar>(bodies: &[Body<'_, S>; 2], rough: &[Rough; 2]) -> O
     }
 }
 
-/// The same for contact points, and in a mesh. Its frame is free before the points.
+/// The same for contact points, and in a mesh. Its frame is free before the points. A scalar that
+/// [`is_whole`] has no need of floats.
 #[inline(never)]
 pub(super) fn least_way<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
-    rough: &[Rough; 2],
+    rough: Option<&[Rough; 2]>,
     interior: InteriorEdges,
 ) -> Option<Directed<S>> {
     let best = least_directed(bodies, rough)?;
     if interior == InteriorEdges::NONE {
         return Some(best);
     }
-    let is_across = across(&best.way, &best.unit, &rough[0].sides, interior);
+    let is_across = match rough {
+        Some([first, _]) => across(&best.way, &best.unit, &first.sides, interior),
+        None => across(&best.way, &best.unit, &bodies[0].rough(&bodies[1], 1.0).sides, interior),
+    };
     // If the whole triangle lies across, the direction is its normal, or it may have none.
     if !is_across.unwrap_or(best.way.direction != FACE) {
         return Some(best);
     }
-    let normal = if is_whole::<S>() {
-        exact_in_words(bodies, true)
-    } else {
-        exact(bodies, &Filter::new::<S>(rough), &Wanted::FACE)
+    let normal = match rough {
+        Some(rough) => exact(bodies, &Filter::new::<S>(rough), &Wanted::FACE),
+        None => exact_in_words(bodies, true),
     };
     let mut normal = directed(normal.ok()??);
     normal.way.is_held = true;
