@@ -148,9 +148,10 @@ pub(super) struct GridRay {
 
 #[derive(Clone, Copy, Debug)]
 struct GridAxis {
-    /// o, shifted up for the least coordinates and down for the greatest.
-    low: f32,
-    high: f32,
+    /// o for the sides of boxes that the ray reaches first, and for the others: shifted up for the
+    /// least coordinates and down for the greatest.
+    near: f32,
+    far: f32,
     /// 1/d.
     inverse: f32,
     /// Whether the ray reaches the greatest coordinate first.
@@ -160,7 +161,7 @@ struct GridAxis {
 impl GridAxis {
     /// An axis that excludes no box.
     const OPEN: Self =
-        Self { low: f32::INFINITY, high: f32::NEG_INFINITY, inverse: 1.0, is_falling: false };
+        Self { near: f32::INFINITY, far: f32::NEG_INFINITY, inverse: 1.0, is_falling: false };
 }
 
 impl GridRay {
@@ -208,12 +209,10 @@ impl GridRay {
             let moved = if is_short && !is_zero[i] { 2.0 * SHORT * FAR } else { 0.0 };
             let shift = |o: f64| SHIFT * (POINTS + o.abs()) + moved;
             let inverse = if is_short { UPRIGHT } else { (1.0 / unit) as f32 };
-            GridAxis {
-                low: (max[i] + shift(max[i])) as f32,
-                high: (min[i] - shift(min[i])) as f32,
-                inverse,
-                is_falling: inverse < 0.0,
-            }
+            let is_falling = inverse < 0.0;
+            let (low, high) = ((max[i] + shift(max[i])) as f32, (min[i] - shift(min[i])) as f32);
+            let (near, far) = if is_falling { (high, low) } else { (low, high) };
+            GridAxis { near, far, inverse, is_falling }
         };
         let from = from.map_or(f32::NEG_INFINITY, |t| -rounded_up(-(t * scale)));
         let to = to.map_or(f32::INFINITY, |t| rounded_up(t * scale));
@@ -225,15 +224,13 @@ impl GridRay {
         let (mut enter, mut leave) = (Four::splat(self.from), Four::splat(self.to));
         let planes = |[a, b, c, d]: [u16; 4]| Four::new([a.into(), b.into(), c.into(), d.into()]);
         for i in 0..3 {
-            let GridAxis { low, high, inverse, is_falling } = self.axes[i];
-            let (mut near, mut far) = ((node.0[i], low), (node.0[3 + i], high));
-            if is_falling {
-                (near, far) = (far, near);
-            }
+            let GridAxis { near, far, inverse, is_falling } = self.axes[i];
+            // By address, without a branch.
+            let first = usize::from(is_falling);
             let inverse = Four::splat(inverse);
-            let time = |(q, o): ([u16; 4], f32)| (planes(q) - Four::splat(o)) * inverse;
-            enter = time(near).greatest(enter);
-            leave = time(far).least(leave);
+            let time = |row: usize, o: f32| (planes(node.0[row]) - Four::splat(o)) * inverse;
+            enter = time(i + 3 * first, near).greatest(enter);
+            leave = time(i + 3 * (1 - first), far).least(leave);
         }
         let [a, b, c, d] = enter.to_array();
         let sooner = [in_order(a), in_order(b), in_order(c), in_order(d)];
