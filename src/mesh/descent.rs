@@ -221,21 +221,21 @@ impl GridRay {
 
     #[inline(always)]
     pub(super) fn meets(&self, node: &Node) -> Met {
-        let (mut enter, mut leave) = (Four::splat(self.from), Four::splat(self.to));
         let planes = |[a, b, c, d]: [u16; 4]| Four::new([a.into(), b.into(), c.into(), d.into()]);
-        for i in 0..3 {
+        let [x, y, z] = three(|i| {
             let GridAxis { near, far, inverse, is_falling } = self.axes[i];
             // By address, without a branch.
             let first = usize::from(is_falling);
-            let inverse = Four::splat(inverse);
-            let time = |row: usize, o: f32| (planes(node.0[row]) - Four::splat(o)) * inverse;
-            enter = time(i + 3 * first, near).greatest(enter);
-            leave = time(i + 3 * (1 - first), far).least(leave);
-        }
-        let [a, b, c, d] = enter.to_array();
-        let sooner = [in_order(a), in_order(b), in_order(c), in_order(d)];
+            let time = |row: usize, o: f32| {
+                (planes(node.0[row]) - Four::splat(o)) * Four::splat(inverse)
+            };
+            (time(i + 3 * first, near), time(i + 3 * (1 - first), far))
+        });
+        // In pairs: each step down waits for these.
+        let enter = x.0.greatest(Four::splat(self.from)).greatest(y.0.greatest(z.0));
+        let leave = x.1.least(Four::splat(self.to)).least(y.1.least(z.1));
         // Neither is NaN: an infinity is never multiplied by zero.
-        Met { mask: !enter.exceeds(leave) & 15, sooner }
+        Met { mask: enter.is_at_most(leave), sooner: enter.to_array().map(|t| t.to_bits() as i32) }
     }
 
     /// Whether the ray is on the grid, rather than treated as meeting every box.
@@ -265,11 +265,12 @@ fn rounded_up(x: f64) -> f32 {
     (x + x.abs() * ROOM + f64::from(f32::MIN_POSITIVE)) as f32 + 0.0
 }
 
-/// A float as an integer that compares in the same order, with −0 below 0.
+/// An integer that is never below the bits of a float up to `x`. Those of floats below zero are in
+/// reverse order, and below all others.
 #[inline(always)]
 fn in_order(x: f32) -> i32 {
     let bits = x.to_bits() as i32;
-    bits ^ ((bits >> 31) as u32 >> 1) as i32
+    bits | bits >> 31
 }
 
 #[cfg(test)]
