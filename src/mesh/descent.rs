@@ -47,7 +47,7 @@ pub(super) struct Descent<S: Scalar> {
 pub(super) struct Met {
     /// Bit k stands for child k.
     pub(super) mask: u32,
-    /// A sort key: lesser means sooner. A child's key is never less than its parent's.
+    /// A sort key: lesser means sooner. Keys below zero need no order among themselves.
     pub(super) sooner: [i32; 4],
 }
 
