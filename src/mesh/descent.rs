@@ -148,8 +148,8 @@ pub(super) struct GridRay {
 
 #[derive(Clone, Copy, Debug)]
 struct GridAxis {
-    /// o for the sides of boxes that the ray reaches first, and for the others: shifted up for the
-    /// least coordinates and down for the greatest.
+    /// o for the sides of a box that the ray reaches first, and for its other sides. It is shifted
+    /// up for the least coordinates and down for the greatest.
     near: f32,
     far: f32,
     /// 1/d.
@@ -226,9 +226,8 @@ impl GridRay {
             let GridAxis { near, far, inverse, is_falling } = self.axes[i];
             // By address, without a branch.
             let first = usize::from(is_falling);
-            let time = |row: usize, o: f32| {
-                (planes(node.0[row]) - Four::splat(o)) * Four::splat(inverse)
-            };
+            let time =
+                |row: usize, o: f32| (planes(node.0[row]) - Four::splat(o)) * Four::splat(inverse);
             (time(i + 3 * first, near), time(i + 3 * (1 - first), far))
         });
         // In pairs: each step down waits for these.
