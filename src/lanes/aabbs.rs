@@ -1,5 +1,5 @@
 use super::Ranges;
-use super::ranges::minus;
+use super::hits::minus;
 use super::triangles::lane;
 use crate::published::slabs::SlabRay;
 use crate::scalar::Scalar;

@@ -32,26 +32,18 @@
 //! Nothing here panics.
 
 mod aabbs;
-mod cell_triangle;
 mod cells;
 mod each_exactly;
 mod each_overlap;
-mod each_ray;
-mod each_triangle;
 mod hits;
-mod normal_triangles;
-mod ranges;
 mod rays;
 mod slab_rays;
 mod triangle_axes;
 mod triangles;
 
 pub use aabbs::Aabbs;
-pub use cell_triangle::CellTriangle;
-pub use cells::Cells;
-pub use hits::Hits;
-pub use normal_triangles::NormalTriangles;
-pub use ranges::Ranges;
+pub use cells::{CellTriangle, Cells};
+pub use hits::{Hits, Ranges};
 pub use rays::Rays;
 pub use slab_rays::SlabRays;
-pub use triangles::Triangles;
+pub use triangles::{NormalTriangles, Triangles};

@@ -1,5 +1,5 @@
 use super::Ranges;
-use super::ranges::minus;
+use super::hits::minus;
 use super::triangles::lane;
 use crate::published::slabs::{Faces, SlabRay, plain_interval};
 use crate::scalar::Scalar;
