@@ -1,5 +1,5 @@
-use super::triangles::lane;
 use super::Hits;
+use super::triangles::lane;
 use crate::published::moller_trumbore::moller_trumbore;
 use crate::published::stored_normal::{NormalTriangle, Stored, store, stored_normal};
 use crate::published::{Limits, Triple, resolve, rounded};

@@ -14,7 +14,7 @@ use core::cmp::Ordering;
 
 use super::descent::{Descend, Met};
 use super::from_origin::{beyond_box, enclosing};
-use super::grid::{Grid, corners};
+use super::grid::Grid;
 use super::node::Node;
 use crate::arithmetic::{OfFour, Quad, each, least, three};
 use crate::scalar::Scalar;
@@ -217,7 +217,7 @@ impl<S: Scalar> Approach<S> for InIntegers<S> {
     type Square = u128;
 
     fn bounds(&self, triangle: &Triangle<S>) -> Option<Bounds<u128>> {
-        if self.beyond(corners(triangle)) > self.most {
+        if self.beyond(triangle.corners()) > self.most {
             return None;
         }
         let q = triangle.closest_point(self.p).ok()?.point.to_array();

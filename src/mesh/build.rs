@@ -13,10 +13,12 @@
 mod cut;
 mod entry;
 
+use core::ops::Range;
+
 use self::cut::{Cut, sort_by_key};
 use self::entry::Entry;
 pub use self::entry::Scratch;
-use super::grid::{Grid, corners};
+use super::grid::Grid;
 use super::node::{Cell, LEAF, Layout, Node};
 use super::{Index, Mesh, MeshError};
 use crate::arithmetic::three;
@@ -73,7 +75,7 @@ pub(super) trait Leaves<S: Scalar>: Copy {
 impl<S: Scalar, I: Index> Leaves<S> for Mesh<'_, S, I> {
     #[inline(always)]
     fn corners(&self, i: usize) -> Option<[[S; 3]; 2]> {
-        Some(corners(&self.known(i)))
+        Some(self.known(i).corners())
     }
 }
 
@@ -87,16 +89,8 @@ pub(super) struct Memory<'m, L, I, T> {
 
 impl<S: Scalar> Build<S> {
     /// The start of a build, if nodes and order have the right lengths.
-    pub(super) fn new<I>(
-        mesh: &Mesh<'_, S, I>,
-        nodes: &[Node],
-        order: &[I],
-    ) -> Result<Self, MeshError> {
-        let layout = layout(mesh, nodes)?;
-        if order.len() != mesh.triangles.len() {
-            return Err(MeshError::Length { needed: mesh.triangles.len() });
-        }
-        Ok(Self::over(layout, order.len()))
+    pub(super) fn new<I>(count: usize, nodes: &[Node], order: &[I]) -> Result<Self, MeshError> {
+        Ok(Self::over(layout_in_order(count, nodes, order)?, count))
     }
 
     /// The start of a build over as many triangles or boxes.
@@ -247,20 +241,9 @@ impl<S: Scalar> Build<S> {
         let compute = |i: usize| leaves.cell(grid, i);
         let most = (budget / (4 * LEAF)).max(1);
         let from = self.at.saturating_sub(most);
-        for k in (from..self.at).rev() {
-            let mut node = Node::EMPTY;
-            for (child, place) in layout.children(k).enumerate() {
-                node.set(
-                    child,
-                    around(layout, nodes, place, |i| {
-                        entries.get(i).map_or(Cell::NOTHING, |entry| entry.cell(compute))
-                    }),
-                );
-            }
-            if let Some(to) = nodes.get_mut(k) {
-                *to = node;
-            }
-        }
+        fill(layout, nodes, from..self.at, |i| {
+            entries.get(i).map_or(Cell::NOTHING, |entry| entry.cell(compute))
+        });
         let took = 4 * LEAF * (self.at - from);
         self.done += took as u64;
         self.at = from;
@@ -271,13 +254,20 @@ impl<S: Scalar> Build<S> {
     }
 }
 
-pub(super) fn layout<S, I>(mesh: &Mesh<'_, S, I>, nodes: &[Node]) -> Result<Layout, MeshError> {
-    let needed = Node::count_for(mesh.triangles.len());
-    if nodes.len() == needed {
-        Ok(Layout::new(mesh.triangles.len()))
-    } else {
-        Err(MeshError::Length { needed })
-    }
+/// The layout of a tree over `count` triangles or boxes, if it has these nodes.
+pub(super) fn layout(count: usize, nodes: &[Node]) -> Result<Layout, MeshError> {
+    let needed = Node::count_for(count);
+    if nodes.len() == needed { Ok(Layout::new(count)) } else { Err(MeshError::Length { needed }) }
+}
+
+/// The same, if `order` has an element for each triangle or box.
+pub(super) fn layout_in_order<I>(
+    count: usize,
+    nodes: &[Node],
+    order: &[I],
+) -> Result<Layout, MeshError> {
+    let layout = layout(count, nodes)?;
+    if order.len() == count { Ok(layout) } else { Err(MeshError::Length { needed: count }) }
 }
 
 /// About how many triangles a build looks at: every triangle in three phases and for each level of
@@ -288,6 +278,25 @@ fn work(layout: &Layout, triangles: usize) -> u64 {
         (levels, first) = (levels + 1, first.saturating_mul(4).saturating_add(1));
     }
     levels * triangles as u64 + 16 * layout.nodes as u64
+}
+
+/// Computes some nodes, from the last to the first; those below them are computed. `cell` is the grid box
+/// of the item at a position in the tree's order.
+pub(super) fn fill(
+    layout: &Layout,
+    nodes: &mut [Node],
+    range: Range<usize>,
+    cell: impl Fn(usize) -> Cell,
+) {
+    for k in range.rev() {
+        let mut node = Node::EMPTY;
+        for (child, place) in layout.children(k).enumerate() {
+            node.set(child, around(layout, nodes, place, &cell));
+        }
+        if let Some(to) = nodes.get_mut(k) {
+            *to = node;
+        }
+    }
 }
 
 /// The smallest grid box around everything below a place: the boxes of a node, or the triangles of

@@ -3,29 +3,16 @@
 use super::node::Cell;
 use super::{Index, Mesh};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Triangle, joined};
+use crate::shape::{Aabb, joined};
 
 /// The steps along each axis.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Grid<S: Scalar>(pub(super) [S::SeptumSteps; 3]);
-
-impl<S: Scalar> Clone for Grid<S> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<S: Scalar> Copy for Grid<S> {}
-
-impl<S: Scalar> core::fmt::Debug for Grid<S> {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        self.0.fmt(f)
-    }
-}
 
 impl<S: Scalar> Grid<S> {
     /// The grid that encloses all triangles of a mesh.
     pub(super) fn around<I: Index>(mesh: &Mesh<'_, S, I>) -> Self {
-        let all = mesh.iter().map(|triangle| corners(&triangle)).reduce(joined);
+        let all = mesh.iter().map(|triangle| triangle.corners()).reduce(joined);
         Self::between(all.unwrap_or([[S::ZERO; 3]; 2]))
     }
 
@@ -71,10 +58,4 @@ impl<S: Scalar> Grid<S> {
         let [min, max] = self.corners(cell);
         Aabb::between(min.into(), max.into())
     }
-}
-
-/// The corners of the bounding box of a triangle.
-#[inline(always)]
-pub(super) fn corners<S: Scalar>(triangle: &Triangle<S>) -> [[S; 3]; 2] {
-    triangle.corners()
 }

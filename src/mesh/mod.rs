@@ -48,13 +48,11 @@ mod refit;
 
 mod approach;
 mod build;
-mod builder;
 mod closed;
 mod descent;
 mod error;
 mod from_origin;
 mod grid;
-mod index;
 mod moving_box;
 mod node;
 #[cfg(feature = "alloc")]
@@ -65,11 +63,9 @@ mod walk;
 mod const_new;
 
 pub use build::Scratch;
-pub use builder::TreeBuilder;
 pub(crate) use closed::{by_place, sort};
 pub use error::MeshError;
-pub use index::Index;
-pub use indexed::Mesh;
+pub use indexed::{Index, Mesh};
 pub use node::Node;
 pub use overlapping::{Overlapping, Probe};
 #[cfg(feature = "alloc")]
@@ -77,4 +73,4 @@ pub use overlapping::{Overlapping, Probe};
 pub use owned::{OwnedTree, OwnedTreeBuilder};
 pub use ray::Hits;
 pub use sweep::Mover;
-pub use tree::Tree;
+pub use tree::{Tree, TreeBuilder};

@@ -93,7 +93,7 @@ impl<S: Scalar, I: Index> OwnedTree<S, I> {
         let mesh = Mesh::new(&vertices, &triangles)?;
         let n = triangles.len();
         let (nodes, order) = (vec![Node::EMPTY; Node::count_for(n)], vec![I::of(0); n]);
-        let build = Build::new(&mesh, &nodes, &order)?;
+        let build = Build::new(mesh.triangles.len(), &nodes, &order)?;
         let Build { grid, layout, .. } = build;
         let tree = Self { vertices, triangles, nodes, order, grid, layout };
         Ok(OwnedTreeBuilder { tree, scratch: vec![Scratch::EMPTY; n], build })

@@ -3,7 +3,7 @@
 use core::ops::ControlFlow;
 
 use super::node::{Cell, LEVELS};
-use super::{Index, Tree, grid};
+use super::{Index, Tree};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Segment, Triangle};
 
@@ -176,6 +176,6 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
 /// Whether the bounding boxes of two triangles meet: six comparisons, which most pairs fail.
 #[inline(always)]
 fn are_near<S: Scalar>(a: &Triangle<S>, b: &Triangle<S>) -> bool {
-    let ([p, q], [r, s]) = (grid::corners(a), grid::corners(b));
+    let ([p, q], [r, s]) = (a.corners(), b.corners());
     (0..3).all(|i| (p[i] <= s[i]) & (r[i] <= q[i]))
 }

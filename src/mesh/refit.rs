@@ -1,8 +1,8 @@
 //! Trees whose boxes are computed anew, in the order of an earlier build.
 
-use super::build::{Leaves, around};
+use super::build::{Leaves, fill, layout_in_order};
 use super::grid::Grid;
-use super::node::{Cell, Layout, Node};
+use super::node::Node;
 use super::{Index, Mesh, MeshError, Tree};
 use crate::scalar::Scalar;
 
@@ -39,34 +39,14 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
         nodes: &'a mut [Node],
         order: &'a [I],
     ) -> Result<Self, MeshError> {
-        let needed = Node::count_for(mesh.triangles.len());
-        if nodes.len() != needed {
-            return Err(MeshError::Length { needed });
-        }
-        if order.len() != mesh.triangles.len() {
-            return Err(MeshError::Length { needed: mesh.triangles.len() });
-        }
+        let layout = layout_in_order(mesh.triangles.len(), nodes, order)?;
         if !is_permutation(order, nodes) {
             return Err(MeshError::Order);
         }
-        let (layout, grid) = (Layout::new(order.len()), Grid::around(&mesh));
+        let grid = Grid::around(&mesh);
         let index = |place: usize| order.get(place).map_or(0, |i| i.get());
-        fill(&layout, nodes, |place| mesh.cell(&grid, index(place)));
+        fill(&layout, nodes, 0..layout.nodes, |place| mesh.cell(&grid, index(place)));
         Ok(Self { mesh, nodes, order, grid, layout })
-    }
-}
-
-/// Computes all nodes, from the last to the first. `cell` is the grid box of the item at a position in
-/// the tree's order.
-pub(super) fn fill(layout: &Layout, nodes: &mut [Node], cell: impl Fn(usize) -> Cell) {
-    for k in (0..nodes.len()).rev() {
-        let mut node = Node::EMPTY;
-        for (child, place) in layout.children(k).enumerate() {
-            node.set(child, around(layout, nodes, place, &cell));
-        }
-        if let Some(to) = nodes.get_mut(k) {
-            *to = node;
-        }
     }
 }
 

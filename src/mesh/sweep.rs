@@ -2,6 +2,7 @@
 
 use core::ops::ControlFlow;
 
+use super::boxes::is_before;
 use super::build::Leaves;
 use super::descent::{Descend, Met};
 use super::moving_box::Moving;
@@ -16,7 +17,7 @@ use crate::shape::{Aabb, Sphere, Triangle, Vec3};
 ///
 /// The trait is sealed.
 pub trait Mover<S: Scalar>:
-    Sweep<Triangle<S>, Scalar = S, Contact: sealed::Timed<S>> + sealed::Bounded<S>
+    Sweep<Triangle<S>, Scalar = S, Contact: Copy> + sealed::Bounded<S>
 {
 }
 
@@ -24,28 +25,15 @@ impl<S: Scalar> Mover<S> for Aabb<S> {}
 impl<S: Scalar> Mover<S> for Sphere<S> {}
 
 mod sealed {
-    use crate::shape::Aabb;
+    use crate::query::Sweep;
+    use crate::scalar::Scalar;
+    use crate::shape::{Aabb, Triangle};
 
-    /// A contact at a time.
-    pub trait Timed<S>: Copy {
-        fn t(&self) -> S;
-    }
-
-    pub trait Bounded<S> {
+    pub trait Bounded<S: Scalar>: Sweep<Triangle<S>> {
         /// A box that encloses the shape and meets all that it meets no later.
         fn bounds(&self) -> Option<Aabb<S>>;
-    }
-}
-
-impl<S: Scalar> sealed::Timed<S> for FirstContact<S> {
-    fn t(&self) -> S {
-        self.t
-    }
-}
-
-impl<S: Scalar> sealed::Timed<S> for SphereContact<S, Feature> {
-    fn t(&self) -> S {
-        self.t
+        /// The time of a contact.
+        fn time(contact: &Self::Contact) -> S;
     }
 }
 
@@ -53,12 +41,20 @@ impl<S: Scalar> sealed::Bounded<S> for Aabb<S> {
     fn bounds(&self) -> Option<Self> {
         Some(*self)
     }
+
+    fn time(contact: &FirstContact<S>) -> S {
+        contact.t
+    }
 }
 
 impl<S: Scalar> sealed::Bounded<S> for Sphere<S> {
     // A sphere has finite numbers, and the box has no others.
     fn bounds(&self) -> Option<Aabb<S>> {
         Aabb::from_center_half_extents(self.center(), [self.radius(); 3]).ok()
+    }
+
+    fn time(contact: &SphereContact<S, Feature>) -> S {
+        contact.t
     }
 }
 
@@ -121,15 +117,12 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
         motion: &Motion<S>,
         mut accepts: impl FnMut(usize, &M::Contact) -> bool,
     ) -> Option<(usize, M::Contact)> {
-        use sealed::Timed;
-
         let mut best: Option<(usize, M::Contact)> = None;
         self.pass(Moving::new(&self.grid, &shape.bounds()?, motion), |moving, i| {
             let Some(first) = shape.first_contact(motion, &self.mesh.known(i)) else { return };
-            let t = first.t();
-            let is_before =
-                |(j, other): (usize, M::Contact)| t < other.t() || t == other.t() && i < j;
-            if best.is_none_or(is_before) && accepts(i, &first) {
+            let t = M::time(&first);
+            let so_far = best.map(|(j, other)| (j, M::time(&other)));
+            if is_before(&so_far, t, i) && accepts(i, &first) {
                 moving.limit(t);
                 best = Some((i, first));
             }

@@ -4,7 +4,7 @@ use core::ops::ControlFlow;
 
 use super::BoxTree;
 use crate::mesh::Index;
-use crate::mesh::descent::Descent;
+use crate::mesh::descent::{Descend, Descent};
 use crate::mesh::moving_box::Moving;
 use crate::mesh::walk::descend;
 use crate::query::{FirstContact, Motion, Sweep};
@@ -43,26 +43,14 @@ impl<S: Scalar, I: Index> BoxTree<'_, S, I> {
         mut accepts: impl FnMut(usize) -> bool,
     ) -> Option<(usize, S)> {
         let mut best = None;
-        let mut enter = |i: usize| {
+        let enter = |i: usize| {
             let (t, _) = self.boxes.get(i).and_then(|aabb| ray.t_range(aabb))?;
             (is_before(&best, t, i) && accepts(i)).then(|| {
                 best = Some((i, t));
                 t
             })
         };
-        if self.is_beyond {
-            for i in 0..self.boxes.len() {
-                enter(i);
-            }
-            return best;
-        }
-        let mut descent = Descent::new(&self.grid, ray);
-        let _ = descend(self.nodes, &self.layout, &mut descent, |descent, leaf| {
-            for t in leaf.filter_map(|place| enter(self.index(place))) {
-                descent.limit(t);
-            }
-            ControlFlow::Continue(())
-        });
+        self.pass(|| Descent::new(&self.grid, ray), enter, Descent::limit);
         best
     }
 
@@ -83,7 +71,7 @@ impl<S: Scalar, I: Index> BoxTree<'_, S, I> {
         mut accepts: impl FnMut(usize) -> bool,
     ) -> Option<(usize, FirstContact<S>)> {
         let mut best: Option<(usize, FirstContact<S>)> = None;
-        let mut meet = |i: usize| {
+        let meet = |i: usize| {
             let first = aabb.first_contact(motion, self.boxes.get(i)?)?;
             let so_far = best.map(|(i, best)| (i, best.t));
             (is_before(&so_far, first.t, i) && accepts(i)).then(|| {
@@ -91,24 +79,35 @@ impl<S: Scalar, I: Index> BoxTree<'_, S, I> {
                 first.t
             })
         };
+        self.pass(|| Moving::new(&self.grid, aabb, motion), meet, Moving::limit);
+        best
+    }
+
+    /// Visits the boxes near something that moves, roughly in the order in which it reaches them. `visit`
+    /// returns a t beyond which no box matters.
+    #[inline(always)]
+    fn pass<D: Descend>(
+        &self,
+        moving: impl FnOnce() -> D,
+        mut visit: impl FnMut(usize) -> Option<S>,
+        limit: impl Fn(&mut D, S),
+    ) {
         if self.is_beyond {
             for i in 0..self.boxes.len() {
-                meet(i);
+                visit(i);
             }
-            return best;
+            return;
         }
-        let mut moving = Moving::new(&self.grid, aabb, motion);
-        let _ = descend(self.nodes, &self.layout, &mut moving, |moving, leaf| {
-            for t in leaf.filter_map(|place| meet(self.index(place))) {
-                moving.limit(t);
+        let _ = descend(self.nodes, &self.layout, &mut moving(), |moving, leaf| {
+            for t in leaf.filter_map(|place| visit(self.index(place))) {
+                limit(moving, t);
             }
             ControlFlow::Continue(())
         });
-        best
     }
 }
 
-/// Whether a contact at t with box i comes before the best one so far.
-fn is_before<S: Scalar>(best: &Option<(usize, S)>, t: S, i: usize) -> bool {
+/// Whether a contact at t with number i comes before the best one so far.
+pub(in crate::mesh) fn is_before<S: Scalar>(best: &Option<(usize, S)>, t: S, i: usize) -> bool {
     best.is_none_or(|(j, other)| t < other || t == other && i < j)
 }

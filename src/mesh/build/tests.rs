@@ -15,7 +15,7 @@ use crate::shape::Vec3;
 /// each half again.
 fn sorted<S: Scalar>(mesh: &Mesh<'_, S, u16>) -> Vec<u16> {
     let (grid, layout) = (Grid::around(mesh), Layout::new(mesh.triangles().len()));
-    let middles = |i: u16| middle(&grid.cell(corners(&mesh.known(i.into()))));
+    let middles = |i: u16| middle(&grid.cell(mesh.known(i.into()).corners()));
     let sort = |part: &mut [u16]| {
         let spread = |axis: usize| {
             let all = || part.iter().map(|&i| middles(i)[axis]);
