@@ -1,12 +1,11 @@
 //! Constructors for `const` tables in flash, one for each family of scalars and each index type, as
 //! for the shapes. Only the version for `f32` and `u16` appears in the documentation.
 
-use super::{Mesh, MeshError};
-use crate::shape::Vec3;
+use super::{Index, Mesh, MeshError};
+use crate::shape::{ShapeError, Vec3};
 
 macro_rules! const_new {
-    ($(#[$attr:meta])* [$($generic:tt)*] $scalar:ty, $index:ty, $count:literal,
-     |$x:ident| $is_finite:expr) => {
+    ($(#[$attr:meta])* [$($generic:tt)*] $scalar:ty, $index:ty) => {
         $(#[$attr])*
         impl<'a, $($generic)*> Mesh<'a, $scalar, $index> {
             /// [`Mesh::new`] for a `const` or a `static`, such as a table in flash.
@@ -36,19 +35,10 @@ macro_rules! const_new {
                 vertices: &'a [Vec3<$scalar>],
                 triangles: &'a [[$index; 3]],
             ) -> Result<Self, MeshError> {
-                let mut vertex = 0;
-                while vertex < vertices.len() {
-                    let Vec3 { x, y, z } = vertices[vertex];
-                    let all = [x, y, z];
-                    let mut i = 0;
-                    while i < 3 {
-                        let $x = all[i];
-                        if !$is_finite {
-                            return Err(MeshError::NotFinite { vertex });
-                        }
-                        i += 1;
-                    }
-                    vertex += 1;
+                let vertices_are_finite =
+                    Vec3::<$scalar>::const_list_is_finite("vertices", vertices);
+                if let Err(ShapeError::NotFinite { index: Some(vertex), .. }) = vertices_are_finite {
+                    return Err(MeshError::NotFinite { vertex });
                 }
                 let mut triangle = 0;
                 while triangle < triangles.len() {
@@ -61,7 +51,7 @@ macro_rules! const_new {
                     }
                     triangle += 1;
                 }
-                if triangles.len() as u64 > $count {
+                if triangles.len() as u64 > <$index as Index>::COUNT {
                     return Err(MeshError::TooManyTriangles);
                 }
                 Ok(Self { vertices, triangles })
@@ -70,10 +60,10 @@ macro_rules! const_new {
     };
 }
 
-const_new!([] f32, u16, 65_536, |x| x.is_finite());
-const_new!(#[doc(hidden)] [] f32, u32, 4_294_967_296, |x| x.is_finite());
-const_new!(#[doc(hidden)] [] f64, u16, 65_536, |x| x.is_finite());
-const_new!(#[doc(hidden)] [] f64, u32, 4_294_967_296, |x| x.is_finite());
+const_new!([] f32, u16);
+const_new!(#[doc(hidden)] [] f32, u32);
+const_new!(#[doc(hidden)] [] f64, u16);
+const_new!(#[doc(hidden)] [] f64, u32);
 
 #[cfg(feature = "fixed")]
 mod fixed_point {
@@ -82,12 +72,12 @@ mod fixed_point {
 
     use super::*;
 
-    const_new!(#[doc(hidden)] [Frac: LeEqU8] FixedI8<Frac>, u16, 65_536, |_x| true);
-    const_new!(#[doc(hidden)] [Frac: LeEqU8] FixedI8<Frac>, u32, 4_294_967_296, |_x| true);
-    const_new!(#[doc(hidden)] [Frac: LeEqU16] FixedI16<Frac>, u16, 65_536, |_x| true);
-    const_new!(#[doc(hidden)] [Frac: LeEqU16] FixedI16<Frac>, u32, 4_294_967_296, |_x| true);
-    const_new!(#[doc(hidden)] [Frac: LeEqU32] FixedI32<Frac>, u16, 65_536, |_x| true);
-    const_new!(#[doc(hidden)] [Frac: LeEqU32] FixedI32<Frac>, u32, 4_294_967_296, |_x| true);
-    const_new!(#[doc(hidden)] [Frac: LeEqU64] FixedI64<Frac>, u16, 65_536, |_x| true);
-    const_new!(#[doc(hidden)] [Frac: LeEqU64] FixedI64<Frac>, u32, 4_294_967_296, |_x| true);
+    const_new!(#[doc(hidden)] [Frac: LeEqU8] FixedI8<Frac>, u16);
+    const_new!(#[doc(hidden)] [Frac: LeEqU8] FixedI8<Frac>, u32);
+    const_new!(#[doc(hidden)] [Frac: LeEqU16] FixedI16<Frac>, u16);
+    const_new!(#[doc(hidden)] [Frac: LeEqU16] FixedI16<Frac>, u32);
+    const_new!(#[doc(hidden)] [Frac: LeEqU32] FixedI32<Frac>, u16);
+    const_new!(#[doc(hidden)] [Frac: LeEqU32] FixedI32<Frac>, u32);
+    const_new!(#[doc(hidden)] [Frac: LeEqU64] FixedI64<Frac>, u16);
+    const_new!(#[doc(hidden)] [Frac: LeEqU64] FixedI64<Frac>, u32);
 }

@@ -11,26 +11,11 @@ use super::segment::Form as SegmentForm;
 use super::{Aabb, Capsule, Obb, Plane, Polygon, Ray, Segment, ShapeError, Sphere, Triangle};
 use crate::scalar::axes::{are_orthonormal_f32, are_orthonormal_f64};
 
-/// The error of the first argument that is not finite.
-const fn all_finite<const N: usize>(
-    arguments: [(bool, &'static str); N],
-) -> Result<(), ShapeError> {
-    let mut i = 0;
-    while i < N {
-        let (is_finite, argument) = arguments[i];
-        if !is_finite {
-            return Err(ShapeError::NotFinite { argument, index: None });
-        }
-        i += 1;
-    }
-    Ok(())
-}
-
-/// The constructors for one family: whether a number is finite, and as a value that a `const fn` can
-/// compare.
+/// The constructors for one family: whether a number is finite, whether it exceeds another, and
+/// whether axes are orthonormal.
 macro_rules! const_new {
     ($(#[$attr:meta])* [$($generic:tt)*] $scalar:ty, $zero:expr, |$x:ident| $is_finite:expr,
-     |$y:ident| $value:expr, |$axes:ident| $orthonormal:expr) => {
+     |$a:ident, $b:ident| $exceeds:expr, |$axes:ident| $orthonormal:expr) => {
         impl<$($generic)*> Vec3<$scalar> {
             const CONST_ZERO: Self = Self::new($zero, $zero, $zero);
 
@@ -46,8 +31,23 @@ macro_rules! const_new {
                 true
             }
 
-            /// As `all_finite`, for the elements of one argument.
-            const fn const_list_is_finite(
+            /// The error of the first argument that is not finite.
+            const fn const_check<const N: usize>(
+                arguments: [(Self, &'static str); N],
+            ) -> Result<(), ShapeError> {
+                let mut i = 0;
+                while i < N {
+                    let (vector, argument) = arguments[i];
+                    if !vector.const_is_finite() {
+                        return Err(ShapeError::NotFinite { argument, index: None });
+                    }
+                    i += 1;
+                }
+                Ok(())
+            }
+
+            /// The same for the elements of one argument.
+            pub(crate) const fn const_list_is_finite(
                 argument: &'static str,
                 list: &[Self],
             ) -> Result<(), ShapeError> {
@@ -63,13 +63,11 @@ macro_rules! const_new {
 
             /// Whether a component exceeds its counterpart in `other`.
             const fn const_exceeds(self, other: Self) -> bool {
-                let (a, b) = ([self.x, self.y, self.z], [other.x, other.y, other.z]);
+                let pairs = [(self.x, other.x), (self.y, other.y), (self.z, other.z)];
                 let mut i = 0;
                 while i < 3 {
-                    let ($y, b) = (b[i], a[i]);
-                    let most = $value;
-                    let $y = b;
-                    if $value > most {
+                    let ($a, $b) = pairs[i];
+                    if $exceeds {
                         return true;
                     }
                     i += 1;
@@ -122,11 +120,7 @@ macro_rules! const_new {
                 b: Vec3<$scalar>,
                 c: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
-                match all_finite([
-                    (a.const_is_finite(), "a"),
-                    (b.const_is_finite(), "b"),
-                    (c.const_is_finite(), "c"),
-                ]) {
+                match Vec3::<$scalar>::const_check([(a, "a"), (b, "b"), (c, "c")]) {
                     Ok(()) => Ok(Self { vertices: [a, b, c] }),
                     Err(error) => Err(error),
                 }
@@ -161,14 +155,11 @@ macro_rules! const_new {
                 min: Vec3<$scalar>,
                 max: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
-                let ends = [(min.const_is_finite(), "min"), (max.const_is_finite(), "max")];
-                if let Err(error) = all_finite(ends) {
-                    return Err(error);
+                match Vec3::<$scalar>::const_check([(min, "min"), (max, "max")]) {
+                    Err(error) => Err(error),
+                    Ok(()) if min.const_exceeds(max) => Err(ShapeError::MinAboveMax),
+                    Ok(()) => Ok(Self { form: Form::Corners { min, max } }),
                 }
-                if min.const_exceeds(max) {
-                    return Err(ShapeError::MinAboveMax);
-                }
-                Ok(Self { form: Form::Corners { min, max } })
             }
 
             /// [`Aabb::from_center_half_extents`] for a `const` or a `static`: see
@@ -180,16 +171,14 @@ macro_rules! const_new {
                 center: Vec3<$scalar>,
                 half_extents: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
-                if let Err(error) = all_finite([
-                    (center.const_is_finite(), "center"),
-                    (half_extents.const_is_finite(), "half_extents"),
-                ]) {
-                    return Err(error);
+                let numbers = [(center, "center"), (half_extents, "half_extents")];
+                match Vec3::<$scalar>::const_check(numbers) {
+                    Err(error) => Err(error),
+                    Ok(()) if Vec3::<$scalar>::CONST_ZERO.const_exceeds(half_extents) => {
+                        Err(ShapeError::NegativeHalfExtent)
+                    }
+                    Ok(()) => Ok(Self { form: Form::Center { center, half: half_extents } }),
                 }
-                if Vec3::<$scalar>::CONST_ZERO.const_exceeds(half_extents) {
-                    return Err(ShapeError::NegativeHalfExtent);
-                }
-                Ok(Self { form: Form::Center { center, half: half_extents } })
             }
         }
 
@@ -204,24 +193,22 @@ macro_rules! const_new {
                 axes: [Vec3<$scalar>; 3],
                 half_extents: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
+                let numbers = [(center, "center"), (half_extents, "half_extents")];
                 let [u, v, w] = axes;
-                if let Err(error) = all_finite([
-                    (center.const_is_finite(), "center"),
-                    (half_extents.const_is_finite(), "half_extents"),
-                ]) {
-                    return Err(error);
-                }
-                if let Err(error) = Vec3::<$scalar>::const_list_is_finite("axes", &axes) {
-                    return Err(error);
-                }
-                if Vec3::<$scalar>::CONST_ZERO.const_exceeds(half_extents) {
-                    return Err(ShapeError::NegativeHalfExtent);
-                }
                 let $axes = [[u.x, u.y, u.z], [v.x, v.y, v.z], [w.x, w.y, w.z]];
-                match $orthonormal {
-                    Some(true) => Ok(Self { center, axes, half: half_extents }),
-                    Some(false) => Err(ShapeError::NotOrthonormal),
-                    None => Err(ShapeError::NoUnitLength),
+                match (
+                    Vec3::<$scalar>::const_check(numbers),
+                    Vec3::<$scalar>::const_list_is_finite("axes", &axes),
+                ) {
+                    (Err(error), _) | (_, Err(error)) => Err(error),
+                    _ if Vec3::<$scalar>::CONST_ZERO.const_exceeds(half_extents) => {
+                        Err(ShapeError::NegativeHalfExtent)
+                    }
+                    _ => match $orthonormal {
+                        Some(true) => Ok(Self { center, axes, half: half_extents }),
+                        Some(false) => Err(ShapeError::NotOrthonormal),
+                        None => Err(ShapeError::NoUnitLength),
+                    },
                 }
             }
         }
@@ -236,7 +223,7 @@ macro_rules! const_new {
                 a: Vec3<$scalar>,
                 b: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
-                match all_finite([(a.const_is_finite(), "a"), (b.const_is_finite(), "b")]) {
+                match Vec3::<$scalar>::const_check([(a, "a"), (b, "b")]) {
                     Ok(()) => Ok(Self { form: SegmentForm::Ends(a, b) }),
                     Err(error) => Err(error),
                 }
@@ -254,16 +241,13 @@ macro_rules! const_new {
                 radius: $scalar,
             ) -> Result<Self, ShapeError> {
                 let radii = Vec3::<$scalar>::new(radius, radius, radius);
-                if let Err(error) = all_finite([
-                    (center.const_is_finite(), "center"),
-                    (radii.const_is_finite(), "radius"),
-                ]) {
-                    return Err(error);
+                match Vec3::<$scalar>::const_check([(center, "center"), (radii, "radius")]) {
+                    Err(error) => Err(error),
+                    Ok(()) if Vec3::<$scalar>::CONST_ZERO.const_exceeds(radii) => {
+                        Err(ShapeError::NegativeRadius)
+                    }
+                    Ok(()) => Ok(Self { center, radius }),
                 }
-                if Vec3::<$scalar>::CONST_ZERO.const_exceeds(radii) {
-                    return Err(ShapeError::NegativeRadius);
-                }
-                Ok(Self { center, radius })
             }
         }
 
@@ -278,13 +262,10 @@ macro_rules! const_new {
                 b: Vec3<$scalar>,
                 radius: $scalar,
             ) -> Result<Self, ShapeError> {
-                let ends = [(a.const_is_finite(), "a"), (b.const_is_finite(), "b")];
-                if let Err(error) = all_finite(ends) {
-                    return Err(error);
-                }
-                match Sphere::<$scalar>::const_new(a, radius) {
-                    Ok(sphere) => Ok(Self { a, b, radius: sphere.radius }),
-                    Err(error) => Err(error),
+                let is_finite = Vec3::<$scalar>::const_check([(a, "a"), (b, "b")]);
+                match (is_finite, Sphere::<$scalar>::const_new(a, radius)) {
+                    (Err(error), _) | (_, Err(error)) => Err(error),
+                    _ => Ok(Self { a, b, radius }),
                 }
             }
         }
@@ -299,16 +280,12 @@ macro_rules! const_new {
                 origin: Vec3<$scalar>,
                 direction: Vec3<$scalar>,
             ) -> Result<Self, ShapeError> {
-                if let Err(error) = all_finite([
-                    (origin.const_is_finite(), "origin"),
-                    (direction.const_is_finite(), "direction"),
-                ]) {
-                    return Err(error);
+                let numbers = [(origin, "origin"), (direction, "direction")];
+                match Vec3::<$scalar>::const_check(numbers) {
+                    Err(error) => Err(error),
+                    Ok(()) if direction.const_is_zero() => Err(ShapeError::ZeroDirection),
+                    Ok(()) => Ok(Self { origin, direction, t_min: Some($zero), t_max: None }),
                 }
-                if direction.const_is_zero() {
-                    return Err(ShapeError::ZeroDirection);
-                }
-                Ok(Self { origin, direction, t_min: Some($zero), t_max: None })
             }
         }
 
@@ -323,23 +300,19 @@ macro_rules! const_new {
                 normal: Vec3<$scalar>,
                 d: $scalar,
             ) -> Result<Self, ShapeError> {
-                if let Err(error) = all_finite([
-                    (Vec3::<$scalar>::new(d, d, d).const_is_finite(), "d"),
-                    (normal.const_is_finite(), "normal"),
-                ]) {
-                    return Err(error);
+                let numbers = [(Vec3::<$scalar>::new(d, d, d), "d"), (normal, "normal")];
+                match Vec3::<$scalar>::const_check(numbers) {
+                    Err(error) => Err(error),
+                    Ok(()) if normal.const_is_zero() => Err(ShapeError::ZeroNormal),
+                    Ok(()) => Ok(Self { normal, form: PlaneForm::Offset(d) }),
                 }
-                if normal.const_is_zero() {
-                    return Err(ShapeError::ZeroNormal);
-                }
-                Ok(Self { normal, form: PlaneForm::Offset(d) })
             }
         }
     };
 }
 
-const_new!([] f32, 0.0, |x| x.is_finite(), |x| x, |axes| are_orthonormal_f32(&axes));
-const_new!(#[doc(hidden)] [] f64, 0.0, |x| x.is_finite(), |x| x, |axes| are_orthonormal_f64(&axes));
+const_new!([] f32, 0.0, |x| x.is_finite(), |a, b| a > b, |axes| are_orthonormal_f32(&axes));
+const_new!(#[doc(hidden)] [] f64, 0.0, |x| x.is_finite(), |a, b| a > b, |axes| are_orthonormal_f64(&axes));
 
 #[cfg(feature = "fixed")]
 mod fixed_point {
@@ -351,18 +324,18 @@ mod fixed_point {
 
     const_new!(
         #[doc(hidden)] [Frac: LeEqU8] FixedI8<Frac>, FixedI8::from_bits(0), |_x| true,
-        |x| x.to_bits(), |axes| fixed_axes_are_orthonormal!(FixedI8<Frac>, axes)
+        |a, b| a.to_bits() > b.to_bits(), |axes| fixed_axes_are_orthonormal!(FixedI8<Frac>, axes)
     );
     const_new!(
         #[doc(hidden)] [Frac: LeEqU16] FixedI16<Frac>, FixedI16::from_bits(0), |_x| true,
-        |x| x.to_bits(), |axes| fixed_axes_are_orthonormal!(FixedI16<Frac>, axes)
+        |a, b| a.to_bits() > b.to_bits(), |axes| fixed_axes_are_orthonormal!(FixedI16<Frac>, axes)
     );
     const_new!(
         #[doc(hidden)] [Frac: LeEqU32] FixedI32<Frac>, FixedI32::from_bits(0), |_x| true,
-        |x| x.to_bits(), |axes| fixed_axes_are_orthonormal!(FixedI32<Frac>, axes)
+        |a, b| a.to_bits() > b.to_bits(), |axes| fixed_axes_are_orthonormal!(FixedI32<Frac>, axes)
     );
     const_new!(
         #[doc(hidden)] [Frac: LeEqU64] FixedI64<Frac>, FixedI64::from_bits(0), |_x| true,
-        |x| x.to_bits(), |axes| fixed_axes_are_orthonormal!(FixedI64<Frac>, axes)
+        |a, b| a.to_bits() > b.to_bits(), |axes| fixed_axes_are_orthonormal!(FixedI64<Frac>, axes)
     );
 }
