@@ -13,18 +13,18 @@ use super::ends::{enclosed, enclosed_on_line};
 use super::filtered::{Filtered, compare_quotient};
 use super::in_float::{FirstFloat, InFloat};
 use super::integer::{Int8, Int16, Int32, Int64, below};
-use super::limbs_of_areas::{Limbs2, Limbs4};
 use super::nearest_whole::{nearest_of_all, nearest_whole, nearest_whole_of_row};
 use super::number::Number;
 use super::quotient::Dividend;
 use super::system::{Arithmetic, Embeds, convert};
-use super::window::{ShortWindow, Window};
+use super::window::{Limbs2, Limbs4, ShortWindow, Window};
 use super::words::{InRaw, InWholeWord, InWord, WholeVolume, WholeWord, Word};
 
-/// A type, its integers, and the coordinates that they hold.
+/// Exact numbers for each type, in integers of the machine or in a window, and the coordinates that
+/// they hold.
 macro_rules! embeds {
-    ($fixed:ident, $bound:ident, $system:ty, $length:ty, $of_areas:ty,
-     |$coordinates:ident| $fits:expr) => {
+    ($kind:ident, #[$inline:meta]: $($fixed:ident, $bound:ident, $system:ty, $length:ty,
+     $of_areas:ty, |$coordinates:ident| $fits:expr;)*) => {$(
         impl<Frac: $bound> Embeds<$fixed<Frac>> for $system {
             type OfAreas = $of_areas;
 
@@ -32,24 +32,15 @@ macro_rules! embeds {
             fn holds<const K: usize>($coordinates: &[[$fixed<Frac>; 3]; K]) -> bool {
                 $fits
             }
-            #[inline(always)]
+            #[$inline]
             fn embed_held<const K: usize>(all: &[[$fixed<Frac>; 3]; K]) -> [[$length; 3]; K] {
                 convert(all, 0, |x| x.to_bits().into())
             }
-
-            fn one() -> Option<<$system as Arithmetic>::Product> {
-                // A unit above 2^30 would leave no room for the products.
-                (<$fixed<Frac>>::FRAC_NBITS <= 30).then(|| 1 << <$fixed<Frac>>::FRAC_NBITS)
-            }
-
-            fn times_one(d: $length) -> Option<<$system as Arithmetic>::Area> {
-                // See the table in `integer`.
-                Some(<$system as Arithmetic>::Area::from(2 * d) << <$fixed<Frac>>::FRAC_NBITS)
-            }
+            embeds!(@one $kind, $system, $length, <$fixed<Frac>>::FRAC_NBITS);
 
             const DIVIDES: bool = true;
 
-            #[inline(always)]
+            #[$inline]
             fn quotients(
                 [a, b, c]: [<$system as Arithmetic>::Volume; 3],
                 den: <$system as Arithmetic>::Volume,
@@ -60,11 +51,11 @@ macro_rules! embeds {
                 };
                 ([of(a), of(b), of(c)], true)
             }
-            #[inline(always)]
+            #[$inline]
             fn quotient_of_lengths(num: $length, den: $length) -> $fixed<Frac> {
                 <$fixed<Frac>>::clamped(num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
             }
-            #[inline(always)]
+            #[$inline]
             fn coordinate(
                 num: <$system as Arithmetic>::Sextic,
                 den: <$system as Arithmetic>::Sextic,
@@ -72,91 +63,57 @@ macro_rules! embeds {
             ) -> Option<$fixed<Frac>> {
                 Some(<$fixed<Frac>>::clamped(Dividend::quotient(num, den, 0)))
             }
-            #[inline(always)]
+            #[$inline]
             fn compare_quotient(
                 num: <$system as Arithmetic>::Volume,
                 den: <$system as Arithmetic>::Volume,
                 _: [<$system as Arithmetic>::Volume; 2],
                 t: $fixed<Frac>,
             ) -> Option<Ordering> {
-                Some(num.compare(den, <$fixed<Frac>>::FRAC_NBITS, t.to_bits().into()))
-            }
-        }
-    };
-}
-embeds!(FixedI8, LeEqU8, Int8, i32, Int32, |_all| true);
-embeds!(FixedI16, LeEqU16, Int16, i32, Int64, |_all| true);
-embeds!(FixedI32, LeEqU32, Int16, i32, Int64, |all| {
-    below(all.as_flattened().iter().map(|x| x.to_bits()), 18)
-});
-embeds!(FixedI32, LeEqU32, Int32, i32, Int64, |all| {
-    below(all.as_flattened().iter().map(|x| x.to_bits()), 28)
-});
-embeds!(FixedI32, LeEqU32, Int64, i64, Window, |_all| true);
-embeds!(FixedI64, LeEqU64, Int64, i64, Window, |all| {
-    below(all.as_flattened().iter().map(|x| x.to_bits()), 60)
-});
-
-/// A type, the window that holds it, and the window's numbers.
-macro_rules! in_window {
-    ($($fixed:ident, $bound:ident: $window:ty, $length:ty, $of_areas:ty;)*) => {$(
-        impl<Frac: $bound> Embeds<$fixed<Frac>> for $window {
-            type OfAreas = $of_areas;
-
-            #[inline(always)]
-            fn holds<const K: usize>(_: &[[$fixed<Frac>; 3]; K]) -> bool {
-                true
-            }
-            fn embed_held<const K: usize>(all: &[[$fixed<Frac>; 3]; K]) -> [[$length; 3]; K] {
-                convert(all, 0, |x| x.to_bits().into())
-            }
-            fn one() -> Option<<$window as Arithmetic>::Product> {
-                Some((1_i128 << <$fixed<Frac>>::FRAC_NBITS).into())
-            }
-            fn times_one(d: $length) -> Option<<$window as Arithmetic>::Area> {
-                Some(Self::area(2 * d, 1 << <$fixed<Frac>>::FRAC_NBITS))
-            }
-
-            const DIVIDES: bool = true;
-
-            fn quotient_of_lengths(num: $length, den: $length) -> $fixed<Frac> {
-                <$fixed<Frac>>::clamped(num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
-            }
-            fn quotients(
-                num: [<$window as Arithmetic>::Volume; 3],
-                den: <$window as Arithmetic>::Volume,
-                _: [<$window as Arithmetic>::Volume; 2],
-            ) -> ([$fixed<Frac>; 3], bool) {
-                let of = |num: <$window as Arithmetic>::Volume| {
-                    <$fixed<Frac>>::clamped(num.quotient(den, <$fixed<Frac>>::FRAC_NBITS))
-                };
-                (num.map(of), true)
-            }
-            fn coordinate(
-                num: <$window as Arithmetic>::Sextic,
-                den: <$window as Arithmetic>::Sextic,
-                _: [<$window as Arithmetic>::Sextic; 2],
-            ) -> Option<$fixed<Frac>> {
-                Some(<$fixed<Frac>>::clamped(num.quotient(den, 0)))
-            }
-            fn compare_quotient(
-                num: <$window as Arithmetic>::Volume,
-                den: <$window as Arithmetic>::Volume,
-                _: [<$window as Arithmetic>::Volume; 2],
-                t: $fixed<Frac>,
-            ) -> Option<Ordering> {
-                let one = 1_i128 << <$fixed<Frac>>::FRAC_NBITS;
-                let num: <$window as Arithmetic>::Product = num.times(&BigInt::<2>::from(one));
-                num.partial_cmp(&den.times(&BigInt::<2>::from(i128::from(t.to_bits()))))
+                let (shift, t) = (<$fixed<Frac>>::FRAC_NBITS, t.to_bits());
+                embeds!(@compare $kind, $system, num, den, shift, t)
             }
         }
     )*};
+    (@one integers, $system:ty, $length:ty, $shift:expr) => {
+        fn one() -> Option<<$system as Arithmetic>::Product> {
+            // A unit above 2^30 would leave no room for the products.
+            ($shift <= 30).then(|| 1 << $shift)
+        }
+        fn times_one(d: $length) -> Option<<$system as Arithmetic>::Area> {
+            // See the table in `integer`.
+            Some(<$system as Arithmetic>::Area::from(2 * d) << $shift)
+        }
+    };
+    (@one window, $system:ty, $length:ty, $shift:expr) => {
+        fn one() -> Option<<$system as Arithmetic>::Product> {
+            Some((1_i128 << $shift).into())
+        }
+        fn times_one(d: $length) -> Option<<$system as Arithmetic>::Area> {
+            Some(Self::area(2 * d, 1 << $shift))
+        }
+    };
+    (@compare integers, $system:ty, $num:ident, $den:ident, $shift:ident, $t:ident) => {
+        Some($num.compare($den, $shift, $t.into()))
+    };
+    (@compare window, $system:ty, $num:ident, $den:ident, $shift:ident, $t:ident) => {{
+        let num: <$system as Arithmetic>::Product = $num.times(&BigInt::<2>::from(1 << $shift));
+        num.partial_cmp(&$den.times(&BigInt::<2>::from(i128::from($t))))
+    }};
 }
-in_window! {
-    FixedI8, LeEqU8: ShortWindow, i64, Limbs2;
-    FixedI16, LeEqU16: ShortWindow, i64, Limbs2;
-    FixedI32, LeEqU32: ShortWindow, i64, Limbs2;
-    FixedI64, LeEqU64: Window, i128, Limbs4;
+embeds! { integers, #[inline(always)]:
+    FixedI8, LeEqU8, Int8, i32, Int32, |_all| true;
+    FixedI16, LeEqU16, Int16, i32, Int64, |_all| true;
+    FixedI32, LeEqU32, Int16, i32, Int64, |all| below(all.as_flattened(), 18);
+    FixedI32, LeEqU32, Int32, i32, Int64, |all| below(all.as_flattened(), 28);
+    FixedI32, LeEqU32, Int64, i64, Window, |_all| true;
+    FixedI64, LeEqU64, Int64, i64, Window, |all| below(all.as_flattened(), 60);
+}
+embeds! { window, #[inline]:
+    FixedI8, LeEqU8, ShortWindow, i64, Limbs2, |_all| true;
+    FixedI16, LeEqU16, ShortWindow, i64, Limbs2, |_all| true;
+    FixedI32, LeEqU32, ShortWindow, i64, Limbs2, |_all| true;
+    FixedI64, LeEqU64, Window, i128, Limbs4, |_all| true;
 }
 
 /// The raw bits of a type, in a word that holds them.

@@ -5,9 +5,9 @@ use core::marker::PhantomData;
 
 use super::big_int::BigInt;
 use super::float::{Float, quotient};
-use super::limbs_of_areas::OfLimbs;
 use super::number::Number;
 use super::system::{Arithmetic, Embeds};
+use super::window::OfLimbs;
 
 mod terms;
 

@@ -32,6 +32,8 @@ use super::out_of_line;
 use super::platform::REGISTERS_ARE_WIDE;
 use super::system::Arithmetic;
 use super::wide::I256;
+#[cfg(feature = "fixed")]
+use super::words::InRaw;
 use super::words::{ProductSum, Word};
 
 /// For 8-bit coordinates: everything in `i32`.
@@ -248,9 +250,9 @@ fn of_six(a: I256, b: I256) -> BigInt<6> {
 /// Whether all coordinates lie below two to the `most`.
 #[cfg(feature = "fixed")]
 #[inline(always)]
-pub(super) fn below<W: Word>(coordinates: impl Iterator<Item = W>, most: u32) -> bool {
+pub(super) fn below<S: InRaw>(coordinates: &[S], most: u32) -> bool {
     // A number below zero is folded to one less than its magnitude.
-    coordinates.fold(W::ZERO, |size, x| size | x.folded()) >> most == W::ZERO
+    coordinates.iter().fold(S::Raw::ZERO, |size, x| size | x.raw().folded()) >> most == S::Raw::ZERO
 }
 
 #[cfg(test)]

@@ -15,7 +15,6 @@ mod index;
 mod integer;
 mod interval;
 mod limbs;
-mod limbs_of_areas;
 mod multiples;
 #[cfg(feature = "fixed")]
 mod nearest_whole;

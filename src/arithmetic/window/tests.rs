@@ -1,7 +1,7 @@
 //! Products at the ends of 32 bits: short windows and long ones agree. Coordinates as integers.
 
-use super::super::limbs_of_areas::{Limbs2, Limbs4};
 use super::super::{Arithmetic, BigInt, Embeds, Int64OfFloats, Limbed, cross, dot};
+use super::{Limbs2, Limbs4};
 use super::{ShortWindow, Window, bits};
 use crate::random::Random;
 
