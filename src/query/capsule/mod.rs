@@ -8,10 +8,7 @@
 
 mod aabb;
 mod crossing;
-#[cfg(feature = "fixed")]
-mod near;
 mod obb;
-mod range;
 mod ray;
 mod relation;
 mod triangle;
@@ -19,8 +16,6 @@ mod triangle;
 pub(super) use self::aabb::box_lies_beyond;
 pub(super) use self::crossing::Crossing;
 use self::triangle::meets_triangle;
-#[cfg(feature = "fixed")]
-use self::triangle::passes;
 pub(super) use self::triangle::triangle_lies_beyond;
 use super::Overlaps;
 use super::orientation::{Vector, from};

@@ -7,14 +7,17 @@
 //!   to the segment, and the edge is not asked.
 
 use super::{Between, Beyond, all_beyond};
+#[cfg(feature = "fixed")]
+use crate::arithmetic::Int16;
 use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, pick, three};
-use crate::query::Overlaps;
 use crate::query::orientation::{Vector, from};
 use crate::query::segment_triangle::Passes;
 use crate::query::sphere::{Ball, Errors, Reach, around, largest_of, minors, volume};
 use crate::robust::{Predicate, Uncertain, certain_sign};
 use crate::scalar::Scalar;
-use crate::shape::{Capsule, Triangle};
+#[cfg(feature = "fixed")]
+use crate::shape::Near;
+use crate::shape::{Capsule, Overlaps, Triangle};
 
 impl<N: Arithmetic> Between<N> {
     /// A segment along `e` and edge `k` of a triangle, with vectors from the vertices to both ends.
@@ -181,10 +184,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Triangle<S>> {
 
 /// The question whether a capsule's segment passes through a triangle, if it is beyond all else.
 #[inline(always)]
-pub(super) fn passes<'a, S: Scalar>(
-    capsule: &Capsule<S>,
-    triangle: &'a Triangle<S>,
-) -> Passes<'a, S> {
+fn passes<'a, S: Scalar>(capsule: &Capsule<S>, triangle: &'a Triangle<S>) -> Passes<'a, S> {
     let (a, b) = capsule.ends();
     Passes { ends: [a.to_array(), b.to_array()], triangle }
 }
@@ -236,5 +236,21 @@ impl<S: Scalar> Overlaps<Triangle<S>> for Capsule<S> {
     #[inline]
     fn overlaps(&self, triangle: &Triangle<S>) -> bool {
         meets_triangle(self, triangle, Ball::Closed)
+    }
+}
+
+#[cfg(feature = "fixed")]
+impl<S: Scalar> Overlaps<Near<Capsule<S>>> for Near<Triangle<S>>
+where
+    Int16: Embeds<S>,
+{
+    /// Do a triangle and a capsule near the origin have a point in common?
+    ///
+    /// *Numerics*: exact, in integers of up to 128 bits. *Panics*: never.
+    #[inline]
+    fn overlaps(&self, capsule: &Near<Capsule<S>>) -> bool {
+        let (capsule, shape) = (capsule.get(), self.get());
+        Beyond { capsule, shape, ball: Ball::Closed }.filter::<Int16>() != Some(true)
+            || passes(capsule, shape).filter::<Int16>() == Some(true)
     }
 }

@@ -232,7 +232,7 @@ impl<N: Arithmetic> Slabs<N> {
             return Some(between);
         }
         // At the start or the end flat boxes may overlap that only touch in between: see
-        // `sweep::nearest`.
+        // `sweep::passing`.
         let at = |t: &[N::Length; 3]| {
             (0..3).fold(Relation::Overlapping, |so_far, i| {
                 so_far.min(of_gaps([compare(near[i], t[i]), compare(t[i], far[i])]))

@@ -2,9 +2,9 @@
 
 use super::Lie;
 use super::error_bound::ErrorBound;
+use super::exact::{Given, in_window};
 use super::floats::Boxes;
 use super::kernel::{all_axes, is_zero};
-use super::window::{self, Given};
 use crate::arithmetic::{Float, InFloat, Quad, SMALL_CODE, greatest};
 use crate::query::relation::Relation;
 use crate::scalar::Scalar;
@@ -13,7 +13,7 @@ use crate::scalar::Scalar;
 pub(super) struct Doubt<F> {
     pub(super) error: ErrorBound<F>,
     pub(super) are_faces_clear: bool,
-    /// The axes on which the boxes do not overlap for certain; see [`window::relation`].
+    /// The axes on which the boxes do not overlap for certain; see [`in_window`].
     pub(super) open: u32,
 }
 
@@ -33,7 +33,7 @@ impl<F: Float> Boxes<F> {
         self.exactly(&given).or_else(|| {
             // `f32` goes on in `f64`.
             let is_last = size_of::<F>() == size_of::<f64>() && !SMALL_CODE;
-            if is_last { window::relation(&given, doubt.open) } else { None }
+            if is_last { in_window(&given, doubt.open) } else { None }
         })
     }
 

@@ -1,7 +1,7 @@
 //! Two boxes in floats, of which at least one is oriented.
 
+use super::exact::Given;
 use super::kernel;
-use super::window::Given;
 use super::{First, Lie};
 use crate::arithmetic::{Float, InFloat};
 use crate::query::obb_rows::{ObbInFloats, fits, holds_one, in_floats};

@@ -7,7 +7,6 @@ mod floats;
 mod frames;
 mod kernel;
 mod rows;
-mod window;
 
 use self::error_bound::error_bound;
 use self::exact::ExactBoxes;

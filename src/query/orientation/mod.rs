@@ -10,21 +10,19 @@
 //! [`relation`] serves all these pairs. The common case has a faster kernel beside each pair;
 //! shapes in one plane and degenerate shapes come here.
 
-mod error_bound;
 mod in_plane;
 mod sides;
 mod whole;
 
 use core::cmp::Ordering;
 
-pub(super) use self::error_bound::error_bound;
 use self::in_plane::in_plane;
 use self::sides::share_a_point;
 pub(crate) use self::sides::{Vector, from};
 pub(super) use self::sides::{are_apart, sides, size};
 use self::whole::Whole;
 use super::relation::{Asked, Relation};
-use crate::arithmetic::{Arithmetic, Int64Narrow, REGISTERS_ARE_WIDE, each, three, turn};
+use crate::arithmetic::{Arithmetic, Int64Narrow, Number, REGISTERS_ARE_WIDE, each, three, turn};
 
 /// Six points: the vertices of the first shape and of the second.
 pub(super) trait Points {
@@ -215,4 +213,25 @@ fn passing(sides: [Ordering; 3]) -> Relation {
     } else {
         Relation::Overlapping
     }
+}
+
+// The error of a computed volume (a × b)·c.
+//
+// a, b and c are differences of points, and A, B and C bound the magnitudes of their components. A
+// difference takes one rounding. For a segment given by its centre it takes two, (p − q) ± h, and
+// its size is the size of p − q plus the size of h. The volume is a sum of 6 terms, each within
+// A·B·C, and at most 11 roundings touch a term. `error_bound.g` proves [`VOLUME`] roundoffs of
+// A·B·C, second orders and underflow included.
+
+/// Roundoffs in a volume.
+const VOLUME: u16 = 70;
+
+/// The bound for vectors of these sizes; `None` if a size is out of range.
+#[inline(always)]
+pub(in crate::query) fn error_bound<N: Arithmetic>([a, b, c]: [N::Length; 3]) -> Option<N::Volume> {
+    if N::CERTAIN {
+        return Some(N::Volume::ZERO);
+    }
+    let is_known = a.in_range() & b.in_range() & c.in_range();
+    is_known.then(|| N::volume(N::area(a, b), c).error(VOLUME))
 }

@@ -8,11 +8,11 @@
 //! There is no `Relate` for this pair. A flat box may lie along a diagonal that two triangles of
 //! the fan share, and a bent fan has no clear interior.
 
-mod error_bound;
 mod rows;
 
 use self::rows::{Survey, survey};
 use super::Overlaps;
+use crate::arithmetic::{Arithmetic, Number};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Polygon};
 
@@ -68,4 +68,21 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Polygon<'_, S> {
         let mut in_turn = self.triangles().skip(first - 1).chain(self.triangles().take(first - 1));
         in_turn.any(|triangle| triangle.overlaps(aabb))
     }
+}
+
+// The error of the computed distance between the plane of three vertices of a polygon and a corner
+// of the box, seen from any vertex of the polygon, in units of u·R³.
+//
+// R is the greatest sum, over the axes, of the half-extent of the box and the extent of the
+// polygon. If no face separates, every vertex is within R of the centre of the box, and no edge is
+// longer than the extent. The steps and their operands are those of `triangle_aabb::error_bound`.
+// `error_bound.g` proves [`PLANE`].
+
+/// Roundoffs in the distance.
+const PLANE: u16 = 64;
+
+/// The bound for shapes of this size; `None` if the size is out of range.
+#[inline(always)]
+fn error_bound<N: Arithmetic>(size: N::Length) -> Option<N::Volume> {
+    size.in_range().then(|| N::volume(N::area(size, size), size).error(PLANE))
 }

@@ -1,6 +1,6 @@
 //! A first look at all vertices in floats, with x, y and z of a vertex side by side.
 
-use super::error_bound::error_bound;
+use super::error_bound;
 use crate::arithmetic::{Filtered, FirstFloat, Float, Number, OfFour, Quad, THREE};
 use crate::query::triangle_aabb::rows::{half_of, size, sum};
 use crate::scalar::Scalar;

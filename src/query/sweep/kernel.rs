@@ -17,7 +17,7 @@
 
 use super::FirstContact;
 use super::error_bound::{Along, AtStart, FACE, along, at_start};
-use super::latest::Latest;
+use super::time::Latest;
 use crate::arithmetic::{
     Arithmetic, Embeds, Number, cross, dot, following, greatest, least, of_two, once, out_of_line,
     pick,

@@ -6,9 +6,7 @@ mod exact;
 mod in_doubles;
 mod instants;
 mod kernel;
-mod latest;
 mod motion;
-mod nearest;
 mod one_axis;
 mod passing;
 mod rows;
@@ -21,7 +19,7 @@ use core::cmp::Ordering;
 pub use motion::Motion;
 pub use sphere::SphereContact;
 
-use self::passing::{Given, Misses, Passing};
+use self::passing::{Given, Passing};
 use self::time::{Instant, Last};
 use super::axis::negated;
 use super::relation::Relation;

@@ -2,10 +2,10 @@
 
 use super::{FirstContact, Passing, in_doubles, rows, words};
 use crate::arithmetic::{
-    Embeds, Filtered, Float, InFloat, InWholeWord, REGISTERS_ARE_WIDE, WholeWord,
+    Embeds, Filtered, Float, InFloat, InWholeWord, Number, REGISTERS_ARE_WIDE, WholeWord,
 };
 use crate::query::Axis;
-use crate::robust::{Clue, Numeric, Predicate, Profile, WordKernel, in_exact_numbers};
+use crate::robust::{Clue, Numeric, Predicate, Profile, Uncertain, WordKernel, in_exact_numbers};
 use crate::scalar::{FixedBackend, Scalar};
 
 /// A relative bound, above the relative loss of a scalar's number in `f64`.
@@ -142,5 +142,52 @@ impl<S: Scalar> Numeric<S> for Meets<'_, S> {
     {
         let is_long = !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS;
         if is_long { in_doubles::first_contact_of_long(&self.passing, self.last) } else { None }
+    }
+}
+
+/// The latest of the times at which axes stop separating, with errors.
+///
+/// Each time is rounded down to the scalar by itself. Rounding keeps the order, so the latest
+/// rounded time is the latest true time, rounded; fractions need not be compared.
+pub(super) struct Latest<S> {
+    /// `None` until an axis is known to separate.
+    found: Option<FirstContact<S>>,
+    /// The latest possible time of the axes whose own time is unknown.
+    in_doubt: Option<S>,
+}
+
+impl<S: Scalar> Latest<S> {
+    pub(super) const NONE: Self = Self { found: None, in_doubt: None };
+
+    /// Adds an axis with a gap that closes at some speed, each with its error. Call it in the order
+    /// of [`Axis::ALL`].
+    #[inline(always)]
+    pub(super) fn add<T: Number>(&mut self, axis: Axis, gap: [T; 2], speed: [T; 2]) {
+        let [gap, error] = gap;
+        let is_gap = Uncertain::above(gap, error);
+        if !is_gap.possible {
+            return;
+        }
+        let [low, high] = gap.portion(speed[0], [error, speed[1]]).map(S::at_most);
+        if low == high && is_gap.certain {
+            self.set(axis, low);
+        } else if self.in_doubt.is_none_or(|t| high > t) {
+            self.in_doubt = Some(high);
+        }
+    }
+
+    /// Adds an axis that separates until then.
+    pub(super) fn set(&mut self, axis: Axis, t: S) {
+        if self.found.is_none_or(|found| t > found.t) {
+            self.found = Some(FirstContact { t, axis: Some(axis) });
+        }
+    }
+
+    /// The first contact; `None` while it is in doubt.
+    pub(super) fn known(self) -> Option<FirstContact<S>> {
+        let found = self.found.unwrap_or(FirstContact { t: S::ZERO, axis: None });
+        // A time in doubt may be equal and belong to an axis that comes before.
+        let is_later = |t: S| if self.found.is_some() { found.t > t } else { false };
+        self.in_doubt.is_none_or(is_later).then_some(found)
     }
 }
