@@ -14,7 +14,7 @@ use crate::query::Feature;
 use crate::query::orientation::{Vector, from};
 use crate::robust::{Clue, Numeric, Predicate};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Segment, ShapeError, Triangle, Vec3, finite};
+use crate::shape::{Aabb, Segment, ShapeError, Triangle, Vec3, finite};
 
 /// The point of a shape closest to another point: see [`Triangle::closest_point`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -230,14 +230,9 @@ impl<S: Scalar> Aabb<S> {
     /// ```
     pub fn closest_point(&self, point: impl Into<Vec3<S>>) -> Result<Vec3<S>, ShapeError> {
         let point = finite("point", point)?.to_array();
-        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
-            self.form();
-        let (p, q) = (p.to_array(), q.to_array());
+        let (p, q, is_by_center) = self.numbers();
         Ok(Vec3::from(three(|i| {
-            let [low, high] = match self.form() {
-                AabbForm::Corners { .. } => [p[i], q[i]],
-                AabbForm::Center { .. } => p[i].reach(q[i]),
-            };
+            let [low, high] = if is_by_center { p[i].reach(q[i]) } else { [p[i], q[i]] };
             if point[i] < low {
                 low
             } else if point[i] > high {

@@ -8,17 +8,17 @@ use core::cmp::Ordering;
 
 use super::error_bound::{Errors, PRODUCT, SQUARE};
 use super::foot::{Around, feature, feature_of_segment};
-use super::kernel::{largest_of, product, squared};
+use super::kernel::{largest_of, product, squared, to_ends};
 use crate::arithmetic::{
     Arithmetic, Embeds, Limbed, Number, REGISTERS_ARE_WIDE, cross, dot, greatest, largest, part,
     pick, three,
 };
 use crate::query::Feature;
-use crate::query::orientation::{Vector, from};
+use crate::query::orientation::Vector;
 use crate::query::ray_triangle::compare_quotients;
 use crate::robust::{Numeric, Predicate};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Segment, SegmentForm, ShapeError, Triangle, Vec3, finite};
+use crate::shape::{Aabb, Segment, ShapeError, Triangle, Vec3, finite};
 
 /// A quotient, and the errors of both numbers.
 struct Quotient<N: Arithmetic> {
@@ -114,18 +114,13 @@ impl<S: Scalar> Predicate<S> for Apart<'_, S, Segment<S>> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<Option<S>> {
-        let (SegmentForm::Ends(a, b) | SegmentForm::Center { center: a, half: b }) =
-            self.shape.form();
-        let [a, b, p, [u, v, _]] = N::embed(&[a.to_array(), b.to_array(), self.point, units()])?;
-        let (d, e) = match self.shape.form() {
-            SegmentForm::Ends(..) => ([from::<N>(&p, &a), from::<N>(&p, &b)], from::<N>(&b, &a)),
-            // In floats these ends are rounded.
-            SegmentForm::Center { .. } if !N::CERTAIN => return None,
-            SegmentForm::Center { .. } => {
-                let d = from::<N>(&p, &a);
-                ([three(|i| d[i] + b[i]), from::<N>(&d, &b)], three(|i| b[i] + b[i]))
-            }
-        };
+        let (a, b, is_by_center) = self.shape.numbers();
+        let [a, b, p, [u, v, _]] = N::embed(&[a, b, self.point, units()])?;
+        // In floats these ends are rounded.
+        if is_by_center && !N::CERTAIN {
+            return None;
+        }
+        let (d, e) = to_ends::<N>(&p, [&a, &b], is_by_center);
         let errors = Errors::<N>::of_lengths(largest_of::<N, 3>(&[d[0], d[1], e]))?;
         let uv = N::area(u, v);
         let squared = match feature_of_segment::<N>(&d, &e, &errors)? {
@@ -141,17 +136,18 @@ impl<S: Scalar> Predicate<S> for Apart<'_, S, Aabb<S>> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<Option<S>> {
-        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
-            self.shape.form();
-        let [p, q, c, [u, v, _]] = N::embed(&[p.to_array(), q.to_array(), self.point, units()])?;
-        let beyond = |i: usize| match self.shape.form() {
-            AabbForm::Corners { .. } => greatest(p[i] - c[i], c[i] - q[i]),
-            AabbForm::Center { .. } => (c[i] - p[i]).magnitude() - q[i],
+        let (p, q, is_by_center) = self.shape.numbers();
+        let [p, q, c, [u, v, _]] = N::embed(&[p, q, self.point, units()])?;
+        let beyond = |i: usize| {
+            if is_by_center {
+                (c[i] - p[i]).magnitude() - q[i]
+            } else {
+                greatest(p[i] - c[i], c[i] - q[i])
+            }
         };
         let d = three(|i| greatest(beyond(i), N::Length::ZERO));
         if !N::CERTAIN {
             // In floats faces of a box given by its centre are rounded.
-            let is_by_center = matches!(self.shape.form(), AabbForm::Center { .. });
             let size = largest(&d);
             if !is_by_center && size == N::Length::ZERO {
                 return Some(Some(S::ZERO));

@@ -225,3 +225,19 @@ pub(in crate::query) fn around<N: Arithmetic>(
         three(|k| from::<N>(&vertices[(k + 1) % 3], &vertices[k])),
     ]
 }
+
+/// The vectors from both ends of a segment to a point, and along the segment; by the numbers of its
+/// form.
+#[inline(always)]
+pub(super) fn to_ends<N: Arithmetic>(
+    point: &Vector<N>,
+    [a, b]: [&Vector<N>; 2],
+    is_by_center: bool,
+) -> ([Vector<N>; 2], Vector<N>) {
+    let d = from::<N>(point, a);
+    if is_by_center {
+        ([three(|i| d[i] + b[i]), from::<N>(&d, b)], three(|i| b[i] + b[i]))
+    } else {
+        ([d, from::<N>(point, b)], from::<N>(b, a))
+    }
+}

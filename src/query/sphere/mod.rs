@@ -19,6 +19,7 @@ mod relation;
 pub use self::closest::Closest;
 pub(crate) use self::distance::compare_distances;
 pub(super) use self::error_bound::{Errors, PRODUCT, SQUARES};
+use self::kernel::to_ends;
 pub(super) use self::kernel::{Ball, Reach, along, around, largest_of, minors, product, volume};
 pub(super) use self::obb::{Corners, corners};
 pub(super) use self::plane::OneSide;
@@ -30,7 +31,7 @@ use super::orientation::{Vector, from};
 use crate::arithmetic::{Embeds, Number, greatest, largest, three};
 use crate::robust::{Numeric, Predicate, Profile};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Segment, SegmentForm, Sphere, Triangle, Vec3};
+use crate::shape::{Aabb, Segment, Sphere, Triangle, Vec3};
 
 /// The question whether a shape lies outside of the sphere.
 struct Beyond<'a, S, T> {
@@ -80,19 +81,17 @@ pub(super) fn lies_beyond<S: Scalar, N: Embeds<S>>(
     ball: Ball,
     radius: impl Fn(Vector<N>) -> N::Length,
 ) -> Option<bool> {
-    let (SegmentForm::Ends(a, b) | SegmentForm::Center { center: a, half: b }) = segment.form();
-    let [center, radii, a, b] = N::embed(&[center, radii, a.to_array(), b.to_array()])?;
-    let (reach, d) = (Reach::<N>::new(radius(radii), ball), from::<N>(&center, &a));
-    match segment.form() {
-        SegmentForm::Ends(..) => {
-            let ends = [d, from::<N>(&center, &b)];
-            reach.excludes_segment(&ends, &from::<N>(&b, &a), N::Length::ZERO)
-        }
-        SegmentForm::Center { .. } => {
-            let ends = [three(|i| d[i] + b[i]), from::<N>(&d, &b)];
-            let e = three(|i| b[i] + b[i]);
-            reach.excludes_segment(&ends, &e, greatest(largest(&d), largest(&b)))
-        }
+    let (a, b, is_by_center) = segment.numbers();
+    let [center, radii, a, b] = N::embed(&[center, radii, a, b])?;
+    let reach = Reach::<N>::new(radius(radii), ball);
+    // A path for each form.
+    if is_by_center {
+        let (ends, e) = to_ends::<N>(&center, [&a, &b], true);
+        let slack = greatest(largest(&from::<N>(&center, &a)), largest(&b));
+        reach.excludes_segment(&ends, &e, slack)
+    } else {
+        let (ends, e) = to_ends::<N>(&center, [&a, &b], false);
+        reach.excludes_segment(&ends, &e, N::Length::ZERO)
     }
 }
 

@@ -15,7 +15,7 @@ use crate::arithmetic::{Arithmetic, Enclosed, Number, each, pick, sign_of, three
 use crate::query::orientation::{Vector, from};
 use crate::query::surd::{Equation, Question, root};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm};
+use crate::shape::Aabb;
 
 /// From the centre to both faces on each axis, the way, which is not below zero, and the square of the
 /// radius.
@@ -72,11 +72,10 @@ impl<S: Scalar> Question<S, 6> for Passing<'_, S, Aabb<S>> {
     type Answer = SphereContact<S, [i8; 3]>;
 
     fn numbers(&self) -> [[S; 3]; 6] {
-        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
-            self.shape.form();
+        let (p, q, _) = self.shape.numbers();
         let (from, to) = (self.motion.from().to_array(), self.motion.to().to_array());
         let center = self.sphere.center().to_array();
-        [center, [self.sphere.radius(); 3], from, to, p.to_array(), q.to_array()]
+        [center, [self.sphere.radius(); 3], from, to, p, q]
     }
 
     fn solve<N>(&self, numbers: &[[N::Length; 3]; 6]) -> Option<Self::Answer>
@@ -85,7 +84,7 @@ impl<S: Scalar> Question<S, 6> for Passing<'_, S, Aabb<S>> {
     {
         let [center, [r, ..], start, end, p, q] = numbers;
         let (d, to_p) = (from::<N>(end, start), from::<N>(p, center));
-        let is_by_center = matches!(self.shape.form(), AabbForm::Center { .. });
+        let (.., is_by_center) = self.shape.numbers();
         let faces = three(|i| {
             if is_by_center {
                 [to_p[i] - q[i], to_p[i] + q[i]]

@@ -10,7 +10,7 @@ use crate::query::sphere::{Ball, Reach, around};
 use crate::query::sweep::Motion;
 use crate::robust::{Numeric, Predicate, Uncertain};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Sphere, Triangle};
+use crate::shape::{Aabb, Sphere, Triangle};
 
 /// Roundoffs of a component less the radius, of slack and radius. To first order 4: 2 of the
 /// component, and 2 of the difference. `beyond.g` proves it.
@@ -82,18 +82,15 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Aabb<S>> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
-            self.shape.form();
+        let (p, q, is_by_center) = self.shape.numbers();
         let [center, radius, start, end] = self.numbers();
-        let all = [center, radius, start, end, p.to_array(), q.to_array()];
-        let [center, [r, ..], start, end, p, q] = N::embed(&all)?;
+        let [center, [r, ..], start, end, p, q] = N::embed(&[center, radius, start, end, p, q])?;
         let (d, to_p) = (from::<N>(&end, &start), from::<N>(&p, &center));
         // From each end to both extreme corners.
-        let (at_start, extents) = match self.shape.form() {
-            AabbForm::Center { .. } => {
-                ([from::<N>(&to_p, &q), three(|i| to_p[i] + q[i])], three(|i| q[i] + q[i]))
-            }
-            AabbForm::Corners { .. } => ([to_p, from::<N>(&q, &center)], from::<N>(&q, &p)),
+        let (at_start, extents) = if is_by_center {
+            ([from::<N>(&to_p, &q), three(|i| to_p[i] + q[i])], three(|i| q[i] + q[i]))
+        } else {
+            ([to_p, from::<N>(&q, &center)], from::<N>(&q, &p))
         };
         let at_end = two(|k| from::<N>(&at_start[k], &d));
         let slack = if N::CERTAIN {
