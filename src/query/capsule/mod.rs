@@ -57,7 +57,7 @@ impl<N: Arithmetic> Between<N> {
     /// The same, given the greatest magnitude of all.
     #[inline(always)]
     fn is_beyond_by(&self, reach: &Reach<N>, [size, slack]: [N::Length; 2]) -> Option<bool> {
-        let errors = Errors::<N>::new(size, reach.radius())?;
+        let errors = Errors::<N>::new(size, reach.radius)?;
         self.as_face(|vectors, edges| {
             if slack == N::Length::ZERO && reach.is_beyond(vectors) {
                 return Some(true);

@@ -62,7 +62,7 @@ impl<N: Arithmetic> Pair<N> {
         let td = three(|i| N::area(t, d[i]));
         let of =
             |m: &Vector<N>| Some([N::times_one(m[0])?, N::times_one(m[1])?, N::times_one(m[2])?]);
-        let (m, r) = ([of(&m[0])?, of(&m[1])?], N::times_one(reach.radius())?);
+        let (m, r) = ([of(&m[0])?, of(&m[1])?], N::times_one(reach.radius)?);
         let size = greatest(greatest(largest(&m[0]), largest(&m[1])), largest(&td));
         let size = size + size;
         if !N::CERTAIN && !greatest(size, r).in_range() {
@@ -86,7 +86,7 @@ impl<N: Arithmetic> Pair<N> {
         let sum = v[0].magnitude() + v[1].magnitude() + v[2].magnitude();
         let most = sum + sum + (error + error + error);
         let error = N::sextic(error, most) + far.error(SQUARES) + near.error(PRODUCT);
-        let by_line = reach.excludes_by(far - near, error);
+        let by_line = reach.ball.excludes(far - near, error);
 
         let most = largest(d);
         let term = |i: usize| N::sextic(N::volume(n[i], most), v[i]);

@@ -50,7 +50,7 @@ pub(in crate::query) fn triangle_lies_beyond<N: Arithmetic>(
     let of_ends = greatest(largest_of::<N, 3>(to[0]), largest_of::<N, 3>(to[1]));
     let of_edges = greatest(largest_of::<N, 3>(edges), largest_of::<N, 1>(&[*e]));
     let size = greatest(greatest(of_ends, of_edges), slack);
-    if N::is_narrow(greatest(size, reach.radius())) {
+    if N::is_narrow(greatest(size, reach.radius)) {
         are_beyond::<N::Narrow>(&reach.narrow(), to, edges, e, [size, slack])
     } else {
         are_beyond(reach, to, edges, e, [size, slack])
@@ -75,7 +75,7 @@ fn are_beyond<N: Arithmetic>(
     e: &Vector<N>,
     [size, slack]: [N::Length; 2],
 ) -> Option<bool> {
-    let errors = Errors::<N>::new(size, reach.radius())?;
+    let errors = Errors::<N>::new(size, reach.radius)?;
     let n = minors::<N>(&edges[0], &edges[1]);
     let by_plane = match by_plane(reach, &n, to, edges, e, &errors) {
         Ok(by_plane) => by_plane,
@@ -143,7 +143,7 @@ fn excludes_near<N: Arithmetic>(
     if by_plane.certain || slack == N::Length::ZERO && reach.is_beyond(vectors) {
         return (Some(true), 0);
     }
-    match Errors::<N>::new(size, reach.radius()) {
+    match Errors::<N>::new(size, reach.radius) {
         Some(errors) => reach.excludes_point_near(n, by_plane, vectors, edges, slack, &errors),
         None => (None, 0),
     }

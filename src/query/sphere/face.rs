@@ -112,14 +112,14 @@ impl<N: Arithmetic> Reach<N> {
             let far = part(|| N::sextic(volume, volume));
             *is_beyond = if N::CERTAIN {
                 // A normal of zero excludes nothing.
-                let by_plane = self.excludes_by(far - near, N::Sextic::ZERO);
+                let by_plane = self.ball.excludes(far - near, N::Sextic::ZERO);
                 by_plane.and(Uncertain::known(normal.value > N::Quartic::ZERO))
             } else {
                 let most = volume.magnitude() + volume.magnitude() + errors.volume;
                 let error = N::sextic(errors.volume, most)
                     + N::sextic_of_areas(normal.error, self.square)
                     + (far + near).error(PRODUCT);
-                self.excludes_by(far - near, error)
+                self.ball.excludes(far - near, error)
             };
         }
         are_beyond

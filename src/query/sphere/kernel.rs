@@ -30,7 +30,7 @@ impl Ball {
     /// Whether points lie outside, from a squared distance less the square of the radius. Both may
     /// have a common factor above zero.
     #[inline(always)]
-    pub(super) fn excludes<T: Number>(self, gap: T, error: T) -> Uncertain {
+    pub(in crate::query) fn excludes<T: Number>(self, gap: T, error: T) -> Uncertain {
         match self {
             Self::Closed => Uncertain::above(gap, error),
             Self::Open => Uncertain::not_below(gap, error),
@@ -40,9 +40,9 @@ impl Ball {
 
 /// A radius, and its square.
 pub(in crate::query) struct Reach<N: Arithmetic> {
-    pub(super) radius: N::Length,
+    pub(in crate::query) radius: N::Length,
     pub(super) square: N::Area,
-    pub(super) ball: Ball,
+    pub(in crate::query) ball: Ball,
 }
 
 /// A number, and a bound on its error.
@@ -97,23 +97,6 @@ impl<N: Arithmetic> Reach<N> {
         Self { radius, square: N::area(radius, radius), ball }
     }
 
-    /// As [`Ball::excludes`].
-    #[inline(always)]
-    pub(in crate::query) fn excludes_by<T: Number>(&self, gap: T, error: T) -> Uncertain {
-        self.ball.excludes(gap, error)
-    }
-
-    #[inline(always)]
-    pub(in crate::query) fn radius(&self) -> N::Length {
-        self.radius
-    }
-
-    /// The square of the radius.
-    #[inline(always)]
-    pub(super) fn square(&self) -> N::Area {
-        self.square
-    }
-
     /// Whether a coordinate alone keeps all points to which these vectors go beyond the radius.
     /// That is certain in all systems, because rounding a difference keeps order.
     #[inline(always)]
@@ -135,11 +118,11 @@ impl<N: Arithmetic> Reach<N> {
         let square = product::<N>(d, d);
         let gap = square - self.square;
         if N::CERTAIN {
-            return self.excludes_by(gap, N::Area::ZERO);
+            return self.ball.excludes(gap, N::Area::ZERO);
         }
         let sum = d[0].magnitude() + d[1].magnitude() + d[2].magnitude();
         let error = (square + self.square + N::area(slack, sum + slack)).error(SQUARE);
-        self.excludes_by(gap, error + N::Area::UNDERFLOW)
+        self.ball.excludes(gap, error + N::Area::UNDERFLOW)
     }
 
     /// The same for a point alone; `None` in doubt, and out of range.
@@ -182,7 +165,7 @@ impl<N: Arithmetic> Reach<N> {
         let from_line = squared::<N>(c, errors.minor);
         let square = N::quartic(product::<N>(e, e), self.square);
         let error = from_line.error + square.error(PRODUCT);
-        by_ends.or(self.excludes_by(from_line.value - square, error)).and(at_start).and(at_end)
+        by_ends.or(self.ball.excludes(from_line.value - square, error)).and(at_start).and(at_end)
     }
 
     /// Whether a segment lies beyond; `None` in doubt.

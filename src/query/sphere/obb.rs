@@ -97,7 +97,7 @@ impl<M: Arithmetic> Corners<M> {
         (0..3).any(|i| {
             let nearer = greatest(least(a[i], b[i]), -greatest(a[i], b[i]));
             let size = u[i].magnitude() + v[i].magnitude() + w[i].magnitude();
-            nearer - size - reach.radius() > (*slack + reach.radius()).error(APART)
+            nearer - size - reach.radius > (*slack + reach.radius).error(APART)
         })
     }
 
@@ -107,7 +107,7 @@ impl<M: Arithmetic> Corners<M> {
         let edges = three(|k| self.edge(k));
         let size =
             greatest(greatest(largest_of::<M, 3>(&edges), largest_of::<M, 2>(&self.d)), self.slack);
-        let error = Errors::<M>::new(size, reach.radius())?.volume;
+        let error = Errors::<M>::new(size, reach.radius)?.volume;
         let (mut is_outside, mut are_beyond) = (Uncertain::NONE, Uncertain::known(true));
         for i in 0..3 {
             let (i, j, k) = turn(i);

@@ -39,7 +39,7 @@ impl<S: Scalar> Predicate<S> for OneSide<'_, S> {
         let d = if offset.is_some() { N::times_one(d)? } else { N::Area::ZERO };
         // Lengths as integers double them, for `times_one`.
         let (r, nn) = (once::<N, _>(r), product::<N>(&n, &n));
-        let near = N::quartic(nn, Reach::<N>::new(r, self.ball).square());
+        let near = N::quartic(nn, Reach::<N>::new(r, self.ball).square);
         let beyond = |x: &Vector<N>| {
             let x = three(|i| once::<N, _>(x[i] - point[i]));
             let from_plane = product::<N>(&n, &x) + d;

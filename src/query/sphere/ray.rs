@@ -59,12 +59,12 @@ impl<N: Arithmetic> Way<N> {
         N: Embeds<S>,
     {
         let d = &self.d;
-        let size = greatest(largest(m), reach.radius());
+        let size = greatest(largest(m), reach.radius);
         let errors = Errors::<N>::with_direction(size, largest(d))?;
         let far = squared::<N>(&cross::<N>(m, d), errors.minor);
-        let near = N::quartic(product::<N>(d, d), reach.square());
+        let near = N::quartic(product::<N>(d, d), reach.square);
         let error = far.error + near.error(PRODUCT);
-        let by_line = reach.excludes_by(far.value - near, error);
+        let by_line = reach.ball.excludes(far.value - near, error);
         if by_line.certain {
             return Some(true);
         }
@@ -116,7 +116,7 @@ fn at_end<S, N: Embeds<S>>(
     let t = once::<N, _>(t);
     let m = [N::times_one(m[0])?, N::times_one(m[1])?, N::times_one(m[2])?];
     let td = three(|i| N::area(t, d[i]));
-    let (to, r) = (three(|i| m[i] - td[i]), N::times_one(reach.radius())?);
+    let (to, r) = (three(|i| m[i] - td[i]), N::times_one(reach.radius)?);
     let size = greatest(largest(&m), largest(&td));
     let size = size + size;
     let error = size.error(END);
@@ -128,7 +128,7 @@ fn at_end<S, N: Embeds<S>>(
     }
     Some(End {
         is_past: Uncertain::not_below(is_past, N::volume(size, largest(d)).error(ALONG)),
-        lies_beyond: reach.excludes_by(far.value - near, far.error + near.error(PRODUCT)),
+        lies_beyond: reach.ball.excludes(far.value - near, far.error + near.error(PRODUCT)),
     })
 }
 
