@@ -1,14 +1,13 @@
 use core::fmt;
 
-use super::Rule;
 use super::block::{Block, ForEach};
 use super::grid::Grid;
-use super::marks::{ALL_CLOSED, AxisMarks, Marks};
 use super::pass::Pass;
+use super::place::{ALL_CLOSED, AxisMarks, Marks};
 use super::placed::{Bounds, Near};
 use super::rows::passes;
 use super::word::Word;
-use super::{few, four_rows};
+use super::{Rule, few, four_rows};
 use crate::arithmetic::Quad;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;

@@ -44,7 +44,7 @@ use core::cmp::Ordering;
 use super::block::{Block, ForEach, OnAxis};
 use super::grid::Grid;
 use super::placed::Near;
-use super::sign::{side, turn};
+use super::sign::{exact_area, exact_turn, side};
 use crate::arithmetic::{Quad, THREE, compare, each};
 use crate::scalar::Scalar;
 
@@ -109,8 +109,11 @@ impl<S: Scalar> Few<'_, S> {
         let (d, e) = (rows[u].edges, rows[v].edges);
         let rises = [self.rise(u), self.rise(v)];
         let area = (d * e.turned() - e * d.turned()).to_array()[0];
-        let sign =
-            if area.abs() > self.area_error { compare(area, 0.0) } else { self.exact_area(axes) };
+        let sign = if area.abs() > self.area_error {
+            compare(area, 0.0)
+        } else {
+            exact_area(&self.near.points, axes)
+        };
         // The normals (e, −d) of the edges point outward, unless the area is negative. If the
         // triangle appears as a line, both sides are outside, and its edges run both ways.
         let is_turned = sign == Ordering::Less;
@@ -181,13 +184,6 @@ impl<S: Scalar> Few<'_, S> {
         apart
     }
 
-    #[cold]
-    #[inline(never)]
-    fn exact_area(&self, [u, v]: [usize; 2]) -> Ordering {
-        let [a, b, c] = self.near.points.map(|p| [p[u], p[v]]);
-        exact_turn(a, b, c)
-    }
-
     /// The edges with a crossing of planes strictly on their outer side, then the edges with the
     /// crossing strictly on their inner side, seen along an axis.
     #[cold]
@@ -216,18 +212,5 @@ impl<S: Scalar> Few<'_, S> {
 
     fn plane(&self, axis: usize, k: u32) -> S {
         self.grid.plane(axis, self.block.first[axis] as u32 + k)
-    }
-}
-
-/// The sign of (b − a) × (p − a).
-fn exact_turn<S: Scalar>(a: [S; 2], b: [S; 2], p: [S; 2]) -> Ordering {
-    // Edges along an axis of the grid are frequent, and two comparisons settle them.
-    match (compare(b[0], a[0]), compare(b[1], a[1])) {
-        (Ordering::Equal, Ordering::Equal) => Ordering::Equal,
-        (Ordering::Equal, Ordering::Less) => compare(p[0], a[0]),
-        (Ordering::Equal, Ordering::Greater) => compare(a[0], p[0]),
-        (Ordering::Greater, Ordering::Equal) => compare(p[1], a[1]),
-        (Ordering::Less, Ordering::Equal) => compare(a[1], p[1]),
-        _ => turn(a, b, p, p),
     }
 }

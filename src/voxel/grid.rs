@@ -220,13 +220,8 @@ impl<S: Scalar> Grid<S> {
     /// less than 8 roundoffs in all.
     #[inline(always)]
     pub(super) fn place_error(&self, farthest: f64) -> f64 {
-        let [a, b, c] = self.first.map(f64::from);
-        let [d, e, f] = self.deviation;
-        let most = |a: f64, b: f64, c: f64| {
-            let ab = if a > b { a } else { b };
-            if ab > c { ab } else { c }
-        };
-        4.0 * f64::EPSILON * (farthest + most(a, b, c)) + most(d, e, f)
+        let most = |[a, b, c]: [f64; 3]| greatest(greatest(a, b), c);
+        4.0 * f64::EPSILON * (farthest + most(self.first.map(f64::from))) + most(self.deviation)
     }
 }
 

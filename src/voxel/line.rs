@@ -11,8 +11,7 @@
 use core::cmp::Ordering;
 
 use super::grid::Grid;
-use super::marks::Marks;
-use super::place::{Level, Place, locate};
+use super::place::{Level, Marks, Place, locate};
 use super::sign::{against_point, line_turn};
 use crate::arithmetic::{Parts, compare};
 use crate::robust::certain_sign;

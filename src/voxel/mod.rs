@@ -34,7 +34,6 @@ mod block;
 mod few;
 mod four_rows;
 mod line;
-mod marks;
 mod pass;
 mod place;
 mod placed;

@@ -15,8 +15,7 @@
 use core::cmp::Ordering;
 
 use super::grid::Grid;
-use super::marks::{AxisMarks, Marks};
-use super::place::{Level, Place, Span};
+use super::place::{AxisMarks, Level, Marks, Place, Span};
 use super::placed::{Bounds, Near, Placed};
 use super::plane::Plane;
 use super::slabs::{BLOCK, span, spans};

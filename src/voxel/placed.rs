@@ -3,8 +3,7 @@
 use core::cmp::Ordering;
 
 use super::grid::Grid;
-use super::marks::{AxisMarks, Marks};
-use super::place::{Place, Span, locate};
+use super::place::{AxisMarks, Marks, Place, Span, locate};
 use super::sign::turn;
 use crate::arithmetic::{greatest, least, three};
 use crate::scalar::Scalar;

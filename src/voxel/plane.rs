@@ -24,8 +24,7 @@
 use core::cmp::Ordering;
 
 use super::grid::Grid;
-use super::marks::AxisMarks;
-use super::place::{Level, Place, locate};
+use super::place::{AxisMarks, Level, Place, locate};
 use super::placed::Placed;
 use super::sign::side;
 use crate::arithmetic::{three, turn};

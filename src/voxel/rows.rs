@@ -2,9 +2,8 @@ use core::ops::Range;
 
 use super::Rule;
 use super::grid::Grid;
-use super::marks::Marks;
 use super::pass::Pass;
-use super::place::Span;
+use super::place::{Marks, Span};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 

@@ -17,6 +17,27 @@ pub(super) fn turn<S: Scalar>(a: [S; 2], b: [S; 2], p: [S; 2], q: [S; 2]) -> Ord
     S::evaluate(&Turn { from: a, to: b, a, p, q }).cmp(&0)
 }
 
+/// The sign of (b − a) × (p − a). Edges along an axis of the grid are frequent, and two comparisons
+/// settle them.
+pub(super) fn exact_turn<S: Scalar>(a: [S; 2], b: [S; 2], p: [S; 2]) -> Ordering {
+    match (compare(b[0], a[0]), compare(b[1], a[1])) {
+        (Ordering::Equal, Ordering::Equal) => Ordering::Equal,
+        (Ordering::Equal, Ordering::Less) => compare(p[0], a[0]),
+        (Ordering::Equal, Ordering::Greater) => compare(a[0], p[0]),
+        (Ordering::Greater, Ordering::Equal) => compare(p[1], a[1]),
+        (Ordering::Less, Ordering::Equal) => compare(a[1], p[1]),
+        _ => turn(a, b, p, p),
+    }
+}
+
+/// The sign of the area of a triangle, seen along the third axis.
+#[cold]
+#[inline(never)]
+pub(super) fn exact_area<S: Scalar>(points: &[[S; 3]; 3], [u, v]: [usize; 2]) -> Ordering {
+    let [a, b, c] = points.map(|p| [p[u], p[v]]);
+    exact_turn(a, b, c)
+}
+
 /// The sign of (to − from) × (p − a).
 #[inline(never)]
 pub(super) fn line_turn<S: Scalar>(a: [S; 2], [from, to]: [[S; 2]; 2], p: [S; 2]) -> Ordering {

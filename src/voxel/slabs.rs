@@ -23,8 +23,7 @@
 //!    takes 8·η·(1 + |ŝ|).
 
 use super::grid::Grid;
-use super::marks::{AxisMarks, Marks};
-use super::place::{Place, Span, locate};
+use super::place::{AxisMarks, Marks, Place, Span, locate};
 use super::placed::Placed;
 use super::sign::turn;
 use crate::scalar::Scalar;

@@ -1,7 +1,6 @@
 use super::bits::{Bits, TooFewWords};
 use super::grid::Grid;
-use super::marks::Marks;
-use super::place::Place;
+use super::place::{Marks, Place};
 use super::placed::{Near, Placed};
 use super::plane::Plane;
 use super::slabs::{Edge, rising};

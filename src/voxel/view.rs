@@ -35,7 +35,7 @@ use core::cmp::Ordering;
 
 use super::block::{ForEach, InBlock};
 use super::few::AREA;
-use super::sign::turn;
+use super::sign::exact_area;
 use crate::arithmetic::{Quad, THREE, compare};
 use crate::scalar::Scalar;
 
@@ -66,7 +66,7 @@ impl View {
         let sign = if area.abs() > f32::from(AREA) * inside.error * inside.widest {
             compare(area, 0.0)
         } else {
-            exact_area(inside, [u, v])
+            exact_area(&inside.triangle.points(), [u, v])
         };
         let (half, shifter) = (Four::splat(0.5), Four::splat(SHIFTER));
         // The edges that may touch a plane.
@@ -125,16 +125,6 @@ impl View {
         }
         Ends { least, greatest }
     }
-}
-
-#[cold]
-#[inline(never)]
-fn exact_area<S: Scalar>(inside: &InBlock<'_, S>, [u, v]: [usize; 2]) -> Ordering {
-    if inside.level[u] | inside.level[v] == THREE {
-        return Ordering::Equal;
-    }
-    let [a, b, c] = inside.triangle.points().map(|p| [p[u], p[v]]);
-    turn(a, b, c, c)
 }
 
 /// A number for each of four slabs.

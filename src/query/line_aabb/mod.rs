@@ -35,20 +35,9 @@ pub(super) struct Slabs<N: Arithmetic> {
 }
 
 impl<N: Arithmetic> Slabs<N> {
-    /// The line from `o` along `d`, and a box by the numbers of its form.
-    #[inline(always)]
-    pub(super) fn new(
-        o: &[N::Length; 3],
-        d: &[N::Length; 3],
-        [p, q]: [&[N::Length; 3]; 2],
-        is_by_center: bool,
-    ) -> Self {
-        if is_by_center { Self::in_center(o, d, p, q) } else { Self::in_corners(o, d, p, q) }
-    }
-
     /// The line from `o` along `d`, and the box from `min` to `max`.
     #[inline(always)]
-    fn in_corners(
+    pub(super) fn in_corners(
         o: &[N::Length; 3],
         d: &[N::Length; 3],
         min: &[N::Length; 3],
@@ -68,7 +57,7 @@ impl<N: Arithmetic> Slabs<N> {
 
     /// The line from `o` along `d`, and the box around `center`.
     #[inline(always)]
-    fn in_center(
+    pub(super) fn in_center(
         o: &[N::Length; 3],
         d: &[N::Length; 3],
         center: &[N::Length; 3],
