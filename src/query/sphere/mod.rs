@@ -8,8 +8,6 @@ mod face;
 mod foot;
 mod in_double;
 mod kernel;
-#[cfg(feature = "fixed")]
-mod near;
 mod obb;
 mod plane;
 mod range;
@@ -31,7 +29,7 @@ use super::orientation::{Vector, from};
 use crate::arithmetic::{Embeds, Number, greatest, largest, three};
 use crate::robust::{Numeric, Predicate, Profile};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Segment, Sphere, Triangle, Vec3};
+use crate::shape::{Aabb, Segment, Sphere, Vec3};
 
 /// The question whether a shape lies outside of the sphere.
 struct Beyond<'a, S, T> {
@@ -47,18 +45,6 @@ impl<S: Scalar, T> Beyond<'_, S, T> {
 
     fn radius(&self) -> [S; 3] {
         [self.sphere.radius(); 3]
-    }
-}
-
-impl<S: Scalar> Predicate<S> for Beyond<'_, S, Triangle<S>> {
-    type Answer = bool;
-
-    #[inline]
-    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let [a, b, c] = self.shape.points();
-        let [center, [r, ..], a, b, c] = N::embed(&[self.center(), self.radius(), a, b, c])?;
-        let [vectors, edges] = around::<N>(&center, &[a, b, c]);
-        Reach::<N>::new(r, self.ball).excludes_face(&vectors, &edges, N::Length::ZERO)
     }
 }
 
@@ -150,42 +136,6 @@ where
     Beyond<'a, S, T>: Predicate<S, Answer = bool>,
 {
     !S::evaluate_numeric(&Beyond { sphere, shape, ball })
-}
-
-impl<S: Scalar> Overlaps<Triangle<S>> for Sphere<S> {
-    /// Do a sphere and a triangle have a point in common?
-    ///
-    /// *Geometry*: closed sets in one frame and unit. The radius may be zero, the triangle a segment
-    /// or a point.
-    ///
-    /// *Contact*: touching is overlap.
-    ///
-    /// *Numerics*: exact for every valid input, in every scalar. A squared distance is compared with
-    /// the square of the radius, in products of up to six lengths.
-    ///
-    /// *Range*: all finite floats, all fixed-point values; 64-bit fixed point beyond 2⁶⁰ units in
-    /// the last place takes wider integers. In floats, distances within rounding of the radius take
-    /// exact integers.
-    ///
-    /// *Panics*: never. *Cost*: 9 comparisons if a coordinate separates; 14 multiplications if the
-    /// plane does; 41 over the face, and 19 more for each edge that the centre lies outside of.
-    ///
-    /// ```
-    /// use septum::{Sphere, Triangle};
-    ///
-    /// let t = Triangle::new([0.0_f32, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0])?;
-    /// let over_face = Sphere::new([1.0, 1.0, 2.0], 2.0)?;
-    /// assert!(over_face.overlaps(&t)); // touches
-    /// let past_edge = Sphere::new([5.0, 5.0, 0.0], 4.2426405)?;
-    /// assert!(!past_edge.overlaps(&t)); // the radius is just below √18
-    /// let past_edge = Sphere::new([5.0, 5.0, 0.0], 4.242641)?;
-    /// assert!(past_edge.overlaps(&t));
-    /// # Ok::<(), septum::ShapeError>(())
-    /// ```
-    #[inline]
-    fn overlaps(&self, triangle: &Triangle<S>) -> bool {
-        meet(self, triangle, Ball::Closed)
-    }
 }
 
 impl<S: Scalar> Overlaps<Segment<S>> for Sphere<S> {

@@ -13,7 +13,6 @@ pub(super) mod error_bound;
 pub(super) mod exact;
 pub(super) mod frame;
 pub(super) mod kernel;
-mod near;
 mod offsets;
 mod prepared;
 mod relation;
@@ -26,11 +25,12 @@ pub use prepared::PreparedTriangle;
 
 use super::{Axis, Overlaps};
 use crate::arithmetic::{
-    Embeds, Float, InFloat, InWord, OfFour, OneType, Quad, REGISTERS_ARE_WIDE, Rounded, Word,
+    Embeds, Filtered, Float, InFloat, InWord, Int64OfFloats, OfFour, OneType, Quad,
+    REGISTERS_ARE_WIDE, Rounded, Word, is_software,
 };
-use crate::robust::{Predicate, Profile, WordKernel, in_exact_numbers};
+use crate::robust::{Predicate, Profile, WordKernel, in_exact_numbers, in_floats};
 use crate::scalar::{FixedBackend, Scalar};
-use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
+use crate::shape::{Aabb, AabbForm, Near, Triangle, Vec3};
 
 /// Are the triangle and the box disjoint?
 struct Disjoint<'a, S> {
@@ -203,6 +203,42 @@ pub(crate) fn disjoint_rounded<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>
     }
     // An axis whose numbers overflowed to NaN does not separate.
     Disjoint { triangle, aabb }.filter::<OneType<Rounded<S>>>() == Some(true)
+}
+
+#[cfg(feature = "fixed")]
+impl<S: Scalar + InWord<i32>> Overlaps<Near<Aabb<S>>> for Near<Triangle<S>> {
+    /// Do a triangle and an axis-aligned box near the origin have a point in common?
+    ///
+    /// *Numerics*: exact, in 32-bit words alone. *Panics*: never.
+    #[inline]
+    fn overlaps(&self, aabb: &Near<Aabb<S>>) -> bool {
+        !Disjoint { triangle: self.get(), aabb: aabb.get() }.in_any_words::<i32>()
+    }
+}
+
+impl Overlaps<Near<Aabb<f32>>> for Near<Triangle<f32>> {
+    /// Do a triangle and an axis-aligned box near the origin have a point in common?
+    ///
+    /// *Numerics*: exact, in `f32` with an error bound, and where that is in doubt in integers of 60
+    /// bits, which hold every coordinate. *Panics*: never.
+    #[inline]
+    fn overlaps(&self, aabb: &Near<Aabb<f32>>) -> bool {
+        let disjoint = Disjoint { triangle: self.get(), aabb: aabb.get() };
+        let disjoint_in_floats = if is_software::<f32>() {
+            kernel::by_either_form::<f32, Filtered<f32>>(self.get(), aabb.get().form())
+        } else {
+            in_floats::<f32, f32, _>(&disjoint)
+        };
+        !disjoint_in_floats.unwrap_or_else(|| in_doubt(&disjoint))
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn in_doubt(disjoint: &Disjoint<'_, f32>) -> bool {
+    let answer = disjoint.in_held::<Int64OfFloats>();
+    debug_assert!(answer.is_some());
+    answer.unwrap_or_default()
 }
 
 #[cfg(all(test, feature = "fixed"))]

@@ -14,7 +14,6 @@ mod exact;
 mod kernel;
 mod known;
 mod prepared;
-mod products;
 mod relation;
 mod short;
 
@@ -23,9 +22,8 @@ use self::exact::InWords;
 use self::exact::{ExactParallelepiped, InSums};
 use self::kernel::{Parallelepiped, all_axes};
 pub(super) use self::kernel::{cross, dot, lie_along_one_axis, operands, way};
-pub(super) use self::known::{Known, Size};
+pub(super) use self::known::{Known, Size, raw, size};
 pub use self::prepared::PreparedObb;
-pub(super) use self::products::{raw, size};
 use self::short::Change;
 pub(super) use self::short::{EXACT, are_disjoint};
 use super::Overlaps;

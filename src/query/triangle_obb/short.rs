@@ -47,7 +47,7 @@
 
 use super::Disjoint;
 use super::known::{AXIS, Known, cut_axes};
-use super::products::{Sum, product, raw, size};
+use super::known::{Sum, product, raw, size};
 use crate::arithmetic::{InRaw, ProductSum, Raw, Word, greatest};
 use crate::query::one_sided::{Projection, one_sided};
 use crate::scalar::Scalar;

@@ -2,9 +2,9 @@
 
 use fixed::types::{I0F32, I4F4, I8F8, I16F16};
 
-use super::super::{Misses, Passing};
 use crate::arithmetic::{InWord, Word};
 use crate::query::Motion;
+use crate::query::sweep::passing::{Misses, Passing};
 use crate::random::Random;
 use crate::robust::WordKernel;
 use crate::scalar::Scalar;
