@@ -18,7 +18,8 @@ use crate::published::watertight::ShearedRay;
 use crate::query::{Crossing, FirstContact, Hit, Motion, SphereContact};
 use crate::scalar::Scalar;
 use crate::shape::{
-    Aabb, AabbForm, Capsule, Obb, Plane, Polygon, Ray, Segment, SegmentForm, Sphere, Triangle, Vec3,
+    Aabb, AabbForm, Capsule, Obb, Plane, PlaneForm, Polygon, Ray, Segment, SegmentForm, Sphere,
+    Triangle, Vec3,
 };
 
 /// One number.
@@ -66,10 +67,12 @@ formats! {
             obb.center(), u, v, w, obb.half_extents()
         )
     };
-    Plane: |plane, to| match plane.numbers() {
-        (.., Some(d)) => write!(to, "Plane {{ normal: {}, d: {} }}", plane.normal(), Number(d)),
-        (_, point, None) => {
-            write!(to, "Plane {{ point: {}, normal: {} }}", Vec3::from(point), plane.normal())
+    Plane: |plane, to| match plane.form() {
+        PlaneForm::Point(point) => {
+            write!(to, "Plane {{ point: {}, normal: {} }}", point, plane.normal())
+        }
+        PlaneForm::Offset(d) => {
+            write!(to, "Plane {{ normal: {}, d: {} }}", plane.normal(), Number(*d))
         }
     };
     Segment: |segment, to| match segment.form() {

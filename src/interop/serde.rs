@@ -6,8 +6,8 @@ use serde::ser::{Serialize, Serializer};
 
 use crate::scalar::Scalar;
 use crate::shape::{
-    Aabb, AabbForm, Capsule, Obb, Plane, Ray, Segment, SegmentForm, ShapeError, Sphere, Triangle,
-    Vec3,
+    Aabb, AabbForm, Capsule, Obb, Plane, PlaneForm, Ray, Segment, SegmentForm, ShapeError, Sphere,
+    Triangle, Vec3,
 };
 
 /// The vertices of a triangle, unchecked.
@@ -140,9 +140,9 @@ impl<S: Scalar> TryFrom<Oriented<S>> for Obb<S> {
 impl<S: Scalar> From<&Plane<S>> for Position<S> {
     fn from(plane: &Plane<S>) -> Self {
         let normal = plane.normal();
-        match plane.numbers() {
-            (.., Some(d)) => Self::Equation { normal, d },
-            (_, point, None) => Self::PointNormal { point: point.into(), normal },
+        match *plane.form() {
+            PlaneForm::Point(point) => Self::PointNormal { point, normal },
+            PlaneForm::Offset(d) => Self::Equation { normal, d },
         }
     }
 }

@@ -65,18 +65,6 @@ overlaps_methods!(
     "an [`Aabb`](crate::Aabb), a [`Sphere`](crate::Sphere) or a [`Capsule`](crate::Capsule)"
 );
 
-impl<S: Scalar> Plane<S> {
-    /// The normal, a point, and d; the point is zero, or d is `None`.
-    #[inline(always)]
-    pub(crate) fn numbers(&self) -> ([S; 3], [S; 3], Option<S>) {
-        let (point, d) = match self.form {
-            Form::Point(p) => (p.to_array(), None),
-            Form::Offset(d) => ([S::ZERO; 3], Some(d)),
-        };
-        (self.normal.to_array(), point, d)
-    }
-}
-
 impl<S: Copy> Plane<S> {
     /// The normal, as given.
     #[inline]
@@ -103,6 +91,11 @@ impl<S: Copy> Plane<S> {
             Form::Offset(d) => Some(d),
             Form::Point(_) => None,
         }
+    }
+
+    #[inline(always)]
+    pub(crate) const fn form(&self) -> &Form<S> {
+        &self.form
     }
 }
 

@@ -11,7 +11,7 @@ use super::Overlaps;
 use crate::arithmetic::{Embeds, Number, greatest, largest, of_two, once};
 use crate::robust::{Predicate, Profile, Uncertain};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Plane};
+use crate::shape::{Aabb, AabbForm, Plane, PlaneForm};
 
 /// The side of a plane on which a shape lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -39,24 +39,33 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let (n, point, offset) = self.plane.numbers();
-        let (p, q, is_by_center) = self.aabb.numbers();
-        let all = [point, p, q, n, [offset.unwrap_or(S::ZERO); 3]];
+        let n = self.plane.normal().to_array();
+        let (point, offset) = match self.plane.form() {
+            PlaneForm::Point(p) => (p.to_array(), S::ZERO),
+            PlaneForm::Offset(d) => ([S::ZERO; 3], *d),
+        };
+        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
+            self.aabb.form();
+        let all = [point, p.to_array(), q.to_array(), n, [offset; 3]];
         let [point, p, q, n, [d, ..]] = N::embed(&all)?;
 
         // The plane's point and the box's half-extents, in the frame of the box.
         let (mut v, mut h) = ([N::Length::ZERO; 3], [N::Length::ZERO; 3]);
         for i in 0..3 {
-            (v[i], h[i]) = if is_by_center {
-                (once::<N, _>(point[i] - p[i]), once::<N, _>(q[i]))
-            } else {
-                let both = (point[i] - p[i]) + (point[i] - q[i]);
-                (of_two::<N, _>(both), of_two::<N, _>(q[i] - p[i]))
+            (v[i], h[i]) = match self.aabb.form() {
+                AabbForm::Center { .. } => (once::<N, _>(point[i] - p[i]), once::<N, _>(q[i])),
+                AabbForm::Corners { .. } => {
+                    let both = (point[i] - p[i]) + (point[i] - q[i]);
+                    (of_two::<N, _>(both), of_two::<N, _>(q[i] - p[i]))
+                }
             };
         }
 
         // The distances, along n, from the plane to the centre and from the centre to a corner.
-        let d_area = if offset.is_some() { N::times_one(d)? } else { N::Area::ZERO };
+        let d_area = match self.plane.form() {
+            PlaneForm::Point(_) => N::Area::ZERO,
+            PlaneForm::Offset(_) => N::times_one(d)?,
+        };
         let from_center = N::area(n[0], v[0]) + N::area(n[1], v[1]) + N::area(n[2], v[2]) - d_area;
         let radius = N::area(n[0].magnitude(), h[0])
             + N::area(n[1].magnitude(), h[1])
