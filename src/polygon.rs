@@ -14,6 +14,5 @@
 //! ```
 //! The test against an axis-aligned box is exact. For every other query, use the polygon's
 //! [`triangles`](Polygon::triangles).
-//! [`triangles`](Polygon::triangles).
 
 pub use crate::shape::Polygon;

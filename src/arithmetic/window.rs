@@ -150,10 +150,10 @@ impl<F: Float> Embeds<F> for Window {
 #[derive(Clone, Copy, Debug)]
 pub struct OfLimbs<const A: usize, const B: usize, const C: usize, const D: usize, const E: usize>;
 
-/// For areas of a [`Window`](super::Window).
+/// For areas of a [`Window`].
 pub(super) type Limbs4 = OfLimbs<4, 8, 12, 16, 24>;
 
-/// For areas of a [`ShortWindow`](super::ShortWindow): corners of an oriented box are below 2^70, so
+/// For areas of a [`ShortWindow`]: corners of an oriented box are below 2^70, so
 /// areas of these below 2^142, volumes below 2^213, and squares of volumes below 2^427.
 #[cfg(feature = "fixed")]
 pub(super) type Limbs2 = OfLimbs<2, 3, 4, 5, 7>;

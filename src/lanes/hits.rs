@@ -92,7 +92,7 @@ pub struct Ranges<S, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> Ranges<S, N> {
-    /// Collects lane by lane, into separate local arrays: see [`Hits`](super::Hits).
+    /// Collects lane by lane, into separate local arrays: see [`Hits`].
     #[inline(always)]
     pub(super) fn each(mut interval: impl FnMut(usize) -> (S, S)) -> Self {
         let zero = [S::ZERO; N];

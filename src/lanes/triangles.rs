@@ -119,7 +119,7 @@ pub(super) fn lane<S: Copy, const N: usize>([x, y, z]: &[[S; N]; 3], k: usize) -
 
 /// N triangles with their normals, for one ray, with an array for each coordinate.
 ///
-/// They are faster than [`Triangles`](super::Triangles) if they are queried often and stay in the
+/// They are faster than [`Triangles`] if they are queried often and stay in the
 /// cache. They are a third larger, and slower if they come from memory.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NormalTriangles<S, const N: usize> {

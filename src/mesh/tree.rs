@@ -49,7 +49,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     /// Builds a tree over a mesh, into `nodes` and `order`.
     ///
     /// *Panics*: never. *Cost*: sorts the triangles, n·log n steps. A
-    /// [`TreeBuilder`](super::TreeBuilder) computes the box of each triangle once, which takes a
+    /// [`TreeBuilder`] computes the box of each triangle once, which takes a
     /// tenth of the time, and can pause.
     ///
     /// # Errors

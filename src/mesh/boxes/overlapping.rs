@@ -83,7 +83,7 @@ impl<S: Scalar, I: Index> BoxTree<'_, S, I> {
     /// order.
     ///
     /// *Contact*: touching is overlap. *Numerics*: exact, as
-    /// [`Overlaps::overlaps`](crate::Overlaps::overlaps). *Panics*: never.
+    /// [`Overlaps::overlaps`]. *Panics*: never.
     ///
     /// *Cost*: 6 integer comparisons for each pair of nodes that are near, 6 comparisons for each pair
     /// of boxes in leaves that meet, and a sort of what was found. The stack has room for 256 pairs of
