@@ -42,9 +42,8 @@ mod inside;
 mod pairs;
 mod sweep;
 
-// Boxes that move, and meshes that deform: `broad_phase`.
+// Boxes that move: `broad_phase`.
 pub(crate) mod boxes;
-mod refit;
 
 mod approach;
 mod build;

@@ -10,7 +10,7 @@ use crate::mesh::build::{Build, Leaves, Memory, fill, layout_in_order};
 use crate::mesh::grid::Grid;
 use crate::mesh::node::{Layout, Node};
 use crate::mesh::overlapping::sealed::Bounded;
-use crate::mesh::refit::is_permutation;
+use crate::mesh::tree::is_permutation;
 use crate::mesh::{Index, MeshError};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, joined};

@@ -1,6 +1,5 @@
 //! Oriented box against oriented box, and code shared with axis-aligned boxes.
 
-mod doubt;
 mod error_bound;
 mod exact;
 mod floats;

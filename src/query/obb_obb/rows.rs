@@ -2,9 +2,8 @@
 //! operations as the kernel of single numbers, so its answers are the same.
 
 use super::Lie;
-use super::doubt::Doubt;
 use super::error_bound::error_bound;
-use super::floats::{Boxes, of_boxes};
+use super::floats::{Boxes, Doubt, of_boxes};
 use crate::arithmetic::{Filtered, Float, InFloat, Quad, THREE, greatest};
 use crate::query::obb_rows::{Vectors, most, transposed};
 use crate::query::relation::{Asked, Relation};
