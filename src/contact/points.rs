@@ -9,7 +9,7 @@ use super::least::Way;
 use super::sides::Unit;
 use super::solid::{Solid, edge_of_box};
 use super::view::{Edge, View, distance, minus};
-use crate::arithmetic::{greatest, out_of_line, part, pick, three, two};
+use crate::arithmetic::{greatest, largest, out_of_line, part, pick, three, two};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -90,8 +90,8 @@ impl Pairs {
     #[inline]
     pub(super) fn add(&mut self, pair: Pair, parts: [Part; 2], tolerance: f64) {
         let is_near = |other: &Pair| {
-            let pairs = pair.at.as_flattened().iter().zip(other.at.as_flattened());
-            pairs.map(|(x, y)| (x - y).abs()).all(|apart| apart <= 2.0 * tolerance)
+            let apart = |n: usize| largest(&minus(&pair.at[n], &other.at[n]));
+            apart(0) <= 2.0 * tolerance && apart(1) <= 2.0 * tolerance
         };
         if self.iter().any(is_near) {
             return;
