@@ -17,18 +17,29 @@ pub(super) fn contact<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     interior: InteriorEdges,
 ) -> Option<Contact<S>> {
-    let origin = bodies[1].origin();
-    // In its place from the start, so that it is not copied.
-    let mut rough = if is_whole::<S>() { None } else { Some(in_floats(bodies)) };
-    let best = least_way(bodies, rough.as_ref(), interior)?;
-    let rough = rough.get_or_insert_with(|| in_floats(bodies));
+    if is_whole::<S>() {
+        let best = least_way(bodies, None, interior)?;
+        return Some(with_points(bodies, &mut in_floats(bodies), &best));
+    }
+    let mut rough = in_floats(bodies);
+    let best = least_way(bodies, Some(&rough), interior)?;
+    Some(with_points(bodies, &mut rough, &best))
+}
+
+/// The contact of a way out, and its points.
+#[inline(always)]
+fn with_points<S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    rough: &mut [Rough; 2],
+    best: &Directed<S>,
+) -> Contact<S> {
     // Where they are, without a copy.
-    let Directed { unit, measures, way } = &best;
+    let Directed { unit, measures, way } = best;
     let translation = translation(bodies, way, measures);
     let features = translation.features;
     let mut contact = Contact { translation, is_held: way.is_held, points: Points::none() };
-    points(bodies, &origin, rough, way, unit, features, &mut contact.points);
-    Some(contact)
+    points(bodies, &bodies[1].origin(), rough, way, unit, features, &mut contact.points);
+    contact
 }
 
 /// The shapes in floats, relative to the origin of the second.
