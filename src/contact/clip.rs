@@ -108,10 +108,8 @@ impl Known for Words<'_> {
         let Self(view, from, face) = self;
         let to = face.corner(m);
         let [base, a, b] = from.frame();
-        let [s, t] = {
-            let [a, b, to] = [a, b, to].map(|x| flat(&x.flat, &base.flat));
-            parts(|x| x, [a, b], to)
-        };
+        let [x, y, z] = [a, b, to].map(|x| flat(&x.flat, &base.flat));
+        let [s, t] = parts(|x| x, [x, y], z);
         let is_within = s >= 0.0 && t >= 0.0;
         let is_within =
             is_within && if from.count() == 3 { s + t <= 1.0 } else { s <= 1.0 && t <= 1.0 };

@@ -92,7 +92,7 @@ const fn two_to(n: i32) -> f64 {
     f64::from_bits(((1023 + n) as u64) << 52)
 }
 
-/// x·2^n, for such n: an addition to the exponent where a product of floats is a function.
+/// x·2^n, for n from −64 to 64: an addition to the exponent where a product of floats is a function.
 #[cfg(feature = "fixed")]
 #[inline]
 fn times_two_to(x: f64, n: i32) -> f64 {
