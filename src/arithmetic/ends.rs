@@ -5,6 +5,8 @@ use core::ops::Div;
 
 use super::float::Float;
 use super::index::three;
+use super::number::Number;
+use super::quad::Quad;
 
 /// Roundoffs of a quotient, and of the ends of an interval around it.
 const ENDS: u16 = 8;
@@ -33,6 +35,16 @@ pub(super) fn enclosed<F: Float + Div<Output = F>>(
     let [q, bound] = quotient(num, den, errors)?;
     let bound = bound + (bound + q.magnitude()).error(ENDS);
     Some([q - bound, q + bound])
+}
+
+/// Rows of numbers that enclose num/den, given 1/den, rounded. If one divisor is known to a quarter, so is its
+/// quotient.
+#[inline(always)]
+pub(crate) fn enclosed_in_row<Q: Quad<Lane = f64>>(num: Q, inverse: Q, error: Q, other: f64) -> [Q; 2] {
+    let q = num * inverse;
+    let bound = (error + q.magnitude() * Q::splat(other)) * (inverse.magnitude() * Q::splat(2.0));
+    let bound = bound + (bound + q.magnitude()) * Q::splat(1.0.error(ENDS));
+    [q - bound, q + bound]
 }
 
 /// Pairs of numbers that enclose the coordinates of a + v·num/den, likewise. The components of v err

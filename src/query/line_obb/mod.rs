@@ -7,6 +7,7 @@ mod exact;
 mod faces;
 mod kernel;
 mod range;
+mod residual;
 mod rows;
 mod words;
 
@@ -276,7 +277,7 @@ impl<S: Scalar> Ray<S> {
     /// ```
     #[must_use]
     pub fn t_range_obb(&self, obb: &Obb<S>) -> Option<(S, S)> {
-        if !self.overlaps(obb) {
+        if !Range::<S>::DECIDES && !self.overlaps(obb) {
             return None;
         }
         let (enter, leave) = S::evaluate_numeric(&Range(Disjoint { line: Line::Ray(self), obb }))?;

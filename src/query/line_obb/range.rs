@@ -9,18 +9,27 @@
 use super::Disjoint;
 use super::error_bound::{ErrorBound, Sizes, error_bound};
 use super::kernel::Operands;
+use super::residual;
+use super::rows::Slabs;
 use crate::arithmetic::{
-    Double, Embeds, Filtered, Float, Number, OfFour, Quad, Soft, greatest, least, three, turn, two,
+    Double, Embeds, Filtered, Float, Number, OfFour, Quad, REGISTERS_ARE_WIDE, Soft, THREE,
+    enclosed_in_row, greatest, least, three, turn, two,
 };
-use crate::query::triangle_obb::{cross, dot};
+use crate::query::obb_rows::most;
 use crate::robust::{Clue, Numeric, Predicate, exact_stage};
 use crate::scalar::Scalar;
 
 /// One number for each of two slabs, twice.
-type Four = <f64 as OfFour>::Quad;
+pub(super) type Four = <f64 as OfFour>::Quad;
 
-/// Where does the ray, which meets the box, enter and leave it?
+/// Where does the ray enter the box and leave it? `None` if it misses the box, which is asked before
+/// unless the question [`DECIDES`](Range::DECIDES).
 pub(super) struct Range<'a, S>(pub(super) Disjoint<'a, S>);
+
+impl<S: Scalar> Range<'_, S> {
+    /// Whether the verdict and the numbers come from the same floats: in `f64`.
+    pub(super) const DECIDES: bool = REGISTERS_ARE_WIDE && S::FLOAT.is_some() && size_of::<S>() == 8;
+}
 
 impl<S: Scalar> Predicate<S> for Range<'_, S> {
     type Answer = Option<(S, S)>;
@@ -45,15 +54,22 @@ impl<S: Scalar> Numeric<S> for Range<'_, S> {
     where
         Filtered<f64>: Embeds<S>,
     {
-        in_doubles(&self.0).map(Some).ok_or(Clue::NoNumbers)
+        let answer = if Self::DECIDES {
+            residual::at_once(&self.0)
+        } else {
+            in_doubles(&self.0).map(Some)
+        };
+        answer.ok_or(Clue::NoNumbers)
     }
 
     fn refined(&self, _: Clue) -> Option<Option<(S, S)>>
     where
         Filtered<f64>: Embeds<S>,
     {
-        let is_long = !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS;
-        if is_long { in_longs(&self.0).map(Some) } else { None }
+        if !Self::DECIDES {
+            return None;
+        }
+        if S::evaluate(&self.0) { Some(None) } else { in_longs(&self.0).map(Some) }
     }
 }
 
@@ -62,68 +78,63 @@ fn in_doubles<S: Scalar>(question: &Disjoint<'_, S>) -> Option<(S, S)>
 where
     Filtered<f64>: Embeds<S>,
 {
-    if !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS {
-        return None;
-    }
     let s = question.operands::<Filtered<f64>>()?;
     let error = error_of_crossings(&s)?;
-    let [a, b, c] = &s.u;
-    let volume = dot(a, &cross(b, c)).magnitude();
-    within_all(|i| slab(&s, i, volume, &error))
+    let [near, far] = crossings(&Slabs::new(&s), &error);
+    let nearest = <Filtered<f64> as Embeds<S>>::nearest;
+    Some((nearest(near.map(most))?, nearest(far.map(fewest))?))
 }
 
 /// The bounds of the kernel at t = 0: numerators and divisors do not contain the ray's range.
 #[inline(always)]
-fn error_of_crossings(s: &Operands<f64>) -> Option<ErrorBound<f64>> {
+pub(super) fn error_of_crossings(s: &Operands<f64>) -> Option<ErrorBound<f64>> {
     error_bound::<Filtered<f64>>(s.one, &Sizes { ends: 0.0, ..s.sizes() })
 }
 
-/// Where the line enters the last slab and leaves the first, from the bounds for each slab.
+/// The least of the first three lanes.
 #[inline(always)]
-fn within_all<S>(slab: impl Fn(usize) -> Option<[[f64; 2]; 2]>) -> Option<(S, S)>
-where
-    Filtered<f64>: Embeds<S>,
-{
-    let (mut enter, mut leave) = ([f64::NEG_INFINITY; 2], [f64::INFINITY; 2]);
-    for i in 0..3 {
-        let [near, far] = slab(i)?;
-        enter = [greatest(enter[0], near[0]), greatest(enter[1], near[1])];
-        leave = [least(leave[0], far[0]), least(leave[1], far[1])];
-    }
-    let nearest = <Filtered<f64> as Embeds<S>>::nearest;
-    Some((nearest(enter)?, nearest(leave)?))
+pub(super) fn fewest(row: Four) -> f64 {
+    let [x, y, z] = row.three();
+    least(least(x, y), z)
 }
 
-/// Bounds on where the line enters slab `i` and on where it leaves it; `None` if it may run along a
-/// face.
+/// Bounds on where the line enters each slab and on where it leaves it, the lower ones first.
 #[inline(always)]
-fn slab(
-    s: &Operands<f64>,
-    i: usize,
-    volume: f64,
+pub(super) fn crossings(slabs: &Slabs<Four>, error: &ErrorBound<f64>) -> [[Four; 2]; 2] {
+    let Slabs { along, middle, reach, .. } = *slabs;
+    let inverse = Four::splat(-1.0) / along;
+    let face = Four::splat(error.face);
+    let enclosed = |num| enclosed_in_row(num, inverse, face, error.direction);
+    let ([a, b], [c, d]) = (enclosed(middle + reach), enclosed(middle - reach));
+    let ends = [[a.least(c), b.least(d)], [a.greatest(c), b.greatest(d)]];
+    let limit = Four::splat(4.0 * error.direction);
+    let parallel = along.magnitude().is_at_most(limit) & THREE;
+    if parallel == 0 { ends } else { along_slabs(slabs, error, ends, parallel) }
+}
+
+/// The bounds if the line is parallel to these slabs, or nearly.
+#[cold]
+#[inline(never)]
+fn along_slabs(
+    slabs: &Slabs<Four>,
     error: &ErrorBound<f64>,
-) -> Option<[[f64; 2]; 2]> {
-    let (i, j, k) = turn(i);
-    let w = cross(&s.u[j], &s.u[k]);
-    let (along, middle, reach) = (dot(&w, &s.d), dot(&w, &s.m) * s.one, s.h[i] * volume);
-    let den = along.magnitude();
-    if den <= error.direction {
-        // Parallel to the slab, or nearly: the line is within the slab for at least this long.
-        let inside = reach - middle.magnitude() - error.face;
-        let long = 0.5 * inside / error.direction;
-        return (inside > 0.0).then_some([[f64::NEG_INFINITY, -long], [long, f64::INFINITY]]);
+    ends: [[Four; 2]; 2],
+    parallel: u32,
+) -> [[Four; 2]; 2] {
+    let Slabs { middle, reach, .. } = *slabs;
+    let inside = (reach - middle.magnitude()).to_array();
+    let mut ends = ends.map(|ends| ends.map(Quad::to_array));
+    for i in (0..3).filter(|i| parallel >> i & 1 != 0) {
+        // A line from within the slab stays there for at least this long: the true divisor is at most
+        // 5 times its error.
+        let long = 0.125 * (inside[i] - error.face) / error.direction;
+        let long = if long > 0.0 { long } else { f64::NEG_INFINITY };
+        let of_slab = [[f64::NEG_INFINITY, -long], [long, f64::INFINITY]];
+        for (ends, of_slab) in ends.iter_mut().flatten().zip(of_slab.into_iter().flatten()) {
+            ends[i] = of_slab;
+        }
     }
-    let to_middle = if along > 0.0 { -middle } else { middle };
-    let twice = 2.0 / (den - error.direction);
-    let at = |num: f64| {
-        let t = num / den;
-        // With N and D the true values, |N/D − t| ≤ (|N − num| + |t|·|D − den|)/|D|. Twice that
-        // exceeds the roundings of t and of the sum too.
-        let from_true = (error.face + t.abs() * error.direction) * twice;
-        let error = from_true + 4.0 * f64::EPSILON * t.abs();
-        [t - error, t + error]
-    };
-    Some([at(to_middle - reach), at(to_middle + reach)])
+    ends.map(|ends| ends.map(Quad::new))
 }
 
 /// Roundoffs of a bound of `f64` that bound the same number in two words: `range.g`.
@@ -143,21 +154,11 @@ where
     let center = question.obb.center().to_array();
     let [p, c] = Filtered::<f64>::embed(&[question.rows()[0], center])?;
     let short = error_of_crossings(&s)?;
-    let [a, b, e] = &s.u;
-    let volume = dot(a, &cross(b, e)).magnitude();
-    let anywhere = [[f64::NEG_INFINITY, f64::INFINITY]; 2];
-    let rough = three(|i| slab(&s, i, volume, &short).unwrap_or(anywhere));
-    let last = rough.iter().fold(f64::NEG_INFINITY, |last, [near, _]| greatest(last, near[0]));
-    let first = rough.iter().fold(f64::INFINITY, |first, [_, far]| least(first, far[1]));
+    let [lasts, firsts] = candidates(&crossings(&Slabs::new(&s), &short));
 
     let part = 1.0.error(PART);
     let (direction, face) = (part * short.direction, part * short.face);
     let m = Double::way(&p, &c);
-    let set = |decides: &dyn Fn(&[[f64; 2]; 2]) -> bool| {
-        (0..3).fold(0, |set, i| set | u32::from(decides(&rough[i])) << i)
-    };
-    let lasts = set(&|[near, _]| near[1] >= last);
-    let firsts = set(&|[_, far]| far[0] <= first);
     let (mut enter, mut leave) = ([f64::NEG_INFINITY; 2], [f64::INFINITY; 2]);
     for slabs in pairs(lasts, firsts) {
         for (lane, [den, middle, reach]) in in_lanes(&s, &m, slabs).into_iter().enumerate() {
@@ -188,6 +189,14 @@ where
     }
     let nearest = <Filtered<f64> as Embeds<S>>::nearest;
     Some((nearest(enter)?, nearest(leave)?))
+}
+
+/// The slabs that may be the last to be entered, and the first to be left, as bits.
+#[inline(always)]
+pub(super) fn candidates([near, far]: &[[Four; 2]; 2]) -> [u32; 2] {
+    let (last, first) = (most(near[0]), fewest(far[1]));
+    let lasts = Four::splat(last).is_at_most(near[1]);
+    [lasts & THREE, far[0].is_at_most(Four::splat(first)) & THREE]
 }
 
 /// Pairs of slabs: each slab of the first set is the first of a pair, and each of the second set the second
