@@ -27,7 +27,7 @@ fn quotient<F: Float + Div<Output = F>>(num: F, den: F, [error, other]: [F; 2]) 
 
 /// Two numbers that enclose num/den, if the divisor is known to a quarter.
 #[inline(always)]
-pub(super) fn enclosed<F: Float + Div<Output = F>>(
+pub(crate) fn enclosed<F: Float + Div<Output = F>>(
     num: F,
     den: F,
     errors: [F; 2],
@@ -40,7 +40,12 @@ pub(super) fn enclosed<F: Float + Div<Output = F>>(
 /// Rows of numbers that enclose num/den, given 1/den, rounded. If one divisor is known to a quarter, so is its
 /// quotient.
 #[inline(always)]
-pub(crate) fn enclosed_in_row<Q: Quad<Lane = f64>>(num: Q, inverse: Q, error: Q, other: f64) -> [Q; 2] {
+pub(crate) fn enclosed_in_row<Q: Quad<Lane = f64>>(
+    num: Q,
+    inverse: Q,
+    error: Q,
+    other: f64,
+) -> [Q; 2] {
     let q = num * inverse;
     let bound = (error + q.magnitude() * Q::splat(other)) * (inverse.magnitude() * Q::splat(2.0));
     let bound = bound + (bound + q.magnitude()) * Q::splat(1.0.error(ENDS));

@@ -42,10 +42,10 @@ pub use big_int::BigInt;
 pub(crate) use circle::cos_sin_f64;
 #[cfg(feature = "fixed")]
 pub(crate) use circle::{cos_sin_30, cos_sin_62};
-pub(crate) use ends::enclosed_in_row;
 pub(crate) use double::{Double, fast_two_sum, two_difference};
 pub use enclosed::Enclosed;
 pub(crate) use enclosed::{compare_products, order_of_products, sign_of, sum_of};
+pub(crate) use ends::{enclosed, enclosed_in_row};
 pub use filtered::Filtered;
 pub use float::Float;
 pub(crate) use float::quotient;

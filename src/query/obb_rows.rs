@@ -48,6 +48,12 @@ impl<F: Float, Q: Quad<Lane = F>> Vectors<Q> {
         Self([y * c - z * b, z * a - x * c, x * b - y * a])
     }
 
+    /// The rows.
+    #[inline(always)]
+    pub(super) fn rows(&self) -> &[Q; 3] {
+        &self.0
+    }
+
     /// The vectors one by one.
     #[inline(always)]
     pub(super) fn to_arrays(self) -> [[F; 3]; 3] {

@@ -28,7 +28,8 @@ pub(super) struct Range<'a, S>(pub(super) Disjoint<'a, S>);
 
 impl<S: Scalar> Range<'_, S> {
     /// Whether the verdict and the numbers come from the same floats: in `f64`.
-    pub(super) const DECIDES: bool = REGISTERS_ARE_WIDE && S::FLOAT.is_some() && size_of::<S>() == 8;
+    pub(super) const DECIDES: bool =
+        REGISTERS_ARE_WIDE && S::FLOAT.is_some() && size_of::<S>() == 8;
 }
 
 impl<S: Scalar> Predicate<S> for Range<'_, S> {
@@ -54,11 +55,8 @@ impl<S: Scalar> Numeric<S> for Range<'_, S> {
     where
         Filtered<f64>: Embeds<S>,
     {
-        let answer = if Self::DECIDES {
-            residual::at_once(&self.0)
-        } else {
-            in_doubles(&self.0).map(Some)
-        };
+        let answer =
+            if Self::DECIDES { residual::at_once(&self.0) } else { in_doubles(&self.0).map(Some) };
         answer.ok_or(Clue::NoNumbers)
     }
 
@@ -82,7 +80,8 @@ where
     let error = error_of_crossings(&s)?;
     let [near, far] = crossings(&Slabs::new(&s), &error);
     let nearest = <Filtered<f64> as Embeds<S>>::nearest;
-    Some((nearest(near.map(most))?, nearest(far.map(fewest))?))
+    let ([a, b], [c, d]) = (near, far);
+    Some((nearest([most(a), most(b)])?, nearest([fewest(c), fewest(d)])?))
 }
 
 /// The bounds of the kernel at t = 0: numerators and divisors do not contain the ray's range.

@@ -12,12 +12,14 @@
 //! |m| ≤ P, h_l·|u_l| ≤ P/2 and |c_l| ≤ h_l, all but for g: no step rounds. The sum of the rests is at
 //! most g·P or so, and its roundings do not count.
 
-use super::Disjoint;
+use super::kernel::Operands;
 use super::range::{Four, candidates, crossings, error_of_crossings};
 use super::rows::{Slabs, verdict};
+use super::{Disjoint, Line};
 use crate::arithmetic::{
-    Double, Embeds, Filtered, Float, Number, Quad, enclosed_in_row, three,
+    Embeds, Filtered, Float, Number, Quad, enclosed, greatest, three, two, two_difference,
 };
+use crate::query::obb_rows::most;
 use crate::scalar::Scalar;
 
 /// Roundoffs of [`SMALL`], in units of P and the axes, in n: `residual.g`.
@@ -35,16 +37,12 @@ const TRUNCATED: f64 = 0.5 / (1_u64 << 61) as f64;
 /// 1.5·2^52 times g: adding it and subtracting it again leaves a multiple of g.
 const TO_GRID: f64 = 201_326_592.0;
 
-/// x to the nearest multiple of a unit, given [`TO_GRID`] times that over g.
+/// x cut at a grid: the nearest multiple of its unit, and the rest. `to_grid` is [`TO_GRID`] times the unit
+/// over g.
 #[inline(always)]
-fn cut(x: Four, to_grid: Four) -> Four {
-    (x + to_grid) - to_grid
-}
-
-/// The same in all lanes.
-#[inline(always)]
-fn all(x: f64) -> Four {
-    Four::splat(x)
+fn cut(x: Four, to_grid: f64) -> [Four; 2] {
+    let high = (x + Four::splat(to_grid)) - Four::splat(to_grid);
+    [high, x - high]
 }
 
 /// Where the ray enters the box and leaves it, `Some(None)` if it misses it; `None` in doubt.
@@ -53,7 +51,7 @@ pub(super) fn at_once<S: Scalar>(question: &Disjoint<'_, S>) -> Option<Option<(S
 where
     Filtered<f64>: Embeds<S>,
 {
-    let s = question.operands::<Filtered<f64>>()?;
+    let s = in_double(question)?;
     let (is_separated, slabs) = verdict::<f64, Four>(&s)?;
     if is_separated {
         return Some(None);
@@ -64,68 +62,79 @@ where
     if last & last.wrapping_sub(1) | first & first.wrapping_sub(1) != 0 {
         return None;
     }
-    // Two lanes, one to enter by the last slab and one to leave by the first. The same twice: vectors of two
-    // compute it once.
-    let at = [last, first].map(|bits| bits.trailing_zeros() as usize % 3);
-    let lanes = |[a, b]: [f64; 2]| Four::new([a, b, a, b]);
-    let of_slab = |row: Four| {
-        let row = row.to_array();
-        lanes([row[at[0]], row[at[1]]])
-    };
+    let [last, first] = two(|k| [last, first][k].trailing_zeros() as usize % 3);
     let Slabs { w, along, middle, volume, .. } = slabs;
 
     let sizes = s.sizes();
     let far = 2.0 * (sizes.way + 2.0 * sizes.half * sizes.axes).power_of_two_below();
     let fast = 2.0 * sizes.direction.power_of_two_below();
     let long = far / fast;
-    let [p, c] = [question.rows()[0], question.obb.center().to_array()];
-    let [p, c] = Filtered::<f64>::embed(&[p, c])?;
-    let m = Double::way(&p, &c);
-
-    let [[near, _], [far_end, _]] = ends;
-    let t = lanes([near.to_array()[at[0]], far_end.to_array()[at[1]]]);
-    let t = cut(t, all(TO_GRID * long));
-    let inverse = 1.0 / volume;
-    let (middle, along_all) = (middle.to_array(), along.to_array());
-    let coordinates = three(|l| {
-        let x = (all(middle[l]) + t * all(along_all[l])) * all(inverse);
-        let x = x.least(all(s.h[l])).greatest(all(-s.h[l]));
-        cut(x, all(TO_GRID * far))
-    });
-    let u = three(|l| three(|x| {
-        let high = cut(all(s.u[l][x]), all(TO_GRID));
-        [high, all(s.u[l][x]) - high]
-    }));
-    let r = three(|x| {
-        let m1 = cut(all(m[x].high), all(TO_GRID * far));
-        let m2 = (all(m[x].high) - m1) + all(m[x].low);
-        let d1 = cut(all(s.d[x]), all(TO_GRID * fast));
-        let d2 = all(s.d[x]) - d1;
-        let sum = |m: Four, d: Four, part: usize| {
-            let [a, b, c] = three(|l| coordinates[l] * u[l][x][part]);
-            m + t * d - a - b - c
-        };
-        sum(m1, d1, 0) + sum(m2, d2, 1)
-    });
-    let w = w.to_arrays();
-    let w = three(|x| lanes([w[at[0]][x], w[at[1]][x]]));
-    // The line enters where its coordinate in the box is −h if it grows, and leaves on the other side.
-    let sign = f64::copysign(1.0, volume);
-    let face = |i: usize| f64::copysign(s.h[i], along_all[i]) * sign;
-    let off = lanes([coordinates[at[0]].to_array()[0] + face(at[0]), coordinates[at[1]].to_array()[1] - face(at[1])]);
-    let n = w[0] * r[0] + w[1] * r[1] + w[2] * r[2] + off * all(volume);
-
-    let size = r[0].magnitude().greatest(r[1].magnitude()).greatest(r[2].magnitude()).greatest(off.magnitude());
-    let is_known = size.is_at_most(all(SMALL * far)) & t.magnitude().is_at_most(all(2.0 * long));
-    if is_known & 3 != 3 {
-        return None;
-    }
-    let along = of_slab(along);
+    let [o] = Filtered::<f64>::embed(&[question.rows()[0]])?;
+    let [c] = Filtered::<f64>::embed(&[question.obb.center().to_array()])?;
+    let [m, rest] = two_difference(Four::of_three(o), Four::of_three(c));
+    let [m, small_m] = cut(m, TO_GRID * far);
+    let small_m = small_m + rest;
+    let [d, small_d] = cut(Four::of_three(s.d), TO_GRID * fast);
+    let u = three(|l| cut(Four::of_three(s.u[l]), TO_GRID));
+    let (h, inverse) = (Four::of_three(s.h), Four::splat(1.0 / volume));
     let axes = sizes.axes;
     let lost = (axes * axes * axes * far).error(RESIDUAL) * SMALL;
-    let lost = all(lost) + t.magnitude() * along.magnitude() * all(TRUNCATED);
-    let ends = enclosed_in_row(n, all(-1.0) / along, lost, error.direction);
-    let [low, high] = ends.map(|end| (t + end).to_array());
-    let nearest = <Filtered<f64> as Embeds<S>>::nearest;
-    Some(Some((nearest([low[0], high[0]])?, nearest([low[1], high[1]])?)))
+    let w = three(|x| w.rows()[x].to_array());
+    let (along_of, h_of) = (along.to_array(), h.to_array());
+
+    // Where the line crosses a face of slab i, if that is near t.
+    let crossing = |t: f64, i: usize, is_near: bool| {
+        let [t, _] = cut(Four::splat(t), TO_GRID * long);
+        let c = (middle + t * along) * inverse;
+        let [c, _] = cut(c.least(h).greatest(Four::splat(0.0) - h), TO_GRID * far);
+        let of_box = c.to_array();
+        let sum = |m: Four, d: Four, part: usize| {
+            let [x, y, z] = three(|l| Four::splat(of_box[l]) * u[l][part]);
+            m + t * d - x - y - z
+        };
+        let r = sum(m, d, 0) + sum(small_m, small_d, 1);
+        // The line enters where its coordinate in the box is −h if it grows, and leaves at h.
+        let face = f64::copysign(h_of[i], along_of[i]) * f64::copysign(1.0, volume);
+        let off = if is_near { of_box[i] + face } else { of_box[i] - face };
+        let [x, y, z] = r.three();
+        let n = w[0][i] * x + w[1][i] * y + w[2][i] * z + off * volume;
+        let size = greatest(most(r.magnitude()), off.abs());
+        let t = t.to_array()[0];
+        if !((size <= SMALL * far) & (t.abs() <= 2.0 * long)) {
+            return None;
+        }
+        let den = along_of[i].abs();
+        let lost = lost + t.abs() * den * TRUNCATED;
+        let n = -f64::copysign(1.0, along_of[i]) * n;
+        let [low, high] = enclosed(n, den, [lost, error.direction])?;
+        Filtered::<f64>::nearest([t + low, t + high])
+    };
+    let [[near, _], [far_end, _]] = ends;
+    let enter = crossing(near.to_array()[last], last, true)?;
+    let leave = crossing(far_end.to_array()[first], first, false)?;
+    Some(Some((enter, leave)))
+}
+
+/// As [`Disjoint::operands`], row by row: all at once would go through memory.
+#[inline(always)]
+fn in_double<S: Scalar>(question: &Disjoint<'_, S>) -> Option<Operands<f64>>
+where
+    Filtered<f64>: Embeds<S>,
+{
+    let Line::Ray(ray) = question.line else { return None };
+    let row = |row: [S; 3]| -> Option<[f64; 3]> {
+        let [row] = Filtered::<f64>::embed(&[row])?;
+        Some(row)
+    };
+    let [o, d, ends] = question.rows();
+    let [c, u, v, w, h] = question.obb.numbers();
+    let (o, c, ends) = (row(o)?, row(c)?, row(ends)?);
+    Some(Operands {
+        m: three(|x| o[x] - c[x]),
+        d: row(d)?,
+        ends: [ray.t_min().map(|_| ends[0]), ray.t_max().map(|_| ends[1])],
+        u: [row(u)?, row(v)?, row(w)?],
+        h: row(h)?,
+        one: 1.0,
+    })
 }

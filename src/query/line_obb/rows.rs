@@ -97,8 +97,8 @@ pub(super) fn verdict<F: Float, Q: Quad<Lane = F>>(s: &Operands<F>) -> Option<(b
         let upward = |x: Q| if is_upper { x } else { Q::splat(zero) - x };
         let beyond = |x: Q| exceeds(upward(x) - slabs.reach, error.face);
         // A line without an end separates only if it leads away from the box or parallel to it.
-        let first = start
-            .map_or_else(|| reaches(upward(Q::splat(zero) - along), error.direction), beyond);
+        let first =
+            start.map_or_else(|| reaches(upward(Q::splat(zero) - along), error.direction), beyond);
         let last = end.map_or_else(|| reaches(upward(along), error.direction), beyond);
         let mut both = first.and(last);
         if start.is_none() & end.is_none() {
