@@ -12,6 +12,7 @@
 //! |m| ≤ P, h_l·|u_l| ≤ P/2 and |c_l| ≤ h_l, all but for g: no step rounds. The sum of the rests is at
 //! most g·P or so, and its roundings do not count.
 
+use super::error_bound::Sizes;
 use super::kernel::Operands;
 use super::range::{Four, candidates, crossings, error_of_crossings};
 use super::rows::{Slabs, verdict};
@@ -19,7 +20,6 @@ use super::{Disjoint, Line};
 use crate::arithmetic::{
     Embeds, Filtered, Float, Number, Quad, enclosed, greatest, three, two, two_difference,
 };
-use crate::query::obb_rows::most;
 use crate::scalar::Scalar;
 
 /// Roundoffs of [`SMALL`], in units of P and the axes, in n: `residual.g`.
@@ -63,56 +63,85 @@ where
         return None;
     }
     let [last, first] = two(|k| [last, first][k].trailing_zeros() as usize % 3);
-    let Slabs { w, along, middle, volume, .. } = slabs;
-
-    let sizes = s.sizes();
-    let far = 2.0 * (sizes.way + 2.0 * sizes.half * sizes.axes).power_of_two_below();
-    let fast = 2.0 * sizes.direction.power_of_two_below();
-    let long = far / fast;
     let [o] = Filtered::<f64>::embed(&[question.rows()[0]])?;
     let [c] = Filtered::<f64>::embed(&[question.obb.center().to_array()])?;
-    let [m, rest] = two_difference(Four::of_three(o), Four::of_three(c));
-    let [m, small_m] = cut(m, TO_GRID * far);
-    let small_m = small_m + rest;
-    let [d, small_d] = cut(Four::of_three(s.d), TO_GRID * fast);
-    let u = three(|l| cut(Four::of_three(s.u[l]), TO_GRID));
-    let (h, inverse) = (Four::of_three(s.h), Four::splat(1.0 / volume));
-    let axes = sizes.axes;
-    let lost = (axes * axes * axes * far).error(RESIDUAL) * SMALL;
-    let w = three(|x| w.rows()[x].to_array());
-    let (along_of, h_of) = (along.to_array(), h.to_array());
+    let faces = Faces::new(&s, &slabs, [o, c], error.direction);
+    let [[near, _], [far, _]] = ends;
+    let [low, high] = faces.crossing(near.to_array()[last], last, true)?;
+    let [least, most] = faces.crossing(far.to_array()[first], first, false)?;
+    let nearest = Filtered::<f64>::nearest;
+    Some(Some((nearest([low, high])?, nearest([least, most])?)))
+}
 
-    // Where the line crosses a face of slab i, if that is near t.
-    let crossing = |t: f64, i: usize, is_near: bool| {
+/// The line and the box, cut at grids.
+struct Faces<'a> {
+    slabs: &'a Slabs<Four>,
+    m: [Four; 2],
+    d: [Four; 2],
+    u: [[Four; 2]; 3],
+    h: Four,
+    /// 1/V.
+    inverse: Four,
+    /// P, and P/E.
+    far: f64,
+    long: f64,
+    /// How far n and w_i·d may be from the truth.
+    errors: [f64; 2],
+}
+
+impl<'a> Faces<'a> {
+    #[inline(always)]
+    fn new(s: &Operands<f64>, slabs: &'a Slabs<Four>, [o, c]: [[f64; 3]; 2], error: f64) -> Self {
+        let Sizes { axes, way, direction, half, .. } = s.sizes();
+        let far = 2.0 * (way + 2.0 * half * axes).power_of_two_below();
+        let fast = 2.0 * direction.power_of_two_below();
+        let [m, rest] = two_difference(Four::of_three(o), Four::of_three(c));
+        let [m, small] = cut(m, TO_GRID * far);
+        Self {
+            slabs,
+            m: [m, small + rest],
+            d: cut(Four::of_three(s.d), TO_GRID * fast),
+            u: three(|l| cut(Four::of_three(s.u[l]), TO_GRID)),
+            h: Four::of_three(s.h),
+            inverse: Four::splat(1.0 / slabs.volume),
+            far,
+            long: far / fast,
+            errors: [(axes * axes * axes * far).error(RESIDUAL) * SMALL, error],
+        }
+    }
+
+    /// Bounds on where the line crosses a face of slab i, near t.
+    #[inline(always)]
+    fn crossing(&self, t: f64, i: usize, is_near: bool) -> Option<[f64; 2]> {
+        let Self { m, d, u, h, far, long, errors: [lost, error], .. } = *self;
+        let Slabs { w, along, middle, volume, .. } = self.slabs;
         let [t, _] = cut(Four::splat(t), TO_GRID * long);
-        let c = (middle + t * along) * inverse;
+        let c = (*middle + t * *along) * self.inverse;
         let [c, _] = cut(c.least(h).greatest(Four::splat(0.0) - h), TO_GRID * far);
-        let of_box = c.to_array();
-        let sum = |m: Four, d: Four, part: usize| {
-            let [x, y, z] = three(|l| Four::splat(of_box[l]) * u[l][part]);
-            m + t * d - x - y - z
-        };
-        let r = sum(m, d, 0) + sum(small_m, small_d, 1);
+        let c = c.to_array();
+        let (mut high, mut low) = (m[0] + t * d[0], m[1] + t * d[1]);
+        for l in 0..3 {
+            let c = Four::splat(c[l]);
+            (high, low) = (high - c * u[l][0], low - c * u[l][1]);
+        }
+        let [x, y, z] = (high + low).three();
+        let size = greatest(greatest(x.abs(), y.abs()), z.abs());
+
+        let along = along.to_array()[i];
         // The line enters where its coordinate in the box is −h if it grows, and leaves at h.
-        let face = f64::copysign(h_of[i], along_of[i]) * f64::copysign(1.0, volume);
-        let off = if is_near { of_box[i] + face } else { of_box[i] - face };
-        let [x, y, z] = r.three();
-        let n = w[0][i] * x + w[1][i] * y + w[2][i] * z + off * volume;
-        let size = greatest(most(r.magnitude()), off.abs());
+        let face = f64::copysign(h.to_array()[i], along) * f64::copysign(1.0, *volume);
+        let off = if is_near { c[i] + face } else { c[i] - face };
+        let [a, b, e] = three(|x| w.rows()[x].to_array()[i]);
+        let n = a * x + b * y + e * z + off * *volume;
         let t = t.to_array()[0];
-        if !((size <= SMALL * far) & (t.abs() <= 2.0 * long)) {
+        if !((greatest(size, off.abs()) <= SMALL * far) & (t.abs() <= 2.0 * long)) {
             return None;
         }
-        let den = along_of[i].abs();
+        let den = along.abs();
         let lost = lost + t.abs() * den * TRUNCATED;
-        let n = -f64::copysign(1.0, along_of[i]) * n;
-        let [low, high] = enclosed(n, den, [lost, error.direction])?;
-        Filtered::<f64>::nearest([t + low, t + high])
-    };
-    let [[near, _], [far_end, _]] = ends;
-    let enter = crossing(near.to_array()[last], last, true)?;
-    let leave = crossing(far_end.to_array()[first], first, false)?;
-    Some(Some((enter, leave)))
+        let [low, high] = enclosed(-f64::copysign(1.0, along) * n, den, [lost, error])?;
+        Some([t + low, t + high])
+    }
 }
 
 /// As [`Disjoint::operands`], row by row: all at once would go through memory.
