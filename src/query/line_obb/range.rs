@@ -6,16 +6,15 @@
 //! bounds round to the same number of the scalar, exact sums would give the same. For `f64` itself,
 //! numbers in two words are divided as exact sums are.
 
-use super::Disjoint;
 use super::error_bound::{ErrorBound, Sizes, error_bound};
 use super::kernel::Operands;
-use super::residual;
-use super::rows::Slabs;
+use super::residual::refined;
+use super::{Disjoint, Line};
 use crate::arithmetic::{
     Double, Embeds, Filtered, Float, Number, OfFour, Quad, REGISTERS_ARE_WIDE, Soft, THREE,
     enclosed_in_row, greatest, least, three, turn, two,
 };
-use crate::query::obb_rows::most;
+use crate::query::obb_rows::{Vectors, most};
 use crate::robust::{Clue, Numeric, Predicate, exact_stage};
 use crate::scalar::Scalar;
 
@@ -27,9 +26,9 @@ pub(super) type Four = <f64 as OfFour>::Quad;
 pub(super) struct Range<'a, S>(pub(super) Disjoint<'a, S>);
 
 impl<S: Scalar> Range<'_, S> {
-    /// Whether the verdict and the numbers come from the same floats: in `f64`.
+    /// Whether `f64` is asked first: it gives the verdict with the numbers.
     pub(super) const DECIDES: bool =
-        REGISTERS_ARE_WIDE && S::FLOAT.is_some() && size_of::<S>() == 8;
+        REGISTERS_ARE_WIDE && (S::FLOAT.is_some() || size_of::<S>() <= 4);
 }
 
 impl<S: Scalar> Predicate<S> for Range<'_, S> {
@@ -55,85 +54,174 @@ impl<S: Scalar> Numeric<S> for Range<'_, S> {
     where
         Filtered<f64>: Embeds<S>,
     {
-        let answer =
-            if Self::DECIDES { residual::at_once(&self.0) } else { in_doubles(&self.0).map(Some) };
-        answer.ok_or(Clue::NoNumbers)
+        let (misses, numbers) = in_double(&self.0).unwrap_or_default();
+        if misses.unwrap_or_else(|| S::evaluate(&self.0)) {
+            return Ok(None);
+        }
+        numbers.map(Some).ok_or(Clue::NoNumbers)
     }
 
     fn refined(&self, _: Clue) -> Option<Option<(S, S)>>
     where
         Filtered<f64>: Embeds<S>,
     {
-        if !Self::DECIDES {
-            return None;
-        }
-        if S::evaluate(&self.0) { Some(None) } else { in_longs(&self.0).map(Some) }
+        let is_long = !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS;
+        if is_long { in_longs(&self.0).map(Some) } else { None }
     }
 }
 
+/// Whether the ray misses the box, and where the line enters and leaves it, as far as `f64` is certain.
 #[inline(never)]
-fn in_doubles<S: Scalar>(question: &Disjoint<'_, S>) -> Option<(S, S)>
+fn in_double<S: Scalar>(question: &Disjoint<'_, S>) -> Option<(Option<bool>, Option<(S, S)>)>
 where
     Filtered<f64>: Embeds<S>,
 {
-    let s = question.operands::<Filtered<f64>>()?;
-    let error = error_of_crossings(&s)?;
-    let [near, far] = crossings(&Slabs::new(&s), &error);
+    let (s, rests) = embedded(question)?;
+    let slabs = Slabs::new(&s)?;
+    let misses = slabs.misses(s.ends);
+    if misses == Some(true) {
+        return Some((misses, None));
+    }
+    let ends = if <Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS {
+        Some([slabs.enter, slabs.leave])
+    } else {
+        refined(&s, rests, &slabs)
+    };
     let nearest = <Filtered<f64> as Embeds<S>>::nearest;
-    let ([a, b], [c, d]) = (near, far);
-    Some((nearest([most(a), most(b)])?, nearest([fewest(c), fewest(d)])?))
+    let numbers = ends.and_then(|[enter, leave]| Some((nearest(enter)?, nearest(leave)?)));
+    Some((misses, numbers))
 }
 
-/// The bounds of the kernel at t = 0: numerators and divisors do not contain the ray's range.
+/// As [`Disjoint::operands`], and the rounding errors of m. Row by row, because all at once would go through
+/// memory.
 #[inline(always)]
-pub(super) fn error_of_crossings(s: &Operands<f64>) -> Option<ErrorBound<f64>> {
-    error_bound::<Filtered<f64>>(s.one, &Sizes { ends: 0.0, ..s.sizes() })
+fn embedded<S: Scalar>(question: &Disjoint<'_, S>) -> Option<(Operands<f64>, [f64; 3])>
+where
+    Filtered<f64>: Embeds<S>,
+{
+    let Line::Ray(ray) = question.line else { return None };
+    let row = |row: [S; 3]| -> Option<[f64; 3]> {
+        let [row] = Filtered::<f64>::embed(&[row])?;
+        Some(row)
+    };
+    let [o, d, ends] = question.rows();
+    let [c, u, v, w, h] = question.obb.numbers();
+    let (m, ends) = (Double::way(&row(o)?, &row(c)?), row(ends)?);
+    let s = Operands {
+        m: three(|x| m[x].high),
+        d: row(d)?,
+        ends: [ray.t_min().map(|_| ends[0]), ray.t_max().map(|_| ends[1])],
+        u: [row(u)?, row(v)?, row(w)?],
+        h: row(h)?,
+        one: <Filtered<f64> as Embeds<S>>::one()?,
+    };
+    Some((s, three(|x| m[x].low)))
+}
+
+/// The slabs of the box, three numbers side by side.
+pub(super) struct Slabs {
+    pub(super) w: Vectors<Four>,
+    /// w_i·d, and s·(w_i·m).
+    pub(super) along: Four,
+    pub(super) middle: Four,
+    /// u_0·w_0.
+    pub(super) volume: f64,
+    /// Bounds on where the line enters each slab, and on where it leaves it.
+    pub(super) near: [Four; 2],
+    pub(super) far: [Four; 2],
+    /// Bounds on where it enters the last slab and leaves the first.
+    enter: [f64; 2],
+    leave: [f64; 2],
+    /// How far w_i·d may be from the truth.
+    pub(super) error: f64,
+}
+
+impl Slabs {
+    #[inline(always)]
+    fn new(s: &Operands<f64>) -> Option<Self> {
+        let u = Vectors::<Four>::new(&s.u);
+        // At t = 0: numerators and divisors do not contain the ray's range.
+        let sizes = Sizes { axes: greatest(most(u.largest()), s.one), ends: 0.0, ..s.sizes() };
+        let ErrorBound { direction: error, face, .. } =
+            error_bound::<Filtered<f64>>(s.one, &sizes)?;
+        let w = u.normals();
+        let (along, middle) = (w.dot(s.d), w.dot(s.m) * Four::splat(s.one));
+        let volume = u.determinant(&w);
+        let reach = Four::of_three(s.h) * Four::splat(volume.abs());
+
+        let inverse = Four::splat(-1.0) / along;
+        let enclosed = |num| enclosed_in_row(num, inverse, Four::splat(face), error);
+        let ([a, b], [c, d]) = (enclosed(middle + reach), enclosed(middle - reach));
+        let (mut near, mut far) = ([a.least(c), b.least(d)], [a.greatest(c), b.greatest(d)]);
+        let parallel = along.magnitude().is_at_most(Four::splat(4.0 * error)) & THREE;
+        if parallel != 0 {
+            let inside = reach - middle.magnitude();
+            [near, far] = along_slabs([near, far], inside, [face, error], parallel);
+        }
+        let (enter, leave) = ([most(near[0]), most(near[1])], [fewest(far[0]), fewest(far[1])]);
+        Some(Self { w, along, middle, volume, near, far, enter, leave, error })
+    }
+
+    /// Whether the part of the line between these t misses the box, if that is certain.
+    #[inline(always)]
+    fn misses(&self, [from, to]: [Option<f64>; 2]) -> Option<bool> {
+        let from = from.unwrap_or(f64::NEG_INFINITY);
+        let to = to.unwrap_or(f64::INFINITY);
+        let ([enter, last], [first, leave]) = (self.enter, self.leave);
+        if (greatest(enter, from) > leave) | (enter > to) {
+            return Some(true);
+        }
+        let meets = (last <= first) & (from <= first) & (last <= to);
+        meets.then_some(false)
+    }
+
+    /// The slabs that may be the last to be entered, and the first to be left, as bits.
+    #[inline(always)]
+    pub(super) fn candidates(&self) -> [u32; 2] {
+        let ([last, _], [_, first]) = (self.enter, self.leave);
+        let lasts = Four::splat(last).is_at_most(self.near[1]);
+        [lasts & THREE, self.far[0].is_at_most(Four::splat(first)) & THREE]
+    }
 }
 
 /// The least of the first three lanes.
 #[inline(always)]
-pub(super) fn fewest(row: Four) -> f64 {
+fn fewest(row: Four) -> f64 {
     let [x, y, z] = row.three();
     least(least(x, y), z)
-}
-
-/// Bounds on where the line enters each slab and on where it leaves it, the lower ones first.
-#[inline(always)]
-pub(super) fn crossings(slabs: &Slabs<Four>, error: &ErrorBound<f64>) -> [[Four; 2]; 2] {
-    let Slabs { along, middle, reach, .. } = *slabs;
-    let inverse = Four::splat(-1.0) / along;
-    let face = Four::splat(error.face);
-    let enclosed = |num| enclosed_in_row(num, inverse, face, error.direction);
-    let ([a, b], [c, d]) = (enclosed(middle + reach), enclosed(middle - reach));
-    let ends = [[a.least(c), b.least(d)], [a.greatest(c), b.greatest(d)]];
-    let limit = Four::splat(4.0 * error.direction);
-    let parallel = along.magnitude().is_at_most(limit) & THREE;
-    if parallel == 0 { ends } else { along_slabs(slabs, error, ends, parallel) }
 }
 
 /// The bounds if the line is parallel to these slabs, or nearly.
 #[cold]
 #[inline(never)]
 fn along_slabs(
-    slabs: &Slabs<Four>,
-    error: &ErrorBound<f64>,
     ends: [[Four; 2]; 2],
+    inside: Four,
+    [face, error]: [f64; 2],
     parallel: u32,
 ) -> [[Four; 2]; 2] {
-    let Slabs { middle, reach, .. } = *slabs;
-    let inside = (reach - middle.magnitude()).to_array();
-    let mut ends = ends.map(|ends| ends.map(Quad::to_array));
-    for i in (0..3).filter(|i| parallel >> i & 1 != 0) {
-        // A line from within the slab stays there for at least this long: the true divisor is at most
-        // 5 times its error.
-        let long = 0.125 * (inside[i] - error.face) / error.direction;
-        let long = if long > 0.0 { long } else { f64::NEG_INFINITY };
-        let of_slab = [[f64::NEG_INFINITY, -long], [long, f64::INFINITY]];
-        for (ends, of_slab) in ends.iter_mut().flatten().zip(of_slab.into_iter().flatten()) {
-            ends[i] = of_slab;
+    let [mut near, mut far] = ends.map(|ends| ends.map(Quad::to_array));
+    let inside = inside.to_array();
+    let is_parallel = |i: &usize| parallel >> i & 1 != 0;
+    let others = || (0..3).filter(|i| !is_parallel(i));
+    let enter = others().fold(f64::NEG_INFINITY, |enter, i| greatest(enter, near[0][i]));
+    let leave = others().fold(f64::INFINITY, |leave, i| least(leave, far[1][i]));
+    for i in (0..3).filter(is_parallel) {
+        // So long the line certainly stays within the slab, or outside: the true divisor is at most 5 times
+        // its error.
+        let long = 0.125 * (inside[i].abs() - face) / error;
+        let mut of_slab = [[f64::NEG_INFINITY, f64::INFINITY]; 2];
+        if long > 0.0 && inside[i] > 0.0 {
+            of_slab = [[f64::NEG_INFINITY, -long], [long, f64::INFINITY]];
+        } else if enter > -long && leave < long {
+            // It is outside while it is within the other slabs.
+            of_slab[0] = [f64::INFINITY; 2];
+        }
+        for k in 0..2 {
+            (near[k][i], far[k][i]) = (of_slab[0][k], of_slab[1][k]);
         }
     }
-    ends.map(|ends| ends.map(Quad::new))
+    [near.map(Quad::new), far.map(Quad::new)]
 }
 
 /// Roundoffs of a bound of `f64` that bound the same number in two words: `range.g`.
@@ -152,8 +240,8 @@ where
     let s = question.operands::<Filtered<f64>>()?;
     let center = question.obb.center().to_array();
     let [p, c] = Filtered::<f64>::embed(&[question.rows()[0], center])?;
-    let short = error_of_crossings(&s)?;
-    let [lasts, firsts] = candidates(&crossings(&Slabs::new(&s), &short));
+    let short = error_bound::<Filtered<f64>>(s.one, &Sizes { ends: 0.0, ..s.sizes() })?;
+    let [lasts, firsts] = Slabs::new(&s)?.candidates();
 
     let part = 1.0.error(PART);
     let (direction, face) = (part * short.direction, part * short.face);
@@ -188,14 +276,6 @@ where
     }
     let nearest = <Filtered<f64> as Embeds<S>>::nearest;
     Some((nearest(enter)?, nearest(leave)?))
-}
-
-/// The slabs that may be the last to be entered, and the first to be left, as bits.
-#[inline(always)]
-pub(super) fn candidates([near, far]: &[[Four; 2]; 2]) -> [u32; 2] {
-    let (last, first) = (most(near[0]), fewest(far[1]));
-    let lasts = Four::splat(last).is_at_most(near[1]);
-    [lasts & THREE, far[0].is_at_most(Four::splat(first)) & THREE]
 }
 
 /// Pairs of slabs: each slab of the first set is the first of a pair, and each of the second set the second

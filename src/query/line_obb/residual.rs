@@ -14,13 +14,8 @@
 
 use super::error_bound::Sizes;
 use super::kernel::Operands;
-use super::range::{Four, candidates, crossings, error_of_crossings};
-use super::rows::{Slabs, verdict};
-use super::{Disjoint, Line};
-use crate::arithmetic::{
-    Embeds, Filtered, Float, Number, Quad, enclosed, greatest, three, two, two_difference,
-};
-use crate::scalar::Scalar;
+use super::range::{Four, Slabs};
+use crate::arithmetic::{Float, Number, Quad, enclosed, greatest, three, two};
 
 /// Roundoffs of [`SMALL`], in units of P and the axes, in n: `residual.g`.
 const RESIDUAL: u16 = 160;
@@ -45,37 +40,24 @@ fn cut(x: Four, to_grid: f64) -> [Four; 2] {
     [high, x - high]
 }
 
-/// Where the ray enters the box and leaves it, `Some(None)` if it misses it; `None` in doubt.
-#[inline(never)]
-pub(super) fn at_once<S: Scalar>(question: &Disjoint<'_, S>) -> Option<Option<(S, S)>>
-where
-    Filtered<f64>: Embeds<S>,
-{
-    let s = in_double(question)?;
-    let (is_separated, slabs) = verdict::<f64, Four>(&s)?;
-    if is_separated {
-        return Some(None);
-    }
-    let error = error_of_crossings(&s)?;
-    let ends = crossings(&slabs, &error);
-    let [last, first] = candidates(&ends);
+/// Bounds on where the line enters the box and on where it leaves it, close enough to round alike, if one
+/// slab is certainly the last to be entered, and one the first to be left.
+#[inline(always)]
+pub(super) fn refined(s: &Operands<f64>, rests: [f64; 3], slabs: &Slabs) -> Option<[[f64; 2]; 2]> {
+    let [last, first] = slabs.candidates();
     if last & last.wrapping_sub(1) | first & first.wrapping_sub(1) != 0 {
         return None;
     }
     let [last, first] = two(|k| [last, first][k].trailing_zeros() as usize % 3);
-    let [o] = Filtered::<f64>::embed(&[question.rows()[0]])?;
-    let [c] = Filtered::<f64>::embed(&[question.obb.center().to_array()])?;
-    let faces = Faces::new(&s, &slabs, [o, c], error.direction);
-    let [[near, _], [far, _]] = ends;
-    let [low, high] = faces.crossing(near.to_array()[last], last, true)?;
-    let [least, most] = faces.crossing(far.to_array()[first], first, false)?;
-    let nearest = Filtered::<f64>::nearest;
-    Some(Some((nearest([low, high])?, nearest([least, most])?)))
+    let faces = Faces::new(s, rests, slabs);
+    let enter = faces.crossing(slabs.near[0].to_array()[last], last, true)?;
+    let leave = faces.crossing(slabs.far[0].to_array()[first], first, false)?;
+    Some([enter, leave])
 }
 
 /// The line and the box, cut at grids.
 struct Faces<'a> {
-    slabs: &'a Slabs<Four>,
+    slabs: &'a Slabs,
     m: [Four; 2],
     d: [Four; 2],
     u: [[Four; 2]; 3],
@@ -91,22 +73,21 @@ struct Faces<'a> {
 
 impl<'a> Faces<'a> {
     #[inline(always)]
-    fn new(s: &Operands<f64>, slabs: &'a Slabs<Four>, [o, c]: [[f64; 3]; 2], error: f64) -> Self {
+    fn new(s: &Operands<f64>, rests: [f64; 3], slabs: &'a Slabs) -> Self {
         let Sizes { axes, way, direction, half, .. } = s.sizes();
         let far = 2.0 * (way + 2.0 * half * axes).power_of_two_below();
         let fast = 2.0 * direction.power_of_two_below();
-        let [m, rest] = two_difference(Four::of_three(o), Four::of_three(c));
-        let [m, small] = cut(m, TO_GRID * far);
+        let [m, small] = cut(Four::of_three(s.m), TO_GRID * far);
         Self {
             slabs,
-            m: [m, small + rest],
+            m: [m, small + Four::of_three(rests)],
             d: cut(Four::of_three(s.d), TO_GRID * fast),
             u: three(|l| cut(Four::of_three(s.u[l]), TO_GRID)),
             h: Four::of_three(s.h),
             inverse: Four::splat(1.0 / slabs.volume),
             far,
             long: far / fast,
-            errors: [(axes * axes * axes * far).error(RESIDUAL) * SMALL, error],
+            errors: [(axes * axes * axes * far).error(RESIDUAL) * SMALL, slabs.error],
         }
     }
 
@@ -142,28 +123,4 @@ impl<'a> Faces<'a> {
         let [low, high] = enclosed(-f64::copysign(1.0, along) * n, den, [lost, error])?;
         Some([t + low, t + high])
     }
-}
-
-/// As [`Disjoint::operands`], row by row: all at once would go through memory.
-#[inline(always)]
-fn in_double<S: Scalar>(question: &Disjoint<'_, S>) -> Option<Operands<f64>>
-where
-    Filtered<f64>: Embeds<S>,
-{
-    let Line::Ray(ray) = question.line else { return None };
-    let row = |row: [S; 3]| -> Option<[f64; 3]> {
-        let [row] = Filtered::<f64>::embed(&[row])?;
-        Some(row)
-    };
-    let [o, d, ends] = question.rows();
-    let [c, u, v, w, h] = question.obb.numbers();
-    let (o, c, ends) = (row(o)?, row(c)?, row(ends)?);
-    Some(Operands {
-        m: three(|x| o[x] - c[x]),
-        d: row(d)?,
-        ends: [ray.t_min().map(|_| ends[0]), ray.t_max().map(|_| ends[1])],
-        u: [row(u)?, row(v)?, row(w)?],
-        h: row(h)?,
-        one: 1.0,
-    })
 }

@@ -2,9 +2,9 @@
 //! operations as the kernel of single numbers, so its answers are the same.
 
 use super::error_bound::{ErrorBound, Sizes, error_bound};
-use super::kernel::{Operands, any_axis};
+use super::kernel::{self, any_axis};
 use super::{Disjoint, Line};
-use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, greatest};
+use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, greatest, largest};
 use crate::query::obb_rows::{ObbInFloats, Vectors, fits, holds_one, in_floats, most};
 use crate::query::triangle_obb::{cross, lie_along_one_axis};
 use crate::robust::Uncertain;
@@ -19,10 +19,10 @@ pub(super) fn is_separated<S: Scalar + InFloat<F>, F: Float>(
     if !holds_one::<S, F>() {
         return None;
     }
-    let ObbInFloats { center, axes: u, half: h } = ObbInFloats::<F>::new(question.obb);
+    let ObbInFloats { center, axes, half } = ObbInFloats::<F>::new(question.obb);
     let [p, q, ends] = question.rows();
     let (p, q, ends): ([F; 3], [F; 3], [F; 3]) = (in_floats(p), in_floats(q), in_floats(ends));
-    if !fits::<S, F::Quad, 5>(&[p, q, ends, center, h]) {
+    if !fits::<S, F::Quad, 5>(&[p, q, ends, center, half]) {
         return None;
     }
     let from = |p: [F; 3], q: [F; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
@@ -38,89 +38,88 @@ pub(super) fn is_separated<S: Scalar + InFloat<F>, F: Float>(
             SegmentForm::Center { .. } => (q, [Some(-one), Some(one)]),
         },
     };
-    let axes = most(Vectors::<F::Quad>::new(&u).largest());
-    if <S as InFloat<F>>::LIMIT.is_some_and(|limit| axes >= limit * <S as InFloat<F>>::PLACE) {
-        return None;
-    }
-    let s = Operands { m: from(p, center), d, ends, u, h, one };
-    let (is_separated, _) = verdict::<F, F::Quad>(&s)?;
-    Some(is_separated)
+    Operands { m: from(p, center), d, ends, axes, half }.is_separated::<S, F::Quad>()
 }
 
-/// The slabs of the box, three numbers side by side: w_i, and w_i·d, w_i·m and h_i·|u_0·w_0|.
-pub(super) struct Slabs<Q: Quad> {
-    pub(super) w: Vectors<Q>,
-    pub(super) along: Q,
-    pub(super) middle: Q,
-    pub(super) reach: Q,
-    /// u_0·w_0.
-    pub(super) volume: Q::Lane,
+/// A part of a line and a parallelepiped, as in the kernel of single numbers.
+struct Operands<F> {
+    m: [F; 3],
+    d: [F; 3],
+    ends: [Option<F>; 2],
+    axes: [[F; 3]; 3],
+    half: [F; 3],
 }
 
-impl<F: Float, Q: Quad<Lane = F>> Slabs<Q> {
+impl<F: Float> Operands<F> {
     #[inline(always)]
-    pub(super) fn new(s: &Operands<F>) -> Self {
-        let u = Vectors::<Q>::new(&s.u);
+    fn is_separated<S: InFloat<F>, Q: Quad<Lane = F>>(&self) -> Option<bool> {
+        let Self { m, d, ends: [from, to], .. } = *self;
+        let (u, h) = (Vectors::<Q>::new(&self.axes), Q::of_three(self.half));
+        let axes = most(u.largest());
+        if S::LIMIT.is_some_and(|limit| axes >= limit * S::PLACE) {
+            return None;
+        }
+        let (zero, one) = (F::ZERO, F::from(1));
+        let farthest = |t: Option<F>| t.map_or(zero, |t| t.magnitude());
+        let sizes = Sizes {
+            axes: greatest(axes, one),
+            way: largest(&m),
+            direction: largest(&d),
+            ends: greatest(farthest(from), farthest(to)),
+            half: largest(&self.half),
+        };
+        let error = error_bound::<Filtered<F>>(one, &sizes)?;
+
         let w = u.normals();
-        let volume = u.determinant(&w);
-        let reach = Q::of_three(s.h) * Q::splat(volume.magnitude());
-        Self { w, along: w.dot(s.d), middle: w.dot(s.m) * Q::splat(s.one), reach, volume }
-    }
-}
-
-/// Whether one of the six axes separates, and the slabs. One is 1 here.
-#[inline(always)]
-pub(super) fn verdict<F: Float, Q: Quad<Lane = F>>(s: &Operands<F>) -> Option<(bool, Slabs<Q>)> {
-    let (zero, [from, to]) = (F::ZERO, s.ends);
-    let (u, h) = (Vectors::<Q>::new(&s.u), Q::of_three(s.h));
-    let one = F::from(1);
-    let sizes = Sizes { axes: greatest(most(u.largest()), one), ..s.sizes() };
-    let error = error_bound::<Filtered<F>>(one, &sizes)?;
-    let slabs = Slabs::<Q>::new(s);
-    let Slabs { along, middle, .. } = slabs;
-
-    let (next, last) = (along.turned().magnitude(), along.turned().turned().magnitude());
-    let reach = h.turned() * last + h.turned().turned() * next;
-    let mut so_far = exceeds(u.dot(cross(&s.m, &s.d)).magnitude() - reach, error.line);
-    // On a zero vector a rounded gap never exceeds its bound.
-    if so_far.possible & !so_far.certain & THREE != 0 {
-        let others = !zeros(s);
-        so_far = Axes { certain: so_far.certain & others, possible: so_far.possible & others };
+        let along = w.dot(d);
+        let (next, last) = (along.turned().magnitude(), along.turned().turned().magnitude());
+        let reach = h.turned() * last + h.turned().turned() * next;
+        let mut so_far = exceeds(u.dot(cross(&m, &d)).magnitude() - reach, error.line);
+        // On a zero vector a rounded gap never exceeds its bound.
         if so_far.possible & !so_far.certain & THREE != 0 {
-            return Some((by_second_look(s, &error)?, slabs));
+            let others = !self.zeros();
+            so_far = Axes { certain: so_far.certain & others, possible: so_far.possible & others };
+            if so_far.possible & !so_far.certain & THREE != 0 {
+                return self.by_second_look(&error);
+            }
         }
-    }
 
-    let at = |end: Option<F>| end.map(|t| middle + along * Q::splat(t));
-    let (start, end) = (at(from), at(to));
-    for is_upper in [true, false] {
-        let upward = |x: Q| if is_upper { x } else { Q::splat(zero) - x };
-        let beyond = |x: Q| exceeds(upward(x) - slabs.reach, error.face);
-        // A line without an end separates only if it leads away from the box or parallel to it.
-        let first =
-            start.map_or_else(|| reaches(upward(Q::splat(zero) - along), error.direction), beyond);
-        let last = end.map_or_else(|| reaches(upward(along), error.direction), beyond);
-        let mut both = first.and(last);
-        if start.is_none() & end.is_none() {
-            both = both.and(beyond(middle));
+        let (middle, reach) = (w.dot(m), h * Q::splat(u.determinant(&w).magnitude()));
+        let at = |end: Option<F>| end.map(|t| middle + along * Q::splat(t));
+        let (start, end) = (at(from), at(to));
+        for is_upper in [true, false] {
+            let upward = |x: Q| if is_upper { x } else { Q::splat(zero) - x };
+            let beyond = |x: Q| exceeds(upward(x) - reach, error.face);
+            // A line without an end separates only if it leads away from the box or parallel to it.
+            let first = start
+                .map_or_else(|| reaches(upward(Q::splat(zero) - along), error.direction), beyond);
+            let last = end.map_or_else(|| reaches(upward(along), error.direction), beyond);
+            let mut both = first.and(last);
+            if start.is_none() & end.is_none() {
+                both = both.and(beyond(middle));
+            }
+            so_far = so_far.or(both);
         }
-        so_far = so_far.or(both);
+        so_far.any().verdict()
     }
-    Some((so_far.any().verdict()?, slabs))
 }
 
-/// The answer if the direction may be nearly parallel to an axis.
-#[cold]
-#[inline(never)]
-fn by_second_look<F: Float>(s: &Operands<F>, error: &ErrorBound<F>) -> Option<bool> {
-    any_axis(s, error, true).verdict()
-}
+impl<F: Float> Operands<F> {
+    /// The answer if the direction may be nearly parallel to an axis.
+    #[cold]
+    #[inline(never)]
+    fn by_second_look(&self, error: &ErrorBound<F>) -> Option<bool> {
+        let Self { m, d, ends, axes: u, half: h } = *self;
+        let s = kernel::Operands { m, d, ends, u, h, one: F::from(1) };
+        any_axis(&s, error, true).verdict()
+    }
 
-/// The axes of the box whose product with the direction is certainly zero.
-#[inline(never)]
-fn zeros<F: Float>(s: &Operands<F>) -> u32 {
-    let bit = |i: usize| u32::from(lie_along_one_axis(&s.d, &s.u[i])) << i;
-    bit(0) | bit(1) | bit(2)
+    /// The axes of the box whose product with the direction is certainly zero.
+    #[inline(never)]
+    fn zeros(&self) -> u32 {
+        let bit = |i: usize| u32::from(lie_along_one_axis(&self.d, &self.axes[i])) << i;
+        bit(0) | bit(1) | bit(2)
+    }
 }
 
 /// The verdicts on three axes, as bits.
