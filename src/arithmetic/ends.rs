@@ -37,19 +37,14 @@ pub(crate) fn enclosed<F: Float + Div<Output = F>>(
     Some([q - bound, q + bound])
 }
 
-/// Rows of numbers that enclose num/den, given 1/den, rounded. If one divisor is known to a quarter, so is its
-/// quotient.
+/// How far quotients up to `size` may be from the truth, and the ends of an interval around them, given one
+/// over the divisors. It holds for those whose divisor is known to a quarter, and that are rounded up to four
+/// times.
 #[inline(always)]
-pub(crate) fn enclosed_in_row<Q: Quad<Lane = f64>>(
-    num: Q,
-    inverse: Q,
-    error: Q,
-    other: f64,
-) -> [Q; 2] {
-    let q = num * inverse;
-    let bound = (error + q.magnitude() * Q::splat(other)) * (inverse.magnitude() * Q::splat(2.0));
-    let bound = bound + (bound + q.magnitude()) * Q::splat(1.0.error(ENDS));
-    [q - bound, q + bound]
+pub(crate) fn lost_in_row<Q: Quad<Lane = f64>>(size: Q, inverse: Q, [error, other]: [f64; 2]) -> Q {
+    let twice = inverse.magnitude() * Q::splat(2.0);
+    let bound = (Q::splat(error) + size * Q::splat(other)) * twice;
+    bound + (bound + size) * Q::splat(1.0.error(ENDS))
 }
 
 /// Pairs of numbers that enclose the coordinates of a + v·num/den, likewise. The components of v err

@@ -45,7 +45,7 @@ pub(crate) use circle::{cos_sin_30, cos_sin_62};
 pub(crate) use double::{Double, fast_two_sum, two_difference};
 pub use enclosed::Enclosed;
 pub(crate) use enclosed::{compare_products, order_of_products, sign_of, sum_of};
-pub(crate) use ends::{enclosed, enclosed_in_row};
+pub(crate) use ends::{enclosed, lost_in_row};
 pub use filtered::Filtered;
 pub use float::Float;
 pub(crate) use float::quotient;

@@ -12,7 +12,7 @@ use super::residual::refined;
 use super::{Disjoint, Line};
 use crate::arithmetic::{
     Double, Embeds, Filtered, Float, Number, OfFour, Quad, REGISTERS_ARE_WIDE, Soft, THREE,
-    enclosed_in_row, greatest, least, three, turn, two,
+    greatest, least, lost_in_row, three, turn, two,
 };
 use crate::query::obb_rows::{Vectors, most};
 use crate::robust::{Clue, Numeric, Predicate, exact_stage};
@@ -150,9 +150,10 @@ impl Slabs {
         let reach = Four::of_three(s.h) * Four::splat(volume.abs());
 
         let inverse = Four::splat(-1.0) / along;
-        let enclosed = |num| enclosed_in_row(num, inverse, Four::splat(face), error);
-        let ([a, b], [c, d]) = (enclosed(middle + reach), enclosed(middle - reach));
-        let (mut near, mut far) = ([a.least(c), b.least(d)], [a.greatest(c), b.greatest(d)]);
+        let (t, half) = (middle * inverse, reach * inverse.magnitude());
+        let lost = lost_in_row(t.magnitude() + half, inverse, [face, error]);
+        let (near, far) = (t - half, t + half);
+        let (mut near, mut far) = ([near - lost, near + lost], [far - lost, far + lost]);
         let parallel = along.magnitude().is_at_most(Four::splat(4.0 * error)) & THREE;
         if parallel != 0 {
             let inside = reach - middle.magnitude();
@@ -349,15 +350,15 @@ mod tests {
             let to = [0.125, 1.0 - at(1, 5) / 4.0, -0.5];
             let way = [0, 1, 2].map(|c: usize| to[c] - from[c]);
             let ray = Ray::new(row(from), row(way)).unwrap();
-            if !ray.overlaps(&obb) {
+            let meets = ray.overlaps(&obb);
+            let question = Disjoint { line: Line::Ray(&ray), obb: &obb };
+            let (misses, found) = in_double(&question).unwrap_or_default();
+            assert!(misses != Some(meets), "{ray:?}");
+            if !meets {
                 continue;
             }
-            let question = Disjoint { line: Line::Ray(&ray), obb: &obb };
             asked += 1;
-            let found = match in_doubles(&question) {
-                Some(found) => Some(found),
-                None => Range(question).refined(Clue::NoNumbers).flatten(),
-            };
+            let found = found.or_else(|| Range(question).refined(Clue::NoNumbers).flatten());
             if let Some(found) = found {
                 settled += 1;
                 let question = Disjoint { line: Line::Ray(&ray), obb: &obb };
