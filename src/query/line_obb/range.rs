@@ -132,6 +132,7 @@ pub(super) struct Slabs {
     /// Bounds on where it enters the last slab and leaves the first.
     enter: [f64; 2],
     leave: [f64; 2],
+    pub(super) sizes: Sizes<f64>,
     /// How far w_i·d may be from the truth.
     pub(super) error: f64,
 }
@@ -160,7 +161,7 @@ impl Slabs {
             [near, far] = along_slabs([near, far], inside, [face, error], parallel);
         }
         let (enter, leave) = ([most(near[0]), most(near[1])], [fewest(far[0]), fewest(far[1])]);
-        Some(Self { w, along, middle, volume, near, far, enter, leave, error })
+        Some(Self { w, along, middle, volume, near, far, enter, leave, sizes, error })
     }
 
     /// Whether the part of the line between these t misses the box, if that is certain.

@@ -50,14 +50,16 @@ pub(super) fn refined(s: &Operands<f64>, rests: [f64; 3], slabs: &Slabs) -> Opti
     }
     let [last, first] = two(|k| [last, first][k].trailing_zeros() as usize % 3);
     let faces = Faces::new(s, rests, slabs);
-    let enter = faces.crossing(slabs.near[0].to_array()[last], last, true)?;
-    let leave = faces.crossing(slabs.far[0].to_array()[first], first, false)?;
-    Some([enter, leave])
+    let (near, far) = (slabs.near[0].to_array(), slabs.far[0].to_array());
+    Some([faces.crossing(near[last], last, true)?, faces.crossing(far[first], first, false)?])
 }
 
 /// The line and the box, cut at grids.
 struct Faces<'a> {
     slabs: &'a Slabs,
+    w: [[f64; 4]; 3],
+    along: [f64; 4],
+    half: [f64; 4],
     m: [Four; 2],
     d: [Four; 2],
     u: [[Four; 2]; 3],
@@ -74,12 +76,15 @@ struct Faces<'a> {
 impl<'a> Faces<'a> {
     #[inline(always)]
     fn new(s: &Operands<f64>, rests: [f64; 3], slabs: &'a Slabs) -> Self {
-        let Sizes { axes, way, direction, half, .. } = s.sizes();
+        let Sizes { axes, way, direction, half, .. } = slabs.sizes;
         let far = 2.0 * (way + 2.0 * half * axes).power_of_two_below();
         let fast = 2.0 * direction.power_of_two_below();
         let [m, small] = cut(Four::of_three(s.m), TO_GRID * far);
         Self {
             slabs,
+            w: three(|x| slabs.w.rows()[x].to_array()),
+            along: slabs.along.to_array(),
+            half: Four::of_three(s.h).to_array(),
             m: [m, small + Four::of_three(rests)],
             d: cut(Four::of_three(s.d), TO_GRID * fast),
             u: three(|l| cut(Four::of_three(s.u[l]), TO_GRID)),
@@ -95,7 +100,7 @@ impl<'a> Faces<'a> {
     #[inline(always)]
     fn crossing(&self, t: f64, i: usize, is_near: bool) -> Option<[f64; 2]> {
         let Self { m, d, u, h, far, long, errors: [lost, error], .. } = *self;
-        let Slabs { w, along, middle, volume, .. } = self.slabs;
+        let Slabs { along, middle, volume, .. } = self.slabs;
         let [t, _] = cut(Four::splat(t), TO_GRID * long);
         let c = (*middle + t * *along) * self.inverse;
         let [c, _] = cut(c.least(h).greatest(Four::splat(0.0) - h), TO_GRID * far);
@@ -108,11 +113,11 @@ impl<'a> Faces<'a> {
         let [x, y, z] = (high + low).three();
         let size = greatest(greatest(x.abs(), y.abs()), z.abs());
 
-        let along = along.to_array()[i];
+        let along = self.along[i];
         // The line enters where its coordinate in the box is −h if it grows, and leaves at h.
-        let face = f64::copysign(h.to_array()[i], along) * f64::copysign(1.0, *volume);
+        let face = f64::copysign(self.half[i], along) * f64::copysign(1.0, *volume);
         let off = if is_near { c[i] + face } else { c[i] - face };
-        let [a, b, e] = three(|x| w.rows()[x].to_array()[i]);
+        let [a, b, e] = three(|x| self.w[x][i]);
         let n = a * x + b * y + e * z + off * *volume;
         let t = t.to_array()[0];
         if !((greatest(size, off.abs()) <= SMALL * far) & (t.abs() <= 2.0 * long)) {
