@@ -8,7 +8,7 @@
 # By hand: if num and den err by up to `error` and `other`, of which the second is at most den/4, the
 # truth is at most 4/3 of (error + |t|·other)/den away from num/den. The bound m is twice that, rounded
 # five times. So 3/4 of it suffices, and the rest is far above what t loses to underflow. t is
-# rounded twice. A component of v errs by a roundoff of itself and `of_v`: n is |v|·m + of_v·(|t| + m),
+# rounded twice, in a row up to four times, as is allowed. A component of v errs by a roundoff of itself and `of_v`: n is |v|·m + of_v·(|t| + m),
 # rounded up to six times. s is |v·t|, rounded three times and off by a roundoff of v as well, and b is
 # |a + v·t|. An end is asked for only if it is a normal number, so each of up to six underflows
 # loses less than U·b.

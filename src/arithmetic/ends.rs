@@ -37,9 +37,8 @@ pub(crate) fn enclosed<F: Float + Div<Output = F>>(
     Some([q - bound, q + bound])
 }
 
-/// How far quotients up to `size` may be from the truth, and the ends of an interval around them, given one
-/// over the divisors. It holds for those whose divisor is known to a quarter, and that are rounded up to four
-/// times.
+/// The error of quotients of at most `size`, and of the ends of an interval around them, given one over the
+/// divisors: for those whose divisor is known to a quarter, and that err by up to four roundoffs of `size`.
 #[inline(always)]
 pub(crate) fn lost_in_row<Q: Quad<Lane = f64>>(size: Q, inverse: Q, [error, other]: [f64; 2]) -> Q {
     let twice = inverse.magnitude() * Q::splat(2.0);

@@ -1,32 +1,32 @@
-//! Where a ray enters an oriented box and leaves it, in `f64`: verdict and numbers from the same floats, and a
-//! quotient corrected by its residual.
+//! Where a ray enters an oriented box and leaves it, in `f64`: each quotient is corrected by its residual.
 //!
-//! With the names of the kernel, V = u_0·w_0, and t and c_l near the true t and the point's coordinates in
-//! the box, let r = m + t·d − Σ c_l·u_l. Because w_i·u_l = 0 for all l but i, the line crosses the face at
-//! w_i·u_i·h_i = ±h_i·V at t − n/(w_i·d), with n = w_i·r + (c_i ∓ h_i)·V. r and c_i ∓ h_i are small, so floats
-//! compute the correction well enough.
+//! With the names of the kernel, let V = u_0·w_0, let t and c_l be near the true t and the coordinates in the box
+//! of the point there, and r = m + t·d − Σ c_l·u_l. Because w_i·u_l is zero for l ≠ i, the line crosses a face
+//! of slab i at t − n/(w_i·d), with n = w_i·r + (c_i ∓ h_i)·V. r and c_i ∓ h_i are small, so floats compute n
+//! well enough.
 //!
-//! r is nearly exact. A component x of u, d or m is cut at a grid, x = x1 + x2: multiples of g = 2^-25 for u,
-//! of g·E for d and of g·P for m, with powers of two E > |d| and P. t is a multiple of g·P/E, and c_l of g·P.
-//! If |t| ≤ 2·P/E, the sum m1 + t·d1 − Σ c_l·u1_l of multiples of g²·P is below 8·P at every step, because
-//! |m| ≤ P, h_l·|u_l| ≤ P/2 and |c_l| ≤ h_l, all but for g: no step rounds. The sum of the rests is at
-//! most g·P or so, and its roundings do not count.
+//! r is nearly exact. A component of u, d or m is cut at a grid of g = 2^-25, g·E or g·P, with powers of two
+//! E > D and P > |m| + 2·h·A, for the greatest m and h: x = x1 + x2. t is a multiple of g·P/E, and c_l of g·P.
+//! If |t| ≤ 2·P/E, m1 + t·d1 − Σ c_l·u1_l is a sum of multiples of g²·P, and each partial sum is below 8·P,
+//! because Σ |c_l·u1_l| is at most 2·P. So it is exact. The same sum with x2 has terms of g·P at most, and
+//! `residual.g` bounds its roundings.
 
 use super::error_bound::Sizes;
 use super::kernel::Operands;
-use super::range::{Four, Slabs};
+use super::slabs::{Four, Slabs};
 use crate::arithmetic::{Float, Number, Quad, enclosed, greatest, three, two};
 
-/// Roundoffs of [`SMALL`], in units of P and the axes, in n: `residual.g`.
+/// Roundoffs of `SMALL`·A³·P that n may be from the truth: `residual.g`.
 const RESIDUAL: u16 = 160;
 
-/// What r and c_i ∓ h_i may be, in units of P: 2^-22.
+/// How great the components of r, and c_i ∓ h_i, may be, in units of P: 2^-22, as in `residual.g`.
 const SMALL: f64 = 1.0 / 4_194_304.0;
 
-/// Exact sums divide the first 64 digits of numerator and divisor, and round the quotient down to at
-/// least 63. So theirs is less than the true one by up to 3·2^-63 of it, or greater by a third of that. Doubled
-/// as any error of a numerator, this is that and a third more, and the roundoff of the correction that `ends.g`
-/// leaves has the rest.
+/// Exact sums divide the first 64 digits of numerator and divisor, and of the quotient they keep at least 63.
+/// So theirs is less than the true one by up to 3·2^-63 of it, or greater by 2^-62.9. As an error of n this is 2^-62
+/// of t·(w_i·d): an interval around a quotient doubles an error, and three quarters of that suffice
+/// (`ends.g`). The same share of the correction n/(w_i·d) is far below the roundings that the interval
+/// allows it.
 const TRUNCATED: f64 = 0.5 / (1_u64 << 61) as f64;
 
 /// 1.5·2^52 times g: adding it and subtracting it again leaves a multiple of g.
