@@ -68,9 +68,12 @@ impl<S: Scalar> Numeric<S> for Range<'_, S> {
     }
 }
 
-/// Whether the ray misses the box, and where the line enters and leaves it, as far as `f64` is certain.
+/// Whether the ray misses the box, and where the line enters and leaves it, each if that is certain.
+type Found<S> = (Option<bool>, Option<(S, S)>);
+
+/// What `f64` finds out.
 #[inline(never)]
-fn in_double<S: Scalar>(question: &Disjoint<'_, S>) -> Option<(Option<bool>, Option<(S, S)>)>
+fn in_double<S: Scalar>(question: &Disjoint<'_, S>) -> Option<Found<S>>
 where
     Filtered<f64>: Embeds<S>,
 {
