@@ -3,7 +3,7 @@
 //! With the names of the kernel, the ray is within slab i from t = (−s·(w_i·m) − r_i)/|w_i·d| to t
 //! = (−s·(w_i·m) + r_i)/|w_i·d|, with s the sign of w_i·d and r_i = h_i·|u_0·w_0|. The answer is
 //! the greatest first value and the least second value, rounded. `f64` computes bounds on each, which also
-//! tell whether the ray misses the box. If both bounds round to the same number of the scalar, exact sums would
+//! decide whether the ray misses the box. If both bounds round to the same number of the scalar, exact sums would
 //! give the same. For `f64` itself, residuals make the bounds narrow enough; where these do not round alike,
 //! numbers in two words are divided as exact sums are.
 

@@ -8,7 +8,7 @@
 //! r is nearly exact. A component of u, d or m is cut at a grid of g = 2^-25, g·E or g·P, with powers of two
 //! E > D and P > |m| + 2·h·A, for the greatest m and h: x = x1 + x2. t is a multiple of g·P/E, and c_l of g·P.
 //! If |t| ≤ 2·P/E, m1 + t·d1 − Σ c_l·u1_l is a sum of multiples of g²·P, and each partial sum is below 8·P,
-//! because Σ |c_l·u1_l| is at most 2·P. So it is exact. The same sum with x2 has terms of g·P at most, and
+//! because Σ |c_l·u1_l| is at most 2·P: no step rounds. The same sum with x2 has terms of g·P at most, and
 //! `residual.g` bounds its roundings.
 
 use super::error_bound::Sizes;
@@ -23,7 +23,7 @@ const RESIDUAL: u16 = 160;
 const SMALL: f64 = 1.0 / 4_194_304.0;
 
 /// Exact sums divide the first 64 digits of numerator and divisor, and of the quotient they keep at least 63.
-/// So theirs is less than the true one by up to 3·2^-63 of it, or greater by 2^-62.9. As an error of n this is 2^-62
+/// Their quotient is less than the true one by up to 3·2^-63 of it, or greater by 2^-62.9. As an error of n this is 2^-62
 /// of t·(w_i·d): an interval around a quotient doubles an error, and three quarters of that suffice
 /// (`ends.g`). The same share of the correction n/(w_i·d) is far below the roundings that the interval
 /// allows it.

@@ -110,7 +110,7 @@ fn along_slabs(
         if long > 0.0 && inside[i] > 0.0 {
             of_slab = [[f64::NEG_INFINITY, -long], [long, f64::INFINITY]];
         } else if enter > -long && leave < long {
-            // It is outside while it is within the other slabs.
+            // Within the other slabs the line is outside this one.
             of_slab[0] = [f64::INFINITY; 2];
         }
         for k in 0..2 {
