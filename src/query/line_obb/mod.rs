@@ -261,11 +261,12 @@ impl<S: Scalar> Ray<S> {
     ///
     /// *Range*: all finite floats and all fixed-point values.
     ///
-    /// *Panics*: never. *Cost*: about 150 operations and three divisions in `f64`, for floats and for
-    /// fixed point of up to 32 bits; for a hit in `f64` itself about as many again. A few hits whose
-    /// last place stays in doubt take exact sums for up to six quotients, a thousand times as long. So
-    /// do all hits in fixed point of 64 bits, and in fixed point on 32-bit cores; there a miss costs
-    /// what [`overlaps`](Overlaps::overlaps) does. Use this query for a single box that matters.
+    /// *Panics*: never. *Cost*: a miss costs what [`overlaps`](Overlaps::overlaps) does. A hit takes
+    /// about 150 operations in `f64` and three divisions besides, for floats and for fixed point of
+    /// up to 32 bits. `f64` itself has its verdict from them, and takes as many again for a hit. A
+    /// few hits whose last place stays in doubt take exact sums for up to six quotients, a thousand
+    /// times as long. So do all hits in fixed point of 64 bits, and in fixed point on 32-bit cores.
+    /// Use this query for a single box that matters.
     ///
     /// ```
     /// use septum::{Obb, Ray};

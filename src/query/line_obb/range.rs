@@ -24,9 +24,10 @@ use crate::scalar::Scalar;
 pub(super) struct Range<'a, S>(pub(super) Disjoint<'a, S>);
 
 impl<S: Scalar> Range<'_, S> {
-    /// Whether `f64` is asked first: it gives the verdict with the numbers.
+    /// Whether `f64` is asked first: it gives the verdict with the numbers. Verdicts in `f32` and in
+    /// fixed point take less time, and most rays miss.
     pub(super) const DECIDES: bool =
-        REGISTERS_ARE_WIDE && (S::FLOAT.is_some() || size_of::<S>() <= 4);
+        REGISTERS_ARE_WIDE && S::FLOAT.is_some() && size_of::<S>() == 8;
 }
 
 impl<S: Scalar> Predicate<S> for Range<'_, S> {
