@@ -22,8 +22,12 @@ const RESIDUAL: u16 = 160;
 /// How great the components of r, and c_i ∓ h_i, may be, in units of P: 2^-22, as in `residual.g`.
 const SMALL: f64 = 1.0 / 4_194_304.0;
 
+/// A volume above this part of A³ has a certain sign, which says on which side a face is: V is a sum of six
+/// products of at most A³, each rounded five times, and errs by less than 40 roundoffs of A³.
+const FLAT: f64 = 1.0 / (1_u64 << 40) as f64;
+
 /// Exact sums divide the first 64 digits of numerator and divisor, and of the quotient they keep at least 63.
-/// Their quotient is less than the true one by up to 3·2^-63 of it, or greater by 2^-62.9. As an error of n this is 2^-62
+/// Their quotient is less than the true one by up to 3·2^-63 of it, or greater by 2^-63. As an error of n this is 2^-62
 /// of t·(w_i·d): an interval around a quotient doubles an error, and three quarters of that suffice
 /// (`ends.g`). The same share of the correction n/(w_i·d) is far below the roundings that the interval
 /// allows it.
@@ -45,7 +49,9 @@ fn cut(x: Four, to_grid: f64) -> [Four; 2] {
 #[inline(always)]
 pub(super) fn refined(s: &Operands<f64>, rests: [f64; 3], slabs: &Slabs) -> Option<[[f64; 2]; 2]> {
     let [last, first] = slabs.candidates();
-    if last & last.wrapping_sub(1) | first & first.wrapping_sub(1) != 0 {
+    let axes = slabs.sizes.axes;
+    let is_flat = slabs.volume.abs() <= FLAT * (axes * axes * axes);
+    if is_flat | (last & last.wrapping_sub(1) | first & first.wrapping_sub(1) != 0) {
         return None;
     }
     let [last, first] = two(|k| [last, first][k].trailing_zeros() as usize % 3);
