@@ -66,7 +66,8 @@ impl<S: Scalar> Predicate<S> for Meets<S> {
         let mut latest = Latest::NONE;
         for i in 0..3 {
             let size = spread.map_or(near[i].magnitude(), |spread| spread[i]);
-            latest.add(Axis::Face(i as u8), [near[i], size.error(GAP)], [m[i], m[i].error(2)]);
+            let closing = [[near[i], size.error(GAP)], [m[i], m[i].error(2)]];
+            latest.add(Axis::Face(i as u8), Some(closing));
         }
         latest.known()
     }

@@ -1,14 +1,14 @@
-//! The time of the first contact in `f64`. The axis whose gap closes last is found without a
-//! division. If `f64` knows its time to the last place of the scalar, that is the answer. For a
+//! The time of the first contact in `f64`. The axis whose gap closes last is known from floats
+//! side by side, or found without a division. If `f64` knows its time to the last place of the scalar, that is the answer. For a
 //! scalar with as many digits as `f64`, the gap and the speed on that axis are computed again in
 //! 106 digits.
 
-use super::error_bound::{AtStart, LONG, at_start};
+use super::error_bound::{LONG, at_start};
 use super::kernel::Course;
-use super::{FirstContact, Given, Last, Passing, one_axis};
+use super::time::Closing;
+use super::{FirstContact, Given, Last, Passing};
 use crate::arithmetic::{Double, Embeds, Filtered, Number, Soft, dot, each, turn};
 use crate::query::Axis;
-use crate::query::triangle_aabb::frame::Frame;
 use crate::query::triangle_aabb::kernel::normal;
 use crate::robust::certain_sign;
 use crate::scalar::Scalar;
@@ -29,61 +29,58 @@ struct Gaps {
     speed_error: [f64; 13],
 }
 
-/// Where an axis is in the order.
-const fn place(axis: usize, edge: usize) -> usize {
-    4 + 3 * axis + edge
-}
-
 impl Course<Filtered<f64>> {
     /// `None` outside the range of the bounds.
     #[inline(always)]
     fn gaps(&self) -> Option<Gaps> {
-        let (Frame { v, e, h, gaps, .. }, d) = (&self.frame, &self.d);
-        let size = self.frame.size_along(d);
+        let size = self.frame.size_along(&self.d);
         if !(size > RANGE.0 && size < RANGE.1) {
             return None;
         }
-        let AtStart { gap: bound, area_speed, volume_speed }: AtStart<Filtered<f64>> =
-            at_start(size)?;
+        let bounds = at_start(size)?;
         let mut all =
             Gaps { gap: [NONE; 13], error: [0.0; 13], speed: [1.0; 13], speed_error: [0.0; 13] };
         for i in 0..3 {
-            let is_known = self.frame.gaps_are_exact | (gaps[i] < 0.0);
-            if !(is_known & (gaps[i] <= 0.0)) {
-                all.gap[i] = gaps[i];
-                all.error[i] = self.face_error(i);
-                all.speed[i] = d[i].magnitude();
-                all.speed_error[i] = d[i].magnitude().error(2);
-            }
+            all.set(i, self.closing_face(i));
         }
         let n = normal(&self.frame);
-        let along = dot::<Filtered<f64>>;
-        let reach = along(&each(n, f64::abs), h);
-        all.gap[3] = along(&n, &v[0]).abs() - reach;
-        all.speed[3] = along(&n, d).abs();
-        (all.error[3], all.speed_error[3]) = (bound.plane, volume_speed);
+        all.set(3, Some(self.closing_plane(&n, &bounds)));
         for i in 0..3 {
-            let (j, l) = ((i + 1) % 3, (i + 2) % 3);
-            let middle = n[i].half();
             for k in 0..3 {
-                let (e, v) = (&e[k], &v[k]);
-                // Otherwise the axis is a face normal, and the face comes first in the order.
-                if (e[j] == 0.0) | (e[l] == 0.0) {
-                    continue;
-                }
-                let p = e[j] * v[l] - e[l] * v[j];
-                let r = e[l].abs() * h[j] + e[j].abs() * h[l];
-                let at = place(i, k);
-                all.gap[at] = (p + middle).abs() - (middle.abs() + r);
-                all.speed[at] = (e[j] * d[l] - e[l] * d[j]).abs();
-                (all.error[at], all.speed_error[at]) = (bound.edge, area_speed);
+                all.set(4 + 3 * i + k, self.closing_edge(i, k, n[i], &bounds));
             }
         }
         Some(all)
     }
+
+    /// The time at which an axis closes, given that it closes last.
+    #[inline(always)]
+    fn at_last<S: Scalar>(&self, last: Last) -> Option<FirstContact<S>> {
+        let bounds = at_start(self.frame.size_along(&self.d))?;
+        let closing = match last.axis {
+            Axis::Face(i) => self.closing_face(usize::from(i % 3)),
+            Axis::Normal => Some(self.closing_plane(&normal(&self.frame), &bounds)),
+            Axis::Edge { axis, edge } => {
+                let (i, n) = (usize::from(axis % 3), normal(&self.frame));
+                self.closing_edge(i, usize::from(edge % 3), n[i], &bounds)
+            }
+        };
+        let [[gap, error], [speed, speed_error]] = closing?;
+        let [low, high] = gap.portion(speed, [error, speed_error]).map(S::at_most);
+        let is_known = (low == high) & (gap > error);
+        if is_known { last.at(low) } else { None }
+    }
 }
 
 impl Gaps {
+    #[inline(always)]
+    fn set(&mut self, k: usize, closing: Option<Closing<f64>>) {
+        if let Some([[gap, error], [speed, speed_error]]) = closing {
+            (self.gap[k], self.error[k]) = (gap, error);
+            (self.speed[k], self.speed_error[k]) = (speed, speed_error);
+        }
+    }
+
     /// The axis whose gap closes last by the computed numbers; `None` if no axis has a gap by them.
     #[inline(always)]
     fn last(&self) -> Option<usize> {
@@ -123,7 +120,7 @@ where
     Filtered<f64>: Embeds<S>,
 {
     let known = match last {
-        Some(last) => one_axis::first_contact(&passing.given::<Filtered<f64>>()?, last),
+        Some(last) => passing.course::<Filtered<f64>>()?.at_last(last),
         None => None,
     };
     known.or_else(|| of_all(passing))

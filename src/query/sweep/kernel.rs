@@ -17,7 +17,7 @@
 
 use super::FirstContact;
 use super::error_bound::{Along, AtStart, FACE, along, at_start};
-use super::time::Latest;
+use super::time::{Closing, Latest};
 use crate::arithmetic::{
     Arithmetic, Embeds, Number, cross, dot, following, greatest, least, of_two, once, out_of_line,
     pick,
@@ -246,35 +246,40 @@ impl<N: Arithmetic> Course<N> {
         let mut latest = Latest::<S>::NONE;
         let is_asked = |axis: Axis| last.is_none_or(|last| last == axis);
         for i in 0..3 {
-            if is_asked(Axis::Face(i as u8)) {
-                self.add_face(i, &mut latest);
+            let axis = Axis::Face(i as u8);
+            if is_asked(axis) {
+                latest.add(axis, self.closing_face(i));
             }
         }
         let n = normal(&self.frame);
         if is_asked(Axis::Normal) {
             if N::LARGE {
-                out_of_line(|| self.add_normal(&n, &error, &mut latest));
+                out_of_line(|| latest.add(Axis::Normal, Some(self.closing_plane(&n, &error))));
             } else {
-                self.add_normal(&n, &error, &mut latest);
+                latest.add(Axis::Normal, Some(self.closing_plane(&n, &error)));
             }
         }
         for i in 0..3 {
             for k in 0..3 {
-                if !is_asked(Axis::Edge { axis: i as u8, edge: k as u8 }) {
+                let axis = Axis::Edge { axis: i as u8, edge: k as u8 };
+                if !is_asked(axis) {
                     continue;
                 }
                 if N::LARGE {
-                    out_of_line(|| self.add_edge(i, k, *pick(&n, i), &error, &mut latest));
+                    let n = *pick(&n, i);
+                    out_of_line(|| latest.add(axis, self.closing_edge(i, k, n, &error)));
                 } else {
-                    self.add_edge(i, k, n[i], &error, &mut latest);
+                    latest.add(axis, self.closing_edge(i, k, n[i], &error));
                 }
             }
         }
         latest.known()
     }
 
+    /// The gap on a face at the start and the speed that closes it, each with its error; `None` if
+    /// there is certainly no gap.
     #[inline(always)]
-    fn add_face<S: Scalar>(&self, i: usize, latest: &mut Latest<S>) {
+    pub(super) fn closing_face(&self, i: usize) -> Option<Closing<N::Length>> {
         let Frame { v, h, gaps, gaps_are_exact, .. } = &self.frame;
         let speed = once::<N, _>(self.d[i]).magnitude();
         let gap = if N::CERTAIN {
@@ -285,43 +290,41 @@ impl<N: Arithmetic> Course<N> {
         };
         // The sign of a gap that is not zero is right.
         let is_known = N::CERTAIN | gaps_are_exact | (gap < N::Length::ZERO);
-        if !(is_known & (gap <= N::Length::ZERO)) {
-            let errors = [self.face_error(i), speed.error(2)];
-            latest.add(Axis::Face(i as u8), [gap, errors[0]], [speed, errors[1]]);
-        }
+        let is_none = is_known & (gap <= N::Length::ZERO);
+        let closing = || [[gap, self.face_error(i)], [speed, speed.error(2)]];
+        if is_none { None } else { Some(closing()) }
     }
 
+    /// The same on the normal of the triangle.
     #[inline(always)]
-    fn add_normal<S: Scalar>(&self, n: &[N::Area; 3], error: &AtStart<N>, latest: &mut Latest<S>) {
+    pub(super) fn closing_plane(&self, n: &[N::Area; 3], error: &AtStart<N>) -> Closing<N::Volume> {
         let Frame { v, h, .. } = &self.frame;
         let gap = dot::<N>(n, &v[0]).magnitude() - reach::<N>(n, h);
         let half = of_two::<N, _>(dot::<N>(n, &self.d)).magnitude();
-        latest.add(Axis::Normal, [gap, error.gap.plane], [half + half, error.volume_speed]);
+        [[gap, error.gap.plane], [half + half, error.volume_speed]]
     }
 
-    /// The cross product of coordinate axis `i` and edge `k`, given component `i` of the normal.
+    /// The same on the cross product of coordinate axis `i` and edge `k`, given component `i` of the
+    /// normal; `None` if that is a face normal, which comes first in the order.
     #[inline(always)]
-    fn add_edge<S: Scalar>(
+    pub(super) fn closing_edge(
         &self,
         i: usize,
         k: usize,
         n: N::Area,
         error: &AtStart<N>,
-        latest: &mut Latest<S>,
-    ) {
+    ) -> Option<Closing<N::Area>> {
         let ((_, j, l), (k, ..)) = (following::<N>(i), following::<N>(k));
         let (e, v, h, d) = (&self.frame.e[k], &self.frame.v[k], &self.frame.h, &self.d);
-        // The axis is a face normal, and the face comes first in the order.
         if (e[j] == N::Length::ZERO) | (e[l] == N::Length::ZERO) {
-            return;
+            return None;
         }
         let p = N::area(e[j], v[l]) - N::area(e[l], v[j]);
         let r = N::area(e[l].magnitude(), h[j]) + N::area(e[j].magnitude(), h[l]);
         let middle = of_two::<N, _>(n);
         let gap = (p + middle).magnitude() - (middle.magnitude() + r);
         let half = of_two::<N, _>(N::area(e[j], d[l]) - N::area(e[l], d[j])).magnitude();
-        let axis = Axis::Edge { axis: i as u8, edge: k as u8 };
-        latest.add(axis, [gap, error.gap.edge], [half + half, error.area_speed]);
+        Some([[gap, error.gap.edge], [half + half, error.area_speed]])
     }
 }
 

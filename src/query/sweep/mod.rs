@@ -7,7 +7,6 @@ mod in_doubles;
 mod instants;
 mod kernel;
 mod motion;
-mod one_axis;
 mod passing;
 mod rows;
 mod sphere;

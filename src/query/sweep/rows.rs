@@ -171,8 +171,7 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
     /// the scalar.
     #[inline(always)]
     fn when(self, place: Q::Lane) -> Option<Instant> {
-        let size = self.size();
-        let error = along(size)?;
+        let error = along(self.size())?;
         let Some(instants) = self.instants(&error) else { return Some(Instant::Misses) };
         let [first, last] = instants.times();
         if first <= last {
@@ -184,12 +183,7 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
                 // By more than a number of the scalar loses in `f64` too: see `Last`.
                 let after = greatest(first - first.error(256) - place, Q::Lane::ZERO);
                 let last = instants.only_axis_at(after);
-                return Some(Instant::Meets(last.map(|axis| Last {
-                    axis,
-                    after: after.into(),
-                    // The size that `f64` would compute, with all its roundings.
-                    size: size.into() * 1.001,
-                })));
+                return Some(Instant::Meets(last.map(|axis| Last { axis, after: after.into() })));
             }
         }
         let misses = self.misses_on_axes(error, instants)?;

@@ -31,8 +31,6 @@ pub(super) struct Last {
     pub(super) axis: Axis,
     /// A time at which all other axes have closed, and this one has not.
     pub(super) after: f64,
-    /// A lower bound on the size of shapes and motion: see `error_bound`.
-    pub(super) size: f64,
 }
 
 /// What do floats know of the motion?
@@ -145,6 +143,9 @@ impl<S: Scalar> Numeric<S> for Meets<'_, S> {
     }
 }
 
+/// A gap at the start and the speed that closes it, each with its error.
+pub(super) type Closing<T> = [[T; 2]; 2];
+
 /// The latest of the times at which axes stop separating, with errors.
 ///
 /// Each time is rounded down to the scalar by itself. Rounding keeps the order, so the latest
@@ -159,11 +160,10 @@ pub(super) struct Latest<S> {
 impl<S: Scalar> Latest<S> {
     pub(super) const NONE: Self = Self { found: None, in_doubt: None };
 
-    /// Adds an axis with a gap that closes at some speed, each with its error. Call it in the order
-    /// of [`Axis::ALL`].
+    /// Adds an axis, if it has a gap. Call it in the order of [`Axis::ALL`].
     #[inline(always)]
-    pub(super) fn add<T: Number>(&mut self, axis: Axis, gap: [T; 2], speed: [T; 2]) {
-        let [gap, error] = gap;
+    pub(super) fn add<T: Number>(&mut self, axis: Axis, closing: Option<Closing<T>>) {
+        let Some([[gap, error], speed]) = closing else { return };
         let is_gap = Uncertain::above(gap, error);
         if !is_gap.possible {
             return;
