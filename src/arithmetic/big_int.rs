@@ -175,6 +175,21 @@ impl<const L: usize> BigInt<L> {
         let product = BigInt(product);
         if is_negative == is_other_negative { product } else { -product }
     }
+
+    /// The same out of line, with one copy for all kernels. Of long numbers, a limb of `other` at a time:
+    /// unrolled loops over both would be a block too large for compilers.
+    #[inline(never)]
+    pub(super) fn product<const M: usize, const R: usize>(&self, other: &BigInt<M>) -> BigInt<R> {
+        if L <= 8 {
+            return self.times(other);
+        }
+        let (is_negative, limbs) = other.sign_magnitude();
+        let mut sum = BigInt([0; R]);
+        for (k, &limb) in limbs.iter().enumerate().filter(|(_, limb)| **limb != 0) {
+            sum.add_multiple(self, limb, 64 * k, is_negative);
+        }
+        sum
+    }
 }
 
 impl<const L: usize> From<i128> for BigInt<L> {

@@ -5,22 +5,65 @@ use core::marker::PhantomData;
 
 use super::big_int::BigInt;
 use super::float::{Float, quotient};
-use super::full::product;
 use super::multiples::bits;
 use super::number::Number;
 use super::system::{Arithmetic, Embeds, convert};
 
-/// Exact integers, from lengths of `N` limbs, in a word `L`, to products of six lengths of `E`; areas
-/// have `A`, volumes `V`, and products of four `Q`.
+/// A length whose products are integers of a fixed number of limbs.
+pub trait Exact: Number + 'static {
+    /// The length itself.
+    fn whole<const R: usize>(self) -> BigInt<R>;
+    fn by_length<const R: usize>(self, other: Self) -> BigInt<R>;
+    fn by_area<const A: usize, const R: usize>(self, area: BigInt<A>) -> BigInt<R>;
+
+    /// a·b − c·d.
+    fn minor<const R: usize>(a: [Self; 2], b: [Self; 2]) -> BigInt<R>;
+    fn dot<const A: usize, const R: usize>(a: &[BigInt<A>; 3], b: &[Self; 3]) -> BigInt<R>;
+}
+
+macro_rules! exact {
+    ($(#[$inline:meta] [$($generics:tt)*] $length:ty, $limbs:ident, $times:ident, |$x:ident| $whole:expr;)*) => {$(
+        impl<$($generics)*> Exact for $length {
+            #[inline(always)]
+            fn whole<const R: usize>(self) -> BigInt<R> {
+                let $x = self;
+                $whole
+            }
+            #[$inline]
+            fn by_length<const R: usize>(self, other: Self) -> BigInt<R> {
+                self.whole::<$limbs>().$times(&other.whole::<$limbs>())
+            }
+            #[$inline]
+            fn by_area<const A: usize, const R: usize>(self, area: BigInt<A>) -> BigInt<R> {
+                area.$times(&self.whole::<$limbs>())
+            }
+            #[$inline]
+            fn minor<const R: usize>([a, b]: [Self; 2], [c, d]: [Self; 2]) -> BigInt<R> {
+                a.by_length::<R>(b) - c.by_length(d)
+            }
+            #[$inline]
+            fn dot<const A: usize, const R: usize>(a: &[BigInt<A>; 3], b: &[Self; 3]) -> BigInt<R> {
+                b[0].by_area::<A, R>(a[0]) + b[1].by_area(a[1]) + b[2].by_area(a[2])
+            }
+        }
+    )*};
+}
+const ONE: usize = 1;
+const TWO: usize = 2;
+exact! {
+    // Words in registers; all kernels share one copy of each product.
+    #[inline(never)] [] i64, ONE, times, |x| i128::from(x).into();
+    #[inline(never)] [] i128, TWO, times, |x| x.into();
+    // Inlined down to calls by reference.
+    #[inline(always)] [const N: usize] BigInt<N>, N, product, |x| x.resized();
+}
+
+/// Exact integers: lengths `L`, areas of `A` limbs, volumes of `V`, products of four lengths of `Q`, and
+/// of six of `E`. `W` has areas as lengths.
 #[derive(Clone, Copy, Debug)]
-pub struct Limbwise<
-    L,
-    const N: usize,
-    const A: usize,
-    const V: usize,
-    const Q: usize,
-    const E: usize,
->(PhantomData<L>);
+pub struct Limbwise<L, const A: usize, const V: usize, const Q: usize, const E: usize, W = ()>(
+    PhantomData<(L, W)>,
+);
 
 /// Exact integers for coordinates within 120 bits.
 ///
@@ -34,20 +77,18 @@ pub struct Limbwise<
 /// With coordinates below 2^120 the table in `integer` gives frames below 2^122, areas below
 /// 2^245, volumes below 2^368 and, for oriented boxes, sums of 30 products of four below 2^489.
 /// Without the frame, squares of volumes are below 2^732.
-pub type Window = Limbwise<i128, 2, 4, 6, 8, 12>;
+pub type Window = Limbwise<i128, 4, 6, 8, 12>;
 
 /// The same for coordinates within 32 bits: frames are below 2^34, areas below 2^69, volumes below
 /// 2^104, sums of 30 products of four below 2^137, and squares of volumes below 2^204.
 #[cfg(feature = "fixed")]
-pub type ShortWindow = Limbwise<i64, 1, 2, 2, 3, 4>;
+pub type ShortWindow = Limbwise<i64, 2, 2, 3, 4>;
 
 /// The number of bits for the coordinates of a [`Window`].
 const BITS: i32 = 120;
 
-impl<L, const N: usize, const A: usize, const V: usize, const Q: usize, const E: usize> Arithmetic
-    for Limbwise<L, N, A, V, Q, E>
-where
-    L: Number + Into<i128> + 'static,
+impl<L: Exact, const A: usize, const V: usize, const Q: usize, const E: usize, W: 'static>
+    Arithmetic for Limbwise<L, A, V, Q, E, W>
 {
     type Length = L;
     type Area = BigInt<A>;
@@ -62,37 +103,36 @@ where
     const DOUBLED: bool = true;
     const CORNER_FORM_ONLY: bool = true;
 
-    // Products are out of line, so that all kernels share one copy of each.
-    #[inline(never)]
+    #[inline(always)]
     fn area(a: L, b: L) -> BigInt<A> {
-        BigInt::<N>::from(a.into()).times(&BigInt::<N>::from(b.into()))
+        a.by_length(b)
     }
-    #[inline(never)]
+    #[inline(always)]
     fn volume(a: BigInt<A>, b: L) -> BigInt<V> {
-        a.times(&BigInt::<N>::from(b.into()))
+        b.by_area(a)
     }
-    #[inline(never)]
-    fn minor([a, b]: [L; 2], [c, d]: [L; 2]) -> BigInt<A> {
-        Self::area(a, b) - Self::area(c, d)
+    #[inline(always)]
+    fn minor(a: [L; 2], b: [L; 2]) -> BigInt<A> {
+        L::minor(a, b)
     }
-    #[inline(never)]
+    #[inline(always)]
     fn dot(a: &[BigInt<A>; 3], b: &[L; 3]) -> BigInt<V> {
-        Self::volume(a[0], b[0]) + Self::volume(a[1], b[1]) + Self::volume(a[2], b[2])
+        L::dot(a, b)
     }
-    #[inline(never)]
+    #[inline(always)]
     fn quartic(a: BigInt<A>, b: BigInt<A>) -> BigInt<Q> {
-        a.times(&b)
+        a.product(&b)
     }
-    #[inline(never)]
+    #[inline(always)]
     fn sextic(a: BigInt<V>, b: BigInt<V>) -> BigInt<E> {
-        a.times(&b)
+        a.product(&b)
     }
-    #[inline(never)]
+    #[inline(always)]
     fn sextic_of_areas(a: BigInt<Q>, b: BigInt<A>) -> BigInt<E> {
-        a.times(&b)
+        a.product(&b)
     }
     fn operand(a: L) -> BigInt<Q> {
-        a.into().into()
+        a.whole()
     }
     fn widened(narrow: BigInt<V>) -> BigInt<V> {
         narrow
@@ -142,60 +182,15 @@ impl<F: Float> Embeds<F> for Window {
     }
 }
 
-/// Exact numbers whose lengths are areas of others: lengths of `A` limbs, areas of `B`, volumes of `C`, products of four of `D`, and of six of `E`.
-///
-/// In a window an area in the frame is below 2^242, and a corner of an oriented box below 2^243. So
-/// an area of these is below 2^488, a volume below 2^732, and a square of a volume below 2^1465. In
-/// the full range of `f64`, corners are below 2^4199, and squares of volumes below 2^25200.
-#[derive(Clone, Copy, Debug)]
-pub struct OfLimbs<const A: usize, const B: usize, const C: usize, const D: usize, const E: usize>;
-
-/// For areas of a [`Window`].
-pub(super) type Limbs4 = OfLimbs<4, 8, 12, 16, 24>;
+/// For areas of a [`Window`]. An area in the frame is below 2^242, and a corner of an oriented box
+/// below 2^243. So an area of these is below 2^488, a volume below 2^732, and a square of a volume
+/// below 2^1465.
+pub(super) type Limbs4 = Limbwise<BigInt<4>, 8, 12, 16, 24>;
 
 /// For areas of a [`ShortWindow`]: corners of an oriented box are below 2^70, so
 /// areas of these below 2^142, volumes below 2^213, and squares of volumes below 2^427.
 #[cfg(feature = "fixed")]
-pub(super) type Limbs2 = OfLimbs<2, 3, 4, 5, 7>;
-
-impl<const A: usize, const B: usize, const C: usize, const D: usize, const E: usize> Arithmetic
-    for OfLimbs<A, B, C, D, E>
-{
-    type Length = BigInt<A>;
-    type Area = BigInt<B>;
-    type Volume = BigInt<C>;
-    type Quartic = BigInt<D>;
-    type Sextic = BigInt<E>;
-    type Product = BigInt<D>;
-    type Narrow = Self;
-
-    const CERTAIN: bool = true;
-    const LARGE: bool = true;
-    const DOUBLED: bool = true;
-    const CORNER_FORM_ONLY: bool = true;
-
-    fn area(a: BigInt<A>, b: BigInt<A>) -> BigInt<B> {
-        product(&a, &b)
-    }
-    fn volume(a: BigInt<B>, b: BigInt<A>) -> BigInt<C> {
-        product(&a, &b)
-    }
-    fn quartic(a: BigInt<B>, b: BigInt<B>) -> BigInt<D> {
-        product(&a, &b)
-    }
-    fn sextic(a: BigInt<C>, b: BigInt<C>) -> BigInt<E> {
-        product(&a, &b)
-    }
-    fn sextic_of_areas(a: BigInt<D>, b: BigInt<B>) -> BigInt<E> {
-        product(&a, &b)
-    }
-    fn operand(a: BigInt<A>) -> BigInt<D> {
-        a.resized()
-    }
-    fn widened(narrow: BigInt<C>) -> BigInt<C> {
-        narrow
-    }
-}
+pub(super) type Limbs2 = Limbwise<BigInt<2>, 3, 4, 5, 7>;
 
 #[cfg(all(test, feature = "fixed"))]
 mod tests;

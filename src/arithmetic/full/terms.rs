@@ -8,6 +8,7 @@ use super::super::limbs::Limbs;
 use super::super::number::Number;
 use super::super::portion::divided_limbs;
 use super::super::soft::Soft;
+use super::super::window::Exact;
 
 /// A sum of up to six floats, each as the bits of an `f64`, or zero. Their exponents may exceed the
 /// greatest of a finite number by one, so that every number can be doubled.
@@ -120,12 +121,7 @@ impl<const UNIT: u16, const A: usize> Terms<UNIT, A> {
 
     /// Adds the product of two lengths to an area, or subtracts it.
     #[inline(never)]
-    pub(super) fn add_product<const B: usize>(
-        &self,
-        other: &Self,
-        sum: &mut BigInt<B>,
-        is_minus: bool,
-    ) {
+    fn add_product<const B: usize>(&self, other: &Self, sum: &mut BigInt<B>, is_minus: bool) {
         for x in self.terms() {
             for y in other.terms() {
                 let product = u128::from(x.magnitude) * u128::from(y.magnitude);
@@ -136,35 +132,8 @@ impl<const UNIT: u16, const A: usize> Terms<UNIT, A> {
         }
     }
 
-    #[inline(never)]
-    pub(super) fn area<const B: usize>(&self, other: &Self) -> BigInt<B> {
-        let mut sum = BigInt([0; B]);
-        self.add_product(other, &mut sum, false);
-        sum
-    }
-
-    /// a·b − c·d, in one sum, so that numbers of a kilobyte are not copied.
-    #[inline(never)]
-    pub(super) fn minor<const B: usize>([a, b]: [&Self; 2], [c, d]: [&Self; 2]) -> BigInt<B> {
-        let mut sum = BigInt([0; B]);
-        a.add_product(b, &mut sum, false);
-        c.add_product(d, &mut sum, true);
-        sum
-    }
-
-    #[inline(never)]
-    pub(super) fn volume<const B: usize, const C: usize>(&self, area: &BigInt<B>) -> BigInt<C> {
-        let mut sum = BigInt([0; C]);
-        self.add_multiple(area, &mut sum);
-        sum
-    }
-
     /// Adds the product of an area and the length to a volume.
-    pub(super) fn add_multiple<const B: usize, const C: usize>(
-        &self,
-        area: &BigInt<B>,
-        sum: &mut BigInt<C>,
-    ) {
+    fn add_multiple<const B: usize, const R: usize>(&self, area: &BigInt<B>, sum: &mut BigInt<R>) {
         for x in self.terms() {
             sum.add_multiple(area, x.magnitude, x.shift, x.negative);
         }
@@ -172,6 +141,73 @@ impl<const UNIT: u16, const A: usize> Terms<UNIT, A> {
 }
 
 // Inlined down to calls by reference: a caller would copy each operand first.
+impl<const UNIT: u16, const A: usize> Exact for Terms<UNIT, A> {
+    #[inline(always)]
+    fn whole<const R: usize>(self) -> BigInt<R> {
+        self.added_up()
+    }
+    #[inline(always)]
+    fn by_length<const R: usize>(self, other: Self) -> BigInt<R> {
+        area(&self, &other)
+    }
+    #[inline(always)]
+    fn by_area<const B: usize, const R: usize>(self, area: BigInt<B>) -> BigInt<R> {
+        volume(&self, &area)
+    }
+    #[inline(always)]
+    fn minor<const R: usize>([a, b]: [Self; 2], [c, d]: [Self; 2]) -> BigInt<R> {
+        minor([&a, &b], [&c, &d])
+    }
+    #[inline(always)]
+    fn dot<const B: usize, const R: usize>(a: &[BigInt<B>; 3], b: &[Self; 3]) -> BigInt<R> {
+        dot(a, b)
+    }
+}
+
+#[inline(never)]
+fn area<const UNIT: u16, const A: usize, const R: usize>(
+    a: &Terms<UNIT, A>,
+    b: &Terms<UNIT, A>,
+) -> BigInt<R> {
+    let mut sum = BigInt([0; R]);
+    a.add_product(b, &mut sum, false);
+    sum
+}
+
+/// a·b − c·d, in one sum, so that numbers of a kilobyte are not copied.
+#[inline(never)]
+fn minor<const UNIT: u16, const A: usize, const R: usize>(
+    [a, b]: [&Terms<UNIT, A>; 2],
+    [c, d]: [&Terms<UNIT, A>; 2],
+) -> BigInt<R> {
+    let mut sum = BigInt([0; R]);
+    a.add_product(b, &mut sum, false);
+    c.add_product(d, &mut sum, true);
+    sum
+}
+
+#[inline(never)]
+fn volume<const UNIT: u16, const A: usize, const B: usize, const R: usize>(
+    length: &Terms<UNIT, A>,
+    area: &BigInt<B>,
+) -> BigInt<R> {
+    let mut sum = BigInt([0; R]);
+    length.add_multiple(area, &mut sum);
+    sum
+}
+
+#[inline(never)]
+fn dot<const UNIT: u16, const A: usize, const B: usize, const R: usize>(
+    areas: &[BigInt<B>; 3],
+    lengths: &[Terms<UNIT, A>; 3],
+) -> BigInt<R> {
+    let mut sum = BigInt([0; R]);
+    for (length, area) in lengths.iter().zip(areas) {
+        length.add_multiple(area, &mut sum);
+    }
+    sum
+}
+
 impl<const UNIT: u16, const A: usize> Add for Terms<UNIT, A> {
     type Output = Self;
     #[inline(always)]
