@@ -24,7 +24,7 @@ pub(super) mod sealed {
     use crate::scalar::Scalar;
     use crate::shape::{Aabb, Overlaps, Triangle};
 
-    pub trait Bounded<S: Scalar>: Overlaps<Triangle<S>> {
+    pub trait Bounded<S: Scalar>: Overlaps<Triangle<S>> + Overlaps<Aabb<S>> {
         /// The numbers that are computed once for all triangles.
         type Prepared: Clone + Debug;
 
@@ -39,28 +39,12 @@ pub(super) mod sealed {
         /// if floats have no such box.
         fn corners(&self) -> Option<[[S; 3]; 2]>;
 
-        /// Whether the shape may meet a box that meets its bounding box.
-        fn may_meet(&self, aabb: &Aabb<S>) -> bool {
-            let _ = aabb;
-            true
-        }
-
-        /// Whether [`may_meet`](Self::may_meet) excludes enough boxes to be worth its time.
+        /// Whether [`Overlaps::may_overlap`] excludes enough boxes that meet the shape's bounding box to
+        /// be worth its time.
         const IS_NARROW: bool = false;
 
         /// Whether testing a triangle costs more than testing the bounding box first.
         const IS_DEAR: bool = false;
-    }
-}
-
-impl<S: Scalar> sealed::Bounded<S> for Aabb<S> {
-    type Prepared = ();
-
-    fn prepared(&self) {}
-
-    fn corners(&self) -> Option<[[S; 3]; 2]> {
-        let (min, max) = self.min_max()?;
-        Some([min.to_array(), max.to_array()])
     }
 }
 
@@ -87,56 +71,28 @@ impl<S: Scalar> sealed::Bounded<S> for Obb<S> {
     }
 }
 
-impl<S: Scalar> sealed::Bounded<S> for Triangle<S> {
-    type Prepared = ();
+macro_rules! bounded {
+    ($($shape:ident, $is_narrow:literal, |$it:ident| $corners:expr;)*) => {$(
+        impl<S: Scalar> sealed::Bounded<S> for $shape<S> {
+            type Prepared = ();
 
-    fn prepared(&self) {}
+            fn prepared(&self) {}
 
-    const IS_NARROW: bool = true;
+            const IS_NARROW: bool = $is_narrow;
 
-    fn corners(&self) -> Option<[[S; 3]; 2]> {
-        Some(Self::corners(self))
-    }
-
-    fn may_meet(&self, aabb: &Aabb<S>) -> bool {
-        self.may_overlap(aabb)
-    }
+            fn corners(&self) -> Option<[[S; 3]; 2]> {
+                let $it = self;
+                $corners
+            }
+        }
+    )*};
 }
-
-impl<S: Scalar> sealed::Bounded<S> for Segment<S> {
-    type Prepared = ();
-
-    fn prepared(&self) {}
-
-    const IS_NARROW: bool = true;
-
-    fn corners(&self) -> Option<[[S; 3]; 2]> {
-        Self::corners(self)
-    }
-
-    fn may_meet(&self, aabb: &Aabb<S>) -> bool {
-        self.may_overlap(aabb)
-    }
-}
-
-impl<S: Scalar> sealed::Bounded<S> for Sphere<S> {
-    type Prepared = ();
-
-    fn prepared(&self) {}
-
-    fn corners(&self) -> Option<[[S; 3]; 2]> {
-        Self::corners(self)
-    }
-}
-
-impl<S: Scalar> sealed::Bounded<S> for Capsule<S> {
-    type Prepared = ();
-
-    fn prepared(&self) {}
-
-    fn corners(&self) -> Option<[[S; 3]; 2]> {
-        Self::corners(self)
-    }
+bounded! {
+    Aabb, false, |aabb| aabb.min_max().map(|(min, max)| [min.to_array(), max.to_array()]);
+    Triangle, true, |triangle| Some(triangle.corners());
+    Segment, true, |segment| segment.corners();
+    Sphere, false, |sphere| sphere.corners();
+    Capsule, false, |capsule| capsule.corners();
 }
 
 impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
@@ -174,7 +130,7 @@ pub(super) fn mask<S: Scalar, P: sealed::Bounded<S>>(
     let mut mask = node.meeting(cell);
     if P::IS_NARROW {
         for k in 0..4 {
-            let misses = || !shape.may_meet(&grid.aabb(&node.cell(k)));
+            let misses = || !shape.may_overlap(&grid.aabb(&node.cell(k)));
             if mask >> k & 1 == 1 && misses() {
                 mask ^= 1 << k;
             }

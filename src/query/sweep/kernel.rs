@@ -300,8 +300,8 @@ impl<N: Arithmetic> Course<N> {
     pub(super) fn closing_plane(&self, n: &[N::Area; 3], error: &AtStart<N>) -> Closing<N::Volume> {
         let Frame { v, h, .. } = &self.frame;
         let gap = dot::<N>(n, &v[0]).magnitude() - reach::<N>(n, h);
-        let half = of_two::<N, _>(dot::<N>(n, &self.d)).magnitude();
-        [[gap, error.gap.plane], [half + half, error.volume_speed]]
+        let speed = once::<N, _>(dot::<N>(n, &self.d)).magnitude();
+        [[gap, error.gap.plane], [speed, error.volume_speed]]
     }
 
     /// The same on the cross product of coordinate axis `i` and edge `k`, given component `i` of the
@@ -323,8 +323,8 @@ impl<N: Arithmetic> Course<N> {
         let r = N::area(e[l].magnitude(), h[j]) + N::area(e[j].magnitude(), h[l]);
         let middle = of_two::<N, _>(n);
         let gap = (p + middle).magnitude() - (middle.magnitude() + r);
-        let half = of_two::<N, _>(N::area(e[j], d[l]) - N::area(e[l], d[j])).magnitude();
-        Some([[gap, error.gap.edge], [half + half, error.area_speed]])
+        let speed = once::<N, _>(N::area(e[j], d[l]) - N::area(e[l], d[j])).magnitude();
+        Some([[gap, error.gap.edge], [speed, error.area_speed]])
     }
 }
 
