@@ -179,7 +179,7 @@ impl<const L: usize> BigInt<L> {
     /// The same out of line, with one copy for all kernels. Of long numbers, a limb of `other` at a time:
     /// unrolled loops over both would be a block too large for compilers.
     #[inline(never)]
-    pub(super) fn product<const M: usize, const R: usize>(&self, other: &BigInt<M>) -> BigInt<R> {
+    pub(crate) fn product<const M: usize, const R: usize>(&self, other: &BigInt<M>) -> BigInt<R> {
         if L <= 8 {
             return self.times(other);
         }

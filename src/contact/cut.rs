@@ -5,13 +5,14 @@ use core::cmp::Ordering;
 
 use super::axes::Axes;
 use super::directions::Direction;
-use super::fixed_pair::FixedPair;
+use super::integers::Words;
+use super::whole::Pair;
 use crate::arithmetic::{greatest, pick};
 
 /// The numbers of two shapes, rounded to half words: twice the places from the second shape's origin, and
 /// what extends from them.
 pub(super) struct Cut<'a> {
-    pair: &'a FixedPair,
+    pair: &'a Pair<Words>,
     /// Each side over a power of two of its own.
     sides: [[[i32; 3]; 3]; 2],
     at: [[[i32; 3]; 3]; 2],
@@ -124,7 +125,7 @@ fn rounded(v: &[i32; 3], down: i32) -> [i32; 3] {
 
 impl<'a> Cut<'a> {
     #[inline(never)]
-    pub(super) fn new(pair: &'a FixedPair) -> Self {
+    pub(super) fn new(pair: &'a Pair<Words>) -> Self {
         let none = [[[0; 3]; 3]; 2];
         let mut new = Self { pair, sides: none, at: none, reach: none, sum: 0 };
         // The exponents of places and reaches.

@@ -1,7 +1,7 @@
 //! Contacts of shapes with flat faces.
 
 use super::body::{Body, Rough};
-use super::fixed_pair::is_whole;
+use super::integers::is_whole;
 use super::least::{Directed, Way, least_measures, least_way};
 use super::measures::Measures;
 use super::points::{Points, features, points};

@@ -7,14 +7,13 @@ use super::cut::Cut;
 use super::directions::{Direction, all};
 use super::exact::{Exact, Given, farthest, length};
 use super::filter::Filter;
-use super::fixed_pair::{FixedPair, is_whole};
-use super::integers::{Long, Short};
+use super::integers::{Long, Short, Words, is_whole};
 use super::interior::InteriorEdges;
 use super::measures::{Lengths, Measures};
 use super::settled::settled;
 use super::sums::Sums;
 use super::wanted::{Apart, FACE, Wanted};
-use super::whole::{Shapes, Units, Whole};
+use super::whole::{Pair, Units};
 use crate::arithmetic::{REGISTERS_ARE_WIDE, pick, turn};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
@@ -22,8 +21,8 @@ use crate::scalar::Scalar;
 /// The exact numbers of two shapes: integers, or sums of products for all other inputs.
 #[derive(Clone, Copy)]
 pub(super) enum Numbers<'a> {
-    Short(&'a Shapes<Short>),
-    Long(&'a Shapes<Long>),
+    Short(&'a Pair<Short>),
+    Long(&'a Pair<Long>),
     Sums,
 }
 
@@ -39,12 +38,8 @@ impl Numbers<'_> {
         let triangles = [bodies[0].is_triangle(), bodies[1].is_triangle()];
         let own = direction.sides(triangles);
         match self {
-            Self::Short(shapes) => {
-                Exact::new(&Whole::new(shapes, own), triangles, own, known, wanted)
-            }
-            Self::Long(shapes) => {
-                Exact::new(&Whole::new(shapes, own), triangles, own, known, wanted)
-            }
+            Self::Short(pair) => Exact::new(&pair.along(direction), triangles, own, known, wanted),
+            Self::Long(pair) => Exact::new(&pair.along(direction), triangles, own, known, wanted),
             Self::Sums => Exact::new(&Sums::new(bodies, own), triangles, own, known, wanted),
         }
     }
@@ -69,11 +64,11 @@ fn exact<S: Scalar>(
     let (short, long);
     let numbers = match Units::new(bodies) {
         Some(units) if units.are_short => {
-            short = units.shapes(bodies);
+            short = units.pair(bodies);
             Numbers::Short(&short)
         }
         Some(units) => {
-            long = units.shapes(bodies);
+            long = units.pair(bodies);
             Numbers::Long(&long)
         }
         None => Numbers::Sums,
@@ -89,7 +84,8 @@ pub(super) fn exact_in_words<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     is_normal: bool,
 ) -> Result<Option<(Way, Lengths)>, Apart> {
-    let pair = FixedPair::new(bodies);
+    let mut pair = Pair::<Words>::NONE;
+    Units::of_words::<S>().fill(bodies, &mut pair);
     let cut = Cut::new(&pair);
     let wanted = if is_normal { Wanted::FACE } else { Wanted::in_words(all(bodies), &cut)? };
     least_of(&wanted, &|direction, wanted| {

@@ -123,7 +123,6 @@ mod exact;
 mod faces;
 mod feature;
 mod filter;
-mod fixed_pair;
 mod flat;
 mod integers;
 mod interior;

@@ -10,8 +10,8 @@ use super::body::{Body, Rough};
 use super::cut::Cut;
 use super::directions::{Direction, all};
 use super::exact::{Exact, Given, Size, length};
-use super::fixed_pair::{FixedPair, is_whole};
 use super::flat::in_floats;
+use super::integers::{Words, is_whole};
 use super::interior::InteriorEdges;
 use super::least::{Directed, Numbers, Way, exact_in_words, least_exact, least_way};
 use super::measures::{Lengths, Measures};
@@ -91,7 +91,7 @@ fn check<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [bool; 3] 
     let is_short = units.as_ref().is_some_and(|units| units.are_short);
     if let Some(units) = &units {
         // What 60 bits hold, 250 bits hold as well.
-        let (long, short) = (units.shapes(&bodies), is_short.then(|| units.shapes(&bodies)));
+        let (long, short) = (units.pair(&bodies), is_short.then(|| units.pair(&bodies)));
         let numbers = [Some(Numbers::Long(&long)), short.as_ref().map(Numbers::Short)];
         for (direction, numbers) in all(&bodies).iter().flat_map(|&d| numbers.map(|n| (d, n))) {
             let exact = |n: Numbers<'_>| n.along(&bodies, direction, &NOTHING_IS_KNOWN, [true; 2]);
@@ -160,7 +160,7 @@ fn words_agree_with_sums() {
         let least = exact_in_words(&bodies, false).ok().flatten();
         let found = least.map(|(way, lengths)| (way.direction, way.is_along, Some(lengths.depth)));
         assert_eq!(found, by_sums(&bodies), "{bodies:?}");
-        let pair = FixedPair::new(&bodies);
+        let pair = Units::of_words::<S>().pair::<Words, S>(&bodies);
         for &direction in all(&bodies) {
             let own = direction.sides(pair.are_triangles);
             let given: &dyn Given = &pair.along(direction);

@@ -1,13 +1,14 @@
 //! The exact numbers of a direction as integers: in 60 bits, as in most scenes, or in 250 bits, as
-//! for poses with residues of quarter turns. The results equal [`sums`](super::sums) and take a fraction of
-//! the time. Small cores have [`fixed_pair`](super::fixed_pair).
+//! for poses with residues of quarter turns; on small cores, in words of fixed point. The results equal
+//! [`sums`](super::sums) and take a fraction of the time.
 
 use core::cmp::Ordering;
 
 use super::body::Body;
+use super::directions::Direction;
 use super::exact::{Given, Size};
-use super::integers::{Integers, Long, Short};
-use crate::arithmetic::{Bits, Number, REGISTERS_ARE_WIDE, Soft, compare, pick, three, turn};
+use super::integers::{Integers, Long, Short, Words, is_short};
+use crate::arithmetic::{Bits, Number, REGISTERS_ARE_WIDE, Soft, pick, three, turn};
 use crate::scalar::Scalar;
 use crate::shape::{AabbForm, Vec3};
 
@@ -23,8 +24,9 @@ pub(super) struct Units {
     ends: i32,
     /// The unit of the axes of axis-aligned boxes.
     ones: i32,
-    /// How far the two kinds of terms are shifted up to that unit.
-    up: [u32; 2],
+    /// How far places, axes times half-extents, and half-extents of axis-aligned boxes are shifted up to
+    /// that unit.
+    up: [u32; 3],
     /// Whether [`Short`] holds everything. If not, [`Long`] does.
     pub(super) are_short: bool,
 }
@@ -57,6 +59,12 @@ fn gathered<S: Scalar, T: Copy>(
 }
 
 impl Units {
+    /// The units of a scalar that [`is_whole`](super::integers::is_whole), in [`Words`](super::integers::Words).
+    pub(super) fn of_words<S: Scalar>() -> Self {
+        let up = [S::ONE.shift.into(), 0, 0];
+        Self { places: 0, axes: 0, halves: 0, ends: 0, ones: 0, up, are_short: true }
+    }
+
     /// The units, if the numbers are short enough, and the machine multiplies long words.
     pub(super) fn new<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<Self> {
         if !REGISTERS_ARE_WIDE {
@@ -70,7 +78,7 @@ impl Units {
         let (of_places, of_reach) = (low(places) + one, low(axes) + low(halves));
         let has_reach = axes.width() > 0 && halves.width() > 0;
         let ends = if has_reach { of_places.min(of_reach) } else { of_places };
-        let up = [of_places - ends, if has_reach { of_reach - ends } else { 0 }];
+        let up = [of_places - ends, if has_reach { of_reach - ends } else { 0 }, of_places - ends];
         // Each shape has twice a place, and twice a half-extent or three products; then their sum.
         let reach = (places.width() + 3 + up[0]).max(axes.width() + halves.width() + 4 + up[1]);
         let width = places.width().max(axes.width()).max(halves.width());
@@ -88,152 +96,175 @@ impl Units {
     }
 
     /// Both shapes in integers.
-    #[inline(never)]
-    pub(super) fn shapes<N: Integers, S: Scalar>(&self, bodies: &[Body<'_, S>; 2]) -> Shapes<N> {
-        let [first, second] = bodies;
-        Shapes { shapes: [self.shape(first), self.shape(second)], ends: self.ends }
+    pub(super) fn pair<N: Integers, S: Scalar>(&self, bodies: &[Body<'_, S>; 2]) -> Pair<N> {
+        let mut new = Pair::NONE;
+        self.fill(bodies, &mut new);
+        new
     }
 
-    fn shape<N: Integers, S: Scalar>(&self, body: &Body<'_, S>) -> Shape<N> {
-        let point = |p: [S; 3]| in_units::<N, S>(&p, self.places);
-        let raised = |x: [N::Length; 3]| {
-            let mut all = [N::Area::ZERO; 3];
-            for (to, x) in all.iter_mut().zip(x) {
-                *to = N::raised(N::widened(x), self.up[0]);
-            }
-            all
-        };
-        let twice = |p: [N::Length; 3]| three(|i| p[i] + p[i]);
-        let (mut sides, mut reach) = ([[N::Length::ZERO; 3]; 3], [[N::Area::ZERO; 3]; 3]);
-        match body {
-            Body::Triangle(t) => {
-                let v = t.points().map(point);
-                for (k, side) in sides.iter_mut().enumerate() {
-                    let (from, to) = (pick(&v, k), pick(&v, turn(k).1));
-                    *side = three(|i| to[i] - from[i]);
-                }
-                Shape { sides, unit: self.places, ends: v.map(|v| raised(twice(v))), reach }
-            }
-            Body::Aabb(aabb) => {
-                let unit = self.ones;
-                let (AabbForm::Center { center: p, half: q }
-                | AabbForm::Corners { min: p, max: q }) = aabb.form();
-                let (p, q) = (point(p.to_array()), point(q.to_array()));
-                let (end, half) = match aabb.form() {
-                    AabbForm::Center { .. } => (twice(p), twice(q)),
-                    AabbForm::Corners { .. } => (three(|i| p[i] + q[i]), three(|i| q[i] - p[i])),
-                };
-                let (end, half) = (raised(end), raised(half));
-                for k in 0..3 {
-                    sides[k][k] = N::length(S::ONE, unit);
-                    reach[k][k] = half[k];
-                }
-                Shape { sides, unit, ends: [end; 3], reach }
-            }
-            Body::Obb(obb) => {
-                let half = twice(in_units::<N, S>(&obb.half_extents().to_array(), self.halves));
-                for (k, (side, reach)) in sides.iter_mut().zip(&mut reach).enumerate() {
-                    *side = in_units::<N, S>(&obb.axes()[k].to_array(), self.axes);
-                    for (reach, side) in reach.iter_mut().zip(side) {
-                        *reach = N::raised(N::area(half[k], *side), self.up[1]);
+    /// In place, without a copy on the stack.
+    #[inline(never)]
+    pub(super) fn fill<N: Integers, S: Scalar>(
+        &self,
+        bodies: &[Body<'_, S>; 2],
+        new: &mut Pair<N>,
+    ) {
+        new.are_triangles = [bodies[0].is_triangle(), bodies[1].is_triangle()];
+        (new.up, new.unit) = (self.up[0], self.ends);
+        let mut origin = [N::Length::ZERO; 3];
+        for (n, body) in bodies.iter().enumerate() {
+            let (sides, ends) = (&mut new.sides[n], &mut new.ends[n]);
+            let (halves, unit, up) = (&mut new.halves[n], &mut new.units[n], &mut new.ups[n]);
+            match body {
+                Body::Triangle(t) => {
+                    let v = t.vertices().map(|p| numbers::<N, S>(&p, self.places));
+                    for k in 0..3 {
+                        let (from, to) = (pick(&v, k), pick(&v, turn(k).1));
+                        sides[k] = three(|i| to[i] - from[i]);
+                        ends[k] = three(|i| from[i] + from[i]);
                     }
+                    *unit = self.places;
                 }
-                let end = raised(twice(point(obb.center().to_array())));
-                Shape { sides, unit: self.axes, ends: [end; 3], reach }
+                Body::Aabb(aabb) => {
+                    let (AabbForm::Center { center: p, half: q }
+                    | AabbForm::Corners { min: p, max: q }) = aabb.form();
+                    let (p, q) = (numbers::<N, S>(p, self.places), numbers::<N, S>(q, self.places));
+                    let is_center = matches!(aabb.form(), AabbForm::Center { .. });
+                    for i in 0..3 {
+                        sides[i][i] = N::length(S::ONE, self.ones);
+                        (ends[0][i], halves[i]) = if is_center {
+                            (p[i] + p[i], q[i] + q[i])
+                        } else {
+                            (p[i] + q[i], q[i] - p[i])
+                        };
+                    }
+                    (*unit, *up) = (self.ones, self.up[2]);
+                }
+                Body::Obb(obb) => {
+                    let center = numbers::<N, S>(&obb.center(), self.places);
+                    let half = numbers::<N, S>(&obb.half_extents(), self.halves);
+                    (ends[0], *halves) = (center.map(|x| x + x), half.map(|x| x + x));
+                    for (side, axis) in sides.iter_mut().zip(obb.axes()) {
+                        *side = numbers::<N, S>(axis, self.axes);
+                    }
+                    (*unit, *up) = (self.axes, self.up[1]);
+                }
+            }
+            origin = ends[0];
+        }
+        for (ends, is_triangle) in new.ends.iter_mut().zip(new.are_triangles) {
+            for end in ends.iter_mut().take(if is_triangle { 3 } else { 1 }) {
+                *end = three(|i| end[i] - origin[i]);
             }
         }
     }
 }
 
-/// Three numbers in units of 2^`low`.
-fn in_units<N: Integers, S: Scalar>(x: &[S; 3], low: i32) -> [N::Length; 3] {
-    three(|i| N::length(x[i].parts(), low))
-}
-
-/// A shape in integers.
-pub(super) struct Shape<N: Integers> {
-    /// The edges of a triangle, or the axes of a box.
-    pub(super) sides: [[N::Length; 3]; 3],
-    /// The unit of `sides`.
-    unit: i32,
-    /// Twice the vertices, or twice the centre of a box.
-    pub(super) ends: [[N::Area; 3]; 3],
-    /// The axes times twice the half-extents.
-    pub(super) reach: [[N::Area; 3]; 3],
+#[inline(never)]
+fn numbers<N: Integers, S: Scalar>(v: &Vec3<S>, low: i32) -> [N::Length; 3] {
+    let mut all = [N::Length::ZERO; 3];
+    for (to, x) in all.iter_mut().zip(v.to_array()) {
+        *to = N::length(x.parts(), low);
+    }
+    all
 }
 
 /// Two shapes in integers.
-pub(super) struct Shapes<N: Integers> {
-    pub(super) shapes: [Shape<N>; 2],
-    /// The unit of ends.
-    ends: i32,
+pub(super) struct Pair<N: Integers> {
+    pub(super) are_triangles: [bool; 2],
+    /// The edges of a triangle, or the axes of a box: in words at most 2^32.
+    pub(super) sides: [[[N::Length; 3]; 3]; 2],
+    /// The units of `sides`.
+    units: [i32; 2],
+    /// Twice the vertices, or twice the centre of a box and zeros, from the second shape's first: in
+    /// words at most 2^33.
+    pub(super) ends: [[[N::Length; 3]; 3]; 2],
+    /// Twice the half-extents of a box: in words below 2^32.
+    pub(super) halves: [[N::Length; 3]; 2],
+    /// How far ends are shifted up to the unit of positions along a direction.
+    pub(super) up: u32,
+    /// How far axes times half-extents are.
+    ups: [u32; 2],
+    /// This unit.
+    unit: i32,
 }
 
-impl<N: Integers> Shape<N> {
-    /// Adds twice the farthest place of the shape along the direction, or subtracts the nearest.
-    fn add_end(
-        &self,
-        sum: &mut [N::Area; 3],
-        vertex: usize,
-        along: &[Ordering; 3],
-        is_upper: bool,
-    ) {
-        let mut add = |x: &[N::Area; 3], is_negative: bool| {
-            for (sum, &x) in sum.iter_mut().zip(x) {
-                *sum = if is_negative { *sum - x } else { *sum + x };
-            }
-        };
-        add(pick(&self.ends, vertex), is_upper);
-        for (reach, along) in self.reach.iter().zip(along).filter(|(_, along)| along.is_ne()) {
-            add(reach, along.is_lt());
-        }
+impl<N: Integers> Pair<N> {
+    pub(super) const NONE: Self = Self {
+        are_triangles: [false; 2],
+        sides: [[[N::Length::ZERO; 3]; 3]; 2],
+        units: [0; 2],
+        ends: [[[N::Length::ZERO; 3]; 3]; 2],
+        halves: [[N::Length::ZERO; 3]; 2],
+        up: 0,
+        ups: [0; 2],
+        unit: 0,
+    };
+
+    pub(super) fn along(&self, direction: Direction) -> Along<'_, N> {
+        let own = direction.sides(self.are_triangles);
+        let [x, y] = own.map(|(shape, k)| pick(&self.sides[shape % 2], k));
+        let direction = three(|i| {
+            let (_, j, k) = turn(i);
+            N::area(*pick(x, j), *pick(y, k)) - N::area(*pick(x, k), *pick(y, j))
+        });
+        let [x, y] = own.map(|(shape, _)| self.units[shape % 2]);
+        Along { pair: self, direction, unit: x + y }
     }
 }
 
 /// A direction in integers.
-pub(super) struct Whole<'a, N: Integers> {
-    shapes: &'a Shapes<N>,
+pub(super) struct Along<'a, N: Integers> {
+    pair: &'a Pair<N>,
+    /// In words below 2^66.
     direction: [N::Area; 3],
     unit: i32,
 }
 
-impl<'a, N: Integers> Whole<'a, N> {
-    pub(super) fn new(shapes: &'a Shapes<N>, own: [(usize, usize); 2]) -> Self {
-        let side = |(shape, k): (usize, usize)| {
-            let shape = &shapes.shapes[shape % 2];
-            (pick(&shape.sides, k), shape.unit)
-        };
-        let ((x, x_unit), (y, y_unit)) = (side(own[0]), side(own[1]));
-        let direction = three(|i| {
-            let (_, j, k) = turn(i);
-            let area = |j: usize, k: usize| N::area(*pick(x, j), *pick(y, k));
-            area(j, k) - area(k, j)
-        });
-        Self { shapes, direction, unit: x_unit + y_unit }
+impl Along<'_, Words> {
+    /// The leading bits, rounded down; `None` if the direction is zero.
+    pub(super) fn cut(&self, places: i32) -> Option<[i32; 3]> {
+        let all = self.direction.iter().fold(0, |all, x| all | x ^ x >> 127);
+        let short = self.direction.map(|x| if is_short(all) { x } else { x >> 32 } as i64);
+        let size = short.iter().fold(0, |all, x| all | x ^ x >> 63);
+        let down = 64 - size.leading_zeros() as i32 - places;
+        let is_zero = self.direction == [0; 3];
+        (!is_zero).then(|| short.map(|x| if down > 0 { x >> down } else { x << -down } as i32))
     }
 }
 
-impl<N: Integers> Given for Whole<'_, N> {
+impl<N: Integers> Given for Along<'_, N> {
     fn coordinates(&self) -> [Option<(Ordering, Soft)>; 3] {
-        three(|i| {
-            let (sign, size) = self.direction[i].sign_and_size()?;
-            Some((sign, size.scaled(self.unit)))
-        })
+        let mut all = [None; 3];
+        for (to, x) in all.iter_mut().zip(self.direction) {
+            *to = x.sign_and_size().map(|(sign, size)| (sign, size.scaled(self.unit)));
+        }
+        all
     }
 
     fn side(&self, shape: usize, k: usize) -> Ordering {
-        let side = pick(&self.shapes.shapes[shape % 2].sides, k);
-        let [x, y, z] = three(|i| N::volume(self.direction[i], side[i]));
-        compare(x + y + z, N::Volume::ZERO)
+        N::side(&self.direction, pick(&self.pair.sides[shape % 2], k))
     }
 
     fn overlap(&self, along: &[[Ordering; 3]; 2], vertices: [usize; 2], lower: usize) -> Size {
+        let pair = self.pair;
         let mut reach = [N::Area::ZERO; 3];
-        for (k, shape) in self.shapes.shapes.iter().enumerate() {
-            shape.add_end(&mut reach, vertices[k], &along[k], k != lower);
+        for n in 0..2 {
+            let vertex = if pair.are_triangles[n] { vertices[n] } else { 0 };
+            let ends = reach.iter_mut().zip(pick(&pair.ends[n], vertex));
+            for (sum, &x) in ends.filter(|(_, x)| !x.is_zero()) {
+                *sum = *sum + N::placed(if n == lower { x } else { -x }, pair.up);
+            }
+            for ((v, &half), along) in pair.sides[n].iter().zip(&pair.halves[n]).zip(along[n]) {
+                if along.is_eq() || half.is_zero() {
+                    continue;
+                }
+                let half = if along.is_lt() { -half } else { half };
+                for (sum, &x) in reach.iter_mut().zip(v).filter(|(_, x)| !x.is_zero()) {
+                    *sum = *sum + N::raised(N::area(x, half), pair.ups[n]);
+                }
+            }
         }
-        let [x, y, z] = three(|i| N::fourth(self.direction[i], reach[i]));
-        let (sign, size) = (x + y + z).sign_and_size()?;
-        sign.is_gt().then(|| size.scaled(self.unit + self.shapes.ends))
+        N::size(&self.direction, &reach).map(|size| size.scaled(self.unit + pair.unit))
     }
 }
