@@ -170,12 +170,81 @@ pub mod contact;
 pub mod interop;
 pub mod lanes;
 pub mod near;
-pub mod polygon;
-pub mod prepared;
+pub mod polygon {
+    //! Polygons of three or more vertices, in the caller's memory, against boxes.
+    //!
+    //! ```
+    //! use septum::polygon::Polygon;
+    //! use septum::{Aabb, Vec3};
+    //!
+    //! let hexagon = [[2, 0, 0], [2, 2, 1], [1, 2, 2], [0, 1, 2], [0, 0, 1], [1, 0, 0]];
+    //! let hexagon = hexagon.map(|p| Vec3::from(p.map(f64::from)));
+    //! let polygon = Polygon::new(&hexagon)?;
+    //! let cell = |x, y, z| Aabb::from_min_max([x, y, z], [x + 1.0, y + 1.0, z + 1.0]).unwrap();
+    //! assert!(polygon.overlaps(&cell(0.0, 0.0, 1.0)));
+    //! assert!(!polygon.overlaps(&cell(0.0, 1.0, 0.0)));
+    //! # Ok::<(), septum::ShapeError>(())
+    //! ```
+    //! The test against an axis-aligned box is exact. For every other query, use the polygon's
+    //! [`triangles`](Polygon::triangles).
+
+    pub use crate::shape::Polygon;
+}
+pub mod prepared {
+    //! Shapes prepared for many queries: the same exact answers, faster.
+    //!
+    //! [`PreparedRay`] is for one ray and many boxes, [`PreparedTriangle`] for one triangle and many
+    //! boxes, [`HitRay`] and [`HitTriangle`] for many rays and many triangles.
+    //!
+    //! ```
+    //! use septum::prepared::PreparedRay;
+    //! use septum::{Aabb, Ray};
+    //!
+    //! let ray = PreparedRay::new(&Ray::new([-1.0_f32, 0.5, 0.5], [1.0, 0.0, 0.0])?);
+    //! let cells: [_; 4] = core::array::from_fn(|k| {
+    //!     let y = k as f32 * 0.25;
+    //!     Aabb::from_min_max([0.0, y, 0.0], [1.0, y + 0.25, 1.0]).unwrap()
+    //! });
+    //! assert_eq!(cells.map(|cell| ray.overlaps(&cell)), [false, true, true, false]);
+    //! # Ok::<(), septum::ShapeError>(())
+    //! ```
+
+    pub use crate::query::{HitRay, HitTriangle, PreparedRay, PreparedTriangle};
+}
 pub mod published;
 #[cfg(test)]
 mod random;
-pub mod relation;
+pub mod relation {
+    //! Whether two shapes are disjoint, touch or overlap, exactly.
+    //!
+    //! [`overlaps`](crate::Overlaps::overlaps) is `true` for shapes that touch. [`Relate::relation`]
+    //! also says whether their interiors meet.
+    //!
+    //! ```
+    //! use septum::relation::{Relate, Relation};
+    //! use septum::{Aabb, Triangle};
+    //!
+    //! let cell = Aabb::from_min_max([0.0; 3], [1.0; 3])?;
+    //! let on_top = Triangle::new([0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0])?;
+    //! assert_eq!(on_top.relation(&cell), Relation::Touching);
+    //! let next = Triangle::new([1.0, 0.0, 1.0], [1.0, 1.0, 1.0], [0.0, 1.0, 1.0])?;
+    //! assert_eq!(on_top.relation(&next), Relation::Touching); // they share an edge
+    //! let across = Triangle::new([0.5, 0.5, 0.0], [0.5, 0.5, 2.0], [2.0, 2.0, 2.0])?;
+    //! assert_eq!(across.relation(&cell), Relation::Overlapping);
+    //! # Ok::<(), septum::ShapeError>(())
+    //! ```
+    //!
+    //! | pair | |
+    //! | --- | --- |
+    //! | triangle | triangle, segment, axis-aligned box, oriented box, sphere, capsule |
+    //! | axis-aligned box | axis-aligned box, oriented box, triangle, sphere, capsule |
+    //! | oriented box | oriented box, axis-aligned box, triangle |
+    //! | segment | triangle, sphere, capsule |
+    //! | sphere | sphere, capsule, triangle, segment, axis-aligned box, plane, ray |
+    //! | capsule | capsule, sphere, triangle, segment, axis-aligned box, plane |
+
+    pub use crate::query::{Relate, Relation};
+}
 mod robust;
 mod scalar;
 pub mod sweep;

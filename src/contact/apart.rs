@@ -7,12 +7,11 @@
 
 use core::mem::size_of;
 
-use super::body::dot;
+use super::body::{Flat, Round, dot};
 use super::feature::Part;
 use super::interior::InteriorEdges;
 use super::line::{Line, less, roundoffs};
 use super::settled::{Known, is_single};
-use super::shapes::{Flat, Round};
 use crate::arithmetic::{REGISTERS_ARE_WIDE, largest, root_of_machine, three};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;

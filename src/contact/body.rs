@@ -3,9 +3,23 @@
 use crate::arithmetic::{self, Double, Filtered, Parts, part, pick, three, turn};
 use crate::robust::{ExactSum, Linear, Vector, add_scaled_determinant, difference, single};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Obb, Triangle};
+use crate::shape::{Aabb, AabbForm, Obb, Triangle, Vec3};
 
 pub(super) type Vec64 = [f64; 3];
+
+/// A triangle or a box.
+#[derive(Clone, Copy, Debug)]
+pub enum Flat<'a, S> {
+    Triangle(&'a Triangle<S>),
+    Aabb(&'a Aabb<S>),
+}
+
+/// The points within a radius of a segment, which may be a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Round<S> {
+    pub(super) ends: [Vec3<S>; 2],
+    pub(super) radius: S,
+}
 
 /// A shape with its given numbers.
 #[derive(Clone, Copy, Debug)]

@@ -138,7 +138,6 @@ mod quads;
 mod round;
 mod scene;
 mod settled;
-mod shapes;
 mod sides;
 mod signs;
 mod solid;

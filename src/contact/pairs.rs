@@ -1,8 +1,7 @@
 //! The pairs of shapes that have contacts.
 
-use super::body::Body;
+use super::body::{Body, Flat, Round};
 use super::round;
-use super::shapes::{Flat, Round};
 use super::{Contact, InteriorEdges, Translation, flat};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Capsule, Obb, Sphere, Triangle};

@@ -4,7 +4,7 @@
 //! has the direction, exactly, and [`depth`](super::depth) the numbers along it.
 
 use super::apart::apart;
-use super::body::dot;
+use super::body::{Flat, Round, dot};
 use super::depth::{Out, Units, out, rounded};
 use super::feature::{Features, Part};
 use super::interior::InteriorEdges;
@@ -12,7 +12,6 @@ use super::measures::Measures;
 use super::nearest::Pair;
 use super::points::{Point, Points};
 use super::scene::{Scene, Way};
-use super::shapes::{Flat, Round};
 use super::{Contact, Translation};
 use crate::arithmetic::{Embeds, Number, greatest, root, three};
 use crate::robust::{Numeric, Predicate};

@@ -6,7 +6,7 @@ extern crate std;
 use std::format;
 
 use super::Shape;
-use super::body::{Body, Rough};
+use super::body::{Body, Flat, Rough, Round};
 use super::cut::Cut;
 use super::directions::{Direction, all};
 use super::exact::{Exact, Given, Size, length};
@@ -16,7 +16,6 @@ use super::interior::InteriorEdges;
 use super::least::{Directed, Numbers, Way, exact_in_words, least_exact, least_way};
 use super::measures::{Lengths, Measures};
 use super::round;
-use super::shapes::{Flat, Round};
 use super::wanted::Wanted;
 use super::whole::Units;
 use crate::arithmetic::{REGISTERS_ARE_WIDE, root};

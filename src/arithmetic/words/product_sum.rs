@@ -1,6 +1,9 @@
-//! Sums of products of two words; only their signs are used.
+//! Sums of products of two words, of which only signs are used, and products of vectors of words.
 
+use core::cmp::Ordering;
 use core::ops::{Add, Shl};
+
+use super::word::{WholeWord, Word};
 
 /// A sum of products of two lengths: see the table at [`Word`](super::Word).
 pub trait ProductSum<W>: Copy {
@@ -38,4 +41,39 @@ pub trait ProductSum<W>: Copy {
     fn whole<T>(volume: Self::Volume) -> T
     where
         T: From<Self::Part> + Add<Output = T> + Shl<u32, Output = T>;
+}
+
+// Out of line, because small code is more important than a call where words are used.
+
+/// a × b.
+#[inline(never)]
+pub(crate) fn cross_words<W: Word>(a: &[W; 3], b: &[W; 3]) -> [W::Sum; 3] {
+    [minor(a, b, 1, 2), minor(a, b, 2, 0), minor(a, b, 0, 1)]
+}
+
+/// a·b.
+#[inline(never)]
+pub(crate) fn dot_words<W: WholeWord>(a: &[W::Sum; 3], b: &[W; 3]) -> W::Whole {
+    let mut volume = W::Sum::ZERO;
+    for (&a, &b) in a.iter().zip(b) {
+        volume = W::Sum::sum(volume, a, b);
+    }
+    W::whole(volume)
+}
+
+/// The sign of the first nonzero component of a × b.
+#[inline(never)]
+pub(crate) fn first_sign<W: Word>(a: &[W; 3], b: &[W; 3]) -> Ordering {
+    for (there, back) in cross_words(a, b).into_iter().zip(cross_words(b, a)) {
+        let is = |area: W::Sum| area.sign() < W::ZERO;
+        if is(there) || is(back) {
+            return if is(there) { Ordering::Less } else { Ordering::Greater };
+        }
+    }
+    Ordering::Equal
+}
+
+#[inline(always)]
+fn minor<W: Word>(a: &[W; 3], b: &[W; 3], j: usize, k: usize) -> W::Sum {
+    W::Sum::new(a[j], b[k], W::ZERO - a[k], b[j])
 }
