@@ -56,12 +56,15 @@
 //! | pair | scalar | |
 //! | --- | --- | --- |
 //! | ray, triangle | fixed point | `hit`, `hit_once`, `hit_with`, `is_hit`, `is_hit_with` |
-//! | triangle, axis-aligned box | fixed point, `f32` | `overlaps`, `may_overlap` |
+//! | triangle, axis-aligned box | fixed point, `f32` | `overlaps`, `may_overlap`; `relation` in fixed point |
+//! | the same, one of them [`Moving`] | fixed point | `meets`, `first_contact` |
 //! | triangle, oriented box | fixed point | `overlaps`, `may_overlap` |
 //! | triangle, sphere or capsule | fixed point | `overlaps`, in integers of up to 128 bits |
 //!
 //! The answers are bit for bit the answers of the ordinary shapes.
 
+#[cfg(feature = "fixed")]
+pub use crate::query::Moving;
 pub use crate::shape::Near;
 
 #[cfg(test)]
@@ -124,6 +127,7 @@ mod floats {
 mod tests {
     use fixed::types::I16F16;
 
+    use crate::relation::{Relate, Relation};
     use crate::{Aabb, Capsule, Obb, Ray, ShapeError, Sphere, Triangle};
 
     const MOST: i32 = (1 << 17) - 1;
@@ -174,7 +178,7 @@ mod tests {
             seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             ((u64::from(seed) * u64::from(n)) >> 32) as i32
         };
-        let mut yes = [0; 6];
+        let mut yes = [0; 7];
         for case in 0..20_000 {
             let mut number = |most: i32| match case % 3 {
                 0 => below(2 * most as u32) - most,
@@ -198,6 +202,10 @@ mod tests {
             let overlap = triangle.overlaps(&aabb);
             assert_eq!(near.overlaps(&aabb.near().unwrap()), overlap);
             assert_eq!(aabb.near().unwrap().overlaps(&near), overlap);
+            let relation = triangle.relation(&aabb);
+            assert_eq!(near.relation(&aabb.near().unwrap()), relation);
+            assert_eq!(aabb.near().unwrap().relation(&near), relation);
+            yes[6] += u32::from(relation == Relation::Touching);
             yes[2] += u32::from(overlap);
             let axes = [point(LONGEST), point(LONGEST), point(LONGEST)];
             let half = point(LONGEST).map(|x| x.saturating_abs() >> 4);

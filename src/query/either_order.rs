@@ -73,3 +73,13 @@ where
         triangle.may_overlap(self)
     }
 }
+
+impl<S, T> Relate<Near<Triangle<S>>> for Near<T>
+where
+    Near<Triangle<S>>: Relate<Self>,
+{
+    #[inline]
+    fn relation(&self, triangle: &Near<Triangle<S>>) -> Relation {
+        triangle.relation(self)
+    }
+}

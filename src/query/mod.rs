@@ -73,6 +73,8 @@ pub use relation::{Relate, Relation};
 pub(crate) use row_triangle::crossing;
 pub use sphere::Closest;
 pub(crate) use sphere::compare_distances;
+#[cfg(feature = "fixed")]
+pub use sweep::Moving;
 pub use sweep::{FirstContact, Motion, SphereContact, Sweep};
 pub use triangle_aabb::PreparedTriangle;
 pub(crate) use triangle_aabb::{bound_of_size, disjoint_rounded, range};

@@ -7,6 +7,8 @@ mod in_doubles;
 mod instants;
 mod kernel;
 mod motion;
+#[cfg(feature = "fixed")]
+mod near;
 mod passing;
 mod rows;
 mod sphere;
@@ -16,6 +18,8 @@ mod words;
 use core::cmp::Ordering;
 
 pub use motion::Motion;
+#[cfg(feature = "fixed")]
+pub use near::Moving;
 pub use sphere::SphereContact;
 
 use self::passing::{Given, Passing};

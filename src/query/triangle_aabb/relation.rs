@@ -14,6 +14,8 @@ use crate::query::Axis;
 use crate::query::relation::{Nearness, Relate, Relation};
 use crate::robust::{Predicate, WordKernel};
 use crate::scalar::{FixedBackend, Scalar};
+#[cfg(feature = "fixed")]
+use crate::shape::Near;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
 /// The triangle in the frame of the box, if `N` holds the shapes.
@@ -107,6 +109,17 @@ impl<S: Scalar> Relate<Aabb<S>> for Triangle<S> {
         } else {
             Relation::Disjoint
         }
+    }
+}
+
+#[cfg(feature = "fixed")]
+impl<S: Scalar + InWord<i32>> Relate<Near<Aabb<S>>> for Near<Triangle<S>> {
+    /// Are a triangle and an axis-aligned box near the origin disjoint, touching or overlapping?
+    ///
+    /// *Numerics*: exact, in 32-bit words alone. *Panics*: never.
+    #[inline]
+    fn relation(&self, aabb: &Near<Aabb<S>>) -> Relation {
+        Disjoint { triangle: self.get(), aabb: aabb.get() }.relation_in_any_words::<i32>()
     }
 }
 

@@ -46,6 +46,16 @@ impl<S: Scalar> Disjoint<'_, S> {
         (S::ALWAYS_NEAR || is_near).then(|| relation(&projections))
     }
 
+    /// The same in words wide enough for shapes anywhere.
+    #[cfg(feature = "fixed")]
+    #[inline(never)]
+    pub(super) fn relation_in_any_words<W: Word>(&self) -> Relation
+    where
+        S: InWord<W>,
+    {
+        relation(&self.projections())
+    }
+
     #[inline(always)]
     fn projections<W: Word>(&self) -> [Projection<W>; 3]
     where
