@@ -29,6 +29,9 @@ const IS_HIT: &str = "ray/triangle is_hit";
 const HIT: &str = "ray/triangle hit";
 const SPHERE: &str = "sphere/triangle";
 const CAPSULE: &str = "capsule/triangle";
+const RELATION: &str = "triangle/box relation";
+const MEETS_ALONG: &str = "triangle/box meets_along";
+const FIRST_CONTACT: &str = "triangle/box first_contact";
 /// The slowest rules: a hit on an edge takes further tests.
 const ONCE: HitRules = HitRules::new().once();
 
@@ -55,6 +58,10 @@ pub(crate) fn near(meter: &Meter) {
         let (triangle, capsule) = capsule::<S>(draw)?;
         Some((triangle.near().ok()?, capsule.near().ok()?))
     };
+    let moving = |draw: &mut Draw| {
+        let ((triangle, motion), aabb) = sweep::<S>(draw)?;
+        Some((triangle.near().ok()?.moving(motion).ok()?, aabb.near().ok()?))
+    };
     let lines = Lines { meter, scalar: S::NAME, reach: "near", most: NEAR };
     lines.say(AABB, aabb, |t, b| t.overlaps(b));
     lines.say(OBB, obb, |t, b| t.overlaps(b));
@@ -62,6 +69,9 @@ pub(crate) fn near(meter: &Meter) {
     lines.say(HIT, ray, |r, t| black_box(r.hit_with(t, ONCE)).is_some());
     lines.say(SPHERE, sphere, |t, b| t.overlaps(b));
     lines.say(CAPSULE, capsule, |t, b| t.overlaps(b));
+    lines.say(RELATION, aabb, |t, b| t.relation(b) != Relation::Disjoint);
+    lines.say(MEETS_ALONG, moving, |t, b| t.meets(b));
+    lines.say(FIRST_CONTACT, moving, |t, b| black_box(t.first_contact(b)).is_some());
 }
 
 /// Shapes anywhere.
@@ -77,16 +87,12 @@ pub(crate) fn any<S: Raw>(meter: &Meter) {
 pub(crate) fn longer(meter: &Meter) {
     type S = I16F16;
     let lines = Lines { meter, scalar: S::NAME, reach: "any", most: S::BITS - 1 };
-    lines.say("triangle/box relation", triangle_aabb::<S>, |t, b| {
-        t.relation(b) != Relation::Disjoint
-    });
+    lines.say(RELATION, triangle_aabb::<S>, |t, b| t.relation(b) != Relation::Disjoint);
     lines.say("triangle/oriented box relation", triangle_obb::<S>, |t, b| {
         t.relation(b) != Relation::Disjoint
     });
-    lines.say("triangle/box meets_along", sweep::<S>, |(t, m), b| t.meets_along(m, b));
-    lines.say("triangle/box first_contact", sweep::<S>, |(t, m), b| {
-        black_box(t.first_contact(m, b)).is_some()
-    });
+    lines.say(MEETS_ALONG, sweep::<S>, |(t, m), b| t.meets_along(m, b));
+    lines.say(FIRST_CONTACT, sweep::<S>, |(t, m), b| black_box(t.first_contact(m, b)).is_some());
     lines
         .say("triangle/box contact", triangle_aabb::<S>, |t, b| black_box(contact(t, b)).is_some());
     lines.say(SPHERE, sphere::<S>, |t, b| t.overlaps(b));
