@@ -59,6 +59,7 @@
 //! | triangle, axis-aligned box | fixed point, `f32` | `overlaps`, `may_overlap`; `relation` in fixed point |
 //! | the same, one of them [`Moving`] | fixed point | `meets`, `first_contact` |
 //! | triangle, oriented box | fixed point | `overlaps`, `may_overlap` |
+//! | mesh, box, oriented box, sphere or capsule | fixed point | [`overlapping`](Near::overlapping) of its tree |
 //! | triangle, sphere or capsule | fixed point | `overlaps`, in integers of up to 128 bits |
 //!
 //! The answers are bit for bit the answers of the ordinary shapes.

@@ -53,6 +53,8 @@ mod error;
 mod from_origin;
 mod grid;
 mod moving_box;
+#[cfg(feature = "fixed")]
+mod near;
 mod node;
 #[cfg(feature = "alloc")]
 mod owned;

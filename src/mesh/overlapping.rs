@@ -22,17 +22,20 @@ pub(super) mod sealed {
     use core::fmt::Debug;
 
     use crate::scalar::Scalar;
-    use crate::shape::{Aabb, Overlaps, Triangle};
+    use crate::shape::{Aabb, Triangle};
 
-    pub trait Bounded<S: Scalar>: Overlaps<Triangle<S>> + Overlaps<Aabb<S>> {
+    pub trait Bounded<S: Scalar> {
         /// The numbers that are computed once for all triangles.
         type Prepared: Clone + Debug;
 
         fn prepared(&self) -> Self::Prepared;
 
         /// Whether the shape overlaps a triangle, given its own numbers.
-        fn overlaps_prepared(&self, _: &Self::Prepared, triangle: &Triangle<S>) -> bool {
-            self.overlaps(triangle)
+        fn overlaps_prepared(&self, prepared: &Self::Prepared, triangle: &Triangle<S>) -> bool;
+
+        /// Whether the shape may meet a box that meets its bounding box; `true` unless it is narrow.
+        fn may_meet(&self, _: &Aabb<S>) -> bool {
+            true
         }
 
         /// Two corners of a box that encloses the shape, clamped to the range of fixed point; `None`
@@ -78,6 +81,16 @@ macro_rules! bounded {
 
             fn prepared(&self) {}
 
+            #[inline(always)]
+            fn overlaps_prepared(&self, (): &(), triangle: &Triangle<S>) -> bool {
+                self.overlaps(triangle)
+            }
+
+            #[inline(always)]
+            fn may_meet(&self, aabb: &Aabb<S>) -> bool {
+                self.may_overlap(aabb)
+            }
+
             const IS_NARROW: bool = $is_narrow;
 
             fn corners(&self) -> Option<[[S; 3]; 2]> {
@@ -112,10 +125,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     /// See [`Tree`] for an example.
     #[doc(alias = "broad phase")]
     pub fn overlapping<'t, P: Probe<S>>(&'t self, shape: &'t P) -> Overlapping<'t, 'a, S, I, P> {
-        let corners = shape.corners();
-        let cell = corners.map_or(Cell::ALL, |corners| self.grid.cell(corners));
-        let walk = Walk::new(self.nodes, |root| mask(&self.grid, root, &cell, shape));
-        Overlapping { tree: self, shape, prepared: None, corners, cell, walk, leaf: 0..0 }
+        Overlapping::new(self, shape)
     }
 }
 
@@ -130,7 +140,7 @@ pub(super) fn mask<S: Scalar, P: sealed::Bounded<S>>(
     let mut mask = node.meeting(cell);
     if P::IS_NARROW {
         for k in 0..4 {
-            let misses = || !shape.may_overlap(&grid.aabb(&node.cell(k)));
+            let misses = || !shape.may_meet(&grid.aabb(&node.cell(k)));
             if mask >> k & 1 == 1 && misses() {
                 mask ^= 1 << k;
             }
@@ -141,7 +151,7 @@ pub(super) fn mask<S: Scalar, P: sealed::Bounded<S>>(
 
 /// The triangles that a shape overlaps: see [`Tree::overlapping`].
 #[derive(Clone, Debug)]
-pub struct Overlapping<'t, 'a, S: Scalar, I, P: Probe<S>> {
+pub struct Overlapping<'t, 'a, S: Scalar, I, P: sealed::Bounded<S>> {
     tree: &'t Tree<'a, S, I>,
     shape: &'t P,
     /// From the first triangle nearby.
@@ -152,7 +162,17 @@ pub struct Overlapping<'t, 'a, S: Scalar, I, P: Probe<S>> {
     leaf: Range<usize>,
 }
 
-impl<S: Scalar, I: Index, P: Probe<S>> Iterator for Overlapping<'_, '_, S, I, P> {
+impl<'t, 'a, S: Scalar, I: Index, P: sealed::Bounded<S>> Overlapping<'t, 'a, S, I, P> {
+    #[inline(always)]
+    pub(super) fn new(tree: &'t Tree<'a, S, I>, shape: &'t P) -> Self {
+        let corners = shape.corners();
+        let cell = corners.map_or(Cell::ALL, |corners| tree.grid.cell(corners));
+        let walk = Walk::new(tree.nodes, |root| mask(&tree.grid, root, &cell, shape));
+        Self { tree, shape, prepared: None, corners, cell, walk, leaf: 0..0 }
+    }
+}
+
+impl<S: Scalar, I: Index, P: sealed::Bounded<S>> Iterator for Overlapping<'_, '_, S, I, P> {
     type Item = usize;
 
     fn next(&mut self) -> Option<usize> {
@@ -178,7 +198,10 @@ impl<S: Scalar, I: Index, P: Probe<S>> Iterator for Overlapping<'_, '_, S, I, P>
 
 /// Whether a triangle may meet a shape whose bounding box has these corners.
 #[inline(always)]
-fn is_near<S: Scalar, P: Probe<S>>([min, max]: &[[S; 3]; 2], triangle: &Triangle<S>) -> bool {
+fn is_near<S: Scalar, P: sealed::Bounded<S>>(
+    [min, max]: &[[S; 3]; 2],
+    triangle: &Triangle<S>,
+) -> bool {
     let [a, b, c] = each(*triangle.vertices(), Vec3::to_array);
     for i in 0..3 {
         // Without branches where a wrong guess is dearer than a comparison.

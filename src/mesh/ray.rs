@@ -84,7 +84,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
         let mut descent = Descent::new(&self.grid, ray);
         let mut best: Option<(usize, Hit<S>)> = None;
         let _ = descend(self.nodes, &self.layout, &mut descent, |descent, leaf| {
-            for i in self.near(ray, leaf).map(|place| self.index(place)) {
+            for i in self.not_missed(ray, leaf).map(|place| self.index(place)) {
                 let Some(hit) = ray.hit_with(&self.mesh.known(i), rules) else { continue };
                 let is_first =
                     best.is_none_or(|best| self.is_before(ray, (i, &hit), (best.0, &best.1)));
@@ -100,7 +100,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
 
     /// The triangles of a leaf that the ray does not clearly miss.
     #[inline(always)]
-    fn near(&self, ray: &Ray<S>, leaf: Range<usize>) -> Near {
+    fn not_missed(&self, ray: &Ray<S>, leaf: Range<usize>) -> Near {
         let last = leaf.end.saturating_sub(1);
         let triangle = |k: usize| self.mesh.known(self.index(last.min(leaf.start + k)));
         let missed = clear_misses(ray, [triangle(0), triangle(1), triangle(2), triangle(3)]);
@@ -142,7 +142,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
         }
         let mut descent = Descent::new(&self.grid, ray);
         descend(self.nodes, &self.layout, &mut descent, |_, leaf| {
-            if self.near(ray, leaf).any(|place| is_hit(self.index(place))) {
+            if self.not_missed(ray, leaf).any(|place| is_hit(self.index(place))) {
                 ControlFlow::Break(())
             } else {
                 ControlFlow::Continue(())
@@ -246,7 +246,7 @@ impl<S: Scalar> LeafTriangles<S> {
             }
             let mask = |node: &Node| self.descent.meets(node).mask;
             let leaf = self.walk.next(tree.nodes, &tree.layout, mask)?;
-            self.leaf = tree.near(ray, leaf);
+            self.leaf = tree.not_missed(ray, leaf);
         }
     }
 }

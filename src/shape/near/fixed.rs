@@ -28,6 +28,13 @@ const fn ends_fit<Frac: LeEqU32>(c: FixedI32<Frac>, h: FixedI32<Frac>) -> bool {
     fits(c, POSITION) && fits(h, LENGTH) && fits(c - h, POSITION) && fits(c + h, POSITION)
 }
 
+impl<Frac: LeEqU32> Near<Vec3<FixedI32<Frac>>> {
+    /// Whether a vertex is near.
+    pub(crate) const fn is_in_range(vertex: &Vec3<FixedI32<Frac>>) -> bool {
+        all_fit(vertex, POSITION)
+    }
+}
+
 impl<Frac: LeEqU32> Triangle<FixedI32<Frac>> {
     /// The triangle, for queries in 32-bit words alone: see [`near`](crate::near).
     ///

@@ -16,6 +16,13 @@ use crate::shape::{Aabb, ShapeError, Triangle, Vec3};
 pub struct Near<T>(T);
 
 impl<T> Near<T> {
+    /// A shape that is known to be near.
+    #[cfg(feature = "fixed")]
+    #[inline(always)]
+    pub(crate) const fn unchecked(shape: T) -> Self {
+        Self(shape)
+    }
+
     /// The ordinary shape.
     #[inline]
     #[must_use]
