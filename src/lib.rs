@@ -62,7 +62,7 @@
 //! | mesh and shape (sphere, capsule: all within a distance), ray or second mesh (BVH) | [`overlapping`](mesh::Tree::overlapping), [`first_hit`](mesh::Tree::first_hit), [`overlapping_pairs`](mesh::Tree::overlapping_pairs) | |
 //! | point, closed mesh | [`contains`](mesh::Tree::contains), [`winding`](mesh::Tree::winding) | |
 //! | two shapes: disjoint, touching or overlapping | [`relation`] | |
-//! | ray or box and triangle near the origin, with less code | [`near`] | |
+//! | shapes and meshes near the origin, with less code | [`near`] | |
 //! | two shapes, spheres and capsules too: minimum translation (penetration depth), contact points | [`contact`] | |
 //! | moving box, sphere or triangle: time of impact | [`meets_along`](sweep::Sweep::meets_along), [`first_contact`](sweep::Sweep::first_contact); on a mesh [`first_contact`](mesh::Tree::first_contact) | |
 //! | the same: last place without overlap | [`last_free`](sweep::Sweep::last_free), [`relation_along`](sweep::Sweep::relation_along); on a mesh [`last_free`](mesh::Tree::last_free) | |
