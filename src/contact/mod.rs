@@ -136,6 +136,7 @@ mod pairs;
 mod points;
 mod quads;
 mod round;
+mod rows;
 mod scene;
 mod settled;
 mod sides;

@@ -5,6 +5,7 @@ use super::cut::{Cut, Measured, places_beyond};
 use super::directions::{Direction, all, sides_of_all};
 use super::filter::{Filter, Measure, Ruler};
 use super::lanes::Lanes;
+use super::rows;
 use crate::arithmetic::{OfFour, REGISTERS_ARE_WIDE, least as smaller, two};
 use crate::scalar::Scalar;
 
@@ -107,8 +108,12 @@ fn by_floats(mut needed: u16, ruler: &Ruler<'_, f64>) -> Result<[u16; 2], Apart>
         return of_lanes::<f64>(needed, ruler);
     }
     if needed.count_ones() > 4 {
-        let short = two(|n| ruler.shapes[n].short());
-        let wanted = of_lanes::<<f32 as OfFour>::Quad>(needed, &Ruler::new(&short))?;
+        let wanted = if ruler.are_triangles == [false; 2] {
+            rows::wanted(needed, ruler.shapes)?
+        } else {
+            let short = two(|n| ruler.shapes[n].short());
+            of_lanes::<<f32 as OfFour>::Quad>(needed, &Ruler::new(&short))?
+        };
         if is_single(wanted) {
             return Ok(wanted);
         }
@@ -175,4 +180,64 @@ fn placed(mut bits: u32, mut to: u16) -> u16 {
         (bits, to) = (bits >> 1, rest);
     }
     placed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arithmetic::three;
+    use crate::contact::body::{Rough, Vec64};
+    use crate::random::Random;
+
+    /// Of two boxes `f32` leaves what `f64` does, and mostly no more: turned anyhow and nearly alike, deep
+    /// and near contact, with axes that are orthonormal, skewed and not of unit length.
+    #[test]
+    fn rows_leave_what_f64_leaves() {
+        let mut random = Random(0x20e5);
+        let mut number = || f64::from(random.bits() as i32) * 2_f64.powi(-31);
+        let mut counts = [0; 3];
+        for n in 0..60_000_i32 {
+            let by = if n % 7 == 0 { 2_f64.powi(n % 9 - 4) } else { 1.0 };
+            let [mut first, mut second] = [(); 2].map(|()| three(|_| three(|_| by * number())));
+            if n % 4 > 0 {
+                let tilt = [1.0, 1e-2, 1e-5][n as usize % 3];
+                let [p, q] = [three(|_| number()), three(|_| tilt * number())];
+                first = turned([p[0], p[1], p[2]]);
+                second = turned(three(|i| p[i] + q[i]));
+            }
+            let sides = [first, second];
+            let half = two(|_| three(|_| number().abs() * 2_f64.powi(-(n % 5))));
+            let at = three(|_| 2.0 * number());
+            let shapes = two(|k| Rough {
+                is_triangle: false,
+                at: [if k == 0 { at } else { [0.0; 3] }; 3],
+                sides: sides[k],
+                half: half[k],
+            });
+            let all = u16::MAX >> 1;
+            let truth = of_lanes::<f64>(all, &Ruler::new(&shapes));
+            match (rows::wanted(all, &shapes), truth) {
+                (Err(Apart), Err(Apart)) => counts[0] += 1,
+                (Err(Apart), Ok(_)) => panic!("{shapes:?}"),
+                (Ok(_), Err(Apart)) => counts[1] += 1,
+                (Ok(found), Ok(truth)) => {
+                    for side in 0..2 {
+                        assert_eq!(truth[side] & !found[side], 0, "{found:?} {truth:?} {shapes:?}");
+                    }
+                    counts[2] += usize::from(is_single(found));
+                }
+            }
+        }
+        assert!(counts[0] > 5000 && counts[1] < 100 && counts[2] > 20_000, "{counts:?}");
+    }
+
+    /// The frame of a vector, by Cayley's formula.
+    fn turned([x, y, z]: Vec64) -> [Vec64; 3] {
+        let s = 2.0 / (1.0 + x * x + y * y + z * z);
+        [
+            [1.0 - s * (y * y + z * z), s * (x * y + z), s * (x * z - y)],
+            [s * (x * y - z), 1.0 - s * (x * x + z * z), s * (y * z + x)],
+            [s * (x * z + y), s * (y * z - x), 1.0 - s * (x * x + y * y)],
+        ]
+    }
 }

@@ -1,0 +1,184 @@
+//! The directions of two boxes that may be the least, in vectors of `f32`: for hosts.
+//!
+//! Pairs of axes share the products of the face normals: (u_i × v_j)·u_k is v_j·(u_k × u_i). With a row
+//! for the three axes of a box, nothing is gathered either. That is half the instructions of
+//! [`Ruler::overlaps`](super::filter::Ruler::overlaps).
+
+use super::body::Rough;
+use super::wanted::Apart;
+use crate::arithmetic::{Float, OfFour, Quad, THREE, each, three, two};
+
+type Row = <f32 as OfFour>::Quad;
+
+/// Roundoffs in an overlap, per M²·R: the greatest coordinate of an axis, and the size.
+const ROUNDOFFS: u16 = 512;
+
+/// Roundoffs in the square of a direction, per M⁴.
+const OF_SQUARE: u16 = 256;
+
+/// The relative error of a square that is above [`NOISE`]·M⁴.
+const MOST_SPREAD: f32 = 1.0 / 256.0;
+const NOISE: f32 = 1.0 / (1 << 20) as f32;
+
+/// The ranges of M, and of M·R.
+const AXES: (f32, f32) = (1.0 / 512.0, 512.0);
+const SIZES: (f32, f32) = (1.0 / (1 << 20) as f32, (1 << 20) as f32);
+
+/// x, y and z of three vectors.
+type Vectors = [Row; 3];
+
+#[inline(always)]
+fn cross(a: &Vectors, b: &Vectors) -> Vectors {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+#[inline(always)]
+fn dot(a: &Vectors, b: &Vectors) -> Row {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// One vector three times.
+#[inline(always)]
+fn same(x: [f32; 3]) -> Vectors {
+    x.map(Row::splat)
+}
+
+/// Vector n of three, three times.
+#[inline(always)]
+fn only(x: &Vectors, n: usize) -> Vectors {
+    each(*x, |x| Row::splat(x.to_array()[n]))
+}
+
+/// The face normals of a box with these axes: u_1 × u_2 first.
+#[inline(always)]
+fn normals(axes: &Vectors) -> Vectors {
+    let next = each(*axes, Quad::turned);
+    cross(&next, &each(next, Quad::turned))
+}
+
+/// The greatest of the first three lanes.
+#[inline(always)]
+fn most(x: Row) -> f32 {
+    let next = x.turned();
+    x.greatest(next).greatest(next.turned()).to_array()[0]
+}
+
+/// What is known of groups of three directions.
+struct Search {
+    d: Vectors,
+    error: Row,
+    /// [`OF_SQUARE`], and the least square that is known.
+    of_square: Row,
+    noise: Row,
+    /// Bounds on the lesser overlap along each direction, as squares of true lengths.
+    least: [Row; 5],
+    bound: Row,
+    /// The directions along which nothing is known, as bits, and those certain to separate the boxes.
+    unknown: u16,
+    apart: u16,
+    /// The directions against which the overlap is certainly not the lesser, and those along which.
+    not: [u16; 2],
+}
+
+impl Search {
+    /// Takes three directions, and how far both boxes reach along them.
+    #[inline(always)]
+    fn take(&mut self, group: usize, directions: &Vectors, reach: Row) {
+        let bits = |lanes: u32| (lanes & THREE) as u16;
+        let (zero, one, error) = (Row::splat(0.0), Row::splat(1.0), self.error);
+        let way = dot(directions, &self.d);
+        let overlap = reach - way.magnitude();
+        let square = dot(directions, directions);
+        let inverse = one / square;
+        let spread = (self.of_square * inverse).least(Row::splat(MOST_SPREAD));
+        let (low, high) = ((overlap - error).greatest(zero), overlap + error);
+        self.least[group % 5] = low * low * ((one - spread) * inverse);
+        let mut most = high * high * ((one + Row::splat(3.0) * spread) * inverse);
+        let unknown = bits(!self.noise.is_at_most(square));
+        if unknown != 0 {
+            let most_of = most.to_array();
+            let known = |n: usize| if unknown >> n & 1 == 0 { most_of[n] } else { f32::INFINITY };
+            most = Row::of_three(three(known));
+        }
+        self.bound = self.bound.least(most);
+        let below = zero - error;
+        let at = 3 * group;
+        self.unknown |= unknown << at;
+        self.apart |= bits(below.exceeds(overlap)) << at;
+        self.not[0] |= bits(way.exceeds(error)) << at;
+        self.not[1] |= bits(below.exceeds(way)) << at;
+    }
+}
+
+/// The translations of two boxes that may be the least, of the directions in `needed`, against them and
+/// along them. All of these out of range.
+///
+/// # The error
+///
+/// u is the unit roundoff, M the greatest coordinate of an axis, and R the greater of d and M·h: of a
+/// coordinate of the way between the centres, and of a half-extent. Each number has a rounding, and one of
+/// `f64` before.
+///
+/// * A coordinate of a direction a errs by 8·u·M²: 3·u·M² in each product, and 2·u·M² in their difference.
+/// * The overlap is a·d and four terms h·|a·s|, for a half-extent and an axis. `rows.g` proves that it errs by
+///   at most [`ROUNDOFFS`] times u·M²·R, underflow included, and a·d by less.
+/// * The square of a errs by 2·√3·6.1·u·M²·|a| + 5·u·a², and with |a| ≤ 2·√3·M² by at most 133·u·M⁴. If a²
+///   is above [`NOISE`]·M⁴, the relative error is below (21.2·2^10 + 5)·u = 2^-9.6.
+/// * M and R are within ranges in which no square of a direction or of an overlap with its error underflows
+///   or overflows: 2^-18 and 2^-59 are the least factors.
+#[inline(always)]
+pub(super) fn wanted(needed: u16, shapes: &[Rough; 2]) -> Result<[u16; 2], Apart> {
+    let [u, v] = two(|n| three(|i| Row::of_three(three(|k| shapes[n].sides[k][i] as f32))));
+    let [h, k] = two(|n| each(shapes[n].half, |x| x as f32));
+    let d = each(shapes[0].at[0], |x| x as f32);
+    let greatest = |x: &Vectors| each(*x, Quad::magnitude);
+    let axes = greatest(&u).into_iter().chain(greatest(&v)).fold(Row::splat(0.0), Quad::greatest);
+    let (axes, half) = (most(axes), most(Row::of_three(h).greatest(Row::of_three(k))));
+    let size = axes * half;
+    let size = crate::arithmetic::greatest(size, most(Row::of_three(d).magnitude()));
+    let is_within = |x: f32, (low, high): (f32, f32)| (x > low) & (x < high);
+    if !(is_within(axes, AXES) & is_within(axes * size, SIZES)) {
+        return Ok([needed; 2]);
+    }
+    let area = axes * axes;
+    let mut search = Search {
+        d: same(d),
+        error: Row::splat(f32::from(ROUNDOFFS) * f32::ROUNDOFF * (area * size)),
+        of_square: Row::splat(f32::from(OF_SQUARE) * f32::ROUNDOFF * (area * area)),
+        noise: Row::splat(NOISE * (area * area)),
+        least: [Row::splat(0.0); 5],
+        bound: Row::splat(f32::INFINITY),
+        unknown: 0,
+        apart: 0,
+        not: [0; 2],
+    };
+    let (m, n) = (normals(&u), normals(&v));
+    // Along the normals of each box, the axes of the other.
+    let of_second = three(|i| dot(&only(&m, i), &v).magnitude());
+    let of_first = three(|i| dot(&only(&u, i), &n).magnitude());
+    let [a, b, c] = of_second.map(Quad::to_array);
+    let times = |x: f32, row: Row| Row::splat(x) * row;
+    let reach = Row::of_three(h) * dot(&m, &u).magnitude()
+        + (0..3).fold(Row::splat(0.0), |sum, j| sum + times(k[j], Row::of_three([a[j], b[j], c[j]])));
+    search.take(0, &m, reach);
+    let reach = Row::of_three(k) * dot(&n, &v).magnitude()
+        + (times(h[0], of_first[0]) + times(h[1], of_first[1]) + times(h[2], of_first[2]));
+    search.take(1, &n, reach);
+    let next = Row::of_three(k).turned();
+    for i in 0..3 {
+        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+        let own = of_first[i].turned();
+        let reach = (times(h[j], of_second[l]) + times(h[l], of_second[j]))
+            + (next * own.turned() + next.turned() * own);
+        search.take(2 + i, &cross(&only(&u, i), &v), reach);
+    }
+    let Search { least, bound, unknown, apart, not, .. } = search;
+    if apart & !unknown != 0 {
+        return Err(Apart);
+    }
+    let [x, y, z] = bound.three();
+    let bound = Row::splat(crate::arithmetic::least(x, crate::arithmetic::least(y, z)));
+    let is_least = |group: usize| ((least[group].is_at_most(bound) & THREE) as u16) << (3 * group);
+    let left = needed & (0..5).fold(unknown, |left, group| left | is_least(group));
+    Ok(not.map(|not| left & (!not | unknown)))
+}
