@@ -157,6 +157,18 @@ pub(super) fn clip(view: &View, faces: [&Face; 2], outward: &Vec64, found: &mut 
     }
 }
 
+/// Adds a pair of points that meet, and returns the place for their parts. As arguments these would be
+/// read back in one word, which waits for the stores of their bytes.
+fn add<'a>(
+    found: &'a mut Pairs,
+    view: &View,
+    at: [Vec64; 2],
+    outward: &Vec64,
+) -> Option<&'a mut [Part; 2]> {
+    let depth = dot(&minus(&at[0], &at[1]), outward);
+    if depth >= -view.tolerance { found.add(Pair { at, depth }, view.tolerance) } else { None }
+}
+
 #[inline(always)]
 fn overlap<T: Known>(
     view: &View,
@@ -166,22 +178,20 @@ fn overlap<T: Known>(
     found: &mut Pairs,
 ) {
     let back = outward.map(|x| -x);
-    let mut add = |at: [Vec64; 2], parts: [Part; 2]| {
-        let depth = dot(&minus(&at[0], &at[1]), outward);
-        if depth >= -view.tolerance {
-            found.add(Pair { at, depth }, parts, view.tolerance);
-        }
-    };
     let of_incident = Seen { view, from: reference, face: incident, known: of_incident };
     let of_reference = Seen { view, from: incident, face: reference, known: of_reference };
     for (m, (vertex, at)) in incident.corners().enumerate() {
         if let Some(below) = of_incident.meets(m, &back) {
-            add([below, at.at], [Part::Face(reference.number), Part::Vertex(vertex)]);
+            if let Some(parts) = add(found, view, [below, at.at], outward) {
+                *parts = [Part::Face(reference.number), Part::Vertex(vertex)];
+            }
         }
     }
     for (n, (vertex, below)) in reference.corners().enumerate() {
         if let Some(at) = of_reference.meets(n, outward) {
-            add([below.at, at], [Part::Vertex(vertex), Part::Face(incident.number)]);
+            if let Some(parts) = add(found, view, [below.at, at], outward) {
+                *parts = [Part::Vertex(vertex), Part::Face(incident.number)];
+            }
         }
     }
     let mut crossings = of_incident.known.crossings(&of_reference.known);
@@ -192,7 +202,9 @@ fn overlap<T: Known>(
         let (below, at) = (reference.edge(n), incident.edge(m));
         let sides = of_incident.known.sides(&of_reference.known, n, m);
         if let Some([x, y]) = below.crossing(&at, view, sides) {
-            add([x.at, y.at], [Part::Edge(below.number), Part::Edge(at.number)]);
+            if let Some(parts) = add(found, view, [x.at, y.at], outward) {
+                *parts = [Part::Edge(below.number), Part::Edge(at.number)];
+            }
         }
     }
 }

@@ -86,21 +86,20 @@ impl Pairs {
         self.pairs.iter().take(self.count)
     }
 
-    /// A depth below zero is a rounding error.
+    /// A depth below zero is a rounding error. Returns the place for the parts of a new pair.
     #[inline]
-    pub(super) fn add(&mut self, pair: Pair, parts: [Part; 2], tolerance: f64) {
+    pub(super) fn add(&mut self, pair: Pair, tolerance: f64) -> Option<&mut [Part; 2]> {
         let is_near = |other: &Pair| {
             let apart = |n: usize| largest(&minus(&pair.at[n], &other.at[n]));
             apart(0) <= 2.0 * tolerance && apart(1) <= 2.0 * tolerance
         };
-        if self.iter().any(is_near) {
-            return;
-        }
         let n = self.count;
-        if n < MOST {
-            self.pairs[n] = Pair { depth: greatest(pair.depth, 0.0), ..pair };
-            (self.parts[n], self.count) = (parts, n + 1);
+        if n >= MOST || self.iter().any(is_near) {
+            return None;
         }
+        self.pairs[n] = Pair { depth: greatest(pair.depth, 0.0), ..pair };
+        self.count = n + 1;
+        Some(&mut self.parts[n])
     }
 
     fn deepest(&self) -> f64 {
@@ -236,9 +235,10 @@ fn by_any_faces(view: &View, [shape, other]: [&Solid<'_>; 2], outward: &Vec64, f
         // The coordinates overflow f64.
         let [(below, first), (at, second)] =
             [shape, other].map(|solid| Face::new(view, solid, 0).lowest(outward));
-        let parts = [first, second].map(Part::Vertex);
         let depth = dot(&minus(&below, &at), outward);
-        found.add(Pair { at: [below, at], depth }, parts, 0.0);
+        if let Some(parts) = found.add(Pair { at: [below, at], depth }, 0.0) {
+            *parts = [first, second].map(Part::Vertex);
+        }
     }
 }
 

@@ -45,7 +45,9 @@ impl Filter<'_> {
         self.signs(direction, &self.cross(direction))
     }
 
-    /// The same, given the direction in floats and the products in its coordinates.
+    /// The same, given the direction in floats and the products in its coordinates. Inlined, so that what
+    /// [`settled`](super::settled::settled) has measured along the sides serves.
+    #[inline(always)]
     pub(super) fn signs(
         &self,
         direction: Direction,

@@ -2,7 +2,7 @@
 
 use super::body::{Rough, Vec64, cross, dot};
 use super::view::{Corner, View};
-use crate::arithmetic::{each, greatest, largest, pick, three, turn, two};
+use crate::arithmetic::{REGISTERS_ARE_WIDE, each, greatest, largest, pick, three, turn, two};
 
 /// The squared sine of an angle far above all roundings.
 const CLEAR: f64 = f64::from_bits((1023 - 40) << 52);
@@ -12,6 +12,19 @@ pub(super) fn edge_of_box(i: usize, upper: [bool; 3]) -> u8 {
     let (i, j, k) = turn(i);
     4 * i as u8 + u8::from(upper[j]) + 2 * u8::from(upper[k])
 }
+
+/// The vertices at the ends of each edge of a box: a table, because edges of one box after the other have no
+/// order that a processor foresees.
+const ENDS: [[u8; 2]; 16] = {
+    let (mut ends, mut n) = ([[0; 2]; 16], 0);
+    while n < 12 {
+        let (i, j, k) = turn(n as usize / 4);
+        let lower = (n & 1) << j | (n >> 1 & 1) << k;
+        ends[n as usize] = [lower, lower | 1 << i];
+        n += 1;
+    }
+    ends
+};
 
 /// A shape in floats, and its half-edges.
 pub(super) struct Solid<'a> {
@@ -49,9 +62,11 @@ impl<'a> Solid<'a> {
     pub(super) fn corner(&self, vertex: u8) -> Vec64 {
         (0..3).fold(self.rough.at[0], |at, k| {
             let is_upper = vertex >> k & 1 == 1;
+            let sign = if is_upper { 1.0 } else { -1.0 };
             three(|i| {
                 let reach = self.reach[k][i];
-                at[i] + if is_upper { reach } else { -reach }
+                // Small cores multiply by a function; hosts choose one of two numbers by a branch.
+                at[i] + if REGISTERS_ARE_WIDE { sign * reach } else if is_upper { reach } else { -reach }
             })
         })
     }
@@ -137,9 +152,8 @@ impl<'a> Solid<'a> {
             let (from, to, _) = turn(number.into());
             return two(|end| view.corner(*pick(&self.rough.at, if end == 0 { from } else { to })));
         }
-        let (i, j, k) = turn(usize::from(number / 4));
-        let lower = (number & 1) << j | (number >> 1 & 1) << k;
-        two(|end| view.corner(self.corner(lower | (end as u8) << i)))
+        let ends = ENDS[usize::from(number & 15)];
+        two(|end| view.corner(self.corner(ends[end])))
     }
 }
 

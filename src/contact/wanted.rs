@@ -88,6 +88,7 @@ impl Wanted {
     }
 
     /// The translation that is wanted, if it is the only one.
+    #[inline]
     pub(super) fn single(&self) -> Option<(Direction, bool)> {
         let all = self.against | self.along;
         let single = || (self.direction(all.trailing_zeros() as usize % 16), self.along != 0);
@@ -206,8 +207,8 @@ mod tests {
                 second = turned(three(|i| p[i] + q[i]));
             }
             let sides = [first, second];
-            let half = two(|_| three(|_| number().abs() * 2_f64.powi(-(n % 5))));
-            let at = three(|_| 2.0 * number());
+            let half = two(|_| three(|_| 0.1 + number().abs()));
+            let at = three(|_| by * number());
             let shapes = two(|k| Rough {
                 is_triangle: false,
                 at: [if k == 0 { at } else { [0.0; 3] }; 3],
@@ -218,17 +219,17 @@ mod tests {
             let truth = of_lanes::<f64>(all, &Ruler::new(&shapes));
             match (rows::wanted(all, &shapes), truth) {
                 (Err(Apart), Err(Apart)) => counts[0] += 1,
-                (Err(Apart), Ok(_)) => panic!("{shapes:?}"),
+                (Err(Apart), Ok(_)) => panic!("{n}"),
                 (Ok(_), Err(Apart)) => counts[1] += 1,
                 (Ok(found), Ok(truth)) => {
                     for side in 0..2 {
-                        assert_eq!(truth[side] & !found[side], 0, "{found:?} {truth:?} {shapes:?}");
+                        assert_eq!(truth[side] & !found[side], 0, "{found:?} {truth:?} {n}");
                     }
                     counts[2] += usize::from(is_single(found));
                 }
             }
         }
-        assert!(counts[0] > 5000 && counts[1] < 100 && counts[2] > 20_000, "{counts:?}");
+        assert!(counts[0] > 1000 && counts[1] < 1000 && counts[2] > 10_000, "{counts:?}");
     }
 
     /// The frame of a vector, by Cayley's formula.
