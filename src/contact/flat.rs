@@ -19,30 +19,27 @@ pub(super) fn contact<S: Scalar>(
 ) -> Option<Contact<S>> {
     if is_whole::<S>() {
         let best = least_way(bodies, None, interior)?;
-        return with_points(bodies, &mut in_floats(bodies), &best);
+        return Some(with_points(bodies, &mut in_floats(bodies), &best));
     }
     let mut rough = in_floats(bodies);
     let best = least_way(bodies, Some(&rough), interior)?;
-    with_points(bodies, &mut rough, &best)
+    Some(with_points(bodies, &mut rough, &best))
 }
 
-/// The contact of a way out, and its points; always some, filled in place. A copy of points would wait for
-/// their stores.
+/// The contact of a way out, and its points.
 #[inline(always)]
 fn with_points<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     rough: &mut [Rough; 2],
     best: &Directed<S>,
-) -> Option<Contact<S>> {
+) -> Contact<S> {
     // Where they are, without a copy.
     let Directed { unit, measures, way } = best;
     let translation = translation(bodies, way, measures);
     let features = translation.features;
-    let mut found = Some(Contact { translation, is_held: way.is_held, points: Points::none() });
-    if let Some(Contact { points: to, .. }) = &mut found {
-        points(bodies, &bodies[1].origin(), rough, way, unit, features, to);
-    }
-    found
+    let mut contact = Contact { translation, is_held: way.is_held, points: Points::none() };
+    points(bodies, &bodies[1].origin(), rough, way, unit, features, &mut contact.points);
+    contact
 }
 
 /// The shapes in floats, relative to the origin of the second.
