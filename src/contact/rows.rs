@@ -76,8 +76,8 @@ struct Search {
     /// The directions along which nothing is known, as bits, and those certain to separate the boxes.
     unknown: u16,
     apart: u16,
-    /// The directions against which the overlap is certainly not the lesser, and those along which.
-    not: [u16; 2],
+    /// How far the centres are apart along each.
+    ways: [Row; 5],
 }
 
 impl Search {
@@ -105,8 +105,7 @@ impl Search {
         let at = 3 * group;
         self.unknown |= unknown << at;
         self.apart |= bits(below.exceeds(overlap)) << at;
-        self.not[0] |= bits(way.exceeds(error)) << at;
-        self.not[1] |= bits(below.exceeds(way)) << at;
+        self.ways[group % 5] = way;
     }
 }
 
@@ -150,7 +149,7 @@ pub(super) fn wanted(needed: u16, shapes: &[Rough; 2]) -> Result<[u16; 2], Apart
         bound: Row::splat(f32::INFINITY),
         unknown: 0,
         apart: 0,
-        not: [0; 2],
+        ways: [Row::splat(0.0); 5],
     };
     let (m, n) = (normals(&u), normals(&v));
     // Along the normals of each box, the axes of the other.
@@ -172,7 +171,7 @@ pub(super) fn wanted(needed: u16, shapes: &[Rough; 2]) -> Result<[u16; 2], Apart
             + (next * own.turned() + next.turned() * own);
         search.take(2 + i, &cross(&only(&u, i), &v), reach);
     }
-    let Search { least, bound, unknown, apart, not, .. } = search;
+    let Search { least, ways, bound, unknown, apart, .. } = search;
     if apart & !unknown != 0 {
         return Err(Apart);
     }
@@ -180,5 +179,9 @@ pub(super) fn wanted(needed: u16, shapes: &[Rough; 2]) -> Result<[u16; 2], Apart
     let bound = Row::splat(crate::arithmetic::least(x, crate::arithmetic::least(y, z)));
     let is_least = |group: usize| ((least[group].is_at_most(bound) & THREE) as u16) << (3 * group);
     let left = needed & (0..5).fold(unknown, |left, group| left | is_least(group));
-    Ok(not.map(|not| left & (!not | unknown)))
+    // One direction has one lesser overlap, if the centres are clearly apart along it.
+    let n = left.trailing_zeros() as usize % 15;
+    let (way, error) = (ways[n / 3].to_array()[n % 3], search.error.to_array()[0]);
+    let is_single = left.is_power_of_two() && left & unknown == 0;
+    Ok([way > error, way < -error].map(|is_not| if is_single && is_not { 0 } else { left }))
 }
