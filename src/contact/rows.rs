@@ -6,7 +6,7 @@
 
 use super::body::Rough;
 use super::wanted::Apart;
-use crate::arithmetic::{Float, OfFour, Quad, THREE, each, three, two};
+use crate::arithmetic::{Float, OfFour, Quad, THREE, each, greatest, least, three, two};
 
 type Row = <f32 as OfFour>::Quad;
 
@@ -63,7 +63,7 @@ fn most(x: Row) -> f32 {
     x.greatest(next).greatest(next.turned()).to_array()[0]
 }
 
-/// What is known of groups of three directions.
+/// A search among directions, in groups of three.
 struct Search {
     d: Vectors,
     error: Row,
@@ -71,7 +71,7 @@ struct Search {
     of_square: Row,
     noise: Row,
     /// Bounds on the lesser overlap along each direction, as squares of true lengths.
-    least: [Row; 5],
+    lows: [Row; 5],
     bound: Row,
     /// The directions along which nothing is known, as bits, and those certain to separate the boxes.
     unknown: u16,
@@ -92,7 +92,7 @@ impl Search {
         let inverse = one / square;
         let spread = (self.of_square * inverse).least(Row::splat(MOST_SPREAD));
         let (low, high) = ((overlap - error).greatest(zero), overlap + error);
-        self.least[group % 5] = low * low * ((one - spread) * inverse);
+        self.lows[group % 5] = low * low * ((one - spread) * inverse);
         let mut most = high * high * ((one + Row::splat(3.0) * spread) * inverse);
         let unknown = bits(!self.noise.is_at_most(square));
         if unknown != 0 {
@@ -110,7 +110,7 @@ impl Search {
 }
 
 /// The translations of two boxes that may be the least, of the directions in `needed`, against them and
-/// along them. All of these out of range.
+/// along them. Out of range it leaves them all.
 ///
 /// # The error
 ///
@@ -121,20 +121,19 @@ impl Search {
 /// * A coordinate of a direction a errs by 8·u·M²: 3·u·M² in each product, and 2·u·M² in their difference.
 /// * The overlap is a·d and four terms h·|a·s|, for a half-extent and an axis. `rows.g` proves that it errs by
 ///   at most [`ROUNDOFFS`] times u·M²·R, underflow included, and a·d by less.
-/// * The square of a errs by 2·√3·6.1·u·M²·|a| + 5·u·a², and with |a| ≤ 2·√3·M² by at most 133·u·M⁴. If a²
-///   is above [`NOISE`]·M⁴, the relative error is below (21.2·2^10 + 5)·u = 2^-9.6.
-/// * M and R are within ranges in which no square of a direction or of an overlap with its error underflows
-///   or overflows: 2^-18 and 2^-59 are the least factors.
+/// * The square of a errs by 2·√3·6.1·u·M²·|a| + 5·u·a², and with |a| ≤ 2·√3·M² by at most 134·u·M⁴. The
+///   rest of [`OF_SQUARE`], 10·u·a² or more, covers the 5 roundings of the bounds. If a² is above
+///   [`NOISE`]·M⁴, the relative error is below (21.2·2^10 + 5)·u = 2^-9.6.
+/// * The ranges of M and M·R keep a² and the squares of overlaps with their errors between 2^-100 and
+///   2^100, and their quotients too.
 #[inline(always)]
 pub(super) fn wanted(needed: u16, shapes: &[Rough; 2]) -> Result<[u16; 2], Apart> {
     let [u, v] = two(|n| three(|i| Row::of_three(three(|k| shapes[n].sides[k][i] as f32))));
     let [h, k] = two(|n| each(shapes[n].half, |x| x as f32));
     let d = each(shapes[0].at[0], |x| x as f32);
-    let greatest = |x: &Vectors| each(*x, Quad::magnitude);
-    let axes = greatest(&u).into_iter().chain(greatest(&v)).fold(Row::splat(0.0), Quad::greatest);
+    let axes = u.iter().chain(&v).fold(Row::splat(0.0), |most, x| most.greatest(x.magnitude()));
     let (axes, half) = (most(axes), most(Row::of_three(h).greatest(Row::of_three(k))));
-    let size = axes * half;
-    let size = crate::arithmetic::greatest(size, most(Row::of_three(d).magnitude()));
+    let size = greatest(axes * half, most(Row::of_three(d).magnitude()));
     let is_within = |x: f32, (low, high): (f32, f32)| (x > low) & (x < high);
     if !(is_within(axes, AXES) & is_within(axes * size, SIZES)) {
         return Ok([needed; 2]);
@@ -145,20 +144,21 @@ pub(super) fn wanted(needed: u16, shapes: &[Rough; 2]) -> Result<[u16; 2], Apart
         error: Row::splat(f32::from(ROUNDOFFS) * f32::ROUNDOFF * (area * size)),
         of_square: Row::splat(f32::from(OF_SQUARE) * f32::ROUNDOFF * (area * area)),
         noise: Row::splat(NOISE * (area * area)),
-        least: [Row::splat(0.0); 5],
+        lows: [Row::splat(0.0); 5],
         bound: Row::splat(f32::INFINITY),
         unknown: 0,
         apart: 0,
         ways: [Row::splat(0.0); 5],
     };
     let (m, n) = (normals(&u), normals(&v));
-    // Along the normals of each box, the axes of the other.
+    // Rows of products: of normals with the axes of the other box.
     let of_second = three(|i| dot(&only(&m, i), &v).magnitude());
     let of_first = three(|i| dot(&only(&u, i), &n).magnitude());
     let [a, b, c] = of_second.map(Quad::to_array);
+    let columns = three(|j| Row::of_three([a[j], b[j], c[j]]));
     let times = |x: f32, row: Row| Row::splat(x) * row;
     let reach = Row::of_three(h) * dot(&m, &u).magnitude()
-        + (0..3).fold(Row::splat(0.0), |sum, j| sum + times(k[j], Row::of_three([a[j], b[j], c[j]])));
+        + (times(k[0], columns[0]) + times(k[1], columns[1]) + times(k[2], columns[2]));
     search.take(0, &m, reach);
     let reach = Row::of_three(k) * dot(&n, &v).magnitude()
         + (times(h[0], of_first[0]) + times(h[1], of_first[1]) + times(h[2], of_first[2]));
@@ -171,13 +171,13 @@ pub(super) fn wanted(needed: u16, shapes: &[Rough; 2]) -> Result<[u16; 2], Apart
             + (next * own.turned() + next.turned() * own);
         search.take(2 + i, &cross(&only(&u, i), &v), reach);
     }
-    let Search { least, ways, bound, unknown, apart, .. } = search;
+    let Search { lows, ways, bound, unknown, apart, .. } = search;
     if apart & !unknown != 0 {
         return Err(Apart);
     }
     let [x, y, z] = bound.three();
-    let bound = Row::splat(crate::arithmetic::least(x, crate::arithmetic::least(y, z)));
-    let is_least = |group: usize| ((least[group].is_at_most(bound) & THREE) as u16) << (3 * group);
+    let bound = Row::splat(least(x, least(y, z)));
+    let is_least = |group: usize| ((lows[group].is_at_most(bound) & THREE) as u16) << (3 * group);
     let left = needed & (0..5).fold(unknown, |left, group| left | is_least(group));
     // One direction has one lesser overlap, if the centres are clearly apart along it.
     let n = left.trailing_zeros() as usize % 15;

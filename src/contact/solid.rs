@@ -13,8 +13,8 @@ pub(super) fn edge_of_box(i: usize, upper: [bool; 3]) -> u8 {
     4 * i as u8 + u8::from(upper[j]) + 2 * u8::from(upper[k])
 }
 
-/// The vertices at the ends of each edge of a box: a table, because edges of one box after the other have no
-/// order that a processor foresees.
+/// The vertices at the ends of each edge of a box. A processor does not foresee the branches that would
+/// compute them.
 const ENDS: [[u8; 2]; 16] = {
     let (mut ends, mut n) = ([[0; 2]; 16], 0);
     while n < 12 {
@@ -62,12 +62,13 @@ impl<'a> Solid<'a> {
     pub(super) fn corner(&self, vertex: u8) -> Vec64 {
         (0..3).fold(self.rough.at[0], |at, k| {
             let is_upper = vertex >> k & 1 == 1;
-            let sign = if is_upper { 1.0 } else { -1.0 };
-            three(|i| {
-                let reach = self.reach[k][i];
-                // Small cores multiply by a function; hosts choose one of two numbers by a branch.
-                at[i] + if REGISTERS_ARE_WIDE { sign * reach } else if is_upper { reach } else { -reach }
-            })
+            // Small cores multiply by a function, and hosts would choose between two numbers by a branch.
+            let signed = |x: f64| match (REGISTERS_ARE_WIDE, is_upper) {
+                (true, _) => x * if is_upper { 1.0 } else { -1.0 },
+                (false, true) => x,
+                (false, false) => -x,
+            };
+            three(|i| at[i] + signed(self.reach[k][i]))
         })
     }
 

@@ -190,8 +190,8 @@ mod tests {
     use crate::contact::body::{Rough, Vec64};
     use crate::random::Random;
 
-    /// Of two boxes `f32` leaves what `f64` does, and mostly no more: turned anyhow and nearly alike, deep
-    /// and near contact, with axes that are orthonormal, skewed and not of unit length.
+    /// Rows of `f32` leave all directions of two boxes that `f64` leaves, and mostly no other. The boxes are
+    /// turned anyhow or nearly alike, and orthonormal, skewed or with axes not of unit length.
     #[test]
     fn rows_leave_what_f64_leaves() {
         let mut random = Random(0x20e5);
