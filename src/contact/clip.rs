@@ -159,7 +159,7 @@ pub(super) fn clip(view: &View, faces: [&Face; 2], outward: &Vec64, found: &mut 
 
 /// Adds a pair of points that meet, and returns the place for their parts. As arguments these would be
 /// read back in one word, which waits for the stores of their bytes. So would the points.
-#[inline(always)]
+#[cfg_attr(target_pointer_width = "64", inline(always))]
 fn add<'a>(
     found: &'a mut Pairs,
     view: &View,

@@ -69,7 +69,6 @@ const fn table<const N: usize>(faces: [usize; 2], second_is_first: bool) -> [Dir
 
 impl Direction {
     /// The two sides of the cross product, each as a shape and the number of its side.
-    #[inline]
     pub(super) const fn sides(self, is_triangle: [bool; 2]) -> [(usize, usize); 2] {
         match self {
             Self::Face { is_second, k } => {
@@ -82,7 +81,8 @@ impl Direction {
     }
 
     /// The same as numbers: 3·shape + k.
-    #[inline]
+    // Small cores keep one copy.
+    #[cfg_attr(target_pointer_width = "64", inline)]
     pub(super) const fn numbers(self, are_triangles: [bool; 2]) -> [u8; 2] {
         let [(p, i), (q, j)] = self.sides(are_triangles);
         [(3 * p + i) as u8, (3 * q + j) as u8]
