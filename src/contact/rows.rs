@@ -1,7 +1,7 @@
 //! The directions of two boxes that may be the least, in vectors of `f32`: for hosts.
 //!
 //! Pairs of axes share the products of the face normals: (u_i × v_j)·u_k is v_j·(u_k × u_i). With a row
-//! for the three axes of a box, nothing is gathered either. That is half the instructions of
+//! for the three axes of a box, nothing is gathered either. It takes six tenths of the instructions of
 //! [`Ruler::overlaps`](super::filter::Ruler::overlaps).
 
 use super::body::Rough;
