@@ -155,6 +155,22 @@ impl Float for f64 {
     }
 }
 
+/// The size of x in multiples of 2^(`unit` − 1023), rounded down, if it is below 2^31.
+#[inline(never)]
+pub(crate) fn cut(x: f64, unit: i32) -> i32 {
+    const DIGITS: u32 = f64::MANTISSA_DIGITS - 1;
+    let bits = x.to_bits();
+    // The leading one and the 30 bits below it.
+    let mantissa = 1 << 30 | (bits >> (DIGITS - 30)) as i32 & ((1 << 30) - 1);
+    mantissa.checked_shr((unit + 30 - exponent(x)) as u32).unwrap_or(0)
+}
+
+/// The exponent of a float, as its bits have it.
+#[inline(always)]
+pub(crate) fn exponent(x: f64) -> i32 {
+    (x.to_bits() >> (f64::MANTISSA_DIGITS - 1)) as i32 & 0x7ff
+}
+
 /// The quotient of two integers, to the nearest float or the one next to it. Each is given as its
 /// sign and the limbs of its magnitude, least first. The divisor is not zero.
 pub(crate) fn quotient<F: Float, const L: usize>(

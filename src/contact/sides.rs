@@ -3,7 +3,7 @@
 
 use core::mem::size_of;
 
-use crate::arithmetic::REGISTERS_ARE_WIDE;
+use crate::arithmetic::{REGISTERS_ARE_WIDE, cut, exponent};
 use crate::scalar::Scalar;
 
 /// Two coordinates across the normal, in multiples of the unit, rounded toward zero.
@@ -14,14 +14,6 @@ pub(super) type Flat = [i32; 2];
 #[derive(Clone, Copy)]
 pub(super) struct Unit(i32);
 
-/// The bits of a float below its exponent.
-const DIGITS: u32 = f64::MANTISSA_DIGITS - 1;
-
-/// The exponent of a float, as its bits have it.
-fn exponent(x: f64) -> i32 {
-    (x.to_bits() >> DIGITS) as i32 & 0x7ff
-}
-
 impl Unit {
     /// The unit for shapes of this size, if all numbers of the scalar are within the range of `f64` by
     /// far, and the core computes them by functions.
@@ -30,18 +22,13 @@ impl Unit {
         (!REGISTERS_ARE_WIDE && is_short && size > 0.0).then(|| Self(exponent(size) - 27))
     }
 
-    /// x in units, rounded toward zero.
-    fn cut(self, x: f64) -> i32 {
-        let bits = x.to_bits();
-        // The leading one and the 30 bits below it.
-        let mantissa = 1 << 30 | (bits >> (DIGITS - 30)) as i32 & ((1 << 30) - 1);
-        let size = mantissa.checked_shr((self.0 + 30 - exponent(x)) as u32).unwrap_or(0);
-        if x < 0.0 { -size } else { size }
-    }
-
+    /// In units, rounded toward zero.
     #[inline(never)]
     pub(super) fn flat(self, x: &[f64; 2]) -> Flat {
-        [self.cut(x[0]), self.cut(x[1])]
+        x.map(|x| {
+            let size = cut(x, self.0);
+            if x < 0.0 { -size } else { size }
+        })
     }
 }
 

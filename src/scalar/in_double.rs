@@ -2,7 +2,7 @@
 
 use crate::arithmetic::whole;
 #[cfg(feature = "fixed")]
-use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, Word};
+use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, Word, cut, exponent};
 
 /// Conversions between a scalar and `f64`: grids, contacts and times compute in it.
 pub(crate) trait InDouble: Copy {
@@ -96,12 +96,28 @@ const fn two_to(n: i32) -> f64 {
 #[cfg(feature = "fixed")]
 #[inline]
 fn times_two_to(x: f64, n: i32) -> f64 {
-    let exponent = (x.to_bits() >> 52) as i32 & 0x7ff;
     // Neither zero nor near an end.
-    if !REGISTERS_ARE_WIDE && (65..2047 - 64).contains(&exponent) {
+    if !REGISTERS_ARE_WIDE && (65..2047 - 64).contains(&exponent(x)) {
         return f64::from_bits(x.to_bits().wrapping_add((n as u64) << 52));
     }
     x * two_to(n)
+}
+
+/// x·2^`places` plus a half of its sign, rounded twice: to a float, and toward zero. In words, where a sum of
+/// floats is a function; `None` where they do not suffice.
+///
+/// The first rounding changes the second only below a half: the float before a half becomes one. From a half
+/// on, the sum has no place that the number lacks, or it is one half at most beyond a power of two.
+#[cfg(feature = "fixed")]
+#[inline]
+fn nearest_in_words(x: f64, places: i32) -> Option<i32> {
+    // Twice the number below 2^30, and no number from a quarter to a half.
+    let power = exponent(x) + places - 1023;
+    if power == -2 || power >= 29 {
+        return None;
+    }
+    let size = (cut(x, 1022 - places) + 1) >> 1;
+    Some(if x < 0.0 { -size } else { size })
 }
 
 /// In raw bits.
@@ -132,9 +148,14 @@ impl<S: InRaw> InDouble for S {
         times_two_to(self.units_beyond(other), -S::FRACTION_BITS)
     }
     fn plus_double(self, offset: f64) -> Self {
+        let raw: i64 = self.raw().into();
+        if !REGISTERS_ARE_WIDE && S::Raw::BITS <= 32 {
+            if let Some(nearest) = nearest_in_words(offset, S::FRACTION_BITS) {
+                return Self::clamped(raw + i64::from(nearest));
+            }
+        }
         let units = times_two_to(offset, S::FRACTION_BITS);
         let nearest = units + if units < 0.0 { -0.5 } else { 0.5 };
-        let raw: i64 = self.raw().into();
         if S::Raw::BITS <= 32 {
             return Self::clamped(raw.saturating_add(nearest as i64));
         }
@@ -162,6 +183,37 @@ impl<S: InRaw> InDouble for S {
 #[cfg(test)]
 mod tests {
     use super::InDouble;
+    #[cfg(feature = "fixed")]
+    use super::{nearest_in_words, two_to};
+    #[cfg(feature = "fixed")]
+    use crate::random::Random;
+
+    /// Against the sum in floats, at halves and powers of two and beside them, and at any number.
+    #[cfg(feature = "fixed")]
+    #[test]
+    fn words_round_as_floats_do() {
+        let mut random = Random(0x4a1f);
+        let mut in_words = 0;
+        for n in 0..100_000_u64 {
+            let bits = random.bits();
+            let size = match n % 4 {
+                0 => (bits >> (34 + n % 29)) as f64 * 0.5,
+                1 => two_to((n % 64) as i32 - 32),
+                _ => f64::from_bits((1023 - 8 + n % 39) << 52 | bits >> 12),
+            };
+            let near = size.to_bits().wrapping_add(bits % 5).wrapping_sub(2) & i64::MAX as u64;
+            let x = f64::from_bits(near | bits >> 63 << 63);
+            for places in [0, 4, 16, 32] {
+                let units = x * two_to(places);
+                let expected = (units + if units < 0.0 { -0.5 } else { 0.5 }) as i64;
+                if let Some(found) = nearest_in_words(x, places) {
+                    assert_eq!(i64::from(found), expected, "{x:e} {places}");
+                    in_words += 1;
+                }
+            }
+        }
+        assert!(in_words > 200_000, "{in_words}");
+    }
 
     /// Converts numbers of `f32` to units of the least number, and back.
     #[test]
