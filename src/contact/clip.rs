@@ -72,40 +72,82 @@ impl<T: Known> Seen<'_, T> {
     }
 }
 
-/// A loop over corners, in words: for cores that compute floats by functions.
-struct Words<'a>(&'a View, &'a Face, &'a Face);
+/// A bit for each edge of a face, at the first corner of the other.
+const EACH: u32 = 0x1111;
 
-impl Words<'_> {
-    /// The side of edge n on which corner m certainly lies; zero if it may meet the edge.
-    fn side(&self, n: usize, m: usize) -> i8 {
-        let (n, m) = (n % CORNERS, m % CORNERS);
-        let (Some(from), Some(to)) = (&self.1.words, &self.2.words) else { return 0 };
-        side(&from[n], &from[self.1.next(n) % CORNERS], &to[m])
+/// Where four bits for each edge stand for corners, those of the corners after them.
+#[inline(always)]
+pub(super) fn next(bits: u32, last: usize) -> u32 {
+    bits >> 1 & (EACH * ((1 << last) - 1)) | (bits & EACH) << last
+}
+
+/// Rows and columns of four bits change places.
+#[inline(always)]
+pub(super) fn transposed(x: u32) -> u32 {
+    let change = (x ^ x >> 3) & 0x0a0a;
+    let x = x ^ change ^ change << 3;
+    let change = (x ^ x >> 6) & 0x00cc;
+    x ^ change ^ change << 6
+}
+
+/// A loop over corners, in words: for cores that compute floats by functions.
+struct Words<'a> {
+    view: &'a View,
+    from: &'a Face,
+    face: &'a Face,
+    /// Each corner of the face with each edge of the other: bit 4·n + m stands for edge n and corner m.
+    all: u32,
+    /// The corners that certainly lie on either side of an edge. All others may meet it.
+    left: u32,
+    right: u32,
+}
+
+impl<'a> Words<'a> {
+    fn new(view: &'a View, from: &'a Face, face: &'a Face) -> Self {
+        let (mut all, mut left, mut right) = (0, 0, 0);
+        for n in 0..from.count() {
+            for m in 0..face.count() {
+                let bit = 1 << (CORNERS * n + m);
+                all |= bit;
+                let (Some(p), Some(to)) = (&from.words, &face.words) else { continue };
+                let side = side(&p[n % CORNERS], &p[from.next(n) % CORNERS], &to[m % CORNERS]);
+                if side > 0 {
+                    left |= bit;
+                } else if side < 0 {
+                    right |= bit;
+                }
+            }
+        }
+        Self { view, from, face, all, left, right }
     }
 
-    /// Whether edge m may cross the line of edge n.
-    fn may_cross(&self, n: usize, m: usize) -> bool {
-        let [a, b] = [m, self.2.next(m)].map(|m| self.side(n, m));
-        a != b || a == 0
+    fn next(&self, bits: u32) -> u32 {
+        next(bits, self.face.count() - 1)
+    }
+
+    /// The edges that may cross the line of each edge.
+    fn may_cross(&self) -> u32 {
+        self.all & !(self.left & self.next(self.left) | self.right & self.next(self.right))
+    }
+
+    /// Whether edge m certainly crosses the line of edge n.
+    fn is_crossing(&self, n: usize, m: usize) -> bool {
+        let bits = self.left & self.next(self.right) | self.right & self.next(self.left);
+        bits >> (CORNERS * n + m) & 1 == 1
     }
 }
 
 impl Known for Words<'_> {
     fn within(&self, m: usize) -> Option<bool> {
-        let (mut left, mut right, count) = (0, 0, self.1.count());
-        for n in 0..count {
-            let side = self.side(n, m);
-            left += usize::from(side > 0);
-            right += usize::from(side < 0);
-        }
-        if left > 0 && right > 0 {
+        let [all, left, right] = [self.all, self.left, self.right].map(|bits| bits >> m & EACH);
+        if left != 0 && right != 0 {
             return Some(false);
         }
-        (left == count || right == count).then_some(true)
+        (left == all || right == all).then_some(true)
     }
 
     fn point(&self, m: usize) -> Option<Vec64> {
-        let Self(view, from, face) = self;
+        let Self { view, from, face, .. } = self;
         let to = face.corner(m);
         let [base, a, b] = from.frame();
         let [x, y, z] = [a, b, to].map(|x| flat(&x.flat, &base.flat));
@@ -117,30 +159,22 @@ impl Known for Words<'_> {
             return None;
         }
         let at = along(&base.at, s, &minus(&a.at, &base.at));
-        let at = view.corner(along(&at, t, &minus(&b.at, &base.at)));
-        view.allows(&at, to).then_some(at.at)
+        let at = along(&at, t, &minus(&b.at, &base.at));
+        // Certain where no float overflows: see `parts`.
+        (view.unit.is_some() || view.allows(&view.corner(at), to)).then_some(at)
     }
 
     fn crossings(&self, back: &Self) -> u32 {
-        let mut crossings = 0;
-        for n in 0..self.1.count() {
-            for m in 0..self.2.count() {
-                if self.may_cross(n, m) && back.may_cross(m, n) {
-                    crossings |= 1 << (CORNERS * n + m);
-                }
-            }
-        }
-        crossings
+        self.may_cross() & transposed(back.may_cross())
     }
 
     fn sides(&self, back: &Self, n: usize, m: usize) -> Option<[f64; 2]> {
-        let [a, b] = [m, self.2.next(m)].map(|m| self.side(n, m));
-        let [c, d] = [n, self.1.next(n)].map(|n| back.side(m, n));
-        (a * b < 0 && c * d < 0).then(|| self.1.edge(n).sides(&self.2.edge(m)))
+        let is_certain = self.is_crossing(n, m) && back.is_crossing(m, n);
+        is_certain.then(|| self.from.edge(n).sides(&self.face.edge(m)))
     }
 
     fn may_meet(&self, n: usize, m: usize) -> bool {
-        self.side(n, m) == 0
+        (self.left | self.right) >> (CORNERS * n + m) & 1 == 0
     }
 }
 
@@ -152,7 +186,7 @@ pub(super) fn clip(view: &View, faces: [&Face; 2], outward: &Vec64, found: &mut 
         let known = [Quads::new(view, reference, incident), Quads::new(view, incident, reference)];
         overlap(view, faces, known, outward, found);
     } else {
-        let known = [Words(view, reference, incident), Words(view, incident, reference)];
+        let known = [Words::new(view, reference, incident), Words::new(view, incident, reference)];
         overlap(view, faces, known, outward, found);
     }
 }
@@ -202,8 +236,8 @@ fn overlap<T: Known>(
         let (n, m) = (pair / CORNERS, pair % CORNERS);
         let (below, at) = (reference.edge(n), incident.edge(m));
         let sides = of_incident.known.sides(&of_reference.known, n, m);
-        if let Some([x, y]) = below.crossing(&at, view, sides) {
-            if let Some(parts) = add(found, view, [x.at, y.at], outward) {
+        if let Some(places) = below.crossing(&at, view, sides) {
+            if let Some(parts) = add(found, view, places, outward) {
                 *parts = [Part::Edge(below.number), Part::Edge(at.number)];
             }
         }
@@ -212,6 +246,15 @@ fn overlap<T: Known>(
 
 /// Solves s·a + t·b = c for s and t, which are not finite if a and b are parallel. The greatest
 /// coefficient is the pivot, so that the residual is small even if a and b are nearly parallel.
+///
+/// # The error
+///
+/// With s and t from zero to one and no coefficient above M, c is below 2·M. The first equation then
+/// errs by 3·u·M and the second by 13·u·M; M is at most 2·√3·S, with the sizes of
+/// [`View`]. Three coefficients each are off by u·M. A place from two sides of a face errs by 10·u·S in each
+/// coordinate, and coordinates across the normal by 3·√3·u·S, those of the place and three times those
+/// of corners. Across the normal the place is off by less than (10.4 + 10.4 + 17.4 + 20.8)·u·S in one
+/// coordinate and (45.1 + 48.6)·u·S in the other: by 111·u·S, below half the tolerance.
 #[inline(always)]
 pub(super) fn parts<T>(of: fn(f64) -> T, [mut a, mut b]: [[f64; 2]; 2], mut c: [T; 2]) -> [T; 2]
 where

@@ -20,13 +20,6 @@ pub(super) struct Out {
     pub(super) distance: f64,
 }
 
-impl Out {
-    /// The depth, to a few roundings.
-    pub(super) fn depth<S: Scalar>(&self) -> f64 {
-        self.lengths.depth.scaled(-2 * i32::from(S::ONE.shift)).in_double()
-    }
-}
-
 /// One to the degrees one, two, three, four and six.
 pub(super) struct Units<N: Arithmetic> {
     one: N::Length,

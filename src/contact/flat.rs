@@ -34,11 +34,11 @@ fn with_points<S: Scalar>(
     best: &Directed<S>,
 ) -> Contact<S> {
     // Where they are, without a copy.
-    let Directed { unit, measures, way } = best;
+    let Directed { measures, way, .. } = best;
     let translation = translation(bodies, way, measures);
     let features = translation.features;
     let mut contact = Contact { translation, is_held: way.is_held, points: Points::none() };
-    points(bodies, &bodies[1].origin(), rough, way, unit, features, &mut contact.points);
+    points(bodies, &bodies[1].origin(), rough, best, features, &mut contact.points);
     contact
 }
 

@@ -143,7 +143,7 @@ pub(super) fn least_measures<S: Scalar>(
 ) -> Option<Directed<S>> {
     let measured = |(way, lengths): (Way, Lengths)| {
         let measures = lengths.measures(way.is_along);
-        Directed { unit: [0.0; 3], measures, way }
+        Directed { unit: [0.0; 3], depth: f64::INFINITY, measures, way }
     };
     if is_whole::<S>() {
         return Some(measured(exact_in_words(bodies, false).ok()??));
@@ -177,6 +177,8 @@ fn from_floats<S: Scalar>(
 #[repr(C)]
 pub(super) struct Directed<S> {
     pub(super) unit: Vec64,
+    /// The exact depth, to a few roundings, where floats are functions; elsewhere infinity.
+    pub(super) depth: f64,
     pub(super) measures: Measures<S>,
     pub(super) way: Way,
 }
@@ -186,7 +188,8 @@ fn directed<S: Scalar>((way, lengths): (Way, Lengths)) -> Directed<S> {
     let ratios = lengths.ratios();
     let measures = lengths.measures_of(way.is_along, ratios);
     let unit = lengths.unit_of(way.is_along, ratios);
-    Directed { unit, measures, way }
+    let depth = if REGISTERS_ARE_WIDE { f64::INFINITY } else { lengths.depth_in_double::<S>() };
+    Directed { unit, depth, measures, way }
 }
 
 #[inline(always)]

@@ -64,6 +64,11 @@ impl Lengths {
         self.measures_of(is_along, self.ratios())
     }
 
+    /// The depth, to a few roundings.
+    pub(super) fn depth_in_double<S: Scalar>(&self) -> f64 {
+        self.depth.scaled(-2 * i32::from(S::ONE.shift)).in_double()
+    }
+
     /// The coordinates of the unit vector, in size.
     pub(super) fn ratios(&self) -> [Size; 3] {
         three(|i| self.coordinates[i].map(|(_, size)| size.over(self.length)))

@@ -5,7 +5,7 @@ use super::clip::clip;
 use super::directions::Direction;
 use super::faces::Face;
 use super::feature::{Features, Part};
-use super::least::Way;
+use super::least::{Directed, Way};
 use super::sides::Unit;
 use super::solid::{Solid, edge_of_box};
 use super::view::{Edge, View, distance, minus};
@@ -135,16 +135,16 @@ const RANGE: (f64, f64) = (f64::from_bits((1023 - 400) << 52), f64::from_bits((1
 const UP: f64 = f64::from_bits((1023 + 800) << 52);
 const DOWN: f64 = f64::from_bits((1023 - 600) << 52);
 
-/// The contact points of a translation. The first shape moves along `normal`.
+/// The contact points of a translation.
 pub(super) fn points<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     origin: &Place<S>,
     rough: &mut [Rough; 2],
-    way: &Way,
-    normal: &Vec64,
+    translation: &Directed<S>,
     features: Features,
     points: &mut Points<S>,
 ) {
+    let Directed { unit: normal, way, .. } = translation;
     let mut solids = two(|n| Solid::new(&rough[n]));
     let size = greatest(solids[0].size, solids[1].size);
     let mut scale = 1.0;
@@ -176,13 +176,36 @@ pub(super) fn points<S: Scalar>(
         }
         (Features::Edges(..) | Features::Nearest(..), _) => {}
     }
-    let back = outward.map(|x| -x);
-    let overlap = shapes[0].reach_along(&outward) + shapes[1].reach_along(&back);
-    let is_deep = found.deepest() >= overlap - 4.0 * view.tolerance;
-    if found.count == 0 || (!is_deep && !way.is_held) {
+    let depth = if scale == 1.0 { translation.depth } else { f64::INFINITY };
+    let is_deep = |found: &Pairs| is_deep(found.deepest(), depth, &view, shapes, &outward);
+    if found.count == 0 || (!way.is_held && !is_deep(&found)) {
         by_any_faces(&view, shapes, &outward, &mut found);
     }
     rounded(&found, origin, scale, is_second, points);
+}
+
+/// Whether the deepest point is as deep as the shapes overlap.
+///
+/// # The error
+///
+/// With the sizes of [`View`]: a term of an overlap errs by 11·u of itself, with the roundings of the
+/// shapes, of the normal, of the product and of the sums, and a place by 3·u·S too. The sizes of all terms
+/// of a shape have a sum of at most √3·S, so an overlap errs by 2·(11 + 3)·√3·u·S. The exact depth is at most
+/// 2·√3·S and errs by 3·u of itself, as floats have it. With two differences more, that is below 75·u·S: a
+/// point that is above that depth less three tolerances, of 256·u·S, is above the overlap less four.
+fn is_deep(
+    deepest: f64,
+    exact: f64,
+    view: &View,
+    shapes: [&Solid<'_>; 2],
+    outward: &Vec64,
+) -> bool {
+    if deepest >= exact - 3.0 * view.tolerance {
+        return true;
+    }
+    let back = outward.map(|x| -x);
+    let overlap = shapes[0].reach_along(outward) + shapes[1].reach_along(&back);
+    deepest >= overlap - 4.0 * view.tolerance
 }
 
 /// The contact points of face `number` of `shape` and a face of `other`.

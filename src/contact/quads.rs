@@ -2,7 +2,7 @@
 //! loop over corners takes three times as many instructions.
 
 use super::body::Vec64;
-use super::clip::{Known, parts};
+use super::clip::{Known, next, parts, transposed};
 use super::faces::{CORNERS, Face};
 use super::solid::Solid;
 use super::view::{Corner, View, flat, minus};
@@ -12,9 +12,6 @@ type Four = <f64 as OfFour>::Quad;
 
 /// All corners, as bits.
 const ALL: u32 = (1 << CORNERS) - 1;
-
-/// A bit for each edge, at the first of its corners.
-const EACH: u32 = 0x1111;
 
 /// The positions of a face's corners relative to another face. Sets of corners are bits.
 pub(super) struct Quads {
@@ -95,7 +92,7 @@ impl Quads {
             sides[n] = side.to_array();
         }
         let last = face.count() - 1;
-        let next = |bits: u32| bits >> 1 & (EACH * ((1 << last) - 1)) | (bits & EACH) << last;
+        let next = |bits| next(bits, last);
         let crossing = left & next(right) | right & next(left);
         let of = |n: usize, bits: u32| bits >> (CORNERS * n) & ALL;
         let any = |bits: u32| of(0, bits) | of(1, bits) | of(2, bits) | of(3, bits);
@@ -124,12 +121,7 @@ impl Known for Quads {
 
     #[inline(always)]
     fn crossings(&self, back: &Self) -> u32 {
-        // Rows and columns of four bits change places.
-        let x = back.crossing;
-        let change = (x ^ x >> 3) & 0x0a0a;
-        let x = x ^ change ^ change << 3;
-        let change = (x ^ x >> 6) & 0x00cc;
-        self.crossing & (x ^ change ^ change << 6)
+        self.crossing & transposed(back.crossing)
     }
 
     #[inline(always)]

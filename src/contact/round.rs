@@ -196,7 +196,7 @@ pub(super) fn exactly<S: Scalar>(
     let depth = if is_held {
         depth_over(distance, round.radius.in_double(), dot(&unit, &normal))
     } else {
-        out.depth::<S>()
+        out.lengths.depth_in_double::<S>()
     };
     let point = Vec3::from(found.point);
     let on_round = Vec3::from(three(|i| {

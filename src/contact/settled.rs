@@ -102,7 +102,7 @@ pub(super) fn settled<S: Scalar>(
         None => [0.0; 3],
     };
     let way = Way { direction, is_along, along, is_held: false };
-    Some(Directed { unit, measures: known.measures(is_along)?, way })
+    Some(Directed { unit, depth: f64::INFINITY, measures: known.measures(is_along)?, way })
 }
 
 /// Whether a direction is a coordinate axis.

@@ -71,7 +71,7 @@ fn assert_is_settled_as_exact<S: Scalar>(
     let least = least_way(bodies, (!is_whole::<S>()).then_some(rough), InteriorEdges::NONE);
     assert_eq!(least.is_some(), exact.is_some(), "{bodies:?}");
     if let (Some(found), Some((exact_way, lengths))) = (least, exact) {
-        let Directed { unit, measures: found, way } = found;
+        let Directed { unit, measures: found, way, .. } = found;
         let exact: Measures<S> = lengths.measures(way.is_along);
         assert_eq!((way.direction, way.along), (exact_way.direction, exact_way.along));
         assert_eq!((found, unit), (exact, lengths.unit(way.is_along)), "{bodies:?}");
