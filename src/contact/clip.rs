@@ -20,12 +20,12 @@ pub(super) trait Known {
     fn within(&self, m: usize) -> Option<bool>;
     /// The point within the other face that meets corner m.
     fn point(&self, m: usize) -> Option<Vec64>;
-    /// Which pairs of edges may cross. Bit 4·n + m stands for edge n of the opposite face and edge m of
+    /// Which pairs of edges may cross, and of which pairs to take [`sides`](Self::sides): on small cores
+    /// those that certainly do. Bit 4·n + m stands for edge n of the opposite face and edge m of
     /// this face; `back` has the positions of the opposite face's corners.
-    fn crossings(&self, back: &Self) -> u32;
-    /// If the two edges certainly cross, the signed distances of the ends of edge m, times the length of
-    /// edge n.
-    fn sides(&self, back: &Self, n: usize, m: usize) -> Option<[f64; 2]>;
+    fn crossings(&self, back: &Self) -> [u32; 2];
+    /// The signed distances of the ends of edge m, times the length of edge n.
+    fn sides(&self, n: usize, m: usize) -> [f64; 2];
     /// Whether corner m may meet edge n.
     fn may_meet(&self, n: usize, m: usize) -> bool;
 }
@@ -121,19 +121,10 @@ impl<'a> Words<'a> {
         Self { view, from, face, all, left, right }
     }
 
-    fn next(&self, bits: u32) -> u32 {
-        next(bits, self.face.count() - 1)
-    }
-
-    /// The edges that may cross the line of each edge.
-    fn may_cross(&self) -> u32 {
-        self.all & !(self.left & self.next(self.left) | self.right & self.next(self.right))
-    }
-
-    /// Whether edge m certainly crosses the line of edge n.
-    fn is_crossing(&self, n: usize, m: usize) -> bool {
-        let bits = self.left & self.next(self.right) | self.right & self.next(self.left);
-        bits >> (CORNERS * n + m) & 1 == 1
+    /// The edges that may cross the line of each edge, and those that certainly do.
+    fn crossing(&self) -> [u32; 2] {
+        let [left, right] = [self.left, self.right].map(|bits| next(bits, self.face.count() - 1));
+        [self.all & !(self.left & left | self.right & right), self.left & right | self.right & left]
     }
 }
 
@@ -164,13 +155,13 @@ impl Known for Words<'_> {
         (view.unit.is_some() || view.allows(&view.corner(at), to)).then_some(at)
     }
 
-    fn crossings(&self, back: &Self) -> u32 {
-        self.may_cross() & transposed(back.may_cross())
+    fn crossings(&self, back: &Self) -> [u32; 2] {
+        let ([may, certain], [back, certain_back]) = (self.crossing(), back.crossing());
+        [may & transposed(back), certain & transposed(certain_back)]
     }
 
-    fn sides(&self, back: &Self, n: usize, m: usize) -> Option<[f64; 2]> {
-        let is_certain = self.is_crossing(n, m) && back.is_crossing(m, n);
-        is_certain.then(|| self.from.edge(n).sides(&self.face.edge(m)))
+    fn sides(&self, n: usize, m: usize) -> [f64; 2] {
+        self.from.edge(n).sides(&self.face.edge(m))
     }
 
     fn may_meet(&self, n: usize, m: usize) -> bool {
@@ -229,13 +220,13 @@ fn overlap<T: Known>(
             }
         }
     }
-    let mut crossings = of_incident.known.crossings(&of_reference.known);
+    let [mut crossings, known] = of_incident.known.crossings(&of_reference.known);
     while crossings != 0 {
         let pair = crossings.trailing_zeros() as usize;
         crossings &= crossings - 1;
         let (n, m) = (pair / CORNERS, pair % CORNERS);
         let (below, at) = (reference.edge(n), incident.edge(m));
-        let sides = of_incident.known.sides(&of_reference.known, n, m);
+        let sides = (known >> pair & 1 == 1).then(|| of_incident.known.sides(n, m));
         if let Some(places) = below.crossing(&at, view, sides) {
             if let Some(parts) = add(found, view, places, outward) {
                 *parts = [Part::Edge(below.number), Part::Edge(at.number)];

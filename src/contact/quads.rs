@@ -120,14 +120,14 @@ impl Known for Quads {
     }
 
     #[inline(always)]
-    fn crossings(&self, back: &Self) -> u32 {
-        self.crossing & transposed(back.crossing)
+    fn crossings(&self, back: &Self) -> [u32; 2] {
+        [self.crossing & transposed(back.crossing), u32::MAX]
     }
 
     #[inline(always)]
-    fn sides(&self, _: &Self, n: usize, m: usize) -> Option<[f64; 2]> {
+    fn sides(&self, n: usize, m: usize) -> [f64; 2] {
         let next = if m < self.last { m + 1 } else { 0 };
-        Some([m, next].map(|m| self.sides[n % CORNERS][m % CORNERS]))
+        [m, next].map(|m| self.sides[n % CORNERS][m % CORNERS])
     }
 
     #[inline(always)]
@@ -211,7 +211,7 @@ mod tests {
             let (from, face) = (face(&mut random, n % 2 == 0), face(&mut random, n % 4 < 2));
             let (quads, signs) = (Quads::new(&view, &from, &face), signs(&from, &face));
             let back = Quads::new(&view, &face, &from);
-            let crossings = quads.crossings(&back);
+            let [crossings, _] = quads.crossings(&back);
             let of = |m: usize| signs.iter().take(from.count()).map(move |signs| signs[m]);
             for m in 0..face.count() {
                 let is_left = of(m).all(|sign| sign > 0) || of(m).all(|sign| sign < 0);

@@ -38,7 +38,6 @@ impl Unit {
 /// A coordinate errs by less than one, and so each difference by less than two. The two products err
 /// by less than twice the sum of all differences, and eight. A point that is closer to the edge's line than the
 /// tolerance, 2^-17 units, or than floats know, is in doubt by far.
-#[inline(never)]
 pub(super) fn side(p: &Flat, q: &Flat, to: &Flat) -> i8 {
     let [a, b] = [q[0] - p[0], q[1] - p[1]];
     let [c, d] = [to[0] - p[0], to[1] - p[1]];
