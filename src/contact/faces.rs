@@ -23,7 +23,7 @@ pub(super) struct Face {
 
 impl Face {
     /// The triangle, or face `number` of the box.
-    #[inline(always)]
+    #[cfg(test)]
     pub(super) fn new(view: &View, shape: &Solid<'_>, number: u8) -> Self {
         let mut face = Self::empty();
         face.fill(view, shape, number);
@@ -38,6 +38,7 @@ impl Face {
         Self { corners, vertices, edges, count: 3, number: 0, words: None }
     }
 
+    /// The triangle, or face `number` of the box. Another face of the same shape may be there.
     #[inline(never)]
     pub(super) fn fill(&mut self, view: &View, shape: &Solid<'_>, number: u8) {
         self.number = number;

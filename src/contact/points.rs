@@ -248,16 +248,19 @@ fn by_face(
 /// after the translation, but two other faces do.
 #[inline(never)]
 fn by_any_faces(view: &View, [shape, other]: [&Solid<'_>; 2], outward: &Vec64, found: &mut Pairs) {
-    for face in shape.faces() {
-        let face = Face::new(view, shape, face);
-        for incident in other.faces() {
-            add_deeper(found, view, [&face, &Face::new(view, other, incident)], outward);
+    let (mut face, mut incident) = (Face::empty(), Face::empty());
+    for number in shape.faces() {
+        face.fill(view, shape, number);
+        for number in other.faces() {
+            incident.fill(view, other, number);
+            add_deeper(found, view, [&face, &incident], outward);
         }
     }
     if found.count == 0 {
         // The coordinates overflow f64.
-        let [(below, first), (at, second)] =
-            [shape, other].map(|solid| Face::new(view, solid, 0).lowest(outward));
+        face.fill(view, shape, 0);
+        incident.fill(view, other, 0);
+        let [(below, first), (at, second)] = [&face, &incident].map(|face| face.lowest(outward));
         let depth = dot(&minus(&below, &at), outward);
         if let Some(parts) = found.add(Pair { at: [below, at], depth }, 0.0) {
             *parts = [first, second].map(Part::Vertex);

@@ -51,11 +51,15 @@ impl<'a> Solid<'a> {
     /// How far the shape extends in a direction, from the origin.
     #[inline]
     pub(super) fn reach_along(&self, direction: &Vec64) -> f64 {
-        let at = |k: usize| dot(&self.rough.at[k], direction);
-        let reach = three(|k| dot(&self.reach[k], direction).abs());
-        let farthest =
-            if self.rough.is_triangle { greatest(greatest(at(0), at(1)), at(2)) } else { at(0) };
-        farthest + (reach[0] + reach[1] + reach[2])
+        let (mut farthest, mut reach) = (f64::NEG_INFINITY, 0.0);
+        for k in 0..3 {
+            // A box has one place.
+            if k == 0 || self.rough.is_triangle {
+                farthest = greatest(farthest, dot(&self.rough.at[k], direction));
+            }
+            reach += dot(&self.reach[k], direction).abs();
+        }
+        farthest + reach
     }
 
     /// The corner of a box of this number.
