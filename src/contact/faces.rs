@@ -25,18 +25,20 @@ impl Face {
     /// The triangle, or face `number` of the box.
     #[cfg(test)]
     pub(super) fn new(view: &View, shape: &Solid<'_>, number: u8) -> Self {
-        let mut face = Self::empty();
+        let mut face = Self::EMPTY;
         face.fill(view, shape, number);
         face
     }
 
     /// A face to [`fill`](Self::fill). One that is returned full would be copied.
-    #[inline(always)]
-    pub(super) fn empty() -> Self {
-        let corners = [Corner { at: [0.0; 3], flat: [0.0; 2] }; CORNERS];
-        let (vertices, edges) = ([0, 1, 2, 2], [0, 1, 2, 2]);
-        Self { corners, vertices, edges, count: 3, number: 0, words: None }
-    }
+    pub(super) const EMPTY: Self = Self {
+        corners: [Corner { at: [0.0; 3], flat: [0.0; 2] }; CORNERS],
+        vertices: [0, 1, 2, 2],
+        edges: [0, 1, 2, 2],
+        count: 3,
+        number: 0,
+        words: None,
+    };
 
     /// The triangle, or face `number` of the box. Another face of the same shape may be there.
     #[inline(never)]

@@ -77,10 +77,10 @@ pub(super) struct Pairs {
 }
 
 impl Pairs {
-    fn new() -> Self {
+    const NONE: Self = {
         let none = Pair { at: [[0.0; 3]; 2], depth: 0.0 };
         Self { pairs: [none; MOST], parts: [[Part::Face(0); 2]; MOST], count: 0 }
-    }
+    };
 
     fn iter(&self) -> impl Iterator<Item = &Pair> {
         self.pairs.iter().take(self.count)
@@ -160,7 +160,7 @@ pub(super) fn points<S: Scalar>(
     let is_second = matches!(features, Features::Second(_));
     let shapes = if is_second { [second, first] } else { [first, second] };
     let outward = three(|i| if is_second { normal[i] } else { -normal[i] });
-    let mut found = Pairs::new();
+    let mut found = Pairs::NONE;
     match (features, way.direction) {
         (Features::First(face) | Features::Second(face), _) => {
             part(|| by_face(&view, way, shapes, face, &outward, &mut found));
@@ -223,7 +223,8 @@ fn by_face(
     found: &mut Pairs,
 ) {
     let incident = usize::from(matches!(way.direction, Direction::Face { is_second: false, .. }));
-    let (mut reference, mut face) = (Face::empty(), Face::empty());
+    let mut reference = Face::EMPTY;
+    let mut face = Face::EMPTY;
     reference.fill(view, shape, number);
     let upper = upper(way, incident);
     let is_support = |number: u8| {
@@ -248,7 +249,8 @@ fn by_face(
 /// after the translation, but two other faces do.
 #[inline(never)]
 fn by_any_faces(view: &View, [shape, other]: [&Solid<'_>; 2], outward: &Vec64, found: &mut Pairs) {
-    let (mut face, mut incident) = (Face::empty(), Face::empty());
+    let mut face = Face::EMPTY;
+    let mut incident = Face::EMPTY;
     for number in shape.faces() {
         face.fill(view, shape, number);
         for number in other.faces() {
@@ -275,7 +277,7 @@ fn add_deeper(found: &mut Pairs, view: &View, faces: [&Face; 2], outward: &Vec64
         return clip(view, faces, outward, found);
     }
     out_of_line(|| {
-        let mut here = Pairs::new();
+        let mut here = Pairs::NONE;
         clip(view, faces, outward, &mut here);
         if here.deepest() > found.deepest() {
             *found = here;
