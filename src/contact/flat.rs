@@ -9,7 +9,9 @@ use super::{Contact, InteriorEdges, Translation};
 use crate::scalar::Scalar;
 
 pub(super) fn least_translation<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<Translation<S>> {
-    let Directed { measures, way, .. } = &least_measures(bodies, || in_floats(bodies))?;
+    // Where it is, without a copy.
+    let found = least_measures(bodies, || in_floats(bodies));
+    let Directed { measures, way, .. } = found.as_ref()?;
     Some(translation(bodies, way, measures))
 }
 
@@ -18,12 +20,13 @@ pub(super) fn contact<S: Scalar>(
     interior: InteriorEdges,
 ) -> Option<Contact<S>> {
     if is_whole::<S>() {
-        let best = least_way(bodies, None, interior)?;
-        return Some(with_points(bodies, &mut in_floats(bodies), &best));
+        let best = least_way(bodies, None, interior);
+        let best = best.as_ref()?;
+        return Some(with_points(bodies, &mut in_floats(bodies), best));
     }
     let mut rough = in_floats(bodies);
-    let best = least_way(bodies, Some(&rough), interior)?;
-    Some(with_points(bodies, &mut rough, &best))
+    let best = least_way(bodies, Some(&rough), interior);
+    Some(with_points(bodies, &mut rough, best.as_ref()?))
 }
 
 /// The contact of a way out, and its points.

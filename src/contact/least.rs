@@ -46,6 +46,7 @@ impl Numbers<'_> {
 }
 
 /// A translation: its direction, and the signs along it.
+#[derive(Clone, Copy)]
 pub(super) struct Way {
     pub(super) direction: Direction,
     /// Whether the first shape goes along the direction, or against it.
@@ -141,19 +142,21 @@ pub(super) fn least_measures<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     rough: impl FnOnce() -> [Rough; 2],
 ) -> Option<Directed<S>> {
-    let measured = |(way, lengths): (Way, Lengths)| {
+    let measured = |(way, lengths): &(Way, Lengths)| {
         let measures = lengths.measures(way.is_along);
-        Directed { unit: [0.0; 3], depth: f64::INFINITY, measures, way }
+        Directed { unit: [0.0; 3], depth: f64::INFINITY, measures, way: *way }
     };
     if is_whole::<S>() {
-        return Some(measured(exact_in_words(bodies, false).ok()??));
+        // Where it is, without a copy.
+        let Ok(Some(best)) = &exact_in_words(bodies, false) else { return None };
+        return Some(measured(best));
     }
     let rough = rough();
     let mut filter = Filter::new::<S>(&rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
     match from_floats(&filter, &wanted, None) {
         Some(best) => Some(best),
-        None => Some(measured(exact(bodies, &filter, &wanted).ok()??)),
+        None => Some(measured(&exact(bodies, &filter, &wanted).ok()??)),
     }
 }
 
@@ -184,12 +187,12 @@ pub(super) struct Directed<S> {
 }
 
 #[inline(never)]
-fn directed<S: Scalar>((way, lengths): (Way, Lengths)) -> Directed<S> {
+fn directed<S: Scalar>((way, lengths): &(Way, Lengths)) -> Directed<S> {
     let ratios = lengths.ratios();
     let measures = lengths.measures_of(way.is_along, ratios);
     let unit = lengths.unit_of(way.is_along, ratios);
     let depth = if REGISTERS_ARE_WIDE { f64::INFINITY } else { lengths.depth_in_double::<S>() };
-    Directed { unit, depth, measures, way }
+    Directed { unit, depth, measures, way: *way }
 }
 
 #[inline(always)]
@@ -198,13 +201,14 @@ fn least_directed<S: Scalar>(
     rough: Option<&[Rough; 2]>,
 ) -> Option<Directed<S>> {
     let Some(rough) = rough else {
-        return Some(directed(exact_in_words(bodies, false).ok()??));
+        let Ok(Some(best)) = &exact_in_words(bodies, false) else { return None };
+        return Some(directed(best));
     };
     let mut filter = Filter::new::<S>(rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
     match from_floats(&filter, &wanted, Some(bodies)) {
         Some(best) => Some(best),
-        None => Some(directed(exact(bodies, &filter, &wanted).ok()??)),
+        None => Some(directed(&exact(bodies, &filter, &wanted).ok()??)),
     }
 }
 
@@ -216,10 +220,11 @@ pub(super) fn least_way<S: Scalar>(
     rough: Option<&[Rough; 2]>,
     interior: InteriorEdges,
 ) -> Option<Directed<S>> {
-    let best = least_directed(bodies, rough)?;
+    let best = least_directed(bodies, rough);
     if interior == InteriorEdges::NONE {
-        return Some(best);
+        return best;
     }
+    let best = best?;
     let is_across = match rough {
         Some([first, _]) => across(&best.way, &best.unit, &first.sides, interior),
         None => across(&best.way, &best.unit, &bodies[0].rough(&bodies[1], 1.0).sides, interior),
@@ -232,7 +237,7 @@ pub(super) fn least_way<S: Scalar>(
         Some(rough) => exact(bodies, &Filter::new::<S>(rough), &Wanted::FACE),
         None => exact_in_words(bodies, true),
     };
-    let mut normal = directed(normal.ok()??);
+    let mut normal = directed(&normal.ok()??);
     normal.way.is_held = true;
     Some(if is_across.is_none() { best } else { normal })
 }
