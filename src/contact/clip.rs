@@ -20,9 +20,9 @@ pub(super) trait Known {
     fn within(&self, m: usize) -> Option<bool>;
     /// The point within the other face that meets corner m.
     fn point(&self, m: usize) -> Option<Vec64>;
-    /// Which pairs of edges may cross, and of which pairs to take [`sides`](Self::sides): on small cores
-    /// those that certainly do. Bit 4·n + m stands for edge n of the opposite face and edge m of
-    /// this face; `back` has the positions of the opposite face's corners.
+    /// Which pairs of edges may cross, and for which [`sides`](Self::sides) is called. On small cores these
+    /// cross for certain. Bit 4·n + m stands for edge n of the opposite face and edge m of this face;
+    /// `back` has the positions of the opposite face's corners.
     fn crossings(&self, back: &Self) -> [u32; 2];
     /// The signed distances of the ends of edge m, times the length of edge n.
     fn sides(&self, n: usize, m: usize) -> [f64; 2];
@@ -75,7 +75,7 @@ impl<T: Known> Seen<'_, T> {
 /// A bit for each edge of a face, at the first corner of the other.
 const EACH: u32 = 0x1111;
 
-/// Where four bits for each edge stand for corners, those of the corners after them.
+/// Each corner's bit moves to the corner before it.
 #[inline(always)]
 pub(super) fn next(bits: u32, last: usize) -> u32 {
     bits >> 1 & (EACH * ((1 << last) - 1)) | (bits & EACH) << last
@@ -95,9 +95,9 @@ struct Words<'a> {
     view: &'a View,
     from: &'a Face,
     face: &'a Face,
-    /// Each corner of the face with each edge of the other: bit 4·n + m stands for edge n and corner m.
+    /// Every pair of an edge and a corner. Bit 4·n + m stands for edge n and corner m.
     all: u32,
-    /// The corners that certainly lie on either side of an edge. All others may meet it.
+    /// The corners that certainly lie left of an edge, or right of it. All others may meet it.
     left: u32,
     right: u32,
 }
@@ -121,7 +121,7 @@ impl<'a> Words<'a> {
         Self { view, from, face, all, left, right }
     }
 
-    /// The edges that may cross the line of each edge, and those that certainly do.
+    /// Which edges may cross the line of each edge, and which certainly do.
     fn crossing(&self) -> [u32; 2] {
         let [left, right] = [self.left, self.right].map(|bits| next(bits, self.face.count() - 1));
         [self.all & !(self.left & left | self.right & right), self.left & right | self.right & left]
@@ -240,12 +240,12 @@ fn overlap<T: Known>(
 ///
 /// # The error
 ///
-/// With s and t from zero to one and no coefficient above M, c is below 2·M. The first equation then
-/// errs by 3·u·M and the second by 13·u·M; M is at most 2·√3·S, with the sizes of
-/// [`View`]. Three coefficients each are off by u·M. A place from two sides of a face errs by 10·u·S in each
-/// coordinate, and coordinates across the normal by 3·√3·u·S, those of the place and three times those
-/// of corners. Across the normal the place is off by less than (10.4 + 10.4 + 17.4 + 20.8)·u·S in one
-/// coordinate and (45.1 + 48.6)·u·S in the other: by 111·u·S, below half the tolerance.
+/// With the sizes of [`View`]. No coefficient is above M = 2·√3·S, and s and t are from zero to one. Then the
+/// residual of the first equation is at most 3·u·M, and of the second 13·u·M. Each of the three coefficients
+/// is off by u·M. The place, from two sides of a face, errs by 10·u·S in each coordinate: across the normal by
+/// 10·√3·u·S. A coordinate across the normal errs by 3·√3·u·S for the place, and by as much for each of the
+/// three corners. So the place is off by less than 59·u·S in one coordinate across the normal, and by less than
+/// 94·u·S in the other. That is 111·u·S, below half the tolerance.
 #[inline(always)]
 pub(super) fn parts<T>(of: fn(f64) -> T, [mut a, mut b]: [[f64; 2]; 2], mut c: [T; 2]) -> [T; 2]
 where

@@ -140,11 +140,12 @@ impl Edge<'_> {
     ///
     /// # The error
     ///
-    /// With the sizes of [`View`], edges across the normal are at most 2·√3·S long, and a signed distance
-    /// errs by 4·u times that. So the place on the other edge is off this edge's line by at most
-    /// (3 + 2·4)·2·√3·u·S, below 39·u·S, and by three roundings more. Where words are certain, all ends are
-    /// off the lines by more than 2^20 times that, and the place lies between the ends of this edge. To find
-    /// it takes six roundings, and as many on the other edge. Together that is below half the tolerance.
+    /// With the sizes of [`View`]. Edges across the normal are at most 2·√3·S long, and a signed distance
+    /// errs by 4·u of that, times this edge's length. The place on the other edge is then off this edge's
+    /// line by less than (3 + 2·4)·2·√3·u·S = 39·u·S, and by 10·u·S for its own roundings. Words are certain
+    /// if all ends are off the lines by more than 2^20·u·S, and then the place lies between the ends of this
+    /// edge. The nearest place on this edge errs by 20·u·S, and so does the nearest to that on the
+    /// other edge. All together is below 100·u·S, less than half the tolerance.
     #[inline]
     pub(super) fn crossing(
         &self,
