@@ -267,3 +267,70 @@ where
     let s = (c[0] - t * of(b[0])) / of(a[0]);
     if is_swapped { [t, s] } else { [s, t] }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::body::Rough;
+    use super::super::sides::Unit;
+    use super::super::solid::Solid;
+    use super::*;
+    use crate::arithmetic::three;
+    use crate::random::Random;
+
+    /// Also of thin faces, and of faces seen edge-on.
+    #[test]
+    fn what_words_find_meets_within_half_the_tolerance() {
+        let mut random = Random(0x6c19);
+        let (mut within, mut crossed) = (0, 0);
+        for n in 0..20_000_u32 {
+            let mut number = |bits: u64| {
+                let down = (random.bits() % (bits + 1)) as i32;
+                f64::from(random.bits() as i32) * 2_f64.powi(-31 - down)
+            };
+            let roughs = [0, 1].map(|k| {
+                let at = [(); 3].map(|()| three(|_| number(1)));
+                let sides = [(); 3].map(|()| three(|_| number(2)));
+                let half = three(|_| number(if n % 2 == 0 { 0 } else { 30 }).abs());
+                let is_triangle = (n >> (1 + k)) % 3 == 0;
+                Rough {
+                    is_triangle,
+                    at: if is_triangle { at } else { [at[0]; 3] },
+                    sides,
+                    half: if is_triangle { [0.0; 3] } else { half },
+                }
+            });
+            let normal = three(|_| number(if n % 8 == 0 { 30 } else { 1 }));
+            let length = dot(&normal, &normal).sqrt();
+            let normal = normal.map(|x| x / length);
+            let solids = [Solid::new(&roughs[0]), Solid::new(&roughs[1])];
+            let size = greatest(solids[0].size, solids[1].size);
+            let view = View::new(&normal, size, Some(Unit::of(size)));
+            let [from, face] =
+                [&solids[0], &solids[1]].map(|solid| Face::new(&view, solid, n as u8 % 6));
+            let known = Words::new(&view, &from, &face);
+            let [_, certain] = known.crossings(&Words::new(&view, &face, &from));
+            let apart = |a: Vec64, b: [f64; 2]| {
+                let [x, y] = flat(&view.corner(a).flat, &b);
+                (x * x + y * y).sqrt() / view.tolerance
+            };
+            for m in 0..face.count() {
+                if known.within(m) != Some(false) {
+                    if let Some(at) = known.point(m) {
+                        assert!(apart(at, face.corner(m).flat) < 0.5);
+                        within += 1;
+                    }
+                }
+                for n in 0..from.count() {
+                    if certain >> (CORNERS * n + m) & 1 == 1 {
+                        let sides = Some(known.sides(n, m));
+                        let [a, b] =
+                            from.edge(n).crossing(&face.edge(m), &view, sides).unwrap_or_default();
+                        assert!(apart(a, view.corner(b).flat) < 0.5);
+                        crossed += 1;
+                    }
+                }
+            }
+        }
+        assert!(within > 2_000 && crossed > 5_000, "{within} {crossed}");
+    }
+}

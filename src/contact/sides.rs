@@ -19,7 +19,12 @@ impl Unit {
     /// far, and the core computes them by functions.
     pub(super) fn new<S: Scalar>(size: f64) -> Option<Self> {
         let is_short = size_of::<S>() < size_of::<f64>();
-        (!REGISTERS_ARE_WIDE && is_short && size > 0.0).then(|| Self(exponent(size) - 27))
+        (!REGISTERS_ARE_WIDE && is_short && size > 0.0).then(|| Self::of(size))
+    }
+
+    /// The same on any machine.
+    pub(super) fn of(size: f64) -> Self {
+        Self(exponent(size) - 27)
     }
 
     /// In units, rounded toward zero.
