@@ -7,8 +7,8 @@
 //! `docs/worst-case.md` lists the most instructions of each query, with `near` and without.
 //!
 //! *Near* means in 32-bit fixed point less than 2¹⁷ units in the last place from zero on every axis:
-//! less than 2 in `I16F16`, or 131 mm where a unit in the last place is a micrometre. Directions,
-//! axes and half-extents may be longer, up to 2¹⁹ units. In `f32` it means less than 2¹⁰ from zero,
+//! less than 2 in `I16F16`, or 131 mm where a unit in the last place is a micrometre; −2¹⁷ itself is near. Directions,
+//! axes and half-extents may be longer, up to 2¹⁹ units, and radii up to 2¹⁸. In `f32` it means less than 2¹⁰ from zero,
 //! in multiples of 2⁻⁵⁰: every float between 2⁻²⁷ and 2¹⁰ is one. Types of 8 and 16 bits have no
 //! second stage, and need no `near`.
 //!
@@ -56,10 +56,10 @@
 //! | pair | scalar | |
 //! | --- | --- | --- |
 //! | ray, triangle | fixed point | `hit`, `hit_once`, `hit_with`, `is_hit`, `is_hit_with` |
-//! | triangle, axis-aligned box | fixed point, `f32` | `overlaps`, `may_overlap`; `relation` in fixed point |
-//! | the same, one of them [`Moving`] | fixed point | `meets`, `first_contact` |
+//! | triangle, axis-aligned box | fixed point, `f32` | `overlaps`, `may_overlap`; in fixed point [`relation`](crate::relation::Relate) |
+//! | triangle and axis-aligned box, one of them moving (`Moving`) | fixed point | `meets`, `first_contact` |
 //! | triangle, oriented box | fixed point | `overlaps`, `may_overlap` |
-//! | mesh, box, oriented box, sphere or capsule | fixed point | [`overlapping`](Near::overlapping) of its tree |
+//! | mesh, box, oriented box, sphere or capsule | fixed point | `overlapping` of its tree (`Tree::near`) |
 //! | triangle, sphere or capsule | fixed point | `overlaps`, in integers of up to 128 bits |
 //!
 //! The answers are bit for bit the answers of the ordinary shapes.
@@ -133,6 +133,7 @@ mod tests {
 
     const MOST: i32 = (1 << 17) - 1;
     const LONGEST: i32 = (1 << 19) - 1;
+    const WIDEST: i32 = (1 << 18) - 1;
 
     fn at(x: i32, y: i32, z: i32) -> [I16F16; 3] {
         [x, y, z].map(I16F16::from_bits)
@@ -162,12 +163,12 @@ mod tests {
         assert!(obb(MOST + 1, 1, 1).is_err() && obb(0, LONGEST + 1, 1).is_err());
         assert!(obb(0, 1, LONGEST + 1).is_err());
         let sphere = |c, r| Sphere::new(at(c, 0, 0), I16F16::from_bits(r)).unwrap().near();
-        assert!(sphere(-MOST - 1, LONGEST).is_ok());
-        assert!(sphere(MOST + 1, 0).is_err() && sphere(0, LONGEST + 1).is_err());
+        assert!(sphere(-MOST - 1, WIDEST).is_ok());
+        assert!(sphere(MOST + 1, 0).is_err() && sphere(0, WIDEST + 1).is_err());
         let capsule =
             |b, r| Capsule::new(at(0, 0, 0), at(0, 0, b), I16F16::from_bits(r)).unwrap().near();
-        assert!(capsule(MOST, LONGEST).is_ok());
-        assert!(capsule(MOST + 1, 0).is_err() && capsule(0, LONGEST + 1).is_err());
+        assert!(capsule(MOST, WIDEST).is_ok());
+        assert!(capsule(MOST + 1, 0).is_err() && capsule(0, WIDEST + 1).is_err());
     }
 
     /// Compares with the kernels for shapes anywhere, which are different code on 64-bit machines.
@@ -217,7 +218,11 @@ mod tests {
                 assert_eq!(close.may_overlap(&near), obb.may_overlap(&triangle));
                 yes[3] += u32::from(triangle.overlaps(&obb));
             }
-            let radius = half[0] + I16F16::DELTA * (case % 2);
+            // Radii up to the greatest, which reach across the whole range.
+            let radius = match case % 4 {
+                0 => I16F16::from_bits(WIDEST - below(3) * (MOST >> 1)),
+                n => half[0] + I16F16::DELTA * (n % 2),
+            };
             let sphere = Sphere::new(p, radius).unwrap();
             let capsule = Capsule::new(p, q, radius).unwrap();
             let (meets, passes) = (sphere.overlaps(&triangle), capsule.overlaps(&triangle));

@@ -1,7 +1,7 @@
 //! The directions of two boxes that may be the least, in vectors of `f32`: for hosts.
 //!
 //! Pairs of axes share the products of the face normals: (u_i × v_j)·u_k is v_j·(u_k × u_i). With a row
-//! for the three axes of a box, nothing is gathered either. It takes six tenths of the instructions of
+//! for the three axes of a box, no lane is gathered from several rows either. It takes six tenths of the instructions of
 //! [`Ruler::overlaps`](super::filter::Ruler::overlaps).
 
 use super::body::Rough;
@@ -122,7 +122,7 @@ impl Search {
 /// * The overlap is a·d and four terms h·|a·s|, for a half-extent and an axis. `rows.g` proves that it errs by
 ///   at most [`ROUNDOFFS`] times u·M²·R, underflow included, and a·d by less.
 /// * The square of a errs by 2·√3·6.1·u·M²·|a| + 5·u·a², and with |a| ≤ 2·√3·M² by at most 134·u·M⁴. The
-///   rest of [`OF_SQUARE`], 10·u·a² or more, covers the 5 roundings of the bounds. If a² is above
+///   rest of [`OF_SQUARE`], 10·u·a² or more as a² is at most 12·M⁴, covers the 5 roundings of the bounds. If a² is above
 ///   [`NOISE`]·M⁴, the relative error is below (21.2·2^10 + 5)·u = 2^-9.6.
 /// * The ranges of M and M·R keep a² and the squares of overlaps with their errors between 2^-100 and
 ///   2^100, and their quotients too.

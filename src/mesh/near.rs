@@ -9,9 +9,9 @@ use crate::scalar::Scalar;
 use crate::shape::{Near, Overlaps, ShapeError, Triangle};
 
 impl<Frac: LeEqU32 + Send + Sync + 'static, I: Index> Tree<'_, FixedI32<Frac>, I> {
-    /// The tree, for queries in 32-bit words alone: see [`near`](crate::near).
+    /// The tree, for queries without the code for distant shapes: see [`near`](crate::near).
     ///
-    /// *Cost*: three comparisons a vertex.
+    /// *Cost*: three comparisons a vertex; call it once.
     ///
     /// # Errors
     /// [`ShapeError::NotNear`] if a vertex is 2¹⁷ units in the last place or more from zero on some
@@ -23,7 +23,7 @@ impl<Frac: LeEqU32 + Send + Sync + 'static, I: Index> Tree<'_, FixedI32<Frac>, I
 }
 
 impl<'a, S: Scalar, I: Index> Near<Tree<'a, S, I>> {
-    /// [`Tree::overlapping`] in 32-bit words alone. The shape is an [`Aabb`](crate::Aabb), an
+    /// [`Tree::overlapping`] without the code for distant shapes. The shape is an [`Aabb`](crate::Aabb), an
     /// [`Obb`](crate::Obb), a [`Sphere`](crate::Sphere) or a [`Capsule`](crate::Capsule).
     ///
     /// ```

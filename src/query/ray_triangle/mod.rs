@@ -182,7 +182,7 @@ impl<S: Scalar> Ray<S> {
     }
 }
 
-/// Near the origin, in the word kernel only.
+/// Rays near the origin, in 32-bit words.
 #[cfg(feature = "fixed")]
 impl<S: Scalar + InWholeWord<i32>> Near<Ray<S>> {
     /// [`Ray::hit`], in 32-bit words alone.

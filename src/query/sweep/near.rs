@@ -12,7 +12,7 @@ use crate::shape::{Aabb, AabbForm, Near, ShapeError, Triangle, Vec3};
 /// A moving shape that is [near](crate::near) the origin from start to end.
 ///
 /// `moving` of a near triangle or a near axis-aligned box makes one. The motion may be given by places
-/// anywhere: only its difference counts.
+/// anywhere: only `to` − `from` counts. The obstacle is near as well.
 ///
 /// ```
 /// use fixed::types::I16F16;
@@ -118,12 +118,13 @@ impl<S: Scalar + InWholeWord<i32>> Moving<Triangle<S>, S> {
     }
 
     /// [`Sweep::meets_along`](super::Sweep::meets_along), in 32-bit words alone.
+    #[doc(alias = "meets_along")]
     #[must_use]
     pub fn meets(&self, aabb: &Near<Aabb<S>>) -> bool {
         self.past(aabb).meet_in_words()
     }
 
-    /// [`Sweep::first_contact`](super::Sweep::first_contact), in 32-bit words alone.
+    /// [`Sweep::first_contact`](super::Sweep::first_contact), in 32-bit words and quotients of 64-bit sums.
     #[must_use]
     pub fn first_contact(&self, aabb: &Near<Aabb<S>>) -> Option<FirstContact<S>> {
         self.past(aabb).first_contact_in_words()
@@ -136,12 +137,13 @@ impl<S: Scalar + InWholeWord<i32>> Moving<Aabb<S>, S> {
     }
 
     /// [`Sweep::meets_along`](super::Sweep::meets_along), in 32-bit words alone.
+    #[doc(alias = "meets_along")]
     #[must_use]
     pub fn meets(&self, triangle: &Near<Triangle<S>>) -> bool {
         self.past(triangle).meet_in_words()
     }
 
-    /// [`Sweep::first_contact`](super::Sweep::first_contact), in 32-bit words alone.
+    /// [`Sweep::first_contact`](super::Sweep::first_contact), in 32-bit words and quotients of 64-bit sums.
     #[must_use]
     pub fn first_contact(&self, triangle: &Near<Triangle<S>>) -> Option<FirstContact<S>> {
         self.past(triangle).first_contact_in_words()

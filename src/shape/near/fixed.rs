@@ -13,6 +13,8 @@ const POSITION: u32 = 17;
 /// The bits of a component of a direction, an axis or a half-extent, limited by the width of
 /// volumes.
 const LENGTH: u32 = 19;
+/// The bits of a radius: [`Int16`](crate::arithmetic::Int16) holds it.
+const RADIUS: u32 = 18;
 
 const fn fits(bits: i32, most: u32) -> bool {
     (bits ^ (bits >> 31)) >> most == 0
@@ -90,9 +92,9 @@ impl<Frac: LeEqU32> Sphere<FixedI32<Frac>> {
     ///
     /// # Errors
     /// [`ShapeError::NotNear`] if the centre is 2¹⁷ units in the last place or more from zero on
-    /// some axis, or the radius 2¹⁹.
+    /// some axis, or the radius is 2¹⁸ units or more.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
-        if all_fit(&self.center, POSITION) && fits(self.radius.to_bits(), LENGTH) {
+        if all_fit(&self.center, POSITION) && fits(self.radius.to_bits(), RADIUS) {
             Ok(Near(self))
         } else {
             Err(ShapeError::NotNear)
@@ -105,10 +107,10 @@ impl<Frac: LeEqU32> Capsule<FixedI32<Frac>> {
     ///
     /// # Errors
     /// [`ShapeError::NotNear`] if an end is 2¹⁷ units in the last place or more from zero on some
-    /// axis, or the radius 2¹⁹.
+    /// axis, or the radius is 2¹⁸ units or more.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
         let are_near = all_fit(&self.a, POSITION) && all_fit(&self.b, POSITION);
-        if are_near && fits(self.radius.to_bits(), LENGTH) {
+        if are_near && fits(self.radius.to_bits(), RADIUS) {
             Ok(Near(self))
         } else {
             Err(ShapeError::NotNear)
