@@ -245,7 +245,7 @@ fn overlap<T: Known>(
 /// is off by u·M. The place, from two sides of a face, errs by 10·u·S in each coordinate: across the normal by
 /// 10·√3·u·S. A coordinate across the normal errs by 3·√3·u·S for the place, and by as much for each of the
 /// three corners. So the place is off by less than 59·u·S in one coordinate across the normal, and by less than
-/// 94·u·S in the other. That is 111·u·S, below half the tolerance.
+/// 94·u·S in the other. That is 111·u·S, below half the tolerance. `view.g` proves it.
 #[inline(always)]
 pub(super) fn parts<T>(of: fn(f64) -> T, [mut a, mut b]: [[f64; 2]; 2], mut c: [T; 2]) -> [T; 2]
 where

@@ -192,7 +192,8 @@ pub(super) fn points<S: Scalar>(
 /// shapes, of the normal, of the product and of the sums, and a place by 3·u·S too. The sizes of all terms
 /// of a shape have a sum of at most √3·S, so an overlap errs by 2·(11 + 3)·√3·u·S. The exact depth is at most
 /// 2·√3·S and errs by 3·u of itself, as floats have it. With two differences more, that is below 75·u·S: a
-/// point that is above that depth less three tolerances, of 256·u·S, is above the overlap less four.
+/// point that is above that depth less three tolerances, of 256·u·S, is above the overlap less four. `view.g`
+/// proves it.
 fn is_deep(
     deepest: f64,
     exact: f64,

@@ -16,9 +16,11 @@ use super::interior::InteriorEdges;
 use super::least::{Directed, Numbers, Way, exact_in_words, least_exact, least_way};
 use super::measures::{Lengths, Measures};
 use super::round;
+use super::solid::Solid;
+use super::view::View;
 use super::wanted::Wanted;
 use super::whole::Units;
-use crate::arithmetic::{REGISTERS_ARE_WIDE, root};
+use crate::arithmetic::{REGISTERS_ARE_WIDE, greatest, root};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb, Triangle, Vec3};
 
@@ -78,6 +80,19 @@ fn assert_is_settled_as_exact<S: Scalar>(
     }
 }
 
+/// The exact depth in floats is the overlap, within a third of the tolerance of points.
+fn assert_depth_is_overlap<S: Scalar>(rough: &[Rough; 2], (way, lengths): &(Way, Lengths)) {
+    let [first, second] = [Solid::new(&rough[0]), Solid::new(&rough[1])];
+    let size = greatest(first.size, second.size);
+    if S::FLOAT.is_some() && !(1e-100..1e100).contains(&size) {
+        return;
+    }
+    let unit = lengths.unit(way.is_along);
+    let overlap = first.reach_along(&unit.map(|x| -x)) + second.reach_along(&unit);
+    let off = (overlap - lengths.depth_in_double::<S>()).abs();
+    assert!(off < View::new(&unit, size, None).tolerance / 3.0, "{off} {overlap}");
+}
+
 /// Whether there is a contact, and whether 60 bits hold the shapes, or 250.
 fn check<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [bool; 3] {
     let bodies = [first.body(), second.body()];
@@ -85,6 +100,9 @@ fn check<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [bool; 3] 
     let least = least_exact(&bodies, &rough);
     let found = least.as_ref().map(|(way, l)| (way.direction, way.is_along, Some(l.depth)));
     assert_eq!(found, by_sums(&bodies), "{bodies:?}");
+    if let Some(least) = &least {
+        assert_depth_is_overlap::<S>(&rough, least);
+    }
     assert_is_settled_as_exact(&bodies, &rough, least);
     let units = Units::new(&bodies);
     let is_short = units.as_ref().is_some_and(|units| units.are_short);

@@ -6,6 +6,7 @@
 //! normal have an error.
 
 use super::body::{Vec64, cross, dot};
+use super::settled::U;
 use super::sides::Unit;
 use crate::arithmetic::{REGISTERS_ARE_WIDE, each, turn, two};
 
@@ -48,7 +49,12 @@ pub(super) struct View {
 /// by the tolerance divided by the length of the directions, at least √(2/3), and by 79·u·S:
 /// (1.23·256 + 79)·2.5·u·R = 985·u·R. The depth is clamped at zero from −256·u·S = −640·u·R.
 /// Together: √(985² + 640²)·u·R = 1175·u·R, below 2^-42·R = 2048·u·R.
-const TOLERANCE: f64 = f64::from_bits((1023 - 45) << 52);
+///
+/// `view.g` proves that some places certainly meet, and that some points are deep.
+const TOLERANCE: f64 = ROUNDOFFS as f64 * U;
+
+/// The tolerance in unit roundoffs.
+const ROUNDOFFS: u16 = 256;
 
 impl View {
     pub(super) fn new(normal: &Vec64, size: f64, unit: Option<Unit>) -> Self {
@@ -140,12 +146,13 @@ impl Edge<'_> {
     ///
     /// # The error
     ///
-    /// With the sizes of [`View`]. Edges across the normal are at most 2·√3·S long, and a signed distance
-    /// errs by 4·u of that, times this edge's length. The place on the other edge is then off this edge's
-    /// line by less than (3 + 2·4)·2·√3·u·S = 39·u·S, and by 10·u·S for its own roundings. Words are certain
-    /// if all ends are off the lines by more than 2^20·u·S, and then the place lies between the ends of this
-    /// edge. The nearest place on this edge errs by 20·u·S, and so does the nearest to that on the
-    /// other edge. All together is below 100·u·S, less than half the tolerance.
+    /// With the sizes of [`View`]. Edges across the normal are at most D = 2·√3·S long, and so are the ways
+    /// between their ends. A signed distance errs by 4·u·D, times this edge's length, and t has two roundings.
+    /// The place on the other edge is off this edge's line by less than 6·u·D, below 21·u·S, and errs by
+    /// 9·u·S more. Words are certain only if all ends are off the lines by more than 2^25·u·S. Then the place
+    /// lies between the ends of this edge. The parameter of the nearest place on this edge errs by 9·u, which
+    /// is 9·u·D along the edge, and the place by 9·u·S. The nearest place on the other edge errs as much.
+    /// All together is below 110·u·S, less than half the tolerance. `view.g` proves it.
     #[inline]
     pub(super) fn crossing(
         &self,
