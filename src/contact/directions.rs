@@ -13,6 +13,9 @@ pub(super) enum Direction {
     Sides(u8, u8),
 }
 
+/// A plane separates the shapes.
+pub(super) struct Apart;
+
 const BOXES: [Direction; 15] = table([3, 3], false);
 const TRIANGLE_AND_BOX: [Direction; 13] = table([1, 3], false);
 const BOX_AND_TRIANGLE: [Direction; 13] = table([3, 1], true);

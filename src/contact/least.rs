@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::body::{Body, Rough, Vec64, cross, dot};
 use super::cut::Cut;
-use super::directions::{Direction, all};
+use super::directions::{Apart, Direction, all};
 use super::exact::{Exact, Given, farthest, length};
 use super::filter::Filter;
 use super::integers::{Long, Short, Words, is_whole};
@@ -12,7 +12,7 @@ use super::interior::InteriorEdges;
 use super::measures::{Lengths, Measures};
 use super::settled::settled;
 use super::sums::Sums;
-use super::wanted::{Apart, FACE, Wanted};
+use super::wanted::{FACE, Wanted};
 use super::whole::{Pair, Units};
 use crate::arithmetic::{REGISTERS_ARE_WIDE, pick, turn};
 use crate::robust::{Stage, note};

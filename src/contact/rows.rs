@@ -5,7 +5,7 @@
 //! [`Ruler::overlaps`](super::filter::Ruler::overlaps).
 
 use super::body::Rough;
-use super::wanted::Apart;
+use super::directions::Apart;
 use crate::arithmetic::{Float, OfFour, Quad, THREE, each, greatest, least, three, two};
 
 type Row = <f32 as OfFour>::Quad;

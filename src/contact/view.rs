@@ -6,9 +6,8 @@
 //! normal have an error.
 
 use super::body::{Vec64, cross, dot};
-use super::settled::U;
 use super::sides::Unit;
-use crate::arithmetic::{REGISTERS_ARE_WIDE, each, turn, two};
+use crate::arithmetic::{Float, REGISTERS_ARE_WIDE, each, turn, two};
 
 pub(super) fn minus(a: &Vec64, b: &Vec64) -> Vec64 {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
@@ -51,7 +50,7 @@ pub(super) struct View {
 /// Together: √(985² + 640²)·u·R = 1175·u·R, below 2^-42·R = 2048·u·R.
 ///
 /// `view.g` proves that some places certainly meet, and that some points are deep.
-const TOLERANCE: f64 = ROUNDOFFS as f64 * U;
+const TOLERANCE: f64 = ROUNDOFFS as f64 * f64::ROUNDOFF;
 
 /// The tolerance in unit roundoffs.
 const ROUNDOFFS: u16 = 256;

@@ -2,15 +2,12 @@
 
 use super::body::Body;
 use super::cut::{Cut, Measured, places_beyond};
-use super::directions::{Direction, all, sides_of_all};
+use super::directions::{Apart, Direction, all, sides_of_all};
 use super::filter::{Filter, Measure, Ruler};
 use super::lanes::Lanes;
 use super::rows;
 use crate::arithmetic::{OfFour, REGISTERS_ARE_WIDE, least as smaller, two};
 use crate::scalar::Scalar;
-
-/// A plane separates the shapes.
-pub(super) struct Apart;
 
 /// Directions, and the translations that may be the least, as a bit for each direction: those against
 /// it, and those along it.

@@ -11,7 +11,11 @@ use super::super::soft::Soft;
 use super::super::window::Exact;
 
 /// A sum of up to six floats, each as the bits of an `f64`, or zero. Their exponents may exceed the
-/// greatest of a finite number by one, so that every number can be doubled.
+/// greatest of a finite number by one, so that every number can be doubled. The unit is the least float
+/// above zero, 2^`UNIT` times the least `f64`, and added up the sum takes `A` limbs.
+///
+/// It stays short, so that frames take little stack: two floats whose exponents are far apart take two words,
+/// where their sum takes up to 33 limbs.
 #[derive(Clone, Copy, Debug)]
 pub struct Terms<const UNIT: u16, const A: usize>([u64; 6]);
 

@@ -53,15 +53,15 @@ impl<T, S: Copy> Moving<T, S> {
     }
 }
 
-/// Whether a point is less than 2^17 units in the last place from zero when it has moved. At start and
-/// end words then hold all differences (see `Word`).
+/// Whether a point is near when it has moved. At start and end words then hold all differences (see
+/// `Word`).
 fn is_near<Frac: LeEqU32>(p: &Vec3<FixedI32<Frac>>, motion: &Motion<FixedI32<Frac>>) -> bool {
     let (p, from, to) = (p.to_array(), motion.from().to_array(), motion.to().to_array());
-    (0..3).all(|i| {
+    let end = three(|i| {
         let [p, from, to] = [p[i], from[i], to[i]].map(|x| i64::from(x.to_bits()));
-        let end = p + (to - from);
-        (end ^ (end >> 63)) >> 17 == 0
-    })
+        i32::try_from(p + (to - from)).map(FixedI32::<Frac>::from_bits)
+    });
+    matches!(end, [Ok(x), Ok(y), Ok(z)] if Near::is_in_range(&Vec3::new(x, y, z)))
 }
 
 impl<Frac: LeEqU32> Near<Triangle<FixedI32<Frac>>> {
