@@ -68,8 +68,16 @@ pub(super) fn corners(
 }
 
 impl Quads {
-    /// The margin of a side is twice the tolerance, and the distances err by less than a third of the
+    /// A corner is clear of an edge's line if its side is certain and it is off the line by more than the
     /// tolerance.
+    ///
+    /// # The error
+    ///
+    /// With the sizes of [`View`]. A corner errs by √(17² + 26²)·u·S across the normal, so an edge of length L
+    /// and the way to a corner, at most 2·√3·S long, err by less than 67·u·S each. A side errs by less than
+    /// 67·u·S·(L + 2·√3·S), and by 3·u·L·2·√3·S for its roundings. The line of a short edge turns by much, and
+    /// a corner far along it may be on either side. The tolerance T is 256·u·S. A clear corner has a side above
+    /// 2·T·√(L² + S²), at least √2·T·(L + S). Less the error that is above T·L. `view.g` proves it.
     #[inline(always)]
     pub(super) fn new(view: &View, from: &Face, face: &Face) -> Self {
         let to = two(|k| {
@@ -77,6 +85,7 @@ impl Quads {
             Four::new([a.flat[k], b.flat[k], c.flat[k], d.flat[k]])
         });
         let margin = 4.0 * (view.tolerance * view.tolerance);
+        let square = view.size * view.size;
         let mut sides = [[0.0; CORNERS]; CORNERS];
         let (mut left, mut right, mut clear) = (0, 0, 0);
         // The last edge of a triangle occurs twice.
@@ -85,7 +94,7 @@ impl Quads {
             let along = flat(&q.flat, &p.flat);
             let [x, y] = two(|k| to[k] - splat(p.flat[k]));
             let side = splat(along[0]) * y - splat(along[1]) * x;
-            let margin = margin * (along[0] * along[0] + along[1] * along[1]);
+            let margin = margin * (along[0] * along[0] + along[1] * along[1] + square);
             left |= side.exceeds(splat(0.0)) << (CORNERS * n);
             right |= splat(0.0).exceeds(side) << (CORNERS * n);
             clear |= (side * side).exceeds(splat(margin)) << (CORNERS * n);
@@ -160,6 +169,7 @@ fn points(view: &View, from: &Face, to: &[Four; 2]) -> (u32, [[f64; CORNERS]; 3]
 mod tests {
     use super::super::body::Rough;
     use super::super::sides::Unit;
+    use super::super::view::along;
     use super::*;
     use crate::random::Random;
 
@@ -233,5 +243,38 @@ mod tests {
             }
         }
         assert!(within > 5_000 && crossed > 50_000, "{within} {crossed}");
+    }
+
+    /// The sides of a box are parallel to 10^-12 and less, one is up to 2^30 times as long as another, and
+    /// the directions have roundings.
+    #[test]
+    fn what_lies_in_a_face_is_not_outside_of_it() {
+        let mut random = Random(0x51e2);
+        let mut number = || f64::from(random.bits() as i32) * 2_f64.powi(-31);
+        let mut skewed = 0;
+        for n in 0..20_000 {
+            let [side, apart, normal] = [(); 3].map(|()| three(|_| number()));
+            let sides = [1e-12, 1e-14, 0.0].map(|off| along(&side, off * number(), &apart));
+            let half = [1.0, number().abs(), 2_f64.powi(n % 30)];
+            let rough = Rough { is_triangle: false, at: [[0.0; 3]; 3], sides, half };
+            let at = [(); 3].map(|()| {
+                let [s, t] = two(|_| number());
+                let reach = three(|k| sides[k].map(|x| x * half[k]));
+                let at = along(&reach[0].map(|x| -x), s, &reach[1]);
+                along(&at, t, &reach[2])
+            });
+            let none = [[0.0; 3]; 3];
+            let triangle = Rough { is_triangle: true, at, sides: none, half: [0.0; 3] };
+            let [solid, other] = [Solid::new(&rough), Solid::new(&triangle)];
+            let length = (0..3).map(|i| normal[i] * normal[i]).sum::<f64>().sqrt();
+            let view = View::new(&normal.map(|x| x / length), solid.size, None);
+            let [from, face] = [Face::new(&view, &solid, 0), Face::new(&view, &other, 0)];
+            let quads = Quads::new(&view, &from, &face);
+            for m in 0..3 {
+                assert_ne!(quads.within(m), Some(false), "{sides:?} {at:?}");
+                skewed += u32::from(quads.within(m).is_none());
+            }
+        }
+        assert!(skewed > 1_000, "{skewed}");
     }
 }

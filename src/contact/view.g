@@ -1,6 +1,6 @@
 # How far apart places are that are not compared: a corner and the solution of two equations (`parts` in
 # clip.rs), and two places at a crossing (`Edge::crossing`). By how much the exact depth and the overlap of
-# two shapes differ (`is_deep` in points.rs).
+# two shapes differ (`is_deep` in points.rs). When a corner is certainly off a line (`Quads::new` in quads.rs).
 # constant: ROUNDOFFS
 # only: f64
 #
@@ -49,6 +49,14 @@ along = (v + 4.01*U*w*q7)*(1 + 5.01*U*q8);
 of_place_there = |of_line| + |at - At|;
 apart = of_place_there + 2*(|along - v| + |at - At|);
 
+# The side of a corner of a face, along an edge of length L (`Quads::new` in quads.rs). The square of a clear
+# side is above `square`. `at_least` is below its root, and is above the error and the tolerance.
+square = 4*(L2*L2 + 1)*(1 - 10*U);
+at_least = 1.4142*(L2 + 1);
+of_root = at_least*at_least - square;
+of_side = 67*(L2 + 3.4642) + 3.01*L2*3.4642;
+is_clear = at_least*ROUNDOFFS - of_side - L2*ROUNDOFFS;
+
 # Depths. Eleven roundings in a term of an overlap: three of a half-edge, one of the normal, three of the
 # product, three of the sum of terms, and one of the two shapes. A place errs by 3·U in each coordinate.
 overlap = depth + 2*(11.1 + 3)*U*1.7321*k1;
@@ -64,10 +72,12 @@ known = (exact - 3*T)*(1 + U*k4);
 /\ |p1| <= 1 /\ |p2| <= 1 /\ |p3| <= 1 /\ |p4| <= 1 /\ |p5| <= 1 /\ |p6| <= 1
 /\ |a| <= 3.4643 /\ |P| <= 1.7321 /\ |L| <= 3.4642 /\ |At| <= 1.7322 /\ |v| <= 3.4643 /\ |w| <= 3.4643
 /\ |q1| <= 1 /\ |q2| <= 1 /\ |q3| <= 1 /\ |q4| <= 1 /\ |q5| <= 1 /\ |q6| <= 1 /\ |q7| <= 1 /\ |q8| <= 1
+/\ L2 in [0,3.4643]
 /\ depth in [0,3.4643] /\ |k1| <= 1 /\ |k2| <= 1 /\ |k3| <= 1 /\ |k4| <= 1
 -> x*x + y*y - 0.25*ROUNDOFFS*ROUNDOFFS*U*U <= 0
 /\ of_place_there <= 1b-28 /\ apart - 0.5*ROUNDOFFS*U <= 0
-/\ asked - known <= 0 }
+/\ asked - known <= 0
+/\ of_root <= 0 /\ is_clear >= 0 }
 
 first -> -U*(s*a0*(r4 + r5 + U*r4*r5) + t*b0*r6);
 second -> f*first + U*(s*(f*a0)*r1 - f*c0*r9 + t*(f*b0)*r2 - t*(b1 - fb)*r3 - t*d*(r7 + r8 + U*r7*r8));
@@ -76,3 +86,5 @@ two - Two -> (one - One)*(1 + U*p6) + U*(t*(C - B)*(p4 + p5 + U*p4*p5)*(1 + U*p6
 at - At -> U*(t*L*(q4 + q5 + U*q4*q5)*(1 + U*q6) + At*q6);
 along - v -> U*(4.01*w*q7*(1 + 5.01*U*q8) + 5.01*v*q8);
 asked - known -> U*(28.2*1.7321*k1 + overlap*k3 - 3*depth*k2 - exact*k4 - ROUNDOFFS*(1 + 4*U*k3 - 3*U*k4));
+of_root -> -2*((L2 - 1)*(L2 - 1)) - 0.00003836*((L2 + 1)*(L2 + 1)) + 40*U*(L2*L2 + 1);
+is_clear -> L2*(0.4142*ROUNDOFFS - 67 - 3.01*3.4642) + 1.4142*ROUNDOFFS - 67*3.4642;

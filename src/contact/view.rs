@@ -21,6 +21,7 @@ pub(super) fn along(a: &Vec64, t: f64, b: &Vec64) -> Vec64 {
 /// Two directions across a normal, and the tolerance of coordinates along them.
 pub(super) struct View {
     pub(super) across: [Vec64; 2],
+    pub(super) size: f64,
     pub(super) tolerance: f64,
     pub(super) unit: Option<Unit>,
 }
@@ -63,7 +64,7 @@ impl View {
         // n × e_k has no rounding of its own.
         let mut first = [0.0; 3];
         (first[k], first[i], first[j]) = (0.0, normal[j], -normal[i]);
-        Self { across: [first, cross(normal, &first)], tolerance: TOLERANCE * size, unit }
+        Self { across: [first, cross(normal, &first)], size, tolerance: TOLERANCE * size, unit }
     }
 
     pub(super) fn corner(&self, at: Vec64) -> Corner {
