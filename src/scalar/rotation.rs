@@ -2,9 +2,9 @@
 
 use core::ops::{Add, Neg, Sub};
 
-use crate::arithmetic::cos_sin_f64;
 #[cfg(feature = "fixed")]
 use crate::arithmetic::{cos_sin_30, cos_sin_62};
+use crate::arithmetic::{cos_sin_f64, each};
 
 /// The arithmetic of rotations that an oriented box requires of a scalar.
 pub(crate) trait Rotation: Copy {
@@ -68,15 +68,15 @@ fn by_quaternion_f64(q: [f64; 4]) -> Option<[[f64; 3]; 3]> {
     let [x, y, z, w] = q.map(|x| x * x);
     let square = (x + w) + (y + z);
     // Zero plus a number is never −0.
-    let over = |row: [f64; 3]| row.map(|n| 0.0 + n / square);
-    ((square - 1.0).abs() <= 0.25).then(|| by_products(q, |a, b| a * b).map(over))
+    let over = |row: [f64; 3]| each(row, |n| 0.0 + n / square);
+    ((square - 1.0).abs() <= 0.25).then(|| each(by_products(q, |a, b| a * b), over))
 }
 
 /// The rotated axes in `f64`, with errors of at most 24 roundoffs of 2^-53: cosines and sines err
 /// by 4, a product of two by 4 + 4 + 1, a product of three by 9 + 4 + 1, and the sum of both by 14
 /// + 9 + 1.
 fn by_turns_f64(turns: [f64; 3]) -> [[f64; 3]; 3] {
-    turned(turns.map(cos_sin_f64), |a, b| a * b).map(|row| row.map(|x| 0.0 + x))
+    each(turned(each(turns, cos_sin_f64), |a, b| a * b), |row| each(row, |x| 0.0 + x))
 }
 
 macro_rules! float {
@@ -87,11 +87,11 @@ macro_rules! float {
 
             fn by_quaternion(quaternion: [Self; 4]) -> Option<[[Self; 3]; 3]> {
                 let axes = by_quaternion_f64(quaternion.map(f64::from))?;
-                Some(axes.map(|row| row.map(|x| x as Self)))
+                Some(each(axes, |row| each(row, |x| x as Self)))
             }
 
             fn by_turns(turns: [Self; 3]) -> [[Self; 3]; 3] {
-                by_turns_f64(turns.map(f64::from)).map(|row| row.map(|x| x as Self))
+                each(by_turns_f64(each(turns, f64::from)), |row| each(row, |x| x as Self))
             }
         }
     )*};

@@ -6,7 +6,7 @@
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::{Embeds, Number, Parts, compare, cross, dot, three};
+use crate::arithmetic::{Embeds, Number, Parts, compare, cross, dot, each, three};
 use crate::robust::{ExactSum, Predicate, Profile, add_area, difference, single};
 use crate::scalar::Scalar;
 
@@ -34,7 +34,7 @@ pub(super) fn exact_turn<S: Scalar>(a: [S; 2], b: [S; 2], p: [S; 2]) -> Ordering
 #[cold]
 #[inline(never)]
 pub(super) fn exact_area<S: Scalar>(points: &[[S; 3]; 3], [u, v]: [usize; 2]) -> Ordering {
-    let [a, b, c] = points.map(|p| [p[u], p[v]]);
+    let [a, b, c] = each(*points, |p| [p[u], p[v]]);
     exact_turn(a, b, c)
 }
 

@@ -9,7 +9,7 @@
 use super::{Between, Beyond, all_beyond};
 #[cfg(feature = "fixed")]
 use crate::arithmetic::Int16;
-use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, pick, three};
+use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, pick, three, two};
 use crate::query::orientation::{Vector, from};
 use crate::query::segment_triangle::Passes;
 use crate::query::sphere::{Ball, Errors, Reach, around, largest_of, minors, volume};
@@ -23,7 +23,7 @@ impl<N: Arithmetic> Between<N> {
     /// A segment along `e` and edge `k` of a triangle, with vectors from the vertices to both ends.
     #[inline(always)]
     fn to_edge(to: [&[Vector<N>; 3]; 2], edges: &[Vector<N>; 3], e: &Vector<N>, k: usize) -> Self {
-        let ends = to.map(|to| [k, (k + 1) % 3].map(|j| three(|i| -pick(to, j)[i])));
+        let ends = two(|n| two(|end| three(|i| -pick(to[n], (k + end) % 3)[i])));
         Self { ends, along: [*e, *pick(edges, k)] }
     }
 }

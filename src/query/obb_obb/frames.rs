@@ -61,7 +61,7 @@ fn two<S: Scalar>(first: &Obb<S>, second: &Obb<S>) -> Option<Result<Relation, In
         return None;
     }
     let d = three(|i| b[i].offset(a[i]));
-    let [u, v] = [[u0, u1, u2], [v0, v1, v2]].map(|axes| axes.map(in_units));
+    let [u, v] = [each([u0, u1, u2], in_units), each([v0, v1, v2], in_units)];
     Frames::of_two(u, v, d).relation(d, plain(h), plain(k))
 }
 
@@ -82,7 +82,7 @@ fn upright<S: Scalar>(first: &Aabb<S>, second: &Obb<S>) -> Option<Result<Relatio
         }
         (d, three(|i| q[i].offset(p[i]) * 0.5))
     };
-    Frames::of_second([v0, v1, v2].map(in_units), d).relation(d, h, plain(k))
+    Frames::of_second(each([v0, v1, v2], in_units), d).relation(d, h, plain(k))
 }
 
 /// Whether two axes of a box are clearly not at right angles, which rejects most skewed boxes early.
@@ -120,7 +120,7 @@ fn transposed([a, b, c]: [[f32; 3]; 3], d: [f32; 3]) -> [Row; 3] {
 #[inline(always)]
 fn tilt(rows: [Row; 3]) -> Row {
     let squares = rows[0] * rows[0] + rows[1] * rows[1] + rows[2] * rows[2];
-    let [x, y, z] = rows.map(|row| row * row.turned());
+    let [x, y, z] = each(rows, |row| row * row.turned());
     (squares - Row::splat(1.0)).magnitude().greatest((x + y + z).magnitude())
 }
 
@@ -169,7 +169,7 @@ impl Frames {
         let three = |x: [f32; 3]| Row::of_three(x);
         let size = most(three(d).magnitude().greatest(three(h)).greatest(three(k)));
         let error = error_bound(size, most(*tilt))?;
-        let (r, c) = (rows.map(Row::magnitude), columns.map(Row::magnitude));
+        let (r, c) = (each(*rows, Row::magnitude), each(*columns, Row::magnitude));
 
         let of_first = t.magnitude() - (three(h) + sum(k, c));
         let of_second = on_second.magnitude() - (three(k) + sum(h, r));
