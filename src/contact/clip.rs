@@ -1,34 +1,13 @@
 //! The overlap of two faces, seen along the normal of a contact.
 
-use core::ops::{Div, Mul, Sub};
-
 use super::body::{Vec64, dot};
 use super::faces::{CORNERS, Face};
 use super::feature::Part;
-use super::points::{Pair, Pairs};
+use super::known::{EACH, Known, next, parts, transposed};
 use super::quads::Quads;
 use super::sides::side;
-use super::view::{Corner, View, along, flat, minus};
-use crate::arithmetic::{REGISTERS_ARE_WIDE, greatest};
-
-/// The positions of a face's corners relative to another face, where they are certain.
-pub(super) trait Known {
-    /// Whether corner m lies within the other face; `None` if it is so near an edge that it may meet
-    /// it.
-    ///
-    /// The lines of all edges have a point of the face on the same side.
-    fn within(&self, m: usize) -> Option<bool>;
-    /// The point within the other face that meets corner m.
-    fn point(&self, m: usize) -> Option<Vec64>;
-    /// Which pairs of edges may cross, and for which [`sides`](Self::sides) is called. On small cores these
-    /// cross for certain. Bit 4·n + m stands for edge n of the opposite face and edge m of this face;
-    /// `back` has the positions of the opposite face's corners.
-    fn crossings(&self, back: &Self) -> [u32; 2];
-    /// The signed distances of the ends of edge m, times the length of edge n.
-    fn sides(&self, n: usize, m: usize) -> [f64; 2];
-    /// Whether corner m may meet edge n.
-    fn may_meet(&self, n: usize, m: usize) -> bool;
-}
+use super::view::{Corner, Pair, Pairs, View, along, flat, minus};
+use crate::arithmetic::REGISTERS_ARE_WIDE;
 
 /// The corners of a face as seen from another.
 struct Seen<'a, T> {
@@ -70,24 +49,6 @@ impl<T: Known> Seen<'_, T> {
         let at = lowest?.at;
         (dot(&minus(&to.at, &at), outward) >= -view.tolerance).then_some(at)
     }
-}
-
-/// A bit for each edge of a face, at the first corner of the other.
-const EACH: u32 = 0x1111;
-
-/// Each corner's bit moves to the corner before it.
-#[inline(always)]
-pub(super) fn next(bits: u32, last: usize) -> u32 {
-    bits >> 1 & (EACH * ((1 << last) - 1)) | (bits & EACH) << last
-}
-
-/// Rows and columns of four bits change places.
-#[inline(always)]
-pub(super) fn transposed(x: u32) -> u32 {
-    let change = (x ^ x >> 3) & 0x0a0a;
-    let x = x ^ change ^ change << 3;
-    let change = (x ^ x >> 6) & 0x00cc;
-    x ^ change ^ change << 6
 }
 
 /// A loop over corners, in words: for cores that compute floats by functions.
@@ -235,46 +196,13 @@ fn overlap<T: Known>(
     }
 }
 
-/// Solves s·a + t·b = c for s and t, which are not finite if a and b are parallel. The greatest
-/// coefficient is the pivot, so that the residual is small even if a and b are nearly parallel.
-///
-/// # The error
-///
-/// With the sizes of [`View`]. No coefficient is above M = 2·√3·S, and s and t are from zero to one. Then the
-/// residual of the first equation is at most 3·u·M, and of the second 13·u·M. Each of the three coefficients
-/// is off by u·M. The place, from two sides of a face, errs by 10·u·S in each coordinate: across the normal by
-/// 10·√3·u·S. A coordinate across the normal errs by 3·√3·u·S for the place, and by as much for each of the
-/// three corners. So the place is off by less than 59·u·S in one coordinate across the normal, and by less than
-/// 94·u·S in the other. That is 111·u·S, below half the tolerance. `view.g` proves it.
-#[inline(always)]
-pub(super) fn parts<T>(of: fn(f64) -> T, [mut a, mut b]: [[f64; 2]; 2], mut c: [T; 2]) -> [T; 2]
-where
-    T: Copy + Sub<Output = T> + Mul<Output = T> + Div<Output = T>,
-{
-    let top = |v: [f64; 2]| greatest(v[0].abs(), v[1].abs());
-    let is_swapped = top(a) < top(b);
-    if is_swapped {
-        (a, b) = (b, a);
-    }
-    if a[0].abs() < a[1].abs() {
-        for v in [&mut a, &mut b] {
-            v.swap(0, 1);
-        }
-        c.swap(0, 1);
-    }
-    let factor = a[1] / a[0];
-    let t = (c[1] - of(factor) * c[0]) / of(b[1] - factor * b[0]);
-    let s = (c[0] - t * of(b[0])) / of(a[0]);
-    if is_swapped { [t, s] } else { [s, t] }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::body::Rough;
     use super::super::sides::Unit;
     use super::super::solid::Solid;
     use super::*;
-    use crate::arithmetic::three;
+    use crate::arithmetic::{greatest, three};
     use crate::random::Random;
 
     /// Also of thin faces, and of faces seen edge-on.

@@ -1,7 +1,6 @@
 //! A triangle or a face of a box, seen along the normal of a contact.
 
 use super::body::{Vec64, dot};
-use super::quads;
 use super::sides::Flat;
 use super::solid::Solid;
 use super::view::{Corner, Edge, View};
@@ -59,7 +58,7 @@ impl Face {
             let (base, of_j, of_k) = (side << i, 1 << j, 1 << k);
             self.vertices = [base, base | of_j, base | of_j | of_k, base | of_k];
             if REGISTERS_ARE_WIDE {
-                quads::corners(view, shape, [j, k], side == 1, &mut self.corners);
+                shape.face(view, [j, k], side == 1, &mut self.corners);
             } else {
                 for (corner, vertex) in self.corners.iter_mut().zip(self.vertices) {
                     *corner = view.corner(shape.corner(vertex));

@@ -2,8 +2,8 @@
 
 use super::body::{Body, Rough};
 use super::integers::is_whole;
-use super::least::{Directed, Way, least_measures, least_way};
-use super::measures::Measures;
+use super::least::{least_measures, least_way};
+use super::measures::{Directed, Measures, Way};
 use super::points::{Points, features, points};
 use super::{Contact, InteriorEdges, Translation};
 use crate::scalar::Scalar;

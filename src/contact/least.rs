@@ -5,11 +5,11 @@ use core::cmp::Ordering;
 use super::body::{Body, Rough, Vec64, cross, dot};
 use super::cut::Cut;
 use super::directions::{Apart, Direction, all};
-use super::exact::{Exact, Given, farthest, length};
+use super::exact::{Exact, Given, length};
 use super::filter::Filter;
 use super::integers::{Long, Short, Words, is_whole};
 use super::interior::InteriorEdges;
-use super::measures::{Lengths, Measures};
+use super::measures::{Directed, Lengths, Way};
 use super::settled::settled;
 use super::sums::Sums;
 use super::wanted::{FACE, Wanted};
@@ -43,17 +43,6 @@ impl Numbers<'_> {
             Self::Sums => Exact::new(&Sums::new(bodies, own), triangles, own, known, wanted),
         }
     }
-}
-
-/// A translation: its direction, and the signs along it.
-#[derive(Clone, Copy)]
-pub(super) struct Way {
-    pub(super) direction: Direction,
-    /// Whether the first shape goes along the direction, or against it.
-    pub(super) is_along: bool,
-    /// The signs of the sides of the shapes along the direction.
-    pub(super) along: [[Ordering; 3]; 2],
-    pub(super) is_held: bool,
 }
 
 /// The least of the wanted translations in exact numbers.
@@ -175,17 +164,6 @@ fn from_floats<S: Scalar>(
     settled(filter, direction, is_along, bodies)
 }
 
-/// A way, its numbers, and the unit vector along which the first shape moves. In this order no padding
-/// before the vector is copied with it.
-#[repr(C)]
-pub(super) struct Directed<S> {
-    pub(super) unit: Vec64,
-    /// The exact depth, to a few roundings, where floats are functions; elsewhere infinity.
-    pub(super) depth: f64,
-    pub(super) measures: Measures<S>,
-    pub(super) way: Way,
-}
-
 #[inline(never)]
 fn directed<S: Scalar>((way, lengths): &(Way, Lengths)) -> Directed<S> {
     let ratios = lengths.ratios();
@@ -257,17 +235,5 @@ fn across(way: &Way, unit: &Vec64, edges: &[Vec64; 3], interior: InteriorEdges) 
             let (k, _, before) = turn(k);
             Some([k, before].into_iter().any(|k| interior.contains(k) && outward(k)))
         }
-    }
-}
-
-impl Way {
-    /// The side on which the opposite shape lies along the direction.
-    pub(super) fn toward(&self, shape: usize) -> Ordering {
-        if self.is_along == (shape == 0) { Ordering::Less } else { Ordering::Greater }
-    }
-
-    /// The vertices of a triangle that lie farthest toward the opposite shape.
-    pub(super) fn farthest(&self, shape: usize) -> [bool; 3] {
-        farthest(&self.along[shape % 2], self.toward(shape))
     }
 }

@@ -1,9 +1,10 @@
-//! The numbers of a translation: exact, and rounded to the scalar.
+//! A translation: its way, and its numbers, exact and rounded to the scalar.
 
 use core::cmp::Ordering;
 
 use super::body::Vec64;
-use super::exact::Size;
+use super::directions::Direction;
+use super::exact::{Size, farthest};
 use crate::arithmetic::{Soft, three};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
@@ -16,6 +17,40 @@ pub(super) struct Measures<S> {
     pub(super) normal: Vec3<S>,
     /// Whether the scalar holds the vector.
     pub(super) is_sufficient: bool,
+}
+
+/// A translation: its direction, and the signs along it.
+#[derive(Clone, Copy)]
+pub(super) struct Way {
+    pub(super) direction: Direction,
+    /// Whether the first shape goes along the direction, or against it.
+    pub(super) is_along: bool,
+    /// The signs of the sides of the shapes along the direction.
+    pub(super) along: [[Ordering; 3]; 2],
+    pub(super) is_held: bool,
+}
+
+impl Way {
+    /// The side on which the opposite shape lies along the direction.
+    pub(super) fn toward(&self, shape: usize) -> Ordering {
+        if self.is_along == (shape == 0) { Ordering::Less } else { Ordering::Greater }
+    }
+
+    /// The vertices of a triangle that lie farthest toward the opposite shape.
+    pub(super) fn farthest(&self, shape: usize) -> [bool; 3] {
+        farthest(&self.along[shape % 2], self.toward(shape))
+    }
+}
+
+/// A way, its numbers, and the unit vector along which the first shape moves. In this order no padding
+/// before the vector is copied with it.
+#[repr(C)]
+pub(super) struct Directed<S> {
+    pub(super) unit: Vec64,
+    /// The exact depth, to a few roundings, where floats are functions; elsewhere infinity.
+    pub(super) depth: f64,
+    pub(super) measures: Measures<S>,
+    pub(super) way: Way,
 }
 
 /// The lengths of a translation along a direction that is not zero.

@@ -126,6 +126,7 @@ mod filter;
 mod flat;
 mod integers;
 mod interior;
+mod known;
 mod lanes;
 mod least;
 mod line;

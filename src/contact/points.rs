@@ -5,16 +5,13 @@ use super::clip::clip;
 use super::directions::Direction;
 use super::faces::Face;
 use super::feature::{Features, Part};
-use super::least::{Directed, Way};
+use super::measures::{Directed, Way};
 use super::sides::Unit;
 use super::solid::{Solid, edge_of_box};
-use super::view::{Edge, View, distance, minus};
-use crate::arithmetic::{greatest, largest, out_of_line, part, pick, three, two};
+use super::view::{Edge, MOST, Pair, Pairs, View, distance, minus};
+use crate::arithmetic::{greatest, out_of_line, part, pick, three, two};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
-
-/// The intersection of two convex quadrilaterals has at most this many corners.
-const MOST: usize = 8;
 
 /// A contact point: a point of the first shape and a point of the second, which coincide after the
 /// least translation or overlap before it.
@@ -58,52 +55,6 @@ impl<S: Scalar> Points<S> {
 
     pub(super) fn as_slice(&self) -> &[Point<S>] {
         self.points.get(..self.count).unwrap_or(&[])
-    }
-}
-
-/// A pair of points in floats from an origin: on the reference face, on the incident face.
-#[derive(Clone, Copy)]
-pub(super) struct Pair {
-    pub(super) at: [Vec64; 2],
-    pub(super) depth: f64,
-}
-
-/// Pairs of points. No two pairs are within twice the tolerance of each other.
-pub(super) struct Pairs {
-    pairs: [Pair; MOST],
-    /// Beside the pairs, which have no padding then. That would be copied with them.
-    parts: [[Part; 2]; MOST],
-    count: usize,
-}
-
-impl Pairs {
-    const NONE: Self = {
-        let none = Pair { at: [[0.0; 3]; 2], depth: 0.0 };
-        Self { pairs: [none; MOST], parts: [[Part::Face(0); 2]; MOST], count: 0 }
-    };
-
-    fn iter(&self) -> impl Iterator<Item = &Pair> {
-        self.pairs.iter().take(self.count)
-    }
-
-    /// A depth below zero is a rounding error. Returns the place for the parts of a new pair.
-    #[inline]
-    pub(super) fn add(&mut self, pair: Pair, tolerance: f64) -> Option<&mut [Part; 2]> {
-        let is_near = |other: &Pair| {
-            let apart = |n: usize| largest(&minus(&pair.at[n], &other.at[n]));
-            apart(0) <= 2.0 * tolerance && apart(1) <= 2.0 * tolerance
-        };
-        let n = self.count;
-        if n >= MOST || self.iter().any(is_near) {
-            return None;
-        }
-        self.pairs[n] = Pair { depth: greatest(pair.depth, 0.0), ..pair };
-        self.count = n + 1;
-        Some(&mut self.parts[n])
-    }
-
-    fn deepest(&self) -> f64 {
-        self.iter().fold(f64::NEG_INFINITY, |deepest, pair| greatest(deepest, pair.depth))
     }
 }
 

@@ -2,13 +2,10 @@
 //! loop over corners takes three times as many instructions.
 
 use super::body::Vec64;
-use super::clip::{Known, next, parts, transposed};
 use super::faces::{CORNERS, Face};
-use super::solid::Solid;
-use super::view::{Corner, View, flat, minus};
-use crate::arithmetic::{OfFour, Quad, three, two};
-
-type Four = <f64 as OfFour>::Quad;
+use super::known::{Known, next, parts, transposed};
+use super::view::{Four, View, flat, minus};
+use crate::arithmetic::{Quad, three, two};
 
 /// All corners, as bits.
 const ALL: u32 = (1 << CORNERS) - 1;
@@ -35,36 +32,6 @@ pub(super) struct Quads {
 
 fn splat(x: f64) -> Four {
     Four::splat(x)
-}
-
-/// a·b of vectors in lanes.
-#[inline(always)]
-fn dot(a: &Vec64, b: &[Four; 3]) -> Four {
-    splat(a[0]) * b[0] + splat(a[1]) * b[1] + splat(a[2]) * b[2]
-}
-
-/// The corners of a face of a box, on the upper side of its axis or on the lower; j and k are the
-/// next axes.
-#[inline(always)]
-pub(super) fn corners(
-    view: &View,
-    shape: &Solid<'_>,
-    [j, k]: [usize; 2],
-    is_upper: bool,
-    corners: &mut [Corner; CORNERS],
-) {
-    let mut signs = [splat(if is_upper { 1.0 } else { -1.0 }); 3];
-    (signs[j % 3], signs[k % 3]) =
-        (Four::new([-1.0, 1.0, 1.0, -1.0]), Four::new([-1.0, -1.0, 1.0, 1.0]));
-    let at = three(|i| {
-        (0..3).fold(splat(shape.rough.at[0][i]), |at, k| at + signs[k] * splat(shape.reach[k][i]))
-    });
-    let flat = two(|n| dot(&view.across[n], &at).to_array());
-    let at = at.map(Quad::to_array);
-    for (n, corner) in corners.iter_mut().enumerate() {
-        let (at, flat) = (three(|i| at[i][n]), two(|k| flat[k][n]));
-        *corner = Corner { at, flat };
-    }
 }
 
 impl Quads {
@@ -159,7 +126,8 @@ fn points(view: &View, from: &Face, to: &[Four; 2]) -> (u32, [[f64; CORNERS]; 3]
     };
     let [e, f] = [minus(&a.at, &base.at), minus(&b.at, &base.at)];
     let at = three(|i| splat(base.at[i]) + s * splat(e[i]) + t * splat(f[i]));
-    let [x, y] = two(|k| dot(&view.across[k], &at) - to[k]);
+    let flats = view.flats(at);
+    let [x, y] = two(|k| flats[k] - to[k]);
     let is_near = (x * x + y * y).is_at_most(splat(view.tolerance * view.tolerance));
     let met = zero.is_at_most(s) & zero.is_at_most(t) & is_below & is_near;
     (met, at.map(Quad::to_array))
@@ -169,7 +137,8 @@ fn points(view: &View, from: &Face, to: &[Four; 2]) -> (u32, [[f64; CORNERS]; 3]
 mod tests {
     use super::super::body::Rough;
     use super::super::sides::Unit;
-    use super::super::view::along;
+    use super::super::solid::Solid;
+    use super::super::view::{Corner, along};
     use super::*;
     use crate::random::Random;
 

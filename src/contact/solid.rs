@@ -1,8 +1,10 @@
 //! A shape in floats: its corners, and its faces and edges along a direction.
 
 use super::body::{Rough, Vec64, cross, dot};
-use super::view::{Corner, View};
-use crate::arithmetic::{REGISTERS_ARE_WIDE, each, greatest, largest, pick, three, turn, two};
+use super::view::{Corner, Four, View};
+use crate::arithmetic::{
+    Quad, REGISTERS_ARE_WIDE, each, greatest, largest, pick, three, turn, two,
+};
 
 /// The squared sine of an angle far above all roundings.
 const CLEAR: f64 = f64::from_bits((1023 - 40) << 52);
@@ -74,6 +76,29 @@ impl<'a> Solid<'a> {
             };
             three(|i| at[i] + signed(self.reach[k][i]))
         })
+    }
+
+    /// The corners of a face of a box, on the upper side of its axis or on the lower; j and k are the
+    /// next axes.
+    #[inline(always)]
+    pub(super) fn face(
+        &self,
+        view: &View,
+        [j, k]: [usize; 2],
+        is_upper: bool,
+        corners: &mut [Corner; 4],
+    ) {
+        let mut signs = [Four::splat(if is_upper { 1.0 } else { -1.0 }); 3];
+        (signs[j % 3], signs[k % 3]) =
+            (Four::new([-1.0, 1.0, 1.0, -1.0]), Four::new([-1.0, -1.0, 1.0, 1.0]));
+        let at = three(|i| {
+            let center = Four::splat(self.rough.at[0][i]);
+            (0..3).fold(center, |at, k| at + signs[k] * Four::splat(self.reach[k][i]))
+        });
+        let (at, flat) = (at.map(Quad::to_array), view.flats(at).map(Quad::to_array));
+        for (n, corner) in corners.iter_mut().enumerate() {
+            *corner = Corner { at: three(|i| at[i][n]), flat: two(|k| flat[k][n]) };
+        }
     }
 
     /// Whether a face of a box certainly has a normal in floats: its sides are not parallel, by far more

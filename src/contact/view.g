@@ -1,5 +1,5 @@
 # How far apart places are that are not compared: a corner and the solution of two equations (`parts` in
-# clip.rs), and two places at a crossing (`Edge::crossing`). By how much the exact depth and the overlap of
+# known.rs), and two places at a crossing (`Edge::crossing`). By how much the exact depth and the overlap of
 # two shapes differ (`is_deep` in points.rs). When a corner is certainly off a line (`Quads::new` in quads.rs).
 # constant: ROUNDOFFS
 # only: f64

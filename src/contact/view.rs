@@ -6,8 +6,11 @@
 //! normal have an error.
 
 use super::body::{Vec64, cross, dot};
+use super::feature::Part;
 use super::sides::Unit;
-use crate::arithmetic::{Float, REGISTERS_ARE_WIDE, each, turn, two};
+use crate::arithmetic::{
+    Float, OfFour, Quad, REGISTERS_ARE_WIDE, each, greatest, largest, turn, two,
+};
 
 pub(super) fn minus(a: &Vec64, b: &Vec64) -> Vec64 {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
@@ -17,6 +20,9 @@ pub(super) fn minus(a: &Vec64, b: &Vec64) -> Vec64 {
 pub(super) fn along(a: &Vec64, t: f64, b: &Vec64) -> Vec64 {
     [a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]]
 }
+
+/// A number of each of four points.
+pub(super) type Four = <f64 as OfFour>::Quad;
 
 /// Two directions across a normal, and the tolerance of coordinates along them.
 pub(super) struct View {
@@ -69,6 +75,14 @@ impl View {
 
     pub(super) fn corner(&self, at: Vec64) -> Corner {
         Corner { at, flat: two(|n| dot(&self.across[n], &at)) }
+    }
+
+    /// The coordinates of four points across the normal.
+    #[inline(always)]
+    pub(super) fn flats(&self, [x, y, z]: [Four; 3]) -> [Four; 2] {
+        let same = |x: f64| <Four as Quad>::splat(x);
+        let dot = |a: &Vec64| same(a[0]) * x + same(a[1]) * y + same(a[2]) * z;
+        two(|n| dot(&self.across[n]))
     }
 
     pub(super) fn allows(&self, a: &Corner, b: &Corner) -> bool {
@@ -185,4 +199,53 @@ pub(super) fn is_crossed([a, b]: [f64; 2]) -> bool {
 pub(super) fn distance(a: &Corner, b: &Corner) -> f64 {
     let [x, y] = flat(&a.flat, &b.flat);
     x * x + y * y
+}
+
+/// The intersection of two convex quadrilaterals has at most this many corners.
+pub(super) const MOST: usize = 8;
+
+/// A pair of points in floats from an origin: on the reference face, on the incident face.
+#[derive(Clone, Copy)]
+pub(super) struct Pair {
+    pub(super) at: [Vec64; 2],
+    pub(super) depth: f64,
+}
+
+/// Pairs of points. No two pairs are within twice the tolerance of each other.
+pub(super) struct Pairs {
+    pub(super) pairs: [Pair; MOST],
+    /// Beside the pairs, which have no padding then. That would be copied with them.
+    pub(super) parts: [[Part; 2]; MOST],
+    pub(super) count: usize,
+}
+
+impl Pairs {
+    pub(super) const NONE: Self = {
+        let none = Pair { at: [[0.0; 3]; 2], depth: 0.0 };
+        Self { pairs: [none; MOST], parts: [[Part::Face(0); 2]; MOST], count: 0 }
+    };
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = &Pair> {
+        self.pairs.iter().take(self.count)
+    }
+
+    /// A depth below zero is a rounding error. Returns the place for the parts of a new pair.
+    #[inline]
+    pub(super) fn add(&mut self, pair: Pair, tolerance: f64) -> Option<&mut [Part; 2]> {
+        let is_near = |other: &Pair| {
+            let apart = |n: usize| largest(&minus(&pair.at[n], &other.at[n]));
+            apart(0) <= 2.0 * tolerance && apart(1) <= 2.0 * tolerance
+        };
+        let n = self.count;
+        if n >= MOST || self.iter().any(is_near) {
+            return None;
+        }
+        self.pairs[n] = Pair { depth: greatest(pair.depth, 0.0), ..pair };
+        self.count = n + 1;
+        Some(&mut self.parts[n])
+    }
+
+    pub(super) fn deepest(&self) -> f64 {
+        self.iter().fold(f64::NEG_INFINITY, |deepest, pair| greatest(deepest, pair.depth))
+    }
 }
