@@ -4,7 +4,7 @@ use core::mem::size_of;
 use core::ops::Div;
 
 use super::axes::Axes;
-use super::body::{Rough, Vec64};
+use super::body::Rough;
 use super::directions::Direction;
 use super::lanes::Lanes;
 use crate::arithmetic::{Float, Number, largest, pick, three, turn, two};
@@ -287,11 +287,5 @@ impl<'a> Filter<'a> {
             let (a, products) = cross_with_products(x, y);
             a[axis].abs() > f64::SPREAD * products[axis]
         })
-    }
-
-    /// The direction in floats, and the greater of the two products in each coordinate.
-    pub(super) fn cross(&self, direction: Direction) -> (Vec64, Vec64) {
-        let [x, y] = self.ruler.sides(direction.numbers(self.ruler.are_triangles));
-        cross_with_products(x, y)
     }
 }

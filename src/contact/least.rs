@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::body::{Body, Rough, Vec64, cross, dot};
 use super::cut::Cut;
-use super::directions::{Apart, Direction, all};
+use super::directions::{Apart, Direction, all, sides_of_all};
 use super::exact::{Exact, Given, length};
 use super::filter::Filter;
 use super::integers::{Long, Short, Words, is_whole};
@@ -160,8 +160,10 @@ fn from_floats<S: Scalar>(
     if !REGISTERS_ARE_WIDE {
         return None;
     }
-    let (direction, is_along) = wanted.single()?;
-    settled(filter, direction, is_along, bodies)
+    let (n, is_along) = wanted.single()?;
+    // Without a branch for each kind of direction.
+    let numbers = sides_of_all(filter.ruler.are_triangles)[n % 16];
+    settled(filter, (wanted.direction(n), numbers), is_along, bodies)
 }
 
 #[inline(never)]

@@ -46,7 +46,7 @@ pub(super) const SQUARES: u16 = 30;
 ///   that are compared have a rounding each.
 pub(super) fn settled<S: Scalar>(
     filter: &Filter<'_>,
-    direction: Direction,
+    (direction, numbers): (Direction, [u8; 2]),
     is_along: bool,
     bodies: Option<&[Body<'_, S>; 2]>,
 ) -> Option<Directed<S>> {
@@ -55,16 +55,17 @@ pub(super) fn settled<S: Scalar>(
     if size_of::<S>() >= size_of::<f64>() || filter.axes.are_aligned() {
         return None;
     }
-    let numbers = direction.numbers(filter.ruler.are_triangles);
     let Measured { a, products, scale, square, overlaps, error } =
         filter.ruler.measured::<f64>(|_| numbers);
-    let roundings = f64::from(1 + filter.rounded_sides(direction));
+    let roundings = f64::from(1 + filter.rounded_sides(numbers));
     if filter.ruler.known(scale, square) == 0
         || scale * scale * (roundings * roundings) > f64::from(SQUARES) * square
     {
         return None;
     }
-    let overlap = overlaps[usize::from(is_along)];
+    // Bits, without a branch.
+    let [overlap, other] = overlaps.map(f64::to_bits);
+    let overlap = f64::from_bits(overlap ^ (overlap ^ other) & u64::from(is_along).wrapping_neg());
     let mut of_coordinates = [0.0; 3];
     for i in 0..3 {
         if products[i] > 0.0 {
@@ -86,14 +87,14 @@ pub(super) fn settled<S: Scalar>(
     for (along, known) in along
         .as_flattened_mut()
         .iter_mut()
-        .zip(filter.signs(direction, &(a, products)).as_flattened())
+        .zip(filter.signs(numbers, &(a, products)).as_flattened())
     {
         *along = (*known)?;
     }
     let unit = match bodies {
         Some(bodies) => {
-            let sides = direction.sides(filter.ruler.are_triangles);
-            if !sides.iter().all(|&(shape, k)| bodies[shape % 2].is_side_exact(k)) {
+            let is_exact = |n: u8| bodies[usize::from(n >= 3)].is_side_exact((n % 3).into());
+            if !(is_exact(numbers[0]) && is_exact(numbers[1])) {
                 return None;
             }
             unit(filter.ruler.sides(numbers), is_along, inverse)?

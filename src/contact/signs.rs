@@ -4,31 +4,29 @@ use core::cmp::Ordering;
 
 use super::body::{Vec64, dot};
 use super::directions::Direction;
-use super::filter::{Filter, Measure};
+use super::filter::{Filter, Measure, cross_with_products};
 use crate::arithmetic::{REGISTERS_ARE_WIDE, largest, three};
 
 impl Filter<'_> {
-    /// How many of the two sides of the direction are rounded, as differences of points are.
-    pub(super) fn rounded_sides(&self, direction: Direction) -> u8 {
-        let triangles = self.ruler.are_triangles;
-        direction.sides(triangles).map(|(shape, _)| u8::from(triangles[shape % 2])).iter().sum()
+    /// How many of the two sides of a direction are rounded, as differences of points are.
+    pub(super) fn rounded_sides(&self, [one, other]: [u8; 2]) -> u8 {
+        let is_rounded = |n: u8| u8::from(self.ruler.are_triangles[usize::from(n >= 3)]);
+        is_rounded(one) + is_rounded(other)
     }
 
-    /// The sides that are perpendicular to the direction because they are its own, equal one of these,
+    /// The sides that are perpendicular to the direction because they are its own, given as numbers, equal one of these,
     /// or are the third edge of the triangle that both belong to: bit 3·shape + k for side k.
-    fn across(&self, direction: Direction) -> u8 {
-        let bit = |(shape, k): (usize, usize)| 1_u8 << (3 * shape + k);
-        let [one, other] = direction.sides(self.ruler.are_triangles);
-        let mut across = bit(one) | bit(other);
+    fn across(&self, [one, other]: [u8; 2]) -> u8 {
+        let mut across = 1_u8 << one | 1 << other;
         for (j, same) in self.axes.same.iter().enumerate() {
-            let equal = same.map_or(0, |i| bit((0, i)) | bit((1, j)));
+            let equal = same.map_or(0, |i| 1_u8 << i | 8 << j);
             if across & equal != 0 {
                 across |= equal;
             }
         }
         for (shape, of) in self.ruler.shapes.iter().enumerate() {
             if of.is_triangle && across & 3 << (3 * shape) == 3 << (3 * shape) {
-                across |= bit((shape, 2));
+                across |= 4 << (3 * shape);
             }
         }
         across
@@ -42,7 +40,9 @@ impl Filter<'_> {
     /// perpendicular to the direction up to a residue. If all terms are zero, so is the sum, unless
     /// one has underflowed.
     pub(super) fn along(&self, direction: Direction) -> [[Option<Ordering>; 3]; 2] {
-        self.signs(direction, &self.cross(direction))
+        let numbers = direction.numbers(self.ruler.are_triangles);
+        let [x, y] = self.ruler.sides(numbers);
+        self.signs(numbers, &cross_with_products(x, y))
     }
 
     /// The same, given the direction in floats and the products in its coordinates. Inlined, so that what
@@ -50,10 +50,10 @@ impl Filter<'_> {
     #[inline(always)]
     pub(super) fn signs(
         &self,
-        direction: Direction,
+        numbers: [u8; 2],
         (a, products): &(Vec64, Vec64),
     ) -> [[Option<Ordering>; 3]; 2] {
-        let across = self.across(direction);
+        let across = self.across(numbers);
         let is_in_range = largest(products).is_product();
         let of = |shape: usize| {
             let sides = &self.ruler.shapes[shape % 2].sides;
@@ -68,13 +68,9 @@ impl Filter<'_> {
                 let size = largest(&three(|i| products[i] * s[i]));
                 let is_in_range = is_in_range & largest(s).is_size() & size.is_size();
                 let is_certain = is_in_range & (along.abs() > f64::ERROR / 4.0 * size);
-                if is_across | (self.is_short & (size == 0.0)) {
-                    Some(Ordering::Equal)
-                } else if is_certain {
-                    Some(if along > 0.0 { Ordering::Greater } else { Ordering::Less })
-                } else {
-                    None
-                }
+                let is_equal = is_across | (self.is_short & (size == 0.0));
+                let sign = if is_equal { 0 } else { 2 * i8::from(along > 0.0) - 1 };
+                (is_equal | is_certain).then(|| sign.cmp(&0))
             })
         };
         [of(0), of(1)]

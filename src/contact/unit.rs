@@ -74,7 +74,8 @@ pub(super) fn unit([x, y]: [&Vec64; 2], is_along: bool, inverse: f64) -> Option<
         let (high, low) = (high[i], low[i] - high[i] * off);
         let unit = high + (low + high * ROUNDED);
         let is_certain = unit == high + (low - high * LACK);
-        is_certain.then(|| if is_along { unit } else { -unit })
+        let sign = u64::from(!is_along) << 63;
+        is_certain.then(|| f64::from_bits(unit.to_bits() ^ sign))
     }) else {
         if !are_short {
             return None;

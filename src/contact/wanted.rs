@@ -67,7 +67,7 @@ impl Wanted {
         Ok(wanted)
     }
 
-    fn direction(&self, n: usize) -> Direction {
+    pub(super) fn direction(&self, n: usize) -> Direction {
         self.all.get(n).copied().unwrap_or(FACE)
     }
 
@@ -84,11 +84,12 @@ impl Wanted {
         })
     }
 
-    /// The translation that is wanted, if it is the only one.
+    /// The translation that is wanted, if it is the only one: the number of its direction, and whether it
+    /// is along it.
     #[inline]
-    pub(super) fn single(&self) -> Option<(Direction, bool)> {
+    pub(super) fn single(&self) -> Option<(usize, bool)> {
         let all = self.against | self.along;
-        let single = || (self.direction(all.trailing_zeros() as usize % 16), self.along != 0);
+        let single = || (all.trailing_zeros() as usize % 16, self.along != 0);
         is_single([self.against, self.along]).then(single)
     }
 }

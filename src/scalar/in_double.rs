@@ -76,9 +76,12 @@ macro_rules! float {
             #[inline]
             fn of_double(size: f64, is_up: bool, is_negative: bool) -> (Self, bool) {
                 let near = size as $float;
-                let is_short = is_up && f64::from(near) < size;
-                let size = if is_short { $float::from_bits(near.to_bits() + 1) } else { near };
-                (if is_negative { 0.0 - size } else { size }, size < $float::INFINITY)
+                // In bits: a processor does not foresee signs.
+                let bits = near.to_bits() + $bits::from(is_up && f64::from(near) < size);
+                let sign = $bits::from(is_negative) << ($bits::BITS - 1);
+                // Zero has no sign.
+                let signed = $float::from_bits(bits ^ sign) + 0.0;
+                (signed, $float::from_bits(bits) < $float::INFINITY)
             }
         }
     };
