@@ -207,6 +207,12 @@ pub(super) fn side_of<S: Scalar>([x, y]: [&Vector; 2], z: &Vector) -> core::cmp:
     sum.sign()
 }
 
+/// x or −x. In bits, because a processor does not foresee signs.
+#[inline]
+pub(super) fn flipped(x: f64, is_negative: bool) -> f64 {
+    f64::from_bits(x.to_bits() ^ u64::from(is_negative) << 63)
+}
+
 pub(super) fn cross(x: &Vec64, y: &Vec64) -> Vec64 {
     arithmetic::cross::<Filtered<f64>>(x, y)
 }

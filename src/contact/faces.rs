@@ -2,9 +2,9 @@
 
 use super::body::{Vec64, dot};
 use super::sides::Flat;
-use super::solid::Solid;
+use super::solid::{EDGES, FACES, Solid};
 use super::view::{Corner, Edge, View};
-use crate::arithmetic::{REGISTERS_ARE_WIDE, pick, turn};
+use crate::arithmetic::{REGISTERS_ARE_WIDE, pick};
 
 /// The most corners that a face has.
 pub(super) const CORNERS: usize = 4;
@@ -50,15 +50,10 @@ impl Face {
             }
         } else {
             self.count = CORNERS;
-            let (i, j, k) = turn(usize::from(number / 2));
-            let side = number % 2;
-            // Each from one corner to the next.
-            let (of_j, of_k) = (4 * j as u8 + 2 * side, 4 * k as u8 + side);
-            self.edges = [of_j, of_k + 2, of_j + 1, of_k];
-            let (base, of_j, of_k) = (side << i, 1 << j, 1 << k);
-            self.vertices = [base, base | of_j, base | of_j | of_k, base | of_k];
+            let n = usize::from(number & 7);
+            (self.vertices, self.edges) = (FACES[n], EDGES[n]);
             if REGISTERS_ARE_WIDE {
-                shape.face(view, [j, k], side == 1, &mut self.corners);
+                shape.face(view, number, &mut self.corners);
             } else {
                 for (corner, vertex) in self.corners.iter_mut().zip(self.vertices) {
                     *corner = view.corner(shape.corner(vertex));

@@ -9,7 +9,7 @@ use super::measures::{Directed, Way};
 use super::sides::Unit;
 use super::solid::{Solid, edge_of_box};
 use super::view::{Edge, MOST, Pair, Pairs, View, distance, minus};
-use crate::arithmetic::{greatest, out_of_line, part, pick, three, two};
+use crate::arithmetic::{greatest, out_of_line, part, three, two};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -58,21 +58,28 @@ impl<S: Scalar> Points<S> {
     }
 }
 
-/// For each axis, whether the shape's upper end is nearer to the opposite shape than its lower end;
-/// also `true` if the axis is perpendicular to the direction.
-fn upper(way: &Way, shape: usize) -> [bool; 3] {
-    three(|k| way.along[shape % 2][k] != way.toward(shape).reverse())
+/// What is so of each of three, as bits.
+#[inline(always)]
+fn bits(is: impl Fn(usize) -> bool) -> u8 {
+    u8::from(is(0)) | u8::from(is(1)) << 1 | u8::from(is(2)) << 2
+}
+
+/// The axes on which the shape's upper end is nearer to the opposite shape than its lower end, as bits; also
+/// those perpendicular to the direction.
+fn upper(way: &Way, shape: usize) -> u8 {
+    let away = way.toward(shape).reverse();
+    bits(|k| way.along[shape % 2][k] != away)
 }
 
 /// The faces or edges that the direction of a translation comes from.
 pub(super) fn features<S: Scalar>(bodies: &[Body<'_, S>; 2], way: &Way) -> Features {
     let face = |shape: usize, k: u8| {
         let is_triangle = bodies[shape % 2].is_triangle();
-        if is_triangle { 0 } else { 2 * k + u8::from(*pick(&upper(way, shape), k.into())) }
+        if is_triangle { 0 } else { 2 * k + (upper(way, shape) >> k & 1) }
     };
     let edge = |shape: usize, k: u8| {
         let is_triangle = bodies[shape % 2].is_triangle();
-        if is_triangle { k } else { edge_of_box(k.into(), upper(way, shape)) }
+        if is_triangle { k } else { edge_of_box(k, upper(way, shape)) }
     };
     match way.direction {
         Direction::Face { is_second: false, k } => Features::First(face(0, k)),
@@ -118,10 +125,15 @@ pub(super) fn points<S: Scalar>(
         }
         (Features::Edges(..), Direction::Sides(i, j)) => {
             let edges = |n: usize, k: u8| {
-                let is_across = three(|k| way.along[n % 2][k].is_eq());
-                let is_end =
-                    if bodies[n % 2].is_triangle() { way.farthest(n) } else { upper(way, n) };
-                solids[n % 2].support_edges(k, is_across, is_end)
+                let across = bits(|k| way.along[n % 2][k].is_eq());
+                let is_triangle = bodies[n % 2].is_triangle();
+                let ends = if is_triangle {
+                    let farthest = way.farthest(n);
+                    bits(|k| farthest[k])
+                } else {
+                    upper(way, n)
+                };
+                solids[n % 2].support_edges(k, across, ends)
             };
             part(|| by_edges(&view, &solids, [edges(0, i), edges(1, j)], normal, &mut found));
         }
@@ -178,17 +190,13 @@ fn by_face(
     let mut reference = Face::EMPTY;
     let mut face = Face::EMPTY;
     reference.fill(view, shape, number);
-    let upper = upper(way, incident);
-    let is_support = |number: u8| {
-        let k = usize::from(number / 2);
-        way.along[incident % 2][k % 3].is_ne() && *pick(&upper, k) == (number % 2 == 1)
-    };
     let mut is_enough = |number: u8| {
         face.fill(view, other, number);
         add_deeper(found, view, [&reference, &face], outward);
         found.count > 0 && !way.is_held
     };
-    let first = other.face_against(outward, is_support);
+    let of = bits(|k| way.along[incident % 2][k].is_ne());
+    let first = other.face_against(outward, of, upper(way, incident));
     if !is_enough(first) {
         other.other_faces_against(outward, first).any(is_enough);
     }
@@ -239,20 +247,25 @@ fn add_deeper(found: &mut Pairs, view: &View, faces: [&Face; 2], outward: &Vec64
 
 /// The crossing of an edge of each shape, projected along the normal. Among several pairs of edges,
 /// the pair with the least distance across the normal is used.
-fn by_edges<T: Iterator<Item = u8> + Clone>(
+fn by_edges(
     view: &View,
     solids: &[Solid<'_>; 2],
-    [edges, others]: [T; 2],
+    [mut edges, others]: [u16; 2],
     normal: &Vec64,
     found: &mut Pairs,
 ) {
     let mut nearest = view.tolerance * view.tolerance;
-    for edge in edges {
-        let ends = solids[0].edge(view, edge);
-        let edge = Edge { ends: ends.each_ref(), number: edge };
-        for other in others.clone() {
-            let ends = solids[1].edge(view, other);
-            let other = Edge { ends: ends.each_ref(), number: other };
+    while edges != 0 {
+        let number = edges.trailing_zeros() as u8;
+        edges &= edges - 1;
+        let ends = solids[0].edge(view, number);
+        let edge = Edge { ends: ends.each_ref(), number };
+        let mut others = others;
+        while others != 0 {
+            let number = others.trailing_zeros() as u8;
+            others &= others - 1;
+            let ends = solids[1].edge(view, number);
+            let other = Edge { ends: ends.each_ref(), number };
             let [x, y] = edge.meet(&other, edge.sides(&other));
             let apart = distance(&x, &y);
             if apart <= nearest {

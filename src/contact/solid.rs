@@ -1,18 +1,20 @@
 //! A shape in floats: its corners, and its faces and edges along a direction.
 
-use super::body::{Rough, Vec64, cross, dot};
+use super::body::{Rough, Vec64, cross, dot, flipped};
 use super::view::{Corner, Four, View};
-use crate::arithmetic::{
-    Quad, REGISTERS_ARE_WIDE, each, greatest, largest, pick, three, turn, two,
-};
+use crate::arithmetic::{Quad, each, greatest, largest, pick, three, turn, two};
 
 /// The squared sine of an angle far above all roundings.
 const CLEAR: f64 = f64::from_bits((1023 - 40) << 52);
 
-/// The number of the edge of a box along axis i.
-pub(super) fn edge_of_box(i: usize, upper: [bool; 3]) -> u8 {
-    let (i, j, k) = turn(i);
-    4 * i as u8 + u8::from(upper[j]) + 2 * u8::from(upper[k])
+/// The bits of the two axes after axis i.
+fn after(i: u8, bits: u8) -> u8 {
+    (bits | bits << 3) >> (i + 1) & 3
+}
+
+/// The number of the edge of a box along axis i; `upper` has the axes on whose upper side it is, as bits.
+pub(super) fn edge_of_box(i: u8, upper: u8) -> u8 {
+    4 * i + after(i, upper)
 }
 
 /// The vertices at the ends of each edge of a box. A processor does not foresee the branches that would
@@ -26,6 +28,41 @@ const ENDS: [[u8; 2]; 16] = {
         n += 1;
     }
     ends
+};
+
+/// The vertices of each face of a box, each followed by the next one around the face.
+pub(super) const FACES: [[u8; 4]; 8] = {
+    let (mut faces, mut n) = ([[0; 4]; 8], 0);
+    while n < 6 {
+        let (i, j, k) = turn(n / 2);
+        let (base, of_j, of_k) = (((n % 2) << i) as u8, 1 << j, 1 << k);
+        faces[n] = [base, base | of_j, base | of_j | of_k, base | of_k];
+        n += 1;
+    }
+    faces
+};
+
+/// The edge from each of these to the next.
+pub(super) const EDGES: [[u8; 4]; 8] = {
+    let (mut edges, mut n) = ([[0; 4]; 8], 0);
+    while n < 6 {
+        let (_, j, k) = turn(n / 2);
+        let (of_j, of_k) = ((4 * j + n % 2 * 2) as u8, (4 * k + n % 2) as u8);
+        edges[n] = [of_j, of_k + 2, of_j + 1, of_k];
+        n += 1;
+    }
+    edges
+};
+
+/// On which side of each axis these vertices are.
+const SIDES: [[[f64; 4]; 3]; 8] = {
+    let (mut sides, mut n) = ([[[0.0; 4]; 3]; 8], 0);
+    while n < 8 * 3 * 4 {
+        let (face, k, m) = (n / 12, n / 4 % 3, n % 4);
+        sides[face][k][m] = if FACES[face][m] >> k & 1 == 1 { 1.0 } else { -1.0 };
+        n += 1;
+    }
+    sides
 };
 
 /// A shape in floats, and its half-edges.
@@ -67,33 +104,18 @@ impl<'a> Solid<'a> {
     /// The corner of a box of this number.
     pub(super) fn corner(&self, vertex: u8) -> Vec64 {
         (0..3).fold(self.rough.at[0], |at, k| {
-            let is_upper = vertex >> k & 1 == 1;
-            // Small cores multiply by a function, and hosts would choose between two numbers by a branch.
-            let signed = |x: f64| match (REGISTERS_ARE_WIDE, is_upper) {
-                (true, _) => x * if is_upper { 1.0 } else { -1.0 },
-                (false, true) => x,
-                (false, false) => -x,
-            };
-            three(|i| at[i] + signed(self.reach[k][i]))
+            let is_lower = vertex >> k & 1 == 0;
+            three(|i| at[i] + flipped(self.reach[k][i], is_lower))
         })
     }
 
-    /// The corners of a face of a box, on the upper side of its axis or on the lower; j and k are the
-    /// next axes.
+    /// The corners of a face of a box.
     #[inline(always)]
-    pub(super) fn face(
-        &self,
-        view: &View,
-        [j, k]: [usize; 2],
-        is_upper: bool,
-        corners: &mut [Corner; 4],
-    ) {
-        let mut signs = [Four::splat(if is_upper { 1.0 } else { -1.0 }); 3];
-        (signs[j % 3], signs[k % 3]) =
-            (Four::new([-1.0, 1.0, 1.0, -1.0]), Four::new([-1.0, -1.0, 1.0, 1.0]));
+    pub(super) fn face(&self, view: &View, number: u8, corners: &mut [Corner; 4]) {
+        let sides = SIDES[usize::from(number & 7)].map(Four::new);
         let at = three(|i| {
             let center = Four::splat(self.rough.at[0][i]);
-            (0..3).fold(center, |at, k| at + signs[k] * Four::splat(self.reach[k][i]))
+            (0..3).fold(center, |at, k| at + sides[k] * Four::splat(self.reach[k][i]))
         });
         let (at, flat) = (at.map(Quad::to_array), view.flats(at).map(Quad::to_array));
         for (n, corner) in corners.iter_mut().enumerate() {
@@ -118,27 +140,26 @@ impl<'a> Solid<'a> {
         })
     }
 
-    /// The face most nearly antiparallel to `outward`, the normal of another shape's face, among the faces
-    /// that satisfy `is_first`. A triangle is its only face.
-    pub(super) fn face_against(&self, outward: &Vec64, is_first: impl Fn(u8) -> bool) -> u8 {
+    /// The face most nearly antiparallel to `outward`, the normal of another shape's face, among those of
+    /// the axes in `of`, each on the side that `upper` has; both as bits. A triangle is its only face.
+    pub(super) fn face_against(&self, outward: &Vec64, of: u8, upper: u8) -> u8 {
         if self.rough.is_triangle {
             return 0;
         }
-        let mut candidates = self.faces().filter(|&n| is_first(n));
-        let some = [candidates.next(), candidates.next()];
-        if let [Some(number), None] = some {
+        let number = |k: u8| 2 * k + (upper >> k & 1);
+        if of.is_power_of_two() {
             // No comparison, and no quotients for it. Without a normal the comparison finds face 0.
+            let number = number(of.trailing_zeros() as u8 % 3);
             if self.has_normal(number) {
                 return number;
             }
         }
         let axes = self.units();
         let (mut first, mut best) = (0, f64::NEG_INFINITY);
-        for number in some.into_iter().flatten().chain(candidates) {
-            let value = facing(&axes, number, outward);
-            if value > best {
-                (first, best) = (number, value);
-            }
+        for k in (0..3).filter(|k| of >> k & 1 == 1) {
+            let value = facing(&axes, number(k), outward);
+            first = if value > best { number(k) } else { first };
+            best = greatest(value, best);
         }
         first
     }
@@ -153,27 +174,21 @@ impl<'a> Solid<'a> {
         self.faces().filter(move |&n| n != first && facing(&axes, n, outward) > 0.0)
     }
 
-    /// The numbers of the edges farthest in a direction and perpendicular to it; for a box, of those along
-    /// axis i. `is_end` marks the farthest vertices of a triangle, or the farthest ends of a box's axes.
-    pub(super) fn support_edges(
-        &self,
-        i: u8,
-        is_across: [bool; 3],
-        is_end: [bool; 3],
-    ) -> impl Iterator<Item = u8> + Clone + use<> {
-        let is_triangle = self.rough.is_triangle;
-        (0..4_u8).filter_map(move |n| {
-            if is_triangle {
-                let (from, to, _) = turn(n.into());
-                let is_edge = *pick(&is_across, from) && *pick(&is_end, from) && *pick(&is_end, to);
-                return (n < 3 && is_edge).then_some(n);
-            }
-            // Within the closure, where a compiler sees that they are below three.
-            let (_, j, k) = turn(i.into());
-            // No loop over j and k: for size, compilers check their bounds.
-            let fits = |k, is_upper| *pick(&is_across, k) || is_upper == *pick(&is_end, k);
-            (fits(j, n & 1 == 1) && fits(k, n & 2 == 2)).then_some(4 * i + n)
-        })
+    /// The edges farthest in a direction and perpendicular to it, as bits; of a box, of those along
+    /// axis i. `ends` has the farthest vertices of a triangle, or the axes of a box whose upper end is farthest.
+    pub(super) fn support_edges(&self, i: u8, across: u8, ends: u8) -> u16 {
+        if self.rough.is_triangle {
+            // From one vertex to the next.
+            return u16::from(across & ends & (ends >> 1 | ends << 2));
+        }
+        let (across, mut edges) = (after(i, across), 1 << after(i, ends));
+        if across & 1 != 0 {
+            edges |= (edges & 5) << 1 | (edges & 10) >> 1;
+        }
+        if across & 2 != 0 {
+            edges |= edges << 2 & 15 | edges >> 2;
+        }
+        edges << (4 * i)
     }
 
     /// The ends of an edge.
@@ -194,7 +209,7 @@ fn facing(axes: &[Vec64; 3], number: u8, outward: &Vec64) -> f64 {
     let cosine = dot(&w, outward);
     let square = cosine * cosine / dot(&w, &w);
     let is_outward = (dot(&w, pick(axes, k)) > 0.0) == (number % 2 == 1);
-    if is_outward == (cosine < 0.0) { square } else { -square }
+    flipped(square, is_outward != (cosine < 0.0))
 }
 
 #[cfg(test)]
@@ -219,7 +234,8 @@ mod tests {
             for face in 0..6 {
                 let value = facing(&solid.units(), face, &outward);
                 let expected = if value > f64::NEG_INFINITY { face } else { 0 };
-                assert_eq!(solid.face_against(&outward, |other| other == face), expected);
+                let (k, side) = (face / 2, face % 2);
+                assert_eq!(solid.face_against(&outward, 1 << k, side << k), expected);
                 seen[usize::from(solid.has_normal(face))] += 1;
             }
         }

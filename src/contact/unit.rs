@@ -1,6 +1,6 @@
 //! The unit vector of a translation from double words, with the bits that exact numbers give.
 
-use super::body::Vec64;
+use super::body::{Vec64, flipped};
 use super::exact::length;
 use super::measures::unit_of;
 use crate::arithmetic::{Double, Soft, compare, each, pick, three, turn};
@@ -74,8 +74,7 @@ pub(super) fn unit([x, y]: [&Vec64; 2], is_along: bool, inverse: f64) -> Option<
         let (high, low) = (high[i], low[i] - high[i] * off);
         let unit = high + (low + high * ROUNDED);
         let is_certain = unit == high + (low - high * LACK);
-        let sign = u64::from(!is_along) << 63;
-        is_certain.then(|| f64::from_bits(unit.to_bits() ^ sign))
+        is_certain.then(|| flipped(unit, !is_along))
     }) else {
         if !are_short {
             return None;
