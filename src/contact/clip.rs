@@ -3,7 +3,7 @@
 use super::body::{Vec64, dot};
 use super::faces::{CORNERS, Face};
 use super::feature::Part;
-use super::known::{EACH, Known, next, parts, transposed};
+use super::known::{Known, next, ones, parts, transposed, within};
 use super::quads::Quads;
 use super::sides::side;
 use super::view::{Corner, Pair, Pairs, View, along, flat, minus};
@@ -18,16 +18,21 @@ struct Seen<'a, T> {
 }
 
 impl<T: Known> Seen<'_, T> {
+    /// The corners that meet a point of the other face across the normal, and that point.
+    #[inline(always)]
+    fn meeting(&self, outward: &Vec64) -> impl Iterator<Item = (usize, Vec64)> {
+        let [inside, outside] = self.known.within();
+        // A processor foresees the end of a loop better than which corners lie outside.
+        let left = !outside & ((1 << self.face.count()) - 1);
+        ones(left).filter_map(move |m| Some((m, self.meets(m, inside >> m & 1 == 1, outward)?)))
+    }
+
     /// The point of the other face that meets corner m across the normal, if there is one. Edges come
     /// first, and of those the edge farthest against `outward`: a face seen edge-on has several such
     /// points. If that edge lies beyond the corner, a point within the face may not.
     #[inline(always)]
-    fn meets(&self, m: usize, outward: &Vec64) -> Option<Vec64> {
-        let at_edge = match self.known.within(m) {
-            Some(false) => return None,
-            Some(true) => None,
-            None => self.lowest(m, outward),
-        };
+    fn meets(&self, m: usize, is_inside: bool, outward: &Vec64) -> Option<Vec64> {
+        let at_edge = if is_inside { None } else { self.lowest(m, outward) };
         at_edge.or_else(|| self.known.point(m))
     }
 
@@ -90,12 +95,8 @@ impl<'a> Words<'a> {
 }
 
 impl Known for Words<'_> {
-    fn within(&self, m: usize) -> Option<bool> {
-        let [all, left, right] = [self.all, self.left, self.right].map(|bits| bits >> m & EACH);
-        if left != 0 && right != 0 {
-            return Some(false);
-        }
-        (left == all || right == all).then_some(true)
+    fn within(&self) -> [u32; 2] {
+        within(self.all, self.left, self.right)
     }
 
     fn point(&self, m: usize) -> Option<Vec64> {
@@ -167,24 +168,18 @@ fn overlap<T: Known>(
     let back = outward.map(|x| -x);
     let of_incident = Seen { view, from: reference, face: incident, known: of_incident };
     let of_reference = Seen { view, from: incident, face: reference, known: of_reference };
-    for (m, (vertex, at)) in incident.corners().enumerate() {
-        if let Some(below) = of_incident.meets(m, &back) {
-            if let Some(parts) = add(found, view, [below, at.at], outward) {
-                *parts = [Part::Face(reference.number), Part::Vertex(vertex)];
-            }
+    for (m, below) in of_incident.meeting(&back) {
+        if let Some(parts) = add(found, view, [below, incident.corner(m).at], outward) {
+            *parts = [Part::Face(reference.number), Part::Vertex(incident.vertex(m))];
         }
     }
-    for (n, (vertex, below)) in reference.corners().enumerate() {
-        if let Some(at) = of_reference.meets(n, outward) {
-            if let Some(parts) = add(found, view, [below.at, at], outward) {
-                *parts = [Part::Vertex(vertex), Part::Face(incident.number)];
-            }
+    for (n, at) in of_reference.meeting(outward) {
+        if let Some(parts) = add(found, view, [reference.corner(n).at, at], outward) {
+            *parts = [Part::Vertex(reference.vertex(n)), Part::Face(incident.number)];
         }
     }
-    let [mut crossings, known] = of_incident.known.crossings(&of_reference.known);
-    while crossings != 0 {
-        let pair = crossings.trailing_zeros() as usize;
-        crossings &= crossings - 1;
+    let [crossings, known] = of_incident.known.crossings(&of_reference.known);
+    for pair in ones(crossings) {
         let (n, m) = (pair / CORNERS, pair % CORNERS);
         let (below, at) = (reference.edge(n), incident.edge(m));
         let sides = (known >> pair & 1 == 1).then(|| of_incident.known.sides(n, m));
@@ -242,7 +237,7 @@ mod tests {
                 (x * x + y * y).sqrt() / view.tolerance
             };
             for m in 0..face.count() {
-                if known.within(m) != Some(false) {
+                if known.within()[1] >> m & 1 == 0 {
                     if let Some(at) = known.point(m) {
                         assert!(apart(at, face.corner(m).flat) < 0.5);
                         within += 1;

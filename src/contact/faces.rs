@@ -87,6 +87,10 @@ impl Face {
         self.count
     }
 
+    pub(super) fn vertex(&self, n: usize) -> u8 {
+        self.vertices[n % CORNERS]
+    }
+
     pub(super) fn corner(&self, n: usize) -> &Corner {
         &self.corners[n % CORNERS]
     }

@@ -7,11 +7,9 @@ use crate::arithmetic::greatest;
 
 /// The positions of a face's corners relative to another face, where they are certain.
 pub(super) trait Known {
-    /// Whether corner m lies within the other face; `None` if it is so near an edge that it may meet
-    /// it.
-    ///
-    /// The lines of all edges have a point of the face on the same side.
-    fn within(&self, m: usize) -> Option<bool>;
+    /// The corners that certainly lie within the other face, and those that certainly lie outside of it, as
+    /// bits. All others are so near an edge that they may meet it.
+    fn within(&self) -> [u32; 2];
     /// The point within the other face that meets corner m.
     fn point(&self, m: usize) -> Option<Vec64>;
     /// Which pairs of edges may cross, and for which [`sides`](Self::sides) is called. On small cores these
@@ -22,6 +20,30 @@ pub(super) trait Known {
     fn sides(&self, n: usize, m: usize) -> [f64; 2];
     /// Whether corner m may meet edge n.
     fn may_meet(&self, n: usize, m: usize) -> bool;
+}
+
+/// The places of the bits that are set, the lowest first.
+pub(super) fn ones(mut bits: u32) -> impl Iterator<Item = usize> {
+    core::iter::from_fn(move || {
+        let n = bits.trailing_zeros() as usize;
+        let is_one = bits != 0;
+        bits &= bits.wrapping_sub(1);
+        is_one.then_some(n)
+    })
+}
+
+/// The corners that are so for some edge.
+#[inline(always)]
+fn any(bits: u32) -> u32 {
+    (bits | bits >> 4 | bits >> 8 | bits >> 12) & 15
+}
+
+/// The corners within a face and outside of it, from those that certainly lie left and right of each edge.
+///
+/// The lines of all edges have a point of the face on the same side.
+#[inline(always)]
+pub(super) fn within(all: u32, left: u32, right: u32) -> [u32; 2] {
+    [any(all) & !(any(all & !left) & any(all & !right)), any(left) & any(right)]
 }
 
 /// A bit for each edge of a face, at the first corner of the other.

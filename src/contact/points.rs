@@ -1,10 +1,11 @@
 //! Contact points: where shapes touch after the least translation.
 
-use super::body::{Body, Place, Rough, Vec64, difference_in_double, dot, scaled};
+use super::body::{Body, Place, Rough, Vec64, difference_in_double, dot, flipped, scaled};
 use super::clip::clip;
 use super::directions::Direction;
 use super::faces::Face;
 use super::feature::{Features, Part};
+use super::known::ones;
 use super::measures::{Directed, Way};
 use super::sides::Unit;
 use super::solid::{Solid, edge_of_box};
@@ -117,7 +118,7 @@ pub(super) fn points<S: Scalar>(
     let [first, second] = &solids;
     let is_second = matches!(features, Features::Second(_));
     let shapes = if is_second { [second, first] } else { [first, second] };
-    let outward = three(|i| if is_second { normal[i] } else { -normal[i] });
+    let outward = three(|i| flipped(normal[i], !is_second));
     let mut found = Pairs::NONE;
     match (features, way.direction) {
         (Features::First(face) | Features::Second(face), _) => {
@@ -250,20 +251,17 @@ fn add_deeper(found: &mut Pairs, view: &View, faces: [&Face; 2], outward: &Vec64
 fn by_edges(
     view: &View,
     solids: &[Solid<'_>; 2],
-    [mut edges, others]: [u16; 2],
+    [edges, others]: [u16; 2],
     normal: &Vec64,
     found: &mut Pairs,
 ) {
     let mut nearest = view.tolerance * view.tolerance;
-    while edges != 0 {
-        let number = edges.trailing_zeros() as u8;
-        edges &= edges - 1;
+    for number in ones(edges.into()) {
+        let number = number as u8;
         let ends = solids[0].edge(view, number);
         let edge = Edge { ends: ends.each_ref(), number };
-        let mut others = others;
-        while others != 0 {
-            let number = others.trailing_zeros() as u8;
-            others &= others - 1;
+        for number in ones(others.into()) {
+            let number = number as u8;
             let ends = solids[1].edge(view, number);
             let other = Edge { ends: ends.each_ref(), number };
             let [x, y] = edge.meet(&other, edge.sides(&other));
@@ -307,13 +305,11 @@ fn rounded<S: Scalar>(
         let [x, y, z] = three(|i| plus(origin.0[i], at[i] + offset[i]));
         Vec3::new(x, y, z)
     };
-    for ((point, pair), parts) in points.points.iter_mut().zip(found.iter()).zip(found.parts) {
-        let (mut at, mut parts) = (two(|k| place(&pair.at[k])), parts);
-        if is_second {
-            at.reverse();
-            parts.reverse();
-        }
-        let [on_first, on_second] = at;
+    // Without a branch.
+    let [first, second] = if is_second { [1, 0] } else { [0, 1] };
+    for ((point, pair), parts) in points.points.iter_mut().zip(found.iter()).zip(&found.parts) {
+        let [on_first, on_second] = [place(&pair.at[first]), place(&pair.at[second])];
+        let parts = [parts[first], parts[second]];
         *point = Point { on_first, on_second, depth: plus(S::ZERO, pair.depth), parts };
     }
 }

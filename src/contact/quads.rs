@@ -3,7 +3,7 @@
 
 use super::body::Vec64;
 use super::faces::{CORNERS, Face};
-use super::known::{Known, next, parts, transposed};
+use super::known::{Known, next, parts, transposed, within};
 use super::view::{Four, View, flat, minus};
 use crate::arithmetic::{Quad, three, two};
 
@@ -18,10 +18,8 @@ pub(super) struct Quads {
     crossing: u32,
     /// Four bits for each edge of the opposite face: the corners that certainly lie off its line.
     clear: u32,
-    /// The corners that certainly lie within the other face.
-    inside: u32,
-    /// The corners that certainly lie outside of it.
-    outside: u32,
+    /// The corners that certainly lie within the other face, and outside of it.
+    within: [u32; 2],
     /// The last edge.
     last: usize,
     /// The corners that meet a point within the other face.
@@ -70,24 +68,17 @@ impl Quads {
         let last = face.count() - 1;
         let next = |bits| next(bits, last);
         let crossing = left & next(right) | right & next(left);
-        let of = |n: usize, bits: u32| bits >> (CORNERS * n) & ALL;
-        let any = |bits: u32| of(0, bits) | of(1, bits) | of(2, bits) | of(3, bits);
-        // The lines of all edges have a point of the face on the same side.
-        let certain = [left & clear, right & clear];
-        let outside = any(certain[0]) & any(certain[1]);
-        let is_missing = certain.map(|certain| any(!certain));
-        let inside = ALL & !(is_missing[0] & is_missing[1]);
+        let within = within(0xffff, left & clear, right & clear);
         let (met, points) =
-            if outside == ALL { (0, [[0.0; CORNERS]; 3]) } else { points(view, from, &to) };
-        Self { sides, crossing, clear, inside, outside, last, met, points }
+            if within[1] == ALL { (0, [[0.0; CORNERS]; 3]) } else { points(view, from, &to) };
+        Self { sides, crossing, clear, within, last, met, points }
     }
 }
 
 impl Known for Quads {
     #[inline(always)]
-    fn within(&self, m: usize) -> Option<bool> {
-        let has = |bits: u32| bits >> m & 1 == 1;
-        (has(self.inside) || has(self.outside)).then(|| has(self.inside))
+    fn within(&self) -> [u32; 2] {
+        self.within
     }
 
     #[inline(always)]
@@ -195,7 +186,7 @@ mod tests {
             for m in 0..face.count() {
                 let is_left = of(m).all(|sign| sign > 0) || of(m).all(|sign| sign < 0);
                 let is_out = of(m).any(|sign| sign > 0) && of(m).any(|sign| sign < 0);
-                assert_eq!(quads.within(m), (is_left || is_out).then_some(is_left));
+                assert_eq!(quads.within.map(|bits| bits >> m & 1 == 1), [is_left, is_out]);
                 if is_left {
                     let [x, y, _] = quads.point(m).unwrap();
                     let [to_x, to_y, _] = face.corner(m).at;
@@ -240,8 +231,9 @@ mod tests {
             let [from, face] = [Face::new(&view, &solid, 0), Face::new(&view, &other, 0)];
             let quads = Quads::new(&view, &from, &face);
             for m in 0..3 {
-                assert_ne!(quads.within(m), Some(false), "{sides:?} {at:?}");
-                skewed += u32::from(quads.within(m).is_none());
+                let [inside, outside] = quads.within.map(|bits| bits >> m & 1);
+                assert_eq!(outside, 0, "{sides:?} {at:?}");
+                skewed += 1 - inside;
             }
         }
         assert!(skewed > 1_000, "{skewed}");
