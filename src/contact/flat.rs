@@ -4,7 +4,7 @@ use super::body::{Body, Rough};
 use super::integers::is_whole;
 use super::least::{least_measures, least_way};
 use super::measures::{Directed, Measures, Way};
-use super::points::{Points, features, points};
+use super::points::{features, points};
 use super::{Contact, InteriorEdges, Translation};
 use crate::scalar::Scalar;
 
@@ -40,9 +40,8 @@ fn with_points<S: Scalar>(
     let Directed { measures, way, .. } = best;
     let translation = translation(bodies, way, measures);
     let features = translation.features;
-    let mut contact = Contact { translation, is_held: way.is_held, points: Points::none() };
-    points(bodies, &bodies[1].origin(), rough, best, features, &mut contact.points);
-    contact
+    let points = points(bodies, &bodies[1].origin(), rough, best, features);
+    Contact { translation, is_held: way.is_held, points }
 }
 
 /// The shapes in floats, relative to the origin of the second.

@@ -101,8 +101,7 @@ pub(super) fn points<S: Scalar>(
     rough: &mut [Rough; 2],
     translation: &Directed<S>,
     features: Features,
-    points: &mut Points<S>,
-) {
+) -> Points<S> {
     let Directed { unit: normal, way, .. } = translation;
     let mut solids = two(|n| Solid::new(&rough[n]));
     let size = greatest(solids[0].size, solids[1].size);
@@ -145,7 +144,7 @@ pub(super) fn points<S: Scalar>(
     if found.count == 0 || (!way.is_held && !is_deep(&found)) {
         by_any_faces(&view, shapes, &outward, &mut found);
     }
-    rounded(&found, origin, scale, is_second, points);
+    rounded(&found, origin, scale, is_second)
 }
 
 /// Whether the deepest point is as deep as the shapes overlap.
@@ -277,15 +276,8 @@ fn by_edges(
 }
 
 /// Rounds the points to the scalar. In each pair, the point on the first shape comes first.
-#[inline(always)]
-fn rounded<S: Scalar>(
-    found: &Pairs,
-    origin: &Place<S>,
-    scale: f64,
-    is_second: bool,
-    points: &mut Points<S>,
-) {
-    points.count = found.count;
+#[inline(never)]
+fn rounded<S: Scalar>(found: &Pairs, origin: &Place<S>, scale: f64, is_second: bool) -> Points<S> {
     // The origin is the mean of two places; this is the offset from the first.
     let offset = three(|i| difference_in_double(origin.1[i], origin.0[i], scale) * 0.5);
     // Exact, of a power of two.
@@ -307,9 +299,16 @@ fn rounded<S: Scalar>(
     };
     // Without a branch.
     let [first, second] = if is_second { [1, 0] } else { [0, 1] };
-    for ((point, pair), parts) in points.points.iter_mut().zip(found.iter()).zip(&found.parts) {
+    // Where it is returned: not borrowed, and so not copied.
+    let mut points = Points::none();
+    let mut n = 0;
+    while n < found.count.min(MOST) {
+        let (pair, parts) = (&found.pairs[n % MOST], &found.parts[n % MOST]);
         let [on_first, on_second] = [place(&pair.at[first]), place(&pair.at[second])];
-        let parts = [parts[first], parts[second]];
-        *point = Point { on_first, on_second, depth: plus(S::ZERO, pair.depth), parts };
+        let (depth, parts) = (plus(S::ZERO, pair.depth), [parts[first], parts[second]]);
+        points.points[n % MOST] = Point { on_first, on_second, depth, parts };
+        n += 1;
     }
+    points.count = n;
+    points
 }
