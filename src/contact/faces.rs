@@ -21,51 +21,43 @@ pub(super) struct Face {
 }
 
 impl Face {
-    /// The triangle, or face `number` of the box.
-    #[cfg(test)]
-    pub(super) fn new(view: &View, shape: &Solid<'_>, number: u8) -> Self {
-        let mut face = Self::EMPTY;
-        face.fill(view, shape, number);
-        face
-    }
-
-    /// A face to [`fill`](Self::fill). One that is returned full would be copied.
-    pub(super) const EMPTY: Self = Self {
-        corners: [Corner { at: [0.0; 3], flat: [0.0; 2] }; CORNERS],
-        vertices: [0, 1, 2, 2],
-        edges: [0, 1, 2, 2],
-        count: 3,
-        number: 0,
-        words: None,
-    };
-
-    /// The triangle, or face `number` of the box. Another face of the same shape may be there.
+    /// The triangle, or face `number` of the box. Filled where it is returned: not borrowed, and so not
+    /// copied.
     #[inline(never)]
-    pub(super) fn fill(&mut self, view: &View, shape: &Solid<'_>, number: u8) {
-        self.number = number;
+    pub(super) fn new(view: &View, shape: &Solid<'_>, number: u8) -> Self {
+        let mut face = Self {
+            corners: [Corner { at: [0.0; 3], flat: [0.0; 2] }; CORNERS],
+            vertices: [0, 1, 2, 2],
+            edges: [0, 1, 2, 2],
+            count: 3,
+            number,
+            words: None,
+        };
         if shape.rough.is_triangle {
-            for (k, corner) in self.corners.iter_mut().enumerate() {
-                let k = k.min(2);
-                *corner = view.corner(*pick(&shape.rough.at, k));
+            for k in 0..CORNERS {
+                face.corners[k] = view.corner(*pick(&shape.rough.at, k));
             }
         } else {
-            self.count = CORNERS;
             let n = usize::from(number & 7);
-            (self.vertices, self.edges) = (FACES[n], EDGES[n]);
+            face.count = CORNERS;
+            (face.vertices, face.edges) = (FACES[n], EDGES[n]);
             if REGISTERS_ARE_WIDE {
-                shape.face(view, number, &mut self.corners);
+                face.corners = shape.face(view, number);
             } else {
-                for (corner, vertex) in self.corners.iter_mut().zip(self.vertices) {
-                    *corner = view.corner(shape.corner(vertex));
+                for k in 0..CORNERS {
+                    face.corners[k] = view.corner(shape.corner(FACES[n][k]));
                 }
             }
         }
         if let Some(unit) = view.unit {
-            let words = self.words.insert([[0; 2]; CORNERS]);
-            for (word, corner) in words.iter_mut().zip(&self.corners) {
-                *word = unit.flat(&corner.flat);
+            let mut words = [[0; 2]; CORNERS];
+            for (k, word) in words.iter_mut().enumerate() {
+                let flat = face.corners[k % CORNERS].flat;
+                *word = unit.flat(&flat);
             }
+            face.words = Some(words);
         }
+        face
     }
 
     /// The corner after corner n.

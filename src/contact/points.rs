@@ -187,12 +187,9 @@ fn by_face(
     found: &mut Pairs,
 ) {
     let incident = usize::from(matches!(way.direction, Direction::Face { is_second: false, .. }));
-    let mut reference = Face::EMPTY;
-    let mut face = Face::EMPTY;
-    reference.fill(view, shape, number);
+    let reference = Face::new(view, shape, number);
     let mut is_enough = |number: u8| {
-        face.fill(view, other, number);
-        add_deeper(found, view, [&reference, &face], outward);
+        add_deeper(found, view, [&reference, &Face::new(view, other, number)], outward);
         found.count > 0 && !way.is_held
     };
     let of = bits(|k| way.along[incident % 2][k].is_ne());
@@ -209,19 +206,15 @@ fn by_face(
 /// after the translation, but two other faces do.
 #[inline(never)]
 fn by_any_faces(view: &View, [shape, other]: [&Solid<'_>; 2], outward: &Vec64, found: &mut Pairs) {
-    let mut face = Face::EMPTY;
-    let mut incident = Face::EMPTY;
     for number in shape.faces() {
-        face.fill(view, shape, number);
+        let face = Face::new(view, shape, number);
         for number in other.faces() {
-            incident.fill(view, other, number);
-            add_deeper(found, view, [&face, &incident], outward);
+            add_deeper(found, view, [&face, &Face::new(view, other, number)], outward);
         }
     }
     if found.count == 0 {
         // The coordinates overflow f64.
-        face.fill(view, shape, 0);
-        incident.fill(view, other, 0);
+        let [face, incident] = [shape, other].map(|shape| Face::new(view, shape, 0));
         let [(below, first), (at, second)] = [&face, &incident].map(|face| face.lowest(outward));
         let depth = dot(&minus(&below, &at), outward);
         if let Some(parts) = found.add(Pair { at: [below, at], depth }, 0.0) {

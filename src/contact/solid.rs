@@ -111,16 +111,15 @@ impl<'a> Solid<'a> {
 
     /// The corners of a face of a box.
     #[inline(always)]
-    pub(super) fn face(&self, view: &View, number: u8, corners: &mut [Corner; 4]) {
+    pub(super) fn face(&self, view: &View, number: u8) -> [Corner; 4] {
         let sides = SIDES[usize::from(number & 7)].map(Four::new);
         let at = three(|i| {
             let center = Four::splat(self.rough.at[0][i]);
             (0..3).fold(center, |at, k| at + sides[k] * Four::splat(self.reach[k][i]))
         });
         let (at, flat) = (at.map(Quad::to_array), view.flats(at).map(Quad::to_array));
-        for (n, corner) in corners.iter_mut().enumerate() {
-            *corner = Corner { at: three(|i| at[i][n]), flat: two(|k| flat[k][n]) };
-        }
+        let corner = |n: usize| Corner { at: three(|i| at[i][n]), flat: two(|k| flat[k][n]) };
+        [corner(0), corner(1), corner(2), corner(3)]
     }
 
     /// Whether a face of a box certainly has a normal in floats: its sides are not parallel, by far more
