@@ -214,8 +214,8 @@ fn by_any_faces(view: &View, [shape, other]: [&Solid<'_>; 2], outward: &Vec64, f
     }
     if found.count == 0 {
         // The coordinates overflow f64.
-        let [face, incident] = [shape, other].map(|shape| Face::new(view, shape, 0));
-        let [(below, first), (at, second)] = [&face, &incident].map(|face| face.lowest(outward));
+        let lowest = |shape| Face::new(view, shape, 0).lowest(outward);
+        let ((below, first), (at, second)) = (lowest(shape), lowest(other));
         let depth = dot(&minus(&below, &at), outward);
         if let Some(parts) = found.add(Pair { at: [below, at], depth }, 0.0) {
             *parts = [first, second].map(Part::Vertex);
