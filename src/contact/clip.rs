@@ -14,14 +14,14 @@ struct Seen<'a, T> {
     view: &'a View,
     from: &'a Face,
     face: &'a Face,
-    known: T,
+    known: &'a T,
 }
 
 impl<T: Known> Seen<'_, T> {
     /// The corners that meet a point of the other face across the normal, and that point.
     #[inline(always)]
     fn meeting(&self, outward: &Vec64) -> impl Iterator<Item = (usize, Vec64)> {
-        let [inside, outside] = self.known.within();
+        let (inside, outside) = self.known.within();
         // A processor foresees the end of a loop better than which corners lie outside.
         let left = !outside & ((1 << self.face.count()) - 1);
         ones(left).filter_map(move |m| Some((m, self.meets(m, inside >> m & 1 == 1, outward)?)))
@@ -95,7 +95,7 @@ impl<'a> Words<'a> {
 }
 
 impl Known for Words<'_> {
-    fn within(&self) -> [u32; 2] {
+    fn within(&self) -> (u32, u32) {
         within(self.all, self.left, self.right)
     }
 
@@ -136,11 +136,14 @@ impl Known for Words<'_> {
 pub(super) fn clip(view: &View, faces: [&Face; 2], outward: &Vec64, found: &mut Pairs) {
     let [reference, incident] = faces;
     if REGISTERS_ARE_WIDE {
-        let known = [Quads::new(view, reference, incident), Quads::new(view, incident, reference)];
-        overlap(view, faces, known, outward, found);
+        // Two, and not an array: they stay where they are.
+        let known = Quads::new(view, reference, incident);
+        let back = Quads::new(view, incident, reference);
+        overlap(view, faces, [&known, &back], outward, found);
     } else {
-        let known = [Words::new(view, reference, incident), Words::new(view, incident, reference)];
-        overlap(view, faces, known, outward, found);
+        let known = Words::new(view, reference, incident);
+        let back = Words::new(view, incident, reference);
+        overlap(view, faces, [&known, &back], outward, found);
     }
 }
 
@@ -161,7 +164,7 @@ fn add<'a>(
 fn overlap<T: Known>(
     view: &View,
     [reference, incident]: [&Face; 2],
-    [of_incident, of_reference]: [T; 2],
+    [of_incident, of_reference]: [&T; 2],
     outward: &Vec64,
     found: &mut Pairs,
 ) {
@@ -237,7 +240,7 @@ mod tests {
                 (x * x + y * y).sqrt() / view.tolerance
             };
             for m in 0..face.count() {
-                if known.within()[1] >> m & 1 == 0 {
+                if known.within().1 >> m & 1 == 0 {
                     if let Some(at) = known.point(m) {
                         assert!(apart(at, face.corner(m).flat) < 0.5);
                         within += 1;

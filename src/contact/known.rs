@@ -9,7 +9,7 @@ use crate::arithmetic::greatest;
 pub(super) trait Known {
     /// The corners that certainly lie within the other face, and those that certainly lie outside of it, as
     /// bits. All others are so near an edge that they may meet it.
-    fn within(&self) -> [u32; 2];
+    fn within(&self) -> (u32, u32);
     /// The point within the other face that meets corner m.
     fn point(&self, m: usize) -> Option<Vec64>;
     /// Which pairs of edges may cross, and for which [`sides`](Self::sides) is called. On small cores these
@@ -42,8 +42,8 @@ fn any(bits: u32) -> u32 {
 ///
 /// The lines of all edges have a point of the face on the same side.
 #[inline(always)]
-pub(super) fn within(all: u32, left: u32, right: u32) -> [u32; 2] {
-    [any(all) & !(any(all & !left) & any(all & !right)), any(left) & any(right)]
+pub(super) fn within(all: u32, left: u32, right: u32) -> (u32, u32) {
+    (any(all) & !(any(all & !left) & any(all & !right)), any(left) & any(right))
 }
 
 /// A bit for each edge of a face, at the first corner of the other.

@@ -19,7 +19,7 @@ pub(super) struct Quads {
     /// Four bits for each edge of the opposite face: the corners that certainly lie off its line.
     clear: u32,
     /// The corners that certainly lie within the other face, and outside of it.
-    within: [u32; 2],
+    within: (u32, u32),
     /// The last edge.
     last: usize,
     /// The corners that meet a point within the other face.
@@ -70,14 +70,14 @@ impl Quads {
         let crossing = left & next(right) | right & next(left);
         let within = within(0xffff, left & clear, right & clear);
         let (met, points) =
-            if within[1] == ALL { (0, [[0.0; CORNERS]; 3]) } else { points(view, from, &to) };
+            if within.1 == ALL { (0, [[0.0; CORNERS]; 3]) } else { points(view, from, &to) };
         Self { sides, crossing, clear, within, last, met, points }
     }
 }
 
 impl Known for Quads {
     #[inline(always)]
-    fn within(&self) -> [u32; 2] {
+    fn within(&self) -> (u32, u32) {
         self.within
     }
 
@@ -186,7 +186,8 @@ mod tests {
             for m in 0..face.count() {
                 let is_left = of(m).all(|sign| sign > 0) || of(m).all(|sign| sign < 0);
                 let is_out = of(m).any(|sign| sign > 0) && of(m).any(|sign| sign < 0);
-                assert_eq!(quads.within.map(|bits| bits >> m & 1 == 1), [is_left, is_out]);
+                let (inside, outside) = quads.within;
+                assert_eq!([inside, outside].map(|x| x >> m & 1 == 1), [is_left, is_out]);
                 if is_left {
                     let [x, y, _] = quads.point(m).unwrap();
                     let [to_x, to_y, _] = face.corner(m).at;
@@ -231,9 +232,9 @@ mod tests {
             let [from, face] = [Face::new(&view, &solid, 0), Face::new(&view, &other, 0)];
             let quads = Quads::new(&view, &from, &face);
             for m in 0..3 {
-                let [inside, outside] = quads.within.map(|bits| bits >> m & 1);
-                assert_eq!(outside, 0, "{sides:?} {at:?}");
-                skewed += 1 - inside;
+                let (inside, outside) = quads.within;
+                assert_eq!(outside >> m & 1, 0, "{sides:?} {at:?}");
+                skewed += 1 - (inside >> m & 1);
             }
         }
         assert!(skewed > 1_000, "{skewed}");

@@ -109,7 +109,9 @@ fn across([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
 
 /// The parameter of a point on an edge. NaN becomes the first end.
 fn clamped(t: f64) -> f64 {
-    if t > 0.0 { if t < 1.0 { t } else { 1.0 } } else { 0.0 }
+    // One after the other, without a branch.
+    let t = if t > 0.0 { t } else { 0.0 };
+    if t < 1.0 { t } else { 1.0 }
 }
 
 /// An edge, from one vertex to the next.
