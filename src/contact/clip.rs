@@ -136,14 +136,13 @@ impl Known for Words<'_> {
 pub(super) fn clip(view: &View, faces: [&Face; 2], outward: &Vec64, found: &mut Pairs) {
     let [reference, incident] = faces;
     if REGISTERS_ARE_WIDE {
-        // Two, and not an array: they stay where they are.
         let known = Quads::new(view, reference, incident);
-        let back = Quads::new(view, incident, reference);
-        overlap(view, faces, [&known, &back], outward, found);
+        let back = || (!known.is_around()).then(|| Quads::new(view, incident, reference));
+        overlap(view, faces, &known, back, outward, found);
     } else {
         let known = Words::new(view, reference, incident);
-        let back = Words::new(view, incident, reference);
-        overlap(view, faces, [&known, &back], outward, found);
+        let back = || Some(Words::new(view, incident, reference));
+        overlap(view, faces, &known, back, outward, found);
     }
 }
 
@@ -164,28 +163,30 @@ fn add<'a>(
 fn overlap<T: Known>(
     view: &View,
     [reference, incident]: [&Face; 2],
-    [of_incident, of_reference]: [&T; 2],
+    known: &T,
+    back: impl FnOnce() -> Option<T>,
     outward: &Vec64,
     found: &mut Pairs,
 ) {
-    let back = outward.map(|x| -x);
-    let of_incident = Seen { view, from: reference, face: incident, known: of_incident };
-    let of_reference = Seen { view, from: incident, face: reference, known: of_reference };
-    for (m, below) in of_incident.meeting(&back) {
+    let against = outward.map(|x| -x);
+    let of_incident = Seen { view, from: reference, face: incident, known };
+    for (m, below) in of_incident.meeting(&against) {
         if let Some(parts) = add(found, view, [below, incident.corner(m).at], outward) {
             *parts = [Part::Face(reference.number), Part::Vertex(incident.vertex(m))];
         }
     }
+    let Some(back) = &back() else { return };
+    let of_reference = Seen { view, from: incident, face: reference, known: back };
     for (n, at) in of_reference.meeting(outward) {
         if let Some(parts) = add(found, view, [reference.corner(n).at, at], outward) {
             *parts = [Part::Vertex(reference.vertex(n)), Part::Face(incident.number)];
         }
     }
-    let [crossings, known] = of_incident.known.crossings(&of_reference.known);
+    let [crossings, certain] = known.crossings(back);
     for pair in ones(crossings) {
         let (n, m) = (pair / CORNERS, pair % CORNERS);
         let (below, at) = (reference.edge(n), incident.edge(m));
-        let sides = (known >> pair & 1 == 1).then(|| of_incident.known.sides(n, m));
+        let sides = (certain >> pair & 1 == 1).then(|| known.sides(n, m));
         if let Some(places) = below.crossing(&at, view, sides) {
             if let Some(parts) = add(found, view, places, outward) {
                 *parts = [Part::Edge(below.number), Part::Edge(at.number)];

@@ -75,6 +75,17 @@ impl Quads {
     }
 }
 
+impl Quads {
+    /// Whether the other face certainly has this face within it: no corner of that face meets this one, and
+    /// no edges cross.
+    ///
+    /// All corners are off the lines of that face's edges by 2·T at least, less a rounding of 11·u·S, with the
+    /// tolerance T. Points between them, which have another 100·u·S, are off its corners by more than T.
+    pub(super) fn is_around(&self) -> bool {
+        self.within.0 == ALL && self.crossing == 0
+    }
+}
+
 impl Known for Quads {
     #[inline(always)]
     fn within(&self) -> (u32, u32) {
