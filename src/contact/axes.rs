@@ -6,8 +6,9 @@ use crate::arithmetic::{Number, REGISTERS_ARE_WIDE, pick, three, two};
 /// Which directions are certainly zero, or equal to an earlier one.
 pub(super) struct Axes {
     are_triangles: [bool; 2],
-    /// The axes of each box that equal one of the opposite box, as bits.
-    shared: [u8; 2],
+    /// The axes of each box that equal one of the opposite box, as bits 3·shape + k. In one number: two bytes
+    /// that are read together wait for their stores.
+    shared: u8,
     /// The coordinates of each side that are not zero, as bits.
     nonzero: [[u8; 3]; 2],
     /// Coordinate axes that have occurred, as directions that are not zero.
@@ -33,10 +34,10 @@ impl Axes {
                 *same = first.iter().position(|u| is_along(u) || is_against(u));
             }
         }
-        let mut shared = [0; 2];
+        let mut shared = 0;
         for (j, same) in same.iter().enumerate() {
             if let Some(i) = same {
-                shared = [shared[0] | 1 << i, shared[1] | 1 << j];
+                shared |= 1 << i | 8 << j;
             }
         }
         let bit = |x: &T, i: usize| u8::from(!x.is_zero()) << i;
@@ -54,7 +55,7 @@ impl Axes {
     /// Whether a direction of two boxes is zero, or equal to an earlier one, because of axes that
     /// the boxes share.
     fn is_shared(&self, direction: Direction) -> bool {
-        let [first, second] = self.shared;
+        let (first, second) = (self.shared & 7, self.shared >> 3);
         match direction {
             Direction::Face { is_second: false, .. } => false,
             Direction::Face { is_second: true, k } => (second | 1 << k) == 7,
@@ -67,7 +68,7 @@ impl Axes {
 
     /// Whether both are boxes, with the same axes.
     pub(super) fn are_alike(&self) -> bool {
-        self.shared == [7; 2]
+        self.shared == 63
     }
 
     /// Whether both are boxes with the coordinate axes.
@@ -87,7 +88,7 @@ impl Axes {
         match self.shared {
             // The faces of the first box.
             _ if self.are_alike() => 7,
-            [0, 0] if self.nonzero == [[7; 3]; 2] => every,
+            0 if self.nonzero == [[7; 3]; 2] => every,
             _ => all.iter().enumerate().fold(0, |needed, (n, direction)| {
                 needed | u16::from(!self.is_superfluous(*direction, &is_clear)) << n
             }),
