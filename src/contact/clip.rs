@@ -18,7 +18,7 @@ struct Seen<'a, T> {
 }
 
 impl<T: Known> Seen<'_, T> {
-    /// The corners that meet a point of the other face across the normal, and that point.
+    /// Each corner with a point of the other face that it meets across the normal.
     #[inline(always)]
     fn meeting(&self, outward: &Vec64) -> impl Iterator<Item = (usize, Vec64)> {
         let (inside, outside) = self.known.within();

@@ -1,4 +1,4 @@
-//! What is known of the corners of a face, seen from another face along the normal of a contact.
+//! The corners of a face, seen from another face along the normal of a contact: where they certainly are.
 
 use core::ops::{Div, Mul, Sub};
 
@@ -7,8 +7,8 @@ use crate::arithmetic::greatest;
 
 /// The positions of a face's corners relative to another face, where they are certain.
 pub(super) trait Known {
-    /// The corners that certainly lie within the other face, and those that certainly lie outside of it, as
-    /// bits. All others are so near an edge that they may meet it.
+    /// The corners certainly within the other face, and those certainly outside of it, as bits. All others
+    /// are so near an edge that they may meet it.
     fn within(&self) -> (u32, u32);
     /// The point within the other face that meets corner m.
     fn point(&self, m: usize) -> Option<Vec64>;
@@ -32,13 +32,13 @@ pub(super) fn ones(mut bits: u32) -> impl Iterator<Item = usize> {
     })
 }
 
-/// The corners that are so for some edge.
+/// The corners with a bit at some edge.
 #[inline(always)]
 fn any(bits: u32) -> u32 {
     (bits | bits >> 4 | bits >> 8 | bits >> 12) & 15
 }
 
-/// The corners within a face and outside of it, from those that certainly lie left and right of each edge.
+/// The corners within a face and outside of it, given the corners certainly left and right of each edge.
 ///
 /// The lines of all edges have a point of the face on the same side.
 #[inline(always)]

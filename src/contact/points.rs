@@ -59,7 +59,7 @@ impl<S: Scalar> Points<S> {
     }
 }
 
-/// What is so of each of three, as bits.
+/// Three answers as bits.
 #[inline(always)]
 fn bits(is: impl Fn(usize) -> bool) -> u8 {
     u8::from(is(0)) | u8::from(is(1)) << 1 | u8::from(is(2)) << 2

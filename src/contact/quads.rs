@@ -18,7 +18,7 @@ pub(super) struct Quads {
     crossing: u32,
     /// Four bits for each edge of the opposite face: the corners that certainly lie off its line.
     clear: u32,
-    /// The corners that certainly lie within the other face, and outside of it.
+    /// The corners certainly within the other face, and those certainly outside of it.
     within: (u32, u32),
     /// The last edge.
     last: usize,
@@ -76,11 +76,16 @@ impl Quads {
 }
 
 impl Quads {
-    /// Whether the other face certainly has this face within it: no corner of that face meets this one, and
+    /// Whether the other face is certainly around this one: none of its corners meets a point of this face, and
     /// no edges cross.
     ///
-    /// All corners are off the lines of that face's edges by 2·T at least, less a rounding of 11·u·S, with the
-    /// tolerance T. Points between them, which have another 100·u·S, are off its corners by more than T.
+    /// # The error
+    ///
+    /// With the sizes of [`View`]. All corners are clear of the lines through each corner of the other face, in the
+    /// coordinates as computed. Points between them err by less than 100·u·S: a parameter's product and its sums
+    /// by 10·u·S in each coordinate, which is 18·u·S across the normal, and the coordinates across the normal,
+    /// of the point and of its corners, by 6·u·S each. So all points are off the other face's corners by more than
+    /// the tolerance. `view.g` proves it.
     pub(super) fn is_around(&self) -> bool {
         self.within.0 == ALL && self.crossing == 0
     }
@@ -184,7 +189,7 @@ mod tests {
     fn corners_and_crossings_are_those_of_whole_numbers() {
         let mut random = Random(0x9ad5);
         let view = View::new(&[0.0, 0.0, 1.0], 32.0, Unit::new::<f32>(32.0));
-        let (mut within, mut crossed) = (0, 0);
+        let (mut within, mut crossed, mut around) = (0, 0, 0);
         for n in 0..20_000 {
             let face = |random: &mut Random, kind: bool| {
                 if kind { triangle(&view, random) } else { rectangle(&view, random) }
@@ -193,6 +198,10 @@ mod tests {
             let (quads, signs) = (Quads::new(&view, &from, &face), signs(&from, &face));
             let back = Quads::new(&view, &face, &from);
             let [crossings, _] = quads.crossings(&back);
+            if quads.is_around() {
+                assert_eq!((back.within.0, back.met, crossings), (0, 0, 0));
+                around += 1;
+            }
             let of = |m: usize| signs.iter().take(from.count()).map(move |signs| signs[m]);
             for m in 0..face.count() {
                 let is_left = of(m).all(|sign| sign > 0) || of(m).all(|sign| sign < 0);
@@ -214,7 +223,8 @@ mod tests {
                 }
             }
         }
-        assert!(within > 5_000 && crossed > 50_000, "{within} {crossed}");
+        let counts = [within, crossed, around];
+        assert!(within > 5_000 && crossed > 50_000 && around > 200, "{counts:?}");
     }
 
     /// The sides of a box are parallel to 10^-12 and less, one is up to 2^30 times as long as another, and

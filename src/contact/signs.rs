@@ -14,8 +14,8 @@ impl Filter<'_> {
         is_rounded(one) + is_rounded(other)
     }
 
-    /// The sides that are perpendicular to the direction because they are its own, given as numbers, equal one of these,
-    /// or are the third edge of the triangle that both belong to: bit 3·shape + k for side k.
+    /// The sides that are perpendicular to the direction because they are its own, given as numbers, equal
+    /// one of these, or are the third edge of the triangle that both belong to: bit 3·shape + k for side k.
     fn across(&self, [one, other]: [u8; 2]) -> u8 {
         let mut across = 1_u8 << one | 1 << other;
         for (j, same) in self.axes.same.iter().enumerate() {

@@ -56,6 +56,9 @@ at_least = 1.4142*(L2 + 1);
 of_root = at_least*at_least - square;
 of_side = 67*(L2 + 3.4642) + 3.01*L2*3.4642;
 is_clear = at_least*ROUNDOFFS - of_side - L2*ROUNDOFFS;
+# A clear corner in the coordinates that were computed, so that the side has its own roundings alone. It is off
+# the line by more than the tolerance and 100·U (`Quads::is_around`).
+is_around = at_least*ROUNDOFFS - 3.01*L2*3.4642 - L2*(ROUNDOFFS + 100);
 
 # Depths. Eleven roundings in a term of an overlap: three of a half-edge, one of the normal, three of the
 # product, three of the sum of terms, and one of the two shapes. A place errs by 3·U in each coordinate.
@@ -77,7 +80,7 @@ known = (exact - 3*T)*(1 + U*k4);
 -> x*x + y*y - 0.25*ROUNDOFFS*ROUNDOFFS*U*U <= 0
 /\ of_place_there <= 1b-28 /\ apart - 0.5*ROUNDOFFS*U <= 0
 /\ asked - known <= 0
-/\ of_root <= 0 /\ is_clear >= 0 }
+/\ of_root <= 0 /\ is_clear >= 0 /\ is_around >= 0 }
 
 first -> -U*(s*a0*(r4 + r5 + U*r4*r5) + t*b0*r6);
 second -> f*first + U*(s*(f*a0)*r1 - f*c0*r9 + t*(f*b0)*r2 - t*(b1 - fb)*r3 - t*d*(r7 + r8 + U*r7*r8));
@@ -88,3 +91,4 @@ along - v -> U*(4.01*w*q7*(1 + 5.01*U*q8) + 5.01*v*q8);
 asked - known -> U*(28.2*1.7321*k1 + overlap*k3 - 3*depth*k2 - exact*k4 - ROUNDOFFS*(1 + 4*U*k3 - 3*U*k4));
 of_root -> -2*((L2 - 1)*(L2 - 1)) - 0.00003836*((L2 + 1)*(L2 + 1)) + 40*U*(L2*L2 + 1);
 is_clear -> L2*(0.4142*ROUNDOFFS - 67 - 3.01*3.4642) + 1.4142*ROUNDOFFS - 67*3.4642;
+is_around -> L2*(0.4142*ROUNDOFFS - 100 - 3.01*3.4642) + 1.4142*ROUNDOFFS;
