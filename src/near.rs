@@ -57,12 +57,17 @@
 //! | --- | --- | --- |
 //! | ray, triangle | fixed point | `hit`, `hit_once`, `hit_with`, `is_hit`, `is_hit_with` |
 //! | triangle, axis-aligned box | fixed point, `f32` | `overlaps`, `may_overlap`; in fixed point [`relation`](crate::relation::Relate) |
+//! | ray, axis-aligned box | fixed point | `overlaps`, in integers of 64 bits |
+//! | segment, axis-aligned box | fixed point | `overlaps`, in integers of 64 bits |
+//! | segment, oriented box | fixed point | `overlaps` |
 //! | triangle and axis-aligned box, one of them moving (`Moving`) | fixed point | `meets`, `first_contact` |
 //! | triangle, oriented box | fixed point | `overlaps`, `may_overlap` |
 //! | mesh, box, oriented box, sphere or capsule | fixed point | `overlapping` of its tree (`Tree::near`) |
+//! | mesh, ray | fixed point | `first_hit`, `first_hit_where`, `is_hit`, `is_hit_with`, `hits_with` of its tree |
 //! | triangle, sphere or capsule | fixed point | `overlaps`, in integers of up to 128 bits |
 //!
-//! The answers are bit for bit the answers of the ordinary shapes.
+//! The answers are bit for bit the answers of the ordinary shapes, except that `may_overlap` of a segment and
+//! an oriented box is exact.
 
 #[cfg(feature = "fixed")]
 pub use crate::query::Moving;
@@ -129,7 +134,7 @@ mod tests {
     use fixed::types::I16F16;
 
     use crate::relation::{Relate, Relation};
-    use crate::{Aabb, Capsule, Obb, Ray, ShapeError, Sphere, Triangle};
+    use crate::{Aabb, Capsule, Obb, Ray, Segment, ShapeError, Sphere, Triangle};
 
     const MOST: i32 = (1 << 17) - 1;
     const LONGEST: i32 = (1 << 19) - 1;
@@ -162,6 +167,15 @@ mod tests {
         assert!(obb(MOST, LONGEST, LONGEST).is_ok());
         assert!(obb(MOST + 1, 1, 1).is_err() && obb(0, LONGEST + 1, 1).is_err());
         assert!(obb(0, 1, LONGEST + 1).is_err());
+        let ends = |x| Segment::new(at(0, x, 0), at(1, 0, x)).unwrap().near();
+        assert!(ends(MOST).is_ok() && ends(-MOST - 1).is_ok() && ends(MOST + 1).is_err());
+        let about =
+            |c, h| Segment::from_center_half_vector(at(c, 0, 0), at(h, 1, 1)).unwrap().near();
+        assert!(about(0, MOST).is_ok() && about(0, -MOST).is_ok() && about(MOST, 0).is_ok());
+        assert!(
+            about(0, MOST + 2).is_err() && about(1, MOST).is_err() && about(1, -MOST - 3).is_err()
+        );
+        assert!(about(0, i32::MAX).is_err() && about(0, i32::MIN).is_err());
         let sphere = |c, r| Sphere::new(at(c, 0, 0), I16F16::from_bits(r)).unwrap().near();
         assert!(sphere(-MOST - 1, WIDEST).is_ok());
         assert!(sphere(MOST + 1, 0).is_err() && sphere(0, WIDEST + 1).is_err());
@@ -180,7 +194,7 @@ mod tests {
             seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             ((u64::from(seed) * u64::from(n)) >> 32) as i32
         };
-        let mut yes = [0; 7];
+        let mut yes = [0; 10];
         for case in 0..20_000 {
             let mut number = |most: i32| match case % 3 {
                 0 => below(2 * most as u32) - most,
@@ -209,6 +223,40 @@ mod tests {
             assert_eq!(aabb.near().unwrap().relation(&near), relation);
             yes[6] += u32::from(relation == Relation::Touching);
             yes[2] += u32::from(overlap);
+            let about = q.map(|x| x >> 1).map(|x| if case % 2 == 0 { x } else { x >> 3 });
+            let center = p.map(|x| x >> 1);
+            for aabb in [
+                aabb,
+                Aabb::from_center_half_extents(center, about.map(I16F16::saturating_abs)).unwrap(),
+            ] {
+                let Ok(close) = aabb.near() else { continue };
+                if let Ok(ray) = Ray::new(point(MOST), point(LONGEST)) {
+                    let [from, to] = [point(MOST)[0], point(MOST)[0]];
+                    let far = if case % 5 == 0 { I16F16::MAX } else { to.max(from) };
+                    for ray in [
+                        Some(ray),
+                        ray.with_range(from, far).ok(),
+                        ray.with_range(None, from).ok(),
+                        ray.with_range(I16F16::MIN, I16F16::MIN + to.saturating_abs()).ok(),
+                    ] {
+                        let Some(ray) = ray else { continue };
+                        let near = ray.near().unwrap();
+                        assert_eq!(near.overlaps(&close), ray.overlaps(&aabb), "{ray:?} {aabb:?}");
+                        assert_eq!(close.overlaps(&near), ray.overlaps(&aabb));
+                        yes[7] += u32::from(ray.overlaps(&aabb));
+                    }
+                }
+                let half = point(MOST).map(|x| x >> 2);
+                for segment in [
+                    Segment::new(point(MOST), point(MOST)).unwrap(),
+                    Segment::from_center_half_vector(center, half).unwrap(),
+                ] {
+                    let Ok(near) = segment.near() else { continue };
+                    assert_eq!(near.overlaps(&close), segment.overlaps(&aabb));
+                    assert_eq!(close.overlaps(&near), segment.overlaps(&aabb));
+                    yes[8] += u32::from(segment.overlaps(&aabb));
+                }
+            }
             let axes = [point(LONGEST), point(LONGEST), point(LONGEST)];
             let half = point(LONGEST).map(|x| x.saturating_abs() >> 4);
             if let Ok(obb) = Obb::from_skewed_axes(p, axes, half) {
@@ -217,6 +265,20 @@ mod tests {
                 assert_eq!(close.overlaps(&near), triangle.overlaps(&obb));
                 assert_eq!(close.may_overlap(&near), obb.may_overlap(&triangle));
                 yes[3] += u32::from(triangle.overlaps(&obb));
+                let by = q.map(|x| x >> 2);
+                for segment in [
+                    Segment::new(q, point(MOST)).unwrap(),
+                    Segment::from_center_half_vector(center, by).unwrap(),
+                ] {
+                    let near = segment.near().unwrap();
+                    assert_eq!(
+                        near.overlaps(&close),
+                        segment.overlaps(&obb),
+                        "{segment:?} {obb:?}"
+                    );
+                    assert_eq!(close.may_overlap(&near), segment.overlaps(&obb));
+                    yes[9] += u32::from(segment.overlaps(&obb));
+                }
             }
             // Radii up to the greatest, which reach across the whole range.
             let radius = match case % 4 {

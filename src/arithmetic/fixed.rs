@@ -12,7 +12,7 @@ use super::big_int::BigInt;
 use super::ends::{enclosed, enclosed_on_line};
 use super::filtered::{Filtered, compare_quotient};
 use super::in_float::{FirstFloat, InFloat};
-use super::integer::{Int8, Int16, Int32, Int64, below};
+use super::integer::{Int8, Int16, Int32, Int64, IntNear, below};
 use super::nearest_whole::{nearest_of_all, nearest_whole, nearest_whole_of_row};
 use super::number::Number;
 use super::quotient::Dividend;
@@ -104,6 +104,7 @@ macro_rules! embeds {
 embeds! { integers, #[inline(always)]:
     FixedI8, LeEqU8, Int8, i32, Int32, |_all| true;
     FixedI16, LeEqU16, Int16, i32, Int64, |_all| true;
+    FixedI32, LeEqU32, IntNear, i32, Int64, |_all| true;
     FixedI32, LeEqU32, Int16, i32, Int64, |all| below(all.as_flattened(), 18);
     FixedI32, LeEqU32, Int32, i32, Int64, |all| below(all.as_flattened(), 28);
     FixedI32, LeEqU32, Int64, i64, Window, |_all| true;

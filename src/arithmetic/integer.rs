@@ -45,6 +45,11 @@ pub struct Int8;
 #[derive(Clone, Copy, Debug)]
 pub struct Int16;
 
+/// [`Int16`] for lines and boxes that were checked when they were made. It holds whatever it is given.
+#[cfg(feature = "fixed")]
+#[derive(Clone, Copy, Debug)]
+pub struct IntNear;
+
 /// For 32-bit coordinates below 2^28: areas in `i64`, volumes in `i128`.
 #[cfg(feature = "fixed")]
 #[derive(Clone, Copy, Debug)]
@@ -137,6 +142,8 @@ integers! {
         |a: i64, b: i64| a * b, |a: i64, b: i64| a * b, i64; Self, |_: i32| false;
     Int32: i32, i64, i128, |a, b| i128::from(a) * i128::from(b), i128, of_four, I256, I256::of_two,
         I256::of_two, i128; Int16, |size: i32| !REGISTERS_ARE_WIDE && size >> 20 == 0;
+    IntNear: i32, i64, i64, |a, b| a * i64::from(b), i128, of_four, i128, of_four,
+        of_four_and_two, i128; Self, |_: i32| false;
 }
 integers! {
     Int16: i32, i64, i64, |a, b| a * i64::from(b), i128, of_four, i128, of_four,

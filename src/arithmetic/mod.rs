@@ -55,7 +55,7 @@ pub(crate) use index::{each, pick, three, turn, two};
 #[cfg(feature = "fixed")]
 pub(crate) use integer::Int64;
 #[cfg(feature = "fixed")]
-pub(crate) use integer::{Int8, Int32};
+pub(crate) use integer::{Int8, Int32, IntNear};
 pub(crate) use integer::{Int16, Int64Narrow, Int64OfFloats, of_four};
 pub use interval::Interval;
 #[cfg(feature = "fixed")]

@@ -24,19 +24,77 @@
 
 use core::cmp::Ordering;
 
+use self::sealed::Cast;
 use super::grid::Grid;
 use super::node::{Cell, Node};
 use crate::arithmetic::{OfFour, Quad, each, greatest, least, three};
+use crate::query::{Hit, HitRules};
 use crate::scalar::Scalar;
-use crate::shape::Ray;
+use crate::shape::{Aabb, Ray, Triangle};
 
 /// One number for each child of a node.
 type Four = <f32 as OfFour>::Quad;
 
+pub(super) mod sealed {
+    use core::cmp::Ordering;
+
+    use crate::query::{Hit, HitRules};
+    use crate::scalar::Scalar;
+    use crate::shape::{Aabb, Ray, Triangle};
+
+    /// A ray that is cast through a tree, with the code that it links.
+    pub trait Cast<S: Scalar>: Copy {
+        /// The ordinary ray.
+        fn ray(&self) -> &Ray<S>;
+
+        /// The ray, up to `t_max`.
+        fn until(self, t_max: S) -> Self;
+
+        /// Whether the ray meets a box of the tree.
+        fn meets(&self, aabb: &Aabb<S>) -> bool;
+
+        /// [`Ray::hit_with`].
+        fn hit(&self, triangle: &Triangle<S>, rules: HitRules) -> Option<Hit<S>>;
+
+        /// [`Ray::is_hit_with`].
+        fn is_hit(&self, triangle: &Triangle<S>, rules: HitRules) -> bool;
+
+        /// The order of two hits, given the t of each.
+        fn compare(&self, a: (&Triangle<S>, S), b: (&Triangle<S>, S)) -> Ordering;
+    }
+}
+
+impl<S: Scalar> Cast<S> for Ray<S> {
+    #[inline(always)]
+    fn ray(&self) -> &Self {
+        self
+    }
+    #[inline(always)]
+    fn until(self, t_max: S) -> Self {
+        Self::until(self, t_max)
+    }
+    #[inline(always)]
+    fn meets(&self, aabb: &Aabb<S>) -> bool {
+        self.overlaps(aabb)
+    }
+    #[inline(always)]
+    fn hit(&self, triangle: &Triangle<S>, rules: HitRules) -> Option<Hit<S>> {
+        self.hit_with(triangle, rules)
+    }
+    #[inline(always)]
+    fn is_hit(&self, triangle: &Triangle<S>, rules: HitRules) -> bool {
+        self.is_hit_with(triangle, rules)
+    }
+    #[inline(always)]
+    fn compare(&self, a: (&Triangle<S>, S), b: (&Triangle<S>, S)) -> Ordering {
+        self.compare_found(a, b)
+    }
+}
+
 /// A ray on its way down the tree.
 #[derive(Clone, Debug)]
-pub(super) struct Descent<S: Scalar> {
-    ray: Ray<S>,
+pub(super) struct Descent<S: Scalar, R = Ray<S>> {
+    ray: R,
     grid: Grid<S>,
     fast: GridRay,
     /// The part of the grid that the ray can reach, for the exact test.
@@ -59,7 +117,7 @@ pub(super) trait Descend {
     fn reaches(&self, sooner: i32) -> bool;
 }
 
-impl<S: Scalar> Descend for Descent<S> {
+impl<S: Scalar, R: Cast<S>> Descend for Descent<S, R> {
     #[inline(always)]
     fn meets(&self, node: &Node) -> Met {
         if S::IS_FAST { self.fast.meets(node) } else { self.meets_exactly(node) }
@@ -71,23 +129,23 @@ impl<S: Scalar> Descend for Descent<S> {
     }
 }
 
-impl<S: Scalar> Descent<S> {
-    pub(super) fn new(grid: &Grid<S>, ray: &Ray<S>) -> Self {
+impl<S: Scalar, R: Cast<S>> Descent<S, R> {
+    pub(super) fn new(grid: &Grid<S>, ray: &R) -> Self {
         // A choice known at compile time, so that machines without floats link none.
-        let fast = if S::IS_FAST { GridRay::new(grid, ray) } else { GridRay::EVERYWHERE };
-        let octant = if S::IS_FAST { Cell::ALL } else { octant(grid, ray) };
+        let fast = if S::IS_FAST { GridRay::new(grid, ray.ray()) } else { GridRay::EVERYWHERE };
+        let octant = if S::IS_FAST { Cell::ALL } else { octant(grid, ray.ray()) };
         Self { ray: *ray, grid: *grid, fast, octant }
     }
 
     fn meets_exactly(&self, node: &Node) -> Met {
         let (mut mask, mut sooner) = (node.meeting(&self.octant), [0; 4]);
-        let d = self.ray.direction().to_array();
+        let d = self.ray.ray().direction().to_array();
         for k in 0..4 {
             if mask >> k & 1 == 0 {
                 continue;
             }
             let cell = node.cell(k);
-            if !self.ray.overlaps(&self.grid.aabb(&cell)) {
+            if !self.ray.meets(&self.grid.aabb(&cell)) {
                 mask ^= 1 << k;
                 continue;
             }
@@ -101,7 +159,7 @@ impl<S: Scalar> Descent<S> {
         if S::IS_FAST {
             self.fast.limit(t.farthest());
         } else if let Some(t) = t.farthest_number() {
-            let end = self.ray.t_max().map_or(t, |end| least(end, t));
+            let end = self.ray.ray().t_max().map_or(t, |end| least(end, t));
             self.ray = self.ray.until(end);
         }
     }

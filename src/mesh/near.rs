@@ -1,12 +1,17 @@
 //! Meshes near the origin.
 
+use core::cmp::Ordering;
+
 use fixed::FixedI32;
 use fixed::types::extra::LeEqU32;
 
+use super::descent::sealed::Cast;
 use super::overlapping::sealed::Bounded;
-use super::{Index, Overlapping, Tree};
+use super::{Hits, Index, Overlapping, Tree};
+use crate::arithmetic::InWholeWord;
+use crate::query::{Hit, HitRules};
 use crate::scalar::Scalar;
-use crate::shape::{Near, Overlaps, ShapeError, Triangle};
+use crate::shape::{Aabb, Near, Overlaps, Ray, ShapeError, Triangle};
 
 impl<Frac: LeEqU32 + Send + Sync + 'static, I: Index> Tree<'_, FixedI32<Frac>, I> {
     /// The tree, for queries without the code for distant shapes: see [`near`](crate::near).
@@ -49,6 +54,102 @@ impl<'a, S: Scalar, I: Index> Near<Tree<'a, S, I>> {
     }
 }
 
+/// Rays. Hits have the same bits as in the ordinary tree.
+impl<'a, S: Scalar, I: Index> Near<Tree<'a, S, I>>
+where
+    Near<Ray<S>>: Cast<S>,
+{
+    /// [`Tree::first_hit`] without the code for distant shapes.
+    ///
+    /// ```
+    /// use fixed::types::I16F16;
+    /// use septum::mesh::{Mesh, Node, Tree};
+    /// use septum::{Ray, Vec3};
+    ///
+    /// // A unit in the last place is a micrometre.
+    /// let at = |x: i32, y: i32, z: i32| Vec3::from([x, y, z].map(|mm| I16F16::from_bits(1000 * mm)));
+    /// let corners = [at(0, 0, 0), at(90, 0, 0), at(0, 90, 0), at(90, 90, 0)];
+    /// let mesh = Mesh::new(&corners, &[[0_u16, 1, 2], [3, 2, 1]])?;
+    /// let (mut nodes, mut order) = ([Node::EMPTY], [0; 2]);
+    /// let floor = Tree::build(mesh, &mut nodes, &mut order)?.near()?;
+    /// let down = Ray::new(at(80, 80, 40), at(0, 0, -80))?.near()?;
+    /// let (triangle, hit) = floor.first_hit(&down).unwrap();
+    /// assert_eq!((triangle, hit.t), (1, I16F16::from_num(0.5)));
+    /// let through_the_edge = Ray::new(at(45, 45, 40), at(0, 0, -80))?.near()?;
+    /// assert_eq!(floor.first_hit(&through_the_edge).unwrap().0, 0); // the lowest index
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[doc(alias = "raycast")]
+    #[must_use]
+    pub fn first_hit(&self, ray: &Near<Ray<S>>) -> Option<(usize, Hit<S>)> {
+        self.first_hit_where(ray, HitRules::new(), |_, _| true)
+    }
+
+    /// [`Tree::first_hit_where`] without the code for distant shapes.
+    #[must_use]
+    pub fn first_hit_where(
+        &self,
+        ray: &Near<Ray<S>>,
+        rules: HitRules,
+        accepts: impl FnMut(usize, &Hit<S>) -> bool,
+    ) -> Option<(usize, Hit<S>)> {
+        self.get().first_of(ray, rules, accepts)
+    }
+
+    /// [`Tree::is_hit`] without the code for distant shapes.
+    #[must_use]
+    pub fn is_hit(&self, ray: &Near<Ray<S>>) -> bool {
+        self.is_hit_with(ray, HitRules::new())
+    }
+
+    /// [`Tree::is_hit_with`] without the code for distant shapes.
+    #[must_use]
+    pub fn is_hit_with(&self, ray: &Near<Ray<S>>, rules: HitRules) -> bool {
+        self.get().has_hit(ray, rules)
+    }
+
+    /// [`Tree::hits_with`] without the code for distant shapes.
+    pub fn hits_with<'t>(
+        &'t self,
+        ray: &Near<Ray<S>>,
+        rules: HitRules,
+    ) -> Hits<'t, 'a, S, I, Near<Ray<S>>> {
+        Hits::new(self.get(), ray, rules)
+    }
+}
+
+/// For the triangles and the boxes of a near tree alone. Its grid has steps of at most 8 units, and so
+/// no box reaches 2²⁰ units.
+impl<S: Scalar + InWholeWord<i32>> Cast<S> for Near<Ray<S>>
+where
+    Self: Overlaps<Near<Aabb<S>>>,
+{
+    #[inline(always)]
+    fn ray(&self) -> &Ray<S> {
+        self.get()
+    }
+    #[inline(always)]
+    fn until(self, t_max: S) -> Self {
+        Self::unchecked(self.get().until(t_max))
+    }
+    #[inline(always)]
+    fn meets(&self, aabb: &Aabb<S>) -> bool {
+        self.overlaps(&Near::unchecked(*aabb))
+    }
+    #[inline(always)]
+    fn hit(&self, triangle: &Triangle<S>, rules: HitRules) -> Option<Hit<S>> {
+        self.hit_with(&Near::unchecked(*triangle), rules)
+    }
+    #[inline(always)]
+    fn is_hit(&self, triangle: &Triangle<S>, rules: HitRules) -> bool {
+        self.is_hit_with(&Near::unchecked(*triangle), rules)
+    }
+    #[inline(always)]
+    fn compare(&self, a: (&Triangle<S>, S), b: (&Triangle<S>, S)) -> Ordering {
+        self.compare_found(a, b)
+    }
+}
+
 /// For triangles near the origin alone.
 impl<S: Scalar, P: Bounded<S>> Bounded<S> for Near<P>
 where
@@ -72,7 +173,7 @@ mod tests {
     use fixed::types::I16F16;
 
     use crate::mesh::{Mesh, Node, Tree};
-    use crate::{Aabb, Capsule, Obb, ShapeError, Sphere, Vec3};
+    use crate::{Aabb, Capsule, HitRules, Obb, Ray, ShapeError, Sphere, Vec3};
 
     const MOST: i32 = (1 << 17) - 1;
 
@@ -88,6 +189,66 @@ mod tests {
             let near = Tree::build(mesh, &mut nodes, &mut order).unwrap().near();
             assert_eq!(near.map(|_| ()), if is_known { Ok(()) } else { Err(ShapeError::NotNear) });
         }
+    }
+
+    /// Rays with ranges that end anywhere, through a mesh on a coarse grid with many hits at one point,
+    /// up to the limit.
+    #[test]
+    fn the_same_triangles_are_hit() {
+        let mut random = crate::random::Random(4);
+        let mut below = |n: i32| (random.bits() % n as u64) as i32;
+        let mut point = |most: i32| -> Vec3<I16F16> {
+            let fine = below(2);
+            [(); 3]
+                .map(|()| I16F16::from_bits((below(9) - 4) * (most >> 2) + below(7) * fine))
+                .into()
+        };
+        let mut near = || loop {
+            let p = point(MOST);
+            if p.to_array().iter().all(|x| (-MOST - 1..=MOST).contains(&x.to_bits())) {
+                break p;
+            }
+        };
+        let corners: [_; 40] = core::array::from_fn(|_| near());
+        let faces: [_; 60] =
+            core::array::from_fn(|k| [k, k * 7 + 1, k * 11 + 2].map(|i| (i % 40) as u16));
+        let mesh = Mesh::new(&corners, &faces).unwrap();
+        let (mut nodes, mut order) = ([Node::EMPTY; Node::count_for(60)], [0; 60]);
+        let tree = Tree::build(mesh, &mut nodes, &mut order).unwrap();
+        let close = tree.near().unwrap();
+        let (mut hits, mut ties) = (0, 0);
+        for case in 0..6_000 {
+            let (p, q) = (near(), near());
+            // The direction of a point, of a corner, or up to the limit.
+            let to = if case % 2 == 0 { q } else { corners[case % 40] };
+            let d = core::array::from_fn(|i| to.to_array()[i] - p.to_array()[i]);
+            let d = if case % 3 == 0 { q.to_array().map(|x| x * 4) } else { d };
+            let Ok(ray) = Ray::new(p, d) else { continue };
+            let end = q.to_array()[0];
+            let ranges = [
+                Some(ray),
+                ray.with_range(None, end).ok(),
+                ray.with_range(end.min(-end), I16F16::MAX).ok(),
+                ray.with_range(I16F16::ZERO, end.abs()).ok(),
+            ];
+            for ray in ranges.into_iter().flatten() {
+                let near = ray.near().unwrap();
+                let first = tree.first_hit(&ray);
+                assert_eq!(close.first_hit(&near), first, "{ray:?}");
+                assert_eq!(close.is_hit(&near), first.is_some());
+                for rules in [HitRules::new(), HitRules::new().once()] {
+                    assert!(close.hits_with(&near, rules).eq(tree.hits_with(&ray, rules)));
+                    let without_first = |i: usize| first.is_none_or(|(j, _)| i != j);
+                    let next = close.first_hit_where(&near, rules, |i, _| without_first(i));
+                    assert_eq!(next, tree.first_hit_where(&ray, rules, |i, _| without_first(i)));
+                    assert_eq!(close.is_hit_with(&near, rules), tree.is_hit_with(&ray, rules));
+                    let is_tie = |t| first.is_some_and(|(_, hit)| hit.t == t);
+                    ties += u32::from(next.is_some_and(|(_, hit)| is_tie(hit.t)));
+                }
+                hits += u32::from(first.is_some());
+            }
+        }
+        assert!(hits > 3_000 && ties > 1_000, "{hits} {ties}");
     }
 
     /// A mesh on a coarse grid, where shapes often touch, up to the limit.

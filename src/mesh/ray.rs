@@ -3,6 +3,7 @@
 use core::cmp::Ordering;
 use core::ops::{ControlFlow, Range};
 
+use super::descent::sealed::Cast;
 use super::descent::{Descend, Descent};
 use super::node::Node;
 use super::walk::{Walk, descend};
@@ -79,13 +80,23 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
         &self,
         ray: &Ray<S>,
         rules: HitRules,
+        accepts: impl FnMut(usize, &Hit<S>) -> bool,
+    ) -> Option<(usize, Hit<S>)> {
+        self.first_of(ray, rules, accepts)
+    }
+
+    #[inline(always)]
+    pub(super) fn first_of<R: Cast<S>>(
+        &self,
+        ray: &R,
+        rules: HitRules,
         mut accepts: impl FnMut(usize, &Hit<S>) -> bool,
     ) -> Option<(usize, Hit<S>)> {
         let mut descent = Descent::new(&self.grid, ray);
         let mut best: Option<(usize, Hit<S>)> = None;
         let _ = descend(self.nodes, &self.layout, &mut descent, |descent, leaf| {
-            for i in self.not_missed(ray, leaf).map(|place| self.index(place)) {
-                let Some(hit) = ray.hit_with(&self.mesh.known(i), rules) else { continue };
+            for i in self.not_missed(ray.ray(), leaf).map(|place| self.index(place)) {
+                let Some(hit) = ray.hit(&self.mesh.known(i), rules) else { continue };
                 let is_first =
                     best.is_none_or(|best| self.is_before(ray, (i, &hit), (best.0, &best.1)));
                 if is_first && accepts(i, &hit) {
@@ -108,13 +119,18 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     }
 
     /// Whether hit `a` comes before hit `b` along the ray, or has the lower index if they tie.
-    fn is_before(&self, ray: &Ray<S>, (i, a): (usize, &Hit<S>), (j, b): (usize, &Hit<S>)) -> bool {
+    fn is_before<R: Cast<S>>(
+        &self,
+        ray: &R,
+        (i, a): (usize, &Hit<S>),
+        (j, b): (usize, &Hit<S>),
+    ) -> bool {
         let (of_a, of_b) = (self.mesh.known(i), self.mesh.known(j));
         // A shortcut to the answer that the exact comparison would give.
         if is_same(&met(&of_a, a.feature), &met(&of_b, b.feature)) {
             return i < j;
         }
-        match ray.compare_found((&of_a, a.t), (&of_b, b.t)) {
+        match ray.compare((&of_a, a.t), (&of_b, b.t)) {
             Ordering::Less => true,
             Ordering::Equal => i < j,
             Ordering::Greater => false,
@@ -135,14 +151,19 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     /// [`is_hit`](Self::is_hit) under other rules, such as culling.
     #[must_use]
     pub fn is_hit_with(&self, ray: &Ray<S>, rules: HitRules) -> bool {
-        let is_hit = |i: usize| ray.is_hit_with(&self.mesh.known(i), rules);
+        self.has_hit(ray, rules)
+    }
+
+    #[inline(always)]
+    pub(super) fn has_hit<R: Cast<S>>(&self, ray: &R, rules: HitRules) -> bool {
+        let is_hit = |i: usize| ray.is_hit(&self.mesh.known(i), rules);
         if !REGISTERS_ARE_WIDE {
             let mut near = LeafTriangles::new(self, ray);
             return core::iter::from_fn(|| near.next(self, ray)).any(is_hit);
         }
         let mut descent = Descent::new(&self.grid, ray);
         descend(self.nodes, &self.layout, &mut descent, |_, leaf| {
-            if self.not_missed(ray, leaf).any(|place| is_hit(self.index(place))) {
+            if self.not_missed(ray.ray(), leaf).any(|place| is_hit(self.index(place))) {
                 ControlFlow::Break(())
             } else {
                 ControlFlow::Continue(())
@@ -176,7 +197,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
 
     /// [`hits`](Self::hits) under other rules, such as culling.
     pub fn hits_with<'t>(&'t self, ray: &Ray<S>, rules: HitRules) -> Hits<'t, 'a, S, I> {
-        Hits { tree: self, ray: *ray, rules, near: LeafTriangles::new(self, ray) }
+        Hits::new(self, ray, rules)
     }
 }
 
@@ -224,14 +245,14 @@ impl Iterator for Near {
 
 /// The triangles in the leaves that a ray meets.
 #[derive(Clone, Debug)]
-struct LeafTriangles<S: Scalar> {
-    descent: Descent<S>,
+struct LeafTriangles<S: Scalar, R> {
+    descent: Descent<S, R>,
     walk: Walk,
     leaf: Near,
 }
 
-impl<S: Scalar> LeafTriangles<S> {
-    fn new<I: Index>(tree: &Tree<'_, S, I>, ray: &Ray<S>) -> Self {
+impl<S: Scalar, R: Cast<S>> LeafTriangles<S, R> {
+    fn new<I: Index>(tree: &Tree<'_, S, I>, ray: &R) -> Self {
         let descent = Descent::new(&tree.grid, ray);
         let walk = Walk::new(tree.nodes, |root| descent.meets(root).mask);
         Self { descent, walk, leaf: Near { from: 0, left: 0 } }
@@ -239,34 +260,40 @@ impl<S: Scalar> LeafTriangles<S> {
 
     /// The index of the next triangle.
     #[inline(always)]
-    fn next<I: Index>(&mut self, tree: &Tree<'_, S, I>, ray: &Ray<S>) -> Option<usize> {
+    fn next<I: Index>(&mut self, tree: &Tree<'_, S, I>, ray: &R) -> Option<usize> {
         loop {
             if let Some(place) = self.leaf.next() {
                 return Some(tree.index(place));
             }
             let mask = |node: &Node| self.descent.meets(node).mask;
             let leaf = self.walk.next(tree.nodes, &tree.layout, mask)?;
-            self.leaf = tree.not_missed(ray, leaf);
+            self.leaf = tree.not_missed(ray.ray(), leaf);
         }
     }
 }
 
 /// The triangles that a ray hits: see [`Tree::hits`].
 #[derive(Clone, Debug)]
-pub struct Hits<'t, 'a, S: Scalar, I> {
+pub struct Hits<'t, 'a, S: Scalar, I, R = Ray<S>> {
     tree: &'t Tree<'a, S, I>,
-    ray: Ray<S>,
+    ray: R,
     rules: HitRules,
-    near: LeafTriangles<S>,
+    near: LeafTriangles<S, R>,
 }
 
-impl<S: Scalar, I: Index> Iterator for Hits<'_, '_, S, I> {
+impl<'t, 'a, S: Scalar, I: Index, R: Cast<S>> Hits<'t, 'a, S, I, R> {
+    pub(super) fn new(tree: &'t Tree<'a, S, I>, ray: &R, rules: HitRules) -> Self {
+        Self { tree, ray: *ray, rules, near: LeafTriangles::new(tree, ray) }
+    }
+}
+
+impl<S: Scalar, I: Index, R: Cast<S>> Iterator for Hits<'_, '_, S, I, R> {
     type Item = (usize, Hit<S>);
 
     fn next(&mut self) -> Option<Self::Item> {
         loop {
             let i = self.near.next(self.tree, &self.ray)?;
-            if let Some(hit) = self.ray.hit_with(&self.tree.mesh.known(i), self.rules) {
+            if let Some(hit) = self.ray.hit(&self.tree.mesh.known(i), self.rules) {
                 return Some((i, hit));
             }
         }

@@ -60,19 +60,24 @@ reversed! {
     Sphere with Capsule: Relate;
 }
 
-impl<S, T> Overlaps<Near<Triangle<S>>> for Near<T>
-where
-    Near<Triangle<S>>: Overlaps<Self>,
-{
-    #[inline]
-    fn overlaps(&self, triangle: &Near<Triangle<S>>) -> bool {
-        triangle.overlaps(self)
-    }
-    #[inline]
-    fn may_overlap(&self, triangle: &Near<Triangle<S>>) -> bool {
-        triangle.may_overlap(self)
-    }
+macro_rules! reversed_near {
+    ($($other:ident)*) => {$(
+        impl<S, T> Overlaps<Near<$other<S>>> for Near<T>
+        where
+            Near<$other<S>>: Overlaps<Self>,
+        {
+            #[inline]
+            fn overlaps(&self, other: &Near<$other<S>>) -> bool {
+                other.overlaps(self)
+            }
+            #[inline]
+            fn may_overlap(&self, other: &Near<$other<S>>) -> bool {
+                other.may_overlap(self)
+            }
+        }
+    )*};
 }
+reversed_near! { Triangle Ray Segment }
 
 impl<S, T> Relate<Near<Triangle<S>>> for Near<T>
 where

@@ -19,10 +19,14 @@ use self::range::Range;
 use super::Overlaps;
 use super::obb_short;
 use super::triangle_obb::{has_second_look, operands, way};
+#[cfg(feature = "fixed")]
+use crate::arithmetic::three;
 use crate::arithmetic::{Embeds, Float, InFloat, Number, Parts, each};
 use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, SMALL_CODE};
 use crate::robust::{Predicate, Profile, Vector, difference, noted, single};
 use crate::scalar::{FixedBackend, Scalar};
+#[cfg(feature = "fixed")]
+use crate::shape::{Near, Triangle};
 use crate::shape::{Obb, Ray, Segment, SegmentForm};
 
 /// A part of a line.
@@ -284,5 +288,39 @@ impl<S: Scalar> Ray<S> {
         }
         let (enter, leave) = S::evaluate_numeric(&Range(Disjoint { line: Line::Ray(self), obb }))?;
         Some(self.clipped(enter, leave))
+    }
+}
+
+#[cfg(feature = "fixed")]
+impl<S: Scalar> Overlaps<Near<Obb<S>>> for Near<Segment<S>>
+where
+    Near<Triangle<S>>: Overlaps<Near<Obb<S>>>,
+{
+    /// Do a segment and an oriented box near the origin have a point in common?
+    ///
+    /// *Contact*: touching is overlap. *Numerics*: exact, in 32-bit words alone. `may_overlap` is
+    /// the same here. For shapes anywhere it may be `true` where `overlaps` is `false`. *Panics*:
+    /// never. *Cost*: as for a triangle near the origin: the segment is one without area.
+    ///
+    /// ```
+    /// use fixed::types::I16F16;
+    /// use septum::{Obb, Segment};
+    ///
+    /// let at = |x: i32, y: i32, z: i32| [x, y, z].map(|k| I16F16::from_bits(k << 12));
+    /// let axes = [at(4, 4, 0), at(-4, 4, 0), at(0, 0, 4)];
+    /// let turned = Obb::from_skewed_axes(at(0, 0, 0), axes, at(16, 16, 16))?.near()?;
+    /// let touching = Segment::new(at(8, -9, 0), at(8, 9, 0))?.near()?;
+    /// assert!(touching.overlaps(&turned)); // at an edge
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    fn overlaps(&self, obb: &Near<Obb<S>>) -> bool {
+        let (p, q, is_by_center) = self.get().numbers();
+        // No sum wraps.
+        let [a, b] = if is_by_center {
+            [three(|i| p[i].plain_sub(q[i])), three(|i| p[i].plain_add(q[i]))]
+        } else {
+            [p, q]
+        };
+        Near::unchecked(Triangle::unchecked([a.into(), b.into(), b.into()])).overlaps(obb)
     }
 }

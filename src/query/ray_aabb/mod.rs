@@ -11,9 +11,15 @@ pub use prepared::PreparedRay;
 
 use super::Overlaps;
 use super::line_aabb::Slabs;
+#[cfg(feature = "fixed")]
+use crate::arithmetic::IntNear;
 use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, least, two_difference};
+#[cfg(feature = "fixed")]
+use crate::robust::only_stage;
 use crate::robust::{Numeric, Predicate, Profile, Uncertain};
 use crate::scalar::Scalar;
+#[cfg(feature = "fixed")]
+use crate::shape::Near;
 use crate::shape::{Aabb, AabbForm, Ray};
 
 /// The ends of a ray's range.
@@ -247,5 +253,36 @@ impl<S: Scalar> Ray<S> {
     #[must_use]
     pub fn t_range(&self, aabb: &Aabb<S>) -> Option<(S, S)> {
         S::evaluate_numeric(&Range(Disjoint { ray: self, aabb }))
+    }
+}
+
+// Faces lie within 2^20 of zero, also in a tree over a near mesh. Sums of lengths are below 2^21.
+// Their products with a direction up to 2^19 and with 2·one up to 2^33 are below 2^54. The product of
+// an end of the range with the doubled direction is at most 2^51.
+#[cfg(feature = "fixed")]
+impl<S: Scalar> Overlaps<Near<Aabb<S>>> for Near<Ray<S>>
+where
+    IntNear: Embeds<S>,
+{
+    /// Does a ray near the origin have a point in common with an axis-aligned box there?
+    ///
+    /// *Contact*: touching is overlap. *Numerics*: exact for every range of t, in integers of 64
+    /// bits. *Panics*: never. *Cost*: as for rays anywhere.
+    ///
+    /// ```
+    /// use fixed::types::I16F16;
+    /// use septum::{Aabb, Ray};
+    ///
+    /// let at = |x: i32, y: i32, z: i32| [x, y, z].map(|k| I16F16::from_bits(k << 12));
+    /// let cell = Aabb::from_min_max(at(0, 0, 0), at(8, 8, 8))?.near()?;
+    /// let ray = Ray::new(at(8, 0, -16), at(0, 0, 4))?;
+    /// assert!(ray.near()?.overlaps(&cell)); // along an edge
+    /// let until = |t: f32| ray.with_range(I16F16::ZERO, I16F16::from_num(t));
+    /// assert!(until(4.0)?.near()?.overlaps(&cell) && !until(3.9)?.near()?.overlaps(&cell));
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    fn overlaps(&self, aabb: &Near<Aabb<S>>) -> bool {
+        let disjoint = Disjoint { ray: self.get(), aabb: aabb.get() };
+        !only_stage::<_, IntNear, _>(&disjoint)
     }
 }

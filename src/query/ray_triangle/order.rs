@@ -5,7 +5,11 @@ use core::cmp::Ordering;
 use super::HitRules;
 use super::crosses::Crosses;
 use crate::arithmetic::{Embeds, Limbed, Number, REGISTERS_ARE_WIDE, compare, order_of_products};
+#[cfg(feature = "fixed")]
+use crate::arithmetic::{InWholeWord, of_four};
 use crate::scalar::Scalar;
+#[cfg(feature = "fixed")]
+use crate::shape::Near;
 use crate::shape::{Ray, Triangle};
 
 impl<S: Scalar> Ray<S> {
@@ -69,6 +73,36 @@ impl<S: Scalar> Ray<S> {
         };
         let (a, b) = (crossing(a)?, crossing(b)?);
         Some(compare_quotients([a.t, a.det], [b.t, b.det]))
+    }
+}
+
+#[cfg(feature = "fixed")]
+impl<S: Scalar + InWholeWord<i32>> Near<Ray<S>> {
+    /// The order of two hits of near triangles, given the t of each. Words of 64 bits hold the
+    /// volumes.
+    #[inline]
+    pub(crate) fn compare_found(
+        &self,
+        (a, t): (&Triangle<S>, S),
+        (b, s): (&Triangle<S>, S),
+    ) -> Ordering {
+        in_clear_order(t, s).unwrap_or_else(|| self.compare_exactly(a, b))
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn compare_exactly(&self, a: &Triangle<S>, b: &Triangle<S>) -> Ordering {
+        // Every hit is one under these rules too.
+        let rules = HitRules::default();
+        let crossing = |triangle| {
+            let counted = Crosses { ray: self.get(), triangle, rules }.in_any_words::<i32>()?;
+            Some((counted.volumes.t, counted.volumes.det))
+        };
+        // No divisor is below zero.
+        match (crossing(a), crossing(b)) {
+            (Some((t, of_t)), Some((s, of_s))) => of_four(t, of_s).cmp(&of_four(s, of_t)),
+            _ => Ordering::Equal,
+        }
     }
 }
 

@@ -6,9 +6,15 @@
 
 use super::Overlaps;
 use super::line_aabb::Slabs;
+#[cfg(feature = "fixed")]
+use crate::arithmetic::IntNear;
 use crate::arithmetic::{Arithmetic, Embeds};
+#[cfg(feature = "fixed")]
+use crate::robust::only_stage;
 use crate::robust::{Predicate, Profile, Uncertain};
 use crate::scalar::Scalar;
+#[cfg(feature = "fixed")]
+use crate::shape::Near;
 use crate::shape::{Aabb, Segment};
 
 /// The question whether segment and box are disjoint.
@@ -102,5 +108,31 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Segment<S> {
     #[inline]
     fn may_overlap(&self, aabb: &Aabb<S>) -> bool {
         S::evaluate_bounded(&Disjoint { segment: self, aabb }) != Some(true)
+    }
+}
+
+#[cfg(feature = "fixed")]
+impl<S: Scalar> Overlaps<Near<Aabb<S>>> for Near<Segment<S>>
+where
+    IntNear: Embeds<S>,
+{
+    /// Do a segment and an axis-aligned box near the origin have a point in common?
+    ///
+    /// *Contact*: touching is overlap. *Numerics*: exact, in integers of 64 bits. *Panics*: never.
+    /// *Cost*: as for segments anywhere.
+    ///
+    /// ```
+    /// use fixed::types::I16F16;
+    /// use septum::{Aabb, Segment};
+    ///
+    /// let at = |x: i32, y: i32, z: i32| [x, y, z].map(|k| I16F16::from_bits(k << 12));
+    /// let cell = Aabb::from_min_max(at(0, 0, 0), at(8, 8, 8))?.near()?;
+    /// let touching = Segment::new(at(16, 0, 4), at(0, 16, 4))?.near()?;
+    /// assert!(touching.overlaps(&cell)); // at an edge
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    fn overlaps(&self, aabb: &Near<Aabb<S>>) -> bool {
+        let disjoint = Disjoint { segment: self.get(), aabb: aabb.get() };
+        !only_stage::<_, IntNear, _>(&disjoint)
     }
 }

@@ -5,7 +5,8 @@ use fixed::types::extra::LeEqU32;
 
 use super::Near;
 use crate::shape::aabb::Form;
-use crate::shape::{Aabb, Capsule, Obb, Ray, ShapeError, Sphere, Triangle, Vec3};
+use crate::shape::segment::Form as SegmentForm;
+use crate::shape::{Aabb, Capsule, Obb, Ray, Segment, ShapeError, Sphere, Triangle, Vec3};
 
 /// The bits of a coordinate without its sign. Two such coordinates differ by less than 2^18, which
 /// the kernel for axis-aligned boxes can take on every core.
@@ -67,6 +68,23 @@ impl<Frac: LeEqU32> Ray<FixedI32<Frac>> {
         } else {
             Err(ShapeError::NotNear)
         }
+    }
+}
+
+impl<Frac: LeEqU32> Segment<FixedI32<Frac>> {
+    /// The segment, for queries in one number system: see [`near`](crate::near).
+    ///
+    /// # Errors
+    /// [`ShapeError::NotNear`] if an end is 2¹⁷ units in the last place or more from zero on some
+    /// axis.
+    pub const fn near(self) -> Result<Near<Self>, ShapeError> {
+        let is_near = match &self.form {
+            SegmentForm::Center { center: c, half: h } => {
+                ends_fit(c.x, h.x) && ends_fit(c.y, h.y) && ends_fit(c.z, h.z)
+            }
+            SegmentForm::Ends(a, b) => all_fit(a, POSITION) && all_fit(b, POSITION),
+        };
+        if is_near { Ok(Near(self)) } else { Err(ShapeError::NotNear) }
     }
 }
 

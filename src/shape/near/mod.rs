@@ -9,7 +9,7 @@ use crate::shape::{Aabb, ShapeError, Triangle, Vec3};
 
 /// A shape near the origin: see [`near`](crate::near).
 ///
-/// `near` of `Triangle`, `Ray`, `Aabb`, `Obb`, `Sphere`, `Capsule` and `mesh::Tree` makes one.
+/// `near` of `Triangle`, `Ray`, `Segment`, `Aabb`, `Obb`, `Sphere`, `Capsule` and `mesh::Tree` makes one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(transparent)]
