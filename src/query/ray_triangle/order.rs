@@ -133,7 +133,7 @@ pub(crate) fn compare_quotients<V: Number + Limbed>([a, b]: [V; 2], [c, d]: [V; 
     if left != right || left == Ordering::Equal {
         return left.cmp(&right);
     }
-    let (a, b, c, d) = (a.magnitude(), b.magnitude(), c.magnitude(), d.magnitude());
+    let [a, b, c, d] = [a, b, c, d].map(V::magnitude);
     let order = order_of_products([a.limbs(), d.limbs()], [c.limbs(), b.limbs()]);
     if left == Ordering::Less { order.reverse() } else { order }
 }

@@ -168,8 +168,7 @@ impl<S: Scalar> Latest<S> {
         if !is_gap.possible {
             return;
         }
-        let [low, high] = gap.portion(speed[0], [error, speed[1]]);
-        let (low, high) = (S::at_most(low), S::at_most(high));
+        let [low, high] = gap.portion(speed[0], [error, speed[1]]).map(S::at_most);
         if low == high && is_gap.certain {
             self.set(axis, low);
         } else if self.in_doubt.is_none_or(|t| high > t) {
