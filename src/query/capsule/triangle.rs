@@ -23,8 +23,10 @@ impl<N: Arithmetic> Between<N> {
     /// A segment along `e` and edge `k` of a triangle, with vectors from the vertices to both ends.
     #[inline(always)]
     fn to_edge(to: [&[Vector<N>; 3]; 2], edges: &[Vector<N>; 3], e: &Vector<N>, k: usize) -> Self {
-        let ends = two(|n| two(|end| three(|i| -pick(to[n], (k + end) % 3)[i])));
-        Self { ends, along: [*e, *pick(edges, k)] }
+        // The ends by name: an index into `to` may keep a check where this is not inlined.
+        let [a, b] = to;
+        let ends = |to: &[Vector<N>; 3]| two(|end| three(|i| -pick(to, (k + end) % 3)[i]));
+        Self { ends: [ends(a), ends(b)], along: [*e, *pick(edges, k)] }
     }
 }
 
