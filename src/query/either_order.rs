@@ -33,6 +33,21 @@ macro_rules! reversed {
             }
         })?
     )*};
+    (near: $($other:ident)*) => {$(
+        impl<S, T> Overlaps<Near<$other<S>>> for Near<T>
+        where
+            Near<$other<S>>: Overlaps<Self>,
+        {
+            #[inline]
+            fn overlaps(&self, other: &Near<$other<S>>) -> bool {
+                other.overlaps(self)
+            }
+            #[inline]
+            fn may_overlap(&self, other: &Near<$other<S>>) -> bool {
+                other.may_overlap(self)
+            }
+        }
+    )*};
 }
 reversed! {
     Aabb with Triangle: Relate;
@@ -60,24 +75,7 @@ reversed! {
     Sphere with Capsule: Relate;
 }
 
-macro_rules! reversed_near {
-    ($($other:ident)*) => {$(
-        impl<S, T> Overlaps<Near<$other<S>>> for Near<T>
-        where
-            Near<$other<S>>: Overlaps<Self>,
-        {
-            #[inline]
-            fn overlaps(&self, other: &Near<$other<S>>) -> bool {
-                other.overlaps(self)
-            }
-            #[inline]
-            fn may_overlap(&self, other: &Near<$other<S>>) -> bool {
-                other.may_overlap(self)
-            }
-        }
-    )*};
-}
-reversed_near! { Triangle Ray Segment }
+reversed! { near: Triangle Ray Segment }
 
 impl<S, T> Relate<Near<Triangle<S>>> for Near<T>
 where
