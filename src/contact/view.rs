@@ -1,4 +1,4 @@
-//! Shapes seen along the normal of their contact.
+//! Shapes seen along the normal of their contact, and the pairs of points that meet there.
 //!
 //! Each corner has two more coordinates, across the normal. Points of two shapes meet if these
 //! coordinates agree within [`View::tolerance`]. Each point is computed as a convex combination of

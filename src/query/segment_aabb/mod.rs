@@ -111,6 +111,7 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Segment<S> {
     }
 }
 
+// Doubled, all lengths are below 2^21, and a product of two is below 2^42.
 #[cfg(feature = "fixed")]
 impl<S: Scalar> Overlaps<Near<Aabb<S>>> for Near<Segment<S>>
 where
