@@ -131,6 +131,7 @@ mod floats {
 
 #[cfg(all(test, feature = "fixed"))]
 mod tests {
+    use crate::arithmetic::Each;
     use fixed::types::I16F16;
 
     use crate::relation::{Relate, Relation};
@@ -141,7 +142,7 @@ mod tests {
     const WIDEST: i32 = (1 << 18) - 1;
 
     fn at(x: i32, y: i32, z: i32) -> [I16F16; 3] {
-        [x, y, z].map(I16F16::from_bits)
+        [x, y, z].each(I16F16::from_bits)
     }
 
     #[test]
@@ -223,11 +224,11 @@ mod tests {
             assert_eq!(aabb.near().unwrap().relation(&near), relation);
             yes[6] += u32::from(relation == Relation::Touching);
             yes[2] += u32::from(overlap);
-            let about = q.map(|x| x >> 1).map(|x| if case % 2 == 0 { x } else { x >> 3 });
-            let center = p.map(|x| x >> 1);
+            let about = q.each(|x| x >> 1).each(|x| if case % 2 == 0 { x } else { x >> 3 });
+            let center = p.each(|x| x >> 1);
             for aabb in [
                 aabb,
-                Aabb::from_center_half_extents(center, about.map(I16F16::saturating_abs)).unwrap(),
+                Aabb::from_center_half_extents(center, about.each(I16F16::saturating_abs)).unwrap(),
             ] {
                 let Ok(close) = aabb.near() else { continue };
                 if let Ok(ray) = Ray::new(point(MOST), point(LONGEST)) {
@@ -246,7 +247,7 @@ mod tests {
                         yes[7] += u32::from(ray.overlaps(&aabb));
                     }
                 }
-                let half = point(MOST).map(|x| x >> 2);
+                let half = point(MOST).each(|x| x >> 2);
                 for segment in [
                     Segment::new(point(MOST), point(MOST)).unwrap(),
                     Segment::from_center_half_vector(center, half).unwrap(),
@@ -258,14 +259,14 @@ mod tests {
                 }
             }
             let axes = [point(LONGEST), point(LONGEST), point(LONGEST)];
-            let half = point(LONGEST).map(|x| x.saturating_abs() >> 4);
+            let half = point(LONGEST).each(|x| x.saturating_abs() >> 4);
             if let Ok(obb) = Obb::from_skewed_axes(p, axes, half) {
                 let Ok(close) = obb.near() else { continue };
                 assert_eq!(near.overlaps(&close), triangle.overlaps(&obb));
                 assert_eq!(close.overlaps(&near), triangle.overlaps(&obb));
                 assert_eq!(close.may_overlap(&near), obb.may_overlap(&triangle));
                 yes[3] += u32::from(triangle.overlaps(&obb));
-                let by = q.map(|x| x >> 2);
+                let by = q.each(|x| x >> 2);
                 for segment in [
                     Segment::new(q, point(MOST)).unwrap(),
                     Segment::from_center_half_vector(center, by).unwrap(),

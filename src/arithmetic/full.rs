@@ -1,5 +1,6 @@
 //! Exact numbers for all finite floats.
 
+use crate::arithmetic::Each;
 use core::cmp::Ordering;
 
 use super::big_int::BigInt;
@@ -61,13 +62,13 @@ impl<
     const DIVIDES: bool = true;
 
     fn quotient_of_lengths(num: Self::Length, den: Self::Length) -> F {
-        let [num, den] = [num, den].map(|x| x.added_up::<A>().sign_magnitude());
+        let [num, den] = [num, den].each(|x| x.added_up::<A>().sign_magnitude());
         quotient(num, den)
     }
 
     fn quotients([a, b, c]: [BigInt<C>; 3], den: BigInt<C>, _: [BigInt<C>; 2]) -> ([F; 3], bool) {
         let den = den.sign_magnitude();
-        ([a, b, c].map(|x| quotient(x.sign_magnitude(), den)), true)
+        ([a, b, c].each(|x| quotient(x.sign_magnitude(), den)), true)
     }
 
     fn coordinate(num: BigInt<E>, den: BigInt<E>, _: [BigInt<E>; 2]) -> Option<F> {

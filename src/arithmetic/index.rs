@@ -25,10 +25,47 @@ pub(crate) fn two<T>(mut f: impl FnMut(usize) -> T) -> [T; 2] {
     [f(0), f(1)]
 }
 
-/// Applies `f` to each of three, always inlined.
-#[inline(always)]
-pub(crate) fn each<T, U>([a, b, c]: [T; 3], mut f: impl FnMut(T) -> U) -> [U; 3] {
-    [f(a), f(b), f(c)]
+/// `array::map` of short arrays, always inlined: it costs less time, and tests compile sooner. Exact stages
+/// that convert numbers keep `map`, whose loop is less code.
+pub(crate) trait Each {
+    type Item;
+    type Of<U>;
+
+    /// Applies `f` to each element.
+    fn each<U>(self, f: impl FnMut(Self::Item) -> U) -> Self::Of<U>;
+}
+
+impl<T> Each for [T; 2] {
+    type Item = T;
+    type Of<U> = [U; 2];
+
+    #[inline(always)]
+    fn each<U>(self, mut f: impl FnMut(T) -> U) -> [U; 2] {
+        let [a, b] = self;
+        [f(a), f(b)]
+    }
+}
+
+impl<T> Each for [T; 3] {
+    type Item = T;
+    type Of<U> = [U; 3];
+
+    #[inline(always)]
+    fn each<U>(self, mut f: impl FnMut(T) -> U) -> [U; 3] {
+        let [a, b, c] = self;
+        [f(a), f(b), f(c)]
+    }
+}
+
+impl<T> Each for [T; 4] {
+    type Item = T;
+    type Of<U> = [U; 4];
+
+    #[inline(always)]
+    fn each<U>(self, mut f: impl FnMut(T) -> U) -> [U; 4] {
+        let [a, b, c, d] = self;
+        [f(a), f(b), f(c), f(d)]
+    }
 }
 
 /// Component `i`, without a bounds check.

@@ -265,12 +265,13 @@ pub(super) fn below<S: InRaw>(coordinates: &[S], most: u32) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{by_halves, by_words, by_words_and_two, sign_by_short_products};
+    use crate::arithmetic::Each;
 
     #[test]
     fn signs_of_short_products_are_signs() {
         let most = (1_i64 << 41) - 1;
         let numbers = [-most, -1 << 30, (-1 << 27) - 1, -1, 0, 1, (1 << 27) - 1, 1 << 36, most];
-        let vectors = || (0..729).map(|k| [k % 9, k / 9 % 9, k / 81].map(|k| numbers[k]));
+        let vectors = || (0..729).map(|k| [k % 9, k / 9 % 9, k / 81].each(|k| numbers[k]));
         let mut known = 0;
         for (a, b) in vectors().flat_map(|a| vectors().map(move |b| (a, b))) {
             let exact: i128 = a.iter().zip(&b).map(|(&a, &b)| i128::from(a) * i128::from(b)).sum();

@@ -146,6 +146,7 @@ impl Factor for Interval {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::arithmetic::Each;
 
     /// Sums and products enclose the results of all numbers within the errors.
     #[test]
@@ -162,7 +163,7 @@ mod tests {
         });
         for (a, b) in all.iter().flat_map(|a| all.map(|b| (*a, b))) {
             let (sum, product) = (a + b, a * b);
-            for (x, y) in ends(a).into_iter().flat_map(|x| ends(b).map(|y| (x, y))) {
+            for (x, y) in ends(a).into_iter().flat_map(|x| ends(b).each(|y| (x, y))) {
                 // Rounded once more, hence once more the roundoff.
                 let holds = |x: Interval, y: f64| {
                     let off = (x.value - y).abs();

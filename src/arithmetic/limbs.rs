@@ -127,6 +127,7 @@ pub(super) fn divided_by_places<W: Wide>(num: W, den: &W, count: u32) -> (u64, W
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::arithmetic::Each;
 
     #[test]
     fn limbs_carry() {
@@ -140,7 +141,7 @@ mod tests {
         assert!(Limbs([0; 4]) < one && one < all && all < next);
         assert_eq!(with(next, |x| x.subtract(&Limbs([1, 0, 0, 0]))), all);
         assert_eq!(with(all, Wide::double), Limbs([u64::MAX - 1, u64::MAX, u64::MAX, 1]));
-        assert_eq!([Limbs([0; 4]), one, all, next].map(|x| x.width()), [0, 1, 192, 193]);
+        assert_eq!([Limbs([0; 4]), one, all, next].each(|x| x.width()), [0, 1, 192, 193]);
         assert_eq!(with(one, |x| x.shift_up(192)), next);
         assert_eq!(with(one, |x| x.shift_up(65)), Limbs([0, 2, 0, 0]));
         assert_eq!(Limbs::magnitude([u64::MAX; 4]), (true, one));

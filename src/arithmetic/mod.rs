@@ -51,7 +51,7 @@ pub use float::Float;
 pub(crate) use float::{cut, exponent, quotient};
 pub use full::{FullF32, FullF64};
 pub(crate) use in_float::{FirstFloat, InFloat};
-pub(crate) use index::{each, pick, three, turn, two};
+pub(crate) use index::{Each, pick, three, turn, two};
 #[cfg(feature = "fixed")]
 pub(crate) use integer::Int64;
 #[cfg(feature = "fixed")]

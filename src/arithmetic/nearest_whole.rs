@@ -1,5 +1,6 @@
 //! Quotients in `f64` as integers, if it is certain to which integer they round.
 
+use crate::arithmetic::Each;
 use core::ops::{Add, Mul, Sub};
 
 use super::number::greatest;
@@ -37,7 +38,7 @@ pub(super) fn nearest_whole_of_row(
     unit: f64,
     most: f64,
 ) -> ([u64; 3], bool) {
-    let factors = factors(den, errors, unit).map(Row::splat);
+    let factors = factors(den, errors, unit).each(Row::splat);
     let [sum, rest, size] = whole_near(Row::new(row), factors, Row::magnitude);
     let are_good = Row::splat(0.5).exceeds(rest) & Row::splat(most).exceeds(size);
     let [_, t, u, v] = sum.to_array();

@@ -137,6 +137,7 @@ pub struct Signed<M> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::arithmetic::Each;
 
     #[test]
     fn every_width_agrees_with_the_definition() {
@@ -153,7 +154,7 @@ mod tests {
                     let wide = |x: u64| Limbs::<6>::new(u128::from(x) << 40, 2);
                     assert_eq!(p, over_root(u128::from(square), norm.into(), places));
                     assert_eq!(p, over_root(wide(square), wide(norm), places));
-                    let squares = [square, norm - square, 0].map(wide);
+                    let squares = [square, norm - square, 0].each(wide);
                     assert_eq!(p, over_roots(squares, places)[0]);
                 }
             }

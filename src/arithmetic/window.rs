@@ -1,5 +1,6 @@
 //! Exact integers for coordinates that span up to 120 bits, or up to 32, and for areas of these.
 
+use crate::arithmetic::Each;
 use core::cmp::Ordering;
 use core::marker::PhantomData;
 
@@ -163,13 +164,13 @@ impl<F: Float> Embeds<F> for Window {
     const DIVIDES: bool = true;
 
     fn quotient_of_lengths(num: i128, den: i128) -> F {
-        let [num, den] = [num, den].map(|x| BigInt::<2>::from(x).sign_magnitude());
+        let [num, den] = [num, den].each(|x| BigInt::<2>::from(x).sign_magnitude());
         quotient(num, den)
     }
 
     fn quotients([a, b, c]: [BigInt<6>; 3], den: BigInt<6>, _: [BigInt<6>; 2]) -> ([F; 3], bool) {
         let den = den.sign_magnitude();
-        ([a, b, c].map(|x| quotient(x.sign_magnitude(), den)), true)
+        ([a, b, c].each(|x| quotient(x.sign_magnitude(), den)), true)
     }
 
     fn coordinate(num: BigInt<12>, den: BigInt<12>, _: [BigInt<12>; 2]) -> Option<F> {

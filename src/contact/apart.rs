@@ -12,7 +12,7 @@ use super::feature::Part;
 use super::interior::InteriorEdges;
 use super::line::{Line, less, roundoffs};
 use super::settled::{Known, is_single};
-use crate::arithmetic::{REGISTERS_ARE_WIDE, largest, root_of_machine, three};
+use crate::arithmetic::{Each, REGISTERS_ARE_WIDE, largest, root_of_machine, three};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -34,7 +34,7 @@ fn known<S: Scalar>(line: &Line<S>, flat: Flat<'_, S>, to: &[S; 3], radius: f64)
     let (depth, of_depth) = exact.map_or_else(
         || {
             let [distance, error] =
-                line.height.map_or([length, 0.0], |height| height.map(|x| x * inverse));
+                line.height.map_or([length, 0.0], |height| height.each(|x| x * inverse));
             let (depth, error) = (radius - distance, error + distance.abs() * of_length);
             if error <= CLEAR * depth || distance < 0.0 {
                 return (depth, error / depth);
@@ -72,7 +72,7 @@ pub(super) fn apart<S: Scalar>(flat: Flat<'_, S>, round: &Round<S>) -> Option<Ap
     if !REGISTERS_ARE_WIDE || size_of::<S>() >= size_of::<f64>() {
         return None;
     }
-    let ends = round.ends.map(Vec3::to_array);
+    let ends = round.ends.each(Vec3::to_array);
     let is_sphere = ends[0] == ends[1];
     for (end, to) in ends.iter().enumerate().take(if is_sphere { 1 } else { 2 }) {
         let line = match flat {

@@ -1,7 +1,7 @@
 //! Facts about the axes of two shapes that are known before they are measured.
 
 use super::directions::Direction;
-use crate::arithmetic::{Number, REGISTERS_ARE_WIDE, pick, three, two};
+use crate::arithmetic::{Each, Number, REGISTERS_ARE_WIDE, pick, three, two};
 
 /// Which directions are certainly zero, or equal to an earlier one.
 pub(super) struct Axes {
@@ -104,7 +104,7 @@ impl Axes {
             return true;
         }
         let sides = direction.sides(self.are_triangles);
-        let [x, y] = sides.map(|(shape, k)| u32::from(*pick(&self.nonzero[shape % 2], k)));
+        let [x, y] = sides.each(|(shape, k)| u32::from(*pick(&self.nonzero[shape % 2], k)));
         // Bit i of the first has coordinate i + 1, and of the second i + 2, modulo three.
         let turned = |bits: u32| [bits >> 1 | bits << 2, bits >> 2 | bits << 1];
         let ([x1, x2], [y1, y2]) = (turned(x), turned(y));

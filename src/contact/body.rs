@@ -1,6 +1,6 @@
 //! The shapes that have contacts as one type, in floats and in exact numbers.
 
-use crate::arithmetic::{self, Double, Filtered, Parts, part, pick, three, turn};
+use crate::arithmetic::{self, Double, Each, Filtered, Parts, part, pick, three, turn};
 use crate::robust::{ExactSum, Linear, Vector, add_scaled_determinant, difference, single};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Obb, Triangle, Vec3};
@@ -133,7 +133,7 @@ impl<S: Scalar> Body<'_, S> {
                 axis[k % 3] = single(S::ONE);
                 axis
             }
-            Self::Obb(obb) => pick(obb.axes(), k).to_array().map(|x| single(x.parts())),
+            Self::Obb(obb) => pick(obb.axes(), k).to_array().each(|x| single(x.parts())),
         }
     }
 
@@ -141,7 +141,7 @@ impl<S: Scalar> Body<'_, S> {
     pub(super) fn is_side_exact(&self, k: usize) -> bool {
         match self {
             Self::Triangle(t) => {
-                let v = t.points().map(|p| three(|i| p[i].in_double()));
+                let v = t.points().each(|p| three(|i| p[i].in_double()));
                 Double::way(pick(&v, turn(k).1), pick(&v, k)).iter().all(|x| x.low == 0.0)
             }
             _ => true,

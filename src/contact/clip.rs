@@ -7,7 +7,7 @@ use super::known::{Known, next, ones, parts, transposed, within};
 use super::quads::Quads;
 use super::sides::side;
 use super::view::{Corner, Pair, Pairs, View, along, flat, minus};
-use crate::arithmetic::REGISTERS_ARE_WIDE;
+use crate::arithmetic::{Each, REGISTERS_ARE_WIDE};
 
 /// The corners of a face as seen from another.
 struct Seen<'a, T> {
@@ -89,7 +89,7 @@ impl<'a> Words<'a> {
 
     /// Which edges may cross the line of each edge, and which certainly do.
     fn crossing(&self) -> [u32; 2] {
-        let [left, right] = [self.left, self.right].map(|bits| next(bits, self.face.count() - 1));
+        let [left, right] = [self.left, self.right].each(|bits| next(bits, self.face.count() - 1));
         [self.all & !(self.left & left | self.right & right), self.left & right | self.right & left]
     }
 }
@@ -103,7 +103,7 @@ impl Known for Words<'_> {
         let Self { view, from, face, .. } = self;
         let to = face.corner(m);
         let [base, a, b] = from.frame();
-        let [x, y, z] = [a, b, to].map(|x| flat(&x.flat, &base.flat));
+        let [x, y, z] = [a, b, to].each(|x| flat(&x.flat, &base.flat));
         let [s, t] = parts(|x| x, [x, y], z);
         let is_within = s >= 0.0 && t >= 0.0;
         let is_within =
@@ -168,7 +168,7 @@ fn overlap<T: Known>(
     outward: &Vec64,
     found: &mut Pairs,
 ) {
-    let against = outward.map(|x| -x);
+    let against = outward.each(|x| -x);
     let of_incident = Seen { view, from: reference, face: incident, known };
     for (m, below) in of_incident.meeting(&against) {
         if let Some(parts) = add(found, view, [below, incident.corner(m).at], outward) {
@@ -201,7 +201,7 @@ mod tests {
     use super::super::sides::Unit;
     use super::super::solid::Solid;
     use super::*;
-    use crate::arithmetic::{greatest, three};
+    use crate::arithmetic::{Each, greatest, three};
     use crate::random::Random;
 
     /// Also of thin faces, and of faces seen edge-on.
@@ -214,9 +214,9 @@ mod tests {
                 let down = (random.bits() % (bits + 1)) as i32;
                 f64::from(random.bits() as i32) * 2_f64.powi(-31 - down)
             };
-            let roughs = [0, 1].map(|k| {
-                let at = [(); 3].map(|()| three(|_| number(1)));
-                let sides = [(); 3].map(|()| three(|_| number(2)));
+            let roughs = [0, 1].each(|k| {
+                let at = [(); 3].each(|()| three(|_| number(1)));
+                let sides = [(); 3].each(|()| three(|_| number(2)));
                 let half = three(|_| number(if n % 2 == 0 { 0 } else { 30 }).abs());
                 let is_triangle = (n >> (1 + k)) % 3 == 0;
                 Rough {
@@ -228,12 +228,12 @@ mod tests {
             });
             let normal = three(|_| number(if n % 8 == 0 { 30 } else { 1 }));
             let length = dot(&normal, &normal).sqrt();
-            let normal = normal.map(|x| x / length);
+            let normal = normal.each(|x| x / length);
             let solids = [Solid::new(&roughs[0]), Solid::new(&roughs[1])];
             let size = greatest(solids[0].size, solids[1].size);
             let view = View::new(&normal, size, Some(Unit::of(size)));
             let [from, face] =
-                [&solids[0], &solids[1]].map(|solid| Face::new(&view, solid, n as u8 % 6));
+                [&solids[0], &solids[1]].each(|solid| Face::new(&view, solid, n as u8 % 6));
             let known = Words::new(&view, &from, &face);
             let [_, certain] = known.crossings(&Words::new(&view, &face, &from));
             let apart = |a: Vec64, b: [f64; 2]| {

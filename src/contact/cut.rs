@@ -7,7 +7,7 @@ use super::axes::Axes;
 use super::directions::Direction;
 use super::integers::Words;
 use super::whole::Pair;
-use crate::arithmetic::{greatest, pick};
+use crate::arithmetic::{Each, greatest, pick};
 
 /// The numbers of two shapes, rounded to half words: twice the places from the second shape's origin, and
 /// what extends from them.
@@ -120,7 +120,7 @@ fn raised(x: i32, up: i32) -> i32 {
 
 /// The numbers over 2^down, rounded to the nearest.
 fn rounded(v: &[i32; 3], down: i32) -> [i32; 3] {
-    v.map(|x| (raised(x, 1 - down) + 1) >> 1)
+    v.each(|x| (raised(x, 1 - down) + 1) >> 1)
 }
 
 impl<'a> Cut<'a> {
@@ -142,8 +142,8 @@ impl<'a> Cut<'a> {
                 let (side, up) = narrowed(&pair.sides[n][k]);
                 // To 30 bits.
                 let free = 30 - bits(&side);
-                let side = side.map(|x| raised(x, free));
-                new.sides[n][k] = side.map(|x| (x + (1 << 14)) >> 15);
+                let side = side.each(|x| raised(x, free));
+                new.sides[n][k] = side.each(|x| (x + (1 << 14)) >> 15);
                 let half = pair.halves[n][k] as u32;
                 if half != 0 {
                     // To 16 bits.
@@ -152,7 +152,7 @@ impl<'a> Cut<'a> {
                     let times = |x: i32| {
                         (x >> 16) * half as i32 + (((x as u32 & 0xffff) * half) >> 16) as i32
                     };
-                    let reach = side.map(times);
+                    let reach = side.each(times);
                     (new.reach[n][k], of_reach[n][k]) = (reach, up - free + 32 - zeros as i32);
                     most = greatest(most, bits(&reach) + of_reach[n][k]);
                 }
@@ -201,7 +201,7 @@ impl<'a> Cut<'a> {
     /// The cross product of a direction's rounded sides. It errs by less than 2^16 and 2^5.
     fn cross(&self, direction: Direction) -> [i32; 3] {
         let own = direction.sides(self.pair.are_triangles);
-        let [x, y] = own.map(|(shape, k)| pick(&self.sides[shape % 2], k));
+        let [x, y] = own.each(|(shape, k)| pick(&self.sides[shape % 2], k));
         [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
     }
 
@@ -211,7 +211,7 @@ impl<'a> Cut<'a> {
         let width = 32 - cross.iter().fold(0, |all, x| all | x ^ x >> 31).leading_zeros() as i32;
         if width >= LEAST {
             // 2^16 over that power, and one.
-            return Some((cross.map(|x| x >> (width - BITS)), (1 << (31 - width)) + 1));
+            return Some((cross.each(|x| x >> (width - BITS)), (1 << (31 - width)) + 1));
         }
         Some((self.pair.along(direction).cut(BITS)?, 1))
     }

@@ -1,7 +1,7 @@
 //! The directions along which shapes may be separated.
 
 use super::body::Body;
-use crate::arithmetic::turn;
+use crate::arithmetic::{Each, turn};
 use crate::scalar::Scalar;
 
 /// An axis: the cross product of two sides of the shapes.
@@ -24,7 +24,7 @@ const TRIANGLES: [Direction; 11] = table([1, 1], false);
 /// All directions, in the order that decides between equal depths: faces of the first shape, faces
 /// of the second, pairs of sides. A triangle's face comes before the faces of a box.
 pub(super) fn all<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> &'static [Direction] {
-    match bodies.each_ref().map(Body::is_triangle) {
+    match bodies.each_ref().each(Body::is_triangle) {
         [false, false] => &BOXES,
         [true, false] => &TRIANGLE_AND_BOX,
         [false, true] => &BOX_AND_TRIANGLE,

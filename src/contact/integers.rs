@@ -5,7 +5,7 @@ use core::mem::size_of;
 
 use super::exact::Size;
 use crate::arithmetic::{
-    BigInt, I256, Number, Parts, REGISTERS_ARE_WIDE, Soft, compare, of_four, three,
+    BigInt, Each, I256, Number, Parts, REGISTERS_ARE_WIDE, Soft, compare, of_four, three,
 };
 use crate::scalar::Scalar;
 
@@ -182,7 +182,7 @@ fn in_parts(a: &[i128; 3], v: &[i128; 3]) -> (i128, u32) {
         if is_short(a) && is_short(b) {
             lower += Words::area(a as i64, b as i64);
         } else {
-            let [[a1, a0], [b1, b0]] = [a, b].map(|x| [(x >> 32) as i64, i64::from(x as u32)]);
+            let [[a1, a0], [b1, b0]] = [a, b].each(|x| [(x >> 32) as i64, i64::from(x as u32)]);
             upper += (Words::area(a1, b1) << 32) + Words::area(a1, b0) + Words::area(a0, b1);
             lower += Words::area(a0, b0);
         }

@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use super::body::{Body, side_of};
-use crate::arithmetic::{pick, three, turn};
+use crate::arithmetic::{Each, pick, three, turn};
 use crate::mesh::{Index, Mesh, MeshError, by_place, sort};
 use crate::robust::{ExactSum, add_area, difference};
 use crate::scalar::Scalar;
@@ -90,7 +90,7 @@ pub fn interior_edges<S: Scalar, I: Index>(
     let sides = scratch.get_mut(..3 * count).ok_or(MeshError::Length { needed: 3 * count })?;
     let edges = edges.get_mut(..count).ok_or(MeshError::Length { needed: count })?;
     edges.fill(InteriorEdges::NONE);
-    let numbers = (0..count).flat_map(|t| [0, 1, 2].map(|k| (I::of(t), k)));
+    let numbers = (0..count).flat_map(|t| [0, 1, 2].each(|k| (I::of(t), k)));
     for (side, number) in sides.iter_mut().zip(numbers) {
         *side = number;
     }
@@ -114,7 +114,7 @@ pub fn interior_edges<S: Scalar, I: Index>(
         let ((t, k), (u, l)) = (*first, (*u, *l));
         let are_turned_alike = ends(&(t, k)).1 != ends(&(u, l)).1;
         let both = [mesh.known(t.get()), mesh.known(u.get())];
-        let apexes = [k, l].map(|k| usize::from((k + 2) % 3));
+        let apexes = [k, l].each(|k| usize::from((k + 2) % 3));
         if t != u && is_interior(&both, apexes, are_turned_alike) {
             for (t, k) in [(t, k), (u, l)] {
                 if let Some(edges) = edges.get_mut(t.get()) {
@@ -133,7 +133,7 @@ fn is_interior<S: Scalar>(
     are_turned_alike: bool,
 ) -> bool {
     let [first, second] = triangles;
-    let (normals, edges) = (triangles.each_ref().map(normal_signs), Body::Triangle(first));
+    let (normals, edges) = (triangles.each_ref().each(normal_signs), Body::Triangle(first));
     if normals.contains(&[Ordering::Equal; 3]) {
         return false;
     }
@@ -154,7 +154,7 @@ fn is_interior<S: Scalar>(
 fn normal_signs<S: Scalar>(triangle: &Triangle<S>) -> [Ordering; 3] {
     let body = Body::Triangle(triangle);
     let (x, y) = (body.side(0), body.side(1));
-    [0, 1, 2].map(|i: usize| {
+    [0, 1, 2].each(|i: usize| {
         let (_, j, k) = turn(i);
         let mut sum = S::SeptumSum::new();
         add_area(&mut sum, pick(&x, j), pick(&y, k), false);

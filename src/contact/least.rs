@@ -14,7 +14,7 @@ use super::settled::settled;
 use super::sums::Sums;
 use super::wanted::{FACE, Wanted};
 use super::whole::{Pair, Units};
-use crate::arithmetic::{REGISTERS_ARE_WIDE, pick, turn};
+use crate::arithmetic::{Each, REGISTERS_ARE_WIDE, pick, turn};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
 
@@ -230,7 +230,7 @@ fn across(way: &Way, unit: &Vec64, edges: &[Vec64; 3], interior: InteriorEdges) 
         3 => None,
         2 => Some((0..3).any(|k| farthest[k] && farthest[turn(k).1] && interior.contains(k))),
         _ => {
-            let n = unit.map(|x| -x);
+            let n = unit.each(|x| -x);
             let normal = cross(&edges[0], &edges[1]);
             let k = farthest.iter().position(|&is| is).unwrap_or(0);
             let outward = |k: usize| dot(&n, &cross(pick(edges, k), &normal)) >= 0.0;

@@ -17,7 +17,7 @@ use super::body::{Flat, Vec64, dot};
 use super::feature::Part;
 use super::filter::cross_with_products;
 use super::settled::U;
-use crate::arithmetic::{Double, largest, pick, three, turn};
+use crate::arithmetic::{Double, Each, largest, pick, three, turn};
 use crate::query::Feature;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle};
@@ -60,7 +60,7 @@ impl<S: Scalar> Line<S> {
     /// From a point that is given, by a vector that has one rounding in each coordinate.
     fn of_points(a: Vec64, point: [S; 3], part: Part) -> Self {
         let point = unsigned(point);
-        Self { a, errors: a.map(|x| x.abs() * U), height: None, point, part }
+        Self { a, errors: a.each(|x| x.abs() * U), height: None, point, part }
     }
 
     /// Whether a vector, rounded likewise, certainly leads back along the line.
@@ -98,8 +98,8 @@ impl<S: Scalar> Line<S> {
                 let volume = dot(&n, &d);
                 let error = |i: usize| roundoffs(VOLUME) * products[i] * d[i].abs();
                 let error = error(0) + error(1) + error(2);
-                let a = if volume < 0.0 { n.map(|x| -x) } else { n };
-                let errors = products.map(|x| roundoffs(NORMAL) * x);
+                let a = if volume < 0.0 { n.each(|x| -x) } else { n };
+                let errors = products.each(|x| roundoffs(NORMAL) * x);
                 let height = Some([volume.abs(), error]);
                 let line = Self { a, errors, height, point, part: Part::Face(0) };
                 (volume.abs() > 1.01 * error).then_some(line)
@@ -124,7 +124,7 @@ impl<S: Scalar> Line<S> {
             is_clear &= low != high;
         }
         let side = |i: usize| pick(&beyond, i).unwrap_or(0);
-        let is_out = beyond.map(|side: Option<u8>| side.is_some());
+        let is_out = beyond.each(|side: Option<u8>| side.is_some());
         let axis = |is: bool| is_out.iter().position(|&out| out == is).unwrap_or(0);
         let part = match is_out.iter().filter(|&&out| out).count() {
             0 => return Self::out_of_box(&ends, to),
@@ -162,7 +162,7 @@ impl<S: Scalar> Line<S> {
     /// r² − d², and how far it may be off, both times the third number: in double words. d is the
     /// distance, and r the radius.
     pub(super) fn gap(&self, flat: Flat<'_, S>, to: &[S; 3], r: f64) -> [f64; 3] {
-        let way = |x: &[S; 3], y: &[S; 3]| Double::way(&x.map(S::units), &y.map(S::units));
+        let way = |x: &[S; 3], y: &[S; 3]| Double::way(&x.each(S::units), &y.each(S::units));
         let rr = square(Double::of(r));
         match (flat, self.part) {
             (Flat::Triangle(triangle), Part::Edge(k)) => {
@@ -195,14 +195,14 @@ impl<S: Scalar> Line<S> {
         let n = match (flat, self.part) {
             (Flat::Triangle(_), Part::Edge(_)) => return None,
             (Flat::Triangle(triangle), Part::Face(_)) => {
-                let [a, b, c] = triangle.points().map(|x| x.map(S::units));
+                let [a, b, c] = triangle.points().each(|x| x.each(S::units));
                 let n = Double::cross(&Double::way(&b, &a), &Double::way(&c, &a));
                 n.iter().all(is_exact).then(|| n[0].plus(n[1]).plus(n[2]))?
             }
             _ => Double::of(1.0),
         };
-        let way = Double::way(&to.map(S::units), &self.point.map(S::units));
-        let d = largest(&way.map(|x| x.high));
+        let way = Double::way(&to.each(S::units), &self.point.each(S::units));
+        let d = largest(&way.each(|x| x.high));
         let is_deep = self.height.is_some_and(|[height, _]| height < 0.0);
         let depth = Double::difference(r, if is_deep { -d } else { d });
         let (nr, nd) = (n.times(Double::of(r)), n.times(Double::of(d)));
@@ -214,7 +214,7 @@ impl<S: Scalar> Line<S> {
 
 /// Given coordinates, in which exact numbers know no sign of zero.
 fn unsigned<S: Scalar>(point: [S; 3]) -> [S; 3] {
-    point.map(|x| if x == S::ZERO { S::ZERO } else { x })
+    point.each(|x| if x == S::ZERO { S::ZERO } else { x })
 }
 
 fn square(x: Double) -> Double {
@@ -234,7 +234,7 @@ fn ends<S: Scalar>(aabb: &Aabb<S>) -> Option<[[S; 2]; 3]> {
             let is_exact = |i: usize| {
                 let (c, h) = (c[i].units(), h[i].units());
                 let exact = [Double::difference(c, h), Double::difference(c, -h)];
-                ends[i].map(|end| Double::of(end.units())) == exact
+                ends[i].each(|end| Double::of(end.units())) == exact
             };
             (0..3).all(is_exact).then_some(ends)
         }

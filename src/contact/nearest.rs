@@ -13,7 +13,7 @@
 
 use super::feature::Part;
 use super::scene::{CORNERS, Scene, Way, along, product, sign};
-use crate::arithmetic::{Arithmetic, Number, Soft, cross, dot};
+use crate::arithmetic::{Arithmetic, Each, Number, Soft, cross, dot};
 use crate::query::{Vector, from};
 
 /// A point of the solid.
@@ -78,12 +78,12 @@ impl<N: Arithmetic> Scene<N> {
         }
         let w = from::<N>(&self.ends[0], x);
         let length = along::<N>(&n, &n);
-        let [of_segment, of_edge] = [&f, &self.e].map(|v| along::<N>(&cross::<N>(v, &w), &n));
+        let [of_segment, of_edge] = [&f, &self.e].each(|v| along::<N>(&cross::<N>(v, &w), &n));
         let is_within = |t: N::Quartic| t >= N::Quartic::ZERO && t <= length;
         if !is_within(of_segment) || !is_within(of_edge) {
             return [None, None];
         }
-        [n, n.map(|x| -x)].map(|n| {
+        [n, n.each(|x| -x)].each(|n| {
             let way = Way::Normal { n, overlap: -dot::<N>(&n, &w) };
             let farthest = self.farthest(&way, x)?;
             let parts = [Part::Edge(number), Part::Edge(0)];
@@ -120,7 +120,7 @@ impl<N: Arithmetic> Scene<N> {
                 return None;
             }
             let unit = N::area(self.one, self.one);
-            let [along, length] = [de, ee].map(|x| N::quartic(x, unit));
+            let [along, length] = [de, ee].each(|x| N::quartic(x, unit));
             let parts = [Part::Edge(number), Part::Vertex(end as u8)];
             let place = Place::Edge { from: *x, e, along, length };
             self.if_nearest(Way::Line { d, e }, x, Some(end), parts, place)

@@ -10,7 +10,7 @@ use super::measures::{Directed, Way};
 use super::sides::Unit;
 use super::solid::{Solid, edge_of_box};
 use super::view::{Edge, MOST, Pair, Pairs, View, distance, minus};
-use crate::arithmetic::{greatest, out_of_line, part, three, two};
+use crate::arithmetic::{Each, greatest, out_of_line, part, three, two};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -167,7 +167,7 @@ fn is_deep(
     if deepest >= exact - 3.0 * view.tolerance {
         return true;
     }
-    let back = outward.map(|x| -x);
+    let back = outward.each(|x| -x);
     let overlap = shapes[0].reach_along(outward) + shapes[1].reach_along(&back);
     deepest >= overlap - 4.0 * view.tolerance
 }
@@ -218,7 +218,7 @@ fn by_any_faces(view: &View, [shape, other]: [&Solid<'_>; 2], outward: &Vec64, f
         let ((below, first), (at, second)) = (lowest(shape), lowest(other));
         let depth = dot(&minus(&below, &at), outward);
         if let Some(parts) = found.add(Pair { at: [below, at], depth }, 0.0) {
-            *parts = [first, second].map(Part::Vertex);
+            *parts = [first, second].each(Part::Vertex);
         }
     }
 }

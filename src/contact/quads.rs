@@ -5,7 +5,7 @@ use super::body::Vec64;
 use super::faces::{CORNERS, Face};
 use super::known::{Known, next, parts, transposed, within};
 use super::view::{Four, View, flat, minus};
-use crate::arithmetic::{Quad, three, two};
+use crate::arithmetic::{Each, Quad, three, two};
 
 /// All corners, as bits.
 const ALL: u32 = (1 << CORNERS) - 1;
@@ -110,7 +110,7 @@ impl Known for Quads {
     #[inline(always)]
     fn sides(&self, n: usize, m: usize) -> [f64; 2] {
         let next = if m < self.last { m + 1 } else { 0 };
-        [m, next].map(|m| self.sides[n % CORNERS][m % CORNERS])
+        [m, next].each(|m| self.sides[n % CORNERS][m % CORNERS])
     }
 
     #[inline(always)]
@@ -124,7 +124,7 @@ impl Known for Quads {
 fn points(view: &View, from: &Face, to: &[Four; 2]) -> (u32, [[f64; CORNERS]; 3]) {
     let [base, a, b] = from.frame();
     let c = two(|k| to[k] - splat(base.flat[k]));
-    let [s, t] = parts(splat, [a, b].map(|x| flat(&x.flat, &base.flat)), c);
+    let [s, t] = parts(splat, [a, b].each(|x| flat(&x.flat, &base.flat)), c);
     let (zero, one) = (splat(0.0), splat(1.0));
     let is_below = if from.count() == 3 {
         (s + t).is_at_most(one)
@@ -137,7 +137,7 @@ fn points(view: &View, from: &Face, to: &[Four; 2]) -> (u32, [[f64; CORNERS]; 3]
     let [x, y] = two(|k| flats[k] - to[k]);
     let is_near = (x * x + y * y).is_at_most(splat(view.tolerance * view.tolerance));
     let met = zero.is_at_most(s) & zero.is_at_most(t) & is_below & is_near;
-    (met, at.map(Quad::to_array))
+    (met, at.each(Quad::to_array))
 }
 
 #[cfg(test)]
@@ -152,7 +152,8 @@ mod tests {
     /// A triangle in the plane z = 0, along whose normal it is seen. All numbers are small and whole, so that
     /// nothing is rounded.
     fn triangle(view: &View, random: &mut Random) -> Face {
-        let at = [(); 3].map(|()| [0, 1, 2].map(|i| if i < 2 { coordinate(random) } else { 0.0 }));
+        let at =
+            [(); 3].each(|()| [0, 1, 2].each(|i| if i < 2 { coordinate(random) } else { 0.0 }));
         let rough = Rough { is_triangle: true, at, sides: [[0.0; 3]; 3], half: [0.0; 3] };
         Face::new(view, &Solid::new(&rough), 0)
     }
@@ -160,7 +161,7 @@ mod tests {
     /// The lower side of a box with the coordinate axes.
     fn rectangle(view: &View, random: &mut Random) -> Face {
         let sides = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let [x, y, w, h] = [(); 4].map(|()| coordinate(random));
+        let [x, y, w, h] = [(); 4].each(|()| coordinate(random));
         let half = [w.abs() + 1.0, h.abs() + 1.0, 1.0];
         let rough = Rough { is_triangle: false, at: [[x, y, 1.0]; 3], sides, half };
         Face::new(view, &Solid::new(&rough), 4)
@@ -172,13 +173,13 @@ mod tests {
 
     /// The sign of each corner's side of each edge, in whole numbers.
     fn signs(from: &Face, face: &Face) -> [[i64; CORNERS]; CORNERS] {
-        let whole = |corner: &Corner| corner.flat.map(|x| x as i64);
+        let whole = |corner: &Corner| corner.flat.each(|x| x as i64);
         let mut signs = [[0; CORNERS]; CORNERS];
         for (n, signs) in signs.iter_mut().enumerate().take(from.count()) {
-            let [p, q] = from.ends(n).map(whole);
+            let [p, q] = from.ends(n).each(whole);
             for (m, sign) in signs.iter_mut().enumerate().take(face.count()) {
                 let to = whole(face.corner(m));
-                let [a, b] = [q, to].map(|x| [x[0] - p[0], x[1] - p[1]]);
+                let [a, b] = [q, to].each(|x| [x[0] - p[0], x[1] - p[1]]);
                 *sign = (a[0] * b[1] - a[1] * b[0]).signum();
             }
         }
@@ -207,7 +208,7 @@ mod tests {
                 let is_left = of(m).all(|sign| sign > 0) || of(m).all(|sign| sign < 0);
                 let is_out = of(m).any(|sign| sign > 0) && of(m).any(|sign| sign < 0);
                 let (inside, outside) = quads.within;
-                assert_eq!([inside, outside].map(|x| x >> m & 1 == 1), [is_left, is_out]);
+                assert_eq!([inside, outside].each(|x| x >> m & 1 == 1), [is_left, is_out]);
                 if is_left {
                     let [x, y, _] = quads.point(m).unwrap();
                     let [to_x, to_y, _] = face.corner(m).at;
@@ -235,21 +236,21 @@ mod tests {
         let mut number = || f64::from(random.bits() as i32) * 2_f64.powi(-31);
         let mut skewed = 0;
         for n in 0..20_000 {
-            let [side, apart, normal] = [(); 3].map(|()| three(|_| number()));
-            let sides = [1e-12, 1e-14, 0.0].map(|off| along(&side, off * number(), &apart));
+            let [side, apart, normal] = [(); 3].each(|()| three(|_| number()));
+            let sides = [1e-12, 1e-14, 0.0].each(|off| along(&side, off * number(), &apart));
             let half = [1.0, number().abs(), 2_f64.powi(n % 30)];
             let rough = Rough { is_triangle: false, at: [[0.0; 3]; 3], sides, half };
-            let at = [(); 3].map(|()| {
+            let at = [(); 3].each(|()| {
                 let [s, t] = two(|_| number());
-                let reach = three(|k| sides[k].map(|x| x * half[k]));
-                let at = along(&reach[0].map(|x| -x), s, &reach[1]);
+                let reach = three(|k| sides[k].each(|x| x * half[k]));
+                let at = along(&reach[0].each(|x| -x), s, &reach[1]);
                 along(&at, t, &reach[2])
             });
             let none = [[0.0; 3]; 3];
             let triangle = Rough { is_triangle: true, at, sides: none, half: [0.0; 3] };
             let [solid, other] = [Solid::new(&rough), Solid::new(&triangle)];
             let length = (0..3).map(|i| normal[i] * normal[i]).sum::<f64>().sqrt();
-            let view = View::new(&normal.map(|x| x / length), solid.size, None);
+            let view = View::new(&normal.each(|x| x / length), solid.size, None);
             let [from, face] = [Face::new(&view, &solid, 0), Face::new(&view, &other, 0)];
             let quads = Quads::new(&view, &from, &face);
             for m in 0..3 {

@@ -13,7 +13,7 @@ use super::nearest::Pair;
 use super::points::{Point, Points};
 use super::scene::{Scene, Way};
 use super::{Contact, Translation};
-use crate::arithmetic::{Embeds, Number, greatest, root, three};
+use crate::arithmetic::{Each, Embeds, Number, greatest, root, three};
 use crate::robust::{Numeric, Predicate};
 use crate::scalar::Scalar;
 use crate::shape::{AabbForm, Vec3};
@@ -49,8 +49,8 @@ impl<S: Scalar> Question<'_, S> {
         unit: &Units<N>,
     ) -> Option<Out> {
         let n = scene.normal();
-        let [front, back] = [n, n.map(|x| -x)]
-            .map(|n| out::<S, N>(&Way::Normal { n, overlap: scene.overlap(&n) }, r, unit));
+        let [front, back] = [n, n.each(|x| -x)]
+            .each(|n| out::<S, N>(&Way::Normal { n, overlap: scene.overlap(&n) }, r, unit));
         let (front, back) = (front?, back?);
         let is_less = back.lengths.depth.is_less_than(front.lengths.depth);
         Some(if is_less { back } else { front })
@@ -65,7 +65,7 @@ impl<S: Scalar> Predicate<S> for Question<'_, S> {
         if !N::CERTAIN {
             return None;
         }
-        let [a, b] = self.round.ends.map(Vec3::to_array);
+        let [a, b] = self.round.ends.each(Vec3::to_array);
         let (points, is_by_center) = match self.flat {
             Flat::Triangle(t) => (t.points(), false),
             Flat::Aabb(aabb) => {

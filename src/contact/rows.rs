@@ -6,7 +6,7 @@
 
 use super::body::Rough;
 use super::directions::Apart;
-use crate::arithmetic::{Float, OfFour, Quad, THREE, each, greatest, least, three, two};
+use crate::arithmetic::{Each, Float, OfFour, Quad, THREE, greatest, least, three, two};
 
 type Row = <f32 as OfFour>::Quad;
 
@@ -40,20 +40,20 @@ fn dot(a: &Vectors, b: &Vectors) -> Row {
 /// One vector three times.
 #[inline(always)]
 fn same(x: [f32; 3]) -> Vectors {
-    x.map(Row::splat)
+    x.each(Row::splat)
 }
 
 /// Vector n of three, three times.
 #[inline(always)]
 fn only(x: &Vectors, n: usize) -> Vectors {
-    each(*x, |x| Row::splat(x.to_array()[n]))
+    x.each(|x| Row::splat(x.to_array()[n]))
 }
 
 /// The face normals of a box with these axes: u_1 × u_2 first.
 #[inline(always)]
 fn normals(axes: &Vectors) -> Vectors {
-    let next = each(*axes, Quad::turned);
-    cross(&next, &each(next, Quad::turned))
+    let next = axes.each(Quad::turned);
+    cross(&next, &next.each(Quad::turned))
 }
 
 /// The greatest of the first three lanes.
@@ -129,8 +129,8 @@ impl Search {
 #[inline(always)]
 pub(super) fn wanted(needed: u16, shapes: &[Rough; 2]) -> Result<[u16; 2], Apart> {
     let [u, v] = two(|n| three(|i| Row::of_three(three(|k| shapes[n].sides[k][i] as f32))));
-    let [h, k] = two(|n| each(shapes[n].half, |x| x as f32));
-    let d = each(shapes[0].at[0], |x| x as f32);
+    let [h, k] = two(|n| shapes[n].half.each(|x| x as f32));
+    let d = shapes[0].at[0].each(|x| x as f32);
     let axes = u.iter().chain(&v).fold(Row::splat(0.0), |most, x| most.greatest(x.magnitude()));
     let (axes, half) = (most(axes), most(Row::of_three(h).greatest(Row::of_three(k))));
     let size = greatest(axes * half, most(Row::of_three(d).magnitude()));
@@ -154,7 +154,7 @@ pub(super) fn wanted(needed: u16, shapes: &[Rough; 2]) -> Result<[u16; 2], Apart
     // Rows of products: of normals with the axes of the other box.
     let of_second = three(|i| dot(&only(&m, i), &v).magnitude());
     let of_first = three(|i| dot(&only(&u, i), &n).magnitude());
-    let [a, b, c] = of_second.map(Quad::to_array);
+    let [a, b, c] = of_second.each(Quad::to_array);
     let columns = three(|j| Row::of_three([a[j], b[j], c[j]]));
     let times = |x: f32, row: Row| Row::splat(x) * row;
     let reach = Row::of_three(h) * dot(&m, &u).magnitude()
@@ -183,5 +183,5 @@ pub(super) fn wanted(needed: u16, shapes: &[Rough; 2]) -> Result<[u16; 2], Apart
     let n = left.trailing_zeros() as usize % 15;
     let (way, error) = (ways[n / 3].to_array()[n % 3], search.error.to_array()[0]);
     let is_single = left.is_power_of_two() && left & unknown == 0;
-    Ok([way > error, way < -error].map(|is_not| if is_single && is_not { 0 } else { left }))
+    Ok([way > error, way < -error].each(|is_not| if is_single && is_not { 0 } else { left }))
 }

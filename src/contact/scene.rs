@@ -3,7 +3,9 @@
 use core::cmp::Ordering;
 
 use super::interior::InteriorEdges;
-use crate::arithmetic::{Arithmetic, Number, compare, cross, dot, greatest, pick, three, turn};
+use crate::arithmetic::{
+    Arithmetic, Each, Number, compare, cross, dot, greatest, pick, three, turn,
+};
 use crate::query::{Vector, from};
 
 /// The most corners of a shape.
@@ -147,7 +149,7 @@ impl<N: Arithmetic> Scene<N> {
             return (if is_upper { CORNERS - 1 } else { 0 }, normal);
         }
         let n = self.normal();
-        (0, if number == 0 { n } else { n.map(|x| -x) })
+        (0, if number == 0 { n } else { n.each(|x| -x) })
     }
 
     /// The normal of a triangle.
@@ -163,7 +165,7 @@ impl<N: Arithmetic> Scene<N> {
             let is_within = |i: usize| point[i] >= low[i] && point[i] <= high[i];
             return (0..3).all(|i| i == usize::from(number / 2) || is_within(i));
         }
-        let n = if number == 0 { *n } else { n.map(|x| -x) };
+        let n = if number == 0 { *n } else { n.each(|x| -x) };
         (0..3).all(|k| {
             let (edge, to_point) = (
                 from::<N>(self.corner(turn(k).1), self.corner(k)),

@@ -10,7 +10,7 @@ use super::directions::Direction;
 use super::filter::{Filter, Measured};
 use super::measures::{Directed, Measures, Way};
 use super::unit::unit;
-use crate::arithmetic::{largest, pick, root_of_machine};
+use crate::arithmetic::{Each, largest, pick, root_of_machine};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -64,7 +64,7 @@ pub(super) fn settled<S: Scalar>(
         return None;
     }
     // Bits, without a branch.
-    let [overlap, other] = overlaps.map(f64::to_bits);
+    let [overlap, other] = overlaps.each(f64::to_bits);
     let overlap = f64::from_bits(overlap ^ (overlap ^ other) & u64::from(is_along).wrapping_neg());
     let mut of_coordinates = [0.0; 3];
     for i in 0..3 {

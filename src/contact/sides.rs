@@ -3,7 +3,7 @@
 
 use core::mem::size_of;
 
-use crate::arithmetic::{REGISTERS_ARE_WIDE, cut, exponent};
+use crate::arithmetic::{Each, REGISTERS_ARE_WIDE, cut, exponent};
 use crate::scalar::Scalar;
 
 /// Two coordinates across the normal, in multiples of the unit, rounded toward zero.
@@ -30,7 +30,7 @@ impl Unit {
     /// In units, rounded toward zero.
     #[inline(never)]
     pub(super) fn flat(self, x: &[f64; 2]) -> Flat {
-        x.map(|x| {
+        x.each(|x| {
             let size = cut(x, self.0);
             if x < 0.0 { -size } else { size }
         })
@@ -50,13 +50,13 @@ pub(super) fn side(p: &Flat, q: &Flat, to: &Flat) -> i8 {
     let [c, d] = [to[0] - p[0], to[1] - p[1]];
     // Nearly always half words suffice. Each difference is below 2^30, and errs by less than two units and,
     // cut to 2^15 units, by less than two of these; products differ by less than 2^31.
-    let [e, f, g, h] = [a, b, c, d].map(|x| x >> 15);
+    let [e, f, g, h] = [a, b, c, d].each(|x| x >> 15);
     let (short, sizes) = (e * h - f * g, e.abs() + f.abs() + g.abs() + h.abs());
     if short.abs() > 2 * sizes + 8 {
         return if short > 0 { 1 } else { -1 };
     }
     let side = i64::from(a) * i64::from(d) - i64::from(b) * i64::from(c);
-    let sizes = [a, b, c, d].map(|x| i64::from(x.unsigned_abs()));
+    let sizes = [a, b, c, d].each(|x| i64::from(x.unsigned_abs()));
     let margin = 3 * (sizes[0] + sizes[1] + sizes[2] + sizes[3]) + 8;
     i8::from(side > margin) - i8::from(side < -margin)
 }
@@ -64,6 +64,7 @@ pub(super) fn side(p: &Flat, q: &Flat, to: &Flat) -> i8 {
 #[cfg(test)]
 mod tests {
     use super::{Flat, Unit, side};
+    use crate::arithmetic::Each;
     use crate::random::Random;
 
     /// Against whole numbers of 2^-10 units, half of them near the line.
@@ -71,18 +72,18 @@ mod tests {
     fn a_certain_side_is_right() {
         let mut random = Random(0x51de);
         let mut coordinate = || (random.bits() as i64) >> 25;
-        let cut = |x: [i64; 2]| -> Flat { x.map(|x| (x / 1024) as i32) };
+        let cut = |x: [i64; 2]| -> Flat { x.each(|x| (x / 1024) as i32) };
         let mut certain = 0;
         for n in 0..20_000 {
-            let [p, q, mut to] = [(); 3].map(|()| [coordinate(), coordinate()]);
+            let [p, q, mut to] = [(); 3].each(|()| [coordinate(), coordinate()]);
             if n % 2 == 0 {
                 let s = coordinate();
-                to = [0, 1].map(|i| {
+                to = [0, 1].each(|i| {
                     let way = (i128::from(q[i] - p[i]) * i128::from(s)) >> 38;
                     p[i] + way as i64 + (coordinate() >> (20 + n % 19))
                 });
             }
-            let [a, b] = [q, to].map(|x| [0, 1].map(|i| i128::from(x[i] - p[i])));
+            let [a, b] = [q, to].each(|x| [0, 1].each(|i| i128::from(x[i] - p[i])));
             let area = a[0] * b[1] - a[1] * b[0];
             let truth = area.signum() as i8;
             let length = ((a[0] * a[0] + a[1] * a[1]) as f64).sqrt();
@@ -98,7 +99,7 @@ mod tests {
     fn numbers_are_cut_toward_zero() {
         let unit = Unit(1023 - 27);
         for x in [0.0, -0.0, 1.0, -1.0, 1.7, 1e-9, -1e-300, f64::MIN_POSITIVE / 4.0] {
-            assert_eq!(unit.flat(&[x, -x]), [1.0, -1.0].map(|s| (s * x * 2_f64.powi(27)) as i32));
+            assert_eq!(unit.flat(&[x, -x]), [1.0, -1.0].each(|s| (s * x * 2_f64.powi(27)) as i32));
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::body::{Rough, Vec64, cross, dot, flipped};
 use super::view::{Corner, Four, View};
-use crate::arithmetic::{Quad, each, greatest, largest, pick, three, turn, two};
+use crate::arithmetic::{Each, Quad, greatest, largest, pick, three, turn, two};
 
 /// The squared sine of an angle far above all roundings.
 const CLEAR: f64 = f64::from_bits((1023 - 40) << 52);
@@ -112,12 +112,12 @@ impl<'a> Solid<'a> {
     /// The corners of a face of a box.
     #[inline(always)]
     pub(super) fn face(&self, view: &View, number: u8) -> [Corner; 4] {
-        let sides = SIDES[usize::from(number & 7)].map(Four::new);
+        let sides = SIDES[usize::from(number & 7)].each(Four::new);
         let at = three(|i| {
             let center = Four::splat(self.rough.at[0][i]);
             (0..3).fold(center, |at, k| at + sides[k] * Four::splat(self.reach[k][i]))
         });
-        let (at, flat) = (at.map(Quad::to_array), view.flats(at).map(Quad::to_array));
+        let (at, flat) = (at.each(Quad::to_array), view.flats(at).each(Quad::to_array));
         let corner = |n: usize| Corner { at: three(|i| at[i][n]), flat: two(|k| flat[k][n]) };
         [corner(0), corner(1), corner(2), corner(3)]
     }
@@ -126,14 +126,14 @@ impl<'a> Solid<'a> {
     /// than roundings.
     fn has_normal(&self, number: u8) -> bool {
         let (_, i, j) = turn(usize::from(number / 2));
-        let [a, b] = [i, j].map(|k| pick(&self.rough.sides, k));
+        let [a, b] = [i, j].each(|k| pick(&self.rough.sides, k));
         let w = cross(a, b);
         dot(&w, &w) > CLEAR * (dot(a, a) * dot(b, b))
     }
 
     /// The axes of a box, divided by their greatest coordinates.
     fn units(&self) -> [Vec64; 3] {
-        each(self.rough.sides, |side| {
+        self.rough.sides.each(|side| {
             let size = largest(&side);
             three(|i| side[i] / size)
         })
@@ -223,7 +223,7 @@ mod tests {
         let mut number = || f64::from(random.bits() as i32) * 2_f64.powi(-31);
         let mut seen = [0; 2];
         for n in 0..4000_u32 {
-            let mut sides = [(); 3].map(|()| three(|_| number()));
+            let mut sides = [(); 3].each(|()| three(|_| number()));
             if n % 2 == 0 {
                 let (by, off) = (number(), number() * 2_f64.powi(-(n as i32 % 64)));
                 sides[1] = three(|i| by * sides[0][i] + if n % 3 == 0 { 0.0 } else { off });

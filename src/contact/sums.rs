@@ -6,7 +6,7 @@ use core::cmp::Ordering;
 
 use super::body::{Body, side_of};
 use super::exact::{Given, Size};
-use crate::arithmetic::{Parts, Soft, pick, three, turn};
+use crate::arithmetic::{Each, Parts, Soft, pick, three, turn};
 use crate::robust::{ExactSum, Vector, add_area, add_scaled_determinant};
 use crate::scalar::Scalar;
 
@@ -23,7 +23,7 @@ fn size<T: ExactSum>(sum: &T) -> Size {
 
 impl<'a, S: Scalar> Sums<'a, S> {
     pub(super) fn new(bodies: &'a [Body<'a, S>; 2], own: [(usize, usize); 2]) -> Self {
-        Self { bodies, sides: own.map(|(shape, k)| bodies[shape % 2].side(k)) }
+        Self { bodies, sides: own.each(|(shape, k)| bodies[shape % 2].side(k)) }
     }
 
     /// Adds twice the shape's end along the direction, or subtracts its beginning.

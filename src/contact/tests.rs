@@ -20,7 +20,7 @@ use super::solid::Solid;
 use super::view::View;
 use super::wanted::Wanted;
 use super::whole::Units;
-use crate::arithmetic::{REGISTERS_ARE_WIDE, greatest, root};
+use crate::arithmetic::{Each, REGISTERS_ARE_WIDE, greatest, root};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb, Triangle, Vec3};
 
@@ -36,11 +36,11 @@ impl Draw {
     }
 
     fn point<S: Copy>(&mut self, bits: u32, of: fn(f64) -> S) -> [S; 3] {
-        [(); 3].map(|()| of(self.number(bits)))
+        [(); 3].each(|()| of(self.number(bits)))
     }
 
     fn half<S: Copy>(&mut self, bits: u32, of: fn(f64) -> S) -> [S; 3] {
-        [(); 3].map(|()| of(self.number(bits).abs()))
+        [(); 3].each(|()| of(self.number(bits).abs()))
     }
 }
 
@@ -88,7 +88,7 @@ fn assert_depth_is_overlap<S: Scalar>(rough: &[Rough; 2], (way, lengths): &(Way,
         return;
     }
     let unit = lengths.unit(way.is_along);
-    let overlap = first.reach_along(&unit.map(|x| -x)) + second.reach_along(&unit);
+    let overlap = first.reach_along(&unit.each(|x| -x)) + second.reach_along(&unit);
     let off = (overlap - lengths.depth_in_double::<S>()).abs();
     assert!(off < View::new(&unit, size, None).tolerance / 3.0, "{off} {overlap}");
 }
@@ -110,7 +110,7 @@ fn check<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [bool; 3] 
         // What 60 bits hold, 250 bits hold as well.
         let (long, short) = (units.pair(&bodies), is_short.then(|| units.pair(&bodies)));
         let numbers = [Some(Numbers::Long(&long)), short.as_ref().map(Numbers::Short)];
-        for (direction, numbers) in all(&bodies).iter().flat_map(|&d| numbers.map(|n| (d, n))) {
+        for (direction, numbers) in all(&bodies).iter().flat_map(|&d| numbers.each(|n| (d, n))) {
             let exact = |n: Numbers<'_>| n.along(&bodies, direction, &NOTHING_IS_KNOWN, [true; 2]);
             if let Some(numbers) = numbers {
                 assert_eq!(exact(numbers), exact(Numbers::Sums), "{direction:?} {bodies:?}");
@@ -125,15 +125,15 @@ fn check_all<S: Scalar>(bits: u32, of: fn(f64) -> S, axis: fn(f64) -> S) -> [usi
     let (mut draw, mut seen) = (Draw(7 + u64::from(bits)), [0; 4]);
     for _ in 0..12 {
         let mut triangle = || {
-            let [a, b, c] = [(); 3].map(|()| draw.point(bits, of));
+            let [a, b, c] = [(); 3].each(|()| draw.point(bits, of));
             Triangle::new(a, b, c).unwrap()
         };
         let (t, u) = (triangle(), triangle());
-        let [a, b] = [(); 2].map(|()| {
+        let [a, b] = [(); 2].each(|()| {
             Aabb::from_center_half_extents(draw.point(bits, of), draw.half(bits, of)).unwrap()
         });
-        let [c, d] = [(); 2].map(|()| {
-            let axes = [(); 3].map(|()| draw.point(bits, axis));
+        let [c, d] = [(); 2].each(|()| {
+            let axes = [(); 3].each(|()| draw.point(bits, axis));
             Obb::from_skewed_axes(draw.point(bits, of), axes, draw.half(bits, of)).unwrap()
         });
         let all = [check(&t, &u), check(&t, &a), check(&c, &u), check(&a, &b), check(&b, &c)];
@@ -153,7 +153,7 @@ fn all_ways_agree() {
     let few = |x: f64| x as f32;
     let short = [check_all::<f32>(3, few, few), check_all(24, few, few)];
     let long = [check_all::<f64>(3, |x| x, |x| x), check_all(30, |x| x / 3.0, |x| x * 0.7)];
-    let wholes = [short, long].map(|seen| seen.map(|[.., short, _]| short));
+    let wholes = [short, long].each(|seen| seen.each(|[.., short, _]| short));
     if REGISTERS_ARE_WIDE {
         assert!(wholes.as_flattened().iter().all(|&whole| whole > 30), "{wholes:?}");
     }
@@ -194,16 +194,16 @@ fn words_agree_with_sums() {
         let (mut draw, mut seen) = (Draw(u64::from(bits)), [0; 3]);
         for _ in 0..30 {
             let [a, b, c, p, q, r] = [(); 6].map(|()| draw.point(bits, of));
-            let half = [(); 2].map(|()| draw.half(bits, of));
-            let axes = [(); 2].map(|()| [(); 3].map(|()| draw.point(bits, axis)));
-            let [t, u] = [[a, b, c], [p, q, r]].map(|[a, b, c]| Triangle::new(a, b, c).unwrap());
+            let half = [(); 2].each(|()| draw.half(bits, of));
+            let axes = [(); 2].each(|()| [(); 3].each(|()| draw.point(bits, axis)));
+            let [t, u] = [[a, b, c], [p, q, r]].each(|[a, b, c]| Triangle::new(a, b, c).unwrap());
             let aabb = Aabb::from_center_half_extents(p, half[0]).unwrap();
             let obb = |k: usize| Obb::from_skewed_axes([q, r][k], axes[k], half[k]);
             let (Ok(c), Ok(d)) = (obb(0), obb(1)) else { continue };
             let pairs = [check_pair(&t, &u), check_pair(&t, &aabb), check_pair(&c, &u)];
             let more = [check_pair(&aabb, &c), check_pair(&c, &d), check_pair(&c, &c)];
             for pair in pairs.into_iter().chain(more) {
-                seen = [0, 1, 2].map(|k: usize| seen[k] + pair[k]);
+                seen = [0, 1, 2].each(|k: usize| seen[k] + pair[k]);
             }
         }
         assert!(seen[0] > 30, "{seen:?}");
@@ -242,14 +242,14 @@ fn tiny_sides_are_left_to_exact_numbers() {
     let short = 2_f64.powi(-40);
     let half = [0.25 / short, 0.25 / short, 1.0 / f64::MIN_POSITIVE];
     for n in 0..60 {
-        let mut axes = [(); 3].map(|()| draw.point(30, |x| x * 0.7).map(|x| x * short));
+        let mut axes = [(); 3].each(|()| draw.point(30, |x| x * 0.7).each(|x| x * short));
         axes[2] = draw.point(4, |x| x * f64::MIN_POSITIVE);
         let obb = Obb::from_skewed_axes([0.0; 3], axes, half).unwrap();
-        let reach = axes[2].map(|x| x * half[2]);
+        let reach = axes[2].each(|x| x * half[2]);
         let near = |p: [f64; 3]| {
-            [0, 1, 2].map(|i: usize| p[i] + reach[i] * (1.0 + 0.01 * f64::from(n % 7)))
+            [0, 1, 2].each(|i: usize| p[i] + reach[i] * (1.0 + 0.01 * f64::from(n % 7)))
         };
-        let [a, b, c] = [(); 3].map(|()| near(draw.point(20, |x| x * 0.2)));
+        let [a, b, c] = [(); 3].each(|()| near(draw.point(20, |x| x * 0.2)));
         let t = Triangle::new(a, b, c).unwrap();
         contacts += usize::from(check(&t, &obb)[0]);
     }
@@ -259,10 +259,10 @@ fn tiny_sides_are_left_to_exact_numbers() {
 /// How many of these contacts floats know, and how many they leave in doubt. What they know has the
 /// bits of exact numbers.
 fn known<S: Scalar>(flat: Flat<'_, S>, ends: [[S; 3]; 2], radius: S) -> [usize; 2] {
-    let (round, mut seen) = (Round { ends: ends.map(Vec3::from), radius }, [0; 2]);
+    let (round, mut seen) = (Round { ends: ends.each(Vec3::from), radius }, [0; 2]);
     for bits in 0..16 {
         let bits = if let Flat::Aabb(_) = flat { bits & 1 } else { bits };
-        let interior = InteriorEdges::new([1, 2, 4].map(|bit| bits & (bit * 2) != 0));
+        let interior = InteriorEdges::new([1, 2, 4].each(|bit| bits & (bit * 2) != 0));
         let found = round::in_floats(flat, &round, bits % 2 == 1, interior);
         seen[usize::from(found.is_none())] += 1;
         if let Some(found) = found {
@@ -283,11 +283,11 @@ fn known<S: Scalar>(flat: Flat<'_, S>, ends: [[S; 3]; 2], radius: S) -> [usize; 
 fn known_of<S: Scalar>(mut of: impl FnMut(&mut Draw) -> S, ulp: f64) -> [usize; 2] {
     let (mut draw, mut seen) = (Draw(11), [0; 2]);
     for n in 0..3000 {
-        let [a, b, c, p, q] = [(); 5].map(|()| [(); 3].map(|()| of(&mut draw)));
+        let [a, b, c, p, q] = [(); 5].map(|()| [(); 3].each(|()| of(&mut draw)));
         let triangle = Triangle::new(a, b, c).unwrap();
         let order = |i: usize| if a[i] < b[i] { [a[i], b[i]] } else { [b[i], a[i]] };
-        let [low, high] = [0, 1].map(|end| [0, 1, 2].map(|i| order(i)[end]));
-        let half = q.map(|x| if x < S::ZERO { S::ZERO } else { x });
+        let [low, high] = [0, 1].each(|end| [0, 1, 2].each(|i| order(i)[end]));
+        let half = q.each(|x| if x < S::ZERO { S::ZERO } else { x });
         let aabb = match n % 4 {
             1 => Aabb::from_min_max(low, high).unwrap(),
             _ => Aabb::from_center_half_extents(a, half).unwrap(),
@@ -299,7 +299,7 @@ fn known_of<S: Scalar>(mut of: impl FnMut(&mut Draw) -> S, ulp: f64) -> [usize; 
         };
         let square = |x: f64| x * x;
         let [x, y, z] =
-            [0, 1, 2].map(|i: usize| square(p[i].beyond_in_double(point.to_array()[i])));
+            [0, 1, 2].each(|i: usize| square(p[i].beyond_in_double(point.to_array()[i])));
         let distance = root(x + y + z + f64::MIN_POSITIVE);
         let more = [ulp, -ulp, 0.125, 0.5][n % 7 % 4];
         let radius = S::ZERO.plus_double(distance * (1.0 + more));

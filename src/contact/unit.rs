@@ -3,7 +3,7 @@
 use super::body::{Vec64, flipped};
 use super::exact::length;
 use super::measures::unit_of;
-use crate::arithmetic::{Double, Soft, compare, each, pick, three, turn};
+use crate::arithmetic::{Double, Each, Soft, compare, pick, three, turn};
 
 /// Units of 2^-80 in a coordinate in two words, of itself.
 const LOST: u16 = 16;
@@ -46,7 +46,7 @@ pub(super) fn unit([x, y]: [&Vec64; 2], is_along: bool, inverse: f64) -> Option<
             Double::difference(product(j, k), product(k, j))
         })
     } else {
-        Double::cross(&each(*x, Double::of), &each(*y, Double::of))
+        Double::cross(&x.each(Double::of), &y.each(Double::of))
     };
     if a.iter().filter(|x| x.high != 0.0).count() == 1 {
         let sign = |x: f64| {
@@ -95,6 +95,6 @@ fn by_integers(a: &[Double; 3], is_along: bool) -> Option<Vec64> {
         *to = Some((compare(x.high, 0.0), Soft::of_double(*x)?));
     }
     let (length, _) = length(&coordinates)?;
-    let ratios = coordinates.map(|coordinate| coordinate.map(|(_, size)| size.over(length)));
+    let ratios = coordinates.each(|coordinate| coordinate.map(|(_, size)| size.over(length)));
     Some(unit_of(&coordinates, is_along, ratios))
 }

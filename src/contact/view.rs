@@ -9,7 +9,7 @@ use super::body::{Vec64, cross, dot};
 use super::feature::Part;
 use super::sides::Unit;
 use crate::arithmetic::{
-    Float, OfFour, Quad, REGISTERS_ARE_WIDE, each, greatest, largest, turn, two,
+    Each, Float, OfFour, Quad, REGISTERS_ARE_WIDE, greatest, largest, turn, two,
 };
 
 pub(super) fn minus(a: &Vec64, b: &Vec64) -> Vec64 {
@@ -64,7 +64,7 @@ const ROUNDOFFS: u16 = 256;
 
 impl View {
     pub(super) fn new(normal: &Vec64, size: f64, unit: Option<Unit>) -> Self {
-        let sizes = each(*normal, f64::abs);
+        let sizes = normal.each(f64::abs);
         let least = usize::from(sizes[1] < sizes[0]);
         let (k, i, j) = turn(if sizes[2] < sizes[least] { 2 } else { least });
         // n × e_k has no rounding of its own.

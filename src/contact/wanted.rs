@@ -6,7 +6,7 @@ use super::directions::{Apart, Direction, all, sides_of_all};
 use super::filter::{Filter, Measure, Ruler};
 use super::lanes::Lanes;
 use super::rows;
-use crate::arithmetic::{OfFour, REGISTERS_ARE_WIDE, least as smaller, two};
+use crate::arithmetic::{Each, OfFour, REGISTERS_ARE_WIDE, least as smaller, two};
 use crate::scalar::Scalar;
 
 /// Directions, and the translations that may be the least, as a bit for each direction: those against
@@ -77,7 +77,7 @@ impl Wanted {
         let mut left = self.against | self.along;
         core::iter::from_fn(move || {
             let n = left.trailing_zeros() as usize % 16;
-            let wanted = [self.against, self.along].map(|bits| bits >> n & 1 == 1);
+            let wanted = [self.against, self.along].each(|bits| bits >> n & 1 == 1);
             let is_wanted = left != 0;
             left &= left.wrapping_sub(1);
             is_wanted.then(|| (self.direction(n), wanted))
@@ -197,7 +197,7 @@ mod tests {
         let mut counts = [0; 3];
         for n in 0..60_000_i32 {
             let by = if n % 7 == 0 { 2_f64.powi(n % 9 - 4) } else { 1.0 };
-            let [mut first, mut second] = [(); 2].map(|()| three(|_| three(|_| by * number())));
+            let [mut first, mut second] = [(); 2].each(|()| three(|_| three(|_| by * number())));
             if n % 4 > 0 {
                 let tilt = [1.0, 1e-2, 1e-5][n as usize % 3];
                 let [p, q] = [three(|_| number()), three(|_| tilt * number())];

@@ -8,7 +8,7 @@ use super::body::Body;
 use super::directions::Direction;
 use super::exact::{Given, Size};
 use super::integers::{Integers, Long, Short, Words, is_short};
-use crate::arithmetic::{Bits, Number, REGISTERS_ARE_WIDE, Soft, pick, three, turn};
+use crate::arithmetic::{Bits, Each, Number, REGISTERS_ARE_WIDE, Soft, pick, three, turn};
 use crate::scalar::Scalar;
 use crate::shape::{AabbForm, Vec3};
 
@@ -90,7 +90,7 @@ impl Units {
             halves: low(halves),
             ends,
             ones: one,
-            up: up.map(i32::unsigned_abs),
+            up: up.each(i32::unsigned_abs),
             are_short,
         })
     }
@@ -117,7 +117,7 @@ impl Units {
             let (halves, unit, up) = (&mut new.halves[n], &mut new.units[n], &mut new.ups[n]);
             match body {
                 Body::Triangle(t) => {
-                    let v = t.vertices().map(|p| numbers::<N, S>(&p, self.places));
+                    let v = t.vertices().each(|p| numbers::<N, S>(&p, self.places));
                     for k in 0..3 {
                         let (from, to) = (pick(&v, k), pick(&v, turn(k).1));
                         sides[k] = three(|i| to[i] - from[i]);
@@ -143,7 +143,7 @@ impl Units {
                 Body::Obb(obb) => {
                     let center = numbers::<N, S>(&obb.center(), self.places);
                     let half = numbers::<N, S>(&obb.half_extents(), self.halves);
-                    (ends[0], *halves) = (center.map(|x| x + x), half.map(|x| x + x));
+                    (ends[0], *halves) = (center.each(|x| x + x), half.each(|x| x + x));
                     for (side, axis) in sides.iter_mut().zip(obb.axes()) {
                         *side = numbers::<N, S>(axis, self.axes);
                     }
@@ -203,12 +203,12 @@ impl<N: Integers> Pair<N> {
 
     pub(super) fn along(&self, direction: Direction) -> Along<'_, N> {
         let own = direction.sides(self.are_triangles);
-        let [x, y] = own.map(|(shape, k)| pick(&self.sides[shape % 2], k));
+        let [x, y] = own.each(|(shape, k)| pick(&self.sides[shape % 2], k));
         let direction = three(|i| {
             let (_, j, k) = turn(i);
             N::area(*pick(x, j), *pick(y, k)) - N::area(*pick(x, k), *pick(y, j))
         });
-        let [x, y] = own.map(|(shape, _)| self.units[shape % 2]);
+        let [x, y] = own.each(|(shape, _)| self.units[shape % 2]);
         Along { pair: self, direction, unit: x + y }
     }
 }
@@ -225,11 +225,11 @@ impl Along<'_, Words> {
     /// The leading bits, rounded down; `None` if the direction is zero.
     pub(super) fn cut(&self, places: i32) -> Option<[i32; 3]> {
         let all = self.direction.iter().fold(0, |all, x| all | x ^ x >> 127);
-        let short = self.direction.map(|x| if is_short(all) { x } else { x >> 32 } as i64);
+        let short = self.direction.each(|x| if is_short(all) { x } else { x >> 32 } as i64);
         let size = short.iter().fold(0, |all, x| all | x ^ x >> 63);
         let down = 64 - size.leading_zeros() as i32 - places;
         let is_zero = self.direction == [0; 3];
-        (!is_zero).then(|| short.map(|x| if down > 0 { x >> down } else { x << -down } as i32))
+        (!is_zero).then(|| short.each(|x| if down > 0 { x >> down } else { x << -down } as i32))
     }
 }
 

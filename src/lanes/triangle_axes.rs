@@ -7,7 +7,7 @@
 //! on one of two sides. The bounds of `triangle_aabb` hold for either.
 
 use crate::arithmetic::{
-    Filtered, FirstFloat, Float, Number, cross, dot, greatest, two_difference,
+    Each, Filtered, FirstFloat, Float, Number, cross, dot, greatest, two_difference,
 };
 use crate::query::{bound_of_size, range};
 
@@ -121,7 +121,7 @@ impl<F: Float> TriangleAxes<F> {
 
     #[inline(always)]
     fn plane_radius(&self, half: &[F; 3]) -> F {
-        self.spare + dot::<Filtered<F>>(&self.normal.map(F::magnitude), half)
+        self.spare + dot::<Filtered<F>>(&self.normal.each(F::magnitude), half)
     }
 
     /// The error bounds of the gaps, and whether they are valid.

@@ -1,4 +1,5 @@
 use super::Hits;
+use crate::arithmetic::Each;
 use crate::published::moller_trumbore::moller_trumbore;
 use crate::published::stored_normal::{NormalTriangle, Stored, store, stored_normal};
 use crate::published::watertight::{ShearedRay, are_zero, edge_functions};
@@ -80,7 +81,7 @@ impl<S: Scalar, const N: usize> Triangles<S, N> {
 
     #[inline(always)]
     pub(super) fn triangle(&self, k: usize) -> Triangle<S> {
-        Triangle::unchecked(self.at(k).map(Vec3::from))
+        Triangle::unchecked(self.at(k).each(Vec3::from))
     }
 
     #[inline(always)]

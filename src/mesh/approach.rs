@@ -16,7 +16,7 @@ use super::descent::{Descend, Met};
 use super::from_origin::{beyond_box, enclosing};
 use super::grid::Grid;
 use super::node::Node;
-use crate::arithmetic::{OfFour, Quad, each, least, three};
+use crate::arithmetic::{Each, OfFour, Quad, least, three};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -116,7 +116,7 @@ impl<S: Scalar> Descend for InFloats<S> {
         });
         let sum = x + y + z;
         // No number is NaN, and none below zero: as integers they compare likewise.
-        let sooner = sum.to_array().map(|x| x.to_bits() as i32);
+        let sooner = sum.to_array().each(|x| x.to_bits() as i32);
         Met { mask: !sum.exceeds(Four::splat(self.limit)) & 15, sooner }
     }
 
@@ -131,7 +131,7 @@ impl<S: Scalar> Approach<S> for InFloats<S> {
 
     #[inline(always)]
     fn bounds(&self, triangle: &Triangle<S>) -> Option<Bounds<f64>> {
-        let vectors = each(triangle.points(), |v| three(|i| v[i].units_beyond(self.p[i])));
+        let vectors = triangle.points().each(|v| three(|i| v[i].units_beyond(self.p[i])));
         if beyond_box(&vectors) > self.most {
             return None;
         }

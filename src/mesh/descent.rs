@@ -27,7 +27,7 @@ use core::cmp::Ordering;
 use self::sealed::Cast;
 use super::grid::Grid;
 use super::node::{Cell, Node};
-use crate::arithmetic::{OfFour, Quad, each, greatest, least, three};
+use crate::arithmetic::{Each, OfFour, Quad, greatest, least, three};
 use crate::query::{Hit, HitRules};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Ray, Triangle};
@@ -149,7 +149,7 @@ impl<S: Scalar, R: Cast<S>> Descent<S, R> {
                 mask ^= 1 << k;
                 continue;
             }
-            sooner[k] = along_octant(&cell, each(d, |d| d.partial_cmp(&S::ZERO)));
+            sooner[k] = along_octant(&cell, d.each(|d| d.partial_cmp(&S::ZERO)));
         }
         Met { mask, sooner }
     }
@@ -231,8 +231,8 @@ impl GridRay {
         let (direction, origin) = (ray.direction().to_array(), ray.origin().to_array());
         let o = three(|i| origin[i].place(&grid.0[i]));
         let d = three(|i| direction[i].length(&grid.0[i]));
-        let ends = [ray.t_min(), ray.t_max()].map(|t| t.map(S::in_double));
-        Self::between([o; 2], d, each(direction, |d| d == S::ZERO), ends)
+        let ends = [ray.t_min(), ray.t_max()].each(|t| t.map(S::in_double));
+        Self::between([o; 2], d, direction.each(|d| d == S::ZERO), ends)
     }
 
     /// A moving box between two corners, in steps of the grid. `is_zero` marks the components of
@@ -292,7 +292,7 @@ impl GridRay {
         let enter = x.0.greatest(Four::splat(self.from)).greatest(y.0.greatest(z.0));
         let leave = x.1.least(Four::splat(self.to)).least(y.1.least(z.1));
         // Neither is NaN: an infinity is never multiplied by zero.
-        Met { mask: enter.is_at_most(leave), sooner: enter.to_array().map(|t| t.to_bits() as i32) }
+        Met { mask: enter.is_at_most(leave), sooner: enter.to_array().each(|t| t.to_bits() as i32) }
     }
 
     /// Whether the ray is on the grid, rather than treated as meeting every box.

@@ -4,7 +4,7 @@ use super::descent::{Descend, GridRay, Met, along_octant};
 use super::grid::Grid;
 use super::node::{Cell, Node};
 use super::overlapping::sealed::Bounded;
-use crate::arithmetic::three;
+use crate::arithmetic::{Each, three};
 use crate::query::{Motion, Sweep};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Vec3};
@@ -79,7 +79,7 @@ fn places<S: Scalar>(grid: &Grid<S>, aabb: &Aabb<S>) -> Option<[[f64; 3]; 2]> {
         AabbForm::Center { center, half } => {
             let (c, h) = (place(center), half.to_array());
             let h = three(|i| h[i].length(&grid.0[i]));
-            let ends = [-1.0, 1.0].map(|sign| three(|i| c[i] + sign * h[i]));
+            let ends = [-1.0, 1.0].each(|sign| three(|i| c[i] + sign * h[i]));
             c.iter().chain(&h).all(|x| x.abs() <= LONG).then_some(ends)
         }
     }

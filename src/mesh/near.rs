@@ -170,6 +170,7 @@ where
 
 #[cfg(test)]
 mod tests {
+    use crate::arithmetic::Each;
     use fixed::types::I16F16;
 
     use crate::mesh::{Mesh, Node, Tree};
@@ -183,7 +184,7 @@ mod tests {
             [(MOST, true), (-MOST - 1, true), (MOST + 1, false), (i32::MIN, false)]
         {
             let corners =
-                [[0, 0, 0], [9, 0, 0], [0, 9, far]].map(|p| p.map(I16F16::from_bits).into());
+                [[0, 0, 0], [9, 0, 0], [0, 9, far]].each(|p| p.each(I16F16::from_bits).into());
             let mesh = Mesh::new(&corners, &[[0_u16, 1, 2]]).unwrap();
             let (mut nodes, mut order) = ([Node::EMPTY], [0]);
             let near = Tree::build(mesh, &mut nodes, &mut order).unwrap().near();
@@ -200,7 +201,7 @@ mod tests {
         let mut point = |most: i32| -> Vec3<I16F16> {
             let fine = below(2);
             [(); 3]
-                .map(|()| I16F16::from_bits((below(9) - 4) * (most >> 2) + below(7) * fine))
+                .each(|()| I16F16::from_bits((below(9) - 4) * (most >> 2) + below(7) * fine))
                 .into()
         };
         let mut near = || loop {
@@ -211,7 +212,7 @@ mod tests {
         };
         let corners: [_; 40] = core::array::from_fn(|_| near());
         let faces: [_; 60] =
-            core::array::from_fn(|k| [k, k * 7 + 1, k * 11 + 2].map(|i| (i % 40) as u16));
+            core::array::from_fn(|k| [k, k * 7 + 1, k * 11 + 2].each(|i| (i % 40) as u16));
         let mesh = Mesh::new(&corners, &faces).unwrap();
         let (mut nodes, mut order) = ([Node::EMPTY; Node::count_for(60)], [0; 60]);
         let tree = Tree::build(mesh, &mut nodes, &mut order).unwrap();
@@ -222,7 +223,7 @@ mod tests {
             // The direction of a point, of a corner, or up to the limit.
             let to = if case % 2 == 0 { q } else { corners[case % 40] };
             let d = core::array::from_fn(|i| to.to_array()[i] - p.to_array()[i]);
-            let d = if case % 3 == 0 { q.to_array().map(|x| x * 4) } else { d };
+            let d = if case % 3 == 0 { q.to_array().each(|x| x * 4) } else { d };
             let Ok(ray) = Ray::new(p, d) else { continue };
             let end = q.to_array()[0];
             let ranges = [
@@ -257,11 +258,11 @@ mod tests {
         let mut random = crate::random::Random(3);
         let mut below = |n: i32| (random.bits() % n as u64) as i32;
         let mut point = || -> Vec3<I16F16> {
-            [(); 3].map(|()| I16F16::from_bits((below(9) - 4) * (MOST >> 2))).into()
+            [(); 3].each(|()| I16F16::from_bits((below(9) - 4) * (MOST >> 2))).into()
         };
         let corners: [_; 40] = core::array::from_fn(|_| point());
         let faces: [_; 60] =
-            core::array::from_fn(|k| [k, k * 7 + 1, k * 11 + 2].map(|i| (i % 40) as u16));
+            core::array::from_fn(|k| [k, k * 7 + 1, k * 11 + 2].each(|i| (i % 40) as u16));
         let mesh = Mesh::new(&corners, &faces).unwrap();
         let (mut nodes, mut order) = ([Node::EMPTY; Node::count_for(60)], [0; 60]);
         let tree = Tree::build(mesh, &mut nodes, &mut order).unwrap();
@@ -269,9 +270,9 @@ mod tests {
         let mut met = [0; 4];
         for _ in 0..3_000 {
             let (p, q) = (point(), point());
-            let half = q.to_array().map(|x| x.abs() >> 2);
+            let half = q.to_array().each(|x| x.abs() >> 2);
             let radius = half[0];
-            let axes = [point(), point(), point()].map(|u| u.to_array().map(|x| x >> 1));
+            let axes = [point(), point(), point()].each(|u| u.to_array().each(|x| x >> 1));
             if let Ok(aabb) = Aabb::from_center_half_extents(p, half).unwrap().near() {
                 assert!(near.overlapping(&aabb).eq(tree.overlapping(aabb.get())));
                 met[0] += near.overlapping(&aabb).count();

@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use crate::arithmetic::REGISTERS_ARE_WIDE;
+use crate::arithmetic::{Each, REGISTERS_ARE_WIDE};
 
 /// The number of triangles in each leaf except the last.
 pub(super) const LEAF: usize = 4;
@@ -89,7 +89,7 @@ impl Node {
                 meet[k] &= (self.0[i][k] <= cell.high[i]) & (self.0[3 + i][k] >= cell.low[i]);
             }
         }
-        let [a, b, c, d] = meet.map(u32::from);
+        let [a, b, c, d] = meet.each(u32::from);
         a | b << 1 | c << 2 | d << 3
     }
 }

@@ -6,7 +6,7 @@ use super::grid::Grid;
 use super::node::{Cell, Node};
 use super::walk::Walk;
 use super::{Index, Tree};
-use crate::arithmetic::{REGISTERS_ARE_WIDE, each};
+use crate::arithmetic::{Each, REGISTERS_ARE_WIDE};
 use crate::query::PreparedObb;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Capsule, Obb, Overlaps, Segment, Sphere, Triangle, Vec3};
@@ -202,7 +202,7 @@ fn is_near<S: Scalar, P: sealed::Bounded<S>>(
     [min, max]: &[[S; 3]; 2],
     triangle: &Triangle<S>,
 ) -> bool {
-    let [a, b, c] = each(*triangle.vertices(), Vec3::to_array);
+    let [a, b, c] = triangle.vertices().each(Vec3::to_array);
     for i in 0..3 {
         // Without branches where a wrong guess is dearer than a comparison.
         let all = |is: fn(S, S) -> bool, end: S| {

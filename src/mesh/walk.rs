@@ -148,6 +148,7 @@ fn farthest_first(&Met { mask, sooner }: &Met, place: usize) -> [i64; 4] {
 
 #[cfg(test)]
 mod tests {
+    use crate::arithmetic::Each;
     extern crate std;
 
     use std::vec::Vec;
@@ -175,7 +176,7 @@ mod tests {
     fn the_nearest_child_is_last() {
         for case in 0..16 * 256 {
             let (mask, keys) = (case & 15, case >> 4);
-            let sooner = [0, 2, 4, 6].map(|shift| (keys >> shift & 3) as i32 - 1);
+            let sooner = [0, 2, 4, 6].each(|shift| (keys >> shift & 3) as i32 - 1);
             let mut expected: Vec<i64> = (0..4)
                 .filter(|k| mask >> k & 1 == 1)
                 .map(|k| entry(sooner[k], 4 * 7 + 1 + k))

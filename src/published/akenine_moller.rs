@@ -6,7 +6,7 @@
 //! rounding does.
 
 use super::vector::rounded;
-use crate::arithmetic::{Number, Rounded, greatest, least};
+use crate::arithmetic::{Each, Number, Rounded, greatest, least};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Obb, Triangle, Vec3};
 
@@ -93,13 +93,13 @@ pub fn overlaps_in<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>, order: Ord
 pub fn overlaps_obb<S: Scalar>(triangle: &Triangle<S>, obb: &Obb<S>) -> bool {
     let center = obb.center().to_array();
     let into = |p: [S; 3]| {
-        let d = [0, 1, 2].map(|i: usize| Rounded(p[i]) - Rounded(center[i]));
-        obb.axes().map(|axis| {
-            let [x, y, z] = axis.to_array().map(Rounded);
+        let d = [0, 1, 2].each(|i: usize| Rounded(p[i]) - Rounded(center[i]));
+        obb.axes().each(|axis| {
+            let [x, y, z] = axis.to_array().each(Rounded);
             (x * d[0] + y * d[1] + z * d[2]).0
         })
     };
-    let [a, b, c] = triangle.points().map(into).map(Vec3::from);
+    let [a, b, c] = triangle.points().each(into).each(Vec3::from);
     let aabb = Aabb::about_origin(obb.half_extents());
     overlaps(&Triangle::unchecked([a, b, c]), &aabb)
 }

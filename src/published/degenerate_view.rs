@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::resolve::Limits;
 use super::vector::Triple;
-use crate::arithmetic::{Number, Rounded};
+use crate::arithmetic::{Each, Number, Rounded};
 use crate::query::Candidate;
 use crate::robust::ExactSum;
 use crate::scalar::Scalar;
@@ -27,7 +27,7 @@ pub(super) fn degenerate_view<S: Scalar>(
     let (weights, z) = along_longest(corners);
     let t = z.0.plain_div(height);
     let hit = one_sided && limits.keep(front) && limits.hold(t);
-    Candidate::new(hit, [t, weights[1].0, weights[2].0], front, signs.map(Ordering::is_eq))
+    Candidate::new(hit, [t, weights[1].0, weights[2].0], front, signs.each(Ordering::is_eq))
 }
 
 /// The sign of p.x·q.y − p.y·q.x.

@@ -7,7 +7,7 @@
 
 use super::separating_axes::{center_half, row, segment_misses};
 use super::vector::{Triple, cross, dot, minus};
-use crate::arithmetic::{Number, Rounded, turn};
+use crate::arithmetic::{Each, Number, Rounded, turn};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Polygon};
 
@@ -106,7 +106,7 @@ fn is_crossed_by_diagonal<S: Scalar>(
         n = [n[0] + part[0], n[1] + part[1], n[2] + part[2]];
         e = f;
     }
-    let diagonal = [0, 1, 2].map(|i: usize| if n[i] < Rounded::ZERO { -h[i] } else { h[i] });
+    let diagonal = [0, 1, 2].each(|i: usize| if n[i] < Rounded::ZERO { -h[i] } else { h[i] });
     let (offset, most) = (dot(n, first), dot(n, diagonal));
     // The plane misses the box.
     if offset.magnitude() > most {
@@ -115,7 +115,7 @@ fn is_crossed_by_diagonal<S: Scalar>(
     let t = Rounded(offset.0.plain_div(most.0));
     // Is the point inside, in the coordinate plane in which the polygon looks largest? If the
     // normal is zero, the point is NaN, and only the edges decide.
-    let size = n.map(Rounded::magnitude);
+    let size = n.each(Rounded::magnitude);
     let largest = if size[0] > size[1] { 0 } else { 1 };
     let (_, j, k) = turn(if size[2] > size[largest] { 2 } else { largest });
     let (x, y) = (diagonal[j] * t, diagonal[k] * t);

@@ -7,7 +7,7 @@
 //! of direction. Here each axis on which the ray falls is mirrored, which leaves one class; zeros
 //! are found in advance. A range of t other than t ≥ 0 is ours.
 
-use crate::arithmetic::{Number, Rounded, greatest};
+use crate::arithmetic::{Each, Number, Rounded, greatest};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Ray};
 
@@ -57,10 +57,10 @@ impl<S: Scalar> SlopeRay<S> {
         let one = Rounded(S::plain_one());
         let over = |a: Rounded<S>, b: Rounded<S>| Rounded(a.0.plain_div(b.0));
         let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
-        let falls = d.map(|d| d < S::ZERO);
+        let falls = d.each(|d| d < S::ZERO);
         let mirrored = |i: usize, x: S| if falls[i] { -Rounded(x) } else { Rounded(x) };
-        let origin = [0, 1, 2].map(|i: usize| mirrored(i, o[i]));
-        let m = d.map(|d| Rounded(d).magnitude());
+        let origin = [0, 1, 2].each(|i: usize| mirrored(i, o[i]));
+        let m = d.each(|d| Rounded(d).magnitude());
         let mut this = Self {
             falls,
             origin,

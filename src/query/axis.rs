@@ -1,6 +1,6 @@
 use core::cmp::Ordering;
 
-use crate::arithmetic::{Parts, compare, each, pick, three, turn};
+use crate::arithmetic::{Each, Parts, compare, pick, three, turn};
 use crate::robust::{ExactSum, Vector, add_determinant, difference, single};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb, Triangle, Vec3};
@@ -144,7 +144,7 @@ fn plain_cross<S: Scalar>(a: &[S; 3], b: &[S; 3]) -> Vec3<S> {
 
 /// The vector in the opposite direction.
 pub(in crate::query) fn negated<S: Scalar>(v: Vec3<S>) -> Vec3<S> {
-    let [x, y, z] = each(v.to_array(), |x| S::ZERO.plain_sub(x));
+    let [x, y, z] = v.to_array().each(|x| S::ZERO.plain_sub(x));
     Vec3::new(x, y, z)
 }
 
@@ -160,8 +160,8 @@ impl<S: Scalar> sealed::HasAxes<S> for Obb<S> {
     fn along(&self, axis: Axis, way: [Vec3<S>; 2]) -> Ordering {
         let Axis::Face(i) = axis else { return Ordering::Equal };
         let (_, j, k) = turn(usize::from(i % 3));
-        let u = each(self.axes_as_arrays(), |u| each(u, |x| single(x.parts())));
-        let [from, to] = way.map(|p| p.to_array().map(S::parts));
+        let u = self.axes_as_arrays().each(|u| u.each(|x| single(x.parts())));
+        let [from, to] = way.each(|p| p.to_array().each(S::parts));
         let d: Vector = three(|i| difference(to[i], from[i]));
         let mut sum = S::SeptumSum::new();
         add_determinant(&mut sum, pick(&u, j), pick(&u, k), &d);
@@ -195,12 +195,12 @@ impl<S: Scalar> sealed::HasAxes<S> for Triangle<S> {
     }
 
     fn along(&self, axis: Axis, way: [Vec3<S>; 2]) -> Ordering {
-        let points = self.points().map(|p| p.map(S::parts));
+        let points = self.points().each(|p| p.each(S::parts));
         let side = |k: usize| -> Vector {
             let (k, next, _) = turn(k % 3);
             three(|i| difference(pick(&points, next)[i], pick(&points, k)[i]))
         };
-        let [from, to] = way.map(|p| p.to_array().map(S::parts));
+        let [from, to] = way.each(|p| p.to_array().each(S::parts));
         let d: Vector = three(|i| difference(to[i], from[i]));
         let mut sum = S::SeptumSum::new();
         match axis {

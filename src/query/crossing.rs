@@ -2,6 +2,7 @@
 
 use super::axis::negated;
 use super::{Axis, HasAxes};
+use crate::arithmetic::Each;
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -41,7 +42,7 @@ pub(super) fn crossings<S>(
     (enter, leave): (S, S),
     faces: [Option<(u8, bool)>; 2],
 ) -> [Crossing<S>; 2] {
-    let [first, last] = faces.map(|face| face.map(|(i, is_upper)| 2 * i + u8::from(is_upper)));
+    let [first, last] = faces.each(|face| face.map(|(i, is_upper)| 2 * i + u8::from(is_upper)));
     [Crossing { t: enter, face: first }, Crossing { t: leave, face: last }]
 }
 

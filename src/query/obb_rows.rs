@@ -2,7 +2,7 @@
 //! another vector comes out for all three at once. The operations are those of
 //! [`cross`](super::triangle_obb::cross) and [`dot`](super::triangle_obb::dot), in the same order.
 
-use crate::arithmetic::{Float, InFloat, Number, Quad, each, greatest};
+use crate::arithmetic::{Each, Float, InFloat, Number, Quad, greatest};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
 
@@ -20,8 +20,8 @@ impl<F: Float, Q: Quad<Lane = F>> Vectors<Q> {
     /// For three axes: the cross product of the two other axes, in order.
     #[inline(always)]
     pub(super) fn normals(&self) -> Self {
-        let next = each(self.0, Q::turned);
-        let last = each(next, Q::turned);
+        let next = self.0.each(Q::turned);
+        let last = next.each(Q::turned);
         let minor = |j: usize, k: usize| next[j] * last[k] - next[k] * last[j];
         Self([minor(1, 2), minor(2, 0), minor(0, 1)])
     }

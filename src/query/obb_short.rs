@@ -37,7 +37,7 @@
 //! Two boxes: E = 1/2 + 6·1/2 = 7/2 and less than 2^-6. A ray and a box: E = 3/2 + 1 + 3·1/2 = 4
 //! and less than 2^-6. [`ERROR`] is above both. `obb_short.g` proves the sums.
 
-use crate::arithmetic::{InRaw, Raw, Word, greatest, out_of_line, three, turn};
+use crate::arithmetic::{Each, InRaw, Raw, Word, greatest, out_of_line, three, turn};
 use crate::query::relation::Relation;
 use crate::query::triangle_obb::size;
 use crate::scalar::Scalar;
@@ -198,7 +198,7 @@ pub(super) fn ends<S: Scalar + InRaw>(
     unit: i32,
     beyond: [i32; 3],
 ) -> Option<[[i32; 3]; 2]> {
-    let far = |is_ahead: bool| if is_ahead { beyond } else { beyond.map(|x| -x) };
+    let far = |is_ahead: bool| if is_ahead { beyond } else { beyond.each(|x| -x) };
     let at = |t: i64, is_last: bool| {
         let d = [raw(&ray.direction())];
         // At least 2^(t's bits − 1) times 2^(d's bits − 1).

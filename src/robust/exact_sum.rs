@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::{BigInt, Limbed, Number, Parts};
+use crate::arithmetic::{BigInt, Each, Limbed, Number, Parts};
 
 /// A sum of products of up to four numbers without loss.
 pub trait ExactSum: Limbed + Number {
@@ -39,7 +39,7 @@ impl<const LIMBS: usize> ExactSum for Sum<LIMBS> {
             shift += usize::from(f.shift);
             negative ^= f.negative;
         }
-        match pairs.map(u64::try_from) {
+        match pairs.each(u64::try_from) {
             [Ok(a), Ok(b)] => {
                 let product = u128::from(a) * u128::from(b);
                 let words = [product as u64, (product >> 64) as u64];

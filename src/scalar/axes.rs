@@ -2,7 +2,7 @@
 //! coordinate axis.
 
 use super::{Ordinal, Scalar};
-use crate::arithmetic::Number;
+use crate::arithmetic::{Each, Number};
 use crate::robust::ExactSum;
 
 /// Operations for the construction and the bounding box of an oriented box.
@@ -52,7 +52,7 @@ macro_rules! float {
     };
 }
 float!(f32, are_orthonormal_f32, |c, across, half| {
-    faces_in_double(c.into(), across.map(f64::from), half.map(f64::from))
+    faces_in_double(c.into(), across.each(f64::from), half.each(f64::from))
 });
 float!(f64, are_orthonormal_f64, |c, across, half| {
     let face = |c| face_exactly(c, across, half);
@@ -99,7 +99,7 @@ fn faces_in_double(c: f64, across: [f64; 3], half: [f64; 3]) -> (f32, f32) {
             return greatest;
         }
         let short = |x: f64| x as f32;
-        face_exactly(short(c), across.map(short), half.map(short))
+        face_exactly(short(c), across.each(short), half.each(short))
     };
     (face(-c), face(c))
 }

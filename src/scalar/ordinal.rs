@@ -1,7 +1,7 @@
 //! The numbers of a scalar in their order.
 
 #[cfg(feature = "fixed")]
-use crate::arithmetic::{InRaw, Word};
+use crate::arithmetic::{Each, InRaw, Word};
 
 /// A number for each value of a scalar, adjacent values numbered adjacently. Sealed, as
 /// [`Backend`](super::Backend).
@@ -82,7 +82,7 @@ impl<S: InRaw> Ordinal for S {
         Self::from_raw(n)
     }
     fn between(from: Self, to: Self, way: [Self; 3]) -> Self {
-        let [a, x, b] = way.map(Self::ordinal);
+        let [a, x, b] = way.each(Self::ordinal);
         let (part, whole) = (x.abs_diff(a), b.abs_diff(a));
         if S::Raw::BITS <= 32 {
             moved(from, to, |length| (length * part).checked_div(whole))
@@ -118,6 +118,7 @@ fn moved<S: InRaw>(from: S, to: S, of: impl Fn(u64) -> Option<u64>) -> S {
 
 #[cfg(all(test, feature = "fixed"))]
 mod tests {
+    use crate::arithmetic::Each;
     use dashu_int::IBig;
     use fixed::types::{I4F4, I16F16, I32F32};
 
@@ -137,14 +138,14 @@ mod tests {
                 let part = if part > length { length.clone() } else { part };
                 if to < from { big(from) - part } else { big(from) + part }
             };
-            let [p, q] = [from, to].map(S::from_raw);
+            let [p, q] = [from, to].each(S::from_raw);
             for t in all {
                 let found = S::at_time(p, q, S::from_raw(t)).ordinal();
                 let part = (&length * big(t.max(0))) >> S::FRACTION_BITS as usize;
                 assert_eq!(big(found), moved(part), "{from} {to} {t}");
                 for (a, b) in [(least, most), (most, least), (least, 0), (7, -5), (t, t)] {
                     if (a.min(b)..=a.max(b)).contains(&t) {
-                        let found = S::between(p, q, [a, t, b].map(S::from_raw)).ordinal();
+                        let found = S::between(p, q, [a, t, b].each(S::from_raw)).ordinal();
                         let (part, whole) = (big(t) - big(a), big(b) - big(a));
                         let part = if a == b { IBig::ZERO } else { &length * part / whole };
                         assert_eq!(big(found), moved(part), "{from} {to} {a} {t} {b}");

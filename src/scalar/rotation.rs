@@ -2,9 +2,9 @@
 
 use core::ops::{Add, Neg, Sub};
 
+use crate::arithmetic::{Each, cos_sin_f64};
 #[cfg(feature = "fixed")]
 use crate::arithmetic::{cos_sin_30, cos_sin_62};
-use crate::arithmetic::{cos_sin_f64, each};
 
 /// The arithmetic of rotations that an oriented box requires of a scalar.
 pub(crate) trait Rotation: Copy {
@@ -44,7 +44,7 @@ where
     T: Copy + Add<Output = T> + Sub<Output = T>,
 {
     let [x, y, z, w] = q;
-    let [xx, yy, zz, ww] = q.map(|x| times(x, x));
+    let [xx, yy, zz, ww] = q.each(|x| times(x, x));
     let twice = |x: T| x + x;
     let (xy, zw) = (times(x, y), times(z, w));
     let (xz, yw) = (times(x, z), times(y, w));
@@ -65,18 +65,18 @@ where
 /// order.
 #[inline(never)] // On s390x: see `axes::faces_in_double`.
 fn by_quaternion_f64(q: [f64; 4]) -> Option<[[f64; 3]; 3]> {
-    let [x, y, z, w] = q.map(|x| x * x);
+    let [x, y, z, w] = q.each(|x| x * x);
     let square = (x + w) + (y + z);
     // Zero plus a number is never −0.
-    let over = |row: [f64; 3]| each(row, |n| 0.0 + n / square);
-    ((square - 1.0).abs() <= 0.25).then(|| each(by_products(q, |a, b| a * b), over))
+    let over = |row: [f64; 3]| row.each(|n| 0.0 + n / square);
+    ((square - 1.0).abs() <= 0.25).then(|| by_products(q, |a, b| a * b).each(over))
 }
 
 /// The rotated axes in `f64`, with errors of at most 24 roundoffs of 2^-53: cosines and sines err
 /// by 4, a product of two by 4 + 4 + 1, a product of three by 9 + 4 + 1, and the sum of both by 14
 /// + 9 + 1.
 fn by_turns_f64(turns: [f64; 3]) -> [[f64; 3]; 3] {
-    each(turned(each(turns, cos_sin_f64), |a, b| a * b), |row| each(row, |x| 0.0 + x))
+    turned(turns.each(cos_sin_f64), |a, b| a * b).each(|row| row.each(|x| 0.0 + x))
 }
 
 macro_rules! float {
@@ -86,12 +86,12 @@ macro_rules! float {
             const KEEPS_FRAMES: bool = true;
 
             fn by_quaternion(quaternion: [Self; 4]) -> Option<[[Self; 3]; 3]> {
-                let axes = by_quaternion_f64(quaternion.map(f64::from))?;
-                Some(each(axes, |row| each(row, |x| x as Self)))
+                let axes = by_quaternion_f64(quaternion.each(f64::from))?;
+                Some(axes.each(|row| row.each(|x| x as Self)))
             }
 
             fn by_turns(turns: [Self; 3]) -> [[Self; 3]; 3] {
-                each(by_turns_f64(each(turns, f64::from)), |row| each(row, |x| x as Self))
+                by_turns_f64(turns.each(f64::from)).each(|row| row.each(|x| x as Self))
             }
         }
     )*};
@@ -137,8 +137,8 @@ macro_rules! fixed {
             const KEEPS_FRAMES: bool = Self::FRAC_NBITS >= 4;
 
             fn by_quaternion(quaternion: [Self; 4]) -> Option<[[Self; 3]; 3]> {
-                let q = quaternion.map(|x| $int::from(x.to_bits()));
-                let [x, y, z, w] = q.map(|x| x.unsigned_abs() * x.unsigned_abs());
+                let q = quaternion.each(|x| $int::from(x.to_bits()));
+                let [x, y, z, w] = q.each(|x| x.unsigned_abs() * x.unsigned_abs());
                 let square = x.checked_add(y)?.checked_add(z)?.checked_add(w)?;
                 let one: $uint = 1 << (2 * Self::FRAC_NBITS);
                 if square.abs_diff(one) > one >> 2 {
@@ -162,7 +162,7 @@ macro_rules! fixed {
                         cos_sin_30(part.unwrap_or(0))
                     };
                     let times = |a, b| ((i64::from(a) * i64::from(b) + (1 << 29)) >> 30) as i32;
-                    turned(turns.map(circle), times).map(|axis| axis.map(|x| {
+                    turned(turns.each(circle), times).each(|axis| axis.each(|x| {
                         let shift = 30 - Self::FRAC_NBITS;
                         clamped!((x + (1 << (shift - 1))) >> shift)
                     }))
@@ -172,7 +172,7 @@ macro_rules! fixed {
                         cos_sin_62(part.unwrap_or(0))
                     };
                     let times = |a, b| ((i128::from(a) * i128::from(b) + (1 << 61)) >> 62) as i64;
-                    turned(turns.map(circle), times).map(|axis| axis.map(|x| {
+                    turned(turns.each(circle), times).each(|axis| axis.each(|x| {
                         let half = (1 << 62 >> Self::FRAC_NBITS) / 2;
                         let places = 62 - Self::FRAC_NBITS as i32;
                         let x = i128::from(x) + half;

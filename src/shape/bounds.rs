@@ -4,7 +4,7 @@ use super::aabb::{Form, joined};
 use super::polygon::Polygon;
 use super::segment::Form as SegmentForm;
 use super::{Aabb, Capsule, Segment, Sphere, Triangle, Vec3};
-use crate::arithmetic::{each, three};
+use crate::arithmetic::{Each, three};
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Aabb<S> {
@@ -21,7 +21,7 @@ impl<S: Scalar> Aabb<S> {
         match self.form {
             Form::Corners { min, max } => Some((min, max)),
             Form::Center { center, half } => {
-                let [min, max] = around(center, half)?.map(Vec3::from);
+                let [min, max] = around(center, half)?.each(Vec3::from);
                 Some((min, max))
             }
         }
@@ -44,7 +44,7 @@ impl<S: Scalar> Aabb<S> {
     #[must_use]
     pub fn union(&self, other: &Self) -> Option<Self> {
         let ((a, b), (c, d)) = (self.min_max()?, other.min_max()?);
-        Some(between(joined([a, b].map(Vec3::to_array), [c, d].map(Vec3::to_array))))
+        Some(between(joined([a, b].each(Vec3::to_array), [c, d].each(Vec3::to_array))))
     }
 }
 
@@ -80,7 +80,7 @@ impl<S: Scalar> Segment<S> {
     pub(crate) fn corners(&self) -> Option<[[S; 3]; 2]> {
         match *self.form() {
             SegmentForm::Ends(a, b) => {
-                let [a, b] = [a, b].map(Vec3::to_array);
+                let [a, b] = [a, b].each(Vec3::to_array);
                 Some(joined([a, a], [b, b]))
             }
             SegmentForm::Center { center, half } => around(center, half),
@@ -145,5 +145,5 @@ fn around<S: Scalar>(center: Vec3<S>, half: Vec3<S>) -> Option<[[S; 3]; 2]> {
     let (c, h) = (center.to_array(), half.to_array());
     let ends = three(|i| c[i].reach(h[i]));
     let are_finite = ends.as_flattened().iter().all(|x| x.is_finite());
-    are_finite.then(|| [each(ends, |[low, _]| low), each(ends, |[_, high]| high)])
+    are_finite.then(|| [ends.each(|[low, _]| low), ends.each(|[_, high]| high)])
 }

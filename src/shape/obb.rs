@@ -3,7 +3,7 @@ use core::cmp::Ordering;
 use super::Vec3;
 use super::overlaps::overlaps_methods;
 use super::{Aabb, ShapeError, finite, finite_at};
-use crate::arithmetic::{pick, turn};
+use crate::arithmetic::{Each, pick, turn};
 use crate::robust::ExactSum;
 use crate::scalar::Scalar;
 
@@ -209,8 +209,8 @@ fn hand<S: Scalar>(axes: &[[S; 3]; 3]) -> Ordering {
     let mut sum = S::SeptumSum::new();
     for i in 0..3 {
         let (i, j, k) = turn(i);
-        let [u, vj, vk] = [pick(u, i), pick(v, j), pick(v, k)].map(|x| x.parts());
-        let [nj, nk] = [pick(n, j), pick(n, k)].map(|x| x.parts());
+        let [u, vj, vk] = [pick(u, i), pick(v, j), pick(v, k)].each(|x| x.parts());
+        let [nj, nk] = [pick(n, j), pick(n, k)].each(|x| x.parts());
         sum.add(&[u, vj, nk]);
         sum.add(&[u.negated(), vk, nj]);
     }

@@ -1,6 +1,7 @@
 //! Constructors of oriented boxes from a rotation.
 
 use super::{Obb, ShapeError, Vec3, finite};
+use crate::arithmetic::Each;
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Obb<S> {
@@ -123,6 +124,6 @@ impl<S: Scalar> Obb<S> {
         if !S::KEEPS_FRAMES && S::are_orthonormal(&axes) != Some(true) {
             return Err(ShapeError::NotOrthonormal);
         }
-        Ok(Self { axes: axes.map(Vec3::from), ..made })
+        Ok(Self { axes: axes.each(Vec3::from), ..made })
     }
 }

@@ -2,7 +2,7 @@
 
 use super::place::Span;
 use super::placed::{Bounds, Near};
-use crate::arithmetic::{OfFour, Quad, each, greatest, least, three};
+use crate::arithmetic::{Each, OfFour, Quad, greatest, least, three};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -61,7 +61,7 @@ impl<'a, S: Scalar> InBlock<'a, S> {
         let widest = greatest(greatest(greatest(x, y), z), block.widest()) - low;
         let error = near.error as f32 + ROUNDOFF * widest;
         let level = |i: usize| {
-            let [a, b, c] = each(near.points, |p| p[i]);
+            let [a, b, c] = near.points.each(|p| p[i]);
             u32::from(a == b) | u32::from(b == c) << 1 | u32::from(c == a) << 2
         };
         let level = [level(0), level(1), level(2)];

@@ -45,7 +45,7 @@ use super::block::{Block, ForEach, OnAxis};
 use super::grid::Grid;
 use super::placed::Near;
 use super::sign::{exact_area, exact_turn, side};
-use crate::arithmetic::{Quad, THREE, compare, each};
+use crate::arithmetic::{Each, Quad, THREE, compare};
 use crate::scalar::Scalar;
 
 /// Returns the voxels of a block of at most 32 that the triangle meets, a bit for each: x first,
@@ -153,7 +153,7 @@ impl<S: Scalar> Few<'_, S> {
     /// The edges that rise along an axis.
     #[inline(always)]
     fn rise(&self, i: usize) -> u32 {
-        let [a, b, c] = each(self.near.points, |p| p[i]);
+        let [a, b, c] = self.near.points.each(|p| p[i]);
         u32::from(a < b) | u32::from(b < c) << 1 | u32::from(c < a) << 2
     }
 
@@ -190,7 +190,7 @@ impl<S: Scalar> Few<'_, S> {
     #[inline(never)]
     fn exact_sides(&self, [u, v]: [usize; 2], [p, q]: [u32; 2]) -> (u32, u32) {
         let crossing = [self.plane(u, p), self.plane(v, q)];
-        let points = self.near.points.map(|p| [p[u], p[v]]);
+        let points = self.near.points.each(|p| [p[u], p[v]]);
         let (mut ahead, mut back) = (0, 0);
         for k in 0..3 {
             match exact_turn(points[k], points[(k + 1) % 3], crossing) {

@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use super::place::Level;
 use super::sign::middle;
-use crate::arithmetic::{compare, greatest, three};
+use crate::arithmetic::{Each, compare, greatest, three};
 use crate::scalar::{PlanesError, Scalar};
 use crate::shape::{Aabb, Vec3};
 
@@ -221,7 +221,7 @@ impl<S: Scalar> Grid<S> {
     #[inline(always)]
     pub(super) fn place_error(&self, farthest: f64) -> f64 {
         let most = |[a, b, c]: [f64; 3]| greatest(greatest(a, b), c);
-        4.0 * f64::EPSILON * (farthest + most(self.first.map(f64::from))) + most(self.deviation)
+        4.0 * f64::EPSILON * (farthest + most(self.first.each(f64::from))) + most(self.deviation)
     }
 }
 

@@ -13,7 +13,7 @@ use core::cmp::Ordering;
 use super::grid::Grid;
 use super::place::{Level, Marks, Place, locate};
 use super::sign::{against_point, line_turn};
-use crate::arithmetic::{Parts, compare};
+use crate::arithmetic::{Each, Parts, compare};
 use crate::robust::certain_sign;
 use crate::scalar::Scalar;
 
@@ -54,7 +54,7 @@ impl<S: Scalar> Line<S> {
                 farthest = if size <= farthest { farthest } else { size };
             }
             let place_error = grid.place_error(farthest);
-            error = per_step.map(|d| 4.0 * place_error * d.abs());
+            error = per_step.each(|d| 4.0 * place_error * d.abs());
         }
         Self { anchor, from, to, near, per_step, error }
     }

@@ -19,7 +19,7 @@ use super::place::{AxisMarks, Level, Marks, Place, Span};
 use super::placed::{Bounds, Near, Placed};
 use super::plane::Plane;
 use super::slabs::{BLOCK, span, spans};
-use crate::arithmetic::three;
+use crate::arithmetic::{Each, three};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -245,7 +245,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         let xy = self.xy[(y - self.block[0]) as usize % BLOCK];
         let xz = self.xz[(self.z - self.block[1]) as usize % BLOCK];
         let x = self.bounds[0].common(xy).common(xz);
-        self.beside_plane(grid, x, [y, self.z].map(Span::one))
+        self.beside_plane(grid, x, [y, self.z].each(Span::one))
     }
 
     /// Restricts a range of x to the voxels that the plane does not separate, in the box of some
@@ -259,7 +259,7 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
         // `near` and `far`: the edges of the rows along x that come first and last along the normal.
         let [along, of_y, of_z] = three(|i| self.placed.marks.of(i));
         let (ends_y, ends_z) = (of_y.ends(y), of_z.ends(z));
-        let [mut near, mut far] = [0, 1].map(|k: usize| [ends_y[k], ends_z[k]]);
+        let [mut near, mut far] = [0, 1].each(|k: usize| [ends_y[k], ends_z[k]]);
         // Half-open voxels do not have the second line of each pair.
         let (mut lacks_near, mut lacks_far) = (false, false);
         for i in 0..2 {

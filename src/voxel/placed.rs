@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 use super::grid::Grid;
 use super::place::{AxisMarks, Marks, Place, Span, locate};
 use super::sign::turn;
-use crate::arithmetic::{greatest, least, three};
+use crate::arithmetic::{Each, greatest, least, three};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -134,7 +134,7 @@ impl<S: Scalar, M: AxisMarks> Placed<S, M> {
     #[cold]
     #[inline(never)]
     pub(super) fn sign_of_normal(&self, j: usize, k: usize) -> Ordering {
-        let [a, b, c] = self.points.map(|p| [p[j], p[k]]);
+        let [a, b, c] = self.points.each(|p| [p[j], p[k]]);
         turn(a, b, c, c)
     }
 }

@@ -27,7 +27,7 @@ use super::grid::Grid;
 use super::place::{AxisMarks, Level, Place, locate};
 use super::placed::Placed;
 use super::sign::side;
-use crate::arithmetic::{three, turn};
+use crate::arithmetic::{Each, three, turn};
 use crate::scalar::Scalar;
 
 /// The plane of a triangle that is not parallel to x, oriented so that its normal points to
@@ -104,7 +104,7 @@ impl Plane {
         let x = from_x + slope_z * (z.middle() - from_z) + slope_y * (y.middle() - from_y);
         locate(x - marks.shift(), self.error, low, high, |k| {
             let planes = [grid.planes(0, marks.limit(k)), grid.planes(1, y), grid.planes(2, z)];
-            let order = side(&placed.points, planes.map(|p| p[0]), planes.map(|p| p[1]));
+            let order = side(&placed.points, planes.each(|p| p[0]), planes.each(|p| p[1]));
             if self.is_turned { order.reverse() } else { order }
         })
     }

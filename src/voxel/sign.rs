@@ -6,7 +6,7 @@
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::{Embeds, Number, Parts, compare, cross, dot, each, three};
+use crate::arithmetic::{Each, Embeds, Number, Parts, compare, cross, dot, three};
 use crate::robust::{ExactSum, Predicate, Profile, add_area, difference, single};
 use crate::scalar::Scalar;
 
@@ -34,7 +34,7 @@ pub(super) fn exact_turn<S: Scalar>(a: [S; 2], b: [S; 2], p: [S; 2]) -> Ordering
 #[cold]
 #[inline(never)]
 pub(super) fn exact_area<S: Scalar>(points: &[[S; 3]; 3], [u, v]: [usize; 2]) -> Ordering {
-    let [a, b, c] = each(*points, |p| [p[u], p[v]]);
+    let [a, b, c] = points.each(|p| [p[u], p[v]]);
     exact_turn(a, b, c)
 }
 
@@ -88,7 +88,7 @@ impl<S: Scalar> Predicate<S> for Turn<S> {
         let in_space = |[u, v]: [S; 2]| [u, v, S::ZERO];
         let all = [self.from, self.to, self.a, self.p, self.q].map(in_space);
         let [from, to, a, p, q] = N::embed(&all)?;
-        let [u, v] = [0, 1].map(|i| (to[i] - from[i], (p[i] - a[i]) + (q[i] - a[i])));
+        let [u, v] = [0, 1].each(|i| (to[i] - from[i], (p[i] - a[i]) + (q[i] - a[i])));
         Some(sign_of(N::area(u.0, v.1) - N::area(v.0, u.1)))
     }
 }

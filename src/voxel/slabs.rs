@@ -26,6 +26,7 @@ use super::grid::Grid;
 use super::place::{AxisMarks, Marks, Place, Span, locate};
 use super::placed::Placed;
 use super::sign::turn;
+use crate::arithmetic::Each;
 use crate::scalar::Scalar;
 
 /// The number of slabs that are computed together.
@@ -94,7 +95,7 @@ pub(super) fn span<S: Scalar, M: AxisMarks>(
 ) -> Span {
     let [u, v] = axes;
     let [along, across] = [placed.marks.of(u), placed.marks.of(v)];
-    let [first, last] = across.ends(slab).map(|limit| limit.from);
+    let [first, last] = across.ends(slab).each(|limit| limit.from);
     let mut span = Span::EMPTY;
     let mut include = |place: Place, is_open| span = span.joined(along.at(place, is_open));
     // A point on the greatest plane of a half-open slab is a limit of points of the slab.
@@ -147,12 +148,12 @@ impl<S: Scalar> Edge<S> {
         [u, v]: [usize; 2],
         [a, b]: [usize; 2],
     ) -> Self {
-        let [p, q] = [a, b].map(|k| [placed.near[k][u], placed.near[k][v]]);
+        let [p, q] = [a, b].each(|k| [placed.near[k][u], placed.near[k][v]]);
         let (du, dv) = (q[0] - p[0], q[1] - p[1]);
         let slope = du / dv;
         let error = 8.0 * placed.error * (1.0 + slope.abs());
         Self {
-            ends: [a, b].map(|k| [placed.points[k][u], placed.points[k][v]]),
+            ends: [a, b].each(|k| [placed.points[k][u], placed.points[k][v]]),
             from: p,
             slope,
             error: if dv >= 32.0 * placed.error { error } else { f64::INFINITY },

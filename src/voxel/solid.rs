@@ -5,7 +5,7 @@ use super::placed::{Near, Placed};
 use super::plane::Plane;
 use super::slabs::{Edge, rising};
 use super::word::Word;
-use crate::arithmetic::three;
+use crate::arithmetic::{Each, three};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -165,7 +165,7 @@ fn crossings<S: Scalar>(
     mut cross: impl FnMut([u32; 2], u32),
 ) {
     let placed = Placed::new(&Near::new(triangle, grid), grid, [Marks::Center; 3]);
-    let [nx, ny, nz] = grid.resolution().map(|n| n as i32);
+    let [nx, ny, nz] = grid.resolution().each(|n| n as i32);
     let (first, last) = (placed.least[2].at.max(0), placed.greatest[2].at.min(nz));
     if first >= last || placed.least[1].at >= ny || placed.greatest[1].at <= 0 {
         return;
@@ -174,7 +174,7 @@ fn crossings<S: Scalar>(
     let Some(plane) = Plane::new(&placed) else { return };
     let edges = three(|k| {
         let ends = rising(&placed, 2, k);
-        (ends.map(|k| placed.at[k][2].at), Edge::new(&placed, [1, 2], ends))
+        (ends.each(|k| placed.at[k][2].at), Edge::new(&placed, [1, 2], ends))
     });
     let (low, high) = (placed.least[0], placed.greatest[0]);
     for z in first..last {
@@ -186,7 +186,7 @@ fn crossings<S: Scalar>(
             }
         }
         for y in span[0].max(0)..span[1].min(ny) {
-            let lines = [y, z].map(|k| Marks::Center.limit(k));
+            let lines = [y, z].each(|k| Marks::Center.limit(k));
             let Place { at, .. } = plane.place(&placed, grid, lines, low, high);
             cross([y as u32, z as u32], at.min(nx) as u32);
         }

@@ -3,7 +3,7 @@ use core::cmp::Ordering;
 use super::Rule;
 use super::grid::Grid;
 use super::line::{Limit, Line};
-use crate::arithmetic::Parts;
+use crate::arithmetic::{Each, Parts};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Segment, SegmentForm, Vec3};
 
@@ -62,12 +62,12 @@ impl<S: Scalar> Grid<S> {
         let (anchor, way, limits) = match *segment.form() {
             SegmentForm::Ends(a, b) => (a, [a, b], [Limit::Anchor, Limit::To]),
             SegmentForm::Center { center, half } => {
-                let ends = [S::ONE.negated(), S::ONE].map(Limit::Times);
+                let ends = [S::ONE.negated(), S::ONE].each(Limit::Times);
                 (center, [Vec3::splat(S::ZERO), half], ends)
             }
         };
-        let line = Line::new(self, anchor.to_array(), way.map(|p| p.to_array()));
-        Walk::new(self, line, limits.map(Some), rule)
+        let line = Line::new(self, anchor.to_array(), way.each(|p| p.to_array()));
+        Walk::new(self, line, limits.each(Some), rule)
     }
 
     /// Which voxels does a ray meet in its range, in order? See
@@ -88,7 +88,7 @@ impl<S: Scalar> Grid<S> {
     /// ```
     #[must_use]
     pub fn walk_ray(&self, ray: &Ray<S>, rule: Rule) -> Walk<S> {
-        let way = [Vec3::splat(S::ZERO), ray.direction()].map(|p| p.to_array());
+        let way = [Vec3::splat(S::ZERO), ray.direction()].each(|p| p.to_array());
         let line = Line::new(self, ray.origin().to_array(), way);
         let limit = |t: S| match t.parts() {
             Parts { magnitude: 0, .. } => Limit::Anchor,
@@ -152,7 +152,7 @@ impl<S: Scalar> Walk<S> {
     /// Advances to the point where the line meets the next planes; `false` at the end.
     #[inline(always)]
     fn go_on(&mut self) -> bool {
-        let last = self.grid.resolution().map(|n| n as i32 - 1);
+        let last = self.grid.resolution().each(|n| n as i32 - 1);
         let mut rising = 0;
         for i in 0..3 {
             let (axis, bit) = (&mut self.axes[i], 1 << i);

@@ -1,5 +1,6 @@
 //! Lengths that are not added up.
 
+use crate::arithmetic::Each;
 use core::cmp::Ordering;
 use core::ops::{Add, Neg, Sub};
 
@@ -265,7 +266,7 @@ impl<const UNIT: u16, const A: usize> Number for Terms<UNIT, A> {
         self
     }
     fn portion(self, den: Self, _: [Self; 2]) -> [Soft; 2] {
-        let [num, den] = [self, den].map(|x| Limbs(x.added_up::<A>().0));
+        let [num, den] = [self, den].each(|x| Limbs(x.added_up::<A>().0));
         [divided_limbs(num, &den); 2]
     }
     fn sign_and_size(self) -> Option<(Ordering, Soft)> {

@@ -9,7 +9,7 @@ use dashu_int::IBig;
 
 use super::super::{Arithmetic, Embeds, Limbed, Number, Parts, Window, compare, cross, dot};
 use super::{FullF32, FullF64};
-use crate::arithmetic::Float;
+use crate::arithmetic::{Each, Float};
 use crate::random::Random;
 
 fn of_limbs(limbs: &[u64]) -> IBig {
@@ -30,7 +30,7 @@ fn lengths<L>(all: [[L; 3]; 2]) -> [[L; 3]; 3]
 where
     L: Clone + Add<Output = L> + Sub<Output = L> + Neg<Output = L>,
 {
-    let [[a, b, c], [d, e, f]] = all.map(|row| row.map(|x| move || x.clone()));
+    let [[a, b, c], [d, e, f]] = all.each(|row| row.each(|x| move || x.clone()));
     [
         [a(), b() - a(), (d() - b()) + (d() - c())],
         [
@@ -52,10 +52,10 @@ fn agrees<F: Float, N: Embeds<F, Area: Limbed, Volume: Limbed, Product: Limbed>>
     is_windowed: bool,
 ) -> bool {
     let Some(held) = N::embed(x) else { return false };
-    let big = x.map(|row| row.map(whole));
+    let big = x.each(|row| row.each(whole));
     let low = big.as_flattened().iter().filter_map(IBig::trailing_zeros).min().unwrap_or(0);
     let low = if is_windowed { low } else { 0 };
-    let big = big.map(|row| row.map(|x| x >> low));
+    let big = big.each(|row| row.each(|x| x >> low));
 
     let (few, many) = (lengths(held), lengths(big));
     let product = |x: N::Length| of_limbs(N::operand(x).limbs());
@@ -71,7 +71,7 @@ fn agrees<F: Float, N: Embeds<F, Area: Limbed, Volume: Limbed, Product: Limbed>>
     }
     let n = cross::<N>(&few[0], &few[1]);
     let [a, b, _] = &many;
-    let m = [(1, 2), (2, 0), (0, 1)].map(|(j, k)| &a[j] * &b[k] - &a[k] * &b[j]);
+    let m = [(1, 2), (2, 0), (0, 1)].each(|(j, k)| &a[j] * &b[k] - &a[k] * &b[j]);
     for i in 0..3 {
         assert_eq!(of_limbs(n[i].limbs()), m[i]);
         assert_eq!(of_limbs(N::volume(n[i], few[2][i]).limbs()), &m[i] * &many[2][i]);
@@ -104,7 +104,7 @@ fn some<F: Float>(
         };
         last
     };
-    [[0; 3]; 2].map(|row| row.map(|_| next()))
+    [[0; 3]; 2].each(|row| row.each(|_| next()))
 }
 
 fn all_agree<F: Float, N>(ends: &[F], of: fn(u64, i32) -> F, widest: i32)
@@ -154,7 +154,7 @@ fn the_ends_of_the_range_do_not_overflow() {
         let all = [[x(0), x(1), x(2)], [x(3), x(4), x(5)]];
         let [held, _] = <FullF64 as Embeds<f64>>::embed_held(&all);
         let [a, b, c] = held;
-        let [big_a, big_b, big_c] = all[0].map(whole);
+        let [big_a, big_b, big_c] = all[0].each(whole);
         let length = (a - b) + (a - c);
         let expected = (&big_a - &big_b) + (&big_a - &big_c);
         assert_eq!(length.partial_cmp(&Number::ZERO), Some(expected.cmp(&IBig::ZERO)));
@@ -172,7 +172,7 @@ fn quotients_compare_as_products_do() {
     let mut equal = 0;
     for case in 0..3000 {
         let mut next = || (random.bits(), random.bits() as i32 & 511);
-        let [num, den, t] = [next(), next(), next()].map(|(bits, e)| of(bits, e));
+        let [num, den, t] = [next(), next(), next()].each(|(bits, e)| of(bits, e));
         // In a third of the cases the quotient is t.
         let (num, den) = if case % 3 == 0 { (t, 1.0) } else { (num, den) };
         let [[a, b, one], _] = <FullF64 as Embeds<f64>>::embed_held(&[[num, den, 1.0], [0.0; 3]]);

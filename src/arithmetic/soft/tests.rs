@@ -1,4 +1,5 @@
 use super::{Double, ROOT_ROUNDOFFS, Slack, Soft, root, whole};
+use crate::arithmetic::Each;
 use crate::random::Random;
 
 #[test]
@@ -132,9 +133,9 @@ fn wide_bounds_hold() {
     let ends = |x: f64| [x * (1.0 - apart), x * (1.0 + apart)];
     let at = |p: f64, q: f64, a: f64| (p + q.sqrt() * a.sqrt()) / a;
     for (p, q, a) in [(1.0, 1.0, 1.0), (3.9, 0.1, 1e-9), (1e100, 7.5, 1e-100), (1e-9, 2.0, 5.0)] {
-        let [p, q, a] = [p, q, a].map(ends);
+        let [p, q, a] = [p, q, a].each(ends);
         let [known_p, known_q, known_a] =
-            [p, q, a].map(|[low, high]| Soft::between(low, high).unwrap());
+            [p, q, a].each(|[low, high]| Soft::between(low, high).unwrap());
         let sum = known_p.plus(known_q.root().times(known_a.root()));
         let root = sum.over(known_a);
         // Within what `f64` rounds.
@@ -150,7 +151,7 @@ fn wide_bounds_hold() {
 #[test]
 fn leading_bits_are_divided_as_whole_numbers() {
     let limbs = [1, 3, 0x2a5c_93d1, u64::MAX / 3, 1 << 63, u64::MAX];
-    let numbers = limbs.map(|low| [0, 1, 0x7b1e_4f27, u64::MAX].map(|high| [low, high]));
+    let numbers = limbs.map(|low| [0, 1, 0x7b1e_4f27, u64::MAX].each(|high| [low, high]));
     for num in numbers.as_flattened() {
         let whole = u128::from(num[1]) << 64 | u128::from(num[0]);
         let zeros = whole.leading_zeros();
@@ -190,5 +191,5 @@ fn leading_digits_are_those_of_whole_numbers() {
     }
     assert!(known > 5_000, "{known}");
     let near_zero = Double { high: f64::MIN_POSITIVE, low: 0.0 };
-    assert_eq!([Double::ZERO, near_zero].map(|x| Soft::leading(x, 0.0)), [None; 2]);
+    assert_eq!([Double::ZERO, near_zero].each(|x| Soft::leading(x, 0.0)), [None; 2]);
 }

@@ -3,6 +3,7 @@
 use super::super::{Arithmetic, BigInt, Embeds, Int64OfFloats, Limbed, cross, dot};
 use super::{Limbs2, Limbs4};
 use super::{ShortWindow, Window, bits};
+use crate::arithmetic::Each;
 use crate::random::Random;
 
 /// A number in more limbs.
@@ -33,7 +34,7 @@ where
 /// All vectors whose coordinates are minus the greatest length, the greatest, or one.
 fn vectors() -> impl Iterator<Item = [[i8; 3]; 3]> {
     (0..19_683).map(|k: u32| {
-        [0, 1, 2].map(|v| [0, 1, 2].map(|i| [-1, 1, 0][(k / 3_u32.pow(3 * v + i) % 3) as usize]))
+        [0, 1, 2].each(|v| [0, 1, 2].each(|i| [-1, 1, 0][(k / 3_u32.pow(3 * v + i) % 3) as usize]))
     })
 }
 
@@ -41,8 +42,8 @@ fn vectors() -> impl Iterator<Item = [[i8; 3]; 3]> {
 fn short_windows_hold_the_products_of_32_bits() {
     // In the frame, differences are doubled.
     let of = |x: i8| if x == 0 { 1 } else { i64::from(x) << 33 };
-    for edges in vectors().map(|all| all.map(|v| v.map(of))) {
-        let long = products::<Window>(edges.map(|v| v.map(i128::from)));
+    for edges in vectors().map(|all| all.each(|v| v.each(of))) {
+        let long = products::<Window>(edges.each(|v| v.each(i128::from)));
         assert_eq!(products::<ShortWindow>(edges), long, "{edges:?}");
     }
 }
@@ -51,9 +52,9 @@ fn short_windows_hold_the_products_of_32_bits() {
 fn short_limbs_hold_the_products_of_areas() {
     // The corners of oriented boxes.
     let of = |x: i8| if x == 0 { 1 } else { i128::from(x) << 70 };
-    for edges in vectors().map(|all| all.map(|v| v.map(of))) {
-        let long = products::<Limbs4>(edges.map(|v| v.map(BigInt::from)));
-        assert_eq!(products::<Limbs2>(edges.map(|v| v.map(BigInt::from))), long, "{edges:?}");
+    for edges in vectors().map(|all| all.each(|v| v.each(of))) {
+        let long = products::<Limbs4>(edges.each(|v| v.each(BigInt::from)));
+        assert_eq!(products::<Limbs2>(edges.each(|v| v.each(BigInt::from))), long, "{edges:?}");
     }
 }
 
@@ -67,7 +68,7 @@ fn numbers_side_by_side_are_those_of_each() {
                 let size = (bits >> (12 + n % 40)) as f64 / 64.0;
                 if bits & 1 == 1 { size } else { -size }
             };
-            let points = [(); K].map(|()| [0, 1, 2].map(&mut number));
+            let points = [(); K].map(|()| [0, 1, 2].each(&mut number));
             let all = <Window as Embeds<f64>>::embed(&points).unwrap();
             let short = <Int64OfFloats as Embeds<f64>>::embed(&points);
             let low = bits(&points).low;

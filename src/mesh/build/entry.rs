@@ -1,6 +1,6 @@
 //! The entries of the list that a build sorts.
 
-use crate::arithmetic::three;
+use crate::arithmetic::{Each, three};
 use crate::mesh::Index;
 use crate::mesh::node::Cell;
 
@@ -73,7 +73,7 @@ impl Entry for Scratch {
 
     #[inline(always)]
     fn middle(&self, axis: usize, _: impl FnOnce(usize) -> Cell) -> u32 {
-        let [low, high] = self.words.map(|word| u32::from((word >> (16 * (axis % 3))) as u16));
+        let [low, high] = self.words.each(|word| u32::from((word >> (16 * (axis % 3))) as u16));
         low + high
     }
 }

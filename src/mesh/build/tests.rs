@@ -8,6 +8,7 @@ use std::vec::Vec;
 use super::super::{Tree, TreeBuilder};
 use super::entry::middle;
 use super::*;
+use crate::arithmetic::Each;
 use crate::random::Random;
 use crate::shape::Vec3;
 
@@ -46,9 +47,9 @@ fn sorted<S: Scalar>(mesh: &Mesh<'_, S, u16>) -> Vec<u16> {
 /// Builds at once, with scratch memory, and in steps; the order is the same as by sorting, and so
 /// are the nodes.
 fn check<S: Scalar>(points: &[[i16; 3]], of: fn(i16) -> S, step: usize) {
-    let vertices: Vec<Vec3<S>> = points.iter().map(|p| p.map(of).into()).collect();
+    let vertices: Vec<Vec3<S>> = points.iter().map(|p| p.each(of).into()).collect();
     let faces: Vec<[u16; 3]> =
-        (0..points.len() as u16 / 3).map(|i| [0, 1, 2].map(|k| 3 * i + k)).collect();
+        (0..points.len() as u16 / 3).map(|i| [0, 1, 2].each(|k| 3 * i + k)).collect();
     let mesh = Mesh::new(&vertices, &faces).unwrap();
     let memory = || (vec![Node::EMPTY; Node::count_for(faces.len())], vec![0; faces.len()]);
 
@@ -103,7 +104,7 @@ fn trees_are_sorted<S: Scalar>(of: fn(i16) -> S) {
                         near = next;
                     }
                     // A cluster at one end, and a long tail.
-                    if n % 3 == 0 { near.map(|x| x * x / 128) } else { near }
+                    if n % 3 == 0 { near.each(|x| x * x / 128) } else { near }
                 })
                 .collect();
             check(&points, of, [1, 7, 100, 5000][n % 4]);

@@ -2,7 +2,7 @@
 
 mod kernel;
 
-use crate::arithmetic::{Embeds, Number, compare, greatest};
+use crate::arithmetic::{Each, Embeds, Number, compare, greatest};
 use crate::query::relation::{Nearness, Relate, Relation, of_gaps};
 use crate::robust::{ExactSum, Predicate, Profile};
 use crate::scalar::Scalar;
@@ -98,7 +98,7 @@ impl<S: Scalar> Relate<Aabb<S>> for Aabb<S> {
         let (Some((a, b)), Some((c, d))) = (self.given_corners(), other.given_corners()) else {
             return S::evaluate(&Lie(Apart::new(self.form(), other.form())));
         };
-        let [a, b, c, d] = [a, b, c, d].map(|p| p.to_array());
+        let [a, b, c, d] = [a, b, c, d].each(|p| p.to_array());
         (0..3).fold(Relation::Overlapping, |so_far, i| {
             so_far.min(of_gaps([compare(a[i], d[i]), compare(c[i], b[i])]))
         })

@@ -7,6 +7,7 @@ use super::aabb::meets_aabb;
 use super::obb::meets_obb;
 use super::ray::meets_ray;
 use super::{meets_plane, meets_segment, meets_sphere, meets_triangle};
+use crate::arithmetic::Each;
 use crate::query::relation::{Relate, Relation};
 use crate::query::sphere::of_ball;
 use crate::scalar::Scalar;
@@ -88,7 +89,7 @@ impl<S: Scalar> Relate<Ray<S>> for Capsule<S> {
 
 /// The relation of a ray with the segment of a capsule without a radius, which it meets.
 fn of_segment_and_ray<S: Scalar>(capsule: &Capsule<S>, ray: &Ray<S>) -> Relation {
-    let ends = [capsule.ends().0, capsule.ends().1].map(|p| Sphere::new(p, S::ZERO));
+    let ends = [capsule.ends().0, capsule.ends().1].each(|p| Sphere::new(p, S::ZERO));
     let [Ok(a), Ok(b)] = ends else { return Relation::Disjoint };
     if a == b {
         return a.relation(ray);

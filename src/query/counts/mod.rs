@@ -8,7 +8,7 @@
 mod seldom;
 mod stream;
 
-use crate::arithmetic::InRaw;
+use crate::arithmetic::{Each, InRaw};
 use crate::random::Random;
 use crate::scalar::Scalar;
 
@@ -48,7 +48,7 @@ impl Sample for f32 {
         float(rng, kind, 1e5) as Self
     }
     fn turned() -> [[Self; 3]; 3] {
-        TURNED.map(|u| u.map(|x| x as Self / 100.0))
+        TURNED.each(|u| u.each(|x| x as Self / 100.0))
     }
 }
 
@@ -57,7 +57,7 @@ impl Sample for f64 {
         float(rng, kind, 1e14)
     }
     fn turned() -> [[Self; 3]; 3] {
-        TURNED.map(|u| u.map(|x| x as Self / 100.0))
+        TURNED.each(|u| u.each(|x| x as Self / 100.0))
     }
 }
 
@@ -75,6 +75,6 @@ impl<S: Scalar + InRaw> Sample for S {
         })
     }
     fn turned() -> [[Self; 3]; 3] {
-        TURNED.map(|u| u.map(|x| Self::from_raw((x << S::FRACTION_BITS) / 100)))
+        TURNED.each(|u| u.each(|x| Self::from_raw((x << S::FRACTION_BITS) / 100)))
     }
 }

@@ -3,7 +3,7 @@
 use fixed::types::{I16F16, I32F32};
 
 use super::{Rng, Sample};
-use crate::arithmetic::{REGISTERS_ARE_WIDE, SMALL_CODE};
+use crate::arithmetic::{Each, REGISTERS_ARE_WIDE, SMALL_CODE};
 use crate::query::{HitRay, HitTriangle, PreparedRay, PreparedTriangle};
 use crate::random::Random;
 use crate::robust::escalations;
@@ -17,8 +17,8 @@ fn a_triangle_and_a_box_are_hardly_ever_in_doubt() {
         let mut doubts = 0;
         let mut rng = Rng(Random(0x7a11));
         for _ in 0..1_000 {
-            let point = |rng: &mut Rng| [(); 3].map(|()| S::sample(rng, 1));
-            let triangle = [(); 3].map(|()| point(&mut rng));
+            let point = |rng: &mut Rng| [(); 3].each(|()| S::sample(rng, 1));
+            let triangle = [(); 3].each(|()| point(&mut rng));
             let [a, b, c] = triangle;
             let triangle = Triangle::new(a, b, c).unwrap();
             let prepared = PreparedTriangle::new(&triangle);
@@ -36,7 +36,7 @@ fn a_triangle_and_a_box_are_hardly_ever_in_doubt() {
         }
         doubts
     }
-    let found = [false, true].map(|is_prepared| {
+    let found = [false, true].each(|is_prepared| {
         [
             count::<f32>(is_prepared),
             count::<f64>(is_prepared),
@@ -57,7 +57,7 @@ fn a_ray_and_a_triangle_are_seldom_in_doubt() {
     fn count<S: Sample>() -> u32 {
         let mut doubts = 0;
         let mut rng = Rng(Random(0x6a11));
-        let mut point = || [(); 3].map(|()| S::sample(&mut rng, 1));
+        let mut point = || [(); 3].each(|()| S::sample(&mut rng, 1));
         let mut shapes = || {
             let ray = HitRay::new(&Ray::new(point(), point()).unwrap());
             let triangle = Triangle::new(point(), point(), point()).unwrap();
@@ -80,10 +80,10 @@ fn a_ray_and_a_triangle_are_seldom_in_doubt() {
 fn random_box<S: Scalar>(by_corners: bool, p: [S; 3], q: [S; 3]) -> Aabb<S> {
     if by_corners {
         let ordered = |i: usize| if p[i] < q[i] { (p[i], q[i]) } else { (q[i], p[i]) };
-        let [x, y, z] = [0, 1, 2].map(ordered);
+        let [x, y, z] = [0, 1, 2].each(ordered);
         Aabb::from_min_max([x.0, y.0, z.0], [x.1, y.1, z.1]).unwrap()
     } else {
-        let half = q.map(|x| if x < S::ZERO { S::ZERO } else { x });
+        let half = q.each(|x| if x < S::ZERO { S::ZERO } else { x });
         Aabb::from_center_half_extents(p, half).unwrap()
     }
 }
@@ -96,7 +96,7 @@ fn a_prepared_ray_is_hardly_ever_in_doubt() {
         let mut doubts = 0;
         let mut rng = Rng(Random(0xb0c5));
         for _ in 0..1_000 {
-            let point = |rng: &mut Rng| [(); 3].map(|()| S::sample(rng, 1));
+            let point = |rng: &mut Rng| [(); 3].each(|()| S::sample(rng, 1));
             let ray = Ray::new(point(&mut rng), point(&mut rng)).unwrap();
             let prepared = PreparedRay::new(&ray);
             for _ in 0..100 {
@@ -109,7 +109,7 @@ fn a_prepared_ray_is_hardly_ever_in_doubt() {
         }
         doubts
     }
-    let found = [true, false].map(|by_corners| {
+    let found = [true, false].each(|by_corners| {
         [
             count::<f32>(by_corners),
             count::<f64>(by_corners),
@@ -130,11 +130,11 @@ fn nearly_parallel_axes_are_hardly_ever_in_doubt() {
         for tilt in [1e-30, 1e-18, 6.1e-17, 1e-15, 1e-14, 1e-12] {
             for _ in 0..200 {
                 let mut number = || rng.within(1 << 20) as f64 / 524_288.0;
-                let [p, q] = [(); 2].map(|()| [(); 3].map(|()| number()));
-                let half = [(); 3].map(|()| near(number().abs() + 0.25));
+                let [p, q] = [(); 2].each(|()| [(); 3].each(|()| number()));
+                let half = [(); 3].each(|()| near(number().abs() + 0.25));
                 let point = |x: f64, y: f64| [near(p[0] + x), near(p[1] + y), near(p[2])];
                 let box_of = |center: [f64; 3], axes: [[f64; 3]; 3]| {
-                    Obb::new(center.map(near), axes.map(|u| u.map(near)), half).unwrap()
+                    Obb::new(center.each(near), axes.each(|u| u.each(near)), half).unwrap()
                 };
                 let tilted = box_of(q, [[1.0, 0.0, 0.0], [0.0, 1.0, tilt], [0.0, -tilt, 1.0]]);
                 let turned = box_of([0.0; 3], [[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0], [0.0, 0.0, 1.0]]);
@@ -142,10 +142,10 @@ fn nearly_parallel_axes_are_hardly_ever_in_doubt() {
                 let corners = [point(0.0, 0.0), point(1.0, 0.0), point(0.0, 1.0)];
                 let triangle = Triangle::new(corners[0], corners[1], corners[2]).unwrap();
                 let segment = Segment::new(corners[0], corners[2]).unwrap();
-                let ray = Ray::new(corners[0], [0.0, 1.0, 0.0].map(near)).unwrap();
+                let ray = Ray::new(corners[0], [0.0, 1.0, 0.0].each(near)).unwrap();
                 // Turned about two axes of space.
                 let edges = [[0.0, tilt, 0.0], [1.0, 0.0, tilt], [tilt, 1.0, 0.0]];
-                let [a, b, c] = edges.map(|p| p.map(near));
+                let [a, b, c] = edges.each(|p| p.each(near));
                 let flat = Triangle::new(a, b, c).unwrap();
                 let questions: [&dyn Fn() -> bool; 6] = [
                     &|| flat.overlaps(&aabb),

@@ -9,7 +9,7 @@ use std::string::String;
 use fixed::types::{I8F8, I16F16, I32F32};
 
 use super::{Rng, Sample};
-use crate::arithmetic::{REGISTERS_ARE_WIDE, SMALL_CODE};
+use crate::arithmetic::{Each, REGISTERS_ARE_WIDE, SMALL_CODE};
 use crate::contact::contact;
 use crate::query::{HitRay, HitTriangle, Motion, PreparedRay, PreparedTriangle, Relate, Sweep};
 use crate::random::Random;
@@ -54,12 +54,12 @@ fn rows<S: Sample>(scalar: &str, to: &mut String) {
     let mut counts = [[0; 4]; QUESTIONS.len()];
     let mut rng = Rng(Random(0x5e97_0a11));
     for case in 0..1_800 {
-        let point = |rng: &mut Rng| [(); 3].map(|()| S::sample(rng, case % 3));
+        let point = |rng: &mut Rng| [(); 3].each(|()| S::sample(rng, case % 3));
         let [a, b, c, p, q, o, d] = [(); 7].map(|()| point(&mut rng));
         let size = |x: S| if x < S::ZERO { S::ZERO } else { x };
-        let half = [(); 3].map(|()| size(S::sample(&mut rng, 1)));
-        let (low, high) = ([0, 1, 2].map(|i| if p[i] < q[i] { p[i] } else { q[i] }), p);
-        let high = [0, 1, 2].map(|i: usize| if high[i] < q[i] { q[i] } else { high[i] });
+        let half = [(); 3].each(|()| size(S::sample(&mut rng, 1)));
+        let (low, high) = ([0, 1, 2].each(|i| if p[i] < q[i] { p[i] } else { q[i] }), p);
+        let high = [0, 1, 2].each(|i: usize| if high[i] < q[i] { q[i] } else { high[i] });
         let triangle = Triangle::new(a, b, c).unwrap();
         let boxes = [Aabb::from_center_half_extents(p, half), Aabb::from_min_max(low, high)];
         let mut ask = |name: &str, question: &dyn Fn()| {
@@ -68,7 +68,7 @@ fn rows<S: Sample>(scalar: &str, to: &mut String) {
                 *sum += count;
             }
         };
-        for aabb in boxes.map(Result::unwrap) {
+        for aabb in boxes.each(Result::unwrap) {
             ask("triangle/aabb", &|| _ = triangle.overlaps(&aabb));
             ask("triangle prepared", &|| _ = PreparedTriangle::new(&triangle).overlaps(&aabb));
             ask("triangle relation", &|| _ = triangle.relation(&aabb));

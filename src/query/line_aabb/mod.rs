@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::crossing::Entries;
-use crate::arithmetic::{Arithmetic, Embeds, Number, compare, each, greatest, least, once, pick};
+use crate::arithmetic::{Arithmetic, Each, Embeds, Number, compare, greatest, least, once, pick};
 use crate::query::relation::{Nearness, Relation, of_gaps};
 use crate::robust::Uncertain;
 
@@ -130,7 +130,7 @@ impl<N: Arithmetic> Slabs<N> {
     #[inline(always)]
     pub(super) fn reversed(&self) -> Self {
         let Self { near, far, m, spread } = *self;
-        Self { near: each(far, |x| -x), far: each(near, |x| -x), m, spread }
+        Self { near: far.each(|x| -x), far: near.each(|x| -x), m, spread }
     }
 
     /// Whether all of the box lies before the origin on some axis: t < 0.

@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 use core::marker::PhantomData;
 
 use super::faces::Signs;
-use crate::arithmetic::{Parts, each, pick, three, turn};
+use crate::arithmetic::{Each, Parts, pick, three, turn};
 use crate::robust::{ExactSum, Vector, add_scaled_determinant, single};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
@@ -41,8 +41,8 @@ fn signed(x: Parts, minus: bool) -> Parts {
 
 impl<S: Scalar> ExactLine<S> {
     pub(super) fn new(obb: &Obb<S>, m: Vector, d: Vector, ends: [Option<Parts>; 2]) -> Self {
-        let u = each(obb.axes_as_arrays(), |u| each(u, |x| single(x.parts())));
-        let (h, none) = (each(obb.half_extents().to_array(), S::parts), Ordering::Equal);
+        let u = obb.axes_as_arrays().each(|u| u.each(|x| single(x.parts())));
+        let (h, none) = (obb.half_extents().to_array().each(S::parts), Ordering::Equal);
         let line = Self { m, d, ends, u, h, along: [none; 3], volume: none, scalar: PhantomData };
         let along = three(|i| sum::<S>(&[line.along(i, &line.d, S::ONE)]).sign());
         let volume = sum::<S>(&[line.volume(S::ONE)]).sign();

@@ -21,7 +21,7 @@ use super::obb_short;
 use super::triangle_obb::{has_second_look, operands, way};
 #[cfg(feature = "fixed")]
 use crate::arithmetic::three;
-use crate::arithmetic::{Embeds, Float, InFloat, Number, Parts, each};
+use crate::arithmetic::{Each, Embeds, Float, InFloat, Number, Parts};
 use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, SMALL_CODE};
 use crate::robust::{Predicate, Profile, Vector, difference, noted, single};
 use crate::scalar::{FixedBackend, Scalar};
@@ -60,19 +60,19 @@ impl<S: Scalar> Disjoint<'_, S> {
     }
 
     fn exactly(&self) -> ExactLine<S> {
-        let [p, q, _] = each(self.rows(), |row| each(row, S::parts));
-        let c = each(self.obb.center().to_array(), S::parts);
+        let [p, q, _] = self.rows().each(|row| row.each(S::parts));
+        let c = self.obb.center().to_array().each(S::parts);
         let from = |a: [Parts; 3], b: [Parts; 3]| -> Vector {
             core::array::from_fn(|i| difference(a[i], b[i]))
         };
         let (d, ends) = match self.line {
             Line::Ray(ray) => {
-                (each(q, single), [ray.t_min(), ray.t_max()].map(|t| t.map(S::parts)))
+                (q.each(single), [ray.t_min(), ray.t_max()].each(|t| t.map(S::parts)))
             }
             Line::Segment(segment) => match segment.form() {
                 SegmentForm::Ends(..) => (from(q, p), [Some(Parts::ZERO), Some(S::ONE)]),
                 SegmentForm::Center { .. } => {
-                    (each(q, single), [Some(S::ONE.negated()), Some(S::ONE)])
+                    (q.each(single), [Some(S::ONE.negated()), Some(S::ONE)])
                 }
             },
         };

@@ -13,7 +13,7 @@ use super::residual::refined;
 use super::slabs::{Four, Slabs};
 use super::{Disjoint, Line};
 use crate::arithmetic::{
-    Double, Embeds, Filtered, Float, Number, Quad, REGISTERS_ARE_WIDE, Soft, greatest, least,
+    Double, Each, Embeds, Filtered, Float, Number, Quad, REGISTERS_ARE_WIDE, Soft, greatest, least,
     three, turn, two,
 };
 use crate::robust::{Clue, Numeric, Predicate, exact_stage};
@@ -180,10 +180,10 @@ fn pairs(firsts: u32, seconds: u32) -> impl Iterator<Item = [usize; 2]> {
     let mut left = Some([firsts, seconds]);
     core::iter::from_fn(move || {
         let sets = left?;
-        let rest = sets.map(|set| set & set.wrapping_sub(1));
+        let rest = sets.each(|set| set & set.wrapping_sub(1));
         left =
-            (rest != [0; 2]).then(|| [0, 1].map(|k| if rest[k] == 0 { sets[k] } else { rest[k] }));
-        Some(sets.map(|set| set.trailing_zeros() as usize % 3))
+            (rest != [0; 2]).then(|| [0, 1].each(|k| if rest[k] == 0 { sets[k] } else { rest[k] }));
+        Some(sets.each(|set| set.trailing_zeros() as usize % 3))
     })
 }
 
@@ -191,7 +191,7 @@ fn pairs(firsts: u32, seconds: u32) -> impl Iterator<Item = [usize; 2]> {
 #[inline(always)]
 fn in_lanes(s: &Operands<f64>, m: &[Double; 3], slabs: [usize; 2]) -> [[Double; 3]; 2] {
     let lanes = |of: &dyn Fn(usize) -> f64| -> Four {
-        let [a, b] = slabs.map(of);
+        let [a, b] = slabs.each(of);
         // The same twice: vectors of two compute it once.
         Quad::new([a, b, a, b])
     };
@@ -206,8 +206,8 @@ fn in_lanes(s: &Operands<f64>, m: &[Double; 3], slabs: [usize; 2]) -> [[Double; 
     let along = sum(three(|x| w[x].scaled(Quad::splat(s.d[x]))));
     let middle = sum(three(|x| w[x].product(splat(m[x]))));
     let reach = sum(three(|x| w[x].scaled(u[0][x]))).scaled(lanes(&|i| s.h[i]));
-    let all = [along, middle, reach].map(|x| (x.high.to_array(), x.low.to_array()));
-    [0, 1].map(|lane| all.map(|(high, low)| Double { high: high[lane], low: low[lane] }))
+    let all = [along, middle, reach].each(|x| (x.high.to_array(), x.low.to_array()));
+    [0, 1].each(|lane| all.each(|(high, low)| Double { high: high[lane], low: low[lane] }))
 }
 
 #[cfg(test)]
@@ -223,27 +223,27 @@ mod tests {
     where
         Filtered<f64>: Embeds<S>,
     {
-        let row = |p: [f64; 3]| p.map(&near);
+        let row = |p: [f64; 3]| p.each(&near);
         let axes = [[0.6, 0.8, 0.0], [-0.48, 0.36, 0.8], [0.64, -0.48, 0.6]];
         let obb =
-            Obb::from_skewed_axes(row([0.125, 1.0, -0.5]), axes.map(row), row([1.3, 0.7, 2.1]));
+            Obb::from_skewed_axes(row([0.125, 1.0, -0.5]), axes.each(row), row([1.3, 0.7, 2.1]));
         let obb = obb.unwrap();
         let (mut settled, mut asked) = (0, 0);
         for n in 0..1_200 {
             // To a point of a face, and on into the box.
             let (face, step) = (n % 3, [0.0, 1e-9, 1e-4, 0.3][n / 3 % 4]);
             let at = |k: usize, times: usize| ((n * times) % 17) as f64 / 17.0 - 0.3 * k as f64;
-            let s = [0, 1, 2].map(|i: usize| if i == face { 1.0 } else { at(i, i + 3) });
+            let s = [0, 1, 2].each(|i: usize| if i == face { 1.0 } else { at(i, i + 3) });
             let half = [1.3, 0.7, 2.1];
             let point = |s: [f64; 3], step: f64| {
-                let reach =
-                    [0, 1, 2].map(|i: usize| (s[i] + if i == face { step } else { 0.0 }) * half[i]);
+                let reach = [0, 1, 2]
+                    .each(|i: usize| (s[i] + if i == face { step } else { 0.0 }) * half[i]);
                 let sum = |c: usize| (0..3).map(|i| reach[i] * axes[i][c]).sum::<f64>();
                 [0.125 + sum(0), 1.0 + sum(1), -0.5 + sum(2)]
             };
             let from = point(s, step);
             let to = [0.125, 1.0 - at(1, 5) / 4.0, -0.5];
-            let way = [0, 1, 2].map(|c: usize| to[c] - from[c]);
+            let way = [0, 1, 2].each(|c: usize| to[c] - from[c]);
             let ray = Ray::new(row(from), row(way)).unwrap();
             let meets = ray.overlaps(&obb);
             let question = Disjoint { line: Line::Ray(&ray), obb: &obb };

@@ -5,7 +5,7 @@
 
 use super::error_bound::{ErrorBound, Sizes, error_bound};
 use super::kernel::Operands;
-use crate::arithmetic::{Filtered, OfFour, Quad, THREE, greatest, least, lost_in_row};
+use crate::arithmetic::{Each, Filtered, OfFour, Quad, THREE, greatest, least, lost_in_row};
 use crate::query::obb_rows::{Vectors, most};
 
 /// Numbers of three slabs, or of two, twice.
@@ -96,7 +96,7 @@ fn along_slabs(
     [face, error]: [f64; 2],
     parallel: u32,
 ) -> [[Four; 2]; 2] {
-    let [mut near, mut far] = ends.map(|ends| ends.map(Quad::to_array));
+    let [mut near, mut far] = ends.each(|ends| ends.each(Quad::to_array));
     let inside = inside.to_array();
     let is_parallel = |i: &usize| parallel >> i & 1 != 0;
     let others = || (0..3).filter(|i| !is_parallel(i));
@@ -117,5 +117,5 @@ fn along_slabs(
             (near[k][i], far[k][i]) = (of_slab[0][k], of_slab[1][k]);
         }
     }
-    [near.map(Quad::new), far.map(Quad::new)]
+    [near.each(Quad::new), far.each(Quad::new)]
 }

@@ -96,6 +96,7 @@ fn by_integers(t: &Triangle<f64>) -> Option<[f64; 3]> {
 #[cfg(test)]
 mod tests {
     use super::{component, is_in_range};
+    use crate::arithmetic::Each;
 
     /// 2^e.
     fn two_to(e: i32) -> f64 {
@@ -136,7 +137,7 @@ mod tests {
                 2 => (b[1], a[1]) = (1.0, -tiny),
                 _ => (c[0], a[0]) = (1.0, -tiny),
             }
-            let [x, y] = [0, 1].map(|i| [a[i], b[i], c[i]]);
+            let [x, y] = [0, 1].each(|i| [a[i], b[i], c[i]]);
             assert_eq!(component(x, y, 0.0), None, "{x:?}, {y:?}");
         }
     }

@@ -5,7 +5,9 @@
 use core::cmp::Ordering;
 
 use super::{First, Lie};
-use crate::arithmetic::{BigInt, Embeds, Float, Number, Parts, Window, cross, dot, three, turn};
+use crate::arithmetic::{
+    BigInt, Each, Embeds, Float, Number, Parts, Window, cross, dot, three, turn,
+};
 use crate::query::relation::{Nearness, Relation, of_gaps};
 use crate::robust::{ExactSum, Linear, Vector, add_scaled_determinant, difference, single};
 use crate::scalar::Scalar;
@@ -31,34 +33,34 @@ fn twice(x: Parts) -> Parts {
 
 impl ExactBoxes {
     pub(super) fn new<S: Scalar>(lie: &Lie<'_, S>) -> Self {
-        let parts = |p: [S; 3]| p.map(S::parts);
+        let parts = |p: [S; 3]| p.each(S::parts);
         let second = lie.second;
-        let [b, k] = [second.center(), second.half_extents()].map(|v| parts(v.to_array()));
+        let [b, k] = [second.center(), second.half_extents()].each(|v| parts(v.to_array()));
         let vector = |of: &dyn Fn(usize) -> Linear| [of(0), of(1), of(2)];
-        let axes = |obb: &Obb<S>| obb.axes().map(|u| u.to_array().map(|x| single(x.parts())));
+        let axes = |obb: &Obb<S>| obb.axes().each(|u| u.to_array().each(|x| single(x.parts())));
         let along = three(|i| {
             let zero = single(Parts::ZERO);
             let mut axis = [zero; 3];
             axis[i] = single(S::ONE);
             axis
         });
-        let pairs = |half: [Parts; 3]| half.map(|h| [h, Parts::ZERO]);
+        let pairs = |half: [Parts; 3]| half.each(|h| [h, Parts::ZERO]);
         let (d, u, h, k) = match lie.first {
             First::Obb(first) => {
-                let [a, h] = [first.center(), first.half_extents()].map(|v| parts(v.to_array()));
+                let [a, h] = [first.center(), first.half_extents()].each(|v| parts(v.to_array()));
                 (vector(&|i| difference(b[i], a[i])), axes(first), pairs(h), pairs(k))
             }
             First::Aabb(first) => match first.form() {
                 AabbForm::Center { center, half } => {
-                    let [a, h] = [center, half].map(|v| parts(v.to_array()));
+                    let [a, h] = [center, half].each(|v| parts(v.to_array()));
                     (vector(&|i| difference(b[i], a[i])), along, pairs(h), pairs(k))
                 }
                 // Everything is doubled, because the centre need not be a number of the scalar.
                 AabbForm::Corners { min, max } => {
-                    let [p, q] = [min, max].map(|v| parts(v.to_array()));
+                    let [p, q] = [min, max].each(|v| parts(v.to_array()));
                     let d = vector(&|i| [twice(b[i]), p[i].negated(), q[i].negated()]);
                     let h = three(|i| [q[i], p[i].negated()]);
-                    (d, along, h, pairs(k.map(twice)))
+                    (d, along, h, pairs(k.each(twice)))
                 }
             },
         };
@@ -94,7 +96,7 @@ impl ExactBoxes {
             add_scaled_determinant(sum, a, b, x, factor);
         };
         // The distance by which the second box stays beyond the first, on both sides.
-        of_gaps([Ordering::Greater, Ordering::Less].map(|side| {
+        of_gaps([Ordering::Greater, Ordering::Less].each(|side| {
             let mut sum = S::SeptumSum::new();
             determinant(&mut sum, &self.d, S::ONE);
             for Extent { axis, half } in &self.extents {
@@ -148,7 +150,7 @@ pub(super) fn in_window<F: Float>(boxes: &Given<F>, open: u32) -> Option<Relatio
     let ones = [F::from(1); 3];
     let all = [p, q, b, k, u0, u1, u2, v0, v1, v2, ones];
     let [p, q, b, k, u0, u1, u2, v0, v1, v2, [one, ..]] = Window::embed(&all)?;
-    let by = |f: fn([i128; 4]) -> i128| [0, 1, 2].map(|i: usize| f([p[i], q[i], b[i], k[i]]));
+    let by = |f: fn([i128; 4]) -> i128| [0, 1, 2].each(|i: usize| f([p[i], q[i], b[i], k[i]]));
     // Between corners all lengths are doubled.
     let (d, h, k) = if boxes.by_corners {
         (by(|[p, q, b, _]| (b - p) + (b - q)), by(|[p, q, ..]| q - p), by(|[.., k]| k + k))

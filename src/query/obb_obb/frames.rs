@@ -8,7 +8,7 @@
 
 use super::error_bound::in_frames as error_bound;
 use super::{First, Lie};
-use crate::arithmetic::{Float, InFloat, OfFour, Quad, SMALL_CODE, THREE, each, three};
+use crate::arithmetic::{Each, Float, InFloat, OfFour, Quad, SMALL_CODE, THREE, three};
 use crate::query::obb_rows::holds_one;
 use crate::query::relation::{Asked, Relation};
 use crate::scalar::Scalar;
@@ -61,7 +61,7 @@ fn two<S: Scalar>(first: &Obb<S>, second: &Obb<S>) -> Option<Result<Relation, In
         return None;
     }
     let d = three(|i| b[i].offset(a[i]));
-    let [u, v] = [each([u0, u1, u2], in_units), each([v0, v1, v2], in_units)];
+    let [u, v] = [[u0, u1, u2].each(in_units), [v0, v1, v2].each(in_units)];
     Frames::of_two(u, v, d).relation(d, plain(h), plain(k))
 }
 
@@ -82,7 +82,7 @@ fn upright<S: Scalar>(first: &Aabb<S>, second: &Obb<S>) -> Option<Result<Relatio
         }
         (d, three(|i| q[i].offset(p[i]) * 0.5))
     };
-    Frames::of_second(each([v0, v1, v2], in_units), d).relation(d, h, plain(k))
+    Frames::of_second([v0, v1, v2].each(in_units), d).relation(d, h, plain(k))
 }
 
 /// Whether two axes of a box are clearly not at right angles, which rejects most skewed boxes early.
@@ -95,14 +95,14 @@ fn is_skewed<S: Scalar>(u: [S; 3], v: [S; 3]) -> bool {
 
 #[inline(always)]
 fn plain<S: Scalar>(x: [S; 3]) -> [f32; 3] {
-    each(x, |x| x.offset(S::ZERO))
+    x.each(|x| x.offset(S::ZERO))
 }
 
 /// A vector in units of one.
 #[inline(always)]
 fn in_units<S: Scalar>(x: [S; 3]) -> [f32; 3] {
     let one = S::plain_one().offset(S::ZERO);
-    each(plain(x), |x| x * (1.0 / one))
+    plain(x).each(|x| x * (1.0 / one))
 }
 
 #[inline(always)]
@@ -120,7 +120,7 @@ fn transposed([a, b, c]: [[f32; 3]; 3], d: [f32; 3]) -> [Row; 3] {
 #[inline(always)]
 fn tilt(rows: [Row; 3]) -> Row {
     let squares = rows[0] * rows[0] + rows[1] * rows[1] + rows[2] * rows[2];
-    let [x, y, z] = each(rows, |row| row * row.turned());
+    let [x, y, z] = rows.each(|row| row * row.turned());
     (squares - Row::splat(1.0)).magnitude().greatest((x + y + z).magnitude())
 }
 
@@ -169,7 +169,7 @@ impl Frames {
         let three = |x: [f32; 3]| Row::of_three(x);
         let size = most(three(d).magnitude().greatest(three(h)).greatest(three(k)));
         let error = error_bound(size, most(*tilt))?;
-        let (r, c) = (each(*rows, Row::magnitude), each(*columns, Row::magnitude));
+        let (r, c) = (rows.each(Row::magnitude), columns.each(Row::magnitude));
 
         let of_first = t.magnitude() - (three(h) + sum(k, c));
         let of_second = on_second.magnitude() - (three(k) + sum(h, r));
@@ -218,7 +218,7 @@ fn beside_near_axes(
 ) -> Result<Relation, InDoubt> {
     let below = Row::splat(0.0) - (error + size * Row::splat(1.0 / 512.0));
     let limit = Row::splat(1.0 / 1024.0);
-    let small = products.map(|row| limit.exceeds(row) & THREE);
+    let small = products.each(|row| limit.exceeds(row) & THREE);
     let is_settled = |i: usize| {
         let others_in_row = (small[i] >> 1 | small[i] << 2) & (small[i] >> 2 | small[i] << 1);
         let near = others_in_row & small[(i + 1) % 3] & small[(i + 2) % 3];

@@ -16,7 +16,7 @@ use super::obb_short;
 use super::relation::{Asked, Relate, Relation};
 use super::triangle_obb::{has_second_look, operands, way};
 use crate::arithmetic::{
-    Embeds, Float, InFloat, Number, each, greatest, largest, of_two, once, three,
+    Each, Embeds, Float, InFloat, Number, greatest, largest, of_two, once, three,
 };
 use crate::arithmetic::{REGISTERS_ARE_WIDE, Word};
 use crate::robust::{Numeric, Predicate, Profile, noted};
@@ -72,7 +72,7 @@ impl<S: Scalar> Lie<'_, S> {
                     (
                         operands::<N>(three(|i| of_two::<N, _>((b[i] - p[i]) + (b[i] - q[i])))),
                         operands::<N>(three(|i| of_two::<N, _>(q[i] - p[i]))),
-                        operands::<N>(each(k, once::<N, _>)),
+                        operands::<N>(k.each(once::<N, _>)),
                     )
                 };
                 let u = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];

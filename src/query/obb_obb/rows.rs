@@ -4,7 +4,7 @@
 use super::Lie;
 use super::error_bound::error_bound;
 use super::floats::{Boxes, Doubt, of_boxes};
-use crate::arithmetic::{Filtered, Float, InFloat, Quad, THREE, each, greatest};
+use crate::arithmetic::{Each, Filtered, Float, InFloat, Quad, THREE, greatest};
 use crate::query::obb_rows::{Vectors, most, transposed};
 use crate::query::relation::{Asked, Relation};
 use crate::scalar::Scalar;
@@ -101,7 +101,7 @@ impl<F: Float> Boxes<F> {
             return Some(Ok(Relation::Overlapping));
         }
         let open = |gaps: Q| !below.exceeds(gaps) & THREE;
-        let [a, b, c] = each(pairs, open);
+        let [a, b, c] = pairs.each(open);
         let open = open(of_first) | open(of_second) << 3 | a << 6 | b << 9 | c << 12;
         Some(Err(Doubt { error, are_faces_clear, open }))
     }

@@ -1,7 +1,7 @@
 //! The types that hold an area, beside each other.
 
 use super::*;
-use crate::arithmetic::SplitSum;
+use crate::arithmetic::{Each, SplitSum};
 
 /// All ways to hold an area agree, on the widest shapes that a word permits and in contact.
 /// `tests/` checks that they are right.
@@ -16,14 +16,14 @@ fn areas_agree() {
         let far = (1 << bits) - 1;
         let mut apart = 0;
         for case in 0..100_000 {
-            let projections = [(); 3].map(|()| match case % 3 {
-                0 => ([(); 3].map(|()| below(2 * far as u32 + 1) - far), below(1 << bits)),
-                1 => ([(); 3].map(|()| [-far, -1, 0, 1, far][below(5) as usize]), far * below(2)),
-                _ => ([(); 3].map(|()| below(13) - 4), 4),
+            let projections = [(); 3].each(|()| match case % 3 {
+                0 => ([(); 3].each(|()| below(2 * far as u32 + 1) - far), below(1 << bits)),
+                1 => ([(); 3].each(|()| [-far, -1, 0, 1, far][below(5) as usize]), far * below(2)),
+                _ => ([(); 3].each(|()| below(13) - 4), 4),
             });
-            let short = projections.map(|(t, size)| Projection { t, size });
+            let short = projections.each(|(t, size)| Projection { t, size });
             let long = projections
-                .map(|(t, size)| Projection { t: t.map(i64::from), size: i64::from(size) });
+                .each(|(t, size)| Projection { t: t.each(i64::from), size: i64::from(size) });
             let verdict = in_areas::<_, SplitSum<_>, Closed>(&long);
             assert_eq!(verdict, in_areas::<_, i64, Closed>(&short), "{projections:?}");
             assert!(

@@ -8,7 +8,7 @@
 use core::cmp::Ordering;
 
 use super::{FIRST, Points, Relation, SECOND, along};
-use crate::arithmetic::{each, pick, three, turn};
+use crate::arithmetic::{Each, pick, three, turn};
 
 /// The relation of two triangles in one plane, of a triangle and a segment or point in its plane,
 /// or of two segments or points.
@@ -39,7 +39,7 @@ fn seen_along(points: &impl Points, axis: usize) -> Relation {
     for (one, other) in [(FIRST, SECOND), (SECOND, FIRST)] {
         for k in 0..3 {
             let (k, next, opposite) = turn(k);
-            let [a, b, c] = each([k, next, opposite], |k| *pick(&one, k));
+            let [a, b, c] = [k, next, opposite].each(|k| *pick(&one, k));
             let sides = points.sides_of_line(axis, [a, b], other);
             so_far = so_far.min(along(sides, &[points.area(axis, [a, b, c])]));
             if so_far == Relation::Disjoint {

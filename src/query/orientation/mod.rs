@@ -22,7 +22,7 @@ pub(crate) use self::sides::{Vector, from};
 pub(super) use self::sides::{are_apart, sides, size};
 use self::whole::Whole;
 use super::relation::{Asked, Relation};
-use crate::arithmetic::{Arithmetic, Int64Narrow, Number, REGISTERS_ARE_WIDE, each, three, turn};
+use crate::arithmetic::{Arithmetic, Each, Int64Narrow, Number, REGISTERS_ARE_WIDE, three, turn};
 
 /// Six points: the vertices of the first shape and of the second.
 pub(super) trait Points {
@@ -38,19 +38,19 @@ pub(super) trait Points {
 
     /// The sides of the plane through a, b and c on which the points `of` lie.
     fn sides(&self, [a, b, c]: [usize; 3], of: [usize; 3]) -> [Ordering; 3] {
-        each(of, |d| self.volume([a, b, c, d]))
+        of.each(|d| self.volume([a, b, c, d]))
     }
 
     /// The sides of the line through a and b on which the points `of` lie, in the projection along
     /// `axis`.
     fn sides_of_line(&self, axis: usize, [a, b]: [usize; 2], of: [usize; 3]) -> [Ordering; 3] {
-        each(of, |c| self.area(axis, [a, b, c]))
+        of.each(|c| self.area(axis, [a, b, c]))
     }
 
     /// The nearest relation that coordinate `axis` allows.
     fn along_axis(&self, axis: usize) -> Relation {
         // Every vertex of the first shape against every vertex of the second.
-        let rows = each(FIRST, |a| each(SECOND, |b| self.compare(axis, [a, b])));
+        let rows = FIRST.each(|a| SECOND.each(|b| self.compare(axis, [a, b])));
         let all = || rows.as_flattened().iter();
         let (above, below) = (all().any(|x| x.is_gt()), all().any(|x| x.is_lt()));
         if above == below {
@@ -135,8 +135,8 @@ fn along(sides: [Ordering; 3], back: &[Ordering]) -> Relation {
 /// The relation of two triangles whose planes cross, neither triangle beyond the plane of the
 /// other. Each triangle cuts an interval out of the common line of both planes; do these meet?
 fn crossing(points: &impl Points, first: [Ordering; 3], second: [Ordering; 3]) -> Relation {
-    let (i, is_first_above) = apex(each(first, |sign| sign as i8));
-    let (k, is_second_above) = apex(each(second, |sign| sign as i8));
+    let (i, is_first_above) = apex(first.each(|sign| sign as i8));
+    let (k, is_second_above) = apex(second.each(|sign| sign as i8));
     let order = |of: [usize; 3], k: usize, is_in_order: bool| {
         let (a, b, c) = turn(k);
         if is_in_order { [of[a], of[b], of[c]] } else { [of[a], of[c], of[b]] }
@@ -196,7 +196,7 @@ fn piercing(
 ) -> Relation {
     let k = if signs[0] == signs[1] { 1 } else { 0 };
     let (a, b) = (segment[k], segment[k + 1]);
-    let sides = each(FIRST, |k| {
+    let sides = FIRST.each(|k| {
         let (k, next, _) = turn(k);
         points.volume([a, b, triangle[k], triangle[next]])
     });

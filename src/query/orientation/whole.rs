@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::{FIRST, Points, Relation, SECOND};
 use crate::arithmetic::{
-    Arithmetic, Number, compare, cross, dot, each, greatest, least, pick, turn,
+    Arithmetic, Each, Number, compare, cross, dot, greatest, least, pick, turn,
 };
 
 /// Six points in an exact number system.
@@ -29,7 +29,7 @@ fn sign<T: Number>(x: T) -> Ordering {
 
 impl<N: Arithmetic> Points for Whole<N> {
     fn volume(&self, [a, b, c, d]: [usize; 4]) -> Ordering {
-        let [b, c, d] = each([b, c, d], |x| self.difference(x, a));
+        let [b, c, d] = [b, c, d].each(|x| self.difference(x, a));
         sign(dot::<N>(&cross::<N>(&b, &c), &d))
     }
 
@@ -41,7 +41,7 @@ impl<N: Arithmetic> Points for Whole<N> {
 
     fn sides(&self, [a, b, c]: [usize; 3], of: [usize; 3]) -> [Ordering; 3] {
         let n = cross::<N>(&self.difference(b, a), &self.difference(c, a));
-        each(of, |d| sign(dot::<N>(&n, &self.difference(d, a))))
+        of.each(|d| sign(dot::<N>(&n, &self.difference(d, a))))
     }
 
     fn sides_of_line(&self, axis: usize, [a, b]: [usize; 2], of: [usize; 3]) -> [Ordering; 3] {
@@ -52,7 +52,7 @@ impl<N: Arithmetic> Points for Whole<N> {
             [*pick(x, j) - *pick(a, j), *pick(x, k) - *pick(a, k)]
         };
         let e = from(b);
-        each(of, |x| {
+        of.each(|x| {
             let v = from(x);
             sign(N::area(e[0], v[1]) - N::area(e[1], v[0]))
         })
@@ -60,7 +60,7 @@ impl<N: Arithmetic> Points for Whole<N> {
 
     fn along_axis(&self, axis: usize) -> Relation {
         let ends = |of: [usize; 3]| {
-            let [x, y, z] = each(of, |x| *pick(self.point(x), axis));
+            let [x, y, z] = of.each(|x| *pick(self.point(x), axis));
             (least(least(x, y), z), greatest(greatest(x, y), z))
         };
         let ((a, b), (c, d)) = (ends(FIRST), ends(SECOND));

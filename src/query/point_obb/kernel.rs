@@ -6,7 +6,7 @@
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::{Embeds, Number, Parts, greatest, largest, pick};
+use crate::arithmetic::{Each, Embeds, Number, Parts, greatest, largest, pick};
 use crate::query::triangle_obb::{cross, dot, error_bound, operands, way};
 use crate::robust::{ExactSum, Predicate, Uncertain, Vector, add_scaled_determinant, single};
 use crate::scalar::Scalar;
@@ -26,7 +26,7 @@ impl<S: Scalar> Predicate<S> for Outside<'_, S> {
         let [c, u, v, w, h] = self.obb.numbers();
         let ([p, c, u, v, w, h], one) = N::embed_with_one(&[self.point, c, u, v, w, h])?;
         let d = way::<N>(p, c);
-        let [u, v, w, h] = [u, v, w, h].map(operands::<N>);
+        let [u, v, w, h] = [u, v, w, h].each(operands::<N>);
 
         let axes = greatest(greatest(largest(&u), largest(&v)), greatest(largest(&w), one));
         // The same terms as on the face axes of a triangle, with the same roundings.
@@ -44,7 +44,7 @@ impl<S: Scalar> Predicate<S> for Outside<'_, S> {
     }
 
     fn exact(&self) -> bool {
-        let axes = self.obb.axes_as_arrays().map(|u| u.map(|x| single(x.parts())));
+        let axes = self.obb.axes_as_arrays().each(|u| u.each(|x| single(x.parts())));
         let half = self.obb.half_extents().to_array();
         let (point, center) = (self.point, self.obb.center().to_array());
         let volume = {
@@ -56,7 +56,7 @@ impl<S: Scalar> Predicate<S> for Outside<'_, S> {
             // The axis replaced by the point, and by the centre.
             let replaced = |by: &[S; 3]| {
                 let mut axes = axes;
-                let by = by.map(|x| single(x.parts()));
+                let by = by.each(|x| single(x.parts()));
                 match i {
                     0 => axes[0] = by,
                     1 => axes[1] = by,
@@ -88,12 +88,12 @@ mod tests {
     /// Points in and around a corner of a parallelepiped: each stage agrees with exact sums, or has
     /// no answer.
     fn check<S: Scalar>(of: impl Fn(i8) -> S, one_up: impl Fn(S) -> S) {
-        let row = |p: [i8; 3]| p.map(&of);
+        let row = |p: [i8; 3]| p.each(&of);
         let axes = [row([2, 1, 0]), row([-1, 2, 0]), row([0, 1, 2])];
         let obb = Obb::from_skewed_axes(row([1, 0, -1]), axes, row([1, 1, 0])).unwrap();
         let (mut settled, mut outside) = (0, 0);
         for n in 0..343_i16 {
-            let p = [n % 7 - 3, n / 7 % 7 - 3, n / 49 - 3].map(|x| of(x as i8));
+            let p = [n % 7 - 3, n / 7 % 7 - 3, n / 49 - 3].each(|x| of(x as i8));
             for i in 0..3 {
                 let mut point = p;
                 point[i] = one_up(point[i]);

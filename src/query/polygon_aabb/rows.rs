@@ -155,6 +155,7 @@ fn cross<Q: Quad>(a: Q, b: Q) -> Q {
 #[cfg(test)]
 mod tests {
     use super::{Survey, survey};
+    use crate::arithmetic::Each;
     use crate::shape::{Aabb, Polygon, Vec3};
 
     /// No answer changes if a survey decides less than it could, or names the wrong triangle. These
@@ -173,10 +174,10 @@ mod tests {
         let cube = Aabb::from_center_half_extents([0.0; 3], [0.25; 3]).unwrap();
         let [mut by_vertex, mut apart, mut first, mut other, mut none] = [0; 5];
         for _ in 0..10_000 {
-            let [o, u, v] = [(); 3].map(|()| [(); 3].map(|()| number()));
+            let [o, u, v] = [(); 3].each(|()| [(); 3].each(|()| number()));
             let at = |[a, b]: [f32; 2]| {
                 Vec3::from(
-                    [0, 1, 2].map(|i: usize| 2.0 * o[i] + (a - 1.0) * u[i] + (b - 1.0) * v[i]),
+                    [0, 1, 2].each(|i: usize| 2.0 * o[i] + (a - 1.0) * u[i] + (b - 1.0) * v[i]),
                 )
             };
             let vertices = CORNERS.map(at);

@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::{Disjoint, PreparedRay};
-use crate::arithmetic::Embeds;
+use crate::arithmetic::{Each, Embeds};
 use crate::query::crossing::{Crossing, Entries, crossings};
 use crate::query::line_aabb::Entering;
 use crate::robust::{Predicate, Profile};
@@ -59,7 +59,7 @@ impl<S: Scalar> Ray<S> {
     pub fn crossings(&self, aabb: &Aabb<S>) -> Option<[Crossing<S>; 2]> {
         let range = self.t_range(aabb)?;
         let [first, last] = S::evaluate(&Faces(Disjoint { ray: self, aabb }));
-        let falls = self.direction().to_array().map(|d| d < S::ZERO);
+        let falls = self.direction().to_array().each(|d| d < S::ZERO);
         let side = |i: usize, is_entry: bool| (i as u8, falls[i % 3] == is_entry);
         Some(crossings(range, [first.map(|i| side(i, true)), last.map(|i| side(i, false))]))
     }

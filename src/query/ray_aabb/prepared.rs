@@ -2,7 +2,7 @@
 //! two values of t are clearly apart; otherwise the exact test does.
 
 use super::error_bound;
-use crate::arithmetic::{Number, Quad, Span, Spans, greatest, least};
+use crate::arithmetic::{Each, Number, Quad, Span, Spans, greatest, least};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Ray, Vec3};
@@ -79,7 +79,7 @@ impl<S: Scalar> PreparedRay<S> {
         let zero = S::SeptumSpan::ZERO;
         let mut this = Self {
             ray: *ray,
-            origin: four(ray.origin()).map(S::anchor),
+            origin: four(ray.origin()).each(S::anchor),
             reciprocal: [zero; 4],
             from: -S::SeptumSpan::GREATEST,
             to: S::SeptumSpan::GREATEST,
@@ -198,7 +198,7 @@ impl<S: Scalar> PreparedRay<S> {
     ) -> (S::SeptumSpan, S::SeptumSpan, S::SeptumSpan) {
         let to_center = self.reaches([center.x, center.y, center.z, half.x]);
         let reciprocal = <Spans<S> as Quad>::new(self.reciprocal);
-        let to_face = <Spans<S> as Quad>::new(four(half).map(S::span)) * reciprocal.magnitude();
+        let to_face = <Spans<S> as Quad>::new(four(half).each(S::span)) * reciprocal.magnitude();
         let [x, y, z] = (to_center - to_face).three();
         let enter = greatest(greatest(x, y), greatest(z, self.from));
         let [x, y, z] = (to_center + to_face).three();

@@ -30,7 +30,7 @@ mod tests {
     use super::super::kernel::{Crossing, Setting};
     use super::super::refined::Refined;
     use super::super::residual::Numbers;
-    use crate::arithmetic::{Filtered, Float};
+    use crate::arithmetic::{Each, Filtered, Float};
     use crate::scalar::Backend;
     use crate::shape::{Ray, Triangle};
 
@@ -96,7 +96,7 @@ mod tests {
         }
         let exact = exact_crossing([a, b, c, o], d);
         let truths =
-            [&exact.t, &exact.sides[1], &exact.sides[2]].map(|x| f64::quotient(x, &exact.det));
+            [&exact.t, &exact.sides[1], &exact.sides[2]].each(|x| f64::quotient(x, &exact.det));
         let mut is_of_some_size = false;
         for ((number, error), truth) in numbers.numbers.into_iter().zip(truths) {
             // Half an ulp for the truth, which is rounded as well.
@@ -134,7 +134,7 @@ mod tests {
         for case in 0..20_000 {
             // From vectors of equal size to all small except one vertex.
             let small = Float::scaled(1, -(case % 50));
-            let mut vector = |size: f64| [(); 3].map(|()| random() * size);
+            let mut vector = |size: f64| [(); 3].each(|()| random() * size);
             let case = [vector(1.0), vector(small), vector(small), vector(small), vector(1.0)];
             of_some_size += u32::from(check(case, 2.0));
             of_some_size_refined += u32::from(check_refined(case, 1.0 / 64.0));
@@ -154,7 +154,7 @@ mod tests {
         for case in 0..30_000_i32 {
             // Slivers, far origins and positions far from zero; a third of the rays at edges.
             let [thin, far, away] = [case % 20, case % 7 * 3, case % 11 * 3];
-            let mut vector = |size: f64| [(); 3].map(|()| random() * size);
+            let mut vector = |size: f64| [(); 3].each(|()| random() * size);
             let (a, ab) = (vector(Float::scaled(1, away)), vector(1.0));
             let (ac, way) = (vector(Float::scaled(1, -thin)), vector(Float::scaled(1, far)));
             let plus = |a: [f64; 3], b: [f64; 3]| [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
@@ -164,7 +164,7 @@ mod tests {
                 u *= <f64 as Float>::scaled(1, -case % 60);
             }
             let v = (1.0 - u) * random().abs();
-            let aim = [0, 1, 2].map(|i| (b[i] - a[i]) * u + (c[i] - a[i]) * v + (a[i] - o[i]));
+            let aim = [0, 1, 2].each(|i| (b[i] - a[i]) * u + (c[i] - a[i]) * v + (a[i] - o[i]));
             let is_hit = Ray::new(o, aim).is_ok_and(|ray| {
                 Triangle::new(a, b, c).is_ok_and(|triangle| ray.is_hit(&triangle))
             });
@@ -184,11 +184,11 @@ mod tests {
         let mut zeros = 0;
         for case in 0..20_000 {
             let most = if case % 2 == 0 { 2 } else { (1 << 23) - 1 };
-            let mut vector = || [(); 3].map(|()| whole(most));
+            let mut vector = || [(); 3].each(|()| whole(most));
             let (a, b, c, o, mut d) = (vector(), vector(), vector(), vector(), vector());
             if case % 4 == 3 {
                 // Toward the midpoint of an edge.
-                d = [0, 1, 2].map(|i| (b[i] + c[i]) / 2.0 - o[i]);
+                d = [0, 1, 2].each(|i| (b[i] + c[i]) / 2.0 - o[i]);
             }
             let (refined, is_known) = Refined::new(&[a, b, c, o], d);
             if !is_known {

@@ -10,7 +10,7 @@
 //! include one rounding of each vector, and a little more in `f64`, where the difference was rounded
 //! before.
 
-use crate::arithmetic::{Float, Number, OfFour, Quad, largest, three};
+use crate::arithmetic::{Each, Float, Number, OfFour, Quad, largest, three};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
 
@@ -27,7 +27,7 @@ const T: u16 = 54;
 /// `f32` suffices for all but near misses. None is missed where the machine has no vectors.
 #[inline(always)]
 pub(crate) fn clear_misses<S: Scalar>(ray: &Ray<S>, triangles: [Triangle<S>; 4]) -> u32 {
-    let [p, q, r, s] = triangles.map(|triangle| triangle.points());
+    let [p, q, r, s] = triangles.each(|triangle| triangle.points());
     let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
     let [a, b, c] = three(|v| [p[v], q[v], r[v], s[v]]);
     let [[a0, a1, a2, a3], [b0, b1, b2, b3], [c0, c1, c2, c3]] = [a, b, c];
@@ -107,10 +107,11 @@ mod tests {
         for _ in 0..4_000 {
             let mut integer = |most: i64| (random.bits() % (2 * most as u64 + 1)) as i64 - most;
             let mut point = |far: f64| {
-                let x = [(); 3].map(|()| far + integer(4) as f64 * size + integer(1) as f64 * unit);
-                Vec3::from(x.map(number))
+                let x =
+                    [(); 3].each(|()| far + integer(4) as f64 * size + integer(1) as f64 * unit);
+                Vec3::from(x.each(number))
             };
-            let triangles = [(); 4].map(|()| Triangle::unchecked([(); 3].map(|()| point(far))));
+            let triangles = [(); 4].each(|()| Triangle::unchecked([(); 3].each(|()| point(far))));
             let Ok(ray) = Ray::new(point(far), point(0.0)) else { continue };
             let ranges = [[Some(S::ZERO), None], [None, None], [Some(number(-1.0)), None]];
             for [from, to] in ranges {

@@ -1,5 +1,6 @@
 //! The hit of a ray on a triangle, and the rules for counting hits.
 
+use crate::arithmetic::Each;
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Vec3};
 
@@ -157,7 +158,7 @@ impl<S: Scalar> Candidate<S> {
     /// `zeros` says which of w, u and v are zero.
     #[inline(always)]
     pub(crate) fn new(hit: bool, [t, u, v]: [S; 3], front: bool, zeros: [bool; 3]) -> Self {
-        let [w_is_zero, u_is_zero, v_is_zero] = zeros.map(u8::from);
+        let [w_is_zero, u_is_zero, v_is_zero] = zeros.each(u8::from);
         let marks = u8::from(front) | w_is_zero << 1 | u_is_zero << 2 | v_is_zero << 3;
         Self { hit, t, u, v, marks }
     }

@@ -18,7 +18,7 @@ use super::crosses::Crosses;
 use super::kernel::{Crossing, Setting};
 use super::words::Counted;
 use super::{Facing, Hit};
-use crate::arithmetic::{Divisor, Leading64, ProductSum, three};
+use crate::arithmetic::{Divisor, Each, Leading64, ProductSum, three};
 use crate::scalar::Scalar;
 
 /// The number of bits by which a volume may be shorter than its lengths. For k = 0, no number
@@ -39,7 +39,7 @@ impl<S: Scalar> Crosses<'_, S> {
         let ([d], unit_of_d) = S::short(&[d])?;
         let setting = Setting { d, e: [from(&b, &a), from(&c, &a)], s: from(&o, &a) };
         let first_sign = |a: &[i32; 3], b: &[i32; 3]| {
-            let [x, y, z] = cross(a, b).map(|x| x.cmp(&0));
+            let [x, y, z] = cross(a, b).each(|x| x.cmp(&0));
             x.then(y).then(z)
         };
         let counted = self.counted(
@@ -128,9 +128,9 @@ mod tests {
             let (i, j) = (below(5), below(5));
             let (i, j) = (i.min(4 - j) as f32 / 4.0, j as f32 / 4.0);
             let nudge = if case % 3 == 0 { 0.0 } else { 1.0 / 256.0 };
-            let on = [0, 1, 2].map(|k| a[k] + (b[k] - a[k]) * i + (c[k] - a[k]) * j + nudge);
+            let on = [0, 1, 2].each(|k| a[k] + (b[k] - a[k]) * i + (c[k] - a[k]) * j + nudge);
             let triangle = Triangle::new(a, b, c).unwrap();
-            let Ok(ray) = Ray::new(o, [0, 1, 2].map(|k| on[k] - o[k])) else { continue };
+            let Ok(ray) = Ray::new(o, [0, 1, 2].each(|k| on[k] - o[k])) else { continue };
             let cull = [Cull::Nothing, Cull::Back, Cull::Front][below(3) as usize];
             let rules = HitRules::new().culling(cull);
             let rules = if below(2) == 0 { rules } else { rules.once() };
@@ -139,7 +139,7 @@ mod tests {
             let question = Crosses { ray: &ray, triangle: &triangle, rules };
             if let Some(hit) = question.in_multiples() {
                 let bits = |hit: Option<Hit<f32>>| {
-                    hit.map(|h| ([h.t, h.u, h.v].map(f32::to_bits), h.facing, h.feature))
+                    hit.map(|h| ([h.t, h.u, h.v].each(f32::to_bits), h.facing, h.feature))
                 };
                 assert_eq!(bits(hit), bits(expected), "{ray:?} {triangle:?}");
                 said[kind] += u32::from(hit.is_some());

@@ -4,7 +4,9 @@ use core::cmp::Ordering;
 
 use super::HitRules;
 use super::crosses::Crosses;
-use crate::arithmetic::{Embeds, Limbed, Number, REGISTERS_ARE_WIDE, compare, order_of_products};
+use crate::arithmetic::{
+    Each, Embeds, Limbed, Number, REGISTERS_ARE_WIDE, compare, order_of_products,
+};
 #[cfg(feature = "fixed")]
 use crate::arithmetic::{InWholeWord, of_four};
 use crate::scalar::Scalar;
@@ -133,7 +135,7 @@ pub(crate) fn compare_quotients<V: Number + Limbed>([a, b]: [V; 2], [c, d]: [V; 
     if left != right || left == Ordering::Equal {
         return left.cmp(&right);
     }
-    let [a, b, c, d] = [a, b, c, d].map(V::magnitude);
+    let [a, b, c, d] = [a, b, c, d].each(V::magnitude);
     let order = order_of_products([a.limbs(), d.limbs()], [c.limbs(), b.limbs()]);
     if left == Ordering::Less { order.reverse() } else { order }
 }
@@ -142,6 +144,7 @@ pub(crate) fn compare_quotients<V: Number + Limbed>([a, b]: [V; 2], [c, d]: [V; 
 mod tests {
     use super::compare_quotients;
     use crate::arithmetic::BigInt;
+    use crate::arithmetic::Each;
 
     #[test]
     fn quotients_compare_as_products_do() {
@@ -152,7 +155,7 @@ mod tests {
             for (b, d) in dens().flat_map(|b| dens().map(move |d| (b, d))) {
                 let expected =
                     (a * d * b.signum() * d.signum()).cmp(&(c * b * b.signum() * d.signum()));
-                let [p, q, r, s] = [a, b, c, d].map(BigInt::<3>::from);
+                let [p, q, r, s] = [a, b, c, d].each(BigInt::<3>::from);
                 assert_eq!(compare_quotients([p, q], [r, s]), expected, "{a}/{b} {c}/{d}");
             }
         }
@@ -166,7 +169,7 @@ mod tests {
         for (a, b, c, d) in
             [(quarter, m, m / 4, one), (-m * 8, quarter, -32, m), (m, m, m + 1, m + 1)]
         {
-            let [p, q, r, s] = [a, b, c, d].map(BigInt::<3>::from);
+            let [p, q, r, s] = [a, b, c, d].each(BigInt::<3>::from);
             let order = compare_quotients([p, q], [r, s]);
             assert_eq!(compare_quotients([r, s], [p, q]), order.reverse());
             // By division with remainder.

@@ -26,7 +26,7 @@ use core::ops::{Add, Mul, Sub};
 use super::Feature;
 use super::crosses::Crosses;
 use super::kernel::{Crossing, Setting, Sizes, VolumeErrors};
-use crate::arithmetic::{Embeds, Filtered, Number, fast_two_sum, two_difference};
+use crate::arithmetic::{Each, Embeds, Filtered, Number, fast_two_sum, two_difference};
 use crate::scalar::Scalar;
 
 /// Roundoffs, times [`CUT`], in the volumes in two parts.
@@ -236,6 +236,6 @@ impl Split {
 /// Areas in two parts, the higher part shortened by [`cut`], and the two numbers swapped.
 #[inline(always)]
 fn short_areas([x, y, z]: [[Two; 2]; 3], far: Two) -> [[Two; 2]; 3] {
-    let short = |area: [Two; 2]| cut(area, far).map(Two::swapped);
+    let short = |area: [Two; 2]| cut(area, far).each(Two::swapped);
     [short(x), short(y), short(z)]
 }

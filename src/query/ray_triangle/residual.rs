@@ -39,7 +39,9 @@ use core::ops::{Add, Mul, Sub};
 use super::error_bound::VOLUME;
 use super::kernel::{Crossing, Setting, Sizes};
 use super::refined::{CUT, cut};
-use crate::arithmetic::{Embeds, Filtered, Float, Number, OfFour, Quad, largest, two_difference};
+use crate::arithmetic::{
+    Each, Embeds, Filtered, Float, Number, OfFour, Quad, largest, two_difference,
+};
 use crate::scalar::Scalar;
 
 /// Roundoffs in u and v of the residual.
@@ -97,7 +99,7 @@ impl Numbers {
         let longest = size.power_of_two_below() / direction.power_of_two_below();
         let near = |x: f64, shifter: f64| (x * inverse + shifter) - shifter;
         let short = [near(t, longest * T_SHIFTER), near(u, SIDE_SHIFTER), near(v, SIDE_SHIFTER)];
-        let shifters = [edges, direction].map(|x| x.power_of_two_below() * SHIFTER);
+        let shifters = [edges, direction].each(|x| x.power_of_two_below() * SHIFTER);
         let left = if in_rows {
             all_at_once(points, d, short, shifters)
         } else {
@@ -122,7 +124,7 @@ impl Numbers {
     /// From numbers that are accurate already.
     #[inline(always)]
     pub(super) fn known(numbers: [f64; 3]) -> Self {
-        Self { numbers: numbers.map(|x| (x, 0.0)), is_known: true }
+        Self { numbers: numbers.each(|x| (x, 0.0)), is_known: true }
     }
 
     /// t, u and v: within 2 ulp in `f64`, and in `f32` with the rounding of the last stages; and
@@ -161,7 +163,7 @@ fn all_at_once(
     shifters: [f64; 2],
 ) -> [f64; 3] {
     let rows = [a, b, c, o, &d].map(|x| Row::of_three(*x));
-    left_over(rows, short.map(Row::splat), shifters.map(Row::splat)).three()
+    left_over(rows, short.each(Row::splat), shifters.each(Row::splat)).three()
 }
 
 /// The same, component by component, for callers that process several triangles at once.

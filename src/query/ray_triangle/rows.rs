@@ -13,7 +13,7 @@ use super::crosses::Crosses;
 use super::kernel::{Crossing, Setting, Sizes, VolumeErrors};
 use super::residual::Numbers;
 use crate::arithmetic::{
-    Embeds, Filtered, FirstFloat, Float, Number, OfFour, Quad, each, greatest, largest, least,
+    Each, Embeds, Filtered, FirstFloat, Float, Number, OfFour, Quad, greatest, largest, least,
 };
 use crate::robust::{Clue, Stage, note};
 use crate::scalar::Scalar;
@@ -61,7 +61,7 @@ impl<S: Scalar> Crosses<'_, S> {
 #[inline(always)]
 fn in_first<S: FirstFloat>(points: [[S; 3]; 5]) -> ([[First<S>; 3]; 5], bool) {
     let [a, b, c, o, d] = points;
-    let first = |point: [S; 3]| each(point, S::first);
+    let first = |point: [S; 3]| point.each(S::first);
     let points = [first(a), first(b), first(c), first(o), first(d)];
     let [a, b, c, o, d] = &points;
     let is_held = S::FIRST_LIMIT.is_none_or(|limit| {

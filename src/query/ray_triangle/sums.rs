@@ -9,7 +9,7 @@ use core::cmp::Ordering;
 use super::crosses::{Crosses, oriented};
 use super::kernel::{Crossing, Setting};
 use super::{Facing, Hit};
-use crate::arithmetic::{Number, pick, three, turn};
+use crate::arithmetic::{Each, Number, pick, three, turn};
 use crate::robust::{
     ExactSum, Linear, Vector, add_area, add_determinant, add_scaled_determinant, difference,
 };
@@ -50,7 +50,7 @@ impl<S: Scalar> Crosses<'_, S> {
 #[inline(never)]
 pub(super) fn hit_in_sums<S: Scalar>(crossing: &Crossing<S::SeptumSum>) -> Hit<S> {
     let Crossing { det, t, sides: [_, u, v] } = crossing;
-    let [t, u, v] = [t, u, v].map(|x| S::quotient(x, det));
+    let [t, u, v] = [t, u, v].each(|x| S::quotient(x, det));
     let (facing, feature) = (Facing::of(crossing.is_front()), crossing.feature());
     Hit { t, u, v, facing, feature }
 }

@@ -151,6 +151,7 @@ fn from<W: Word>(to: &[W; 3], from: &[W; 3]) -> [W; 3] {
 
 #[cfg(all(test, feature = "fixed"))]
 mod tests {
+    use crate::arithmetic::Each;
     use fixed::types::{I0F32, I4F4, I8F8, I16F16};
 
     use super::super::Feature;
@@ -189,17 +190,17 @@ mod tests {
         let (mut hits, mut on_edges) = (0, 0);
         for case in 0..6_000 {
             let kind = case % 3;
-            let mut point = || [(); 3].map(|()| rng.number(kind, bits));
+            let mut point = || [(); 3].each(|()| rng.number(kind, bits));
             let [a, b, c, o, aside] = [point(), point(), point(), point(), point()];
             // Toward a point of the triangle.
             let (i, j) = (rng.below(5), rng.below(5));
             let (i, j) = (i.min(4 - j), j);
             let end = (1 << length_bits) - 1;
             let toward = [0, 1, 2]
-                .map(|k| a[k] + ((b[k] - a[k]) * i + (c[k] - a[k]) * j) / 4 - o[k])
-                .map(|x| x.clamp(-end - 1, end));
+                .each(|k| a[k] + ((b[k] - a[k]) * i + (c[k] - a[k]) * j) / 4 - o[k])
+                .each(|x| x.clamp(-end - 1, end));
             let d = if case % 7 == 0 { aside } else { toward };
-            let vector = |x: [i64; 3]| x.map(&of);
+            let vector = |x: [i64; 3]| x.each(&of);
             let triangle = Triangle::new(vector(a), vector(b), vector(c)).unwrap();
             let Ok(ray) = Ray::new(vector(o), vector(d)) else { continue };
             let cull = [Cull::Nothing, Cull::Nothing, Cull::Back, Cull::Front];
@@ -238,9 +239,9 @@ mod tests {
     #[test]
     fn words_leave_what_is_far() {
         let ray = |o: i32, d: i32| {
-            Ray::new([o, 0, 9].map(I16F16::from_bits), [0, d, 1].map(I16F16::from_bits)).unwrap()
+            Ray::new([o, 0, 9].each(I16F16::from_bits), [0, d, 1].each(I16F16::from_bits)).unwrap()
         };
-        let [a, b, c] = [[0, 0, 0], [9, 0, 0], [0, 9, 0]].map(|p| p.map(I16F16::from_bits));
+        let [a, b, c] = [[0, 0, 0], [9, 0, 0], [0, 9, 0]].each(|p| p.each(I16F16::from_bits));
         let triangle = Triangle::new(a, b, c).unwrap();
         let answers = |o, d| {
             let rules = HitRules::new();
@@ -253,7 +254,7 @@ mod tests {
         assert!(!answers(most + 1, 0) && !answers(0, most + 1) && !answers(0, -most - 2));
         // A difference that wraps to a short one.
         assert!(!answers(i32::MIN, 0));
-        let far = [i32::MAX, 0, 0].map(I16F16::from_bits);
+        let far = [i32::MAX, 0, 0].each(I16F16::from_bits);
         let rules = HitRules::new();
         let triangle = Triangle::new(far, b, c).unwrap();
         let ray = ray(i32::MIN, 1);

@@ -247,6 +247,7 @@ impl<S: Scalar> Aabb<S> {
 #[cfg(test)]
 mod tests {
     use super::{Feature, Nearest, Numeric, Scalar, Triangle};
+    use crate::arithmetic::Each;
     use crate::arithmetic::{Embeds, Filtered};
     use crate::random::Random;
     use crate::robust::in_exact_numbers;
@@ -262,12 +263,12 @@ mod tests {
         let mut seen = [0; 7];
         for case in 0..6_000 {
             let is_flat = case % 2 == 1;
-            let mut point = |shift: u32| [(); 3].map(|()| (random.bits() as i32) >> shift);
-            let [a, b, mut c, p] = [12, 12, 12, 11].map(&mut point);
+            let mut point = |shift: u32| [(); 3].each(|()| (random.bits() as i32) >> shift);
+            let [a, b, mut c, p] = [12, 12, 12, 11].each(&mut point);
             if is_flat {
-                c = [0, 1, 2].map(|i| (a[i] + b[i]) / 2 + (c[i] & 3));
+                c = [0, 1, 2].each(|i| (a[i] + b[i]) / 2 + (c[i] & 3));
             }
-            let [a, b, c, point] = [a, b, c, p].map(|p| p.map(of));
+            let [a, b, c, point] = [a, b, c, p].each(|p| p.each(of));
             let triangle = Triangle::new(a, b, c).unwrap();
             let question = Nearest { point, shape: &triangle };
             let exact: Option<(Feature, _)> = in_exact_numbers(&question);

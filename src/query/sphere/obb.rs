@@ -11,7 +11,7 @@ use super::Beyond;
 use super::error_bound::Errors;
 use super::kernel::{Ball, Reach, largest_of};
 use crate::arithmetic::{
-    Arithmetic, Embeds, Number, cross, dot, each, greatest, least, once, pick, three, turn,
+    Arithmetic, Each, Embeds, Number, cross, dot, greatest, least, once, pick, three, turn,
 };
 use crate::query::Overlaps;
 use crate::query::orientation::{Vector, from};
@@ -56,8 +56,8 @@ pub(in crate::query) fn corners<S: Scalar, N: Embeds<S>>(
     let [a, b, c, u, v, w, h, [r, unit, _]] = N::embed(&[a, b, center, u, v, w, half, numbers])?;
     // Only floats have no other one, and their unit of length is one.
     let times_one = |x: N::Length| N::times_one(x).unwrap_or_else(|| N::area(x + x, unit));
-    let from_center = |p: &Vector<N>| each(from::<N>(p, &c), times_one);
-    let (d, h) = ([from_center(&a), from_center(&b)], each(h, once::<N, _>));
+    let from_center = |p: &Vector<N>| from::<N>(p, &c).each(times_one);
+    let (d, h) = ([from_center(&a), from_center(&b)], h.each(once::<N, _>));
     let along = |h: N::Length, axis: &Vector<N>| three(|i| N::area(h, axis[i]));
     let half = [along(h[0], &u), along(h[1], &v), along(h[2], &w)];
     let mut slack = greatest(largest_of::<N::OfAreas, 2>(&d), largest_of::<N::OfAreas, 3>(&half));
@@ -87,7 +87,7 @@ impl<M: Arithmetic> Corners<M> {
     /// An edge along axis k.
     #[inline(always)]
     pub(in crate::query) fn edge(&self, k: usize) -> Vector<M> {
-        each(*pick(&self.half, k), |x| x + x)
+        pick(&self.half, k).each(|x| x + x)
     }
 
     /// Whether a coordinate alone keeps the box beyond the reach from both points.
@@ -129,7 +129,7 @@ impl<M: Arithmetic> Corners<M> {
                 if !is_seen.possible {
                     continue;
                 }
-                let back = |e: &Vector<M>| each(*e, |x| -x);
+                let back = |e: &Vector<M>| e.each(|x| -x);
                 let around = [*e, *f, back(e), back(f)];
                 let found = Uncertain::of(reach.excludes_face(&vectors, &around, self.slack));
                 if !found.possible {

@@ -7,7 +7,9 @@
 use super::Beyond;
 use super::error_bound::{Errors, PRODUCT};
 use super::kernel::{Ball, Reach, product, squared};
-use crate::arithmetic::{Arithmetic, Embeds, Number, cross, dot, greatest, largest, once, three};
+use crate::arithmetic::{
+    Arithmetic, Each, Embeds, Number, cross, dot, greatest, largest, once, three,
+};
 use crate::query::Overlaps;
 use crate::query::orientation::{Vector, from};
 use crate::robust::{Predicate, Profile, Uncertain};
@@ -37,7 +39,7 @@ pub(in crate::query) struct Way<N: Arithmetic> {
 /// The numbers of a ray: its origin, its direction, and the ends of its range.
 #[inline(always)]
 pub(in crate::query) fn numbers<S: Scalar>(ray: &Ray<S>) -> [[S; 3]; 3] {
-    let [from, to] = [ray.t_min(), ray.t_max()].map(|t| t.unwrap_or(S::ZERO));
+    let [from, to] = [ray.t_min(), ray.t_max()].each(|t| t.unwrap_or(S::ZERO));
     [ray.origin().to_array(), ray.direction().to_array(), [from, to, S::ZERO]]
 }
 

@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 
 use super::FirstContact;
 use super::time::Latest;
-use crate::arithmetic::{Number, Parts, pick, three, turn};
+use crate::arithmetic::{Each, Number, Parts, pick, three, turn};
 use crate::query::Axis;
 use crate::query::triangle_aabb::exact::{ExactAabb, ExactTriangle};
 use crate::robust::{ExactSum, Vector, add_determinant, difference, single};
@@ -62,7 +62,7 @@ impl ExactCourse {
         aabb: &Aabb<S>,
         ends: [Vec3<S>; 2],
     ) -> Self {
-        let [from, to] = ends.map(|end| end.to_array());
+        let [from, to] = ends.each(|end| end.to_array());
         Self {
             triangle: ExactTriangle::new(&triangle.points()),
             aabb: ExactAabb::new(aabb.form()),

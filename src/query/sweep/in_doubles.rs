@@ -7,7 +7,7 @@ use super::error_bound::{LONG, at_start};
 use super::kernel::Course;
 use super::time::Closing;
 use super::{FirstContact, Given, Last, Passing};
-use crate::arithmetic::{Double, Embeds, Filtered, Number, Soft, dot, each, turn};
+use crate::arithmetic::{Double, Each, Embeds, Filtered, Number, Soft, dot, turn};
 use crate::query::Axis;
 use crate::query::triangle_aabb::kernel::normal;
 use crate::robust::certain_sign;
@@ -66,7 +66,7 @@ impl Course<Filtered<f64>> {
             }
         };
         let [[gap, error], [speed, speed_error]] = closing?;
-        let [low, high] = gap.portion(speed, [error, speed_error]).map(S::at_most);
+        let [low, high] = gap.portion(speed, [error, speed_error]).each(S::at_most);
         let is_known = (low == high) & (gap > error);
         if is_known { last.at(low) } else { None }
     }
@@ -135,7 +135,7 @@ where
     let gaps = passing.course::<Filtered<f64>>()?.gaps()?;
     let Some(last) = gaps.last() else { return at_start_of(&gaps) };
     let errors = [gaps.error[last], gaps.speed_error[last]];
-    let [low, high] = gaps.gap[last].portion(gaps.speed[last], errors).map(S::at_most);
+    let [low, high] = gaps.gap[last].portion(gaps.speed[last], errors).each(S::at_most);
     let is_known = (low == high) & (certain_sign(gaps.gap[last], gaps.error[last]) > 0);
     let is_last = is_known && gaps.others_close_before(last, low.in_double());
     is_last.then(|| FirstContact { t: low, axis: Axis::ALL.get(last).copied() })
@@ -252,7 +252,7 @@ impl Given<Filtered<f64>> {
             }
         };
         // The side of the box on which the triangle lies; `f64` is certain of it.
-        let on_axis = |v: &[f64; 3]| dot::<Filtered<f64>>(&each(axis, |x| x.high), v);
+        let on_axis = |v: &[f64; 3]| dot::<Filtered<f64>>(&axis.each(|x| x.high), v);
         let v = &course.frame.v;
         let is_above = on_axis(&v[0]) + on_axis(&v[1]) + on_axis(&v[2]) > 0.0;
         let all = [a, b, c];

@@ -19,8 +19,8 @@ use super::FirstContact;
 use super::error_bound::{Along, AtStart, FACE, along, at_start};
 use super::time::{Closing, Latest};
 use crate::arithmetic::{
-    Arithmetic, Embeds, Number, cross, dot, following, greatest, least, of_two, once, out_of_line,
-    pick,
+    Arithmetic, Each, Embeds, Number, cross, dot, following, greatest, least, of_two, once,
+    out_of_line, pick,
 };
 use crate::query::Axis;
 use crate::query::relation::{Nearness, Reading, Relation};
@@ -195,7 +195,7 @@ impl<N: Arithmetic> Course<N> {
         // If the edge or the motion lies along a coordinate axis, or if both lie in one coordinate
         // plane, another axis has the same direction.
         let along = |x: &[N::Length; 3]| {
-            let zeros = x.map(|x| x == zero);
+            let zeros = x.each(|x| x == zero);
             (zeros[0] & (zeros[1] | zeros[2])) | (zeros[1] & zeros[2])
         };
         let both = |i: usize| (e[i] == zero) & (d[i] == zero);

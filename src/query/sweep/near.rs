@@ -5,7 +5,7 @@ use fixed::types::extra::LeEqU32;
 
 use super::passing::Passing;
 use super::{FirstContact, Motion};
-use crate::arithmetic::{InWholeWord, three};
+use crate::arithmetic::{Each, InWholeWord, three};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Near, ShapeError, Triangle, Vec3};
 
@@ -58,7 +58,7 @@ impl<T, S: Copy> Moving<T, S> {
 fn is_near<Frac: LeEqU32>(p: &Vec3<FixedI32<Frac>>, motion: &Motion<FixedI32<Frac>>) -> bool {
     let (p, from, to) = (p.to_array(), motion.from().to_array(), motion.to().to_array());
     let end = three(|i| {
-        let [p, from, to] = [p[i], from[i], to[i]].map(|x| i64::from(x.to_bits()));
+        let [p, from, to] = [p[i], from[i], to[i]].each(|x| i64::from(x.to_bits()));
         i32::try_from(p + (to - from)).map(FixedI32::<Frac>::from_bits)
     });
     matches!(end, [Ok(x), Ok(y), Ok(z)] if Near::is_in_range(&Vec3::new(x, y, z)))
@@ -152,6 +152,7 @@ impl<S: Scalar + InWholeWord<i32>> Moving<Aabb<S>, S> {
 
 #[cfg(test)]
 mod tests {
+    use crate::arithmetic::Each;
     use fixed::types::I16F16;
 
     use crate::sweep::{Motion, Sweep};
@@ -160,7 +161,7 @@ mod tests {
     const MOST: i32 = (1 << 17) - 1;
 
     fn at(x: i32, y: i32, z: i32) -> [I16F16; 3] {
-        [x, y, z].map(I16F16::from_bits)
+        [x, y, z].each(I16F16::from_bits)
     }
 
     #[test]
@@ -204,7 +205,7 @@ mod tests {
             let mut point = || at(number(), number(), number());
             let triangle = Triangle::new(point(), point(), point()).unwrap();
             let (p, q) = (point(), point());
-            let of = |f: fn(I16F16, I16F16) -> I16F16| [0, 1, 2].map(|i| f(p[i], q[i]));
+            let of = |f: fn(I16F16, I16F16) -> I16F16| [0, 1, 2].each(|i| f(p[i], q[i]));
             let aabb = Aabb::from_min_max(of(Ord::min), of(Ord::max)).unwrap();
             let motion = Motion::new(point(), point()).unwrap();
             let (near, close) = (triangle.near().unwrap(), aabb.near().unwrap());

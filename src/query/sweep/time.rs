@@ -2,7 +2,7 @@
 
 use super::{FirstContact, Passing, in_doubles, rows, words};
 use crate::arithmetic::{
-    Embeds, Filtered, Float, InFloat, InWholeWord, Number, REGISTERS_ARE_WIDE, WholeWord,
+    Each, Embeds, Filtered, Float, InFloat, InWholeWord, Number, REGISTERS_ARE_WIDE, WholeWord,
 };
 use crate::query::Axis;
 use crate::robust::{Clue, Numeric, Predicate, Profile, Uncertain, WordKernel, in_exact_numbers};
@@ -168,7 +168,7 @@ impl<S: Scalar> Latest<S> {
         if !is_gap.possible {
             return;
         }
-        let [low, high] = gap.portion(speed[0], [error, speed[1]]).map(S::at_most);
+        let [low, high] = gap.portion(speed[0], [error, speed[1]]).each(S::at_most);
         if low == high && is_gap.certain {
             self.set(axis, low);
         } else if self.in_doubt.is_none_or(|t| high > t) {

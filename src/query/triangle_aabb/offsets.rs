@@ -6,7 +6,7 @@
 
 use super::error_bound::{coarse_bound, offset_bound};
 use super::rows::{Clear, Doubt, InFrame, Rows, largest};
-use crate::arithmetic::{Float, OfFour, Quad, THREE};
+use crate::arithmetic::{Each, Float, OfFour, Quad, THREE};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle};
 
@@ -72,14 +72,14 @@ pub(super) type InRows = (Rows<ForOffsets>, InFrame<ForOffsets>);
 #[inline(always)]
 pub(super) fn of_center<S: Scalar>(triangle: &Triangle<S>, center: [S; 3], half: [S; 3]) -> InRows {
     let from = |p: [S; 3]| row(|i| p[i].offset(center[i]));
-    in_frame(triangle.points().map(from), row(|i| half[i].offset(S::ZERO)))
+    in_frame(triangle.points().each(from), row(|i| half[i].offset(S::ZERO)))
 }
 
 /// All lengths are doubled.
 #[inline(always)]
 pub(super) fn of_corners<S: Scalar>(triangle: &Triangle<S>, min: [S; 3], max: [S; 3]) -> InRows {
     let from = |p: [S; 3]| row(|i| p[i].offset_of_two(min[i], max[i]));
-    in_frame(triangle.points().map(from), row(|i| max[i].offset(min[i])))
+    in_frame(triangle.points().each(from), row(|i| max[i].offset(min[i])))
 }
 
 #[inline(always)]

@@ -9,7 +9,7 @@ use super::kernel::{
     in_frame_of_center, in_frame_of_corners, narrow_plane, normal, one_edge, one_face, plane,
 };
 use crate::arithmetic::{Arithmetic, Embeds, InWord, Number, REGISTERS_ARE_WIDE, Word};
-use crate::arithmetic::{dot, each, greatest, of_two};
+use crate::arithmetic::{Each, dot, greatest, of_two};
 use crate::query::Axis;
 use crate::query::relation::{Nearness, Relate, Relation};
 use crate::robust::{Predicate, WordKernel};
@@ -94,7 +94,7 @@ fn all_axes<N: Arithmetic>(frame: &Frame<N>) -> Option<Relation> {
 
     // See `kernel::plane`.
     let distance = dot::<N>(&n, &frame.v[0]);
-    let reach = dot::<N>(&each(n, N::Area::magnitude), &frame.h);
+    let reach = dot::<N>(&n.each(N::Area::magnitude), &frame.h);
     // A box that is a point in the triangle's plane has no reach off it.
     found.add(distance.magnitude() - reach, reach, bound.plane);
     found.relation(N::CERTAIN)

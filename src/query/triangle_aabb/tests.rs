@@ -7,7 +7,7 @@ use super::conservative::disjoint_when_cut_down;
 use super::error_bound::offset_bound;
 use super::offsets::{self, InRows, are_exact, of_center, of_corners, size_in_range};
 use super::rows::largest;
-use crate::arithmetic::{Quad, three, turn};
+use crate::arithmetic::{Each, Quad, three, turn};
 use crate::random::Random;
 use crate::scalar::{Backend, Scalar};
 use crate::shape::{Aabb, AabbForm, Triangle};
@@ -20,15 +20,15 @@ type Pair = [[i64; 3]; 5];
 fn pair(state: &mut Random, bits: u32, is_far: bool) -> Pair {
     let far = if is_far { (1_i64 << 48) + 2 * (state.bits() % 1_000) as i64 } else { 0 };
     let mut number = || 2 * ((state.bits() >> (65 - bits)) as i64 - (1 << (bits - 2)));
-    let [a, b, c, center, half] = [(); 5].map(|()| [(); 3].map(|()| number()));
-    let placed = |p: [i64; 3]| p.map(|x| x + far);
-    [placed(a), placed(b), placed(c), placed(center), half.map(i64::abs)]
+    let [a, b, c, center, half] = [(); 5].map(|()| [(); 3].each(|()| number()));
+    let placed = |p: [i64; 3]| p.each(|x| x + far);
+    [placed(a), placed(b), placed(c), placed(center), half.each(i64::abs)]
 }
 
 /// The triangle, and the box in both forms.
 fn shapes<S: Scalar>(pair: Pair, scalar: impl Fn(i64) -> S) -> (Triangle<S>, [Aabb<S>; 2]) {
     let [a, b, c, center, half] = pair;
-    let point = |p: [i64; 3]| p.map(&scalar);
+    let point = |p: [i64; 3]| p.each(&scalar);
     let corner = |sign: i64| point(three(|i| center[i] + sign * half[i]));
     let by_center = Aabb::from_center_half_extents(point(center), point(half)).unwrap();
     let by_corners = Aabb::from_min_max(corner(-1), corner(1)).unwrap();
@@ -40,16 +40,16 @@ fn dot(p: [i128; 3], q: [i128; 3]) -> i128 {
 }
 
 fn cross(p: [i128; 3], q: [i128; 3]) -> [i128; 3] {
-    [(1, 2), (2, 0), (0, 1)].map(|(j, k)| p[j] * q[k] - p[k] * q[j])
+    [(1, 2), (2, 0), (0, 1)].each(|(j, k)| p[j] * q[k] - p[k] * q[j])
 }
 
 /// The doubled gaps: nine edge axes in the kernel's order, and the plane.
 fn truth([a, b, c, center, half]: Pair) -> [i128; 10] {
     let minus = |p: [i64; 3], q: [i64; 3]| three(|i| i128::from(p[i] - q[i]));
-    let (v, h) = ([a, b, c].map(|p| minus(p, center)), half.map(i128::from));
+    let (v, h) = ([a, b, c].each(|p| minus(p, center)), half.each(i128::from));
     let e = [minus(b, a), minus(c, b), minus(a, c)];
     let n = cross(e[0], e[1]);
-    let mut gaps = [2 * (dot(n, v[0]).abs() - dot(n.map(i128::abs), h)); 10];
+    let mut gaps = [2 * (dot(n, v[0]).abs() - dot(n.each(i128::abs), h)); 10];
     for k in 0..3 {
         let p = cross(e[k], v[k]);
         // A row of the kernel has (z, x, y).
@@ -64,7 +64,7 @@ fn truth([a, b, c, center, half]: Pair) -> [i128; 10] {
 
 /// The kernel's gaps and the true ones, for coordinates in units of `scale`.
 fn gaps(pair: Pair, (rows, frame): &InRows, scale: f64) -> impl Iterator<Item = (f64, f64)> {
-    let [a, b, c] = rows.edges(frame).map(Quad::three);
+    let [a, b, c] = rows.edges(frame).each(Quad::three);
     let found = [a, b, c, [rows.plane(frame), 0.0, 0.0]];
     let truth = truth(pair).map(|x| x as f64 / 2.0 * scale * scale);
     (0..10).map(move |k| {
@@ -139,7 +139,7 @@ fn what_is_exact_is_exact() {
     for case in 0..40_000 {
         // Some of the units are too small.
         let unit = 1 << (case % 5);
-        let pair = pair(state, 7, false).map(|p| p.map(|x| x / unit * unit));
+        let pair = pair(state, 7, false).map(|p| p.each(|x| x / unit * unit));
         let scale = [1.0, 1.0 / 1024.0][case % 2];
         let (triangle, boxes) = shapes(pair, |x| x as f64 * scale);
         for aabb in &boxes {
@@ -162,8 +162,8 @@ fn what_is_out_of_range_is_not_exact() {
         let half = at([3, 9, 6]);
         let found = are_exact(&triangle, &Aabb::from_center_half_extents([0.0; 3], half).unwrap());
         // `f32` agrees, where it holds the shapes.
-        let floats = |p: [f64; 3]| p.map(|x| x as f32);
-        let [a, b, c] = triangle.points().map(floats);
+        let floats = |p: [f64; 3]| p.each(|x| x as f32);
+        let [a, b, c] = triangle.points().each(floats);
         if let (Ok(t), Ok(aabb)) =
             (Triangle::new(a, b, c), Aabb::from_center_half_extents([0.0; 3], floats(half)))
         {
@@ -203,8 +203,8 @@ fn clear_looks(pair: Pair) -> u32 {
 fn near_a_face(state: &mut Random, case: usize) -> Pair {
     let bits = 3 + state.bits() % 44;
     let mut number = || (state.bits() & ((1 << bits) - 1)) as i64 - (1 << (bits - 1));
-    let [a, b, c, mut p, q] = [(); 5].map(|()| [(); 3].map(|()| number()));
-    let q = q.map(|half| half.abs() >> (case % 3));
+    let [a, b, c, mut p, q] = [(); 5].map(|()| [(); 3].each(|()| number()));
+    let q = q.each(|half| half.abs() >> (case % 3));
     let (nudge, axis) = (number() >> (7 + case % 8), case % 3);
     if case % 2 == 0 {
         p[axis] = a[axis].max(b[axis]).max(c[axis]) + q[axis] + nudge;
@@ -223,14 +223,14 @@ fn near_a_plane_or_an_edge(state: &mut Random, case: usize) -> Option<Pair> {
     let minus = |p: Vector, q: Vector| three(|i| p[i] - q[i]);
     let dot = |p: Vector, q: Vector| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
     let cross =
-        |p: Vector, q: Vector| [(1, 2), (2, 0), (0, 1)].map(|(j, k)| p[j] * q[k] - p[k] * q[j]);
+        |p: Vector, q: Vector| [(1, 2), (2, 0), (0, 1)].each(|(j, k)| p[j] * q[k] - p[k] * q[j]);
     let side = 1_i64 << (20 + state.bits() % 26);
-    let vertices = [(); 3].map(|()| {
+    let vertices = [(); 3].each(|()| {
         let signs = state.bits();
         three(|i| (if signs >> i & 1 == 0 { side } else { -side }) - (signs >> 44) as i64)
     });
-    let half = [(); 3].map(|()| (state.bits() as i64 & (side - 1)) >> (case % 5 + 2));
-    let [[a, b, c], [q, ..]] = [vertices, [half; 3]].map(|x| x.map(|row| row.map(|x| x as f64)));
+    let half = [(); 3].each(|()| (state.bits() as i64 & (side - 1)) >> (case % 5 + 2));
+    let [[a, b, c], [q, ..]] = [vertices, [half; 3]].each(|x| x.each(|row| row.each(|x| x as f64)));
     let along = [minus(b, a), minus(c, a)];
     let (axis, from) = if case % 2 == 0 {
         (cross(along[0], along[1]), three(|i| (a[i] + b[i] + c[i]) / 3.0))
@@ -243,9 +243,9 @@ fn near_a_plane_or_an_edge(state: &mut Random, case: usize) -> Option<Pair> {
     if length == 0.0 {
         return None;
     }
-    let axis = axis.map(|x| x / length);
+    let axis = axis.each(|x| x / length);
     let gap = side as f64 / (256 + state.bits() % (1 << (9 + case % 8))) as f64;
-    let off = dot(axis.map(f64::abs), q) + gap;
+    let off = dot(axis.each(f64::abs), q) + gap;
     let [a, b, c] = vertices;
     Some([a, b, c, three(|i| (from[i] + axis[i] * off) as i64), half])
 }

@@ -5,7 +5,7 @@
 use core::cmp::Ordering;
 use core::marker::PhantomData;
 
-use crate::arithmetic::{InWord, Number, WholeVolume, WholeWord, cross_words, dot_words};
+use crate::arithmetic::{Each, InWord, Number, WholeVolume, WholeWord, cross_words, dot_words};
 use crate::arithmetic::{Parts, pick, turn};
 use crate::query::relation::{Reading, Relation, of_gaps};
 use crate::robust::{ExactSum, Vector, add_scaled_determinant, difference, single};
@@ -101,8 +101,8 @@ impl<S: Scalar> ExactParallelepiped<InSums<S>> {
         Self {
             t: [from(a, center), from(b, center), from(c, center)],
             e: [from(b, a), from(c, b), from(a, c)],
-            u: [u, v, w].map(|u| u.map(|x| single(x.parts()))),
-            h: half.map(S::parts),
+            u: [u, v, w].each(|u| u.each(|x| single(x.parts()))),
+            h: half.each(S::parts),
             one: S::ONE,
         }
     }
@@ -184,7 +184,7 @@ impl<N: Signs> ExactParallelepiped<N> {
             }
         }
         let [e0, e1, _] = &self.e;
-        let un = [0, 1, 2].map(|i| N::sign(&[Term(self.one, pick(&self.u, i), e0, e1)]));
+        let un = [0, 1, 2].each(|i| N::sign(&[Term(self.one, pick(&self.u, i), e0, e1)]));
         so_far = so_far.min(self.normal::<R>(&un));
         for k in 0..3 {
             for i in 0..3 {
@@ -237,7 +237,7 @@ impl<N: Signs> ExactParallelepiped<N> {
     fn edge<R: Reading>(&self, i: usize, k: usize, un: Ordering) -> Relation {
         let (i, j, l) = turn(i);
         let (k, _, opposite) = turn(k);
-        let [ui, uj, ul] = [i, j, l].map(|i| pick(&self.u, i));
+        let [ui, uj, ul] = [i, j, l].each(|i| pick(&self.u, i));
         let e = pick(&self.e, k);
         // w_l·e and w_j·e
         let along_l = N::sign(&[Term(self.one, ui, uj, e)]);

@@ -1,6 +1,6 @@
 use core::ops::Mul;
 
-use crate::arithmetic::{Arithmetic, Number, each, greatest, least, three, turn};
+use crate::arithmetic::{Arithmetic, Each, Number, greatest, least, three, turn};
 use crate::query::relation::Reading;
 
 /// A triangle and a parallelepiped as operands of products: the vertices relative to the centre,
@@ -23,7 +23,7 @@ pub(in crate::query) struct ErrorBound<P> {
 /// A vector as operands.
 #[inline(always)]
 pub(in crate::query) fn operands<N: Arithmetic>(x: [N::Length; 3]) -> [N::Product; 3] {
-    each(x, N::operand)
+    x.each(N::operand)
 }
 
 /// The vector to a point from another, as operands.

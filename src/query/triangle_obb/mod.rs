@@ -28,7 +28,7 @@ use self::short::Change;
 pub(super) use self::short::{EXACT, are_disjoint};
 use super::Overlaps;
 use super::relation::Reading;
-use crate::arithmetic::{Arithmetic, Embeds, Number, SMALL_CODE, greatest, largest};
+use crate::arithmetic::{Arithmetic, Each, Embeds, Number, SMALL_CODE, greatest, largest};
 use crate::arithmetic::{InRaw, InWholeWord, InWord, WholeWord};
 use crate::robust::{Predicate, Profile, Uncertain, WordKernel, noted};
 use crate::scalar::{FixedBackend, Scalar};
@@ -171,7 +171,7 @@ impl<S: Scalar> Disjoint<'_, S> {
         S: InWord<W>,
     {
         let mut words = self.in_words(one);
-        let center = self.obb.center().to_array().map(S::in_word);
+        let center = self.obb.center().to_array().each(S::in_word);
         (center.iter().all(|x| x.is_central()) && words.becomes_near())
             .then(|| words.after_cut::<R>())
     }

@@ -3,7 +3,7 @@
 use super::Disjoint;
 use super::known::{Crossed, Known};
 use super::short::{EXACT, are_disjoint};
-use crate::arithmetic::Embeds;
+use crate::arithmetic::{Each, Embeds};
 use crate::robust::{Predicate, Profile, noted};
 use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Obb, Triangle, Vec3};
@@ -22,7 +22,7 @@ impl<S: Scalar> PreparedObb<S> {
     #[inline(always)]
     pub(crate) fn new(obb: &Obb<S>) -> Self {
         let is_skew = |u: &Vec3<S>| {
-            let [x, y, z] = u.to_array().map(|x| u8::from(x != S::ZERO));
+            let [x, y, z] = u.to_array().each(|x| u8::from(x != S::ZERO));
             x + y + z > 1
         };
         let [first, second, _] = obb.axes();

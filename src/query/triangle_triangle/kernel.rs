@@ -1,4 +1,4 @@
-use crate::arithmetic::{Arithmetic, cross, dot, each, pick, turn, two};
+use crate::arithmetic::{Arithmetic, Each, cross, dot, pick, turn, two};
 use crate::query::orientation::{Vector, apex, error_bound, from, sides, size};
 use crate::query::relation::Relation;
 use crate::robust::certain_sign;
@@ -47,7 +47,7 @@ fn cut<N: Arithmetic>(
     let (m, n) = if is_first_above { (m, n) } else { (n, m) };
     let from_apex = |x: &Vector<N>| from::<N>(x, pick(first, i));
     let edges = [from_apex(pick(first, j)), from_apex(pick(first, k))];
-    let across = each([l, m, n], |x| from_apex(pick(second, x)));
+    let across = [l, m, n].each(|x| from_apex(pick(second, x)));
     let reach = size::<N, 3>(&across);
     let error = error_bound::<N>([size::<N, 2>(&edges), reach, reach]).ok_or(None)?;
     let (vertices, are_above) = ([[i, j, k], [l, m, n]], [is_first_above, is_second_above]);
@@ -148,7 +148,7 @@ pub(super) fn is_beyond<N: Arithmetic>(first: &Points<N>, second: &Points<N>) ->
 /// The sides of the plane of a triangle on which three points lie: zero in doubt.
 #[inline(always)]
 fn sides_of_plane<N: Arithmetic>(points: &Points<N>, [a, b, c]: &Points<N>) -> Option<[i8; 3]> {
-    let v = each(*points, |point| from::<N>(&point, a));
+    let v = points.each(|point| from::<N>(&point, a));
     sides::<N, 3>([&from::<N>(b, a), &from::<N>(c, a)], &v, size::<N, 3>(&v))
 }
 

@@ -1,7 +1,7 @@
 //! The segment in which two triangles cross.
 
 use super::kernel::{Ends, ends};
-use crate::arithmetic::{Embeds, pick, three, turn};
+use crate::arithmetic::{Each, Embeds, pick, three, turn};
 use crate::robust::{ExactSum, Predicate, Vector, add_area, difference};
 use crate::scalar::Scalar;
 use crate::shape::{Segment, Triangle, Vec3};
@@ -14,7 +14,7 @@ impl<S: Scalar> Predicate<S> for Cross<'_, S> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<Option<Ends>> {
-        let [[a, b, c], [d, e, f]] = self.0.map(Triangle::points);
+        let [[a, b, c], [d, e, f]] = self.0.each(Triangle::points);
         let [a, b, c, d, e, f] = N::embed(&[a, b, c, d, e, f])?;
         ends::<N>(&[a, b, c], &[d, e, f])
     }
@@ -76,7 +76,7 @@ impl<S: Scalar> Triangle<S> {
 /// The point in which an edge of either triangle crosses the opposite plane.
 #[inline(never)]
 fn crossing<S: Scalar>(triangles: [&Triangle<S>; 2], (of, ends): (usize, [usize; 2])) -> Vec3<S> {
-    let [first, second] = triangles.map(Triangle::points);
+    let [first, second] = triangles.each(Triangle::points);
     let (edges, [base, b, c]) = if of == 0 { (&first, &second) } else { (&second, &first) };
     let from_base = |p: &[S; 3]| -> Vector { three(|i| difference(p[i].parts(), base[i].parts())) };
     let (e, f) = (from_base(b), from_base(c));
@@ -87,7 +87,7 @@ fn crossing<S: Scalar>(triangles: [&Triangle<S>; 2], (of, ends): (usize, [usize;
         add_area(&mut area, pick(&e, k), pick(&f, j), true);
         area
     });
-    let [p, q] = ends.map(|k| {
+    let [p, q] = ends.each(|k| {
         let p = *pick(edges, k);
         let mut height = S::SeptumSum::new();
         for ((area, p), base) in normal.iter().zip(p).zip(base) {

@@ -1,7 +1,7 @@
 //! Sets bits: of a row, of a few voxels, of four rows side by side.
 
 use super::Bits;
-use crate::arithmetic::each;
+use crate::arithmetic::Each;
 use crate::scalar::Scalar;
 use crate::voxel::block::Block;
 use crate::voxel::four_rows::FourRows;
@@ -12,7 +12,7 @@ impl<S: Scalar, W: Word> Bits<'_, S, W> {
     /// Sets the bits of some voxels of a block.
     #[inline(always)]
     pub(super) fn set_few(&mut self, block: &Block, mut met: u32) {
-        let [x, y, z] = each(block.first, |first| first as u32);
+        let [x, y, z] = block.first.each(|first| first as u32);
         let [width, rows, layers] = block.widths;
         let (at, shift) = ((x / W::BITS) as usize, x % W::BITS);
         for z in z..z + layers {

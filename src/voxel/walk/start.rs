@@ -3,6 +3,7 @@
 use core::cmp::Ordering;
 
 use super::{Axis, Walk};
+use crate::arithmetic::Each;
 use crate::scalar::Scalar;
 use crate::voxel::Rule;
 use crate::voxel::grid::Grid;
@@ -47,7 +48,7 @@ impl<S: Scalar> Walk<S> {
     /// enters the box there; `None` if it has no point in the box.
     fn start(&self, limit: Option<Limit>) -> Option<([Place; 3], bool)> {
         let (grid, line) = (&self.grid, &self.line);
-        let last = grid.resolution().map(|n| n as i32);
+        let last = grid.resolution().each(|n| n as i32);
         let mut places = [Place::before(0); 3];
         // The last plane that the line crosses on its way in.
         let mut entry: Option<(usize, i32)> = None;

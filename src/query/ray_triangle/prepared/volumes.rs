@@ -27,7 +27,7 @@
 //! below its upper end. Otherwise the bounds are infinite, and every pair is in doubt. E, D and M
 //! are increased by a relative 2⁻²⁰, to allow for their conversion to `f32`.
 
-use crate::arithmetic::{Filtered, Float, OfFour, Quad, cross, each, greatest, largest, three};
+use crate::arithmetic::{Each, Filtered, Float, OfFour, Quad, cross, greatest, largest, three};
 use crate::scalar::Scalar;
 
 type Four = <f32 as OfFour>::Quad;
@@ -101,7 +101,7 @@ impl OfTriangle {
         let from_a = |p: [S; 3]| three(|i| p[i].beyond_in_double(a[i]));
         let (e1, e2) = (from_a(b), from_a(c));
         let n = cross::<Filtered<f64>>(&e1, &e2);
-        let in_double = |p: [S; 3]| each(p, S::in_double);
+        let in_double = |p: [S; 3]| p.each(S::in_double);
         let (edge, reach) = (size(&[e1, e2]), size(&[in_double(a), in_double(b), in_double(c)]));
         if !(is_in_range(edge, true) && is_in_range(reach, true)) {
             return Self::UNKNOWN;
@@ -124,7 +124,7 @@ impl OfRay {
     /// `is_ahead` says that hits behind the origin do not count.
     #[inline(always)]
     pub(super) fn new<S: Scalar>(origin: [S; 3], direction: [S; 3], is_ahead: bool) -> Self {
-        let (o, d) = (each(origin, S::in_double), each(direction, S::in_double));
+        let (o, d) = (origin.each(S::in_double), direction.each(S::in_double));
         let (reach, speed) = (size(&[o]), size(&[d]));
         if !(is_in_range(reach, false) && is_in_range(speed, true)) {
             return Self::UNKNOWN;
@@ -207,9 +207,9 @@ mod tests {
         for case in 0..20_000_i32 {
             // Close together and far from the origin; small triangles; long directions.
             let [small, far, long] = [case % 5 * 4, case % 7 * 3, case % 3 * 9];
-            let mut vector = |size: f64| [(); 3].map(|()| random() * size);
+            let mut vector = |size: f64| [(); 3].each(|()| random() * size);
             let away = vector(Float::scaled(1, far));
-            let near = |p: [f64; 3]| [0, 1, 2].map(|i| p[i] + away[i]);
+            let near = |p: [f64; 3]| [0, 1, 2].each(|i| p[i] + away[i]);
             let size = Float::scaled(1, -small);
             let points = [near(vector(1.0)), near(vector(size)), near(vector(size))];
             let (o, d) = (near(vector(1.0)), vector(Float::scaled(1, long)));

@@ -11,7 +11,7 @@
 use core::cmp::Ordering;
 
 use super::{Passing, SphereContact};
-use crate::arithmetic::{Arithmetic, Enclosed, Number, each, pick, sign_of, three};
+use crate::arithmetic::{Arithmetic, Each, Enclosed, Number, pick, sign_of, three};
 use crate::query::orientation::{Vector, from};
 use crate::query::surd::{Equation, Question, root};
 use crate::scalar::Scalar;
@@ -92,8 +92,8 @@ impl<S: Scalar> Question<S, 6> for Passing<'_, S, Aabb<S>> {
                 [to_p[i], q[i] - center[i]]
             }
         });
-        let [x, y, z] = each(d, sign_of);
-        let is_turned = [x?, y?, z?].map(|sign| sign == Ordering::Less);
+        let [x, y, z] = d.each(sign_of);
+        let is_turned = [x?, y?, z?].each(|sign| sign == Ordering::Less);
         let course = Course::<N> {
             faces: three(|i| {
                 let [low, high] = faces[i];

@@ -14,7 +14,7 @@ use core::cmp::Ordering;
 
 use super::{Passing, SphereContact};
 use crate::arithmetic::{
-    Arithmetic, Enclosed, Number, compare_products, cross, dot, each, pick, sign_of,
+    Arithmetic, Each, Enclosed, Number, compare_products, cross, dot, pick, sign_of,
 };
 use crate::query::Feature;
 use crate::query::capsule::Crossing;
@@ -146,7 +146,7 @@ impl<S: Scalar> Question<S, 7> for Passing<'_, S, Triangle<S>> {
     {
         let [center, [r, ..], start, end, a, b, c] = numbers;
         let course = Course::<N> {
-            m: each([a, b, c], |v| from::<N>(v, center)),
+            m: [a, b, c].each(|v| from::<N>(v, center)),
             e: [from::<N>(b, a), from::<N>(c, b), from::<N>(a, c)],
             d: from::<N>(end, start),
             r2: N::area(*r, *r),

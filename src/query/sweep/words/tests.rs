@@ -2,7 +2,7 @@
 
 use fixed::types::{I0F32, I4F4, I8F8, I16F16};
 
-use crate::arithmetic::{InWord, Word};
+use crate::arithmetic::{Each, InWord, Word};
 use crate::query::Motion;
 use crate::query::sweep::passing::{Misses, Passing};
 use crate::random::Random;
@@ -38,24 +38,24 @@ pub(super) fn cases<S: Scalar>(
     let rng = &mut Rng(Random(u64::from(bits)));
     for case in 0..12_000 {
         let kind = case % 4;
-        let mut point = || [(); 3].map(|()| rng.number(kind, bits));
+        let mut point = || [(); 3].each(|()| rng.number(kind, bits));
         let [a, b, mut c, p, q, from, mut to] = [(); 7].map(|()| point());
         match rng.below(8) {
             // Without area, without motion, along an edge, in the plane.
             0 => c = b,
             1 => to = from,
-            2 => to = [0, 1, 2].map(|i| from[i] + (b[i] - a[i]) / 2),
-            3 => to = [0, 1, 2].map(|i| from[i] + (b[i] - a[i]) / 4 + (c[i] - a[i]) / 4),
+            2 => to = [0, 1, 2].each(|i| from[i] + (b[i] - a[i]) / 2),
+            3 => to = [0, 1, 2].each(|i| from[i] + (b[i] - a[i]) / 4 + (c[i] - a[i]) / 4),
             _ => {}
         }
-        let vector = |x: [i64; 3]| x.map(&of);
+        let vector = |x: [i64; 3]| x.each(&of);
         let triangle = Triangle::new(vector(a), vector(b), vector(c)).unwrap();
-        let [min, max] = [i64::min, i64::max].map(|end| [0, 1, 2].map(|i| end(p[i], q[i])));
+        let [min, max] = [i64::min, i64::max].each(|end| [0, 1, 2].each(|i| end(p[i], q[i])));
         let aabb = if rng.below(2) == 0 {
             Aabb::from_min_max(vector(min), vector(max))
         } else {
-            let half = [0, 1, 2].map(|i| (max[i] - min[i]) / 4);
-            Aabb::from_center_half_extents(vector(min.map(|x| x / 2)), vector(half))
+            let half = [0, 1, 2].each(|i| (max[i] - min[i]) / 4);
+            Aabb::from_center_half_extents(vector(min.each(|x| x / 2)), vector(half))
         };
         let (aabb, motion) = (aabb.unwrap(), Motion::new(vector(from), vector(to)).unwrap());
         check(Passing::new(&triangle, &aabb, &motion));
@@ -91,7 +91,7 @@ fn words_agree_with_exact_sums() {
 /// There is no answer for shapes and motions that a word cannot hold.
 #[test]
 fn words_leave_what_is_far() {
-    let at = |x: i32| [x, 0, 0].map(I16F16::from_bits);
+    let at = |x: i32| [x, 0, 0].each(I16F16::from_bits);
     let is_known = |vertex: i32, min: i32, from: i32, to: i32| {
         let aabb = Aabb::from_min_max(at(min), at(min)).unwrap();
         let (triangle, motion) = (

@@ -118,6 +118,7 @@ fn close<S: Scalar + InWholeWord<W>, W: WholeWord>(
 
 #[cfg(all(test, feature = "fixed"))]
 mod tests {
+    use crate::arithmetic::Each;
     use fixed::types::{I0F32, I4F4, I8F8, I16F16};
 
     use super::super::tests::{cases, clamped};
@@ -148,7 +149,7 @@ mod tests {
     /// There is no answer for shapes whose volumes a word cannot hold.
     #[test]
     fn words_leave_what_is_far() {
-        let at = |x: i32| [x, 0, 0].map(I16F16::from_bits);
+        let at = |x: i32| [x, 0, 0].each(I16F16::from_bits);
         let is_known = |vertex: i32, half: i32| {
             let triangle = Triangle::new(at(vertex), at(0), at(0)).unwrap();
             let aabb = Aabb::from_center_half_extents(at(0), at(half)).unwrap();

@@ -1,7 +1,7 @@
 //! The kernel in rounded floats: the operations of `kernel.rs`, and so the same answers.
 
 use super::{InFrame, Rows};
-use crate::arithmetic::{FirstFloat, Float, Number, OfFour, Quad, THREE, each};
+use crate::arithmetic::{Each, FirstFloat, Float, Number, OfFour, Quad, THREE};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle};
 
@@ -25,8 +25,8 @@ pub(in crate::query::triangle_aabb) fn disjoint<S: Scalar>(
 #[inline(never)]
 fn by_center<S: Scalar>(triangle: &Triangle<S>, cx: S, cy: S, cz: S, hx: S, hy: S, hz: S) -> bool {
     let (center, half) =
-        (First::<S>::of_three(each([cx, cy, cz], S::first)), each([hx, hy, hz], S::first));
-    let rows = Rows::new(triangle.points().map(|p| each(p, S::first)));
+        (First::<S>::of_three([cx, cy, cz].each(S::first)), [hx, hy, hz].each(S::first));
+    let rows = Rows::new(triangle.points().each(|p| p.each(S::first)));
     rows.seem_apart(&rows.in_frame_of_center(center, First::<S>::of_three(half)))
 }
 
@@ -34,8 +34,8 @@ fn by_center<S: Scalar>(triangle: &Triangle<S>, cx: S, cy: S, cz: S, hx: S, hy: 
 #[inline(never)]
 fn by_corners<S: Scalar>(triangle: &Triangle<S>, ax: S, ay: S, az: S, bx: S, by: S, bz: S) -> bool {
     let (min, max) =
-        (First::<S>::of_three(each([ax, ay, az], S::first)), each([bx, by, bz], S::first));
-    let rows = Rows::new(triangle.points().map(|p| each(p, S::first)));
+        (First::<S>::of_three([ax, ay, az].each(S::first)), [bx, by, bz].each(S::first));
+    let rows = Rows::new(triangle.points().each(|p| p.each(S::first)));
     let frame = rows.in_frame_of_corners(min, First::<S>::of_three(max));
     // Of the vertices in the frame, as in `kernel.rs`, and not of the given vertices.
     let InFrame { v: [a, b, c], half, .. } = frame;

@@ -1,6 +1,6 @@
 use fixed::types::{I4F4, I8F8, I16F16};
 
-use crate::arithmetic::{InWholeWord, WholeWord};
+use crate::arithmetic::{Each, InWholeWord, WholeWord};
 use crate::query::triangle_obb::Disjoint;
 use crate::robust::{Predicate, WordKernel};
 use crate::scalar::Scalar;
@@ -27,9 +27,9 @@ fn check<S: Scalar + InWholeWord<W>, W: WholeWord>(
             _ => (below(5) - 2) << (bits - 3),
         };
         let mut point = || [number(), number(), number()];
-        let axes = [(); 3].map(|()| point().map(&of));
-        let half = point().map(|x| of((x >> 2).abs() << zeros));
-        let mut vector = || point().map(|x| of(x << zeros));
+        let axes = [(); 3].each(|()| point().each(&of));
+        let half = point().each(|x| of((x >> 2).abs() << zeros));
+        let mut vector = || point().each(|x| of(x << zeros));
         let (center, triangle) = (vector(), Triangle::new(vector(), vector(), vector()));
         let triangle = triangle.unwrap();
         let Ok(obb) = Obb::from_skewed_axes(center, axes, half) else { continue };
@@ -61,7 +61,7 @@ fn words_agree_with_exact_sums() {
 /// A wrapped difference would pass as a short one if all zeros were removed.
 #[test]
 fn wrapped_differences_stay_far() {
-    let at = |p: [i32; 3]| p.map(|x| I16F16::from_bits(x << 28));
+    let at = |p: [i32; 3]| p.each(|x| I16F16::from_bits(x << 28));
     let triangle = Triangle::new(at([7, -1, -1]), at([-8, -1, -1]), at([-8, -1, 0])).unwrap();
     let (zero, one) = (I16F16::ZERO, I16F16::ONE);
     let axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];

@@ -3,6 +3,7 @@
 use fixed::types::{I2F30, I4F4, I8F8, I16F16};
 
 use super::*;
+use crate::arithmetic::Each;
 use crate::random::Random;
 use crate::shape::{Obb, Triangle, Vec3};
 
@@ -16,7 +17,7 @@ impl Rng {
 }
 
 fn wide<S: InRaw>(v: Vec3<S>) -> [i128; 3] {
-    raw(&v).map(|x| x.into().into())
+    raw(&v).each(|x| x.into().into())
 }
 
 fn dot(a: [i128; 3], b: [i128; 3]) -> i128 {
@@ -31,7 +32,7 @@ fn cross(a: [i128; 3], b: [i128; 3]) -> [i128; 3] {
 fn found<S: Scalar + InRaw>(question: &Disjoint<'_, S>) -> Option<f64> {
     let framed = question.framed(Change::Grown, Disjoint::vertices_from_center)?;
     assert!(Projection::are_near(&framed.shapes), "{:?} {:?}", question.triangle, question.obb);
-    let u = question.obb.axes().map(wide);
+    let u = question.obb.axes().each(wide);
     let (center, half) = (wide(question.obb.center()), wide(question.obb.half_extents()));
     let w = [cross(u[1], u[2]), cross(u[2], u[0]), cross(u[0], u[1])];
     let volume = dot(u[0], w[0]).abs();
@@ -62,17 +63,17 @@ fn most_found<S: Scalar + InRaw>(bits: u32, of: impl Fn(i64) -> S) -> (u32, f64)
     let rng = &mut Rng(Random(0x0bb));
     let (mut asked, mut most) = (0, 0.0_f64);
     for case in 0..6_000 {
-        let mut row = |bits: u32| [(); 3].map(|()| rng.within(bits));
+        let mut row = |bits: u32| [(); 3].each(|()| rng.within(bits));
         let ends = |x: i64| if case % 5 == 0 { (x >> (bits - 1)) * ((1 << bits) - 1) } else { x };
         let size = 1 + case % bits;
         let far = row(if case % 3 == 0 { bits } else { 1 });
         let near = |row: [i64; 3]| {
             let shifted = |i: usize| (row[i] + far[i]).clamp(-(1 << bits), (1 << bits) - 1);
-            [0, 1, 2].map(|i| of(ends(shifted(i))))
+            [0, 1, 2].each(|i| of(ends(shifted(i))))
         };
-        let [a, b, c, center] = [(); 4].map(|()| near(row(size)));
-        let half = row(size).map(|x| of(x.abs() - 1));
-        let axes = [(); 3].map(|()| Vec3::from(row(1 + case / 7 % bits).map(|x| of(ends(x)))));
+        let [a, b, c, center] = [(); 4].each(|()| near(row(size)));
+        let half = row(size).each(|x| of(x.abs() - 1));
+        let axes = [(); 3].each(|()| Vec3::from(row(1 + case / 7 % bits).each(|x| of(ends(x)))));
         let triangle = Triangle::new(a, b, c).unwrap();
         let Ok(obb) = Obb::from_skewed_axes(center, axes, half) else { continue };
         if let Some(found) = found(&Disjoint { triangle: &triangle, obb: &obb }) {
