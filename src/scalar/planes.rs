@@ -2,7 +2,7 @@
 
 use super::{Ordinal, Scalar};
 #[cfg(feature = "fixed")]
-use crate::arithmetic::{Each, InRaw, REGISTERS_ARE_WIDE};
+use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE};
 
 /// The plane arithmetic that a grid of voxels requires of a scalar.
 pub(crate) trait Planes: Copy {

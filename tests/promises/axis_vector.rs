@@ -1,7 +1,7 @@
 //! The vector of an axis separates the shapes that the axis separates, checked by projection.
 
 use septum::{Aabb, Axis, Obb, Triangle};
-use septum_kit::{Rng, three};
+use septum_kit::{Each, Rng, three};
 
 #[test]
 fn vectors_separate() {
@@ -12,7 +12,7 @@ fn vectors_separate() {
         let mut point = || rng.triple(|rng| rng.whole(-6, 6) as f64);
         let ([a, b, c], p) = ([point(), point(), point()], point());
         let t = Triangle::new(a, b, c).unwrap();
-        let max = p.map(|x| x + 1.0 + rng.below(3) as f64);
+        let max = p.each(|x| x + 1.0 + rng.below(3) as f64);
         let aabb = Aabb::from_min_max(p, max).unwrap();
         for axis in Axis::ALL {
             let n = axis.vector(&t).to_array();
@@ -54,7 +54,7 @@ fn vectors_are_what_they_are_said_to_be() {
 fn vectors_of_oriented_boxes_are_outward_normals() {
     let (mut rng, mut hands) = (Rng::new(0x0bb7), [0; 2]);
     for _ in 0..2_000 {
-        let axes = [(); 3].map(|()| rng.triple(|rng| rng.whole(-6, 6) as f64));
+        let axes = [(); 3].each(|()| rng.triple(|rng| rng.whole(-6, 6) as f64));
         let Ok(obb) = Obb::from_skewed_axes([1.0; 3], axes, [1.0; 3]) else { continue };
         let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
         for i in 0..3 {

@@ -4,9 +4,10 @@
 use fixed::types::I16F16;
 use septum::interop::{Bounded, touched};
 use septum::{Aabb, Obb, Overlaps, Plane, Triangle, Vec3};
+use septum_kit::Each;
 
 fn wall(x: i32) -> Triangle<I16F16> {
-    let p = |y: i32, z: i32| [x, y, z].map(I16F16::from_num);
+    let p = |y: i32, z: i32| [x, y, z].each(I16F16::from_num);
     Triangle::new(p(0, 0), p(1, 0), p(0, 1)).unwrap()
 }
 
@@ -34,7 +35,7 @@ fn what_is_touched_is_kept_or_counted() {
         agrees::<_, _, 20>(&walls, &aabb);
     }
     let axes = [[fx(0), fx(1), fx(0)], [fx(0), fx(0), fx(1)], [fx(1), fx(0), fx(0)]];
-    let tool = Obb::new([fx(6); 3], axes.map(Vec3::from), [fx(9), fx(9), fx(2)]).unwrap();
+    let tool = Obb::new([fx(6); 3], axes.each(Vec3::from), [fx(9), fx(9), fx(2)]).unwrap();
     agrees::<_, _, 3>(&walls, &tool);
     agrees::<_, _, 8>(&walls, &tool);
     let planes: Vec<_> =

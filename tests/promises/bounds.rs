@@ -7,7 +7,7 @@ use septum::polygon::Polygon;
 use septum::voxel::{Grid, GridError};
 use septum::{Aabb, Segment, ShapeError, Triangle, Vec3};
 use septum_kit::aabbs::AabbSet;
-use septum_kit::{Rng, Sample, compare_sums, for_every_scalar};
+use septum_kit::{Each, Rng, Sample, compare_sums, for_every_scalar};
 
 /// Checks that `low` is the greatest number not above c − h, and `high` the least not below c + h.
 /// Fixed point ends at its range.
@@ -43,7 +43,7 @@ fn corners_of_a_centre_are_tight<S: Sample>() {
                 is_tight([min.x, max.z], c, size);
                 assert_eq!(Aabb::from_points([min, max]).unwrap().union(&aabb), aabb.union(&aabb));
             } else {
-                let [c, h] = [c, size].map(S::mantissa_exponent);
+                let [c, h] = [c, size].each(S::mantissa_exponent);
                 let greatest = S::GREATEST.mantissa_exponent();
                 let over = compare_sums(&[(c.0.abs(), c.1), h], &[greatest]);
                 assert_eq!(over, Ordering::Greater, "{aabb:?}");
@@ -102,14 +102,14 @@ fn grids_hold_their_box<S: Sample>() {
             }
         };
         count += 1;
-        let [first, last] = [[margin; 3], grid.resolution().map(|n| n - 1 - margin)]
-            .map(|voxel| grid.voxel(voxel).unwrap().min_max().unwrap());
+        let [first, last] = [[margin; 3], grid.resolution().each(|n| n - 1 - margin)]
+            .each(|voxel| grid.voxel(voxel).unwrap().min_max().unwrap());
         let (min, max) = aabb.min_max().unwrap();
         let holds = |a: S, b: S, c: S, d: S| a <= b && c <= d;
         assert!(holds(first.0.x, min.x, max.x, last.1.x), "{aabb:?} {grid:?}");
         assert!(holds(first.0.y, min.y, max.y, last.1.y), "{aabb:?} {grid:?}");
         assert!(holds(first.0.z, min.z, max.z, last.1.z), "{aabb:?} {grid:?}");
-        let longest = grid.resolution().map(|n| n - 2 * margin).into_iter().max().unwrap();
+        let longest = grid.resolution().each(|n| n - 2 * margin).into_iter().max().unwrap();
         one_more += usize::from(longest == resolution + 1);
         // Fixed point rounds the cell up, so that fewer cells may suffice.
         let is_float = S::LEAST.mantissa_exponent().1 > 0;

@@ -4,7 +4,7 @@ use septum::broad_phase::BoxTree;
 use septum::mesh::{Mesh, MeshError, Node, Tree};
 use septum::sweep::{FirstContact, Motion, Sweep};
 use septum::{Aabb, Overlaps, Ray, Segment, Triangle, Vec3};
-use septum_kit::{Rng, Sample, for_every_scalar, three};
+use septum_kit::{Each, Rng, Sample, for_every_scalar, three};
 
 /// Where the boxes are, and how large: near the origin, on a small grid where many touch, far apart,
 /// and at the end of the range, which some exceed.
@@ -81,7 +81,7 @@ fn check<S: Sample>(tree: &BoxTree<'_, S, u16>, scene: Scene, rng: &mut Rng) -> 
     for _ in 0..4 {
         let probe = aabb(scene, rng);
         counts[1] += found_by(boxes, &probe, tree.overlapping(&probe, &mut room));
-        let [a, b, c] = [(); 3].map(|()| point::<S>(scene, rng));
+        let [a, b, c] = [(); 3].each(|()| point::<S>(scene, rng));
         let triangle = Triangle::new(a, b, c).unwrap();
         counts[1] += found_by(boxes, &triangle, tree.overlapping(&triangle, &mut room));
         let segment = Segment::new(a, b).unwrap();
@@ -140,7 +140,7 @@ fn a_refitted_mesh_is_a_new_one<S: Sample>() {
         let mut place =
             || -> Vec<Vec3<S>> { (0..40).map(|_| point(Scene::Near, &mut rng).into()).collect() };
         let (before, after) = (place(), place());
-        let mut nodes = [(); 2].map(|()| vec![Node::EMPTY; Node::count_for(60)]);
+        let mut nodes = [(); 2].each(|()| vec![Node::EMPTY; Node::count_for(60)]);
         let mut orders = [[0; 60]; 2];
         let [old, new] = &mut nodes;
         Tree::build(Mesh::new(&before, &faces).unwrap(), old, &mut orders[0]).unwrap();
@@ -156,7 +156,7 @@ fn a_refitted_mesh_is_a_new_one<S: Sample>() {
                 found
             };
             assert_eq!(found(&refitted), found(&built), "{round}");
-            let [a, b] = [(); 2].map(|()| point::<S>(Scene::Near, &mut rng));
+            let [a, b] = [(); 2].each(|()| point::<S>(Scene::Near, &mut rng));
             let Ok(ray) = Ray::new(a, three(|i| b[i].minus(a[i]))) else { continue };
             assert_eq!(refitted.first_hit(&ray), built.first_hit(&ray), "{round}");
             hits += usize::from(built.is_hit(&ray));

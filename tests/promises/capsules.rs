@@ -7,7 +7,7 @@ use septum::relation::{Relate, Relation};
 use septum::{Aabb, Capsule, Plane, Ray, ShapeError, Vec3};
 use septum_kit::fixed::types::I16F16;
 use septum_kit::spheres::{CapsuleCase, Other, SphereSet};
-use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar, not_finite, with_every_scalar};
+use septum_kit::{BoxNumbers, Each, Rng, Sample, for_every_scalar, not_finite, with_every_scalar};
 
 /// Checks all answers about a case.
 fn check<S: Sample>(case: &CapsuleCase<S>) -> Ordering {
@@ -58,10 +58,10 @@ fn capsules_by_many() {
 /// Every segment on a small grid against a segment, a triangle and a box whose sides are 3, 4 and 12
 /// long, for every radius that is whole.
 fn every_small_segment<S: Sample>() {
-    let whole = |p: [i64; 3]| p.map(S::whole);
+    let whole = |p: [i64; 3]| p.each(S::whole);
     let shapes = [
-        Other::Ends([[0, 0, 0], [4, 0, 3]].map(whole)),
-        Other::Triangle([[0, 0, 0], [4, 0, 0], [0, 3, 0]].map(whole)),
+        Other::Ends([[0, 0, 0], [4, 0, 3]].each(whole)),
+        Other::Triangle([[0, 0, 0], [4, 0, 0], [0, 3, 0]].each(whole)),
         Other::Box(BoxNumbers::Corners(whole([0, 0, 0]), whole([1, 2, 1]))),
     ];
     let at = |n: i64| whole([n % 3 * 4 - 3, n / 3 % 3 * 3 - 2, n / 9 * 4 - 3]);
@@ -85,13 +85,13 @@ fn every_segment_on_a_small_grid() {
 /// Segments on a small grid against rays in some directions, with every range of small whole
 /// numbers: distances, and relations of segments without a radius.
 fn every_small_ray<S: Sample>() {
-    let whole = |p: [i64; 3]| p.map(S::whole);
+    let whole = |p: [i64; 3]| p.each(S::whole);
     let ends = [None, Some(-1), Some(0), Some(1)];
-    let ranges = ends.iter().flat_map(|from| ends.map(|to| [*from, to]));
+    let ranges = ends.iter().flat_map(|from| ends.each(|to| [*from, to]));
     let ranges = ranges.filter(|[from, to]| from.zip(*to).is_none_or(|(from, to)| from <= to));
     let at = |n: i64| whole([n % 3 * 3 - 3, n / 3 % 3 * 2 - 1, n / 9 * 4]);
     let (mut touching, mut thin) = (0, 0);
-    for range in ranges.map(|range| range.map(|t| t.map(S::whole))) {
+    for range in ranges.map(|range| range.each(|t| t.map(S::whole))) {
         for d in [[3, 0, 0], [-3, 0, 0], [3, 4, 0], [0, 0, 1], [-3, 2, 4]] {
             let other = Other::Ray([whole([0, 1, 0]), whole(d)], range);
             for (a, b) in (0..18).flat_map(|a| (0..=a).map(move |b| (a, b))) {
@@ -117,12 +117,12 @@ fn every_small_ray_past_a_segment() {
 fn segments_on_a_ray() {
     let ray = Ray::new([0.0_f32; 3], [1.0, 0.0, 0.0]).unwrap();
     let ranges = [[Some(0.0), None], [Some(0.0), Some(2.0)], [None, Some(2.0)], [Some(2.0); 2]];
-    let rays = ranges.map(|[from, to]| ray.with_range(from, to).unwrap());
+    let rays = ranges.each(|[from, to]| ray.with_range(from, to).unwrap());
     let of = |a: [f32; 2], b: [f32; 2]| {
-        let [a, b] = [a, b].map(|[x, y]| [x, y, 0.0]);
-        let capsules = [[a, b], [b, a]].map(|[a, b]| Capsule::new(a, b, 0.0).unwrap());
-        rays.map(|ray| {
-            let [first, second] = capsules.map(|c| c.relation(&ray));
+        let [a, b] = [a, b].each(|[x, y]| [x, y, 0.0]);
+        let capsules = [[a, b], [b, a]].each(|[a, b]| Capsule::new(a, b, 0.0).unwrap());
+        rays.each(|ray| {
+            let [first, second] = capsules.each(|c| c.relation(&ray));
             assert_eq!(first, second);
             assert_eq!(first != Relation::Disjoint, capsules[0].overlaps(&ray));
             first as u8

@@ -5,7 +5,7 @@ use fixed::types::{I0F8, I8F8, I16F16, I32F32};
 use septum::polygon::Polygon;
 use septum::sweep::Motion;
 use septum::{Aabb, Obb, Plane, Ray, Scalar, Segment, ShapeError, Triangle, Vec3};
-use septum_kit::{Sample, for_every_scalar, not_finite};
+use septum_kit::{Each, Sample, for_every_scalar, not_finite};
 
 const X: [f32; 3] = [1.0, 0.0, 0.0];
 const Y: [f32; 3] = [0.0, 1.0, 0.0];
@@ -13,7 +13,7 @@ const Z: [f32; 3] = [0.0, 0.0, 1.0];
 const NOT_FINITE: [f32; 3] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
 
 fn axes(axes: [[f32; 3]; 3]) -> [Vec3<f32>; 3] {
-    axes.map(Vec3::from)
+    axes.each(Vec3::from)
 }
 
 /// Calls `make` with each number in turn replaced by NaN or an infinity, and the rest 1. The error names
@@ -136,7 +136,7 @@ fn min_above_max<S: Sample>() {
 /// Shapes return the numbers that they were given.
 fn shapes_keep_their_numbers<S: Sample>() {
     let number = |n: i64| S::whole(n);
-    let [a, b, c] = [[1, 2, 3], [4, 5, 6], [7, 8, 9]].map(|v| Vec3::from(v.map(number)));
+    let [a, b, c] = [[1, 2, 3], [4, 5, 6], [7, 8, 9]].each(|v| Vec3::from(v.each(number)));
     assert_eq!(Triangle::new(a, b, c).unwrap().vertices(), &[a, b, c]);
     let aabb = Aabb::from_center_half_extents(a, b).unwrap();
     assert_eq!(aabb.center_half_extents(), Some((a, b)));

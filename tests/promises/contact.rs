@@ -1,7 +1,7 @@
 //! Touching is overlap; shapes one unit in the last place apart do not overlap. The contacts are
 //! exact by construction, so no oracle is needed.
 
-use septum_kit::{BoxNumbers, Case, Rng, Sample, Touch, for_every_scalar};
+use septum_kit::{BoxNumbers, Case, Each, Rng, Sample, Touch, for_every_scalar};
 
 const COUNT: usize = 20_000;
 
@@ -13,12 +13,12 @@ fn assert_overlap<S: Sample>(case: &Case<S>, expected: bool) {
 
 /// −1, 0 or 1 for each axis: toward the triangle.
 fn outward(touch: &Touch) -> [i64; 3] {
-    touch.normal.map(i64::signum)
+    touch.normal.each(i64::signum)
 }
 
 /// The properties of every kind of contact.
 fn check<S: Sample>(touch: &Touch) {
-    let [by_corners, by_center] = [false, true].map(|center| touch.case::<S>(center));
+    let [by_corners, by_center] = [false, true].each(|center| touch.case::<S>(center));
     assert_overlap(&by_corners, true);
     assert_overlap(&by_center, true);
 

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use septum::mesh::OwnedTree;
 use septum_kit::fixed::types::I8F8;
 use septum_kit::flat::{Flat, FlatCase, FlatSet};
-use septum_kit::{Rng, Sample, for_every_scalar, for_scalars, three, with_every_scalar};
+use septum_kit::{Each, Rng, Sample, for_every_scalar, for_scalars, three, with_every_scalar};
 
 /// The number of cases of each set.
 const CASES: usize = 1_000;
@@ -60,12 +60,12 @@ fn agrees_with_fractions_on_a_million() {
 /// All pairs of a triangle with those between points of a small grid.
 #[test]
 fn every_pair_on_a_grid() {
-    let point = |n: i64| [n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1].map(I8F8::whole);
+    let point = |n: i64| [n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1].each(I8F8::whole);
     let mut seen = 0;
     for n in 0..27_i64.pow(3) {
         let flat = Flat::Triangle([point(n % 27), point(n / 27 % 27), point(n / 729)]);
         for triangle in [[0, 2, 6], [0, 13, 16], [1, 15, 20]] {
-            seen += usize::from(check(&FlatCase { flat, triangle: triangle.map(point) }));
+            seen += usize::from(check(&FlatCase { flat, triangle: triangle.each(point) }));
         }
     }
     assert!(seen > 10_000, "{seen}");
@@ -94,7 +94,7 @@ fn segments_make_loops<S: Sample>() {
         let _ = first.as_tree().crossings(&second.as_tree(), |_, _, segment| {
             let (from, to) = segment.ends().expect("by its ends");
             for (p, n) in [(from, 1), (to, -1)] {
-                *ends.entry(p.to_array().map(S::ordinal)).or_insert(0) += n;
+                *ends.entry(p.to_array().each(S::ordinal)).or_insert(0) += n;
             }
             std::ops::ControlFlow::<()>::Continue(())
         });

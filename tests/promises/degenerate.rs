@@ -3,7 +3,7 @@
 
 use septum::published;
 use septum::{Aabb, Scalar, Triangle};
-use septum_kit::{Rng, Sample, Set, for_every_scalar, is_collinear, meets, three};
+use septum_kit::{Each, Rng, Sample, Set, for_every_scalar, is_collinear, meets, three};
 
 type Point<S> = [S; 3];
 
@@ -17,7 +17,7 @@ fn span<S: Scalar>(min: Point<S>, max: Point<S>) -> Aabb<S> {
 
 /// Integers in the scalar.
 fn at<S: Sample>(v: [i8; 3]) -> Point<S> {
-    v.map(|x| S::nearest(x.into()))
+    v.each(|x| S::nearest(x.into()))
 }
 
 fn is_degenerate_is_exact<S: Sample>() {
@@ -55,7 +55,7 @@ fn a_box_may_be_a_point<S: Sample>() {
     let mut rng = Rng::new(93);
     for _ in 0..3_000 {
         let mut point = || rng.triple(|rng| rng.whole(-4, 4) as i8);
-        let [a, b, c, p] = [point(), point(), point(), point()].map(at::<S>);
+        let [a, b, c, p] = [point(), point(), point(), point()].each(at::<S>);
         let t = triangle(a, b, c);
         let zero = [S::ZERO; 3];
         let as_point = Aabb::from_center_half_extents(p, zero).expect("a box");
@@ -69,7 +69,7 @@ fn a_box_may_be_a_point<S: Sample>() {
 /// cuda_voxelizer #7: faces that lie on the grid vanish.
 fn faces_on_the_grid<S: Sample>() {
     // A square of two triangles in z = 1, with cells below and above.
-    let [a, b, c, d] = [[0, 0, 1], [2, 0, 1], [2, 2, 1], [0, 2, 1]].map(at::<S>);
+    let [a, b, c, d] = [[0, 0, 1], [2, 0, 1], [2, 2, 1], [0, 2, 1]].each(at::<S>);
     let halves = [triangle(a, b, c), triangle(a, c, d)];
     for x in 0..2 {
         for y in 0..2 {
@@ -138,7 +138,7 @@ fn cells_about_a_grid_vertex<S: Sample>() {
     for octant in 0..8_u8 {
         let to = |k: u8| if octant >> k & 1 == 0 { 0 } else { -1 };
         let min = [to(0), to(1), to(2)];
-        let cell = span(at::<S>(min), at::<S>(min.map(|x| x + 1)));
+        let cell = span(at::<S>(min), at::<S>(min.each(|x| x + 1)));
         assert!(t.overlaps(&cell), "{cell:?}");
     }
 }
@@ -161,7 +161,7 @@ for_every_scalar!(
 fn no_scale_is_too_small() {
     for power in [0, -14, -40, -100, -400, -1000] {
         let unit = 2_f64.powi(power);
-        let p = |v: [f64; 3]| v.map(|x| x * unit);
+        let p = |v: [f64; 3]| v.each(|x| x * unit);
         let cell = span(p([-1.0; 3]), p([1.0; 3]));
         let near = triangle(p([3.5, 0.0, 0.0]), p([0.0, 3.5, 0.0]), p([0.0, 0.0, 3.5]));
         let touching = triangle(p([3.0, 0.0, 0.0]), p([0.0, 3.0, 0.0]), p([0.0, 0.0, 3.0]));

@@ -3,13 +3,13 @@
 //! before they underflow.
 
 use septum::prepared::PreparedTriangle;
-use septum_kit::{BoxNumbers, Case, Rng, Sample, for_every_scalar, meets, three};
+use septum_kit::{BoxNumbers, Case, Each, Rng, Sample, for_every_scalar, meets, three};
 
 /// A point with coordinates up to `size` numbers of the type away from those of `from`. In half of
 /// the cases it is at the very ends, where products are largest.
 fn near<S: Sample>(rng: &mut Rng, from: [S; 3], size: i64) -> [S; 3] {
     let at_the_ends = rng.one_in(2);
-    from.map(|x| {
+    from.each(|x| {
         let step = if at_the_ends {
             [-size, size, size - 1][rng.below(3)]
         } else {
@@ -30,7 +30,7 @@ fn exact_at_every_size<S: Sample>() {
             let origin = if rng.one_in(2) {
                 [S::ZERO; 3]
             } else {
-                [(); 3].map(|()| S::from_ordinal(rng.whole(-range, range)))
+                [(); 3].each(|()| S::from_ordinal(rng.whole(-range, range)))
             };
             let mut point = || near(&mut rng, origin, size);
             let vertices = [point(), point(), point()];
@@ -38,7 +38,7 @@ fn exact_at_every_size<S: Sample>() {
             let smaller = |i: usize| if p[i] < q[i] { (p[i], q[i]) } else { (q[i], p[i]) };
             let corners = BoxNumbers::Corners(three(|i| smaller(i).0), three(|i| smaller(i).1));
             let half =
-                near(&mut rng, [S::ZERO; 3], size).map(|h| if h < S::ZERO { S::ZERO } else { h });
+                near(&mut rng, [S::ZERO; 3], size).each(|h| if h < S::ZERO { S::ZERO } else { h });
             for aabb in [corners, BoxNumbers::Corners(p, p), BoxNumbers::Center(p, half)] {
                 let case = Case { vertices, aabb };
                 let (triangle, shape) = case.shapes();

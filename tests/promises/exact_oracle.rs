@@ -4,7 +4,7 @@
 use fixed::types::{I1F15, I16F0, I33F31};
 use proptest::prelude::*;
 use septum::prepared::PreparedTriangle;
-use septum_kit::{BoxNumbers, Case, Sample, Set, for_every_scalar, meets, three};
+use septum_kit::{BoxNumbers, Case, Each, Sample, Set, for_every_scalar, meets, three};
 
 fn every_set<S: Sample>() {
     for set in Set::ALL {
@@ -34,7 +34,7 @@ fn case_of<S: Sample>(number: impl Strategy<Value = S>) -> impl Strategy<Value =
             let sorted = |i: usize| if p[i] < q[i] { [p[i], q[i]] } else { [q[i], p[i]] };
             let aabb = if center {
                 let magnitude = |x: S| S::from_ordinal(x.ordinal().saturating_abs());
-                BoxNumbers::Center(p, q.map(magnitude))
+                BoxNumbers::Center(p, q.each(magnitude))
             } else {
                 BoxNumbers::Corners(three(|i| sorted(i)[0]), three(|i| sorted(i)[1]))
             };

@@ -6,7 +6,7 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 use septum::prepared::PreparedTriangle;
 use septum::{Axis, published};
 use septum_kit::rays::{RayCase, crossing};
-use septum_kit::{BoxNumbers, Case, GROUP_ORDERS, Rng, Sample, is_collinear, meets, three};
+use septum_kit::{BoxNumbers, Case, Each, GROUP_ORDERS, Rng, Sample, is_collinear, meets, three};
 
 /// Runs every query; exact answers are compared with the oracle.
 fn ask_everything<S: Sample>(case: &Case<S>) {
@@ -70,12 +70,12 @@ fn between_the_corners_of_the_range<S: Sample>() {
     let middle = [S::LEAST, S::ZERO, S::GREATEST];
     let spans = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
     let triples = (0..8).flat_map(|a| (a..8).flat_map(move |b| (b..8).map(move |c| [a, b, c])));
-    for vertices in triples.map(|triple| triple.map(corner)) {
+    for vertices in triples.map(|triple| triple.each(corner)) {
         for number in 0..216 {
-            let span = [number % 6, number / 6 % 6, number / 36].map(|n| spans[n]);
+            let span = [number % 6, number / 6 % 6, number / 36].each(|n| spans[n]);
             let aabb = BoxNumbers::Corners(
-                span.map(|(least, _)| middle[least]),
-                span.map(|(_, greatest)| middle[greatest]),
+                span.each(|(least, _)| middle[least]),
+                span.each(|(_, greatest)| middle[greatest]),
             );
             let case = Case { vertices, aabb };
             let (triangle, aabb) = case.shapes();
@@ -159,7 +159,7 @@ fn about_powers_of_two<S: Sample>() {
         let near = [size - 1, size, size.saturating_add(1)];
         let mut pool: Vec<S> =
             near.into_iter().filter(|x| x >> S::WHOLE_BITS == 0).map(S::whole).collect();
-        pool.extend([-size - 1, -size, 1 - size].map(|x| S::from_ordinal(x)));
+        pool.extend([-size - 1, -size, 1 - size].each(|x| S::from_ordinal(x)));
         pool.extend([S::ZERO, S::whole(1), S::whole(size / 2), S::whole(-size / 2)]);
         for _ in 0..300 {
             ask_everything(&from_pool(&mut rng, &pool));
@@ -181,7 +181,7 @@ fn every_sign(end: i32) {
     let number = |bits: i32| FixedI32::<U16>::from_bits(bits);
     let point = |signs: u32| three(|i| number(if signs >> i & 1 == 0 { end } else { -end }));
     for signs in 0..1 << 12 {
-        let [b, c, o, d] = [0, 3, 6, 9].map(|shift| point(signs >> shift));
+        let [b, c, o, d] = [0, 3, 6, 9].each(|shift| point(signs >> shift));
         for a in [[number(0); 3], point(0)] {
             let case = RayCase::new(o, d, [a, b, c]);
             let truth = crossing(&case);
@@ -207,11 +207,11 @@ fn determinants_of_every_width() {
 #[test]
 fn boxes_beyond_the_range() {
     use fixed::types::I16F16;
-    let at = |p: [i32; 3]| p.map(I16F16::from_bits);
+    let at = |p: [i32; 3]| p.each(I16F16::from_bits);
     let e = 1 << 28;
     let aabb = BoxNumbers::Center(at([i32::MAX, 0, 0]), at([i32::MAX; 3]));
     let beside = [at([1 - 2 * e, -e, -e]), at([-e, e, -e / 2]), at([-e / 3, 0, e])];
-    let within = beside.map(|[x, y, z]| [-x, y, z]);
+    let within = beside.each(|[x, y, z]| [-x, y, z]);
     for (vertices, expected) in [(beside, false), (within, true)] {
         let case = Case { vertices, aabb };
         assert_eq!(meets(&case), expected);

@@ -2,7 +2,7 @@
 
 use septum::Triangle;
 use septum_kit::flat::{Flat, FlatCase, FlatSet, Truth, every_pair_on_the_grid};
-use septum_kit::{Rng, Sample, VERTEX_ORDERS, for_every_scalar, with_every_scalar};
+use septum_kit::{Each, Rng, Sample, VERTEX_ORDERS, for_every_scalar, with_every_scalar};
 
 /// The number of cases of each set.
 const CASES: usize = 1_500;
@@ -73,7 +73,7 @@ fn orders_do_not_matter<S: Sample>() {
         let case = set.case::<S>(&mut rng);
         let Flat::Triangle(other) = case.flat else { continue };
         let shape = |p: &[[S; 3]; 3], order: [usize; 3]| {
-            let [a, b, c] = order.map(|k| p[k]);
+            let [a, b, c] = order.each(|k| p[k]);
             Triangle::new(a, b, c).unwrap()
         };
         let expected = case.truth() != Truth::Apart;

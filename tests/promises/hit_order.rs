@@ -4,19 +4,19 @@ use std::cmp::Ordering;
 
 use dashu_int::IBig;
 use septum::{Ray, Triangle};
-use septum_kit::{Ring, Rng, Sample, for_every_scalar};
+use septum_kit::{Each, Ring, Rng, Sample, for_every_scalar};
 
 type Point<S> = [S; 3];
 
 /// The t of the plane of a triangle, as a fraction with a positive divisor.
 fn fraction<S: Sample>(o: Point<S>, d: Point<S>, t: [Point<S>; 3], unit: i32) -> [IBig; 2] {
     let row = |p: &Point<S>| {
-        p.map(|x| {
+        p.each(|x| {
             let (m, e) = x.mantissa_exponent();
             if m == 0 { IBig::ZERO } else { IBig::from(m) << (e - unit) as usize }
         })
     };
-    let ([a, b, c], o, d) = (t.each_ref().map(row), row(&o), row(&d));
+    let ([a, b, c], o, d) = (t.each_ref().each(row), row(&o), row(&d));
     let n = IBig::cross(&IBig::difference(&b, &a), &IBig::difference(&c, &a));
     let (num, den) = (IBig::dot(&n, &IBig::difference(&a, &o)), IBig::dot(&n, &d));
     let sign = IBig::from(Ring::sign(&den));

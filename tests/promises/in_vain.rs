@@ -3,7 +3,7 @@
 
 use fixed::types::{I0F32, I0F64, I1F31, I2F30, I2F62, I16F48, I64F0};
 use septum::{Aabb, Obb, Ray, Segment, Triangle, Vec3};
-use septum_kit::{Rng, Sample, for_every_scalar};
+use septum_kit::{Each, Rng, Sample, for_every_scalar};
 
 /// So many pairs of shapes of each kind.
 const PAIRS: usize = 6_000;
@@ -32,7 +32,7 @@ impl Shapes {
                 (row[i], row[j]) = (cos * row[i] - sin * row[j], sin * row[i] + cos * row[j]);
             }
         }
-        let axes = frame.map(|row| Vec3::from(row.map(S::nearest)));
+        let axes = frame.each(|row| Vec3::from(row.each(S::nearest)));
         Obb::from_skewed_axes(self.point(rng), axes, self.half(rng)).expect("axes that span space")
     }
 }
@@ -54,7 +54,7 @@ fn check<S: Sample>() {
             let aabb =
                 Aabb::from_center_half_extents(shapes.point(&mut rng), shapes.half(&mut rng));
             let aabb = aabb.unwrap();
-            let [a, b, c] = [(); 3].map(|()| shapes.point::<S>(&mut rng));
+            let [a, b, c] = [(); 3].each(|()| shapes.point::<S>(&mut rng));
             let segment = Segment::new(a, b).unwrap();
             let ray = Ray::new(a, c).unwrap();
             let t = S::nearest(rng.real(0.0, 2.0_f64.min(greatest)));

@@ -1,6 +1,7 @@
 //! Shapes survive a round trip through `serde` and `mint`, and constructors check what is read.
 #![cfg(all(feature = "serde", feature = "mint"))]
 
+use septum_kit::Each;
 use std::fmt::Debug;
 
 use fixed::types::I16F16;
@@ -15,7 +16,7 @@ fn survives<T: Serialize + DeserializeOwned + PartialEq + Debug>(shape: &T) {
 
 #[test]
 fn shapes_round_trip_in_the_form_given() {
-    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.25], [0.0, 0.0, 1.0]].map(Vec3::from);
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.25], [0.0, 0.0, 1.0]].each(Vec3::from);
     survives(&Triangle::new([0.1, 0.2, 0.3], [1e-40, 2.0, 3.0], [-0.0, 5.0, 1e300]).unwrap());
     survives(&Aabb::from_min_max([0.1_f32; 3], [0.7; 3]).unwrap());
     survives(&Aabb::from_center_half_extents([0.1_f32; 3], [0.7; 3]).unwrap());

@@ -5,7 +5,7 @@ use septum::lanes::{Aabbs, CellTriangle, Cells, Triangles};
 use septum::published;
 use septum::published::stored_normal::NormalTriangle;
 use septum::{Aabb, Cull, Ray, Scalar, Triangle, Vec3};
-use septum_kit::{Lanes, Rng, Sample, for_every_scalar, for_scalars, three};
+use septum_kit::{Each, Lanes, Rng, Sample, for_every_scalar, for_scalars, three};
 
 // Each scalar, and each number of lanes. Scalars of 64 bits look at four triangles at a time first.
 for_every_scalar!(same_bits_four);
@@ -187,7 +187,7 @@ fn planes_and_edges_graze() {
 
 fn met_by_grazing<S: Sample>(round: u64, span: i64) -> usize {
     let rng = &mut Rng::new(round);
-    let [a, b, c] = [(); 3].map(|()| rng.triple(|rng| 4 * rng.whole(-span / 4, span / 4)));
+    let [a, b, c] = [(); 3].each(|()| rng.triple(|rng| 4 * rng.whole(-span / 4, span / 4)));
     let half = rng.triple(|rng| rng.whole(1, span / 8));
     let from_a = |p: [i64; 3]| three(|i| p[i] - a[i]);
     let (e, f) = (from_a(b), from_a(c));
@@ -205,7 +205,7 @@ fn met_by_grazing<S: Sample>(round: u64, span: i64) -> usize {
     on_edge[j] += side * e[l].signum() * half[j];
     on_edge[l] -= side * e[j].signum() * half[l];
 
-    let number = |p: [i64; 3]| p.map(|x| S::nearest(x as f64));
+    let number = |p: [i64; 3]| p.each(|x| S::nearest(x as f64));
     let triangle = Triangle::new(number(a), number(b), number(c)).unwrap();
     let near = |p: [i64; 3], axis: usize| {
         [-4, -3, -2, -1, 0, 1, 2, 3].map(|beside| {
@@ -226,9 +226,9 @@ fn one_of_eight_triangles() {
 }
 
 fn one_of_eight_triangles_at(x: i64) {
-    let at = |p: [i64; 3]| p.map(I32F32::from_bits);
+    let at = |p: [i64; 3]| p.each(I32F32::from_bits);
     let triangle = |y: i64| {
-        let [a, b, c] = [[x - 1024, y, 0], [x + 120, y, 0], [x - 1024, y + 2000, 0]].map(at);
+        let [a, b, c] = [[x - 1024, y, 0], [x + 120, y, 0], [x - 1024, y + 2000, 0]].each(at);
         Triangle::new(a, b, c).unwrap()
     };
     let ray = Ray::new(at([x, 30, -1000]), at([0, 0, 1 << 32])).unwrap();
@@ -250,7 +250,7 @@ fn cells_of_another_size() {
         Cells::new(&[cell(0.0), cell(1.0), cell(2.0), cell(3.0)]).unwrap()
     };
     let triangle = Triangle::new([1.5, -1.0, 0.0], [1.5, 1.0, 0.0], [1.5, 0.0, 1.0]).unwrap();
-    for prepared in [0.25, 0.5, 1.5].map(|size| CellTriangle::new(&triangle, &cells(size))) {
+    for prepared in [0.25, 0.5, 1.5].each(|size| CellTriangle::new(&triangle, &cells(size))) {
         assert_eq!(prepared.overlaps(&cells(0.25)), [false; 4]);
         assert_eq!(prepared.overlaps(&cells(0.5)), [false, true, true, false]);
         assert_eq!(prepared.overlaps(&cells(1.5)), [true; 4]);

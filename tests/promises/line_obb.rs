@@ -4,7 +4,7 @@ use fixed::types::{I1F63, I64F0};
 use septum::{Aabb, Obb, Ray, Segment, Vec3};
 use septum_kit::boxes::BoxSet;
 use septum_kit::lines::{Fraction, Line, LineBox, LineObb, LineSet};
-use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar, three};
+use septum_kit::{BoxNumbers, Each, Rng, Sample, for_every_scalar, three};
 
 fn exact_on_every_set<S: Sample>() {
     check_sets::<S>(2_000);
@@ -52,7 +52,7 @@ fn check_range<S: Sample>(case: &LineObb<S>) {
 fn check_faces<S: Sample>(case: &LineObb<S>) -> Option<[Option<u8>; 2]> {
     let (ray, obb) = (case.line.ray()?, case.obb.shape().ok()?);
     let (found, expected) = (ray.crossings_obb(&obb), case.faces());
-    assert_eq!(found.map(|both| both.map(|one| one.face)), expected, "{case:?}");
+    assert_eq!(found.map(|both| both.each(|one| one.face)), expected, "{case:?}");
     let range = found.map(|[enter, leave]| (enter.t, leave.t));
     assert_eq!(range, ray.t_range_obb(&obb), "{case:?}");
     expected
@@ -129,7 +129,7 @@ fn every_line_on_a_grid() {
 #[test]
 fn a_long_ray_from_its_origin() {
     let unit = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
-    let unit = unit.map(|axis| Vec3::from(axis.map(I64F0::from_num)));
+    let unit = unit.each(|axis| Vec3::from(axis.each(I64F0::from_num)));
     let zero = [I64F0::ZERO; 3];
     let obb = Obb::from_skewed_axes(zero, unit, [I64F0::ONE; 3]).unwrap();
     for bits in 0..63 {

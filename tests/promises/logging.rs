@@ -26,6 +26,7 @@ use septum::{
     Aabb, Axis, Crossing, Cull, Facing, Feature, Hit, HitRules, Obb, Plane, Ray, Scalar, Segment,
     ShapeError, Side, Triangle, Vec3,
 };
+use septum_kit::Each;
 
 /// The bytes of a log record; strings are one mocked index each.
 fn record(x: &impl Format) -> Vec<u8> {
@@ -47,12 +48,12 @@ fn carries<const L: usize>(x: &impl Format, numbers: impl IntoIterator<Item = [u
 #[test]
 fn fixed_point_numbers_go_out_as_floats() {
     let v = [1.5, -0.0625, 7.0];
-    carries(&Vec3::from(v.map(I4F4::from_num)), v.map(|x| (x as f32).to_le_bytes()));
-    carries(&Vec3::from(v.map(I8F8::from_num)), v.map(|x| (x as f32).to_le_bytes()));
-    let v = [0.1, -32768.0, 3.75].map(I16F16::from_num);
-    carries(&Vec3::from(v), v.map(|x| x.to_num::<f64>().to_le_bytes()));
-    let v = [0.1, -2147483648.0, 1e-9].map(I32F32::from_num);
-    carries(&Vec3::from(v), v.map(|x| x.to_num::<f64>().to_le_bytes()));
+    carries(&Vec3::from(v.each(I4F4::from_num)), v.each(|x| (x as f32).to_le_bytes()));
+    carries(&Vec3::from(v.each(I8F8::from_num)), v.each(|x| (x as f32).to_le_bytes()));
+    let v = [0.1, -32768.0, 3.75].each(I16F16::from_num);
+    carries(&Vec3::from(v), v.each(|x| x.to_num::<f64>().to_le_bytes()));
+    let v = [0.1, -2147483648.0, 1e-9].each(I32F32::from_num);
+    carries(&Vec3::from(v), v.each(|x| x.to_num::<f64>().to_le_bytes()));
     let v = [FixedI64::<U64>::from_bits(1); 3];
     carries(&Vec3::from(v), [2_f64.powi(-64).to_le_bytes()]);
 }
@@ -60,9 +61,9 @@ fn fixed_point_numbers_go_out_as_floats() {
 #[test]
 fn floats_go_out_as_they_are() {
     let v = [0.1_f32, f32::NAN, -0.0];
-    carries(&Vec3::from(v), v.map(f32::to_le_bytes));
+    carries(&Vec3::from(v), v.each(f32::to_le_bytes));
     let v = [0.1_f64, f64::INFINITY, 5e-324];
-    carries(&Vec3::from(v), v.map(f64::to_le_bytes));
+    carries(&Vec3::from(v), v.each(f64::to_le_bytes));
 }
 
 #[test]
@@ -72,11 +73,11 @@ fn shapes_carry_all_their_numbers() {
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let all = |parts: &[[f32; 3]]| n(parts.as_flattened());
     carries(&Triangle::new(p, q, r).unwrap(), all(&[p, q, r]));
-    carries(&Polygon::new(&[p, q, r, q].map(Vec3::from)).unwrap(), all(&[p, q, r, q]));
+    carries(&Polygon::new(&[p, q, r, q].each(Vec3::from)).unwrap(), all(&[p, q, r, q]));
     carries(&Aabb::from_min_max(p, q).unwrap(), all(&[p, q]));
     carries(&Aabb::from_center_half_extents(p, q).unwrap(), all(&[p, q]));
     carries(
-        &Obb::new(p, axes.map(Vec3::from), q).unwrap(),
+        &Obb::new(p, axes.each(Vec3::from), q).unwrap(),
         all(&[p, axes[0], axes[1], axes[2], q]),
     );
     carries(&Plane::from_point_normal(p, q).unwrap(), all(&[p, q]));

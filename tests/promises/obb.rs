@@ -3,7 +3,7 @@
 use fixed::types::{I1F31, I2F30, I2F62, I4F4, I8F8, I16F16, I32F32};
 use septum::published;
 use septum::{Aabb, Obb, ShapeError, Triangle, Vec3};
-use septum_kit::{Oriented, Rng, Sample, for_every_scalar, not_finite};
+use septum_kit::{Each, Oriented, Rng, Sample, for_every_scalar, not_finite};
 
 /// A rounded random rotation, sometimes a skewed or an axis-parallel frame.
 fn axes<S: Sample>(rng: &mut Rng) -> [[S; 3]; 3] {
@@ -24,7 +24,7 @@ fn axes<S: Sample>(rng: &mut Rng) -> [[S; 3]; 3] {
             }
         }
     }
-    frame.map(|row| row.map(S::nearest))
+    frame.each(|row| row.each(S::nearest))
 }
 
 /// Shapes of about `size`. Every third case is on a coarse grid, where contact is common; there the
@@ -37,9 +37,9 @@ fn question<S: Sample>(rng: &mut Rng, size: f64) -> Oriented<S> {
     };
     let mut axes = axes(rng);
     if coarse && rng.one_in(2) {
-        axes = [[1.0, 1.0, 0.0], [-1.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|u| u.map(S::nearest));
+        axes = [[1.0, 1.0, 0.0], [-1.0, 1.0, 0.0], [0.0, 0.0, 1.0]].each(|u| u.each(S::nearest));
     }
-    let mut t = [0; 3].map(|_| rng.triple(|r| number(r, -size)));
+    let mut t = [0; 3].each(|_| rng.triple(|r| number(r, -size)));
     if rng.one_in(8) {
         t[2] = t[1];
     }
@@ -127,7 +127,7 @@ fn exact_at_the_extremes_of_f32_and_of_fixed_point() {
                 axes: [row(), row(), row()],
                 half: row(),
             };
-            let half = q.half.map(|h| if h < S::ZERO { S::ZERO } else { h });
+            let half = q.half.each(|h| if h < S::ZERO { S::ZERO } else { h });
             let q = Oriented { half, ..q };
             if let Some(obb) = q.obb() {
                 assert_eq!(q.triangle().overlaps(&obb), q.meets(), "{:?} {obb:?}", q.triangle());
@@ -149,7 +149,7 @@ fn exact_at_the_extremes_of_f32_and_of_fixed_point() {
 #[test]
 fn plain_axes_agree_with_the_axis_aligned_box() {
     let mut rng = Rng::new(3);
-    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3::<f32>::from);
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].each(Vec3::<f32>::from);
     for _ in 0..20_000 {
         let q = question::<f32>(&mut rng, 2.0);
         let obb = Obb::new(q.center, axes, q.half).unwrap();
@@ -168,7 +168,7 @@ fn the_transform_is_right_away_from_contact() {
     let mut wrong = 0;
     for _ in 0..20_000 {
         let q = question::<f64>(&mut rng, 2.0);
-        if let Ok(obb) = Obb::new(q.center, q.axes.map(Vec3::from), q.half) {
+        if let Ok(obb) = Obb::new(q.center, q.axes.each(Vec3::from), q.half) {
             wrong += u32::from(
                 published::akenine_moller::overlaps_obb(&q.triangle(), &obb)
                     != q.triangle().overlaps(&obb),
@@ -181,7 +181,7 @@ fn the_transform_is_right_away_from_contact() {
 
 #[test]
 fn a_frame_is_checked() {
-    let frame = |u: [f32; 3], v: [f32; 3], n: [f32; 3]| [u, v, n].map(Vec3::from);
+    let frame = |u: [f32; 3], v: [f32; 3], n: [f32; 3]| [u, v, n].each(Vec3::from);
     let make = |axes| Obb::new([0.0_f32; 3], axes, [1.0; 3]).map(|_| ());
     let skew = |axes| Obb::from_skewed_axes([0.0_f32; 3], axes, [1.0; 3]).map(|_| ());
     let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
@@ -215,7 +215,7 @@ fn a_false_yes_is_rare_in_every_number_of_fraction_bits() {
             let mut point = || rng.triple(|r| S::nearest(r.real(-2.0 * size, 2.0 * size)));
             let triangle = Triangle::new(point(), point(), point()).unwrap();
             let axes = [[0.6, 0.8, 0.0], [-0.48, 0.36, 0.8], [0.64, -0.48, 0.6]];
-            let axes = axes.map(|u| Vec3::from(u.map(S::nearest)));
+            let axes = axes.each(|u| Vec3::from(u.each(S::nearest)));
             let half = [S::nearest(size / 2.0); 3];
             let obb = Obb::from_skewed_axes([S::ZERO; 3], axes, half).unwrap();
             let (exact, may) = (triangle.overlaps(&obb), triangle.may_overlap(&obb));
@@ -243,9 +243,9 @@ fn a_false_yes_is_rare_in_every_number_of_fraction_bits() {
 fn unit_vectors_in_thirty_fraction_bits_may_be_away() {
     type Fx = I2F30;
     let axes = [[1.0, 0.0, 0.0], [0.0, 0.8, 0.6], [0.0, -0.6, 0.8]];
-    let axes = axes.map(|u| u.map(Fx::nearest));
+    let axes = axes.each(|u| u.each(Fx::nearest));
     let obb = Obb::new([Fx::ZERO; 3], axes, [Fx::nearest(0.1); 3]).unwrap();
-    let point = |x: f64, y: f64, z: f64| [x, y, z].map(Fx::nearest);
+    let point = |x: f64, y: f64, z: f64| [x, y, z].each(Fx::nearest);
     let away = Triangle::new(point(0.5, 0.0, 0.0), point(0.5, 0.5, 0.0), point(0.7, 0.0, 0.5));
     assert!(!away.unwrap().may_overlap(&obb));
 }
@@ -254,7 +254,7 @@ fn unit_vectors_in_thirty_fraction_bits_may_be_away() {
 fn eight_bits_hold_a_rotation() {
     let turn = |degrees: f64| {
         let (sin, cos) = degrees.to_radians().sin_cos();
-        [[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]].map(|u| u.map(I4F4::nearest).into())
+        [[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]].each(|u| u.each(I4F4::nearest).into())
     };
     for degrees in 0..360 {
         let axes: [Vec3<I4F4>; 3] = turn(f64::from(degrees));

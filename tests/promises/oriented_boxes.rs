@@ -4,7 +4,7 @@
 use dashu_int::IBig;
 use fixed::types::{I0F8, I0F16, I0F32, I0F64, I1F31, I2F30, I4F60};
 use septum::{Obb, ShapeError};
-use septum_kit::{Ring, Rng, Sample, for_every_scalar, not_finite, three};
+use septum_kit::{Each, Ring, Rng, Sample, for_every_scalar, not_finite, three};
 
 type Point<S> = [S; 3];
 
@@ -31,10 +31,10 @@ impl<S: Sample> Given<S> {
             let (m, e) = x.mantissa_exponent();
             if m == 0 { IBig::ZERO } else { IBig::from(m) << (e - unit) as usize }
         };
-        let row = |p: &Point<S>| p.each_ref().map(number);
+        let row = |p: &Point<S>| p.each_ref().each(number);
         let given = Given {
             center: row(&self.center),
-            axes: self.axes.each_ref().map(row),
+            axes: self.axes.each_ref().each(row),
             half: row(&self.half),
             point: row(&self.point),
         };
@@ -53,7 +53,7 @@ impl<S: Sample> Given<S> {
             let by = rows[k].clone();
             for (_, row) in rows.iter_mut().enumerate().filter(|(r, _)| *r != k) {
                 let factor = row[k].clone();
-                *row = [0, 1, 2, 3].map(|c: usize| &row[c] * &by[k] - &by[c] * &factor);
+                *row = [0, 1, 2, 3].each(|c: usize| &row[c] * &by[k] - &by[c] * &factor);
             }
         }
         (0..3).all(|k| {
@@ -76,7 +76,7 @@ fn rotation<S: Sample>(rng: &mut Rng) -> [Point<S>; 3] {
         [s * d, s * t * r + c0 * e, s * t * e - c0 * r],
         [-t, d * r, d * e],
     ]
-    .map(|u| u.map(S::nearest))
+    .each(|u| u.each(S::nearest))
 }
 
 fn given<S: Sample>(rng: &mut Rng, kind: usize) -> Given<S> {
@@ -98,7 +98,7 @@ fn given<S: Sample>(rng: &mut Rng, kind: usize) -> Given<S> {
     // On the grid, integer multiples of the axes, so that contact is frequent.
     let half = match kind {
         2 => rng.triple(|rng| S::nearest(rng.below(3) as f64)),
-        _ => half.map(magnitude),
+        _ => half.each(magnitude),
     };
     let axes = if kind < 2 { rotation(rng) } else { rng.triple(|rng| rng.triple(number)) };
     if kind == 1 {
@@ -167,7 +167,7 @@ fn check_ends<S: Sample>(given: &Given<S>, i: usize, ends: Option<[S; 2]>, is_no
     let center = &whole.center[i] * &one;
     let (low, high) = (&center - &reach, &center + &reach);
     let is_float = S::WHOLE_BITS != S::LEAST.ordinal().unsigned_abs().trailing_zeros();
-    let [_, greatest, least] = whole.point.map(|x| x * &one);
+    let [_, greatest, least] = whole.point.each(|x| x * &one);
     let Some([min, max]) = ends else {
         assert!(is_none && is_float);
         return;

@@ -1,7 +1,7 @@
 //! A plane against an axis-aligned box: exact.
 
 use septum::{Plane, ShapeError, Side};
-use septum_kit::{BoxNumbers, Given, Rng, Sample, for_every_scalar, not_finite, side, three};
+use septum_kit::{BoxNumbers, Each, Given, Rng, Sample, for_every_scalar, not_finite, side, three};
 
 fn check<S: Sample>(normal: [S; 3], given: Given<S>, aabb: BoxNumbers<S>) -> Option<Side> {
     let (plane, shape) = (given.plane(normal).ok()?, aabb.shape().ok()?);
@@ -19,7 +19,7 @@ fn sample<S: Sample>(cases: usize, pick: impl Fn(&mut Rng) -> S) -> [usize; 3] {
         let mut row = || rng.triple(|r| pick(r));
         let (normal, p, q, point) = (row(), row(), row(), row());
         let aabb = if n % 2 == 0 {
-            BoxNumbers::Center(p, q.map(|h| if h < S::ZERO { S::ZERO } else { h }))
+            BoxNumbers::Center(p, q.each(|h| if h < S::ZERO { S::ZERO } else { h }))
         } else {
             let order = |i: usize| if p[i] < q[i] { (p[i], q[i]) } else { (q[i], p[i]) };
             BoxNumbers::Corners(three(|i| order(i).0), three(|i| order(i).1))

@@ -4,7 +4,7 @@ use septum::polygon::Polygon;
 use septum::published::green_hatch;
 use septum::{Aabb, Segment, ShapeError, Triangle, Vec3};
 use septum_kit::polygons::{PlanePolygon, PolygonCase, PolygonSet};
-use septum_kit::{Rng, Sample, for_every_scalar, not_finite, three};
+use septum_kit::{Each, Rng, Sample, for_every_scalar, not_finite, three};
 
 /// All sets; counts the overlaps of each.
 fn agrees_on_every_set<S: Sample>(count: usize) {
@@ -75,7 +75,7 @@ fn three_vertices_are_a_triangle() {
 
 #[test]
 fn what_is_no_polygon_is_refused() {
-    let v = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3::from);
+    let v = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].each(Vec3::from);
     for n in 0..3 {
         assert_eq!(Polygon::<f64>::new(&v[..n]), Err(ShapeError::TooFewVertices));
     }
@@ -123,10 +123,10 @@ fn the_published_test_is_right_where_nothing_is_rounded() {
         let mut point = || rng.triple(|rng| rng.whole(-16, 16) as f32 / 8.0);
         let [a, b, c] = [point(), point(), point()];
         let d = three(|i: usize| a[i] - b[i] + c[i]);
-        let vertices = [a, b, c, d].map(Vec3::from);
+        let vertices = [a, b, c, d].each(Vec3::from);
         let polygon = Polygon::new(&vertices[..3 + n % 2]).unwrap();
         let of_size = |size: f32| {
-            Aabb::from_center_half_extents([0.125; 3], [0.5, 0.75, 1.0].map(|h| h * size)).unwrap()
+            Aabb::from_center_half_extents([0.125; 3], [0.5, 0.75, 1.0].each(|h| h * size)).unwrap()
         };
         let truth = polygon.overlaps(&of_size(1.0));
         if polygon.overlaps(&of_size(0.998)) != polygon.overlaps(&of_size(1.002)) {

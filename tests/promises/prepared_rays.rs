@@ -2,7 +2,7 @@
 
 use septum::prepared::PreparedRay;
 use septum_kit::lines::{Line, LineBox, LineSet};
-use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar, three};
+use septum_kit::{BoxNumbers, Each, Rng, Sample, for_every_scalar, three};
 
 /// Compares the oracle, the ray and the prepared ray.
 fn check<S: Sample>(case: &LineBox<S>, meets: bool) {
@@ -83,13 +83,13 @@ struct Numbers {
 
 impl Numbers {
     fn case<S: Sample>(&self, by_corners: bool) -> LineBox<S> {
-        let (min, max) = (self.min.map(|x| x as f64), self.max.map(|x| x as f64));
+        let (min, max) = (self.min.each(|x| x as f64), self.max.each(|x| x as f64));
         let half = |sign: f64| three(|i: usize| S::nearest((max[i] + sign * min[i]) / 2.0));
-        let plain = |v: [f64; 3]| v.map(S::nearest);
+        let plain = |v: [f64; 3]| v.each(S::nearest);
         LineBox {
             line: Line::Ray(
-                self.o.map(|x| S::nearest(x as f64)),
-                self.d.map(|x| S::nearest(x as f64)),
+                self.o.each(|x| S::nearest(x as f64)),
+                self.d.each(|x| S::nearest(x as f64)),
                 [Some(S::ZERO), self.to.map(S::nearest)],
             ),
             aabb: if by_corners {
@@ -112,7 +112,7 @@ fn exact_at_every_magnitude<S: Sample>(exponents: [i64; 2]) {
         x *= 2_f64.powi((e / 2) as i32) * 2_f64.powi((e - e / 2) as i32);
         S::nearest([x, -x, 0.0][rng.below(3)])
     };
-    let narrow = exponents.map(|e| e / 8);
+    let narrow = exponents.each(|e| e / 8);
     let mut met = 0;
     for k in 0..120_000 {
         // Sometimes an invertible direction, against any box.
@@ -123,7 +123,7 @@ fn exact_at_every_magnitude<S: Sample>(exponents: [i64; 2]) {
         let aabb = if k % 3 == 0 {
             BoxNumbers::Center(
                 p,
-                q.map(|x| if x < S::ZERO { S::nearest(-x.approximate()) } else { x }),
+                q.each(|x| if x < S::ZERO { S::nearest(-x.approximate()) } else { x }),
             )
         } else {
             let least = |i: usize| if p[i] < q[i] { p[i] } else { q[i] };
@@ -177,14 +177,14 @@ fn exact_in_contact_at_the_ends<S: Sample>(coordinates: [i32; 3], directions: [i
         if d == [0; 3] {
             continue;
         }
-        let at = |v: [i64; 3]| v.map(|x| times(x, a));
+        let at = |v: [i64; 3]| v.each(|x| times(x, a));
         let aabb = if k % 2 == 0 {
             BoxNumbers::Center(at(p), at(q))
         } else {
             BoxNumbers::Corners(at(p), at(three(|i: usize| p[i] + q[i])))
         };
         let zero = if k % 7 == 0 { S::nearest(-0.0) } else { S::ZERO };
-        let line = Line::Ray(at(o), d.map(|x| times(x, b)), [Some(zero), None]);
+        let line = Line::Ray(at(o), d.each(|x| times(x, b)), [Some(zero), None]);
         let case = LineBox { line, aabb };
         let meets = case.meets();
         check(&case, meets);
@@ -214,7 +214,7 @@ fn exact_next_to_corners<S: Sample>() {
         // In half of the cases the direction is the corner itself, with t = 1 on all axes;
         // otherwise it is rounded.
         let scale = if k % 2 == 0 { 1.0 } else { rng.real(0.5, 1.0) };
-        let d = corner.map(|x| S::nearest(x.approximate() * scale));
+        let d = corner.each(|x| S::nearest(x.approximate() * scale));
         let side = rng.triple(|rng| rng.one_in(2));
         let (mut min, mut max) = (corner, corner);
         for i in 0..3 {

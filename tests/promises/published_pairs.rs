@@ -1,8 +1,8 @@
 //! Hard pairs of triangles from bug reports of other libraries, with their numbers. The answers are
 //! exact, and the oracle checks each, in all orders of vertices and triangles.
 
-use septum_kit::VERTEX_ORDERS;
 use septum_kit::flat::{Flat, FlatCase, Truth};
+use septum_kit::{Each, VERTEX_ORDERS};
 
 type Corners = [[f64; 3]; 3];
 
@@ -110,7 +110,7 @@ fn meet([t, u]: [Corners; 2]) -> bool {
     for i in VERTEX_ORDERS {
         for k in VERTEX_ORDERS {
             let case =
-                FlatCase { flat: Flat::Triangle(i.map(|i| t[i])), triangle: k.map(|k| u[k]) };
+                FlatCase { flat: Flat::Triangle(i.each(|i| t[i])), triangle: k.each(|k| u[k]) };
             let (answers, may) = case.answers();
             assert!(answers == [answer; 2] && (may || !answer), "{case:?}");
         }
@@ -130,7 +130,7 @@ fn of_a_divided_triangle_only_neighbours_meet() {
     for (n, face) in FACES.iter().enumerate() {
         for other in &FACES[n + 1..] {
             let are_neighbours = face.iter().any(|k| other.contains(k));
-            let corners = |face: &[usize; 3]| face.map(|k| DIVIDED[k]);
+            let corners = |face: &[usize; 3]| face.each(|k| DIVIDED[k]);
             assert_eq!(meet([corners(face), corners(other)]), are_neighbours, "{face:?} {other:?}");
         }
     }

@@ -3,7 +3,7 @@
 use septum::prepared::PreparedRay;
 use septum::{Aabb, Ray};
 use septum_kit::lines::{Fraction, Line, LineBox, LineSet};
-use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar, three};
+use septum_kit::{BoxNumbers, Each, Rng, Sample, for_every_scalar, three};
 
 /// Rays and segments alike.
 fn exact_on_every_set<S: Sample>() {
@@ -51,12 +51,12 @@ fn check_range<S: Sample>(case: &LineBox<S>, set: LineSet) {
 fn check_faces<S: Sample>(case: &LineBox<S>) -> Option<[Option<u8>; 2]> {
     let (ray, aabb) = (case.ray()?, case.aabb());
     let (found, expected) = (ray.crossings(&aabb), case.faces());
-    assert_eq!(found.map(|both| both.map(|one| one.face)), expected, "{case:?}");
+    assert_eq!(found.map(|both| both.each(|one| one.face)), expected, "{case:?}");
     let range = found.map(|[enter, leave]| (enter.t, leave.t));
     assert_eq!(range, ray.t_range(&aabb), "{case:?}");
     assert_eq!(PreparedRay::new(&ray).crossings(&aabb), found, "{case:?}");
     for crossing in found.into_iter().flatten() {
-        let normal = crossing.normal(&aabb).map(|n| n.to_array().map(S::approximate));
+        let normal = crossing.normal(&aabb).map(|n| n.to_array().each(S::approximate));
         let expected = crossing.face.map(|face| {
             let mut unit = [0.0; 3];
             unit[usize::from(face / 2)] = if face % 2 == 0 { -1.0 } else { 1.0 };
@@ -74,11 +74,11 @@ fn faces_on_a_grid<S: Sample>() {
     let digits = |n: usize| [n % 5, n / 5 % 5, n / 25 % 5];
     let (mut seen, mut inside, mut shared) = ([[0; 2]; 6], 0, 0);
     let whole = |x: f64| S::nearest(x / 4.0);
-    let corners = [[-1.0, -1.0, -1.0], [1.0, 1.0, 0.0]].map(|p| p.map(whole));
-    let flat = [[-1.0, 0.0, -1.0], [1.0, 0.0, 1.0]].map(|p| p.map(whole));
+    let corners = [[-1.0, -1.0, -1.0], [1.0, 1.0, 0.0]].each(|p| p.each(whole));
+    let flat = [[-1.0, 0.0, -1.0], [1.0, 0.0, 1.0]].each(|p| p.each(whole));
     let ends = [-1.0, 0.0, 0.25, 0.5, 1.0].map(S::nearest);
     for n in 0..125 * 125 {
-        let at = |n: usize| digits(n).map(|x| whole(x as f64 - 2.0));
+        let at = |n: usize| digits(n).each(|x| whole(x as f64 - 2.0));
         let (origin, d) = (at(n % 125), at(n / 125));
         let range = match n % 4 {
             0 => [Some(S::ZERO), None],
@@ -89,7 +89,7 @@ fn faces_on_a_grid<S: Sample>() {
         let line = Line::Ray(origin, d, range);
         for [min, max] in [corners, flat] {
             let half = [0, 1, 2]
-                .map(|i: usize| S::nearest((max[i].approximate() - min[i].approximate()) / 2.0));
+                .each(|i: usize| S::nearest((max[i].approximate() - min[i].approximate()) / 2.0));
             let center = three(|i: usize| S::nearest(min[i].approximate() + half[i].approximate()));
             for aabb in [BoxNumbers::Corners(min, max), BoxNumbers::Center(center, half)] {
                 if line.ray().is_none() {

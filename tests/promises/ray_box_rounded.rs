@@ -7,7 +7,7 @@ use septum::published;
 use septum::published::slabs::SlabRay;
 use septum::published::slopes::SlopeRay;
 use septum_kit::lines::{Line, LineBox, LineSet};
-use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar, three};
+use septum_kit::{BoxNumbers, Each, Rng, Sample, for_every_scalar, three};
 
 /// 60 directions with one or two zero components, 125 origins, 9 boxes in two forms: 135,000 cases,
 /// many with the origin in the plane of a face. Floats repeat them with negative zeros.
@@ -36,12 +36,12 @@ fn components_of_zero<S: Sample>(zero: S) {
                 let center = three(|i: usize| plain((min[i] + max[i]) / 2.0));
                 let half = three(|i: usize| plain((max[i] - min[i]) / 2.0));
                 let forms = [
-                    BoxNumbers::Corners(min.map(plain), max.map(plain)),
+                    BoxNumbers::Corners(min.each(plain), max.each(plain)),
                     BoxNumbers::Center(center, half),
                 ];
-                let ray = Line::Ray(o.map(number), d.map(number), [Some(S::ZERO), None]);
+                let ray = Line::Ray(o.each(number), d.each(number), [Some(S::ZERO), None]);
                 let meets = LineBox { line: ray, aabb: forms[0] }.meets();
-                let segment = Line::Center(o.map(number), d.map(number));
+                let segment = Line::Center(o.each(number), d.each(number));
                 let segment_meets = LineBox { line: segment, aabb: forms[0] }.meets();
                 for aabb in forms {
                     check_all(&LineBox { line: ray, aabb }, meets);
@@ -194,7 +194,7 @@ fn no_box_is_lost_at_the_ends_of_the_range() {
         let (o, d) = (rng.triple(power), rng.triple(power));
         let (p, q) = (rng.triple(power), rng.triple(power));
         let aabb = if rng.one_in(2) {
-            BoxNumbers::Center(p, q.map(f32::abs))
+            BoxNumbers::Center(p, q.each(f32::abs))
         } else {
             let (a, b) = (three(|i| p[i].min(q[i])), three(|i| p[i].max(q[i])));
             BoxNumbers::Corners(a, b)

@@ -6,7 +6,7 @@ use core::cmp::Ordering;
 use fixed::types::I8F8;
 use septum::{Facing, Feature};
 use septum_kit::rays::{RayCase, RaySet, Truth, crossing, crossing_wide};
-use septum_kit::{Sample, for_every_scalar};
+use septum_kit::{Each, Sample, for_every_scalar};
 
 const CORNER: [[f64; 3]; 3] = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
 
@@ -85,10 +85,10 @@ fn points_agree<S: Sample>() {
         }
         for case in set.cases::<S>(31, 2_000) {
             let Some(truth) = crossing(&case) else { continue };
-            let [t, u, v] = [&truth.t, &truth.u, &truth.v].map(|x| x.approximate());
+            let [t, u, v] = [&truth.t, &truth.u, &truth.v].each(|x| x.approximate());
             for i in 0..3 {
                 let x = |p: [S; 3]| p[i].approximate();
-                let [a, b, c] = case.vertices.map(x);
+                let [a, b, c] = case.vertices.each(x);
                 let on_ray = x(case.origin) + t * x(case.direction);
                 let on_triangle = (1.0 - u - v) * a + u * b + v * c;
                 let most = a.abs().max(b.abs()).max(c.abs()).max(on_ray.abs()).max(1e-3);

@@ -5,7 +5,7 @@ use fixed::types::extra::{LeEqU8, U0, U4, U7};
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 use septum::{Ray, Triangle};
 use septum_kit::rays::{RayCase, RaySet, crossing};
-use septum_kit::{Rng, Sample, three};
+use septum_kit::{Each, Rng, Sample, three};
 
 /// num / den to the nearest, ties to even, clamped to 8 bits.
 fn nearest(num: i32, den: i32) -> i32 {
@@ -47,10 +47,10 @@ fn every_u_and_v<Frac: LeEqU8 + Send + Sync + 'static>() {
     for a in [-128, -127, -65, -1, 0, 1, 66, 126, 127] {
         for b in (-128..128).filter(|&b| b != a) {
             let far = if a < 0 { 127 } else { -128 };
-            let along_x = [[a, a], [b, a], [a, far]].map(|[x, y]| [at(x), at(y), at(0)]);
-            let along_y = [[a, a], [far, a], [a, b]].map(|[x, y]| [at(x), at(y), at(0)]);
+            let along_x = [[a, a], [b, a], [a, far]].each(|[x, y]| [at(x), at(y), at(0)]);
+            let along_y = [[a, a], [far, a], [a, b]].each(|[x, y]| [at(x), at(y), at(0)]);
             let [along_x, along_y] =
-                [along_x, along_y].map(|[p, q, r]| Triangle::new(p, q, r).unwrap());
+                [along_x, along_y].each(|[p, q, r]| Triangle::new(p, q, r).unwrap());
             for x in a.min(b)..=a.max(b) {
                 let down = [at(0), at(0), at(-1)];
                 let expected = nearest((x - a) << Frac::U32, b - a);
@@ -161,7 +161,7 @@ fn within_2_ulp_of_long_numbers_in_f64() {
             let size = f64::from_bits((1023 - rng.below(spread + 1) as u64) << 52);
             rng.real(-1.0, 1.0) * rng.real(-1.0, 1.0) * size
         };
-        let [a, b, c, o] = [(); 4].map(|()| rng.triple(number));
+        let [a, b, c, o] = [(); 4].each(|()| rng.triple(number));
         let (u, v) = match case % 4 {
             0 => (rng.real(0.0, 1.0), 0.0),
             1 => (rng.real(0.0, 1e-6), rng.real(0.0, 1e-9)),
@@ -170,7 +170,7 @@ fn within_2_ulp_of_long_numbers_in_f64() {
         let target = three(|i| a[i] + u * (b[i] - a[i]) + v * (c[i] - a[i]));
         let far = [1.0, 1e-3, 1e5][case % 3];
         let direction = three(|i| (target[i] - o[i] * far) / 3.0);
-        let case = RayCase::new(o.map(|x| x * far), direction, [a, b, c]);
+        let case = RayCase::new(o.each(|x| x * far), direction, [a, b, c]);
         hits += usize::from(check(&case, "long"));
     }
     assert!(hits > 30_000, "{hits} hits");

@@ -6,7 +6,7 @@ use septum::{Aabb, Triangle};
 use septum_kit::boxes::BoxSet;
 use septum_kit::contact::truth;
 use septum_kit::fixed::types::{I4F4, I8F8, I16F16, I32F32};
-use septum_kit::{Oriented, Rng, Sample, Set, Touch, for_every_scalar};
+use septum_kit::{Each, Oriented, Rng, Sample, Set, Touch, for_every_scalar};
 
 /// The number of cases of each set.
 const TURNED: usize = 400;
@@ -110,7 +110,7 @@ for_every_scalar!(disjoint_is_not_overlapping);
 
 #[test]
 fn what_lies_on_a_face_touches() {
-    let at = |p: [f64; 3]| p.map(I16F16::from_num);
+    let at = |p: [f64; 3]| p.each(I16F16::from_num);
     let cell = Aabb::from_min_max(at([0.0; 3]), at([1.0; 3])).unwrap();
     let floor = Aabb::from_min_max(at([0.0; 3]), at([1.0, 1.0, 0.0])).unwrap();
     let on_floor = Triangle::new(at([0.25, 0.25, 0.0]), at([0.5, 0.25, 0.0]), at([0.25, 0.5, 0.0]));

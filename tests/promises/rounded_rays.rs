@@ -6,7 +6,7 @@ use septum::published::projected::ProjectedTriangle;
 use septum::published::stored_normal::NormalTriangle;
 use septum::published::watertight::ShearedRay;
 use septum::{Cull, Facing, Feature, Hit, Ray, Triangle};
-use septum_kit::{Rng, Sample, for_every_scalar, three};
+use septum_kit::{Each, Rng, Sample, for_every_scalar, three};
 
 for_every_scalar!(
     all_agree_with_the_exact_hit,
@@ -33,7 +33,7 @@ fn methods<S: Sample>() -> [(&'static str, Method<S>); 5] {
 }
 
 fn at<S: Sample>(x: [f64; 3]) -> [S; 3] {
-    x.map(S::nearest)
+    x.each(S::nearest)
 }
 
 fn triangle<S: Sample>(points: [[f64; 3]; 3]) -> Triangle<S> {
@@ -61,7 +61,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 fn normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
-    let [p, q] = [b, c].map(|x| [x[0] - a[0], x[1] - a[1], x[2] - a[2]]);
+    let [p, q] = [b, c].each(|x| [x[0] - a[0], x[1] - a[1], x[2] - a[2]]);
     [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
 }
 
@@ -146,7 +146,7 @@ fn touching_is_a_hit<S: Sample>() {
     let points = [[0.0; 3], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]];
     for turn in 0..3 {
         let turned = |p: [f64; 3]| [p[turn], p[(turn + 1) % 3], p[(turn + 2) % 3]];
-        let triangle = triangle::<S>(points.map(turned));
+        let triangle = triangle::<S>(points.each(turned));
         for (i, j) in (-1..=5).flat_map(|i| (-1..=5).map(move |j| (i, j))) {
             let (x, y) = (f64::from(i) / 2.0, f64::from(j) / 2.0);
             let (u, v, w) = (i, j, 4 - i - j);
@@ -288,7 +288,7 @@ fn no_gap_around_a_vertex<S: Sample>() {
         any[least] = scene;
         let x = normal([[0.0; 3], along, any]);
         let y = normal([[0.0; 3], along, x]);
-        let unit = |v: [f64; 3]| v.map(|c| c / dot(v, v).sqrt());
+        let unit = |v: [f64; 3]| v.each(|c| c / dot(v, v).sqrt());
         let (x, y) = (unit(x), unit(y));
         let rim: Vec<[S; 3]> = (0..6)
             .map(|k| {

@@ -3,7 +3,7 @@
 use septum::{Aabb, Obb, Overlaps};
 use septum_kit::aabbs::{AabbPair, AabbSet, ends_of};
 use septum_kit::flat::Truth;
-use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar};
+use septum_kit::{BoxNumbers, Each, Rng, Sample, for_every_scalar};
 
 /// The centre or the least corner, by the form of the box.
 fn start<S: Copy>(aabb: &BoxNumbers<S>) -> [S; 3] {
@@ -115,7 +115,7 @@ for_every_scalar!(boxes, intervals, points);
 #[test]
 fn boxes_a_range_apart_are_disjoint() {
     fn check<S: Sample>(far: f64) {
-        let at = |p: [f64; 3]| p.map(S::nearest);
+        let at = |p: [f64; 3]| p.each(S::nearest);
         let corners = BoxNumbers::Corners(at([far, 0.0, 0.0]), at([1.067 * far, 1.0, 1.0]));
         let center = BoxNumbers::Center(at([-far, 0.5, 0.5]), at([0.0, 0.5, 0.5]));
         assert_eq!(AabbPair { boxes: [corners, center] }.check(), Truth::Apart);

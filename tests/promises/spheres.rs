@@ -7,7 +7,7 @@ use septum::relation::{Relate, Relation};
 use septum::{Plane, Ray, ShapeError, Sphere};
 use septum_kit::fixed::types::I16F16;
 use septum_kit::spheres::{Other, SphereCase, SphereSet};
-use septum_kit::{Rng, Sample, for_every_scalar, not_finite, with_every_scalar};
+use septum_kit::{Each, Rng, Sample, for_every_scalar, not_finite, with_every_scalar};
 
 /// Checks all answers about a case.
 fn check<S: Sample>(case: &SphereCase<S>) -> Ordering {
@@ -67,11 +67,11 @@ fn spheres_by_many() {
 
 /// Every triangle on a small grid in a plane, and points around it whose distances are roots.
 fn every_small_triangle<S: Sample>() {
-    let grid = |n: usize| [n % 3, n / 3, 0].map(|x| S::whole(x as i64));
+    let grid = |n: usize| [n % 3, n / 3, 0].each(|x| S::whole(x as i64));
     for n in 0..729 {
-        let other = Other::Triangle([n % 9, n / 9 % 9, n / 81].map(grid));
+        let other = Other::Triangle([n % 9, n / 9 % 9, n / 81].each(grid));
         for m in 0..18 {
-            let center = [m % 3 - 1, m / 3 % 3 + 1, m / 9].map(S::whole);
+            let center = [m % 3 - 1, m / 3 % 3 + 1, m / 9].each(S::whole);
             for radius in 0..4 {
                 check(&SphereCase { center, radius: S::whole(radius), other });
             }
@@ -87,12 +87,12 @@ fn every_triangle_on_a_small_grid() {
 /// Every direction on a small grid with every range of small whole numbers, and spheres around points
 /// whose distances are roots.
 fn every_small_ray<S: Sample>() {
-    let whole = |p: [i64; 3]| p.map(S::whole);
+    let whole = |p: [i64; 3]| p.each(S::whole);
     let ends = [None, Some(-2.0), Some(-1.0), Some(0.0), Some(1.0), Some(2.0)];
     let ranges = ends.iter().flat_map(|from| ends.map(|to| [*from, to]));
     let ranges = ranges.filter(|[from, to]| from.zip(*to).is_none_or(|(from, to)| from <= to));
     let mut touching = 0;
-    for range in ranges.map(|range| range.map(|t| t.map(S::nearest))) {
+    for range in ranges.map(|range| range.each(|t| t.map(S::nearest))) {
         for n in (0..27).filter(|&n| n != 13) {
             let direction = whole([n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1]);
             let other = Other::Ray([whole([0, 1, 0]), direction], range);
@@ -128,7 +128,7 @@ fn points_on_a_plane_or_a_ray() {
     let plane = Plane::from_equation([0.0, 0.0, 1.0], 0.0).unwrap();
     assert_eq!(at(3.0).relation(&plane), Relation::Overlapping);
     let ray = Ray::new([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]).unwrap();
-    let of = |ray: &Ray<f32>| [0.0, 1.0, 2.0, 3.0].map(|x| at(x).relation(ray) as u8);
+    let of = |ray: &Ray<f32>| [0.0, 1.0, 2.0, 3.0].each(|x| at(x).relation(ray) as u8);
     assert_eq!(of(&ray), [0, 1, 2, 2]);
     assert_eq!(of(&ray.with_range(0.0, 2.0).unwrap()), [0, 1, 2, 1]);
     assert_eq!(of(&ray.with_range(None, 1.0).unwrap()), [2, 2, 1, 0]);

@@ -3,7 +3,8 @@
 
 use septum::published;
 use septum_kit::{
-    BoxNumbers, Case, GROUP_ORDERS, Rng, Sample, Set, Touch, VERTEX_ORDERS, for_every_scalar, three,
+    BoxNumbers, Case, Each, GROUP_ORDERS, Rng, Sample, Set, Touch, VERTEX_ORDERS, for_every_scalar,
+    three,
 };
 
 /// Cases of each set.
@@ -19,7 +20,7 @@ fn order_of_vertices<S: Sample>() {
         for case in set.cases::<S>(71, COUNT) {
             let expected = overlaps(&case);
             for order in VERTEX_ORDERS {
-                let vertices = order.map(|k| case.vertices[k]);
+                let vertices = order.each(|k| case.vertices[k]);
                 assert_eq!(overlaps(&Case { vertices, ..case }), expected, "{set:?}: {case:?}");
             }
         }
@@ -62,7 +63,7 @@ fn opposite<S: Sample>(x: S) -> Option<S> {
 /// The case with its axes permuted, and the axes in the bits of `mirrored` reversed.
 fn turned<S: Sample>(case: &Case<S>, order: [usize; 3], mirrored: usize) -> Case<S> {
     let is_mirrored = |i: usize| mirrored >> i & 1 != 0;
-    let length = |v: [S; 3]| order.map(|k| v[k]);
+    let length = |v: [S; 3]| order.each(|k| v[k]);
     let place = |v: [S; 3]| {
         let v = length(v);
         core::array::from_fn(|i| {
@@ -79,7 +80,7 @@ fn turned<S: Sample>(case: &Case<S>, order: [usize; 3], mirrored: usize) -> Case
             BoxNumbers::Corners(min, max)
         }
     };
-    Case { vertices: case.vertices.map(place), aabb }
+    Case { vertices: case.vertices.each(place), aabb }
 }
 
 fn powers_of_two<S: Sample>() {
@@ -148,7 +149,7 @@ fn translation<S: Sample>() {
 fn translated(touch: &Touch, by: [i64; 3]) -> Touch {
     let moved = |v: [i64; 3]| core::array::from_fn(|i| v[i] + by[i]);
     Touch {
-        vertices: touch.vertices.map(moved),
+        vertices: touch.vertices.each(moved),
         least: moved(touch.least),
         greatest: moved(touch.greatest),
         ..*touch

@@ -2,7 +2,7 @@
 //! has a wrong sign in it, fails on these and perhaps on nothing else.
 
 use septum::Axis;
-use septum_kit::{BoxNumbers, Case, Rng, Sample, for_every_scalar, meets, separates};
+use septum_kit::{BoxNumbers, Case, Each, Rng, Sample, for_every_scalar, meets, separates};
 
 /// Cases for each axis.
 const COUNT: usize = 15;
@@ -10,10 +10,10 @@ const COUNT: usize = 15;
 /// A triangle and a box on a small grid.
 fn small<S: Sample>(rng: &mut Rng) -> Case<S> {
     let mut point = |most: i64| rng.triple(|rng| rng.whole(-most, most));
-    let vertices = [point(7), point(7), point(7)].map(|v| v.map(S::whole));
+    let vertices = [point(7), point(7), point(7)].each(|v| v.each(S::whole));
     let (p, q) = (point(3), point(3));
     let aabb = if rng.one_in(2) {
-        BoxNumbers::Center(p.map(S::whole), q.map(|x| S::whole(x.abs())))
+        BoxNumbers::Center(p.each(S::whole), q.each(|x| S::whole(x.abs())))
     } else {
         let min = core::array::from_fn(|i| S::whole(p[i].min(q[i])));
         BoxNumbers::Corners(min, core::array::from_fn(|i| S::whole(p[i].max(q[i]))))
@@ -58,9 +58,9 @@ fn from_either_side() {
         let Some(only) = only_axis(&case) else { continue };
         let number = Axis::ALL.iter().position(|&axis| axis == only).expect("one of the 13");
         // Reflection through the origin changes the side, and nothing else.
-        let opposite = |v: [f32; 3]| v.map(|x| -x);
+        let opposite = |v: [f32; 3]| v.each(|x| -x);
         let mirrored = Case {
-            vertices: case.vertices.map(opposite),
+            vertices: case.vertices.each(opposite),
             aabb: match case.aabb {
                 BoxNumbers::Center(c, h) => BoxNumbers::Center(opposite(c), h),
                 BoxNumbers::Corners(min, max) => BoxNumbers::Corners(opposite(max), opposite(min)),

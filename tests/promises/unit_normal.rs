@@ -11,7 +11,7 @@ use septum::{Facing, Feature, Hit, Triangle, Vec3};
 use septum_kit::Rng;
 #[cfg(feature = "libm")]
 use septum_kit::compare_with_unit;
-use septum_kit::{Points, Sample, is_nearest_to_unit, normal_of, three};
+use septum_kit::{Each, Points, Sample, is_nearest_to_unit, normal_of, three};
 
 fn triangle<S: Sample>(points: &Points<S>) -> Triangle<S> {
     Triangle::new(points[0], points[1], points[2]).unwrap()
@@ -68,7 +68,7 @@ fn points<S: Sample>() -> impl Strategy<Value = Points<S>> {
     let aside = proptest::option::of(proptest::array::uniform3(-2_i64..=2));
     let less = prop_oneof![Just(0), 0..S::WHOLE_BITS];
     (point(), point(), point(), aside, less).prop_map(|(a, b, c, aside, less)| {
-        let less = |p: [S; 3]| p.map(|x| S::from_ordinal(x.ordinal() >> less));
+        let less = |p: [S; 3]| p.each(|x| S::from_ordinal(x.ordinal() >> less));
         let (a, b, c) = (less(a), less(b), less(c));
         let Some(steps) = aside else { return [a, b, c] };
         let middle = |i: usize| {
@@ -262,7 +262,7 @@ fn micromath_is_some_per_cent_too_long_or_too_short() {
             continue;
         }
         let found = Triangle::new(a, b, c).unwrap().unit_normal_fast().unwrap();
-        let found = found.to_array().map(f64::from);
+        let found = found.to_array().each(f64::from);
         let l = length(&found);
         (short, long) = (short.min(l), long.max(l));
         let off = three(|i| found[i] / l - n[i] / length(&n));

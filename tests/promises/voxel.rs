@@ -4,7 +4,7 @@
 use septum::voxel::{Bits, Grid, GridError, Rule, TooFewWords};
 use septum::{Triangle, Vec3};
 use septum_kit::voxels::{InScalar, VoxelScene};
-use septum_kit::{Rng, three};
+use septum_kit::{Each, Rng, three};
 
 const RULES: [Rule; 3] = [Rule::Closed, Rule::HalfOpen, Rule::Thin];
 
@@ -40,7 +40,7 @@ fn in_every_scalar() {
 #[ignore = "takes minutes"]
 fn at_high_resolution() {
     for scalar in InScalar::ALL {
-        let held = [32, 64, 128].map(|n| is_exact(scalar, n));
+        let held = [32, 64, 128].each(|n| is_exact(scalar, n));
         println!("{scalar:?}: scenes and rules at 32, 64 and 128: {held:?}");
         assert!(held[0] > 0, "{scalar:?}");
     }

@@ -3,7 +3,7 @@
 
 use septum::{Facing, Ray};
 use septum_kit::rays::{Aim, Count, Mesh, Method, Scene, Shot};
-use septum_kit::{Rng, Sample, for_every_scalar, three};
+use septum_kit::{Each, Rng, Sample, for_every_scalar, three};
 
 /// In all scenes, toward all targets.
 fn every_shot<S: Sample>(check: impl Fn(&Mesh<S>, &Shot<S>, Scene)) {
@@ -78,7 +78,7 @@ fn entries_are_exits<S: Sample>() {
     for scene in Scene::ALL.into_iter().filter(|scene| scene.misfit::<S>().is_none()) {
         let mesh = scene.mesh::<S>();
         for _ in 0..1_500 {
-            let face = mesh.faces[rng.below(mesh.faces.len())].map(|v| mesh.vertices[v]);
+            let face = mesh.faces[rng.below(mesh.faces.len())].each(|v| mesh.vertices[v]);
             // Along an edge, or in the plane of two edges, or from one vertex to another.
             let other = mesh.vertices[rng.below(mesh.vertices.len())];
             let (from, to) = if rng.one_in(4) { (face[0], other) } else { (face[0], face[1]) };
@@ -89,7 +89,7 @@ fn entries_are_exits<S: Sample>() {
             if rng.one_in(3) {
                 let more = difference(face[1], face[2]);
                 direction = [0, 1, 2]
-                    .map(|i| S::nearest(2.0 * more[i].approximate() + direction[i].approximate()));
+                    .each(|i| S::nearest(2.0 * more[i].approximate() + direction[i].approximate()));
             }
             let Ok(ray) = Ray::new(from, direction) else { continue };
             let line = ray.with_range(None, None).expect("a line");

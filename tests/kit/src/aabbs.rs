@@ -8,7 +8,7 @@ use crate::exact::{Parts, least_exponent, whole};
 use crate::flat::Truth;
 use crate::rng::Rng;
 use crate::sample::Sample;
-use crate::{case::BoxNumbers, three};
+use crate::{Each, case::BoxNumbers, three};
 
 /// Two boxes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,12 +36,12 @@ fn rows<S: Copy>(aabb: &BoxNumbers<S>) -> [[S; 3]; 2] {
 
 /// The exponent of a power of two that divides all numbers of the boxes.
 fn unit(boxes: [&BoxNumbers<Parts>; 2]) -> i32 {
-    least_exponent(boxes.map(rows).as_flattened().as_flattened())
+    least_exponent(boxes.each(rows).as_flattened().as_flattened())
 }
 
 /// The two ends of a box on an axis.
 fn ends(aabb: &BoxNumbers<Parts>, unit: i32, axis: usize) -> [IBig; 2] {
-    let [p, q] = rows(aabb).map(|row| whole(row[axis], unit));
+    let [p, q] = rows(aabb).each(|row| whole(row[axis], unit));
     match aabb {
         BoxNumbers::Center(..) => [&p - &q, p + q],
         BoxNumbers::Corners(..) => [p, q],
@@ -69,14 +69,14 @@ fn intervals([a, b]: &[IBig; 2], [c, d]: &[IBig; 2]) -> Truth {
 pub fn ends_of<S: Sample>(aabb: &BoxNumbers<S>, axis: usize) -> [f64; 2] {
     let aabb = aabb.map(S::mantissa_exponent);
     let unit = unit([&aabb; 2]);
-    ends(&aabb, unit, axis).map(|x| x.to_f64().value() * 2_f64.powi(unit))
+    ends(&aabb, unit, axis).each(|x| x.to_f64().value() * 2_f64.powi(unit))
 }
 
 impl<S: Sample> AabbPair<S> {
     /// How the two lie to each other: apart if one axis separates them, touching if they touch on
     /// an axis.
     pub fn truth(&self) -> Truth {
-        let [a, b] = self.boxes.map(|aabb| aabb.map(S::mantissa_exponent));
+        let [a, b] = self.boxes.each(|aabb| aabb.map(S::mantissa_exponent));
         let unit = unit([&a, &b]);
         let on_axis = |i| intervals(&ends(&a, unit, i), &ends(&b, unit, i));
         (0..3).map(on_axis).min_by_key(|truth| *truth as u8).expect("three axes")
@@ -87,7 +87,7 @@ impl<S: Sample> AabbPair<S> {
     /// # Panics
     /// Where an answer is wrong.
     pub fn check(&self) -> Truth {
-        let [a, b] = self.boxes.map(|aabb| aabb.shape().expect("a box"));
+        let [a, b] = self.boxes.each(|aabb| aabb.shape().expect("a box"));
         let truth = self.truth();
         let meets = truth != Truth::Apart;
         assert_eq!([a.overlaps(&b), b.overlaps(&a)], [meets; 2], "{} {self:?}", S::name());
@@ -136,6 +136,6 @@ impl AabbSet {
         let q = rng.triple(|rng| self.number::<S>(rng));
         let ordered = |i: usize| if p[i] <= q[i] { (p[i], q[i]) } else { (q[i], p[i]) };
         let all = three(ordered);
-        BoxNumbers::Corners(all.map(|x| x.0), all.map(|x| x.1))
+        BoxNumbers::Corners(all.each(|x| x.0), all.each(|x| x.1))
     }
 }

@@ -1,5 +1,6 @@
 //! A case: a triangle and a box, as plain numbers.
 
+use crate::Each;
 use septum::{Aabb, ShapeError, Triangle};
 
 use super::sample::Sample;
@@ -17,8 +18,8 @@ impl<S: Copy> BoxNumbers<S> {
     /// The same box in other numbers.
     pub fn map<T>(self, f: impl Fn(S) -> T + Copy) -> BoxNumbers<T> {
         match self {
-            Self::Center(c, h) => BoxNumbers::Center(c.map(f), h.map(f)),
-            Self::Corners(min, max) => BoxNumbers::Corners(min.map(f), max.map(f)),
+            Self::Center(c, h) => BoxNumbers::Center(c.each(f), h.each(f)),
+            Self::Corners(min, max) => BoxNumbers::Corners(min.each(f), max.each(f)),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Whether a triangle and a box touch or overlap: an oracle that shrinks both a little.
 
-use crate::three;
+use crate::{Each, three};
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
 
@@ -41,6 +41,6 @@ fn shrunk(shapes: &Shapes<IBig>, bits: usize) -> Shapes<IBig> {
     let vertices = shapes
         .vertices
         .each_ref()
-        .map(|v| three(|i: usize| sum(i) * IBig::from(2) + &v[i] * &less - &x[i] * IBig::from(3)));
+        .each(|v| three(|i: usize| sum(i) * IBig::from(2) + &v[i] * &less - &x[i] * IBig::from(3)));
     Shapes { vertices, extent: three(|i: usize| &x[i] * &less) }
 }

@@ -1,6 +1,7 @@
 //! Every triangle on a small grid, in every scalar. The check is in this package rather than in the
 //! test, so that the crate's part of it is compiled with full optimization.
 
+use crate::Each;
 use std::ops::Range;
 
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
@@ -16,7 +17,7 @@ type Point = [f64; 3];
 
 /// All triples of grid points regardless of order, repetitions included.
 fn triples() -> impl Iterator<Item = [Point; 3]> {
-    let point = |n: usize| [n / 25, n / 5 % 5, n % 5].map(|x| x as f64 - 2.0);
+    let point = |n: usize| [n / 25, n / 5 % 5, n % 5].each(|x| x as f64 - 2.0);
     (0..125).flat_map(move |a| {
         (a..125).flat_map(move |b| (b..125).map(move |c| [point(a), point(b), point(c)]))
     })
@@ -24,9 +25,9 @@ fn triples() -> impl Iterator<Item = [Point; 3]> {
 
 /// Checks the crate, in some orders of the vertices.
 fn check<S: Sample>(vertices: &[Point; 3], aabb: &Aabb<S>, expected: bool, orders: Range<usize>) {
-    let vertices = vertices.map(|v| v.map(S::nearest));
+    let vertices = vertices.each(|v| v.each(S::nearest));
     for order in &VERTEX_ORDERS[orders] {
-        let [a, b, c] = order.map(|k| vertices[k]);
+        let [a, b, c] = order.each(|k| vertices[k]);
         let triangle = Triangle::new(a, b, c).expect("finite vertices");
         let is_right = triangle.overlaps(aabb) == expected
             && PreparedTriangle::new(&triangle).overlaps(aabb) == expected
@@ -36,7 +37,7 @@ fn check<S: Sample>(vertices: &[Point; 3], aabb: &Aabb<S>, expected: bool, order
 }
 
 fn in_scalar<S: Sample>(numbers: BoxNumbers<f64>) -> Aabb<S> {
-    let to = |v: Point| v.map(S::nearest);
+    let to = |v: Point| v.each(S::nearest);
     match numbers {
         BoxNumbers::Center(c, h) => Aabb::from_center_half_extents(to(c), to(h)),
         BoxNumbers::Corners(min, max) => Aabb::from_min_max(to(min), to(max)),

@@ -1,7 +1,7 @@
 //! A case in integers: every coordinate as a multiple of one power of two, relative to the box's
 //! least corner.
 
-use crate::three;
+use crate::{Each, three};
 use dashu_int::IBig;
 
 use super::case::{BoxNumbers, Case};
@@ -22,7 +22,7 @@ pub trait Ring: Clone {
         a[0].times(&b[0]).plus(&a[1].times(&b[1])).plus(&a[2].times(&b[2]))
     }
     fn cross(a: &[Self; 3], b: &[Self; 3]) -> [Self; 3] {
-        [(1, 2), (2, 0), (0, 1)].map(|(j, k)| a[j].times(&b[k]).minus(&a[k].times(&b[j])))
+        [(1, 2), (2, 0), (0, 1)].each(|(j, k)| a[j].times(&b[k]).minus(&a[k].times(&b[j])))
     }
     fn difference(a: &[Self; 3], b: &[Self; 3]) -> [Self; 3] {
         core::array::from_fn(|i| a[i].minus(&b[i]))

@@ -66,7 +66,7 @@ mod touch;
 #[cfg(not(septum_narrow))]
 pub mod voxels;
 
-pub use axes::three;
+pub use axes::{Each, three};
 pub use case::{BoxNumbers, Case};
 pub use exact::{Parts, compare_sums};
 pub use grid::every_triangle_on_the_grid;

@@ -11,7 +11,7 @@ use crate::case::{BoxNumbers, Case};
 use crate::rays::{Fraction, RayCase, crossing};
 use crate::sample::Sample;
 use crate::sweeps::SweepCase;
-use crate::{rng::Rng, three};
+use crate::{Each, rng::Rng, three};
 
 type Point<S> = [S; 3];
 
@@ -52,7 +52,7 @@ pub enum MeshSet {
 
 impl<S: Sample> Faces<S> {
     fn triangle(&self, face: usize) -> [Point<S>; 3] {
-        self.faces[face].map(|v| self.vertices[usize::from(v)])
+        self.faces[face].each(|v| self.vertices[usize::from(v)])
     }
 
     /// Lends the mesh with a tree.
@@ -192,7 +192,7 @@ impl MeshSet {
             let [a, b, c] = mesh.triangle(rng.below(mesh.faces.len()));
             let (u, v) = (rng.real(0.0, 0.5), rng.real(0.0, 0.5));
             let mut origin = three(|i: usize| {
-                let [a, b, c] = [a, b, c].map(|p| p[i].approximate());
+                let [a, b, c] = [a, b, c].each(|p| p[i].approximate());
                 S::nearest((1.0 - u - v) * a + u * b + v * c)
             });
             let (axis, sign) = (rng.below(3), [-1.0, 1.0][rng.below(2)]);

@@ -5,7 +5,7 @@ use super::case::{BoxNumbers, Case};
 use super::lattice::Ring;
 use super::rng::Rng;
 use super::sample::Sample;
-use crate::three;
+use crate::{Each, three};
 
 type Point = [i128; 3];
 
@@ -43,7 +43,7 @@ impl NearMiss {
     /// A corner of the box near the triangle's interior, `gap` units of volume from its plane.
     /// `None` if no integers are that near.
     fn face(rng: &mut Rng, size: Point, gap: i128) -> Option<Self> {
-        let mut edge = || size.map(|most| whole(rng, -most, most));
+        let mut edge = || size.each(|most| whole(rng, -most, most));
         let (e1, e2) = (edge(), edge());
         let n = Ring::cross(&e1, &e2);
         if n.contains(&0) {
@@ -55,7 +55,7 @@ impl NearMiss {
         if all.abs() != 1 {
             return None;
         }
-        let s = [x * p, y * p, q].map(|x| x * all * gap);
+        let s = [x * p, y * p, q].each(|x| x * all * gap);
         let k = (0..3).max_by_key(|&k| n[k].abs())?;
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         // The coordinates of s along both edges, times the area.
@@ -65,7 +65,7 @@ impl NearMiss {
         let (whole1, whole2) = (of1.div_euclid(area), of2.div_euclid(area));
         let s = three(|i| s[i] - whole1 * e1[i] - whole2 * e2[i]);
 
-        let half = size.map(|most| whole(rng, 1, most));
+        let half = size.each(|most| whole(rng, 1, most));
         let a = three(|i| half[i] * n[i].signum() + s[i]);
         let [b, c] = [Ring::difference(&a, &e1), Ring::difference(&a, &e2)];
         // Whether s is in the triangle's half of the parallelogram of both edges.
@@ -77,7 +77,7 @@ impl NearMiss {
     /// An edge across an edge of the box, `gap` units of area from it.
     fn edge(rng: &mut Rng, size: Point, gap: i128) -> Option<Self> {
         let (i, j, k) = [(0, 1, 2), (1, 2, 0), (2, 0, 1)][rng.below(3)];
-        let half = size.map(|most| whole(rng, 1, most));
+        let half = size.each(|most| whole(rng, 1, most));
         let (along, down) = (whole(rng, 1, size[i]), whole(rng, 1, size[j]));
         // down·x + along·y = gap, with 0 ≤ x < along.
         let (all, x, _) = bezout(down, along);
@@ -94,7 +94,7 @@ impl NearMiss {
         };
         let a = point(half[i] + x, half[j] + y, within(rng));
         let b = point(a[i] - along, a[j] + down, within(rng));
-        let outward = size.map(|most| whole(rng, 1, most));
+        let outward = size.each(|most| whole(rng, 1, most));
         let c = three(|i| a[i] + outward[i]);
         Some(Self { vertices: [a, b, c], center: [0; 3], half, meets: gap <= 0 })
     }
@@ -110,8 +110,8 @@ impl NearMiss {
     /// Every second case is moved to another place.
     fn moved(mut self, rng: &mut Rng, size: Point) -> Self {
         if rng.one_in(2) {
-            self.center = size.map(|most| whole(rng, -2 * most, 2 * most));
-            self.vertices = self.vertices.map(|p| three(|i| p[i] + self.center[i]));
+            self.center = size.each(|most| whole(rng, -2 * most, 2 * most));
+            self.vertices = self.vertices.each(|p| three(|i| p[i] + self.center[i]));
         }
         self
     }
@@ -132,7 +132,7 @@ impl NearMiss {
         } else {
             BoxNumbers::Corners(scaled(self.corner(-1)), scaled(self.corner(1)))
         };
-        Case { vertices: self.vertices.map(scaled), aabb }
+        Case { vertices: self.vertices.each(scaled), aabb }
     }
 
     /// The least corner of the box (sign −1), or the greatest (1).
@@ -142,7 +142,7 @@ impl NearMiss {
 
     /// The exponents of the axes: equal, nearly equal, arbitrary, or at either end of the range.
     fn exponents<S: Sample>(&self, rng: &mut Rng) -> [i32; 3] {
-        let corners = [-1, 1].map(|sign| self.corner(sign));
+        let corners = [-1, 1].each(|sign| self.corner(sign));
         let greatest = |i: usize| {
             let all = self.vertices.iter().chain(&corners).map(|p| p[i].abs());
             all.max().expect("five points")
@@ -153,7 +153,7 @@ impl NearMiss {
         let most = three(|i| bits(mantissa.into()) + exponent - bits(greatest(i)));
         let one = rng.whole(least.into(), most.into_iter().min().expect("three").into()) as i32;
         let kind = rng.below(4);
-        most.map(|most| match kind {
+        most.each(|most| match kind {
             0 => one,
             1 => rng.whole(one.saturating_sub(9).max(least).into(), (one + 9).min(most).into())
                 as i32,

@@ -1,5 +1,6 @@
 //! Unit normals: an oracle in integers of any size. It compares squares, and computes no root.
 
+use crate::Each;
 use std::cmp::Ordering;
 
 use dashu_int::IBig;
@@ -11,12 +12,12 @@ pub type Points<S> = [[S; 3]; 3];
 
 /// The normal in whole numbers, and its square.
 pub fn normal_of<S: Sample>(points: &Points<S>) -> ([IBig; 3], IBig) {
-    normal_of_parts(points.map(|p| p.map(S::mantissa_exponent)))
+    normal_of_parts(points.each(|p| p.each(S::mantissa_exponent)))
 }
 
 fn normal_of_parts(points: [[Parts; 3]; 3]) -> ([IBig; 3], IBig) {
     let unit = least_exponent(points.as_flattened());
-    let [a, b, c] = points.map(|p| p.map(|x| whole(x, unit)));
+    let [a, b, c] = points.each(|p| p.each(|x| whole(x, unit)));
     let area =
         |j: usize, k: usize| (&b[j] - &a[j]) * (&c[k] - &a[k]) - (&b[k] - &a[k]) * (&c[j] - &a[j]);
     let n = [area(1, 2), area(2, 0), area(0, 1)];

@@ -1,7 +1,7 @@
 //! Triangles against oriented boxes. The oracle transforms the vertices into the box's own
 //! coordinates, in integers, and clips there.
 
-use crate::three;
+use crate::{Each, three};
 use dashu_int::IBig;
 use septum::relation::Relate;
 use septum::{Obb, Triangle, Vec3};
@@ -32,7 +32,7 @@ impl<S: Sample> Oriented<S> {
     }
 
     pub fn obb(&self) -> Option<Obb<S>> {
-        Obb::from_skewed_axes(self.center, self.axes.map(Vec3::from), self.half).ok()
+        Obb::from_skewed_axes(self.center, self.axes.each(Vec3::from), self.half).ok()
     }
 
     /// A box of the set, and a triangle with a vertex at a corner of the box, at the midpoint of an
@@ -84,11 +84,11 @@ impl<S: Sample> Oriented<S> {
     }
 
     fn in_parts(&self) -> Oriented<Parts> {
-        let parts = |p: Point<S>| p.map(S::mantissa_exponent);
+        let parts = |p: Point<S>| p.each(S::mantissa_exponent);
         Oriented {
-            t: self.t.map(parts),
+            t: self.t.each(parts),
             center: parts(self.center),
-            axes: self.axes.map(parts),
+            axes: self.axes.each(parts),
             half: parts(self.half),
         }
     }
@@ -101,21 +101,21 @@ impl Oriented<Parts> {
         let rows = [self.t, self.axes].concat();
         let rows = rows.iter().chain([&self.center, &self.half]);
         let unit = least_exponent(rows.flatten()).min(0);
-        let vector = |p: &Point<Parts>| p.map(|x| whole(x, unit));
+        let vector = |p: &Point<Parts>| p.each(|x| whole(x, unit));
         let one = IBig::ONE << (-unit) as usize;
 
         // x = c + Σ s_i·u_i/one has s_i·det = one·w_i·(x − c).
-        let [u, v, n] = self.axes.each_ref().map(vector);
+        let [u, v, n] = self.axes.each_ref().each(vector);
         let w = [IBig::cross(&v, &n), IBig::cross(&n, &u), IBig::cross(&u, &v)];
         let det = IBig::dot(&u, &w[0]);
         let center = vector(&self.center);
         let half = vector(&self.half);
         let reach = three(|i: usize| &half[i] * &det * IBig::from(Ring::sign(&det)));
-        let vertices = self.t.each_ref().map(|p| {
+        let vertices = self.t.each_ref().each(|p| {
             let from = IBig::difference(&vector(p), &center);
             three(|i: usize| IBig::dot(&w[i], &from) * &one + &reach[i])
         });
-        let extent = reach.map(|r| r * IBig::from(2));
+        let extent = reach.each(|r| r * IBig::from(2));
         Shapes { vertices, extent }
     }
 }

@@ -1,6 +1,7 @@
 //! Planes against boxes. The oracle evaluates the plane at all eight corners, in integers; the
 //! crate evaluates two.
 
+use crate::Each;
 use dashu_int::IBig;
 use septum::{Plane, ShapeError, Side};
 
@@ -33,7 +34,7 @@ pub fn side<S: Sample>(normal: [S; 3], given: Given<S>, aabb: BoxNumbers<S>) -> 
         Given::Point(point) => (point, S::ZERO),
         Given::Offset(d) => ([S::ZERO; 3], d),
     };
-    side_of_parts(normal.map(parts), point.map(parts), parts(offset), aabb.map(parts))
+    side_of_parts(normal.each(parts), point.each(parts), parts(offset), aabb.map(parts))
 }
 
 fn side_of_parts(

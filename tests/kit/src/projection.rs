@@ -1,6 +1,7 @@
 //! Whether one axis separates, by the definition: project the triangle's vertices and all eight
 //! corners of the box on the axis.
 
+use crate::Each;
 use septum::Axis;
 
 use super::case::Case;
@@ -24,7 +25,7 @@ impl Lattice {
 impl<I: Ring> Shapes<I> {
     fn disjoint_on(&self, axis: Axis) -> bool {
         let vector = self.vector(axis);
-        let triangle = self.vertices.each_ref().map(|v| I::dot(&vector, v));
+        let triangle = self.vertices.each_ref().each(|v| I::dot(&vector, v));
         let zero = I::from_bit(false);
         let corners: [I; 8] = core::array::from_fn(|corner| {
             let point = core::array::from_fn(|i| {

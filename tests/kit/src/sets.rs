@@ -6,6 +6,7 @@ use super::flip::flip;
 use super::rng::Rng;
 use super::sample::Sample;
 use super::touch::nudged_touch;
+use crate::Each;
 
 /// A kind of case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,7 +100,7 @@ const SMALL: f64 = 1.0 / 16384.0;
 /// The box around `center`, in one form or the other, rounded to the scalar.
 fn aabb<S: Sample>(rng: &mut Rng, center: [f64; 3], half: [f64; 3]) -> BoxNumbers<S> {
     if rng.one_in(2) {
-        return BoxNumbers::Center(center.map(S::nearest), half.map(S::nearest));
+        return BoxNumbers::Center(center.each(S::nearest), half.each(S::nearest));
     }
     let corner = |sign: f64| core::array::from_fn(|i| S::nearest(center[i] + sign * half[i]));
     BoxNumbers::Corners(corner(-1.0), corner(1.0))
@@ -112,7 +113,7 @@ fn random_box<S: Sample>(rng: &mut Rng, origin: [f64; 3], scale: f64) -> BoxNumb
 }
 
 fn random<S: Sample>(rng: &mut Rng, origin: [f64; 3], scale: f64) -> Case<S> {
-    let vertices = [(); 3].map(|()| {
+    let vertices = [(); 3].each(|()| {
         let offset = rng.triple(|rng| rng.real(-2.0, 2.0) * scale);
         core::array::from_fn(|i| S::nearest(origin[i] + offset[i]))
     });
@@ -121,10 +122,10 @@ fn random<S: Sample>(rng: &mut Rng, origin: [f64; 3], scale: f64) -> Case<S> {
 
 fn grid<S: Sample>(rng: &mut Rng) -> Case<S> {
     let mut point = || rng.triple(|rng| rng.whole(-4, 4) as f64);
-    let vertices = [point(), point(), point()].map(|v| v.map(S::nearest));
+    let vertices = [point(), point(), point()].each(|v| v.each(S::nearest));
     let (p, q) = (point(), point());
     let aabb = if rng.one_in(2) {
-        BoxNumbers::Center(p.map(S::nearest), q.map(|x| S::nearest(x.abs())))
+        BoxNumbers::Center(p.each(S::nearest), q.each(|x| S::nearest(x.abs())))
     } else {
         let corner = |of: fn(f64, f64) -> f64| core::array::from_fn(|i| S::nearest(of(p[i], q[i])));
         BoxNumbers::Corners(corner(f64::min), corner(f64::max))
@@ -141,8 +142,8 @@ fn sliver<S: Sample>(rng: &mut Rng) -> Case<S> {
     };
     let (c, near) = (on_line(), on_line());
     let width = rng.whole(0, 3);
-    let c = c.map(|x| S::nearest(x).moved(rng.whole(-width, width)));
-    let mut vertices = [a.map(S::nearest), b.map(S::nearest), c];
+    let c = c.each(|x| S::nearest(x).moved(rng.whole(-width, width)));
+    let mut vertices = [a.each(S::nearest), b.each(S::nearest), c];
     vertices.rotate_left(rng.below(3));
     Case { vertices, aabb: random_box(rng, near, 0.25) }
 }
@@ -167,13 +168,13 @@ fn degenerate<S: Sample>(rng: &mut Rng) -> Case<S> {
             let bits = S::WHOLE_BITS.min(20);
             let start = rng.triple(|rng| rng.whole(-1 << (bits - 2), 1 << (bits - 2)));
             let step = rng.triple(|rng| rng.whole(-1 << (bits - 4), 1 << (bits - 4)));
-            vertices = [(); 3].map(|()| {
+            vertices = [(); 3].each(|()| {
                 let times = rng.whole(-4, 4);
                 core::array::from_fn(|i| S::whole(start[i] + times * step[i]))
             });
             // A box around one of the points, because others would seldom meet it.
             let (at, size) = (rng.below(3), rng.whole(0, 1 << (bits - 2)));
-            let center = vertices[at].map(|x| x.moved(rng.whole(-size, size)));
+            let center = vertices[at].each(|x| x.moved(rng.whole(-size, size)));
             let half = rng.triple(|rng| S::whole(rng.whole(0, size)));
             return Case { vertices, aabb: BoxNumbers::Center(center, half) };
         }
@@ -215,7 +216,7 @@ fn huge<S: Sample>(rng: &mut Rng) -> Case<S> {
     let aabb = if rng.one_in(2) {
         let magnitude = |x: S| if x < S::ZERO { S::from_ordinal(-x.moved(1).ordinal()) } else { x };
         let few = corner.map(|_| rng.triple(|rng| S::ZERO.moved(rng.whole(0, 64))));
-        BoxNumbers::Center(p, few.unwrap_or(q.map(magnitude)))
+        BoxNumbers::Center(p, few.unwrap_or(q.each(magnitude)))
     } else {
         let least = core::array::from_fn(|i| if p[i] < q[i] { p[i] } else { q[i] });
         let greatest = core::array::from_fn(|i| if p[i] < q[i] { q[i] } else { p[i] });

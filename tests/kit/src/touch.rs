@@ -3,6 +3,7 @@
 use super::case::{BoxNumbers, Case};
 use super::rng::Rng;
 use super::sample::Sample;
+use crate::Each;
 
 /// A triangle and a box that touch and do not cross: a plane has one shape on its upper side and
 /// the other on its lower side, and both have a point in it.
@@ -67,7 +68,7 @@ impl Touch {
         outward[j] *= sign(up_j);
         outward[l] *= sign(up_l);
         let (on, back) = (rng.whole(1, 3), -rng.whole(1, 3));
-        let along = |times: i64| plus(point, step.map(|x| times * x));
+        let along = |times: i64| plus(point, step.each(|x| times * x));
         let vertices = [along(on), along(back), plus(point, outward)];
         Self { vertices, least, greatest, normal }
     }
@@ -78,7 +79,7 @@ impl Touch {
         let small = 1 << ((bits - 3) / 2).saturating_sub(1);
         let up = rng.triple(|rng| rng.one_in(2));
         let point = core::array::from_fn(|i| if up[i] { greatest[i] } else { least[i] });
-        let normal = up.map(|up| rng.whole(1, small) * if up { 1 } else { -1 });
+        let normal = up.each(|up| rng.whole(1, small) * if up { 1 } else { -1 });
         // Two directions in the plane, chosen so that the corner is the centroid.
         let mut within = || cross(normal, rng.triple(|rng| rng.whole(-small / 2, small / 2)));
         let (u, v) = (within(), within());
@@ -110,9 +111,9 @@ impl Touch {
         let aabb = if by_center {
             BoxNumbers::Center(each(|a, b| (a + b) / 2), each(|a, b| (b - a) / 2))
         } else {
-            BoxNumbers::Corners(self.least.map(S::whole), self.greatest.map(S::whole))
+            BoxNumbers::Corners(self.least.each(S::whole), self.greatest.each(S::whole))
         };
-        Case { vertices: self.vertices.map(|v| v.map(S::whole)), aabb }
+        Case { vertices: self.vertices.each(|v| v.each(S::whole)), aabb }
     }
 }
 
@@ -143,5 +144,5 @@ fn plus(a: [i64; 3], b: [i64; 3]) -> [i64; 3] {
 }
 
 fn cross(a: [i64; 3], b: [i64; 3]) -> [i64; 3] {
-    [(1, 2), (2, 0), (0, 1)].map(|(j, k)| a[j] * b[k] - a[k] * b[j])
+    [(1, 2), (2, 0), (0, 1)].each(|(j, k)| a[j] * b[k] - a[k] * b[j])
 }

@@ -9,7 +9,7 @@ use septum::{Aabb, Obb, Triangle};
 use septum_kit::boxes::BoxSet;
 use septum_kit::contacts::ContactSet;
 use septum_kit::fixed::types::{I0F64, I32F32};
-use septum_kit::{Rng, Sample, for_every_scalar, with_every_scalar};
+use septum_kit::{Each, Rng, Sample, for_every_scalar, with_every_scalar};
 
 /// The number of cases of each set, and the number also checked by linear programming.
 const CASES: usize = 120;
@@ -88,12 +88,12 @@ fn a_third_candidate_may_come_between_equals() {
 #[test]
 fn boxes_that_share_axes_part_by_the_rest() {
     let axes = [[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0], [0.0, 0.0, 1.0]];
-    let turned = [axes[1], axes[2], axes[0].map(|x: f64| -x)];
+    let turned = [axes[1], axes[2], axes[0].each(|x: f64| -x)];
     let lower = Obb::new([0.0; 3], axes, [1.0, 2.0, 3.0]).unwrap();
     for other in [axes, turned] {
         for k in 0..3 {
             let half = [1.0, 2.0, 3.0][k] + 0.5;
-            let center = axes[k].map(|x| x * (half - 0.125));
+            let center = axes[k].each(|x| x * (half - 0.125));
             let upper = Obb::new(center, other, [0.5; 3]).unwrap();
             let out = contact(&lower, &upper).unwrap().translation;
             assert!((out.depth - 0.125).abs() < 1e-12, "{out:?}");
@@ -118,9 +118,9 @@ fn shared_axes_are_no_case_of_their_own() {
         let (center, half, other_half) = (numbers(), numbers(), numbers());
         let first = Obb::new([0.0; 3], axes, half).unwrap();
         let second = Obb::new(center, others, other_half).unwrap();
-        let longer = others.map(|u| u.map(|x| 2.0 * x));
-        let apart = Obb::from_skewed_axes(center, longer, other_half.map(|x| x / 2.0)).unwrap();
-        let found = [&second, &apart].map(|b| contact(&first, b).map(|c| c.translation));
+        let longer = others.each(|u| u.each(|x| 2.0 * x));
+        let apart = Obb::from_skewed_axes(center, longer, other_half.each(|x| x / 2.0)).unwrap();
+        let found = [&second, &apart].each(|b| contact(&first, b).map(|c| c.translation));
         assert_eq!(found[0], found[1]);
         contacts += usize::from(found[0].is_some());
         of_second +=
@@ -136,18 +136,18 @@ fn one_shared_axis_leaves_the_other_pairs() {
     let mut rng = Rng::new(0x54a7);
     let (mut contacts, mut by_edges) = (0, 0);
     for n in 0..900 {
-        let mut axes = || [(); 3].map(|()| rng.triple(|rng| rng.real(-1.0, 1.0)));
+        let mut axes = || [(); 3].each(|()| rng.triple(|rng| rng.real(-1.0, 1.0)));
         let (axes, mut others) = (axes(), axes());
         let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
-        others[n % 3] = axes[n / 3 % 3].map(|x| sign * x);
+        others[n % 3] = axes[n / 3 % 3].each(|x| sign * x);
         let mut numbers = |most: f64| rng.triple(|rng| rng.real(0.2, most));
         let (center, half, other_half) = (numbers(1.4), numbers(1.0), numbers(1.0));
         let Ok(first) = Obb::from_skewed_axes([0.0; 3], axes, half) else { continue };
-        let longer = others.map(|u| u.map(|x| 2.0 * x));
-        let second = [(others, other_half), (longer, other_half.map(|x| x / 2.0))]
-            .map(|(axes, half)| Obb::from_skewed_axes(center, axes, half));
+        let longer = others.each(|u| u.each(|x| 2.0 * x));
+        let second = [(others, other_half), (longer, other_half.each(|x| x / 2.0))]
+            .each(|(axes, half)| Obb::from_skewed_axes(center, axes, half));
         let [Ok(second), Ok(apart)] = second else { continue };
-        let found = [&second, &apart].map(|b| contact(&first, b).map(|c| c.translation));
+        let found = [&second, &apart].each(|b| contact(&first, b).map(|c| c.translation));
         assert_eq!(found[0], found[1]);
         contacts += usize::from(found[0].is_some());
         by_edges +=
@@ -176,7 +176,7 @@ fn beyond_the_range_is_its_end() {
 fn the_least_number_is_a_way_out() {
     use septum_kit::fixed::types::I4F4;
     let aabb = |min: [f64; 3], max: [f64; 3]| {
-        Aabb::from_min_max(min.map(I4F4::from_num), max.map(I4F4::from_num)).unwrap()
+        Aabb::from_min_max(min.each(I4F4::from_num), max.each(I4F4::from_num)).unwrap()
     };
     let lower = aabb([-8.0; 3], [0.0, 7.5, 7.5]);
     let out = contact(&lower, &aabb([-8.0; 3], [7.5; 3])).unwrap().translation;

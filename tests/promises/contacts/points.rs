@@ -7,7 +7,7 @@ use septum::{Aabb, Obb, Triangle};
 use septum_kit::boxes::{AnyBox, ObbNumbers};
 use septum_kit::contacts::{ContactCase, ContactSet, PointErrors, Solid};
 use septum_kit::fixed::types::I32F32;
-use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar, with_every_scalar};
+use septum_kit::{BoxNumbers, Each, Rng, Sample, for_every_scalar, with_every_scalar};
 
 /// The kinds of a pair: triangle, box and oriented box, each with each.
 const PAIRS: [&str; 6] =
@@ -80,7 +80,7 @@ fn points_of_many() {
 }
 
 fn aabb<S: Sample>(min: [f64; 3], max: [f64; 3]) -> Solid<S> {
-    Solid::Box(AnyBox::Aabb(BoxNumbers::Corners(min.map(S::nearest), max.map(S::nearest))))
+    Solid::Box(AnyBox::Aabb(BoxNumbers::Corners(min.each(S::nearest), max.each(S::nearest))))
 }
 
 /// The contact of two shapes, whose points are checked.
@@ -98,7 +98,7 @@ fn flat_boxes_end<S: Sample>() {
             aabb([0.75, -4.0, -7.0], [4.0, 4.0, 7.0]),
         );
         let z = |p: &Point<S>| p.on_second.z;
-        let ends = [-1.0, 1.0].map(S::nearest);
+        let ends = [-1.0, 1.0].each(S::nearest);
         assert!(found.points().iter().all(|p| ends[0] <= z(p) && z(p) <= ends[1]), "{found:?}");
         assert!(ends.iter().all(|&end| found.points().iter().any(|p| z(p) == end)), "{found:?}");
     }
@@ -110,7 +110,7 @@ for_every_scalar!(flat_boxes_end);
 fn half_the_range_away() {
     let far = 2e9;
     let t = [[-far, -far, 1.9e9], [far, -far, 1.9e9], [-far, far, 1.9e9]];
-    let t = Solid::Triangle(t.map(|p| p.map(I32F32::from_num)));
+    let t = Solid::Triangle(t.each(|p| p.each(I32F32::from_num)));
     let found = checked::<I32F32>(aabb([-far; 3], [far; 3]), t);
     let xs = found.points().iter().map(|p| p.on_first.x);
     assert_eq!(xs.max(), Some(I32F32::from_num(far)));
@@ -130,7 +130,7 @@ fn a_point_held_to_a_face_lies_on_it() {
         assert!(x >= 0.0 && y >= -1e-12 && x + y <= 4.0 && z.abs() < 1e-12, "{point:?}");
     }
     assert!(found.points().iter().any(|p| p.depth > 0.1), "{found:?}");
-    let first = Solid::Triangle(t.vertices().map(|v| v.to_array()));
+    let first = Solid::Triangle(t.vertices().each(|v| v.to_array()));
     let second = Solid::Box(AnyBox::Obb(ObbNumbers { center, axes, half }));
     let edges = InteriorEdges::new([true, false, false]);
     let mut count = 0;
@@ -141,7 +141,7 @@ fn a_point_held_to_a_face_lies_on_it() {
 /// Two boxes that overlap by 1.6e-17, where their numbers are about one.
 #[test]
 fn a_depth_below_rounding_keeps_the_points() {
-    let at = |bits: [u64; 3]| bits.map(f64::from_bits);
+    let at = |bits: [u64; 3]| bits.each(f64::from_bits);
     let first = BoxNumbers::Corners(
         at([0xbf84_0779_05a9_f3cf, 0xbfd8_da75_d7ff_61be, 0x3f74_d2ae_ef5b_0bae]),
         at([0x3ff6_487e_171b_bf7c, 0x3fcd_578c_6671_4c1d, 0x4004_53cd_a11a_8a3e]),
@@ -150,15 +150,15 @@ fn a_depth_below_rounding_keeps_the_points() {
         at([0xbfec_61bb_1e85_8b0d, 0x3fc8_b2c2_07e3_44b1, 0xbfd6_9307_fb97_0e05]),
         at([0x3fec_119d_3a6e_e33e, 0x3fa2_9329_7a38_1db0, 0x3fd6_e652_b754_7a34]),
     );
-    let [first, second] = [first, second].map(|b| Solid::Box(AnyBox::Aabb(b)));
+    let [first, second] = [first, second].each(|b| Solid::Box(AnyBox::Aabb(b)));
     let found = checked(first, second);
     assert!(found.points().iter().all(|p| p.on_first.x > -0.01 && p.depth >= 0.0), "{found:?}");
 }
 
 /// The face of a skewed box that has its lowest corner need not be the one that faces down most.
 fn skewed_boxes_meet_where_they_are<S: Sample>() {
-    let at = |p: [f64; 3]| p.map(S::nearest);
-    let axes = [[0.5, 0.0, 0.5], [0.25, 0.25, 0.0], [0.25, 0.5, 0.5]].map(at);
+    let at = |p: [f64; 3]| p.each(S::nearest);
+    let axes = [[0.5, 0.0, 0.5], [0.25, 0.25, 0.0], [0.25, 0.5, 0.5]].each(at);
     let obb = ObbNumbers { center: at([0.0, 1.5, 2.75]), axes, half: at([3.75, 0.5, 3.0]) };
     let other = aabb([-1.5, -3.0, -3.0], [-1.25, 0.75, 2.25]);
     let found = checked(Solid::Box(AnyBox::Obb(obb)), other);
@@ -193,7 +193,7 @@ fn parts_are_the_same_from_frame_to_frame() {
         Obb::new(center, axes, [1.0; 3]).unwrap()
     };
     let first = parts(&contact(&floor, &frame(0)).unwrap());
-    let expected = [0, 1, 2, 3].map(|k| [Part::Face(0), Part::Vertex(k)]);
+    let expected = [0, 1, 2, 3].each(|k| [Part::Face(0), Part::Vertex(k)]);
     assert_eq!(first, expected);
     for n in 1..10 {
         let found = contact(&floor, &frame(n)).unwrap();
@@ -221,7 +221,7 @@ fn a_square_on_a_square_has_eight_points() {
     // A small rectangle on a large one: the corners of the small one.
     let small = Aabb::from_min_max([-0.25, -0.25, -0.5], [0.25, 0.25, 0.5]).unwrap();
     let small = contact(&small, &below).unwrap();
-    assert_eq!(parts(&small), [0, 1, 2, 3].map(|k| [Part::Vertex(k), Part::Face(5)]));
+    assert_eq!(parts(&small), [0, 1, 2, 3].each(|k| [Part::Vertex(k), Part::Face(5)]));
 }
 
 /// The size of the first shape is no number, and yet it is too great for the floats of its points.
@@ -237,13 +237,13 @@ fn shapes_as_large_as_the_range_have_points() {
 /// A corner of the triangle lies over a steep face, nearer than rounding to an edge beyond it.
 #[test]
 fn a_corner_beyond_an_edge_meets_the_steep_face() {
-    let at = |p: [f64; 3]| p.map(I32F32::from_num);
+    let at = |p: [f64; 3]| p.each(I32F32::from_num);
     let a = [0.0000000065, -0.0000000005, -0.0017672337];
     let b = [0.000043045, -0.0000000002, -0.0240150706];
     let c = [-0.0000375984, -14549.0974768132, -0.0000000014];
     let least = [-6.2370450194, -88_613_751.155_912_38, -0.0000037912];
     let second = aabb(least, [0.000000681, 0.0025057397, 207_461_850.879_551_1]);
-    let case = ContactCase { first: Solid::Triangle([a, b, c].map(at)), second };
+    let case = ContactCase { first: Solid::Triangle([a, b, c].each(at)), second };
     let mut count = 0;
     check(&case, InteriorEdges::new([true; 3]), |_, _| count += 1);
     assert_eq!(count, 2);

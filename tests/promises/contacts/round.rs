@@ -2,7 +2,7 @@
 //! least, and the points lie on both shapes.
 
 use septum_kit::spheres::{CapsuleCase, Found, Other, SphereSet};
-use septum_kit::{BoxNumbers, Rng, Sample, for_every_scalar};
+use septum_kit::{BoxNumbers, Each, Rng, Sample, for_every_scalar};
 
 /// How many cases of a set have no contact, one from outside, and one from inside.
 fn of_set<S: Sample>(set: SphereSet, seed: u64, cases: usize) -> [usize; 3] {
@@ -30,13 +30,13 @@ for_every_scalar!(round_shapes_agree_with_rationals);
 /// Every segment on a small grid against a triangle, a triangle that is a segment, a point, a box
 /// and a flat box, so that cores cross, touch and lie in one plane or line.
 fn every_segment<S: Sample>(radii: std::ops::Range<i64>) -> [usize; 3] {
-    let whole = |p: [i64; 3]| p.map(S::whole);
+    let whole = |p: [i64; 3]| p.each(S::whole);
     let corners = |p: [i64; 3], q: [i64; 3]| Other::Box(BoxNumbers::Corners(whole(p), whole(q)));
     let shapes = [
-        Other::Triangle([[0, 0, 0], [2, 0, 0], [0, 2, 0]].map(whole)),
-        Other::Triangle([[0, 0, 0], [2, 0, 1], [0, 2, 1]].map(whole)),
-        Other::Triangle([[0, 0, 0], [2, 2, 2], [1, 1, 1]].map(whole)),
-        Other::Triangle([[1, 1, 1]; 3].map(whole)),
+        Other::Triangle([[0, 0, 0], [2, 0, 0], [0, 2, 0]].each(whole)),
+        Other::Triangle([[0, 0, 0], [2, 0, 1], [0, 2, 1]].each(whole)),
+        Other::Triangle([[0, 0, 0], [2, 2, 2], [1, 1, 1]].each(whole)),
+        Other::Triangle([[1, 1, 1]; 3].each(whole)),
         corners([0, 0, 0], [2, 1, 2]),
         corners([0, 0, 1], [2, 2, 1]),
         corners([1, 1, 0], [1, 1, 2]),
@@ -61,5 +61,5 @@ fn every_segment_on_a_small_grid() {
     let seen = every_segment::<f32>(0..3);
     assert!(seen.iter().all(|&n| n > 300), "{seen:?}");
     assert_eq!(seen, every_segment::<septum_kit::fixed::types::I16F16>(0..3));
-    assert_eq!([Found::Nothing, Found::Shallow, Found::Deep].map(|f| f as usize), [0, 1, 2]);
+    assert_eq!([Found::Nothing, Found::Shallow, Found::Deep].each(|f| f as usize), [0, 1, 2]);
 }

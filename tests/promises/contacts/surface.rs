@@ -3,7 +3,7 @@
 use septum::contact::{Contact, Features, InteriorEdges, contact, contact_in_mesh, interior_edges};
 use septum::mesh::{Mesh, MeshError, OwnedTree};
 use septum::{Aabb, Capsule, Obb, Sphere, Triangle, Vec3};
-use septum_kit::{Rng, three};
+use septum_kit::{Each, Rng, three};
 
 type Point = [f32; 3];
 
@@ -57,7 +57,7 @@ fn an_edge_is_known_by_its_ends() {
     // Three triangles at an edge are no surface, and two equal triangles are not either.
     assert_eq!(edges(&square, &[[0, 1, 2], [0, 2, 3], [0, 2, 3]])[0], NONE);
     assert_eq!(edges(&square, &[[0, 1, 2], [0, 1, 2]]), [NONE; 2]);
-    let vertices = square.map(Vec3::from);
+    let vertices = square.each(Vec3::from);
     let mesh = Mesh::new(&vertices, &[[0_u16, 1, 2]]).unwrap();
     let short = |scratch: usize, into: usize| {
         interior_edges(&mesh, &mut vec![(0, 0); scratch], &mut vec![NONE; into])
@@ -106,7 +106,7 @@ fn slide(starts: usize, seed: u64) -> usize {
     let (mut caught, mut rests) = (0, 0);
     for n in 0..starts {
         // In quarters, so that the floor is exactly planar.
-        let slope = [0, 1].map(|_| if n % 2 == 0 { 0.0 } else { rng.whole(-3, 3) as f32 / 4.0 });
+        let slope = [0, 1].each(|_| if n % 2 == 0 { 0.0 } else { rng.whole(-3, 3) as f32 / 4.0 });
         let (floor, interior) = floor(&mut rng, slope);
         let size = (slope[0] * slope[0] + slope[1] * slope[1] + 1.0).sqrt();
         let up = [-slope[0] / size, -slope[1] / size, 1.0 / size];
@@ -176,14 +176,14 @@ fn roll(starts: usize, seed: u64) -> usize {
     let mut rng = Rng::new(seed);
     let mut caught = 0;
     for n in 0..starts {
-        let slope = [0, 1].map(|_| if n % 2 == 0 { 0.0 } else { rng.whole(-3, 3) as f32 / 4.0 });
+        let slope = [0, 1].each(|_| if n % 2 == 0 { 0.0 } else { rng.whole(-3, 3) as f32 / 4.0 });
         let (floor, interior) = floor(&mut rng, slope);
         let size = (slope[0] * slope[0] + slope[1] * slope[1] + 1.0).sqrt();
         let up = [-slope[0] / size, -slope[1] / size, 1.0 / size];
         let tree = floor.as_tree();
         for k in 0..20 {
             let (radius, depth) = (rng.real(0.2, 0.6) as f32, rng.real(0.001, 0.1) as f32);
-            let [x, y] = [(); 2].map(|()| rng.real(-1.2, 1.2) as f32);
+            let [x, y] = [(); 2].each(|()| rng.real(-1.2, 1.2) as f32);
             let low = [x, y, slope[0] * x + slope[1] * y + (radius - depth) * size];
             let mut high = rng.triple(|rng| rng.real(-0.8, 0.8) as f32);
             // Across the floor's normal, along it, or anywhere above.

@@ -20,14 +20,14 @@ use fixed::types::I16F16;
 use gcode::{Move, Position, Program};
 use proptest::prelude::*;
 use septum::{Obb, Triangle, Vec3};
-use septum_kit::{Rng, three};
+use septum_kit::{Each, Rng, three};
 
 use super::{directory, printed, run};
 
 type Point = [f64; 3];
 
 fn point(v: Vec3<I16F16>) -> Point {
-    v.to_array().map(I16F16::to_num)
+    v.to_array().each(I16F16::to_num)
 }
 
 fn minus(a: Point, b: Point) -> Point {
@@ -47,8 +47,8 @@ fn cross(a: Point, b: Point) -> Point {
 /// the check.
 fn winding_number(p: Point) -> f64 {
     let solid_angle = |face: &[u16; 3]| {
-        let [a, b, c] = face.map(|i| minus(point(VERTICES[usize::from(i)]), p));
-        let [x, y, z] = [a, b, c].map(|v| dot(v, v).sqrt());
+        let [a, b, c] = face.each(|i| minus(point(VERTICES[usize::from(i)]), p));
+        let [x, y, z] = [a, b, c].each(|v| dot(v, v).sqrt());
         let denominator = x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y;
         2.0 * dot(a, cross(b, c)).atan2(denominator)
     };
@@ -56,7 +56,7 @@ fn winding_number(p: Point) -> f64 {
 }
 
 fn position(tip: Point, tilt: [f64; 2]) -> Position {
-    Position { tip: tip.map(I16F16::from_num), tilt: tilt.map(I16F16::from_num) }
+    Position { tip: tip.each(I16F16::from_num), tilt: tilt.each(I16F16::from_num) }
 }
 
 #[test]
@@ -82,7 +82,7 @@ fn the_place_is_that_of_all_faces() {
     let zone = Zone::new().unwrap();
     let rng = &mut Rng::new(0x6c0de);
     let triangle = |face: &[u16; 3]| {
-        let [a, b, c] = face.map(|i| VERTICES[usize::from(i)]);
+        let [a, b, c] = face.each(|i| VERTICES[usize::from(i)]);
         Triangle::new(a, b, c).unwrap()
     };
     let mut seen = [0; 3];
@@ -132,7 +132,7 @@ fn nothing_passes_between_two_poses() {
                 };
                 let tip = three(|i| between(pair[0].tip[i], pair[1].tip[i]));
                 let [(sa, ca), (sb, cb)] = [0, 1]
-                    .map(|i| between(pair[0].tilt[i], pair[1].tilt[i]).to_radians().sin_cos());
+                    .each(|i| between(pair[0].tilt[i], pair[1].tilt[i]).to_radians().sin_cos());
                 for k in 0..8 {
                     // The tool without clearance, 6 mm by 40.
                     let (x, y) = (corner(k & 1 == 0, 3.0), corner(k & 2 == 0, 3.0));
@@ -154,9 +154,9 @@ fn nothing_passes_between_two_poses() {
 fn the_tool_stands_on_its_tip() {
     let at = |p: Point, a: f64, b: f64| tool::obb(position(p, [a, b])).unwrap();
     let upright = at([1.0, 2.0, 3.0], 0.0, 0.0);
-    assert_eq!(upright.center(), Vec3::new(1, 2, 23).to_array().map(I16F16::from_num).into());
+    assert_eq!(upright.center(), Vec3::new(1, 2, 23).to_array().each(I16F16::from_num).into());
     let lying = at([0.0; 3], -90.0, 0.0);
-    assert_eq!(lying.center(), [0, 20, 0].map(I16F16::from_num).into());
+    assert_eq!(lying.center(), [0, 20, 0].each(I16F16::from_num).into());
     let end = Position { tip: [I16F16::MAX; 3], tilt: [I16F16::ZERO; 2] };
     assert_eq!(tool::obb(end), None);
 }
@@ -249,7 +249,7 @@ fn files_of_ones_own() {
         (&["--help"], 0, "Exits with 0 if"),
     ] {
         let output = run("keep_out", files, &directory);
-        let log = [output.stdout, output.stderr].map(|s| String::from_utf8(s).unwrap()).concat();
+        let log = [output.stdout, output.stderr].each(|s| String::from_utf8(s).unwrap()).concat();
         assert_eq!(output.status.code(), Some(code), "{files:?}: {log}");
         assert!(log.contains(told), "{files:?}: {log}");
     }
@@ -260,7 +260,7 @@ fn files_of_ones_own() {
 fn tools_of_other_sizes() {
     let zone = Zone::new().unwrap();
     let place = |center: [f64; 3], half: f64| {
-        let [center, half] = [center, [half; 3]].map(|p| p.map(I16F16::from_num));
+        let [center, half] = [center, [half; 3]].each(|p| p.each(I16F16::from_num));
         zone.place(&Obb::from_turns(center, [I16F16::ZERO; 3], half).unwrap())
     };
     assert!(matches!(place([0.0; 3], 200.0), Place::Touches(_)));

@@ -11,6 +11,7 @@ pub(crate) mod teapot;
 mod voxelize;
 mod walking;
 
+use septum_kit::Each;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::Mutex;
@@ -57,7 +58,7 @@ fn run(example: &str, arguments: &[&str], directory: &Path) -> Output {
 /// The output of a successful run, and its error stream.
 fn printed(example: &str, arguments: &[&str], directory: &Path) -> [String; 2] {
     let output = run(example, arguments, directory);
-    let [out, errors] = [output.stdout, output.stderr].map(|s| String::from_utf8(s).unwrap());
+    let [out, errors] = [output.stdout, output.stderr].each(|s| String::from_utf8(s).unwrap());
     assert!(output.status.success(), "{example} {arguments:?}: {errors}");
     [out, errors]
 }

@@ -3,6 +3,7 @@
 #[path = "../../../examples/quantise/solid.rs"]
 mod solid;
 
+use septum_kit::Each;
 use std::fs;
 
 use solid::{Face, caps, open_edges, sort_into_parts};
@@ -84,7 +85,7 @@ fn holes_of_every_shape_are_closed() {
 #[test]
 fn parts_share_no_edge() {
     // Two cuboids that share a vertex, with interleaved faces, and a separate face.
-    let second = CUBOID.map(|face| face.map(|i| i + 7));
+    let second = CUBOID.map(|face| face.each(|i| i + 7));
     let mut faces: Vec<Face> = CUBOID.into_iter().zip(second).flat_map(<[_; 2]>::from).collect();
     faces.push([20, 21, 22]);
     assert_eq!(sort_into_parts(&mut faces), [0..12, 12..24, 24..25]);
@@ -96,7 +97,7 @@ fn parts_share_no_edge() {
 #[test]
 fn degenerate_faces_leave_a_mesh_closed() {
     let merged = |i: usize| if i == 7 { 3 } else { i };
-    let faces = CUBOID.map(|face| face.map(merged));
+    let faces = CUBOID.map(|face| face.each(merged));
     assert!(open_edges(&faces).is_empty());
     assert!(faces.iter().any(|&[a, b, c]| a == b || b == c || c == a));
 }

@@ -3,7 +3,7 @@
 use fixed::types::I16F16;
 use septum::Vec3;
 use septum::mesh::{Mesh, MeshError};
-use septum_kit::Rng;
+use septum_kit::{Each, Rng};
 
 use super::scenes;
 
@@ -30,8 +30,8 @@ fn an_open_edge_is_named() {
         let mut scratch = vec![[0; 2]; 3 * scene.faces.len()];
         for k in (0..scene.faces.len()).step_by(97) {
             let mut faces = scene.faces.clone();
-            let [a, b, c] = faces.remove(k).map(|v| scene.vertices[usize::from(v)].to_array());
-            let mut edges = [[a, b], [b, c], [c, a]].map(|mut edge| {
+            let [a, b, c] = faces.remove(k).each(|v| scene.vertices[usize::from(v)].to_array());
+            let mut edges = [[a, b], [b, c], [c, a]].each(|mut edge| {
                 edge.sort_by(|p, q| p.partial_cmp(q).expect("numbers"));
                 edge
             });
@@ -39,7 +39,7 @@ fn an_open_edge_is_named() {
             let open =
                 Mesh::new(&scene.vertices, &faces).expect("a mesh").check_closed(&mut scratch);
             let Err(MeshError::OpenEdge { vertices }) = open else { panic!("{open:?}") };
-            let named = vertices.map(|v| scene.vertices[v].to_array());
+            let named = vertices.each(|v| scene.vertices[v].to_array());
             assert_eq!(named, edges[0], "{}: face {k}", scene.name);
         }
     }
@@ -48,8 +48,9 @@ fn an_open_edge_is_named() {
 /// Vertices at one position are the same: the separate faces of a cube are closed.
 #[test]
 fn seams_are_closed() {
-    let corner =
-        |k: usize| Vec3::from([k & 1, k >> 1 & 1, k >> 2].map(|x| if x == 0 { -0.0 } else { 1.0 }));
+    let corner = |k: usize| {
+        Vec3::from([k & 1, k >> 1 & 1, k >> 2].each(|x| if x == 0 { -0.0 } else { 1.0 }))
+    };
     let sides =
         [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]];
     let mut vertices: Vec<Vec3<f32>> = sides.as_flattened().iter().map(|&k| corner(k)).collect();
@@ -90,7 +91,7 @@ fn an_open_seam_is_named_by_the_first() {
 
 #[test]
 fn a_mesh_names_what_is_wrong() {
-    let vertices = [[0.0, 0.0, 0.0], [1.0, f32::NAN, 0.0]].map(Vec3::from);
+    let vertices = [[0.0, 0.0, 0.0], [1.0, f32::NAN, 0.0]].each(Vec3::from);
     assert_eq!(Mesh::new(&vertices, &[[0_u16; 3]]), Err(MeshError::NotFinite { vertex: 1 }));
     let (sound, missing) = (&vertices[..1], [[0_u16; 3], [0, 0, 1]]);
     assert_eq!(Mesh::new(sound, &missing), Err(MeshError::NoSuchVertex { triangle: 1 }));

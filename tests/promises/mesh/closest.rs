@@ -2,7 +2,7 @@
 
 use septum::mesh::Mesh;
 use septum_kit::spheres::{Other, SphereCase, Squared};
-use septum_kit::{Rng, Sample};
+use septum_kit::{Each, Rng, Sample};
 
 use super::scenes;
 
@@ -10,7 +10,7 @@ use super::scenes;
 fn closest<S: Sample>(mesh: &Mesh<'_, S, u16>, center: [S; 3]) -> Option<(usize, Squared)> {
     let mut best: Option<(usize, Squared)> = None;
     for (i, triangle) in mesh.iter().enumerate() {
-        let other = Other::Triangle(triangle.vertices().map(|v| v.to_array()));
+        let other = Other::Triangle(triangle.vertices().each(|v| v.to_array()));
         let squared = SphereCase { center, radius: S::ZERO, other }.squared();
         if best.as_ref().is_none_or(|(_, least)| squared.compare_squared(least).is_lt()) {
             best = Some((i, squared));
@@ -40,7 +40,7 @@ pub(super) fn points_are_closest_as_one_by_one<S: Sample>() {
             assert_eq!(tree.signed_distance_squared(p), apart.map(sign), "{name}: {p:?}");
             // Within the distance, rounded, and numbers next to that.
             let distance = S::nearest(squared.root());
-            for distance in [-1, 0, 1].map(|by| distance.moved(by)) {
+            for distance in [-1, 0, 1].each(|by| distance.moved(by)) {
                 let is_within =
                     distance >= S::ZERO && squared.compare(&[distance.mantissa_exponent()]).is_le();
                 let found_within = tree.closest_point_within(p, distance);

@@ -1,7 +1,7 @@
 //! Hits whose t overflow, or round to one number.
 
 use septum_kit::meshes::{Faces, MeshRay, MeshSet};
-use septum_kit::{Rng, Sample};
+use septum_kit::{Each, Rng, Sample};
 
 /// `cargo edges 1000000` checks a million cases of each scalar.
 pub(super) fn hits_are_in_true_order<S: Sample>() {
@@ -35,7 +35,7 @@ fn the_first_hit_may_be_at_minus_infinity() {
         [0xfe3f_fffa, 0x0, 0xfebf_fffa],
         [0x7e7f_fff8, 0xfdff_fff8, 0xfe7f_fff8],
     ];
-    let at = |p: [u32; 3]| p.map(f32::from_bits);
+    let at = |p: [u32; 3]| p.each(f32::from_bits);
     // The second mesh needs two leaves: the hit in the first one must not hide the hit in the other.
     let pair = vec![[3, 0, 1], [1, 3, 0]];
     let leaves = vec![[3, 4, 2], [2, 3, 4], [2, 1, 3], [2, 3, 2], [2, 2, 0]];

@@ -14,7 +14,7 @@ use core::ops::ControlFlow;
 use septum::contact::{InteriorEdges, Shape, contact_in_mesh};
 use septum::mesh::{Mesh, MeshError, Probe, Tree};
 use septum::{Aabb, Capsule, Cull, Hit, HitRules, Obb, Ray, Segment, Sphere, Triangle};
-use septum_kit::{Rng, Sample, for_scalars, rays, three};
+use septum_kit::{Each, Rng, Sample, for_scalars, rays, three};
 
 use self::closest::points_are_closest_as_one_by_one;
 use self::edges::{contacts_are_the_first, hits_are_in_true_order};
@@ -44,7 +44,7 @@ fn boxes<S: Sample>(scene: &Scene<S>, rng: &mut Rng) -> (Vec<Aabb<S>>, Vec<Obb<S
         aabbs
             .extend([Aabb::from_min_max(min, max), Aabb::from_min_max(p, p)].into_iter().flatten());
         aabbs.extend(Aabb::from_center_half_extents(p, half));
-        let axes = [(); 3].map(|()| rng.triple(|rng| S::nearest(rng.whole(-4, 4) as f64 / 4.0)));
+        let axes = [(); 3].each(|()| rng.triple(|rng| S::nearest(rng.whole(-4, 4) as f64 / 4.0)));
         obbs.extend(Obb::from_skewed_axes(p, axes, half));
     }
     (aabbs, obbs)
@@ -110,7 +110,7 @@ fn contacts_as_one_by_one<S: Sample>(
 fn other_shapes_overlap_as_one_by_one<S: Sample>() {
     let (mut rng, mut count) = (Rng::new(87), [0; 4]);
     for mut scene in scenes::all::<S>() {
-        let points: Vec<_> = (0..40).map(|_| [(); 3].map(|()| scene.point(&mut rng))).collect();
+        let points: Vec<_> = (0..40).map(|_| [(); 3].each(|()| scene.point(&mut rng))).collect();
         let most = scene.size;
         let name = scene.name;
         let tree = scene.tree();
@@ -121,7 +121,7 @@ fn other_shapes_overlap_as_one_by_one<S: Sample>() {
             count[0] += expected.len();
             let half = rng.triple(|rng| S::nearest(most * rng.real(-1.0, 1.0)));
             let segments = [Segment::new(a, b), Segment::from_center_half_vector(a, half)];
-            for segment in segments.map(|segment| segment.expect("finite")) {
+            for segment in segments.each(|segment| segment.expect("finite")) {
                 let expected = those(*tree.mesh(), |t| segment.overlaps(t));
                 assert_eq!(sorted(tree.overlapping(&segment)), expected, "{name}: {segment:?}");
                 count[1] += expected.len();
@@ -261,7 +261,7 @@ fn check_winding<S: Sample>(
     rng: &mut Rng,
 ) -> Option<i32> {
     let triangles: Vec<_> =
-        tree.mesh().iter().map(|t| t.vertices().map(|v| v.to_array())).collect();
+        tree.mesh().iter().map(|t| t.vertices().each(|v| v.to_array())).collect();
     let expected = rays::winding(&triangles, p, rng);
     assert_eq!(tree.winding(p), expected, "{name}: {p:?}");
     let is_inside = expected.is_none_or(|winding| winding % 2 != 0);

@@ -2,7 +2,7 @@
 
 use septum::Vec3;
 use septum::mesh::{Mesh, Node, Tree};
-use septum_kit::{Rng, Sample, rays, three};
+use septum_kit::{Each, Rng, Sample, rays, three};
 
 use crate::examples::teapot;
 
@@ -27,12 +27,12 @@ impl<S: Sample> Scene<S> {
         let (mut middle, mut size) = ([0.0; 3], 0.0_f64);
         if !vertices.is_empty() {
             let ends = three(ends);
-            middle = ends.map(|(low, high)| low / 2.0 + high / 2.0);
+            middle = ends.each(|(low, high)| low / 2.0 + high / 2.0);
             size = ends.iter().map(|(low, high)| high / 2.0 - low / 2.0).fold(0.0, f64::max);
         }
         Self {
             name,
-            vertices: vertices.iter().map(|v| v.map(S::nearest).into()).collect(),
+            vertices: vertices.iter().map(|v| v.each(S::nearest).into()).collect(),
             nodes: vec![Node::EMPTY; Node::count_for(faces.len())],
             order: vec![0; faces.len()],
             faces,
@@ -54,13 +54,13 @@ impl<S: Sample> Scene<S> {
     /// A point near the mesh: a vertex, the midpoint of an edge or of a face as nearly as the type
     /// allows, or a random point, seldom far away.
     pub(super) fn point(&self, rng: &mut Rng) -> [S; 3] {
-        let at = |v: u16| self.vertices[usize::from(v)].to_array().map(S::approximate);
+        let at = |v: u16| self.vertices[usize::from(v)].to_array().each(S::approximate);
         let mean = |points: &[[f64; 3]]| {
             three(|i| points.iter().map(|p| p[i] / points.len() as f64).sum::<f64>())
         };
         let kind = if self.faces.is_empty() { 5 } else { rng.below(8) };
         if kind < 4 {
-            let face = self.faces[rng.below(self.faces.len())].map(at);
+            let face = self.faces[rng.below(self.faces.len())].each(at);
             return match kind {
                 0 => face[0],
                 1 => mean(&face[..2]),
@@ -73,10 +73,10 @@ impl<S: Sample> Scene<S> {
                     p
                 }
             }
-            .map(S::nearest);
+            .each(S::nearest);
         }
         let reach = if kind == 7 { 40.0 } else { 1.2 };
-        self.anywhere(rng, reach).map(S::nearest)
+        self.anywhere(rng, reach).each(S::nearest)
     }
 
     fn anywhere(&self, rng: &mut Rng, reach: f64) -> [f64; 3] {
@@ -134,17 +134,18 @@ pub(super) fn all<S: Sample>() -> Vec<Scene<S>> {
 /// Closed meshes. One has parts with adjacent faces, one lies on an integer grid.
 pub(super) fn closed<S: Sample>() -> Vec<Scene<S>> {
     let narrow = |faces: &[[usize; 3]]| -> Vec<[u16; 3]> {
-        faces.iter().map(|face| face.map(|v| v as u16)).collect()
+        faces.iter().map(|face| face.each(|v| v as u16)).collect()
     };
-    let octahedron = rays::Mesh::<f64>::octahedron(|p| p.map(|x| x * 32.0));
+    let octahedron = rays::Mesh::<f64>::octahedron(|p| p.each(|x| x * 32.0));
     let scale = if S::WHOLE_BITS < 15 { 1.0 / 8.0 } else { 1.0 };
     let mut scenes = vec![Scene::new(
         "octahedron",
-        &octahedron.vertices.iter().map(|v| v.map(|x| x * scale)).collect::<Vec<_>>(),
+        &octahedron.vertices.iter().map(|v| v.each(|x| x * scale)).collect::<Vec<_>>(),
         narrow(&octahedron.faces),
     )];
     if S::WHOLE_BITS >= 15 {
-        let teapot: Vec<_> = teapot::VERTICES.iter().map(|v| v.to_array().map(f64::from)).collect();
+        let teapot: Vec<_> =
+            teapot::VERTICES.iter().map(|v| v.to_array().each(f64::from)).collect();
         scenes.push(Scene::new("teapot", &teapot, teapot::FACES.to_vec()));
     }
     if S::WHOLE_BITS >= 24 {

@@ -7,7 +7,7 @@ use dashu_int::IBig;
 use dashu_int::ops::Abs;
 use fixed::types::{I0F16, I1F7, I1F63, I2F30, I4F4, I5F3, I8F8, I16F0, I16F16, I32F32};
 use septum::{Obb, ShapeError, Vec3};
-use septum_kit::{Parts, Rng, Sample, not_finite};
+use septum_kit::{Each, Parts, Rng, Sample, not_finite};
 
 use oracle::{Frame, UNIT, by_hamilton, by_steps, one, power_of_two, times, value};
 
@@ -73,7 +73,7 @@ struct Type {
 }
 
 fn axes_of<S: Sample>(obb: &Obb<S>) -> Frame<Parts> {
-    obb.axes().map(|axis| axis.to_array().map(S::mantissa_exponent))
+    obb.axes().each(|axis| axis.to_array().each(S::mantissa_exponent))
 }
 
 impl Type {
@@ -83,14 +83,14 @@ impl Type {
         Self {
             name: S::name(),
             by_quaternion: |q| {
-                let q = q.map(S::nearest);
+                let q = q.each(S::nearest);
                 let obb = Obb::from_quaternion([S::ZERO; 3], q, [S::GREATEST; 3])?;
-                Ok((q.map(S::mantissa_exponent), axes_of(&obb)))
+                Ok((q.each(S::mantissa_exponent), axes_of(&obb)))
             },
             by_turns: |turns| {
-                let turns = turns.map(S::nearest);
+                let turns = turns.each(S::nearest);
                 let obb = Obb::from_turns([S::ZERO; 3], turns, [S::GREATEST; 3]).unwrap();
-                (turns.map(S::mantissa_exponent), axes_of(&obb))
+                (turns.each(S::mantissa_exponent), axes_of(&obb))
             },
             quaternion: Allowed { fraction, half, more: quaternion, greatest },
             turns: Allowed { fraction, half, more: Some(turns), greatest },
@@ -114,7 +114,7 @@ impl Type {
 /// The numbers of a quaternion: of any direction, along an axis or nearly, with two equal
 /// components.
 fn quaternion(rng: &mut Rng, round: usize) -> [f64; 4] {
-    let mut q = [(); 4].map(|()| rng.real(-1.0, 1.0));
+    let mut q = [(); 4].each(|()| rng.real(-1.0, 1.0));
     match round % 4 {
         0 => q[rng.below(4)] = 0.0,
         1 => {
@@ -128,7 +128,7 @@ fn quaternion(rng: &mut Rng, round: usize) -> [f64; 4] {
     let length = q.iter().map(|x| x * x).sum::<f64>().sqrt();
     // Not quite of length one, which makes no difference within the tolerance.
     let length = length * if round % 3 == 0 { rng.real(0.93, 1.07) } else { 1.0 };
-    q.map(|x| x / length)
+    q.each(|x| x / length)
 }
 
 #[test]
@@ -142,7 +142,7 @@ fn a_quaternion_makes_the_nearest_frame() {
         for (most, kind) in most.iter_mut().zip(&types) {
             let told = format!("{} {q:?}", kind.name);
             let Ok((q, found)) = (kind.by_quaternion)(q) else { continue };
-            let truth = by_hamilton(&q.map(value));
+            let truth = by_hamilton(&q.each(value));
             *most = most.max(check_frame(&found, &truth, kind.quaternion, &told));
             asked += 1;
         }
@@ -166,7 +166,7 @@ fn turns_make_a_frame_within_the_bound() {
         for (most, kind) in most.iter_mut().zip(&types) {
             let (turns, found) = (kind.by_turns)(turns);
             let told = format!("{} {turns:?}", kind.name);
-            let truth = by_steps(&turns.map(value));
+            let truth = by_steps(&turns.each(value));
             *most = most.max(check_frame(&found, &truth, kind.turns, &told));
         }
     }
@@ -185,7 +185,7 @@ fn every_quaternion_of_four_bits() {
             for (a, b) in range.clone().flat_map(|a| range.clone().map(move |b| (a, b))) {
                 let q = [x, y * a + z * b, z * a + w * b, w * a + y * b];
                 let square: i32 = q.iter().map(|x| x * x).sum();
-                let number = q.map(|x| I4F4::from_bits(x.clamp(-100, 100) as i8));
+                let number = q.each(|x| I4F4::from_bits(x.clamp(-100, 100) as i8));
                 let made = Obb::from_quaternion([I4F4::ZERO; 3], number, [I4F4::ONE; 3]);
                 assert_eq!(made.is_ok(), (192..=320).contains(&square), "{q:?}");
                 let Ok(made) = made else {
@@ -196,7 +196,7 @@ fn every_quaternion_of_four_bits() {
                 taken += 1;
                 // `new` accepts the frame too.
                 assert_eq!(Obb::new(made.center(), *made.axes(), made.half_extents()), Ok(made));
-                let truth = by_hamilton(&q.map(IBig::from));
+                let truth = by_hamilton(&q.each(IBig::from));
                 for (axis, truth) in made.axes().iter().zip(truth) {
                     for (found, truth) in axis.to_array().into_iter().zip(truth) {
                         let off: IBig = IBig::from(found.to_bits()) * (one() / 16) - &truth;
@@ -213,10 +213,10 @@ fn every_quaternion_of_four_bits() {
 
 /// Quarter turns are exact, in any number and order.
 fn quarters<S: Sample>() {
-    let [zero, one] = [0.0, 1.0].map(S::nearest);
+    let [zero, one] = [0.0, 1.0].each(S::nearest);
     for n in 0..512_i32 {
         let quarters = [n % 8 - 4, n / 8 % 8 - 4, n / 64 - 4];
-        let turns = quarters.map(|n| S::nearest(f64::from(n) * 0.25));
+        let turns = quarters.each(|n| S::nearest(f64::from(n) * 0.25));
         let found = Obb::from_turns([zero; 3], turns, [one; 3]).unwrap();
         let mut axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
         for (i, n) in quarters.into_iter().enumerate() {
@@ -228,7 +228,7 @@ fn quarters<S: Sample>() {
                 }
             }
         }
-        assert_eq!(found.axes(), &axes.map(Vec3::from), "{quarters:?}");
+        assert_eq!(found.axes(), &axes.each(Vec3::from), "{quarters:?}");
     }
 }
 
@@ -279,7 +279,8 @@ fn what_is_no_rotation_is_refused() {
     // Eighths cannot represent every frame.
     let mut no_frames = 0;
     for n in 0..17_i32.pow(4) {
-        let q = [n % 17, n / 17 % 17, n / 289 % 17, n / 4913].map(|x| I5F3::from_bits(x as i8 - 8));
+        let q =
+            [n % 17, n / 17 % 17, n / 289 % 17, n / 4913].each(|x| I5F3::from_bits(x as i8 - 8));
         match Obb::from_quaternion([I5F3::ZERO; 3], q, [I5F3::ONE; 3]) {
             Ok(made) => {
                 assert_eq!(Obb::new(made.center(), *made.axes(), made.half_extents()), Ok(made));

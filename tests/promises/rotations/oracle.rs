@@ -2,7 +2,7 @@
 //! the whole angle, to 200 bits, one axis after the other.
 
 use dashu_int::IBig;
-use septum_kit::{Parts, three};
+use septum_kit::{Each, Parts, three};
 
 /// Everything below is in units of 2^-UNIT.
 pub(super) const UNIT: i32 = 200;
@@ -43,7 +43,7 @@ pub(super) fn by_hamilton(q: &[IBig; 4]) -> Frame<IBig> {
         let mut axis = [IBig::ZERO, IBig::ZERO, IBig::ZERO, IBig::ZERO];
         axis[i] = IBig::ONE;
         let [x, y, z, _] = product(&product(q, &axis), &conjugate);
-        [x, y, z].map(|n| (n << UNIT as usize) / &square)
+        [x, y, z].each(|n| (n << UNIT as usize) / &square)
     })
 }
 

@@ -9,7 +9,7 @@ use septum::{Aabb, Axis, Triangle};
 use septum_kit::fixed::types::extra::{U7, U8, U64};
 use septum_kit::fixed::{FixedI8, FixedI64};
 use septum_kit::sweeps::SweepSet;
-use septum_kit::{Rng, Sample, Set, for_every_scalar, not_finite, with_every_scalar};
+use septum_kit::{Each, Rng, Sample, Set, for_every_scalar, not_finite, with_every_scalar};
 
 /// All sets, triangles with boxes and boxes with boxes; counts the misses, contacts at the start,
 /// and contacts during the motion.
@@ -67,7 +67,7 @@ fn normals_lead_outward<S: Sample>() {
             let ((triangle, aabb), motion) = (sweep.case.shapes(), sweep.motion());
             let Some(first) = triangle.first_contact(&motion, &aabb) else { continue };
             let back = first.normal(&motion.reversed(), &triangle);
-            let approximate = |v: [S; 3]| v.map(S::approximate);
+            let approximate = |v: [S; 3]| v.each(S::approximate);
             let Some(normal) = first.normal(&motion, &triangle) else {
                 assert_eq!((first.axis, back), (None, None));
                 continue;
@@ -75,7 +75,7 @@ fn normals_lead_outward<S: Sample>() {
             let axis = first.axis.unwrap();
             let n = approximate(normal.to_array());
             assert!(is_axis(n, approximate(axis.vector(&triangle).to_array())), "{sweep:?}");
-            let [from, to] = sweep.way.map(approximate);
+            let [from, to] = sweep.way.each(approximate);
             let along: f64 = (0..3).map(|i| n[i] * (to[i] - from[i])).sum();
             let (n, b) = (approximate(back.unwrap().to_array()), normal.to_array());
             // Where products are short, they are exact.
@@ -94,7 +94,7 @@ fn normals_lead_outward<S: Sample>() {
             let Some(first) = a.first_contact(&motion, &b) else { continue };
             let Some(Axis::Face(i)) = first.axis else { continue };
             let (i, [from, to]) = (usize::from(i), sweep.way);
-            let n = first.normal(&motion, &b).unwrap().to_array().map(S::approximate);
+            let n = first.normal(&motion, &b).unwrap().to_array().each(S::approximate);
             assert_eq!(n[i] < 0.0, from[i] < to[i], "{sweep:?}");
             assert_eq!((n[(i + 1) % 3], n[(i + 2) % 3]), (0.0, 0.0));
         }
@@ -147,7 +147,7 @@ for_every_scalar!(no_way_is_rest);
 /// Boxes of any size, from one side of a thin wall to the other, by any motion.
 fn nothing_passes_a_wall<S: Sample>() {
     let mut rng = Rng::new(0x3a11);
-    let near = |p: [f64; 3]| p.map(S::nearest);
+    let near = |p: [f64; 3]| p.each(S::nearest);
     let wall =
         Triangle::new(near([-7.5, -7.5, -0.5]), near([7.5, -7.5, 0.5]), near([0.0, 7.5, 0.25]));
     let wall = wall.unwrap();

@@ -9,7 +9,7 @@ use septum::relation::{Relate, Relation};
 use septum::sweep::{FirstContact, Motion, Sweep};
 use septum::{Aabb, Triangle, Vec3};
 use septum_kit::sweeps::{BoxSweep, SweepCase};
-use septum_kit::{BoxNumbers, Case, Rng, Sample, for_every_scalar};
+use septum_kit::{BoxNumbers, Case, Each, Rng, Sample, for_every_scalar};
 
 /// The number of shots for one scalar.
 fn shots() -> usize {
@@ -106,7 +106,7 @@ fn body<S: Sample>(center: Vec3<S>, half: [S; 3]) -> Aabb<S> {
 
 /// How many steps of the motion lead to this place: from the ordinals of the axis with most.
 fn step<S: Sample>(motion: &Motion<S>, place: Vec3<S>) -> u64 {
-    let [from, to, place] = [motion.from(), motion.to(), place].map(Vec3::to_array);
+    let [from, to, place] = [motion.from(), motion.to(), place].each(Vec3::to_array);
     let apart = |a: S, b: S| a.ordinal().abs_diff(b.ordinal());
     let first = (0..3).rev().max_by_key(|&i| apart(from[i], to[i])).unwrap();
     apart(from[first], place[first])
@@ -159,7 +159,7 @@ fn no_stop_overlaps<S: Sample>() {
             (rng.triple(|rng| near::<S>(rng, 4.0)), rng.triple(|rng| near(rng, 4.0)));
         // Half of the shots are aimed at the middle, and some others keep a number.
         if rng.one_in(2) {
-            to = from.map(|x| S::nearest(rng.real(-0.3, 0.3) - x.approximate()));
+            to = from.each(|x| S::nearest(rng.real(-0.3, 0.3) - x.approximate()));
         } else if rng.one_in(4) {
             to[rng.below(3)] = from[0];
         }
@@ -171,7 +171,7 @@ fn no_stop_overlaps<S: Sample>() {
     for _ in 0..n {
         // The case of the report: a wall whose top is at 0.1, or thereabouts.
         let top = S::nearest(rng.real(-0.5, 0.5));
-        let [low, high] = [-7.5, 7.5].map(S::nearest);
+        let [low, high] = [-7.5, 7.5].each(S::nearest);
         let wall = Aabb::from_min_max([low, low, S::nearest(-1.0)], [high, high, top]).unwrap();
         let (from, to) = (near::<S>(&mut rng, 0.5), S::nearest(-4.5));
         let fall = [
@@ -205,7 +205,7 @@ fn no_stop_overlaps<S: Sample>() {
         let shots = left.min(20);
         for _ in 0..shots {
             // Small, so that it fits between the triangles.
-            let half = half::<S>(&mut rng).map(|h| S::nearest(h.approximate() / 8.0));
+            let half = half::<S>(&mut rng).each(|h| S::nearest(h.approximate() / 8.0));
             let motion = motion(&mut rng);
             shoot(&InMesh { half, tree }, &motion, &mut counts[3]);
             let start = body(motion.from(), half);
@@ -269,7 +269,7 @@ fn places_are_on_the_way<S: Sample>() {
     let most = S::nearest(7.5);
     let unit = most.approximate() - most.moved(-1).approximate();
     for _ in 0..500 {
-        let [from, to] = [0; 2].map(|_| rng.triple(|rng| near::<S>(rng, 7.0)));
+        let [from, to] = [0; 2].each(|_| rng.triple(|rng| near::<S>(rng, 7.0)));
         let motion = Motion::new(from, to).unwrap();
         assert_eq!((motion.place(0), motion.place(motion.steps())), (from.into(), to.into()));
         let k = rng.bits() % motion.steps().max(1);
@@ -279,10 +279,10 @@ fn places_are_on_the_way<S: Sample>() {
         let (at, part) = (motion.at(t).to_array(), t.approximate());
         let longest = (0..3).rev().max_by_key(|&i| from[i].ordinal().abs_diff(to[i].ordinal()));
         let i = longest.unwrap();
-        let [p, q] = [from[i], to[i]].map(S::approximate);
+        let [p, q] = [from[i], to[i]].each(S::approximate);
         let on_axis = if p == q { 0.0 } else { (a[i].approximate() - p) / (q - p) };
         for j in 0..3 {
-            let [p, q] = [from[j], to[j]].map(S::approximate);
+            let [p, q] = [from[j], to[j]].each(S::approximate);
             for (found, part) in [(a[j], on_axis), (at[j], part)] {
                 let off = found.approximate() - (p + (q - p) * part);
                 assert!(off.abs() <= 4.0 * unit, "{motion:?} {k} {t:?}: {off}");
@@ -299,7 +299,7 @@ fn places_are_on_the_way<S: Sample>() {
 fn bodies_in_touch_are_free<S: Sample>() {
     let (mut rng, n) = (Rng::new(0x5707), shots() / 4);
     // Whole eighths, which every scalar has, within the range of eight bits.
-    let at = |p: [i64; 3]| p.map(|x| S::nearest(x as f64 / 8.0));
+    let at = |p: [i64; 3]| p.each(|x| S::nearest(x as f64 / 8.0));
     let floor: Vec<Vec3<S>> = [[-60, -60, 0], [60, -60, 0], [-60, 60, 0], [60, 60, 0], [0, 0, 0]]
         .map(|p| at(p).into())
         .to_vec();
@@ -334,7 +334,7 @@ fn bodies_in_touch_are_free<S: Sample>() {
         let [dx, dy] = [rng.whole(-4, 4), rng.whole(-4, 4)];
         let corner = [x, y, -x - y];
         let to = [x + dx, y + dy, -x - y - dx - dy + up];
-        let way = Motion::new(at(corner.map(|x| x + h)), at(to.map(|x| x + h))).unwrap();
+        let way = Motion::new(at(corner.each(|x| x + h)), at(to.each(|x| x + h))).unwrap();
         let on_slope = One { half: at([h; 3]), obstacle: slope };
         assert_eq!(on_slope.last_free(&way).map(|stop| stop == way.to()), Some(!enters), "{way:?}");
         shoot(&on_slope, &way, &mut counts);

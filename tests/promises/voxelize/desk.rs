@@ -1,5 +1,6 @@
 //! Runs the example in a directory with files, and checks the results.
 
+use septum_kit::Each;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -93,7 +94,7 @@ pub(super) fn cuboid([x0, y0, z0]: [i32; 3], [x1, y1, z1]: [i32; 3], before: i32
     }
     for quad in [[1, 2, 4, 3], [5, 6, 8, 7], [1, 2, 6, 5], [3, 4, 8, 7], [1, 3, 7, 5], [2, 4, 8, 6]]
     {
-        let [a, b, c, d] = quad.map(|i| i + before);
+        let [a, b, c, d] = quad.each(|i| i + before);
         obj += &format!("f {a} {b} {c} {d}\n");
     }
     obj

@@ -1,6 +1,6 @@
 //! The formats that the example reads and writes: all hold the same voxels, and the same mesh.
 
-use septum_kit::three;
+use septum_kit::{Each, three};
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::Write;
@@ -19,7 +19,7 @@ fn array(file: &[u8]) -> ([usize; 3], Voxels) {
     assert!(header.ends_with('\n') && header.contains("'descr': '|b1', 'fortran_order': True"));
     let (_, shape) = header.split_once("'shape': (").unwrap();
     let mut sides = shape.split([',', ')']).map(|n| n.trim().parse().unwrap());
-    let size @ [nx, ny, _] = [0; 3].map(|_| sides.next().unwrap());
+    let size @ [nx, ny, _] = [0; 3].each(|_| sides.next().unwrap());
     let bytes = &file[start..];
     assert_eq!(bytes.len(), size.iter().product::<usize>());
     let at = |i: usize| [i % nx, i / nx % ny, i / nx / ny];
@@ -64,7 +64,7 @@ fn written_formats_agree() {
         let model: Voxels = desk
             .voxels(&arguments)
             .into_iter()
-            .map(|v| v.map(usize::from))
+            .map(|v| v.each(usize::from))
             .map(|[x, y, z]| if up == "y" { [x, z, size[2] - 1 - y] } else { [x, y, z] })
             .collect();
         assert_eq!(voxels, model, "{arguments}");
@@ -77,10 +77,10 @@ fn written_formats_agree() {
         for line in cubes.lines() {
             let words: Vec<&str> = line.split(' ').collect();
             if words[0] == "v" {
-                corners.push([1, 2, 3].map(|i| words[i].parse().unwrap()));
+                corners.push([1, 2, 3].each(|i| words[i].parse().unwrap()));
                 continue;
             }
-            let quad = [1, 2, 3, 4].map(|i| words[i].parse::<usize>().unwrap() - 1);
+            let quad = [1, 2, 3, 4].each(|i| words[i].parse::<usize>().unwrap() - 1);
             for i in 0..4 {
                 let (from, to) = (quad[i], quad[(i + 1) % 4]);
                 // Where four faces meet at an edge, it is twice there.
@@ -88,10 +88,10 @@ fn written_formats_agree() {
                     assert!(edges.insert((from, to, 0)) || edges.insert((from, to, 1)));
                 }
             }
-            let [a, b, c, _] = quad.map(|i| corners[i]);
+            let [a, b, c, _] = quad.each(|i| corners[i]);
             let [u, v] = [three(|i| b[i] - a[i]), three(|i| c[i] - a[i])];
             let normal = [0, 1, 2]
-                .map(|i| u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3]);
+                .each(|i| u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3]);
             volume += (0..3).map(|i| a[i] * normal[i]).sum::<f64>() / 3.0;
         }
         assert!(edges.is_empty(), "{arguments}");
@@ -120,7 +120,7 @@ fn read_formats_agree() {
     };
     let text = head("ascii") + "0 0 0 255\n4 0 0 255\n0 3 1 255\n3 0 1 2\n";
     let [mut little, mut big] =
-        ["binary_little_endian", "binary_big_endian"].map(|f| head(f).into_bytes());
+        ["binary_little_endian", "binary_big_endian"].each(|f| head(f).into_bytes());
     for point in points {
         for x in point {
             little.extend(x.to_le_bytes());
@@ -166,7 +166,7 @@ fn read_formats_agree() {
         assert!(process.wait().unwrap().success(), "{name}");
         desk.succeed(&format!("{name} -r 8 -o file.vox"));
         let [by_input, by_file] =
-            ["in.vox", "file.vox"].map(|name| fs::read(desk.0.join(name)).unwrap());
+            ["in.vox", "file.vox"].each(|name| fs::read(desk.0.join(name)).unwrap());
         assert_eq!(by_input, by_file, "{name}");
     }
     for (from, to, says) in [

@@ -13,7 +13,7 @@ use crate::exact::{Parts, least_exponent, whole};
 use crate::flat::Truth;
 use crate::lattice::{Lattice, Ring, Shapes};
 use crate::sample::Sample;
-use crate::{case::BoxNumbers, three};
+use crate::{Each, case::BoxNumbers, three};
 
 pub type Point<S> = [S; 3];
 
@@ -28,9 +28,9 @@ pub struct ObbNumbers<S> {
 impl<S: Copy> ObbNumbers<S> {
     pub(crate) fn map<T>(self, f: impl Fn(S) -> T + Copy) -> ObbNumbers<T> {
         ObbNumbers {
-            center: self.center.map(f),
-            axes: self.axes.map(|u| u.map(f)),
-            half: self.half.map(f),
+            center: self.center.each(f),
+            axes: self.axes.each(|u| u.each(f)),
+            half: self.half.each(f),
         }
     }
 }
@@ -38,7 +38,7 @@ impl<S: Copy> ObbNumbers<S> {
 impl<S: Sample> ObbNumbers<S> {
     /// The box, if the axes span space.
     pub fn shape(&self) -> Result<Obb<S>, ShapeError> {
-        Obb::from_skewed_axes(self.center, self.axes.map(Vec3::from), self.half)
+        Obb::from_skewed_axes(self.center, self.axes.each(Vec3::from), self.half)
     }
 }
 
@@ -81,10 +81,10 @@ impl Whole {
             let one = || one.clone();
             [[one(), zero(), zero()], [zero(), one(), zero()], [zero(), zero(), one()]]
         };
-        let scaled = |p: [Parts; 3], n: u8| p.map(|x| times(number(x), n));
+        let scaled = |p: [Parts; 3], n: u8| p.each(|x| times(number(x), n));
         let (center, axes, half) = match any {
             AnyBox::Obb(b) => {
-                (scaled(b.center, 2), b.axes.map(|u| u.map(number)), scaled(b.half, 2))
+                (scaled(b.center, 2), b.axes.each(|u| u.each(number)), scaled(b.half, 2))
             }
             AnyBox::Aabb(BoxNumbers::Center(c, h)) => (scaled(c, 2), along(), scaled(h, 2)),
             AnyBox::Aabb(BoxNumbers::Corners(p, q)) => {
@@ -93,7 +93,7 @@ impl Whole {
                 (sum, along(), IBig::difference(&q, &p))
             }
         };
-        Self { center: center.map(|x| x * &one), axes, half }
+        Self { center: center.each(|x| x * &one), axes, half }
     }
 
     /// w_i·x + h_i·|det| for the normals w_i of the faces, and twice h_i·|det|: x is inside if each
@@ -104,7 +104,7 @@ impl Whole {
         let det = IBig::dot(u, &w[0]);
         let size = &det * IBig::from(Ring::sign(&det));
         let reach = three(|i: usize| &self.half[i] * &size);
-        let extent = reach.clone().map(|r| r * IBig::from(2));
+        let extent = reach.clone().each(|r| r * IBig::from(2));
         let of = move |x: &[IBig; 3]| {
             let from = IBig::difference(x, &self.center);
             three(|i: usize| IBig::dot(&w[i], &from) + &reach[i])
@@ -139,7 +139,7 @@ impl Whole {
             [[at(0, 0), at(1, 0), at(0, 1)], [at(1, 1), at(1, 0), at(0, 1)]]
         };
         (0..3).flat_map(|axis| [face(axis, 0), face(axis, 1)]).flatten().any(|triangle| {
-            let vertices = triangle.map(|k| corners[k].clone());
+            let vertices = triangle.each(|k| corners[k].clone());
             Lattice::Wide(Shapes { vertices, extent: extent.clone() }).meets()
         })
     }
@@ -149,9 +149,9 @@ impl Whole {
         let whole = IBig::ONE << bits;
         let less = &whole - IBig::ONE;
         Self {
-            center: self.center.clone().map(|x| x * &whole),
+            center: self.center.clone().each(|x| x * &whole),
             axes: self.axes.clone(),
-            half: self.half.clone().map(|x| x * &less),
+            half: self.half.clone().each(|x| x * &less),
         }
     }
 }
@@ -176,7 +176,7 @@ impl<S: Sample> BoxCase<S> {
             }
         }
         let unit = least_exponent(rows.as_flattened()).min(0);
-        [first, AnyBox::Obb(second)].map(|any| Whole::new(any, unit, &IBig::ONE))
+        [first, AnyBox::Obb(second)].each(|any| Whole::new(any, unit, &IBig::ONE))
     }
 
     /// Whether the two have a point in common.

@@ -3,7 +3,7 @@
 use super::{AnyBox, BoxCase, ObbNumbers, Point};
 use crate::rng::Rng;
 use crate::sample::Sample;
-use crate::{case::BoxNumbers, three};
+use crate::{Each, case::BoxNumbers, three};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BoxSet {
@@ -54,7 +54,7 @@ impl BoxSet {
         let q = self.point(rng);
         let sorted = |i: usize| if p[i] < q[i] { [p[i], q[i]] } else { [q[i], p[i]] };
         let rows = three(sorted);
-        BoxNumbers::Corners(rows.map(|r| r[0]), rows.map(|r| r[1]))
+        BoxNumbers::Corners(rows.each(|r| r[0]), rows.each(|r| r[1]))
     }
 
     fn number<S: Sample>(self, rng: &mut Rng) -> S {
@@ -93,7 +93,7 @@ impl BoxSet {
                     (row[i], row[j]) = (cos * row[i] - sin * row[j], sin * row[i] + cos * row[j]);
                 }
             }
-            frame.map(|row| row.map(S::nearest))
+            frame.each(|row| row.each(S::nearest))
         };
         let axes = match self {
             Self::Turned => turned(rng.triple(|rng| rng.real(0.0, 6.3))),
@@ -121,9 +121,9 @@ impl BoxSet {
                     *axis = rng.triple(|rng| rng.whole(-skew, skew));
                     axis[i] = 1;
                 }
-                axes.map(|u| u.map(|x| S::nearest(x as f64)))
+                axes.each(|u| u.each(|x| S::nearest(x as f64)))
             }
-            Self::Bits | Self::Huge => [(); 3].map(|()| self.point(rng)),
+            Self::Bits | Self::Huge => [(); 3].each(|()| self.point(rng)),
         };
         ObbNumbers { center, axes, half }
     }

@@ -3,7 +3,7 @@
 use dashu_int::IBig;
 
 use super::simplex::holds_zero;
-use crate::{lattice::Ring, three};
+use crate::{Each, lattice::Ring, three};
 
 pub(super) type Point = [IBig; 3];
 
@@ -96,7 +96,7 @@ pub(super) fn depths(hulls: &[Hull; 2]) -> Option<Vec<Depth>> {
             continue;
         }
         let ([b, e], [c, f]) = (first.ends(&a), second.ends(&a));
-        let against = a.each_ref().map(|x| -x);
+        let against = a.each_ref().each(|x| -x);
         for (axis, overlap) in [(against, e - c), (a, f - b)] {
             if overlap <= IBig::ZERO {
                 return None;

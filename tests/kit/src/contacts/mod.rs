@@ -17,11 +17,11 @@ use septum::contact::{
 };
 use septum::{Aabb, Obb, Triangle};
 
-use crate::boxes::AnyBox;
 use crate::case::BoxNumbers;
 use crate::exact::{Parts, least_exponent, whole};
 use crate::lattice::Ring;
 use crate::sample::Sample;
+use crate::{Each, boxes::AnyBox};
 use hull::{Depth, Hull, Point, depths, is_flat, scaled, share_an_interior_point, sum};
 
 /// A shape that has contacts, as plain numbers.
@@ -68,7 +68,7 @@ impl<S: Sample> Solid<S> {
     /// In units of 2^(2·unit − 1).
     fn hull(&self, unit: i32) -> Hull {
         let one = IBig::ONE << (-unit) as usize;
-        let vector = |p: &[S; 3]| p.map(|x| whole(x.mantissa_exponent(), unit));
+        let vector = |p: &[S; 3]| p.each(|x| whole(x.mantissa_exponent(), unit));
         let two = &one * IBig::from(2);
         let zero = IBig::ZERO;
         let (center, sides, half) = match self {
@@ -76,12 +76,12 @@ impl<S: Sample> Solid<S> {
                 let points: Vec<Point> = t.iter().map(|p| scaled(&vector(p), &two)).collect();
                 let side = |k: usize| IBig::difference(&points[(k + 1) % 3], &points[k]);
                 let sides = [side(0), side(1), side(2)];
-                let extends = sides.each_ref().map(|s| s.iter().any(|x| *x != zero));
+                let extends = sides.each_ref().each(|s| s.iter().any(|x| *x != zero));
                 return Hull { points, sides, is_triangle: true, extends };
             }
             Self::Box(AnyBox::Obb(b)) => (
                 scaled(&vector(&b.center), &two),
-                b.axes.each_ref().map(vector),
+                b.axes.each_ref().each(vector),
                 scaled(&vector(&b.half), &2.into()),
             ),
             Self::Box(AnyBox::Aabb(aabb)) => {
@@ -106,7 +106,7 @@ impl<S: Sample> Solid<S> {
             })
         };
         let points = (0..8).map(corner).collect();
-        Hull { points, sides, is_triangle: false, extends: half.map(|h| h != zero) }
+        Hull { points, sides, is_triangle: false, extends: half.each(|h| h != zero) }
     }
 }
 
@@ -161,7 +161,7 @@ impl<S: Sample> ContactCase<S> {
         if let Some(Contact { translation: t, .. }) = &found {
             let all = [t.vector.to_array().as_slice(), &[t.depth]].concat();
             let nonzero = all.iter().filter(|x| x.is_finite() && **x != S::ZERO);
-            numbers.extend(nonzero.flat_map(|x| [*x, inward(*x)].map(|x| x.mantissa_exponent())));
+            numbers.extend(nonzero.flat_map(|x| [*x, inward(*x)].each(|x| x.mantissa_exponent())));
         }
         let unit = least_exponent(&numbers).min(0);
         let hulls = [self.first.hull(unit), self.second.hull(unit)];
@@ -185,8 +185,8 @@ impl<S: Sample> ContactCase<S> {
         self.check_depth(t.depth, least, &length);
         let sign = |x: S| IBig::from(if x < S::ZERO { -1 } else { i8::from(x > S::ZERO) });
         let a = self.direction(t.features, &hulls);
-        let along = IBig::dot(&a, &t.vector.to_array().map(sign));
-        let a = if along < IBig::ZERO { a.map(|x| -x) } else { a };
+        let along = IBig::dot(&a, &t.vector.to_array().each(sign));
+        let a = if along < IBig::ZERO { a.each(|x| -x) } else { a };
         let is_before = depths.iter().flatten().take_while(|d| !core::ptr::eq(*d, least));
         let is_same = |d: &Depth| {
             IBig::cross(&d.axis, &a) == [IBig::ZERO, IBig::ZERO, IBig::ZERO]
@@ -210,7 +210,7 @@ impl<S: Sample> ContactCase<S> {
         self.check_vector(&t, &a, &hulls, &length);
         self.check_normal(&t.normal.to_array(), &a);
         if with_programming && t.is_sufficient {
-            let vector = t.vector.to_array().map(length);
+            let vector = t.vector.to_array().each(length);
             let still = share_an_interior_point(&hulls[0].moved(&vector), &hulls[1].points);
             assert!(!still, "not parted: {self:?} {t:?}");
         }
@@ -287,7 +287,7 @@ impl<S: Sample> ContactCase<S> {
         let is_told = if t.is_sufficient { may_be_held } else { !is_held };
         assert!(is_told, "sufficient or not: {self:?} {t:?}");
         if t.is_sufficient {
-            let along = IBig::dot(a, &t.vector.to_array().map(length));
+            let along = IBig::dot(a, &t.vector.to_array().each(length));
             assert!(along >= overlap, "not parted on its axis: {self:?}");
         }
     }

@@ -10,7 +10,7 @@ use super::plane::{intersection, off_hull};
 use super::{ContactCase, holds_zero};
 use crate::exact::{least_exponent, whole};
 use crate::sample::Sample;
-use crate::{lattice::Ring, three};
+use crate::{Each, lattice::Ring, three};
 
 /// How far a point may be off its part, in parts of the size of both shapes, beside one unit in the
 /// last place.
@@ -34,7 +34,7 @@ impl PointErrors {
     pub fn or(self, other: Self) -> Self {
         let [part, pair, span] =
             [(self.part, other.part), (self.pair, other.pair), (self.span, other.span)]
-                .map(|(a, b)| a.max(b));
+                .each(|(a, b)| a.max(b));
         Self { part, pair, span }
     }
 }
@@ -95,7 +95,7 @@ impl Scale {
     }
 
     fn vector(&self, v: &Point) -> [f64; 3] {
-        v.each_ref().map(|x| self.part(x))
+        v.each_ref().each(|x| self.part(x))
     }
 
     /// One unit in the last place.
@@ -151,28 +151,28 @@ impl<S: Sample> ContactCase<S> {
         let length = |x: S| whole(x.mantissa_exponent(), unit) << (1 - unit) as usize;
 
         let a = self.direction(t.features, &hulls);
-        let vector = t.vector.to_array().map(length);
-        let a = if IBig::dot(&a, &vector) < IBig::ZERO { a.map(|x| -x) } else { a };
+        let vector = t.vector.to_array().each(length);
+        let a = if IBig::dot(&a, &vector) < IBig::ZERO { a.each(|x| -x) } else { a };
         let long = a.iter().map(BitTest::bit_len).max().unwrap_or(0).saturating_sub(200);
-        let n = a.each_ref().map(|x| (x >> long).to_f64().value());
-        let n = n.map(|x| x / dot(n, n).sqrt());
+        let n = a.each_ref().each(|x| (x >> long).to_f64().value());
+        let n = n.each(|x| x / dot(n, n).sqrt());
 
         if points.is_empty() || points.len() > 8 {
             return Some(Err("number of points"));
         }
         let mut errors = PointErrors::default();
         for point in points {
-            let both = [point.on_first, point.on_second].map(|p| p.to_array());
-            let exact = both.map(|p| p.map(length));
-            let units = both.map(|p| p.map(|x| scale.unit_of(x)));
+            let both = [point.on_first, point.on_second].each(|p| p.to_array());
+            let exact = both.each(|p| p.each(length));
+            let units = both.each(|p| p.each(|x| scale.unit_of(x)));
             for k in 0..2 {
-                let allowed = units[k].map(|unit| OFF_PART + unit);
+                let allowed = units[k].each(|unit| OFF_PART + unit);
                 let Some(part) = hulls[k].part(point.parts[k]) else {
                     return Some(Err("no such part"));
                 };
                 let off = off_part(&scale, &part, &exact[k], allowed);
                 if off > 1.0
-                    && !is_on_part(&part, &exact[k], allowed.map(|x| x * scale.size), shift)
+                    && !is_on_part(&part, &exact[k], allowed.each(|x| x * scale.size), shift)
                 {
                     return Some(Err("off its part"));
                 }
@@ -185,20 +185,20 @@ impl<S: Sample> ContactCase<S> {
             let depth = scale.part(&length(point.depth));
             let unit = scale.unit_of(point.depth);
             let allowed = three(|i: usize| OFF_PAIR + units[0][i] + units[1][i] + unit);
-            errors.pair = errors.pair.max(ratio(minus(between, n.map(|x| x * depth)), allowed));
+            errors.pair = errors.pair.max(ratio(minus(between, n.each(|x| x * depth)), allowed));
         }
         if errors.pair > 1.0 {
             return Some(Err("not apart by the depth along the normal"));
         }
 
         // What touches, seen along the normal from the first point.
-        let origin = points[0].on_first.to_array().map(length);
+        let origin = points[0].on_first.to_array().each(length);
         let relative = |p: &Point| scale.vector(&IBig::difference(p, &origin));
         let least = (0..3).min_by(|&i, &j| n[i].abs().total_cmp(&n[j].abs())).expect("three");
         let mut e = [0.0; 3];
         e[least] = 1.0;
-        let u = minus(e, n.map(|x| x * n[least]));
-        let u = u.map(|x| x / dot(u, u).sqrt());
+        let u = minus(e, n.each(|x| x * n[least]));
+        let u = u.each(|x| x / dot(u, u).sqrt());
         let v = [n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0]];
         let flat = |p: [f64; 3]| [dot(p, u), dot(p, v)];
         let all_units: f64 = points
@@ -219,14 +219,14 @@ impl<S: Sample> ContactCase<S> {
             }
             errors.span = errors.span.max(off);
         }
-        let back = a.each_ref().map(|x| -x);
+        let back = a.each_ref().each(|x| -x);
         let supports = [hulls[0].support(&back), hulls[1].support(&a)]
-            .map(|s| s.into_iter().map(|p| flat(relative(p))).collect::<Vec<_>>());
+            .each(|s| s.into_iter().map(|p| flat(relative(p))).collect::<Vec<_>>());
         let deep: Vec<[f64; 2]> = points
             .iter()
             .zip(depths())
             .filter(|(_, depth)| *depth >= deepest - 2.0 * allowed)
-            .map(|(p, _)| flat(relative(&p.on_first.to_array().map(length))))
+            .map(|(p, _)| flat(relative(&p.on_first.to_array().each(length))))
             .collect();
         let [first, second] = &supports;
         for touch in intersection(first, second, allowed) {
@@ -274,7 +274,7 @@ fn off_part(scale: &Scale, part: &[&Point], at: &Point, allowed: [f64; 3]) -> f6
 /// The same, yes or no, by linear programming: whether a box around the point and the part have a
 /// point in common.
 fn is_on_part(part: &[&Point], at: &Point, allowed: [f64; 3], shift: usize) -> bool {
-    let half = allowed.map(|x| {
+    let half = allowed.each(|x| {
         let x = x * 2_f64.powi(60);
         (IBig::try_from(x.ceil().min(1e300)).unwrap_or(IBig::ZERO) << shift) >> 60
     });

@@ -4,7 +4,7 @@ use super::{ContactCase, Solid};
 use crate::boxes::{AnyBox, BoxSet, ObbNumbers};
 use crate::rng::Rng;
 use crate::sample::Sample;
-use crate::{case::BoxNumbers, three};
+use crate::{Each, case::BoxNumbers, three};
 
 /// A kind of case, with numbers as in the sets of boxes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,7 +79,7 @@ impl ContactSet {
                     })
                 };
                 let first = match case.first {
-                    Solid::Triangle(t) => Solid::Triangle(t.map(moved)),
+                    Solid::Triangle(t) => Solid::Triangle(t.each(moved)),
                     Solid::Box(AnyBox::Obb(b)) => {
                         let center = moved(b.center);
                         Solid::Box(AnyBox::Obb(ObbNumbers { center, ..b }))
@@ -94,13 +94,13 @@ impl ContactSet {
             Self::EdgeOnEdge => {
                 let touch = crate::Touch::edge(rng, crate::Touch::bits::<S>().min(12));
                 let case = touch.case::<S>(rng.one_in(2));
-                let along = touch.normal.map(|n| rng.whole(0, 2) * n.signum());
+                let along = touch.normal.each(|n| rng.whole(0, 2) * n.signum());
                 let moved = |p: [S; 3]| {
                     three(|i: usize| {
                         S::nearest(p[i].approximate() - S::whole(along[i]).approximate())
                     })
                 };
-                let first = Solid::Triangle(case.vertices.map(moved));
+                let first = Solid::Triangle(case.vertices.each(moved));
                 ContactCase { first, second: Solid::Box(AnyBox::Aabb(case.aabb)) }
             }
             Self::Flat => {
@@ -134,13 +134,13 @@ impl ContactSet {
                     S::nearest(end * if rng.one_in(2) { whole } else { rng.real(-1.0, 1.0) })
                 };
                 let mut solid = || match rng.below(2) {
-                    0 => Solid::Triangle([(); 3].map(|()| rng.triple(far))),
+                    0 => Solid::Triangle([(); 3].each(|()| rng.triple(far))),
                     _ => {
                         let (p, q) = (rng.triple(far), rng.triple(far));
                         let sorted =
                             |i: usize| if p[i] < q[i] { [p[i], q[i]] } else { [q[i], p[i]] };
                         let rows = three(sorted);
-                        let [p, q] = [0, 1].map(|k| rows.map(|row| row[k]));
+                        let [p, q] = [0, 1].each(|k| rows.each(|row| row[k]));
                         Solid::Box(AnyBox::Aabb(BoxNumbers::Corners(p, q)))
                     }
                 };
@@ -151,10 +151,10 @@ impl ContactSet {
                     rng.triple(|rng| S::nearest(rng.whole(-most, most) as f64 * unit))
                 };
                 let mut skewed = || {
-                    let half = number(8, 0.25).map(|x| {
+                    let half = number(8, 0.25).each(|x| {
                         if x < S::ZERO { S::from_ordinal(x.ordinal().saturating_neg()) } else { x }
                     });
-                    let axes = [(); 3].map(|()| number(2, 0.25));
+                    let axes = [(); 3].each(|()| number(2, 0.25));
                     Solid::Box(AnyBox::Obb(ObbNumbers { center: number(4, 0.25), axes, half }))
                 };
                 let first = skewed();
@@ -172,7 +172,7 @@ impl ContactSet {
                 let mut at = || {
                     let t = rng.whole(-3, 3);
                     [0, 1, 2]
-                        .map(|i: usize| S::nearest(p[i].approximate() + (t * d[i]) as f64 / 2.0))
+                        .each(|i: usize| S::nearest(p[i].approximate() + (t * d[i]) as f64 / 2.0))
                 };
                 let line = Solid::Triangle([at(), at(), at()]);
                 let other = solid([BoxSet::Grid, BoxSet::Turned][rng.below(2)], rng);
@@ -188,7 +188,7 @@ impl ContactSet {
                 let (mut center, half) = ([S::ZERO; 3], nonzero::<S>(rng));
                 let BoxNumbers::Corners(p, q) = corners::<S>(rng) else { unreachable!() };
                 for i in 0..3 {
-                    let [p, q] = [p[i], q[i]].map(S::approximate);
+                    let [p, q] = [p[i], q[i]].each(S::approximate);
                     center[i] = S::nearest(rng.real(p - 0.1, q + 0.1));
                 }
                 let top = q[axis].approximate() + half[axis].approximate();
@@ -222,7 +222,7 @@ impl ContactSet {
                     if rng.one_in(3) {
                         let plane = rng.whole(-2, 2);
                         let axis = rng.below(3);
-                        return Solid::Triangle([(); 3].map(|()| {
+                        return Solid::Triangle([(); 3].each(|()| {
                             let mut x = rng.triple(|rng| rng.whole(-4, 4));
                             x[axis] = plane;
                             at(x)
@@ -233,7 +233,7 @@ impl ContactSet {
                     if s == 0.0 && rng.one_in(2) {
                         return Solid::Box(AnyBox::Aabb(BoxNumbers::Center(center, half)));
                     }
-                    let axes = frame.map(|u| u.map(S::nearest));
+                    let axes = frame.each(|u| u.each(S::nearest));
                     Solid::Box(AnyBox::Obb(ObbNumbers { center, axes, half }))
                 };
                 ContactCase { first: solid(), second: solid() }
@@ -243,7 +243,7 @@ impl ContactSet {
 }
 
 fn aligned<S: Sample>() -> [[S; 3]; 3] {
-    [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|u| u.map(S::nearest))
+    [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].each(|u| u.each(S::nearest))
 }
 
 fn nonzero<S: Sample>(rng: &mut Rng) -> [S; 3] {

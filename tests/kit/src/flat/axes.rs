@@ -1,7 +1,7 @@
 //! The second oracle, for triangles that are not segments: the 11 axes, and for coplanar triangles
 //! the edges' normals in their plane.
 
-use crate::{lattice::Ring, three};
+use crate::{Each, lattice::Ring, three};
 
 use super::oracle::Corners;
 
@@ -17,7 +17,7 @@ pub(super) fn separate<I: Ring>(first: &Corners<I>, second: &Corners<I>) -> Opti
     let in_plane = e.iter().map(|e| I::cross(&m, e)).chain(f.iter().map(|f| I::cross(&n, f)));
     let mut axes = [m.clone(), n.clone()].into_iter().chain(across).chain(in_plane);
     Some(axes.any(|axis| {
-        let on_axis = |t: &Corners<I>| t.each_ref().map(|p| I::dot(&axis, p));
+        let on_axis = |t: &Corners<I>| t.each_ref().each(|p| I::dot(&axis, p));
         let (p, q) = (on_axis(first), on_axis(second));
         let all_below =
             |p: &[I; 3], q: &[I; 3]| p.iter().all(|p| q.iter().all(|q| q.minus(p).sign() > 0));

@@ -8,7 +8,7 @@ use dashu_int::IBig;
 use super::Point;
 use crate::exact::{Parts, least_exponent, whole};
 use crate::rays::Fraction;
-use crate::{lattice::Ring, three};
+use crate::{Each, lattice::Ring, three};
 
 type Vector = [IBig; 3];
 
@@ -22,7 +22,7 @@ struct Place {
 /// of their normals.
 pub(super) fn crossing(triangles: [[Point<Parts>; 3]; 2]) -> Option<[[Fraction; 3]; 2]> {
     let unit = least_exponent(triangles.as_flattened().as_flattened());
-    let [first, second] = triangles.map(|t| t.map(|p| p.map(|x| whole(x, unit))));
+    let [first, second] = triangles.each(|t| t.each(|p| p.each(|x| whole(x, unit))));
     let normal = |[a, b, c]: &[Vector; 3]| IBig::cross(&from(b, a), &from(c, a));
     let (m, n) = (normal(&first), normal(&second));
     let line = IBig::cross(&m, &n);
@@ -47,7 +47,7 @@ fn interval(
     line: &Vector,
     unit: i32,
 ) -> Option<[Place; 2]> {
-    let heights = triangle.each_ref().map(|p| IBig::dot(normal, &from(p, base)));
+    let heights = triangle.each_ref().each(|p| IBig::dot(normal, &from(p, base)));
     let mut places = Vec::new();
     // From an end above the plane or in it to one below or in it, also of the edge of no length.
     for (p, h) in triangle.iter().zip(&heights).filter(|(_, h)| **h >= IBig::ZERO) {

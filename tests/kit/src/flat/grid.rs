@@ -5,14 +5,14 @@ use std::collections::HashSet;
 use septum::Triangle;
 
 use super::oracle::{Truth, truth_of_whole};
-use crate::orders::VERTEX_ORDERS;
 use crate::sample::Sample;
+use crate::{Each, orders::VERTEX_ORDERS};
 
 type Corners = [[i128; 3]; 3];
 
 /// All triples of grid points regardless of order, repetitions included.
 fn triples() -> Vec<Corners> {
-    let point = |n: usize| [n / 9, n / 3 % 3, n % 3].map(|x| x as i128);
+    let point = |n: usize| [n / 9, n / 3 % 3, n % 3].each(|x| x as i128);
     let mut all = Vec::new();
     for a in 0..27 {
         for b in a..27 {
@@ -25,7 +25,7 @@ fn triples() -> Vec<Corners> {
 /// The least of the images under the 48 symmetries of the grid.
 fn least_image(corners: &Corners) -> Corners {
     let image = |order: [usize; 3], mirrored: usize| {
-        let mut image = corners.map(|p| {
+        let mut image = corners.each(|p| {
             core::array::from_fn(|i| {
                 let x = p[order[i]];
                 if mirrored >> i & 1 == 1 { 2 - x } else { x }
@@ -48,7 +48,7 @@ pub fn every_pair_on_the_grid<S: Sample>(in_all_orders: bool) -> [u32; 3] {
     let all = triples();
     let first: HashSet<Corners> = all.iter().map(least_image).collect();
     let shape = |corners: &Corners, order: [usize; 3]| -> Triangle<S> {
-        let [a, b, c] = order.map(|k| corners[k].map(|x| S::nearest(x as f64)));
+        let [a, b, c] = order.each(|k| corners[k].each(|x| S::nearest(x as f64)));
         Triangle::new(a, b, c).expect("finite vertices")
     };
     let orders = if in_all_orders { &VERTEX_ORDERS[..] } else { &VERTEX_ORDERS[..1] };

@@ -10,6 +10,7 @@ pub use grid::every_pair_on_the_grid;
 pub use oracle::{Truth, truth_of_whole};
 pub use sets::FlatSet;
 
+use crate::Each;
 use septum::relation::{Relate, Relation};
 use septum::{Segment, Triangle};
 
@@ -33,10 +34,10 @@ pub enum Flat<S> {
 impl<S: Copy> Flat<S> {
     fn map<T>(self, f: impl Fn(S) -> T + Copy) -> Flat<T> {
         match self {
-            Self::Triangle(t) => Flat::Triangle(t.map(|p| p.map(f))),
-            Self::Ends(ends) => Flat::Ends(ends.map(|p| p.map(f))),
-            Self::Center(c, h) => Flat::Center(c.map(f), h.map(f)),
-            Self::Point(p) => Flat::Point(p.map(f)),
+            Self::Triangle(t) => Flat::Triangle(t.each(|p| p.each(f))),
+            Self::Ends(ends) => Flat::Ends(ends.each(|p| p.each(f))),
+            Self::Center(c, h) => Flat::Center(c.each(f), h.each(f)),
+            Self::Point(p) => Flat::Point(p.each(f)),
         }
     }
 }
@@ -53,7 +54,7 @@ impl<S: Sample> FlatCase<S> {
     pub fn truth(&self) -> Truth {
         let parts = S::mantissa_exponent;
         let flat: Flat<Parts> = self.flat.map(parts);
-        oracle::truth(flat, self.triangle.map(|p| p.map(parts)))
+        oracle::truth(flat, self.triangle.each(|p| p.each(parts)))
     }
 
     /// The crate's answers to every query about the pair, in either order, which must all agree;
@@ -114,9 +115,10 @@ impl<S: Sample> FlatCase<S> {
     pub fn check_crossing(&self) -> Option<[[(S, Fraction); 3]; 2]> {
         let Flat::Triangle(first) = self.flat else { return None };
         let triangles = [first, self.triangle];
-        let truth = crossing::crossing(triangles.map(|t| t.map(|p| p.map(S::mantissa_exponent))));
+        let truth =
+            crossing::crossing(triangles.each(|t| t.each(|p| p.each(S::mantissa_exponent))));
         let [first, second] =
-            triangles.map(|[a, b, c]| Triangle::new(a, b, c).expect("finite vertices"));
+            triangles.each(|[a, b, c]| Triangle::new(a, b, c).expect("finite vertices"));
         let ends = |a: &Triangle<S>, b: &Triangle<S>| a.crossing(b).and_then(|s| s.ends());
         let found = ends(&first, &second);
         assert_eq!(found.is_some(), truth.is_some(), "{self:?}");
@@ -130,9 +132,9 @@ impl<S: Sample> FlatCase<S> {
         let boxes = [first.aabb(), second.aabb()];
         assert!([from, to].iter().all(|&p| boxes.iter().all(|b| b.contains(p))), "{self:?}");
         let mut truth = truth?.into_iter();
-        let beside = [from, to].map(|end| {
+        let beside = [from, to].each(|end| {
             let mut truth = truth.next().expect("two ends").into_iter();
-            end.to_array().map(|x| (x, truth.next().expect("three coordinates")))
+            end.to_array().each(|x| (x, truth.next().expect("three coordinates")))
         });
         Some(beside)
     }

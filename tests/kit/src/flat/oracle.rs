@@ -11,7 +11,7 @@ use septum::relation::Relation;
 
 use crate::exact::{Parts, least_exponent, whole};
 use crate::oracle::{clip, uncut};
-use crate::{lattice::Ring, three};
+use crate::{Each, lattice::Ring, three};
 
 use super::{Flat, axes};
 
@@ -61,19 +61,19 @@ pub(super) fn truth(flat: Flat<Parts>, triangle: [[Parts; 3]; 3]) -> Truth {
     let all = [rows, triangle].concat();
     let unit = least_exponent(all.as_flattened());
     let number = |x: Parts| whole(x, unit);
-    let mut first = rows.map(|p| p.map(number));
+    let mut first = rows.each(|p| p.each(number));
     if let Flat::Center(..) = flat {
         let [c, h, _] = first;
         let sum = three(|i: usize| &c[i] + &h[i]);
         first = [IBig::difference(&c, &h), sum.clone(), sum];
     }
-    let second = triangle.map(|p| p.map(number));
+    let second = triangle.each(|p| p.each(number));
     // From one of the points, because most are near it.
     let origin = second[0].clone();
     let from = |p: &[IBig; 3]| IBig::difference(p, &origin);
-    let (first, second) = (first.each_ref().map(from), second.each_ref().map(from));
+    let (first, second) = (first.each_ref().each(from), second.each_ref().each(from));
     let narrow = |p: &[IBig; 3]| -> Option<[i128; 3]> {
-        let [x, y, z] = p.each_ref().map(|x| i128::try_from(x).ok());
+        let [x, y, z] = p.each_ref().each(|x| i128::try_from(x).ok());
         [x?, y?, z?].into_iter().all(|x| x.unsigned_abs() >> NARROW == 0).then_some([x?, y?, z?])
     };
     let all = |corners: &Corners<IBig>| -> Option<Corners<i128>> {
@@ -101,7 +101,7 @@ pub fn truth_of_whole<I: Ring>(first: &Corners<I>, second: &Corners<I>) -> Truth
 fn by_clipping<I: Ring>(first: &Corners<I>, second: &Corners<I>) -> Truth {
     let spaces = half_spaces(second);
     let form = |space: &HalfSpace<I>| -> [I; 3] {
-        first.each_ref().map(|p| I::dot(&space.normal, &I::difference(p, &space.point)))
+        first.each_ref().each(|p| I::dot(&space.normal, &I::difference(p, &space.point)))
     };
     let forms: Vec<[I; 3]> = spaces.iter().map(form).collect();
     // An early exit: a half-space without a vertex.
@@ -126,13 +126,13 @@ fn by_clipping<I: Ring>(first: &Corners<I>, second: &Corners<I>) -> Truth {
 }
 
 fn negated<I: Ring>(v: &[I; 3]) -> [I; 3] {
-    let zero = [(); 3].map(|()| I::from_bit(false));
+    let zero = [(); 3].each(|()| I::from_bit(false));
     I::difference(&zero, v)
 }
 
 /// Both sides of a plane through `point`.
 fn both<I: Ring>(normal: [I; 3], point: &[I; 3]) -> [HalfSpace<I>; 2] {
-    [negated(&normal), normal].map(|normal| HalfSpace {
+    [negated(&normal), normal].each(|normal| HalfSpace {
         normal,
         point: point.clone(),
         is_edge: false,

@@ -2,7 +2,7 @@
 
 use super::{Flat, FlatCase, Point};
 use crate::sample::Sample;
-use crate::{rng::Rng, three};
+use crate::{Each, rng::Rng, three};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FlatSet {
@@ -93,7 +93,7 @@ fn sum(o: Whole, terms: &[(i64, Whole)]) -> Whole {
 
 /// Integer points, with one sometimes moved by a unit in the last place.
 fn nudged<S: Sample>(rng: &mut Rng, points: [Whole; 6]) -> [Point<S>; 6] {
-    let mut points = points.map(|p| p.map(S::whole));
+    let mut points = points.map(|p| p.each(S::whole));
     if rng.one_in(2) {
         let x = &mut points[rng.below(6)][rng.below(3)];
         *x = x.moved(rng.whole(-1, 1));
@@ -145,7 +145,7 @@ fn slivers<S: Sample>(rng: &mut Rng) -> [Point<S>; 6] {
     let o = rng.triple(|rng| rng.real(-0.5, 0.5));
     let mut three = || {
         let d = rng.triple(|rng| rng.real(-0.5, 0.5));
-        [(); 3].map(|()| {
+        [(); 3].each(|()| {
             let t = rng.real(-1.0, 1.0);
             three(|i: usize| S::nearest(o[i] + t * d[i]).moved(rng.whole(-1, 1)))
         })

@@ -11,7 +11,7 @@ use septum::{Aabb, Ray, Segment};
 
 use crate::exact::{Parts, least_exponent, whole};
 use crate::lattice::Ring;
-use crate::{BoxNumbers, Sample, three};
+use crate::{BoxNumbers, Each, Sample, three};
 
 pub use oriented::LineObb;
 pub use sets::LineSet;
@@ -52,10 +52,10 @@ impl Fraction {
     }
     /// Whether `x` is within n/d units in the last place, measured on the side of the true value.
     pub fn is_within<S: Sample>(&self, x: S, bound: (i64, i64)) -> bool {
-        self.is_within_parts([-1, 0, 1].map(|steps| x.moved(steps).mantissa_exponent()), bound)
+        self.is_within_parts([-1, 0, 1].each(|steps| x.moved(steps).mantissa_exponent()), bound)
     }
     fn is_within_parts(&self, neighbours: [Parts; 3], (n, d): (i64, i64)) -> bool {
-        let [below, x, above] = neighbours.map(|(m, e)| IBig::from(m) << (e + 1100) as usize);
+        let [below, x, above] = neighbours.each(|(m, e)| IBig::from(m) << (e + 1100) as usize);
         let gap = (&self.0 << 1100) - &x * &self.1;
         let beside = [(below - &x).abs(), (above - &x).abs()];
         let towards = usize::from(gap >= IBig::ZERO);
@@ -66,7 +66,7 @@ impl Fraction {
     }
     /// The nearest value of a fixed-point type, the even one of two, or the extreme.
     pub fn nearest_fixed<S: Sample>(&self) -> S {
-        let ends = [S::LEAST, S::GREATEST].map(S::ordinal);
+        let ends = [S::LEAST, S::GREATEST].each(S::ordinal);
         S::from_ordinal(self.nearest_ordinal(-S::ZERO.mantissa_exponent().1, ends))
     }
     fn nearest_ordinal(&self, places: i32, [least, greatest]: [i64; 2]) -> i64 {
@@ -101,10 +101,10 @@ impl<S: Sample> Line<S> {
     }
 
     fn parts(&self) -> Line<Parts> {
-        let parts = |p: [S; 3]| p.map(S::mantissa_exponent);
+        let parts = |p: [S; 3]| p.each(S::mantissa_exponent);
         match *self {
             Self::Ray(o, d, t) => {
-                Line::Ray(parts(o), parts(d), t.map(|t| t.map(S::mantissa_exponent)))
+                Line::Ray(parts(o), parts(d), t.each(|t| t.map(S::mantissa_exponent)))
             }
             Self::Ends(a, b) => Line::Ends(parts(a), parts(b)),
             Self::Center(c, w) => Line::Center(parts(c), parts(w)),
@@ -125,13 +125,13 @@ impl Line<Parts> {
 
     /// The line in units of 2^unit; t counts in ones.
     fn whole(&self, unit: i32) -> Whole {
-        let vector = |p: [Parts; 3]| p.map(|x| whole(x, unit));
+        let vector = |p: [Parts; 3]| p.each(|x| whole(x, unit));
         let number = |n: i8| Some(Fraction(n.into(), IBig::ONE));
         match *self {
             Self::Ray(o, d, ends) => {
                 let one = IBig::ONE << (-unit) as usize;
                 let end = |t: Option<Parts>| t.map(|t| Fraction(whole(t, unit), one.clone()));
-                (vector(o), vector(d), ends.map(end))
+                (vector(o), vector(d), ends.each(end))
             }
             Self::Ends(a, b) => {
                 let (a, b) = (vector(a), vector(b));
@@ -196,7 +196,7 @@ impl LineBox<Parts> {
         let numbers: Vec<_> = self.line.numbers().chain(p).chain(q).collect();
         let unit = least_exponent(&numbers).min(0);
         let (origin, d, range) = self.line.whole(unit);
-        let [p, q] = [p, q].map(|row| row.map(|x| whole(x, unit)));
+        let [p, q] = [p, q].each(|row| row.each(|x| whole(x, unit)));
         let faces = three(|i| match self.aabb {
             BoxNumbers::Center(..) => [&p[i] - &q[i], &p[i] + &q[i]],
             BoxNumbers::Corners(..) => [p[i].clone(), q[i].clone()],
@@ -241,7 +241,7 @@ fn clip(InFrame { origin, d, faces, mut range }: InFrame) -> Option<[Option<Frac
             }
             continue;
         }
-        let mut crossings = [least, greatest].map(|x| Fraction::new(x - &origin[i], d[i].clone()));
+        let mut crossings = [least, greatest].each(|x| Fraction::new(x - &origin[i], d[i].clone()));
         if d[i] < IBig::ZERO {
             crossings.reverse();
         }

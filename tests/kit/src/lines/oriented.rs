@@ -8,7 +8,7 @@ use super::{Fraction, InFrame, Line, clip, faces};
 use crate::boxes::{AnyBox, BoxSet, ObbNumbers};
 use crate::exact::{Parts, least_exponent, whole};
 use crate::lattice::Ring;
-use crate::{BoxNumbers, Rng, Sample, three};
+use crate::{BoxNumbers, Each, Rng, Sample, three};
 
 /// A line and an oriented box.
 #[derive(Clone, Copy, Debug)]
@@ -43,7 +43,7 @@ impl<S: Sample> LineObb<S> {
             _ => {
                 let direction = if aims { minus(target, p) } else { q };
                 let zero = S::ZERO;
-                let mut ends = [(); 2].map(|()| match rng.below(3) {
+                let mut ends = [(); 2].each(|()| match rng.below(3) {
                     0 => None,
                     1 => Some(zero),
                     _ => Some([q[0], S::nearest(1.0), p[1], S::nearest(-1.0)][rng.below(4)]),
@@ -107,15 +107,15 @@ impl LineObb<Parts> {
         let mut numbers: Vec<_> = self.line.numbers().chain(center).chain(half).collect();
         numbers.extend(axes.as_flattened());
         let unit = least_exponent(&numbers).min(0);
-        let vector = |p: [Parts; 3]| p.map(|x| whole(x, unit));
+        let vector = |p: [Parts; 3]| p.each(|x| whole(x, unit));
         let one = IBig::ONE << (-unit) as usize;
         let (origin, d, range) = self.line.whole(unit);
-        let [u, v, n] = axes.map(vector);
+        let [u, v, n] = axes.each(vector);
         let w = [IBig::cross(&v, &n), IBig::cross(&n, &u), IBig::cross(&u, &v)];
         let det = IBig::dot(&u, &w[0]);
         let hand = IBig::from(Ring::sign(&det));
         let size = &det * &hand;
-        let faces = vector(half).map(|h| [-(&h * &size), h * &size]);
+        let faces = vector(half).each(|h| [-(&h * &size), h * &size]);
         let from = IBig::difference(&origin, &vector(center));
         let along = |x: &[IBig; 3]| three(|i: usize| IBig::dot(&w[i], x) * &one * &hand);
         InFrame { origin: along(&from), d: along(&d), faces, range }

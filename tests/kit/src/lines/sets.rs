@@ -3,7 +3,7 @@
 use septum::Ray;
 
 use super::{Line, LineBox};
-use crate::{BoxNumbers, Rng, Sample, three};
+use crate::{BoxNumbers, Each, Rng, Sample, three};
 
 /// A kind of case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,7 +85,7 @@ fn made<S: Sample>(rng: &mut Rng, pick: &dyn Fn(&mut Rng) -> S) -> Option<LineBo
     let (a, b, p, q, t) = (row(rng), row(rng), row(rng), row(rng), row(rng));
     let ordered = |i: usize| if p[i] < q[i] { (p[i], q[i]) } else { (q[i], p[i]) };
     let aabb = if rng.one_in(2) {
-        let half = q.map(|x| if x < S::ZERO { S::from_ordinal(-x.moved(1).ordinal()) } else { x });
+        let half = q.each(|x| if x < S::ZERO { S::from_ordinal(-x.moved(1).ordinal()) } else { x });
         BoxNumbers::Center(p, half)
     } else {
         BoxNumbers::Corners(three(|i| ordered(i).0), three(|i| ordered(i).1))
@@ -111,7 +111,7 @@ fn some_range<S: Sample>(rng: &mut Rng, t: [S; 3]) -> [Option<S>; 2] {
 }
 
 fn shifted<S: Sample>(mut case: LineBox<S>, at: f64) -> LineBox<S> {
-    let shift = |v: &mut [S; 3]| *v = v.map(|x| S::nearest(x.approximate() + at));
+    let shift = |v: &mut [S; 3]| *v = v.each(|x| S::nearest(x.approximate() + at));
     match &mut case.line {
         Line::Ray(o, ..) => shift(o),
         Line::Ends(a, b) => {
@@ -162,7 +162,7 @@ fn grazing<S: Sample>(rng: &mut Rng) -> Option<LineBox<S>> {
     let step = rng.triple(|rng| rng.whole(-most / 2, most / 2) * i64::from(!rng.one_in(4)));
     let (back, on) = (rng.whole(0, 2), rng.whole(0, 2));
     let at = |times: i64| three(|i| S::whole_clamped(point[i] + times * step[i]));
-    let whole = |v: [i64; 3]| v.map(S::whole_clamped);
+    let whole = |v: [i64; 3]| v.each(S::whole_clamped);
     let line = match rng.below(3) {
         0 => Line::Ends(at(-back), at(on)),
         1 => Line::Center(at(on - back), whole(step)),

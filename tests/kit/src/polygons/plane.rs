@@ -6,7 +6,7 @@ use super::PolygonCase;
 use crate::oracle::{clip, closed};
 use crate::rng::Rng;
 use crate::sample::Sample;
-use crate::{case::BoxNumbers, three};
+use crate::{Each, case::BoxNumbers, three};
 
 type Whole = [i64; 3];
 
@@ -35,7 +35,7 @@ impl PlanePolygon {
         let corners = corners(rng);
         // The box lies around a point of the plane, or around a corner.
         let [a, b] = if rng.one_in(2) { corners[0] } else { [rng.whole(0, 7), rng.whole(0, 7)] };
-        let half = w.map(i64::abs);
+        let half = w.each(i64::abs);
         let center = if rng.one_in(2) {
             three(|i: usize| o[i] + a * u[i] + b * v[i])
         } else {
@@ -57,7 +57,7 @@ impl PlanePolygon {
         let at = |&[a, b]: &[i64; 2]| three(|i| S::whole(o[i] + a * u[i] + b * v[i]));
         let corner = |sign: i64| three(|i| S::whole(center[i] + sign * half[i]));
         let aabb = if by_center {
-            BoxNumbers::Center(center.map(S::whole), half.map(S::whole))
+            BoxNumbers::Center(center.each(S::whole), half.each(S::whole))
         } else {
             BoxNumbers::Corners(corner(-1), corner(1))
         };
@@ -66,7 +66,7 @@ impl PlanePolygon {
 
     /// Whether clipping the polygon by the six half-spaces of the box leaves a point.
     pub fn meets(&self) -> bool {
-        let big = |x: [i64; 3]| x.map(IBig::from);
+        let big = |x: [i64; 3]| x.each(IBig::from);
         let mut cycle = closed(self.corners.iter().map(|&[a, b]| big([a, b, 1])).collect());
         for i in 0..3 {
             let from_center = self.o[i] - self.center[i];

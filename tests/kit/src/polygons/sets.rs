@@ -4,7 +4,7 @@ use super::{PlanePolygon, PolygonCase};
 use crate::case::{BoxNumbers, Case};
 use crate::sample::Sample;
 use crate::sets::Set;
-use crate::{rng::Rng, three};
+use crate::{Each, rng::Rng, three};
 
 /// A kind of case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,7 +69,7 @@ fn round<S: Sample>(rng: &mut Rng) -> PolygonCase<S> {
         let (sin, cos) = ((k + from) / count as f64 * std::f64::consts::TAU).sin_cos();
         three(|i: usize| o[i] + part * (cos * u[i] + sin * v[i]))
     };
-    let vertices = (0..count).map(|k| at(k as f64, 1.0).map(S::nearest)).collect();
+    let vertices = (0..count).map(|k| at(k as f64, 1.0).each(S::nearest)).collect();
     // Seldom far away, because most boxes would miss it.
     let (k, part) = (rng.real(0.0, count as f64), rng.real(0.0, 1.2));
     let near = at(k, part);
@@ -92,7 +92,7 @@ fn plane<S: Sample>(rng: &mut Rng) -> PolygonCase<S> {
 fn bits<S: Sample>(rng: &mut Rng) -> PolygonCase<S> {
     let mut point = || rng.triple(|rng| S::from_ordinal(rng.bits() as i64 >> rng.below(64)));
     let (p, q) = (point(), point());
-    let mut vertices: Vec<_> = [(); 3].map(|()| point()).into();
+    let mut vertices: Vec<_> = [(); 3].each(|()| point()).into();
     while vertices.len() < 8 && rng.one_in(2) {
         vertices.push(rng.triple(|rng| S::from_ordinal(rng.bits() as i64 >> rng.below(64))));
     }

@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
 
-use crate::{Parts, Sample};
+use crate::{Each, Parts, Sample};
 
 /// num / den · 2^exponent, with den above zero.
 #[derive(Clone, Debug)]
@@ -70,7 +70,7 @@ impl Fraction {
 
     /// Whether the scalar is the nearest of its type, or the even one of two.
     pub fn is_nearest<S: Sample>(&self, x: S) -> bool {
-        let neighbours = [-1, 0, 1].map(|steps| x.moved(steps).mantissa_exponent());
+        let neighbours = [-1, 0, 1].each(|steps| x.moved(steps).mantissa_exponent());
         self.is_nearest_of(neighbours, x.ordinal() % 2 == 0)
     }
 
@@ -113,6 +113,6 @@ fn ratio(num: &IBig, den: &IBig, exponent: i32) -> f64 {
     let exponent = exponent - shift;
     // As three factors, because a single power of two might overflow or underflow.
     let (a, b) = (exponent / 3, exponent / 3);
-    let parts = [a, b, exponent - a - b].map(|e| 2_f64.powi(e));
+    let parts = [a, b, exponent - a - b].each(|e| 2_f64.powi(e));
     i128::try_from(quotient).expect("65 bits") as f64 * parts[0] * parts[1] * parts[2]
 }

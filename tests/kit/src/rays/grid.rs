@@ -9,7 +9,7 @@ use septum::prepared::{HitRay, HitTriangle};
 use septum::{Facing, Feature, Ray, Triangle};
 
 use super::{RayCase, Truth, crossing};
-use crate::{Sample, VERTEX_ORDERS};
+use crate::{Each, Sample, VERTEX_ORDERS};
 
 type Point = [f64; 3];
 
@@ -52,10 +52,10 @@ fn check<S: Sample>(
     truth: Option<&Truth>,
     orders: Range<usize>,
 ) {
-    let vertices = vertices.map(|v| v.map(S::nearest));
+    let vertices = vertices.each(|v| v.each(S::nearest));
     for n in orders {
         let order = VERTEX_ORDERS[n];
-        let [a, b, c] = order.map(|k| vertices[k]);
+        let [a, b, c] = order.each(|k| vertices[k]);
         let triangle = Triangle::new(a, b, c).expect("finite vertices");
         let found = ray.hit(&triangle);
         let expected = truth.map(|truth| reordered(truth, order, n >= 3));
@@ -67,7 +67,7 @@ fn check<S: Sample>(
 }
 
 fn rays_in<S: Sample>(rays: &[(Point, Point)]) -> Vec<Ray<S>> {
-    let ray = |&(o, d): &(Point, Point)| Ray::new(o.map(S::nearest), d.map(S::nearest)).unwrap();
+    let ray = |&(o, d): &(Point, Point)| Ray::new(o.each(S::nearest), d.each(S::nearest)).unwrap();
     rays.iter().map(ray).collect()
 }
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use septum::Triangle;
 
-use crate::{Sample, three};
+use crate::{Each, Sample, three};
 
 type Point = [f64; 3];
 
@@ -50,7 +50,7 @@ impl<S: Sample> Mesh<S> {
         }
         let to_sphere = |p: Point| {
             let length = square(p, [0.0; 3]).sqrt();
-            p.map(|x| x / length)
+            p.each(|x| x / length)
         };
         let mut points = points.into_iter().map(to_sphere).collect();
         subdivide(&mut points, &mut faces, 4, to_sphere);
@@ -78,7 +78,7 @@ impl<S: Sample> Mesh<S> {
 
     fn new(vertices: Vec<[S; 3]>, faces: Vec<[usize; 3]>) -> Self {
         let triangle = |face: &[usize; 3]| {
-            let [a, b, c] = face.map(|v| vertices[v]);
+            let [a, b, c] = face.each(|v| vertices[v]);
             Triangle::new(a, b, c).expect("finite vertices")
         };
         let triangles = faces.iter().map(triangle).collect();
@@ -89,7 +89,7 @@ impl<S: Sample> Mesh<S> {
     /// All triangles that the line might come near, including every triangle within a hundredth of
     /// a patch's size.
     pub fn near(&self, origin: [S; 3], direction: [S; 3]) -> impl Iterator<Item = &Triangle<S>> {
-        let (o, d) = (origin.map(S::approximate), direction.map(S::approximate));
+        let (o, d) = (origin.each(S::approximate), direction.each(S::approximate));
         let dot = |a: Point, b: Point| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
         let square = dot(d, d);
         let meets = move |&(center, radius): &(Point, f64)| {
@@ -104,7 +104,7 @@ impl<S: Sample> Mesh<S> {
 
 /// The face, oriented so that its normal points away from the origin.
 fn outward(points: &[Point], [a, b, c]: [usize; 3]) -> [usize; 3] {
-    let [p, q, r] = [a, b, c].map(|k| points[k]);
+    let [p, q, r] = [a, b, c].each(|k| points[k]);
     let volume = p[0] * (q[1] * r[2] - q[2] * r[1])
         + p[1] * (q[2] * r[0] - q[0] * r[2])
         + p[2] * (q[0] * r[1] - q[1] * r[0]);
@@ -136,7 +136,7 @@ fn subdivide(
 
 /// A ball around the faces, a hundredth larger than necessary.
 fn ball<S: Sample>(patch: &[[usize; 3]], vertices: &[[S; 3]]) -> (Point, f64) {
-    let corners = || patch.iter().flatten().map(|&v| vertices[v].map(S::approximate));
+    let corners = || patch.iter().flatten().map(|&v| vertices[v].each(S::approximate));
     let count = 3.0 * patch.len() as f64;
     let center = three(|i| corners().map(|p| p[i]).sum::<f64>() / count);
     let distance =

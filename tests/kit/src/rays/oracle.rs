@@ -14,7 +14,7 @@ use dashu_int::IBig;
 use septum::{Facing, Feature};
 
 use super::{Fraction, RayCase};
-use crate::{Parts, Ring, Sample, odd_mantissa, three};
+use crate::{Each, Parts, Ring, Sample, odd_mantissa, three};
 
 /// The complete answer about a crossing.
 #[derive(Clone, Debug)]
@@ -60,14 +60,14 @@ struct Taken {
 impl Taken {
     fn of<S: Sample>(case: &RayCase<S>) -> Self {
         let [a, b, c] = case.vertices;
-        let points = [case.origin, a, b, c].map(|v| v.map(odd_mantissa));
-        let direction = case.direction.map(odd_mantissa);
+        let points = [case.origin, a, b, c].each(|v| v.each(odd_mantissa));
+        let direction = case.direction.each(odd_mantissa);
         let least = |exponents: &mut dyn Iterator<Item = i32>| exponents.min().unwrap_or(0);
         let units = [
             least(&mut points.iter().flatten().flatten().map(|&(_, e)| e)),
             least(&mut direction.iter().flatten().map(|&(_, e)| e)),
         ];
-        let range = [case.t_min, case.t_max].map(|end| end.map(S::mantissa_exponent));
+        let range = [case.t_min, case.t_max].each(|end| end.map(S::mantissa_exponent));
         Self { points, direction, units, range }
     }
 
@@ -107,10 +107,10 @@ impl Whole<i128> {
 impl<I: Ring> Whole<I> {
     fn new(parts: &Taken, whole: impl Fn(Option<Parts>, i32) -> I) -> Self {
         let [unit, step] = parts.units;
-        let [o, a, b, c] = parts.points.map(|v| v.map(|part| whole(part, unit)));
+        let [o, a, b, c] = parts.points.each(|v| v.each(|part| whole(part, unit)));
         Self {
-            vertices: [a, b, c].map(|v| I::difference(&v, &o)),
-            direction: parts.direction.map(|part| whole(part, step)),
+            vertices: [a, b, c].each(|v| I::difference(&v, &o)),
+            direction: parts.direction.each(|part| whole(part, step)),
             exponent: unit - step,
         }
     }

@@ -1,7 +1,7 @@
 //! The sets of rays and triangles on which accuracy is measured, each from a seed.
 
 use super::{RayCase, crossing};
-use crate::{Rng, Sample, three};
+use crate::{Each, Rng, Sample, three};
 
 /// A kind of case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -109,11 +109,11 @@ const SMALL: f64 = 1.0 / 16384.0;
 type Point = [f64; 3];
 
 fn nearest<S: Sample>(v: Point) -> [S; 3] {
-    v.map(S::nearest)
+    v.each(S::nearest)
 }
 
 fn approximate<S: Sample>(v: [S; 3]) -> Point {
-    v.map(S::approximate)
+    v.each(S::approximate)
 }
 
 fn along(from: Point, to: Point, part: f64) -> Point {
@@ -139,12 +139,12 @@ fn aimed<S: Sample>(
 }
 
 fn triangle<S: Sample>(rng: &mut Rng, center: Point, scale: f64) -> [[S; 3]; 3] {
-    [(); 3].map(|()| nearest(near(rng, center, 2.0 * scale)))
+    [(); 3].each(|()| nearest(near(rng, center, 2.0 * scale)))
 }
 
 /// A point of the triangle's plane, in about half of the cases inside the triangle.
 fn on_plane<S: Sample>(rng: &mut Rng, vertices: &[[S; 3]; 3]) -> Point {
-    let [a, b, c] = vertices.map(approximate);
+    let [a, b, c] = vertices.each(approximate);
     let (u, v) = (rng.real(-0.2, 1.0), rng.real(-0.2, 1.0));
     three(|i| a[i] + u * (b[i] - a[i]) + v * (c[i] - a[i]))
 }
@@ -179,9 +179,9 @@ fn elsewhere<S: Sample>(rng: &mut Rng, distance: f64, scale: f64) -> RayCase<S> 
 
 fn parallel<S: Sample>(rng: &mut Rng) -> RayCase<S> {
     let vertices: [[S; 3]; 3] = triangle(rng, [0.0; 3], 1.0);
-    let [a, b, c] = vertices.map(approximate);
+    let [a, b, c] = vertices.each(approximate);
     let (e, f): (Point, Point) = (three(|i| b[i] - a[i]), three(|i| c[i] - a[i]));
-    let normal = [(1, 2), (2, 0), (0, 1)].map(|(j, k)| e[j] * f[k] - e[k] * f[j]);
+    let normal = [(1, 2), (2, 0), (0, 1)].each(|(j, k)| e[j] * f[k] - e[k] * f[j]);
     let area = normal.iter().map(|x| x * x).sum::<f64>().sqrt().max(1e-9);
 
     let last_place = S::nearest(1.0).moved(1).approximate() - 1.0;
@@ -199,11 +199,11 @@ fn sliver<S: Sample>(rng: &mut Rng) -> RayCase<S> {
     let (a, b) = (near(rng, [0.0; 3], 2.0), near(rng, [0.0; 3], 2.0));
     let (c, target) = (along(a, b, rng.real(-0.5, 1.5)), along(a, b, rng.real(-0.2, 1.2)));
     let width = rng.whole(0, 3);
-    let c = c.map(|x| S::nearest(x).moved(rng.whole(-width, width)));
+    let c = c.each(|x| S::nearest(x).moved(rng.whole(-width, width)));
     let mut vertices = [nearest(a), nearest(b), c];
     vertices.rotate_left(rng.below(3));
     let mut case = aimed(near(rng, [0.0; 3], 2.0), target, 1.0, vertices);
-    case.direction = case.direction.map(|x| x.moved(rng.whole(-2, 2)));
+    case.direction = case.direction.each(|x| x.moved(rng.whole(-2, 2)));
     case
 }
 
@@ -211,7 +211,7 @@ fn sliver<S: Sample>(rng: &mut Rng) -> RayCase<S> {
 fn tie<S: Sample>(rng: &mut Rng) -> RayCase<S> {
     let halves = |rng: &mut Rng| rng.triple(|rng| rng.whole(-4, 4) as f64 / 2.0);
     let points = [halves(rng), halves(rng), halves(rng)];
-    let (vertices, origin) = (points.map(nearest), halves(rng));
+    let (vertices, origin) = (points.each(nearest), halves(rng));
     let mut case = match rng.below(4) {
         0 => {
             let direction = nearest(halves(rng));
@@ -249,7 +249,7 @@ fn huge<S: Sample>(rng: &mut Rng) -> RayCase<S> {
     let vertices = [point(rng), point(rng), point(rng)];
     let (origin, mut direction) = (point(rng), point(rng));
     if !rng.one_in(3) {
-        let [a, b, c] = vertices.map(approximate);
+        let [a, b, c] = vertices.each(approximate);
         let (u, v) = (rng.real(0.0, 0.55), rng.real(0.0, 0.55));
         // Half the distance, because the whole may exceed the scalar's range.
         let half = |i: usize| ((1.0 - u - v) * a[i] + u * b[i] + v * c[i]) / 2.0;
@@ -280,14 +280,14 @@ fn exactly_at<S: Sample>(rng: &mut Rng) -> RayCase<S> {
     let step = whole(rng, most / 2);
     let at = |offset: [i64; 3]| three(|i| S::whole(target[i] + offset[i]));
     let opposite = three(|i| -e[i] - f[i]);
-    let origin = step.map(|x| -t * x);
-    RayCase::new(at(origin), step.map(S::whole), [at(e), at(f), at(opposite)])
+    let origin = step.each(|x| -t * x);
+    RayCase::new(at(origin), step.each(S::whole), [at(e), at(f), at(opposite)])
 }
 
 fn behind<S: Sample>(rng: &mut Rng) -> RayCase<S> {
     let case: RayCase<S> =
         if rng.one_in(2) { random(rng, [0.0; 3], 1.0) } else { at_edge(rng, [0.0; 3], 1.0) };
-    let reversed = case.direction.map(|x| S::from_ordinal(x.ordinal().saturating_neg()));
+    let reversed = case.direction.each(|x| S::from_ordinal(x.ordinal().saturating_neg()));
     let case = RayCase { direction: reversed, ..case };
     match rng.below(4) {
         0 => case,

@@ -3,7 +3,7 @@
 use septum::{Facing, Ray};
 
 use super::{Mesh, Method};
-use crate::{Rng, Sample, three};
+use crate::{Each, Rng, Sample, three};
 
 /// A mesh, and its position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -115,7 +115,7 @@ impl Scene {
 
     /// The mesh.
     pub fn mesh<S: Sample>(self) -> Mesh<S> {
-        let place = |p: [f64; 3]| p.map(|x| self.place(x));
+        let place = |p: [f64; 3]| p.each(|x| self.place(x));
         if self == Self::Octahedron { Mesh::octahedron(place) } else { Mesh::sphere(place) }
     }
 
@@ -137,10 +137,10 @@ impl Scene {
         let to_center = if rng.one_in(4) { 0.0 } else { 0.33 };
         let inside: [S; 3] = rng.triple(|rng| self.place(rng.real(-1.0, 1.0) * to_center));
         let face = mesh.faces[rng.below(mesh.faces.len())];
-        let [a, b, c] = face.map(|v| mesh.vertices[v].map(S::approximate));
+        let [a, b, c] = face.each(|v| mesh.vertices[v].each(S::approximate));
         let (p, q) = (rng.real(0.0, 0.5), rng.real(0.0, 0.5));
         let edge = if self.is_whole() { 0.5 } else { p + q };
-        let (inner, target) = (inside.map(S::approximate), |i: usize| match aim {
+        let (inner, target) = (inside.each(S::approximate), |i: usize| match aim {
             Aim::Interiors => a[i] + p * (b[i] - a[i]) + q * (c[i] - a[i]),
             Aim::Edges => a[i] + edge * (b[i] - a[i]),
             Aim::Vertices => a[i],

@@ -17,7 +17,7 @@ use super::{
 };
 use crate::exact::{Parts, least_exponent, whole};
 use crate::sample::Sample;
-use crate::{plane::Given, three};
+use crate::{Each, plane::Given, three};
 
 /// A capsule and another shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,16 +41,16 @@ pub(super) fn from_plane(
     };
     let all = [normal, point, ends[0], ends[1], [offset; 3]];
     let unit = least_exponent(all.as_flattened()).min(0);
-    let row = |p: [Parts; 3]| p.map(|x| whole(x, unit));
+    let row = |p: [Parts; 3]| p.each(|x| whole(x, unit));
     let (n, point) = (row(normal), row(point));
     let offset = whole(offset, unit) << -unit as usize;
-    let sides = ends.map(|end| dot(&n, &minus(&row(end), &point)) + &offset);
+    let sides = ends.each(|end| dot(&n, &minus(&row(end), &point)) + &offset);
     if sides.iter().any(|s| *s <= IBig::ZERO) && sides.iter().any(|s| *s >= IBig::ZERO) {
         return Squared { num: IBig::ZERO, den: IBig::ONE, unit };
     }
     // From x to its foot it is −n·s/(n·n).
     let nn = dot(&n, &n);
-    let feet = sides.map(|s| three(|i: usize| &n[i] * &s)).map(|v| dot(&v, &v));
+    let feet = sides.each(|s| three(|i: usize| &n[i] * &s)).each(|v| dot(&v, &v));
     let [a, b] = feet;
     Squared { num: a.min(b), den: &nn * &nn, unit }
 }
@@ -105,7 +105,7 @@ pub(super) fn from_box([a, b]: &[Whole; 2], faces: &[[IBig; 2]; 3]) -> Fraction 
     let at = |(num, den): &Fraction| -> Fraction {
         let axis = |i: usize| {
             let x = &a[i] * den + &e[i] * num;
-            let [low, high] = [0, 1].map(|k: usize| &faces[i][k] * den);
+            let [low, high] = [0, 1].each(|k: usize| &faces[i][k] * den);
             let off = if x < low {
                 low - x
             } else if x > high {
@@ -150,7 +150,7 @@ fn squared(ends: [[Parts; 3]; 2], by: [Parts; 3], other: Other<Parts>) -> Square
         _ => {}
     }
     let unit = least_exponent(numbers(other).iter().chain(ends.as_flattened()).chain(&by));
-    let ends = ends.map(|p| three(|i: usize| whole(p[i], unit) + whole(by[i], unit)));
+    let ends = ends.each(|p| three(|i: usize| whole(p[i], unit) + whole(by[i], unit)));
     let (num, den) = match (other, hull(other, unit)) {
         (Other::Box(numbers), _) => from_box(&ends, &three(|i| faces(numbers, i, unit))),
         (_, points) => {
@@ -167,27 +167,27 @@ impl<S: Sample> CapsuleCase<S> {
     /// centre or segment.
     pub fn squared(&self) -> Squared {
         let parts = S::mantissa_exponent;
-        squared(self.ends.map(|p| p.map(parts)), [(0, 0); 3], self.other.map(parts))
+        squared(self.ends.each(|p| p.each(parts)), [(0, 0); 3], self.other.map(parts))
     }
 
     /// The same after a translation of the segment, which is exact.
     pub fn squared_after(&self, by: [S; 3]) -> Squared {
         let parts = S::mantissa_exponent;
-        squared(self.ends.map(|p| p.map(parts)), by.map(parts), self.other.map(parts))
+        squared(self.ends.each(|p| p.each(parts)), by.each(parts), self.other.map(parts))
     }
 
     /// How that distance compares with the radius, or with both radii: equal if they touch, greater
     /// if they are apart.
     pub fn truth(&self) -> Ordering {
         let more = self.other.radius().unwrap_or(S::ZERO);
-        self.squared().compare(&[self.radius, more].map(S::mantissa_exponent))
+        self.squared().compare(&[self.radius, more].each(S::mantissa_exponent))
     }
 
     /// The crate's answers to every query about the pair, with the ends in both orders.
     pub fn answers(&self) -> Answers {
         let [a, b] = self.ends;
         let [capsule, turned] =
-            [[a, b], [b, a]].map(|[a, b]| Capsule::new(a, b, self.radius).expect("a capsule"));
+            [[a, b], [b, a]].each(|[a, b]| Capsule::new(a, b, self.radius).expect("a capsule"));
         let both = [&capsule, &turned];
         match self.other {
             Other::Triangle([a, b, c]) => {
@@ -199,7 +199,7 @@ impl<S: Sample> CapsuleCase<S> {
                 Answers::of(both, &segment)
             }
             Other::Box(numbers) => Answers::of(both, &numbers.shape().expect("a box")),
-            Other::Point(p) => Answers::of_point(both.map(|c| c.contains(p)).to_vec()),
+            Other::Point(p) => Answers::of_point(both.each(|c| c.contains(p)).to_vec()),
             Other::Sphere(c, r) => Answers::of(both, &Sphere::new(c, r).expect("a sphere")),
             Other::Capsule([a, b], r) => {
                 Answers::of(both, &Capsule::new(a, b, r).expect("a capsule"))

@@ -7,23 +7,23 @@ use septum::{Closest, Feature};
 
 use super::{Other, Point, SphereCase, from_hull, minus};
 use crate::exact::{least_exponent, whole};
-use crate::{sample::Sample, three};
+use crate::{Each, sample::Sample, three};
 
 impl<S: Sample> SphereCase<S> {
     /// Checks the point of a triangle or of a segment closest to the centre: the feature is the
     /// nearest of all, and each coordinate is the nearest number, in floats within 0.51 units in
     /// the last place, or 0.76 of a subnormal number. `None` for other shapes.
     pub fn check_closest(&self, found: &Closest<S>) -> Option<Result<(), String>> {
-        let parts = |p: Point<S>| p.map(S::mantissa_exponent);
+        let parts = |p: Point<S>| p.each(S::mantissa_exponent);
         let given = match self.other {
-            Other::Triangle(t) => t.map(parts).to_vec(),
-            Other::Ends(ends) => ends.map(parts).to_vec(),
+            Other::Triangle(t) => t.each(parts).to_vec(),
+            Other::Ends(ends) => ends.each(parts).to_vec(),
             Other::Center(c, h) => vec![parts(c), parts(h)],
             _ => return None,
         };
         let center = parts(self.center);
         let unit = least_exponent(given.iter().chain([&center]).flatten());
-        let row = |p: &[(i64, i32); 3]| p.map(|x| whole(x, unit));
+        let row = |p: &[(i64, i32); 3]| p.each(|x| whole(x, unit));
         let (center, mut points) = (row(&center), given.iter().map(row).collect::<Vec<_>>());
         if let Other::Center(..) = self.other {
             let (c, h) = (points[0].clone(), points[1].clone());
@@ -75,10 +75,10 @@ impl<S: Sample> SphereCase<S> {
 pub fn is_rounded<S: Sample>(rounded: S, num: &IBig, den: &IBig, unit: i32) -> bool {
     let is_infinite = rounded > S::GREATEST || rounded < S::LEAST;
     let value = if is_infinite { S::ZERO } else { rounded };
-    let all = [value, S::LEAST, S::GREATEST].map(S::mantissa_exponent);
+    let all = [value, S::LEAST, S::GREATEST].each(S::mantissa_exponent);
     let low = all.iter().map(|x| x.1).min().unwrap_or(unit).min(unit);
     let exact = num << (unit - low) as usize;
-    let [value, least, greatest] = all.map(|x| whole(x, low) * den);
+    let [value, least, greatest] = all.each(|x| whole(x, low) * den);
     if exact < least {
         return rounded <= S::LEAST;
     } else if exact > greatest {
@@ -103,9 +103,9 @@ pub fn is_rounded<S: Sample>(rounded: S, num: &IBig, den: &IBig, unit: i32) -> b
 /// end of fixed point, has nothing above it.
 pub fn is_between<S: Sample>([low, high]: [S; 2], num: &IBig, den: &IBig, unit: i32) -> bool {
     let value = |x: S| if x > S::GREATEST { S::GREATEST } else { x };
-    let parts = [low, high].map(|x| value(x).mantissa_exponent());
+    let parts = [low, high].each(|x| value(x).mantissa_exponent());
     let least = parts.iter().map(|x| x.1).min().unwrap_or(unit).min(unit);
     let exact = num << (unit - least) as usize;
-    let [below, above] = parts.map(|x| whole(x, least) * den);
+    let [below, above] = parts.each(|x| whole(x, least) * den);
     below <= exact && (exact <= above || high > S::GREATEST || !S::IS_FLOAT && high == S::GREATEST)
 }

@@ -11,8 +11,11 @@ use septum::contact::{Contact, ContactWith, contact, least_translation};
 use septum::{Capsule, Sphere, Triangle};
 
 use super::{CapsuleCase, Other, SphereCase, Squared};
-use crate::exact::{Parts, least_exponent, whole};
 use crate::sample::Sample;
+use crate::{
+    Each,
+    exact::{Parts, least_exponent, whole},
+};
 
 /// What a contact was found to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,7 +37,7 @@ where
 {
     let found = [contact(round, flat), contact(flat, round)];
     let alone = [least_translation(round, flat), least_translation(flat, round)];
-    assert_eq!(alone, found.map(|c| c.map(|c| c.translation)));
+    assert_eq!(alone, found.each(|c| c.map(|c| c.translation)));
     found
 }
 
@@ -88,7 +91,7 @@ impl<S: Sample> CapsuleCase<S> {
         let back = reverse.vector.to_array();
         if is_sufficient {
             let are_opposite = (0..3).all(|i| {
-                let [x, y] = [t.vector.to_array()[i], back[i]].map(S::mantissa_exponent);
+                let [x, y] = [t.vector.to_array()[i], back[i]].each(S::mantissa_exponent);
                 x.0 == -y.0 && (x.1 == y.1 || x.0 == 0)
             });
             assert!(are_opposite, "{t:?} {reverse:?} {self:?}");
@@ -101,7 +104,7 @@ impl<S: Sample> CapsuleCase<S> {
         if t.depth.is_finite() && t.depth < S::GREATEST {
             if is_deep {
                 let (depth, sum) = (t.depth.approximate(), core.approximate());
-                let ulp = [t.depth, core].map(|x| x.approximate() - inward(x).approximate());
+                let ulp = [t.depth, core].each(|x| x.approximate() - inward(x).approximate());
                 let off = (depth - (sum + self.radius.approximate())).abs();
                 let most = 2.0 * ulp[0].abs().max(ulp[1].abs()) + depth * 1e-15;
                 assert!(off <= most, "{depth} {sum} {self:?}");
@@ -118,9 +121,9 @@ impl<S: Sample> CapsuleCase<S> {
     /// The depth is at least the radius less the distance, and the number before it is less than
     /// 2^-55 of that above it.
     fn check_depth(&self, depth: S, squared: &Squared) {
-        let parts = [self.radius, depth, inward(depth)].map(S::mantissa_exponent);
+        let parts = [self.radius, depth, inward(depth)].each(S::mantissa_exponent);
         let unit = least_exponent(&parts).min(squared.unit);
-        let [radius, depth, before]: [IBig; 3] = parts.map(|x: Parts| whole(x, unit));
+        let [radius, depth, before]: [IBig; 3] = parts.each(|x: Parts| whole(x, unit));
         let num = &squared.num << (2 * (squared.unit - unit) as usize);
         let rest = &radius - &depth;
         let is_enough = rest <= IBig::ZERO || &rest * &rest * &squared.den <= num;
@@ -137,7 +140,7 @@ impl<S: Sample> CapsuleCase<S> {
     fn check_point(&self, c: &Contact<S>) {
         let [point] = c.points() else { panic!("{c:?}") };
         let t = c.translation;
-        let all = [point.on_first, point.on_second, t.vector, t.normal].map(|p| p.to_array());
+        let all = [point.on_first, point.on_second, t.vector, t.normal].each(|p| p.to_array());
         let is_within = |x: &S| x.is_finite() && *x > S::LEAST && *x < S::GREATEST;
         let is_unit = |x: &S| is_within(x) || S::GREATEST.approximate() < 1.0;
         if !all[..3].as_flattened().iter().chain([&t.depth]).all(is_within)

@@ -30,7 +30,7 @@ pub use sets::SphereSet;
 
 use crate::exact::{Parts, least_exponent, whole};
 use crate::sample::Sample;
-use crate::{BoxNumbers, Given, three};
+use crate::{BoxNumbers, Each, Given, three};
 
 pub type Point<S> = [S; 3];
 
@@ -58,19 +58,19 @@ pub enum Other<S> {
 impl<S: Copy> Other<S> {
     /// The same shape in other numbers.
     fn map<T>(self, f: impl Fn(S) -> T + Copy) -> Other<T> {
-        let row = |p: Point<S>| p.map(f);
+        let row = |p: Point<S>| p.each(f);
         match self {
-            Self::Triangle(t) => Other::Triangle(t.map(row)),
-            Self::Ends(ends) => Other::Ends(ends.map(row)),
+            Self::Triangle(t) => Other::Triangle(t.each(row)),
+            Self::Ends(ends) => Other::Ends(ends.each(row)),
             Self::Center(c, h) => Other::Center(row(c), row(h)),
             Self::Box(numbers) => Other::Box(numbers.map(f)),
             Self::Point(p) => Other::Point(row(p)),
             Self::Sphere(c, r) => Other::Sphere(row(c), f(r)),
-            Self::Capsule(ends, r) => Other::Capsule(ends.map(row), f(r)),
+            Self::Capsule(ends, r) => Other::Capsule(ends.each(row), f(r)),
             Self::Plane(n, Given::Point(p)) => Other::Plane(row(n), Given::Point(row(p))),
             Self::Plane(n, Given::Offset(d)) => Other::Plane(row(n), Given::Offset(f(d))),
-            Self::Obb(c, axes, half) => Other::Obb(row(c), axes.map(row), row(half)),
-            Self::Ray(ray, range) => Other::Ray(ray.map(row), range.map(|t| t.map(f))),
+            Self::Obb(c, axes, half) => Other::Obb(row(c), axes.each(row), row(half)),
+            Self::Ray(ray, range) => Other::Ray(ray.each(row), range.each(|t| t.map(f))),
         }
     }
 
@@ -186,17 +186,17 @@ fn from_hull(points: &[[IBig; 3]]) -> (Fraction, ([IBig; 3], IBig)) {
     }
     let ((num, den), weights) = best.expect("a point");
     let at = [0, 1, 2]
-        .map(|k: usize| weights.iter().map(|(i, weight)| weight * &points[*i][k]).sum::<IBig>());
+        .each(|k: usize| weights.iter().map(|(i, weight)| weight * &points[*i][k]).sum::<IBig>());
     ((num, den.clone()), (at, den))
 }
 
 /// The points whose hull is a shape, in units of 2^unit. `None` for a box or a plane, and a ray must
 /// be cut off.
 fn hull(other: Other<Parts>, unit: i32) -> Option<Vec<[IBig; 3]>> {
-    let row = |p: [Parts; 3]| p.map(|x| whole(x, unit));
+    let row = |p: [Parts; 3]| p.each(|x| whole(x, unit));
     match other {
-        Other::Triangle(t) => Some(t.map(row).to_vec()),
-        Other::Ends(ends) | Other::Capsule(ends, _) => Some(ends.map(row).to_vec()),
+        Other::Triangle(t) => Some(t.each(row).to_vec()),
+        Other::Ends(ends) | Other::Capsule(ends, _) => Some(ends.each(row).to_vec()),
         Other::Center(c, h) => {
             let (c, h) = (row(c), row(h));
             Some(vec![minus(&c, &h), three(|i: usize| &c[i] + &h[i])])
@@ -229,7 +229,7 @@ fn faces(numbers: BoxNumbers<Parts>, i: usize, unit: i32) -> [IBig; 2] {
     let [a, b] = match numbers {
         BoxNumbers::Center(a, b) | BoxNumbers::Corners(a, b) => [a[i], b[i]],
     }
-    .map(|x| whole(x, unit));
+    .each(|x| whole(x, unit));
     match numbers {
         BoxNumbers::Center(..) => [&a - &b, a + b],
         BoxNumbers::Corners(..) => [a, b],
@@ -241,9 +241,9 @@ fn faces(numbers: BoxNumbers<Parts>, i: usize, unit: i32) -> [IBig; 2] {
 fn from_ray(points: &[[Parts; 3]], ray: [[Parts; 3]; 2], range: [Option<Parts>; 2]) -> Squared {
     let unit = least_exponent(ray.iter().chain(points).flatten());
     let of_t = least_exponent(range.iter().flatten()).min(0);
-    let row = |p: [Parts; 3]| p.map(|x| whole(x, unit));
-    let [o, d] = ray.map(row);
-    let range = range.map(|t| t.map(|t| whole(t, of_t)));
+    let row = |p: [Parts; 3]| p.each(|x| whole(x, unit));
+    let [o, d] = ray.each(row);
+    let range = range.each(|t| t.map(|t| whole(t, of_t)));
     let magnitude = |x: &IBig| if *x < IBig::ZERO { -x } else { x.clone() };
     let ways: Vec<_> = points.iter().map(|p| minus(&row(*p), &o)).collect();
     let feet: IBig = ways.iter().map(|m| magnitude(&dot(m, &d))).sum();
@@ -268,7 +268,7 @@ fn squared(point: [Parts; 3], other: Other<Parts>) -> Squared {
         Other::Box(numbers) => numbers,
         _ => {
             let unit = least_exponent(numbers(other).iter().chain(&point));
-            let point = point.map(|x| whole(x, unit));
+            let point = point.each(|x| whole(x, unit));
             let points = hull(other, unit).expect("no box");
             let points: Vec<_> = points.iter().map(|p| minus(p, &point)).collect();
             let (num, den) = capsules::from_all(&points);
@@ -278,7 +278,7 @@ fn squared(point: [Parts; 3], other: Other<Parts>) -> Squared {
     let unit = least_exponent(self::numbers(other).iter().chain(&point));
     let axis = |i: usize| {
         let x = whole(point[i], unit);
-        let [low, high] = faces(numbers, i, unit).map(|face| face - &x);
+        let [low, high] = faces(numbers, i, unit).each(|face| face - &x);
         let is_inside = low <= IBig::ZERO && high >= IBig::ZERO;
         let faces = (&low * &low).min(&high * &high);
         if is_inside { IBig::ZERO } else { faces }
@@ -290,14 +290,14 @@ impl<S: Sample> SphereCase<S> {
     /// The squared distance of the centre from the other shape, of a sphere from its centre.
     pub fn squared(&self) -> Squared {
         let parts = S::mantissa_exponent;
-        squared(self.center.map(parts), self.other.map(parts))
+        squared(self.center.each(parts), self.other.map(parts))
     }
 
     /// How the distance of the shapes' centres compares with the radius, or with both radii:
     /// equal if they touch, greater if they are apart.
     pub fn truth(&self) -> Ordering {
         let more = self.other.radius().unwrap_or(S::ZERO);
-        self.squared().compare(&[self.radius, more].map(S::mantissa_exponent))
+        self.squared().compare(&[self.radius, more].each(S::mantissa_exponent))
     }
 
     /// The point of a triangle or of a segment closest to the centre; `None` for other shapes.

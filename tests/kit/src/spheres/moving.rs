@@ -16,7 +16,7 @@ use super::capsules::{from_all, from_box};
 use super::{CapsuleCase, Other, Point, SphereCase, SphereSet, faces, hull, minus, numbers};
 use crate::exact::{Parts, least_exponent, whole};
 use crate::sample::Sample;
-use crate::{rng::Rng, three};
+use crate::{Each, rng::Rng, three};
 
 /// A sphere that moves past a triangle or a box.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +68,7 @@ impl Shapes {
                 from_all(&[to(&start), to(&end)].concat())
             }
             Hull::Faces(faces) => {
-                let faces = three(|i: usize| [0, 1].map(|k: usize| scaled(&faces[i][k])));
+                let faces = three(|i: usize| [0, 1].each(|k: usize| scaled(&faces[i][k])));
                 from_box(&[start, end], &faces)
             }
         };
@@ -137,7 +137,7 @@ impl<S: Sample> SphereSweep<S> {
         let way = if rng.one_in(2) && is_finite(&way[1]) { way } else { ends };
         if rng.one_in(2) {
             let [near, far] =
-                [ends, [a, a]].map(|ends| CapsuleCase { ends, radius, other }.squared().root());
+                [ends, [a, a]].each(|ends| CapsuleCase { ends, radius, other }.squared().root());
             let part = [0.5, 0.01, 0.999][rng.below(3)];
             let middle = near * (1.0 - part) + far * part;
             radius = if middle.is_finite() { S::nearest(middle) } else { radius };
@@ -147,13 +147,13 @@ impl<S: Sample> SphereSweep<S> {
 
     fn shapes(&self) -> Shapes {
         let parts = S::mantissa_exponent;
-        let row = |p: Point<S>| p.map(parts);
+        let row = |p: Point<S>| p.each(parts);
         let (other, rows) =
             (self.other.map(parts), [row(self.center), row(self.way[0]), row(self.way[1])]);
         let radius = parts(self.radius);
         let all = numbers(other);
         let unit = least_exponent(all.iter().chain(rows.as_flattened()).chain([&radius]));
-        let [center, from, to] = rows.map(|p| p.map(|x| whole(x, unit)));
+        let [center, from, to] = rows.each(|p| p.each(|x| whole(x, unit)));
         let hull = match other {
             Other::Box(numbers) => Hull::Faces(three(|i| faces(numbers, i, unit))),
             _ => Hull::Points(hull(other, unit).expect("a triangle")),

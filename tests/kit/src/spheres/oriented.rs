@@ -6,7 +6,7 @@ use septum::Obb;
 use super::{Other, Point, minus};
 use crate::exact::{Parts, least_exponent, whole};
 use crate::sample::Sample;
-use crate::{rng::Rng, three};
+use crate::{Each, rng::Rng, three};
 
 /// The corners in units of 2^unit.
 pub(super) fn corners(
@@ -19,7 +19,7 @@ pub(super) fn corners(
     let up = (of_axes + of_half - unit) as usize;
     let mut all = vec![center];
     for (axis, h) in axes.iter().zip(half) {
-        let along = axis.map(|u| (whole(u, of_axes) * whole(h, of_half)) << up);
+        let along = axis.each(|u| (whole(u, of_axes) * whole(h, of_half)) << up);
         let both = |p: &[IBig; 3]| [minus(p, &along), three(|i: usize| &p[i] + &along[i])];
         all = all.iter().flat_map(both).collect();
     }

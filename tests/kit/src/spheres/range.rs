@@ -8,7 +8,7 @@ use septum::{Capsule, Sphere};
 
 use super::{CapsuleCase, Other, Point, SphereCase, dot, from_hull, minus};
 use crate::exact::{Parts, least_exponent, whole};
-use crate::{sample::Sample, three};
+use crate::{Each, sample::Sample, three};
 
 /// A line, and the ends and the radius of a capsule.
 struct Line {
@@ -21,16 +21,16 @@ struct Line {
 impl Line {
     fn new([o, d]: [[Parts; 3]; 2], ends: [[Parts; 3]; 2], r: Parts) -> Self {
         let unit = least_exponent([o, d, ends[0], ends[1], [r; 3]].as_flattened());
-        let row = |p: [Parts; 3]| p.map(|x| whole(x, unit));
-        Self { origin: row(o), direction: row(d), ends: ends.map(row), radius: whole(r, unit) }
+        let row = |p: [Parts; 3]| p.each(|x| whole(x, unit));
+        Self { origin: row(o), direction: row(d), ends: ends.each(row), radius: whole(r, unit) }
     }
 
     /// How the distance of the point at t/2^`down` from the segment compares with the radius, and
     /// whether it shrinks or grows.
     fn at(&self, t: &IBig, down: usize) -> [Ordering; 2] {
         let at = three(|i: usize| (&self.origin[i] << down) + &self.direction[i] * t);
-        let ends = self.ends.each_ref().map(|end| {
-            let end = end.each_ref().map(|x| x << down);
+        let ends = self.ends.each_ref().each(|end| {
+            let end = end.each_ref().each(|x| x << down);
             minus(&end, &at)
         });
         let ((num, den), (closest, _)) = from_hull(&ends);
@@ -56,7 +56,7 @@ impl Line {
     fn turned(&self) -> Self {
         Self {
             origin: self.origin.clone(),
-            direction: self.direction.each_ref().map(|x| -x),
+            direction: self.direction.each_ref().each(|x| -x),
             ends: self.ends.clone(),
             radius: self.radius.clone(),
         }
@@ -74,8 +74,8 @@ fn check<S: Sample>(
     [from, to]: [Option<S>; 2],
     (enter, leave): (S, S),
 ) -> bool {
-    let parts = |p: Point<S>| p.map(S::mantissa_exponent);
-    let line = Line::new(ray.map(parts), ends.map(parts), radius.mantissa_exponent());
+    let parts = |p: Point<S>| p.each(S::mantissa_exponent);
+    let line = Line::new(ray.each(parts), ends.each(parts), radius.mantissa_exponent());
     let turned = line.turned();
     let is_beyond = |t: S| t > S::GREATEST || t < S::LEAST;
     // Not above the first time, and not below the last.

@@ -3,7 +3,7 @@
 use super::{CapsuleCase, Other, Point, SphereCase, oriented};
 use crate::rng::Rng;
 use crate::sample::Sample;
-use crate::{BoxNumbers, Given, three};
+use crate::{BoxNumbers, Each, Given, three};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SphereSet {
@@ -59,7 +59,7 @@ impl SphereSet {
         }
         let [center, a, b, c, d, [radius, more, _]] = self.points::<S>(rng);
         let other = match rng.below(13) {
-            12 => oriented::any(rng, a, [b, c, d], [radius, more, d[0]].map(size)),
+            12 => oriented::any(rng, a, [b, c, d], [radius, more, d[0]].each(size)),
             10 if a != [S::ZERO; 3] => plane(rng, a, b),
             11 if a != [S::ZERO; 3] => ray(rng, [d, a], b),
             k => any(rng, k.min(9), [a, b, c, d], size(more)),
@@ -81,7 +81,9 @@ impl SphereSet {
         let last = if rng.one_in(2) { a } else { b };
         let other = match rng.below(13) {
             // Few, because their oracle is slow.
-            12 if rng.one_in(4) => oriented::any(rng, c, [b, d, e], [radius, more, a[1]].map(size)),
+            12 if rng.one_in(4) => {
+                oriented::any(rng, c, [b, d, e], [radius, more, a[1]].each(size))
+            }
             10 if c != [S::ZERO; 3] => plane(rng, c, d),
             11 if c != [S::ZERO; 3] => ray(rng, [d, c], e),
             k => any(rng, k.min(9), [c, d, e, last], size(more)),
@@ -116,7 +118,7 @@ impl SphereSet {
                     three(|i: usize| S::nearest(o[i] + t * d[i]).moved(rng.whole(-1, 1)))
                 };
                 let [a, b, c, d] = [near(), near(), near(), near()];
-                let anywhere = [(); 2].map(|()| rng.triple(|rng| S::nearest(rng.real(-1.0, 1.0))));
+                let anywhere = [(); 2].each(|()| rng.triple(|rng| S::nearest(rng.real(-1.0, 1.0))));
                 [anywhere[0], a, b, c, d, anywhere[1]]
             }
             Self::Far => {
@@ -170,7 +172,7 @@ fn any<S: Sample>(rng: &mut Rng, kind: usize, [a, b, c, d]: [Point<S>; 4], more:
         4 => Other::Capsule([a, d], more),
         5 => Other::Ends([a, b]),
         6 => Other::Center(a, b),
-        7 if rng.one_in(2) => Other::Box(BoxNumbers::Center(a, b.map(size))),
+        7 if rng.one_in(2) => Other::Box(BoxNumbers::Center(a, b.each(size))),
         7 => {
             let order = |i: usize| if a[i] < b[i] { (a[i], b[i]) } else { (b[i], a[i]) };
             let [min, max] = [three(|i| order(i).0), three(|i| order(i).1)];
@@ -222,7 +224,7 @@ fn touch_within<S: Sample>(rng: &mut Rng, most: i64, is_capsule: bool) -> Option
     let mut quadruple = QUADRUPLES[rng.below(8)];
     quadruple[..3].rotate_left(rng.below(3));
     let scale = rng.whole(1, most.min(9));
-    let [a, b, c, d] = quadruple.map(|x| x * scale);
+    let [a, b, c, d] = quadruple.each(|x| x * scale);
     let mut some = || rng.whole(1, most);
     // The nearest point of the shape is the origin of the frame.
     let (to, reach, vertices) = match some() % 3 {
@@ -256,7 +258,7 @@ fn touch_within<S: Sample>(rng: &mut Rng, most: i64, is_capsule: bool) -> Option
         return None;
     }
     let direction = three(|i: usize| rows[2][i] - rows[1][i]);
-    let mut rows = rows.map(|row| row.map(S::whole));
+    let mut rows = rows.map(|row| row.each(S::whole));
     if rng.one_in(2) {
         let x = &mut rows[rng.below(5)][rng.below(3)];
         *x = x.moved(rng.whole(-1, 1));
@@ -264,11 +266,11 @@ fn touch_within<S: Sample>(rng: &mut Rng, most: i64, is_capsule: bool) -> Option
     let [a, p, q, r, [radius, ..], b] = rows;
     let other = match rng.below(11) {
         9.. if fits(&[center, u, v, w, half]) => {
-            let [center, u, v, w, half] = [center, u, v, w, half].map(|row| row.map(S::whole));
+            let [center, u, v, w, half] = [center, u, v, w, half].map(|row| row.each(S::whole));
             Other::Obb(center, [u, v, w], half)
         }
         8 if direction != [0; 3] && fits(&[direction]) => {
-            Other::Ray([p, direction.map(S::whole)], [Some(S::ZERO), None])
+            Other::Ray([p, direction.each(S::whole)], [Some(S::ZERO), None])
         }
         0 => Other::Ends([p, q]),
         1 => Other::Point(p),

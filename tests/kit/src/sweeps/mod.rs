@@ -6,6 +6,7 @@ mod sets;
 pub use oracle::{Contact, Quotient};
 pub use sets::SweepSet;
 
+use crate::Each;
 use septum::Aabb;
 use septum::relation::Relation;
 use septum::sweep::{FirstContact, Motion, Sweep};
@@ -35,8 +36,8 @@ impl<S: Sample> SweepCase<S> {
     fn in_integers(&self) -> oracle::Shapes {
         let parts = S::mantissa_exponent;
         let Case { vertices, aabb } = self.case;
-        let vertices = vertices.map(|p| p.map(parts));
-        oracle::Shapes::new(vertices, aabb.map(parts), self.way.map(|p| p.map(parts)))
+        let vertices = vertices.each(|p| p.each(parts));
+        oracle::Shapes::new(vertices, aabb.map(parts), self.way.each(|p| p.each(parts)))
     }
 
     /// Checks the crate's nearest relation, for the moving triangle and for the box moving the
@@ -92,12 +93,12 @@ impl<S: Sample> BoxSweep<S> {
     }
 
     pub fn shapes(&self) -> [Aabb<S>; 2] {
-        self.boxes.map(|numbers| numbers.shape().expect("a box"))
+        self.boxes.each(|numbers| numbers.shape().expect("a box"))
     }
 
     fn in_integers(&self) -> oracle::Boxes {
         let parts = S::mantissa_exponent;
-        oracle::Boxes::new(self.boxes.map(|b| b.map(parts)), self.way.map(|p| p.map(parts)))
+        oracle::Boxes::new(self.boxes.each(|b| b.map(parts)), self.way.each(|p| p.each(parts)))
     }
 
     /// The nearest relation at any time of the motion, by rational arithmetic.

@@ -15,7 +15,7 @@ use crate::exact::{Parts, least_exponent, whole};
 use crate::flat::Truth;
 use crate::lattice::Ring;
 use crate::sample::Sample;
-use crate::{case::BoxNumbers, three};
+use crate::{Each, case::BoxNumbers, three};
 
 type Point = [IBig; 3];
 
@@ -78,7 +78,7 @@ fn corners(numbers: &BoxNumbers<IBig>) -> [Point; 2] {
 }
 
 fn numbers_of(numbers: &BoxNumbers<Parts>, unit: i32) -> BoxNumbers<IBig> {
-    let of = |p: &[Parts; 3]| p.map(|x| whole(x, unit));
+    let of = |p: &[Parts; 3]| p.each(|x| whole(x, unit));
     match numbers {
         BoxNumbers::Center(c, h) => BoxNumbers::Center(of(c), of(h)),
         BoxNumbers::Corners(min, max) => BoxNumbers::Corners(of(min), of(max)),
@@ -100,9 +100,9 @@ impl Shapes {
         let all = [&vertices[..], &rows(&aabb), &way].concat();
         let unit = least_exponent(all.as_flattened());
         let number = |x: Parts| whole(x, unit);
-        let [from, to] = way.map(|p| p.map(number));
+        let [from, to] = way.each(|p| p.each(number));
         Self {
-            vertices: vertices.map(|p| p.map(number)),
+            vertices: vertices.each(|p| p.each(number)),
             corners: corners(&numbers_of(&aabb, unit)),
             d: IBig::difference(&to, &from),
         }
@@ -127,9 +127,9 @@ impl Shapes {
         let less: IBig = (&one - IBig::ONE) * IBig::from(6);
         let vertex = |v: &Point| three(|i: usize| &v[i] * &less + sum(i) * IBig::from(2));
         Self {
-            vertices: self.vertices.each_ref().map(vertex),
+            vertices: self.vertices.each_ref().each(vertex),
             corners: shrunk_box(&self.corners, &one),
-            d: self.d.each_ref().map(|x| x * &one * IBig::from(6)),
+            d: self.d.each_ref().each(|x| x * &one * IBig::from(6)),
         }
     }
 
@@ -166,7 +166,7 @@ impl Shapes {
             Axis::Normal => IBig::cross(&edge(0), &edge(1)),
             Axis::Edge { axis, edge: k } => IBig::cross(&unit(axis), &edge(k.into())),
         };
-        let vertices = self.vertices.each_ref().map(|v| IBig::dot(&vector, v));
+        let vertices = self.vertices.each_ref().each(|v| IBig::dot(&vector, v));
         let corners: Vec<IBig> = (0..8)
             .map(|k| {
                 let corner = three(|i: usize| self.corners[k >> i & 1][i].clone());
@@ -205,7 +205,7 @@ struct Ray {
 /// the end.
 fn prism() -> Vec<Ray> {
     let ray = |k: usize, is_end: bool| {
-        let x = [0, 1, 2, 3].map(|i: usize| IBig::from(i == k || i == 3 && is_end));
+        let x = [0, 1, 2, 3].each(|i: usize| IBig::from(i == k || i == 3 && is_end));
         Ray { x, planes: 0b111 & !(1 << k) | if is_end { 0b10000 } else { 0b01000 } }
     };
     (0..6).map(|n| ray(n % 3, n >= 3)).collect()
@@ -222,7 +222,7 @@ fn cut(mut rays: Vec<Ray>, form: &[IBig; 4], plane: usize) -> Vec<Ray> {
             if (0..rays.len()).any(holds) {
                 continue;
             }
-            let x = [0, 1, 2, 3].map(|i: usize| above * &rays[n].x[i] - below * &rays[p].x[i]);
+            let x = [0, 1, 2, 3].each(|i: usize| above * &rays[n].x[i] - below * &rays[p].x[i]);
             new.push(Ray { x: reduced(x), planes: common | 1 << plane });
         }
     }
@@ -247,7 +247,7 @@ fn reduced(x: [IBig; 4]) -> [IBig; 4] {
         (g, x) => IBig::from(g.gcd(x)),
     });
     let factor = if factor < IBig::ZERO { -factor } else { factor };
-    x.map(|x| x / &factor)
+    x.each(|x| x / &factor)
 }
 
 fn longest<'a>(all: impl Iterator<Item = &'a Point>) -> usize {
@@ -282,16 +282,16 @@ impl Boxes {
         let [a, b] = &boxes;
         let all = [&rows(a)[..], &rows(b), &way].concat();
         let unit = least_exponent(all.as_flattened());
-        let [a, b] = [a, b].map(|numbers| corners(&numbers_of(numbers, unit)));
-        let [from, to] = way.map(|p| p.map(|x| whole(x, unit)));
+        let [a, b] = [a, b].each(|numbers| corners(&numbers_of(numbers, unit)));
+        let [from, to] = way.each(|p| p.each(|x| whole(x, unit)));
         Self { a, b, d: IBig::difference(&to, &from) }
     }
 
     /// As [`Shapes::relation`].
     pub(super) fn relation(&self) -> Truth {
         let one = IBig::ONE << (3 * longest(self.a.iter().chain(&self.b).chain([&self.d])) + 64);
-        let [a, b] = [&self.a, &self.b].map(|corners| shrunk_box(corners, &one));
-        let d = self.d.each_ref().map(|x| x * &one * IBig::from(6));
+        let [a, b] = [&self.a, &self.b].each(|corners| shrunk_box(corners, &one));
+        let d = self.d.each_ref().each(|x| x * &one * IBig::from(6));
         relation(|boxes| boxes.contact().is_some(), self, &Self { a, b, d })
     }
 

@@ -5,7 +5,7 @@ use crate::case::{BoxNumbers, Case};
 use crate::sample::Sample;
 use crate::sets::Set;
 use crate::touch::Touch;
-use crate::{rng::Rng, three};
+use crate::{Each, rng::Rng, three};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SweepSet {
@@ -85,7 +85,7 @@ fn of_set<S: Sample>(rng: &mut Rng, case: Case<S>, other: Case<S>) -> SweepCase<
             }
             [from, to]
         }
-        5 => [from, from.map(|x| x.moved(rng.whole(-1, 1)))],
+        5 => [from, from.each(|x| x.moved(rng.whole(-1, 1)))],
         6 if rng.one_in(4) => [from, from],
         _ => [from, to],
     };
@@ -160,13 +160,13 @@ fn graze<S: Sample>(rng: &mut Rng) -> SweepCase<S> {
         }
     }
     let case = touch.case(rng.one_in(2));
-    nudged(rng, SweepCase { case, way: way.map(|p| p.map(S::whole)) })
+    nudged(rng, SweepCase { case, way: way.each(|p| p.each(S::whole)) })
 }
 
 fn floor<S: Sample>(rng: &mut Rng) -> SweepCase<S> {
     let up = rng.below(3);
     let height = S::nearest(rng.whole(-2, 2) as f64);
-    let mut vertices = [(); 3].map(|()| rng.triple(|rng| S::nearest(rng.real(-3.0, 3.0))));
+    let mut vertices = [(); 3].each(|()| rng.triple(|rng| S::nearest(rng.real(-3.0, 3.0))));
     for v in &mut vertices {
         v[up] = height;
     }

@@ -5,7 +5,7 @@ use septum::Triangle;
 use septum::voxel::{Grid, Rule};
 
 use super::Tally;
-use crate::{Rng, Sample, three};
+use crate::{Each, Rng, Sample, three};
 
 const RULES: [Rule; 3] = [Rule::Closed, Rule::HalfOpen, Rule::Thin];
 
@@ -41,7 +41,7 @@ pub(super) fn rows_under_nothing<S: Sample>() -> usize {
                     S::nearest(if mirrored >> i & 1 == 1 { m - x } else { x })
                 })
             };
-            let [a, b, c] = [[-m, m / 2.0, 0.0], [m / 2.0, -m, m], [-m, -m, m]].map(place);
+            let [a, b, c] = [[-m, m / 2.0, 0.0], [m / 2.0, -m, m], [-m, -m, m]].each(place);
             // Mirrored, it is beyond some scalars, and cut off there it is another triangle.
             let triangle = Triangle::new(a, b, c).expect("finite vertices");
             if [a, b, c].as_flattened().iter().any(|x| x.approximate().abs() > 1.5 * m) {
@@ -61,11 +61,11 @@ pub(super) fn rows_under_nothing<S: Sample>() -> usize {
 pub(super) fn first_rows<S: Sample>(seed: u64, cases: u64) -> Tally {
     let rng = &mut Rng::new(seed);
     let (grid, side) = largest::<S>();
-    let [last, ..] = grid.resolution().map(|n| n - 1);
+    let [last, ..] = grid.resolution().each(|n| n - 1);
     let mut found = Tally::default();
     while found.cases < cases {
         let near = rng.one_in(2);
-        let mut vertices = [(); 3].map(|()| {
+        let mut vertices = [(); 3].each(|()| {
             let low = if S::nearest(-side).approximate() == -side { -1.0 } else { 0.0 };
             rng.triple(|rng| S::nearest(side * rng.real(low, 1.8)))
         });
@@ -113,8 +113,8 @@ pub(super) fn first_rows<S: Sample>(seed: u64, cases: u64) -> Tally {
 
 /// Whether a triangle meets the box of a grid.
 fn meets_all<S: Sample>(grid: &Grid<S>, triangle: &Triangle<S>) -> bool {
-    let [last, ..] = grid.resolution().map(|n| n - 1);
-    let ends = [[0; 3], [last; 3]].map(|k| grid.voxel(k).and_then(|v| v.min_max()));
+    let [last, ..] = grid.resolution().each(|n| n - 1);
+    let ends = [[0; 3], [last; 3]].each(|k| grid.voxel(k).and_then(|v| v.min_max()));
     let [Some((least, _)), Some((_, greatest))] = ends else { return false };
     triangle.overlaps(&septum::Aabb::from_min_max(least, greatest).expect("a box"))
 }

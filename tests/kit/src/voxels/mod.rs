@@ -15,7 +15,7 @@ use septum::voxel::{Bits, Grid, Rule};
 pub use scene::{VoxelScene, torus_knot};
 pub use solid::Insides;
 
-use crate::Sample;
+use crate::{Each, Sample};
 use large::{first_rows, rows_under_nothing};
 use oracle::{Marks, planes};
 use parts::{marks_in_parts, walks_in_parts};
@@ -163,7 +163,7 @@ pub struct Voxelized {
 
 /// The scene in a scalar.
 fn rounded<S: Sample>(scene: &VoxelScene) -> (Grid<S>, Vec<Triangle<S>>) {
-    let to = |p: [f64; 3]| p.map(S::nearest);
+    let to = |p: [f64; 3]| p.each(S::nearest);
     let grid = Grid::new(to(scene.origin), to(scene.cell), scene.resolution).expect("a grid");
     let triangle =
         |[a, b, c]: &[[f64; 3]; 3]| Triangle::new(to(*a), to(*b), to(*c)).expect("a triangle");
@@ -188,13 +188,13 @@ fn check<S: Sample>(scene: &VoxelScene, rule: Rule) -> Voxelized {
     let mut union = vec![0_u64; grid.words::<u64>()];
     let mut one = vec![0_u64; grid.words::<u64>()];
     for triangle in &triangles {
-        let vertices = triangle.vertices().map(|v| v.to_array());
+        let vertices = triangle.vertices().each(|v| v.to_array());
         let marks = Marks::new(&vertices, &planes);
         Bits::new(&grid, &mut one).expect("enough words").fill(triangle, rule);
         let bits = Bits::new(&grid, &mut one).expect("enough words");
         let mut seen = 0;
         let range = |axis: usize| {
-            let [a, b, c] = vertices.map(|v| v[axis]);
+            let [a, b, c] = vertices.each(|v| v[axis]);
             let least = if a < b { a } else { b };
             let least = if least < c { least } else { c };
             let greatest = if a > b { a } else { b };
@@ -229,7 +229,7 @@ fn keeps_order_and_slabs<S: Sample>(scene: &VoxelScene, rule: Rule) {
     let all = filled(&grid, &triangles, rule);
     let [nx, ny, nz] = grid.resolution();
     let middle = |n: u32| n / 3 + 1;
-    let in_z = [0..middle(nz), middle(nz)..nz].map(|z| {
+    let in_z = [0..middle(nz), middle(nz)..nz].each(|z| {
         let slab = grid.part([0..nx, 0..ny, z]).expect("a slab");
         filled(&slab, &triangles, rule)
     });
@@ -257,7 +257,7 @@ fn keeps_order_and_slabs<S: Sample>(scene: &VoxelScene, rule: Rule) {
     }
     for (i, order) in crate::VERTEX_ORDERS.into_iter().cycle().take(triangles.len()).enumerate() {
         let v = *triangles[i].vertices();
-        let [a, b, c] = order.map(|k| v[k]);
+        let [a, b, c] = order.each(|k| v[k]);
         triangles[i] = Triangle::new(a, b, c).expect("a triangle");
     }
     triangles.reverse();

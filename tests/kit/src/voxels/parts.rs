@@ -6,7 +6,7 @@ use septum::{Ray, Segment, Triangle};
 use super::random::{grid, triangle};
 use super::walk::line_ends;
 use super::{LineKind, Tally};
-use crate::{Rng, Sample, three};
+use crate::{Each, Rng, Sample, three};
 
 const RULES: [Rule; 3] = [Rule::Closed, Rule::HalfOpen, Rule::Thin];
 
@@ -17,7 +17,7 @@ type Voxel = [u32; 3];
 
 /// Every part of a grid, the whole among them.
 fn parts<S: Sample>(grid: &Grid<S>) -> Vec<Grid<S>> {
-    let [x, y, z] = grid.resolution().map(|n| {
+    let [x, y, z] = grid.resolution().each(|n| {
         (0..n).flat_map(move |from| (from + 1..=n).map(move |to| from..to)).collect::<Vec<_>>()
     });
     let mut parts = Vec::new();
@@ -93,7 +93,7 @@ pub(super) fn walks_in_parts<S: Sample>(kind: LineKind, seed: u64, cases: u64) -
 }
 
 fn negated<S: Sample>(way: [S; 3]) -> Option<[S; 3]> {
-    let back = way.map(|x| S::nearest(-x.approximate()));
+    let back = way.each(|x| S::nearest(-x.approximate()));
     (0..3).all(|i| back[i].approximate() == -way[i].approximate()).then_some(back)
 }
 

@@ -4,7 +4,7 @@ use septum::Triangle;
 use septum::voxel::{Bits, Grid, Rule};
 
 use super::oracle::{Marks, planes};
-use crate::{Rng, Sample, VERTEX_ORDERS, three};
+use crate::{Each, Rng, Sample, VERTEX_ORDERS, three};
 
 /// Compares the rows and the bits of random triangles in random grids with
 /// [`Triangle::overlaps`](septum::Overlaps::overlaps) on each voxel. Vertices are anywhere in the
@@ -58,27 +58,27 @@ pub fn marks_agree_with_oracle<S: Sample>(seed: u64, grids: u32, most: i64) -> u
 
 /// A grid of up to `most` voxels a side, sometimes a part of one.
 pub(super) fn grid<S: Sample>(rng: &mut Rng, most: i64) -> Option<Grid<S>> {
-    let size = rng.triple(|rng| rng.whole(1, most) as f64).map(|n| n as u32);
+    let size = rng.triple(|rng| rng.whole(1, most) as f64).each(|n| n as u32);
     let (origin, cell) = match rng.whole(0, 3) {
         0 => ([-3.0; 3], [1.0; 3]),
         1 => ([-2.0; 3], [0.5, 0.25, 1.0]),
         2 => (rng.triple(|rng| rng.real(-4.0, -2.0)), rng.triple(|rng| rng.real(0.1, 0.9))),
         _ => (rng.triple(|rng| rng.real(3.0, 4.0)), rng.triple(|rng| rng.real(0.05, 0.3))),
     };
-    let whole = Grid::new(origin.map(S::nearest), cell.map(S::nearest), size).ok()?;
+    let whole = Grid::new(origin.each(S::nearest), cell.each(S::nearest), size).ok()?;
     if rng.one_in(2) {
         return Some(whole);
     }
     let mut range = |n: u32| {
-        let [a, b] = [(); 2].map(|()| rng.whole(0, i64::from(n)) as u32);
+        let [a, b] = [(); 2].each(|()| rng.whole(0, i64::from(n)) as u32);
         if a == b { 0..n } else { a.min(b)..a.max(b) }
     };
-    whole.part(size.map(&mut range))
+    whole.part(size.each(&mut range))
 }
 
 /// A few voxels of a grid.
 fn block<S: Sample>(rng: &mut Rng, grid: &Grid<S>) -> Grid<S> {
-    let range = grid.resolution().map(|n| {
+    let range = grid.resolution().each(|n| {
         let first = rng.whole(0, i64::from(n) - 1) as u32;
         first..n.min(first + rng.whole(1, 4) as u32)
     });
@@ -87,7 +87,7 @@ fn block<S: Sample>(rng: &mut Rng, grid: &Grid<S>) -> Grid<S> {
 
 /// Vertices in and about a grid, on its planes or not.
 pub(super) fn triangle<S: Sample>(rng: &mut Rng, grid: &Grid<S>) -> [[S; 3]; 3] {
-    let last = grid.resolution().map(|n| n - 1);
+    let last = grid.resolution().each(|n| n - 1);
     let (least, _) = grid.voxel([0; 3]).and_then(|v| v.min_max()).expect("a voxel");
     let (_, greatest) = grid.voxel(last).and_then(|v| v.min_max()).expect("a voxel");
     let (least, greatest) = (least.to_array(), greatest.to_array());
@@ -98,7 +98,7 @@ pub(super) fn triangle<S: Sample>(rng: &mut Rng, grid: &Grid<S>) -> [[S; 3]; 3] 
         })
     };
     let corner = |rng: &mut Rng| {
-        let index = last.map(|last| rng.whole(0, i64::from(last)) as u32);
+        let index = last.each(|last| rng.whole(0, i64::from(last)) as u32);
         let (min, max) = grid.voxel(index).and_then(|v| v.min_max()).expect("a voxel");
         if rng.one_in(2) { min.to_array() } else { max.to_array() }
     };
@@ -125,7 +125,7 @@ fn check<S: Sample>(grid: &Grid<S>, vertices: [[S; 3]; 3]) -> u64 {
     let [nx, ny, nz] = grid.resolution();
     let at = |[x, y, z]: [u32; 3]| (x + nx * (y + ny * z)) as usize;
     let marked = |rule: Rule, order: [usize; 3]| {
-        let [a, b, c] = order.map(|k| vertices[k]);
+        let [a, b, c] = order.each(|k| vertices[k]);
         let triangle = Triangle::new(a, b, c).expect("finite vertices");
         let mut marked = vec![false; (nx * ny * nz) as usize];
         for row in grid.rows(&triangle, rule) {
@@ -152,7 +152,7 @@ fn check<S: Sample>(grid: &Grid<S>, vertices: [[S; 3]; 3]) -> u64 {
     }
     for order in VERTEX_ORDERS {
         assert!(marked(Rule::Closed, order).1 == closed, "{order:?}: {triangle:?} in {grid:?}");
-        let [a, b, c] = order.map(|k| vertices[k]);
+        let [a, b, c] = order.each(|k| vertices[k]);
         let mut words = vec![0_u32; grid.words::<u32>()];
         let mut bits = Bits::new(grid, &mut words).expect("enough words");
         bits.fill(&Triangle::new(a, b, c).expect("finite vertices"), Rule::Closed);

@@ -1,7 +1,7 @@
 //! Meshes to voxelize, each with a grid.
 
 use crate::rays::Mesh;
-use crate::{Rng, Sample, three};
+use crate::{Each, Rng, Sample, three};
 
 type Point = [f64; 3];
 
@@ -39,18 +39,18 @@ impl VoxelScene {
     /// Closed meshes, small enough for an oracle on each centre. Their vertices are multiples of
     /// 1/64, in some scenes of a half, so that lines meet edges and centres lie on faces.
     pub fn solids(n: u32) -> Vec<Self> {
-        let rounded = |t: [Point; 3], per: f64| t.map(|p| p.map(|x| (x * per).round() / per));
+        let rounded = |t: [Point; 3], per: f64| t.each(|p| p.each(|x| (x * per).round() / per));
         let end = f64::from(n);
         let fitted = |name, mesh: Vec<[Point; 3]>, per: f64| {
             let fit = Self::around(name, mesh, n);
             let to = |p: Point| three(|i| (p[i] - fit.origin[i]) / fit.cell[i]);
-            let triangles = fit.triangles.iter().map(|t| rounded(t.map(to), per)).collect();
+            let triangles = fit.triangles.iter().map(|t| rounded(t.each(to), per)).collect();
             Self { name, triangles, ..Self::whole(n) }
         };
         let knot = torus_knot(24, 5);
         let octahedron: Vec<_> = cube(-1.0, 1.0)
             .into_iter()
-            .map(|t| t.map(|p| [p[0] + p[1], p[1] - p[0], p[2] + 0.5 * p[1]]))
+            .map(|t| t.each(|p| [p[0] + p[1], p[1] - p[0], p[2] + 0.5 * p[1]]))
             .collect();
         vec![
             fitted("knot", knot.clone(), 64.0),
@@ -89,8 +89,8 @@ impl VoxelScene {
     /// A sphere with its vertices on corners of the grid.
     fn snapped(n: u32) -> Self {
         let half = f64::from(n) / 2.0;
-        let snap = |p: Point| p.map(|x| (half + x * (half - 1.0)).round());
-        let triangles = sphere().into_iter().map(|t| t.map(snap)).collect();
+        let snap = |p: Point| p.each(|x| (half + x * (half - 1.0)).round());
+        let triangles = sphere().into_iter().map(|t| t.each(snap)).collect();
         Self { name: "snapped", triangles, ..Self::whole(n) }
     }
 
@@ -109,7 +109,7 @@ impl VoxelScene {
     /// A sphere at a distance of ten thousand times its size.
     fn far(n: u32) -> Self {
         let away = |p: Point| [p[0] + 20_000.0, p[1] - 20_000.0, p[2] + 20_000.0];
-        let triangles = sphere().into_iter().map(|t| t.map(away)).collect();
+        let triangles = sphere().into_iter().map(|t| t.each(away)).collect();
         Self::around("far", triangles, n)
     }
 
@@ -151,7 +151,7 @@ fn teapot() -> Vec<[Point; 3]> {
 
 fn sphere() -> Vec<[Point; 3]> {
     let mesh = Mesh::<f64>::sphere(|p| p);
-    mesh.triangles.iter().map(|t| t.vertices().map(|v| v.to_array())).collect()
+    mesh.triangles.iter().map(|t| t.vertices().each(|v| v.to_array())).collect()
 }
 
 /// A tube along a (2, 3) torus knot: twice `along` times `around` triangles.
@@ -164,10 +164,10 @@ pub fn torus_knot(along: usize, around: usize) -> Vec<[Point; 3]> {
     };
     let minus = |a: Point, b: Point| three(|i: usize| a[i] - b[i]);
     let cross =
-        |a: Point, b: Point| [(1, 2), (2, 0), (0, 1)].map(|(j, k)| a[j] * b[k] - a[k] * b[j]);
+        |a: Point, b: Point| [(1, 2), (2, 0), (0, 1)].each(|(j, k)| a[j] * b[k] - a[k] * b[j]);
     let unit = |a: Point| {
         let length = a.iter().map(|x| x * x).sum::<f64>().sqrt();
-        a.map(|x| x / length)
+        a.each(|x| x / length)
     };
     let point = |i: usize, j: usize| {
         let s = (i % along) as f64 / along as f64;

@@ -8,7 +8,7 @@ use septum::voxel::{Grid, Solid};
 use super::oracle::planes;
 use super::scene::VoxelScene;
 use crate::exact::{Parts, least_exponent, whole};
-use crate::{Sample, odd_mantissa};
+use crate::{Each, Sample, odd_mantissa};
 
 type Point = [IBig; 3];
 
@@ -37,8 +37,8 @@ pub(super) fn check_solid<S: Sample>(scene: &VoxelScene) -> Insides {
     let planes = planes(&grid);
     let parts = |x: S| -> Parts { odd_mantissa(x).unwrap_or((0, 0)) };
     let corners: Vec<[[Parts; 3]; 3]> =
-        triangles.iter().map(|t| t.vertices().map(|v| v.to_array().map(parts))).collect();
-    let limits = planes.map(|p| p.into_iter().map(parts).collect::<Vec<_>>());
+        triangles.iter().map(|t| t.vertices().each(|v| v.to_array().each(parts))).collect();
+    let limits = planes.each(|p| p.into_iter().map(parts).collect::<Vec<_>>());
     let unit = least_exponent(corners.iter().flatten().flatten().chain(limits.iter().flatten()));
     // Doubled, so that centres are integers, and scaled so that the following displacement changes
     // only signs that are zero: with B bits, volumes have 3·B bits, and normals 2·B.
@@ -47,7 +47,7 @@ pub(super) fn check_solid<S: Sample>(scene: &VoxelScene) -> Insides {
     let bits = bits.unwrap_or(0) as usize + 2;
     let (move_by, apart) = (2 * bits + 3, 6 * bits + 12);
     let mesh: Vec<[Point; 3]> =
-        corners.iter().map(|t| t.map(|v| v.map(|x| whole(x, unit) << (1 + apart)))).collect();
+        corners.iter().map(|t| t.each(|v| v.each(|x| whole(x, unit) << (1 + apart)))).collect();
     let moved = [IBig::from(1) << (2 * move_by), IBig::from(1) << move_by, IBig::from(1)];
     let mut found = Insides { open, ..Insides::default() };
     for voxel in (0..nx * ny * nz).map(|n| [n % nx, n / nx % ny, n / nx / ny]) {
@@ -92,17 +92,17 @@ fn turned<S: Sample>(triangle: Triangle<S>) -> Triangle<S> {
 fn is_inside(mesh: &[[Point; 3]], point: &Point) -> bool {
     const RAYS: [[i32; 3]; 4] =
         [[1009, 757, 389], [-523, 1201, 307], [401, -211, 1511], [-907, -613, 1301]];
-    let count = RAYS.iter().find_map(|ray| crossings(mesh, point, &ray.map(IBig::from)));
+    let count = RAYS.iter().find_map(|ray| crossings(mesh, point, &ray.each(IBig::from)));
     count.expect("a ray that meets no edge") % 2 == 1
 }
 
 fn crossings(mesh: &[[Point; 3]], point: &Point, ray: &Point) -> Option<usize> {
     let mut count = 0;
     for face in mesh {
-        let v = face.each_ref().map(|v| -> Point { std::array::from_fn(|i| &v[i] - &point[i]) });
+        let v = face.each_ref().each(|v| -> Point { std::array::from_fn(|i| &v[i] - &point[i]) });
         let along: [IBig; 3] = std::array::from_fn(|k| volume(ray, &v[k], &v[(k + 1) % 3]));
         let sign = |x: &IBig| x.cmp(&IBig::ZERO) as i32;
-        let signs = along.each_ref().map(sign);
+        let signs = along.each_ref().each(sign);
         if signs.iter().all(|&s| s == signs[0]) && signs[0] != 0 {
             // The crossing is ahead if the tetrahedron with the point has this orientation.
             count += usize::from(sign(&volume(&v[0], &v[1], &v[2])) == signs[0]);

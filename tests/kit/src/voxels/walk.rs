@@ -8,7 +8,7 @@ use septum::{Ray, Segment};
 use super::oracle::planes;
 use super::random::grid;
 use crate::exact::{Parts, least_exponent, whole};
-use crate::{Rng, Sample, odd_mantissa, three};
+use crate::{Each, Rng, Sample, odd_mantissa, three};
 
 /// A quotient with a positive divisor.
 #[derive(Clone)]
@@ -73,9 +73,9 @@ pub(super) fn line_ends<S: Sample>(rng: &mut Rng, grid: &Grid<S>) -> ([S; 3], [S
 fn one<S: Sample>(rng: &mut Rng, grid: &Grid<S>) -> u64 {
     let planes = planes(grid);
     let (a, b) = line_ends(rng, grid);
-    let parts = |p: [S; 3]| -> [Parts; 3] { p.map(|x| odd_mantissa(x).unwrap_or((0, 0))) };
+    let parts = |p: [S; 3]| -> [Parts; 3] { p.each(|x| odd_mantissa(x).unwrap_or((0, 0))) };
     let limits: [Vec<Parts>; 3] =
-        planes.map(|p| p.into_iter().map(|x| odd_mantissa(x).unwrap_or((0, 0))).collect());
+        planes.each(|p| p.into_iter().map(|x| odd_mantissa(x).unwrap_or((0, 0))).collect());
     let mut met = 0;
     let from_to = Segment::new(a, b).expect("finite ends");
     let ray = Ray::new(a, b);
@@ -123,10 +123,10 @@ fn check(
     let all = anchor.iter().chain(&from).chain(&to).chain(limits.iter().flatten());
     let unit = least_exponent(all);
     let number = |x: Parts| whole(x, unit);
-    let a = anchor.map(number);
+    let a = anchor.each(number);
     let way: [IBig; 3] = std::array::from_fn(|i| number(to[i]) - number(from[i]));
-    let limits = limits.each_ref().map(|p| p.iter().map(|&x| number(x)).collect::<Vec<_>>());
-    let size = limits.each_ref().map(|p| p.len() as u32 - 1);
+    let limits = limits.each_ref().each(|p| p.iter().map(|&x| number(x)).collect::<Vec<_>>());
+    let size = limits.each_ref().each(|p| p.len() as u32 - 1);
     let [nx, ny, nz] = size;
     let stay = |voxel: [u32; 3], rule: Rule| -> Option<Stay> {
         let (zero, one) = (Fraction(0.into(), 1.into()), Fraction(1.into(), 1.into()));
@@ -134,7 +134,7 @@ fn check(
         let mut to: Option<(Fraction, bool)> = ends_at_one.then_some((one, true));
         let closed = rule == Rule::Closed;
         for i in 0..3 {
-            let [low, high] = [0, 1].map(|k| &limits[i][voxel[i] as usize + k] - &a[i]);
+            let [low, high] = [0, 1].each(|k| &limits[i][voxel[i] as usize + k] - &a[i]);
             let (enter, leave) = match way[i].cmp(&IBig::ZERO) {
                 std::cmp::Ordering::Equal => {
                     let zero = IBig::ZERO;
@@ -187,7 +187,7 @@ fn check(
             expected.sort_unstable();
             assert!(sorted == expected, "{what}: {walk:?}, not {expected:?}");
             let in_order = walk.windows(2).all(|pair| {
-                let [a, b] = [pair[0], pair[1]].map(|v| stay(v, kind).expect("met"));
+                let [a, b] = [pair[0], pair[1]].each(|v| stay(v, kind).expect("met"));
                 a.from.0.cmp(&b.from.0).is_le() && a.to.0.cmp(&a.from.0).is_ge()
             });
             assert!(in_order, "{what}: {walk:?}");
@@ -244,7 +244,7 @@ fn thin(
     let mut walk = Vec::new();
     let mut visit = |at: [i64; 3]| {
         if (0..3).all(|i| at[i] >= 0 && at[i] < limits[i].len() as i64 - 1) {
-            walk.push(at.map(|k| k as u32));
+            walk.push(at.each(|k| k as u32));
         }
     };
     visit(at);
