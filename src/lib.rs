@@ -242,6 +242,7 @@ pub mod relation {
     //! | segment | triangle, sphere, capsule |
     //! | sphere | sphere, capsule, triangle, segment, axis-aligned box, plane, ray |
     //! | capsule | capsule, sphere, triangle, segment, axis-aligned box, plane |
+    //! | triangle [near](crate::near) the origin, in fixed point | axis-aligned box near the origin |
 
     pub use crate::query::{Relate, Relation};
 }
