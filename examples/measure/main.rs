@@ -20,6 +20,8 @@
 //! - `hit`, `miss`: rays through triangles and boxes, and past them
 //! - `teapot`: a mesh of 1,044 triangles, by its tree and one by one
 //!
+//! The mode `near` is of shapes checked to be near the origin (`septum::near`).
+//!
 //! A host counts no instructions. `benches/` measures times there.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
@@ -69,6 +71,7 @@ fn run() -> bool {
     queries::all::<I16F16>(&meter);
     queries::all::<I32F32>(&meter);
     queries::distances::<I16F16>(&meter);
+    queries::near(&meter);
     queries::orders::<f32>(&meter);
     queries::orders::<I16F16>(&meter);
     mesh::all(&meter)

@@ -65,6 +65,18 @@ pub(crate) fn all(meter: &Meter) -> bool {
         let rules = HitRules::new().once();
         triangles(t).filter(|t| t.contains(p) || row.is_hit_with(t, rules)).count() % 2 == 1
     });
+    // A sixteenth of the size is near the origin.
+    let small = |p: Vec3<I16F16>| Vec3::from(p.to_array().map(|x| x >> 4));
+    let vertices = VERTICES.map(small);
+    let Ok(mesh) = Mesh::new(&vertices, &FACES) else { return false };
+    let Ok(tree) = Tree::build(mesh, &mut nodes, &mut order) else { return false };
+    let Ok(tree) = tree.near() else { return false };
+    let rays =
+        rays.map(|r| r.and_then(|r| Ray::new(small(r.origin()), small(r.direction()))?.near()));
+    line(meter, "mesh/ray first hit", "near", &tree, &rays, |t, r| {
+        black_box(t.first_hit(r)).is_some()
+    });
+    line(meter, "mesh/ray any hit", "near", &tree, &rays, |t, r| t.is_hit(r));
     true
 }
 
@@ -77,13 +89,13 @@ fn near(rng: &mut Rng) -> Vec3<I16F16> {
     VERTICES[rng.below(VERTICES.len())]
 }
 
-fn line<'a, B: Copy, E>(
+fn line<T: Copy, B: Copy, E>(
     meter: &Meter,
     query: &str,
     mode: &str,
-    tree: &Teapot<'a>,
+    tree: &T,
     shapes: &[Result<B, E>; CASES],
-    ask: Ask<Teapot<'a>, B>,
+    ask: Ask<T, B>,
 ) {
     let mut taken = Taken::default();
     for shape in shapes.iter().flatten() {

@@ -2,8 +2,10 @@
 
 use core::hint::black_box;
 
+use fixed::types::I16F16;
 use heapless::Vec;
 use septum::contact::{contact, least_translation};
+use septum::near::Near;
 use septum::polygon::Polygon;
 use septum::published;
 use septum::published::akenine_moller::{self, Order};
@@ -163,6 +165,35 @@ pub(crate) fn distances<S: Coordinate>(meter: &Meter) {
     let queries: [Query<Ray<S>, Capsule<S>>; 1] =
         [("ray/capsule", "t_range", |r, b| r.t_range_capsule(b).is_some())];
     lines::<S, _, _>(meter, "hit", workload::capsule_hit, &queries);
+}
+
+/// The pairs of a workload as shapes near the origin.
+macro_rules! near {
+    ($draw:expr) => {
+        |rng| {
+            let (one, other) = $draw(rng)?;
+            Some((one.near().ok()?, other.near().ok()?))
+        }
+    };
+}
+
+/// Rays and segments near the origin, against boxes.
+pub(crate) fn near(meter: &Meter) {
+    type S = I16F16;
+    type Close<A, B> = Query<Near<A>, Near<B>>;
+    let rays: [Close<Ray<S>, Aabb<S>>; 1] = [("ray/box", "near", |r, b| r.overlaps(b))];
+    lines::<S, _, _>(meter, "hit", near!(workload::box_hit), &rays);
+    lines::<S, _, _>(meter, "miss", near!(workload::box_miss), &rays);
+    let segments: [Close<Segment<S>, Aabb<S>>; 2] = [
+        ("segment/box", "near", |s, b| s.overlaps(b)),
+        ("segment/box", "exact", |s, b| s.get().overlaps(b.get())),
+    ];
+    lines::<S, _, _>(meter, "hit", near!(workload::box_met), &segments);
+    lines::<S, _, _>(meter, "miss", near!(workload::box_missed), &segments);
+    let segments: [Close<Segment<S>, Obb<S>>; 1] =
+        [("segment/oriented box", "near", |s, b| s.overlaps(b))];
+    lines::<S, _, _>(meter, "hit", near!(workload::obb_met), &segments);
+    lines::<S, _, _>(meter, "miss", near!(workload::obb_missed), &segments);
 }
 
 /// Whether shapes are disjoint, touch or overlap.

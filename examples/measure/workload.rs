@@ -295,6 +295,22 @@ pub(crate) fn box_miss<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Aabb<S>)
     first(rng, ray_and_box, false, |ray, aabb| ray.overlaps(aabb))
 }
 
+fn segment<S: Coordinate>(rng: &mut Rng) -> Option<Segment<S>> {
+    Segment::new(vector::<S>(rng.point()), vector::<S>(rng.point())).ok()
+}
+
+fn segment_and_box<S: Coordinate>(rng: &mut Rng) -> Option<(Segment<S>, Aabb<S>)> {
+    Some((segment(rng)?, ray_and_box(rng)?.1))
+}
+
+pub(crate) fn box_met<S: Coordinate>(rng: &mut Rng) -> Option<(Segment<S>, Aabb<S>)> {
+    first(rng, segment_and_box, true, |segment, aabb| segment.overlaps(aabb))
+}
+
+pub(crate) fn box_missed<S: Coordinate>(rng: &mut Rng) -> Option<(Segment<S>, Aabb<S>)> {
+    first(rng, segment_and_box, false, |segment, aabb| segment.overlaps(aabb))
+}
+
 /// The rotated cube.
 fn turned_box<S: Coordinate>(rng: &mut Rng) -> Option<Obb<S>> {
     let (axes, half) = turned_axes(rng)?;
@@ -314,8 +330,7 @@ pub(crate) fn obb_miss<S: Coordinate>(rng: &mut Rng) -> Option<(Ray<S>, Obb<S>)>
 }
 
 fn segment_and_obb<S: Coordinate>(rng: &mut Rng) -> Option<(Segment<S>, Obb<S>)> {
-    let ends = (vector::<S>(rng.point()), vector::<S>(rng.point()));
-    Some((Segment::new(ends.0, ends.1).ok()?, turned_box(rng)?))
+    Some((segment(rng)?, turned_box(rng)?))
 }
 
 pub(crate) fn obb_met<S: Coordinate>(rng: &mut Rng) -> Option<(Segment<S>, Obb<S>)> {

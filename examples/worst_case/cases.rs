@@ -1,7 +1,7 @@
 //! Pairs of shapes that meet in every way, from the numbers of a path.
 
 use septum::sweep::Motion;
-use septum::{Aabb, Capsule, Obb, Ray, Sphere, Triangle, Vec3};
+use septum::{Aabb, Capsule, Obb, Ray, Segment, Sphere, Triangle, Vec3};
 
 use crate::draw::{Draw, Raw};
 
@@ -112,4 +112,29 @@ pub(crate) fn ray_triangle<S: Raw>(draw: &mut Draw) -> Option<(Ray<S>, Triangle<
         _ => ray.with_range(least, most),
     };
     Some((ranged.ok()?, triangle))
+}
+
+/// A ray of those above, and a box.
+pub(crate) fn ray_aabb<S: Raw>(draw: &mut Draw) -> Option<(Ray<S>, Aabb<S>)> {
+    Some((ray_triangle(draw)?.0, triangle_aabb(draw)?.1))
+}
+
+fn segment<S: Raw>(draw: &mut Draw) -> Option<Segment<S>> {
+    let (p, q) = (draw.point(), draw.point());
+    let segment = if draw.rng.below(2) == 0 {
+        Segment::new(draw.vector::<S>(p), draw.vector::<S>(q))
+    } else {
+        // Half of the size, so that a near segment stays near.
+        let half = |p: [i64; 3]| draw.vector::<S>(p.map(|x| x >> 1));
+        Segment::from_center_half_vector(half(p), half(q))
+    };
+    segment.ok()
+}
+
+pub(crate) fn segment_aabb<S: Raw>(draw: &mut Draw) -> Option<(Segment<S>, Aabb<S>)> {
+    Some((segment(draw)?, triangle_aabb(draw)?.1))
+}
+
+pub(crate) fn segment_obb<S: Raw>(draw: &mut Draw) -> Option<(Segment<S>, Obb<S>)> {
+    Some((segment(draw)?, triangle_obb(draw)?.1))
 }

@@ -10,7 +10,8 @@ use septum::sweep::Sweep;
 
 use crate::CORE;
 use crate::cases::{
-    capsule, ray_triangle, sphere, sphere_sweep, sweep, triangle_aabb, triangle_obb,
+    capsule, ray_aabb, ray_triangle, segment_aabb, segment_obb, sphere, sphere_sweep, sweep,
+    triangle_aabb, triangle_obb,
 };
 use crate::draw::{Draw, Path, Raw, Rng};
 use crate::firmware::say;
@@ -35,29 +36,22 @@ const FIRST_CONTACT: &str = "triangle/box first_contact";
 /// The slowest rules: a hit on an edge takes further tests.
 const ONCE: HitRules = HitRules::new().once();
 
+/// Cases as shapes near the origin; `None` if they are not.
+macro_rules! near {
+    ($cases:expr) => {
+        |draw: &mut Draw| {
+            let (one, other) = $cases(draw)?;
+            Some((one.near().ok()?, other.near().ok()?))
+        }
+    };
+}
+
 /// Shapes that were checked to be near.
 pub(crate) fn near(meter: &Meter) {
     type S = I16F16;
-    let aabb = |draw: &mut Draw| {
-        let (triangle, aabb) = triangle_aabb::<S>(draw)?;
-        Some((triangle.near().ok()?, aabb.near().ok()?))
-    };
-    let obb = |draw: &mut Draw| {
-        let (triangle, obb) = triangle_obb::<S>(draw)?;
-        Some((triangle.near().ok()?, obb.near().ok()?))
-    };
-    let ray = |draw: &mut Draw| {
-        let (ray, triangle) = ray_triangle::<S>(draw)?;
-        Some((ray.near().ok()?, triangle.near().ok()?))
-    };
-    let sphere = |draw: &mut Draw| {
-        let (triangle, sphere) = sphere::<S>(draw)?;
-        Some((triangle.near().ok()?, sphere.near().ok()?))
-    };
-    let capsule = |draw: &mut Draw| {
-        let (triangle, capsule) = capsule::<S>(draw)?;
-        Some((triangle.near().ok()?, capsule.near().ok()?))
-    };
+    let aabb = near!(triangle_aabb::<S>);
+    let obb = near!(triangle_obb::<S>);
+    let ray = near!(ray_triangle::<S>);
     let moving = |draw: &mut Draw| {
         let ((triangle, motion), aabb) = sweep::<S>(draw)?;
         Some((triangle.near().ok()?.moving(motion).ok()?, aabb.near().ok()?))
@@ -67,11 +61,14 @@ pub(crate) fn near(meter: &Meter) {
     lines.say(OBB, obb, |t, b| t.overlaps(b));
     lines.say(IS_HIT, ray, |r, t| r.is_hit_with(t, ONCE));
     lines.say(HIT, ray, |r, t| black_box(r.hit_with(t, ONCE)).is_some());
-    lines.say(SPHERE, sphere, |t, b| t.overlaps(b));
-    lines.say(CAPSULE, capsule, |t, b| t.overlaps(b));
+    lines.say(SPHERE, near!(sphere::<S>), |t, b| t.overlaps(b));
+    lines.say(CAPSULE, near!(capsule::<S>), |t, b| t.overlaps(b));
     lines.say(RELATION, aabb, |t, b| t.relation(b) != Relation::Disjoint);
     lines.say(MEETS_ALONG, moving, |t, b| t.meets(b));
     lines.say(FIRST_CONTACT, moving, |t, b| black_box(t.first_contact(b)).is_some());
+    lines.say("ray/box", near!(ray_aabb::<S>), |r, b| r.overlaps(b));
+    lines.say("segment/box", near!(segment_aabb::<S>), |s, b| s.overlaps(b));
+    lines.say("segment/oriented box", near!(segment_obb::<S>), |s, b| s.overlaps(b));
 }
 
 /// Shapes anywhere.
@@ -118,18 +115,16 @@ impl Lines<'_> {
         let Self { meter, scalar, reach, most } = *self;
         for path in Path::ALL {
             let mut draw = Draw { rng: Rng::new(), path, most };
-            let (mut instructions, mut stack, mut total) = (0, 0, 0);
+            let (mut instructions, mut taken) = (0, Taken::default());
             for pair in (0..CASES).filter_map(|_| shapes(&mut draw)) {
-                let mut taken = Taken::default();
+                let before = taken.total();
                 meter.add(&mut taken, &[pair], ask);
-                instructions = taken.total().max(instructions);
-                stack = taken.stack().max(stack);
-                total += taken.total();
-                if total > ENOUGH {
+                instructions = (taken.total() - before).max(instructions);
+                if taken.total() > ENOUGH {
                     break;
                 }
             }
-            let (path, stack) = (path.name(), stack as u32);
+            let (path, stack) = (path.name(), taken.stack() as u32);
             say!("{},{},{},{},{},{},{}", CORE, query, scalar, reach, path, instructions, stack);
         }
     }
