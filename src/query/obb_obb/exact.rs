@@ -5,9 +5,7 @@
 use core::cmp::Ordering;
 
 use super::{First, Lie};
-use crate::arithmetic::{
-    BigInt, Each, Embeds, Float, Number, Parts, Window, cross, dot, three, turn,
-};
+use crate::arithmetic::{BigInt, Each, Embeds, Float, Number, Parts, Window, cross, dot, three};
 use crate::query::relation::{Nearness, Relation, of_gaps};
 use crate::robust::{ExactSum, Linear, Vector, add_scaled_determinant, difference, single};
 use crate::scalar::Scalar;
@@ -76,12 +74,8 @@ impl ExactBoxes {
     /// The relation of the boxes from the 15 axes.
     pub(super) fn relation<S: Scalar>(&self) -> Relation {
         let mut so_far = Relation::Overlapping;
-        for i in 0..3 {
-            let (_, j, k) = turn(i);
-            so_far = so_far.min(self.axis::<S>(j, k)).min(self.axis::<S>(3 + j, 3 + k));
-            for other in 3..6 {
-                so_far = so_far.min(self.axis::<S>(i, other));
-            }
+        for [a, b] in AXES {
+            so_far = so_far.min(self.axis::<S>(a, b));
             if so_far == Relation::Disjoint {
                 break;
             }
@@ -114,22 +108,10 @@ impl ExactBoxes {
 
 /// The 15 axes, each the cross product of two of the vectors u_0, u_1, u_2, v_0, v_1, v_2: the face
 /// normals of the first box and of the second, and then for each v_j its products with all u_i.
+#[rustfmt::skip]
 const AXES: [[usize; 2]; 15] = [
-    [1, 2],
-    [2, 0],
-    [0, 1],
-    [4, 5],
-    [5, 3],
-    [3, 4],
-    [0, 3],
-    [1, 3],
-    [2, 3],
-    [0, 4],
-    [1, 4],
-    [2, 4],
-    [0, 5],
-    [1, 5],
-    [2, 5],
+    [1, 2], [2, 0], [0, 1], [4, 5], [5, 3], [3, 4],
+    [0, 3], [1, 3], [2, 3], [0, 4], [1, 4], [2, 4], [0, 5], [1, 5], [2, 5],
 ];
 
 /// The boxes as they are given: centres and half-extents, or corners of the first, and the axes.
