@@ -25,8 +25,8 @@ pub(crate) fn two<T>(mut f: impl FnMut(usize) -> T) -> [T; 2] {
     [f(0), f(1)]
 }
 
-/// `array::map` of short arrays, always inlined: it costs less time, and tests compile sooner. Exact stages
-/// that convert numbers keep `map`, whose loop is less code.
+/// `array::map` of short arrays, always inlined: it costs less time, and tests compile sooner. Some cold
+/// conversions keep `map`: on small cores its loop is less code than three copies of what it calls.
 pub(crate) trait Each {
     type Item;
     type Of<U>;

@@ -4,7 +4,7 @@ pub fn three<T>(mut f: impl FnMut(usize) -> T) -> [T; 3] {
     [f(0), f(1), f(2)]
 }
 
-/// `array::map` of short arrays: see [`three`].
+/// `array::map` of short arrays: see [`three`]. The crate has the same, which it does not publish.
 pub trait Each {
     /// Of the array given.
     type Item;
