@@ -8,6 +8,12 @@ pub(crate) trait Offset: Copy {
     /// Whether the functions below are valid for all these coordinates.
     fn have_offsets<const K: usize>(points: &[[Self; 3]; K]) -> bool;
 
+    /// The same for offsets to zero alone.
+    #[inline(always)]
+    fn have_offsets_to_zero<const K: usize>(points: &[[Self; 3]; K]) -> bool {
+        Self::have_offsets(points)
+    }
+
     /// The difference to another coordinate, rounded to the nearest; `f64` rounds twice. Rounding
     /// keeps order.
     fn offset(self, other: Self) -> f32;
@@ -72,6 +78,11 @@ impl<S: InRaw> Offset for S {
         let bits = |x: &S| x.raw().plus(limit);
         let all = || points.as_flattened().iter().fold(zero, |all, x| all | bits(x));
         S::ALWAYS_NEAR || all() & S::Raw::OUTSIDE == zero
+    }
+    // Words of 32 bits need no difference that might overflow.
+    #[inline(always)]
+    fn have_offsets_to_zero<const K: usize>(points: &[[S; 3]; K]) -> bool {
+        S::Raw::BITS <= 32 || Self::have_offsets(points)
     }
     #[inline(always)]
     fn are_multiples<const K: usize>(points: &[[S; 3]; K], unit: f32) -> bool {
