@@ -243,15 +243,25 @@ mod tests {
             };
             let from = point(s, step);
             let to = [0.125, 1.0 - at(1, 5) / 4.0, -0.5];
-            let way = [0, 1, 2].each(|c: usize| to[c] - from[c]);
-            let ray = Ray::new(row(from), row(way)).unwrap();
-            let meets = ray.overlaps(&obb);
-            let question = Disjoint { line: Line::Ray(&ray), obb: &obb };
-            let (misses, found) = in_double(&question).unwrap_or_default();
-            assert!(misses != Some(meets), "{ray:?}");
-            if !meets {
+            let into = [0, 1, 2].each(|c: usize| to[c] - from[c]);
+            // Past an edge, or through it, as the step rounds.
+            let next = (face + 1) % 3;
+            let edge = [0, 1, 2].each(|i: usize| if i == next { 1.0 } else { s[i] });
+            let edge = point(edge, [0.0, 1e-16, -1e-16, 1e-9][n / 3 % 4]);
+            let across = [0, 1, 2].each(|c: usize| axes[face][c] - axes[next][c]);
+            let before = [0, 1, 2].each(|c: usize| edge[c] - across[c]);
+            let [ray, grazing] = [(from, into), (before, across)]
+                .each(|(from, way)| Ray::new(row(from), row(way)).unwrap());
+            for ray in [&ray, &grazing] {
+                let question = Disjoint { line: Line::Ray(ray), obb: &obb };
+                let (misses, _) = in_double(&question).unwrap_or_default();
+                assert!(misses != Some(ray.overlaps(&obb)), "{ray:?}");
+            }
+            if !ray.overlaps(&obb) {
                 continue;
             }
+            let question = Disjoint { line: Line::Ray(&ray), obb: &obb };
+            let (_, found) = in_double(&question).unwrap_or_default();
             asked += 1;
             let found = found.or_else(|| Range(question).refined(Clue::NoNumbers).flatten());
             if let Some(found) = found {
