@@ -164,7 +164,9 @@ impl<S: InRaw<Raw = i32> + InWord<W>, W: WholeWord> InWholeWord<W> for S {
 /// The raw bits of a type, in a word of the machine, and in the float that is asked first, with its
 /// limit.
 macro_rules! in_raw {
-    ($($fixed:ident, $bound:ident: $raw:ty, $float:ty, $limit:expr;)*) => {$(
+    ($(
+        $fixed:ident, $bound:ident: $raw:ty, [$first:ty, $second:ty], $($float:ty: $limit:expr),+;
+    )*) => {$(
         impl<Frac: $bound> InRaw for $fixed<Frac> {
             type Raw = $raw;
 
@@ -182,7 +184,7 @@ macro_rules! in_raw {
             }
         }
 
-        impl<Frac: $bound> InFloat<$float> for $fixed<Frac> {
+        $(impl<Frac: $bound> InFloat<$float> for $fixed<Frac> {
             const OFFSETS_FIRST: bool = size_of::<$float>() == size_of::<f64>();
             const LIMIT: Option<$float> = $limit;
             const PLACE: $float = 1.0 / (1_u128 << Self::FRAC_NBITS) as $float;
@@ -190,18 +192,19 @@ macro_rules! in_raw {
             fn in_float(self) -> $float {
                 self.to_bits() as $float
             }
-        }
+        })+
 
         impl<Frac: $bound> FirstFloat for $fixed<Frac> {
-            type SeptumFirst = $float;
+            type SeptumFirst = $first;
+            type SeptumSecond = $second;
         }
     )*};
 }
 in_raw! {
-    FixedI8, LeEqU8: i32, f32, None;
-    FixedI16, LeEqU16: i32, f32, None;
-    FixedI32, LeEqU32: i32, f32, Some((1_u32 << 24) as f32);
-    FixedI64, LeEqU64: i64, f64, Some((1_u64 << 53) as f64);
+    FixedI8, LeEqU8: i32, [f32, f32], f32: None;
+    FixedI16, LeEqU16: i32, [f32, f32], f32: None;
+    FixedI32, LeEqU32: i32, [f32, f64], f32: Some((1_u32 << 24) as f32), f64: None;
+    FixedI64, LeEqU64: i64, [f64, f64], f64: Some((1_u64 << 53) as f64);
 }
 
 /// Integers in `f64`: verdicts if they exceed the error, and quotients if it is certain how they

@@ -20,9 +20,15 @@ pub(crate) trait InFloat<F>: Copy {
 }
 
 /// The float that is asked first, four at once, in a query that has a kernel for that.
-pub(crate) trait FirstFloat: InFloat<<Self as FirstFloat>::SeptumFirst> {
+pub(crate) trait FirstFloat:
+    InFloat<<Self as FirstFloat>::SeptumFirst> + InFloat<<Self as FirstFloat>::SeptumSecond>
+{
     /// That float.
     type SeptumFirst: Float;
+
+    /// The float that many at once ask where the first does not hold a coordinate; the same float if
+    /// no longer one would help.
+    type SeptumSecond: Float;
 
     /// [`InFloat::LIMIT`].
     const FIRST_LIMIT: Option<Self::SeptumFirst> = <Self as InFloat<Self::SeptumFirst>>::LIMIT;
@@ -36,10 +42,12 @@ pub(crate) trait FirstFloat: InFloat<<Self as FirstFloat>::SeptumFirst> {
 
 impl FirstFloat for f32 {
     type SeptumFirst = f32;
+    type SeptumSecond = f32;
 }
 
 impl FirstFloat for f64 {
     type SeptumFirst = f64;
+    type SeptumSecond = f64;
 }
 
 impl<S: Float + Into<F>, F: Float> InFloat<F> for S {

@@ -1,5 +1,5 @@
 use super::each_overlap::each;
-use super::triangle_axes::OfOneSize;
+use super::triangle_axes::{OfOneSize, is_for_first};
 use super::triangles::lane;
 use crate::arithmetic::FirstFloat;
 use crate::scalar::Scalar;
@@ -110,7 +110,14 @@ impl<S: Scalar, const N: usize> Cells<S, N> {
 pub struct CellTriangle<S: Scalar> {
     triangle: Triangle<S>,
     half: [S; 3],
-    prepared: Option<OfOneSize<<S as FirstFloat>::SeptumFirst>>,
+    prepared: Option<Prepared<S>>,
+}
+
+/// What is the same for all boxes, in the float that holds the triangle.
+#[derive(Clone, Copy, Debug)]
+enum Prepared<S: FirstFloat> {
+    First(OfOneSize<S::SeptumFirst>),
+    Second(OfOneSize<S::SeptumSecond>),
 }
 
 impl<S: Scalar> CellTriangle<S> {
@@ -121,8 +128,14 @@ impl<S: Scalar> CellTriangle<S> {
     #[must_use]
     pub fn new<const N: usize>(triangle: &Triangle<S>, cells: &Cells<S, N>) -> Self {
         let half = cells.half;
-        let prepared =
-            if S::IN_QUADS { OfOneSize::new::<S>(triangle.points(), half) } else { None };
+        let points = triangle.points();
+        let prepared = if !S::IN_QUADS {
+            None
+        } else if is_for_first(&points) {
+            OfOneSize::new(points, half).map(Prepared::First)
+        } else {
+            OfOneSize::new(points, half).map(Prepared::Second)
+        };
         Self { triangle: *triangle, half, prepared }
     }
 
@@ -143,9 +156,13 @@ impl<S: Scalar> CellTriangle<S> {
     #[must_use]
     pub fn overlaps<const N: usize>(&self, cells: &Cells<S, N>) -> [bool; N] {
         let alone = |k: usize| self.triangle.overlaps(&cells.at(k));
+        let center = |k: usize| lane(&cells.centers, k);
         match &self.prepared {
-            Some(prepared) if cells.half == self.half => {
-                each::<S, N>(|k| prepared.apart::<S>(lane(&cells.centers, k)), alone)
+            Some(Prepared::First(prepared)) if cells.half == self.half => {
+                each::<S, N>(|k| prepared.apart(center(k)), alone)
+            }
+            Some(Prepared::Second(prepared)) if cells.half == self.half => {
+                each::<S, N>(|k| prepared.apart(center(k)), alone)
             }
             _ => core::array::from_fn(alone),
         }

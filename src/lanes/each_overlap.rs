@@ -1,10 +1,11 @@
 //! One triangle against N boxes, and one box against N triangles, exactly.
 
-use super::triangle_axes::TriangleAxes;
+use super::triangle_axes::{TriangleAxes, is_for_first};
 use super::triangles::lane;
 use super::{Aabbs, Triangles};
+use crate::arithmetic::{Float, InFloat};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Triangle};
+use crate::shape::{Aabb, Triangle};
 
 /// Tests all lanes at once in floats; `apart` returns the verdict and whether it is certain.
 /// `overlaps` decides uncertain lanes one by one.
@@ -62,7 +63,19 @@ impl<S: Scalar, const N: usize> Aabbs<S, N> {
     #[inline]
     #[must_use]
     pub fn overlaps(&self, triangle: &Triangle<S>) -> [bool; N] {
-        let axes = TriangleAxes::new(triangle.points());
+        if is_for_first(&triangle.points()) {
+            self.overlaps_in::<S::SeptumFirst>(triangle)
+        } else {
+            self.overlaps_in::<S::SeptumSecond>(triangle)
+        }
+    }
+
+    #[inline(always)]
+    fn overlaps_in<F: Float>(&self, triangle: &Triangle<S>) -> [bool; N]
+    where
+        S: InFloat<F>,
+    {
+        let axes = TriangleAxes::<F>::new(triangle.points());
         each::<S, N>(
             |k| axes.apart_by_corners(lane(&self.min, k), lane(&self.max, k)),
             |k| triangle.overlaps(&self.at(k)),
@@ -81,16 +94,26 @@ impl<S: Scalar, const N: usize> Triangles<S, N> {
     #[inline]
     #[must_use]
     pub fn overlaps(&self, aabb: &Aabb<S>) -> [bool; N] {
+        let (p, q, _) = aabb.numbers();
+        if is_for_first(&[p, q]) && (N == 0 || is_for_first(&self.at(0))) {
+            self.overlaps_in::<S::SeptumFirst>(aabb)
+        } else {
+            self.overlaps_in::<S::SeptumSecond>(aabb)
+        }
+    }
+
+    #[inline(always)]
+    fn overlaps_in<F: Float>(&self, aabb: &Aabb<S>) -> [bool; N]
+    where
+        S: InFloat<F>,
+    {
         let alone = |k: usize| self.triangle(k).overlaps(aabb);
-        match *aabb.form() {
-            AabbForm::Corners { min, max } => {
-                let (min, max) = (min.to_array(), max.to_array());
-                each::<S, N>(|k| TriangleAxes::new(self.at(k)).apart_by_corners(min, max), alone)
-            }
-            AabbForm::Center { center, half } => {
-                let (center, half) = (center.to_array(), half.to_array());
-                each::<S, N>(|k| TriangleAxes::new(self.at(k)).apart_by_center(center, half), alone)
-            }
+        let axes = |k: usize| TriangleAxes::<F>::new(self.at(k));
+        let (p, q, is_by_center) = aabb.numbers();
+        if is_by_center {
+            each::<S, N>(|k| axes(k).apart_by_center(p, q), alone)
+        } else {
+            each::<S, N>(|k| axes(k).apart_by_corners(p, q), alone)
         }
     }
 }

@@ -7,7 +7,7 @@
 //! on one of two sides. The bounds of `triangle_aabb` hold for either.
 
 use crate::arithmetic::{
-    Each, Filtered, FirstFloat, Float, Number, cross, dot, greatest, two_difference,
+    Each, Filtered, FirstFloat, Float, InFloat, cross, dot, greatest, two_difference,
 };
 use crate::query::{bound_of_size, range};
 
@@ -60,8 +60,8 @@ impl<F: Float> Gaps<F> {
 
 impl<F: Float> TriangleAxes<F> {
     #[inline(always)]
-    pub(super) fn new<S: FirstFloat<SeptumFirst = F>>([a, b, c]: Points<S>) -> Self {
-        let points = &[first(a), first(b), first(c)];
+    pub(super) fn new<S: InFloat<F>>([a, b, c]: Points<S>) -> Self {
+        let points = &[in_floats(a), in_floats(b), in_floats(c)];
         let [a, b, c] = points;
         let edges = [minus(b, a), minus(c, b), minus(a, c)];
         let normal = cross::<Filtered<F>>(&edges[0], &edges[1]);
@@ -92,7 +92,7 @@ impl<F: Float> TriangleAxes<F> {
             middle,
             radii,
             spare,
-            are_held: are_held::<S>(points),
+            are_held: are_held::<S, F>(points),
         }
     }
 
@@ -148,9 +148,9 @@ impl<F: Float> TriangleAxes<F> {
     #[inline(always)]
     pub(super) fn apart_by_corners<S>(&self, min: [S; 3], max: [S; 3]) -> (bool, bool)
     where
-        S: FirstFloat<SeptumFirst = F>,
+        S: InFloat<F>,
     {
-        let (min, max) = (first(min), first(max));
+        let (min, max) = (in_floats(min), in_floats(max));
         let gap = |i: usize| greatest(self.low[i] - max[i], min[i] - self.high[i]);
         let face = greatest(greatest(gap(0), gap(1)), gap(2)) > F::ZERO;
         // Not v − (min + max)/2: rounding the sum errs by the distance from the origin, rounding
@@ -161,16 +161,16 @@ impl<F: Float> TriangleAxes<F> {
         let half = [extent(0), extent(1), extent(2)];
         let (errors, is_known) = self.errors(&half);
         let (is_apart, is_certain) = self.gaps(&v, &half, errors).verdict(face, !face, is_known);
-        (is_apart, is_certain & self.are_held & are_held::<S>(&[min, max]))
+        (is_apart, is_certain & self.are_held & are_held::<S, F>(&[min, max]))
     }
 
     /// The same for a box with this centre and these half-extents.
     #[inline(always)]
     pub(super) fn apart_by_center<S>(&self, center: [S; 3], half: [S; 3]) -> (bool, bool)
     where
-        S: FirstFloat<SeptumFirst = F>,
+        S: InFloat<F>,
     {
-        let (center, half) = (first(center), first(half));
+        let (center, half) = (in_floats(center), in_floats(half));
         // A computed gap of zero may be rounded. The sign of any other is right, because rounding
         // is monotonic.
         let gap = |i: usize| greatest(self.low[i] - center[i], center[i] - self.high[i]) - half[i];
@@ -179,14 +179,14 @@ impl<F: Float> TriangleAxes<F> {
         let (errors, is_known) = self.errors(&half);
         let gaps = self.gaps(&minus(&self.origin, &center), &half, errors);
         let (is_apart, is_certain) = gaps.verdict(face, no_face, is_known);
-        (is_apart, is_certain & self.are_held & are_held::<S>(&[center, half]))
+        (is_apart, is_certain & self.are_held & are_held::<S, F>(&[center, half]))
     }
 }
 
 /// Whether all coordinates became floats without rounding.
 #[inline(always)]
-fn are_held<S: FirstFloat>(points: &[[S::SeptumFirst; 3]]) -> bool {
-    let Some(limit) = S::FIRST_LIMIT else { return true };
+fn are_held<S: InFloat<F>, F: Float>(points: &[[F; 3]]) -> bool {
+    let Some(limit) = S::LIMIT else { return true };
     let mut are_held = true;
     for p in points {
         let most = greatest(greatest(p[0].magnitude(), p[1].magnitude()), p[2].magnitude());
@@ -201,8 +201,15 @@ fn minus<F: Float>(a: &[F; 3], b: &[F; 3]) -> [F; 3] {
 }
 
 #[inline(always)]
-fn first<S: FirstFloat>([x, y, z]: [S; 3]) -> [S::SeptumFirst; 3] {
-    [x.first(), y.first(), z.first()]
+fn in_floats<S: InFloat<F>, F>([x, y, z]: [S; 3]) -> [F; 3] {
+    [x.in_float(), y.in_float(), z.in_float()]
+}
+
+/// Whether lanes are in the first float of the scalar, which holds these points, and not in the second.
+#[inline(always)]
+pub(super) fn is_for_first<S: FirstFloat>(points: &[[S; 3]]) -> bool {
+    size_of::<S::SeptumFirst>() == size_of::<S::SeptumSecond>()
+        || points.iter().all(|p| are_held::<S, S::SeptumFirst>(&[in_floats(*p)]))
 }
 
 /// A triangle against boxes of one size, by their centres.
@@ -220,13 +227,10 @@ pub(super) struct OfOneSize<F> {
 impl<F: Float> OfOneSize<F> {
     /// `None` if the error bounds of floats do not apply.
     #[inline(always)]
-    pub(super) fn new<S: FirstFloat<SeptumFirst = F>>(
-        points: [[S; 3]; 3],
-        half: [S; 3],
-    ) -> Option<Self> {
-        let (axes, half) = (TriangleAxes::new(points), first(half));
+    pub(super) fn new<S: InFloat<F>>(points: [[S; 3]; 3], half: [S; 3]) -> Option<Self> {
+        let (axes, half) = (TriangleAxes::new(points), in_floats(half));
         let (errors, is_known) = axes.errors(&half);
-        if !is_known | !axes.are_held | !are_held::<S>(&[half]) {
+        if !is_known | !axes.are_held | !are_held::<S, F>(&[half]) {
             return None;
         }
         let mut radii = axes.radii;
@@ -250,8 +254,8 @@ impl<F: Float> OfOneSize<F> {
     /// Whether an axis separates the triangle from the box with this centre, and whether that is
     /// certain.
     #[inline(always)]
-    pub(super) fn apart<S: FirstFloat<SeptumFirst = F>>(&self, center: [S; 3]) -> (bool, bool) {
-        let center = first(center);
+    pub(super) fn apart<S: InFloat<F>>(&self, center: [S; 3]) -> (bool, bool) {
+        let center = in_floats(center);
         let [low, high] = &self.reach;
         let gap = |i: usize| greatest(low[i] - center[i], center[i] - high[i]);
         let gap = greatest(greatest(gap(0), gap(1)), gap(2));
@@ -264,6 +268,6 @@ impl<F: Float> OfOneSize<F> {
         };
         let (face, no_face) = (gap > self.reach_error, gap.is_not_above(self.reach_error));
         let (is_apart, is_certain) = gaps.verdict(face, no_face, true);
-        (is_apart, is_certain & are_held::<S>(&[center]))
+        (is_apart, is_certain & are_held::<S, F>(&[center]))
     }
 }
