@@ -45,8 +45,9 @@ impl<S: Scalar, const N: usize> Aabbs<S, N> {
     /// single boxes.
     ///
     /// *Range*: all of the scalar. Floats are tested all at once. With vectors and the feature
-    /// `simd`, so is fixed point below 2²⁴ units in the last place (32 bits) or 2⁵³ (64 bits).
-    /// Other numbers, and boxes that the triangle touches, go one by one.
+    /// `simd`, so is fixed point: of 32 bits in `f64` if the triangle reaches 2²⁴ units in the last
+    /// place, and of 64 bits below 2⁵³. Other numbers, and boxes that the triangle touches, go one
+    /// by one.
     ///
     /// *Panics*: never. *Cost*: 52 multiplications for a vector of boxes, also if a face separates.
     ///
