@@ -161,8 +161,8 @@ impl<S: InRaw<Raw = i32> + InWord<W>, W: WholeWord> InWholeWord<W> for S {
     }
 }
 
-/// The raw bits of a type, in a word of the machine, and in the float that is asked first, with its
-/// limit.
+/// The raw bits of a type, in a word of the machine, and in the floats that are asked first and second,
+/// each with its limit.
 macro_rules! in_raw {
     ($(
         $fixed:ident, $bound:ident: $raw:ty, [$first:ty, $second:ty], $($float:ty: $limit:expr),+;
