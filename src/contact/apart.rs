@@ -7,8 +7,8 @@
 
 use core::mem::size_of;
 
+use super::answer::Part;
 use super::body::{Flat, Round, dot};
-use super::feature::Part;
 use super::interior::InteriorEdges;
 use super::line::{Line, less, roundoffs};
 use super::settled::{Known, is_single};

@@ -1,8 +1,8 @@
 //! The overlap of two faces, seen along the normal of a contact.
 
+use super::answer::Part;
 use super::body::{Vec64, dot};
 use super::faces::{CORNERS, Face};
-use super::feature::Part;
 use super::known::{Known, next, ones, parts, transposed, within};
 use super::quads::Quads;
 use super::sides::side;

@@ -3,7 +3,7 @@
 use super::body::{Body, Rough};
 use super::integers::is_whole;
 use super::least::{least_measures, least_way};
-use super::measures::{Directed, Measures, Way};
+use super::measures::Directed;
 use super::points::{features, points};
 use super::{Contact, InteriorEdges, Translation};
 use crate::scalar::Scalar;
@@ -12,7 +12,7 @@ pub(super) fn least_translation<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<
     // Where it is, without a copy.
     let found = least_measures(bodies, || in_floats(bodies));
     let Directed { measures, way, .. } = found.as_ref()?;
-    Some(translation(bodies, way, measures))
+    Some(measures.translation(features(bodies, way)))
 }
 
 pub(super) fn contact<S: Scalar>(
@@ -38,7 +38,7 @@ fn with_points<S: Scalar>(
 ) -> Contact<S> {
     // Where they are, without a copy.
     let Directed { measures, way, .. } = best;
-    let translation = translation(bodies, way, measures);
+    let translation = measures.translation(features(bodies, way));
     let features = translation.features;
     let points = points(bodies, &bodies[1].origin(), rough, best, features);
     Contact { translation, is_held: way.is_held, points }
@@ -48,13 +48,4 @@ fn with_points<S: Scalar>(
 #[inline(always)]
 pub(super) fn in_floats<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> [Rough; 2] {
     [bodies[0].rough(&bodies[1], 1.0), bodies[1].rough(&bodies[1], 1.0)]
-}
-
-fn translation<S: Scalar>(
-    bodies: &[Body<'_, S>; 2],
-    way: &Way,
-    measures: &Measures<S>,
-) -> Translation<S> {
-    let &Measures { vector, depth, normal, is_sufficient } = measures;
-    Translation { vector, depth, normal, features: features(bodies, way), is_sufficient }
 }

@@ -13,8 +13,8 @@
 //! A line that is accepted has coordinates of zero, or not below 2^-180: their squares are normal
 //! numbers, and so are products of six lengths of `f32` and what double words lose of them.
 
+use super::answer::Part;
 use super::body::{Flat, Vec64, dot};
-use super::feature::Part;
 use super::filter::cross_with_products;
 use super::settled::U;
 use crate::arithmetic::{Double, Each, largest, pick, three, turn};

@@ -2,6 +2,7 @@
 
 use core::cmp::Ordering;
 
+use super::answer::{Features, Translation};
 use super::body::Vec64;
 use super::directions::Direction;
 use super::exact::{Size, farthest};
@@ -17,6 +18,13 @@ pub(super) struct Measures<S> {
     pub(super) normal: Vec3<S>,
     /// Whether the scalar holds the vector.
     pub(super) is_sufficient: bool,
+}
+
+impl<S: Scalar> Measures<S> {
+    pub(super) fn translation(&self, features: Features) -> Translation<S> {
+        let &Self { vector, depth, normal, is_sufficient } = self;
+        Translation { vector, depth, normal, features, is_sufficient }
+    }
 }
 
 /// A translation: its direction, and the signs along it.

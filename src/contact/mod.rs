@@ -121,7 +121,6 @@ mod depth;
 mod directions;
 mod exact;
 mod faces;
-mod feature;
 mod filter;
 mod flat;
 mod integers;
@@ -151,8 +150,7 @@ mod view;
 mod wanted;
 mod whole;
 
-pub use self::answer::{Contact, Translation};
-pub use self::feature::{Features, Part};
+pub use self::answer::{Contact, Features, Part, Translation};
 pub use self::interior::{InteriorEdges, interior_edges};
 pub use self::mesh::Contacts;
 use self::pairs::sealed::Pair;

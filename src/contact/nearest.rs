@@ -11,7 +11,7 @@
 //!
 //! All signs are of products of two to four lengths, in exact numbers.
 
-use super::feature::Part;
+use super::answer::Part;
 use super::scene::{CORNERS, Scene, Way, along, product, sign};
 use crate::arithmetic::{Arithmetic, Each, Number, Soft, cross, dot};
 use crate::query::{Vector, from};

@@ -4,7 +4,7 @@ use super::body::{Body, Flat, Round};
 use super::round;
 use super::{Contact, InteriorEdges, Translation, flat};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Capsule, Obb, Sphere, Triangle};
+use crate::shape::{Aabb, Capsule, Obb, Overlaps, Sphere, Triangle};
 
 /// A shape with flat faces that has contacts: a [`Triangle`], an [`Aabb`] or an [`Obb`].
 ///
@@ -23,7 +23,6 @@ impl<S: Scalar, A: sealed::Pair<S, Other>, Other> ContactWith<S, Other> for A {}
 
 pub(super) mod sealed {
     use super::{Body, Contact, Flat, InteriorEdges, Scalar, Translation};
-    use crate::shape::{Capsule, Sphere};
 
     /// A shape with flat faces.
     pub trait Solid {
@@ -35,8 +34,6 @@ pub(super) mod sealed {
     /// A shape that has contacts with spheres and capsules.
     pub trait Near: Solid {
         fn flat(&self) -> Flat<'_, Self::Scalar>;
-        fn meets_sphere(&self, sphere: &Sphere<Self::Scalar>) -> bool;
-        fn meets_capsule(&self, capsule: &Capsule<Self::Scalar>) -> bool;
     }
 
     #[diagnostic::on_unimplemented(
@@ -79,23 +76,11 @@ impl<S: Scalar> Near for Triangle<S> {
     fn flat(&self) -> Flat<'_, S> {
         Flat::Triangle(self)
     }
-    fn meets_sphere(&self, sphere: &Sphere<S>) -> bool {
-        sphere.overlaps(self)
-    }
-    fn meets_capsule(&self, capsule: &Capsule<S>) -> bool {
-        capsule.overlaps(self)
-    }
 }
 
 impl<S: Scalar> Near for Aabb<S> {
     fn flat(&self) -> Flat<'_, S> {
         Flat::Aabb(self)
-    }
-    fn meets_sphere(&self, sphere: &Sphere<S>) -> bool {
-        sphere.overlaps(self)
-    }
-    fn meets_capsule(&self, capsule: &Capsule<S>) -> bool {
-        capsule.overlaps(self)
     }
 }
 
@@ -116,46 +101,58 @@ fn of_capsule<S: Scalar>(capsule: &Capsule<S>) -> Round<S> {
     Round { ends: capsule.ends().into(), radius: capsule.radius() }
 }
 
-impl<S: Scalar, B: Near<Scalar = S>> Pair<S, B> for Sphere<S> {
+impl<S: Scalar, B: Near<Scalar = S>> Pair<S, B> for Sphere<S>
+where
+    Self: Overlaps<B>,
+{
     fn least_translation_from(&self, other: &B) -> Option<Translation<S>> {
-        let meets = other.meets_sphere(self);
+        let meets = self.overlaps(other);
         meets.then(|| round::least_translation(other.flat(), &of_sphere(self), true))?
     }
     fn contact_with(&self, other: &B, interior: InteriorEdges) -> Option<Contact<S>> {
-        let meets = other.meets_sphere(self);
+        let meets = self.overlaps(other);
         meets.then(|| round::contact(other.flat(), &of_sphere(self), true, interior))?
     }
 }
 
-impl<S: Scalar, B: Near<Scalar = S>> Pair<S, B> for Capsule<S> {
+impl<S: Scalar, B: Near<Scalar = S>> Pair<S, B> for Capsule<S>
+where
+    Self: Overlaps<B>,
+{
     fn least_translation_from(&self, other: &B) -> Option<Translation<S>> {
-        let meets = other.meets_capsule(self);
+        let meets = self.overlaps(other);
         meets.then(|| round::least_translation(other.flat(), &of_capsule(self), true))?
     }
     fn contact_with(&self, other: &B, interior: InteriorEdges) -> Option<Contact<S>> {
-        let meets = other.meets_capsule(self);
+        let meets = self.overlaps(other);
         meets.then(|| round::contact(other.flat(), &of_capsule(self), true, interior))?
     }
 }
 
-impl<S: Scalar, A: Near<Scalar = S>> Pair<S, Sphere<S>> for A {
+impl<S: Scalar, A: Near<Scalar = S>> Pair<S, Sphere<S>> for A
+where
+    Sphere<S>: Overlaps<A>,
+{
     fn least_translation_from(&self, other: &Sphere<S>) -> Option<Translation<S>> {
-        let meets = self.meets_sphere(other);
+        let meets = other.overlaps(self);
         meets.then(|| round::least_translation(self.flat(), &of_sphere(other), false))?
     }
     fn contact_with(&self, other: &Sphere<S>, interior: InteriorEdges) -> Option<Contact<S>> {
-        let meets = self.meets_sphere(other);
+        let meets = other.overlaps(self);
         meets.then(|| round::contact(self.flat(), &of_sphere(other), false, interior))?
     }
 }
 
-impl<S: Scalar, A: Near<Scalar = S>> Pair<S, Capsule<S>> for A {
+impl<S: Scalar, A: Near<Scalar = S>> Pair<S, Capsule<S>> for A
+where
+    Capsule<S>: Overlaps<A>,
+{
     fn least_translation_from(&self, other: &Capsule<S>) -> Option<Translation<S>> {
-        let meets = self.meets_capsule(other);
+        let meets = other.overlaps(self);
         meets.then(|| round::least_translation(self.flat(), &of_capsule(other), false))?
     }
     fn contact_with(&self, other: &Capsule<S>, interior: InteriorEdges) -> Option<Contact<S>> {
-        let meets = self.meets_capsule(other);
+        let meets = other.overlaps(self);
         meets.then(|| round::contact(self.flat(), &of_capsule(other), false, interior))?
     }
 }

@@ -1,10 +1,10 @@
 //! Contact points: where shapes touch after the least translation.
 
+use super::answer::{Features, Part};
 use super::body::{Body, Place, Rough, Vec64, difference_in_double, dot, flipped, scaled};
 use super::clip::clip;
 use super::directions::Direction;
 use super::faces::Face;
-use super::feature::{Features, Part};
 use super::known::ones;
 use super::measures::{Directed, Way};
 use super::sides::Unit;

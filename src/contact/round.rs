@@ -3,12 +3,11 @@
 //! A sphere is a point with a radius, and a capsule a segment with one. [`nearest`](super::nearest)
 //! has the direction, exactly, and [`depth`](super::depth) the numbers along it.
 
+use super::answer::{Features, Part};
 use super::apart::apart;
 use super::body::{Flat, Round, dot};
 use super::depth::{Out, Units, out, rounded};
-use super::feature::{Features, Part};
 use super::interior::InteriorEdges;
-use super::measures::Measures;
 use super::nearest::Pair;
 use super::points::{Point, Points};
 use super::scene::{Scene, Way};
@@ -16,7 +15,7 @@ use super::{Contact, Translation};
 use crate::arithmetic::{Each, Embeds, Number, greatest, root, three};
 use crate::robust::{Numeric, Predicate};
 use crate::scalar::Scalar;
-use crate::shape::{AabbForm, Vec3};
+use crate::shape::Vec3;
 
 /// The question for the least translation.
 struct Question<'a, S> {
@@ -69,11 +68,8 @@ impl<S: Scalar> Predicate<S> for Question<'_, S> {
         let (points, is_by_center) = match self.flat {
             Flat::Triangle(t) => (t.points(), false),
             Flat::Aabb(aabb) => {
-                let (form, is_by_center) =
-                    (aabb.form(), matches!(aabb.form(), AabbForm::Center { .. }));
-                let (AabbForm::Center { center: p, half: q }
-                | AabbForm::Corners { min: p, max: q }) = form;
-                ([p.to_array(), q.to_array(), q.to_array()], is_by_center)
+                let (p, q, is_by_center) = aabb.numbers();
+                ([p, q, q], is_by_center)
             }
         };
         let [p, q, v] = points;
@@ -107,12 +103,6 @@ impl<S: Scalar> Predicate<S> for Question<'_, S> {
 
 impl<S: Scalar> Numeric<S> for Question<'_, S> {}
 
-/// The translation of the first shape, which is the round one or the flat one.
-fn translation<S: Scalar>(measures: Measures<S>, features: Features) -> Translation<S> {
-    let Measures { vector, depth, normal, is_sufficient } = measures;
-    Translation { vector, depth, normal, features, is_sufficient }
-}
-
 /// What the direction comes from, given the parts that meet, of the flat shape and of the round one.
 fn features(parts: [Part; 2], is_round_first: bool) -> Features {
     match (parts, is_round_first) {
@@ -132,12 +122,12 @@ pub(super) fn least_translation<S: Scalar>(
 ) -> Option<Translation<S>> {
     if let Some(apart) = apart(flat, round) {
         if let Some(measures) = apart.known.measures(is_round_first) {
-            return Some(translation(measures, features(apart.parts, is_round_first)));
+            return Some(measures.translation(features(apart.parts, is_round_first)));
         }
     }
     let found = S::evaluate_numeric(&Question { flat, round, interior: InteriorEdges::NONE })?;
     let features = features(found.parts, is_round_first);
-    Some(translation(found.least.lengths.measures(is_round_first), features))
+    Some(found.least.lengths.measures(is_round_first).translation(features))
 }
 
 pub(super) fn contact<S: Scalar>(
@@ -164,8 +154,8 @@ pub(super) fn in_floats<S: Scalar>(
         // As in `exactly`.
         return Some(None);
     }
-    let translation =
-        translation(apart.known.measures(is_round_first)?, features(apart.parts, is_round_first));
+    let measures = apart.known.measures(is_round_first)?;
+    let translation = measures.translation(features(apart.parts, is_round_first));
     let (points, depth) = apart.points()?;
     let points = one_point(points, depth, apart.parts, is_round_first);
     Some(Some(Contact { translation, is_held: false, points }))
@@ -191,7 +181,7 @@ pub(super) fn exactly<S: Scalar>(
         let features = features(found.parts, is_round_first);
         (found.least, features)
     };
-    let translation = translation(out.lengths.measures(is_round_first), features);
+    let translation = out.lengths.measures(is_round_first).translation(features);
     let normal = out.lengths.unit(true);
     let depth = if is_held {
         depth_over(distance, round.radius.in_double(), dot(&unit, &normal))

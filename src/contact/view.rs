@@ -5,8 +5,8 @@
 //! the corners of its part, and therefore lies on that part even if its coordinates across the
 //! normal have an error.
 
+use super::answer::Part;
 use super::body::{Vec64, cross, dot};
-use super::feature::Part;
 use super::sides::Unit;
 use crate::arithmetic::{
     Each, Float, OfFour, Quad, REGISTERS_ARE_WIDE, greatest, largest, turn, two,

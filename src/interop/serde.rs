@@ -10,6 +10,14 @@ use crate::shape::{
     Triangle, Vec3,
 };
 
+/// The numbers of a shape, unchecked.
+trait Form: Sized {
+    type Shape;
+
+    fn of(shape: &Self::Shape) -> Self;
+    fn shape(self) -> Result<Self::Shape, ShapeError>;
+}
+
 /// The vertices of a triangle, unchecked.
 #[derive(serde::Serialize, serde::Deserialize)]
 #[serde(rename = "Triangle")]
@@ -78,21 +86,23 @@ struct Pill<S> {
     radius: S,
 }
 
-impl<S: Scalar> From<&Triangle<S>> for Vertices<S> {
-    fn from(t: &Triangle<S>) -> Self {
+impl<S: Scalar> Form for Vertices<S> {
+    type Shape = Triangle<S>;
+
+    fn of(t: &Triangle<S>) -> Self {
         Self(*t.vertices())
     }
-}
 
-impl<S: Scalar> TryFrom<Vertices<S>> for Triangle<S> {
-    type Error = ShapeError;
-    fn try_from(Vertices([a, b, c]): Vertices<S>) -> Result<Self, ShapeError> {
-        Self::new(a, b, c)
+    fn shape(self) -> Result<Triangle<S>, ShapeError> {
+        let Self([a, b, c]) = self;
+        Triangle::new(a, b, c)
     }
 }
 
-impl<S: Scalar> From<&Aabb<S>> for Extent<S> {
-    fn from(aabb: &Aabb<S>) -> Self {
+impl<S: Scalar> Form for Extent<S> {
+    type Shape = Aabb<S>;
+
+    fn of(aabb: &Aabb<S>) -> Self {
         match *aabb.form() {
             AabbForm::Center { center, half } => {
                 Self::CenterHalfExtents { center, half_extents: half }
@@ -100,22 +110,21 @@ impl<S: Scalar> From<&Aabb<S>> for Extent<S> {
             AabbForm::Corners { min, max } => Self::MinMax { min, max },
         }
     }
-}
 
-impl<S: Scalar> TryFrom<Extent<S>> for Aabb<S> {
-    type Error = ShapeError;
-    fn try_from(extent: Extent<S>) -> Result<Self, ShapeError> {
-        match extent {
-            Extent::CenterHalfExtents { center, half_extents } => {
-                Self::from_center_half_extents(center, half_extents)
+    fn shape(self) -> Result<Aabb<S>, ShapeError> {
+        match self {
+            Self::CenterHalfExtents { center, half_extents } => {
+                Aabb::from_center_half_extents(center, half_extents)
             }
-            Extent::MinMax { min, max } => Self::from_min_max(min, max),
+            Self::MinMax { min, max } => Aabb::from_min_max(min, max),
         }
     }
 }
 
-impl<S: Scalar> From<&Obb<S>> for Oriented<S> {
-    fn from(obb: &Obb<S>) -> Self {
+impl<S: Scalar> Form for Oriented<S> {
+    type Shape = Obb<S>;
+
+    fn of(obb: &Obb<S>) -> Self {
         let (center, axes, half_extents) = (obb.center(), *obb.axes(), obb.half_extents());
         if obb.is_orthonormal() {
             Self::Axes { center, axes, half_extents }
@@ -123,42 +132,40 @@ impl<S: Scalar> From<&Obb<S>> for Oriented<S> {
             Self::SkewedAxes { center, axes, half_extents }
         }
     }
-}
 
-impl<S: Scalar> TryFrom<Oriented<S>> for Obb<S> {
-    type Error = ShapeError;
-    fn try_from(oriented: Oriented<S>) -> Result<Self, ShapeError> {
-        match oriented {
-            Oriented::Axes { center, axes, half_extents } => Self::new(center, axes, half_extents),
-            Oriented::SkewedAxes { center, axes, half_extents } => {
-                Self::from_skewed_axes(center, axes, half_extents)
+    fn shape(self) -> Result<Obb<S>, ShapeError> {
+        match self {
+            Self::Axes { center, axes, half_extents } => Obb::new(center, axes, half_extents),
+            Self::SkewedAxes { center, axes, half_extents } => {
+                Obb::from_skewed_axes(center, axes, half_extents)
             }
         }
     }
 }
 
-impl<S: Scalar> From<&Plane<S>> for Position<S> {
-    fn from(plane: &Plane<S>) -> Self {
+impl<S: Scalar> Form for Position<S> {
+    type Shape = Plane<S>;
+
+    fn of(plane: &Plane<S>) -> Self {
         let normal = plane.normal();
         match *plane.form() {
             PlaneForm::Point(point) => Self::PointNormal { point, normal },
             PlaneForm::Offset(d) => Self::Equation { normal, d },
         }
     }
-}
 
-impl<S: Scalar> TryFrom<Position<S>> for Plane<S> {
-    type Error = ShapeError;
-    fn try_from(position: Position<S>) -> Result<Self, ShapeError> {
-        match position {
-            Position::PointNormal { point, normal } => Self::from_point_normal(point, normal),
-            Position::Equation { normal, d } => Self::from_equation(normal, d),
+    fn shape(self) -> Result<Plane<S>, ShapeError> {
+        match self {
+            Self::PointNormal { point, normal } => Plane::from_point_normal(point, normal),
+            Self::Equation { normal, d } => Plane::from_equation(normal, d),
         }
     }
 }
 
-impl<S: Scalar> From<&Segment<S>> for Course<S> {
-    fn from(segment: &Segment<S>) -> Self {
+impl<S: Scalar> Form for Course<S> {
+    type Shape = Segment<S>;
+
+    fn of(segment: &Segment<S>) -> Self {
         match *segment.form() {
             SegmentForm::Ends(a, b) => Self::Ends(a, b),
             SegmentForm::Center { center, half } => {
@@ -166,22 +173,21 @@ impl<S: Scalar> From<&Segment<S>> for Course<S> {
             }
         }
     }
-}
 
-impl<S: Scalar> TryFrom<Course<S>> for Segment<S> {
-    type Error = ShapeError;
-    fn try_from(course: Course<S>) -> Result<Self, ShapeError> {
-        match course {
-            Course::Ends(a, b) => Self::new(a, b),
-            Course::CenterHalfVector { center, half_vector } => {
-                Self::from_center_half_vector(center, half_vector)
+    fn shape(self) -> Result<Segment<S>, ShapeError> {
+        match self {
+            Self::Ends(a, b) => Segment::new(a, b),
+            Self::CenterHalfVector { center, half_vector } => {
+                Segment::from_center_half_vector(center, half_vector)
             }
         }
     }
 }
 
-impl<S: Scalar> From<&Ray<S>> for Path<S> {
-    fn from(ray: &Ray<S>) -> Self {
+impl<S: Scalar> Form for Path<S> {
+    type Shape = Ray<S>;
+
+    fn of(ray: &Ray<S>) -> Self {
         Self {
             origin: ray.origin(),
             direction: ray.direction(),
@@ -189,39 +195,36 @@ impl<S: Scalar> From<&Ray<S>> for Path<S> {
             t_max: ray.t_max(),
         }
     }
-}
 
-impl<S: Scalar> TryFrom<Path<S>> for Ray<S> {
-    type Error = ShapeError;
-    fn try_from(path: Path<S>) -> Result<Self, ShapeError> {
-        Self::new(path.origin, path.direction)?.with_range(path.t_min, path.t_max)
+    fn shape(self) -> Result<Ray<S>, ShapeError> {
+        Ray::new(self.origin, self.direction)?.with_range(self.t_min, self.t_max)
     }
 }
 
-impl<S: Scalar> From<&Sphere<S>> for Ball<S> {
-    fn from(sphere: &Sphere<S>) -> Self {
+impl<S: Scalar> Form for Ball<S> {
+    type Shape = Sphere<S>;
+
+    fn of(sphere: &Sphere<S>) -> Self {
         Self { center: sphere.center(), radius: sphere.radius() }
     }
-}
 
-impl<S: Scalar> TryFrom<Ball<S>> for Sphere<S> {
-    type Error = ShapeError;
-    fn try_from(Ball { center, radius }: Ball<S>) -> Result<Self, ShapeError> {
-        Self::new(center, radius)
+    fn shape(self) -> Result<Sphere<S>, ShapeError> {
+        let Self { center, radius } = self;
+        Sphere::new(center, radius)
     }
 }
 
-impl<S: Scalar> From<&Capsule<S>> for Pill<S> {
-    fn from(capsule: &Capsule<S>) -> Self {
+impl<S: Scalar> Form for Pill<S> {
+    type Shape = Capsule<S>;
+
+    fn of(capsule: &Capsule<S>) -> Self {
         let (a, b) = capsule.ends();
         Self { a, b, radius: capsule.radius() }
     }
-}
 
-impl<S: Scalar> TryFrom<Pill<S>> for Capsule<S> {
-    type Error = ShapeError;
-    fn try_from(Pill { a, b, radius }: Pill<S>) -> Result<Self, ShapeError> {
-        Self::new(a, b, radius)
+    fn shape(self) -> Result<Capsule<S>, ShapeError> {
+        let Self { a, b, radius } = self;
+        Capsule::new(a, b, radius)
     }
 }
 
@@ -229,13 +232,13 @@ macro_rules! through {
     ($($shape:ident => $form:ident;)*) => {$(
         impl<S: Scalar + Serialize> Serialize for $shape<S> {
             fn serialize<W: Serializer>(&self, to: W) -> Result<W::Ok, W::Error> {
-                $form::from(self).serialize(to)
+                $form::of(self).serialize(to)
             }
         }
 
         impl<'de, S: Scalar + Deserialize<'de>> Deserialize<'de> for $shape<S> {
             fn deserialize<R: Deserializer<'de>>(from: R) -> Result<Self, R::Error> {
-                $form::deserialize(from)?.try_into().map_err(R::Error::custom)
+                $form::deserialize(from)?.shape().map_err(R::Error::custom)
             }
         }
     )*};

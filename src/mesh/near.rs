@@ -23,7 +23,7 @@ impl<Frac: LeEqU32 + Send + Sync + 'static, I: Index> Tree<'_, FixedI32<Frac>, I
     /// axis.
     pub fn near(self) -> Result<Near<Self>, ShapeError> {
         let is_near = self.mesh.vertices().iter().all(Near::is_in_range);
-        if is_near { Ok(Near::unchecked(self)) } else { Err(ShapeError::NotNear) }
+        Near::checked(self, is_near)
     }
 }
 

@@ -46,11 +46,7 @@ impl<Frac: LeEqU32> Triangle<FixedI32<Frac>> {
     /// axis.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
         let [a, b, c] = &self.vertices;
-        if all_fit(a, POSITION) && all_fit(b, POSITION) && all_fit(c, POSITION) {
-            Ok(Near(self))
-        } else {
-            Err(ShapeError::NotNear)
-        }
+        Near::checked(self, all_fit(a, POSITION) && all_fit(b, POSITION) && all_fit(c, POSITION))
     }
 }
 
@@ -63,11 +59,7 @@ impl<Frac: LeEqU32> Ray<FixedI32<Frac>> {
     /// [`ShapeError::NotNear`] if the origin is 2¹⁷ units in the last place or more from zero on
     /// some axis, or the direction 2¹⁹.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
-        if all_fit(&self.origin, POSITION) && all_fit(&self.direction, LENGTH) {
-            Ok(Near(self))
-        } else {
-            Err(ShapeError::NotNear)
-        }
+        Near::checked(self, all_fit(&self.origin, POSITION) && all_fit(&self.direction, LENGTH))
     }
 }
 
@@ -84,7 +76,7 @@ impl<Frac: LeEqU32> Segment<FixedI32<Frac>> {
             }
             SegmentForm::Ends(a, b) => all_fit(a, POSITION) && all_fit(b, POSITION),
         };
-        if is_near { Ok(Near(self)) } else { Err(ShapeError::NotNear) }
+        Near::checked(self, is_near)
     }
 }
 
@@ -101,7 +93,7 @@ impl<Frac: LeEqU32> Aabb<FixedI32<Frac>> {
             }
             Form::Corners { min, max } => all_fit(min, POSITION) && all_fit(max, POSITION),
         };
-        if is_near { Ok(Near(self)) } else { Err(ShapeError::NotNear) }
+        Near::checked(self, is_near)
     }
 }
 
@@ -112,11 +104,7 @@ impl<Frac: LeEqU32> Sphere<FixedI32<Frac>> {
     /// [`ShapeError::NotNear`] if the centre is 2¹⁷ units in the last place or more from zero on
     /// some axis, or the radius is 2¹⁸ units or more.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
-        if all_fit(&self.center, POSITION) && fits(self.radius.to_bits(), RADIUS) {
-            Ok(Near(self))
-        } else {
-            Err(ShapeError::NotNear)
-        }
+        Near::checked(self, all_fit(&self.center, POSITION) && fits(self.radius.to_bits(), RADIUS))
     }
 }
 
@@ -128,11 +116,7 @@ impl<Frac: LeEqU32> Capsule<FixedI32<Frac>> {
     /// axis, or the radius is 2¹⁸ units or more.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
         let are_near = all_fit(&self.a, POSITION) && all_fit(&self.b, POSITION);
-        if are_near && fits(self.radius.to_bits(), RADIUS) {
-            Ok(Near(self))
-        } else {
-            Err(ShapeError::NotNear)
-        }
+        Near::checked(self, are_near && fits(self.radius.to_bits(), RADIUS))
     }
 }
 
@@ -151,6 +135,6 @@ impl<Frac: LeEqU32> Obb<FixedI32<Frac>> {
             && all_fit(v, LENGTH)
             && all_fit(w, LENGTH)
             && FixedI32::<Frac>::FRAC_NBITS <= 30;
-        if is_near { Ok(Near(self)) } else { Err(ShapeError::NotNear) }
+        Near::checked(self, is_near)
     }
 }

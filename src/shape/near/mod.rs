@@ -23,6 +23,14 @@ impl<T> Near<T> {
         Self(shape)
     }
 
+    #[inline(always)]
+    pub(crate) const fn checked(shape: T, is_near: bool) -> Result<Self, ShapeError>
+    where
+        T: Copy,
+    {
+        if is_near { Ok(Self(shape)) } else { Err(ShapeError::NotNear) }
+    }
+
     /// The ordinary shape.
     #[inline]
     #[must_use]
@@ -81,11 +89,7 @@ impl Triangle<f32> {
     /// [`ShapeError::NotNear`] if a coordinate is 1024 or more from zero, or no multiple of 2⁻⁵⁰.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
         let [a, b, c] = &self.vertices;
-        if all_fit(a) && all_fit(b) && all_fit(c) {
-            Ok(Near(self))
-        } else {
-            Err(ShapeError::NotNear)
-        }
+        Near::checked(self, all_fit(a) && all_fit(b) && all_fit(c))
     }
 }
 
@@ -97,6 +101,6 @@ impl Aabb<f32> {
     /// no multiple of 2⁻⁵⁰.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
         let (Form::Center { center: p, half: q } | Form::Corners { min: p, max: q }) = &self.form;
-        if all_fit(p) && all_fit(q) { Ok(Near(self)) } else { Err(ShapeError::NotNear) }
+        Near::checked(self, all_fit(p) && all_fit(q))
     }
 }
