@@ -1,7 +1,7 @@
 //! The shapes that have contacts as one type, in floats and in exact numbers.
 
 use crate::arithmetic::{self, Double, Each, Filtered, Parts, part, pick, three, turn};
-use crate::robust::{ExactSum, Linear, Vector, add_scaled_determinant, difference, single};
+use crate::robust::{Linear, Vector, add_determinant, along_axis, differences, singles};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Obb, Triangle, Vec3};
 
@@ -126,14 +126,10 @@ impl<S: Scalar> Body<'_, S> {
             Self::Triangle(t) => {
                 let v = t.points();
                 let (from, to) = (pick(&v, k), pick(&v, turn(k).1));
-                three(|i| difference(to[i].parts(), from[i].parts()))
+                differences(to, from)
             }
-            Self::Aabb(_) => {
-                let mut axis = [single(Parts::ZERO); 3];
-                axis[k % 3] = single(S::ONE);
-                axis
-            }
-            Self::Obb(obb) => pick(obb.axes(), k).to_array().each(|x| single(x.parts())),
+            Self::Aabb(_) => along_axis(k % 3, S::ONE),
+            Self::Obb(obb) => singles(pick(obb.axes(), k).to_array()),
         }
     }
 
@@ -180,7 +176,7 @@ impl<S: Scalar> Body<'_, S> {
         };
         let both: Vector = three(|i| -> Linear { [p[i].parts(), q[i].parts(), Parts::ZERO] });
         let one = if minus { S::ONE.negated() } else { S::ONE };
-        add_scaled_determinant(sum, x, y, &both, one);
+        add_determinant(sum, [x, y, &both], Some(one));
     }
 }
 
@@ -198,13 +194,6 @@ pub(super) fn difference_in_double<S: Scalar>(x: S, other: S, scale: f64) -> f64
             x.in_double() * scale - other.in_double() * scale
         }
     })
-}
-
-/// The sign of (x × y)·z.
-pub(super) fn side_of<S: Scalar>([x, y]: [&Vector; 2], z: &Vector) -> core::cmp::Ordering {
-    let mut sum = S::SeptumSum::new();
-    add_scaled_determinant(&mut sum, x, y, z, S::ONE);
-    sum.sign()
 }
 
 /// x or −x. In bits, because a processor does not foresee signs.

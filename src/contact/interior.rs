@@ -2,10 +2,10 @@
 
 use core::cmp::Ordering;
 
-use super::body::{Body, side_of};
+use super::body::Body;
 use crate::arithmetic::{Each, pick, three, turn};
 use crate::mesh::{Index, Mesh, MeshError, by_place, sort};
-use crate::robust::{ExactSum, add_area, difference};
+use crate::robust::{self, differences};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -140,8 +140,8 @@ fn is_interior<S: Scalar>(
     // If the apex of the second triangle lies above the first, the apex of the first lies above the
     // second.
     let (base, apex) = (first.points()[0], *pick(&second.points(), apexes[1]));
-    let height = three(|i| difference(apex[i].parts(), base[i].parts()));
-    match side_of::<S>([&edges.side(0), &edges.side(1)], &height) {
+    let height = differences(&apex, &base);
+    match robust::side::<S::SeptumSum>([&edges.side(0), &edges.side(1), &height]) {
         Ordering::Greater => are_turned_alike,
         Ordering::Less => false,
         // In one plane they lie side by side, and are not folded, if the normals agree with the
@@ -154,11 +154,5 @@ fn is_interior<S: Scalar>(
 fn normal_signs<S: Scalar>(triangle: &Triangle<S>) -> [Ordering; 3] {
     let body = Body::Triangle(triangle);
     let (x, y) = (body.side(0), body.side(1));
-    [0, 1, 2].each(|i: usize| {
-        let (_, j, k) = turn(i);
-        let mut sum = S::SeptumSum::new();
-        add_area(&mut sum, pick(&x, j), pick(&y, k), false);
-        add_area(&mut sum, pick(&x, k), pick(&y, j), true);
-        sum.sign()
-    })
+    three(|i| robust::minor_sign::<S::SeptumSum>(&x, &y, i))
 }

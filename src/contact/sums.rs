@@ -4,10 +4,10 @@
 
 use core::cmp::Ordering;
 
-use super::body::{Body, side_of};
+use super::body::Body;
 use super::exact::{Given, Size};
-use crate::arithmetic::{Each, Parts, Soft, pick, three, turn};
-use crate::robust::{ExactSum, Vector, add_area, add_scaled_determinant};
+use crate::arithmetic::{Each, Parts, Soft, pick, three};
+use crate::robust::{self, ExactSum, Vector, add_determinant, add_minor};
 use crate::scalar::Scalar;
 
 /// A direction, by the two sides of its cross product.
@@ -44,7 +44,7 @@ impl<'a, S: Scalar> Sums<'a, S> {
             }
             for h in body.extent(k) {
                 let h = if sign.is_lt() { Parts::negated(h) } else { h };
-                add_scaled_determinant(sum, x, y, &body.side(k), h);
+                add_determinant(sum, [x, y, &body.side(k)], Some(h));
             }
         }
     }
@@ -53,12 +53,10 @@ impl<'a, S: Scalar> Sums<'a, S> {
 impl<S: Scalar> Given for Sums<'_, S> {
     fn coordinates(&self) -> [Option<(Ordering, Soft)>; 3] {
         three(|i| {
-            let (_, j, k) = turn(i);
             let [x, y] = &self.sides;
             let of = |minus: bool| {
                 let mut sum = S::SeptumSum::new();
-                add_area(&mut sum, pick(x, j), pick(y, k), minus);
-                add_area(&mut sum, pick(x, k), pick(y, j), !minus);
+                add_minor(&mut sum, x, y, i, minus);
                 sum
             };
             let sum = of(false);
@@ -69,7 +67,8 @@ impl<S: Scalar> Given for Sums<'_, S> {
     }
 
     fn side(&self, shape: usize, k: usize) -> Ordering {
-        side_of::<S>(self.sides.each_ref(), &self.bodies[shape % 2].side(k))
+        let [x, y] = &self.sides;
+        robust::side::<S::SeptumSum>([x, y, &self.bodies[shape % 2].side(k)])
     }
 
     fn overlap(&self, along: &[[Ordering; 3]; 2], vertices: [usize; 2], lower: usize) -> Size {

@@ -1,7 +1,7 @@
 use core::cmp::Ordering;
 
-use crate::arithmetic::{Each, Parts, compare, pick, three, turn};
-use crate::robust::{ExactSum, Vector, add_determinant, difference, single};
+use crate::arithmetic::{Each, Parts, compare, pick, turn};
+use crate::robust::{along_axis, differences, side, singles};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb, Triangle, Vec3};
 
@@ -160,12 +160,11 @@ impl<S: Scalar> sealed::HasAxes<S> for Obb<S> {
     fn along(&self, axis: Axis, way: [Vec3<S>; 2]) -> Ordering {
         let Axis::Face(i) = axis else { return Ordering::Equal };
         let (_, j, k) = turn(usize::from(i % 3));
-        let u = self.axes_as_arrays().each(|u| u.each(|x| single(x.parts())));
-        let [from, to] = way.each(|p| p.to_array().each(S::parts));
-        let d: Vector = three(|i| difference(to[i], from[i]));
-        let mut sum = S::SeptumSum::new();
-        add_determinant(&mut sum, pick(&u, j), pick(&u, k), &d);
-        if self.hand() == Ordering::Less { sum.sign().reverse() } else { sum.sign() }
+        let u = self.axes_as_arrays().each(singles);
+        let [from, to] = way.each(Vec3::to_array);
+        let d = differences(&to, &from);
+        let side = side::<S::SeptumSum>([pick(&u, j), pick(&u, k), &d]);
+        if self.hand() == Ordering::Less { side.reverse() } else { side }
     }
 }
 
@@ -195,25 +194,19 @@ impl<S: Scalar> sealed::HasAxes<S> for Triangle<S> {
     }
 
     fn along(&self, axis: Axis, way: [Vec3<S>; 2]) -> Ordering {
-        let points = self.points().each(|p| p.each(S::parts));
-        let side = |k: usize| -> Vector {
+        let points = self.points();
+        let edge = |k: usize| {
             let (k, next, _) = turn(k % 3);
-            three(|i| difference(pick(&points, next)[i], pick(&points, k)[i]))
+            differences(pick(&points, next), pick(&points, k))
         };
-        let [from, to] = way.each(|p| p.to_array().each(S::parts));
-        let d: Vector = three(|i| difference(to[i], from[i]));
-        let mut sum = S::SeptumSum::new();
-        match axis {
+        let [a, b] = match axis {
             Axis::Face(i) => return along_unit(i, way),
-            Axis::Normal => add_determinant(&mut sum, &side(0), &side(1), &d),
-            Axis::Edge { axis, edge } => {
-                let unit = three(|i| {
-                    let is_axis = i == usize::from(axis % 3);
-                    single(if is_axis { Parts::UNIT } else { Parts::ZERO })
-                });
-                add_determinant(&mut sum, &unit, &side(edge.into()), &d);
+            Axis::Normal => [edge(0), edge(1)],
+            Axis::Edge { axis, edge: k } => {
+                [along_axis(usize::from(axis % 3), Parts::UNIT), edge(k.into())]
             }
-        }
-        sum.sign()
+        };
+        let [from, to] = way.each(Vec3::to_array);
+        side::<S::SeptumSum>([&a, &b, &differences(&to, &from)])
     }
 }

@@ -7,7 +7,8 @@
 use core::cmp::Ordering;
 
 use super::exact_sum::ExactSum;
-use crate::arithmetic::{Parts, pick, turn};
+use crate::arithmetic::{Each, Parts, pick, three, turn};
+use crate::scalar::Backend;
 
 /// A sum of up to three signed coordinates.
 pub(crate) type Linear = [Parts; 3];
@@ -23,6 +24,22 @@ pub(crate) fn single(a: Parts) -> Linear {
 /// a − b.
 pub(crate) fn difference(a: Parts, b: Parts) -> Linear {
     [a, b.negated(), Parts::ZERO]
+}
+
+/// A point's coordinates.
+pub(crate) fn singles<S: Backend>(x: [S; 3]) -> Vector {
+    x.each(|x| single(x.parts()))
+}
+
+/// a − b.
+#[inline(never)]
+pub(crate) fn differences<S: Backend>(a: &[S; 3], b: &[S; 3]) -> Vector {
+    three(|i| difference(a[i].parts(), b[i].parts()))
+}
+
+/// The vector along coordinate axis `i` of length `one`.
+pub(crate) fn along_axis(i: usize, one: Parts) -> Vector {
+    three(|k| single(if k == i { one } else { Parts::ZERO }))
 }
 
 const UNIT: Linear = [Parts::UNIT, Parts::ZERO, Parts::ZERO];
@@ -50,6 +67,22 @@ fn add_product<T: ExactSum>(
     }
 }
 
+/// The sign of (a × b)·c. Out of line, as all that make a sum alone: it takes up to 1 KB.
+#[inline(never)]
+pub(crate) fn side<T: ExactSum>(vectors: [&Vector; 3]) -> Ordering {
+    let mut sum = T::new();
+    add_determinant(&mut sum, vectors, None);
+    sum.sign()
+}
+
+/// The sign of component `i` of a × b.
+#[inline(never)]
+pub(crate) fn minor_sign<T: ExactSum>(a: &Vector, b: &Vector, i: usize) -> Ordering {
+    let mut sum = T::new();
+    add_minor(&mut sum, a, b, i, false);
+    sum.sign()
+}
+
 /// The sign of a sum of coordinates.
 #[inline(never)]
 pub(crate) fn sign<T: ExactSum>(x: &Linear) -> Ordering {
@@ -63,23 +96,19 @@ pub(crate) fn add_area<T: ExactSum>(sum: &mut T, a: &Linear, b: &Linear, minus: 
     add_product(sum, [a, b, &UNIT], None, minus);
 }
 
-/// Adds (a × b)·c to the sum.
-pub(crate) fn add_determinant<T: ExactSum>(sum: &mut T, a: &Vector, b: &Vector, c: &Vector) {
-    add_multiple(sum, [a, b, c], None);
+/// Adds component `i` of a × b to the sum or subtracts it.
+pub(crate) fn add_minor<T: ExactSum>(sum: &mut T, a: &Vector, b: &Vector, i: usize, minus: bool) {
+    let (_, j, k) = turn(i);
+    add_area(sum, pick(a, j), pick(b, k), minus);
+    add_area(sum, pick(a, k), pick(b, j), !minus);
 }
 
-/// Adds (a × b)·c times `factor` to the sum.
-pub(crate) fn add_scaled_determinant<T: ExactSum>(
+/// Adds (a × b)·c to the sum, times `factor` if there is one.
+pub(crate) fn add_determinant<T: ExactSum>(
     sum: &mut T,
-    a: &Vector,
-    b: &Vector,
-    c: &Vector,
-    factor: Parts,
+    [a, b, c]: [&Vector; 3],
+    factor: Option<Parts>,
 ) {
-    add_multiple(sum, [a, b, c], Some(factor));
-}
-
-fn add_multiple<T: ExactSum>(sum: &mut T, [a, b, c]: [&Vector; 3], factor: Option<Parts>) {
     for i in 0..3 {
         let (i, j, k) = turn(i);
         add_product(sum, [pick(a, j), pick(b, k), pick(c, i)], factor, false);

@@ -61,7 +61,8 @@ pub(crate) use cascade::{
 #[cfg(feature = "fixed")]
 pub(crate) use cascade::{only_stage, stage};
 pub(crate) use determinant::{
-    Linear, Vector, add_area, add_determinant, add_scaled_determinant, difference, sign, single,
+    Linear, Vector, add_area, add_determinant, add_minor, along_axis, difference, differences,
+    minor_sign, side, sign, single, singles,
 };
 pub use exact_sum::ExactSum;
 pub(crate) use exact_sum::Sum;

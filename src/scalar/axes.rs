@@ -120,14 +120,8 @@ where
     let mut one = S::SeptumSum::new();
     one.add(&[S::ONE, S::ONE]);
     let is_below = |x: S| {
-        let mut rest = S::SeptumSum::new();
-        rest.add(&[c.parts(), S::ONE]);
+        let mut rest = face;
         rest.add(&[x.parts().negated(), S::ONE]);
-        for (a, h) in across.into_iter().zip(half) {
-            let mut a = a.parts();
-            a.negative = false;
-            rest.add(&[a, h.parts()]);
-        }
         rest.sign() == core::cmp::Ordering::Greater
     };
     // The quotient is the nearest number or one of its neighbours.

@@ -37,6 +37,20 @@ impl<S: Scalar> Apart<S> {
     pub(in crate::query) fn new(a: &AabbForm<S>, b: &AabbForm<S>) -> Self {
         Self { a: Grown::new(a), b: Grown::new(b) }
     }
+
+    /// The signs of the gaps in front of the first box and behind it, on axis `i`.
+    pub(super) fn gaps(&self, i: usize) -> [Ordering; 2] {
+        let Self { a, b } = self;
+        let gap = |low: S, high: S| {
+            let mut gap = S::SeptumSum::new();
+            gap.add(&[low.parts()]);
+            for x in [high, a.grown[i], b.grown[i]] {
+                gap.add(&[x.parts().negated()]);
+            }
+            gap.sign()
+        };
+        [gap(a.low[i], b.high[i]), gap(b.low[i], a.high[i])]
+    }
 }
 
 /// Roundoffs in a gap, per sum of the magnitudes of its two operands.
@@ -66,19 +80,7 @@ impl<S: Scalar> Predicate<S> for Apart<S> {
     }
 
     fn exact(&self) -> bool {
-        let Self { a, b } = self;
-        let is_beyond = |low: S, high: S, r: S, s: S| {
-            let mut gap = S::SeptumSum::new();
-            gap.add(&[low.parts()]);
-            gap.add(&[high.parts().negated()]);
-            gap.add(&[r.parts().negated()]);
-            gap.add(&[s.parts().negated()]);
-            gap.sign() == Ordering::Greater
-        };
-        (0..3).any(|i| {
-            let (r, s) = (a.grown[i], b.grown[i]);
-            is_beyond(a.low[i], b.high[i], r, s) || is_beyond(b.low[i], a.high[i], r, s)
-        })
+        (0..3).any(|i| self.gaps(i).contains(&Ordering::Greater))
     }
 }
 

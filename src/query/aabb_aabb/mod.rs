@@ -4,7 +4,7 @@ mod kernel;
 
 use crate::arithmetic::{Each, Embeds, Number, compare, greatest};
 use crate::query::relation::{Nearness, Relate, Relation, of_gaps};
-use crate::robust::{ExactSum, Predicate, Profile};
+use crate::robust::{Predicate, Profile};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Overlaps};
 pub(super) use kernel::{Apart, GAP};
@@ -76,20 +76,7 @@ impl<S: Scalar> Predicate<S> for Lie<S> {
     }
 
     fn exact(&self) -> Relation {
-        let Apart { a, b } = &self.0;
-        let gap = |low: S, high: S, r: S, s: S| {
-            let mut gap = S::SeptumSum::new();
-            gap.add(&[low.parts()]);
-            for x in [high, r, s] {
-                gap.add(&[x.parts().negated()]);
-            }
-            gap.sign()
-        };
-        (0..3).fold(Relation::Overlapping, |so_far, i| {
-            let (r, s) = (a.grown[i], b.grown[i]);
-            let gaps = [gap(a.low[i], b.high[i], r, s), gap(b.low[i], a.high[i], r, s)];
-            so_far.min(of_gaps(gaps))
-        })
+        (0..3).fold(Relation::Overlapping, |so_far, i| so_far.min(of_gaps(self.0.gaps(i))))
     }
 }
 

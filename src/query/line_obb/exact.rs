@@ -6,7 +6,7 @@ use core::marker::PhantomData;
 
 use super::faces::Signs;
 use crate::arithmetic::{Each, Parts, pick, three, turn};
-use crate::robust::{ExactSum, Vector, add_scaled_determinant, single};
+use crate::robust::{ExactSum, Vector, add_determinant, singles};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
 
@@ -29,8 +29,8 @@ struct Term<'a>(Parts, [&'a Vector; 3]);
 
 fn sum<S: Scalar>(terms: &[Term<'_>]) -> S::SeptumSum {
     let mut sum = S::SeptumSum::new();
-    for Term(factor, [a, b, c]) in terms {
-        add_scaled_determinant(&mut sum, a, b, c, *factor);
+    for Term(factor, vectors) in terms {
+        add_determinant(&mut sum, *vectors, Some(*factor));
     }
     sum
 }
@@ -41,7 +41,7 @@ fn signed(x: Parts, minus: bool) -> Parts {
 
 impl<S: Scalar> ExactLine<S> {
     pub(super) fn new(obb: &Obb<S>, m: Vector, d: Vector, ends: [Option<Parts>; 2]) -> Self {
-        let u = obb.axes_as_arrays().each(|u| u.each(|x| single(x.parts())));
+        let u = obb.axes_as_arrays().each(singles);
         let (h, none) = (obb.half_extents().to_array().each(S::parts), Ordering::Equal);
         let line = Self { m, d, ends, u, h, along: [none; 3], volume: none, scalar: PhantomData };
         let along = three(|i| sum::<S>(&[line.along(i, &line.d, S::ONE)]).sign());

@@ -7,7 +7,7 @@ use core::cmp::Ordering;
 use super::{First, Lie};
 use crate::arithmetic::{BigInt, Each, Embeds, Float, Number, Parts, Window, cross, dot, three};
 use crate::query::relation::{Nearness, Relation, of_gaps};
-use crate::robust::{ExactSum, Linear, Vector, add_scaled_determinant, difference, single};
+use crate::robust::{ExactSum, Linear, Vector, add_determinant, along_axis, difference, singles};
 use crate::scalar::Scalar;
 use crate::shape::{AabbForm, Obb};
 
@@ -35,13 +35,8 @@ impl ExactBoxes {
         let second = lie.second;
         let [b, k] = [second.center(), second.half_extents()].each(|v| parts(v.to_array()));
         let vector = |of: &dyn Fn(usize) -> Linear| [of(0), of(1), of(2)];
-        let axes = |obb: &Obb<S>| obb.axes().each(|u| u.to_array().each(|x| single(x.parts())));
-        let along = three(|i| {
-            let zero = single(Parts::ZERO);
-            let mut axis = [zero; 3];
-            axis[i] = single(S::ONE);
-            axis
-        });
+        let axes = |obb: &Obb<S>| obb.axes_as_arrays().each(singles);
+        let along = three(|i| along_axis(i, S::ONE));
         let pairs = |half: [Parts; 3]| half.each(|h| [h, Parts::ZERO]);
         let (d, u, h, k) = match lie.first {
             First::Obb(first) => {
@@ -87,7 +82,7 @@ impl ExactBoxes {
     fn axis<S: Scalar>(&self, a: usize, b: usize) -> Relation {
         let (a, b) = (&self.extents[a].axis, &self.extents[b].axis);
         let determinant = |sum: &mut S::SeptumSum, x: &Vector, factor: Parts| {
-            add_scaled_determinant(sum, a, b, x, factor);
+            add_determinant(sum, [a, b, x], Some(factor));
         };
         // The distance by which the second box stays beyond the first, on both sides.
         of_gaps([Ordering::Greater, Ordering::Less].each(|side| {

@@ -8,7 +8,7 @@ use core::cmp::Ordering;
 
 use crate::arithmetic::{Each, Embeds, Number, Parts, greatest, largest, pick};
 use crate::query::triangle_obb::{cross, dot, error_bound, operands, way};
-use crate::robust::{ExactSum, Predicate, Uncertain, Vector, add_scaled_determinant, single};
+use crate::robust::{ExactSum, Predicate, Uncertain, Vector, add_determinant, singles};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
 
@@ -44,7 +44,7 @@ impl<S: Scalar> Predicate<S> for Outside<'_, S> {
     }
 
     fn exact(&self) -> bool {
-        let axes = self.obb.axes_as_arrays().each(|u| u.each(|x| single(x.parts())));
+        let axes = self.obb.axes_as_arrays().each(singles);
         let half = self.obb.half_extents().to_array();
         let (point, center) = (self.point, self.obb.center().to_array());
         let volume = {
@@ -56,7 +56,7 @@ impl<S: Scalar> Predicate<S> for Outside<'_, S> {
             // The axis replaced by the point, and by the centre.
             let replaced = |by: &[S; 3]| {
                 let mut axes = axes;
-                let by = by.each(|x| single(x.parts()));
+                let by = singles(*by);
                 match i {
                     0 => axes[0] = by,
                     1 => axes[1] = by,
@@ -78,7 +78,7 @@ impl<S: Scalar> Predicate<S> for Outside<'_, S> {
 }
 
 fn add_volume<T: ExactSum>(sum: &mut T, [a, b, c]: &[Vector; 3], factor: Parts) {
-    add_scaled_determinant(sum, a, b, c, factor);
+    add_determinant(sum, [a, b, c], Some(factor));
 }
 
 #[cfg(test)]

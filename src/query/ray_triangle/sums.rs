@@ -9,10 +9,8 @@ use core::cmp::Ordering;
 use super::crosses::{Crosses, oriented};
 use super::kernel::{Crossing, Setting};
 use super::{Facing, Hit};
-use crate::arithmetic::{Each, Number, pick, three, turn};
-use crate::robust::{
-    ExactSum, Linear, Vector, add_area, add_determinant, add_scaled_determinant, difference,
-};
+use crate::arithmetic::{Each, Number};
+use crate::robust::{ExactSum, Linear, Vector, add_determinant, differences, minor_sign};
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Crosses<'_, S> {
@@ -28,9 +26,9 @@ impl<S: Scalar> Crosses<'_, S> {
     fn counts_in_sums(&self, crossing: &mut Crossing<S::SeptumSum>) -> Option<bool> {
         let [a, b, c, o, d] = self.rows();
         let setting = Setting {
-            d: from(&d, &[S::ZERO; 3]),
-            e: [from(&b, &a), from(&c, &a)],
-            s: from(&o, &a),
+            d: differences(&d, &[S::ZERO; 3]),
+            e: [differences(&b, &a), differences(&c, &a)],
+            s: differences(&o, &a),
         };
         setting.add_volumes(crossing);
         if !crossing.meets_for_certain() {
@@ -41,7 +39,8 @@ impl<S: Scalar> Crosses<'_, S> {
             let side = if end == S::ZERO { crossing.t.sign() } else { setting.compare(end) };
             Some(oriented(side, is_front))
         };
-        let perturbed = |k: usize| setting.perturbed(k, |_, _| from(&b, &c), first_sign::<S>);
+        let perturbed =
+            |k: usize| setting.perturbed(k, |_, _| differences(&b, &c), first_sign::<S>);
         self.admits(is_front, crossing.zeros(), compare_with, perturbed)
     }
 }
@@ -60,13 +59,13 @@ impl Setting<Linear> {
     fn add_volumes<T: ExactSum>(&self, crossing: &mut Crossing<T>) {
         let Self { d, e: [e1, e2], s } = self;
         let Crossing { det, t, sides: [w, u, v] } = crossing;
-        add_determinant(det, d, e2, e1);
-        add_determinant(t, s, e1, e2);
-        add_determinant(w, d, e2, e1);
-        add_determinant(w, e2, d, s);
-        add_determinant(w, e1, s, d);
-        add_determinant(u, d, e2, s);
-        add_determinant(v, s, e1, d);
+        add_determinant(det, [d, e2, e1], None);
+        add_determinant(t, [s, e1, e2], None);
+        add_determinant(w, [d, e2, e1], None);
+        add_determinant(w, [e2, d, s], None);
+        add_determinant(w, [e1, s, d], None);
+        add_determinant(u, [d, e2, s], None);
+        add_determinant(v, [s, e1, d], None);
     }
 
     /// How the numerator of t compares with `end` times the determinant.
@@ -74,27 +73,14 @@ impl Setting<Linear> {
     fn compare<S: Scalar>(&self, end: S) -> Ordering {
         let Self { d, e: [e1, e2], s } = self;
         let mut sum = S::SeptumSum::ZERO;
-        add_scaled_determinant(&mut sum, s, e1, e2, S::ONE);
-        add_scaled_determinant(&mut sum, e2, d, e1, end.parts());
+        add_determinant(&mut sum, [s, e1, e2], Some(S::ONE));
+        add_determinant(&mut sum, [e2, d, e1], Some(end.parts()));
         sum.sign()
     }
-}
-
-#[inline(never)]
-fn from<S: Scalar>(to: &[S; 3], from: &[S; 3]) -> Vector {
-    three(|i| difference(to[i].parts(), from[i].parts()))
 }
 
 /// The sign of the first component of a × b that has one.
 #[inline(never)]
 fn first_sign<S: Scalar>(a: &Vector, b: &Vector) -> Ordering {
-    (0..3).fold(Ordering::Equal, |first, i| {
-        first.then_with(|| {
-            let (_, j, k) = turn(i);
-            let mut sum = S::SeptumSum::ZERO;
-            add_area(&mut sum, pick(a, j), pick(b, k), false);
-            add_area(&mut sum, pick(a, k), pick(b, j), true);
-            sum.sign()
-        })
-    })
+    (0..3).fold(Ordering::Equal, |first, i| first.then_with(|| minor_sign::<S::SeptumSum>(a, b, i)))
 }

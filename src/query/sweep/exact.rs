@@ -8,7 +8,7 @@ use super::time::Latest;
 use crate::arithmetic::{Each, Number, Parts, pick, three, turn};
 use crate::query::Axis;
 use crate::query::triangle_aabb::exact::{ExactAabb, ExactTriangle};
-use crate::robust::{ExactSum, Vector, add_determinant, difference, single};
+use crate::robust::{ExactSum, Vector, add_determinant, along_axis, differences};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Triangle, Vec3};
 
@@ -27,13 +27,7 @@ struct Cross {
 }
 
 fn unit(i: usize) -> Vector {
-    let zero = single(Parts::ZERO);
-    let one = single(Parts::UNIT);
-    match i {
-        0 => [one, zero, zero],
-        1 => [zero, one, zero],
-        _ => [zero, zero, one],
-    }
+    along_axis(i, Parts::UNIT)
 }
 
 impl Cross {
@@ -52,7 +46,7 @@ impl Cross {
 
     fn add<T: ExactSum>(&self, sum: &mut T, z: &Vector, is_against: bool) {
         let (x, y) = if is_against { (&self.y, &self.x) } else { (&self.x, &self.y) };
-        add_determinant(sum, x, y, z);
+        add_determinant(sum, [x, y, z], None);
     }
 }
 
@@ -62,11 +56,11 @@ impl ExactCourse {
         aabb: &Aabb<S>,
         ends: [Vec3<S>; 2],
     ) -> Self {
-        let [from, to] = ends.each(|end| end.to_array());
+        let [from, to] = ends.each(Vec3::to_array);
         Self {
             triangle: ExactTriangle::new(&triangle.points()),
             aabb: ExactAabb::new(aabb.form()),
-            d: core::array::from_fn(|i| difference(to[i].parts(), from[i].parts())),
+            d: differences(&to, &from),
         }
     }
 

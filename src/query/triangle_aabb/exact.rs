@@ -6,7 +6,7 @@ use core::cmp::Ordering;
 
 use crate::arithmetic::{Parts, pick, three, turn};
 use crate::query::Axis;
-use crate::robust::{ExactSum, Linear, Vector, add_area, add_determinant, difference, sign};
+use crate::robust::{ExactSum, Linear, Vector, add_area, difference, minor_sign, side, sign};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle};
 
@@ -57,10 +57,7 @@ fn normal_gaps<S: Scalar>(
             let toward = if along { toward } else { toward.reverse() };
             b.to_face(*pick(&t.v[0], i), i, toward)
         };
-        let mut sum = S::SeptumSum::new();
-        let to_corner = [to_corner(0), to_corner(1), to_corner(2)];
-        add_determinant(&mut sum, &e0, &e1, &to_corner);
-        sum.sign()
+        side::<S::SeptumSum>([&e0, &e1, &[to_corner(0), to_corner(1), to_corner(2)]])
     };
     [corner(true).reverse(), corner(false)]
 }
@@ -151,11 +148,6 @@ impl ExactTriangle {
 
     /// The sign of component `i` of the normal, e0 × e1.
     pub(in crate::query) fn normal_sign<S: Scalar>(&self, i: usize) -> Ordering {
-        let (_, j, k) = turn(i);
-        let (e0, e1) = (self.edge(0), self.edge(1));
-        let mut sum = S::SeptumSum::new();
-        add_area(&mut sum, pick(&e0, j), pick(&e1, k), false);
-        add_area(&mut sum, pick(&e0, k), pick(&e1, j), true);
-        sum.sign()
+        minor_sign::<S::SeptumSum>(&self.edge(0), &self.edge(1), i)
     }
 }

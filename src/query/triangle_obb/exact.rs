@@ -8,7 +8,7 @@ use core::marker::PhantomData;
 use crate::arithmetic::{Each, InWord, Number, WholeVolume, WholeWord, cross_words, dot_words};
 use crate::arithmetic::{Parts, pick, turn};
 use crate::query::relation::{Reading, Relation, of_gaps};
-use crate::robust::{ExactSum, Vector, add_scaled_determinant, difference, single};
+use crate::robust::{ExactSum, Vector, add_determinant, differences, singles};
 use crate::scalar::Scalar;
 
 /// The representation of factors, and the sign of a sum of their products.
@@ -42,7 +42,7 @@ impl<S: Scalar> Signs for InSums<S> {
     fn sign(terms: &[Term<'_, Self>]) -> Ordering {
         let mut sum = S::SeptumSum::new();
         for Term(factor, a, b, c) in terms {
-            add_scaled_determinant(&mut sum, a, b, c, *factor);
+            add_determinant(&mut sum, [a, b, c], Some(*factor));
         }
         sum.sign()
     }
@@ -95,13 +95,10 @@ pub(super) struct ExactParallelepiped<N: Signs> {
 
 impl<S: Scalar> ExactParallelepiped<InSums<S>> {
     pub(super) fn new([a, b, c]: [[S; 3]; 3], [center, u, v, w, half]: [[S; 3]; 5]) -> Self {
-        let from = |to: [S; 3], from: [S; 3]| {
-            core::array::from_fn(|i| difference(to[i].parts(), from[i].parts()))
-        };
         Self {
-            t: [from(a, center), from(b, center), from(c, center)],
-            e: [from(b, a), from(c, b), from(a, c)],
-            u: [u, v, w].each(|u| u.each(|x| single(x.parts()))),
+            t: [a, b, c].each(|p| differences(&p, &center)),
+            e: [differences(&b, &a), differences(&c, &b), differences(&a, &c)],
+            u: [u, v, w].each(singles),
             h: half.each(S::parts),
             one: S::ONE,
         }

@@ -1,8 +1,8 @@
 //! The segment in which two triangles cross.
 
 use super::kernel::{Ends, ends};
-use crate::arithmetic::{Each, Embeds, pick, three, turn};
-use crate::robust::{ExactSum, Predicate, Vector, add_area, difference};
+use crate::arithmetic::{Each, Embeds, pick, three};
+use crate::robust::{ExactSum, Predicate, add_minor, differences};
 use crate::scalar::Scalar;
 use crate::shape::{Segment, Triangle, Vec3};
 
@@ -78,13 +78,10 @@ impl<S: Scalar> Triangle<S> {
 fn crossing<S: Scalar>(triangles: [&Triangle<S>; 2], (of, ends): (usize, [usize; 2])) -> Vec3<S> {
     let [first, second] = triangles.each(Triangle::points);
     let (edges, [base, b, c]) = if of == 0 { (&first, &second) } else { (&second, &first) };
-    let from_base = |p: &[S; 3]| -> Vector { three(|i| difference(p[i].parts(), base[i].parts())) };
-    let (e, f) = (from_base(b), from_base(c));
+    let (e, f) = (differences(b, base), differences(c, base));
     let normal = three(|i| {
-        let (_, j, k) = turn(i);
         let mut area = S::SeptumSum::new();
-        add_area(&mut area, pick(&e, j), pick(&f, k), false);
-        add_area(&mut area, pick(&e, k), pick(&f, j), true);
+        add_minor(&mut area, &e, &f, i, false);
         area
     });
     let [p, q] = ends.each(|k| {
